@@ -1,0 +1,348 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# phspline: the whole build, in one non-recursive GNU make file (3.81 or newer).
+# `make' builds build/plain/phspline, `make help' says what else there is.
+#
+# Three layers, each overriding the one before: the defaults below, config.mk
+# (written by ./configure, never needed), and the command line.  Sources are
+# found, not listed: a new file below src/ or tests/ needs no edit here.
+#
+# Objects live in build/$(VARIANT)/ so that the plain, asan, fault, tsan, cov
+# and fuzz builds coexist; any other name, as in `make CC=clang VARIANT=clang',
+# is a plain build elsewhere.  To build out of tree run configure, or `make -f
+# /there/Makefile', in the directory that gets build/ (paths without blanks).
+
+# ---- where things are --------------------------------------------------------
+
+srcdir := $(patsubst %/,%,$(dir $(lastword $(MAKEFILE_LIST))))
+# the prefix of every source path: nothing when the source is here
+S := $(if $(filter .,$(srcdir)),,$(srcdir)/)
+VARIANT = plain
+B = build/$(VARIANT)
+VERSION := $(shell sed -n 's/.*PH_VERSION "\(.*\)".*/\1/p' \
+	$(S)src/base/version.h)
+DIST = phspline-$(VERSION)
+
+# ---- defaults; environment, config.mk and command line override them ---------
+
+prefix ?= /usr/local
+exec_prefix ?= $(prefix)
+bindir ?= $(exec_prefix)/bin
+datarootdir ?= $(prefix)/share
+datadir ?= $(datarootdir)
+mandir ?= $(datarootdir)/man
+INSTALL ?= install
+INSTALL_PROGRAM ?= $(INSTALL)
+INSTALL_DATA ?= $(INSTALL) -m 644
+
+CFLAGS ?= -O2 -g
+PKG_CONFIG ?= pkg-config
+GCOV ?= gcov
+VALGRIND ?= valgrind -q --error-exitcode=9 --leak-check=full \
+	--errors-for-leak-kinds=definite,possible
+# seconds for each fuzz target; test files run at once; what `make deps' gets;
+# what distcheck runs in the unpacked tree
+FUZZ_TIME ?= 60
+TEST_JOBS ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+DEPS ?= build test
+DISTCHECK_TARGETS ?= check
+
+# $(call pkg,OPTION,MODULE,FALLBACK): ask pkg-config, or hope for the best
+pkg = $(shell $(PKG_CONFIG) $1 $2 2>/dev/null || echo $3)
+ifndef GSL_LIBS
+GSL_CFLAGS := $(call pkg,--cflags,gsl)
+GSL_LIBS := $(call pkg,--libs,gsl,-lgsl -lgslcblas)
+endif
+ifndef CJSON_LIBS
+CJSON_CFLAGS := $(call pkg,--cflags,libcjson)
+CJSON_LIBS := $(call pkg,--libs,libcjson,-lcjson)
+endif
+ifndef CHECK_LIBS
+CHECK_CFLAGS := $(call pkg,--cflags,check)
+CHECK_LIBS := $(call pkg,--libs,check,-lcheck)
+endif
+
+-include config.mk
+
+# ---- flags -------------------------------------------------------------------
+# Order: warnings (CFLAGS may silence one), CFLAGS, then what the results depend
+# on and nobody overrides.  No contraction into FMA: it changes last digits from
+# one processor to the next.  -ffast-math would break NaN tests: never add it.
+
+WARNINGS = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes \
+	-Wvla -Wdouble-promotion -Wfloat-equal $(if $(WERROR),-Werror)
+MANDATORY = -std=c11 -ffp-contract=off -pthread -D_POSIX_C_SOURCE=200809L \
+	-I$(S)src
+
+VFLAGS_asan = -O1 -fno-omit-frame-pointer -fsanitize=address,undefined \
+	-fno-sanitize-recover=all
+VFLAGS_fault = $(VFLAGS_asan) -DPH_FAULT_INJECTION
+VFLAGS_tsan = -O1 -fno-omit-frame-pointer -fsanitize=thread
+VFLAGS_cov = -O0 --coverage
+VFLAGS_fuzz = -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
+	-fsanitize=fuzzer-no-link,address,undefined
+
+COMPILE = $(CC) $(WARNINGS) $(GSL_CFLAGS) $(CJSON_CFLAGS) $(CPPFLAGS) \
+	$(CFLAGS) $(MANDATORY) $(VFLAGS_$(VARIANT))
+LINK = $(CC) $(CFLAGS) $(MANDATORY) $(VFLAGS_$(VARIANT)) $(LDFLAGS)
+LIBRARIES = $(GSL_LIBS) $(CJSON_LIBS) $(LIBS) -lm
+
+# V=1 shows whole command lines
+Q = $(if $(V),,@)
+SAY = @$(if $(V),:,echo)
+AGAIN = $(MAKE) --no-print-directory -f $(firstword $(MAKEFILE_LIST))
+SUBMAKE = +@$(AGAIN)
+
+# ---- what there is -----------------------------------------------------------
+
+# $(call files,DIRECTORIES,NAME): sorted, relative to the source directory
+files = $(sort $(shell cd $(srcdir) && find $1 -name '$2' 2>/dev/null))
+
+SRC := $(call files,src,*.c)
+UNIT_SRC := $(call files,tests/unit tests/prop,*.c)
+# helper programs of the shell tests, which find them on PATH
+TOOL_SRC := $(call files,tests/cli,*.c)
+BENCH_SRC := $(call files,bench,*.c)
+FUZZ_SRC := $(call files,tests/fuzz,*.c)
+CLI_TESTS := $(call files,tests/cli,*.t)
+FAULT_TESTS := $(call files,tests/fault,*.t)
+LINTS := $(call files,tests/lint,*.sh)
+# ... of which `make check' runs
+QUICK_LINTS = tests/lint/layers.sh tests/lint/headers.sh
+MAN := $(call files,man,*.[1-9])
+
+obj = $(patsubst %.c,$(B)/%.o,$1)
+exe = $(patsubst %.c,$(B)/%,$1)
+MAIN_OBJ = $(call obj,src/cli/main.c)
+LIB_OBJ = $(filter-out $(MAIN_OBJ),$(call obj,$(SRC)))
+LIB = $(B)/libph.a
+PROGRAM = $(B)/phspline
+# tests/unit/t_*.c are programs; other files there are linked into each of them
+UNIT_MAIN = $(foreach f,$(UNIT_SRC),$(if $(filter t_%,$(notdir $f)),$f))
+UNIT_AUX = $(call obj,$(filter-out $(UNIT_MAIN),$(UNIT_SRC)))
+UNIT = $(call exe,$(UNIT_MAIN))
+TOOLS = $(call exe,$(TOOL_SRC))
+BENCH = $(call exe,$(BENCH_SRC))
+FUZZ = $(call exe,$(FUZZ_SRC))
+OBJ = $(call obj,$(SRC) $(UNIT_SRC) $(TOOL_SRC) $(BENCH_SRC) $(FUZZ_SRC))
+
+# ---- build -------------------------------------------------------------------
+
+.DEFAULT_GOAL := all
+# `make -j clean check': goals one after the other, each of them in parallel
+$(if $(word 2,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.PHONY: FORCE all install uninstall deps tests-build check check-run demo \
+	demo-run asan asan-run tsan tsan-run valgrind valgrind-run coverage \
+	coverage-run lint lint-run fuzz fuzz-run bench bench-run configure dist \
+	distcheck clean distclean help
+
+all: $(PROGRAM) ## build build/plain/phspline (the default)
+
+$(PROGRAM): $(MAIN_OBJ)
+$(LIB): $(LIB_OBJ) $(B)/objects
+	$(SAY) "  AR  $@"
+	$(Q)rm -f $@ && $(AR) rcs $@ $(LIB_OBJ)
+
+$(OBJ): $(B)/%.o: $(S)%.c $(B)/flags $(B)/libraries
+	$(SAY) "  CC  $<"
+	@mkdir -p $(@D)
+	$(Q)$(COMPILE) $(EXTRA_CFLAGS) -MMD -MP -c -o $@ $<
+
+$(call obj,$(UNIT_SRC)): EXTRA_CFLAGS = -I$(S)tests/unit $(CHECK_CFLAGS)
+$(UNIT): EXTRA_LIBS = $(CHECK_LIBS)
+$(UNIT): $(UNIT_AUX)
+$(FUZZ): EXTRA_LIBS = -fsanitize=fuzzer
+$(UNIT) $(TOOLS) $(BENCH) $(FUZZ): $(B)/%: $(B)/%.o
+$(PROGRAM) $(UNIT) $(TOOLS) $(BENCH) $(FUZZ): $(LIB)
+	$(SAY) "  LD  $@"
+	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIB) $(EXTRA_LIBS) $(LIBRARIES)
+
+# Rewritten, and so newer than what depends on them, only when they change: the
+# flags, and the list of objects, which shrinks when a source file is removed.
+$(B)/flags: STAMP = $(COMPILE) : $(LDFLAGS) : $(LIBRARIES)
+$(B)/objects: STAMP = $(LIB_OBJ)
+$(B)/flags $(B)/objects: FORCE
+	@mkdir -p $(@D)
+	@printf '%s\n' '$(subst ','\'',$(STAMP))' | cmp -s - $@ || \
+	  printf '%s\n' '$(subst ','\'',$(STAMP))' >$@
+
+# One clear message in place of fifty about a missing header.
+$(B)/libraries: $(B)/flags
+	@printf '%s\n' '#include <gsl/gsl_version.h>' '#include <cjson/cJSON.h>' \
+	  'int main(void) { return !gsl_version || !cJSON_Version(); }' >$@.c
+	@$(LINK) $(GSL_CFLAGS) $(CJSON_CFLAGS) $(CPPFLAGS) -o $@.exe $@.c \
+	  $(LIBRARIES) >$@.log 2>&1 || { cat $@.log >&2; echo >&2; \
+	  echo 'phspline needs GSL and cJSON with their headers, and a C11' \
+	    'compiler ($(CC)).' >&2; \
+	  echo 'To install what is missing: make deps' >&2; exit 1; }
+	@rm -f $@.exe && touch $@
+
+-include $(OBJ:.o=.d)
+
+# ---- install -----------------------------------------------------------------
+
+# data/completions/FILE and where each shell looks for it
+COMPLETIONS = $(foreach c,phspline.bash:bash-completion/completions/phspline \
+	_phspline:zsh/site-functions/_phspline \
+	phspline.fish:fish/vendor_completions.d/phspline.fish,\
+	$(if $(wildcard $(S)data/completions/$(firstword $(subst :, ,$c))),$c))
+mandest = $(DESTDIR)$(mandir)/man$(subst .,,$(suffix $1))
+compsrc = $(S)data/completions/$(firstword $(subst :, ,$1))
+compdest = $(DESTDIR)$(datadir)/$(lastword $(subst :, ,$1))
+define newline
+
+
+endef
+install: all ## install below prefix=/usr/local (DESTDIR is respected)
+	$(INSTALL) -d "$(DESTDIR)$(bindir)"
+	$(INSTALL_PROGRAM) $(PROGRAM) "$(DESTDIR)$(bindir)/phspline"
+	$(foreach m,$(MAN),$(INSTALL) -d "$(call mandest,$m)"$(newline)\
+	  $(INSTALL_DATA) $(S)$m "$(call mandest,$m)/$(notdir $m)"$(newline))
+	$(foreach c,$(COMPLETIONS),\
+	  $(INSTALL) -d "$$(dirname "$(call compdest,$c)")"$(newline)\
+	  $(INSTALL_DATA) $(call compsrc,$c) "$(call compdest,$c)"$(newline))
+
+uninstall: ## remove what install put there
+	rm -f "$(DESTDIR)$(bindir)/phspline"
+	$(foreach m,$(MAN),rm -f "$(call mandest,$m)/$(notdir $m)"$(newline))
+	$(foreach c,$(COMPLETIONS),rm -f "$(call compdest,$c)"$(newline))
+
+# ---- packages ----------------------------------------------------------------
+# Targets that may install come in pairs: X gets the packages, then starts make
+# again for X-run, because pkg-config may be one of the packages and every flag
+# above has to be asked for anew.  Plain `make' never installs anything.
+
+deps: ## install missing packages (DEPS="SET...", see the script)
+	@sh $(S).ci/install-packages $(DEPS)
+
+need = @sh $(S).ci/install-packages build
+# what a run can do without may stay missing, loudly
+may_need = @sh $(S).ci/install-packages $1 || \
+	echo 'make: going on; what needs it is skipped' >&2
+
+# ---- tests -------------------------------------------------------------------
+
+RUN = env CC='$(CC)' COMPILE='$(subst ','\'',$(COMPILE))' builddir=$(B) \
+	TEST_JOBS='$(TEST_JOBS)' sh $(S)tests/run
+HAVE_CHECK = $(shell echo 'int main(void) { srunner_run_all(0, CK_ENV); }' | \
+	$(CC) $(CHECK_CFLAGS) -include check.h -x c - -o /dev/null \
+	$(LDFLAGS) $(CHECK_LIBS) $(LIBS) -pthread -lm 2>/dev/null && echo yes)
+# no Check, no unit tests: tests/run is told so, and tells it
+UNIT_WANTED := $(if $(filter %-run tests-build,$(MAKECMDGOALS)),\
+	$(if $(HAVE_CHECK),$(UNIT),--no-check))
+# `make check TESTS=tests/cli/smoke.t' runs less
+TESTS =
+pick = $(if $(TESTS),$(filter $(TESTS) $(addprefix %/,$(TESTS)),$1),$1)
+
+tests-build: all $(TOOLS) $(filter-out --%,$(UNIT_WANTED))
+
+check: ## unit and command line tests, quick lints (or TESTS=FILE...)
+	$(need)
+	$(call may_need,test)
+	$(SUBMAKE) check-run
+check-run: tests-build
+	@$(RUN) $(call pick,$(UNIT_WANTED) $(addprefix $(S),$(CLI_TESTS) \
+	  $(QUICK_LINTS)))
+
+demo: ## build, then run data/demo.sh
+	$(need)
+	$(SUBMAKE) demo-run
+demo-run: all
+	@sh $(S)data/demo.sh $(PROGRAM)
+
+# CK_FORK=no: leaks in forked children would go unreported.
+asan: ## the tests under the address and undefined sanitizers
+	$(need)
+	$(call may_need,test)
+	$(SUBMAKE) VARIANT=fault all
+	$(SUBMAKE) VARIANT=asan asan-run
+asan-run: tests-build
+	@CK_FORK=no PHSPLINE_FAULT=build/fault/phspline $(RUN) $(call pick,\
+	  $(UNIT_WANTED) $(addprefix $(S),$(CLI_TESTS) $(FAULT_TESTS)))
+
+tsan: ## unit tests and tests/cli/jobs.t under the thread sanitizer
+	$(need)
+	$(call may_need,test)
+	$(SUBMAKE) VARIANT=tsan tsan-run
+# Without setarch -R its fixed shadow map can collide with randomised addresses.
+tsan-run: tests-build
+	@CK_FORK=no $$(setarch -R true 2>/dev/null && echo setarch -R) \
+	  $(RUN) $(UNIT_WANTED) $(addprefix $(S),$(filter %/jobs.t,$(CLI_TESTS)))
+
+valgrind: ## unit tests, tests/cli/smoke.t and data/ under valgrind
+	$(need)
+	$(call may_need,test valgrind)
+	$(SUBMAKE) valgrind-run
+valgrind-run: tests-build
+	@printf '#!/bin/sh\nexec %s "%s" "$$@"\n' '$(VALGRIND)' \
+	  '$(CURDIR)/$(PROGRAM)' >$(PROGRAM).valgrind && chmod +x $(PROGRAM).valgrind
+	@CK_FORK=no PH_WRAP='$(VALGRIND)' PHSPLINE=$(PROGRAM).valgrind $(RUN) \
+	  $(UNIT_WANTED) $(addprefix $(S),$(filter %/smoke.t,$(CLI_TESTS)) \
+	  tests/valgrind/data.t)
+
+coverage: ## the tests, then the lines of each source file they executed
+	$(need)
+	$(call may_need,test)
+	$(SUBMAKE) VARIANT=cov coverage-run
+coverage-run: tests-build
+	@find $(B) -name '*.gcda' -exec rm -f {} +
+	@CK_FORK=no $(RUN) $(UNIT_WANTED) $(addprefix $(S),$(CLI_TESTS))
+	@for o in $(LIB_OBJ) $(MAIN_OBJ); do $(GCOV) -n -o $$o $$o 2>&1; done | \
+	  awk -f $(S).ci/coverage.awk
+
+lint: ## all of tests/lint/: layers, format, manual, scripts, ...
+	$(need)
+	$(call may_need,lint)
+	$(SUBMAKE) lint-run
+lint-run: all
+	@$(RUN) $(addprefix $(S),$(LINTS))
+
+# Committed inputs are read, new ones kept below build/.
+fuzz: ## run each fuzz target for FUZZ_TIME=60 seconds
+	$(need)
+	+@if sh $(S).ci/install-packages clang; then \
+	  $(AGAIN) CC=clang VARIANT=fuzz fuzz-run; \
+	else echo 'SKIPPED: fuzzing needs clang and its runtime' \
+	  '(Debian: clang, libclang-rt-14-dev)'; fi
+fuzz-run: $(FUZZ)
+	@for f in $(or $(FUZZ),$(error no tests/fuzz/*.c)); do n=$${f##*/}; \
+	  c=$(S)tests/fuzz/corpus/$$n; mkdir -p $(B)/corpus/$$n; echo "fuzzing $$n"; \
+	  $$f -max_total_time=$(FUZZ_TIME) -artifact_prefix=$(B)/$$n- \
+	    -print_final_stats=1 -timeout=20 $(B)/corpus/$$n \
+	    $$(test -d $$c && echo $$c) || exit 1; done
+
+bench: ## build and run the benchmarks of bench/
+	$(need)
+	$(SUBMAKE) bench-run
+bench-run: all $(BENCH)
+	@sh $(S)bench/run $(B)
+
+# ---- release -----------------------------------------------------------------
+# The tarball holds what git tracks, plus configure; made from an unpacked
+# tarball it comes out the same, byte for byte, as distcheck demands.
+
+configure: ## make ./configure with autoconf
+	cd $(srcdir) && autoconf
+
+dist: ## make phspline-VERSION.tar.gz
+	$(call may_need,dist)
+	@sh $(S).ci/dist make $(DIST)
+
+distcheck: dist ## prove the tarball: read-only, out of tree, install, again
+	@MAKE='$(MAKE)' sh $(S).ci/dist check $(DIST) $(DISTCHECK_TARGETS)
+
+clean: ## remove build/ and what the demo wrote
+	rm -rf build demo-output
+
+distclean: clean ## ... and what configure and dist made
+	rm -rf autom4te.cache phspline-*.tar.gz
+	rm -f config.mk config.log config.status
+	$(if $(S),rm -f Makefile)
+
+help: ## this list
+	@echo 'phspline $(VERSION): make TARGET [VARIABLE=VALUE]...'
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1 \2/p' $(S)Makefile | \
+	  while read -r t d; do printf '  %-11s %s\n' "$$t" "$$d"; done
+	@echo 'Variables: CC CFLAGS CPPFLAGS LDFLAGS prefix DESTDIR WERROR=1 V=1'
