@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A growable byte buffer: the only thing that writers write to.
+ *
+ * A failed growth is remembered in `failed` and makes every later append a
+ * no-op, so that a writer checks once, at its end.
+ */
+#ifndef PH_BASE_BUF_H
+#define PH_BASE_BUF_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* {0} is an empty buffer. */
+struct ph_buf {
+  char *data;
+  size_t n;        /* bytes used */
+  size_t capacity; /* bytes owned */
+  bool failed;     /* memory ran out: the content is incomplete */
+};
+
+/* ph_buf_reserve: room for n more bytes; NULL when memory is exhausted.  The
+ * caller writes at the returned pointer and adds to buf->n what it wrote. */
+char *ph_buf_reserve(struct ph_buf *buf, size_t n);
+
+/* ph_buf_put: appends n bytes. */
+void ph_buf_put(struct ph_buf *buf, const char *bytes, size_t n);
+
+/* ph_buf_puts: appends a NUL-terminated text. */
+void ph_buf_puts(struct ph_buf *buf, const char *text);
+
+/* ph_buf_clear: forgets the content and, if it grew beyond `keep` bytes, the
+ * memory too. */
+void ph_buf_clear(struct ph_buf *buf, size_t keep);
+
+/* ph_buf_free: gives the memory back; the buffer is empty again. */
+void ph_buf_free(struct ph_buf *buf);
+
+#endif

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Allocation and the arena (see mem.h).
+ *
+ * Chunks double from 16 kB up to 1 MB; a request that does not fit gets a
+ * chunk of its own size.  In the fault-injection build the allocation whose
+ * number is in the environment variable PH_FAIL_AT (from 0) fails, and with
+ * PH_FAIL_ON=1 all after it; the product does not contain that code.
+ */
+#include "base/mem.h"
+
+#include <stdalign.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifdef PH_FAULT_INJECTION
+#include <stdatomic.h>
+
+static int fails(void) {
+  static atomic_long count;
+  const char *at = getenv("PH_FAIL_AT");
+  const char *on = getenv("PH_FAIL_ON");
+  long number = atomic_fetch_add(&count, 1);
+  long limit = at ? atol(at) : -1;
+  return limit >= 0 && (number == limit || (on && number > limit));
+}
+#else
+static int fails(void) {
+  return 0;
+}
+#endif
+
+enum { CHUNK_MIN = 16 << 10, CHUNK_MAX = 1 << 20, ALIGNMENT = 16 };
+
+struct ph_chunk {
+  struct ph_chunk *older;
+  size_t size; /* of data */
+  size_t used;
+  alignas(ALIGNMENT) unsigned char data[];
+};
+
+void *ph_malloc(size_t size) {
+  return fails() ? NULL : malloc(size ? size : 1);
+}
+
+void *ph_realloc(void *old, size_t size) {
+  return fails() ? NULL : realloc(old, size ? size : 1);
+}
+
+void ph_free(void *memory) {
+  free(memory);
+}
+
+static struct ph_chunk *add_chunk(struct ph_arena *arena, size_t need) {
+  size_t size = arena->chunks ? 2 * arena->chunks->size : CHUNK_MIN;
+  struct ph_chunk *chunk;
+  if (size > CHUNK_MAX) {
+    size = CHUNK_MAX;
+  }
+  if (size < need) {
+    size = need;
+  }
+  if (size > SIZE_MAX - sizeof *chunk) {
+    return NULL;
+  }
+  chunk = ph_malloc(sizeof *chunk + size);
+  if (chunk) {
+    chunk->older = arena->chunks;
+    chunk->size = size;
+    chunk->used = 0;
+    arena->chunks = chunk;
+  }
+  return chunk;
+}
+
+void *ph_arena_array(struct ph_arena *arena, size_t n, size_t size) {
+  struct ph_chunk *chunk = arena->chunks;
+  size_t need;
+  void *memory;
+  if (size && n > (SIZE_MAX - ALIGNMENT) / size) {
+    return NULL;
+  }
+  need = (n * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+  if (!chunk || need > chunk->size - chunk->used) {
+    chunk = add_chunk(arena, need);
+    if (!chunk) {
+      return NULL;
+    }
+  }
+  memory = chunk->data + chunk->used;
+  chunk->used += need;
+  return memory;
+}
+
+char *ph_arena_copy(struct ph_arena *arena, const char *text, size_t n) {
+  char *copy = n < SIZE_MAX ? ph_arena_array(arena, n + 1, 1) : NULL;
+  if (copy) {
+    if (n) {
+      memcpy(copy, text, n);
+    }
+    copy[n] = '\0';
+  }
+  return copy;
+}
+
+struct ph_mark ph_arena_mark(const struct ph_arena *arena) {
+  struct ph_mark mark = {arena->chunks,
+                         arena->chunks ? arena->chunks->used : 0};
+  return mark;
+}
+
+static void drop_chunk(struct ph_arena *arena) {
+  struct ph_chunk *chunk = arena->chunks;
+  arena->chunks = chunk->older;
+  ph_free(chunk);
+}
+
+void ph_arena_release(struct ph_arena *arena, struct ph_mark mark) {
+  while (arena->chunks != mark.chunk) {
+    drop_chunk(arena);
+  }
+  if (arena->chunks) {
+    arena->chunks->used = mark.used;
+  }
+}
+
+void ph_arena_reset(struct ph_arena *arena) {
+  while (arena->chunks &&
+         (arena->chunks->older || arena->chunks->size > CHUNK_MAX)) {
+    drop_chunk(arena);
+  }
+  if (arena->chunks) {
+    arena->chunks->used = 0;
+  }
+}
+
+void ph_arena_free(struct ph_arena *arena) {
+  while (arena->chunks) {
+    drop_chunk(arena);
+  }
+}

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Memory: checked allocation and the arena.
+ *
+ * Ownership in one sentence: a record's memory belongs to its slot's arena and
+ * dies when the arena is reset; a function that allocates says which arena it
+ * takes.  Every allocation of the program goes through this file, so that the
+ * fault-injection build (PH_FAULT_INJECTION) can fail any one of them.
+ */
+#ifndef PH_BASE_MEM_H
+#define PH_BASE_MEM_H
+
+#include <stddef.h>
+
+/* ph_malloc, ph_realloc, ph_free: as in libc; size 0 gives a unique pointer. */
+void *ph_malloc(size_t size);
+void *ph_realloc(void *old, size_t size);
+void ph_free(void *memory);
+
+struct ph_chunk;
+
+/* An arena: bump allocation out of chunks.  {0} is an empty arena. */
+struct ph_arena {
+  struct ph_chunk *chunks; /* newest first */
+};
+
+/* A moment of an arena, to return to. */
+struct ph_mark {
+  struct ph_chunk *chunk;
+  size_t used;
+};
+
+/*
+ * ph_arena_array: uninitialised memory for n elements of `size` bytes, aligned
+ * to 16 bytes.
+ *
+ * ret  NULL when n * size overflows or memory is exhausted
+ */
+void *ph_arena_array(struct ph_arena *arena, size_t n, size_t size);
+
+/* ph_arena_copy: a NUL-terminated copy of n bytes, or NULL. */
+char *ph_arena_copy(struct ph_arena *arena, const char *text, size_t n);
+
+/* ph_arena_mark, ph_arena_release: give back what was taken since the mark. */
+struct ph_mark ph_arena_mark(const struct ph_arena *arena);
+void ph_arena_release(struct ph_arena *arena, struct ph_mark mark);
+
+/* ph_arena_reset: empties the arena; keeps one chunk of ordinary size, so that
+ * small records cost no allocation and a huge one leaves nothing behind. */
+void ph_arena_reset(struct ph_arena *arena);
+
+/* ph_arena_free: gives everything back. */
+void ph_arena_free(struct ph_arena *arena);
+
+#endif

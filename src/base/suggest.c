@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Words of the input in messages (see suggest.h).
+ *
+ * The distance of two words is that of Damerau (1964) in its restricted form,
+ * "optimal string alignment": the least number of insertions, deletions,
+ * replacements and swaps of neighbours, no letter touched twice.  It is
+ * computed row by row,
+ *
+ *   d(i,j) = min( d(i-1,j) + 1, d(i,j-1) + 1, d(i-1,j-1) + [a_i != b_j],
+ *                 d(i-2,j-2) + 1  if a_i = b_(j-1) and a_(i-1) = b_j ),
+ *
+ * with upper and lower case taken for the same letter, as a wrong case is the
+ * commonest mistake of all.
+ */
+#include "base/suggest.h"
+
+#include <string.h>
+
+enum {
+  SHOWN = 40,   /* bytes of an excerpt: half a terminal line */
+  LONGEST = 32, /* no name of the program is longer */
+  NEAR = 2      /* wrong letters that still make a typing mistake */
+};
+
+int ph_utf8_length(const char *p, const char *end) {
+  const unsigned char *u = (const unsigned char *)p;
+  size_t have = (size_t)(end - p);
+  unsigned char low = 0x80; /* bounds of the second byte */
+  unsigned char high = 0xBF;
+  int n;
+  if (u[0] < 0x80) {
+    return 1;
+  }
+  if (u[0] < 0xC2 || u[0] > 0xF4) {
+    return 0;
+  }
+  n = u[0] < 0xE0 ? 2 : u[0] < 0xF0 ? 3 : 4;
+  /* RFC 3629, sec. 4: what would be overlong, a surrogate or too large. */
+  if (u[0] == 0xE0) {
+    low = 0xA0;
+  } else if (u[0] == 0xED) {
+    high = 0x9F;
+  } else if (u[0] == 0xF0) {
+    low = 0x90;
+  } else if (u[0] == 0xF4) {
+    high = 0x8F;
+  }
+  for (int i = 1; i < n; i++) {
+    if ((size_t)i == have) {
+      return -1;
+    }
+    if (u[i] < low || u[i] > high) {
+      return 0;
+    }
+    low = 0x80;
+    high = 0xBF;
+  }
+  return n;
+}
+
+/* U+0000 to U+001F, U+007F to U+009F: what could drive a terminal. */
+static bool is_control(const char *p) {
+  unsigned char c = (unsigned char)*p;
+  return c < 0x20 || c == 0x7F || (c == 0xC2 && (unsigned char)p[1] < 0xA0);
+}
+
+const char *ph_excerpt(const char *text, size_t n,
+                       char excerpt[PH_EXCERPT_MAX]) {
+  static const char digits[] = "0123456789abcdef";
+  const char *end = text + n;
+  size_t used = 0;
+  while (text < end) {
+    unsigned char c = (unsigned char)*text;
+    int length = ph_utf8_length(text, end);
+    bool plain = length > 0 && !is_control(text);
+    size_t width = plain ? (size_t)length : 4;
+    if (used + width > SHOWN) {
+      memcpy(excerpt + used, "...", 3);
+      used += 3;
+      break;
+    }
+    if (plain) {
+      memcpy(excerpt + used, text, width);
+      text += width;
+    } else {
+      excerpt[used] = '\\';
+      excerpt[used + 1] = 'x';
+      excerpt[used + 2] = digits[c >> 4];
+      excerpt[used + 3] = digits[c & 15];
+      text++;
+    }
+    used += width;
+  }
+  excerpt[used] = '\0';
+  return excerpt;
+}
+
+static char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+bool ph_word_is(const char *word, size_t n, const char *name) {
+  for (size_t i = 0; i < n; i++) {
+    if (name[i] == '\0' || lower(word[i]) != lower(name[i])) {
+      return false;
+    }
+  }
+  return name[n] == '\0';
+}
+
+static size_t smaller(size_t a, size_t b) {
+  return a < b ? a : b;
+}
+
+/* The distance of two words of at most LONGEST letters. */
+static size_t distance(const char *a, size_t a_n, const char *b, size_t b_n) {
+  size_t rows[3][LONGEST + 1] = {{0}};
+  size_t *older = rows[0];
+  size_t *old = rows[1];
+  size_t *row = rows[2];
+  for (size_t j = 0; j <= b_n; j++) {
+    old[j] = j;
+  }
+  for (size_t i = 1; i <= a_n; i++) {
+    size_t *spare = older;
+    row[0] = i;
+    for (size_t j = 1; j <= b_n; j++) {
+      char x = lower(a[i - 1]);
+      char y = lower(b[j - 1]);
+      row[j] = smaller(smaller(old[j], row[j - 1]) + 1, old[j - 1] + (x != y));
+      if (i > 1 && j > 1 && x == lower(b[j - 2]) && lower(a[i - 2]) == y) {
+        row[j] = smaller(row[j], older[j - 2] + 1);
+      }
+    }
+    older = old;
+    old = row;
+    row = spare;
+  }
+  return old[b_n];
+}
+
+void ph_suggest_init(struct ph_suggest *suggest, const char *word, size_t n) {
+  *suggest = (struct ph_suggest){.word = word, .n = n};
+}
+
+void ph_suggest_try(struct ph_suggest *suggest, const char *name, size_t n) {
+  size_t d;
+  if (suggest->n > LONGEST || n > LONGEST) {
+    return;
+  }
+  d = distance(suggest->word, suggest->n, name, n);
+  if (d <= NEAR && d < suggest->n && d <= n &&
+      (!suggest->best || d < suggest->distance)) {
+    suggest->best = name;
+    suggest->best_n = n;
+    suggest->distance = d;
+  }
+}
+
+void ph_suggest_list(struct ph_suggest *suggest, const char *names) {
+  while (*names) {
+    size_t n = strcspn(names, "|");
+    ph_suggest_try(suggest, names, n);
+    names += n + (names[n] == '|');
+  }
+}
+
+bool ph_did_you_mean(const struct ph_suggest *suggest,
+                     char clause[PH_DID_YOU_MEAN_MAX]) {
+  static const char before[] = "; did you mean \"";
+  size_t n = sizeof before - 1;
+  clause[0] = '\0';
+  if (!suggest->best) {
+    return false;
+  }
+  memcpy(clause, before, n);
+  memcpy(clause + n, suggest->best, suggest->best_n);
+  memcpy(clause + n + suggest->best_n, "\"?", sizeof "\"?");
+  return true;
+}
