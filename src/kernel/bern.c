@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* De Casteljau's recurrences (see bern.h). */
+#include "kernel/bern.h"
+
+#include <string.h>
+
+static ph_cplx between(ph_cplx a, ph_cplx b, double u) {
+  return ph_cplx_of((1 - u) * a.re + u * b.re, (1 - u) * a.im + u * b.im);
+}
+
+void ph_bern_basis(size_t degree, double u, double *basis) {
+  basis[0] = 1;
+  for (size_t n = 1; n <= degree; n++) {
+    basis[n] = u * basis[n - 1];
+    for (size_t k = n; k-- > 1;) {
+      basis[k] = (1 - u) * basis[k] + u * basis[k - 1];
+    }
+    basis[0] *= 1 - u;
+  }
+}
+
+void ph_bern_halve(const ph_cplx *c, size_t degree, ph_cplx *left,
+                   ph_cplx *right) {
+  memcpy(right, c, (degree + 1) * sizeof *right);
+  for (size_t n = degree; n > 0; n--) {
+    left[degree - n] = right[0];
+    for (size_t k = 0; k < n; k++) {
+      right[k] = between(right[k], right[k + 1], 0.5);
+    }
+  }
+  left[degree] = right[0];
+}

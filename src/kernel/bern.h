@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Polynomials in Bernstein form with complex coefficients, on [0,1]:
+ * p(u) = sum_k c[k] binomial(n, k) (1-u)^(n-k) u^k.
+ *
+ * De Casteljau's recurrences throughout: convex combinations only, so that no
+ * digit is lost anywhere in [0,1].
+ */
+#ifndef PH_KERNEL_BERN_H
+#define PH_KERNEL_BERN_H
+
+#include "kernel/cplx.h"
+
+#include <stddef.h>
+
+/* ph_bern_basis: the values binomial(n, k) (1-u)^(n-k) u^k of the basis.
+ * out  basis[degree + 1] */
+void ph_bern_basis(size_t degree, double u, double *basis);
+
+/*
+ * ph_bern_halve: the two halves of a polynomial, each on [0,1] again.
+ *
+ * in   c[degree + 1]
+ * out  left[degree + 1], right[degree + 1]
+ */
+void ph_bern_halve(const ph_cplx *c, size_t degree, ph_cplx *left,
+                   ph_cplx *right);
+
+#endif
