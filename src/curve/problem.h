@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A problem: the typed values of its fields, whatever text they came from.
+ *
+ * PH_FIELDS is the one list of field names of all commands.  What a field may
+ * hold depends on the command: every method (solve/method.h) has a table of
+ * struct ph_field rows, from which reading, checking, the long options and the
+ * help text are derived.  Adding a field is adding a name here and a row there.
+ */
+#ifndef PH_CURVE_PROBLEM_H
+#define PH_CURVE_PROBLEM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define PH_FIELDS(X)  \
+  X(POINTS, "points") \
+  X(CLOSED, "closed") \
+  X(BASIS, "basis")   \
+  X(KNOTS, "knots")   \
+  X(END_DERIVATIVES, "end_derivatives")
+
+enum ph_field_id {
+#define X(symbol, name) PH_F_##symbol,
+  PH_FIELDS(X)
+#undef X
+      PH_FIELD_N
+};
+
+/* Kinds of values; a row allows several (bits). */
+enum ph_kind {
+  PH_ABSENT = 0,
+  PH_BOOL = 1,
+  PH_NUMBER = 2,
+  PH_WORD = 4,    /* one of the row's words */
+  PH_NUMBERS = 8, /* array of numbers */
+  PH_VECTORS = 16 /* array of arrays of 2 or 3 numbers, all of one size */
+};
+
+struct ph_value {
+  enum ph_kind kind;
+  bool flag;        /* PH_BOOL */
+  double number;    /* PH_NUMBER */
+  const char *word; /* PH_WORD, NUL-terminated */
+  double *v;        /* PH_NUMBERS: v[n]; PH_VECTORS: v[n][dimension] */
+  size_t n;
+  size_t dimension; /* PH_VECTORS: 2 or 3; PH_NUMBERS: 1 */
+};
+
+struct ph_field {
+  enum ph_field_id id;
+  unsigned kinds;       /* allowed kinds, or-ed */
+  unsigned dimensions;  /* PH_VECTORS: allowed sizes, bit 2 and bit 3 */
+  bool required;        /* absent is an error */
+  const char *words;    /* PH_WORD: allowed words, "a|b|c" */
+  const char *standard; /* what an absent field means, for the help */
+  const char *help;     /* one line for the help, lower case, no full stop */
+};
+
+/* What a problem may say: the fields of one command. */
+struct ph_schema {
+  const char *command; /* its name, also for messages */
+  const struct ph_field *fields;
+  size_t fields_n;
+};
+
+struct ph_problem {
+  struct ph_value field[PH_FIELD_N]; /* by enum ph_field_id */
+};
+
+/* ph_field_name: the name of a field, as in JSON. */
+const char *ph_field_name(enum ph_field_id id);
+
+/* ph_field_find: the schema's row of the name of n bytes, or NULL. */
+const struct ph_field *ph_field_find(const struct ph_schema *schema,
+                                     const char *name, size_t n);
+
+#endif

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Names of curve kinds and diagnostics; the list of warnings (see result.h). */
+#include "curve/result.h"
+
+#include <assert.h>
+
+static const char *const curve_names[] = {
+#define X(symbol, name) name,
+    PH_CURVES(X)
+#undef X
+};
+
+static const char *const diagnostic_names[] = {
+#define X(symbol, name) name,
+    PH_DIAGNOSTICS(X)
+#undef X
+};
+
+const char *ph_curve_name(enum ph_curve_kind kind) {
+  return curve_names[kind];
+}
+
+const char *ph_diagnostic_name(enum ph_diagnostic which) {
+  return diagnostic_names[which];
+}
+
+struct ph_diag *ph_warning_add(struct ph_result *result, size_t segment) {
+  struct ph_warning *warning = &result->warnings[result->warnings_n];
+  assert(result->warnings_n < PH_WARNINGS_MAX);
+  result->warnings_n++;
+  warning->segment = segment;
+  return &warning->diag;
+}

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A result: the curve, what was derived from it, and its certificate, as plain
+ * arrays that belong to the record's arena.  The shared vocabulary of solvers,
+ * certificates and writers.
+ */
+#ifndef PH_CURVE_RESULT_H
+#define PH_CURVE_RESULT_H
+
+#include "base/diag.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Curve kinds: X(SYMBOL, "name in records"). */
+#define PH_CURVES(X) X(PH, "ph")
+
+enum ph_curve_kind {
+#define X(symbol, name) PH_CURVE_##symbol,
+  PH_CURVES(X)
+#undef X
+      PH_CURVE_N
+};
+
+/*
+ * A spline of n segments.  Coordinates are in the unit of the data.
+ *
+ * control_points[n][degree + 1][dimension]   Bernstein-Bezier, on [0,1]
+ * preimage[n][preimage_n][preimage_dimension]
+ *      planar: complex w, r'(u) = w(u)^2 with respect to the local parameter u
+ *      in [0,1]; Bernstein coefficients; unit^(1/2)
+ * knots[n + 1]    global parameter at the joints, increasing
+ * lengths[n]      exact arc lengths; length is their sum
+ */
+struct ph_curve {
+  enum ph_curve_kind kind;
+  bool closed;
+  size_t dimension;
+  size_t degree;
+  size_t n;
+  double *knots;
+  double *control_points;
+  size_t preimage_n;
+  size_t preimage_dimension;
+  double *preimage;
+  double *lengths;
+  double length;
+};
+
+/*
+ * One offset curve: n rational Bezier pieces.
+ *
+ * segment[n]       the curve segment that the piece belongs to
+ * interval[n][2]   the part of that segment, in its local parameter [0,1]
+ * control_points[n][degree + 1][dimension], weights[n][degree + 1] > 0
+ */
+struct ph_offset {
+  double distance; /* signed, positive to the left of travel */
+  size_t degree;
+  size_t dimension;
+  size_t n;
+  size_t *segment;
+  double *interval;
+  double *control_points;
+  double *weights;
+};
+
+/* Diagnostics: X(SYMBOL, "name in records"). */
+#define PH_DIAGNOSTICS(X)                         \
+  X(ITERATIONS, "iterations")                     \
+  X(RESIDUAL, "residual")                         \
+  X(INTERPOLATION_ERROR, "interpolation_error")   \
+  X(END_DERIVATIVE_ERROR, "end_derivative_error") \
+  X(PYTHAGOREAN_ERROR, "pythagorean_error")       \
+  X(CONTINUITY_ERROR, "continuity_error")         \
+  X(LENGTH_ERROR, "length_error")
+
+enum ph_diagnostic {
+#define X(symbol, name) PH_D_##symbol,
+  PH_DIAGNOSTICS(X)
+#undef X
+      PH_DIAGNOSTIC_N
+};
+
+struct ph_diagnostics {
+  double value[PH_DIAGNOSTIC_N];
+  uint64_t known; /* bit i: value[i] was computed */
+};
+
+/* ph_diagnostics_set: stores one value and marks it as known. */
+static inline void ph_diagnostics_set(struct ph_diagnostics *diagnostics,
+                                      enum ph_diagnostic which, double value) {
+  diagnostics->value[which] = value;
+  diagnostics->known |= (uint64_t)1 << which;
+}
+
+#define PH_NO_SEGMENT SIZE_MAX
+
+/* Something that a user should know but that breaks no promise. */
+struct ph_warning {
+  size_t segment; /* PH_NO_SEGMENT if it concerns the whole curve */
+  struct ph_diag diag;
+};
+
+/* One warning for each code at most: its message counts the segments. */
+enum { PH_WARNINGS_MAX = 8 };
+
+struct ph_result {
+  struct ph_curve curve;
+  struct ph_offset *offsets;
+  size_t offsets_n;
+  struct ph_diagnostics diagnostics;
+  struct ph_warning warnings[PH_WARNINGS_MAX];
+  size_t warnings_n;
+};
+
+/*
+ * ph_warning_add: a new warning about a segment, for the caller to fill with
+ * ph_fail.
+ */
+struct ph_diag *ph_warning_add(struct ph_result *result, size_t segment);
+
+/* ph_curve_name: the name of a curve kind, as in records. */
+const char *ph_curve_name(enum ph_curve_kind kind);
+
+/* ph_diagnostic_name: the name of a diagnostic, as in records. */
+const char *ph_diagnostic_name(enum ph_diagnostic which);
+
+#endif
