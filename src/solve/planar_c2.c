@@ -1,0 +1,324 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The C2 equations of planar PH quintic splines (planar_c2.h): their rows,
+ * starting values, and damped Newton iteration.  Every pass is O(n).
+ *
+ * Starting values [GON18, (2.32)-(2.34), with the factor 1/h that the printed
+ * form lacks].  A segment's derivative at its middle is known approximately:
+ * from the chord, c/h, or from a cubic spline.  Its square root is w(1/2),
+ * which is linear in the unknowns.  Signs are chosen so that w turns by at
+ * most a quarter turn from each middle to the next.
+ */
+#include "solve/planar_c2.h"
+
+#include "solve/planar_newton.h"
+
+#include <float.h>
+#include <math.h>
+
+/* Coefficients (3) of the chord equation. */
+static const double A = 1.0 / 5, B = 1.0 / 5, C = 2.0 / 15, D = 1.0 / 15;
+
+/* Below this, |Re| of two unit vectors' product counts as exactly opposite
+ * directions: rounding of the data turns by about 1e-16 / chord. */
+static const double OPPOSITE = 1e-12;
+
+size_t ph_planar_unknowns(const struct ph_planar_c2 *c2) {
+  return c2->closed ? c2->n : c2->n + 2;
+}
+
+/* The unknowns next to that of segment k. */
+struct neighbours {
+  ph_cplx before, here, after;
+};
+
+static inline struct neighbours neighbours_of(const struct ph_planar_c2 *c2,
+                                              const ph_cplx *b, size_t k) {
+  struct neighbours s;
+  if (!c2->closed) {
+    s.before = b[k];
+    s.here = b[k + 1];
+    s.after = b[k + 2];
+    return s;
+  }
+  s.here = b[k];
+  s.before =
+      k > 0 ? b[k - 1] : ph_cplx_mul(ph_cplx_conj(c2->twist), b[c2->n - 1]);
+  s.after = k + 1 < c2->n ? b[k + 1] : ph_cplx_mul(c2->twist, b[0]);
+  return s;
+}
+
+/* Equation (1): the mean of two unknowns that is w at their common knot. */
+static inline ph_cplx at_knot(double y, ph_cplx left, ph_cplx right) {
+  return ph_cplx_of(right.re + y * (left.re - right.re),
+                    right.im + y * (left.im - right.im));
+}
+
+void ph_planar_preimage(const struct ph_planar_c2 *c2, const ph_cplx *b,
+                        size_t k, ph_cplx w[3]) {
+  struct neighbours s = neighbours_of(c2, b, k);
+  w[0] = at_knot(c2->y[k], s.before, s.here);
+  w[1] = s.here;
+  w[2] = at_knot(c2->y[k + 1], s.here, s.after);
+}
+
+/* Derivatives of F[k] with respect to w0, w1, w2, and F[k] itself, which is
+ * half their sum times the w (F is quadratic), less the chord's direction. */
+struct equation {
+  ph_cplx g0, g1, g2, f;
+};
+
+static inline struct equation equation_of(const struct ph_planar_c2 *c2,
+                                          size_t k, const ph_cplx w[3]) {
+  double s = c2->ratio[k];
+  struct equation q;
+  ph_cplx sum;
+  q.g0.re = s * (2 * A * w[0].re + B * w[1].re + D * w[2].re);
+  q.g0.im = s * (2 * A * w[0].im + B * w[1].im + D * w[2].im);
+  q.g1.re = s * (B * (w[0].re + w[2].re) + 2 * C * w[1].re);
+  q.g1.im = s * (B * (w[0].im + w[2].im) + 2 * C * w[1].im);
+  q.g2.re = s * (2 * A * w[2].re + B * w[1].re + D * w[0].re);
+  q.g2.im = s * (2 * A * w[2].im + B * w[1].im + D * w[0].im);
+  sum = ph_cplx_add(ph_cplx_mul(q.g0, w[0]), ph_cplx_mul(q.g1, w[1]));
+  sum = ph_cplx_add(sum, ph_cplx_mul(q.g2, w[2]));
+  q.f = ph_cplx_sub(ph_cplx_scale(0.5, sum), c2->direction[k]);
+  return q;
+}
+
+/* Adds one equation's residual to the measure. */
+static inline void measure_add(struct ph_planar_measure *m, size_t k, ph_cplx f,
+                               double magnitude) {
+  double f2 = ph_cplx_norm2(f);
+  double scaled = f2 / (magnitude * magnitude);
+  m->sum2 += f2;
+  if (!(f2 <= m->max2)) {
+    m->max2 = f2;
+    m->worst = k;
+  }
+  if (!(scaled <= m->scaled2)) {
+    m->scaled2 = scaled;
+  }
+}
+
+static inline double magnitude_of(const struct ph_planar_c2 *c2, size_t k,
+                                  const ph_cplx w[3]) {
+  return 1 + c2->ratio[k] * (ph_cplx_norm2(w[0]) + ph_cplx_norm2(w[1]) +
+                             ph_cplx_norm2(w[2]));
+}
+
+/* The end equation (w^2 - d)/|d| = 0 at side 0 or 1, as a row. */
+static struct ph_tri_row end_row(const struct ph_planar_c2 *c2,
+                                 const ph_cplx *b, int side,
+                                 struct ph_planar_measure *m) {
+  const ph_cplx *pair = side ? b + c2->n : b;
+  ph_cplx w = at_knot(0.5, pair[0], pair[1]);
+  double size = c2->end_size[side];
+  ph_cplx g = ph_cplx_scale(1 / size, w); /* 2 w / size times the weight 1/2 */
+  ph_cplx f =
+      ph_cplx_sub(ph_cplx_scale(1 / size, ph_cplx_mul(w, w)), c2->end[side]);
+  const ph_cplx zero = {0, 0};
+  struct ph_tri_row row = {side ? g : zero, g, side ? zero : g, f};
+  measure_add(m, side ? c2->n - 1 : 0, f, 1 + ph_cplx_norm2(w) / size);
+  return row;
+}
+
+/* The equation of segment k as a row; w0 is passed on from the segment before
+ * as its w2, where that is known. */
+static inline struct ph_tri_row segment_row(const struct ph_planar_c2 *c2,
+                                            size_t k, const ph_cplx w[3],
+                                            struct ph_planar_measure *m) {
+  struct equation q = equation_of(c2, k, w);
+  double left = c2->y[k], right = c2->y[k + 1];
+  struct ph_tri_row row;
+  row.lo = ph_cplx_scale(left, q.g0);
+  row.up = ph_cplx_scale(1 - right, q.g2);
+  row.di.re = q.g0.re - row.lo.re + q.g1.re + right * q.g2.re;
+  row.di.im = q.g0.im - row.lo.im + q.g1.im + right * q.g2.im;
+  row.f = q.f;
+  measure_add(m, k, q.f, magnitude_of(c2, k, w));
+  return row;
+}
+
+/* Rows 0 and n-1 of a closed curve carry the twist in their corner entries. */
+static struct ph_tri_row corner_row(const struct ph_planar_c2 *c2,
+                                    const ph_cplx *b, size_t k,
+                                    struct ph_planar_measure *m) {
+  ph_cplx w[3];
+  struct ph_tri_row row;
+  ph_planar_preimage(c2, b, k, w);
+  row = segment_row(c2, k, w, m);
+  if (k == 0) {
+    row.lo = ph_cplx_mul(ph_cplx_conj(c2->twist), row.lo);
+  } else {
+    row.up = ph_cplx_mul(c2->twist, row.up);
+  }
+  return row;
+}
+
+struct ph_planar_measure ph_planar_newton_step(const struct ph_planar_c2 *c2,
+                                               const ph_cplx *b,
+                                               struct ph_tri *tri,
+                                               ph_cplx *step) {
+  struct ph_planar_measure m = {0, 0, 0, 0};
+  size_t first = c2->closed ? 1 : 0, end = c2->closed ? c2->n - 1 : c2->n;
+  ph_cplx w[3];
+  if (c2->closed) {
+    struct ph_tri_row row = corner_row(c2, b, 0, &m);
+    ph_tri_begin(tri, c2->n, row, corner_row(c2, b, c2->n - 1, &m));
+  } else {
+    struct ph_tri_row row = end_row(c2, b, 0, &m);
+    ph_tri_begin(tri, c2->n + 2, row, end_row(c2, b, 1, &m));
+  }
+  for (size_t k = first; k < end; k++) {
+    struct ph_tri_row row;
+    ph_planar_preimage(c2, b, k, w);
+    row = segment_row(c2, k, w, &m);
+    ph_tri_push(tri, &row);
+  }
+  ph_tri_finish(tri, step);
+  return m;
+}
+
+struct ph_planar_measure ph_planar_residual(const struct ph_planar_c2 *c2,
+                                            const ph_cplx *b) {
+  struct ph_planar_measure m = {0, 0, 0, 0};
+  for (size_t k = 0; k < c2->n; k++) {
+    ph_cplx w[3];
+    ph_planar_preimage(c2, b, k, w);
+    measure_add(&m, k, equation_of(c2, k, w).f, magnitude_of(c2, k, w));
+  }
+  if (!c2->closed) {
+    end_row(c2, b, 0, &m);
+    end_row(c2, b, 1, &m);
+  }
+  return m;
+}
+
+/* Whether b, a root next to a, needs the other sign to turn by at most a
+ * quarter; of two opposite directions the turn is taken to the left. */
+static bool needs_flip(ph_cplx a, ph_cplx b) {
+  double dot = ph_cplx_dot(a, b), cross = ph_cplx_cross(a, b);
+  if (fabs(dot) <= OPPOSITE * fabs(cross)) {
+    return cross < 0;
+  }
+  return dot < 0;
+}
+
+/* Makes the roots continuous from one to the next; sets the twist. */
+static void choose_signs(struct ph_planar_c2 *c2, ph_cplx *root) {
+  size_t n = ph_planar_unknowns(c2);
+  for (size_t k = 1; k < n; k++) {
+    if (needs_flip(root[k - 1], root[k])) {
+      root[k] = ph_cplx_scale(-1, root[k]);
+    }
+  }
+  if (c2->closed) {
+    bool flip = needs_flip(root[n - 1], root[0]);
+    c2->twist = ph_cplx_of(flip ? -1 : 1, 0);
+  }
+}
+
+static struct ph_tri_row middle_row(const struct ph_planar_c2 *c2, size_t k,
+                                    ph_cplx root) {
+  double left = c2->y[k], right = c2->y[k + 1];
+  struct ph_tri_row row = {
+      {left / 4, 0}, {(3 - left + right) / 4, 0}, {(1 - right) / 4, 0}, root};
+  return row;
+}
+
+void ph_planar_start(struct ph_planar_c2 *c2, const ph_cplx *middle,
+                     struct ph_tri *tri, ph_cplx *root, ph_cplx *b) {
+  size_t n = c2->n, shift = c2->closed ? 0 : 1;
+  for (size_t k = 0; k < n; k++) {
+    root[k + shift] = ph_cplx_sqrt(middle[k]);
+  }
+  if (c2->closed) {
+    struct ph_tri_row first, last;
+    choose_signs(c2, root);
+    first = middle_row(c2, 0, root[0]);
+    last = middle_row(c2, n - 1, root[n - 1]);
+    first.lo = ph_cplx_scale(first.lo.re, ph_cplx_conj(c2->twist));
+    last.up = ph_cplx_scale(last.up.re, c2->twist);
+    ph_tri_begin(tri, n, first, last);
+  } else {
+    const ph_cplx half = {0.5, 0}, zero = {0, 0};
+    struct ph_tri_row first = {zero, half, half, zero};
+    struct ph_tri_row last = {half, half, zero, zero};
+    for (int side = 0; side < 2; side++) {
+      root[side ? n + 1 : 0] =
+          ph_cplx_scale(sqrt(c2->end_size[side]), ph_cplx_sqrt(c2->end[side]));
+    }
+    choose_signs(c2, root);
+    first.f = root[0];
+    last.f = root[n + 1];
+    ph_tri_begin(tri, n + 2, first, last);
+  }
+  for (size_t k = 1 - shift; k < n - 1 + shift; k++) {
+    struct ph_tri_row row = middle_row(c2, k, root[k + shift]);
+    ph_tri_push(tri, &row);
+  }
+  ph_tri_finish(tri, b);
+}
+
+void ph_planar_chord_middles(const struct ph_planar_c2 *c2, ph_cplx *middle) {
+  for (size_t k = 0; k < c2->n; k++) {
+    middle[k] = ph_cplx_scale(1 / c2->ratio[k], c2->direction[k]);
+  }
+}
+
+/* The row of the C2 cubic spline at the knot between segments k and k + 1, for
+ * its derivatives there [GON18, sec. 2.4]. */
+static struct ph_tri_row spline_row(const struct ph_planar_c2 *c2, size_t k,
+                                    const ph_cplx *slope) {
+  double y = c2->y[k + 1];
+  const ph_cplx *next = k + 1 < c2->n ? &slope[k + 1] : &slope[0];
+  struct ph_tri_row row = {{y, 0},
+                           {2, 0},
+                           {1 - y, 0},
+                           ph_cplx_scale(3, at_knot(y, slope[k], *next))};
+  return row;
+}
+
+/*
+ * Middles of the C2 cubic spline through the points on the same knots, clamped
+ * at open ends:  c'(1/2) = (3/2) c/h - (c'(0) + c'(1)) / 4.
+ */
+void ph_planar_spline_middles(const struct ph_planar_c2 *c2, struct ph_tri *tri,
+                              ph_cplx *derivative, ph_cplx *middle) {
+  size_t n = c2->n;
+  const ph_cplx zero = {0, 0}, one = {1, 0};
+  ph_planar_chord_middles(c2, middle);
+  if (c2->closed) { /* derivative[k] at the end of segment k */
+    ph_tri_begin(tri, n, spline_row(c2, 0, middle),
+                 spline_row(c2, n - 1, middle));
+    for (size_t k = 1; k + 1 < n; k++) {
+      struct ph_tri_row row = spline_row(c2, k, middle);
+      ph_tri_push(tri, &row);
+    }
+    ph_tri_finish(tri, derivative);
+    derivative[n] = derivative[0];
+    for (size_t k = n; k-- > 1;) {
+      derivative[k] = derivative[k - 1];
+    }
+    derivative[0] = derivative[n];
+  } else {
+    struct ph_tri_row first = {zero, one, zero, zero}, last = first;
+    first.f = ph_cplx_scale(c2->end_size[0], c2->end[0]);
+    last.f = ph_cplx_scale(c2->end_size[1], c2->end[1]);
+    derivative[0] = first.f;
+    derivative[n] = last.f;
+    if (n >= 2) {
+      ph_tri_begin(tri, n + 1, first, last);
+      for (size_t k = 0; k + 1 < n; k++) {
+        struct ph_tri_row row = spline_row(c2, k, middle);
+        ph_tri_push(tri, &row);
+      }
+      ph_tri_finish(tri, derivative);
+    }
+  }
+  for (size_t k = 0; k < n; k++) {
+    ph_cplx ends = ph_cplx_add(derivative[k], derivative[k + 1]);
+    middle[k] =
+        ph_cplx_sub(ph_cplx_scale(1.5, middle[k]), ph_cplx_scale(0.25, ends));
+  }
+}
