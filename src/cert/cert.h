@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Certificates: what a curve promises, recomputed from its control points by
+ * code that does not know how it was found.  This room never includes solve/.
+ *
+ * Errors are reported relative to the size of the data (half the diagonal of
+ * the bounding box) or as each one says.  A curve is accepted when every error
+ * is within its tolerance plus what rounding of the control points to doubles
+ * can make of it; the latter matters where segments are tiny beside the whole
+ * (a second derivative is a second difference of control points).
+ */
+#ifndef PH_CERT_CERT_H
+#define PH_CERT_CERT_H
+
+#include "base/diag.h"
+#include "curve/problem.h"
+#include "curve/result.h"
+
+/* A certificate: PH_OK, or why the curve must not be printed. */
+typedef enum ph_status ph_cert_fn(const struct ph_problem *problem,
+                                  const struct ph_curve *curve,
+                                  struct ph_diagnostics *diagnostics,
+                                  struct ph_diag *diag);
+
+/*
+ * ph_cert_planar: a C2 planar PH quintic spline through the problem's points.
+ *
+ *   interpolation_error   distance of segment ends from the points / size
+ *   end_derivative_error  |r' - d| / |d| at the ends, where d is given
+ *   pythagorean_error     |r' - w^2| / size: the hodograph is a square
+ *   continuity_error      jumps at the knots, with respect to the global
+ *                         parameter: of r' over |r'|, and of r'' over |r'| per
+ *                         shorter neighbouring interval
+ *   length_error          lengths against Gauss quadrature of |r'| / length
+ *
+ * ret  PH_OK | PH_TOO_LARGE (something is not finite) | PH_NO_CONVERGENCE
+ *      (an error exceeds its tolerance; says which and where) | PH_NO_MEMORY
+ */
+ph_cert_fn ph_cert_planar;
+
+#endif

@@ -1,0 +1,302 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The certificate of planar C2 PH quintic splines (see cert.h).
+ *
+ * The preimage that the record prints is taken as a claim: r' from the control
+ * points must equal its square at the nodes of a Gauss rule, more nodes than
+ * either polynomial has coefficients.  The same nodes integrate |r'|, exactly
+ * for a PH quintic.
+ */
+#include "cert/cert.h"
+
+#include "base/sum.h"
+#include "kernel/bern.h"
+#include "kernel/cplx.h"
+#include "kernel/pow2.h"
+#include "kernel/quad.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* Tolerances; the solver stops at 1e-13 of each chord, and the middle leg of
+ * the hodograph carries 15 times that. */
+static const double INTERPOLATION = 1e-13;
+static const double PYTHAGOREAN = 1e-11;
+static const double LENGTH = 1e-11;
+static const double CONTINUITY = 1e-9;
+
+/* Allowances in units of (rounding of a coordinate): a first difference of
+ * control points times 5, a second one times 20, with a margin of 3. */
+enum { ROUND_FIRST = 32, ROUND_SECOND = 256 };
+
+enum { NODES = 6 };
+
+/* One error: the largest so far, whether all were within their tolerance, and
+ * by how much the worst was not. */
+struct check {
+  enum ph_diagnostic what;
+  double reported; /* the largest, as in the record */
+  double excess;   /* the largest error / allowed */
+  double value;    /* the error and */
+  double allowed;  /* its tolerance at the largest excess */
+  size_t where;
+};
+
+struct context {
+  const struct ph_curve *curve;
+  const double *points;
+  size_t points_n;
+  struct ph_pow2 scale; /* to unit scale */
+  double root;          /* for the preimage */
+  double size;          /* half the diagonal, at unit scale */
+  double rounding;      /* of a coordinate, at unit scale */
+  double weight[NODES];
+  double basis4[NODES][5], basis2[NODES][3];
+};
+
+/* A segment at unit scale. */
+struct segment {
+  ph_cplx start, end;
+  ph_cplx hodograph[5];
+  ph_cplx w[3];
+  double speed; /* largest |hodograph coefficient| */
+};
+
+static void check_add(struct check *check, size_t where, double error,
+                      double unit, double allowed) {
+  if (!(error / unit <= check->reported)) {
+    check->reported = error / unit;
+  }
+  if (!(error / allowed <= check->excess)) {
+    check->excess = error / allowed;
+    check->value = error / unit;
+    check->allowed = allowed / unit;
+    check->where = where;
+  }
+}
+
+static ph_cplx scaled(const struct context *c, const double *v) {
+  return ph_cplx_of(ph_pow2_apply(c->scale, v[0]),
+                    ph_pow2_apply(c->scale, v[1]));
+}
+
+static ph_cplx data_point(const struct context *c, size_t k) {
+  return scaled(c, c->points + 2 * (k < c->points_n ? k : 0));
+}
+
+static bool set_scale(struct context *c) {
+  const double *q = c->points;
+  double low[2] = {q[0], q[1]}, high[2] = {q[0], q[1]}, largest = 0;
+  int exponent;
+  for (size_t k = 0; k < 2 * c->points_n; k++) {
+    low[k % 2] = fmin(low[k % 2], q[k]);
+    high[k % 2] = fmax(high[k % 2], q[k]);
+    largest = fmax(largest, fabs(q[k]));
+  }
+  if (!(largest > 0)) {
+    return false;
+  }
+  exponent = -ph_pow2_exponent(largest) - 2;
+  exponent -= exponent & 1;
+  c->scale = ph_pow2_of(exponent);
+  c->root = ldexp(1, exponent / 2);
+  c->size =
+      0.5 *
+      hypot(ph_pow2_apply(c->scale, high[0]) - ph_pow2_apply(c->scale, low[0]),
+            ph_pow2_apply(c->scale, high[1]) - ph_pow2_apply(c->scale, low[1]));
+  c->rounding = DBL_EPSILON * ph_pow2_apply(c->scale, largest);
+  return c->size > 0;
+}
+
+static bool set_rule(struct context *c) {
+  struct ph_quad rule;
+  if (!ph_quad_gauss(&rule, NODES)) {
+    return false;
+  }
+  for (size_t i = 0; i < NODES; i++) {
+    c->weight[i] = rule.weight[i];
+    ph_bern_basis(4, rule.node[i], c->basis4[i]);
+    ph_bern_basis(2, rule.node[i], c->basis2[i]);
+  }
+  return true;
+}
+
+static struct segment segment_of(const struct context *c, size_t k) {
+  const double *p = c->curve->control_points + 12 * k;
+  const double *w = c->curve->preimage + 6 * k;
+  struct segment s;
+  ph_cplx from = scaled(c, p);
+  s.start = from;
+  s.speed = 0;
+  for (size_t i = 0; i < 5; i++) {
+    ph_cplx to = scaled(c, p + 2 * (i + 1));
+    s.hodograph[i] = ph_cplx_scale(5, ph_cplx_sub(to, from));
+    s.speed = fmax(s.speed, ph_cplx_abs(s.hodograph[i]));
+    from = to;
+  }
+  s.end = from;
+  for (size_t i = 0; i < 3; i++) {
+    s.w[i] = ph_cplx_of(c->root * w[2 * i], c->root * w[2 * i + 1]);
+  }
+  return s;
+}
+
+static ph_cplx combine(const double *basis, const ph_cplx *coefficient,
+                       size_t n) {
+  ph_cplx sum = {0, 0};
+  for (size_t i = 0; i < n; i++) {
+    sum.re += basis[i] * coefficient[i].re;
+    sum.im += basis[i] * coefficient[i].im;
+  }
+  return sum;
+}
+
+/* r' = w^2 at the nodes; returns the integral of |r'|. */
+static double check_square(const struct context *c, const struct segment *s,
+                           size_t k, struct check *square) {
+  double length = 0, worst = 0;
+  for (size_t i = 0; i < NODES; i++) {
+    ph_cplx r = combine(c->basis4[i], s->hodograph, 5);
+    ph_cplx w = combine(c->basis2[i], s->w, 3);
+    double error = ph_cplx_abs(ph_cplx_sub(r, ph_cplx_mul(w, w)));
+    length += c->weight[i] * ph_cplx_abs(r);
+    if (!(error <= worst)) {
+      worst = error;
+    }
+  }
+  check_add(square, k, worst, c->size,
+            PYTHAGOREAN * s->speed + ROUND_FIRST * c->rounding);
+  return length;
+}
+
+/* Jumps of r' and r'' between two segments, in the shorter interval's unit. */
+static void check_joint(const struct context *c, const struct segment *a,
+                        double ha, const struct segment *b, double hb, size_t k,
+                        struct check *joint) {
+  double h = fmin(ha, hb), fa = h / ha, fb = h / hb;
+  ph_cplx va = ph_cplx_scale(fa, a->hodograph[4]);
+  ph_cplx vb = ph_cplx_scale(fb, b->hodograph[0]);
+  ph_cplx aa = ph_cplx_sub(a->hodograph[4], a->hodograph[3]);
+  ph_cplx ab = ph_cplx_sub(b->hodograph[1], b->hodograph[0]);
+  double speed = fmax(ph_cplx_abs(va), ph_cplx_abs(vb));
+  ph_cplx jump = ph_cplx_sub(ph_cplx_scale(4 * fa * fa, aa),
+                             ph_cplx_scale(4 * fb * fb, ab));
+  check_add(joint, k, ph_cplx_abs(ph_cplx_sub(va, vb)), speed,
+            CONTINUITY * speed + ROUND_FIRST * c->rounding);
+  check_add(joint, k, ph_cplx_abs(jump), speed,
+            CONTINUITY * speed + ROUND_SECOND * c->rounding);
+}
+
+static void check_end(const struct context *c, const double *given,
+                      ph_cplx derivative, double h, size_t side,
+                      struct check *end) {
+  ph_cplx wanted = ph_cplx_scale(h, scaled(c, given + 2 * side));
+  double size = ph_cplx_abs(wanted);
+  check_add(end, side, ph_cplx_abs(ph_cplx_sub(derivative, wanted)), size,
+            CONTINUITY * size + ROUND_FIRST * c->rounding);
+}
+
+struct checks {
+  struct check point, end, square, joint, length;
+};
+
+static void check_segments(const struct context *c, const struct ph_value *ends,
+                           struct checks *checks) {
+  const struct ph_curve *curve = c->curve;
+  const double *t = curve->knots;
+  size_t n = curve->n;
+  struct segment first = segment_of(c, 0), before = first;
+  struct ph_sum total = {0, 0};
+  double claimed = ph_pow2_apply(c->scale, curve->length);
+  for (size_t k = 0; k < n; k++) {
+    struct segment s = segment_of(c, k);
+    double length = check_square(c, &s, k, &checks->square);
+    double wanted = ph_pow2_apply(c->scale, curve->lengths[k]);
+    double away = fmax(ph_cplx_abs(ph_cplx_sub(s.start, data_point(c, k))),
+                       ph_cplx_abs(ph_cplx_sub(s.end, data_point(c, k + 1))));
+    check_add(&checks->point, k, away, c->size, INTERPOLATION * c->size);
+    check_add(&checks->length, k, fabs(length - wanted), claimed,
+              LENGTH * wanted + ROUND_FIRST * c->rounding);
+    ph_sum_add(&total, length);
+    if (k > 0) {
+      check_joint(c, &before, t[k] - t[k - 1], &s, t[k + 1] - t[k], k,
+                  &checks->joint);
+    }
+    before = s;
+  }
+  check_add(&checks->length, n - 1, fabs(ph_sum_value(&total) - claimed),
+            claimed, LENGTH * claimed);
+  if (curve->closed) {
+    check_joint(c, &before, t[n] - t[n - 1], &first, t[1] - t[0], 0,
+                &checks->joint);
+  } else if (ends->kind == PH_VECTORS) {
+    check_end(c, ends->v, first.hodograph[0], t[1] - t[0], 0, &checks->end);
+    check_end(c, ends->v, before.hodograph[4], t[n] - t[n - 1], 1,
+              &checks->end);
+  }
+}
+
+/* Stores the error; a failure if it exceeded its tolerance anywhere. */
+static enum ph_status conclude(const struct check *check,
+                               struct ph_diagnostics *diagnostics,
+                               struct ph_diag *diag) {
+  ph_diagnostics_set(diagnostics, check->what, check->reported);
+  if (check->excess <= 1) {
+    return PH_OK;
+  }
+  return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", check->where,
+                    "is refused by its certificate: %s is %.3g, at most %.3g "
+                    "is allowed",
+                    ph_diagnostic_name(check->what), check->value,
+                    check->allowed);
+}
+
+static bool all_finite(const double *v, size_t n) {
+  for (size_t i = 0; i < n; i++) {
+    if (!isfinite(v[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+enum ph_status ph_cert_planar(const struct ph_problem *problem,
+                              const struct ph_curve *curve,
+                              struct ph_diagnostics *diagnostics,
+                              struct ph_diag *diag) {
+  const struct ph_value *ends = &problem->field[PH_F_END_DERIVATIVES];
+  struct checks checks = {{.what = PH_D_INTERPOLATION_ERROR},
+                          {.what = PH_D_END_DERIVATIVE_ERROR},
+                          {.what = PH_D_PYTHAGOREAN_ERROR},
+                          {.what = PH_D_CONTINUITY_ERROR},
+                          {.what = PH_D_LENGTH_ERROR}};
+  const struct check *const list[] = {&checks.point, &checks.end,
+                                      &checks.square, &checks.joint,
+                                      &checks.length};
+  struct context c = {.curve = curve,
+                      .points = problem->field[PH_F_POINTS].v,
+                      .points_n = curve->closed ? curve->n : curve->n + 1};
+  if (!all_finite(curve->control_points, 12 * curve->n) ||
+      !all_finite(curve->preimage, 6 * curve->n) || !isfinite(curve->length)) {
+    return ph_fail(diag, PH_TOO_LARGE, NULL,
+                   "the curve exceeds the range of a double");
+  }
+  if (!set_rule(&c)) {
+    return ph_fail_memory(diag);
+  }
+  if (!set_scale(&c)) {
+    return ph_fail(diag, PH_INTERNAL, "points", "have no extent");
+  }
+  check_segments(&c, ends, &checks);
+  for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
+    enum ph_status status = PH_OK;
+    if (list[i] != &checks.end || ends->kind == PH_VECTORS) {
+      status = conclude(list[i], diagnostics, diag);
+    }
+    if (status != PH_OK) {
+      return status;
+    }
+  }
+  return PH_OK;
+}
