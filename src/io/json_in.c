@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * JSON object -> problem (see json_in.h).
+ *
+ * One walk over the members says what each is and finds unknown and repeated
+ * names; the values of the fields are read after it, in the order of the
+ * schema.  So id and meta are known whatever else is wrong.  Names are compared
+ * as what they stand for: "po\u0069nts" is points.
+ */
+#include "io/json_in.h"
+
+#include "base/suggest.h"
+#include "io/csv_in.h"
+#include "io/json_scan.h"
+#include "io/value.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What a record has, besides its fields, by the same kind of index. */
+enum { ID = PH_FIELD_N, META, MEMBERS };
+
+/* The values of the members, by field; NULL: absent. */
+struct members {
+  struct ph_json_item item[MEMBERS];
+};
+
+static bool is_name(const char *text, size_t n, const char *name) {
+  return strlen(name) == n && memcmp(text, name, n) == 0;
+}
+
+static enum ph_status unknown_field(const struct ph_schema *schema,
+                                    const char *name,
+                                    const struct ph_json_item *item,
+                                    struct ph_diag *diag) {
+  struct ph_suggest suggest;
+  char excerpt[PH_EXCERPT_MAX];
+  char clause[PH_DID_YOU_MEAN_MAX];
+  ph_suggest_init(&suggest, name, strlen(name));
+  for (size_t i = 0; i < schema->fields_n; i++) {
+    const char *field = ph_field_name(schema->fields[i].id);
+    ph_suggest_try(&suggest, field, strlen(field));
+  }
+  ph_suggest_list(&suggest, "id|meta");
+  ph_did_you_mean(&suggest, clause);
+  return ph_fail(diag, PH_UNKNOWN_FIELD,
+                 ph_excerpt(item->key, item->key_n, excerpt),
+                 "is not a field of %s%s", schema->command, clause);
+}
+
+/* Puts one member where it belongs. */
+static enum ph_status sort_member(const struct ph_schema *schema,
+                                  const struct ph_json_item *item,
+                                  struct ph_arena *arena,
+                                  struct members *members,
+                                  struct ph_diag *diag) {
+  const struct ph_field *row;
+  const char *name = ph_arena_copy(arena, item->key, item->key_n);
+  size_t index;
+  if (name && memchr(item->key, '\\', item->key_n)) {
+    name = ph_value_string(item->key - 1, item->key_n + 2, arena);
+  }
+  if (!name) {
+    return ph_fail_memory(diag);
+  }
+  row = ph_field_find(schema, name, strlen(name));
+  if (row) {
+    index = row->id;
+  } else if (is_name(name, strlen(name), "id")) {
+    index = ID;
+  } else if (is_name(name, strlen(name), "meta")) {
+    index = META;
+  } else {
+    return unknown_field(schema, name, item, diag);
+  }
+  if (members->item[index].value) {
+    return ph_fail(diag, PH_BAD_VALUE, name, "occurs twice");
+  }
+  members->item[index] = *item;
+  return PH_OK;
+}
+
+/* A JSON text without line breaks, for a result of one line: they can only be
+ * among the blanks between its tokens, which are then all dropped. */
+static const char *one_line(const struct ph_json_item *item,
+                            struct ph_arena *arena, size_t *n) {
+  const char *end = item->value + item->value_n;
+  bool in_string = false;
+  char *copy;
+  *n = item->value_n;
+  if (!memchr(item->value, '\n', *n) && !memchr(item->value, '\r', *n)) {
+    return item->value;
+  }
+  copy = ph_arena_array(arena, *n, 1);
+  *n = 0;
+  for (const char *p = item->value; copy && p < end; p++) {
+    if (in_string && *p == '\\') {
+      copy[(*n)++] = *p++;
+    } else if (*p == '"') {
+      in_string = !in_string;
+    } else if (!in_string && ph_json_blanks(p, p + 1) != p) {
+      continue;
+    }
+    copy[(*n)++] = *p;
+  }
+  return copy;
+}
+
+static enum ph_status read_echo(const struct members *members,
+                                struct ph_arena *arena, struct ph_echo *echo,
+                                struct ph_diag *diag) {
+  const struct ph_json_item *id = &members->item[ID];
+  const struct ph_json_item *meta = &members->item[META];
+  if (meta->value) {
+    echo->meta = one_line(meta, arena, &echo->meta_n);
+    if (!echo->meta) {
+      return ph_fail_memory(diag);
+    }
+  }
+  if (!id->value) {
+    return PH_OK;
+  }
+  if (!strchr("\"-0123456789", *id->value)) {
+    return ph_fail(diag, PH_BAD_TYPE, "id",
+                   "must be a string or a number, found %s",
+                   ph_value_type(*id->value));
+  }
+  echo->id = id->value;
+  echo->id_n = id->value_n;
+  return PH_OK;
+}
+
+enum ph_status ph_json_in(const struct ph_record *record,
+                          const struct ph_schema *schema,
+                          struct ph_arena *arena, struct ph_problem *problem,
+                          struct ph_echo *echo, struct ph_diag *diag) {
+  struct members members = {{{0}}};
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  struct ph_diag first;
+  enum ph_status status = PH_OK;
+  *problem = (struct ph_problem){0};
+  *echo = (struct ph_echo){0};
+  if (*record->text != '{') {
+    return ph_fail(diag, PH_BAD_TYPE, NULL,
+                   "a problem must be an object, found %s",
+                   ph_value_type(*record->text));
+  }
+  ph_json_walk_init(&walk, record->text, record->n);
+  while (ph_json_walk_next(&walk, &item)) {
+    /* The first failure is told, but the walk goes on: id may come last. */
+    enum ph_status found = sort_member(schema, &item, arena, &members,
+                                       status == PH_OK ? diag : &first);
+    status = status == PH_OK ? found : status;
+  }
+  enum ph_status echoed =
+      read_echo(&members, arena, echo, status == PH_OK ? diag : &first);
+  status = status == PH_OK ? echoed : status;
+  for (size_t i = 0; status == PH_OK && i < schema->fields_n; i++) {
+    const struct ph_field *row = &schema->fields[i];
+    const struct ph_json_item *member = &members.item[row->id];
+    if (member->value) {
+      status = ph_value_read(member->value, member->value_n, row, arena,
+                             &problem->field[row->id], diag);
+    }
+  }
+  return status;
+}
+
+/* ---- lines ---------------------------------------------------------- */
+
+/* The item of a container that `name` or, without one, `index` selects. */
+static bool find(const char *text, size_t n, const char *name, size_t name_n,
+                 size_t index, struct ph_json_item *found) {
+  struct ph_json_walk walk;
+  ph_json_walk_init(&walk, text, n);
+  for (size_t i = 0; ph_json_walk_next(&walk, found); i++) {
+    if (name ? found->key && found->key_n == name_n &&
+                   memcmp(found->key, name, name_n) == 0
+             : i == index) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static size_t json_line(const struct ph_record *record, const char *path) {
+  size_t name_n = strcspn(path, "[");
+  size_t line = record->line;
+  const char *place = record->text;
+  struct ph_json_item item;
+  bool found = find(record->text, record->n, path, name_n, 0, &item);
+  for (path += name_n; found; path = strchr(path, ']') + 1) {
+    place = item.value;
+    if (*path != '[' || !strchr(path, ']')) {
+      break;
+    }
+    found = find(item.value, item.value_n, NULL, 0, strtoul(path + 1, NULL, 10),
+                 &item);
+  }
+  for (const char *p = record->text; p < place; p++) {
+    line += *p == '\n';
+  }
+  return line;
+}
+
+size_t ph_record_line(const struct ph_record *record, const char *path) {
+  return record->columns ? ph_csv_line(record, path) : json_line(record, path);
+}

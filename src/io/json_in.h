@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A JSON record as a problem, and where in the file its parts are.
+ */
+#ifndef PH_IO_JSON_IN_H
+#define PH_IO_JSON_IN_H
+
+#include "base/mem.h"
+#include "io/record.h"
+
+/*
+ * ph_json_in: reads one problem object.
+ *
+ * in   record   JSON text (no columns) whose status is PH_OK
+ * in   arena    takes the memory of the values
+ * out  problem  the fields that the record has; whether required ones are
+ *               there is not checked (ph_problem_check_required)
+ * out  echo     id and meta, as far as they are there, also on failure
+ * ret  PH_OK; PH_BAD_TYPE, PH_BAD_VALUE (also for a name that occurs twice),
+ *      PH_BAD_SHAPE, PH_NOT_FINITE, PH_UNKNOWN_FIELD, PH_NO_MEMORY; diag has
+ *      the field, but no line (ph_record_line)
+ */
+enum ph_status ph_json_in(const struct ph_record *record,
+                          const struct ph_schema *schema,
+                          struct ph_arena *arena, struct ph_problem *problem,
+                          struct ph_echo *echo, struct ph_diag *diag);
+
+/*
+ * ph_record_line: the line in the file of the element that a path names,
+ * points[3][1] or end_derivatives; of the innermost part that exists, at least
+ * the record's first line.  Walks through the record: for failures only.
+ *
+ * in   record  JSON or CSV, with status PH_OK
+ */
+size_t ph_record_line(const struct ph_record *record, const char *path);
+
+#endif

@@ -1,0 +1,395 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The splitter's files and window (see split.h).
+ *
+ * The bytes of a file pass through one buffer.  Records are handed out as
+ * slices of it; what was handed out is dropped when the next one is asked for.
+ * When the buffer is full, the rest is moved to its front if that frees half
+ * of it, else the buffer doubles: moving costs at most as much as reading.
+ * After a huge record it shrinks to what the present ones need.
+ *
+ * How records are found in the window: split_json.c, split_csv.c.
+ */
+#include "io/split.h"
+
+#include "base/mem.h"
+#include "base/suggest.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdint.h>
+#include <string.h>
+#include <unistd.h>
+
+enum {
+  FIRST_CAPACITY = 1 << 16, /* what a pipe of Linux holds */
+  LEAST_READ = 1 << 12,     /* less room than a page is not worth a call */
+  KEEP_CAPACITY = 1 << 20,  /* buffers up to this never shrink */
+  SHRINK_RATIO = 8          /* a buffer so many times too large shrinks */
+};
+
+/* ---- the window ----------------------------------------------------- */
+
+static void move_to_front(struct ph_split *split) {
+  if (split->start > 0) {
+    memmove(split->data, split->data + split->start,
+            split->fill - split->start);
+    split->fill -= split->start;
+    split->start = 0;
+  }
+}
+
+static bool make_room(struct ph_split *split) {
+  size_t capacity = split->capacity ? 2 * split->capacity : FIRST_CAPACITY;
+  char *data;
+  if (split->capacity - split->fill >= LEAST_READ) {
+    return true;
+  }
+  if (split->capacity && split->start >= split->capacity / 2) {
+    move_to_front(split);
+    return true;
+  }
+  if (split->capacity > SIZE_MAX / 2) {
+    return false;
+  }
+  move_to_front(split);
+  data = ph_realloc(split->data, capacity);
+  if (!data) {
+    return false;
+  }
+  split->data = data;
+  split->capacity = capacity;
+  return true;
+}
+
+/* Gives memory back that neither the last record nor the window needs. */
+static void shrink(struct ph_split *split, size_t last_record) {
+  size_t need = split->fill - split->start;
+  size_t capacity = FIRST_CAPACITY;
+  char *data;
+  need = need > last_record ? need : last_record;
+  if (split->capacity <= KEEP_CAPACITY ||
+      need > split->capacity / SHRINK_RATIO) {
+    return;
+  }
+  while (capacity < 2 * need) {
+    capacity *= 2;
+  }
+  move_to_front(split);
+  data = ph_realloc(split->data, capacity);
+  if (data) {
+    split->data = data;
+    split->capacity = capacity;
+  }
+}
+
+static void advance(struct ph_split_place *place, const char *p, size_t n) {
+  const char *end = p + n;
+  const char *line_end;
+  while ((line_end = memchr(p, '\n', (size_t)(end - p)))) {
+    place->line++;
+    place->column = 1;
+    p = line_end + 1;
+  }
+  place->column += (size_t)(end - p);
+}
+
+void ph_split_drop(struct ph_split *split, size_t n) {
+  if (n > 0) {
+    advance(&split->place, split->data + split->start, n);
+    split->start += n;
+  }
+}
+
+void ph_split_give(struct ph_split *split, size_t n, size_t taken,
+                   struct ph_record *record) {
+  *record = (struct ph_record){.text = split->data + split->start,
+                               .n = n,
+                               .file = split->name,
+                               .line = split->place.line,
+                               .number = ++split->number,
+                               .status = PH_OK};
+  split->done = taken;
+}
+
+void ph_split_locate(const struct ph_split *split, size_t offset,
+                     struct ph_diag *diag) {
+  struct ph_split_place place = split->place;
+  if (offset > 0) {
+    advance(&place, split->data + split->start, offset);
+  }
+  diag->line = place.line;
+  diag->column = place.column;
+}
+
+/* ---- reading -------------------------------------------------------- */
+
+static enum ph_split_state fail(struct ph_split *split, const char *what,
+                                struct ph_diag *diag) {
+  split->ended = true;
+  ph_fail(diag, PH_INPUT, NULL, "cannot %s %s: %s", what, split->name,
+          strerror(errno));
+  return PH_SPLIT_FAILED;
+}
+
+static enum ph_split_state fail_memory(struct ph_split *split,
+                                       struct ph_diag *diag) {
+  split->ended = true;
+  ph_fail_memory(diag);
+  return PH_SPLIT_FAILED;
+}
+
+/* Waits until the file can be read; false: it cannot, and waiting is not
+ * allowed.  A poll that fails leaves the verdict to read. */
+static bool readable(int fd, bool may_wait) {
+  struct pollfd descriptor = {.fd = fd, .events = POLLIN};
+  int n;
+  do {
+    n = poll(&descriptor, 1, may_wait ? -1 : 0);
+  } while (n < 0 && errno == EINTR);
+  return n != 0;
+}
+
+enum ph_split_state ph_split_fill(struct ph_split *split, bool may_wait,
+                                  struct ph_diag *diag) {
+  ssize_t n;
+  if (split->end_of_file) {
+    return PH_SPLIT_END;
+  }
+  if (!make_room(split)) {
+    return fail_memory(split, diag);
+  }
+  if (!may_wait && !readable(split->fd, false)) {
+    return PH_SPLIT_WAIT;
+  }
+  while ((n = read(split->fd, split->data + split->fill,
+                   split->capacity - split->fill)) < 0) {
+    /* A descriptor that was inherited may be a non-blocking one. */
+    bool again = errno == EAGAIN || errno == EWOULDBLOCK;
+    if (!again && errno != EINTR) {
+      return fail(split, "read", diag);
+    }
+    if (again && !readable(split->fd, may_wait)) {
+      return PH_SPLIT_WAIT;
+    }
+  }
+  if (n == 0) {
+    split->end_of_file = true;
+    return PH_SPLIT_END;
+  }
+  split->fill += (size_t)n;
+  return PH_SPLIT_RECORD;
+}
+
+/* ---- files ---------------------------------------------------------- */
+
+/* Whether the name ends with one of the suffixes in a list ".json|.csv". */
+static bool has_suffix(const char *name, const char *suffixes) {
+  const char *dot = strrchr(name, '.');
+  while (dot && *suffixes) {
+    size_t n = strcspn(suffixes, "|");
+    if (strlen(dot) == n) {
+      char suffix[16] = "";
+      memcpy(suffix, suffixes, n);
+      if (ph_word_is(dot, n, suffix)) {
+        return true;
+      }
+    }
+    suffixes += n + (suffixes[n] == '|');
+  }
+  return false;
+}
+
+static void close_file(struct ph_split *split) {
+  if (split->fd > STDIN_FILENO) {
+    close(split->fd); /* nothing was written: no failure matters */
+  }
+  split->fd = -1;
+}
+
+static enum ph_split_state open_next(struct ph_split *split,
+                                     struct ph_diag *diag) {
+  const char *name = split->files[split->next_file++];
+  split->name = name;
+  if (!make_room(split)) {
+    return fail_memory(split, diag);
+  }
+  split->fd = STDIN_FILENO;
+  if (strcmp(name, "-") != 0) {
+    do {
+      split->fd = open(name, O_RDONLY | O_CLOEXEC);
+    } while (split->fd < 0 && errno == EINTR);
+  }
+  if (split->fd < 0) {
+    return fail(split, "open", diag);
+  }
+  split->end_of_file = false;
+  split->lines_suffix = has_suffix(name, ".ndjson|.jsonl");
+  split->delimiter = split->options.delimiter   ? split->options.delimiter
+                     : has_suffix(name, ".tsv") ? '\t'
+                                                : ',';
+  split->format = split->options.format != PH_SPLIT_AUTO ? split->options.format
+                  : has_suffix(name, ".json|.ndjson|.jsonl") ? PH_SPLIT_JSON
+                  : has_suffix(name, ".csv|.tsv")            ? PH_SPLIT_CSV
+                                                             : PH_SPLIT_AUTO;
+  split->begun = false;
+  split->blanks = 0;
+  split->start = 0;
+  split->fill = 0;
+  split->place = (struct ph_split_place){1, 1};
+  split->json = (struct ph_split_json){.line_start = true, .lines = true};
+  ph_buf_clear(&split->csv.id, 0);
+  split->csv = (struct ph_split_csv){.row = 0};
+  return PH_SPLIT_RECORD;
+}
+
+/* Skips a byte-order mark, which can be told from other text only when three
+ * bytes are there. */
+static enum ph_split_state skip_mark(struct ph_split *split, bool may_wait,
+                                     struct ph_diag *diag) {
+  static const char mark[3] = {'\xEF', '\xBB', '\xBF'};
+  while (!split->begun) {
+    const char *p = split->data + split->start;
+    size_t n = split->fill - split->start;
+    bool maybe = n == 0 || memcmp(p, mark, n < 3 ? n : 3) == 0;
+    if (maybe && n < 3) {
+      enum ph_split_state state = ph_split_fill(split, may_wait, diag);
+      if (state == PH_SPLIT_RECORD) {
+        continue;
+      }
+      if (state != PH_SPLIT_END) {
+        return state;
+      }
+      maybe = false;
+    }
+    split->start += maybe ? 3 : 0; /* counts for no column */
+    split->begun = true;
+  }
+  return PH_SPLIT_RECORD;
+}
+
+/* Tells JSON from CSV by the first byte that is no blank.  Blank lines before
+ * it mean nothing in either and are dropped, lest they are read again. */
+static enum ph_split_state detect(struct ph_split *split, bool may_wait,
+                                  struct ph_diag *diag) {
+  while (split->format == PH_SPLIT_AUTO) {
+    const char *p = split->data + split->start;
+    const char *end = split->data + split->fill;
+    const char *first = ph_json_blanks(p + split->blanks, end);
+    const char *line = first;
+    enum ph_split_state state;
+    if (first < end) {
+      split->format =
+          *first == '{' || *first == '[' ? PH_SPLIT_JSON : PH_SPLIT_CSV;
+    }
+    while (line > p + split->blanks && line[-1] != '\n') {
+      line--;
+    }
+    line = line > p + split->blanks ? line : p;
+    split->blanks = (size_t)(first - line);
+    ph_split_drop(split, (size_t)(line - p));
+    if (split->format != PH_SPLIT_AUTO) {
+      break;
+    }
+    state = ph_split_fill(split, may_wait, diag);
+    if (state != PH_SPLIT_RECORD) {
+      return state;
+    }
+  }
+  return PH_SPLIT_RECORD;
+}
+
+/* ---- the stream ----------------------------------------------------- */
+
+static enum ph_status check_options(struct ph_split *split,
+                                    struct ph_diag *diag) {
+  const char *names = split->options.columns;
+  struct ph_csv_columns *columns;
+  enum ph_status status;
+  if (split->delimiter && strchr("\"\r\n", split->delimiter)) {
+    return ph_fail(diag, PH_USAGE, "--delimiter",
+                   "must be neither a quote nor a line break");
+  }
+  if (!names) {
+    return PH_OK;
+  }
+  status =
+      ph_split_columns(split, names, strlen(names), ',', true, &columns, diag);
+  if (status != PH_OK && status != PH_NO_MEMORY) {
+    diag->status = status = PH_USAGE;
+    diag->line = 0;
+    diag->column = 0;
+  }
+  return status;
+}
+
+enum ph_status ph_split_init(struct ph_split *split, const char *const *files,
+                             size_t n, const struct ph_split_options *options,
+                             const struct ph_schema *schema,
+                             struct ph_diag *diag) {
+  static const char *const standard_input[] = {"-"};
+  *split = (struct ph_split){.files = n ? files : standard_input,
+                             .files_n = n ? n : 1,
+                             .options = *options,
+                             .schema = schema,
+                             .delimiter = options->delimiter,
+                             .fd = -1};
+  return check_options(split, diag);
+}
+
+/* The next record of the file that is open. */
+static enum ph_split_state next_in_file(struct ph_split *split, bool may_wait,
+                                        struct ph_record *record,
+                                        struct ph_diag *diag) {
+  enum ph_split_state state = skip_mark(split, may_wait, diag);
+  if (state == PH_SPLIT_RECORD) {
+    state = detect(split, may_wait, diag);
+  }
+  if (state != PH_SPLIT_RECORD) {
+    return state;
+  }
+  return split->format == PH_SPLIT_JSON
+             ? ph_split_json(split, may_wait, record, diag)
+             : ph_split_csv(split, may_wait, record, diag);
+}
+
+enum ph_split_state ph_split_next(struct ph_split *split, bool may_wait,
+                                  struct ph_record *record,
+                                  struct ph_diag *diag) {
+  size_t last_record = split->done;
+  ph_split_drop(split, split->done);
+  split->done = 0;
+  shrink(split, last_record);
+  while (!split->ended && !split->stopped) {
+    enum ph_split_state state;
+    if (split->fd < 0 && split->next_file == split->files_n) {
+      break;
+    }
+    state = split->fd < 0 ? open_next(split, diag) : PH_SPLIT_RECORD;
+    if (state == PH_SPLIT_RECORD) {
+      state = next_in_file(split, may_wait, record, diag);
+    }
+    if (state != PH_SPLIT_END) {
+      return state;
+    }
+    close_file(split);
+  }
+  return PH_SPLIT_END;
+}
+
+bool ph_split_stopped(const struct ph_split *split) {
+  return split->stopped;
+}
+
+void ph_split_free(struct ph_split *split) {
+  close_file(split);
+  while (split->all_columns) {
+    struct ph_csv_columns *columns = split->all_columns;
+    split->all_columns = columns->older;
+    ph_free(columns);
+  }
+  ph_buf_free(&split->csv.id);
+  ph_free(split->data);
+  split->data = NULL;
+}

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The splitter: a sequence of input files, JSON or CSV, cut into records.
+ *
+ * Memory is proportional to the largest record, time to the bytes read.  A
+ * record is handed out as soon as its last byte is there, so that a program
+ * at the other end of a pipe can wait for the answer to each problem.
+ */
+#ifndef PH_IO_SPLIT_H
+#define PH_IO_SPLIT_H
+
+#include "base/buf.h"
+#include "io/csv_in.h"
+#include "io/json_scan.h"
+#include "io/record.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum ph_split_format { PH_SPLIT_AUTO, PH_SPLIT_JSON, PH_SPLIT_CSV };
+
+struct ph_split_options {
+  enum ph_split_format format; /* AUTO: by suffix, else by the first byte */
+  char delimiter;              /* of CSV; 0: tab for .tsv, else comma */
+  const char *columns;         /* names of the CSV columns, or NULL */
+};
+
+enum ph_split_state {
+  PH_SPLIT_RECORD, /* a record; its status tells whether it can be read */
+  PH_SPLIT_WAIT,   /* no whole record is there, and none may be waited for */
+  PH_SPLIT_END,    /* the end of the last file, or of what could be split */
+  PH_SPLIT_FAILED  /* PH_INPUT or PH_NO_MEMORY, in diag; PH_SPLIT_END follows */
+};
+
+/* A place in a file. */
+struct ph_split_place {
+  size_t line;   /* from 1 */
+  size_t column; /* in bytes, from 1 */
+};
+
+/* How far the JSON of a file is split. */
+struct ph_split_json {
+  struct ph_json_scan scan; /* of the value at the start of the window */
+  enum { PH_ARRAY_NONE, PH_ARRAY_BEGUN, PH_ARRAY_VALUE, PH_ARRAY_COMMA } array;
+  bool line_start; /* only blanks stand before the window in its line */
+  bool broken;     /* the scan has failed */
+  bool lines;      /* all values so far stood on lines of their own */
+  size_t values;   /* so far in this file */
+  size_t line_n;   /* broken: length of the first line; 0: not known yet */
+  size_t look;     /* broken: how far the lines are looked through */
+};
+
+/* How far the CSV of a file is split. */
+struct ph_split_csv {
+  struct ph_csv_scan scan; /* of the row at `row` */
+  size_t row;              /* offset in the window of the row that is read */
+  bool open;               /* rows of a record stand before that row */
+  struct ph_csv_columns *columns; /* NULL: not known yet */
+  struct ph_buf id;               /* of the open record */
+};
+
+/*
+ * A splitter.  Its bytes are a window [start, fill) of a buffer: what was read
+ * and not handed out yet.  Everything in it is private to io/split*.c.
+ */
+struct ph_split {
+  const char *const *files;
+  size_t files_n;
+  size_t next_file;
+  struct ph_split_options options;
+  const struct ph_schema *schema;
+  /* the file */
+  const char *name;
+  int fd; /* -1: none is open */
+  bool end_of_file;
+  bool begun;        /* past a byte-order mark */
+  bool lines_suffix; /* .ndjson or .jsonl */
+  char delimiter;
+  enum ph_split_format format; /* AUTO: not known yet */
+  size_t blanks;               /* AUTO: so many blanks begin the window */
+  /* the window */
+  char *data;
+  size_t capacity;
+  size_t start;
+  size_t fill;
+  struct ph_split_place place; /* of the window's first byte */
+  size_t done;                 /* bytes of the window that were handed out */
+  /* the stream */
+  size_t number; /* of the last record */
+  bool stopped;
+  bool ended;
+  struct ph_split_json json;
+  struct ph_split_csv csv;
+  struct ph_csv_columns *all_columns;
+};
+
+/*
+ * ph_split_init: begins to split the files, one stream in the order given.
+ * Nothing is opened yet.
+ *
+ * in   files    names, "-" is standard input; n = 0: standard input alone;
+ *               must live as long as the splitter, like the options' strings
+ * in   schema   decides which CSV columns are known; must live as long
+ * ret  PH_OK; PH_USAGE, with the option as field of diag, for a column name
+ *      or a delimiter that cannot be; PH_NO_MEMORY.  ph_split_free is allowed
+ *      after any of them.
+ */
+enum ph_status ph_split_init(struct ph_split *split, const char *const *files,
+                             size_t n, const struct ph_split_options *options,
+                             const struct ph_schema *schema,
+                             struct ph_diag *diag);
+
+/*
+ * ph_split_next: the next record.
+ *
+ * in   may_wait  false: PH_SPLIT_WAIT rather than block in a read
+ * out  record    on PH_SPLIT_RECORD; its text is valid until the next call, its
+ *                columns until ph_split_free.  When its status is not PH_OK,
+ *                the text is what was broken, and diag has message, line and
+ *                column.
+ */
+enum ph_split_state ph_split_next(struct ph_split *split, bool may_wait,
+                                  struct ph_record *record,
+                                  struct ph_diag *diag);
+
+/* ph_split_stopped: whether the stream was cut off at the last record, whose
+ * text was broken in such a way that nothing behind it can be trusted. */
+bool ph_split_stopped(const struct ph_split *split);
+
+/* ph_split_free: closes the file, gives all memory back. */
+void ph_split_free(struct ph_split *split);
+
+/* ---- between the parts of the splitter ------------------------------- */
+
+/* ph_split_fill: reads more bytes into the window.
+ * ret  PH_SPLIT_RECORD: some came, the window may have moved;
+ *      PH_SPLIT_END: there are no more; PH_SPLIT_WAIT, PH_SPLIT_FAILED */
+enum ph_split_state ph_split_fill(struct ph_split *split, bool may_wait,
+                                  struct ph_diag *diag);
+
+/* ph_split_drop: takes n bytes away from the front of the window. */
+void ph_split_drop(struct ph_split *split, size_t n);
+
+/* ph_split_give: hands out the first n bytes of the window as a record; `taken`
+ * bytes of the window, at least n, are dropped before the next one. */
+void ph_split_give(struct ph_split *split, size_t n, size_t taken,
+                   struct ph_record *record);
+
+/* ph_split_locate: puts the place of a byte of the window into diag, so many
+ * bytes after the window's first one. */
+void ph_split_locate(const struct ph_split *split, size_t offset,
+                     struct ph_diag *diag);
+
+/* ph_split_json, ph_split_csv: ph_split_next for the current file, which
+ * PH_SPLIT_END ends; a new file begins with split->json, split->csv zeroed. */
+enum ph_split_state ph_split_json(struct ph_split *split, bool may_wait,
+                                  struct ph_record *record,
+                                  struct ph_diag *diag);
+enum ph_split_state ph_split_csv(struct ph_split *split, bool may_wait,
+                                 struct ph_record *record,
+                                 struct ph_diag *diag);
+
+/*
+ * ph_split_columns: the columns of a list of names.
+ *
+ * in   names, n   cells between separators
+ * in   option     the names are those of --columns, which may skip a column
+ * out  columns    a new node of split->all_columns, for the current delimiter
+ * ret  PH_OK; PH_UNKNOWN_FIELD, PH_BAD_VALUE (a name twice), PH_MISSING_FIELD
+ *      (x without y), with the column of the name in diag; PH_NO_MEMORY
+ */
+enum ph_status ph_split_columns(struct ph_split *split, const char *names,
+                                size_t n, char separator, bool option,
+                                struct ph_csv_columns **columns,
+                                struct ph_diag *diag);
+
+#endif

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The splitter's way through JSON (see split.h): any number of values, one
+ * after another; of an array its elements are the records, and it is never
+ * held whole.
+ *
+ * A broken text is a record, too.  What follows it is trusted when the text
+ * counts as a line of JSON Lines: it began a line, outside of an array, and
+ *   (a) the suffix of the file says so, or
+ *   (b) all values before it in the file stood on lines of their own, or
+ *   (c) the next line that is not blank begins with '{'.
+ * Splitting then goes on behind the line where the text began, and the text is
+ * judged as that line alone: a truncated line ends too early, whatever the
+ * lines after it happen to be.
+ */
+#include "io/split.h"
+
+#include <string.h>
+
+/* Drops blanks; false when the window is empty after it. */
+static bool skip_blanks(struct ph_split *split) {
+  const char *p = split->data + split->start;
+  size_t n = split->fill - split->start;
+  size_t blanks = n ? (size_t)(ph_json_blanks(p, p + n) - p) : 0;
+  if (blanks > 0) {
+    split->json.line_start |= memchr(p, '\n', blanks) != NULL;
+    ph_split_drop(split, blanks);
+  }
+  return blanks < n;
+}
+
+/* ---- broken texts --------------------------------------------------- */
+
+/* Finds the end of the line at the start of the window.
+ * ret  PH_SPLIT_RECORD, PH_SPLIT_WAIT or PH_SPLIT_FAILED */
+static enum ph_split_state find_line(struct ph_split *split, bool may_wait,
+                                     struct ph_diag *diag) {
+  struct ph_split_json *json = &split->json;
+  while (json->line_n == 0) {
+    const char *data = split->data + split->start;
+    size_t n = split->fill - split->start;
+    const char *end = memchr(data + json->look, '\n', n - json->look);
+    enum ph_split_state state;
+    json->look = end ? (size_t)(end + 1 - data) : n;
+    if (end) {
+      json->line_n = json->look;
+      break;
+    }
+    state = ph_split_fill(split, may_wait, diag);
+    if (state == PH_SPLIT_END) {
+      json->line_n = n;
+    } else if (state != PH_SPLIT_RECORD) {
+      return state;
+    }
+  }
+  return PH_SPLIT_RECORD;
+}
+
+/* Whether the first line after that one that is not blank begins with '{'.
+ * ret  PH_SPLIT_RECORD: it does; PH_SPLIT_END: it does not; or as above */
+static enum ph_split_state object_follows(struct ph_split *split, bool may_wait,
+                                          struct ph_diag *diag) {
+  for (;;) {
+    const char *data = split->data + split->start;
+    const char *end = split->data + split->fill;
+    const char *first = ph_json_blanks(data + split->json.look, end);
+    enum ph_split_state state;
+    if (first < end) {
+      return first[-1] == '\n' && *first == '{' ? PH_SPLIT_RECORD
+                                                : PH_SPLIT_END;
+    }
+    split->json.look = (size_t)(first - data);
+    state = ph_split_fill(split, may_wait, diag);
+    if (state != PH_SPLIT_RECORD) {
+      return state;
+    }
+  }
+}
+
+/* Hands out the broken text at the start of the window. */
+static enum ph_split_state give_broken(struct ph_split *split, size_t n,
+                                       size_t taken,
+                                       const struct ph_json_scan *scan,
+                                       struct ph_record *record,
+                                       struct ph_diag *diag) {
+  ph_fail(diag, PH_SYNTAX, NULL, "%s", scan->message);
+  ph_split_locate(split, scan->at, diag);
+  ph_split_give(split, n, taken, record);
+  record->status = PH_SYNTAX;
+  return PH_SPLIT_RECORD;
+}
+
+static enum ph_split_state
+stop(struct ph_split *split, struct ph_record *record, struct ph_diag *diag) {
+  split->stopped = true;
+  return give_broken(split, split->json.scan.at, 0, &split->json.scan, record,
+                     diag);
+}
+
+/* Decides whether reading can go on behind a broken text, and hands it out. */
+static enum ph_split_state broken(struct ph_split *split, bool may_wait,
+                                  struct ph_record *record,
+                                  struct ph_diag *diag) {
+  struct ph_split_json *json = &split->json;
+  struct ph_json_scan line = {0};
+  enum ph_split_state state;
+  const char *text;
+  size_t line_n;
+  size_t n;
+  if (json->array != PH_ARRAY_NONE || !json->line_start) {
+    return stop(split, record, diag);
+  }
+  state = find_line(split, may_wait, diag);
+  if (state == PH_SPLIT_RECORD && !split->lines_suffix &&
+      !(json->values > 0 && json->lines)) {
+    state = object_follows(split, may_wait, diag);
+  }
+  if (state == PH_SPLIT_END) {
+    return stop(split, record, diag);
+  }
+  if (state != PH_SPLIT_RECORD) {
+    return state;
+  }
+  line_n = json->line_n;
+  text = split->data + split->start;
+  n = (size_t)(ph_csv_row_end(text, text + line_n) - text);
+  if (ph_json_scan(&line, text, n, true) != PH_JSON_ERROR) {
+    line = json->scan; /* cannot be: what has a good beginning is good */
+  }
+  json->scan = (struct ph_json_scan){0};
+  json->broken = false;
+  json->line_n = 0;
+  json->look = 0;
+  return give_broken(split, n, line_n, &line, record, diag);
+}
+
+/* ---- values --------------------------------------------------------- */
+
+/* Hands out the value at the start of the window. */
+static enum ph_split_state give_value(struct ph_split *split,
+                                      struct ph_record *record) {
+  struct ph_split_json *json = &split->json;
+  size_t n = json->scan.at;
+  ph_split_give(split, n, n, record);
+  if (json->array == PH_ARRAY_NONE) {
+    json->lines &= json->line_start && !memchr(record->text, '\n', n);
+    json->values++;
+  } else {
+    json->array = PH_ARRAY_COMMA;
+  }
+  json->line_start = false;
+  json->scan = (struct ph_json_scan){0};
+  return PH_SPLIT_RECORD;
+}
+
+/* A bracket or comma between values, if one is due at the start of the window.
+ * ret  whether there was one; if not, a value is due, or the text is broken,
+ *      or PH_JSON_MORE is needed to tell how */
+static bool punctuation(struct ph_split *split, enum ph_json_state *state) {
+  struct ph_split_json *json = &split->json;
+  const char *p = split->data + split->start;
+  *state = PH_JSON_DONE;
+  if (json->scan.at > 0) {
+    return false;
+  }
+  if (json->array == PH_ARRAY_NONE && *p == '[') {
+    json->array = PH_ARRAY_BEGUN;
+    json->lines = false;
+  } else if (json->array == PH_ARRAY_COMMA && *p == ',') {
+    json->array = PH_ARRAY_VALUE;
+  } else if (*p == ']' &&
+             (json->array == PH_ARRAY_COMMA || json->array == PH_ARRAY_BEGUN)) {
+    json->array = PH_ARRAY_NONE;
+  } else if (json->array == PH_ARRAY_COMMA) {
+    *state = ph_json_unexpected(&json->scan, "',' or ']'", p,
+                                split->fill - split->start, split->end_of_file);
+    return false;
+  } else {
+    return false;
+  }
+  json->line_start = false;
+  ph_split_drop(split, 1);
+  return true;
+}
+
+/* The input ends, with an empty window. */
+static enum ph_split_state
+at_end(struct ph_split *split, struct ph_record *record, struct ph_diag *diag) {
+  struct ph_json_scan *scan = &split->json.scan;
+  if (split->json.array == PH_ARRAY_NONE) {
+    return PH_SPLIT_END;
+  }
+  memcpy(scan->message, "the text ends inside an array",
+         sizeof "the text ends inside an array");
+  return stop(split, record, diag);
+}
+
+enum ph_split_state ph_split_json(struct ph_split *split, bool may_wait,
+                                  struct ph_record *record,
+                                  struct ph_diag *diag) {
+  struct ph_split_json *json = &split->json;
+  for (;;) {
+    enum ph_json_state state = PH_JSON_MORE;
+    enum ph_split_state filled;
+    if (json->broken) {
+      return broken(split, may_wait, record, diag);
+    }
+    if (skip_blanks(split)) {
+      if (punctuation(split, &state)) {
+        continue;
+      }
+      if (state == PH_JSON_DONE) {
+        state = ph_json_scan(&json->scan, split->data + split->start,
+                             split->fill - split->start, split->end_of_file);
+      }
+      if (state == PH_JSON_DONE) {
+        return give_value(split, record);
+      }
+    } else if (split->end_of_file) {
+      return at_end(split, record, diag);
+    }
+    if (state == PH_JSON_ERROR) {
+      json->broken = true;
+      continue;
+    }
+    filled = ph_split_fill(split, may_wait, diag);
+    if (filled == PH_SPLIT_WAIT || filled == PH_SPLIT_FAILED) {
+      return filled;
+    }
+  }
+}

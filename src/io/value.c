@@ -1,0 +1,499 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Values of fields (see value.h).
+ *
+ * Arrays of numbers are read straight from the bytes, in one pass after the
+ * one that counts what memory they need: a tree of cJSON would cost 240 bytes
+ * a point.  Truth values and strings go through cJSON, whose strings are
+ * unescaped; its numbers are not used (it takes 1e999, and depends on the
+ * locale), and nothing is printed with it.
+ *
+ * The text is known to be JSON, so that what is not a bracket, a comma or a
+ * blank is a value, and its type shows in its first byte.
+ */
+#include "io/value.h"
+
+#include "base/suggest.h"
+#include "io/json_scan.h"
+#include "io/number.h"
+
+#include <cjson/cJSON.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A value being read. */
+struct reader {
+  const struct ph_field *row;
+  const char *name; /* of the field */
+  const char *p;
+  const char *end;
+  struct ph_arena *arena;
+  struct ph_diag *diag;
+};
+
+/* ---- phrases -------------------------------------------------------- */
+
+/* A list "a, b or c" that is being written. */
+struct phrase {
+  char *text;
+  size_t n;
+  size_t items; /* still to come */
+};
+
+static void add(struct phrase *phrase, const char *before, const char *item,
+                size_t item_n, const char *after) {
+  const char *gap = phrase->items > 1 ? ", " : phrase->items == 1 ? " or " : "";
+  size_t room = PH_VALUE_PHRASE_MAX - phrase->n;
+  int n = snprintf(phrase->text + phrase->n, room, "%s%.*s%s%s", before,
+                   (int)item_n, item, after, gap);
+  phrase->n += n < 0 ? 0 : (size_t)n < room ? (size_t)n : room - 1;
+}
+
+static void add_item(struct phrase *phrase, const char *item) {
+  phrase->items--;
+  add(phrase, "", item, strlen(item), "");
+}
+
+static void add_words(struct phrase *phrase, const char *words) {
+  while (*words) {
+    size_t n = strcspn(words, "|");
+    phrase->items--;
+    add(phrase, "\"", words, n, "\"");
+    words += n + (words[n] == '|');
+  }
+}
+
+static size_t count_words(const char *words) {
+  size_t n = *words ? 1 : 0;
+  for (; *words; words++) {
+    n += *words == '|';
+  }
+  return n;
+}
+
+static const char *vectors_phrase(const struct ph_field *row) {
+  static const char *const phrases[2][3] = {
+      {"an array of vectors [x,y]", "an array of vectors [x,y,z]",
+       "an array of vectors [x,y] or [x,y,z]"},
+      {"an array of points [x,y]", "an array of points [x,y,z]",
+       "an array of points [x,y] or [x,y,z]"}};
+  bool plane = row->dimensions >> 2 & 1;
+  bool space = row->dimensions >> 3 & 1;
+  return phrases[row->id == PH_F_POINTS][plane && space ? 2 : space ? 1 : 0];
+}
+
+const char *ph_value_describe(const struct ph_field *row,
+                              char phrase[PH_VALUE_PHRASE_MAX]) {
+  const char *words = row->kinds & PH_WORD ? row->words : "";
+  struct phrase list = {phrase, 0, count_words(words)};
+  list.items += row->kinds & PH_BOOL ? 2 : 0;
+  list.items += row->kinds & PH_NUMBER ? 1 : 0;
+  list.items += row->kinds & PH_NUMBERS ? 1 : 0;
+  list.items += row->kinds & PH_VECTORS ? 1 : 0;
+  phrase[0] = '\0';
+  if (row->kinds & PH_BOOL) {
+    add_item(&list, "true");
+    add_item(&list, "false");
+  }
+  add_words(&list, words);
+  if (row->kinds & PH_NUMBER) {
+    add_item(&list, "a number");
+  }
+  if (row->kinds & PH_NUMBERS) {
+    add_item(&list, "an array of numbers");
+  }
+  if (row->kinds & PH_VECTORS) {
+    add_item(&list, vectors_phrase(row));
+  }
+  return phrase;
+}
+
+const char *ph_value_type(char first) {
+  switch (first) {
+  case '"':
+    return "a string";
+  case '[':
+    return "an array";
+  case '{':
+    return "an object";
+  case 't':
+    return "true";
+  case 'f':
+    return "false";
+  case 'n':
+    return "null";
+  default:
+    return "a number";
+  }
+}
+
+static enum ph_status bad_type(struct reader *r, const char *found) {
+  char phrase[PH_VALUE_PHRASE_MAX];
+  return ph_fail(r->diag, PH_BAD_TYPE, r->name, "must be %s, found %s",
+                 ph_value_describe(r->row, phrase), found);
+}
+
+/* ---- single values -------------------------------------------------- */
+
+/* PH_OK, or the failure of a number, written text[n], that overflowed. */
+static enum ph_status check_finite(double x, const char *path, const char *text,
+                                   size_t n, struct ph_diag *diag) {
+  char excerpt[PH_EXCERPT_MAX];
+  if (isfinite(x)) {
+    return PH_OK;
+  }
+  return ph_fail(diag, PH_NOT_FINITE, path, "is %s, which overflows a double",
+                 ph_excerpt(text, n, excerpt));
+}
+
+/* Whether an escape of text[n], a JSON string, stands for NUL. */
+static bool has_escaped_nul(const char *text, size_t n) {
+  for (size_t i = 0; i + 5 < n; i++) {
+    if (text[i] == '\\') {
+      if (memcmp(text + i + 1, "u0000", 5) == 0) {
+        return true;
+      }
+      i++;
+    }
+  }
+  return false;
+}
+
+const char *ph_value_string(const char *text, size_t n,
+                            struct ph_arena *arena) {
+  const char *rest;
+  const char *string = NULL;
+  cJSON *item;
+  if (has_escaped_nul(text, n)) {
+    return ph_arena_copy(arena, text + 1, n - 2);
+  }
+  /* With `rest` no error is reported through a global variable. */
+  item = cJSON_ParseWithLengthOpts(text, n, &rest, 0);
+  if (cJSON_IsString(item)) {
+    string = ph_arena_copy(arena, item->valuestring, strlen(item->valuestring));
+  }
+  cJSON_Delete(item);
+  return string;
+}
+
+static enum ph_status check_word(struct reader *r, const char *word,
+                                 size_t shown_n, const char *shown,
+                                 struct ph_value *value) {
+  size_t n = strlen(word);
+  struct ph_suggest suggest;
+  char phrase[PH_VALUE_PHRASE_MAX];
+  char excerpt[PH_EXCERPT_MAX];
+  char clause[PH_DID_YOU_MEAN_MAX];
+  for (const char *w = r->row->words; *w;) {
+    size_t w_n = strcspn(w, "|");
+    if (w_n == n && memcmp(w, word, n) == 0) {
+      value->kind = PH_WORD;
+      value->word = word;
+      return PH_OK;
+    }
+    w += w_n + (w[w_n] == '|');
+  }
+  ph_suggest_init(&suggest, word, n);
+  ph_suggest_list(&suggest, r->row->words);
+  ph_did_you_mean(&suggest, clause);
+  return ph_fail(r->diag, PH_BAD_VALUE, r->name, "must be %s, found \"%s\"%s",
+                 ph_value_describe(r->row, phrase),
+                 ph_excerpt(shown, shown_n, excerpt), clause);
+}
+
+static enum ph_status read_string(struct reader *r, struct ph_value *value) {
+  size_t n = (size_t)(r->end - r->p);
+  const char *word;
+  if (!(r->row->kinds & PH_WORD)) {
+    return bad_type(r, "a string");
+  }
+  word = ph_value_string(r->p, n, r->arena);
+  if (!word) {
+    return ph_fail_memory(r->diag);
+  }
+  return check_word(r, word, n - 2, r->p + 1, value);
+}
+
+static enum ph_status read_literal(struct reader *r, struct ph_value *value) {
+  const char *rest;
+  cJSON *item;
+  if (*r->p == 'n' || !(r->row->kinds & PH_BOOL)) {
+    return bad_type(r, ph_value_type(*r->p));
+  }
+  item = cJSON_ParseWithLengthOpts(r->p, (size_t)(r->end - r->p), &rest, 0);
+  if (!item) {
+    return ph_fail_memory(r->diag);
+  }
+  value->kind = PH_BOOL;
+  value->flag = cJSON_IsTrue(item) != 0;
+  cJSON_Delete(item);
+  return PH_OK;
+}
+
+static enum ph_status read_number(struct reader *r, struct ph_value *value) {
+  if (!(r->row->kinds & PH_NUMBER) ||
+      !ph_number_read(r->p, r->end, &value->number)) {
+    return bad_type(r, "a number");
+  }
+  value->kind = PH_NUMBER;
+  return check_finite(value->number, r->name, r->p, (size_t)(r->end - r->p),
+                      r->diag);
+}
+
+/* ---- arrays --------------------------------------------------------- */
+
+/* How often c occurs from the current place on. */
+static size_t count(const struct reader *r, char c) {
+  size_t n = 0;
+  for (const char *p = r->p; p < r->end; p++) {
+    n += *p == c;
+  }
+  return n;
+}
+
+/* points[i], or points[i][j] with j >= 0. */
+static const char *path(const struct reader *r, size_t i, long j,
+                        char text[PH_DIAG_FIELD_MAX]) {
+  if (j < 0) {
+    snprintf(text, PH_DIAG_FIELD_MAX, "%s[%zu]", r->name, i);
+  } else {
+    snprintf(text, PH_DIAG_FIELD_MAX, "%s[%zu][%ld]", r->name, i, j);
+  }
+  return text;
+}
+
+/* To the next element of an array; false at its end. */
+static bool next_element(struct reader *r) {
+  r->p = ph_json_blanks(r->p, r->end);
+  if (r->p < r->end && *r->p == ',') {
+    r->p = ph_json_blanks(r->p + 1, r->end);
+  }
+  return r->p < r->end && *r->p != ']';
+}
+
+/* Element i, or [i][j], of an array: a finite number. */
+static enum ph_status read_element(struct reader *r, size_t i, long j,
+                                   double *x) {
+  const char *after = ph_number_read(r->p, r->end, x);
+  const char *before = r->p;
+  char text[PH_DIAG_FIELD_MAX];
+  if (!after) {
+    return ph_fail(r->diag, PH_BAD_TYPE, path(r, i, j, text),
+                   "must be a number, found %s", ph_value_type(*r->p));
+  }
+  r->p = after;
+  if (isfinite(*x)) {
+    return PH_OK;
+  }
+  return check_finite(*x, path(r, i, j, text), before, (size_t)(after - before),
+                      r->diag);
+}
+
+static enum ph_status read_numbers(struct reader *r, struct ph_value *value) {
+  enum ph_status status = PH_OK;
+  size_t n = 0;
+  double *v = ph_arena_array(r->arena, count(r, ',') + 1, sizeof *v);
+  if (!v) {
+    return ph_fail_memory(r->diag);
+  }
+  while (status == PH_OK && next_element(r)) {
+    status = read_element(r, n, -1, &v[n]);
+    n++;
+  }
+  value->kind = PH_NUMBERS;
+  value->dimension = 1;
+  value->v = v;
+  value->n = n;
+  return status;
+}
+
+/* Vector i was found to have `found` numbers; dimension 0: it is the first. */
+static enum ph_status bad_size(struct reader *r, size_t i, size_t dimension,
+                               size_t found) {
+  unsigned allowed = r->row->dimensions;
+  char text[PH_DIAG_FIELD_MAX];
+  const char *sizes = allowed == (1u << 2 | 1u << 3) ? "2 or 3 numbers"
+                      : allowed == 1u << 3           ? "3 numbers"
+                                                     : "2 numbers";
+  if (dimension == 0 || allowed == 1u << dimension) {
+    return ph_fail(r->diag, PH_BAD_SHAPE, path(r, i, -1, text),
+                   "must have %s, found %zu", sizes, found);
+  }
+  return ph_fail(r->diag, PH_BAD_SHAPE, path(r, i, -1, text),
+                 "must have %zu numbers as %s[0] has, found %zu", dimension,
+                 r->name, found);
+}
+
+/* Vector i, of `dimension` numbers or (0) of any allowed number of them. */
+static enum ph_status read_vector(struct reader *r, size_t i, size_t dimension,
+                                  double v[3], size_t *size) {
+  char text[PH_DIAG_FIELD_MAX];
+  double more;
+  size_t n = 0;
+  if (*r->p != '[') {
+    return ph_fail(r->diag, PH_BAD_TYPE, path(r, i, -1, text),
+                   "must be an array of numbers, found %s",
+                   ph_value_type(*r->p));
+  }
+  r->p++;
+  while (next_element(r)) {
+    enum ph_status status = read_element(r, i, (long)n, n < 3 ? &v[n] : &more);
+    if (status != PH_OK) {
+      return status;
+    }
+    n++;
+  }
+  r->p++;
+  *size = n;
+  if (dimension ? n != dimension : n > 3 || !(r->row->dimensions >> n & 1)) {
+    return bad_size(r, i, dimension, n);
+  }
+  return PH_OK;
+}
+
+static enum ph_status read_vectors(struct reader *r, struct ph_value *value) {
+  size_t n_max = count(r, '[');
+  size_t dimension = 0;
+  size_t n = 0;
+  double *v = NULL;
+  while (next_element(r)) {
+    double vector[3];
+    enum ph_status status = read_vector(r, n, dimension, vector, &dimension);
+    if (status != PH_OK) {
+      return status;
+    }
+    if (!v) {
+      v = ph_arena_array(r->arena, n_max, dimension * sizeof *v);
+      if (!v) {
+        return ph_fail_memory(r->diag);
+      }
+    }
+    memcpy(v + n * dimension, vector, dimension * sizeof *v);
+    n++;
+  }
+  value->kind = PH_VECTORS;
+  value->dimension = dimension;
+  value->v = v;
+  value->n = n;
+  return PH_OK;
+}
+
+static enum ph_status read_empty(struct reader *r, struct ph_value *value) {
+  bool vectors = r->row->kinds & PH_VECTORS;
+  value->kind = vectors ? PH_VECTORS : PH_NUMBERS;
+  value->dimension = !vectors ? 1 : r->row->dimensions >> 2 & 1 ? 2 : 3;
+  value->n = 0;
+  value->v = ph_arena_array(r->arena, 0, sizeof *value->v);
+  return value->v ? PH_OK : ph_fail_memory(r->diag);
+}
+
+static enum ph_status read_array(struct reader *r, struct ph_value *value) {
+  unsigned kinds = r->row->kinds;
+  if (!(kinds & (PH_NUMBERS | PH_VECTORS))) {
+    return bad_type(r, "an array");
+  }
+  r->p++;
+  if (!next_element(r)) {
+    return read_empty(r, value);
+  }
+  if (*r->p == '[' && kinds & PH_VECTORS) {
+    return read_vectors(r, value);
+  }
+  if (*r->p != '[' && kinds & PH_NUMBERS) {
+    return read_numbers(r, value);
+  }
+  if (*r->p == '[') {
+    return bad_type(r, "an array of arrays");
+  }
+  if (*r->p == '-' || (*r->p >= '0' && *r->p <= '9')) {
+    return bad_type(r, "an array of numbers");
+  }
+  return bad_type(r, "an array of something else");
+}
+
+/* ---- the whole ------------------------------------------------------ */
+
+enum ph_status ph_value_read(const char *text, size_t n,
+                             const struct ph_field *row, struct ph_arena *arena,
+                             struct ph_value *value, struct ph_diag *diag) {
+  struct reader r = {row, ph_field_name(row->id), text, text + n, arena, diag};
+  *value = (struct ph_value){.kind = PH_ABSENT};
+  switch (*text) {
+  case '"':
+    return read_string(&r, value);
+  case '[':
+    return read_array(&r, value);
+  case '{':
+    return bad_type(&r, "an object");
+  case 't':
+  case 'f':
+  case 'n':
+    return read_literal(&r, value);
+  default:
+    return read_number(&r, value);
+  }
+}
+
+/* A VALUE that is no JSON: a number or a bare word. */
+static enum ph_status read_bare(struct reader *r, struct ph_value *value) {
+  size_t n = (size_t)(r->end - r->p);
+  const char *word;
+  char found[PH_EXCERPT_MAX + 2];
+  char excerpt[PH_EXCERPT_MAX];
+  if (r->row->kinds & PH_NUMBER &&
+      ph_number_read_text(r->p, r->end, &value->number) == r->end) {
+    value->kind = PH_NUMBER;
+    return check_finite(value->number, r->name, r->p, n, r->diag);
+  }
+  if (r->row->kinds & PH_WORD) {
+    word = ph_arena_copy(r->arena, r->p, n);
+    return word ? check_word(r, word, n, r->p, value) : ph_fail_memory(r->diag);
+  }
+  snprintf(found, sizeof found, "\"%s\"", ph_excerpt(r->p, n, excerpt));
+  return bad_type(r, found);
+}
+
+enum ph_status ph_value_read_option(const char *text,
+                                    const struct ph_field *row,
+                                    struct ph_arena *arena,
+                                    struct ph_value *value,
+                                    struct ph_diag *diag) {
+  const char *end = text + strlen(text);
+  const char *p = ph_json_blanks(text, end);
+  struct reader r = {row, ph_field_name(row->id), text, end, arena, diag};
+  struct ph_json_scan scan = {0};
+  enum ph_json_state state;
+  *value = (struct ph_value){.kind = PH_ABSENT};
+  if (p == end && row->kinds & PH_BOOL) {
+    value->kind = PH_BOOL;
+    value->flag = true;
+    return PH_OK;
+  }
+  state = ph_json_scan(&scan, p, (size_t)(end - p), true);
+  if (state == PH_JSON_DONE && ph_json_blanks(p + scan.at, end) == end) {
+    return ph_value_read(p, scan.at, row, arena, value, diag);
+  }
+  if (p < end && strchr("[{\"", *p)) {
+    return ph_fail(diag, PH_SYNTAX, r.name, "must be JSON: %s",
+                   state == PH_JSON_DONE ? "something follows the value"
+                                         : scan.message);
+  }
+  return read_bare(&r, value);
+}
+
+enum ph_status ph_problem_check_required(const struct ph_problem *problem,
+                                         const struct ph_schema *schema,
+                                         struct ph_diag *diag) {
+  char phrase[PH_VALUE_PHRASE_MAX];
+  for (size_t i = 0; i < schema->fields_n; i++) {
+    const struct ph_field *row = &schema->fields[i];
+    if (row->required && problem->field[row->id].kind == PH_ABSENT) {
+      return ph_fail(diag, PH_MISSING_FIELD, ph_field_name(row->id),
+                     "is missing: it must be %s",
+                     ph_value_describe(row, phrase));
+    }
+  }
+  return PH_OK;
+}
