@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* CSV tables (see csv_out.h): one function a table, one writer of rows. */
+#include "io/csv_out.h"
+
+#include "base/sum.h"
+#include "io/number.h"
+
+#include <string.h>
+
+/* Columns between `id` and the swept fields. */
+static const struct {
+  const char *before_point;
+  bool point;
+  const char *after_point;
+} columns[] = {
+    [PH_TABLE_CONTROL_POINTS] = {",segment,index", true, ""},
+    [PH_TABLE_LENGTHS] = {",segment,t0,t1,length,cumulative", false, ""},
+    [PH_TABLE_OFFSETS] = {",distance,segment,index", true, ",weight"},
+};
+
+/* A row: cells with commas before all but the first. */
+struct row {
+  struct ph_buf *buf;
+  const struct ph_csv_heading *heading;
+};
+
+static void text_cell(struct ph_buf *buf, const char *text) {
+  if (!strpbrk(text, ",\"\r\n")) {
+    ph_buf_puts(buf, text);
+    return;
+  }
+  ph_buf_put(buf, "\"", 1);
+  for (const char *p = text; *p; p++) {
+    if (*p == '"') {
+      ph_buf_put(buf, p, 1);
+    }
+    ph_buf_put(buf, p, 1);
+  }
+  ph_buf_put(buf, "\"", 1);
+}
+
+static void number_cell(struct ph_buf *buf, double x) {
+  char *to = ph_buf_reserve(buf, PH_NUMBER_MAX + 1);
+  if (to) {
+    *to = ',';
+    buf->n += 1 + ph_number_write(to + 1, x);
+  }
+}
+
+static void begin_row(const struct row *row) {
+  text_cell(row->buf, row->heading->id);
+}
+
+static void end_row(const struct row *row) {
+  for (size_t i = 0; i < row->heading->swept_n; i++) {
+    ph_buf_put(row->buf, ",", 1);
+    text_cell(row->buf, row->heading->swept[i].value);
+  }
+  ph_buf_put(row->buf, "\n", 1);
+}
+
+void ph_csv_header(struct ph_buf *buf, enum ph_table table, size_t dimension,
+                   const struct ph_swept *swept, size_t swept_n) {
+  ph_buf_puts(buf, "id");
+  ph_buf_puts(buf, columns[table].before_point);
+  if (columns[table].point) {
+    ph_buf_puts(buf, dimension == 3 ? ",x,y,z" : ",x,y");
+  }
+  ph_buf_puts(buf, columns[table].after_point);
+  for (size_t i = 0; i < swept_n; i++) {
+    ph_buf_put(buf, ",", 1);
+    text_cell(buf, swept[i].name);
+  }
+  ph_buf_put(buf, "\n", 1);
+}
+
+static void control_points(const struct row *row, const struct ph_curve *c) {
+  const double *p = c->control_points;
+  for (size_t k = 0; k < c->n; k++) {
+    for (size_t i = 0; i <= c->degree; i++) {
+      begin_row(row);
+      number_cell(row->buf, (double)k);
+      number_cell(row->buf, (double)i);
+      for (size_t j = 0; j < c->dimension; j++) {
+        number_cell(row->buf, *p++);
+      }
+      end_row(row);
+    }
+  }
+}
+
+static void lengths(const struct row *row, const struct ph_curve *c) {
+  struct ph_sum cumulative = {0, 0};
+  for (size_t k = 0; k < c->n; k++) {
+    ph_sum_add(&cumulative, c->lengths[k]);
+    begin_row(row);
+    number_cell(row->buf, (double)k);
+    number_cell(row->buf, c->knots[k]);
+    number_cell(row->buf, c->knots[k + 1]);
+    number_cell(row->buf, c->lengths[k]);
+    number_cell(row->buf, ph_sum_value(&cumulative));
+    end_row(row);
+  }
+}
+
+/* A segment that was halved goes on counting its points: 10, 11, ... */
+static void offset(const struct row *row, const struct ph_offset *o) {
+  const double *p = o->control_points, *weight = o->weights;
+  size_t index = 0;
+  for (size_t piece = 0; piece < o->n; piece++) {
+    if (piece == 0 || o->segment[piece] != o->segment[piece - 1]) {
+      index = 0;
+    }
+    for (size_t i = 0; i <= o->degree; i++) {
+      begin_row(row);
+      number_cell(row->buf, o->distance);
+      number_cell(row->buf, (double)o->segment[piece]);
+      number_cell(row->buf, (double)index++);
+      for (size_t j = 0; j < o->dimension; j++) {
+        number_cell(row->buf, *p++);
+      }
+      number_cell(row->buf, *weight++);
+      end_row(row);
+    }
+  }
+}
+
+void ph_csv_result(struct ph_buf *buf, enum ph_table table,
+                   const struct ph_csv_heading *heading,
+                   const struct ph_result *result) {
+  struct row row = {buf, heading};
+  switch (table) {
+  case PH_TABLE_CONTROL_POINTS:
+    control_points(&row, &result->curve);
+    break;
+  case PH_TABLE_LENGTHS:
+    lengths(&row, &result->curve);
+    break;
+  case PH_TABLE_OFFSETS:
+    for (size_t i = 0; i < result->offsets_n; i++) {
+      offset(&row, &result->offsets[i]);
+    }
+    break;
+  case PH_TABLE_N:
+    break;
+  }
+}

@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The JSON writer and the two shapes of record (see json_out.h).
+ *
+ * The writer keeps one bit of state for each level, whether a comma is due.
+ * Numbers and vectors of numbers stay on one line even when indented.
+ */
+#include "io/json_out.h"
+
+#include "io/number.h"
+
+#include <string.h>
+
+enum { DEPTH_MAX = 16 };
+
+struct writer {
+  struct ph_buf *buf;
+  bool pretty;
+  size_t depth;
+  bool comma[DEPTH_MAX];
+};
+
+static void put(struct writer *w, char c) {
+  ph_buf_put(w->buf, &c, 1);
+}
+
+static void new_line(struct writer *w) {
+  if (w->pretty) {
+    put(w, '\n');
+    for (size_t i = 0; i < w->depth; i++) {
+      ph_buf_put(w->buf, "  ", 2);
+    }
+  }
+}
+
+/* Before an element of an array or the key of an object. */
+static void element(struct writer *w) {
+  if (w->comma[w->depth]) {
+    put(w, ',');
+  }
+  w->comma[w->depth] = true;
+  if (w->depth > 0) {
+    new_line(w);
+  }
+}
+
+static void begin(struct writer *w, char bracket) {
+  put(w, bracket);
+  w->depth++;
+  w->comma[w->depth] = false;
+}
+
+static void end(struct writer *w, char bracket) {
+  bool empty = !w->comma[w->depth];
+  w->depth--;
+  if (!empty) {
+    new_line(w);
+  }
+  put(w, bracket);
+}
+
+/* Bytes that a JSON string can not hold as they are. */
+static bool needs_escape(unsigned char c) {
+  return c < 0x20 || c == '"' || c == '\\' || c == 0x7F;
+}
+
+static void string(struct writer *w, const char *text) {
+  static const char hex[] = "0123456789abcdef";
+  put(w, '"');
+  for (;;) {
+    size_t run = 0;
+    unsigned char c;
+    while (text[run] && !needs_escape((unsigned char)text[run])) {
+      run++;
+    }
+    ph_buf_put(w->buf, text, run);
+    c = (unsigned char)text[run];
+    text += run + 1;
+    if (c == '\0') {
+      break;
+    }
+    if (c == '"' || c == '\\') {
+      put(w, '\\');
+      put(w, (char)c);
+    } else {
+      char escape[6] = {'\\', 'u', '0', '0', hex[c >> 4], hex[c & 15]};
+      ph_buf_put(w->buf, escape, sizeof escape);
+    }
+  }
+  put(w, '"');
+}
+
+static void key(struct writer *w, const char *name) {
+  element(w);
+  string(w, name);
+  put(w, ':');
+  if (w->pretty) {
+    put(w, ' ');
+  }
+}
+
+static void number(struct writer *w, double x) {
+  char *to = ph_buf_reserve(w->buf, PH_NUMBER_MAX);
+  if (to) {
+    w->buf->n += ph_number_write(to, x);
+  }
+}
+
+/* [a,b,c] in one piece; the bulk of all output passes through here. */
+static void numbers(struct writer *w, const double *v, size_t n) {
+  char *to = ph_buf_reserve(w->buf, n * (PH_NUMBER_MAX + 1) + 2);
+  char *start = to;
+  if (!to) {
+    return;
+  }
+  *to++ = '[';
+  for (size_t i = 0; i < n; i++) {
+    if (i > 0) {
+      *to++ = ',';
+    }
+    to += ph_number_write(to, v[i]);
+  }
+  *to++ = ']';
+  w->buf->n += (size_t)(to - start);
+}
+
+/* [[a,b],[c,d]] */
+static void vectors(struct writer *w, const double *v, size_t n,
+                    size_t dimension) {
+  begin(w, '[');
+  for (size_t i = 0; i < n; i++) {
+    element(w);
+    numbers(w, v + i * dimension, dimension);
+  }
+  end(w, ']');
+}
+
+static void key_string(struct writer *w, const char *name, const char *text) {
+  key(w, name);
+  string(w, text);
+}
+
+static void key_number(struct writer *w, const char *name, double x) {
+  key(w, name);
+  number(w, x);
+}
+
+static void key_raw(struct writer *w, const char *name, const char *json,
+                    size_t n) {
+  if (json) {
+    key(w, name);
+    ph_buf_put(w->buf, json, n);
+  }
+}
+
+static void write_heading(struct writer *w, const struct ph_heading *heading,
+                          const char *status) {
+  const struct ph_echo *echo = heading->echo;
+  key_raw(w, "id", echo->id, echo->id_n);
+  key_string(w, "command", heading->command);
+  key_string(w, "status", status);
+  key_raw(w, "meta", echo->meta, echo->meta_n);
+  if (heading->swept_n) {
+    key(w, "sweep");
+    begin(w, '{');
+    for (size_t i = 0; i < heading->swept_n; i++) {
+      const struct ph_swept *swept = &heading->swept[i];
+      key_raw(w, swept->name, swept->value, strlen(swept->value));
+    }
+    end(w, '}');
+  }
+}
+
+static void write_segments(struct writer *w, const struct ph_curve *c) {
+  size_t stride = (c->degree + 1) * c->dimension;
+  size_t preimage_stride = c->preimage_n * c->preimage_dimension;
+  key(w, "segments");
+  begin(w, '[');
+  for (size_t k = 0; k < c->n; k++) {
+    element(w);
+    begin(w, '{');
+    key(w, "interval");
+    numbers(w, c->knots + k, 2);
+    key(w, "control_points");
+    vectors(w, c->control_points + k * stride, c->degree + 1, c->dimension);
+    key(w, "preimage");
+    vectors(w, c->preimage + k * preimage_stride, c->preimage_n,
+            c->preimage_dimension);
+    key_number(w, "length", c->lengths[k]);
+    end(w, '}');
+  }
+  end(w, ']');
+}
+
+static void write_offset(struct writer *w, const struct ph_offset *o) {
+  size_t points = o->degree + 1;
+  begin(w, '{');
+  key_number(w, "distance", o->distance);
+  key_number(w, "degree", (double)o->degree);
+  key(w, "segments");
+  begin(w, '[');
+  for (size_t i = 0; i < o->n; i++) {
+    element(w);
+    begin(w, '{');
+    key_number(w, "segment", (double)o->segment[i]);
+    key(w, "interval");
+    numbers(w, o->interval + 2 * i, 2);
+    key(w, "control_points");
+    vectors(w, o->control_points + i * points * o->dimension, points,
+            o->dimension);
+    key(w, "weights");
+    numbers(w, o->weights + i * points, points);
+    end(w, '}');
+  }
+  end(w, ']');
+  end(w, '}');
+}
+
+static void write_diagnostics(struct writer *w,
+                              const struct ph_diagnostics *diagnostics) {
+  key(w, "diagnostics");
+  begin(w, '{');
+  for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
+    if (diagnostics->known >> i & 1) {
+      key_number(w, ph_diagnostic_name((enum ph_diagnostic)i),
+                 diagnostics->value[i]);
+    }
+  }
+  end(w, '}');
+}
+
+static void write_warnings(struct writer *w, const struct ph_result *result) {
+  key(w, "warnings");
+  begin(w, '[');
+  for (size_t i = 0; i < result->warnings_n; i++) {
+    const struct ph_warning *warning = &result->warnings[i];
+    element(w);
+    begin(w, '{');
+    key_string(w, "code", ph_status_code(warning->diag.status));
+    if (warning->segment != PH_NO_SEGMENT) {
+      key_number(w, "segment", (double)warning->segment);
+    }
+    key_string(w, "message", warning->diag.message);
+    end(w, '}');
+  }
+  end(w, ']');
+}
+
+static void finish(struct writer *w) {
+  end(w, '}');
+  put(w, '\n');
+}
+
+void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
+                    const struct ph_result *result, bool pretty) {
+  struct writer w = {.buf = buf, .pretty = pretty};
+  const struct ph_curve *curve = &result->curve;
+  begin(&w, '{');
+  write_heading(&w, heading, "ok");
+  key_string(&w, "curve", ph_curve_name(curve->kind));
+  key_number(&w, "dimension", (double)curve->dimension);
+  key_number(&w, "degree", (double)curve->degree);
+  key(&w, "closed");
+  ph_buf_puts(buf, curve->closed ? "true" : "false");
+  write_segments(&w, curve);
+  key_number(&w, "length", curve->length);
+  if (result->offsets_n) {
+    key(&w, "offsets");
+    begin(&w, '[');
+    for (size_t i = 0; i < result->offsets_n; i++) {
+      element(&w);
+      write_offset(&w, &result->offsets[i]);
+    }
+    end(&w, ']');
+  }
+  write_diagnostics(&w, &result->diagnostics);
+  if (result->warnings_n) {
+    write_warnings(&w, result);
+  }
+  finish(&w);
+}
+
+void ph_json_error(struct ph_buf *buf, const struct ph_heading *heading,
+                   const struct ph_diag *diag, const char *file, bool pretty) {
+  struct writer w = {.buf = buf, .pretty = pretty};
+  char sentence[PH_DIAG_FIELD_MAX + PH_DIAG_MESSAGE_MAX];
+  ph_diag_sentence(diag, sentence, sizeof sentence);
+  begin(&w, '{');
+  write_heading(&w, heading, "error");
+  key(&w, "error");
+  begin(&w, '{');
+  key_string(&w, "code", ph_status_code(diag->status));
+  key_string(&w, "message", sentence);
+  if (diag->field[0]) {
+    key_string(&w, "field", diag->field);
+  }
+  if (file) {
+    key_string(&w, "file", file);
+  }
+  if (diag->line) {
+    key_number(&w, "line", (double)diag->line);
+  }
+  if (diag->column) {
+    key_number(&w, "column", (double)diag->column);
+  }
+  end(&w, '}');
+  finish(&w);
+}

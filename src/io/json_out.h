@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Results and errors as JSON records: one compact object on a line, or
+ * indented.  Numbers are written by io/number.h; cJSON is not involved.
+ */
+#ifndef PH_IO_JSON_OUT_H
+#define PH_IO_JSON_OUT_H
+
+#include "base/buf.h"
+#include "base/diag.h"
+#include "curve/result.h"
+#include "io/record.h"
+
+/* One swept field and its value, as in "sweep": {"lengths[1]": 1.414}. */
+struct ph_swept {
+  const char *name;
+  const char *value; /* JSON text, NUL-terminated */
+};
+
+/* What every record says of itself, solved or not. */
+struct ph_heading {
+  const struct ph_echo *echo;
+  const char *command;
+  const struct ph_swept *swept;
+  size_t swept_n;
+};
+
+/* ph_json_result: appends the record of a solved problem, with its newline. */
+void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
+                    const struct ph_result *result, bool pretty);
+
+/* ph_json_error: appends the record of a failed problem; file may be NULL. */
+void ph_json_error(struct ph_buf *buf, const struct ph_heading *heading,
+                   const struct ph_diag *diag, const char *file, bool pretty);
+
+#endif
