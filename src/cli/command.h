@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The commands of phspline: each a method, its certificate, and what can be
+ * derived from its curves.  Adding a command is adding a row (command.c).
+ */
+#ifndef PH_CLI_COMMAND_H
+#define PH_CLI_COMMAND_H
+
+#include "cert/cert.h"
+#include "solve/method.h"
+
+struct ph_command {
+  const struct ph_method *method;
+  ph_cert_fn *certify;
+  enum ph_status (*offset)(const struct ph_curve *curve, double distance,
+                           struct ph_arena *arena, struct ph_offset *offset,
+                           struct ph_diag *diag);
+  const char *examples; /* lines for the help: command, tab, what it does */
+};
+
+extern const struct ph_command ph_commands[];
+extern const size_t ph_commands_n;
+
+/* ph_command_find: the command of that name, or NULL. */
+const struct ph_command *ph_command_find(const char *name);
+
+#endif

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Lines for standard error (see message.h). */
+#include "cli/message.h"
+
+#include "cli/output.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <unistd.h>
+
+void ph_message_printf(struct ph_buf *buf, const char *format, ...) {
+  char text[1024]; /* messages are bounded by struct ph_diag; names are cut */
+  va_list args;
+  va_start(args, format);
+  vsnprintf(text, sizeof text, format, args);
+  va_end(args);
+  ph_buf_puts(buf, text);
+}
+
+/* A line stays a line: an identifier may hold any character. */
+static void put_id(struct ph_buf *buf, const char *id) {
+  for (const char *p = id; *p; p++) {
+    unsigned char c = (unsigned char)*p;
+    if (c < 0x20 || c == 0x7F) {
+      ph_message_printf(buf, "\\x%02x", c);
+    } else {
+      ph_buf_put(buf, p, 1);
+    }
+  }
+}
+
+void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject) {
+  ph_buf_puts(buf, "phspline: ");
+  if (subject->file) {
+    ph_buf_puts(buf, subject->file);
+    ph_buf_puts(buf, ":");
+    if (subject->line) {
+      ph_message_printf(buf, "%zu:", subject->line);
+    }
+    ph_buf_puts(buf, " ");
+  }
+  if (subject->id) {
+    ph_buf_puts(buf, "record ");
+    put_id(buf, subject->id);
+    ph_buf_puts(buf, ": ");
+  } else if (subject->number) {
+    ph_message_printf(buf, "record %zu: ", subject->number);
+  }
+}
+
+static void message(struct ph_buf *buf, const struct ph_subject *subject,
+                    const struct ph_diag *diag, const char *prefix) {
+  ph_message_subject(buf, subject);
+  if (diag->field[0]) {
+    ph_buf_puts(buf, diag->field);
+    ph_buf_puts(buf, ": ");
+  }
+  ph_buf_puts(buf, prefix);
+  ph_buf_puts(buf, diag->message);
+  ph_message_printf(buf, " [%s]\n", ph_status_code(diag->status));
+}
+
+void ph_message_error(struct ph_buf *buf, const struct ph_subject *subject,
+                      const struct ph_diag *diag) {
+  message(buf, subject, diag, "");
+}
+
+void ph_message_warning(struct ph_buf *buf, const struct ph_subject *subject,
+                        const struct ph_diag *diag) {
+  message(buf, subject, diag, "warning: ");
+}
+
+void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
+                        const char *command) {
+  ph_message_printf(buf, "phspline: %s%s%s\n", diag->field,
+                    diag->field[0] ? ": " : "", diag->message);
+  if (diag->status == PH_USAGE) {
+    ph_message_printf(buf, "Try 'phspline%s%s --help'.\n", command ? " " : "",
+                      command ? command : "");
+  }
+}
+
+void ph_message_send(struct ph_buf *buf) {
+  /* A lost message has nowhere to be reported; the exit status stands. */
+  ph_output_bytes(STDERR_FILENO, buf->data, buf->n);
+  buf->n = 0;
+}

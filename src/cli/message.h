@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Lines for standard error, all of one form, parts left out where unknown:
+ *   phspline: FILE:LINE: record ID: FIELD: [warning: ]MESSAGE [CODE]
+ */
+#ifndef PH_CLI_MESSAGE_H
+#define PH_CLI_MESSAGE_H
+
+#include "base/buf.h"
+#include "base/diag.h"
+
+/* Whom a message is about; NULL and 0 are unknown. */
+struct ph_subject {
+  const char *file;
+  size_t line;
+  const char *id; /* plain text; NULL: the number is used */
+  size_t number;  /* of the record in the stream */
+};
+
+/* ph_message_error, ph_message_warning: append one line. */
+void ph_message_error(struct ph_buf *buf, const struct ph_subject *subject,
+                      const struct ph_diag *diag);
+void ph_message_warning(struct ph_buf *buf, const struct ph_subject *subject,
+                        const struct ph_diag *diag);
+
+/* ph_message_failure: appends the line on a failure that is not a record's.  A
+ * usage error is followed by a hint at the help of the command; NULL: of the
+ * program. */
+void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
+                        const char *command);
+
+/* ph_message_subject: the beginning of a line, up to the record. */
+void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject);
+
+/* ph_message_printf: appends formatted text. */
+void ph_message_printf(struct ph_buf *buf, const char *format, ...)
+    PH_PRINTF(2, 3);
+
+/* ph_message_send: writes the buffer to standard error and clears it. */
+void ph_message_send(struct ph_buf *buf);
+
+#endif

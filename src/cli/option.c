@@ -1,0 +1,415 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Reads the command line with getopt_long, from a table made of the common
+ * options and the command's fields (see option.h).
+ *
+ * Long names are not abbreviated: an abbreviation that works today would be
+ * ambiguous tomorrow.  getopt_long accepts them, so the name as typed is
+ * compared afterwards.
+ */
+#define _GNU_SOURCE /* getopt_long; sysconf's _SC_NPROCESSORS_ONLN */
+#include "cli/option.h"
+
+#include "base/suggest.h"
+#include "io/number.h"
+#include "io/value.h"
+
+#include <getopt.h>
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+#include <unistd.h>
+
+/* More threads than this do not help anyone. */
+enum { JOBS_MAX = 1024 };
+
+const struct ph_option ph_option_table[PH_OPTION_N] = {
+#define X(symbol, letter, name, argument, help) {letter, name, argument, help},
+    PH_OPTIONS(X)
+#undef X
+};
+
+/* What getopt_long needs, and where it stands. */
+struct parser {
+  int argc;
+  char **argv;
+  struct ph_options *options;
+  struct ph_diag *diag;
+  struct option *longs; /* common options, then fields */
+  char shorts[2 * PH_OPTION_N + 2];
+  size_t argument_n; /* upper bound for every list */
+};
+
+/* The tables that getopt_long reads; values are 256 + index into longs. */
+static enum ph_status build_tables(struct parser *p) {
+  const struct ph_method *method = p->options->command->method;
+  size_t n = PH_OPTION_N + method->schema.fields_n, at = 0;
+  char *s = p->shorts;
+  p->longs = ph_arena_array(&p->options->arena, n + 1, sizeof *p->longs);
+  if (!p->longs) {
+    return ph_fail_memory(p->diag);
+  }
+  memset(p->longs, 0, (n + 1) * sizeof *p->longs);
+  *s++ = ':';
+  for (; at < PH_OPTION_N; at++) {
+    const struct ph_option *o = &ph_option_table[at];
+    p->longs[at].name = o->name;
+    p->longs[at].has_arg = o->argument ? required_argument : no_argument;
+    p->longs[at].val = 256 + (int)at;
+    if (o->letter) {
+      *s++ = o->letter;
+      if (o->argument) {
+        *s++ = ':';
+      }
+    }
+  }
+  *s = '\0';
+  for (; at < n; at++) {
+    const struct ph_field *f = &method->schema.fields[at - PH_OPTION_N];
+    p->longs[at].name = ph_field_name(f->id);
+    p->longs[at].has_arg =
+        f->kinds & PH_BOOL ? optional_argument : required_argument;
+    p->longs[at].val = 256 + (int)at;
+  }
+  return PH_OK;
+}
+
+static enum ph_status unknown_option(struct parser *p, const char *typed) {
+  struct ph_suggest suggest;
+  char clause[PH_DID_YOU_MEAN_MAX], excerpt[PH_EXCERPT_MAX];
+  size_t n = strcspn(typed, "=");
+  if (n < 2 || typed[1] != '-') {
+    return ph_fail(p->diag, PH_USAGE, NULL, "unknown option '-%c'", optopt);
+  }
+  ph_suggest_init(&suggest, typed + 2, n - 2);
+  for (const struct option *o = p->longs; o->name; o++) {
+    ph_suggest_try(&suggest, o->name, strlen(o->name));
+  }
+  ph_did_you_mean(&suggest, clause);
+  return ph_fail(p->diag, PH_USAGE, NULL, "unknown option '%s'%s",
+                 ph_excerpt(typed, n, excerpt), clause);
+}
+
+/* The argv element in which the option that was just read stands. */
+static const char *typed_option(const struct parser *p) {
+  bool apart = optarg && optarg == p->argv[optind - 1];
+  return p->argv[optind - (apart ? 2 : 1)];
+}
+
+static bool is_abbreviated(const struct parser *p, int value) {
+  const char *typed = typed_option(p);
+  return strncmp(typed, "--", 2) == 0 &&
+         strcspn(typed + 2, "=") != strlen(p->longs[value - 256].name);
+}
+
+/* One of the words of the option's argument text "a|b|c". */
+static enum ph_status choose(struct parser *p, enum ph_option_id id,
+                             const char *words, size_t *which) {
+  struct ph_suggest suggest;
+  char clause[PH_DID_YOU_MEAN_MAX];
+  size_t n = strlen(optarg);
+  *which = 0;
+  for (const char *w = words; *w; w += w[strcspn(w, "|")] ? 1 : 0) {
+    size_t length = strcspn(w, "|");
+    if (length == n && memcmp(w, optarg, n) == 0) {
+      return PH_OK;
+    }
+    w += length;
+    ++*which;
+  }
+  ph_suggest_init(&suggest, optarg, n);
+  ph_suggest_list(&suggest, words);
+  ph_did_you_mean(&suggest, clause);
+  return ph_fail(p->diag, PH_USAGE, NULL, "--%s must be %s, found '%s'%s",
+                 ph_option_table[id].name, words, optarg, clause);
+}
+
+static enum ph_status read_jobs(struct parser *p) {
+  const char *end = optarg + strlen(optarg);
+  double x;
+  if (ph_number_read_text(optarg, end, &x) != end || !(x >= 1) ||
+      !(x <= JOBS_MAX) || floor(x) < x) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--jobs must be a whole number from 1 to %d, found '%s'",
+                   JOBS_MAX, optarg);
+  }
+  p->options->jobs = (size_t)x;
+  return PH_OK;
+}
+
+static enum ph_status read_offsets(struct parser *p) {
+  struct ph_options *o = p->options;
+  size_t room = 1;
+  double *all;
+  const char *at = optarg, *end;
+  for (const char *c = optarg; *c; c++) {
+    room += *c == ',';
+  }
+  all = ph_arena_array(&o->arena, o->offsets_n + room, sizeof *all);
+  if (!all) {
+    return ph_fail_memory(p->diag);
+  }
+  if (o->offsets_n) {
+    memcpy(all, o->offsets, o->offsets_n * sizeof *all);
+  }
+  o->offsets = all;
+  for (; room-- > 0; at = end + 1) {
+    double *x = &o->offsets[o->offsets_n++];
+    end = at + strcspn(at, ",");
+    if (end == at || ph_number_read_text(at, end, x) != end || !isfinite(*x)) {
+      return ph_fail(p->diag, PH_USAGE, NULL,
+                     "--offset takes numbers, found '%s'", optarg);
+    }
+  }
+  return PH_OK;
+}
+
+/* A character, or the two characters \t, which are easier to type. */
+static enum ph_status read_delimiter(struct parser *p) {
+  if (strlen(optarg) == 1) {
+    p->options->input.delimiter = optarg[0];
+  } else if (strcmp(optarg, "\\t") == 0) {
+    p->options->input.delimiter = '\t';
+  } else {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--delimiter must be one character or \\t, found '%s'",
+                   optarg);
+  }
+  return PH_OK;
+}
+
+/* A value for a field, from --set, --override or the field's own option. */
+static enum ph_status assign(struct parser *p, const struct ph_field *field,
+                             const char *option, const char *text,
+                             bool override) {
+  struct ph_options *o = p->options;
+  struct ph_assignment *a = &o->assignments[o->assignments_n++];
+  struct ph_diag diag;
+  enum ph_status status =
+      ph_value_read_option(text, field, &o->arena, &a->value, &diag);
+  if (status == PH_NO_MEMORY) {
+    return ph_fail_memory(p->diag);
+  }
+  if (status != PH_OK) {
+    return ph_fail(p->diag, PH_USAGE, NULL, "%s: %s %s", option, diag.field,
+                   diag.message);
+  }
+  a->field = field->id;
+  a->override = override;
+  return PH_OK;
+}
+
+/* FIELD=VALUE */
+static enum ph_status read_assignment(struct parser *p, enum ph_option_id id) {
+  const struct ph_schema *schema = &p->options->command->method->schema;
+  const struct ph_field *field;
+  struct ph_suggest suggest;
+  char option[32], clause[PH_DID_YOU_MEAN_MAX];
+  size_t n = strcspn(optarg, "=");
+  strcpy(option, id == PH_O_SET ? "--set" : "--override");
+  if (n == 0 || !optarg[n]) {
+    return ph_fail(p->diag, PH_USAGE, NULL, "%s: '%s' is not FIELD=VALUE",
+                   option, optarg);
+  }
+  field = ph_field_find(schema, optarg, n);
+  if (field) {
+    return assign(p, field, option, optarg + n + 1, id == PH_O_OVERRIDE);
+  }
+  ph_suggest_init(&suggest, optarg, n);
+  for (size_t i = 0; i < schema->fields_n; i++) {
+    const char *name = ph_field_name(schema->fields[i].id);
+    ph_suggest_try(&suggest, name, strlen(name));
+  }
+  ph_did_you_mean(&suggest, clause);
+  return ph_fail(p->diag, PH_USAGE, NULL, "%s: %s has no field '%.*s'%s",
+                 option, schema->command, (int)n, optarg, clause);
+}
+
+static enum ph_status read_sweep(struct parser *p) {
+  struct ph_options *o = p->options;
+  const struct ph_schema *schema = &o->command->method->schema;
+  struct ph_sweep *sweep = &o->sweeps[o->sweeps_n];
+  enum ph_status status =
+      ph_sweep_read(optarg, schema, &o->arena, sweep, p->diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  o->sweeps_n++;
+  o->sweep_count = ph_sweep_count(o->sweeps, o->sweeps_n);
+  return o->sweep_count ? PH_OK
+                        : ph_fail(p->diag, PH_USAGE, NULL,
+                                  "--sweep: too many combinations");
+}
+
+/* The words of the tables as "a|b|c". */
+static const char table_words[] =
+#define X(symbol, name, what) "|" name
+    PH_TABLES(X)
+#undef X
+    ;
+
+/* The flag that an option without argument sets. */
+static bool *flag_of(struct ph_options *o, enum ph_option_id id) {
+  switch (id) {
+  case PH_O_PRETTY:
+    return &o->pretty;
+  case PH_O_STRICT:
+    return &o->strict;
+  case PH_O_FAIL_FAST:
+    return &o->fail_fast;
+  case PH_O_PROGRESS:
+    return &o->progress;
+  case PH_O_QUIET:
+    return &o->quiet;
+  case PH_O_VERBOSE:
+    return &o->verbose;
+  case PH_O_HELP:
+    return &o->help;
+  case PH_O_VERSION:
+    return &o->version;
+  default:
+    return NULL;
+  }
+}
+
+static enum ph_status read_argument(struct parser *p, enum ph_option_id id) {
+  struct ph_options *o = p->options;
+  const char *words = ph_option_table[id].argument;
+  enum ph_status status = PH_OK;
+  size_t which = 0;
+  switch (id) {
+  case PH_O_INPUT_FORMAT:
+    status = choose(p, id, words, &which);
+    o->input.format = (enum ph_split_format)which;
+    break;
+  case PH_O_FORMAT:
+    status = choose(p, id, words, &which);
+    o->csv = which == 1;
+    break;
+  case PH_O_TABLE:
+    status = choose(p, id, table_words + 1, &which);
+    o->table = (enum ph_table)which;
+    break;
+  case PH_O_COLUMNS:
+    o->input.columns = optarg;
+    break;
+  case PH_O_DELIMITER:
+    status = read_delimiter(p);
+    break;
+  case PH_O_OUTPUT:
+    o->output = optarg;
+    break;
+  case PH_O_SET:
+  case PH_O_OVERRIDE:
+    status = read_assignment(p, id);
+    break;
+  case PH_O_SWEEP:
+    status = read_sweep(p);
+    break;
+  case PH_O_OFFSET:
+    status = read_offsets(p);
+    break;
+  case PH_O_JOBS:
+    status = read_jobs(p);
+    break;
+  default:
+    break;
+  }
+  return status;
+}
+
+static enum ph_status read_common(struct parser *p, enum ph_option_id id) {
+  bool *flag = flag_of(p->options, id);
+  if (flag) {
+    *flag = true;
+    return PH_OK;
+  }
+  return read_argument(p, id);
+}
+
+static enum ph_status read_field(struct parser *p, size_t index) {
+  const struct ph_field *field =
+      &p->options->command->method->schema.fields[index];
+  char option[64] = "--";
+  strncat(option, ph_field_name(field->id), sizeof option - 3);
+  return assign(p, field, option, optarg ? optarg : "", false);
+}
+
+/* One option that getopt_long returned. */
+static enum ph_status read_option(struct parser *p, int value) {
+  if (value == '?') {
+    return unknown_option(p, p->argv[optind - 1]);
+  }
+  if (value == ':') {
+    return ph_fail(p->diag, PH_USAGE, NULL, "option '%s' needs a value",
+                   p->argv[optind - 1]);
+  }
+  if (value < 256) {
+    for (int i = 0; i < PH_OPTION_N; i++) {
+      if (ph_option_table[i].letter == value) {
+        return read_common(p, (enum ph_option_id)i);
+      }
+    }
+  }
+  if (is_abbreviated(p, value)) {
+    return unknown_option(p, typed_option(p));
+  }
+  value -= 256;
+  return value < PH_OPTION_N ? read_common(p, (enum ph_option_id)value)
+                             : read_field(p, (size_t)value - PH_OPTION_N);
+}
+
+/* Options that contradict each other. */
+static enum ph_status check_together(struct parser *p) {
+  const struct ph_options *o = p->options;
+  if (o->table != PH_TABLE_CONTROL_POINTS && !o->csv) {
+    return ph_fail(p->diag, PH_USAGE, NULL, "--table needs --format=csv");
+  }
+  if (o->pretty && o->csv) {
+    return ph_fail(p->diag, PH_USAGE, NULL, "--pretty needs --format=json");
+  }
+  if (o->table == PH_TABLE_OFFSETS && !o->offsets_n) {
+    return ph_fail(p->diag, PH_USAGE, NULL, "--table=offsets needs --offset");
+  }
+  return PH_OK;
+}
+
+static size_t processors(void) {
+  long n = sysconf(_SC_NPROCESSORS_ONLN);
+  return n < 1 ? 1 : n > JOBS_MAX ? JOBS_MAX : (size_t)n;
+}
+
+enum ph_status ph_options_read(int argc, char **argv,
+                               struct ph_options *options,
+                               struct ph_diag *diag) {
+  static char *standard_input[] = {"-"};
+  struct parser p = {argc, argv, options, diag, NULL, "", (size_t)argc};
+  enum ph_status status = build_tables(&p);
+  int value;
+  options->sweep_count = 1;
+  options->jobs = processors();
+  options->assignments = ph_arena_array(&options->arena, p.argument_n,
+                                        sizeof *options->assignments);
+  options->sweeps =
+      ph_arena_array(&options->arena, p.argument_n, sizeof *options->sweeps);
+  if (!options->assignments || !options->sweeps) {
+    return ph_fail_memory(diag);
+  }
+  opterr = 0;
+  optind = 1;
+  while (status == PH_OK &&
+         (value = getopt_long(argc, argv, p.shorts, p.longs, NULL)) != -1) {
+    status = read_option(&p, value);
+    if (options->help || options->version) {
+      return PH_OK;
+    }
+  }
+  options->files =
+      (const char *const *)(optind < argc ? argv + optind : standard_input);
+  options->files_n = optind < argc ? (size_t)(argc - optind) : 1;
+  return status == PH_OK ? check_together(&p) : status;
+}
+
+void ph_options_free(struct ph_options *options) {
+  ph_arena_free(&options->arena);
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The command line: one table of common options, the fields of the command as
+ * further options, and what a command line means once read.
+ */
+#ifndef PH_CLI_OPTION_H
+#define PH_CLI_OPTION_H
+
+#include "base/diag.h"
+#include "base/mem.h"
+#include "cli/command.h"
+#include "cli/sweep.h"
+#include "io/csv_out.h"
+#include "io/split.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* X(SYMBOL, 'short' or 0, "long", "ARGUMENT" or NULL, "help").  A help text
+ * may have several lines. */
+#define PH_OPTIONS(X)                                                         \
+  X(INPUT_FORMAT, 'i', "input-format", "auto|json|csv",                       \
+    "auto (default): by suffix (.json .ndjson .jsonl .csv\n"                  \
+    ".tsv), else by the first character")                                     \
+  X(COLUMNS, 0, "columns", "NAME,...",                                        \
+    "what the CSV columns are, in order; - skips one")                        \
+  X(DELIMITER, 0, "delimiter", "C",                                           \
+    "CSV separator (default , and a tab in .tsv files)")                      \
+  X(FORMAT, 'f', "format", "json|csv",                                        \
+    "json (default): an object a line; csv: one table")                       \
+  X(TABLE, 0, "table", "NAME",                                                \
+    "what --format=csv prints (default\n"                                     \
+    "control-points):")                                                       \
+  X(PRETTY, 0, "pretty", NULL, "indented JSON")                               \
+  X(OUTPUT, 'o', "output", "FILE",                                            \
+    "write FILE, replaced only when all is written")                          \
+  X(SET, 's', "set", "FIELD=VALUE", "set a field where the problem lacks it") \
+  X(OVERRIDE, 0, "override", "FIELD=VALUE", "set a field in every problem")   \
+  X(SWEEP, 'S', "sweep", "FIELD=RANGE",                                       \
+    "solve once for each value: START:STOP:COUNT or\n"                        \
+    "V1,V2,...; FIELD may be an element: knots[2]")                           \
+  X(OFFSET, 'd', "offset", "D[,D...]",                                        \
+    "add offset curves at these distances, to the left\n"                     \
+    "of travel when positive")                                                \
+  X(JOBS, 'j', "jobs", "N",                                                   \
+    "worker threads (default: the processors); results\n"                     \
+    "are the same for every N, and in order")                                 \
+  X(STRICT, 0, "strict", NULL, "a warning is an error")                       \
+  X(FAIL_FAST, 0, "fail-fast", NULL, "stop at the first problem that fails")  \
+  X(PROGRESS, 0, "progress", NULL, "report progress on standard error")       \
+  X(QUIET, 'q', "quiet", NULL, "no warnings, no summary of failures")         \
+  X(VERBOSE, 'v', "verbose", NULL,                                            \
+    "one line a problem: iterations, residual, time")                         \
+  X(HELP, 'h', "help", NULL, "this text")                                     \
+  X(VERSION, 'V', "version", NULL, "the version")
+
+enum ph_option_id {
+#define X(symbol, letter, name, argument, help) PH_O_##symbol,
+  PH_OPTIONS(X)
+#undef X
+      PH_OPTION_N
+};
+
+struct ph_option {
+  char letter;
+  const char *name;
+  const char *argument;
+  const char *help;
+};
+
+extern const struct ph_option ph_option_table[PH_OPTION_N];
+
+/* --set, --override and the field options. */
+struct ph_assignment {
+  enum ph_field_id field;
+  struct ph_value value;
+  bool override;
+};
+
+/* A command line, read.  Its memory is its arena's. */
+struct ph_options {
+  struct ph_arena arena;
+  const struct ph_command *command;
+  bool help, version;
+  const char *const *files;
+  size_t files_n;
+  struct ph_split_options input;
+  bool csv;
+  enum ph_table table;
+  bool pretty, strict, fail_fast, progress, quiet, verbose;
+  const char *output; /* NULL: standard output */
+  size_t jobs;
+  struct ph_assignment *assignments;
+  size_t assignments_n;
+  struct ph_sweep *sweeps;
+  size_t sweeps_n;
+  size_t sweep_count; /* results for each problem */
+  double *offsets;
+  size_t offsets_n;
+};
+
+/*
+ * ph_options_read: reads the command line of one command.
+ *
+ * in    argc, argv   argv[0] is the command's name; argv is permuted
+ * inout options      zeroed, but for command
+ * ret   PH_OK | PH_USAGE | PH_NO_MEMORY
+ */
+enum ph_status ph_options_read(int argc, char **argv,
+                               struct ph_options *options,
+                               struct ph_diag *diag);
+
+void ph_options_free(struct ph_options *options);
+
+#endif

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Where results go: standard output, or a file that is replaced only when
+ * everything was written.
+ *
+ * The file is written under a temporary name in its own directory and renamed
+ * at the end.  SIGINT, SIGTERM, SIGHUP and SIGPIPE remove the temporary file
+ * and then end the program as they would have.  A name that exists and is not
+ * a regular file (a device, a pipe) is written to directly.
+ */
+#ifndef PH_CLI_OUTPUT_H
+#define PH_CLI_OUTPUT_H
+
+#include "base/diag.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct ph_output {
+  const char *name; /* for messages */
+  int descriptor;
+  char *target;    /* NULL: no renaming */
+  char *temporary; /* exists as long as it is not NULL */
+};
+
+/* ph_output_bytes: writes all n bytes; false, with errno, on failure. */
+bool ph_output_bytes(int descriptor, const char *bytes, size_t n);
+
+/* ph_output_open: opens standard output (file NULL or "-") or a file.
+ * ret  PH_OK | PH_OUTPUT | PH_NO_MEMORY */
+enum ph_status ph_output_open(struct ph_output *output, const char *file,
+                              struct ph_diag *diag);
+
+/* ph_output_write: ret PH_OK | PH_OUTPUT */
+enum ph_status ph_output_write(struct ph_output *output, const char *bytes,
+                               size_t n, struct ph_diag *diag);
+
+/* ph_output_commit: closes, and gives a file its name.
+ * ret  PH_OK | PH_OUTPUT */
+enum ph_status ph_output_commit(struct ph_output *output, struct ph_diag *diag);
+
+/* ph_output_discard: closes; a file that was not committed leaves no trace.
+ * Harmless after a commit. */
+void ph_output_discard(struct ph_output *output);
+
+#endif

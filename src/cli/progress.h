@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The progress line on standard error: on a terminal one line that is
+ * rewritten, from the second second on; elsewhere, if asked for, a line a
+ * minute.
+ */
+#ifndef PH_CLI_PROGRESS_H
+#define PH_CLI_PROGRESS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <time.h>
+
+struct ph_progress {
+  size_t records, failed; /* so far; kept by the pipeline */
+  bool enabled, terminal, visible;
+  struct timespec start;
+  double next; /* seconds after the start at which to show the line again */
+};
+
+/* ph_progress_init: wanted: asked for; quiet: not by itself either. */
+void ph_progress_init(struct ph_progress *progress, bool wanted, bool quiet);
+
+/* ph_progress_show: shows the line if it is time to. */
+void ph_progress_show(struct ph_progress *progress);
+
+/* ph_progress_hide: removes the line from a terminal, before other output. */
+void ph_progress_hide(struct ph_progress *progress);
+
+/* ph_progress_finish: the last word: elsewhere than on a terminal, a line with
+ * the totals if any was asked for. */
+void ph_progress_finish(struct ph_progress *progress);
+
+#endif

@@ -1,0 +1,435 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The pipeline (see run.h).
+ *
+ * Batches grow from one item to BATCH_ITEMS as the stream goes on: a handful
+ * of hard problems is spread over all workers, and a million easy ones do not
+ * pay for a lock each.  A batch also ends where the input would have to be
+ * waited for, so that a slow producer sees its results at once.
+ */
+#include "cli/run.h"
+
+#include "cli/message.h"
+#include "cli/output.h"
+#include "cli/progress.h"
+#include "cli/work.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { BATCH_ITEMS = 64, BATCH_BYTES = 64 << 10, SLOTS_PER_JOB = 4 };
+
+/* Buffers larger than this are given back after use. */
+enum { KEEP_BYTES = 1 << 20 };
+
+enum slot_state { SLOT_FREE, SLOT_FILLED, SLOT_DONE };
+
+struct slot {
+  enum slot_state state;
+  struct ph_buf text; /* of the records */
+  struct ph_item items[BATCH_ITEMS];
+  size_t text_at[BATCH_ITEMS];
+  size_t n;
+  struct ph_buf out, err;
+  size_t out_end[BATCH_ITEMS], err_end[BATCH_ITEMS];
+};
+
+struct run {
+  const struct ph_options *options;
+  struct ph_split split;
+  struct ph_output output;
+  struct ph_progress progress;
+  struct ph_buf message;
+  enum ph_class class; /* the worst so far */
+
+  struct slot *slots;
+  size_t slots_n;
+  size_t filled, taken, written; /* counts of slots, ever */
+
+  bool input_ended;
+  bool stopped; /* fail-fast, or a failure that ends the run */
+  /* The record whose sweep is being handed out. */
+  struct ph_item current;
+  size_t current_left; /* combinations that remain */
+
+  struct ph_worker *workers;
+  pthread_t *threads;
+  size_t threads_n; /* started; 0: the main thread works */
+  pthread_mutex_t lock;
+  pthread_cond_t changed;
+  bool quit;
+};
+
+static struct slot *slot_at(struct run *r, size_t number) {
+  return &r->slots[number % r->slots_n];
+}
+
+static void worsen(struct run *r, enum ph_class class) {
+  r->class = class > r->class ? class : r->class;
+}
+
+/* A failure that is not a record's. */
+static void complain(struct run *r, const struct ph_diag *diag) {
+  ph_message_failure(&r->message, diag,
+                     r->options->command->method->schema.command);
+  worsen(r, ph_status_class(diag->status));
+}
+
+/* ---- reading ---------------------------------------------------------- */
+
+/* Gets the next record, if there is one now; false ends the batch. */
+static bool next_record(struct run *r, bool may_wait) {
+  struct ph_diag diag;
+  if (r->current_left) {
+    return true;
+  }
+  if (r->input_ended) {
+    return false;
+  }
+  memset(&r->current, 0, sizeof r->current);
+  switch (ph_split_next(&r->split, may_wait, &r->current.record, &diag)) {
+  case PH_SPLIT_RECORD:
+    r->current.diag = diag;
+    r->current_left =
+        r->current.record.status == PH_OK ? r->options->sweep_count : 1;
+    return true;
+  case PH_SPLIT_WAIT:
+    return false;
+  case PH_SPLIT_FAILED:
+    complain(r, &diag);
+    break;
+  case PH_SPLIT_END:
+    break;
+  }
+  if (ph_split_stopped(&r->split)) {
+    worsen(r, PH_CLASS_INPUT);
+  }
+  r->input_ended = true;
+  return false;
+}
+
+/* Puts one item into a slot, with its text unless the slot has it already. */
+static bool add_item(struct run *r, struct slot *slot) {
+  struct ph_item *item = &slot->items[slot->n];
+  bool same = slot->n > 0 && r->current.sweep > 0;
+  size_t at = same ? slot->text_at[slot->n - 1] : slot->text.n;
+  if (!same) {
+    ph_buf_put(&slot->text, r->current.record.text, r->current.record.n);
+    if (slot->text.failed) {
+      return false;
+    }
+  }
+  *item = r->current;
+  slot->text_at[slot->n] = at;
+  slot->n++;
+  r->current.sweep++;
+  r->current_left--;
+  return true;
+}
+
+static size_t batch_limit(const struct run *r) {
+  size_t limit = 1 + r->filled / (2 * r->slots_n);
+  return limit < BATCH_ITEMS ? limit : BATCH_ITEMS;
+}
+
+/* Fills the next slot; false if there was nothing to fill it with. */
+static bool fill_slot(struct run *r, bool may_wait) {
+  struct slot *slot = slot_at(r, r->filled);
+  size_t limit = batch_limit(r);
+  slot->n = 0;
+  ph_buf_clear(&slot->text, KEEP_BYTES);
+  while (slot->n < limit && slot->text.n < BATCH_BYTES &&
+         next_record(r, may_wait && slot->n == 0)) {
+    if (!add_item(r, slot)) {
+      struct ph_diag diag;
+      ph_fail_memory(&diag);
+      complain(r, &diag);
+      r->input_ended = true;
+      r->current_left = 0;
+      break;
+    }
+  }
+  for (size_t i = 0; i < slot->n; i++) { /* the text has stopped moving */
+    slot->items[i].record.text = slot->text.data + slot->text_at[i];
+  }
+  return slot->n > 0;
+}
+
+/* ---- working ---------------------------------------------------------- */
+
+static void work_slot(const struct ph_options *options,
+                      struct ph_worker *worker, struct slot *slot) {
+  ph_buf_clear(&slot->out, KEEP_BYTES);
+  ph_buf_clear(&slot->err, KEEP_BYTES);
+  for (size_t i = 0; i < slot->n; i++) {
+    ph_work(options, worker, &slot->items[i], &slot->out, &slot->err);
+    slot->out_end[i] = slot->out.n;
+    slot->err_end[i] = slot->err.n;
+  }
+}
+
+struct thread_start {
+  struct run *run;
+  struct ph_worker *worker;
+};
+
+static void *worker_main(void *argument) {
+  struct thread_start *start = argument;
+  struct run *r = start->run;
+  pthread_mutex_lock(&r->lock);
+  while (!r->quit) {
+    if (r->taken < r->filled) {
+      struct slot *slot = slot_at(r, r->taken++);
+      pthread_mutex_unlock(&r->lock);
+      work_slot(r->options, start->worker, slot);
+      pthread_mutex_lock(&r->lock);
+      slot->state = SLOT_DONE;
+      pthread_cond_broadcast(&r->changed);
+    } else {
+      pthread_cond_wait(&r->changed, &r->lock);
+    }
+  }
+  pthread_mutex_unlock(&r->lock);
+  return NULL;
+}
+
+/* Makes a filled slot known to the workers, or works on it here. */
+static void hand_over(struct run *r) {
+  struct slot *slot = slot_at(r, r->filled);
+  if (r->threads_n == 0) {
+    work_slot(r->options, &r->workers[0], slot);
+    slot->state = SLOT_DONE;
+    r->filled++;
+    r->taken++;
+    return;
+  }
+  pthread_mutex_lock(&r->lock);
+  slot->state = SLOT_FILLED;
+  r->filled++;
+  pthread_cond_broadcast(&r->changed);
+  pthread_mutex_unlock(&r->lock);
+}
+
+/* ---- writing ---------------------------------------------------------- */
+
+/* Counts outcomes up to and including the first failure under --fail-fast;
+ * returns how many items of the slot are to be written. */
+static size_t count_outcomes(struct run *r, const struct slot *slot) {
+  for (size_t i = 0; i < slot->n; i++) {
+    enum ph_status status = slot->items[i].status;
+    r->progress.records++;
+    if (status != PH_OK) {
+      r->progress.failed++;
+      worsen(r, ph_status_class(status));
+      if (r->options->fail_fast) {
+        r->stopped = true;
+        return i + 1;
+      }
+    }
+  }
+  return slot->n;
+}
+
+static void write_slot(struct run *r, struct slot *slot) {
+  size_t n = count_outcomes(r, slot);
+  struct ph_diag diag;
+  ph_progress_hide(&r->progress);
+  if (slot->out.failed || slot->err.failed) {
+    ph_fail_memory(&diag);
+    complain(r, &diag);
+    r->stopped = true;
+  } else {
+    if (ph_output_write(&r->output, slot->out.data, slot->out_end[n - 1],
+                        &diag) != PH_OK) {
+      complain(r, &diag);
+      r->stopped = true;
+    }
+    ph_buf_put(&r->message, slot->err.data, slot->err_end[n - 1]);
+  }
+  ph_message_send(&r->message);
+  slot->state = SLOT_FREE;
+  r->written++;
+  ph_progress_show(&r->progress);
+}
+
+/* Waits until the oldest slot is done, if `wait`; whether it is. */
+static bool oldest_is_done(struct run *r, bool wait) {
+  struct slot *slot = slot_at(r, r->written);
+  bool done;
+  if (r->written == r->filled) {
+    return false;
+  }
+  pthread_mutex_lock(&r->lock);
+  while (wait && slot->state != SLOT_DONE) {
+    pthread_cond_wait(&r->changed, &r->lock);
+  }
+  done = slot->state == SLOT_DONE;
+  pthread_mutex_unlock(&r->lock);
+  return done;
+}
+
+static void pump(struct run *r) {
+  while (!r->stopped) {
+    bool room = r->filled - r->written < r->slots_n;
+    bool idle = r->filled == r->written;
+    if (room && (!r->input_ended || r->current_left) && fill_slot(r, idle)) {
+      hand_over(r);
+    } else if (idle && r->input_ended && !r->current_left) {
+      return;
+    } else if (oldest_is_done(r, true)) {
+      write_slot(r, slot_at(r, r->written));
+      continue;
+    }
+    while (!r->stopped && oldest_is_done(r, false)) {
+      write_slot(r, slot_at(r, r->written));
+    }
+  }
+}
+
+/* ---- beginning and end ------------------------------------------------ */
+
+static struct thread_start *start_threads(struct run *r) {
+  size_t jobs = r->options->jobs;
+  struct thread_start *starts;
+  if (jobs < 2) {
+    return NULL;
+  }
+  r->threads = ph_malloc(jobs * sizeof *r->threads);
+  starts = ph_malloc(jobs * sizeof *starts);
+  if (!r->threads || !starts) {
+    return starts; /* one thread will do */
+  }
+  for (size_t i = 0; i < jobs; i++) {
+    starts[i].run = r;
+    starts[i].worker = &r->workers[i];
+    if (pthread_create(&r->threads[i], NULL, worker_main, &starts[i]) != 0) {
+      break;
+    }
+    r->threads_n++;
+  }
+  return starts;
+}
+
+static void stop_threads(struct run *r) {
+  pthread_mutex_lock(&r->lock);
+  r->quit = true;
+  pthread_cond_broadcast(&r->changed);
+  pthread_mutex_unlock(&r->lock);
+  for (size_t i = 0; i < r->threads_n; i++) {
+    pthread_join(r->threads[i], NULL);
+  }
+}
+
+static bool allocate(struct run *r) {
+  size_t jobs = r->options->jobs;
+  r->slots_n = jobs * SLOTS_PER_JOB;
+  r->slots = ph_malloc(r->slots_n * sizeof *r->slots);
+  r->workers = ph_malloc(jobs * sizeof *r->workers);
+  if (!r->slots || !r->workers) {
+    return false;
+  }
+  for (size_t i = 0; i < r->slots_n; i++) {
+    r->slots[i].state = SLOT_FREE;
+    r->slots[i].n = 0;
+    r->slots[i].text = r->slots[i].out = r->slots[i].err = (struct ph_buf){0};
+  }
+  memset(r->workers, 0, jobs * sizeof *r->workers);
+  return true;
+}
+
+static void release(struct run *r) {
+  for (size_t i = 0; r->slots && i < r->slots_n; i++) {
+    ph_buf_free(&r->slots[i].text);
+    ph_buf_free(&r->slots[i].out);
+    ph_buf_free(&r->slots[i].err);
+  }
+  for (size_t i = 0; r->workers && i < r->options->jobs; i++) {
+    ph_worker_free(&r->workers[i]);
+  }
+  ph_free(r->slots);
+  ph_free(r->workers);
+  ph_free(r->threads);
+  ph_buf_free(&r->message);
+  ph_split_free(&r->split);
+  ph_output_discard(&r->output);
+}
+
+/* The header row of a CSV table, before all rows. */
+static enum ph_status write_header(struct run *r, struct ph_diag *diag) {
+  const struct ph_options *o = r->options;
+  struct ph_buf buf = {0};
+  enum ph_status status;
+  struct ph_swept *swept;
+  if (!o->csv) {
+    return PH_OK;
+  }
+  swept = ph_malloc((o->sweeps_n + 1) * sizeof *swept);
+  for (size_t i = 0; swept && i < o->sweeps_n; i++) {
+    swept[i].name = o->sweeps[i].name;
+    swept[i].value = NULL;
+  }
+  if (swept) {
+    ph_csv_header(&buf, o->table, o->command->method->dimension, swept,
+                  o->sweeps_n);
+  }
+  status = swept && !buf.failed
+               ? ph_output_write(&r->output, buf.data, buf.n, diag)
+               : ph_fail_memory(diag);
+  ph_buf_free(&buf);
+  ph_free(swept);
+  return status;
+}
+
+/* A file gets its name when all results are in it: not after a failure of the
+ * run itself, and not when --fail-fast broke off. */
+static void conclude(struct run *r) {
+  struct ph_diag diag;
+  bool whole = r->class < PH_CLASS_OUTPUT && !r->stopped;
+  if ((whole || !r->output.temporary) && r->class != PH_CLASS_OUTPUT &&
+      ph_output_commit(&r->output, &diag) != PH_OK) {
+    complain(r, &diag);
+  }
+  if (r->progress.failed && !r->options->quiet) {
+    ph_message_printf(&r->message, "phspline: %zu of %zu records failed\n",
+                      r->progress.failed, r->progress.records);
+  }
+}
+
+int ph_run(const struct ph_options *options) {
+  const struct ph_options *o = options;
+  struct run r = {.options = options};
+  struct thread_start *starts = NULL;
+  struct ph_diag diag;
+  enum ph_status status;
+  pthread_mutex_init(&r.lock, NULL);
+  pthread_cond_init(&r.changed, NULL);
+  ph_progress_init(&r.progress, o->progress, o->quiet);
+  status = ph_split_init(&r.split, o->files, o->files_n, &o->input,
+                         &o->command->method->schema, &diag);
+  if (status == PH_OK && !allocate(&r)) {
+    status = ph_fail_memory(&diag);
+  }
+  if (status == PH_OK) {
+    status = ph_output_open(&r.output, o->output, &diag);
+  }
+  if (status == PH_OK) {
+    status = write_header(&r, &diag);
+  }
+  if (status == PH_OK) {
+    starts = start_threads(&r);
+    pump(&r);
+    stop_threads(&r);
+    ph_progress_finish(&r.progress);
+    conclude(&r);
+  } else {
+    complain(&r, &diag);
+  }
+  ph_message_send(&r.message);
+  ph_free(starts);
+  release(&r);
+  pthread_cond_destroy(&r.changed);
+  pthread_mutex_destroy(&r.lock);
+  return (int)r.class;
+}

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Sweeps: one problem solved for many values of its fields. */
+#ifndef PH_CLI_SWEEP_H
+#define PH_CLI_SWEEP_H
+
+#include "base/diag.h"
+#include "base/mem.h"
+#include "curve/problem.h"
+#include "io/json_out.h"
+
+enum { PH_SWEEP_INDICES_MAX = 2 };
+
+/* --sweep FIELD=...: the values that one field, or one number of an array
+ * field, takes. */
+struct ph_sweep {
+  const char *name; /* as given: lengths[1] */
+  const struct ph_field *field;
+  size_t index[PH_SWEEP_INDICES_MAX];
+  size_t index_n; /* 0: the field as a whole */
+  size_t n;
+  struct ph_value *values; /* [n] */
+  const char **texts;      /* [n], JSON */
+};
+
+/*
+ * ph_sweep_read: reads FIELD=START:STOP:COUNT or FIELD=V1,V2,...
+ *
+ * START:STOP:COUNT gives COUNT equally spaced numbers with both ends exact.
+ *
+ * ret  PH_OK | PH_USAGE | PH_NO_MEMORY
+ */
+enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
+                             struct ph_arena *arena, struct ph_sweep *sweep,
+                             struct ph_diag *diag);
+
+/* ph_sweep_count: results for each problem, the product of the counts; 0 when
+ * it does not fit a size_t. */
+size_t ph_sweep_count(const struct ph_sweep *sweeps, size_t n);
+
+/*
+ * ph_sweep_apply: sets the swept fields of a problem to combination number
+ * `which` of their values, the last sweep varying fastest.
+ *
+ * inout problem  arrays are copied to the arena before an element is changed
+ * out   swept[n] names and values for the record
+ * ret   PH_OK | PH_BAD_SHAPE (the problem has no such element) | PH_NO_MEMORY
+ */
+enum ph_status ph_sweep_apply(const struct ph_sweep *sweeps, size_t n,
+                              size_t which, struct ph_arena *arena,
+                              struct ph_problem *problem,
+                              struct ph_swept *swept, struct ph_diag *diag);
+
+#endif

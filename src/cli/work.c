@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One record, bytes to bytes (see work.h). */
+#include "cli/work.h"
+
+#include "cli/message.h"
+#include "io/csv_in.h"
+#include "io/json_in.h"
+#include "io/json_out.h"
+#include "io/value.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+/* An item on its way. */
+struct task {
+  const struct ph_options *options;
+  struct ph_worker *worker;
+  const struct ph_item *item;
+  struct ph_echo echo;
+  struct ph_swept *swept;
+  size_t swept_n;
+  struct ph_problem problem;
+  struct ph_result result;
+  struct ph_diag diag;
+};
+
+static enum ph_status read_problem(struct task *t) {
+  const struct ph_record *record = &t->item->record;
+  const struct ph_schema *schema = &t->options->command->method->schema;
+  struct ph_arena *arena = &t->worker->arena;
+  return record->columns
+             ? ph_csv_in(record, schema, arena, &t->problem, &t->echo, &t->diag)
+             : ph_json_in(record, schema, arena, &t->problem, &t->echo,
+                          &t->diag);
+}
+
+static enum ph_status apply_options(struct task *t) {
+  const struct ph_options *o = t->options;
+  t->swept = ph_arena_array(&t->worker->arena, o->sweeps_n, sizeof *t->swept);
+  if (!t->swept) {
+    return ph_fail_memory(&t->diag);
+  }
+  for (size_t i = 0; i < o->assignments_n; i++) {
+    const struct ph_assignment *a = &o->assignments[i];
+    struct ph_value *value = &t->problem.field[a->field];
+    if (a->override || value->kind == PH_ABSENT) {
+      *value = a->value;
+    }
+  }
+  t->swept_n = o->sweeps_n;
+  return ph_sweep_apply(o->sweeps, o->sweeps_n, t->item->sweep,
+                        &t->worker->arena, &t->problem, t->swept, &t->diag);
+}
+
+static enum ph_status derive_offsets(struct task *t) {
+  const struct ph_options *o = t->options;
+  struct ph_arena *arena = &t->worker->arena;
+  enum ph_status status = PH_OK;
+  t->result.offsets =
+      ph_arena_array(arena, o->offsets_n, sizeof *t->result.offsets);
+  if (!t->result.offsets) {
+    return ph_fail_memory(&t->diag);
+  }
+  for (size_t i = 0; status == PH_OK && i < o->offsets_n; i++) {
+    status = o->command->offset(&t->result.curve, o->offsets[i], arena,
+                                &t->result.offsets[i], &t->diag);
+  }
+  t->result.offsets_n = o->offsets_n;
+  return status;
+}
+
+/* Under --strict the first warning is the failure. */
+static enum ph_status refuse_warnings(struct task *t) {
+  if (!t->options->strict || !t->result.warnings_n) {
+    return PH_OK;
+  }
+  t->diag = t->result.warnings[0].diag;
+  return t->diag.status;
+}
+
+static enum ph_status solve(struct task *t) {
+  const struct ph_command *command = t->options->command;
+  struct ph_worker *worker = t->worker;
+  enum ph_status status = t->item->record.status;
+  if (status != PH_OK) {
+    t->diag = t->item->diag;
+    return status;
+  }
+  status = read_problem(t);
+  if (status == PH_OK) {
+    status = apply_options(t);
+  }
+  if (status == PH_OK) {
+    status = ph_problem_check_required(&t->problem, &command->method->schema,
+                                       &t->diag);
+  }
+  if (status == PH_OK) {
+    status = command->method->solve(&t->problem, &worker->arena,
+                                    &worker->scratch, &t->result, &t->diag);
+  }
+  if (status == PH_OK) {
+    status = command->certify(&t->problem, &t->result.curve,
+                              &t->result.diagnostics, &t->diag);
+  }
+  if (status == PH_OK) {
+    status = derive_offsets(t);
+  }
+  return status == PH_OK ? refuse_warnings(t) : status;
+}
+
+/* The id as people write it: without the quotes of a JSON string. */
+static const char *plain_id(struct task *t) {
+  const struct ph_echo *echo = &t->echo;
+  if (!echo->id) {
+    return NULL;
+  }
+  return echo->id[0] == '"'
+             ? ph_value_string(echo->id, echo->id_n, &t->worker->arena)
+             : ph_arena_copy(&t->worker->arena, echo->id, echo->id_n);
+}
+
+static void write_result(struct task *t, const struct ph_heading *heading,
+                         const char *id, struct ph_buf *out) {
+  char number[32];
+  struct ph_csv_heading csv = {id, t->swept, t->swept_n};
+  if (!t->options->csv) {
+    ph_json_result(out, heading, &t->result, t->options->pretty);
+    return;
+  }
+  if (!id) {
+    snprintf(number, sizeof number, "%zu", t->item->record.number);
+    csv.id = number;
+  }
+  ph_csv_result(out, t->options->table, &csv, &t->result);
+}
+
+static void report(struct task *t, const struct ph_subject *subject,
+                   enum ph_status status, const struct timespec *start,
+                   struct ph_buf *err) {
+  const struct ph_options *o = t->options;
+  const double *d = t->result.diagnostics.value;
+  struct timespec now;
+  for (size_t i = 0; status == PH_OK && !o->quiet && i < t->result.warnings_n;
+       i++) {
+    ph_message_warning(err, subject, &t->result.warnings[i].diag);
+  }
+  if (status != PH_OK) {
+    ph_message_error(err, subject, &t->diag);
+  } else if (o->verbose) {
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    ph_message_subject(err, subject);
+    ph_message_printf(err, "%.0f iterations, residual %.2g, %.3g ms\n",
+                      d[PH_D_ITERATIONS], d[PH_D_RESIDUAL],
+                      1e3 * (double)(now.tv_sec - start->tv_sec) +
+                          1e-6 * (double)(now.tv_nsec - start->tv_nsec));
+  }
+}
+
+void ph_work(const struct ph_options *options, struct ph_worker *worker,
+             struct ph_item *item, struct ph_buf *out, struct ph_buf *err) {
+  const struct ph_record *record = &item->record;
+  struct task t = {.options = options, .worker = worker, .item = item};
+  struct ph_subject subject = {record->file, record->line, NULL,
+                               record->number};
+  struct ph_heading heading = {
+      &t.echo, options->command->method->schema.command, NULL, 0};
+  struct timespec start = {0, 0};
+  if (options->verbose) {
+    clock_gettime(CLOCK_MONOTONIC, &start);
+  }
+  item->status = solve(&t);
+  subject.id = plain_id(&t);
+  heading.swept = t.swept;
+  heading.swept_n = t.swept_n;
+  if (item->status == PH_OK) {
+    write_result(&t, &heading, subject.id, out);
+  } else {
+    if (!t.diag.line) {
+      t.diag.line = record->status == PH_OK
+                        ? ph_record_line(record, t.diag.field)
+                        : record->line;
+    }
+    subject.line = t.diag.line;
+    if (!options->csv) {
+      ph_json_error(out, &heading, &t.diag, record->file, options->pretty);
+    }
+  }
+  report(&t, &subject, item->status, &start, err);
+  ph_arena_reset(&worker->arena);
+}
+
+void ph_worker_free(struct ph_worker *worker) {
+  ph_arena_free(&worker->arena);
+  ph_arena_free(&worker->scratch);
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One record, bytes to bytes: read, solve, certify, derive, write. */
+#ifndef PH_CLI_WORK_H
+#define PH_CLI_WORK_H
+
+#include "base/buf.h"
+#include "base/mem.h"
+#include "cli/option.h"
+#include "io/record.h"
+
+/* What a worker keeps from record to record. */
+struct ph_worker {
+  struct ph_arena arena;   /* of the record */
+  struct ph_arena scratch; /* of the solver */
+};
+
+/* One result to be: a record and a combination of swept values. */
+struct ph_item {
+  struct ph_record record;
+  struct ph_diag diag; /* of a record whose text is broken */
+  size_t sweep;
+  enum ph_status status; /* the outcome */
+};
+
+/*
+ * ph_work: appends the record of one item to `out` and its messages to `err`,
+ * and sets item->status.  Depends on nothing but the item and the options.
+ */
+void ph_work(const struct ph_options *options, struct ph_worker *worker,
+             struct ph_item *item, struct ph_buf *out, struct ph_buf *err);
+
+/* ph_worker_free: gives back a worker's memory. */
+void ph_worker_free(struct ph_worker *worker);
+
+#endif
