@@ -1,0 +1,395 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* CSV: rows, cells, and records of rows as problems. */
+#include "unit.h"
+
+#include "io/csv_in.h"
+#include "io/json_in.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+enum { PLANE = 1u << 2, SPACE = 1u << 3 };
+
+static const struct ph_field rows[] = {
+    {PH_F_POINTS, PH_VECTORS, PLANE | SPACE, true, "", "", ""},
+    {PH_F_CLOSED, PH_BOOL, 0, false, "", "false", ""},
+    {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal", "chordal", ""},
+};
+static const struct ph_schema schema = {"planar", rows, 3};
+
+static struct ph_arena arena;
+static struct ph_problem problem;
+static struct ph_echo echo;
+static struct ph_diag diag;
+static char *copy;
+static struct ph_csv_columns *columns;
+
+static void finish(void) {
+  ph_arena_free(&arena);
+  free(copy);
+  free(columns);
+  copy = NULL;
+  columns = NULL;
+}
+
+/* A copy of its own size on the heap: a read beyond it shows. */
+static const char *heap(const char *text, size_t n) {
+  free(copy);
+  copy = malloc(n ? n : 1);
+  ck_assert_ptr_nonnull(copy);
+  memcpy(copy, text, n);
+  return copy;
+}
+
+/* ---- rows and cells ------------------------------------------------- */
+
+/* Scans the first row of a text in portions of every size. */
+static void ck_scan(const char *text, enum ph_csv_state state, size_t at,
+                    const char *message) {
+  size_t n = strlen(text);
+  for (size_t step = n + 1; step >= 1; step--) {
+    struct ph_csv_scan scan = {.at = 0};
+    enum ph_csv_state found = PH_CSV_MORE;
+    for (size_t have = step; found == PH_CSV_MORE && have < n; have += step) {
+      found = ph_csv_scan(&scan, heap(text, have), have, ',', false);
+    }
+    if (found == PH_CSV_MORE) {
+      found = ph_csv_scan(&scan, heap(text, n), n, ',', true);
+    }
+    ck_assert_msg(found == state, "%s: state %d: %s", text, (int)found,
+                  scan.message);
+    ck_assert_msg(scan.at == at, "%s: at %zu", text, scan.at);
+    if (state == PH_CSV_ERROR) {
+      ck_assert_str_eq(scan.message, message);
+    }
+  }
+}
+
+START_TEST(test_rows) {
+  ck_scan("1,2", PH_CSV_ROW, 3, NULL);
+  ck_scan("1,2\n3,4", PH_CSV_ROW, 4, NULL);
+  ck_scan("1,2\r\n3,4", PH_CSV_ROW, 5, NULL);
+  ck_scan("\"a\nb\",2\n3", PH_CSV_ROW, 8, NULL);
+  ck_scan("\"a\"\"b\"\nx", PH_CSV_ROW, 7, NULL);
+  ck_scan("\"a\"\"\n\"\nx", PH_CSV_ROW, 7, NULL);
+  ck_scan(" \"a\n\" , 1\nx", PH_CSV_ROW, 10, NULL);
+  ck_scan("a\"b\nx", PH_CSV_ROW, 4, NULL);
+  ck_scan("\"\"\nx", PH_CSV_ROW, 3, NULL);
+  ck_scan(",\nx", PH_CSV_ROW, 2, NULL);
+  ck_scan(" , \nx", PH_CSV_ROW, 4, NULL);
+  ck_scan("a,#\nx", PH_CSV_ROW, 4, NULL);
+  ck_scan(" #\nx", PH_CSV_ROW, 3, NULL);
+  ck_scan("\nx", PH_CSV_BLANK, 1, NULL);
+  ck_scan("\r\nx", PH_CSV_BLANK, 2, NULL);
+  ck_scan(" \t \nx", PH_CSV_BLANK, 4, NULL);
+  ck_scan("  ", PH_CSV_BLANK, 2, NULL);
+  ck_scan("#\nx", PH_CSV_COMMENT, 2, NULL);
+  ck_scan("# it's \"so\nx", PH_CSV_COMMENT, 11, NULL);
+  ck_scan("#\"", PH_CSV_COMMENT, 2, NULL);
+}
+END_TEST
+
+START_TEST(test_broken_rows) {
+  const char *never = "the quote that begins this cell is never closed";
+  ck_scan("\"a", PH_CSV_ERROR, 0, never);
+  ck_scan("1, \"a\n2,3\n", PH_CSV_ERROR, 3, never);
+  ck_scan("1,\"a\"\",2\n", PH_CSV_ERROR, 2, never);
+  ck_scan("\"a\"x\n", PH_CSV_ERROR, 3,
+          "expected ',' or the end of the row after a quoted cell, found 'x'");
+  ck_scan("\"a\" \"b\"\n", PH_CSV_ERROR, 4,
+          "expected ',' or the end of the row after a quoted cell, "
+          "found '\"'");
+  ck_scan("\"a\"\xC3\xA4\n", PH_CSV_ERROR, 3,
+          "expected ',' or the end of the row after a quoted cell, "
+          "found '\xC3\xA4'");
+  ck_scan("\"a\"\xC3", PH_CSV_ERROR, 3,
+          "expected ',' or the end of the row after a quoted cell, "
+          "found '\\xc3'");
+}
+END_TEST
+
+/* Cell i of a row. */
+static struct ph_csv_cell cell_of(const char *row, char delimiter, size_t i) {
+  size_t n = strlen(row);
+  const char *p = heap(row, n);
+  const char *end = ph_csv_row_end(p, p + n);
+  struct ph_csv_cell cell;
+  for (p = ph_csv_cell(p, end, delimiter, &cell); i > 0; i--) {
+    ck_assert_ptr_ne(p, end);
+    p = ph_csv_cell(p + 1, end, delimiter, &cell);
+  }
+  return cell;
+}
+
+static void ck_cell(const char *row, char delimiter, size_t i,
+                    const char *content) {
+  struct ph_csv_cell cell = cell_of(row, delimiter, i);
+  char out[64];
+  size_t n = ph_csv_content(&cell, out);
+  ck_assert_uint_le(n, cell.n);
+  out[n] = '\0';
+  ck_assert_str_eq(out, content);
+}
+
+START_TEST(test_cells) {
+  ck_cell("1,2\r\n", ',', 0, "1");
+  ck_cell("1,2\r\n", ',', 1, "2");
+  ck_cell(" 1 ,\t2 \n", ',', 0, "1");
+  ck_cell(" 1 ,\t2 \n", ',', 1, "2");
+  ck_cell("1,,3", ',', 1, "");
+  ck_cell("1,", ',', 1, "");
+  ck_cell("", ',', 0, "");
+  ck_cell("\"a,b\",2", ',', 0, "a,b");
+  ck_cell("\"a,b\",2", ',', 1, "2");
+  ck_cell(" \" a\"\"b \" , 2", ',', 0, " a\"b ");
+  ck_cell(" \" a\"\"b \" , 2", ',', 1, "2");
+  ck_cell("\"\"\"\"", ',', 0, "\"");
+  ck_cell("\"\",x", ',', 0, "");
+  ck_cell("\"a\nb\"\n", ',', 0, "a\nb");
+  ck_cell("a\"b,c", ',', 0, "a\"b");
+  ck_cell("a b\tc d\t", '\t', 0, "a b");
+  ck_cell("a b\tc d\t", '\t', 1, "c d");
+  ck_cell("a b\tc d\t", '\t', 2, "");
+  ck_cell("1;2,5", ';', 1, "2,5");
+  ck_assert(!cell_of("a", ',', 0).quoted);
+  ck_assert(cell_of("\"\"", ',', 0).quoted);
+}
+END_TEST
+
+static bool number(const char *text, double *x) {
+  return ph_csv_number(heap(text, strlen(text)), strlen(text), x);
+}
+
+START_TEST(test_numbers) {
+  static const char *const words[] = {"",    "a",    "1a",   "1 2",       "-",
+                                      "+-1", "nano", "na",   "infinitys", "in",
+                                      "-a",  "1e",   "0x10", "1,5",       "."};
+  double x = 0;
+  ck_assert(number("-1.5e3", &x));
+  ck_rel(x, -1500, 0);
+  ck_assert(number(".5", &x));
+  ck_rel(x, 0.5, 0);
+  ck_assert(number("+007", &x));
+  ck_rel(x, 7, 0);
+  ck_assert(number("NaN", &x) && isnan(x));
+  ck_assert(number("-nan", &x) && isnan(x));
+  ck_assert(number("-Inf", &x) && isinf(x) && x < 0);
+  ck_assert(number("infinity", &x) && isinf(x) && x > 0);
+  ck_assert(number("1e999", &x) && isinf(x));
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+    ck_assert_msg(!number(words[i], &x), "%s", words[i]);
+  }
+}
+END_TEST
+
+/* ---- records -------------------------------------------------------- */
+
+/* Columns by one letter each: i, x, y, z, k(not), -. */
+static void set_columns(const char *letters) {
+  size_t n = strlen(letters);
+  columns = malloc(sizeof *columns + n * sizeof *columns->column);
+  ck_assert_ptr_nonnull(columns);
+  columns->older = NULL;
+  columns->delimiter = ',';
+  columns->n = n;
+  for (size_t i = 0; i < n; i++) {
+    char c = letters[i];
+    columns->column[i] =
+        c == 'i'   ? (struct ph_csv_column){PH_CSV_ID, 0, "id"}
+        : c == 'x' ? (struct ph_csv_column){PH_F_POINTS, 0, "x"}
+        : c == 'y' ? (struct ph_csv_column){PH_F_POINTS, 1, "y"}
+        : c == 'z' ? (struct ph_csv_column){PH_F_POINTS, 2, "z"}
+        : c == 'k' ? (struct ph_csv_column){PH_F_KNOTS, 0, "knot"}
+                   : (struct ph_csv_column){PH_CSV_SKIP, 0, "-"};
+  }
+}
+
+/* A record whose first row is in line 10. */
+static struct ph_record record_of(const char *letters, const char *text) {
+  size_t n = strlen(text);
+  free(columns);
+  set_columns(letters);
+  return (struct ph_record){heap(text, n), n, "a.csv", 10, 1, columns, PH_OK};
+}
+
+static enum ph_status get(const char *letters, const char *text) {
+  struct ph_record record = record_of(letters, text);
+  memset(&diag, 0, sizeof diag);
+  return ph_csv_in(&record, &schema, &arena, &problem, &echo, &diag);
+}
+
+static void ck_array(enum ph_field_id id, enum ph_kind kind, size_t n,
+                     size_t dimension, const double *v) {
+  const struct ph_value *value = &problem.field[id];
+  ck_assert_msg(diag.message[0] == '\0', "%s %s", diag.field, diag.message);
+  ck_assert_int_eq(value->kind, kind);
+  ck_assert_uint_eq(value->n, n);
+  ck_assert_uint_eq(value->dimension, dimension);
+  for (size_t i = 0; i < n * dimension; i++) {
+    ck_rel(value->v[i], v[i], 0);
+  }
+}
+
+static void ck_id(const char *id) {
+  ck_assert_int_eq(!echo.id, !id);
+  ck_assert_uint_eq(echo.id_n, id ? strlen(id) : 0);
+  if (id) {
+    ck_assert_mem_eq(echo.id, id, echo.id_n);
+  }
+  ck_assert_ptr_null(echo.meta);
+}
+
+static void bad(const char *letters, const char *text, enum ph_status status,
+                const char *field, size_t line, const char *message) {
+  enum ph_status found = get(letters, text);
+  ck_assert_str_eq(diag.message, message);
+  ck_assert_str_eq(diag.field, field);
+  ck_assert_int_eq(found, status);
+  ck_assert_int_eq(diag.status, status);
+  ck_assert_uint_eq(diag.line, line);
+}
+
+START_TEST(test_good) {
+  static const double v[] = {0, 1, 2, 3, 4, 5};
+  static const double k[] = {7, 8};
+  ck_assert_int_eq(get("xy", "0,1\n2,3\n4,5\n"), PH_OK);
+  ck_array(PH_F_POINTS, PH_VECTORS, 3, 2, v);
+  ck_assert_int_eq(problem.field[PH_F_KNOTS].kind, PH_ABSENT);
+  ck_id(NULL);
+  ck_assert_int_eq(get("xyz", "0,1,2\r\n3, 4 ,\"5\""), PH_OK);
+  ck_array(PH_F_POINTS, PH_VECTORS, 2, 3, v);
+  ck_assert_int_eq(get("yk-xz", "1,7,a,0,2\n# a,b\n4,8,,3,5\n"), PH_OK);
+  ck_array(PH_F_POINTS, PH_VECTORS, 2, 3, v);
+  ck_array(PH_F_KNOTS, PH_NUMBERS, 2, 1, k);
+  ck_assert_int_eq(get("i", "a\n"), PH_OK);
+  ck_assert_int_eq(problem.field[PH_F_POINTS].kind, PH_ABSENT);
+}
+END_TEST
+
+START_TEST(test_empty_columns) {
+  static const double v[] = {0, 1, 2, 3};
+  ck_assert_int_eq(get("xyz", "0,1,\n2,3, \n"), PH_OK);
+  ck_array(PH_F_POINTS, PH_VECTORS, 2, 2, v);
+  ck_assert_int_eq(get("xyk", "0,1,\n2,3,\"\"\n"), PH_OK);
+  ck_array(PH_F_POINTS, PH_VECTORS, 2, 2, v);
+  ck_assert_int_eq(problem.field[PH_F_KNOTS].kind, PH_ABSENT);
+  ck_assert_int_eq(get("xyk", ",,0\n,,1\n"), PH_OK);
+  ck_assert_int_eq(problem.field[PH_F_POINTS].kind, PH_ABSENT);
+  ck_array(PH_F_KNOTS, PH_NUMBERS, 2, 1, v);
+}
+END_TEST
+
+START_TEST(test_gaps) {
+  bad("xy", "0,1\n2,\n4,5\n", PH_BAD_VALUE, "points[1]", 11,
+      "needs a number in column y, found an empty cell");
+  bad("xy", ",1\n2,3\n", PH_BAD_VALUE, "points[0]", 10,
+      "needs a number in column x, found an empty cell");
+  bad("xy", "0,\n2,\n", PH_BAD_VALUE, "points[0]", 10,
+      "needs a number in column y, found an empty cell");
+  bad("xy", ",0\n,2\n", PH_BAD_VALUE, "points[0]", 10,
+      "needs a number in column x, found an empty cell");
+  bad("xyz", "0,1,2\n0,1,\n0,1,2\n", PH_BAD_VALUE, "points[1]", 11,
+      "needs a number in column z, found an empty cell");
+  bad("xyk", "0,1,2\n#\n0,1,3\n0,1,\n", PH_BAD_VALUE, "knots[2]", 13,
+      "needs a number in column knot, found an empty cell");
+}
+END_TEST
+
+START_TEST(test_bad_rows) {
+  bad("xy", "0,1\n1,2,3\n", PH_BAD_SHAPE, "", 11,
+      "the row has 3 cells, expected 2");
+  bad("xyk", "0,1\n", PH_BAD_SHAPE, "", 10, "the row has 2 cells, expected 3");
+  bad("xy", "0,1\na,b,c\n", PH_BAD_SHAPE, "", 11,
+      "the row has 3 cells, expected 2");
+  bad("xy", "0,1\n2,abc\n", PH_BAD_TYPE, "points[1]", 11,
+      "needs a number in column y, found \"abc\"");
+  bad("ixy", "\"a\nb\",0,1\n\n#\n\"a\nb\",x\x1b[0m,1\n", PH_BAD_TYPE,
+      "points[1]", 14, "needs a number in column x, found \"x\\x1b[0m\"");
+  bad("xy", "0,1 2\n", PH_BAD_TYPE, "points[0]", 10,
+      "needs a number in column y, found \"1 2\"");
+  bad("xy", "0,NaN\n", PH_NOT_FINITE, "points[0]", 10,
+      "needs a finite number in column y, found \"NaN\"");
+  bad("xy", "0,1\n-inf,0\n", PH_NOT_FINITE, "points[1]", 11,
+      "needs a finite number in column x, found \"-inf\"");
+  bad("xyk", "0,1,1e999\n", PH_NOT_FINITE, "knots[0]", 10,
+      "needs a finite number in column knot, found \"1e999\"");
+}
+END_TEST
+
+START_TEST(test_ids) {
+  static const char *const cases[][2] = {
+      {"7", "7"},
+      {"-1.50", "-1.50"},
+      {"007", "\"007\""},
+      {"+1", "\"+1\""},
+      {"wing 3", "\"wing 3\""},
+      {" a ", "\"a\""},
+      {"\" a \"", "\" a \""},
+      {"\"a\"\"b\"", "\"a\\\"b\""},
+      {"a\\b", "\"a\\\\b\""},
+      {"\"a\nb\x01\"", "\"a\\u000ab\\u0001\""},
+      {"\xC3\xA4", "\"\xC3\xA4\""},
+      {"true", "\"true\""},
+      {"1e999", "1e999"}};
+  char text[64];
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    strcpy(text, "0,");
+    strcat(text, cases[i][0]);
+    strcat(text, ",1\n");
+    ck_assert_int_eq(get("xiy", text), PH_OK);
+    ck_id(cases[i][1]);
+  }
+  ck_assert_int_eq(get("ixy", ",0,1\n"), PH_OK);
+  ck_id(NULL);
+  ck_assert_int_eq(get("ixy", "\"\",0,1\n"), PH_OK);
+  ck_id(NULL);
+}
+END_TEST
+
+START_TEST(test_ids_on_failure) {
+  bad("xyi", "a,1,7\n", PH_BAD_TYPE, "points[0]", 10,
+      "needs a number in column x, found \"a\"");
+  ck_id("7");
+  bad("xi", "1,b,7\n", PH_BAD_SHAPE, "", 10, "the row has 3 cells, expected 2");
+  ck_id("\"b\"");
+  bad("xyi", "1,2\n", PH_BAD_SHAPE, "", 10, "the row has 2 cells, expected 3");
+  ck_id(NULL);
+  bad("ixy", "a\xFF,0,1\n", PH_SYNTAX, "id", 10,
+      "has the byte \\xff, which is not UTF-8");
+  ck_id(NULL);
+}
+END_TEST
+
+START_TEST(test_lines) {
+  struct ph_record record =
+      record_of("ixy", "\"a\nb\",0,0\n# comment\n\"a\nb\",1,1\n\"a\nb\",2,2");
+  ck_assert_uint_eq(ph_record_line(&record, ""), 10);
+  ck_assert_uint_eq(ph_record_line(&record, "points"), 10);
+  ck_assert_uint_eq(ph_record_line(&record, "points[0]"), 10);
+  ck_assert_uint_eq(ph_record_line(&record, "points[1][1]"), 13);
+  ck_assert_uint_eq(ph_record_line(&record, "knots[2]"), 15);
+  ck_assert_uint_eq(ph_record_line(&record, "knots[3]"), 15);
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("csv_in");
+  TCase *tc = tcase_create("csv_in");
+  tcase_add_checked_fixture(tc, NULL, finish);
+  tcase_add_test(tc, test_rows);
+  tcase_add_test(tc, test_broken_rows);
+  tcase_add_test(tc, test_cells);
+  tcase_add_test(tc, test_numbers);
+  tcase_add_test(tc, test_good);
+  tcase_add_test(tc, test_empty_columns);
+  tcase_add_test(tc, test_gaps);
+  tcase_add_test(tc, test_bad_rows);
+  tcase_add_test(tc, test_ids);
+  tcase_add_test(tc, test_ids_on_failure);
+  tcase_add_test(tc, test_lines);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

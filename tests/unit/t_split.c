@@ -1,0 +1,378 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The splitter: what it cuts out of JSON, what it does with broken text, how it
+ * finds formats and files, and that neither the portions in which the text
+ * arrives nor the way of waiting for it make any difference.  CSV has a file
+ * of its own, t_split_csv.c.
+ */
+#include "split_unit.h"
+
+/* ---- JSON ----------------------------------------------------------- */
+
+START_TEST(test_json_streams) {
+  gives("a.json", "", "end");
+  gives("a.json", " \n ", "end");
+  gives("a.json", "{}", "1 1 {}\nend");
+  gives("a.json", "\n {\n}\n", "1 2 {$}\nend");
+  gives("a.json", "{}{}\n\n[1]", "1 1 {}\n2 1 {}\n3 3 1\nend");
+  gives("a.json", "[]", "end");
+  gives("a.json", "[{},\n{} , [2] ]{}", "1 1 {}\n2 2 {}\n3 2 [2]\n4 2 {}\nend");
+  gives("a.json", "[][1][]", "1 1 1\nend");
+  gives("a.json", "12", "1 1 12\nend");
+  gives("a.json", "12 \"a\"true", "1 1 12\n2 1 \"a\"\n3 1 true\nend");
+  gives("a.json", "\xEF\xBB\xBF{}", "1 1 {}\nend");
+  gives("a.json", "\xEF\xBB\xBF", "end");
+}
+END_TEST
+
+START_TEST(test_json_stops) {
+  gives("a.json", "{\"a\":}",
+        "1 1 syntax 1:6 expected a value, found '}'\nstopped");
+  gives("a.json", "{} {\"a\" 1}\n{}\n",
+        "1 1 {}\n2 1 syntax 1:9 expected ':', found '1'\nstopped");
+  gives("a.json", "{} x\n{}\n",
+        "1 1 {}\n2 1 syntax 1:4 expected a value, found \"x\"\nstopped");
+  gives("a.json", "[{}\n{}]",
+        "1 1 {}\n2 2 syntax 2:1 expected ',' or ']', found '{'\nstopped");
+  gives("a.json", "[{},]\n{}",
+        "1 1 {}\n2 1 syntax 1:5 expected a value, found ']'\nstopped");
+  gives("a.json", "[,1]",
+        "1 1 syntax 1:2 expected a value, found ','\nstopped");
+  gives("a.json", "[{}",
+        "1 1 {}\n2 1 syntax 1:4 the text ends inside an array\nstopped");
+  gives("a.json", "[{},\n",
+        "1 1 {}\n2 2 syntax 2:1 the text ends inside an array\nstopped");
+  gives("a.json", "[", "1 1 syntax 1:2 the text ends inside an array\nstopped");
+  gives("a.json", "[{\"a\"",
+        "1 1 syntax 1:6 the text ends inside an object\nstopped");
+  gives("a.json", "{}]",
+        "1 1 {}\n2 1 syntax 1:3 expected a value, found ']'\nstopped");
+  gives("a.json", "{\n\"a\":[1,\n2\n",
+        "1 1 syntax 4:1 the text ends inside an array\nstopped");
+  /* What a pretty-printed text breaks cannot be resumed in its middle. */
+  gives("a.json", "{\"a\":\n  {\"b\" 1}\n}\n{\"c\":1}\n",
+        "1 1 syntax 2:8 expected ':', found '1'\nstopped");
+  /* Values that share lines are no JSON Lines. */
+  gives("a.json", "{}{}\n{\"a\"}\n",
+        "1 1 {}\n2 1 {}\n3 2 syntax 2:5 expected ':', found '}'\nstopped");
+  gives("a.json", "{\n}\n{\"a\"}\n",
+        "1 1 {$}\n2 3 syntax 3:5 expected ':', found '}'\nstopped");
+  gives("a.json", "[1]\n{\"a\"}\n",
+        "1 1 1\n2 2 syntax 2:5 expected ':', found '}'\nstopped");
+}
+END_TEST
+
+START_TEST(test_json_resumes) {
+  /* (a) the suffix says so */
+  gives("a.jsonl", "{\"a\"}\n", "1 1 syntax 1:5 expected ':', found '}'\nend");
+  gives("a.NDJSON", "x\n\n  {\"a\"}\r\n1\n",
+        "1 1 syntax 1:1 expected a value, found \"x\"\n"
+        "2 3 syntax 3:7 expected ':', found '}'\n3 4 1\nend");
+  gives("a.jsonl", "{\"a\":[1,2",
+        "1 1 syntax 1:10 the text ends inside an array\nend");
+  gives("a.jsonl", "{} x\n{}\n",
+        "1 1 {}\n2 1 syntax 1:4 expected a value, found \"x\"\nstopped");
+  gives("a.jsonl", "[1,\nx]\n{}\n",
+        "1 1 1\n2 2 syntax 2:1 expected a value, found \"x\"\nstopped");
+  /* (b) the values before it were lines */
+  gives("a.json", "{}\n {} \r\n{\"a\"}\n5\n",
+        "1 1 {}\n2 2 {}\n3 3 syntax 3:5 expected ':', found '}'\n4 4 5\nend");
+  gives("a.json", "{}\n{\"a\"",
+        "1 1 {}\n2 2 syntax 2:5 the text ends inside an object\nend");
+  /* (c) an object follows */
+  gives("a.json", "{\"a\"}\n{}\n",
+        "1 1 syntax 1:5 expected ':', found '}'\n2 2 {}\nend");
+  gives("a.json", "{\"a\"}\n\n \t\r\n{}\n",
+        "1 1 syntax 1:5 expected ':', found '}'\n2 4 {}\nend");
+  gives("a.json", "{\"a\"}\n\n {}\n",
+        "1 1 syntax 1:5 expected ':', found '}'\nstopped");
+  gives("a.json", "{\"a\"}\n[]\n",
+        "1 1 syntax 1:5 expected ':', found '}'\nstopped");
+}
+END_TEST
+
+/* A truncated line takes none of the good lines after it away. */
+START_TEST(test_json_truncated_line) {
+  gives("a.json", "{\"a\":[1,\n{\"b\":2}\n{\"c\":[[1,\n{\"d\":\"x\n{\"e\":4}\n",
+        "1 1 syntax 1:9 the text ends inside an array\n2 2 {\"b\":2}\n"
+        "3 3 syntax 3:10 the text ends inside an array\n"
+        "4 4 syntax 4:8 the text ends inside a string\n5 5 {\"e\":4}\nend");
+  gives("a.jsonl", "{\"a\":\r\n{\"b\":2}\r\n",
+        "1 1 syntax 1:6 the text ends inside an object\n2 2 {\"b\":2}\nend");
+  /* In JSON Lines or not: a good value may have several lines. */
+  gives("a.jsonl", "{\"a\":\n{\"b\":2}}\n", "1 1 {\"a\":${\"b\":2}}\nend");
+}
+END_TEST
+
+/* ---- files and descriptors ------------------------------------------ */
+
+START_TEST(test_formats) {
+  struct ph_split_options json = {PH_SPLIT_JSON, 0, NULL};
+  gives("a.txt", "\n \t{}", "1 2 {}\nend");
+  gives("a.txt", "[1]", "1 1 1\nend");
+  gives("a.txt", "\xEF\xBB\xBF\n{}", "1 2 {}\nend");
+  gives("a.txt", "0,1\n", "1 1 0,1$\nend");
+  gives("a.txt", "\n\n  x,y\n0,1\n", "1 4 0,1$\nend");
+  gives("a.txt", "\xEF\xBBx,y\n0,1\n",
+        "1 1 unknown-field 1:1 column \"\\xef\\xbbx\" is unknown to planar "
+        "(--columns can skip it)\nstopped");
+  gives("a.txt", "", "end");
+  gives("a.txt", "\n ", "end");
+  gives("a.csv", "{}\n",
+        "1 1 unknown-field 1:1 column \"{}\" is unknown to planar "
+        "(--columns can skip it)\nstopped");
+  gives("a.json", "0,1\n",
+        "1 1 0\n2 1 syntax 1:2 expected a value, found ','\nstopped");
+  gives_with(&json, &schema, "5", "1 1 5\nend");
+  gives_with(&csv, &schema, "0,1", "1 1 0,1\nend");
+}
+END_TEST
+
+START_TEST(test_several_files) {
+  static const char *const files[] = {"a.json", "a.csv", "b.csv", "a.tsv",
+                                      "b.json"};
+  put_file("a.json", "{}\n{}");
+  put_file("a.csv", "x,y\n0,1");
+  put_file("b.csv", "id,y,x\n0,1,2\n1,2,3\n");
+  put_file("a.tsv", "0\t1\n");
+  put_file("b.json", "[{}, {}]");
+  ck_files(files, 5, &automatic, &schema,
+           "1 1 {}\n2 2 {}\n3 2 0,1\n4 2 0,1,2$\n5 3 1,2,3$\n6 1 0\t1$\n"
+           "7 1 {}\n8 1 {}\nend");
+}
+END_TEST
+
+START_TEST(test_failures) {
+  static const char *const missing[] = {"b.json", "a.txt", "b.json"};
+  static const char *const folder[] = {"."};
+  put_file("b.json", "{}");
+  ck_files(missing, 3, &automatic, &schema,
+           "1 1 {}\nfailed: cannot open a.txt: No such file or directory");
+  ck_files(folder, 1, &automatic, &schema,
+           "failed: cannot read .: Is a directory");
+}
+END_TEST
+
+/* The names and columns of records outlive the records. */
+START_TEST(test_record_parts) {
+  static const char *const files[] = {"a.csv", "b.csv"};
+  struct ph_split split;
+  struct ph_record first;
+  struct ph_record second;
+  struct ph_diag diag;
+  put_file("a.csv", "y,x\n0,1\n");
+  put_file("b.csv", "x,y\n0,1\n");
+  begin(&split, files, 2, &automatic, &schema);
+  ck_assert_int_eq(ph_split_next(&split, true, &first, &diag), PH_SPLIT_RECORD);
+  ck_assert_int_eq(ph_split_next(&split, true, &second, &diag),
+                   PH_SPLIT_RECORD);
+  ck_assert_str_eq(first.file, "a.csv");
+  ck_assert_str_eq(second.file, "b.csv");
+  ck_assert_uint_eq(first.columns->column[0].component, 1);
+  ck_assert_uint_eq(second.columns->column[0].component, 0);
+  ph_split_free(&split);
+}
+END_TEST
+
+/* A pipe as standard input; its other end. */
+static int open_pipe(void) {
+  int ends[2];
+  ck_assert_int_eq(pipe(ends), 0);
+  ck_assert_int_eq(dup2(ends[0], 0), 0);
+  close(ends[0]);
+  return ends[1];
+}
+
+/* A record is handed out with its last byte. */
+START_TEST(test_interactive) {
+  int fd = open_pipe();
+  struct ph_split split;
+  struct ph_record record;
+  struct ph_diag diag;
+  begin(&split, NULL, 0, &automatic, &schema);
+  ck_assert_int_eq(ph_split_next(&split, false, &record, &diag), PH_SPLIT_WAIT);
+  write_all(fd, "{\"a\":1", 6);
+  ck_assert_int_eq(ph_split_next(&split, false, &record, &diag), PH_SPLIT_WAIT);
+  write_all(fd, "}", 1);
+  ck_assert_int_eq(ph_split_next(&split, false, &record, &diag),
+                   PH_SPLIT_RECORD);
+  ck_assert_uint_eq(record.n, 7);
+  ck_assert_str_eq(record.file, "-");
+  write_all(fd, "\n{}{}", 5);
+  ck_assert_int_eq(ph_split_next(&split, true, &record, &diag),
+                   PH_SPLIT_RECORD);
+  ck_assert_int_eq(ph_split_next(&split, false, &record, &diag),
+                   PH_SPLIT_RECORD);
+  ck_assert_int_eq(ph_split_next(&split, false, &record, &diag), PH_SPLIT_WAIT);
+  close(fd);
+  ck_assert_int_eq(ph_split_next(&split, false, &record, &diag), PH_SPLIT_END);
+  ck_assert(!ph_split_stopped(&split));
+  ph_split_free(&split);
+  ck_assert_int_ge(fcntl(0, F_GETFD), 0); /* standard input stays open */
+}
+END_TEST
+
+START_TEST(test_nonblocking_input) {
+  int fd = open_pipe();
+  struct ph_split split;
+  struct ph_record record;
+  struct ph_diag diag;
+  ck_assert_int_eq(fcntl(0, F_SETFL, O_NONBLOCK), 0);
+  begin(&split, NULL, 0, &automatic, &schema);
+  ck_assert_int_eq(ph_split_next(&split, false, &record, &diag), PH_SPLIT_WAIT);
+  write_all(fd, "{}", 2);
+  ck_assert_int_eq(ph_split_next(&split, true, &record, &diag),
+                   PH_SPLIT_RECORD);
+  close(fd);
+  ck_assert_int_eq(ph_split_next(&split, true, &record, &diag), PH_SPLIT_END);
+  ph_split_free(&split);
+}
+END_TEST
+
+/* ---- memory --------------------------------------------------------- */
+
+/* Records from tiny to larger than any buffer so far and back. */
+START_TEST(test_sizes) {
+  static const size_t sizes[] = {10,    100,  70000,  3,       3000000,
+                                 65535, 5000, 131072, 1000000, 2};
+  enum { N = sizeof sizes / sizeof *sizes, REPEAT = 40 };
+  const char *name = "a.json";
+  struct ph_split split;
+  struct ph_record record;
+  struct ph_diag diag;
+  FILE *file = fopen(name, "w");
+  size_t largest = 0;
+  ck_assert_ptr_nonnull(file);
+  for (size_t i = 0; i < N * REPEAT; i++) {
+    size_t n = sizes[i / REPEAT];
+    fprintf(file, "\"%0*zu\"\n", (int)n - 2, i % 7);
+    largest = n > largest ? n : largest;
+  }
+  fclose(file);
+  begin(&split, &name, 1, &automatic, &schema);
+  for (size_t i = 0; i < N * REPEAT; i++) {
+    size_t n = sizes[i / REPEAT];
+    ck_assert_int_eq(ph_split_next(&split, true, &record, &diag),
+                     PH_SPLIT_RECORD);
+    ck_assert_uint_eq(record.n, n == 2 ? 3 : n);
+    ck_assert_uint_eq(record.line, i + 1);
+    ck_assert_int_eq(record.text[record.n - 2], (int)('0' + i % 7));
+    ck_assert_uint_le(split.capacity, 4 * largest + (1 << 17));
+  }
+  ck_assert_int_eq(ph_split_next(&split, true, &record, &diag), PH_SPLIT_END);
+  /* The buffer of three megabytes is gone. */
+  ck_assert_uint_le(split.capacity, 1 << 20);
+  ph_split_free(&split);
+}
+END_TEST
+
+/* ---- portions ------------------------------------------------------- */
+
+/* The transcript of a text that comes through a pipe in portions. */
+static void by_portions(const char *text, size_t n, size_t step) {
+  int fd = open_pipe();
+  struct ph_split split;
+  begin(&split, NULL, 0, &automatic, &schema);
+  for (size_t i = 0; i < n; i += step) {
+    write_all(fd, text + i, step < n - i ? step : n - i);
+    if (i + step < n && !note_records(&split, false, true)) {
+      break; /* it has stopped */
+    }
+  }
+  close(fd);
+  if (transcript.n == 0 || transcript.data[transcript.n - 1] != '\0') {
+    ck_assert(!note_records(&split, true, true));
+  }
+  ph_split_free(&split);
+}
+
+static void ck_portions(const char *text, size_t n) {
+  static const size_t steps[] = {1, 2, 7};
+  char *whole;
+  by_portions(text, n, n + 1);
+  whole = malloc(transcript.n);
+  ck_assert_ptr_nonnull(whole);
+  memcpy(whole, transcript.data, transcript.n);
+  for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+    by_portions(text, n, steps[i]);
+    ck_assert_msg(strcmp(transcript.data, whole) == 0,
+                  "%.*s\nby %zu gives\n%s\ninstead of\n%s", (int)n, text,
+                  steps[i], transcript.data, whole);
+  }
+  free(whole);
+}
+
+static const char json_lines[] =
+    "{\"id\":1,\"points\":[[0,0],[1,-2.5e3]]}\n"
+    "{\"id\":\"\\u00e4\xC3\xA4\",\"points\":[[0,0]],\"closed\":true}\n"
+    "{\"points\":[[0,1],[2,3]],\"knots\":\"uniform\"}\n";
+static const char json_array[] =
+    "[{\"points\":[[0,0],\n[1,1e5]],\"meta\":{\"a\":[null]}},\n {} ]\n[] {}\n";
+static const char csv_ids[] =
+    "\xEF\xBB\xBFid,x,y,knot\r\n# c\r\na,0,1,2\r\n\"a\",2,3,4\r\n"
+    "\"b \"\"\nc\",4,5,\r\n\r\n7,1e1,.5,\r\n";
+static const char csv_comment[] = "# x_m,y_m\n0,1\n2,3\n\n4,5\n";
+static const char csv_bad[] = "0\t1\t2\n3,4\n";
+static const char json_blanks[] = " \n\n \t{\"points\":[[0,0]]}\n \n[]";
+static const char csv_blanks[] = "\n \n 0,1\n";
+static const char *const documents[] = {json_lines,  json_array, csv_ids,
+                                        csv_comment, csv_bad,    json_blanks,
+                                        csv_blanks};
+
+/* Every beginning of a document. */
+START_TEST(test_prefixes) {
+  const char *text = documents[_i];
+  for (size_t n = 0; n <= strlen(text); n++) {
+    ck_portions(text, n);
+  }
+}
+END_TEST
+
+/* Every document with one byte replaced, left out or doubled. */
+START_TEST(test_mutations) {
+  static const char bytes[] = "\n\"{]#,0\xC3";
+  const char *text = documents[_i];
+  size_t n = strlen(text);
+  size_t every = unit_long() ? 256 : sizeof bytes - 1;
+  char spoilt[256];
+  ck_assert_uint_lt(n + 1, sizeof spoilt);
+  for (size_t i = 0; i < n; i++) {
+    for (size_t k = 0; k < every; k++) {
+      memcpy(spoilt, text, n);
+      spoilt[i] = unit_long() ? (char)k : bytes[k];
+      ck_portions(spoilt, n);
+    }
+    memcpy(spoilt, text, i);
+    memcpy(spoilt + i, text + i + 1, n - i - 1);
+    ck_portions(spoilt, n - 1);
+    memcpy(spoilt, text, i + 1);
+    memcpy(spoilt + i + 1, text + i, n - i);
+    ck_portions(spoilt, n + 1);
+  }
+}
+END_TEST
+
+static Suite *suite(void) {
+  enum { DOCUMENTS = sizeof documents / sizeof *documents };
+  Suite *s = suite_create("split");
+  TCase *tc = tcase_create("split");
+  tcase_add_checked_fixture(tc, setup, finish);
+  tcase_set_timeout(tc, unit_long() ? 3600 : 120);
+  tcase_add_test(tc, test_json_streams);
+  tcase_add_test(tc, test_json_stops);
+  tcase_add_test(tc, test_json_resumes);
+  tcase_add_test(tc, test_json_truncated_line);
+  tcase_add_test(tc, test_formats);
+  tcase_add_test(tc, test_several_files);
+  tcase_add_test(tc, test_failures);
+  tcase_add_test(tc, test_record_parts);
+  tcase_add_test(tc, test_interactive);
+  tcase_add_test(tc, test_nonblocking_input);
+  tcase_add_test(tc, test_sizes);
+  tcase_add_loop_test(tc, test_prefixes, 0, DOCUMENTS);
+  tcase_add_loop_test(tc, test_mutations, 0, DOCUMENTS);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Words of the input in messages: excerpts, and the name that was meant. */
+#include "unit.h"
+
+#include "base/suggest.h"
+
+#include <string.h>
+
+/* A copy of its own size on the heap: a read beyond it shows. */
+static char *heap(const char *text, size_t n) {
+  char *copy = malloc(n ? n : 1);
+  ck_assert_ptr_nonnull(copy);
+  memcpy(copy, text, n);
+  return copy;
+}
+
+static int utf8(const char *text, size_t n) {
+  char *copy = heap(text, n);
+  int length = ph_utf8_length(copy, copy + n);
+  free(copy);
+  return length;
+}
+
+/* The definition of RFC 3629: encode every code point, and count what is
+ * accepted of all sequences of three bytes, and of four with a last 0x80. */
+START_TEST(test_utf8_against_definition) {
+  long good2 = 0;
+  long good3 = 0;
+  long good4 = 0;
+  for (int a = 0; a < 256; a++) {
+    for (int b = 0; b < 256; b++) {
+      char two[2] = {(char)a, (char)b};
+      good2 += ph_utf8_length(two, two + 2) == 2;
+      for (int c = 0; c < 256; c++) {
+        char text[4] = {(char)a, (char)b, (char)c, '\x80'};
+        good3 += ph_utf8_length(text, text + 3) == 3;
+        good4 += ph_utf8_length(text, text + 4) == 4;
+      }
+    }
+  }
+  ck_assert_int_eq(good2, 0x800 - 0x80);
+  ck_assert_int_eq(good3, 0x10000 - 0x800 - 0x800); /* no surrogates */
+  ck_assert_int_eq(good4, 0x100000 / 64);
+}
+END_TEST
+
+START_TEST(test_utf8) {
+  ck_assert_int_eq(utf8("a", 1), 1);
+  ck_assert_int_eq(utf8("\0", 1), 1);
+  ck_assert_int_eq(utf8("\xC3\xA4", 2), 2);
+  ck_assert_int_eq(utf8("\xE2\x82\xAC", 3), 3);
+  ck_assert_int_eq(utf8("\xF0\x9F\x98\x80", 4), 4);
+  ck_assert_int_eq(utf8("\xF4\x8F\xBF\xBF", 4), 4);
+  ck_assert_int_eq(utf8("\xF4\x90\x80\x80", 4), 0);
+  ck_assert_int_eq(utf8("\xC0\x80", 2), 0);
+  ck_assert_int_eq(utf8("\xE0\x9F\xBF", 3), 0);
+  ck_assert_int_eq(utf8("\xED\xA0\x80", 3), 0);
+  ck_assert_int_eq(utf8("\xF0\x8F\xBF\xBF", 4), 0);
+  ck_assert_int_eq(utf8("\x80", 1), 0);
+  ck_assert_int_eq(utf8("\xFF", 1), 0);
+  ck_assert_int_eq(utf8("\xC3", 1), -1);
+  ck_assert_int_eq(utf8("\xE2\x82", 2), -1);
+  ck_assert_int_eq(utf8("\xF0\x9F\x98", 3), -1);
+  ck_assert_int_eq(utf8("\xE2x", 2), 0);
+}
+END_TEST
+
+static void ck_excerpt(const char *text, size_t n, const char *expected) {
+  char excerpt[PH_EXCERPT_MAX];
+  char *copy = heap(text, n);
+  ck_assert_str_eq(ph_excerpt(copy, n, excerpt), expected);
+  free(copy);
+}
+
+START_TEST(test_excerpt) {
+  ck_excerpt("", 0, "");
+  ck_excerpt("abc", 3, "abc");
+  ck_excerpt("a\0b\n\x1b[0m\x7f", 9, "a\\x00b\\x0a\\x1b[0m\\x7f");
+  ck_excerpt("\xC3\xA4\xFF\xC3", 4, "\xC3\xA4\\xff\\xc3");
+  ck_excerpt("\xC2\x9b", 2, "\\xc2\\x9b"); /* a control character, too */
+  ck_excerpt("1234567890123456789012345678901234567890", 40,
+             "1234567890123456789012345678901234567890");
+  ck_excerpt("12345678901234567890123456789012345678901", 41,
+             "1234567890123456789012345678901234567890...");
+  ck_excerpt("123456789012345678901234567890123456789\xC3\xA4", 41,
+             "123456789012345678901234567890123456789...");
+}
+END_TEST
+
+START_TEST(test_word_is) {
+  ck_assert(ph_word_is("Points", 6, "points"));
+  ck_assert(ph_word_is("", 0, ""));
+  ck_assert(!ph_word_is("point", 5, "points"));
+  ck_assert(!ph_word_is("points", 6, "point"));
+  ck_assert(!ph_word_is("po\0nts", 6, "po"));
+}
+END_TEST
+
+static const char *meant(const char *word, const char *names) {
+  static char clause[PH_DID_YOU_MEAN_MAX];
+  struct ph_suggest suggest;
+  ph_suggest_init(&suggest, word, strlen(word));
+  ph_suggest_list(&suggest, names);
+  ck_assert_int_eq(ph_did_you_mean(&suggest, clause), clause[0] != '\0');
+  return clause;
+}
+
+START_TEST(test_did_you_mean) {
+  const char *names = "points|closed|basis|knots|id";
+  ck_assert_str_eq(meant("pints", names), "; did you mean \"points\"?");
+  ck_assert_str_eq(meant("ponits", names), "; did you mean \"points\"?");
+  ck_assert_str_eq(meant("POINTS", names), "; did you mean \"points\"?");
+  ck_assert_str_eq(meant("pointss", names), "; did you mean \"points\"?");
+  ck_assert_str_eq(meant("colsed", names), "; did you mean \"closed\"?");
+  ck_assert_str_eq(meant("knot", names), "; did you mean \"knots\"?");
+  ck_assert_str_eq(meant("nkots", names), "; did you mean \"knots\"?");
+  ck_assert_str_eq(meant("wknotsw", names), "; did you mean \"knots\"?");
+  ck_assert_str_eq(meant("wwknots1", names), "");
+  ck_assert_str_eq(meant("di", names), "; did you mean \"id\"?");
+  ck_assert_str_eq(meant("i", names), ""); /* all of the word is wrong */
+  ck_assert_str_eq(meant("zz", names), "");
+  ck_assert_str_eq(meant("", names), "");
+  ck_assert_str_eq(meant("anything", ""), "");
+  /* The nearest, and of equally near ones the first. */
+  ck_assert_str_eq(meant("knotz", "knotted|knots|knott"),
+                   "; did you mean \"knots\"?");
+  ck_assert_str_eq(meant("pointspointspointspointspointspoints", names), "");
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("suggest");
+  TCase *tc = tcase_create("suggest");
+  tcase_set_timeout(tc, 60);
+  tcase_add_test(tc, test_utf8_against_definition);
+  tcase_add_test(tc, test_utf8);
+  tcase_add_test(tc, test_excerpt);
+  tcase_add_test(tc, test_word_is);
+  tcase_add_test(tc, test_did_you_mean);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)
