@@ -2,17 +2,22 @@
 /*
  * Allocation and the arena (see mem.h).
  *
+ * Large blocks ask for huge pages: a curve of a million points is written once
+ * into fresh memory, and page faults would take as long as solving it.
+ *
  * Chunks double from 16 kB up to 1 MB; a request that does not fit gets a
  * chunk of its own size.  In the fault-injection build the allocation whose
  * number is in the environment variable PH_FAIL_AT (from 0) fails, and with
  * PH_FAIL_ON=1 all after it; the product does not contain that code.
  */
+#define _DEFAULT_SOURCE /* madvise */
 #include "base/mem.h"
 
 #include <stdalign.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #ifdef PH_FAULT_INJECTION
 #include <stdatomic.h>
@@ -40,12 +45,29 @@ struct ph_chunk {
   alignas(ALIGNMENT) unsigned char data[];
 };
 
+/* Blocks from 8 MB on hold enough whole pages of the usual 2 MB. */
+enum { HUGE_PAGE = 2 << 20, HUGE_BLOCK = 8 << 20 };
+
+/* Advice that the system may ignore: no failure. */
+static void *advise(void *memory, size_t size) {
+#ifdef MADV_HUGEPAGE
+  if (memory && size >= HUGE_BLOCK) {
+    uintptr_t start = (uintptr_t)memory;
+    uintptr_t first = (start + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE;
+    madvise((void *)first, start + size - first, MADV_HUGEPAGE);
+  }
+#else
+  (void)size;
+#endif
+  return memory;
+}
+
 void *ph_malloc(size_t size) {
-  return fails() ? NULL : malloc(size ? size : 1);
+  return fails() ? NULL : advise(malloc(size ? size : 1), size);
 }
 
 void *ph_realloc(void *old, size_t size) {
-  return fails() ? NULL : realloc(old, size ? size : 1);
+  return fails() ? NULL : advise(realloc(old, size ? size : 1), size);
 }
 
 void ph_free(void *memory) {
@@ -117,22 +139,31 @@ static void drop_chunk(struct ph_arena *arena) {
 }
 
 void ph_arena_release(struct ph_arena *arena, struct ph_mark mark) {
+  if (!mark.chunk) {
+    ph_arena_reset(arena);
+    return;
+  }
   while (arena->chunks != mark.chunk) {
     drop_chunk(arena);
   }
-  if (arena->chunks) {
-    arena->chunks->used = mark.used;
-  }
+  arena->chunks->used = mark.used;
 }
 
 void ph_arena_reset(struct ph_arena *arena) {
-  while (arena->chunks &&
-         (arena->chunks->older || arena->chunks->size > CHUNK_MAX)) {
-    drop_chunk(arena);
+  struct ph_chunk *keep = NULL;
+  while (arena->chunks) {
+    struct ph_chunk *chunk = arena->chunks;
+    if (chunk->size <= CHUNK_MAX && (!keep || chunk->size > keep->size)) {
+      arena->chunks = chunk->older;
+      ph_free(keep);
+      keep = chunk;
+      keep->older = NULL;
+      keep->used = 0;
+    } else {
+      drop_chunk(arena);
+    }
   }
-  if (arena->chunks) {
-    arena->chunks->used = 0;
-  }
+  arena->chunks = keep;
 }
 
 void ph_arena_free(struct ph_arena *arena) {

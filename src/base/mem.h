@@ -45,8 +45,8 @@ char *ph_arena_copy(struct ph_arena *arena, const char *text, size_t n);
 struct ph_mark ph_arena_mark(const struct ph_arena *arena);
 void ph_arena_release(struct ph_arena *arena, struct ph_mark mark);
 
-/* ph_arena_reset: empties the arena; keeps one chunk of ordinary size, so that
- * small records cost no allocation and a huge one leaves nothing behind. */
+/* ph_arena_reset: empties the arena; keeps its largest chunk of ordinary size,
+ * so that small records cost no allocation and a huge one leaves nothing. */
 void ph_arena_reset(struct ph_arena *arena);
 
 /* ph_arena_free: gives everything back. */
