@@ -14,7 +14,8 @@ static const double NEGLIGIBLE = 1e-64;
 bool ph_tri_alloc(struct ph_tri *t, struct ph_arena *arena, size_t n) {
   t->pivot = ph_arena_array(arena, n, sizeof *t->pivot);
   t->far = ph_arena_array(arena, n, 2 * sizeof *t->far);
-  return t->pivot && t->far;
+  t->fill = ph_arena_array(arena, n, sizeof *t->fill);
+  return t->pivot && t->far && t->fill;
 }
 
 void ph_tri_begin(struct ph_tri *t, size_t n, struct ph_tri_row first,
@@ -24,6 +25,7 @@ void ph_tri_begin(struct ph_tri *t, size_t n, struct ph_tri_row first,
   t->k = 0;
   t->stop = n > TAIL ? n - TAIL : 0;
   t->far_n = 0;
+  t->fill_n = 0;
   t->tail_n = 0;
   t->near.c0 = first.di;
   t->near.c1 = first.up;
@@ -39,38 +41,49 @@ void ph_tri_begin(struct ph_tri *t, size_t n, struct ph_tri_row first,
   t->last_far = ph_cplx_norm2(last.up) > 0;
 }
 
-/* A row of three columns in the shape of an active one; c2 is apart. */
-static struct ph_tri_active active_of(const struct ph_tri_row *row) {
-  struct ph_tri_active a = {row->lo, row->di, {0, 0}, {0, 0}, row->f};
-  return a;
+/* Makes a row the pivot row k, divided by its entry c0; c2 is the entry in
+ * column k+2, if any. */
+static struct ph_tri_active
+set_pivot(struct ph_tri *t, const struct ph_tri_active *a, ph_cplx *c2) {
+  ph_cplx inverse = ph_cplx_inverse(a->c0);
+  struct ph_tri_active p = {
+      {1, 0},
+      ph_cplx_mul(a->c1, inverse),
+      ph_cplx_mul(a->e, inverse),
+      ph_cplx_mul(a->l, inverse),
+      ph_cplx_mul(a->f, inverse),
+  };
+  t->pivot[t->k].c1 = p.c1;
+  t->pivot[t->k].f = p.f;
+  if (t->last_far || t->near_far) {
+    t->far[2 * t->k] = p.e;
+    t->far[2 * t->k + 1] = p.l;
+    t->far_n = t->k + 1;
+  }
+  *c2 = ph_cplx_mul(*c2, inverse);
+  if (ph_cplx_norm2(*c2) > 0) {
+    t->fill[t->fill_n].k = t->k;
+    t->fill[t->fill_n].c2 = *c2;
+    t->fill_n++;
+  }
+  return p;
 }
 
 /*
  * Subtracts the multiple of the pivot row that clears column k, and moves the
- * window one column on.  c2 is the entry of `a` in column k+2, if any.
+ * window one column on.  a2 and p2 are the entries in column k+2.
  */
-static struct ph_tri_active eliminate(const struct ph_tri_active *a, ph_cplx c2,
-                                      const struct ph_tri_pivot *p,
-                                      const ph_cplx *far) {
-  ph_cplx m = ph_cplx_mul(a->c0, p->inverse);
+static struct ph_tri_active eliminate(const struct ph_tri_active *a, ph_cplx a2,
+                                      const struct ph_tri_active *p,
+                                      ph_cplx p2) {
+  ph_cplx m = a->c0;
   struct ph_tri_active r;
   r.c0 = ph_cplx_sub(a->c1, ph_cplx_mul(m, p->c1));
-  r.c1 = ph_cplx_sub(c2, ph_cplx_mul(m, p->c2));
-  r.e = ph_cplx_sub(a->e, ph_cplx_mul(m, far[0]));
-  r.l = ph_cplx_sub(a->l, ph_cplx_mul(m, far[1]));
+  r.c1 = ph_cplx_sub(a2, ph_cplx_mul(m, p2));
+  r.e = ph_cplx_sub(a->e, ph_cplx_mul(m, p->e));
+  r.l = ph_cplx_sub(a->l, ph_cplx_mul(m, p->l));
   r.f = ph_cplx_sub(a->f, ph_cplx_mul(m, p->f));
   return r;
-}
-
-static void set_pivot(struct ph_tri *t, const struct ph_tri_active *a,
-                      ph_cplx c2) {
-  struct ph_tri_pivot *p = &t->pivot[t->k];
-  p->inverse = ph_cplx_inverse(a->c0);
-  p->c1 = a->c1;
-  p->c2 = c2;
-  p->f = a->f;
-  t->far[2 * t->k] = a->e;
-  t->far[2 * t->k + 1] = a->l;
 }
 
 /* Drops what has decayed, so that later steps need not look at it. */
@@ -89,30 +102,33 @@ static void drop_negligible(struct ph_tri *t, double neighbour) {
   }
 }
 
-void ph_tri_push_far(struct ph_tri *t, const struct ph_tri_row *row) {
+void ph_tri_push_any(struct ph_tri *t, const struct ph_tri_row *row) {
   const ph_cplx zero = {0, 0};
-  struct ph_tri_active fresh = active_of(row);
-  const struct ph_tri_pivot *p = &t->pivot[t->k];
-  const ph_cplx *far = &t->far[2 * t->k];
-  double near2 = ph_cplx_norm2(t->near.c0);
-  double last2 = ph_cplx_norm2(t->last.c0);
+  struct ph_tri_active fresh = {row->lo, row->di, zero, zero, row->f};
+  struct ph_tri_active near = t->near, last = t->last, p;
+  ph_cplx c2 = zero;
+  double near2 = ph_cplx_norm2(near.c0);
+  double last2 = ph_cplx_norm2(last.c0);
   double row2 = ph_cplx_norm2(row->lo);
+  if (t->k == t->stop) {
+    t->tail[t->tail_n++] = *row;
+    return;
+  }
   if (near2 >= row2 && near2 >= last2) {
-    set_pivot(t, &t->near, zero);
-    t->near = eliminate(&fresh, row->up, p, far);
-    t->last = eliminate(&t->last, zero, p, far);
+    p = set_pivot(t, &near, &c2);
+    t->near = eliminate(&fresh, row->up, &p, c2);
+    t->last = eliminate(&last, zero, &p, c2);
   } else if (row2 >= last2) {
-    set_pivot(t, &fresh, row->up);
-    t->near = eliminate(&t->near, zero, p, far);
-    t->last = eliminate(&t->last, zero, p, far);
+    c2 = row->up;
+    p = set_pivot(t, &fresh, &c2);
+    t->near = eliminate(&near, zero, &p, c2);
+    t->last = eliminate(&last, zero, &p, c2);
   } else {
-    struct ph_tri_active near = t->near;
-    set_pivot(t, &t->last, zero);
-    t->near = eliminate(&fresh, row->up, p, far);
-    t->last = eliminate(&near, zero, p, far);
+    p = set_pivot(t, &last, &c2);
+    t->near = eliminate(&fresh, row->up, &p, c2);
+    t->last = eliminate(&near, zero, &p, c2);
   }
   t->k++;
-  t->far_n = t->k;
   drop_negligible(t, ph_cplx_norm2(row->di));
 }
 
@@ -177,19 +193,24 @@ static void solve_tail(ph_cplx a[TAIL][TAIL + 1], size_t m, ph_cplx *x) {
 
 void ph_tri_finish(struct ph_tri *t, ph_cplx *x) {
   ph_cplx a[TAIL][TAIL + 1];
-  ph_cplx e, l;
+  ph_cplx e, l, next;
+  size_t fill_n = t->fill_n;
   gather_tail(t, a);
   solve_tail(a, t->n - t->stop, x + t->stop);
   e = x[t->n - 2];
   l = x[t->n - 1];
+  next = x[t->stop];
   for (size_t k = t->stop; k-- > 0;) {
     const struct ph_tri_pivot *p = &t->pivot[k];
-    ph_cplx sum = ph_cplx_sub(p->f, ph_cplx_mul(p->c2, x[k + 2]));
+    ph_cplx sum = p->f;
     if (k < t->far_n) {
       sum = ph_cplx_sub(sum, ph_cplx_mul(t->far[2 * k], e));
       sum = ph_cplx_sub(sum, ph_cplx_mul(t->far[2 * k + 1], l));
     }
-    sum = ph_cplx_sub(sum, ph_cplx_mul(p->c1, x[k + 1]));
-    x[k] = ph_cplx_mul(sum, p->inverse);
+    if (fill_n > 0 && t->fill[fill_n - 1].k == k) {
+      sum = ph_cplx_sub(sum, ph_cplx_mul(t->fill[--fill_n].c2, x[k + 2]));
+    }
+    next = ph_cplx_sub(sum, ph_cplx_mul(p->c1, next));
+    x[k] = next;
   }
 }

@@ -52,7 +52,8 @@ static ph_cplx point_at(const struct data *d, size_t k) {
 static double largest_coordinate(const double *v, size_t n) {
   double largest = 0;
   for (size_t i = 0; i < n; i++) {
-    largest = fmax(largest, fabs(v[i]));
+    double x = fabs(v[i]);
+    largest = x > largest ? x : largest;
   }
   return largest;
 }
@@ -178,23 +179,21 @@ static void set_knots_by_rule(struct data *d, const char *rule) {
 static enum ph_status set_spacing(struct data *d, struct ph_diag *diag) {
   struct ph_planar_c2 *c2 = &d->c2;
   size_t n = d->n;
-  double largest = largest_coordinate(d->h, n), sum = 0;
-  for (size_t k = 0; k < n; k++) {
-    sum += d->h[k] / largest;
-  }
-  d->h_mean = sum / (double)n * largest;
-  if (!isfinite(d->knots[n]) || !(d->h_mean > 0)) {
+  double before;
+  d->h_mean = (d->knots[n] - d->knots[0]) / (double)n;
+  if (!(d->h_mean > 0) || !isfinite(d->h_mean)) {
     return ph_fail(diag, PH_TOO_LARGE, "knots",
                    "span more than a double can hold");
   }
+  before = d->h[n - 1] / d->h_mean;
   for (size_t k = 0; k < n; k++) {
-    d->h[k] /= d->h_mean;
-    c2->ratio[k] = d->h[k] / d->chord[k];
+    double h = d->h[k] / d->h_mean;
+    c2->y[k] = h / (before + h);
+    c2->ratio[k] = h / d->chord[k];
+    d->h[k] = before = h;
   }
-  for (size_t k = 1; k < n; k++) {
-    c2->y[k] = d->h[k] / (d->h[k - 1] + d->h[k]);
-  }
-  c2->y[0] = c2->y[n] = d->closed ? d->h[0] / (d->h[n - 1] + d->h[0]) : 0.5;
+  c2->y[n] = d->closed ? c2->y[0] : 0.5;
+  c2->y[0] = c2->y[n];
   return PH_OK;
 }
 
@@ -276,13 +275,45 @@ static enum ph_status prepare(const struct ph_problem *problem, struct data *d,
   return status;
 }
 
+/* Segments that turn by more than half a turn. */
+struct loops {
+  size_t n, first;
+  double angle; /* of the first */
+};
+
+/* The tangent stays within a half turn if w stays within a quarter turn. */
+static bool is_tame(const ph_cplx w[3]) {
+  return ph_cplx_dot(w[0], w[1]) > 0 && ph_cplx_dot(w[1], w[2]) > 0 &&
+         ph_cplx_dot(w[0], w[2]) > 0;
+}
+
+static void loops_add(struct loops *loops, size_t k, const ph_cplx w[3]) {
+  const double half_turn = 3.141592653589793;
+  double angle = is_tame(w) ? 0 : ph_ph2_rotation(w);
+  if (!(fabs(angle) <= half_turn) && loops->n++ == 0) {
+    loops->first = k;
+    loops->angle = angle;
+  }
+}
+
+static void warn_loops(const struct loops *loops, struct ph_result *result) {
+  if (loops->n) {
+    ph_fail(ph_warning_add(result, loops->first), PH_LOOP, NULL,
+            "segment %zu turns by %.4g radians (%zu segments turn by more than "
+            "half a turn)",
+            loops->first, loops->angle, loops->n);
+  }
+}
+
 /* Maps the unknowns to the curve in the user's units. */
 static enum ph_status fill_curve(const struct data *d, const ph_cplx *b,
-                                 struct ph_arena *out, struct ph_curve *curve,
+                                 struct ph_arena *out, struct ph_result *result,
                                  struct ph_diag *diag) {
+  struct ph_curve *curve = &result->curve;
   double root = ldexp(1, -d->exponent / 2);
   size_t n = d->n;
   struct ph_sum length = {0, 0};
+  struct loops loops = {0, 0, 0};
   *curve = (struct ph_curve){.kind = PH_CURVE_PH,
                              .closed = d->closed,
                              .dimension = 2,
@@ -301,6 +332,7 @@ static enum ph_status fill_curve(const struct data *d, const ph_cplx *b,
     double size = root * sqrt(d->h[k]);
     ph_cplx w[3], p[6];
     ph_planar_preimage(&d->c2, b, k, w);
+    loops_add(&loops, k, w);
     for (int i = 0; i < 3; i++) {
       w[i] = ph_cplx_scale(size, w[i]);
     }
@@ -311,6 +343,7 @@ static enum ph_status fill_curve(const struct data *d, const ph_cplx *b,
     ph_sum_add(&length, curve->lengths[k]);
   }
   curve->length = ph_sum_value(&length);
+  warn_loops(&loops, result);
   return PH_OK;
 }
 
@@ -333,36 +366,6 @@ static void warn_reversals(const struct data *d, struct ph_result *result) {
   }
 }
 
-/* The tangent stays within a half turn if w stays within a quarter turn. */
-static bool is_tame(const ph_cplx w[3]) {
-  return ph_cplx_dot(w[0], w[1]) > 0 && ph_cplx_dot(w[1], w[2]) > 0 &&
-         ph_cplx_dot(w[0], w[2]) > 0;
-}
-
-static void warn_loops(const struct data *d, const ph_cplx *b,
-                       struct ph_result *result) {
-  const double half_turn = 3.141592653589793;
-  size_t found = 0, first = 0;
-  double angle = 0;
-  for (size_t k = 0; k < d->n; k++) {
-    ph_cplx w[3];
-    ph_planar_preimage(&d->c2, b, k, w);
-    if (!is_tame(w) && !(fabs(ph_ph2_rotation(w)) <= half_turn)) {
-      if (!found) {
-        first = k;
-        angle = ph_ph2_rotation(w);
-      }
-      found++;
-    }
-  }
-  if (found) {
-    ph_fail(ph_warning_add(result, first), PH_LOOP, NULL,
-            "segment %zu turns by %.4g radians (%zu segments turn by more than "
-            "half a turn)",
-            first, angle, found);
-  }
-}
-
 static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,
                             struct ph_result *result, struct ph_diag *diag) {
@@ -377,14 +380,13 @@ static enum ph_status solve(const struct ph_problem *problem,
                : ph_fail_memory(diag);
   }
   if (status == PH_OK) {
-    status = fill_curve(&d, b, out, &result->curve, diag);
+    warn_reversals(&d, result);
+    status = fill_curve(&d, b, out, result, diag);
   }
   if (status == PH_OK) {
     struct ph_diagnostics *diagnostics = &result->diagnostics;
     ph_diagnostics_set(diagnostics, PH_D_ITERATIONS, (double)report.iterations);
     ph_diagnostics_set(diagnostics, PH_D_RESIDUAL, report.residual);
-    warn_reversals(&d, result);
-    warn_loops(&d, b, result);
   }
   ph_arena_release(scratch, mark);
   return status;

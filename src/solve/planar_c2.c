@@ -13,7 +13,6 @@
 
 #include "solve/planar_newton.h"
 
-#include <float.h>
 #include <math.h>
 
 /* Coefficients (3) of the chord equation. */
@@ -62,6 +61,21 @@ void ph_planar_preimage(const struct ph_planar_c2 *c2, const ph_cplx *b,
   w[2] = at_knot(c2->y[k + 1], s.here, s.after);
 }
 
+/* The unknowns as one for each segment. */
+static inline const ph_cplx *of_segments(const struct ph_planar_c2 *c2,
+                                         const ph_cplx *b) {
+  return c2->closed ? b : b + 1;
+}
+
+/* Moves w from segment k - 1 to segment k, which is not the last one of a
+ * closed curve. */
+static inline void advance(const struct ph_planar_c2 *c2, const ph_cplx *mine,
+                           size_t k, ph_cplx w[3]) {
+  w[0] = w[2];
+  w[1] = mine[k];
+  w[2] = at_knot(c2->y[k + 1], mine[k], mine[k + 1]);
+}
+
 /* Derivatives of F[k] with respect to w0, w1, w2, and F[k] itself, which is
  * half their sum times the w (F is quadratic), less the chord's direction. */
 struct equation {
@@ -86,24 +100,14 @@ static inline struct equation equation_of(const struct ph_planar_c2 *c2,
 }
 
 /* Adds one equation's residual to the measure. */
-static inline void measure_add(struct ph_planar_measure *m, size_t k, ph_cplx f,
-                               double magnitude) {
+static inline void measure_add(struct ph_planar_measure *m, size_t k,
+                               ph_cplx f) {
   double f2 = ph_cplx_norm2(f);
-  double scaled = f2 / (magnitude * magnitude);
   m->sum2 += f2;
   if (!(f2 <= m->max2)) {
     m->max2 = f2;
     m->worst = k;
   }
-  if (!(scaled <= m->scaled2)) {
-    m->scaled2 = scaled;
-  }
-}
-
-static inline double magnitude_of(const struct ph_planar_c2 *c2, size_t k,
-                                  const ph_cplx w[3]) {
-  return 1 + c2->ratio[k] * (ph_cplx_norm2(w[0]) + ph_cplx_norm2(w[1]) +
-                             ph_cplx_norm2(w[2]));
 }
 
 /* The end equation (w^2 - d)/|d| = 0 at side 0 or 1, as a row. */
@@ -118,12 +122,11 @@ static struct ph_tri_row end_row(const struct ph_planar_c2 *c2,
       ph_cplx_sub(ph_cplx_scale(1 / size, ph_cplx_mul(w, w)), c2->end[side]);
   const ph_cplx zero = {0, 0};
   struct ph_tri_row row = {side ? g : zero, g, side ? zero : g, f};
-  measure_add(m, side ? c2->n - 1 : 0, f, 1 + ph_cplx_norm2(w) / size);
+  measure_add(m, side ? c2->n - 1 : 0, f);
   return row;
 }
 
-/* The equation of segment k as a row; w0 is passed on from the segment before
- * as its w2, where that is known. */
+/* The equation of segment k as a row. */
 static inline struct ph_tri_row segment_row(const struct ph_planar_c2 *c2,
                                             size_t k, const ph_cplx w[3],
                                             struct ph_planar_measure *m) {
@@ -135,7 +138,7 @@ static inline struct ph_tri_row segment_row(const struct ph_planar_c2 *c2,
   row.di.re = q.g0.re - row.lo.re + q.g1.re + right * q.g2.re;
   row.di.im = q.g0.im - row.lo.im + q.g1.im + right * q.g2.im;
   row.f = q.f;
-  measure_add(m, k, q.f, magnitude_of(c2, k, w));
+  measure_add(m, k, q.f);
   return row;
 }
 
@@ -159,7 +162,8 @@ struct ph_planar_measure ph_planar_newton_step(const struct ph_planar_c2 *c2,
                                                const ph_cplx *b,
                                                struct ph_tri *tri,
                                                ph_cplx *step) {
-  struct ph_planar_measure m = {0, 0, 0, 0};
+  struct ph_planar_measure m = {0, 0, 0};
+  const ph_cplx *mine = of_segments(c2, b);
   size_t first = c2->closed ? 1 : 0, end = c2->closed ? c2->n - 1 : c2->n;
   ph_cplx w[3];
   if (c2->closed) {
@@ -169,9 +173,10 @@ struct ph_planar_measure ph_planar_newton_step(const struct ph_planar_c2 *c2,
     struct ph_tri_row row = end_row(c2, b, 0, &m);
     ph_tri_begin(tri, c2->n + 2, row, end_row(c2, b, 1, &m));
   }
+  w[2] = at_knot(c2->y[first], neighbours_of(c2, b, first).before, mine[first]);
   for (size_t k = first; k < end; k++) {
     struct ph_tri_row row;
-    ph_planar_preimage(c2, b, k, w);
+    advance(c2, mine, k, w);
     row = segment_row(c2, k, w, &m);
     ph_tri_push(tri, &row);
   }
@@ -181,17 +186,43 @@ struct ph_planar_measure ph_planar_newton_step(const struct ph_planar_c2 *c2,
 
 struct ph_planar_measure ph_planar_residual(const struct ph_planar_c2 *c2,
                                             const ph_cplx *b) {
-  struct ph_planar_measure m = {0, 0, 0, 0};
-  for (size_t k = 0; k < c2->n; k++) {
-    ph_cplx w[3];
-    ph_planar_preimage(c2, b, k, w);
-    measure_add(&m, k, equation_of(c2, k, w).f, magnitude_of(c2, k, w));
+  struct ph_planar_measure m = {0, 0, 0};
+  const ph_cplx *mine = of_segments(c2, b);
+  size_t end = c2->closed ? c2->n - 1 : c2->n;
+  ph_cplx w[3];
+  w[2] = at_knot(c2->y[0], neighbours_of(c2, b, 0).before, mine[0]);
+  for (size_t k = 0; k < end; k++) {
+    advance(c2, mine, k, w);
+    measure_add(&m, k, equation_of(c2, k, w).f);
   }
-  if (!c2->closed) {
+  if (c2->closed) {
+    ph_planar_preimage(c2, b, end, w);
+    measure_add(&m, end, equation_of(c2, end, w).f);
+  } else {
     end_row(c2, b, 0, &m);
     end_row(c2, b, 1, &m);
   }
   return m;
+}
+
+double ph_planar_rounding(const struct ph_planar_c2 *c2, const ph_cplx *b) {
+  double largest = 0;
+  for (size_t k = 0; k < c2->n; k++) {
+    ph_cplx w[3];
+    double terms, f;
+    ph_planar_preimage(c2, b, k, w);
+    terms = ph_cplx_norm2(w[0]) + ph_cplx_norm2(w[1]) + ph_cplx_norm2(w[2]);
+    f = ph_cplx_abs(equation_of(c2, k, w).f) / (1 + c2->ratio[k] * terms);
+    largest = f <= largest ? largest : f;
+  }
+  for (int side = 0; side < 2 && !c2->closed; side++) {
+    struct ph_planar_measure m = {0, 0, 0};
+    double f;
+    end_row(c2, b, side, &m);
+    f = sqrt(m.max2) / 2; /* the terms |w|^2/|d| and 1 are nearly equal */
+    largest = f <= largest ? largest : f;
+  }
+  return largest;
 }
 
 /* Whether b, a root next to a, needs the other sign to turn by at most a
@@ -226,11 +257,11 @@ static struct ph_tri_row middle_row(const struct ph_planar_c2 *c2, size_t k,
   return row;
 }
 
-void ph_planar_start(struct ph_planar_c2 *c2, const ph_cplx *middle,
-                     struct ph_tri *tri, ph_cplx *root, ph_cplx *b) {
+void ph_planar_start(struct ph_planar_c2 *c2, struct ph_tri *tri, ph_cplx *root,
+                     ph_cplx *b) {
   size_t n = c2->n, shift = c2->closed ? 0 : 1;
-  for (size_t k = 0; k < n; k++) {
-    root[k + shift] = ph_cplx_sqrt(middle[k]);
+  for (size_t k = shift; k < n + shift; k++) {
+    root[k] = ph_cplx_sqrt(root[k]);
   }
   if (c2->closed) {
     struct ph_tri_row first, last;
@@ -260,65 +291,65 @@ void ph_planar_start(struct ph_planar_c2 *c2, const ph_cplx *middle,
   ph_tri_finish(tri, b);
 }
 
+/* c/h */
+static ph_cplx chord_slope(const struct ph_planar_c2 *c2, size_t k) {
+  return ph_cplx_scale(1 / c2->ratio[k], c2->direction[k]);
+}
+
 void ph_planar_chord_middles(const struct ph_planar_c2 *c2, ph_cplx *middle) {
   for (size_t k = 0; k < c2->n; k++) {
-    middle[k] = ph_cplx_scale(1 / c2->ratio[k], c2->direction[k]);
+    middle[k] = chord_slope(c2, k);
   }
 }
 
 /* The row of the C2 cubic spline at the knot between segments k and k + 1, for
  * its derivatives there [GON18, sec. 2.4]. */
-static struct ph_tri_row spline_row(const struct ph_planar_c2 *c2, size_t k,
-                                    const ph_cplx *slope) {
+static struct ph_tri_row spline_row(const struct ph_planar_c2 *c2, size_t k) {
+  size_t next = k + 1 < c2->n ? k + 1 : 0;
   double y = c2->y[k + 1];
-  const ph_cplx *next = k + 1 < c2->n ? &slope[k + 1] : &slope[0];
-  struct ph_tri_row row = {{y, 0},
-                           {2, 0},
-                           {1 - y, 0},
-                           ph_cplx_scale(3, at_knot(y, slope[k], *next))};
+  ph_cplx left = chord_slope(c2, k), right = chord_slope(c2, next);
+  struct ph_tri_row row = {
+      {y, 0}, {2, 0}, {1 - y, 0}, ph_cplx_scale(3, at_knot(y, left, right))};
   return row;
 }
 
-/*
- * Middles of the C2 cubic spline through the points on the same knots, clamped
- * at open ends:  c'(1/2) = (3/2) c/h - (c'(0) + c'(1)) / 4.
- */
-void ph_planar_spline_middles(const struct ph_planar_c2 *c2, struct ph_tri *tri,
-                              ph_cplx *derivative, ph_cplx *middle) {
+/* Derivatives at the knots 0..n of the C2 cubic spline through the points,
+ * clamped at open ends. */
+static void spline_derivatives(const struct ph_planar_c2 *c2,
+                               struct ph_tri *tri, ph_cplx *derivative) {
   size_t n = c2->n;
   const ph_cplx zero = {0, 0}, one = {1, 0};
-  ph_planar_chord_middles(c2, middle);
-  if (c2->closed) { /* derivative[k] at the end of segment k */
-    ph_tri_begin(tri, n, spline_row(c2, 0, middle),
-                 spline_row(c2, n - 1, middle));
+  if (c2->closed) { /* unknown k is the derivative at knot k + 1 */
+    ph_tri_begin(tri, n, spline_row(c2, 0), spline_row(c2, n - 1));
     for (size_t k = 1; k + 1 < n; k++) {
-      struct ph_tri_row row = spline_row(c2, k, middle);
+      struct ph_tri_row row = spline_row(c2, k);
+      ph_tri_push(tri, &row);
+    }
+    ph_tri_finish(tri, derivative + 1);
+    derivative[0] = derivative[n];
+    return;
+  }
+  derivative[0] = ph_cplx_scale(c2->end_size[0], c2->end[0]);
+  derivative[n] = ph_cplx_scale(c2->end_size[1], c2->end[1]);
+  if (n >= 2) {
+    struct ph_tri_row first = {zero, one, zero, derivative[0]};
+    struct ph_tri_row last = {zero, one, zero, derivative[n]};
+    ph_tri_begin(tri, n + 1, first, last);
+    for (size_t k = 0; k + 1 < n; k++) {
+      struct ph_tri_row row = spline_row(c2, k);
       ph_tri_push(tri, &row);
     }
     ph_tri_finish(tri, derivative);
-    derivative[n] = derivative[0];
-    for (size_t k = n; k-- > 1;) {
-      derivative[k] = derivative[k - 1];
-    }
-    derivative[0] = derivative[n];
-  } else {
-    struct ph_tri_row first = {zero, one, zero, zero}, last = first;
-    first.f = ph_cplx_scale(c2->end_size[0], c2->end[0]);
-    last.f = ph_cplx_scale(c2->end_size[1], c2->end[1]);
-    derivative[0] = first.f;
-    derivative[n] = last.f;
-    if (n >= 2) {
-      ph_tri_begin(tri, n + 1, first, last);
-      for (size_t k = 0; k + 1 < n; k++) {
-        struct ph_tri_row row = spline_row(c2, k, middle);
-        ph_tri_push(tri, &row);
-      }
-      ph_tri_finish(tri, derivative);
-    }
   }
-  for (size_t k = 0; k < n; k++) {
-    ph_cplx ends = ph_cplx_add(derivative[k], derivative[k + 1]);
-    middle[k] =
-        ph_cplx_sub(ph_cplx_scale(1.5, middle[k]), ph_cplx_scale(0.25, ends));
+}
+
+/* c'(1/2) = (3/2) c/h - (c'(0) + c'(1)) / 4 for the cubic of each segment. */
+void ph_planar_spline_middles(const struct ph_planar_c2 *c2, struct ph_tri *tri,
+                              ph_cplx *middle) {
+  spline_derivatives(c2, tri, middle);
+  for (size_t k = 0; k < c2->n; k++) {
+    ph_cplx ends = ph_cplx_add(middle[k], middle[k + 1]);
+    middle[k] = ph_cplx_sub(ph_cplx_scale(1.5, chord_slope(c2, k)),
+                            ph_cplx_scale(0.25, ends));
   }
 }

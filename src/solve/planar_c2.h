@@ -58,7 +58,7 @@ struct ph_planar_report {
 /* ph_planar_unknowns: the number of unknowns, n or n + 2. */
 size_t ph_planar_unknowns(const struct ph_planar_c2 *c2);
 
-/* ph_planar_weight: w0, w1, w2 of segment k from the unknowns b. */
+/* ph_planar_preimage: w0, w1, w2 of segment k from the unknowns b. */
 void ph_planar_preimage(const struct ph_planar_c2 *c2, const ph_cplx *b,
                         size_t k, ph_cplx w[3]);
 

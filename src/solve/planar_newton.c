@@ -32,22 +32,34 @@ static const double FOLLOW_NEAR = 0.5;
 
 struct work {
   struct ph_tri tri;
-  ph_cplx *b, *trial, *step, *middle;
+  ph_cplx *b;    /* the iterate */
+  ph_cplx *step; /* Newton's step, then the next iterate; start values */
 };
 
 static bool is_solved(const struct ph_planar_measure *m) {
-  return m->max2 <= SOLVED * SOLVED;
+  return isfinite(m->sum2) && m->max2 <= SOLVED * SOLVED;
 }
 
-static bool is_rounding(const struct ph_planar_measure *m) {
-  return m->scaled2 <= ROUNDING * ROUNDING;
+static bool is_rounding(const struct ph_planar_c2 *c2, const struct work *w) {
+  return ph_planar_rounding(c2, w->b) <= ROUNDING;
 }
 
-static void move(const struct work *w, size_t n, double lambda) {
+/* Turns the step into the iterate that it leads to. */
+static struct ph_planar_measure move(const struct ph_planar_c2 *c2,
+                                     const struct work *w, double lambda) {
+  size_t n = ph_planar_unknowns(c2);
   for (size_t i = 0; i < n; i++) {
-    w->trial[i].re = w->b[i].re - lambda * w->step[i].re;
-    w->trial[i].im = w->b[i].im - lambda * w->step[i].im;
+    w->step[i].re = w->b[i].re - lambda * w->step[i].re;
+    w->step[i].im = w->b[i].im - lambda * w->step[i].im;
   }
+  return ph_planar_residual(c2, w->step);
+}
+
+/* Whether a step of length lambda did enough. */
+static bool is_enough(const struct ph_planar_measure *before,
+                      const struct ph_planar_measure *after, double lambda) {
+  double wanted = 1 - DECREASE * lambda;
+  return after->sum2 <= wanted * wanted * before->sum2 || is_solved(after);
 }
 
 /*
@@ -56,40 +68,40 @@ static void move(const struct work *w, size_t n, double lambda) {
  */
 static bool newton(const struct ph_planar_c2 *c2, struct work *w, bool damped,
                    int cap, size_t *iterations, struct ph_planar_measure *m) {
-  size_t n = ph_planar_unknowns(c2);
   for (int i = 0; i < cap; i++) {
     struct ph_planar_measure next;
     double lambda = 1;
-    ph_cplx *swap = w->trial;
+    ph_cplx *swap = w->b;
     *m = ph_planar_newton_step(c2, w->b, &w->tri, w->step);
     if (is_solved(m)) {
       return true;
     }
-    for (;;) {
-      double wanted = 1 - DECREASE * lambda;
-      move(w, n, lambda);
-      next = ph_planar_residual(c2, w->trial);
-      if (next.sum2 <= wanted * wanted * m->sum2 || is_solved(&next) ||
-          (!damped && isfinite(next.sum2))) {
-        break;
-      }
-      if (is_rounding(m)) {
+    next = move(c2, w, lambda);
+    while (!is_enough(m, &next, lambda) && (damped || !isfinite(next.sum2))) {
+      if (is_rounding(c2, w)) {
         return true; /* no step can improve on rounding */
       }
       lambda *= 0.5;
       if (!damped || !(lambda >= SHORTEST)) {
         return false;
       }
+      ph_tri_finish(&w->tri, w->step);
+      next = move(c2, w, lambda);
     }
-    w->trial = w->b;
-    w->b = swap;
+    w->b = w->step;
+    w->step = swap;
     *m = next;
     ++*iterations;
     if (is_solved(m)) {
       return true;
     }
   }
-  return is_rounding(m);
+  return is_rounding(c2, w);
+}
+
+static void start_from_chords(struct ph_planar_c2 *c2, struct work *w) {
+  ph_planar_chord_middles(c2, ph_planar_middles(c2, w->step));
+  ph_planar_start(c2, &w->tri, w->step, w->b);
 }
 
 /* Angles of the straightened polygon: chord k points to
@@ -171,8 +183,7 @@ static bool follow(struct ph_planar_c2 *c2, struct work *w,
   size_t n = ph_planar_unknowns(c2);
   double s = 0, ds = FOLLOW_FIRST;
   bend(c2, g, 0);
-  ph_planar_chord_middles(c2, w->middle);
-  ph_planar_start(c2, w->middle, &w->tri, w->step, w->b);
+  start_from_chords(c2, w);
   c2->twist = ph_cplx_of(1, 0);
   if (!newton(c2, w, true, NEWTON_CAP, iterations, m)) {
     return false;
@@ -233,15 +244,14 @@ static enum ph_status try_starts(struct ph_planar_c2 *c2, struct work *w,
                                  size_t *iterations,
                                  struct ph_planar_measure *m,
                                  struct ph_diag *diag) {
-  struct ph_planar_measure last = {0, HUGE_VAL, 0, 0};
-  ph_planar_chord_middles(c2, w->middle);
-  ph_planar_start(c2, w->middle, &w->tri, w->step, w->b);
+  struct ph_planar_measure last = {0, HUGE_VAL, 0};
+  start_from_chords(c2, w);
   *solved = newton(c2, w, true, NEWTON_CAP, iterations, m);
   if (*solved) {
     return PH_OK;
   }
-  ph_planar_spline_middles(c2, &w->tri, w->step, w->middle);
-  ph_planar_start(c2, w->middle, &w->tri, w->step, w->b);
+  ph_planar_spline_middles(c2, &w->tri, ph_planar_middles(c2, w->step));
+  ph_planar_start(c2, &w->tri, w->step, w->b);
   *solved = newton(c2, w, true, NEWTON_CAP, iterations, &last);
   if (!*solved) {
     enum ph_status status =
@@ -261,16 +271,14 @@ enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
                                   struct ph_planar_report *report,
                                   struct ph_diag *diag) {
   size_t n = ph_planar_unknowns(c2);
-  struct ph_planar_measure m = {0, HUGE_VAL, 0, 0};
+  struct ph_planar_measure m = {0, HUGE_VAL, 0};
   struct work w;
   bool solved = false;
   enum ph_status status;
   w.b = b;
-  w.trial = ph_arena_array(scratch, n, sizeof *w.trial);
-  /* Room also for the n + 1 knot derivatives of a closed cubic spline. */
+  /* One more: the knot derivatives of a closed cubic spline. */
   w.step = ph_arena_array(scratch, n + 1, sizeof *w.step);
-  w.middle = ph_arena_array(scratch, n, sizeof *w.middle);
-  if (!w.trial || !w.step || !w.middle || !ph_tri_alloc(&w.tri, scratch, n)) {
+  if (!w.step || !ph_tri_alloc(&w.tri, scratch, n)) {
     return ph_fail_memory(diag);
   }
   report->iterations = 0;

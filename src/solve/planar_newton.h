@@ -8,13 +8,11 @@
 
 #include "solve/planar_c2.h"
 
-/* How large the residual is; squares, NaN where any equation is NaN. */
+/* How large the residual is, in squares. */
 struct ph_planar_measure {
-  double sum2;    /* sum of |F|^2 */
-  double max2;    /* max |F|^2 */
-  double scaled2; /* max of |F|^2 / (1 + h/|c| (|w0|^2+|w1|^2+|w2|^2))^2: in
-                     units of the terms that F is the difference of */
-  size_t worst;   /* the segment of max2 */
+  double sum2;  /* sum of |F|^2; NaN where any equation is NaN */
+  double max2;  /* max |F|^2 */
+  size_t worst; /* the segment of max2 */
 };
 
 /* ph_planar_residual: the measure of F at b. */
@@ -25,12 +23,19 @@ struct ph_planar_measure ph_planar_residual(const struct ph_planar_c2 *c2,
  * ph_planar_newton_step: the measure of F at b, and the solution of
  * F'(b) step = F(b), in one pass.
  *
- * out  step[unknowns]   not finite if F' is singular
+ * out  tri                ph_tri_finish gives the step again
+ * out  step[unknowns]     not finite if F' is singular
  */
 struct ph_planar_measure ph_planar_newton_step(const struct ph_planar_c2 *c2,
                                                const ph_cplx *b,
                                                struct ph_tri *tri,
                                                ph_cplx *step);
+
+/*
+ * ph_planar_rounding: the largest |F| in units of the terms that F is the
+ * difference of, 1 + h/|c| (|w0|^2 + |w1|^2 + |w2|^2).
+ */
+double ph_planar_rounding(const struct ph_planar_c2 *c2, const ph_cplx *b);
 
 /* ph_planar_chord_middles: c/h.  out middle[n] */
 void ph_planar_chord_middles(const struct ph_planar_c2 *c2, ph_cplx *middle);
@@ -39,20 +44,26 @@ void ph_planar_chord_middles(const struct ph_planar_c2 *c2, ph_cplx *middle);
  * ph_planar_spline_middles: derivatives of the C2 cubic spline at the middles
  * of the segments.
  *
- * ws   derivative[n + 1]
- * out  middle[n]
+ * out  middle[n + 1]  the last one is workspace
  */
 void ph_planar_spline_middles(const struct ph_planar_c2 *c2, struct ph_tri *tri,
-                              ph_cplx *derivative, ph_cplx *middle);
+                              ph_cplx *middle);
+
+/* ph_planar_middles: where the middles lie in the array given to
+ * ph_planar_start: beside room for the ends of an open curve. */
+static inline ph_cplx *ph_planar_middles(const struct ph_planar_c2 *c2,
+                                         ph_cplx *root) {
+  return c2->closed ? root : root + 1;
+}
 
 /*
- * ph_planar_start: unknowns whose w(1/2)^2 are the given middle derivatives.
+ * ph_planar_start: unknowns whose w(1/2)^2 are given middle derivatives.
  *
- * inout c2            twist is set (closed)
- * ws    root[unknowns]
+ * inout c2              twist is set (closed)
+ * inout root[unknowns]  has the middles at ph_planar_middles; destroyed
  * out   b[unknowns]
  */
-void ph_planar_start(struct ph_planar_c2 *c2, const ph_cplx *middle,
-                     struct ph_tri *tri, ph_cplx *root, ph_cplx *b);
+void ph_planar_start(struct ph_planar_c2 *c2, struct ph_tri *tri, ph_cplx *root,
+                     ph_cplx *b);
 
 #endif
