@@ -17,9 +17,9 @@ void ph_message_printf(struct ph_buf *buf, const char *format, ...) {
   ph_buf_puts(buf, text);
 }
 
-/* A line stays a line: an identifier may hold any character. */
-static void put_id(struct ph_buf *buf, const char *id) {
-  for (const char *p = id; *p; p++) {
+/* A line stays a line: a name may hold any character. */
+static void put_name(struct ph_buf *buf, const char *name) {
+  for (const char *p = name; *p; p++) {
     unsigned char c = (unsigned char)*p;
     if (c < 0x20 || c == 0x7F) {
       ph_message_printf(buf, "\\x%02x", c);
@@ -32,7 +32,7 @@ static void put_id(struct ph_buf *buf, const char *id) {
 void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject) {
   ph_buf_puts(buf, "phspline: ");
   if (subject->file) {
-    ph_buf_puts(buf, subject->file);
+    put_name(buf, subject->file);
     ph_buf_puts(buf, ":");
     if (subject->line) {
       ph_message_printf(buf, "%zu:", subject->line);
@@ -41,7 +41,7 @@ void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject) {
   }
   if (subject->id) {
     ph_buf_puts(buf, "record ");
-    put_id(buf, subject->id);
+    put_name(buf, subject->id);
     ph_buf_puts(buf, ": ");
   } else if (subject->number) {
     ph_message_printf(buf, "record %zu: ", subject->number);

@@ -11,6 +11,7 @@
 #include "io/csv_in.h"
 
 #include "base/suggest.h"
+#include "io/json_text.h"
 #include "io/number.h"
 #include "io/value.h"
 
@@ -310,33 +311,10 @@ static enum ph_status read_row(struct reader *r, const char *p,
 
 /* ---- the id --------------------------------------------------------- */
 
-/* text[n], which is UTF-8, as a JSON string. */
-static size_t put_string(char *out, const char *text, size_t n) {
-  static const char digits[] = "0123456789abcdef";
-  char *to = out;
-  *to++ = '"';
-  for (size_t i = 0; i < n; i++) {
-    unsigned char c = (unsigned char)text[i];
-    if (c < 0x20) {
-      memcpy(to, "\\u00", 4);
-      to[4] = digits[c >> 4];
-      to[5] = digits[c & 15];
-      to += 6;
-      continue;
-    }
-    if (c == '"' || c == '\\') {
-      *to++ = '\\';
-    }
-    *to++ = (char)c;
-  }
-  *to++ = '"';
-  return (size_t)(to - out);
-}
-
 static enum ph_status echo_id(struct reader *r, const struct ph_csv_cell *cell,
                               struct ph_echo *echo) {
   char *text = ph_arena_array(r->arena, cell->n, 1);
-  char *json = ph_arena_array(r->arena, cell->n + 1, 6);
+  char *json = ph_arena_array(r->arena, PH_JSON_QUOTED_MAX(cell->n), 1);
   double x;
   size_t n;
   if (!text || !json) {
@@ -357,7 +335,7 @@ static enum ph_status echo_id(struct reader *r, const struct ph_csv_cell *cell,
     echo->id_n = n;
   } else if (n > 0) {
     echo->id = json;
-    echo->id_n = put_string(json, text, n);
+    echo->id_n = ph_json_quote(json, text, n);
   }
   return PH_OK;
 }

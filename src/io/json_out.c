@@ -7,6 +7,7 @@
  */
 #include "io/json_out.h"
 
+#include "io/json_text.h"
 #include "io/number.h"
 
 #include <string.h>
@@ -59,35 +60,12 @@ static void end(struct writer *w, char bracket) {
   put(w, bracket);
 }
 
-/* Bytes that a JSON string can not hold as they are. */
-static bool needs_escape(unsigned char c) {
-  return c < 0x20 || c == '"' || c == '\\' || c == 0x7F;
-}
-
 static void string(struct writer *w, const char *text) {
-  static const char hex[] = "0123456789abcdef";
-  put(w, '"');
-  for (;;) {
-    size_t run = 0;
-    unsigned char c;
-    while (text[run] && !needs_escape((unsigned char)text[run])) {
-      run++;
-    }
-    ph_buf_put(w->buf, text, run);
-    c = (unsigned char)text[run];
-    text += run + 1;
-    if (c == '\0') {
-      break;
-    }
-    if (c == '"' || c == '\\') {
-      put(w, '\\');
-      put(w, (char)c);
-    } else {
-      char escape[6] = {'\\', 'u', '0', '0', hex[c >> 4], hex[c & 15]};
-      ph_buf_put(w->buf, escape, sizeof escape);
-    }
+  size_t n = strlen(text);
+  char *to = ph_buf_reserve(w->buf, PH_JSON_QUOTED_MAX(n));
+  if (to) {
+    w->buf->n += ph_json_quote(to, text, n);
   }
-  put(w, '"');
 }
 
 static void key(struct writer *w, const char *name) {
