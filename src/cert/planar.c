@@ -17,6 +17,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 /* Tolerances; the solver stops at 1e-13 of each chord, and the middle leg of
@@ -27,8 +28,9 @@ static const double LENGTH = 1e-11;
 static const double CONTINUITY = 1e-9;
 
 /* Allowances in units of (rounding of a coordinate): a first difference of
- * control points times 5, a second one times 20, with a margin of 3. */
-enum { ROUND_FIRST = 32, ROUND_SECOND = 256 };
+ * control points times 5, a second one times 20, with a margin of 3.  Of knots
+ * the difference counts, once for r' and twice for r''. */
+enum { ROUND_FIRST = 32, ROUND_SECOND = 256, ROUND_KNOT = 4 };
 
 enum { NODES = 6 };
 
@@ -51,6 +53,7 @@ struct context {
   double root;          /* for the preimage */
   double size;          /* half the diagonal, at unit scale */
   double rounding;      /* of a coordinate, at unit scale */
+  double farthest_knot; /* from 0, whose rounding is the largest */
   double weight[NODES];
   double basis4[NODES][5], basis2[NODES][3];
 };
@@ -63,12 +66,17 @@ struct segment {
   double speed; /* largest |hodograph coefficient| */
 };
 
+/* Whether x is larger than the largest so far; NaN is, and stays. */
+static bool is_larger(double x, double largest) {
+  return !(x <= largest) && !isnan(largest);
+}
+
 static void check_add(struct check *check, size_t where, double error,
                       double unit, double allowed) {
-  if (!(error / unit <= check->reported)) {
+  if (is_larger(error / unit, check->reported)) {
     check->reported = error / unit;
   }
-  if (!(error / allowed <= check->excess)) {
+  if (is_larger(error / allowed, check->excess)) {
     check->excess = error / allowed;
     check->value = error / unit;
     check->allowed = allowed / unit;
@@ -170,22 +178,24 @@ static double check_square(const struct context *c, const struct segment *s,
   return length;
 }
 
-/* Jumps of r' and r'' between two segments, in the shorter interval's unit. */
+/* Jumps of r' and r'' between two segments, in the shorter interval's unit and
+ * relative to the larger speed of the two. */
 static void check_joint(const struct context *c, const struct segment *a,
                         double ha, const struct segment *b, double hb, size_t k,
                         struct check *joint) {
   double h = fmin(ha, hb), fa = h / ha, fb = h / hb;
+  double knot = ROUND_KNOT * DBL_EPSILON * c->farthest_knot / h;
+  double speed = fmax(fa * a->speed, fb * b->speed);
   ph_cplx va = ph_cplx_scale(fa, a->hodograph[4]);
   ph_cplx vb = ph_cplx_scale(fb, b->hodograph[0]);
   ph_cplx aa = ph_cplx_sub(a->hodograph[4], a->hodograph[3]);
   ph_cplx ab = ph_cplx_sub(b->hodograph[1], b->hodograph[0]);
-  double speed = fmax(ph_cplx_abs(va), ph_cplx_abs(vb));
   ph_cplx jump = ph_cplx_sub(ph_cplx_scale(4 * fa * fa, aa),
                              ph_cplx_scale(4 * fb * fb, ab));
   check_add(joint, k, ph_cplx_abs(ph_cplx_sub(va, vb)), speed,
-            CONTINUITY * speed + ROUND_FIRST * c->rounding);
+            (CONTINUITY + knot) * speed + ROUND_FIRST * c->rounding);
   check_add(joint, k, ph_cplx_abs(jump), speed,
-            CONTINUITY * speed + ROUND_SECOND * c->rounding);
+            (CONTINUITY + 8 * knot) * speed + ROUND_SECOND * c->rounding);
 }
 
 static void check_end(const struct context *c, const double *given,
@@ -242,7 +252,7 @@ static enum ph_status conclude(const struct check *check,
                                struct ph_diagnostics *diagnostics,
                                struct ph_diag *diag) {
   ph_diagnostics_set(diagnostics, check->what, check->reported);
-  if (check->excess <= 1) {
+  if (check->excess <= 1 && isfinite(check->reported)) {
     return PH_OK;
   }
   return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", check->where,
@@ -276,9 +286,13 @@ enum ph_status ph_cert_planar(const struct ph_problem *problem,
                                       &checks.length};
   struct context c = {.curve = curve,
                       .points = problem->field[PH_F_POINTS].v,
-                      .points_n = curve->closed ? curve->n : curve->n + 1};
+                      .points_n = curve->closed ? curve->n : curve->n + 1,
+                      .farthest_knot = fmax(fabs(curve->knots[0]),
+                                            fabs(curve->knots[curve->n]))};
   if (!all_finite(curve->control_points, 12 * curve->n) ||
-      !all_finite(curve->preimage, 6 * curve->n) || !isfinite(curve->length)) {
+      !all_finite(curve->preimage, 6 * curve->n) ||
+      !all_finite(curve->knots, curve->n + 1) ||
+      !all_finite(curve->lengths, curve->n) || !isfinite(curve->length)) {
     return ph_fail(diag, PH_TOO_LARGE, NULL,
                    "the curve exceeds the range of a double");
   }
