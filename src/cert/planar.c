@@ -84,6 +84,15 @@ static void check_add(struct check *check, size_t where, double error,
   }
 }
 
+/* Not fmax and fmin, which are calls of the library. */
+static inline double larger(double a, double b) {
+  return a > b ? a : b;
+}
+
+static inline double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+
 static ph_cplx scaled(const struct context *c, const double *v) {
   return ph_cplx_of(ph_pow2_apply(c->scale, v[0]),
                     ph_pow2_apply(c->scale, v[1]));
@@ -98,9 +107,9 @@ static bool set_scale(struct context *c) {
   double low[2] = {q[0], q[1]}, high[2] = {q[0], q[1]}, largest = 0;
   int exponent;
   for (size_t k = 0; k < 2 * c->points_n; k++) {
-    low[k % 2] = fmin(low[k % 2], q[k]);
-    high[k % 2] = fmax(high[k % 2], q[k]);
-    largest = fmax(largest, fabs(q[k]));
+    low[k % 2] = smaller(low[k % 2], q[k]);
+    high[k % 2] = larger(high[k % 2], q[k]);
+    largest = larger(largest, fabs(q[k]));
   }
   if (!(largest > 0)) {
     return false;
@@ -140,7 +149,7 @@ static struct segment segment_of(const struct context *c, size_t k) {
   for (size_t i = 0; i < 5; i++) {
     ph_cplx to = scaled(c, p + 2 * (i + 1));
     s.hodograph[i] = ph_cplx_scale(5, ph_cplx_sub(to, from));
-    s.speed = fmax(s.speed, ph_cplx_abs(s.hodograph[i]));
+    s.speed = larger(s.speed, ph_cplx_abs(s.hodograph[i]));
     from = to;
   }
   s.end = from;
@@ -183,9 +192,9 @@ static double check_square(const struct context *c, const struct segment *s,
 static void check_joint(const struct context *c, const struct segment *a,
                         double ha, const struct segment *b, double hb, size_t k,
                         struct check *joint) {
-  double h = fmin(ha, hb), fa = h / ha, fb = h / hb;
+  double h = smaller(ha, hb), fa = h / ha, fb = h / hb;
   double knot = ROUND_KNOT * DBL_EPSILON * c->farthest_knot / h;
-  double speed = fmax(fa * a->speed, fb * b->speed);
+  double speed = larger(fa * a->speed, fb * b->speed);
   ph_cplx va = ph_cplx_scale(fa, a->hodograph[4]);
   ph_cplx vb = ph_cplx_scale(fb, b->hodograph[0]);
   ph_cplx aa = ph_cplx_sub(a->hodograph[4], a->hodograph[3]);
@@ -223,8 +232,8 @@ static void check_segments(const struct context *c, const struct ph_value *ends,
     struct segment s = segment_of(c, k);
     double length = check_square(c, &s, k, &checks->square);
     double wanted = ph_pow2_apply(c->scale, curve->lengths[k]);
-    double away = fmax(ph_cplx_abs(ph_cplx_sub(s.start, data_point(c, k))),
-                       ph_cplx_abs(ph_cplx_sub(s.end, data_point(c, k + 1))));
+    double away = larger(ph_cplx_abs(ph_cplx_sub(s.start, data_point(c, k))),
+                         ph_cplx_abs(ph_cplx_sub(s.end, data_point(c, k + 1))));
     check_add(&checks->point, k, away, c->size, INTERPOLATION * c->size);
     check_add(&checks->length, k, fabs(length - wanted), claimed,
               LENGTH * wanted + ROUND_FIRST * c->rounding);
@@ -287,8 +296,8 @@ enum ph_status ph_cert_planar(const struct ph_problem *problem,
   struct context c = {.curve = curve,
                       .points = problem->field[PH_F_POINTS].v,
                       .points_n = curve->closed ? curve->n : curve->n + 1,
-                      .farthest_knot = fmax(fabs(curve->knots[0]),
-                                            fabs(curve->knots[curve->n]))};
+                      .farthest_knot = larger(fabs(curve->knots[0]),
+                                              fabs(curve->knots[curve->n]))};
   if (!all_finite(curve->control_points, 12 * curve->n) ||
       !all_finite(curve->preimage, 6 * curve->n) ||
       !all_finite(curve->knots, curve->n + 1) ||

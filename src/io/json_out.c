@@ -22,7 +22,11 @@ struct writer {
 };
 
 static void put(struct writer *w, char c) {
-  ph_buf_put(w->buf, &c, 1);
+  char *to = ph_buf_reserve(w->buf, 1);
+  if (to) {
+    *to = c;
+    w->buf->n++;
+  }
 }
 
 static void new_line(struct writer *w) {
@@ -68,12 +72,17 @@ static void string(struct writer *w, const char *text) {
   }
 }
 
+/* Names of members are ours: nothing in them needs an escape. */
 static void key(struct writer *w, const char *name) {
+  size_t n = strlen(name);
+  char *to;
   element(w);
-  string(w, name);
-  put(w, ':');
-  if (w->pretty) {
-    put(w, ' ');
+  to = ph_buf_reserve(w->buf, n + 4);
+  if (to) {
+    *to++ = '"';
+    memcpy(to, name, n);
+    memcpy(to + n, "\": ", 3);
+    w->buf->n += n + (w->pretty ? 4 : 3);
   }
 }
 
