@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Offset curves: the definition o = r + d i r'/|r'|, point by point. */
+#include "unit.h"
+#include "unit_planar.h"
+#include "unit_random.h"
+
+#include "curve/offset.h"
+#include "curve/ph2.h"
+
+#include <string.h>
+
+static struct ph_arena arena;
+static struct ph_diag diag;
+
+static void finish(void) {
+  ph_arena_free(&arena);
+}
+
+/* A curve of one segment from its preimage. */
+struct single {
+  struct ph_curve curve;
+  double preimage[6], control_points[12], length;
+};
+
+static void single_of(const ph_cplx w[3], ph_cplx start, struct single *s) {
+  ph_cplx hodograph[5], p[6], end = start;
+  ph_ph2_hodograph(w, hodograph);
+  for (int i = 0; i < 5; i++) {
+    end = ph_cplx_add(end, ph_cplx_scale(0.2, hodograph[i]));
+  }
+  ph_ph2_control_points(w, start, end, p);
+  memcpy(s->preimage, w, sizeof s->preimage);
+  memcpy(s->control_points, p, sizeof s->control_points);
+  s->length = ph_ph2_length(w);
+  s->curve = (struct ph_curve){.kind = PH_CURVE_PH,
+                               .dimension = 2,
+                               .degree = 5,
+                               .n = 1,
+                               .control_points = s->control_points,
+                               .preimage_n = 3,
+                               .preimage_dimension = 2,
+                               .preimage = s->preimage,
+                               .lengths = &s->length,
+                               .length = s->length};
+}
+
+/* Value of a rational Bezier piece. */
+static ph_cplx rational(const struct ph_offset *o, size_t piece, double t) {
+  const double *p = o->control_points + 20 * piece;
+  const double *weight = o->weights + 10 * piece;
+  double lifted[20], flat[20], unit = 0;
+  ph_cplx numerator, denominator;
+  for (size_t i = 0; i < 10; i++) {
+    unit = fmax(unit, weight[i]);
+  }
+  for (size_t i = 0; i < 10; i++) {
+    lifted[2 * i] = weight[i] / unit * p[2 * i];
+    lifted[2 * i + 1] = weight[i] / unit * p[2 * i + 1];
+    flat[2 * i] = weight[i] / unit;
+    flat[2 * i + 1] = 0;
+  }
+  numerator = unit_bezier(lifted, 9, 0, t);
+  denominator = unit_bezier(flat, 9, 0, t);
+  return ph_cplx_scale(1 / denominator.re, numerator);
+}
+
+/* r + d i r'/|r'| from the control points and the preimage. */
+static ph_cplx defined(const struct ph_curve *curve, size_t k, double d,
+                       double t) {
+  ph_cplx r = unit_curve(curve, k, 0, t), w = unit_preimage(curve, k, 0, t);
+  ph_cplx tangent = ph_cplx_scale(1 / ph_cplx_norm2(w), ph_cplx_mul(w, w));
+  return ph_cplx_of(r.re - d * tangent.im, r.im + d * tangent.re);
+}
+
+/* The pieces tile the segments in order, all weights are positive. */
+static void ck_pieces(const struct ph_curve *curve, const struct ph_offset *o) {
+  size_t piece = 0;
+  ck_assert_uint_eq(o->degree, 9);
+  ck_assert_uint_eq(o->dimension, 2);
+  for (size_t k = 0; k < curve->n; k++) {
+    double at = 0;
+    while (at < 1) {
+      ck_assert_uint_lt(piece, o->n);
+      ck_assert_uint_eq(o->segment[piece], k);
+      ck_abs(o->interval[2 * piece], at, 0);
+      ck_assert(o->interval[2 * piece + 1] > at);
+      at = o->interval[2 * piece + 1];
+      for (size_t i = 0; i < 10; i++) {
+        ck_assert(o->weights[10 * piece + i] > 0);
+      }
+      piece++;
+    }
+    ck_abs(at, 1, 0);
+  }
+  ck_assert_uint_eq(piece, o->n);
+}
+
+/* The offset at d, checked at the ends and the middle of every piece, and at
+ * a point of its own for each. */
+static struct ph_offset ck_offset(const struct ph_curve *curve, double d,
+                                  double tol, struct unit_random *r) {
+  struct ph_offset o;
+  enum ph_status status = ph_offset_planar(curve, d, &arena, &o, &diag);
+  ck_assert_msg(status == PH_OK, "seed %lu: %s", unit_seed(), diag.message);
+  ck_abs(o.distance, d, 0);
+  ck_pieces(curve, &o);
+  for (size_t i = 0; i < o.n; i++) {
+    const double at[4] = {0, 0.5, 1, unit_random_in(r, 0, 1)};
+    double from = o.interval[2 * i], to = o.interval[2 * i + 1];
+    for (int j = 0; j < 4; j++) {
+      ph_cplx found = rational(&o, i, at[j]);
+      ph_cplx wanted =
+          defined(curve, o.segment[i], d, from + at[j] * (to - from));
+      ck_assert_msg(unit_distance(found, wanted) <= tol,
+                    "seed %lu, distance %g, piece %zu at %g: %.3g > %.3g",
+                    unit_seed(), d, i, at[j], unit_distance(found, wanted),
+                    tol);
+    }
+  }
+  return o;
+}
+
+/* Both sides, and no distance at all, of a curve with curvature both ways. */
+START_TEST(test_spline) {
+  const double points[] = {0, 0, 2, 1, 3, 0, 5, 2, 4, 4, 1, 3};
+  const double distances[] = {0.25, -0.25, 1, -3, 100, 1e-6, -1e-12, 0};
+  struct unit_random r = unit_random_of(1);
+  struct unit_planar u = unit_planar_of(points, 6, true);
+  ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+  for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
+    double d = distances[i];
+    struct ph_offset o =
+        ck_offset(&u.result.curve, d, 1e-14 * (5 + fabs(d)), &r);
+    ck_assert_uint_eq(o.n, 6);
+  }
+  unit_planar_free(&u);
+}
+END_TEST
+
+/* Left is left: a line to the east moves to the north. */
+START_TEST(test_side) {
+  const double points[] = {1, 1, 2, 1};
+  struct unit_planar u = unit_planar_of(points, 2, false);
+  struct ph_offset o;
+  ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+  ck_assert_int_eq(ph_offset_planar(&u.result.curve, 3, &arena, &o, &diag),
+                   PH_OK);
+  ck_assert_uint_eq(o.n, 1);
+  for (size_t i = 0; i < 10; i++) {
+    ck_abs(o.control_points[2 * i], 1 + (double)i / 9, 1e-15);
+    ck_abs(o.control_points[2 * i + 1], 4, 1e-15);
+    ck_abs(o.weights[i], 1, 1e-15);
+  }
+  unit_planar_free(&u);
+}
+END_TEST
+
+START_TEST(test_random) {
+  struct unit_random r = unit_random_of(2);
+  size_t halved = 0;
+  for (int i = 0; i < 300; i++) {
+    ph_cplx w[3];
+    struct single s;
+    double d = unit_random_in(&r, -2, 2), slow = HUGE_VAL;
+    for (int k = 0; k < 3; k++) {
+      w[k] = unit_random_cplx(&r, 1);
+    }
+    single_of(w, unit_random_cplx(&r, 1), &s);
+    for (int k = 0; k <= 100; k++) {
+      slow = fmin(slow, ph_cplx_norm2(unit_preimage(&s.curve, 0, 0, k * 0.01)));
+    }
+    /* The normal is uncertain by the rounding of w over |w|. */
+    halved +=
+        ck_offset(&s.curve, d, 1e-15 * (10 + 50 * fabs(d) / slow), &r).n - 1;
+    ph_arena_reset(&arena);
+  }
+  ck_assert_uint_ge(halved, 50);
+}
+END_TEST
+
+/* The more a segment turns, the more it is halved: nearly a cusp here. */
+START_TEST(test_high_curvature) {
+  struct unit_random r = unit_random_of(3);
+  size_t before = 1;
+  for (int e = 0; e <= 16; e++) {
+    double near = ldexp(1, -e); /* w = u - 0.3 + i near */
+    const ph_cplx w[3] = {{-0.3, near}, {0.2, near}, {0.7, near}};
+    const ph_cplx zero = {0, 0};
+    struct single s;
+    struct ph_offset o;
+    single_of(w, zero, &s);
+    o = ck_offset(&s.curve, 0.5, 1e-14 * ldexp(1, e), &r);
+    ck_assert_uint_ge(o.n, before);
+    ck_assert_uint_le(o.n, (size_t)(8 + 4 * e));
+    before = o.n;
+  }
+  ck_assert_uint_ge(before, 8);
+}
+END_TEST
+
+/* At distance 0 a segment that needs no halving gives the curve itself. */
+START_TEST(test_zero_distance) {
+  struct unit_random r = unit_random_of(4);
+  const ph_cplx w[3] = {{1, 0}, {1, 0.3}, {0.8, 0.9}};
+  struct single s;
+  struct ph_offset o;
+  single_of(w, ph_cplx_of(7, -3), &s);
+  o = ck_offset(&s.curve, 0, 2e-15, &r);
+  ck_assert_uint_eq(o.n, 1);
+  ck_abs(o.control_points[0], 7, 0);
+  ck_abs(o.control_points[1], -3, 0);
+}
+END_TEST
+
+/* Weights are in the unit of the speed, which is that of the data. */
+START_TEST(test_weights) {
+  const ph_cplx w[3] = {{3, 0}, {2, 1}, {1, 2}};
+  const ph_cplx zero = {0, 0};
+  struct single s;
+  struct ph_offset o;
+  double speed[5], sum = 0;
+  single_of(w, zero, &s);
+  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, &arena, &o, &diag), PH_OK);
+  ph_ph2_speed(w, speed);
+  ck_rel(o.weights[0], speed[0], 1e-15);
+  ck_rel(o.weights[9], speed[4], 1e-15);
+  for (size_t i = 0; i < 10; i++) {
+    sum += o.weights[i];
+  }
+  ck_rel(sum / 10, s.length, 1e-15); /* both are the integral of the speed */
+}
+END_TEST
+
+/* Units as small and as large as there are. */
+START_TEST(test_scales) {
+  const double points[] = {0, 0, 2, 1, 3, 0, 5, 2};
+  const int exponents[] = {-1000, -300, 300, 1000};
+  struct unit_random r = unit_random_of(5);
+  for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++) {
+    double s = ldexp(1, exponents[i]), scaled[8];
+    struct unit_planar u;
+    for (size_t k = 0; k < 8; k++) {
+      scaled[k] = s * points[k];
+    }
+    u = unit_planar_of(scaled, 4, false);
+    ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+    ck_offset(&u.result.curve, 0.5 * s, 1e-14 * s, &r);
+    unit_planar_free(&u);
+  }
+}
+END_TEST
+
+static void ck_standstill(double w0, double w1, double w2) {
+  const ph_cplx w[3] = {{w0, 0}, {w1, 0}, {w2, 0}};
+  const ph_cplx zero = {0, 0};
+  struct single s;
+  struct ph_offset o;
+  single_of(w, zero, &s);
+  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, &arena, &o, &diag),
+                   PH_INFEASIBLE);
+  ck_assert_str_eq(diag.field, "segments[0]");
+  ck_assert_str_eq(diag.message, "has no offset: the curve stands still in it "
+                                 "and has no normal there");
+}
+
+START_TEST(test_standstill) {
+  ck_standstill(1, 0, -1);         /* in the middle, a node of the halving */
+  ck_standstill(1, -0.25, -0.875); /* elsewhere */
+  ck_standstill(0, 1, 1);          /* at an end */
+  ck_standstill(1, 1, 0);
+  ck_standstill(0, 0, 0);
+}
+END_TEST
+
+START_TEST(test_too_large) {
+  const double points[] = {0, 1.5e308, 1e307, 1.5e308};
+  struct unit_planar u = unit_planar_of(points, 2, false);
+  struct ph_offset o;
+  ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+  ck_assert_int_eq(ph_offset_planar(&u.result.curve, 1e308, &arena, &o, &diag),
+                   PH_TOO_LARGE);
+  ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
+                                 "range of a double");
+  unit_planar_free(&u);
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("offset");
+  TCase *tc = tcase_create("offset");
+  tcase_add_checked_fixture(tc, NULL, finish);
+  tcase_add_test(tc, test_spline);
+  tcase_add_test(tc, test_side);
+  tcase_add_test(tc, test_random);
+  tcase_add_test(tc, test_high_curvature);
+  tcase_add_test(tc, test_zero_distance);
+  tcase_add_test(tc, test_weights);
+  tcase_add_test(tc, test_scales);
+  tcase_add_test(tc, test_standstill);
+  tcase_add_test(tc, test_too_large);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)
