@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bernstein form: the basis by its definition, and the two halves. */
 #include "unit.h"
-#include "unit_random.h"
+#include "random_unit.h"
 
 #include "kernel/bern.h"
 

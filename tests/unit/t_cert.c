@@ -4,7 +4,7 @@
  * curve that it has accepted, it notices, names and measures.
  */
 #include "unit.h"
-#include "unit_planar.h"
+#include "planar_unit.h"
 
 #include "cert/cert.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Complex numbers as pairs of doubles: C11's own are the reference. */
 #include "unit.h"
-#include "unit_random.h"
+#include "random_unit.h"
 
 #include <complex.h>
 #include <float.h>

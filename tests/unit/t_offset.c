@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Offset curves: the definition o = r + d i r'/|r'|, point by point. */
 #include "unit.h"
-#include "unit_planar.h"
-#include "unit_random.h"
+#include "planar_unit.h"
+#include "random_unit.h"
 
 #include "curve/offset.h"
 #include "curve/ph2.h"

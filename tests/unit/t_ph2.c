@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Planar PH quintic segments: each identity of ph2.h at random points. */
 #include "unit.h"
-#include "unit_planar.h"
-#include "unit_random.h"
+#include "planar_unit.h"
+#include "random_unit.h"
 
 #include "curve/ph2.h"
 #include "kernel/bern.h"

@@ -4,8 +4,8 @@
  * where the problem is silent, and curves that are known exactly.
  */
 #include "unit.h"
-#include "unit_planar.h"
-#include "unit_random.h"
+#include "planar_unit.h"
+#include "random_unit.h"
 
 #include "curve/ph2.h"
 #include "solve/planar.h"

@@ -5,7 +5,7 @@
  * the starting values against splines of other makes.
  */
 #include "unit.h"
-#include "unit_random.h"
+#include "random_unit.h"
 
 #include "kernel/quad.h"
 #include "solve/planar_newton.h"

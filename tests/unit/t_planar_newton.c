@@ -8,7 +8,7 @@
 #include "solve/planar_newton.c" /* NOLINT */
 
 #include "unit.h"
-#include "unit_random.h"
+#include "random_unit.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scaling by powers of two: nothing but the exponent changes. */
 #include "unit.h"
-#include "unit_random.h"
+#include "random_unit.h"
 
 #include "kernel/pow2.h"
 

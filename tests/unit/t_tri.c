@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cyclic tridiagonal solver against GSL's dense LU decomposition. */
 #include "unit.h"
-#include "unit_random.h"
+#include "random_unit.h"
 
 #include "kernel/tri.h"
 

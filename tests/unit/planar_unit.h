@@ -4,8 +4,8 @@
  * values of its curve, computed from the control points alone and by nothing
  * of src/ but the struct that holds them.
  */
-#ifndef PH_TESTS_UNIT_PLANAR_H
-#define PH_TESTS_UNIT_PLANAR_H
+#ifndef PH_TESTS_PLANAR_UNIT_H
+#define PH_TESTS_PLANAR_UNIT_H
 
 #include "base/mem.h"
 #include "curve/problem.h"

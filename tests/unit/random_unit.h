@@ -3,8 +3,8 @@
  * Random numbers that are the same on every machine: splitmix64 (Steele, Lea,
  * Flood 2014).  The seed is 1, or PH_SEED; messages of failures name it.
  */
-#ifndef PH_TESTS_UNIT_RANDOM_H
-#define PH_TESTS_UNIT_RANDOM_H
+#ifndef PH_TESTS_RANDOM_UNIT_H
+#define PH_TESTS_RANDOM_UNIT_H
 
 #include "kernel/cplx.h"
 

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* CSV tables: header, rows, and quoting where it is needed. */
+#include "unit.h"
+
+#include "io/csv_out.h"
+
+#include <string.h>
+
+static struct ph_buf buf;
+
+static void finish(void) {
+  ph_buf_free(&buf);
+}
+
+static void ck_written(const char *expected) {
+  ph_buf_put(&buf, "", 1);
+  ck_assert(!buf.failed);
+  ck_assert_str_eq(buf.data, expected);
+  ph_buf_clear(&buf, buf.capacity);
+}
+
+static const struct ph_swept swept[] = {{"knots[1]", "0.5"},
+                                        {"odd,name", "[0,1]"}};
+
+START_TEST(test_headers) {
+  ph_csv_header(&buf, PH_TABLE_CONTROL_POINTS, 2, NULL, 0);
+  ck_written("id,segment,index,x,y\n");
+  ph_csv_header(&buf, PH_TABLE_CONTROL_POINTS, 3, NULL, 0);
+  ck_written("id,segment,index,x,y,z\n");
+  ph_csv_header(&buf, PH_TABLE_LENGTHS, 2, swept, 1);
+  ck_written("id,segment,t0,t1,length,cumulative,knots[1]\n");
+  ph_csv_header(&buf, PH_TABLE_OFFSETS, 2, swept, 2);
+  ck_written("id,distance,segment,index,x,y,weight,knots[1],\"odd,name\"\n");
+}
+END_TEST
+
+/* Two segments of degree 1, which the table does not mind. */
+static double knots[] = {0, 0.5, 2};
+static double points[] = {0, 0, 1, -2.5, 1, -2.5, 1e21, 1e-7};
+static double lengths[] = {0.1, 0.2};
+
+static struct ph_result by_hand(void) {
+  struct ph_result result = {.curve = {.dimension = 2,
+                                       .degree = 1,
+                                       .n = 2,
+                                       .knots = knots,
+                                       .control_points = points,
+                                       .lengths = lengths,
+                                       .length = 0.3}};
+  return result;
+}
+
+START_TEST(test_control_points) {
+  const struct ph_csv_heading heading = {"r1", NULL, 0};
+  struct ph_result result = by_hand();
+  ph_csv_result(&buf, PH_TABLE_CONTROL_POINTS, &heading, &result);
+  ck_written("r1,0,0,0,0\nr1,0,1,1,-2.5\nr1,1,0,1,-2.5\nr1,1,1,1e21,1e-7\n");
+}
+END_TEST
+
+START_TEST(test_lengths) {
+  const struct ph_csv_heading heading = {"", swept, 2};
+  struct ph_result result = by_hand();
+  ph_csv_result(&buf, PH_TABLE_LENGTHS, &heading, &result);
+  /* The sum is that of the two doubles, correctly rounded. */
+  ck_written(",0,0,0.5,0.1,0.1,0.5,\"[0,1]\"\n"
+             ",1,0.5,2,0.2,0.30000000000000004,0.5,\"[0,1]\"\n");
+}
+END_TEST
+
+/* Pieces of one segment go on counting, the next segment begins anew, and so
+ * does the next offset. */
+START_TEST(test_offsets) {
+  const struct ph_csv_heading heading = {"7", NULL, 0};
+  size_t segment[] = {0, 0, 1};
+  double p[] = {0, 1, 2, 3, 2, 3, 4, 5, 6, 7, 8, 9};
+  double weight[] = {1, 2, 2, 3, 0.5, 0.25};
+  struct ph_offset offsets[2];
+  struct ph_result result = by_hand();
+  for (int i = 0; i < 2; i++) {
+    offsets[i] = (struct ph_offset){.distance = i ? -0.5 : 1,
+                                    .degree = 1,
+                                    .dimension = 2,
+                                    .n = i ? 1 : 3,
+                                    .segment = segment,
+                                    .control_points = p,
+                                    .weights = weight};
+  }
+  result.offsets = offsets;
+  result.offsets_n = 2;
+  ph_csv_result(&buf, PH_TABLE_OFFSETS, &heading, &result);
+  ck_written("7,1,0,0,0,1,1\n7,1,0,1,2,3,2\n7,1,0,2,2,3,2\n7,1,0,3,4,5,3\n"
+             "7,1,1,0,6,7,0.5\n7,1,1,1,8,9,0.25\n"
+             "7,-0.5,0,0,0,1,1\n7,-0.5,0,1,2,3,2\n");
+}
+END_TEST
+
+START_TEST(test_no_offsets) {
+  const struct ph_csv_heading heading = {"7", NULL, 0};
+  struct ph_result result = by_hand();
+  ph_csv_result(&buf, PH_TABLE_OFFSETS, &heading, &result);
+  ck_written("");
+}
+END_TEST
+
+/* RFC 4180: a comma, a quote or a line break puts quotes around the cell. */
+START_TEST(test_quoting) {
+  const char *const ids[][2] = {{"plain id", "plain id"},
+                                {"a,b", "\"a,b\""},
+                                {"say \"so\"", "\"say \"\"so\"\"\""},
+                                {"\"", "\"\"\"\""},
+                                {"two\nlines", "\"two\nlines\""},
+                                {"cr\rhere", "\"cr\rhere\""},
+                                {"\xC3\xA4;'", "\xC3\xA4;'"}};
+  struct ph_result result = by_hand();
+  result.curve.n = 1;
+  for (size_t i = 0; i < sizeof ids / sizeof ids[0]; i++) {
+    const struct ph_csv_heading heading = {ids[i][0], NULL, 0};
+    char expected[64] = "";
+    strcat(strcat(expected, ids[i][1]), ",0,0,0.5,0.1,0.1\n");
+    ph_csv_result(&buf, PH_TABLE_LENGTHS, &heading, &result);
+    ck_written(expected);
+  }
+}
+END_TEST
+
+START_TEST(test_failed_buffer) {
+  const struct ph_csv_heading heading = {"a,b", swept, 2};
+  struct ph_result result = by_hand();
+  ck_assert_ptr_null(ph_buf_reserve(&buf, (size_t)-1 - 10));
+  ph_csv_header(&buf, PH_TABLE_LENGTHS, 2, swept, 2);
+  ph_csv_result(&buf, PH_TABLE_LENGTHS, &heading, &result);
+  ck_assert(buf.failed);
+  ck_assert_uint_eq(buf.n, 0);
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("csv_out");
+  TCase *tc = tcase_create("csv_out");
+  tcase_add_checked_fixture(tc, NULL, finish);
+  tcase_add_test(tc, test_headers);
+  tcase_add_test(tc, test_control_points);
+  tcase_add_test(tc, test_lengths);
+  tcase_add_test(tc, test_offsets);
+  tcase_add_test(tc, test_no_offsets);
+  tcase_add_test(tc, test_quoting);
+  tcase_add_test(tc, test_failed_buffer);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

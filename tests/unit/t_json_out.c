@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* JSON records: byte by byte where that is readable, and read back by cJSON
+ * where numbers are many. */
+#include "unit.h"
+#include "planar_unit.h"
+#include "random_unit.h"
+
+#include "curve/offset.h"
+#include "io/json_out.h"
+
+#include <cjson/cJSON.h>
+#include <stdio.h>
+#include <string.h>
+
+static struct ph_buf buf;
+static struct unit_planar u;
+
+static void finish(void) {
+  ph_buf_free(&buf);
+  unit_planar_free(&u);
+}
+
+static const struct ph_echo nothing = {0};
+
+/* What was written, which ends in its only line break unless indented. */
+static const char *written(void) {
+  ph_buf_put(&buf, "", 1);
+  ck_assert(!buf.failed);
+  ck_assert_uint_eq(strlen(buf.data), buf.n - 1);
+  ck_assert_int_eq(buf.data[buf.n - 2], '\n');
+  return buf.data;
+}
+
+/* A result by hand: one segment, all numbers short. */
+static double knots[] = {0, 1.5};
+static double points[] = {0, 0, 1, 0, 2, 0.25, 3, -1e-7, 4, 1e21, 5, -0.0};
+static double preimage[] = {1, 0, 0.5, 2, 3, -4};
+static double lengths[] = {7.25};
+
+static struct ph_result by_hand(void) {
+  struct ph_result result = {.curve = {.kind = PH_CURVE_PH,
+                                       .dimension = 2,
+                                       .degree = 5,
+                                       .n = 1,
+                                       .knots = knots,
+                                       .control_points = points,
+                                       .preimage_n = 3,
+                                       .preimage_dimension = 2,
+                                       .preimage = preimage,
+                                       .lengths = lengths,
+                                       .length = 7.25}};
+  ph_diagnostics_set(&result.diagnostics, PH_D_ITERATIONS, 3);
+  ph_diagnostics_set(&result.diagnostics, PH_D_LENGTH_ERROR, 1.5e-16);
+  return result;
+}
+
+#define SEGMENTS                                                         \
+  "\"segments\":[{\"interval\":[0,1.5],\"control_points\":[[0,0],[1,0]," \
+  "[2,0.25],[3,-1e-7],[4,1e21],[5,-0]],\"preimage\":[[1,0],[0.5,2],"     \
+  "[3,-4]],\"length\":7.25}]"
+
+START_TEST(test_compact) {
+  struct ph_result result = by_hand();
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_str_eq(written(),
+                   "{\"command\":\"planar\",\"status\":\"ok\",\"curve\":\"ph\","
+                   "\"dimension\":2,\"degree\":5,\"closed\":false," SEGMENTS
+                   ",\"length\":7.25,\"diagnostics\":{\"iterations\":3,"
+                   "\"length_error\":1.5e-16}}\n");
+}
+END_TEST
+
+/* The order of members, and what is echoed as it came. */
+START_TEST(test_heading) {
+  const struct ph_echo echo = {"\"a\\u00e4\"X", 9, "{\"k\": [1, 2]}X", 13};
+  const struct ph_swept swept[] = {{"alpha", "0.5"}, {"knots[1]", "-1e300"}};
+  const struct ph_heading heading = {&echo, "planar", swept, 2};
+  struct ph_result result = by_hand();
+  result.curve.closed = true;
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_str_eq(written(),
+                   "{\"id\":\"a\\u00e4\",\"command\":\"planar\",\"status\":"
+                   "\"ok\",\"meta\":{\"k\": [1, 2]},\"sweep\":{\"alpha\":0.5,"
+                   "\"knots[1]\":-1e300},\"curve\":\"ph\",\"dimension\":2,"
+                   "\"degree\":5,\"closed\":true," SEGMENTS
+                   ",\"length\":7.25,\"diagnostics\":{\"iterations\":3,"
+                   "\"length_error\":1.5e-16}}\n");
+}
+END_TEST
+
+START_TEST(test_warnings) {
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  struct ph_result result = by_hand();
+  ph_fail(ph_warning_add(&result, 3), PH_LOOP, NULL, "it turns");
+  ph_fail(ph_warning_add(&result, PH_NO_SEGMENT), PH_REVERSAL, NULL, "so");
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(
+      strstr(written(), "},\"warnings\":[{\"code\":\"loop\",\"segment\":3,"
+                        "\"message\":\"it turns\"},{\"code\":\"reversal\","
+                        "\"message\":\"so\"}]}\n"));
+}
+END_TEST
+
+START_TEST(test_pretty) {
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  const struct ph_diag diag = {.status = PH_SYNTAX, .message = "no"};
+  struct ph_result result = by_hand();
+  cJSON *indented, *compact;
+  ph_json_result(&buf, &heading, &result, true);
+  indented = cJSON_Parse(written());
+  ck_assert_ptr_nonnull(strstr(buf.data, "\n  \"command\": \"planar\",\n"));
+  ck_assert_ptr_nonnull(
+      strstr(buf.data, "\n      \"interval\": [0,1.5],\n"
+                       "      \"control_points\": [\n        [0,0],\n"));
+  ph_buf_free(&buf);
+  ph_json_result(&buf, &heading, &result, false);
+  compact = cJSON_Parse(written());
+  ck_assert(indented && compact);
+  ck_assert(cJSON_Compare(indented, compact, true));
+  cJSON_Delete(indented);
+  cJSON_Delete(compact);
+  ph_buf_free(&buf);
+  ph_json_error(&buf, &heading, &diag, NULL, true);
+  ck_assert_str_eq(written(),
+                   "{\n  \"command\": \"planar\",\n  \"status\": \"error\",\n"
+                   "  \"error\": {\n    \"code\": \"syntax\",\n    "
+                   "\"message\": \"no\"\n  }\n}\n");
+}
+END_TEST
+
+START_TEST(test_error) {
+  const struct ph_echo echo = {"7", 1, "null", 4};
+  const struct ph_swept swept = {"closed", "true"};
+  const struct ph_heading heading = {&echo, "planar", &swept, 1};
+  struct ph_diag diag;
+  ph_fail_at(&diag, PH_COINCIDENT_POINTS, "points", 3,
+             "coincides with points[2]");
+  diag.line = 12;
+  diag.column = 5;
+  ph_json_error(&buf, &heading, &diag, "a.json", false);
+  ck_assert_str_eq(
+      written(),
+      "{\"id\":7,\"command\":\"planar\",\"status\":\"error\",\"meta\":null,"
+      "\"sweep\":{\"closed\":true},\"error\":{\"code\":\"coincident-points\","
+      "\"message\":\"points[3] coincides with points[2]\",\"field\":"
+      "\"points[3]\",\"file\":\"a.json\",\"line\":12,\"column\":5}}\n");
+}
+END_TEST
+
+/* All bytes but NUL, in a message and in a file name: what is special is
+ * escaped, text beyond ASCII stays. */
+START_TEST(test_strings) {
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  struct ph_diag diag = {.status = PH_INPUT};
+  char all[128];
+  cJSON *record, *error;
+  for (int c = 1; c < 128; c++) {
+    all[c - 1] = (char)c;
+  }
+  all[127] = '\0';
+  memcpy(diag.message, all, sizeof all);
+  ph_json_error(&buf, &heading, &diag, "\xC3\xA4\xE2\x82\xAC\\\"\n", false);
+  record = cJSON_Parse(written());
+  ck_assert_ptr_nonnull(record);
+  ck_assert_uint_eq(strcspn(buf.data, "\n"), buf.n - 2);
+  for (size_t i = 0; i < buf.n - 2; i++) {
+    ck_assert((unsigned char)buf.data[i] >= 0x20 && buf.data[i] != 0x7F);
+  }
+  error = cJSON_GetObjectItem(record, "error");
+  ck_assert_str_eq(cJSON_GetObjectItem(error, "message")->valuestring, all);
+  ck_assert_str_eq(cJSON_GetObjectItem(error, "file")->valuestring,
+                   "\xC3\xA4\xE2\x82\xAC\\\"\n");
+  ck_assert_ptr_nonnull(strstr(buf.data, "\"\xC3\xA4\xE2\x82\xAC\\\\\\\"\\u00"
+                                         "0a\""));
+  cJSON_Delete(record);
+}
+END_TEST
+
+/* The n numbers of a JSON array, of arrays inside of it, to any depth. */
+static const double *ck_numbers(const cJSON *array, const double *v) {
+  const cJSON *item;
+  ck_assert(cJSON_IsArray(array));
+  cJSON_ArrayForEach(item, array) {
+    if (cJSON_IsArray(item)) {
+      v = ck_numbers(item, v);
+    } else {
+      ck_assert(cJSON_IsNumber(item));
+      ck_abs(item->valuedouble, *v++, 0);
+    }
+  }
+  return v;
+}
+
+static const cJSON *member(const cJSON *object, const char *name) {
+  const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, name);
+  ck_assert_msg(item != NULL, "no member %s", name);
+  return item;
+}
+
+static void ck_offset(const cJSON *item, const struct ph_offset *o) {
+  const cJSON *piece;
+  size_t i = 0;
+  ck_abs(member(item, "distance")->valuedouble, o->distance, 0);
+  ck_assert_int_eq(member(item, "degree")->valueint, 9);
+  cJSON_ArrayForEach(piece, member(item, "segments")) {
+    ck_abs(member(piece, "segment")->valuedouble, (double)o->segment[i], 0);
+    ck_assert_ptr_eq(ck_numbers(member(piece, "interval"), o->interval + 2 * i),
+                     o->interval + 2 * i + 2);
+    ck_assert_ptr_eq(
+        ck_numbers(member(piece, "control_points"), o->control_points + 20 * i),
+        o->control_points + 20 * i + 20);
+    ck_assert_ptr_eq(ck_numbers(member(piece, "weights"), o->weights + 10 * i),
+                     o->weights + 10 * i + 10);
+    i++;
+  }
+  ck_assert_uint_eq(i, o->n);
+}
+
+/* A curve with everything: each number reads back as it was. */
+START_TEST(test_read_back) {
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  struct unit_random r = unit_random_of(1);
+  struct ph_offset offsets[2];
+  const struct ph_curve *c = &u.result.curve;
+  double v[40];
+  cJSON *record;
+  const cJSON *item;
+  size_t i = 0;
+  for (size_t k = 0; k < 40; k++) {
+    v[k] = unit_random_in(&r, -1, 1) * 1e-3;
+  }
+  u = unit_planar_of(v, 20, true);
+  ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+  for (int k = 0; k < 2; k++) {
+    ck_assert_int_eq(
+        ph_offset_planar(c, k ? -1e-4 : 2e-5, &u.arena, &offsets[k], &u.diag),
+        PH_OK);
+  }
+  u.result.offsets = offsets;
+  u.result.offsets_n = 2;
+  ph_json_result(&buf, &heading, &u.result, false);
+  record = cJSON_Parse(written());
+  ck_assert_ptr_nonnull(record);
+  cJSON_ArrayForEach(item, member(record, "segments")) {
+    const double *p = c->control_points + 12 * i, *w = c->preimage + 6 * i;
+    ck_assert_ptr_eq(ck_numbers(member(item, "interval"), c->knots + i),
+                     c->knots + i + 2);
+    ck_assert_ptr_eq(ck_numbers(member(item, "control_points"), p), p + 12);
+    ck_assert_ptr_eq(ck_numbers(member(item, "preimage"), w), w + 6);
+    ck_abs(member(item, "length")->valuedouble, c->lengths[i++], 0);
+  }
+  ck_assert_uint_eq(i, c->n);
+  ck_abs(member(record, "length")->valuedouble, c->length, 0);
+  i = 0;
+  cJSON_ArrayForEach(item, member(record, "offsets")) {
+    ck_offset(item, &offsets[i++]);
+  }
+  ck_assert_uint_eq(i, 2);
+  cJSON_Delete(record);
+}
+END_TEST
+
+/* When memory runs out the writer goes on without harm, and the buffer says
+ * so in the end. */
+START_TEST(test_failed_buffer) {
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  struct ph_result result = by_hand();
+  ck_assert_ptr_null(ph_buf_reserve(&buf, SIZE_MAX - 10));
+  ph_json_result(&buf, &heading, &result, true);
+  ck_assert(buf.failed);
+  ck_assert_uint_eq(buf.n, 0);
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("json_out");
+  TCase *tc = tcase_create("json_out");
+  tcase_add_checked_fixture(tc, NULL, finish);
+  tcase_add_test(tc, test_compact);
+  tcase_add_test(tc, test_heading);
+  tcase_add_test(tc, test_warnings);
+  tcase_add_test(tc, test_pretty);
+  tcase_add_test(tc, test_error);
+  tcase_add_test(tc, test_strings);
+  tcase_add_test(tc, test_read_back);
+  tcase_add_test(tc, test_failed_buffer);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The names of problem fields, and which of them a schema has. */
+#include "unit.h"
+
+#include "curve/problem.h"
+
+#include <string.h>
+
+static const struct ph_field rows[] = {
+    {PH_F_KNOTS, PH_NUMBERS, 0, false, NULL, "", ""},
+    {PH_F_POINTS, PH_VECTORS, 1u << 2, true, NULL, NULL, ""},
+};
+static const struct ph_schema schema = {"some", rows, 2};
+
+START_TEST(test_names) {
+  ck_assert_str_eq(ph_field_name(PH_F_POINTS), "points");
+  ck_assert_str_eq(ph_field_name(PH_F_END_DERIVATIVES), "end_derivatives");
+  for (int i = 0; i < PH_FIELD_N; i++) {
+    for (int j = 0; j < i; j++) {
+      ck_assert_str_ne(ph_field_name((enum ph_field_id)i),
+                       ph_field_name((enum ph_field_id)j));
+    }
+  }
+}
+END_TEST
+
+START_TEST(test_find) {
+  ck_assert_ptr_eq(ph_field_find(&schema, "knots", 5), &rows[0]);
+  ck_assert_ptr_eq(ph_field_find(&schema, "points", 6), &rows[1]);
+  ck_assert_ptr_eq(ph_field_find(&schema, "points[3]", 6), &rows[1]);
+  ck_assert_ptr_null(ph_field_find(&schema, "points", 5));
+  ck_assert_ptr_null(ph_field_find(&schema, "pointss", 7));
+  ck_assert_ptr_null(ph_field_find(&schema, "Points", 6));
+  ck_assert_ptr_null(ph_field_find(&schema, "", 0));
+  ck_assert_ptr_null(ph_field_find(&schema, "closed", 6)); /* not in it */
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("problem");
+  TCase *tc = tcase_create("problem");
+  tcase_add_test(tc, test_names);
+  tcase_add_test(tc, test_find);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Results: names, diagnostics that are known or not, warnings in order. */
+#include "unit.h"
+
+#include "curve/result.h"
+
+START_TEST(test_names) {
+  ck_assert_str_eq(ph_curve_name(PH_CURVE_PH), "ph");
+  ck_assert_str_eq(ph_diagnostic_name(PH_D_ITERATIONS), "iterations");
+  ck_assert_str_eq(ph_diagnostic_name(PH_D_LENGTH_ERROR), "length_error");
+  for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
+    for (int j = 0; j < i; j++) {
+      ck_assert_str_ne(ph_diagnostic_name((enum ph_diagnostic)i),
+                       ph_diagnostic_name((enum ph_diagnostic)j));
+    }
+  }
+}
+END_TEST
+
+START_TEST(test_diagnostics) {
+  struct ph_diagnostics d = {0};
+  ph_diagnostics_set(&d, PH_D_LENGTH_ERROR, 0.5);
+  ph_diagnostics_set(&d, PH_D_ITERATIONS, 3);
+  for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
+    int known = i == PH_D_LENGTH_ERROR || i == PH_D_ITERATIONS;
+    ck_assert_int_eq((int)(d.known >> i & 1), known);
+  }
+  ck_abs(d.value[PH_D_LENGTH_ERROR], 0.5, 0);
+  ck_abs(d.value[PH_D_ITERATIONS], 3, 0);
+}
+END_TEST
+
+START_TEST(test_warnings) {
+  struct ph_result result = {0};
+  for (size_t i = 0; i < PH_WARNINGS_MAX; i++) {
+    size_t segment = i ? i : PH_NO_SEGMENT;
+    ph_fail(ph_warning_add(&result, segment), PH_LOOP, NULL, "%zu", i);
+  }
+  ck_assert_uint_eq(result.warnings_n, PH_WARNINGS_MAX);
+  ck_assert_uint_eq(result.warnings[0].segment, PH_NO_SEGMENT);
+  ck_assert_uint_eq(result.warnings[5].segment, 5);
+  ck_assert_str_eq(result.warnings[5].diag.message, "5");
+  ck_assert_int_eq(result.warnings[5].diag.status, PH_LOOP);
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("result");
+  TCase *tc = tcase_create("result");
+  tcase_add_test(tc, test_names);
+  tcase_add_test(tc, test_diagnostics);
+  tcase_add_test(tc, test_warnings);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The list of outcomes: codes are stable names, classes exit statuses. */
+#include "unit.h"
+
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+/* What scripts rely on, written down a second time. */
+static const struct {
+  enum ph_status status;
+  const char *code;
+  int exit_status;
+} expected[] = {
+    {PH_OK, "ok", 0},
+    {PH_SYNTAX, "syntax", 1},
+    {PH_UNKNOWN_FIELD, "unknown-field", 1},
+    {PH_MISSING_FIELD, "missing-field", 1},
+    {PH_BAD_TYPE, "bad-type", 1},
+    {PH_BAD_VALUE, "bad-value", 1},
+    {PH_BAD_SHAPE, "bad-shape", 1},
+    {PH_NOT_FINITE, "not-finite", 1},
+    {PH_TOO_FEW_POINTS, "too-few-points", 1},
+    {PH_COINCIDENT_POINTS, "coincident-points", 1},
+    {PH_ZERO_TANGENT, "zero-tangent", 1},
+    {PH_INFEASIBLE, "infeasible", 1},
+    {PH_NO_CONVERGENCE, "no-convergence", 1},
+    {PH_TOO_LARGE, "too-large", 1},
+    {PH_REVERSAL, "reversal", 1},
+    {PH_LOOP, "loop", 1},
+    {PH_USAGE, "usage", 2},
+    {PH_INPUT, "input", 3},
+    {PH_OUTPUT, "output", 4},
+    {PH_NO_MEMORY, "out-of-memory", 5},
+    {PH_INTERNAL, "internal", 5},
+};
+
+START_TEST(test_codes) {
+  for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+    enum ph_status status = expected[i].status;
+    ck_assert_str_eq(ph_status_code(status), expected[i].code);
+    ck_assert_int_eq((int)ph_status_class(status), expected[i].exit_status);
+  }
+}
+END_TEST
+
+/* A code is one word, lower case, no other's; a meaning is one line. */
+START_TEST(test_form) {
+  const char *letters = "abcdefghijklmnopqrstuvwxyz-";
+  for (int i = 0; i < PH_STATUS_N; i++) {
+    const char *code = ph_status_code((enum ph_status)i);
+    const char *meaning = ph_status_meaning((enum ph_status)i);
+    ck_assert_uint_ge(strlen(code), 2);
+    ck_assert_uint_eq(strspn(code, letters), strlen(code));
+    ck_assert(meaning[0] >= 'a' && meaning[0] <= 'z');
+    ck_assert_ptr_null(strchr(meaning, '\n'));
+    ck_assert_int_ne(meaning[strlen(meaning) - 1], '.');
+    for (int j = 0; j < i; j++) {
+      ck_assert_str_ne(code, ph_status_code((enum ph_status)j));
+    }
+  }
+}
+END_TEST
+
+/* Only warnings call themselves so. */
+START_TEST(test_warnings) {
+  for (int i = 0; i < PH_STATUS_N; i++) {
+    const char *meaning = ph_status_meaning((enum ph_status)i);
+    bool warning = i == PH_REVERSAL || i == PH_LOOP;
+    ck_assert_int_eq(strncmp(meaning, "warning: ", 9) == 0, warning);
+  }
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("status");
+  TCase *tc = tcase_create("status");
+  tcase_add_test(tc, test_codes);
+  tcase_add_test(tc, test_form);
+  tcase_add_test(tc, test_warnings);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

@@ -1,0 +1,279 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Sweeps: the values that --sweep names, and their combinations. */
+#include "unit.h"
+
+#include "cli/sweep.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct ph_field rows[] = {
+    {PH_F_POINTS, PH_VECTORS, 1u << 2, true, NULL, NULL, ""},
+    {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false", ""},
+    {PH_F_BASIS, PH_NUMBER, 0, false, NULL, "", ""}, /* as alpha will be */
+    {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal|uniform", "", ""},
+};
+static const struct ph_schema schema = {"planar", rows, 4};
+
+static struct ph_arena arena;
+static struct ph_diag diag;
+
+static void finish(void) {
+  ph_arena_free(&arena);
+}
+
+static struct ph_sweep read_sweep(const char *text) {
+  struct ph_sweep sweep;
+  enum ph_status status = ph_sweep_read(text, &schema, &arena, &sweep, &diag);
+  ck_assert_msg(status == PH_OK, "%s: %s", text, diag.message);
+  return sweep;
+}
+
+static void ck_texts(const char *text, size_t n, const char *const *expected) {
+  struct ph_sweep sweep = read_sweep(text);
+  ck_assert_uint_eq(sweep.n, n);
+  for (size_t i = 0; i < n; i++) {
+    ck_assert_str_eq(sweep.texts[i], expected[i]);
+  }
+}
+
+START_TEST(test_range) {
+  const char *const five[] = {"0", "0.25", "0.5", "0.75", "1"};
+  const char *const down[] = {"3", "1", "-1"};
+  const char *const one[] = {"7"};
+  const char *const two[] = {"-0.1", "0.3"};
+  ck_texts("basis=0:1:5", 5, five);
+  ck_texts("basis=3:-1:3", 3, down);
+  ck_texts("basis=7:9:1", 1, one);
+  ck_texts("basis=-.1:+.3:2", 2, two);
+}
+END_TEST
+
+/* Both ends are exact, and no value is beyond them. */
+START_TEST(test_range_ends) {
+  struct ph_sweep sweep = read_sweep("basis=0.1:0.7:1001");
+  ck_assert_uint_eq(sweep.n, 1001);
+  ck_abs(sweep.values[0].number, 0.1, 0);
+  ck_abs(sweep.values[1000].number, 0.7, 0);
+  for (size_t i = 1; i < 1001; i++) {
+    ck_assert(sweep.values[i].number > sweep.values[i - 1].number);
+    ck_assert_int_eq(sweep.values[i].kind, PH_NUMBER);
+    ck_abs(sweep.values[i].number, 0.1 + 0.0006 * (double)i, 1e-15);
+  }
+}
+END_TEST
+
+START_TEST(test_list) {
+  const char *const numbers[] = {"1", "-2.5", "100"};
+  const char *const words[] = {"\"uniform\"", "\"chordal\""};
+  ck_texts("basis=1,-2.5,1e2", 3, numbers);
+  ck_texts("knots=uniform,chordal", 2, words);
+  ck_assert_str_eq(read_sweep("knots=uniform").values[0].word, "uniform");
+}
+END_TEST
+
+/* Commas inside of brackets belong to the value, which is shown as given. */
+START_TEST(test_list_of_arrays) {
+  const char *const arrays[] = {"[0,1, 2]", "[0,2,3]", "\"uniform\""};
+  struct ph_sweep sweep = read_sweep("knots=[0,1, 2],[0,2,3],uniform");
+  ck_texts("knots=[0,1, 2],[0,2,3],uniform", 3, arrays);
+  ck_assert_int_eq(sweep.values[1].kind, PH_NUMBERS);
+  ck_assert_uint_eq(sweep.values[1].n, 3);
+  ck_abs(sweep.values[1].v[1], 2, 0);
+}
+END_TEST
+
+START_TEST(test_truth_values) {
+  struct ph_sweep sweep = read_sweep("closed=true,false");
+  ck_assert_uint_eq(sweep.n, 2);
+  ck_assert(sweep.values[0].flag);
+  ck_assert(!sweep.values[1].flag);
+  ck_assert_str_eq(sweep.texts[0], "true");
+}
+END_TEST
+
+START_TEST(test_element) {
+  struct ph_sweep sweep = read_sweep("knots[2]=0.5,1");
+  ck_assert_str_eq(sweep.name, "knots[2]");
+  ck_assert_ptr_eq(sweep.field, &rows[3]);
+  ck_assert_uint_eq(sweep.index_n, 1);
+  ck_assert_uint_eq(sweep.index[0], 2);
+  sweep = read_sweep("points[10][1]=0:1:2");
+  ck_assert_uint_eq(sweep.index_n, 2);
+  ck_assert_uint_eq(sweep.index[0], 10);
+  ck_assert_uint_eq(sweep.index[1], 1);
+}
+END_TEST
+
+static void ck_refused(const char *text, const char *message) {
+  struct ph_sweep sweep;
+  ck_assert_int_eq(ph_sweep_read(text, &schema, &arena, &sweep, &diag),
+                   PH_USAGE);
+  ck_assert_str_eq(diag.field, "");
+  ck_assert_str_eq(diag.message, message);
+}
+
+#define FORM "' is not FIELD=START:STOP:COUNT or FIELD=V1,V2,..."
+#define RANGE "' is not START:STOP:COUNT with a COUNT of at least 1"
+#define ELEMENT "' is not a field or an element like knots[2] or points[0][1]"
+
+START_TEST(test_refused_form) {
+  ck_refused("", "--sweep: '" FORM);
+  ck_refused("knots", "--sweep: 'knots" FORM);
+  ck_refused("=1", "--sweep: '=1" FORM);
+  ck_refused("knot=1", "--sweep: unknown field 'knot'");
+  ck_refused("[0]=1", "--sweep: unknown field ''");
+  ck_refused("knots[=1", "--sweep: 'knots[" ELEMENT);
+  ck_refused("knots[]=1", "--sweep: 'knots[]" ELEMENT);
+  ck_refused("knots[1=1", "--sweep: 'knots[1" ELEMENT);
+  ck_refused("knots[-1]=1", "--sweep: 'knots[-1]" ELEMENT);
+  ck_refused("knots[1]x=1", "--sweep: 'knots[1]x" ELEMENT);
+  ck_refused("knots[1][2][3]=1", "--sweep: 'knots[1][2][3]" ELEMENT);
+  ck_refused("knots[12345678901234567890]=1",
+             "--sweep: 'knots[12345678901234567890]" ELEMENT);
+}
+END_TEST
+
+START_TEST(test_refused_range) {
+  ck_refused("basis=0:1:0", "--sweep: '0:1:0" RANGE);
+  ck_refused("basis=0:1:-1", "--sweep: '0:1:-1" RANGE);
+  ck_refused("basis=0:1:2.5", "--sweep: '0:1:2.5" RANGE);
+  ck_refused("basis=0:1:", "--sweep: '0:1:" RANGE);
+  ck_refused("basis=:1:2", "--sweep: ':1:2" RANGE);
+  ck_refused("basis=0:x:2", "--sweep: '0:x:2" RANGE);
+  ck_refused("basis=0:1:2:3", "--sweep: '0:1:2:3" RANGE);
+  ck_refused("basis=0:1e999:2", "--sweep: '0:1e999:2" RANGE);
+  ck_refused("basis=0:1:1e10", "--sweep: '0:1:1e10" RANGE);
+  ck_refused("basis=0:1:nan", "--sweep: '0:1:nan" RANGE);
+}
+END_TEST
+
+START_TEST(test_refused_value) {
+  ck_refused("knots[0]=a", "--sweep: knots[0] takes numbers, found 'a'");
+  ck_refused("knots[0]=1,,2", "--sweep: knots[0] takes numbers, found ''");
+  ck_refused("knots[0]=", "--sweep: knots[0] takes numbers, found ''");
+  ck_refused("knots[0]=1e999", "--sweep: knots[0] takes numbers, found "
+                               "'1e999'");
+  ck_assert_int_eq(ph_sweep_read("knots=unifrom", &schema, &arena,
+                                 &(struct ph_sweep){0}, &diag),
+                   PH_USAGE);
+  ck_assert_ptr_nonnull(strstr(diag.message, "did you mean \"uniform\"?"));
+  ck_assert_int_eq(strncmp(diag.message, "--sweep: knots ", 15), 0);
+}
+END_TEST
+
+START_TEST(test_count) {
+  struct ph_sweep sweeps[] = {{.n = 3}, {.n = 4}, {.n = 5}};
+  ck_assert_uint_eq(ph_sweep_count(sweeps, 3), 60);
+  ck_assert_uint_eq(ph_sweep_count(sweeps, 0), 1);
+  sweeps[1].n = SIZE_MAX / 4;
+  ck_assert_uint_eq(ph_sweep_count(sweeps, 1), 3);
+  ck_assert_uint_eq(ph_sweep_count(sweeps, 3), 0);
+  sweeps[1].n = SIZE_MAX / 3;
+  ck_assert_uint_eq(ph_sweep_count(sweeps, 2), SIZE_MAX / 3 * 3);
+}
+END_TEST
+
+/* The last sweep varies fastest. */
+START_TEST(test_order) {
+  struct ph_sweep sweeps[] = {read_sweep("closed=true,false"),
+                              read_sweep("basis=1,2,3")};
+  for (size_t i = 0; i < 6; i++) {
+    struct ph_problem problem = {0};
+    struct ph_swept swept[2];
+    ck_assert_int_eq(
+        ph_sweep_apply(sweeps, 2, i, &arena, &problem, swept, &diag), PH_OK);
+    ck_assert(problem.field[PH_F_CLOSED].flag == (i < 3));
+    ck_abs(problem.field[PH_F_BASIS].number, 1.0 + (double)(i % 3), 0);
+    ck_assert_str_eq(swept[0].name, "closed");
+    ck_assert_str_eq(swept[0].value, i < 3 ? "true" : "false");
+    ck_assert_str_eq(swept[1].name, "basis");
+    ck_assert_int_eq(swept[1].value[0], '1' + (int)(i % 3));
+  }
+}
+END_TEST
+
+/* An element is set in a copy: the problem is solved for other values, too. */
+START_TEST(test_set_element) {
+  double knots[] = {0, 1, 2}, points[] = {0, 1, 2, 3, 4, 5};
+  struct ph_sweep sweeps[] = {read_sweep("knots[1]=0.5,1.5"),
+                              read_sweep("points[2][0]=9")};
+  const struct ph_value knots_value = {.kind = PH_NUMBERS, .v = knots, .n = 3};
+  const struct ph_value points_value = {
+      .kind = PH_VECTORS, .v = points, .n = 3, .dimension = 2};
+  for (size_t i = 0; i < 2; i++) {
+    struct ph_problem problem = {0};
+    struct ph_swept swept[2];
+    const struct ph_value *k = &problem.field[PH_F_KNOTS];
+    const struct ph_value *p = &problem.field[PH_F_POINTS];
+    problem.field[PH_F_KNOTS] = knots_value;
+    problem.field[PH_F_POINTS] = points_value;
+    ck_assert_int_eq(
+        ph_sweep_apply(sweeps, 2, i, &arena, &problem, swept, &diag), PH_OK);
+    ck_abs(k->v[0], 0, 0);
+    ck_abs(k->v[1], 0.5 + (double)i, 0);
+    ck_abs(k->v[2], 2, 0);
+    ck_abs(p->v[4], 9, 0);
+    ck_abs(p->v[3], 3, 0);
+    ck_abs(p->v[5], 5, 0);
+  }
+  ck_abs(knots[1], 1, 0);
+  ck_abs(points[4], 4, 0);
+}
+END_TEST
+
+static void ck_no_element(const char *text, struct ph_value value) {
+  struct ph_sweep sweep = read_sweep(text);
+  struct ph_problem problem = {0};
+  struct ph_swept swept = {0};
+  char message[96];
+  problem.field[sweep.field->id] = value;
+  ck_assert_int_eq(
+      ph_sweep_apply(&sweep, 1, 0, &arena, &problem, &swept, &diag),
+      PH_BAD_SHAPE);
+  ck_assert_str_eq(diag.field, ph_field_name(sweep.field->id));
+  snprintf(message, sizeof message, "has no element %s for --sweep to set",
+           sweep.name);
+  ck_assert_str_eq(diag.message, message);
+  ck_assert_str_eq(swept.name, sweep.name); /* the record says what it tried */
+  ck_assert_str_eq(swept.value, "1");
+}
+
+START_TEST(test_no_element) {
+  double v[] = {0, 1, 2, 3};
+  struct ph_value numbers = {.kind = PH_NUMBERS, .v = v, .n = 4};
+  struct ph_value vectors = {
+      .kind = PH_VECTORS, .v = v, .n = 2, .dimension = 2};
+  struct ph_value word = {.kind = PH_WORD, .word = "uniform"};
+  ck_no_element("knots[4]=1", numbers);
+  ck_no_element("knots[0][0]=1", numbers);
+  ck_no_element("knots[0]=1", word);
+  ck_no_element("knots[0]=1", (struct ph_value){0});
+  ck_no_element("points[2][0]=1", vectors);
+  ck_no_element("points[0][2]=1", vectors);
+  ck_no_element("points[0]=1", vectors);
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("sweep");
+  TCase *tc = tcase_create("sweep");
+  tcase_add_checked_fixture(tc, NULL, finish);
+  tcase_add_test(tc, test_range);
+  tcase_add_test(tc, test_range_ends);
+  tcase_add_test(tc, test_list);
+  tcase_add_test(tc, test_list_of_arrays);
+  tcase_add_test(tc, test_truth_values);
+  tcase_add_test(tc, test_element);
+  tcase_add_test(tc, test_refused_form);
+  tcase_add_test(tc, test_refused_range);
+  tcase_add_test(tc, test_refused_value);
+  tcase_add_test(tc, test_count);
+  tcase_add_test(tc, test_order);
+  tcase_add_test(tc, test_set_element);
+  tcase_add_test(tc, test_no_element);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)
