@@ -1,148 +1,242 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Help and version texts (see help.h). */
+/*
+ * Help and version texts (see help.h).
+ *
+ * Texts flow: words are set one after the other, and a line ends where the next
+ * word does not fit.  The width is that of COLUMNS, if set, within bounds.
+ */
 #include "cli/help.h"
 
 #include "base/version.h"
 #include "cli/option.h"
+#include "io/value.h"
 
+#include <stdlib.h>
 #include <string.h>
 
-/* The column where help texts begin; the longest option just fits. */
+/* The column where texts on options begin. */
 enum { TEXT_COLUMN = 28 };
 
-static void pad(struct ph_buf *buf, size_t from, size_t to) {
-  while (from++ < to) {
-    ph_buf_put(buf, " ", 1);
+/* Terminals of 80 columns are common; a text column of fewer than 32 is no
+ * use, and lines of more than 120 are hard to read. */
+enum { WIDTH_STANDARD = 80, WIDTH_MIN = 60, WIDTH_MAX = 120 };
+
+/* A text that is being set. */
+struct page {
+  struct ph_buf *buf;
+  size_t width;
+  size_t column; /* where the next character goes */
+};
+
+static struct page page_of(struct ph_buf *buf) {
+  const char *columns = getenv("COLUMNS");
+  long width = columns ? strtol(columns, NULL, 10) : 0;
+  width = width <= 0 ? WIDTH_STANDARD : width;
+  width = width < WIDTH_MIN ? WIDTH_MIN : width;
+  width = width > WIDTH_MAX ? WIDTH_MAX : width;
+  return (struct page){buf, (size_t)width, 0};
+}
+
+/* One line or part of a line, as it is. */
+static void put(struct page *page, const char *text, size_t n) {
+  ph_buf_put(page->buf, text, n);
+  page->column += n;
+}
+
+static void put_text(struct page *page, const char *text) {
+  put(page, text, strlen(text));
+}
+
+static void end_line(struct page *page) {
+  ph_buf_put(page->buf, "\n", 1);
+  page->column = 0;
+}
+
+static void indent(struct page *page, size_t column) {
+  while (page->column < column) {
+    put(page, " ", 1);
   }
 }
 
-/* "left   text", further lines of the text below the first. */
-static void entry(struct ph_buf *buf, const char *left, const char *text) {
-  size_t column = strlen(left);
-  ph_buf_puts(buf, left);
-  if (column + 2 > TEXT_COLUMN) {
-    ph_buf_put(buf, "\n", 1);
-    column = 0;
-  }
-  for (const char *line = text;;) {
-    size_t n = strcspn(line, "\n");
-    pad(buf, column, TEXT_COLUMN);
-    ph_buf_put(buf, line, n);
-    ph_buf_put(buf, "\n", 1);
-    if (!line[n]) {
+/* Words between blanks; lines begin at the column `left`. */
+static void flow(struct page *page, size_t left, const char *text) {
+  for (;;) {
+    size_t n;
+    text += strspn(text, " ");
+    n = strcspn(text, " ");
+    if (n == 0) {
       return;
     }
-    line += n + 1;
-    column = 0;
+    if (page->column > left && page->column + 1 + n >= page->width) {
+      end_line(page);
+    }
+    if (page->column > left) {
+      put(page, " ", 1);
+    }
+    indent(page, left);
+    put(page, text, n);
+    text += n;
   }
 }
 
-static void option_entry(struct ph_buf *buf, const struct ph_option *option) {
-  char left[64] = "      --";
-  if (option->letter) {
-    left[2] = '-';
-    left[3] = option->letter;
-    left[4] = ',';
+static void paragraph(struct page *page, const char *text) {
+  flow(page, 0, text);
+  end_line(page);
+}
+
+static void heading(struct page *page, const char *text) {
+  end_line(page);
+  paragraph(page, text);
+}
+
+/* Goes to the column of the texts, on a new line if the name is too long. */
+static void begin_text(struct page *page) {
+  if (page->column + 2 > TEXT_COLUMN) {
+    end_line(page);
   }
-  strcat(left, option->name);
+  indent(page, TEXT_COLUMN);
+}
+
+static void entry(struct page *page, size_t left, const char *name,
+                  const char *text) {
+  indent(page, left);
+  put_text(page, name);
+  begin_text(page);
+  flow(page, TEXT_COLUMN, text);
+  end_line(page);
+}
+
+static void option_entry(struct page *page, const struct ph_option *option) {
+  char letter[] = "  -x, ";
+  letter[3] = option->letter;
+  put_text(page, option->letter ? letter : "      ");
+  put_text(page, "--");
+  put_text(page, option->name);
   if (option->argument) {
-    strcat(left, "=");
-    strcat(left, option->argument);
+    put_text(page, "=");
+    put_text(page, option->argument);
   }
-  entry(buf, left, option->help);
+  entry(page, 0, "", option->help);
 }
 
-static void field_entry(struct ph_buf *buf, const struct ph_field *field) {
-  char left[64] = "  ", text[256] = "";
-  strcat(left, ph_field_name(field->id));
-  strcat(text, field->help);
-  if (field->words && strchr(field->words, '|')) {
-    strcat(text, "\n(");
-    strcat(text, field->words);
-    strcat(text, ")");
-  }
+static void field_entry(struct page *page, const struct ph_field *field) {
+  char phrase[PH_VALUE_PHRASE_MAX];
+  indent(page, 2);
+  put_text(page, ph_field_name(field->id));
+  begin_text(page);
+  flow(page, TEXT_COLUMN, field->help);
+  put_text(page, ";");
+  flow(page, TEXT_COLUMN, ph_value_describe(field, phrase));
   if (field->required) {
-    strcat(text, "; required");
+    flow(page, TEXT_COLUMN, "(required)");
   } else {
-    strcat(text, "\n(default: ");
-    strcat(text, field->standard);
-    strcat(text, ")");
+    flow(page, TEXT_COLUMN, "(default:");
+    flow(page, TEXT_COLUMN, field->standard);
+    put_text(page, ")");
   }
-  entry(buf, left, text);
+  end_line(page);
 }
 
-static void statuses(struct ph_buf *buf) {
-  ph_buf_puts(buf, "\nExit status:\n"
-                   "  0  every problem solved\n"
-                   "  1  at least one problem failed; all others are written\n"
-                   "  2  usage error; nothing was read or written\n"
-                   "  3  input could not be read, or broke off\n"
-                   "  4  output could not be written\n"
-                   "  5  out of memory, or an error in the program\n");
-}
-
-static void options(struct ph_buf *buf) {
-  ph_buf_puts(buf, "\nOptions:\n");
+static void options(struct page *page) {
+  heading(page, "Options:");
   for (int i = 0; i < PH_OPTION_N; i++) {
-    option_entry(buf, &ph_option_table[i]);
+    option_entry(page, &ph_option_table[i]);
     if (i == PH_O_TABLE) {
-#define X(symbol, name, what) entry(buf, "        " name, what);
+#define X(symbol, name, what) entry(page, 8, name, what);
       PH_TABLES(X)
 #undef X
     }
   }
 }
 
+/* Lines "command, tab, what it does". */
+static void examples(struct page *page, const char *text) {
+  heading(page, "Examples:");
+  while (*text) {
+    size_t command = strcspn(text, "\t");
+    size_t line = strcspn(text, "\n");
+    indent(page, 2);
+    put(page, text + command + 1, line - command - 1);
+    put(page, ":", 1);
+    end_line(page);
+    indent(page, 4);
+    put(page, text, command);
+    end_line(page);
+    text += line + 1;
+  }
+}
+
+static void statuses(struct page *page) {
+  static const char *const text[] = {
+      "every problem solved",
+      "at least one problem failed; every other result was written",
+      "usage error; nothing was read or written",
+      "input could not be read, or was cut off by a syntax error",
+      "output could not be written",
+      "out of memory, or an error in the program",
+  };
+  heading(page, "Exit status (the highest that applies):");
+  for (size_t i = 0; i < sizeof text / sizeof text[0]; i++) {
+    char digit[] = "  0 ";
+    digit[2] = (char)('0' + i);
+    put_text(page, digit);
+    flow(page, 5, text[i]);
+    end_line(page);
+  }
+}
+
+static void version_line(struct page *page) {
+  paragraph(page, "phspline " PH_VERSION);
+}
+
 void ph_help_program(struct ph_buf *buf) {
-  ph_buf_puts(buf,
-              "Usage: phspline COMMAND [OPTION]... [FILE]...\n"
-              "Interpolates points with curves whose arc length and offsets "
-              "are exact.\n\nCommands:\n");
+  struct page page = page_of(buf);
+  version_line(&page);
+  paragraph(&page, "Usage: phspline COMMAND [OPTION]... [FILE]...");
+  paragraph(&page, "Interpolates points with curves whose arc length and "
+                   "offset curves are exact.");
+  heading(&page, "Commands:");
   for (size_t i = 0; i < ph_commands_n; i++) {
     const struct ph_method *method = ph_commands[i].method;
-    char left[64] = "  ";
-    strcat(left, method->schema.command);
-    entry(buf, left, method->title);
+    entry(&page, 2, method->schema.command, method->title);
   }
-  entry(buf, "  help COMMAND", "the options and fields of a command");
-  options(buf);
-  ph_buf_puts(buf,
-              "\nA FILE of -, or none, is standard input.  Problems are read "
-              "as JSON, JSON Lines\nor CSV; each gives one result record, in "
-              "order, whether it could be solved or not.\n");
-  statuses(buf);
-  ph_buf_puts(buf, "\nManual: man phspline, man phspline-planar, man 5 "
-                   "phspline\n");
+  entry(&page, 2, "help COMMAND", "the fields and options of a command");
+  options(&page);
+  heading(&page,
+          "Problems are read from each FILE in turn, or from standard input "
+          "where there is none or it is -, as JSON, JSON Lines or CSV. Each "
+          "gives one result, in order, whether it could be solved or not.");
+  statuses(&page);
+  heading(&page, "Manual: man phspline, man phspline-planar, man 5 phspline");
 }
 
 void ph_help_command(struct ph_buf *buf, const struct ph_command *command) {
-  const struct ph_method *method = command->method;
-  ph_buf_puts(buf, "Usage: phspline ");
-  ph_buf_puts(buf, method->schema.command);
-  ph_buf_puts(buf, " [OPTION]... [FILE]...\n");
-  ph_buf_puts(buf, method->title);
-  ph_buf_puts(buf,
-              ".\n\nFields of a problem (each also an option, --FIELD=VALUE, "
-              "the same as --set):\n");
-  for (size_t i = 0; i < method->schema.fields_n; i++) {
-    field_entry(buf, &method->schema.fields[i]);
+  struct page page = page_of(buf);
+  const struct ph_schema *schema = &command->method->schema;
+  version_line(&page);
+  flow(&page, 0, "Usage: phspline");
+  flow(&page, 0, schema->command);
+  paragraph(&page, "[OPTION]... [FILE]...");
+  put_text(&page, command->method->title);
+  put_text(&page, ".");
+  end_line(&page);
+  heading(&page, "Fields of a problem (each also an option: --FIELD=VALUE is "
+                 "--set=FIELD=VALUE):");
+  for (size_t i = 0; i < schema->fields_n; i++) {
+    field_entry(&page, &schema->fields[i]);
   }
-  entry(buf, "  id, meta", "copied to the result");
-  options(buf);
-  ph_buf_puts(buf, "\nExamples:\n");
-  for (const char *line = command->examples; *line;) {
-    size_t n = strcspn(line, "\n");
-    ph_buf_puts(buf, "  ");
-    ph_buf_put(buf, line, n + 1);
-    line += n + 1;
-  }
-  statuses(buf);
-  ph_buf_puts(buf, "\nManual: man phspline-");
-  ph_buf_puts(buf, method->schema.command);
-  ph_buf_puts(buf, "\n");
+  entry(&page, 2, "id, meta", "copied to the result (no options)");
+  options(&page);
+  examples(&page, command->examples);
+  statuses(&page);
+  end_line(&page);
+  put_text(&page, "Manual: man phspline-");
+  put_text(&page, schema->command);
+  end_line(&page);
 }
 
 void ph_help_version(struct ph_buf *buf) {
-  ph_buf_puts(buf, "phspline " PH_VERSION "\n"
-                   "License GPL-3.0-or-later.  There is NO WARRANTY.\n");
+  struct page page = page_of(buf);
+  version_line(&page);
+  paragraph(&page, "License GPL-3.0-or-later. There is NO WARRANTY.");
 }

@@ -16,42 +16,41 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* X(SYMBOL, 'short' or 0, "long", "ARGUMENT" or NULL, "help").  A help text
- * may have several lines. */
-#define PH_OPTIONS(X)                                                         \
-  X(INPUT_FORMAT, 'i', "input-format", "auto|json|csv",                       \
-    "auto (default): by suffix (.json .ndjson .jsonl .csv\n"                  \
-    ".tsv), else by the first character")                                     \
-  X(COLUMNS, 0, "columns", "NAME,...",                                        \
-    "what the CSV columns are, in order; - skips one")                        \
-  X(DELIMITER, 0, "delimiter", "C",                                           \
-    "CSV separator (default , and a tab in .tsv files)")                      \
-  X(FORMAT, 'f', "format", "json|csv",                                        \
-    "json (default): an object a line; csv: one table")                       \
-  X(TABLE, 0, "table", "NAME",                                                \
-    "what --format=csv prints (default\n"                                     \
-    "control-points):")                                                       \
-  X(PRETTY, 0, "pretty", NULL, "indented JSON")                               \
-  X(OUTPUT, 'o', "output", "FILE",                                            \
-    "write FILE, replaced only when all is written")                          \
-  X(SET, 's', "set", "FIELD=VALUE", "set a field where the problem lacks it") \
-  X(OVERRIDE, 0, "override", "FIELD=VALUE", "set a field in every problem")   \
-  X(SWEEP, 'S', "sweep", "FIELD=RANGE",                                       \
-    "solve once for each value: START:STOP:COUNT or\n"                        \
-    "V1,V2,...; FIELD may be an element: knots[2]")                           \
-  X(OFFSET, 'd', "offset", "D[,D...]",                                        \
-    "add offset curves at these distances, to the left\n"                     \
-    "of travel when positive")                                                \
-  X(JOBS, 'j', "jobs", "N",                                                   \
-    "worker threads (default: the processors); results\n"                     \
-    "are the same for every N, and in order")                                 \
-  X(STRICT, 0, "strict", NULL, "a warning is an error")                       \
-  X(FAIL_FAST, 0, "fail-fast", NULL, "stop at the first problem that fails")  \
-  X(PROGRESS, 0, "progress", NULL, "report progress on standard error")       \
-  X(QUIET, 'q', "quiet", NULL, "no warnings, no summary of failures")         \
-  X(VERBOSE, 'v', "verbose", NULL,                                            \
-    "one line a problem: iterations, residual, time")                         \
-  X(HELP, 'h', "help", NULL, "this text")                                     \
+/* X(SYMBOL, 'short' or 0, "long", "ARGUMENT" or NULL, "help").  Help texts are
+ * broken into lines where they are printed. */
+#define PH_OPTIONS(X)                                                        \
+  X(INPUT_FORMAT, 'i', "input-format", "auto|json|csv",                      \
+    "what the input is; auto (default): by the suffix of the file (.json "   \
+    ".ndjson .jsonl .csv .tsv), else by its first character")                \
+  X(COLUMNS, 0, "columns", "NAME,...",                                       \
+    "what the columns of CSV input are, in order (-: skip)")                 \
+  X(DELIMITER, 0, "delimiter", "C",                                          \
+    "separator of CSV input (default: a comma; a tab in .tsv files)")        \
+  X(FORMAT, 'f', "format", "json|csv",                                       \
+    "json (default): one object a line; csv: one table")                     \
+  X(TABLE, 0, "table", "NAME",                                               \
+    "what --format=csv prints (default: control-points):")                   \
+  X(PRETTY, 0, "pretty", NULL, "indented JSON")                              \
+  X(OUTPUT, 'o', "output", "FILE",                                           \
+    "write FILE, replaced only when everything was written")                 \
+  X(SET, 's', "set", "FIELD=VALUE",                                          \
+    "set a field of the problems that lack it; VALUE is JSON or a word")     \
+  X(OVERRIDE, 0, "override", "FIELD=VALUE", "set a field of every problem")  \
+  X(SWEEP, 'S', "sweep", "FIELD=RANGE",                                      \
+    "solve every problem once for each value of RANGE: START:STOP:COUNT or " \
+    "V1,V2,...; FIELD may be an element: points[2][0]")                      \
+  X(OFFSET, 'd', "offset", "D[,D...]",                                       \
+    "add offset curves at these distances, positive to the left of travel")  \
+  X(JOBS, 'j', "jobs", "N",                                                  \
+    "worker threads (default: the processors); for every N the results are " \
+    "the same, in the same order")                                           \
+  X(STRICT, 0, "strict", NULL, "a warning is an error")                      \
+  X(FAIL_FAST, 0, "fail-fast", NULL, "stop at the first problem that fails") \
+  X(PROGRESS, 0, "progress", NULL, "report progress on standard error")      \
+  X(QUIET, 'q', "quiet", NULL, "no warnings, no summary of failures")        \
+  X(VERBOSE, 'v', "verbose", NULL,                                           \
+    "a line for each problem solved: iterations, residual, time")            \
+  X(HELP, 'h', "help", NULL, "this text")                                    \
   X(VERSION, 'V', "version", NULL, "the version")
 
 enum ph_option_id {

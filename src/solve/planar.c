@@ -394,16 +394,16 @@ static enum ph_status solve(const struct ph_problem *problem,
 
 static const struct ph_field fields[] = {
     {PH_F_POINTS, PH_VECTORS, 1u << 2, true, NULL, NULL,
-     "the points [x,y] to interpolate, at least 2, closed at least 3"},
+     "the points to interpolate, 2 or more, 3 or more if closed"},
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
-     "close the curve; a repeated last point is dropped"},
+     "close the curve, a repeated last point is dropped"},
     {PH_F_BASIS, PH_WORD, 0, false, "ph", "ph",
-     "polynomial PH quintic segments"},
+     "kind of the segments, polynomial PH quintics"},
     {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal|centripetal|uniform",
-     "chordal", "knot spacing, or one increasing number a point"},
+     "chordal", "spacing of the knots, or the knots themselves, increasing"},
     {PH_F_END_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL,
-     "a parabola through three points",
-     "[[dx,dy],[dx,dy]] with respect to the parameter, open curves"},
+     "those of a parabola through three points",
+     "the two end derivatives of an open curve, per unit of the knots"},
 };
 
 const struct ph_method ph_method_planar = {
