@@ -1,10 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# The manual: pages format without a warning, and each long option stands both
-# in `phspline COMMAND --help' and in phspline-COMMAND.1 or phspline.1.
-# Examples are not searched for options: they may be another program's.
+# The manual: its pages format without a warning and fit 80 columns, and it says
+# what the program's tables say, no less and no more.
+#
+# Tables are expanded by the C preprocessor from the headers that hold them;
+# pages are compared by the items of their lists (.It), by section.
 set -eu
+export LC_ALL=C
 cd "${srcdir:-$(dirname "$0")/../..}"
 program=${PHSPLINE:-build/plain/phspline}
 tmp=$(mktemp -d)
@@ -16,103 +19,183 @@ fail() {
   bad=1
 }
 
-# The long options that a page, or a help text, names.
-page_options() {
-  awk '/^\.Sh / { skip = /EXAMPLE/ } !skip' "$@" | grep -v '^\.\\"' |
-    sed 's/\\-/-/g; s/\\&//g' |
-    grep -Eo '(Fl -|--)[a-z][a-z0-9_-]*' | sed 's/^Fl -/--/; s/_/-/g' |
-    sort -u || true
-}
-
-help_options() {
-  grep -Eo -e '--[a-z][a-z0-9_-]*' "$1" | sed 's/_/-/g' | sort -u || true
-}
-
-# ... and, as each field of a problem is an option too, the names that begin
-# an indented line.
-help_names() {
-  help_options "$1"
-  sed -n 's/^  *\([a-z][a-z0-9_-]*\)\([ =].*\)*$/--\1/p' "$1" | sed 's/_/-/g'
-}
-
-pages=$(find man -name '*.[1-9]' 2>/dev/null | sort)
-if [ -z "$pages" ]; then
-  echo 'skip man: no pages yet'
-  exit
-fi
-
-for page in $pages; do
-  if command -v groff >/dev/null; then
-    groff -mdoc -Tutf8 -ww -z "$page" >"$tmp/log" 2>&1 || true
-    if [ -s "$tmp/log" ]; then
-      fail "$page: groff warns"
-      cat "$tmp/log"
-    else
-      echo "ok man $page"
-    fi
+# same NAME FILE FILE: whether two lists hold the same lines, in any order
+same() {
+  sort "$2" >"$tmp/left"
+  sort "$3" >"$tmp/right"
+  if [ ! -s "$2" ] || [ ! -s "$3" ]; then
+    fail "$1: a list is empty"
+  elif cmp -s "$tmp/left" "$tmp/right"; then
+    echo "ok man $1"
   else
+    fail "$1: < in the program, > in the manual"
+    diff "$tmp/left" "$tmp/right" | grep '^[<>]'
+  fi
+}
+
+# table HEADER MACRO PARAMETERS BODY: the rows of an X-macro, one a line; string
+# literals lose their quotes.
+table() {
+  printf '#include "%s"\n#undef NULL\n#define X(%s) @ %s\n%s(X)\n' \
+    "$1" "$3" "$4" "$2" |
+    ${CC:-cc} -E -P -Isrc -x c - | tr '\n@' ' \n' |
+    awk 'NR > 1 { gsub(/"/, ""); $1 = $1; print }'
+}
+
+# items PAGE SECTION MACRO: what the lists of a section name with the macro
+items() {
+  awk -v section="$2" -v macro="$3" '
+    /^\.Sh / { inside = $0 == ".Sh " section }
+    inside && $1 == ".It" && $2 == macro {
+      sub(/^\.It [A-Z][a-z] /, "")
+      sub(/ Op Ar .*/, "")
+      n = split($0, name, / , /)
+      for (i = 1; i <= n; i++) print name[i]
+    }' "$1"
+}
+
+# ---- form ----
+
+# rendered PAGE: as plain text for 80 columns, one byte for each character
+rendered() {
+  groff -mdoc -Tutf8 -P-c -P-b -P-u -rLL=78n "$1" | tr -d '\200-\277'
+}
+
+for page in man/*.[1-9]; do
+  if ! command -v groff >/dev/null; then
     echo "skip man $page: no groff"
+  elif groff -mdoc -Tutf8 -ww -z "$page" >"$tmp/log" 2>&1 &&
+    [ ! -s "$tmp/log" ] && rendered "$page" >"$tmp/text" &&
+    ! awk 'length > 80 { print "too long: " $0 }' "$tmp/text" | grep .; then
+    echo "ok man $page"
+  else
+    fail "$page: groff warns, or a line does not fit"
+    cat "$tmp/log"
   fi
-  if command -v mandoc >/dev/null; then
-    mandoc -T lint -W warning "$page" >"$tmp/log" 2>&1 || {
-      fail "$page: mandoc warns"
-      cat "$tmp/log"
-    }
+  if command -v mandoc >/dev/null &&
+    ! mandoc -T lint -W warning "$page" >"$tmp/log" 2>&1; then
+    fail "$page: mandoc warns"
+    cat "$tmp/log"
   fi
-  if man --version >/dev/null 2>&1; then
-    MANROFFSEQ='' MANWIDTH=80 man --warnings -E UTF-8 -l -Tutf8 -Z "$page" \
-      2>"$tmp/log" >/dev/null || true
-    # other systems' man may not know these options, which is no fault of ours
-    if grep -q 'warning' "$tmp/log"; then
-      fail "$page: man warns"
-      cat "$tmp/log"
-    fi
-  fi
+  # references to our own pages
+  sed -n 's/^\.Xr \(phspline[a-z-]*\) \([1-9]\).*/\1.\2/p' "$page" |
+    sort -u >"$tmp/references"
+  while read -r other; do
+    test -f "man/$other" || fail "$page: refers to $other, which is not there"
+  done <"$tmp/references"
 done
 
-if ! "$program" --help >"$tmp/help" 2>&1; then
+# ---- commands and options ----
+
+if ! "$program" --help >"$tmp/help"; then
   fail "help: $program --help does not end with status 0"
   exit 1
 fi
-cp "$tmp/help" "$tmp/help.main"
-help_options "$tmp/help" >"$tmp/main.help"
-page_options man/phspline.1 >"$tmp/main.page"
-cp "$tmp/main.help" "$tmp/all.help"
-for page in man/phspline-*.1; do
-  test -f "$page" || continue
-  command=${page#man/phspline-}
-  command=${command%.1}
-  if ! "$program" "$command" --help >"$tmp/help" 2>&1; then
-    fail "help: phspline $command --help does not end with status 0"
+sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z-]*\)  .*/\1/p' "$tmp/help" \
+  >"$tmp/commands"
+{
+  cat "$tmp/commands"
+  echo help
+} >"$tmp/list"
+items man/phspline.1 DESCRIPTION Cm >"$tmp/page"
+same commands "$tmp/list" "$tmp/page"
+
+table cli/option.h PH_OPTIONS 'symbol, letter, name, argument, help' \
+  'letter name argument' |
+  sed "s/^'\(.\)' /-\1, --/; s/^0 /--/; s/ NULL\$//; s/ /=/2; s/^\(--[^ ]*\) /\1=/" \
+    >"$tmp/list"
+items man/phspline.1 OPTIONS Fl |
+  awk '/^-/ { print "-" $0; next } { letter = $0; getline; print "-" letter ", " \
+    "-" substr($0, 4) }' | sed 's/ Ns = Ns Ar /=/' >"$tmp/page"
+same options "$tmp/list" "$tmp/page"
+cp "$tmp/list" "$tmp/options"
+
+# help_options NAME FILE
+help_options() {
+  sed -n 's/^ \{2,6\}\(\(-., \)*--[^ ]*\).*/\1/p' "$2" >"$tmp/page"
+  same "options in $1" "$tmp/options" "$tmp/page"
+}
+help_options --help "$tmp/help"
+
+# ---- fields ----
+
+: >"$tmp/fields"
+while read -r command; do
+  page=man/phspline-$command.1
+  if [ ! -f "$page" ] || ! "$program" help "$command" >"$tmp/help.$command"; then
+    fail "$command: no page or no help"
     continue
   fi
-  help_options "$tmp/help" >"$tmp/command.help"
-  page_options "$page" >"$tmp/command.page"
-  help_names "$tmp/help" | sort -u - "$tmp/main.help" >"$tmp/helps"
-  sort -u "$tmp/all.help" "$tmp/helps" -o "$tmp/all.help"
-  sort -u "$tmp/main.page" "$tmp/command.page" >"$tmp/pages"
-  {
-    comm -23 "$tmp/command.help" "$tmp/pages" | sed 's/$/ only in --help/'
-    comm -13 "$tmp/helps" "$tmp/command.page" | sed 's/$/ only in the page/'
-  } >"$tmp/diff"
-  if [ -s "$tmp/diff" ]; then
-    fail "options of $command: $(tr '\n' ',' <"$tmp/diff")"
-  else
-    echo "ok man options of $command"
+  sed -n '/^Fields/,/^$/s/^  \([a-z][a-z_]*\) .*/\1/p' "$tmp/help.$command" \
+    >"$tmp/list"
+  items "$page" 'PROBLEM FIELDS' Cm >"$tmp/page"
+  same "fields of $command" "$tmp/list" "$tmp/page"
+  cat "$tmp/list" >>"$tmp/fields"
+  help_options "help $command" "$tmp/help.$command"
+done <"$tmp/commands"
+sort -u "$tmp/fields" -o "$tmp/fields"
+table curve/problem.h PH_FIELDS 'symbol, name' 'name' >"$tmp/list"
+same "fields of all commands" "$tmp/list" "$tmp/fields"
+{
+  printf 'id\nmeta\n'
+  cat "$tmp/fields"
+} >"$tmp/list"
+items man/phspline.5 PROBLEMS Cm >"$tmp/page"
+same "problems" "$tmp/list" "$tmp/page"
+
+# no page speaks of an option that is none; examples may use other programs
+sed 's/.*--//; s/=.*//' "$tmp/options" | sort -u - "$tmp/fields" >"$tmp/list"
+for page in man/*.[1-9]; do
+  awk '/^\.Sh / { skip = /EXAMPLE/ } !skip && !/^\.\\"/' "$page" |
+    sed 's/\\-/-/g' | grep -oE '(Fl -|--)[a-z][a-z_-]*' |
+    sed 's/^Fl -//; s/^--//' | sort -u >"$tmp/page" || true
+  comm -13 "$tmp/list" "$tmp/page" >"$tmp/unknown"
+  if [ -s "$tmp/unknown" ]; then
+    fail "$page: no option: $(tr '\n' ' ' <"$tmp/unknown")"
   fi
 done
-{
-  comm -23 "$tmp/main.help" "$tmp/main.page" | sed 's/$/ only in --help/'
-  comm -13 "$tmp/all.help" "$tmp/main.page" | sed 's/$/ only in the page/'
-} >"$tmp/diff"
-if [ -s "$tmp/diff" ]; then
-  fail "options of phspline: $(tr '\n' ',' <"$tmp/diff")"
-else
-  echo 'ok man options of phspline'
-fi
-# every command that --help lists (indented, then two blanks) has its page
-sed -n "s/^  \([a-z][a-z-]*\)  .*/\1/p" "$tmp/help.main" >"$tmp/commands"
-while read -r command; do
-  test -f "man/phspline-$command.1" || fail "phspline-$command.1: no such page"
-done <"$tmp/commands"
+
+# ---- codes, results, tables ----
+
+table base/status.h PH_STATUS 'symbol, code, class, meaning' 'class code' |
+  sed -n 's/^RECORD //p; s/^INTERNAL //p' >"$tmp/list"
+items man/phspline.1 DIAGNOSTICS Sy >"$tmp/page"
+same "codes" "$tmp/list" "$tmp/page"
+
+table curve/result.h PH_DIAGNOSTICS 'symbol, name' 'name' >"$tmp/list"
+items man/phspline.5 CERTIFICATE Cm >"$tmp/page"
+same "diagnostics" "$tmp/list" "$tmp/page"
+cat man/*.[1-9] | grep -oE '[a-z_]+_error' | sort -u >"$tmp/page"
+grep '_error$' "$tmp/list" >"$tmp/errors"
+same "errors of the certificate" "$tmp/errors" "$tmp/page"
+
+table curve/result.h PH_CURVES 'symbol, name' 'name' >"$tmp/list"
+items man/phspline.5 RESULTS Cm >"$tmp/page"
+same "curves" "$tmp/list" "$tmp/page"
+
+table io/csv_out.h PH_TABLES 'symbol, name, what' 'name' >"$tmp/tables"
+items man/phspline.1 OPTIONS Cm >"$tmp/page"
+same "tables of --table" "$tmp/tables" "$tmp/page"
+items man/phspline.5 'CSV OUTPUT' Cm >"$tmp/page"
+same "tables" "$tmp/tables" "$tmp/page"
+while read -r name; do
+  printf '0,0\n1,0\n' | "$program" planar --offset=1 --format=csv \
+    --table="$name" | sed -n 1p
+done <"$tmp/tables" >"$tmp/list"
+items man/phspline.5 'CSV OUTPUT' Cm >"$tmp/names"
+sed -n '/^\.Sh CSV OUTPUT/,/^\.El/s/^\.Li \(id,.*\)/\1/p' man/phspline.5 \
+  >"$tmp/page"
+same "columns of tables" "$tmp/list" "$tmp/page"
+
+# names of CSV columns that at least one command takes
+sed -n '/^} names\[\]/,/^};/p' src/io/split_csv.c | tr '{' '\n' |
+  sed -n 's/^"\([a-z_]*\)".*/\1/p' >"$tmp/names"
+while read -r name; do
+  while read -r command; do
+    "$program" "$command" --columns="$name" /dev/null 2>&1 |
+      grep -q 'is unknown' || echo "$name"
+  done <"$tmp/commands" | sort -u
+done <"$tmp/names" >"$tmp/list"
+items man/phspline.5 'CSV INPUT' Cm >"$tmp/page"
+same "columns of CSV input" "$tmp/list" "$tmp/page"
 exit "$bad"
