@@ -5,16 +5,15 @@
 # C2 Pythagorean-hodograph quintic spline with the exact offset 10 km out at
 # sea.  Shows the curve, its length, its certificate and what to try next.
 #
-#   sh data/demo.sh [PATH/TO/phspline]     (default: ./phspline)
+#   sh data/demo.sh [PATH/TO/phspline]     (default: build/plain/phspline)
 #
 # Writes the folder demo-output here.  Needs POSIX sh, awk, sed, tr.
 set -eu
 
-program=${1:-./phspline}
+program=${1:-build/plain/phspline}
 data=$(dirname "$0")
 out=demo-output
 points=$data/coastline.csv
-job="planar $points --closed --offset=-10"
 
 # Braille characters where the terminal can show them.
 case ${LC_ALL:-${LC_CTYPE:-${LANG:-}}} in
@@ -38,7 +37,7 @@ run() {
     2>"$out/messages.txt" || {
     status=$?
     cat "$out/messages.txt" >&2
-    echo "demo.sh: $program $job failed with exit status $status" >&2
+    echo "demo.sh: $program failed with exit status $status" >&2
     exit 1
   }
 }
@@ -47,19 +46,23 @@ run sicily-lengths.csv --format=csv --table=lengths
 run sicily-offsets.csv --format=csv --table=offsets
 run sicily.json
 
-# certificate NAME TEXT: a number from the result's diagnostics.
-certificate() {
+# diagnostic NAME TEXT: a number from the result, rounded.
+diagnostic() {
   tr -s '{},' '[\n*]' <"$out/sicily.json" | sed -n "s/^\"$1\"://p" |
-    awk -v text="$2" 'NR == 1 { printf "  %-24s %s\n", text, $1 }'
+    awk -v text="$2" 'NR == 1 { printf "  %-24s %.2g\n", text, $1 }'
 }
 
-echo "The coast of Sicily (Natural Earth, 1:50m) as one C2 curve:"
-echo
-echo "  $program $job -o $out/sicily.json"
-echo
+cat <<EOF
+The coast of Sicily (Natural Earth, 1:50m) as one smooth closed curve, with its
+exact offset 10 km out at sea:
+
+    $program planar $points \\
+      --closed --offset=-10 -o $out/sicily.json
+
+EOF
 awk -f "$data/picture.awk" -v style=$style -v unit=km \
   "$out/sicily-control-points.csv" "$out/sicily-offsets.csv" "$points"
-echo "solid: the spline; dotted: its offset, 10 km out at sea"
+echo "solid: the curve; dotted: its offset"
 echo
 
 # The parametric speed |r'| of a Pythagorean-hodograph quintic is a polynomial
@@ -94,20 +97,20 @@ awk -F, '
       j = i % n + 1
       polygon += sqrt((px[j] - px[i])^2 + (py[j] - py[i])^2)
     }
-    gap = sum / exact - 1
     row = "  %-24s %s\n"
     printf row, "points", n
-    printf row, "length of the polygon", sprintf("%.6f km", polygon)
-    printf row, "length of the curve", exact " km (closed form)"
-    printf row, "  by quadrature", \
-      sprintf("the same to %.1e, relative", gap < 0 ? -gap : gap)
+    printf row, "length of the polygon", sprintf("%.9f km", polygon)
+    printf row, "length of the curve", sprintf("%.9f km, by formula", exact)
+    printf row, "", sprintf("%.9f km, by quadrature in awk", sum)
   }' "$out/sicily-lengths.csv" "$out/sicily-control-points.csv" "$points"
-certificate iterations "Newton iterations"
-certificate residual "residual"
-certificate interpolation_error "interpolation error"
-certificate pythagorean_error "Pythagorean error"
-certificate continuity_error "C2 continuity error"
-certificate length_error "length error"
+diagnostic iterations "Newton iterations"
+echo
+echo "What the program finds when it checks the curve, relative to its size:"
+echo
+diagnostic interpolation_error "distance from the points"
+diagnostic continuity_error "jumps of derivatives"
+diagnostic pythagorean_error "speed not a polynomial"
+diagnostic length_error "error of the length"
 if [ -s "$out/messages.txt" ]; then
   echo
   echo "The program says ($out/messages.txt):"
@@ -116,12 +119,29 @@ fi
 
 cat <<EOF
 
-All of it is in $out/: sicily.json, sicily-control-points.csv,
-sicily-lengths.csv, sicily-offsets.csv.  Try next:
+All of it is in $out/: sicily.json and, as tables,
+sicily-control-points.csv, sicily-lengths.csv and sicily-offsets.csv.
 
-  $program planar $points --closed --spacing=10 -f csv --table=samples
-  $program planar $points --closed --offset=-5,-22.224 -o $out/limits.json
-  $program planar $data/gonzalez-2018.jsonl --pretty
-  $program planar $data/spiral.csv -f csv --table=control-points |
-    LC_ALL=C awk -f $data/picture.awk -v style=$style - $data/spiral.csv
+Try next: the length of every segment,
+
+    $program planar $points \\
+      --closed --format=csv --table=lengths
+
+two offsets, the second at the limit of the territorial sea,
+
+    $program planar $points \\
+      --closed --offset=-5,-22.224 -o $out/limits.json
+
+four published problems, one after another, as indented JSON,
+
+    $program planar $data/gonzalez-2018.jsonl --pretty
+
+a spiral, drawn in the terminal,
+
+    $program planar $data/spiral.csv --format=csv |
+      LC_ALL=C awk -f $data/picture.awk -v style=$style - $data/spiral.csv
+
+and all options:
+
+    $program help planar
 EOF
