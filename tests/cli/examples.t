@@ -222,8 +222,9 @@ mkdir demo
 ln -s "$srcdir/data" demo/data
 mkdir -p demo/build/plain
 ln -s "$PHSPLINE" demo/build/plain/phspline
+# not every system has that locale, of which the demo reads only the name
 if (cd demo && LC_ALL=C.UTF-8 sh data/demo.sh build/plain/phspline) \
-  >demo.out 2>demo.err && [ ! -s demo.err ]; then
+  >demo.out 2>demo.err && ! grep -v locale demo.err; then
   echo 'ok examples demo'
 else
   fail 'demo: exit status or messages'

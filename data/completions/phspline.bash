@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Completions of phspline for bash; made by generate.sh.
+_phspline() {
+  local cur=${COMP_WORDS[COMP_CWORD]} option kind=words list=
+  # --option=value is three words, --option value two
+  if [[ $cur == = ]]; then
+    cur= option=${COMP_WORDS[COMP_CWORD - 1]}=
+  elif [[ ${COMP_WORDS[COMP_CWORD - 1]} == = ]]; then
+    option=${COMP_WORDS[COMP_CWORD - 2]}=
+  else
+    option=${COMP_WORDS[COMP_CWORD - 1]}
+  fi
+  case $COMP_CWORD,${COMP_WORDS[1]} in
+  1,*) list='planar help --help --version' ;;
+  *,help) list='planar' ;;
+  *,planar)
+    case $option in
+    --points | --points=) kind=nothing ;;
+    --closed=) list='true false' ;;
+    --basis | --basis=) list='ph' ;;
+    --knots | --knots=) list='chordal centripetal uniform' ;;
+    --end_derivatives | --end_derivatives=) kind=nothing ;;
+    -i | --input-format | --input-format=) list='auto json csv' ;;
+    --columns | --columns=) kind=nothing ;;
+    --delimiter | --delimiter=) kind=nothing ;;
+    -f | --format | --format=) list='json csv' ;;
+    --table | --table=) list='control-points lengths offsets' ;;
+    -o | --output | --output=) kind=files ;;
+    -s | --set | --set=) list='points= closed= basis= knots= end_derivatives=' ;;
+    --override | --override=) list='points= closed= basis= knots= end_derivatives=' ;;
+    -S | --sweep | --sweep=) list='points= closed= basis= knots= end_derivatives=' ;;
+    -d | --offset | --offset=) kind=nothing ;;
+    -j | --jobs | --jobs=) kind=nothing ;;
+    *)
+      kind=files
+      if [[ $cur == -* ]]; then
+        kind=words list='--points= --closed --basis= --knots= --end_derivatives= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+      fi
+      ;;
+    esac
+    ;;
+  esac
+  COMPREPLY=()
+  if [[ $kind == words ]]; then
+    COMPREPLY=($(compgen -W "$list" -- "$cur"))
+    [[ ${COMPREPLY[0]-} != *= ]] || compopt -o nospace 2>/dev/null
+  elif [[ $kind == files ]]; then
+    local IFS=$'\n'
+    compopt -o filenames 2>/dev/null
+    COMPREPLY=($(compgen -f -- "$cur"))
+  fi
+}
+complete -F _phspline phspline
