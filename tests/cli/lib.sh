@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# What the shell tests share; each reads it with `. "$srcdir/tests/cli/lib.sh"'.
+# It runs the program, compares, and prints the lines that tests/run counts.
+# Needs what tests/run gives: PHSPLINE, the helper programs on PATH, an empty
+# directory.
+#
+# shellcheck disable=SC2034  # what is set here is used there
+set -u
+
+# ---- verdicts ----------------------------------------------------------------
+
+# pass NAME, fail NAME WHY
+pass() {
+  printf 'ok %s\n' "$1"
+}
+
+fail() {
+  printf 'not ok %s: %s\n' "$1" "$2"
+}
+
+# equal NAME WANTED FOUND: two texts.
+equal() {
+  if [ "$2" = "$3" ]; then
+    pass "$1"
+  else
+    fail "$1" 'not what was wanted'
+    printf '  wanted: %s\n  found:  %s\n' "$2" "$3" | cut -c 1-2000
+  fi
+}
+
+# equal_files NAME WANTED FOUND: two files, byte by byte.
+equal_files() {
+  if cmp "$2" "$3" >cmp.out 2>&1; then
+    pass "$1"
+  else
+    fail "$1" "$(cat cmp.out)"
+    diff "$2" "$3" | sed -n '1,6p' | cut -c 1-300
+  fi
+}
+
+# numbers NAME TOLERANCE WANTED FOUND: two files, numbers by tolerance.
+numbers() {
+  if numcmp "$2" "$3" "$4" >cmp.out 2>&1; then
+    pass "$1"
+  else
+    fail "$1" "they differ by more than $2"
+    sed 's/^/  /' cmp.out
+  fi
+}
+
+# true_that NAME COMMAND...: the command succeeds.
+true_that() {
+  name=$1
+  shift
+  if "$@" >cmd.out 2>&1; then
+    pass "$name"
+  else
+    fail "$name" "status $? of: $*"
+    sed 's/^/  /' cmd.out
+  fi
+}
+
+# ---- the program -------------------------------------------------------------
+
+# run ARGUMENT...: the program, with the function's standard input; sets
+# status, files out and err.
+run() {
+  status=0
+  "$PHSPLINE" "$@" >out 2>err || status=$?
+}
+
+# expect NAME STATUS [STDERR [STDOUT]]: what the last run did, to the byte; a
+# text is without its last line break, stdout is not looked at if not given.
+expect() {
+  why=
+  if [ "$status" -ne "$2" ]; then
+    why="exit status $status, wanted $2"
+  elif [ "$(cat err)" != "${3-}" ]; then
+    why='standard error'
+  elif [ $# -gt 3 ] && [ "$(cat out)" != "$4" ]; then
+    why='standard output'
+  fi
+  if [ -z "$why" ]; then
+    pass "$1"
+  else
+    fail "$1" "$why"
+    printf '  wanted: %s\n' "${3-}"
+    sed 's/^/  stderr: /' err | sed -n '1,6p'
+    if [ $# -gt 3 ]; then
+      printf '  wanted: %s\n' "$4"
+      sed 's/^/  stdout: /' out | cut -c 1-1000 | sed -n '1,6p'
+    fi
+  fi
+}
+
+# count LINES FILE: whether the file has so many lines.
+count() {
+  [ "$(wc -l <"$2")" -eq "$1" ]
+}
+
+# get PATH: of each record in out, with blanks for line breaks.
+get() {
+  json get "$1" out | tr '\n' ' ' | sed 's/ $//'
+}
+
+# ---- data --------------------------------------------------------------------
+
+# A problem that can be solved, one that cannot, and what is said about it.
+good='{"points":[[0,0],[1,1],[2,0]]}'
+bad='{"points":[[0,0],[0,0]]}'
+bad_says='points[1]: coincides with points[0] [coincident-points]'
+
+# failed N M: the last line on standard error.
+failed() {
+  printf 'phspline: %s of %s records failed' "$1" "$2"
+}
+
+# ---- circumstances -----------------------------------------------------------
+
+# Whether the program is slowed down and fattened by a sanitizer or valgrind.
+instrumented() {
+  grep -q -e __asan_init -e __tsan_init -e valgrind "$PHSPLINE"
+}
+
+# limited COMMAND...: ended after a minute if it does not end by itself.
+limited() {
+  if command -v timeout >/dev/null 2>&1; then
+    timeout -k 5 60 "$@"
+  else
+    "$@"
+  fi
+}
