@@ -330,7 +330,7 @@ static enum ph_status echo_id(struct reader *r, const struct ph_csv_cell *cell,
     }
     i += (size_t)length;
   }
-  if (n > 0 && ph_number_read(text, text + n, &x) == text + n) {
+  if (n > 0 && ph_number_read(text, text + n, &x) == text + n && isfinite(x)) {
     echo->id = text;
     echo->id_n = n;
   } else if (n > 0) {
@@ -462,12 +462,27 @@ enum ph_status ph_csv_in(const struct ph_record *record,
   return status;
 }
 
+/* Whether a column belongs to the field of that name. */
+static bool has_column(const struct ph_csv_columns *columns, const char *name,
+                       size_t n) {
+  for (size_t i = 0; i < columns->n; i++) {
+    int field = columns->column[i].field;
+    const char *is =
+        field < PH_FIELD_N ? ph_field_name((enum ph_field_id)field) : "";
+    if (strlen(is) == n && memcmp(is, name, n) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 size_t ph_csv_line(const struct ph_record *record, const char *path) {
-  const char *bracket = strchr(path, '[');
-  size_t i = bracket ? strtoul(bracket + 1, NULL, 10) : 0;
+  size_t name_n = strcspn(path, "[");
+  size_t i = path[name_n] ? strtoul(path + name_n + 1, NULL, 10) : 0;
   const char *p = record->text;
   const char *end;
   size_t at = 0;
+  i = has_column(record->columns, path, name_n) ? i : 0;
   for (size_t row = 0; row <= i && next_row(record, &at, &p, &end); row++) {
   }
   return line_at(record, p);

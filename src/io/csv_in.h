@@ -106,8 +106,8 @@ enum ph_status ph_csv_in(const struct ph_record *record,
                          struct ph_problem *problem, struct ph_echo *echo,
                          struct ph_diag *diag);
 
-/* ph_csv_line: the line of row i of a record for a path points[i]; for any
- * other path the record's first line. */
+/* ph_csv_line: the line of row i of a record for a path points[i] of a field
+ * that has columns; for any other path the record's first line. */
 size_t ph_csv_line(const struct ph_record *record, const char *path);
 
 #endif

@@ -12,8 +12,10 @@
 #include "base/suggest.h"
 #include "io/csv_in.h"
 #include "io/json_scan.h"
+#include "io/number.h"
 #include "io/value.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,7 +47,8 @@ static enum ph_status unknown_field(const struct ph_schema *schema,
   ph_suggest_list(&suggest, "id|meta");
   ph_did_you_mean(&suggest, clause);
   return ph_fail(diag, PH_UNKNOWN_FIELD,
-                 ph_excerpt(item->key, item->key_n, excerpt),
+                 item->key_n ? ph_excerpt(item->key, item->key_n, excerpt)
+                             : "\"\"",
                  "is not a field of %s%s", schema->command, clause);
 }
 
@@ -81,6 +84,83 @@ static enum ph_status sort_member(const struct ph_schema *schema,
   return PH_OK;
 }
 
+/* ---- what is echoed ------------------------------------------------- */
+
+/* For qsort: by length, then by bytes. */
+static int compare_keys(const void *a, const void *b) {
+  const struct ph_json_item *x = a;
+  const struct ph_json_item *y = b;
+  if (x->key_n != y->key_n) {
+    return x->key_n < y->key_n ? -1 : 1;
+  }
+  return x->key_n ? memcmp(x->key, y->key, x->key_n) : 0;
+}
+
+/* Whether a name occurs twice among the members of an object. */
+static enum ph_status check_names(const struct ph_json_item *object,
+                                  const char *field, struct ph_arena *arena,
+                                  struct ph_diag *diag) {
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  struct ph_json_item *members;
+  char excerpt[PH_EXCERPT_MAX];
+  size_t n = 0;
+  ph_json_walk_init(&walk, object->value, object->value_n);
+  while (ph_json_walk_next(&walk, &item)) {
+    n++;
+  }
+  members = ph_arena_array(arena, n, sizeof *members);
+  ph_json_walk_init(&walk, object->value, object->value_n);
+  for (size_t i = 0; members && i < n; i++) {
+    ph_json_walk_next(&walk, &item);
+    if (memchr(item.key, '\\', item.key_n)) {
+      item.key = ph_value_string(item.key - 1, item.key_n + 2, arena);
+      if (!item.key) {
+        return ph_fail_memory(diag);
+      }
+      item.key_n = strlen(item.key);
+    }
+    members[i] = item;
+  }
+  if (!members) {
+    return ph_fail_memory(diag);
+  }
+  qsort(members, n, sizeof *members, compare_keys);
+  for (size_t i = 1; i < n; i++) {
+    if (compare_keys(&members[i - 1], &members[i]) == 0) {
+      return ph_fail(diag, PH_BAD_VALUE, field, "has the name \"%s\" twice",
+                     ph_excerpt(members[i].key, members[i].key_n, excerpt));
+    }
+  }
+  return PH_OK;
+}
+
+/* What holds for all JSON holds for that which is only passed on: no name
+ * twice, no number beyond a double.  The scanner has bounded the depth. */
+static enum ph_status check_echo(const struct ph_json_item *echoed,
+                                 const char *field, struct ph_arena *arena,
+                                 struct ph_diag *diag) {
+  const char *end = echoed->value + echoed->value_n;
+  enum ph_status status = PH_OK;
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  char excerpt[PH_EXCERPT_MAX];
+  double x;
+  if (ph_number_read(echoed->value, end, &x) && !isfinite(x)) {
+    return ph_fail(diag, PH_NOT_FINITE, field,
+                   "is %s, which overflows a double",
+                   ph_excerpt(echoed->value, echoed->value_n, excerpt));
+  }
+  if (*echoed->value == '{') {
+    status = check_names(echoed, field, arena, diag);
+  }
+  ph_json_walk_init(&walk, echoed->value, echoed->value_n);
+  while (status == PH_OK && ph_json_walk_next(&walk, &item)) {
+    status = check_echo(&item, field, arena, diag);
+  }
+  return status;
+}
+
 /* A JSON text without line breaks, for a result of one line: they can only be
  * among the blanks between its tokens, which are then all dropped. */
 static const char *one_line(const struct ph_json_item *item,
@@ -107,28 +187,42 @@ static const char *one_line(const struct ph_json_item *item,
   return copy;
 }
 
-static enum ph_status read_echo(const struct members *members,
-                                struct ph_arena *arena, struct ph_echo *echo,
-                                struct ph_diag *diag) {
-  const struct ph_json_item *id = &members->item[ID];
-  const struct ph_json_item *meta = &members->item[META];
-  if (meta->value) {
-    echo->meta = one_line(meta, arena, &echo->meta_n);
-    if (!echo->meta) {
-      return ph_fail_memory(diag);
-    }
-  }
-  if (!id->value) {
-    return PH_OK;
-  }
+static enum ph_status echo_id(const struct ph_json_item *id,
+                              struct ph_arena *arena, struct ph_echo *echo,
+                              struct ph_diag *diag) {
+  enum ph_status status;
   if (!strchr("\"-0123456789", *id->value)) {
     return ph_fail(diag, PH_BAD_TYPE, "id",
                    "must be a string or a number, found %s",
                    ph_value_type(*id->value));
   }
-  echo->id = id->value;
-  echo->id_n = id->value_n;
-  return PH_OK;
+  status = check_echo(id, "id", arena, diag);
+  if (status == PH_OK) {
+    echo->id = id->value;
+    echo->id_n = id->value_n;
+  }
+  return status;
+}
+
+static enum ph_status echo_meta(const struct ph_json_item *meta,
+                                struct ph_arena *arena, struct ph_echo *echo,
+                                struct ph_diag *diag) {
+  enum ph_status status = check_echo(meta, "meta", arena, diag);
+  if (status == PH_OK) {
+    echo->meta = one_line(meta, arena, &echo->meta_n);
+    status = echo->meta ? PH_OK : ph_fail_memory(diag);
+  }
+  return status;
+}
+
+/* ---- the whole ------------------------------------------------------ */
+
+/* Of two failures the first is told, but for that of the memory. */
+static enum ph_status both(enum ph_status first, enum ph_status second,
+                           struct ph_diag *diag) {
+  return second == PH_NO_MEMORY ? ph_fail_memory(diag)
+         : first == PH_OK       ? second
+                                : first;
 }
 
 enum ph_status ph_json_in(const struct ph_record *record,
@@ -136,9 +230,11 @@ enum ph_status ph_json_in(const struct ph_record *record,
                           struct ph_arena *arena, struct ph_problem *problem,
                           struct ph_echo *echo, struct ph_diag *diag) {
   struct members members = {{{0}}};
+  const struct ph_json_item *id = &members.item[ID];
+  const struct ph_json_item *meta = &members.item[META];
   struct ph_json_walk walk;
   struct ph_json_item item;
-  struct ph_diag first;
+  struct ph_diag later;
   enum ph_status status = PH_OK;
   *problem = (struct ph_problem){0};
   *echo = (struct ph_echo){0};
@@ -148,15 +244,22 @@ enum ph_status ph_json_in(const struct ph_record *record,
                    ph_value_type(*record->text));
   }
   ph_json_walk_init(&walk, record->text, record->n);
-  while (ph_json_walk_next(&walk, &item)) {
-    /* The first failure is told, but the walk goes on: id may come last. */
-    enum ph_status found = sort_member(schema, &item, arena, &members,
-                                       status == PH_OK ? diag : &first);
-    status = status == PH_OK ? found : status;
+  while (ph_json_walk_next(&walk, &item)) { /* to the end: id may come last */
+    status = both(status,
+                  sort_member(schema, &item, arena, &members,
+                              status == PH_OK ? diag : &later),
+                  diag);
   }
-  enum ph_status echoed =
-      read_echo(&members, arena, echo, status == PH_OK ? diag : &first);
-  status = status == PH_OK ? echoed : status;
+  if (id->value) {
+    status =
+        both(status, echo_id(id, arena, echo, status == PH_OK ? diag : &later),
+             diag);
+  }
+  if (meta->value) {
+    status = both(status,
+                  echo_meta(meta, arena, echo, status == PH_OK ? diag : &later),
+                  diag);
+  }
   for (size_t i = 0; status == PH_OK && i < schema->fields_n; i++) {
     const struct ph_field *row = &schema->fields[i];
     const struct ph_json_item *member = &members.item[row->id];

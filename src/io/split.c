@@ -233,6 +233,7 @@ static enum ph_split_state open_next(struct ph_split *split,
                   : has_suffix(name, ".json|.ndjson|.jsonl") ? PH_SPLIT_JSON
                   : has_suffix(name, ".csv|.tsv")            ? PH_SPLIT_CSV
                                                              : PH_SPLIT_AUTO;
+  split->guessed = split->format == PH_SPLIT_AUTO;
   split->begun = false;
   split->blanks = 0;
   split->start = 0;

@@ -77,6 +77,7 @@ struct ph_split {
   bool lines_suffix; /* .ndjson or .jsonl */
   char delimiter;
   enum ph_split_format format; /* AUTO: not known yet */
+  bool guessed;                /* the format, by the first byte */
   size_t blanks;               /* AUTO: so many blanks begin the window */
   /* the window */
   char *data;

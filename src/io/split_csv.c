@@ -278,8 +278,15 @@ static enum ph_status columns_by_row(struct ph_split *split, const char *row,
   struct census census = take_census(split, row, end, NULL);
   bool numeric =
       census.numbers > 0 && census.numbers + census.blanks == census.cells;
+  char excerpt[PH_EXCERPT_MAX];
   enum ph_status status;
   *data = census.numbers > 0 && census.names == 0;
+  if (!*data && census.cells == 1 && census.names == 0 && split->guessed) {
+    const char *text_end = ph_csv_row_end(row, end);
+    return ph_fail(diag, PH_SYNTAX, NULL,
+                   "expected JSON, or CSV with a header row, found \"%s\"",
+                   ph_excerpt(row, (size_t)(text_end - row), excerpt));
+  }
   if (!*data) {
     return ph_split_columns(split, row, (size_t)(end - row), split->delimiter,
                             false, &split->csv.columns, diag);

@@ -331,7 +331,7 @@ START_TEST(test_ids) {
       {"\"a\nb\x01\"", "\"a\\u000ab\\u0001\""},
       {"\xC3\xA4", "\"\xC3\xA4\""},
       {"true", "\"true\""},
-      {"1e999", "1e999"}};
+      {"1e999", "\"1e999\""}};
   char text[64];
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     strcpy(text, "0,");
@@ -363,13 +363,17 @@ END_TEST
 
 START_TEST(test_lines) {
   struct ph_record record =
-      record_of("ixy", "\"a\nb\",0,0\n# comment\n\"a\nb\",1,1\n\"a\nb\",2,2");
+      record_of("ikxy", "\"a\nb\",0,0,0\n# comment\n\"a\nb\",1,1,1\n"
+                        "\"a\nb\",2,2,2");
   ck_assert_uint_eq(ph_record_line(&record, ""), 10);
   ck_assert_uint_eq(ph_record_line(&record, "points"), 10);
   ck_assert_uint_eq(ph_record_line(&record, "points[0]"), 10);
   ck_assert_uint_eq(ph_record_line(&record, "points[1][1]"), 13);
   ck_assert_uint_eq(ph_record_line(&record, "knots[2]"), 15);
   ck_assert_uint_eq(ph_record_line(&record, "knots[3]"), 15);
+  /* no column of that field */
+  ck_assert_uint_eq(ph_record_line(&record, "end_derivatives[1]"), 10);
+  ck_assert_uint_eq(ph_record_line(&record, "point[1]"), 10);
 }
 END_TEST
 

@@ -108,7 +108,7 @@ START_TEST(test_names) {
       "is not a field of planar");
   bad("{\"end_derivatives\":[]}", PH_UNKNOWN_FIELD, "end_derivatives",
       "is not a field of planar");
-  bad("{\"\":[]}", PH_UNKNOWN_FIELD, "", "is not a field of planar");
+  bad("{\"\":[]}", PH_UNKNOWN_FIELD, "\"\"", "is not a field of planar");
   bad("{\"points\\u0000\":[]}", PH_UNKNOWN_FIELD, "points\\u0000",
       "is not a field of planar");
   bad("{\"a\\nb\":[]}", PH_UNKNOWN_FIELD, "a\\nb", "is not a field of planar");
@@ -142,6 +142,22 @@ START_TEST(test_echo) {
   bad("{\"id\":[1],\"meta\":2}", PH_BAD_TYPE, "id",
       "must be a string or a number, found an array");
   ck_echo(NULL, "2");
+}
+END_TEST
+
+/* What is only passed on is JSON all the same. */
+START_TEST(test_bad_echo) {
+  bad("{\"id\":-1e999,\"meta\":2}", PH_NOT_FINITE, "id",
+      "is -1e999, which overflows a double");
+  ck_echo(NULL, "2");
+  bad("{\"id\":7,\"meta\":{\"a\":[0,{\"b\":1e309}]}}", PH_NOT_FINITE, "meta",
+      "is 1e309, which overflows a double");
+  ck_echo("7", NULL);
+  bad("{\"meta\":[{\"a\":1,\"bc\":[],\"\\u0061\":2}]}", PH_BAD_VALUE, "meta",
+      "has the name \"a\" twice");
+  ck_assert_int_eq(get("{\"meta\":{\"\":1,\"a\":{\"\":1,\"a\":[]},\"b\":1}}"),
+                   PH_OK);
+  ck_echo(NULL, "{\"\":1,\"a\":{\"\":1,\"a\":[]},\"b\":1}");
 }
 END_TEST
 
@@ -204,6 +220,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_names);
   tcase_add_test(tc, test_not_an_object);
   tcase_add_test(tc, test_echo);
+  tcase_add_test(tc, test_bad_echo);
   tcase_add_test(tc, test_echo_on_failure);
   tcase_add_test(tc, test_values);
   tcase_add_test(tc, test_lines);

@@ -1,0 +1,438 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Every error code that `planar' can give: the line on standard error and the
+# error record, to the byte, and that the problems around it are solved.
+. "$srcdir/tests/cli/lib.sh"
+
+# A text as it stands in a JSON string.
+escaped() {
+  printf '%s' "$1" | sed 's/\\/\\\\/g; s/"/\\"/g'
+}
+
+# error_record CODE FIELD MESSAGE FILE LINE[:COLUMN] [ID]; FIELD may be empty
+error_record() {
+  line=${5%:*} column=
+  case $5 in *:*) column=",\"column\":${5#*:}" ;; esac
+  printf '{%s"command":"planar","status":"error","error":{"code":"%s",' \
+    "${6:+\"id\":$6,}" "$1"
+  field=$(escaped "$2")
+  printf '"message":"%s%s",%s"file":"%s","line":%s%s}}\n' \
+    "${2:+$field }" "$(escaped "$3")" "${2:+\"field\":\"$field\",}" "$4" \
+    "$line" "$column"
+}
+
+# ---- problems ----------------------------------------------------------------
+
+printf '%s\n' "$good" >good.json
+run planar good.json
+expect 'a good problem' 0
+cp out good.out
+
+# bad CODE FIELD MESSAGE PROBLEM: as an object, in JSON Lines and in an array.
+# The problem is one line; FIELD may be empty.
+bad() {
+  printf '%s\n' "$4" >a.json
+  printf '%s\n' "$good" "$4" "$good" >b.jsonl
+  printf '[%s,\n%s,\n%s]' "$good" "$4" "$good" >c.json
+  {
+    error_record "$1" "$2" "$3" a.json 1
+    cat good.out
+    error_record "$1" "$2" "$3" b.jsonl 2
+    cat good.out good.out
+    error_record "$1" "$2" "$3" c.json 2
+    cat good.out
+  } >want
+  says="${2:+$2: }$3 [$1]"
+  run planar a.json b.jsonl c.json
+  if [ "$status" -eq 1 ] && ! cmp -s out want; then
+    equal_files "records: $says" want out
+  else
+    expect "$says" 1 "phspline: a.json:1: record 1: $says
+phspline: b.jsonl:2: record 3: $says
+phspline: c.json:2: record 6: $says
+$(failed 3 7)"
+  fi
+}
+
+# with MEMBERS: a problem that has more than its points
+with() {
+  printf '{"points":[[0,0],[1,1],[2,0]],%s}' "$1"
+}
+
+points='must be an array of points [x,y], found'
+knots='must be "chordal", "centripetal", "uniform" or an array of numbers, found'
+vectors='must be an array of vectors [x,y], found'
+
+bad bad-type '' 'a problem must be an object, found a number' 5
+bad bad-type '' 'a problem must be an object, found a string' '"points"'
+bad bad-type '' 'a problem must be an object, found null' null
+bad bad-type '' 'a problem must be an object, found true' true
+
+bad unknown-field point 'is not a field of planar; did you mean "points"?' \
+  '{"point":[[0,0],[1,1]]}'
+bad unknown-field cloesd 'is not a field of planar; did you mean "closed"?' \
+  "$(with '"cloesd":true')"
+bad unknown-field Points 'is not a field of planar; did you mean "points"?' \
+  '{"Points":[[0,0],[1,1]]}'
+bad unknown-field mta 'is not a field of planar; did you mean "meta"?' \
+  "$(with '"mta":1')"
+bad unknown-field length 'is not a field of planar' "$(with '"length":1')"
+bad unknown-field '""' 'is not a field of planar' "$(with '"":1')"
+
+missing='is missing: it must be an array of points [x,y]'
+bad missing-field points "$missing" '{}'
+bad missing-field points "$missing" '{"knots":"uniform","closed":true}'
+
+bad bad-type points "$points a number" '{"points":5}'
+bad bad-type points "$points a string" '{"points":"0,0"}'
+bad bad-type points "$points an object" '{"points":{"x":[0,1],"y":[0,1]}}'
+bad bad-type points "$points null" '{"points":null}'
+bad bad-type points "$points an array of numbers" '{"points":[0,0,1,1]}'
+bad bad-type points "$points an array of something else" '{"points":["0"]}'
+bad bad-type 'points[1]' 'must be an array of numbers, found a number' \
+  '{"points":[[0,0],1]}'
+bad bad-type 'points[1][1]' 'must be a number, found a string' \
+  '{"points":[[0,0],[1,"1"]]}'
+bad bad-type 'points[0][0]' 'must be a number, found null' \
+  '{"points":[[null,0],[1,1]]}'
+bad bad-type 'points[0][0]' 'must be a number, found an array' \
+  '{"points":[[[0,0]],[[1,1]]]}'
+bad bad-type 'knots[1]' 'must be a number, found a string' \
+  "$(with '"knots":[0,"1",2]')"
+bad bad-type knots "$knots a number" "$(with '"knots":1')"
+bad bad-type knots "$knots an array of arrays" "$(with '"knots":[[0,1,2]]')"
+bad bad-type closed 'must be true or false, found a number' \
+  "$(with '"closed":1')"
+bad bad-type closed 'must be true or false, found a string' \
+  "$(with '"closed":"true"')"
+bad bad-type closed 'must be true or false, found null' \
+  "$(with '"closed":null')"
+bad bad-type end_derivatives "$vectors a string" \
+  "$(with '"end_derivatives":"chord"')"
+bad bad-type end_derivatives "$vectors an array of numbers" \
+  "$(with '"end_derivatives":[1,0]')"
+bad bad-type id 'must be a string or a number, found true' "$(with '"id":true')"
+bad bad-type id 'must be a string or a number, found null' "$(with '"id":null')"
+bad bad-type id 'must be a string or a number, found an array' \
+  "$(with '"id":[1]')"
+bad bad-type id 'must be a string or a number, found an object' \
+  "$(with '"id":{}')"
+
+bad bad-value knots "$knots \"unifrom\"; did you mean \"uniform\"?" \
+  "$(with '"knots":"unifrom"')"
+bad bad-value knots "$knots \"\"" "$(with '"knots":""')"
+bad bad-value knots "$knots \"Chordal\"; did you mean \"chordal\"?" \
+  "$(with '"knots":"Chordal"')"
+bad bad-value 'knots[1]' 'must be greater than the knot before, 0, found 0' \
+  "$(with '"knots":[0,0,1]')"
+bad bad-value 'knots[2]' 'must be greater than the knot before, 2, found 1.5' \
+  "$(with '"knots":[0,2,1.5]')"
+bad bad-value end_derivatives \
+  'is for open curves: a closed curve has no ends' \
+  "$(with '"closed":true,"end_derivatives":[[1,0],[1,0]]')"
+bad bad-value points 'occurs twice' "$(with '"points":[[0,0],[1,1]]')"
+bad bad-value points 'occurs twice' "$(with '"p\u006fints":[[0,0],[1,1]]')"
+bad bad-value closed 'occurs twice' "$(with '"closed":1,"closed":true')"
+bad bad-value meta 'has the name "a" twice' \
+  "$(with '"meta":[{"a":1,"b":2,"\u0061":3}]')"
+
+bad bad-shape 'points[1]' 'must have 2 numbers, found 1' '{"points":[[0,0],[1]]}'
+bad bad-shape 'points[0]' 'must have 2 numbers, found 3' \
+  '{"points":[[0,0,0],[1,1,1]]}'
+bad bad-shape 'points[1]' 'must have 2 numbers, found 4' \
+  '{"points":[[0,0],[1,1,1,1]]}'
+bad bad-shape 'points[0]' 'must have 2 numbers, found 0' '{"points":[[],[]]}'
+bad bad-shape knots 'must have 3 numbers, one for each point, found 2' \
+  "$(with '"knots":[0,1]')"
+bad bad-shape knots 'must have 3 numbers, one for each point, found 0' \
+  "$(with '"knots":[]')"
+bad bad-shape knots 'must have 4 numbers, one for each point and one that closes the period, found 3' \
+  "$(with '"closed":true,"knots":[0,1,2]')"
+bad bad-shape end_derivatives 'must be two vectors, found 1' \
+  "$(with '"end_derivatives":[[1,0]]')"
+bad bad-shape 'end_derivatives[1]' 'must have 2 numbers, found 3' \
+  "$(with '"end_derivatives":[[1,0],[1,0,0]]')"
+
+bad not-finite 'points[1][0]' 'is 1e999, which overflows a double' \
+  '{"points":[[0,0],[1e999,1]]}'
+bad not-finite 'points[1][1]' 'is -1.8e308, which overflows a double' \
+  '{"points":[[0,0],[1,-1.8e308]]}'
+bad not-finite 'knots[2]' 'is 1e309, which overflows a double' \
+  "$(with '"knots":[0,1,1e309]')"
+bad not-finite id 'is 1e999, which overflows a double' "$(with '"id":1e999')"
+bad not-finite meta 'is -1e999, which overflows a double' \
+  "$(with '"meta":{"a":[1,-1e999]}')"
+
+bad too-few-points points 'must be at least 2, found 0' '{"points":[]}'
+bad too-few-points points 'must be at least 2, found 1' '{"points":[[0,0]]}'
+bad too-few-points points \
+  'must be at least 3 different points for a closed curve, found 2' \
+  '{"points":[[0,0],[1,1]],"closed":true}'
+bad too-few-points points \
+  'must be at least 3 different points for a closed curve, found 2' \
+  '{"points":[[0,0],[1,1],[0,0]],"closed":true}'
+
+bad coincident-points 'points[1]' 'coincides with points[0]' \
+  '{"points":[[3,4],[3,4]]}'
+bad coincident-points 'points[2]' 'coincides with points[1]' \
+  '{"points":[[0,0],[1,1],[1,1.000000000000000001],[2,0]]}'
+bad coincident-points 'points[1]' 'coincides with points[0]' \
+  '{"points":[[0,0],[0,0]]}'
+bad coincident-points 'points[2]' 'coincides with points[1]' \
+  '{"points":[[1,0],[0,0],[0,0],[0,1],[1,0]],"closed":true}'
+
+bad zero-tangent 'end_derivatives[0]' 'must not be zero' \
+  "$(with '"end_derivatives":[[0,0],[1,0]]')"
+bad zero-tangent 'end_derivatives[1]' 'must not be zero' \
+  "$(with '"end_derivatives":[[1,0],[0,-0.0]]')"
+
+bad too-large knots 'span more than a double can hold' \
+  '{"points":[[-1.7e308,0],[1.7e308,0]]}'
+bad too-large 'knots[1]' \
+  'differs from the knot before by more than a double can hold' \
+  "$(with '"knots":[-1.7e308,1.7e308,1.75e308]')"
+bad too-large 'end_derivatives[0]' 'is too large for these points' \
+  '{"points":[[0,0],[1e-300,0]],"end_derivatives":[[1e300,0],[1,0]]}'
+
+# The digits of a residual are nobody's promise.
+far='{"points":[[0,0],[1,0]],"end_derivatives":[[-1e200,1],[1e-100,1]]}'
+printf '%s\n%s\n' "$far" "$good" >a.jsonl
+run planar a.jsonl
+equal 'no-convergence' '1 "no-convergence" "segments[0]" absent' \
+  "$status $(get error.code | cut -d ' ' -f 1) $(get error.field |
+    cut -d ' ' -f 1) $(get segments | cut -d ' ' -f 1)"
+true_that 'no-convergence, on standard error' grep -q \
+  '^phspline: a.jsonl:1: record 1: segments\[0\]: .* \[no-convergence\]$' err
+
+# A curve that stands still, of a speed that is a fourth power, has no normal.
+printf '{"points":[[0,0],[1,0]],"end_derivatives":[[5,0],[5,0]]}' >a.json
+run planar --offset=0.1 a.json
+still='has no offset: the curve stands still in it and has no normal there'
+expect 'infeasible: the offset of a curve that stands still' 1 \
+  "phspline: a.json:1: record 1: segments[0]: $still [infeasible]
+$(failed 1 1)" \
+  "$(error_record infeasible 'segments[0]' "$still" a.json 1)"
+run planar a.json
+expect 'that curve without its offset' 0
+
+# ---- what a record is called -------------------------------------------------
+
+# called NAME RECORD ID: how an id appears in the message and in the record
+called() {
+  printf '{"points":[],"id":%s}\n' "$3" >a.json
+  run planar a.json
+  expect "$1, in the message" 1 "phspline: a.json:1: record $2: points: must \
+be at least 2, found 0 [too-few-points]
+$(failed 1 1)" \
+    "$(error_record too-few-points points 'must be at least 2, found 0' a.json \
+      1 "$3")"
+}
+
+called 'a number as id' 7 7
+called 'a number as it was written' 1.50e0 1.50e0
+called 'a string as id' 'wing tip' '"wing tip"'
+called 'an empty string as id' '' '""'
+called 'an id with escapes' "a\"\\x0ab\\" '"a\"\nb\\"'
+called 'an id with letters beyond ASCII' 'Ärger' '"Ärger"'
+called 'an id written in escapes' 'AÄ' '"\u0041\u00c4"'
+
+printf '{"points":7,"extra":1,"id":"last"}' >a.json
+run planar a.json
+expect 'the first failure is told, with an id that comes last' 1 \
+  "phspline: a.json:1: record last: extra: is not a field of planar \
+[unknown-field]
+$(failed 1 1)"
+
+printf '{\n "id": 1,\n "points": [\n  [0, 0],\n  [0, 0]\n ]\n}\n' |
+  run planar -
+expect 'the line of the element within a problem of many lines' 1 \
+  "phspline: -:5: record 1: $bad_says
+$(failed 1 1)"
+
+printf '%s' '{"points":[],"meta":{"of": [1,2]}}' | run planar
+expect 'meta is in the error record, too' 1 \
+  "phspline: -:1: record 1: points: must be at least 2, found 0 \
+[too-few-points]
+$(failed 1 1)" \
+  '{"command":"planar","status":"error","meta":{"of": [1,2]},"error":{'\
+'"code":"too-few-points","message":"points must be at least 2, found 0",'\
+'"field":"points","file":"-","line":1}}'
+
+# ---- text that is no JSON ----------------------------------------------------
+
+# broken STATUS LINE:COLUMN RECORD MESSAGE FILE TEXT: `syntax', with the number
+# of records that come before; TEXT is one for printf.
+broken() {
+  # shellcheck disable=SC2059
+  printf "$6" >"$5"
+  run planar "$5"
+  total=$(wc -l <out | tr -d ' ')
+  expect "$6" "$1" \
+    "phspline: $5:${2%:*}: record $3: $4 [syntax]
+$(failed 1 "$total")"
+  equal "record of $6" "$(error_record syntax '' "$4" "$5" "$2")" \
+    "$(sed -n "$3p" out)"
+}
+
+g=$good'\n'
+broken 1 2:21 2 'NaN is not JSON: numbers are finite' a.jsonl \
+  "$g"'{"points":[[0,0],[1,NaN]]}\n'"$g"
+broken 1 2:22 2 'Infinity is not JSON: numbers are finite' a.jsonl \
+  "$g"'{"points":[[0,0],[1,-Infinity]]}\n'"$g"
+broken 1 2:24 2 "expected a value, found ']'" a.jsonl \
+  "$g"'{"points":[[0,0],[1,1],]}\n'"$g"
+broken 1 2:25 2 "expected a name in double quotes, found '}'" a.jsonl \
+  "$g"'{"points":[[0,0],[1,1]],}\n'"$g"
+broken 1 2:25 2 "expected ',' or '}', found '/'; JSON has no comments" a.jsonl \
+  "$g"'{"points":[[0,0],[1,1]] // two\n'"$g"
+broken 1 2:21 2 "expected a value, found '.'" a.jsonl \
+  "$g"'{"points":[[0,0],[1,.5]]}\n'"$g"
+broken 1 2:21 2 "expected a value, found '+'" a.jsonl \
+  "$g"'{"points":[[0,0],[1,+1]]}\n'"$g"
+broken 1 2:22 2 'a number has no leading zero' a.jsonl \
+  "$g"'{"points":[[0,0],[1,01]]}\n'"$g"
+broken 1 2:23 2 "expected a digit, found ']'" a.jsonl \
+  "$g"'{"points":[[0,0],[1,1.]]}\n'"$g"
+broken 1 2:2 2 "expected a name in double quotes or '}', found \"'\"" a.jsonl \
+  "$g"'{'"'points'"':[[0,0],[1,1]]}\n'"$g"
+broken 1 2:2 2 "expected a name in double quotes or '}', found 'p'" a.jsonl \
+  "$g"'{points:[[0,0],[1,1]]}\n'"$g"
+broken 1 2:8 2 'the byte \xff is not UTF-8' a.jsonl "$g"'{"id":"\377"}\n'"$g"
+broken 1 2:9 2 'the text ends inside a string' a.jsonl "$g"'{"id":"a\n'"$g"
+broken 1 2:20 2 'the text ends inside an array' a.jsonl \
+  "$g"'{"points":[[0,0],[1\n'"$g"
+broken 1 2:1 2 'expected a value, found "solved"' a.jsonl "$g"'solved\n'"$g"
+broken 1 2:1 2 "expected a value, found '}'" a.jsonl "$g"'}\n'"$g"
+broken 3 1:1 1 'expected a value, found "solved"' a.json 'solved'
+broken 3 1:20 1 'the text ends inside an array' a.json '{"points":[[0,0],[1'
+broken 3 2:3 1 'the text ends inside an object' a.json '{"points":\n[]'
+broken 3 2:1 2 "expected ',' or ']', found '{'" a.json \
+  "[$good\\n$good]"
+
+# ---- CSV ---------------------------------------------------------------------
+
+# bad_csv STATUS LINE[:COLUMN] FIELD CODE MESSAGE TEXT [OPTION]...
+bad_csv() {
+  # shellcheck disable=SC2059
+  printf "$6" >a.csv
+  wanted=$(error_record "$4" "$3" "$5" a.csv "$2")
+  wanted_status=$1
+  says="phspline: a.csv:${2%:*}: record 1: ${3:+$3: }$5 [$4]"
+  text=$6
+  shift 6
+  run planar "$@" a.csv
+  expect "$* $text" "$wanted_status" "$says
+$(failed 1 1)" "$wanted"
+}
+
+skip='(--columns can skip it)'
+bad_csv 3 1:5 '' unknown-field "column \"speed\" is unknown to planar $skip" \
+  'x,y,speed\n0,0,1\n1,1,1\n'
+bad_csv 3 1:1 '' unknown-field \
+  "column \"kont\" is unknown to planar; did you mean \"knot\"? $skip" \
+  'kont,x,y\n0,0,1\n1,1,1\n'
+bad_csv 3 1:5 '' unknown-field "column 3 has no name $skip" 'x,y,\n0,0,\n'
+bad_csv 3 1:1 '' unknown-field "column \"z\" is unknown to planar $skip" \
+  '0,0,0\n1,1,0\n'
+bad_csv 3 1:3 '' bad-value "columns 1 and 2 (\"X\") are the same $skip" \
+  'x,X\n0,0\n1,1\n'
+bad_csv 3 1:3 '' bad-value "columns 1 and 2 (\"x_m\") are the same $skip" \
+  'x,x_m\n0,0\n1,1\n'
+bad_csv 3 1:1 '' missing-field 'column "y" is missing: planar needs it for points' \
+  'x\n0\n1\n'
+bad_csv 3 1:1 '' missing-field 'column "x" is missing: planar needs it for points' \
+  'id,y\na,0\na,1\n'
+bad_csv 1 2 points missing-field "$missing" 'id\n""\n'
+bad_csv 1 2 points missing-field "$missing" 'x,y\n,\n,\n'
+bad_csv 1 2 'points[0]' bad-type 'needs a number in column y, found "high"' \
+  'x,y\n0,high\n1,1\n'
+bad_csv 1 3 'points[1]' bad-type 'needs a number in column x, found "0x1"' \
+  'x,y\n0,0\n0x1,1\n'
+bad_csv 1 3 'points[1]' bad-type 'needs a number in column y, found "1 2"' \
+  'x,y\n0,0\n1,1 2\n'
+bad_csv 1 3 'knots[1]' bad-type 'needs a number in column knot, found "one"' \
+  'x,y,knot\n0,0,0\n1,1,one\n'
+bad_csv 1 3 'points[1]' bad-value \
+  'needs a number in column y, found an empty cell' 'x,y\n0,0\n1,\n2,0\n'
+bad_csv 1 3 'knots[1]' bad-value \
+  'needs a number in column knot, found an empty cell' \
+  'x,y,knot\n0,0,0\n1,1,\n'
+bad_csv 1 4 'knots[2]' bad-value \
+  'must be greater than the knot before, 1, found 1' \
+  'x,y,knot\n0,0,0\n1,1,1\n2,0,1\n'
+bad_csv 1 3 '' bad-shape 'the row has 1 cells, expected 2' 'x,y\n0,0\n1\n'
+bad_csv 1 2 '' bad-shape 'the row has 3 cells, expected 2' 'x,y\n0,0,0\n1,1\n'
+bad_csv 3 1:1 '' bad-shape \
+  'the row has 3 cells, but --columns names 2 (- skips a column)' \
+  '0,0,0\n1,1,0\n' --columns=x,y
+bad_csv 1 2 'points[0]' not-finite \
+  'needs a finite number in column y, found "nan"' 'x,y\n0,nan\n1,1\n'
+bad_csv 1 3 'points[1]' not-finite \
+  'needs a finite number in column x, found "-inf"' 'x,y\n0,0\n-inf,1\n'
+bad_csv 1 3 'points[1]' not-finite \
+  'needs a finite number in column x, found "1e999"' 'x,y\n0,0\n1e999,1\n'
+bad_csv 1 2 points too-few-points 'must be at least 2, found 1' 'x,y\n0,0\n'
+bad_csv 1 4 'points[2]' coincident-points 'coincides with points[1]' \
+  '# x,y\n0,0\n1,1\n1,1\n'
+bad_csv 1 2 points too-few-points \
+  'must be at least 3 different points for a closed curve, found 2' \
+  'x,y\n0,0\n1,1\n' --closed
+bad_csv 1 2 'end_derivatives[1]' zero-tangent 'must not be zero' \
+  'x,y\n0,0\n1,1\n' '--end_derivatives=[[1,0],[0,0]]'
+bad_csv 1 2 knots too-large 'span more than a double can hold' \
+  'x,y\n-1.7e308,0\n1.7e308,0\n'
+bad_csv 3 3:4 '' syntax \
+  "expected ',' or the end of the row after a quoted cell, found 'z'" \
+  'x,y\n0,0\n"1"z,1\n'
+bad_csv 3 2:1 '' syntax 'the quote that begins this cell is never closed' \
+  'x,y\n"0,0\n1,1\n'
+bad_csv 3 1:1 '' syntax \
+  'the file has no header row: --columns must name its 4 columns' \
+  '0,0,1,1\n1,1,1,1\n'
+bad_csv 1 2 id syntax 'has the byte \xff, which is not UTF-8' \
+  'id,x,y\n\377,0,0\n\377,1,1\n'
+
+printf 'solved\n' >text
+run planar text
+expect 'text that is neither JSON nor CSV' 3 \
+  "phspline: text:1: record 1: expected JSON, or CSV with a header row, found \
+\"solved\" [syntax]
+$(failed 1 1)" \
+  "$(error_record syntax '' \
+    'expected JSON, or CSV with a header row, found "solved"' text 1:1)"
+
+# ---- warnings ----------------------------------------------------------------
+
+reversal='{"id":"r","points":[[0,0],[1,0],[0,0]]}'
+loop='{"id":"l","points":[[0,0],[1,1]],"end_derivatives":[[-1,-1],[-1,-1]]}'
+reversal_says='the data turn back by 180 degrees at points[1] (1 such): of two
+mirror images the left turn was taken'
+reversal_says=$(printf %s "$reversal_says" | tr '\n' ' ')
+loop_says='segment 0 turns by 6.283 radians (1 segments turn by more than half
+a turn)'
+loop_says=$(printf %s "$loop_says" | tr '\n' ' ')
+
+# warned NAME CODE MESSAGE SEGMENT PROBLEM
+warned() {
+  id=$(printf %s "$1" | cut -c 1)
+  printf '%s\n' "$5" >a.json
+  run planar a.json
+  expect "$1: a warning" 0 \
+    "phspline: a.json:1: record $id: warning: $3 [$2]"
+  equal "$1: the record" \
+    "\"ok\" [{\"code\":\"$2\",\"segment\":$4,\"message\":\"$3\"}]" \
+    "$(get status) $(get warnings)"
+  run planar -q a.json
+  expect "$1: quiet" 0 ''
+  equal "$1: quiet, but recorded" "\"$2\"" "$(get 'warnings[0].code')"
+  run planar --strict a.json
+  expect "$1: an error under --strict" 1 \
+    "phspline: a.json:1: record $id: $3 [$2]
+$(failed 1 1)" "$(error_record "$2" '' "$3" a.json 1 "\"$id\"")"
+  run planar --strict -q a.json
+  expect "$1: an error under --strict, quiet" 1 \
+    "phspline: a.json:1: record $id: $3 [$2]"
+}
+
+warned reversal reversal "$reversal_says" 1 "$reversal"
+warned loop loop "$loop_says" 0 "$loop"
