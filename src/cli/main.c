@@ -89,19 +89,40 @@ static int run_command(const struct ph_command *command, int argc,
   return result;
 }
 
-static int unknown_command(const char *name) {
+/* The first word is none that we know. */
+static int unknown_word(const char *word) {
+  bool option = word[0] == '-' && word[1];
+  size_t n = option ? strcspn(word, "=") : strlen(word);
+  size_t dashes = option ? strspn(word, "-") : 0;
   struct ph_suggest suggest;
   struct ph_diag diag;
   char excerpt[PH_EXCERPT_MAX], clause[PH_DID_YOU_MEAN_MAX];
-  ph_suggest_init(&suggest, name, strlen(name));
-  for (size_t i = 0; i < ph_commands_n; i++) {
+  ph_suggest_init(&suggest, word + dashes, n - dashes);
+  if (option && (strncmp(word, "--help=", 7) == 0 ||
+                 strncmp(word, "--version=", 10) == 0)) {
+    ph_fail(&diag, PH_USAGE, NULL, "option '%.*s' takes no value", (int)n,
+            word);
+    return report(&diag, NULL);
+  }
+  if (option) {
+    ph_suggest_list(&suggest, "help|version");
+  }
+  for (size_t i = 0; !option && i < ph_commands_n; i++) {
     const char *candidate = ph_commands[i].method->schema.command;
     ph_suggest_try(&suggest, candidate, strlen(candidate));
   }
   ph_did_you_mean(&suggest, clause);
-  ph_fail(&diag, PH_USAGE, NULL, "unknown command '%s'%s",
-          ph_excerpt(name, strlen(name), excerpt), clause);
+  ph_fail(&diag, PH_USAGE, NULL, "unknown %s '%s'%s",
+          option ? "option" : "command", ph_excerpt(word, n, excerpt), clause);
   return report(&diag, NULL);
+}
+
+/* phspline help WORD */
+static int help_on(const char *word) {
+  const struct ph_command *command = word ? ph_command_find(word) : NULL;
+  bool itself = !word || strcmp(word, "help") == 0 ||
+                strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
+  return command || itself ? print_help(command) : unknown_word(word);
 }
 
 int main(int argc, char **argv) {
@@ -120,11 +141,9 @@ int main(int argc, char **argv) {
     return print_help(NULL);
   }
   if (strcmp(name, "help") == 0) {
-    name = argc > 2 ? argv[2] : NULL;
-    command = name ? ph_command_find(name) : NULL;
-    return name && !command ? unknown_command(name) : print_help(command);
+    return help_on(argc > 2 ? argv[2] : NULL);
   }
   command = ph_command_find(name);
   return command ? run_command(command, argc - 1, argv + 1)
-                 : unknown_command(name);
+                 : unknown_word(name);
 }

@@ -74,13 +74,12 @@ static enum ph_status build_tables(struct parser *p) {
   return PH_OK;
 }
 
-static enum ph_status unknown_option(struct parser *p, const char *typed) {
+/* ---- failures --------------------------------------------------------- */
+
+static enum ph_status unknown_long(struct parser *p, const char *typed) {
   struct ph_suggest suggest;
   char clause[PH_DID_YOU_MEAN_MAX], excerpt[PH_EXCERPT_MAX];
   size_t n = strcspn(typed, "=");
-  if (n < 2 || typed[1] != '-') {
-    return ph_fail(p->diag, PH_USAGE, NULL, "unknown option '-%c'", optopt);
-  }
   ph_suggest_init(&suggest, typed + 2, n - 2);
   for (const struct option *o = p->longs; o->name; o++) {
     ph_suggest_try(&suggest, o->name, strlen(o->name));
@@ -90,23 +89,57 @@ static enum ph_status unknown_option(struct parser *p, const char *typed) {
                  ph_excerpt(typed, n, excerpt), clause);
 }
 
-/* The argv element in which the option that was just read stands. */
-static const char *typed_option(const struct parser *p) {
-  bool apart = optarg && optarg == p->argv[optind - 1];
-  return p->argv[optind - (apart ? 2 : 1)];
+static enum ph_status unknown_short(struct parser *p, int letter) {
+  char excerpt[PH_EXCERPT_MAX], text = (char)letter;
+  return ph_fail(p->diag, PH_USAGE, NULL, "unknown option '-%s'",
+                 ph_excerpt(&text, 1, excerpt));
 }
 
-static bool is_abbreviated(const struct parser *p, int value) {
-  const char *typed = typed_option(p);
+/* Whether a long option was typed with fewer letters than it has. */
+static bool is_abbreviated(const struct parser *p, const char *typed,
+                           int value) {
   return strncmp(typed, "--", 2) == 0 &&
          strcspn(typed + 2, "=") != strlen(p->longs[value - 256].name);
 }
+
+/* What getopt_long returned is no option with its value: '?' or ':'. */
+static enum ph_status misused(struct parser *p, int why) {
+  const char *typed = p->argv[optind - 1];
+  if (optopt == 0 || (optopt >= 256 && is_abbreviated(p, typed, optopt))) {
+    return unknown_long(p, typed);
+  }
+  if (optopt >= 256) {
+    return ph_fail(p->diag, PH_USAGE, NULL, "option '--%s' %s",
+                   p->longs[optopt - 256].name,
+                   why == ':' ? "needs a value" : "takes no value");
+  }
+  return why == ':' ? ph_fail(p->diag, PH_USAGE, NULL,
+                              "option '-%c' needs a value", optopt)
+                    : unknown_short(p, optopt);
+}
+
+enum ph_status ph_option_no_field(const struct ph_schema *schema,
+                                  const char *option, const char *name,
+                                  size_t n, struct ph_diag *diag) {
+  struct ph_suggest suggest;
+  char clause[PH_DID_YOU_MEAN_MAX], excerpt[PH_EXCERPT_MAX];
+  ph_suggest_init(&suggest, name, n);
+  for (size_t i = 0; i < schema->fields_n; i++) {
+    const char *candidate = ph_field_name(schema->fields[i].id);
+    ph_suggest_try(&suggest, candidate, strlen(candidate));
+  }
+  ph_did_you_mean(&suggest, clause);
+  return ph_fail(diag, PH_USAGE, NULL, "%s: %s has no field '%s'%s", option,
+                 schema->command, ph_excerpt(name, n, excerpt), clause);
+}
+
+/* ---- values ----------------------------------------------------------- */
 
 /* One of the words of the option's argument text "a|b|c". */
 static enum ph_status choose(struct parser *p, enum ph_option_id id,
                              const char *words, size_t *which) {
   struct ph_suggest suggest;
-  char clause[PH_DID_YOU_MEAN_MAX];
+  char clause[PH_DID_YOU_MEAN_MAX], excerpt[PH_EXCERPT_MAX];
   size_t n = strlen(optarg);
   *which = 0;
   for (const char *w = words; *w; w += w[strcspn(w, "|")] ? 1 : 0) {
@@ -121,17 +154,19 @@ static enum ph_status choose(struct parser *p, enum ph_option_id id,
   ph_suggest_list(&suggest, words);
   ph_did_you_mean(&suggest, clause);
   return ph_fail(p->diag, PH_USAGE, NULL, "--%s must be %s, found '%s'%s",
-                 ph_option_table[id].name, words, optarg, clause);
+                 ph_option_table[id].name, words,
+                 ph_excerpt(optarg, n, excerpt), clause);
 }
 
 static enum ph_status read_jobs(struct parser *p) {
   const char *end = optarg + strlen(optarg);
+  char excerpt[PH_EXCERPT_MAX];
   double x;
   if (ph_number_read_text(optarg, end, &x) != end || !(x >= 1) ||
       !(x <= JOBS_MAX) || floor(x) < x) {
     return ph_fail(p->diag, PH_USAGE, NULL,
                    "--jobs must be a whole number from 1 to %d, found '%s'",
-                   JOBS_MAX, optarg);
+                   JOBS_MAX, ph_excerpt(optarg, strlen(optarg), excerpt));
   }
   p->options->jobs = (size_t)x;
   return PH_OK;
@@ -140,6 +175,7 @@ static enum ph_status read_jobs(struct parser *p) {
 static enum ph_status read_offsets(struct parser *p) {
   struct ph_options *o = p->options;
   size_t room = 1;
+  char excerpt[PH_EXCERPT_MAX];
   double *all;
   const char *at = optarg, *end;
   for (const char *c = optarg; *c; c++) {
@@ -158,7 +194,8 @@ static enum ph_status read_offsets(struct parser *p) {
     end = at + strcspn(at, ",");
     if (end == at || ph_number_read_text(at, end, x) != end || !isfinite(*x)) {
       return ph_fail(p->diag, PH_USAGE, NULL,
-                     "--offset takes numbers, found '%s'", optarg);
+                     "--offset takes numbers, found '%s'",
+                     ph_excerpt(optarg, strlen(optarg), excerpt));
     }
   }
   return PH_OK;
@@ -166,6 +203,7 @@ static enum ph_status read_offsets(struct parser *p) {
 
 /* A character, or the two characters \t, which are easier to type. */
 static enum ph_status read_delimiter(struct parser *p) {
+  char excerpt[PH_EXCERPT_MAX];
   if (strlen(optarg) == 1) {
     p->options->input.delimiter = optarg[0];
   } else if (strcmp(optarg, "\\t") == 0) {
@@ -173,7 +211,7 @@ static enum ph_status read_delimiter(struct parser *p) {
   } else {
     return ph_fail(p->diag, PH_USAGE, NULL,
                    "--delimiter must be one character or \\t, found '%s'",
-                   optarg);
+                   ph_excerpt(optarg, strlen(optarg), excerpt));
   }
   return PH_OK;
 }
@@ -202,27 +240,17 @@ static enum ph_status assign(struct parser *p, const struct ph_field *field,
 /* FIELD=VALUE */
 static enum ph_status read_assignment(struct parser *p, enum ph_option_id id) {
   const struct ph_schema *schema = &p->options->command->method->schema;
+  const char *option = id == PH_O_SET ? "--set" : "--override";
   const struct ph_field *field;
-  struct ph_suggest suggest;
-  char option[32], clause[PH_DID_YOU_MEAN_MAX];
+  char excerpt[PH_EXCERPT_MAX];
   size_t n = strcspn(optarg, "=");
-  strcpy(option, id == PH_O_SET ? "--set" : "--override");
   if (n == 0 || !optarg[n]) {
     return ph_fail(p->diag, PH_USAGE, NULL, "%s: '%s' is not FIELD=VALUE",
-                   option, optarg);
+                   option, ph_excerpt(optarg, strlen(optarg), excerpt));
   }
   field = ph_field_find(schema, optarg, n);
-  if (field) {
-    return assign(p, field, option, optarg + n + 1, id == PH_O_OVERRIDE);
-  }
-  ph_suggest_init(&suggest, optarg, n);
-  for (size_t i = 0; i < schema->fields_n; i++) {
-    const char *name = ph_field_name(schema->fields[i].id);
-    ph_suggest_try(&suggest, name, strlen(name));
-  }
-  ph_did_you_mean(&suggest, clause);
-  return ph_fail(p->diag, PH_USAGE, NULL, "%s: %s has no field '%.*s'%s",
-                 option, schema->command, (int)n, optarg, clause);
+  return field ? assign(p, field, option, optarg + n + 1, id == PH_O_OVERRIDE)
+               : ph_option_no_field(schema, option, optarg, n, p->diag);
 }
 
 static enum ph_status read_sweep(struct parser *p) {
@@ -233,6 +261,12 @@ static enum ph_status read_sweep(struct parser *p) {
       ph_sweep_read(optarg, schema, &o->arena, sweep, p->diag);
   if (status != PH_OK) {
     return status;
+  }
+  for (size_t i = 0; i < o->sweeps_n; i++) {
+    if (ph_sweep_same(&o->sweeps[i], sweep)) {
+      return ph_fail(p->diag, PH_USAGE, NULL, "--sweep: %s is swept twice",
+                     o->sweeps[i].name);
+    }
   }
   o->sweeps_n++;
   o->sweep_count = ph_sweep_count(o->sweeps, o->sweeps_n);
@@ -337,12 +371,10 @@ static enum ph_status read_field(struct parser *p, size_t index) {
 
 /* One option that getopt_long returned. */
 static enum ph_status read_option(struct parser *p, int value) {
-  if (value == '?') {
-    return unknown_option(p, p->argv[optind - 1]);
-  }
-  if (value == ':') {
-    return ph_fail(p->diag, PH_USAGE, NULL, "option '%s' needs a value",
-                   p->argv[optind - 1]);
+  bool apart = optarg && optarg == p->argv[optind - 1];
+  const char *typed = p->argv[optind - (apart ? 2 : 1)];
+  if (value == '?' || value == ':') {
+    return misused(p, value);
   }
   if (value < 256) {
     for (int i = 0; i < PH_OPTION_N; i++) {
@@ -351,8 +383,8 @@ static enum ph_status read_option(struct parser *p, int value) {
       }
     }
   }
-  if (is_abbreviated(p, value)) {
-    return unknown_option(p, typed_option(p));
+  if (is_abbreviated(p, typed, value)) {
+    return unknown_long(p, typed);
   }
   value -= 256;
   return value < PH_OPTION_N ? read_common(p, (enum ph_option_id)value)

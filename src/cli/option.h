@@ -109,6 +109,12 @@ enum ph_status ph_options_read(int argc, char **argv,
                                struct ph_options *options,
                                struct ph_diag *diag);
 
+/* ph_option_no_field: the failure of an option that is about a field which the
+ * command does not have; name[n] is not NUL-terminated. */
+enum ph_status ph_option_no_field(const struct ph_schema *schema,
+                                  const char *option, const char *name,
+                                  size_t n, struct ph_diag *diag);
+
 void ph_options_free(struct ph_options *options);
 
 #endif

@@ -3,6 +3,7 @@
 #include "cli/sweep.h"
 
 #include "base/suggest.h"
+#include "cli/option.h"
 #include "io/number.h"
 #include "io/value.h"
 
@@ -25,13 +26,12 @@ static enum ph_status read_target(const char *text, size_t n,
                                   struct ph_sweep *sweep,
                                   struct ph_diag *diag) {
   const char *end = text + n, *p = memchr(text, '[', n);
-  size_t name_n;
+  char excerpt[PH_EXCERPT_MAX];
   p = p ? p : end;
-  name_n = (size_t)(p - text);
-  sweep->field = ph_field_find(schema, text, name_n);
+  sweep->field = ph_field_find(schema, text, (size_t)(p - text));
   if (!sweep->field) {
-    return ph_fail(diag, PH_USAGE, NULL, "--sweep: unknown field '%.*s'",
-                   (int)name_n, text);
+    return ph_option_no_field(schema, "--sweep", text, (size_t)(p - text),
+                              diag);
   }
   while (p < end) {
     size_t index = 0, digits = 0;
@@ -43,96 +43,121 @@ static enum ph_status read_target(const char *text, size_t n,
     if (!bracket || p == end || *p++ != ']' || !digits ||
         sweep->index_n == PH_SWEEP_INDICES_MAX) {
       return ph_fail(diag, PH_USAGE, NULL,
-                     "--sweep: '%.*s' is not a field or an element like "
+                     "--sweep: '%s' is not a field or an element like "
                      "knots[2] or points[0][1]",
-                     (int)n, text);
+                     ph_excerpt(text, n, excerpt));
     }
     sweep->index[sweep->index_n++] = index;
   }
   return PH_OK;
 }
 
-/* An element of an array field is a number; a whole field is what its row
- * allows. */
-static enum ph_status read_value(const char *text, size_t n, size_t i,
-                                 struct ph_arena *arena, struct ph_sweep *sweep,
-                                 struct ph_diag *diag) {
-  struct ph_value *value = &sweep->values[i];
-  char *copy = ph_arena_copy(arena, text, n);
-  if (!copy) {
-    return ph_fail_memory(diag);
+/* ---- values ----------------------------------------------------------- */
+
+/* [a,b] */
+static char *put_numbers(char *to, const double *v, size_t n) {
+  *to++ = '[';
+  for (size_t i = 0; i < n; i++) {
+    if (i > 0) {
+      *to++ = ',';
+    }
+    to += ph_number_write(to, v[i]);
   }
-  if (sweep->index_n == 0) {
-    struct ph_diag why;
-    enum ph_status status =
-        ph_value_read_option(copy, sweep->field, arena, value, &why);
-    if (status == PH_NO_MEMORY) {
-      return ph_fail_memory(diag);
-    }
-    if (status != PH_OK) {
-      return ph_fail(diag, PH_USAGE, NULL, "--sweep: %s %s", why.field,
-                     why.message);
-    }
-  } else if (!read_number(text, n, &value->number)) {
-    return ph_fail(diag, PH_USAGE, NULL,
-                   "--sweep: %s takes numbers, found '%.*s'", sweep->name,
-                   (int)n, text);
-  }
-  if (sweep->index_n > 0 || value->kind == PH_NUMBER) {
-    copy = ph_arena_array(arena, PH_NUMBER_MAX + 1, 1);
-    if (copy) {
-      copy[ph_number_write(copy, value->number)] = '\0';
-    }
-  } else if (value->kind == PH_WORD) {
-    size_t length = strlen(value->word); /* words need no escapes */
-    copy = ph_arena_array(arena, length + 3, 1);
-    if (copy) {
-      copy[0] = copy[length + 1] = '"';
-      memcpy(copy + 1, value->word, length);
-      copy[length + 2] = '\0';
-    }
-  }
-  sweep->texts[i] = copy;
-  return copy ? PH_OK : ph_fail_memory(diag);
+  *to++ = ']';
+  return to;
 }
 
-static enum ph_status allocate(struct ph_sweep *sweep, struct ph_arena *arena,
-                               struct ph_diag *diag) {
-  sweep->values = ph_arena_array(arena, sweep->n, sizeof *sweep->values);
-  sweep->texts = ph_arena_array(arena, sweep->n, sizeof *sweep->texts);
-  if (!sweep->values || !sweep->texts) {
+/* A value as JSON on one line, whatever blanks it was given with; NULL when
+ * memory is exhausted. */
+static const char *text_of(const struct ph_value *value,
+                           struct ph_arena *arena) {
+  bool vectors = value->kind == PH_VECTORS;
+  size_t numbers = vectors                     ? value->n * value->dimension
+                   : value->kind == PH_NUMBERS ? value->n
+                                               : 1;
+  size_t rows = vectors ? value->n : 1;
+  size_t word = value->kind == PH_WORD ? strlen(value->word) : 0;
+  char *text = ph_arena_array(
+      arena, numbers * (PH_NUMBER_MAX + 1) + 3 * rows + word + 3, 1);
+  char *to = text;
+  if (!text) {
+    return NULL;
+  }
+  if (value->kind == PH_NUMBER) {
+    to += ph_number_write(to, value->number);
+  } else if (value->kind == PH_BOOL) {
+    return value->flag ? "true" : "false";
+  } else if (value->kind == PH_WORD) { /* words need no escapes */
+    *to++ = '"';
+    memcpy(to, value->word, word);
+    to += word;
+    *to++ = '"';
+  } else if (!vectors) {
+    to = put_numbers(to, value->v, value->n);
+  } else {
+    *to++ = '[';
+    for (size_t i = 0; i < value->n; i++) {
+      if (i > 0) {
+        *to++ = ',';
+      }
+      to = put_numbers(to, value->v + i * value->dimension, value->dimension);
+    }
+    *to++ = ']';
+  }
+  *to = '\0';
+  return text;
+}
+
+/* An element of an array field is a number; a whole field is what its row
+ * allows. */
+static enum ph_status read_value(const char *text, size_t n,
+                                 const struct ph_sweep *sweep,
+                                 struct ph_arena *arena, struct ph_value *value,
+                                 struct ph_diag *diag) {
+  bool element = sweep->index_n > 0;
+  char excerpt[PH_EXCERPT_MAX];
+  const char *copy;
+  struct ph_diag why;
+  enum ph_status status;
+  value->kind = PH_NUMBER;
+  if (element && read_number(text, n, &value->number)) {
+    return PH_OK;
+  }
+  if (element || n == 0) {
+    return ph_fail(diag, PH_USAGE, NULL, "--sweep: %s takes %s, found '%s'",
+                   sweep->name, element ? "numbers" : "values",
+                   ph_excerpt(text, n, excerpt));
+  }
+  copy = ph_arena_copy(arena, text, n);
+  status = copy ? ph_value_read_option(copy, sweep->field, arena, value, &why)
+                : PH_NO_MEMORY;
+  if (status == PH_NO_MEMORY) {
     return ph_fail_memory(diag);
   }
-  memset(sweep->values, 0, sweep->n * sizeof *sweep->values);
-  return PH_OK;
+  return status == PH_OK ? PH_OK
+                         : ph_fail(diag, PH_USAGE, NULL, "--sweep: %s %s",
+                                   why.field, why.message);
 }
 
 /* START:STOP:COUNT, if the text has that form. */
 static enum ph_status read_range(const char *text, const char *first,
                                  const char *second, struct ph_arena *arena,
                                  struct ph_sweep *sweep, struct ph_diag *diag) {
-  double start, stop, count;
-  enum ph_status status = PH_OK;
-  if (!read_number(text, (size_t)(first - text), &start) ||
-      !read_number(first + 1, (size_t)(second - first - 1), &stop) ||
+  char excerpt[PH_EXCERPT_MAX];
+  struct ph_value value;
+  double count;
+  if (!read_number(text, (size_t)(first - text), &sweep->start) ||
+      !read_number(first + 1, (size_t)(second - first - 1), &sweep->stop) ||
       !read_number(second + 1, strlen(second + 1), &count) || !(count >= 1) ||
       count > COUNT_MAX || floor(count) < count) {
     return ph_fail(diag, PH_USAGE, NULL,
-                   "--sweep: '%s' is not START:STOP:COUNT with a COUNT of at "
-                   "least 1",
-                   text);
+                   "--sweep: '%s' is not START:STOP:COUNT with a COUNT from 1 "
+                   "to %.0f",
+                   ph_excerpt(text, strlen(text), excerpt), COUNT_MAX);
   }
   sweep->n = (size_t)count;
-  status = allocate(sweep, arena, diag);
-  for (size_t i = 0; status == PH_OK && i < sweep->n; i++) {
-    double part = sweep->n > 1 ? (double)i / (double)(sweep->n - 1) : 0;
-    double x =
-        i + 1 == sweep->n && i > 0 ? stop : start + part * (stop - start);
-    char digits[PH_NUMBER_MAX];
-    size_t n = ph_number_write(digits, x);
-    status = read_value(digits, n, i, arena, sweep, diag);
-  }
-  return status;
+  /* may the field be a number? */
+  return read_value(text, (size_t)(first - text), sweep, arena, &value, diag);
 }
 
 /* The end of the list element at p: a comma outside of brackets, or the end. */
@@ -146,19 +171,31 @@ static const char *element_end(const char *p) {
 
 static enum ph_status read_list(const char *text, struct ph_arena *arena,
                                 struct ph_sweep *sweep, struct ph_diag *diag) {
-  enum ph_status status;
   const char *p = text;
   sweep->n = 1;
   for (const char *q = element_end(p); *q; q = element_end(q + 1)) {
     sweep->n++;
   }
-  status = allocate(sweep, arena, diag);
-  for (size_t i = 0; status == PH_OK && i < sweep->n; i++) {
+  sweep->values = ph_arena_array(arena, sweep->n, sizeof *sweep->values);
+  sweep->texts = ph_arena_array(arena, sweep->n, sizeof *sweep->texts);
+  if (!sweep->values || !sweep->texts) {
+    return ph_fail_memory(diag);
+  }
+  memset(sweep->values, 0, sweep->n * sizeof *sweep->values);
+  for (size_t i = 0; i < sweep->n; i++) {
     const char *end = element_end(p);
-    status = read_value(p, (size_t)(end - p), i, arena, sweep, diag);
+    enum ph_status status =
+        read_value(p, (size_t)(end - p), sweep, arena, &sweep->values[i], diag);
+    if (status != PH_OK) {
+      return status;
+    }
+    sweep->texts[i] = text_of(&sweep->values[i], arena);
+    if (!sweep->texts[i]) {
+      return ph_fail_memory(diag);
+    }
     p = end + 1;
   }
-  return status;
+  return PH_OK;
 }
 
 enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
@@ -166,6 +203,7 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
                              struct ph_diag *diag) {
   const char *equals = strchr(text, '=');
   const char *first, *second;
+  char excerpt[PH_EXCERPT_MAX];
   size_t name_n = equals ? (size_t)(equals - text) : 0;
   enum ph_status status;
   memset(sweep, 0, sizeof *sweep);
@@ -173,7 +211,7 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
     return ph_fail(diag, PH_USAGE, NULL,
                    "--sweep: '%s' is not FIELD=START:STOP:COUNT or "
                    "FIELD=V1,V2,...",
-                   text);
+                   ph_excerpt(text, strlen(text), excerpt));
   }
   sweep->name = ph_arena_copy(arena, text, name_n);
   if (!sweep->name) {
@@ -189,6 +227,13 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
                 : read_list(equals + 1, arena, sweep, diag);
 }
 
+bool ph_sweep_same(const struct ph_sweep *a, const struct ph_sweep *b) {
+  return a->field == b->field && a->index_n == b->index_n &&
+         memcmp(a->index, b->index, a->index_n * sizeof *a->index) == 0;
+}
+
+/* ---- combinations ----------------------------------------------------- */
+
 size_t ph_sweep_count(const struct ph_sweep *sweeps, size_t n) {
   size_t count = 1;
   for (size_t i = 0; i < n; i++) {
@@ -198,6 +243,44 @@ size_t ph_sweep_count(const struct ph_sweep *sweeps, size_t n) {
     count *= sweeps[i].n;
   }
   return count;
+}
+
+/* Number i of the values; of a range both ends are exact. */
+static struct ph_value value_at(const struct ph_sweep *sweep, size_t i) {
+  struct ph_value value = {.kind = PH_NUMBER, .number = sweep->start};
+  double part, width = sweep->stop - sweep->start;
+  if (sweep->values) {
+    return sweep->values[i];
+  }
+  if (i > 0) {
+    part = (double)i / (double)(sweep->n - 1);
+    value.number = isfinite(width)
+                       ? sweep->start + part * width
+                       : (1 - part) * sweep->start + part * sweep->stop;
+    value.number = i + 1 == sweep->n ? sweep->stop : value.number;
+  }
+  return value;
+}
+
+enum ph_status ph_sweep_name(const struct ph_sweep *sweeps, size_t n,
+                             size_t which, struct ph_arena *arena,
+                             struct ph_swept *swept, struct ph_diag *diag) {
+  for (size_t i = n; i-- > 0;) {
+    const struct ph_sweep *sweep = &sweeps[i];
+    size_t at = which % sweep->n;
+    which /= sweep->n;
+    swept[i].name = sweep->name;
+    if (sweep->texts) {
+      swept[i].value = sweep->texts[at];
+    } else {
+      struct ph_value value = value_at(sweep, at);
+      swept[i].value = text_of(&value, arena);
+    }
+    if (!swept[i].value) {
+      return ph_fail_memory(diag);
+    }
+  }
+  return PH_OK;
 }
 
 /* The number in a problem's array that a sweep sets; the array is copied, as
@@ -229,20 +312,19 @@ static enum ph_status set_element(const struct ph_sweep *sweep, double x,
 enum ph_status ph_sweep_apply(const struct ph_sweep *sweeps, size_t n,
                               size_t which, struct ph_arena *arena,
                               struct ph_problem *problem,
-                              struct ph_swept *swept, struct ph_diag *diag) {
+                              struct ph_diag *diag) {
+  size_t stride = ph_sweep_count(sweeps, n);
   enum ph_status status = PH_OK;
-  for (size_t i = n; i-- > 0;) {
+  for (size_t i = 0; status == PH_OK && i < n; i++) {
     const struct ph_sweep *sweep = &sweeps[i];
-    struct ph_value *value = &problem->field[sweep->field->id];
-    size_t at = which % sweep->n;
-    which /= sweep->n;
-    swept[i].name = sweep->name;
-    swept[i].value = sweep->texts[at];
-    if (status == PH_OK && sweep->index_n > 0) {
-      double x = sweep->values[at].number;
-      status = set_element(sweep, x, arena, value, diag);
-    } else if (status == PH_OK) {
-      *value = sweep->values[at];
+    struct ph_value *field = &problem->field[sweep->field->id];
+    struct ph_value value;
+    stride /= sweep->n;
+    value = value_at(sweep, which / stride % sweep->n);
+    if (sweep->index_n > 0) {
+      status = set_element(sweep, value.number, arena, field, diag);
+    } else {
+      *field = value;
     }
   }
   return status;

@@ -1,5 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sweeps: one problem solved for many values of its fields. */
+/*
+ * Sweeps: one problem solved for many values of its fields.
+ *
+ * The values of a range are computed where they are needed: a sweep takes no
+ * more memory for a million values than for one.
+ */
 #ifndef PH_CLI_SWEEP_H
 #define PH_CLI_SWEEP_H
 
@@ -7,6 +12,8 @@
 #include "base/mem.h"
 #include "curve/problem.h"
 #include "io/json_out.h"
+
+#include <stdbool.h>
 
 enum { PH_SWEEP_INDICES_MAX = 2 };
 
@@ -18,8 +25,9 @@ struct ph_sweep {
   size_t index[PH_SWEEP_INDICES_MAX];
   size_t index_n; /* 0: the field as a whole */
   size_t n;
-  struct ph_value *values; /* [n] */
-  const char **texts;      /* [n], JSON */
+  struct ph_value *values; /* [n]; NULL: a range */
+  const char **texts;      /* [n], JSON on one line; NULL: a range */
+  double start, stop;      /* of a range */
 };
 
 /*
@@ -33,21 +41,33 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
                              struct ph_arena *arena, struct ph_sweep *sweep,
                              struct ph_diag *diag);
 
+/* ph_sweep_same: whether two sweeps set the same number or field. */
+bool ph_sweep_same(const struct ph_sweep *a, const struct ph_sweep *b);
+
 /* ph_sweep_count: results for each problem, the product of the counts; 0 when
  * it does not fit a size_t. */
 size_t ph_sweep_count(const struct ph_sweep *sweeps, size_t n);
 
 /*
- * ph_sweep_apply: sets the swept fields of a problem to combination number
- * `which` of their values, the last sweep varying fastest.
+ * ph_sweep_name: what a record says of combination number `which` of the
+ * values, the last sweep varying fastest.
+ *
+ * out  swept[n]  names and values
+ * ret  PH_OK | PH_NO_MEMORY
+ */
+enum ph_status ph_sweep_name(const struct ph_sweep *sweeps, size_t n,
+                             size_t which, struct ph_arena *arena,
+                             struct ph_swept *swept, struct ph_diag *diag);
+
+/*
+ * ph_sweep_apply: sets the swept fields of a problem to that combination, in
+ * the order of the sweeps.
  *
  * inout problem  arrays are copied to the arena before an element is changed
- * out   swept[n] names and values for the record
  * ret   PH_OK | PH_BAD_SHAPE (the problem has no such element) | PH_NO_MEMORY
  */
 enum ph_status ph_sweep_apply(const struct ph_sweep *sweeps, size_t n,
                               size_t which, struct ph_arena *arena,
-                              struct ph_problem *problem,
-                              struct ph_swept *swept, struct ph_diag *diag);
+                              struct ph_problem *problem, struct ph_diag *diag);
 
 #endif

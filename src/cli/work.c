@@ -35,22 +35,38 @@ static enum ph_status read_problem(struct task *t) {
                           &t->diag);
 }
 
-static enum ph_status apply_options(struct task *t) {
+/* What the record says of its sweep, also when it fails. */
+static enum ph_status name_sweep(struct task *t) {
   const struct ph_options *o = t->options;
-  t->swept = ph_arena_array(&t->worker->arena, o->sweeps_n, sizeof *t->swept);
-  if (!t->swept) {
-    return ph_fail_memory(&t->diag);
+  struct ph_swept *swept =
+      ph_arena_array(&t->worker->arena, o->sweeps_n, sizeof *swept);
+  enum ph_status status =
+      swept ? ph_sweep_name(o->sweeps, o->sweeps_n, t->item->sweep,
+                            &t->worker->arena, swept, &t->diag)
+            : ph_fail_memory(&t->diag);
+  if (status == PH_OK) {
+    t->swept = swept;
+    t->swept_n = o->sweeps_n;
   }
-  for (size_t i = 0; i < o->assignments_n; i++) {
-    const struct ph_assignment *a = &o->assignments[i];
-    struct ph_value *value = &t->problem.field[a->field];
-    if (a->override || value->kind == PH_ABSENT) {
-      *value = a->value;
+  return status;
+}
+
+/* --set gives what the problem lacks, --override anything; the last one that
+ * is about a field counts. */
+static void assign(struct task *t) {
+  const struct ph_options *o = t->options;
+  bool given[PH_FIELD_N];
+  for (size_t i = 0; i < PH_FIELD_N; i++) {
+    given[i] = t->problem.field[i].kind != PH_ABSENT;
+  }
+  for (int override = 0; override < 2; override++) {
+    for (size_t i = 0; i < o->assignments_n; i++) {
+      const struct ph_assignment *a = &o->assignments[i];
+      if (a->override == override && (override || !given[a->field])) {
+        t->problem.field[a->field] = a->value;
+      }
     }
   }
-  t->swept_n = o->sweeps_n;
-  return ph_sweep_apply(o->sweeps, o->sweeps_n, t->item->sweep,
-                        &t->worker->arena, &t->problem, t->swept, &t->diag);
 }
 
 static enum ph_status derive_offsets(struct task *t) {
@@ -87,9 +103,15 @@ static enum ph_status solve(struct task *t) {
     t->diag = t->item->diag;
     return status;
   }
-  status = read_problem(t);
+  status = name_sweep(t);
   if (status == PH_OK) {
-    status = apply_options(t);
+    status = read_problem(t);
+  }
+  if (status == PH_OK) {
+    const struct ph_options *o = t->options;
+    assign(t);
+    status = ph_sweep_apply(o->sweeps, o->sweeps_n, t->item->sweep,
+                            &worker->arena, &t->problem, &t->diag);
   }
   if (status == PH_OK) {
     status = ph_problem_check_required(&t->problem, &command->method->schema,

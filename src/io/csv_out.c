@@ -24,19 +24,28 @@ struct row {
   const struct ph_csv_heading *heading;
 };
 
-static void text_cell(struct ph_buf *buf, const char *text) {
-  if (!strpbrk(text, ",\"\r\n")) {
-    ph_buf_puts(buf, text);
+static void text_cell(struct ph_buf *buf, const char *text, size_t n) {
+  bool quoted = false;
+  for (size_t i = 0; i < n; i++) {
+    quoted |= memchr(",\"\r\n", text[i], 4) != NULL;
+  }
+  if (!quoted) {
+    ph_buf_put(buf, text, n);
     return;
   }
   ph_buf_put(buf, "\"", 1);
-  for (const char *p = text; *p; p++) {
-    if (*p == '"') {
-      ph_buf_put(buf, p, 1);
-    }
-    ph_buf_put(buf, p, 1);
+  for (size_t i = 0; i < n; i++) {
+    ph_buf_put(buf, "\"", text[i] == '"');
+    ph_buf_put(buf, text + i, 1);
   }
   ph_buf_put(buf, "\"", 1);
+}
+
+/* A JSON value; of a string, which holds no escapes, what it stands for. */
+static void json_cell(struct ph_buf *buf, const char *json) {
+  size_t n = strlen(json);
+  size_t quote = *json == '"';
+  text_cell(buf, json + quote, n - 2 * quote);
 }
 
 static void number_cell(struct ph_buf *buf, double x) {
@@ -48,13 +57,13 @@ static void number_cell(struct ph_buf *buf, double x) {
 }
 
 static void begin_row(const struct row *row) {
-  text_cell(row->buf, row->heading->id);
+  text_cell(row->buf, row->heading->id, strlen(row->heading->id));
 }
 
 static void end_row(const struct row *row) {
   for (size_t i = 0; i < row->heading->swept_n; i++) {
     ph_buf_put(row->buf, ",", 1);
-    text_cell(row->buf, row->heading->swept[i].value);
+    json_cell(row->buf, row->heading->swept[i].value);
   }
   ph_buf_put(row->buf, "\n", 1);
 }
@@ -69,7 +78,7 @@ void ph_csv_header(struct ph_buf *buf, enum ph_table table, size_t dimension,
   ph_buf_puts(buf, columns[table].after_point);
   for (size_t i = 0; i < swept_n; i++) {
     ph_buf_put(buf, ",", 1);
-    text_cell(buf, swept[i].name);
+    text_cell(buf, swept[i].name, strlen(swept[i].name));
   }
   ph_buf_put(buf, "\n", 1);
 }

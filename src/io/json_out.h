@@ -14,7 +14,7 @@
 /* One swept field and its value, as in "sweep": {"lengths[1]": 1.414}. */
 struct ph_swept {
   const char *name;
-  const char *value; /* JSON text, NUL-terminated */
+  const char *value; /* JSON, NUL-terminated; strings need no escapes */
 };
 
 /* What every record says of itself, solved or not. */

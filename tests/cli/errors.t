@@ -243,13 +243,18 @@ expect 'the first failure is told, with an id that comes last' 1 \
 [unknown-field]
 $(failed 1 1)"
 
-printf '{\n "id": 1,\n "points": [\n  [0, 0],\n  [0, 0]\n ]\n}\n' |
-  run planar -
+feed '{
+ "id": 1,
+ "points": [
+  [0, 0],
+  [0, 0]
+ ]
+}' planar -
 expect 'the line of the element within a problem of many lines' 1 \
   "phspline: -:5: record 1: $bad_says
 $(failed 1 1)"
 
-printf '%s' '{"points":[],"meta":{"of": [1,2]}}' | run planar
+feed '{"points":[],"meta":{"of": [1,2]}}' planar
 expect 'meta is in the error record, too' 1 \
   "phspline: -:1: record 1: points: must be at least 2, found 0 \
 [too-few-points]

@@ -63,11 +63,19 @@ true_that() {
 
 # ---- the program -------------------------------------------------------------
 
-# run ARGUMENT...: the program, with the function's standard input; sets
-# status, files out and err.
+# run ARGUMENT...: the program, with the standard input of the function; sets
+# status and the files out and err.
 run() {
   status=0
   "$PHSPLINE" "$@" >out 2>err || status=$?
+}
+
+# feed TEXT ARGUMENT...: the same with a text on standard input.  (A pipe into
+# run would take it, and its status, to another shell.)
+feed() {
+  printf '%s' "$1" >in
+  shift
+  run "$@" <in
 }
 
 # expect NAME STATUS [STDERR [STDOUT]]: what the last run did, to the byte; a
