@@ -5,6 +5,7 @@
 #include "cli/output.h"
 
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -72,8 +73,10 @@ void ph_message_warning(struct ph_buf *buf, const struct ph_subject *subject,
 
 void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
                         const char *command) {
-  ph_message_printf(buf, "phspline: %s%s%s\n", diag->field,
-                    diag->field[0] ? ": " : "", diag->message);
+  ph_message_printf(buf, "phspline: %s%s", diag->field,
+                    diag->field[0] ? ": " : "");
+  put_name(buf, diag->message); /* it may hold the name of a file */
+  ph_buf_puts(buf, "\n");
   if (diag->status == PH_USAGE) {
     ph_message_printf(buf, "Try 'phspline%s%s --help'.\n", command ? " " : "",
                       command ? command : "");
@@ -81,7 +84,11 @@ void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
 }
 
 void ph_message_send(struct ph_buf *buf) {
+  static const char exhausted[] = "phspline: memory is exhausted\n";
   /* A lost message has nowhere to be reported; the exit status stands. */
   ph_output_bytes(STDERR_FILENO, buf->data, buf->n);
-  buf->n = 0;
+  if (buf->failed) {
+    ph_output_bytes(STDERR_FILENO, exhausted, sizeof exhausted - 1);
+  }
+  ph_buf_clear(buf, SIZE_MAX);
 }

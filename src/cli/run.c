@@ -49,7 +49,9 @@ struct run {
   size_t filled, taken, written; /* counts of slots, ever */
 
   bool input_ended;
-  bool stopped; /* fail-fast, or a failure that ends the run */
+  bool input_failed;            /* told when all before it is written */
+  struct ph_diag input_failure; /* why */
+  bool stopped;                 /* fail-fast, or a failure that ends the run */
   /* The record whose sweep is being handed out. */
   struct ph_item current;
   size_t current_left; /* combinations that remain */
@@ -66,6 +68,14 @@ static struct slot *slot_at(struct run *r, size_t number) {
   return &r->slots[number % r->slots_n];
 }
 
+/* Sends what there is to say. */
+static void send(struct run *r) {
+  if (r->message.failed) {
+    r->class = PH_CLASS_INTERNAL;
+  }
+  ph_message_send(&r->message);
+}
+
 static void worsen(struct run *r, enum ph_class class) {
   r->class = class > r->class ? class : r->class;
 }
@@ -78,6 +88,14 @@ static void complain(struct run *r, const struct ph_diag *diag) {
 }
 
 /* ---- reading ---------------------------------------------------------- */
+
+/* Reading ends here; how far writing is, depends on the number of jobs. */
+static void fail_input(struct run *r, const struct ph_diag *diag) {
+  r->input_failed = true;
+  r->input_failure = *diag;
+  r->input_ended = true;
+  r->current_left = 0;
+}
 
 /* Gets the next record, if there is one now; false ends the batch. */
 static bool next_record(struct run *r, bool may_wait) {
@@ -92,19 +110,17 @@ static bool next_record(struct run *r, bool may_wait) {
   switch (ph_split_next(&r->split, may_wait, &r->current.record, &diag)) {
   case PH_SPLIT_RECORD:
     r->current.diag = diag;
+    r->current.cut_off = ph_split_stopped(&r->split);
     r->current_left =
         r->current.record.status == PH_OK ? r->options->sweep_count : 1;
     return true;
   case PH_SPLIT_WAIT:
     return false;
   case PH_SPLIT_FAILED:
-    complain(r, &diag);
-    break;
+    fail_input(r, &diag);
+    return false;
   case PH_SPLIT_END:
     break;
-  }
-  if (ph_split_stopped(&r->split)) {
-    worsen(r, PH_CLASS_INPUT);
   }
   r->input_ended = true;
   return false;
@@ -145,9 +161,7 @@ static bool fill_slot(struct run *r, bool may_wait) {
     if (!add_item(r, slot)) {
       struct ph_diag diag;
       ph_fail_memory(&diag);
-      complain(r, &diag);
-      r->input_ended = true;
-      r->current_left = 0;
+      fail_input(r, &diag);
       break;
     }
   }
@@ -220,6 +234,9 @@ static size_t count_outcomes(struct run *r, const struct slot *slot) {
   for (size_t i = 0; i < slot->n; i++) {
     enum ph_status status = slot->items[i].status;
     r->progress.records++;
+    if (slot->items[i].cut_off) {
+      worsen(r, PH_CLASS_INPUT);
+    }
     if (status != PH_OK) {
       r->progress.failed++;
       worsen(r, ph_status_class(status));
@@ -248,7 +265,7 @@ static void write_slot(struct run *r, struct slot *slot) {
     }
     ph_buf_put(&r->message, slot->err.data, slot->err_end[n - 1]);
   }
-  ph_message_send(&r->message);
+  send(r);
   slot->state = SLOT_FREE;
   r->written++;
   ph_progress_show(&r->progress);
@@ -421,12 +438,15 @@ int ph_run(const struct ph_options *options) {
     starts = start_threads(&r);
     pump(&r);
     stop_threads(&r);
+    if (r.input_failed && !r.stopped) {
+      complain(&r, &r.input_failure);
+    }
     ph_progress_finish(&r.progress);
     conclude(&r);
   } else {
     complain(&r, &diag);
   }
-  ph_message_send(&r.message);
+  send(&r);
   ph_free(starts);
   release(&r);
   pthread_cond_destroy(&r.changed);

@@ -193,6 +193,9 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   }
   item->status = solve(&t);
   subject.id = plain_id(&t);
+  if (t.echo.id && !subject.id) {
+    item->status = ph_fail_memory(&t.diag);
+  }
   heading.swept = t.swept;
   heading.swept_n = t.swept_n;
   if (item->status == PH_OK) {

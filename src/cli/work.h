@@ -18,6 +18,7 @@ struct ph_worker {
 struct ph_item {
   struct ph_record record;
   struct ph_diag diag; /* of a record whose text is broken */
+  bool cut_off;        /* ... so that nothing behind it could be read */
   size_t sweep;
   enum ph_status status; /* the outcome */
 };

@@ -5,10 +5,11 @@
  * held whole.
  *
  * A broken text is a record, too.  What follows it is trusted when the text
- * counts as a line of JSON Lines: it began a line, outside of an array, and
+ * counts as a line of JSON Lines: it stands outside of an array, and
  *   (a) the suffix of the file says so, or
- *   (b) all values before it in the file stood on lines of their own, or
- *   (c) the next line that is not blank begins with '{'.
+ *   (b) all values on the lines before it stood on lines of their own, or
+ *   (c) it begins a line, and the next one that is not blank begins with '{'.
+ * By (a) and (b) it may also follow a good value on its line.
  * Splitting then goes on behind the line where the text began, and the text is
  * judged as that line alone: a truncated line ends too early, whatever the
  * lines after it happen to be.
@@ -102,17 +103,19 @@ static enum ph_split_state broken(struct ph_split *split, bool may_wait,
                                   struct ph_record *record,
                                   struct ph_diag *diag) {
   struct ph_split_json *json = &split->json;
+  size_t on_this_line = json->line_start ? 0 : 1;
+  bool lines =
+      split->lines_suffix || (json->lines && json->values > on_this_line);
   struct ph_json_scan line = {0};
   enum ph_split_state state;
   const char *text;
   size_t line_n;
   size_t n;
-  if (json->array != PH_ARRAY_NONE || !json->line_start) {
+  if (json->array != PH_ARRAY_NONE || !(lines || json->line_start)) {
     return stop(split, record, diag);
   }
   state = find_line(split, may_wait, diag);
-  if (state == PH_SPLIT_RECORD && !split->lines_suffix &&
-      !(json->values > 0 && json->lines)) {
+  if (state == PH_SPLIT_RECORD && !lines) {
     state = object_follows(split, may_wait, diag);
   }
   if (state == PH_SPLIT_END) {
@@ -129,6 +132,7 @@ static enum ph_split_state broken(struct ph_split *split, bool may_wait,
   }
   json->scan = (struct ph_json_scan){0};
   json->broken = false;
+  json->line_start = true;
   json->line_n = 0;
   json->look = 0;
   return give_broken(split, n, line_n, &line, record, diag);

@@ -257,7 +257,6 @@ expect 'standard input is empty the second time' 0
 equal 'standard input is read once' '"in"' "$(get id)"
 feed "$standard" planar -- -
 equal 'a - after --' '"in"' "$(get id)"
-status=0
-"$PHSPLINE" planar <&- >out 2>err || status=$?
+run planar <&-
 expect 'standard input is closed' 3 \
   'phspline: cannot read -: Bad file descriptor' ''

@@ -71,7 +71,10 @@ START_TEST(test_json_resumes) {
   gives("a.jsonl", "{\"a\":[1,2",
         "1 1 syntax 1:10 the text ends inside an array\nend");
   gives("a.jsonl", "{} x\n{}\n",
-        "1 1 {}\n2 1 syntax 1:4 expected a value, found \"x\"\nstopped");
+        "1 1 {}\n2 1 syntax 1:4 expected a value, found \"x\"\n3 2 {}\nend");
+  gives("a.jsonl", "{}},x y\n,{} {}\n{}",
+        "1 1 {}\n2 1 syntax 1:3 expected a value, found '}'\n"
+        "3 2 syntax 2:1 expected a value, found ','\n4 3 {}\nend");
   gives("a.jsonl", "[1,\nx]\n{}\n",
         "1 1 1\n2 2 syntax 2:1 expected a value, found \"x\"\nstopped");
   /* (b) the values before it were lines */
@@ -79,6 +82,12 @@ START_TEST(test_json_resumes) {
         "1 1 {}\n2 2 {}\n3 3 syntax 3:5 expected ':', found '}'\n4 4 5\nend");
   gives("a.json", "{}\n{\"a\"",
         "1 1 {}\n2 2 syntax 2:5 the text ends inside an object\nend");
+  gives("a.json", "{}\n{},\n5\n",
+        "1 1 {}\n2 2 {}\n3 2 syntax 2:3 expected a value, found ','\n"
+        "4 3 5\nend");
+  gives("a.json", "{}\n{} {},\n5\n",
+        "1 1 {}\n2 2 {}\n3 2 {}\n"
+        "4 2 syntax 2:6 expected a value, found ','\nstopped");
   /* (c) an object follows */
   gives("a.json", "{\"a\"}\n{}\n",
         "1 1 syntax 1:5 expected ':', found '}'\n2 2 {}\nend");
