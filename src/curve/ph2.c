@@ -29,14 +29,18 @@ double ph_ph2_length(const ph_cplx w[3]) {
 
 void ph_ph2_control_points(const ph_cplx w[3], ph_cplx start, ph_cplx end,
                            ph_cplx p[6]) {
-  ph_cplx d[5];
-  ph_ph2_hodograph(w, d);
+  ph_cplx first = ph_cplx_mul(w[0], w[0]), second = ph_cplx_mul(w[0], w[1]);
+  ph_cplx fourth = ph_cplx_mul(w[1], w[2]), fifth = ph_cplx_mul(w[2], w[2]);
+  ph_cplx a = ph_cplx_add(start, ph_cplx_scale(0.2, first));
+  ph_cplx b = ph_cplx_add(a, ph_cplx_scale(0.2, second));
+  ph_cplx d = ph_cplx_sub(end, ph_cplx_scale(0.2, fifth));
+  ph_cplx c = ph_cplx_sub(d, ph_cplx_scale(0.2, fourth));
   p[0] = start;
-  p[1] = ph_cplx_add(p[0], ph_cplx_scale(0.2, d[0]));
-  p[2] = ph_cplx_add(p[1], ph_cplx_scale(0.2, d[1]));
+  p[1] = a;
+  p[2] = b;
+  p[3] = c;
+  p[4] = d;
   p[5] = end;
-  p[4] = ph_cplx_sub(p[5], ph_cplx_scale(0.2, d[4]));
-  p[3] = ph_cplx_sub(p[4], ph_cplx_scale(0.2, d[3]));
 }
 
 /* The angle from a to b, in (-pi, pi]. */

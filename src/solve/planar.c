@@ -330,15 +330,15 @@ static enum ph_status fill_curve(const struct data *d, const ph_cplx *b,
   }
   for (size_t k = 0; k < n; k++) {
     double size = root * sqrt(d->h[k]);
-    ph_cplx w[3], p[6];
+    ph_cplx w[3];
     ph_planar_preimage(&d->c2, b, k, w);
     loops_add(&loops, k, w);
     for (int i = 0; i < 3; i++) {
       w[i] = ph_cplx_scale(size, w[i]);
     }
-    ph_ph2_control_points(w, point_at(d, k), point_at(d, k + 1), p);
+    ph_ph2_control_points(w, point_at(d, k), point_at(d, k + 1),
+                          (ph_cplx *)(curve->control_points + 12 * k));
     memcpy(curve->preimage + 6 * k, w, sizeof w);
-    memcpy(curve->control_points + 12 * k, p, sizeof p);
     curve->lengths[k] = ph_ph2_length(w);
     ph_sum_add(&length, curve->lengths[k]);
   }
