@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Offset curves of planar PH quintics: exact rational Bezier curves of
- * degree 9 [FAR90; GON18, sec. 2.5 with the left normal].
+ * degree 9 [FAR90; GON18, sec. 2.2 with the left normal].
  *
  *   o(u) = r(u) + d i r'(u) / |r'(u)|
  *        = (sigma(u) r(u) + d i w(u)^2) / sigma(u)

@@ -299,8 +299,8 @@ static void loops_add(struct loops *loops, size_t k, const ph_cplx w[3]) {
 static void warn_loops(const struct loops *loops, struct ph_result *result) {
   if (loops->n) {
     ph_fail(ph_warning_add(result, loops->first), PH_LOOP, NULL,
-            "segment %zu turns by %.4g radians (%zu segments turn by more than "
-            "half a turn)",
+            "segment %zu turns by %.4g radians, more than half a turn (such "
+            "segments: %zu)",
             loops->first, loops->angle, loops->n);
   }
 }
@@ -360,8 +360,8 @@ static void warn_reversals(const struct data *d, struct ph_result *result) {
   }
   if (found) {
     ph_fail(ph_warning_add(result, first), PH_REVERSAL, NULL,
-            "the data turn back by 180 degrees at points[%zu] (%zu such): of "
-            "two mirror images the left turn was taken",
+            "the data turn back by 180 degrees at points[%zu] (such points: "
+            "%zu): of two mirror images the left turn was taken",
             first, found);
   }
 }

@@ -337,7 +337,7 @@ equal 'a suffix decides, also for CSV' '3 "unknown-field"' \
 warned='{"id":"r","points":[[0,0],[1,0],[0,0]]}'
 printf '%s\n' "$good" "$warned" "$bad" >a.jsonl
 warning='phspline: a.jsonl:2: record r: warning: the data turn back by 180 '\
-'degrees at points[1] (1 such): of two mirror images the left turn was taken '\
+'degrees at points[1] (such points: 1): of two mirror images the left turn was taken '\
 '[reversal]'
 error="phspline: a.jsonl:3: record 3: $bad_says"
 run planar a.jsonl

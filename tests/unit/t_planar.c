@@ -483,9 +483,10 @@ static const struct ph_diag *warning(enum ph_status status, size_t segment) {
 START_TEST(test_reversal) {
   POINTS(false, 0, 0, 2, 0, 1, 0, 3, 0);
   ck_solved();
-  ck_assert_str_eq(warning(PH_REVERSAL, 1)->message,
-                   "the data turn back by 180 degrees at points[1] (2 such): "
-                   "of two mirror images the left turn was taken");
+  ck_assert_str_eq(
+      warning(PH_REVERSAL, 1)->message,
+      "the data turn back by 180 degrees at points[1] (such points: 2): "
+      "of two mirror images the left turn was taken");
   ck_assert_uint_eq(u.result.warnings_n, 1);
   /* Left of the way out, which is to the east. */
   ck_assert(unit_curve(&u.result.curve, 0, 0, 0.9).im < 0);
@@ -509,11 +510,11 @@ START_TEST(test_reversal_closed) {
   POINTS(true, 1, 0, 2, 0, 0, 0);
   ck_solved();
   ck_assert_ptr_nonnull(
-      strstr(warning(PH_REVERSAL, 1)->message, "points[1] (2 such)"));
+      strstr(warning(PH_REVERSAL, 1)->message, "points[1] (such points: 2)"));
   POINTS(true, 0, 0, 1, 0, 1, 1, 0.5, 0);
   ck_solved();
   ck_assert_ptr_nonnull(
-      strstr(warning(PH_REVERSAL, 0)->message, "points[0] (1 such)"));
+      strstr(warning(PH_REVERSAL, 0)->message, "points[0] (such points: 1)"));
 }
 END_TEST
 
@@ -525,7 +526,7 @@ START_TEST(test_loop) {
   memcpy(w, u.result.curve.preimage, sizeof w);
   ck_assert_double_gt(fabs(ph_ph2_rotation(w)), PI);
   ck_assert_ptr_nonnull(strstr(warning(PH_LOOP, 0)->message,
-                               "(1 segments turn by more than half a turn)"));
+                               "more than half a turn (such segments: 1)"));
   ck_assert_int_eq(
       strncmp(warning(PH_LOOP, 0)->message, "segment 0 turns by ", 19), 0);
   /* A circle's arcs turn by less. */

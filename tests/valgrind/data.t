@@ -13,7 +13,7 @@ for file in "$srcdir"/data/*.csv; do
     continue
   fi
   status=0
-  "$PHSPLINE" planar --sample=4 "$file" >out 2>err || status=$?
+  "$PHSPLINE" planar --offset=0.1 "$file" >out 2>err || status=$?
   case $status in
   0 | 1) echo "ok planar $name (exit status $status)" ;;
   *)
