@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Problems of planar splines and their solutions (see planar_unit.h). */
 #include "planar_unit.h"
+#include "random_unit.h"
 #include "unit.h"
 
 #include "cert/cert.h"
@@ -125,10 +126,7 @@ double unit_curves_apart(const struct ph_curve *a, const struct ph_curve *b) {
   ck_assert_uint_eq(a->n, b->n);
   for (size_t i = 0; i < 6 * a->n; i++) {
     const double *p = a->control_points + 2 * i, *q = b->control_points + 2 * i;
-    double d = hypot(p[0] - q[0], p[1] - q[1]);
-    if (!(d <= apart)) {
-      apart = d;
-    }
+    apart = unit_larger(apart, hypot(p[0] - q[0], p[1] - q[1]));
   }
   return apart;
 }

@@ -63,4 +63,9 @@ static inline double unit_distance(ph_cplx a, ph_cplx b) {
   return hypot(a.re - b.re, a.im - b.im);
 }
 
+/* The larger; NaN if either is, where fmax would take the other. */
+static inline double unit_larger(double a, double b) {
+  return b <= a || isnan(a) ? a : b;
+}
+
 #endif

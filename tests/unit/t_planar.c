@@ -553,7 +553,7 @@ START_TEST(test_range) {
     ck_solved();
     for (size_t k = 0; k < 36; k++) {
       double x = ldexp(u.result.curve.control_points[k], -exponents[i]);
-      apart = fmax(apart, fabs(x - p[k]));
+      apart = unit_larger(apart, fabs(x - p[k]));
     }
     ck_assert_double_le(apart, 1e-14);
     ck_rel(ldexp(u.result.curve.length, -exponents[i]), curve.length, 1e-14);

@@ -121,8 +121,8 @@ static bool from_straight(struct system *s, struct work *w, size_t *iterations,
 static double apart(const ph_cplx *a, const ph_cplx *b, size_t n) {
   double minus = 0, plus = 0, size = 0;
   for (size_t i = 0; i < n; i++) {
-    minus = fmax(minus, unit_distance(a[i], b[i]));
-    plus = fmax(plus, ph_cplx_abs(ph_cplx_add(a[i], b[i])));
+    minus = unit_larger(minus, unit_distance(a[i], b[i]));
+    plus = unit_larger(plus, ph_cplx_abs(ph_cplx_add(a[i], b[i])));
     size = fmax(size, ph_cplx_abs(a[i]));
   }
   return fmin(minus, plus) / size;

@@ -67,9 +67,7 @@ static double backward_error(const struct ph_tri_row *row, size_t n,
       size += ph_cplx_abs(a[j]) * ph_cplx_abs(v[j]);
     }
     error = ph_cplx_abs(sum) / (size + ph_cplx_abs(row[i].f));
-    if (!(error <= worst)) {
-      worst = error;
-    }
+    worst = unit_larger(worst, error);
   }
   return worst;
 }
@@ -131,7 +129,7 @@ static bool compare(const struct ph_tri_row *row, size_t n, unsigned which) {
   }
   solve(row, n, x);
   for (size_t i = 0; i < n; i++) {
-    error = fmax(error, unit_distance(x[i], dense[i]));
+    error = unit_larger(error, unit_distance(x[i], dense[i]));
     size = fmax(size, ph_cplx_abs(dense[i]));
   }
   ck_assert_msg(error <= 16 * sensitivity * size,
