@@ -54,8 +54,8 @@ enum ph_status unit_planar_solve(struct unit_planar *u) {
   memset(&u->diag, 0, sizeof u->diag);
   status = ph_method_planar.solve(&u->problem, &u->arena, &u->scratch,
                                   &u->result, &u->diag);
-  after = ph_arena_mark(&u->scratch);
-  ck_assert_ptr_eq(before.chunk, after.chunk);
+  after = ph_arena_mark(&u->scratch); /* a first chunk may be kept, empty */
+  ck_assert(!before.chunk || before.chunk == after.chunk);
   ck_assert_uint_eq(before.used, after.used);
   if (status == PH_OK) {
     status = ph_cert_planar(&u->problem, &u->result.curve,

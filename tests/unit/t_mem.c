@@ -115,8 +115,9 @@ START_TEST(test_mark_of_nothing) {
   ck_assert_ptr_null(mark.chunk);
   ck_assert_ptr_nonnull(ph_arena_array(&arena, 1, 1));
   ph_arena_release(&arena, mark);
-  ck_assert_ptr_null(arena.chunks);
+  ck_assert_uint_eq(ph_arena_mark(&arena).used, 0);
   ph_arena_release(&arena, mark);
+  ck_assert_uint_eq(ph_arena_mark(&arena).used, 0);
 }
 END_TEST
 
@@ -127,6 +128,24 @@ START_TEST(test_reset_keeps) {
   ph_arena_reset(&arena);
   ck_assert_ptr_eq(arena.chunks, chunk);
   ck_assert_ptr_eq(ph_arena_array(&arena, 1000, 1), p);
+}
+END_TEST
+
+/* Of several chunks the largest is kept: the next record needs no second. */
+START_TEST(test_reset_keeps_largest) {
+  struct ph_chunk *chunk;
+  for (int i = 0; i < 100; i++) {
+    ck_assert_ptr_nonnull(ph_arena_array(&arena, 5000, 1));
+  }
+  ph_arena_reset(&arena);
+  chunk = arena.chunks;
+  ck_assert_ptr_nonnull(chunk);
+  for (int i = 0; i < 40; i++) {
+    char *p = ph_arena_array(&arena, 5000, 1);
+    ck_assert_ptr_nonnull(p);
+    memset(p, i, 5000);
+    ck_assert_ptr_eq(arena.chunks, chunk);
+  }
 }
 END_TEST
 
@@ -157,6 +176,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_mark);
   tcase_add_test(tc, test_mark_of_nothing);
   tcase_add_test(tc, test_reset_keeps);
+  tcase_add_test(tc, test_reset_keeps_largest);
   tcase_add_test(tc, test_reset_gives_back);
   suite_add_tcase(s, tc);
   return s;

@@ -168,7 +168,6 @@ START_TEST(test_residual) {
     }
     ck_rel(m.sum2, sum2, 1e-13);
     ck_rel(m.max2, max2, 1e-13);
-    ck_assert(m.scaled2 <= m.max2 && m.scaled2 > 0);
     ck_assert_uint_lt(m.worst, s.c2.n);
   }
 }
@@ -186,7 +185,33 @@ START_TEST(test_worst_segment) {
     ck_rel(ph_cplx_norm2(f[m.worst]), m.max2, 1e-13);
     s.b[i % 3] = ph_cplx_of(nan(""), 0);
     m = ph_planar_residual(&s.c2, s.b);
-    ck_assert(isnan(m.sum2) && isnan(m.max2) && isnan(m.scaled2));
+    ck_assert(isnan(m.sum2));
+  }
+}
+END_TEST
+
+/* Rounding is measured in the terms of each equation. */
+START_TEST(test_rounding) {
+  struct unit_random r = unit_random_of(10);
+  struct system s;
+  for (int i = 0; i < SYSTEMS; i++) {
+    ph_cplx f[N_MAX + 2];
+    double largest = 0;
+    random_system(&r, i % 2, &s);
+    residual_by_quadrature(&s.c2, s.b, f);
+    for (size_t k = 0; k < s.c2.n; k++) {
+      ph_cplx w[3];
+      double terms = 1;
+      ph_planar_preimage(&s.c2, s.b, k, w);
+      for (int j = 0; j < 3; j++) {
+        terms += s.ratio[k] * ph_cplx_norm2(w[j]);
+      }
+      largest = unit_larger(largest, ph_cplx_abs(f[k]) / terms);
+    }
+    for (size_t k = s.c2.n; k < ph_planar_unknowns(&s.c2); k++) {
+      largest = unit_larger(largest, ph_cplx_abs(f[k]) / 2);
+    }
+    ck_rel(ph_planar_rounding(&s.c2, s.b), largest, 1e-13);
   }
 }
 END_TEST
@@ -209,7 +234,6 @@ START_TEST(test_newton_step) {
     wanted = ph_planar_residual(&s.c2, s.b);
     ck_rel(found.sum2, wanted.sum2, 1e-13);
     ck_rel(found.max2, wanted.max2, 1e-13);
-    ck_rel(found.scaled2, wanted.scaled2, 1e-13);
     for (size_t k = 0; k < unknowns; k++) {
       to[0][k] = ph_cplx_sub(s.b[k], step[k]);
       to[1][k] = ph_cplx_add(s.b[k], step[k]);
@@ -252,12 +276,14 @@ START_TEST(test_start) {
   struct unit_random r = unit_random_of(7);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
-    ph_cplx middle[N_MAX], root[N_MAX + 2], before = {0, 0}, first = {0, 0};
+    ph_cplx middle[N_MAX], root[N_MAX + 2], end, before = {0, 0};
+    ph_cplx first = {0, 0};
     struct ph_tri tri;
     random_system(&r, i % 2, &s);
     ck_assert(ph_tri_alloc(&tri, &arena, ph_planar_unknowns(&s.c2)));
     ph_planar_chord_middles(&s.c2, middle);
-    ph_planar_start(&s.c2, middle, &tri, root, s.b);
+    ph_planar_chord_middles(&s.c2, ph_planar_middles(&s.c2, root));
+    ph_planar_start(&s.c2, &tri, root, s.b);
     for (size_t k = 0; k < s.c2.n; k++) {
       ph_cplx w[3], at;
       ph_planar_preimage(&s.c2, s.b, k, w);
@@ -273,12 +299,16 @@ START_TEST(test_start) {
       ck_abs(fabs(s.c2.twist.re), 1, 0);
       ck_assert(s.c2.twist.re * ph_cplx_dot(before, first) >= 0);
     } else {
-      ck_assert_double_le(
-          unit_distance(ph_cplx_mul(root[0], root[0]),
-                        ph_cplx_scale(s.c2.end_size[0], s.c2.end[0])),
-          1e-14);
-      ck_assert(ph_cplx_dot(root[0], first) >= 0);
-      ck_assert(ph_cplx_dot(root[s.c2.n + 1], before) >= 0);
+      ph_cplx w[3], wanted = ph_cplx_scale(s.c2.end_size[0], s.c2.end[0]);
+      ph_planar_preimage(&s.c2, s.b, 0, w);
+      end = ph_cplx_mul(w[0], w[0]);
+      ck_assert_double_le(unit_distance(end, wanted), 1e-14);
+      ck_assert(ph_cplx_dot(w[0], first) >= 0);
+      wanted = ph_cplx_scale(s.c2.end_size[1], s.c2.end[1]);
+      ph_planar_preimage(&s.c2, s.b, s.c2.n - 1, w);
+      end = ph_cplx_mul(w[2], w[2]);
+      ck_assert_double_le(unit_distance(end, wanted), 1e-14);
+      ck_assert(ph_cplx_dot(w[2], before) >= 0);
     }
     ph_arena_reset(&arena);
   }
@@ -290,7 +320,7 @@ END_TEST
 START_TEST(test_start_reversal) {
   const double wobble[] = {0, 1e-16, -1e-16};
   for (size_t i = 0; i < 3; i++) {
-    ph_cplx middle[2], root[4], at[2], w[3];
+    ph_cplx root[4], at[2], w[3];
     struct system s = {.c2 = {.n = 2,
                               .direction = s.direction,
                               .ratio = s.ratio,
@@ -303,8 +333,8 @@ START_TEST(test_start_reversal) {
     struct ph_tri tri;
     set_weights(&s);
     ck_assert(ph_tri_alloc(&tri, &arena, 4));
-    ph_planar_chord_middles(&s.c2, middle);
-    ph_planar_start(&s.c2, middle, &tri, root, s.b);
+    ph_planar_chord_middles(&s.c2, ph_planar_middles(&s.c2, root));
+    ph_planar_start(&s.c2, &tri, root, s.b);
     for (size_t k = 0; k < 2; k++) {
       ph_planar_preimage(&s.c2, s.b, k, w);
       at[k] = preimage_at(w, 0.5);
@@ -336,7 +366,7 @@ START_TEST(test_spline_middles_open) {
   struct unit_random r = unit_random_of(8);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
-    ph_cplx c[4], middle[N_MAX], derivative[N_MAX + 1];
+    ph_cplx c[4], middle[N_MAX + 1];
     struct ph_tri tri;
     double t = unit_random_in(&r, -3, 0), from = t;
     random_system(&r, false, &s);
@@ -355,7 +385,7 @@ START_TEST(test_spline_middles_open) {
       s.c2.end_size[side] = ph_cplx_abs(d);
       s.c2.end[side] = ph_cplx_scale(1 / ph_cplx_abs(d), d);
     }
-    ph_planar_spline_middles(&s.c2, &tri, derivative, middle);
+    ph_planar_spline_middles(&s.c2, &tri, middle);
     t = from;
     for (size_t k = 0; k < s.c2.n; k++) {
       ph_cplx wanted = cubic_slope(c, t + s.h[k] / 2);
@@ -384,7 +414,7 @@ START_TEST(test_spline_middles_closed) {
   struct unit_random r = unit_random_of(9);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
-    ph_cplx middle[N_MAX], derivative[N_MAX + 1], wanted;
+    ph_cplx middle[N_MAX + 1], wanted;
     double knots[N_MAX + 1] = {0}, x[N_MAX + 1], y[N_MAX + 1];
     double dx[N_MAX], dy[N_MAX];
     struct ph_tri tri;
@@ -406,7 +436,7 @@ START_TEST(test_spline_middles_closed) {
     }
     gsl_middles(knots, x, n, dx);
     gsl_middles(knots, y, n, dy);
-    ph_planar_spline_middles(&s.c2, &tri, derivative, middle);
+    ph_planar_spline_middles(&s.c2, &tri, middle);
     for (size_t k = 0; k < n; k++) {
       wanted = ph_cplx_of(dx[k], dy[k]);
       ck_assert_msg(unit_distance(middle[k], wanted) <= 1e-11,
@@ -427,6 +457,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_open_ends);
   tcase_add_test(tc, test_residual);
   tcase_add_test(tc, test_worst_segment);
+  tcase_add_test(tc, test_rounding);
   tcase_add_test(tc, test_newton_step);
   tcase_add_test(tc, test_chord_middles);
   tcase_add_test(tc, test_start);

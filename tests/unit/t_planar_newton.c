@@ -85,10 +85,8 @@ static void random_points(struct unit_random *r, bool closed, double sharp,
 static struct work work_of(size_t n) {
   struct work w;
   w.b = ph_arena_array(&arena, n, sizeof *w.b);
-  w.trial = ph_arena_array(&arena, n, sizeof *w.trial);
   w.step = ph_arena_array(&arena, n + 1, sizeof *w.step);
-  w.middle = ph_arena_array(&arena, n, sizeof *w.middle);
-  ck_assert(w.b && w.trial && w.step && w.middle);
+  ck_assert(w.b && w.step);
   ck_assert(ph_tri_alloc(&w.tri, &arena, n));
   return w;
 }
@@ -97,12 +95,13 @@ static struct work work_of(size_t n) {
 static bool from_start(struct system *s, struct work *w, bool spline,
                        size_t *iterations) {
   struct ph_planar_measure m;
+  ph_cplx *middles = ph_planar_middles(&s->c2, w->step);
   if (spline) {
-    ph_planar_spline_middles(&s->c2, &w->tri, w->step, w->middle);
+    ph_planar_spline_middles(&s->c2, &w->tri, middles);
   } else {
-    ph_planar_chord_middles(&s->c2, w->middle);
+    ph_planar_chord_middles(&s->c2, middles);
   }
-  ph_planar_start(&s->c2, w->middle, &w->tri, w->step, w->b);
+  ph_planar_start(&s->c2, &w->tri, w->step, w->b);
   *iterations = 0;
   return newton(&s->c2, w, true, NEWTON_CAP, iterations, &m);
 }

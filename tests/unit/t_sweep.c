@@ -29,11 +29,21 @@ static struct ph_sweep read_sweep(const char *text) {
   return sweep;
 }
 
+/* Value i of a sweep, set in an empty problem. */
+static struct ph_value value_at(const struct ph_sweep *sweep, size_t i) {
+  struct ph_problem problem = {0};
+  ck_assert_int_eq(ph_sweep_apply(sweep, 1, i, &arena, &problem, &diag), PH_OK);
+  return problem.field[sweep->field->id];
+}
+
 static void ck_texts(const char *text, size_t n, const char *const *expected) {
   struct ph_sweep sweep = read_sweep(text);
   ck_assert_uint_eq(sweep.n, n);
   for (size_t i = 0; i < n; i++) {
-    ck_assert_str_eq(sweep.texts[i], expected[i]);
+    struct ph_swept swept;
+    ck_assert_int_eq(ph_sweep_name(&sweep, 1, i, &arena, &swept, &diag), PH_OK);
+    ck_assert_str_eq(swept.name, sweep.name);
+    ck_assert_str_eq(swept.value, expected[i]);
   }
 }
 
@@ -53,13 +63,32 @@ END_TEST
 START_TEST(test_range_ends) {
   struct ph_sweep sweep = read_sweep("basis=0.1:0.7:1001");
   ck_assert_uint_eq(sweep.n, 1001);
-  ck_abs(sweep.values[0].number, 0.1, 0);
-  ck_abs(sweep.values[1000].number, 0.7, 0);
+  ck_abs(value_at(&sweep, 0).number, 0.1, 0);
+  ck_abs(value_at(&sweep, 1000).number, 0.7, 0);
   for (size_t i = 1; i < 1001; i++) {
-    ck_assert(sweep.values[i].number > sweep.values[i - 1].number);
-    ck_assert_int_eq(sweep.values[i].kind, PH_NUMBER);
-    ck_abs(sweep.values[i].number, 0.1 + 0.0006 * (double)i, 1e-15);
+    double x = value_at(&sweep, i).number;
+    ck_assert(x > value_at(&sweep, i - 1).number);
+    ck_assert_int_eq(value_at(&sweep, i).kind, PH_NUMBER);
+    ck_abs(x, 0.1 + 0.0006 * (double)i, 1e-15);
   }
+}
+END_TEST
+
+/* The width of a range may overflow, its values may not. */
+START_TEST(test_range_wide) {
+  struct ph_sweep sweep = read_sweep("basis=-1.5e308:1.5e308:5");
+  ck_rel(value_at(&sweep, 1).number, -7.5e307, 1e-15);
+  ck_abs(value_at(&sweep, 2).number, 0, 0);
+  ck_rel(value_at(&sweep, 3).number, 7.5e307, 1e-15);
+}
+END_TEST
+
+/* A long range takes no memory for its values. */
+START_TEST(test_range_long) {
+  struct ph_sweep sweep = read_sweep("basis=0:1:1e9");
+  ck_assert_uint_eq(sweep.n, 1000000000);
+  ck_abs(value_at(&sweep, 999999999).number, 1, 0);
+  ck_rel(value_at(&sweep, 500000000).number, 0.5, 1e-8);
 }
 END_TEST
 
@@ -68,27 +97,49 @@ START_TEST(test_list) {
   const char *const words[] = {"\"uniform\"", "\"chordal\""};
   ck_texts("basis=1,-2.5,1e2", 3, numbers);
   ck_texts("knots=uniform,chordal", 2, words);
-  ck_assert_str_eq(read_sweep("knots=uniform").values[0].word, "uniform");
+  struct ph_sweep sweep = read_sweep("knots=uniform");
+  ck_assert_str_eq(value_at(&sweep, 0).word, "uniform");
 }
 END_TEST
 
-/* Commas inside of brackets belong to the value, which is shown as given. */
+/* Commas inside of brackets belong to the value, which is written on one line
+ * whatever blanks it had. */
 START_TEST(test_list_of_arrays) {
-  const char *const arrays[] = {"[0,1, 2]", "[0,2,3]", "\"uniform\""};
-  struct ph_sweep sweep = read_sweep("knots=[0,1, 2],[0,2,3],uniform");
-  ck_texts("knots=[0,1, 2],[0,2,3],uniform", 3, arrays);
-  ck_assert_int_eq(sweep.values[1].kind, PH_NUMBERS);
-  ck_assert_uint_eq(sweep.values[1].n, 3);
-  ck_abs(sweep.values[1].v[1], 2, 0);
+  const char *const arrays[] = {"[0,1,2]", "[0,2.5,3]", "\"uniform\""};
+  const char *const vectors[] = {"[[0,1],[2,3]]", "[[4,5],[6,7]]"};
+  struct ph_sweep sweep = read_sweep("knots=[0,1, 2],[0,\n25e-1,3],uniform");
+  ck_texts("knots=[0,1, 2],[0,\n25e-1,3],uniform", 3, arrays);
+  ck_texts("points=[[0, 1], [2,3]],[[4,5],[6,7]]", 2, vectors);
+  ck_assert_int_eq(value_at(&sweep, 1).kind, PH_NUMBERS);
+  ck_assert_uint_eq(value_at(&sweep, 1).n, 3);
+  ck_abs(value_at(&sweep, 1).v[1], 2.5, 0);
 }
 END_TEST
 
 START_TEST(test_truth_values) {
+  const char *const both[] = {"true", "false"};
   struct ph_sweep sweep = read_sweep("closed=true,false");
-  ck_assert_uint_eq(sweep.n, 2);
-  ck_assert(sweep.values[0].flag);
-  ck_assert(!sweep.values[1].flag);
-  ck_assert_str_eq(sweep.texts[0], "true");
+  ck_texts("closed=true,false", 2, both);
+  ck_assert(value_at(&sweep, 0).flag);
+  ck_assert(!value_at(&sweep, 1).flag);
+}
+END_TEST
+
+START_TEST(test_same) {
+  const char *const texts[] = {"knots=uniform",  "knots[1]=1",
+                               "knots[2]=1",     "points[1][2]=1",
+                               "points[1][3]=1", "basis=0:1:2"};
+  struct ph_sweep sweeps[6], again;
+  for (size_t i = 0; i < 6; i++) {
+    sweeps[i] = read_sweep(texts[i]);
+  }
+  again = read_sweep("points[01][2]=5:6:7");
+  for (size_t i = 0; i < 6; i++) {
+    for (size_t j = 0; j < 6; j++) {
+      ck_assert(ph_sweep_same(&sweeps[i], &sweeps[j]) == (i == j));
+    }
+    ck_assert(ph_sweep_same(&sweeps[i], &again) == (i == 3));
+  }
 }
 END_TEST
 
@@ -114,15 +165,16 @@ static void ck_refused(const char *text, const char *message) {
 }
 
 #define FORM "' is not FIELD=START:STOP:COUNT or FIELD=V1,V2,..."
-#define RANGE "' is not START:STOP:COUNT with a COUNT of at least 1"
+#define RANGE "' is not START:STOP:COUNT with a COUNT from 1 to 1000000000"
 #define ELEMENT "' is not a field or an element like knots[2] or points[0][1]"
 
 START_TEST(test_refused_form) {
   ck_refused("", "--sweep: '" FORM);
   ck_refused("knots", "--sweep: 'knots" FORM);
   ck_refused("=1", "--sweep: '=1" FORM);
-  ck_refused("knot=1", "--sweep: unknown field 'knot'");
-  ck_refused("[0]=1", "--sweep: unknown field ''");
+  ck_refused("knot=1", "--sweep: planar has no field 'knot'; did you mean "
+                       "\"knots\"?");
+  ck_refused("[0]=1", "--sweep: planar has no field ''");
   ck_refused("knots[=1", "--sweep: 'knots[" ELEMENT);
   ck_refused("knots[]=1", "--sweep: 'knots[]" ELEMENT);
   ck_refused("knots[1=1", "--sweep: 'knots[1" ELEMENT);
@@ -152,6 +204,10 @@ START_TEST(test_refused_value) {
   ck_refused("knots[0]=a", "--sweep: knots[0] takes numbers, found 'a'");
   ck_refused("knots[0]=1,,2", "--sweep: knots[0] takes numbers, found ''");
   ck_refused("knots[0]=", "--sweep: knots[0] takes numbers, found ''");
+  ck_refused("closed=", "--sweep: closed takes values, found ''");
+  ck_refused("closed=true,", "--sweep: closed takes values, found ''");
+  ck_refused("knots=0:1:5", "--sweep: knots must be \"chordal\", \"uniform\" "
+                            "or an array of numbers, found a number");
   ck_refused("knots[0]=1e999", "--sweep: knots[0] takes numbers, found "
                                "'1e999'");
   ck_assert_int_eq(ph_sweep_read("knots=unifrom", &schema, &arena,
@@ -181,8 +237,9 @@ START_TEST(test_order) {
   for (size_t i = 0; i < 6; i++) {
     struct ph_problem problem = {0};
     struct ph_swept swept[2];
-    ck_assert_int_eq(
-        ph_sweep_apply(sweeps, 2, i, &arena, &problem, swept, &diag), PH_OK);
+    ck_assert_int_eq(ph_sweep_apply(sweeps, 2, i, &arena, &problem, &diag),
+                     PH_OK);
+    ck_assert_int_eq(ph_sweep_name(sweeps, 2, i, &arena, swept, &diag), PH_OK);
     ck_assert(problem.field[PH_F_CLOSED].flag == (i < 3));
     ck_abs(problem.field[PH_F_BASIS].number, 1.0 + (double)(i % 3), 0);
     ck_assert_str_eq(swept[0].name, "closed");
@@ -203,13 +260,12 @@ START_TEST(test_set_element) {
       .kind = PH_VECTORS, .v = points, .n = 3, .dimension = 2};
   for (size_t i = 0; i < 2; i++) {
     struct ph_problem problem = {0};
-    struct ph_swept swept[2];
     const struct ph_value *k = &problem.field[PH_F_KNOTS];
     const struct ph_value *p = &problem.field[PH_F_POINTS];
     problem.field[PH_F_KNOTS] = knots_value;
     problem.field[PH_F_POINTS] = points_value;
-    ck_assert_int_eq(
-        ph_sweep_apply(sweeps, 2, i, &arena, &problem, swept, &diag), PH_OK);
+    ck_assert_int_eq(ph_sweep_apply(sweeps, 2, i, &arena, &problem, &diag),
+                     PH_OK);
     ck_abs(k->v[0], 0, 0);
     ck_abs(k->v[1], 0.5 + (double)i, 0);
     ck_abs(k->v[2], 2, 0);
@@ -225,18 +281,14 @@ END_TEST
 static void ck_no_element(const char *text, struct ph_value value) {
   struct ph_sweep sweep = read_sweep(text);
   struct ph_problem problem = {0};
-  struct ph_swept swept = {0};
   char message[96];
   problem.field[sweep.field->id] = value;
-  ck_assert_int_eq(
-      ph_sweep_apply(&sweep, 1, 0, &arena, &problem, &swept, &diag),
-      PH_BAD_SHAPE);
+  ck_assert_int_eq(ph_sweep_apply(&sweep, 1, 0, &arena, &problem, &diag),
+                   PH_BAD_SHAPE);
   ck_assert_str_eq(diag.field, ph_field_name(sweep.field->id));
   snprintf(message, sizeof message, "has no element %s for --sweep to set",
            sweep.name);
   ck_assert_str_eq(diag.message, message);
-  ck_assert_str_eq(swept.name, sweep.name); /* the record says what it tried */
-  ck_assert_str_eq(swept.value, "1");
 }
 
 START_TEST(test_no_element) {
@@ -261,9 +313,12 @@ static Suite *suite(void) {
   tcase_add_checked_fixture(tc, NULL, finish);
   tcase_add_test(tc, test_range);
   tcase_add_test(tc, test_range_ends);
+  tcase_add_test(tc, test_range_wide);
+  tcase_add_test(tc, test_range_long);
   tcase_add_test(tc, test_list);
   tcase_add_test(tc, test_list_of_arrays);
   tcase_add_test(tc, test_truth_values);
+  tcase_add_test(tc, test_same);
   tcase_add_test(tc, test_element);
   tcase_add_test(tc, test_refused_form);
   tcase_add_test(tc, test_refused_range);
