@@ -61,13 +61,14 @@ static ph_cplx moved(const struct motion *m, ph_cplx p) {
 }
 
 static void move_data(const struct motion *m) {
-  const ph_cplx origin = moved(m, ph_cplx_of(0, 0));
+  struct motion linear = *m;
+  linear.shift = ph_cplx_of(0, 0);
   image = data;
   for (size_t i = 0; i < data.n; i++) {
     image.point[i] = moved(m, data.point[i]);
   }
   for (int side = 0; side < 2; side++) {
-    ph_cplx end = ph_cplx_sub(moved(m, data.end[side]), origin);
+    ph_cplx end = moved(&linear, data.end[side]);
     image.end[side] = ph_cplx_scale(1 / m->parameter, end);
   }
   for (size_t i = 0; i <= prop_segments(&data); i++) {

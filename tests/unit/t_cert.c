@@ -259,6 +259,11 @@ START_TEST(test_not_finite) {
   for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
     ck_not_finite(&u.result.curve.preimage[i]);
   }
+  for (size_t k = 0; k < u.result.curve.n; k++) {
+    ck_not_finite(&u.result.curve.lengths[k]);
+    ck_not_finite(&u.result.curve.knots[k]);
+  }
+  ck_not_finite(&u.result.curve.knots[u.result.curve.n]);
   ck_not_finite(&u.result.curve.length);
   ck_assert_int_eq(certify(), PH_OK);
 }
