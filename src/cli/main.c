@@ -129,6 +129,7 @@ int main(int argc, char **argv) {
   static cJSON_Hooks hooks = {ph_malloc, ph_free};
   const char *name = argc > 1 ? argv[1] : NULL;
   const struct ph_command *command;
+  ph_output_prepare();
   gsl_set_error_handler_off();
   cJSON_InitHooks(&hooks);
   if (!name) {

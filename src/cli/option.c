@@ -332,6 +332,9 @@ static enum ph_status read_argument(struct parser *p, enum ph_option_id id) {
     break;
   case PH_O_OUTPUT:
     o->output = optarg;
+    status = *optarg ? PH_OK
+                     : ph_fail(p->diag, PH_USAGE, NULL,
+                               "--output must be the name of a file");
     break;
   case PH_O_SET:
   case PH_O_OVERRIDE:

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Standard output, or a file replaced at the end (see output.h). */
-#define _GNU_SOURCE /* realpath */
+#define _XOPEN_SOURCE 700 /* SIGXCPU, SIGXFSZ, PATH_MAX */
 #include "cli/output.h"
 
 #include "base/mem.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,7 +19,14 @@
  * changes. */
 static char *volatile doomed;
 
-static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+static const int signals[] = {SIGINT,  SIGTERM, SIGHUP,
+                              SIGPIPE, SIGQUIT, SIGXCPU};
+
+/* As many symbolic links lead to a file at most. */
+enum { LINKS_MAX = 40 };
+
+/* So much of a file's name, which may have 255 bytes, is in the temporary's. */
+enum { NAME_KEPT = 200 };
 
 static void on_signal(int number) {
   if (doomed) {
@@ -53,6 +61,15 @@ static void set_doomed(char *name) {
   sigprocmask(SIG_SETMASK, &old, NULL);
 }
 
+void ph_output_prepare(void) {
+  for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
+    if (fcntl(fd, F_GETFD) < 0) { /* the wrong way round */
+      open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
+  signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is a failed write */
+}
+
 bool ph_output_bytes(int descriptor, const char *bytes, size_t n) {
   while (n > 0) {
     ssize_t done = write(descriptor, bytes, n);
@@ -78,32 +95,47 @@ static char *temporary_name(const char *target) {
   static const char suffix[] = ".XXXXXX";
   const char *slash = strrchr(target, '/');
   size_t directory = slash ? (size_t)(slash + 1 - target) : 0;
-  size_t n = strlen(target);
-  char *name = ph_malloc(n + 1 + sizeof suffix);
+  size_t n = strlen(target + directory);
+  char *name = ph_malloc(directory + 1 + NAME_KEPT + sizeof suffix);
   if (name) {
+    n = n < NAME_KEPT ? n : NAME_KEPT;
     memcpy(name, target, directory);
     name[directory] = '.';
-    memcpy(name + directory + 1, target + directory, n - directory);
-    memcpy(name + n + 1, suffix, sizeof suffix);
+    memcpy(name + directory + 1, target + directory, n);
+    memcpy(name + directory + 1 + n, suffix, sizeof suffix);
   }
   return name;
 }
 
-static char *copy_of(const char *text) {
-  size_t n = strlen(text) + 1;
-  char *copy = ph_malloc(n);
-  if (copy) {
-    memcpy(copy, text, n);
+/* DIRECTORY/NAME, of the first n bytes of a path and a name. */
+static char *join(const char *path, size_t n, const char *name) {
+  size_t name_n = strlen(name) + 1;
+  char *joined = ph_malloc(n + name_n);
+  if (joined) {
+    memcpy(joined, path, n);
+    memcpy(joined + n, name, name_n);
   }
-  return copy;
+  return joined;
 }
 
-/* What a symbolic link points to is replaced, not the link. */
+/* What a symbolic link points to is replaced or made, not the link. */
 static char *resolve(const char *file) {
-  char *path = realpath(file, NULL);
-  char *copy = copy_of(path ? path : file);
-  free(path);
-  return copy;
+  char link[PATH_MAX];
+  char *path = join("", 0, file);
+  for (int i = 0; path && i < LINKS_MAX; i++) {
+    ssize_t n = readlink(path, link, sizeof link - 1);
+    const char *slash = strrchr(path, '/');
+    char *next;
+    if (n <= 0) {
+      break;
+    }
+    link[n] = '\0';
+    next = join(path, *link != '/' && slash ? (size_t)(slash + 1 - path) : 0,
+                link);
+    ph_free(path);
+    path = next;
+  }
+  return path;
 }
 
 static enum ph_status open_temporary(struct ph_output *output,
@@ -131,6 +163,10 @@ static enum ph_status open_temporary(struct ph_output *output,
     ph_free(output->temporary);
     output->temporary = NULL;
     return PH_OUTPUT;
+  }
+  if (existing &&
+      fchown(output->descriptor, existing->st_uid, existing->st_gid) != 0) {
+    /* only root can give files away: it is ours then */
   }
   if (fchmod(output->descriptor, mode) != 0) {
     return failed("set the mode of", output->name, diag);

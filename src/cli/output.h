@@ -4,9 +4,9 @@
  * everything was written.
  *
  * The file is written under a temporary name in its own directory and renamed
- * at the end.  SIGINT, SIGTERM, SIGHUP and SIGPIPE remove the temporary file
- * and then end the program as they would have.  A name that exists and is not
- * a regular file (a device, a pipe) is written to directly.
+ * at the end.  SIGINT, SIGTERM and the like remove the temporary file and then
+ * end the program as they would have.  A name that exists and is not a regular
+ * file (a device, a pipe) is written to directly.
  */
 #ifndef PH_CLI_OUTPUT_H
 #define PH_CLI_OUTPUT_H
@@ -22,6 +22,11 @@ struct ph_output {
   char *target;    /* NULL: no renaming */
   char *temporary; /* exists as long as it is not NULL */
 };
+
+/* ph_output_prepare: to be called before any file is opened.  A standard
+ * descriptor that is closed would be that of the next file, which would get
+ * what is meant for the terminal; from now on its use fails. */
+void ph_output_prepare(void);
 
 /* ph_output_bytes: writes all n bytes; false, with errno, on failure. */
 bool ph_output_bytes(int descriptor, const char *bytes, size_t n);

@@ -70,6 +70,7 @@ usage '--table needs --format=csv' --table=lengths
 usage '--table=offsets needs --offset' -f csv --table=offsets
 usage '--pretty needs --format=json' --pretty -f csv
 
+usage '--output must be the name of a file' --output=
 for n in 0 -1 1.5 1025 1e9 x '' ' 1' 0x2 nan inf 1,2; do
   usage "--jobs must be a whole number from 1 to 1024, found '$n'" --jobs="$n"
 done

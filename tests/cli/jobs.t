@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The number of worker threads changes no byte: of the results, of what is said
+# about them, and of the exit status.  (Also run under the thread sanitizer.)
+. "$srcdir/tests/cli/lib.sh"
+
+# 10 000 lines: curves of 2 to 200 points, and one in ten that fails, in one of
+# several ways, at one of several stages; one of the eight ways is a warning.
+awk 'BEGIN {
+  for (i = 1; i <= 10000; i++) {
+    n = i % 500 == 0 ? 200 : 2 + i % 5
+    text = ""
+    for (k = 0; k < n; k++)
+      text = text (k ? "," : "") "[" k "," (k * k * i) % 7 "]"
+    points = "\"points\":[" text "]"
+    kind = i % 10 ? 0 : int(i / 10) % 8 + 1
+    if (kind == 1) points = "\"points\":[[0,0],[0,0]]"
+    if (kind == 2) points = "\"points\":[[0,0],[1,\"x\"]]"
+    if (kind == 3) points = "\"points\":[[0,0],[1,1e999]]"
+    if (kind == 4) points = points ",\"knots\":[0]"
+    if (kind == 5) points = points ",\"closd\":true"
+    if (kind == 6) points = "\"points\":[[0,0],[1,0],[0,0]]"
+    if (kind == 7) points = "\"points\":[[0,0],"
+    if (kind == 8) points = "\"points\":[]"
+    print "{\"id\":" i "," points "}"
+  }
+}' >many.jsonl
+
+# same NAME STATUS ARGUMENT...: as --jobs=1; out and err are left for a look
+same() {
+  name=$1 wanted=$2
+  shift 2
+  run planar --jobs=1 "$@"
+  mv out out.1
+  mv err err.1
+  equal "$name, --jobs=1" "$wanted" "$status"
+  for jobs in 2 8; do
+    run planar --jobs=$jobs "$@"
+    equal "$name, --jobs=$jobs" "$wanted" "$status"
+    equal_files "$name, --jobs=$jobs: results" out.1 out
+    equal_files "$name, --jobs=$jobs: messages" err.1 err
+  done
+}
+
+same 'ten thousand' 1 many.jsonl
+equal 'a result for each' 10000 "$(wc -l <out | tr -d ' ')"
+json get id out | grep -v absent >ids
+grep -v '"points":\[\[0,0\],}' many.jsonl | sed 's/.*"id":\([0-9]*\),.*/\1/' \
+  >want
+equal_files 'in the order of the problems' want ids
+equal 'the sum' "$(failed 875 10000)" "$(tail -n 1 err)"
+equal 'a message for each failure and warning' 1001 "$(wc -l <err | tr -d ' ')"
+
+sed -n 1,3000p many.jsonl >some.jsonl
+same 'a sweep' 1 -S knots=uniform,chordal -S closed=false some.jsonl
+equal 'a result for each value' 5963 "$(wc -l <out | tr -d ' ')"
+printf '%s\n' "$good" >one.json
+same 'a sweep of one problem' 0 -S 'points[0][0]=0:0.5:2000' one.json
+equal 'its last value' '{"points[0][0]":0.5}' "$(tail -n 1 out | json get sweep)"
+same 'offsets in CSV' 1 -f csv --table=offsets -d 1,-1 some.jsonl
+same '--strict' 1 --strict -q some.jsonl
+sed 's/$/,/; 1s/^/[/; 2999q' some.jsonl | grep -v '"points":\[\[0,0\],}' \
+  >array.json
+same 'an array that breaks off' 3 array.json
+same 'a file that cannot be read' 3 some.jsonl nosuch.json
+
+# the first failure is the 4567th of 10 000 problems, with many behind it
+awk 'BEGIN {
+  for (i = 1; i <= 10000; i++)
+    print "{\"id\":" i ",\"points\":[[0,0],[" i % 4567 "," i % 4567 "]]}"
+}' >late.jsonl
+for file in '' nosuch.json array.json; do
+  # shellcheck disable=SC2086
+  same "--fail-fast $file" 1 --fail-fast late.jsonl $file
+  equal "--fail-fast $file: what was written" 4567 "$(wc -l <out | tr -d ' ')"
+done
+same '--fail-fast in the middle of a sweep' 1 --fail-fast \
+  -S 'points[0][0]=0,0.5' late.jsonl
+equal '--fail-fast in the middle of a sweep: what was written' 9133 \
+  "$(wc -l <out | tr -d ' ')"
+
+run planar --jobs=1024 one.json
+expect 'more threads than problems' 0
+run planar one.json
+mv out default
+run planar -j 1 one.json
+equal_files 'the default' default out
+for jobs in 1 8; do
+  feed '' planar --jobs=$jobs
+  expect "nothing to do, --jobs=$jobs" 0 '' ''
+done

@@ -1,0 +1,333 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Where results go: a file that is replaced as a whole or not at all, whatever
+# happens, and standard output that is full, closed or no longer read.
+. "$srcdir/tests/cli/lib.sh"
+
+printf '%s\n' "$good" >good.jsonl
+printf '%s\n%s\n%s\n' "$good" "$bad" "$good" >mixed.jsonl
+run planar good.jsonl
+mv out good.out
+run planar -q mixed.jsonl
+mv out mixed.out
+
+# Each case has a directory d, in which nothing but old, with an old text, is.
+fresh() {
+  rm -rf d
+  mkdir d
+  echo old >d/old
+}
+
+# untouched NAME: the old file is as it was, and alone
+untouched() {
+  equal "$1: the old file stays, alone" 'old old' "$(ls -A d) $(cat d/old)"
+}
+
+# replaced NAME WANTED: the old file has new content, and is alone
+replaced() {
+  equal "$1: nothing else is left" old "$(ls -A d)"
+  equal_files "$1: the file" "$2" d/old
+}
+
+# mode FILE: its permissions as ls shows them
+mode() {
+  # shellcheck disable=SC2012  # the name is ours
+  ls -ld "$1" | cut -c 1-10
+}
+
+# ---- a file is replaced ------------------------------------------------------
+
+fresh
+run planar -o d/old good.jsonl
+expect '-o FILE' 0 '' ''
+replaced '-o FILE' good.out
+fresh
+run planar --output=d/old mixed.jsonl
+expect '-o FILE, a problem failed' 1 \
+  "phspline: mixed.jsonl:2: record 2: $bad_says
+$(failed 1 3)" ''
+replaced '-o FILE, a problem failed' mixed.out
+fresh
+rm d/old
+(
+  umask 027
+  run planar -o d/old good.jsonl
+  expect 'a new file' 0 '' ''
+)
+replaced 'a new file' good.out
+equal 'its mode is by umask' -rw-r----- "$(mode d/old)"
+fresh
+chmod 751 d/old
+run planar -o d/old good.jsonl
+equal 'the mode of an old file is kept' -rwxr-x--x "$(mode d/old)"
+replaced 'a file with a mode' good.out
+fresh
+mkdir d/sub
+mv d/old d/sub/old
+ln -s sub/old d/link
+run planar -o d/link good.jsonl
+expect 'a symbolic link' 0 '' ''
+equal 'the link stays' 'l sub/old' "$(mode d/link | cut -c 1) $(
+  readlink d/link)"
+equal_files 'what it points to is replaced' good.out d/sub/old
+equal 'nothing else is left there' old "$(ls -A d/sub)"
+rm d/sub/old
+run planar -o d/link good.jsonl
+expect 'a symbolic link to nothing' 0 '' ''
+equal 'that link stays' l "$(mode d/link | cut -c 1)"
+equal_files 'what it points to is made' good.out d/sub/old
+fresh
+cp mixed.jsonl d/old
+run planar -q -o d/old d/old
+equal 'the input itself: status' 1 "$status"
+sed 's/mixed.jsonl/d\/old/' mixed.out >want
+replaced 'the input itself' want
+fresh
+(
+  cd d || exit
+  "$PHSPLINE" planar -o old ../good.jsonl
+)
+replaced 'in the present directory' good.out
+fresh
+long=$(awk 'BEGIN { for (i = 0; i < 250; i++) printf "n" }')
+run planar -o "d/$long" good.jsonl
+expect 'a name as long as names may be' 0 '' ''
+equal_files 'a name as long as names may be: the file' good.out "d/$long"
+fresh
+run planar -f csv -o d/old </dev/null
+expect 'a table of nothing' 0 '' ''
+equal 'a table of nothing: the file' 'id,segment,index,x,y' "$(cat d/old)"
+fresh
+run planar -o d/old -o - good.jsonl
+expect '-o - is standard output' 0 '' "$(cat good.out)"
+untouched '-o -'
+fresh
+run planar -o d/old mixed.jsonl nosuch.json
+equal 'input that cannot be read: status' 3 "$status"
+equal_files 'input that cannot be read: what came before is there' mixed.out \
+  d/old
+
+if [ "$(id -u)" -eq 0 ]; then
+  fresh
+  chown 1:1 d/old
+  run planar -o d/old good.jsonl
+  equal 'what root replaces stays whose it was' '0 1 1' \
+    "$status $(find d/old -user 1 -group 1 -exec echo 1 1 \;)"
+else
+  echo 'skip the owner of the file: only root could change it'
+fi
+
+# ---- no regular file ---------------------------------------------------------
+
+run planar -o /dev/null good.jsonl
+expect 'a device is written to' 0 '' ''
+true_that 'and stays a device' [ -c /dev/null ]
+fresh
+mkfifo d/fifo
+limited "$PHSPLINE" planar -o d/fifo good.jsonl &
+cat d/fifo >out
+wait $!
+equal_files 'a pipe is written to' good.out out
+equal 'and stays one' p "$(mode d/fifo | cut -c 1)"
+
+# ---- a file is not replaced --------------------------------------------------
+
+fresh
+run planar --fail-fast -o d/old mixed.jsonl
+equal '--fail-fast: status' 1 "$status"
+untouched '--fail-fast'
+
+# refused NAME MESSAGE FILE: it cannot even be begun
+refused() {
+  run planar -o "$3" good.jsonl
+  expect "$1" 4 "phspline: $2" ''
+}
+
+fresh
+refused 'a directory that is not there' \
+  'cannot create nosuch/x: No such file or directory' nosuch/x
+refused 'a file as directory' 'cannot create d/old/x: Not a directory' d/old/x
+refused 'a directory as file' 'cannot open d: Is a directory' d
+refused 'a directory that is not there, as file' \
+  'cannot create nosuch/: No such file or directory' nosuch/
+untouched 'refused'
+chmod 500 d
+if (: >d/new) 2>/dev/null; then
+  rm d/new
+  echo 'skip a directory without permission: nothing is forbidden to this user'
+else
+  refused 'a directory without permission' \
+    'cannot create d/old: Permission denied' d/old
+  untouched 'a directory without permission'
+fi
+chmod 700 d
+
+# A file that may not grow is the nearest to a full disk that anyone can have.
+fresh
+awk -v line="$good" 'BEGIN { for (i = 0; i < 1000; i++) print line }' >thousand
+(
+  ulimit -f 64
+  run planar -o d/old thousand
+  expect 'no room for the file' 4 'phspline: cannot write d/old: File too large'
+)
+untouched 'no room for the file'
+
+# ---- interrupted -------------------------------------------------------------
+
+# interrupted NAME STATUS SIGNAL JOBS: while the program waits for input, with
+# one result written.  What it says of that result tells that it is there.
+mkfifo input messages
+interrupted() {
+  fresh
+  defaults "$PHSPLINE" planar -v -j "$4" -o d/old input 2>messages &
+  pid=$!
+  exec 4<messages 3>input
+  cat good.jsonl >&3
+  read -r message <&4
+  equal "$1: in the middle of its work" 'phspline: input:1: record 1:' \
+    "$(printf '%s' "$message" | cut -d ' ' -f 1-4)"
+  equal "$1: two files then" 2 "$(find d -type f | wc -l | tr -d ' ')"
+  kill -s "$3" "$pid"
+  status=0
+  wait "$pid" 2>cmd.out || status=$?
+  equal "$1: status" "$2" "$status"
+  equal "$1: nothing is said" '' "$(cat <&4)"
+  exec 3>&- 4<&-
+  untouched "$1"
+}
+
+interrupted 'SIGTERM' 143 TERM 1
+interrupted 'SIGINT' 130 INT 1
+interrupted 'SIGHUP' 129 HUP 1
+interrupted 'SIGQUIT' 131 QUIT 1
+interrupted 'SIGTERM, with threads' 143 TERM 4
+interrupted 'SIGINT, with threads' 130 INT 4
+
+# who ignores a signal for the program, as nohup does, is obeyed
+fresh
+(
+  trap '' INT HUP
+  "$PHSPLINE" planar -v -o d/old input 2>messages &
+  pid=$!
+  exec 4<messages 3>input
+  cat good.jsonl >&3
+  read -r message <&4
+  kill -s INT "$pid"
+  kill -s HUP "$pid"
+  cat good.jsonl >&3
+  exec 3>&-
+  status=0
+  wait "$pid" || status=$?
+  equal 'signals that were ignored from the start: status' 0 "$status"
+)
+cat good.out good.out >want
+replaced 'signals that were ignored from the start' want
+
+# the name has become that of a directory since
+fresh
+"$PHSPLINE" planar -o d/old input >out 2>err &
+exec 3>input
+rm d/old
+mkdir d/old
+cat good.jsonl >&3
+exec 3>&-
+status=0
+wait $! || status=$?
+expect 'a name that cannot be replaced' 4 \
+  'phspline: cannot replace d/old: Is a directory' ''
+equal 'a name that cannot be replaced: no file is left' old "$(ls -A d)"
+
+# ---- standard output ---------------------------------------------------------
+
+if [ -c /dev/full ]; then
+  run planar -o /dev/full good.jsonl
+  expect 'a full device' 4 \
+    'phspline: cannot write /dev/full: No space left on device' ''
+  # full MESSAGE STATUS ARGUMENT...: standard output is full
+  full() {
+    message=$1 wanted=$2
+    shift 2
+    status=0
+    "$PHSPLINE" "$@" >/dev/full 2>err || status=$?
+    expect "full: phspline $*" "$wanted" "$message"
+  }
+  space='phspline: cannot write standard output: No space left on device'
+  full "$space" 4 planar good.jsonl
+  full "$space" 4 planar -j 8 thousand
+  full "$space" 4 planar -f csv good.jsonl
+  full "$space" 4 planar -f csv </dev/null
+  full "$space" 4 planar --help
+  full "$space" 4 --help
+  full "$space" 4 --version
+  full 'phspline: cannot open nosuch: No such file or directory' 3 planar nosuch
+  full '' 0 planar </dev/null
+else
+  echo 'skip a full device: no /dev/full'
+fi
+
+(
+  ulimit -f 64
+  run planar thousand
+  expect 'no room for standard output' 4 \
+    'phspline: cannot write standard output: File too large'
+)
+
+# shut NAME STATUS MESSAGE ARGUMENT...: standard output is closed
+shut() {
+  name=$1 wanted=$2 message=$3
+  shift 3
+  status=0
+  "$PHSPLINE" "$@" >&- 2>err || status=$?
+  expect "$name" "$wanted" "$message"
+}
+
+descriptor='phspline: cannot write standard output: Bad file descriptor'
+shut 'standard output is closed' 4 "$descriptor" planar good.jsonl
+shut 'standard output is closed, for a table' 4 "$descriptor" planar -f csv \
+  good.jsonl
+shut 'standard output is closed, for help' 4 "$descriptor" --help
+fresh
+shut 'standard output is closed, and not needed' 0 '' planar -o d/old good.jsonl
+replaced 'standard output is closed' good.out
+fresh
+status=0
+"$PHSPLINE" planar -o d/old mixed.jsonl 2>&- || status=$?
+equal 'standard error is closed: status' 1 "$status"
+replaced 'standard error is closed' mixed.out
+fresh
+status=0
+"$PHSPLINE" planar -o d/old mixed.jsonl <&- >&- 2>&- || status=$?
+equal 'all is closed: status' 1 "$status"
+replaced 'all is closed' mixed.out
+status=0
+"$PHSPLINE" planar good.jsonl - good.jsonl <&- >out 2>err || status=$?
+expect 'standard input is closed' 3 \
+  'phspline: cannot read -: Bad file descriptor' "$(cat good.out)"
+
+# ---- a reader that has enough ------------------------------------------------
+
+awk -v line="$good" 'BEGIN { for (i = 0; i < 5000; i++) print line }' >many
+for jobs in 1 4; do
+  {
+    status=0
+    defaults "$PHSPLINE" planar -j $jobs many 2>err || status=$?
+    echo "$status" >status
+  } | head -n 1 >out
+  equal "a reader that ends, --jobs=$jobs: by SIGPIPE" 141 "$(cat status)"
+  equal "a reader that ends, --jobs=$jobs: silently" '' "$(cat err)"
+  equal_files "a reader that ends, --jobs=$jobs: its line" good.out out
+done
+fresh
+{
+  status=0
+  defaults "$PHSPLINE" planar -o d/old mixed.jsonl >out 2>&1 || status=$?
+  echo "$status" >status
+} | :
+{
+  status=0
+  sh -c 'trap "" PIPE; exec "$@"' sh "$PHSPLINE" planar many 2>err || status=$?
+  echo "$status" >status
+} | head -n 1 >out
+equal 'a reader that ends, SIGPIPE is ignored' \
+  '4 phspline: cannot write standard output: Broken pipe' \
+  "$(cat status) $(cat err)"
