@@ -444,6 +444,23 @@ static enum ph_split_state handle_comment(struct ph_split *split,
   return PH_SPLIT_END;
 }
 
+/* A row is broken.  What stands of it tells whether it belongs to the open
+ * record; if not, that one is whole, and the row is met again. */
+static enum ph_split_state handle_broken(struct ph_split *split,
+                                         struct ph_record *record,
+                                         struct ph_diag *diag) {
+  struct ph_split_csv *csv = &split->csv;
+  const char *window = split->data + split->start;
+  if (!csv->open || take_row(csv, window + csv->row, window + csv->scan.at)) {
+    ph_fail(diag, PH_SYNTAX, NULL, "%s", csv->scan.message);
+  } else if (csv->id.failed) {
+    ph_fail_memory(diag);
+  } else {
+    return give(split, csv->row, record);
+  }
+  return stop(split, csv->scan.at, record, diag);
+}
+
 /* More bytes, or the end of the file.  PH_SPLIT_END: go on. */
 static enum ph_split_state handle_more(struct ph_split *split, bool may_wait,
                                        bool *end_of_file,
@@ -485,8 +502,7 @@ enum ph_split_state ph_split_csv(struct ph_split *split, bool may_wait,
       state = handle_more(split, may_wait, &end_of_file, diag);
       break;
     case PH_CSV_ERROR:
-      ph_fail(diag, PH_SYNTAX, NULL, "%s", csv->scan.message);
-      return stop(split, csv->scan.at, record, diag);
+      return handle_broken(split, record, diag);
     }
   }
   return state;
