@@ -343,17 +343,16 @@ static bool allocate(struct run *r) {
   size_t jobs = r->options->jobs;
   r->slots_n = jobs * SLOTS_PER_JOB;
   r->slots = ph_malloc(r->slots_n * sizeof *r->slots);
-  r->workers = ph_malloc(jobs * sizeof *r->workers);
-  if (!r->slots || !r->workers) {
-    return false;
-  }
-  for (size_t i = 0; i < r->slots_n; i++) {
+  for (size_t i = 0; r->slots && i < r->slots_n; i++) {
     r->slots[i].state = SLOT_FREE;
     r->slots[i].n = 0;
     r->slots[i].text = r->slots[i].out = r->slots[i].err = (struct ph_buf){0};
   }
-  memset(r->workers, 0, jobs * sizeof *r->workers);
-  return true;
+  r->workers = ph_malloc(jobs * sizeof *r->workers);
+  if (r->workers) {
+    memset(r->workers, 0, jobs * sizeof *r->workers);
+  }
+  return r->slots && r->workers;
 }
 
 static void release(struct run *r) {

@@ -198,17 +198,20 @@ program "option '--version' takes no value" --version=
 
 # ---- help and version --------------------------------------------------------
 
-# asked NAME FIRST_LINE ARGUMENT...: the text begins so, nothing on stderr
+version=$(sed -n 's/.*PH_VERSION "\(.*\)".*/\1/p' \
+  "$srcdir/src/base/version.h")
+
+# asked NAME USAGE ARGUMENT...: the text begins so, nothing on standard error
 asked() {
-  name=$1 first=$2
+  name=$1 usage=$2
   shift 2
   run "$@" </dev/null
   expect "$name" 0
-  equal "$name: its first line" "$first" "$(sed -n 1p out)"
+  equal "$name: its first line" "phspline $version" "$(sed -n 1p out)"
+  true_that "$name: its usage" grep -q -x -F -e "$usage" out
 }
 
-first='Usage: phspline COMMAND [OPTION]... [FILE]...'
-asked '--help' "$first" --help
+asked '--help' 'Usage: phspline COMMAND [OPTION]... [FILE]...' --help
 mv out help
 for arguments in -h help 'help help' 'help --help' '--help x'; do
   # shellcheck disable=SC2086
@@ -216,8 +219,7 @@ for arguments in -h help 'help help' 'help --help' '--help x'; do
   expect "$arguments" 0
   equal_files "$arguments is --help" help out
 done
-first='Usage: phspline planar [OPTION]... [FILE]...'
-asked 'help planar' "$first" help planar
+asked 'help planar' 'Usage: phspline planar [OPTION]... [FILE]...' help planar
 mv out help
 for arguments in --help -h '-q --help --nosuch' 'x -h' '--pretty -hx'; do
   # shellcheck disable=SC2086
@@ -225,9 +227,9 @@ for arguments in --help -h '-q --help --nosuch' 'x -h' '--pretty -hx'; do
   expect "planar $arguments" 0
   equal_files "planar $arguments is help planar" help out
 done
-version=$(sed -n 's/.*PH_VERSION "\(.*\)".*/\1/p' \
-  "$srcdir/src/base/version.h")
-asked '--version' "phspline $version" --version
+run --version
+expect '--version' 0
+equal '--version: its first line' "phspline $version" "$(sed -n 1p out)"
 mv out version
 for arguments in -V 'planar --version' 'planar -V' 'planar -qV x'; do
   # shellcheck disable=SC2086

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Memory that gives out: each allocation of a run fails in turn, alone and with
+# all after it.  The run ends with status 5 and says so, or ends as it would
+# have; no line of output is half, no file is replaced by less than the whole,
+# and the sanitizers of this build have nothing to report.
+. "$srcdir/tests/cli/lib.sh"
+
+# No run of these needs more allocations: the loops below are bounded.
+most=2000
+
+# Whether the results in $1 are those of the good run, as far as they go; a
+# record may have failed for want of memory.
+sound() {
+  if [ -s "$1" ] && ! tail -c 1 "$1" | cmp -s - newline; then
+    echo 'a line is cut off'
+    return 1
+  fi
+  case $format in
+  text) [ ! -s "$1" ] || cmp -s "$1" good.out ;;
+  *)
+    sed '/"code":"out-of-memory"/d' "$1" |
+      awk 'NR == FNR { good[$0]; next } !($0 in good) { print; bad = 1 }
+        END { exit bad }' good.out -
+    ;;
+  esac
+}
+
+# What is wrong with the last run; nothing if it ended as it may.
+verdict() {
+  if [ "$status" -eq "$good_status" ]; then
+    if ! cmp -s good.out out; then
+      echo "status $status, but other results"
+    fi
+  elif [ "$status" -ne 5 ]; then
+    echo "status $status"
+  elif ! grep -q 'memory is exhausted' err; then
+    echo "status 5, and no word of memory"
+  else
+    sound out
+  fi
+  if grep -q -e Sanitizer -e 'runtime error' err; then
+    echo 'a sanitizer reports'
+  fi
+  if [ -n "$file" ]; then
+    if [ "$status" -eq "$good_status" ]; then
+      cmp -s good.file "$file" || echo 'the file is not what it should be'
+    elif [ "$(cat "$file")" != old ]; then
+      echo 'the old file is gone'
+    fi
+    [ "$(ls -A d)" = file ] || echo "there is more than the file: $(ls -A d)"
+  fi
+}
+
+# once NUMBER ARGUMENT...: a run in which that allocation fails
+once() {
+  number=$1
+  shift
+  if [ -n "$file" ]; then
+    echo old >"$file"
+  fi
+  status=0
+  PH_FAIL_AT=$number "$PHSPLINE" "$@" >out 2>err <in || status=$?
+}
+
+# exhaust NAME FORMAT ARGUMENT...: FORMAT is text when the output is one piece.
+# With all that follow failing, too, a run succeeds when it needs no more: so
+# the number of allocations is found, and then each of them fails alone.
+exhaust() {
+  name=$1 format=$2 bad_runs=0 needs=0
+  shift 2
+  once -1 "$@"
+  good_status=$status
+  mv out good.out
+  [ -z "$file" ] || mv "$file" good.file
+  for mode in all one; do
+    n=0
+    while [ "$n" -lt "$most" ]; do
+      if [ "$mode" = all ]; then
+        PH_FAIL_ON=1
+        export PH_FAIL_ON
+      elif [ "$n" -gt "$needs" ]; then
+        break
+      fi
+      once "$n" "$@"
+      unset PH_FAIL_ON
+      why=$(verdict)
+      if [ -n "$why" ]; then
+        bad_runs=$((bad_runs + 1))
+        if [ "$bad_runs" -le 3 ]; then
+          fail "$name, allocation $n fails ($mode)" "$why"
+          sed -n 1,8p err
+        fi
+      fi
+      if [ "$mode" = all ] && [ "$status" -eq "$good_status" ]; then
+        needs=$n
+        break
+      fi
+      n=$((n + 1))
+    done
+  done
+  if [ "$needs" -eq 0 ]; then
+    fail "$name" 'no allocation was needed, or too many'
+  elif [ "$bad_runs" -eq 0 ]; then
+    pass "$name ($needs allocations)"
+  fi
+}
+
+PH_FAIL_AT=0 "$PHSPLINE" --version >out 2>err </dev/null && {
+  fail 'the build' 'no allocation fails in it'
+  exit
+}
+
+echo >newline
+mkdir d
+file=
+printf '%s\n' '{"id":"a","points":[[0,0],[1,1],[2,0]],"meta":{
+"\u0061": [1], "b":{"c":2,"d":3}}}' "$bad" '{"points":[[0,0],[1' \
+  '{"id":"\u0062","points":[[0,0],[2,1],[3,3],[0,2]],"closed":true}' \
+  '{"p\u006fints":[[0,0],[1,0],[0,0]],"knots":[0,1,3]}' >some.jsonl
+printf '[%s,%s,{"points":' "$good" "$bad" >array.json
+printf 'id,x,y,knot\n"a",0,0,\na,"1",1,\n\nb,0,0,1\nb,3,4,2\n' >some.csv
+printf 'c,0,0,x\nd,"0,0,\n' >>some.csv
+awk 'BEGIN {
+  printf "{\"points\":["
+  for (i = 0; i < 3000; i++) printf "%s[%d,%d]", i ? "," : "", i, i * i % 7
+  print "]}"
+}' >large.json
+: >in
+
+exhaust 'JSON Lines' lines planar -j 1 some.jsonl
+exhaust 'JSON Lines, two threads' lines planar -j 2 some.jsonl
+exhaust 'an array that breaks off' lines planar -j 1 array.json
+exhaust 'a large problem' lines planar -j 1 -d 0.1 large.json
+exhaust 'CSV' lines planar -j 1 some.csv
+exhaust 'CSV, two threads' lines planar -j 2 some.csv
+exhaust 'several files' lines planar -j 1 array.json some.csv
+exhaust 'a table' lines planar -j 1 -f csv some.jsonl
+exhaust 'a table of offsets' lines planar -j 1 -f csv --table=offsets \
+  -d 1,-1 some.csv
+exhaust 'offsets' lines planar -j 1 -d 1 -d -1,2 some.jsonl
+exhaust 'sweeps' lines planar -j 1 -S knots=uniform,chordal \
+  -S 'points[0][0]=0:0.5:2' some.jsonl
+exhaust 'a sweep, two threads' lines planar -j 2 \
+  -S 'knots=[0,1,2],uniform' some.jsonl
+exhaust 'fields as options' lines planar -j 1 --set knots=uniform \
+  --override='knots=[0,1,2]' '--end_derivatives=[[1,1],[1,1]]' some.jsonl
+exhaust 'columns' lines planar -j 1 --columns=id,x,y,- some.csv
+exhaust '-v' lines planar -j 1 -v --strict some.jsonl
+exhaust '--pretty' text planar -j 1 --pretty -q array.json
+exhaust 'help' text planar --help
+exhaust 'help for the program' text --help
+exhaust 'the version' text --version
+exhaust 'a usage error' text planar --nosuch
+exhaust 'a file that is not there' text planar -j 1 nosuch.json
+file=d/file
+exhaust 'a file' lines planar -j 1 -o d/file some.jsonl
+exhaust 'a file, two threads' lines planar -j 2 -o d/file some.jsonl
+exhaust 'a table in a file' lines planar -j 1 -f csv -o d/file some.csv
