@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The method `planar`: what it refuses and how it says so, what it assumes
- * where the problem is silent, and curves that are known exactly.
- */
+/* The method `planar`: what it refuses and how it says so, what it assumes
+ * where the problem is silent, what it warns of. */
 #include "unit.h"
 #include "planar_unit.h"
 #include "random_unit.h"
@@ -344,129 +342,6 @@ START_TEST(test_given_ends) {
 }
 END_TEST
 
-/* Two points without end derivatives: their chord. */
-START_TEST(test_line_segment) {
-  POINTS(false, 1, 1, 4, 5);
-  ck_solved();
-  ck_rel(u.result.curve.length, 5, 1e-15);
-  for (int i = 0; i < 6; i++) {
-    ck_abs(u.result.curve.control_points[2 * i], 1 + 0.6 * i, 1e-15);
-    ck_abs(u.result.curve.control_points[2 * i + 1], 1 + 0.8 * i, 2e-15);
-  }
-}
-END_TEST
-
-/* Points on a line, at any spacing: the line, with unit speed. */
-START_TEST(test_collinear) {
-  struct unit_random r = unit_random_of(2);
-  for (int i = 0; i < 100; i++) {
-    ph_cplx direction = ph_cplx_polar(unit_random_in(&r, -3, 3));
-    double v[40], t[20] = {0};
-    size_t n = 2 + unit_random_below(&r, 19);
-    for (size_t k = 0; k < n; k++) {
-      t[k] = k ? t[k - 1] + pow(10, unit_random_in(&r, -3, 1)) : 0;
-      v[2 * k] = t[k] * direction.re;
-      v[2 * k + 1] = t[k] * direction.im;
-    }
-    begin(v, n, false);
-    ck_solved();
-    ck_rel(u.result.curve.length, t[n - 1], 1e-13);
-    ck_assert_uint_eq(u.result.warnings_n, 0);
-    for (size_t k = 0; k + 1 < n; k++) {
-      double at = unit_random_in(&r, 0, 1);
-      double s = t[k] + at * (t[k + 1] - t[k]);
-      ck_assert_double_le(unit_distance(unit_curve(&u.result.curve, k, 0, at),
-                                        ph_cplx_scale(s, direction)),
-                          1e-13 * t[n - 1]);
-    }
-  }
-}
-END_TEST
-
-/*
- * One segment with end derivatives: the first-order Hermite interpolant of
- * Farouki and Neff (1995), whose middle coefficient solves a quadratic:
- *   w1 = (-3 (w0 + w2) +- sqrt(120 c - 15 (w0^2 + w2^2) + 10 w0 w2)) / 4,
- * c the chord.  With the chord to the right and ends that point there as well,
- * the one without loops has the principal roots throughout.
- */
-static void hermite(const double d[4], ph_cplx w[3]) {
-  ph_cplx squares, sum, root;
-  w[0] = ph_cplx_sqrt(ph_cplx_of(d[0], d[1]));
-  w[2] = ph_cplx_sqrt(ph_cplx_of(d[2], d[3]));
-  squares = ph_cplx_add(ph_cplx_mul(w[0], w[0]), ph_cplx_mul(w[2], w[2]));
-  sum = ph_cplx_sub(ph_cplx_of(120, 0), ph_cplx_scale(15, squares));
-  sum = ph_cplx_add(sum, ph_cplx_scale(10, ph_cplx_mul(w[0], w[2])));
-  root = ph_cplx_sqrt(sum);
-  sum = ph_cplx_scale(-3, ph_cplx_add(w[0], w[2]));
-  w[1] = ph_cplx_scale(0.25, ph_cplx_add(sum, root));
-}
-
-START_TEST(test_hermite) {
-  struct unit_random r = unit_random_of(3);
-  for (int i = 0; i < 300; i++) {
-    double d[4];
-    ph_cplx w[3], p[6];
-    POINTS(false, 0, 0, 1, 0);
-    for (int side = 0; side < 2; side++) {
-      ph_cplx end = ph_cplx_scale(unit_random_in(&r, 0.5, 2),
-                                  ph_cplx_polar(unit_random_in(&r, -1, 1)));
-      d[2 * side] = end.re;
-      d[2 * side + 1] = end.im;
-    }
-    unit_planar_ends(&u, d);
-    ck_solved();
-    hermite(d, w);
-    ph_ph2_control_points(w, ph_cplx_of(0, 0), ph_cplx_of(1, 0), p);
-    ck_rel(u.result.curve.length, ph_ph2_length(w), 1e-13);
-    for (int k = 0; k < 6; k++) {
-      const double *q = u.result.curve.control_points + 2 * k;
-      ck_assert_double_le(unit_distance(p[k], ph_cplx_of(q[0], q[1])), 1e-13);
-    }
-  }
-}
-END_TEST
-
-/* A PH quintic cut into pieces, given its derivatives at the ends, is found
- * again: it is C2 and PH, and turns too little for another solution. */
-START_TEST(test_reproduction) {
-  const double knots[] = {0, 0.15, 0.4, 0.5, 0.8, 1};
-  struct unit_random r = unit_random_of(4);
-  for (int i = 0; i < 200; i++) {
-    ph_cplx w[3], p[6], end = {0, 0}, hodograph[5];
-    double flat[12], v[12];
-    for (int k = 0; k < 3; k++) {
-      w[k] = ph_cplx_add(ph_cplx_of(1.5, 0), unit_random_cplx(&r, 0.7));
-    }
-    ph_ph2_hodograph(w, hodograph);
-    for (int k = 0; k < 5; k++) {
-      end = ph_cplx_add(end, ph_cplx_scale(0.2, hodograph[k]));
-    }
-    ph_ph2_control_points(w, ph_cplx_of(0, 0), end, p);
-    memcpy(flat, p, sizeof flat);
-    for (int k = 0; k < 6; k++) {
-      ph_cplx q = unit_bezier(flat, 5, 0, knots[k]);
-      v[2 * k] = q.re;
-      v[2 * k + 1] = q.im;
-    }
-    begin(v, 6, false);
-    unit_planar_knots(&u, knots, 6);
-    ENDS(hodograph[0].re, hodograph[0].im, hodograph[4].re, hodograph[4].im);
-    ck_solved();
-    ck_rel(u.result.curve.length, ph_ph2_length(w), 1e-12);
-    for (size_t k = 0; k < 5; k++) {
-      double at = unit_random_in(&r, 0, 1);
-      ph_cplx wanted =
-          unit_bezier(flat, 5, 0, knots[k] + at * (knots[k + 1] - knots[k]));
-      ck_assert_msg(
-          unit_distance(unit_curve(&u.result.curve, k, 0, at), wanted) <= 1e-12,
-          "seed %lu, curve %d, segment %zu: %.3g", unit_seed(), i, k,
-          unit_distance(unit_curve(&u.result.curve, k, 0, at), wanted));
-    }
-  }
-}
-END_TEST
-
 static const struct ph_diag *warning(enum ph_status status, size_t segment) {
   const struct ph_warning *found = NULL;
   for (size_t i = 0; i < u.result.warnings_n; i++) {
@@ -590,10 +465,6 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_default_ends_published);
   tcase_add_test(tc, test_default_ends_standstill);
   tcase_add_test(tc, test_given_ends);
-  tcase_add_test(tc, test_line_segment);
-  tcase_add_test(tc, test_collinear);
-  tcase_add_test(tc, test_hermite);
-  tcase_add_test(tc, test_reproduction);
   tcase_add_test(tc, test_reversal);
   tcase_add_test(tc, test_reversal_closed);
   tcase_add_test(tc, test_loop);
