@@ -121,7 +121,7 @@ static void ck_knot(size_t k, size_t which) {
 
 START_TEST(test_promises) {
   struct unit_random r = unit_random_of(2);
-  for (size_t i = 0; i < cases(1000); i++) {
+  for (size_t i = 0; i < cases(300); i++) {
     const struct ph_curve *c = &u.result.curve;
     double total = 0;
     prop_any(&r, 60, &data);
@@ -179,7 +179,7 @@ static void wild_data(struct unit_random *r, struct prop_data *d) {
 START_TEST(test_wild) {
   struct unit_random r = unit_random_of(3);
   size_t solved = 0;
-  for (size_t i = 0; i < cases(1500); i++) {
+  for (size_t i = 0; i < cases(800); i++) {
     enum ph_status status;
     unit_planar_free(&u);
     wild_data(&r, &data);
@@ -202,7 +202,7 @@ START_TEST(test_wild) {
     prop_assert(isfinite(u.result.curve.length) && u.result.curve.length > 0, i,
                 &data, "length %g", u.result.curve.length);
   }
-  ck_assert_uint_ge(solved, cases(1500) / 2);
+  ck_assert_uint_ge(solved, cases(800) / 2);
 }
 END_TEST
 
@@ -210,7 +210,7 @@ END_TEST
  * by 1/sqrt(2) for the shorter parameter, and their lengths add up. */
 START_TEST(test_halves) {
   struct unit_random r = unit_random_of(4);
-  for (size_t i = 0; i < cases(300); i++) {
+  for (size_t i = 0; i < cases(100); i++) {
     const struct ph_curve *c = &u.result.curve;
     prop_any(&r, 20, &data);
     solve(i);
@@ -286,7 +286,7 @@ static double piece_length(const struct ph_offset *o, size_t piece) {
  * the angle that the tangent turns by (Steiner). */
 START_TEST(test_offset_length) {
   struct unit_random r = unit_random_of(5);
-  for (size_t i = 0; i < cases(150); i++) {
+  for (size_t i = 0; i < cases(60); i++) {
     const struct ph_curve *c = &u.result.curve;
     struct ph_offset o;
     double length = 0, turned = 0, d;
@@ -331,7 +331,7 @@ static void ck_same_point(const struct ph_offset *o, size_t k,
 /* The offset of the curve run through backwards, to the other side. */
 START_TEST(test_offset_reverse) {
   struct unit_random r = unit_random_of(6);
-  for (size_t i = 0; i < cases(150); i++) {
+  for (size_t i = 0; i < cases(60); i++) {
     struct ph_curve back;
     struct ph_offset o, p;
     double *points, *w, d = unit_random_in(&r, -2, 2);

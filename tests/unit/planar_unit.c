@@ -90,11 +90,12 @@ bool unit_planar_warned(const struct unit_planar *u, enum ph_status status) {
 }
 
 ph_cplx unit_bezier(const double *p, size_t degree, size_t order, double t) {
+  const long double u = (long double)t;
   long double x[DEGREE_MAX + 1], y[DEGREE_MAX + 1];
   ck_assert_uint_le(degree, DEGREE_MAX);
   for (size_t i = 0; i <= degree; i++) {
-    x[i] = p[2 * i];
-    y[i] = p[2 * i + 1];
+    x[i] = (long double)p[2 * i];
+    y[i] = (long double)p[2 * i + 1];
   }
   for (; order > 0; order--, degree--) {
     for (size_t i = 0; i < degree; i++) {
@@ -104,8 +105,8 @@ ph_cplx unit_bezier(const double *p, size_t degree, size_t order, double t) {
   }
   for (; degree > 0; degree--) {
     for (size_t i = 0; i < degree; i++) {
-      x[i] = (1 - (long double)t) * x[i] + t * x[i + 1];
-      y[i] = (1 - (long double)t) * y[i] + t * y[i + 1];
+      x[i] = (1 - u) * x[i] + u * x[i + 1];
+      y[i] = (1 - u) * y[i] + u * y[i + 1];
     }
   }
   return ph_cplx_of((double)x[0], (double)y[0]);

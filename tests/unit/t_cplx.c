@@ -5,9 +5,13 @@
 
 #include <complex.h>
 #include <float.h>
+#include <string.h>
 
+/* C11 promises that its complex numbers are such pairs, too. */
 static double complex c11(ph_cplx z) {
-  return CMPLX(z.re, z.im);
+  double complex c;
+  memcpy(&c, &z, sizeof c);
+  return c;
 }
 
 static void ck_cplx(ph_cplx found, double complex wanted, double tol) {
@@ -28,7 +32,7 @@ START_TEST(test_arithmetic) {
     ck_cplx(ph_cplx_scale(s, a), s * c11(a), 0);
     ck_cplx(ph_cplx_conj(a), conj(c11(a)), 0);
     ck_cplx(ph_cplx_inverse(a), 1 / c11(a), 4 * DBL_EPSILON);
-    ck_cplx(ph_cplx_polar(s), cexp(CMPLX(0, s)), 4 * DBL_EPSILON);
+    ck_cplx(ph_cplx_polar(s), cexp(c11(ph_cplx_of(0, s))), 4 * DBL_EPSILON);
     ck_rel(ph_cplx_abs(a), cabs(c11(a)), 4 * DBL_EPSILON);
     ck_rel(ph_cplx_norm2(a), creal(c11(a) * conj(c11(a))), 4 * DBL_EPSILON);
     ck_abs(ph_cplx_dot(a, b), creal(c11(a) * conj(c11(b))), 1e-13);
