@@ -79,8 +79,7 @@ static int run_command(const struct ph_command *command, int argc,
     result = print_help(command);
   } else if (options.version) {
     result = print_version();
-  } else if (options.files_n == 1 && strcmp(options.files[0], "-") == 0 &&
-             isatty(STDIN_FILENO)) {
+  } else if (!options.files_given && isatty(STDIN_FILENO)) {
     result = refuse("no FILE, and standard input is a terminal", name);
   } else {
     result = ph_run(&options);

@@ -2,11 +2,13 @@
 /* Lines for standard error (see message.h). */
 #include "cli/message.h"
 
+#include "base/suggest.h"
 #include "cli/output.h"
 
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 void ph_message_printf(struct ph_buf *buf, const char *format, ...) {
@@ -18,15 +20,16 @@ void ph_message_printf(struct ph_buf *buf, const char *format, ...) {
   ph_buf_puts(buf, text);
 }
 
-/* A line stays a line: a name may hold any character. */
+/* A line stays a line, and a terminal is left alone: a name may hold any
+ * character. */
 static void put_name(struct ph_buf *buf, const char *name) {
-  for (const char *p = name; *p; p++) {
-    unsigned char c = (unsigned char)*p;
-    if (c < 0x20 || c == 0x7F) {
-      ph_message_printf(buf, "\\x%02x", c);
-    } else {
-      ph_buf_put(buf, p, 1);
-    }
+  const char *end = name + strlen(name);
+  char excerpt[PH_EXCERPT_MAX];
+  while (name < end) {
+    int length = ph_utf8_length(name, end);
+    size_t n = length > 0 ? (size_t)length : 1;
+    ph_buf_puts(buf, ph_excerpt(name, n, excerpt));
+    name += n;
   }
 }
 

@@ -442,6 +442,7 @@ enum ph_status ph_options_read(int argc, char **argv,
   options->files =
       (const char *const *)(optind < argc ? argv + optind : standard_input);
   options->files_n = optind < argc ? (size_t)(argc - optind) : 1;
+  options->files_given = optind < argc;
   return status == PH_OK ? check_together(&p) : status;
 }
 

@@ -83,6 +83,7 @@ struct ph_options {
   bool help, version;
   const char *const *files;
   size_t files_n;
+  bool files_given; /* not standard input for want of a file */
   struct ph_split_options input;
   bool csv;
   enum ph_table table;

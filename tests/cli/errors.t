@@ -234,6 +234,8 @@ called 'a string as id' 'wing tip' '"wing tip"'
 called 'an empty string as id' '' '""'
 called 'an id with escapes' "a\"\\x0ab\\" '"a\"\nb\\"'
 called 'an id with letters beyond ASCII' 'Ärger' '"Ärger"'
+called 'an id that drives terminals' 'a\x1b[2J\x7f\xc2\x9b' \
+  "\"a\\u001b[2J\\u007f$(printf '\302\233')\""
 called 'an id written in escapes' 'AÄ' '"\u0041\u00c4"'
 
 printf '{"points":7,"extra":1,"id":"last"}' >a.json
@@ -441,3 +443,12 @@ $(failed 1 1)" "$(error_record "$2" '' "$3" a.json 1 "\"$id\"")"
 
 warned reversal reversal "$reversal_says" 1 "$reversal"
 warned loop loop "$loop_says" 0 "$loop"
+
+printf '%s' '{"points":[[0,0],[1,0],[0,0]],"end_derivatives":[[-1,-1],[-1,-1]]}' \
+  >a.json
+run planar a.json
+equal 'two warnings' '"reversal" "loop"' \
+  "$(get 'warnings[0].code') $(get 'warnings[1].code')"
+run planar --strict a.json
+equal 'two warnings: the first one is the error' '1 "reversal"' \
+  "$status $(get error.code)"

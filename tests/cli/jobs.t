@@ -57,6 +57,8 @@ equal 'a result for each value' 5963 "$(wc -l <out | tr -d ' ')"
 printf '%s\n' "$good" >one.json
 same 'a sweep of one problem' 0 -S 'points[0][0]=0:0.5:2000' one.json
 equal 'its last value' '{"points[0][0]":0.5}' "$(tail -n 1 out | json get sweep)"
+same 'a sweep of what an option gives' 0 --knots='[0,1,2]' \
+  -S 'knots[1]=0.5:1.5:2000' one.json
 same 'offsets in CSV' 1 -f csv --table=offsets -d 1,-1 some.jsonl
 same '--strict' 1 --strict -q some.jsonl
 sed 's/$/,/; 1s/^/[/; 2999q' some.jsonl | grep -v '"points":\[\[0,0\],}' \
@@ -78,6 +80,10 @@ same '--fail-fast in the middle of a sweep' 1 --fail-fast \
   -S 'points[0][0]=0,0.5' late.jsonl
 equal '--fail-fast in the middle of a sweep: what was written' 9133 \
   "$(wc -l <out | tr -d ' ')"
+
+printf '%s\n' "$bad" >bad.json
+same '--fail-fast, and a file that nobody comes to' 1 --fail-fast bad.json \
+  nosuch.json
 
 run planar --jobs=1024 one.json
 expect 'more threads than problems' 0

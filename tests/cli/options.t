@@ -128,6 +128,8 @@ swept 'a range between equal ends' '{"knots[2]":7} {"knots[2]":7}' \
 swept 'both ends of a range are exact' \
   '{"knots[2]":1.1} {"knots[2]":1.3} {"knots[2]":1.5}' \
   '[1,1.1] [1,1.3] [1,1.5]' -S 'knots[2]=1.1:1.5:3'
+swept 'both ends, also where 0.2 + (0.9 - 0.2) is not 0.9' \
+  '{"knots[1]":0.2} {"knots[1]":0.9}' '[0.2,2] [0.9,2]' -S 'knots[1]=0.2:0.9:2'
 feed "$arch" planar -q -S 'points[1][0]=-1e308:1e308:3'
 equal 'a range wider than a double' '-1e308 0 1e308' \
   "$(json get sweep out | tr -d '{}' | cut -d : -f 2 | tr '\n' ' ' |

@@ -228,6 +228,12 @@ else
     for (i = 1; i <= 50000; i++)
       print "{\"points\":[[0,0],[1," i "]],\"meta\":\"" meta "\"}"
   }' | light 'memory for 200 MB of JSON Lines' 50000
+  awk 'BEGIN {
+    meta = "x"
+    while (length(meta) < 400000) meta = meta meta
+    for (i = 1; i <= 500; i++)
+      print "{\"points\":[[0,0],[1," i "]],\"meta\":\"" meta "\"}"
+  }' | light 'memory for 200 MB in long lines' 500
   # many small ones
   awk 'BEGIN {
     for (i = 1; i <= 200000; i++)
