@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Fuzz target: the splitter and the reader of CSV (see stream.h): as a user
+ * gives a file, with its columns named, and with another delimiter.
+ */
+#include "stream.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+  static const struct ph_split_options options[] = {
+      {PH_SPLIT_AUTO, 0, NULL},
+      {PH_SPLIT_CSV, 0, "id,x,-,y,knot"},
+      {PH_SPLIT_CSV, ';', NULL}};
+  for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+    stream_check(data, n, &options[i]);
+  }
+  return 0;
+}

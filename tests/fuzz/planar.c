@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Fuzz target: any data through the planar solver.  The outcome is a failure
+ * of the record, or a curve: then its certificate passes or is such a failure,
+ * and what is printed is finite, interpolates, and is JSON.
+ *
+ * The bytes of an input:
+ *   0      bits 0 closed, 1-2 knots (absent, uniform, centripetal, given),
+ *          3 end derivatives given, 4-5 how points are coded, 6 indented JSON
+ *   1      signed: coordinates are scaled by 2 to eight times that
+ *   2-5    end derivatives, signed bytes; 16 is the speed of a step of length 1
+ *   6...   the points: pairs of signed bytes, of signed 16-bit numbers, of
+ *          doubles, or (turn, length) of steps; where knots are given, each
+ *          point is followed by a byte, its knot's distance from the one before
+ */
+#include "fuzz.h"
+
+#include "cert/cert.h"
+#include "curve/offset.h"
+#include "io/json_out.h"
+#include "io/json_scan.h"
+#include "solve/planar.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
+
+enum { PLANAR_POINTS_MAX = 200, PLANAR_STEPS_MAX = 1000 };
+
+struct planar_input {
+  const uint8_t *data;
+  size_t n, at;
+  struct ph_problem problem;
+  double points[PLANAR_POINTS_MAX][2];
+  double knots[PLANAR_POINTS_MAX + 1];
+  double ends[2][2];
+  double heading;
+};
+
+/* Takes n bytes; false when there are not so many. */
+static bool planar_take(struct planar_input *in, void *to, size_t n) {
+  if (in->n - in->at < n) {
+    return false;
+  }
+  memcpy(to, in->data + in->at, n);
+  in->at += n;
+  return true;
+}
+
+static bool planar_take_point(struct planar_input *in, size_t k, int coding) {
+  double *p = in->points[k];
+  int16_t wide[2];
+  int8_t small[2];
+  if (coding == 2) {
+    return planar_take(in, p, 2 * sizeof *p);
+  }
+  if (coding == 1) {
+    if (!planar_take(in, wide, sizeof wide)) {
+      return false;
+    }
+    p[0] = wide[0];
+    p[1] = wide[1];
+    return true;
+  }
+  if (!planar_take(in, small, sizeof small)) {
+    return false;
+  }
+  p[0] = small[0];
+  p[1] = small[1];
+  if (coding == 3) {
+    double length = exp2(small[1] / 8.0);
+    in->heading += small[0] * 3.141592653589793 / 128;
+    p[0] = length * cos(in->heading) + (k > 0 ? in->points[k - 1][0] : 0);
+    p[1] = length * sin(in->heading) + (k > 0 ? in->points[k - 1][1] : 0);
+  }
+  return true;
+}
+
+static size_t planar_take_points(struct planar_input *in, int coding,
+                                 bool knots) {
+  size_t n = 0;
+  uint8_t spacing = 0;
+  in->knots[0] = 0;
+  while (n < PLANAR_POINTS_MAX && planar_take_point(in, n, coding) &&
+         (!knots || planar_take(in, &spacing, 1))) {
+    n++;
+    in->knots[n] = in->knots[n - 1] + ldexp(1 + spacing % 16, spacing / 16 - 8);
+  }
+  return n;
+}
+
+/* Sets the problem; false when the bytes are none. */
+static bool planar_set(struct planar_input *in) {
+  static const char *const rules[] = {"chordal", "uniform", "centripetal"};
+  struct ph_value *field = in->problem.field;
+  uint8_t flags;
+  int8_t exponent, ends[4];
+  size_t n;
+  int unit; /* of the derivatives: that of chord / knot spacing */
+  if (!planar_take(in, &flags, 1) || !planar_take(in, &exponent, 1) ||
+      !planar_take(in, ends, 4)) {
+    return false;
+  }
+  unit = (flags >> 1 & 3) == 0 ? 0 : (flags >> 1 & 3) == 2 ? 4 : 8;
+  n = planar_take_points(in, flags >> 4 & 3, (flags >> 1 & 3) == 3);
+  for (size_t i = 0; i < 2 * n; i++) {
+    in->points[i / 2][i % 2] = ldexp(in->points[i / 2][i % 2], 8 * exponent);
+    if (!isfinite(in->points[i / 2][i % 2])) {
+      return false;
+    }
+  }
+  for (size_t i = 0; i < 4; i++) {
+    in->ends[i / 2][i % 2] = ldexp(ends[i] / 16.0, unit * exponent);
+  }
+  field[PH_F_POINTS] = (struct ph_value){
+      .kind = PH_VECTORS, .v = in->points[0], .n = n, .dimension = 2};
+  field[PH_F_CLOSED] = (struct ph_value){.kind = PH_BOOL, .flag = flags & 1};
+  if ((flags >> 1 & 3) == 3) {
+    field[PH_F_KNOTS] = (struct ph_value){.kind = PH_NUMBERS,
+                                          .v = in->knots,
+                                          .n = n + (flags & 1),
+                                          .dimension = 1};
+  } else if (flags >> 1 & 3) {
+    field[PH_F_KNOTS] =
+        (struct ph_value){.kind = PH_WORD, .word = rules[flags >> 1 & 3]};
+  }
+  if (flags >> 3 & 1) {
+    field[PH_F_END_DERIVATIVES] = (struct ph_value){
+        .kind = PH_VECTORS, .v = in->ends[0], .n = 2, .dimension = 2};
+  }
+  return true;
+}
+
+static void planar_check_failure(const struct ph_diag *diag,
+                                 enum ph_status status) {
+  FUZZ_REQUIRE(diag->status == status);
+  FUZZ_REQUIRE(ph_status_class(status) == PH_CLASS_RECORD);
+  FUZZ_REQUIRE(diag->message[0] != '\0');
+}
+
+/* The segments begin and end in the points, exactly. */
+static void planar_check_curve(const struct planar_input *in,
+                               const struct ph_curve *curve) {
+  size_t points_n = curve->closed ? curve->n : curve->n + 1;
+  for (size_t k = 0; k < curve->n; k++) {
+    const double *p = curve->control_points + 12 * k;
+    const double *from = in->points[k];
+    const double *to = in->points[k + 1 < points_n ? k + 1 : 0];
+    FUZZ_REQUIRE(memcmp(p, from, 2 * sizeof *p) == 0);
+    FUZZ_REQUIRE(memcmp(p + 10, to, 2 * sizeof *p) == 0);
+    FUZZ_REQUIRE(curve->knots[k] < curve->knots[k + 1]);
+    FUZZ_REQUIRE(curve->lengths[k] >= 0);
+    for (int i = 0; i < 12; i++) {
+      FUZZ_REQUIRE(isfinite(p[i]));
+    }
+  }
+  FUZZ_REQUIRE(isfinite(curve->length));
+}
+
+static void planar_check_offset(const struct ph_offset *offset) {
+  for (size_t i = 0; i < offset->n; i++) {
+    FUZZ_REQUIRE(offset->interval[2 * i] < offset->interval[2 * i + 1]);
+    for (size_t k = 0; k < 10; k++) {
+      FUZZ_REQUIRE(offset->weights[10 * i + k] > 0);
+      FUZZ_REQUIRE(isfinite(offset->weights[10 * i + k]));
+      FUZZ_REQUIRE(isfinite(offset->control_points[20 * i + 2 * k]) &&
+                   isfinite(offset->control_points[20 * i + 2 * k + 1]));
+    }
+  }
+}
+
+static void planar_check_output(const struct ph_result *result, bool pretty) {
+  const struct ph_echo echo = {0};
+  const struct ph_heading heading = {&echo, "planar", NULL, 0};
+  struct ph_json_scan scan = {0};
+  struct ph_buf out = {0};
+  ph_json_result(&out, &heading, result, pretty);
+  FUZZ_REQUIRE(!out.failed);
+  FUZZ_REQUIRE(ph_json_scan(&scan, out.data, out.n, true) == PH_JSON_DONE);
+  FUZZ_REQUIRE(scan.at == out.n - 1 && out.data[scan.at] == '\n');
+  ph_buf_free(&out);
+}
+
+/* A curve that its certificate accepts. */
+static void planar_check_result(const struct planar_input *in,
+                                struct ph_result *result,
+                                struct ph_arena *arena) {
+  struct ph_diag diag;
+  struct ph_offset offset;
+  double size = fabs(in->points[1][0] - in->points[0][0]);
+  enum ph_status status =
+      ph_offset_planar(&result->curve, size, arena, &offset, &diag);
+  planar_check_curve(in, &result->curve);
+  for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
+    FUZZ_REQUIRE(!(result->diagnostics.known >> i & 1) ||
+                 isfinite(result->diagnostics.value[i]));
+  }
+  if (status == PH_OK) {
+    planar_check_offset(&offset);
+    result->offsets = &offset;
+    result->offsets_n = 1;
+  } else {
+    planar_check_failure(&diag, status);
+  }
+  planar_check_output(result, in->data[0] >> 6 & 1);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+  struct planar_input in = {.data = data, .n = n};
+  struct ph_arena out = {0}, scratch = {0};
+  struct ph_mark mark, after;
+  struct ph_result result = {0};
+  struct ph_diag diag;
+  enum ph_status status;
+  if (!planar_set(&in)) {
+    return 0;
+  }
+  FUZZ_REQUIRE(ph_arena_array(&scratch, 1, 1) != NULL);
+  mark = ph_arena_mark(&scratch);
+  status = ph_method_planar.solve(&in.problem, &out, &scratch, &result, &diag);
+  after = ph_arena_mark(&scratch);
+  FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
+  if (status == PH_OK) {
+    double steps = result.diagnostics.value[PH_D_ITERATIONS];
+    FUZZ_REQUIRE(steps >= 0 && steps <= PLANAR_STEPS_MAX);
+    status =
+        ph_cert_planar(&in.problem, &result.curve, &result.diagnostics, &diag);
+  }
+  if (status == PH_OK) {
+    planar_check_result(&in, &result, &out);
+  } else {
+    planar_check_failure(&diag, status);
+  }
+  ph_arena_free(&out);
+  ph_arena_free(&scratch);
+  return 0;
+}
