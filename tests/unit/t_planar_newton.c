@@ -192,6 +192,38 @@ START_TEST(test_continuation) {
 }
 END_TEST
 
+/* Closed data with sides from 1 to 10000 in equal intervals can have no path
+ * from the straight polygon: then it gives up, and has the data restored. */
+START_TEST(test_continuation_fails) {
+  struct unit_random r = unit_random_of(4);
+  int failed = 0;
+  for (int i = 0; i < SYSTEMS && failed < 3; i++) {
+    ph_cplx point[N_MAX + 1];
+    double h[N_MAX];
+    struct system s;
+    struct work w;
+    struct ph_planar_measure m;
+    size_t n = 10, iterations;
+    for (size_t k = 0; k < n; k++) {
+      double size = pow(10, unit_random_in(&r, -4, 0));
+      point[k] = unit_random_cplx(&r, size);
+      h[k] = 1;
+    }
+    set_points(&s, point, n, true, h);
+    w = work_of(ph_planar_unknowns(&s.c2));
+    if (!from_straight(&s, &w, &iterations, &m)) {
+      ph_cplx c = ph_cplx_sub(point[1], point[0]);
+      ck_assert_double_le(
+          unit_distance(s.direction[0], ph_cplx_scale(1 / ph_cplx_abs(c), c)),
+          0);
+      failed++;
+    }
+    ph_arena_reset(&arena);
+  }
+  ck_assert_int_eq(failed, 3);
+}
+END_TEST
+
 /* The number of steps does not depend on the number of points. */
 START_TEST(test_long) {
   enum { N = 20000 };
@@ -267,6 +299,7 @@ static Suite *suite(void) {
   tcase_add_checked_fixture(tc, NULL, finish);
   tcase_add_test(tc, test_starts_agree);
   tcase_add_test(tc, test_continuation);
+  tcase_add_test(tc, test_continuation_fails);
   tcase_add_test(tc, test_long);
   tcase_add_test(tc, test_midpoint_start);
   tcase_add_test(tc, test_no_convergence);
