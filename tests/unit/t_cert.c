@@ -168,6 +168,19 @@ START_TEST(test_knots) {
 }
 END_TEST
 
+/* An interval without length, whose jump is not a number, and one of negative
+ * length: seen although all that follows is right. */
+START_TEST(test_knots_not_increasing) {
+  double *t;
+  solve(false);
+  t = u.result.curve.knots;
+  t[0] = t[1];
+  ck_refused(PH_D_CONTINUITY_ERROR, 1);
+  t[0] = t[1] + 1;
+  ck_refused(PH_D_CONTINUITY_ERROR, 1);
+}
+END_TEST
+
 /* Two arcs, solved apart, in one curve through three points: they meet with
  * the derivatives left and right. */
 static void join(const double left[2], const double right[2]) {
@@ -335,6 +348,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_lengths);
   tcase_add_test(tc, test_total_length);
   tcase_add_test(tc, test_knots);
+  tcase_add_test(tc, test_knots_not_increasing);
   tcase_add_test(tc, test_not_c1);
   tcase_add_test(tc, test_not_c2);
   tcase_add_test(tc, test_not_closed);

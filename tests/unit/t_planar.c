@@ -316,6 +316,11 @@ START_TEST(test_default_ends_standstill) {
   ck_solved();
   ck_abs(unit_curve(&u.result.curve, 0, 1, 0).re, 1, 1e-14);
   ck_abs(unit_curve(&u.result.curve, 0, 1, 0).im, 0, 1e-14);
+  /* ... also where rounding leaves something of it, 1.4e-17 here */
+  POINTS(false, 0, 0, 0.1, 0, 0.4, 0, 0.5, 0.1);
+  unit_planar_rule(&u, "uniform");
+  ck_solved();
+  ck_abs(unit_curve(&u.result.curve, 0, 1, 0).re, 0.1, 1e-14);
 }
 END_TEST
 
