@@ -326,6 +326,25 @@ START_TEST(test_scales) {
 }
 END_TEST
 
+/* Points so far from the origin that their rounding is felt: a length may be
+ * off by what that makes of it, and no more. */
+START_TEST(test_far_away) {
+  double v[8];
+  for (size_t i = 0; i < 8; i++) {
+    v[i] = SOME[i] + 1e4;
+  }
+  u = unit_planar_of(v, 4, false);
+  ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+  for (size_t k = 0; k < 3; k++) {
+    u.result.curve.lengths[k] += 1e-8;
+    ck_refused(PH_D_LENGTH_ERROR, k);
+    u.result.curve.lengths[k] -= 1e-8;
+  }
+  u.result.curve.length += 1e-8;
+  ck_refused(PH_D_LENGTH_ERROR, 2);
+}
+END_TEST
+
 /* Of several errors the worst is reported, with its place. */
 START_TEST(test_worst) {
   solve(false);
@@ -356,6 +375,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_not_finite);
   tcase_add_test(tc, test_no_extent);
   tcase_add_test(tc, test_scales);
+  tcase_add_test(tc, test_far_away);
   tcase_add_test(tc, test_worst);
   suite_add_tcase(s, tc);
   return s;
