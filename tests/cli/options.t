@@ -289,6 +289,22 @@ table 'offsets' 'id,distance,segment,index,x,y,weight,points
 "a,b",2,0,8,4.4444444444444446,2,5,"[[0,0],[5,0]]"
 "a,b",2,0,9,5,2,5,"[[0,0],[5,0]]"' --table=offsets -d 2 -S 'points=[[0,0],[5,0]]' \
   --override knots=uniform line.json
+
+# Where the speed nearly vanishes an offset has more than one piece a segment;
+# the table counts its points through all pieces of a segment.
+printf '{"points":[[0,0],[0,-1],[300,-1],[300,0]],"knots":"uniform"}' >halved.json
+run planar -q -d 0.5 halved.json
+pieces=$(json get offsets out | tr '{' '\n' | grep -c '^"segment":')
+run planar -q -f csv --table=offsets -d 0.5 halved.json
+awk -F , 'BEGIN { segment = -1 }
+  NR > 1 {
+    expected = $3 == segment ? index_before + 1 : 0
+    if ($4 != expected) bad++
+    if ($4 == 10) halved++
+    segment = $3; index_before = $4
+  }
+  END { print NR - 1, bad + 0, (halved ? "halved" : "whole") }' out >found
+equal 'offsets in pieces' "$((10 * pieces)) 0 halved" "$(cat found)"
 run planar -f csv --table=lengths three.jsonl
 expect 'a problem that failed has no rows' 1 \
   "phspline: three.jsonl:2: record 2: $bad_says

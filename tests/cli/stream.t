@@ -202,7 +202,7 @@ prompt 'an answer also behind much input' "$(
 # ---- memory ------------------------------------------------------------------
 
 # light NAME RECORDS ARGUMENT...: a stream on standard input, one row for each
-# problem, within 32 MB (it needs 5)
+# problem, within 32 MB (it needs 5 to 15)
 light() {
   name=$1 wanted=$2
   shift 2
@@ -230,10 +230,10 @@ else
   }' | light 'memory for 200 MB of JSON Lines' 50000
   awk 'BEGIN {
     meta = "x"
-    while (length(meta) < 400000) meta = meta meta
-    for (i = 1; i <= 500; i++)
+    while (length(meta) < 1000000) meta = meta meta
+    for (i = 1; i <= 200; i++)
       print "{\"points\":[[0,0],[1," i "]],\"meta\":\"" meta "\"}"
-  }' | light 'memory for 200 MB in long lines' 500
+  }' | light 'memory for 200 MB in long lines' 200
   # many small ones
   awk 'BEGIN {
     for (i = 1; i <= 200000; i++)

@@ -85,6 +85,9 @@ START_TEST(test_json_resumes) {
   gives("a.json", "{}\n{},\n5\n",
         "1 1 {}\n2 2 {}\n3 2 syntax 2:3 expected a value, found ','\n"
         "4 3 5\nend");
+  gives("a.json", "{}\n{},\n{}\nx\n5\n",
+        "1 1 {}\n2 2 {}\n3 2 syntax 2:3 expected a value, found ','\n"
+        "4 3 {}\n5 4 syntax 4:1 expected a value, found \"x\"\n6 5 5\nend");
   gives("a.json", "{}\n{} {},\n5\n",
         "1 1 {}\n2 2 {}\n3 2 {}\n"
         "4 2 syntax 2:6 expected a value, found ','\nstopped");
