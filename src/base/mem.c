@@ -67,7 +67,8 @@ void *ph_malloc(size_t size) {
 }
 
 void *ph_realloc(void *old, size_t size) {
-  return fails() ? NULL : advise(realloc(old, size ? size : 1), size);
+  /* No advice here: a block with advice can not grow in its place. */
+  return fails() ? NULL : realloc(old, size ? size : 1);
 }
 
 void ph_free(void *memory) {

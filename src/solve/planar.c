@@ -366,6 +366,20 @@ static void warn_reversals(const struct data *d, struct ph_result *result) {
   }
 }
 
+/* Knots unrelated to the chords are what makes data unsolvable. */
+static enum ph_status advise(const struct ph_value *knots,
+                             struct ph_diag *diag) {
+  static const char advice[] = "; try \"knots\":\"chordal\"";
+  bool chordal =
+      knots->kind == PH_ABSENT ||
+      (knots->kind == PH_WORD && strcmp(knots->word, "chordal") == 0);
+  if (diag->status == PH_NO_CONVERGENCE && !chordal) {
+    strncat(diag->message, advice,
+            sizeof diag->message - 1 - strlen(diag->message));
+  }
+  return diag->status;
+}
+
 static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,
                             struct ph_result *result, struct ph_diag *diag) {
@@ -378,6 +392,9 @@ static enum ph_status solve(const struct ph_problem *problem,
     b = ph_arena_array(scratch, ph_planar_unknowns(&d.c2), sizeof *b);
     status = b ? ph_planar_c2_solve(&d.c2, scratch, b, &report, diag)
                : ph_fail_memory(diag);
+    if (status != PH_OK) {
+      status = advise(&problem->field[PH_F_KNOTS], diag);
+    }
   }
   if (status == PH_OK) {
     warn_reversals(&d, result);

@@ -213,14 +213,25 @@ double ph_planar_rounding(const struct ph_planar_c2 *c2, const ph_cplx *b) {
     ph_planar_preimage(c2, b, k, w);
     terms = ph_cplx_norm2(w[0]) + ph_cplx_norm2(w[1]) + ph_cplx_norm2(w[2]);
     f = ph_cplx_abs(equation_of(c2, k, w).f) / (1 + c2->ratio[k] * terms);
-    largest = f <= largest ? largest : f;
+    if (!(f <= largest)) {
+      largest = f;
+    }
+    if (isnan(f)) {
+      return f;
+    }
   }
   for (int side = 0; side < 2 && !c2->closed; side++) {
+    /* The error of w = (b + b')/2 is that of its terms, times 2 |w| / |d|. */
+    const ph_cplx *pair = side ? b + c2->n : b;
+    double w = ph_cplx_abs(at_knot(0.5, pair[0], pair[1]));
+    double terms = w * (ph_cplx_abs(pair[0]) + ph_cplx_abs(pair[1]));
     struct ph_planar_measure m = {0, 0, 0};
     double f;
     end_row(c2, b, side, &m);
-    f = sqrt(m.max2) / 2; /* the terms |w|^2/|d| and 1 are nearly equal */
-    largest = f <= largest ? largest : f;
+    f = sqrt(m.max2) / (1 + terms / c2->end_size[side]);
+    if (!(f <= largest)) {
+      largest = f;
+    }
   }
   return largest;
 }

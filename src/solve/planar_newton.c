@@ -239,12 +239,21 @@ static enum ph_status continuation(struct ph_planar_c2 *c2, struct work *w,
   return PH_OK;
 }
 
+/* Keeps the better of two measures for the report. */
+static void keep_better(struct ph_planar_measure *m,
+                        const struct ph_planar_measure *last, bool solved) {
+  if (solved || last->max2 < m->max2) {
+    *m = *last;
+  }
+}
+
 static enum ph_status try_starts(struct ph_planar_c2 *c2, struct work *w,
                                  struct ph_arena *scratch, bool *solved,
                                  size_t *iterations,
                                  struct ph_planar_measure *m,
                                  struct ph_diag *diag) {
   struct ph_planar_measure last = {0, HUGE_VAL, 0};
+  enum ph_status status;
   start_from_chords(c2, w);
   *solved = newton(c2, w, true, NEWTON_CAP, iterations, m);
   if (*solved) {
@@ -253,17 +262,13 @@ static enum ph_status try_starts(struct ph_planar_c2 *c2, struct work *w,
   ph_planar_spline_middles(c2, &w->tri, ph_planar_middles(c2, w->step));
   ph_planar_start(c2, &w->tri, w->step, w->b);
   *solved = newton(c2, w, true, NEWTON_CAP, iterations, &last);
-  if (!*solved) {
-    enum ph_status status =
-        continuation(c2, w, scratch, solved, iterations, &last, diag);
-    if (status != PH_OK) {
-      return status;
-    }
+  keep_better(m, &last, *solved);
+  if (*solved) {
+    return PH_OK;
   }
-  if (*solved || last.max2 < m->max2) {
-    *m = last;
-  }
-  return PH_OK;
+  status = continuation(c2, w, scratch, solved, iterations, &last, diag);
+  keep_better(m, &last, *solved);
+  return status;
 }
 
 enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
@@ -291,7 +296,7 @@ enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
   if (!solved) {
     return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", m.worst,
                       "does not close: the best relative residual reached is "
-                      "%.3g; try \"knots\":\"chordal\"",
+                      "%.3g",
                       report->residual);
   }
   if (w.b != b) {
