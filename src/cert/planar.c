@@ -36,6 +36,9 @@ static const double SMALLEST = 4.9406564584124654e-324;
  * the difference counts, once for r' and twice for r''. */
 enum { ROUND_FIRST = 32, ROUND_SECOND = 256, ROUND_KNOT = 4 };
 
+/* No more is allowed for: then r' = w^2 would be a claim of no digit. */
+static const double ROUNDING_OF_SIZE = 1e-3 / ROUND_FIRST;
+
 enum { NODES = 6 };
 
 /* One error: the largest so far, whether all were within their tolerance, and
@@ -126,8 +129,9 @@ static bool set_scale(struct context *c) {
       0.5 *
       hypot(ph_pow2_apply(c->scale, high[0]) - ph_pow2_apply(c->scale, low[0]),
             ph_pow2_apply(c->scale, high[1]) - ph_pow2_apply(c->scale, low[1]));
-  c->rounding = DBL_EPSILON * ph_pow2_apply(c->scale, largest) +
-                ph_pow2_apply(c->scale, SMALLEST);
+  c->rounding = smaller(DBL_EPSILON * ph_pow2_apply(c->scale, largest) +
+                            ph_pow2_apply(c->scale, SMALLEST),
+                        ROUNDING_OF_SIZE * c->size);
   return c->size > 0;
 }
 

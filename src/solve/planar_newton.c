@@ -242,7 +242,7 @@ static enum ph_status continuation(struct ph_planar_c2 *c2, struct work *w,
 /* Keeps the better of two measures for the report. */
 static void keep_better(struct ph_planar_measure *m,
                         const struct ph_planar_measure *last, bool solved) {
-  if (solved || last->max2 < m->max2) {
+  if (solved || (isfinite(last->sum2) && last->max2 < m->max2)) {
     *m = *last;
   }
 }
@@ -255,7 +255,8 @@ static enum ph_status try_starts(struct ph_planar_c2 *c2, struct work *w,
   struct ph_planar_measure last = {0, HUGE_VAL, 0};
   enum ph_status status;
   start_from_chords(c2, w);
-  *solved = newton(c2, w, true, NEWTON_CAP, iterations, m);
+  *solved = newton(c2, w, true, NEWTON_CAP, iterations, &last);
+  keep_better(m, &last, *solved);
   if (*solved) {
     return PH_OK;
   }
@@ -294,10 +295,13 @@ enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
   report->residual = sqrt(m.max2);
   report->worst = m.worst;
   if (!solved) {
-    return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", m.worst,
-                      "does not close: the best relative residual reached is "
-                      "%.3g",
-                      report->residual);
+    return isfinite(report->residual)
+               ? ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", m.worst,
+                            "does not close: the best relative residual "
+                            "reached is %.3g",
+                            report->residual)
+               : ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+                         "the iteration leaves the range of a double");
   }
   if (w.b != b) {
     for (size_t i = 0; i < n; i++) {

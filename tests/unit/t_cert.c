@@ -243,7 +243,7 @@ START_TEST(test_end_derivatives) {
   for (size_t i = 0; i < 4; i++) {
     double *d = &u.problem.field[PH_F_END_DERIVATIVES].v[i], keep = *d;
     *d += 1e-7;
-    ck_refused(PH_D_END_DERIVATIVE_ERROR, i / 2);
+    ck_refused(PH_D_END_DERIVATIVE_ERROR, i < 2 ? 0 : 2);
     ck_rel(value_of(PH_D_END_DERIVATIVE_ERROR),
            1e-7 / hypot(ends[i / 2 * 2], ends[i / 2 * 2 + 1]), 1e-5);
     *d = keep;

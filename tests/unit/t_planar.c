@@ -151,7 +151,7 @@ START_TEST(test_no_convergence) {
   POINTS(false, 0, 0, 1, 1, 2, 0);
   ENDS(1e150, 0, 0, 1);
   ck_assert_int_eq(unit_planar_solve(&u), PH_NO_CONVERGENCE);
-  ck_assert_str_eq(u.diag.field, "segments[0]");
+  ck_assert_str_eq(u.diag.field, "segments[1]");
   ck_assert_ptr_nonnull(strstr(u.diag.message, "does not close: the best "
                                                "relative residual reached is"));
 }

@@ -208,8 +208,12 @@ START_TEST(test_rounding) {
       }
       largest = unit_larger(largest, ph_cplx_abs(f[k]) / terms);
     }
-    for (size_t k = s.c2.n; k < ph_planar_unknowns(&s.c2); k++) {
-      largest = unit_larger(largest, ph_cplx_abs(f[k]) / 2);
+    for (size_t side = 0; s.c2.n + side < ph_planar_unknowns(&s.c2); side++) {
+      const ph_cplx *pair = s.b + side * s.c2.n;
+      double w = ph_cplx_abs(ph_cplx_add(pair[0], pair[1])) / 2;
+      double terms = w * (ph_cplx_abs(pair[0]) + ph_cplx_abs(pair[1]));
+      largest = unit_larger(largest, ph_cplx_abs(f[s.c2.n + side]) /
+                                         (1 + terms / s.c2.end_size[side]));
     }
     ck_rel(ph_planar_rounding(&s.c2, s.b), largest, 1e-13);
   }
