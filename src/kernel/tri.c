@@ -56,6 +56,9 @@ set_pivot(struct ph_tri *t, const struct ph_tri_active *a, ph_cplx *c2) {
   t->pivot[t->k].c1 = p.c1;
   t->pivot[t->k].f = p.f;
   if (t->last_far || t->near_far) {
+    for (; t->far_n < t->k; t->far_n++) { /* alive again, as NaN is */
+      t->far[2 * t->far_n] = t->far[2 * t->far_n + 1] = ph_cplx_of(0, 0);
+    }
     t->far[2 * t->k] = p.e;
     t->far[2 * t->k + 1] = p.l;
     t->far_n = t->k + 1;
