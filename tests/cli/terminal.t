@@ -4,6 +4,11 @@
 # line of progress that leaves no trace.
 . "$srcdir/tests/cli/lib.sh"
 
+if ! limited terminal '' true >cmd.out 2>&1; then
+  echo 'skip a terminal: this system gives none'
+  exit 0
+fi
+
 # at_terminal TEXT ARGUMENT...: as run, with the text typed
 at_terminal() {
   text=$1
