@@ -1,16 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The certificate of planar C2 PH quintic splines (see cert.h).
+ * The certificate of planar C2 PH quintic and ATPH splines (see cert.h).
  *
  * The preimage that the record prints is taken as a claim: r' from the control
  * points must equal its square at the nodes of a Gauss rule, more nodes than
- * either polynomial has coefficients.  The same nodes integrate |r'|, exactly
- * for a PH quintic.
+ * either has coefficients.  The same nodes integrate |r'|: exactly for a PH
+ * quintic, to rounding for an ATPH segment.
+ *
+ * The derivative of the basis of control points is
+ *   r'(u) = sum_j (p[j+1] - p[j]) S0^(4-j) S1^j / mu_j                 (1)
+ * with S0, S1 and mu as in kernel/atph.h; mu_j is integrated here by the same
+ * Gauss rule.
  */
 #include "cert/cert.h"
 
 #include "base/sum.h"
-#include "kernel/bern.h"
+#include "kernel/atph.h"
 #include "kernel/cplx.h"
 #include "kernel/pow2.h"
 #include "kernel/quad.h"
@@ -24,22 +29,27 @@
  * the hodograph carries 15 times that. */
 static const double INTERPOLATION = 1e-13;
 static const double PYTHAGOREAN = 1e-11;
-static const double PYTHAGOREAN_OF_SIZE = 1e-9; /* where the speed is huge */
 static const double LENGTH = 1e-11;
 static const double CONTINUITY = 1e-9;
-
-/* The spacing of subnormal numbers. */
-static const double SMALLEST = 4.9406564584124654e-324;
 
 /* Allowances in units of (rounding of a coordinate): a first difference of
  * control points times 5, a second one times 20, with a margin of 3.  Of knots
  * the difference counts, once for r' and twice for r''. */
 enum { ROUND_FIRST = 32, ROUND_SECOND = 256, ROUND_KNOT = 4 };
 
-/* No more is allowed for: then r' = w^2 would be a claim of no digit. */
-static const double ROUNDING_OF_SIZE = 1e-3 / ROUND_FIRST;
+/* Nodes: exact for degree 11, as |r'| has 4 and mu_j has 4; for angles below pi
+ * 12 nodes reach rounding. */
+enum { NODES_PH = 6, NODES_ATPH = 12 };
 
-enum { NODES = 6 };
+static const double BINOMIAL[5] = {1, 4, 6, 4, 1};
+
+/* A space of preimages, at the nodes. */
+struct shape {
+  double angle, slope, sinc;
+  double mu[5];
+  double leg[NODES_ATPH][5];    /* S0^(4-j) S1^j / mu_j */
+  double square[NODES_ATPH][3]; /* S0^2, 2 c S0 S1, S1^2 */
+};
 
 /* One error: the largest so far, whether all were within their tolerance, and
  * by how much the worst was not. */
@@ -61,16 +71,17 @@ struct context {
   double size;          /* half the diagonal, at unit scale */
   double rounding;      /* of a coordinate, at unit scale */
   double farthest_knot; /* from 0, whose rounding is the largest */
-  double weight[NODES];
-  double basis4[NODES][5], basis2[NODES][3];
+  struct ph_quad rule;
+  struct shape shape; /* of the last segment */
 };
 
-/* A segment at unit scale. */
+/* A segment at unit scale, with respect to u in [0,1]. */
 struct segment {
   ph_cplx start, end;
-  ph_cplx hodograph[5];
+  ph_cplx leg[5]; /* differences of control points */
   ph_cplx w[3];
-  double speed; /* largest |hodograph coefficient| */
+  ph_cplx first[2], second[2]; /* r' and r'' at both ends */
+  double speed;                /* largest |coefficient| of r' */
 };
 
 /* Whether x is larger than the largest so far; NaN is, and stays. */
@@ -129,42 +140,84 @@ static bool set_scale(struct context *c) {
       0.5 *
       hypot(ph_pow2_apply(c->scale, high[0]) - ph_pow2_apply(c->scale, low[0]),
             ph_pow2_apply(c->scale, high[1]) - ph_pow2_apply(c->scale, low[1]));
-  c->rounding = smaller(DBL_EPSILON * ph_pow2_apply(c->scale, largest) +
-                            ph_pow2_apply(c->scale, SMALLEST),
-                        ROUNDING_OF_SIZE * c->size);
+  c->rounding = DBL_EPSILON * ph_pow2_apply(c->scale, largest);
   return c->size > 0;
 }
 
-static bool set_rule(struct context *c) {
-  struct ph_quad rule;
-  if (!ph_quad_gauss(&rule, NODES)) {
-    return false;
-  }
-  for (size_t i = 0; i < NODES; i++) {
-    c->weight[i] = rule.weight[i];
-    ph_bern_basis(4, rule.node[i], c->basis4[i]);
-    ph_bern_basis(2, rule.node[i], c->basis2[i]);
-  }
-  return true;
+/* Powers S0^(4-j) S1^j at a node. */
+static void powers_at(const double base[2], double power[5]) {
+  double p = base[0] * base[0], q = base[1] * base[1], pq = base[0] * base[1];
+  power[0] = p * p;
+  power[1] = p * pq;
+  power[2] = p * q;
+  power[3] = q * pq;
+  power[4] = q * q;
 }
 
-static struct segment segment_of(const struct context *c, size_t k) {
+static struct shape shape_of(const struct ph_quad *rule, double angle) {
+  struct shape shape = {.angle = angle};
+  struct ph_atph space = ph_atph_of(angle);
+  shape.slope = space.slope;
+  shape.sinc = space.sinc;
+  for (size_t i = 0; i < rule->n; i++) {
+    double base[2];
+    ph_atph_basis(&space, rule->node[i], base);
+    powers_at(base, shape.leg[i]);
+    for (size_t j = 0; j < 5; j++) {
+      shape.mu[j] += rule->weight[i] * shape.leg[i][j];
+    }
+    shape.square[i][0] = base[0] * base[0];
+    shape.square[i][1] = 2 * space.c * base[0] * base[1];
+    shape.square[i][2] = base[1] * base[1];
+  }
+  for (size_t i = 0; i < rule->n; i++) {
+    for (size_t j = 0; j < 5; j++) {
+      shape.leg[i][j] /= shape.mu[j];
+    }
+  }
+  return shape;
+}
+
+/* Makes c->shape that of segment k: neighbours often share it. */
+static void set_shape(struct context *c, size_t k) {
+  double angle = c->curve->alpha ? c->curve->alpha[k] : 0;
+  if (!(angle <= c->shape.angle && angle >= c->shape.angle)) {
+    c->shape = shape_of(&c->rule, angle);
+  }
+}
+
+/* r'' at an end from the legs next to it, by differentiating (1) there. */
+static ph_cplx second_at(const struct shape *shape, ph_cplx outer,
+                         ph_cplx inner) {
+  return ph_cplx_sub(ph_cplx_scale(1 / (shape->sinc * shape->mu[1]), inner),
+                     ph_cplx_scale(4 * shape->slope / shape->mu[0], outer));
+}
+
+static struct segment segment_of(struct context *c, size_t k) {
   const double *p = c->curve->control_points + 12 * k;
   const double *w = c->curve->preimage + 6 * k;
+  const double *alpha = c->curve->alpha;
+  double root = alpha ? c->root * sqrt(alpha[k]) : c->root;
   struct segment s;
   ph_cplx from = scaled(c, p);
+  set_shape(c, k);
   s.start = from;
   s.speed = 0;
   for (size_t i = 0; i < 5; i++) {
     ph_cplx to = scaled(c, p + 2 * (i + 1));
-    s.hodograph[i] = ph_cplx_scale(5, ph_cplx_sub(to, from));
-    s.speed = larger(s.speed, ph_cplx_abs(s.hodograph[i]));
+    s.leg[i] = ph_cplx_sub(to, from);
+    s.speed =
+        larger(s.speed, ph_cplx_abs(s.leg[i]) / (BINOMIAL[i] * c->shape.mu[i]));
     from = to;
   }
   s.end = from;
   for (size_t i = 0; i < 3; i++) {
-    s.w[i] = ph_cplx_of(c->root * w[2 * i], c->root * w[2 * i + 1]);
+    s.w[i] = ph_cplx_of(root * w[2 * i], root * w[2 * i + 1]);
   }
+  s.first[0] = ph_cplx_scale(1 / c->shape.mu[0], s.leg[0]);
+  s.first[1] = ph_cplx_scale(1 / c->shape.mu[4], s.leg[4]);
+  s.second[0] = second_at(&c->shape, s.leg[0], s.leg[1]);
+  s.second[1] = ph_cplx_scale(-1, second_at(&c->shape, s.leg[4], s.leg[3]));
   return s;
 }
 
@@ -182,18 +235,17 @@ static ph_cplx combine(const double *basis, const ph_cplx *coefficient,
 static double check_square(const struct context *c, const struct segment *s,
                            size_t k, struct check *square) {
   double length = 0, worst = 0;
-  for (size_t i = 0; i < NODES; i++) {
-    ph_cplx r = combine(c->basis4[i], s->hodograph, 5);
-    ph_cplx w = combine(c->basis2[i], s->w, 3);
+  for (size_t i = 0; i < c->rule.n; i++) {
+    ph_cplx r = combine(c->shape.leg[i], s->leg, 5);
+    ph_cplx w = combine(c->shape.square[i], s->w, 3);
     double error = ph_cplx_abs(ph_cplx_sub(r, ph_cplx_mul(w, w)));
-    length += c->weight[i] * ph_cplx_abs(r);
+    length += c->rule.weight[i] * ph_cplx_abs(r);
     if (!(error <= worst)) {
       worst = error;
     }
   }
   check_add(square, k, worst, c->size,
-            smaller(PYTHAGOREAN * s->speed, PYTHAGOREAN_OF_SIZE * c->size) +
-                ROUND_FIRST * c->rounding);
+            PYTHAGOREAN * s->speed + ROUND_FIRST * c->rounding);
   return length;
 }
 
@@ -205,33 +257,30 @@ static void check_joint(const struct context *c, const struct segment *a,
   double h = smaller(ha, hb), fa = h / ha, fb = h / hb;
   double knot = ROUND_KNOT * DBL_EPSILON * c->farthest_knot / h;
   double speed = larger(fa * a->speed, fb * b->speed);
-  ph_cplx va = ph_cplx_scale(fa, a->hodograph[4]);
-  ph_cplx vb = ph_cplx_scale(fb, b->hodograph[0]);
-  ph_cplx aa = ph_cplx_sub(a->hodograph[4], a->hodograph[3]);
-  ph_cplx ab = ph_cplx_sub(b->hodograph[1], b->hodograph[0]);
-  ph_cplx jump = ph_cplx_sub(ph_cplx_scale(4 * fa * fa, aa),
-                             ph_cplx_scale(4 * fb * fb, ab));
-  check_add(joint, k, ph_cplx_abs(ph_cplx_sub(va, vb)), speed,
+  ph_cplx first = ph_cplx_sub(ph_cplx_scale(fa, a->first[1]),
+                              ph_cplx_scale(fb, b->first[0]));
+  ph_cplx second = ph_cplx_sub(ph_cplx_scale(fa * fa, a->second[1]),
+                               ph_cplx_scale(fb * fb, b->second[0]));
+  check_add(joint, k, ph_cplx_abs(first), speed,
             (CONTINUITY + knot) * speed + ROUND_FIRST * c->rounding);
-  check_add(joint, k, ph_cplx_abs(jump), speed,
+  check_add(joint, k, ph_cplx_abs(second), speed,
             (CONTINUITY + 8 * knot) * speed + ROUND_SECOND * c->rounding);
 }
 
 static void check_end(const struct context *c, const double *given,
-                      ph_cplx derivative, double h, size_t segment,
+                      ph_cplx derivative, double h, size_t side,
                       struct check *end) {
-  ph_cplx wanted = ph_cplx_scale(h, scaled(c, given));
+  ph_cplx wanted = ph_cplx_scale(h, scaled(c, given + 2 * side));
   double size = ph_cplx_abs(wanted);
-  double knot = ROUND_KNOT * DBL_EPSILON * c->farthest_knot / h;
-  check_add(end, segment, ph_cplx_abs(ph_cplx_sub(derivative, wanted)), size,
-            (CONTINUITY + knot) * size + ROUND_FIRST * c->rounding);
+  check_add(end, side, ph_cplx_abs(ph_cplx_sub(derivative, wanted)), size,
+            CONTINUITY * size + ROUND_FIRST * c->rounding);
 }
 
 struct checks {
   struct check point, end, square, joint, length;
 };
 
-static void check_segments(const struct context *c, const struct ph_value *ends,
+static void check_segments(struct context *c, const struct ph_value *ends,
                            struct checks *checks) {
   const struct ph_curve *curve = c->curve;
   const double *t = curve->knots;
@@ -256,14 +305,13 @@ static void check_segments(const struct context *c, const struct ph_value *ends,
     before = s;
   }
   check_add(&checks->length, n - 1, fabs(ph_sum_value(&total) - claimed),
-            claimed, LENGTH * claimed + (double)n * ROUND_FIRST * c->rounding);
+            claimed, LENGTH * claimed);
   if (curve->closed) {
     check_joint(c, &before, t[n] - t[n - 1], &first, t[1] - t[0], 0,
                 &checks->joint);
   } else if (ends->kind == PH_VECTORS) {
-    check_end(c, ends->v, first.hodograph[0], t[1] - t[0], 0, &checks->end);
-    check_end(c, ends->v + 2, before.hodograph[4], t[n] - t[n - 1], n - 1,
-              &checks->end);
+    check_end(c, ends->v, first.first[0], t[1] - t[0], 0, &checks->end);
+    check_end(c, ends->v, before.first[1], t[n] - t[n - 1], 1, &checks->end);
   }
 }
 
@@ -316,9 +364,10 @@ enum ph_status ph_cert_planar(const struct ph_problem *problem,
     return ph_fail(diag, PH_TOO_LARGE, NULL,
                    "the curve exceeds the range of a double");
   }
-  if (!set_rule(&c)) {
+  if (!ph_quad_gauss(&c.rule, curve->alpha ? NODES_ATPH : NODES_PH)) {
     return ph_fail_memory(diag);
   }
+  c.shape = shape_of(&c.rule, 0);
   if (!set_scale(&c)) {
     return ph_fail(diag, PH_INTERNAL, "points", "have no extent");
   }

@@ -1,29 +1,34 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Planar PH quintic segments: from the preimage w to everything else.
+ * Planar PH quintic and ATPH segments: from the preimage w to everything else.
  *
- *   w(u) = w0 B0(u) + w1 B1(u) + w2 B2(u)     Bernstein, degree 2, u in [0,1]
- *   r'(u) = w(u)^2                            the hodograph
+ *   r'(u) = w(u)^2              the hodograph, u in [0,1]
  *   sigma(u) = |r'(u)| = |w(u)|^2             the parametric speed
  *
- * [GON18, ch. 2] with alpha = 0.  Coordinates are complex numbers x + i y.
+ * w(u) lies in the segment's space of preimages (kernel/atph.h), with
+ * coefficients w0, w1, w2: for PH quintics, Bernstein coefficients of degree 2.
+ * [GON18, ch. 2].  Coordinates are complex numbers x + i y.
  */
 #ifndef PH_CURVE_PH2_H
 #define PH_CURVE_PH2_H
 
+#include "kernel/atph.h"
 #include "kernel/cplx.h"
 
-/* ph_ph2_hodograph: Bernstein coefficients of w^2.  out hodograph[5] */
+/* ph_ph2_hodograph: of a PH quintic, the Bernstein coefficients of w^2.
+ * out hodograph[5] */
 void ph_ph2_hodograph(const ph_cplx w[3], ph_cplx hodograph[5]);
 
-/* ph_ph2_speed: Bernstein coefficients of |w|^2.  out speed[5] */
+/* ph_ph2_speed: of a PH quintic, the Bernstein coefficients of |w|^2.
+ * out speed[5] */
 void ph_ph2_speed(const ph_cplx w[3], double speed[5]);
 
 /* ph_ph2_length: the exact arc length, integral of |w|^2 over [0,1]. */
-double ph_ph2_length(const ph_cplx w[3]);
+double ph_ph2_length(const struct ph_atph *space, const ph_cplx w[3]);
 
 /*
- * ph_ph2_control_points: Bezier points of the segment from `start` to `end`.
+ * ph_ph2_control_points: control points of the segment from `start` to `end`,
+ * in the basis of its space: Bezier points of a PH quintic [GON18, (2.12)].
  *
  * The first three are summed up from the start and the last three from the
  * end: the end points are reproduced exactly, the construction is symmetric
@@ -33,17 +38,17 @@ double ph_ph2_length(const ph_cplx w[3]);
  * in   w[3]         preimage, in the root of the unit of the points
  * out  p[6]
  */
-void ph_ph2_control_points(const ph_cplx w[3], ph_cplx start, ph_cplx end,
-                           ph_cplx p[6]);
+void ph_ph2_control_points(const struct ph_atph *space, const ph_cplx w[3],
+                           ph_cplx start, ph_cplx end, ph_cplx p[6]);
 
 /*
  * ph_ph2_rotation: the angle by which the tangent turns along the segment,
  * signed, not reduced modulo 2 pi.
  *
- * w is factored into two linear forms; a linear form turns by less than pi, so
- * that each one's argument is known exactly, and the tangent turns by twice
- * their sum.
+ * w is factored into two linear forms in S0, S1; a linear form turns by less
+ * than pi, so that each one's argument is known exactly, and the tangent turns
+ * by twice their sum.
  */
-double ph_ph2_rotation(const ph_cplx w[3]);
+double ph_ph2_rotation(const struct ph_atph *space, const ph_cplx w[3]);
 
 #endif

@@ -18,6 +18,7 @@
   X(CLOSED, "closed") \
   X(BASIS, "basis")   \
   X(KNOTS, "knots")   \
+  X(ALPHA, "alpha")   \
   X(END_DERIVATIVES, "end_derivatives")
 
 enum ph_field_id {

@@ -14,7 +14,9 @@
 #include <stdint.h>
 
 /* Curve kinds: X(SYMBOL, "name in records"). */
-#define PH_CURVES(X) X(PH, "ph")
+#define PH_CURVES(X) \
+  X(PH, "ph")        \
+  X(ATPH, "atph")
 
 enum ph_curve_kind {
 #define X(symbol, name) PH_CURVE_##symbol,
@@ -26,10 +28,12 @@ enum ph_curve_kind {
 /*
  * A spline of n segments.  Coordinates are in the unit of the data.
  *
- * control_points[n][degree + 1][dimension]   Bernstein-Bezier, on [0,1]
+ * control_points[n][degree + 1][dimension]   Bernstein-Bezier, on [0,1];
+ *      atph: the normalised B-basis of <1, t, sin t, cos t, sin 2t, cos 2t>
+ * alpha[n]        atph: the angles, segment k has t in [0, alpha[k]]; else NULL
  * preimage[n][preimage_n][preimage_dimension]
- *      planar: complex w, r'(u) = w(u)^2 with respect to the local parameter u
- *      in [0,1]; Bernstein coefficients; unit^(1/2)
+ *      planar: complex w, r' = w^2 with respect to the local parameter, u in
+ *      [0,1] or t; coefficients in the segment's space; unit^(1/2)
  * knots[n + 1]    global parameter at the joints, increasing
  * lengths[n]      exact arc lengths; length is their sum
  */
@@ -41,6 +45,7 @@ struct ph_curve {
   size_t n;
   double *knots;
   double *control_points;
+  double *alpha;
   size_t preimage_n;
   size_t preimage_dimension;
   double *preimage;

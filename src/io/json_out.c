@@ -168,6 +168,9 @@ static void write_segments(struct writer *w, const struct ph_curve *c) {
     begin(w, '{');
     key(w, "interval");
     numbers(w, c->knots + k, 2);
+    if (c->alpha) {
+      key_number(w, "alpha", c->alpha[k]);
+    }
     key(w, "control_points");
     vectors(w, c->control_points + k * stride, c->degree + 1, c->dimension);
     key(w, "preimage");

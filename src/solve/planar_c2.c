@@ -15,9 +15,6 @@
 
 #include <math.h>
 
-/* Coefficients (3) of the chord equation. */
-static const double A = 1.0 / 5, B = 1.0 / 5, C = 2.0 / 15, D = 1.0 / 15;
-
 /* Below this, |Re| of two unit vectors' product counts as exactly opposite
  * directions: rounding of the data turns by about 1e-16 / chord. */
 static const double OPPOSITE = 1e-12;
@@ -84,15 +81,16 @@ struct equation {
 
 static inline struct equation equation_of(const struct ph_planar_c2 *c2,
                                           size_t k, const ph_cplx w[3]) {
+  const double *e = ph_planar_space(c2, k)->q;
   double s = c2->ratio[k];
   struct equation q;
   ph_cplx sum;
-  q.g0.re = s * (2 * A * w[0].re + B * w[1].re + D * w[2].re);
-  q.g0.im = s * (2 * A * w[0].im + B * w[1].im + D * w[2].im);
-  q.g1.re = s * (B * (w[0].re + w[2].re) + 2 * C * w[1].re);
-  q.g1.im = s * (B * (w[0].im + w[2].im) + 2 * C * w[1].im);
-  q.g2.re = s * (2 * A * w[2].re + B * w[1].re + D * w[0].re);
-  q.g2.im = s * (2 * A * w[2].im + B * w[1].im + D * w[0].im);
+  q.g0.re = s * (2 * e[0] * w[0].re + e[1] * w[1].re + e[3] * w[2].re);
+  q.g0.im = s * (2 * e[0] * w[0].im + e[1] * w[1].im + e[3] * w[2].im);
+  q.g1.re = s * (e[1] * (w[0].re + w[2].re) + 2 * e[2] * w[1].re);
+  q.g1.im = s * (e[1] * (w[0].im + w[2].im) + 2 * e[2] * w[1].im);
+  q.g2.re = s * (2 * e[0] * w[2].re + e[1] * w[1].re + e[3] * w[0].re);
+  q.g2.im = s * (2 * e[0] * w[2].im + e[1] * w[1].im + e[3] * w[0].im);
   sum = ph_cplx_add(ph_cplx_mul(q.g0, w[0]), ph_cplx_mul(q.g1, w[1]));
   sum = ph_cplx_add(sum, ph_cplx_mul(q.g2, w[2]));
   q.f = ph_cplx_sub(ph_cplx_scale(0.5, sum), c2->direction[k]);
@@ -262,9 +260,12 @@ static void choose_signs(struct ph_planar_c2 *c2, ph_cplx *root) {
 
 static struct ph_tri_row middle_row(const struct ph_planar_c2 *c2, size_t k,
                                     ph_cplx root) {
-  double left = c2->y[k], right = c2->y[k + 1];
-  struct ph_tri_row row = {
-      {left / 4, 0}, {(3 - left + right) / 4, 0}, {(1 - right) / 4, 0}, root};
+  double left = c2->y[k], right = c2->y[k + 1], c = ph_planar_space(c2, k)->c;
+  double part = 1 / (2 * (1 + c));
+  struct ph_tri_row row = {{left * part, 0},
+                           {(1 - left + 2 * c + right) * part, 0},
+                           {(1 - right) * part, 0},
+                           root};
   return row;
 }
 

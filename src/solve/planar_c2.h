@@ -1,26 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The C2 equations of planar PH quintic splines, and their solution.
+ * The C2 equations of planar PH and ATPH splines, and their solution.
  *
- * [GON18, ch. 2] in normalised form (alpha = 0; FAR01 for uniform knots).  The
- * unknowns are the middle preimage coefficients b[k] = w[k][1] of the n
- * segments, and for open curves one more at either end.  C2 continuity at the
- * knot between segments k and k+1 is built in:
+ * [GON18, ch. 2] in normalised form; FAR01 for PH quintics and uniform knots.
+ * Segment k has its own space of preimages (kernel/atph.h), that of a PH
+ * quintic if its angle is 0.  The unknowns are the middle preimage coefficients
+ * b[k] = w[k][1] of the n segments, and for open curves one more at either end.
+ * C2 continuity at the knot between segments k and k+1 is built in:
  *
- *   w[k][2] = w[k+1][0] = y[k] b[k] + (1 - y[k]) b[k+1],
- *   y[k] = h[k+1] / (h[k] + h[k+1])                          (1)
+ *   w[k][2] = w[k+1][0] = y b[k] + (1 - y) b[k+1],
+ *   y = s[k] h[k+1] / (s[k] h[k+1] + s[k+1] h[k])            (1)
  *
- * so that what remains is one equation a segment: its chord is the data's,
+ * with s the slope of the space (1 for PH quintics).  What remains is one
+ * equation a segment: its chord is the data's,
  *
- *   F[k] = h[k]/|c[k]| (A w0^2 + B w0 w1 + C w1^2 + D w0 w2 + B w1 w2
- *                       + A w2^2) - c[k]/|c[k]| = 0          (2)
- *   A = 1/5, B = 1/5, C = 2/15, D = 1/15                     (3)
+ *   F[k] = h[k]/|c[k]| (q0 (w0^2 + w2^2) + q1 w1 (w0 + w2) + q2 w1^2
+ *                       + q3 w0 w2) - c[k]/|c[k]| = 0        (2)
  *
- * with w0, w1, w2 from (1): a complex tridiagonal system, cyclic for closed
- * curves with b[0] = b[n] / twist, b[n+1] = b[1] twist.  The twist is 1 or -1
- * (the preimage of a closed curve closes up to its sign); continuation uses
- * other unit numbers.  Open curves have y = 1/2 at both ends and two more
- * equations,  (w^2 - d)/|d| = 0  for the end derivatives d.
+ * with the q of the space, and w0, w1, w2 from (1): a complex tridiagonal
+ * system, cyclic for closed curves with b[0] = b[n] / twist, b[n+1] = b[1]
+ * twist.  The twist is 1 or -1 (the preimage of a closed curve closes up to its
+ * sign); continuation uses other unit numbers.  Open curves have y = 1/2 at
+ * both ends and two more equations,  (w^2 - d)/|d| = 0  for the end derivatives
+ * d.
  *
  * F is dimensionless; max |F| is the largest closing error of a segment,
  * relative to its chord.  Everything is expected at unit scale: mean h 1,
@@ -31,6 +33,7 @@
 
 #include "base/diag.h"
 #include "base/mem.h"
+#include "kernel/atph.h"
 #include "kernel/cplx.h"
 #include "kernel/tri.h"
 
@@ -44,8 +47,10 @@ struct ph_planar_c2 {
   ph_cplx *direction; /* [n] c/|c| */
   double *ratio;      /* [n] h/|c| */
   double *y;          /* [n + 1] weights at the knots; closed: y[0] = y[n] */
-  ph_cplx end[2];     /* open: end derivatives d/|d| */
-  double end_size[2]; /* open: |d| */
+  const struct ph_atph *space; /* [n], or one for all */
+  size_t space_stride;         /* 1, or 0 */
+  ph_cplx end[2];              /* open: end derivatives d/|d| */
+  double end_size[2];          /* open: |d| */
 };
 
 /* What a solution took. */
@@ -54,6 +59,12 @@ struct ph_planar_report {
   double residual;   /* max |F| */
   size_t worst;      /* the segment where it occurs */
 };
+
+/* ph_planar_space: the space of segment k. */
+static inline const struct ph_atph *
+ph_planar_space(const struct ph_planar_c2 *c2, size_t k) {
+  return c2->space + k * c2->space_stride;
+}
 
 /* ph_planar_unknowns: the number of unknowns, n or n + 2. */
 size_t ph_planar_unknowns(const struct ph_planar_c2 *c2);

@@ -1,0 +1,358 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Data of planar splines (see planar_data.h): points to chords, knots and
+ * angles by their rules, end derivatives.  Fewer points than a spline needs,
+ * equal neighbours, and vanishing end derivatives are refused, each with its
+ * own code.
+ */
+#include "solve/planar_data.h"
+
+#include "base/sum.h"
+#include "kernel/pow2.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+/* Neighbours closer than this, relative to the largest coordinate, have no
+ * direction left that rounding of the coordinates does not decide. */
+static const double COINCIDENT = 1e-14;
+
+/* A default end derivative that is smaller than this part of the end chord's
+ * slope is rounding: the parabola through the three points stands still. */
+static const double STANDSTILL = 1e-10;
+
+static const double PI = 3.14159265358979323846;
+
+#define NO_INDEX SIZE_MAX
+
+static double largest_coordinate(const double *v, size_t n) {
+  double largest = 0;
+  for (size_t i = 0; i < n; i++) {
+    double x = fabs(v[i]);
+    largest = x > largest ? x : largest;
+  }
+  return largest;
+}
+
+static enum ph_status count_segments(const struct ph_problem *problem,
+                                     struct ph_planar_data *d,
+                                     struct ph_diag *diag) {
+  const struct ph_value *points = &problem->field[PH_F_POINTS];
+  size_t n = points->n;
+  d->points = points->v;
+  d->closed = problem->field[PH_F_CLOSED].flag;
+  if (d->closed && n > 1) {
+    const double *last = points->v + 2 * (n - 1);
+    double size = largest_coordinate(points->v, 2 * n);
+    if (hypot(last[0] - points->v[0], last[1] - points->v[1]) <=
+        COINCIDENT * size) {
+      n--; /* a repeated last point closes the curve */
+    }
+  }
+  if (n < (d->closed ? 3u : 2u)) {
+    return ph_fail(diag, PH_TOO_FEW_POINTS, "points",
+                   d->closed ? "must be at least 3 different points for a "
+                               "closed curve, found %zu"
+                             : "must be at least 2, found %zu",
+                   n);
+  }
+  d->n = d->closed ? n : n - 1;
+  return PH_OK;
+}
+
+static enum ph_status allocate(struct ph_planar_data *d,
+                               struct ph_arena *scratch, struct ph_arena *out,
+                               struct ph_diag *diag) {
+  struct ph_planar_c2 *c2 = &d->c2;
+  c2->n = d->n;
+  c2->closed = d->closed;
+  d->h = ph_arena_array(scratch, d->n, sizeof *d->h);
+  d->chord = ph_arena_array(scratch, d->n, sizeof *d->chord);
+  d->knots = ph_arena_array(out, d->n + 1, sizeof *d->knots);
+  c2->direction = ph_arena_array(scratch, d->n, sizeof *c2->direction);
+  c2->ratio = ph_arena_array(scratch, d->n, sizeof *c2->ratio);
+  c2->y = ph_arena_array(scratch, d->n + 1, sizeof *c2->y);
+  d->space = ph_arena_array(scratch, d->atph ? d->n : 1, sizeof *d->space);
+  if (!d->h || !d->chord || !d->knots || !c2->direction || !c2->ratio ||
+      !c2->y || !d->space) {
+    return ph_fail_memory(diag);
+  }
+  d->space[0] = ph_atph_of(0);
+  c2->space = d->space;
+  c2->space_stride = d->atph ? 1 : 0;
+  return PH_OK;
+}
+
+/* Chords at unit scale: |c| and c/|c|. */
+static enum ph_status set_chords(struct ph_planar_data *d,
+                                 struct ph_diag *diag) {
+  size_t points_n = d->closed ? d->n : d->n + 1;
+  double size = largest_coordinate(d->points, 2 * points_n);
+  struct ph_pow2 scale;
+  ph_cplx from, to;
+  /* Two more: neither sums nor squares of coordinates reach 1. */
+  d->exponent = size > 0 ? -ph_pow2_exponent(size) - 2 : 0;
+  d->exponent -= d->exponent & 1;
+  scale = ph_pow2_of(d->exponent);
+  size = ph_pow2_apply(scale, size);
+  from = ph_planar_point(d, 0);
+  from =
+      ph_cplx_of(ph_pow2_apply(scale, from.re), ph_pow2_apply(scale, from.im));
+  for (size_t k = 0; k < d->n; k++) {
+    ph_cplx c;
+    to = ph_planar_point(d, k + 1);
+    to = ph_cplx_of(ph_pow2_apply(scale, to.re), ph_pow2_apply(scale, to.im));
+    c = ph_cplx_sub(to, from);
+    d->chord[k] = ph_cplx_abs(c);
+    if (!(d->chord[k] > COINCIDENT * size)) {
+      bool wraps = d->closed && k + 1 == d->n;
+      return ph_fail_at(diag, PH_COINCIDENT_POINTS, "points", wraps ? 0 : k + 1,
+                        "coincides with points[%zu]", k);
+    }
+    d->c2.direction[k] = ph_cplx_scale(1 / d->chord[k], c);
+    from = to;
+  }
+  return PH_OK;
+}
+
+/* Knots given as numbers. */
+static enum ph_status set_given_knots(struct ph_planar_data *d,
+                                      const struct ph_value *given,
+                                      struct ph_diag *diag) {
+  if (given->n != d->n + 1) {
+    return ph_fail(diag, PH_BAD_SHAPE, "knots",
+                   d->closed ? "must have %zu numbers, one for each point and "
+                               "one that closes the period, found %zu"
+                             : "must have %zu numbers, one for each point, "
+                               "found %zu",
+                   d->n + 1, given->n);
+  }
+  for (size_t k = 0; k < d->n; k++) {
+    if (!(given->v[k + 1] > given->v[k])) {
+      return ph_fail_at(diag, PH_BAD_VALUE, "knots", k + 1,
+                        "must be greater than the knot before, %.17g, found "
+                        "%.17g",
+                        given->v[k], given->v[k + 1]);
+    }
+    d->h[k] = given->v[k + 1] - given->v[k];
+    if (!isfinite(d->h[k])) {
+      return ph_fail_at(diag, PH_TOO_LARGE, "knots", k + 1,
+                        "differs from the knot before by more than a double "
+                        "can hold");
+    }
+  }
+  memcpy(d->knots, given->v, (d->n + 1) * sizeof *d->knots);
+  return PH_OK;
+}
+
+/* Knots that are sums of the spacings, from 0. */
+static void add_up_knots(struct ph_planar_data *d) {
+  struct ph_sum knot = {0, 0};
+  d->knots[0] = 0;
+  for (size_t k = 0; k < d->n; k++) {
+    ph_sum_add(&knot, d->h[k]);
+    d->knots[k + 1] = ph_sum_value(&knot);
+  }
+}
+
+/* Spacings by rule: |c|, sqrt |c| or 1, in the user's unit. */
+static void set_knots_by_rule(struct ph_planar_data *d, const char *rule) {
+  struct ph_pow2 back = ph_pow2_of(-d->exponent);
+  bool uniform = strcmp(rule, "uniform") == 0;
+  bool centripetal = strcmp(rule, "centripetal") == 0;
+  for (size_t k = 0; k < d->n; k++) {
+    double chord = ph_pow2_apply(back, d->chord[k]);
+    d->h[k] = uniform ? 1 : centripetal ? sqrt(chord) : chord;
+  }
+  add_up_knots(d);
+}
+
+static enum ph_status check_angle(double angle, size_t index,
+                                  struct ph_diag *diag) {
+  static const char problem[] = "must be between 0 and pi, found %.17g";
+  if (angle > 0 && angle < PI) {
+    return PH_OK;
+  }
+  return index == NO_INDEX
+             ? ph_fail(diag, PH_BAD_VALUE, "alpha", problem, angle)
+             : ph_fail_at(diag, PH_BAD_VALUE, "alpha", index, problem, angle);
+}
+
+/* Angles proportional to the chords, given the largest. */
+static void set_chordal_angles(struct ph_planar_data *d, double largest) {
+  double longest = largest_coordinate(d->chord, d->n);
+  for (size_t k = 0; k < d->n; k++) {
+    d->h[k] = largest * (d->chord[k] / longest);
+  }
+}
+
+/* The angles, which are the spacings as well [GON18, sec. 2.2]. */
+static enum ph_status set_angles(struct ph_planar_data *d,
+                                 const struct ph_value *given,
+                                 struct ph_diag *diag) {
+  enum ph_status status = PH_OK;
+  if (given->kind == PH_NUMBERS && given->n != d->n) {
+    return ph_fail(diag, PH_BAD_SHAPE, "alpha",
+                   "must have %zu numbers, one for each segment, found %zu",
+                   d->n, given->n);
+  }
+  if (given->kind == PH_NUMBERS) {
+    for (size_t k = 0; status == PH_OK && k < d->n; k++) {
+      d->h[k] = given->v[k];
+      status = check_angle(d->h[k], k, diag);
+    }
+  } else if (given->kind == PH_NUMBER) {
+    status = check_angle(given->number, NO_INDEX, diag);
+    for (size_t k = 0; k < d->n; k++) {
+      d->h[k] = given->number;
+    }
+  } else {
+    bool chosen = given->kind == PH_WORD && given->number > 0;
+    status = check_angle(chosen ? given->number : PI / 2, NO_INDEX, diag);
+    set_chordal_angles(d, chosen ? given->number : PI / 2);
+  }
+  for (size_t k = 0; status == PH_OK && k < d->n; k++) {
+    d->space[k] = ph_atph_of(d->h[k]);
+  }
+  add_up_knots(d);
+  return status;
+}
+
+/* Divides the spacings by their mean; ratios and weights (1) follow. */
+static enum ph_status set_spacing(struct ph_planar_data *d,
+                                  struct ph_diag *diag) {
+  struct ph_planar_c2 *c2 = &d->c2;
+  size_t n = d->n;
+  double before, slope_before;
+  d->h_mean = (d->knots[n] - d->knots[0]) / (double)n;
+  if (!(d->h_mean > 0) || !isfinite(d->h_mean)) {
+    return ph_fail(diag, PH_TOO_LARGE, "knots",
+                   "span more than a double can hold");
+  }
+  before = d->h[n - 1] / d->h_mean;
+  slope_before = ph_planar_space(c2, n - 1)->slope;
+  for (size_t k = 0; k < n; k++) {
+    double h = d->h[k] / d->h_mean, slope = ph_planar_space(c2, k)->slope;
+    c2->y[k] = slope_before * h / (slope_before * h + slope * before);
+    c2->ratio[k] = h / d->chord[k];
+    d->h[k] = before = h;
+    slope_before = slope;
+  }
+  c2->y[n] = d->closed ? c2->y[0] : 0.5;
+  c2->y[0] = c2->y[n];
+  return PH_OK;
+}
+
+/*
+ * The derivative at the start of segment `near` of the parabola through three
+ * points on their knots, `far` being the next segment inwards:
+ * s1 + (s1 - s2) h1 / (h1 + h2), s = c/h                  [GON18, Table 2.2].
+ */
+static ph_cplx parabola_end(const struct ph_planar_data *d, size_t near,
+                            size_t far) {
+  const struct ph_planar_c2 *c2 = &d->c2;
+  ph_cplx s1 = ph_cplx_scale(1 / c2->ratio[near], c2->direction[near]);
+  ph_cplx s2 = ph_cplx_scale(1 / c2->ratio[far], c2->direction[far]);
+  double part = d->h[near] / (d->h[near] + d->h[far]);
+  ph_cplx v = ph_cplx_add(s1, ph_cplx_scale(part, ph_cplx_sub(s1, s2)));
+  return ph_cplx_abs(v) > STANDSTILL * ph_cplx_abs(s1) ? v : s1;
+}
+
+static enum ph_status set_ends(struct ph_planar_data *d,
+                               const struct ph_value *given,
+                               struct ph_diag *diag) {
+  struct ph_planar_c2 *c2 = &d->c2;
+  struct ph_pow2 scale = ph_pow2_of(d->exponent);
+  if (given->kind == PH_ABSENT) {
+    c2->end[0] = parabola_end(d, 0, d->n > 1 ? 1 : 0);
+    c2->end[1] = parabola_end(d, d->n - 1, d->n > 1 ? d->n - 2 : 0);
+  } else if (given->n != 2) {
+    return ph_fail(diag, PH_BAD_SHAPE, "end_derivatives",
+                   "must be two vectors, found %zu", given->n);
+  } else {
+    for (int side = 0; side < 2; side++) {
+      const double *v = given->v + 2 * side;
+      c2->end[side].re = ph_pow2_apply(scale, v[0]) * d->h_mean;
+      c2->end[side].im = ph_pow2_apply(scale, v[1]) * d->h_mean;
+    }
+  }
+  for (int side = 0; side < 2; side++) {
+    double size = hypot(c2->end[side].re, c2->end[side].im);
+    if (!(size > 0)) {
+      return ph_fail_at(diag, PH_ZERO_TANGENT, "end_derivatives", (size_t)side,
+                        "must not be zero");
+    }
+    if (!isfinite(size)) {
+      return ph_fail_at(diag, PH_TOO_LARGE, "end_derivatives", (size_t)side,
+                        "is too large for these points");
+    }
+    c2->end_size[side] = size;
+    c2->end[side] =
+        ph_cplx_of(c2->end[side].re / size, c2->end[side].im / size);
+  }
+  return PH_OK;
+}
+
+/* Fields that contradict each other. */
+static enum ph_status check_together(const struct ph_problem *problem,
+                                     const struct ph_planar_data *d,
+                                     struct ph_diag *diag) {
+  if (d->closed && problem->field[PH_F_END_DERIVATIVES].kind != PH_ABSENT) {
+    return ph_fail(diag, PH_BAD_VALUE, "end_derivatives",
+                   "is for open curves: a closed curve has no ends");
+  }
+  if (!d->atph && problem->field[PH_F_ALPHA].kind != PH_ABSENT) {
+    return ph_fail(diag, PH_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
+  }
+  if (d->atph && problem->field[PH_F_KNOTS].kind != PH_ABSENT) {
+    return ph_fail(diag, PH_BAD_VALUE, "knots",
+                   "is for \"basis\":\"ph\": the knots of an atph curve are "
+                   "the sums of its alpha");
+  }
+  return PH_OK;
+}
+
+static enum ph_status set_knots(const struct ph_problem *problem,
+                                struct ph_planar_data *d,
+                                struct ph_diag *diag) {
+  const struct ph_value *knots = &problem->field[PH_F_KNOTS];
+  if (d->atph) {
+    return set_angles(d, &problem->field[PH_F_ALPHA], diag);
+  }
+  if (knots->kind == PH_NUMBERS) {
+    return set_given_knots(d, knots, diag);
+  }
+  set_knots_by_rule(d, knots->kind == PH_WORD ? knots->word : "chordal");
+  return PH_OK;
+}
+
+enum ph_status ph_planar_data_of(const struct ph_problem *problem,
+                                 struct ph_arena *out, struct ph_arena *scratch,
+                                 struct ph_planar_data *d,
+                                 struct ph_diag *diag) {
+  const struct ph_value *basis = &problem->field[PH_F_BASIS];
+  enum ph_status status;
+  memset(d, 0, sizeof *d);
+  d->atph = basis->kind == PH_WORD && strcmp(basis->word, "atph") == 0;
+  status = count_segments(problem, d, diag);
+  if (status == PH_OK) {
+    status = check_together(problem, d, diag);
+  }
+  if (status == PH_OK) {
+    status = allocate(d, scratch, out, diag);
+  }
+  if (status == PH_OK) {
+    status = set_chords(d, diag);
+  }
+  if (status == PH_OK) {
+    status = set_knots(problem, d, diag);
+  }
+  if (status == PH_OK) {
+    status = set_spacing(d, diag);
+  }
+  if (status == PH_OK && !d->closed) {
+    status = set_ends(d, &problem->field[PH_F_END_DERIVATIVES], diag);
+  }
+  return status;
+}
