@@ -41,7 +41,7 @@ enum ph_kind {
 struct ph_value {
   enum ph_kind kind;
   bool flag;        /* PH_BOOL */
-  double number;    /* PH_NUMBER */
+  double number;    /* PH_NUMBER; PH_WORD: V of a word "name:V", else 0 */
   const char *word; /* PH_WORD, NUL-terminated */
   double *v;        /* PH_NUMBERS: v[n]; PH_VECTORS: v[n][dimension] */
   size_t n;
@@ -53,7 +53,7 @@ struct ph_field {
   unsigned kinds;       /* allowed kinds, or-ed */
   unsigned dimensions;  /* PH_VECTORS: allowed sizes, bit 2 and bit 3 */
   bool required;        /* absent is an error */
-  const char *words;    /* PH_WORD: allowed words, "a|b|c" */
+  const char *words;    /* PH_WORD: allowed words, "a|b|c:V", V a number */
   const char *standard; /* what an absent field means, for the help */
   const char *help;     /* one line for the help, lower case, no full stop */
 };

@@ -178,6 +178,21 @@ const char *ph_value_string(const char *text, size_t n,
   return string;
 }
 
+/* Whether word[n] is the listed one, w[w_n].  One that is listed as "name:V"
+ * has a number in the place of V. */
+static bool is_word(const char *w, size_t w_n, const char *word, size_t n,
+                    double *number) {
+  size_t stem = w_n > 2 && memcmp(w + w_n - 2, ":V", 2) == 0 ? w_n - 1 : w_n;
+  if (n < stem || memcmp(w, word, stem) != 0) {
+    return false;
+  }
+  *number = 0;
+  return stem == w_n ? n == w_n
+                     : ph_number_read_text(word + stem, word + n, number) ==
+                               word + n &&
+                           n > stem && isfinite(*number);
+}
+
 static enum ph_status check_word(struct reader *r, const char *word,
                                  size_t shown_n, const char *shown,
                                  struct ph_value *value) {
@@ -188,7 +203,7 @@ static enum ph_status check_word(struct reader *r, const char *word,
   char clause[PH_DID_YOU_MEAN_MAX];
   for (const char *w = r->row->words; *w;) {
     size_t w_n = strcspn(w, "|");
-    if (w_n == n && memcmp(w, word, n) == 0) {
+    if (is_word(w, w_n, word, n, &value->number)) {
       value->kind = PH_WORD;
       value->word = word;
       return PH_OK;

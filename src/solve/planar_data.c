@@ -187,7 +187,8 @@ static void set_chordal_angles(struct ph_planar_data *d, double largest) {
   }
 }
 
-/* The angles, which are the spacings as well [GON18, sec. 2.2]. */
+/* The angles, which are the knot spacings as well unless knots are given
+ * [GON18, sec. 2.2]. */
 static enum ph_status set_angles(struct ph_planar_data *d,
                                  const struct ph_value *given,
                                  struct ph_diag *diag) {
@@ -305,11 +306,6 @@ static enum ph_status check_together(const struct ph_problem *problem,
   if (!d->atph && problem->field[PH_F_ALPHA].kind != PH_ABSENT) {
     return ph_fail(diag, PH_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
   }
-  if (d->atph && problem->field[PH_F_KNOTS].kind != PH_ABSENT) {
-    return ph_fail(diag, PH_BAD_VALUE, "knots",
-                   "is for \"basis\":\"ph\": the knots of an atph curve are "
-                   "the sums of its alpha");
-  }
   return PH_OK;
 }
 
@@ -317,14 +313,17 @@ static enum ph_status set_knots(const struct ph_problem *problem,
                                 struct ph_planar_data *d,
                                 struct ph_diag *diag) {
   const struct ph_value *knots = &problem->field[PH_F_KNOTS];
+  enum ph_status status = PH_OK;
   if (d->atph) {
-    return set_angles(d, &problem->field[PH_F_ALPHA], diag);
+    status = set_angles(d, &problem->field[PH_F_ALPHA], diag);
   }
-  if (knots->kind == PH_NUMBERS) {
+  if (status == PH_OK && knots->kind == PH_NUMBERS) {
     return set_given_knots(d, knots, diag);
   }
-  set_knots_by_rule(d, knots->kind == PH_WORD ? knots->word : "chordal");
-  return PH_OK;
+  if (status == PH_OK && (knots->kind == PH_WORD || !d->atph)) {
+    set_knots_by_rule(d, knots->kind == PH_WORD ? knots->word : "chordal");
+  }
+  return status;
 }
 
 enum ph_status ph_planar_data_of(const struct ph_problem *problem,
