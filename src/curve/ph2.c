@@ -43,22 +43,3 @@ void ph_ph2_control_points(const struct ph_atph *space, const ph_cplx w[3],
   p[4] = d;
   p[5] = end;
 }
-
-/* The angle from a to b, in (-pi, pi]. */
-static double angle_between(ph_cplx a, ph_cplx b) {
-  return atan2(ph_cplx_cross(a, b), ph_cplx_dot(a, b));
-}
-
-double ph_ph2_rotation(const struct ph_atph *space, const ph_cplx w[3]) {
-  /*
-   * (1) w(u) = w0 S0^2 + 2 m S0 S1 + w2 S1^2,  m = c w1.
-   * (2) With d = sqrt(m^2 - w0 w2), signed so that q = m + d does not cancel:
-   *     q w(u) = (q S0 + w2 S1) (w0 S0 + q S1),  as w0 w2 + q^2 = 2 m q.
-   *     Tested by t_ph2.c: factorisation.
-   */
-  ph_cplx m = ph_cplx_scale(space->c, w[1]);
-  ph_cplx d =
-      ph_cplx_sqrt(ph_cplx_sub(ph_cplx_mul(m, m), ph_cplx_mul(w[0], w[2])));
-  ph_cplx q = ph_cplx_dot(m, d) >= 0 ? ph_cplx_add(m, d) : ph_cplx_sub(m, d);
-  return 2 * (angle_between(q, w[2]) + angle_between(w[0], q));
-}

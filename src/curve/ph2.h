@@ -41,14 +41,4 @@ double ph_ph2_length(const struct ph_atph *space, const ph_cplx w[3]);
 void ph_ph2_control_points(const struct ph_atph *space, const ph_cplx w[3],
                            ph_cplx start, ph_cplx end, ph_cplx p[6]);
 
-/*
- * ph_ph2_rotation: the angle by which the tangent turns along the segment,
- * signed, not reduced modulo 2 pi.
- *
- * w is factored into two linear forms in S0, S1; a linear form turns by less
- * than pi, so that each one's argument is known exactly, and the tangent turns
- * by twice their sum.
- */
-double ph_ph2_rotation(const struct ph_atph *space, const ph_cplx w[3]);
-
 #endif

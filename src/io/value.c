@@ -187,10 +187,10 @@ static bool is_word(const char *w, size_t w_n, const char *word, size_t n,
     return false;
   }
   *number = 0;
-  return stem == w_n ? n == w_n
-                     : ph_number_read_text(word + stem, word + n, number) ==
-                               word + n &&
-                           n > stem && isfinite(*number);
+  return stem == w_n
+             ? n == w_n
+             : ph_number_read_text(word + stem, word + n, number) == word + n &&
+                   n > stem && isfinite(*number);
 }
 
 static enum ph_status check_word(struct reader *r, const char *word,

@@ -13,6 +13,7 @@
 
 #include "base/sum.h"
 #include "curve/ph2.h"
+#include "curve/seg2.h"
 #include "solve/planar_data.h"
 
 #include <math.h>
@@ -36,7 +37,8 @@ static bool is_tame(const ph_cplx w[3]) {
 static void loops_add(struct loops *loops, size_t k,
                       const struct ph_atph *space, const ph_cplx w[3]) {
   const double half_turn = 3.141592653589793;
-  double angle = is_tame(w) ? 0 : ph_ph2_rotation(space, w);
+  struct ph_seg2 seg = {*space, {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
+  double angle = is_tame(w) ? 0 : ph_seg2_rotation(&seg, NULL);
   if (!(fabs(angle) <= half_turn) && loops->n++ == 0) {
     loops->first = k;
     loops->angle = angle;

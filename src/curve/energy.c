@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Fairness of planar splines (see energy.h).
+ *
+ * With derivatives by u and w the preimage,
+ *
+ *   E  = integral of kappa^2 |w|^2 du
+ *   MV = integral of (dkappa/du)^2 / |w|^2 du
+ *
+ * Both are smooth unless w nearly vanishes.  Rules of 4, 8 and 16 nodes are
+ * compared in turn, and the interval is halved when not even the last two
+ * agree; a million gently bending segments need the first two.  The larger
+ * rule's value is kept, which is far better than the difference says.
+ */
+#include "curve/energy.h"
+
+#include "base/sum.h"
+#include "curve/seg2.h"
+
+#include <float.h>
+#include <math.h>
+
+/* Intervals of one segment, at most; 2^-50 of it is at the rounding of u. */
+enum { RULES = 3, DEPTH_MAX = 50, PARTS_MAX = 4096 };
+
+static const double AGREE = 1e-12;
+/* Error of a curvature or slope in units of its terms. */
+static const double ROUNDING = 16 * DBL_EPSILON;
+
+struct context {
+  struct ph_quad rule[RULES];
+  struct ph_sum bending, varying;
+  size_t parts; /* of the segment so far */
+};
+
+/* An integral of squares, and the same integral of their terms. */
+struct square {
+  double value, terms;
+};
+
+struct pair {
+  struct square bending, varying;
+};
+
+static void add_square(struct square *sum, double weight, double x,
+                       double terms) {
+  sum->value += weight * x * x;
+  sum->terms += weight * terms * terms;
+}
+
+static struct pair integrate(const struct ph_seg2 *seg,
+                             const struct ph_quad *rule, double u0, double u1) {
+  struct pair sum = {{0, 0}, {0, 0}};
+  for (size_t i = 0; i < rule->n; i++) {
+    double u = u0 + (u1 - u0) * rule->node[i];
+    struct ph_bend bend = ph_seg2_bend(seg, u);
+    double weight = (u1 - u0) * rule->weight[i];
+    add_square(&sum.bending, weight * bend.speed, bend.curvature,
+               bend.terms[0]);
+    add_square(&sum.varying, weight / bend.speed, bend.slope, bend.terms[1]);
+  }
+  return sum;
+}
+
+/* Whether two values agree, or what they differ by is rounding (of a square
+ * that is nearly nothing), or is lost in the sum so far. */
+static bool agree(const struct square *a, const struct square *b,
+                  const struct ph_sum *sum) {
+  double difference = fabs(a->value - b->value);
+  double noise = ROUNDING * sqrt(b->terms);
+  return difference <= AGREE * b->value + 2 * noise * sqrt(b->value) +
+                           noise * noise + 0.1 * AGREE * ph_sum_value(sum);
+}
+
+static void add_part(struct context *c, const struct ph_seg2 *seg, double u0,
+                     double u1, int depth) {
+  struct pair coarse = integrate(seg, &c->rule[0], u0, u1);
+  double middle = 0.5 * (u0 + u1);
+  c->parts++;
+  for (size_t i = 1; i < RULES; i++) {
+    struct pair fine = integrate(seg, &c->rule[i], u0, u1);
+    if (depth == DEPTH_MAX || c->parts >= PARTS_MAX ||
+        !isfinite(fine.bending.value + fine.varying.value) ||
+        (agree(&coarse.bending, &fine.bending, &c->bending) &&
+         agree(&coarse.varying, &fine.varying, &c->varying))) {
+      ph_sum_add(&c->bending, fine.bending.value);
+      ph_sum_add(&c->varying, fine.varying.value);
+      return;
+    }
+    coarse = fine;
+  }
+  add_part(c, seg, u0, middle, depth + 1);
+  add_part(c, seg, middle, u1, depth + 1);
+}
+
+bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {
+  const double turn = 2 * 3.14159265358979323846;
+  struct context c = {.bending = {0, 0}};
+  struct ph_sum rotation = {0, 0}, absolute = {0, 0};
+  for (size_t i = 0; i < RULES; i++) {
+    if (!ph_quad_gauss(&c.rule[i], (size_t)4 << i)) {
+      return false;
+    }
+  }
+  for (size_t k = 0; k < curve->n; k++) {
+    struct ph_seg2 seg = ph_seg2_of(curve, k);
+    double turned;
+    ph_sum_add(&rotation, ph_seg2_rotation(&seg, &turned));
+    ph_sum_add(&absolute, turned);
+    c.parts = 0;
+    add_part(&c, &seg, 0, 1, 0);
+  }
+  energy->bending = ph_sum_value(&c.bending);
+  energy->varying = ph_sum_value(&c.varying);
+  energy->rotation = ph_sum_value(&rotation) / turn;
+  energy->absolute_rotation = ph_sum_value(&absolute) / turn;
+  return true;
+}

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Segments of planar PH and ATPH splines (see seg2.h). */
+#include "curve/seg2.h"
+
+#include <math.h>
+
+static ph_cplx pair(const double *v) {
+  return ph_cplx_of(v[0], v[1]);
+}
+
+struct ph_seg2 ph_seg2_of(const struct ph_curve *curve, size_t k) {
+  double angle = curve->alpha ? curve->alpha[k] : 0;
+  double root = curve->alpha ? sqrt(angle) : 1;
+  struct ph_seg2 seg;
+  seg.space = ph_atph_of(angle);
+  for (size_t i = 0; i < 3; i++) {
+    seg.w[i] = ph_cplx_scale(root, pair(curve->preimage + 6 * k + 2 * i));
+  }
+  seg.start = pair(curve->control_points + 12 * k);
+  seg.end = pair(curve->control_points + 12 * k + 10);
+  return seg;
+}
+
+/* The integral of w^2 over [u0,u1]. */
+static ph_cplx leg(const struct ph_seg2 *seg, const struct ph_quad *rule,
+                   double u0, double u1) {
+  ph_cplx sum = {0, 0};
+  for (size_t i = 0; i < rule->n; i++) {
+    ph_cplx w;
+    ph_atph_jet(&seg->space, seg->w, u0 + (u1 - u0) * rule->node[i], &w, 1);
+    sum = ph_cplx_add(sum, ph_cplx_scale(rule->weight[i], ph_cplx_mul(w, w)));
+  }
+  return ph_cplx_scale(u1 - u0, sum);
+}
+
+ph_cplx ph_seg2_point(const struct ph_seg2 *seg, const struct ph_quad *rule,
+                      double u) {
+  return u <= 0.5 ? ph_cplx_add(seg->start, leg(seg, rule, 0, u))
+                  : ph_cplx_sub(seg->end, leg(seg, rule, u, 1));
+}
+
+struct ph_bend ph_seg2_bend(const struct ph_seg2 *seg, double u) {
+  ph_cplx w[3];
+  struct ph_bend bend;
+  double s, a, r, a1, w1;
+  ph_atph_jet(&seg->space, seg->w, u, w, 3);
+  s = ph_cplx_norm2(w[0]);
+  a = ph_cplx_cross(w[0], w[1]);
+  r = ph_cplx_dot(w[0], w[1]);
+  a1 = ph_cplx_cross(w[0], w[2]);
+  bend.speed = s;
+  bend.tangent = ph_cplx_scale(1 / s, ph_cplx_mul(w[0], w[0]));
+  bend.curvature = 2 * a / (s * s);
+  bend.slope = (2 * a1 * s - 8 * a * r) / (s * s * s);
+  w1 = ph_cplx_norm2(w[1]) / s;
+  bend.terms[0] = 2 * sqrt(w1) / s;
+  bend.terms[1] = (2 * sqrt(ph_cplx_norm2(w[2]) / s) + 8 * w1) / s;
+  return bend;
+}
+
+struct ph_seg2 ph_seg2_part(const struct ph_seg2 *seg,
+                            const struct ph_quad *rule, double u0, double u1) {
+  struct ph_seg2 part;
+  double root = sqrt(u1 - u0);
+  ph_atph_part(&seg->space, seg->w, u0, u1, &part.space, part.w);
+  for (size_t i = 0; i < 3; i++) {
+    part.w[i] = ph_cplx_scale(root, part.w[i]);
+  }
+  part.start = ph_seg2_point(seg, rule, u0);
+  part.end = ph_seg2_point(seg, rule, u1);
+  return part;
+}
+
+static double angle_between(ph_cplx a, ph_cplx b) {
+  return atan2(ph_cplx_cross(a, b), ph_cplx_dot(a, b));
+}
+
+/* A linear form p (1-v) + r v; v stands for the ratio S1 : S0. */
+struct form {
+  ph_cplx p, r;
+};
+
+static ph_cplx form_at(const struct form *form, double v) {
+  return ph_cplx_add(ph_cplx_scale(1 - v, form->p), ph_cplx_scale(v, form->r));
+}
+
+static double turn(const struct form forms[2], double from, double to) {
+  double sum = 0;
+  for (size_t i = 0; i < 2; i++) {
+    sum += angle_between(form_at(&forms[i], from), form_at(&forms[i], to));
+  }
+  return 2 * sum;
+}
+
+/*
+ * Inflections, as v = x / (1 + x) with x = S1/S0, sorted.  With m = c w1,
+ *   Im(conj(w) w') ~ Im(conj(w0) m) + Im(conj(w0) w2) x + Im(conj(m) w2) x^2
+ * up to a positive factor.
+ */
+static size_t inflections(const ph_cplx w[3], ph_cplx m, double v[2]) {
+  double a0 = ph_cplx_cross(w[0], m), a1 = ph_cplx_cross(w[0], w[2]);
+  double a2 = ph_cplx_cross(m, w[2]);
+  double disc = a1 * a1 - 4 * a0 * a2;
+  size_t n = 0;
+  double q, low, high;
+  if (!(disc > 0)) {
+    return 0;
+  }
+  q = -0.5 * (a1 + copysign(sqrt(disc), a1));
+  /* The roots q/a2 and a0/q, as v; their denominators may vanish. */
+  low = a0 / (a0 + q);
+  high = q / (q + a2);
+  if (high < low) {
+    double keep = low;
+    low = high;
+    high = keep;
+  }
+  if (low > 0 && low < 1) {
+    v[n++] = low;
+  }
+  if (high > 0 && high < 1) {
+    v[n++] = high;
+  }
+  return n;
+}
+
+double ph_seg2_rotation(const struct ph_seg2 *seg, double *absolute) {
+  /*
+   * (1) w ~ w0 (1-v)^2 + 2 m (1-v) v + w2 v^2,  m = c w1.
+   * (2) With d = sqrt(m^2 - w0 w2), signed so that q = m + d does not cancel:
+   *     q w ~ (q (1-v) + w2 v) (w0 (1-v) + q v),  as w0 w2 + q^2 = 2 m q.
+   *     Tested by t_seg2.c: factorisation.
+   */
+  const ph_cplx *w = seg->w;
+  ph_cplx m = ph_cplx_scale(seg->space.c, w[1]);
+  ph_cplx d =
+      ph_cplx_sqrt(ph_cplx_sub(ph_cplx_mul(m, m), ph_cplx_mul(w[0], w[2])));
+  ph_cplx q = ph_cplx_dot(m, d) >= 0 ? ph_cplx_add(m, d) : ph_cplx_sub(m, d);
+  const struct form forms[2] = {{q, w[2]}, {w[0], q}};
+  if (absolute) {
+    double v[4] = {0};
+    size_t n = inflections(w, m, v + 1);
+    v[n + 1] = 1;
+    *absolute = 0;
+    for (size_t i = 0; i <= n; i++) {
+      *absolute += fabs(turn(forms, v[i], v[i + 1]));
+    }
+  }
+  return turn(forms, 0, 1);
+}

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One segment of a planar PH or ATPH spline, by itself: points, derivatives,
+ * curvature, parts, rotation.
+ *
+ * The preimage is with respect to u in [0,1], whatever the curve writes:
+ * r'(u) = w(u)^2.  [GON18, ch. 2]
+ */
+#ifndef PH_CURVE_SEG2_H
+#define PH_CURVE_SEG2_H
+
+#include "curve/result.h"
+#include "kernel/atph.h"
+#include "kernel/cplx.h"
+#include "kernel/quad.h"
+
+struct ph_seg2 {
+  struct ph_atph space;
+  ph_cplx w[3];
+  ph_cplx start, end;
+};
+
+/* ph_seg2_of: segment k of a planar curve. */
+struct ph_seg2 ph_seg2_of(const struct ph_curve *curve, size_t k);
+
+/*
+ * ph_seg2_point: r(u), by quadrature of the hodograph from the nearer end, so
+ * that the ends are met exactly and nothing cancels.
+ *
+ * in   rule  12 Gauss nodes reach rounding for every angle below pi
+ */
+ph_cplx ph_seg2_point(const struct ph_seg2 *seg, const struct ph_quad *rule,
+                      double u);
+
+/* What bends at u: derivatives of the curve by way of its preimage. */
+struct ph_bend {
+  double speed;     /* |r'| = |w|^2, per u */
+  ph_cplx tangent;  /* unit */
+  double curvature; /* signed, positive to the left */
+  double slope;     /* d curvature / du; divide by speed for d/ds */
+  double terms[2];  /* size of what curvature and slope are differences of:
+                       their errors are some eps times this */
+};
+
+/* ph_seg2_bend: the speed is positive unless w(u) = 0; there the rest is not
+ * finite. */
+struct ph_bend ph_seg2_bend(const struct ph_seg2 *seg, double u);
+
+/* ph_seg2_part: the part [u0,u1] on [0,1] again; points as for ph_seg2_point.
+ */
+struct ph_seg2 ph_seg2_part(const struct ph_seg2 *seg,
+                            const struct ph_quad *rule, double u0, double u1);
+
+/*
+ * ph_seg2_rotation: the angle by which the tangent turns, signed and not
+ * reduced modulo 2 pi, and the sum of its turns to either side.
+ *
+ * In closed form, exact also for loops: w is split into two linear forms of
+ * S0, S1, each of which turns by less than pi, and the segment is cut at its
+ * inflections, where Im(conj(w) w') changes sign.
+ *
+ * out  absolute  NULL, or the integral of |curvature| over arc length
+ */
+double ph_seg2_rotation(const struct ph_seg2 *seg, double *absolute);
+
+#endif
