@@ -45,7 +45,7 @@ struct pair {
 static void add_square(struct square *sum, double weight, double x,
                        double terms) {
   sum->value += weight * x * x;
-  sum->terms += weight * terms * terms;
+  sum->terms += weight * terms;
 }
 
 static struct pair integrate(const struct ph_seg2 *seg,

@@ -42,19 +42,21 @@ ph_cplx ph_seg2_point(const struct ph_seg2 *seg, const struct ph_quad *rule,
 struct ph_bend ph_seg2_bend(const struct ph_seg2 *seg, double u) {
   ph_cplx w[3];
   struct ph_bend bend;
-  double s, a, r, a1, w1;
+  double s, per_s, a, r, a1, w1, w2;
   ph_atph_jet(&seg->space, seg->w, u, w, 3);
   s = ph_cplx_norm2(w[0]);
-  a = ph_cplx_cross(w[0], w[1]);
-  r = ph_cplx_dot(w[0], w[1]);
-  a1 = ph_cplx_cross(w[0], w[2]);
+  per_s = 1 / s;
+  a = ph_cplx_cross(w[0], w[1]) * per_s;
+  r = ph_cplx_dot(w[0], w[1]) * per_s;
+  a1 = ph_cplx_cross(w[0], w[2]) * per_s;
+  w1 = ph_cplx_norm2(w[1]) * per_s;
+  w2 = ph_cplx_norm2(w[2]) * per_s;
   bend.speed = s;
-  bend.tangent = ph_cplx_scale(1 / s, ph_cplx_mul(w[0], w[0]));
-  bend.curvature = 2 * a / (s * s);
-  bend.slope = (2 * a1 * s - 8 * a * r) / (s * s * s);
-  w1 = ph_cplx_norm2(w[1]) / s;
-  bend.terms[0] = 2 * sqrt(w1) / s;
-  bend.terms[1] = (2 * sqrt(ph_cplx_norm2(w[2]) / s) + 8 * w1) / s;
+  bend.tangent = ph_cplx_scale(per_s, ph_cplx_mul(w[0], w[0]));
+  bend.curvature = 2 * a * per_s;
+  bend.slope = (2 * a1 - 8 * a * r) * per_s;
+  bend.terms[0] = 4 * w1 * per_s * per_s;
+  bend.terms[1] = (8 * w2 + 128 * w1 * w1) * per_s * per_s;
   return bend;
 }
 

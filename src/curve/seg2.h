@@ -38,8 +38,8 @@ struct ph_bend {
   ph_cplx tangent;  /* unit */
   double curvature; /* signed, positive to the left */
   double slope;     /* d curvature / du; divide by speed for d/ds */
-  double terms[2];  /* size of what curvature and slope are differences of:
-                       their errors are some eps times this */
+  double terms[2];  /* bounds of the squares of what curvature and slope are
+                       differences of: their errors are some eps times that */
 };
 
 /* ph_seg2_bend: the speed is positive unless w(u) = 0; there the rest is not

@@ -87,30 +87,42 @@ void ph_atph_basis(const struct ph_atph *space, double u, double s[2]) {
   s[1] = u * sinc(space->angle * u / 2) / space->sinc;
 }
 
-void ph_atph_jet(const struct ph_atph *space, const ph_cplx w[3], double u,
-                 ph_cplx *jet, size_t n) {
+/* S0, S1 and their derivatives. */
+static void basis_jet(const struct ph_atph *space, double u, double s[4][2]) {
   double bend = -space->angle * space->angle / 4; /* S'' = bend S */
-  double s[4][2], binomial[4] = {1, 0, 0, 0};
-  ph_atph_basis(space, u, s[0]);
-  s[1][0] = -cos(space->angle * (1 - u) / 2) / space->sinc;
-  s[1][1] = cos(space->angle * u / 2) / space->sinc;
+  if (space->angle > 0) {
+    ph_atph_basis(space, u, s[0]);
+    s[1][0] = -cos(space->angle * (1 - u) / 2) / space->sinc;
+    s[1][1] = cos(space->angle * u / 2) / space->sinc;
+  } else {
+    s[0][0] = 1 - u;
+    s[0][1] = u;
+    s[1][0] = -1;
+    s[1][1] = 1;
+  }
   for (size_t i = 0; i < 2; i++) {
     s[2][i] = bend * s[0][i];
     s[3][i] = bend * s[1][i];
   }
+}
+
+/* Leibniz's rule for each product of two of them. */
+void ph_atph_jet(const struct ph_atph *space, const ph_cplx w[3], double u,
+                 ph_cplx *jet, size_t n) {
+  static const double BINOMIAL[4][4] = {
+      {1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
+  double s[4][2];
+  basis_jet(space, u, s);
   for (size_t d = 0; d < n; d++) {
     double b[3] = {0, 0, 0};
-    for (size_t i = 0; i <= d; i++) { /* Leibniz */
-      b[0] += binomial[i] * s[i][0] * s[d - i][0];
-      b[1] += binomial[i] * s[i][0] * s[d - i][1];
-      b[2] += binomial[i] * s[i][1] * s[d - i][1];
+    for (size_t i = 0; i <= d; i++) {
+      b[0] += BINOMIAL[d][i] * s[i][0] * s[d - i][0];
+      b[1] += BINOMIAL[d][i] * s[i][0] * s[d - i][1];
+      b[2] += BINOMIAL[d][i] * s[i][1] * s[d - i][1];
     }
     b[1] *= 2 * space->c;
     jet[d].re = b[0] * w[0].re + b[1] * w[1].re + b[2] * w[2].re;
     jet[d].im = b[0] * w[0].im + b[1] * w[1].im + b[2] * w[2].im;
-    for (size_t i = 3; i > 0; i--) {
-      binomial[i] += binomial[i - 1];
-    }
   }
 }
 
