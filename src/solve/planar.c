@@ -11,10 +11,8 @@
  */
 #include "solve/planar.h"
 
-#include "base/sum.h"
-#include "curve/ph2.h"
-#include "curve/seg2.h"
-#include "solve/planar_data.h"
+#include "curve/energy.h"
+#include "solve/planar_curve.h"
 
 #include <math.h>
 #include <string.h>
@@ -22,99 +20,17 @@
 /* Directions within this of exactly opposite count as a reversal. */
 static const double REVERSAL = 1e-12;
 
-/* Segments that turn by more than half a turn. */
-struct loops {
-  size_t n, first;
-  double angle; /* of the first */
-};
+/* Two curves whose lengths agree to this are the same curve. */
+static const double SAME_LENGTH = 1e-9;
 
-/* The tangent stays within a half turn if w stays within a quarter turn. */
-static bool is_tame(const ph_cplx w[3]) {
-  return ph_cplx_dot(w[0], w[1]) > 0 && ph_cplx_dot(w[1], w[2]) > 0 &&
-         ph_cplx_dot(w[0], w[2]) > 0;
-}
-
-static void loops_add(struct loops *loops, size_t k,
-                      const struct ph_atph *space, const ph_cplx w[3]) {
-  const double half_turn = 3.141592653589793;
-  struct ph_seg2 seg = {*space, {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
-  double angle = is_tame(w) ? 0 : ph_seg2_rotation(&seg, NULL);
-  if (!(fabs(angle) <= half_turn) && loops->n++ == 0) {
-    loops->first = k;
-    loops->angle = angle;
-  }
-}
-
-static void warn_loops(const struct loops *loops, struct ph_result *result) {
+static void warn_loops(const struct ph_planar_loops *loops,
+                       struct ph_result *result) {
   if (loops->n) {
     ph_fail(ph_warning_add(result, loops->first), PH_LOOP, NULL,
             "segment %zu turns by %.4g radians, more than half a turn (such "
             "segments: %zu)",
             loops->first, loops->angle, loops->n);
   }
-}
-
-/* A curve of n segments without its numbers. */
-static enum ph_status allocate_curve(const struct ph_planar_data *d,
-                                     struct ph_arena *out,
-                                     struct ph_curve *curve,
-                                     struct ph_diag *diag) {
-  size_t n = d->n;
-  *curve = (struct ph_curve){.kind = d->atph ? PH_CURVE_ATPH : PH_CURVE_PH,
-                             .closed = d->closed,
-                             .dimension = 2,
-                             .degree = 5,
-                             .n = n,
-                             .knots = d->knots,
-                             .preimage_n = 3,
-                             .preimage_dimension = 2};
-  curve->control_points = ph_arena_array(out, n, 12 * sizeof(double));
-  curve->preimage = ph_arena_array(out, n, 6 * sizeof(double));
-  curve->lengths = ph_arena_array(out, n, sizeof(double));
-  curve->alpha = d->atph ? ph_arena_array(out, n, sizeof(double)) : NULL;
-  return curve->control_points && curve->preimage && curve->lengths &&
-                 (curve->alpha || !d->atph)
-             ? PH_OK
-             : ph_fail_memory(diag);
-}
-
-/* Maps the unknowns to the curve in the user's units.  Control points and
- * lengths come from the preimage with respect to u in [0,1]; that of an atph
- * curve is written with respect to t. */
-static enum ph_status fill_curve(const struct ph_planar_data *d,
-                                 const ph_cplx *b, struct ph_arena *out,
-                                 struct ph_result *result,
-                                 struct ph_diag *diag) {
-  struct ph_curve *curve = &result->curve;
-  double root = ldexp(1, -d->exponent / 2);
-  struct ph_sum length = {0, 0};
-  struct loops loops = {0, 0, 0};
-  enum ph_status status = allocate_curve(d, out, curve, diag);
-  for (size_t k = 0; status == PH_OK && k < d->n; k++) {
-    const struct ph_atph *space = ph_planar_space(&d->c2, k);
-    double size = root * sqrt(d->h[k]);
-    ph_cplx w[3];
-    ph_planar_preimage(&d->c2, b, k, w);
-    loops_add(&loops, k, space, w);
-    for (int i = 0; i < 3; i++) {
-      w[i] = ph_cplx_scale(size, w[i]);
-    }
-    ph_ph2_control_points(space, w, ph_planar_point(d, k),
-                          ph_planar_point(d, k + 1),
-                          (ph_cplx *)(curve->control_points + 12 * k));
-    curve->lengths[k] = ph_ph2_length(space, w);
-    ph_sum_add(&length, curve->lengths[k]);
-    for (int i = 0; d->atph && i < 3; i++) {
-      w[i] = ph_cplx_scale(1 / sqrt(space->angle), w[i]);
-    }
-    if (d->atph) {
-      curve->alpha[k] = space->angle;
-    }
-    memcpy(curve->preimage + 6 * k, w, sizeof w);
-  }
-  curve->length = ph_sum_value(&length);
-  warn_loops(&loops, result);
-  return status;
 }
 
 static void warn_reversals(const struct ph_planar_data *d,
@@ -137,44 +53,127 @@ static void warn_reversals(const struct ph_planar_data *d,
   }
 }
 
-/* Knots unrelated to the chords are what makes data unsolvable. */
-static enum ph_status advise(const struct ph_value *knots,
+static bool is_chordal(const struct ph_value *value) {
+  return value->kind == PH_ABSENT ||
+         (value->kind == PH_WORD && strncmp(value->word, "chordal", 7) == 0);
+}
+
+/* Spacings unrelated to the chords are what makes data unsolvable. */
+static enum ph_status advise(const struct ph_problem *problem,
                              struct ph_diag *diag) {
-  static const char advice[] = "; try \"knots\":\"chordal\"";
-  bool chordal =
-      knots->kind == PH_ABSENT ||
-      (knots->kind == PH_WORD && strcmp(knots->word, "chordal") == 0);
-  if (diag->status == PH_NO_CONVERGENCE && !chordal) {
-    strncat(diag->message, advice,
-            sizeof diag->message - 1 - strlen(diag->message));
-  }
+  const char *advice =
+      !is_chordal(&problem->field[PH_F_KNOTS])   ? "; try \"knots\":\"chordal\""
+      : !is_chordal(&problem->field[PH_F_ALPHA]) ? "; try \"alpha\":\"chordal\""
+                                                 : "";
+  strncat(diag->message, advice,
+          sizeof diag->message - 1 - strlen(diag->message));
   return diag->status;
+}
+
+/* Whether the data turn by more than a right angle anywhere: other good curves
+ * may exist then. */
+static bool turns_sharply(const struct ph_planar_c2 *c2) {
+  size_t n = c2->n;
+  for (size_t k = 0; k + 1 < n; k++) {
+    if (ph_cplx_dot(c2->direction[k], c2->direction[k + 1]) < 0) {
+      return true;
+    }
+  }
+  return c2->closed ? ph_cplx_dot(c2->direction[n - 1], c2->direction[0]) < 0
+                    : ph_cplx_dot(c2->end[0], c2->direction[0]) < 0 ||
+                          ph_cplx_dot(c2->direction[n - 1], c2->end[1]) < 0;
+}
+
+/* E L, which is the same for every scale. */
+static double fairness(const struct ph_curve *curve) {
+  struct ph_energy energy;
+  return ph_energy_planar(curve, &energy) ? energy.bending * curve->length
+                                          : (double)NAN;
+}
+
+/*
+ * Where the data turn sharply, solves once more from the other start, and keeps
+ * the fairer curve of two that differ [sheet of the method, (c) 6].
+ */
+static enum ph_status
+compare_starts(struct ph_planar_data *d, struct ph_arena *scratch,
+               struct ph_result *result, struct ph_planar_loops *loops,
+               struct ph_planar_report *report, struct ph_diag *diag) {
+  double twist = d->c2.twist.re, other;
+  struct ph_planar_report second;
+  struct ph_planar_loops second_loops;
+  struct ph_curve curve;
+  ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
+  enum ph_status status =
+      b ? ph_planar_c2_second(&d->c2, scratch, b, &second, diag)
+        : ph_fail_memory(diag);
+  if (status == PH_NO_CONVERGENCE) {
+    return PH_OK; /* there is nothing to compare with */
+  }
+  if (status == PH_OK) {
+    status = ph_planar_curve_alloc(d, scratch, &curve, diag);
+  }
+  if (status != PH_OK) {
+    return status;
+  }
+  ph_planar_curve_fill(d, b, &curve, &second_loops);
+  if (fabs(curve.length - result->curve.length) <=
+      SAME_LENGTH * result->curve.length) {
+    return PH_OK;
+  }
+  other = curve.length;
+  if (fairness(&curve) < fairness(&result->curve)) {
+    other = result->curve.length;
+    ph_planar_curve_fill(d, b, &result->curve, loops);
+    *report = second;
+  }
+  d->c2.twist.re = twist;
+  ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_AMBIGUOUS, NULL,
+          "another good curve exists, of length %.6g: of the two the one that "
+          "bends less was taken; \"solutions\":\"all\" shows all",
+          other);
+  return PH_OK;
+}
+
+static enum ph_status solve_good(struct ph_planar_data *d, struct ph_arena *out,
+                                 struct ph_arena *scratch,
+                                 struct ph_result *result,
+                                 struct ph_diag *diag) {
+  struct ph_planar_report report;
+  struct ph_planar_loops loops;
+  ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
+  enum ph_status status =
+      b ? ph_planar_c2_solve(&d->c2, scratch, b, &report, diag)
+        : ph_fail_memory(diag);
+  if (status == PH_OK) {
+    status = ph_planar_curve_alloc(d, out, &result->curve, diag);
+  }
+  if (status != PH_OK) {
+    return status;
+  }
+  ph_planar_curve_fill(d, b, &result->curve, &loops);
+  if (turns_sharply(&d->c2)) {
+    status = compare_starts(d, scratch, result, &loops, &report, diag);
+  }
+  warn_reversals(d, result);
+  warn_loops(&loops, result);
+  ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS,
+                     (double)report.iterations);
+  ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, report.residual);
+  return status;
 }
 
 static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,
                             struct ph_result *result, struct ph_diag *diag) {
   struct ph_mark mark = ph_arena_mark(scratch);
-  struct ph_planar_report report;
   struct ph_planar_data d;
-  ph_cplx *b = NULL;
-  enum ph_status status = ph_planar_data_of(problem, out, scratch, &d, diag);
+  enum ph_status status = ph_planar_data_of(problem, scratch, &d, diag);
   if (status == PH_OK) {
-    b = ph_arena_array(scratch, ph_planar_unknowns(&d.c2), sizeof *b);
-    status = b ? ph_planar_c2_solve(&d.c2, scratch, b, &report, diag)
-               : ph_fail_memory(diag);
-    if (status != PH_OK) {
-      status = advise(&problem->field[PH_F_KNOTS], diag);
-    }
+    status = solve_good(&d, out, scratch, result, diag);
   }
-  if (status == PH_OK) {
-    warn_reversals(&d, result);
-    status = fill_curve(&d, b, out, result, diag);
-  }
-  if (status == PH_OK) {
-    struct ph_diagnostics *diagnostics = &result->diagnostics;
-    ph_diagnostics_set(diagnostics, PH_D_ITERATIONS, (double)report.iterations);
-    ph_diagnostics_set(diagnostics, PH_D_RESIDUAL, report.residual);
+  if (status == PH_NO_CONVERGENCE) {
+    status = advise(problem, diag);
   }
   ph_arena_release(scratch, mark);
   return status;

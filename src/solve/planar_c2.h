@@ -87,4 +87,13 @@ enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
                                   struct ph_planar_report *report,
                                   struct ph_diag *diag);
 
+/*
+ * ph_planar_c2_second: the solution from the cubic-spline midpoint start alone.
+ * It differs from that of ph_planar_c2_solve only where the data turn sharply.
+ */
+enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
+                                   struct ph_arena *scratch, ph_cplx *b,
+                                   struct ph_planar_report *report,
+                                   struct ph_diag *diag);
+
 #endif

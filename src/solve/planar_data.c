@@ -61,19 +61,18 @@ static enum ph_status count_segments(const struct ph_problem *problem,
   return PH_OK;
 }
 
-static enum ph_status allocate(struct ph_planar_data *d,
-                               struct ph_arena *scratch, struct ph_arena *out,
+static enum ph_status allocate(struct ph_planar_data *d, struct ph_arena *arena,
                                struct ph_diag *diag) {
   struct ph_planar_c2 *c2 = &d->c2;
   c2->n = d->n;
   c2->closed = d->closed;
-  d->h = ph_arena_array(scratch, d->n, sizeof *d->h);
-  d->chord = ph_arena_array(scratch, d->n, sizeof *d->chord);
-  d->knots = ph_arena_array(out, d->n + 1, sizeof *d->knots);
-  c2->direction = ph_arena_array(scratch, d->n, sizeof *c2->direction);
-  c2->ratio = ph_arena_array(scratch, d->n, sizeof *c2->ratio);
-  c2->y = ph_arena_array(scratch, d->n + 1, sizeof *c2->y);
-  d->space = ph_arena_array(scratch, d->atph ? d->n : 1, sizeof *d->space);
+  d->h = ph_arena_array(arena, d->n, sizeof *d->h);
+  d->chord = ph_arena_array(arena, d->n, sizeof *d->chord);
+  d->knots = ph_arena_array(arena, d->n + 1, sizeof *d->knots);
+  c2->direction = ph_arena_array(arena, d->n, sizeof *c2->direction);
+  c2->ratio = ph_arena_array(arena, d->n, sizeof *c2->ratio);
+  c2->y = ph_arena_array(arena, d->n + 1, sizeof *c2->y);
+  d->space = ph_arena_array(arena, d->atph ? d->n : 1, sizeof *d->space);
   if (!d->h || !d->chord || !d->knots || !c2->direction || !c2->ratio ||
       !c2->y || !d->space) {
     return ph_fail_memory(diag);
@@ -327,7 +326,7 @@ static enum ph_status set_knots(const struct ph_problem *problem,
 }
 
 enum ph_status ph_planar_data_of(const struct ph_problem *problem,
-                                 struct ph_arena *out, struct ph_arena *scratch,
+                                 struct ph_arena *arena,
                                  struct ph_planar_data *d,
                                  struct ph_diag *diag) {
   const struct ph_value *basis = &problem->field[PH_F_BASIS];
@@ -339,7 +338,7 @@ enum ph_status ph_planar_data_of(const struct ph_problem *problem,
     status = check_together(problem, d, diag);
   }
   if (status == PH_OK) {
-    status = allocate(d, scratch, out, diag);
+    status = allocate(d, arena, diag);
   }
   if (status == PH_OK) {
     status = set_chords(d, diag);

@@ -30,12 +30,11 @@ struct ph_planar_data {
 /*
  * ph_planar_data_of: reads and checks a problem.
  *
- * out  data     its knots in the arena `out`, everything else in `scratch`
  * ret  PH_OK | PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS | PH_BAD_SHAPE |
  *      PH_BAD_VALUE | PH_ZERO_TANGENT | PH_TOO_LARGE | PH_NO_MEMORY
  */
 enum ph_status ph_planar_data_of(const struct ph_problem *problem,
-                                 struct ph_arena *out, struct ph_arena *scratch,
+                                 struct ph_arena *arena,
                                  struct ph_planar_data *data,
                                  struct ph_diag *diag);
 

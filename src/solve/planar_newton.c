@@ -247,6 +247,11 @@ static void keep_better(struct ph_planar_measure *m,
   }
 }
 
+static void start_from_spline(struct ph_planar_c2 *c2, struct work *w) {
+  ph_planar_spline_middles(c2, &w->tri, ph_planar_middles(c2, w->step));
+  ph_planar_start(c2, &w->tri, w->step, w->b);
+}
+
 static enum ph_status try_starts(struct ph_planar_c2 *c2, struct work *w,
                                  struct ph_arena *scratch, bool *solved,
                                  size_t *iterations,
@@ -260,8 +265,7 @@ static enum ph_status try_starts(struct ph_planar_c2 *c2, struct work *w,
   if (*solved) {
     return PH_OK;
   }
-  ph_planar_spline_middles(c2, &w->tri, ph_planar_middles(c2, w->step));
-  ph_planar_start(c2, &w->tri, w->step, w->b);
+  start_from_spline(c2, w);
   *solved = newton(c2, w, true, NEWTON_CAP, iterations, &last);
   keep_better(m, &last, *solved);
   if (*solved) {
@@ -272,41 +276,70 @@ static enum ph_status try_starts(struct ph_planar_c2 *c2, struct work *w,
   return status;
 }
 
-enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
-                                  struct ph_arena *scratch, ph_cplx *b,
-                                  struct ph_planar_report *report,
-                                  struct ph_diag *diag) {
+static enum ph_status work_init(struct work *w, const struct ph_planar_c2 *c2,
+                                struct ph_arena *scratch, ph_cplx *b,
+                                struct ph_diag *diag) {
   size_t n = ph_planar_unknowns(c2);
-  struct ph_planar_measure m = {0, HUGE_VAL, 0};
-  struct work w;
-  bool solved = false;
-  enum ph_status status;
-  w.b = b;
+  w->b = b;
   /* One more: the knot derivatives of a closed cubic spline. */
-  w.step = ph_arena_array(scratch, n + 1, sizeof *w.step);
-  if (!w.step || !ph_tri_alloc(&w.tri, scratch, n)) {
-    return ph_fail_memory(diag);
-  }
-  report->iterations = 0;
-  status = try_starts(c2, &w, scratch, &solved, &report->iterations, &m, diag);
-  if (status != PH_OK) {
-    return status;
-  }
-  report->residual = sqrt(m.max2);
-  report->worst = m.worst;
+  w->step = ph_arena_array(scratch, n + 1, sizeof *w->step);
+  return w->step && ph_tri_alloc(&w->tri, scratch, n) ? PH_OK
+                                                      : ph_fail_memory(diag);
+}
+
+/* Reports, and puts the solution where the caller wants it. */
+static enum ph_status conclude(const struct ph_planar_c2 *c2,
+                               const struct work *w, bool solved,
+                               const struct ph_planar_measure *m, ph_cplx *b,
+                               struct ph_planar_report *report,
+                               struct ph_diag *diag) {
+  report->residual = sqrt(m->max2);
+  report->worst = m->worst;
   if (!solved) {
     return isfinite(report->residual)
-               ? ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", m.worst,
+               ? ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", m->worst,
                             "does not close: the best relative residual "
                             "reached is %.3g",
                             report->residual)
                : ph_fail(diag, PH_NO_CONVERGENCE, NULL,
                          "the iteration leaves the range of a double");
   }
-  if (w.b != b) {
-    for (size_t i = 0; i < n; i++) {
-      b[i] = w.b[i];
-    }
+  for (size_t i = 0; w->b != b && i < ph_planar_unknowns(c2); i++) {
+    b[i] = w->b[i];
   }
   return PH_OK;
+}
+
+enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
+                                  struct ph_arena *scratch, ph_cplx *b,
+                                  struct ph_planar_report *report,
+                                  struct ph_diag *diag) {
+  struct ph_planar_measure m = {0, HUGE_VAL, 0};
+  struct work w;
+  bool solved = false;
+  enum ph_status status = work_init(&w, c2, scratch, b, diag);
+  report->iterations = 0;
+  if (status == PH_OK) {
+    status =
+        try_starts(c2, &w, scratch, &solved, &report->iterations, &m, diag);
+  }
+  return status == PH_OK ? conclude(c2, &w, solved, &m, b, report, diag)
+                         : status;
+}
+
+enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
+                                   struct ph_arena *scratch, ph_cplx *b,
+                                   struct ph_planar_report *report,
+                                   struct ph_diag *diag) {
+  struct ph_planar_measure m = {0, HUGE_VAL, 0};
+  struct work w;
+  enum ph_status status = work_init(&w, c2, scratch, b, diag);
+  bool solved;
+  if (status != PH_OK) {
+    return status;
+  }
+  report->iterations = 0;
+  start_from_spline(c2, &w);
+  solved = newton(c2, &w, true, NEWTON_CAP, &report->iterations, &m);
+  return conclude(c2, &w, solved, &m, b, report, diag);
 }
