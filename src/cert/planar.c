@@ -15,6 +15,7 @@
 #include "cert/cert.h"
 
 #include "base/sum.h"
+#include "curve/energy.h"
 #include "kernel/atph.h"
 #include "kernel/cplx.h"
 #include "kernel/pow2.h"
@@ -339,6 +340,32 @@ static bool all_finite(const double *v, size_t n) {
   return true;
 }
 
+static void set_finite(struct ph_diagnostics *diagnostics,
+                       enum ph_diagnostic which, double value) {
+  if (isfinite(value)) {
+    ph_diagnostics_set(diagnostics, which, value);
+  }
+}
+
+/* How fair the curve is; nothing where it stands still and has no curvature. */
+static enum ph_status measure_fairness(const struct ph_curve *curve,
+                                       struct ph_diagnostics *diagnostics,
+                                       struct ph_diag *diag) {
+  double length = curve->length;
+  struct ph_energy energy;
+  if (!ph_energy_planar(curve, &energy)) {
+    return ph_fail_memory(diag);
+  }
+  set_finite(diagnostics, PH_D_ENERGY, energy.bending);
+  set_finite(diagnostics, PH_D_MV, energy.varying);
+  set_finite(diagnostics, PH_D_IES, energy.bending * length);
+  set_finite(diagnostics, PH_D_IMV, energy.varying * length * length * length);
+  set_finite(diagnostics, PH_D_ROTATION_INDEX, energy.rotation);
+  set_finite(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
+             energy.absolute_rotation);
+  return PH_OK;
+}
+
 enum ph_status ph_cert_planar(const struct ph_problem *problem,
                               const struct ph_curve *curve,
                               struct ph_diagnostics *diagnostics,
@@ -381,5 +408,5 @@ enum ph_status ph_cert_planar(const struct ph_problem *problem,
       return status;
     }
   }
-  return PH_OK;
+  return measure_fairness(curve, diagnostics, diag);
 }

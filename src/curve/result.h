@@ -79,7 +79,13 @@ struct ph_offset {
   X(END_DERIVATIVE_ERROR, "end_derivative_error") \
   X(PYTHAGOREAN_ERROR, "pythagorean_error")       \
   X(CONTINUITY_ERROR, "continuity_error")         \
-  X(LENGTH_ERROR, "length_error")
+  X(LENGTH_ERROR, "length_error")                 \
+  X(ENERGY, "energy")                             \
+  X(MV, "MV")                                     \
+  X(IES, "IES")                                   \
+  X(IMV, "IMV")                                   \
+  X(ROTATION_INDEX, "rotation_index")             \
+  X(ABSOLUTE_ROTATION_INDEX, "absolute_rotation_index")
 
 enum ph_diagnostic {
 #define X(symbol, name) PH_D_##symbol,
