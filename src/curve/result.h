@@ -54,6 +54,23 @@ struct ph_curve {
 };
 
 /*
+ * Polynomial Bezier pieces of a curve or offset.
+ *
+ * segment[n]       the curve segment that the piece belongs to
+ * interval[n][2]   the part of that segment, in its local parameter [0,1]
+ * control_points[n][degree + 1][dimension]
+ */
+struct ph_pieces {
+  size_t degree;
+  size_t dimension;
+  size_t n;
+  size_t *segment;
+  double *interval;
+  double *control_points;
+  double error; /* greatest distance from the exact curve */
+};
+
+/*
  * One offset curve: n rational Bezier pieces.
  *
  * segment[n]       the curve segment that the piece belongs to
