@@ -2,13 +2,15 @@
 /* The table of commands (see command.h). */
 #include "cli/command.h"
 
+#include "curve/bezier.h"
 #include "curve/offset.h"
 #include "solve/planar.h"
 
 #include <string.h>
 
 const struct ph_command ph_commands[] = {
-    {&ph_method_planar, ph_cert_planar, ph_offset_planar,
+    {&ph_method_planar, ph_cert_planar, ph_offset_planar, ph_cusps_planar,
+     ph_bezier_planar,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline planar\t"
      "Four points, the curve as JSON\n"
      "phspline planar --closed --offset=-10 coast.csv -o coast.json\t"

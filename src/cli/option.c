@@ -172,6 +172,19 @@ static enum ph_status read_jobs(struct parser *p) {
   return PH_OK;
 }
 
+static enum ph_status read_tolerance(struct parser *p) {
+  const char *end = optarg + strlen(optarg);
+  char excerpt[PH_EXCERPT_MAX];
+  double x;
+  if (ph_number_read_text(optarg, end, &x) != end || !(x > 0) || !isfinite(x)) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--tolerance must be a number greater than 0, found '%s'",
+                   ph_excerpt(optarg, strlen(optarg), excerpt));
+  }
+  p->options->tolerance = x;
+  return PH_OK;
+}
+
 static enum ph_status read_offsets(struct parser *p) {
   struct ph_options *o = p->options;
   size_t room = 1;
@@ -345,6 +358,13 @@ static enum ph_status read_argument(struct parser *p, enum ph_option_id id) {
     break;
   case PH_O_OFFSET:
     status = read_offsets(p);
+    break;
+  case PH_O_CONVERT:
+    status = choose(p, id, words, &which);
+    o->convert = true;
+    break;
+  case PH_O_TOLERANCE:
+    status = read_tolerance(p);
     break;
   case PH_O_JOBS:
     status = read_jobs(p);

@@ -18,39 +18,44 @@
 
 /* X(SYMBOL, 'short' or 0, "long", "ARGUMENT" or NULL, "help").  Help texts are
  * broken into lines where they are printed. */
-#define PH_OPTIONS(X)                                                        \
-  X(INPUT_FORMAT, 'i', "input-format", "auto|json|csv",                      \
-    "what the input is; auto (default): by the suffix of the file (.json "   \
-    ".ndjson .jsonl .csv .tsv), else by its first character")                \
-  X(COLUMNS, 0, "columns", "NAME,...",                                       \
-    "what the columns of CSV input are, in order (-: skip)")                 \
-  X(DELIMITER, 0, "delimiter", "C",                                          \
-    "separator of CSV input (default: a comma; a tab in .tsv files)")        \
-  X(FORMAT, 'f', "format", "json|csv",                                       \
-    "json (default): one object a line; csv: one table")                     \
-  X(TABLE, 0, "table", "NAME",                                               \
-    "what --format=csv prints (default: control-points):")                   \
-  X(PRETTY, 0, "pretty", NULL, "indented JSON")                              \
-  X(OUTPUT, 'o', "output", "FILE",                                           \
-    "write FILE, replaced only when everything was written")                 \
-  X(SET, 's', "set", "FIELD=VALUE",                                          \
-    "set a field of the problems that lack it; VALUE is JSON or a word")     \
-  X(OVERRIDE, 0, "override", "FIELD=VALUE", "set a field of every problem")  \
-  X(SWEEP, 'S', "sweep", "FIELD=RANGE",                                      \
-    "solve every problem once for each value of RANGE: START:STOP:COUNT or " \
-    "V1,V2,...; FIELD may be an element: points[2][0]")                      \
-  X(OFFSET, 'd', "offset", "D[,D...]",                                       \
-    "add offset curves at these distances, positive to the left of travel")  \
-  X(JOBS, 'j', "jobs", "N",                                                  \
-    "worker threads (default: the processors); for every N the results are " \
-    "the same, in the same order")                                           \
-  X(STRICT, 0, "strict", NULL, "a warning is an error")                      \
-  X(FAIL_FAST, 0, "fail-fast", NULL, "stop at the first problem that fails") \
-  X(PROGRESS, 0, "progress", NULL, "report progress on standard error")      \
-  X(QUIET, 'q', "quiet", NULL, "no warnings, no summary of failures")        \
-  X(VERBOSE, 'v', "verbose", NULL,                                           \
-    "a line for each problem solved: iterations, residual, time")            \
-  X(HELP, 'h', "help", NULL, "this text")                                    \
+#define PH_OPTIONS(X)                                                         \
+  X(INPUT_FORMAT, 'i', "input-format", "auto|json|csv",                       \
+    "what the input is; auto (default): by the suffix of the file (.json "    \
+    ".ndjson .jsonl .csv .tsv), else by its first character")                 \
+  X(COLUMNS, 0, "columns", "NAME,...",                                        \
+    "what the columns of CSV input are, in order (-: skip)")                  \
+  X(DELIMITER, 0, "delimiter", "C",                                           \
+    "separator of CSV input (default: a comma; a tab in .tsv files)")         \
+  X(FORMAT, 'f', "format", "json|csv",                                        \
+    "json (default): one object a line; csv: one table")                      \
+  X(TABLE, 0, "table", "NAME",                                                \
+    "what --format=csv prints (default: control-points):")                    \
+  X(PRETTY, 0, "pretty", NULL, "indented JSON")                               \
+  X(OUTPUT, 'o', "output", "FILE",                                            \
+    "write FILE, replaced only when everything was written")                  \
+  X(SET, 's', "set", "FIELD=VALUE",                                           \
+    "set a field of the problems that lack it; VALUE is JSON or a word")      \
+  X(OVERRIDE, 0, "override", "FIELD=VALUE", "set a field of every problem")   \
+  X(SWEEP, 'S', "sweep", "FIELD=RANGE",                                       \
+    "solve every problem once for each value of RANGE: START:STOP:COUNT or "  \
+    "V1,V2,...; FIELD may be an element: points[2][0]")                       \
+  X(OFFSET, 'd', "offset", "D[,D...]",                                        \
+    "add offset curves at these distances, positive to the left of travel")   \
+  X(CONVERT, 0, "convert", "bezier",                                          \
+    "write ATPH segments as polynomial quintic Bezier segments")              \
+  X(TOLERANCE, 0, "tolerance", "E",                                           \
+    "greatest distance of Bezier pieces from the exact curve (default: 1e-9 " \
+    "of its size)")                                                           \
+  X(JOBS, 'j', "jobs", "N",                                                   \
+    "worker threads (default: the processors); for every N the results are "  \
+    "the same, in the same order")                                            \
+  X(STRICT, 0, "strict", NULL, "a warning is an error")                       \
+  X(FAIL_FAST, 0, "fail-fast", NULL, "stop at the first problem that fails")  \
+  X(PROGRESS, 0, "progress", NULL, "report progress on standard error")       \
+  X(QUIET, 'q', "quiet", NULL, "no warnings, no summary of failures")         \
+  X(VERBOSE, 'v', "verbose", NULL,                                            \
+    "a line for each problem solved: iterations, residual, time")             \
+  X(HELP, 'h', "help", NULL, "this text")                                     \
   X(VERSION, 'V', "version", NULL, "the version")
 
 enum ph_option_id {
@@ -95,6 +100,8 @@ struct ph_options {
   struct ph_sweep *sweeps;
   size_t sweeps_n;
   size_t sweep_count; /* results for each problem */
+  bool convert;
+  double tolerance; /* 0: the default */
   double *offsets;
   size_t offsets_n;
 };

@@ -12,6 +12,9 @@
 #include <string.h>
 #include <time.h>
 
+/* Default tolerance of Bezier pieces, relative to the size of the curve. */
+static const double TOLERANCE = 1e-9;
+
 /* An item on its way. */
 struct task {
   const struct ph_options *options;
@@ -69,7 +72,23 @@ static void assign(struct task *t) {
   }
 }
 
-static enum ph_status derive_offsets(struct task *t) {
+/* One warning for all distances: the first one that has cusps. */
+static void warn_cusps(struct task *t) {
+  const struct ph_options *o = t->options;
+  for (size_t i = 0; i < o->offsets_n; i++) {
+    struct ph_cusps cusps = o->command->cusps(&t->result.curve, o->offsets[i]);
+    if (cusps.n) {
+      ph_fail(ph_warning_add(&t->result, cusps.segment), PH_OFFSET_CUSP, NULL,
+              "the offset at distance %g has cusps, where the radius of "
+              "curvature equals it: %zu, the first in segment %zu at %.6g of "
+              "its interval",
+              o->offsets[i], cusps.n, cusps.segment, cusps.u);
+      return;
+    }
+  }
+}
+
+static enum ph_status derive_offsets(struct task *t, double tolerance) {
   const struct ph_options *o = t->options;
   struct ph_arena *arena = &t->worker->arena;
   enum ph_status status = PH_OK;
@@ -79,10 +98,40 @@ static enum ph_status derive_offsets(struct task *t) {
     return ph_fail_memory(&t->diag);
   }
   for (size_t i = 0; status == PH_OK && i < o->offsets_n; i++) {
-    status = o->command->offset(&t->result.curve, o->offsets[i], arena,
-                                &t->result.offsets[i], &t->diag);
+    status = o->command->offset(&t->result.curve, o->offsets[i], tolerance,
+                                arena, &t->result.offsets[i], &t->diag);
   }
   t->result.offsets_n = o->offsets_n;
+  if (status == PH_OK) {
+    warn_cusps(t);
+  }
+  return status;
+}
+
+/* Replaces the curve by Bezier curves. */
+static enum ph_status convert(struct task *t, double tolerance) {
+  struct ph_curve bezier;
+  double error;
+  enum ph_status status = t->options->command->convert(
+      &t->result.curve, tolerance, &t->worker->arena, &bezier, &error,
+      &t->diag);
+  if (status == PH_OK) {
+    t->result.curve = bezier;
+    ph_diagnostics_set(&t->result.diagnostics, PH_D_CONVERSION_ERROR, error);
+  }
+  return status;
+}
+
+/* What the options ask for beside the curve. */
+static enum ph_status derive(struct task *t) {
+  const struct ph_options *o = t->options;
+  double tolerance = o->tolerance > 0
+                         ? o->tolerance
+                         : TOLERANCE * ph_curve_size(&t->result.curve);
+  enum ph_status status = derive_offsets(t, tolerance);
+  if (status == PH_OK && o->convert) {
+    status = convert(t, tolerance);
+  }
   return status;
 }
 
@@ -126,7 +175,7 @@ static enum ph_status solve(struct task *t) {
                               &t->result.diagnostics, &t->diag);
   }
   if (status == PH_OK) {
-    status = derive_offsets(t);
+    status = derive(t);
   }
   return status == PH_OK ? refuse_warnings(t) : status;
 }

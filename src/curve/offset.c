@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rational offsets of planar PH quintics (see offset.h). */
+/* Offsets of planar PH and ATPH splines (see offset.h). */
 #include "curve/offset.h"
 
+#include "curve/hermite.h"
 #include "curve/ph2.h"
+#include "curve/seg2.h"
 #include "kernel/bern.h"
 
 #include <string.h>
@@ -136,20 +138,66 @@ static enum ph_status visit_all(struct walk *walk, const struct ph_curve *curve,
   return PH_OK;
 }
 
-enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
+/* The quotient of segment k: d i w^2 over |w|^2. */
+static void fill_quotient(struct ph_offset *offset, size_t k,
+                          const struct ph_seg2 *seg) {
+  double c = seg->space.c, middle = 1 / (2 * c * c + 1);
+  const ph_cplx *w = seg->w;
+  double *out = offset->numerator + 10 * k,
+         *below = offset->denominator + 5 * k;
+  ph_cplx m = ph_cplx_scale(c, w[1]);
+  ph_cplx square[5] = {
+      ph_cplx_mul(w[0], w[0]), ph_cplx_mul(w[0], w[1]),
+      ph_cplx_scale(middle, ph_cplx_add(ph_cplx_scale(2, ph_cplx_mul(m, m)),
+                                        ph_cplx_mul(w[0], w[2]))),
+      ph_cplx_mul(w[1], w[2]), ph_cplx_mul(w[2], w[2])};
+  below[0] = ph_cplx_norm2(w[0]);
+  below[1] = ph_cplx_dot(w[0], w[1]);
+  below[2] = middle * (2 * ph_cplx_norm2(m) + ph_cplx_dot(w[0], w[2]));
+  below[3] = ph_cplx_dot(w[1], w[2]);
+  below[4] = ph_cplx_norm2(w[2]);
+  for (size_t j = 0; j < 5; j++) {
+    out[2 * j] = -offset->distance * square[j].im;
+    out[2 * j + 1] = offset->distance * square[j].re;
+  }
+  offset->segment[k] = k;
+  offset->interval[2 * k] = 0;
+  offset->interval[2 * k + 1] = 1;
+}
+
+static enum ph_status offset_atph(const struct ph_curve *curve,
+                                  double tolerance, struct ph_arena *arena,
+                                  struct ph_offset *offset,
+                                  struct ph_diag *diag) {
+  size_t n = curve->n;
+  offset->degree = 4;
+  offset->n = n;
+  offset->segment = ph_arena_array(arena, n, sizeof *offset->segment);
+  offset->interval = ph_arena_array(arena, n, 2 * sizeof(double));
+  offset->numerator = ph_arena_array(arena, n, 10 * sizeof(double));
+  offset->denominator = ph_arena_array(arena, n, 5 * sizeof(double));
+  if (!offset->segment || !offset->interval || !offset->numerator ||
+      !offset->denominator) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t k = 0; k < n; k++) {
+    struct ph_seg2 seg = ph_seg2_of(curve, k);
+    fill_quotient(offset, k, &seg);
+  }
+  return ph_hermite_pieces(curve, offset->distance, tolerance, arena,
+                           &offset->pieces, diag);
+}
+
+static enum ph_status offset_ph(const struct ph_curve *curve,
                                 struct ph_arena *arena,
                                 struct ph_offset *offset,
                                 struct ph_diag *diag) {
   struct walk walk = {offset, false};
-  enum ph_status status;
-  size_t n;
-  *offset =
-      (struct ph_offset){.distance = distance, .degree = 9, .dimension = 2};
-  status = visit_all(&walk, curve, diag);
+  enum ph_status status = visit_all(&walk, curve, diag);
+  size_t n = offset->n;
   if (status != PH_OK) {
     return status;
   }
-  n = offset->n;
   offset->segment = ph_arena_array(arena, n, sizeof *offset->segment);
   offset->interval = ph_arena_array(arena, n, 2 * sizeof(double));
   offset->control_points = ph_arena_array(arena, n, 20 * sizeof(double));
@@ -159,9 +207,25 @@ enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
     return ph_fail_memory(diag);
   }
   walk.fill = true;
-  status = visit_all(&walk, curve, diag);
-  for (size_t i = 0; status == PH_OK && i < 20 * n; i++) {
-    if (!isfinite(offset->control_points[i])) {
+  return visit_all(&walk, curve, diag);
+}
+
+enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
+                                double tolerance, struct ph_arena *arena,
+                                struct ph_offset *offset,
+                                struct ph_diag *diag) {
+  const double *points;
+  size_t n;
+  enum ph_status status;
+  *offset =
+      (struct ph_offset){.distance = distance, .degree = 9, .dimension = 2};
+  status = curve->alpha ? offset_atph(curve, tolerance, arena, offset, diag)
+                        : offset_ph(curve, arena, offset, diag);
+  points =
+      curve->alpha ? offset->pieces.control_points : offset->control_points;
+  n = curve->alpha ? 12 * offset->pieces.n : 20 * offset->n;
+  for (size_t i = 0; status == PH_OK && i < n; i++) {
+    if (!isfinite(points[i])) {
       status = ph_fail(diag, PH_TOO_LARGE, NULL,
                        "the offset at distance %g exceeds the range of a "
                        "double",

@@ -3,6 +3,7 @@
 #include "curve/result.h"
 
 #include <assert.h>
+#include <math.h>
 
 static const char *const curve_names[] = {
 #define X(symbol, name) name,
@@ -22,6 +23,22 @@ const char *ph_curve_name(enum ph_curve_kind kind) {
 
 const char *ph_diagnostic_name(enum ph_diagnostic which) {
   return diagnostic_names[which];
+}
+
+double ph_curve_size(const struct ph_curve *curve) {
+  size_t dimension = curve->dimension;
+  size_t stride = (curve->degree + 1) * dimension, last = curve->degree;
+  double sum = 0;
+  for (size_t j = 0; j < dimension; j++) {
+    double low = curve->control_points[j], high = low;
+    for (size_t k = 0; k < curve->n; k++) {
+      double x = curve->control_points[k * stride + last * dimension + j];
+      low = x < low ? x : low;
+      high = x > high ? x : high;
+    }
+    sum = hypot(sum, high / 2 - low / 2);
+  }
+  return sum;
 }
 
 struct ph_diag *ph_warning_add(struct ph_result *result, size_t segment) {

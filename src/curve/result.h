@@ -16,7 +16,8 @@
 /* Curve kinds: X(SYMBOL, "name in records"). */
 #define PH_CURVES(X) \
   X(PH, "ph")        \
-  X(ATPH, "atph")
+  X(ATPH, "atph")    \
+  X(BEZIER, "bezier")
 
 enum ph_curve_kind {
 #define X(symbol, name) PH_CURVE_##symbol,
@@ -31,6 +32,7 @@ enum ph_curve_kind {
  * control_points[n][degree + 1][dimension]   Bernstein-Bezier, on [0,1];
  *      atph: the normalised B-basis of <1, t, sin t, cos t, sin 2t, cos 2t>
  * alpha[n]        atph: the angles, segment k has t in [0, alpha[k]]; else NULL
+ *      bezier: plain Bezier points, no preimage
  * preimage[n][preimage_n][preimage_dimension]
  *      planar: complex w, r' = w^2 with respect to the local parameter, u in
  *      [0,1] or t; coefficients in the segment's space; unit^(1/2)
@@ -71,7 +73,8 @@ struct ph_pieces {
 };
 
 /*
- * One offset curve: n rational Bezier pieces.
+ * One offset curve: n rational Bezier pieces of a PH curve, or n quotients of
+ * an ATPH curve and its approximation by polynomial pieces (curve/offset.h).
  *
  * segment[n]       the curve segment that the piece belongs to
  * interval[n][2]   the part of that segment, in its local parameter [0,1]
@@ -84,8 +87,11 @@ struct ph_offset {
   size_t n;
   size_t *segment;
   double *interval;
-  double *control_points;
+  double *control_points; /* NULL for an ATPH curve */
   double *weights;
+  double *numerator;   /* ATPH: [n][5][dimension] of the displacement */
+  double *denominator; /* ATPH: [n][5] */
+  struct ph_pieces pieces;
 };
 
 /* Diagnostics: X(SYMBOL, "name in records"). */
@@ -100,6 +106,7 @@ struct ph_offset {
   X(ENERGY, "energy")                             \
   X(MV, "MV")                                     \
   X(IES, "IES")                                   \
+  X(CONVERSION_ERROR, "conversion_error")         \
   X(IMV, "IMV")                                   \
   X(ROTATION_INDEX, "rotation_index")             \
   X(ABSOLUTE_ROTATION_INDEX, "absolute_rotation_index")
@@ -148,6 +155,9 @@ struct ph_result {
  * ph_fail.
  */
 struct ph_diag *ph_warning_add(struct ph_result *result, size_t segment);
+
+/* ph_curve_size: half the diagonal of the bounding box of the curve's knots. */
+double ph_curve_size(const struct ph_curve *curve);
 
 /* ph_curve_name: the name of a curve kind, as in records. */
 const char *ph_curve_name(enum ph_curve_kind kind);

@@ -112,26 +112,36 @@ static void lengths(const struct row *row, const struct ph_curve *c) {
   }
 }
 
-/* A segment that was halved goes on counting its points: 10, 11, ... */
-static void offset(const struct row *row, const struct ph_offset *o) {
-  const double *p = o->control_points, *weight = o->weights;
+/* Pieces of an offset; no weights are ones.  A segment in several pieces goes
+ * on counting its points. */
+static void offset_pieces(const struct row *row, double distance,
+                          const struct ph_pieces *pieces,
+                          const double *weight) {
+  const double *p = pieces->control_points;
   size_t index = 0;
-  for (size_t piece = 0; piece < o->n; piece++) {
-    if (piece == 0 || o->segment[piece] != o->segment[piece - 1]) {
+  for (size_t piece = 0; piece < pieces->n; piece++) {
+    if (piece == 0 || pieces->segment[piece] != pieces->segment[piece - 1]) {
       index = 0;
     }
-    for (size_t i = 0; i <= o->degree; i++) {
+    for (size_t i = 0; i <= pieces->degree; i++) {
       begin_row(row);
-      number_cell(row->buf, o->distance);
-      number_cell(row->buf, (double)o->segment[piece]);
+      number_cell(row->buf, distance);
+      number_cell(row->buf, (double)pieces->segment[piece]);
       number_cell(row->buf, (double)index++);
-      for (size_t j = 0; j < o->dimension; j++) {
+      for (size_t j = 0; j < pieces->dimension; j++) {
         number_cell(row->buf, *p++);
       }
-      number_cell(row->buf, *weight++);
+      number_cell(row->buf, weight ? *weight++ : 1);
       end_row(row);
     }
   }
+}
+
+static void offset(const struct row *row, const struct ph_offset *o) {
+  struct ph_pieces rational = {o->degree,   o->dimension,      o->n, o->segment,
+                               o->interval, o->control_points, 0};
+  offset_pieces(row, o->distance, o->weights ? &rational : &o->pieces,
+                o->weights);
 }
 
 void ph_csv_result(struct ph_buf *buf, enum ph_table table,

@@ -173,36 +173,73 @@ static void write_segments(struct writer *w, const struct ph_curve *c) {
     }
     key(w, "control_points");
     vectors(w, c->control_points + k * stride, c->degree + 1, c->dimension);
-    key(w, "preimage");
-    vectors(w, c->preimage + k * preimage_stride, c->preimage_n,
-            c->preimage_dimension);
+    if (c->preimage) {
+      key(w, "preimage");
+      vectors(w, c->preimage + k * preimage_stride, c->preimage_n,
+              c->preimage_dimension);
+    }
     key_number(w, "length", c->lengths[k]);
     end(w, '}');
   }
   end(w, ']');
 }
 
+/* What every piece begins with: its segment and its part of it. */
+static void begin_piece(struct writer *w, size_t segment,
+                        const double *interval) {
+  element(w);
+  begin(w, '{');
+  key_number(w, "segment", (double)segment);
+  key(w, "interval");
+  numbers(w, interval, 2);
+}
+
+static void write_offset_piece(struct writer *w, const struct ph_offset *o,
+                               size_t i) {
+  size_t n = o->degree + 1, dimension = o->dimension;
+  if (o->weights) {
+    key(w, "control_points");
+    vectors(w, o->control_points + i * n * dimension, n, dimension);
+    key(w, "weights");
+    numbers(w, o->weights + i * n, n);
+  } else {
+    key(w, "numerator");
+    vectors(w, o->numerator + i * n * dimension, n, dimension);
+    key(w, "denominator");
+    numbers(w, o->denominator + i * n, n);
+  }
+}
+
+static void write_pieces(struct writer *w, const struct ph_pieces *pieces) {
+  size_t stride = (pieces->degree + 1) * pieces->dimension;
+  key(w, "beziers");
+  begin(w, '[');
+  for (size_t i = 0; i < pieces->n; i++) {
+    begin_piece(w, pieces->segment[i], pieces->interval + 2 * i);
+    key(w, "control_points");
+    vectors(w, pieces->control_points + i * stride, pieces->degree + 1,
+            pieces->dimension);
+    end(w, '}');
+  }
+  end(w, ']');
+  key_number(w, "error", pieces->error);
+}
+
 static void write_offset(struct writer *w, const struct ph_offset *o) {
-  size_t points = o->degree + 1;
   begin(w, '{');
   key_number(w, "distance", o->distance);
   key_number(w, "degree", (double)o->degree);
   key(w, "segments");
   begin(w, '[');
   for (size_t i = 0; i < o->n; i++) {
-    element(w);
-    begin(w, '{');
-    key_number(w, "segment", (double)o->segment[i]);
-    key(w, "interval");
-    numbers(w, o->interval + 2 * i, 2);
-    key(w, "control_points");
-    vectors(w, o->control_points + i * points * o->dimension, points,
-            o->dimension);
-    key(w, "weights");
-    numbers(w, o->weights + i * points, points);
+    begin_piece(w, o->segment[i], o->interval + 2 * i);
+    write_offset_piece(w, o, i);
     end(w, '}');
   }
   end(w, ']');
+  if (o->pieces.n) {
+    write_pieces(w, &o->pieces);
+  }
   end(w, '}');
 }
 
