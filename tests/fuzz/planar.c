@@ -193,7 +193,7 @@ static void planar_check_result(const struct planar_input *in,
   struct ph_offset offset;
   double size = fabs(in->points[1][0] - in->points[0][0]);
   enum ph_status status =
-      ph_offset_planar(&result->curve, size, arena, &offset, &diag);
+      ph_offset_planar(&result->curve, size, 1e-9, arena, &offset, &diag);
   planar_check_curve(in, &result->curve);
   for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
     FUZZ_REQUIRE(!(result->diagnostics.known >> i & 1) ||

@@ -8,11 +8,11 @@
  */
 #include "planar_data.h"
 #include "planar_unit.h"
+#include "../unit/ph_unit.h"
 #include "random_unit.h"
 #include "unit.h"
 
 #include "curve/offset.h"
-#include "curve/ph2.h"
 #include "kernel/bern.h"
 #include "kernel/quad.h"
 
@@ -233,7 +233,7 @@ START_TEST(test_halves) {
                       "half %d of segment %zu: leg %d is off by %.3g", side, k,
                       j, error / size);
         }
-        length += ph_ph2_length(root[side]);
+        length += ph_length(root[side]);
       }
       prop_assert(unit_near_rel(length, c->lengths[k], 1e-13), i, &data,
                   "segment %zu: %.17g, not %.17g", k, length, c->lengths[k]);
@@ -294,14 +294,15 @@ START_TEST(test_offset_length) {
                 8 + unit_random_below(&r, 20), i / 2 % 2, &data);
     solve(i);
     d = some_distance(&r);
-    ck_assert_int_eq(ph_offset_planar(c, d, &u.arena, &o, &u.diag), PH_OK);
+    ck_assert_int_eq(ph_offset_planar(c, d, 1e-9, &u.arena, &o, &u.diag),
+                     PH_OK);
     for (size_t k = 0; k < o.n; k++) {
       length += piece_length(&o, k);
     }
     for (size_t k = 0; k < c->n; k++) {
       ph_cplx w[3];
       memcpy(w, c->preimage + 6 * k, sizeof w);
-      turned += ph_ph2_rotation(w);
+      turned += ph_rotation(w);
     }
     prop_assert(unit_near_rel(length, c->length - d * turned, 1e-10), i, &data,
                 "at %g: length %.17g, not %.17g", d, length,
@@ -354,8 +355,10 @@ START_TEST(test_offset_reverse) {
     back.control_points = points;
     back.preimage = w;
     ck_assert_int_eq(
-        ph_offset_planar(&u.result.curve, d, &u.arena, &o, &u.diag), PH_OK);
-    ck_assert_int_eq(ph_offset_planar(&back, -d, &u.arena, &p, &u.diag), PH_OK);
+        ph_offset_planar(&u.result.curve, d, 1e-9, &u.arena, &o, &u.diag),
+        PH_OK);
+    ck_assert_int_eq(ph_offset_planar(&back, -d, 1e-9, &u.arena, &p, &u.diag),
+                     PH_OK);
     ck_assert_uint_eq(o.n, p.n);
     for (size_t k = 0; k < 10 * o.n; k++) {
       ck_same_point(&o, k, &p, 10 * o.n - 1 - k, i);

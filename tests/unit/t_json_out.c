@@ -233,9 +233,9 @@ START_TEST(test_read_back) {
   u = unit_planar_of(v, 20, true);
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   for (int k = 0; k < 2; k++) {
-    ck_assert_int_eq(
-        ph_offset_planar(c, k ? -1e-4 : 2e-5, &u.arena, &offsets[k], &u.diag),
-        PH_OK);
+    ck_assert_int_eq(ph_offset_planar(c, k ? -1e-4 : 2e-5, 1e-9, &u.arena,
+                                      &offsets[k], &u.diag),
+                     PH_OK);
   }
   u.result.offsets = offsets;
   u.result.offsets_n = 2;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Offset curves: the definition o = r + d i r'/|r'|, point by point. */
 #include "unit.h"
+#include "ph_unit.h"
 #include "planar_unit.h"
 #include "random_unit.h"
 
 #include "curve/offset.h"
-#include "curve/ph2.h"
 
 #include <string.h>
 
@@ -28,10 +28,10 @@ static void single_of(const ph_cplx w[3], ph_cplx start, struct single *s) {
   for (int i = 0; i < 5; i++) {
     end = ph_cplx_add(end, ph_cplx_scale(0.2, hodograph[i]));
   }
-  ph_ph2_control_points(w, start, end, p);
+  ph_control_points(w, start, end, p);
   memcpy(s->preimage, w, sizeof s->preimage);
   memcpy(s->control_points, p, sizeof s->control_points);
-  s->length = ph_ph2_length(w);
+  s->length = ph_length(w);
   s->curve = (struct ph_curve){.kind = PH_CURVE_PH,
                                .dimension = 2,
                                .degree = 5,
@@ -100,7 +100,7 @@ static void ck_pieces(const struct ph_curve *curve, const struct ph_offset *o) {
 static struct ph_offset ck_offset(const struct ph_curve *curve, double d,
                                   double tol, struct unit_random *r) {
   struct ph_offset o;
-  enum ph_status status = ph_offset_planar(curve, d, &arena, &o, &diag);
+  enum ph_status status = ph_offset_planar(curve, d, 1e-9, &arena, &o, &diag);
   ck_assert_msg(status == PH_OK, "seed %lu: %s", unit_seed(), diag.message);
   ck_abs(o.distance, d, 0);
   ck_pieces(curve, &o);
@@ -143,8 +143,8 @@ START_TEST(test_side) {
   struct unit_planar u = unit_planar_of(points, 2, false);
   struct ph_offset o;
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
-  ck_assert_int_eq(ph_offset_planar(&u.result.curve, 3, &arena, &o, &diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_offset_planar(&u.result.curve, 3, 1e-9, &arena, &o, &diag), PH_OK);
   ck_assert_uint_eq(o.n, 1);
   for (size_t i = 0; i < 10; i++) {
     ck_abs(o.control_points[2 * i], 1 + (double)i / 9, 1e-15);
@@ -220,7 +220,8 @@ START_TEST(test_weights) {
   struct ph_offset o;
   double speed[5], sum = 0;
   single_of(w, zero, &s);
-  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, &arena, &o, &diag), PH_OK);
+  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, 1e-9, &arena, &o, &diag),
+                   PH_OK);
   ph_ph2_speed(w, speed);
   ck_rel(o.weights[0], speed[0], 1e-15);
   ck_rel(o.weights[9], speed[4], 1e-15);
@@ -256,7 +257,7 @@ static void ck_standstill(double w0, double w1, double w2) {
   struct single s;
   struct ph_offset o;
   single_of(w, zero, &s);
-  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, &arena, &o, &diag),
+  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, 1e-9, &arena, &o, &diag),
                    PH_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[0]");
   ck_assert_str_eq(diag.message, "has no offset: the curve stands still in it "
@@ -277,8 +278,9 @@ START_TEST(test_too_large) {
   struct unit_planar u = unit_planar_of(points, 2, false);
   struct ph_offset o;
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
-  ck_assert_int_eq(ph_offset_planar(&u.result.curve, 1e308, &arena, &o, &diag),
-                   PH_TOO_LARGE);
+  ck_assert_int_eq(
+      ph_offset_planar(&u.result.curve, 1e308, 1e-9, &arena, &o, &diag),
+      PH_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");
   unit_planar_free(&u);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Planar PH quintic segments: each identity of ph2.h at random points. */
 #include "unit.h"
+#include "ph_unit.h"
 #include "planar_unit.h"
 #include "random_unit.h"
 
-#include "curve/ph2.h"
 #include "kernel/bern.h"
 #include "kernel/quad.h"
 
@@ -74,7 +74,7 @@ START_TEST(test_length) {
     for (size_t k = 0; k < rule.n; k++) {
       length += rule.weight[k] * ph_cplx_norm2(preimage_at(w, rule.node[k]));
     }
-    ck_rel(ph_ph2_length(w), length, 1e-14);
+    ck_rel(ph_length(w), length, 1e-14);
   }
 }
 END_TEST
@@ -92,7 +92,7 @@ START_TEST(test_control_points) {
     for (int k = 0; k < 5; k++) {
       end = ph_cplx_add(end, ph_cplx_scale(0.2, hodograph[k]));
     }
-    ph_ph2_control_points(w, start, end, p);
+    ph_control_points(w, start, end, p);
     memcpy(flat, p, sizeof flat);
     ck_abs(unit_distance(p[0], start), 0, 0);
     ck_abs(unit_distance(p[5], end), 0, 0);
@@ -116,7 +116,7 @@ START_TEST(test_defect) {
     for (int k = 0; k < 5; k++) {
       end = ph_cplx_add(end, ph_cplx_scale(0.2, hodograph[k]));
     }
-    ph_ph2_control_points(w, zero, end, p);
+    ph_control_points(w, zero, end, p);
     for (int k = 0; k < 5; k++) {
       ph_cplx leg = ph_cplx_sub(p[k + 1], p[k]);
       ph_cplx own = ph_cplx_scale(0.2, hodograph[k]);
@@ -137,18 +137,18 @@ START_TEST(test_reversal) {
     for (int k = 0; k < 3; k++) {
       back[k] = ph_cplx_of(-w[2 - k].im, w[2 - k].re);
     }
-    ph_ph2_control_points(w, start, end, p);
-    ph_ph2_control_points(back, end, start, q);
+    ph_control_points(w, start, end, p);
+    ph_control_points(back, end, start, q);
     for (int k = 0; k < 6; k++) {
       ck_abs(unit_distance(p[k], q[5 - k]), 0, 0);
     }
-    ck_rel(ph_ph2_length(back), ph_ph2_length(w), 1e-15);
-    ck_abs(ph_ph2_rotation(back), -ph_ph2_rotation(w), 1e-13);
+    ck_rel(ph_length(back), ph_length(w), 1e-15);
+    ck_abs(ph_rotation(back), -ph_rotation(w), 1e-13);
   }
 }
 END_TEST
 
-/* Step (2) in ph_ph2_rotation. */
+/* Step (2) in ph_seg2_rotation. */
 START_TEST(test_factorisation) {
   struct unit_random r = unit_random_of(7);
   for (int i = 0; i < SEGMENTS; i++) {
@@ -194,7 +194,7 @@ START_TEST(test_rotation) {
     ph_cplx w[3];
     random_preimage(&r, w);
     if (rotation_in_steps(w, &rotation)) {
-      ck_abs(ph_ph2_rotation(w), rotation, 1e-10);
+      ck_abs(ph_rotation(w), rotation, 1e-10);
       loops += fabs(rotation) > PI;
       compared++;
     }
@@ -211,13 +211,13 @@ START_TEST(test_rotation_special) {
   const ph_cplx square[3] = {{1, 0}, {0, 1}, {-1, 0}}; /* (1 - u + i u)^2 */
   const ph_cplx from_rest[3] = {{0, 0}, {1, 0}, {0, 1}};
   const ph_cplx to_rest[3] = {{1, 0}, {0, 1}, {0, 0}};
-  ck_abs(ph_ph2_rotation(straight), 0, 0);
-  ck_abs(ph_ph2_rotation(arc), PI / 2, 1e-15);
-  ck_abs(ph_ph2_rotation(no_middle), PI, 1e-14);
-  ck_abs(ph_ph2_rotation(square), 2 * PI, 1e-14);
+  ck_abs(ph_rotation(straight), 0, 0);
+  ck_abs(ph_rotation(arc), PI / 2, 1e-15);
+  ck_abs(ph_rotation(no_middle), PI, 1e-14);
+  ck_abs(ph_rotation(square), 2 * PI, 1e-14);
   /* At rest there is no tangent: the limits count. */
-  ck_abs(ph_ph2_rotation(from_rest), PI, 1e-14);
-  ck_abs(ph_ph2_rotation(to_rest), PI, 1e-14);
+  ck_abs(ph_rotation(from_rest), PI, 1e-14);
+  ck_abs(ph_rotation(to_rest), PI, 1e-14);
 }
 END_TEST
 
@@ -232,9 +232,9 @@ START_TEST(test_rotation_symmetry) {
       mirror[k] = ph_cplx_conj(w[k]);
       turned[k] = ph_cplx_mul(f, w[k]);
     }
-    rotation = ph_ph2_rotation(w);
-    ck_abs(ph_ph2_rotation(mirror), -rotation, 1e-12);
-    ck_abs(ph_ph2_rotation(turned), rotation, 1e-10);
+    rotation = ph_rotation(w);
+    ck_abs(ph_rotation(mirror), -rotation, 1e-12);
+    ck_abs(ph_rotation(turned), rotation, 1e-10);
   }
 }
 END_TEST

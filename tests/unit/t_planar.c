@@ -2,10 +2,10 @@
 /* The method `planar`: what it refuses and how it says so, what it assumes
  * where the problem is silent, what it warns of. */
 #include "unit.h"
+#include "ph_unit.h"
 #include "planar_unit.h"
 #include "random_unit.h"
 
-#include "curve/ph2.h"
 #include "solve/planar.h"
 
 #include <string.h>
@@ -404,7 +404,7 @@ START_TEST(test_loop) {
   ENDS(-1, 0, 1, 0);
   ck_solved();
   memcpy(w, u.result.curve.preimage, sizeof w);
-  ck_assert_double_gt(fabs(ph_ph2_rotation(w)), PI);
+  ck_assert_double_gt(fabs(ph_rotation(w)), PI);
   ck_assert_ptr_nonnull(strstr(warning(PH_LOOP, 0)->message,
                                "more than half a turn (such segments: 1)"));
   ck_assert_int_eq(

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Planar splines that are known in closed form. */
 #include "unit.h"
+#include "ph_unit.h"
 #include "planar_unit.h"
 #include "random_unit.h"
-
-#include "curve/ph2.h"
 
 #include <string.h>
 
@@ -100,8 +99,8 @@ START_TEST(test_hermite) {
     unit_planar_ends(&u, d);
     ck_solved();
     hermite(d, w);
-    ph_ph2_control_points(w, ph_cplx_of(0, 0), ph_cplx_of(1, 0), p);
-    ck_rel(u.result.curve.length, ph_ph2_length(w), 1e-13);
+    ph_control_points(w, ph_cplx_of(0, 0), ph_cplx_of(1, 0), p);
+    ck_rel(u.result.curve.length, ph_length(w), 1e-13);
     for (int k = 0; k < 6; k++) {
       const double *q = u.result.curve.control_points + 2 * k;
       ck_assert_double_le(unit_distance(p[k], ph_cplx_of(q[0], q[1])), 1e-13);
@@ -125,7 +124,7 @@ START_TEST(test_reproduction) {
     for (int k = 0; k < 5; k++) {
       end = ph_cplx_add(end, ph_cplx_scale(0.2, hodograph[k]));
     }
-    ph_ph2_control_points(w, ph_cplx_of(0, 0), end, p);
+    ph_control_points(w, ph_cplx_of(0, 0), end, p);
     memcpy(flat, p, sizeof flat);
     for (int k = 0; k < 6; k++) {
       ph_cplx q = unit_bezier(flat, 5, 0, knots[k]);
@@ -140,7 +139,7 @@ START_TEST(test_reproduction) {
     ends[3] = hodograph[4].im;
     unit_planar_ends(&u, ends);
     ck_solved();
-    ck_rel(u.result.curve.length, ph_ph2_length(w), 1e-12);
+    ck_rel(u.result.curve.length, ph_length(w), 1e-12);
     for (size_t k = 0; k < 5; k++) {
       double at = unit_random_in(&r, 0, 1);
       ph_cplx wanted =

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* PH quintic segments by themselves: what the library knows of segments in any
+ * space of preimages, for the polynomial one. */
+#ifndef PH_TESTS_PH_UNIT_H
+#define PH_TESTS_PH_UNIT_H
+
+#include "curve/ph2.h"
+#include "curve/seg2.h"
+
+static inline double ph_length(const ph_cplx w[3]) {
+  struct ph_atph space = ph_atph_of(0);
+
+  return ph_ph2_length(&space, w);
+}
+
+static inline void ph_control_points(const ph_cplx w[3], ph_cplx start,
+                                     ph_cplx end, ph_cplx p[6]) {
+  struct ph_atph space = ph_atph_of(0);
+
+  ph_ph2_control_points(&space, w, start, end, p);
+}
+
+static inline double ph_rotation(const ph_cplx w[3]) {
+  struct ph_seg2 seg = {ph_atph_of(0), {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
+
+  return ph_seg2_rotation(&seg, NULL);
+}
+
+#endif
