@@ -156,6 +156,52 @@ static struct ph_tri_row corner_row(const struct ph_planar_c2 *c2,
   return row;
 }
 
+struct ph_tri_row ph_planar_row(const struct ph_planar_c2 *c2, const ph_cplx *b,
+                                size_t i) {
+  struct ph_planar_measure m = {0, 0, 0};
+  ph_cplx w[3];
+  if (c2->closed && (i == 0 || i == c2->n - 1)) {
+    return corner_row(c2, b, i, &m);
+  }
+  if (!c2->closed && (i == 0 || i == c2->n + 1)) {
+    return end_row(c2, b, i ? 1 : 0, &m);
+  }
+  i -= c2->closed ? 0 : 1;
+  ph_planar_preimage(c2, b, i, w);
+  return segment_row(c2, i, w, &m);
+}
+
+struct ph_planar_form ph_planar_form(const struct ph_planar_c2 *c2, size_t i) {
+  struct ph_planar_form f = {0, 0, 0, 0, 0, 0, {0, 0}};
+  const struct ph_atph *space;
+  double s, left, right;
+  if (!c2->closed && (i == 0 || i == c2->n + 1)) {
+    int side = i ? 1 : 0;
+    f.mm = 0.25 / c2->end_size[side];
+    *(side ? &f.lm : &f.mr) = 2 * f.mm;
+    *(side ? &f.ll : &f.rr) = f.mm;
+    f.wanted = c2->end[side];
+    return f;
+  }
+  i -= c2->closed ? 0 : 1;
+  space = ph_planar_space(c2, i);
+  s = c2->ratio[i];
+  left = c2->y[i];
+  right = c2->y[i + 1];
+  f.ll = s * space->q[0] * left * left;
+  f.lm = s * left *
+         (2 * space->q[0] * (1 - left) + space->q[1] + space->q[3] * right);
+  f.mm = s * (space->q[0] * ((1 - left) * (1 - left) + right * right) +
+              space->q[1] * (1 - left + right) + space->q[2] +
+              space->q[3] * (1 - left) * right);
+  f.lr = s * space->q[3] * left * (1 - right);
+  f.mr = s * (1 - right) *
+         (2 * space->q[0] * right + space->q[1] + space->q[3] * (1 - left));
+  f.rr = s * space->q[0] * (1 - right) * (1 - right);
+  f.wanted = c2->direction[i];
+  return f;
+}
+
 struct ph_planar_measure ph_planar_newton_step(const struct ph_planar_c2 *c2,
                                                const ph_cplx *b,
                                                struct ph_tri *tri,

@@ -44,6 +44,11 @@ static bool is_rounding(const struct ph_planar_c2 *c2, const struct work *w) {
   return ph_planar_rounding(c2, w->b) <= ROUNDING;
 }
 
+bool ph_planar_is_solved(const struct ph_planar_c2 *c2, const ph_cplx *b,
+                         const struct ph_planar_measure *m) {
+  return is_solved(m) || ph_planar_rounding(c2, b) <= ROUNDING;
+}
+
 /* Turns the step into the iterate that it leads to. */
 static struct ph_planar_measure move(const struct ph_planar_c2 *c2,
                                      const struct work *w, double lambda) {

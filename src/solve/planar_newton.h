@@ -37,6 +37,34 @@ struct ph_planar_measure ph_planar_newton_step(const struct ph_planar_c2 *c2,
  */
 double ph_planar_rounding(const struct ph_planar_c2 *c2, const ph_cplx *b);
 
+/*
+ * ph_planar_row: equation i, 0 <= i < unknowns, as a row of F'(b) x = F(b).
+ * Those of an open curve's ends come first and last.
+ */
+struct ph_tri_row ph_planar_row(const struct ph_planar_c2 *c2, const ph_cplx *b,
+                                size_t i);
+
+/*
+ * An equation as a quadratic form of an unknown m and those before and after
+ * it, l and r (those over the ends of a closed curve with their twist):
+ *
+ *   F = ll l^2 + lm l m + mm m^2 + lr l r + mr m r + rr r^2 - wanted
+ *
+ * [GON18, (2.19)], divided by the chord.
+ */
+struct ph_planar_form {
+  double ll, lm, mm, lr, mr, rr;
+  ph_cplx wanted;
+};
+
+/* ph_planar_form: equation i in the order of ph_planar_row. */
+struct ph_planar_form ph_planar_form(const struct ph_planar_c2 *c2, size_t i);
+
+/* ph_planar_is_solved: whether an iterate b of measure m is a solution by the
+ * tolerance of the solver, or as near to one as rounding lets it be. */
+bool ph_planar_is_solved(const struct ph_planar_c2 *c2, const ph_cplx *b,
+                         const struct ph_planar_measure *m);
+
 /* ph_planar_chord_middles: c/h.  out middle[n] */
 void ph_planar_chord_middles(const struct ph_planar_c2 *c2, ph_cplx *middle);
 
