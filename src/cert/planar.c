@@ -30,13 +30,20 @@
  * the hodograph carries 15 times that. */
 static const double INTERPOLATION = 1e-13;
 static const double PYTHAGOREAN = 1e-11;
+static const double PYTHAGOREAN_OF_SIZE = 1e-9; /* where the speed is huge */
 static const double LENGTH = 1e-11;
 static const double CONTINUITY = 1e-9;
+
+/* The spacing of subnormal numbers. */
+static const double SMALLEST = 4.9406564584124654e-324;
 
 /* Allowances in units of (rounding of a coordinate): a first difference of
  * control points times 5, a second one times 20, with a margin of 3.  Of knots
  * the difference counts, once for r' and twice for r''. */
 enum { ROUND_FIRST = 32, ROUND_SECOND = 256, ROUND_KNOT = 4 };
+
+/* No more is allowed for: then r' = w^2 would be a claim of no digit. */
+static const double ROUNDING_OF_SIZE = 1e-3 / ROUND_FIRST;
 
 /* Nodes: exact for degree 11, as |r'| has 4 and mu_j has 4; for angles below pi
  * 12 nodes reach rounding. */
@@ -141,7 +148,9 @@ static bool set_scale(struct context *c) {
       0.5 *
       hypot(ph_pow2_apply(c->scale, high[0]) - ph_pow2_apply(c->scale, low[0]),
             ph_pow2_apply(c->scale, high[1]) - ph_pow2_apply(c->scale, low[1]));
-  c->rounding = DBL_EPSILON * ph_pow2_apply(c->scale, largest);
+  c->rounding = smaller(DBL_EPSILON * ph_pow2_apply(c->scale, largest) +
+                            ph_pow2_apply(c->scale, SMALLEST),
+                        ROUNDING_OF_SIZE * c->size);
   return c->size > 0;
 }
 
@@ -246,7 +255,8 @@ static double check_square(const struct context *c, const struct segment *s,
     }
   }
   check_add(square, k, worst, c->size,
-            PYTHAGOREAN * s->speed + ROUND_FIRST * c->rounding);
+            smaller(PYTHAGOREAN * s->speed, PYTHAGOREAN_OF_SIZE * c->size) +
+                ROUND_FIRST * c->rounding);
   return length;
 }
 
@@ -269,12 +279,13 @@ static void check_joint(const struct context *c, const struct segment *a,
 }
 
 static void check_end(const struct context *c, const double *given,
-                      ph_cplx derivative, double h, size_t side,
+                      ph_cplx derivative, double h, size_t segment,
                       struct check *end) {
-  ph_cplx wanted = ph_cplx_scale(h, scaled(c, given + 2 * side));
+  ph_cplx wanted = ph_cplx_scale(h, scaled(c, given));
   double size = ph_cplx_abs(wanted);
-  check_add(end, side, ph_cplx_abs(ph_cplx_sub(derivative, wanted)), size,
-            CONTINUITY * size + ROUND_FIRST * c->rounding);
+  double knot = ROUND_KNOT * DBL_EPSILON * c->farthest_knot / h;
+  check_add(end, segment, ph_cplx_abs(ph_cplx_sub(derivative, wanted)), size,
+            (CONTINUITY + knot) * size + ROUND_FIRST * c->rounding);
 }
 
 struct checks {
@@ -306,13 +317,14 @@ static void check_segments(struct context *c, const struct ph_value *ends,
     before = s;
   }
   check_add(&checks->length, n - 1, fabs(ph_sum_value(&total) - claimed),
-            claimed, LENGTH * claimed);
+            claimed, LENGTH * claimed + (double)n * ROUND_FIRST * c->rounding);
   if (curve->closed) {
     check_joint(c, &before, t[n] - t[n - 1], &first, t[1] - t[0], 0,
                 &checks->joint);
   } else if (ends->kind == PH_VECTORS) {
     check_end(c, ends->v, first.first[0], t[1] - t[0], 0, &checks->end);
-    check_end(c, ends->v, before.first[1], t[n] - t[n - 1], 1, &checks->end);
+    check_end(c, ends->v + 2, before.first[1], t[n] - t[n - 1], n - 1,
+              &checks->end);
   }
 }
 

@@ -55,8 +55,9 @@ struct ph_bend ph_seg2_bend(const struct ph_seg2 *seg, double u) {
   bend.tangent = ph_cplx_scale(per_s, ph_cplx_mul(w[0], w[0]));
   bend.curvature = 2 * a * per_s;
   bend.slope = (2 * a1 - 8 * a * r) * per_s;
-  bend.terms[0] = 4 * w1 * per_s * per_s;
-  bend.terms[1] = (8 * w2 + 128 * w1 * w1) * per_s * per_s;
+  /* The ones: w' and w'' are differences of coefficients as large as w. */
+  bend.terms[0] = 4 * (1 + w1) * per_s * per_s;
+  bend.terms[1] = (8 * (1 + w2) + 128 * (1 + w1 * w1)) * per_s * per_s;
   return bend;
 }
 

@@ -104,11 +104,16 @@ compare_starts(struct ph_planar_data *d, struct ph_arena *scratch,
   struct ph_planar_loops second_loops;
   struct ph_curve curve;
   ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
+  struct ph_diag why;
   enum ph_status status =
-      b ? ph_planar_c2_second(&d->c2, scratch, b, &second, diag)
-        : ph_fail_memory(diag);
+      b ? ph_planar_c2_second(&d->c2, scratch, b, &second, &why)
+        : ph_fail_memory(&why);
   if (status == PH_NO_CONVERGENCE) {
+    d->c2.twist.re = twist;
     return PH_OK; /* there is nothing to compare with */
+  }
+  if (status != PH_OK) {
+    *diag = why;
   }
   if (status == PH_OK) {
     status = ph_planar_curve_alloc(d, scratch, &curve, diag);
@@ -119,6 +124,7 @@ compare_starts(struct ph_planar_data *d, struct ph_arena *scratch,
   ph_planar_curve_fill(d, b, &curve, &second_loops);
   if (fabs(curve.length - result->curve.length) <=
       SAME_LENGTH * result->curve.length) {
+    d->c2.twist.re = twist;
     return PH_OK;
   }
   other = curve.length;

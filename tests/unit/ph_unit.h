@@ -7,17 +7,17 @@
 #include "curve/ph2.h"
 #include "curve/seg2.h"
 
-static inline double ph_length(const ph_cplx w[3]) {
-  struct ph_atph space = ph_atph_of(0);
+/* The space of PH quintics. */
+static const struct ph_atph ph_quintic = {
+    0, 1, 1, 1, {1.0 / 5, 1.0 / 5, 2.0 / 15, 1.0 / 15}};
 
-  return ph_ph2_length(&space, w);
+static inline double ph_length(const ph_cplx w[3]) {
+  return ph_ph2_length(&ph_quintic, w);
 }
 
 static inline void ph_control_points(const ph_cplx w[3], ph_cplx start,
                                      ph_cplx end, ph_cplx p[6]) {
-  struct ph_atph space = ph_atph_of(0);
-
-  ph_ph2_control_points(&space, w, start, end, p);
+  ph_ph2_control_points(&ph_quintic, w, start, end, p);
 }
 
 static inline double ph_rotation(const ph_cplx w[3]) {

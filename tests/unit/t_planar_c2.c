@@ -4,6 +4,7 @@
  * formula against its meaning, by quadrature where an integral is meant, and
  * the starting values against splines of other makes.
  */
+#include "ph_unit.h"
 #include "unit.h"
 #include "random_unit.h"
 
@@ -50,6 +51,7 @@ static void random_system(struct unit_random *r, bool closed,
   s->c2 = (struct ph_planar_c2){.n = n,
                                 .closed = closed,
                                 .direction = s->direction,
+                                .space = &ph_quintic,
                                 .ratio = s->ratio,
                                 .y = s->y};
   s->c2.twist = ph_cplx_polar(unit_random_in(r, -3, 3));
@@ -327,6 +329,7 @@ START_TEST(test_start_reversal) {
     ph_cplx root[4], at[2], w[3];
     struct system s = {.c2 = {.n = 2,
                               .direction = s.direction,
+                              .space = &ph_quintic,
                               .ratio = s.ratio,
                               .y = s.y,
                               .end = {{1, 0}, {-1, wobble[i]}},

@@ -7,6 +7,7 @@
  */
 #include "solve/planar_newton.c" /* NOLINT */
 
+#include "ph_unit.h"
 #include "unit.h"
 #include "random_unit.h"
 
@@ -36,6 +37,7 @@ static void set_points(struct system *s, const ph_cplx *point, size_t n,
   s->c2 = (struct ph_planar_c2){.n = n,
                                 .closed = closed,
                                 .direction = s->direction,
+                                .space = &ph_quintic,
                                 .ratio = s->ratio,
                                 .y = s->y};
   for (size_t k = 0; k < n; k++) {
@@ -231,8 +233,12 @@ START_TEST(test_long) {
   ph_cplx *b = malloc(N * sizeof *b);
   double *ratio = malloc(N * sizeof *ratio);
   double *y = malloc((N + 1) * sizeof *y);
-  struct ph_planar_c2 c2 = {
-      .n = N, .closed = true, .direction = direction, .ratio = ratio, .y = y};
+  struct ph_planar_c2 c2 = {.n = N,
+                            .closed = true,
+                            .direction = direction,
+                            .space = &ph_quintic,
+                            .ratio = ratio,
+                            .y = y};
   struct ph_planar_report report;
   struct unit_random r = unit_random_of(3);
   double heading = 0;
