@@ -14,24 +14,15 @@
  */
 #include "curve/energy.h"
 
-#include "base/sum.h"
-#include "curve/seg2.h"
-
 #include <float.h>
 #include <math.h>
 
 /* Intervals of one segment, at most; 2^-50 of it is at the rounding of u. */
-enum { RULES = 3, DEPTH_MAX = 50, PARTS_MAX = 4096 };
+enum { DEPTH_MAX = 50, PARTS_MAX = 4096 };
 
 static const double AGREE = 1e-12;
 /* Error of a curvature or slope in units of its terms. */
 static const double ROUNDING = 16 * DBL_EPSILON;
-
-struct context {
-  struct ph_quad rule[RULES];
-  struct ph_sum bending, varying;
-  size_t parts; /* of the segment so far */
-};
 
 /* An integral of squares, and the same integral of their terms. */
 struct square {
@@ -72,12 +63,12 @@ static bool agree(const struct square *a, const struct square *b,
                            noise * noise + 0.1 * AGREE * ph_sum_value(sum);
 }
 
-static void add_part(struct context *c, const struct ph_seg2 *seg, double u0,
-                     double u1, int depth) {
+static void add_part(struct ph_energy_sum *c, const struct ph_seg2 *seg,
+                     double u0, double u1, int depth) {
   struct pair coarse = integrate(seg, &c->rule[0], u0, u1);
   double middle = 0.5 * (u0 + u1);
   c->parts++;
-  for (size_t i = 1; i < RULES; i++) {
+  for (size_t i = 1; i < PH_ENERGY_RULES; i++) {
     struct pair fine = integrate(seg, &c->rule[i], u0, u1);
     if (depth == DEPTH_MAX || c->parts >= PARTS_MAX ||
         !isfinite(fine.bending.value + fine.varying.value) ||
@@ -93,25 +84,42 @@ static void add_part(struct context *c, const struct ph_seg2 *seg, double u0,
   add_part(c, seg, middle, u1, depth + 1);
 }
 
-bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {
-  const double turn = 2 * 3.14159265358979323846;
-  struct context c = {.bending = {0, 0}};
-  struct ph_sum rotation = {0, 0}, absolute = {0, 0};
-  for (size_t i = 0; i < RULES; i++) {
-    if (!ph_quad_gauss(&c.rule[i], (size_t)4 << i)) {
+bool ph_energy_begin(struct ph_energy_sum *sum) {
+  ph_energy_clear(sum);
+  for (size_t i = 0; i < PH_ENERGY_RULES; i++) {
+    if (!ph_quad_gauss(&sum->rule[i], (size_t)4 << i)) {
       return false;
     }
+  }
+  return true;
+}
+
+void ph_energy_clear(struct ph_energy_sum *sum) {
+  sum->bending = sum->varying = (struct ph_sum){0, 0};
+  sum->parts = 0;
+}
+
+void ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
+  sum->parts = 0;
+  add_part(sum, seg, 0, 1, 0);
+}
+
+bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {
+  const double turn = 2 * 3.14159265358979323846;
+  struct ph_energy_sum sum;
+  struct ph_sum rotation = {0, 0}, absolute = {0, 0};
+  if (!ph_energy_begin(&sum)) {
+    return false;
   }
   for (size_t k = 0; k < curve->n; k++) {
     struct ph_seg2 seg = ph_seg2_of(curve, k);
     double turned;
     ph_sum_add(&rotation, ph_seg2_rotation(&seg, &turned));
     ph_sum_add(&absolute, turned);
-    c.parts = 0;
-    add_part(&c, &seg, 0, 1, 0);
+    ph_energy_add(&sum, &seg);
   }
-  energy->bending = ph_sum_value(&c.bending);
-  energy->varying = ph_sum_value(&c.varying);
+  energy->bending = ph_sum_value(&sum.bending);
+  energy->varying = ph_sum_value(&sum.varying);
   energy->rotation = ph_sum_value(&rotation) / turn;
   energy->absolute_rotation = ph_sum_value(&absolute) / turn;
   return true;

@@ -10,9 +10,21 @@
 #ifndef PH_CURVE_ENERGY_H
 #define PH_CURVE_ENERGY_H
 
+#include "base/sum.h"
 #include "curve/result.h"
+#include "curve/seg2.h"
 
 #include <stdbool.h>
+
+/* Rules that are compared, of 4, 8 and 16 nodes. */
+enum { PH_ENERGY_RULES = 3 };
+
+/* The energies of segments that are added one after another. */
+struct ph_energy_sum {
+  struct ph_quad rule[PH_ENERGY_RULES];
+  struct ph_sum bending, varying;
+  size_t parts; /* intervals of the last segment */
+};
 
 struct ph_energy {
   double bending;
@@ -20,6 +32,15 @@ struct ph_energy {
   double rotation;
   double absolute_rotation;
 };
+
+/* ph_energy_begin: no segments yet; false when memory is exhausted. */
+bool ph_energy_begin(struct ph_energy_sum *sum);
+
+/* ph_energy_clear: no segments again. */
+void ph_energy_clear(struct ph_energy_sum *sum);
+
+/* ph_energy_add: one more segment, in its unit, to 1e-12 relative. */
+void ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg);
 
 /*
  * ph_energy_planar: the energies of a curve, in its unit, to 1e-12 relative.

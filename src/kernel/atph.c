@@ -106,11 +106,12 @@ static void basis_jet(const struct ph_atph *space, double u, double s[4][2]) {
   }
 }
 
+static const double BINOMIAL[4][4] = {
+    {1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
+
 /* Leibniz's rule for each product of two of them. */
 void ph_atph_jet(const struct ph_atph *space, const ph_cplx w[3], double u,
                  ph_cplx *jet, size_t n) {
-  static const double BINOMIAL[4][4] = {
-      {1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
   double s[4][2];
   basis_jet(space, u, s);
   for (size_t d = 0; d < n; d++) {
@@ -124,6 +125,54 @@ void ph_atph_jet(const struct ph_atph *space, const ph_cplx w[3], double u,
     jet[d].re = b[0] * w[0].re + b[1] * w[1].re + b[2] * w[2].re;
     jet[d].im = b[0] * w[0].im + b[1] * w[1].im + b[2] * w[2].im;
   }
+}
+
+/*
+ * S0 depends on a and 1-u nearly only by their product, S1 on a and u:
+ *   a dS0/da = -(1-u) S0' - slope S0,  a dS1/da = u S1' - slope S1
+ * and derivatives of that by u.
+ */
+static void change_jet(const struct ph_atph *space, double u,
+                       const double s[4][2], double t[3][2]) {
+  for (size_t d = 0; d < 3; d++) {
+    t[d][0] =
+        -(1 - u) * s[d + 1][0] - space->slope * s[d][0] + (double)d * s[d][0];
+    t[d][1] = u * s[d + 1][1] - space->slope * s[d][1] + (double)d * s[d][1];
+  }
+}
+
+struct ph_atph_table ph_atph_table_of(const struct ph_atph *space, double u) {
+  struct ph_atph_table table;
+  double s[4][2], t[3][2], c = space->c;
+  double half = space->angle / 2, c_change = -half * half * space->sinc;
+  basis_jet(space, u, s);
+  change_jet(space, u, (const double(*)[2])s, t);
+  for (size_t d = 0; d < 3; d++) {
+    double b[3] = {0, 0, 0}, change[3] = {0, 0, 0};
+    for (size_t i = 0; i <= d; i++) {
+      double factor = BINOMIAL[d][i];
+      const double *p = s[i], *q = s[d - i], *q_change = t[d - i];
+      b[0] += factor * p[0] * q[0];
+      b[1] += factor * p[0] * q[1];
+      b[2] += factor * p[1] * q[1];
+      change[0] += 2 * factor * p[0] * q_change[0];
+      change[1] += factor * (p[0] * q_change[1] + t[i][0] * q[1]);
+      change[2] += 2 * factor * p[1] * q_change[1];
+    }
+    change[1] = 2 * (c * change[1] + c_change * b[1]);
+    b[1] *= 2 * c;
+    for (size_t i = 0; i < 3; i++) {
+      table.b[d][i] = b[i];
+      table.change[d][i] = space->angle > 0 ? change[i] : 0;
+    }
+  }
+  return table;
+}
+
+double ph_atph_slope_change(const struct ph_atph *space) {
+  /* With x = a/2: x (x cot x)' = x cot x - x^2 - (x cot x)^2. */
+  double half = space->angle / 2;
+  return 1 - space->slope - half * half / space->slope;
 }
 
 void ph_atph_part(const struct ph_atph *space, const ph_cplx w[3], double u0,

@@ -43,6 +43,21 @@ void ph_atph_jet(const struct ph_atph *space, const ph_cplx w[3], double u,
                  ph_cplx *jet, size_t n);
 
 /*
+ * The functions that w0, w1, w2 multiply in (2), with two derivatives by u, and
+ * how they change with the angle.
+ */
+struct ph_atph_table {
+  double b[3][3];      /* [order][i] */
+  double change[3][3]; /* a d/da of that; 0 for a = 0 */
+};
+
+/* ph_atph_table_of: the table at u in [0,1]. */
+struct ph_atph_table ph_atph_table_of(const struct ph_atph *space, double u);
+
+/* ph_atph_slope_change: a d(log slope)/da. */
+double ph_atph_slope_change(const struct ph_atph *space);
+
+/*
  * ph_atph_part: the preimage of the part [u0,u1] of a segment, on [0,1] again.
  *
  * out  part     angle a (u1 - u0)

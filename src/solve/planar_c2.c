@@ -228,6 +228,53 @@ struct ph_planar_measure ph_planar_newton_step(const struct ph_planar_c2 *c2,
   return m;
 }
 
+/* Row i of F', 0 <= i < unknowns. */
+static struct ph_tri_row row_of(const struct ph_planar_c2 *c2, const ph_cplx *b,
+                                size_t i) {
+  struct ph_planar_measure m = {0, 0, 0};
+  ph_cplx w[3];
+  if (c2->closed) {
+    if (i == 0 || i + 1 == c2->n) {
+      return corner_row(c2, b, i, &m);
+    }
+  } else if (i == 0 || i == c2->n + 1) {
+    return end_row(c2, b, i > 0, &m);
+  } else {
+    i--;
+  }
+  ph_planar_preimage(c2, b, i, w);
+  return segment_row(c2, i, w, &m);
+}
+
+void ph_planar_c2_adjoint(const struct ph_planar_c2 *c2, const ph_cplx *b,
+                          const ph_cplx *r, struct ph_tri *tri, ph_cplx *x) {
+  size_t n = ph_planar_unknowns(c2);
+  struct ph_tri_row head = row_of(c2, b, 0), before, here, after;
+  struct ph_tri_row tail = row_of(c2, b, n - 1);
+  before = head;
+  here = row_of(c2, b, 1);
+  after = row_of(c2, b, n - 2);
+  ph_tri_begin(tri, n, (struct ph_tri_row){tail.up, head.di, here.lo, r[0]},
+               (struct ph_tri_row){after.up, tail.di, head.lo, r[n - 1]});
+  for (size_t i = 1; i + 1 < n; i++) {
+    struct ph_tri_row row = {before.up, here.di, {0, 0}, r[i]};
+    after = row_of(c2, b, i + 1);
+    row.up = after.lo;
+    ph_tri_push(tri, &row);
+    before = here;
+    here = after;
+  }
+  ph_tri_finish(tri, x);
+}
+
+void ph_planar_c2_gradient(const struct ph_planar_c2 *c2, size_t k,
+                           const ph_cplx w[3], ph_cplx g[3]) {
+  struct equation q = equation_of(c2, k, w);
+  g[0] = q.g0;
+  g[1] = q.g1;
+  g[2] = q.g2;
+}
+
 struct ph_planar_measure ph_planar_residual(const struct ph_planar_c2 *c2,
                                             const ph_cplx *b) {
   struct ph_planar_measure m = {0, 0, 0};

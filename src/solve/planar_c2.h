@@ -96,4 +96,30 @@ enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
                                    struct ph_planar_report *report,
                                    struct ph_diag *diag);
 
+/*
+ * ph_planar_c2_near: the solution next to a guess, such as the solution of
+ * nearby data: Newton alone, a few steps.
+ *
+ * in   guess[unknowns]
+ * out  b[unknowns]  other memory than guess
+ * out  near         false: none was found; PH_OK all the same
+ * ret  PH_OK | PH_NO_MEMORY
+ */
+enum ph_status ph_planar_c2_near(const struct ph_planar_c2 *c2,
+                                 struct ph_arena *scratch, const ph_cplx *guess,
+                                 ph_cplx *b, bool *near, struct ph_diag *diag);
+
+/*
+ * ph_planar_c2_adjoint: solves F'(b)^T x = r, without conjugation.
+ *
+ * in   r[unknowns]
+ * out  x[unknowns]  not finite if F' is singular
+ */
+void ph_planar_c2_adjoint(const struct ph_planar_c2 *c2, const ph_cplx *b,
+                          const ph_cplx *r, struct ph_tri *tri, ph_cplx *x);
+
+/* ph_planar_c2_gradient: derivatives of F[k] with respect to w0, w1, w2. */
+void ph_planar_c2_gradient(const struct ph_planar_c2 *c2, size_t k,
+                           const ph_cplx w[3], ph_cplx g[3]);
+
 #endif

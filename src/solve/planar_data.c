@@ -178,11 +178,11 @@ static enum ph_status check_angle(double angle, size_t index,
              : ph_fail_at(diag, PH_BAD_VALUE, "alpha", index, problem, angle);
 }
 
-/* Angles proportional to the chords, given the largest. */
-static void set_chordal_angles(struct ph_planar_data *d, double largest) {
+void ph_planar_data_chordal(const struct ph_planar_data *d, double power,
+                            double largest, double *spacing) {
   double longest = largest_coordinate(d->chord, d->n);
   for (size_t k = 0; k < d->n; k++) {
-    d->h[k] = largest * (d->chord[k] / longest);
+    spacing[k] = largest * pow(d->chord[k] / longest, power);
   }
 }
 
@@ -210,7 +210,7 @@ static enum ph_status set_angles(struct ph_planar_data *d,
   } else {
     bool chosen = given->kind == PH_WORD && given->number > 0;
     status = check_angle(chosen ? given->number : PI / 2, NO_INDEX, diag);
-    set_chordal_angles(d, chosen ? given->number : PI / 2);
+    ph_planar_data_chordal(d, 1, chosen ? given->number : PI / 2, d->h);
   }
   for (size_t k = 0; status == PH_OK && k < d->n; k++) {
     d->space[k] = ph_atph_of(d->h[k]);
@@ -259,20 +259,34 @@ static ph_cplx parabola_end(const struct ph_planar_data *d, size_t near,
   return ph_cplx_abs(v) > STANDSTILL * ph_cplx_abs(s1) ? v : s1;
 }
 
-static enum ph_status set_ends(struct ph_planar_data *d,
-                               const struct ph_value *given,
-                               struct ph_diag *diag) {
+void ph_planar_ends_change(const struct ph_planar_data *d, int side,
+                           ph_cplx change[2]) {
+  const struct ph_planar_c2 *c2 = &d->c2;
+  size_t near = side ? d->n - 1 : 0;
+  size_t far = d->n == 1 ? near : side ? near - 1 : 1;
+  ph_cplx s1 = ph_cplx_scale(1 / c2->ratio[near], c2->direction[near]);
+  ph_cplx s2 = ph_cplx_scale(1 / c2->ratio[far], c2->direction[far]);
+  double part = d->h[near] / (d->h[near] + d->h[far]);
+  ph_cplx jump = ph_cplx_sub(s1, s2);
+  ph_cplx v = ph_cplx_add(s1, ph_cplx_scale(part, jump));
+  ph_cplx turn = ph_cplx_scale(part * (1 - part), jump);
+  if (!(ph_cplx_abs(v) > STANDSTILL * ph_cplx_abs(s1))) {
+    part = 0; /* the rule is s1 there */
+    turn = ph_cplx_of(0, 0);
+  }
+  change[0] = ph_cplx_sub(turn, ph_cplx_scale(1 + part, s1));
+  change[1] = ph_cplx_sub(ph_cplx_scale(part, s2), turn);
+}
+
+static enum ph_status set_ends(struct ph_planar_data *d, struct ph_diag *diag) {
   struct ph_planar_c2 *c2 = &d->c2;
   struct ph_pow2 scale = ph_pow2_of(d->exponent);
-  if (given->kind == PH_ABSENT) {
+  if (!d->ends) {
     c2->end[0] = parabola_end(d, 0, d->n > 1 ? 1 : 0);
     c2->end[1] = parabola_end(d, d->n - 1, d->n > 1 ? d->n - 2 : 0);
-  } else if (given->n != 2) {
-    return ph_fail(diag, PH_BAD_SHAPE, "end_derivatives",
-                   "must be two vectors, found %zu", given->n);
   } else {
     for (int side = 0; side < 2; side++) {
-      const double *v = given->v + 2 * side;
+      const double *v = d->ends + 2 * side;
       c2->end[side].re = ph_pow2_apply(scale, v[0]) * d->h_mean;
       c2->end[side].im = ph_pow2_apply(scale, v[1]) * d->h_mean;
     }
@@ -308,11 +322,24 @@ static enum ph_status check_together(const struct ph_problem *problem,
   return PH_OK;
 }
 
+/* The end derivatives are checked last: all else about the data comes first. */
+static enum ph_status read_ends(struct ph_planar_data *d,
+                                const struct ph_value *given,
+                                struct ph_diag *diag) {
+  if (given->kind != PH_ABSENT && given->n != 2) {
+    return ph_fail(diag, PH_BAD_SHAPE, "end_derivatives",
+                   "must be two vectors, found %zu", given->n);
+  }
+  d->ends = given->kind == PH_ABSENT ? NULL : given->v;
+  return set_ends(d, diag);
+}
+
 static enum ph_status set_knots(const struct ph_problem *problem,
                                 struct ph_planar_data *d,
                                 struct ph_diag *diag) {
   const struct ph_value *knots = &problem->field[PH_F_KNOTS];
   enum ph_status status = PH_OK;
+  d->own_knots = knots->kind != PH_ABSENT;
   if (d->atph) {
     status = set_angles(d, &problem->field[PH_F_ALPHA], diag);
   }
@@ -350,7 +377,45 @@ enum ph_status ph_planar_data_of(const struct ph_problem *problem,
     status = set_spacing(d, diag);
   }
   if (status == PH_OK && !d->closed) {
-    status = set_ends(d, &problem->field[PH_F_END_DERIVATIVES], diag);
+    status = read_ends(d, &problem->field[PH_F_END_DERIVATIVES], diag);
   }
   return status;
+}
+
+/* Knots in new proportions between the first and the last that there were. */
+static void respace_knots(struct ph_planar_data *d, const double *spacing) {
+  double first = d->knots[0], last = d->knots[d->n];
+  struct ph_sum sum = {0, 0}, part = {0, 0};
+  for (size_t k = 0; k < d->n; k++) {
+    ph_sum_add(&sum, spacing[k]);
+  }
+  for (size_t k = 0; k + 1 < d->n; k++) {
+    ph_sum_add(&part, spacing[k]);
+    d->knots[k + 1] =
+        first + (last - first) * (ph_sum_value(&part) / ph_sum_value(&sum));
+  }
+}
+
+enum ph_status ph_planar_data_space(struct ph_planar_data *d,
+                                    const double *spacing,
+                                    struct ph_diag *diag) {
+  enum ph_status status;
+  for (size_t k = 0; k < d->n; k++) {
+    if (d->atph) {
+      d->space[k] = ph_atph_of(spacing[k]);
+    }
+    d->h[k] = spacing[k];
+  }
+  if (d->atph && !d->own_knots) {
+    add_up_knots(d);
+  } else {
+    if (!d->atph) {
+      respace_knots(d, spacing);
+    }
+    for (size_t k = 0; k < d->n; k++) {
+      d->h[k] = d->knots[k + 1] - d->knots[k];
+    }
+  }
+  status = set_spacing(d, diag);
+  return status == PH_OK && !d->closed ? set_ends(d, diag) : status;
 }

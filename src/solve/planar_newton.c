@@ -15,6 +15,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 /* Relative closing error of a segment that counts as solved. */
 static const double SOLVED = 1e-13;
@@ -347,4 +348,25 @@ enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
   start_from_spline(c2, &w);
   solved = newton(c2, &w, true, NEWTON_CAP, &report->iterations, &m);
   return conclude(c2, &w, solved, &m, b, report, diag);
+}
+
+enum ph_status ph_planar_c2_near(const struct ph_planar_c2 *c2,
+                                 struct ph_arena *scratch, const ph_cplx *guess,
+                                 ph_cplx *b, bool *near, struct ph_diag *diag) {
+  size_t n = ph_planar_unknowns(c2), iterations = 0;
+  struct ph_mark mark = ph_arena_mark(scratch);
+  struct ph_planar_measure m;
+  struct work w;
+  enum ph_status status = work_init(&w, c2, scratch, b, diag);
+  *near = false;
+  if (status == PH_OK) {
+    memcpy(b, guess, n * sizeof *b);
+    *near = newton(c2, &w, false, FOLLOW_CAP, &iterations, &m) &&
+            largest(w.b, guess, n) < FOLLOW_NEAR * largest(guess, NULL, n);
+    if (w.b != b) {
+      memcpy(b, w.b, n * sizeof *b);
+    }
+  }
+  ph_arena_release(scratch, mark);
+  return status;
 }
