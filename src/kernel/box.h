@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Local minimisation of a smooth function of n variables in a box.
+ *
+ * Projected limited-memory BFGS (Nocedal and Wright 2006, sec. 7.2; Bertsekas
+ * 1982 for the box): variables at a bound that the gradient pushes against
+ * are left out of the quasi-Newton step, which is then projected and halved
+ * until the function decreases enough.  Deterministic.
+ */
+#ifndef PH_KERNEL_BOX_H
+#define PH_KERNEL_BOX_H
+
+#include "base/mem.h"
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct ph_box {
+  size_t n;
+  const double *lower, *upper; /* [n], lower <= upper */
+  double decrease;             /* steps that gain no more than this are few */
+  size_t steps_max;
+  void *context;
+  /* value: of the function at x; not finite where there is none.  Another
+   * status than PH_OK ends the search. */
+  enum ph_status (*value)(void *context, const double *x, double *value);
+  /* gradient: at the x of the last value. */
+  void (*gradient)(void *context, double *gradient);
+  /* accept: the x of the last value is the best one so far. */
+  void (*accept)(void *context);
+};
+
+struct ph_box_report {
+  double value; /* at the best x; not finite if there was none at the start */
+  size_t evaluations;
+  bool converged;
+};
+
+/*
+ * ph_box_minimize: a local minimiser.
+ *
+ * Converged means: from there, neither quasi-Newton nor steepest descent
+ * decreased the function by more than box->decrease a step.
+ *
+ * inout x[n]  start, in the box; the best found
+ * ret   PH_OK | PH_NO_MEMORY | what `value` returned
+ */
+enum ph_status ph_box_minimize(const struct ph_box *box,
+                               struct ph_arena *scratch, double *x,
+                               struct ph_box_report *report);
+
+#endif
