@@ -13,6 +13,8 @@ enum { PAIRS = 20, HALVINGS = 30, SMALL_MAX = 3 };
 /* Sufficient decrease (Armijo), a first step of steepest descent, the largest
  * step of one variable, curvature that is worth remembering. */
 static const double ENOUGH = 1e-4, FIRST = 0.1, LONGEST = 1, CURVED = 1e-10;
+/* How much more a step is tried after one that found no positive curvature. */
+static const double STRETCH = 4;
 
 struct pair {
   double *s, *y; /* differences of x and of the gradient */
@@ -25,6 +27,7 @@ struct search {
   bool *fixed; /* at a bound, and pushed against it */
   struct pair pair[PAIRS];
   size_t pairs_n, newest;
+  double stretch; /* of the next step: more where curvature is negative */
 };
 
 static enum ph_status allocate(struct search *s, struct ph_arena *arena,
@@ -110,10 +113,11 @@ static void quasi_newton(struct search *s) {
       add(s, alpha[i] - dot(s, p->y, s->step) / sy, p->s);
     }
   }
+  size = size > 0 ? s->stretch : s->stretch * FIRST / largest(s, s->step);
   for (size_t i = 0; i < s->box->n; i++) {
-    s->step[i] = s->fixed[i] ? 0 : s->step[i];
+    s->step[i] = s->fixed[i] ? 0 : size * s->step[i];
   }
-  shorten(s, size > 0 ? LONGEST : FIRST);
+  shorten(s, LONGEST);
 }
 
 static void project(struct search *s, double lambda) {
@@ -175,6 +179,9 @@ static void move(struct search *s) {
   if (sy > DBL_EPSILON * sqrt(ss * yy)) {
     s->newest = newest;
     s->pairs_n += s->pairs_n < PAIRS ? 1 : 0;
+    s->stretch = 1;
+  } else {
+    s->stretch *= STRETCH;
   }
 }
 
@@ -202,6 +209,7 @@ static enum ph_status run(struct search *s) {
       }
       polishing = true;
       s->pairs_n = 0;
+      s->stretch = 1;
       small = 1;
     }
   }
@@ -212,7 +220,7 @@ enum ph_status ph_box_minimize(const struct ph_box *box,
                                struct ph_arena *scratch, double *x,
                                struct ph_box_report *report) {
   struct ph_mark mark = ph_arena_mark(scratch);
-  struct search s = {.box = box, .report = report, .x = x};
+  struct search s = {.box = box, .report = report, .x = x, .stretch = 1};
   enum ph_status status = allocate(&s, scratch, box->n);
   *report = (struct ph_box_report){NAN, 1, false};
   if (status == PH_OK) {
