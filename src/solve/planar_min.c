@@ -24,8 +24,9 @@
 static const double ANGLE_MIN = 1e-3, ANGLE_MAX = 2.0943951023931953;
 static const double SPACING_RANGE = 20;
 
-/* Gains of a step, relative, that count as none; of one start over another. */
-static const double GAIN = 1e-12, BETTER = 1e-10;
+/* Gains of a step, relative, that count as none, at first and in the end; of
+ * one start over another. */
+static const double COARSE = 1e-6, GAIN = 1e-12, BETTER = 1e-5;
 
 /* Curves of less than that are straight: what they bend is rounding.  At unit
  * scale, where curves have a size of about 1. */
@@ -268,12 +269,12 @@ static void start_of(const struct work *w, size_t i, const double *given,
 }
 
 struct room {
-  double *given, *shape, *x, *lower, *upper;
+  double *given, *shape, *x, *best, *lower, *upper;
 };
 
 static enum ph_status room_alloc(struct room *r, size_t n,
                                  struct ph_arena *arena, struct ph_diag *diag) {
-  double *v = ph_arena_array(arena, n, 5 * sizeof *v);
+  double *v = ph_arena_array(arena, n, 6 * sizeof *v);
   if (!v) {
     return ph_fail_memory(diag);
   }
@@ -282,6 +283,7 @@ static enum ph_status room_alloc(struct room *r, size_t n,
   r->x = v + 2 * n;
   r->lower = v + 3 * n;
   r->upper = v + 4 * n;
+  r->best = v + 5 * n;
   return PH_OK;
 }
 
@@ -331,36 +333,50 @@ static bool touches(const struct work *w, const struct room *r,
   return false;
 }
 
-/* Searches from every start. */
-static enum ph_status search(struct work *w, struct room *r,
-                             struct ph_planar_min *report, bool *converged) {
+/* One search from the variables in r->x; keeps what is better than the best. */
+static enum ph_status descend(struct work *w, struct room *r, double decrease,
+                              double better, bool *converged) {
   double steps = WORK_MAX / (double)w->data->n;
   struct ph_box box = {.n = w->variables,
                        .lower = r->lower,
                        .upper = r->upper,
-                       .decrease = GAIN,
+                       .decrease = decrease,
                        .steps_max = steps < STEPS_MAX ? (size_t)steps + 1
                                                       : (size_t)STEPS_MAX,
                        .context = w,
                        .value = value,
                        .gradient = gradient,
                        .accept = accept};
-  for (size_t i = 0; i < STARTS; i++) {
-    struct ph_box_report found;
-    enum ph_status status;
+  struct ph_box_report found;
+  enum ph_status status = ph_box_minimize(&box, w->scratch, r->x, &found);
+  if (status != PH_OK) {
+    return status == PH_NO_MEMORY ? ph_fail_memory(w->diag) : status;
+  }
+  if (w->warm && !(w->now.value >= w->best.value * (1 - better))) {
+    copy(&w->best, &w->now, w);
+    memcpy(r->best, r->x, w->variables * sizeof *r->best);
+  }
+  *converged = found.converged;
+  return PH_OK;
+}
+
+/* From every start to some digits, from the best of them to all digits. */
+static enum ph_status search(struct work *w, struct room *r,
+                             struct ph_planar_min *report, bool *converged) {
+  enum ph_status status = PH_OK;
+  for (size_t i = 0; status == PH_OK && i < STARTS; i++) {
     w->warm = false;
     enter(w, r, i);
-    status = ph_box_minimize(&box, w->scratch, r->x, &found);
-    if (status != PH_OK) {
-      return status == PH_NO_MEMORY ? ph_fail_memory(w->diag) : status;
-    }
-    if (w->warm && !(w->now.value >= w->best.value * (1 - BETTER))) {
-      copy(&w->best, &w->now, w);
-      report->at_bound = touches(w, r, r->x);
-      *converged = found.converged;
-    }
+    status = descend(w, r, COARSE, BETTER, converged);
   }
-  return PH_OK;
+  if (status == PH_OK && !isnan(w->best.value)) {
+    memcpy(r->x, r->best, w->variables * sizeof *r->x);
+    copy(&w->now, &w->best, w);
+    w->warm = true;
+    status = descend(w, r, GAIN, 0, converged);
+    report->at_bound = touches(w, r, r->best);
+  }
+  return status;
 }
 
 static enum ph_status conclude(struct work *w, ph_cplx *b, bool converged,
