@@ -26,7 +26,7 @@ static const double SPACING_RANGE = 20;
 
 /* Gains of a step, relative, that count as none, at first and in the end; of
  * one start over another. */
-static const double COARSE = 1e-6, GAIN = 1e-12, BETTER = 1e-5;
+static const double COARSE = 1e-8, GAIN = 1e-13, BETTER = 1e-5;
 
 /* Curves of less than that are straight: what they bend is rounding.  At unit
  * scale, where curves have a size of about 1. */
