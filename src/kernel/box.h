@@ -2,10 +2,9 @@
 /*
  * Local minimisation of a smooth function of n variables in a box.
  *
- * Projected limited-memory BFGS (Nocedal and Wright 2006, sec. 7.2; Bertsekas
- * 1982 for the box): variables at a bound that the gradient pushes against
- * are left out of the quasi-Newton step, which is then projected and halved
- * until the function decreases enough.  Deterministic.
+ * Projected limited-memory BFGS: variables at a bound that the gradient pushes
+ * against are left out of the quasi-Newton step, which is then projected and
+ * halved until the function decreases enough.  Deterministic.
  */
 #ifndef PH_KERNEL_BOX_H
 #define PH_KERNEL_BOX_H
@@ -34,6 +33,7 @@ struct ph_box {
 struct ph_box_report {
   double value; /* at the best x; not finite if there was none at the start */
   size_t evaluations;
+  double gain; /* of the last step */
   bool converged;
 };
 

@@ -35,7 +35,7 @@ static const double STRAIGHT = 1e-16;
 enum { STARTS = 6, STEPS_MAX = 1000 };
 
 /* Steps for one start of large data: no more than this times 1/n. */
-static const double WORK_MAX = 4e5;
+static const double WORK_MAX = 2e5;
 
 struct candidate {
   double *spacing;  /* [n] */
@@ -356,7 +356,7 @@ static enum ph_status descend(struct work *w, struct room *r, double decrease,
     copy(&w->best, &w->now, w);
     memcpy(r->best, r->x, w->variables * sizeof *r->best);
   }
-  *converged = found.converged;
+  *converged = found.converged || found.gain <= COARSE;
   return PH_OK;
 }
 

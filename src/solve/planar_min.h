@@ -38,7 +38,8 @@ struct ph_planar_min {
  * out   b[unknowns]  the solution there
  * ret   PH_OK | PH_BAD_VALUE (`scale` of ph) | PH_NO_MEMORY |
  *       PH_NO_CONVERGENCE: the data have no solution, and the minimum is NaN;
- *       or the search was cut short, and data, b and report are the best found
+ *       or the search was cut short while it still gained 1e-8 a
+ *       step, and data, b and report are the best found
  */
 enum ph_status ph_planar_minimize(struct ph_planar_data *data,
                                   enum ph_planar_functional functional,
