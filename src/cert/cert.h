@@ -13,12 +13,14 @@
 #define PH_CERT_CERT_H
 
 #include "base/diag.h"
+#include "base/mem.h"
 #include "curve/problem.h"
 #include "curve/result.h"
 
 /* A certificate: PH_OK, or why the curve must not be printed. */
 typedef enum ph_status ph_cert_fn(const struct ph_problem *problem,
                                   const struct ph_curve *curve,
+                                  struct ph_arena *scratch,
                                   struct ph_diagnostics *diagnostics,
                                   struct ph_diag *diag);
 
@@ -32,6 +34,9 @@ typedef enum ph_status ph_cert_fn(const struct ph_problem *problem,
  *                         parameter: of r' over |r'|, and of r'' over |r'| per
  *                         shorter neighbouring interval
  *   length_error          lengths against Gauss quadrature of |r'| / length
+ *
+ * Beside these, how fair the curve is (curve/energy.h) and whether it crosses
+ * itself (curve/cross.h).
  *
  * ret  PH_OK | PH_TOO_LARGE (something is not finite) | PH_NO_CONVERGENCE
  *      (an error exceeds its tolerance; says which and where) | PH_NO_MEMORY

@@ -15,6 +15,7 @@
 #include "cert/cert.h"
 
 #include "base/sum.h"
+#include "curve/cross.h"
 #include "curve/energy.h"
 #include "kernel/atph.h"
 #include "kernel/cplx.h"
@@ -359,15 +360,24 @@ static void set_finite(struct ph_diagnostics *diagnostics,
   }
 }
 
-/* How fair the curve is; nothing where it stands still and has no curvature. */
-static enum ph_status measure_fairness(const struct ph_curve *curve,
-                                       struct ph_diagnostics *diagnostics,
-                                       struct ph_diag *diag) {
+/* How fair the curve is, no number where it stands still and has no curvature,
+ * and whether it crosses itself. */
+static enum ph_status describe(const struct ph_curve *curve,
+                               struct ph_arena *scratch,
+                               struct ph_diagnostics *diagnostics,
+                               struct ph_diag *diag) {
   double length = curve->length;
   struct ph_energy energy;
+  struct ph_cross cross;
+  enum ph_status status = ph_cross_planar(curve, scratch, &cross, diag);
+  if (status != PH_OK) {
+    return status;
+  }
   if (!ph_energy_planar(curve, &energy)) {
     return ph_fail_memory(diag);
   }
+  ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)cross.loops);
+  ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple);
   set_finite(diagnostics, PH_D_ENERGY, energy.bending);
   set_finite(diagnostics, PH_D_MV, energy.varying);
   set_finite(diagnostics, PH_D_IES, energy.bending * length);
@@ -380,6 +390,7 @@ static enum ph_status measure_fairness(const struct ph_curve *curve,
 
 enum ph_status ph_cert_planar(const struct ph_problem *problem,
                               const struct ph_curve *curve,
+                              struct ph_arena *scratch,
                               struct ph_diagnostics *diagnostics,
                               struct ph_diag *diag) {
   const struct ph_value *ends = &problem->field[PH_F_END_DERIVATIVES];
@@ -420,5 +431,5 @@ enum ph_status ph_cert_planar(const struct ph_problem *problem,
       return status;
     }
   }
-  return measure_fairness(curve, diagnostics, diag);
+  return describe(curve, scratch, diagnostics, diag);
 }

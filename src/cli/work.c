@@ -144,6 +144,20 @@ static enum ph_status refuse_warnings(struct task *t) {
   return t->diag.status;
 }
 
+/* Every curve that will be written. */
+static enum ph_status certify(struct task *t) {
+  const struct ph_command *command = t->options->command;
+  struct ph_arena *scratch = &t->worker->scratch;
+  struct ph_result *r = &t->result;
+  enum ph_status status = command->certify(&t->problem, &r->curve, scratch,
+                                           &r->diagnostics, &t->diag);
+  for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
+    status = command->certify(&t->problem, &r->solutions[i].curve, scratch,
+                              &r->solutions[i].diagnostics, &t->diag);
+  }
+  return status;
+}
+
 static enum ph_status solve(struct task *t) {
   const struct ph_command *command = t->options->command;
   struct ph_worker *worker = t->worker;
@@ -171,8 +185,7 @@ static enum ph_status solve(struct task *t) {
                                     &worker->scratch, &t->result, &t->diag);
   }
   if (status == PH_OK) {
-    status = command->certify(&t->problem, &t->result.curve,
-                              &t->result.diagnostics, &t->diag);
+    status = certify(t);
   }
   if (status == PH_OK) {
     status = derive(t);

@@ -13,13 +13,16 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#define PH_FIELDS(X)  \
-  X(POINTS, "points") \
-  X(CLOSED, "closed") \
-  X(BASIS, "basis")   \
-  X(KNOTS, "knots")   \
-  X(ALPHA, "alpha")   \
-  X(END_DERIVATIVES, "end_derivatives")
+#define PH_FIELDS(X)                    \
+  X(POINTS, "points")                   \
+  X(CLOSED, "closed")                   \
+  X(BASIS, "basis")                     \
+  X(KNOTS, "knots")                     \
+  X(ALPHA, "alpha")                     \
+  X(END_DERIVATIVES, "end_derivatives") \
+  X(SOLUTIONS, "solutions")             \
+  X(MINIMIZE, "minimize")               \
+  X(FREE, "free")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,

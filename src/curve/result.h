@@ -103,6 +103,10 @@ struct ph_offset {
   X(PYTHAGOREAN_ERROR, "pythagorean_error")       \
   X(CONTINUITY_ERROR, "continuity_error")         \
   X(LENGTH_ERROR, "length_error")                 \
+  X(FUNCTIONAL, "functional")                     \
+  X(FUNCTIONAL_START, "functional_start")         \
+  X(LOOPS, "loops")                               \
+  X(SIMPLE, "simple")                             \
   X(ENERGY, "energy")                             \
   X(MV, "MV")                                     \
   X(IES, "IES")                                   \
@@ -141,6 +145,21 @@ struct ph_warning {
 /* One warning for each code at most: its message counts the segments. */
 enum { PH_WARNINGS_MAX = 8 };
 
+/* The theorem of Kantorovich at a solution of nonlinear equations: solve/ says
+ * of which (solve/planar_kantorovich.h). */
+struct ph_kantorovich {
+  double b, c, k, h;
+  double radius;  /* infinite unless certified */
+  bool certified; /* h <= 1/2 */
+};
+
+/* One of several solutions of a problem. */
+struct ph_solution {
+  struct ph_curve curve;
+  struct ph_diagnostics diagnostics;
+  bool good; /* the one that would have been given alone */
+};
+
 struct ph_result {
   struct ph_curve curve;
   struct ph_offset *offsets;
@@ -148,6 +167,10 @@ struct ph_result {
   struct ph_diagnostics diagnostics;
   struct ph_warning warnings[PH_WARNINGS_MAX];
   size_t warnings_n;
+  bool has_kantorovich;
+  struct ph_kantorovich kantorovich;
+  struct ph_solution *solutions; /* best first; the curve is the first */
+  size_t solutions_n;            /* 0: they were not asked for */
 };
 
 /*
@@ -161,6 +184,11 @@ double ph_curve_size(const struct ph_curve *curve);
 
 /* ph_curve_name: the name of a curve kind, as in records. */
 const char *ph_curve_name(enum ph_curve_kind kind);
+
+/* ph_diagnostic_is_flag: whether a diagnostic is true or false, 1 or 0. */
+static inline bool ph_diagnostic_is_flag(enum ph_diagnostic which) {
+  return which == PH_D_SIMPLE;
+}
 
 /* ph_diagnostic_name: the name of a diagnostic, as in records. */
 const char *ph_diagnostic_name(enum ph_diagnostic which);

@@ -10,6 +10,7 @@
 #include "io/json_text.h"
 #include "io/number.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { DEPTH_MAX = 16 };
@@ -245,15 +246,61 @@ static void write_offset(struct writer *w, const struct ph_offset *o) {
 
 static void write_diagnostics(struct writer *w,
                               const struct ph_diagnostics *diagnostics) {
-  key(w, "diagnostics");
-  begin(w, '{');
   for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
+    enum ph_diagnostic which = (enum ph_diagnostic)i;
+    double value = diagnostics->value[i];
     if (diagnostics->known >> i & 1) {
-      key_number(w, ph_diagnostic_name((enum ph_diagnostic)i),
-                 diagnostics->value[i]);
+      key(w, ph_diagnostic_name(which));
+      if (ph_diagnostic_is_flag(which)) {
+        ph_buf_puts(w->buf, value > 0 ? "true" : "false");
+      } else {
+        number(w, value);
+      }
     }
   }
+}
+
+/* {"b":...}: numbers that are not finite are left out. */
+static void write_kantorovich(struct writer *w,
+                              const struct ph_kantorovich *k) {
+  const struct {
+    const char *name;
+    double value;
+  } numbers_of[] = {{"B", k->b},
+                    {"C", k->c},
+                    {"K", k->k},
+                    {"h", k->h},
+                    {"radius", k->radius}};
+  key(w, "kantorovich");
+  begin(w, '{');
+  for (size_t i = 0; i < sizeof numbers_of / sizeof numbers_of[0]; i++) {
+    if (isfinite(numbers_of[i].value)) {
+      key_number(w, numbers_of[i].name, numbers_of[i].value);
+    }
+  }
+  key(w, "certified");
+  ph_buf_puts(w->buf, k->certified ? "true" : "false");
   end(w, '}');
+}
+
+static void write_solutions(struct writer *w, const struct ph_result *result) {
+  key(w, "solutions");
+  begin(w, '[');
+  for (size_t i = 0; i < result->solutions_n; i++) {
+    const struct ph_solution *solution = &result->solutions[i];
+    element(w);
+    begin(w, '{');
+    key(w, "good");
+    ph_buf_puts(w->buf, solution->good ? "true" : "false");
+    write_segments(w, &solution->curve);
+    key_number(w, "length", solution->curve.length);
+    key(w, "diagnostics");
+    begin(w, '{');
+    write_diagnostics(w, &solution->diagnostics);
+    end(w, '}');
+    end(w, '}');
+  }
+  end(w, ']');
 }
 
 static void write_warnings(struct writer *w, const struct ph_result *result) {
@@ -300,7 +347,16 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
     }
     end(&w, ']');
   }
+  key(&w, "diagnostics");
+  begin(&w, '{');
   write_diagnostics(&w, &result->diagnostics);
+  if (result->has_kantorovich) {
+    write_kantorovich(&w, &result->kantorovich);
+  }
+  end(&w, '}');
+  if (result->solutions_n) {
+    write_solutions(&w, result);
+  }
   if (result->warnings_n) {
     write_warnings(&w, result);
   }

@@ -12,9 +12,14 @@
 #include "solve/planar.h"
 
 #include "curve/energy.h"
+#include "solve/planar_all.h"
 #include "solve/planar_curve.h"
+#include "solve/planar_kantorovich.h"
+#include "solve/planar_min.h"
+#include "solve/planar_newton.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Directions within this of exactly opposite count as a reversal. */
@@ -22,6 +27,9 @@ static const double REVERSAL = 1e-12;
 
 /* Two curves whose lengths agree to this are the same curve. */
 static const double SAME_LENGTH = 1e-9;
+
+/* On more segments the theorem would take as long as the solution. */
+enum { KANTOROVICH_MAX = 1000 };
 
 static void warn_loops(const struct ph_planar_loops *loops,
                        struct ph_result *result) {
@@ -95,10 +103,12 @@ static double fairness(const struct ph_curve *curve) {
  * Where the data turn sharply, solves once more from the other start, and keeps
  * the fairer curve of two that differ [sheet of the method, (c) 6].
  */
-static enum ph_status
-compare_starts(struct ph_planar_data *d, struct ph_arena *scratch,
-               struct ph_result *result, struct ph_planar_loops *loops,
-               struct ph_planar_report *report, struct ph_diag *diag) {
+static enum ph_status compare_starts(struct ph_planar_data *d,
+                                     struct ph_arena *scratch,
+                                     struct ph_result *result,
+                                     struct ph_planar_loops *loops,
+                                     struct ph_planar_report *report,
+                                     ph_cplx *first, struct ph_diag *diag) {
   double twist = d->c2.twist.re, other;
   struct ph_planar_report second;
   struct ph_planar_loops second_loops;
@@ -131,13 +141,31 @@ compare_starts(struct ph_planar_data *d, struct ph_arena *scratch,
   if (fairness(&curve) < fairness(&result->curve)) {
     other = result->curve.length;
     ph_planar_curve_fill(d, b, &result->curve, loops);
+    memcpy(first, b, ph_planar_unknowns(&d->c2) * sizeof *b);
     *report = second;
+  } else {
+    d->c2.twist.re = twist;
   }
-  d->c2.twist.re = twist;
   ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_AMBIGUOUS, NULL,
           "another good curve exists, of length %.6g: of the two the one that "
           "bends less was taken; \"solutions\":\"all\" shows all",
           other);
+  return PH_OK;
+}
+
+/* What is said of a solution, and of the equations there. */
+static enum ph_status report_solution(const struct ph_planar_data *d,
+                                      const ph_cplx *b, size_t iterations,
+                                      double residual, struct ph_arena *scratch,
+                                      struct ph_result *result,
+                                      struct ph_diag *diag) {
+  ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS, (double)iterations);
+  ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, residual);
+  result->has_kantorovich = d->n <= KANTOROVICH_MAX;
+  if (result->has_kantorovich &&
+      !ph_planar_kantorovich(&d->c2, b, scratch, &result->kantorovich)) {
+    return ph_fail_memory(diag);
+  }
   return PH_OK;
 }
 
@@ -159,27 +187,136 @@ static enum ph_status solve_good(struct ph_planar_data *d, struct ph_arena *out,
   }
   ph_planar_curve_fill(d, b, &result->curve, &loops);
   if (turns_sharply(&d->c2)) {
-    status = compare_starts(d, scratch, result, &loops, &report, diag);
+    status = compare_starts(d, scratch, result, &loops, &report, b, diag);
   }
   warn_reversals(d, result);
   warn_loops(&loops, result);
-  ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS,
-                     (double)report.iterations);
-  ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, report.residual);
+  return status == PH_OK
+             ? report_solution(d, b, report.iterations, report.residual,
+                               scratch, result, diag)
+             : status;
+}
+
+/* The solution of the fairest angles or knots. */
+static enum ph_status
+solve_fairest(const struct ph_problem *problem, struct ph_planar_data *d,
+              struct ph_arena *out, struct ph_arena *scratch,
+              struct ph_result *result, struct ph_diag *diag) {
+  static const char *const names[] = {"E", "MV", "IES", "IMV"};
+  const char *name = problem->field[PH_F_MINIMIZE].word;
+  const struct ph_value *free = &problem->field[PH_F_FREE];
+  enum ph_planar_functional functional = PH_PLANAR_E;
+  struct ph_planar_loops loops;
+  struct ph_planar_min report;
+  ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
+  enum ph_status status;
+  while (functional < PH_PLANAR_IMV && strcmp(name, names[functional]) != 0) {
+    functional++;
+  }
+  status = b ? ph_planar_minimize(d, functional,
+                                  free->kind == PH_WORD &&
+                                      strcmp(free->word, "scale") == 0,
+                                  scratch, b, &report, diag)
+             : ph_fail_memory(diag);
+  if (status == PH_OK) {
+    status = ph_planar_curve_alloc(d, out, &result->curve, diag);
+  }
+  if (status != PH_OK) {
+    return status;
+  }
+  ph_planar_curve_fill(d, b, &result->curve, &loops);
+  warn_reversals(d, result);
+  warn_loops(&loops, result);
+  ph_diagnostics_set(&result->diagnostics, PH_D_FUNCTIONAL, report.minimum);
+  if (isfinite(report.start)) {
+    ph_diagnostics_set(&result->diagnostics, PH_D_FUNCTIONAL_START,
+                       report.start);
+  }
+  return report_solution(d, b, report.evaluations,
+                         sqrt(ph_planar_residual(&d->c2, b).max2), scratch,
+                         result, diag);
+}
+
+/* Those that bend least first; where they bend alike, the shorter. */
+static int compare_solutions(const void *a, const void *b) {
+  const struct ph_solution *x = a, *y = b;
+  double ex = x->diagnostics.value[PH_D_ENERGY];
+  double ey = y->diagnostics.value[PH_D_ENERGY];
+  return ex < ey   ? -1
+         : ex > ey ? 1
+                   : (x->curve.length > y->curve.length) -
+                         (x->curve.length < y->curve.length);
+}
+
+static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
+                                    double good_length, struct ph_arena *out,
+                                    struct ph_solution *solution,
+                                    struct ph_diag *diag) {
+  struct ph_planar_loops loops;
+  struct ph_energy energy;
+  enum ph_status status = ph_planar_curve_alloc(d, out, &solution->curve, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  ph_planar_curve_fill(d, b, &solution->curve, &loops);
+  if (!ph_energy_planar(&solution->curve, &energy)) {
+    return ph_fail_memory(diag);
+  }
+  solution->diagnostics = (struct ph_diagnostics){.known = 0};
+  ph_diagnostics_set(&solution->diagnostics, PH_D_ENERGY, energy.bending);
+  solution->good =
+      fabs(solution->curve.length - good_length) <= SAME_LENGTH * good_length;
+  return PH_OK;
+}
+
+/* Adds every solution to the good one, and makes the best the curve. */
+static enum ph_status add_solutions(struct ph_planar_data *d,
+                                    struct ph_arena *out,
+                                    struct ph_arena *scratch,
+                                    struct ph_result *result,
+                                    struct ph_diag *diag) {
+  size_t unknowns = ph_planar_unknowns(&d->c2);
+  struct ph_planar_all all;
+  enum ph_status status = ph_planar_all(&d->c2, scratch, scratch, &all, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  result->solutions = ph_arena_array(out, all.n, sizeof *result->solutions);
+  if (!result->solutions) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; status == PH_OK && i < all.n; i++) {
+    d->c2.twist = ph_cplx_of(all.twist[i], 0);
+    status = fill_solution(d, all.b + i * unknowns, result->curve.length, out,
+                           &result->solutions[i], diag);
+  }
+  if (status == PH_OK) {
+    result->solutions_n = all.n;
+    qsort(result->solutions, all.n, sizeof *result->solutions,
+          compare_solutions);
+    result->curve = result->solutions[0].curve;
+  }
   return status;
 }
 
 static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,
                             struct ph_result *result, struct ph_diag *diag) {
+  const struct ph_value *solutions = &problem->field[PH_F_SOLUTIONS];
   struct ph_mark mark = ph_arena_mark(scratch);
   struct ph_planar_data d;
   enum ph_status status = ph_planar_data_of(problem, scratch, &d, diag);
-  if (status == PH_OK) {
+  if (status == PH_OK && problem->field[PH_F_MINIMIZE].kind == PH_WORD) {
+    status = solve_fairest(problem, &d, out, scratch, result, diag);
+  } else if (status == PH_OK) {
     status = solve_good(&d, out, scratch, result, diag);
   }
   if (status == PH_NO_CONVERGENCE) {
     status = advise(problem, diag);
+  }
+  if (status == PH_OK && solutions->kind == PH_WORD &&
+      strcmp(solutions->word, "all") == 0) {
+    status = add_solutions(&d, out, scratch, result, diag);
   }
   ph_arena_release(scratch, mark);
   return status;
@@ -201,6 +338,13 @@ static const struct ph_field fields[] = {
     {PH_F_END_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL,
      "those of a parabola through three points",
      "the two end derivatives of an open curve, per unit of the knots"},
+    {PH_F_SOLUTIONS, PH_WORD, 0, false, "good|all", "good",
+     "the good curve, or every curve that satisfies the equations, those that "
+     "bend least first; at most 12 segments"},
+    {PH_F_MINIMIZE, PH_WORD, 0, false, "E|MV|IES|IMV", "nothing",
+     "functional of the curvature to minimise, over alpha or the knots"},
+    {PH_F_FREE, PH_WORD, 0, false, "each|scale", "each",
+     "what to vary, each alpha or knot, or one factor on all alpha"},
 };
 
 const struct ph_method ph_method_planar = {

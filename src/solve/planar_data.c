@@ -319,6 +319,10 @@ static enum ph_status check_together(const struct ph_problem *problem,
   if (!d->atph && problem->field[PH_F_ALPHA].kind != PH_ABSENT) {
     return ph_fail(diag, PH_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
   }
+  if (problem->field[PH_F_FREE].kind != PH_ABSENT &&
+      problem->field[PH_F_MINIMIZE].kind == PH_ABSENT) {
+    return ph_fail(diag, PH_BAD_VALUE, "free", "is for \"minimize\"");
+  }
   return PH_OK;
 }
 

@@ -18,13 +18,8 @@
 #ifndef PH_SOLVE_PLANAR_KANTOROVICH_H
 #define PH_SOLVE_PLANAR_KANTOROVICH_H
 
+#include "curve/result.h"
 #include "solve/planar_c2.h"
-
-struct ph_kantorovich {
-  double b, c, k, h;
-  double radius;  /* infinite unless certified */
-  bool certified; /* h <= 1/2 */
-};
 
 /*
  * ph_planar_kantorovich: the theorem at b.
