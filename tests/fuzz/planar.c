@@ -227,8 +227,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   if (status == PH_OK) {
     double steps = result.diagnostics.value[PH_D_ITERATIONS];
     FUZZ_REQUIRE(steps >= 0 && steps <= PLANAR_STEPS_MAX);
-    status =
-        ph_cert_planar(&in.problem, &result.curve, &result.diagnostics, &diag);
+    status = ph_cert_planar(&in.problem, &result.curve, &scratch,
+                            &result.diagnostics, &diag);
   }
   if (status == PH_OK) {
     planar_check_result(&in, &result, &out);

@@ -34,8 +34,8 @@ static void solve(bool closed) {
 static enum ph_status certify(void) {
   memset(&u.result.diagnostics, 0, sizeof u.result.diagnostics);
   memset(&u.diag, 0, sizeof u.diag);
-  return ph_cert_planar(&u.problem, &u.result.curve, &u.result.diagnostics,
-                        &u.diag);
+  return ph_cert_planar(&u.problem, &u.result.curve, &u.scratch,
+                        &u.result.diagnostics, &u.diag);
 }
 
 static double value_of(enum ph_diagnostic what) {
