@@ -411,7 +411,9 @@ void ph_planar_chord_middles(const struct ph_planar_c2 *c2, ph_cplx *middle) {
  * its derivatives there [GON18, sec. 2.4]. */
 static struct ph_tri_row spline_row(const struct ph_planar_c2 *c2, size_t k) {
   size_t next = k + 1 < c2->n ? k + 1 : 0;
-  double y = c2->y[k + 1];
+  double from = c2->y[k + 1] * ph_planar_space(c2, next)->slope;
+  double to = (1 - c2->y[k + 1]) * ph_planar_space(c2, k)->slope;
+  double y = from / (from + to); /* h[k+1] / (h[k] + h[k+1]), from (1) */
   ph_cplx left = chord_slope(c2, k), right = chord_slope(c2, next);
   struct ph_tri_row row = {
       {y, 0}, {2, 0}, {1 - y, 0}, ph_cplx_scale(3, at_knot(y, left, right))};

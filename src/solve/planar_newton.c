@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Solves the C2 equations (planar_c2.h): damped Newton from two starts, then
- * continuation.
+ * Solves the C2 equations (planar_c2.h): Newton from two starts, damped where
+ * it fails plain, then continuation.
  *
  * Newton from the chord start has not failed on any of the data that the
  * method was measured on; the midpoint start and the continuation are there
@@ -24,7 +24,7 @@ static const double ROUNDING = 1e3 * DBL_EPSILON;
 /* Sufficient decrease, and the shortest step worth trying (Kelley 1995). */
 static const double DECREASE = 1e-4, SHORTEST = 1e-6;
 
-enum { NEWTON_CAP = 60, FOLLOW_CAP = 12 };
+enum { PLAIN_CAP = 25, NEWTON_CAP = 60, FOLLOW_CAP = 12 };
 
 /* First and smallest continuation step. */
 static const double FOLLOW_FIRST = 0.25, FOLLOW_SMALLEST = 1e-4;
@@ -258,6 +258,19 @@ static void start_from_spline(struct ph_planar_c2 *c2, struct work *w) {
   ph_planar_start(c2, &w->tri, w->step, w->b);
 }
 
+typedef void start_fn(struct ph_planar_c2 *c2, struct work *w);
+
+/* Plain Newton from a start; where that fails, damped from the same start. */
+static bool solve_from(struct ph_planar_c2 *c2, struct work *w, start_fn *start,
+                       size_t *iterations, struct ph_planar_measure *m) {
+  start(c2, w);
+  if (newton(c2, w, false, PLAIN_CAP, iterations, m)) {
+    return true;
+  }
+  start(c2, w);
+  return newton(c2, w, true, NEWTON_CAP, iterations, m);
+}
+
 static enum ph_status try_starts(struct ph_planar_c2 *c2, struct work *w,
                                  struct ph_arena *scratch, bool *solved,
                                  size_t *iterations,
@@ -265,14 +278,12 @@ static enum ph_status try_starts(struct ph_planar_c2 *c2, struct work *w,
                                  struct ph_diag *diag) {
   struct ph_planar_measure last = {0, HUGE_VAL, 0};
   enum ph_status status;
-  start_from_chords(c2, w);
-  *solved = newton(c2, w, true, NEWTON_CAP, iterations, &last);
+  *solved = solve_from(c2, w, start_from_chords, iterations, &last);
   keep_better(m, &last, *solved);
   if (*solved) {
     return PH_OK;
   }
-  start_from_spline(c2, w);
-  *solved = newton(c2, w, true, NEWTON_CAP, iterations, &last);
+  *solved = solve_from(c2, w, start_from_spline, iterations, &last);
   keep_better(m, &last, *solved);
   if (*solved) {
     return PH_OK;
@@ -345,8 +356,7 @@ enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
     return status;
   }
   report->iterations = 0;
-  start_from_spline(c2, &w);
-  solved = newton(c2, &w, true, NEWTON_CAP, &report->iterations, &m);
+  solved = solve_from(c2, &w, start_from_spline, &report->iterations, &m);
   return conclude(c2, &w, solved, &m, b, report, diag);
 }
 
