@@ -29,7 +29,7 @@ static const double REVERSAL = 1e-12;
 static const double SAME_LENGTH = 1e-9;
 
 /* On more segments the theorem would take as long as the solution. */
-enum { KANTOROVICH_MAX = 1000 };
+enum { KANTOROVICH_MAX = 100 };
 
 static void warn_loops(const struct ph_planar_loops *loops,
                        struct ph_result *result) {
