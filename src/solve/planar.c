@@ -277,7 +277,7 @@ static enum ph_status add_solutions(struct ph_planar_data *d,
                                     struct ph_diag *diag) {
   size_t unknowns = ph_planar_unknowns(&d->c2);
   struct ph_planar_all all;
-  enum ph_status status = ph_planar_all(&d->c2, scratch, scratch, &all, diag);
+  enum ph_status status = ph_planar_all(&d->c2, out, scratch, &all, diag);
   if (status != PH_OK) {
     return status;
   }
