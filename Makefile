@@ -278,7 +278,7 @@ valgrind: ## unit tests, tests/cli/smoke.t and data/ under valgrind
 valgrind-run: tests-build
 	@printf '#!/bin/sh\nexec %s "%s" "$$@"\n' '$(VALGRIND)' \
 	  '$(CURDIR)/$(PROGRAM)' >$(PROGRAM).valgrind && chmod +x $(PROGRAM).valgrind
-	@CK_FORK=no PH_WRAP='$(VALGRIND)' PHSPLINE=$(PROGRAM).valgrind $(RUN) \
+	@CK_FORK=no PH_SHORT=1 PH_WRAP='$(VALGRIND)' PHSPLINE=$(PROGRAM).valgrind $(RUN) \
 	  $(UNIT_WANTED) $(addprefix $(S),$(filter %/smoke.t,$(CLI_TESTS)) \
 	  tests/valgrind/data.t)
 

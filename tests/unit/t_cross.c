@@ -220,7 +220,7 @@ END_TEST
 START_TEST(test_spirals) {
   /* About as far from turn to turn as from point to point, and one chord more
    * across all of it. */
-  enum { N = 100000 };
+  const size_t N = (size_t)unit_count(100000);
   double *v = malloc((2 * N + 2) * sizeof *v);
   ck_assert_ptr_nonnull(v);
   for (size_t i = 0; i < N; i++) {
@@ -294,10 +294,10 @@ static void reverse_curve(struct ph_curve *curve) {
 }
 
 START_TEST(test_frames) {
-  enum { SPLINES = 120 };
+  const int splines = unit_count(120);
   const double scales[] = {1e-9, 1, 1e9, 1e-200, 1e140};
   struct unit_random r = unit_random_of(3);
-  for (int i = 0; i < SPLINES; i++) {
+  for (int i = 0; i < splines; i++) {
     struct unit_planar u = unit_planar_random(&r, i);
     struct ph_curve *curve = &u.result.curve;
     double size = unit_planar_size(&u), scale = scales[i % 5];

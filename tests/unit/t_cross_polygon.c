@@ -153,31 +153,31 @@ static void ck_polygons(const struct ph_curve *curve, double size, int i,
 }
 
 START_TEST(test_polygons) {
-  enum { SPLINES = 200 };
+  const int splines = unit_count(200);
   struct unit_random r = unit_random_of(1);
   struct tally tally = {0, 0, 0};
-  for (int i = 0; i < SPLINES; i++) {
+  for (int i = 0; i < splines; i++) {
     struct unit_planar u = unit_planar_random(&r, i);
     ck_polygons(&u.result.curve, unit_planar_size(&u), i, &tally);
     unit_planar_free(&u);
   }
-  ck_assert_uint_le(tally.unclear, SPLINES / 20);
-  ck_assert_uint_ge(tally.simple, SPLINES / 5);
+  ck_assert_uint_le(tally.unclear, splines / 20);
+  ck_assert_uint_ge(tally.simple, splines / 5);
 }
 END_TEST
 
 START_TEST(test_polygons_of_loops) {
-  enum { CHAINS = 300 };
+  const int chains = unit_count(300);
   struct unit_random r = unit_random_of(5);
   struct tally tally = {0, 0, 0};
-  for (int i = 0; i < CHAINS; i++) {
+  for (int i = 0; i < chains; i++) {
     struct unit_chain chain;
     unit_chain_random(&chain, &r, 2 + unit_random_below(&r, 3));
     ck_polygons(&chain.curve, 10, i, &tally);
   }
-  ck_assert_uint_le(tally.unclear, CHAINS / 20);
-  ck_assert_uint_ge(tally.simple, CHAINS / 10);
-  ck_assert_uint_ge(tally.loops, CHAINS / 10);
+  ck_assert_uint_le(tally.unclear, chains / 20);
+  ck_assert_uint_ge(tally.simple, chains / 10);
+  ck_assert_uint_ge(tally.loops, chains / 10);
 }
 END_TEST
 

@@ -80,7 +80,7 @@ END_TEST
 
 START_TEST(test_halves) {
   struct unit_random r = unit_random_of(1);
-  for (int i = 0; i < SEGMENTS; i++) {
+  for (int i = 0; i < unit_count(SEGMENTS); i++) {
     struct ph_seg2 seg = random_seg(&r, i);
     struct ph_piece piece = ph_piece_of(&seg, 7), half[2];
     ph_piece_halves(&piece, half);
@@ -154,7 +154,7 @@ static double ck_bounds(const struct ph_piece *piece) {
 START_TEST(test_bounds) {
   struct unit_random r = unit_random_of(2);
   size_t tame = 0;
-  for (int i = 0; i < SEGMENTS; i++) {
+  for (int i = 0; i < unit_count(SEGMENTS); i++) {
     struct ph_seg2 seg = random_seg(&r, i);
     struct ph_piece piece = ph_piece_of(&seg, 0), half[2];
     for (int depth = 0; depth < 12; depth++) {
@@ -167,7 +167,7 @@ START_TEST(test_bounds) {
       tame += isfinite(next) ? 1 : 0;
     }
   }
-  ck_assert_uint_ge(tame, SEGMENTS * 8);
+  ck_assert_uint_ge(tame, unit_count(SEGMENTS) * 8);
 }
 END_TEST
 

@@ -147,7 +147,7 @@ static void check_curves(struct set *f, int set) {
 /* As many different curves as there should be, of random data. */
 START_TEST(test_random) {
   struct unit_random r = unit_random_of(1);
-  for (int set = 0; set < SETS; set++) {
+  for (int set = 0; set < unit_count(SETS); set++) {
     bool closed = set % 2;
     size_t n = (closed ? 3 : 2) + unit_random_below(&r, closed ? 4 : 6);
     double v[2 * N_MAX], ends[4];
@@ -182,7 +182,7 @@ END_TEST
  * different sizes, too. */
 START_TEST(test_uneven) {
   struct unit_random r = unit_random_of(2);
-  for (int set = 0; set < 20; set++) {
+  for (int set = 0; set < unit_count(20); set++) {
     bool closed = set % 2;
     size_t n = closed ? 5 : 6;
     double v[2 * N_MAX], x = 0, y = 0, heading = 0;

@@ -203,7 +203,7 @@ END_TEST
 /* Never worse than the start, inside the bounds, and the curve is what the
  * report says; for a second time (some of them), bit for bit the same. */
 START_TEST(test_improves) {
-  for (uint64_t i = 0; i < 20; i++) {
+  for (uint64_t i = 0; i < (uint64_t)unit_count(20); i++) {
     struct unit_random r = unit_random_of(100 + i);
     size_t n = 4 + unit_random_below(&r, 4);
     const bool closed = i & 1, atph = i & 2;

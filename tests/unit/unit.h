@@ -73,6 +73,14 @@ static inline int unit_long(void) {
   return s != NULL && s[0] == '1';
 }
 
+/* n, or a tenth of it where every step takes long: under valgrind, which sets
+ * PH_SHORT=1. */
+static inline int unit_count(int n) {
+  const char *s = getenv("PH_SHORT");
+
+  return s != NULL && s[0] == '1' ? (n + 9) / 10 : n;
+}
+
 /* GSL's handler is off, as in the program: by default it aborts. */
 #define PH_TEST_MAIN(suite_fn)                        \
   int main(void) {                                    \
