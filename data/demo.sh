@@ -130,7 +130,7 @@ Try next: the length of every segment,
 two offsets, the second at the limit of the territorial sea,
 
     $program planar $points \\
-      --closed --offset=-5,-22.224 -o $out/limits.json
+      --closed --quiet --offset=-5,-22.224 -o $out/limits.json
 
 four published problems, one after another, as indented JSON,
 

@@ -29,12 +29,12 @@ export LC_ALL=C COLUMNS=80
       rest = substr(rest, length(text) + 1)
       sub(/ \([a-z]*:?.*/, "", rest)
       if (rest ~ /true or false/) { argument = ""; words = " true false" }
-      while (match(rest, /"[a-z-]*"/)) {
+      while (match(rest, /"[A-Za-z-]*"/)) {
         words = words " " substr(rest, RSTART + 1, RLENGTH - 2)
         rest = substr(rest, RSTART + RLENGTH)
       }
       fields[command] = fields[command] " " name "="
-    } else if (argument ~ /\|/) {
+    } else if (argument ~ /^[a-z|]+$/) {
       words = " " argument
       gsub(/\|/, " ", words)
     }

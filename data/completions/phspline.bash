@@ -17,24 +17,30 @@ _phspline() {
     case $option in
     --points | --points=) kind=nothing ;;
     --closed=) list='true false' ;;
-    --basis | --basis=) list='ph' ;;
+    --basis | --basis=) list='ph atph' ;;
     --knots | --knots=) list='chordal centripetal uniform' ;;
+    --alpha | --alpha=) list='chordal' ;;
     --end_derivatives | --end_derivatives=) kind=nothing ;;
+    --solutions | --solutions=) list='good all' ;;
+    --minimize | --minimize=) list='E MV IES IMV' ;;
+    --free | --free=) list='each scale' ;;
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv' ;;
     --table | --table=) list='control-points lengths offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= closed= basis= knots= end_derivatives=' ;;
-    --override | --override=) list='points= closed= basis= knots= end_derivatives=' ;;
-    -S | --sweep | --sweep=) list='points= closed= basis= knots= end_derivatives=' ;;
+    -s | --set | --set=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
+    --override | --override=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
+    -S | --sweep | --sweep=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
     -d | --offset | --offset=) kind=nothing ;;
+    --convert | --convert=) list='bezier' ;;
+    --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --basis= --knots= --end_derivatives= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

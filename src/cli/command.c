@@ -13,14 +13,18 @@ const struct ph_command ph_commands[] = {
      ph_bezier_planar,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline planar\t"
      "Four points, the curve as JSON\n"
-     "phspline planar --closed --offset=-10 coast.csv -o coast.json\t"
-     "A closed curve with its offset to the right, in a file\n"
+     "phspline planar --closed -q --offset=-10 coast.csv -o coast.json\t"
+     "A closed curve with its offset to the right, in a file; no warnings\n"
      "phspline planar --closed --columns=x,y,-,- -f csv track.csv\t"
      "Columns without names, two of them skipped; control points\n"
      "phspline planar -f csv --table=lengths problems.jsonl\t"
      "Many problems, the arc lengths of their segments\n"
      "phspline planar --sweep=knots=chordal,uniform --strict points.csv\t"
-     "Each knot spacing in turn, no warnings allowed\n"},
+     "Each knot spacing in turn, no warnings allowed\n"
+     "phspline planar --basis=atph --convert=bezier --tolerance=1e-6 points.csv"
+     "\tAn algebraic-trigonometric curve as polynomial Bezier segments\n"
+     "phspline planar --minimize=IES points.csv | jq .diagnostics\t"
+     "The fairest knots\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];

@@ -42,7 +42,7 @@
   X(OFFSET, 'd', "offset", "D[,D...]",                                        \
     "add offset curves at these distances, positive to the left of travel")   \
   X(CONVERT, 0, "convert", "bezier",                                          \
-    "write ATPH segments as polynomial quintic Bezier segments")              \
+    "write atph segments as polynomial quintic Bezier segments")              \
   X(TOLERANCE, 0, "tolerance", "E",                                           \
     "greatest distance of Bezier pieces from the exact curve (default: 1e-9 " \
     "of its size)")                                                           \

@@ -328,9 +328,9 @@ static const struct ph_field fields[] = {
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
     {PH_F_BASIS, PH_WORD, 0, false, "ph|atph", "ph",
-     "kind of the segments, polynomial or algebraic-trigonometric"},
+     "PH quintic segments, polynomial, or algebraic-trigonometric ones"},
     {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal|centripetal|uniform",
-     "chordal, atph: the sums of alpha",
+     "chordal, of atph the sums of alpha",
      "spacing of the knots, or the knots themselves, increasing"},
     {PH_F_ALPHA, PH_NUMBER | PH_NUMBERS | PH_WORD, 0, false,
      "chordal|chordal:V", "chordal, the largest pi/2",
@@ -342,14 +342,14 @@ static const struct ph_field fields[] = {
      "the good curve, or every curve that satisfies the equations, those that "
      "bend least first; at most 12 segments"},
     {PH_F_MINIMIZE, PH_WORD, 0, false, "E|MV|IES|IMV", "nothing",
-     "functional of the curvature to minimise, over alpha or the knots"},
+     "functional of the curvature to minimise, over alpha, or the knots of ph"},
     {PH_F_FREE, PH_WORD, 0, false, "each|scale", "each",
-     "what to vary, each alpha or knot, or one factor on all alpha"},
+     "what minimize varies, each alpha or knot, or one factor on all alpha"},
 };
 
 const struct ph_method ph_method_planar = {
     .schema = {"planar", fields, sizeof fields / sizeof fields[0]},
-    .title = "C2 PH quintic splines through points in the plane",
+    .title = "C2 PH splines through points in the plane",
     .dimension = 2,
     .solve = solve,
 };

@@ -54,10 +54,12 @@ offers() {
 if command -v bash >/dev/null; then
   offers 'planar' phspline p
   offers 'planar' phspline help ''
-  offers '--format= --fail-fast' phspline planar --f
+  offers '--free= --format= --fail-fast' phspline planar --f
   offers 'json csv' phspline planar --format =
   offers 'csv' phspline planar -f c
   offers 'uniform' phspline planar --knots = u
+  offers 'E MV IES IMV' phspline planar --minimize =
+  offers 'bezier' phspline planar --convert =
   offers 'true false' phspline planar --closed =
   offers 'data/README' phspline planar --closed data/R
   offers 'knots=' phspline planar --sweep k
