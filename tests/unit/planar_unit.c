@@ -32,9 +32,18 @@ struct unit_planar unit_planar_of(const double *v, size_t n, bool closed) {
   return u;
 }
 
+void unit_planar_word(struct unit_planar *u, size_t field, const char *word) {
+  u->problem.field[field] = (struct ph_value){.kind = PH_WORD, .word = word};
+}
+
 void unit_planar_rule(struct unit_planar *u, const char *rule) {
-  u->problem.field[PH_F_KNOTS] =
-      (struct ph_value){.kind = PH_WORD, .word = rule};
+  unit_planar_word(u, PH_F_KNOTS, rule);
+}
+
+void unit_planar_atph(struct unit_planar *u, const double *alpha, size_t n) {
+  unit_planar_word(u, PH_F_BASIS, "atph");
+  u->problem.field[PH_F_ALPHA] = (struct ph_value){
+      .kind = PH_NUMBERS, .v = copy_of(u, alpha, n), .n = n, .dimension = 1};
 }
 
 void unit_planar_knots(struct unit_planar *u, const double *v, size_t n) {

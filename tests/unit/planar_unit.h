@@ -32,6 +32,12 @@ void unit_planar_rule(struct unit_planar *u, const char *rule);
 void unit_planar_knots(struct unit_planar *u, const double *v, size_t n);
 void unit_planar_ends(struct unit_planar *u, const double v[4]);
 
+/* A field that is a word. */
+void unit_planar_word(struct unit_planar *u, size_t field, const char *word);
+
+/* Basis atph with these angles, one a segment. */
+void unit_planar_atph(struct unit_planar *u, const double *alpha, size_t n);
+
 /* unit_planar_solve: solves, then certifies; the memory of the solver that is
  * to be given back is checked.  May be called again. */
 enum ph_status unit_planar_solve(struct unit_planar *u);
