@@ -36,9 +36,10 @@ enum ph_kind {
   PH_ABSENT = 0,
   PH_BOOL = 1,
   PH_NUMBER = 2,
-  PH_WORD = 4,    /* one of the row's words */
-  PH_NUMBERS = 8, /* array of numbers */
-  PH_VECTORS = 16 /* array of arrays of 2 or 3 numbers, all of one size */
+  PH_WORD = 4,     /* one of the row's words */
+  PH_NUMBERS = 8,  /* array of numbers */
+  PH_VECTORS = 16, /* array of arrays of 2 or 3 numbers, all of one size */
+  PH_SEGMENTS = 32 /* of a row: its numbers belong to segments, not points */
 };
 
 struct ph_value {

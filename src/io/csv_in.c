@@ -413,6 +413,29 @@ static enum ph_status gap(struct reader *r, const struct ph_field *row,
   return PH_BAD_VALUE;
 }
 
+/* A number for each segment, in the row in which the segment ends: the first
+ * row has none, or that of the segment which closes the curve. */
+static enum ph_status finish_segments(struct reader *r,
+                                      const struct ph_field *row,
+                                      struct ph_value *value) {
+  struct series *series = &r->series[row->id];
+  bool closes = series->filled[0] == r->rows;
+  double first = series->v[0];
+  if (!closes &&
+      (series->filled[0] + 1 < r->rows || series->first_gap[0] > 0)) {
+    return ph_fail(r->diag, PH_BAD_VALUE, ph_field_name(row->id),
+                   "needs a number in column %s of every row but the first",
+                   series->names[0]);
+  }
+  memmove(series->v, series->v + 1, (r->rows - 1) * sizeof *series->v);
+  series->v[r->rows - 1] = first;
+  value->kind = PH_NUMBERS;
+  value->v = series->v;
+  value->n = closes ? r->rows : r->rows - 1;
+  value->dimension = 1;
+  return PH_OK;
+}
+
 /* The value of a field from its columns, without empty ones at their end. */
 static enum ph_status finish(struct reader *r, const struct ph_field *row,
                              struct ph_value *value) {
@@ -423,6 +446,9 @@ static enum ph_status finish(struct reader *r, const struct ph_field *row,
   }
   if (d == 0) {
     return PH_OK;
+  }
+  if (row->kinds & PH_SEGMENTS) {
+    return finish_segments(r, row, value);
   }
   if (series->dimension > 1 && !(row->dimensions >> d & 1)) {
     return gap(r, row, d < 2 ? 1 : d);

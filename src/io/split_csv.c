@@ -30,10 +30,11 @@ static const struct {
   size_t component;
   bool vector; /* the field holds vectors */
 } names[] = {
-    {"id", PH_CSV_ID, 0, false},   {"x", PH_F_POINTS, 0, true},
-    {"y", PH_F_POINTS, 1, true},   {"z", PH_F_POINTS, 2, true},
-    {"x_m", PH_F_POINTS, 0, true}, {"y_m", PH_F_POINTS, 1, true},
-    {"z_m", PH_F_POINTS, 2, true}, {"knot", PH_F_KNOTS, 0, false},
+    {"id", PH_CSV_ID, 0, false},     {"x", PH_F_POINTS, 0, true},
+    {"y", PH_F_POINTS, 1, true},     {"z", PH_F_POINTS, 2, true},
+    {"x_m", PH_F_POINTS, 0, true},   {"y_m", PH_F_POINTS, 1, true},
+    {"z_m", PH_F_POINTS, 2, true},   {"knot", PH_F_KNOTS, 0, false},
+    {"alpha", PH_F_ALPHA, 0, false},
 };
 
 enum { NAMES = sizeof names / sizeof *names };

@@ -61,6 +61,10 @@ static void warn_reversals(const struct ph_planar_data *d,
   }
 }
 
+static bool is_word(const struct ph_value *value, const char *word) {
+  return value->kind == PH_WORD && strcmp(value->word, word) == 0;
+}
+
 static bool is_chordal(const struct ph_value *value) {
   return value->kind == PH_ABSENT ||
          (value->kind == PH_WORD && strncmp(value->word, "chordal", 7) == 0);
@@ -172,9 +176,9 @@ static enum ph_status report_solution(const struct ph_planar_data *d,
 static enum ph_status solve_good(struct ph_planar_data *d, struct ph_arena *out,
                                  struct ph_arena *scratch,
                                  struct ph_result *result,
+                                 struct ph_planar_loops *loops,
                                  struct ph_diag *diag) {
   struct ph_planar_report report;
-  struct ph_planar_loops loops;
   ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
   enum ph_status status =
       b ? ph_planar_c2_solve(&d->c2, scratch, b, &report, diag)
@@ -185,12 +189,10 @@ static enum ph_status solve_good(struct ph_planar_data *d, struct ph_arena *out,
   if (status != PH_OK) {
     return status;
   }
-  ph_planar_curve_fill(d, b, &result->curve, &loops);
+  ph_planar_curve_fill(d, b, &result->curve, loops);
   if (turns_sharply(&d->c2)) {
-    status = compare_starts(d, scratch, result, &loops, &report, b, diag);
+    status = compare_starts(d, scratch, result, loops, &report, b, diag);
   }
-  warn_reversals(d, result);
-  warn_loops(&loops, result);
   return status == PH_OK
              ? report_solution(d, b, report.iterations, report.residual,
                                scratch, result, diag)
@@ -201,21 +203,19 @@ static enum ph_status solve_good(struct ph_planar_data *d, struct ph_arena *out,
 static enum ph_status
 solve_fairest(const struct ph_problem *problem, struct ph_planar_data *d,
               struct ph_arena *out, struct ph_arena *scratch,
-              struct ph_result *result, struct ph_diag *diag) {
+              struct ph_result *result, struct ph_planar_loops *loops,
+              struct ph_diag *diag) {
   static const char *const names[] = {"E", "MV", "IES", "IMV"};
   const char *name = problem->field[PH_F_MINIMIZE].word;
   const struct ph_value *free = &problem->field[PH_F_FREE];
   enum ph_planar_functional functional = PH_PLANAR_E;
-  struct ph_planar_loops loops;
   struct ph_planar_min report;
   ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
   enum ph_status status;
   while (functional < PH_PLANAR_IMV && strcmp(name, names[functional]) != 0) {
     functional++;
   }
-  status = b ? ph_planar_minimize(d, functional,
-                                  free->kind == PH_WORD &&
-                                      strcmp(free->word, "scale") == 0,
+  status = b ? ph_planar_minimize(d, functional, is_word(free, "scale"),
                                   scratch, b, &report, diag)
              : ph_fail_memory(diag);
   if (status == PH_OK) {
@@ -224,9 +224,7 @@ solve_fairest(const struct ph_problem *problem, struct ph_planar_data *d,
   if (status != PH_OK) {
     return status;
   }
-  ph_planar_curve_fill(d, b, &result->curve, &loops);
-  warn_reversals(d, result);
-  warn_loops(&loops, result);
+  ph_planar_curve_fill(d, b, &result->curve, loops);
   ph_diagnostics_set(&result->diagnostics, PH_D_FUNCTIONAL, report.minimum);
   if (isfinite(report.start)) {
     ph_diagnostics_set(&result->diagnostics, PH_D_FUNCTIONAL_START,
@@ -269,13 +267,36 @@ static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
   return PH_OK;
 }
 
-/* Adds every solution to the good one, and makes the best the curve. */
-static enum ph_status add_solutions(struct ph_planar_data *d,
-                                    struct ph_arena *out,
-                                    struct ph_arena *scratch,
-                                    struct ph_result *result,
-                                    struct ph_diag *diag) {
-  size_t unknowns = ph_planar_unknowns(&d->c2);
+/* Makes the best of all solutions the curve, and sorts them. */
+static enum ph_status
+choose_best(struct ph_planar_data *d, const struct ph_planar_all *all,
+            struct ph_arena *scratch, struct ph_result *result,
+            struct ph_planar_loops *loops, struct ph_diag *diag) {
+  const struct ph_diagnostics *known = &result->diagnostics;
+  size_t iterations = (size_t)known->value[PH_D_ITERATIONS], best = 0;
+  const ph_cplx *b;
+  for (size_t i = 1; i < all->n; i++) {
+    if (compare_solutions(&result->solutions[i], &result->solutions[best]) <
+        0) {
+      best = i;
+    }
+  }
+  b = all->b + best * ph_planar_unknowns(&d->c2);
+  d->c2.twist = ph_cplx_of(all->twist[best], 0);
+  ph_planar_curve_fill(d, b, &result->curve, loops);
+  qsort(result->solutions, all->n, sizeof *result->solutions,
+        compare_solutions);
+  result->solutions_n = all->n;
+  return report_solution(d, b, iterations,
+                         sqrt(ph_planar_residual(&d->c2, b).max2), scratch,
+                         result, diag);
+}
+
+/* Adds every solution to the good one. */
+static enum ph_status
+add_solutions(struct ph_planar_data *d, struct ph_arena *out,
+              struct ph_arena *scratch, struct ph_result *result,
+              struct ph_planar_loops *loops, struct ph_diag *diag) {
   struct ph_planar_all all;
   enum ph_status status = ph_planar_all(&d->c2, out, scratch, &all, diag);
   if (status != PH_OK) {
@@ -287,36 +308,35 @@ static enum ph_status add_solutions(struct ph_planar_data *d,
   }
   for (size_t i = 0; status == PH_OK && i < all.n; i++) {
     d->c2.twist = ph_cplx_of(all.twist[i], 0);
-    status = fill_solution(d, all.b + i * unknowns, result->curve.length, out,
-                           &result->solutions[i], diag);
+    status =
+        fill_solution(d, all.b + i * ph_planar_unknowns(&d->c2),
+                      result->curve.length, out, &result->solutions[i], diag);
   }
-  if (status == PH_OK) {
-    result->solutions_n = all.n;
-    qsort(result->solutions, all.n, sizeof *result->solutions,
-          compare_solutions);
-    result->curve = result->solutions[0].curve;
-  }
-  return status;
+  return status == PH_OK ? choose_best(d, &all, scratch, result, loops, diag)
+                         : status;
 }
 
 static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,
                             struct ph_result *result, struct ph_diag *diag) {
-  const struct ph_value *solutions = &problem->field[PH_F_SOLUTIONS];
   struct ph_mark mark = ph_arena_mark(scratch);
+  struct ph_planar_loops loops;
   struct ph_planar_data d;
   enum ph_status status = ph_planar_data_of(problem, scratch, &d, diag);
   if (status == PH_OK && problem->field[PH_F_MINIMIZE].kind == PH_WORD) {
-    status = solve_fairest(problem, &d, out, scratch, result, diag);
+    status = solve_fairest(problem, &d, out, scratch, result, &loops, diag);
   } else if (status == PH_OK) {
-    status = solve_good(&d, out, scratch, result, diag);
+    status = solve_good(&d, out, scratch, result, &loops, diag);
   }
   if (status == PH_NO_CONVERGENCE) {
     status = advise(problem, diag);
   }
-  if (status == PH_OK && solutions->kind == PH_WORD &&
-      strcmp(solutions->word, "all") == 0) {
-    status = add_solutions(&d, out, scratch, result, diag);
+  if (status == PH_OK && is_word(&problem->field[PH_F_SOLUTIONS], "all")) {
+    status = add_solutions(&d, out, scratch, result, &loops, diag);
+  }
+  if (status == PH_OK) {
+    warn_reversals(&d, result);
+    warn_loops(&loops, result);
   }
   ph_arena_release(scratch, mark);
   return status;
@@ -332,7 +352,7 @@ static const struct ph_field fields[] = {
     {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal|centripetal|uniform",
      "chordal, of atph the sums of alpha",
      "spacing of the knots, or the knots themselves, increasing"},
-    {PH_F_ALPHA, PH_NUMBER | PH_NUMBERS | PH_WORD, 0, false,
+    {PH_F_ALPHA, PH_NUMBER | PH_NUMBERS | PH_WORD | PH_SEGMENTS, 0, false,
      "chordal|chordal:V", "chordal, the largest pi/2",
      "angles of atph segments below pi, one for all or one each"},
     {PH_F_END_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL,

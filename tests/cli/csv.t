@@ -140,6 +140,30 @@ csv 'a column of knots that is empty for one problem' \
   '0 "a" "b" [3,4] [5,6]' 'id,x,y,knot\na,0,0,\na,3,4,\nb,0,0,0\nb,5,6,7\n'
 equal 'knots are those of their problem' '[0,5] [0,7]' \
   "$(get 'segments[0].interval')"
+# A segment's number stands in the row in which it ends.
+run planar --basis=atph - <<'END'
+x,y,alpha
+0,0,
+3,4,0.5
+5,6,0.7
+END
+equal 'angles of an open curve' '[0.5] [0.7]' "[$(get 'segments[0].alpha')] [$(get 'segments[1].alpha')]"
+run planar --basis=atph --closed - <<'END'
+x,y,alpha
+0,0,0.9
+3,4,0.5
+5,0,0.7
+END
+equal 'angles of a closed curve' '0.5 0.9' \
+  "$(get 'segments[0].alpha') $(get 'segments[2].alpha')"
+run planar --basis=atph - <<'END'
+x,y,alpha
+0,0,
+3,4,
+5,6,0.7
+END
+equal 'a gap in the angles' '1 "bad-value"' "$status $(get error.code)"
+
 csv 'options fill in what has no column' "$one" "$two" --knots='[0,2]'
 equal 'options fill in: knots' '[0,2]' "$(get 'segments[0].interval')"
 csv 'a closed curve, its first point repeated' '0 absent [3,4]' \
