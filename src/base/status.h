@@ -41,6 +41,7 @@ enum ph_class {
     "warning: the data turn back by exactly 180 degrees")                      \
   X(LOOP, "loop", RECORD, "warning: a segment turns by more than 180 degrees") \
   X(OFFSET_CUSP, "offset-cusp", RECORD, "warning: an offset has cusps")        \
+  X(LARGE_ALPHA, "large-alpha", RECORD, "warning: an alpha above 2 pi/3")      \
   X(AMBIGUOUS, "ambiguous", RECORD, "warning: another good curve exists")      \
   X(USAGE, "usage", USAGE, "the command line is wrong")                        \
   X(INPUT, "input", INPUT, "the input cannot be read")                         \

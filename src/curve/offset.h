@@ -31,11 +31,13 @@
  * that a renderer meets no pole and the convex hull property holds.
  *
  * in   curve      PH_CURVE_PH or PH_CURVE_ATPH
- * in   tolerance  of the Bezier pieces of ATPH offsets, in the unit of the
- * curve out  offset    arrays from the arena ret  PH_OK | PH_INFEASIBLE (the
- * curve stands still somewhere: no normal there; names the segment) |
- * PH_TOO_LARGE | PH_NO_CONVERGENCE (no Bezier piece is near enough) |
- * PH_NO_MEMORY
+ * in   tolerance  of the Bezier pieces of ATPH offsets, in the curve's unit
+ *
+ * out  offset     arrays from the arena
+ *
+ * ret  PH_OK | PH_INFEASIBLE (the curve stands still somewhere: no normal
+ *      there; names the segment) | PH_TOO_LARGE | PH_NO_CONVERGENCE (no Bezier
+ *      piece is near enough) | PH_NO_MEMORY
  */
 enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
                                 double tolerance, struct ph_arena *arena,

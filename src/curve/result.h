@@ -105,6 +105,7 @@ struct ph_offset {
   X(LENGTH_ERROR, "length_error")                 \
   X(FUNCTIONAL, "functional")                     \
   X(FUNCTIONAL_START, "functional_start")         \
+  X(AT_BOUND, "at_bound")                         \
   X(LOOPS, "loops")                               \
   X(SIMPLE, "simple")                             \
   X(ENERGY, "energy")                             \
@@ -187,7 +188,7 @@ const char *ph_curve_name(enum ph_curve_kind kind);
 
 /* ph_diagnostic_is_flag: whether a diagnostic is true or false, 1 or 0. */
 static inline bool ph_diagnostic_is_flag(enum ph_diagnostic which) {
-  return which == PH_D_SIMPLE;
+  return which == PH_D_SIMPLE || which == PH_D_AT_BOUND;
 }
 
 /* ph_diagnostic_name: the name of a diagnostic, as in records. */
