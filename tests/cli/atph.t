@@ -186,7 +186,7 @@ json get segments out | sed 's/},{/}\n{/g' |
   sed 's/"length":[^}]*//; s/"[a-z_]*"//g; s/[^-+0-9.e]/ /g' >pieces
 # What has to hold at the ends and at joints, with derivatives by the knots.
 cat >joints.awk <<'EOF'
-function near(a, b, tol) { d = a - b; if (d * d > tol * tol) bad = NR }
+function near(a, b, tol) { if ((a - b) ^ 2 > tol ^ 2) bad = NR }
 {
   h = $2 - $1
   for (c = 0; c < 2; c++) {
