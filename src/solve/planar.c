@@ -28,6 +28,9 @@ static const double REVERSAL = 1e-12;
 /* Two curves whose lengths agree to this are the same curve. */
 static const double SAME_LENGTH = 1e-9;
 
+/* E L below this is that of a straight line. */
+static const double STRAIGHT = 1e-12;
+
 /* On more segments the theorem would take as long as the solution. */
 enum { KANTOROVICH_MAX = 100 };
 
@@ -252,11 +255,17 @@ solve_fairest(const struct ph_problem *problem, struct ph_planar_data *d,
                          result, diag);
 }
 
-/* Those that bend least first; where they bend alike, the shorter. */
+/* E, or 0 where it is rounding. */
+static double energy_of(const struct ph_solution *solution) {
+  double energy = solution->diagnostics.value[PH_D_ENERGY];
+  return energy * solution->curve.length > STRAIGHT ? energy : 0;
+}
+
+/* Those that bend least first; where they bend alike, the shorter: of straight
+ * lines, the one that does not run back and forth. */
 static int compare_solutions(const void *a, const void *b) {
   const struct ph_solution *x = a, *y = b;
-  double ex = x->diagnostics.value[PH_D_ENERGY];
-  double ey = y->diagnostics.value[PH_D_ENERGY];
+  double ex = energy_of(x), ey = energy_of(y);
   return ex < ey   ? -1
          : ex > ey ? 1
                    : (x->curve.length > y->curve.length) -
