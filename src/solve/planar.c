@@ -60,6 +60,14 @@ static void warn_loops(const struct ph_planar_loops *loops,
   }
 }
 
+static int order(double a, double b) {
+  return (a > b) - (a < b);
+}
+
+static bool is_same_length(double a, double b) {
+  return fabs(a - b) <= SAME_LENGTH * b;
+}
+
 static void warn_reversals(const struct ph_planar_data *d,
                            struct ph_result *result) {
   size_t found = 0, first = 0;
@@ -155,8 +163,7 @@ static enum ph_status compare_starts(struct ph_planar_data *d,
     return status;
   }
   ph_planar_curve_fill(d, b, &curve, &second_loops);
-  if (fabs(curve.length - result->curve.length) <=
-      SAME_LENGTH * result->curve.length) {
+  if (is_same_length(curve.length, result->curve.length)) {
     d->c2.twist.re = twist;
     return PH_OK;
   }
@@ -261,15 +268,19 @@ static double energy_of(const struct ph_solution *solution) {
   return energy * solution->curve.length > STRAIGHT ? energy : 0;
 }
 
-/* Those that bend least first; where they bend alike, the shorter: of straight
- * lines, the one that does not run back and forth. */
+/* Those that bend least first; where they bend alike, the shorter, then the
+ * one that turns less: of straight lines, the one that goes straight. */
 static int compare_solutions(const void *a, const void *b) {
   const struct ph_solution *x = a, *y = b;
-  double ex = energy_of(x), ey = energy_of(y);
-  return ex < ey   ? -1
-         : ex > ey ? 1
-                   : (x->curve.length > y->curve.length) -
-                         (x->curve.length < y->curve.length);
+  int energy = order(energy_of(x), energy_of(y));
+  if (energy) {
+    return energy;
+  }
+  if (!is_same_length(x->curve.length, y->curve.length)) {
+    return order(x->curve.length, y->curve.length);
+  }
+  return order(x->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX],
+               y->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX]);
 }
 
 static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
@@ -288,8 +299,9 @@ static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
   }
   solution->diagnostics = (struct ph_diagnostics){.known = 0};
   ph_diagnostics_set(&solution->diagnostics, PH_D_ENERGY, energy.bending);
-  solution->good =
-      fabs(solution->curve.length - good_length) <= SAME_LENGTH * good_length;
+  ph_diagnostics_set(&solution->diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
+                     energy.absolute_rotation);
+  solution->good = is_same_length(solution->curve.length, good_length);
   return PH_OK;
 }
 
@@ -313,6 +325,9 @@ choose_best(struct ph_planar_data *d, const struct ph_planar_all *all,
   qsort(result->solutions, all->n, sizeof *result->solutions,
         compare_solutions);
   result->solutions_n = all->n;
+  for (size_t i = 0, good = 0; i < all->n; i++) { /* one of equal length */
+    result->solutions[i].good = result->solutions[i].good && good++ == 0;
+  }
   return report_solution(d, b, iterations,
                          sqrt(ph_planar_residual(&d->c2, b).max2), scratch,
                          result, diag);
