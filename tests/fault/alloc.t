@@ -146,6 +146,11 @@ exhaust 'a sweep, two threads' lines planar -j 2 \
 exhaust 'fields as options' lines planar -j 1 --set knots=uniform \
   --override='knots=[0,1,2]' '--end_derivatives=[[1,1],[1,1]]' some.jsonl
 exhaust 'columns' lines planar -j 1 --columns=id,x,y,- some.csv
+printf '%s' '{"points":[[0,0],[1,0],[0,1],[1,2]],"basis":"atph"}' >atph.json
+exhaust 'angles' lines planar -j 1 -d 0.1 atph.json
+exhaust 'a conversion' lines planar -j 1 --convert=bezier atph.json
+exhaust 'all solutions' lines planar -j 1 --solutions=all atph.json
+exhaust 'the fairest' lines planar -j 1 --minimize=IES atph.json
 exhaust '-v' lines planar -j 1 -v --strict some.jsonl
 exhaust '--pretty' text planar -j 1 --pretty -q array.json
 exhaust 'help' text planar --help
