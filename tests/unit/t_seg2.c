@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Points, curvature, parts and rotation of planar segments. */
+#include "unit.h"
+#include "seg2_unit.h"
+
+#include "curve/seg2.h"
+
+enum { SEGMENTS = 200, PANELS = 16 };
+
+static struct ph_quad rule, fine;
+
+static void begin(void) {
+  ck_assert(ph_quad_gauss(&rule, 12));
+  ck_assert(ph_quad_gauss(&fine, 20));
+}
+
+static void ck_cplx(ph_cplx a, ph_cplx b, double tol) {
+  ck_abs(a.re, b.re, tol);
+  ck_abs(a.im, b.im, tol);
+}
+
+/* The integral of w^2 over [0,u], in panels. */
+static ph_cplx integral(const struct ph_seg2 *seg, double u) {
+  ph_cplx sum = ph_cplx_of(0, 0);
+  for (size_t i = 0; i < PANELS; i++) {
+    for (size_t j = 0; j < fine.n; j++) {
+      ph_cplx w = unit_seg2_w(seg, u * ((double)i + fine.node[j]) / PANELS);
+      sum = ph_cplx_add(
+          sum, ph_cplx_scale(u * fine.weight[j] / PANELS, ph_cplx_mul(w, w)));
+    }
+  }
+  return sum;
+}
+
+START_TEST(test_point) {
+  struct unit_random r = unit_random_of(500);
+  for (size_t n = 0; n < SEGMENTS; n++) {
+    struct ph_seg2 seg = unit_seg2_random(&r);
+    double u = unit_random_in(&r, 0, 1);
+    ck_cplx(ph_seg2_point(&seg, &rule, u), integral(&seg, u), 2e-13);
+    ck_cplx(ph_seg2_point(&seg, &rule, 0), seg.start, 0);
+    ck_cplx(ph_seg2_point(&seg, &rule, 1), seg.end, 0);
+  }
+}
+END_TEST
+
+/* Speed and tangent from w itself, curvature and its slope from differences of
+ * the tangent's direction and of the curvature. */
+START_TEST(test_bend) {
+  struct unit_random r = unit_random_of(501);
+  const double step = 1e-4;
+  for (size_t n = 0; n < SEGMENTS; n++) {
+    struct ph_seg2 seg = unit_seg2_random(&r);
+    double u = unit_random_in(&r, 0.1, 0.9);
+    struct ph_bend bend = ph_seg2_bend(&seg, u);
+    struct ph_bend left = ph_seg2_bend(&seg, u - step);
+    struct ph_bend right = ph_seg2_bend(&seg, u + step);
+    ph_cplx w = unit_seg2_w(&seg, u);
+    double turn = atan2(ph_cplx_cross(left.tangent, right.tangent),
+                        ph_cplx_dot(left.tangent, right.tangent));
+    if (bend.speed < 0.05) {
+      continue; /* differences would be rough there */
+    }
+    ck_rel(bend.speed, ph_cplx_norm2(w), 1e-12);
+    ck_cplx(ph_cplx_scale(bend.speed, bend.tangent), ph_cplx_mul(w, w), 1e-12);
+    ck_abs(ph_cplx_norm2(bend.tangent), 1, 1e-14);
+    ck_abs(turn / (2 * step * bend.speed), bend.curvature,
+           1e-4 * (1 + sqrt(bend.terms[0])));
+    ck_abs((right.curvature - left.curvature) / (2 * step), bend.slope,
+           1e-3 * (1 + sqrt(bend.terms[1])));
+    ck_assert_double_le(pow(bend.curvature, 2), bend.terms[0] * (1 + 1e-14));
+    ck_assert_double_le(pow(bend.slope, 2), bend.terms[1] * (1 + 1e-14));
+  }
+}
+END_TEST
+
+/* A part is the same curve: points, curvature, and speed times its share. */
+START_TEST(test_part) {
+  struct unit_random r = unit_random_of(502);
+  for (size_t n = 0; n < SEGMENTS; n++) {
+    struct ph_seg2 seg = unit_seg2_random(&r);
+    double u0 = unit_random_in(&r, 0, 0.5), u1 = unit_random_in(&r, 0.6, 1);
+    struct ph_seg2 part = ph_seg2_part(&seg, &rule, u0, u1);
+    ck_rel(part.space.angle, seg.space.angle * (u1 - u0), 1e-14);
+    for (size_t i = 0; i <= 8; i++) {
+      double x = (double)i / 8, u = u0 + x * (u1 - u0);
+      struct ph_bend a = ph_seg2_bend(&part, x), b = ph_seg2_bend(&seg, u);
+      ck_cplx(ph_seg2_point(&part, &rule, x), ph_seg2_point(&seg, &rule, u),
+              1e-13);
+      ck_abs(a.speed, b.speed * (u1 - u0), 1e-12);
+      ck_abs(a.curvature, b.curvature, 1e-11 * (1 + sqrt(b.terms[0])));
+    }
+  }
+}
+END_TEST
+
+/* The turn of w^2 between neighbours of many points: exact for the whole but
+ * for rounding, and for the absolute turn but for the pieces that hold an
+ * inflection. */
+static double turn(const struct ph_seg2 *seg, double *absolute) {
+  enum { STEPS = 20000 };
+  double sum = 0;
+  ph_cplx w = unit_seg2_w(seg, 0);
+  *absolute = 0;
+  for (size_t i = 1; i <= STEPS; i++) {
+    ph_cplx next = unit_seg2_w(seg, (double)i / STEPS);
+    double step = 2 * atan2(ph_cplx_cross(w, next), ph_cplx_dot(w, next));
+    sum += step;
+    *absolute += fabs(step);
+    w = next;
+  }
+  return sum;
+}
+
+START_TEST(test_rotation) {
+  struct unit_random r = unit_random_of(503);
+  size_t loops = 0, inflected = 0;
+  for (size_t n = 0; n < SEGMENTS; n++) {
+    struct ph_seg2 seg = unit_seg2_random(&r);
+    double absolute, wanted_absolute, wanted = turn(&seg, &wanted_absolute);
+    double rotation = ph_seg2_rotation(&seg, &absolute);
+    ck_abs(rotation, wanted, 1e-9);
+    ck_abs(absolute, wanted_absolute, 1e-4);
+    ck_assert_double_ge(absolute, fabs(rotation) - 1e-12);
+    ck_rel(ph_seg2_rotation(&seg, NULL), rotation, 0);
+    loops += fabs(rotation) > 3.2;
+    inflected += absolute > fabs(rotation) + 1e-3;
+  }
+  ck_assert_uint_ge(loops, 10);
+  ck_assert_uint_ge(inflected, 10);
+}
+END_TEST
+
+/* A curve writes its preimage by t, the segment has it by u. */
+START_TEST(test_of_curve) {
+  struct unit_random r = unit_random_of(504);
+  for (size_t n = 0; n < SEGMENTS; n++) {
+    struct ph_seg2 seg = unit_seg2_random(&r), again;
+    struct unit_segments s;
+    unit_seg2_curve(&seg, 1, &s);
+    again = ph_seg2_of(&s.curve, 0);
+    ck_rel(again.space.angle, seg.space.angle, 0);
+    for (size_t i = 0; i < 3; i++) {
+      ck_cplx(again.w[i], seg.w[i], 1e-14);
+    }
+    ck_cplx(again.start, seg.start, 0);
+    ck_cplx(again.end, seg.end, 0);
+  }
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("seg2");
+  TCase *t = tcase_create("seg2");
+  tcase_add_checked_fixture(t, begin, NULL);
+  tcase_add_test(t, test_point);
+  tcase_add_test(t, test_bend);
+  tcase_add_test(t, test_part);
+  tcase_add_test(t, test_rotation);
+  tcase_add_test(t, test_of_curve);
+  suite_add_tcase(s, t);
+  return s;
+}
+
+PH_TEST_MAIN(suite)
