@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Bezier pieces of ATPH curves and of offsets: near, joined, in order. */
+#include "unit.h"
+#include "planar_unit.h"
+#include "random_unit.h"
+
+#include "curve/hermite.h"
+#include "curve/seg2.h"
+
+/* Turns both ways, by up to a right angle; kappa stays below 4. */
+static const double SOME[] = {0, 0, 2, 1, 3, 0, 5, 2};
+
+static struct unit_planar u;
+static struct ph_quad rule;
+static struct ph_pieces pieces;
+
+static void finish(void) {
+  unit_planar_free(&u);
+}
+
+static void begin(void) {
+  static const double alpha[] = {1, 0.7, 2, 1.2};
+  ck_assert(ph_quad_gauss(&rule, 12));
+  u = unit_planar_of(SOME, 4, true);
+  unit_planar_atph(&u, alpha, 4);
+  ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+}
+
+static enum ph_status convert(double distance, double tolerance) {
+  return ph_hermite_pieces(&u.result.curve, distance, tolerance, &u.arena,
+                           &pieces, &u.diag);
+}
+
+static ph_cplx exact(const struct ph_seg2 *seg, double at, double distance) {
+  ph_cplx tangent = ph_seg2_bend(seg, at).tangent;
+  ph_cplx normal = ph_cplx_of(-tangent.im, tangent.re);
+  return ph_cplx_add(ph_seg2_point(seg, &rule, at),
+                     ph_cplx_scale(distance, normal));
+}
+
+/* The greatest distance of pieces and curve, at 33 points of each piece. */
+static double apart(double distance) {
+  double worst = 0;
+  for (size_t i = 0; i < pieces.n; i++) {
+    struct ph_seg2 seg = ph_seg2_of(&u.result.curve, pieces.segment[i]);
+    const double *part = pieces.interval + 2 * i;
+    for (size_t j = 0; j <= 32; j++) {
+      double t = (double)j / 32, at = part[0] + t * (part[1] - part[0]);
+      ph_cplx p = unit_bezier(pieces.control_points + 12 * i, 5, 0, t);
+      worst = unit_larger(
+          worst, ph_cplx_abs(ph_cplx_sub(p, exact(&seg, at, distance))));
+    }
+  }
+  return worst;
+}
+
+START_TEST(test_near) {
+  static const double distances[] = {0, 0.2, -0.2};
+  const double distance = distances[_i];
+  size_t before = 0;
+  for (double tolerance = 1e-2; tolerance > 1e-11; tolerance /= 100) {
+    ck_assert_int_eq(convert(distance, tolerance), PH_OK);
+    ck_assert_uint_eq(pieces.degree, 5);
+    ck_assert_uint_eq(pieces.dimension, 2);
+    ck_assert_double_le(pieces.error, tolerance);
+    ck_assert_double_le(apart(distance), 1.1 * pieces.error + 1e-14);
+    ck_assert_double_ge(apart(distance), 0.9 * pieces.error);
+    ck_assert_uint_ge(pieces.n, before);
+    before = pieces.n;
+  }
+  ck_assert_uint_ge(before, 20);
+}
+END_TEST
+
+/* Every segment from 0 to 1 without gaps. */
+START_TEST(test_order) {
+  ck_assert_int_eq(convert(0.1, 1e-8), PH_OK);
+  for (size_t i = 0; i < pieces.n; i++) {
+    const double *part = pieces.interval + 2 * i;
+    const bool first = !i || pieces.segment[i] != pieces.segment[i - 1];
+    ck_assert(part[0] < part[1]);
+    ck_rel(part[0], first ? 0 : part[-1], 0);
+    if (first) {
+      ck_assert_uint_eq(pieces.segment[i], i ? pieces.segment[i - 1] + 1 : 0);
+      ck_rel(i ? part[-1] : 1, 1, 0);
+    }
+  }
+  ck_assert_uint_eq(pieces.segment[pieces.n - 1], 3);
+  ck_rel(pieces.interval[2 * pieces.n - 1], 1, 0);
+}
+END_TEST
+
+/* Where two pieces meet, and where the curve closes: the same point, and the
+ * same derivatives by the knots.  Pieces of an offset take their second
+ * derivative from the third of the curve, which jumps at knots: C1 there. */
+START_TEST(test_joints) {
+  const double *alpha = u.result.curve.alpha;
+  const bool offset = _i;
+  ck_assert_int_eq(convert(offset ? 0.2 : 0, 1e-6), PH_OK);
+  for (size_t i = 0; i < pieces.n; i++) {
+    const size_t next = (i + 1) % pieces.n;
+    const size_t k[2] = {pieces.segment[i], pieces.segment[next]};
+    const double *a = pieces.interval + 2 * i, *b = pieces.interval + 2 * next;
+    const double h[2] = {alpha[k[0]] * (a[1] - a[0]),
+                         alpha[k[1]] * (b[1] - b[0])};
+    const size_t orders = offset && k[0] != k[1] ? 2 : 3;
+    for (size_t order = 0; order < orders; order++) {
+      ph_cplx left = unit_bezier(pieces.control_points + 12 * i, 5, order, 1);
+      ph_cplx right =
+          unit_bezier(pieces.control_points + 12 * next, 5, order, 0);
+      left = ph_cplx_scale(pow(h[0], -(double)order), left);
+      right = ph_cplx_scale(pow(h[1], -(double)order), right);
+      ck_assert_double_le(ph_cplx_abs(ph_cplx_sub(left, right)),
+                          order == 0   ? 1e-15
+                          : order == 1 ? 1e-12
+                                       : 1e-9);
+    }
+  }
+}
+END_TEST
+
+/* What no halving can reach is refused, and the segment is named. */
+START_TEST(test_refused) {
+  ck_assert_int_eq(convert(0, 1e-30), PH_NO_CONVERGENCE);
+  ck_assert_str_eq(u.diag.field, "segments[0]");
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("hermite");
+  TCase *t = tcase_create("hermite");
+  tcase_add_checked_fixture(t, begin, finish);
+  tcase_add_loop_test(t, test_near, 0, 3);
+  tcase_add_test(t, test_order);
+  tcase_add_loop_test(t, test_joints, 0, 2);
+  tcase_add_test(t, test_refused);
+  suite_add_tcase(s, t);
+  return s;
+}
+
+PH_TEST_MAIN(suite)
