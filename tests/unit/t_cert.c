@@ -355,6 +355,65 @@ START_TEST(test_worst) {
 }
 END_TEST
 
+static void solve_atph(bool closed) {
+  static const double alpha[] = {0.3, 1, 2.5, 1.2};
+  enum ph_status status;
+  u = unit_planar_of(SOME, 4, closed);
+  unit_planar_atph(&u, alpha, closed ? 4 : 3);
+  status = unit_planar_solve(&u);
+  ck_assert_msg(status == PH_OK, "%s %s", u.diag.field, u.diag.message);
+}
+
+/* The same for ATPH curves. */
+START_TEST(test_atph) {
+  solve_atph(_i);
+  ck_assert_int_eq(certify(), PH_OK);
+  ck_abs(value_of(PH_D_INTERPOLATION_ERROR), 0, 0);
+  ck_assert_double_le(value_of(PH_D_PYTHAGOREAN_ERROR), 1e-12);
+  ck_assert_double_le(value_of(PH_D_CONTINUITY_ERROR), 1e-13);
+  ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 2e-14);
+  for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
+    double *w = &u.result.curve.preimage[i], keep = *w;
+    *w += MOVED;
+    ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 6);
+    *w = keep;
+  }
+  for (size_t i = 0; i < 12 * u.result.curve.n; i++) {
+    double *x = &u.result.curve.control_points[i], keep = *x;
+    bool end = i % 12 < 2 || i % 12 >= 10;
+    *x += MOVED * SIZE;
+    ck_refused(end ? PH_D_INTERPOLATION_ERROR : PH_D_PYTHAGOREAN_ERROR, i / 12);
+    *x = keep;
+  }
+  for (size_t k = 0; k < u.result.curve.n; k++) {
+    double *length = &u.result.curve.lengths[k], keep = *length;
+    *length *= 1 + MOVED;
+    ck_refused(PH_D_LENGTH_ERROR, k);
+    *length = keep;
+  }
+  ck_assert_int_eq(certify(), PH_OK);
+}
+END_TEST
+
+/* Another angle: the hodograph is that of another space.  Also angles that no
+ * segment can have. */
+START_TEST(test_alpha) {
+  static const double none[] = {0, -1, 3.1415926535897931, 4, NAN, HUGE_VAL};
+  solve_atph(_i);
+  for (size_t k = 0; k < u.result.curve.n; k++) {
+    double *alpha = &u.result.curve.alpha[k], keep = *alpha;
+    *alpha = keep * (1 + 10 * MOVED);
+    ck_refused(PH_D_PYTHAGOREAN_ERROR, k);
+    for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
+      *alpha = none[i];
+      ck_assert_int_ne(certify(), PH_OK);
+    }
+    *alpha = keep;
+  }
+  ck_assert_int_eq(certify(), PH_OK);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("cert");
   TCase *tc = tcase_create("cert");
@@ -377,6 +436,8 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_scales);
   tcase_add_test(tc, test_far_away);
   tcase_add_test(tc, test_worst);
+  tcase_add_loop_test(tc, test_atph, 0, 2);
+  tcase_add_loop_test(tc, test_alpha, 0, 2);
   suite_add_tcase(s, tc);
   return s;
 }
