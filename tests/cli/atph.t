@@ -78,6 +78,12 @@ equal 'knots are the sums of the angles' '[0,0.5] [0.5,1.5] [1.5,1.75]' \
 feed "{$atph,\"alpha\":[1,1,1,1],\"closed\":true}" planar
 expect 'a closed curve has one more' 0
 
+feed "{$atph,\"alpha\":[1,2.5,1]}" planar
+equal 'alpha above 2 pi/3 is warned of' "0 1 [2.5]" \
+  "$status $(get 'warnings[0].segment') [$(get 'segments[1].alpha')]"
+feed "{$atph,\"alpha\":2.09}" planar --strict
+expect 'alpha below 2 pi/3' 0
+
 between='must be between 0 and pi, found'
 kinds='must be "chordal", "chordal:V", a number or an array of numbers, found'
 refused 'alpha 0' "$atph,\"alpha\":0" "alpha: $between 0 [bad-value]"
