@@ -108,16 +108,27 @@ static enum ph_status derive_offsets(struct task *t, double tolerance) {
   return status;
 }
 
-/* Replaces the curve by Bezier curves. */
-static enum ph_status convert(struct task *t, double tolerance) {
+/* Replaces a curve by Bezier curves. */
+static enum ph_status convert(struct task *t, double tolerance,
+                              struct ph_curve *curve,
+                              struct ph_diagnostics *diagnostics) {
   struct ph_curve bezier;
   double error;
   enum ph_status status = t->options->command->convert(
-      &t->result.curve, tolerance, &t->worker->arena, &bezier, &error,
-      &t->diag);
+      curve, tolerance, &t->worker->arena, &bezier, &error, &t->diag);
   if (status == PH_OK) {
-    t->result.curve = bezier;
-    ph_diagnostics_set(&t->result.diagnostics, PH_D_CONVERSION_ERROR, error);
+    *curve = bezier;
+    ph_diagnostics_set(diagnostics, PH_D_CONVERSION_ERROR, error);
+  }
+  return status;
+}
+
+static enum ph_status convert_all(struct task *t, double tolerance) {
+  struct ph_result *r = &t->result;
+  enum ph_status status = convert(t, tolerance, &r->curve, &r->diagnostics);
+  for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
+    status = convert(t, tolerance, &r->solutions[i].curve,
+                     &r->solutions[i].diagnostics);
   }
   return status;
 }
@@ -130,7 +141,7 @@ static enum ph_status derive(struct task *t) {
                          : TOLERANCE * ph_curve_size(&t->result.curve);
   enum ph_status status = derive_offsets(t, tolerance);
   if (status == PH_OK && o->convert) {
-    status = convert(t, tolerance);
+    status = convert_all(t, tolerance);
   }
   return status;
 }

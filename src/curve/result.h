@@ -103,6 +103,7 @@ struct ph_offset {
   X(PYTHAGOREAN_ERROR, "pythagorean_error")       \
   X(CONTINUITY_ERROR, "continuity_error")         \
   X(LENGTH_ERROR, "length_error")                 \
+  X(CONVERSION_ERROR, "conversion_error")         \
   X(FUNCTIONAL, "functional")                     \
   X(FUNCTIONAL_START, "functional_start")         \
   X(AT_BOUND, "at_bound")                         \
@@ -111,7 +112,6 @@ struct ph_offset {
   X(ENERGY, "energy")                             \
   X(MV, "MV")                                     \
   X(IES, "IES")                                   \
-  X(CONVERSION_ERROR, "conversion_error")         \
   X(IMV, "IMV")                                   \
   X(ROTATION_INDEX, "rotation_index")             \
   X(ABSOLUTE_ROTATION_INDEX, "absolute_rotation_index")
