@@ -223,7 +223,7 @@ enum ph_status ph_box_minimize(const struct ph_box *box,
   struct ph_mark mark = ph_arena_mark(scratch);
   struct search s = {.box = box, .report = report, .x = x, .stretch = 1};
   enum ph_status status = allocate(&s, scratch, box->n);
-  *report = (struct ph_box_report){NAN, 1, 0, false};
+  *report = (struct ph_box_report){(double)NAN, 1, 0, false};
   if (status == PH_OK) {
     status = box->value(box->context, x, &report->value);
   }

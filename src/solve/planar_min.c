@@ -161,7 +161,7 @@ static enum ph_status solve_trial(struct work *w) {
   struct ph_planar_report report;
   bool solved = false;
   enum ph_status status = w->warm ? solve_near(w, &solved) : PH_OK;
-  t->value = NAN;
+  t->value = (double)NAN;
   w->evaluations++;
   if (status == PH_OK && !solved) {
     struct ph_mark mark = ph_arena_mark(w->scratch);
@@ -196,7 +196,7 @@ static enum ph_status value(void *context, const double *x, double *result) {
   for (size_t k = 0; k < w->data->n; k++) {
     t->spacing[k] = w->scale ? w->shape[k] * exp(x[0]) : exp(x[k]);
   }
-  *result = NAN;
+  *result = (double)NAN;
   if (ph_planar_data_space(w->data, t->spacing, w->diag) != PH_OK) {
     return PH_OK;
   }
@@ -240,7 +240,7 @@ static bool candidate_alloc(struct candidate *c, const struct work *w) {
   c->spacing = ph_arena_array(w->scratch, n, sizeof *c->spacing);
   c->h = ph_arena_array(w->scratch, n, sizeof *c->h);
   c->b = ph_arena_array(w->scratch, w->unknowns, sizeof *c->b);
-  c->value = NAN;
+  c->value = (double)NAN;
   return c->spacing && c->h && c->b;
 }
 
@@ -417,7 +417,7 @@ static enum ph_status run(struct work *w, ph_cplx *b,
     report->start = in_user_unit(w, w->trial.value);
     memcpy(w->trial.spacing, room.given, w->data->n * sizeof *room.given);
     copy(&w->best, &w->trial, w);
-    w->best.value = NAN; /* may be outside the box */
+    w->best.value = (double)NAN; /* may be outside the box */
     status = search(w, &room, report, &converged);
   }
   return status == PH_OK ? conclude(w, b, converged, report) : status;
@@ -437,7 +437,7 @@ enum ph_status ph_planar_minimize(struct ph_planar_data *data,
                    .scratch = scratch,
                    .diag = diag};
   enum ph_status status;
-  *report = (struct ph_planar_min){NAN, NAN, 0, false};
+  *report = (struct ph_planar_min){(double)NAN, (double)NAN, 0, false};
   if (scale && !data->atph) {
     return ph_fail(diag, PH_BAD_VALUE, "free",
                    "must be \"each\" for \"basis\":\"ph\": the knots of PH "

@@ -14,7 +14,7 @@ struct valley {
 
 static enum ph_status value(void *context, const double *x, double *f) {
   struct valley *v = context;
-  *f = x[0] > v->limit ? NAN : 0;
+  *f = x[0] > v->limit ? (double)NAN : 0;
   for (size_t i = 0; i + 1 < N; i++) {
     double d = x[i + 1] - x[i] * x[i];
     *f += 100 * d * d + (1 - x[i]) * (1 - x[i]);

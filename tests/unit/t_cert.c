@@ -398,7 +398,8 @@ END_TEST
 /* Another angle: the hodograph is that of another space.  Also angles that no
  * segment can have. */
 START_TEST(test_alpha) {
-  static const double none[] = {0, -1, 3.1415926535897931, 4, NAN, HUGE_VAL};
+  static const double none[] = {0, -1,          3.1415926535897931,
+                                4, (double)NAN, HUGE_VAL};
   solve_atph(_i);
   for (size_t k = 0; k < u.result.curve.n; k++) {
     double *alpha = &u.result.curve.alpha[k], keep = *alpha;
