@@ -141,6 +141,9 @@ static void check_curves(struct set *f, int set) {
                   unit_seed(), set, curve.n, i, diag->field, diag->message);
     ck_assert_double_gt(d.value[PH_D_ENERGY], 0);
     ck_assert_double_gt(d.value[PH_D_ABSOLUTE_ROTATION_INDEX], 0);
+    if (curve.closed) { /* Cauchy and Schwarz: E L >= (2 pi)^2 */
+      ck_assert_double_ge(d.value[PH_D_IES], 4 * PI * PI * (1 - 1e-12));
+    }
   }
 }
 
