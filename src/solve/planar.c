@@ -132,7 +132,8 @@ static double fairness(const struct ph_curve *curve) {
 
 /*
  * Where the data turn sharply, solves once more from the other start, and keeps
- * the fairer curve of two that differ [sheet of the method, (c) 6].
+ * the fairer curve of two that differ.  On random data the two starts differ
+ * often, and neither is always the better one.
  */
 static enum ph_status compare_starts(struct ph_planar_data *d,
                                      struct ph_arena *scratch,

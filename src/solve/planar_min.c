@@ -8,8 +8,8 @@
  * scaled as 1/sqrt(h), and solves from scratch where that fails.
  *
  * The functionals have several local minima, hence several starts: the data as
- * given, and chordal angles of three sizes or knots by the three usual rules
- * [sheet of the method, (c) 9].  The first of equally good minima is kept.
+ * given, and chordal angles of three sizes or knots by the three usual rules.
+ * The first of equally good minima is kept.
  */
 #include "solve/planar_min.h"
 
