@@ -8,9 +8,10 @@
  *   MV = integral of (dkappa/du)^2 / |w|^2 du
  *
  * Both are smooth unless w nearly vanishes.  Rules of 4, 8 and 16 nodes are
- * compared in turn, and the interval is halved when not even the last two
- * agree; a million gently bending segments need the first two.  The larger
- * rule's value is kept, which is far better than the difference says.
+ * compared in turn; a million gently bending segments need the first two.
+ * Where not even the last two agree, 16 nodes on an interval are compared with
+ * 16 on either half.  The finer value is kept, which is far better than the
+ * difference says.
  */
 #include "curve/energy.h"
 
@@ -63,25 +64,40 @@ static bool agree(const struct square *a, const struct square *b,
                            noise * noise + 0.1 * AGREE * ph_sum_value(sum);
 }
 
-static void add_part(struct ph_energy_sum *c, const struct ph_seg2 *seg,
-                     double u0, double u1, int depth) {
-  struct pair coarse = integrate(seg, &c->rule[0], u0, u1);
+static void accept(struct ph_energy_sum *c, const struct pair *part) {
+  ph_sum_add(&c->bending, part->bending.value);
+  ph_sum_add(&c->varying, part->varying.value);
+}
+
+static bool both_agree(const struct ph_energy_sum *c, const struct pair *a,
+                       const struct pair *b) {
+  return agree(&a->bending, &b->bending, &c->bending) &&
+         agree(&a->varying, &b->varying, &c->varying);
+}
+
+static struct square add_squares(struct square a, struct square b) {
+  struct square sum = {a.value + b.value, a.terms + b.terms};
+  return sum;
+}
+
+/* Halves an interval until the halves agree with the whole. */
+static void refine(struct ph_energy_sum *c, const struct ph_seg2 *seg,
+                   double u0, double u1, const struct pair *whole, int depth) {
+  const struct ph_quad *rule = &c->rule[PH_ENERGY_RULES - 1];
   double middle = 0.5 * (u0 + u1);
+  struct pair left = integrate(seg, rule, u0, middle);
+  struct pair right = integrate(seg, rule, middle, u1);
+  struct pair sum = {add_squares(left.bending, right.bending),
+                     add_squares(left.varying, right.varying)};
   c->parts++;
-  for (size_t i = 1; i < PH_ENERGY_RULES; i++) {
-    struct pair fine = integrate(seg, &c->rule[i], u0, u1);
-    if (depth == DEPTH_MAX || c->parts >= PARTS_MAX ||
-        !isfinite(fine.bending.value + fine.varying.value) ||
-        (agree(&coarse.bending, &fine.bending, &c->bending) &&
-         agree(&coarse.varying, &fine.varying, &c->varying))) {
-      ph_sum_add(&c->bending, fine.bending.value);
-      ph_sum_add(&c->varying, fine.varying.value);
-      return;
-    }
-    coarse = fine;
+  if (depth == DEPTH_MAX || c->parts >= PARTS_MAX ||
+      !isfinite(sum.bending.value + sum.varying.value) ||
+      both_agree(c, whole, &sum)) {
+    accept(c, &sum);
+    return;
   }
-  add_part(c, seg, u0, middle, depth + 1);
-  add_part(c, seg, middle, u1, depth + 1);
+  refine(c, seg, u0, middle, &left, depth + 1);
+  refine(c, seg, middle, u1, &right, depth + 1);
 }
 
 bool ph_energy_begin(struct ph_energy_sum *sum) {
@@ -100,8 +116,17 @@ void ph_energy_clear(struct ph_energy_sum *sum) {
 }
 
 void ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
+  struct pair coarse = integrate(seg, &sum->rule[0], 0, 1);
   sum->parts = 0;
-  add_part(sum, seg, 0, 1, 0);
+  for (size_t i = 1; i < PH_ENERGY_RULES; i++) {
+    struct pair fine = integrate(seg, &sum->rule[i], 0, 1);
+    if (both_agree(sum, &coarse, &fine)) {
+      accept(sum, &fine);
+      return;
+    }
+    coarse = fine;
+  }
+  refine(sum, seg, 0, 1, &coarse, 0);
 }
 
 bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {

@@ -90,16 +90,9 @@ void ph_atph_basis(const struct ph_atph *space, double u, double s[2]) {
 /* S0, S1 and their derivatives. */
 static void basis_jet(const struct ph_atph *space, double u, double s[4][2]) {
   double bend = -space->angle * space->angle / 4; /* S'' = bend S */
-  if (space->angle > 0) {
-    ph_atph_basis(space, u, s[0]);
-    s[1][0] = -cos(space->angle * (1 - u) / 2) / space->sinc;
-    s[1][1] = cos(space->angle * u / 2) / space->sinc;
-  } else {
-    s[0][0] = 1 - u;
-    s[0][1] = u;
-    s[1][0] = -1;
-    s[1][1] = 1;
-  }
+  ph_atph_basis(space, u, s[0]);
+  s[1][0] = -cos(space->angle * (1 - u) / 2) / space->sinc;
+  s[1][1] = cos(space->angle * u / 2) / space->sinc;
   for (size_t i = 0; i < 2; i++) {
     s[2][i] = bend * s[0][i];
     s[3][i] = bend * s[1][i];
@@ -109,10 +102,31 @@ static void basis_jet(const struct ph_atph *space, double u, double s[4][2]) {
 static const double BINOMIAL[4][4] = {
     {1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
 
+/* The same for angle 0: a polynomial of degree 2, by its differences. */
+static void polynomial_jet(const ph_cplx w[3], double u, ph_cplx *jet,
+                           size_t n) {
+  ph_cplx left = ph_cplx_sub(w[1], w[0]), right = ph_cplx_sub(w[2], w[1]);
+  ph_cplx a = ph_cplx_add(ph_cplx_scale(1 - u, w[0]), ph_cplx_scale(u, w[1]));
+  ph_cplx b = ph_cplx_add(ph_cplx_scale(1 - u, w[1]), ph_cplx_scale(u, w[2]));
+  const ph_cplx all[4] = {
+      ph_cplx_add(ph_cplx_scale(1 - u, a), ph_cplx_scale(u, b)),
+      ph_cplx_scale(
+          2, ph_cplx_add(ph_cplx_scale(1 - u, left), ph_cplx_scale(u, right))),
+      ph_cplx_scale(2, ph_cplx_sub(right, left)),
+      {0, 0}};
+  for (size_t d = 0; d < n; d++) {
+    jet[d] = all[d];
+  }
+}
+
 /* Leibniz's rule for each product of two of them. */
 void ph_atph_jet(const struct ph_atph *space, const ph_cplx w[3], double u,
                  ph_cplx *jet, size_t n) {
   double s[4][2];
+  if (!(space->angle > 0)) {
+    polynomial_jet(w, u, jet, n);
+    return;
+  }
   basis_jet(space, u, s);
   for (size_t d = 0; d < n; d++) {
     double b[3] = {0, 0, 0};
