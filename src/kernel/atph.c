@@ -108,14 +108,17 @@ static void polynomial_jet(const ph_cplx w[3], double u, ph_cplx *jet,
   ph_cplx left = ph_cplx_sub(w[1], w[0]), right = ph_cplx_sub(w[2], w[1]);
   ph_cplx a = ph_cplx_add(ph_cplx_scale(1 - u, w[0]), ph_cplx_scale(u, w[1]));
   ph_cplx b = ph_cplx_add(ph_cplx_scale(1 - u, w[1]), ph_cplx_scale(u, w[2]));
-  const ph_cplx all[4] = {
-      ph_cplx_add(ph_cplx_scale(1 - u, a), ph_cplx_scale(u, b)),
-      ph_cplx_scale(
-          2, ph_cplx_add(ph_cplx_scale(1 - u, left), ph_cplx_scale(u, right))),
-      ph_cplx_scale(2, ph_cplx_sub(right, left)),
-      {0, 0}};
-  for (size_t d = 0; d < n; d++) {
-    jet[d] = all[d];
+  const ph_cplx zero = {0, 0};
+  jet[0] = ph_cplx_add(ph_cplx_scale(1 - u, a), ph_cplx_scale(u, b));
+  if (n > 1) {
+    jet[1] = ph_cplx_scale(
+        2, ph_cplx_add(ph_cplx_scale(1 - u, left), ph_cplx_scale(u, right)));
+  }
+  if (n > 2) {
+    jet[2] = ph_cplx_scale(2, ph_cplx_sub(right, left));
+  }
+  if (n > 3) {
+    jet[3] = zero;
   }
 }
 
