@@ -43,6 +43,8 @@ enum ph_class {
   X(OFFSET_CUSP, "offset-cusp", RECORD, "warning: an offset has cusps")        \
   X(LARGE_ALPHA, "large-alpha", RECORD, "warning: an alpha above 2 pi/3")      \
   X(AMBIGUOUS, "ambiguous", RECORD, "warning: another good curve exists")      \
+  X(SHAPE_UNSATISFIABLE, "shape-unsatisfiable", RECORD,                        \
+    "warning: no tension keeps the shape of the data")                         \
   X(USAGE, "usage", USAGE, "the command line is wrong")                        \
   X(INPUT, "input", INPUT, "the input cannot be read")                         \
   X(OUTPUT, "output", OUTPUT, "the output cannot be written")                  \

@@ -22,7 +22,14 @@
   X(END_DERIVATIVES, "end_derivatives") \
   X(SOLUTIONS, "solutions")             \
   X(MINIMIZE, "minimize")               \
-  X(FREE, "free")
+  X(FREE, "free")                       \
+  X(TANGENTS, "tangents")               \
+  X(DERIVATIVES, "derivatives")         \
+  X(CRITERION, "criterion")             \
+  X(ANGLES, "angles")                   \
+  X(AXIS, "axis")                       \
+  X(TENSION, "tension")                 \
+  X(SHAPE, "shape")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,

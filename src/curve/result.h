@@ -35,9 +35,15 @@ enum ph_curve_kind {
  *      bezier: plain Bezier points, no preimage
  * preimage[n][preimage_n][preimage_dimension]
  *      planar: complex w, r' = w^2 with respect to the local parameter, u in
- *      [0,1] or t; coefficients in the segment's space; unit^(1/2)
+ *      [0,1] or t; spatial: quaternions A, r' = A i A*; coefficients in the
+ *      segment's space; unit^(1/2)
  * knots[n + 1]    global parameter at the joints, increasing
  * lengths[n]      exact arc lengths; length is their sum
+ *
+ * Of spatial Hermite interpolants, else NULL (solve/spatial_hermite.h):
+ * tension[n]      by its square the derivatives at both ends were scaled
+ * angles[n][2]    theta and beta; NaN where there are none
+ * shape_ok[n]     whether the segment keeps the shape of its data
  */
 struct ph_curve {
   enum ph_curve_kind kind;
@@ -53,6 +59,9 @@ struct ph_curve {
   double *preimage;
   double *lengths;
   double length;
+  double *tension;
+  double *angles;
+  bool *shape_ok;
 };
 
 /*
@@ -100,6 +109,7 @@ struct ph_offset {
   X(RESIDUAL, "residual")                         \
   X(INTERPOLATION_ERROR, "interpolation_error")   \
   X(END_DERIVATIVE_ERROR, "end_derivative_error") \
+  X(TANGENT_ERROR, "tangent_error")               \
   X(PYTHAGOREAN_ERROR, "pythagorean_error")       \
   X(CONTINUITY_ERROR, "continuity_error")         \
   X(LENGTH_ERROR, "length_error")                 \
@@ -107,12 +117,17 @@ struct ph_offset {
   X(FUNCTIONAL, "functional")                     \
   X(FUNCTIONAL_START, "functional_start")         \
   X(AT_BOUND, "at_bound")                         \
+  X(SHAPE_OK, "shape_ok")                         \
+  X(REDUCED, "reduced")                           \
   X(LOOPS, "loops")                               \
   X(SIMPLE, "simple")                             \
   X(ENERGY, "energy")                             \
   X(MV, "MV")                                     \
   X(IES, "IES")                                   \
   X(IMV, "IMV")                                   \
+  X(F1, "F1")                                     \
+  X(F2, "F2")                                     \
+  X(F3, "F3")                                     \
   X(ROTATION_INDEX, "rotation_index")             \
   X(ABSOLUTE_ROTATION_INDEX, "absolute_rotation_index")
 
@@ -188,7 +203,8 @@ const char *ph_curve_name(enum ph_curve_kind kind);
 
 /* ph_diagnostic_is_flag: whether a diagnostic is true or false, 1 or 0. */
 static inline bool ph_diagnostic_is_flag(enum ph_diagnostic which) {
-  return which == PH_D_SIMPLE || which == PH_D_AT_BOUND;
+  return which == PH_D_SIMPLE || which == PH_D_AT_BOUND ||
+         which == PH_D_SHAPE_OK;
 }
 
 /* ph_diagnostic_name: the name of a diagnostic, as in records. */

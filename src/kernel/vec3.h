@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Vectors in space.  Operands are expected near unit scale: nothing here
+ * guards against overflow.
+ */
+#ifndef PH_KERNEL_VEC3_H
+#define PH_KERNEL_VEC3_H
+
+#include <math.h>
+#include <stdbool.h>
+
+typedef struct {
+  double x, y, z;
+} ph_vec3;
+
+static inline ph_vec3 ph_vec3_of(double x, double y, double z) {
+  ph_vec3 v = {x, y, z};
+  return v;
+}
+
+static inline ph_vec3 ph_vec3_add(ph_vec3 a, ph_vec3 b) {
+  return ph_vec3_of(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+
+static inline ph_vec3 ph_vec3_sub(ph_vec3 a, ph_vec3 b) {
+  return ph_vec3_of(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+static inline ph_vec3 ph_vec3_scale(double s, ph_vec3 a) {
+  return ph_vec3_of(s * a.x, s * a.y, s * a.z);
+}
+
+/* ph_vec3_along: a + s b. */
+static inline ph_vec3 ph_vec3_along(ph_vec3 a, double s, ph_vec3 b) {
+  return ph_vec3_of(a.x + s * b.x, a.y + s * b.y, a.z + s * b.z);
+}
+
+static inline double ph_vec3_dot(ph_vec3 a, ph_vec3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline ph_vec3 ph_vec3_cross(ph_vec3 a, ph_vec3 b) {
+  return ph_vec3_of(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+                    a.x * b.y - a.y * b.x);
+}
+
+/* ph_vec3_triple: the determinant [a, b, c]. */
+static inline double ph_vec3_triple(ph_vec3 a, ph_vec3 b, ph_vec3 c) {
+  return ph_vec3_dot(ph_vec3_cross(a, b), c);
+}
+
+static inline double ph_vec3_abs(ph_vec3 a) {
+  return sqrt(ph_vec3_dot(a, a));
+}
+
+/* ph_vec3_unit: a / |a|; a = 0 gives non-finite components. */
+static inline ph_vec3 ph_vec3_unit(ph_vec3 a) {
+  return ph_vec3_scale(1 / ph_vec3_abs(a), a);
+}
+
+/* ph_vec3_normal: the part of a that is normal to the unit vector u. */
+static inline ph_vec3 ph_vec3_normal(ph_vec3 a, ph_vec3 u) {
+  return ph_vec3_along(a, -ph_vec3_dot(a, u), u);
+}
+
+/* ph_vec3_any_normal: a unit vector normal to the unit vector u, always the
+ * same one: the axis that is farthest from u, made normal to it. */
+static inline ph_vec3 ph_vec3_any_normal(ph_vec3 u) {
+  double x = fabs(u.x), y = fabs(u.y), z = fabs(u.z);
+  ph_vec3 axis = x <= y && x <= z ? ph_vec3_of(1, 0, 0)
+                 : y <= z         ? ph_vec3_of(0, 1, 0)
+                                  : ph_vec3_of(0, 0, 1);
+  return ph_vec3_unit(ph_vec3_normal(axis, u));
+}
+
+static inline bool ph_vec3_is_finite(ph_vec3 a) {
+  return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
+}
+
+#endif

@@ -1,0 +1,290 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The family of spatial Hermite interpolants (see spatial_family.h). */
+#include "solve/spatial_family.h"
+
+#include <float.h>
+
+/* Tangents nearer than this to parallel or opposite count as such. */
+static const double PARALLEL = 1e-12;
+
+/* s |dp.gh| below this part of |dp|: the data are those of a plane curve. */
+static const double PLANAR = 1e-13;
+
+/* Of a vector whose direction is rounding, relative. */
+static const double NO_DIRECTION = 1e-12;
+
+/* Of a phase that is not determined, relative. */
+static const double NO_PHASE = 1e-13;
+
+/* A vector this near to opposite to the axis has no angle. */
+static const double OPPOSITE = 1e-7;
+
+/* The unit part of v normal to the unit vector u, or any normal. */
+static ph_vec3 unit_normal(ph_vec3 v, ph_vec3 u, double size) {
+  ph_vec3 normal = ph_vec3_normal(v, u);
+  return ph_vec3_abs(normal) > NO_DIRECTION * size ? ph_vec3_unit(normal)
+                                                   : ph_vec3_any_normal(u);
+}
+
+/* The axes (1): the longer of ti + tf and tf - ti first, the other one made
+ * normal to it. */
+static void set_frame(struct ph_spatial_family *f,
+                      const struct ph_spatial_data *data) {
+  ph_vec3 sum = ph_vec3_add(data->ti, data->tf);
+  ph_vec3 difference = ph_vec3_sub(data->tf, data->ti);
+  double c = 0.5 * ph_vec3_abs(sum), s = 0.5 * ph_vec3_abs(difference);
+  if (c >= s) {
+    bool parallel = s <= PARALLEL;
+    f->axis[0] = ph_vec3_scale(0.5 / c, sum);
+    f->axis[1] = parallel
+                     ? unit_normal(data->dp, f->axis[0], f->h)
+                     : ph_vec3_unit(ph_vec3_normal(difference, f->axis[0]));
+    f->c = parallel ? 1 : c;
+    f->s = parallel ? 0 : s;
+  } else {
+    bool opposite = c <= PARALLEL;
+    f->axis[1] = ph_vec3_scale(0.5 / s, difference);
+    f->axis[0] = opposite ? unit_normal(data->dp, f->axis[1], f->h)
+                          : ph_vec3_unit(ph_vec3_normal(sum, f->axis[1]));
+    f->c = opposite ? 0 : c;
+    f->s = opposite ? 1 : s;
+  }
+  f->axis[2] = ph_vec3_cross(f->axis[0], f->axis[1]);
+}
+
+void ph_spatial_family_space(struct ph_spatial_family *f,
+                             const struct ph_atph *space) {
+  double k1;
+  f->space = *space;
+  f->m00 = space->q[0];
+  f->m01 = 0.5 * space->q[1];
+  f->m02 = 0.5 * space->q[3];
+  f->m11 = space->q[2];
+  f->k = f->m01 * f->m01 - f->m02 * f->m11;
+  k1 = f->m01 * f->m01 - f->m00 * f->m11;
+  f->d0 = ph_vec3_along(ph_vec3_scale(f->m11, f->dp), k1, f->sum);
+}
+
+struct ph_spatial_family
+ph_spatial_family_of(const struct ph_spatial_data *data,
+                     const struct ph_atph *space) {
+  struct ph_spatial_family f;
+  f.h = ph_vec3_abs(data->dp);
+  set_frame(&f, data);
+  f.half[0] = sqrt(0.5 * (1 + f.c));
+  f.half[1] = 0.5 * f.s / f.half[0];
+  f.ni = data->ni;
+  f.nf = data->nf;
+  f.root[0] = sqrt(data->ni);
+  f.root[1] = sqrt(data->nf);
+  f.m = f.root[0] * f.root[1];
+  f.dp = ph_vec3_of(ph_vec3_dot(data->dp, f.axis[0]),
+                    ph_vec3_dot(data->dp, f.axis[1]),
+                    ph_vec3_dot(data->dp, f.axis[2]));
+  f.sum = ph_vec3_of(f.c * (f.ni + f.nf), f.s * (f.nf - f.ni), 0);
+  f.planar = f.s * fabs(f.dp.z) <= PLANAR * f.h;
+  ph_spatial_family_space(&f, space);
+  return f;
+}
+
+double ph_spatial_length(const struct ph_spatial_family *f, ph_cplx b) {
+  /* The integral of |A|^2, with A1 = (D - m01 (A0 + A2)) / m11. */
+  double around = (f->m00 * f->m11 - f->m01 * f->m01) * (f->ni + f->nf);
+  return (ph_vec3_abs(ph_spatial_d(f, b)) + around -
+          2 * f->k * f->m * f->c * b.re) /
+         f->m11;
+}
+
+/* exp(i b/2) from exp(i b), with a positive real part. */
+static ph_cplx half_of(ph_cplx b) {
+  return ph_cplx_sqrt(b);
+}
+
+/* A0 and A2 of (2), in the frame of the data. */
+static void ends_of(const struct ph_spatial_family *f, ph_cplx b, ph_quat *a0,
+                    ph_quat *a2) {
+  ph_cplx e = half_of(b);
+  double c = f->half[0], s = f->half[1];
+  *a0 = ph_quat_scale(f->root[0],
+                      ph_quat_of(c * e.im, c * e.re, -s * e.re, -s * e.im));
+  *a2 = ph_quat_scale(f->root[1],
+                      ph_quat_of(-c * e.im, c * e.re, s * e.re, -s * e.im));
+}
+
+/* The point nearest to Q of the circle D i D* = d, by the projection on its
+ * plane, P = (Q - d/|d| Q i) / 2; false where it is no point. */
+static bool project(ph_quat q, ph_vec3 d, double size, ph_quat *nearest) {
+  ph_vec3 u = ph_vec3_scale(1 / size, d);
+  ph_quat p = ph_quat_mul(ph_quat_pure(u), q);
+  double length;
+  p = ph_quat_scale(0.5, ph_quat_sub(q, ph_quat_turn(p, ph_cplx_of(0, 1))));
+  length = ph_quat_abs(p);
+  *nearest = ph_quat_scale(sqrt(size) / length, p);
+  return length > NO_PHASE * ph_quat_abs(q);
+}
+
+/* Some point of the circle D i D* = d. */
+static ph_quat any_point(ph_vec3 d, double size) {
+  ph_vec3 u = ph_vec3_scale(1 / size, d);
+  ph_vec3 v = ph_vec3_any_normal(u);
+  ph_quat r = ph_quat_of_frame(u, v, ph_vec3_cross(u, v));
+  return ph_quat_scale(sqrt(size), r);
+}
+
+/* D(0) of (4).  Where the phase is not determined, those of A0 and A2 keep
+ * plane data in their plane. */
+static ph_quat nearest_d(const struct ph_spatial_family *f, ph_cplx b,
+                         ph_quat a0, ph_quat a2) {
+  ph_vec3 d = ph_spatial_d(f, b);
+  double size = ph_vec3_abs(d);
+  ph_quat nearest;
+  if (!(size > 0)) {
+    return ph_quat_of(0, 0, 0, 0);
+  }
+  if (project(ph_quat_add(a0, a2), d, size, &nearest) ||
+      project(a0, d, size, &nearest) || project(a2, d, size, &nearest)) {
+    return nearest;
+  }
+  return any_point(d, size);
+}
+
+void ph_spatial_preimage(const struct ph_spatial_family *f,
+                         struct ph_spatial_member member, ph_quat a[3]) {
+  ph_quat d;
+  ends_of(f, member.b, &a[0], &a[2]);
+  d = ph_quat_turn(nearest_d(f, member.b, a[0], a[2]), member.phi);
+  a[1] = ph_quat_scale(
+      1 / f->m11,
+      ph_quat_sub(d, ph_quat_scale(f->m01, ph_quat_add(a[0], a[2]))));
+}
+
+/* ---- angles about another axis -------------------------------------- */
+
+/* The unit bisector of the axis and the direction of v. */
+static bool bisector(ph_vec3 axis, ph_vec3 v, ph_quat *n) {
+  double size = ph_vec3_abs(v);
+  ph_vec3 sum = ph_vec3_along(axis, 1 / size, v);
+  double length = ph_vec3_abs(sum);
+  *n = ph_quat_pure(ph_vec3_scale(1 / length, sum));
+  return length > OPPOSITE;
+}
+
+/* The axis in the frame of the data. */
+static ph_vec3 axis_of(const struct ph_spatial_family *f,
+                       enum ph_spatial_axis axis) {
+  return axis == PH_SPATIAL_X
+             ? ph_vec3_of(f->axis[0].x, f->axis[1].x, f->axis[2].x)
+             : ph_vec3_scale(1 / f->h, f->dp);
+}
+
+/* A unit quaternion q that turns i into the axis: A -> A q changes from the
+ * axis to i. */
+static ph_quat turn_to(ph_vec3 axis) {
+  ph_vec3 v = ph_vec3_any_normal(axis);
+  return ph_quat_of_frame(axis, v, ph_vec3_cross(axis, v));
+}
+
+/* exp(i x) of a = n q exp(x i) |a|, with the unit vector n, and q as above. */
+static ph_cplx phase_of(ph_quat a, ph_quat n, ph_quat q) {
+  ph_quat e = ph_quat_between(ph_quat_mul(n, q), a);
+  return ph_cplx_scale(1 / hypot(e.u, e.v), ph_cplx_of(e.u, e.v));
+}
+
+static double angle_of(ph_cplx e) {
+  return atan2(e.im, e.re);
+}
+
+static ph_vec3 tangent(const struct ph_spatial_family *f, double side) {
+  return ph_vec3_of(f->c, side * f->s, 0);
+}
+
+/* In (-pi, pi]. */
+static double wrapped(double angle) {
+  const double pi = 3.14159265358979323846;
+  return angle - 2 * pi * ceil((angle - pi) / (2 * pi));
+}
+
+bool ph_spatial_angles(const struct ph_spatial_family *f,
+                       struct ph_spatial_member member,
+                       enum ph_spatial_axis axis, double angles[2]) {
+  ph_vec3 u = axis_of(f, axis), d = ph_spatial_d(f, member.b);
+  double size = ph_vec3_abs(d), x0, x2, middle;
+  ph_quat a0, a2, n0, n2, nd, q = turn_to(u);
+  if (axis == PH_SPATIAL_BISECTOR) {
+    angles[0] = atan2(member.phi.im, member.phi.re);
+    angles[1] = atan2(member.b.im, member.b.re);
+    return true;
+  }
+  if (!bisector(u, tangent(f, -1), &n0) || !bisector(u, tangent(f, 1), &n2)) {
+    return false;
+  }
+  ends_of(f, member.b, &a0, &a2);
+  x0 = angle_of(phase_of(a0, n0, q));
+  x2 = angle_of(phase_of(a2, n2, q));
+  angles[1] = wrapped(x2 - x0);
+  middle = x0 + 0.5 * angles[1];
+  angles[0] = 0;
+  if (size > 0) {
+    ph_quat at = ph_quat_turn(nearest_d(f, member.b, a0, a2), member.phi);
+    if (!bisector(u, d, &nd)) {
+      return false;
+    }
+    angles[0] = wrapped(middle - angle_of(phase_of(at, nd, q)));
+  }
+  return true;
+}
+
+bool ph_spatial_member_of(const struct ph_spatial_family *f,
+                          const double angles[2], enum ph_spatial_axis axis,
+                          struct ph_spatial_member *member) {
+  ph_vec3 u = axis_of(f, axis), d;
+  double size;
+  ph_quat a0, a2, n0, n2, nd, q = turn_to(u);
+  ph_quat n = ph_quat_of(0, f->half[0], -f->half[1], 0);
+  ph_cplx e0, e2, gauge;
+  const ph_quat one = ph_quat_of(1, 0, 0, 0);
+  if (axis == PH_SPATIAL_BISECTOR) {
+    member->phi = ph_cplx_polar(angles[0]);
+    member->b = ph_cplx_polar(angles[1]);
+    return true;
+  }
+  if (!bisector(u, tangent(f, -1), &n0) || !bisector(u, tangent(f, 1), &n2)) {
+    return false;
+  }
+  a0 = ph_quat_turn(ph_quat_mul(n0, q),
+                    ph_cplx_polar(angles[0] - 0.5 * angles[1]));
+  a2 = ph_quat_turn(ph_quat_mul(n2, q),
+                    ph_cplx_polar(angles[0] + 0.5 * angles[1]));
+  e0 = phase_of(a0, n, one);
+  e2 = phase_of(a2, ph_quat_of(0, f->half[0], f->half[1], 0), one);
+  member->b = ph_cplx_mul(e2, ph_cplx_conj(e0));
+  member->phi = ph_cplx_of(1, 0);
+  gauge = ph_cplx_mul(e0, half_of(member->b));
+  d = ph_spatial_d(f, member->b);
+  size = ph_vec3_abs(d);
+  if (size > 0) {
+    if (!bisector(u, d, &nd)) {
+      return false;
+    }
+    ends_of(f, member->b, &a0, &a2);
+    nd = ph_quat_turn(ph_quat_mul(nd, q), ph_cplx_conj(gauge));
+    member->phi = phase_of(nd, nearest_d(f, member->b, a0, a2), one);
+  }
+  return true;
+}
+
+/* ---- the criterion CC ----------------------------------------------- */
+
+struct ph_spatial_member ph_spatial_cc(const struct ph_spatial_family *f) {
+  /* w = 3 dp - (Di + Df) is m E(b) of a cubic: exp(i b) is the direction of
+   * (s w.g+, -3 dp.gh). */
+  struct ph_spatial_member member = {{1, 0}, {1, 0}};
+  double x = 3 * f->dp.x - f->sum.x;
+  double re = f->s * x, im = -3 * f->dp.z, size = sqrt(re * re + im * im);
+  if (f->planar || size <= 1e-14 * (3 * f->h + f->ni + f->nf)) {
+    member.b.re = x >= 0 ? 1 : -1;
+  } else {
+    member.b = ph_cplx_of(re / size, im / size);
+  }
+  return member;
+}
