@@ -12,6 +12,7 @@
 #include "solve/planar.h"
 
 #include "curve/energy.h"
+#include "solve/fields.h"
 #include "solve/planar_all.h"
 #include "solve/planar_curve.h"
 #include "solve/planar_kantorovich.h"
@@ -86,10 +87,6 @@ static void warn_reversals(const struct ph_planar_data *d,
             "%zu): of two mirror images the left turn was taken",
             first, found);
   }
-}
-
-static bool is_word(const struct ph_value *value, const char *word) {
-  return value->kind == PH_WORD && strcmp(value->word, word) == 0;
 }
 
 static bool is_chordal(const struct ph_value *value) {
@@ -242,7 +239,7 @@ solve_fairest(const struct ph_problem *problem, struct ph_planar_data *d,
   while (functional < PH_PLANAR_IMV && strcmp(name, names[functional]) != 0) {
     functional++;
   }
-  status = b ? ph_planar_minimize(d, functional, is_word(free, "scale"),
+  status = b ? ph_planar_minimize(d, functional, ph_field_is(free, "scale"),
                                   scratch, b, &report, diag)
              : ph_fail_memory(diag);
   if (status == PH_OK) {
@@ -373,7 +370,7 @@ static enum ph_status solve(const struct ph_problem *problem,
   if (status == PH_NO_CONVERGENCE) {
     status = advise(problem, diag);
   }
-  if (status == PH_OK && is_word(&problem->field[PH_F_SOLUTIONS], "all")) {
+  if (status == PH_OK && ph_field_is(&problem->field[PH_F_SOLUTIONS], "all")) {
     status = add_solutions(&d, out, scratch, result, &loops, diag);
   }
   if (status == PH_OK) {

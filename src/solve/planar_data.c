@@ -9,9 +9,9 @@
 
 #include "base/sum.h"
 #include "kernel/pow2.h"
+#include "solve/fields.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <string.h>
 
 /* Neighbours closer than this, relative to the largest coordinate, have no
@@ -23,43 +23,6 @@ static const double COINCIDENT = 1e-14;
 static const double STANDSTILL = 1e-10;
 
 static const double PI = 3.14159265358979323846;
-
-#define NO_INDEX SIZE_MAX
-
-static double largest_coordinate(const double *v, size_t n) {
-  double largest = 0;
-  for (size_t i = 0; i < n; i++) {
-    double x = fabs(v[i]);
-    largest = x > largest ? x : largest;
-  }
-  return largest;
-}
-
-static enum ph_status count_segments(const struct ph_problem *problem,
-                                     struct ph_planar_data *d,
-                                     struct ph_diag *diag) {
-  const struct ph_value *points = &problem->field[PH_F_POINTS];
-  size_t n = points->n;
-  d->points = points->v;
-  d->closed = problem->field[PH_F_CLOSED].flag;
-  if (d->closed && n > 1) {
-    const double *last = points->v + 2 * (n - 1);
-    double size = largest_coordinate(points->v, 2 * n);
-    if (hypot(last[0] - points->v[0], last[1] - points->v[1]) <=
-        COINCIDENT * size) {
-      n--; /* a repeated last point closes the curve */
-    }
-  }
-  if (n < (d->closed ? 3u : 2u)) {
-    return ph_fail(diag, PH_TOO_FEW_POINTS, "points",
-                   d->closed ? "must be at least 3 different points for a "
-                               "closed curve, found %zu"
-                             : "must be at least 2, found %zu",
-                   n);
-  }
-  d->n = d->closed ? n : n - 1;
-  return PH_OK;
-}
 
 static enum ph_status allocate(struct ph_planar_data *d, struct ph_arena *arena,
                                struct ph_diag *diag) {
@@ -87,7 +50,7 @@ static enum ph_status allocate(struct ph_planar_data *d, struct ph_arena *arena,
 static enum ph_status set_chords(struct ph_planar_data *d,
                                  struct ph_diag *diag) {
   size_t points_n = d->closed ? d->n : d->n + 1;
-  double size = largest_coordinate(d->points, 2 * points_n);
+  double size = ph_fields_largest(d->points, 2 * points_n);
   struct ph_pow2 scale;
   ph_cplx from, to;
   /* Two more: neither sums nor squares of coordinates reach 1. */
@@ -115,34 +78,14 @@ static enum ph_status set_chords(struct ph_planar_data *d,
   return PH_OK;
 }
 
-/* Knots given as numbers. */
 static enum ph_status set_given_knots(struct ph_planar_data *d,
                                       const struct ph_value *given,
                                       struct ph_diag *diag) {
-  if (given->n != d->n + 1) {
-    return ph_fail(diag, PH_BAD_SHAPE, "knots",
-                   d->closed ? "must have %zu numbers, one for each point and "
-                               "one that closes the period, found %zu"
-                             : "must have %zu numbers, one for each point, "
-                               "found %zu",
-                   d->n + 1, given->n);
+  enum ph_status status = ph_fields_knots(given, d->n, d->closed, d->h, diag);
+  if (status == PH_OK) {
+    memcpy(d->knots, given->v, (d->n + 1) * sizeof *d->knots);
   }
-  for (size_t k = 0; k < d->n; k++) {
-    if (!(given->v[k + 1] > given->v[k])) {
-      return ph_fail_at(diag, PH_BAD_VALUE, "knots", k + 1,
-                        "must be greater than the knot before, %.17g, found "
-                        "%.17g",
-                        given->v[k], given->v[k + 1]);
-    }
-    d->h[k] = given->v[k + 1] - given->v[k];
-    if (!isfinite(d->h[k])) {
-      return ph_fail_at(diag, PH_TOO_LARGE, "knots", k + 1,
-                        "differs from the knot before by more than a double "
-                        "can hold");
-    }
-  }
-  memcpy(d->knots, given->v, (d->n + 1) * sizeof *d->knots);
-  return PH_OK;
+  return status;
 }
 
 /* Knots that are sums of the spacings, from 0. */
@@ -167,20 +110,9 @@ static void set_knots_by_rule(struct ph_planar_data *d, const char *rule) {
   add_up_knots(d);
 }
 
-static enum ph_status check_angle(double angle, size_t index,
-                                  struct ph_diag *diag) {
-  static const char problem[] = "must be between 0 and pi, found %.17g";
-  if (angle > 0 && angle < PI) {
-    return PH_OK;
-  }
-  return index == NO_INDEX
-             ? ph_fail(diag, PH_BAD_VALUE, "alpha", problem, angle)
-             : ph_fail_at(diag, PH_BAD_VALUE, "alpha", index, problem, angle);
-}
-
 void ph_planar_data_chordal(const struct ph_planar_data *d, double power,
                             double largest, double *spacing) {
-  double longest = largest_coordinate(d->chord, d->n);
+  double longest = ph_fields_largest(d->chord, d->n);
   for (size_t k = 0; k < d->n; k++) {
     spacing[k] = largest * pow(d->chord[k] / longest, power);
   }
@@ -191,26 +123,15 @@ void ph_planar_data_chordal(const struct ph_planar_data *d, double power,
 static enum ph_status set_angles(struct ph_planar_data *d,
                                  const struct ph_value *given,
                                  struct ph_diag *diag) {
-  enum ph_status status = PH_OK;
-  if (given->kind == PH_NUMBERS && given->n != d->n) {
-    return ph_fail(diag, PH_BAD_SHAPE, "alpha",
-                   "must have %zu numbers, one for each segment, found %zu",
-                   d->n, given->n);
-  }
-  if (given->kind == PH_NUMBERS) {
-    for (size_t k = 0; status == PH_OK && k < d->n; k++) {
-      d->h[k] = given->v[k];
-      status = check_angle(d->h[k], k, diag);
-    }
-  } else if (given->kind == PH_NUMBER) {
-    status = check_angle(given->number, NO_INDEX, diag);
-    for (size_t k = 0; k < d->n; k++) {
-      d->h[k] = given->number;
-    }
+  enum ph_status status;
+  if (given->kind == PH_ABSENT || given->kind == PH_WORD) {
+    bool chosen = given->kind == PH_WORD && !ph_field_is(given, "chordal");
+    struct ph_value largest = {.kind = PH_NUMBER, .number = PI / 2};
+    largest.number = chosen ? given->number : largest.number;
+    status = ph_fields_angles(&largest, d->n, d->h, diag);
+    ph_planar_data_chordal(d, 1, largest.number, d->h);
   } else {
-    bool chosen = given->kind == PH_WORD && given->number > 0;
-    status = check_angle(chosen ? given->number : PI / 2, NO_INDEX, diag);
-    ph_planar_data_chordal(d, 1, chosen ? given->number : PI / 2, d->h);
+    status = ph_fields_angles(given, d->n, d->h, diag);
   }
   for (size_t k = 0; status == PH_OK && k < d->n; k++) {
     d->space[k] = ph_atph_of(d->h[k]);
@@ -363,8 +284,10 @@ enum ph_status ph_planar_data_of(const struct ph_problem *problem,
   const struct ph_value *basis = &problem->field[PH_F_BASIS];
   enum ph_status status;
   memset(d, 0, sizeof *d);
-  d->atph = basis->kind == PH_WORD && strcmp(basis->word, "atph") == 0;
-  status = count_segments(problem, d, diag);
+  d->atph = ph_field_is(basis, "atph");
+  d->points = problem->field[PH_F_POINTS].v;
+  d->closed = problem->field[PH_F_CLOSED].flag;
+  status = ph_fields_segments(problem, &d->n, diag);
   if (status == PH_OK) {
     status = check_together(problem, d, diag);
   }

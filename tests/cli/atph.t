@@ -103,6 +103,8 @@ refused 'chordal:x' "$atph,\"alpha\":\"chordal:x\"" \
   "alpha: $kinds \"chordal:x\"; did you mean \"chordal:V\"? [bad-value]"
 refused 'chordal:4' "$atph,\"alpha\":\"chordal:4\"" \
   "alpha: $between 4 [bad-value]"
+refused 'chordal:0' "$atph,\"alpha\":\"chordal:0\"" \
+  "alpha: $between 0 [bad-value]"
 refused 'a basis that is none' "$points,\"basis\":\"at\"" \
   'basis: must be "ph" or "atph", found "at" [bad-value]'
 
