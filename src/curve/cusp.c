@@ -9,37 +9,23 @@
  * (3) kappa = 2 Im(conj(w) w') / |w|^4, so that with d the distance
  *     g = |w|^4 - 2 d Im(conj(w) w') has the sign of 1 - d kappa
  * (4) 1 = (S0^2 + 2 c S0 S1 + S1^2)^3 makes (2) a form of degree 8, like |w|^4.
- * As a polynomial in v = S1 / (S0 + S1) a form has Bernstein coefficients,
- * whose signs bound the number of roots; halving isolates them. Tested by
- * t_cusp.c: the form, against 1 - d kappa at many u.
+ * The signs of its Bernstein coefficients (kernel/form.h) bound the number of
+ * roots; halving isolates them. Tested by t_cusp.c: the form, against
+ * 1 - d kappa at many u.
  */
 #include "curve/cusp.h"
 
 #include "curve/seg2.h"
+#include "kernel/form.h"
 
 #include <math.h>
 
 /* Degree of g; halvings until v is known to rounding. */
 enum { DEGREE = 8, HALVINGS_MAX = 50 };
 
-static const double CHOOSE8[DEGREE + 1] = {1, 8, 28, 56, 70, 56, 28, 8, 1};
-
 struct form {
   double b[DEGREE + 1]; /* Bernstein coefficients */
 };
-
-/* c = a b, coefficients of powers of S1 from 0 on. */
-static void multiply(const double *a, size_t a_degree, const double *b,
-                     size_t b_degree, double *c) {
-  for (size_t k = 0; k <= a_degree + b_degree; k++) {
-    c[k] = 0;
-  }
-  for (size_t i = 0; i <= a_degree; i++) {
-    for (size_t j = 0; j <= b_degree; j++) {
-      c[i + j] += a[i] * b[j];
-    }
-  }
-}
 
 static struct form form_of(const struct ph_seg2 *seg, double distance) {
   const ph_cplx *w = seg->w;
@@ -50,42 +36,18 @@ static struct form form_of(const struct ph_seg2 *seg, double distance) {
   double cross[3] = {ph_cplx_cross(w[0], m), ph_cplx_cross(w[0], w[2]),
                      ph_cplx_cross(m, w[2])};
   double one[3] = {1, 2 * seg->space.c, 1};
-  double raised4[5], raised6[7], raised8[DEGREE + 1], square[DEGREE + 1];
+  double raised4[5], raised6[7], raised8[DEGREE + 1];
   double factor = 4 * distance / seg->space.sinc;
   struct form form;
-  multiply(cross, 2, one, 2, raised4);
-  multiply(raised4, 4, one, 2, raised6);
-  multiply(raised6, 6, one, 2, raised8);
-  multiply(speed, 4, speed, 4, square);
+  ph_form_multiply(cross, 2, one, 2, raised4);
+  ph_form_multiply(raised4, 4, one, 2, raised6);
+  ph_form_multiply(raised6, 6, one, 2, raised8);
+  ph_form_multiply(speed, 4, speed, 4, form.b);
   for (size_t k = 0; k <= DEGREE; k++) {
-    form.b[k] = (square[k] - factor * raised8[k]) / CHOOSE8[k];
+    form.b[k] -= factor * raised8[k];
   }
+  ph_form_bernstein(form.b, DEGREE, form.b);
   return form;
-}
-
-/* Whether coefficients of both signs occur: else g has one sign. */
-static bool is_mixed(const struct form *form) {
-  bool plus = false, minus = false;
-  for (size_t k = 0; k <= DEGREE; k++) {
-    plus = plus || form->b[k] > 0;
-    minus = minus || form->b[k] < 0;
-  }
-  return plus && minus;
-}
-
-static void halve(const struct form *form, struct form *left,
-                  struct form *right) {
-  double b[DEGREE + 1];
-  for (size_t k = 0; k <= DEGREE; k++) {
-    b[k] = form->b[k];
-  }
-  for (size_t n = DEGREE + 1; n-- > 0;) {
-    left->b[DEGREE - n] = b[0];
-    right->b[n] = b[n];
-    for (size_t i = 0; i < n; i++) {
-      b[i] = 0.5 * (b[i] + b[i + 1]);
-    }
-  }
 }
 
 /* The local parameter at which S1 : S0 = v : 1 - v. */
@@ -119,20 +81,20 @@ static void see(struct walk *walk, int sign, double v) {
 /* Visits intervals without a change of sign, in order. */
 static void visit(struct walk *walk, const struct form *form, double v0,
                   double v1, int depth) {
-  struct form left, right;
+  struct form half[2];
   int sign = 0;
   for (size_t k = 0; k <= DEGREE && sign == 0; k++) {
     sign = sign_of(form->b[k]);
   }
-  if (!is_mixed(form)) {
+  if (!ph_form_is_mixed(form->b, DEGREE)) {
     see(walk, sign, v0);
   } else if (depth == HALVINGS_MAX) {
     see(walk, sign, v0);
     see(walk, sign_of(form->b[DEGREE]), v1);
   } else {
-    halve(form, &left, &right);
-    visit(walk, &left, v0, 0.5 * (v0 + v1), depth + 1);
-    visit(walk, &right, 0.5 * (v0 + v1), v1, depth + 1);
+    ph_form_halve(form->b, DEGREE, half[0].b, half[1].b);
+    visit(walk, &half[0], v0, 0.5 * (v0 + v1), depth + 1);
+    visit(walk, &half[1], 0.5 * (v0 + v1), v1, depth + 1);
   }
 }
 

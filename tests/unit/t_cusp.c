@@ -5,6 +5,7 @@
  */
 #include "curve/cusp.c" /* NOLINT */
 
+#include "kernel/bern.h"
 #include "unit.h"
 #include "seg2_unit.h"
 
@@ -18,13 +19,15 @@ START_TEST(test_form) {
     double d = unit_random_in(&r, -2, 2);
     struct form form = form_of(&seg, d);
     for (size_t i = 0; i <= 20; i++) {
-      double s[2], value = 0, u = (double)i / 20, size = 0;
+      double s[2], basis[DEGREE + 1], scale;
+      double value = 0, u = (double)i / 20, size = 0;
       struct ph_bend bend = ph_seg2_bend(&seg, u);
       double speed2 = bend.speed * bend.speed;
       ph_atph_basis(&seg.space, u, s);
+      scale = pow(s[0] + s[1], DEGREE);
+      ph_bern_basis(DEGREE, s[1] / (s[0] + s[1]), basis);
       for (size_t k = 0; k <= DEGREE; k++) {
-        double term = CHOOSE8[k] * form.b[k] * pow(s[0], 8 - (double)k) *
-                      pow(s[1], (double)k);
+        double term = scale * basis[k] * form.b[k];
         value += term;
         size += fabs(term);
       }
