@@ -14,7 +14,10 @@ static const double PLANAR = 1e-13;
 static const double NO_DIRECTION = 1e-12;
 
 /* Of a phase that is not determined, relative. */
-static const double NO_PHASE = 1e-13;
+static const double NO_PHASE = 2e-13;
+
+/* A vector d as short as this is 0: its root is far below rounding. */
+static const double VANISHES = 1e-60;
 
 /* A vector this near to opposite to the axis has no angle. */
 static const double OPPOSITE = 1e-7;
@@ -95,14 +98,17 @@ double ph_spatial_length(const struct ph_spatial_family *f, ph_cplx b) {
          f->m11;
 }
 
-/* exp(i b/2) from exp(i b), with a positive real part. */
-static ph_cplx half_of(ph_cplx b) {
-  return ph_cplx_sqrt(b);
+/* exp(i b/2) from exp(i b), with a real part that is not negative. */
+static inline ph_cplx half_of(ph_cplx b) {
+  double large = sqrt(0.5 * (1 + fabs(b.re)));
+  double small = 0.5 * fabs(b.im) / large;
+  return b.re >= 0 ? ph_cplx_of(large, copysign(small, b.im))
+                   : ph_cplx_of(small, copysign(large, b.im));
 }
 
 /* A0 and A2 of (2), in the frame of the data. */
-static void ends_of(const struct ph_spatial_family *f, ph_cplx b, ph_quat *a0,
-                    ph_quat *a2) {
+static inline void ends_of(const struct ph_spatial_family *f, ph_cplx b,
+                           ph_quat *a0, ph_quat *a2) {
   ph_cplx e = half_of(b);
   double c = f->half[0], s = f->half[1];
   *a0 = ph_quat_scale(f->root[0],
@@ -111,16 +117,17 @@ static void ends_of(const struct ph_spatial_family *f, ph_cplx b, ph_quat *a0,
                       ph_quat_of(-c * e.im, c * e.re, s * e.re, -s * e.im));
 }
 
-/* The point nearest to Q of the circle D i D* = d, by the projection on its
- * plane, P = (Q - d/|d| Q i) / 2; false where it is no point. */
-static bool project(ph_quat q, ph_vec3 d, double size, ph_quat *nearest) {
-  ph_vec3 u = ph_vec3_scale(1 / size, d);
-  ph_quat p = ph_quat_mul(ph_quat_pure(u), q);
-  double length;
-  p = ph_quat_scale(0.5, ph_quat_sub(q, ph_quat_turn(p, ph_cplx_of(0, 1))));
-  length = ph_quat_abs(p);
-  *nearest = ph_quat_scale(sqrt(size) / length, p);
-  return length > NO_PHASE * ph_quat_abs(q);
+/* The point nearest to Q of the circle D i D* = d: the projection of Q on its
+ * plane, P = (|d| Q - d Q i) / (2 |d|), scaled to sqrt|d|.  False where the
+ * projection is no direction. */
+static inline bool project(ph_quat q, ph_vec3 d, double size,
+                           ph_quat *nearest) {
+  ph_quat p = ph_quat_turn(ph_quat_mul(ph_quat_pure(d), q), ph_cplx_of(0, 1));
+  double length2;
+  p = ph_quat_sub(ph_quat_scale(size, q), p);
+  length2 = ph_quat_dot(p, p);
+  *nearest = ph_quat_scale(sqrt(size / length2), p);
+  return length2 > NO_PHASE * NO_PHASE * size * size * ph_quat_dot(q, q);
 }
 
 /* Some point of the circle D i D* = d. */
@@ -133,12 +140,12 @@ static ph_quat any_point(ph_vec3 d, double size) {
 
 /* D(0) of (4).  Where the phase is not determined, those of A0 and A2 keep
  * plane data in their plane. */
-static ph_quat nearest_d(const struct ph_spatial_family *f, ph_cplx b,
-                         ph_quat a0, ph_quat a2) {
+static inline ph_quat nearest_d(const struct ph_spatial_family *f, ph_cplx b,
+                                ph_quat a0, ph_quat a2) {
   ph_vec3 d = ph_spatial_d(f, b);
   double size = ph_vec3_abs(d);
   ph_quat nearest;
-  if (!(size > 0)) {
+  if (!(size > VANISHES)) {
     return ph_quat_of(0, 0, 0, 0);
   }
   if (project(ph_quat_add(a0, a2), d, size, &nearest) ||
@@ -224,7 +231,7 @@ bool ph_spatial_angles(const struct ph_spatial_family *f,
   angles[1] = wrapped(x2 - x0);
   middle = x0 + 0.5 * angles[1];
   angles[0] = 0;
-  if (size > 0) {
+  if (size > VANISHES) {
     ph_quat at = ph_quat_turn(nearest_d(f, member.b, a0, a2), member.phi);
     if (!bisector(u, d, &nd)) {
       return false;
@@ -262,7 +269,7 @@ bool ph_spatial_member_of(const struct ph_spatial_family *f,
   gauge = ph_cplx_mul(e0, half_of(member->b));
   d = ph_spatial_d(f, member->b);
   size = ph_vec3_abs(d);
-  if (size > 0) {
+  if (size > VANISHES) {
     if (!bisector(u, d, &nd)) {
       return false;
     }
@@ -280,11 +287,12 @@ struct ph_spatial_member ph_spatial_cc(const struct ph_spatial_family *f) {
    * (s w.g+, -3 dp.gh). */
   struct ph_spatial_member member = {{1, 0}, {1, 0}};
   double x = 3 * f->dp.x - f->sum.x;
-  double re = f->s * x, im = -3 * f->dp.z, size = sqrt(re * re + im * im);
+  double re = f->s * x, im = -3 * f->dp.z;
+  double size = sqrt(re * re + im * im), per_size = 1 / size;
   if (f->planar || size <= 1e-14 * (3 * f->h + f->ni + f->nf)) {
     member.b.re = x >= 0 ? 1 : -1;
   } else {
-    member.b = ph_cplx_of(re / size, im / size);
+    member.b = ph_cplx_of(re * per_size, im * per_size);
   }
   return member;
 }
