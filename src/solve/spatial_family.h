@@ -52,7 +52,7 @@ struct ph_spatial_family {
   ph_vec3 dp;                /* in the frame, as all that follows */
   ph_vec3 sum;               /* Di + Df */
   double m00, m01, m02, m11; /* integrals of products of basis functions */
-  double k;                  /* m01^2 - m02 m11 < 0 */
+  double k;                  /* m01^2 - m02 m11 > 0 */
   ph_vec3 d0;                /* m11 dp + (m01^2 - m11 m00)(Di + Df) */
   bool planar;               /* the torsion has no sign to keep */
 };

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Criteria that choose a member of a family by an extremum [FMSS15, sec. 6]:
+ * the longest curve (HC), and the middle coefficient of the preimage nearest to
+ * the mean of the outer ones (BV).  For CC see spatial_family.h.
+ *
+ * In both the best phi for a given b is 0, and what remains is a function of b
+ * alone.  Plane data give a plane curve wherever one is extremal.  BV may
+ * prefer a curve that leaves the plane: of the two that are mirror images, the
+ * one with sin b > 0 is taken, which neither a motion nor the reversal of the
+ * data changes.
+ */
+#ifndef PH_SOLVE_SPATIAL_CRITERIA_H
+#define PH_SOLVE_SPATIAL_CRITERIA_H
+
+#include "solve/spatial_family.h"
+
+/*
+ * ph_spatial_hc: the member with the greatest arc length.
+ *
+ * All stationary points of the length are roots of a quartic in tan(b/2), and
+ * all of these are found: the maximum is global.
+ */
+struct ph_spatial_member ph_spatial_hc(const struct ph_spatial_family *family);
+
+/*
+ * ph_spatial_bv: the member with the least |A1 - (A0 + A2) / 2|.
+ *
+ * Local minima are bracketed by 64 values of b; two that lie between the same
+ * two of these could be missed.
+ */
+struct ph_spatial_member ph_spatial_bv(const struct ph_spatial_family *family);
+
+#endif
