@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The shape of spatial Hermite segments (see spatial_shape.h).
+ *
+ * The form (3), derived here.  With m = c A1 and the quaternions w01 = A0* m,
+ * w02 = A0* A2, w12 = m* A2,
+ *
+ *   W = vect(A* A') = (2/sinc) vect(w01 S0^2 + w02 S0 S1 + w12 S1^2)      (4)
+ *
+ * because S0 S1' - S0' S1 = 1/sinc, as in curve/cusp.c.  Let x and z be the
+ * parts of (4) by i and by j, without the factor 2/sinc.  The Wronskian of the
+ * two coordinates of z is, again for that reason,
+ *
+ *   Im(conj(z) z') = (1/sinc) (Im(conj(z0) z1) S0^2 + 2 Im(conj(z0) z2) S0 S1
+ *                              + Im(conj(z1) z2) S1^2)                    (5)
+ *
+ * and N = (4/sinc^3) (sigma sinc Im(conj(z) z') + 4 x |z|^2).  (Tested by
+ * t_spatial_shape.c: against the torsion at many u.)
+ */
+#include "solve/spatial_shape.h"
+
+#include "kernel/form.h"
+
+/* Of zero, relative: of a convexity, of Ni and Nf, and of the torsion. */
+static const double NOT_CONVEX = 1e-12;
+static const double NO_NORMAL = 1e-12;
+static const double NO_TORSION = 1e-14;
+
+/* The factors tried before bisection, and where that ends. */
+static const double FACTOR = 0.95;
+static const double FACTOR_MIN = 1.0 / 64;
+static const double FACTOR_TOLERANCE = 1e-13;
+
+/* ---- constraints ---------------------------------------------------- */
+
+void ph_spatial_torsion_form(const struct ph_atph *space, const ph_quat a[3],
+                             double form[7]) {
+  ph_quat m = ph_quat_scale(space->c, a[1]);
+  ph_quat w[3] = {ph_quat_between(a[0], m), ph_quat_between(a[0], a[2]),
+                  ph_quat_between(m, a[2])};
+  ph_cplx z[3] = {{w[0].p, w[0].q}, {w[1].p, w[1].q}, {w[2].p, w[2].q}};
+  /* The real parts of w01, w02, w12 are scalar products. */
+  double speed[5] = {ph_quat_dot(a[0], a[0]), 4 * w[0].u,
+                     4 * ph_quat_dot(m, m) + 2 * w[1].u, 4 * w[2].u,
+                     ph_quat_dot(a[2], a[2])};
+  double cross[3] = {ph_cplx_cross(z[0], z[1]), 2 * ph_cplx_cross(z[0], z[2]),
+                     ph_cplx_cross(z[1], z[2])};
+  double x[3] = {4 * w[0].v, 4 * w[1].v, 4 * w[2].v};
+  double z2[5] = {ph_cplx_norm2(z[0]), 2 * ph_cplx_dot(z[0], z[1]),
+                  ph_cplx_norm2(z[1]) + 2 * ph_cplx_dot(z[0], z[2]),
+                  2 * ph_cplx_dot(z[1], z[2]), ph_cplx_norm2(z[2])};
+  double turn[7];
+  ph_form_multiply(speed, 4, cross, 2, form);
+  ph_form_multiply(z2, 4, x, 2, turn);
+  for (size_t k = 0; k < 7; k++) {
+    form[k] += turn[k];
+  }
+}
+
+static ph_vec3 start_tangent(const struct ph_spatial_family *f) {
+  return ph_vec3_of(f->c, -f->s, 0);
+}
+
+static ph_vec3 end_tangent(const struct ph_spatial_family *f) {
+  return ph_vec3_of(f->c, f->s, 0);
+}
+
+/* Whether n, Ni or Nf, has a direction. */
+static bool is_normal(const struct ph_spatial_family *f, ph_vec3 n) {
+  return ph_vec3_abs(n) > NO_NORMAL * f->h;
+}
+
+/* Whether the cross product of a unit leg and one more points as n does. */
+static bool is_convex(ph_vec3 cross, ph_vec3 leg, ph_vec3 n) {
+  return ph_vec3_dot(cross, n) > NOT_CONVEX * ph_vec3_abs(leg) * ph_vec3_abs(n);
+}
+
+unsigned ph_spatial_constraints(const struct ph_spatial_family *f) {
+  ph_vec3 ni = ph_vec3_cross(start_tangent(f), f->dp);
+  ph_vec3 nf = ph_vec3_cross(f->dp, end_tangent(f));
+  return (is_normal(f, ni) ? PH_SHAPE_START : 0u) |
+         (is_normal(f, nf) ? PH_SHAPE_END : 0u) |
+         (f->planar ? 0u : PH_SHAPE_TORSION);
+}
+
+unsigned ph_spatial_violations(const struct ph_spatial_family *f,
+                               const ph_quat a[3]) {
+  /* g1 and g5 are along the tangents, g2 and g4 along these. */
+  ph_vec3 second = ph_quat_i(a[0], a[1]), fourth = ph_quat_i(a[1], a[2]);
+  ph_vec3 ti = start_tangent(f), tf = end_tangent(f);
+  ph_vec3 ni = ph_vec3_cross(ti, f->dp), nf = ph_vec3_cross(f->dp, tf);
+  unsigned violated = 0;
+  if (is_normal(f, ni) && !is_convex(ph_vec3_cross(ti, second), second, ni)) {
+    violated |= PH_SHAPE_START;
+  }
+  if (is_normal(f, nf) && !is_convex(ph_vec3_cross(fourth, tf), fourth, nf)) {
+    violated |= PH_SHAPE_END;
+  }
+  if (!f->planar) {
+    /* [ti, dp, tf] = -dp.(ti x tf), and ti x tf is along the third axis. */
+    int sign = f->dp.z > 0 ? -1 : 1;
+    double form[7];
+    ph_spatial_torsion_form(&f->space, a, form);
+    if (ph_form_sign(form, 6, NO_TORSION) != sign) {
+      violated |= PH_SHAPE_TORSION;
+    }
+  }
+  return violated;
+}
+
+/* ---- tension -------------------------------------------------------- */
+
+enum ph_status ph_spatial_fit_of(const struct ph_spatial_data *data,
+                                 const struct ph_atph *space,
+                                 ph_spatial_choice *choose, void *context,
+                                 struct ph_spatial_fit *fit) {
+  enum ph_status status;
+  fit->violated = 0;
+  fit->family = ph_spatial_family_of(data, space);
+  status = choose(&fit->family, context, &fit->member);
+  if (status == PH_OK) {
+    ph_spatial_preimage(&fit->family, fit->member, fit->a);
+    fit->violated = ph_spatial_violations(&fit->family, fit->a);
+  }
+  return status;
+}
+
+/* What a factor is tried with. */
+struct search {
+  const struct ph_spatial_data *data;
+  const struct ph_atph *space;
+  ph_spatial_choice *choose;
+  void *context;
+  size_t tried;
+};
+
+static enum ph_status try_factor(struct search *search, double factor,
+                                 struct ph_spatial_fit *fit) {
+  struct ph_spatial_data data = *search->data;
+  data.ni *= factor * factor;
+  data.nf *= factor * factor;
+  search->tried++;
+  return ph_spatial_fit_of(&data, search->space, search->choose,
+                           search->context, fit);
+}
+
+/* The first power of FACTOR, from the first one on, that violates nothing; 0
+ * where none does.  fit: there. */
+static enum ph_status scan(struct search *search, double *factor,
+                           struct ph_spatial_fit *fit) {
+  enum ph_status status = PH_OK;
+  for (*factor = FACTOR; *factor >= FACTOR_MIN; *factor *= FACTOR) {
+    status = try_factor(search, *factor, fit);
+    if (status != PH_OK || !fit->violated) {
+      return status;
+    }
+  }
+  *factor = 0;
+  return status;
+}
+
+/* The largest factor from *factor to *factor / FACTOR that violates nothing,
+ * by bisection.  fit: there. */
+static enum ph_status bisect(struct search *search, double *factor,
+                             struct ph_spatial_fit *fit) {
+  double high = *factor / FACTOR;
+  while (high - *factor > FACTOR_TOLERANCE) {
+    struct ph_spatial_fit middle;
+    double at = 0.5 * (*factor + high);
+    enum ph_status status = try_factor(search, at, &middle);
+    if (status != PH_OK) {
+      return status;
+    }
+    if (middle.violated) {
+      high = at;
+    } else {
+      *factor = at;
+      *fit = middle;
+    }
+  }
+  return PH_OK;
+}
+
+enum ph_status ph_spatial_tension(const struct ph_spatial_data *data,
+                                  const struct ph_atph *space,
+                                  ph_spatial_choice *choose, void *context,
+                                  struct ph_spatial_tension *tension) {
+  struct search search = {data, space, choose, context, 0};
+  struct ph_spatial_fit fit;
+  double factor = 1;
+  enum ph_status status = try_factor(&search, 1, &tension->fit);
+  tension->factor = 1;
+  tension->without = tension->fit.violated;
+  if (status == PH_OK && tension->without) {
+    status = scan(&search, &factor, &fit);
+    if (status == PH_OK && factor > 0) {
+      status = bisect(&search, &factor, &fit);
+      tension->factor = factor;
+      tension->fit = fit;
+    }
+  }
+  tension->tried = search.tried;
+  return status;
+}
