@@ -76,10 +76,10 @@ bool ph_check_scale_of(const double *points, size_t n, size_t dimension,
                 ph_pow2_apply(scale->to_unit, low[i]);
   }
   scale->size = 0.5 * hypot(hypot(extent[0], extent[1]), extent[2]);
-  scale->rounding =
-      ph_check_smaller(DBL_EPSILON * ph_pow2_apply(scale->to_unit, largest) +
-                           ph_pow2_apply(scale->to_unit, SMALLEST),
-                       ROUNDING_OF_SIZE * scale->size);
+  scale->spacing = ph_pow2_apply(scale->to_unit, SMALLEST);
+  scale->rounding = ph_check_smaller(
+      DBL_EPSILON * ph_pow2_apply(scale->to_unit, largest) + scale->spacing,
+      ROUNDING_OF_SIZE * scale->size);
   return scale->size > 0;
 }
 

@@ -95,7 +95,8 @@ struct ph_check_scale {
   struct ph_pow2 to_unit;
   double root;     /* the same for the preimage */
   double size;     /* half the diagonal, at unit scale */
-  double rounding; /* of a coordinate, at unit scale */
+  double rounding; /* of the largest coordinate, and */
+  double spacing;  /* of the smallest, at unit scale */
 };
 
 /* ph_check_scale_of: of points[n][dimension], all finite; false when they have
