@@ -43,4 +43,26 @@ typedef enum ph_status ph_cert_fn(const struct ph_problem *problem,
  */
 ph_cert_fn ph_cert_planar;
 
+/*
+ * ph_cert_spatial_hermite: a PH quintic or ATPH curve through the problem's
+ * points, with its tangents or derivatives, whichever are given.
+ *
+ *   interpolation_error   distance of segment ends from the points / size
+ *   tangent_error         |t - given| of unit tangents, or |r' - s^2 d| / s^2
+ *                         |d| with the tension s; unknown if neither is given
+ *   pythagorean_error     |r' - A i A*| / largest coefficient of r', of each
+ *                         segment by itself
+ *   continuity_error      jump of the unit tangent at the joints; of r' too,
+ *                         relative, where derivatives are given and both
+ *                         tensions are the same
+ *   length_error          lengths against Gauss quadrature of |r'|, relative
+ *   shape_ok              whether all segments claim to keep the shape of the
+ *                         data; where one does not keep what it claims, the
+ *                         curve is refused (cert/shape.h)
+ *
+ * ret  as above, and PH_INTERNAL when there is not a segment for every pair of
+ *      neighbouring points
+ */
+ph_cert_fn ph_cert_spatial_hermite;
+
 #endif

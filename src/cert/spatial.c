@@ -1,0 +1,341 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The certificate of spatial PH quintic and ATPH curves (see cert.h).
+ *
+ * As in the plane, the preimage is a claim: r' from the control points must be
+ * A i A* at the nodes of a Gauss rule, which integrates |r'| at the same time.
+ * Every segment is measured by its own size, as each was found by itself.
+ */
+#include "cert/cert.h"
+
+#include "base/sum.h"
+#include "cert/check.h"
+#include "cert/shape.h"
+#include "kernel/quat.h"
+
+#include <float.h>
+
+/* Tolerances.  Beside the rounding of control points, the solver leaves that of
+ * a few operations. */
+static const double INTERPOLATION = 1e-13;
+static const double PYTHAGOREAN = 1e-13;
+static const double LENGTH = 1e-13;
+static const double DIRECTION = 1e-12;
+
+/* Vectors of two or three coordinates each, of a field. */
+struct data {
+  const double *v;
+  size_t n, dimension;
+};
+
+struct context {
+  const struct ph_curve *curve;
+  struct data points, tangents, derivatives;
+  struct ph_check_scale scale;
+  struct ph_quad rule;
+  struct ph_check_space space; /* of the last segment */
+};
+
+/* A segment at unit scale, with respect to u in [0,1]. */
+struct segment {
+  ph_vec3 start, end;
+  ph_vec3 leg[5]; /* differences of control points */
+  ph_quat a[3];
+  ph_vec3 first[2];   /* r' at both ends */
+  ph_vec3 tangent[2]; /* their directions */
+  double error[2];    /* of the directions, by rounding of control points */
+  double speed;       /* largest |coefficient| of r' */
+  double rounding;    /* of its coordinates */
+  double unit;        /* u to the local parameter of the curve */
+  double tension;
+};
+
+struct checks {
+  struct ph_check point, tangent, square, joint, length;
+  enum ph_cert_shape shape; /* the first that is not kept */
+  size_t shape_at;
+};
+
+static struct data data_of(const struct ph_problem *problem,
+                           enum ph_field_id id) {
+  const struct ph_value *value = &problem->field[id];
+  struct data data = {value->v, 0, value->dimension};
+  data.n = value->kind == PH_VECTORS ? value->n : 0;
+  return data;
+}
+
+/* Vector k of the data; the first one again after the last of closed data. */
+static ph_vec3 vector_at(const struct context *c, const struct data *data,
+                         size_t k) {
+  const double *v = data->v + data->dimension * (k < c->points.n ? k : 0);
+  return ph_vec3_of(v[0], v[1], data->dimension > 2 ? v[2] : 0);
+}
+
+static ph_vec3 scaled(const struct context *c, ph_vec3 v) {
+  return ph_vec3_of(ph_pow2_apply(c->scale.to_unit, v.x),
+                    ph_pow2_apply(c->scale.to_unit, v.y),
+                    ph_pow2_apply(c->scale.to_unit, v.z));
+}
+
+static double largest_of(ph_vec3 v) {
+  return ph_check_larger(ph_check_larger(fabs(v.x), fabs(v.y)), fabs(v.z));
+}
+
+/* The direction of a given vector, of any length. */
+static ph_vec3 direction(ph_vec3 v) {
+  double largest = largest_of(v);
+  return ph_vec3_unit(ph_vec3_of(v.x / largest, v.y / largest, v.z / largest));
+}
+
+/* The legs, and what follows from their lengths. */
+static void set_legs(const struct context *c, const double *p,
+                     struct segment *s) {
+  ph_vec3 from = scaled(c, ph_vec3_of(p[0], p[1], p[2]));
+  double farthest = largest_of(from);
+  s->start = from;
+  s->speed = 0;
+  for (size_t i = 0; i < 5; i++) {
+    const double *q = p + 3 * (i + 1);
+    ph_vec3 to = scaled(c, ph_vec3_of(q[0], q[1], q[2]));
+    s->leg[i] = ph_vec3_sub(to, from);
+    s->speed =
+        ph_check_larger(s->speed, ph_vec3_abs(s->leg[i]) /
+                                      (ph_check_binomial(i) * c->space.mu[i]));
+    farthest = ph_check_larger(farthest, largest_of(to));
+    from = to;
+  }
+  s->end = from;
+  s->rounding = ph_check_smaller(DBL_EPSILON * farthest + c->scale.spacing,
+                                 c->scale.rounding);
+}
+
+static struct segment segment_of(struct context *c, size_t k) {
+  const struct ph_curve *curve = c->curve;
+  const double *a = curve->preimage + 12 * k;
+  struct segment s;
+  double root;
+  ph_check_space_for(&c->space, &c->rule, curve, k);
+  set_legs(c, curve->control_points + 18 * k, &s);
+  s.unit = curve->alpha ? curve->alpha[k] : 1;
+  s.tension = curve->tension ? curve->tension[k] : 1;
+  root = c->scale.root * sqrt(s.unit);
+  for (size_t i = 0; i < 3; i++, a += 4) {
+    s.a[i] = ph_quat_of(root * a[0], root * a[1], root * a[2], root * a[3]);
+  }
+  for (size_t i = 0; i < 2; i++) {
+    double size;
+    s.first[i] = ph_vec3_scale(1 / c->space.mu[0], s.leg[4 * i]);
+    size = ph_vec3_abs(s.first[i]);
+    s.tangent[i] = ph_vec3_scale(1 / size, s.first[i]);
+    s.error[i] = PH_CHECK_ROUND_FIRST * s.rounding / size;
+  }
+  return s;
+}
+
+/* r' = A i A* at the nodes; returns the integral of |r'|. */
+static double check_hodograph(const struct context *c, const struct segment *s,
+                              size_t k, struct ph_check *square) {
+  double length = 0, worst = 0;
+  for (size_t i = 0; i < c->rule.n; i++) {
+    const double *leg = c->space.leg[i], *b = c->space.square[i];
+    ph_vec3 r = ph_vec3_scale(leg[0], s->leg[0]), miss;
+    ph_quat a = ph_quat_scale(b[0], s->a[0]);
+    double error;
+    for (size_t j = 1; j < 5; j++) {
+      r = ph_vec3_along(r, leg[j], s->leg[j]);
+    }
+    for (size_t j = 1; j < 3; j++) {
+      a = ph_quat_add(a, ph_quat_scale(b[j], s->a[j]));
+    }
+    miss = ph_vec3_sub(r, ph_quat_i(a, a));
+    error = ph_vec3_dot(miss, miss);
+    length += c->rule.weight[i] * ph_vec3_abs(r);
+    if (!(error <= worst)) {
+      worst = error;
+    }
+  }
+  ph_check_add(square, k, sqrt(worst), s->speed,
+               PYTHAGOREAN * s->speed + PH_CHECK_ROUND_FIRST * s->rounding);
+  return length;
+}
+
+static void check_length(double length, double claimed, double rounding,
+                         size_t k, struct ph_check *check) {
+  ph_check_add(check, k, fabs(length - claimed), length,
+               LENGTH * length + PH_CHECK_ROUND_FIRST * rounding);
+}
+
+/* The tangent or the derivative that was given for one end of segment k. */
+static void check_tangent(const struct context *c, const struct segment *s,
+                          size_t k, size_t end, struct ph_check *check) {
+  if (c->derivatives.n > 0) {
+    ph_vec3 given = scaled(c, vector_at(c, &c->derivatives, k + end));
+    double factor = s->tension * s->tension * s->unit;
+    double size = factor * ph_vec3_abs(given);
+    ph_vec3 miss = ph_vec3_along(s->first[end], -factor, given);
+    ph_check_add(check, k, ph_vec3_abs(miss), size,
+                 DIRECTION * size + PH_CHECK_ROUND_FIRST * s->rounding);
+  } else {
+    ph_vec3 given = direction(vector_at(c, &c->tangents, k + end));
+    ph_vec3 miss = ph_vec3_sub(s->tangent[end], given);
+    ph_check_add(check, k, ph_vec3_abs(miss), 1, DIRECTION + s->error[end]);
+  }
+}
+
+/* The jump between two segments: of the direction, and of the derivative by the
+ * local parameter where it was given and scaled alike. */
+static void check_joint(const struct context *c, const struct segment *a,
+                        const struct segment *b, size_t k,
+                        struct ph_check *joint) {
+  ph_vec3 jump = ph_vec3_sub(a->tangent[1], b->tangent[0]);
+  double error = DIRECTION + a->error[1] + b->error[0];
+  ph_check_add(joint, k, ph_vec3_abs(jump), 1, error);
+  if (c->derivatives.n > 0 && a->tension >= b->tension &&
+      a->tension <= b->tension) {
+    ph_vec3 left = ph_vec3_scale(1 / a->unit, a->first[1]);
+    ph_vec3 right = ph_vec3_scale(1 / b->unit, b->first[0]);
+    double size = ph_vec3_abs(right);
+    jump = ph_vec3_sub(left, right);
+    ph_check_add(joint, k, ph_vec3_abs(jump), size, error * size);
+  }
+}
+
+static void check_points(const struct context *c, const struct segment *s,
+                         size_t k, struct ph_check *point) {
+  ph_vec3 from = scaled(c, vector_at(c, &c->points, k));
+  ph_vec3 to = scaled(c, vector_at(c, &c->points, k + 1));
+  double away = ph_check_larger(ph_vec3_abs(ph_vec3_sub(s->start, from)),
+                                ph_vec3_abs(ph_vec3_sub(s->end, to)));
+  ph_check_add(point, k, away, c->scale.size, INTERPOLATION * c->scale.size);
+}
+
+/* The shape that the segment claims to keep. */
+static void check_shape(const struct context *c, const struct segment *s,
+                        size_t k, struct checks *checks) {
+  if (c->curve->shape_ok && c->curve->shape_ok[k] &&
+      checks->shape == PH_CERT_SHAPE_KEPT) {
+    checks->shape =
+        ph_cert_shape_of(s->leg, c->space.mu, PYTHAGOREAN, s->rounding);
+    checks->shape_at = k;
+  }
+}
+
+static void check_segments(struct context *c, struct checks *checks) {
+  const struct ph_curve *curve = c->curve;
+  size_t n = curve->n;
+  struct segment first, before;
+  struct ph_sum total = {0, 0};
+  double claimed = ph_pow2_apply(c->scale.to_unit, curve->length), rounding = 0;
+  for (size_t k = 0; k < n; k++) {
+    struct segment s = segment_of(c, k);
+    double length = check_hodograph(c, &s, k, &checks->square);
+    double wanted = ph_pow2_apply(c->scale.to_unit, curve->lengths[k]);
+    check_points(c, &s, k, &checks->point);
+    check_length(length, wanted, s.rounding, k, &checks->length);
+    if (c->tangents.n > 0 || c->derivatives.n > 0) {
+      check_tangent(c, &s, k, 0, &checks->tangent);
+      check_tangent(c, &s, k, 1, &checks->tangent);
+    }
+    if (k > 0) {
+      check_joint(c, &before, &s, k, &checks->joint);
+    } else {
+      first = s;
+    }
+    check_shape(c, &s, k, checks);
+    ph_sum_add(&total, length);
+    rounding += s.rounding;
+    before = s;
+  }
+  check_length(ph_sum_value(&total), claimed, rounding, n - 1, &checks->length);
+  if (curve->closed) {
+    check_joint(c, &before, &first, 0, &checks->joint);
+  }
+}
+
+static void set_shape_ok(const struct ph_curve *curve,
+                         struct ph_diagnostics *diagnostics) {
+  bool all = true;
+  if (curve->shape_ok) {
+    for (size_t k = 0; k < curve->n; k++) {
+      all = all && curve->shape_ok[k];
+    }
+    ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK, all);
+  }
+}
+
+/* What the checks came to, the worst place of the first that fails. */
+static enum ph_status conclude(const struct context *c,
+                               const struct checks *checks,
+                               struct ph_diagnostics *diagnostics,
+                               struct ph_diag *diag) {
+  static const char *const wrong[] = {
+      [PH_CERT_SHAPE_START] = "it is not convex at its start",
+      [PH_CERT_SHAPE_END] = "it is not convex at its end",
+      [PH_CERT_SHAPE_TORSION] = "its torsion changes sign"};
+  const struct ph_check *const list[] = {&checks->point, &checks->tangent,
+                                         &checks->square, &checks->joint,
+                                         &checks->length};
+  for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
+    if (list[i] != &checks->tangent || c->tangents.n > 0 ||
+        c->derivatives.n > 0) {
+      enum ph_status status = ph_check_conclude(list[i], diagnostics, diag);
+      if (status != PH_OK) {
+        return status;
+      }
+    }
+  }
+  if (checks->shape != PH_CERT_SHAPE_KEPT) {
+    return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", checks->shape_at,
+                      "is refused by its certificate: %s is claimed, but %s",
+                      ph_diagnostic_name(PH_D_SHAPE_OK), wrong[checks->shape]);
+  }
+  set_shape_ok(c->curve, diagnostics);
+  return PH_OK;
+}
+
+/* Whether there is a segment for every pair of points; a repeated last point of
+ * closed data counts once. */
+static bool all_joined(struct context *c) {
+  size_t n = c->curve->n, given = c->points.n;
+  c->points.n = c->curve->closed ? n : n + 1;
+  return n > 0 &&
+         (given == c->points.n || (c->curve->closed && given == n + 1));
+}
+
+enum ph_status ph_cert_spatial_hermite(const struct ph_problem *problem,
+                                       const struct ph_curve *curve,
+                                       struct ph_arena *scratch,
+                                       struct ph_diagnostics *diagnostics,
+                                       struct ph_diag *diag) {
+  struct checks checks = {{.what = PH_D_INTERPOLATION_ERROR},
+                          {.what = PH_D_TANGENT_ERROR},
+                          {.what = PH_D_PYTHAGOREAN_ERROR},
+                          {.what = PH_D_CONTINUITY_ERROR},
+                          {.what = PH_D_LENGTH_ERROR},
+                          PH_CERT_SHAPE_KEPT,
+                          0};
+  struct context c = {.curve = curve,
+                      .points = data_of(problem, PH_F_POINTS),
+                      .tangents = data_of(problem, PH_F_TANGENTS),
+                      .derivatives = data_of(problem, PH_F_DERIVATIVES)};
+  enum ph_status status = ph_check_finite(curve, diag);
+  (void)scratch;
+  if (status != PH_OK) {
+    return status;
+  }
+  if (!all_joined(&c)) {
+    return ph_fail(diag, PH_INTERNAL, "points",
+                   "are not as many as are joined");
+  }
+  if (!ph_quad_gauss(&c.rule,
+                     curve->alpha ? PH_CHECK_NODES_ATPH : PH_CHECK_NODES_PH)) {
+    return ph_fail_memory(diag);
+  }
+  c.space = ph_check_space_of(&c.rule, 0);
+  if (!ph_check_scale_of(c.points.v, c.points.n, c.points.dimension,
+                         &c.scale)) {
+    return ph_fail(diag, PH_INTERNAL, "points", "have no extent");
+  }
+  check_segments(&c, &checks);
+  return conclude(&c, &checks, diagnostics, diag);
+}
