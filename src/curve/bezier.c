@@ -1,25 +1,40 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Planar ATPH curves as polynomial Bezier curves (see bezier.h). */
+/* ATPH curves as polynomial Bezier curves (see bezier.h). */
 #include "curve/bezier.h"
 
 #include "curve/hermite.h"
 #include "curve/ph2.h"
 #include "curve/seg2.h"
 
-/* The exact length of the part of the curve that a piece stands for. */
-static double length_of(const struct ph_curve *curve,
-                        const struct ph_pieces *pieces, size_t i) {
-  struct ph_seg2 seg = ph_seg2_of(curve, pieces->segment[i]);
-  const double *u = pieces->interval + 2 * i;
-  struct ph_atph space;
-  ph_cplx w[3];
-  ph_atph_part(&seg.space, seg.w, u[0], u[1], &space, w);
-  return (u[1] - u[0]) * ph_ph2_length(&space, w);
+/* The exact length of the part [u[0],u[1]] of a segment with preimage w. */
+static double part_length(const struct ph_atph *space, const ph_cplx w[3],
+                          const double *u) {
+  struct ph_atph part;
+  ph_cplx v[3];
+  ph_atph_part(space, w, u[0], u[1], &part, v);
+  return (u[1] - u[0]) * ph_ph2_length(&part, v);
 }
 
-enum ph_status ph_bezier_planar(const struct ph_curve *curve, double tolerance,
-                                struct ph_arena *arena, struct ph_curve *bezier,
-                                double *error, struct ph_diag *diag) {
+/* The exact length of the part of the curve that a piece stands for; in space
+ * |A|^2 is the sum of two planar speeds. */
+static double length_of(const struct ph_curve *curve,
+                        const struct ph_pieces *pieces, size_t i) {
+  const double *u = pieces->interval + 2 * i;
+  if (curve->dimension == 2) {
+    struct ph_seg2 seg = ph_seg2_of(curve, pieces->segment[i]);
+    return part_length(&seg.space, seg.w, u);
+  } else {
+    struct ph_seg3 seg = ph_seg3_of(curve, pieces->segment[i]);
+    ph_cplx pair[2][3];
+    ph_seg3_pair(&seg, pair);
+    return part_length(&seg.space, pair[0], u) +
+           part_length(&seg.space, pair[1], u);
+  }
+}
+
+enum ph_status ph_bezier_curve(const struct ph_curve *curve, double tolerance,
+                               struct ph_arena *arena, struct ph_curve *bezier,
+                               double *error, struct ph_diag *diag) {
   struct ph_pieces pieces;
   enum ph_status status;
   *bezier = *curve;
@@ -27,19 +42,21 @@ enum ph_status ph_bezier_planar(const struct ph_curve *curve, double tolerance,
   if (!curve->alpha) {
     return PH_OK;
   }
-  status = ph_hermite_pieces(curve, 0, tolerance, arena, &pieces, diag);
+  status = ph_hermite_pieces(curve, 0, PH_E2, tolerance, arena, &pieces, diag);
   if (status != PH_OK) {
     return status;
   }
   *error = pieces.error;
-  bezier->kind = PH_CURVE_BEZIER;
-  bezier->n = pieces.n;
-  bezier->control_points = pieces.control_points;
-  bezier->alpha = NULL;
-  bezier->preimage = NULL;
-  bezier->preimage_n = 0;
-  bezier->knots = ph_arena_array(arena, pieces.n + 1, sizeof(double));
-  bezier->lengths = ph_arena_array(arena, pieces.n, sizeof(double));
+  *bezier = (struct ph_curve){
+      .kind = PH_CURVE_BEZIER,
+      .closed = curve->closed,
+      .dimension = curve->dimension,
+      .degree = pieces.degree,
+      .n = pieces.n,
+      .knots = ph_arena_array(arena, pieces.n + 1, sizeof(double)),
+      .control_points = pieces.control_points,
+      .lengths = ph_arena_array(arena, pieces.n, sizeof(double)),
+      .length = curve->length};
   if (!bezier->knots || !bezier->lengths) {
     return ph_fail_memory(diag);
   }

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Quintic Hermite pieces of planar curves and offsets (see hermite.h). */
+/*
+ * Quintic Hermite pieces of curves and offsets (see hermite.h): two sources of
+ * points and derivatives, for the plane and for space, and one engine.
+ */
 #include "curve/hermite.h"
 
 #include "curve/seg2.h"
@@ -9,74 +12,115 @@
 /* A million pieces of a segment are not what anybody wants. */
 enum { HALVINGS_MAX = 20, NODES = 12, PROBES = 8 };
 
+/* The exact curve at a parameter: position, derivatives by u.  In the plane,
+ * z = 0. */
+struct jet {
+  ph_vec3 r, first, second;
+};
+
 struct walk {
-  struct ph_quad rule;
-  struct ph_seg2 seg;
-  size_t segment;
+  const struct ph_curve *curve;
   double distance, tolerance;
+  enum ph_normal normal;
+  struct ph_quad rule;
+  size_t segment;
+  struct ph_seg2 seg2; /* the segment, in the plane or in space */
+  struct ph_seg3 seg3;
+  struct jet (*jet_at)(const struct walk *walk, double u);
   bool fill; /* false: only count */
   struct ph_pieces *pieces;
 };
 
-/* The exact curve at a parameter: position, derivatives by u. */
-struct jet {
-  ph_cplx r, first, second;
-};
+static ph_vec3 in_space(ph_cplx z) {
+  return ph_vec3_of(z.re, z.im, 0);
+}
 
 /* With left normal n = i t:  r_d = r + d n,  r_d' = (1 - d kappa) r'. */
-static struct jet jet_at(const struct walk *walk, double u) {
-  struct ph_bend bend = ph_seg2_bend(&walk->seg, u);
+static struct jet planar_jet(const struct walk *walk, double u) {
+  const struct ph_seg2 *seg = &walk->seg2;
+  struct ph_bend bend = ph_seg2_bend(seg, u);
   double d = walk->distance, shrink = 1 - d * bend.curvature;
-  ph_cplx w[2], square, slope;
+  ph_cplx w[2], square, slope, r = ph_seg2_point(seg, &walk->rule, u);
   struct jet jet;
-  ph_atph_jet(&walk->seg.space, walk->seg.w, u, w, 2);
+  ph_atph_jet(&seg->space, seg->w, u, w, 2);
   square = ph_cplx_mul(w[0], w[0]);
   slope = ph_cplx_scale(2 * shrink, ph_cplx_mul(w[0], w[1]));
-  jet.r = ph_seg2_point(&walk->seg, &walk->rule, u);
-  jet.r.re -= d * bend.tangent.im;
-  jet.r.im += d * bend.tangent.re;
-  jet.first = ph_cplx_scale(shrink, square);
-  jet.second = ph_cplx_sub(slope, ph_cplx_scale(d * bend.slope, square));
+  r.re -= d * bend.tangent.im;
+  r.im += d * bend.tangent.re;
+  jet.r = in_space(r);
+  jet.first = in_space(ph_cplx_scale(shrink, square));
+  jet.second =
+      in_space(ph_cplx_sub(slope, ph_cplx_scale(d * bend.slope, square)));
+  return jet;
+}
+
+/* With n = A j A* or A k A*, e = n / s and s = |A|^2:
+ *   e' = (n' - s' e) / s,  e'' = (n'' - 2 s' e' - s'' e) / s. */
+static void move(struct jet *jet, const ph_quat a[3], double distance,
+                 enum ph_normal normal) {
+  double per_s = 1 / ph_quat_dot(a[0], a[0]);
+  double s1 = 2 * ph_quat_dot(a[0], a[1]);
+  double s2 = 2 * (ph_quat_dot(a[0], a[2]) + ph_quat_dot(a[1], a[1]));
+  ph_vec3 n1 = ph_vec3_scale(2, ph_normal_between(normal, a[0], a[1]));
+  ph_vec3 n2 =
+      ph_vec3_scale(2, ph_vec3_add(ph_normal_between(normal, a[0], a[2]),
+                                   ph_normal_between(normal, a[1], a[1])));
+  ph_vec3 e = ph_vec3_scale(per_s, ph_normal_between(normal, a[0], a[0]));
+  ph_vec3 e1 = ph_vec3_scale(per_s, ph_vec3_along(n1, -s1, e));
+  ph_vec3 e2 = ph_vec3_scale(
+      per_s, ph_vec3_along(ph_vec3_along(n2, -2 * s1, e1), -s2, e));
+  jet->r = ph_vec3_along(jet->r, distance, e);
+  jet->first = ph_vec3_along(jet->first, distance, e1);
+  jet->second = ph_vec3_along(jet->second, distance, e2);
+}
+
+static struct jet spatial_jet(const struct walk *walk, double u) {
+  ph_quat a[3];
+  struct jet jet;
+  ph_seg3_jet(&walk->seg3, u, a, 3);
+  jet.r = ph_seg3_point(&walk->seg3, &walk->rule, u);
+  jet.first = ph_quat_i(a[0], a[0]);
+  jet.second = ph_vec3_scale(2, ph_quat_i(a[0], a[1]));
+  if (fabs(walk->distance) > 0) {
+    move(&jet, a, walk->distance, walk->normal);
+  }
   return jet;
 }
 
 static void bezier_of(const struct jet *a, const struct jet *b, double h,
-                      ph_cplx p[6]) {
-  ph_cplx a1 = ph_cplx_scale(h / 5, a->first);
-  ph_cplx b1 = ph_cplx_scale(h / 5, b->first);
+                      ph_vec3 p[6]) {
   p[0] = a->r;
-  p[1] = ph_cplx_add(a->r, a1);
-  p[2] =
-      ph_cplx_add(ph_cplx_add(p[1], a1), ph_cplx_scale(h * h / 20, a->second));
+  p[1] = ph_vec3_along(a->r, h / 5, a->first);
+  p[2] = ph_vec3_along(ph_vec3_along(p[1], h / 5, a->first), h * h / 20,
+                       a->second);
   p[5] = b->r;
-  p[4] = ph_cplx_sub(b->r, b1);
-  p[3] =
-      ph_cplx_add(ph_cplx_sub(p[4], b1), ph_cplx_scale(h * h / 20, b->second));
+  p[4] = ph_vec3_along(b->r, -h / 5, b->first);
+  p[3] = ph_vec3_along(ph_vec3_along(p[4], -h / 5, b->first), h * h / 20,
+                       b->second);
 }
 
 /* De Casteljau. */
-static ph_cplx bezier_at(const ph_cplx p[6], double x) {
-  ph_cplx q[6];
+static ph_vec3 bezier_at(const ph_vec3 p[6], double x) {
+  ph_vec3 q[6];
   for (size_t i = 0; i < 6; i++) {
     q[i] = p[i];
   }
   for (size_t n = 5; n > 0; n--) {
     for (size_t i = 0; i < n; i++) {
-      q[i].re += x * (q[i + 1].re - q[i].re);
-      q[i].im += x * (q[i + 1].im - q[i].im);
+      q[i] = ph_vec3_along(q[i], x, ph_vec3_sub(q[i + 1], q[i]));
     }
   }
   return q[0];
 }
 
 /* The greatest distance from the exact curve; NaN if there is one. */
-static double error_of(const struct walk *walk, const ph_cplx p[6], double u0,
+static double error_of(const struct walk *walk, const ph_vec3 p[6], double u0,
                        double u1) {
   double worst = 0;
   for (size_t i = 1; i < PROBES; i++) {
     double x = (double)i / PROBES;
-    struct jet exact = jet_at(walk, u0 + x * (u1 - u0));
-    double error = ph_cplx_abs(ph_cplx_sub(bezier_at(p, x), exact.r));
+    struct jet exact = walk->jet_at(walk, u0 + x * (u1 - u0));
+    double error = ph_vec3_abs(ph_vec3_sub(bezier_at(p, x), exact.r));
     if (!(error <= worst)) {
       worst = error;
     }
@@ -84,17 +128,17 @@ static double error_of(const struct walk *walk, const ph_cplx p[6], double u0,
   return worst;
 }
 
-static void put(struct walk *walk, const ph_cplx p[6], double u0, double u1,
+static void put(struct walk *walk, const ph_vec3 p[6], double u0, double u1,
                 double error) {
   struct ph_pieces *pieces = walk->pieces;
-  size_t at = pieces->n++;
+  size_t at = pieces->n++, dimension = pieces->dimension;
   if (walk->fill) {
+    double *out = pieces->control_points + 6 * dimension * at;
     pieces->segment[at] = walk->segment;
     pieces->interval[2 * at] = u0;
     pieces->interval[2 * at + 1] = u1;
     for (size_t i = 0; i < 6; i++) {
-      pieces->control_points[12 * at + 2 * i] = p[i].re;
-      pieces->control_points[12 * at + 2 * i + 1] = p[i].im;
+      ph_vec3_put(p[i], dimension, out + dimension * i);
     }
   }
   pieces->error = error > pieces->error ? error : pieces->error;
@@ -102,7 +146,7 @@ static void put(struct walk *walk, const ph_cplx p[6], double u0, double u1,
 
 static bool visit(struct walk *walk, const struct jet *a, double u0,
                   const struct jet *b, double u1, int depth) {
-  ph_cplx p[6];
+  ph_vec3 p[6];
   double error, middle = 0.5 * (u0 + u1);
   struct jet m;
   bezier_of(a, b, u1 - u0, p);
@@ -114,21 +158,30 @@ static bool visit(struct walk *walk, const struct jet *a, double u0,
   if (depth == HALVINGS_MAX || !isfinite(error)) {
     return false;
   }
-  m = jet_at(walk, middle);
+  m = walk->jet_at(walk, middle);
   return visit(walk, a, u0, &m, middle, depth + 1) &&
          visit(walk, &m, middle, b, u1, depth + 1);
 }
 
-static enum ph_status visit_all(struct walk *walk, const struct ph_curve *curve,
-                                struct ph_diag *diag) {
+static void enter(struct walk *walk, size_t k) {
+  walk->segment = k;
+  if (walk->curve->dimension == 2) {
+    walk->seg2 = ph_seg2_of(walk->curve, k);
+    walk->jet_at = planar_jet;
+  } else {
+    walk->seg3 = ph_seg3_of(walk->curve, k);
+    walk->jet_at = spatial_jet;
+  }
+}
+
+static enum ph_status visit_all(struct walk *walk, struct ph_diag *diag) {
   walk->pieces->n = 0;
   walk->pieces->error = 0;
-  for (size_t k = 0; k < curve->n; k++) {
+  for (size_t k = 0; k < walk->curve->n; k++) {
     struct jet a, b;
-    walk->segment = k;
-    walk->seg = ph_seg2_of(curve, k);
-    a = jet_at(walk, 0);
-    b = jet_at(walk, 1);
+    enter(walk, k);
+    a = walk->jet_at(walk, 0);
+    b = walk->jet_at(walk, 1);
     if (!visit(walk, &a, 0, &b, 1, 0)) {
       return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
                         "has no Bezier pieces within %.3g of the exact curve",
@@ -139,27 +192,32 @@ static enum ph_status visit_all(struct walk *walk, const struct ph_curve *curve,
 }
 
 enum ph_status ph_hermite_pieces(const struct ph_curve *curve, double distance,
-                                 double tolerance, struct ph_arena *arena,
+                                 enum ph_normal normal, double tolerance,
+                                 struct ph_arena *arena,
                                  struct ph_pieces *pieces,
                                  struct ph_diag *diag) {
-  struct walk walk = {
-      .distance = distance, .tolerance = tolerance, .pieces = pieces};
+  size_t stride = 6 * curve->dimension;
+  struct walk walk = {.curve = curve,
+                      .distance = distance,
+                      .tolerance = tolerance,
+                      .normal = normal,
+                      .pieces = pieces};
   enum ph_status status;
-  *pieces = (struct ph_pieces){.degree = 5, .dimension = 2};
+  *pieces = (struct ph_pieces){.degree = 5, .dimension = curve->dimension};
   if (!ph_quad_gauss(&walk.rule, NODES)) {
     return ph_fail_memory(diag);
   }
-  status = visit_all(&walk, curve, diag);
+  status = visit_all(&walk, diag);
   if (status != PH_OK) {
     return status;
   }
   pieces->segment = ph_arena_array(arena, pieces->n, sizeof(size_t));
   pieces->interval = ph_arena_array(arena, pieces->n, 2 * sizeof(double));
   pieces->control_points =
-      ph_arena_array(arena, pieces->n, 12 * sizeof(double));
+      ph_arena_array(arena, pieces->n, stride * sizeof(double));
   if (!pieces->segment || !pieces->interval || !pieces->control_points) {
     return ph_fail_memory(diag);
   }
   walk.fill = true;
-  return visit_all(&walk, curve, diag);
+  return visit_all(&walk, diag);
 }

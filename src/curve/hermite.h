@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Planar ATPH curves, and offsets of planar PH and ATPH curves, as polynomial
- * quintic Bezier pieces within a tolerance.
+ * ATPH curves, and offsets of PH and ATPH curves, in the plane and in space, as
+ * polynomial quintic Bezier pieces within a tolerance.
  *
  * A piece takes position, first and second derivative over from the exact
  * curve at both ends, so that the pieces join with C2 continuity where the
@@ -14,18 +14,22 @@
 #include "base/diag.h"
 #include "base/mem.h"
 #include "curve/result.h"
+#include "curve/seg3.h"
 
 /*
- * ph_hermite_pieces: the curve (distance 0) or its offset as Bezier pieces.
+ * ph_hermite_pieces: a curve (distance 0) or its offset as Bezier pieces.
  *
- * in   distance   signed, positive to the left of travel
+ * in   distance   signed, along the normal
+ * in   normal     of the Euler-Rodrigues frame; of a planar curve E2, which is
+ *                 to the left of travel
  * in   tolerance  greatest distance from the exact curve, in its unit
  * out  pieces     error is the greatest distance found, at seven points of each
  *                 piece, between points of equal parameter
  * ret  PH_OK | PH_NO_CONVERGENCE (names the segment) | PH_NO_MEMORY
  */
 enum ph_status ph_hermite_pieces(const struct ph_curve *curve, double distance,
-                                 double tolerance, struct ph_arena *arena,
+                                 enum ph_normal normal, double tolerance,
+                                 struct ph_arena *arena,
                                  struct ph_pieces *pieces,
                                  struct ph_diag *diag);
 

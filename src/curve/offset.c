@@ -184,7 +184,7 @@ static enum ph_status offset_atph(const struct ph_curve *curve,
     struct ph_seg2 seg = ph_seg2_of(curve, k);
     fill_quotient(offset, k, &seg);
   }
-  return ph_hermite_pieces(curve, offset->distance, tolerance, arena,
+  return ph_hermite_pieces(curve, offset->distance, PH_E2, tolerance, arena,
                            &offset->pieces, diag);
 }
 

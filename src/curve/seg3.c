@@ -13,32 +13,39 @@
 enum { HALVINGS_MAX = 30 };
 static const double TWIST = 1e-13;
 
-static ph_vec3 triple(const double *v) {
-  return ph_vec3_of(v[0], v[1], v[2]);
+static ph_quat quaternion(const double *a, size_t dimension) {
+  return dimension == 2 ? ph_quat_of(a[0], 0, 0, a[1])
+                        : ph_quat_of(a[0], a[1], a[2], a[3]);
 }
 
 struct ph_seg3 ph_seg3_of(const struct ph_curve *curve, size_t k) {
+  size_t dimension = curve->dimension, size = dimension == 2 ? 2 : 4;
+  const double *a = curve->preimage + 3 * size * k;
+  const double *p = curve->control_points + 6 * dimension * k;
   double angle = curve->alpha ? curve->alpha[k] : 0;
   double root = curve->alpha ? sqrt(angle) : 1;
   struct ph_seg3 seg;
   seg.space = ph_atph_of(angle);
   for (size_t i = 0; i < 3; i++) {
-    const double *a = curve->preimage + 12 * k + 4 * i;
-    seg.a[i] = ph_quat_scale(root, ph_quat_of(a[0], a[1], a[2], a[3]));
+    seg.a[i] = ph_quat_scale(root, quaternion(a + size * i, size));
   }
-  seg.start = triple(curve->control_points + 18 * k);
-  seg.end = triple(curve->control_points + 18 * k + 15);
+  seg.start = ph_vec3_get(p, dimension);
+  seg.end = ph_vec3_get(p + 5 * dimension, dimension);
   return seg;
 }
 
-void ph_seg3_jet(const struct ph_seg3 *seg, double u, ph_quat *jet, size_t n) {
-  ph_cplx w[3], v[3], w_jet[4], v_jet[4];
+void ph_seg3_pair(const struct ph_seg3 *seg, ph_cplx pair[2][3]) {
   for (size_t i = 0; i < 3; i++) {
-    w[i] = ph_cplx_of(seg->a[i].u, seg->a[i].v);
-    v[i] = ph_cplx_of(seg->a[i].p, seg->a[i].q);
+    pair[0][i] = ph_cplx_of(seg->a[i].u, seg->a[i].v);
+    pair[1][i] = ph_cplx_of(seg->a[i].p, seg->a[i].q);
   }
-  ph_atph_jet(&seg->space, w, u, w_jet, n);
-  ph_atph_jet(&seg->space, v, u, v_jet, n);
+}
+
+void ph_seg3_jet(const struct ph_seg3 *seg, double u, ph_quat *jet, size_t n) {
+  ph_cplx w[2][3], w_jet[4], v_jet[4];
+  ph_seg3_pair(seg, w);
+  ph_atph_jet(&seg->space, w[0], u, w_jet, n);
+  ph_atph_jet(&seg->space, w[1], u, v_jet, n);
   for (size_t i = 0; i < n; i++) {
     jet[i] = ph_quat_of(w_jet[i].re, w_jet[i].im, v_jet[i].re, v_jet[i].im);
   }

@@ -29,8 +29,23 @@ struct ph_seg3 {
   ph_vec3 start, end;
 };
 
-/* ph_seg3_of: segment k of a spatial curve. */
+/*
+ * ph_seg3_of: segment k of a curve in space, or in the plane z = 0: with
+ * A = Re w + Im w k, r' = w^2 there and e2 is the left normal.
+ */
 struct ph_seg3 ph_seg3_of(const struct ph_curve *curve, size_t k);
+
+/* ph_seg3_pair: the preimage as two complex ones, A = pair[0] + pair[1] j. */
+void ph_seg3_pair(const struct ph_seg3 *seg, ph_cplx pair[2][3]);
+
+/* The normals of the Euler-Rodrigues frame. */
+enum ph_normal { PH_E2, PH_E3 };
+
+/* ph_normal_between: vect(a j b*) for e2, vect(a k b*) for e3. */
+static inline ph_vec3 ph_normal_between(enum ph_normal normal, ph_quat a,
+                                        ph_quat b) {
+  return normal == PH_E2 ? ph_quat_j(a, b) : ph_quat_k(a, b);
+}
 
 /* ph_seg3_jet: A and its derivatives with respect to u.
  * out  jet[n]  A, A', ..., n <= 4 */

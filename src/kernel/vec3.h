@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stddef.h>
 
 typedef struct {
   double x, y, z;
@@ -16,6 +17,20 @@ typedef struct {
 static inline ph_vec3 ph_vec3_of(double x, double y, double z) {
   ph_vec3 v = {x, y, z};
   return v;
+}
+
+/* ph_vec3_get: from an array of 3 or, in the plane z = 0, 2 coordinates. */
+static inline ph_vec3 ph_vec3_get(const double *v, size_t dimension) {
+  return ph_vec3_of(v[0], v[1], dimension == 2 ? 0 : v[2]);
+}
+
+/* ph_vec3_put: the first 2 or all 3 coordinates, into an array. */
+static inline void ph_vec3_put(ph_vec3 a, size_t dimension, double *v) {
+  v[0] = a.x;
+  v[1] = a.y;
+  if (dimension == 3) {
+    v[2] = a.z;
+  }
 }
 
 static inline ph_vec3 ph_vec3_add(ph_vec3 a, ph_vec3 b) {

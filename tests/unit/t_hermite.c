@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bezier pieces of ATPH curves and of offsets: near, joined, in order. */
 #include "unit.h"
+#include "curve3_unit.h"
 #include "planar_unit.h"
 #include "random_unit.h"
 
@@ -27,8 +28,8 @@ static void begin(void) {
 }
 
 static enum ph_status convert(double distance, double tolerance) {
-  return ph_hermite_pieces(&u.result.curve, distance, tolerance, &u.arena,
-                           &pieces, &u.diag);
+  return ph_hermite_pieces(&u.result.curve, distance, PH_E2, tolerance,
+                           &u.arena, &pieces, &u.diag);
 }
 
 static ph_cplx exact(const struct ph_seg2 *seg, double at, double distance) {
@@ -73,8 +74,7 @@ START_TEST(test_near) {
 END_TEST
 
 /* Every segment from 0 to 1 without gaps. */
-START_TEST(test_order) {
-  ck_assert_int_eq(convert(0.1, 1e-8), PH_OK);
+static void ck_order(size_t segments) {
   for (size_t i = 0; i < pieces.n; i++) {
     const double *part = pieces.interval + 2 * i;
     const bool first = !i || pieces.segment[i] != pieces.segment[i - 1];
@@ -85,8 +85,13 @@ START_TEST(test_order) {
       ck_rel(i ? part[-1] : 1, 1, 0);
     }
   }
-  ck_assert_uint_eq(pieces.segment[pieces.n - 1], 3);
+  ck_assert_uint_eq(pieces.segment[pieces.n - 1], segments - 1);
   ck_rel(pieces.interval[2 * pieces.n - 1], 1, 0);
+}
+
+START_TEST(test_order) {
+  ck_assert_int_eq(convert(0.1, 1e-8), PH_OK);
+  ck_order(4);
 }
 END_TEST
 
@@ -126,6 +131,97 @@ START_TEST(test_refused) {
 }
 END_TEST
 
+/* ---- in space ---- */
+
+static struct unit_curve3 c;
+
+static void begin_space(void) {
+  struct unit_random r = unit_random_of(530);
+  unit_curve3_random(&c, 3, true, 0.6, &r);
+  u = (struct unit_planar){0};
+}
+
+static const struct {
+  double distance;
+  enum ph_normal normal;
+} moves[] = {
+    {0, PH_E2}, {0.2, PH_E2}, {-0.2, PH_E2}, {0.2, PH_E3}, {-0.2, PH_E3}};
+
+enum { MOVES = sizeof moves / sizeof moves[0] };
+
+static enum ph_status move(size_t i, double tolerance) {
+  return ph_hermite_pieces(&c.curve, moves[i].distance, moves[i].normal,
+                           tolerance, &u.arena, &pieces, &u.diag);
+}
+
+static double apart_in_space(size_t which) {
+  double worst = 0;
+  for (size_t i = 0; i < pieces.n; i++) {
+    const double *part = pieces.interval + 2 * i;
+    for (size_t j = 0; j <= 32; j++) {
+      double t = (double)j / 32, at = part[0] + t * (part[1] - part[0]);
+      ph_vec3 p = unit_bezier3(pieces.control_points + 18 * i, 5, 0, t);
+      ph_vec3 wanted =
+          unit_curve3_moved(&c.curve, pieces.segment[i], at,
+                            moves[which].distance, moves[which].normal);
+      worst = unit_larger(worst, unit_apart3(p, wanted));
+    }
+  }
+  return worst;
+}
+
+START_TEST(test_near_in_space) {
+  size_t before = 0;
+  for (double tolerance = 1e-2; tolerance > 1e-11; tolerance /= 100) {
+    ck_assert_int_eq(move((size_t)_i, tolerance), PH_OK);
+    ck_assert_uint_eq(pieces.degree, 5);
+    ck_assert_uint_eq(pieces.dimension, 3);
+    ck_assert_double_le(pieces.error, tolerance);
+    ck_assert_double_le(apart_in_space((size_t)_i), 1.1 * pieces.error + 2e-14);
+    ck_assert_double_ge(apart_in_space((size_t)_i), 0.9 * pieces.error);
+    ck_assert_uint_ge(pieces.n, before);
+    ck_order(3);
+    before = pieces.n;
+  }
+  ck_assert_uint_ge(before, 20);
+}
+END_TEST
+
+/* Pieces of a segment join with two derivatives; of offsets of segments whose
+ * frames join, the points do. */
+START_TEST(test_joints_in_space) {
+  ck_assert_int_eq(move((size_t)_i, 1e-6), PH_OK);
+  for (size_t i = 0; i + 1 < pieces.n; i++) {
+    const double *a = pieces.interval + 2 * i, *p = pieces.control_points;
+    const double h[2] = {a[1] - a[0], a[3] - a[2]};
+    const size_t orders = pieces.segment[i] == pieces.segment[i + 1] ? 3 : 1;
+    for (size_t order = 0; order < orders; order++) {
+      ph_vec3 left = unit_bezier3(p + 18 * i, 5, order, 1);
+      ph_vec3 right = unit_bezier3(p + 18 * (i + 1), 5, order, 0);
+      left = ph_vec3_scale(pow(h[0], -(double)order), left);
+      right = ph_vec3_scale(pow(h[1], -(double)order), right);
+      ck_assert_double_le(unit_apart3(left, right), order == 0   ? 1e-14
+                                                    : order == 1 ? 1e-12
+                                                                 : 1e-9);
+    }
+  }
+}
+END_TEST
+
+/* Where a curve stands still it has no normal, but Bezier pieces. */
+START_TEST(test_standstill) {
+  const ph_quat a[3] = {{0, 0, 0, 0}, {1, 0.2, 0, 0.1}, {1, 0, 0.3, 0}};
+  const double alpha = 1;
+  unit_curve3_of(&c, 1, &alpha, a, ph_vec3_of(0, 0, 0));
+  ck_assert_int_eq(move(0, 1e-6), PH_OK);
+  ck_assert_double_le(apart_in_space(0), 1e-6);
+  for (size_t i = 1; i < MOVES; i++) {
+    ck_assert_int_eq(move(i, 1e-6), PH_NO_CONVERGENCE);
+    ck_assert_str_eq(u.diag.field, "segments[0]");
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("hermite");
   TCase *t = tcase_create("hermite");
@@ -134,6 +230,12 @@ static Suite *suite(void) {
   tcase_add_test(t, test_order);
   tcase_add_loop_test(t, test_joints, 0, 2);
   tcase_add_test(t, test_refused);
+  suite_add_tcase(s, t);
+  t = tcase_create("space");
+  tcase_add_checked_fixture(t, begin_space, finish);
+  tcase_add_loop_test(t, test_near_in_space, 0, MOVES);
+  tcase_add_loop_test(t, test_joints_in_space, 0, MOVES);
+  tcase_add_test(t, test_standstill);
   suite_add_tcase(s, t);
   return s;
 }
