@@ -5,6 +5,7 @@
 #include "curve/bezier.h"
 #include "curve/offset.h"
 #include "solve/planar.h"
+#include "solve/spatial_hermite.h"
 
 #include <string.h>
 
@@ -25,6 +26,10 @@ const struct ph_command ph_commands[] = {
      "\tAn algebraic-trigonometric curve as polynomial Bezier segments\n"
      "phspline planar --minimize=IES points.csv | jq .diagnostics\t"
      "The fairest knots\n"},
+    {&ph_method_spatial_hermite, ph_cert_spatial_hermite, ph_offset_planar,
+     ph_cusps_planar, ph_bezier_curve,
+     "printf '0,0,0\\n1,1,0\\n2,0,1\\n' | phspline spatial-hermite\t"
+     "Three points, the curve as JSON\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];

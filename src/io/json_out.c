@@ -159,6 +159,25 @@ static void write_heading(struct writer *w, const struct ph_heading *heading,
   }
 }
 
+static void key_flag(struct writer *w, const char *name, bool flag) {
+  key(w, name);
+  ph_buf_puts(w->buf, flag ? "true" : "false");
+}
+
+/* What was chosen for segment k; angles that do not exist are left out. */
+static void write_choice(struct writer *w, const struct ph_curve *c, size_t k) {
+  if (c->tension) {
+    key_number(w, "tension", c->tension[k]);
+  }
+  if (c->angles && !isnan(c->angles[2 * k])) {
+    key(w, "angles");
+    numbers(w, c->angles + 2 * k, 2);
+  }
+  if (c->shape_ok) {
+    key_flag(w, "shape_ok", c->shape_ok[k]);
+  }
+}
+
 static void write_segments(struct writer *w, const struct ph_curve *c) {
   size_t stride = (c->degree + 1) * c->dimension;
   size_t preimage_stride = c->preimage_n * c->preimage_dimension;
@@ -180,6 +199,7 @@ static void write_segments(struct writer *w, const struct ph_curve *c) {
               c->preimage_dimension);
     }
     key_number(w, "length", c->lengths[k]);
+    write_choice(w, c, k);
     end(w, '}');
   }
   end(w, ']');
@@ -250,11 +270,10 @@ static void write_diagnostics(struct writer *w,
     enum ph_diagnostic which = (enum ph_diagnostic)i;
     double value = diagnostics->value[i];
     if (diagnostics->known >> i & 1) {
-      key(w, ph_diagnostic_name(which));
       if (ph_diagnostic_is_flag(which)) {
-        ph_buf_puts(w->buf, value > 0 ? "true" : "false");
+        key_flag(w, ph_diagnostic_name(which), value > 0);
       } else {
-        number(w, value);
+        key_number(w, ph_diagnostic_name(which), value);
       }
     }
   }
@@ -278,8 +297,7 @@ static void write_kantorovich(struct writer *w,
       key_number(w, numbers_of[i].name, numbers_of[i].value);
     }
   }
-  key(w, "certified");
-  ph_buf_puts(w->buf, k->certified ? "true" : "false");
+  key_flag(w, "certified", k->certified);
   end(w, '}');
 }
 
@@ -290,8 +308,7 @@ static void write_solutions(struct writer *w, const struct ph_result *result) {
     const struct ph_solution *solution = &result->solutions[i];
     element(w);
     begin(w, '{');
-    key(w, "good");
-    ph_buf_puts(w->buf, solution->good ? "true" : "false");
+    key_flag(w, "good", solution->good);
     write_segments(w, &solution->curve);
     key_number(w, "length", solution->curve.length);
     key(w, "diagnostics");
@@ -334,8 +351,7 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
   key_string(&w, "curve", ph_curve_name(curve->kind));
   key_number(&w, "dimension", (double)curve->dimension);
   key_number(&w, "degree", (double)curve->degree);
-  key(&w, "closed");
-  ph_buf_puts(buf, curve->closed ? "true" : "false");
+  key_flag(&w, "closed", curve->closed);
   write_segments(&w, curve);
   key_number(&w, "length", curve->length);
   if (result->offsets_n) {

@@ -109,3 +109,17 @@ enum ph_status ph_fields_angles(const struct ph_value *value, size_t n,
   return ph_fields_each(value, "alpha", n, 3.14159265358979323846,
                         "between 0 and pi", angle, diag);
 }
+
+void ph_warn_alpha(const struct ph_curve *curve, struct ph_result *result) {
+  const double usual = 2.095; /* 2 pi/3, also as 0.6667 pi */
+  size_t found = 0, first = 0;
+  for (size_t k = 0; curve->alpha && k < curve->n; k++) {
+    if (curve->alpha[k] > usual && found++ == 0) {
+      first = k;
+    }
+  }
+  if (found) {
+    ph_fail(ph_warning_add(result, first), PH_LARGE_ALPHA, NULL,
+            "alpha[%zu] is above 2 pi/3 (such segments: %zu)", first, found);
+  }
+}

@@ -6,6 +6,7 @@
 
 #include "base/diag.h"
 #include "curve/problem.h"
+#include "curve/result.h"
 
 /* ph_field_is: whether a value is this word. */
 bool ph_field_is(const struct ph_value *value, const char *word);
@@ -48,5 +49,9 @@ enum ph_status ph_fields_each(const struct ph_value *value, const char *what,
 /* ph_fields_angles: the field alpha by ph_fields_each, between 0 and pi. */
 enum ph_status ph_fields_angles(const struct ph_value *value, size_t n,
                                 double *angle, struct ph_diag *diag);
+
+/* ph_warn_alpha: the warning about segments with an alpha above 2 pi/3, of
+ * which [GON18, sec. 2.1] says nothing. */
+void ph_warn_alpha(const struct ph_curve *curve, struct ph_result *result);
 
 #endif

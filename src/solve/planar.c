@@ -35,22 +35,6 @@ static const double STRAIGHT = 1e-12;
 /* On more segments the theorem would take as long as the solution. */
 enum { KANTOROVICH_MAX = 100 };
 
-/* Above it the basis is far from that of polynomials [GON18, sec. 2.1]. */
-static void warn_alpha(const struct ph_planar_data *d,
-                       struct ph_result *result) {
-  const double usual = 2.095; /* 2 pi/3, also as 0.6667 pi */
-  size_t found = 0, first = 0;
-  for (size_t k = 0; d->atph && k < d->n; k++) {
-    if (ph_planar_space(&d->c2, k)->angle > usual && found++ == 0) {
-      first = k;
-    }
-  }
-  if (found) {
-    ph_fail(ph_warning_add(result, first), PH_LARGE_ALPHA, NULL,
-            "alpha[%zu] is above 2 pi/3 (such segments: %zu)", first, found);
-  }
-}
-
 static void warn_loops(const struct ph_planar_loops *loops,
                        struct ph_result *result) {
   if (loops->n) {
@@ -374,7 +358,7 @@ static enum ph_status solve(const struct ph_problem *problem,
     status = add_solutions(&d, out, scratch, result, &loops, diag);
   }
   if (status == PH_OK) {
-    warn_alpha(&d, result);
+    ph_warn_alpha(&result->curve, result);
     warn_reversals(&d, result);
     warn_loops(&loops, result);
   }

@@ -1,0 +1,289 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Data of spatial Hermite interpolation (see spatial_data.h).
+ *
+ * Where no magnitudes are given, lambda is the spacing of the knots [FMSS15,
+ * (61)], which by default is the chord: knots are not divided by their sum,
+ * which would make the scheme depend on the length of the whole.
+ */
+#include "solve/spatial_data.h"
+
+#include "base/sum.h"
+#include "kernel/pow2.h"
+#include "solve/fields.h"
+#include "solve/spatial_tangents.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* A derivative below this part of a chord beside it has no direction that
+ * matters. */
+static const double STANDSTILL = 1e-14;
+
+static double largest_of(ph_vec3 v) {
+  double x = fabs(v.x), y = fabs(v.y), z = fabs(v.z);
+  double largest = x > y ? x : y;
+  return largest > z ? largest : z;
+}
+
+static ph_vec3 point(const struct ph_spatial_points *p, size_t k) {
+  const double *v = p->points + 3 * (k < p->points_n ? k : 0);
+  return ph_vec3_of(v[0], v[1], v[2]);
+}
+
+/* A power of two whose square brings x to [1/8, 1/2). */
+static double root_for(double x) {
+  int exponent = x > 0 ? -ph_pow2_exponent(x) - 2 : 0;
+  return ldexp(1, (exponent - (exponent & 1)) / 2);
+}
+
+static ph_vec3 scaled(double root, ph_vec3 v) {
+  return ph_vec3_scale(root, ph_vec3_scale(root, v));
+}
+
+/* Vector i of two or three numbers. */
+static ph_vec3 in_space(const struct ph_value *value, size_t i) {
+  const double *v = value->v + value->dimension * i;
+  return ph_vec3_of(v[0], v[1], value->dimension > 2 ? v[2] : 0);
+}
+
+/* ---- points --------------------------------------------------------- */
+
+/* The chord of segment k, at a scale where its length neither overflows nor
+ * underflows. */
+static ph_vec3 chord(const struct ph_spatial_points *p, size_t k,
+                     double *root) {
+  ph_vec3 difference = ph_vec3_sub(point(p, k + 1), point(p, k));
+  *root = root_for(largest_of(difference));
+  return scaled(*root, difference);
+}
+
+static enum ph_status check_chords(const struct ph_spatial_points *p,
+                                   struct ph_diag *diag) {
+  for (size_t k = 0; k < p->n; k++) {
+    size_t to = k + 1 < p->points_n ? k + 1 : 0;
+    ph_vec3 a = point(p, k), b = point(p, to);
+    double size = fmax(largest_of(a), largest_of(b));
+    double away = largest_of(ph_vec3_sub(b, a));
+    if (!(away > 4 * DBL_EPSILON * size)) {
+      return ph_fail_at(diag, PH_COINCIDENT_POINTS, "points", to,
+                        "coincides with points[%zu]", k);
+    }
+    if (!isfinite(away)) {
+      return ph_fail_at(diag, PH_TOO_LARGE, "points", to,
+                        "differs from points[%zu] by more than a double can "
+                        "hold",
+                        k);
+    }
+  }
+  return PH_OK;
+}
+
+/* ---- tangents and derivatives --------------------------------------- */
+
+/* One vector for each point; closed data whose last point repeats the first
+ * may repeat the vector as well. */
+static enum ph_status check_count(const struct ph_problem *problem,
+                                  const struct ph_spatial_points *p,
+                                  enum ph_field_id id, struct ph_diag *diag) {
+  const struct ph_value *points = &problem->field[PH_F_POINTS];
+  const struct ph_value *value = &problem->field[id];
+  const char *name = ph_field_name(id);
+  if (value->n != points->n && value->n != p->points_n) {
+    return ph_fail(diag, PH_BAD_SHAPE, name,
+                   "must have %zu vectors, one for each point, found %zu",
+                   points->n, value->n);
+  }
+  if (value->dimension < points->dimension) {
+    return ph_fail(diag, PH_BAD_SHAPE, name,
+                   "must have vectors of 3 numbers, as the points have");
+  }
+  if (value->n > p->points_n &&
+      memcmp(value->v, value->v + value->dimension * (value->n - 1),
+             value->dimension * sizeof *value->v) != 0) {
+    return ph_fail_at(diag, PH_BAD_VALUE, name, value->n - 1,
+                      "must equal %s[0], as the point does", name);
+  }
+  return PH_OK;
+}
+
+/* Divides vectors by their lengths. */
+static enum ph_status set_vectors(const struct ph_problem *problem,
+                                  enum ph_field_id id, struct ph_arena *arena,
+                                  struct ph_spatial_points *p,
+                                  struct ph_diag *diag) {
+  const struct ph_value *value = &problem->field[id];
+  enum ph_status status = check_count(problem, p, id, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  if (id == PH_F_DERIVATIVES) {
+    p->speeds = ph_arena_array(arena, p->points_n, sizeof *p->speeds);
+    if (!p->speeds) {
+      return ph_fail_memory(diag);
+    }
+  }
+  for (size_t k = 0; k < p->points_n; k++) {
+    ph_vec3 v = in_space(value, k);
+    double largest = largest_of(v), root = root_for(largest), size;
+    if (!(largest > 0)) {
+      return ph_fail_at(diag, PH_ZERO_TANGENT, ph_field_name(id), k,
+                        "must not be zero");
+    }
+    v = scaled(root, v);
+    size = ph_vec3_abs(v);
+    p->tangents[k] = ph_vec3_scale(1 / size, v);
+    if (p->speeds) {
+      p->speeds[k] = size / root / root;
+    }
+  }
+  return PH_OK;
+}
+
+static enum ph_status set_tangents(const struct ph_problem *problem,
+                                   struct ph_arena *arena,
+                                   struct ph_spatial_points *p,
+                                   struct ph_diag *diag) {
+  bool tangents = problem->field[PH_F_TANGENTS].kind != PH_ABSENT;
+  p->derivatives = problem->field[PH_F_DERIVATIVES].kind != PH_ABSENT;
+  if (tangents && p->derivatives) {
+    return ph_fail(diag, PH_BAD_VALUE, "tangents",
+                   "excludes derivatives: give one of them");
+  }
+  p->tangents = ph_arena_array(arena, p->points_n, sizeof *p->tangents);
+  if (!p->tangents) {
+    return ph_fail_memory(diag);
+  }
+  if (tangents || p->derivatives) {
+    return set_vectors(problem, tangents ? PH_F_TANGENTS : PH_F_DERIVATIVES,
+                       arena, p, diag);
+  }
+  p->estimated = true;
+  ph_spatial_tangents(p->points, p->points_n, p->closed, p->tangents);
+  return PH_OK;
+}
+
+/* A derivative that is nothing beside its chord. */
+static enum ph_status check_speeds(const struct ph_spatial_points *p,
+                                   struct ph_diag *diag) {
+  for (size_t k = 0; p->speeds && k < p->n; k++) {
+    size_t to = k + 1 < p->points_n ? k + 1 : 0;
+    double root, size = ph_vec3_abs(chord(p, k, &root));
+    double least = STANDSTILL * size / root / root;
+    size_t slow = p->speeds[k] >= least ? to : k;
+    if (!(p->speeds[slow] >= least)) {
+      return ph_fail_at(diag, PH_ZERO_TANGENT, "derivatives", slow,
+                        "is too small beside the chord between points[%zu] "
+                        "and points[%zu]",
+                        k, to);
+    }
+  }
+  return PH_OK;
+}
+
+/* ---- knots, angles, tensions ---------------------------------------- */
+
+static enum ph_status set_knots(const struct ph_value *knots,
+                                struct ph_spatial_points *p,
+                                struct ph_diag *diag) {
+  struct ph_sum sum = {0, 0};
+  enum ph_status status;
+  if (knots->kind == PH_NUMBERS) {
+    status = ph_fields_knots(knots, p->n, p->closed, p->lambda, diag);
+    if (status == PH_OK) {
+      memcpy(p->knots, knots->v, (p->n + 1) * sizeof *p->knots);
+    }
+    return status;
+  }
+  p->knots[0] = 0;
+  for (size_t k = 0; k < p->n; k++) {
+    double root;
+    ph_vec3 c = chord(p, k, &root);
+    p->lambda[k] = ph_vec3_abs(c) / root / root;
+    ph_sum_add(&sum, p->lambda[k]);
+    p->knots[k + 1] = ph_sum_value(&sum);
+  }
+  return isfinite(p->knots[p->n]) ? PH_OK
+                                  : ph_fail(diag, PH_TOO_LARGE, "knots",
+                                            "span more than a double can hold");
+}
+
+static enum ph_status set_tension(const struct ph_value *tension,
+                                  struct ph_spatial_points *p,
+                                  struct ph_diag *diag) {
+  struct ph_value one = {.kind = PH_NUMBER, .number = 1};
+  return ph_fields_each(tension->kind == PH_ABSENT ? &one : tension, "tension",
+                        p->n, HUGE_VAL, "greater than 0", p->tension, diag);
+}
+
+static enum ph_status set_alpha(const struct ph_value *alpha,
+                                struct ph_arena *arena,
+                                struct ph_spatial_points *p,
+                                struct ph_diag *diag) {
+  if (alpha->kind == PH_ABSENT) {
+    return PH_OK;
+  }
+  if (!p->atph) {
+    return ph_fail(diag, PH_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
+  }
+  p->alpha = ph_arena_array(arena, p->n, sizeof *p->alpha);
+  return p->alpha ? ph_fields_angles(alpha, p->n, p->alpha, diag)
+                  : ph_fail_memory(diag);
+}
+
+enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
+                                    struct ph_arena *arena,
+                                    struct ph_spatial_points *p,
+                                    struct ph_diag *diag) {
+  const struct ph_value *points = &problem->field[PH_F_POINTS];
+  enum ph_status status;
+  *p = (struct ph_spatial_points){.closed = problem->field[PH_F_CLOSED].flag,
+                                  .flat = points->dimension == 2};
+  p->atph = ph_field_is(&problem->field[PH_F_BASIS], "atph");
+  status = ph_fields_segments(problem, &p->n, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  p->points_n = p->closed ? p->n : p->n + 1;
+  p->points = ph_arena_array(arena, p->points_n, 3 * sizeof *p->points);
+  p->knots = ph_arena_array(arena, p->n + 1, sizeof *p->knots);
+  p->lambda = ph_arena_array(arena, p->n, sizeof *p->lambda);
+  p->tension = ph_arena_array(arena, p->n, sizeof *p->tension);
+  if (!p->points || !p->knots || !p->lambda || !p->tension) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t k = 0; k < p->points_n; k++) {
+    ph_vec3 v = in_space(points, k);
+    memcpy(p->points + 3 * k, &v, sizeof v);
+  }
+  status = check_chords(p, diag);
+  if (status == PH_OK) {
+    status = set_knots(&problem->field[PH_F_KNOTS], p, diag);
+  }
+  if (status == PH_OK) {
+    status = set_tangents(problem, arena, p, diag);
+  }
+  if (status == PH_OK) {
+    status = check_speeds(p, diag);
+  }
+  if (status == PH_OK) {
+    status = set_alpha(&problem->field[PH_F_ALPHA], arena, p, diag);
+  }
+  return status == PH_OK ? set_tension(&problem->field[PH_F_TENSION], p, diag)
+                         : status;
+}
+
+double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
+                          double tension, struct ph_spatial_data *data) {
+  size_t to = k + 1 < p->points_n ? k + 1 : 0;
+  double ni = p->speeds ? p->speeds[k] : p->lambda[k];
+  double nf = p->speeds ? p->speeds[to] : p->lambda[k];
+  double root;
+  data->dp = chord(p, k, &root);
+  data->ti = p->tangents[k];
+  data->tf = p->tangents[to];
+  data->ni = ni * root * root * tension * tension;
+  data->nf = nf * root * root * tension * tension;
+  return root;
+}
