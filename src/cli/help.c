@@ -207,7 +207,7 @@ void ph_help_program(struct ph_buf *buf) {
           "where there is none or it is -, as JSON, JSON Lines or CSV. Each "
           "gives one result, in order, whether it could be solved or not.");
   statuses(&page);
-  heading(&page, "Manual: man phspline, man phspline-planar, man 5 phspline");
+  heading(&page, "Manual: man phspline, man phspline-COMMAND, man 5 phspline");
 }
 
 void ph_help_command(struct ph_buf *buf, const struct ph_command *command) {
