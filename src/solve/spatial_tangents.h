@@ -35,9 +35,9 @@
  * choice depends on the axes.  Points of a plane have tangents in that plane,
  * exactly so where z = 0.  O(n).
  *
- * in   points[3 n]  finite; consecutive ones differ by more than rounding of
- * the largest coordinate, in a closed polygon also the last and the first out
- * tangents[n]
+ * in   points[3 n]  finite; neighbours (if closed, also the last and the
+ *                   first) differ by more than rounding of the largest one
+ * out  tangents[n]
  */
 void ph_spatial_tangents(const double *points, size_t n, bool closed,
                          ph_vec3 *tangents);
