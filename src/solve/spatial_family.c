@@ -16,17 +16,23 @@ static const double NO_DIRECTION = 1e-12;
 /* Of a phase that is not determined, relative. */
 static const double NO_PHASE = 2e-13;
 
+/* Twice a projection that is shorter than this must be corrected, relative. */
+static const double SHORT = 0.1;
+
 /* A vector d as short as this is 0: its root is far below rounding. */
 static const double VANISHES = 1e-60;
 
 /* A vector this near to opposite to the axis has no angle. */
 static const double OPPOSITE = 1e-7;
 
-/* The unit part of v normal to the unit vector u, or any normal. */
+/* The unit part of v normal to the unit vector u, or any normal.  A short part
+ * has the rounding errors of v; made normal again, it loses them. */
 static ph_vec3 unit_normal(ph_vec3 v, ph_vec3 u, double size) {
   ph_vec3 normal = ph_vec3_normal(v, u);
-  return ph_vec3_abs(normal) > NO_DIRECTION * size ? ph_vec3_unit(normal)
-                                                   : ph_vec3_any_normal(u);
+  if (!(ph_vec3_abs(normal) > NO_DIRECTION * size)) {
+    return ph_vec3_any_normal(u);
+  }
+  return ph_vec3_unit(ph_vec3_normal(ph_vec3_unit(normal), u));
 }
 
 /* The axes (1): the longer of ti + tf and tf - ti first, the other one made
@@ -117,17 +123,30 @@ static inline void ends_of(const struct ph_spatial_family *f, ph_cplx b,
                       ph_quat_of(-c * e.im, c * e.re, s * e.re, -s * e.im));
 }
 
-/* The point nearest to Q of the circle D i D* = d: the projection of Q on its
- * plane, P = (|d| Q - d Q i) / (2 |d|), scaled to sqrt|d|.  False where the
- * projection is no direction. */
-static inline bool project(ph_quat q, ph_vec3 d, double size,
-                           ph_quat *nearest) {
+/* 2 |d| times the projection of Q on the plane of the circle D i D* = d, which
+ * is P = (|d| Q - d Q i) / (2 |d|). */
+static inline ph_quat project(ph_quat q, ph_vec3 d, double size) {
   ph_quat p = ph_quat_turn(ph_quat_mul(ph_quat_pure(d), q), ph_cplx_of(0, 1));
-  double length2;
-  p = ph_quat_sub(ph_quat_scale(size, q), p);
-  length2 = ph_quat_dot(p, p);
+  return ph_quat_sub(ph_quat_scale(size, q), p);
+}
+
+/* The point of that circle nearest to Q: the projection, scaled to sqrt|d|.
+ * False where the projection is no direction.  One that is short has the
+ * rounding errors of Q; they are projected away. */
+static inline bool nearest_point(ph_quat q, ph_vec3 d, double size,
+                                 ph_quat *nearest) {
+  ph_quat p = project(q, d, size);
+  double length2 = ph_quat_dot(p, p);
+  double whole2 = size * size * ph_quat_dot(q, q);
+  if (length2 < SHORT * SHORT * whole2) {
+    if (!(length2 > NO_PHASE * NO_PHASE * whole2)) {
+      return false;
+    }
+    p = project(ph_quat_scale(1 / sqrt(length2), p), d, size);
+    length2 = ph_quat_dot(p, p);
+  }
   *nearest = ph_quat_scale(sqrt(size / length2), p);
-  return length2 > NO_PHASE * NO_PHASE * size * size * ph_quat_dot(q, q);
+  return true;
 }
 
 /* Some point of the circle D i D* = d. */
@@ -148,8 +167,9 @@ static inline ph_quat nearest_d(const struct ph_spatial_family *f, ph_cplx b,
   if (!(size > VANISHES)) {
     return ph_quat_of(0, 0, 0, 0);
   }
-  if (project(ph_quat_add(a0, a2), d, size, &nearest) ||
-      project(a0, d, size, &nearest) || project(a2, d, size, &nearest)) {
+  if (nearest_point(ph_quat_add(a0, a2), d, size, &nearest) ||
+      nearest_point(a0, d, size, &nearest) ||
+      nearest_point(a2, d, size, &nearest)) {
     return nearest;
   }
   return any_point(d, size);

@@ -42,8 +42,7 @@ struct unit_vectors unit_vectors_open(const char *path) {
   return vectors;
 }
 
-/* The next word, NUL-terminated; NULL at the end. */
-static char *next_word(struct unit_vectors *vectors) {
+char *unit_vectors_word(struct unit_vectors *vectors) {
   char *word = vectors->at + strspn(vectors->at, BLANKS);
   char *end = word + strcspn(word, BLANKS);
   vectors->at = *end ? end + 1 : end;
@@ -51,9 +50,8 @@ static char *next_word(struct unit_vectors *vectors) {
   return *word ? word : NULL;
 }
 
-/* The numbers up to the next word that is none. */
-static void read_numbers(struct unit_vectors *vectors,
-                         struct unit_numbers *numbers) {
+void unit_vectors_numbers(struct unit_vectors *vectors,
+                          struct unit_numbers *numbers) {
   for (;;) {
     char *end, *word = vectors->at + strspn(vectors->at, BLANKS);
     double x = strtod(word, &end);
@@ -66,7 +64,7 @@ static void read_numbers(struct unit_vectors *vectors,
 }
 
 static void read_name(struct unit_vectors *vectors, char *name, size_t size) {
-  const char *word = next_word(vectors);
+  const char *word = unit_vectors_word(vectors);
   ck_assert(word && strlen(word) < size);
   memcpy(name, word, strlen(word) + 1);
 }
@@ -102,7 +100,7 @@ bool unit_vectors_next(struct unit_vectors *vectors, struct unit_vector *v) {
                       {"ends", &v->ends},       {"control", &v->control},
                       {"lengths", &v->lengths}, {"length", &v->length}};
   const size_t fields_n = sizeof fields / sizeof fields[0];
-  const char *word = next_word(vectors);
+  const char *word = unit_vectors_word(vectors);
   if (!word) {
     return false;
   }
@@ -112,13 +110,13 @@ bool unit_vectors_next(struct unit_vectors *vectors, struct unit_vector *v) {
   read_name(vectors, v->name, sizeof v->name);
   while (v->length.n == 0) {
     size_t i = 0;
-    word = next_word(vectors);
+    word = unit_vectors_word(vectors);
     ck_assert_msg(word != NULL, "%s: %s is cut off", vectors->path, v->name);
     while (i < fields_n && strcmp(word, fields[i].name) != 0) {
       i++;
     }
     if (i < fields_n) {
-      read_numbers(vectors, fields[i].numbers);
+      unit_vectors_numbers(vectors, fields[i].numbers);
     } else if (strcmp(word, "closed") == 0) {
       v->closed = true;
     } else if (strcmp(word, "rule") == 0) {
@@ -126,7 +124,7 @@ bool unit_vectors_next(struct unit_vectors *vectors, struct unit_vector *v) {
     } else {
       ck_assert_msg(strcmp(word, "tolerance") == 0, "%s: %s: what is '%s'?",
                     vectors->path, v->name, word);
-      word = next_word(vectors);
+      word = unit_vectors_word(vectors);
       v->tolerance = word ? strtod(word, NULL) : 0;
     }
   }

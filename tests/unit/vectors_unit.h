@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Reads the files of tests/vectors: planar problems with their solutions.
+ * Reads the files of tests/vectors: planar problems with their solutions, and
+ * the words and numbers of others.
  *
  * A file is a sequence of words; "#" begins a comment that goes to the end of
- * its line.  A problem is
+ * its line.  A planar problem is
  *
  *   problem NAME
  *   closed                  optional
@@ -46,6 +47,14 @@ struct unit_vectors {
 /* unit_vectors_open: a file below the source directory; a failure to read it
  * fails the test. */
 struct unit_vectors unit_vectors_open(const char *path);
+
+/* unit_vectors_word: the next word, NUL-terminated; NULL at the end. */
+char *unit_vectors_word(struct unit_vectors *vectors);
+
+/* unit_vectors_numbers: appends the numbers up to the next word that is none.
+ */
+void unit_vectors_numbers(struct unit_vectors *vectors,
+                          struct unit_numbers *numbers);
 
 /* unit_vectors_next: the next problem, in place of the one in *vector, which
  * is {0} at first; false at the end of the file.  What is not a problem, or
