@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What tests of spatial segments share: segments by chance, and what they are
+ * by definition. */
+#ifndef PH_TESTS_SEG3_UNIT_H
+#define PH_TESTS_SEG3_UNIT_H
+
+#include "curve/ph3.h"
+#include "curve/seg3.h"
+#include "random_unit.h"
+
+/* Uniform in the cube |x|, |y|, |z| < size. */
+static inline ph_vec3 unit_random_vec3(struct unit_random *r, double size) {
+  double x = unit_random_in(r, -size, size);
+  double y = unit_random_in(r, -size, size);
+
+  return ph_vec3_of(x, y, unit_random_in(r, -size, size));
+}
+
+/* |a - b|. */
+static inline double unit_distance3(ph_vec3 a, ph_vec3 b) {
+  return ph_vec3_abs(ph_vec3_sub(a, b));
+}
+
+/* A at u, straight from its definition (kernel/atph.h). */
+static inline ph_quat unit_seg3_preimage(const struct ph_seg3 *seg, double u) {
+  const double a = seg->space.angle, c = cos(a / 2);
+  const double s0 = a > 0 ? sin(a * (1 - u) / 2) / sin(a / 2) : 1 - u;
+  const double s1 = a > 0 ? sin(a * u / 2) / sin(a / 2) : u;
+  ph_quat sum = ph_quat_scale(s0 * s0, seg->a[0]);
+
+  sum = ph_quat_add(sum, ph_quat_scale(2 * c * s0 * s1, seg->a[1]));
+  return ph_quat_add(sum, ph_quat_scale(s1 * s1, seg->a[2]));
+}
+
+/* a e a*, by quaternion products alone. */
+static inline ph_vec3 unit_turned(ph_quat a, ph_quat e) {
+  return ph_quat_vector(ph_quat_mul(ph_quat_mul(a, e), ph_quat_conj(a)));
+}
+
+/* The hodograph A i A* at u. */
+static inline ph_vec3 unit_seg3_hodograph(const struct ph_seg3 *seg, double u) {
+  return unit_turned(unit_seg3_preimage(seg, u), ph_quat_of(0, 1, 0, 0));
+}
+
+/* The integral of the hodograph over [u0,u1], in panels of 20 nodes. */
+static inline ph_vec3 unit_seg3_leg(const struct ph_seg3 *seg, double u0,
+                                    double u1) {
+  enum { PANELS = 4 };
+  ph_vec3 sum = {0, 0, 0};
+  struct ph_quad rule;
+
+  if (ph_quad_gauss(&rule, 20)) {
+    for (size_t i = 0; i < PANELS; i++) {
+      for (size_t j = 0; j < rule.n; j++) {
+        double u = u0 + (u1 - u0) * ((double)i + rule.node[j]) / PANELS;
+        sum = ph_vec3_along(sum, (u1 - u0) * rule.weight[j] / PANELS,
+                            unit_seg3_hodograph(seg, u));
+      }
+    }
+  }
+  return sum;
+}
+
+/* The segment with this angle and preimage. */
+static inline struct ph_seg3 unit_seg3(double angle, const ph_quat a[3],
+                                       ph_vec3 start) {
+  struct ph_seg3 seg = {
+      ph_atph_of(angle), {a[0], a[1], a[2]}, {0, 0, 0}, {0, 0, 0}};
+
+  seg.start = start;
+  seg.end = ph_vec3_add(start, unit_seg3_leg(&seg, 0, 1));
+  return seg;
+}
+
+/* An angle of 0 (one in four) or in (0, 3), a preimage of any shape. */
+static inline struct ph_seg3 unit_seg3_random(struct unit_random *r) {
+  double angle = unit_random_below(r, 4) ? unit_random_in(r, 1e-3, 3) : 0;
+  ph_quat a[3];
+
+  for (size_t i = 0; i < 3; i++) {
+    ph_cplx w = unit_random_cplx(r, 2), v = unit_random_cplx(r, 2);
+
+    a[i] = ph_quat_of(w.re, w.im, v.re, v.im);
+  }
+  return unit_seg3(angle, a, unit_random_vec3(r, 1));
+}
+
+#endif
