@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Offset curves of planar PH splines: exact rational Bezier curves of
- * degree 9 [FAR90; GON18, sec. 2.2 with the left normal]; of ATPH splines, the
- * exact displacement as a quotient, and Bezier pieces within a tolerance.
+ * Offset curves of PH splines: exact rational Bezier curves of degree 9 [FAR90;
+ * GON18, sec. 2.2 with the left normal]; of ATPH splines, the exact
+ * displacement as a quotient, and Bezier pieces within a tolerance.
  *
- *   o(u) = r(u) + d i r'(u) / |r'(u)|
- *        = (sigma(u) r(u) + d i w(u)^2) / sigma(u)
+ *   o(u) = r(u) + d e(u),  e = A j A* / sigma or A k A* / sigma
+ *        = (sigma(u) r(u) + d A(u) j A(u)*) / sigma(u)
  *
- * d is positive to the left of travel.  The weights are the Bernstein
- * coefficients of the parametric speed sigma, raised to degree 9.
+ * for the vectors e2 and e3 of the Euler-Rodrigues frame.  In the plane e2 is
+ * the left normal i w^2 / sigma, and d is positive to the left of travel.  The
+ * weights are the Bernstein coefficients of the parametric speed sigma, raised
+ * to degree 9.
  *
  * An ATPH segment holds t beside sin t and cos t, so that its offset is no
  * NURBS.  o - r is a quotient in <1, sin t, cos t, sin 2t, cos 2t>, given by
@@ -42,5 +44,18 @@
 enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
                                 double tolerance, struct ph_arena *arena,
                                 struct ph_offset *offset, struct ph_diag *diag);
+
+enum { PH_OFFSETS_SPATIAL = 4 };
+
+/*
+ * ph_offset_spatial: the same for a spline in space, in four directions.
+ *
+ * out  offsets[PH_OFFSETS_SPATIAL]  along e2, -e2, e3, -e3; the distance of
+ *                                   the second and the fourth is the negative
+ */
+enum ph_status ph_offset_spatial(const struct ph_curve *curve, double distance,
+                                 double tolerance, struct ph_arena *arena,
+                                 struct ph_offset *offsets,
+                                 struct ph_diag *diag);
 
 #endif

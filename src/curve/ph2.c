@@ -2,24 +2,6 @@
 /* Planar PH quintic and ATPH segments (see ph2.h). */
 #include "curve/ph2.h"
 
-void ph_ph2_hodograph(const ph_cplx w[3], ph_cplx hodograph[5]) {
-  ph_cplx middle = ph_cplx_add(ph_cplx_scale(2, ph_cplx_mul(w[1], w[1])),
-                               ph_cplx_mul(w[0], w[2]));
-  hodograph[0] = ph_cplx_mul(w[0], w[0]);
-  hodograph[1] = ph_cplx_mul(w[0], w[1]);
-  hodograph[2] = ph_cplx_scale(1.0 / 3, middle);
-  hodograph[3] = ph_cplx_mul(w[1], w[2]);
-  hodograph[4] = ph_cplx_mul(w[2], w[2]);
-}
-
-void ph_ph2_speed(const ph_cplx w[3], double speed[5]) {
-  speed[0] = ph_cplx_norm2(w[0]);
-  speed[1] = ph_cplx_dot(w[0], w[1]);
-  speed[2] = (2 * ph_cplx_norm2(w[1]) + ph_cplx_dot(w[0], w[2])) / 3;
-  speed[3] = ph_cplx_dot(w[1], w[2]);
-  speed[4] = ph_cplx_norm2(w[2]);
-}
-
 double ph_ph2_length(const struct ph_atph *space, const ph_cplx w[3]) {
   const double *q = space->q;
   return q[0] * (ph_cplx_norm2(w[0]) + ph_cplx_norm2(w[2])) +

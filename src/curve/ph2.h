@@ -15,14 +15,6 @@
 #include "kernel/atph.h"
 #include "kernel/cplx.h"
 
-/* ph_ph2_hodograph: of a PH quintic, the Bernstein coefficients of w^2.
- * out hodograph[5] */
-void ph_ph2_hodograph(const ph_cplx w[3], ph_cplx hodograph[5]);
-
-/* ph_ph2_speed: of a PH quintic, the Bernstein coefficients of |w|^2.
- * out speed[5] */
-void ph_ph2_speed(const ph_cplx w[3], double speed[5]);
-
 /* ph_ph2_length: the exact arc length, integral of |w|^2 over [0,1]. */
 double ph_ph2_length(const struct ph_atph *space, const ph_cplx w[3]);
 

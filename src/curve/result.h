@@ -90,7 +90,8 @@ struct ph_pieces {
  * control_points[n][degree + 1][dimension], weights[n][degree + 1] > 0
  */
 struct ph_offset {
-  double distance; /* signed, positive to the left of travel */
+  double distance;    /* signed, positive to the left of travel */
+  const char *vector; /* in space: of the frame, "e2" or "e3"; else NULL */
   size_t degree;
   size_t dimension;
   size_t n;

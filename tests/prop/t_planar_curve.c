@@ -225,7 +225,7 @@ START_TEST(test_halves) {
         for (int j = 0; j < 3; j++) {
           root[side][j] = ph_cplx_scale(sqrt(0.5), root[side][j]);
         }
-        ph_ph2_hodograph(root[side], square);
+        ph_hodograph(root[side], square);
         for (int j = 0; j < 5; j++) {
           ph_cplx leg = ph_cplx_sub(half[side][j + 1], half[side][j]);
           double error = unit_distance(ph_cplx_scale(5, leg), square[j]);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves that cross themselves or not (see cross_unit.h). */
 #include "cross_unit.h"
+#include "ph_unit.h"
 #include "unit.h"
 
 #include "curve/ph2.h"
@@ -59,7 +60,7 @@ void unit_chain_add(struct unit_chain *chain, const ph_cplx w[3]) {
   if (n > 0) {
     from = ph_cplx_of(chain->p[12 * n - 2], chain->p[12 * n - 1]);
   }
-  ph_ph2_hodograph(w, hodograph);
+  ph_hodograph(w, hodograph);
   to = from;
   for (int i = 0; i < 5; i++) {
     to = ph_cplx_add(to, ph_cplx_scale(0.2, hodograph[i]));

@@ -5,7 +5,6 @@
 #include "planar_unit.h"
 #include "random_unit.h"
 
-#include "kernel/bern.h"
 #include "kernel/quad.h"
 
 #include <string.h>
@@ -29,39 +28,6 @@ static ph_cplx preimage_at(const ph_cplx w[3], double u) {
   }
   return sum;
 }
-
-START_TEST(test_hodograph) {
-  struct unit_random r = unit_random_of(1);
-  for (int i = 0; i < SEGMENTS; i++) {
-    double u = unit_random_in(&r, 0, 1), basis[5];
-    ph_cplx w[3], hodograph[5], at, sum = {0, 0};
-    random_preimage(&r, w);
-    ph_ph2_hodograph(w, hodograph);
-    ph_bern_basis(4, u, basis);
-    for (int k = 0; k < 5; k++) {
-      sum = ph_cplx_add(sum, ph_cplx_scale(basis[k], hodograph[k]));
-    }
-    at = preimage_at(w, u);
-    ck_assert_double_le(unit_distance(sum, ph_cplx_mul(at, at)), 4e-15);
-  }
-}
-END_TEST
-
-START_TEST(test_speed) {
-  struct unit_random r = unit_random_of(2);
-  for (int i = 0; i < SEGMENTS; i++) {
-    double u = unit_random_in(&r, 0, 1), basis[5], speed[5], sum = 0;
-    ph_cplx w[3];
-    random_preimage(&r, w);
-    ph_ph2_speed(w, speed);
-    ph_bern_basis(4, u, basis);
-    for (int k = 0; k < 5; k++) {
-      sum += basis[k] * speed[k];
-    }
-    ck_abs(sum, ph_cplx_norm2(preimage_at(w, u)), 4e-15);
-  }
-}
-END_TEST
 
 START_TEST(test_length) {
   struct unit_random r = unit_random_of(3);
@@ -87,7 +53,7 @@ START_TEST(test_control_points) {
     ph_cplx w[3], hodograph[5], p[6], start = unit_random_cplx(&r, 1), end;
     double u = unit_random_in(&r, 0, 1), flat[12];
     random_preimage(&r, w);
-    ph_ph2_hodograph(w, hodograph);
+    ph_hodograph(w, hodograph);
     end = start;
     for (int k = 0; k < 5; k++) {
       end = ph_cplx_add(end, ph_cplx_scale(0.2, hodograph[k]));
@@ -111,7 +77,7 @@ START_TEST(test_defect) {
     const ph_cplx zero = {0, 0};
     ph_cplx w[3], hodograph[5], p[6], defect = unit_random_cplx(&r, 1), end;
     random_preimage(&r, w);
-    ph_ph2_hodograph(w, hodograph);
+    ph_hodograph(w, hodograph);
     end = defect;
     for (int k = 0; k < 5; k++) {
       end = ph_cplx_add(end, ph_cplx_scale(0.2, hodograph[k]));
@@ -242,8 +208,6 @@ END_TEST
 static Suite *suite(void) {
   Suite *s = suite_create("ph2");
   TCase *tc = tcase_create("ph2");
-  tcase_add_test(tc, test_hodograph);
-  tcase_add_test(tc, test_speed);
   tcase_add_test(tc, test_length);
   tcase_add_test(tc, test_control_points);
   tcase_add_test(tc, test_defect);

@@ -120,7 +120,7 @@ START_TEST(test_reproduction) {
     for (int k = 0; k < 3; k++) {
       w[k] = ph_cplx_add(ph_cplx_of(1.5, 0), unit_random_cplx(&r, 0.7));
     }
-    ph_ph2_hodograph(w, hodograph);
+    ph_hodograph(w, hodograph);
     for (int k = 0; k < 5; k++) {
       end = ph_cplx_add(end, ph_cplx_scale(0.2, hodograph[k]));
     }
