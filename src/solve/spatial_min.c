@@ -266,6 +266,14 @@ static size_t starts_of(struct search *s, struct start *list) {
       }
     }
   }
+  for (size_t k = 0; k < grid.alphas; k++) {
+    struct ph_spatial_family f =
+        ph_spatial_fair_family(&s->target, grid.alpha[k]);
+    struct ph_spatial_member cc = ph_spatial_cc(&f);
+    struct start start = {{atan2(cc.b.im, cc.b.re), 0, grid.alpha[k]}, 0};
+    start.value = value_at(s, GRID_PANELS, &start.at);
+    insert(list, &n, STARTS, &start);
+  }
   return n;
 }
 
