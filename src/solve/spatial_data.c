@@ -280,7 +280,9 @@ double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
   double ni = p->speeds ? p->speeds[k] : p->lambda[k];
   double nf = p->speeds ? p->speeds[to] : p->lambda[k];
   double root;
+  double size = fmax(largest_of(point(p, k)), largest_of(point(p, to)));
   data->dp = chord(p, k, &root);
+  data->noise = DBL_EPSILON * size * root * root;
   data->ti = p->tangents[k];
   data->tf = p->tangents[to];
   data->ni = ni * root * root * tension * tension;

@@ -7,8 +7,10 @@
 /* Tangents nearer than this to parallel or opposite count as such. */
 static const double PARALLEL = 1e-12;
 
-/* s |dp.gh| below this part of |dp|: the data are those of a plane curve. */
+/* s |dp.gh| below this part of |dp|, or so many times its noise: the data are
+ * those of a plane curve. */
 static const double PLANAR = 1e-13;
+static const double PLANAR_NOISE = 8;
 
 /* Of a vector whose direction is rounding, relative. */
 static const double NO_DIRECTION = 1e-12;
@@ -91,7 +93,7 @@ ph_spatial_family_of(const struct ph_spatial_data *data,
                     ph_vec3_dot(data->dp, f.axis[1]),
                     ph_vec3_dot(data->dp, f.axis[2]));
   f.sum = ph_vec3_of(f.c * (f.ni + f.nf), f.s * (f.nf - f.ni), 0);
-  f.planar = f.s * fabs(f.dp.z) <= PLANAR * f.h;
+  f.planar = f.s * fabs(f.dp.z) <= PLANAR * f.h + PLANAR_NOISE * data->noise;
   ph_spatial_family_space(&f, space);
   return f;
 }

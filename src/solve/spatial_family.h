@@ -38,6 +38,7 @@ struct ph_spatial_data {
   ph_vec3 dp;     /* from the first point to the last */
   ph_vec3 ti, tf; /* unit tangents */
   double ni, nf;  /* |Di|, |Df|: derivatives by u in [0,1] */
+  double noise;   /* what rounding of the points can make of dp */
 };
 
 /* The family of some data: frame and invariants. */

@@ -45,6 +45,7 @@ unit_random_spatial(struct unit_random *r) {
   data.tf = unit_random_direction(r);
   data.ni = exp(unit_random_in(r, -1.1, 1.1));
   data.nf = exp(unit_random_in(r, -1.1, 1.1));
+  data.noise = 0;
   return data;
 }
 

@@ -169,7 +169,7 @@ START_TEST(test_violations) {
 END_TEST
 
 static struct ph_spatial_data data_of(ph_vec3 dp, ph_vec3 ti, ph_vec3 tf) {
-  struct ph_spatial_data data = {dp, ph_vec3_unit(ti), ph_vec3_unit(tf), 1, 1};
+  struct ph_spatial_data data = {dp, ph_vec3_unit(ti), ph_vec3_unit(tf), 1, 1, 0};
   return data;
 }
 
@@ -249,7 +249,8 @@ static struct ph_spatial_data example3(double size) {
       {0.20385887657505022, -0.7644707871564382, -0.6115766297251506},
       {-2.0 / 3, -1.0 / 3, -2.0 / 3},
       size,
-      size};
+      size,
+      0};
   return data;
 }
 
@@ -295,7 +296,8 @@ START_TEST(test_example1) {
       {0, 0.8944271909999159, 0.4472135954999579},
       {-0.11210145203585728, -0.8873743654464288, 0.4472135954999579},
       3.3719110708995483,
-      3.3719110708995483};
+      3.3719110708995483,
+      0};
   struct ph_atph space = ph_atph_of(0);
   struct ph_spatial_tension tension;
   double zero[2] = {0, 0};
@@ -383,7 +385,7 @@ static struct ph_spatial_data mirrored(const struct ph_spatial_data *data) {
 static struct ph_spatial_data reversed(const struct ph_spatial_data *data) {
   struct ph_spatial_data image = {
       ph_vec3_scale(-1, data->dp), ph_vec3_scale(-1, data->tf),
-      ph_vec3_scale(-1, data->ti), data->nf, data->ni};
+      ph_vec3_scale(-1, data->ti), data->nf, data->ni, data->noise};
   return image;
 }
 
