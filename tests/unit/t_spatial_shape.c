@@ -30,6 +30,7 @@ static struct ph_spatial_data random_data(struct unit_random *r,
   data.dp = ph_vec3_scale(unit_random_in(r, 0.7, 1.4), dp);
   data.ni = unit_random_in(r, 0.5, 1.5);
   data.nf = unit_random_in(r, 0.5, 1.5);
+  data.noise = 0;
   return data;
 }
 
