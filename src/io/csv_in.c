@@ -488,28 +488,31 @@ enum ph_status ph_csv_in(const struct ph_record *record,
   return status;
 }
 
-/* Whether a column belongs to the field of that name. */
-static bool has_column(const struct ph_csv_columns *columns, const char *name,
-                       size_t n) {
+/* A column that belongs to the field of that name, or NULL. */
+static const struct ph_csv_column *
+column_of(const struct ph_csv_columns *columns, const char *name, size_t n) {
   for (size_t i = 0; i < columns->n; i++) {
     int field = columns->column[i].field;
     const char *is =
         field < PH_FIELD_N ? ph_field_name((enum ph_field_id)field) : "";
     if (strlen(is) == n && memcmp(is, name, n) == 0) {
-      return true;
+      return &columns->column[i];
     }
   }
-  return false;
+  return NULL;
 }
 
 size_t ph_csv_line(const struct ph_record *record, const char *path) {
   size_t name_n = strcspn(path, "[");
-  size_t i = path[name_n] ? strtoul(path + name_n + 1, NULL, 10) : 0;
+  const struct ph_csv_column *column = column_of(record->columns, path, name_n);
+  size_t i = 0, row = 0, at = 0;
   const char *p = record->text;
   const char *end;
-  size_t at = 0;
-  i = has_column(record->columns, path, name_n) ? i : 0;
-  for (size_t row = 0; row <= i && next_row(record, &at, &p, &end); row++) {
+  if (column && path[name_n]) {
+    i = strtoul(path + name_n + 1, NULL, 10) + column->segments;
   }
-  return line_at(record, p);
+  while (row <= i && next_row(record, &at, &p, &end)) {
+    row++;
+  }
+  return row > i ? line_at(record, p) : record->line;
 }

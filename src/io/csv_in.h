@@ -84,6 +84,7 @@ struct ph_csv_column {
   int field;        /* enum ph_field_id, PH_CSV_ID or PH_CSV_SKIP */
   size_t component; /* of a vector field: 0, 1, 2 */
   const char *name; /* for messages */
+  bool segments;    /* row i + 1 has element i, the first row the last */
 };
 
 /* The columns of one file (io/split.h makes and keeps them). */
@@ -106,8 +107,9 @@ enum ph_status ph_csv_in(const struct ph_record *record,
                          struct ph_problem *problem, struct ph_echo *echo,
                          struct ph_diag *diag);
 
-/* ph_csv_line: the line of row i of a record for a path points[i] of a field
- * that has columns; for any other path the record's first line. */
+/* ph_csv_line: the line of the row of a record that has element i, for a path
+ * points[i] of a field that has columns; for any other path the record's first
+ * line. */
 size_t ph_csv_line(const struct ph_record *record, const char *path);
 
 #endif

@@ -118,6 +118,12 @@ static enum ph_status unknown_column(const struct list *list, size_t i,
                  clause, advice(list));
 }
 
+/* Whether the numbers of columns of names[k] belong to segments. */
+static bool is_of_segments(const struct ph_schema *schema, size_t k) {
+  const struct ph_field *row = row_of(schema, names[k].field);
+  return row && row->kinds & PH_SEGMENTS;
+}
+
 /* Column i, which is named by a cell. */
 static enum ph_status read_column(const struct list *list, size_t i,
                                   const struct ph_csv_cell *cell,
@@ -126,14 +132,15 @@ static enum ph_status read_column(const struct list *list, size_t i,
   struct ph_csv_column *column = &columns->column[i];
   char excerpt[PH_EXCERPT_MAX];
   if (list->option && cell->n == 1 && *cell->text == '-') {
-    *column = (struct ph_csv_column){PH_CSV_SKIP, 0, "-"};
+    *column = (struct ph_csv_column){PH_CSV_SKIP, 0, "-", false};
     return PH_OK;
   }
   if (k == NAMES) {
     return unknown_column(list, i, cell);
   }
   *column =
-      (struct ph_csv_column){names[k].field, names[k].component, names[k].name};
+      (struct ph_csv_column){names[k].field, names[k].component, names[k].name,
+                             is_of_segments(list->split->schema, k)};
   for (size_t j = 0; j < i; j++) {
     if (columns->column[j].field == column->field &&
         columns->column[j].component == column->component) {

@@ -21,6 +21,9 @@
  * matters. */
 static const double STANDSTILL = 1e-14;
 
+/* Vectors of a point that closes the curve agree with the first to this. */
+static const double REPEATED = 1e-9;
+
 static double largest_of(ph_vec3 v) {
   double x = fabs(v.x), y = fabs(v.y), z = fabs(v.z);
   double largest = x > y ? x : y;
@@ -82,6 +85,13 @@ static enum ph_status check_chords(const struct ph_spatial_points *p,
 
 /* ---- tangents and derivatives --------------------------------------- */
 
+/* Whether the last vector is the first. */
+static bool is_repeated(const struct ph_value *value) {
+  ph_vec3 first = in_space(value, 0), last = in_space(value, value->n - 1);
+  double size = fmax(largest_of(first), largest_of(last));
+  return largest_of(ph_vec3_sub(last, first)) <= REPEATED * size;
+}
+
 /* One vector for each point; closed data whose last point repeats the first
  * may repeat the vector as well. */
 static enum ph_status check_count(const struct ph_problem *problem,
@@ -99,9 +109,7 @@ static enum ph_status check_count(const struct ph_problem *problem,
     return ph_fail(diag, PH_BAD_SHAPE, name,
                    "must have vectors of 3 numbers, as the points have");
   }
-  if (value->n > p->points_n &&
-      memcmp(value->v, value->v + value->dimension * (value->n - 1),
-             value->dimension * sizeof *value->v) != 0) {
+  if (value->n > p->points_n && !is_repeated(value)) {
     return ph_fail_at(diag, PH_BAD_VALUE, name, value->n - 1,
                       "must equal %s[0], as the point does", name);
   }
@@ -164,24 +172,6 @@ static enum ph_status set_tangents(const struct ph_problem *problem,
   return PH_OK;
 }
 
-/* A derivative that is nothing beside its chord. */
-static enum ph_status check_speeds(const struct ph_spatial_points *p,
-                                   struct ph_diag *diag) {
-  for (size_t k = 0; p->speeds && k < p->n; k++) {
-    size_t to = k + 1 < p->points_n ? k + 1 : 0;
-    double root, size = ph_vec3_abs(chord(p, k, &root));
-    double least = STANDSTILL * size / root / root;
-    size_t slow = p->speeds[k] >= least ? to : k;
-    if (!(p->speeds[slow] >= least)) {
-      return ph_fail_at(diag, PH_ZERO_TANGENT, "derivatives", slow,
-                        "is too small beside the chord between points[%zu] "
-                        "and points[%zu]",
-                        k, to);
-    }
-  }
-  return PH_OK;
-}
-
 /* ---- knots, angles, tensions ---------------------------------------- */
 
 static enum ph_status set_knots(const struct ph_value *knots,
@@ -232,6 +222,57 @@ static enum ph_status set_alpha(const struct ph_value *alpha,
                   : ph_fail_memory(diag);
 }
 
+double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
+                          double tension, struct ph_spatial_data *data) {
+  size_t to = k + 1 < p->points_n ? k + 1 : 0;
+  double ni = p->speeds ? p->speeds[k] : p->lambda[k];
+  double nf = p->speeds ? p->speeds[to] : p->lambda[k];
+  double root;
+  double size = fmax(largest_of(point(p, k)), largest_of(point(p, to)));
+  data->dp = chord(p, k, &root);
+  data->noise = DBL_EPSILON * size * root * root;
+  data->ti = p->tangents[k];
+  data->tf = p->tangents[to];
+  data->ni = ni * root * root * tension * tension;
+  data->nf = nf * root * root * tension * tension;
+  return root;
+}
+
+/* Whether neither end derivative is nothing beside the chord. */
+static bool is_moving(const struct ph_spatial_points *p, size_t k,
+                      double tension) {
+  struct ph_spatial_data data;
+  double least;
+  ph_spatial_segment(p, k, tension, &data);
+  least = STANDSTILL * ph_vec3_abs(data.dp);
+  return data.ni >= least && data.nf >= least;
+}
+
+static enum ph_status check_speeds(const struct ph_spatial_points *p,
+                                   struct ph_diag *diag) {
+  for (size_t k = 0; k < p->n; k++) {
+    size_t to = k + 1 < p->points_n ? k + 1 : 0;
+    if (!is_moving(p, k, 1) && p->speeds) {
+      return ph_fail_at(diag, PH_ZERO_TANGENT, "derivatives",
+                        p->speeds[k] < p->speeds[to] ? k : to,
+                        "is too small beside the chord of segment %zu", k);
+    }
+    if (!is_moving(p, k, 1)) {
+      return ph_fail_at(diag, PH_ZERO_TANGENT, "knots", k + 1,
+                        "is too near to the knot before: derivatives vanish "
+                        "beside the chord of segment %zu",
+                        k);
+    }
+    if (!is_moving(p, k, p->tension[k])) {
+      return ph_fail_at(diag, PH_ZERO_TANGENT, "tension", k,
+                        "is too small: derivatives vanish beside the chord of "
+                        "segment %zu",
+                        k);
+    }
+  }
+  return PH_OK;
+}
+
 enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
                                     struct ph_arena *arena,
                                     struct ph_spatial_points *p,
@@ -265,27 +306,10 @@ enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
     status = set_tangents(problem, arena, p, diag);
   }
   if (status == PH_OK) {
-    status = check_speeds(p, diag);
-  }
-  if (status == PH_OK) {
     status = set_alpha(&problem->field[PH_F_ALPHA], arena, p, diag);
   }
-  return status == PH_OK ? set_tension(&problem->field[PH_F_TENSION], p, diag)
-                         : status;
-}
-
-double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
-                          double tension, struct ph_spatial_data *data) {
-  size_t to = k + 1 < p->points_n ? k + 1 : 0;
-  double ni = p->speeds ? p->speeds[k] : p->lambda[k];
-  double nf = p->speeds ? p->speeds[to] : p->lambda[k];
-  double root;
-  double size = fmax(largest_of(point(p, k)), largest_of(point(p, to)));
-  data->dp = chord(p, k, &root);
-  data->noise = DBL_EPSILON * size * root * root;
-  data->ti = p->tangents[k];
-  data->tf = p->tangents[to];
-  data->ni = ni * root * root * tension * tension;
-  data->nf = nf * root * root * tension * tension;
-  return root;
+  if (status == PH_OK) {
+    status = set_tension(&problem->field[PH_F_TENSION], p, diag);
+  }
+  return status == PH_OK ? check_speeds(p, diag) : status;
 }

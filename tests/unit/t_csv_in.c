@@ -196,12 +196,12 @@ static void set_columns(const char *letters) {
   for (size_t i = 0; i < n; i++) {
     char c = letters[i];
     columns->column[i] =
-        c == 'i'   ? (struct ph_csv_column){PH_CSV_ID, 0, "id"}
-        : c == 'x' ? (struct ph_csv_column){PH_F_POINTS, 0, "x"}
-        : c == 'y' ? (struct ph_csv_column){PH_F_POINTS, 1, "y"}
-        : c == 'z' ? (struct ph_csv_column){PH_F_POINTS, 2, "z"}
-        : c == 'k' ? (struct ph_csv_column){PH_F_KNOTS, 0, "knot"}
-                   : (struct ph_csv_column){PH_CSV_SKIP, 0, "-"};
+        c == 'i'   ? (struct ph_csv_column){PH_CSV_ID, 0, "id", false}
+        : c == 'x' ? (struct ph_csv_column){PH_F_POINTS, 0, "x", false}
+        : c == 'y' ? (struct ph_csv_column){PH_F_POINTS, 1, "y", false}
+        : c == 'z' ? (struct ph_csv_column){PH_F_POINTS, 2, "z", false}
+        : c == 'k' ? (struct ph_csv_column){PH_F_KNOTS, 0, "knot", false}
+                   : (struct ph_csv_column){PH_CSV_SKIP, 0, "-", false};
   }
 }
 
