@@ -31,6 +31,24 @@ static void points_of(const struct ph_spatial_data *data,
   unit_spatial_points(&f, choose(criterion, &f), p);
 }
 
+/* Data that are, in turn, in general position, and at a random distance down to
+ * 1e-15 from parallel tangents, opposite tangents and a plane. */
+static struct ph_spatial_data near_singular(struct unit_random *r, int turn) {
+  struct ph_spatial_data data = unit_random_spatial(r);
+  double size = pow(10, -unit_random_in(r, 0, 15));
+  if (turn % 4 == 1 || turn % 4 == 2) {
+    data.tf = ph_vec3_unit(ph_vec3_along(data.ti, size, data.tf));
+    data.tf = ph_vec3_scale(turn % 4 == 1 ? 1 : -1, data.tf);
+  } else if (turn % 4 == 3) {
+    data.ti.z *= size;
+    data.tf.z *= size;
+    data.dp.z *= size;
+    data.ti = ph_vec3_unit(data.ti);
+    data.tf = ph_vec3_unit(data.tf);
+  }
+  return data;
+}
+
 /* Errors of random segments: 1e-14 but for one in a thousand, and that is below
  * 1e-12.  Of 400 000 against the printed formulas the worst was 2.5e-14, and
  * 999 of 1000 were below 1e-15. */
@@ -384,21 +402,9 @@ static void ck_extrema(const struct ph_spatial_family *f) {
 START_TEST(test_extrema) {
   struct unit_random r = unit_random_of(504);
   for (int i = 0; i < unit_count(DATA); i++) {
-    struct ph_spatial_data data = unit_random_spatial(&r);
+    struct ph_spatial_data data = near_singular(&r, i);
     struct ph_atph space = unit_random_space(&r);
-    struct ph_spatial_family f;
-    if (i % 4 == 1) { /* nearly parallel */
-      double size = pow(10, -unit_random_in(&r, 0, 15));
-      data.tf = ph_vec3_unit(ph_vec3_along(data.ti, size, data.tf));
-    } else if (i % 4 == 2) { /* nearly plane */
-      double size = pow(10, -unit_random_in(&r, 0, 15));
-      data.ti.z *= size;
-      data.tf.z *= size;
-      data.dp.z *= size;
-      data.ti = ph_vec3_unit(data.ti);
-      data.tf = ph_vec3_unit(data.tf);
-    }
-    f = ph_spatial_family_of(&data, &space);
+    struct ph_spatial_family f = ph_spatial_family_of(&data, &space);
     ck_extrema(&f);
   }
 }
@@ -423,7 +429,7 @@ START_TEST(test_plane) {
     bv = ph_spatial_bv(&f);
     ck_abs(ph_spatial_cc(&f).b.im, 0, 0);
     ck_abs(ph_spatial_hc(&f).b.im, 0, 0);
-    ck_assert_double_ge(bv.b.im, 0);
+    ck_assert(bv.b.im > 1e-9 || unit_same(bv.b.im, 0));
     ck_extrema(&f);
     left += bv.b.im > 0;
     for (size_t k = 0; k < CRITERIA; k++) {
