@@ -35,6 +35,9 @@ static const double PI = 3.14159265358979323846;
 /* Two values nearer than this, relative to their terms, are the same. */
 static const double TIE = 1e-14;
 
+/* Newton's steps or bisections of a bracket: the latter reach rounding. */
+enum { STEPS_MAX = 60 };
+
 /* A function of b with two derivatives. */
 struct jet {
   double value, slope, bend;
@@ -62,7 +65,7 @@ static struct jet size_of(const ph_vec3 d[3]) {
 
 /* ---- roots of a quartic --------------------------------------------- */
 
-enum { DEGREE = 4, ROOT_STEPS_MAX = 60 };
+enum { DEGREE = 4 };
 
 static double horner(const double *p, size_t degree, double t) {
   double sum = p[degree];
@@ -77,21 +80,21 @@ static double root_between(const double *p, const double *slope, size_t degree,
                            double low, double high) {
   bool rising = horner(p, degree, low) < 0;
   double t = 0.5 * (low + high);
-  for (int i = 0; i < ROOT_STEPS_MAX && high - low > 1e-15; i++) {
-    double value = horner(p, degree, t), next;
+  for (int i = 0; i < STEPS_MAX; i++) {
+    double value = horner(p, degree, t);
+    double step = -value / horner(slope, degree - 1, t);
+    if (fabs(step) < 1e-9) { /* the next one is below rounding */
+      return t + step;
+    }
     if ((value < 0) == rising) {
       low = t;
     } else {
       high = t;
     }
-    next = t - value / horner(slope, degree - 1, t);
-    if (!(next > low && next < high)) {
-      next = 0.5 * (low + high);
+    t += step;
+    if (!(t > low && t < high)) {
+      t = 0.5 * (low + high);
     }
-    if (fabs(next - t) <= 1e-13) {
-      return next;
-    }
-    t = next;
   }
   return t;
 }
@@ -224,7 +227,7 @@ struct ph_spatial_member ph_spatial_hc(const struct ph_spatial_family *f) {
 
 /* ---- BV ------------------------------------------------------------- */
 
-enum { SAMPLES = 64, STEPS_MAX = 60 };
+enum { SAMPLES = 64 };
 
 /* G of (4).  Not differentiable where d or H is 0: there it has no minimum, and
  * the derivatives are not finite. */
@@ -258,19 +261,18 @@ static double minimum_between(const struct ph_spatial_family *f, double low,
   double angle = 0.5 * (low + high);
   for (int i = 0; i < STEPS_MAX; i++) {
     struct jet gap = gap_at(f, ph_cplx_polar(angle));
-    double next = angle - gap.slope / gap.bend, step;
+    double step = -gap.slope / gap.bend;
+    if (gap.bend > 0 && fabs(step) < 1e-9) {
+      return angle + step;
+    }
     if (gap.slope > 0) {
       high = angle;
     } else {
       low = angle;
     }
-    if (!(gap.bend > 0 && next > low && next < high)) {
-      next = 0.5 * (low + high);
-    }
-    step = fabs(next - angle);
-    angle = next;
-    if (step < 1e-9 || high - low < 1e-15) {
-      break; /* Newton's next step is below rounding */
+    angle += step;
+    if (!(gap.bend > 0 && angle > low && angle < high)) {
+      angle = 0.5 * (low + high);
     }
   }
   return angle;
