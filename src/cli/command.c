@@ -10,8 +10,7 @@
 #include <string.h>
 
 const struct ph_command ph_commands[] = {
-    {&ph_method_planar, ph_cert_planar, ph_offset_planar, ph_cusps_planar,
-     ph_bezier_curve,
+    {&ph_method_planar, ph_cert_planar, ph_offset_planar, 1, ph_bezier_curve,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline planar\t"
      "Four points, the curve as JSON\n"
      "phspline planar --closed -q --offset=-10 coast.csv -o coast.json\t"

@@ -7,17 +7,16 @@
 #define PH_CLI_COMMAND_H
 
 #include "cert/cert.h"
-#include "curve/cusp.h"
 #include "solve/method.h"
 
 struct ph_command {
   const struct ph_method *method;
   ph_cert_fn *certify;
+  /* offset: the offsets_n offset curves at a distance */
   enum ph_status (*offset)(const struct ph_curve *curve, double distance,
                            double tolerance, struct ph_arena *arena,
-                           struct ph_offset *offset, struct ph_diag *diag);
-  /* cusps: of the offset at a distance */
-  struct ph_cusps (*cusps)(const struct ph_curve *curve, double distance);
+                           struct ph_offset *offsets, struct ph_diag *diag);
+  size_t offsets_n;
   /* convert: to polynomial Bezier curves; NULL if there is nothing to do */
   enum ph_status (*convert)(const struct ph_curve *curve, double tolerance,
                             struct ph_arena *arena, struct ph_curve *bezier,

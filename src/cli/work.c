@@ -72,38 +72,49 @@ static void assign(struct task *t) {
   }
 }
 
-/* One warning for all distances: the first one that has cusps. */
-static void warn_cusps(struct task *t) {
-  const struct ph_options *o = t->options;
-  for (size_t i = 0; i < o->offsets_n; i++) {
-    struct ph_cusps cusps = o->command->cusps(&t->result.curve, o->offsets[i]);
-    if (cusps.n) {
-      ph_fail(ph_warning_add(&t->result, cusps.segment), PH_OFFSET_CUSP, NULL,
-              "the offset at distance %g has cusps, where the radius of "
-              "curvature equals it: %zu, the first in segment %zu at %.6g of "
-              "its interval",
-              o->offsets[i], cusps.n, cusps.segment, cusps.u);
-      return;
-    }
+/* One warning for all offsets: the first one that has cusps. */
+static void warn_cusps(struct ph_result *result) {
+  const struct ph_offset *o = result->offsets, *end = o + result->offsets_n;
+  struct ph_diag *diag;
+  while (o < end && !o->cusps.n) {
+    o++;
+  }
+  if (o == end) {
+    return;
+  }
+  diag = ph_warning_add(result, o->cusps.segment);
+  if (o->vector) {
+    ph_fail(diag, PH_OFFSET_CUSP, NULL,
+            "the offset at distance %g along %s turns back, where the radius "
+            "of curvature towards it is smaller: %zu turns, the first in "
+            "segment %zu at %.6g of its interval",
+            o->distance, o->vector, o->cusps.n, o->cusps.segment, o->cusps.u);
+  } else {
+    ph_fail(diag, PH_OFFSET_CUSP, NULL,
+            "the offset at distance %g has cusps, where the radius of "
+            "curvature equals it: %zu, the first in segment %zu at %.6g of "
+            "its interval",
+            o->distance, o->cusps.n, o->cusps.segment, o->cusps.u);
   }
 }
 
 static enum ph_status derive_offsets(struct task *t, double tolerance) {
   const struct ph_options *o = t->options;
   struct ph_arena *arena = &t->worker->arena;
+  struct ph_result *r = &t->result;
+  size_t each = o->command->offsets_n, n = o->offsets_n * each;
   enum ph_status status = PH_OK;
-  t->result.offsets =
-      ph_arena_array(arena, o->offsets_n, sizeof *t->result.offsets);
-  if (!t->result.offsets) {
+  r->offsets = ph_arena_array(arena, n, sizeof *r->offsets);
+  if (!r->offsets) {
     return ph_fail_memory(&t->diag);
   }
   for (size_t i = 0; status == PH_OK && i < o->offsets_n; i++) {
-    status = o->command->offset(&t->result.curve, o->offsets[i], tolerance,
-                                arena, &t->result.offsets[i], &t->diag);
+    status = o->command->offset(&r->curve, o->offsets[i], tolerance, arena,
+                                r->offsets + i * each, &t->diag);
   }
-  t->result.offsets_n = o->offsets_n;
+  r->offsets_n = n;
   if (status == PH_OK) {
-    warn_cusps(t);
+    warn_cusps(r);
   }
   return status;
 }

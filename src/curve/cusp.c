@@ -2,20 +2,21 @@
 /*
  * Cusps of offsets (see cusp.h).
  *
- * With m = c w1 and all derivatives by u [derived here]:
+ * With m = c a1, W = vect(conj(A) A') and all derivatives by u [derived here]:
  * (1) S0 S1' - S0' S1 = 1 / sinc,  sinc = sin(a/2) / (a/2)
- * (2) Im(conj(w) w') = (2/sinc) (Im(conj(w0) m) S0^2 + Im(conj(w0) w2) S0 S1
- *                                + Im(conj(m) w2) S1^2)
- * (3) kappa = 2 Im(conj(w) w') / |w|^4, so that with d the distance
- *     g = |w|^4 - 2 d Im(conj(w) w') has the sign of 1 - d kappa
- * (4) 1 = (S0^2 + 2 c S0 S1 + S1^2)^3 makes (2) a form of degree 8, like |w|^4.
+ * (2) W = (2/sinc) vect(conj(a0) m S0^2 + conj(a0) a2 S0 S1 + conj(m) a2 S1^2)
+ * (3) With W = x i + p j + q k, e2' . e1 = -2 q / sigma and e3' . e1 = 2 p /
+ *     sigma (curve/seg3.h), so that
+ *     g = sigma^2 - 2 d q  or  sigma^2 + 2 d p
+ *     has the sign of the offset's speed along e1; in the plane, that of
+ *     1 - d kappa.
+ * (4) 1 = (S0^2 + 2 c S0 S1 + S1^2)^3 makes (2) a form of degree 8, as sigma^2.
  * The signs of its Bernstein coefficients (kernel/form.h) bound the number of
- * roots; halving isolates them. Tested by t_cusp.c: the form, against
- * 1 - d kappa at many u.
+ * roots; halving isolates them.  Tested by t_cusp.c: the form, against
+ * 1 - d kappa and the derivatives of the frame at many u.
  */
 #include "curve/cusp.h"
 
-#include "curve/seg2.h"
 #include "kernel/form.h"
 
 #include <math.h>
@@ -27,17 +28,38 @@ struct form {
   double b[DEGREE + 1]; /* Bernstein coefficients */
 };
 
-static struct form form_of(const struct ph_seg2 *seg, double distance) {
-  const ph_cplx *w = seg->w;
-  ph_cplx m = ph_cplx_scale(seg->space.c, w[1]);
-  double speed[5] = {ph_cplx_norm2(w[0]), 4 * ph_cplx_dot(w[0], m),
-                     4 * ph_cplx_norm2(m) + 2 * ph_cplx_dot(w[0], w[2]),
-                     4 * ph_cplx_dot(m, w[2]), ph_cplx_norm2(w[2])};
-  double cross[3] = {ph_cplx_cross(w[0], m), ph_cplx_cross(w[0], w[2]),
-                     ph_cplx_cross(m, w[2])};
-  double one[3] = {1, 2 * seg->space.c, 1};
+/* Of conj(a) b, what stands in (3) beside -2 d. */
+static double bend(enum ph_normal normal, ph_quat a, ph_quat b) {
+  ph_quat w = ph_quat_between(a, b);
+  return normal == PH_E2 ? w.q : -w.p;
+}
+
+/* Of 2, the power at the scale of A, so that fourth powers are in range. */
+static int exponent_of(const ph_quat a[3]) {
+  double largest = 0;
+  for (size_t i = 0; i < 3; i++) {
+    largest = fmax(largest, ph_quat_abs(a[i]));
+  }
+  return largest > 0 ? ilogb(largest) : 0;
+}
+
+/* g, with A at unit scale. */
+static struct form form_of(const struct ph_seg3 *seg, double distance,
+                           enum ph_normal normal) {
+  const int exponent = exponent_of(seg->a);
+  const double scale = ldexp(1, -exponent);
+  const ph_quat a0 = ph_quat_scale(scale, seg->a[0]);
+  const ph_quat a2 = ph_quat_scale(scale, seg->a[2]);
+  const ph_quat m =
+      ph_quat_scale(seg->space.c, ph_quat_scale(scale, seg->a[1]));
+  const double speed[5] = {ph_quat_dot(a0, a0), 4 * ph_quat_dot(a0, m),
+                           4 * ph_quat_dot(m, m) + 2 * ph_quat_dot(a0, a2),
+                           4 * ph_quat_dot(m, a2), ph_quat_dot(a2, a2)};
+  const double cross[3] = {bend(normal, a0, m), bend(normal, a0, a2),
+                           bend(normal, m, a2)};
+  const double one[3] = {1, 2 * seg->space.c, 1};
+  const double factor = 4 * ldexp(distance, -2 * exponent) / seg->space.sinc;
   double raised4[5], raised6[7], raised8[DEGREE + 1];
-  double factor = 4 * distance / seg->space.sinc;
   struct form form;
   ph_form_multiply(cross, 2, one, 2, raised4);
   ph_form_multiply(raised4, 4, one, 2, raised6);
@@ -98,12 +120,13 @@ static void visit(struct walk *walk, const struct form *form, double v0,
   }
 }
 
-struct ph_cusps ph_cusps_planar(const struct ph_curve *curve, double distance) {
+struct ph_cusps ph_cusps_of(const struct ph_curve *curve, double distance,
+                            enum ph_normal normal) {
   struct walk walk = {{0, 0, 0}, 0, NULL, 0};
   int first = 0;
   for (size_t k = 0; k < curve->n; k++) {
-    struct ph_seg2 seg = ph_seg2_of(curve, k);
-    struct form form = form_of(&seg, distance);
+    struct ph_seg3 seg = ph_seg3_of(curve, k);
+    struct form form = form_of(&seg, distance, normal);
     first = k == 0 ? sign_of(form.b[0]) : first;
     walk.segment = k;
     walk.space = &seg.space;

@@ -1,25 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cusps of offsets: where 1 - d kappa changes sign. */
+/* Cusps of offsets: where they turn back along the curve. */
 #ifndef PH_CURVE_CUSP_H
 #define PH_CURVE_CUSP_H
 
 #include "curve/result.h"
-
-/* What ph_cusps_planar finds. */
-struct ph_cusps {
-  size_t n;       /* how many */
-  size_t segment; /* of the first one */
-  double u;       /* its local parameter in [0,1] */
-};
+#include "curve/seg3.h"
 
 /*
- * ph_cusps_planar: the cusps of the offset of a planar PH or ATPH curve.
+ * ph_cusps_of: the cusps of the offset of a PH or ATPH curve.
  *
- * None is missed: 1 - d kappa is a form of degree 8 in S0 and S1 over a
- * positive one, whose roots are isolated by the signs of its coefficients.
+ * None is missed: the speed of the offset along the curve's tangent, which is
+ * 1 - d kappa times that of the curve in the plane, is a form of degree 8 in S0
+ * and S1 over a positive one, whose roots are isolated by the signs of its
+ * coefficients.  In space the offset may move sideways there, and is no cusp in
+ * the strict sense.
  *
- * in   distance  signed, positive to the left of travel
+ * in   distance  signed, along the normal
+ * in   normal    of a planar curve E2, which is to the left of travel
  */
-struct ph_cusps ph_cusps_planar(const struct ph_curve *curve, double distance);
+struct ph_cusps ph_cusps_of(const struct ph_curve *curve, double distance,
+                            enum ph_normal normal);
 
 #endif

@@ -5,6 +5,7 @@
  */
 #include "curve/offset.h"
 
+#include "curve/cusp.h"
 #include "curve/hermite.h"
 #include "curve/ph3.h"
 #include "kernel/bern.h"
@@ -277,6 +278,9 @@ static enum ph_status offset_along(const struct ph_curve *curve,
                        "double",
                        distance);
     }
+  }
+  if (status == PH_OK) {
+    offset->cusps = ph_cusps_of(curve, distance, normal);
   }
   return status;
 }

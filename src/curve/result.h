@@ -81,6 +81,13 @@ struct ph_pieces {
   double error; /* greatest distance from the exact curve */
 };
 
+/* Where an offset turns back along its curve (curve/cusp.h). */
+struct ph_cusps {
+  size_t n;       /* how many */
+  size_t segment; /* of the first one */
+  double u;       /* its local parameter in [0,1] */
+};
+
 /*
  * One offset curve: n rational Bezier pieces of a PH curve, or n quotients of
  * an ATPH curve and its approximation by polynomial pieces (curve/offset.h).
@@ -102,6 +109,7 @@ struct ph_offset {
   double *numerator;   /* ATPH: [n][5][dimension] of the displacement */
   double *denominator; /* ATPH: [n][5] */
   struct ph_pieces pieces;
+  struct ph_cusps cusps;
 };
 
 /* Diagnostics: X(SYMBOL, "name in records"). */

@@ -11,11 +11,12 @@
 static const struct {
   const char *before_point;
   bool point;
-  const char *after_point;
+  const char *after_point, *in_space;
 } columns[] = {
-    [PH_TABLE_CONTROL_POINTS] = {",segment,index", true, ""},
-    [PH_TABLE_LENGTHS] = {",segment,t0,t1,length,cumulative", false, ""},
-    [PH_TABLE_OFFSETS] = {",distance,segment,index", true, ",weight"},
+    [PH_TABLE_CONTROL_POINTS] = {",segment,index", true, "", ""},
+    [PH_TABLE_LENGTHS] = {",segment,t0,t1,length,cumulative", false, "", ""},
+    [PH_TABLE_OFFSETS] = {",distance,segment,index", true, ",weight",
+                          ",vector"},
 };
 
 /* A row: cells with commas before all but the first. */
@@ -76,6 +77,9 @@ void ph_csv_header(struct ph_buf *buf, enum ph_table table, size_t dimension,
     ph_buf_puts(buf, dimension == 3 ? ",x,y,z" : ",x,y");
   }
   ph_buf_puts(buf, columns[table].after_point);
+  if (dimension == 3) {
+    ph_buf_puts(buf, columns[table].in_space);
+  }
   for (size_t i = 0; i < swept_n; i++) {
     ph_buf_put(buf, ",", 1);
     text_cell(buf, swept[i].name, strlen(swept[i].name));
@@ -114,7 +118,7 @@ static void lengths(const struct row *row, const struct ph_curve *c) {
 
 /* Pieces of an offset; no weights are ones.  A segment in several pieces goes
  * on counting its points. */
-static void offset_pieces(const struct row *row, double distance,
+static void offset_pieces(const struct row *row, const struct ph_offset *o,
                           const struct ph_pieces *pieces,
                           const double *weight) {
   const double *p = pieces->control_points;
@@ -125,13 +129,17 @@ static void offset_pieces(const struct row *row, double distance,
     }
     for (size_t i = 0; i <= pieces->degree; i++) {
       begin_row(row);
-      number_cell(row->buf, distance);
+      number_cell(row->buf, o->distance);
       number_cell(row->buf, (double)pieces->segment[piece]);
       number_cell(row->buf, (double)index++);
       for (size_t j = 0; j < pieces->dimension; j++) {
         number_cell(row->buf, *p++);
       }
       number_cell(row->buf, weight ? *weight++ : 1);
+      if (o->vector) {
+        ph_buf_puts(row->buf, ",");
+        ph_buf_puts(row->buf, o->vector);
+      }
       end_row(row);
     }
   }
@@ -140,8 +148,7 @@ static void offset_pieces(const struct row *row, double distance,
 static void offset(const struct row *row, const struct ph_offset *o) {
   struct ph_pieces rational = {o->degree,   o->dimension,      o->n, o->segment,
                                o->interval, o->control_points, 0};
-  offset_pieces(row, o->distance, o->weights ? &rational : &o->pieces,
-                o->weights);
+  offset_pieces(row, o, o->weights ? &rational : &o->pieces, o->weights);
 }
 
 void ph_csv_result(struct ph_buf *buf, enum ph_table table,

@@ -249,6 +249,9 @@ static void write_pieces(struct writer *w, const struct ph_pieces *pieces) {
 static void write_offset(struct writer *w, const struct ph_offset *o) {
   begin(w, '{');
   key_number(w, "distance", o->distance);
+  if (o->vector) {
+    key_string(w, "vector", o->vector);
+  }
   key_number(w, "degree", (double)o->degree);
   key(w, "segments");
   begin(w, '[');

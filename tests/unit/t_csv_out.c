@@ -31,6 +31,10 @@ START_TEST(test_headers) {
   ck_written("id,segment,t0,t1,length,cumulative,knots[1]\n");
   ph_csv_header(&buf, PH_TABLE_OFFSETS, 2, swept, 2);
   ck_written("id,distance,segment,index,x,y,weight,knots[1],\"odd,name\"\n");
+  ph_csv_header(&buf, PH_TABLE_LENGTHS, 3, NULL, 0);
+  ck_written("id,segment,t0,t1,length,cumulative\n");
+  ph_csv_header(&buf, PH_TABLE_OFFSETS, 3, swept, 1);
+  ck_written("id,distance,segment,index,x,y,z,weight,vector,knots[1]\n");
 }
 END_TEST
 
@@ -95,6 +99,30 @@ START_TEST(test_offsets) {
 }
 END_TEST
 
+START_TEST(test_offsets_in_space) {
+  const struct ph_csv_heading heading = {"7", swept, 1};
+  size_t segment = 0;
+  double p[] = {1, 2, 3, 4, 5, 6}, weight[] = {1, 2};
+  struct ph_offset offsets[2];
+  struct ph_result result = by_hand();
+  for (int i = 0; i < 2; i++) {
+    offsets[i] = (struct ph_offset){.distance = 0.5,
+                                    .vector = i ? "e3" : "e2",
+                                    .degree = 1,
+                                    .dimension = 3,
+                                    .n = 1,
+                                    .segment = &segment,
+                                    .control_points = p,
+                                    .weights = weight};
+  }
+  result.offsets = offsets;
+  result.offsets_n = 2;
+  ph_csv_result(&buf, PH_TABLE_OFFSETS, &heading, &result);
+  ck_written("7,0.5,0,0,1,2,3,1,e2,0.5\n7,0.5,0,1,4,5,6,2,e2,0.5\n"
+             "7,0.5,0,0,1,2,3,1,e3,0.5\n7,0.5,0,1,4,5,6,2,e3,0.5\n");
+}
+END_TEST
+
 START_TEST(test_no_offsets) {
   const struct ph_csv_heading heading = {"7", NULL, 0};
   struct ph_result result = by_hand();
@@ -143,6 +171,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_control_points);
   tcase_add_test(tc, test_lengths);
   tcase_add_test(tc, test_offsets);
+  tcase_add_test(tc, test_offsets_in_space);
   tcase_add_test(tc, test_no_offsets);
   tcase_add_test(tc, test_quoting);
   tcase_add_test(tc, test_failed_buffer);

@@ -7,9 +7,26 @@
 
 #include "kernel/bern.h"
 #include "unit.h"
+#include "curve3_unit.h"
 #include "seg2_unit.h"
 
 enum { SEGMENTS = 200 };
+
+/* The value of a form at u, and the size of its terms; not at unit scale. */
+static double value_of(const struct ph_seg3 *seg, const struct form *form,
+                       double u, double *size) {
+  double s[2], basis[DEGREE + 1], value = 0, scale;
+  ph_atph_basis(&seg->space, u, s);
+  scale = ldexp(pow(s[0] + s[1], DEGREE), 4 * exponent_of(seg->a));
+  ph_bern_basis(DEGREE, s[1] / (s[0] + s[1]), basis);
+  *size = 0;
+  for (size_t k = 0; k <= DEGREE; k++) {
+    double term = scale * basis[k] * form->b[k];
+    value += term;
+    *size += fabs(term);
+  }
+  return value;
+}
 
 /* The form is |w|^4 (1 - d kappa). */
 START_TEST(test_form) {
@@ -17,22 +34,19 @@ START_TEST(test_form) {
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r);
     double d = unit_random_in(&r, -2, 2);
-    struct form form = form_of(&seg, d);
+    struct unit_segments s;
+    struct ph_seg3 in_space;
+    struct form form;
+    unit_seg2_curve(&seg, 1, &s);
+    in_space = ph_seg3_of(&s.curve, 0);
+    form = form_of(&in_space, d, PH_E2);
     for (size_t i = 0; i <= 20; i++) {
-      double s[2], basis[DEGREE + 1], scale;
-      double value = 0, u = (double)i / 20, size = 0;
-      struct ph_bend bend = ph_seg2_bend(&seg, u);
-      double speed2 = bend.speed * bend.speed;
-      ph_atph_basis(&seg.space, u, s);
-      scale = pow(s[0] + s[1], DEGREE);
-      ph_bern_basis(DEGREE, s[1] / (s[0] + s[1]), basis);
-      for (size_t k = 0; k <= DEGREE; k++) {
-        double term = scale * basis[k] * form.b[k];
-        value += term;
-        size += fabs(term);
-      }
-      size += speed2 * (1 + fabs(d) * sqrt(bend.terms[0]));
-      ck_abs(value, speed2 * (1 - d * bend.curvature), 1e-13 * size);
+      double u = (double)i / 20, size;
+      struct ph_bend bending = ph_seg2_bend(&seg, u);
+      double speed2 = bending.speed * bending.speed;
+      double value = value_of(&in_space, &form, u, &size);
+      size += speed2 * (1 + fabs(d) * sqrt(bending.terms[0]));
+      ck_abs(value, speed2 * (1 - d * bending.curvature), 1e-13 * size);
     }
   }
 }
@@ -59,12 +73,13 @@ START_TEST(test_count) {
       before = at;
     }
     unit_seg2_curve(&seg, 1, &s);
-    cusps = ph_cusps_planar(&s.curve, d);
+    cusps = ph_cusps_of(&s.curve, d, PH_E2);
     ck_assert_uint_eq(cusps.n, changes);
     if (changes) {
+      struct ph_bend there = ph_seg2_bend(&seg, cusps.u);
       ck_assert_uint_eq(cusps.segment, 0);
       ck_abs(cusps.u, first - 0.5 / STEPS, 0.51 / STEPS);
-      ck_abs(d * ph_seg2_bend(&seg, cusps.u).curvature, 1, 1e-9);
+      ck_abs(d * there.curvature, 1, 1e-12 * (1 + fabs(d * there.slope)));
     }
     some += changes > 0;
   }
@@ -88,11 +103,11 @@ START_TEST(test_at_knot) {
   struct unit_segments s;
   struct ph_cusps cusps;
   unit_seg2_curve(seg, 2, &s);
-  cusps = ph_cusps_planar(&s.curve, 1);
+  cusps = ph_cusps_of(&s.curve, 1, PH_E2);
   ck_assert_uint_eq(cusps.n, 1);
   ck_abs((double)cusps.segment + cusps.u, 1, 1e-12);
-  ck_assert_uint_eq(ph_cusps_planar(&s.curve, -1).n, 0);
-  ck_assert_uint_eq(ph_cusps_planar(&s.curve, 0).n, 0);
+  ck_assert_uint_eq(ph_cusps_of(&s.curve, -1, PH_E2).n, 0);
+  ck_assert_uint_eq(ph_cusps_of(&s.curve, 0, PH_E2).n, 0);
 }
 END_TEST
 
@@ -101,9 +116,103 @@ START_TEST(test_at_half) {
   struct unit_segments s;
   struct ph_cusps cusps;
   unit_seg2_curve(&seg, 1, &s);
-  cusps = ph_cusps_planar(&s.curve, 0.5); /* u goes half as fast as t */
+  cusps = ph_cusps_of(&s.curve, 0.5, PH_E2); /* u goes half as fast as t */
   ck_assert_uint_eq(cusps.n, 1);
   ck_abs(cusps.u, 0.5, 1e-12);
+}
+END_TEST
+
+/* ---- in space ---- */
+
+/* sigma (r' + d e') . e1, from the preimage by products. */
+static double along(const struct ph_seg3 *seg, double u, double d,
+                    enum ph_normal normal) {
+  const ph_quat axis =
+      normal == PH_E2 ? ph_quat_of(0, 0, 1, 0) : ph_quat_of(0, 0, 0, 1);
+  ph_quat a[2], n1;
+  double speed;
+  ph_seg3_jet(seg, u, a, 2);
+  speed = ph_quat_dot(a[0], a[0]);
+  n1 = ph_quat_add(ph_quat_mul(ph_quat_mul(a[1], axis), ph_quat_conj(a[0])),
+                   ph_quat_mul(ph_quat_mul(a[0], axis), ph_quat_conj(a[1])));
+  return speed * speed +
+         d * ph_vec3_dot(ph_quat_vector(n1), ph_quat_i(a[0], a[0])) / speed;
+}
+
+START_TEST(test_form_in_space) {
+  struct unit_random r = unit_random_of(512);
+  struct unit_curve3 c;
+  for (size_t n = 0; n < SEGMENTS; n++) {
+    enum ph_normal normal = n % 2 ? PH_E2 : PH_E3;
+    double d = unit_random_in(&r, -2, 2), scale;
+    struct ph_seg3 seg;
+    struct form form;
+    unit_curve3_random(&c, 1, n % 3 != 0, 2, &r);
+    seg = ph_seg3_of(&c.curve, 0);
+    form = form_of(&seg, d, normal);
+    scale = ldexp(1 + fabs(d), 4 * exponent_of(seg.a));
+    for (size_t i = 0; i <= 20; i++) {
+      double u = (double)i / 20, size;
+      double value = value_of(&seg, &form, u, &size);
+      ck_abs(value, along(&seg, u, d, normal), 1e-13 * (size + scale));
+    }
+  }
+}
+END_TEST
+
+/* As many as the speed along the curve has changes of sign at many points; also
+ * at knots, where the curvature jumps. */
+START_TEST(test_count_in_space) {
+  enum { STEPS = 2000, CURVES = 100 };
+  struct unit_random r = unit_random_of(513);
+  struct unit_curve3 c;
+  size_t some = 0;
+  for (int n = 0; n < unit_count(CURVES); n++) {
+    enum ph_normal normal = n % 2 ? PH_E2 : PH_E3;
+    double d = unit_random_in(&r, -2, 2), first = -1, before = 0;
+    struct ph_cusps cusps;
+    size_t changes = 0;
+    unit_curve3_random(&c, 2, n % 3 != 0, 1.5, &r);
+    for (size_t i = 0; i < 2 * (STEPS + 1); i++) {
+      size_t k = i / (STEPS + 1), step = i % (STEPS + 1);
+      struct ph_seg3 seg = ph_seg3_of(&c.curve, k);
+      double at = along(&seg, (double)step / STEPS, d, normal);
+      if (i && (at > 0) != (before > 0)) {
+        first = changes ? first : (double)k + (double)step / STEPS;
+        changes++;
+      }
+      before = at;
+    }
+    cusps = ph_cusps_of(&c.curve, d, normal);
+    ck_assert_msg(cusps.n == changes, "seed %lu, curve %d: %zu, not %zu",
+                  unit_seed(), n, cusps.n, changes);
+    if (changes) {
+      ck_abs((double)cusps.segment + cusps.u, first - 0.5 / STEPS,
+             0.51 / STEPS);
+    }
+    some += changes > 0;
+  }
+  ck_assert_uint_ge(some, (size_t)unit_count(CURVES) / 5);
+}
+END_TEST
+
+/* Any unit: the numbers go with the fourth power of A. */
+START_TEST(test_scales) {
+  static const int exponents[] = {-500, -300, 300, 500};
+  static const ph_quat a[3] = {{1, 0, 0, -1}, {1, 0.1, 0.1, 0}, {1, 0, 0, 1}};
+  struct unit_curve3 c;
+  struct ph_cusps unscaled, scaled;
+  int e = exponents[_i];
+  unit_curve3_of(&c, 1, NULL, a, ph_vec3_of(0, 0, 0));
+  unscaled = ph_cusps_of(&c.curve, 0.5, PH_E2);
+  ck_assert_uint_eq(unscaled.n, 2);
+  for (size_t i = 0; i < 12; i++) {
+    c.preimage[i] = ldexp(c.preimage[i], e);
+  }
+  scaled = ph_cusps_of(&c.curve, ldexp(0.5, 2 * e), PH_E2);
+  ck_assert_uint_eq(scaled.n, unscaled.n);
+  ck_assert_uint_eq(scaled.segment, unscaled.segment);
+  ck_rel(scaled.u, unscaled.u, 0);
 }
 END_TEST
 
@@ -114,6 +223,9 @@ static Suite *suite(void) {
   tcase_add_test(t, test_count);
   tcase_add_test(t, test_at_knot);
   tcase_add_test(t, test_at_half);
+  tcase_add_test(t, test_form_in_space);
+  tcase_add_test(t, test_count_in_space);
+  tcase_add_loop_test(t, test_scales, 0, 4);
   suite_add_tcase(s, t);
   return s;
 }

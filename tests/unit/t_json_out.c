@@ -261,6 +261,31 @@ START_TEST(test_read_back) {
 }
 END_TEST
 
+/* The vector follows the distance. */
+START_TEST(test_offset_in_space) {
+  const struct ph_heading heading = {&nothing, "spatial-hermite", NULL, 0};
+  size_t segment = 0;
+  double interval[] = {0, 0.5}, p[] = {1, 2, 3}, weight = 4;
+  struct ph_offset offset = {.distance = -0.5,
+                             .vector = "e3",
+                             .dimension = 3,
+                             .n = 1,
+                             .segment = &segment,
+                             .interval = interval,
+                             .control_points = p,
+                             .weights = &weight};
+  struct ph_result result = by_hand();
+  result.offsets = &offset;
+  result.offsets_n = 1;
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(
+      strstr(written(),
+             "\"offsets\":[{\"distance\":-0.5,\"vector\":\"e3\",\"degree\":0,"
+             "\"segments\":[{\"segment\":0,\"interval\":[0,0.5],"
+             "\"control_points\":[[1,2,3]],\"weights\":[4]}]}]"));
+}
+END_TEST
+
 /* When memory runs out the writer goes on without harm, and the buffer says
  * so in the end. */
 START_TEST(test_failed_buffer) {
@@ -284,6 +309,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_error);
   tcase_add_test(tc, test_strings);
   tcase_add_test(tc, test_read_back);
+  tcase_add_test(tc, test_offset_in_space);
   tcase_add_test(tc, test_failed_buffer);
   suite_add_tcase(s, tc);
   return s;
