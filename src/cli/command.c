@@ -25,10 +25,20 @@ const struct ph_command ph_commands[] = {
      "\tAn algebraic-trigonometric curve as polynomial Bezier segments\n"
      "phspline planar --minimize=IES points.csv | jq .diagnostics\t"
      "The fairest knots\n"},
-    {&ph_method_spatial_hermite, ph_cert_spatial_hermite, ph_offset_planar,
-     ph_cusps_planar, ph_bezier_curve,
+    {&ph_method_spatial_hermite, ph_cert_spatial_hermite, ph_offset_spatial, 4,
+     ph_bezier_curve,
      "printf '0,0,0\\n1,1,0\\n2,0,1\\n' | phspline spatial-hermite\t"
-     "Three points, the curve as JSON\n"},
+     "Three points, the curve as JSON\n"
+     "phspline spatial-hermite --columns=x,y,z,tx,ty,tz -f csv sensors.csv\t"
+     "Points with tangents, in columns without names; control points\n"
+     "phspline spatial-hermite --offset=0.5 -f csv --table=offsets path.csv\t"
+     "The curves 0.5 to either side, above and below\n"
+     "phspline spatial-hermite --sweep=criterion=cc,hc,bv --strict path.csv\t"
+     "By each criterion, where the shape of the data can be kept\n"
+     "phspline spatial-hermite --basis=atph --criterion=F1 path.csv\t"
+     "Algebraic-trigonometric segments that bend least\n"
+     "phspline spatial-hermite --angles='[0,0]' --sweep='angles[1]=-3:3:13' "
+     "path.csv\tOther members of the family\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];

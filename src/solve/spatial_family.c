@@ -133,14 +133,15 @@ static inline ph_quat project(ph_quat q, ph_vec3 d, double size) {
 }
 
 /* The point of that circle nearest to Q: the projection, scaled to sqrt|d|.
- * False where the projection is no direction.  One that is short has the
- * rounding errors of Q; they are projected away. */
-static inline bool nearest_point(ph_quat q, ph_vec3 d, double size,
-                                 ph_quat *nearest) {
+ * Q is made of quaternions whose squares sum up to `whole2`; false where the
+ * projection is rounding of these.  One that is short has the rounding errors
+ * of Q, which are projected away. */
+static inline bool nearest_point(ph_quat q, double whole2, ph_vec3 d,
+                                 double size, ph_quat *nearest) {
   ph_quat p = project(q, d, size);
   double length2 = ph_quat_dot(p, p);
-  double whole2 = size * size * ph_quat_dot(q, q);
-  if (length2 < SHORT * SHORT * whole2) {
+  whole2 *= size * size;
+  if (!(length2 > SHORT * SHORT * whole2)) {
     if (!(length2 > NO_PHASE * NO_PHASE * whole2)) {
       return false;
     }
@@ -164,14 +165,14 @@ static ph_quat any_point(ph_vec3 d, double size) {
 static inline ph_quat nearest_d(const struct ph_spatial_family *f, ph_cplx b,
                                 ph_quat a0, ph_quat a2) {
   ph_vec3 d = ph_spatial_d(f, b);
-  double size = ph_vec3_abs(d);
+  double size = ph_vec3_abs(d), whole2 = f->ni + f->nf;
   ph_quat nearest;
   if (!(size > VANISHES)) {
     return ph_quat_of(0, 0, 0, 0);
   }
-  if (nearest_point(ph_quat_add(a0, a2), d, size, &nearest) ||
-      nearest_point(a0, d, size, &nearest) ||
-      nearest_point(a2, d, size, &nearest)) {
+  if (nearest_point(ph_quat_add(a0, a2), whole2, d, size, &nearest) ||
+      nearest_point(a0, whole2, d, size, &nearest) ||
+      nearest_point(a2, whole2, d, size, &nearest)) {
     return nearest;
   }
   return any_point(d, size);
