@@ -152,30 +152,23 @@ static inline bool nearest_point(ph_quat q, double whole2, ph_vec3 d,
   return true;
 }
 
-/* Some point of the circle D i D* = d. */
-static ph_quat any_point(ph_vec3 d, double size) {
-  ph_vec3 u = ph_vec3_scale(1 / size, d);
-  ph_vec3 v = ph_vec3_any_normal(u);
-  ph_quat r = ph_quat_of_frame(u, v, ph_vec3_cross(u, v));
-  return ph_quat_scale(sqrt(size), r);
-}
-
 /* D(0) of (4).  Where the phase is not determined, those of A0 and A2 keep
- * plane data in their plane. */
+ * plane data in their plane; and where d is opposite to both tangents, k A0 or
+ * k A2, which is as far from either side of it. */
 static inline ph_quat nearest_d(const struct ph_spatial_family *f, ph_cplx b,
                                 ph_quat a0, ph_quat a2) {
+  const ph_quat k = ph_quat_of(0, 0, 0, 1);
   ph_vec3 d = ph_spatial_d(f, b);
   double size = ph_vec3_abs(d), whole2 = f->ni + f->nf;
-  ph_quat nearest;
-  if (!(size > VANISHES)) {
-    return ph_quat_of(0, 0, 0, 0);
+  ph_quat nearest = {0, 0, 0, 0};
+  if (size > VANISHES &&
+      !nearest_point(ph_quat_add(a0, a2), whole2, d, size, &nearest) &&
+      !nearest_point(a0, whole2, d, size, &nearest) &&
+      !nearest_point(a2, whole2, d, size, &nearest)) {
+    nearest_point(ph_quat_mul(k, f->ni >= f->nf ? a0 : a2), whole2, d, size,
+                  &nearest);
   }
-  if (nearest_point(ph_quat_add(a0, a2), whole2, d, size, &nearest) ||
-      nearest_point(a0, whole2, d, size, &nearest) ||
-      nearest_point(a2, whole2, d, size, &nearest)) {
-    return nearest;
-  }
-  return any_point(d, size);
+  return nearest;
 }
 
 void ph_spatial_preimage(const struct ph_spatial_family *f,

@@ -292,7 +292,7 @@ static void warn_shape(const struct task *t) {
   }
 }
 
-/* Tangents found where the data turn back: any normal is as good. */
+/* Tangents found where the data turn back: others are as good. */
 static void warn_reversals(const struct task *t) {
   const struct ph_spatial_points *p = &t->points;
   size_t found = 0, first = 0;
@@ -309,7 +309,7 @@ static void warn_reversals(const struct task *t) {
   if (found) {
     ph_fail(ph_warning_add(t->result, first), PH_REVERSAL, NULL,
             "the data turn back by 180 degrees at points[%zu] (such points: "
-            "%zu): of all tangents normal to them one was taken",
+            "%zu): of many tangents one was taken",
             first, found);
   }
 }

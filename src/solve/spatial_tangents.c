@@ -118,16 +118,6 @@ static ph_vec3 side_of(const struct polygon *p, size_t k, size_t other,
   return is_zero(side) ? so_far : side;
 }
 
-/* Some side of the line along u, the opposite one for -u: what runs back and
- * forth goes round.  Where u.z = 0, so has the side. */
-static ph_vec3 some_side(ph_vec3 u) {
-  double x = fabs(u.x), y = fabs(u.y), z = fabs(u.z);
-  ph_vec3 axis = z <= x && z <= y ? ph_vec3_of(0, 0, 1)
-                 : y <= x         ? ph_vec3_of(0, 1, 0)
-                                  : ph_vec3_of(1, 0, 0);
-  return ph_vec3_unit(ph_vec3_cross(axis, u));
-}
-
 /* The side to which a polygon goes on after it turned back at point j, as
  * tangents[j]; 0 where it stays on the line.  A closed one is gone round twice:
  * the first time finds the side with which the second one starts. */
@@ -153,7 +143,7 @@ static ph_vec3 sideways(const struct polygon *p, size_t j, ph_vec3 before,
   edges_at(p, j, &in, &out);
   return !is_zero(middle)   ? middle
          : !is_zero(before) ? before
-                            : some_side(out.direction);
+                            : ph_vec3_any_normal(out.direction);
 }
 
 /* The tangents where the polygon turns back. */
