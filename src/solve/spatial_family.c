@@ -140,7 +140,7 @@ static inline bool nearest_point(ph_quat q, ph_vec3 d, double size,
   ph_quat p = project(q, d, size);
   double length2 = ph_quat_dot(p, p);
   double whole2 = size * size * ph_quat_dot(q, q);
-  if (length2 < SHORT * SHORT * whole2) {
+  if (length2 <= SHORT * SHORT * whole2) {
     if (!(length2 > NO_PHASE * NO_PHASE * whole2)) {
       return false;
     }
