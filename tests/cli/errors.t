@@ -3,56 +3,11 @@
 # Every error code that `planar' can give: the line on standard error and the
 # error record, to the byte, and that the problems around it are solved.
 . "$srcdir/tests/cli/lib.sh"
-
-# A text as it stands in a JSON string.
-escaped() {
-  printf '%s' "$1" | sed 's/\\/\\\\/g; s/"/\\"/g'
-}
-
-# error_record CODE FIELD MESSAGE FILE LINE[:COLUMN] [ID]; FIELD may be empty
-error_record() {
-  line=${5%:*} column=
-  case $5 in *:*) column=",\"column\":${5#*:}" ;; esac
-  printf '{%s"command":"planar","status":"error","error":{"code":"%s",' \
-    "${6:+\"id\":$6,}" "$1"
-  field=$(escaped "$2")
-  printf '"message":"%s%s",%s"file":"%s","line":%s%s}}\n' \
-    "${2:+$field }" "$(escaped "$3")" "${2:+\"field\":\"$field\",}" "$4" \
-    "$line" "$column"
-}
+. "$srcdir/tests/cli/errors.sh"
 
 # ---- problems ----------------------------------------------------------------
 
-printf '%s\n' "$good" >good.json
-run planar good.json
-expect 'a good problem' 0
-cp out good.out
-
-# bad CODE FIELD MESSAGE PROBLEM: as an object, in JSON Lines and in an array.
-# The problem is one line; FIELD may be empty.
-bad() {
-  printf '%s\n' "$4" >a.json
-  printf '%s\n' "$good" "$4" "$good" >b.jsonl
-  printf '[%s,\n%s,\n%s]' "$good" "$4" "$good" >c.json
-  {
-    error_record "$1" "$2" "$3" a.json 1
-    cat good.out
-    error_record "$1" "$2" "$3" b.jsonl 2
-    cat good.out good.out
-    error_record "$1" "$2" "$3" c.json 2
-    cat good.out
-  } >want
-  says="${2:+$2: }$3 [$1]"
-  run planar a.json b.jsonl c.json
-  if [ "$status" -eq 1 ] && ! cmp -s out want; then
-    equal_files "records: $says" want out
-  else
-    expect "$says" 1 "phspline: a.json:1: record 1: $says
-phspline: b.jsonl:2: record 3: $says
-phspline: c.json:2: record 6: $says
-$(failed 3 7)"
-  fi
-}
+errors_of planar
 
 # with MEMBERS: a problem that has more than its points
 with() {
@@ -318,20 +273,6 @@ broken 3 2:1 2 "expected ',' or ']', found '{'" a.json \
 
 # ---- CSV ---------------------------------------------------------------------
 
-# bad_csv STATUS LINE[:COLUMN] FIELD CODE MESSAGE TEXT [OPTION]...
-bad_csv() {
-  # shellcheck disable=SC2059
-  printf "$6" >a.csv
-  wanted=$(error_record "$4" "$3" "$5" a.csv "$2")
-  wanted_status=$1
-  says="phspline: a.csv:${2%:*}: record 1: ${3:+$3: }$5 [$4]"
-  text=$6
-  shift 6
-  run planar "$@" a.csv
-  expect "$* $text" "$wanted_status" "$says
-$(failed 1 1)" "$wanted"
-}
-
 skip='(--columns can skip it)'
 bad_csv 3 1:5 '' unknown-field "column \"speed\" is unknown to planar $skip" \
   'x,y,speed\n0,0,1\n1,1,1\n'
@@ -418,28 +359,6 @@ reversal_says=$(printf %s "$reversal_says" | tr '\n' ' ')
 loop_says='segment 0 turns by 6.283 radians, more than half a turn (such
 segments: 1)'
 loop_says=$(printf %s "$loop_says" | tr '\n' ' ')
-
-# warned NAME CODE MESSAGE SEGMENT PROBLEM
-warned() {
-  id=$(printf %s "$1" | cut -c 1)
-  printf '%s\n' "$5" >a.json
-  run planar a.json
-  expect "$1: a warning" 0 \
-    "phspline: a.json:1: record $id: warning: $3 [$2]"
-  equal "$1: the record" \
-    "\"ok\" [{\"code\":\"$2\",\"segment\":$4,\"message\":\"$3\"}]" \
-    "$(get status) $(get warnings)"
-  run planar -q a.json
-  expect "$1: quiet" 0 ''
-  equal "$1: quiet, but recorded" "\"$2\"" "$(get 'warnings[0].code')"
-  run planar --strict a.json
-  expect "$1: an error under --strict" 1 \
-    "phspline: a.json:1: record $id: $3 [$2]
-$(failed 1 1)" "$(error_record "$2" '' "$3" a.json 1 "\"$id\"")"
-  run planar --strict -q a.json
-  expect "$1: an error under --strict, quiet" 1 \
-    "phspline: a.json:1: record $id: $3 [$2]"
-}
 
 warned reversal reversal "$reversal_says" 1 "$reversal"
 warned loop loop "$loop_says" 0 "$loop"

@@ -1,0 +1,340 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Every error and warning that `spatial-hermite' can give about its fields: the
+# line on standard error and the record, to the byte.  (What all commands share,
+# such as syntax errors: errors.t.)
+. "$srcdir/tests/cli/lib.sh"
+. "$srcdir/tests/cli/errors.sh"
+
+# ---- problems ----------------------------------------------------------------
+
+errors_of spatial-hermite
+
+# with MEMBERS: three points and more
+with() {
+  printf '{"points":[[0,0,0],[1,1,0],[2,0,1]],%s}' "$1"
+}
+
+# unknown NAME [NEAR]
+unknown() {
+  bad unknown-field "$1" \
+    "is not a field of spatial-hermite${2:+; did you mean \"$2\"?}" \
+    "$(with "\"$1\":1")"
+}
+
+unknown tangent tangents
+unknown derivative derivatives
+unknown criteria criterion
+unknown Criterion criterion
+unknown angle angles
+unknown axes axis
+unknown tensoin tension
+unknown shapes shape
+unknown end_derivatives
+unknown minimize
+unknown solutions
+unknown lambda
+
+points='must be an array of points [x,y] or [x,y,z], found'
+vectors='must be an array of vectors [x,y] or [x,y,z], found'
+criteria='must be "cc", "hc", "bv", "zero", "F1", "F2" or "F3", found'
+axes='must be "chord", "x" or "bisector", found'
+
+bad missing-field points \
+  'is missing: it must be an array of points [x,y] or [x,y,z]' '{}'
+bad bad-type points "$points a number" '{"points":5}'
+bad bad-type points "$points an array of numbers" '{"points":[0,0,0]}'
+bad bad-type 'points[1][2]' 'must be a number, found a string' \
+  '{"points":[[0,0,0],[1,1,"1"]]}'
+bad bad-shape 'points[1]' 'must have 3 numbers as points[0] has, found 2' \
+  '{"points":[[0,0,0],[1,1]]}'
+bad bad-shape 'points[1]' 'must have 2 numbers as points[0] has, found 3' \
+  '{"points":[[0,0],[1,1,1]]}'
+bad bad-shape 'points[0]' 'must have 2 or 3 numbers, found 4' \
+  '{"points":[[0,0,0,0],[1,1,1,1]]}'
+bad bad-shape 'points[0]' 'must have 2 or 3 numbers, found 1' \
+  '{"points":[[0],[1]]}'
+bad not-finite 'points[1][2]' 'is -1e309, which overflows a double' \
+  '{"points":[[0,0,0],[1,1,-1e309]]}'
+bad too-few-points points 'must be at least 2, found 0' '{"points":[]}'
+bad too-few-points points 'must be at least 2, found 1' '{"points":[[1,2,3]]}'
+for more in '' ',[1,2,3]'; do
+  bad too-few-points points \
+    'must be at least 3 different points for a closed curve, found 2' \
+    "{\"closed\":true,\"points\":[[1,2,3],[3,4,5]$more]}"
+done
+
+# Four units in the last place of the largest coordinate are one point, five are
+# two; so it is at every scale.
+bad coincident-points 'points[1]' 'coincides with points[0]' \
+  '{"points":[[1,2,3],[1,2,3]]}'
+bad coincident-points 'points[1]' 'coincides with points[0]' \
+  '{"points":[[0,0,0],[0,0,0]]}'
+bad coincident-points 'points[2]' 'coincides with points[1]' \
+  '{"points":[[0,0,0],[1,0.5,0],[1.0000000000000009,0.5,0],[2,0,0]]}'
+bad coincident-points 'points[2]' 'coincides with points[1]' \
+  '{"points":[[0,0,0],[1e300,0,0],[1.0000000000000007e300,0,0],[2e300,0,0]]}'
+bad coincident-points 'points[0]' 'coincides with points[3]' \
+  '{"closed":true,"points":[[1,2,3],[2,2,3],[5,6,7],[1,2,3],[1,2,3]]}'
+feed '{"points":[[0,0,0],[1,0.5,0],[1.0000000000000012,0.5,0],[2,0,0]]}' \
+  spatial-hermite
+expect 'five units in the last place are two points' 0
+
+bad bad-type closed 'must be true or false, found a string' \
+  "$(with '"closed":"yes"')"
+
+for given in tangents derivatives; do
+  bad bad-type $given "$vectors a string" "$(with "\"$given\":\"auto\"")"
+  bad bad-type $given "$vectors an array of numbers" \
+    "$(with "\"$given\":[1,0,0]")"
+  bad bad-shape $given 'must have 3 vectors, one for each point, found 0' \
+    "$(with "\"$given\":[]")"
+  bad bad-shape $given 'must have 3 vectors, one for each point, found 2' \
+    "$(with "\"$given\":[[1,0,0],[1,0,0]]")"
+  bad bad-shape $given 'must have 3 vectors, one for each point, found 4' \
+    "$(with "\"$given\":[[1,0,0],[1,0,0],[1,0,0],[1,0,0]]")"
+  bad bad-shape $given 'must have vectors of 3 numbers, as the points have' \
+    "$(with "\"$given\":[[1,0],[1,0],[1,0]]")"
+  bad bad-shape "${given}[2]" \
+    "must have 3 numbers as ${given}[0] has, found 2" \
+    "$(with "\"$given\":[[1,0,0],[1,0,0],[1,0]]")"
+  bad not-finite "${given}[1][2]" 'is 1e999, which overflows a double' \
+    "$(with "\"$given\":[[1,0,0],[1,0,1e999],[1,0,0]]")"
+  bad zero-tangent "${given}[2]" 'must not be zero' \
+    "$(with "\"$given\":[[1,0,0],[1,0,0],[0,-0.0,0]]")"
+  bad bad-value "${given}[3]" "must equal ${given}[0], as the point does" \
+    "{\"points\":[[0,0],[1,1],[2,0],[0,0]],\"closed\":true,\
+\"$given\":[[1,0],[1,0],[0,1],[0,1]]}"
+done
+bad bad-value tangents 'excludes derivatives: give one of them' \
+  "$(with '"tangents":[[1,0,0],[1,0,0],[1,0,0]],
+"derivatives":[[1,0,0],[1,0,0],[1,0,0]]' | tr -d '\n')"
+# A derivative of 1e-14 of a chord beside it is the least.
+bad zero-tangent 'derivatives[0]' \
+  'is too small beside the chord between points[0] and points[1]' \
+  "$(with '"derivatives":[[1e-14,0,0],[1,0,0],[1,0,0]]')"
+bad zero-tangent 'derivatives[1]' \
+  'is too small beside the chord between points[0] and points[1]' \
+  "$(with '"derivatives":[[1,0,0],[0,5e-324,0],[1,0,0]]')"
+bad zero-tangent 'derivatives[2]' \
+  'is too small beside the chord between points[1] and points[2]' \
+  "$(with '"derivatives":[[1,0,0],[1,0,0],[0,0,1e-15]]')"
+feed "$(with '"derivatives":[[1,0,0],[1,0,0],[0,0,2e-14]]')" spatial-hermite -q
+expect 'a derivative that is small, but not too small' 0
+
+bad bad-value basis 'must be "ph" or "atph", found "ATPH"; did you mean "atph"?' \
+  "$(with '"basis":"ATPH"')"
+bad bad-type basis 'must be "ph" or "atph", found a number' "$(with '"basis":5')"
+bad bad-value criterion "$criteria \"CC\"; did you mean \"cc\"?" \
+  "$(with '"criterion":"CC"')"
+bad bad-value criterion "$criteria \"F0\"; did you mean \"F1\"?" \
+  "$(with '"criterion":"F0"')"
+bad bad-value criterion "$criteria \"length\"" "$(with '"criterion":"length"')"
+bad bad-type criterion "$criteria an array" "$(with '"criterion":["cc","hc"]')"
+bad bad-value axis "$axes \"bisectr\"; did you mean \"bisector\"?" \
+  "$(with '"axis":"bisectr"')"
+bad bad-value axis "$axes \"y\"" "$(with '"axis":"y"')"
+bad bad-type axis "$axes an array" "$(with '"axis":[1,0,0]')"
+
+angles='must be an array of numbers or an array of vectors [x,y], found'
+pairs='must have 2 pairs, one for each segment, or one for all, found'
+bad bad-type angles "$angles a number" "$(with '"angles":0')"
+bad bad-type angles "$angles a string" "$(with '"angles":"zero"')"
+bad bad-type 'angles[0][1]' 'must be a number, found a string' \
+  "$(with '"angles":[[0,"0"]]')"
+bad bad-shape angles "$pairs 0 vectors" "$(with '"angles":[]')"
+bad bad-shape angles "$pairs 1 numbers" "$(with '"angles":[0]')"
+bad bad-shape angles "$pairs 4 numbers" "$(with '"angles":[0,0,0,0]')"
+bad bad-shape angles "$pairs 3 vectors" "$(with '"angles":[[0,0],[0,0],[0,0]]')"
+bad bad-shape 'angles[1]' 'must have 2 numbers, found 1' \
+  "$(with '"angles":[[0,0],[0]]')"
+bad bad-shape 'angles[0]' 'must have 2 numbers, found 3' \
+  "$(with '"angles":[[0,0,0]]')"
+bad not-finite 'angles[0]' 'is 1e999, which overflows a double' \
+  "$(with '"angles":[1e999,0]')"
+bad bad-value criterion 'excludes angles, which are given in its place' \
+  "$(with '"angles":[0,0],"criterion":"cc"')"
+
+bad bad-value alpha 'is for "basis":"atph"' "$(with '"alpha":1')"
+between='must be between 0 and pi, found'
+bad bad-value alpha "$between 0" "$(with '"basis":"atph","alpha":0')"
+bad bad-value alpha "$between 3.1415926535897931" \
+  "$(with '"basis":"atph","alpha":3.141592653589793')"
+bad bad-value 'alpha[1]' "$between -1" "$(with '"basis":"atph","alpha":[1,-1]')"
+bad bad-shape alpha 'must have 2 numbers, one for each segment, found 3' \
+  "$(with '"basis":"atph","alpha":[1,1,1]')"
+bad bad-shape alpha 'must have 3 numbers, one for each segment, found 2' \
+  "$(with '"closed":true,"basis":"atph","alpha":[1,1]')"
+bad bad-type alpha 'must be a number or an array of numbers, found a string' \
+  "$(with '"basis":"atph","alpha":"chordal"')"
+for choice in '"criterion":"cc"' '"criterion":"hc"' '"criterion":"bv"' \
+  '"criterion":"zero"' '"angles":[0,0]'; do
+  bad missing-field alpha 'is missing: only the criteria F1, F2 and F3 choose it' \
+    "$(with "\"basis\":\"atph\",$choice")"
+done
+
+knots='must be "chordal" or an array of numbers, found'
+bad bad-value knots "$knots \"uniform\"" "$(with '"knots":"uniform"')"
+bad bad-value knots "$knots \"chordals\"; did you mean \"chordal\"?" \
+  "$(with '"knots":"chordals"')"
+bad bad-type knots "$knots a number" "$(with '"knots":1')"
+bad bad-shape knots 'must have 3 numbers, one for each point, found 2' \
+  "$(with '"knots":[0,1]')"
+bad bad-shape knots \
+  'must have 4 numbers, one for each point and one that closes the period, found 3' \
+  "$(with '"closed":true,"knots":[0,1,2]')"
+bad bad-value 'knots[2]' 'must be greater than the knot before, 1, found 1' \
+  "$(with '"knots":[0,1,1]')"
+bad too-large 'knots[1]' \
+  'differs from the knot before by more than a double can hold' \
+  "$(with '"knots":[-1.7e308,1.7e308,1.75e308]')"
+
+bad bad-value tension 'must be greater than 0, found 0' "$(with '"tension":0')"
+bad bad-value 'tension[1]' 'must be greater than 0, found -1' \
+  "$(with '"tension":[1,-1]')"
+bad bad-shape tension 'must have 2 numbers, one for each segment, found 1' \
+  "$(with '"tension":[1]')"
+bad bad-type tension 'must be a number or an array of numbers, found a string' \
+  "$(with '"tension":"1"')"
+bad not-finite tension 'is 1e999, which overflows a double' \
+  "$(with '"tension":1e999')"
+
+bad bad-type shape 'must be true or false, found a number' "$(with '"shape":1')"
+bad bad-type shape 'must be true or false, found a string' \
+  "$(with '"shape":"false"')"
+
+# ---- angles that do not exist ------------------------------------------------
+
+# opposite AXIS SEGMENT MEMBERS
+opposite() {
+  bad infeasible "segments[$2]" "has no angles about the axis \"$1\": a tangent \
+or the vector d is opposite to it; \"axis\":\"bisector\" always has" "{$3}"
+}
+
+back='"points":[[0,0,0],[1,0,0],[2,1,0]],"tangents":[[1,0,0],[-1,0,0],[1,1,1]]'
+opposite chord 0 "$back,\"criterion\":\"zero\""
+opposite chord 0 "$back,\"angles\":[[0,0],[1,1]]"
+opposite x 0 "$back,\"angles\":[1,1],\"axis\":\"x\""
+opposite x 1 '"points":[[0,0],[1,1],[1,2]],"tangents":[[0,1],[0,1],[-2,0]],'\
+'"criterion":"zero","axis":"x"'
+opposite x 0 "$back,\"basis\":\"atph\",\"alpha\":1,\"criterion\":\"zero\""
+for choice in '"criterion":"cc"' '"criterion":"hc"' '"criterion":"bv"' \
+  '"angles":[1,1],"axis":"bisector"'; do
+  feed "{$back,$choice}" spatial-hermite -q
+  expect "opposite to the chord, $choice" 0
+  case $choice in
+  *bisector*) wanted='[1,1]' ;;
+  *) wanted=absent ;;
+  esac
+  equal "opposite to the chord, $choice: the angles" "$wanted" \
+    "$(get 'segments[0].angles')"
+done
+
+# ---- too large, too small ----------------------------------------------------
+
+bad too-large 'points[1]' \
+  'differs from points[0] by more than a double can hold' \
+  '{"points":[[-1e308,0,0],[1e308,0,0]]}'
+bad too-large knots 'span more than a double can hold' \
+  '{"points":[[0,0,0],[1e308,1e308,1e308],[0,1e308,0]]}'
+range='the curve exceeds the range of a double'
+bad too-large '' "$range" "$(with '"tension":1e200')"
+bad too-large '' "$range" \
+  "$(with '"derivatives":[[1e308,1e308,1e308],[1,0,1],[1,0,0]]')"
+bad too-large '' "$range" "$(with '"knots":[0,1e308,1.7e308]')"
+
+# ---- CSV ---------------------------------------------------------------------
+
+skip='(--columns can skip it)'
+bad_csv 3 1:5 '' unknown-field \
+  "column \"theta\" is unknown to spatial-hermite $skip" 'x,y,theta\n0,0,0\n'
+bad_csv 3 1:1 '' missing-field \
+  'column "x" is missing: spatial-hermite needs it for points' 'z,y\n0,0\n1,1\n'
+bad_csv 3 1:1 '' missing-field \
+  'column "ty" is missing: spatial-hermite needs it for tangents' \
+  'x,y,z,tx,tz\n0,0,0,1,1\n1,1,1,1,1\n'
+bad_csv 3 1:1 '' missing-field \
+  'column "dx" is missing: spatial-hermite needs it for derivatives' \
+  'x,y,dy\n0,0,0\n1,1,1\n'
+bad_csv 1 3 'points[1]' bad-value \
+  'needs a number in column z, found an empty cell' 'x,y,z\n0,0,0\n1,1,\n'
+bad_csv 1 2 'tangents[0]' bad-value \
+  'needs a number in column tx, found an empty cell' \
+  'x,y,z,tx,ty,tz\n0,0,0,,,\n1,1,1,1,1,1\n'
+bad_csv 1 3 'tangents[1]' not-finite \
+  'needs a finite number in column tz, found "inf"' \
+  'x,y,z,tx,ty,tz\n0,0,0,1,0,0\n1,1,1,1,1,inf\n'
+bad_csv 1 3 'derivatives[1]' bad-type \
+  'needs a number in column dy, found "fast"' \
+  'x,y,dx,dy\n0,0,1,0\n1,1,1,fast\n'
+bad_csv 1 3 'tangents[1]' zero-tangent 'must not be zero' \
+  'x,y,z,tx,ty,tz\n0,0,0,1,0,0\n1,1,1,0,0,0\n'
+bad_csv 1 2 tangents bad-shape \
+  'must have vectors of 3 numbers, as the points have' \
+  'x,y,z,tx,ty\n0,0,0,1,0\n1,1,1,1,0\n'
+bad_csv 1 2 tangents bad-value 'excludes derivatives: give one of them' \
+  'x,y,tx,ty,dx,dy\n0,0,1,0,1,0\n1,1,1,0,1,0\n'
+bad_csv 1 2 tension bad-shape \
+  'must have 1 numbers, one for each segment, found 2' \
+  'x,y,tension\n0,0,1\n1,1,1\n'
+bad_csv 1 3 'tension[0]' bad-value 'must be greater than 0, found 0' \
+  'x,y,tension\n0,0,\n1,1,0\n'
+bad_csv 1 4 'alpha[1]' bad-value "$between 4" \
+  'x,y,alpha\n0,0,\n1,1,1\n2,0,4\n' --basis=atph
+bad_csv 1 3 'points[2]' coincident-points 'coincides with points[1]' \
+  '0,0,0\n1,1,1\n1,1,1\n'
+bad_csv 3 1:1 '' syntax \
+  'the file has no header row: --columns must name its 4 columns' \
+  '0,0,0,0\n1,1,1,1\n'
+
+# ---- warnings ----------------------------------------------------------------
+
+# Example 3 of Farouki et al. 2015: with both angles 0 its torsion has the wrong
+# sign at every tension; here (ti + tf).dp is not positive.
+unsat='"points":[[0,0,0],[1,1,1]],"tangents":[[0.4,-1.5,-1.2],[-2,-1,-2]]'
+unsat="$unsat,\"criterion\":\"zero\""
+unsat_says='segment 0 does not keep the shape of its data at any tension:
+(ti + tf).dp is not positive, the condition for it fails (such segments: 1)'
+warned unsatisfiable shape-unsatisfiable \
+  "$(printf %s "$unsat_says" | tr '\n' ' ')" 0 "{\"id\":\"u\",$unsat}"
+equal 'unsatisfiable: what the diagnostics and the segment say' 'absent absent' \
+  "$(get diagnostics.shape_ok) $(get 'segments[0].shape_ok')"
+feed "{$unsat}" spatial-hermite -q
+equal 'unsatisfiable: the segment is left as it is' '1 false false 0' \
+  "$(get 'segments[0].tension') $(get 'segments[0].shape_ok') $(
+    get diagnostics.shape_ok) $(get diagnostics.reduced)"
+feed "{$unsat,\"shape\":false}" spatial-hermite
+expect 'unsatisfiable, but nobody asked for shape' 0
+equal 'unsatisfiable: not kept all the same' 'false 1' \
+  "$(get diagnostics.shape_ok) $(get 'segments[0].tension')"
+
+# A helix: nearly half a turn in one segment, behind a straight one.
+gap='"points":[[1,-2,-1],[1,0,0],[-0.9921147013144777,0.12533323356430454,'\
+'1.5079644737231006]],"tangents":[[0,2,1],[0,2,1],[-0.25066646712860863,'\
+'-1.9842294026289555,1]],"criterion":"zero"'
+gap_says='segment 1 does not keep the shape of its data at any tension:
+(ti + tf).dp is positive, and yet none was found (such segments: 1)'
+warned gap shape-unsatisfiable "$(printf %s "$gap_says" | tr '\n' ' ')" 1 \
+  "{\"id\":\"g\",$gap}"
+
+warned alpha large-alpha 'alpha[1] is above 2 pi/3 (such segments: 2)' 1 \
+  '{"id":"a","points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],"basis":"atph",'\
+'"alpha":[2.094,2.1,3],"criterion":"cc"}'
+
+reversal_says='the data turn back by 180 degrees at points[1] (such points: 1):
+of all tangents normal to them one was taken'
+reversal_says=$(printf %s "$reversal_says" | tr '\n' ' ')
+warned reversal reversal "$reversal_says" 1 \
+  '{"id":"r","points":[[0,0,0],[1,2,2],[0,0,0]]}'
+feed '{"points":[[0,0,0],[1,2,2],[0,0,0]],
+  "tangents":[[1,0,0],[0,1,0],[0,0,1]]}' spatial-hermite --strict
+expect 'no reversal where tangents are given' 0
+feed '{"points":[[0,0,0],[1,0,0],[0,0,0],[1,0,0],[0,0,0]]}' spatial-hermite -q
+equal 'reversals are counted' "\"$(printf %s "$reversal_says" |
+  sed 's/points: 1/points: 3/')\"" "$(get 'warnings[0].message')"
+feed '{"points":[[0,0],[1,0],[0,0],[0,1]],"closed":true}' spatial-hermite -q
+equal 'reversals of a closed curve: the first is the first point' \
+  '"reversal" 1' "$(get 'warnings[0].code') $(get 'warnings[0].segment')"
+# The circle through points on a line at different distances is that line.
+feed '{"points":[[1,0,0],[0,0,0],[2,0,0]]}' spatial-hermite --strict
+expect 'the data turn back, but on the line itself' 0
