@@ -505,14 +505,15 @@ column_of(const struct ph_csv_columns *columns, const char *name, size_t n) {
 size_t ph_csv_line(const struct ph_record *record, const char *path) {
   size_t name_n = strcspn(path, "[");
   const struct ph_csv_column *column = column_of(record->columns, path, name_n);
+  bool segments = column && column->segments;
   size_t i = 0, row = 0, at = 0;
   const char *p = record->text;
   const char *end;
   if (column && path[name_n]) {
-    i = strtoul(path + name_n + 1, NULL, 10) + column->segments;
+    i = strtoul(path + name_n + 1, NULL, 10) + segments;
   }
   while (row <= i && next_row(record, &at, &p, &end)) {
     row++;
   }
-  return row > i ? line_at(record, p) : record->line;
+  return row <= i && segments ? record->line : line_at(record, p);
 }

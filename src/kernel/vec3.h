@@ -79,12 +79,12 @@ static inline ph_vec3 ph_vec3_normal(ph_vec3 a, ph_vec3 u) {
 }
 
 /* ph_vec3_any_normal: a unit vector normal to the unit vector u, always the
- * same one: horizontal, to the left of u, unless u is nearly vertical. */
+ * same one, the opposite for -u: horizontal and to the left of u, unless u is
+ * nearly vertical. */
 static inline ph_vec3 ph_vec3_any_normal(ph_vec3 u) {
-  double size2 = u.x * u.x + u.y * u.y;
-  return size2 > 0.01
-             ? ph_vec3_scale(1 / sqrt(size2), ph_vec3_of(-u.y, u.x, 0))
-             : ph_vec3_unit(ph_vec3_normal(ph_vec3_of(1, 0, 0), u));
+  return ph_vec3_unit(u.x * u.x + u.y * u.y > 0.01
+                          ? ph_vec3_of(-u.y, u.x, 0)
+                          : ph_vec3_of(0, u.z, -u.y));
 }
 
 static inline bool ph_vec3_is_finite(ph_vec3 a) {
