@@ -18,7 +18,7 @@
 #include <string.h>
 
 /* A derivative below this part of a chord beside it has no direction that
- * matters. */
+ * matters; nor has the chord beside one that is longer by its inverse. */
 static const double STANDSTILL = 1e-14;
 
 /* Vectors of a point that closes the curve agree with the first to this. */
@@ -238,36 +238,47 @@ double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
   return root;
 }
 
-/* Whether neither end derivative is nothing beside the chord. */
-static bool is_moving(const struct ph_spatial_points *p, size_t k,
-                      double tension) {
-  struct ph_spatial_data data;
-  double least;
-  ph_spatial_segment(p, k, tension, &data);
-  least = STANDSTILL * ph_vec3_abs(data.dp);
-  return data.ni >= least && data.nf >= least;
+/* A speed beside a chord: -1 too small, 1 too large. */
+static int judge(double speed, double chord) {
+  return speed < STANDSTILL * chord      ? -1
+         : !(STANDSTILL * speed < chord) ? 1
+                                         : 0;
 }
 
+static enum ph_status wrong_speed(const struct ph_spatial_points *p, size_t k,
+                                  const char *field, size_t index, int verdict,
+                                  struct ph_diag *diag) {
+  return ph_fail_at(
+      diag, verdict < 0 ? PH_ZERO_TANGENT : PH_TOO_LARGE, field, index,
+      "%stoo %s beside the chord between points[%zu] and "
+      "points[%zu]",
+      strcmp(field, "derivatives") == 0 ? "is " : "makes derivatives ",
+      verdict < 0 ? "small" : "large", k, k + 1 < p->points_n ? k + 1 : 0);
+}
+
+/* Derivatives that are nothing beside their chord, or all but everything; they
+ * are so by themselves, by the knots, or by the tension. */
 static enum ph_status check_speeds(const struct ph_spatial_points *p,
                                    struct ph_diag *diag) {
   for (size_t k = 0; k < p->n; k++) {
     size_t to = k + 1 < p->points_n ? k + 1 : 0;
-    if (!is_moving(p, k, 1) && p->speeds) {
-      return ph_fail_at(diag, PH_ZERO_TANGENT, "derivatives",
-                        p->speeds[k] < p->speeds[to] ? k : to,
-                        "is too small beside the chord of segment %zu", k);
-    }
-    if (!is_moving(p, k, 1)) {
-      return ph_fail_at(diag, PH_ZERO_TANGENT, "knots", k + 1,
-                        "is too near to the knot before: derivatives vanish "
-                        "beside the chord of segment %zu",
-                        k);
-    }
-    if (!is_moving(p, k, p->tension[k])) {
-      return ph_fail_at(diag, PH_ZERO_TANGENT, "tension", k,
-                        "is too small: derivatives vanish beside the chord of "
-                        "segment %zu",
-                        k);
+    struct ph_spatial_data data;
+    double chord, square = p->tension[k] * p->tension[k];
+    int verdict[2];
+    ph_spatial_segment(p, k, 1, &data);
+    chord = ph_vec3_abs(data.dp);
+    verdict[0] = judge(data.ni, chord);
+    verdict[1] = judge(data.nf, chord);
+    for (size_t i = 0; i < 2; i++) {
+      if (verdict[i] != 0) {
+        return p->speeds ? wrong_speed(p, k, "derivatives", i ? to : k,
+                                       verdict[i], diag)
+                         : wrong_speed(p, k, "knots", k + 1, verdict[i], diag);
+      }
+      verdict[i] = judge(square * (i ? data.nf : data.ni), chord);
+      if (verdict[i] != 0) {
+        return wrong_speed(p, k, "tension", k, verdict[i], diag);
+      }
     }
   }
   return PH_OK;

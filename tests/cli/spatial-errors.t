@@ -237,11 +237,13 @@ bad too-large 'points[1]' \
   '{"points":[[-1e308,0,0],[1e308,0,0]]}'
 bad too-large knots 'span more than a double can hold' \
   '{"points":[[0,0,0],[1e308,1e308,1e308],[0,1e308,0]]}'
-range='the curve exceeds the range of a double'
-bad too-large '' "$range" "$(with '"tension":1e200')"
-bad too-large '' "$range" \
+large='too large beside the chord between points[0] and points[1]'
+bad too-large 'tension[0]' "makes derivatives $large" \
+  "$(with '"tension":1e200')"
+bad too-large 'derivatives[0]' "is $large" \
   "$(with '"derivatives":[[1e308,1e308,1e308],[1,0,1],[1,0,0]]')"
-bad too-large '' "$range" "$(with '"knots":[0,1e308,1.7e308]')"
+bad too-large 'knots[1]' "makes derivatives $large" \
+  "$(with '"knots":[0,1e308,1.7e308]')"
 
 # ---- CSV ---------------------------------------------------------------------
 
