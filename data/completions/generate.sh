@@ -13,7 +13,7 @@ shell=${1:?bash, zsh or fish}
 program=${2:-build/plain/phspline}
 export LC_ALL=C COLUMNS=80
 
-"$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z-]*\)  .*/\1/p' |
+"$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z-]*\)  .*/\1/p' |
   while read -r command; do
     echo "Command $command"
     "$program" help "$command"
@@ -29,7 +29,7 @@ export LC_ALL=C COLUMNS=80
       rest = substr(rest, length(text) + 1)
       sub(/ \([a-z]*:?.*/, "", rest)
       if (rest ~ /true or false/) { argument = ""; words = " true false" }
-      while (match(rest, /"[A-Za-z-]*"/)) {
+      while (match(rest, /"[A-Za-z0-9-]*"/)) {
         words = words " " substr(rest, RSTART + 1, RLENGTH - 2)
         rest = substr(rest, RSTART + RLENGTH)
       }

@@ -11,8 +11,8 @@ _phspline() {
     option=${COMP_WORDS[COMP_CWORD - 1]}
   fi
   case $COMP_CWORD,${COMP_WORDS[1]} in
-  1,*) list='planar help --help --version' ;;
-  *,help) list='planar' ;;
+  1,*) list='planar spatial-hermite help --help --version' ;;
+  *,help) list='planar spatial-hermite' ;;
   *,planar)
     case $option in
     --points | --points=) kind=nothing ;;
@@ -41,6 +41,41 @@ _phspline() {
       kind=files
       if [[ $cur == -* ]]; then
         kind=words list='--points= --closed --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+      fi
+      ;;
+    esac
+    ;;
+  *,spatial-hermite)
+    case $option in
+    --points | --points=) kind=nothing ;;
+    --closed=) list='true false' ;;
+    --tangents | --tangents=) kind=nothing ;;
+    --derivatives | --derivatives=) kind=nothing ;;
+    --basis | --basis=) list='ph atph' ;;
+    --criterion | --criterion=) list='cc hc bv zero F1 F2 F3' ;;
+    --angles | --angles=) kind=nothing ;;
+    --axis | --axis=) list='chord x bisector' ;;
+    --alpha | --alpha=) kind=nothing ;;
+    --knots | --knots=) list='chordal' ;;
+    --tension | --tension=) kind=nothing ;;
+    --shape=) list='true false' ;;
+    -i | --input-format | --input-format=) list='auto json csv' ;;
+    --columns | --columns=) kind=nothing ;;
+    --delimiter | --delimiter=) kind=nothing ;;
+    -f | --format | --format=) list='json csv' ;;
+    --table | --table=) list='control-points lengths offsets' ;;
+    -o | --output | --output=) kind=files ;;
+    -s | --set | --set=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape=' ;;
+    --override | --override=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape=' ;;
+    -S | --sweep | --sweep=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape=' ;;
+    -d | --offset | --offset=) kind=nothing ;;
+    --convert | --convert=) list='bezier' ;;
+    --tolerance | --tolerance=) kind=nothing ;;
+    -j | --jobs | --jobs=) kind=nothing ;;
+    *)
+      kind=files
+      if [[ $cur == -* ]]; then
+        kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

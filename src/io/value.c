@@ -81,6 +81,9 @@ static const char *vectors_phrase(const struct ph_field *row) {
        "an array of points [x,y] or [x,y,z]"}};
   bool plane = row->dimensions >> 2 & 1;
   bool space = row->dimensions >> 3 & 1;
+  if (row->id == PH_F_ANGLES) {
+    return "an array of pairs [theta,beta]";
+  }
   return phrases[row->id == PH_F_POINTS][plane && space ? 2 : space ? 1 : 0];
 }
 

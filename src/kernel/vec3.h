@@ -82,9 +82,8 @@ static inline ph_vec3 ph_vec3_normal(ph_vec3 a, ph_vec3 u) {
  * same one, the opposite for -u: horizontal and to the left of u, unless u is
  * nearly vertical. */
 static inline ph_vec3 ph_vec3_any_normal(ph_vec3 u) {
-  return ph_vec3_unit(u.x * u.x + u.y * u.y > 0.01
-                          ? ph_vec3_of(-u.y, u.x, 0)
-                          : ph_vec3_of(0, u.z, -u.y));
+  return ph_vec3_unit(u.x * u.x + u.y * u.y > 0.01 ? ph_vec3_of(-u.y, u.x, 0)
+                                                   : ph_vec3_of(0, u.z, -u.y));
 }
 
 static inline bool ph_vec3_is_finite(ph_vec3 a) {

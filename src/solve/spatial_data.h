@@ -18,15 +18,15 @@ struct ph_spatial_points {
   bool closed;
   bool flat; /* points of two coordinates: z = 0 */
   bool atph;
-  bool derivatives; /* given: what ends have is a promise */
-  bool estimated;   /* tangents, from the points */
-  double *points;   /* [points_n][3] */
+  bool derivatives;  /* given: what ends have is a promise */
+  bool estimated;    /* tangents, from the points */
+  double *points;    /* [points_n][3] */
   ph_vec3 *tangents; /* [points_n], unit */
-  double *speeds;   /* [points_n] |derivative|, or NULL */
-  double *knots;    /* [n + 1] */
-  double *lambda;   /* [n] |Di| and |Df| at tension 1, from the knots */
-  double *tension;  /* [n] initial s */
-  double *alpha;    /* [n]; NULL: 0, or to be chosen */
+  double *speeds;    /* [points_n] |derivative|, or NULL */
+  double *knots;     /* [n + 1] */
+  double *lambda;    /* [n] |Di| and |Df| at tension 1, from the knots */
+  double *tension;   /* [n] initial s */
+  double *alpha;     /* [n]; NULL: 0, or to be chosen */
 };
 
 /*

@@ -5,7 +5,7 @@
 #include <float.h>
 
 /* Tangents nearer than this to parallel or opposite count as such. */
-static const double PARALLEL = 1e-12;
+static const double PARALLEL = 1e-13;
 
 /* s |dp.gh| below this part of |dp|, or so many times its noise: the data are
  * those of a plane curve. */

@@ -386,7 +386,7 @@ static const struct ph_field fields[] = {
 
 const struct ph_method ph_method_spatial_hermite = {
     .schema = {"spatial-hermite", fields, sizeof fields / sizeof fields[0]},
-    .title = "PH curves through points in space, segment by segment",
+    .title = "G1 PH curves through points in space",
     .dimension = 3,
     .solve = solve,
 };

@@ -137,11 +137,17 @@ struct search {
 static enum ph_status try_factor(struct search *search, double factor,
                                  struct ph_spatial_fit *fit) {
   struct ph_spatial_data data = *search->data;
+  enum ph_status status;
   data.ni *= factor * factor;
   data.nf *= factor * factor;
   search->tried++;
-  return ph_spatial_fit_of(&data, search->space, search->choose,
-                           search->context, fit);
+  status = ph_spatial_fit_of(&data, search->space, search->choose,
+                             search->context, fit);
+  if (status == PH_INFEASIBLE && factor < 1) {
+    fit->violated = PH_SHAPE_NOTHING;
+    return PH_OK;
+  }
+  return status;
 }
 
 /* The first power of FACTOR, from the first one on, that violates nothing; 0

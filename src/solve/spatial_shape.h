@@ -31,9 +31,10 @@
 
 /* Constraints, as the bits of a set. */
 enum {
-  PH_SHAPE_START = 1,  /* convexity (1) at the start */
-  PH_SHAPE_END = 2,    /* convexity (1) at the end */
-  PH_SHAPE_TORSION = 4 /* (2) */
+  PH_SHAPE_START = 1,   /* convexity (1) at the start */
+  PH_SHAPE_END = 2,     /* convexity (1) at the end */
+  PH_SHAPE_TORSION = 4, /* (2) */
+  PH_SHAPE_NOTHING = 8  /* the choice has no segment at a reduced tension */
 };
 
 /* ph_spatial_constraints: those that are not void for the data. */
@@ -70,7 +71,8 @@ static inline bool ph_spatial_is_acute(const struct ph_spatial_data *data) {
  * io   family   of the data at some tension; a criterion that chooses the space
  *               too changes it (ph_spatial_family_space)
  * in   context  what else it needs, such as where to start
- * ret  another status than PH_OK ends the search for a tension
+ * ret  another status than PH_OK ends the search for a tension, but
+ *      PH_INFEASIBLE only where it is not reduced: there is no segment then
  */
 typedef enum ph_status ph_spatial_choice(struct ph_spatial_family *family,
                                          void *context,

@@ -170,7 +170,8 @@ START_TEST(test_violations) {
 END_TEST
 
 static struct ph_spatial_data data_of(ph_vec3 dp, ph_vec3 ti, ph_vec3 tf) {
-  struct ph_spatial_data data = {dp, ph_vec3_unit(ti), ph_vec3_unit(tf), 1, 1, 0};
+  struct ph_spatial_data data = {dp, ph_vec3_unit(ti), ph_vec3_unit(tf), 1, 1,
+                                 0};
   return data;
 }
 
@@ -384,9 +385,12 @@ static struct ph_spatial_data mirrored(const struct ph_spatial_data *data) {
 }
 
 static struct ph_spatial_data reversed(const struct ph_spatial_data *data) {
-  struct ph_spatial_data image = {
-      ph_vec3_scale(-1, data->dp), ph_vec3_scale(-1, data->tf),
-      ph_vec3_scale(-1, data->ti), data->nf, data->ni, data->noise};
+  struct ph_spatial_data image = {ph_vec3_scale(-1, data->dp),
+                                  ph_vec3_scale(-1, data->tf),
+                                  ph_vec3_scale(-1, data->ti),
+                                  data->nf,
+                                  data->ni,
+                                  data->noise};
   return image;
 }
 
