@@ -10,12 +10,19 @@
 #include <math.h>
 
 /* A million pieces of a segment are not what anybody wants. */
-enum { HALVINGS_MAX = 20, NODES = 12, PROBES = 8 };
+enum { HALVINGS_MAX = 20, NODES = 12 };
 
 /* The exact curve at a parameter: position, derivatives by u.  In the plane,
  * z = 0. */
 struct jet {
   ph_vec3 r, first, second;
+};
+
+/* Part of a segment that gets a piece. */
+struct part {
+  struct part *next;
+  size_t segment;
+  double from, to;
 };
 
 struct walk {
@@ -27,8 +34,10 @@ struct walk {
   struct ph_seg2 seg2; /* the segment, in the plane or in space */
   struct ph_seg3 seg3;
   struct jet (*jet_at)(const struct walk *walk, double u);
-  bool fill; /* false: only count */
-  struct ph_pieces *pieces;
+  struct ph_pieces *pieces; /* n and error of the parts so far */
+  struct part **end;        /* of their list */
+  struct ph_arena *arena;
+  struct ph_diag *diag;
 };
 
 static ph_vec3 in_space(ph_cplx z) {
@@ -113,54 +122,58 @@ static ph_vec3 bezier_at(const ph_vec3 p[6], double x) {
   return q[0];
 }
 
-/* The greatest distance from the exact curve; NaN if there is one. */
+/* The greatest distance from the exact curve, or the first one seen that is not
+ * within the tolerance; where it tends to be greatest it is seen first. */
 static double error_of(const struct walk *walk, const ph_vec3 p[6], double u0,
                        double u1) {
+  static const double at[] = {0.5, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875};
   double worst = 0;
-  for (size_t i = 1; i < PROBES; i++) {
-    double x = (double)i / PROBES;
-    struct jet exact = walk->jet_at(walk, u0 + x * (u1 - u0));
-    double error = ph_vec3_abs(ph_vec3_sub(bezier_at(p, x), exact.r));
-    if (!(error <= worst)) {
-      worst = error;
+  for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
+    struct jet exact = walk->jet_at(walk, u0 + at[i] * (u1 - u0));
+    double error = ph_vec3_abs(ph_vec3_sub(bezier_at(p, at[i]), exact.r));
+    if (!(error <= walk->tolerance)) {
+      return error;
     }
+    worst = error > worst ? error : worst;
   }
   return worst;
 }
 
-static void put(struct walk *walk, const ph_vec3 p[6], double u0, double u1,
-                double error) {
+static enum ph_status found(struct walk *walk, double u0, double u1,
+                            double error) {
+  struct part *part = ph_arena_array(walk->arena, 1, sizeof *part);
   struct ph_pieces *pieces = walk->pieces;
-  size_t at = pieces->n++, dimension = pieces->dimension;
-  if (walk->fill) {
-    double *out = pieces->control_points + 6 * dimension * at;
-    pieces->segment[at] = walk->segment;
-    pieces->interval[2 * at] = u0;
-    pieces->interval[2 * at + 1] = u1;
-    for (size_t i = 0; i < 6; i++) {
-      ph_vec3_put(p[i], dimension, out + dimension * i);
-    }
+  if (!part) {
+    return ph_fail_memory(walk->diag);
   }
+  *part = (struct part){NULL, walk->segment, u0, u1};
+  *walk->end = part;
+  walk->end = &part->next;
+  pieces->n++;
   pieces->error = error > pieces->error ? error : pieces->error;
+  return PH_OK;
 }
 
-static bool visit(struct walk *walk, const struct jet *a, double u0,
-                  const struct jet *b, double u1, int depth) {
+/* Finds the parts of [u0,u1]. */
+static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
+                            const struct jet *b, double u1, int depth) {
   ph_vec3 p[6];
   double error, middle = 0.5 * (u0 + u1);
   struct jet m;
+  enum ph_status status;
   bezier_of(a, b, u1 - u0, p);
   error = error_of(walk, p, u0, u1);
   if (error <= walk->tolerance) {
-    put(walk, p, u0, u1, error);
-    return true;
+    return found(walk, u0, u1, error);
   }
   if (depth == HALVINGS_MAX || !isfinite(error)) {
-    return false;
+    return ph_fail_at(walk->diag, PH_NO_CONVERGENCE, "segments", walk->segment,
+                      "has no Bezier pieces within %.3g of the exact curve",
+                      walk->tolerance);
   }
   m = walk->jet_at(walk, middle);
-  return visit(walk, a, u0, &m, middle, depth + 1) &&
-         visit(walk, &m, middle, b, u1, depth + 1);
+  status = visit(walk, a, u0, &m, middle, depth + 1);
+  return status == PH_OK ? visit(walk, &m, middle, b, u1, depth + 1) : status;
 }
 
 static void enter(struct walk *walk, size_t k) {
@@ -174,21 +187,29 @@ static void enter(struct walk *walk, size_t k) {
   }
 }
 
-static enum ph_status visit_all(struct walk *walk, struct ph_diag *diag) {
-  walk->pieces->n = 0;
-  walk->pieces->error = 0;
-  for (size_t k = 0; k < walk->curve->n; k++) {
-    struct jet a, b;
-    enter(walk, k);
-    a = walk->jet_at(walk, 0);
-    b = walk->jet_at(walk, 1);
-    if (!visit(walk, &a, 0, &b, 1, 0)) {
-      return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
-                        "has no Bezier pieces within %.3g of the exact curve",
-                        walk->tolerance);
+/* Writes the pieces of all parts. */
+static void fill(struct walk *walk, const struct part *part) {
+  struct ph_pieces *pieces = walk->pieces;
+  size_t dimension = pieces->dimension;
+  double *out = pieces->control_points;
+  struct jet a, b;
+  for (size_t at = 0; part; part = part->next, at++) {
+    ph_vec3 p[6];
+    if (part->from > 0) {
+      a = b;
+    } else {
+      enter(walk, part->segment);
+      a = walk->jet_at(walk, 0);
+    }
+    b = walk->jet_at(walk, part->to);
+    bezier_of(&a, &b, part->to - part->from, p);
+    pieces->segment[at] = part->segment;
+    pieces->interval[2 * at] = part->from;
+    pieces->interval[2 * at + 1] = part->to;
+    for (size_t i = 0; i < 6; i++, out += dimension) {
+      ph_vec3_put(p[i], dimension, out);
     }
   }
-  return PH_OK;
 }
 
 enum ph_status ph_hermite_pieces(const struct ph_curve *curve, double distance,
@@ -197,19 +218,29 @@ enum ph_status ph_hermite_pieces(const struct ph_curve *curve, double distance,
                                  struct ph_pieces *pieces,
                                  struct ph_diag *diag) {
   size_t stride = 6 * curve->dimension;
+  struct part *parts = NULL;
   struct walk walk = {.curve = curve,
                       .distance = distance,
                       .tolerance = tolerance,
                       .normal = normal,
-                      .pieces = pieces};
-  enum ph_status status;
+                      .pieces = pieces,
+                      .end = &parts,
+                      .arena = arena,
+                      .diag = diag};
   *pieces = (struct ph_pieces){.degree = 5, .dimension = curve->dimension};
   if (!ph_quad_gauss(&walk.rule, NODES)) {
     return ph_fail_memory(diag);
   }
-  status = visit_all(&walk, diag);
-  if (status != PH_OK) {
-    return status;
+  for (size_t k = 0; k < curve->n; k++) {
+    struct jet a, b;
+    enum ph_status status;
+    enter(&walk, k);
+    a = walk.jet_at(&walk, 0);
+    b = walk.jet_at(&walk, 1);
+    status = visit(&walk, &a, 0, &b, 1, 0);
+    if (status != PH_OK) {
+      return status;
+    }
   }
   pieces->segment = ph_arena_array(arena, pieces->n, sizeof(size_t));
   pieces->interval = ph_arena_array(arena, pieces->n, 2 * sizeof(double));
@@ -218,6 +249,6 @@ enum ph_status ph_hermite_pieces(const struct ph_curve *curve, double distance,
   if (!pieces->segment || !pieces->interval || !pieces->control_points) {
     return ph_fail_memory(diag);
   }
-  walk.fill = true;
-  return visit_all(&walk, diag);
+  fill(&walk, parts);
+  return PH_OK;
 }
