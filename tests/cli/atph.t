@@ -20,26 +20,6 @@ refused() {
     "$(get status) $(get error.code) $(get segments)"
 }
 
-# floats PATH: the numbers at a path of out, one on a line
-floats() {
-  json get "$1" out | tr -d '[]' | tr ',' '\n'
-}
-
-# holds NAME CONDITION: of the numbers on standard input, one on a line: as x[1]
-# to x[n] of awk
-holds() {
-  if awk "{ x[NR] = \$1 + 0 } END { n = NR; exit !($2) }"; then
-    pass "$1"
-  else
-    fail "$1" "not so: $2"
-  fi
-}
-
-# shape_of PATH: of the first value there
-shape_of() {
-  json get "$1" out | json shape
-}
-
 # ---- angles ------------------------------------------------------------------
 
 segments='[{interval:[number],alpha:number,control_points:[[number]],'\

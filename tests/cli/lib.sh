@@ -112,6 +112,26 @@ get() {
   json get "$1" out | tr '\n' ' ' | sed 's/ $//'
 }
 
+# floats PATH: the numbers at a path of out, one on a line
+floats() {
+  json get "$1" out | tr -d '[]' | tr ',' '\n'
+}
+
+# shape_of PATH: of the first value there
+shape_of() {
+  json get "$1" out | json shape
+}
+
+# holds NAME CONDITION: of the numbers on standard input, one on a line: as x[1]
+# to x[n] of awk
+holds() {
+  if awk "{ x[NR] = \$1 + 0 } END { n = NR; exit !($2) }"; then
+    pass "$1"
+  else
+    fail "$1" "not so: $2"
+  fi
+}
+
 # ---- data --------------------------------------------------------------------
 
 # A problem that can be solved, one that cannot, and what is said about it.

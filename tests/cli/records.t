@@ -109,11 +109,6 @@ equal_values() {
     "$(get command) $(get status) $(get curve) $(get dimension) $(get degree)"
 }
 
-# floats PATH: the numbers at a path of out, one on a line
-floats() {
-  json get "$1" out | tr -d '[]' | tr ',' '\n'
-}
-
 # segment K: what has to hold within a segment: it joins its knots' points, its
 # end derivatives are the squares of the ends of the preimage, and its length
 # lies between its chord and its control polygon.
