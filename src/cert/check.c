@@ -2,8 +2,6 @@
 /* What the certificates share (see check.h). */
 #include "cert/check.h"
 
-#include "kernel/atph.h"
-
 #include <float.h>
 
 /* The spacing of subnormal numbers. */
@@ -95,19 +93,16 @@ static void powers_at(const double base[2], double power[5]) {
 
 struct ph_check_space ph_check_space_of(const struct ph_quad *rule,
                                         double angle) {
-  struct ph_check_space space = {.angle = angle};
-  struct ph_atph of = ph_atph_of(angle);
-  space.slope = of.slope;
-  space.sinc = of.sinc;
+  struct ph_check_space space = {.of = ph_atph_of(angle)};
   for (size_t i = 0; i < rule->n; i++) {
     double base[2];
-    ph_atph_basis(&of, rule->node[i], base);
+    ph_atph_basis(&space.of, rule->node[i], base);
     powers_at(base, space.leg[i]);
     for (size_t j = 0; j < 5; j++) {
       space.mu[j] += rule->weight[i] * space.leg[i][j];
     }
     space.square[i][0] = base[0] * base[0];
-    space.square[i][1] = 2 * of.c * base[0] * base[1];
+    space.square[i][1] = 2 * space.of.c * base[0] * base[1];
     space.square[i][2] = base[1] * base[1];
   }
   for (size_t i = 0; i < rule->n; i++) {
@@ -122,7 +117,7 @@ void ph_check_space_for(struct ph_check_space *space,
                         const struct ph_quad *rule,
                         const struct ph_curve *curve, size_t k) {
   double angle = curve->alpha ? curve->alpha[k] : 0;
-  if (!(angle <= space->angle && angle >= space->angle)) {
+  if (!(angle <= space->of.angle && angle >= space->of.angle)) {
     *space = ph_check_space_of(rule, angle);
   }
 }

@@ -14,6 +14,7 @@
 
 #include "base/diag.h"
 #include "curve/result.h"
+#include "kernel/atph.h"
 #include "kernel/pow2.h"
 #include "kernel/quad.h"
 
@@ -106,8 +107,8 @@ bool ph_check_scale_of(const double *points, size_t n, size_t dimension,
 
 /* A space of preimages, at the nodes. */
 struct ph_check_space {
-  double angle, slope, sinc;
-  double mu[5];
+  struct ph_atph of;
+  double mu[5];                          /* integrals of S0^(4-j) S1^j */
   double leg[PH_CHECK_NODES_ATPH][5];    /* S0^(4-j) S1^j / mu_j */
   double square[PH_CHECK_NODES_ATPH][3]; /* S0^2, 2 c S0 S1, S1^2 */
 };

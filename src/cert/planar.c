@@ -63,8 +63,8 @@ static ph_cplx data_point(const struct context *c, size_t k) {
  * there. */
 static ph_cplx second_at(const struct ph_check_space *space, ph_cplx outer,
                          ph_cplx inner) {
-  return ph_cplx_sub(ph_cplx_scale(1 / (space->sinc * space->mu[1]), inner),
-                     ph_cplx_scale(4 * space->slope / space->mu[0], outer));
+  return ph_cplx_sub(ph_cplx_scale(1 / (space->of.sinc * space->mu[1]), inner),
+                     ph_cplx_scale(4 * space->of.slope / space->mu[0], outer));
 }
 
 static struct segment segment_of(struct context *c, size_t k) {

@@ -11,6 +11,7 @@
 #include "base/sum.h"
 #include "cert/check.h"
 #include "cert/shape.h"
+#include "curve/fair3.h"
 #include "kernel/quat.h"
 
 #include <float.h>
@@ -109,19 +110,24 @@ static void set_legs(const struct context *c, const double *p,
                                  c->scale.rounding);
 }
 
+/* The preimage by u of segment k. */
+static void set_preimage(const struct context *c, size_t k, ph_quat a[3]) {
+  const double *v = c->curve->preimage + 12 * k;
+  double unit = c->curve->alpha ? c->curve->alpha[k] : 1;
+  double root = c->scale.root * sqrt(unit);
+  for (size_t i = 0; i < 3; i++, v += 4) {
+    a[i] = ph_quat_of(root * v[0], root * v[1], root * v[2], root * v[3]);
+  }
+}
+
 static struct segment segment_of(struct context *c, size_t k) {
   const struct ph_curve *curve = c->curve;
-  const double *a = curve->preimage + 12 * k;
   struct segment s;
-  double root;
   ph_check_space_for(&c->space, &c->rule, curve, k);
   set_legs(c, curve->control_points + 18 * k, &s);
+  set_preimage(c, k, s.a);
   s.unit = curve->alpha ? curve->alpha[k] : 1;
   s.tension = curve->tension ? curve->tension[k] : 1;
-  root = c->scale.root * sqrt(s.unit);
-  for (size_t i = 0; i < 3; i++, a += 4) {
-    s.a[i] = ph_quat_of(root * a[0], root * a[1], root * a[2], root * a[3]);
-  }
   for (size_t i = 0; i < 2; i++) {
     double size;
     s.first[i] = ph_vec3_scale(1 / c->space.mu[0], s.leg[4 * i]);
@@ -252,17 +258,6 @@ static void check_segments(struct context *c, struct checks *checks) {
   }
 }
 
-static void set_shape_ok(const struct ph_curve *curve,
-                         struct ph_diagnostics *diagnostics) {
-  bool all = true;
-  if (curve->shape_ok) {
-    for (size_t k = 0; k < curve->n; k++) {
-      all = all && curve->shape_ok[k];
-    }
-    ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK, all);
-  }
-}
-
 /* What the checks came to, the worst place of the first that fails. */
 static enum ph_status conclude(const struct context *c,
                                const struct checks *checks,
@@ -289,7 +284,44 @@ static enum ph_status conclude(const struct context *c,
                       "is refused by its certificate: %s is claimed, but %s",
                       ph_diagnostic_name(PH_D_SHAPE_OK), wrong[checks->shape]);
   }
-  set_shape_ok(c->curve, diagnostics);
+  return PH_OK;
+}
+
+/* How fair the curve is, no number where it stands still or has no torsion, and
+ * whether it keeps the shape of the data. */
+static enum ph_status describe(const struct context *c,
+                               struct ph_diagnostics *diagnostics,
+                               struct ph_diag *diag) {
+  static const enum ph_diagnostic name[3] = {PH_D_F1, PH_D_F2, PH_D_F3};
+  const struct ph_curve *curve = c->curve;
+  struct ph_fair3_rules rules;
+  double bending = 0, functional[3] = {0, 0, 0};
+  bool shape_ok = true;
+  if (!ph_fair3_begin(&rules)) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t k = 0; k < curve->n; k++) {
+    struct ph_atph space = ph_atph_of(curve->alpha ? curve->alpha[k] : 0);
+    double length = ph_pow2_apply(c->scale.to_unit, curve->lengths[k]);
+    struct ph_fair3 fair;
+    ph_quat a[3];
+    set_preimage(c, k, a);
+    fair = ph_fair3_of(&rules, &space, a);
+    bending += fair.bending;
+    for (size_t i = 0; i < 3; i++) {
+      functional[i] += ph_fair3_functional(&fair, length, (int)i + 1);
+    }
+    shape_ok = shape_ok && curve->shape_ok && curve->shape_ok[k];
+  }
+  /* The bending is the inverse of a length. */
+  ph_check_set(diagnostics, PH_D_ENERGY,
+               ph_pow2_apply(c->scale.to_unit, bending));
+  for (size_t i = 0; i < 3; i++) {
+    ph_check_set(diagnostics, name[i], functional[i]);
+  }
+  if (curve->shape_ok) {
+    ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK, shape_ok);
+  }
   return PH_OK;
 }
 
@@ -337,5 +369,6 @@ enum ph_status ph_cert_spatial_hermite(const struct ph_problem *problem,
     return ph_fail(diag, PH_INTERNAL, "points", "have no extent");
   }
   check_segments(&c, &checks);
-  return conclude(&c, &checks, diagnostics, diag);
+  status = conclude(&c, &checks, diagnostics, diag);
+  return status == PH_OK ? describe(&c, diagnostics, diag) : status;
 }

@@ -30,7 +30,7 @@ static void build_segment(struct unit_hermite3 *s, size_t k, double phi) {
   double unit = s->curve.alpha ? s->alpha[k] : 1;
   double factor = s->tension[k] * s->tension[k], largest = 0;
   struct ph_atph space = ph_atph_of(s->curve.alpha ? s->alpha[k] : 0);
-  struct ph_spatial_data data;
+  struct ph_spatial_data data = {.noise = 0};
   struct ph_spatial_family family;
   struct ph_spatial_member member;
   struct ph_pow2 down, up;

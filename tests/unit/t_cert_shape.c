@@ -15,9 +15,9 @@
 #include <string.h>
 
 /* The certificate's own tolerance of a hodograph, and the rounding of a
- * coordinate of size 2. */
+ * coordinate of size 1. */
 static const double RELATIVE = 1e-13;
-static const double ROUNDING = 4.5e-16;
+static const double ROUNDING = 2.2204460492503131e-16;
 
 static struct unit_hermite3 u;
 static struct ph_diagnostics diagnostics;
@@ -86,6 +86,34 @@ START_TEST(test_kept) {
     }
   }
   ck_assert_int_ge(reduced, n / 10);
+}
+END_TEST
+
+/* Points in a plane but for some units in the last place, a thousand away: what
+ * counts as planar has no torsion to keep. */
+START_TEST(test_kept_in_plane) {
+  struct unit_random r = unit_random_of(914);
+  int n = unit_count(3000), planar = 0;
+  for (int i = 0; i < n; i++) {
+    struct ph_spatial_data data = unit_random_spatial(&r);
+    struct ph_atph space = unit_random_space(&r);
+    struct ph_spatial_tension t;
+    data.noise = 1024 * 2.2204460492503131e-16;
+    data.dp.z = unit_random_in(&r, -20, 20) * data.noise;
+    data.ni *= i % 2 ? 30 : 1;
+    data.nf *= i % 2 ? 30 : 1;
+    data.ti.z = data.tf.z = 0;
+    data.ti = ph_vec3_unit(data.ti);
+    data.tf = ph_vec3_unit(data.tf);
+    ck_assert_int_eq(ph_spatial_tension(&data, &space, choose_cc, NULL, &t),
+                     PH_OK);
+    if (!t.fit.violated) {
+      ck_assert_int_eq(shape_at(&t.fit, ph_vec3_of(591, 591, 591)),
+                       PH_CERT_SHAPE_KEPT);
+      planar += t.fit.family.planar;
+    }
+  }
+  ck_assert_int_ge(planar, n / 10);
 }
 END_TEST
 
@@ -312,16 +340,86 @@ START_TEST(test_wrongly_claimed) {
 }
 END_TEST
 
+/* ---- fairness ------------------------------------------------------- */
+
+static double value_of(enum ph_diagnostic what) {
+  ck_assert(diagnostics.known >> what & 1);
+  return diagnostics.value[what];
+}
+
+/* A helix (cos x, sin x, x) as an ATPH curve has curvature and torsion 1/2. */
+START_TEST(test_fairness) {
+  const double step = 1.2, length = sqrt(2) * step, n = POINTS - 1;
+  double points[3 * POINTS], vectors[3 * POINTS];
+  for (int e = -400; e <= 400; e += 200) {
+    double scale = ldexp(1, e);
+    for (size_t k = 0; k < POINTS; k++) {
+      double x = step * (double)k, *p = points + 3 * k, *v = vectors + 3 * k;
+      p[0] = scale * cos(x);
+      p[1] = scale * sin(x);
+      p[2] = scale * x;
+      v[0] = -2 * scale * sin(x);
+      v[1] = 2 * scale * cos(x);
+      v[2] = 2 * scale;
+    }
+    unit_hermite3_of(&u, points, PH_F_DERIVATIVES, vectors, POINTS, 3, false,
+                     step / 2);
+    ck_assert_int_eq(certify(), PH_OK);
+    ck_rel(u.curve.length, scale * n * length, 1e-5);
+    ck_rel(value_of(PH_D_ENERGY) * scale, 0.25 * n * length, 1e-4);
+    ck_rel(value_of(PH_D_F1), 0.25 * n * length * length, 1e-4);
+    ck_assert_double_le(value_of(PH_D_F2), value_of(PH_D_F3));
+    ck_assert_double_le(value_of(PH_D_F3), 0.2);
+  }
+}
+END_TEST
+
+/* A segment whose z (curve/seg3.h) vanishes at u = 1/2, out of a plane, twists
+ * without bound there: it has no F3. */
+START_TEST(test_inflection) {
+  const ph_quat a[3] = {{1, 0, 0, 0}, {-1, 0, 0.2, 0.9}, {1, 0, 0.7, -0.4}};
+  struct ph_seg3 seg = unit_seg3(0, a, ph_vec3_of(0, 0, 0));
+  const double points[] = {0, 0, 0, seg.end.x, seg.end.y, seg.end.z};
+  const double any[] = {1, 0, 0, 1, 0, 0};
+  ph_vec3 p[6];
+  ck_abs(ph_seg3_bend(&seg, 0.5).curvature, 0, 1e-15);
+  unit_hermite3_of(&u, points, PH_F_TANGENTS, any, 2, 3, false, 0);
+  u.problem.field[PH_F_TANGENTS].kind = PH_ABSENT;
+  ph_ph3_control_points(&seg.space, a, seg.start, seg.end, p);
+  memcpy(u.control_points, p, sizeof p);
+  memcpy(u.preimage, a, sizeof a);
+  u.curve.length = u.lengths[0] = ph_ph3_length(&seg.space, a);
+  ck_assert_int_eq(certify(), PH_OK);
+  ck_assert_double_ge(value_of(PH_D_F1), 1);
+  ck_assert_double_ge(value_of(PH_D_F2), 1);
+  ck_assert(!(diagnostics.known >> PH_D_F3 & 1));
+}
+END_TEST
+
+/* A curve that is refused is not described. */
+START_TEST(test_no_fairness) {
+  helix(0.8, 0);
+  u.curve.lengths[1] *= 1.1;
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert(!(diagnostics.known >> PH_D_ENERGY & 1));
+  ck_assert(!(diagnostics.known >> PH_D_F1 & 1));
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("cert_shape");
   TCase *tc = tcase_create("cert_shape");
   tcase_add_test(tc, test_kept);
+  tcase_add_test(tc, test_kept_in_plane);
   tcase_add_test(tc, test_torsion);
   tcase_add_test(tc, test_ends);
   tcase_add_test(tc, test_any_quintic);
   tcase_add_test(tc, test_void);
   tcase_add_loop_test(tc, test_claimed, 0, 2);
   tcase_add_loop_test(tc, test_wrongly_claimed, 0, 2);
+  tcase_add_test(tc, test_fairness);
+  tcase_add_test(tc, test_inflection);
+  tcase_add_test(tc, test_no_fairness);
   suite_add_tcase(s, tc);
   return s;
 }
