@@ -93,7 +93,8 @@ ph_spatial_family_of(const struct ph_spatial_data *data,
                     ph_vec3_dot(data->dp, f.axis[1]),
                     ph_vec3_dot(data->dp, f.axis[2]));
   f.sum = ph_vec3_of(f.c * (f.ni + f.nf), f.s * (f.nf - f.ni), 0);
-  f.planar = f.s * fabs(f.dp.z) <= PLANAR * f.h + PLANAR_NOISE * data->noise;
+  f.noise = PLANAR * f.h + PLANAR_NOISE * data->noise;
+  f.planar = f.s * fabs(f.dp.z) <= f.noise;
   ph_spatial_family_space(&f, space);
   return f;
 }

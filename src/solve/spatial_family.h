@@ -55,7 +55,8 @@ struct ph_spatial_family {
   double m00, m01, m02, m11; /* integrals of products of basis functions */
   double k;                  /* m01^2 - m02 m11 > 0 */
   ph_vec3 d0;                /* m11 dp + (m01^2 - m11 m00)(Di + Df) */
-  bool planar;               /* the torsion has no sign to keep */
+  double noise;              /* of dp, beyond doubt */
+  bool planar;               /* s dp.gh is noise: b = 0 or b = pi is plane */
 };
 
 /* A member of a family: exp(i b) and exp(i phi). */

@@ -67,7 +67,7 @@ static ph_vec3 end_tangent(const struct ph_spatial_family *f) {
 
 /* Whether n, Ni or Nf, has a direction. */
 static bool is_normal(const struct ph_spatial_family *f, ph_vec3 n) {
-  return ph_vec3_abs(n) > NO_NORMAL * f->h;
+  return ph_vec3_abs(n) > NO_NORMAL * f->h + f->noise;
 }
 
 /* Whether the cross product of a unit leg and one more points as n does. */
@@ -75,12 +75,17 @@ static bool is_convex(ph_vec3 cross, ph_vec3 leg, ph_vec3 n) {
   return ph_vec3_dot(cross, n) > NOT_CONVEX * ph_vec3_abs(leg) * ph_vec3_abs(n);
 }
 
+/* Whether [ti, dp, tf] = -dp.(ti x tf) has a sign; ti x tf is 2 s c gh. */
+static bool is_twisted(const struct ph_spatial_family *f) {
+  return f->s * f->c * fabs(f->dp.z) > f->noise;
+}
+
 unsigned ph_spatial_constraints(const struct ph_spatial_family *f) {
   ph_vec3 ni = ph_vec3_cross(start_tangent(f), f->dp);
   ph_vec3 nf = ph_vec3_cross(f->dp, end_tangent(f));
   return (is_normal(f, ni) ? PH_SHAPE_START : 0u) |
          (is_normal(f, nf) ? PH_SHAPE_END : 0u) |
-         (f->planar ? 0u : PH_SHAPE_TORSION);
+         (is_twisted(f) ? PH_SHAPE_TORSION : 0u);
 }
 
 unsigned ph_spatial_violations(const struct ph_spatial_family *f,
@@ -96,8 +101,7 @@ unsigned ph_spatial_violations(const struct ph_spatial_family *f,
   if (is_normal(f, nf) && !is_convex(ph_vec3_cross(fourth, tf), fourth, nf)) {
     violated |= PH_SHAPE_END;
   }
-  if (!f->planar) {
-    /* [ti, dp, tf] = -dp.(ti x tf), and ti x tf is along the third axis. */
+  if (is_twisted(f)) {
     int sign = f->dp.z > 0 ? -1 : 1;
     double form[7];
     ph_spatial_torsion_form(&f->space, a, form);

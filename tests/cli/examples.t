@@ -209,6 +209,8 @@ while read -r command; do
   mkdir "help-$command"
   cp "$srcdir/data/coastline.csv" "help-$command/coast.csv"
   cp "$srcdir/data/spiral.csv" "help-$command/points.csv"
+  printf '0,0,0\n1,1,0\n2,0,1\n' >"help-$command/path.csv"
+  printf '0,0,0,1,1,0\n1,1,0,1,0,1\n' >"help-$command/sensors.csv"
   cp "$srcdir/data/gonzalez-2018.jsonl" "help-$command/problems.jsonl"
   sed '1,/^x/d; s/$/,4.5,5.5/' "$srcdir/data/coastline.csv" \
     >"help-$command/track.csv"

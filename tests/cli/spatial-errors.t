@@ -136,7 +136,7 @@ bad bad-value axis "$axes \"bisectr\"; did you mean \"bisector\"?" \
 bad bad-value axis "$axes \"y\"" "$(with '"axis":"y"')"
 bad bad-type axis "$axes an array" "$(with '"axis":[1,0,0]')"
 
-angles='must be an array of numbers or an array of vectors [x,y], found'
+angles='must be an array of numbers or an array of pairs [theta,beta], found'
 pairs='must have 2 pairs, one for each segment, or one for all, found'
 bad bad-type angles "$angles a number" "$(with '"angles":0')"
 bad bad-type angles "$angles a string" "$(with '"angles":"zero"')"

@@ -68,7 +68,8 @@ START_TEST(test_warnings) {
   for (int i = 0; i < PH_STATUS_N; i++) {
     const char *meaning = ph_status_meaning((enum ph_status)i);
     bool warning = i == PH_REVERSAL || i == PH_LOOP || i == PH_AMBIGUOUS ||
-                   i == PH_OFFSET_CUSP || i == PH_LARGE_ALPHA;
+                   i == PH_OFFSET_CUSP || i == PH_LARGE_ALPHA ||
+                   i == PH_SHAPE_UNSATISFIABLE;
     ck_assert_int_eq(strncmp(meaning, "warning: ", 9) == 0, warning);
   }
 }
