@@ -60,8 +60,9 @@ ph_cert_fn ph_cert_planar;
  *                         data; where one does not keep what it claims, the
  *                         curve is refused (cert/shape.h)
  *
- * Beside these, how fair an accepted curve is (curve/fair3.h): energy is the
- * integral of kappa^2 ds, F1, F2 and F3 are sums of those of the segments.
+ * Beside these, how fair an accepted curve of at most 1000 segments is
+ * (curve/fair3.h): energy is the integral of kappa^2 ds, F1, F2 and F3 are sums
+ * of those of the segments.
  *
  * ret  as above, and PH_INTERNAL when there is not a segment for every pair of
  *      neighbouring points

@@ -23,6 +23,9 @@ static const double PYTHAGOREAN = 1e-13;
 static const double LENGTH = 1e-13;
 static const double DIRECTION = 1e-12;
 
+/* On more segments the sums say little, and take as long as the solution. */
+enum { FAIR_MAX = 1000 };
+
 /* Vectors of two or three coordinates each, of a field. */
 struct data {
   const double *v;
@@ -287,16 +290,14 @@ static enum ph_status conclude(const struct context *c,
   return PH_OK;
 }
 
-/* How fair the curve is, no number where it stands still or has no torsion, and
- * whether it keeps the shape of the data. */
-static enum ph_status describe(const struct context *c,
-                               struct ph_diagnostics *diagnostics,
-                               struct ph_diag *diag) {
+/* How fair the curve is, no number where it stands still or has no torsion. */
+static enum ph_status describe_fairness(const struct context *c,
+                                        struct ph_diagnostics *diagnostics,
+                                        struct ph_diag *diag) {
   static const enum ph_diagnostic name[3] = {PH_D_F1, PH_D_F2, PH_D_F3};
   const struct ph_curve *curve = c->curve;
   struct ph_fair3_rules rules;
   double bending = 0, functional[3] = {0, 0, 0};
-  bool shape_ok = true;
   if (!ph_fair3_begin(&rules)) {
     return ph_fail_memory(diag);
   }
@@ -311,7 +312,6 @@ static enum ph_status describe(const struct context *c,
     for (size_t i = 0; i < 3; i++) {
       functional[i] += ph_fair3_functional(&fair, length, (int)i + 1);
     }
-    shape_ok = shape_ok && curve->shape_ok && curve->shape_ok[k];
   }
   /* The bending is the inverse of a length. */
   ph_check_set(diagnostics, PH_D_ENERGY,
@@ -319,10 +319,24 @@ static enum ph_status describe(const struct context *c,
   for (size_t i = 0; i < 3; i++) {
     ph_check_set(diagnostics, name[i], functional[i]);
   }
+  return PH_OK;
+}
+
+/* Whether all segments keep the shape of the data; and of curves that are not
+ * too long, how fair they are. */
+static enum ph_status describe(const struct context *c,
+                               struct ph_diagnostics *diagnostics,
+                               struct ph_diag *diag) {
+  const struct ph_curve *curve = c->curve;
+  bool shape_ok = true;
+  for (size_t k = 0; curve->shape_ok && k < curve->n; k++) {
+    shape_ok = shape_ok && curve->shape_ok[k];
+  }
   if (curve->shape_ok) {
     ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK, shape_ok);
   }
-  return PH_OK;
+  return curve->n <= FAIR_MAX ? describe_fairness(c, diagnostics, diag)
+                              : PH_OK;
 }
 
 /* Whether there is a segment for every pair of points; a repeated last point of

@@ -55,7 +55,7 @@ segments='segments:[{interval:[number],control_points:[[number]],'\
 segments_atph='segments:[{interval:[number],alpha:number,'\
 'control_points:[[number]],preimage:[[number]],length:number,tension:number,'\
 'angles:[number],shape_ok:bool}]'
-fair='shape_ok:bool,reduced:number,F1:number,F2:number,F3:number'
+fair='shape_ok:bool,reduced:number,energy:number,F1:number,F2:number,F3:number'
 found='iterations:number,residual:number,interpolation_error:number'
 errors='pythagorean_error:number,continuity_error:number,length_error:number'
 
