@@ -128,14 +128,15 @@ double ph_spatial_curve_put(const struct ph_spatial_points *p, size_t k,
                             ph_quat *end, struct ph_curve *curve) {
   const struct ph_spatial_family *f = &chosen->fit->family;
   const ph_vec3 zero = {0, 0, 0};
-  double unit = 1 / chosen->root, missed;
+  double unit = 1 / chosen->root, missed, length;
   ph_quat a[3];
   ph_vec3 leg[6]; /* from the start, from the end */
   memcpy(a, chosen->fit->a, sizeof a);
   ph_ph3_control_points(&f->space, a, zero, zero, leg);
   missed = miss(f, a, leg);
   put_control_points(p, k, chosen, leg, curve->control_points + 18 * k);
-  curve->lengths[k] = ph_ph3_length(&f->space, a) * unit * unit;
+  length = ph_ph3_length(&f->space, a); /* not below the chord by rounding */
+  curve->lengths[k] = (length > f->h ? length : f->h) * unit * unit;
   put_preimage(p, k, chosen, a, end, curve->preimage + 12 * k);
   if (p->atph) {
     curve->alpha[k] = f->space.angle;

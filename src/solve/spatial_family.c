@@ -21,8 +21,9 @@ static const double NO_PHASE = 2e-13;
 /* Twice a projection that is shorter than this must be corrected, relative. */
 static const double SHORT = 0.1;
 
-/* A vector d as short as this is 0: its root is far below rounding. */
-static const double VANISHES = 1e-60;
+/* A vector d is 0 where it is so many times the rounding of its terms: its root
+ * would be rounding of half the digits. */
+static const double VANISHES = 4 * DBL_EPSILON;
 
 /* A vector this near to opposite to the axis has no angle. */
 static const double OPPOSITE = 1e-7;
@@ -73,6 +74,7 @@ void ph_spatial_family_space(struct ph_spatial_family *f,
   f->m11 = space->q[2];
   f->k = f->m01 * f->m01 - f->m02 * f->m11;
   k1 = f->m01 * f->m01 - f->m00 * f->m11;
+  f->vanishing = VANISHES * (f->m11 * f->h + f->m00 * f->m11 * (f->ni + f->nf));
   f->d0 = ph_vec3_along(ph_vec3_scale(f->m11, f->dp), k1, f->sum);
 }
 
@@ -162,7 +164,7 @@ static inline ph_quat nearest_d(const struct ph_spatial_family *f, ph_cplx b,
   ph_vec3 d = ph_spatial_d(f, b);
   double size = ph_vec3_abs(d), whole2 = f->ni + f->nf;
   ph_quat nearest = {0, 0, 0, 0};
-  if (size > VANISHES &&
+  if (size > f->vanishing &&
       !nearest_point(ph_quat_add(a0, a2), whole2, d, size, &nearest) &&
       !nearest_point(a0, whole2, d, size, &nearest) &&
       !nearest_point(a2, whole2, d, size, &nearest)) {
@@ -248,7 +250,7 @@ bool ph_spatial_angles(const struct ph_spatial_family *f,
   angles[1] = wrapped(x2 - x0);
   middle = x0 + 0.5 * angles[1];
   angles[0] = 0;
-  if (size > VANISHES) {
+  if (size > f->vanishing) {
     ph_quat at = ph_quat_turn(nearest_d(f, member.b, a0, a2), member.phi);
     if (!bisector(u, d, &nd)) {
       return false;
@@ -286,7 +288,7 @@ bool ph_spatial_member_of(const struct ph_spatial_family *f,
   gauge = ph_cplx_mul(e0, half_of(member->b));
   d = ph_spatial_d(f, member->b);
   size = ph_vec3_abs(d);
-  if (size > VANISHES) {
+  if (size > f->vanishing) {
     if (!bisector(u, d, &nd)) {
       return false;
     }

@@ -54,6 +54,7 @@ struct ph_spatial_family {
   ph_vec3 sum;               /* Di + Df */
   double m00, m01, m02, m11; /* integrals of products of basis functions */
   double k;                  /* m01^2 - m02 m11 > 0 */
+  double vanishing;          /* |d| that is 0 */
   ph_vec3 d0;                /* m11 dp + (m01^2 - m11 m00)(Di + Df) */
   double noise;              /* of dp, beyond doubt */
   bool planar;               /* s dp.gh is noise: b = 0 or b = pi is plane */

@@ -138,16 +138,21 @@ static enum ph_status no_angles(const struct choice *c) {
                     c->task->axis == PH_SPATIAL_X ? "x" : "chord");
 }
 
+/* The angles of segment k that no criterion chooses, or NULL. */
+static const double *fixed_angles(const struct task *t, size_t k) {
+  static const double zero[2] = {0, 0};
+  bool chosen = t->criterion->choose || t->criterion->functional;
+  return t->angles ? t->angles + k * t->angles_stride : chosen ? NULL : zero;
+}
+
 /* A criterion that is a function of the family, or given angles. */
 static enum ph_status choose_member(struct ph_spatial_family *family,
                                     void *context,
                                     struct ph_spatial_member *member) {
-  static const double zero[2] = {0, 0};
   const struct choice *c = context;
   const struct task *t = c->task;
-  const double *angles =
-      t->angles ? t->angles + c->segment * t->angles_stride : zero;
-  if (!t->angles && t->criterion->choose) {
+  const double *angles = fixed_angles(t, c->segment);
+  if (!angles) {
     *member = t->criterion->choose(family);
     return PH_OK;
   }
@@ -247,6 +252,17 @@ static void count_segment(struct task *t, size_t k,
   }
 }
 
+/* The angles of segment k for its record: those given as they were. */
+static void set_angles_of(const struct task *t, size_t k,
+                          const struct ph_spatial_fit *fit, double angles[2]) {
+  const double *fixed = fixed_angles(t, k);
+  if (fixed) {
+    memcpy(angles, fixed, 2 * sizeof *angles);
+  } else if (!ph_spatial_angles(&fit->family, fit->member, t->axis, angles)) {
+    angles[0] = angles[1] = (double)NAN;
+  }
+}
+
 static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
   struct ph_curve *curve = &t->result->curve;
   struct ph_sum length = {0, 0};
@@ -265,10 +281,7 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
     count_segment(t, k, &data, &best);
     chosen.fit = &best.fit;
     chosen.tension = tension * best.factor;
-    if (!ph_spatial_angles(&best.fit.family, best.fit.member, t->axis,
-                           chosen.angles)) {
-      chosen.angles[0] = chosen.angles[1] = (double)NAN;
-    }
+    set_angles_of(t, k, &best.fit, chosen.angles);
     missed = ph_spatial_curve_put(&t->points, k, &chosen, &end, curve);
     t->residual = missed > t->residual ? missed : t->residual;
     ph_sum_add(&length, curve->lengths[k]);
