@@ -70,9 +70,29 @@ static bool is_normal(const struct ph_spatial_family *f, ph_vec3 n) {
   return ph_vec3_abs(n) > NO_NORMAL * f->h + f->noise;
 }
 
-/* Whether the cross product of a unit leg and one more points as n does. */
-static bool is_convex(ph_vec3 cross, ph_vec3 leg, ph_vec3 n) {
-  return ph_vec3_dot(cross, n) > NOT_CONVEX * ph_vec3_abs(leg) * ph_vec3_abs(n);
+/* By how much the cross product of a unit leg and one more points as n does;
+ * infinite where n has no direction. */
+static double convexity(const struct ph_spatial_family *f, ph_vec3 cross,
+                        ph_vec3 leg, ph_vec3 n) {
+  return is_normal(f, n) ? ph_vec3_dot(cross, n) -
+                               NOT_CONVEX * ph_vec3_abs(leg) * ph_vec3_abs(n)
+                         : HUGE_VAL;
+}
+
+/* Of g1 and g2: g1 is along the tangent. */
+static double start_convexity(const struct ph_spatial_family *f,
+                              const ph_quat a[3]) {
+  ph_vec3 tangent = start_tangent(f), second = ph_quat_i(a[0], a[1]);
+  return convexity(f, ph_vec3_cross(tangent, second), second,
+                   ph_vec3_cross(tangent, f->dp));
+}
+
+/* Of g4 and g5. */
+static double end_convexity(const struct ph_spatial_family *f,
+                            const ph_quat a[3]) {
+  ph_vec3 tangent = end_tangent(f), fourth = ph_quat_i(a[1], a[2]);
+  return convexity(f, ph_vec3_cross(fourth, tangent), fourth,
+                   ph_vec3_cross(f->dp, tangent));
 }
 
 /* Whether [ti, dp, tf] = -dp.(ti x tf) has a sign; ti x tf is 2 s c gh. */
@@ -88,24 +108,19 @@ unsigned ph_spatial_constraints(const struct ph_spatial_family *f) {
          (is_twisted(f) ? PH_SHAPE_TORSION : 0u);
 }
 
+/* The sign that the torsion is to have, where it is to have one. */
+static int sign_of(const struct ph_spatial_family *f) {
+  return f->dp.z > 0 ? -1 : 1;
+}
+
 unsigned ph_spatial_violations(const struct ph_spatial_family *f,
                                const ph_quat a[3]) {
-  /* g1 and g5 are along the tangents, g2 and g4 along these. */
-  ph_vec3 second = ph_quat_i(a[0], a[1]), fourth = ph_quat_i(a[1], a[2]);
-  ph_vec3 ti = start_tangent(f), tf = end_tangent(f);
-  ph_vec3 ni = ph_vec3_cross(ti, f->dp), nf = ph_vec3_cross(f->dp, tf);
-  unsigned violated = 0;
-  if (is_normal(f, ni) && !is_convex(ph_vec3_cross(ti, second), second, ni)) {
-    violated |= PH_SHAPE_START;
-  }
-  if (is_normal(f, nf) && !is_convex(ph_vec3_cross(fourth, tf), fourth, nf)) {
-    violated |= PH_SHAPE_END;
-  }
+  unsigned violated = (start_convexity(f, a) > 0 ? 0u : PH_SHAPE_START) |
+                      (end_convexity(f, a) > 0 ? 0u : PH_SHAPE_END);
   if (is_twisted(f)) {
-    int sign = f->dp.z > 0 ? -1 : 1;
     double form[7];
     ph_spatial_torsion_form(&f->space, a, form);
-    if (ph_form_sign(form, 6, NO_TORSION) != sign) {
+    if (ph_form_sign(form, 6, NO_TORSION) != sign_of(f)) {
       violated |= PH_SHAPE_TORSION;
     }
   }
@@ -155,39 +170,81 @@ static enum ph_status try_factor(struct search *search, double factor,
 }
 
 /* The first power of FACTOR, from the first one on, that violates nothing; 0
- * where none does.  fit: there. */
+ * where none does.  fit: there; before: at the power before. */
 static enum ph_status scan(struct search *search, double *factor,
-                           struct ph_spatial_fit *fit) {
+                           struct ph_spatial_fit *fit,
+                           struct ph_spatial_fit *before) {
   enum ph_status status = PH_OK;
   for (*factor = FACTOR; *factor >= FACTOR_MIN; *factor *= FACTOR) {
     status = try_factor(search, *factor, fit);
     if (status != PH_OK || !fit->violated) {
       return status;
     }
+    *before = *fit;
   }
   *factor = 0;
   return status;
 }
 
-/* The largest factor from *factor to *factor / FACTOR that violates nothing,
- * by bisection.  fit: there. */
-static enum ph_status bisect(struct search *search, double *factor,
+/* By how much convexity, and torsion at the ends, are kept; negative if one is
+ * not, and no number if there is no segment. */
+static double slack_of(const struct ph_spatial_fit *fit) {
+  const struct ph_spatial_family *f = &fit->family;
+  double slack, form[7];
+  if (fit->violated & PH_SHAPE_NOTHING) {
+    return (double)NAN;
+  }
+  slack = fmin(start_convexity(f, fit->a), end_convexity(f, fit->a));
+  if (is_twisted(f)) {
+    ph_spatial_torsion_form(&f->space, fit->a, form);
+    slack = fmin(slack, fmin(sign_of(f) * form[0], sign_of(f) * form[6]));
+  }
+  return slack;
+}
+
+/*
+ * The largest factor from *factor to *factor / FACTOR that violates nothing, to
+ * FACTOR_TOLERANCE.
+ *
+ * By the false position (Illinois) of the slack, with a bisection in every
+ * third step and where the slack does not say what is violated.
+ *
+ * in   before  at *factor / FACTOR, violates something
+ * io   fit     at *factor
+ */
+static enum ph_status refine(struct search *search, double *factor,
+                             const struct ph_spatial_fit *before,
                              struct ph_spatial_fit *fit) {
-  double high = *factor / FACTOR;
-  while (high - *factor > FACTOR_TOLERANCE) {
+  const double margin = 0.4 * FACTOR_TOLERANCE;
+  double low = *factor, high = low / FACTOR;
+  double above = slack_of(fit), below = slack_of(before);
+  int side = 0; /* which end was moved last */
+  for (int step = 1; high - low > FACTOR_TOLERANCE; step++) {
     struct ph_spatial_fit middle;
-    double at = 0.5 * (*factor + high);
-    enum ph_status status = try_factor(search, at, &middle);
+    double at = 0.5 * (low + high);
+    enum ph_status status;
+    if (step % 3 != 0 && above > 0 && below < 0) {
+      at = low + (high - low) * (above / (above - below));
+      at = fmin(fmax(at, low + margin), high - margin);
+    }
+    status = try_factor(search, at, &middle);
     if (status != PH_OK) {
       return status;
     }
     if (middle.violated) {
       high = at;
+      below = slack_of(&middle);
+      above *= side < 0 ? 0.5 : 1;
+      side = -1;
     } else {
-      *factor = at;
+      low = at;
+      above = slack_of(&middle);
+      below *= side > 0 ? 0.5 : 1;
+      side = 1;
       *fit = middle;
     }
   }
+  *factor = low;
   return PH_OK;
 }
 
@@ -196,15 +253,16 @@ enum ph_status ph_spatial_tension(const struct ph_spatial_data *data,
                                   ph_spatial_choice *choose, void *context,
                                   struct ph_spatial_tension *tension) {
   struct search search = {data, space, choose, context, 0};
-  struct ph_spatial_fit fit;
+  struct ph_spatial_fit fit, before;
   double factor = 1;
   enum ph_status status = try_factor(&search, 1, &tension->fit);
   tension->factor = 1;
   tension->without = tension->fit.violated;
   if (status == PH_OK && tension->without) {
-    status = scan(&search, &factor, &fit);
+    before = tension->fit;
+    status = scan(&search, &factor, &fit, &before);
     if (status == PH_OK && factor > 0) {
-      status = bisect(&search, &factor, &fit);
+      status = refine(&search, &factor, &before, &fit);
       tension->factor = factor;
       tension->fit = fit;
     }

@@ -106,7 +106,7 @@ struct ph_spatial_tension {
  * data, at which it violates nothing.
  *
  * Powers of 0.95 are tried as factors down to 1/64, then the last interval is
- * bisected to 1e-13: what holds need not hold for all factors below, so that
+ * narrowed to 1e-13: what holds need not hold for all factors below, so that
  * this is the definition of the result.
  *
  * in   data   ni and nf at the initial tension
