@@ -192,6 +192,27 @@ double ph_atph_slope_change(const struct ph_atph *space) {
   return 1 - space->slope - half * half / space->slope;
 }
 
+void ph_atph_q_change(const struct ph_atph *space, double change[4]) {
+  double x = space->angle * space->angle, half = space->angle / 2;
+  double n1 = 0, n2 = 0, n1_change = 0, n2_change = 0;
+  double c = space->c, c_change = -half * half * space->sinc, scale;
+  double scale_change = -4 * (c - space->sinc) / space->sinc; /* of the log */
+  for (size_t k = terms_for(space->angle); k-- > 0;) {
+    n1 = n1 * x + N1[k];
+    n2 = n2 * x + N2[k];
+    n1_change = n1_change * x + 2 * (double)k * N1[k];
+    n2_change = n2_change * x + 2 * (double)k * N2[k];
+  }
+  scale = 1 / (space->sinc * space->sinc * space->sinc * space->sinc);
+  change[0] = scale * (6 * n2_change + 4 * c * n1_change + 4 * c_change * n1);
+  change[1] = scale * 8 * (c * n1_change + c_change * n1);
+  change[2] = scale * 8 * (c * c * n2_change + 2 * c * c_change * n2);
+  change[3] = scale * 4 * n2_change;
+  for (size_t i = 0; i < 4; i++) {
+    change[i] += scale_change * space->q[i];
+  }
+}
+
 void ph_atph_part(const struct ph_atph *space, const ph_cplx w[3], double u0,
                   double u1, struct ph_atph *part, ph_cplx v[3]) {
   ph_cplx jet[2];

@@ -57,6 +57,10 @@ struct ph_atph_table ph_atph_table_of(const struct ph_atph *space, double u);
 /* ph_atph_slope_change: a d(log slope)/da. */
 double ph_atph_slope_change(const struct ph_atph *space);
 
+/* ph_atph_q_change: a dq/da.
+ * out  change[4] */
+void ph_atph_q_change(const struct ph_atph *space, double change[4]);
+
 /*
  * ph_atph_part: the preimage of the part [u0,u1] of a segment, on [0,1] again.
  *
