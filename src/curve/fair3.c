@@ -47,7 +47,7 @@ static const double ROUNDING = 16 * DBL_EPSILON;
 static const double FLAT = 1e-13;
 /* A zero of z nearer to the interval is on it; farther than that, the interval
  * is not cut. */
-static const double INFLECTION = 1e-12, NEAR = 0.3;
+static const double INFLECTION = 1e-6, NEAR = 0.3;
 
 /* The polynomials in y: of B, of W, of Im(conj(z) z'). */
 struct form {

@@ -226,11 +226,6 @@ static void unform(const struct form *f, struct form *g, double c,
   const ph_quat *b = f->b;
   ph_quat b_[3] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}, middle;
   const double *s = g->sigma;
-  for (size_t i = 0; i < 3; i++) {
-    /* nu = sum of products of coefficients i < j of z */
-    size_t j = i == 2 ? 2 : i + 1, k = i == 0 ? 0 : i - 1;
-    (void)j, (void)k;
-  }
   g->re[0] += g->nu[0] * f->im[1] + 2 * g->nu[1] * f->im[2];
   g->im[0] -= g->nu[0] * f->re[1] + 2 * g->nu[1] * f->re[2];
   g->re[1] += -g->nu[0] * f->im[0] + g->nu[2] * f->im[2];
@@ -244,7 +239,7 @@ static void unform(const struct form *f, struct form *g, double c,
   unmultiply(ph_quat_of(0, g->x[2], g->re[2], g->im[2]), b[1], b[2], &b_[1],
              &b_[2]);
   for (size_t i = 0; i < 3; i++) {
-    b_[0] = axpy(b_[0], (i == 0 ? 2 : 2) * s[i], b[i]);
+    b_[0] = axpy(b_[0], 2 * s[i], b[i]);
     b_[1] = axpy(b_[1], 2 * s[i + 1], b[i]);
     b_[2] = axpy(b_[2], 2 * s[i + 2], b[i]);
   }
@@ -360,45 +355,57 @@ static void change_by_alpha(const struct member *m, bool scaled,
                f->m11;
 }
 
+/* The derivatives of log(length / sinc)^power times an integral, from those of
+ * the integral by its polynomials. */
+static void set_gradient(const struct member *m, bool scaled, double integral,
+                         double power, const struct form *form,
+                         struct form *form_, double *gradient) {
+  const struct ph_spatial_family *f = m->f;
+  const struct ph_atph *space = &f->space;
+  double per_length = power * integral / ph_spatial_length(f, m->b), c_;
+  double half = 0.5 * space->angle;
+  struct change by[PH_SPATIAL_VARIABLES];
+  ph_quat a_[3];
+  unform(form, form_, space->c, m->a, a_, &c_);
+  change_by_b(m, &by[PH_SPATIAL_B]);
+  change_by_phi(m, &by[PH_SPATIAL_PHI]);
+  change_by_alpha(m, scaled, &by[PH_SPATIAL_ALPHA]);
+  for (size_t i = 0; i < PH_SPATIAL_VARIABLES; i++) {
+    gradient[i] = per_length * by[i].length;
+    for (size_t j = 0; j < 3; j++) {
+      gradient[i] += ph_quat_dot(a_[j], by[i].a[j]);
+    }
+  }
+  /* a dc/da = -(a/2)^2 sinc, a d(log sinc)/da = (c - sinc) / sinc */
+  gradient[PH_SPATIAL_ALPHA] -=
+      c_ * half * half * space->sinc +
+      power * integral * (space->c - space->sinc) / space->sinc;
+}
+
 double ph_spatial_fair(const struct ph_spatial_target *target, size_t panels,
                        const struct ph_spatial_point *at, double *gradient) {
+  const int k = target->functional;
+  const struct ph_spatial_member member = {ph_cplx_polar(at->b),
+                                           ph_cplx_polar(at->phi)};
   struct ph_spatial_family f = ph_spatial_fair_family(target, at->alpha);
-  struct ph_spatial_member member = {ph_cplx_polar(at->b),
-                                     ph_cplx_polar(at->phi)};
-  const int k = target->functional, power = k == 1 ? 1 : 3;
   struct form form, form_ = {0};
-  double length = ph_spatial_length(&f, member.b), integral, scale, per;
+  double integral, scale = ph_spatial_length(&f, member.b) / f.space.sinc;
   ph_quat a[3];
+  scale = k == 1 ? scale : scale * scale * scale;
   ph_spatial_preimage(&f, member, a);
   set_form(&form, f.space.c, a);
   integral =
       integrate(target->rule, panels, k, &form, gradient ? &form_ : NULL);
-  per = length / f.space.sinc;
-  scale = power == 1 ? per : per * per * per;
   if (gradient) {
-    struct change by[PH_SPATIAL_VARIABLES];
-    ph_quat a_[3], q = ph_quat_add(a[0], a[2]);
-    ph_quat d = axpy(ph_quat_scale(f.m11, a[1]), f.m01, q);
-    struct member m = {
-        &f, a, q, d, ph_quat_turn(d, ph_cplx_conj(member.phi)), member.b};
-    double c_, half = at->alpha / 2;
-    unform(&form, &form_, f.space.c, a, a_, &c_);
-    change_by_b(&m, &by[PH_SPATIAL_B]);
-    change_by_phi(&m, &by[PH_SPATIAL_PHI]);
-    change_by_alpha(&m, target->scaled, &by[PH_SPATIAL_ALPHA]);
-    for (size_t i = 0; i < PH_SPATIAL_VARIABLES; i++) {
-      gradient[i] = ph_quat_dot(a_[0], by[i].a[0]) +
-                    ph_quat_dot(a_[1], by[i].a[1]) +
-                    ph_quat_dot(a_[2], by[i].a[2]) +
-                    power * integral * by[i].length / length;
-    }
-    gradient[PH_SPATIAL_ALPHA] -=
-        c_ * half * half * f.space.sinc +
-        power * integral * (f.space.c - f.space.sinc) / f.space.sinc;
-    gradient[PH_SPATIAL_ALPHA] /= at->alpha;
+    struct member m = {&f, a, .q = ph_quat_add(a[0], a[2]), .b = member.b};
+    m.d = axpy(ph_quat_scale(f.m11, a[1]), f.m01, m.q);
+    m.nearest = ph_quat_turn(m.d, ph_cplx_conj(member.phi));
+    set_gradient(&m, target->scaled, integral, k == 1 ? 1 : 3, &form, &form_,
+                 gradient);
     for (size_t i = 0; i < PH_SPATIAL_VARIABLES; i++) {
       gradient[i] *= scale;
     }
+    gradient[PH_SPATIAL_ALPHA] /= at->alpha;
   }
   return scale * integral;
 }

@@ -36,7 +36,8 @@ ph_spatial_fair_family(const struct ph_spatial_target *target, double alpha);
  * ph_spatial_fair: the functional at a point.
  *
  * in   panels    parts of [0,1] with a rule each
- * out  gradient  by the variables, NULL: not wanted
+ * out  gradient  [PH_SPATIAL_VARIABLES], NULL: not wanted; for alpha = 0 the
+ *                last is not finite
  * ret  not finite where there is none
  */
 double ph_spatial_fair(const struct ph_spatial_target *target, size_t panels,

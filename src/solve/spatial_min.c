@@ -2,10 +2,16 @@
 /*
  * The fairest members of a family (see spatial_min.h).
  *
- * 1. The functional on a grid, by a coarse quadrature.
- * 2. Rough descents from the best local minima of the grid, and from CC.
+ * 1. The functional over phi, for a grid of b and alpha: its local minima, a
+ *    little improved.  The valleys are narrow in phi and long in b, so that a
+ *    plain grid can miss them.
+ * 2. Rough descents from those that are less than their neighbours in the grid.
  * 3. The best of these to the end, by ever finer quadratures until two agree.
  * 4. Their values by adaptive quadrature, and the least of these.
+ *
+ * Plane data have members in the plane, b and phi being 0 or pi.  They are
+ * searched by themselves: with an inflection their F3 is finite, but that of
+ * all members nearby is not.
  *
  * What is descended is log(F + SMALL): F spans many powers of ten, and can have
  * a minimum of 0.
@@ -18,27 +24,29 @@
 #include <math.h>
 
 enum {
-  B_N = 10,
-  PHI_N = 10,
-  ALPHA_N = 5,
-  STARTS = 8,   /* of rough descents */
-  POLISHED = 8, /* of these */
-  GRID_PANELS = 2,
-  PANELS = 2, /* at first, and at most */
-  PANELS_MAX = 32,
-  ROUGH_STEPS = 60,
-  STEPS_MAX = 200
+  B_MAX = 20, /* of the grid, in every direction */
+  PHI_N = 14,
+  ALPHA_MAX = 6,
+  VALLEYS = 4,     /* kept for one b and alpha */
+  STARTS = 24,     /* of rough descents, and of fine ones */
+  GRID_PANELS = 2, /* of the quadrature: in the grid, and at first */
+  PANELS_MAX = 16,
+  ROUGH_STEPS = 60, /* of one descent */
+  STEPS_MAX = 100
 };
 
 static const double SMALL = 1e-3;
-/* Rough values that may still become the least. */
-static const double PROMISING = 1.2;
 /* Steps of log(F + SMALL) that are not worth while. */
 static const double ROUGH = 1e-4, FINE = 1e-14;
-/* Two quadratures agree. */
-static const double AGREE = 1e-9;
+/* Two quadratures agree, relative to this much more than F. */
+static const double AGREE = 1e-9, NOTHING = 1e-6;
+/* How much a rough minimum can still lose. */
+static const double PROMISING = 1.2, HOPELESS = 3;
+/* Minima at neighbouring b or alpha whose phi is nearer belong together. */
+static const double APART = 0.8;
 
-static const double TURN = 6.283185307179586;
+static const double PI = 3.14159265358979323846;
+static const double TURN = 6.28318530717958647693;
 
 struct search {
   const struct ph_spatial_search *wanted;
@@ -55,6 +63,7 @@ struct search {
 struct start {
   struct ph_spatial_point at;
   double value;
+  bool plane; /* b and phi stay */
 };
 
 static void begin(struct search *s, const struct ph_spatial_search *wanted,
@@ -67,7 +76,7 @@ static void begin(struct search *s, const struct ph_spatial_search *wanted,
   s->family = ph_spatial_family_of(wanted->data, &space);
   s->target = (struct ph_spatial_target){&rules->fine, &s->family,
                                          wanted->scaled, wanted->functional};
-  s->panels = PANELS;
+  s->panels = GRID_PANELS;
   s->evaluations = 0;
 }
 
@@ -108,8 +117,13 @@ static void descent_accept(void *context) {
 /* One descent by the quadrature of s->panels. */
 static enum ph_status descend(struct search *s, double decrease, size_t steps,
                               struct start *start) {
-  const double lower[] = {-INFINITY, -INFINITY, s->wanted->alpha_lower};
-  const double upper[] = {INFINITY, INFINITY, s->wanted->alpha_upper};
+  const double none = (double)INFINITY;
+  const double lower[] = {start->plane ? start->at.b : -none,
+                          start->plane ? start->at.phi : -none,
+                          s->wanted->alpha_lower};
+  const double upper[] = {start->plane ? start->at.b : none,
+                          start->plane ? start->at.phi : none,
+                          s->wanted->alpha_upper};
   struct ph_box box = {PH_SPATIAL_VARIABLES,
                        lower,
                        upper,
@@ -128,25 +142,25 @@ static enum ph_status descend(struct search *s, double decrease, size_t steps,
   return status;
 }
 
-/* To the end, by a quadrature that is fine enough there. */
-static enum ph_status polish(struct search *s, struct start *start) {
-  s->panels = PANELS;
-  for (;;) {
+/* To the end, by a quadrature that is fine enough there.  What the first ones
+ * do not see may be far above the limit: it is left then. */
+static enum ph_status polish(struct search *s, double limit,
+                             struct start *start) {
+  enum ph_status status;
+  bool done;
+  s->panels = GRID_PANELS;
+  do {
     double finer;
-    enum ph_status status = descend(s, FINE, STEPS_MAX, start);
-    if (status != PH_OK) {
-      return status;
-    }
+    status = descend(s, FINE, STEPS_MAX, start);
     finer = value_at(s, 2 * s->panels, &start->at);
-    if (fabs(finer - start->value) <= AGREE * (finer + 1e-6) ||
-        s->panels >= PANELS_MAX) {
-      return PH_OK;
-    }
+    done = fabs(finer - start->value) <= AGREE * (finer + NOTHING) ||
+           !(finer <= HOPELESS * limit);
     s->panels *= 2;
-  }
+  } while (status == PH_OK && !done && s->panels <= PANELS_MAX);
+  return status;
 }
 
-/* The functional to the end. */
+/* The functional by adaptive quadrature. */
 static double true_value(const struct search *s,
                          const struct ph_spatial_point *at) {
   struct ph_spatial_family f = ph_spatial_fair_family(&s->target, at->alpha);
@@ -173,17 +187,26 @@ static void finish(const struct search *s, const struct start *best,
                     (alpha <= w->alpha_lower || alpha >= w->alpha_upper);
 }
 
+/* The angle of one of the four members in the plane, or of any. */
+static bool in_plane(ph_cplx e, double *angle) {
+  const double rounding = 1e-12;
+  bool plane = fabs(e.im) <= rounding;
+  *angle = !plane ? atan2(e.im, e.re) : e.re > 0 ? 0 : PI;
+  return plane;
+}
+
 enum ph_status ph_spatial_descend(const struct ph_spatial_search *search,
                                   const struct ph_fair3_rules *rules,
                                   struct ph_arena *scratch,
                                   struct ph_spatial_minimum *found) {
   struct search s;
-  const struct ph_spatial_member *m = &found->member;
-  struct start start = {
-      {atan2(m->b.im, m->b.re), atan2(m->phi.im, m->phi.re), found->alpha}, 0};
+  struct start start = {{0, 0, found->alpha}, 0, false};
   enum ph_status status;
+  bool b = in_plane(found->member.b, &start.at.b);
+  bool phi = in_plane(found->member.phi, &start.at.phi);
   begin(&s, search, rules, scratch);
-  status = polish(&s, &start);
+  start.plane = s.family.planar && b && phi;
+  status = polish(&s, (double)INFINITY, &start);
   start.value = true_value(&s, &start.at);
   finish(&s, &start, found);
   return status;
@@ -211,70 +234,165 @@ static void insert(struct start *list, size_t *n, size_t most,
   (*n)++;
 }
 
-struct grid {
-  size_t alphas;
-  double alpha[ALPHA_N];
-  double value[ALPHA_N][B_N][PHI_N];
+/* Local minima in phi, for each b and alpha of a grid. */
+struct valley {
+  size_t n;
+  struct start at[VALLEYS];
 };
 
-static struct ph_spatial_point grid_point(const struct grid *g, size_t k,
-                                          size_t i, size_t j) {
-  struct ph_spatial_point at = {TURN * ((double)i + 0.5) / B_N,
-                                TURN * ((double)j + 0.5) / PHI_N, g->alpha[k]};
-  return at;
+struct grid {
+  size_t alphas, bs;
+  double alpha[ALPHA_MAX];
+  struct valley valley[ALPHA_MAX][B_MAX];
+};
+
+/* The samples of phi.  D(0) is the smoothest choice as a rule, and the valleys
+ * are crowded there. */
+static const double PHI[PHI_N] = {-2.4, -1.6, -1.0, -0.6, -0.36, -0.17, 0,
+                                  0.17, 0.36, 0.6,  1.0,  1.6,   2.4,   3.141};
+
+/* The least of a parabola through log F at -left, 0, right. */
+static double vertex(const double f[3], double left, double right) {
+  double fl = log(f[0] / f[1]), fr = log(f[2] / f[1]);
+  double x =
+      0.5 * (fl * right * right - fr * left * left) / (fl * right + fr * left);
+  return isfinite(x) ? x : 0;
 }
 
-static void fill(struct search *s, struct grid *g) {
-  double lower = s->wanted->alpha_lower, upper = s->wanted->alpha_upper;
-  g->alphas = lower < upper ? ALPHA_N : 1;
-  for (size_t k = 0; k < g->alphas; k++) {
-    double part = g->alphas > 1 ? ((double)k + 0.25) / (ALPHA_N - 0.5) : 0;
-    g->alpha[k] = lower + part * (upper - lower);
-    for (size_t i = 0; i < B_N; i++) {
-      for (size_t j = 0; j < PHI_N; j++) {
-        struct ph_spatial_point at = grid_point(g, k, i, j);
-        double value = value_at(s, GRID_PANELS, &at);
-        g->value[k][i][j] = isfinite(value) ? value : (double)INFINITY;
-      }
+/* Takes another phi if the functional is less there. */
+static double attempt(struct search *s, struct start *best, double phi) {
+  struct start next = *best;
+  next.at.phi = phi;
+  next.value = value_at(s, GRID_PANELS, &next.at);
+  *best = next.value < best->value ? next : *best;
+  return next.value;
+}
+
+/* A few steps down in phi from the middle of three values. */
+static struct start bottom(struct search *s, const struct ph_spatial_point *at,
+                           const double three[3], double left, double right) {
+  const double step = 0.3 * (left < right ? left : right);
+  struct start best = {*at, three[1], false}, middle;
+  double f[3];
+  attempt(s, &best, at->phi + vertex(three, left, right));
+  middle = best;
+  f[0] = attempt(s, &best, middle.at.phi - step);
+  f[1] = middle.value;
+  f[2] = attempt(s, &best, middle.at.phi + step);
+  if (f[0] >= f[1] && f[2] >= f[1]) {
+    attempt(s, &best, middle.at.phi + vertex(f, step, step));
+  }
+  return best;
+}
+
+static void fill_valley(struct search *s, double alpha, double b,
+                        struct valley *v) {
+  double f[PHI_N];
+  struct ph_spatial_point at = {b, 0, alpha};
+  for (size_t j = 0; j < PHI_N; j++) {
+    at.phi = PHI[j];
+    f[j] = value_at(s, GRID_PANELS, &at);
+    f[j] = isfinite(f[j]) ? f[j] : (double)INFINITY;
+  }
+  v->n = 0;
+  for (size_t j = 0; j < PHI_N; j++) {
+    size_t before = (j + PHI_N - 1) % PHI_N, after = (j + 1) % PHI_N;
+    const double three[3] = {f[before], f[j], f[after]};
+    if (three[1] <= three[0] && three[1] < three[2]) {
+      double left = PHI[j] - PHI[before], right = PHI[after] - PHI[j];
+      struct start start;
+      at.phi = PHI[j];
+      start = bottom(s, &at, three, left > 0 ? left : left + TURN,
+                     right > 0 ? right : right + TURN);
+      insert(v->at, &v->n, VALLEYS, &start);
     }
   }
 }
 
-/* Whether no neighbour along the axes is less. */
-static bool is_least(const struct grid *g, size_t k, size_t i, size_t j) {
-  double v = g->value[k][i][j];
-  return v <= g->value[k][(i + 1) % B_N][j] &&
-         v <= g->value[k][(i + B_N - 1) % B_N][j] &&
-         v <= g->value[k][i][(j + 1) % PHI_N] &&
-         v <= g->value[k][i][(j + PHI_N - 1) % PHI_N] &&
-         (k == 0 || v <= g->value[k - 1][i][j]) &&
-         (k + 1 == g->alphas || v <= g->value[k + 1][i][j]);
+/* F1 is smoother than the others. */
+static void fill(struct search *s, struct grid *g) {
+  double lower = s->wanted->alpha_lower, upper = s->wanted->alpha_upper;
+  bool smooth = s->wanted->functional == 1;
+  g->bs = smooth ? B_MAX / 2 : B_MAX;
+  g->alphas = !(lower < upper) ? 1 : smooth ? ALPHA_MAX - 1 : ALPHA_MAX;
+  for (size_t k = 0; k < g->alphas; k++) {
+    double part =
+        g->alphas > 1 ? ((double)k + 0.25) / ((double)g->alphas - 0.5) : 0;
+    g->alpha[k] = lower + part * (upper - lower);
+    for (size_t i = 0; i < g->bs; i++) {
+      fill_valley(s, g->alpha[k], TURN * ((double)i + 0.5) / (double)g->bs,
+                  &g->valley[k][i]);
+    }
+  }
 }
 
-static size_t starts_of(struct search *s, struct start *list) {
-  struct grid grid;
-  size_t n = 0;
-  fill(s, &grid);
-  for (size_t k = 0; k < grid.alphas; k++) {
-    for (size_t i = 0; i < B_N; i++) {
-      for (size_t j = 0; j < PHI_N; j++) {
-        if (is_least(&grid, k, i, j)) {
-          struct start start = {grid_point(&grid, k, i, j),
-                                grid.value[k][i][j]};
-          insert(list, &n, STARTS, &start);
+/* Whether a valley rises towards its neighbour, or ends. */
+static bool rises(const struct start *from, const struct valley *to) {
+  double nearest = APART, value = (double)INFINITY;
+  for (size_t i = 0; i < to->n; i++) {
+    double d = fabs(remainder(to->at[i].at.phi - from->at.phi, TURN));
+    if (d < nearest) {
+      nearest = d;
+      value = to->at[i].value;
+    }
+  }
+  return value >= from->value;
+}
+
+static bool is_least(const struct grid *g, size_t k, size_t i,
+                     const struct start *start) {
+  return rises(start, &g->valley[k][(i + 1) % g->bs]) &&
+         rises(start, &g->valley[k][(i + g->bs - 1) % g->bs]) &&
+         (k == 0 || rises(start, &g->valley[k - 1][i])) &&
+         (k + 1 == g->alphas || rises(start, &g->valley[k + 1][i]));
+}
+
+/* The members in the plane, descended to the end at once. */
+static enum ph_status search_plane(struct search *s, const struct grid *g,
+                                   struct start *best) {
+  for (size_t k = 0; k < g->alphas; k++) {
+    for (int i = 0; i < 4; i++) {
+      struct start start = {
+          {i % 2 ? PI : 0, i / 2 ? PI : 0, g->alpha[k]}, 0, true};
+      enum ph_status status = polish(s, best->value + SMALL, &start);
+      if (status != PH_OK) {
+        return status;
+      }
+      start.value = true_value(s, &start.at);
+      *best = start.value < best->value ? start : *best;
+    }
+  }
+  return PH_OK;
+}
+
+static enum ph_status search_grid(struct search *s, const struct grid *g,
+                                  struct start *best) {
+  struct start list[STARTS], rough[STARTS] = {{{0, 0, 0}, 0, false}};
+  size_t n = 0, kept = 0;
+  enum ph_status status = PH_OK;
+  for (size_t k = 0; k < g->alphas; k++) {
+    for (size_t i = 0; i < g->bs; i++) {
+      const struct valley *v = &g->valley[k][i];
+      for (size_t j = 0; j < v->n; j++) {
+        if (is_least(g, k, i, &v->at[j])) {
+          insert(list, &n, STARTS, &v->at[j]);
         }
       }
     }
   }
-  for (size_t k = 0; k < grid.alphas; k++) {
-    struct ph_spatial_family f =
-        ph_spatial_fair_family(&s->target, grid.alpha[k]);
-    struct ph_spatial_member cc = ph_spatial_cc(&f);
-    struct start start = {{atan2(cc.b.im, cc.b.re), 0, grid.alpha[k]}, 0};
-    start.value = value_at(s, GRID_PANELS, &start.at);
-    insert(list, &n, STARTS, &start);
+  s->panels = GRID_PANELS;
+  for (size_t i = 0; status == PH_OK && i < n; i++) {
+    status = descend(s, ROUGH, ROUGH_STEPS, &list[i]);
+    insert(rough, &kept, STARTS, &list[i]);
   }
-  return n;
+  for (size_t i = 0; status == PH_OK && i < kept &&
+                     rough[i].value <= PROMISING * (best->value + SMALL);
+       i++) {
+    status = polish(s, best->value + SMALL, &rough[i]);
+    rough[i].value = true_value(s, &rough[i].at);
+    *best = rough[i].value < best->value ? rough[i] : *best;
+  }
+  return status;
 }
 
 enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
@@ -282,28 +400,17 @@ enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
                                    struct ph_arena *scratch,
                                    struct ph_spatial_minimum *found) {
   struct search s;
-  struct start list[STARTS], rough[POLISHED], best = {{0, 0, 0}, INFINITY};
-  size_t n, kept = 0;
+  struct grid grid;
+  struct start best = {{0, 0, search->alpha_lower}, (double)INFINITY, false};
+  enum ph_status status = PH_OK;
   begin(&s, search, rules, scratch);
-  n = starts_of(&s, list);
-  for (size_t i = 0; i < n; i++) {
-    enum ph_status status = descend(&s, ROUGH, ROUGH_STEPS, &list[i]);
-    if (status != PH_OK) {
-      return status;
-    }
-    insert(rough, &kept, POLISHED, &list[i]);
+  fill(&s, &grid);
+  if (s.family.planar) {
+    status = search_plane(&s, &grid, &best);
   }
-  for (size_t i = 0;
-       i < kept && rough[i].value <= PROMISING * (best.value + SMALL); i++) {
-    enum ph_status status = polish(&s, &rough[i]);
-    if (status != PH_OK) {
-      return status;
-    }
-    rough[i].value = true_value(&s, &rough[i].at);
-    if (rough[i].value < best.value) {
-      best = rough[i];
-    }
+  if (status == PH_OK) {
+    status = search_grid(&s, &grid, &best);
   }
   finish(&s, &best, found);
-  return PH_OK;
+  return status;
 }
