@@ -339,8 +339,7 @@ static enum ph_status describe(const struct context *c,
   if (curve->shape_ok) {
     ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK, shape_ok);
   }
-  return curve->n <= FAIR_MAX ? describe_fairness(c, diagnostics, diag)
-                              : PH_OK;
+  return curve->n <= FAIR_MAX ? describe_fairness(c, diagnostics, diag) : PH_OK;
 }
 
 /* Whether there is a segment for every pair of points; a repeated last point of
