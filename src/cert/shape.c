@@ -17,13 +17,15 @@
 
 #include "cert/check.h"
 
-/* Errors of a leg, of coordinates: of the middle one, both of whose points are
- * sums of two terms. */
-enum { ROUND_LEG = 4 };
+/* Errors of coordinates: in a leg, of the middle one, both of whose points are
+ * sums of two terms; and in the chord, as far as nobody need see a direction in
+ * them. */
+enum { ROUND_LEG = 4, ROUND_CHORD = 32 };
 
-/* Relative errors that are allowed for, more than the solver's. */
-static const double CONVEXITY = 4e-12;
-static const double PLANAR = 1e-12;
+/* Relative errors that are allowed for, more than the solver's: of the sine of
+ * an angle, and of the volume of three directions. */
+static const double NO_ANGLE = 4e-12;
+static const double NO_VOLUME = 1e-12;
 
 /* Where the sign of (1) is looked at: in S1 / (S0 + S1), between the ends. */
 enum { SAMPLES = 31 };
@@ -65,8 +67,8 @@ static double triple_error(const struct vector *a, const struct vector *b,
 static bool is_convex(const struct vector *a, const struct vector *b,
                       const struct vector *c) {
   ph_vec3 bend = ph_vec3_cross(a->v, b->v), data = ph_vec3_cross(a->v, c->v);
-  double bend_error = cross_error(a, b) + CONVEXITY * a->size * b->size;
-  double data_error = cross_error(a, c);
+  double bend_error = cross_error(a, b) + NO_ANGLE * a->size * b->size;
+  double data_error = cross_error(a, c) + NO_ANGLE * a->size * c->size;
   double error = bend_error * (ph_vec3_abs(data) + data_error) +
                  ph_vec3_abs(bend) * data_error;
   return ph_vec3_dot(bend, data) >= -error;
@@ -121,7 +123,7 @@ enum ph_cert_shape ph_cert_shape_of(const ph_vec3 leg[5], const double mu[5],
     h[j].error =
         ph_check_binomial(j) * relative * speed + ROUND_LEG * rounding / mu[j];
   }
-  chord = vector_of(dp, relative * speed + ROUND_LEG * rounding);
+  chord = vector_of(dp, relative * speed + ROUND_CHORD * rounding);
   if (!is_convex(&h[0], &h[1], &chord)) {
     return PH_CERT_SHAPE_START;
   }
@@ -130,7 +132,7 @@ enum ph_cert_shape ph_cert_shape_of(const ph_vec3 leg[5], const double mu[5],
   }
   triple = ph_vec3_triple(h[0].v, dp, h[4].v);
   error = triple_error(&h[0], &chord, &h[4]) +
-          PLANAR * h[0].size * chord.size * h[4].size;
+          NO_VOLUME * h[0].size * chord.size * h[4].size;
   if (fabs(triple) > error && !winds_like(h, triple > 0 ? 1 : -1)) {
     return PH_CERT_SHAPE_TORSION;
   }

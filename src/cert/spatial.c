@@ -50,6 +50,7 @@ struct segment {
   double error[2];    /* of the directions, by rounding of control points */
   double speed;       /* largest |coefficient| of r' */
   double rounding;    /* of its coordinates */
+  double allowance;   /* for that, in r' */
   double unit;        /* u to the local parameter of the curve */
   double tension;
 };
@@ -109,8 +110,9 @@ static void set_legs(const struct context *c, const double *p,
     from = to;
   }
   s->end = from;
-  s->rounding = ph_check_smaller(DBL_EPSILON * farthest + c->scale.spacing,
-                                 c->scale.rounding);
+  s->rounding = DBL_EPSILON * farthest + c->scale.spacing;
+  s->allowance =
+      PH_CHECK_ROUND_FIRST * ph_check_smaller(s->rounding, c->scale.rounding);
 }
 
 /* The preimage by u of segment k. */
@@ -136,7 +138,7 @@ static struct segment segment_of(struct context *c, size_t k) {
     s.first[i] = ph_vec3_scale(1 / c->space.mu[0], s.leg[4 * i]);
     size = ph_vec3_abs(s.first[i]);
     s.tangent[i] = ph_vec3_scale(1 / size, s.first[i]);
-    s.error[i] = PH_CHECK_ROUND_FIRST * s.rounding / size;
+    s.error[i] = s.allowance / size;
   }
   return s;
 }
@@ -164,14 +166,14 @@ static double check_hodograph(const struct context *c, const struct segment *s,
     }
   }
   ph_check_add(square, k, sqrt(worst), s->speed,
-               PYTHAGOREAN * s->speed + PH_CHECK_ROUND_FIRST * s->rounding);
+               PYTHAGOREAN * s->speed + s->allowance);
   return length;
 }
 
-static void check_length(double length, double claimed, double rounding,
+static void check_length(double length, double claimed, double allowance,
                          size_t k, struct ph_check *check) {
   ph_check_add(check, k, fabs(length - claimed), length,
-               LENGTH * length + PH_CHECK_ROUND_FIRST * rounding);
+               LENGTH * length + allowance);
 }
 
 /* The tangent or the derivative that was given for one end of segment k. */
@@ -183,7 +185,7 @@ static void check_tangent(const struct context *c, const struct segment *s,
     double size = factor * ph_vec3_abs(given);
     ph_vec3 miss = ph_vec3_along(s->first[end], -factor, given);
     ph_check_add(check, k, ph_vec3_abs(miss), size,
-                 DIRECTION * size + PH_CHECK_ROUND_FIRST * s->rounding);
+                 DIRECTION * size + s->allowance);
   } else {
     ph_vec3 given = direction(vector_at(c, &c->tangents, k + end));
     ph_vec3 miss = ph_vec3_sub(s->tangent[end], given);
@@ -234,13 +236,14 @@ static void check_segments(struct context *c, struct checks *checks) {
   size_t n = curve->n;
   struct segment first, before;
   struct ph_sum total = {0, 0};
-  double claimed = ph_pow2_apply(c->scale.to_unit, curve->length), rounding = 0;
+  double claimed = ph_pow2_apply(c->scale.to_unit, curve->length),
+         allowance = 0;
   for (size_t k = 0; k < n; k++) {
     struct segment s = segment_of(c, k);
     double length = check_hodograph(c, &s, k, &checks->square);
     double wanted = ph_pow2_apply(c->scale.to_unit, curve->lengths[k]);
     check_points(c, &s, k, &checks->point);
-    check_length(length, wanted, s.rounding, k, &checks->length);
+    check_length(length, wanted, s.allowance, k, &checks->length);
     if (c->tangents.n > 0 || c->derivatives.n > 0) {
       check_tangent(c, &s, k, 0, &checks->tangent);
       check_tangent(c, &s, k, 1, &checks->tangent);
@@ -252,10 +255,11 @@ static void check_segments(struct context *c, struct checks *checks) {
     }
     check_shape(c, &s, k, checks);
     ph_sum_add(&total, length);
-    rounding += s.rounding;
+    allowance += s.allowance;
     before = s;
   }
-  check_length(ph_sum_value(&total), claimed, rounding, n - 1, &checks->length);
+  check_length(ph_sum_value(&total), claimed, allowance, n - 1,
+               &checks->length);
   if (curve->closed) {
     check_joint(c, &before, &first, 0, &checks->joint);
   }
@@ -335,8 +339,7 @@ static enum ph_status describe(const struct context *c,
   if (curve->shape_ok) {
     ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK, shape_ok);
   }
-  return curve->n <= FAIR_MAX ? describe_fairness(c, diagnostics, diag)
-                              : PH_OK;
+  return curve->n <= FAIR_MAX ? describe_fairness(c, diagnostics, diag) : PH_OK;
 }
 
 /* Whether there is a segment for every pair of points; a repeated last point of
