@@ -26,16 +26,18 @@ awk 'BEGIN {
   }
 }' >many.jsonl
 
-# same NAME STATUS ARGUMENT...: as --jobs=1; out and err are left for a look
+# same NAME STATUS ARGUMENT...: as --jobs=1, of $method; out and err are left
+# for a look
+method=planar
 same() {
   name=$1 wanted=$2
   shift 2
-  run planar --jobs=1 "$@"
+  run $method --jobs=1 "$@"
   mv out out.1
   mv err err.1
   equal "$name, --jobs=1" "$wanted" "$status"
   for jobs in 2 8; do
-    run planar --jobs=$jobs "$@"
+    run $method --jobs=$jobs "$@"
     equal "$name, --jobs=$jobs" "$wanted" "$status"
     equal_files "$name, --jobs=$jobs: results" out.1 out
     equal_files "$name, --jobs=$jobs: messages" err.1 err
@@ -95,3 +97,48 @@ for jobs in 1 8; do
   feed '' planar --jobs=$jobs
   expect "nothing to do, --jobs=$jobs" 0 '' ''
 done
+
+# ---- points in space ---------------------------------------------------------
+
+# Each kind of problem that has code of its own: criteria, the search for a
+# minimum, reduced tensions, closed and plane curves, failures, warnings.
+awk 'BEGIN {
+  split("cc hc bv zero F1 F2 F3", criterion, " ")
+  for (i = 1; i <= 280; i++) {
+    n = i % 100 == 0 ? 100 : 2 + i % 4
+    points = ""
+    tangents = ""
+    for (k = 0; k < n; k++) {
+      comma = k ? "," : ""
+      points = points comma "[" k "," (k * k * i) % 7 "," (k * i) % 5 "]"
+      tangents = tangents comma "[" 1 + (i + k) % 4 "," (k * i) % 5 - 2 "," \
+        (k + i) % 3 - 1 "]"
+    }
+    kind = i % 7
+    text = "{\"id\":" i ",\"points\":[" points "]"
+    if (kind > 2) text = text ",\"tangents\":[" tangents "]"
+    if (kind == 2) text = text ",\"derivatives\":[" tangents "]"
+    if (kind < 4 || n == 100) text = text ",\"criterion\":\"" \
+      criterion[n == 100 ? 1 : 1 + int(i / 7) % 7] "\",\"axis\":\"bisector\""
+    else if (kind == 4) text = text ",\"angles\":[0.5," i "]"
+    else if (kind == 5) text = text ",\"basis\":\"atph\""
+    else text = text ",\"criterion\":\"zero\""
+    if (i % 11 == 0) text = text ",\"closed\":true"
+    if (i % 13 == 0) text = text ",\"tension\":[1]"
+    if (i % 17 == 0) text = text ",\"angle\":0"
+    print text "}"
+  }
+}' >space.jsonl
+method=spatial-hermite
+same 'in space' 1 space.jsonl
+equal 'in space: a result for each' 280 "$(wc -l <out | tr -d ' ')"
+for code in unknown-field bad-shape shape-unsatisfiable too-few-points; do
+  true_that "in space: some are $code" grep -q "\[$code\]" err
+done
+true_that 'in space: tensions are reduced' grep -q '"reduced":1' out
+true_that 'in space: some are at the bound' grep -q '"at_bound":true' out
+sed -n 1,60p space.jsonl >some-space.jsonl
+same 'in space, a sweep' 1 -S shape=true,false -S tension=0.5,1 some-space.jsonl
+same 'in space, offsets and Bezier pieces' 1 -d 0.1,-0.2 --convert=bezier \
+  --tolerance=1e-5 some-space.jsonl
+same 'in space, a table' 1 -f csv --strict some-space.jsonl

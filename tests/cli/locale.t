@@ -98,18 +98,25 @@ printf '%s\n' "$good" "$bad" '{"points":[[0,0],[1,0],[0,0]]}' \
   '{"points":[[0.5,0],[1.25,1e-9],[2,0]],"knots":[0,0.5,1.5]}' \
   '{"points":[[0,0],[1,1,1]]}' '{"points":[[0,0],[1,5' >in.json
 printf 'x,y\n0.5,0\n1.25,.5\n+2.,0\n' >in.csv
-for arguments in 'in.json' 'in.csv' '-f csv in.json' \
-  '-d 0.5,-.25 -S points[0][0]=0.25:0.75:3 in.json' \
-  '--set=knots=[0,0.5,2.5] in.csv' '--jobs=1.5 in.json' '--help'; do
+printf '%s\n' '{"points":[[0,0.5,1.5],[1.25,1e-9,0],[2,0,1]],' \
+  '"tension":0.75,"tangents":[[0.5,0,1],[1,1.5,0],[0,0,0.25]]}' \
+  '{"points":[[0,0,0],[1,1,1]],"tension":-0.5}' >space.json
+printf 'x,y,z,dx,dy,dz\n0.5,0,1,1,1,0.5\n1.25,.5,+2.,1,0,1.5\n' >space.csv
+for arguments in 'planar in.json' 'planar in.csv' 'planar -f csv in.json' \
+  'planar -d 0.5,-.25 -S points[0][0]=0.25:0.75:3 in.json' \
+  'planar --set=knots=[0,0.5,2.5] in.csv' 'planar --jobs=1.5 in.json' \
+  'planar --help' 'spatial-hermite space.json' 'spatial-hermite space.csv' \
+  'spatial-hermite -f csv --angles=[0.5,1.5] space.json' \
+  'spatial-hermite --basis=atph --alpha=0.5 --criterion=F1 space.csv'; do
   # shellcheck disable=SC2086
-  run planar $arguments
+  run $arguments
   mv out out.c
   mv err err.c
   status_c=$status
   for variable in LC_ALL LC_NUMERIC LANG; do
     status=0
     # shellcheck disable=SC2086
-    env LC_ALL= "$variable=$name" "$PHSPLINE" planar $arguments >out 2>err ||
+    env LC_ALL= "$variable=$name" "$PHSPLINE" $arguments >out 2>err ||
       status=$?
     equal "$variable=$name, $arguments: status" "$status_c" "$status"
     equal_files "$variable=$name, $arguments: results" out.c out

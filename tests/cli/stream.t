@@ -202,12 +202,13 @@ prompt 'an answer also behind much input' "$(
 # ---- memory ------------------------------------------------------------------
 
 # light NAME RECORDS ARGUMENT...: a stream on standard input, one row for each
-# problem, within 32 MB (it needs 5 to 15)
+# problem of $method, within 32 MB (it needs 5 to 15)
+method=planar
 light() {
   name=$1 wanted=$2
   shift 2
   status=0
-  peak kilobytes "$PHSPLINE" planar -f csv --table=lengths -j 2 "$@" >out \
+  peak kilobytes "$PHSPLINE" $method -f csv --table=lengths -j 2 "$@" >out \
     2>err || status=$?
   if [ "$status" -ne 0 ] || ! count $((wanted + 1)) out; then
     fail "$name" "exit status $status, $(wc -l <out) lines; $(head -n 3 err)"
@@ -249,4 +250,18 @@ else
   problem 1 >in
   light 'memory for a sweep of 200 000' 200000 \
     -S 'points[0][0]=0:0.5:200000' -S 'points[0][1]=0' <in
+  # the same in space
+  method=spatial-hermite
+  awk 'BEGIN {
+    for (i = 1; i <= 100000; i++)
+      print "{\"points\":[[0,0,0],[1," i "," i % 7 "]],\"shape\":false}"
+  }' | light 'memory for 100 000 problems in space' 100000
+  awk 'BEGIN {
+    print "id,x,y,z,tx,ty,tz"
+    for (i = 1; i <= 100000; i++)
+      print i ",0,0,0,1,1," i "\n" i ",1," i ",2,0,1,1"
+  }' | light 'memory for 100 000 CSV records in space' 100000
+  printf '{"points":[[0,0,0],[1,2,3]],"tangents":[[1,0,0],[0,1,0]]}' >in
+  light 'memory for 2 000 minimisations' 2000 --criterion=F1 \
+    -S 'points[0][0]=0:0.5:2000' <in
 fi

@@ -151,6 +151,26 @@ exhaust 'angles' lines planar -j 1 -d 0.1 atph.json
 exhaust 'a conversion' lines planar -j 1 --convert=bezier atph.json
 exhaust 'all solutions' lines planar -j 1 --solutions=all atph.json
 exhaust 'the fairest' lines planar -j 1 --minimize=IES atph.json
+printf '%s' '{"points":[[0,0,0],[1,0,1],[0,1,2],[1,2,0]]}' >space.json
+printf '%s\n' '{"points":[[0,0,0],[1,1,1]],"tangents":[[0.4,-1.5,-1.2],' \
+  '[-2,-1,-2]]}' '{"points":[[0,0],[1,0],[0,0]],"closed":false}' \
+  '{"points":[[0,0,0],[1,0,0]],"derivatives":[[1,0,0],[1,1,1]]}' >shapes.jsonl
+printf 'x,y,z,tx,ty,tz,tension\n0,0,0,1,0,0,\n1,2,3,0,0,1,0.5\n' >space.csv
+exhaust 'in space' lines spatial-hermite -j 1 space.json
+exhaust 'in space, closed, two threads' lines spatial-hermite -j 2 --closed \
+  space.json
+exhaust 'in space, shapes' lines spatial-hermite -j 1 --shape=true shapes.jsonl
+exhaust 'in space, angles' lines spatial-hermite -j 1 '--angles=[0,1]' \
+  space.json
+exhaust 'in space, F1 and alpha' lines spatial-hermite -j 1 --criterion=F1 \
+  --basis=atph space.json
+exhaust 'in space, a conversion' lines spatial-hermite -j 1 --basis=atph \
+  --alpha=1 --criterion=cc --convert=bezier --tolerance=1e-4 space.json
+exhaust 'in space, CSV' lines spatial-hermite -j 1 -f csv --table=lengths \
+  space.csv
+exhaust 'in space, offsets' lines spatial-hermite -j 1 -d 0.1 space.json
+exhaust 'in space, offsets of atph' lines spatial-hermite -j 1 -d 0.1 \
+  --basis=atph --alpha=1 --criterion=cc --tolerance=1e-3 space.json
 exhaust '-v' lines planar -j 1 -v --strict some.jsonl
 exhaust '--pretty' text planar -j 1 --pretty -q array.json
 exhaust 'help' text planar --help

@@ -13,17 +13,11 @@
  *          doubles, or (turn, length) of steps; where knots are given, each
  *          point is followed by a byte, its knot's distance from the one before
  */
-#include "fuzz.h"
+#include "problem.h"
 
 #include "cert/cert.h"
 #include "curve/offset.h"
-#include "io/json_out.h"
-#include "io/json_scan.h"
 #include "solve/planar.h"
-
-#include <math.h>
-#include <stdbool.h>
-#include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
@@ -32,8 +26,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 enum { PLANAR_POINTS_MAX = 200, PLANAR_STEPS_MAX = 1000 };
 
 struct planar_input {
-  const uint8_t *data;
-  size_t n, at;
+  struct fuzz_bytes bytes;
   struct ph_problem problem;
   double points[PLANAR_POINTS_MAX][2];
   double knots[PLANAR_POINTS_MAX + 1];
@@ -41,39 +34,14 @@ struct planar_input {
   double heading;
 };
 
-/* Takes n bytes; false when there are not so many. */
-static bool planar_take(struct planar_input *in, void *to, size_t n) {
-  if (in->n - in->at < n) {
-    return false;
-  }
-  memcpy(to, in->data + in->at, n);
-  in->at += n;
-  return true;
-}
-
 static bool planar_take_point(struct planar_input *in, size_t k, int coding) {
   double *p = in->points[k];
-  int16_t wide[2];
-  int8_t small[2];
-  if (coding == 2) {
-    return planar_take(in, p, 2 * sizeof *p);
-  }
-  if (coding == 1) {
-    if (!planar_take(in, wide, sizeof wide)) {
-      return false;
-    }
-    p[0] = wide[0];
-    p[1] = wide[1];
-    return true;
-  }
-  if (!planar_take(in, small, sizeof small)) {
+  if (!fuzz_take_vector(&in->bytes, coding, 2, p)) {
     return false;
   }
-  p[0] = small[0];
-  p[1] = small[1];
   if (coding == 3) {
-    double length = exp2(small[1] / 8.0);
-    in->heading += small[0] * 3.141592653589793 / 128;
+    double length = exp2(p[1] / 8);
+    in->heading += p[0] * 3.141592653589793 / 128;
     p[0] = length * cos(in->heading) + (k > 0 ? in->points[k - 1][0] : 0);
     p[1] = length * sin(in->heading) + (k > 0 ? in->points[k - 1][1] : 0);
   }
@@ -86,7 +54,7 @@ static size_t planar_take_points(struct planar_input *in, int coding,
   uint8_t spacing = 0;
   in->knots[0] = 0;
   while (n < PLANAR_POINTS_MAX && planar_take_point(in, n, coding) &&
-         (!knots || planar_take(in, &spacing, 1))) {
+         (!knots || fuzz_take(&in->bytes, &spacing, 1))) {
     n++;
     in->knots[n] = in->knots[n - 1] + ldexp(1 + spacing % 16, spacing / 16 - 8);
   }
@@ -101,8 +69,8 @@ static bool planar_set(struct planar_input *in) {
   int8_t exponent, ends[4];
   size_t n;
   int unit; /* of the derivatives: that of chord / knot spacing */
-  if (!planar_take(in, &flags, 1) || !planar_take(in, &exponent, 1) ||
-      !planar_take(in, ends, 4)) {
+  if (!fuzz_take(&in->bytes, &flags, 1) ||
+      !fuzz_take(&in->bytes, &exponent, 1) || !fuzz_take(&in->bytes, ends, 4)) {
     return false;
   }
   unit = (flags >> 1 & 3) == 0 ? 0 : (flags >> 1 & 3) == 2 ? 4 : 8;
@@ -135,13 +103,6 @@ static bool planar_set(struct planar_input *in) {
   return true;
 }
 
-static void planar_check_failure(const struct ph_diag *diag,
-                                 enum ph_status status) {
-  FUZZ_REQUIRE(diag->status == status);
-  FUZZ_REQUIRE(ph_status_class(status) == PH_CLASS_RECORD);
-  FUZZ_REQUIRE(diag->message[0] != '\0');
-}
-
 /* The segments begin and end in the points, exactly. */
 static void planar_check_curve(const struct planar_input *in,
                                const struct ph_curve *curve) {
@@ -161,30 +122,6 @@ static void planar_check_curve(const struct planar_input *in,
   FUZZ_REQUIRE(isfinite(curve->length));
 }
 
-static void planar_check_offset(const struct ph_offset *offset) {
-  for (size_t i = 0; i < offset->n; i++) {
-    FUZZ_REQUIRE(offset->interval[2 * i] < offset->interval[2 * i + 1]);
-    for (size_t k = 0; k < 10; k++) {
-      FUZZ_REQUIRE(offset->weights[10 * i + k] > 0);
-      FUZZ_REQUIRE(isfinite(offset->weights[10 * i + k]));
-      FUZZ_REQUIRE(isfinite(offset->control_points[20 * i + 2 * k]) &&
-                   isfinite(offset->control_points[20 * i + 2 * k + 1]));
-    }
-  }
-}
-
-static void planar_check_output(const struct ph_result *result, bool pretty) {
-  const struct ph_echo echo = {0};
-  const struct ph_heading heading = {&echo, "planar", NULL, 0};
-  struct ph_json_scan scan = {0};
-  struct ph_buf out = {0};
-  ph_json_result(&out, &heading, result, pretty);
-  FUZZ_REQUIRE(!out.failed);
-  FUZZ_REQUIRE(ph_json_scan(&scan, out.data, out.n, true) == PH_JSON_DONE);
-  FUZZ_REQUIRE(scan.at == out.n - 1 && out.data[scan.at] == '\n');
-  ph_buf_free(&out);
-}
-
 /* A curve that its certificate accepts. */
 static void planar_check_result(const struct planar_input *in,
                                 struct ph_result *result,
@@ -195,22 +132,19 @@ static void planar_check_result(const struct planar_input *in,
   enum ph_status status =
       ph_offset_planar(&result->curve, size, 1e-9, arena, &offset, &diag);
   planar_check_curve(in, &result->curve);
-  for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
-    FUZZ_REQUIRE(!(result->diagnostics.known >> i & 1) ||
-                 isfinite(result->diagnostics.value[i]));
-  }
+  fuzz_check_diagnostics(&result->diagnostics);
   if (status == PH_OK) {
-    planar_check_offset(&offset);
+    fuzz_check_offset(&offset);
     result->offsets = &offset;
     result->offsets_n = 1;
   } else {
-    planar_check_failure(&diag, status);
+    fuzz_check_failure(&diag, status);
   }
-  planar_check_output(result, in->data[0] >> 6 & 1);
+  fuzz_check_output(result, "planar", in->bytes.data[0] >> 6 & 1);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
-  struct planar_input in = {.data = data, .n = n};
+  struct planar_input in = {.bytes = {data, n, 0}};
   struct ph_arena out = {0}, scratch = {0};
   struct ph_mark mark, after;
   struct ph_result result = {0};
@@ -233,7 +167,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   if (status == PH_OK) {
     planar_check_result(&in, &result, &out);
   } else {
-    planar_check_failure(&diag, status);
+    fuzz_check_failure(&diag, status);
   }
   ph_arena_free(&out);
   ph_arena_free(&scratch);

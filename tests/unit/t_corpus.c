@@ -24,6 +24,9 @@
 #define LLVMFuzzerTestOneInput corpus_planar
 #include "../fuzz/planar.c"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput corpus_spatial
+#include "../fuzz/spatial.c"
+#undef LLVMFuzzerTestOneInput
 
 /* Inputs are small; each target has at least so many. */
 enum { INPUT_MAX = 1 << 16, INPUTS_MIN = 12 };
@@ -94,6 +97,11 @@ START_TEST(planar) {
 }
 END_TEST
 
+START_TEST(spatial) {
+  replay_all("spatial", corpus_spatial);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("corpus");
   TCase *c = tcase_create("corpus");
@@ -103,6 +111,7 @@ static Suite *suite(void) {
   tcase_add_test(c, number);
   tcase_add_test(c, options);
   tcase_add_test(c, planar);
+  tcase_add_test(c, spatial);
   suite_add_tcase(s, c);
   return s;
 }

@@ -12,15 +12,17 @@ for file in "$srcdir"/data/*.csv; do
     echo 'skip data: no data/*.csv'
     continue
   fi
-  status=0
-  "$PHSPLINE" planar --offset=0.1 "$file" >out 2>err || status=$?
-  case $status in
-  0 | 1) echo "ok planar $name (exit status $status)" ;;
-  *)
-    echo "not ok planar $name: exit status $status"
-    cat err
-    bad=1
-    ;;
-  esac
+  for method in planar spatial-hermite; do
+    status=0
+    "$PHSPLINE" $method --offset=0.1 "$file" >out 2>err || status=$?
+    case $status in
+    0 | 1) echo "ok $method $name (exit status $status)" ;;
+    *)
+      echo "not ok $method $name: exit status $status"
+      cat err
+      bad=1
+      ;;
+    esac
+  done
 done
 exit "$bad"

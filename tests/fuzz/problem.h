@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What the targets that solve problems share: taking bytes, and what holds for
+ * any failure and any result.
+ */
+#ifndef PH_TESTS_FUZZ_PROBLEM_H
+#define PH_TESTS_FUZZ_PROBLEM_H
+
+#include "fuzz.h"
+
+#include "io/json_out.h"
+#include "io/json_scan.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+struct fuzz_bytes {
+  const uint8_t *data;
+  size_t n, at;
+};
+
+/* Takes n bytes; false when there are not so many. */
+static inline bool fuzz_take(struct fuzz_bytes *in, void *to, size_t n) {
+  if (in->n - in->at < n) {
+    return false;
+  }
+  memcpy(to, in->data + in->at, n);
+  in->at += n;
+  return true;
+}
+
+/* A vector of signed bytes, 16-bit numbers (coding 1) or doubles (2). */
+static inline bool fuzz_take_vector(struct fuzz_bytes *in, int coding, size_t n,
+                                    double *v) {
+  for (size_t i = 0; i < n; i++) {
+    int8_t small;
+    int16_t wide;
+    bool taken = coding == 2   ? fuzz_take(in, &v[i], sizeof v[i])
+                 : coding == 1 ? fuzz_take(in, &wide, sizeof wide)
+                               : fuzz_take(in, &small, sizeof small);
+    if (!taken) {
+      return false;
+    }
+    v[i] = coding == 2 ? v[i] : coding == 1 ? wide : small;
+  }
+  return true;
+}
+
+static inline bool fuzz_is_finite(const double *v, size_t n) {
+  size_t i = 0;
+  while (i < n && isfinite(v[i])) {
+    i++;
+  }
+  return i == n;
+}
+
+static inline void fuzz_check_failure(const struct ph_diag *diag,
+                                      enum ph_status status) {
+  FUZZ_REQUIRE(diag->status == status);
+  FUZZ_REQUIRE(ph_status_class(status) == PH_CLASS_RECORD);
+  FUZZ_REQUIRE(diag->message[0] != '\0');
+}
+
+static inline void
+fuzz_check_diagnostics(const struct ph_diagnostics *diagnostics) {
+  for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
+    FUZZ_REQUIRE(!(diagnostics->known >> i & 1) ||
+                 isfinite(diagnostics->value[i]));
+  }
+}
+
+/* Rational Bezier pieces without a pole. */
+static inline void fuzz_check_offset(const struct ph_offset *offset) {
+  size_t points = offset->degree + 1;
+  for (size_t i = 0; i < offset->n; i++) {
+    FUZZ_REQUIRE(offset->interval[2 * i] < offset->interval[2 * i + 1]);
+    for (size_t k = 0; offset->weights && k < points; k++) {
+      FUZZ_REQUIRE(offset->weights[points * i + k] > 0);
+    }
+  }
+  if (offset->weights) {
+    FUZZ_REQUIRE(fuzz_is_finite(offset->weights, points * offset->n));
+    FUZZ_REQUIRE(fuzz_is_finite(offset->control_points,
+                                points * offset->n * offset->dimension));
+  }
+}
+
+/* What is printed is a line of JSON. */
+static inline void fuzz_check_output(const struct ph_result *result,
+                                     const char *command, bool pretty) {
+  const struct ph_echo echo = {0};
+  const struct ph_heading heading = {&echo, command, NULL, 0};
+  struct ph_json_scan scan = {0};
+  struct ph_buf out = {0};
+  ph_json_result(&out, &heading, result, pretty);
+  FUZZ_REQUIRE(!out.failed);
+  FUZZ_REQUIRE(ph_json_scan(&scan, out.data, out.n, true) == PH_JSON_DONE);
+  FUZZ_REQUIRE(scan.at == out.n - 1 && out.data[scan.at] == '\n');
+  ph_buf_free(&out);
+}
+
+#endif
