@@ -22,7 +22,9 @@
  *   q^9 / sigma^3 ((3 q'/q - sigma'/sigma) T + T')^2                    (6)
  *
  * Polynomials are written in y = v - 1/2.  z is of degree 2, and the interval
- * is cut at its zeros, near to which (5) and (6) change fast.  Rules of 8 and
+ * is cut at its zeros, near to which (5) and (6) change fast.  At a zero that
+ * is real, an inflection, z changes its sign and arg z jumps, while (arg z)' is
+ * that of the other factor of z.  Rules of 8 and
  * 16 nodes are compared, then 16 nodes on an interval with 16 on either half.
  * The finer value is kept, which is far better than the difference says.
  */
@@ -58,6 +60,8 @@ struct form {
   double a2_size;     /* of the terms of B, squared */
   double z2_size;     /* of the terms of z, squared */
   bool twists;        /* the torsion counts */
+  bool inflected;     /* z has a real zero on the interval */
+  ph_cplx zero;       /* then: the other one */
   size_t parts;       /* intervals so far */
   double total[SUMS]; /* of what is done */
 };
@@ -98,6 +102,7 @@ static void set_form(struct form *f, const struct ph_atph *space,
                ph_quat_dot(a[2], a[2]);
   f->z2_size = ph_cplx_norm2(z[0]) + ph_cplx_norm2(z[1]) + ph_cplx_norm2(z[2]);
   f->parts = 0;
+  f->inflected = false;
   for (size_t i = 0; i < SUMS; i++) {
     f->total[i] = 0;
   }
@@ -107,7 +112,9 @@ static void set_form(struct form *f, const struct ph_atph *space,
 struct node {
   double per_sigma, ds;  /* 1/sigma, sigma'/sigma */
   double z2, per_z2, dz; /* |z|^2, 1/|z|^2, (log |z|)' */
-  double x, x1, nu, nu1; /* x and Im(conj(z) z') with derivatives */
+  double x, x1;          /* x, x' */
+  double turn, turn1;    /* (arg z)' and its derivative */
+  double turn1_terms;    /* what turn1 is a difference of */
   double q3, dq;         /* q^3, q'/q */
   double noise;          /* squared, what enlarges rounding */
 };
@@ -133,8 +140,18 @@ static inline struct node node_at(const struct form *f, double y) {
   n.dz = (re * (w[1].p + y2 * w[2].p) + im * (w[1].q + y2 * w[2].q)) * n.per_z2;
   n.x = at(w[0].v, w[1].v, w[2].v, y);
   n.x1 = w[1].v + y2 * w[2].v;
-  n.nu = at(f->nu[0], f->nu[1], f->nu[2], y);
-  n.nu1 = f->nu[1] + y2 * f->nu[2];
+  if (f->inflected) {
+    double away = y - f->zero.re;
+    double per = 1 / (away * away + f->zero.im * f->zero.im);
+    n.turn = f->zero.im * per;
+    n.turn1 = -2 * away * n.turn * per;
+    n.turn1_terms = fabs(n.turn1);
+  } else {
+    double part = (f->nu[1] + y2 * f->nu[2]) * n.per_z2;
+    n.turn = at(f->nu[0], f->nu[1], f->nu[2], y) * n.per_z2;
+    n.turn1 = part - 2 * n.turn * n.dz;
+    n.turn1_terms = fabs(part) + fabs(2 * n.turn * n.dz);
+  }
   n.q3 = q * q * q;
   n.dq = 2 * f->q2 * y / q;
   n.noise = f->a2_size * n.per_sigma + f->z2_size * n.per_z2;
@@ -150,15 +167,12 @@ static inline void add_square(struct square *sum, double weight, double x,
 /* (6) */
 static inline void add_twisting(struct square *sum, const struct node *n,
                                 double weight) {
-  double turn = n->nu * n->per_z2, twist = 2 * n->x * n->per_sigma;
-  double turn1 = n->nu1 * n->per_z2, twist1 = 2 * n->x1 * n->per_sigma;
+  double twist = 2 * n->x * n->per_sigma, twist1 = 2 * n->x1 * n->per_sigma;
   double slope = 3 * n->dq - n->ds;
-  double terms = (fabs(turn) + fabs(twist)) *
-                     (fabs(slope) + fabs(n->ds) + 2 * fabs(n->dz)) +
-                 fabs(turn1) + fabs(twist1);
+  double terms = (fabs(n->turn) + fabs(twist)) * (fabs(slope) + fabs(n->ds)) +
+                 n->turn1_terms + fabs(twist1);
   add_square(sum, weight,
-             slope * (turn + twist) + (turn1 - 2 * turn * n->dz) +
-                 (twist1 - twist * n->ds),
+             slope * (n->turn + twist) + n->turn1 + (twist1 - twist * n->ds),
              n->noise * terms * terms);
 }
 
@@ -254,6 +268,16 @@ static void zeros_of(const struct form *f, ph_cplx zero[2]) {
   zero[1] = ph_cplx_mul(z0, ph_cplx_inverse(sum));
 }
 
+/* Zero i of z is real and on the interval.  Where the other one is real, too,
+ * or there is none, arg z only jumps. */
+static void set_inflection(struct form *f, const ph_cplx zero[2], size_t i) {
+  ph_cplx other = zero[1 - i];
+  bool turns = fabs(other.im) > (fabs(other.re) < 0.5 ? INFLECTION : 0) &&
+               isfinite(ph_cplx_norm2(other));
+  f->zero = turns ? other : ph_cplx_of(1, 0);
+  f->inflected = true;
+}
+
 /* Whether the curve lies in a plane: all products of coefficients of B do. */
 static bool is_plane(const ph_quat b[3]) {
   ph_vec3 g[6], longest = {0, 0, 0}, normal = {0, 0, 0};
@@ -289,11 +313,10 @@ bool ph_fair3_begin(struct ph_fair3_rules *rules) {
 
 struct ph_fair3 ph_fair3_of(const struct ph_fair3_rules *rules,
                             const struct ph_atph *space, const ph_quat a[3]) {
-  struct ph_fair3 fair = {0, 0, 0};
+  struct ph_fair3 fair = {0, 0, 0, false};
   struct form f;
   ph_cplx zero[2];
   double cut[4] = {-0.5, 0, 0, 0.5}, per = 1 / space->sinc;
-  bool infinite = false;
   size_t n = 1;
   set_form(&f, space, a);
   if (sqrt(f.z2_size) <= FLAT * f.a2_size) {
@@ -303,12 +326,12 @@ struct ph_fair3 ph_fair3_of(const struct ph_fair3_rules *rules,
   zeros_of(&f, zero);
   for (size_t i = 0; i < 2; i++) {
     if (fabs(zero[i].re) < 0.5 && fabs(zero[i].im) < NEAR) {
-      infinite = infinite || fabs(zero[i].im) <= INFLECTION;
+      if (fabs(zero[i].im) <= INFLECTION) {
+        set_inflection(&f, zero, i);
+      }
       cut[n++] = zero[i].re;
     }
   }
-  infinite = infinite && f.twists;
-  f.twists = f.twists && !infinite;
   if (n == 3 && cut[1] > cut[2]) {
     double swap = cut[1];
     cut[1] = cut[2];
@@ -320,7 +343,8 @@ struct ph_fair3 ph_fair3_of(const struct ph_fair3_rules *rules,
   }
   fair.bending = per * f.total[0];
   fair.varying = per * per * per * f.total[1];
-  fair.twisting = infinite ? (double)INFINITY : per * per * per * f.total[2];
+  fair.twisting = per * per * per * f.total[2];
+  fair.inflected = f.inflected && f.twists;
   return fair;
 }
 

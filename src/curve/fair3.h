@@ -11,9 +11,10 @@
  *
  * kappa is not negative, and its slope jumps at an inflection, which does no
  * harm to `varying`: for a plane curve it is that of the signed curvature.  The
- * torsion of a plane curve is 0, also where an inflection flips its frame, and
- * so is that of a straight line.  A space curve with an inflection is the limit
- * of curves whose torsion has ever higher peaks: `twisting` is infinite.
+ * torsion of a plane curve is 0, and so is that of a straight line.  That of a
+ * space curve with an inflection is finite on either side of it, and these
+ * sides count; curves near to it have a peak there, the higher the nearer they
+ * are.
  */
 #ifndef PH_CURVE_FAIR3_H
 #define PH_CURVE_FAIR3_H
@@ -31,6 +32,7 @@ struct ph_fair3_rules {
 
 struct ph_fair3 {
   double bending, varying, twisting;
+  bool inflected; /* twists, and has an inflection: an isolated case */
 };
 
 /* ph_fair3_begin: false when memory is exhausted. */

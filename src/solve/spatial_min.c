@@ -117,7 +117,7 @@ static void descent_accept(void *context) {
 /* One descent by the quadrature of s->panels. */
 static enum ph_status descend(struct search *s, double decrease, size_t steps,
                               struct start *start) {
-  const double none = (double)INFINITY;
+  const double none = HUGE_VAL;
   const double lower[] = {start->plane ? start->at.b : -none,
                           start->plane ? start->at.phi : -none,
                           s->wanted->alpha_lower};
@@ -170,6 +170,9 @@ static double true_value(const struct search *s,
   ph_quat a[3];
   ph_spatial_preimage(&f, member, a);
   fair = ph_fair3_of(s->rules, &f.space, a);
+  if (fair.inflected && s->target.functional == 3) {
+    return HUGE_VAL; /* isolated: F3 is huge all around */
+  }
   return ph_fair3_functional(&fair, ph_spatial_length(&f, member.b),
                              s->wanted->functional);
 }
@@ -206,7 +209,7 @@ enum ph_status ph_spatial_descend(const struct ph_spatial_search *search,
   bool phi = in_plane(found->member.phi, &start.at.phi);
   begin(&s, search, rules, scratch);
   start.plane = s.family.planar && b && phi;
-  status = polish(&s, (double)INFINITY, &start);
+  status = polish(&s, HUGE_VAL, &start);
   start.value = true_value(&s, &start.at);
   finish(&s, &start, found);
   return status;
@@ -292,7 +295,7 @@ static void fill_valley(struct search *s, double alpha, double b,
   for (size_t j = 0; j < PHI_N; j++) {
     at.phi = PHI[j];
     f[j] = value_at(s, GRID_PANELS, &at);
-    f[j] = isfinite(f[j]) ? f[j] : (double)INFINITY;
+    f[j] = isfinite(f[j]) ? f[j] : HUGE_VAL;
   }
   v->n = 0;
   for (size_t j = 0; j < PHI_N; j++) {
@@ -328,7 +331,7 @@ static void fill(struct search *s, struct grid *g) {
 
 /* Whether a valley rises towards its neighbour, or ends. */
 static bool rises(const struct start *from, const struct valley *to) {
-  double nearest = APART, value = (double)INFINITY;
+  double nearest = APART, value = HUGE_VAL;
   for (size_t i = 0; i < to->n; i++) {
     double d = fabs(remainder(to->at[i].at.phi - from->at.phi, TURN));
     if (d < nearest) {
@@ -401,7 +404,7 @@ enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
                                    struct ph_spatial_minimum *found) {
   struct search s;
   struct grid grid;
-  struct start best = {{0, 0, search->alpha_lower}, (double)INFINITY, false};
+  struct start best = {{0, 0, search->alpha_lower}, HUGE_VAL, false};
   enum ph_status status = PH_OK;
   begin(&s, search, rules, scratch);
   fill(&s, &grid);
