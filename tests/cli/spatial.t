@@ -407,7 +407,7 @@ done
 # ---- published values --------------------------------------------------------
 
 # Each problem brings what is known about it in `meta'.  A functional may come
-# out lower than known, but no higher.
+# out lower than known, but no higher; the curve then is another one.
 run spatial-hermite -q "$srcdir/tests/vectors/spatial.jsonl"
 expect 'published examples' 0
 for path in id length meta.length 'segments[0].tension' meta.tension \
@@ -427,7 +427,8 @@ paste id.column length.column meta.length.column 'segments[0].tension.column' \
       if (!near($4, $5, 1e-6)) why = "tension " $4 ", wanted " $5
       if ($8 != $9) why = "shape_ok " $8 ", wanted " $9
     } else {
-      if (!near($2, $3, 2e-3)) why = "length " $2 ", wanted " $3
+      if (!near($2, $3, 2e-3) && !($6 < 0.99 * $7))
+        why = "length " $2 ", wanted " $3
       if (!($6 <= $7 * (1 + 1e-5) + 1e-10)) why = $6 ", at most " $7
     }
     print (why == "" ? "ok " : "not ok ") $1 (why == "" ? "" : ": " why)
