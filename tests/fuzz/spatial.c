@@ -227,24 +227,34 @@ static void spatial_check_ends(const struct spatial_input *in,
   FUZZ_REQUIRE(memcmp(p + 15, in->points + dimension * to, size) == 0);
 }
 
+/* Those that are given; or a choice, where the axis has such angles. */
+static void spatial_check_angles(const struct spatial_input *in,
+                                 const double *angles, size_t k) {
+  const double pi = 3.14159265358979323846;
+  if (in->flags.criterion == 7) {
+    const double *given = in->angles + (in->flags.angles > 1 ? 2 * k : 0);
+    FUZZ_REQUIRE(memcmp(angles, given, 2 * sizeof *given) == 0);
+  } else {
+    FUZZ_REQUIRE(isnan(angles[0])
+                     ? isnan(angles[1])
+                     : fabs(angles[0]) <= pi && fabs(angles[1]) <= pi);
+  }
+}
+
 static void spatial_check_segment(const struct spatial_input *in,
                                   const struct ph_curve *curve, size_t k) {
   const struct ph_value *tension = &in->problem.field[PH_F_TENSION];
   double most = tension->kind == PH_ABSENT   ? 1
                 : tension->kind == PH_NUMBER ? tension->number
                                              : tension->v[k];
-  const double *angles = curve->angles + 2 * k;
-  const double pi = 3.14159265358979323846;
   spatial_check_ends(in, curve, k);
   FUZZ_REQUIRE(curve->knots[k] < curve->knots[k + 1]);
   FUZZ_REQUIRE(curve->lengths[k] > 0);
   FUZZ_REQUIRE(curve->tension[k] <= most);
   FUZZ_REQUIRE(curve->tension[k] >= most / 64.0001);
-  FUZZ_REQUIRE(isnan(angles[0])
-                   ? isnan(angles[1])
-                   : fabs(angles[0]) <= pi && fabs(angles[1]) <= pi);
+  spatial_check_angles(in, curve->angles + 2 * k, k);
   if (curve->alpha) {
-    FUZZ_REQUIRE(curve->alpha[k] > 0 && curve->alpha[k] < pi);
+    FUZZ_REQUIRE(curve->alpha[k] > 0 && curve->alpha[k] < 3.1415927);
   }
 }
 
