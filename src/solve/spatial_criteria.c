@@ -291,9 +291,10 @@ struct ph_spatial_member ph_spatial_bv(const struct ph_spatial_family *f) {
   struct ph_spatial_member member = {{1, 0}, {1, 0}};
   const double step = 2 * PI / SAMPLES;
   const ph_cplx opposite = {-1, 0}, turn = ph_cplx_polar(step);
-  /* For plane data G is even, and its extrema 0 and pi are preferred. */
+  /* For plane data G is even, and its extrema 0 and pi are preferred; for
+   * others a minimum is, which rounding may put on either side of these. */
   int first = f->planar ? 0 : -SAMPLES / 2, last = SAMPLES / 2;
-  double tie = f->planar ? TIE * f->m11 * (f->h + f->ni + f->nf) : 0;
+  double tie = (f->planar ? TIE : -TIE) * f->m11 * (f->h + f->ni + f->nf);
   double least = gap_at(f, member.b).value;
   ph_cplx b = f->planar ? member.b : opposite;
   double before = f->planar ? 0 : gap_at(f, b).slope;
