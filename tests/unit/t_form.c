@@ -114,7 +114,7 @@ START_TEST(test_sign) {
   struct unit_random r = unit_random_of(523);
   size_t seen[3] = {0, 0, 0}, mixed = 0;
   for (size_t n = 0; n < FORMS; n++) {
-    double f[DEGREE + 1], b[DEGREE + 1], low = INFINITY, high = -INFINITY;
+    double f[DEGREE + 1], b[DEGREE + 1], low = HUGE_VAL, high = -HUGE_VAL;
     size_t degree = 1 + unit_random_below(&r, DEGREE);
     double shift = unit_random_in(&r, -1, 1);
     int sign;
@@ -178,7 +178,7 @@ START_TEST(test_ends) {
   const double zero_first[3] = {0, 1, 1}, zero_last[3] = {-1, -1, 0};
   const double zero[3] = {0, 0, 0}, small[2] = {1, 1e-15};
   const double enough[2] = {-1, -2e-14}, nothing[3] = {1, NAN, 1};
-  const double infinite[3] = {1, INFINITY, 1}, constant[1] = {-3};
+  const double infinite[3] = {1, HUGE_VAL, 1}, constant[1] = {-3};
   ck_assert_int_eq(ph_form_sign(zero_first, 2, ZERO), 0);
   ck_assert_int_eq(ph_form_sign(zero_last, 2, ZERO), 0);
   ck_assert_int_eq(ph_form_sign(zero, 2, ZERO), 0);
