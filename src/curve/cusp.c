@@ -132,7 +132,8 @@ struct ph_cusps ph_cusps_of(const struct ph_curve *curve, double distance,
     walk.space = &seg.space;
     visit(&walk, &form, 0, 1, 0);
   }
-  if (curve->closed && first != 0) {
+  /* In space the frame comes back turned, and the offset does not close. */
+  if (curve->closed && curve->dimension == 2 && first != 0) {
     walk.segment = 0;
     see(&walk, first, 0);
   }

@@ -128,6 +128,7 @@ struct ph_offset {
   X(AT_BOUND, "at_bound")                         \
   X(SHAPE_OK, "shape_ok")                         \
   X(REDUCED, "reduced")                           \
+  X(FRAME_TURN, "frame_turn")                     \
   X(LOOPS, "loops")                               \
   X(SIMPLE, "simple")                             \
   X(ENERGY, "energy")                             \

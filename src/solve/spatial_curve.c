@@ -146,3 +146,10 @@ double ph_spatial_curve_put(const struct ph_spatial_points *p, size_t k,
   memcpy(curve->angles + 2 * k, chosen->angles, sizeof chosen->angles);
   return missed;
 }
+
+double ph_spatial_curve_turn(const struct ph_curve *curve, ph_quat end) {
+  const double *a = curve->preimage;
+  ph_quat start = ph_quat_of(a[0], a[1], a[2], a[3]);
+  ph_cplx half = follow(start, end), whole = ph_cplx_mul(half, half);
+  return atan2(whole.im, whole.re);
+}

@@ -36,4 +36,12 @@ double ph_spatial_curve_put(const struct ph_spatial_points *points, size_t k,
                             const struct ph_spatial_chosen *chosen,
                             ph_quat *end, struct ph_curve *curve);
 
+/*
+ * ph_spatial_curve_turn: the angle, in (-pi, pi], by which the Euler-Rodrigues
+ * frame of a closed curve has turned about the tangent when it comes back.
+ *
+ * in   end  A at the end of the last segment
+ */
+double ph_spatial_curve_turn(const struct ph_curve *curve, ph_quat end);
+
 #endif

@@ -287,6 +287,10 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
     ph_sum_add(&length, curve->lengths[k]);
   }
   curve->length = ph_sum_value(&length);
+  if (curve->closed) {
+    ph_diagnostics_set(&t->result->diagnostics, PH_D_FRAME_TURN,
+                       ph_spatial_curve_turn(curve, end));
+  }
   return PH_OK;
 }
 
