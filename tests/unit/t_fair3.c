@@ -73,7 +73,7 @@ END_TEST
  * nearly does not bend, and the parts need other nodes. */
 START_TEST(test_parts) {
   struct unit_random r = unit_random_of(1101);
-  for (int n = 0; n < 10 * SEGMENTS; n++) {
+  for (int n = 0; n < unit_count(10 * SEGMENTS); n++) {
     struct ph_seg3 seg = {.space = unit_random_space(&r)};
     struct ph_fair3 whole, sum = {0, 0, 0};
     const double at[] = {0, 0.31, 0.47, 1};
