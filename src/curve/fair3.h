@@ -46,7 +46,8 @@ bool ph_fair3_begin(struct ph_fair3_rules *rules);
  * bounds.  No trigonometric function is called.
  *
  * in   a[3]  preimage, near unit scale
- * ret  not finite where the curve stands still
+ * ret  infinite at an inflection (see above); where the curve stands still,
+ *      what rounding leaves of infinity
  */
 struct ph_fair3 ph_fair3_of(const struct ph_fair3_rules *rules,
                             const struct ph_atph *space, const ph_quat a[3]);

@@ -134,7 +134,7 @@ START_TEST(test_table) {
     struct ph_atph_table table = ph_atph_table_of(&seg.space, u);
     struct ph_atph_table left = ph_atph_table_of(&less, u);
     struct ph_atph_table right = ph_atph_table_of(&more, u);
-    double change;
+    double change, q_change[4];
     ph_cplx jet[3];
     ph_atph_jet(&seg.space, seg.w, u, jet, 3);
     for (size_t k = 0; k < 3; k++) {
@@ -149,6 +149,11 @@ START_TEST(test_table) {
     change = ph_atph_slope_change(&seg.space);
     ck_abs(change, a > 0 ? log(more.slope / less.slope) / (2 * step) : 0,
            1e-5 * (1 + fabs(change)));
+    ph_atph_q_change(&seg.space, q_change);
+    for (size_t i = 0; i < 4; i++) {
+      ck_abs(q_change[i], (more.q[i] - less.q[i]) / (2 * step),
+             1e-7 * (1 + fabs(q_change[i])));
+    }
   }
 }
 END_TEST
