@@ -186,7 +186,7 @@ for size in 1e-160 1e160; do
     true_that "offsets of the size $size $more: JSON" json lines out
   done
 done
-for value in '' x 1, 0x1 1e999; do
+for value in '' x '1,' 0x1 1e999; do
   solve "$hermite" --offset="$value"
   equal "--offset=$value" 2 "$status"
 done
