@@ -47,6 +47,23 @@ for table in control-points lengths offsets; do
   run planar -f csv --table=$table -d 1 some.jsonl some.csv
   equal "the table of $table" 3 "$status"
 done
+printf '%s\n' '{"points":[[0,0,0],[1,1,0],[2,0,1]]}' \
+  '{"points":[[0,0,0],[1,1,1]],"tangents":[[0.4,-1.5,-1.2],[-2,-1,-2]]}' \
+  '{"points":[[0,0],[1,0],[0,0]],"criterion":"hc"}' \
+  '{"points":[[0,0,0],[1,0,0],[0,1,0]],"closed":true,"criterion":"bv"}' \
+  '{"points":[[0,0,0],[1,1,1]],"derivatives":[[1,0,1],[0,1,1]],"angles":[1,2]}' \
+  '{"points":[[0,0,0],[1,1,1]],"tangents":[[1,0,1],[0,0,0]]}' >space.jsonl
+run spatial-hermite --offset=0.1 space.jsonl
+equal 'points in space' '1 "ok" "ok" "ok" "ok" "ok" "error"' \
+  "$status $(get status)"
+run spatial-hermite --basis=atph --criterion=F1 --convert=bezier \
+  --tolerance=1e-3 -q -S shape=true,false space.jsonl
+equal 'points in space, atph' 1 "$status"
+true_that 'points in space, atph: JSON' json lines out
+feed 'x,y,z,tx,ty,tz,tension
+0,0,0,1,0,0,
+1,1,2,0,1,1,0.5' spatial-hermite -f csv
+equal 'points in space as CSV' '0 7' "$status $(wc -l <out | tr -d ' ')"
 feed 'solved' planar
 equal 'neither JSON nor CSV' '3 "syntax"' "$status $(get error.code)"
 run planar nosuch.json
@@ -64,7 +81,7 @@ run planar >&-
 equal 'no standard output' 0 "$status"
 
 for arguments in '--help' 'help planar' '--version' 'planar --help' \
-  'planar --version'; do
+  'planar --version' 'help spatial-hermite' 'spatial-hermite --help'; do
   # shellcheck disable=SC2086
   run $arguments
   equal "phspline $arguments" 0 "$status"

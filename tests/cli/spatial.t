@@ -252,17 +252,20 @@ for criterion in F1 F2 F3 cc; do
   done
 done >functionals
 for k in 1 2 3; do
+  solve "{$hermite,\"criterion\":\"F$k\"}"
+  {
+    get diagnostics.functional && echo
+    get diagnostics.F$k
+  } | holds "F$k is the functional" \
+    'n == 2 && (x[1] / x[2] - 1)^2 < 1e-20'
   holds "F$k is the least of itself" \
     "n == 12 && x[$k] > 0 && x[$((4 * k - 3))] <= x[$((k + 3))] &&
     x[$((4 * k - 3))] <= x[$((k + 6))] && x[$((4 * k - 3))] < x[$((k + 9))] &&
     x[$((4 * k - 3))] <= x[$k]" <functionals
 done
 solve "{$points,\"criterion\":\"zero\"}"
-for k in 0 1 2; do
-  floats "segments[$k].angles"
-done >found.angles
-printf '%s\n' 0 0 0 0 0 0 >want.angles
-numbers 'zero: both angles' 1e-14 want.angles found.angles
+equal 'zero: both angles' '[0,0] [0,0] [0,0]' "$(get 'segments[0].angles') $(
+  get 'segments[1].angles') $(get 'segments[2].angles')"
 
 # again NAME PROBLEM [MORE]: the angles of a result, with its tensions (and
 # alpha), in the place of the criterion, give its curve
@@ -474,17 +477,11 @@ swept 'a sweep of one tension' '0.5 0.75 1' 'segments[1].tension' \
 swept 'a sweep of a coordinate of a tangent' '3' \
   'segments[0].control_points[0][0]' -S 'points[0][0]=3' \
   --tangents='[[1,0,0],[0,1,1],[1,-2,0],[0,0,3]]' -S 'tangents[0][2]=0.25'
-# angled NAME WANTED PROBLEM SWEEP: the angles of the first segment, rounded
-angled() {
-  solve "{$points,$3}" -S "$4"
-  equal "$1" "$2" "$(json get 'segments[0].angles' out | tr -d '[]' |
-    awk -F, '{ printf "%.9g,%.9g ", $1, $2 }')"
-}
-
-angled 'a sweep of an angle' '0.5,0.25 0.5,1 ' \
-  '"angles":[[0.5,0],[0,1],[0,0]]' 'angles[0][1]=0.25,1'
-angled 'a sweep of an angle of all' '0.5,0.25 0.5,1 ' '"angles":[0.5,3]' \
-  'angles[1]=0.25,1'
+swept 'a sweep of an angle' '[0,0] [0,1] [0,2]' 'segments[0].angles' \
+  -S 'angles[0][1]=0,1,2'
+solve "{$points,\"angles\":[0.5,3]}" -S 'angles[1]=0.25,10'
+equal 'a sweep of an angle of all' '[0.5,0.25] [0.5,10] [0.5,0.25] [0.5,10]' \
+  "$(get 'segments[0].angles') $(get 'segments[2].angles')"
 solve "{$points}" -S criterion=cc,hc,bv,zero,F1 -S axis=x,bisector
 equal 'a sweep of words' '10 {"criterion":"hc","axis":"x"}' \
   "$(wc -l <out | tr -d ' ') $(sed -n 3p out | json get sweep)"
@@ -552,6 +549,7 @@ true_that 'convert: through the points, joints are smooth' \
 solve "{$hermite}"
 mv out ph
 solve "{$hermite}" --convert=bezier
+expect 'convert: a PH curve' 0
 equal 'convert: a PH curve is its own' \
   "$(json get 'segments[1].control_points' ph) 0" \
   "$(get 'segments[1].control_points') $(get diagnostics.conversion_error)"

@@ -30,7 +30,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
 enum {
   SPATIAL_POINTS_MAX = 100,
-  SPATIAL_SEARCHED_MAX = 4, /* where a minimum is searched: it is slow */
+  SPATIAL_SEARCHED_MAX = 3, /* where a minimum is searched: it is slow */
   /* The most that any segment has taken is a tenth of it. */
   SPATIAL_STEPS_MAX = 100000
 };
@@ -268,17 +268,12 @@ static void spatial_check_curve(const struct spatial_input *in,
   }
 }
 
-/* The size of a part of the curve that offsets and pieces are made for. */
-static double spatial_size(const struct ph_curve *curve) {
-  return curve->lengths[0];
-}
-
 static void spatial_check_offsets(const struct spatial_input *in,
                                   struct ph_result *result,
                                   struct ph_arena *arena) {
   struct ph_offset offsets[PH_OFFSETS_SPATIAL];
   struct ph_diag diag;
-  double size = spatial_size(&result->curve);
+  double size = result->curve.length;
   enum ph_status status = ph_offset_spatial(&result->curve, size, 1e-3 * size,
                                             arena, offsets, &diag);
   if (status != PH_OK) {
@@ -299,7 +294,7 @@ static void spatial_check_pieces(const struct spatial_input *in,
                                  struct ph_arena *arena) {
   struct ph_curve pieces;
   struct ph_diag diag;
-  double tolerance = 1e-3 * spatial_size(&result->curve), error;
+  double tolerance = 1e-3 * result->curve.length, error;
   enum ph_status status =
       ph_bezier_curve(&result->curve, tolerance, arena, &pieces, &error, &diag);
   if (status != PH_OK) {
