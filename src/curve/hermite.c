@@ -130,7 +130,8 @@ static double error_of(const struct walk *walk, const ph_vec3 p[6], double u0,
   double worst = 0;
   for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
     struct jet exact = walk->jet_at(walk, u0 + at[i] * (u1 - u0));
-    double error = ph_vec3_abs(ph_vec3_sub(bezier_at(p, at[i]), exact.r));
+    ph_vec3 away = ph_vec3_sub(bezier_at(p, at[i]), exact.r);
+    double error = hypot(hypot(away.x, away.y), away.z); /* at any scale */
     if (!(error <= walk->tolerance)) {
       return error;
     }

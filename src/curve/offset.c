@@ -251,6 +251,28 @@ static enum ph_status offset_ph(const struct ph_curve *curve,
   return visit_all(&walk, curve, diag);
 }
 
+static bool all_finite(const double *v, size_t n) {
+  for (size_t i = 0; i < n; i++) {
+    if (!isfinite(v[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Whether every number of an offset is one. */
+static bool is_finite(const struct ph_offset *offset) {
+  const struct ph_pieces *pieces = &offset->pieces;
+  size_t n = offset->dimension * offset->n;
+  return offset->control_points
+             ? all_finite(offset->control_points, 10 * n) &&
+                   all_finite(offset->weights, 10 * offset->n)
+             : all_finite(offset->numerator, 5 * n) &&
+                   all_finite(offset->denominator, 5 * offset->n) &&
+                   all_finite(pieces->control_points,
+                              6 * offset->dimension * pieces->n);
+}
+
 /* The offset along a normal, which has no name in the plane. */
 static enum ph_status offset_along(const struct ph_curve *curve,
                                    double distance, enum ph_normal normal,
@@ -258,8 +280,6 @@ static enum ph_status offset_along(const struct ph_curve *curve,
                                    struct ph_arena *arena,
                                    struct ph_offset *offset,
                                    struct ph_diag *diag) {
-  const double *points;
-  size_t n;
   enum ph_status status;
   *offset = (struct ph_offset){.distance = distance,
                                .vector = name,
@@ -268,16 +288,10 @@ static enum ph_status offset_along(const struct ph_curve *curve,
   status = curve->alpha
                ? offset_atph(curve, normal, tolerance, arena, offset, diag)
                : offset_ph(curve, normal, arena, offset, diag);
-  points =
-      curve->alpha ? offset->pieces.control_points : offset->control_points;
-  n = curve->dimension * (curve->alpha ? 6 * offset->pieces.n : 10 * offset->n);
-  for (size_t i = 0; status == PH_OK && i < n; i++) {
-    if (!isfinite(points[i])) {
-      status = ph_fail(diag, PH_TOO_LARGE, NULL,
-                       "the offset at distance %g exceeds the range of a "
-                       "double",
-                       distance);
-    }
+  if (status == PH_OK && !is_finite(offset)) {
+    status = ph_fail(diag, PH_TOO_LARGE, NULL,
+                     "the offset at distance %g exceeds the range of a double",
+                     distance);
   }
   if (status == PH_OK) {
     offset->cusps = ph_cusps_of(curve, distance, normal);

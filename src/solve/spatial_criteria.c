@@ -291,19 +291,20 @@ struct ph_spatial_member ph_spatial_bv(const struct ph_spatial_family *f) {
   struct ph_spatial_member member = {{1, 0}, {1, 0}};
   const double step = 2 * PI / SAMPLES;
   const ph_cplx opposite = {-1, 0}, turn = ph_cplx_polar(step);
-  /* For plane data G is even, and its extrema 0 and pi are preferred; for
-   * others a minimum is, which rounding may put on either side of these. */
-  int first = f->planar ? 0 : -SAMPLES / 2, last = SAMPLES / 2;
-  double tie = (f->planar ? TIE : -TIE) * f->m11 * (f->h + f->ni + f->nf);
   double least = gap_at(f, member.b).value;
-  ph_cplx b = f->planar ? member.b : opposite;
-  double before = f->planar ? 0 : gap_at(f, b).slope;
-  choose_nearer(f, opposite, tie, &least, &member.b);
-  for (int i = first + 1; i <= last; i++) {
+  double tie = TIE * f->m11 * (f->h + f->ni + f->nf), before;
+  ph_cplx b = opposite;
+  choose_nearer(f, opposite, f->planar ? tie : 0, &least, &member.b);
+  if (f->planar) {
+    return member; /* all others leave the plane */
+  }
+  before = gap_at(f, b).slope;
+  for (int i = 1 - SAMPLES / 2; i <= SAMPLES / 2; i++) {
     double after = gap_at(f, b = ph_cplx_mul(b, turn)).slope;
-    if (before <= 0 && (after > 0 || (f->planar && i == last))) {
+    if (before <= 0 && after > 0) {
       double angle = minimum_between(f, step * (i - 1), step * i);
-      choose_nearer(f, ph_cplx_polar(angle), tie, &least, &member.b);
+      /* Near 0 and pi rounding would decide between these and the minimum. */
+      choose_nearer(f, ph_cplx_polar(angle), -tie, &least, &member.b);
     }
     before = after;
   }

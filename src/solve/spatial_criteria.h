@@ -5,10 +5,8 @@
  * the mean of the outer ones (BV).  For CC see spatial_family.h.
  *
  * In both the best phi for a given b is 0, and what remains is a function of b
- * alone.  Plane data give a plane curve wherever one is extremal.  BV may
- * prefer a curve that leaves the plane: of the two that are mirror images, the
- * one with sin b > 0 is taken, which neither a motion nor the reversal of the
- * data changes.
+ * alone.  For plane data these are chosen among the curves in their plane, b =
+ * 0 and b = pi.
  */
 #ifndef PH_SOLVE_SPATIAL_CRITERIA_H
 #define PH_SOLVE_SPATIAL_CRITERIA_H

@@ -179,7 +179,8 @@ static enum ph_status choose_fairest(struct ph_spatial_family *family,
       .scaled = free && t->points.derivatives,
       .alpha_lower = free ? PH_SPATIAL_ALPHA_MIN : angle,
       .alpha_upper = free ? PH_SPATIAL_ALPHA_MAX : angle,
-      .functional = t->criterion->functional};
+      .functional = t->criterion->functional,
+      .plane = t->shape};
   enum ph_status status;
   c->data.ni = family->ni;
   c->data.nf = family->nf;

@@ -411,7 +411,7 @@ enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
   if (s.family.planar) {
     status = search_plane(&s, &grid, &best);
   }
-  if (status == PH_OK) {
+  if (status == PH_OK && !(search->plane && s.family.planar)) {
     status = search_grid(&s, &grid, &best);
   }
   finish(&s, &best, found);

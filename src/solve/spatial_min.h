@@ -26,6 +26,7 @@ struct ph_spatial_search {
                   alpha times as long */
   double alpha_lower, alpha_upper; /* the same: alpha is given, 0 for PH */
   int functional;                  /* 1, 2, 3: F1, F2, F3 */
+  bool plane; /* plane data: of the members in their plane alone */
 };
 
 /* The bounds of a free alpha. */

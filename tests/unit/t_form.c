@@ -177,7 +177,7 @@ END_TEST
 START_TEST(test_ends) {
   const double zero_first[3] = {0, 1, 1}, zero_last[3] = {-1, -1, 0};
   const double zero[3] = {0, 0, 0}, small[2] = {1, 1e-15};
-  const double enough[2] = {-1, -2e-14}, nothing[3] = {1, NAN, 1};
+  const double enough[2] = {-1, -2e-14}, nothing[3] = {1, (double)NAN, 1};
   const double infinite[3] = {1, HUGE_VAL, 1}, constant[1] = {-3};
   ck_assert_int_eq(ph_form_sign(zero_first, 2, ZERO), 0);
   ck_assert_int_eq(ph_form_sign(zero_last, 2, ZERO), 0);

@@ -22,7 +22,7 @@ static void finish(void) {
 
 static struct ph_spatial_search search_of(const struct ph_spatial_data *data,
                                           bool atph, int functional) {
-  struct ph_spatial_search search = {data, atph, 0, 0, functional};
+  struct ph_spatial_search search = {data, atph, 0, 0, functional, false};
   if (atph) {
     search.alpha_lower = PH_SPATIAL_ALPHA_MIN;
     search.alpha_upper = PH_SPATIAL_ALPHA_MAX;
@@ -201,9 +201,12 @@ static ph_vec3 vector(const double v[3]) {
 
 static struct ph_spatial_data row_data(const struct row *row, double scale) {
   ph_vec3 d0 = vector(row->d[0]), d1 = vector(row->d[1]);
-  struct ph_spatial_data data = {
-      ph_vec3_scale(scale, vector(row->dp)), ph_vec3_unit(d0), ph_vec3_unit(d1),
-      scale * ph_vec3_abs(d0), scale * ph_vec3_abs(d1)};
+  struct ph_spatial_data data = {ph_vec3_scale(scale, vector(row->dp)),
+                                 ph_vec3_unit(d0),
+                                 ph_vec3_unit(d1),
+                                 scale * ph_vec3_abs(d0),
+                                 scale * ph_vec3_abs(d1),
+                                 0};
   return data;
 }
 
@@ -339,7 +342,7 @@ START_TEST(test_straight) {
   const ph_vec3 x = {1, 0, 0};
   for (int k = 1; k <= 3; k++) {
     for (int atph = 0; atph < 2; atph++) {
-      struct ph_spatial_data data = {x, x, x, 1, 0.8};
+      struct ph_spatial_data data = {x, x, x, 1, 0.8, 0};
       struct ph_spatial_search search = search_of(&data, atph, k);
       struct ph_spatial_minimum found = minimize(&search);
       ck_abs(found.value, 0, 1e-20);
@@ -351,7 +354,7 @@ END_TEST
 /* Half a circle, of which F1 is pi^2: for opposite tangents, too, the frame has
  * an answer. */
 START_TEST(test_circle) {
-  struct ph_spatial_data data = {{2, 0, 0}, {0, 1, 0}, {0, -1, 0}, 2, 2};
+  struct ph_spatial_data data = {{2, 0, 0}, {0, 1, 0}, {0, -1, 0}, 2, 2, 0};
   struct ph_spatial_search search = search_of(&data, true, 1);
   struct ph_spatial_minimum found = minimize(&search);
   ck_rel(found.value, 9.869604401089358, 1e-12);
@@ -371,9 +374,12 @@ START_TEST(test_plane) {
   for (int n = 0; n < unit_count(20); n++) {
     ph_quat turn = n == 0 ? ph_quat_of(1, 0, 0, 0) : unit_random_turn(&r);
     ph_vec3 x = ph_quat_i(turn, turn), y = ph_quat_j(turn, turn);
-    struct ph_spatial_data data = {
-        x, ph_vec3_along(ph_vec3_scale(0.6, x), 0.8, y),
-        ph_vec3_along(ph_vec3_scale(0.8, x), 0.6, y), 1, 0.7};
+    struct ph_spatial_data data = {x,
+                                   ph_vec3_along(ph_vec3_scale(0.6, x), 0.8, y),
+                                   ph_vec3_along(ph_vec3_scale(0.8, x), 0.6, y),
+                                   1,
+                                   0.7,
+                                   0};
     struct ph_spatial_search search = search_of(&data, false, 3);
     struct ph_spatial_minimum found = minimize(&search);
     ck_rel(found.value, 276.5791974, 1e-8);
@@ -397,7 +403,7 @@ static double grid_least(const struct ph_spatial_search *search) {
   struct ph_spatial_target target = {&rules.fine, &family, search->scaled,
                                      search->functional};
   struct ph_spatial_point best[DESCENTS];
-  double value[DESCENTS], least = (double)INFINITY;
+  double value[DESCENTS], least = (double)HUGE_VAL;
   size_t kept = 0, alphas = search->scaled ? GRID_ALPHA : 1;
   for (size_t k = 0; k < alphas * GRID * GRID; k++) {
     size_t i = k / GRID % GRID, j = k % GRID, m = k / (GRID * GRID), at;

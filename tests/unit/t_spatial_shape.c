@@ -104,8 +104,8 @@ static void torsion_range(const struct ph_spatial_family *f, const ph_quat a[3],
                           double sign, double range[2]) {
   enum { STEPS = 400 };
   struct ph_seg3 seg = {f->space, {a[0], a[1], a[2]}, ORIGIN, f->dp};
-  range[0] = INFINITY;
-  range[1] = -INFINITY;
+  range[0] = HUGE_VAL;
+  range[1] = -HUGE_VAL;
   for (size_t i = 0; i <= STEPS; i++) {
     double torsion = sign * ph_seg3_bend(&seg, (double)i / STEPS).torsion;
     range[0] = fmin(range[0], torsion);
