@@ -161,8 +161,9 @@ static enum ph_status choose_member(struct ph_spatial_family *family,
 }
 
 static enum ph_status no_functional(const struct choice *c) {
-  return ph_fail_at(c->diag, PH_INFEASIBLE, "segments", c->segment,
-                    "has no finite %s", c->task->criterion->name);
+  return ph_fail_at(c->diag, PH_NO_CONVERGENCE, "segments", c->segment,
+                    "has no finite %s, as far as was found",
+                    c->task->criterion->name);
 }
 
 /* The fairest member, and alpha where it is free.  Where the tension is being
