@@ -232,6 +232,10 @@ bad too-large 'derivatives[0]' "is $large" \
 bad too-large 'knots[1]' "makes derivatives $large" \
   "$(with '"knots":[0,1e308,1.7e308]')"
 
+bad too-large '' 'the curve exceeds the range of a double' \
+  '{"points":[[1.7e308,0,0],[1.6e308,1e307,0]],"derivatives":'\
+'[[1e308,0,0],[1e307,0,0]]}'
+
 # beside FIELD CODE SIZE CHORD MEMBERS: a speed that is nothing beside a chord,
 # or beside which the chord is nothing, is blamed on what makes it so
 beside() {
