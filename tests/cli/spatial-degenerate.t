@@ -182,6 +182,15 @@ done
 curves 'a chord of 1e-10 among chords of 1' \
   '"points":[[0,0,0],[1,0,0],[1,1e-10,0],[1,1,1]]' cc hc bv F1
 
+# A chord too short to make a difference to the sum of those before it.
+feed '{"points":[[1,0,0],[0,0,0],[0,1e-20,0]]}' spatial-hermite -q
+get 'segments[1].interval' | tr -d '[]' | tr , '\n' >interval
+case $(get status) in
+'"ok"') holds 'knots increase' 'n == 2 && x[1] < x[2]' <interval ;;
+*) expect 'knots would not increase' 1 "phspline: -:1: record 1: points[2]: \
+coincides with points[1] [coincident-points]" ;;
+esac
+
 # ---- sizes -------------------------------------------------------------------
 
 shape='0,0,0

@@ -109,19 +109,6 @@ done
 bad bad-value tangents 'excludes derivatives: give one of them' \
   "$(with '"tangents":[[1,0,0],[1,0,0],[1,0,0]],
 "derivatives":[[1,0,0],[1,0,0],[1,0,0]]' | tr -d '\n')"
-# A derivative of 1e-14 of a chord beside it is the least.
-bad zero-tangent 'derivatives[0]' \
-  'is too small beside the chord between points[0] and points[1]' \
-  "$(with '"derivatives":[[1e-14,0,0],[1,0,0],[1,0,0]]')"
-bad zero-tangent 'derivatives[1]' \
-  'is too small beside the chord between points[0] and points[1]' \
-  "$(with '"derivatives":[[1,0,0],[0,5e-324,0],[1,0,0]]')"
-bad zero-tangent 'derivatives[2]' \
-  'is too small beside the chord between points[1] and points[2]' \
-  "$(with '"derivatives":[[1,0,0],[1,0,0],[0,0,1e-15]]')"
-feed "$(with '"derivatives":[[1,0,0],[1,0,0],[0,0,2e-14]]')" spatial-hermite -q
-expect 'a derivative that is small, but not too small' 0
-
 bad bad-value basis 'must be "ph" or "atph", found "ATPH"; did you mean "atph"?' \
   "$(with '"basis":"ATPH"')"
 bad bad-type basis 'must be "ph" or "atph", found a number' "$(with '"basis":5')"
@@ -244,6 +231,43 @@ bad too-large 'derivatives[0]' "is $large" \
   "$(with '"derivatives":[[1e308,1e308,1e308],[1,0,1],[1,0,0]]')"
 bad too-large 'knots[1]' "makes derivatives $large" \
   "$(with '"knots":[0,1e308,1.7e308]')"
+
+bad too-large '' 'the curve exceeds the range of a double' \
+  '{"points":[[1.7e308,0,0],[1.6e308,1e307,0]],"derivatives":'\
+'[[1e308,0,0],[1e307,0,0]]}'
+
+# beside FIELD CODE SIZE CHORD MEMBERS: a speed that is nothing beside a chord,
+# or beside which the chord is nothing, is blamed on what makes it so
+beside() {
+  case $1 in
+  derivatives*) what=is ;;
+  *) what='makes derivatives' ;;
+  esac
+  bad "$2" "$1" "$what too $3 beside the chord between points[$4] and \
+points[$(($4 + 1))]" "$(with "$5")"
+}
+
+beside 'derivatives[0]' zero-tangent small 0 \
+  '"derivatives":[[1e-14,0,0],[1,0,0],[1,0,0]]'
+beside 'derivatives[1]' zero-tangent small 0 \
+  '"derivatives":[[1,0,0],[0,5e-324,0],[1,0,0]]'
+beside 'derivatives[2]' zero-tangent small 1 \
+  '"derivatives":[[1,0,0],[1,0,0],[0,0,1e-15]]'
+beside 'derivatives[1]' too-large large 0 \
+  '"derivatives":[[1,0,0],[0,1e15,0],[1,0,0]]'
+beside 'knots[1]' zero-tangent small 0 '"knots":[0,1e-16,1]'
+beside 'knots[2]' too-large large 1 '"knots":[0,1,1e16]'
+beside 'tension[1]' zero-tangent small 1 '"tension":[1,1e-8]'
+beside 'tension[0]' too-large large 0 '"tension":[1e8,1]'
+# of atph the speed is alpha times the derivative
+beside 'alpha[1]' zero-tangent small 1 '"basis":"atph","alpha":[1,1e-12],'\
+'"criterion":"cc","derivatives":[[1,0,0],[1e-3,0,0],[1e-3,0,0]]'
+for more in '"derivatives":[[1,0,0],[1,0,0],[0,0,2e-14]]' \
+  '"derivatives":[[1e13,0,0],[1,0,0],[0,0,1]]' '"tension":1e-6' \
+  '"tension":1e6' '"knots":[0,1e-13,1e13]'; do
+  feed "$(with "$more")" spatial-hermite -q
+  expect "small or large, but not too much so: $more" 0
+done
 
 # ---- CSV ---------------------------------------------------------------------
 
