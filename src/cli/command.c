@@ -37,8 +37,8 @@ const struct ph_command ph_commands[] = {
      "By each criterion, where the shape of the data can be kept\n"
      "phspline spatial-hermite --basis=atph --criterion=F1 path.csv\t"
      "Algebraic-trigonometric segments that bend least\n"
-     "phspline spatial-hermite --angles='[0,0]' --sweep='angles[1]=-3:3:13' "
-     "path.csv\tOther members of the family\n"},
+     "phspline spatial-hermite --shape=false --angles='[0,0]' "
+     "--sweep='angles[1]=-3:3:13' path.csv\tOther members of the family\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];

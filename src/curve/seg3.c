@@ -9,9 +9,11 @@
 
 #include <math.h>
 
-/* Halvings of an interval of the twist, and its tolerance in radians. */
-enum { HALVINGS_MAX = 30 };
+/* Halvings of an interval of the twist and of all, and its tolerance in radians
+ * and relative. */
+enum { HALVINGS_MAX = 30, PARTS_MAX = 4096 };
 static const double TWIST = 1e-13;
+static const double TWIST_RELATIVE = 4e-15;
 
 static ph_quat quaternion(const double *a, size_t dimension) {
   return dimension == 2 ? ph_quat_of(a[0], 0, 0, a[1])
@@ -127,21 +129,25 @@ static double turn_over(const struct ph_seg3 *seg, const struct ph_quad *rule,
 
 /* The integral over [u0,u1], `whole` by one rule, from its halves. */
 static double refine(const struct ph_seg3 *seg, const struct ph_quad *rule,
-                     double u0, double u1, double whole, int depth) {
+                     double u0, double u1, double whole, int depth,
+                     size_t *parts) {
   double middle = 0.5 * (u0 + u1);
   double left = turn_over(seg, rule, u0, middle);
   double right = turn_over(seg, rule, middle, u1);
-  if (fabs(left + right - whole) <= TWIST * (u1 - u0) ||
-      depth == HALVINGS_MAX || !isfinite(left + right)) {
+  double rounding = TWIST_RELATIVE * (fabs(left) + fabs(right));
+  if (fabs(left + right - whole) <= TWIST * (u1 - u0) + rounding ||
+      depth == HALVINGS_MAX || ++*parts > PARTS_MAX ||
+      !isfinite(left + right)) {
     return left + right;
   }
-  return refine(seg, rule, u0, middle, left, depth + 1) +
-         refine(seg, rule, middle, u1, right, depth + 1);
+  return refine(seg, rule, u0, middle, left, depth + 1, parts) +
+         refine(seg, rule, middle, u1, right, depth + 1, parts);
 }
 
 double ph_seg3_twist(const struct ph_seg3 *seg, const struct ph_quad *rule,
                      double u) {
-  return refine(seg, rule, 0, u, turn_over(seg, rule, 0, u), 0);
+  size_t parts = 0;
+  return refine(seg, rule, 0, u, turn_over(seg, rule, 0, u), 0, &parts);
 }
 
 struct ph_seg3 ph_seg3_part(const struct ph_seg3 *seg,

@@ -115,8 +115,4 @@ static inline ph_quat ph_quat_of_frame(ph_vec3 e1, ph_vec3 e2, ph_vec3 e3) {
   return ph_quat_scale(1 / ph_quat_abs(r), r);
 }
 
-static inline bool ph_quat_is_finite(ph_quat a) {
-  return isfinite(a.u) && isfinite(a.v) && isfinite(a.p) && isfinite(a.q);
-}
-
 #endif

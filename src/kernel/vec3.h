@@ -7,7 +7,6 @@
 #define PH_KERNEL_VEC3_H
 
 #include <math.h>
-#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct {
@@ -84,10 +83,6 @@ static inline ph_vec3 ph_vec3_normal(ph_vec3 a, ph_vec3 u) {
 static inline ph_vec3 ph_vec3_any_normal(ph_vec3 u) {
   return ph_vec3_unit(u.x * u.x + u.y * u.y > 0.01 ? ph_vec3_of(-u.y, u.x, 0)
                                                    : ph_vec3_of(0, u.z, -u.y));
-}
-
-static inline bool ph_vec3_is_finite(ph_vec3 a) {
-  return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
 }
 
 #endif

@@ -193,6 +193,13 @@ static enum ph_status set_knots(const struct ph_value *knots,
     p->lambda[k] = ph_vec3_abs(c) / root / root;
     ph_sum_add(&sum, p->lambda[k]);
     p->knots[k + 1] = ph_sum_value(&sum);
+    if (p->knots[k + 1] <= p->knots[k]) {
+      return ph_fail_at(diag, PH_COINCIDENT_POINTS, "points",
+                        k + 1 < p->points_n ? k + 1 : 0,
+                        "is so near to points[%zu] that their chordal knots "
+                        "are the same; \"knots\" can be given",
+                        k);
+    }
   }
   return isfinite(p->knots[p->n]) ? PH_OK
                                   : ph_fail(diag, PH_TOO_LARGE, "knots",
@@ -264,20 +271,21 @@ static enum ph_status check_speeds(const struct ph_spatial_points *p,
     size_t to = k + 1 < p->points_n ? k + 1 : 0;
     struct ph_spatial_data data;
     double chord, square = p->tension[k] * p->tension[k];
-    int verdict[2];
+    double alpha = p->speeds && p->alpha ? p->alpha[k] : 1;
     ph_spatial_segment(p, k, 1, &data);
     chord = ph_vec3_abs(data.dp);
-    verdict[0] = judge(data.ni, chord);
-    verdict[1] = judge(data.nf, chord);
     for (size_t i = 0; i < 2; i++) {
-      if (verdict[i] != 0) {
-        return p->speeds ? wrong_speed(p, k, "derivatives", i ? to : k,
-                                       verdict[i], diag)
-                         : wrong_speed(p, k, "knots", k + 1, verdict[i], diag);
+      double speed = i ? data.nf : data.ni;
+      int given = judge(speed, chord), by_u = judge(speed * alpha, chord);
+      int tense = judge(speed * alpha * square, chord);
+      if (given != 0) {
+        return p->speeds
+                   ? wrong_speed(p, k, "derivatives", i ? to : k, given, diag)
+                   : wrong_speed(p, k, "knots", k + 1, given, diag);
       }
-      verdict[i] = judge(square * (i ? data.nf : data.ni), chord);
-      if (verdict[i] != 0) {
-        return wrong_speed(p, k, "tension", k, verdict[i], diag);
+      if (by_u != 0 || tense != 0) {
+        return wrong_speed(p, k, by_u != 0 ? "alpha" : "tension", k,
+                           by_u != 0 ? by_u : tense, diag);
       }
     }
   }
@@ -290,8 +298,7 @@ enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
                                     struct ph_diag *diag) {
   const struct ph_value *points = &problem->field[PH_F_POINTS];
   enum ph_status status;
-  *p = (struct ph_spatial_points){.closed = problem->field[PH_F_CLOSED].flag,
-                                  .flat = points->dimension == 2};
+  *p = (struct ph_spatial_points){.closed = problem->field[PH_F_CLOSED].flag};
   p->atph = ph_field_is(&problem->field[PH_F_BASIS], "atph");
   status = ph_fields_segments(problem, &p->n, diag);
   if (status != PH_OK) {

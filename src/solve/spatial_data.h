@@ -16,7 +16,6 @@ struct ph_spatial_points {
   size_t n;        /* segments */
   size_t points_n; /* n if closed, else n + 1 */
   bool closed;
-  bool flat; /* points of two coordinates: z = 0 */
   bool atph;
   bool derivatives;  /* given: what ends have is a promise */
   bool estimated;    /* tangents, from the points */

@@ -47,7 +47,7 @@ struct task {
   bool shape;
   struct ph_result *result;
   size_t evaluations, reduced, unsatisfied, first_unsatisfied;
-  bool forward; /* of the first unsatisfied segment */
+  const char *why; /* of the first unsatisfied segment */
   double functional, residual;
   bool at_bound;
 };
@@ -224,6 +224,7 @@ static enum ph_status fit_segment(struct task *t, size_t k,
     return ph_spatial_tension(data, &space, choose, &choice, best);
   }
   best->factor = 1;
+  best->without = 0;
   best->tried = 1;
   return ph_spatial_fit_of(data, &space, choose, &choice, &best->fit);
 }
@@ -236,6 +237,17 @@ static double functional_of(const struct task *t,
                              t->criterion->functional);
 }
 
+/* What may be why, after a word about the segment. */
+static const char *why_unsatisfied(const struct ph_spatial_data *data,
+                                   unsigned violated) {
+  return violated & PH_SHAPE_PLANE ? "it leaves their plane"
+         : !ph_spatial_is_forward(data)
+             ? "(ti + tf).dp is not positive, the condition for it fails"
+         : !ph_spatial_is_acute(data)
+             ? "ti.tf is not positive, the condition for it fails"
+             : "(ti + tf).dp and ti.tf are positive, and yet none was found";
+}
+
 static void count_segment(struct task *t, size_t k,
                           const struct ph_spatial_data *data,
                           const struct ph_spatial_tension *best) {
@@ -243,7 +255,7 @@ static void count_segment(struct task *t, size_t k,
   t->reduced += best->factor < 1;
   if (t->shape && best->fit.violated && t->unsatisfied++ == 0) {
     t->first_unsatisfied = k;
-    t->forward = ph_spatial_is_forward(data);
+    t->why = why_unsatisfied(data, best->fit.violated);
   }
   if (t->angles || !t->criterion->functional) {
     t->evaluations += best->tried;
@@ -303,11 +315,8 @@ static void warn_shape(const struct task *t) {
     ph_fail(ph_warning_add(t->result, t->first_unsatisfied),
             PH_SHAPE_UNSATISFIABLE, NULL,
             "segment %zu does not keep the shape of its data at any tension: "
-            "(ti + tf).dp is %s (such segments: %zu)",
-            t->first_unsatisfied,
-            t->forward ? "positive, and yet none was found"
-                       : "not positive, the condition for it fails",
-            t->unsatisfied);
+            "%s (such segments: %zu)",
+            t->first_unsatisfied, t->why, t->unsatisfied);
   }
 }
 
@@ -317,11 +326,13 @@ static void warn_reversals(const struct task *t) {
   size_t found = 0, first = 0;
   for (size_t k = p->closed ? 0 : 1; k < p->n; k++) {
     struct ph_spatial_data a, b;
-    double cosine;
+    ph_vec3 u, v;
     ph_spatial_segment(p, k > 0 ? k - 1 : p->n - 1, 1, &a);
     ph_spatial_segment(p, k, 1, &b);
-    cosine = ph_vec3_dot(ph_vec3_unit(a.dp), ph_vec3_unit(b.dp));
-    if (cosine <= -1 + REVERSAL && found++ == 0) {
+    u = ph_vec3_unit(a.dp);
+    v = ph_vec3_unit(b.dp);
+    if (ph_vec3_dot(u, v) < 0 && ph_vec3_abs(ph_vec3_cross(u, v)) <= REVERSAL &&
+        found++ == 0) {
       first = k;
     }
   }

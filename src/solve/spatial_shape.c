@@ -26,6 +26,9 @@ static const double NOT_CONVEX = 1e-12;
 static const double NO_NORMAL = 1e-12;
 static const double NO_TORSION = 1e-14;
 
+/* How far plane curves may leave their plane, relative. */
+static const double NOT_PLANE = 1e-11;
+
 /* The factors tried before bisection, and where that ends. */
 static const double FACTOR = 0.95;
 static const double FACTOR_MIN = 1.0 / 64;
@@ -100,12 +103,28 @@ static bool is_twisted(const struct ph_spatial_family *f) {
   return f->s * f->c * fabs(f->dp.z) > f->noise;
 }
 
+/* Whether planar data have one plane, that of the first two axes. */
+static bool has_plane(const struct ph_spatial_family *f) {
+  return f->planar && (is_normal(f, ph_vec3_cross(start_tangent(f), f->dp)) ||
+                       is_normal(f, ph_vec3_cross(f->dp, end_tangent(f))));
+}
+
+/* Whether a curve is in that plane.  As dp is, three legs of five say it. */
+static bool is_plane(const struct ph_spatial_family *f, const ph_quat a[3]) {
+  ph_vec3 second = ph_quat_i(a[0], a[1]), fourth = ph_quat_i(a[1], a[2]);
+  double size = ph_vec3_abs(second) + ph_vec3_abs(fourth) + f->h;
+  return fabs(second.z) <= NOT_PLANE * size + f->noise &&
+         fabs(fourth.z) <= NOT_PLANE * size + f->noise;
+}
+
 unsigned ph_spatial_constraints(const struct ph_spatial_family *f) {
   ph_vec3 ni = ph_vec3_cross(start_tangent(f), f->dp);
   ph_vec3 nf = ph_vec3_cross(f->dp, end_tangent(f));
   return (is_normal(f, ni) ? PH_SHAPE_START : 0u) |
          (is_normal(f, nf) ? PH_SHAPE_END : 0u) |
-         (is_twisted(f) ? PH_SHAPE_TORSION : 0u);
+         (is_twisted(f)  ? PH_SHAPE_TORSION
+          : has_plane(f) ? PH_SHAPE_PLANE
+                         : 0u);
 }
 
 /* The sign that the torsion is to have, where it is to have one. */
@@ -123,6 +142,8 @@ unsigned ph_spatial_violations(const struct ph_spatial_family *f,
     if (ph_form_sign(form, 6, NO_TORSION) != sign_of(f)) {
       violated |= PH_SHAPE_TORSION;
     }
+  } else if (has_plane(f) && !is_plane(f, a)) {
+    violated |= PH_SHAPE_PLANE;
   }
   return violated;
 }

@@ -18,7 +18,10 @@
  * written out in spatial_shape.c.
  *
  * A constraint is void where the data give no sign: (1) at an end whose tangent
- * is parallel to dp, (2) where they are planar.
+ * is parallel to dp, (2) where they are planar.  In the place of (2), the curve
+ * has to be in their plane then, unless they are straight:
+ *
+ *   g2.gh = g4.gh = 0                                                   (4)
  */
 #ifndef PH_SOLVE_SPATIAL_SHAPE_H
 #define PH_SOLVE_SPATIAL_SHAPE_H
@@ -34,7 +37,8 @@ enum {
   PH_SHAPE_START = 1,   /* convexity (1) at the start */
   PH_SHAPE_END = 2,     /* convexity (1) at the end */
   PH_SHAPE_TORSION = 4, /* (2) */
-  PH_SHAPE_NOTHING = 8  /* the choice has no segment at a reduced tension */
+  PH_SHAPE_PLANE = 8,   /* (4) */
+  PH_SHAPE_NOTHING = 16 /* the choice has no segment at a reduced tension */
 };
 
 /* ph_spatial_constraints: those that are not void for the data. */

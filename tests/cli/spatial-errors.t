@@ -339,7 +339,7 @@ gap='"points":[[1,-2,-1],[1,0,0],[-0.9921147013144777,0.12533323356430454,'\
 '1.5079644737231006]],"tangents":[[0,2,1],[0,2,1],[-0.25066646712860863,'\
 '-1.9842294026289555,1]],"criterion":"zero"'
 gap_says='segment 1 does not keep the shape of its data at any tension:
-(ti + tf).dp is positive, and yet none was found (such segments: 1)'
+ti.tf is not positive, the condition for it fails (such segments: 1)'
 warned gap shape-unsatisfiable "$(printf %s "$gap_says" | tr '\n' ' ')" 1 \
   "{\"id\":\"g\",$gap}"
 

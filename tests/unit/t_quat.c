@@ -71,22 +71,6 @@ START_TEST(test_normal) {
 }
 END_TEST
 
-START_TEST(test_finite) {
-  const double bad[] = {HUGE_VAL, -HUGE_VAL, nan("")};
-  ck_assert(ph_vec3_is_finite(ph_vec3_of(1e308, -1e308, 0)));
-  ck_assert(ph_quat_is_finite(ph_quat_of(1e308, -1e308, 0, 1)));
-  for (size_t i = 0; i < 3; i++) {
-    ck_assert(!ph_vec3_is_finite(ph_vec3_of(bad[i], 0, 0)));
-    ck_assert(!ph_vec3_is_finite(ph_vec3_of(0, bad[i], 0)));
-    ck_assert(!ph_vec3_is_finite(ph_vec3_of(0, 0, bad[i])));
-    ck_assert(!ph_quat_is_finite(ph_quat_of(bad[i], 0, 0, 0)));
-    ck_assert(!ph_quat_is_finite(ph_quat_of(0, bad[i], 0, 0)));
-    ck_assert(!ph_quat_is_finite(ph_quat_of(0, 0, bad[i], 0)));
-    ck_assert(!ph_quat_is_finite(ph_quat_of(0, 0, 0, bad[i])));
-  }
-}
-END_TEST
-
 /* ---- quaternions ---------------------------------------------------- */
 
 START_TEST(test_table) {
@@ -205,7 +189,6 @@ static Suite *suite(void) {
   TCase *t = tcase_create("quat");
   tcase_add_test(t, test_vec3);
   tcase_add_test(t, test_normal);
-  tcase_add_test(t, test_finite);
   tcase_add_test(t, test_table);
   tcase_add_test(t, test_product);
   tcase_add_test(t, test_maps);

@@ -309,7 +309,7 @@ START_TEST(test_no_d) {
     ck_abs(ph_vec3_abs(ph_spatial_d(&f, member.b)), 0, 0);
     ph_spatial_preimage(&f, member, a);
     ck_abs(ph_quat_abs(d_of(&f, a)), 0, 4 * DBL_EPSILON);
-    ck_assert(ph_quat_is_finite(a[1]));
+    ck_assert(isfinite(ph_quat_abs(a[1])));
   }
 }
 END_TEST

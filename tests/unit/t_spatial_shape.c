@@ -187,12 +187,12 @@ START_TEST(test_void) {
   const ph_vec3 x = {1, 0, 0}, up = {1, 1, 0}, down = {1, -1, 0};
   const ph_vec3 out = {1, 0, 1}, back = {-1, 0, 0};
   const unsigned ends = PH_SHAPE_START | PH_SHAPE_END;
-  ck_assert_uint_eq(constraints_of(x, up, down), ends);
-  ck_assert_uint_eq(constraints_of(x, up, up), ends);
+  ck_assert_uint_eq(constraints_of(x, up, down), ends | PH_SHAPE_PLANE);
+  ck_assert_uint_eq(constraints_of(x, up, up), ends | PH_SHAPE_PLANE);
   ck_assert_uint_eq(constraints_of(x, up, out), ends | PH_SHAPE_TORSION);
-  ck_assert_uint_eq(constraints_of(x, x, out), PH_SHAPE_END);
-  ck_assert_uint_eq(constraints_of(x, out, x), PH_SHAPE_START);
-  ck_assert_uint_eq(constraints_of(x, out, back), PH_SHAPE_START);
+  ck_assert_uint_eq(constraints_of(x, x, out), PH_SHAPE_END | PH_SHAPE_PLANE);
+  ck_assert_uint_eq(constraints_of(x, out, x), PH_SHAPE_START | PH_SHAPE_PLANE);
+  ck_assert_uint_eq(constraints_of(x, out, back), PH_SHAPE_START | PH_SHAPE_PLANE);
   ck_assert_uint_eq(constraints_of(x, x, x), 0);
   ck_assert_uint_eq(constraints_of(x, x, back), 0);
 }
@@ -212,7 +212,7 @@ START_TEST(test_planar) {
     struct ph_spatial_member far = {{-1, 0}, {1, 0}};
     ph_quat a[3];
     ck_assert_uint_eq(ph_spatial_constraints(&f),
-                      PH_SHAPE_START | PH_SHAPE_END);
+                      PH_SHAPE_START | PH_SHAPE_END | PH_SHAPE_PLANE);
     ph_spatial_preimage(&f, ph_spatial_cc(&f), a);
     ck_assert_uint_eq(ph_spatial_violations(&f, a), 0);
     if (n % 2 == 0) {
