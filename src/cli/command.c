@@ -25,8 +25,8 @@ const struct ph_command ph_commands[] = {
      "\tAn algebraic-trigonometric curve as polynomial Bezier segments\n"
      "phspline planar --minimize=IES points.csv | jq .diagnostics\t"
      "The fairest knots\n"},
-    {&ph_method_spatial_hermite, ph_cert_spatial_hermite, ph_offset_spatial, 4,
-     ph_bezier_curve,
+    {&ph_method_spatial_hermite, ph_cert_spatial_hermite, ph_offset_spatial,
+     PH_OFFSETS_SPATIAL, ph_bezier_curve,
      "printf '0,0,0\\n1,1,0\\n2,0,1\\n' | phspline spatial-hermite\t"
      "Three points, the curve as JSON\n"
      "phspline spatial-hermite --columns=x,y,z,tx,ty,tz -f csv sensors.csv\t"

@@ -86,7 +86,7 @@ static void warn_cusps(struct ph_result *result) {
   if (o->vector) {
     ph_fail(diag, PH_OFFSET_CUSP, NULL,
             "the offset at distance %g along %s turns back, where the radius "
-            "of curvature towards it is smaller: %zu turns, the first in "
+            "of curvature towards it is smaller: %zu times, first in "
             "segment %zu at %.6g of its interval",
             o->distance, o->vector, o->cusps.n, o->cusps.segment, o->cusps.u);
   } else {

@@ -15,6 +15,8 @@
  */
 #include "curve/energy.h"
 
+#include "kernel/pi.h"
+
 #include <float.h>
 #include <math.h>
 
@@ -130,7 +132,7 @@ void ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
 }
 
 bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {
-  const double turn = 2 * 3.14159265358979323846;
+  const double turn = 2 * PH_PI;
   struct ph_energy_sum sum;
   struct ph_sum rotation = {0, 0}, absolute = {0, 0};
   if (!ph_energy_begin(&sum)) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Fairness of spatial PH and ATPH segments [GON18, sec. 3.3].
+ * Fairness of spatial PH and ATPH segments [GON18, sec. 3.6].
  *
  *   bending  = integral of kappa^2 ds
  *   varying  = integral of (dkappa/ds)^2 ds
@@ -46,8 +46,7 @@ bool ph_fair3_begin(struct ph_fair3_rules *rules);
  * bounds.  No trigonometric function is called.
  *
  * in   a[3]  preimage, near unit scale
- * ret  infinite at an inflection (see above); where the curve stands still,
- *      what rounding leaves of infinity
+ * ret  where the curve stands still, what rounding leaves of infinity
  */
 struct ph_fair3 ph_fair3_of(const struct ph_fair3_rules *rules,
                             const struct ph_atph *space, const ph_quat a[3]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The space of preimages of planar PH and ATPH segments, one family in the
+ * The space of preimages of PH and ATPH segments, one family in the
  * angle a in [0, pi): polynomials of degree 2 for a = 0, <1, cos, sin> on an
  * interval of length a otherwise.
  *

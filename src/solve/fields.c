@@ -2,6 +2,8 @@
 /* Fields that several methods have (see fields.h). */
 #include "solve/fields.h"
 
+#include "kernel/pi.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -106,8 +108,8 @@ enum ph_status ph_fields_each(const struct ph_value *value, const char *what,
 
 enum ph_status ph_fields_angles(const struct ph_value *value, size_t n,
                                 double *angle, struct ph_diag *diag) {
-  return ph_fields_each(value, "alpha", n, 3.14159265358979323846,
-                        "between 0 and pi", angle, diag);
+  return ph_fields_each(value, "alpha", n, PH_PI, "between 0 and pi", angle,
+                        diag);
 }
 
 void ph_warn_alpha(const struct ph_curve *curve, struct ph_result *result) {

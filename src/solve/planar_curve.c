@@ -5,6 +5,7 @@
 #include "base/sum.h"
 #include "curve/ph2.h"
 #include "curve/seg2.h"
+#include "kernel/pi.h"
 
 #include <math.h>
 #include <string.h>
@@ -40,10 +41,9 @@ static bool is_tame(const ph_cplx w[3]) {
 
 static void loops_add(struct ph_planar_loops *loops, size_t k,
                       const struct ph_atph *space, const ph_cplx w[3]) {
-  const double half_turn = 3.141592653589793;
   struct ph_seg2 seg = {*space, {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
   double angle = is_tame(w) ? 0 : ph_seg2_rotation(&seg, NULL);
-  if (!(fabs(angle) <= half_turn) && loops->n++ == 0) {
+  if (!(fabs(angle) <= PH_PI) && loops->n++ == 0) {
     loops->first = k;
     loops->angle = angle;
   }

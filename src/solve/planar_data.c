@@ -8,6 +8,7 @@
 #include "solve/planar_data.h"
 
 #include "base/sum.h"
+#include "kernel/pi.h"
 #include "kernel/pow2.h"
 #include "solve/fields.h"
 
@@ -21,8 +22,6 @@ static const double COINCIDENT = 1e-14;
 /* A default end derivative that is smaller than this part of the end chord's
  * slope is rounding: the parabola through the three points stands still. */
 static const double STANDSTILL = 1e-10;
-
-static const double PI = 3.14159265358979323846;
 
 static enum ph_status allocate(struct ph_planar_data *d, struct ph_arena *arena,
                                struct ph_diag *diag) {
@@ -126,7 +125,7 @@ static enum ph_status set_angles(struct ph_planar_data *d,
   enum ph_status status;
   if (given->kind == PH_ABSENT || given->kind == PH_WORD) {
     bool chosen = given->kind == PH_WORD && !ph_field_is(given, "chordal");
-    struct ph_value largest = {.kind = PH_NUMBER, .number = PI / 2};
+    struct ph_value largest = {.kind = PH_NUMBER, .number = PH_PI / 2};
     largest.number = chosen ? given->number : largest.number;
     status = ph_fields_angles(&largest, d->n, d->h, diag);
     ph_planar_data_chordal(d, 1, largest.number, d->h);

@@ -28,9 +28,9 @@
  */
 #include "solve/spatial_criteria.h"
 
-#include <stddef.h>
+#include "kernel/pi.h"
 
-static const double PI = 3.14159265358979323846;
+#include <stddef.h>
 
 /* Two values nearer than this, relative to their terms, are the same. */
 static const double TIE = 1e-14;
@@ -289,7 +289,7 @@ static void choose_nearer(const struct ph_spatial_family *f, ph_cplx b,
 
 struct ph_spatial_member ph_spatial_bv(const struct ph_spatial_family *f) {
   struct ph_spatial_member member = {{1, 0}, {1, 0}};
-  const double step = 2 * PI / SAMPLES;
+  const double step = 2 * PH_PI / SAMPLES;
   const ph_cplx opposite = {-1, 0}, turn = ph_cplx_polar(step);
   double least = gap_at(f, member.b).value;
   double tie = TIE * f->m11 * (f->h + f->ni + f->nf), before;

@@ -105,10 +105,10 @@ static void put_preimage(const struct ph_spatial_points *p, size_t k,
   root = p->atph ? root / sqrt(f->space.angle) : root;
   for (size_t i = 0; i < 3; i++) {
     a[i] = ph_quat_turn(a[i], gauge);
-    out[4 * i] = root * a[i].u;
-    out[4 * i + 1] = root * a[i].v;
-    out[4 * i + 2] = root * a[i].p;
-    out[4 * i + 3] = root * a[i].q;
+    out[4 * i] = root * a[i].u + 0.0; /* no -0 */
+    out[4 * i + 1] = root * a[i].v + 0.0;
+    out[4 * i + 2] = root * a[i].p + 0.0;
+    out[4 * i + 3] = root * a[i].q + 0.0;
   }
   *end = a[2];
 }
@@ -151,5 +151,5 @@ double ph_spatial_curve_turn(const struct ph_curve *curve, ph_quat end) {
   const double *a = curve->preimage;
   ph_quat start = ph_quat_of(a[0], a[1], a[2], a[3]);
   ph_cplx half = follow(start, end), whole = ph_cplx_mul(half, half);
-  return atan2(whole.im, whole.re);
+  return atan2(whole.im, whole.re) + 0.0; /* no -0 */
 }

@@ -172,7 +172,7 @@ static enum ph_status set_tangents(const struct ph_problem *problem,
   return PH_OK;
 }
 
-/* ---- knots, angles, tensions ---------------------------------------- */
+/* ---- knots, tensions, alpha ----------------------------------------- */
 
 static enum ph_status set_knots(const struct ph_value *knots,
                                 struct ph_spatial_points *p,

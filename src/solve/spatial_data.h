@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The data of spatial Hermite interpolation: points, tangents, derivatives,
- * knots, angles and tensions of a problem, checked, with what is absent filled
+ * knots, alpha and tensions of a problem, checked, with what is absent filled
  * in by its rule.
  */
 #ifndef PH_SOLVE_SPATIAL_DATA_H

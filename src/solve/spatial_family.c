@@ -2,6 +2,8 @@
 /* The family of spatial Hermite interpolants (see spatial_family.h). */
 #include "solve/spatial_family.h"
 
+#include "kernel/pi.h"
+
 #include <float.h>
 
 /* Tangents nearer than this to parallel or opposite count as such. */
@@ -226,8 +228,7 @@ static ph_vec3 tangent(const struct ph_spatial_family *f, double side) {
 
 /* In (-pi, pi]. */
 static double wrapped(double angle) {
-  const double pi = 3.14159265358979323846;
-  return angle - 2 * pi * ceil((angle - pi) / (2 * pi));
+  return angle - 2 * PH_PI * ceil((angle - PH_PI) / (2 * PH_PI));
 }
 
 bool ph_spatial_angles(const struct ph_spatial_family *f,

@@ -2,7 +2,7 @@
 /*
  * All PH quintic and ATPH segments that join two points in space with given end
  * derivatives: a family with two angles, (b, phi) [FMSS15, sec. 4; GON18,
- * sec. 3.1].
+ * sec. 3.4].
  *
  * The data are seen from their own frame.  With unit tangents ti, tf at an
  * angle 2 psi of each other,
@@ -125,7 +125,7 @@ bool ph_spatial_member_of(const struct ph_spatial_family *family,
                           struct ph_spatial_member *member);
 
 /*
- * ph_spatial_cc: the member of the criterion CC [FMSS15, (28)-(33)]: a cubic
+ * ph_spatial_cc: the member of the criterion CC [FMSS15, (25)-(32)]: a cubic
  * where the data are those of a PH cubic.  No trigonometric function is called.
  *
  * Discontinuous where ti = tf and dp is not parallel to them: b tends to a

@@ -24,6 +24,11 @@
 /* Directions within this of exactly opposite count as a reversal. */
 static const double REVERSAL = 1e-12;
 
+/* How well a factor on the tension can be told: of a minimum, half of the
+ * digits of its value are known. */
+static const double EXACT = 1e-13;
+static const double MINIMUM = 1e-7;
+
 /* The criteria: those of FMSS15 are functions of the family. */
 static const struct criterion {
   const char *name;
@@ -126,8 +131,6 @@ struct choice {
   size_t segment;
   struct ph_spatial_data data; /* dp and directions */
   struct ph_diag *diag;
-  bool found; /* last is there */
-  struct ph_spatial_minimum last;
 };
 
 static enum ph_status no_angles(const struct choice *c) {
@@ -166,8 +169,8 @@ static enum ph_status no_functional(const struct choice *c) {
                     c->task->criterion->name);
 }
 
-/* The fairest member, and alpha where it is free.  Where the tension is being
- * reduced the search goes on from the last one. */
+/* The fairest member, and alpha where it is free.  Always the whole search, so
+ * that what is found at a tension does not depend on how it was come to. */
 static enum ph_status choose_fairest(struct ph_spatial_family *family,
                                      void *context,
                                      struct ph_spatial_member *member) {
@@ -182,25 +185,21 @@ static enum ph_status choose_fairest(struct ph_spatial_family *family,
       .alpha_upper = free ? PH_SPATIAL_ALPHA_MAX : angle,
       .functional = t->criterion->functional,
       .plane = t->shape};
-  enum ph_status status;
+  struct ph_spatial_minimum found;
   c->data.ni = family->ni;
   c->data.nf = family->nf;
-  status = c->found
-               ? ph_spatial_descend(&search, &t->rules, t->scratch, &c->last)
-               : ph_spatial_minimize(&search, &t->rules, t->scratch, &c->last);
-  if (status != PH_OK) {
+  if (ph_spatial_minimize(&search, &t->rules, t->scratch, &found) != PH_OK) {
     return ph_fail_memory(c->diag);
   }
-  if (!isfinite(c->last.value)) {
+  if (!isfinite(found.value)) {
     return no_functional(c);
   }
-  t->evaluations += c->last.evaluations;
-  c->found = true;
-  *member = c->last.member;
+  t->evaluations += found.evaluations;
+  *member = found.member;
   if (free) {
-    struct ph_atph space = ph_atph_of(c->last.alpha);
-    c->data.ni *= search.scaled ? c->last.alpha : 1;
-    c->data.nf *= search.scaled ? c->last.alpha : 1;
+    struct ph_atph space = ph_atph_of(found.alpha);
+    c->data.ni *= search.scaled ? found.alpha : 1;
+    c->data.nf *= search.scaled ? found.alpha : 1;
     *family = ph_spatial_family_of(&c->data, &space);
   }
   return PH_OK;
@@ -221,7 +220,8 @@ static enum ph_status fit_segment(struct task *t, size_t k,
     data->nf *= t->points.alpha[k];
   }
   if (t->shape) {
-    return ph_spatial_tension(data, &space, choose, &choice, best);
+    return ph_spatial_tension(data, &space, choose, &choice,
+                              choose == choose_fairest ? MINIMUM : EXACT, best);
   }
   best->factor = 1;
   best->without = 0;

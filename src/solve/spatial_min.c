@@ -19,6 +19,7 @@
 #include "solve/spatial_min.h"
 
 #include "kernel/box.h"
+#include "kernel/pi.h"
 #include "solve/spatial_fair.h"
 
 #include <math.h>
@@ -45,7 +46,6 @@ static const double PROMISING = 1.2, HOPELESS = 3;
 /* Minima at neighbouring b or alpha whose phi is nearer belong together. */
 static const double APART = 0.8;
 
-static const double PI = 3.14159265358979323846;
 static const double TURN = 6.28318530717958647693;
 
 struct search {
@@ -194,7 +194,7 @@ static void finish(const struct search *s, const struct start *best,
 static bool in_plane(ph_cplx e, double *angle) {
   const double rounding = 1e-12;
   bool plane = fabs(e.im) <= rounding;
-  *angle = !plane ? atan2(e.im, e.re) : e.re > 0 ? 0 : PI;
+  *angle = !plane ? atan2(e.im, e.re) : e.re > 0 ? 0 : PH_PI;
   return plane;
 }
 
@@ -356,7 +356,7 @@ static enum ph_status search_plane(struct search *s, const struct grid *g,
   for (size_t k = 0; k < g->alphas; k++) {
     for (int i = 0; i < 4; i++) {
       struct start start = {
-          {i % 2 ? PI : 0, i / 2 ? PI : 0, g->alpha[k]}, 0, true};
+          {i % 2 ? PH_PI : 0, i / 2 ? PH_PI : 0, g->alpha[k]}, 0, true};
       enum ph_status status = polish(s, best->value + SMALL, &start);
       if (status != PH_OK) {
         return status;

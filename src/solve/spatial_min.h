@@ -2,7 +2,7 @@
 /*
  * The fairest members of a family of spatial Hermite interpolants: the angles
  * (b, phi), and the angle of the space unless it is given, that minimise F1, F2
- * or F3 of curve/fair3.h [GON18, sec. 3.4].
+ * or F3 of curve/fair3.h [GON18, sec. 3.6].
  *
  * The functions have many local minima.  The global search evaluates them on a
  * grid and descends from the best of its local minima; it is deterministic, and

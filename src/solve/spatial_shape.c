@@ -29,10 +29,9 @@ static const double NO_TORSION = 1e-14;
 /* How far plane curves may leave their plane, relative. */
 static const double NOT_PLANE = 1e-11;
 
-/* The factors tried before bisection, and where that ends. */
+/* The factors tried first. */
 static const double FACTOR = 0.95;
 static const double FACTOR_MIN = 1.0 / 64;
-static const double FACTOR_TOLERANCE = 1e-13;
 
 /* ---- constraints ---------------------------------------------------- */
 
@@ -171,6 +170,7 @@ struct search {
   const struct ph_atph *space;
   ph_spatial_choice *choose;
   void *context;
+  double tolerance;
   size_t tried;
 };
 
@@ -225,7 +225,7 @@ static double slack_of(const struct ph_spatial_fit *fit) {
 
 /*
  * The largest factor from *factor to *factor / FACTOR that violates nothing, to
- * FACTOR_TOLERANCE.
+ * the tolerance.
  *
  * By the false position (Illinois) of the slack, with a bisection in every
  * third step and where the slack does not say what is violated.
@@ -236,11 +236,11 @@ static double slack_of(const struct ph_spatial_fit *fit) {
 static enum ph_status refine(struct search *search, double *factor,
                              const struct ph_spatial_fit *before,
                              struct ph_spatial_fit *fit) {
-  const double margin = 0.4 * FACTOR_TOLERANCE;
+  const double margin = 0.4 * search->tolerance;
   double low = *factor, high = low / FACTOR;
   double above = slack_of(fit), below = slack_of(before);
   int side = 0; /* which end was moved last */
-  for (int step = 1; high - low > FACTOR_TOLERANCE; step++) {
+  for (int step = 1; high - low > search->tolerance; step++) {
     struct ph_spatial_fit middle;
     double at = 0.5 * (low + high);
     enum ph_status status;
@@ -269,11 +269,26 @@ static enum ph_status refine(struct search *search, double *factor,
   return PH_OK;
 }
 
+/* A little less of a factor, if that violates nothing either: then the tension
+ * does what it says also when it is given in digits. */
+static enum ph_status step_back(struct search *search, double *factor,
+                                struct ph_spatial_fit *fit) {
+  struct ph_spatial_fit less;
+  double at = *factor - search->tolerance;
+  enum ph_status status = try_factor(search, at, &less);
+  if (status == PH_OK && !less.violated) {
+    *factor = at;
+    *fit = less;
+  }
+  return status;
+}
+
 enum ph_status ph_spatial_tension(const struct ph_spatial_data *data,
                                   const struct ph_atph *space,
                                   ph_spatial_choice *choose, void *context,
+                                  double tolerance,
                                   struct ph_spatial_tension *tension) {
-  struct search search = {data, space, choose, context, 0};
+  struct search search = {data, space, choose, context, tolerance, 0};
   struct ph_spatial_fit fit, before;
   double factor = 1;
   enum ph_status status = try_factor(&search, 1, &tension->fit);
@@ -284,6 +299,9 @@ enum ph_status ph_spatial_tension(const struct ph_spatial_data *data,
     status = scan(&search, &factor, &fit, &before);
     if (status == PH_OK && factor > 0) {
       status = refine(&search, &factor, &before, &fit);
+      if (status == PH_OK) {
+        status = step_back(&search, &factor, &fit);
+      }
       tension->factor = factor;
       tension->fit = fit;
     }

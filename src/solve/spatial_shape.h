@@ -110,17 +110,20 @@ struct ph_spatial_tension {
  * data, at which it violates nothing.
  *
  * Powers of 0.95 are tried as factors down to 1/64, then the last interval is
- * narrowed to 1e-13: what holds need not hold for all factors below, so that
- * this is the definition of the result.
+ * narrowed to the tolerance, and the factor is reduced by as much: what holds
+ * need not hold for all factors below, so that this is the definition of the
+ * result.
  *
- * in   data   ni and nf at the initial tension
- * in   space  where the choice starts
+ * in   data       ni and nf at the initial tension
+ * in   space      where the choice starts
+ * in   tolerance  of factors: how well the choice lets them be told
  * ret  PH_OK, also where no factor is found: then fit is that of the factor 1,
  *      and fit.violated == without > 0; or the status of a choice that failed
  */
 enum ph_status ph_spatial_tension(const struct ph_spatial_data *data,
                                   const struct ph_atph *space,
                                   ph_spatial_choice *choose, void *context,
+                                  double tolerance,
                                   struct ph_spatial_tension *tension);
 
 #endif

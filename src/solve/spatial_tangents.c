@@ -7,6 +7,9 @@
 /* The sum (1) has no direction below this, for chords of sum 1. */
 static const double REVERSAL = 1e-10;
 
+/* The square of a chord that is shorter may not be a number. */
+static const double SHORT = 1e-140;
+
 /* A chord leaves a line by more than this times its length, or lies on it. */
 static const double ON_LINE = 1e-6;
 
@@ -47,8 +50,16 @@ static ph_vec3 point(const struct polygon *p, size_t j) {
 static struct edge edge_of(const struct polygon *p, size_t k) {
   size_t from = k < p->edges ? k : k - p->edges;
   ph_vec3 d = ph_vec3_sub(point(p, from + 1), point(p, from));
-  double length = ph_vec3_abs(d);
-  struct edge edge = {ph_vec3_scale(1 / length, d), length};
+  double length = ph_vec3_abs(d), unit = 1;
+  struct edge edge;
+  if (!(length > SHORT)) {
+    double largest = fmax(fmax(fabs(d.x), fabs(d.y)), fabs(d.z));
+    unit = ldexp(1, -ph_pow2_exponent(largest) / 2);
+    d = ph_vec3_scale(unit, ph_vec3_scale(unit, d));
+    length = ph_vec3_abs(d);
+  }
+  edge.direction = ph_vec3_scale(1 / length, d);
+  edge.length = length / unit / unit;
   return edge;
 }
 

@@ -159,7 +159,7 @@ feed "{$turn}" spatial-hermite --offset=0.01 --strict
 expect 'an offset within the radius of curvature' 0
 feed "{$turn}" spatial-hermite --offset=0.8
 says='the offset at distance -0.8 along e2 turns back, where the radius of
-curvature towards it is smaller: 1 turns, the first in segment 0 at'
+curvature towards it is smaller: 1 times, first in segment 0 at'
 says=$(printf %s "$says" | tr '\n' ' ')
 equal 'an offset beyond it' "phspline: -:1: record 1: warning: $says U of its \
 interval [offset-cusp]" "$(sed 's/at 0.1[0-9]* of/at U of/' err)"

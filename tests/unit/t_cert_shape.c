@@ -76,8 +76,8 @@ START_TEST(test_kept) {
     struct ph_spatial_data data = random_data(&r, i);
     struct ph_atph space = unit_random_space(&r);
     struct ph_spatial_tension t;
-    ck_assert_int_eq(ph_spatial_tension(&data, &space, choose_cc, NULL, &t),
-                     PH_OK);
+    ck_assert_int_eq(
+        ph_spatial_tension(&data, &space, choose_cc, NULL, 1e-13, &t), PH_OK);
     if (!t.fit.violated) {
       ck_assert_int_eq(shape_of(&t.fit), PH_CERT_SHAPE_KEPT);
       ck_assert_int_eq(shape_at(&t.fit, ph_vec3_of(1e3, -2e3, 3e3)),
@@ -105,8 +105,8 @@ START_TEST(test_kept_in_plane) {
     data.ti.z = data.tf.z = 0;
     data.ti = ph_vec3_unit(data.ti);
     data.tf = ph_vec3_unit(data.tf);
-    ck_assert_int_eq(ph_spatial_tension(&data, &space, choose_cc, NULL, &t),
-                     PH_OK);
+    ck_assert_int_eq(
+        ph_spatial_tension(&data, &space, choose_cc, NULL, 1e-13, &t), PH_OK);
     if (!t.fit.violated) {
       ck_assert_int_eq(shape_at(&t.fit, ph_vec3_of(591, 591, 591)),
                        PH_CERT_SHAPE_KEPT);

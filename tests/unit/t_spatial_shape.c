@@ -63,8 +63,8 @@ static enum ph_status choose_angles(struct ph_spatial_family *family,
 static struct ph_spatial_tension tension_cc(const struct ph_spatial_data *data,
                                             const struct ph_atph *space) {
   struct ph_spatial_tension tension;
-  ck_assert_int_eq(ph_spatial_tension(data, space, choose_cc, NULL, &tension),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_spatial_tension(data, space, choose_cc, NULL, 1e-13, &tension), PH_OK);
   return tension;
 }
 
@@ -192,7 +192,8 @@ START_TEST(test_void) {
   ck_assert_uint_eq(constraints_of(x, up, out), ends | PH_SHAPE_TORSION);
   ck_assert_uint_eq(constraints_of(x, x, out), PH_SHAPE_END | PH_SHAPE_PLANE);
   ck_assert_uint_eq(constraints_of(x, out, x), PH_SHAPE_START | PH_SHAPE_PLANE);
-  ck_assert_uint_eq(constraints_of(x, out, back), PH_SHAPE_START | PH_SHAPE_PLANE);
+  ck_assert_uint_eq(constraints_of(x, out, back),
+                    PH_SHAPE_START | PH_SHAPE_PLANE);
   ck_assert_uint_eq(constraints_of(x, x, x), 0);
   ck_assert_uint_eq(constraints_of(x, x, back), 0);
 }
@@ -272,7 +273,8 @@ START_TEST(test_example3) {
          1e-12);
 
   ck_assert_int_eq(
-      ph_spatial_tension(&data, &space, choose_angles, zero, &tension), PH_OK);
+      ph_spatial_tension(&data, &space, choose_angles, zero, 1e-13, &tension),
+      PH_OK);
   ck_assert_uint_eq(tension.without, PH_SHAPE_TORSION);
   ck_assert_uint_eq(fit->violated, PH_SHAPE_TORSION);
   ck_rel(tension.factor, 1, 0);
@@ -304,7 +306,8 @@ START_TEST(test_example1) {
   struct ph_spatial_tension tension;
   double zero[2] = {0, 0};
   ck_assert_int_eq(
-      ph_spatial_tension(&data, &space, choose_angles, zero, &tension), PH_OK);
+      ph_spatial_tension(&data, &space, choose_angles, zero, 1e-13, &tension),
+      PH_OK);
   ck_assert_uint_eq(tension.without, PH_SHAPE_TORSION);
   ck_assert_uint_eq(tension.fit.violated, PH_SHAPE_TORSION);
   ck_rel(ph_spatial_length(&tension.fit.family, tension.fit.member.b),
@@ -354,7 +357,8 @@ START_TEST(test_definition) {
     } else {
       reduced++;
       ck_assert(factor < 1 && factor > 1.0 / 64);
-      ck_assert_uint_ne(violated_at(&data, &space, factor + 2e-13), 0);
+      ck_assert_uint_eq(violated_at(&data, &space, factor), 0);
+      ck_assert_uint_ne(violated_at(&data, &space, factor + 3e-13), 0);
       for (double at = 1; at > factor; at *= 0.95) {
         ck_assert_uint_ne(violated_at(&data, &space, at), 0);
       }
@@ -450,9 +454,9 @@ START_TEST(test_choice) {
   struct ph_atph space = ph_atph_of(0);
   struct shrinking shrinking = {1000};
   struct ph_spatial_tension tension, again;
-  ck_assert_int_eq(
-      ph_spatial_tension(&data, &space, choose_shrinking, &shrinking, &tension),
-      PH_OK);
+  ck_assert_int_eq(ph_spatial_tension(&data, &space, choose_shrinking,
+                                      &shrinking, 1e-13, &tension),
+                   PH_OK);
   ck_assert_uint_eq(tension.without, PH_SHAPE_TORSION);
   ck_assert_uint_eq(tension.fit.violated, 0);
   ck_rel(tension.fit.family.space.angle, tension.factor * tension.factor,
@@ -460,9 +464,9 @@ START_TEST(test_choice) {
   ck_assert_uint_eq(1000 - shrinking.left, tension.tried);
   for (size_t n = 0; n < tension.tried; n++) {
     shrinking.left = n;
-    ck_assert_int_eq(
-        ph_spatial_tension(&data, &space, choose_shrinking, &shrinking, &again),
-        PH_NO_CONVERGENCE);
+    ck_assert_int_eq(ph_spatial_tension(&data, &space, choose_shrinking,
+                                        &shrinking, 1e-13, &again),
+                     PH_NO_CONVERGENCE);
     ck_assert_uint_eq(again.tried, n + 1);
   }
 }
