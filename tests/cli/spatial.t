@@ -407,6 +407,35 @@ for more in '' ',"closed":true' ',"tangents":[[1,0],[-1,2],[1,0],[-1,3]]' \
   equal "plane data have a plane curve $more" '0 ' "$? $(cat cmd.out)"
 done
 
+# ---- tensions come back ------------------------------------------------------
+
+# A tension that was reduced for the shape, given with the data: the same curve.
+for criterion in cc F1; do
+  case $criterion in
+  cc) data='"points":[[0,0,0],[1,1,1]],
+    "tangents":[[0.4,-1.5,-1.2],[-1.2,-0.6,-1.2]]' ;;
+  *) data='"points":[[0,0,0],[2,-2.6,0.4]],
+    "tangents":[[1.4,-3.1,0.2],[0,-2.8,-0.5]]' ;;
+  esac
+  solve "{$data,\"criterion\":\"$criterion\"}"
+  floats 'segments[0].control_points' >before
+  tension=$(get 'segments[0].tension')
+  functional=$(get diagnostics.functional)
+  printf '%s\n' "$tension" | holds "$criterion: a tension that was reduced" \
+    'x[1] < 1 && x[1] > 0.1'
+  solve "{$data,\"criterion\":\"$criterion\",\"tension\":$tension,
+    \"shape\":false}"
+  equal "$criterion: the tension keeps the shape" true \
+    "$(get 'segments[0].shape_ok')"
+  floats 'segments[0].control_points' >after
+  paste before after | awk '{ d = $1 - $2; if (d < 0) d = -d; print d }' |
+    holds "$criterion: the same curve" \
+      'n == 18 && x[4] + x[8] + x[9] + x[12] + x[15] < 1e-6'
+  test "$functional" = absent || printf '%s\n%s\n' "$functional" \
+    "$(get diagnostics.functional)" | holds "$criterion: the same minimum" \
+    'x[1] > 0 && x[1] / x[2] - 1 < 1e-6 && x[2] / x[1] - 1 < 1e-6'
+done
+
 # ---- published values --------------------------------------------------------
 
 # Each problem brings what is known about it in `meta'.  A functional may come
