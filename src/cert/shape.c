@@ -110,7 +110,8 @@ static bool winds_like(const struct vector h[5], double sign) {
 }
 
 enum ph_cert_shape ph_cert_shape_of(const ph_vec3 leg[5], const double mu[5],
-                                    double relative, double rounding) {
+                                    double relative, double rounding,
+                                    double planarity) {
   struct vector h[5], chord;
   ph_vec3 dp = {0, 0, 0};
   double speed = 0, triple, error;
@@ -132,7 +133,7 @@ enum ph_cert_shape ph_cert_shape_of(const ph_vec3 leg[5], const double mu[5],
   }
   triple = ph_vec3_triple(h[0].v, dp, h[4].v);
   error = triple_error(&h[0], &chord, &h[4]) +
-          NO_VOLUME * h[0].size * chord.size * h[4].size;
+          (NO_VOLUME + 2 * planarity) * h[0].size * chord.size * h[4].size;
   if (fabs(triple) > error && !winds_like(h, triple > 0 ? 1 : -1)) {
     return PH_CERT_SHAPE_TORSION;
   }

@@ -25,8 +25,11 @@ enum ph_cert_shape {
  * in   mu[5]     integrals of S0^(4-j) S1^j (kernel/atph.h)
  * in   relative  error of r' relative to its largest coefficient
  * in   rounding  error of a coordinate of a control point
+ * in   planarity  half of the determinant of the unit tangents and the
+ * direction of the chord, up to which the torsion has no sign to keep
  */
 enum ph_cert_shape ph_cert_shape_of(const ph_vec3 leg[5], const double mu[5],
-                                    double relative, double rounding);
+                                    double relative, double rounding,
+                                    double planarity);
 
 #endif

@@ -35,6 +35,7 @@ struct data {
 struct context {
   const struct ph_curve *curve;
   struct data points, tangents, derivatives;
+  double planarity;
   struct ph_check_scale scale;
   struct ph_quad rule;
   struct ph_check_space space; /* of the last segment */
@@ -225,8 +226,8 @@ static void check_shape(const struct context *c, const struct segment *s,
                         size_t k, struct checks *checks) {
   if (c->curve->shape_ok && c->curve->shape_ok[k] &&
       checks->shape == PH_CERT_SHAPE_KEPT) {
-    checks->shape =
-        ph_cert_shape_of(s->leg, c->space.mu, PYTHAGOREAN, s->rounding);
+    checks->shape = ph_cert_shape_of(s->leg, c->space.mu, PYTHAGOREAN,
+                                     s->rounding, c->planarity);
     checks->shape_at = k;
   }
 }
@@ -363,10 +364,14 @@ enum ph_status ph_cert_spatial_hermite(const struct ph_problem *problem,
                           {.what = PH_D_LENGTH_ERROR},
                           PH_CERT_SHAPE_KEPT,
                           0};
+  const struct ph_value *planarity = &problem->field[PH_F_PLANARITY];
   struct context c = {.curve = curve,
                       .points = data_of(problem, PH_F_POINTS),
                       .tangents = data_of(problem, PH_F_TANGENTS),
-                      .derivatives = data_of(problem, PH_F_DERIVATIVES)};
+                      .derivatives = data_of(problem, PH_F_DERIVATIVES),
+                      .planarity = planarity->kind == PH_NUMBER
+                                       ? planarity->number
+                                       : PH_PLANARITY};
   enum ph_status status = ph_check_finite(curve, diag);
   (void)scratch;
   if (status != PH_OK) {

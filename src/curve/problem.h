@@ -29,7 +29,8 @@
   X(ANGLES, "angles")                   \
   X(AXIS, "axis")                       \
   X(TENSION, "tension")                 \
-  X(SHAPE, "shape")
+  X(SHAPE, "shape")                     \
+  X(PLANARITY, "planarity")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,
@@ -75,6 +76,10 @@ struct ph_schema {
   const struct ph_field *fields;
   size_t fields_n;
 };
+
+/* PH_PLANARITY: what the field planarity is where it is absent.  Points of a
+ * plane that were written with six digits are in it to this. */
+#define PH_PLANARITY 1e-5
 
 struct ph_problem {
   struct ph_value field[PH_FIELD_N]; /* by enum ph_field_id */

@@ -294,8 +294,8 @@ struct ph_spatial_member ph_spatial_bv(const struct ph_spatial_family *f) {
   double least = gap_at(f, member.b).value;
   double tie = TIE * f->m11 * (f->h + f->ni + f->nf), before;
   ph_cplx b = opposite;
-  choose_nearer(f, opposite, f->planar ? tie : 0, &least, &member.b);
-  if (f->planar) {
+  choose_nearer(f, opposite, f->flat ? tie : 0, &least, &member.b);
+  if (f->flat) {
     return member; /* all others leave the plane */
   }
   before = gap_at(f, b).slope;

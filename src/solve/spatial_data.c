@@ -206,6 +206,17 @@ static enum ph_status set_knots(const struct ph_value *knots,
                                             "span more than a double can hold");
 }
 
+static enum ph_status set_planarity(const struct ph_value *planarity,
+                                    struct ph_spatial_points *p,
+                                    struct ph_diag *diag) {
+  p->planarity = planarity->kind == PH_NUMBER ? planarity->number : PH_PLANARITY;
+  return p->planarity >= 0 && p->planarity < 1
+             ? PH_OK
+             : ph_fail(diag, PH_BAD_VALUE, "planarity",
+                       "must be at least 0 and below 1, found %.17g",
+                       p->planarity);
+}
+
 static enum ph_status set_tension(const struct ph_value *tension,
                                   struct ph_spatial_points *p,
                                   struct ph_diag *diag) {
@@ -238,6 +249,7 @@ double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
   double size = fmax(largest_of(point(p, k)), largest_of(point(p, to)));
   data->dp = chord(p, k, &root);
   data->noise = DBL_EPSILON * size * root * root;
+  data->planarity = p->planarity;
   data->ti = p->tangents[k];
   data->tf = p->tangents[to];
   data->ni = ni * root * root * tension * tension;
@@ -325,6 +337,9 @@ enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
   }
   if (status == PH_OK) {
     status = set_alpha(&problem->field[PH_F_ALPHA], arena, p, diag);
+  }
+  if (status == PH_OK) {
+    status = set_planarity(&problem->field[PH_F_PLANARITY], p, diag);
   }
   if (status == PH_OK) {
     status = set_tension(&problem->field[PH_F_TENSION], p, diag);

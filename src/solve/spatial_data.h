@@ -17,8 +17,9 @@ struct ph_spatial_points {
   size_t points_n; /* n if closed, else n + 1 */
   bool closed;
   bool atph;
-  bool derivatives;  /* given: what ends have is a promise */
-  bool estimated;    /* tangents, from the points */
+  bool derivatives; /* given: what ends have is a promise */
+  bool estimated;   /* tangents, from the points */
+  double planarity;
   double *points;    /* [points_n][3] */
   ph_vec3 *tangents; /* [points_n], unit */
   double *speeds;    /* [points_n] |derivative|, or NULL */

@@ -98,7 +98,9 @@ ph_spatial_family_of(const struct ph_spatial_data *data,
                     ph_vec3_dot(data->dp, f.axis[2]));
   f.sum = ph_vec3_of(f.c * (f.ni + f.nf), f.s * (f.nf - f.ni), 0);
   f.noise = PLANAR * f.h + PLANAR_NOISE * data->noise;
+  f.flatness = f.noise + data->planarity * f.h;
   f.planar = f.s * fabs(f.dp.z) <= f.noise;
+  f.flat = f.planar || fabs(f.dp.z) <= f.flatness;
   ph_spatial_family_space(&f, space);
   return f;
 }

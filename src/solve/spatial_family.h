@@ -35,10 +35,11 @@
 
 /* The data of a segment at unit scale: |dp| about 1. */
 struct ph_spatial_data {
-  ph_vec3 dp;     /* from the first point to the last */
-  ph_vec3 ti, tf; /* unit tangents */
-  double ni, nf;  /* |Di|, |Df|: derivatives by u in [0,1] */
-  double noise;   /* what rounding of the points can make of dp */
+  ph_vec3 dp;       /* from the first point to the last */
+  ph_vec3 ti, tf;   /* unit tangents */
+  double ni, nf;    /* |Di|, |Df|: derivatives by u in [0,1] */
+  double noise;     /* what rounding of the points can make of dp */
+  double planarity; /* out of a plane by less of |dp|: in the plane */
 };
 
 /* The family of some data: frame and invariants. */
@@ -57,7 +58,9 @@ struct ph_spatial_family {
   double vanishing;          /* |d| that is 0 */
   ph_vec3 d0;                /* m11 dp + (m01^2 - m11 m00)(Di + Df) */
   double noise;              /* of dp, beyond doubt */
+  double flatness;           /* noise, or what counts as such by planarity */
   bool planar;               /* s dp.gh is noise: b = 0 or b = pi is plane */
+  bool flat;                 /* dp.gh is within the flatness */
 };
 
 /* A member of a family: exp(i b) and exp(i phi). */

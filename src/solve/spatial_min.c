@@ -208,7 +208,7 @@ enum ph_status ph_spatial_descend(const struct ph_spatial_search *search,
   bool b = in_plane(found->member.b, &start.at.b);
   bool phi = in_plane(found->member.phi, &start.at.phi);
   begin(&s, search, rules, scratch);
-  start.plane = s.family.planar && b && phi;
+  start.plane = s.family.flat && b && phi;
   status = polish(&s, HUGE_VAL, &start);
   start.value = true_value(&s, &start.at);
   finish(&s, &start, found);
@@ -408,10 +408,10 @@ enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
   enum ph_status status = PH_OK;
   begin(&s, search, rules, scratch);
   fill(&s, &grid);
-  if (s.family.planar) {
+  if (s.family.flat) {
     status = search_plane(&s, &grid, &best);
   }
-  if (status == PH_OK && !(search->plane && s.family.planar)) {
+  if (status == PH_OK && !(search->plane && s.family.flat)) {
     status = search_grid(&s, &grid, &best);
   }
   finish(&s, &best, found);

@@ -19,9 +19,9 @@
  *
  * A constraint is void where the data give no sign: (1) at an end whose tangent
  * is parallel to dp, (2) where they are planar.  In the place of (2), the curve
- * has to be in their plane then, unless they are straight:
+ * has to be in their plane then, with normal n, unless they are straight:
  *
- *   g2.gh = g4.gh = 0                                                   (4)
+ *   g2.n = g4.n = 0                                                     (4)
  */
 #ifndef PH_SOLVE_SPATIAL_SHAPE_H
 #define PH_SOLVE_SPATIAL_SHAPE_H

@@ -53,6 +53,7 @@ static void build_segment(struct unit_hermite3 *s, size_t k, double phi) {
   data.ni = factor * (tangents ? ph_vec3_abs(data.dp) : unit * ph_vec3_abs(vi));
   data.nf = factor * (tangents ? ph_vec3_abs(data.dp) : unit * ph_vec3_abs(vf));
   data.noise = 0;
+  data.planarity = 0;
   family = ph_spatial_family_of(&data, &space);
   member = ph_spatial_cc(&family);
   member.phi = ph_cplx_polar(phi);

@@ -46,6 +46,7 @@ unit_random_spatial(struct unit_random *r) {
   data.ni = exp(unit_random_in(r, -1.1, 1.1));
   data.nf = exp(unit_random_in(r, -1.1, 1.1));
   data.noise = 0;
+  data.planarity = 0;
   return data;
 }
 

@@ -42,7 +42,7 @@ static enum ph_cert_shape shape_at(const struct ph_spatial_fit *fit,
     leg[i] = ph_vec3_sub(p[i + 1], p[i]);
   }
   set_mu(&f->space, mu);
-  return ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING * (1 + away));
+  return ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING * (1 + away), 0);
 }
 
 static enum ph_cert_shape shape_of(const struct ph_spatial_fit *fit) {
@@ -99,6 +99,7 @@ START_TEST(test_kept_in_plane) {
     struct ph_atph space = unit_random_space(&r);
     struct ph_spatial_tension t;
     data.noise = 1024 * 2.2204460492503131e-16;
+    data.planarity = 0;
     data.dp.z = unit_random_in(&r, -20, 20) * data.noise;
     data.ni *= i % 2 ? 30 : 1;
     data.nf *= i % 2 ? 30 : 1;
@@ -188,9 +189,10 @@ START_TEST(test_ends) {
       back[4 - k] = ph_vec3_scale(-1, leg[k]);
       mirror[k] = ph_vec3_of(leg[k].x, -leg[k].y, leg[k].z);
     }
-    shape = ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING);
-    other = ph_cert_shape_of(back, mu, RELATIVE, ROUNDING);
-    ck_assert_int_eq(ph_cert_shape_of(mirror, mu, RELATIVE, ROUNDING), shape);
+    shape = ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING, 0);
+    other = ph_cert_shape_of(back, mu, RELATIVE, ROUNDING, 0);
+    ck_assert_int_eq(ph_cert_shape_of(mirror, mu, RELATIVE, ROUNDING, 0),
+                     shape);
     if (fit.violated == PH_SHAPE_START) {
       ck_assert_int_eq(shape, PH_CERT_SHAPE_START);
       ck_assert_int_eq(other, PH_CERT_SHAPE_END);
@@ -237,7 +239,7 @@ START_TEST(test_any_quintic) {
       least = fmin(least, value);
       largest = fmax(largest, fabs(value));
     }
-    shape = ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING);
+    shape = ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING, 0);
     if (least < -1e-3 * largest) {
       ck_assert_int_ne(shape, PH_CERT_SHAPE_KEPT);
       caught += shape == PH_CERT_SHAPE_TORSION;
@@ -261,15 +263,15 @@ START_TEST(test_void) {
     leg[k] = ph_vec3_of(cos(x), sin(x), k % 2 ? 1e-16 : -1e-16);
     none[k] = ph_vec3_of(1 + 0.1 * x, k % 2 ? 1e-16 : -1e-16, 0);
   }
-  ck_assert_int_eq(ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING),
+  ck_assert_int_eq(ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING, 0),
                    PH_CERT_SHAPE_KEPT);
-  ck_assert_int_eq(ph_cert_shape_of(none, mu, RELATIVE, ROUNDING),
+  ck_assert_int_eq(ph_cert_shape_of(none, mu, RELATIVE, ROUNDING, 0),
                    PH_CERT_SHAPE_KEPT);
   leg[1].y = -0.3;
-  ck_assert_int_eq(ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING),
+  ck_assert_int_eq(ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING, 0),
                    PH_CERT_SHAPE_START);
   leg[1].y = nan("");
-  ck_assert_int_ne(ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING),
+  ck_assert_int_ne(ph_cert_shape_of(leg, mu, RELATIVE, ROUNDING, 0),
                    PH_CERT_SHAPE_KEPT);
 }
 END_TEST

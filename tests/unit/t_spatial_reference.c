@@ -131,6 +131,7 @@ static struct ph_spatial_family family_of(void) {
   data.ni = interval * ph_vec3_abs(di);
   data.nf = interval * ph_vec3_abs(df);
   data.noise = 0;
+  data.planarity = 0;
   return ph_spatial_family_of(&data, &space);
 }
 

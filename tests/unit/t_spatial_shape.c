@@ -31,6 +31,7 @@ static struct ph_spatial_data random_data(struct unit_random *r,
   data.ni = unit_random_in(r, 0.5, 1.5);
   data.nf = unit_random_in(r, 0.5, 1.5);
   data.noise = 0;
+  data.planarity = 0;
   return data;
 }
 
@@ -170,8 +171,8 @@ START_TEST(test_violations) {
 END_TEST
 
 static struct ph_spatial_data data_of(ph_vec3 dp, ph_vec3 ti, ph_vec3 tf) {
-  struct ph_spatial_data data = {dp, ph_vec3_unit(ti), ph_vec3_unit(tf), 1, 1,
-                                 0};
+  struct ph_spatial_data data = {
+      dp, ph_vec3_unit(ti), ph_vec3_unit(tf), 1, 1, 0, 0};
   return data;
 }
 
@@ -253,6 +254,7 @@ static struct ph_spatial_data example3(double size) {
       {-2.0 / 3, -1.0 / 3, -2.0 / 3},
       size,
       size,
+      0,
       0};
   return data;
 }
@@ -301,6 +303,7 @@ START_TEST(test_example1) {
       {-0.11210145203585728, -0.8873743654464288, 0.4472135954999579},
       3.3719110708995483,
       3.3719110708995483,
+      0,
       0};
   struct ph_atph space = ph_atph_of(0);
   struct ph_spatial_tension tension;
@@ -394,7 +397,8 @@ static struct ph_spatial_data reversed(const struct ph_spatial_data *data) {
                                   ph_vec3_scale(-1, data->ti),
                                   data->nf,
                                   data->ni,
-                                  data->noise};
+                                  data->noise,
+                                  data->planarity};
   return image;
 }
 
