@@ -59,15 +59,16 @@ _phspline() {
     --knots | --knots=) list='chordal' ;;
     --tension | --tension=) kind=nothing ;;
     --shape=) list='true false' ;;
+    --planarity | --planarity=) kind=nothing ;;
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv' ;;
     --table | --table=) list='control-points lengths offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape=' ;;
-    --override | --override=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape=' ;;
-    -S | --sweep | --sweep=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape=' ;;
+    -s | --set | --set=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
+    --override | --override=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
+    -S | --sweep | --sweep=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
@@ -75,7 +76,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

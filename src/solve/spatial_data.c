@@ -209,7 +209,8 @@ static enum ph_status set_knots(const struct ph_value *knots,
 static enum ph_status set_planarity(const struct ph_value *planarity,
                                     struct ph_spatial_points *p,
                                     struct ph_diag *diag) {
-  p->planarity = planarity->kind == PH_NUMBER ? planarity->number : PH_PLANARITY;
+  p->planarity =
+      planarity->kind == PH_NUMBER ? planarity->number : PH_PLANARITY;
   return p->planarity >= 0 && p->planarity < 1
              ? PH_OK
              : ph_fail(diag, PH_BAD_VALUE, "planarity",
