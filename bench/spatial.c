@@ -80,7 +80,8 @@ static enum ph_status choose(struct ph_spatial_family *family, void *context,
 /* The same, with the tension that the shape asks for. */
 static void shaped(struct batch *b, size_t i) {
   struct ph_spatial_tension t;
-  if (ph_spatial_tension(&b->data[i], &b->space, choose, b, &t) != PH_OK) {
+  if (ph_spatial_tension(&b->data[i], &b->space, choose, b, 1e-13, &t) !=
+      PH_OK) {
     bench_die("no segment");
   }
   b->kind[i] = t.fit.violated ? UNSATISFIED : t.factor < 1 ? REDUCED : KEPT;

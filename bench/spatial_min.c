@@ -109,8 +109,9 @@ static void measure(struct judge *judge, int functional, size_t n) {
   double time = 0, worst = 0, evaluations = 0;
   for (size_t i = 0; i < n; i++) {
     struct ph_spatial_data data = bench_hermite(&state);
-    struct ph_spatial_search search = {&data, true, PH_SPATIAL_ALPHA_MIN,
-                                       PH_SPATIAL_ALPHA_MAX, functional};
+    struct ph_spatial_search search = {
+        &data,      true, PH_SPATIAL_ALPHA_MIN, PH_SPATIAL_ALPHA_MAX,
+        functional, false};
     struct ph_spatial_minimum found;
     double start = bench_cpu(), taken, judged;
     if (ph_spatial_minimize(&search, &judge->rules, &judge->scratch, &found) !=
