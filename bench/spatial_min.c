@@ -6,7 +6,7 @@
  * The judge is the best of the descents from the local minima of a grid of
  * 40 x 40 x 10 points over (b, phi, alpha).
  */
-#include "bench.h"
+#include "spatial.h"
 
 #include "solve/spatial_fair.h"
 #include "solve/spatial_min.h"
@@ -28,27 +28,6 @@ struct place {
   size_t k, i, j;
   double value;
 };
-
-static double uniform(uint64_t *state, double low, double high) {
-  return low + (high - low) * (double)(bench_random(state) >> 11) * 0x1p-53;
-}
-
-static ph_vec3 direction(uint64_t *state) {
-  double z = uniform(state, -1, 1), r = sqrt(1 - z * z);
-  ph_cplx e = ph_cplx_polar(uniform(state, 0, TURN));
-  return ph_vec3_of(r * e.re, r * e.im, z);
-}
-
-/* A chord of length 1, any tangents, derivatives by t of 0.3 to 3.3. */
-static struct ph_spatial_data random_data(uint64_t *state) {
-  struct ph_spatial_data data;
-  data.dp = direction(state);
-  data.ti = direction(state);
-  data.tf = direction(state);
-  data.ni = exp(uniform(state, -1.2, 1.2));
-  data.nf = exp(uniform(state, -1.2, 1.2));
-  return data;
-}
 
 static struct ph_spatial_point point_of(struct place at) {
   struct ph_spatial_point point = {
@@ -129,9 +108,10 @@ static void measure(struct judge *judge, int functional, size_t n) {
   size_t same = 0, better = 0;
   double time = 0, worst = 0, evaluations = 0;
   for (size_t i = 0; i < n; i++) {
-    struct ph_spatial_data data = random_data(&state);
-    struct ph_spatial_search search = {&data, true, PH_SPATIAL_ALPHA_MIN,
-                                       PH_SPATIAL_ALPHA_MAX, functional};
+    struct ph_spatial_data data = bench_hermite(&state);
+    struct ph_spatial_search search = {
+        &data,      true, PH_SPATIAL_ALPHA_MIN, PH_SPATIAL_ALPHA_MAX,
+        functional, false};
     struct ph_spatial_minimum found;
     double start = bench_cpu(), taken, judged;
     if (ph_spatial_minimize(&search, &judge->rules, &judge->scratch, &found) !=

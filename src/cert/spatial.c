@@ -23,6 +23,10 @@ static const double PYTHAGOREAN = 1e-13;
 static const double LENGTH = 1e-13;
 static const double DIRECTION = 1e-12;
 
+/* A direction that rounding may have turned by more than this is none: a first
+ * leg that is far shorter than its coordinates may vanish. */
+static const double NO_DIRECTION = 1;
+
 /* On more segments the sums say little, and take as long as the solution. */
 enum { FAIR_MAX = 1000 };
 
@@ -190,7 +194,9 @@ static void check_tangent(const struct context *c, const struct segment *s,
   } else {
     ph_vec3 given = direction(vector_at(c, &c->tangents, k + end));
     ph_vec3 miss = ph_vec3_sub(s->tangent[end], given);
-    ph_check_add(check, k, ph_vec3_abs(miss), 1, DIRECTION + s->error[end]);
+    if (s->error[end] < NO_DIRECTION) {
+      ph_check_add(check, k, ph_vec3_abs(miss), 1, DIRECTION + s->error[end]);
+    }
   }
 }
 
@@ -201,6 +207,9 @@ static void check_joint(const struct context *c, const struct segment *a,
                         struct ph_check *joint) {
   ph_vec3 jump = ph_vec3_sub(a->tangent[1], b->tangent[0]);
   double error = DIRECTION + a->error[1] + b->error[0];
+  if (!(error < NO_DIRECTION)) {
+    return;
+  }
   ph_check_add(joint, k, ph_vec3_abs(jump), 1, error);
   if (c->derivatives.n > 0 && a->tension >= b->tension &&
       a->tension <= b->tension) {
