@@ -5,7 +5,7 @@
  *
  * spatial million [N] [SEED]: N random Hermite data (1000000), each solved and
  * certified, its shape looked at again by code of its own.  (52) and (59) are
- * the conditions of [FMSS15] under which some tension keeps the shape.
+ * the conditions of [FAR15] under which some tension keeps the shape.
  */
 #include "spatial.h"
 
@@ -411,6 +411,9 @@ static int million(size_t n, uint64_t seed) {
   double points[6] = {0}, derivatives[6], start = bench_cpu();
   set_vectors(&w, PH_F_POINTS, points, 2);
   set_vectors(&w, PH_F_DERIVATIVES, derivatives, 2);
+  /* Every sign counts, so that samples can tell. */
+  w.problem.field[PH_F_PLANARITY] =
+      (struct ph_value){.kind = PH_NUMBER, .number = 0};
   w.problem.field[PH_F_SHAPE] =
       (struct ph_value){.kind = PH_BOOL, .flag = true};
   for (size_t i = 0; i < n; i++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Whether a spatial segment keeps the shape of its data, from its control
- * points: the constraints of [FMSS15, (21)], the torsion in its exact form.
+ * points: the constraints of [FAR15, (21)], the torsion in its exact form.
  *
  * Rounding is counted as it goes, term by term, so that what no digit of the
  * control points can tell is not held against a curve.

@@ -7,7 +7,7 @@
  *
  * A(u) lies in the segment's space of preimages (kernel/atph.h), with
  * quaternion coefficients a0, a1, a2: for PH quintics, Bernstein coefficients
- * of degree 2.  [FMSS15, sec. 3; GON18, ch. 3]
+ * of degree 2.  [FAR15, sec. 3; GON18, ch. 3]
  */
 #ifndef PH_CURVE_PH3_H
 #define PH_CURVE_PH3_H
@@ -24,7 +24,7 @@ double ph_ph3_length(const struct ph_atph *space, const ph_quat a[3]);
 
 /*
  * ph_ph3_control_points: control points of the segment from `start` to `end`,
- * in the basis of its space [FMSS15, (6)].
+ * in the basis of its space [FAR15, (6)].
  *
  * As in the plane (ph2.h), the first three are summed up from the start and the
  * last three from the end: what the preimage misses `end - start` by shows up

@@ -12,7 +12,7 @@
  *   e2' = 2 (x e3 - q e1) / sigma,  e3' = 2 (p e1 - x e2) / sigma       (3)
  *
  * for the Euler-Rodrigues frame e1 = A i A* / sigma, e2 = A j A* / sigma,
- * e3 = A k A* / sigma.  [FMSS15, sec. 3; (1)-(3) derived from r' = A i A*,
+ * e3 = A k A* / sigma.  [FAR15, sec. 3; (1)-(3) derived from r' = A i A*,
  * tested by t_seg3.c]
  */
 #ifndef PH_CURVE_SEG3_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Criteria that choose a member of a family by an extremum [FMSS15, sec. 6]:
+ * Criteria that choose a member of a family by an extremum [FAR15, sec. 6]:
  * the longest curve (HC), and the middle coefficient of the preimage nearest to
  * the mean of the outer ones (BV).  For CC see spatial_family.h.
  *

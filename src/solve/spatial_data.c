@@ -2,7 +2,7 @@
 /*
  * Data of spatial Hermite interpolation (see spatial_data.h).
  *
- * Where no magnitudes are given, lambda is the spacing of the knots [FMSS15,
+ * Where no magnitudes are given, lambda is the spacing of the knots [FAR15,
  * (61)], which by default is the chord: knots are not divided by their sum,
  * which would make the scheme depend on the length of the whole.
  */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * All PH quintic and ATPH segments that join two points in space with given end
- * derivatives: a family with two angles, (b, phi) [FMSS15, sec. 4; GON18,
+ * derivatives: a family with two angles, (b, phi) [FAR15, sec. 4; GON18,
  * sec. 3.4].
  *
  * The data are seen from their own frame.  With unit tangents ti, tf at an
@@ -21,7 +21,7 @@
  *
  * where D(0) is the solution of (3) nearest to A0 + A2, m = sqrt(|Di| |Df|),
  * and k, d0 and e follow from the integrals of the basis (kernel/atph.h); the
- * identities are tested by t_spatial_family.c.  [FMSS15] writes (alpha, beta),
+ * identities are tested by t_spatial_family.c.  [FAR15] writes (alpha, beta),
  * [GON18] (theta, beta), with respect to an axis u of their own: see
  * ph_spatial_angles.
  */
@@ -104,13 +104,13 @@ void ph_spatial_preimage(const struct ph_spatial_family *family,
 
 /* Axes for angles. */
 enum ph_spatial_axis {
-  PH_SPATIAL_CHORD,   /* u = dp / |dp| [FMSS15, (34)] */
+  PH_SPATIAL_CHORD,   /* u = dp / |dp| [FAR15, (34)] */
   PH_SPATIAL_X,       /* u = i, the first coordinate [GON18] */
   PH_SPATIAL_BISECTOR /* (phi, b) themselves */
 };
 
 /*
- * ph_spatial_angles: theta (alpha in [FMSS15]) and beta of a member.
+ * ph_spatial_angles: theta (alpha in [FAR15]) and beta of a member.
  *
  *   A0 = sqrt|Di| ni exp((theta - beta/2) u),  A2 = sqrt|Df| nf exp((theta +
  *   beta/2) u),  D = sqrt|d| nd,  n. the bisector of u and its vector
@@ -128,7 +128,7 @@ bool ph_spatial_member_of(const struct ph_spatial_family *family,
                           struct ph_spatial_member *member);
 
 /*
- * ph_spatial_cc: the member of the criterion CC [FMSS15, (25)-(32)]: a cubic
+ * ph_spatial_cc: the member of the criterion CC [FAR15, (25)-(32)]: a cubic
  * where the data are those of a PH cubic.  No trigonometric function is called.
  *
  * Discontinuous where ti = tf and dp is not parallel to them: b tends to a

@@ -5,7 +5,7 @@
  *
  * Each segment is a member of the family of its data (spatial_family.h), chosen
  * by a criterion; its tension is then reduced until it keeps the shape of the
- * data (spatial_shape.h).  [FMSS15; GON18, ch. 3]
+ * data (spatial_shape.h).  [FAR15; GON18, ch. 3]
  */
 #include "solve/spatial_hermite.h"
 
@@ -29,7 +29,7 @@ static const double REVERSAL = 1e-12;
 static const double EXACT = 1e-13;
 static const double MINIMUM = 1e-7;
 
-/* The criteria: those of FMSS15 are functions of the family. */
+/* The criteria: those of FAR15 are functions of the family. */
 static const struct criterion {
   const char *name;
   struct ph_spatial_member (*choose)(const struct ph_spatial_family *family);

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The shape of a spatial Hermite segment: whether it bends and twists as its
- * data do, and the tension at which it does [FMSS15, sec. 2 and 4].
+ * data do, and the tension at which it does [FAR15, sec. 2 and 4].
  *
  * With g1, ..., g5 the legs of the control polygon, Ni = ti x dp, Nf = dp x tf
  * and tau = [ti, dp, tf], the constraints are
  *
- *   [g1, g2, Ni] > 0 and [g4, g5, Nf] > 0     [FMSS15, (21)]              (1)
+ *   [g1, g2, Ni] > 0 and [g4, g5, Nf] > 0     [FAR15, (21)]              (1)
  *   torsion(u) tau > 0 for all u in [0,1]                                 (2)
  *
- * (1) says how the curve leaves its ends.  (2) is exact, where [FMSS15, (22)]
+ * (1) says how the curve leaves its ends.  (2) is exact, where [FAR15, (22)]
  * is sufficient: the torsion has the sign of
  *
  *   N = sigma Im(conj(z) z') + 2 x |z|^2                                  (3)
@@ -58,13 +58,13 @@ unsigned ph_spatial_violations(const struct ph_spatial_family *family,
 void ph_spatial_torsion_form(const struct ph_atph *space, const ph_quat a[3],
                              double form[7]);
 
-/* ph_spatial_is_forward: (ti + tf).dp > 0 [FMSS15, (52)].  With
+/* ph_spatial_is_forward: (ti + tf).dp > 0 [FAR15, (52)].  With
  * ph_spatial_is_acute, CC keeps the shape if the tension is small enough. */
 static inline bool ph_spatial_is_forward(const struct ph_spatial_data *data) {
   return ph_vec3_dot(ph_vec3_add(data->ti, data->tf), data->dp) > 0;
 }
 
-/* ph_spatial_is_acute: ti.tf > 0 [FMSS15, (59)]. */
+/* ph_spatial_is_acute: ti.tf > 0 [FAR15, (59)]. */
 static inline bool ph_spatial_is_acute(const struct ph_spatial_data *data) {
   return ph_vec3_dot(data->ti, data->tf) > 0;
 }

@@ -8,7 +8,7 @@
  *   (h[j] / h[j-1]) d[j-1] + (h[j-1] / h[j]) d[j]                         (1)
  *
  * Sums of d[j-1] and d[j] with positive factors have the shape of the polygon,
- * whatever the factors: [FMSS15, (63)] holds identically.  An open polygon is
+ * whatever the factors: [FAR15, (63)] holds identically.  An open polygon is
  * continued at its ends by the mirror image of the third point in the plane
  * that bisects the first chord, so that t[0] is the mirror image of t[1] and
  * the ends are those of plane arcs.  Two points have the tangents of the chord.

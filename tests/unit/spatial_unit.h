@@ -81,7 +81,7 @@ static inline void unit_spatial_preimage(const struct ph_spatial_family *f,
   }
 }
 
-/* The legs of the control polygon, none from the others [FMSS15, (6)]. */
+/* The legs of the control polygon, none from the others [FAR15, (6)]. */
 static inline void unit_spatial_legs(const struct ph_atph *space,
                                      const ph_quat a[3], ph_vec3 leg[5]) {
   const double *q = space->q;

@@ -3,7 +3,7 @@
  * The family of spatial Hermite interpolants: the identities of
  * spatial_family.h at random members, for PH quintics and ATPH curves, also
  * where the data are nearly singular; and angles about an axis against
- * [FMSS15, (11)-(17)] written down again.
+ * [FAR15, (11)-(17)] written down again.
  */
 #include "unit.h"
 #include "spatial_unit.h"
@@ -335,7 +335,7 @@ static ph_quat by_angle(ph_vec3 u, ph_vec3 t, double size, double angle) {
   return ph_quat_scale(size, ph_quat_mul(ph_quat_pure(n), e));
 }
 
-/* [FMSS15, (11)-(17)] for the integrals of any space; legs as in (6). */
+/* [FAR15, (11)-(17)] for the integrals of any space; legs as in (6). */
 static void defined(const struct ph_spatial_data *data,
                     const struct ph_atph *space, ph_vec3 u,
                     const double angles[2], ph_vec3 p[6]) {

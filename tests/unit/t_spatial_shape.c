@@ -246,7 +246,7 @@ END_TEST
 
 /* ---- tension -------------------------------------------------------- */
 
-/* Example 3 of [FMSS15, (62)]: Di and Df as long as the chord. */
+/* Example 3 of [FAR15, (62)]: Di and Df as long as the chord. */
 static struct ph_spatial_data example3(double size) {
   struct ph_spatial_data data = {
       {1, 1, 1},
@@ -295,7 +295,7 @@ START_TEST(test_example3) {
 END_TEST
 
 /* An arc of a helix that is too long for alpha = beta = 0 (example 1 of
- * [FMSS15]): of 3.016 rad. */
+ * [FAR15]): of 3.016 rad. */
 START_TEST(test_example1) {
   struct ph_spatial_data data = {
       {-1.9921147013144777, 0.12533323356430454, 1.5079644737231006},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Tangents from points: they have the shape of the polygon [FMSS15, (63)],
+ * Tangents from points: they have the shape of the polygon [FAR15, (63)],
  * commute with motions, and are defined where a polygon turns back.
  */
 #include "solve/spatial_tangents.h"
