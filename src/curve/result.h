@@ -8,6 +8,7 @@
 #define PH_CURVE_RESULT_H
 
 #include "base/diag.h"
+#include "base/mem.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -204,6 +205,15 @@ struct ph_result {
  * ph_fail.
  */
 struct ph_diag *ph_warning_add(struct ph_result *result, size_t segment);
+
+/*
+ * ph_curve_alloc: the arrays of a curve that all kinds have, and alpha of atph.
+ *
+ * inout curve  kind, n and dimensions are given
+ * ret   PH_OK | PH_NO_MEMORY
+ */
+enum ph_status ph_curve_alloc(struct ph_curve *curve, struct ph_arena *arena,
+                              struct ph_diag *diag);
 
 /* ph_curve_size: half the diagonal of the bounding box of the curve's knots. */
 double ph_curve_size(const struct ph_curve *curve);

@@ -14,23 +14,14 @@ enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *d,
                                      struct ph_arena *arena,
                                      struct ph_curve *curve,
                                      struct ph_diag *diag) {
-  size_t n = d->n;
   *curve = (struct ph_curve){.kind = d->atph ? PH_CURVE_ATPH : PH_CURVE_PH,
                              .closed = d->closed,
                              .dimension = 2,
                              .degree = 5,
-                             .n = n,
+                             .n = d->n,
                              .preimage_n = 3,
                              .preimage_dimension = 2};
-  curve->knots = ph_arena_array(arena, n + 1, sizeof(double));
-  curve->control_points = ph_arena_array(arena, n, 12 * sizeof(double));
-  curve->preimage = ph_arena_array(arena, n, 6 * sizeof(double));
-  curve->lengths = ph_arena_array(arena, n, sizeof(double));
-  curve->alpha = d->atph ? ph_arena_array(arena, n, sizeof(double)) : NULL;
-  return curve->knots && curve->control_points && curve->preimage &&
-                 curve->lengths && (curve->alpha || !d->atph)
-             ? PH_OK
-             : ph_fail_memory(diag);
+  return ph_curve_alloc(curve, arena, diag);
 }
 
 /* The tangent stays within a half turn if w stays within a quarter turn. */

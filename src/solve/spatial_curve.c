@@ -15,6 +15,7 @@ enum ph_status ph_spatial_curve_alloc(const struct ph_spatial_points *p,
                                       struct ph_curve *curve,
                                       struct ph_diag *diag) {
   size_t n = p->n;
+  enum ph_status status;
   *curve = (struct ph_curve){.kind = p->atph ? PH_CURVE_ATPH : PH_CURVE_PH,
                              .closed = p->closed,
                              .dimension = 3,
@@ -22,17 +23,14 @@ enum ph_status ph_spatial_curve_alloc(const struct ph_spatial_points *p,
                              .n = n,
                              .preimage_n = 3,
                              .preimage_dimension = 4};
-  curve->knots = ph_arena_array(arena, n + 1, sizeof(double));
-  curve->control_points = ph_arena_array(arena, n, 18 * sizeof(double));
-  curve->preimage = ph_arena_array(arena, n, 12 * sizeof(double));
-  curve->lengths = ph_arena_array(arena, n, sizeof(double));
-  curve->alpha = p->atph ? ph_arena_array(arena, n, sizeof(double)) : NULL;
+  status = ph_curve_alloc(curve, arena, diag);
+  if (status != PH_OK) {
+    return status;
+  }
   curve->tension = ph_arena_array(arena, n, sizeof(double));
   curve->angles = ph_arena_array(arena, n, 2 * sizeof(double));
   curve->shape_ok = ph_arena_array(arena, n, sizeof(bool));
-  if (!curve->knots || !curve->control_points || !curve->preimage ||
-      !curve->lengths || (p->atph && !curve->alpha) || !curve->tension ||
-      !curve->angles || !curve->shape_ok) {
+  if (!curve->tension || !curve->angles || !curve->shape_ok) {
     return ph_fail_memory(diag);
   }
   memcpy(curve->knots, p->knots, (n + 1) * sizeof *p->knots);
