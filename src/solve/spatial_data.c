@@ -85,10 +85,20 @@ static enum ph_status check_chords(const struct ph_spatial_points *p,
 
 /* ---- tangents and derivatives --------------------------------------- */
 
-/* Whether the last vector is the first. */
-static bool is_repeated(const struct ph_value *value) {
+/* v at a size at which its length can be taken. */
+static ph_vec3 sized(ph_vec3 v) {
+  return scaled(root_for(largest_of(v)), v);
+}
+
+/* Whether the last vector is the first, or has its direction. */
+static bool is_repeated(const struct ph_value *value, bool direction) {
   ph_vec3 first = in_space(value, 0), last = in_space(value, value->n - 1);
   double size = fmax(largest_of(first), largest_of(last));
+  if (direction && largest_of(first) > 0 && largest_of(last) > 0) {
+    first = ph_vec3_unit(sized(first));
+    last = ph_vec3_unit(sized(last));
+    size = 1;
+  }
   return largest_of(ph_vec3_sub(last, first)) <= REPEATED * size;
 }
 
@@ -109,7 +119,7 @@ static enum ph_status check_count(const struct ph_problem *problem,
     return ph_fail(diag, PH_BAD_SHAPE, name,
                    "must have vectors of 3 numbers, as the points have");
   }
-  if (value->n > p->points_n && !is_repeated(value)) {
+  if (value->n > p->points_n && !is_repeated(value, id == PH_F_TANGENTS)) {
     return ph_fail_at(diag, PH_BAD_VALUE, name, value->n - 1,
                       "must equal %s[0], as the point does", name);
   }

@@ -407,6 +407,11 @@ for more in '' ',"closed":true' ',"tangents":[[1,0],[-1,2],[1,0],[-1,3]]' \
   equal "plane data have a plane curve $more" '0 ' "$? $(cat cmd.out)"
 done
 
+# A tangent that is repeated with its point has the same direction.
+solve '{"points":[[0,0,0],[1,1,1],[0,0,1],[0,0,0]],"closed":true,
+  "tangents":[[1,0,0],[0,1,0],[0,0,1],[2,0,0]]}'
+equal 'a repeated tangent of another length' '"ok"' "$(get status)"
+
 # ---- tensions come back ------------------------------------------------------
 
 # A tension that was reduced for the shape, given with the data: the same curve.
