@@ -167,7 +167,7 @@ START_TEST(test_of_frame) {
     ck_frame(q);
   }
   for (size_t i = 0; i < 4; i++) {
-    ck_assert_int_gt(seen[i], 50);
+    ck_assert_int_gt(seen[i], unit_count(50));
   }
 }
 END_TEST
