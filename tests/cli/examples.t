@@ -135,8 +135,8 @@ example() {
   elif [ "$status" -ne 0 ] && [ "$status" -ne "$expected" ]; then
     why="exit status $status"
   elif [ -f "$2.out" ]; then
-    grep -v '^phspline: ' "$2.out" >stdout.expected || true
-    grep '^phspline: ' "$2.out" >stderr.expected || true
+    sed '/^phspline: /d' "$2.out" >stdout.expected
+    sed -n '/^phspline: /p' "$2.out" >stderr.expected
     compare stdout.expected stdout >>differences || why='other output'
     compare stderr.expected stderr >>differences || why='other messages'
   elif [ -s stderr ]; then

@@ -185,8 +185,15 @@ prompt() {
     *) printf '\n' >&3 ;;
     esac
   done
-  exec 3>&- 4<&-
-  wait $! || true
+  exec 3>&-
+  cat <&4 >rest
+  exec 4<&-
+  code=0
+  wait $! || code=$?
+  case $first in
+  '[') equal "$name: the array is cut off" 3 "$code" ;;
+  *) equal "$name: status" 0 "$code" ;;
+  esac
   equal "$name" '1 2 3 ' "$answers"
 }
 

@@ -148,7 +148,7 @@ sed 's/.*--//; s/=.*//' "$tmp/options" | sort -u - "$tmp/fields" >"$tmp/list"
 for page in man/*.[1-9]; do
   awk '/^\.Sh / { skip = /EXAMPLE/ } !skip && !/^\.\\"/' "$page" |
     sed 's/\\-/-/g' | grep -oE '(Fl -|--)[a-z][a-z_-]*' |
-    sed 's/^Fl -//; s/^--//' | sort -u >"$tmp/page" || true
+    sed 's/^Fl -//; s/^--//' | sort -u >"$tmp/page"
   comm -13 "$tmp/list" "$tmp/page" >"$tmp/unknown"
   if [ -s "$tmp/unknown" ]; then
     fail "$page: no option: $(tr '\n' ' ' <"$tmp/unknown")"

@@ -8,6 +8,7 @@
 #include "spatial_unit.h"
 #include "vectors_unit.h"
 
+#include "curve/fair3.h"
 #include "curve/seg3.h"
 #include "solve/spatial_criteria.h"
 
@@ -49,11 +50,14 @@ struct reference {
 };
 
 static struct ph_quad rule;
+static struct ph_fair3_rules fair_rules;
+static int functionals; /* segments that have them */
 static struct unit_vectors vectors;
 static struct reference reference;
 
 static void begin(void) {
   ck_assert(ph_quad_gauss(&rule, 12));
+  ck_assert(ph_fair3_begin(&fair_rules));
   vectors = unit_vectors_open("tests/vectors/spatial-segments.phv");
 }
 
@@ -194,6 +198,16 @@ static void ck_gap(const ph_quat a[3], double tolerance) {
   ck_rel(ph_quat_dot(gap, gap), reference.field[GAP].v[0], tolerance);
 }
 
+static void ck_functionals(const struct ph_seg3 *seg) {
+  const double *wanted = reference.field[FUNCTIONALS].v;
+  struct ph_fair3 fair = ph_fair3_of(&fair_rules, &seg->space, seg->a);
+  double length = ph_ph3_length(&seg->space, seg->a);
+  for (int k = 1; k <= 3; k++) {
+    ck_value("functional", (size_t)k, ph_fair3_functional(&fair, length, k),
+             wanted[k], wanted[0] * wanted[k]);
+  }
+}
+
 static void ck_segment(void) {
   struct ph_spatial_family family = family_of();
   struct ph_spatial_member member = member_of(&family);
@@ -223,6 +237,10 @@ static void ck_segment(void) {
   if (reference.field[GAP].n) {
     ck_gap(seg.a, tolerance[0]);
   }
+  if (reference.field[FUNCTIONALS].n == 4) {
+    ck_functionals(&seg);
+    functionals++;
+  }
 }
 
 START_TEST(test_segments) {
@@ -236,6 +254,7 @@ START_TEST(test_segments) {
   ck_assert_int_eq(seen[BV], 2);
   ck_assert_int_eq(seen[CHORD], 2);
   ck_assert_int_eq(seen[X], 18);
+  ck_assert_int_eq(functionals, 19);
 }
 END_TEST
 
