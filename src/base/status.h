@@ -45,6 +45,15 @@ enum ph_class {
   X(AMBIGUOUS, "ambiguous", RECORD, "warning: another good curve exists")      \
   X(SHAPE_UNSATISFIABLE, "shape-unsatisfiable", RECORD,                        \
     "warning: no tension keeps the shape of the data")                         \
+  X(WIGGLE, "wiggle", RECORD,                                                  \
+    "warning: lengths that differ from the natural ones make the curve "       \
+    "wiggle")                                                                  \
+  X(INCONSISTENT_LENGTHS, "inconsistent-lengths", RECORD,                      \
+    "warning: the lengths fit no smooth curve through the points")             \
+  X(SADDLE, "saddle", RECORD,                                                  \
+    "warning: the curve is stationary, but no minimum")                        \
+  X(LEAVES_PLANE, "leaves-plane", RECORD,                                      \
+    "warning: no plane curve was found for data in a plane")                   \
   X(USAGE, "usage", USAGE, "the command line is wrong")                        \
   X(INPUT, "input", INPUT, "the input cannot be read")                         \
   X(OUTPUT, "output", OUTPUT, "the output cannot be written")                  \

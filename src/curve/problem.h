@@ -30,7 +30,15 @@
   X(AXIS, "axis")                       \
   X(TENSION, "tension")                 \
   X(SHAPE, "shape")                     \
-  X(PLANARITY, "planarity")
+  X(PLANARITY, "planarity")             \
+  X(LENGTHS, "lengths")                 \
+  X(REFINE, "refine")                   \
+  X(LENGTH_SIGMA, "length_sigma")       \
+  X(MAGNITUDES, "magnitudes")           \
+  X(PLANAR, "planar")                   \
+  X(STARTS, "starts")                   \
+  X(ALL_MINIMA, "all_minima")           \
+  X(START, "start")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,

@@ -11,6 +11,12 @@ static const char *const curve_names[] = {
 #undef X
 };
 
+static const char *const outcome_names[] = {
+#define X(symbol, name) name,
+    PH_OUTCOMES(X)
+#undef X
+};
+
 static const char *const diagnostic_names[] = {
 #define X(symbol, name) name,
     PH_DIAGNOSTICS(X)
@@ -19,6 +25,10 @@ static const char *const diagnostic_names[] = {
 
 const char *ph_curve_name(enum ph_curve_kind kind) {
   return curve_names[kind];
+}
+
+const char *ph_outcome_name(enum ph_outcome outcome) {
+  return outcome_names[outcome];
 }
 
 const char *ph_diagnostic_name(enum ph_diagnostic which) {

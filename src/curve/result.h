@@ -124,6 +124,13 @@ struct ph_offset {
   X(CONTINUITY_ERROR, "continuity_error")         \
   X(LENGTH_ERROR, "length_error")                 \
   X(CONVERSION_ERROR, "conversion_error")         \
+  X(F, "F")                                       \
+  X(F_RELAXED, "F_relaxed")                       \
+  X(KKT_ERROR, "kkt_error")                       \
+  X(SECOND_ORDER, "second_order")                 \
+  X(PLANAR, "planar")                             \
+  X(LENGTH_RMS, "length_rms")                     \
+  X(MIN_SPEED, "min_speed")                       \
   X(FUNCTIONAL, "functional")                     \
   X(FUNCTIONAL_START, "functional_start")         \
   X(AT_BOUND, "at_bound")                         \
@@ -187,6 +194,36 @@ struct ph_solution {
   bool good; /* the one that would have been given alone */
 };
 
+/*
+ * One data interval of a curve that is found with several segments in each
+ * (solve/arclength.h).
+ */
+struct ph_interval {
+  double length;         /* of the curve between its two data */
+  double natural_length; /* of the curve with free lengths; NaN: none */
+  size_t first, last;    /* the segments it consists of */
+};
+
+/* What became of one start of an iteration: X(SYMBOL, "name in records"). */
+#define PH_OUTCOMES(X)      \
+  X(MINIMISER, "minimiser") \
+  X(SADDLE, "saddle")       \
+  X(NO_SOLUTION, "no-convergence")
+
+enum ph_outcome {
+#define X(symbol, name) PH_OUTCOME_##symbol,
+  PH_OUTCOMES(X)
+#undef X
+      PH_OUTCOME_N
+};
+
+struct ph_start {
+  const char *name; /* which start: static text */
+  enum ph_outcome outcome;
+  double f;          /* the functional it led to; NaN: no solution */
+  size_t iterations; /* that it took */
+};
+
 struct ph_result {
   struct ph_curve curve;
   struct ph_offset *offsets;
@@ -198,7 +235,15 @@ struct ph_result {
   struct ph_kantorovich kantorovich;
   struct ph_solution *solutions; /* best first; the curve is the first */
   size_t solutions_n;            /* 0: they were not asked for */
+  struct ph_interval *intervals; /* in the order of the data */
+  size_t intervals_n;            /* 0: an interval is a segment */
+  struct ph_start *starts;       /* in the order they were tried */
+  size_t starts_n;               /* 0: there was no choice of starts */
+  size_t start;                  /* the one that led to the curve */
 };
+
+/* ph_outcome_name: the name of an outcome, as in records. */
+const char *ph_outcome_name(enum ph_outcome outcome);
 
 /*
  * ph_warning_add: a new warning about a segment, for the caller to fill with
@@ -224,7 +269,13 @@ const char *ph_curve_name(enum ph_curve_kind kind);
 /* ph_diagnostic_is_flag: whether a diagnostic is true or false, 1 or 0. */
 static inline bool ph_diagnostic_is_flag(enum ph_diagnostic which) {
   return which == PH_D_SIMPLE || which == PH_D_AT_BOUND ||
-         which == PH_D_SHAPE_OK;
+         which == PH_D_SHAPE_OK || which == PH_D_PLANAR;
+}
+
+/* ph_diagnostic_is_outcome: whether it is an enum ph_outcome, written as a
+ * word. */
+static inline bool ph_diagnostic_is_outcome(enum ph_diagnostic which) {
+  return which == PH_D_SECOND_ORDER;
 }
 
 /* ph_diagnostic_name: the name of a diagnostic, as in records. */
