@@ -76,9 +76,22 @@ struct ph_arc_linear {
   double *knot_rows; /* [n + 1][knot_rows][2 dim]: of (2), (3) */
 };
 
-/* ph_arc_local: the unknowns of an interval. */
+/* ph_arc_local: how many unknowns an interval may have. */
 static inline size_t ph_arc_local(const struct ph_arc_system *system) {
   return system->span * system->dim + (system->turn ? 1 : 0);
+}
+
+/* ph_arc_wraps: whether an interval has nodes beyond the seam. */
+static inline bool ph_arc_wraps(const struct ph_arc_system *system,
+                                size_t interval) {
+  return interval * system->refine + system->span > system->nodes;
+}
+
+/* ph_arc_touched: how many unknowns this one has: chi only beyond the seam. */
+static inline size_t ph_arc_touched(const struct ph_arc_system *system,
+                                    size_t interval) {
+  return system->span * system->dim +
+         (system->turn && ph_arc_wraps(system, interval) ? 1 : 0);
 }
 
 /* ph_arc_index: which unknowns of x an interval has, in the order of its rows.
@@ -97,6 +110,17 @@ void ph_arc_index(const struct ph_arc_system *system, size_t interval,
 bool ph_arc_system_of(const struct ph_arc_data *data, size_t refine, size_t dim,
                       bool exact, struct ph_arena *arena,
                       struct ph_arc_system *system);
+
+/*
+ * ph_arc_soften: lengths in the sense of least squares: minimise
+ * F + F_ref / (9 n) sum ((L_i - l_i) / (sigma l_i))^2, whose rows are
+ * L_i - l_i - compliance_i y_i = 0.
+ *
+ * in   f_relaxed  F_ref > 0: F where the lengths are free
+ * ret  false when memory is exhausted
+ */
+bool ph_arc_soften(struct ph_arc_system *system, double f_relaxed,
+                   struct ph_arena *arena);
 
 /* ph_arc_linear_alloc: the arrays of a linearisation; false: no memory. */
 bool ph_arc_linear_alloc(const struct ph_arc_system *system,

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The quadratic forms S_0, ..., S_3 of a node: its squared length and the
+ * components of its image H (see arclength_system.h). */
+#ifndef PH_SOLVE_ARCLENGTH_FORM_H
+#define PH_SOLVE_ARCLENGTH_FORM_H
+
+#include <stddef.h>
+
+/* ph_arc_form: out = S_k v, of dim components. */
+static inline void ph_arc_form(size_t dim, int k, const double *v,
+                               double *out) {
+  if (dim == 4) {
+    double v0 = v[0], v1 = v[1], v2 = v[2], v3 = v[3];
+    out[0] = k < 2 ? v0 : k == 2 ? v2 : -v3;
+    out[1] = k < 2 ? v1 : k == 2 ? v3 : v2;
+    out[2] = k == 0 ? v2 : k == 1 ? -v2 : k == 2 ? v0 : v1;
+    out[3] = k == 0 ? v3 : k == 1 ? -v3 : k == 2 ? v1 : -v0;
+  } else if (dim == 2) {
+    double v0 = v[0], v1 = v[1];
+    out[0] = k < 2 ? v0 : v1;
+    out[1] = k == 0 ? v1 : k == 1 ? -v1 : v0;
+  } else {
+    out[0] = v[0];
+  }
+}
+
+/* ph_arc_dot: of two vectors. */
+static inline double ph_arc_dot(size_t dim, const double *u, const double *v) {
+  double sum = 0;
+  for (size_t i = 0; i < dim; i++) {
+    sum += u[i] * v[i];
+  }
+  return sum;
+}
+
+/* ph_arc_form_sum: out[dim][dim] = sum_k y_k S_k of the given forms. */
+static inline void ph_arc_form_sum(size_t dim, size_t n, const int *form,
+                                   const double *y, double *out) {
+  double w[4] = {0, 0, 0, 0};
+  for (size_t k = 0; k < n; k++) {
+    w[form[k]] += y[k];
+  }
+  if (dim == 4) {
+    const double sum[16] = {
+        w[0] + w[1], 0, w[2],  -w[3], 0, w[0] + w[1], w[3], w[2], w[2], w[3],
+        w[0] - w[1], 0, -w[3], w[2],  0, w[0] - w[1]};
+    for (size_t i = 0; i < 16; i++) {
+      out[i] = sum[i];
+    }
+  } else if (dim == 2) {
+    out[0] = w[0] + w[1];
+    out[1] = out[2] = w[2];
+    out[3] = w[0] - w[1];
+  } else {
+    out[0] = w[0] + w[1];
+  }
+}
+
+/* ph_arc_turned: i w of a node in space. */
+static inline void ph_arc_turned(const double *w, double *out) {
+  double w0 = w[0], w1 = w[1], w2 = w[2], w3 = w[3];
+  out[0] = -w1;
+  out[1] = w0;
+  out[2] = -w3;
+  out[3] = w2;
+}
+
+/* ph_arc_phase: e^(i angle) w of a node in space. */
+static inline void ph_arc_phase(double cosine, double sine, const double *w,
+                                double *out) {
+  double iw[4];
+  ph_arc_turned(w, iw);
+  for (size_t i = 0; i < 4; i++) {
+    out[i] = cosine * w[i] + sine * iw[i];
+  }
+}
+
+#endif
