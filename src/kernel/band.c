@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Band matrices: both factors are right-looking, one column at a time, and
+ * spend their time in updates of contiguous rows or columns.
+ *
+ * The innermost loops go by 4, so that -O2 makes vectors of them.
+ */
+#include "kernel/band.h"
+
+#include <float.h>
+#include <math.h>
+
+/* y -= c x */
+static inline void subtract(double *restrict y, double c,
+                            const double *restrict x, size_t n) {
+  size_t i = 0;
+  for (; i + 4 <= n; i += 4) {
+    y[i] -= c * x[i];
+    y[i + 1] -= c * x[i + 1];
+    y[i + 2] -= c * x[i + 2];
+    y[i + 3] -= c * x[i + 3];
+  }
+  for (; i < n; i++) {
+    y[i] -= c * x[i];
+  }
+}
+
+/* The sum of x[i] y[i]. */
+static inline double dot(const double *x, const double *y, size_t n) {
+  double s[4] = {0};
+  size_t i = 0;
+  for (; i + 4 <= n; i += 4) {
+    s[0] += x[i] * y[i];
+    s[1] += x[i + 1] * y[i + 1];
+    s[2] += x[i + 2] * y[i + 2];
+    s[3] += x[i + 3] * y[i + 3];
+  }
+  for (; i < n; i++) {
+    s[0] += x[i] * y[i];
+  }
+  return (s[0] + s[2]) + (s[1] + s[3]);
+}
+
+static inline size_t least(size_t a, size_t b) {
+  return a < b ? a : b;
+}
+
+bool ph_sym_factor(double *a, size_t n, size_t k) {
+  for (size_t j = 0; j < n; j++) {
+    double *l = a + j * (k + 1), *to = l;
+    const size_t rows = least(k, n - 1 - j);
+    if (!(l[0] > 0 && l[0] <= DBL_MAX)) {
+      return false;
+    }
+    l[0] = sqrt(l[0]);
+    for (size_t i = 1; i <= rows; i++) {
+      l[i] /= l[0];
+    }
+    for (size_t i = 1; i <= rows; i++) {
+      to += k + 1;
+      subtract(to, l[i], l + i, rows + 1 - i);
+    }
+  }
+  return true;
+}
+
+void ph_sym_solve(const double *a, size_t n, size_t k, double *x) {
+  for (size_t j = 0; j < n; j++) {
+    const double *l = a + j * (k + 1);
+    x[j] /= l[0];
+    subtract(x + j + 1, x[j], l + 1, least(k, n - 1 - j));
+  }
+  for (size_t j = n; j-- > 0;) {
+    const double *l = a + j * (k + 1);
+    x[j] = (x[j] - dot(l + 1, x + j + 1, least(k, n - 1 - j))) / l[0];
+  }
+}
+
+static inline bool is_finite(double x) {
+  return fabs(x) <= DBL_MAX;
+}
+
+/* The row of the largest element of a column, of `rows' below the diagonal;
+ * SIZE_MAX if one is not finite or all are 0. */
+static size_t pivot_of(const double *at, size_t rows, size_t down) {
+  double largest = 0;
+  size_t found = SIZE_MAX;
+  bool finite = true;
+  for (size_t i = 0; i <= rows; i++) {
+    const double size = fabs(at[i * down]);
+    finite &= size <= DBL_MAX;
+    if (size > largest) {
+      largest = size;
+      found = i;
+    }
+  }
+  return finite ? found : SIZE_MAX;
+}
+
+static inline void swap(double *restrict x, double *restrict y, size_t n) {
+  for (size_t i = 0; i < n; i++) {
+    const double t = x[i];
+    x[i] = y[i];
+    y[i] = t;
+  }
+}
+
+/* n without the zeros at the end of x[n]; SIZE_MAX if one element is not
+ * finite. */
+static size_t trim(const double *x, size_t n) {
+  bool finite = true;
+  while (n > 0 && fabs(x[n - 1]) <= 0) {
+    n--;
+  }
+  for (size_t i = 0; i < n; i++) {
+    finite &= is_finite(x[i]);
+  }
+  return finite ? n : SIZE_MAX;
+}
+
+/*
+ * Row j of the factors has U from the diagonal on, and to the left of it
+ * column j of L, from below the diagonal down: there the row is 0 by then, and
+ * both solutions go along rows.  L is not permuted by later exchanges.
+ */
+bool ph_band_factor(double *a, uint32_t *pivot, size_t n, size_t k) {
+  const size_t down = 3 * k; /* to the element below */
+  size_t end = 0;            /* no row from here on has elements there */
+  for (size_t j = 0; j < n; j++) {
+    double *at = a + j * (down + 1) + k, *l = at - k;
+    const size_t rows = least(k, n - 1 - j), p = pivot_of(at, rows, down);
+    size_t m;
+    if (p == SIZE_MAX) {
+      return false;
+    }
+    pivot[j] = (uint32_t)(j + p);
+    end = least(end > j + p + k + 1 ? end : j + p + k + 1, n);
+    if (p > 0) {
+      swap(at, at + p * down, end - j);
+    }
+    m = trim(at + 1, end - j - 1);
+    if (m == SIZE_MAX) {
+      return false;
+    }
+    for (size_t i = 0; i < rows; i++) {
+      double *to = at + (i + 1) * down;
+      l[i] = to[0] / at[0];
+      if (fabs(l[i]) > 0) {
+        subtract(to + 1, l[i], at + 1, m);
+      }
+    }
+  }
+  return true;
+}
+
+void ph_band_solve(const double *a, const uint32_t *pivot, size_t n, size_t k,
+                   double *x) {
+  for (size_t j = 0; j < n; j++) {
+    const double *l = a + j * (3 * k + 1), t = x[pivot[j]];
+    x[pivot[j]] = x[j];
+    x[j] = t;
+    subtract(x + j + 1, t, l, least(k, n - 1 - j));
+  }
+  for (size_t j = n; j-- > 0;) {
+    const double *u = a + j * (3 * k + 1) + k;
+    x[j] = (x[j] - dot(u + 1, x + j + 1, least(2 * k, n - 1 - j))) / u[0];
+  }
+}
