@@ -32,14 +32,16 @@ struct ph_arc_data {
   ph_vec3 *step;  /* [n] of points: to the next one; else NULL */
   ph_vec3 *given; /* [n + 1] derivatives, or unit tangents; else NULL */
 
-  bool plane;    /* all vectors are in the plane z = 0 */
-  bool line;     /* all are along x */
-  bool straight; /* all are along x, in its sense, and lengths are chords */
+  bool plane;      /* all vectors are in the plane z = 0 */
+  bool line;       /* all are along x */
+  bool straight;   /* all are along x, in its sense; of points, lengths are
+                    * chords */
+  double rounding; /* of the vectors: below this they are zero */
 
   ph_quat turn;  /* takes the axes of our frame to those of the user's */
   bool mirrored; /* z is reversed, before that */
   bool reversed; /* the sequence is reversed */
-  double unit;   /* ours, in the user's */
+  double root;   /* a number of ours times its square is one of the user's */
 
   double *knots;        /* [n + 1] of the record */
   const double *points; /* of the user: of points the n or n + 1 of them */
@@ -59,5 +61,19 @@ struct ph_arc_data {
 enum ph_status ph_arc_data_read(const struct ph_problem *problem,
                                 struct ph_arena *arena,
                                 struct ph_arc_data *data, struct ph_diag *diag);
+
+/* ph_arc_data_speed: the mean of length / spacing of the intervals beside datum
+ * j: derivatives of that size belong to the lengths [HUA14, sec. 5.3]. */
+double ph_arc_data_speed(const struct ph_arc_data *data, size_t j);
+
+/* ph_arc_data_interval: the user's number of our interval i, and back. */
+static inline size_t ph_arc_data_interval(const struct ph_arc_data *data,
+                                          size_t i) {
+  return data->reversed ? data->n - 1 - i : i;
+}
+
+/* ph_arc_data_pose: turns, mirrors and reverses what ph_arc_data_read found in
+ * the user's frame to the pose that all such data have. */
+void ph_arc_data_pose(struct ph_arc_data *data);
 
 #endif

@@ -203,6 +203,13 @@ static void add_pins(const struct ph_arc_system *s, const double *x, double pin,
   }
 }
 
+/* Whether unknowns a and b of an interval have second derivatives: nodes that
+ * are in one segment, and all with chi. */
+static bool meet(const struct ph_arc_system *s, size_t a, size_t b) {
+  size_t i = a / s->dim, j = b / s->dim;
+  return i == s->span || j == s->span || (i <= j + 2 && j <= i + 2);
+}
+
 /* The Hessian of the functional and the rows of intervals, of knots, shift and
  * pin. */
 static void add_hessian(const struct ph_arc_system *s, const double *x,
@@ -217,7 +224,7 @@ static void add_hessian(const struct ph_arc_system *s, const double *x,
     set_block(s, i, x, y, weights->functional, &h);
     for (size_t a = 0; a < h.n; a++) {
       for (size_t b = 0; b < h.n; b++) {
-        if (h.a[a][b] != 0) {
+        if (meet(s, a, b)) {
           add(t, t->place[index[a]], t->place[index[b]], h.a[a][b]);
         }
       }

@@ -269,7 +269,7 @@ static double search(struct state *t) {
     if (merit(t, w->x[0]) <= before + ARMIJO * step * down + noise) {
       return step;
     }
-    if (step == 1) {
+    if (!(step < 1)) {
       correct(t, w->x[0]);
       ph_arc_retract(s, t->p->x, w->dx2, 1, w->x[1]);
       if (merit(t, w->x[1]) <= before + ARMIJO * down + noise) {
@@ -350,10 +350,10 @@ static bool iterate(struct state *t) {
   weigh_rows(t);
   step = search(t);
   p->iterations++;
-  if (step == 0 && t->near) {
+  if (!(step > 0) && t->near) {
     ph_arc_retract(s, p->x, w->dx, 1, w->x[0]);
     step = 1;
-  } else if (step == 0) {
+  } else if (!(step > 0)) {
     t->shift = t->shift > SHIFT_REFUSED / 10 ? 10 * t->shift : SHIFT_REFUSED;
     return t->shift <= SHIFT_MAX;
   }

@@ -54,13 +54,6 @@ static void align(const double u[4], double v[4]) {
   }
 }
 
-/* The speed at knot j: the mean of its neighbours' length / spacing. */
-static double knot_speed(const struct ph_arc_data *d, size_t j) {
-  size_t before = j > 0 ? j - 1 : 0, after = j < d->n ? j : d->n - 1;
-  return (d->length[before] / d->h[before] + d->length[after] / d->h[after]) /
-         2;
-}
-
 static void set_support(const struct ph_arc_data *d, struct support *p) {
   double t = 0;
   size_t n = d->mode == PH_ARC_POINTS ? d->n : d->n + 1;
@@ -73,7 +66,8 @@ static void set_support(const struct ph_arc_data *d, struct support *p) {
       p->t[p->n] = t + d->h[i] / 2;
     } else {
       v = d->given[i];
-      speed = d->mode == PH_ARC_TANGENTS ? knot_speed(d, i) : ph_vec3_abs(v);
+      speed =
+          d->mode == PH_ARC_TANGENTS ? ph_arc_data_speed(d, i) : ph_vec3_abs(v);
       p->t[p->n] = t;
     }
     spinor(ph_vec3_unit(v), sqrt(speed), p->w[p->n]);

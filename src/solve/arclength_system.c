@@ -30,8 +30,7 @@ static double spacing(const struct ph_arc_system *s, size_t q, int beyond) {
   return d->h[at / s->refine] / (double)s->refine;
 }
 
-/* c[k] = sum_l out[k][l] w_(q+l): Bernstein coefficients of segment q. */
-static void coefficients(const struct ph_arc_system *s, size_t q,
+void ph_arc_coefficients(const struct ph_arc_system *s, size_t q,
                          double out[3][3]) {
   double before = spacing(s, q, -1), h = spacing(s, q, 0),
          after = spacing(s, q, 1);
@@ -47,7 +46,7 @@ static void set_segment(struct ph_arc_system *s, size_t q) {
   double c[3][3], h = spacing(s, q, 0), *bend = s->bend + 3 * q;
   size_t i = q / s->refine, at = q % s->refine, span = s->span;
   double *gram = s->gram + i * span * span;
-  coefficients(s, q, c);
+  ph_arc_coefficients(s, q, c);
   for (size_t a = 0; a < 3; a++) {
     bend[a] = 2 * (c[0][a] - 2 * c[1][a] + c[2][a]) / (h * sqrt(h));
     for (size_t b = 0; b < 3; b++) {

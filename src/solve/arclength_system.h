@@ -76,6 +76,11 @@ struct ph_arc_linear {
   double *knot_rows; /* [n + 1][knot_rows][2 dim]: of (2), (3) */
 };
 
+/* ph_arc_coefficients: Bernstein coefficients of segment q from its nodes,
+ * c[k] = sum_l out[k][l] w_(q+l) [HUA14, (8)]. */
+void ph_arc_coefficients(const struct ph_arc_system *system, size_t q,
+                         double out[3][3]);
+
 /* ph_arc_local: how many unknowns an interval may have. */
 static inline size_t ph_arc_local(const struct ph_arc_system *system) {
   return system->span * system->dim + (system->turn ? 1 : 0);

@@ -3,12 +3,10 @@
 #include "solve/spatial_curve.h"
 
 #include "curve/ph3.h"
+#include "solve/frame.h"
 
 #include <math.h>
 #include <string.h>
-
-/* A tangent within this of vertical has no left. */
-static const double VERTICAL = 1e-8;
 
 enum ph_status ph_spatial_curve_alloc(const struct ph_spatial_points *p,
                                       struct ph_arena *arena,
@@ -35,30 +33,6 @@ enum ph_status ph_spatial_curve_alloc(const struct ph_spatial_points *p,
   }
   memcpy(curve->knots, p->knots, (n + 1) * sizeof *p->knots);
   return PH_OK;
-}
-
-/* (re + im i) / |.|, or 1. */
-static ph_cplx direction(double re, double im) {
-  double size = sqrt(re * re + im * im), per_size = 1 / size;
-  return size > 0 ? ph_cplx_of(re * per_size, im * per_size) : ph_cplx_of(1, 0);
-}
-
-/* The factor that makes e3 at A as near to z as it can be. */
-static ph_cplx upright(ph_quat a) {
-  ph_vec3 e1 = ph_vec3_unit(ph_quat_i(a, a));
-  ph_vec3 e2 = ph_quat_j(a, a), e3 = ph_quat_k(a, a);
-  /* A exp(x i) has e3 cos 2x - e2 sin 2x in the place of e3. */
-  ph_cplx twice = e1.x * e1.x + e1.y * e1.y > VERTICAL * VERTICAL
-                      ? direction(e3.z, -e2.z)
-                      : direction(e3.x, -e2.x);
-  return ph_cplx_sqrt(twice);
-}
-
-/* The factor that makes A end where `before` does: both turn i to the same
- * tangent, so that conj(A) before is a complex number. */
-static ph_cplx follow(ph_quat a, ph_quat before) {
-  ph_quat e = ph_quat_between(a, before);
-  return direction(e.u, e.v);
 }
 
 static ph_vec3 rotated(const ph_vec3 axis[3], ph_vec3 v) {
@@ -99,7 +73,7 @@ static void put_preimage(const struct ph_spatial_points *p, size_t k,
   for (size_t i = 0; i < 3; i++) {
     a[i] = ph_quat_mul(r, a[i]);
   }
-  gauge = k == 0 ? upright(a[0]) : follow(a[0], *end);
+  gauge = k == 0 ? ph_frame_upright(a[0]) : ph_frame_follow(a[0], *end);
   root = p->atph ? root / sqrt(f->space.angle) : root;
   for (size_t i = 0; i < 3; i++) {
     a[i] = ph_quat_turn(a[i], gauge);
@@ -143,11 +117,4 @@ double ph_spatial_curve_put(const struct ph_spatial_points *p, size_t k,
   curve->shape_ok[k] = chosen->fit->violated == 0;
   memcpy(curve->angles + 2 * k, chosen->angles, sizeof chosen->angles);
   return missed;
-}
-
-double ph_spatial_curve_turn(const struct ph_curve *curve, ph_quat end) {
-  const double *a = curve->preimage;
-  ph_quat start = ph_quat_of(a[0], a[1], a[2], a[3]);
-  ph_cplx half = follow(start, end), whole = ph_cplx_mul(half, half);
-  return atan2(whole.im, whole.re) + 0.0; /* no -0 */
 }

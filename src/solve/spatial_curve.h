@@ -26,8 +26,7 @@ enum ph_status ph_spatial_curve_alloc(const struct ph_spatial_points *points,
  *
  * The Euler-Rodrigues frame goes on where the segment before left it: the
  * preimage is turned by the free factor exp(x i) at the right.  In the first
- * point e3 is as near to the axis z as the tangent allows (x where the tangent
- * is vertical), so that e2 points to the left seen from above.
+ * point it is upright (solve/frame.h).
  *
  * inout end  A at the end of the segment before, and of this one, of any size
  * ret   by how much the segment misses its last point, relative to its size
@@ -35,13 +34,5 @@ enum ph_status ph_spatial_curve_alloc(const struct ph_spatial_points *points,
 double ph_spatial_curve_put(const struct ph_spatial_points *points, size_t k,
                             const struct ph_spatial_chosen *chosen,
                             ph_quat *end, struct ph_curve *curve);
-
-/*
- * ph_spatial_curve_turn: the angle, in (-pi, pi], by which the Euler-Rodrigues
- * frame of a closed curve has turned about the tangent when it comes back.
- *
- * in   end  A at the end of the last segment
- */
-double ph_spatial_curve_turn(const struct ph_curve *curve, ph_quat end);
 
 #endif

@@ -12,6 +12,7 @@
 #include "base/sum.h"
 #include "curve/ph3.h"
 #include "solve/fields.h"
+#include "solve/frame.h"
 #include "solve/spatial_criteria.h"
 #include "solve/spatial_curve.h"
 #include "solve/spatial_data.h"
@@ -303,7 +304,7 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
   curve->length = ph_sum_value(&length);
   if (curve->closed) {
     ph_diagnostics_set(&t->result->diagnostics, PH_D_FRAME_TURN,
-                       ph_spatial_curve_turn(curve, end));
+                       ph_frame_turn(curve, end));
   }
   return PH_OK;
 }
