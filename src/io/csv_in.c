@@ -256,14 +256,31 @@ static enum ph_status prepare(struct reader *r) {
   return PH_OK;
 }
 
+/* The element that a bad cell of the current row is: of the numbers of segments
+ * row i + 1 has element i, and which one the first row has shows at the end. */
+static enum ph_status bad_cell(struct reader *r, enum ph_status status,
+                               const struct ph_csv_column *column,
+                               const struct ph_csv_cell *cell) {
+  const char *field = ph_field_name((enum ph_field_id)column->field);
+  const char *what = status == PH_NOT_FINITE ? "finite " : "";
+  char excerpt[PH_EXCERPT_MAX];
+  ph_excerpt(cell->text, cell->n, excerpt);
+  if (column->segments && r->rows == 0) {
+    return ph_fail(r->diag, status, field,
+                   "needs a %snumber in column %s, found \"%s\"", what,
+                   column->name, excerpt);
+  }
+  return ph_fail_at(r->diag, status, field, r->rows - column->segments,
+                    "needs a %snumber in column %s, found \"%s\"", what,
+                    column->name, excerpt);
+}
+
 static enum ph_status read_number(struct reader *r,
                                   const struct ph_csv_column *column,
                                   const struct ph_csv_cell *cell) {
   struct series *series = &r->series[column->field];
   size_t c = column->component;
   double *x = &series->v[r->rows * series->dimension + c];
-  const char *field = ph_field_name((enum ph_field_id)column->field);
-  char excerpt[PH_EXCERPT_MAX];
   if (cell->n == 0) {
     if (series->filled[c] == r->rows) {
       series->first_gap[c] = r->rows;
@@ -271,14 +288,10 @@ static enum ph_status read_number(struct reader *r,
     return PH_OK;
   }
   if (!ph_csv_number(cell->text, cell->n, x)) {
-    return ph_fail_at(r->diag, PH_BAD_TYPE, field, r->rows,
-                      "needs a number in column %s, found \"%s\"", column->name,
-                      ph_excerpt(cell->text, cell->n, excerpt));
+    return bad_cell(r, PH_BAD_TYPE, column, cell);
   }
   if (!isfinite(*x)) {
-    return ph_fail_at(r->diag, PH_NOT_FINITE, field, r->rows,
-                      "needs a finite number in column %s, found \"%s\"",
-                      column->name, ph_excerpt(cell->text, cell->n, excerpt));
+    return bad_cell(r, PH_NOT_FINITE, column, cell);
   }
   series->filled[c]++;
   return PH_OK;

@@ -205,6 +205,26 @@ static void write_segments(struct writer *w, const struct ph_curve *c) {
   end(w, ']');
 }
 
+/* Where an interval of the data lies among the segments. */
+static void write_intervals(struct writer *w, const struct ph_result *result) {
+  key(w, "intervals");
+  begin(w, '[');
+  for (size_t i = 0; i < result->intervals_n; i++) {
+    const struct ph_interval *interval = &result->intervals[i];
+    const double segments[] = {(double)interval->first, (double)interval->last};
+    element(w);
+    begin(w, '{');
+    key_number(w, "length", interval->length);
+    if (!isnan(interval->natural_length)) {
+      key_number(w, "natural_length", interval->natural_length);
+    }
+    key(w, "segments");
+    numbers(w, segments, 2);
+    end(w, '}');
+  }
+  end(w, ']');
+}
+
 /* What every piece begins with: its segment and its part of it. */
 static void begin_piece(struct writer *w, size_t segment,
                         const double *interval) {
@@ -275,6 +295,9 @@ static void write_diagnostics(struct writer *w,
     if (diagnostics->known >> i & 1) {
       if (ph_diagnostic_is_flag(which)) {
         key_flag(w, ph_diagnostic_name(which), value > 0);
+      } else if (ph_diagnostic_is_outcome(which)) {
+        key_string(w, ph_diagnostic_name(which),
+                   ph_outcome_name((enum ph_outcome)value));
       } else {
         key_number(w, ph_diagnostic_name(which), value);
       }
@@ -301,6 +324,63 @@ static void write_kantorovich(struct writer *w,
     }
   }
   key_flag(w, "certified", k->certified);
+  end(w, '}');
+}
+
+/* The lengths of the curve with free lengths, if it is known everywhere. */
+static void write_natural_lengths(struct writer *w,
+                                  const struct ph_result *result) {
+  for (size_t i = 0; i < result->intervals_n; i++) {
+    if (isnan(result->intervals[i].natural_length)) {
+      return;
+    }
+  }
+  key(w, "natural_lengths");
+  put(w, '[');
+  for (size_t i = 0; i < result->intervals_n; i++) {
+    if (i > 0) {
+      put(w, ',');
+    }
+    number(w, result->intervals[i].natural_length);
+  }
+  put(w, ']');
+}
+
+/* The starts that were tried, after the name of the one that won. */
+static void write_starts(struct writer *w, const struct ph_result *result) {
+  key_string(w, "start", result->starts[result->start].name);
+  key(w, "starts");
+  begin(w, '[');
+  for (size_t i = 0; i < result->starts_n; i++) {
+    const struct ph_start *start = &result->starts[i];
+    element(w);
+    begin(w, '{');
+    key_string(w, "start", start->name);
+    key_string(w, "outcome", ph_outcome_name(start->outcome));
+    if (!isnan(start->f)) {
+      key_number(w, "F", start->f);
+    }
+    key_number(w, "iterations", (double)start->iterations);
+    end(w, '}');
+  }
+  end(w, ']');
+}
+
+/* The certificate of the curve, and how it was found. */
+static void write_certificate(struct writer *w,
+                              const struct ph_result *result) {
+  key(w, "diagnostics");
+  begin(w, '{');
+  write_diagnostics(w, &result->diagnostics);
+  if (result->intervals_n) {
+    write_natural_lengths(w, result);
+  }
+  if (result->starts_n) {
+    write_starts(w, result);
+  }
+  if (result->has_kantorovich) {
+    write_kantorovich(w, &result->kantorovich);
+  }
   end(w, '}');
 }
 
@@ -356,6 +436,9 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
   key_number(&w, "degree", (double)curve->degree);
   key_flag(&w, "closed", curve->closed);
   write_segments(&w, curve);
+  if (result->intervals_n) {
+    write_intervals(&w, result);
+  }
   key_number(&w, "length", curve->length);
   if (result->offsets_n) {
     key(&w, "offsets");
@@ -366,13 +449,7 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
     }
     end(&w, ']');
   }
-  key(&w, "diagnostics");
-  begin(&w, '{');
-  write_diagnostics(&w, &result->diagnostics);
-  if (result->has_kantorovich) {
-    write_kantorovich(&w, &result->kantorovich);
-  }
-  end(&w, '}');
+  write_certificate(&w, result);
   if (result->solutions_n) {
     write_solutions(&w, result);
   }

@@ -30,14 +30,15 @@ static const struct {
   size_t component;
   bool vector; /* the field holds vectors */
 } names[] = {
-    {"id", PH_CSV_ID, 0, false},       {"x", PH_F_POINTS, 0, true},
-    {"y", PH_F_POINTS, 1, true},       {"z", PH_F_POINTS, 2, true},
-    {"x_m", PH_F_POINTS, 0, true},     {"y_m", PH_F_POINTS, 1, true},
-    {"z_m", PH_F_POINTS, 2, true},     {"knot", PH_F_KNOTS, 0, false},
-    {"alpha", PH_F_ALPHA, 0, false},   {"tension", PH_F_TENSION, 0, false},
-    {"tx", PH_F_TANGENTS, 0, true},    {"ty", PH_F_TANGENTS, 1, true},
-    {"tz", PH_F_TANGENTS, 2, true},    {"dx", PH_F_DERIVATIVES, 0, true},
-    {"dy", PH_F_DERIVATIVES, 1, true}, {"dz", PH_F_DERIVATIVES, 2, true},
+    {"id", PH_CSV_ID, 0, false},        {"x", PH_F_POINTS, 0, true},
+    {"y", PH_F_POINTS, 1, true},        {"z", PH_F_POINTS, 2, true},
+    {"x_m", PH_F_POINTS, 0, true},      {"y_m", PH_F_POINTS, 1, true},
+    {"z_m", PH_F_POINTS, 2, true},      {"knot", PH_F_KNOTS, 0, false},
+    {"alpha", PH_F_ALPHA, 0, false},    {"tension", PH_F_TENSION, 0, false},
+    {"length", PH_F_LENGTHS, 0, false}, {"tx", PH_F_TANGENTS, 0, true},
+    {"ty", PH_F_TANGENTS, 1, true},     {"tz", PH_F_TANGENTS, 2, true},
+    {"dx", PH_F_DERIVATIVES, 0, true},  {"dy", PH_F_DERIVATIVES, 1, true},
+    {"dz", PH_F_DERIVATIVES, 2, true},
 };
 
 enum { NAMES = sizeof names / sizeof *names };

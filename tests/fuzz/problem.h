@@ -62,12 +62,44 @@ static inline void fuzz_check_failure(const struct ph_diag *diag,
   FUZZ_REQUIRE(diag->message[0] != '\0');
 }
 
+/* What is known is finite; a curve is no start that led nowhere. */
 static inline void
 fuzz_check_diagnostics(const struct ph_diagnostics *diagnostics) {
   for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
-    FUZZ_REQUIRE(!(diagnostics->known >> i & 1) ||
-                 isfinite(diagnostics->value[i]));
+    double value = diagnostics->value[i];
+    if (diagnostics->known >> i & 1) {
+      FUZZ_REQUIRE(isfinite(value));
+      FUZZ_REQUIRE(!ph_diagnostic_is_outcome((enum ph_diagnostic)i) ||
+                   (value >= 0 && value < PH_OUTCOME_NO_SOLUTION));
+    }
   }
+}
+
+/* Intervals are all segments, in order. */
+static inline void fuzz_check_intervals(const struct ph_result *result) {
+  size_t next = 0;
+  for (size_t i = 0; i < result->intervals_n; i++) {
+    const struct ph_interval *interval = &result->intervals[i];
+    double natural = interval->natural_length;
+    FUZZ_REQUIRE(interval->first == next && interval->last >= next);
+    FUZZ_REQUIRE(interval->length > 0 && isfinite(interval->length));
+    FUZZ_REQUIRE(isnan(natural) || (natural > 0 && isfinite(natural)));
+    next = interval->last + 1;
+  }
+  FUZZ_REQUIRE(result->intervals_n == 0 || next == result->curve.n);
+}
+
+/* One of the starts has led to the curve. */
+static inline void fuzz_check_starts(const struct ph_result *result) {
+  for (size_t i = 0; i < result->starts_n; i++) {
+    const struct ph_start *start = &result->starts[i];
+    bool solved = start->outcome != PH_OUTCOME_NO_SOLUTION;
+    FUZZ_REQUIRE(start->name != NULL);
+    FUZZ_REQUIRE(solved ? isfinite(start->f) : isnan(start->f));
+  }
+  FUZZ_REQUIRE(result->starts_n == 0 ||
+               (result->start < result->starts_n &&
+                isfinite(result->starts[result->start].f)));
 }
 
 /* Rational Bezier pieces without a pole. */

@@ -17,6 +17,14 @@ static const struct ph_field rows[] = {
     {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal", "chordal", ""},
 };
 static const struct ph_schema schema = {"planar", rows, 3};
+/* Points or derivatives, and numbers of segments. */
+static const struct ph_field segment_rows[] = {
+    {PH_F_POINTS, PH_VECTORS, PLANE | SPACE, false, "", "", ""},
+    {PH_F_DERIVATIVES, PH_VECTORS, PLANE | SPACE, false, "", "", ""},
+    {PH_F_LENGTHS, PH_NUMBERS | PH_SEGMENTS, 0, false, "", "", ""},
+    {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal", "chordal", ""},
+};
+static const struct ph_schema of_segments = {"arclength", segment_rows, 4};
 
 static struct ph_arena arena;
 static struct ph_problem problem;
@@ -185,7 +193,8 @@ END_TEST
 
 /* ---- records -------------------------------------------------------- */
 
-/* Columns by one letter each: i, x, y, z, k(not), -. */
+/* Columns by one letter each: i, x, y, z, u (dx), v (dy), k(not), l(ength),
+ * -. */
 static void set_columns(const char *letters) {
   size_t n = strlen(letters);
   columns = malloc(sizeof *columns + n * sizeof *columns->column);
@@ -200,6 +209,9 @@ static void set_columns(const char *letters) {
         : c == 'x' ? (struct ph_csv_column){PH_F_POINTS, 0, "x", false}
         : c == 'y' ? (struct ph_csv_column){PH_F_POINTS, 1, "y", false}
         : c == 'z' ? (struct ph_csv_column){PH_F_POINTS, 2, "z", false}
+        : c == 'u' ? (struct ph_csv_column){PH_F_DERIVATIVES, 0, "dx", false}
+        : c == 'v' ? (struct ph_csv_column){PH_F_DERIVATIVES, 1, "dy", false}
+        : c == 'l' ? (struct ph_csv_column){PH_F_LENGTHS, 0, "length", true}
         : c == 'k' ? (struct ph_csv_column){PH_F_KNOTS, 0, "knot", false}
                    : (struct ph_csv_column){PH_CSV_SKIP, 0, "-", false};
   }
@@ -213,10 +225,15 @@ static struct ph_record record_of(const char *letters, const char *text) {
   return (struct ph_record){heap(text, n), n, "a.csv", 10, 1, columns, PH_OK};
 }
 
-static enum ph_status get(const char *letters, const char *text) {
+static enum ph_status get_by(const struct ph_schema *by, const char *letters,
+                             const char *text) {
   struct ph_record record = record_of(letters, text);
   memset(&diag, 0, sizeof diag);
-  return ph_csv_in(&record, &schema, &arena, &problem, &echo, &diag);
+  return ph_csv_in(&record, by, &arena, &problem, &echo, &diag);
+}
+
+static enum ph_status get(const char *letters, const char *text) {
+  return get_by(&schema, letters, text);
 }
 
 static void ck_array(enum ph_field_id id, enum ph_kind kind, size_t n,
@@ -240,14 +257,20 @@ static void ck_id(const char *id) {
   ck_assert_ptr_null(echo.meta);
 }
 
-static void bad(const char *letters, const char *text, enum ph_status status,
-                const char *field, size_t line, const char *message) {
-  enum ph_status found = get(letters, text);
+static void bad_by(const struct ph_schema *by, const char *letters,
+                   const char *text, enum ph_status status, const char *field,
+                   size_t line, const char *message) {
+  enum ph_status found = get_by(by, letters, text);
   ck_assert_str_eq(diag.message, message);
   ck_assert_str_eq(diag.field, field);
   ck_assert_int_eq(found, status);
   ck_assert_int_eq(diag.status, status);
   ck_assert_uint_eq(diag.line, line);
+}
+
+static void bad(const char *letters, const char *text, enum ph_status status,
+                const char *field, size_t line, const char *message) {
+  bad_by(&schema, letters, text, status, field, line, message);
 }
 
 START_TEST(test_good) {
@@ -277,6 +300,53 @@ START_TEST(test_empty_columns) {
   ck_assert_int_eq(get("xyk", ",,0\n,,1\n"), PH_OK);
   ck_assert_int_eq(problem.field[PH_F_POINTS].kind, PH_ABSENT);
   ck_array(PH_F_KNOTS, PH_NUMBERS, 2, 1, v);
+}
+END_TEST
+
+/* A length stands in the row in which its segment ends; the first row has none
+ * or that of the segment which closes the curve. */
+START_TEST(test_segments) {
+  static const double v[] = {0, 1, 2, 3, 4, 5};
+  static const double l[] = {7, 8, 6};
+  ck_assert_int_eq(get_by(&of_segments, "xyl", "0,1,\n2,3,7\n4,5,8\n"), PH_OK);
+  ck_array(PH_F_POINTS, PH_VECTORS, 3, 2, v);
+  ck_array(PH_F_LENGTHS, PH_NUMBERS, 2, 1, l);
+  ck_assert_int_eq(get_by(&of_segments, "lxy", "6,0,1\n7,2,3\n8,4,5\n"), PH_OK);
+  ck_array(PH_F_LENGTHS, PH_NUMBERS, 3, 1, l);
+  ck_assert_int_eq(get_by(&of_segments, "ulv", "0,\"\",1\n2,7,3\n4, 8 ,5"),
+                   PH_OK);
+  ck_assert_int_eq(problem.field[PH_F_POINTS].kind, PH_ABSENT);
+  ck_array(PH_F_DERIVATIVES, PH_VECTORS, 3, 2, v);
+  ck_array(PH_F_LENGTHS, PH_NUMBERS, 2, 1, l);
+  ck_assert_int_eq(get_by(&of_segments, "xylk", "0,1,,4\n2,3,7,5\n"), PH_OK);
+  ck_array(PH_F_LENGTHS, PH_NUMBERS, 1, 1, l);
+  ck_array(PH_F_KNOTS, PH_NUMBERS, 2, 1, v + 4);
+  /* empty in all rows is absent */
+  ck_assert_int_eq(get_by(&of_segments, "xyl", "0,1,\n2,3,\n4,5,\n"), PH_OK);
+  ck_assert_int_eq(problem.field[PH_F_LENGTHS].kind, PH_ABSENT);
+  /* a row alone has no segment that ends in it, unless it closes */
+  ck_assert_int_eq(get_by(&of_segments, "xyl", "0,1,7\n"), PH_OK);
+  ck_array(PH_F_LENGTHS, PH_NUMBERS, 1, 1, l);
+}
+END_TEST
+
+START_TEST(test_segment_gaps) {
+  static const char wanted[] =
+      "needs a number in column length of every row but the first";
+  bad_by(&of_segments, "xyl", "0,1,\n2,3,7\n4,5,\n", PH_BAD_VALUE, "lengths", 0,
+         wanted);
+  bad_by(&of_segments, "xyl", "0,1,\n2,3,\n4,5,7\n", PH_BAD_VALUE, "lengths", 0,
+         wanted);
+  bad_by(&of_segments, "xyl", "0,1,6\n2,3,\n4,5,7\n", PH_BAD_VALUE, "lengths",
+         0, wanted);
+  bad_by(&of_segments, "xyl", "0,1,6\n2,3,\n4,5,\n", PH_BAD_VALUE, "lengths", 0,
+         wanted);
+  bad_by(&of_segments, "xyl", "0,1,\n2,3,far\n", PH_BAD_TYPE, "lengths[0]", 11,
+         "needs a number in column length, found \"far\"");
+  bad_by(&of_segments, "xyl", "0,1,far\n2,3,7\n", PH_BAD_TYPE, "lengths", 10,
+         "needs a number in column length, found \"far\"");
+  bad_by(&of_segments, "xyl", "0,1,\n2,3,inf\n", PH_NOT_FINITE, "lengths[0]",
+         11, "needs a finite number in column length, found \"inf\"");
 }
 END_TEST
 
@@ -377,6 +447,18 @@ START_TEST(test_lines) {
 }
 END_TEST
 
+/* Element i of the segments ends in row i + 1; the one that closes the curve
+ * ends in the first row. */
+START_TEST(test_segment_lines) {
+  struct ph_record record = record_of("xyl", "0,0,3\n#\n1,1,1\n\n2,2,2\n");
+  ck_assert_uint_eq(ph_record_line(&record, "points[1]"), 12);
+  ck_assert_uint_eq(ph_record_line(&record, "lengths"), 10);
+  ck_assert_uint_eq(ph_record_line(&record, "lengths[0]"), 12);
+  ck_assert_uint_eq(ph_record_line(&record, "lengths[1]"), 14);
+  ck_assert_uint_eq(ph_record_line(&record, "lengths[2]"), 10);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("csv_in");
   TCase *tc = tcase_create("csv_in");
@@ -387,11 +469,14 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_numbers);
   tcase_add_test(tc, test_good);
   tcase_add_test(tc, test_empty_columns);
+  tcase_add_test(tc, test_segments);
+  tcase_add_test(tc, test_segment_gaps);
   tcase_add_test(tc, test_gaps);
   tcase_add_test(tc, test_bad_rows);
   tcase_add_test(tc, test_ids);
   tcase_add_test(tc, test_ids_on_failure);
   tcase_add_test(tc, test_lines);
+  tcase_add_test(tc, test_segment_lines);
   suite_add_tcase(s, tc);
   return s;
 }

@@ -102,24 +102,123 @@ START_TEST(test_warnings) {
 }
 END_TEST
 
-START_TEST(test_pretty) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
-  const struct ph_diag diag = {.status = PH_SYNTAX, .message = "no"};
+/* Intervals stand beside the segments they consist of; what is natural is told
+ * where it is known, and in the certificate when it is known everywhere. */
+START_TEST(test_intervals) {
+  const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
+  struct ph_interval intervals[] = {{3, 2.5, 0, 1}, {4.25, NAN, 2, 2}};
   struct ph_result result = by_hand();
-  cJSON *indented, *compact;
-  ph_json_result(&buf, &heading, &result, true);
-  indented = cJSON_Parse(written());
-  ck_assert_ptr_nonnull(strstr(buf.data, "\n  \"command\": \"planar\",\n"));
-  ck_assert_ptr_nonnull(
-      strstr(buf.data, "\n      \"interval\": [0,1.5],\n"
-                       "      \"control_points\": [\n        [0,0],\n"));
-  ph_buf_free(&buf);
+  result.intervals = intervals;
+  result.intervals_n = 2;
   ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(strstr(written(), SEGMENTS
+                               ",\"intervals\":[{\"length\":3,"
+                               "\"natural_length\":2.5,\"segments\":[0,1]},"
+                               "{\"length\":4.25,\"segments\":[2,2]}],"
+                               "\"length\":7.25,\"diagnostics\":{"
+                               "\"iterations\":3,\"length_error\":"
+                               "1.5e-16}}\n"));
+  ph_buf_free(&buf);
+  intervals[1].natural_length = 4;
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(strstr(written(),
+                               "{\"length\":4.25,\"natural_length\":4,"
+                               "\"segments\":[2,2]}]"));
+  ck_assert_ptr_nonnull(strstr(
+      buf.data, "\"length_error\":1.5e-16,\"natural_lengths\":[2.5,4]}}\n"));
+}
+END_TEST
+
+/* All starts, in the order they were tried, and which of them won. */
+START_TEST(test_starts) {
+  const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
+  struct ph_start starts[] = {{"init", PH_OUTCOME_NO_SOLUTION, NAN, 200},
+                              {"chords", PH_OUTCOME_MINIMISER, 0.5, 7},
+                              {"mirror", PH_OUTCOME_SADDLE, 1e21, 0}};
+  struct ph_result result = by_hand();
+  result.starts = starts;
+  result.starts_n = 3;
+  result.start = 1;
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(strstr(
+      written(), "\"diagnostics\":{\"iterations\":3,\"length_error\":1.5e-16,"
+                 "\"start\":\"chords\",\"starts\":[{\"start\":\"init\","
+                 "\"outcome\":\"no-convergence\",\"iterations\":200},"
+                 "{\"start\":\"chords\",\"outcome\":\"minimiser\","
+                 "\"F\":0.5,\"iterations\":7},{\"start\":\"mirror\","
+                 "\"outcome\":\"saddle\",\"F\":1e21,"
+                 "\"iterations\":0}]}}\n"));
+}
+END_TEST
+
+/* Outcomes are words and flags truth values, of each solution, too. */
+START_TEST(test_outcomes) {
+  const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
+  struct ph_result result = by_hand();
+  struct ph_solution solutions[2];
+  for (size_t i = 0; i < 2; i++) {
+    solutions[i] = (struct ph_solution){.curve = result.curve, .good = i == 0};
+    ph_diagnostics_set(&solutions[i].diagnostics, PH_D_F, 0.25);
+    ph_diagnostics_set(&solutions[i].diagnostics, PH_D_SECOND_ORDER,
+                       (double)(i ? PH_OUTCOME_SADDLE : PH_OUTCOME_MINIMISER));
+    ph_diagnostics_set(&solutions[i].diagnostics, PH_D_PLANAR, (double)i);
+  }
+  result.diagnostics = solutions[0].diagnostics;
+  result.solutions = solutions;
+  result.solutions_n = 2;
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(strstr(
+      written(),
+      "\"length\":7.25,\"diagnostics\":{\"F\":0.25,\"second_order\":"
+      "\"minimiser\",\"planar\":false},\"solutions\":[{\"good\":true," SEGMENTS
+      ",\"length\":7.25,\"diagnostics\":{\"F\":0.25,"
+      "\"second_order\":\"minimiser\",\"planar\":false}},{\"good\":"
+      "false," SEGMENTS ",\"length\":7.25,\"diagnostics\":{\"F\":0.25,"
+      "\"second_order\":\"saddle\",\"planar\":true}}]}\n"));
+}
+END_TEST
+
+/* Indented, a result has this part, and is the same value as on one line. */
+static void ck_indented(const struct ph_result *result, const char *part) {
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  cJSON *indented, *compact;
+  ph_json_result(&buf, &heading, result, true);
+  indented = cJSON_Parse(written());
+  ck_assert_ptr_nonnull(strstr(buf.data, part));
+  ph_buf_free(&buf);
+  ph_json_result(&buf, &heading, result, false);
   compact = cJSON_Parse(written());
   ck_assert(indented && compact);
   ck_assert(cJSON_Compare(indented, compact, true));
   cJSON_Delete(indented);
   cJSON_Delete(compact);
+}
+
+START_TEST(test_pretty_intervals) {
+  struct ph_interval intervals[] = {{3, 2.5, 0, 1}, {4.25, 4, 2, 2}};
+  struct ph_start start = {"init", PH_OUTCOME_MINIMISER, 0.5, 7};
+  struct ph_result result = by_hand();
+  result.intervals = intervals;
+  result.intervals_n = 2;
+  result.starts = &start;
+  result.starts_n = 1;
+  ck_indented(&result, "\n  \"intervals\": [\n    {\n      \"length\": 3,\n"
+                       "      \"natural_length\": 2.5,\n"
+                       "      \"segments\": [0,1]\n    },\n");
+  ph_buf_free(&buf);
+  ck_indented(&result, "\n    \"natural_lengths\": [2.5,4],\n"
+                       "    \"start\": \"init\",\n    \"starts\": [\n");
+}
+END_TEST
+
+START_TEST(test_pretty) {
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  const struct ph_diag diag = {.status = PH_SYNTAX, .message = "no"};
+  struct ph_result result = by_hand();
+  ck_indented(&result, "\n  \"command\": \"planar\",\n");
+  ph_buf_free(&buf);
+  ck_indented(&result, "\n      \"interval\": [0,1.5],\n"
+                       "      \"control_points\": [\n        [0,0],\n");
   ph_buf_free(&buf);
   ph_json_error(&buf, &heading, &diag, NULL, true);
   ck_assert_str_eq(written(),
@@ -305,7 +404,11 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_compact);
   tcase_add_test(tc, test_heading);
   tcase_add_test(tc, test_warnings);
+  tcase_add_test(tc, test_intervals);
+  tcase_add_test(tc, test_starts);
+  tcase_add_test(tc, test_outcomes);
   tcase_add_test(tc, test_pretty);
+  tcase_add_test(tc, test_pretty_intervals);
   tcase_add_test(tc, test_error);
   tcase_add_test(tc, test_strings);
   tcase_add_test(tc, test_read_back);

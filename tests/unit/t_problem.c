@@ -11,10 +11,22 @@ static const struct ph_field rows[] = {
     {PH_F_POINTS, PH_VECTORS, 1u << 2, true, NULL, NULL, ""},
 };
 static const struct ph_schema schema = {"some", rows, 2};
+/* Names that begin alike. */
+static const struct ph_field alike_rows[] = {
+    {PH_F_STARTS, PH_NUMBER, 0, false, NULL, "0", ""},
+    {PH_F_PLANARITY, PH_NUMBER, 0, false, NULL, "", ""},
+    {PH_F_LENGTH_SIGMA, PH_NUMBER, 0, false, NULL, "", ""},
+    {PH_F_START, PH_NUMBERS, 0, false, NULL, "", ""},
+    {PH_F_PLANAR, PH_WORD, 0, false, "keep|free", "", ""},
+    {PH_F_LENGTHS, PH_NUMBERS | PH_SEGMENTS, 0, false, NULL, "", ""},
+};
+static const struct ph_schema alike = {"alike", alike_rows, 6};
 
 START_TEST(test_names) {
   ck_assert_str_eq(ph_field_name(PH_F_POINTS), "points");
   ck_assert_str_eq(ph_field_name(PH_F_END_DERIVATIVES), "end_derivatives");
+  ck_assert_str_eq(ph_field_name(PH_F_LENGTHS), "lengths");
+  ck_assert_str_eq(ph_field_name(PH_F_LENGTH_SIGMA), "length_sigma");
   for (int i = 0; i < PH_FIELD_N; i++) {
     for (int j = 0; j < i; j++) {
       ck_assert_str_ne(ph_field_name((enum ph_field_id)i),
@@ -36,11 +48,23 @@ START_TEST(test_find) {
 }
 END_TEST
 
+START_TEST(test_alike) {
+  static const char *const names[] = {"starts", "planarity", "length_sigma",
+                                      "start",  "planar",    "lengths"};
+  for (size_t i = 0; i < 6; i++) {
+    ck_assert_ptr_eq(ph_field_find(&alike, names[i], strlen(names[i])),
+                     &alike_rows[i]);
+  }
+  ck_assert_ptr_null(ph_field_find(&alike, "length", 6));
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("problem");
   TCase *tc = tcase_create("problem");
   tcase_add_test(tc, test_names);
   tcase_add_test(tc, test_find);
+  tcase_add_test(tc, test_alike);
   suite_add_tcase(s, tc);
   return s;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Results: names, diagnostics that are known or not, warnings in order. */
+/* Results: names, kinds of diagnostics and which are known, warnings in order.
+ */
 #include "unit.h"
 
 #include "curve/result.h"
@@ -8,11 +9,49 @@ START_TEST(test_names) {
   ck_assert_str_eq(ph_curve_name(PH_CURVE_PH), "ph");
   ck_assert_str_eq(ph_diagnostic_name(PH_D_ITERATIONS), "iterations");
   ck_assert_str_eq(ph_diagnostic_name(PH_D_LENGTH_ERROR), "length_error");
+  ck_assert_str_eq(ph_diagnostic_name(PH_D_F), "F");
+  ck_assert_str_eq(ph_diagnostic_name(PH_D_SECOND_ORDER), "second_order");
   for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
     for (int j = 0; j < i; j++) {
       ck_assert_str_ne(ph_diagnostic_name((enum ph_diagnostic)i),
                        ph_diagnostic_name((enum ph_diagnostic)j));
     }
+  }
+}
+END_TEST
+
+/* What scripts rely on, written down a second time. */
+START_TEST(test_outcomes) {
+  ck_assert_int_eq(PH_OUTCOME_N, 3);
+  ck_assert_str_eq(ph_outcome_name(PH_OUTCOME_MINIMISER), "minimiser");
+  ck_assert_str_eq(ph_outcome_name(PH_OUTCOME_SADDLE), "saddle");
+  ck_assert_str_eq(ph_outcome_name(PH_OUTCOME_NO_SOLUTION), "no-convergence");
+}
+END_TEST
+
+/* A diagnostic is a number, a flag or an outcome. */
+START_TEST(test_kinds) {
+  for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
+    enum ph_diagnostic which = (enum ph_diagnostic)i;
+    bool flag = i == PH_D_SIMPLE || i == PH_D_AT_BOUND || i == PH_D_SHAPE_OK ||
+                i == PH_D_PLANAR;
+    ck_assert_int_eq(ph_diagnostic_is_flag(which), flag);
+    ck_assert_int_eq(ph_diagnostic_is_outcome(which), i == PH_D_SECOND_ORDER);
+  }
+}
+END_TEST
+
+/* Each has a bit of its own among those that are known. */
+START_TEST(test_all_known) {
+  struct ph_diagnostics d = {0};
+  ck_assert_int_le(PH_DIAGNOSTIC_N, 64);
+  for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
+    uint64_t before = d.known;
+    ph_diagnostics_set(&d, (enum ph_diagnostic)i, i);
+    ck_assert(d.known != before && (d.known & before) == before);
+  }
+  for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
+    ck_abs(d.value[i], i, 0);
   }
 }
 END_TEST
@@ -48,6 +87,9 @@ static Suite *suite(void) {
   Suite *s = suite_create("result");
   TCase *tc = tcase_create("result");
   tcase_add_test(tc, test_names);
+  tcase_add_test(tc, test_outcomes);
+  tcase_add_test(tc, test_kinds);
+  tcase_add_test(tc, test_all_known);
   tcase_add_test(tc, test_diagnostics);
   tcase_add_test(tc, test_warnings);
   suite_add_tcase(s, tc);

@@ -29,6 +29,14 @@ static const struct {
     {PH_TOO_LARGE, "too-large", 1},
     {PH_REVERSAL, "reversal", 1},
     {PH_LOOP, "loop", 1},
+    {PH_OFFSET_CUSP, "offset-cusp", 1},
+    {PH_LARGE_ALPHA, "large-alpha", 1},
+    {PH_AMBIGUOUS, "ambiguous", 1},
+    {PH_SHAPE_UNSATISFIABLE, "shape-unsatisfiable", 1},
+    {PH_WIGGLE, "wiggle", 1},
+    {PH_INCONSISTENT_LENGTHS, "inconsistent-lengths", 1},
+    {PH_SADDLE, "saddle", 1},
+    {PH_LEAVES_PLANE, "leaves-plane", 1},
     {PH_USAGE, "usage", 2},
     {PH_INPUT, "input", 3},
     {PH_OUTPUT, "output", 4},
@@ -37,6 +45,7 @@ static const struct {
 };
 
 START_TEST(test_codes) {
+  ck_assert_uint_eq(sizeof expected / sizeof expected[0], PH_STATUS_N);
   for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
     enum ph_status status = expected[i].status;
     ck_assert_str_eq(ph_status_code(status), expected[i].code);
@@ -69,7 +78,9 @@ START_TEST(test_warnings) {
     const char *meaning = ph_status_meaning((enum ph_status)i);
     bool warning = i == PH_REVERSAL || i == PH_LOOP || i == PH_AMBIGUOUS ||
                    i == PH_OFFSET_CUSP || i == PH_LARGE_ALPHA ||
-                   i == PH_SHAPE_UNSATISFIABLE;
+                   i == PH_SHAPE_UNSATISFIABLE || i == PH_WIGGLE ||
+                   i == PH_INCONSISTENT_LENGTHS || i == PH_SADDLE ||
+                   i == PH_LEAVES_PLANE;
     ck_assert_int_eq(strncmp(meaning, "warning: ", 9) == 0, warning);
   }
 }
