@@ -256,10 +256,9 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
     size_t shown = ph_arc_data_interval(d, i);
     if (!(d->length[i] >= d->chord[i] * (1 - STRAIGHT))) {
       return ph_fail_at(r->diag, PH_INFEASIBLE, "lengths", shown,
-                        "interval %zu: the length %.17g is below the chord "
-                        "%.17g; length_sigma allows for lengths that were "
-                        "measured",
-                        shown, d->length[i] * back, d->chord[i] * back);
+                        "is %.17g, below the chord %.17g of interval %zu; "
+                        "length_sigma allows for lengths that were measured",
+                        d->length[i] * back, d->chord[i] * back, shown);
     }
     if (d->length[i] - d->chord[i] <= STRAIGHT * d->length[i] &&
         straight++ == 0) {
@@ -269,11 +268,10 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
   if (straight > 0 && !all) {
     double length = d->length[ph_arc_data_interval(d, first)];
     return ph_fail_at(r->diag, PH_INFEASIBLE, "lengths", first,
-                      "interval %zu: the length %.17g is the chord, so that "
-                      "the curve would have to be straight there and nowhere "
-                      "else; length_sigma allows for lengths that were "
-                      "measured",
-                      first, length * d->root * d->root);
+                      "is %.17g, the chord of interval %zu: the curve would "
+                      "have to be straight there and nowhere else; "
+                      "length_sigma allows for lengths that were measured",
+                      length * d->root * d->root, first);
   }
   return PH_OK;
 }

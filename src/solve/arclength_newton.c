@@ -361,7 +361,7 @@ static bool iterate(struct state *t) {
   for (size_t r = 0; r < s->y_n; r++) {
     p->y[r] += step * w->dy[r];
   }
-  t->shift = !(step < 1)     ? t->shift / 10
+  t->shift = !(step < 1)    ? t->shift / 10
              : step > 0.2   ? t->shift
              : t->shift > 0 ? 4 * t->shift
                             : SHIFT_REFUSED;

@@ -28,9 +28,9 @@ static const struct kind {
   enum origin origin;
   double wave; /* size of the random wave that is added */
 } kinds[] = {
-    {"init", ORIGIN_INIT, 0},          {"relaxed", ORIGIN_NATURAL, 0},
-    {"wave-2", ORIGIN_NEAREST, 0.02},  {"wave-10", ORIGIN_NEAREST, 0.1},
-    {"wave-30", ORIGIN_NEAREST, 0.3},  {"init-wave-2", ORIGIN_INIT, 0.02},
+    {"init", ORIGIN_INIT, 0},           {"relaxed", ORIGIN_NATURAL, 0},
+    {"wave-2", ORIGIN_NEAREST, 0.02},   {"wave-10", ORIGIN_NEAREST, 0.1},
+    {"wave-30", ORIGIN_NEAREST, 0.3},   {"init-wave-2", ORIGIN_INIT, 0.02},
     {"init-wave-10", ORIGIN_INIT, 0.1}, {"init-wave-30", ORIGIN_INIT, 0.3},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0], FIRST_WAVE = 2 };
@@ -83,7 +83,8 @@ static bool find_natural(const struct ph_arc_request *request,
   return ok;
 }
 
-/* ---- one start -------------------------------------------------------------- */
+/* ---- one start --------------------------------------------------------------
+ */
 
 static bool is_same(double f, double g) {
   return fabs(f - g) <= SAME * (f > g ? f : g) + SAME_FLOOR;
@@ -128,12 +129,11 @@ static bool finish_start(struct run *run, const char *name) {
   struct ph_arc_point *p = &run->point;
   struct ph_start *start = &search->starts[search->starts_n++];
   ph_arc_newton_solve(s, &run->work, STEPS, p);
-  *start = (struct ph_start){
-      name,
-      p->minimiser   ? PH_OUTCOME_MINIMISER
-      : p->converged ? PH_OUTCOME_SADDLE
-                     : PH_OUTCOME_NO_SOLUTION,
-      p->converged ? p->f : (double)NAN, p->iterations};
+  *start = (struct ph_start){name,
+                             p->minimiser   ? PH_OUTCOME_MINIMISER
+                             : p->converged ? PH_OUTCOME_SADDLE
+                                            : PH_OUTCOME_NO_SOLUTION,
+                             p->converged ? p->f : (double)NAN, p->iterations};
   if (p->minimiser) {
     return keep(run, search->starts_n - 1);
   }
@@ -156,7 +156,8 @@ static bool try_start(struct run *run, const struct kind *kind) {
   return finish_start(run, kind->name);
 }
 
-/* ---- all starts --------------------------------------------------------------- */
+/* ---- all starts
+ * --------------------------------------------------------------- */
 
 static bool try_kinds(struct run *run) {
   const struct ph_arc_request *request = run->request;
@@ -164,10 +165,9 @@ static bool try_kinds(struct run *run) {
   size_t kinds_n = request->data->n < FEW ? KINDS : FIRST_WAVE;
   for (size_t k = 0; k < kinds_n; k++) {
     bool needed = search->found_n == 0 || (request->all && k < FIRST_WAVE);
-    bool possible =
-        kinds[k].origin == ORIGIN_INIT ||
-        (kinds[k].origin == ORIGIN_NATURAL ? search->natural.known
-                                           : search->starts_n > 0);
+    bool possible = kinds[k].origin == ORIGIN_INIT ||
+                    (kinds[k].origin == ORIGIN_NATURAL ? search->natural.known
+                                                       : search->starts_n > 0);
     if (needed && possible && !try_start(run, &kinds[k])) {
       return false;
     }
@@ -196,6 +196,7 @@ bool ph_arc_search_run(const struct ph_arc_request *request,
   const struct ph_arc_data *d = request->data;
   struct ph_arc_system *s = &search->system;
   memset(search, 0, sizeof *search);
+  search->all = request->all;
   if (!ph_arc_system_of(d, request->refine, request->dim, true, arena, s) ||
       (has_natural(d) && !find_natural(request, arena, &search->natural))) {
     return false;

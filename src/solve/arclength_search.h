@@ -35,6 +35,7 @@ struct ph_arc_found {
 
 struct ph_arc_search {
   struct ph_arc_system system; /* of the request */
+  bool all;                    /* of the request */
   struct ph_arc_natural natural;
   struct ph_start *starts; /* as tried; f in our unit */
   size_t starts_n;
