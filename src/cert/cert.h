@@ -69,4 +69,26 @@ ph_cert_fn ph_cert_planar;
  */
 ph_cert_fn ph_cert_spatial_hermite;
 
+/*
+ * ph_cert_arclength: a C2 spatial PH quintic spline, one to three segments for
+ * each interval of the data, with the problem's points, derivatives or
+ * tangents, and with its lengths unless they are free or have a length_sigma.
+ * "mean" is the mean length of an interval.
+ *
+ *   interpolation_error   distance of the joints from the points, or of the
+ *                         start, / half the diagonal of the control points
+ *   tangent_error         |r' - d| / |d|, or |t - given| of unit tangents;
+ *                         unknown where points are given
+ *   pythagorean_error     |r' - A i A*| by the local parameter / mean
+ *   continuity_error      jumps at the joints: of r / mean, of r' and r'' with
+ *                         respect to the global parameter as in the plane
+ *   length_error          of segments against Gauss quadrature of |r'|, of
+ *                         intervals against what is prescribed, / mean
+ *   min_speed             the smallest |A|^2 by the global parameter, relative
+ *                         to the mean speed, to 1e-13
+ *
+ * ret  as above; PH_INTERNAL when segments and data do not fit together
+ */
+ph_cert_fn ph_cert_arclength;
+
 #endif

@@ -2,19 +2,14 @@
 /*
  * The certificate of spatial PH quintic and ATPH curves (see cert.h).
  *
- * As in the plane, the preimage is a claim: r' from the control points must be
- * A i A* at the nodes of a Gauss rule, which integrates |r'| at the same time.
  * Every segment is measured by its own size, as each was found by itself.
  */
 #include "cert/cert.h"
 
 #include "base/sum.h"
-#include "cert/check.h"
+#include "cert/check3.h"
 #include "cert/shape.h"
 #include "curve/fair3.h"
-#include "kernel/quat.h"
-
-#include <float.h>
 
 /* Tolerances.  Beside the rounding of control points, the solver leaves that of
  * a few operations. */
@@ -30,34 +25,10 @@ static const double NO_DIRECTION = 1;
 /* On more segments the sums say little, and take as long as the solution. */
 enum { FAIR_MAX = 1000 };
 
-/* Vectors of two or three coordinates each, of a field. */
-struct data {
-  const double *v;
-  size_t n, dimension;
-};
-
 struct context {
-  const struct ph_curve *curve;
-  struct data points, tangents, derivatives;
+  struct ph_check3 at;
+  struct ph_check3_data points, tangents, derivatives;
   double planarity;
-  struct ph_check_scale scale;
-  struct ph_quad rule;
-  struct ph_check_space space; /* of the last segment */
-};
-
-/* A segment at unit scale, with respect to u in [0,1]. */
-struct segment {
-  ph_vec3 start, end;
-  ph_vec3 leg[5]; /* differences of control points */
-  ph_quat a[3];
-  ph_vec3 first[2];   /* r' at both ends */
-  ph_vec3 tangent[2]; /* their directions */
-  double error[2];    /* of the directions, by rounding of control points */
-  double speed;       /* largest |coefficient| of r' */
-  double rounding;    /* of its coordinates */
-  double allowance;   /* for that, in r' */
-  double unit;        /* u to the local parameter of the curve */
-  double tension;
 };
 
 struct checks {
@@ -66,111 +37,19 @@ struct checks {
   size_t shape_at;
 };
 
-static struct data data_of(const struct ph_problem *problem,
-                           enum ph_field_id id) {
-  const struct ph_value *value = &problem->field[id];
-  struct data data = {value->v, 0, value->dimension};
-  data.n = value->kind == PH_VECTORS ? value->n : 0;
-  return data;
-}
-
 /* Vector k of the data; the first one again after the last of closed data. */
-static ph_vec3 vector_at(const struct context *c, const struct data *data,
-                         size_t k) {
-  const double *v = data->v + data->dimension * (k < c->points.n ? k : 0);
-  return ph_vec3_of(v[0], v[1], data->dimension > 2 ? v[2] : 0);
-}
-
-static ph_vec3 scaled(const struct context *c, ph_vec3 v) {
-  return ph_vec3_of(ph_pow2_apply(c->scale.to_unit, v.x),
-                    ph_pow2_apply(c->scale.to_unit, v.y),
-                    ph_pow2_apply(c->scale.to_unit, v.z));
-}
-
-static double largest_of(ph_vec3 v) {
-  return ph_check_larger(ph_check_larger(fabs(v.x), fabs(v.y)), fabs(v.z));
-}
-
-/* The direction of a given vector, of any length. */
-static ph_vec3 direction(ph_vec3 v) {
-  double largest = largest_of(v);
-  return ph_vec3_unit(ph_vec3_of(v.x / largest, v.y / largest, v.z / largest));
-}
-
-/* The legs, and what follows from their lengths. */
-static void set_legs(const struct context *c, const double *p,
-                     struct segment *s) {
-  ph_vec3 from = scaled(c, ph_vec3_of(p[0], p[1], p[2]));
-  double farthest = largest_of(from);
-  s->start = from;
-  s->speed = 0;
-  for (size_t i = 0; i < 5; i++) {
-    const double *q = p + 3 * (i + 1);
-    ph_vec3 to = scaled(c, ph_vec3_of(q[0], q[1], q[2]));
-    s->leg[i] = ph_vec3_sub(to, from);
-    s->speed =
-        ph_check_larger(s->speed, ph_vec3_abs(s->leg[i]) /
-                                      (ph_check_binomial(i) * c->space.mu[i]));
-    farthest = ph_check_larger(farthest, largest_of(to));
-    from = to;
-  }
-  s->end = from;
-  s->rounding = DBL_EPSILON * farthest + c->scale.spacing;
-  s->allowance =
-      PH_CHECK_ROUND_FIRST * ph_check_smaller(s->rounding, c->scale.rounding);
-}
-
-/* The preimage by u of segment k. */
-static void set_preimage(const struct context *c, size_t k, ph_quat a[3]) {
-  const double *v = c->curve->preimage + 12 * k;
-  double unit = c->curve->alpha ? c->curve->alpha[k] : 1;
-  double root = c->scale.root * sqrt(unit);
-  for (size_t i = 0; i < 3; i++, v += 4) {
-    a[i] = ph_quat_of(root * v[0], root * v[1], root * v[2], root * v[3]);
-  }
-}
-
-static struct segment segment_of(struct context *c, size_t k) {
-  const struct ph_curve *curve = c->curve;
-  struct segment s;
-  ph_check_space_for(&c->space, &c->rule, curve, k);
-  set_legs(c, curve->control_points + 18 * k, &s);
-  set_preimage(c, k, s.a);
-  s.unit = curve->alpha ? curve->alpha[k] : 1;
-  s.tension = curve->tension ? curve->tension[k] : 1;
-  for (size_t i = 0; i < 2; i++) {
-    double size;
-    s.first[i] = ph_vec3_scale(1 / c->space.mu[0], s.leg[4 * i]);
-    size = ph_vec3_abs(s.first[i]);
-    s.tangent[i] = ph_vec3_scale(1 / size, s.first[i]);
-    s.error[i] = s.allowance / size;
-  }
-  return s;
+static ph_vec3 vector_at(const struct context *c,
+                         const struct ph_check3_data *data, size_t k) {
+  return ph_vec3_get(data->v + data->dimension * (k < c->points.n ? k : 0),
+                     data->dimension);
 }
 
 /* r' = A i A* at the nodes; returns the integral of |r'|. */
-static double check_hodograph(const struct context *c, const struct segment *s,
-                              size_t k, struct ph_check *square) {
-  double length = 0, worst = 0;
-  for (size_t i = 0; i < c->rule.n; i++) {
-    const double *leg = c->space.leg[i], *b = c->space.square[i];
-    ph_vec3 r = ph_vec3_scale(leg[0], s->leg[0]), miss;
-    ph_quat a = ph_quat_scale(b[0], s->a[0]);
-    double error;
-    for (size_t j = 1; j < 5; j++) {
-      r = ph_vec3_along(r, leg[j], s->leg[j]);
-    }
-    for (size_t j = 1; j < 3; j++) {
-      a = ph_quat_add(a, ph_quat_scale(b[j], s->a[j]));
-    }
-    miss = ph_vec3_sub(r, ph_quat_i(a, a));
-    error = ph_vec3_dot(miss, miss);
-    length += c->rule.weight[i] * ph_vec3_abs(r);
-    if (!(error <= worst)) {
-      worst = error;
-    }
-  }
-  ph_check_add(square, k, sqrt(worst), s->speed,
+static double check_hodograph(const struct context *c,
+                              const struct ph_check3_segment *s, size_t k,
+                              struct ph_check *square) {
+  double miss, length = ph_check3_hodograph(&c->at, s, &miss);
+  ph_check_add(square, k, miss, s->speed,
                PYTHAGOREAN * s->speed + s->allowance);
   return length;
 }
@@ -182,17 +61,19 @@ static void check_length(double length, double claimed, double allowance,
 }
 
 /* The tangent or the derivative that was given for one end of segment k. */
-static void check_tangent(const struct context *c, const struct segment *s,
-                          size_t k, size_t end, struct ph_check *check) {
+static void check_tangent(const struct context *c,
+                          const struct ph_check3_segment *s, size_t k,
+                          size_t end, struct ph_check *check) {
   if (c->derivatives.n > 0) {
-    ph_vec3 given = scaled(c, vector_at(c, &c->derivatives, k + end));
+    ph_vec3 given =
+        ph_check3_scaled(&c->at, vector_at(c, &c->derivatives, k + end));
     double factor = s->tension * s->tension * s->unit;
     double size = factor * ph_vec3_abs(given);
     ph_vec3 miss = ph_vec3_along(s->first[end], -factor, given);
     ph_check_add(check, k, ph_vec3_abs(miss), size,
                  DIRECTION * size + s->allowance);
   } else {
-    ph_vec3 given = direction(vector_at(c, &c->tangents, k + end));
+    ph_vec3 given = ph_check3_direction(vector_at(c, &c->tangents, k + end));
     ph_vec3 miss = ph_vec3_sub(s->tangent[end], given);
     if (s->error[end] < NO_DIRECTION) {
       ph_check_add(check, k, ph_vec3_abs(miss), 1, DIRECTION + s->error[end]);
@@ -202,8 +83,9 @@ static void check_tangent(const struct context *c, const struct segment *s,
 
 /* The jump between two segments: of the direction, and of the derivative by the
  * local parameter where it was given and scaled alike. */
-static void check_joint(const struct context *c, const struct segment *a,
-                        const struct segment *b, size_t k,
+static void check_joint(const struct context *c,
+                        const struct ph_check3_segment *a,
+                        const struct ph_check3_segment *b, size_t k,
                         struct ph_check *joint) {
   ph_vec3 jump = ph_vec3_sub(a->tangent[1], b->tangent[0]);
   double error = DIRECTION + a->error[1] + b->error[0];
@@ -221,37 +103,40 @@ static void check_joint(const struct context *c, const struct segment *a,
   }
 }
 
-static void check_points(const struct context *c, const struct segment *s,
-                         size_t k, struct ph_check *point) {
-  ph_vec3 from = scaled(c, vector_at(c, &c->points, k));
-  ph_vec3 to = scaled(c, vector_at(c, &c->points, k + 1));
+static void check_points(const struct context *c,
+                         const struct ph_check3_segment *s, size_t k,
+                         struct ph_check *point) {
+  ph_vec3 from = ph_check3_scaled(&c->at, vector_at(c, &c->points, k));
+  ph_vec3 to = ph_check3_scaled(&c->at, vector_at(c, &c->points, k + 1));
   double away = ph_check_larger(ph_vec3_abs(ph_vec3_sub(s->start, from)),
                                 ph_vec3_abs(ph_vec3_sub(s->end, to)));
-  ph_check_add(point, k, away, c->scale.size, INTERPOLATION * c->scale.size);
+  ph_check_add(point, k, away, c->at.scale.size,
+               INTERPOLATION * c->at.scale.size);
 }
 
 /* The shape that the segment claims to keep. */
-static void check_shape(const struct context *c, const struct segment *s,
-                        size_t k, struct checks *checks) {
-  if (c->curve->shape_ok && c->curve->shape_ok[k] &&
+static void check_shape(const struct context *c,
+                        const struct ph_check3_segment *s, size_t k,
+                        struct checks *checks) {
+  if (c->at.curve->shape_ok && c->at.curve->shape_ok[k] &&
       checks->shape == PH_CERT_SHAPE_KEPT) {
-    checks->shape = ph_cert_shape_of(s->leg, c->space.mu, PYTHAGOREAN,
+    checks->shape = ph_cert_shape_of(s->leg, c->at.space.mu, PYTHAGOREAN,
                                      s->rounding, c->planarity);
     checks->shape_at = k;
   }
 }
 
 static void check_segments(struct context *c, struct checks *checks) {
-  const struct ph_curve *curve = c->curve;
+  const struct ph_curve *curve = c->at.curve;
   size_t n = curve->n;
-  struct segment first, before;
+  struct ph_check3_segment first, before;
   struct ph_sum total = {0, 0};
-  double claimed = ph_pow2_apply(c->scale.to_unit, curve->length),
+  double claimed = ph_pow2_apply(c->at.scale.to_unit, curve->length),
          allowance = 0;
   for (size_t k = 0; k < n; k++) {
-    struct segment s = segment_of(c, k);
+    struct ph_check3_segment s = ph_check3_segment_of(&c->at, k);
     double length = check_hodograph(c, &s, k, &checks->square);
-    double wanted = ph_pow2_apply(c->scale.to_unit, curve->lengths[k]);
+    double wanted = ph_pow2_apply(c->at.scale.to_unit, curve->lengths[k]);
     check_points(c, &s, k, &checks->point);
     check_length(length, wanted, s.allowance, k, &checks->length);
     if (c->tangents.n > 0 || c->derivatives.n > 0) {
@@ -309,7 +194,7 @@ static enum ph_status describe_fairness(const struct context *c,
                                         struct ph_diagnostics *diagnostics,
                                         struct ph_diag *diag) {
   static const enum ph_diagnostic name[3] = {PH_D_F1, PH_D_F2, PH_D_F3};
-  const struct ph_curve *curve = c->curve;
+  const struct ph_curve *curve = c->at.curve;
   struct ph_fair3_rules rules;
   double bending = 0, functional[3] = {0, 0, 0};
   if (!ph_fair3_begin(&rules)) {
@@ -317,10 +202,10 @@ static enum ph_status describe_fairness(const struct context *c,
   }
   for (size_t k = 0; k < curve->n; k++) {
     struct ph_atph space = ph_atph_of(curve->alpha ? curve->alpha[k] : 0);
-    double length = ph_pow2_apply(c->scale.to_unit, curve->lengths[k]);
+    double length = ph_pow2_apply(c->at.scale.to_unit, curve->lengths[k]);
     struct ph_fair3 fair;
     ph_quat a[3];
-    set_preimage(c, k, a);
+    ph_check3_preimage(&c->at, k, a);
     fair = ph_fair3_of(&rules, &space, a);
     bending += fair.bending;
     for (size_t i = 0; i < 3; i++) {
@@ -329,7 +214,7 @@ static enum ph_status describe_fairness(const struct context *c,
   }
   /* The bending is the inverse of a length. */
   ph_check_set(diagnostics, PH_D_ENERGY,
-               ph_pow2_apply(c->scale.to_unit, bending));
+               ph_pow2_apply(c->at.scale.to_unit, bending));
   for (size_t i = 0; i < 3; i++) {
     ph_check_set(diagnostics, name[i], functional[i]);
   }
@@ -341,7 +226,7 @@ static enum ph_status describe_fairness(const struct context *c,
 static enum ph_status describe(const struct context *c,
                                struct ph_diagnostics *diagnostics,
                                struct ph_diag *diag) {
-  const struct ph_curve *curve = c->curve;
+  const struct ph_curve *curve = c->at.curve;
   bool shape_ok = true;
   for (size_t k = 0; curve->shape_ok && k < curve->n; k++) {
     shape_ok = shape_ok && curve->shape_ok[k];
@@ -355,10 +240,10 @@ static enum ph_status describe(const struct context *c,
 /* Whether there is a segment for every pair of points; a repeated last point of
  * closed data counts once. */
 static bool all_joined(struct context *c) {
-  size_t n = c->curve->n, given = c->points.n;
-  c->points.n = c->curve->closed ? n : n + 1;
+  size_t n = c->at.curve->n, given = c->points.n;
+  c->points.n = c->at.curve->closed ? n : n + 1;
   return n > 0 &&
-         (given == c->points.n || (c->curve->closed && given == n + 1));
+         (given == c->points.n || (c->at.curve->closed && given == n + 1));
 }
 
 enum ph_status ph_cert_spatial_hermite(const struct ph_problem *problem,
@@ -374,30 +259,23 @@ enum ph_status ph_cert_spatial_hermite(const struct ph_problem *problem,
                           PH_CERT_SHAPE_KEPT,
                           0};
   const struct ph_value *planarity = &problem->field[PH_F_PLANARITY];
-  struct context c = {.curve = curve,
-                      .points = data_of(problem, PH_F_POINTS),
-                      .tangents = data_of(problem, PH_F_TANGENTS),
-                      .derivatives = data_of(problem, PH_F_DERIVATIVES),
-                      .planarity = planarity->kind == PH_NUMBER
-                                       ? planarity->number
-                                       : PH_PLANARITY};
-  enum ph_status status = ph_check_finite(curve, diag);
+  struct context c = {
+      .points = ph_check3_data_of(problem, PH_F_POINTS),
+      .tangents = ph_check3_data_of(problem, PH_F_TANGENTS),
+      .derivatives = ph_check3_data_of(problem, PH_F_DERIVATIVES),
+      .planarity =
+          planarity->kind == PH_NUMBER ? planarity->number : PH_PLANARITY};
+  enum ph_status status;
   (void)scratch;
-  if (status != PH_OK) {
-    return status;
-  }
+  c.at.curve = curve;
   if (!all_joined(&c)) {
     return ph_fail(diag, PH_INTERNAL, "points",
                    "are not as many as are joined");
   }
-  if (!ph_quad_gauss(&c.rule,
-                     curve->alpha ? PH_CHECK_NODES_ATPH : PH_CHECK_NODES_PH)) {
-    return ph_fail_memory(diag);
-  }
-  c.space = ph_check_space_of(&c.rule, 0);
-  if (!ph_check_scale_of(c.points.v, c.points.n, c.points.dimension,
-                         &c.scale)) {
-    return ph_fail(diag, PH_INTERNAL, "points", "have no extent");
+  status = ph_check3_begin(&c.at, curve, c.points.v, c.points.n,
+                           c.points.dimension, diag);
+  if (status != PH_OK) {
+    return status;
   }
   check_segments(&c, &checks);
   status = conclude(&c, &checks, diagnostics, diag);
