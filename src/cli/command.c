@@ -4,6 +4,7 @@
 
 #include "curve/bezier.h"
 #include "curve/offset.h"
+#include "solve/arclength.h"
 #include "solve/planar.h"
 #include "solve/spatial_hermite.h"
 
@@ -39,6 +40,18 @@ const struct ph_command ph_commands[] = {
      "Algebraic-trigonometric segments that bend least\n"
      "phspline spatial-hermite --shape=false --angles='[0,0]' "
      "--sweep='angles[1]=-3:3:13' path.csv\tOther members of the family\n"},
+    {&ph_method_arclength, ph_cert_arclength, ph_offset_spatial,
+     PH_OFFSETS_SPATIAL, ph_bezier_curve,
+     "phspline arclength --columns=x,y,z,length survey.csv\t"
+     "Points, each with the distance from the one before, as JSON\n"
+     "phspline arclength --length_sigma=0.001 survey.csv\t"
+     "Distances that were measured to a thousandth\n"
+     "phspline arclength --columns=tx,ty,tz,length ribbon.csv -f csv\t"
+     "A ribbon of sensors, directions and distances; control points\n"
+     "phspline arclength --refine=1 --all-minima --starts=20 problem.json\t"
+     "The spline of the paper, and all minima that 20 more starts find\n"
+     "phspline arclength --sweep='lengths[1]=1.4:1.456:5' problem.json\t"
+     "One length in five steps\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];
