@@ -256,7 +256,7 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
     size_t shown = ph_arc_data_interval(d, i);
     if (!(d->length[i] >= d->chord[i] * (1 - STRAIGHT))) {
       return ph_fail_at(r->diag, PH_INFEASIBLE, "lengths", shown,
-                        "is %.17g, below the chord %.17g of interval %zu; "
+                        "is %.15g, below the chord %.15g of interval %zu; "
                         "length_sigma allows for lengths that were measured",
                         d->length[i] * back, d->chord[i] * back, shown);
     }
@@ -268,7 +268,7 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
   if (straight > 0 && !all) {
     double length = d->length[ph_arc_data_interval(d, first)];
     return ph_fail_at(r->diag, PH_INFEASIBLE, "lengths", first,
-                      "is %.17g, the chord of interval %zu: the curve would "
+                      "is %.15g, the chord of interval %zu: the curve would "
                       "have to be straight there and nowhere else; "
                       "length_sigma allows for lengths that were measured",
                       length * d->root * d->root, first);
