@@ -24,7 +24,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_interp.h>
 
-enum { SEED = 1 };
+enum { SEED = 1, UNEVEN = 4 /* of bench_curves: smooth3 */ };
 
 /* ---- one problem ------------------------------------------------------ */
 
@@ -158,7 +158,8 @@ struct row {
   size_t n;
   enum mode mode;
   int refine;
-  bool even;
+  bool even;         /* intervals are equally long */
+  const char *knots; /* NULL: by default */
 };
 
 /* The field that says how the curve is given at the knots.  Derivatives are
@@ -167,6 +168,9 @@ static void set_sample(struct run *run, const struct bench_sample *s,
                        const struct row *row, double *vectors) {
   double mean = 0;
   set_number(run, PH_F_REFINE, row->refine);
+  if (row->knots) {
+    set_word(run, PH_F_KNOTS, row->knots);
+  }
   if (row->mode != RELAXED) {
     set_numbers(run, PH_F_LENGTHS, s->lengths, s->n);
   }
@@ -289,13 +293,14 @@ static void smooth_table(void) {
   smooth_head();
   for (size_t c = 0; c < sizeof curves / sizeof curves[0]; c++) {
     for (size_t i = 0; i < 4; i++) {
-      struct row row = {curves[c], sizes[i], POINTS, 2, true};
+      struct row row = {curves[c], sizes[i], POINTS, 2, true, NULL};
       smooth_row(&row);
     }
   }
   for (int mode = RELAXED; mode <= TANGENTS; mode++) {
     for (size_t i = 0; i < 5; i++) {
-      struct row row = {&bench_curves[2], sizes[i], (enum mode)mode, 1, true};
+      struct row row = {
+          &bench_curves[2], sizes[i], (enum mode)mode, 1, true, NULL};
       smooth_row(&row);
     }
   }
@@ -383,7 +388,9 @@ static void tables(char **paths) {
   smooth_head();
   for (size_t c = 0; c < BENCH_CURVES; c++) {
     for (size_t i = 0; i < 4; i++) {
-      struct row row = {&bench_curves[c], sizes[i], RELAXED, 1, c != 4};
+      struct row row = {&bench_curves[c], sizes[i],
+                        RELAXED,          1,
+                        c != UNEVEN,      c != UNEVEN ? "uniform" : NULL};
       smooth_row(&row);
       row.refine = 2;
       smooth_row(&row);
@@ -393,7 +400,8 @@ static void tables(char **paths) {
   }
   for (int mode = TANGENTS; mode <= DERIVATIVES; mode++) {
     for (size_t i = 1; i < 4; i++) {
-      struct row row = {&bench_curves[2], sizes[i], (enum mode)mode, 2, true};
+      struct row row = {&bench_curves[2], sizes[i], (enum mode)mode, 2, true,
+                        "uniform"};
       smooth_row(&row);
     }
   }
@@ -412,7 +420,7 @@ static void perturbed_one(struct tally *t, uint64_t *state) {
   const struct bench_curve curve = bench_curve_random(state);
   size_t n = 5 + (size_t)(bench_random(state) % 8);
   struct bench_sample s = bench_sample_of(&curve, n, false);
-  struct row row = {&curve, n, POINTS, 2, false};
+  struct row row = {&curve, n, POINTS, 2, false, NULL};
   struct run run = {.status = PH_OK};
   bool below = false;
   double seconds;
