@@ -102,7 +102,10 @@ SRC := $(call files,src,*.c)
 UNIT_SRC := $(call files,tests/unit tests/prop,*.c)
 # helper programs of the shell tests, which find them on PATH
 TOOL_SRC := $(call files,tests/cli,*.c)
-BENCH_SRC := $(call files,bench,*.c)
+# what IPOPT does is measured where it is installed
+IPOPT_LIBS := $(call pkg,--libs,ipopt)
+BENCH_SRC := $(filter-out $(if $(IPOPT_LIBS),,bench/arclength_ipopt.c),\
+	$(call files,bench,*.c))
 FUZZ_SRC := $(call files,tests/fuzz,*.c)
 CLI_TESTS := $(call files,tests/cli,*.t)
 FAULT_TESTS := $(call files,tests/fault,*.t)
@@ -154,6 +157,8 @@ $(call obj,$(UNIT_SRC)): EXTRA_CFLAGS = -I$(S)tests/unit $(CHECK_CFLAGS)
 $(UNIT): EXTRA_LIBS = $(CHECK_LIBS)
 $(UNIT): $(UNIT_AUX)
 $(FUZZ): EXTRA_LIBS = -fsanitize=fuzzer
+$(B)/bench/arclength_ipopt.o: EXTRA_CFLAGS = $(call pkg,--cflags,ipopt)
+$(B)/bench/arclength_ipopt: EXTRA_LIBS = $(IPOPT_LIBS)
 $(UNIT) $(TOOLS) $(BENCH) $(FUZZ): $(B)/%: $(B)/%.o
 $(PROGRAM) $(UNIT) $(TOOLS) $(BENCH) $(FUZZ): $(LIB)
 	$(SAY) "  LD  $@"

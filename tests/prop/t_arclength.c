@@ -1,0 +1,474 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Properties of splines with prescribed arc lengths on random data, each solved
+ * and certified: what must follow when the data are moved, turned, scaled,
+ * mirrored or reversed, when lengths count less or not at all, when intervals
+ * have more segments; and that no data have a wrong curve.
+ *
+ * The seed is 1, or PH_SEED; PH_LONG=1 takes ten times as many data.
+ */
+#include "arclength_data.h"
+#include "spatial_unit.h"
+#include "unit.h"
+
+#include <string.h>
+
+static struct arc_solution one, other;
+static struct arc_data data, image;
+
+static void finish(void) {
+  arc_free(&one);
+  arc_free(&other);
+}
+
+static size_t cases(int n) {
+  return (size_t)(unit_long() ? 10 * n : unit_count(n));
+}
+
+static double apart(ph_vec3 a, ph_vec3 b) {
+  return ph_vec3_abs(ph_vec3_sub(a, b));
+}
+
+/* ---- motions --------------------------------------------------------- */
+
+/* v -> scale times the turn of v, or of its mirror image in z = 0, plus
+ * shift. */
+struct motion {
+  ph_quat turn;
+  double scale;
+  ph_vec3 shift;
+  bool mirror, reverse;
+};
+
+static const struct motion REST = {{1, 0, 0, 0}, 1, {0, 0, 0}, false, false};
+
+static ph_vec3 turned(const struct motion *m, ph_vec3 v) {
+  ph_quat q = m->turn;
+  ph_vec3 w;
+  v.z = m->mirror ? -v.z : v.z;
+  w = ph_vec3_scale(v.x, ph_quat_i(q, q));
+  w = ph_vec3_along(w, v.y, ph_quat_j(q, q));
+  return ph_vec3_scale(m->scale, ph_vec3_along(w, v.z, ph_quat_k(q, q)));
+}
+
+static ph_vec3 moved(const struct motion *m, ph_vec3 v) {
+  return ph_vec3_add(turned(m, v), m->shift);
+}
+
+/* Where data k and interval k of the image are from.  Closed curves keep their
+ * first point. */
+static size_t knot_from(const struct motion *m, size_t k) {
+  size_t n = data.n;
+  return !m->reverse ? k : data.closed ? (n - k) % n : n - k;
+}
+
+static size_t interval_from(const struct motion *m, size_t k) {
+  return m->reverse ? data.n - 1 - k : k;
+}
+
+/* The image of data whose curve is `one`.  Without points the curve begins
+ * where the given start is: that of a reversed one is the end. */
+static void move_data(const struct motion *m) {
+  size_t last = one.result.curve.n - 1;
+  image = data;
+  for (size_t k = 0; k <= data.n; k++) {
+    size_t from = knot_from(m, k);
+    double sign = m->reverse ? -1 : 1;
+    image.point[k] = moved(m, data.point[from]);
+    image.vector[k] = turned(m, ph_vec3_scale(sign, data.vector[from]));
+    if (data.given == ARC_TANGENTS) {
+      image.vector[k] = ph_vec3_scale(1 / m->scale, image.vector[k]);
+    }
+  }
+  for (size_t k = 0; k < data.n; k++) {
+    image.length[k] = m->scale * data.length[interval_from(m, k)];
+  }
+  if (data.given > ARC_SOFT && m->reverse) {
+    image.point[0] = moved(m, arc_point(&one, last, 5));
+  }
+}
+
+/* `other` is `one`, moved: control points to tol times the mean length, F to
+ * tol. */
+static void ck_moved(const struct motion *m, size_t which, double tol) {
+  const struct ph_curve *a = &one.result.curve, *b = &other.result.curve;
+  double unit = b->length / (double)data.n, worst = 0;
+  arc_assert(unit_near_rel(arc_f(&one) * m->scale, arc_f(&other), tol), which,
+             &data, "F %.17g, %.17g", arc_f(&one) * m->scale, arc_f(&other));
+  arc_assert(a->n == b->n, which, &data, "%zu and %zu segments", a->n, b->n);
+  for (size_t k = 0; k < a->n; k++) {
+    size_t j = m->reverse ? a->n - 1 - k : k;
+    for (size_t i = 0; i < 6; i++) {
+      ph_vec3 wanted = moved(m, arc_point(&one, k, i));
+      size_t at = m->reverse ? 5 - i : i;
+      worst = unit_larger(worst, apart(wanted, arc_point(&other, j, at)));
+    }
+    arc_assert(fabs(a->lengths[k] * m->scale - b->lengths[j]) <= tol * unit,
+               which, &data, "segment %zu: lengths %.17g, %.17g", k,
+               a->lengths[k] * m->scale, b->lengths[j]);
+  }
+  arc_assert(worst <= tol * unit, which, &data, "it is %.3g lengths away",
+             worst / unit);
+}
+
+/* What the invariance is tried on: smooth and rough data with one minimum
+ * nearby.  With one segment in each interval exact lengths are ill posed: only
+ * of few intervals. */
+static void invariant(struct unit_random *r) {
+  static const enum arc_family families[] = {ARC_SMOOTH, ARC_PERTURBED,
+                                             ARC_WALK};
+  enum arc_given given = (enum arc_given)unit_random_below(r, ARC_GIVEN_N);
+  size_t n = 1 + unit_random_below(r, 8), family = unit_random_below(r, 3);
+  if (n > 3 && given <= ARC_SOFT && unit_random_below(r, 4) == 0) {
+    arc_closed(r, given, n, &data);
+    return;
+  }
+  arc_of(r, families[given == ARC_POINTS ? family : 0], given, n, &data);
+  data.refine = (int)unit_random_below(r, n <= 3 ? 4 : 1);
+}
+
+/* What two solutions of one problem may differ by. */
+static const double SAME = 1e-8;
+
+static void ck_invariant(uint64_t stream, void (*change)(struct unit_random *,
+                                                         struct motion *)) {
+  struct unit_random r = unit_random_of(stream);
+  size_t solved = 0, n = cases(150);
+  for (size_t i = 0; i < n; i++) {
+    struct motion m = REST;
+    bool again;
+    invariant(&r);
+    change(&r, &m);
+    if (!arc_solve(&data, i, &one)) {
+      continue;
+    }
+    solved++;
+    move_data(&m);
+    again = arc_solve(&image, i, &other);
+    arc_assert(again, i, &data, "%s", other.diag.message);
+    ck_moved(&m, i, SAME);
+  }
+  ck_assert_msg(10 * solved >= 9 * n, "PH_SEED=%lu: only %zu of %zu are solved",
+                unit_seed(), solved, n);
+}
+
+static void turn(struct unit_random *r, struct motion *m) {
+  m->turn = unit_random_turn(r);
+}
+
+START_TEST(test_turn) {
+  ck_invariant(1, turn);
+}
+END_TEST
+
+static void shift(struct unit_random *r, struct motion *m) {
+  m->shift = ph_vec3_scale(unit_random_in(r, 0, 100), unit_random_direction(r));
+}
+
+START_TEST(test_translate) {
+  ck_invariant(2, shift);
+}
+END_TEST
+
+static void mirror(struct unit_random *r, struct motion *m) {
+  m->turn = unit_random_turn(r);
+  m->mirror = true;
+}
+
+START_TEST(test_mirror) {
+  ck_invariant(3, mirror);
+}
+END_TEST
+
+static void reverse(struct unit_random *r, struct motion *m) {
+  (void)r;
+  m->reverse = true;
+}
+
+START_TEST(test_reverse) {
+  ck_invariant(4, reverse);
+}
+END_TEST
+
+static void scale(struct unit_random *r, struct motion *m) {
+  m->scale = pow(10, (double)unit_random_below(r, 19) - 9);
+}
+
+START_TEST(test_scale) {
+  ck_invariant(5, scale);
+}
+END_TEST
+
+/* Whatever was solved before, in the same memory: not a digit differs. */
+START_TEST(test_neighbours) {
+  struct unit_random r = unit_random_of(6);
+  for (size_t i = 0; i < cases(60); i++) {
+    struct motion m = REST;
+    bool a, b;
+    arc_any(&r, &image);
+    arc_any(&r, &data);
+    a = arc_solve(&data, i, &one);
+    arc_solve(&image, i, &other);
+    b = arc_solve(&data, i, &other);
+    arc_assert(a == b, i, &data, "%s", b ? "once" : "not again");
+    if (a) {
+      ck_moved(&m, i, 0);
+    } else {
+      ck_assert_str_eq(one.diag.message, other.diag.message);
+    }
+  }
+}
+END_TEST
+
+/* ---- lengths that count less ------------------------------------------ */
+
+/* The largest distance of control points, in mean lengths. */
+static double distance(void) {
+  const struct ph_curve *a = &one.result.curve, *b = &other.result.curve;
+  double worst = 0;
+  ck_assert_uint_eq(a->n, b->n);
+  for (size_t k = 0; k < a->n; k++) {
+    for (size_t i = 0; i < 6; i++) {
+      double d = apart(arc_point(&one, k, i), arc_point(&other, k, i));
+      worst = unit_larger(worst, d);
+    }
+  }
+  return worst * (double)data.n / a->length;
+}
+
+/* Soft lengths with a small deviation are exact, with a large one free. */
+START_TEST(test_soft_limits) {
+  struct unit_random r = unit_random_of(7);
+  for (size_t i = 0; i < cases(60); i++) {
+    size_t n = 3 + unit_random_below(&r, 6);
+    double away;
+    arc_of(&r, ARC_SMOOTH, ARC_POINTS, n, &data);
+    data.refine = 2;
+    arc_must(&data, i, &one);
+    data.given = ARC_SOFT;
+    data.sigma = 1e-8;
+    arc_must(&data, i, &other);
+    away = distance();
+    arc_assert(away <= 1e-6, i, &data, "small: %.3g away", away);
+    data.sigma = 1e8;
+    data.knots = "chordal";
+    arc_must(&data, i, &one);
+    data.given = ARC_RELAXED;
+    arc_must(&data, i, &other);
+    away = distance();
+    arc_assert(away <= 1e-6, i, &data, "large: %.3g away", away);
+  }
+}
+END_TEST
+
+/* The deviation grows: lengths go from the exact to the natural ones, and F
+ * from the one to the other. */
+START_TEST(test_soft_is_monotone) {
+  struct unit_random r = unit_random_of(8);
+  for (size_t i = 0; i < cases(30); i++) {
+    double before = HUGE_VAL;
+    arc_of(&r, ARC_PERTURBED, ARC_SOFT, 5, &data);
+    for (int k = -5; k <= 0; k++) {
+      data.sigma = pow(10, k);
+      arc_must(&data, i, &one);
+      arc_assert(arc_f(&one) <= before * (1 + 1e-8), i, &data,
+                 "F %.17g > %.17g", arc_f(&one), before);
+      before = arc_f(&one);
+    }
+  }
+}
+END_TEST
+
+/* Lengths that are asked for, and are natural, change nothing. */
+START_TEST(test_natural_lengths) {
+  struct unit_random r = unit_random_of(9);
+  for (size_t i = 0; i < cases(60); i++) {
+    double away;
+    arc_of(&r, ARC_SMOOTH, ARC_RELAXED, 2 + unit_random_below(&r, 7), &data);
+    data.refine = 1 + (int)unit_random_below(&r, 2);
+    data.knots = "chordal";
+    arc_must(&data, i, &one);
+    data.given = ARC_POINTS;
+    for (size_t k = 0; k < data.n; k++) {
+      data.length[k] = arc_length(&one, data.n, k);
+    }
+    arc_must(&data, i, &other);
+    away = distance();
+    arc_assert(away <= 1e-5 && unit_near_rel(arc_f(&one), arc_f(&other), 1e-6),
+               i, &data, "%.3g away, F %.17g, %.17g", away, arc_f(&one),
+               arc_f(&other));
+  }
+}
+END_TEST
+
+/* ---- segments, intervals ---------------------------------------------- */
+
+/* The splines of one segment in each interval are among those of two; lengths
+ * that are prescribed cost. */
+START_TEST(test_nested) {
+  struct unit_random r = unit_random_of(10);
+  for (size_t i = 0; i < cases(100); i++) {
+    enum arc_given given = (enum arc_given)unit_random_below(&r, ARC_GIVEN_N);
+    size_t n = 2 + unit_random_below(&r, 3);
+    double fine;
+    given = given == ARC_SOFT ? ARC_POINTS : given;
+    arc_of(&r, ARC_SMOOTH, given, n, &data);
+    data.refine = 2;
+    arc_must(&data, i, &one);
+    fine = arc_f(&one);
+    data.refine = 1;
+    if (arc_solve(&data, i, &other)) {
+      arc_assert(fine <= arc_f(&other) * (1 + 1e-8), i, &data,
+                 "F %.17g > %.17g", fine, arc_f(&other));
+    }
+    if (given == ARC_POINTS) {
+      data.refine = 2;
+      data.knots = "chordal";
+      arc_must(&data, i, &one);
+      data.given = ARC_RELAXED;
+      arc_must(&data, i, &other);
+      arc_assert(arc_f(&other) <= arc_f(&one) * (1 + 1e-8), i, &data,
+                 "F %.17g > %.17g", arc_f(&other), arc_f(&one));
+    }
+  }
+}
+END_TEST
+
+/* A single interval has a curve that does not bend its preimage at all: F = 0,
+ * but for a plane loop. */
+START_TEST(test_one_interval) {
+  struct unit_random r = unit_random_of(11);
+  for (size_t i = 0; i < cases(100); i++) {
+    arc_of(&r, i % 2 ? ARC_SMOOTH : ARC_WALK, ARC_POINTS, 1, &data);
+    data.refine = 1 + (int)unit_random_below(&r, 3);
+    arc_must(&data, i, &one);
+    arc_assert(arc_f(&one) <= 1e-12 * data.length[0], i, &data, "F %.3g",
+               arc_f(&one));
+  }
+}
+END_TEST
+
+/* Few intervals, anything given, anything smooth: there is a curve. */
+START_TEST(test_few_intervals) {
+  struct unit_random r = unit_random_of(12);
+  for (size_t i = 0; i < cases(200); i++) {
+    enum arc_given given = (enum arc_given)unit_random_below(&r, ARC_GIVEN_N);
+    enum arc_family family = i % 2 ? ARC_SMOOTH : ARC_PLANE;
+    arc_of(&r, family, given, 1 + unit_random_below(&r, 3), &data);
+    arc_must(&data, i, &one);
+  }
+}
+END_TEST
+
+/* ---- lines ------------------------------------------------------------ */
+
+/* Data of a line, lengths equal to the chords: the line, at every point of it.
+ * Knots by length are met with constant speed: F = 0. */
+START_TEST(test_line) {
+  struct unit_random r = unit_random_of(13);
+  for (size_t i = 0; i < cases(100); i++) {
+    static const enum arc_given given[] = {ARC_POINTS, ARC_RELAXED, ARC_SOFT,
+                                           ARC_TANGENTS};
+    ph_vec3 from, way;
+    arc_of(&r, ARC_LINE, given[i % 4], 1 + unit_random_below(&r, 6), &data);
+    arc_must(&data, i, &one);
+    arc_assert(arc_f(&one) <= 1e-12 * data.length[0], i, &data, "F %.3g",
+               arc_f(&one));
+    from = data.point[0];
+    way = ph_vec3_unit(ph_vec3_sub(data.point[1], from));
+    for (size_t k = 0; k < one.result.curve.n; k++) {
+      for (size_t j = 0; j < 6; j++) {
+        ph_vec3 v = ph_vec3_sub(arc_point(&one, k, j), from);
+        double off = ph_vec3_abs(ph_vec3_cross(v, way));
+        arc_assert(off <= 1e-12 * (1 + ph_vec3_abs(v)), i, &data,
+                   "segment %zu is %.3g off the line", k, off);
+      }
+    }
+  }
+}
+END_TEST
+
+/* Data of a line with longer lengths: a curve, or none; never a wrong one. */
+START_TEST(test_line_with_slack) {
+  struct unit_random r = unit_random_of(14);
+  for (size_t i = 0; i < cases(30); i++) {
+    arc_of(&r, ARC_LINE, ARC_POINTS, 1 + unit_random_below(&r, 4), &data);
+    for (size_t k = 0; k < data.n; k++) {
+      data.length[k] *= unit_random_in(&r, 1.001, 2);
+    }
+    arc_solve(&data, i, &one);
+  }
+}
+END_TEST
+
+/* ---- anything --------------------------------------------------------- */
+
+/* A curve that is right, or none: arc_solve looks.  Most have one. */
+START_TEST(test_any) {
+  struct unit_random r = unit_random_of(15);
+  size_t solved = 0, n = cases(200);
+  for (size_t i = 0; i < n; i++) {
+    arc_any(&r, &data);
+    solved += arc_solve(&data, i, &one);
+  }
+  ck_assert_msg(2 * solved >= n, "PH_SEED=%lu: only %zu of %zu are solved",
+                unit_seed(), solved, n);
+}
+END_TEST
+
+/* Closed curves begin at any of their points. */
+START_TEST(test_closed_start) {
+  struct unit_random r = unit_random_of(16);
+  for (size_t i = 0; i < cases(60); i++) {
+    enum arc_given given = (enum arc_given)unit_random_below(&r, ARC_SOFT + 1);
+    size_t n = 6 + unit_random_below(&r, 7);
+    size_t first = 1 + unit_random_below(&r, n - 1), segments;
+    double worst = 0;
+    arc_closed(&r, given, n, &data);
+    image = data;
+    for (size_t k = 0; k < n; k++) {
+      image.point[k] = data.point[(first + k) % n];
+      image.length[k] = data.length[(first + k) % n];
+    }
+    arc_must(&data, i, &one);
+    arc_must(&image, i, &other);
+    segments = one.result.curve.n;
+    arc_assert(unit_near_rel(arc_f(&one), arc_f(&other), SAME), i, &data,
+               "F %.17g, %.17g", arc_f(&one), arc_f(&other));
+    for (size_t k = 0; k < 6 * segments; k++) {
+      size_t from = (k / 6 + first * segments / n) % segments;
+      worst = unit_larger(worst, apart(arc_point(&one, from, k % 6),
+                                       arc_point(&other, k / 6, k % 6)));
+    }
+    arc_assert(worst <= SAME * one.result.curve.length / (double)n, i, &data,
+               "it is %.3g away", worst);
+  }
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("arclength properties");
+  TCase *tc = tcase_create("arclength properties");
+  tcase_add_checked_fixture(tc, NULL, finish);
+  tcase_set_timeout(tc, 600);
+  tcase_add_test(tc, test_turn);
+  tcase_add_test(tc, test_translate);
+  tcase_add_test(tc, test_mirror);
+  tcase_add_test(tc, test_reverse);
+  tcase_add_test(tc, test_scale);
+  tcase_add_test(tc, test_neighbours);
+  tcase_add_test(tc, test_soft_limits);
+  tcase_add_test(tc, test_soft_is_monotone);
+  tcase_add_test(tc, test_natural_lengths);
+  tcase_add_test(tc, test_nested);
+  tcase_add_test(tc, test_one_interval);
+  tcase_add_test(tc, test_few_intervals);
+  tcase_add_test(tc, test_line);
+  tcase_add_test(tc, test_line_with_slack);
+  tcase_add_test(tc, test_any);
+  tcase_add_test(tc, test_closed_start);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)
