@@ -27,30 +27,48 @@ static void plain_multipliers(const struct ph_arc_system *s, size_t i,
   }
 }
 
-/* 2 G (x) sum_k y_k S_k + 2 w sum_q e_q e_q^T (x) 1, by the nodes. */
+/* sum_k y_k S_k of an interval; y NULL: 0. */
+static void lambda_of(const struct ph_arc_system *s, size_t i, const double *y,
+                      double lambda[16]) {
+  double plain[4];
+  memset(lambda, 0, 16 * sizeof *lambda);
+  if (y) {
+    plain_multipliers(s, i, y, plain);
+    ph_arc_form_sum(s->dim, s->forms_n, s->form, plain, lambda);
+  }
+}
+
+/* Second derivatives by nodes a and b of interval i:
+ * 2 G_ab lambda + 2 functional sum_q e_qa e_qb. */
+static inline void node_square(const struct ph_arc_system *s, size_t i,
+                               size_t a, size_t b, double functional,
+                               const double *lambda, size_t dim,
+                               double *square) {
+  const double *bend = s->bend + 3 * i * s->refine;
+  double f = 0, g = 2 * s->gram[(i * s->span + a) * s->span + b];
+  for (size_t q = 0; q < s->refine; q++) {
+    bool has = q <= a && a <= q + 2 && q <= b && b <= q + 2;
+    f += has ? bend[3 * q + a - q] * bend[3 * q + b - q] : 0;
+  }
+  for (size_t d = 0; d < dim; d++) {
+    for (size_t e = 0; e < dim; e++) {
+      square[d * dim + e] = g * lambda[d * dim + e];
+    }
+    square[d * dim + d] += 2 * functional * f;
+  }
+}
+
 static void set_nodes(const struct ph_arc_system *s, size_t i, const double *y,
                       double functional, struct block *h) {
   size_t span = s->span, dim = s->dim;
-  const double *gram = s->gram + i * span * span;
-  const double *bend = s->bend + 3 * i * s->refine;
-  double lambda[16] = {0}, plain[4];
-  if (y) {
-    plain_multipliers(s, i, y, plain);
-    ph_arc_form_sum(dim, s->forms_n, s->form, plain, lambda);
-  }
+  double lambda[16], square[16];
+  lambda_of(s, i, y, lambda);
   memset(h->a, 0, sizeof h->a);
   for (size_t a = 0; a < span; a++) {
     for (size_t b = a > 2 ? a - 2 : 0; b < span && b <= a + 2; b++) {
-      double f = 0, g = 2 * gram[a * span + b];
-      for (size_t q = 0; q < s->refine; q++) {
-        bool has = q <= a && a <= q + 2 && q <= b && b <= q + 2;
-        f += has ? bend[3 * q + a - q] * bend[3 * q + b - q] : 0;
-      }
-      for (size_t d = 0; d < dim; d++) {
-        for (size_t e = 0; e < dim; e++) {
-          h->a[a * dim + d][b * dim + e] = g * lambda[d * dim + e];
-        }
-        h->a[a * dim + d][b * dim + d] += 2 * functional * f;
+      node_square(s, i, a, b, functional, lambda, dim, square);
+      for (size_t k = 0; k < dim * dim; k++) {
+        h->a[a * dim + k / dim][b * dim + k % dim] = square[k];
       }
     }
   }
@@ -97,36 +115,22 @@ static void unwrap(const struct ph_arc_system *s, const struct ph_arc_piece *p,
   }
 }
 
-static void set_block(const struct ph_arc_system *s, size_t i, const double *x,
-                      const double *y, double functional, struct block *h) {
+/* The same of an interval beyond the seam. */
+static void set_wrapped(const struct ph_arc_system *s, size_t i,
+                        const double *x, const double *y, double functional,
+                        struct block *h) {
+  struct ph_arc_piece p;
   h->n = ph_arc_touched(s, i);
+  ph_arc_piece_of(s, x, i, &p);
   set_nodes(s, i, y, functional, h);
-  if (ph_arc_wraps(s, i)) {
-    struct ph_arc_piece p;
-    ph_arc_piece_of(s, x, i, &p);
-    unwrap(s, &p, h);
-  }
+  unwrap(s, &p, h);
 }
 
-/* Second derivatives of the rows of a knot: 2 (mu, nu)(mu, nu)^T (x) sum y S.
- */
-static void set_knot(const struct ph_arc_system *s, size_t j, const double *y,
-                     double out[8][8]) {
-  static const int form[3] = {1, 2, 3};
-  size_t dim = s->dim;
-  double lambda[16];
-  ph_arc_form_sum(dim, s->knot_rows, form,
-                  y + s->data->n * s->forms_n + j * s->knot_rows, lambda);
-  for (size_t a = 0; a < 2; a++) {
-    for (size_t b = 0; b < 2; b++) {
-      double m = 2 * s->knot[2 * j + a] * s->knot[2 * j + b];
-      for (size_t d = 0; d < dim; d++) {
-        for (size_t e = 0; e < dim; e++) {
-          out[a * dim + d][b * dim + e] = m * lambda[d * dim + e];
-        }
-      }
-    }
-  }
+/* Whether unknowns a and b of an interval have second derivatives: nodes that
+ * are in one segment, and all with chi. */
+static bool meet(const struct ph_arc_system *s, size_t a, size_t b) {
+  size_t i = a / s->dim, j = b / s->dim;
+  return i == s->span || j == s->span || (i <= j + 2 && j <= i + 2);
 }
 
 /* ---- the pin ------------------------------------------------------------ */
@@ -170,7 +174,7 @@ static size_t pins(const struct ph_arc_system *s, const double *x, size_t *node,
   return 2;
 }
 
-/* ---- assembly ------------------------------------------------------------ */
+/* ---- assembly ---------------------------------------------------------- */
 
 /* A matrix under assembly: its band and where unknowns are in it. */
 struct target {
@@ -189,25 +193,95 @@ static inline void add(const struct target *t, uint32_t i, uint32_t j,
   }
 }
 
-static void add_pins(const struct ph_arc_system *s, const double *x, double pin,
-                     const struct target *t) {
-  double v[2][4];
-  size_t node = 0, n = pins(s, x, &node, v);
-  const uint32_t *place = t->place + 4 * node;
-  for (size_t i = 0; i < n; i++) {
-    for (size_t a = 0; a < 4; a++) {
-      for (size_t b = 0; b < 4; b++) {
-        add(t, place[a], place[b], pin * v[i][a] * v[i][b]);
+/* Adds v[dim][dim] at rows i, i + 1, ... and columns j, j + 1, ...: components
+ * of a node are next to each other in the matrix. */
+static inline void add_square(const struct target *t, uint32_t i, uint32_t j,
+                              size_t dim, const double *v) {
+  size_t k = t->band;
+  if (!t->symmetric) {
+    double *at = ph_band_at(t->a, k, i, j);
+    for (size_t d = 0; d < dim; d++) {
+      for (size_t e = 0; e < dim; e++) {
+        at[d * 3 * k + e] += v[d * dim + e];
+      }
+    }
+  } else if (i >= j) {
+    double *at = ph_sym_at(t->a, k, i, j);
+    for (size_t e = 0; e < dim; e++) {
+      for (size_t d = i == j ? e : 0; d < dim; d++) {
+        at[e * k + d] += v[d * dim + e];
       }
     }
   }
 }
 
-/* Whether unknowns a and b of an interval have second derivatives: nodes that
- * are in one segment, and all with chi. */
-static bool meet(const struct ph_arc_system *s, size_t a, size_t b) {
-  size_t i = a / s->dim, j = b / s->dim;
-  return i == s->span || j == s->span || (i <= j + 2 && j <= i + 2);
+static void add_pins(const struct ph_arc_system *s, const double *x, double pin,
+                     const struct target *t) {
+  double v[2][4], square[16];
+  size_t node = 0, n = pins(s, x, &node, v);
+  uint32_t place = t->place[4 * node];
+  for (size_t i = 0; i < n; i++) {
+    for (size_t a = 0; a < 16; a++) {
+      square[a] = pin * v[i][a / 4] * v[i][a % 4];
+    }
+    add_square(t, place, place, 4, square);
+  }
+}
+
+/* Second derivatives of the rows of a knot: 2 (mu, nu)(mu, nu)^T (x) sum y S.
+ */
+static void add_knot(const struct ph_arc_system *s, size_t j, const double *y,
+                     const struct target *t) {
+  static const int form[3] = {1, 2, 3};
+  const uint32_t *place = t->place + j * s->refine * s->dim;
+  size_t dim = s->dim;
+  double lambda[16], square[16];
+  ph_arc_form_sum(dim, s->knot_rows, form,
+                  y + s->data->n * s->forms_n + j * s->knot_rows, lambda);
+  for (size_t a = 0; a < 2; a++) {
+    for (size_t b = 0; b < 2; b++) {
+      double m = 2 * s->knot[2 * j + a] * s->knot[2 * j + b];
+      for (size_t k = 0; k < dim * dim; k++) {
+        square[k] = m * lambda[k];
+      }
+      add_square(t, place[a * dim], place[b * dim], dim, square);
+    }
+  }
+}
+
+/* Intervals beyond the seam. */
+static void add_wrapped(const struct ph_arc_system *s, size_t i,
+                        const double *x, const double *y, double functional,
+                        const struct target *t) {
+  size_t index[PH_ARC_LOCAL];
+  struct block h;
+  ph_arc_index(s, i, index);
+  set_wrapped(s, i, x, y, functional, &h);
+  for (size_t a = 0; a < h.n; a++) {
+    for (size_t b = 0; b < h.n; b++) {
+      if (meet(s, a, b)) {
+        add(t, t->place[index[a]], t->place[index[b]], h.a[a][b]);
+      }
+    }
+  }
+}
+
+static inline void add_interval(const struct ph_arc_system *s, size_t i,
+                                const double *y, double functional, size_t dim,
+                                const struct target *t) {
+  const uint32_t *place = t->place + i * s->refine * dim;
+  double lambda[16];
+  lambda_of(s, i, y, lambda);
+  for (size_t a = 0; a < s->span; a++) {
+    for (size_t b = a > 2 ? a - 2 : 0; b < s->span && b <= a + 2; b++) {
+      double square[16];
+      if (t->symmetric && place[a * dim] < place[b * dim]) {
+        continue;
+      }
+      node_square(s, i, a, b, functional, lambda, dim, square);
+      add_square(t, place[a * dim], place[b * dim], dim, square);
+    }
+  }
 }
 
 /* The Hessian of the functional and the rows of intervals, of knots, shift and
@@ -217,33 +291,53 @@ static void add_hessian(const struct ph_arc_system *s, const double *x,
                         const struct target *t) {
   size_t n = s->data->n, dim = s->dim;
   bool knots = y && s->knot_rows > 0 && !s->direction;
+  double f = weights->functional;
   for (size_t i = 0; i < n; i++) {
-    size_t index[PH_ARC_LOCAL];
-    struct block h;
-    ph_arc_index(s, i, index);
-    set_block(s, i, x, y, weights->functional, &h);
-    for (size_t a = 0; a < h.n; a++) {
-      for (size_t b = 0; b < h.n; b++) {
-        if (meet(s, a, b)) {
-          add(t, t->place[index[a]], t->place[index[b]], h.a[a][b]);
-        }
-      }
+    if (ph_arc_wraps(s, i)) {
+      add_wrapped(s, i, x, y, f, t);
+    } else if (dim == 4) { /* a constant for the compiler */
+      add_interval(s, i, y, f, 4, t);
+    } else {
+      add_interval(s, i, y, f, dim, t);
     }
   }
   for (size_t j = 0; knots && j <= n; j++) {
-    const uint32_t *place = t->place + j * s->refine * dim;
-    double h[8][8];
-    set_knot(s, j, y, h);
-    for (size_t a = 0; a < 2 * dim; a++) {
-      for (size_t b = 0; b < 2 * dim; b++) {
-        add(t, place[a], place[b], h[a][b]);
-      }
-    }
+    add_knot(s, j, y, t);
   }
-  for (size_t k = 0; k < s->x_n; k++) {
+  for (size_t k = 0; weights->shift > 0 && k < s->x_n; k++) {
     add(t, t->place[k], t->place[k], weights->shift);
   }
   add_pins(s, x, weights->pin, t);
+}
+
+/* A row of the equations and its column, over n nodes. */
+static inline void add_row(const struct ph_arc_system *s,
+                           const struct target *t, uint32_t at,
+                           const uint32_t *place, size_t n, const double *row) {
+  size_t dim = s->dim;
+  for (size_t a = 0; a < n; a++) {
+    double *across = ph_band_at(t->a, t->band, at, place[a * dim]);
+    double *down = ph_band_at(t->a, t->band, place[a * dim], at);
+    for (size_t d = 0; d < dim; d++) {
+      across[d] += row[a * dim + d];
+      down[d * 3 * t->band] += row[a * dim + d];
+    }
+  }
+}
+
+/* The places of the nodes of an interval, also beyond the seam. */
+static const uint32_t *node_places(const struct ph_arc_system *s, size_t i,
+                                   const struct target *t,
+                                   uint32_t places[PH_ARC_LOCAL]) {
+  size_t index[PH_ARC_LOCAL], touched = ph_arc_touched(s, i);
+  if (!ph_arc_wraps(s, i)) {
+    return t->place + i * s->refine * s->dim;
+  }
+  ph_arc_index(s, i, index);
+  for (size_t a = 0; a < touched; a++) {
+    places[a] = t->place[index[a]];
+  }
+  return places;
 }
 
 static void add_rows(const struct ph_arc_system *s,
@@ -251,14 +345,15 @@ static void add_rows(const struct ph_arc_system *s,
                      const struct target *t) {
   size_t n = s->data->n, local = ph_arc_local(s), dim = s->dim;
   for (size_t i = 0; s->forms_n > 0 && i < n; i++) {
-    size_t index[PH_ARC_LOCAL], touched = ph_arc_touched(s, i);
-    ph_arc_index(s, i, index);
+    uint32_t places[PH_ARC_LOCAL];
+    const uint32_t *place = node_places(s, i, t, places);
     for (size_t k = 0; k < s->forms_n; k++) {
       const double *row = linear->rows + (i * s->forms_n + k) * local;
       uint32_t at = s->place_y[i * s->forms_n + k];
-      for (size_t a = 0; a < touched; a++) {
-        add(t, at, t->place[index[a]], row[a]);
-        add(t, t->place[index[a]], at, row[a]);
+      add_row(s, t, at, place, s->span, row);
+      if (ph_arc_touched(s, i) > s->span * dim) {
+        add(t, at, place[s->span * dim], row[local - 1]);
+        add(t, place[s->span * dim], at, row[local - 1]);
       }
     }
     if (s->compliance) {
@@ -267,13 +362,80 @@ static void add_rows(const struct ph_arc_system *s,
     }
   }
   for (size_t r = 0; r < (n + 1) * s->knot_rows; r++) {
-    const uint32_t *place = t->place + r / s->knot_rows * s->refine * dim;
-    uint32_t at = s->place_y[n * s->forms_n + r];
-    for (size_t a = 0; a < 2 * dim; a++) {
-      double v = linear->knot_rows[r * 2 * dim + a];
-      add(t, at, place[a], v);
-      add(t, place[a], at, v);
+    add_row(s, t, s->place_y[n * s->forms_n + r],
+            t->place + r / s->knot_rows * s->refine * dim, 2,
+            linear->knot_rows + r * 2 * dim);
+  }
+}
+
+/* sum_k weight_k row_k row_k^T over n nodes, rows a stride apart. */
+static inline void add_products(const struct target *t, const uint32_t *place,
+                                size_t n, size_t dim, size_t rows,
+                                const double *row, size_t stride,
+                                const double *weight) {
+  for (size_t a = 0; a < n; a++) {
+    for (size_t b = 0; b < n; b++) {
+      double square[16] = {0};
+      if (place[a * dim] < place[b * dim]) {
+        continue;
+      }
+      for (size_t k = 0; k < rows; k++) {
+        const double *v = row + k * stride;
+        for (size_t d = 0; d < dim; d++) {
+          double scaled = weight[k] * v[a * dim + d];
+          for (size_t e = 0; e < dim; e++) {
+            square[d * dim + e] += scaled * v[b * dim + e];
+          }
+        }
+      }
+      add_square(t, place[a * dim], place[b * dim], dim, square);
     }
+  }
+}
+
+/* The same with chi, which is alone. */
+static void add_chi_products(const struct ph_arc_system *s,
+                             const struct target *t, const uint32_t *place,
+                             const double *row, const double *weight) {
+  size_t nodes = s->span * s->dim, local = ph_arc_local(s);
+  for (size_t k = 0; k < s->forms_n; k++) {
+    const double *v = row + k * local;
+    for (size_t a = 0; a < nodes; a++) {
+      double product = weight[k] * v[a] * v[nodes];
+      add(t, place[a], place[nodes], product);
+      add(t, place[nodes], place[a], product);
+    }
+    add(t, place[nodes], place[nodes], weight[k] * v[nodes] * v[nodes]);
+  }
+}
+
+static void add_penalty(const struct ph_arc_system *s,
+                        const struct ph_arc_linear *linear, double rho,
+                        const struct target *t) {
+  size_t n = s->data->n, local = ph_arc_local(s), dim = s->dim;
+  double weight[4] = {rho, rho, rho, rho};
+  for (size_t i = 0; s->forms_n > 0 && i < n; i++) {
+    uint32_t places[PH_ARC_LOCAL];
+    const uint32_t *place = node_places(s, i, t, places);
+    const double *row = linear->rows + i * s->forms_n * local;
+    if (s->compliance) {
+      double soft = s->compliance[i];
+      weight[0] = 1 / (soft > 1 / rho ? soft : 1 / rho);
+    }
+    if (dim == 4) { /* a constant for the compiler */
+      add_products(t, place, s->span, 4, s->forms_n, row, local, weight);
+    } else {
+      add_products(t, place, s->span, dim, s->forms_n, row, local, weight);
+    }
+    if (ph_arc_touched(s, i) > s->span * dim) {
+      add_chi_products(s, t, place, row, weight);
+    }
+  }
+  weight[0] = rho;
+  for (size_t j = 0; s->knot_rows > 0 && j <= n; j++) {
+    add_products(t, t->place + j * s->refine * dim, 2, dim, s->knot_rows,
+                 linear->knot_rows + j * s->knot_rows * 2 * dim, 2 * dim,
+                 weight);
   }
 }
 
@@ -291,31 +453,7 @@ void ph_arc_penalised(const struct ph_arc_system *s, const double *x,
                       const struct ph_arc_weights *weights, double rho,
                       double *matrix) {
   struct target t = {matrix, s->order_band, s->order, true};
-  size_t n = s->data->n, local = ph_arc_local(s), dim = s->dim;
   memset(matrix, 0, ph_sym_size(s->x_n, s->order_band) * sizeof *matrix);
   add_hessian(s, x, y, weights, &t);
-  for (size_t i = 0; s->forms_n > 0 && i < n; i++) {
-    size_t index[PH_ARC_LOCAL], touched = ph_arc_touched(s, i);
-    ph_arc_index(s, i, index);
-    for (size_t k = 0; k < s->forms_n; k++) {
-      const double *row = linear->rows + (i * s->forms_n + k) * local;
-      double soft = s->compliance && k == 0 ? s->compliance[i] : 0;
-      double weight = 1 / (soft > 1 / rho ? soft : 1 / rho);
-      for (size_t a = 0; a < touched; a++) {
-        for (size_t b = 0; b < touched; b++) {
-          add(&t, t.place[index[a]], t.place[index[b]],
-              weight * row[a] * row[b]);
-        }
-      }
-    }
-  }
-  for (size_t r = 0; r < (n + 1) * s->knot_rows; r++) {
-    const uint32_t *place = t.place + r / s->knot_rows * s->refine * dim;
-    const double *row = linear->knot_rows + r * 2 * dim;
-    for (size_t a = 0; a < 2 * dim; a++) {
-      for (size_t b = 0; b < 2 * dim; b++) {
-        add(&t, place[a], place[b], rho * row[a] * row[b]);
-      }
-    }
-  }
+  add_penalty(s, linear, rho, &t);
 }

@@ -12,7 +12,8 @@ static const double RESIDUAL = 1e-12;
 /* So is the Newton decrement, relative to F: a fixed bound for the gradient
  * would be below its rounding where F is small, as of many points. */
 static const double DECREMENT = 1e-9;
-static const double DECREMENT_FLOOR = 1e-15;
+/* Or it is rounding: it no longer falls by this from step to step. */
+static const double STAGNANT = 0.25;
 /* From here on plain Newton steps are taken: the proof that they led to a
  * minimum comes in the end. */
 static const double NEAR = 1e-7;
@@ -22,6 +23,9 @@ static const double PIN = 1e3;
 /* Weights of J^T J in the test of A, each times 1 + |y|: with a fixed weight
  * large multipliers would give false alarms. */
 static const double PENALTY[2] = {1e4, 1e7};
+/* Where that fails, the diagonal is raised by this part of its largest element,
+ * below which curvature is rounding: of many points all is. */
+static const double ROUNDING = 64 * 2.2204460492503131e-16;
 /* Weights of J^T J that prove a minimum. */
 static const double PROOF[4] = {1e2, 1e4, 1e6, 1e8};
 static const double SHIFT_FIRST = 1e-4, SHIFT_REFUSED = 1e-3, SHIFT_MAX = 1e10,
@@ -41,6 +45,7 @@ struct state {
   double y_size; /* largest multiplier */
   bool near;     /* plain Newton steps */
   double noise;  /* rounding of the merit function */
+  double before; /* the decrement of the step before, if that was near */
 };
 
 static double largest(const double *v, size_t n) {
@@ -130,14 +135,30 @@ static void solve(struct state *t, double *dx, double *dy) {
   }
 }
 
+/* Whether the Hessian with rho J^T J is positive definite. */
+static bool is_positive(const struct ph_arc_system *s, struct ph_arc_newton *w,
+                        const double *x, const double *y, double shift,
+                        double rho, bool rounded) {
+  struct ph_arc_weights weights = {1, shift, PIN};
+  ph_arc_penalised(s, x, y, &w->linear, &weights, rho, w->penalised);
+  if (rounded) {
+    double most = 0;
+    for (size_t k = 0; k < s->x_n; k++) {
+      double d = *ph_sym_at(w->penalised, s->order_band, k, k);
+      most = d > most ? d : most;
+    }
+    for (size_t k = 0; k < s->x_n; k++) {
+      *ph_sym_at(w->penalised, s->order_band, k, k) += ROUNDING * most;
+    }
+  }
+  return ph_sym_factor(w->penalised, s->x_n, s->order_band);
+}
+
 /* Whether the Hessian, shifted, is positive definite on the null space of J. */
 static bool is_convex(struct state *t) {
-  const struct ph_arc_system *s = t->s;
-  struct ph_arc_weights weights = {1, t->shift, PIN};
-  for (size_t k = 0; k < 2; k++) {
-    ph_arc_penalised(s, t->p->x, t->p->y, &t->w->linear, &weights,
-                     PENALTY[k] * (1 + t->y_size), t->w->penalised);
-    if (ph_sym_factor(t->w->penalised, s->x_n, s->order_band)) {
+  for (size_t k = 0; k < 3; k++) {
+    if (is_positive(t->s, t->w, t->p->x, t->p->y, t->shift,
+                    PENALTY[k % 2] * (1 + t->y_size), k == 2)) {
       return true;
     }
   }
@@ -330,6 +351,13 @@ static void finish(struct state *t) {
   look(t);
 }
 
+/* Whether the decrement is as small as it is asked to be or can be. */
+static bool is_settled(struct state *t) {
+  double now = decrement(t), before = t->before;
+  t->before = t->near ? now : (double)INFINITY;
+  return now <= DECREMENT * t->p->f || (t->near && now >= STAGNANT * before);
+}
+
 /* One iteration; false when there is no way on. */
 static bool iterate(struct state *t) {
   const struct ph_arc_system *s = t->s;
@@ -342,8 +370,7 @@ static bool iterate(struct state *t) {
   for (size_t r = 0; r < s->y_n; r++) {
     w->y[r] = p->y[r] + w->dy[r];
   }
-  if (rows_hold(s, w->linear.c, p->y) &&
-      decrement(t) <= DECREMENT * p->f + DECREMENT_FLOOR) {
+  if (rows_hold(s, w->linear.c, p->y) && is_settled(t)) {
     finish(t);
     return false;
   }
@@ -372,7 +399,7 @@ static bool iterate(struct state *t) {
 bool ph_arc_newton_solve(const struct ph_arc_system *s,
                          struct ph_arc_newton *work, size_t limit,
                          struct ph_arc_point *p) {
-  struct state t = {.s = s, .w = work, .p = p};
+  struct state t = {.s = s, .w = work, .p = p, .before = (double)INFINITY};
   bool go = true;
   p->converged = p->minimiser = false;
   look(&t);
@@ -393,12 +420,9 @@ bool ph_arc_newton_solve(const struct ph_arc_system *s,
 bool ph_arc_is_minimum(const struct ph_arc_system *s,
                        struct ph_arc_newton *work, const double *x,
                        const double *y) {
-  struct ph_arc_weights weights = {1, 0, PIN};
   ph_arc_linearise(s, x, y, &work->linear);
-  for (size_t k = 0; k < 4; k++) {
-    ph_arc_penalised(s, x, y, &work->linear, &weights, PROOF[k],
-                     work->penalised);
-    if (ph_sym_factor(work->penalised, s->x_n, s->order_band)) {
+  for (size_t k = 0; k < 5; k++) {
+    if (is_positive(s, work, x, y, 0, PROOF[k % 4], k == 4)) {
       return true;
     }
   }

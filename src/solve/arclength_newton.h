@@ -54,7 +54,7 @@ void ph_arc_point_copy(const struct ph_arc_system *system,
 
 /*
  * ph_arc_newton_solve: iterates until the residuals are below 1e-12 and the
- * Newton decrement below 1e-9 F.
+ * Newton decrement is below 1e-9 F or is rounding.
  *
  * inout point  x and y; all the rest is set; iterations are added
  * ret   point->converged
@@ -66,8 +66,8 @@ bool ph_arc_newton_solve(const struct ph_arc_system *system,
 /*
  * ph_arc_is_minimum: proves that a stationary point is a strict minimum but for
  * what leaves the equations as they are: the Hessian of the Lagrangian plus
- * rho J^T J, pinned, has a Cholesky factor for some rho.  False: it is a saddle
- * or rounding hides it.
+ * rho J^T J, pinned, has a Cholesky factor for some rho, at least with a shift
+ * of the size of its rounding.  False: it is a saddle.
  *
  * in   x, y  of this system, which may be another than the one that was solved
  */
