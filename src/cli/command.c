@@ -48,7 +48,7 @@ const struct ph_command ph_commands[] = {
      "Distances that were measured to a thousandth\n"
      "phspline arclength --columns=tx,ty,tz,length ribbon.csv -f csv\t"
      "A ribbon of sensors, directions and distances; control points\n"
-     "phspline arclength --refine=1 --all-minima --starts=20 problem.json\t"
+     "phspline arclength --refine=1 --all_minima --starts=20 problem.json\t"
      "The spline of the paper, and all minima that 20 more starts find\n"
      "phspline arclength --sweep='lengths[1]=1.4:1.456:5' problem.json\t"
      "One length in five steps\n"},

@@ -219,6 +219,9 @@ static enum ph_status report(struct task *t, struct ph_arena *out,
     bool minimum = false;
     status = judge_in_space(t, found, &minimum);
     found->point.minimiser = minimum;
+    if (!minimum) {
+      t->search.starts[found->start].outcome = PH_OUTCOME_SADDLE;
+    }
   }
   if (status == PH_OK) {
     status = ph_arc_report(&t->search, t->left_plane, t->scratch, out, result,
@@ -247,7 +250,7 @@ static enum ph_status solve(const struct ph_problem *problem,
 }
 
 static const struct ph_field fields[] = {
-    {PH_F_POINTS, PH_VECTORS, 1u << 2 | 1u << 3, false, NULL, NULL,
+    {PH_F_POINTS, PH_VECTORS, 1u << 2 | 1u << 3, false, NULL, "none",
      "the points to interpolate, 2 or more, 3 or more if closed"},
     {PH_F_DERIVATIVES, PH_VECTORS, 1u << 2 | 1u << 3, false, NULL, "none",
      "in place of points: the derivatives at the knots, by the parameter"},

@@ -243,8 +243,8 @@ static enum ph_status read_numbers(struct reading *r) {
   return status;
 }
 
-/* A length is at least its chord; one that is the chord leaves its interval no
- * freedom at all [HUA14, sec. 3]. */
+/* A length is at least its chord; one that is the chord leaves its interval so
+ * little freedom that the rows are dependent there. */
 static enum ph_status check_chords(const struct reading *r, bool all) {
   const struct ph_arc_data *d = r->data;
   size_t straight = 0, first = 0;
@@ -267,10 +267,10 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
   }
   if (straight > 0 && !all) {
     double length = d->length[ph_arc_data_interval(d, first)];
-    return ph_fail_at(r->diag, PH_INFEASIBLE, "lengths", first,
-                      "is %.15g, the chord of interval %zu: the curve would "
-                      "have to be straight there and nowhere else; "
-                      "length_sigma allows for lengths that were measured",
+    return ph_fail_at(r->diag, PH_BAD_VALUE, "lengths", first,
+                      "is %.15g, the chord of interval %zu: that would have "
+                      "to be straight and others not, which is not looked "
+                      "for; length_sigma allows for lengths that were measured",
                       length * d->root * d->root, first);
   }
   return PH_OK;

@@ -55,7 +55,7 @@ struct ph_arc_data {
  * out  data  arrays in the arena
  * ret  PH_OK | PH_MISSING_FIELD | PH_BAD_VALUE | PH_BAD_SHAPE |
  *      PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS | PH_ZERO_TANGENT |
- *      PH_INFEASIBLE (a length is not above its chord) | PH_TOO_LARGE |
+ *      PH_INFEASIBLE (a length is below its chord) | PH_TOO_LARGE |
  *      PH_NO_MEMORY
  */
 enum ph_status ph_arc_data_read(const struct ph_problem *problem,

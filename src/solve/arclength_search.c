@@ -17,6 +17,9 @@ enum { FEW = 100 };
 static const double SAME = 1e-7;
 static const double SAME_FLOOR = 1e-13;
 
+/* |r'| at a datum, relative to the mean, below which there is no direction. */
+static const double STANDSTILL = 1e-8;
+
 /* F of data that a curve without bending fits is rounding. */
 static const double F_FLOOR = 1e-12;
 
@@ -54,6 +57,24 @@ static bool has_natural(const struct ph_arc_data *d) {
   return d->length && d->mode != PH_ARC_TANGENTS;
 }
 
+/* From where the rows begin; from a saddle, or nowhere, random waves lead away.
+ * false: no memory. */
+static bool solve_natural(struct ph_arc_system *s, struct ph_arc_newton *work,
+                          struct ph_arena *arena, struct ph_arc_point *p) {
+  static const double waves[] = {0, 0.02, 0.1, 0.3};
+  size_t tries = s->data->n < FEW ? 4 : 1;
+  uint64_t state = 0;
+  for (size_t k = 0; k < tries && !p->minimiser; k++) {
+    if (!ph_arc_start(s, arena, p->x)) {
+      return false;
+    }
+    memset(p->y, 0, s->y_n * sizeof *p->y);
+    ph_arc_perturb(s, waves[k], &state, p->x);
+    ph_arc_newton_solve(s, work, STEPS, p);
+  }
+  return true;
+}
+
 static bool find_natural(const struct ph_arc_request *request,
                          struct ph_arena *arena,
                          struct ph_arc_natural *natural) {
@@ -72,8 +93,8 @@ static bool find_natural(const struct ph_arc_request *request,
   mark = ph_arena_mark(arena);
   ok = ph_arc_system_of(d, request->refine, request->dim, false, arena, &s) &&
        ph_arc_newton_alloc(&s, arena, &work) &&
-       ph_arc_point_alloc(&s, arena, &p) && ph_arc_start(&s, arena, p.x);
-  if (ok && ph_arc_newton_solve(&s, &work, STEPS, &p)) {
+       ph_arc_point_alloc(&s, arena, &p) && solve_natural(&s, &work, arena, &p);
+  if (ok && p.minimiser) {
     natural->known = true;
     natural->f = p.f;
     ph_arc_lengths(&s, p.x, natural->length);
@@ -122,6 +143,25 @@ static void set_nearest(struct run *run) {
   }
 }
 
+/* A direction is held by a derivative of size 0 as well: such a curve stands
+ * still at a datum. */
+static bool stands_still(const struct ph_arc_system *s, const double *x) {
+  size_t dim = s->dim,
+         n = s->data->mode == PH_ARC_TANGENTS ? s->data->n + 1 : 0;
+  for (size_t j = 0; j < n; j++) {
+    const double *w = x + j * s->refine * dim;
+    double speed = 0;
+    for (size_t k = 0; k < dim; k++) {
+      double m = s->knot[2 * j] * w[k] + s->knot[2 * j + 1] * w[dim + k];
+      speed += m * m;
+    }
+    if (!(speed > STANDSTILL)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /* Iterates from run->point.x; false: no memory. */
 static bool finish_start(struct run *run, const char *name) {
   struct ph_arc_search *search = run->search;
@@ -129,6 +169,9 @@ static bool finish_start(struct run *run, const char *name) {
   struct ph_arc_point *p = &run->point;
   struct ph_start *start = &search->starts[search->starts_n++];
   ph_arc_newton_solve(s, &run->work, STEPS, p);
+  if (stands_still(s, p->x)) {
+    p->converged = p->minimiser = false;
+  }
   *start = (struct ph_start){name,
                              p->minimiser   ? PH_OUTCOME_MINIMISER
                              : p->converged ? PH_OUTCOME_SADDLE
