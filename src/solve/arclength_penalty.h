@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Solutions of the arc-length equations from afar: whitened rows, feasibility
+ * by least squares, and an augmented Lagrangian.  They lead into the region
+ * where Newton's method on the KKT system converges.
+ *
+ * With one segment in an interval the rows are nearly dependent wherever the
+ * curve is smooth [HUA14, 4.5], so that a line search on a merit function
+ * stalls.  What is here asks for no rank of the rows: every step comes from the
+ * Cholesky factor of a positive definite matrix.
+ */
+#ifndef PH_SOLVE_ARCLENGTH_PENALTY_H
+#define PH_SOLVE_ARCLENGTH_PENALTY_H
+
+#include "solve/arclength_system.h"
+
+/*
+ * ph_arc_whiten: takes the rows of an interval to the entries of
+ * M^-1/2 (integral of w w^H - M) M^-1/2, M = (length + step . sigma) / 2, the
+ * Pauli matrices sigma.  With the unit vector u of the step, L = (length +
+ * chord) / 2, e = (length - chord) / 2 and t across u, they are
+ *
+ *   (c_0 + u . c) / 2 L,  (c_0 - u . c) / 2 e,  t . c / sqrt(2 L e).
+ *
+ * They are relative, and the same wherever the data are turned.  Lengths near
+ * their chords weigh more, as they leave less room.  Systems other than of
+ * points with exact lengths stay as they are.
+ *
+ * ret  false when memory is exhausted
+ */
+bool ph_arc_whiten(struct ph_arc_system *system, struct ph_arena *arena);
+
+/* ph_arc_plain: multipliers of the rows as they are, of those of the whitened
+ * ones.  out plain[y_n], may be y */
+void ph_arc_plain(const struct ph_arc_system *system, const double *y,
+                  double *plain);
+
+/* What both methods work in, for systems of one size. */
+struct ph_arc_work {
+  struct ph_arc_linear linear;
+  double *matrix;                  /* symmetric band */
+  double *ordered;                 /* [x_n] a right-hand side in its order */
+  double *step, *second;           /* [x_n] */
+  double *to, *better;             /* [x_n] points tried */
+  double *c, *c_to, *c_better, *y; /* [y_n] */
+};
+
+/* ph_arc_work_alloc: ret false when memory is exhausted. */
+bool ph_arc_work_alloc(const struct ph_arc_system *system,
+                       struct ph_arena *arena, struct ph_arc_work *work);
+
+struct ph_arc_penalty_options {
+  double rho;        /* first weight of the squared rows */
+  double rho_max;    /* and the last */
+  double tolerance;  /* of the rows */
+  size_t iterations; /* steps, at most */
+};
+
+struct ph_arc_penalty_report {
+  size_t iterations; /* steps made */
+  size_t factors;    /* Cholesky factors tried */
+  double rows;       /* the largest |c_k| */
+};
+
+/*
+ * ph_arc_feasible: lessens the sum of squares of the rows, by Levenberg's
+ * method with a correction for their curvature.
+ *
+ * in    tolerance  stop at max |c_k| below it
+ * inout x
+ * ret   whether the tolerance was reached
+ */
+bool ph_arc_feasible(const struct ph_arc_system *system, double tolerance,
+                     size_t iterations, struct ph_arc_work *work, double *x,
+                     struct ph_arc_penalty_report *report);
+
+/*
+ * ph_arc_penalty: minimises F + y . c + rho / 2 |c|^2, then y += rho c, and so
+ * on until the rows are met.  Steps are Newton's, shifted until the matrix is
+ * positive definite and the value falls, with a correction for the curvature of
+ * the rows.
+ *
+ * inout x
+ * inout y  multipliers of the rows of the system, whitened if they are
+ * ret   whether the tolerance was reached
+ *
+ * Rows with a compliance are taken as exact.
+ */
+bool ph_arc_penalty(const struct ph_arc_system *system,
+                    const struct ph_arc_penalty_options *options,
+                    struct ph_arc_work *work, double *x, double *y,
+                    struct ph_arc_penalty_report *report);
+
+#endif
