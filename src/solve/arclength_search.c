@@ -2,6 +2,7 @@
 /* Starts and minima of arclength (see arclength_search.h). */
 #include "solve/arclength_search.h"
 
+#include "solve/arclength_penalty.h"
 #include "solve/arclength_start.h"
 
 #include <math.h>
@@ -9,6 +10,11 @@
 
 /* Steps of one start: dense data whose lengths are wrong need 35 to 123. */
 enum { STEPS = 150 };
+
+/* Those of an augmented Lagrangian, its last weight, and the residuals that
+ * least squares lead to before it. */
+enum { ROUGH_STEPS = 250 };
+static const double RHO_MAX = 1e8, FEASIBLE = 1e-10;
 
 /* On more intervals a start costs more than it promises. */
 enum { FEW = 100 };
@@ -26,28 +32,54 @@ static const double F_FLOOR = 1e-12;
 /* Where the iteration of a start begins. */
 enum origin { ORIGIN_INIT, ORIGIN_NATURAL, ORIGIN_NEAREST };
 
+/* When a start is tried. */
+enum use {
+  USE_FIRST,  /* until a minimum is found; also where all are wanted */
+  USE_RESCUE, /* until a minimum is found; of few intervals */
+  USE_SINGLE  /* one segment in each interval and exact lengths, where minima
+               * are many; otherwise as a rescue */
+};
+
 static const struct kind {
   const char *name;
+  enum use use;
   enum origin origin;
-  double wave; /* size of the random wave that is added */
+  bool feasible; /* meets the rows by least squares first */
+  double rho;    /* weight of an augmented Lagrangian before Newton; 0: none */
+  double wave;   /* size of the random wave that is added */
 } kinds[] = {
-    {"init", ORIGIN_INIT, 0},           {"relaxed", ORIGIN_NATURAL, 0},
-    {"wave-2", ORIGIN_NEAREST, 0.02},   {"wave-10", ORIGIN_NEAREST, 0.1},
-    {"wave-30", ORIGIN_NEAREST, 0.3},   {"init-wave-2", ORIGIN_INIT, 0.02},
-    {"init-wave-10", ORIGIN_INIT, 0.1}, {"init-wave-30", ORIGIN_INIT, 0.3},
+    {"init", USE_FIRST, ORIGIN_INIT, false, 0, 0},
+    {"relaxed", USE_FIRST, ORIGIN_NATURAL, false, 0, 0},
+    {"penalty", USE_SINGLE, ORIGIN_INIT, false, 10, 0},
+    {"penalty-1e3", USE_SINGLE, ORIGIN_INIT, false, 1e3, 0},
+    {"feasible", USE_SINGLE, ORIGIN_INIT, true, 1e3, 0},
+    {"relaxed-feasible", USE_SINGLE, ORIGIN_NATURAL, true, 1e3, 0},
+    {"penalty-1e5", USE_SINGLE, ORIGIN_INIT, false, 1e5, 0},
+    {"wave-2", USE_RESCUE, ORIGIN_NEAREST, false, 0, 0.02},
+    {"wave-10", USE_RESCUE, ORIGIN_NEAREST, false, 0, 0.1},
+    {"wave-30", USE_RESCUE, ORIGIN_NEAREST, false, 0, 0.3},
+    {"init-wave-2", USE_RESCUE, ORIGIN_INIT, false, 0, 0.02},
+    {"init-wave-10", USE_RESCUE, ORIGIN_INIT, false, 0, 0.1},
+    {"init-wave-30", USE_RESCUE, ORIGIN_INIT, false, 0, 0.3},
 };
-enum { KINDS = sizeof kinds / sizeof kinds[0], FIRST_WAVE = 2 };
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
-static const struct kind random_kind = {"random", ORIGIN_INIT, 1};
+static const struct kind random_kind = {"random", USE_RESCUE, ORIGIN_INIT,
+                                        false,    0,          1};
 
 struct run {
   const struct ph_arc_request *request;
   struct ph_arena *arena;
   struct ph_arc_search *search;
   struct ph_arc_newton work;
-  struct ph_arc_point point; /* of the current start */
-  double *init;              /* [x_n] */
-  uint64_t state;            /* of the random numbers */
+  bool single;                /* see USE_SINGLE */
+  struct ph_arc_system white; /* the same equations, rows whitened */
+  struct ph_arc_work rough;   /* for what comes before Newton's method */
+  struct ph_arc_point point;  /* of the current start */
+  double *init;               /* [x_n] */
+  double *rough_x;            /* [x_n] */
+  double *rough_y;            /* [y_n] of the whitened rows */
+  uint64_t state;             /* of the random numbers */
 };
 
 /* ---- the natural lengths ------------------------------------------------- */
@@ -162,17 +194,66 @@ static bool stands_still(const struct ph_arc_system *s, const double *x) {
   return false;
 }
 
-/* Iterates from run->point.x; false: no memory. */
-static bool finish_start(struct run *run, const char *name) {
-  struct ph_arc_search *search = run->search;
-  const struct ph_arc_system *s = &search->system;
+/* Newton's method from run->point. */
+static void iterate(struct run *run) {
+  const struct ph_arc_system *s = &run->search->system;
   struct ph_arc_point *p = &run->point;
-  struct ph_start *start = &search->starts[search->starts_n++];
   ph_arc_newton_solve(s, &run->work, STEPS, p);
   if (stands_still(s, p->x)) {
     p->converged = p->minimiser = false;
   }
-  *start = (struct ph_start){name,
+}
+
+/* An augmented Lagrangian brings run->point near a solution, nearer and nearer
+ * until Newton's method takes over. */
+static void approach(struct run *run, const struct kind *kind) {
+  static const double tolerances[] = {1e-3, 1e-5, 1e-7};
+  const struct ph_arc_system *white = &run->white;
+  struct ph_arc_point *p = &run->point;
+  struct ph_arc_penalty_report report;
+  double *x = run->rough_x, *y = run->rough_y;
+  memcpy(x, p->x, white->x_n * sizeof *x);
+  memset(y, 0, white->y_n * sizeof *y);
+  if (kind->feasible) {
+    ph_arc_feasible(white, FEASIBLE, STEPS, &run->rough, x, &report);
+    p->iterations += report.iterations;
+  }
+  for (size_t k = 0; k < 3 && !p->minimiser; k++) {
+    const struct ph_arc_penalty_options options = {kind->rho, RHO_MAX,
+                                                   tolerances[k], ROUGH_STEPS};
+    bool reached = ph_arc_penalty(white, &options, &run->rough, x, y, &report);
+    p->iterations += report.iterations;
+    memcpy(p->x, x, white->x_n * sizeof *x);
+    ph_arc_plain(white, y, p->y);
+    iterate(run);
+    if (!reached) {
+      return;
+    }
+  }
+}
+
+/* Tries a start; false: no memory. */
+static bool try_start(struct run *run, const struct kind *kind) {
+  struct ph_arc_search *search = run->search;
+  const struct ph_arc_system *s = &search->system;
+  struct ph_arc_point *p = &run->point;
+  struct ph_start *start = &search->starts[search->starts_n++];
+  const double *from = kind->origin == ORIGIN_INIT      ? run->init
+                       : kind->origin == ORIGIN_NATURAL ? search->natural.x
+                                                        : search->nearest.x;
+  memcpy(p->x, from, s->x_n * sizeof *from);
+  memset(p->y, 0, s->y_n * sizeof *p->y);
+  p->iterations = 0;
+  p->converged = p->minimiser = false;
+  if (kind->wave > 0) {
+    ph_arc_perturb(s, kind->wave, &run->state, p->x);
+  }
+  if (kind->rho > 0) {
+    approach(run, kind);
+  } else {
+    iterate(run);
+  }
+  *start = (struct ph_start){kind->name,
                              p->minimiser   ? PH_OUTCOME_MINIMISER
                              : p->converged ? PH_OUTCOME_SADDLE
                                             : PH_OUTCOME_NO_SOLUTION,
@@ -184,34 +265,28 @@ static bool finish_start(struct run *run, const char *name) {
   return true;
 }
 
-static bool try_start(struct run *run, const struct kind *kind) {
-  const struct ph_arc_system *s = &run->search->system;
-  const double *from = kind->origin == ORIGIN_INIT ? run->init
-                       : kind->origin == ORIGIN_NATURAL
-                           ? run->search->natural.x
-                           : run->search->nearest.x;
-  memmove(run->point.x, from, s->x_n * sizeof *from);
-  memset(run->point.y, 0, s->y_n * sizeof *run->point.y);
-  run->point.iterations = 0;
-  if (kind->wave > 0) {
-    ph_arc_perturb(s, kind->wave, &run->state, run->point.x);
-  }
-  return finish_start(run, kind->name);
-}
-
 /* ---- all starts
  * --------------------------------------------------------------- */
 
+/* Whether a start is to be tried now. */
+static bool is_due(const struct run *run, const struct kind *kind) {
+  const struct ph_arc_search *search = run->search;
+  bool few = run->request->data->n < FEW;
+  bool wanted = search->found_n == 0 ||
+                (kind->use == USE_FIRST && run->request->all) ||
+                (kind->use == USE_SINGLE && run->single);
+  if ((kind->origin == ORIGIN_NATURAL && !search->natural.known) ||
+      (kind->origin == ORIGIN_NEAREST && search->starts_n == 0) ||
+      (kind->rho > 0 && search->system.compliance)) {
+    return false;
+  }
+  return wanted && (few || kind->use == USE_FIRST);
+}
+
 static bool try_kinds(struct run *run) {
   const struct ph_arc_request *request = run->request;
-  struct ph_arc_search *search = run->search;
-  size_t kinds_n = request->data->n < FEW ? KINDS : FIRST_WAVE;
-  for (size_t k = 0; k < kinds_n; k++) {
-    bool needed = search->found_n == 0 || (request->all && k < FIRST_WAVE);
-    bool possible = kinds[k].origin == ORIGIN_INIT ||
-                    (kinds[k].origin == ORIGIN_NATURAL ? search->natural.known
-                                                       : search->starts_n > 0);
-    if (needed && possible && !try_start(run, &kinds[k])) {
+  for (size_t k = 0; k < KINDS; k++) {
+    if (is_due(run, &kinds[k]) && !try_start(run, &kinds[k])) {
       return false;
     }
   }
@@ -229,7 +304,15 @@ static bool allocate(struct run *run) {
   size_t most = KINDS + run->request->random;
   search->starts = ph_arena_array(run->arena, most, sizeof *search->starts);
   search->found = ph_arena_array(run->arena, most, sizeof *search->found);
-  return search->starts && search->found &&
+  run->init = ph_arena_array(run->arena, s->x_n, sizeof *run->init);
+  run->rough_x = ph_arena_array(run->arena, s->x_n, sizeof *run->rough_x);
+  run->rough_y = ph_arena_array(run->arena, s->y_n, sizeof *run->rough_y);
+  run->white = *s;
+  return search->starts && search->found && run->init && run->rough_x &&
+         run->rough_y && ph_arc_whiten(&run->white, run->arena) &&
+         ph_arc_work_alloc(s, run->arena, &run->rough) &&
+         ph_arc_newton_alloc(s, run->arena, &run->work) &&
+         ph_arc_point_alloc(s, run->arena, &run->point) &&
          ph_arc_point_alloc(s, run->arena, &search->nearest);
 }
 
@@ -251,9 +334,7 @@ bool ph_arc_search_run(const struct ph_arc_request *request,
       !ph_arc_soften(s, fmax(search->natural.f, F_FLOOR), arena)) {
     return false;
   }
-  run.init = ph_arena_array(arena, s->x_n, sizeof *run.init);
-  return run.init && allocate(&run) &&
-         ph_arc_newton_alloc(s, arena, &run.work) &&
-         ph_arc_point_alloc(s, arena, &run.point) &&
-         ph_arc_start(s, arena, run.init) && try_kinds(&run);
+  run.single = request->refine == 1 && d->length && !(d->sigma > 0) &&
+               d->mode != PH_ARC_TANGENTS && request->dim > 1;
+  return allocate(&run) && ph_arc_start(s, arena, run.init) && try_kinds(&run);
 }
