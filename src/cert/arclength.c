@@ -11,6 +11,7 @@
 
 #include "base/sum.h"
 #include "cert/check3.h"
+#include "cert/stationary.h"
 #include "curve/ph3.h"
 #include "kernel/form.h"
 
@@ -35,6 +36,14 @@ enum { ROUND_SECOND = 256, ROUND_KNOT = 4 };
  * an error that falls by 4 each time, from at most 1. */
 static const double SPEED = 1e-13;
 enum { HALVINGS_MAX = 40 };
+
+/* What may be left of the gradient, relative to its largest terms.  The solver
+ * stops where F can fall by 1e-9 of itself, so that the root of that, 3e-5, may
+ * be left; rounding leaves 1e-8. */
+static const double STATIONARY = 1e-4;
+
+/* F again, from the same preimage in another order of operations. */
+static const double SAME_F = 1e-10;
 
 struct context {
   struct ph_check3 at;
@@ -266,6 +275,11 @@ static void check_segments(struct context *c, struct checks *checks) {
   }
 }
 
+static bool is_known(const struct ph_diagnostics *diagnostics,
+                     enum ph_diagnostic which) {
+  return diagnostics->known >> which & 1;
+}
+
 static enum ph_status conclude(const struct context *c,
                                const struct checks *checks,
                                struct ph_diagnostics *diagnostics,
@@ -330,6 +344,55 @@ static void set_scales(struct context *c) {
   c->farthest_knot = ph_check_larger(fabs(first), fabs(last));
 }
 
+/* F, and whether the curve is stationary and the minimum that it claims to
+ * be. */
+static enum ph_status check_stationary(const struct context *c,
+                                       const struct ph_problem *problem,
+                                       struct ph_arena *scratch,
+                                       struct ph_diagnostics *diagnostics,
+                                       struct ph_diag *diag) {
+  const struct ph_spinor_rows rows = {.n = c->n,
+                                      .refine = c->refine,
+                                      .lengths = c->lengths != NULL,
+                                      .points = c->points.n > 0,
+                                      .knot_rows =
+                                          c->derivatives.n > 0 || c->mean ? 3
+                                          : c->tangents.n > 0             ? 2
+                                                                          : 0};
+  const struct ph_stationary_soft soft = {
+      c->soft ? c->lengths : NULL, problem->field[PH_F_LENGTH_SIGMA].number,
+      diagnostics->value[PH_D_F_RELAXED]};
+  struct ph_stationary found;
+  double claimed = diagnostics->value[PH_D_F];
+  enum ph_status status =
+      ph_stationary_of(c->at.curve, &rows, &soft, scratch, &found, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  ph_diagnostics_set(diagnostics, PH_D_KKT_ERROR, found.kkt_error);
+  if (is_known(diagnostics, PH_D_F) &&
+      !(fabs(claimed - found.f) <= SAME_F * found.f + found.f_rounding)) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+                   "the curve is refused by its certificate: F is %.10g, not "
+                   "%.10g",
+                   found.f, claimed);
+  }
+  if (!(found.kkt_error <= STATIONARY)) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+                   "the curve is refused by its certificate: kkt_error is "
+                   "%.3g, at most %.3g is allowed",
+                   found.kkt_error, STATIONARY);
+  }
+  if (is_known(diagnostics, PH_D_SECOND_ORDER) && !found.minimiser &&
+      !(diagnostics->value[PH_D_SECOND_ORDER] > PH_OUTCOME_MINIMISER)) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+                   "the curve is refused by its certificate: it is claimed to "
+                   "be a minimiser, but F can fall");
+  }
+  ph_diagnostics_set(diagnostics, PH_D_F, found.f);
+  return PH_OK;
+}
+
 enum ph_status ph_cert_arclength(const struct ph_problem *problem,
                                  const struct ph_curve *curve,
                                  struct ph_arena *scratch,
@@ -347,7 +410,6 @@ enum ph_status ph_cert_arclength(const struct ph_problem *problem,
                           ph_check3_data_of(problem, PH_F_DERIVATIVES),
                       .soft = field[PH_F_LENGTH_SIGMA].kind == PH_NUMBER};
   enum ph_status status;
-  (void)scratch;
   c.at.curve = curve;
   c.lengths =
       field[PH_F_LENGTHS].kind == PH_NUMBERS ? field[PH_F_LENGTHS].v : NULL;
@@ -367,5 +429,8 @@ enum ph_status ph_cert_arclength(const struct ph_problem *problem,
   }
   set_scales(&c);
   check_segments(&c, &checks);
-  return conclude(&c, &checks, diagnostics, diag);
+  status = conclude(&c, &checks, diagnostics, diag);
+  return status == PH_OK
+             ? check_stationary(&c, problem, scratch, diagnostics, diag)
+             : status;
 }

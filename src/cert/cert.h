@@ -86,7 +86,15 @@ ph_cert_fn ph_cert_spatial_hermite;
  *                         intervals against what is prescribed, / mean
  *   min_speed             the smallest |A|^2 by the global parameter, relative
  *                         to the mean speed, to 1e-13
+ *   F, kkt_error          anew, in place of those of the solver
+ *                         (cert/stationary.h)
  *
+ * A curve is refused, too, when F is not what it was said to be, when it is
+ * not stationary, or when it is claimed to be a minimiser and F can fall; that
+ * it is a saddle is believed.
+ *
+ * in   diagnostics  F and second_order as claimed, or unknown; F_relaxed, which
+ *                   soft lengths are weighed by
  * ret  as above; PH_INTERNAL when segments and data do not fit together
  */
 ph_cert_fn ph_cert_arclength;
