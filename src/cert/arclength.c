@@ -37,10 +37,10 @@ enum { ROUND_SECOND = 256, ROUND_KNOT = 4 };
 static const double SPEED = 1e-13;
 enum { HALVINGS_MAX = 40 };
 
-/* What may be left of the gradient, relative to its largest terms.  The solver
- * stops where F can fall by 1e-9 of itself, so that the root of that, 3e-5, may
- * be left; rounding leaves 1e-8. */
-static const double STATIONARY = 1e-4;
+/* What may be left of the gradient, relative to its largest terms: rounding
+ * leaves some 1e-8, an iteration that stops where F can fall by 1e-9 of itself
+ * 1e-6. */
+static const double STATIONARY = 1e-5;
 
 /* F again, from the same preimage in another order of operations. */
 static const double SAME_F = 1e-10;
