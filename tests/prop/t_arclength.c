@@ -297,7 +297,7 @@ START_TEST(test_natural_lengths) {
   for (size_t i = 0; i < cases(60); i++) {
     double away;
     arc_of(&r, ARC_SMOOTH, ARC_RELAXED, 2 + unit_random_below(&r, 7), &data);
-    data.refine = 2;
+    data.refine = 1 + (int)unit_random_below(&r, 2);
     data.knots = "chordal";
     arc_must(&data, i, &one);
     data.given = ARC_POINTS;
