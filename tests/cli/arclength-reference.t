@@ -141,7 +141,7 @@ refused() {
 steps='"points":[[0,0,0],[1,0,0],[1,1,0],[1,1,1]]'
 refused 'a length below its chord' infeasible 'lengths\[1\]: .*chord' \
   "{$steps,\"lengths\":[1.1,0.9,1.1]}"
-refused 'one length is its chord' infeasible 'lengths\[1\]: .*chord' \
+refused 'one length is its chord' bad-value 'lengths\[1\]: .*chord' \
   "{$steps,\"lengths\":[1.1,1,1.1]}"
 refused 'corners, 1e-4 longer than their chords' no-convergence length_sigma \
   "{$steps,\"lengths\":[1.0001,1.0001,1.0001]}"

@@ -71,9 +71,10 @@ struct arc_solution {
 };
 
 /*
- * arc_solve: solves, then certifies and looks at points, lengths and joints by
- * itself: fails unless the curve is right, or refused for a reason that data
- * can have.  Memory that the solver is to give back is checked.
+ * arc_solve: solves, then certifies and looks at points and lengths by itself:
+ * fails unless the curve is right, or refused for a reason that data can have;
+ * of wild data the certificate may be what refuses it.  Memory that the solver
+ * is to give back is checked.
  *
  * inout solution  what it held is given back
  * ret   whether there is a curve

@@ -88,12 +88,18 @@ static void move_data(const struct motion *m) {
   }
 }
 
+/* F to tol, or to rounding: it has the unit of a length. */
+static bool is_near_f(double a, double b, double tol) {
+  double unit = other.result.curve.length / (double)data.n;
+  return unit_near_rel(a, b, tol) || unit_near(a, b, 1e-14 * unit);
+}
+
 /* `other` is `one`, moved: control points to tol times the mean length, F to
  * tol. */
 static void ck_moved(const struct motion *m, size_t which, double tol) {
   const struct ph_curve *a = &one.result.curve, *b = &other.result.curve;
   double unit = b->length / (double)data.n, worst = 0;
-  arc_assert(unit_near_rel(arc_f(&one) * m->scale, arc_f(&other), tol), which,
+  arc_assert(is_near_f(arc_f(&one) * m->scale, arc_f(&other), tol), which,
              &data, "F %.17g, %.17g", arc_f(&one) * m->scale, arc_f(&other));
   arc_assert(a->n == b->n, which, &data, "%zu and %zu segments", a->n, b->n);
   for (size_t k = 0; k < a->n; k++) {
@@ -112,19 +118,20 @@ static void ck_moved(const struct motion *m, size_t which, double tol) {
 }
 
 /* What the invariance is tried on: smooth and rough data with one minimum
- * nearby.  With one segment in each interval exact lengths are ill posed: only
- * of few intervals. */
+ * nearby, so many that a preimage that does not bend (F = 0) cannot meet them
+ * in several ways.  With one segment in each interval exact lengths are ill
+ * posed: only of few intervals. */
 static void invariant(struct unit_random *r) {
   static const enum arc_family families[] = {ARC_SMOOTH, ARC_PERTURBED,
                                              ARC_WALK};
   enum arc_given given = (enum arc_given)unit_random_below(r, ARC_GIVEN_N);
-  size_t n = 1 + unit_random_below(r, 8), family = unit_random_below(r, 3);
-  if (n > 3 && given <= ARC_SOFT && unit_random_below(r, 4) == 0) {
+  size_t n = 3 + unit_random_below(r, 6), family = unit_random_below(r, 3);
+  if (given <= ARC_SOFT && unit_random_below(r, 4) == 0) {
     arc_closed(r, given, n, &data);
     return;
   }
   arc_of(r, families[given == ARC_POINTS ? family : 0], given, n, &data);
-  data.refine = (int)unit_random_below(r, n <= 3 ? 4 : 1);
+  data.refine = (int)unit_random_below(r, n == 3 ? 4 : 1);
 }
 
 /* What two solutions of one problem may differ by. */
@@ -236,21 +243,26 @@ static double distance(void) {
   return worst * (double)data.n / a->length;
 }
 
-/* Soft lengths with a small deviation are exact, with a large one free. */
+/* Soft lengths are missed by the square of a deviation that is small enough;
+ * with a large one they are free. */
 START_TEST(test_soft_limits) {
   struct unit_random r = unit_random_of(7);
   for (size_t i = 0; i < cases(60); i++) {
     size_t n = 3 + unit_random_below(&r, 6);
-    double away;
+    double small, smaller, away;
     arc_of(&r, ARC_SMOOTH, ARC_POINTS, n, &data);
     data.refine = 2;
     arc_must(&data, i, &one);
     data.given = ARC_SOFT;
-    data.sigma = 1e-8;
+    data.sigma = 1e-4;
     arc_must(&data, i, &other);
-    away = distance();
-    arc_assert(away <= 1e-6, i, &data, "small: %.3g away", away);
-    data.sigma = 1e8;
+    small = distance();
+    data.sigma = 1e-5;
+    arc_must(&data, i, &other);
+    smaller = distance();
+    arc_assert(small > 1e-3 || smaller <= 0.5 * small + 1e-8, i, &data,
+               "%.3g and %.3g away", small, smaller);
+    data.sigma = 1e6;
     data.knots = "chordal";
     arc_must(&data, i, &one);
     data.given = ARC_RELAXED;
@@ -268,7 +280,7 @@ START_TEST(test_soft_is_monotone) {
   for (size_t i = 0; i < cases(30); i++) {
     double before = HUGE_VAL;
     arc_of(&r, ARC_PERTURBED, ARC_SOFT, 5, &data);
-    for (int k = -5; k <= 0; k++) {
+    for (int k = -3; k <= 1; k++) {
       data.sigma = pow(10, k);
       arc_must(&data, i, &one);
       arc_assert(arc_f(&one) <= before * (1 + 1e-8), i, &data,
@@ -294,8 +306,8 @@ START_TEST(test_natural_lengths) {
     }
     arc_must(&data, i, &other);
     away = distance();
-    arc_assert(away <= 1e-5 && unit_near_rel(arc_f(&one), arc_f(&other), 1e-6),
-               i, &data, "%.3g away, F %.17g, %.17g", away, arc_f(&one),
+    arc_assert(away <= 1e-5 && is_near_f(arc_f(&one), arc_f(&other), 1e-6), i,
+               &data, "%.3g away, F %.17g, %.17g", away, arc_f(&one),
                arc_f(&other));
   }
 }
@@ -303,13 +315,18 @@ END_TEST
 
 /* ---- segments, intervals ---------------------------------------------- */
 
+/* Of two F. */
+static bool is_at_most(double a, double b) {
+  return a <= b || is_near_f(a, b, 1e-8);
+}
+
 /* The splines of one segment in each interval are among those of two; lengths
  * that are prescribed cost. */
 START_TEST(test_nested) {
   struct unit_random r = unit_random_of(10);
   for (size_t i = 0; i < cases(100); i++) {
     enum arc_given given = (enum arc_given)unit_random_below(&r, ARC_GIVEN_N);
-    size_t n = 2 + unit_random_below(&r, 3);
+    size_t n = 3 + unit_random_below(&r, 3);
     double fine;
     given = given == ARC_SOFT ? ARC_POINTS : given;
     arc_of(&r, ARC_SMOOTH, given, n, &data);
@@ -318,8 +335,8 @@ START_TEST(test_nested) {
     fine = arc_f(&one);
     data.refine = 1;
     if (arc_solve(&data, i, &other)) {
-      arc_assert(fine <= arc_f(&other) * (1 + 1e-8), i, &data,
-                 "F %.17g > %.17g", fine, arc_f(&other));
+      arc_assert(is_at_most(fine, arc_f(&other)), i, &data, "F %.17g > %.17g",
+                 fine, arc_f(&other));
     }
     if (given == ARC_POINTS) {
       data.refine = 2;
@@ -327,7 +344,7 @@ START_TEST(test_nested) {
       arc_must(&data, i, &one);
       data.given = ARC_RELAXED;
       arc_must(&data, i, &other);
-      arc_assert(arc_f(&other) <= arc_f(&one) * (1 + 1e-8), i, &data,
+      arc_assert(is_at_most(arc_f(&other), arc_f(&one)), i, &data,
                  "F %.17g > %.17g", arc_f(&other), arc_f(&one));
     }
   }
@@ -416,33 +433,50 @@ START_TEST(test_any) {
 }
 END_TEST
 
-/* Closed curves begin at any of their points. */
+/* The same closed data, from another of their points on. */
+static void start_at(size_t first) {
+  image = data;
+  for (size_t k = 0; k < data.n; k++) {
+    image.point[k] = data.point[(first + k) % data.n];
+    image.length[k] = data.length[(first + k) % data.n];
+  }
+}
+
+/* The largest distance of control points, in mean lengths. */
+static double distance_from(size_t first) {
+  size_t segments = one.result.curve.n;
+  double worst = 0;
+  for (size_t k = 0; k < 6 * segments; k++) {
+    size_t from = (k / 6 + first * segments / data.n) % segments;
+    worst = unit_larger(worst, apart(arc_point(&one, from, k % 6),
+                                     arc_point(&other, k / 6, k % 6)));
+  }
+  return worst * (double)data.n / one.result.curve.length;
+}
+
+/* Closed curves begin at any of their points.  Some have several minima near
+ * each other, where the frames turn more often or less: mostly the same is
+ * found.  An iteration that goes another way ends elsewhere: where F is flat.
+ */
 START_TEST(test_closed_start) {
   struct unit_random r = unit_random_of(16);
-  for (size_t i = 0; i < cases(60); i++) {
+  size_t same = 0, n = cases(60);
+  for (size_t i = 0; i < n; i++) {
     enum arc_given given = (enum arc_given)unit_random_below(&r, ARC_SOFT + 1);
-    size_t n = 6 + unit_random_below(&r, 7);
-    size_t first = 1 + unit_random_below(&r, n - 1), segments;
-    double worst = 0;
-    arc_closed(&r, given, n, &data);
-    image = data;
-    for (size_t k = 0; k < n; k++) {
-      image.point[k] = data.point[(first + k) % n];
-      image.length[k] = data.length[(first + k) % n];
-    }
+    size_t first;
+    arc_closed(&r, given, 10 + unit_random_below(&r, 7), &data);
+    first = 1 + unit_random_below(&r, data.n - 1);
+    start_at(first);
     arc_must(&data, i, &one);
     arc_must(&image, i, &other);
-    segments = one.result.curve.n;
-    arc_assert(unit_near_rel(arc_f(&one), arc_f(&other), SAME), i, &data,
-               "F %.17g, %.17g", arc_f(&one), arc_f(&other));
-    for (size_t k = 0; k < 6 * segments; k++) {
-      size_t from = (k / 6 + first * segments / n) % segments;
-      worst = unit_larger(worst, apart(arc_point(&one, from, k % 6),
-                                       arc_point(&other, k / 6, k % 6)));
+    if (is_near_f(arc_f(&one), arc_f(&other), SAME)) {
+      double away = distance_from(first);
+      arc_assert(away <= 1e-6, i, &data, "it is %.3g away", away);
+      same++;
     }
-    arc_assert(worst <= SAME * one.result.curve.length / (double)n, i, &data,
-               "it is %.3g away", worst);
   }
+  ck_assert_msg(10 * same >= 8 * n, "PH_SEED=%lu: only %zu of %zu are the same",
+                unit_seed(), same, n);
 }
 END_TEST
 
