@@ -11,8 +11,8 @@ _phspline() {
     option=${COMP_WORDS[COMP_CWORD - 1]}
   fi
   case $COMP_CWORD,${COMP_WORDS[1]} in
-  1,*) list='planar spatial-hermite help --help --version' ;;
-  *,help) list='planar spatial-hermite' ;;
+  1,*) list='planar spatial-hermite arclength help --help --version' ;;
+  *,help) list='planar spatial-hermite arclength' ;;
   *,planar)
     case $option in
     --points | --points=) kind=nothing ;;
@@ -77,6 +77,42 @@ _phspline() {
       kind=files
       if [[ $cur == -* ]]; then
         kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+      fi
+      ;;
+    esac
+    ;;
+  *,arclength)
+    case $option in
+    --points | --points=) kind=nothing ;;
+    --derivatives | --derivatives=) kind=nothing ;;
+    --tangents | --tangents=) kind=nothing ;;
+    --closed=) list='true false' ;;
+    --lengths | --lengths=) kind=nothing ;;
+    --length_sigma | --length_sigma=) kind=nothing ;;
+    --knots | --knots=) list='lengths chordal uniform' ;;
+    --refine | --refine=) list='auto' ;;
+    --magnitudes | --magnitudes=) list='free mean' ;;
+    --planar | --planar=) list='keep free' ;;
+    --starts | --starts=) kind=nothing ;;
+    --all_minima=) list='true false' ;;
+    --start | --start=) kind=nothing ;;
+    -i | --input-format | --input-format=) list='auto json csv' ;;
+    --columns | --columns=) kind=nothing ;;
+    --delimiter | --delimiter=) kind=nothing ;;
+    -f | --format | --format=) list='json csv' ;;
+    --table | --table=) list='control-points lengths offsets' ;;
+    -o | --output | --output=) kind=files ;;
+    -s | --set | --set=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    --override | --override=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    -S | --sweep | --sweep=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    -d | --offset | --offset=) kind=nothing ;;
+    --convert | --convert=) list='bezier' ;;
+    --tolerance | --tolerance=) kind=nothing ;;
+    -j | --jobs | --jobs=) kind=nothing ;;
+    *)
+      kind=files
+      if [[ $cur == -* ]]; then
+        kind=words list='--points= --derivatives= --tangents= --closed --lengths= --length_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -214,6 +214,13 @@ while read -r command; do
   cp "$srcdir/data/gonzalez-2018.jsonl" "help-$command/problems.jsonl"
   sed '1,/^x/d; s/$/,4.5,5.5/' "$srcdir/data/coastline.csv" \
     >"help-$command/track.csv"
+  # no warnings: lengths of a smooth curve, or of none that is known
+  awk -v OFS=, 'BEGIN { print "x,y,z,length"
+    for (t = 0; t < 6; t += 0.5) { print cos(t), sin(t), 0.75 * t,
+      t ? 0.625 : "" } }' >"help-$command/survey.csv"
+  printf '1,0,0,\n0,1,0,2\n0,0,1,2\n' >"help-$command/ribbon.csv"
+  printf '{"tangents":[[1,0,0],[0,1,0],[0,0,1],[1,0,0]],"lengths":%s}\n' \
+    '[1.2,1.4,0.7]' >"help-$command/problem.json"
   "$PHSPLINE" help "$command" | sed -n '/^Examples:/,/^$/p' >help.txt
   run "help-$command" PATH <help.txt
 done <commands
