@@ -19,6 +19,12 @@ static const double COINCIDENT = 4 * DBL_EPSILON;
 /* Rounding of a coordinate, with a margin for the turn to our frame. */
 static const double ROUNDING = 16 * DBL_EPSILON;
 
+/* Below, lengths are exact; above, they are free. */
+static const double SIGMA_MIN = 1e-9, SIGMA_MAX = 1e3;
+
+/* Farther from the origin a curve of mean length 1 loses its digits. */
+static const double FAR = 1e12;
+
 struct reading {
   const struct ph_problem *problem;
   struct ph_arc_data *data;
@@ -138,21 +144,27 @@ static bool allocate(struct reading *r) {
 
 static enum ph_status read_lengths(struct reading *r) {
   const struct ph_value *sigma = field(r, PH_F_LENGTH_SIGMA);
+  const struct ph_value *lengths = field(r, PH_F_LENGTHS);
   double most = 0;
   enum ph_status status;
   if (sigma->kind != PH_ABSENT) {
     r->data->sigma = sigma->number;
-    if (!(sigma->number > 0)) {
+    if (!(sigma->number >= SIGMA_MIN && sigma->number <= SIGMA_MAX)) {
       return ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
-                     "must be greater than 0, found %.17g", sigma->number);
+                     "must be between %g and %g, found %.17g", SIGMA_MIN,
+                     SIGMA_MAX, sigma->number);
     }
   }
   if (!r->data->length) {
     return PH_OK;
   }
-  status = ph_fields_each(field(r, PH_F_LENGTHS), "lengths", r->data->n,
-                          (double)INFINITY, "greater than 0", r->data->length,
-                          r->diag);
+  if (lengths->kind == PH_NUMBERS && lengths->n != r->data->n) {
+    return ph_fail(r->diag, PH_BAD_SHAPE, "lengths",
+                   "must have %zu numbers, one from datum to datum, found %zu",
+                   r->data->n, lengths->n);
+  }
+  status = ph_fields_each(lengths, "lengths", r->data->n, (double)INFINITY,
+                          "greater than 0", r->data->length, r->diag);
   most = ph_fields_largest(r->data->length, status == PH_OK ? r->data->n : 0);
   for (size_t i = 0; status == PH_OK && i < r->data->n; i++) {
     if (!(r->data->length[i] > most * 1e-12)) {
@@ -206,7 +218,7 @@ static enum ph_status read_given(struct reading *r) {
       d->given[j] = vector(r, j);
       if (!(ph_vec3_abs(d->given[j]) > COINCIDENT)) {
         return ph_fail_at(r->diag, PH_TOO_LARGE, r->name, j,
-                          "is too small beside the lengths");
+                          "is too small beside the other numbers");
       }
     }
   }
@@ -251,9 +263,9 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
   if (!d->chord || !d->length || d->sigma > 0) {
     return PH_OK;
   }
-  for (size_t i = 0; i < d->n; i++) {
+  for (size_t shown = 0; shown < d->n; shown++) {
+    size_t i = ph_arc_data_interval(d, shown);
     double back = d->root * d->root;
-    size_t shown = ph_arc_data_interval(d, i);
     if (!(d->length[i] >= d->chord[i] * (1 - STRAIGHT))) {
       return ph_fail_at(r->diag, PH_INFEASIBLE, "lengths", shown,
                         "is %.15g, below the chord %.15g of interval %zu; "
@@ -416,6 +428,17 @@ static void read_start(struct reading *r) {
   }
 }
 
+static enum ph_status check_distance(const struct reading *r) {
+  const struct ph_arc_data *d = r->data;
+  for (size_t k = 0; d->mode != PH_ARC_POINTS && k < 3; k++) {
+    if (!(fabs(d->start[k]) / d->root / d->root <= FAR)) {
+      return ph_fail(r->diag, PH_TOO_LARGE, "start",
+                     "must be within %g mean lengths of the origin", FAR);
+    }
+  }
+  return PH_OK;
+}
+
 static enum ph_status check_start(const struct reading *r) {
   const struct ph_value *start = field(r, PH_F_START);
   return start->kind != PH_ABSENT && start->n != 2 && start->n != 3
@@ -458,5 +481,6 @@ enum ph_status ph_arc_data_read(const struct ph_problem *problem,
   d->rounding = ROUNDING * (r.largest > 1 ? r.largest : 1);
   ph_arc_data_pose(d);
   d->straight = d->straight && lengths_are_chords(d);
-  return check_chords(&r, d->straight);
+  status = check_distance(&r);
+  return status == PH_OK ? check_chords(&r, d->straight) : status;
 }

@@ -3,6 +3,7 @@
 #include "solve/arclength_report.h"
 
 #include "solve/arclength_curve.h"
+#include "solve/arclength_form.h"
 
 #include <math.h>
 #include <string.h>
@@ -17,6 +18,9 @@ static const double WIGGLE_TOLD = 0.01;
 static const double CONSISTENT = 3;
 /* Below this F is rounding. */
 static const double F_ROUNDING = 1e-11;
+
+/* z of a curve in the plane, relative to the mean speed. */
+static const double FLAT = 1e-10;
 
 /* F and lengths of ours times this are the user's. */
 static double unit(const struct ph_arc_search *search) {
@@ -59,6 +63,17 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
                    "the curve with free lengths was not found, by which "
                    "length_sigma is weighed");
   }
+  if (search->stood_still) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, "tangents",
+                   "have no curve that was found by %zu starts but some that "
+                   "stand still at one of them",
+                   search->starts_n);
+  }
+  if (p->converged) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+                   "no minimum was found by %zu starts, but a saddle, F %.6g",
+                   search->starts_n, p->f * back);
+  }
   c = ph_arena_array(scratch, s->y_n, sizeof *c);
   attained = ph_arena_array(scratch, d->n, sizeof *attained);
   if (!c || !attained) {
@@ -76,16 +91,18 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
   }
   if (!search->natural.known) {
     return ph_fail_at(diag, PH_NO_CONVERGENCE, "lengths", shown,
-                      "is %.6g, and %.6g is attained in interval %zu by the "
-                      "best of %zu starts; residual %.2g of the mean length",
+                      "is not met: %.6g asked for, %.6g attained in interval "
+                      "%zu by the best of %zu starts; residual %.2g of the "
+                      "mean length",
                       d->length[worst] * back, attained[worst] * back, shown,
                       search->starts_n, p->residual);
   }
   return ph_fail_at(
       diag, PH_NO_CONVERGENCE, "lengths", shown,
-      "is %.6g, and %.6g is attained in interval %zu by the best of %zu starts "
-      "(naturally %.6g); residual %.2g of the mean length; length_sigma allows "
-      "for lengths that were measured",
+      "is not met: %.6g asked for, %.6g attained in interval %zu by the best "
+      "of "
+      "%zu starts, naturally %.6g; residual %.2g of the mean length; "
+      "length_sigma allows for lengths that were measured",
       d->length[worst] * back, attained[worst] * back, shown, search->starts_n,
       search->natural.length[worst] * back, p->residual);
 }
@@ -164,9 +181,6 @@ static void set_diagnostics(const struct ph_arc_search *search,
   if (search->natural.known) {
     ph_diagnostics_set(diagnostics, PH_D_F_RELAXED,
                        search->natural.f * unit(search));
-  }
-  if (search->system.data->plane) {
-    ph_diagnostics_set(diagnostics, PH_D_PLANAR, search->system.dim < 4);
   }
 }
 
@@ -248,6 +262,23 @@ static enum ph_status set_solutions(const struct ph_arc_search *search,
   return status;
 }
 
+/* Whether a curve in space is one in the plane z = 0 after all: products of
+ * neighbouring nodes have no z. */
+static bool is_flat(const struct ph_arc_search *search) {
+  const struct ph_arc_system *s = &search->system;
+  const double *x = search->found[0].point.x;
+  for (size_t j = 0; s->dim == 4 && j + 1 < s->nodes; j++) {
+    for (size_t k = j; k <= j + 1; k++) {
+      double v[4];
+      ph_arc_form(4, 3, x + 4 * k, v);
+      if (!(fabs(ph_arc_dot(4, x + 4 * j, v)) <= FLAT)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 enum ph_status ph_arc_report(const struct ph_arc_search *search,
                              bool left_plane, struct ph_arena *scratch,
                              struct ph_arena *out, struct ph_result *result,
@@ -269,8 +300,12 @@ enum ph_status ph_arc_report(const struct ph_arc_search *search,
     status = set_solutions(search, out, result, diag);
   }
   if (status == PH_OK) {
+    bool flat = search->system.data->plane && is_flat(search);
     set_diagnostics(search, &search->found[0], &result->diagnostics);
-    warn(search, left_plane, result);
+    if (search->system.data->plane) {
+      ph_diagnostics_set(&result->diagnostics, PH_D_PLANAR, flat);
+    }
+    warn(search, left_plane && !flat, result);
   }
   return status;
 }

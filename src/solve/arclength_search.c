@@ -8,8 +8,9 @@
 #include <math.h>
 #include <string.h>
 
-/* Steps of one start: dense data whose lengths are wrong need 35 to 123. */
-enum { STEPS = 150 };
+/* Steps of one start: dense data whose lengths are wrong need 35 to 123; where
+ * they are very many, such data are not worth the time. */
+enum { STEPS = 150, STEPS_OF_MANY = 50, MANY = 1000 };
 
 /* Those of an augmented Lagrangian, its last weight, and the residuals that
  * least squares lead to before it. */
@@ -82,6 +83,10 @@ struct run {
   uint64_t state;             /* of the random numbers */
 };
 
+static size_t steps_for(const struct ph_arc_data *d) {
+  return d->n > MANY ? STEPS_OF_MANY : STEPS;
+}
+
 /* ---- the natural lengths ------------------------------------------------- */
 
 /* Tangents have none: the curve would shrink to a point. */
@@ -102,7 +107,7 @@ static bool solve_natural(struct ph_arc_system *s, struct ph_arc_newton *work,
     }
     memset(p->y, 0, s->y_n * sizeof *p->y);
     ph_arc_perturb(s, waves[k], &state, p->x);
-    ph_arc_newton_solve(s, work, STEPS, p);
+    ph_arc_newton_solve(s, work, steps_for(s->data), p);
   }
   return true;
 }
@@ -198,9 +203,10 @@ static bool stands_still(const struct ph_arc_system *s, const double *x) {
 static void iterate(struct run *run) {
   const struct ph_arc_system *s = &run->search->system;
   struct ph_arc_point *p = &run->point;
-  ph_arc_newton_solve(s, &run->work, STEPS, p);
-  if (stands_still(s, p->x)) {
+  ph_arc_newton_solve(s, &run->work, steps_for(s->data), p);
+  if (p->converged && stands_still(s, p->x)) {
     p->converged = p->minimiser = false;
+    run->search->stood_still = true;
   }
 }
 

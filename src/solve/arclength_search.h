@@ -41,8 +41,10 @@ struct ph_arc_search {
   size_t starts_n;
   struct ph_arc_found *found; /* different ones, lowest first */
   size_t found_n;
+  bool stood_still;            /* a curve was found and refused: it has speed
+                                * 0 where it is to have a direction */
   struct ph_arc_point nearest; /* if none was found: the iterate whose rows
-                                * hold best; x is NULL before any */
+                                * hold best */
 };
 
 /*

@@ -13,7 +13,15 @@ static ph_cplx direction(double re, double im) {
   return size > 0 ? ph_cplx_of(re * per_size, im * per_size) : ph_cplx_of(1, 0);
 }
 
-ph_cplx ph_frame_upright(ph_quat a) {
+/* a at a size at which its products can be taken. */
+static ph_quat sized(ph_quat a) {
+  double size = fmax(fmax(fabs(a.u), fabs(a.v)), fmax(fabs(a.p), fabs(a.q)));
+  return size > 0 ? ph_quat_of(a.u / size, a.v / size, a.p / size, a.q / size)
+                  : a;
+}
+
+ph_cplx ph_frame_upright(ph_quat preimage) {
+  ph_quat a = sized(preimage);
   ph_vec3 e1 = ph_vec3_unit(ph_quat_i(a, a));
   ph_vec3 e2 = ph_quat_j(a, a), e3 = ph_quat_k(a, a);
   /* A exp(x i) has e3 cos 2x - e2 sin 2x in the place of e3. */
@@ -25,7 +33,7 @@ ph_cplx ph_frame_upright(ph_quat a) {
 
 /* Both turn i to the same tangent: conj(A) before is a complex number. */
 ph_cplx ph_frame_follow(ph_quat a, ph_quat before) {
-  ph_quat e = ph_quat_between(a, before);
+  ph_quat e = ph_quat_between(sized(a), sized(before));
   return direction(e.u, e.v);
 }
 

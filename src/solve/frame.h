@@ -12,7 +12,7 @@
 /* ph_frame_upright: the factor exp(x i) for A that makes e3 as near to the axis
  * z as the tangent allows (x where the tangent is vertical), so that e2 points
  * to the left seen from above. */
-ph_cplx ph_frame_upright(ph_quat a);
+ph_cplx ph_frame_upright(ph_quat preimage);
 
 /* ph_frame_follow: the factor for A that makes its frame the one of `before`,
  * which turns i to the same tangent. */
