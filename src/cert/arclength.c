@@ -300,23 +300,34 @@ static enum ph_status conclude(const struct context *c,
   return PH_OK;
 }
 
-/* How many data intervals a problem has: a repeated last point of closed data
- * counts once. */
+/* How many data intervals a problem has.  A repeated last point of closed data
+ * counts once: the curve has a whole number of segments in each interval, and
+ * that of three points or more can be so in one way only. */
 static size_t intervals_of(const struct context *c) {
-  const struct ph_check3_data *p = &c->points;
-  if (p->n > 0 && c->at.curve->closed) {
-    const double *last = p->v + p->dimension * (p->n - 1);
-    for (size_t i = 0; i < p->dimension; i++) {
-      if (p->v[i] < last[i] || p->v[i] > last[i]) {
-        return p->n;
-      }
-    }
-    return p->n - 1;
+  size_t given = c->points.n, n = c->at.curve->n;
+  if (given > 0 && c->at.curve->closed) {
+    return n % given == 0 && n / given <= 3 ? given : given - 1;
   }
-  return (p->n > 0               ? p->n
+  return (given > 0              ? given
           : c->derivatives.n > 0 ? c->derivatives.n
                                  : c->tangents.n) -
          1;
+}
+
+/* The lengths of the intervals: one for all, one each, or none. */
+static bool set_lengths(struct context *c, const struct ph_value *lengths,
+                        struct ph_arena *scratch) {
+  double *all;
+  if (lengths->kind != PH_NUMBER) {
+    c->lengths = lengths->kind == PH_NUMBERS ? lengths->v : NULL;
+    return true;
+  }
+  all = ph_arena_array(scratch, c->n, sizeof *all);
+  for (size_t i = 0; all && i < c->n; i++) {
+    all[i] = lengths->number;
+  }
+  c->lengths = all;
+  return all != NULL;
 }
 
 /* The shape of the data and of the curve; false when they disagree. */
@@ -332,7 +343,8 @@ static bool set_shape(struct context *c, const struct ph_problem *problem) {
   return c->refine >= 1 && c->refine <= 3 && n == c->refine * c->n &&
          (refine->kind != PH_NUMBER || !((double)c->refine < refine->number ||
                                          (double)c->refine > refine->number)) &&
-         (c->lengths ? lengths->n == c->n : !c->mean);
+         (lengths->kind == PH_NUMBERS ? lengths->n == c->n
+                                      : lengths->kind == PH_NUMBER || !c->mean);
 }
 
 static void set_scales(struct context *c) {
@@ -411,8 +423,6 @@ enum ph_status ph_cert_arclength(const struct ph_problem *problem,
                       .soft = field[PH_F_LENGTH_SIGMA].kind == PH_NUMBER};
   enum ph_status status;
   c.at.curve = curve;
-  c.lengths =
-      field[PH_F_LENGTHS].kind == PH_NUMBERS ? field[PH_F_LENGTHS].v : NULL;
   c.mean = c.tangents.n > 0 && field[PH_F_MAGNITUDES].kind == PH_WORD &&
            strcmp(field[PH_F_MAGNITUDES].word, "mean") == 0;
   if (start->kind == PH_NUMBERS) {
@@ -421,6 +431,9 @@ enum ph_status ph_cert_arclength(const struct ph_problem *problem,
   if (!set_shape(&c, problem)) {
     return ph_fail(diag, PH_INTERNAL, "segments",
                    "are not one to three for each interval of the data");
+  }
+  if (!set_lengths(&c, &field[PH_F_LENGTHS], scratch)) {
+    return ph_fail_memory(diag);
   }
   status = ph_check3_begin(&c.at, curve, curve->control_points, 6 * curve->n, 3,
                            diag);
