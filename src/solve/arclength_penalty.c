@@ -2,8 +2,8 @@
 /* Globalisation of the arc-length problem (see arclength_penalty.h). */
 #include "solve/arclength_penalty.h"
 
-#include "kernel/band.h"
 #include "kernel/vec3.h"
+#include "solve/arclength_form.h"
 
 #include <math.h>
 #include <string.h>
@@ -78,30 +78,64 @@ void ph_arc_plain(const struct ph_arc_system *s, const double *y,
   }
 }
 
-/* ---- common ------------------------------------------------------------- */
+/* ---- memory ------------------------------------------------------------- */
 
 bool ph_arc_work_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
                        struct ph_arc_work *work) {
-  double *x, *y;
   size_t n = s->x_n, m = s->y_n;
-  work->matrix = ph_arena_array(arena, ph_sym_size(n, s->order_band),
-                                sizeof *work->matrix);
-  x = ph_arena_array(arena, 5 * n, sizeof *x);
-  y = ph_arena_array(arena, 4 * m, sizeof *y);
-  if (!work->matrix || !x || !y ||
-      !ph_arc_linear_alloc(s, arena, &work->linear)) {
+  double *x = ph_arena_array(arena, 4 * n, sizeof *x);
+  double *y = ph_arena_array(arena, 4 * m, sizeof *y);
+  if (!x || !y || !ph_arc_linear_alloc(s, arena, &work->linear) ||
+      !ph_arc_region_alloc(n, s->order_band, arena, &work->region)) {
     return false;
   }
   work->ordered = x;
   work->step = x + n;
-  work->second = x + 2 * n;
-  work->to = x + 3 * n;
-  work->better = x + 4 * n;
+  work->to = x + 2 * n;
+  work->better = x + 3 * n;
   work->c = y;
   work->c_to = y + m;
   work->c_better = y + 2 * m;
   work->y = y + 3 * m;
   return true;
+}
+
+/* ---- one step ----------------------------------------------------------- */
+
+/* The trusted radius at first, relative to |x|. */
+static const double RADIUS = 0.3;
+/* A step is taken that gains at least this of what the model promised. */
+static const double GAIN = 0.01;
+/* One that gains less than POOR shortens the radius, one that gains more than
+ * GOOD and is about as long as it lengthens it. */
+static const double POOR = 0.25, GOOD = 0.75, ABOUT = 0.6;
+static const double SHORTER = 0.5, REFUSED = 0.25, LONGER = 2.5;
+enum { REFUSALS = 30 };
+
+/* Rounding of the value. */
+static const double NOISE = 1e-13;
+
+/* The pin of the common phase: as much as rho, or steps are bent. */
+static const double PIN = 1e3;
+
+/* Directions are turned, not kept, with the common phase: there is nothing to
+ * pin, but the matrix may be singular.  So is J^T J. */
+static const double SHIFT_SINGULAR = 1e-7;
+
+/* What is minimised: F + y . c + rho / 2 |c|^2, or 1 / 2 |c|^2 alone. */
+struct search {
+  const struct ph_arc_system *s;
+  struct ph_arc_work *w;
+  double *x;
+  double *y; /* NULL: the rows alone */
+  double rho;
+  double f;     /* F at x; the rows there are in w->c */
+  double value; /* at x */
+  double radius;
+};
+
+static double dot(const double *u, const double *v, size_t n) {
+  return ph_arc_dot(n, u, v);
 }
 
 /* The largest |v_k|; NaN if one is. */
@@ -114,264 +148,197 @@ static double largest(const double *v, size_t n) {
   return most;
 }
 
-static double dot(const double *u, const double *v, size_t n) {
-  double sum = 0;
-  for (size_t k = 0; k < n; k++) {
-    sum += u[k] * v[k];
-  }
-  return sum;
-}
-
 static void swap(double **a, double **b) {
   double *t = *a;
   *a = *b;
   *b = t;
 }
 
-/* out = - A^-1 v, with the factor in the work; v may be out. */
-static void solve(const struct ph_arc_system *s, struct ph_arc_work *work,
-                  const double *v, double *out) {
-  for (size_t k = 0; k < s->x_n; k++) {
-    work->ordered[s->order[k]] = -v[k];
+static double value_of(const struct search *g, double f, const double *c) {
+  size_t n = g->s->y_n;
+  double squares = g->rho / 2 * dot(c, c, n);
+  return g->y ? f + dot(g->y, c, n) + squares : squares;
+}
+
+static double value_at(const struct search *g, const double *x, double *c,
+                       double *f) {
+  ph_arc_residual(g->s, x, c);
+  *f = g->y ? ph_arc_functional(g->s, x) : 0;
+  return value_of(g, *f, c);
+}
+
+static void begin(struct search *g) {
+  g->value = value_at(g, g->x, g->w->c, &g->f);
+  g->radius = RADIUS * sqrt(dot(g->x, g->x, g->s->x_n));
+  g->w->region.hint = 0;
+  g->w->region.factors = 0;
+}
+
+/* The model at x: gradient and matrix, of the rows alone Gauss's. */
+static void set_model(struct search *g) {
+  const struct ph_arc_system *s = g->s;
+  struct ph_arc_work *w = g->w;
+  bool singular = !g->y || s->direction;
+  struct ph_arc_weights weights = {g->y ? 1 : 0, singular ? SHIFT_SINGULAR : 0,
+                                   s->direction ? 0 : fmax(PIN, g->rho)};
+  for (size_t r = 0; r < s->y_n; r++) {
+    w->y[r] = (g->y ? g->y[r] : 0) + g->rho * w->c[r];
   }
-  ph_sym_solve(work->matrix, s->x_n, s->order_band, work->ordered);
+  ph_arc_linearise(s, g->x, w->y, &w->linear);
   for (size_t k = 0; k < s->x_n; k++) {
-    out[k] = work->ordered[s->order[k]];
+    w->region.g[s->order[k]] = w->linear.l_x[k] - (g->y ? 0 : w->linear.f_x[k]);
   }
+  ph_arc_penalised(s, g->x, g->y ? w->y : NULL, &w->linear, &weights, g->rho,
+                   w->region.matrix);
 }
 
 /*
- * The step to the second order: the rows at `to` = x + step differ from c + J
- * step by their curvature, which the same matrix takes back.
- *
- * in   weight  of the squared rows in the matrix
- * out  better  = x + step + second
+ * The rows at `to' = x + step differ from c + J step by their curvature, which
+ * the same matrix takes back: better = x + step + second step.
  */
-static void correct(const struct ph_arc_system *s, struct ph_arc_work *work,
-                    const double *x, double weight) {
-  double *q = work->c_better;
-  ph_arc_rows_times(s, &work->linear, work->step, q);
-  for (size_t k = 0; k < s->y_n; k++) {
-    q[k] = weight * (work->c_to[k] - work->c[k] - q[k]);
+static void correct(const struct search *g) {
+  const struct ph_arc_system *s = g->s;
+  struct ph_arc_work *w = g->w;
+  double *q = w->c_better, *second = w->better;
+  ph_arc_rows_times(s, &w->linear, w->step, q);
+  for (size_t r = 0; r < s->y_n; r++) {
+    q[r] = g->rho * (w->c_to[r] - w->c[r] - q[r]);
   }
-  memset(work->second, 0, s->x_n * sizeof *work->second);
-  ph_arc_add_rows(s, &work->linear, q, work->second);
-  solve(s, work, work->second, work->second);
+  memset(second, 0, s->x_n * sizeof *second);
+  ph_arc_add_rows(s, &w->linear, q, second);
   for (size_t k = 0; k < s->x_n; k++) {
-    work->second[k] += work->step[k];
+    w->ordered[s->order[k]] = second[k];
   }
-  ph_arc_retract(s, x, work->second, 1, work->better);
+  ph_arc_region_solve(&w->region, w->ordered);
+  for (size_t k = 0; k < s->x_n; k++) {
+    w->step[k] += w->ordered[s->order[k]];
+  }
+  ph_arc_retract(s, g->x, w->step, 1, w->better);
 }
 
-/* ---- feasibility -------------------------------------------------------- */
-
-static const double FEASIBLE_SHIFT = 1e-2, FEASIBLE_SHIFT_LEAST = 1e-14,
-                    FEASIBLE_SHIFT_MOST = 1e12, FEASIBLE_SHIFT_FALLS = 0.2,
-                    FEASIBLE_SHIFT_GROWS = 5;
-
-/* A step with this shift; *value is |c|^2, before and after. */
-static bool feasible_step(const struct ph_arc_system *s, double shift,
-                          struct ph_arc_work *work, double *x, double *value) {
-  const struct ph_arc_weights weights = {0, shift, 1};
-  double to, better;
-  ph_arc_penalised(s, x, NULL, &work->linear, &weights, 1, work->matrix);
-  if (!ph_sym_factor(work->matrix, s->x_n, s->order_band)) {
-    return false;
+/* Tries the step of the region, with and without the correction, and takes the
+ * better point.  ret what it gained of what the model promised */
+static double try_step(struct search *g) {
+  const struct ph_arc_system *s = g->s;
+  struct ph_arc_work *w = g->w;
+  double to, better, f_to, f_better, gain;
+  for (size_t k = 0; k < s->x_n; k++) {
+    w->step[k] = w->region.step[s->order[k]];
   }
-  memset(work->step, 0, s->x_n * sizeof *work->step);
-  ph_arc_add_rows(s, &work->linear, work->c, work->step);
-  solve(s, work, work->step, work->step);
-  ph_arc_retract(s, x, work->step, 1, work->to);
-  ph_arc_residual(s, work->to, work->c_to);
-  to = dot(work->c_to, work->c_to, s->y_n);
-  correct(s, work, x, 1);
-  ph_arc_residual(s, work->better, work->c_better);
-  better = dot(work->c_better, work->c_better, s->y_n);
-  if (better < to || !(to < *value)) {
-    swap(&work->to, &work->better);
-    swap(&work->c_to, &work->c_better);
+  ph_arc_retract(s, g->x, w->step, 1, w->to);
+  to = value_at(g, w->to, w->c_to, &f_to);
+  correct(g);
+  better = value_at(g, w->better, w->c_better, &f_better);
+  if (better < to || isnan(to)) {
+    swap(&w->to, &w->better);
+    swap(&w->c_to, &w->c_better);
     to = better;
+    f_to = f_better;
   }
-  if (!(to < *value * (1 - 1e-12))) {
-    return false;
+  gain = (g->value - to) / w->region.fall;
+  if (to <=
+      g->value - GAIN * w->region.fall + NOISE * fmax(1, fabs(g->value))) {
+    memcpy(g->x, w->to, s->x_n * sizeof *g->x);
+    swap(&w->c, &w->c_to);
+    g->value = to;
+    g->f = f_to;
+    return fmax(gain, GAIN);
   }
-  *value = to;
-  memcpy(x, work->to, s->x_n * sizeof *x);
-  swap(&work->c, &work->c_to);
-  return true;
+  return 0;
 }
+
+/* Moves x; false: nowhere is it better. */
+static bool advance(struct search *g) {
+  struct ph_arc_region *region = &g->w->region;
+  double above = 0;
+  set_model(g);
+  for (size_t k = 0; k < REFUSALS; k++) {
+    double gain;
+    if (!ph_arc_region_step(region, g->radius, above)) {
+      return false;
+    }
+    gain = try_step(g);
+    if (gain > 0) {
+      if (gain <= POOR) {
+        g->radius = SHORTER * region->length;
+      } else if (gain > GOOD && region->length > ABOUT * g->radius) {
+        g->radius *= LONGER;
+      }
+      return true;
+    }
+    g->radius = REFUSED * region->length;
+    above = region->shift;
+  }
+  return false;
+}
+
+/* ---- searches ----------------------------------------------------------- */
 
 bool ph_arc_feasible(const struct ph_arc_system *s, double tolerance,
                      size_t iterations, struct ph_arc_work *work, double *x,
                      struct ph_arc_penalty_report *report) {
-  double shift = FEASIBLE_SHIFT, value;
+  struct search g = {.s = s, .w = work, .x = x, .rho = 1};
   *report = (struct ph_arc_penalty_report){0};
-  ph_arc_residual(s, x, work->c);
-  value = dot(work->c, work->c, s->y_n);
+  begin(&g);
   while (!((report->rows = largest(work->c, s->y_n)) <= tolerance) &&
-         report->iterations < iterations) {
-    bool moved = false;
-    ph_arc_linearise(s, x, work->c, &work->linear);
-    while (!moved && shift < FEASIBLE_SHIFT_MOST) {
-      moved = feasible_step(s, shift, work, x, &value);
-      shift =
-          fmax(shift * (moved ? FEASIBLE_SHIFT_FALLS : FEASIBLE_SHIFT_GROWS),
-               FEASIBLE_SHIFT_LEAST);
-      report->factors++;
-    }
-    if (!moved) {
-      return false;
-    }
+         report->iterations < iterations && advance(&g)) {
     report->iterations++;
   }
+  report->factors = work->region.factors;
   return report->rows <= tolerance;
 }
 
-/* ---- augmented Lagrangian ----------------------------------------------- */
+/* The multipliers may be set anew when a step promises no more than this of
+ * the penalty, or of F, and the matrix needs no shift. */
+static const double INNER = 0.1, INNER_F = 1e-6, INNER_SHIFT = 0.01;
 
-/* Shifts of the matrix: none below the least. */
-static const double SHIFT_LEAST = 1e-6, SHIFT_FIRST = 1e-3, SHIFT_MOST = 1e12,
-                    SHIFT_GROWS = 4;
+/* Rows that fall by less than this from one setting to the next ask for a
+ * larger rho. */
+static const double ROWS_FALL = 0.1, RHO_GROWS = 10;
 
-/* The pin of the common phase: as much as rho, or steps are bent. */
-static const double PIN = 1e3;
-
-/* Directions are turned, not kept, with the common phase: there is nothing to
- * pin, but the matrix may be singular. */
-static const double SHIFT_OF_TURNED = 1e-7;
-
-/* The gradient that ends the search for a minimum between two updates of the
- * multipliers: the first, how it falls, the last. */
-static const double GRADIENT = 1e-3, GRADIENT_FALLS = 0.3,
-                    GRADIENT_LEAST = 1e-4;
-
-/* Rows that fall by less ask for a larger weight. */
-static const double ROWS_FALL = 0.25, RHO_GROWS = 10;
-
-/* What the search is about. */
-struct search {
-  const struct ph_arc_system *system;
-  struct ph_arc_work *work;
-  double *x;
-  const double *y;
-  double rho, shift;
-  double value;    /* F + y . c + rho / 2 |c|^2 at x; c is in work->c */
-  double gradient; /* the largest of it */
-};
-
-static double value_at(const struct search *g, const double *x, double *c) {
-  size_t n = g->system->y_n;
-  ph_arc_residual(g->system, x, c);
-  return ph_arc_functional(g->system, x) + dot(g->y, c, n) +
-         g->rho / 2 * dot(c, c, n);
+static bool is_inner(const struct search *g) {
+  const struct ph_arc_region *region = &g->w->region;
+  double penalty = g->rho / 2 * dot(g->w->c, g->w->c, g->s->y_n);
+  return region->fall <= INNER * penalty + INNER_F * g->f &&
+         region->shift <= INNER_SHIFT;
 }
 
-/* The least by which the shift is. */
-static double shift_of(const struct search *g) {
-  return g->system->direction ? fmax(g->shift, SHIFT_OF_TURNED) : g->shift;
-}
-
-/* A step with the shift that there is.  out *gain: what it gained of what was
- * to be expected */
-static bool penalty_step(struct search *g, double *gain) {
-  const struct ph_arc_system *s = g->system;
-  struct ph_arc_work *work = g->work;
-  const struct ph_arc_weights weights = {1, shift_of(g),
-                                         s->direction ? 0 : fmax(PIN, g->rho)};
-  double expected, to, better;
-  ph_arc_penalised(s, g->x, work->y, &work->linear, &weights, g->rho,
-                   work->matrix);
-  if (!ph_sym_factor(work->matrix, s->x_n, s->order_band)) {
-    return false;
+/* Sets the multipliers; false: rho is at its end, and the rows do not fall. */
+static bool set_multipliers(struct search *g, double rho_max, double before,
+                            double rows) {
+  for (size_t r = 0; r < g->s->y_n; r++) {
+    g->y[r] += g->rho * g->w->c[r];
   }
-  solve(s, work, work->linear.l_x, work->step);
-  expected = -dot(work->linear.l_x, work->step, s->x_n) / 2;
-  ph_arc_retract(s, g->x, work->step, 1, work->to);
-  to = value_at(g, work->to, work->c_to);
-  correct(s, work, g->x, g->rho);
-  better = value_at(g, work->better, work->c_better);
-  if (better < to || !(to <= g->value)) {
-    swap(&work->to, &work->better);
-    swap(&work->c_to, &work->c_better);
-    to = better;
-  }
-  if (!(to <= g->value - 1e-4 * expected)) {
-    return false;
-  }
-  *gain = (g->value - to) / expected;
-  g->value = to;
-  memcpy(g->x, work->to, s->x_n * sizeof *g->x);
-  swap(&work->c, &work->c_to);
-  return true;
-}
-
-/* The gradient at x, with the multipliers that the rows make of y. */
-static void set_gradient(struct search *g) {
-  struct ph_arc_work *work = g->work;
-  for (size_t k = 0; k < g->system->y_n; k++) {
-    work->y[k] = g->y[k] + g->rho * work->c[k];
-  }
-  ph_arc_linearise(g->system, g->x, work->y, &work->linear);
-  g->gradient = largest(work->linear.l_x, g->system->x_n);
-}
-
-/* Steps until the gradient is small or nothing is gained any more. */
-static bool minimise(struct search *g, double gradient, size_t iterations,
-                     struct ph_arc_penalty_report *report) {
-  while (report->iterations < iterations) {
-    bool moved = false;
-    double gain = 0;
-    set_gradient(g);
-    if (g->gradient <= gradient * (1 + 1e-3 * largest(g->y, g->system->y_n))) {
-      return true;
-    }
-    while (!moved && g->shift < SHIFT_MOST) {
-      moved = penalty_step(g, &gain);
-      report->factors++;
-      if (!moved) {
-        g->shift = fmax(SHIFT_GROWS * g->shift, SHIFT_FIRST);
-      }
-    }
-    if (!moved) {
+  if (!(rows <= ROWS_FALL * before)) {
+    if (g->rho >= rho_max) {
       return false;
     }
-    report->iterations++;
-    g->shift *= gain > 0.75 ? 0.1 : gain > 0.25 ? 0.4 : 1;
-    g->shift = g->shift < SHIFT_LEAST ? 0 : g->shift;
+    g->rho = fmin(RHO_GROWS * g->rho, rho_max);
   }
-  set_gradient(g);
-  return false;
+  g->value = value_of(g, g->f, g->w->c);
+  return true;
 }
 
 bool ph_arc_penalty(const struct ph_arc_system *s,
                     const struct ph_arc_penalty_options *options,
                     struct ph_arc_work *work, double *x, double *y,
                     struct ph_arc_penalty_report *report) {
-  struct search g = {s, work, x, y, options->rho, 0, 0, 0};
-  double gradient = GRADIENT, before = INFINITY;
+  struct search g = {.s = s, .w = work, .x = x, .y = y, .rho = options->rho};
+  double before = INFINITY;
+  bool more = true;
   *report = (struct ph_arc_penalty_report){0};
-  for (;;) {
-    bool found;
-    g.value = value_at(&g, x, work->c);
-    found = minimise(&g, gradient, options->iterations, report);
+  begin(&g);
+  report->rows = largest(work->c, s->y_n);
+  while (more && report->iterations < options->iterations && advance(&g)) {
+    report->iterations++;
     report->rows = largest(work->c, s->y_n);
-    for (size_t k = 0; k < s->y_n; k++) {
-      y[k] += g.rho * work->c[k];
+    if (is_inner(&g)) {
+      report->above = options->ceiling > 0 && g.value > options->ceiling;
+      more = set_multipliers(&g, options->rho_max, before, report->rows) &&
+             !report->above && !(report->rows <= options->tolerance);
+      before = report->rows;
     }
-    if (report->rows <= options->tolerance) {
-      return true;
-    }
-    if (report->iterations >= options->iterations ||
-        (!found && g.shift >= SHIFT_MOST)) {
-      return false;
-    }
-    if (!(report->rows <= ROWS_FALL * before)) {
-      if (g.rho >= options->rho_max) {
-        return false;
-      }
-      g.rho = fmin(RHO_GROWS * g.rho, options->rho_max);
-    }
-    before = report->rows;
-    gradient = fmax(GRADIENT_LEAST, GRADIENT_FALLS * gradient);
   }
+  report->factors = work->region.factors;
+  return report->rows <= options->tolerance;
 }

@@ -6,12 +6,13 @@
  *
  * With one segment in an interval the rows are nearly dependent wherever the
  * curve is smooth [HUA14, 4.5], so that a line search on a merit function
- * stalls.  What is here asks for no rank of the rows: every step comes from the
- * Cholesky factor of a positive definite matrix.
+ * stalls.  What is here asks for no rank of the rows: every step is the minimum
+ * of a model within a trusted radius, corrected for the curvature of the rows.
  */
 #ifndef PH_SOLVE_ARCLENGTH_PENALTY_H
 #define PH_SOLVE_ARCLENGTH_PENALTY_H
 
+#include "solve/arclength_region.h"
 #include "solve/arclength_system.h"
 
 /*
@@ -35,12 +36,12 @@ bool ph_arc_whiten(struct ph_arc_system *system, struct ph_arena *arena);
 void ph_arc_plain(const struct ph_arc_system *system, const double *y,
                   double *plain);
 
-/* What both methods work in, for systems of one size. */
+/* What both searches work in, for systems of one size. */
 struct ph_arc_work {
   struct ph_arc_linear linear;
-  double *matrix;                  /* symmetric band */
-  double *ordered;                 /* [x_n] a right-hand side in its order */
-  double *step, *second;           /* [x_n] */
+  struct ph_arc_region region;
+  double *ordered;                 /* [x_n] in the order of matrices */
+  double *step;                    /* [x_n] */
   double *to, *better;             /* [x_n] points tried */
   double *c, *c_to, *c_better, *y; /* [y_n] */
 };
@@ -54,17 +55,19 @@ struct ph_arc_penalty_options {
   double rho_max;    /* and the last */
   double tolerance;  /* of the rows */
   size_t iterations; /* steps, at most */
+  double ceiling;    /* of F, see ph_arc_penalty; 0: none */
 };
 
 struct ph_arc_penalty_report {
   size_t iterations; /* steps made */
   size_t factors;    /* Cholesky factors tried */
   double rows;       /* the largest |c_k| */
+  bool above;        /* what is to be found there is above the ceiling */
 };
 
 /*
- * ph_arc_feasible: lessens the sum of squares of the rows, by Levenberg's
- * method with a correction for their curvature.
+ * ph_arc_feasible: lessens the sum of squares of the rows, by the method of
+ * Gauss and Newton.
  *
  * in    tolerance  stop at max |c_k| below it
  * inout x
@@ -76,9 +79,8 @@ bool ph_arc_feasible(const struct ph_arc_system *system, double tolerance,
 
 /*
  * ph_arc_penalty: minimises F + y . c + rho / 2 |c|^2, then y += rho c, and so
- * on until the rows are met.  Steps are Newton's, shifted until the matrix is
- * positive definite and the value falls, with a correction for the curvature of
- * the rows.
+ * on until the rows are met.  Such a minimum is below the minimum of F under
+ * the rows to which it leads: when it is above the ceiling, the search ends.
  *
  * inout x
  * inout y  multipliers of the rows of the system, whitened if they are
