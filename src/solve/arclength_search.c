@@ -225,8 +225,8 @@ static void approach(struct run *run, const struct kind *kind) {
     p->iterations += report.iterations;
   }
   for (size_t k = 0; k < 3 && !p->minimiser; k++) {
-    const struct ph_arc_penalty_options options = {kind->rho, RHO_MAX,
-                                                   tolerances[k], ROUGH_STEPS};
+    const struct ph_arc_penalty_options options = {
+        kind->rho, RHO_MAX, tolerances[k], ROUGH_STEPS, 0};
     bool reached = ph_arc_penalty(white, &options, &run->rough, x, y, &report);
     p->iterations += report.iterations;
     memcpy(p->x, x, white->x_n * sizeof *x);
