@@ -9,6 +9,9 @@
 
 #include <math.h>
 
+/* z of a curve in the plane, relative to the mean speed. */
+static const double FLAT = 1e-10;
+
 /* Node j, also beyond the seam of a closed curve, as a quaternion. */
 static ph_quat node(const struct ph_arc_system *s, const double *x, size_t j) {
   const double *w = x + (j < s->nodes ? j : j - s->nodes) * s->dim;
@@ -135,4 +138,18 @@ enum ph_status ph_arc_curve(const struct ph_arc_system *s, const double *x,
   curve->length = ph_sum_value(&length);
   *turn = d->closed ? ph_frame_turn(curve, a[2]) : 0;
   return PH_OK;
+}
+
+/* Products of neighbouring nodes have no z. */
+bool ph_arc_is_flat(const struct ph_arc_system *s, const double *x) {
+  for (size_t j = 0; s->dim == 4 && j + 1 < s->nodes; j++) {
+    for (size_t k = j; k <= j + 1; k++) {
+      double v[4];
+      ph_arc_form(4, 3, x + 4 * k, v);
+      if (!(fabs(ph_arc_dot(4, x + 4 * j, v)) <= FLAT)) {
+        return false;
+      }
+    }
+  }
+  return true;
 }

@@ -21,4 +21,7 @@ enum ph_status ph_arc_curve(const struct ph_arc_system *system, const double *x,
                             struct ph_arena *arena, struct ph_curve *curve,
                             double *turn, struct ph_diag *diag);
 
+/* ph_arc_is_flat: whether the curve of nodes in space is in the plane z = 0. */
+bool ph_arc_is_flat(const struct ph_arc_system *system, const double *x);
+
 #endif

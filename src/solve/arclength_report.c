@@ -3,7 +3,6 @@
 #include "solve/arclength_report.h"
 
 #include "solve/arclength_curve.h"
-#include "solve/arclength_form.h"
 
 #include <math.h>
 #include <string.h>
@@ -18,9 +17,6 @@ static const double WIGGLE_TOLD = 0.01;
 static const double CONSISTENT = 3;
 /* Below this F is rounding. */
 static const double F_ROUNDING = 1e-11;
-
-/* z of a curve in the plane, relative to the mean speed. */
-static const double FLAT = 1e-10;
 
 /* F and lengths of ours times this are the user's. */
 static double unit(const struct ph_arc_search *search) {
@@ -102,9 +98,10 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
       "is not met: %.6g asked for, %.6g attained in interval %zu by the best "
       "of "
       "%zu starts, naturally %.6g; residual %.2g of the mean length; "
-      "length_sigma allows for lengths that were measured",
+      "%s allows for lengths that were measured",
       d->length[worst] * back, attained[worst] * back, shown, search->starts_n,
-      search->natural.length[worst] * back, p->residual);
+      search->natural.length[worst] * back, p->residual,
+      d->sigma > 0 ? "a larger length_sigma" : "length_sigma");
 }
 
 /* ---- warnings ---------------------------------------------------------- */
@@ -262,23 +259,6 @@ static enum ph_status set_solutions(const struct ph_arc_search *search,
   return status;
 }
 
-/* Whether a curve in space is one in the plane z = 0 after all: products of
- * neighbouring nodes have no z. */
-static bool is_flat(const struct ph_arc_search *search) {
-  const struct ph_arc_system *s = &search->system;
-  const double *x = search->found[0].point.x;
-  for (size_t j = 0; s->dim == 4 && j + 1 < s->nodes; j++) {
-    for (size_t k = j; k <= j + 1; k++) {
-      double v[4];
-      ph_arc_form(4, 3, x + 4 * k, v);
-      if (!(fabs(ph_arc_dot(4, x + 4 * j, v)) <= FLAT)) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 enum ph_status ph_arc_report(const struct ph_arc_search *search,
                              bool left_plane, struct ph_arena *scratch,
                              struct ph_arena *out, struct ph_result *result,
@@ -300,7 +280,8 @@ enum ph_status ph_arc_report(const struct ph_arc_search *search,
     status = set_solutions(search, out, result, diag);
   }
   if (status == PH_OK) {
-    bool flat = search->system.data->plane && is_flat(search);
+    bool flat = search->system.data->plane &&
+                ph_arc_is_flat(&search->system, search->found[0].point.x);
     set_diagnostics(search, &search->found[0], &result->diagnostics);
     if (search->system.data->plane) {
       ph_diagnostics_set(&result->diagnostics, PH_D_PLANAR, flat);
