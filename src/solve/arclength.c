@@ -10,6 +10,7 @@
 #include "solve/arclength.h"
 
 #include "kernel/pi.h"
+#include "solve/arclength_curve.h"
 #include "solve/arclength_report.h"
 #include "solve/arclength_search.h"
 #include "solve/fields.h"
@@ -22,6 +23,9 @@ enum {
   STARTS_MAX = 1000
 };
 
+/* One interval whose length is its chord to this is straight. */
+static const double STRAIGHT = 1e-12;
+
 struct task {
   const struct ph_problem *problem;
   struct ph_arena *scratch;
@@ -33,8 +37,7 @@ struct task {
   bool left_plane; /* no curve was found there */
 };
 
-/* ---- what is asked for ------------------------------------------------------
- */
+/* ---- what is asked for --------------------------------------------------- */
 
 static bool is_soft(const struct task *t) {
   return t->data.sigma > 0;
@@ -88,8 +91,7 @@ static enum ph_status read_task(struct task *t) {
   return status == PH_OK ? read_starts(t) : status;
 }
 
-/* ---- one interval
- * -------------------------------------------------------------- */
+/* ---- one interval -------------------------------------------------------- */
 
 /*
  * One interval between two points has a whole family of curves without bending
@@ -101,7 +103,7 @@ static bool solve_single(struct task *t) {
   struct ph_arc_search *search = &t->search;
   struct ph_arc_system *s = &search->system;
   double chord = d->chord[0], length = d->length ? d->length[0] : chord;
-  double rest = length > chord ? length - chord : 0;
+  double rest = length > chord * (1 + STRAIGHT) ? length - chord : 0;
   double a = sqrt((length + chord) / 2), b = sqrt(1.5 * rest);
   struct ph_arc_found *found;
   memset(search, 0, sizeof *search);
@@ -131,8 +133,7 @@ static bool solve_single(struct task *t) {
   return true;
 }
 
-/* ---- plane and space
- * -------------------------------------------------------------- */
+/* ---- plane and space ----------------------------------------------------- */
 
 /* The nodes and multipliers of a curve in the plane, as of one in space. */
 static void put_in_space(const struct ph_arc_system *plane,
@@ -188,6 +189,50 @@ static bool search_in(struct task *t, size_t dim) {
   return ph_arc_search_run(&t->request, t->scratch, &t->search);
 }
 
+/* Whether the minima in the plane are minima in space. */
+static enum ph_status judge_all(struct task *t) {
+  enum ph_status status = PH_OK;
+  for (size_t i = 0; status == PH_OK && i < t->search.found_n; i++) {
+    struct ph_arc_found *found = &t->search.found[i];
+    bool minimum = false;
+    status = judge_in_space(t, found, &minimum);
+    found->point.minimiser = minimum;
+    if (!minimum) {
+      t->search.starts[found->start].outcome = PH_OUTCOME_SADDLE;
+    }
+  }
+  return status;
+}
+
+/* Vectors in a plane have spinors of both signs, of which the search in the
+ * plane tries one: where it ends in a saddle, a minimum in space that is in the
+ * plane after all is better. */
+static enum ph_status look_around(struct task *t) {
+  struct ph_arc_search plane = t->search;
+  if (!search_in(t, 4)) {
+    return ph_fail_memory(t->diag);
+  }
+  if (t->search.found_n == 0 ||
+      !ph_arc_is_flat(&t->search.system, t->search.found[0].point.x)) {
+    t->search = plane;
+  }
+  return PH_OK;
+}
+
+static enum ph_status find_in_plane(struct task *t) {
+  enum ph_status status = PH_OK;
+  if (!search_in(t, 2)) {
+    return ph_fail_memory(t->diag);
+  }
+  if (t->search.found_n == 0) {
+    t->left_plane = true;
+    return search_in(t, 4) ? PH_OK : ph_fail_memory(t->diag);
+  }
+  status = judge_all(t);
+  return status == PH_OK && !t->search.found[0].point.minimiser ? look_around(t)
+                                                                : status;
+}
+
 /* Finds curves: on a line, in the plane, in space. */
 static enum ph_status find(struct task *t) {
   const struct ph_arc_data *d = &t->data;
@@ -197,41 +242,14 @@ static enum ph_status find(struct task *t) {
   } else if (d->straight && d->mode != PH_ARC_DERIVATIVES) {
     ok = search_in(t, 1);
   } else if (t->keep_plane) {
-    ok = search_in(t, 2);
-    if (ok && t->search.found_n == 0) {
-      t->left_plane = true;
-      ok = search_in(t, 4);
-    }
+    return find_in_plane(t);
   } else {
     ok = search_in(t, 4);
   }
   return ok ? PH_OK : ph_fail_memory(t->diag);
 }
 
-/* Whether the minima are minima in space, and what is to be said of each. */
-static enum ph_status report(struct task *t, struct ph_arena *out,
-                             struct ph_result *result) {
-  enum ph_status status = PH_OK;
-  bool in_space = t->search.system.dim == 2 && t->data.n > 1;
-  for (size_t i = 0; status == PH_OK && in_space && i < t->search.found_n;
-       i++) {
-    struct ph_arc_found *found = &t->search.found[i];
-    bool minimum = false;
-    status = judge_in_space(t, found, &minimum);
-    found->point.minimiser = minimum;
-    if (!minimum) {
-      t->search.starts[found->start].outcome = PH_OUTCOME_SADDLE;
-    }
-  }
-  if (status == PH_OK) {
-    status = ph_arc_report(&t->search, t->left_plane, t->scratch, out, result,
-                           t->diag);
-  }
-  return status;
-}
-
-/* ---- the whole
- * ------------------------------------------------------------------- */
+/* ---- the whole ----------------------------------------------------------- */
 
 static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,
@@ -243,7 +261,7 @@ static enum ph_status solve(const struct ph_problem *problem,
   if (status == PH_OK && t.search.found_n == 0) {
     status = ph_arc_report_failure(&t.search, scratch, diag);
   } else if (status == PH_OK) {
-    status = report(&t, out, result);
+    status = ph_arc_report(&t.search, t.left_plane, scratch, out, result, diag);
   }
   ph_arena_release(scratch, mark);
   return status;

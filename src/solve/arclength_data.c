@@ -45,7 +45,7 @@ static bool is_given(const struct reading *r, enum ph_field_id id) {
   return field(r, id)->kind != PH_ABSENT;
 }
 
-/* ---- what is given ------------------------------------------------------ */
+/* ---- what is given ------------------------------------------------------- */
 
 static enum ph_status find_vectors(struct reading *r) {
   static const struct {
@@ -139,8 +139,7 @@ static bool allocate(struct reading *r) {
   return d->h && d->knots && (points ? d->chord && d->step : !!d->given);
 }
 
-/* ---- lengths and vectors --------------------------------------------------
- */
+/* ---- lengths and vectors ------------------------------------------------- */
 
 static enum ph_status read_lengths(struct reading *r) {
   const struct ph_value *sigma = field(r, PH_F_LENGTH_SIGMA);
@@ -288,8 +287,7 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
   return PH_OK;
 }
 
-/* ---- knots ------------------------------------------------------------------
- */
+/* ---- knots --------------------------------------------------------------- */
 
 /* Spacings in proportion to v, their mean 1. */
 static void set_spacings(struct ph_arc_data *d, const double *v) {
@@ -370,8 +368,7 @@ static enum ph_status read_knots(struct reading *r) {
   return PH_OK;
 }
 
-/* ---- the whole --------------------------------------------------------------
- */
+/* ---- the whole ----------------------------------------------------------- */
 
 /* The unit is the mean length, or chord. */
 static void normalise(struct reading *r) {

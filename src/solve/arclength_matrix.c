@@ -133,7 +133,7 @@ static bool meet(const struct ph_arc_system *s, size_t a, size_t b) {
   return i == s->span || j == s->span || (i <= j + 2 && j <= i + 2);
 }
 
-/* ---- the pin ------------------------------------------------------------ */
+/* ---- the pin ------------------------------------------------------------- */
 
 /* What leaves all equations as they are: the common phase; of data on a line
  * also a turn about it, so that a and b have a phase each.  One node is held.
@@ -174,7 +174,7 @@ static size_t pins(const struct ph_arc_system *s, const double *x, size_t *node,
   return 2;
 }
 
-/* ---- assembly ---------------------------------------------------------- */
+/* ---- assembly ------------------------------------------------------------ */
 
 /* A matrix under assembly: its band and where unknowns are in it. */
 struct target {

@@ -57,7 +57,7 @@ static double largest(const double *v, size_t n) {
   return most;
 }
 
-/* ---- memory ------------------------------------------------------------- */
+/* ---- memory -------------------------------------------------------------- */
 
 bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
                          struct ph_arc_newton *w) {
@@ -102,8 +102,7 @@ void ph_arc_point_copy(const struct ph_arc_system *s,
   memcpy(y, from->y, s->y_n * sizeof *y);
 }
 
-/* ---- the linear system ----------------------------------------------------
- */
+/* ---- the linear system --------------------------------------------------- */
 
 /* What row r yields to its multiplier. */
 static double compliance(const struct ph_arc_system *s, size_t r) {
@@ -194,8 +193,7 @@ static bool find_step(struct state *t) {
   return false;
 }
 
-/* ---- the search ------------------------------------------------------------
- */
+/* ---- the search ---------------------------------------------------------- */
 
 /* F + nu |c|_1; soft rows by what they cost instead. */
 static double merit(struct state *t, const double *x) {
@@ -305,8 +303,7 @@ static double search(struct state *t) {
   return 0;
 }
 
-/* ---- the iteration
- * ----------------------------------------------------------- */
+/* ---- the iteration ------------------------------------------------------- */
 
 static double decrement(const struct state *t) {
   double sum = 0;

@@ -17,8 +17,7 @@ static ph_vec3 *vectors(const struct ph_arc_data *d, size_t *n) {
   return d->step ? d->step : d->given;
 }
 
-/* ---- reversal -------------------------------------------------------------
- */
+/* ---- reversal ------------------------------------------------------------ */
 
 /* Whether v backwards is smaller (-1), larger (1) or the same. */
 static int compare_backwards(const double *v, size_t n) {
@@ -81,8 +80,7 @@ static void set_sense(struct ph_arc_data *d) {
   }
 }
 
-/* ---- frame ------------------------------------------------------------------
- */
+/* ---- frame --------------------------------------------------------------- */
 
 /* The first vector that leaves the line of u by at least half as much as the
  * one that leaves it most; NULL: none leaves it. */

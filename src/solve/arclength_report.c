@@ -24,7 +24,7 @@ static double unit(const struct ph_arc_search *search) {
   return d->root * d->root;
 }
 
-/* ---- failure ----------------------------------------------------------- */
+/* ---- failure ------------------------------------------------------------- */
 
 /* The interval whose rows are missed most. */
 static size_t worst_interval(const struct ph_arc_system *s, const double *c) {
@@ -104,7 +104,7 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
       d->sigma > 0 ? "a larger length_sigma" : "length_sigma");
 }
 
-/* ---- warnings ---------------------------------------------------------- */
+/* ---- warnings ------------------------------------------------------------ */
 
 /* Amplitude 0.64 l sqrt(|l / natural - 1|) of the wiggle that a length asks
  * for, beside the length. */
@@ -163,7 +163,7 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
   }
 }
 
-/* ---- the result -------------------------------------------------------- */
+/* ---- the result ---------------------------------------------------------- */
 
 static void set_diagnostics(const struct ph_arc_search *search,
                             const struct ph_arc_found *found,

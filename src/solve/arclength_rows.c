@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* ---- an interval ------------------------------------------------------ */
+/* ---- an interval --------------------------------------------------------- */
 
 /* gw = G w: G vanishes at |a - b| > 2. */
 static void set_gram_times(const struct ph_arc_system *s,
@@ -128,7 +128,7 @@ static void interval_rows(const struct ph_arc_system *s,
   }
 }
 
-/* ---- a knot ----------------------------------------------------------- */
+/* ---- a knot -------------------------------------------------------------- */
 
 static void knot_value(const struct ph_arc_system *s, const double *x, size_t j,
                        double *m) {
@@ -164,7 +164,7 @@ static void knot_rows(const struct ph_arc_system *s, const double *x, size_t j,
   }
 }
 
-/* ---- the functional ---------------------------------------------------- */
+/* ---- the functional ------------------------------------------------------ */
 
 /* F of an interval, and its gradient by the nodes unless NULL. */
 static double interval_functional(const struct ph_arc_system *s,
@@ -199,7 +199,7 @@ double ph_arc_functional(const struct ph_arc_system *s, const double *x) {
   return sum;
 }
 
-/* ---- all ---------------------------------------------------------------- */
+/* ---- all ----------------------------------------------------------------- */
 
 void ph_arc_residual(const struct ph_arc_system *s, const double *x,
                      double *c) {

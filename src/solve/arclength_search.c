@@ -141,8 +141,7 @@ static bool find_natural(const struct ph_arc_request *request,
   return ok;
 }
 
-/* ---- one start --------------------------------------------------------------
- */
+/* ---- one start ----------------------------------------------------------- */
 
 static bool is_same(double f, double g) {
   return fabs(f - g) <= SAME * (f > g ? f : g) + SAME_FLOOR;
@@ -271,8 +270,7 @@ static bool try_start(struct run *run, const struct kind *kind) {
   return true;
 }
 
-/* ---- all starts
- * --------------------------------------------------------------- */
+/* ---- all starts ---------------------------------------------------------- */
 
 /* Whether a start is to be tried now. */
 static bool is_due(const struct run *run, const struct kind *kind) {

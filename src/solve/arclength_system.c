@@ -16,7 +16,7 @@ static const double BERNSTEIN[3][3] = {{1. / 5, 1. / 10, 1. / 30},
                                        {1. / 10, 2. / 15, 1. / 10},
                                        {1. / 30, 1. / 10, 1. / 5}};
 
-/* ---- matrices -------------------------------------------------------- */
+/* ---- matrices ------------------------------------------------------------ */
 
 /* The spacing of segment q, of those beyond the ends too. */
 static double spacing(const struct ph_arc_system *s, size_t q, int beyond) {
@@ -101,7 +101,7 @@ static void set_direction(struct ph_arc_system *s, size_t j) {
   }
 }
 
-/* ---- the order ------------------------------------------------------- */
+/* ---- the order ----------------------------------------------------------- */
 
 /* Blocks of intervals in the order of the matrix: those of a closed curve
  * alternate between both sides of the seam, so that neighbours in the cycle are
@@ -196,7 +196,7 @@ static void set_bands(struct ph_arc_system *s) {
   }
 }
 
-/* ---- the whole ------------------------------------------------------- */
+/* ---- the whole ----------------------------------------------------------- */
 
 /* Which rows there are. */
 static void set_rows(struct ph_arc_system *s, bool exact) {
