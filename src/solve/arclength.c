@@ -197,8 +197,11 @@ static enum ph_status judge_all(struct task *t) {
     bool minimum = false;
     status = judge_in_space(t, found, &minimum);
     found->point.minimiser = minimum;
-    if (!minimum) {
-      t->search.starts[found->start].outcome = PH_OUTCOME_SADDLE;
+    for (size_t k = 0; !minimum && k < t->search.starts_n; k++) {
+      struct ph_start *start = &t->search.starts[k];
+      if (ph_arc_is_same(start->f, found->point.f)) {
+        start->outcome = PH_OUTCOME_SADDLE;
+      }
     }
   }
   return status;

@@ -143,7 +143,7 @@ static bool find_natural(const struct ph_arc_request *request,
 
 /* ---- one start ----------------------------------------------------------- */
 
-static bool is_same(double f, double g) {
+bool ph_arc_is_same(double f, double g) {
   return fabs(f - g) <= SAME * (f > g ? f : g) + SAME_FLOOR;
 }
 
@@ -153,11 +153,11 @@ static bool keep(struct run *run, size_t start) {
   struct ph_arc_found found = {.start = start};
   size_t at = 0;
   while (at < search->found_n && search->found[at].point.f < run->point.f &&
-         !is_same(search->found[at].point.f, run->point.f)) {
+         !ph_arc_is_same(search->found[at].point.f, run->point.f)) {
     at++;
   }
   if (at < search->found_n &&
-      is_same(search->found[at].point.f, run->point.f)) {
+      ph_arc_is_same(search->found[at].point.f, run->point.f)) {
     return true;
   }
   if (!ph_arc_point_alloc(&search->system, run->arena, &found.point)) {

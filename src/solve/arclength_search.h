@@ -47,6 +47,9 @@ struct ph_arc_search {
                                 * hold best */
 };
 
+/* ph_arc_is_same: whether two values of F, of ours, are of one minimum. */
+bool ph_arc_is_same(double f, double g);
+
 /*
  * ph_arc_search_run: carries out a request.
  *
