@@ -74,7 +74,7 @@ for refine in 1 2 3; do
     "$two,\"lengths\":[3],\"refine\":$refine"
 done
 for length in 3.0000000000015 3.000000001 3.000003 30 3e6 3e11; do
-  minimum "two points, length $length" 1e-25 "$two,\"lengths\":[$length]"
+  minimum "two points, length $length" "1e-28 * $length" "$two,\"lengths\":[$length]"
 done
 # Below the chord by less than 1e-12 of it is the chord.
 line 'two points, hardly below the chord' "$two,\"lengths\":[2.9999999999985]"
@@ -248,6 +248,10 @@ minimum 'tiny derivatives' 1.6458990775e-300 '"derivatives":[[1e-300,0,0],
 [0,1e-300,0],[0,0,1e-300]],"lengths":[1e-300,1e-300]'
 minimum 'huge derivatives' 1.6458990775e300 '"derivatives":[[1e300,0,0],
 [0,1e300,0],[0,0,1e300]],"lengths":[1e300,1e300]'
+fig5_300='"points":[[1e300,1e300,0],[0,4e300,3e300],[2e300,4e300,2e300],
+[3e300,3e300,3e300]]'
+curve 'huge points' "$fig5_300"
+curve 'huge points, lengths' "$fig5_300,\"lengths\":[4.9e300,2.5e300,2e300]"
 curve 'tiny points' '"points":[[1e-300,1e-300,0],[0,4e-300,3e-300],
 [2e-300,4e-300,2e-300],[3e-300,3e-300,3e-300]],"lengths":[4.9e-300,2.5e-300,2e-300]'
 curve 'a chord of 1e-9 others' \
@@ -255,7 +259,7 @@ curve 'a chord of 1e-9 others' \
 curve 'a long way to go' '"points":[[1,1,0],[0,4,3],[2,4,2],[3,3,3]],
 "lengths":[490,250,200]'
 feed '{"points":[[-1.7e308,0,0],[1.7e308,0,0],[1.7e308,1.7e308,0]]}' arclength
-expect 'more than a double can hold' 1 "phspline: -:1: record 1: the curve \
+expect 'more than a double holds' 1 "phspline: -:1: record 1: the curve \
 exceeds the range of a double [too-large]
 $(failed 1 1)"
 
@@ -278,7 +282,7 @@ awk "BEGIN {
 run arclength -q -f csv --table=lengths --columns=x,y,z,- many.csv
 expect 'many points' 0
 true_that 'many points: a segment each' count $((free + 1)) out
-sed "$((given + 2)),\$d" many.csv >some.csv
+sed "$((given + 3)),\$d" many.csv >some.csv
 run arclength -q -f csv --table=lengths some.csv
 expect 'many lengths' 0
 true_that 'many lengths: two segments each' count $((2 * given + 1)) out

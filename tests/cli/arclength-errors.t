@@ -153,11 +153,11 @@ for given in derivatives tangents; do
     "{\"$given\":[[1,0,0]],\"lengths\":[]}"
 done
 for n in 0 1 3; do
-  bad bad-shape lengths "must have 2 numbers, one for each segment, found $n" \
+  bad bad-shape lengths "must have 2 numbers, one from datum to datum, found $n" \
     "$(with "\"lengths\":[$(printf %s '2,2,2' | cut -c "1-$((2 * n - 1))" \
       2>/dev/null)]")"
 done
-bad bad-shape lengths 'must have 3 numbers, one for each segment, found 2' \
+bad bad-shape lengths 'must have 3 numbers, one from datum to datum, found 2' \
   "{$triangle,$lengths}"
 bad bad-shape knots 'must have 3 numbers, one for each point, found 2' \
   "$(with '"knots":[0,1]')"
@@ -180,8 +180,8 @@ bad bad-value lengths 'must be greater than 0, found -1' \
 bad too-large 'lengths[0]' \
   'must be above 1e-12 of the largest, 2, found 9.9999999999999998e-13' \
   "{$tangents,\"lengths\":[1e-12,2]}"
-for sigma in 0 -1; do
-  bad bad-value length_sigma "must be greater than 0, found $sigma" \
+for sigma in 0 -1 1001; do
+  bad bad-value length_sigma "must be between 1e-09 and 1000, found $sigma" \
     "$(with "$lengths,\"length_sigma\":$sigma")"
 done
 for refine in 0 4 -1 1.5 1e300; do
@@ -217,8 +217,13 @@ for given in derivatives tangents; do
   bad zero-tangent "${given}[0]" 'must not be zero' \
     "{\"$given\":[[0,0],[0,0]],\"lengths\":[1]}"
 done
-bad too-large 'derivatives[1]' 'is too small beside the lengths' \
+bad too-large 'derivatives[1]' 'is too small beside the other numbers' \
   '{"derivatives":[[1,0,0],[0,1e-17,0]],"lengths":[1]}'
+
+for start in '1e300,0' '0,-1e13'; do
+  bad too-large start 'must be within 1e+12 mean lengths of the origin' \
+    "{$tangents,$lengths,\"start\":[$start]}"
+done
 
 # Points are one within 4 units in the last place of 1 times the largest number;
 # so it is at every scale.
@@ -246,12 +251,13 @@ bad infeasible 'lengths[2]' "is 0.5, below the chord 1 of interval 2; $hint" \
   '{"points":[[0,0],[0,1],[1,1],[1,0]],"lengths":[2,2,0.5]}'
 bad infeasible 'lengths[2]' "is 0.5, below the chord 1 of interval 2; $hint" \
   "{\"points\":[[0,0],[1,1],[0,1]],\"closed\":true,\"lengths\":[2,2,0.5]}"
-bad infeasible 'lengths[0]' "is 1, the chord of interval 0: the curve would \
-have to be straight there and nowhere else; $hint" \
+straight='that would have to be straight and others not, which is not looked for'
+bad bad-value 'lengths[0]' "is 1, the chord of interval 0: $straight; $hint" \
   '{"points":[[0,0,0],[1,0,0],[1,1,0]],"lengths":[1,1.5]}'
-bad infeasible 'lengths[1]' "is 3, the chord of interval 1: the curve would \
-have to be straight there and nowhere else; $hint" \
+bad bad-value 'lengths[1]' "is 3, the chord of interval 1: $straight; $hint" \
   '{"points":[[1,0,0],[0,0,0],[1,2,2]],"lengths":[1.5,3]}'
+bad bad-value 'lengths[0]' "is 2, the chord of interval 0: $straight; $hint" \
+  '{"points":[[0,0,0],[2,0,0],[1,0,0]],"lengths":[2,1]}'
 
 # ---- warnings ----------------------------------------------------------------
 
@@ -331,12 +337,17 @@ phspline: N of N records failed" "$status $(sed 's/[0-9][0-9.e+-]*/N/g' err)"
     "$(get status) $(get error.code) $(get segments) $(get diagnostics)"
 }
 
-lost 'lengths that hardly exceed the chords' "lengths[N]: is N, and N is \
-attained in interval N by the best of N starts (naturally N); residual N of the \
-mean length; $hint" "$fig5,\"lengths\":[4.358903,2.2360702,1.7320525]"
-lost 'derivatives that are too large' "lengths[N]: is N, and N is attained in \
-interval N by the best of N starts (naturally N); residual N of the mean length; \
-$hint" '"derivatives":[[1e6,0,0],[0,1,0],[0,0,1]],"lengths":[1,1]'
-lost 'tangents whose lengths differ too much' "lengths[N]: is N, and N is \
-attained in interval N by the best of N starts; residual N of the mean length" \
+unmet="lengths[N]: is not met: N asked for, N attained in interval N by the best \
+of N starts"
+lost 'lengths that hardly exceed the chords' \
+  "$unmet, naturally N; residual N of the mean length; $hint" \
+  "$fig5,\"lengths\":[4.358903,2.2360702,1.7320525]"
+lost 'derivatives that are too large' \
+  "$unmet, naturally N; residual N of the mean length; $hint" \
+  '"derivatives":[[1e6,0,0],[0,1,0],[0,0,1]],"lengths":[1,1]'
+lost 'tangents whose lengths differ too much' \
+  "$unmet; residual N of the mean length" \
   '"tangents":[[1,0,0],[0,1,0],[0,0,1]],"lengths":[1,1e-9]'
+lost 'tangents that turn back' "tangents: have no curve that was found by N starts \
+but some that stand still at one of them" \
+  '"tangents":[[1,2,3],[-1,-2,-3],[1,2,3]],"lengths":[1,2]'
