@@ -171,6 +171,33 @@ exhaust 'in space, CSV' lines spatial-hermite -j 1 -f csv --table=lengths \
 exhaust 'in space, offsets' lines spatial-hermite -j 1 -d 0.1 space.json
 exhaust 'in space, offsets of atph' lines spatial-hermite -j 1 -d 0.1 \
   --basis=atph --alpha=1 --criterion=cc --tolerance=1e-3 space.json
+echo '{}' >empty.json
+printf '%s\n' '{"points":[[1,1,0],[0,4,3],[2,4,2],[3,3,3]],"lengths":[5,3,2]}' \
+  '{"points":[[0,0],[1,0],[1,1]],"lengths":[0.5,2]}' \
+  '{"tangents":[[1,0,0],[1,1,0],[0,1,1]],"lengths":[1,2]}' \
+  '{"derivatives":[[1,0,0],[0,1,0],[0,0,1]],"lengths":[1,1]}' \
+  '{"points":[[0,0],[1,0]],"lengths":[2]}' >lengths.jsonl
+printf 'x,y,z,length\n1,1,0,\n0,4,3,4.9\n2,4,2,2.5\n3,3,3,2\n' >lengths.csv
+awk 'BEGIN {
+  printf "{\"points\":["
+  for (i = 0; i < 500; i++) printf "%s[%d,%d,%d]", i ? "," : "", i, i * i % 7, \
+    i * i % 5
+  print "]}"
+}' >long.json
+exhaust 'lengths' lines arclength -j 1 lengths.jsonl
+exhaust 'lengths, two threads' lines arclength -j 2 lengths.jsonl
+exhaust 'lengths, many' lines arclength -j 1 --refine=2 long.json
+exhaust 'lengths, CSV' lines arclength -j 1 -f csv --table=lengths lengths.csv
+exhaust 'lengths, fitted, a sweep' lines arclength -j 1 --length_sigma=0.1 \
+  -S 'lengths[1]=2,3' lengths.csv
+exhaust 'lengths, all minima and offsets' lines arclength -j 1 -d 0.1 \
+  --all_minima --starts=2 lengths.csv
+exhaust 'lengths, out of the plane' lines arclength -j 1 \
+  --set='points=[[4,2],[-3,0],[4,2],[-4,3]]' --closed \
+  --lengths='[7.7,7.7,8.53,8.53]' empty.json
+exhaust 'lengths, none' lines arclength -j 1 --starts=2 \
+  --set='points=[[0,0,0],[1,1,0],[2,0,1],[3,1,1]]' \
+  --lengths='[1.4143,1.7321,1.4143]' empty.json
 exhaust '-v' lines planar -j 1 -v --strict some.jsonl
 exhaust '--pretty' text planar -j 1 --pretty -q array.json
 exhaust 'help' text planar --help
