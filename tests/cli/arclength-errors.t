@@ -4,6 +4,7 @@
 # on standard error and the record, to the byte.  (What all commands share, such
 # as syntax errors: errors.t.)
 . "$srcdir/tests/cli/lib.sh"
+# shellcheck disable=SC2034  # errors.sh uses it
 good='{"points":[[1,1,0],[0,4,3],[2,4,2],[3,3,3]]}'
 . "$srcdir/tests/cli/errors.sh"
 errors_of arclength
