@@ -182,6 +182,12 @@ curve 'a circle' '"points":[[1,0],[0,1],[-1,0],[0,-1]],"closed":true,
 get 'diagnostics.frame_turn' |
   holds 'a circle: the frame comes back' 'n == 1 && x[1]^2 < 1e-20'
 
+# As sin and cos of 2 pi give it: the last point repeats the first.
+curve 'a circle that nearly comes back' '"points":[[1,0],[0,1],[-1,0],[0,-1],
+[1,-2.4e-16]],"closed":true,"lengths":[1.57,1.57,1.57,1.57]'
+equal 'a circle that nearly comes back: four intervals' '[6,7] absent' \
+  "$(get 'intervals[3].segments') $(get 'intervals[4]')"
+
 # ---- planes ------------------------------------------------------------------
 
 for lengths in '' ',"lengths":[1.35,1.04,1.07]'; do
