@@ -8,72 +8,92 @@
 /* The place of chi; the unknowns of a segment, and it. */
 enum { CHI = 0, LOCAL_MAX = 13 };
 
+/* No group of rows. */
+#define NONE UINT32_MAX
+
 /* ---- places ------------------------------------------------------------ */
 
-/* A node, or rows one after the other. */
-struct item {
-  bool is_row;
-  size_t first, n;
+/* Rows of an interval or of a knot, and the nodes that they are about. */
+struct group {
+  size_t row, rows;
+  size_t node, nodes;
 };
 
-/* Everything in its order along the curve: the rows of a knot behind the node
- * before it, those of an interval in the middle of its nodes. */
-static size_t sequence_of(const struct ph_spinor *s, struct item *item) {
-  size_t refine = s->rows.refine, knot_rows = s->rows.knot_rows;
-  size_t rows = ph_spinor_interval_rows(s), first_knot = s->rows.n * rows;
-  size_t n = 0, interval = 0, knot = 0;
-  for (size_t j = 0; j < s->stored; j++) {
-    item[n++] = (struct item){false, j, 1};
-    if (knot_rows > 0 && j == knot * refine && knot <= s->rows.n) {
-      item[n++] = (struct item){true, first_knot + knot * knot_rows, knot_rows};
-      knot++;
-    }
-    if (interval < s->rows.n &&
-        (j == interval * refine + (refine + 1) / 2 || j + 1 == s->stored)) {
-      item[n++] = (struct item){true, interval * rows, rows};
-      interval++;
-    }
-  }
-  return n;
+static size_t groups_of(const struct ph_spinor *s) {
+  return s->rows.n + (s->rows.knot_rows > 0 ? s->rows.n + 1 : 0);
 }
 
-static void place(struct ph_kkt *kkt, const struct item *item) {
-  for (size_t i = 0; i < item->n; i++) {
-    if (item->is_row) {
-      kkt->is_row[kkt->n] = true;
-      kkt->row[item->first + i] = (uint32_t)kkt->n++;
-    } else {
-      kkt->node[item->first + i] = (uint32_t)kkt->n;
-      kkt->n += 4;
+static struct group group_of(const struct ph_spinor *s, size_t i) {
+  size_t n = s->rows.n, rows = ph_spinor_interval_rows(s), knot = i - n;
+  struct group of_interval = {i * rows, rows, i * s->rows.refine,
+                              s->rows.refine + 2};
+  struct group of_knot = {n * rows + knot * s->rows.knot_rows,
+                          s->rows.knot_rows, knot * s->rows.refine, 2};
+  return i < n ? of_interval : of_knot;
+}
+
+/* When a node is placed. */
+static size_t turn_of(const struct ph_kkt *kkt, size_t node) {
+  size_t j = ph_kkt_stored(kkt, node), n = kkt->spline.stored;
+  if (!ph_kkt_has_chi(kkt)) {
+    return j;
+  }
+  return 2 * j < n ? 2 * j : 2 * (n - 1 - j) + 1;
+}
+
+/* The node that is placed then. */
+static size_t node_at(const struct ph_kkt *kkt, size_t turn) {
+  if (!ph_kkt_has_chi(kkt)) {
+    return turn;
+  }
+  return turn % 2 == 0 ? turn / 2 : kkt->spline.stored - 1 - turn / 2;
+}
+
+/* All places: rows follow the last of their nodes, so that the leading parts of
+ * the matrix are problems of their own. */
+static void place_all(struct ph_kkt *kkt, uint32_t *first, uint32_t *next) {
+  const struct ph_spinor *s = &kkt->spline;
+  size_t groups = groups_of(s);
+  for (size_t t = 0; t < s->stored; t++) {
+    first[t] = NONE;
+  }
+  for (size_t i = 0; i < groups; i++) {
+    struct group g = group_of(s, i);
+    size_t last = 0;
+    for (size_t a = 0; a < g.nodes; a++) {
+      size_t turn = turn_of(kkt, g.node + a);
+      last = turn > last ? turn : last;
+    }
+    next[i] = first[last];
+    first[last] = (uint32_t)i;
+  }
+  kkt->n = ph_kkt_has_chi(kkt) ? CHI + 1 : 0;
+  for (size_t t = 0; t < s->stored; t++) {
+    kkt->node[node_at(kkt, t)] = (uint32_t)kkt->n;
+    kkt->n += 4;
+    for (size_t i = first[t]; i != NONE; i = next[i]) {
+      struct group g = group_of(s, i);
+      for (size_t k = 0; k < g.rows; k++) {
+        kkt->is_row[kkt->n] = true;
+        kkt->row[g.row + k] = (uint32_t)kkt->n++;
+      }
     }
   }
 }
 
-/* All places; false: no memory. */
 static bool set_places(struct ph_kkt *kkt, struct ph_arena *arena) {
   const struct ph_spinor *s = &kkt->spline;
-  size_t places = 4 * s->stored + kkt->rows + 1, n;
-  struct item *item =
-      ph_arena_array(arena, s->stored + 2 * s->rows.n + 1, sizeof *item);
+  size_t places = 4 * s->stored + kkt->rows + 1;
+  uint32_t *first = ph_arena_array(arena, s->stored, sizeof *first);
+  uint32_t *next = ph_arena_array(arena, groups_of(s), sizeof *next);
   kkt->node = ph_arena_array(arena, s->stored, sizeof *kkt->node);
   kkt->row = ph_arena_array(arena, kkt->rows, sizeof *kkt->row);
   kkt->is_row = ph_arena_array(arena, places, sizeof *kkt->is_row);
-  if (!item || !kkt->node || !kkt->row || !kkt->is_row) {
+  if (!first || !next || !kkt->node || !kkt->row || !kkt->is_row) {
     return false;
   }
   memset(kkt->is_row, 0, places * sizeof *kkt->is_row);
-  n = sequence_of(s, item);
-  kkt->n = 0;
-  if (!ph_kkt_has_chi(kkt)) {
-    for (size_t i = 0; i < n; i++) {
-      place(kkt, &item[i]);
-    }
-    return true;
-  }
-  kkt->n = CHI + 1;
-  for (size_t i = 0; i < n; i++) {
-    place(kkt, &item[i % 2 == 0 ? i / 2 : n - 1 - i / 2]);
-  }
+  place_all(kkt, first, next);
   return true;
 }
 

@@ -6,7 +6,7 @@
  *
  * Unknowns and rows are numbered along the curve, those of a closed one from
  * the seam in both directions at once, so that what belongs together is within
- * a band; chi is the first of them.
+ * a band; chi is the first of them, and rows follow the last of their nodes.
  */
 #ifndef PH_CERT_KKT_H
 #define PH_CERT_KKT_H

@@ -24,7 +24,7 @@ static const double DEPENDENT = 1e-13;
  * it: for that it counts as exact. */
 static const double STIFF = 1e-7;
 
-/* The smallest F that lengths are weighed by, in the mean length. */
+/* The smallest F that lengths are weighed by, in the mean of what is given. */
 static const double F_SMALLEST = 1e-12;
 
 /* What a place is that has no column of J^T: an unknown, or a length that
@@ -44,12 +44,16 @@ struct context {
 static void set_compliance(struct context *c,
                            const struct ph_stationary_soft *soft) {
   const struct ph_spinor *s = &c->kkt.spline;
-  double n = (double)s->rows.n, f = soft->f_relaxed / s->unit;
+  double n = (double)s->rows.n, sum = 0, f;
   memset(c->compliance, 0, c->kkt.n * sizeof *c->compliance);
+  for (size_t i = 0; soft->length && i < s->rows.n; i++) {
+    sum += soft->length[i];
+  }
+  f = ph_check_larger(soft->f_relaxed, F_SMALLEST * sum / n) / s->unit;
   for (size_t i = 0; soft->length && i < s->rows.n; i++) {
     double deviation = soft->sigma * soft->length[i] / s->unit;
     c->compliance[c->kkt.row[i * ph_spinor_interval_rows(s)]] =
-        4.5 * n / ph_check_larger(f, F_SMALLEST) * deviation * deviation;
+        4.5 * n / f * deviation * deviation;
   }
 }
 
@@ -298,11 +302,26 @@ static void set_yielding(struct context *c) {
   }
 }
 
-/* Fixes the phase of the node in the middle: weight n n^T, n = w i / |w|. */
+/* Fixes the common phase where the elimination begins, by weight n n^T with
+ * n = w i / |w| at the largest node there: not later, or all leading minors
+ * before that would be those of singular matrices. */
 static void pin(struct ph_kkt *kkt, double weight) {
-  size_t middle = kkt->spline.stored / 2, at = kkt->node[middle];
-  ph_quat w = kkt->spline.w[middle];
-  double size = ph_quat_dot(w, w), n[4] = {-w.v, w.u, w.q, -w.p};
+  size_t node = 0, at;
+  double size = 0, n[4];
+  ph_quat w;
+  for (size_t j = 0; j < 3 && j < kkt->spline.stored; j++) {
+    w = kkt->spline.w[j];
+    if (ph_quat_dot(w, w) > size) {
+      size = ph_quat_dot(w, w);
+      node = j;
+    }
+  }
+  w = kkt->spline.w[node];
+  at = kkt->node[node];
+  n[0] = -w.v;
+  n[1] = w.u;
+  n[2] = w.q;
+  n[3] = -w.p;
   for (size_t i = 0; size > 0 && i < 4; i++) {
     for (size_t j = 0; j <= i; j++) {
       *ph_kkt_at(kkt, at + i, at + j) += weight / size * n[i] * n[j];
