@@ -42,6 +42,9 @@ enum { HALVINGS_MAX = 40 };
  * 1e-6. */
 static const double STATIONARY = 1e-5;
 
+/* A length that is above its chord by no more is the chord. */
+static const double CHORD = 1e-12;
+
 /* F again, from the same preimage in another order of operations. */
 static const double SAME_F = 1e-10;
 
@@ -356,6 +359,23 @@ static void set_scales(struct context *c) {
   c->farthest_knot = ph_check_larger(fabs(first), fabs(last));
 }
 
+/* Whether every length is the chord: then no curve leaves the polygon, and
+ * where F could fall the rows do not allow it to go, though to first order they
+ * do. */
+static bool is_polygon(const struct context *c) {
+  for (size_t i = 0; c->points.n > 0 && i < c->n; i++) {
+    ph_vec3 step =
+        ph_vec3_sub(data_at(c, &c->points, i + 1), data_at(c, &c->points, i));
+    double chord = ph_vec3_abs(step);
+    if (!c->lengths || c->soft ||
+        !(ph_pow2_apply(c->at.scale.to_unit, c->lengths[i]) <=
+          chord * (1 + CHORD) + c->at.scale.rounding)) {
+      return false;
+    }
+  }
+  return c->points.n > 0;
+}
+
 /* F, and whether the curve is stationary and the minimum that it claims to
  * be. */
 static enum ph_status check_stationary(const struct context *c,
@@ -396,6 +416,7 @@ static enum ph_status check_stationary(const struct context *c,
                    found.kkt_error, STATIONARY);
   }
   if (is_known(diagnostics, PH_D_SECOND_ORDER) && !found.minimiser &&
+      !is_polygon(c) &&
       !(diagnostics->value[PH_D_SECOND_ORDER] > PH_OUTCOME_MINIMISER)) {
     return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
                    "the curve is refused by its certificate: it is claimed to "

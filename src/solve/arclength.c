@@ -135,7 +135,18 @@ static bool solve_single(struct task *t) {
 
 /* ---- plane and space ----------------------------------------------------- */
 
-/* The nodes and multipliers of a curve in the plane, as of one in space. */
+/* The row of an interval in space that is row k of it in the plane. */
+static size_t row_in_space(const struct ph_arc_system *plane,
+                           const struct ph_arc_system *space, size_t k) {
+  size_t at = 0;
+  while (space->form[at] != plane->form[k]) {
+    at++;
+  }
+  return at;
+}
+
+/* The nodes and multipliers of a curve in the plane, or on a line, as of one in
+ * space. */
 static void put_in_space(const struct ph_arc_system *plane,
                          const struct ph_arc_system *space,
                          const struct ph_arc_point *from,
@@ -144,15 +155,16 @@ static void put_in_space(const struct ph_arc_system *plane,
   memset(to->x, 0, space->x_n * sizeof *to->x);
   memset(to->y, 0, space->y_n * sizeof *to->y);
   for (size_t j = 0; j < plane->nodes; j++) {
-    to->x[4 * j] = from->x[2 * j];
-    to->x[4 * j + 2] = from->x[2 * j + 1];
+    for (size_t k = 0; k < plane->dim; k++) { /* a and b are real */
+      to->x[4 * j + 2 * k] = from->x[plane->dim * j + k];
+    }
   }
   if (space->turn && plane->sign < 0) {
     to->x[space->x_n - 1] = PH_PI;
   }
   for (size_t r = 0; r < n * plane->forms_n; r++) {
     size_t i = r / plane->forms_n, k = r % plane->forms_n;
-    to->y[i * space->forms_n + k] = from->y[r];
+    to->y[i * space->forms_n + row_in_space(plane, space, k)] = from->y[r];
   }
   for (size_t r = 0; r < knots; r++) {
     size_t j = r / plane->knot_rows, k = r % plane->knot_rows;
@@ -236,20 +248,29 @@ static enum ph_status find_in_plane(struct task *t) {
                                                                 : status;
 }
 
+/* On a line.  Where the points have their chords as lengths there is no other
+ * curve, and nothing to judge. */
+static enum ph_status find_on_line(struct task *t) {
+  if (!search_in(t, 1)) {
+    return ph_fail_memory(t->diag);
+  }
+  return t->data.mode == PH_ARC_POINTS && t->data.length ? PH_OK : judge_all(t);
+}
+
 /* Finds curves: on a line, in the plane, in space. */
 static enum ph_status find(struct task *t) {
   const struct ph_arc_data *d = &t->data;
-  bool ok;
   if (d->mode == PH_ARC_POINTS && d->n == 1) {
-    ok = solve_single(t);
-  } else if (d->straight && d->mode != PH_ARC_DERIVATIVES) {
-    ok = search_in(t, 1);
-  } else if (t->keep_plane) {
-    return find_in_plane(t);
-  } else {
-    ok = search_in(t, 4);
+    return solve_single(t) ? PH_OK : ph_fail_memory(t->diag);
   }
-  return ok ? PH_OK : ph_fail_memory(t->diag);
+  if (d->straight && d->mode != PH_ARC_DERIVATIVES &&
+      (t->keep_plane || (d->chord && d->length))) {
+    return find_on_line(t);
+  }
+  if (t->keep_plane) {
+    return find_in_plane(t);
+  }
+  return search_in(t, 4) ? PH_OK : ph_fail_memory(t->diag);
 }
 
 /* ---- the whole ----------------------------------------------------------- */
