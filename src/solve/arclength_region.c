@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* How exactly the radius is kept: a factor costs more than it gains. */
-static const double SHORT = 0.7, LONG = 1.4;
+static const double SHORT = 0.5, LONG = 1.6;
 
 /* The first shift of a matrix that is not positive definite, and how shifts
  * grow. */
@@ -96,16 +96,21 @@ static double next_shift(struct ph_arc_region *r, double radius,
   } else {
     b->high = r->shift;
   }
+  if (!(next > 0) && !(b->low > 0)) {
+    return 0;
+  }
   return next > b->low && next < b->high ? next : between(b);
 }
 
 /* A factor and step near the radius; false: none. */
 static bool search(struct ph_arc_region *r, double radius, double above) {
   struct bounds b = {above, INFINITY};
-  double shift = above > 0 ? fmax(SHIFT_GROWS / 2 * above, r->hint) : 0;
+  double shift = above > 0      ? fmax(SHIFT_GROWS / 2 * above, r->hint)
+                 : r->shift > 0 ? r->hint
+                                : 0;
   for (size_t k = 0; k < FACTORS; k++) {
     if (!factor(r, shift)) {
-      b.low = fmax(b.low, shift);
+      b.low = fmax(fmax(b.low, shift), DBL_MIN); /* tried, if 0 */
       shift = k == 0 && r->hint > b.low ? r->hint : between(&b);
       continue;
     }
@@ -123,11 +128,21 @@ static bool search(struct ph_arc_region *r, double radius, double above) {
   return false;
 }
 
-/* The step is too short although the shift is nearly the least: the rest is
- * along the lowest direction, where the curvature is about -shift. */
-static void go_lowest(struct ph_arc_region *r, double radius) {
+/* z . A z, where A + shift = L L^T. */
+static double curvature(const struct ph_arc_region *r, const double *z) {
+  double sum = 0;
+  for (size_t j = 0; j < r->n; j++) {
+    size_t rest = r->n - j, rows = rest < r->band + 1 ? rest : r->band + 1;
+    double v = ph_arc_dot(rows, ph_sym_at(r->factor, r->band, j, j), z + j);
+    sum += v * v;
+  }
+  return sum - r->shift * ph_arc_dot(r->n, z, z);
+}
+
+/* A unit vector along which A has nearly its least curvature, in r->other. */
+static void set_lowest(struct ph_arc_region *r) {
   uint64_t state = 1;
-  double *z = r->other, along, rest;
+  double *z = r->other;
   for (size_t k = 0; k < r->n; k++) { /* any vector */
     state = state * 6364136223846793005u + 1442695040888963407u;
     z[k] = (double)(state >> 11) / 9007199254740992.0 - 0.5;
@@ -140,14 +155,25 @@ static void go_lowest(struct ph_arc_region *r, double radius) {
       z[k] /= size;
     }
   }
-  along = ph_arc_dot(r->n, r->step, z);
+}
+
+/* The step is too short although the shift is nearly the least: the rest is
+ * along the lowest direction. */
+static void go_lowest(struct ph_arc_region *r, double radius) {
+  double along, rest, more;
+  set_lowest(r);
+  along = ph_arc_dot(r->n, r->step, r->other);
   rest = sqrt(along * along + radius * radius - r->length * r->length) -
          fabs(along);
-  for (size_t k = 0; k < r->n; k++) {
-    r->step[k] += (along < 0 ? -rest : rest) * z[k];
+  rest = along < 0 ? -rest : rest;
+  more = rest * (r->shift * along - rest / 2 * curvature(r, r->other));
+  if (more > 0) {
+    for (size_t k = 0; k < r->n; k++) {
+      r->step[k] += rest * r->other[k];
+    }
+    r->fall += more;
+    r->length = radius;
   }
-  r->fall += r->shift / 2 * (radius * radius - r->length * r->length);
-  r->length = radius;
 }
 
 bool ph_arc_region_step(struct ph_arc_region *r, double radius, double above) {

@@ -35,7 +35,7 @@ bool ph_arc_region_alloc(size_t n, size_t band, struct ph_arena *arena,
                          struct ph_arc_region *region);
 
 /*
- * ph_arc_region_step: the step.  Its length is within 0.7 to 1.4 of the radius,
+ * ph_arc_region_step: the step.  Its length is within 0.5 to 1.6 of the radius,
  * or less if A is positive definite.
  *
  * in   above  a shift known to be too small, or 0
