@@ -78,6 +78,15 @@ void ph_arc_plain(const struct ph_arc_system *s, const double *y,
   }
 }
 
+/* ---- a start ------------------------------------------------------------ */
+
+void ph_arc_twist(const struct ph_arc_system *s, double angle, double *x) {
+  double cosine = cos(angle), sine = sin(angle);
+  for (size_t j = 0; s->dim == 4 && j < s->nodes; j++) {
+    ph_arc_phase(cosine, j % 2 ? -sine : sine, x + 4 * j, x + 4 * j);
+  }
+}
+
 /* ---- memory ------------------------------------------------------------- */
 
 bool ph_arc_work_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
@@ -333,9 +342,8 @@ bool ph_arc_penalty(const struct ph_arc_system *s,
     report->iterations++;
     report->rows = largest(work->c, s->y_n);
     if (is_inner(&g)) {
-      report->above = options->ceiling > 0 && g.value > options->ceiling;
       more = set_multipliers(&g, options->rho_max, before, report->rows) &&
-             !report->above && !(report->rows <= options->tolerance);
+             !(report->rows <= options->tolerance);
       before = report->rows;
     }
   }

@@ -36,6 +36,15 @@ bool ph_arc_whiten(struct ph_arc_system *system, struct ph_arena *arena);
 void ph_arc_plain(const struct ph_arc_system *system, const double *y,
                   double *plain);
 
+/*
+ * ph_arc_twist: turns the phases of the nodes by angle and -angle in turn.
+ *
+ * With one segment in an interval, smooth curves are too short for the exact
+ * lengths of a smooth curve; those that are long enough have such phases, of
+ * about a tenth of the turning of an interval.  inout x of a system in space
+ */
+void ph_arc_twist(const struct ph_arc_system *system, double angle, double *x);
+
 /* What both searches work in, for systems of one size. */
 struct ph_arc_work {
   struct ph_arc_linear linear;
@@ -55,14 +64,12 @@ struct ph_arc_penalty_options {
   double rho_max;    /* and the last */
   double tolerance;  /* of the rows */
   size_t iterations; /* steps, at most */
-  double ceiling;    /* of F, see ph_arc_penalty; 0: none */
 };
 
 struct ph_arc_penalty_report {
   size_t iterations; /* steps made */
   size_t factors;    /* Cholesky factors tried */
   double rows;       /* the largest |c_k| */
-  bool above;        /* what is to be found there is above the ceiling */
 };
 
 /*
@@ -79,8 +86,7 @@ bool ph_arc_feasible(const struct ph_arc_system *system, double tolerance,
 
 /*
  * ph_arc_penalty: minimises F + y . c + rho / 2 |c|^2, then y += rho c, and so
- * on until the rows are met.  Such a minimum is below the minimum of F under
- * the rows to which it leads: when it is above the ceiling, the search ends.
+ * on until the rows are met.
  *
  * inout x
  * inout y  multipliers of the rows of the system, whitened if they are
