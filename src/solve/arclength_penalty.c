@@ -58,24 +58,35 @@ bool ph_arc_whiten(struct ph_arc_system *s, struct ph_arena *arena) {
   return true;
 }
 
-void ph_arc_plain(const struct ph_arc_system *s, const double *y,
-                  double *plain) {
+/* The rows of a whitening matrix are orthogonal: its inverse is its transpose,
+ * but for their squared lengths. */
+static void multipliers(const struct ph_arc_system *s, const double *y,
+                        bool back, double *out) {
   size_t n = s->forms_n;
+  memmove(out, y, s->y_n * sizeof *out);
   for (size_t i = 0; s->white && i < s->data->n; i++) {
     const double *white = s->white + i * n * n;
-    double old[4];
-    memcpy(old, y + i * n, n * sizeof *old);
+    double old[4], sum[4] = {0};
+    memcpy(old, out + i * n, n * sizeof *old);
     for (size_t k = 0; k < n; k++) {
-      double sum = 0;
+      const double *row = white + k * n;
       for (size_t l = 0; l < n; l++) {
-        sum += white[l * n + k] * old[l];
+        sum[back ? k : l] += row[l] * old[back ? l : k];
       }
-      plain[i * n + k] = sum;
+      sum[k] /= back ? ph_arc_dot(n, row, row) : 1;
     }
+    memcpy(out + i * n, sum, n * sizeof *sum);
   }
-  if (!s->white && plain != y) {
-    memcpy(plain, y, s->y_n * sizeof *plain);
-  }
+}
+
+void ph_arc_plain(const struct ph_arc_system *s, const double *y,
+                  double *plain) {
+  multipliers(s, y, false, plain);
+}
+
+void ph_arc_whitened(const struct ph_arc_system *s, const double *y,
+                     double *white) {
+  multipliers(s, y, true, white);
 }
 
 /* ---- a start ------------------------------------------------------------ */

@@ -36,6 +36,10 @@ bool ph_arc_whiten(struct ph_arc_system *system, struct ph_arena *arena);
 void ph_arc_plain(const struct ph_arc_system *system, const double *y,
                   double *plain);
 
+/* ph_arc_whitened: and back.  out white[y_n], may be y */
+void ph_arc_whitened(const struct ph_arc_system *system, const double *y,
+                     double *white);
+
 /*
  * ph_arc_twist: turns the phases of the nodes by angle and -angle in turn.
  *

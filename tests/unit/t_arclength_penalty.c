@@ -169,8 +169,10 @@ START_TEST(test_plain) {
   for (size_t k = 0; k < t.white.x_n; k++) {
     ck_abs(white.l_x[k], plain.l_x[k], 1e-10);
   }
-  ph_arc_plain(&t.white, t.y, t.y); /* in place */
-  ck_abs(memcmp(t.y, y, t.white.y_n * sizeof *y), 0, 0);
+  ph_arc_whitened(&t.white, y, y); /* in place */
+  for (size_t k = 0; k < t.white.y_n; k++) {
+    ck_abs(y[k], t.y[k], 1e-12);
+  }
   done(&t);
 }
 END_TEST
