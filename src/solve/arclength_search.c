@@ -13,9 +13,9 @@
 enum { STEPS = 150, STEPS_OF_MANY = 50, MANY = 1000 };
 
 /* Those of an augmented Lagrangian, its last weight, and the residuals that
- * least squares lead to before it. */
+ * it ends with. */
 enum { ROUGH_STEPS = 250 };
-static const double RHO_MAX = 1e8, FEASIBLE = 1e-10;
+static const double RHO_MAX = 1e8, ROUGH = 1e-5;
 
 /* On more intervals a start costs more than it promises. */
 enum { FEW = 100 };
@@ -35,38 +35,45 @@ enum origin { ORIGIN_INIT, ORIGIN_NATURAL, ORIGIN_NEAREST };
 
 /* When a start is tried. */
 enum use {
+  USE_SINGLE, /* one segment in each interval and exact lengths, where minima
+               * are many: until the lowest was found twice */
+  USE_GIVEN,  /* the same, of derivatives: two that agree prove less there */
   USE_FIRST,  /* until a minimum is found; also where all are wanted */
-  USE_RESCUE, /* until a minimum is found; of few intervals */
-  USE_SINGLE  /* one segment in each interval and exact lengths, where minima
-               * are many; otherwise as a rescue */
+  USE_RESCUE  /* until a minimum is found; of few intervals, but where
+               * USE_SINGLE found none: then there is none as a rule */
 };
 
 static const struct kind {
   const char *name;
   enum use use;
   enum origin origin;
-  bool feasible; /* meets the rows by least squares first */
   double rho;    /* weight of an augmented Lagrangian before Newton; 0: none */
+  double twist;  /* of the phases, in turn to one side and the other */
   double wave;   /* size of the random wave that is added */
+  uint64_t seed; /* of its random numbers; 0: they go on */
 } kinds[] = {
-    {"init", USE_FIRST, ORIGIN_INIT, false, 0, 0},
-    {"relaxed", USE_FIRST, ORIGIN_NATURAL, false, 0, 0},
-    {"penalty", USE_SINGLE, ORIGIN_INIT, false, 10, 0},
-    {"penalty-1e3", USE_SINGLE, ORIGIN_INIT, false, 1e3, 0},
-    {"feasible", USE_SINGLE, ORIGIN_INIT, true, 1e3, 0},
-    {"relaxed-feasible", USE_SINGLE, ORIGIN_NATURAL, true, 1e3, 0},
-    {"penalty-1e5", USE_SINGLE, ORIGIN_INIT, false, 1e5, 0},
-    {"wave-2", USE_RESCUE, ORIGIN_NEAREST, false, 0, 0.02},
-    {"wave-10", USE_RESCUE, ORIGIN_NEAREST, false, 0, 0.1},
-    {"wave-30", USE_RESCUE, ORIGIN_NEAREST, false, 0, 0.3},
-    {"init-wave-2", USE_RESCUE, ORIGIN_INIT, false, 0, 0.02},
-    {"init-wave-10", USE_RESCUE, ORIGIN_INIT, false, 0, 0.1},
-    {"init-wave-30", USE_RESCUE, ORIGIN_INIT, false, 0, 0.3},
+    {"twist", USE_SINGLE, ORIGIN_INIT, 100, -0.2, 0, 0},
+    {"twist-left", USE_SINGLE, ORIGIN_INIT, 1e4, 0.2, 0, 0},
+    {"twist-right", USE_SINGLE, ORIGIN_INIT, 1e4, -0.2, 0, 0},
+    {"wave", USE_GIVEN, ORIGIN_INIT, 1e4, 0, 0.1, 2},
+    {"init", USE_FIRST, ORIGIN_INIT, 0, 0, 0, 0},
+    {"relaxed", USE_FIRST, ORIGIN_NATURAL, 0, 0, 0, 0},
+    {"penalty", USE_RESCUE, ORIGIN_INIT, 100, 0, 0, 0},
+    {"penalty-1e4", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0, 0},
+    {"wave-2", USE_RESCUE, ORIGIN_NEAREST, 0, 0, 0.02, 0},
+    {"wave-10", USE_RESCUE, ORIGIN_NEAREST, 0, 0, 0.1, 0},
+    {"wave-30", USE_RESCUE, ORIGIN_NEAREST, 0, 0, 0.3, 0},
+    {"init-wave-2", USE_RESCUE, ORIGIN_INIT, 0, 0, 0.02, 0},
+    {"init-wave-10", USE_RESCUE, ORIGIN_INIT, 0, 0, 0.1, 0},
+    {"init-wave-30", USE_RESCUE, ORIGIN_INIT, 0, 0, 0.3, 0},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
-static const struct kind random_kind = {"random", USE_RESCUE, ORIGIN_INIT,
-                                        false,    0,          1};
+/* Random ones: the first of single segments. */
+static const struct kind random_kinds[] = {
+    {"random", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0.3, 0},
+    {"random", USE_RESCUE, ORIGIN_INIT, 0, 0, 1, 0},
+};
 
 struct run {
   const struct ph_arc_request *request;
@@ -74,11 +81,11 @@ struct run {
   struct ph_arc_search *search;
   struct ph_arc_newton work;
   bool single;                /* see USE_SINGLE */
+  bool twice;                 /* the lowest minimum was */
   struct ph_arc_system white; /* the same equations, rows whitened */
   struct ph_arc_work rough;   /* for what comes before Newton's method */
   struct ph_arc_point point;  /* of the current start */
   double *init;               /* [x_n] */
-  double *rough_x;            /* [x_n] */
   double *rough_y;            /* [y_n] of the whitened rows */
   uint64_t state;             /* of the random numbers */
 };
@@ -158,8 +165,10 @@ static bool keep(struct run *run, size_t start) {
   }
   if (at < search->found_n &&
       ph_arc_is_same(search->found[at].point.f, run->point.f)) {
+    run->twice = run->twice || at == 0;
     return true;
   }
+  run->twice = run->twice && at > 0;
   if (!ph_arc_point_alloc(&search->system, run->arena, &found.point)) {
     return false;
   }
@@ -209,32 +218,32 @@ static void iterate(struct run *run) {
   }
 }
 
-/* An augmented Lagrangian brings run->point near a solution, nearer and nearer
- * until Newton's method takes over. */
+/* Whitened rows prove a minimum where the plain ones are too nearly dependent.
+ */
+static void judge_white(struct run *run) {
+  struct ph_arc_point *p = &run->point;
+  if (p->converged && !p->minimiser && run->white.white) {
+    ph_arc_whitened(&run->white, p->y, run->rough_y);
+    p->minimiser =
+        ph_arc_is_minimum(&run->white, &run->work, p->x, run->rough_y);
+  }
+}
+
+/* An augmented Lagrangian brings run->point to where Newton's method takes
+ * over. */
 static void approach(struct run *run, const struct kind *kind) {
-  static const double tolerances[] = {1e-3, 1e-5, 1e-7};
+  const struct ph_arc_penalty_options options = {kind->rho, RHO_MAX, ROUGH,
+                                                 ROUGH_STEPS};
   const struct ph_arc_system *white = &run->white;
   struct ph_arc_point *p = &run->point;
   struct ph_arc_penalty_report report;
-  double *x = run->rough_x, *y = run->rough_y;
-  memcpy(x, p->x, white->x_n * sizeof *x);
+  double *y = run->rough_y;
   memset(y, 0, white->y_n * sizeof *y);
-  if (kind->feasible) {
-    ph_arc_feasible(white, FEASIBLE, STEPS, &run->rough, x, &report);
-    p->iterations += report.iterations;
-  }
-  for (size_t k = 0; k < 3 && !p->minimiser; k++) {
-    const struct ph_arc_penalty_options options = {
-        kind->rho, RHO_MAX, tolerances[k], ROUGH_STEPS, 0};
-    bool reached = ph_arc_penalty(white, &options, &run->rough, x, y, &report);
-    p->iterations += report.iterations;
-    memcpy(p->x, x, white->x_n * sizeof *x);
-    ph_arc_plain(white, y, p->y);
-    iterate(run);
-    if (!reached) {
-      return;
-    }
-  }
+  ph_arc_penalty(white, &options, &run->rough, p->x, y, &report);
+  p->iterations += report.iterations;
+  ph_arc_plain(white, y, p->y);
+  iterate(run);
+  judge_white(run);
 }
 
 /* Tries a start; false: no memory. */
@@ -250,7 +259,9 @@ static bool try_start(struct run *run, const struct kind *kind) {
   memset(p->y, 0, s->y_n * sizeof *p->y);
   p->iterations = 0;
   p->converged = p->minimiser = false;
+  ph_arc_twist(s, kind->twist, p->x);
   if (kind->wave > 0) {
+    run->state = kind->seed > 0 ? kind->seed : run->state;
     ph_arc_perturb(s, kind->wave, &run->state, p->x);
   }
   if (kind->rho > 0) {
@@ -275,16 +286,24 @@ static bool try_start(struct run *run, const struct kind *kind) {
 /* Whether a start is to be tried now. */
 static bool is_due(const struct run *run, const struct kind *kind) {
   const struct ph_arc_search *search = run->search;
+  bool none = search->found_n == 0, all = run->request->all;
   bool few = run->request->data->n < FEW;
-  bool wanted = search->found_n == 0 ||
-                (kind->use == USE_FIRST && run->request->all) ||
-                (kind->use == USE_SINGLE && run->single);
+  bool given = run->request->data->mode == PH_ARC_DERIVATIVES;
   if ((kind->origin == ORIGIN_NATURAL && !search->natural.known) ||
       (kind->origin == ORIGIN_NEAREST && search->starts_n == 0) ||
       (kind->rho > 0 && search->system.compliance)) {
     return false;
   }
-  return wanted && (few || kind->use == USE_FIRST);
+  switch (kind->use) {
+  case USE_SINGLE:
+    return run->single && (all || given || !run->twice);
+  case USE_GIVEN:
+    return run->single && given;
+  case USE_FIRST:
+    return none || all;
+  default:
+    return none && few && !run->single;
+  }
 }
 
 static bool try_kinds(struct run *run) {
@@ -295,7 +314,7 @@ static bool try_kinds(struct run *run) {
     }
   }
   for (size_t k = 0; k < request->random; k++) {
-    if (!try_start(run, &random_kind)) {
+    if (!try_start(run, &random_kinds[run->single ? 0 : 1])) {
       return false;
     }
   }
@@ -309,11 +328,10 @@ static bool allocate(struct run *run) {
   search->starts = ph_arena_array(run->arena, most, sizeof *search->starts);
   search->found = ph_arena_array(run->arena, most, sizeof *search->found);
   run->init = ph_arena_array(run->arena, s->x_n, sizeof *run->init);
-  run->rough_x = ph_arena_array(run->arena, s->x_n, sizeof *run->rough_x);
   run->rough_y = ph_arena_array(run->arena, s->y_n, sizeof *run->rough_y);
   run->white = *s;
-  return search->starts && search->found && run->init && run->rough_x &&
-         run->rough_y && ph_arc_whiten(&run->white, run->arena) &&
+  return search->starts && search->found && run->init && run->rough_y &&
+         ph_arc_whiten(&run->white, run->arena) &&
          ph_arc_work_alloc(s, run->arena, &run->rough) &&
          ph_arc_newton_alloc(s, run->arena, &run->work) &&
          ph_arc_point_alloc(s, run->arena, &run->point) &&
