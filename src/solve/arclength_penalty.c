@@ -139,15 +139,15 @@ static const double NOISE = 1e-13;
 static const double PIN = 1e3;
 
 /* Directions are turned, not kept, with the common phase: there is nothing to
- * pin, but the matrix may be singular.  So is J^T J. */
+ * pin, but the matrix may be singular. */
 static const double SHIFT_SINGULAR = 1e-7;
 
-/* What is minimised: F + y . c + rho / 2 |c|^2, or 1 / 2 |c|^2 alone. */
+/* What is minimised: F + y . c + rho / 2 |c|^2. */
 struct search {
   const struct ph_arc_system *s;
   struct ph_arc_work *w;
   double *x;
-  double *y; /* NULL: the rows alone */
+  double *y;
   double rho;
   double f;     /* F at x; the rows there are in w->c */
   double value; /* at x */
@@ -176,14 +176,13 @@ static void swap(double **a, double **b) {
 
 static double value_of(const struct search *g, double f, const double *c) {
   size_t n = g->s->y_n;
-  double squares = g->rho / 2 * dot(c, c, n);
-  return g->y ? f + dot(g->y, c, n) + squares : squares;
+  return f + dot(g->y, c, n) + g->rho / 2 * dot(c, c, n);
 }
 
 static double value_at(const struct search *g, const double *x, double *c,
                        double *f) {
   ph_arc_residual(g->s, x, c);
-  *f = g->y ? ph_arc_functional(g->s, x) : 0;
+  *f = ph_arc_functional(g->s, x);
   return value_of(g, *f, c);
 }
 
@@ -194,21 +193,20 @@ static void begin(struct search *g) {
   g->w->region.factors = 0;
 }
 
-/* The model at x: gradient and matrix, of the rows alone Gauss's. */
+/* The model at x: gradient and matrix. */
 static void set_model(struct search *g) {
   const struct ph_arc_system *s = g->s;
   struct ph_arc_work *w = g->w;
-  bool singular = !g->y || s->direction;
-  struct ph_arc_weights weights = {g->y ? 1 : 0, singular ? SHIFT_SINGULAR : 0,
+  struct ph_arc_weights weights = {1, s->direction ? SHIFT_SINGULAR : 0,
                                    s->direction ? 0 : fmax(PIN, g->rho)};
   for (size_t r = 0; r < s->y_n; r++) {
-    w->y[r] = (g->y ? g->y[r] : 0) + g->rho * w->c[r];
+    w->y[r] = g->y[r] + g->rho * w->c[r];
   }
   ph_arc_linearise(s, g->x, w->y, &w->linear);
   for (size_t k = 0; k < s->x_n; k++) {
-    w->region.g[s->order[k]] = w->linear.l_x[k] - (g->y ? 0 : w->linear.f_x[k]);
+    w->region.g[s->order[k]] = w->linear.l_x[k];
   }
-  ph_arc_penalised(s, g->x, g->y ? w->y : NULL, &w->linear, &weights, g->rho,
+  ph_arc_penalised(s, g->x, w->y, &w->linear, &weights, g->rho,
                    w->region.matrix);
 }
 
@@ -292,21 +290,8 @@ static bool advance(struct search *g) {
   return false;
 }
 
-/* ---- searches ----------------------------------------------------------- */
-
-bool ph_arc_feasible(const struct ph_arc_system *s, double tolerance,
-                     size_t iterations, struct ph_arc_work *work, double *x,
-                     struct ph_arc_penalty_report *report) {
-  struct search g = {.s = s, .w = work, .x = x, .rho = 1};
-  *report = (struct ph_arc_penalty_report){0};
-  begin(&g);
-  while (!((report->rows = largest(work->c, s->y_n)) <= tolerance) &&
-         report->iterations < iterations && advance(&g)) {
-    report->iterations++;
-  }
-  report->factors = work->region.factors;
-  return report->rows <= tolerance;
-}
+/* ---- the search -----------------------------------------------------------
+ */
 
 /* The multipliers may be set anew when a step promises no more than this of
  * the penalty, or of F, and the matrix needs no shift. */

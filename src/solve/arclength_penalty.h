@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Solutions of the arc-length equations from afar: whitened rows, feasibility
- * by least squares, and an augmented Lagrangian.  They lead into the region
+ * Solutions of the arc-length equations from afar: whitened rows, twisted
+ * phases and an augmented Lagrangian.  They lead into the region
  * where Newton's method on the KKT system converges.
  *
  * With one segment in an interval the rows are nearly dependent wherever the
@@ -49,7 +49,7 @@ void ph_arc_whitened(const struct ph_arc_system *system, const double *y,
  */
 void ph_arc_twist(const struct ph_arc_system *system, double angle, double *x);
 
-/* What both searches work in, for systems of one size. */
+/* What the search works in, for systems of one size. */
 struct ph_arc_work {
   struct ph_arc_linear linear;
   struct ph_arc_region region;
@@ -75,18 +75,6 @@ struct ph_arc_penalty_report {
   size_t factors;    /* Cholesky factors tried */
   double rows;       /* the largest |c_k| */
 };
-
-/*
- * ph_arc_feasible: lessens the sum of squares of the rows, by the method of
- * Gauss and Newton.
- *
- * in    tolerance  stop at max |c_k| below it
- * inout x
- * ret   whether the tolerance was reached
- */
-bool ph_arc_feasible(const struct ph_arc_system *system, double tolerance,
-                     size_t iterations, struct ph_arc_work *work, double *x,
-                     struct ph_arc_penalty_report *report);
 
 /*
  * ph_arc_penalty: minimises F + y . c + rho / 2 |c|^2, then y += rho c, and so

@@ -331,24 +331,7 @@ END_TEST
 
 /* ---- searches ----------------------------------------------------------- */
 
-START_TEST(test_feasible) {
-  static const size_t many[] = {3, 5, 6, 20};
-  for (size_t k = 0; k < 4; k++) {
-    struct setting t;
-    struct ph_arc_penalty_report report;
-    set_helix(&t, many[k]);
-    set_system(&t, 1, 4);
-    ck_assert(ph_arc_feasible(&t.white, 1e-10, 100, &t.work, t.x, &report));
-    ck_assert_uint_le(report.iterations, 50);
-    ph_arc_residual(&t.white, t.x, t.work.c);
-    ck_rel(largest(t.work.c, t.white.y_n), report.rows, 1e-9);
-    ck_assert(report.rows <= 1e-10);
-    done(&t);
-  }
-}
-END_TEST
-
-/* Lengths far below what the points ask for: nothing is feasible. */
+/* Lengths far below what the points ask for. */
 START_TEST(test_not_feasible) {
   struct setting t;
   struct ph_arc_penalty_report report;
@@ -358,9 +341,6 @@ START_TEST(test_not_feasible) {
     t.length[i] = 0.8;
   }
   set_system(&t, 1, 4);
-  ck_assert(!ph_arc_feasible(&t.plain, 1e-10, 100, &t.work, t.x, &report));
-  ck_assert(report.rows > 1e-2);
-  ck_assert_uint_le(report.iterations, 100);
   ck_assert(!ph_arc_penalty(&t.plain, &options, &t.work, t.x, t.y, &report));
   ck_assert(report.rows > 1e-2);
   ck_assert_uint_le(report.iterations, 60);
@@ -542,7 +522,6 @@ static Suite *suite(void) {
   tcase_add_test(c, test_region_above);
   tcase_add_test(c, test_region_saddle);
   tcase_add_test(c, test_region_not_finite);
-  tcase_add_test(c, test_feasible);
   tcase_add_test(c, test_not_feasible);
   tcase_add_test(c, test_penalty_helix);
   tcase_add_test(c, test_penalty_screw);
