@@ -329,7 +329,7 @@ bool ph_arc_penalty(const struct ph_arc_system *s,
                     struct ph_arc_work *work, double *x, double *y,
                     struct ph_arc_penalty_report *report) {
   struct search g = {.s = s, .w = work, .x = x, .y = y, .rho = options->rho};
-  double before = INFINITY;
+  double before = (double)INFINITY;
   bool more = true;
   *report = (struct ph_arc_penalty_report){0};
   begin(&g);

@@ -104,7 +104,7 @@ static double next_shift(struct ph_arc_region *r, double radius,
 
 /* A factor and step near the radius; false: none. */
 static bool search(struct ph_arc_region *r, double radius, double above) {
-  struct bounds b = {above, INFINITY};
+  struct bounds b = {above, (double)INFINITY};
   double shift = above > 0      ? fmax(SHIFT_GROWS / 2 * above, r->hint)
                  : r->shift > 0 ? r->hint
                                 : 0;

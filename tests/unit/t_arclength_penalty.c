@@ -323,7 +323,7 @@ START_TEST(test_region_not_finite) {
   ck_assert(ph_arc_region_alloc(ORDER, BAND, &arena, &r));
   memset(r.matrix, 0, ph_sym_size(ORDER, BAND) * sizeof *r.matrix);
   memset(r.g, 0, ORDER * sizeof *r.g);
-  *ph_sym_at(r.matrix, BAND, 4, 4) = NAN;
+  *ph_sym_at(r.matrix, BAND, 4, 4) = (double)NAN;
   ck_assert(!ph_arc_region_step(&r, 1, 0));
   ph_arena_free(&arena);
 }
