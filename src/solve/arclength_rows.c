@@ -54,12 +54,12 @@ void ph_arc_piece_of(const struct ph_arc_system *s, const double *x, size_t i,
   set_gram_times(s, p);
 }
 
-double ph_arc_piece_row(const struct ph_arc_system *s,
-                        const struct ph_arc_piece *p, int form,
-                        double *gradient) {
-  size_t dim = s->dim;
+/* ph_arc_piece_row of dim components, a constant to the compiler. */
+static inline double row_of(size_t dim, size_t span,
+                            const struct ph_arc_piece *p, int form,
+                            double *gradient) {
   double sum = 0;
-  for (size_t a = 0; a < s->span; a++) {
+  for (size_t a = 0; a < span; a++) {
     double v[4];
     ph_arc_form(dim, form, p->gw + a * dim, v);
     sum += ph_arc_dot(dim, p->w + a * dim, v);
@@ -68,6 +68,18 @@ double ph_arc_piece_row(const struct ph_arc_system *s,
     }
   }
   return sum;
+}
+
+double ph_arc_piece_row(const struct ph_arc_system *s,
+                        const struct ph_arc_piece *p, int form,
+                        double *gradient) {
+  if (s->dim != 4) {
+    return row_of(s->dim, s->span, p, form, gradient);
+  }
+  return form == 0   ? row_of(4, s->span, p, 0, gradient)
+         : form == 1 ? row_of(4, s->span, p, 1, gradient)
+         : form == 2 ? row_of(4, s->span, p, 2, gradient)
+                     : row_of(4, s->span, p, 3, gradient);
 }
 
 void ph_arc_piece_back(const struct ph_arc_system *s,
@@ -91,18 +103,27 @@ void ph_arc_piece_back(const struct ph_arc_system *s,
   }
 }
 
-/* The rows as whitened. */
-static void whiten(const struct ph_arc_system *s, size_t i, double *c,
+/* The rows as whitened: `stride' columns of n, of which there are 3 or 4. */
+static void whiten(const struct ph_arc_system *s, size_t i, double *restrict c,
                    size_t stride) {
   size_t n = s->forms_n;
-  const double *white = s->white + i * n * n;
-  for (size_t at = 0; at < stride; at++) {
-    double old[4];
-    for (size_t k = 0; k < n; k++) {
-      old[k] = c[k * stride + at];
-    }
-    for (size_t k = 0; k < n; k++) {
-      c[k * stride + at] = ph_arc_dot(n, white + k * n, old);
+  const double *restrict white = s->white + i * n * n;
+  double *restrict c1 = c + stride, *restrict c2 = c1 + stride;
+  for (size_t at = 0; n == 3 && at < stride; at++) {
+    double v0 = c[at], v1 = c1[at], v2 = c2[at];
+    c[at] = white[0] * v0 + white[1] * v1 + white[2] * v2;
+    c1[at] = white[3] * v0 + white[4] * v1 + white[5] * v2;
+    c2[at] = white[6] * v0 + white[7] * v1 + white[8] * v2;
+  }
+  if (n == 4) {
+    double *restrict c3 = c2 + stride;
+    for (size_t at = 0; at < stride; at++) {
+      double v0 = c[at], v1 = c1[at], v2 = c2[at], v3 = c3[at];
+      c[at] = white[0] * v0 + white[1] * v1 + white[2] * v2 + white[3] * v3;
+      c1[at] = white[4] * v0 + white[5] * v1 + white[6] * v2 + white[7] * v3;
+      c2[at] = white[8] * v0 + white[9] * v1 + white[10] * v2 + white[11] * v3;
+      c3[at] =
+          white[12] * v0 + white[13] * v1 + white[14] * v2 + white[15] * v3;
     }
   }
 }
