@@ -38,9 +38,9 @@ static const double SPEED = 1e-13;
 enum { HALVINGS_MAX = 40 };
 
 /* What may be left of the gradient, relative to its largest terms: rounding
- * leaves some 1e-8, an iteration that stops where F can fall by 1e-9 of itself
- * 1e-6. */
-static const double STATIONARY = 1e-5;
+ * leaves some 1e-8, a solver that stops where F can fall by 1e-9 of itself up
+ * to 1e-4. */
+static const double STATIONARY = 1e-3;
 
 /* A length that is above its chord by no more is the chord. */
 static const double CHORD = 1e-12;

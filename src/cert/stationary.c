@@ -14,15 +14,15 @@
 /* Rounding of the elimination, in units of the largest element of the Hessian;
  * and what a gradient that does not quite vanish makes of directions in which
  * nothing changes, in units of |gradient| / |w|. */
-enum { ROUND_HESSIAN = 256, ROUND_GRADIENT = 16 };
+enum { ROUND_HESSIAN = 4096, ROUND_GRADIENT = 16 };
 
 /* Columns of J^T that are this small, once those before are taken out of them,
  * depend on these: so do lengths and points along a straight line. */
 static const double DEPENDENT = 1e-13;
 
-/* A length that yields less than this to its multiplier has no digits to tell
- * it: for that it counts as exact. */
-static const double STIFF = 1e-7;
+/* A length that yields less than this to its multiplier, and does, has no
+ * digits to tell it, and counts as exact for that. */
+static const double STIFF = 1e-8;
 
 /* The smallest F that lengths are weighed by, in the mean of what is given. */
 static const double F_SMALLEST = 1e-12;
@@ -35,6 +35,7 @@ static const double F_SMALLEST = 1e-12;
 struct context {
   struct ph_kkt kkt;
   double *compliance; /* [places] c - compliance y = 0; else 0 */
+  double *excess;     /* [places] c of lengths that yield; else 0 */
   uint32_t *column;   /* [places] of J^T, or UNKNOWN or YIELDS */
   size_t columns;
 };
@@ -57,24 +58,32 @@ static void set_compliance(struct context *c,
   }
 }
 
-/* Their multipliers, and what these add to g. */
-static void add_yielding(struct context *c,
-                         const struct ph_stationary_soft *soft) {
-  struct ph_kkt *kkt = &c->kkt;
-  const struct ph_spinor *s = &kkt->spline;
-  double length = 0;
+/* How much longer the intervals are than they should be, at their places. */
+static void set_excess(struct context *c,
+                       const struct ph_stationary_soft *soft) {
+  const struct ph_spinor *s = &c->kkt.spline;
+  memset(c->excess, 0, c->kkt.n * sizeof *c->excess);
   for (size_t k = 0; soft->length && k < s->segments; k++) {
     struct ph_spinor_element e = ph_spinor_element_of(s, k);
-    size_t i = k / s->rows.refine, row = kkt->row[e.row];
-    length = k % s->rows.refine == 0 ? 0 : length;
-    for (size_t a = 0; a < e.nodes; a++) {
-      length += ph_quat_dot(s->w[k + a], ph_spinor_product(s, &e, a));
+    double *excess = &c->excess[c->kkt.row[e.row]];
+    if (k % s->rows.refine == 0) {
+      *excess = -soft->length[k / s->rows.refine] / s->unit;
     }
-    if ((k + 1) % s->rows.refine == 0 && c->column[row] == YIELDS) {
-      kkt->y[row] = (length - soft->length[i] / s->unit) / c->compliance[row];
-      for (size_t p = ph_kkt_first(kkt, row); p < ph_kkt_end(kkt, row); p++) {
+    for (size_t a = 0; a < e.nodes; a++) {
+      *excess += ph_quat_dot(s->w[k + a], ph_spinor_product(s, &e, a));
+    }
+  }
+}
+
+/* Their multipliers, and what these add to g. */
+static void add_yielding(struct context *c) {
+  struct ph_kkt *kkt = &c->kkt;
+  for (size_t i = 0; i < kkt->n; i++) {
+    if (c->column[i] == YIELDS) {
+      kkt->y[i] = c->excess[i] / c->compliance[i];
+      for (size_t p = ph_kkt_first(kkt, i); p < ph_kkt_end(kkt, i); p++) {
         if (c->column[p] == UNKNOWN) {
-          kkt->g[p] += kkt->y[row] * *ph_kkt_at(kkt, row, p);
+          kkt->g[p] += kkt->y[i] * *ph_kkt_at(kkt, i, p);
         }
       }
     }
@@ -101,7 +110,7 @@ static size_t set_columns(struct context *c) {
   for (size_t i = 0; i < kkt->n; i++) {
     if (!kkt->is_row[i]) {
       c->column[i] = UNKNOWN;
-    } else if (c->compliance[i] >= STIFF) {
+    } else if (c->compliance[i] >= STIFF || fabs(c->excess[i]) >= STIFF) {
       c->column[i] = YIELDS;
     } else {
       c->column[i] = (uint32_t)c->columns++;
@@ -191,9 +200,7 @@ static double *zeros(struct ph_arena *arena, size_t n) {
   return v;
 }
 
-static bool find_multipliers(struct context *c,
-                             const struct ph_stationary_soft *soft,
-                             struct ph_arena *arena) {
+static bool find_multipliers(struct context *c, struct ph_arena *arena) {
   struct factor f = {.width = set_columns(c)};
   size_t end = 0;
   f.r = zeros(arena, c->columns * f.width);
@@ -203,7 +210,7 @@ static bool find_multipliers(struct context *c,
   if (!f.r || !f.d || !f.size || !f.v) {
     return false;
   }
-  add_yielding(c, soft);
+  add_yielding(c);
   for (size_t p = 0; p < c->kkt.n; p++) {
     if (c->column[p] == UNKNOWN) {
       take_in(c, &f, p, &end);
@@ -234,23 +241,37 @@ static void measure_f(const struct ph_spinor *s, struct ph_stationary *out) {
   out->f_rounding = (2 * sqrt(f * rounding) + rounding) * s->unit;
 }
 
+/* The multipliers of an element's rows, by what their terms are of: of lengths
+ * that yield, that is of what is minimised, and of others. */
+static void sizes_of(const struct context *c, const struct ph_spinor_element *e,
+                     double *soft, double *hard) {
+  *soft = *hard = 0;
+  for (size_t i = 0; i < e->rows; i++) {
+    size_t row = c->kkt.row[e->row + i];
+    double size = fabs(c->kkt.y[row]);
+    *(c->compliance[row] > 0 ? soft : hard) += size;
+  }
+}
+
 /* Adds the largest terms of an element at its nodes: those of the gradient of
- * F, and the root of epsilon times those in which rounding occurs. */
-static void add_terms(const struct ph_kkt *kkt,
+ * what is minimised, and the root of epsilon times those in which rounding
+ * occurs. */
+static void add_terms(const struct context *c,
                       const struct ph_spinor_element *e, double *terms) {
-  const struct ph_spinor *s = &kkt->spline;
-  struct ph_spinor_form form = ph_kkt_weighted(kkt, e);
-  double y = fabs(form.s) + ph_vec3_abs(form.v), size = 0;
+  const struct ph_spinor *s = &c->kkt.spline;
   double bend = ph_quat_abs(ph_spinor_bend(s, e)), small = sqrt(DBL_EPSILON);
+  double size = 0, soft, hard;
+  sizes_of(c, e, &soft, &hard);
   for (size_t a = 0; a < e->nodes; a++) {
     size += fabs(e->bend[a]) * ph_quat_abs(s->w[e->first + a]);
   }
   for (size_t a = 0; a < e->nodes; a++) {
     double sum = fabs(e->bend[a]) * (bend + small * size);
     for (size_t b = 0; b < e->nodes; b++) {
-      sum += small * y * fabs(e->gram[a][b]) * ph_quat_abs(s->w[e->first + b]);
+      sum += (soft + small * hard) * fabs(e->gram[a][b]) *
+             ph_quat_abs(s->w[e->first + b]);
     }
-    terms[ph_kkt_stored(kkt, e->first + a)] += 2 * sum;
+    terms[ph_kkt_stored(&c->kkt, e->first + a)] += 2 * sum;
   }
 }
 
@@ -262,7 +283,7 @@ static double rest_of(struct context *c, double *terms, double *left) {
   double rest = 0, largest = 0;
   for (size_t k = 0; k < ph_spinor_elements(s); k++) {
     struct ph_spinor_element e = ph_spinor_element_of(s, k);
-    add_terms(kkt, &e, terms);
+    add_terms(c, &e, terms);
   }
   for (size_t i = 0; i < kkt->n; i++) {
     for (size_t p = ph_kkt_first(kkt, i);
@@ -371,11 +392,13 @@ enum ph_status ph_stationary_of(const struct ph_curve *curve,
   c.compliance = ph_arena_array(arena, c.kkt.n, sizeof *c.compliance);
   c.column = ph_arena_array(arena, c.kkt.n, sizeof *c.column);
   work = zeros(arena, ph_inertia_size(c.kkt.band));
-  if (!c.compliance || !c.column || !work) {
+  c.excess = ph_arena_array(arena, c.kkt.n, sizeof *c.excess);
+  if (!c.compliance || !c.column || !c.excess || !work) {
     return ph_fail_memory(diag);
   }
   set_compliance(&c, soft);
-  if (!find_multipliers(&c, soft, arena)) {
+  set_excess(&c, soft);
+  if (!find_multipliers(&c, arena)) {
     return ph_fail_memory(diag);
   }
   out->kkt_error = rest_of(&c, terms, &left);

@@ -4,14 +4,14 @@
  * [HUA14, (19)] under what is prescribed, and a minimum.  Found from the
  * preimage alone, with multipliers of its own.
  *
- * First order.  With g the gradient of F by the nodes and J that of the rows,
- * the multipliers are those with the smallest |g + J^T y|_2, from the QR
- * factors of J^T.  kkt_error is what is left, relative to the largest terms
- * that g is the sum of; what rounding can make of g and J^T y counts among
- * these times the root of epsilon, so that the number is below some 1e-8 for a
- * curve that is as right as its digits, also if it is straight or nearly so.
- * A preimage that is not one C1 spline has no such gradient: by how much it is
- * not counts as an error, too.
+ * First order.  With g the gradient of F, and of the penalty of soft lengths,
+ * by the nodes and J that of the rows, the multipliers are those with the
+ * smallest |g + J^T y|_2, from the QR factors of J^T.  kkt_error is what is
+ * left, relative to the largest terms that g is the sum of; what rounding can
+ * make of g and J^T y counts among these times the root of epsilon, so that the
+ * number is below some 1e-8 for a curve that is as right as its digits, also if
+ * it is straight or nearly so.  A preimage that is not one C1 spline has no
+ * such gradient: by how much it is not counts as an error, too.
  *
  * Second order.  H is the Hessian of F + y . c, c the rows.  F has no direction
  * of descent within the rows if the matrix [H + delta, J^T; J, 0] has as many
