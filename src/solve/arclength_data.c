@@ -292,13 +292,13 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
 /* Spacings in proportion to v, their mean 1. */
 static void set_spacings(struct ph_arc_data *d, const double *v) {
   struct ph_sum sum = {0, 0};
-  double total;
+  double mean;
   for (size_t i = 0; i < d->n; i++) {
     ph_sum_add(&sum, v[i]);
   }
-  total = ph_sum_value(&sum);
+  mean = ph_sum_value(&sum) / (double)d->n;
   for (size_t i = 0; i < d->n; i++) {
-    d->h[i] = v[i] * ((double)d->n / total);
+    d->h[i] = v[i] / mean;
   }
 }
 
@@ -444,6 +444,17 @@ static enum ph_status check_start(const struct reading *r) {
              : PH_OK;
 }
 
+/* Of points by their coordinates, of other vectors by the largest of them. */
+static void set_rounding(struct reading *r) {
+  struct ph_arc_data *d = r->data;
+  double most = r->largest;
+  for (size_t j = 0; d->given && j <= d->n; j++) {
+    double size = ph_vec3_abs(d->given[j]);
+    most = j == 0 || size > most ? size : most;
+  }
+  d->rounding = ROUNDING * (most > 1 || d->given ? most : 1);
+}
+
 static bool lengths_are_chords(const struct ph_arc_data *d) {
   bool all = true;
   for (size_t i = 0; d->length && d->chord && i < d->n; i++) {
@@ -475,7 +486,7 @@ enum ph_status ph_arc_data_read(const struct ph_problem *problem,
   read_start(&r);
   normalise(&r);
   set_magnitudes(&r);
-  d->rounding = ROUNDING * (r.largest > 1 ? r.largest : 1);
+  set_rounding(&r);
   ph_arc_data_pose(d);
   d->straight = d->straight && lengths_are_chords(d);
   status = check_distance(&r);

@@ -4,6 +4,7 @@
 #ifndef PH_SOLVE_ARCLENGTH_FORM_H
 #define PH_SOLVE_ARCLENGTH_FORM_H
 
+#include <math.h>
 #include <stddef.h>
 
 /* ph_arc_form: out = S_k v, of dim components. */
@@ -73,6 +74,16 @@ static inline void ph_arc_phase(double cosine, double sine, const double *w,
   for (size_t i = 0; i < 4; i++) {
     out[i] = cosine * w[i] + sine * iw[i];
   }
+}
+
+/* ph_arc_largest: the largest |v[k]| of n; NaN if one is. */
+static inline double ph_arc_largest(const double *v, size_t n) {
+  double most = 0;
+  for (size_t k = 0; k < n && !isnan(most); k++) {
+    double size = fabs(v[k]);
+    most = size <= most ? most : size;
+  }
+  return most;
 }
 
 #endif

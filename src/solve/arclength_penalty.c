@@ -158,16 +158,6 @@ static double dot(const double *u, const double *v, size_t n) {
   return ph_arc_dot(n, u, v);
 }
 
-/* The largest |v_k|; NaN if one is. */
-static double largest(const double *v, size_t n) {
-  double most = 0;
-  for (size_t k = 0; k < n && !isnan(most); k++) {
-    double size = fabs(v[k]);
-    most = size <= most ? most : size;
-  }
-  return most;
-}
-
 static void swap(double **a, double **b) {
   double *t = *a;
   *a = *b;
@@ -333,10 +323,10 @@ bool ph_arc_penalty(const struct ph_arc_system *s,
   bool more = true;
   *report = (struct ph_arc_penalty_report){0};
   begin(&g);
-  report->rows = largest(work->c, s->y_n);
+  report->rows = ph_arc_largest(work->c, s->y_n);
   while (more && report->iterations < options->iterations && advance(&g)) {
     report->iterations++;
-    report->rows = largest(work->c, s->y_n);
+    report->rows = ph_arc_largest(work->c, s->y_n);
     if (is_inner(&g)) {
       more = set_multipliers(&g, options->rho_max, before, report->rows) &&
              !(report->rows <= options->tolerance);

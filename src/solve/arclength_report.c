@@ -264,9 +264,12 @@ enum ph_status ph_arc_report(const struct ph_arc_search *search,
                              struct ph_arena *out, struct ph_result *result,
                              struct ph_diag *diag) {
   double turn;
-  enum ph_status status =
-      ph_arc_curve(&search->system, search->found[0].point.x, out,
-                   &result->curve, &turn, diag);
+  enum ph_status status = PH_OK;
+  if (!isfinite(search->found[0].point.f * unit(search))) {
+    return ph_fail(diag, PH_TOO_LARGE, NULL, "F exceeds the range of a double");
+  }
+  status = ph_arc_curve(&search->system, search->found[0].point.x, out,
+                        &result->curve, &turn, diag);
   if (status == PH_OK && result->curve.closed) {
     ph_diagnostics_set(&result->diagnostics, PH_D_FRAME_TURN, turn);
   }

@@ -336,9 +336,9 @@ void ph_arc_retract(const struct ph_arc_system *s, const double *x,
   }
   for (size_t j = 0; j < s->nodes; j++) {
     const double *w = x + 4 * j, *d = dx + 4 * j;
-    double iw[4], v[4], p;
+    double iw[4], v[4], p, size = ph_arc_dot(4, w, w);
     ph_arc_turned(w, iw);
-    p = step * ph_arc_dot(4, iw, d) / ph_arc_dot(4, w, w);
+    p = size > 0 ? step * ph_arc_dot(4, iw, d) / size : 0;
     for (size_t k = 0; k < 4; k++) {
       v[k] = w[k] + step * d[k] - p * iw[k];
     }

@@ -182,8 +182,8 @@ static bool keep(struct run *run, size_t start) {
 
 static void set_nearest(struct run *run) {
   struct ph_arc_point *nearest = &run->search->nearest;
-  if (!(run->search->starts_n > 1 &&
-        nearest->residual <= run->point.residual)) {
+  if (run->search->starts_n == 1 || isnan(nearest->residual) ||
+      run->point.residual < nearest->residual) {
     ph_arc_point_copy(&run->search->system, &run->point, nearest);
   }
 }
@@ -358,5 +358,9 @@ bool ph_arc_search_run(const struct ph_arc_request *request,
   }
   run.single = request->refine == 1 && d->length && !(d->sigma > 0) &&
                d->mode != PH_ARC_TANGENTS && request->dim > 1;
-  return allocate(&run) && ph_arc_start(s, arena, run.init) && try_kinds(&run);
+  if (!allocate(&run) || !ph_arc_start(s, arena, run.init)) {
+    return false;
+  }
+  run.white.sign = s->sign;
+  return try_kinds(&run);
 }
