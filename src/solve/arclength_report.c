@@ -266,7 +266,8 @@ enum ph_status ph_arc_report(const struct ph_arc_search *search,
   double turn;
   enum ph_status status = PH_OK;
   if (!isfinite(search->found[0].point.f * unit(search))) {
-    return ph_fail(diag, PH_TOO_LARGE, NULL, "F exceeds the range of a double");
+    return ph_fail(diag, PH_TOO_LARGE, NULL,
+                   "the curve exceeds the range of a double");
   }
   status = ph_arc_curve(&search->system, search->found[0].point.x, out,
                         &result->curve, &turn, diag);
