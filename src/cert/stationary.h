@@ -17,9 +17,9 @@
  * of descent within the rows if the matrix [H + delta, J^T; J, 0] has as many
  * negative eigenvalues as there are rows; they are counted by cert/inertia.h.
  * No penalty is involved, so that nearly dependent rows do no harm; delta is
- * what rounding can make of H: curvature of less than that has no sign.  Along
- * the common phase of the nodes, and about the axis of data in a line, there is
- * none.
+ * what rounding can make of H: curvature of less than that has no sign, nor has
+ * that about the axis of data in a line, which is 0.  The common phase of the
+ * nodes is fixed.
  */
 #ifndef PH_CERT_STATIONARY_H
 #define PH_CERT_STATIONARY_H
