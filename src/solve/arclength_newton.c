@@ -13,8 +13,9 @@ static const double RESIDUAL = 1e-12;
 /* So is the Newton decrement, relative to F: a fixed bound for the gradient
  * would be below its rounding where F is small, as of many points. */
 static const double DECREMENT = 1e-9;
-/* Or it is rounding: it no longer falls by this from step to step. */
+/* Or it is rounding: so many times it did not fall by this in a step. */
 static const double STAGNANT = 0.25;
+enum { STAGNATIONS = 8 };
 /* From here on plain Newton steps are taken: the proof that they led to a
  * minimum comes in the end. */
 static const double NEAR = 1e-7;
@@ -47,6 +48,7 @@ struct state {
   bool near;     /* plain Newton steps */
   double noise;  /* rounding of the merit function */
   double before; /* the decrement of the step before, if that was near */
+  size_t stagnations;
 };
 
 /* ---- memory -------------------------------------------------------------- */
@@ -322,6 +324,7 @@ static void look(struct state *t) {
     sum += 1;
   }
   t->near = p->residual < NEAR && p->kkt < NEAR;
+  t->shift = t->near ? 0 : t->shift;
   t->noise = 1e-10 * p->f + 1e-15 * sum * t->nu;
 }
 
@@ -344,7 +347,8 @@ static void finish(struct state *t) {
 static bool is_settled(struct state *t) {
   double now = decrement(t), before = t->before;
   t->before = t->near ? now : (double)INFINITY;
-  return now <= DECREMENT * t->p->f || (t->near && now >= STAGNANT * before);
+  t->stagnations += t->near && now >= STAGNANT * before;
+  return now <= DECREMENT * t->p->f || t->stagnations >= STAGNATIONS;
 }
 
 /* One iteration; false when there is no way on. */
