@@ -264,7 +264,7 @@ static enum ph_status find(struct task *t) {
     return solve_single(t) ? PH_OK : ph_fail_memory(t->diag);
   }
   if (d->straight && d->mode != PH_ARC_DERIVATIVES &&
-      (t->keep_plane || (d->chord && d->length))) {
+      !(d->chord && is_soft(t)) && (t->keep_plane || (d->chord && d->length))) {
     return find_on_line(t);
   }
   if (t->keep_plane) {

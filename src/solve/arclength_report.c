@@ -17,11 +17,24 @@ static const double WIGGLE_TOLD = 0.01;
 static const double CONSISTENT = 3;
 /* Below this F is rounding. */
 static const double F_ROUNDING = 1e-11;
+/* Below this it is that of a curve without bending. */
+static const double F_DUST = 1e-25;
 
 /* F and lengths of ours times this are the user's. */
 static double unit(const struct ph_arc_search *search) {
   const struct ph_arc_data *d = search->system.data;
   return d->root * d->root;
+}
+
+/* What may help, after a message. */
+static const char *hint(const struct ph_arc_search *search) {
+  const struct ph_arc_system *s = &search->system;
+  return !s->data->length     ? ""
+         : s->data->sigma > 0 ? "; a larger length_sigma may help"
+         : s->refine < 3      ? "; a larger refine gives the curve more room, "
+                                "length_sigma allows for lengths that were measured"
+                              : "; length_sigma allows for lengths that were "
+                                "measured";
 }
 
 /* ---- failure ------------------------------------------------------------- */
@@ -67,8 +80,8 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
   }
   if (p->converged) {
     return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
-                   "no minimum was found by %zu starts, but a saddle, F %.6g",
-                   search->starts_n, p->f * back);
+                   "no minimum was found by %zu starts, but a saddle, F %.6g%s",
+                   search->starts_n, p->f * back, hint(search));
   }
   c = ph_arena_array(scratch, s->y_n, sizeof *c);
   attained = ph_arena_array(scratch, d->n, sizeof *attained);
@@ -97,11 +110,9 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
       diag, PH_NO_CONVERGENCE, "lengths", shown,
       "is not met: %.6g asked for, %.6g attained in interval %zu by the best "
       "of "
-      "%zu starts, naturally %.6g; residual %.2g of the mean length; "
-      "%s allows for lengths that were measured",
+      "%zu starts, naturally %.6g; residual %.2g of the mean length%s",
       d->length[worst] * back, attained[worst] * back, shown, search->starts_n,
-      search->natural.length[worst] * back, p->residual,
-      d->sigma > 0 ? "a larger length_sigma" : "length_sigma");
+      search->natural.length[worst] * back, p->residual, hint(search));
 }
 
 /* ---- warnings ------------------------------------------------------------ */
@@ -159,7 +170,7 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
             NULL,
             "the lengths fit no smooth curve through the data: F is %.6g, with "
             "free lengths %.6g",
-            p->f * unit(search), search->natural.f * unit(search));
+            p->f * unit(search), result->diagnostics.value[PH_D_F_RELAXED]);
   }
 }
 
@@ -176,8 +187,8 @@ static void set_diagnostics(const struct ph_arc_search *search,
   ph_diagnostics_set(diagnostics, PH_D_SECOND_ORDER,
                      p->minimiser ? PH_OUTCOME_MINIMISER : PH_OUTCOME_SADDLE);
   if (search->natural.known) {
-    ph_diagnostics_set(diagnostics, PH_D_F_RELAXED,
-                       search->natural.f * unit(search));
+    double f = search->natural.f > F_DUST ? search->natural.f : 0;
+    ph_diagnostics_set(diagnostics, PH_D_F_RELAXED, f * unit(search));
   }
 }
 

@@ -39,6 +39,9 @@ enum use {
                * are many: until the lowest was found twice */
   USE_GIVEN,  /* the same, of derivatives: two that agree prove less there */
   USE_FIRST,  /* until a minimum is found; also where all are wanted */
+  USE_MANY,   /* the same, of many intervals: dense data have nearly their
+               * natural lengths */
+  USE_FEW,    /* the same, of few */
   USE_RESCUE  /* until a minimum is found; of few intervals, but where
                * USE_SINGLE found none: then there is none as a rule */
 };
@@ -56,8 +59,9 @@ static const struct kind {
     {"twist-left", USE_SINGLE, ORIGIN_INIT, 1e4, 0.2, 0, 0},
     {"twist-right", USE_SINGLE, ORIGIN_INIT, 1e4, -0.2, 0, 0},
     {"wave", USE_GIVEN, ORIGIN_INIT, 1e4, 0, 0.1, 2},
+    {"relaxed", USE_MANY, ORIGIN_NATURAL, 0, 0, 0, 0},
     {"init", USE_FIRST, ORIGIN_INIT, 0, 0, 0, 0},
-    {"relaxed", USE_FIRST, ORIGIN_NATURAL, 0, 0, 0, 0},
+    {"relaxed", USE_FEW, ORIGIN_NATURAL, 0, 0, 0, 0},
     {"penalty", USE_RESCUE, ORIGIN_INIT, 100, 0, 0, 0},
     {"penalty-1e4", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0, 0},
     {"wave-2", USE_RESCUE, ORIGIN_NEAREST, 0, 0, 0.02, 0},
@@ -301,6 +305,10 @@ static bool is_due(const struct run *run, const struct kind *kind) {
     return run->single && given;
   case USE_FIRST:
     return none || all;
+  case USE_MANY:
+    return (none || all) && !few;
+  case USE_FEW:
+    return (none || all) && few;
   default:
     return none && few && !run->single;
   }
