@@ -12,17 +12,18 @@
 /* z of a curve in the plane, relative to the mean speed. */
 static const double FLAT = 1e-10;
 
-/* Node j, also beyond the seam of a closed curve, as a quaternion. */
+/* Node j, also once or twice around a closed curve, as a quaternion. */
 static ph_quat node(const struct ph_arc_system *s, const double *x, size_t j) {
-  const double *w = x + (j < s->nodes ? j : j - s->nodes) * s->dim;
+  size_t around = j / s->nodes;
+  const double *w = x + (j % s->nodes) * s->dim;
   double v[4] = {w[0], 0, 0, 0};
-  if (s->dim == 4 && j >= s->nodes) {
-    double chi = x[s->x_n - 1];
+  if (s->dim == 4) {
+    double chi = s->turn ? (double)around * x[s->x_n - 1] : 0;
     ph_arc_phase(cos(chi), sin(chi), w, v);
-    return ph_quat_of(v[0], v[1], v[3], v[2]);
-  }
-  for (size_t k = 0; k < s->dim; k++) {
-    v[k * (s->dim == 2 ? 2 : 1)] = j < s->nodes ? w[k] : s->sign * w[k];
+  } else {
+    for (size_t k = 0; k < s->dim; k++) {
+      v[2 * k] = around % 2 == 0 ? w[k] : s->sign * w[k];
+    }
   }
   return ph_quat_of(v[0], v[1], v[3], v[2]);
 }
@@ -31,7 +32,10 @@ static ph_quat node(const struct ph_arc_system *s, const double *x, size_t j) {
 static void preimage(const struct ph_arc_system *s, const double *x, size_t q,
                      ph_quat a[3]) {
   const struct ph_arc_data *d = s->data;
-  size_t ours = d->reversed ? s->segments - 1 - q : q;
+  /* counted on around a closed curve, so that the phase goes on */
+  size_t at = q + (s->segments - d->first * s->refine) % s->segments;
+  size_t along = d->first > 0 ? 2 * s->segments - 1 : s->segments - 1;
+  size_t node0 = d->reversed ? along - at : at, ours = node0 % s->segments;
   double c[3][3];
   double root = d->root * sqrt(d->h[ours / s->refine] / (double)s->refine);
   ph_arc_coefficients(s, ours, c);
@@ -39,8 +43,8 @@ static void preimage(const struct ph_arc_system *s, const double *x, size_t q,
     size_t from = d->reversed ? 2 - k : k;
     ph_quat sum = {0, 0, 0, 0};
     for (size_t l = 0; l < 3; l++) {
-      sum = ph_quat_add(sum,
-                        ph_quat_scale(root * c[from][l], node(s, x, ours + l)));
+      sum = ph_quat_add(
+          sum, ph_quat_scale(root * c[from][l], node(s, x, node0 + l)));
     }
     if (d->mirrored) { /* (a, b) to (conj a, conj b): z to -z */
       sum = ph_quat_of(sum.u, -sum.v, -sum.p, sum.q);

@@ -263,7 +263,7 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
     return PH_OK;
   }
   for (size_t shown = 0; shown < d->n; shown++) {
-    size_t i = ph_arc_data_interval(d, shown);
+    size_t i = ph_arc_data_ours(d, shown);
     double back = d->root * d->root;
     if (!(d->length[i] >= d->chord[i] * (1 - STRAIGHT))) {
       return ph_fail_at(r->diag, PH_INFEASIBLE, "lengths", shown,
@@ -277,7 +277,7 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
     }
   }
   if (straight > 0 && !all) {
-    double length = d->length[ph_arc_data_interval(d, first)];
+    double length = d->length[ph_arc_data_ours(d, first)];
     return ph_fail_at(r->diag, PH_BAD_VALUE, "lengths", first,
                       "is %.15g, the chord of interval %zu: that would have "
                       "to be straight and others not, which is not looked "

@@ -8,7 +8,9 @@
  * lengths are free) is 1, and the frame in which the first vector is along x,
  * the next that is not is in the plane of x and y, the data turn in the sense
  * of a right-handed screw, and the sequence read backwards is not the smaller
- * one: data that were moved, turned, mirrored or reversed give the same.
+ * one; closed data begin with their longest interval.  Data that were moved,
+ * turned, mirrored or reversed give the same, and closed ones wherever they
+ * begin.
  */
 #ifndef PH_SOLVE_ARCLENGTH_DATA_H
 #define PH_SOLVE_ARCLENGTH_DATA_H
@@ -40,7 +42,9 @@ struct ph_arc_data {
 
   ph_quat turn;  /* takes the axes of our frame to those of the user's */
   bool mirrored; /* z is reversed, before that */
-  bool reversed; /* the sequence is reversed */
+  size_t first;  /* the user's interval that the sequence begins with: of closed
+                  * data; else 0 */
+  bool reversed; /* it is reversed, after that */
   double root;   /* a number of ours times its square is one of the user's */
 
   double *knots;        /* [n + 1] of the record */
@@ -66,10 +70,18 @@ enum ph_status ph_arc_data_read(const struct ph_problem *problem,
  * j: derivatives of that size belong to the lengths [HUA14, sec. 5.3]. */
 double ph_arc_data_speed(const struct ph_arc_data *data, size_t j);
 
-/* ph_arc_data_interval: the user's number of our interval i, and back. */
-static inline size_t ph_arc_data_interval(const struct ph_arc_data *data,
-                                          size_t i) {
-  return data->reversed ? data->n - 1 - i : i;
+/* ph_arc_data_user: the user's number of our interval i. */
+static inline size_t ph_arc_data_user(const struct ph_arc_data *data,
+                                      size_t i) {
+  size_t at = data->reversed ? data->n - 1 - i : i;
+  return (at + data->first) % data->n;
+}
+
+/* ph_arc_data_ours: our number of the user's interval i. */
+static inline size_t ph_arc_data_ours(const struct ph_arc_data *data,
+                                      size_t i) {
+  size_t at = (i + data->n - data->first) % data->n;
+  return data->reversed ? data->n - 1 - at : at;
 }
 
 /* ph_arc_data_pose: turns, mirrors and reverses what ph_arc_data_read found in

@@ -57,11 +57,19 @@ static void reverse_numbers(double *v, size_t n) {
   }
 }
 
-static void reverse_vectors(ph_vec3 *v, size_t n) {
-  for (size_t i = 0; i < (n + 1) / 2; i++) {
+static void reverse_order(ph_vec3 *v, size_t n) {
+  for (size_t i = 0; i < n / 2; i++) {
     ph_vec3 first = v[i];
-    v[i] = ph_vec3_scale(-1, v[n - 1 - i]);
-    v[n - 1 - i] = ph_vec3_scale(-1, first);
+    v[i] = v[n - 1 - i];
+    v[n - 1 - i] = first;
+  }
+}
+
+/* A curve that is gone along backwards: the order and the vectors. */
+static void reverse_vectors(ph_vec3 *v, size_t n) {
+  reverse_order(v, n);
+  for (size_t i = 0; i < n; i++) {
+    v[i] = ph_vec3_scale(-1, v[i]);
   }
 }
 
@@ -72,6 +80,75 @@ static void set_sense(struct ph_arc_data *d) {
   order = order ? order : compare_backwards(d->h, d->n);
   order = order ? order : compare_vectors_backwards(v, n);
   d->reversed = order < 0;
+}
+
+/* ---- closed data -------------------------------------------------------- */
+
+/* The products of step i with its neighbours. */
+static double turning(const struct ph_arc_data *d, size_t i) {
+  size_t n = d->n;
+  ph_vec3 sum = ph_vec3_add(d->step[(i + 1) % n], d->step[(i + n - 1) % n]);
+  return ph_vec3_dot(d->step[i], sum);
+}
+
+/* Which of intervals i and j is the longer: by length, chord, turning. */
+static int compare_intervals(const struct ph_arc_data *d, size_t i, size_t j) {
+  const double by[3][2] = {
+      {d->length ? d->length[i] : 0, d->length ? d->length[j] : 0},
+      {d->chord[i], d->chord[j]},
+      {turning(d, i), turning(d, j)}};
+  for (size_t k = 0; k < 3; k++) {
+    double difference = by[k][0] - by[k][1];
+    if (fabs(difference) > EQUAL * (fabs(by[k][0]) + fabs(by[k][1]))) {
+      return difference < 0 ? -1 : 1;
+    }
+  }
+  return 0;
+}
+
+/* The longest interval is the first, and from it the sense is that of the
+ * longer intervals. */
+static void set_first(struct ph_arc_data *d) {
+  size_t n = d->n, longest = 0;
+  int order = 0;
+  for (size_t i = 1; i < n; i++) {
+    if (compare_intervals(d, i, longest) > 0) {
+      longest = i;
+    }
+  }
+  for (size_t k = 1; k < n && order == 0; k++) {
+    order = compare_intervals(d, (longest + k) % n, (longest + n - k) % n);
+  }
+  d->reversed = order < 0;
+  d->first = d->reversed ? (longest + 1) % n : longest;
+}
+
+/* Begins with interval `first`: three reversals. */
+static void shift_numbers(double *v, size_t n, size_t first) {
+  reverse_numbers(v, first);
+  reverse_numbers(v ? v + first : NULL, n - first);
+  reverse_numbers(v, n);
+}
+
+static void shift(struct ph_arc_data *d) {
+  shift_numbers(d->length, d->n, d->first);
+  shift_numbers(d->h, d->n, d->first);
+  shift_numbers(d->chord, d->n, d->first);
+  reverse_order(d->step, d->first);
+  reverse_order(d->step + d->first, d->n - d->first);
+  reverse_order(d->step, d->n);
+}
+
+/* Puts the sequence into its order. */
+static void set_order(struct ph_arc_data *d) {
+  size_t n;
+  ph_vec3 *v = vectors(d, &n);
+  if (d->closed) {
+    set_first(d);
+    shift(d);
+  } else {
+    set_sense(d);
+  }
   if (d->reversed) {
     reverse_numbers(d->length, d->n);
     reverse_numbers(d->h, d->n);
@@ -121,7 +198,7 @@ void ph_arc_data_pose(struct ph_arc_data *d) {
   ph_vec3 *v = vectors(d, &n), e1, e2, e3;
   const ph_vec3 *second;
   double handed = 0;
-  set_sense(d);
+  set_order(d);
   e1 = ph_vec3_unit(v[0]);
   second = second_vector(d, e1);
   e2 = second ? ph_vec3_unit(ph_vec3_normal(*second, e1)) : upright(e1);

@@ -91,7 +91,7 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
   ph_arc_residual(s, p->x, c);
   ph_arc_lengths(s, p->x, attained);
   worst = worst_interval(s, c);
-  shown = ph_arc_data_interval(d, worst);
+  shown = ph_arc_data_user(d, worst);
   if (!d->length) {
     return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
                    "no curve was found by %zu starts; interval %zu is missed "
@@ -135,7 +135,7 @@ static void warn_wiggle(const struct ph_arc_search *search,
     }
   }
   if (found > 0) {
-    size_t shown = ph_arc_data_interval(d, worst);
+    size_t shown = ph_arc_data_user(d, worst);
     ph_fail(ph_warning_add(result, shown * search->system.refine), PH_WIGGLE,
             NULL,
             "lengths[%zu] is %.6g, naturally %.6g: the curve wiggles by about "
@@ -210,7 +210,7 @@ static enum ph_status set_intervals(const struct ph_arc_search *search,
   result->intervals_n = d->n;
   ph_arc_lengths(s, search->found[0].point.x, length);
   for (size_t i = 0; i < d->n; i++) {
-    size_t shown = ph_arc_data_interval(d, i);
+    size_t shown = ph_arc_data_user(d, i);
     double free_length = natural->known ? natural->length[i] * unit(search)
                          : d->length    ? (double)NAN
                                         : length[i] * unit(search);

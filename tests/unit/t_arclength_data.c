@@ -228,6 +228,85 @@ START_TEST(test_plane_is_kept) {
 }
 END_TEST
 
+/* ---- closed data --------------------------------------------------------- */
+
+/* Closed points from point `from` on, perhaps backwards. */
+static void set_up_closed(struct setting *t, const ph_vec3 *v, size_t from,
+                          bool backwards) {
+  memset(t, 0, sizeof *t);
+  for (size_t i = 0; i < N; i++) {
+    size_t k = backwards ? from + N - i : from + i;
+
+    ph_vec3_put(v[k % N], 3, t->vectors + 3 * i);
+  }
+  t->problem.field[PH_F_POINTS] = (struct ph_value){
+      .kind = PH_VECTORS, .v = t->vectors, .n = N, .dimension = 3};
+  t->problem.field[PH_F_CLOSED] =
+      (struct ph_value){.kind = PH_BOOL, .flag = true};
+  ck_assert_int_eq(ph_arc_data_read(&t->problem, &t->arena, &t->data, &t->diag),
+                   PH_OK);
+}
+
+/* Wherever they begin and whichever way they go, they are the same. */
+START_TEST(test_closed_pose) {
+  struct unit_random r = unit_random_of(1360);
+  ph_vec3 v[N + 1];
+  double length[N];
+  struct setting a, b;
+
+  random_data(&r, v, length);
+  set_up_closed(&a, v, 0, false);
+  set_up_closed(&b, v, (size_t)_i / 2, _i % 2 == 1);
+  for (size_t i = 0; i < N; i++) {
+    ck_rel(a.data.h[i], b.data.h[i], 1e-13);
+    ck_rel(a.data.chord[i], b.data.chord[i], 1e-13);
+    ck_abs(ph_vec3_abs(ph_vec3_sub(a.data.step[i], b.data.step[i])), 0, 1e-13);
+    ck_assert_uint_eq(ph_arc_data_ours(&b.data, ph_arc_data_user(&b.data, i)),
+                      i);
+  }
+  ph_arena_free(&a.arena);
+  ph_arena_free(&b.arena);
+}
+END_TEST
+
+/* Any nodes and any chi: the preimage is continuous from segment to segment,
+ * also where ours begin, and an interval is as long as in ours. */
+START_TEST(test_closed_curve) {
+  struct unit_random r = unit_random_of(1400 + (uint64_t)_i);
+  struct setting t;
+  struct ph_arc_system s;
+  struct ph_curve curve;
+  ph_vec3 v[N + 1];
+  double length[N], x[X_MAX], turn;
+
+  random_data(&r, v, length);
+  for (size_t k = 0; k < X_MAX; k++) {
+    x[k] = unit_random_in(&r, -1, 1);
+  }
+  set_up_closed(&t, v, (size_t)_i / 2, _i % 2 == 1);
+  ck_assert(ph_arc_system_of(&t.data, 2, 4, true, &t.arena, &s));
+  ck_assert_int_eq(ph_arc_curve(&s, x, &t.arena, &curve, &turn, &t.diag),
+                   PH_OK);
+  ph_arc_lengths(&s, x, length);
+  for (size_t i = 0; i < N; i++) {
+    double unit = t.data.root * t.data.root;
+
+    ck_rel(curve.lengths[2 * i] + curve.lengths[2 * i + 1],
+           unit * length[ph_arc_data_ours(&t.data, i)], 1e-13);
+  }
+  for (size_t q = 0; q + 1 < curve.n; q++) {
+    double before = curve.knots[q + 1] - curve.knots[q];
+    double after = curve.knots[q + 2] - curve.knots[q + 1];
+    const double *a = curve.preimage + 12 * q + 8, *b = a + 4;
+
+    for (size_t k = 0; k < 4; k++) {
+      ck_abs(a[k] / sqrt(before), b[k] / sqrt(after), 1e-13);
+    }
+  }
+  ph_arena_free(&t.arena);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("arclength_data");
   TCase *pose = tcase_create("pose");
@@ -236,6 +315,8 @@ static Suite *suite(void) {
   tcase_add_loop_test(pose, test_curve_moves_along, 0, 8);
   tcase_add_loop_test(pose, test_plane_and_line, 0, 4);
   tcase_add_loop_test(pose, test_plane_is_kept, 0, 4);
+  tcase_add_loop_test(pose, test_closed_pose, 0, 2 * N);
+  tcase_add_loop_test(pose, test_closed_curve, 0, 2 * N);
   suite_add_tcase(s, pose);
   return s;
 }
