@@ -4,6 +4,7 @@
 #ifndef PH_SOLVE_ARCLENGTH_FORM_H
 #define PH_SOLVE_ARCLENGTH_FORM_H
 
+#include <math.h>
 #include <stddef.h>
 
 /* ph_arc_form: out = S_k v, of dim components. */
@@ -31,6 +32,16 @@ static inline double ph_arc_dot(size_t dim, const double *u, const double *v) {
     sum += u[i] * v[i];
   }
   return sum;
+}
+
+/* ph_arc_largest: the largest |v[i]|; NaN if one is. */
+static inline double ph_arc_largest(size_t n, const double *v) {
+  double most = 0;
+  for (size_t i = 0; i < n && !isnan(most); i++) {
+    double size = fabs(v[i]);
+    most = size <= most ? most : size;
+  }
+  return most;
 }
 
 /* ph_arc_form_sum: out[dim][dim] = sum_k y_k S_k of the given forms. */
