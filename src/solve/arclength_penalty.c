@@ -276,8 +276,7 @@ static bool advance(struct search *g) {
   return false;
 }
 
-/* ---- the search -----------------------------------------------------------
- */
+/* ---- the search --------------------------------------------------------- */
 
 /* The multipliers may be set anew when a step promises no more than this of
  * the penalty, or of F, and the matrix needs no shift. */

@@ -96,8 +96,7 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
   return ph_fail_at(
       diag, PH_NO_CONVERGENCE, "lengths", shown,
       "is not met: %.6g asked for, %.6g attained in interval %zu by the best "
-      "of "
-      "%zu starts, naturally %.6g; residual %.2g of the mean length; "
+      "of %zu starts, naturally %.6g; residual %.2g of the mean length; "
       "%s allows for lengths that were measured",
       d->length[worst] * back, attained[worst] * back, shown, search->starts_n,
       search->natural.length[worst] * back, p->residual,

@@ -173,7 +173,7 @@ bool ph_arc_start(struct ph_arc_system *s, struct ph_arena *scratch,
   return ok;
 }
 
-/* Uniform in (-1, 1): the generator splitmix64 of Steele (2014). */
+/* Uniform in [-1, 1]: the generator splitmix64 [STE14]. */
 static double uniform(uint64_t *state) {
   uint64_t z = *state += 0x9e3779b97f4a7c15u;
   z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
