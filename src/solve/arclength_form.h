@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The quadratic forms S_0, ..., S_3 of a node: its squared length and the
- * components of its image H (see arclength_system.h). */
+/* Nodes, and the quadratic forms S_0, ..., S_3 of one: its squared length and
+ * the components of its image H (see arclength_system.h). */
 #ifndef PH_SOLVE_ARCLENGTH_FORM_H
 #define PH_SOLVE_ARCLENGTH_FORM_H
+
+#include "kernel/vec3.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -64,6 +66,24 @@ static inline void ph_arc_form_sum(size_t dim, size_t n, const int *form,
     out[3] = w[0] - w[1];
   } else {
     out[0] = w[0] + w[1];
+  }
+}
+
+/* ph_arc_spinor: a unit node in space whose image H is the unit vector d, well
+ * conditioned for each. */
+static inline void ph_arc_spinor(ph_vec3 d, double w[4]) {
+  if (d.x >= 0) {
+    double a = sqrt((1 + d.x) / 2);
+    w[0] = a;
+    w[1] = 0;
+    w[2] = d.y / (2 * a);
+    w[3] = -d.z / (2 * a);
+  } else {
+    double b = sqrt((1 - d.x) / 2);
+    w[0] = d.y / (2 * b);
+    w[1] = d.z / (2 * b);
+    w[2] = b;
+    w[3] = 0;
   }
 }
 
