@@ -33,7 +33,7 @@ static bool eliminate(double *restrict u, double *restrict v, size_t width) {
       v[i] = keep;
     }
   }
-  if (v[0] < 0 || v[0] > 0) {
+  if (!(fabs(v[0]) <= 0)) { /* NaN goes on */
     factor = v[0] / u[0];
     for (size_t i = 1; i < width; i++) {
       v[i] -= factor * u[i];

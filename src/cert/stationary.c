@@ -371,13 +371,12 @@ static bool is_minimum(struct context *c, double left, double *work) {
   return ph_inertia_negative(kkt->matrix, kkt->n, kkt->band, work) == kkt->rows;
 }
 
-enum ph_status ph_stationary_of(const struct ph_curve *curve,
-                                const struct ph_spinor_rows *rows,
-                                const struct ph_stationary_soft *soft,
-                                struct ph_arena *arena,
-                                struct ph_stationary *out,
-                                struct ph_diag *diag) {
-  struct ph_mark mark = ph_arena_mark(arena);
+/* Both, in memory that the caller gives back. */
+static enum ph_status find(const struct ph_curve *curve,
+                           const struct ph_spinor_rows *rows,
+                           const struct ph_stationary_soft *soft,
+                           struct ph_arena *arena, struct ph_stationary *out,
+                           struct ph_diag *diag) {
   struct context c;
   double *terms, *work, left;
   enum ph_status status = ph_spinor_of(curve, rows, arena, &c.kkt.spline, diag);
@@ -406,6 +405,17 @@ enum ph_status ph_stationary_of(const struct ph_curve *curve,
     out->kkt_error = c.kkt.spline.defect;
   }
   out->minimiser = is_minimum(&c, left, work);
-  ph_arena_release(arena, mark);
   return PH_OK;
+}
+
+enum ph_status ph_stationary_of(const struct ph_curve *curve,
+                                const struct ph_spinor_rows *rows,
+                                const struct ph_stationary_soft *soft,
+                                struct ph_arena *arena,
+                                struct ph_stationary *out,
+                                struct ph_diag *diag) {
+  struct ph_mark mark = ph_arena_mark(arena);
+  enum ph_status status = find(curve, rows, soft, arena, out, diag);
+  ph_arena_release(arena, mark);
+  return status;
 }

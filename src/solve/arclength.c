@@ -310,7 +310,7 @@ static const struct ph_field fields[] = {
      "spacing of the knots, mean 1, or the knots themselves, increasing"},
     {PH_F_REFINE, PH_NUMBER | PH_WORD, 0, false, "auto", "auto",
      "segments from datum to datum: 1, 2 or 3, of their own accord 2 where "
-     "lengths are given (1 of 50 tangents or more), else 1"},
+     "lengths are given (1 for tangents on 50 intervals or more), else 1"},
     {PH_F_MAGNITUDES, PH_WORD, 0, false, "free|mean", "free",
      "size of derivatives with tangents: unknown, or the mean length"},
     {PH_F_PLANAR, PH_WORD, 0, false, "keep|free", "keep",

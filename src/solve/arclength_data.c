@@ -233,6 +233,10 @@ static enum ph_status read_numbers(struct reading *r) {
   double longest = d->length ? ph_fields_largest(d->length, d->n) : 0;
   int exponent;
   enum ph_status status;
+  if (d->mode == PH_ARC_POINTS && longest > FAR * most && most > 0) {
+    return ph_fail(r->diag, PH_TOO_LARGE, "lengths",
+                   "must be within %g of the coordinates", FAR);
+  }
   most = most > longest ? most : longest;
   if (!(most > 0)) {
     return ph_fail_at(r->diag,

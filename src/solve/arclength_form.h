@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The quadratic forms S_0, ..., S_3 of a node: its squared length and the
- * components of its image H (see arclength_system.h). */
+/* Nodes, and the quadratic forms S_0, ..., S_3 of one: its squared length and
+ * the components of its image H (see arclength_system.h). */
 #ifndef PH_SOLVE_ARCLENGTH_FORM_H
 #define PH_SOLVE_ARCLENGTH_FORM_H
+
+#include "kernel/vec3.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -34,6 +36,16 @@ static inline double ph_arc_dot(size_t dim, const double *u, const double *v) {
   return sum;
 }
 
+/* ph_arc_largest: the largest |v[i]|; NaN if one is. */
+static inline double ph_arc_largest(size_t n, const double *v) {
+  double most = 0;
+  for (size_t i = 0; i < n && !isnan(most); i++) {
+    double size = fabs(v[i]);
+    most = size <= most ? most : size;
+  }
+  return most;
+}
+
 /* ph_arc_form_sum: out[dim][dim] = sum_k y_k S_k of the given forms. */
 static inline void ph_arc_form_sum(size_t dim, size_t n, const int *form,
                                    const double *y, double *out) {
@@ -57,6 +69,24 @@ static inline void ph_arc_form_sum(size_t dim, size_t n, const int *form,
   }
 }
 
+/* ph_arc_spinor: a unit node in space whose image H is the unit vector d, well
+ * conditioned for each. */
+static inline void ph_arc_spinor(ph_vec3 d, double w[4]) {
+  if (d.x >= 0) {
+    double a = sqrt((1 + d.x) / 2);
+    w[0] = a;
+    w[1] = 0;
+    w[2] = d.y / (2 * a);
+    w[3] = -d.z / (2 * a);
+  } else {
+    double b = sqrt((1 - d.x) / 2);
+    w[0] = d.y / (2 * b);
+    w[1] = d.z / (2 * b);
+    w[2] = b;
+    w[3] = 0;
+  }
+}
+
 /* ph_arc_turned: i w of a node in space. */
 static inline void ph_arc_turned(const double *w, double *out) {
   double w0 = w[0], w1 = w[1], w2 = w[2], w3 = w[3];
@@ -74,16 +104,6 @@ static inline void ph_arc_phase(double cosine, double sine, const double *w,
   for (size_t i = 0; i < 4; i++) {
     out[i] = cosine * w[i] + sine * iw[i];
   }
-}
-
-/* ph_arc_largest: the largest |v[k]| of n; NaN if one is. */
-static inline double ph_arc_largest(const double *v, size_t n) {
-  double most = 0;
-  for (size_t k = 0; k < n && !isnan(most); k++) {
-    double size = fabs(v[k]);
-    most = size <= most ? most : size;
-  }
-  return most;
 }
 
 #endif

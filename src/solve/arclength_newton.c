@@ -175,8 +175,8 @@ static bool find_step(struct state *t) {
           w->step[s->place_y[r]] = compliance(s, r) * p->y[r] - w->linear.c[r];
         }
         solve(t, w->dx, w->dy);
-        if (ph_arc_largest(w->dx, s->x_n) < STEP_SINGULAR &&
-            isfinite(ph_arc_largest(w->dy, s->y_n))) {
+        if (ph_arc_largest(s->x_n, w->dx) < STEP_SINGULAR &&
+            isfinite(ph_arc_largest(s->y_n, w->dy))) {
           return true;
         }
       }
@@ -260,7 +260,7 @@ static void correct(struct state *t, const double *x) {
 /* The largest change of a node by a step, relative to the largest node. */
 static double change(struct state *t) {
   const double *x = t->p->x;
-  double most = 0, size = ph_arc_largest(x, t->s->nodes * t->s->dim);
+  double most = 0, size = ph_arc_largest(t->s->nodes * t->s->dim, x);
   ph_arc_retract(t->s, x, t->w->dx, 1, t->w->x[0]);
   for (size_t k = 0; k < t->s->x_n; k++) {
     double moved = fabs(t->w->x[0][k] - x[k]);
@@ -311,21 +311,19 @@ static double decrement(const struct state *t) {
 static void look(struct state *t) {
   const struct ph_arc_system *s = t->s;
   struct ph_arc_point *p = t->p;
-  double sum = 0;
   ph_arc_linearise(s, p->x, p->y, &t->w->linear);
-  t->y_size = ph_arc_largest(p->y, s->y_n);
+  t->y_size = ph_arc_largest(s->y_n, p->y);
   p->f = t->w->linear.f;
-  p->kkt = ph_arc_largest(t->w->linear.l_x, s->x_n) / (1 + t->y_size);
+  p->kkt = ph_arc_largest(s->x_n, t->w->linear.l_x) / (1 + t->y_size);
   p->residual = 0;
-  for (size_t r = 0; r < s->y_n; r++) {
+  for (size_t r = 0; r < s->y_n && !isnan(p->residual); r++) {
     double soft = compliance(s, r);
     double c = fabs(t->w->linear.c[r] - soft * p->y[r]) / (1 + soft);
     p->residual = c <= p->residual || isnan(p->residual) ? p->residual : c;
-    sum += 1;
   }
   t->near = p->residual < NEAR && p->kkt < NEAR;
   t->shift = t->near ? 0 : t->shift;
-  t->noise = 1e-10 * p->f + 1e-15 * sum * t->nu;
+  t->noise = 1e-10 * p->f + 1e-15 * (double)s->y_n * t->nu;
 }
 
 /* The last step is taken if it keeps the rows. */

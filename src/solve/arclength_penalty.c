@@ -154,10 +154,6 @@ struct search {
   double radius;
 };
 
-static double dot(const double *u, const double *v, size_t n) {
-  return ph_arc_dot(n, u, v);
-}
-
 static void swap(double **a, double **b) {
   double *t = *a;
   *a = *b;
@@ -166,7 +162,7 @@ static void swap(double **a, double **b) {
 
 static double value_of(const struct search *g, double f, const double *c) {
   size_t n = g->s->y_n;
-  return f + dot(g->y, c, n) + g->rho / 2 * dot(c, c, n);
+  return f + ph_arc_dot(n, g->y, c) + g->rho / 2 * ph_arc_dot(n, c, c);
 }
 
 static double value_at(const struct search *g, const double *x, double *c,
@@ -178,7 +174,7 @@ static double value_at(const struct search *g, const double *x, double *c,
 
 static void begin(struct search *g) {
   g->value = value_at(g, g->x, g->w->c, &g->f);
-  g->radius = RADIUS * sqrt(dot(g->x, g->x, g->s->x_n));
+  g->radius = RADIUS * sqrt(ph_arc_dot(g->s->x_n, g->x, g->x));
   g->w->region.hint = 0;
   g->w->region.factors = 0;
 }
@@ -280,8 +276,7 @@ static bool advance(struct search *g) {
   return false;
 }
 
-/* ---- the search -----------------------------------------------------------
- */
+/* ---- the search --------------------------------------------------------- */
 
 /* The multipliers may be set anew when a step promises no more than this of
  * the penalty, or of F, and the matrix needs no shift. */
@@ -293,7 +288,7 @@ static const double ROWS_FALL = 0.1, RHO_GROWS = 10;
 
 static bool is_inner(const struct search *g) {
   const struct ph_arc_region *region = &g->w->region;
-  double penalty = g->rho / 2 * dot(g->w->c, g->w->c, g->s->y_n);
+  double penalty = g->rho / 2 * ph_arc_dot(g->s->y_n, g->w->c, g->w->c);
   return region->fall <= INNER * penalty + INNER_F * g->f &&
          region->shift <= INNER_SHIFT;
 }
@@ -323,10 +318,10 @@ bool ph_arc_penalty(const struct ph_arc_system *s,
   bool more = true;
   *report = (struct ph_arc_penalty_report){0};
   begin(&g);
-  report->rows = ph_arc_largest(work->c, s->y_n);
+  report->rows = ph_arc_largest(s->y_n, work->c);
   while (more && report->iterations < options->iterations && advance(&g)) {
     report->iterations++;
-    report->rows = ph_arc_largest(work->c, s->y_n);
+    report->rows = ph_arc_largest(s->y_n, work->c);
     if (is_inner(&g)) {
       more = set_multipliers(&g, options->rho_max, before, report->rows) &&
              !(report->rows <= options->tolerance);

@@ -3,7 +3,7 @@
  * Steps within a trusted radius: the minimum of g . s + s . A s / 2 for
  * |s| <= radius, with a symmetric band matrix A that need not be positive
  * definite.  It solves (A + shift) s = -g with the least shift >= 0 that makes
- * A + shift positive definite and s short enough (More and Sorensen, 1983).
+ * A + shift positive definite and s short enough [MOR83, sec. 3].
  *
  * Where A is not positive definite the step goes along its lowest direction up
  * to the radius, even if g vanishes: nothing is lost near a saddle.

@@ -15,6 +15,8 @@ static const double WIGGLE_TOLD = 0.01;
 /* F of lengths that agree with the points is at most this times F of free
  * ones. */
 static const double CONSISTENT = 3;
+/* Fitted lengths are missed by fewer standard deviations. */
+static const double DEVIATIONS = 3;
 /* Below this F is rounding. */
 static const double F_ROUNDING = 1e-11;
 /* Below this it is that of a curve without bending. */
@@ -75,7 +77,8 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
   if (search->stood_still) {
     return ph_fail(diag, PH_NO_CONVERGENCE, "tangents",
                    "have no curve that was found by %zu starts but some that "
-                   "stand still at one of them",
+                   "stand still at one of them; \"magnitudes\":\"mean\" may "
+                   "help",
                    search->starts_n);
   }
   if (p->converged) {
@@ -109,8 +112,7 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
   return ph_fail_at(
       diag, PH_NO_CONVERGENCE, "lengths", shown,
       "is not met: %.6g asked for, %.6g attained in interval %zu by the best "
-      "of "
-      "%zu starts, naturally %.6g; residual %.2g of the mean length%s",
+      "of %zu starts, naturally %.6g; residual %.2g of the mean length%s",
       d->length[worst] * back, attained[worst] * back, shown, search->starts_n,
       search->natural.length[worst] * back, p->residual, hint(search));
 }
@@ -145,6 +147,18 @@ static void warn_wiggle(const struct ph_arc_search *search,
   }
 }
 
+/* Fitted lengths that are missed. */
+static void warn_misses(struct ph_result *result) {
+  double rms = result->diagnostics.value[PH_D_LENGTH_RMS];
+  if (rms > DEVIATIONS) {
+    ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_INCONSISTENT_LENGTHS,
+            NULL,
+            "the lengths are missed by %.3g standard deviations: points that "
+            "a curve hardly bends through outweigh them",
+            rms);
+  }
+}
+
 static void warn(const struct ph_arc_search *search, bool left_plane,
                  struct ph_result *result) {
   const struct ph_arc_data *d = search->system.data;
@@ -162,10 +176,14 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
   if (!d->length || !search->natural.known || d->n < 2) {
     return;
   }
-  if (!(d->sigma > 0)) {
+  if (d->sigma > 0) {
+    warn_misses(result);
+  } else {
     warn_wiggle(search, result);
   }
-  if (p->f > CONSISTENT * search->natural.f + F_ROUNDING) {
+  if (p->f > CONSISTENT * search->natural.f + F_ROUNDING &&
+      !(d->sigma > 0 &&
+        result->diagnostics.value[PH_D_LENGTH_RMS] > DEVIATIONS)) {
     ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_INCONSISTENT_LENGTHS,
             NULL,
             "the lengths fit no smooth curve through the data: F is %.6g, with "

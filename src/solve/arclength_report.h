@@ -13,7 +13,7 @@
  * in   left_plane  data in a plane whose curve is not
  * out  result      curve, intervals, starts, solutions if all were asked for,
  *                  diagnostics and warnings
- * ret  PH_OK | PH_TOO_LARGE | PH_NO_MEMORY
+ * ret  PH_OK | PH_NO_MEMORY
  */
 enum ph_status ph_arc_report(const struct ph_arc_search *search,
                              bool left_plane, struct ph_arena *scratch,

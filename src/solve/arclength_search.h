@@ -53,7 +53,8 @@ bool ph_arc_is_same(double f, double g);
 /*
  * ph_arc_search_run: carries out a request.
  *
- * inout arena   of the search; workspaces are given back
+ * inout arena   of the search, and of what it works in: the caller gives both
+ *               back
  * out   search  found_n is 0 when every start failed
  * ret   false when memory is exhausted
  */

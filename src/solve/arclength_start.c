@@ -17,26 +17,6 @@ struct support {
   double (*w)[4]; /* [n], in space; in the plane and on a line its real part */
 };
 
-/* A spinor of a direction, well conditioned for each. */
-static void spinor(ph_vec3 d, double size, double w[4]) {
-  if (d.x >= 0) {
-    double a = sqrt((1 + d.x) / 2);
-    w[0] = a;
-    w[1] = 0;
-    w[2] = d.y / (2 * a);
-    w[3] = -d.z / (2 * a);
-  } else {
-    double b = sqrt((1 - d.x) / 2);
-    w[0] = d.y / (2 * b);
-    w[1] = d.z / (2 * b);
-    w[2] = b;
-    w[3] = 0;
-  }
-  for (size_t k = 0; k < 4; k++) {
-    w[k] *= size;
-  }
-}
-
 /* conj(u) . v */
 static ph_cplx product(const double u[4], const double v[4]) {
   double iu[4];
@@ -51,6 +31,13 @@ static void align(const double u[4], double v[4]) {
   double size = ph_cplx_abs(c);
   if (size > 1e-12 * sqrt(ph_arc_dot(4, u, u) * ph_arc_dot(4, v, v))) {
     ph_arc_phase(c.re / size, -c.im / size, v, v);
+  }
+}
+
+static void set_spinor(ph_vec3 direction, double size, double w[4]) {
+  ph_arc_spinor(direction, w);
+  for (size_t k = 0; k < 4; k++) {
+    w[k] *= size;
   }
 }
 
@@ -70,7 +57,7 @@ static void set_support(const struct ph_arc_data *d, struct support *p) {
           d->mode == PH_ARC_TANGENTS ? ph_arc_data_speed(d, i) : ph_vec3_abs(v);
       p->t[p->n] = t;
     }
-    spinor(ph_vec3_unit(v), sqrt(speed), p->w[p->n]);
+    set_spinor(ph_vec3_unit(v), sqrt(speed), p->w[p->n]);
     if (p->n > 0) {
       align(p->w[p->n - 1], p->w[p->n]);
     }
@@ -173,7 +160,7 @@ bool ph_arc_start(struct ph_arc_system *s, struct ph_arena *scratch,
   return ok;
 }
 
-/* Uniform in (-1, 1): the generator splitmix64 of Steele (2014). */
+/* Uniform in [-1, 1]: the generator splitmix64 [STE14]. */
 static double uniform(uint64_t *state) {
   uint64_t z = *state += 0x9e3779b97f4a7c15u;
   z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;

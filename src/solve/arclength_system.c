@@ -82,22 +82,14 @@ static void set_knot(struct ph_arc_system *s, size_t j) {
 
 /* -s_b m_a + s_a m_b = 0 of a direction: its real and imaginary parts. */
 static void set_direction(struct ph_arc_system *s, size_t j) {
-  ph_vec3 t = s->data->given[j];
-  double *row = s->direction + j * s->knot_rows * s->dim;
-  ph_cplx a, b;
-  if (t.x >= 0) {
-    a = ph_cplx_of(sqrt((1 + t.x) / 2), 0);
-    b = ph_cplx_of(t.y / (2 * a.re), -t.z / (2 * a.re));
-  } else {
-    b = ph_cplx_of(sqrt((1 - t.x) / 2), 0);
-    a = ph_cplx_of(t.y / (2 * b.re), t.z / (2 * b.re));
-  }
+  double *row = s->direction + j * s->knot_rows * s->dim, w[4];
+  ph_arc_spinor(s->data->given[j], w);
   if (s->dim == 4) {
-    const double rows[8] = {-b.re, b.im, a.re, -a.im, -b.im, -b.re, a.im, a.re};
+    const double rows[8] = {-w[2], w[3], w[0], -w[1], -w[3], -w[2], w[1], w[0]};
     memcpy(row, rows, sizeof rows);
   } else {
-    row[0] = -b.re;
-    row[1] = a.re;
+    row[0] = -w[2];
+    row[1] = w[0];
   }
 }
 

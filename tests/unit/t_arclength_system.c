@@ -10,6 +10,7 @@
 
 #include "kernel/band.h"
 #include "kernel/quad.h"
+#include "solve/arclength_form.h"
 #include "solve/arclength_newton.h"
 #include "solve/arclength_start.h"
 
@@ -373,8 +374,7 @@ START_TEST(test_penalised_matrix) {
 }
 END_TEST
 
-/* ---- bands, steps ----------------------------------------------------------
- */
+/* ---- bands, steps -------------------------------------------------------- */
 
 /* Bands do not grow with the number of intervals. */
 START_TEST(test_bands) {
@@ -442,6 +442,40 @@ START_TEST(test_retract_is_a_step) {
 }
 END_TEST
 
+/* H of the spinor of a direction is the direction, near both poles too. */
+START_TEST(test_spinor) {
+  struct unit_random r = unit_random_of(1140);
+
+  for (int round = 0; round < 100; round++) {
+    double small = round % 2 ? 1 : pow(10, unit_random_in(&r, -20, 0));
+    double x = unit_random_in(&r, -1, 1), y = small * unit_random_in(&r, -1, 1);
+    ph_vec3 d = ph_vec3_unit(ph_vec3_of(x, y, small));
+    double w[4], v[4];
+
+    ph_arc_spinor(d, w);
+    image(w, v);
+    ck_abs(v[0], 1, 1e-15);
+    ck_abs(ph_vec3_abs(ph_vec3_sub(ph_vec3_of(v[1], v[2], v[3]), d)), 0, 1e-15);
+  }
+}
+END_TEST
+
+/* NaN is the largest, wherever it stands. */
+START_TEST(test_largest) {
+  double v[3] = {-2, 1, -3};
+
+  ck_abs(ph_arc_largest(0, v), 0, 0);
+  ck_abs(ph_arc_largest(3, v), 3, 0);
+  for (size_t i = 0; i < 3; i++) {
+    double keep = v[i];
+
+    v[i] = (double)NAN;
+    ck_assert(isnan(ph_arc_largest(3, v)));
+    v[i] = keep;
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("arclength_system");
   TCase *rows = tcase_create("rows"), *steps = tcase_create("steps");
@@ -451,6 +485,8 @@ static Suite *suite(void) {
   tcase_add_loop_test(rows, test_gradient, 0, SORTS);
   tcase_add_loop_test(rows, test_kkt_matrix, 0, SORTS);
   tcase_add_loop_test(rows, test_penalised_matrix, 0, SORTS);
+  tcase_add_test(steps, test_spinor);
+  tcase_add_test(steps, test_largest);
   tcase_add_test(steps, test_bands);
   tcase_add_test(steps, test_retract_turns_phases);
   tcase_add_loop_test(steps, test_retract_is_a_step, 0, SORTS);
