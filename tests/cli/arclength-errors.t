@@ -178,6 +178,8 @@ bad bad-value 'lengths[0]' 'must be greater than 0, found -2' \
   "$(with '"lengths":[-2,2]')"
 bad bad-value lengths 'must be greater than 0, found -1' \
   "$(with '"lengths":-1')"
+bad too-large lengths 'must be within 1e+12 of the coordinates' \
+  '"points":[[0,0,0],[1,0,0],[2,1,0]],"lengths":1e300'
 bad too-large 'lengths[0]' \
   'must be above 1e-12 of the largest, 2, found 9.9999999999999998e-13' \
   "{$tangents,\"lengths\":[1e-12,2]}"
@@ -287,6 +289,10 @@ warning 'lengths that do not fit' inconsistent-lengths '' 'the lengths fit no '\
 'smooth curve through the data: F is 17.5798, with free lengths 4.17762' \
   '"points":[[1,1,0],[0,4,3],[2,4,2],[3,3,3]],"lengths":[4.9,2.5,2],
 "length_sigma":1e-6'
+warning 'lengths that nothing weighs' inconsistent-lengths '' 'the lengths are '\
+'missed by 549 standard deviations: points that a curve hardly bends through '\
+'outweigh them' \
+  '"points":[[0,0,0],[1,0,0],[1,1,0]],"lengths":[3,2],"length_sigma":0.001'
 warning 'a saddle' saddle '' 'the curve bends least in the plane of the data, '\
 'but not in space: "planar":"free" lets it leave the plane' \
   '"points":[[0,0],[1,0],[0,1],[1,1]]'
@@ -340,15 +346,19 @@ phspline: N of N records failed" "$status $(sed 's/[0-9][0-9.e+-]*/N/g' err)"
 
 unmet="lengths[N]: is not met: N asked for, N attained in interval N by the best \
 of N starts"
+more='; a larger refine gives the curve more room'
 lost 'lengths that hardly exceed the chords' \
-  "$unmet, naturally N; residual N of the mean length; $hint" \
+  "$unmet, naturally N; residual N of the mean length$more, $hint" \
   "$fig5,\"lengths\":[4.358903,2.2360702,1.7320525]"
-lost 'derivatives that are too large' \
+lost 'no more segments to be had' \
   "$unmet, naturally N; residual N of the mean length; $hint" \
+  '"derivatives":[[1e6,0,0],[0,1,0],[0,0,1]],"lengths":[1,1],"refine":3'
+lost 'derivatives that are too large' \
+  "$unmet, naturally N; residual N of the mean length$more, $hint" \
   '"derivatives":[[1e6,0,0],[0,1,0],[0,0,1]],"lengths":[1,1]'
 lost 'tangents whose lengths differ too much' \
   "$unmet; residual N of the mean length" \
   '"tangents":[[1,0,0],[0,1,0],[0,0,1]],"lengths":[1,1e-9]'
 lost 'tangents that turn back' "tangents: have no curve that was found by N starts \
-but some that stand still at one of them" \
+but some that stand still at one of them; \"magnitudes\":\"mean\" may help" \
   '"tangents":[[1,2,3],[-1,-2,-3],[1,2,3]],"lengths":[1,2]'
