@@ -77,7 +77,7 @@ complete -c phspline -n '__fish_seen_subcommand_from arclength' -l closed -d 'cl
 complete -c phspline -n '__fish_seen_subcommand_from arclength' -l lengths -x -d 'arc lengths from datum to datum, one for all or one each'
 complete -c phspline -n '__fish_seen_subcommand_from arclength' -l length_sigma -x -d 'relative standard deviation of the lengths, which are then fitted'
 complete -c phspline -n '__fish_seen_subcommand_from arclength' -l knots -x -a 'lengths chordal uniform' -d 'spacing of the knots, mean 1, or the knots themselves, increasing'
-complete -c phspline -n '__fish_seen_subcommand_from arclength' -l refine -x -a 'auto' -d 'segments from datum to datum: 1, 2 or 3, of their own accord 2 where lengths are given (1 of 50 tangents or more), else 1'
+complete -c phspline -n '__fish_seen_subcommand_from arclength' -l refine -x -a 'auto' -d 'segments from datum to datum: 1, 2 or 3, of their own accord 2 where lengths are given (1 for tangents on 50 intervals or more), else 1'
 complete -c phspline -n '__fish_seen_subcommand_from arclength' -l magnitudes -x -a 'free mean' -d 'size of derivatives with tangents: unknown, or the mean length'
 complete -c phspline -n '__fish_seen_subcommand_from arclength' -l planar -x -a 'keep free' -d 'whether data in a plane have their curve in it'
 complete -c phspline -n '__fish_seen_subcommand_from arclength' -l starts -x -d 'extra random starts of the iteration, 1000 at most'

@@ -56,10 +56,10 @@ struct state {
 bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
                          struct ph_arc_newton *w) {
   size_t size = sizeof(double);
-  w->kkt = ph_arena_array(arena, ph_band_size(s->kkt_n, s->kkt_band), size);
+  w->kkt = ph_arena_array(arena, s->kkt_n, ph_band_size(1, s->kkt_band) * size);
   w->pivot = ph_arena_array(arena, s->kkt_n, sizeof(uint32_t));
   w->penalised =
-      ph_arena_array(arena, ph_sym_size(s->x_n, s->order_band), size);
+      ph_arena_array(arena, s->x_n, ph_sym_size(1, s->order_band) * size);
   w->step = ph_arena_array(arena, s->kkt_n, size);
   w->dx = ph_arena_array(arena, s->x_n, size);
   w->dx2 = ph_arena_array(arena, s->x_n, size);

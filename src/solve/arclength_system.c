@@ -247,6 +247,9 @@ bool ph_arc_system_of(const struct ph_arc_data *data, size_t refine, size_t dim,
   s->x_n = s->nodes * dim + (s->turn ? 1 : 0);
   set_rows(s, exact && data->length != NULL);
   s->kkt_n = s->x_n + s->y_n;
+  if (s->kkt_n > UINT32_MAX) { /* its matrix would fill 2^40 bytes */
+    return false;
+  }
   if (!allocate(s, arena)) {
     return false;
   }

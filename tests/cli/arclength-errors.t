@@ -179,7 +179,7 @@ bad bad-value 'lengths[0]' 'must be greater than 0, found -2' \
 bad bad-value lengths 'must be greater than 0, found -1' \
   "$(with '"lengths":-1')"
 bad too-large lengths 'must be within 1e+12 of the coordinates' \
-  '"points":[[0,0,0],[1,0,0],[2,1,0]],"lengths":1e300'
+  '{"points":[[0,0,0],[1,0,0],[2,1,0]],"lengths":1e300}'
 bad too-large 'lengths[0]' \
   'must be above 1e-12 of the largest, 2, found 9.9999999999999998e-13' \
   "{$tangents,\"lengths\":[1e-12,2]}"
