@@ -329,6 +329,18 @@ static bool try_kinds(struct run *run) {
   return true;
 }
 
+/* What comes before Newton's method; of many intervals nothing does. */
+static bool allocate_rough(struct run *run) {
+  const struct ph_arc_system *s = &run->search->system;
+  run->white = *s;
+  if (!run->single && s->data->n >= FEW) {
+    return true;
+  }
+  run->rough_y = ph_arena_array(run->arena, s->y_n, sizeof *run->rough_y);
+  return run->rough_y && ph_arc_whiten(&run->white, run->arena) &&
+         ph_arc_work_alloc(s, run->arena, &run->rough);
+}
+
 static bool allocate(struct run *run) {
   struct ph_arc_search *search = run->search;
   const struct ph_arc_system *s = &search->system;
@@ -336,11 +348,7 @@ static bool allocate(struct run *run) {
   search->starts = ph_arena_array(run->arena, most, sizeof *search->starts);
   search->found = ph_arena_array(run->arena, most, sizeof *search->found);
   run->init = ph_arena_array(run->arena, s->x_n, sizeof *run->init);
-  run->rough_y = ph_arena_array(run->arena, s->y_n, sizeof *run->rough_y);
-  run->white = *s;
-  return search->starts && search->found && run->init && run->rough_y &&
-         ph_arc_whiten(&run->white, run->arena) &&
-         ph_arc_work_alloc(s, run->arena, &run->rough) &&
+  return search->starts && search->found && run->init && allocate_rough(run) &&
          ph_arc_newton_alloc(s, run->arena, &run->work) &&
          ph_arc_point_alloc(s, run->arena, &run->point) &&
          ph_arc_point_alloc(s, run->arena, &search->nearest);
