@@ -416,7 +416,7 @@ static enum ph_status check_stationary(const struct context *c,
                    found.kkt_error, STATIONARY);
   }
   if (is_known(diagnostics, PH_D_SECOND_ORDER) && !found.minimiser &&
-      !is_polygon(c) &&
+      !is_polygon(c) && !(found.f <= found.f_rounding) &&
       !(diagnostics->value[PH_D_SECOND_ORDER] > PH_OUTCOME_MINIMISER)) {
     return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
                    "the curve is refused by its certificate: it is claimed to "

@@ -71,6 +71,7 @@ static const struct kind {
     {"init-wave-10", USE_RESCUE, ORIGIN_INIT, 0, 0, 0.1, 0},
     {"init-wave-30", USE_RESCUE, ORIGIN_INIT, 0, 0, 0.3, 0},
 };
+enum { FIRST_SEED = 1000 }; /* of random starts */
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
 /* Random ones: the first of single segments. */
@@ -322,6 +323,7 @@ static bool try_kinds(struct run *run) {
     }
   }
   for (size_t k = 0; k < request->random; k++) {
+    run->state = FIRST_SEED + k; /* whatever was tried before */
     if (!try_start(run, &random_kinds[run->single ? 0 : 1])) {
       return false;
     }

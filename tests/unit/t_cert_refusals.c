@@ -170,7 +170,7 @@ START_TEST(test_second_order) {
 END_TEST
 
 static Suite *suite(void) {
-  Suite *s = suite_create("stationary");
+  Suite *s = suite_create("cert_refusals");
   TCase *c = tcase_create("order");
   tcase_add_checked_fixture(c, NULL, finish);
   tcase_add_loop_test(c, test_functional, 0, KINDS);
