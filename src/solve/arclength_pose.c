@@ -203,6 +203,8 @@ void ph_arc_data_pose(struct ph_arc_data *d) {
   second = second_vector(d, e1);
   e2 = second ? ph_vec3_unit(ph_vec3_normal(*second, e1)) : upright(e1);
   e3 = ph_vec3_unit(ph_vec3_cross(e1, e2));
+  e2 = ph_vec3_cross(e3,
+                     e1); /* where all hardly leave a line e2 is not normal */
   d->turn = ph_quat_of_frame(e1, e2, e3);
   d->plane = true;
   d->line = d->straight = !second;

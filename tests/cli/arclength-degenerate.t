@@ -262,6 +262,8 @@ curve 'tiny points' '"points":[[1e-300,1e-300,0],[0,4e-300,3e-300],
 [2e-300,4e-300,2e-300],[3e-300,3e-300,3e-300]],"lengths":[4.9e-300,2.5e-300,2e-300]'
 curve 'a chord of 1e-9 others' \
   '"points":[[0,0,0],[1,0,0],[1,1e-9,0],[2,1,1]]'
+curve 'a road that is nearly straight' \
+  '"points":[[0,0,0],[1,1e-6,0],[2,0,1e-6],[3,1e-6,1e-6],[4,0,0]]'
 curve 'a long way to go' '"points":[[1,1,0],[0,4,3],[2,4,2],[3,3,3]],
 "lengths":[490,250,200]'
 feed '{"points":[[-1.7e308,0,0],[1.7e308,0,0],[1.7e308,1.7e308,0]]}' arclength

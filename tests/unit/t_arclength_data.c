@@ -169,6 +169,38 @@ START_TEST(test_curve_moves_along) {
 }
 END_TEST
 
+/* Our vectors turned back are the user's, also of data that hardly leave a
+ * line, whose second axis is a difference of nearly equal vectors. */
+START_TEST(test_turn_of_slender_data) {
+  struct unit_random r = unit_random_of(1300 + (uint64_t)_i);
+  double bulge = pow(10, -_i), length[N];
+  struct setting t;
+  ph_vec3 v[N + 1];
+
+  for (size_t i = 0; i <= N; i++) {
+    ph_vec3 off = ph_vec3_scale(bulge, unit_random_direction(&r));
+
+    v[i] =
+        ph_vec3_add(ph_vec3_of(3 * (double)i, 4 * (double)i, (double)i), off);
+    length[i < N ? i : 0] = 10;
+  }
+  ck_assert_int_eq(set_up(&t, PH_F_POINTS, v, length, &still), PH_OK);
+  for (size_t i = 0; i < N; i++) {
+    size_t from = ph_arc_data_user(&t.data, i);
+    ph_vec3 step = t.data.step[i], want = ph_vec3_sub(v[from + 1], v[from]);
+    ph_quat q;
+
+    step.z = t.data.mirrored ? -step.z : step.z;
+    step = ph_vec3_scale(t.data.reversed ? -1 : 1, step);
+    q = ph_quat_mul(ph_quat_mul(t.data.turn, ph_quat_pure(step)),
+                    ph_quat_conj(t.data.turn));
+    step = ph_vec3_scale(t.data.root * t.data.root, ph_quat_vector(q));
+    ck_abs(ph_vec3_abs(ph_vec3_sub(step, want)), 0, 1e-14 * 30);
+  }
+  ph_arena_free(&t.arena);
+}
+END_TEST
+
 /* Data in a plane and on a line are known as such, also in a tilted one. */
 START_TEST(test_plane_and_line) {
   struct unit_random r = unit_random_of(1280 + (uint64_t)_i);
@@ -313,6 +345,7 @@ static Suite *suite(void) {
 
   tcase_add_loop_test(pose, test_pose, 0, 8);
   tcase_add_loop_test(pose, test_curve_moves_along, 0, 8);
+  tcase_add_loop_test(pose, test_turn_of_slender_data, 0, 14);
   tcase_add_loop_test(pose, test_plane_and_line, 0, 4);
   tcase_add_loop_test(pose, test_plane_is_kept, 0, 4);
   tcase_add_loop_test(pose, test_closed_pose, 0, 2 * N);
