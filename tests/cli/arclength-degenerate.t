@@ -277,7 +277,7 @@ $(failed 1 1)"
 if instrumented; then
   free=2000 given=1000
 else
-  free=100000 given=20000
+  free=30000 given=5000
 fi
 awk "BEGIN {
   print \"x,y,z,length\"

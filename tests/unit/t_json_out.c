@@ -106,7 +106,7 @@ END_TEST
  * where it is known, and in the certificate when it is known everywhere. */
 START_TEST(test_intervals) {
   const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
-  struct ph_interval intervals[] = {{3, 2.5, 0, 1}, {4.25, NAN, 2, 2}};
+  struct ph_interval intervals[] = {{3, 2.5, 0, 1}, {4.25, (double)NAN, 2, 2}};
   struct ph_result result = by_hand();
   result.intervals = intervals;
   result.intervals_n = 2;
@@ -132,9 +132,10 @@ END_TEST
 /* All starts, in the order they were tried, and which of them won. */
 START_TEST(test_starts) {
   const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
-  struct ph_start starts[] = {{"init", PH_OUTCOME_NO_SOLUTION, NAN, 200},
-                              {"chords", PH_OUTCOME_MINIMISER, 0.5, 7},
-                              {"mirror", PH_OUTCOME_SADDLE, 1e21, 0}};
+  struct ph_start starts[] = {
+      {"init", PH_OUTCOME_NO_SOLUTION, (double)NAN, 200},
+      {"chords", PH_OUTCOME_MINIMISER, 0.5, 7},
+      {"mirror", PH_OUTCOME_SADDLE, 1e21, 0}};
   struct ph_result result = by_hand();
   result.starts = starts;
   result.starts_n = 3;
