@@ -8,6 +8,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Of so many data the phases are those of a helix: what they lack adds up. */
+enum { MANY = 100 };
+
 enum { FREQUENCIES = 4 };
 
 /* Spinors at places t, between which the nodes are interpolated. */
@@ -41,6 +44,43 @@ static void set_spinor(ph_vec3 direction, double size, double w[4]) {
   }
 }
 
+/* Direction k of the data. */
+static ph_vec3 direction(const struct ph_arc_data *d, size_t k) {
+  return ph_vec3_unit(d->step ? d->step[k] : d->given[k]);
+}
+
+/* The angle from the plane of directions k - 1 and k to that of k and k + 1, of
+ * n; at the ends that of the neighbours. */
+static double torsion(const struct ph_arc_data *d, size_t n, size_t k) {
+  size_t at = k < 1 ? 1 : k + 2 > n ? n - 2 : k;
+  ph_vec3 a, b, before, after;
+  if (n < 3) {
+    return 0;
+  }
+  b = direction(d, at);
+  before = ph_vec3_cross(direction(d, at - 1), b);
+  after = ph_vec3_cross(b, direction(d, at + 1));
+  a = ph_vec3_cross(before, after);
+  return atan2(ph_vec3_dot(a, b), ph_vec3_dot(before, after));
+}
+
+/*
+ * How much the phase of a curve of least F grows from direction k to the next.
+ * With constant curvature kappa, torsion tau and twist c of the frame, twice
+ * the growth of the phase,
+ *
+ *   16 |w''|^2 / |w|^2 = (c^2 + kappa^2)^2 + 4 kappa^2 (tau - c)^2
+ *
+ * is least at c^3 + 3 kappa^2 c = 2 kappa^2 tau: c = 2 kappa sinh u with
+ * sinh 3 u = tau / kappa.
+ */
+static double twist(const struct ph_arc_data *d, size_t n, size_t k) {
+  ph_vec3 u = direction(d, k), v = direction(d, k + 1);
+  double turn = atan2(ph_vec3_abs(ph_vec3_cross(u, v)), ph_vec3_dot(u, v));
+  double angle = (torsion(d, n, k) + torsion(d, n, k + 1)) / 2;
+  return turn > 0 ? turn * sinh(asinh(angle / turn) / 3) : 0;
+}
+
 static void set_support(const struct ph_arc_data *d, struct support *p) {
   double t = 0;
   size_t n = d->mode == PH_ARC_POINTS ? d->n : d->n + 1;
@@ -60,6 +100,10 @@ static void set_support(const struct ph_arc_data *d, struct support *p) {
     set_spinor(ph_vec3_unit(v), sqrt(speed), p->w[p->n]);
     if (p->n > 0) {
       align(p->w[p->n - 1], p->w[p->n]);
+      if (n >= MANY) {
+        double grown = twist(d, n, p->n - 1);
+        ph_arc_phase(cos(grown), sin(grown), p->w[p->n], p->w[p->n]);
+      }
     }
     t += i < d->n ? d->h[i] : 0;
     p->n++;

@@ -290,6 +290,15 @@ awk "BEGIN {
 run arclength -q -f csv --table=lengths --columns=x,y,z,- many.csv
 expect 'many points' 0
 true_that 'many points: a segment each' count $((free + 1)) out
+
+# Phases that grow from datum to datum add up to hundreds of turns.
+awk 'BEGIN { for (i = 0; i < 2000; i++) {
+  t = i * 0.8
+  printf "%.17g,%.17g,%.17g\n", cos(t), sin(t), 0.3 * t } }' >helix.csv
+run arclength -q helix.csv
+expect 'many turns' 0
+true_that 'many turns: few steps' test "$(get diagnostics.iterations)" -le 20
+
 sed "$((given + 3)),\$d" many.csv >some.csv
 run arclength -q -f csv --table=lengths some.csv
 expect 'many lengths' 0
