@@ -4,10 +4,10 @@
 # about them, and of the exit status.  (Also run under the thread sanitizer.)
 . "$srcdir/tests/cli/lib.sh"
 
-# 10 000 lines: curves of 2 to 200 points, and one in ten that fails, in one of
+# 4000 lines: curves of 2 to 200 points, and one in ten that fails, in one of
 # several ways, at one of several stages; one of the eight ways is a warning.
 awk 'BEGIN {
-  for (i = 1; i <= 10000; i++) {
+  for (i = 1; i <= 4000; i++) {
     n = i % 500 == 0 ? 200 : 2 + i % 5
     text = ""
     for (k = 0; k < n; k++)
@@ -44,43 +44,43 @@ same() {
   done
 }
 
-same 'ten thousand' 1 many.jsonl
-equal 'a result for each' 10000 "$(wc -l <out | tr -d ' ')"
+same 'four thousand' 1 many.jsonl
+equal 'a result for each' 4000 "$(wc -l <out | tr -d ' ')"
 json get id out | grep -v absent >ids
 grep -v '"points":\[\[0,0\],}' many.jsonl | sed 's/.*"id":\([0-9]*\),.*/\1/' \
   >want
 equal_files 'in the order of the problems' want ids
-equal 'the sum' "$(failed 875 10000)" "$(tail -n 1 err)"
-equal 'a message for each failure and warning' 1001 "$(wc -l <err | tr -d ' ')"
+equal 'the sum' "$(failed 350 4000)" "$(tail -n 1 err)"
+equal 'a message for each failure and warning' 401 "$(wc -l <err | tr -d ' ')"
 
-sed -n 1,3000p many.jsonl >some.jsonl
+sed -n 1,1000p many.jsonl >some.jsonl
 same 'a sweep' 1 -S knots=uniform,chordal -S closed=false some.jsonl
-equal 'a result for each value' 5963 "$(wc -l <out | tr -d ' ')"
+equal 'a result for each value' 1988 "$(wc -l <out | tr -d ' ')"
 printf '%s\n' "$good" >one.json
-same 'a sweep of one problem' 0 -S 'points[0][0]=0:0.5:2000' one.json
+same 'a sweep of one problem' 0 -S 'points[0][0]=0:0.5:800' one.json
 equal 'its last value' '{"points[0][0]":0.5}' "$(tail -n 1 out | json get sweep)"
 same 'a sweep of what an option gives' 0 --knots='[0,1,2]' \
-  -S 'knots[1]=0.5:1.5:2000' one.json
+  -S 'knots[1]=0.5:1.5:800' one.json
 same 'offsets in CSV' 1 -f csv --table=offsets -d 1,-1 some.jsonl
 same '--strict' 1 --strict -q some.jsonl
-sed 's/$/,/; 1s/^/[/; 2999q' some.jsonl | grep -v '"points":\[\[0,0\],}' \
+sed 's/$/,/; 1s/^/[/; 999q' some.jsonl | grep -v '"points":\[\[0,0\],}' \
   >array.json
 same 'an array that breaks off' 3 array.json
 same 'a file that cannot be read' 3 some.jsonl nosuch.json
 
-# the first failure is the 4567th of 10 000 problems, with many behind it
+# the first failure is the 1567th of 4000 problems, with many behind it
 awk 'BEGIN {
-  for (i = 1; i <= 10000; i++)
-    print "{\"id\":" i ",\"points\":[[0,0],[" i % 4567 "," i % 4567 "]]}"
+  for (i = 1; i <= 4000; i++)
+    print "{\"id\":" i ",\"points\":[[0,0],[" i % 1567 "," i % 1567 "]]}"
 }' >late.jsonl
 for file in '' nosuch.json array.json; do
   # shellcheck disable=SC2086
   same "--fail-fast $file" 1 --fail-fast late.jsonl $file
-  equal "--fail-fast $file: what was written" 4567 "$(wc -l <out | tr -d ' ')"
+  equal "--fail-fast $file: what was written" 1567 "$(wc -l <out | tr -d ' ')"
 done
 same '--fail-fast in the middle of a sweep' 1 --fail-fast \
   -S 'points[0][0]=0,0.5' late.jsonl
-equal '--fail-fast in the middle of a sweep: what was written' 9133 \
+equal '--fail-fast in the middle of a sweep: what was written' 3133 \
   "$(wc -l <out | tr -d ' ')"
 
 printf '%s\n' "$bad" >bad.json

@@ -180,8 +180,8 @@ printf '%s\n' '{"points":[[1,1,0],[0,4,3],[2,4,2],[3,3,3]],"lengths":[5,3,2]}' \
 printf 'x,y,z,length\n1,1,0,\n0,4,3,4.9\n2,4,2,2.5\n3,3,3,2\n' >lengths.csv
 awk 'BEGIN {
   printf "{\"points\":["
-  for (i = 0; i < 500; i++) printf "%s[%d,%d,%d]", i ? "," : "", i, i * i % 7, \
-    i * i % 5
+  for (i = 0; i < 200; i++) printf "%s[%.9f,%.9f,%g]", i ? "," : "", \
+    cos(i / 5), sin(i / 5), i / 10
   print "]}"
 }' >long.json
 exhaust 'lengths' lines arclength -j 1 lengths.jsonl
