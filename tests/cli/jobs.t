@@ -104,7 +104,7 @@ done
 # minimum, reduced tensions, closed and plane curves, failures, warnings.
 awk 'BEGIN {
   split("cc hc bv zero F1 F2 F3", criterion, " ")
-  for (i = 1; i <= 280; i++) {
+  for (i = 1; i <= 140; i++) {
     n = i % 100 == 0 ? 100 : 2 + i % 4
     points = ""
     tangents = ""
@@ -131,13 +131,13 @@ awk 'BEGIN {
 }' >space.jsonl
 method=spatial-hermite
 same 'in space' 1 space.jsonl
-equal 'in space: a result for each' 280 "$(wc -l <out | tr -d ' ')"
+equal 'in space: a result for each' 140 "$(wc -l <out | tr -d ' ')"
 for code in unknown-field bad-shape shape-unsatisfiable too-few-points; do
   true_that "in space: some are $code" grep -q "\[$code\]" err
 done
 true_that 'in space: tensions are reduced' grep -q '"reduced":1' out
 true_that 'in space: some are at the bound' grep -q '"at_bound":true' out
-sed -n 1,60p space.jsonl >some-space.jsonl
+sed -n 1,24p space.jsonl >some-space.jsonl
 same 'in space, a sweep' 1 -S shape=true,false -S tension=0.5,1 some-space.jsonl
 same 'in space, offsets and Bezier pieces' 1 -d 0.1,-0.2 --convert=bezier \
   --tolerance=1e-5 some-space.jsonl
