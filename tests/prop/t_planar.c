@@ -28,7 +28,7 @@ static void finish(void) {
 }
 
 static size_t cases(size_t n) {
-  return unit_long() ? 10 * n : n;
+  return unit_long() ? 10 * n : (size_t)unit_count((int)n);
 }
 
 static void solve(struct unit_planar *u, const struct prop_data *d,
