@@ -33,6 +33,9 @@ enum ph_class {
   X(COINCIDENT_POINTS, "coincident-points", RECORD,                            \
     "two consecutive points are equal")                                        \
   X(ZERO_TANGENT, "zero-tangent", RECORD, "a derivative or tangent is zero")   \
+  X(ANTIPODAL_POINTS, "antipodal-points", RECORD,                              \
+    "two consecutive points are opposite to each other on the sphere")         \
+  X(NOT_ON_SPHERE, "not-on-sphere", RECORD, "a point is not on the sphere")    \
   X(INFEASIBLE, "infeasible", RECORD, "proved to have no solution")            \
   X(NO_CONVERGENCE, "no-convergence", RECORD,                                  \
     "the solver did not reach its tolerance")                                  \
@@ -54,6 +57,8 @@ enum ph_class {
     "warning: the curve is stationary, but no minimum")                        \
   X(LEAVES_PLANE, "leaves-plane", RECORD,                                      \
     "warning: no plane curve was found for data in a plane")                   \
+  X(MOVED_POINTS, "moved-points", RECORD,                                      \
+    "warning: points were moved onto the sphere")                              \
   X(USAGE, "usage", USAGE, "the command line is wrong")                        \
   X(INPUT, "input", INPUT, "the input cannot be read")                         \
   X(OUTPUT, "output", OUTPUT, "the output cannot be written")                  \

@@ -13,32 +13,41 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#define PH_FIELDS(X)                    \
-  X(POINTS, "points")                   \
-  X(CLOSED, "closed")                   \
-  X(BASIS, "basis")                     \
-  X(KNOTS, "knots")                     \
-  X(ALPHA, "alpha")                     \
-  X(END_DERIVATIVES, "end_derivatives") \
-  X(SOLUTIONS, "solutions")             \
-  X(MINIMIZE, "minimize")               \
-  X(FREE, "free")                       \
-  X(TANGENTS, "tangents")               \
-  X(DERIVATIVES, "derivatives")         \
-  X(CRITERION, "criterion")             \
-  X(ANGLES, "angles")                   \
-  X(AXIS, "axis")                       \
-  X(TENSION, "tension")                 \
-  X(SHAPE, "shape")                     \
-  X(PLANARITY, "planarity")             \
-  X(LENGTHS, "lengths")                 \
-  X(REFINE, "refine")                   \
-  X(LENGTH_SIGMA, "length_sigma")       \
-  X(MAGNITUDES, "magnitudes")           \
-  X(PLANAR, "planar")                   \
-  X(STARTS, "starts")                   \
-  X(ALL_MINIMA, "all_minima")           \
-  X(START, "start")
+#define PH_FIELDS(X)                      \
+  X(POINTS, "points")                     \
+  X(CLOSED, "closed")                     \
+  X(BASIS, "basis")                       \
+  X(KNOTS, "knots")                       \
+  X(ALPHA, "alpha")                       \
+  X(END_DERIVATIVES, "end_derivatives")   \
+  X(SOLUTIONS, "solutions")               \
+  X(MINIMIZE, "minimize")                 \
+  X(FREE, "free")                         \
+  X(TANGENTS, "tangents")                 \
+  X(DERIVATIVES, "derivatives")           \
+  X(CRITERION, "criterion")               \
+  X(ANGLES, "angles")                     \
+  X(AXIS, "axis")                         \
+  X(TENSION, "tension")                   \
+  X(SHAPE, "shape")                       \
+  X(PLANARITY, "planarity")               \
+  X(LENGTHS, "lengths")                   \
+  X(REFINE, "refine")                     \
+  X(LENGTH_SIGMA, "length_sigma")         \
+  X(MAGNITUDES, "magnitudes")             \
+  X(PLANAR, "planar")                     \
+  X(STARTS, "starts")                     \
+  X(ALL_MINIMA, "all_minima")             \
+  X(START, "start")                       \
+  X(LONLAT, "lonlat")                     \
+  X(CENTER, "center")                     \
+  X(RADIUS, "radius")                     \
+  X(RADIUS_TOLERANCE, "radius_tolerance") \
+  X(MODEL, "model")                       \
+  X(ENDS, "ends")                         \
+  X(END_TANGENTS, "end_tangents")         \
+  X(INCREASE, "increase")                 \
+  X(EPSILON, "epsilon")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,

@@ -38,16 +38,17 @@ const char *ph_diagnostic_name(enum ph_diagnostic which) {
 enum ph_status ph_curve_alloc(struct ph_curve *c, struct ph_arena *arena,
                               struct ph_diag *diag) {
   size_t number = sizeof(double);
+  size_t preimage = c->preimage_n * c->preimage_dimension;
   bool atph = c->kind == PH_CURVE_ATPH;
   c->knots = ph_arena_array(arena, c->n + 1, number);
   c->control_points =
       ph_arena_array(arena, c->n, (c->degree + 1) * c->dimension * number);
-  c->preimage = ph_arena_array(arena, c->n,
-                               c->preimage_n * c->preimage_dimension * number);
+  c->preimage =
+      preimage ? ph_arena_array(arena, c->n, preimage * number) : NULL;
   c->lengths = ph_arena_array(arena, c->n, number);
   c->alpha = atph ? ph_arena_array(arena, c->n, number) : NULL;
-  return c->knots && c->control_points && c->preimage && c->lengths &&
-                 (c->alpha || !atph)
+  return c->knots && c->control_points && (c->preimage || !preimage) &&
+                 c->lengths && (c->alpha || !atph)
              ? PH_OK
              : ph_fail_memory(diag);
 }

@@ -15,10 +15,11 @@
 #include <stdint.h>
 
 /* Curve kinds: X(SYMBOL, "name in records"). */
-#define PH_CURVES(X) \
-  X(PH, "ph")        \
-  X(ATPH, "atph")    \
-  X(BEZIER, "bezier")
+#define PH_CURVES(X)  \
+  X(PH, "ph")         \
+  X(ATPH, "atph")     \
+  X(BEZIER, "bezier") \
+  X(SPHERICAL_NU, "spherical-nu")
 
 enum ph_curve_kind {
 #define X(symbol, name) PH_CURVE_##symbol,
@@ -45,6 +46,13 @@ enum ph_curve_kind {
  * tension[n]      by its square the derivatives at both ends were scaled
  * angles[n][2]    theta and beta; NaN where there are none
  * shape_ok[n]     whether the segment keeps the shape of its data
+ *
+ * Of spherical nu-splines: control points of de Casteljau's algorithm by great
+ * circles (curve/spherical.h), on the sphere, degree 3, no preimage; else NULL:
+ * tensions[n or n + 1]    nu at the nodes, as many as the data have
+ * indicators[n or n + 1]  the sign of the turn of the data at the nodes, 0
+ *                         where they are on a great circle (and at the ends of
+ *                         an open curve)
  */
 struct ph_curve {
   enum ph_curve_kind kind;
@@ -63,6 +71,35 @@ struct ph_curve {
   double *tension;
   double *angles;
   bool *shape_ok;
+  double *tensions;
+  signed char *indicators;
+  double center[3]; /* of the sphere */
+  double radius;    /* of the sphere; 0: the curve is on none */
+};
+
+/*
+ * Samples of a curve, or of a curve beside it, in the order of the parameter.
+ *
+ * segment[n], t[n]      the curve segment, and its local parameter: in [0,1],
+ *                       atph: [0, alpha]
+ * s[n]                  arc length from the start of what is sampled
+ * point[n][dimension]   in the unit of the data
+ * tangent[n][dimension] unit vectors
+ * curvature[n]          signed in the plane, geodesic on the sphere; 1/unit
+ * torsion[n]            in space; NULL in the plane and on the sphere
+ * lonlat[n][2]          degrees, seen from the center; NULL if on no sphere
+ */
+struct ph_samples {
+  size_t n;
+  size_t dimension;
+  size_t *segment;
+  double *t;
+  double *s;
+  double *point;
+  double *tangent;
+  double *curvature;
+  double *torsion;
+  double *lonlat;
 };
 
 /*
@@ -89,9 +126,16 @@ struct ph_cusps {
   double u;       /* its local parameter in [0,1] */
 };
 
+/* A place on a curve. */
+struct ph_place {
+  size_t segment;
+  double u; /* its local parameter in [0,1] */
+};
+
 /*
  * One offset curve: n rational Bezier pieces of a PH curve, or n quotients of
- * an ATPH curve and its approximation by polynomial pieces (curve/offset.h).
+ * an ATPH curve and its approximation by polynomial pieces (curve/offset.h), or
+ * samples of the parallel curve of a spherical one (curve/parallel.h).
  *
  * segment[n]       the curve segment that the piece belongs to
  * interval[n][2]   the part of that segment, in its local parameter [0,1]
@@ -111,6 +155,9 @@ struct ph_offset {
   double *denominator; /* ATPH: [n][5] */
   struct ph_pieces pieces;
   struct ph_cusps cusps;
+  struct ph_samples samples; /* n = 0 unless on a sphere */
+  struct ph_place *cusp;     /* [cusps.n], on a sphere; else NULL */
+  double length;             /* on a sphere */
 };
 
 /* Diagnostics: X(SYMBOL, "name in records"). */
@@ -134,6 +181,9 @@ struct ph_offset {
   X(FUNCTIONAL, "functional")                     \
   X(FUNCTIONAL_START, "functional_start")         \
   X(AT_BOUND, "at_bound")                         \
+  X(SPHERE_ERROR, "sphere_error")                 \
+  X(CURVATURE_JUMP, "curvature_jump")             \
+  X(TENSION_SUM, "tension_sum")                   \
   X(SHAPE_OK, "shape_ok")                         \
   X(REDUCED, "reduced")                           \
   X(FRAME_TURN, "frame_turn")                     \
@@ -228,6 +278,7 @@ struct ph_result {
   struct ph_curve curve;
   struct ph_offset *offsets;
   size_t offsets_n;
+  struct ph_samples samples; /* n = 0: they were not asked for */
   struct ph_diagnostics diagnostics;
   struct ph_warning warnings[PH_WARNINGS_MAX];
   size_t warnings_n;
