@@ -1,0 +1,270 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The smallest tensions (see sphere_minimal.h): sequential linear programming.
+ *
+ * Raised nodes that are near each other are a block, whose tensions are changed
+ * together while all others stay: what the criteria in and around it ask for is
+ * made linear by differences, and the sum of the tensions is minimised subject
+ * to that (kernel/lp.h) in a box around the tensions (a trust region).  The
+ * step is taken if the criteria hold there, or hold when tensions are a little
+ * larger; otherwise a shorter one is tried, and the box is made smaller.
+ *
+ * Feasibility is not monotonic in a tension, so that a local minimum is found.
+ */
+#include "solve/sphere_minimal.h"
+
+#include "kernel/lp.h"
+#include "solve/sphere_measure.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+enum {
+  BLOCK_MAX = 12, /* nodes of a block */
+  GAP_MAX = 4,    /* nodes between raised ones of a block */
+  AROUND = 6,     /* nodes on either side of a block that are judged with it */
+  REACH = 16,     /* and that are solved: 3.7^-16 twice, there and back */
+  ROWS_MAX = (BLOCK_MAX + 2 * AROUND + 1) * 2 * PH_SPHERE_MEASURES,
+  STEPS_MAX = 20, /* linear programs of a block */
+  SWEEPS_MAX = 4  /* of all blocks, where a run of raised nodes has several */
+};
+
+/* The box at first, relative to the tensions (at least SMALL of the largest),
+ * how it shrinks and grows, and when it is too small. */
+static const double BOX = 0.5;
+static const double BOX_MAX = 2;
+static const double BOX_MIN = 1e-3;
+static const double SHRINK = 0.3;
+static const double SMALL = 0.05;
+
+/* By how much tensions are raised where a step misses the criteria a little;
+ * differences; the fall of the sum that is no progress. */
+static const double MORE = 2e-3;
+static const double DIFFERENCE = 1e-5;
+static const double PROGRESS = 2e-4;
+
+/* A block on its way. */
+struct block {
+  struct ph_sphere_raise *raise;
+  size_t q;                      /* its nodes */
+  size_t node[BLOCK_MAX];        /* in order */
+  struct ph_sphere_range judged; /* where criteria may change */
+  struct ph_sphere_range solved; /* where the spline does */
+  ph_vec3 *kept;                 /* [solved.count] x of the last good one */
+  double nu[BLOCK_MAX];          /* of that */
+  size_t rows;
+  double *g;        /* [ROWS_MAX] criteria at nu, */
+  double *moved;    /* [ROWS_MAX] beside it, */
+  double *jacobian; /* [ROWS_MAX][q] and by nu */
+  double *rhs;      /* [ROWS_MAX] */
+  struct ph_lp_work lp;
+};
+
+/* ---- one set of tensions ------------------------------------------------- */
+
+/* The range that begins `by` nodes before and ends as many after one, at most
+ * the whole. */
+static struct ph_sphere_range widen(const struct ph_sphere_data *d,
+                                    size_t first, size_t count, size_t by) {
+  struct ph_sphere_range all = ph_sphere_all(d), range;
+  if (d->closed) {
+    if (count + 2 * by >= d->n) {
+      return all;
+    }
+    range.first = (first + d->n - by) % d->n;
+    range.count = count + 2 * by;
+    return range;
+  }
+  range.first = first > by + 1 ? first - by : 1;
+  range.count = first + count + by - range.first;
+  if (range.first + range.count > d->n - 1) {
+    range.count = d->n - 1 - range.first;
+  }
+  return range;
+}
+
+static double sum_of(const struct block *b, const double *nu) {
+  double sum = 0;
+  for (size_t j = 0; j < b->q; j++) {
+    sum += nu[j];
+  }
+  return sum;
+}
+
+/* The spline as it was kept. */
+static void restore(struct block *b) {
+  struct ph_sphere_spline *s = b->raise->spline;
+  struct ph_sphere_part part;
+  for (size_t j = 0; j < b->q; j++) {
+    s->nu[b->node[j]] = b->nu[j];
+  }
+  for (size_t j = 0; j < b->solved.count; j++) {
+    s->x[ph_sphere_node(s->data, b->solved, j)] = b->kept[j];
+  }
+  for (size_t j = 0; j < b->solved.count; j++) {
+    size_t i = ph_sphere_node(s->data, b->solved, j);
+    s->model->segment(s, ph_sphere_before(s->data, i), false, &part);
+    s->model->segment(s, i, false, &part);
+  }
+}
+
+static void keep(struct block *b) {
+  const struct ph_sphere_spline *s = b->raise->spline;
+  for (size_t j = 0; j < b->q; j++) {
+    b->nu[j] = s->nu[b->node[j]];
+  }
+  for (size_t j = 0; j < b->solved.count; j++) {
+    b->kept[j] = s->x[ph_sphere_node(s->data, b->solved, j)];
+  }
+}
+
+/* Solves at other tensions; if that fails, all is as it was kept. */
+static bool solve_at(struct block *b, const double *nu) {
+  struct ph_sphere_spline *s = b->raise->spline;
+  for (size_t j = 0; j < b->q; j++) {
+    s->nu[b->node[j]] = nu[j];
+  }
+  if (ph_sphere_newton(s, b->solved, b->raise->work)) {
+    return true;
+  }
+  restore(b);
+  return false;
+}
+
+/* Takes other tensions if all criteria hold there. */
+static bool try_at(struct block *b, const double *nu) {
+  size_t from = 0, at;
+  if (!solve_at(b, nu)) {
+    return false;
+  }
+  if (ph_sphere_violated(b->raise, b->judged, &from, &at) != PH_SPHERE_FINE) {
+    restore(b);
+    return false;
+  }
+  keep(b);
+  return true;
+}
+
+/* ---- linear programs ----------------------------------------------------- */
+
+/* All that is asked where criteria may change. */
+static size_t measure(const struct block *b, double *g) {
+  const struct ph_sphere_raise *raise = b->raise;
+  const struct ph_sphere_spline *s = raise->spline;
+  const struct ph_sphere_data *d = s->data;
+  size_t n = 0;
+  for (size_t j = 0; j < b->judged.count; j++) {
+    size_t i = ph_sphere_node(d, b->judged, j);
+    size_t k = ph_sphere_before(d, i);
+    if (!(raise->ignored[k] & 2)) {
+      n += ph_sphere_measure_segment(raise->shape, s, k, g + n);
+    }
+    if (!(raise->ignored[i] & 1)) {
+      n += ph_sphere_measure_node(raise->shape, s, i, g + n);
+    }
+  }
+  return n;
+}
+
+/* g and its derivatives at the tensions that are kept. */
+static bool differentiate(struct block *b) {
+  const struct ph_sphere_data *d = b->raise->spline->data;
+  double nu[BLOCK_MAX];
+  b->rows = measure(b, b->g);
+  memcpy(nu, b->nu, b->q * sizeof *nu);
+  for (size_t j = 0; j < b->q; j++) {
+    double stiff = ph_sphere_stiffness(d, b->node[j]);
+    double step = DIFFERENCE * fmax(b->nu[j], stiff / 64);
+    nu[j] = b->nu[j] + step;
+    if (!solve_at(b, nu)) {
+      return false;
+    }
+    measure(b, b->moved);
+    for (size_t row = 0; row < b->rows; row++) {
+      b->jacobian[row * b->q + j] = (b->moved[row] - b->g[row]) / step;
+    }
+    nu[j] = b->nu[j];
+    restore(b);
+  }
+  return true;
+}
+
+/* Rows of unit norm that are >= -rhs; those without a slope are left out. */
+static size_t scale_rows(struct block *b) {
+  size_t n = 0;
+  for (size_t row = 0; row < b->rows; row++) {
+    const double *from = b->jacobian + row * b->q;
+    double norm = 0;
+    for (size_t j = 0; j < b->q; j++) {
+      norm = hypot(norm, from[j]);
+    }
+    if (norm > 0 && isfinite(norm)) {
+      for (size_t j = 0; j < b->q; j++) {
+        b->jacobian[n * b->q + j] = from[j] / norm;
+      }
+      b->rhs[n++] = -fmax(b->g[row], 0) / norm;
+    }
+  }
+  return n;
+}
+
+/* The step to the least sum in a box. */
+static bool find_step(struct block *b, size_t rows, double box, double *step) {
+  const struct ph_sphere_data *d = b->raise->spline->data;
+  double one[BLOCK_MAX], lower[BLOCK_MAX], upper[BLOCK_MAX], largest = 0;
+  struct ph_lp lp = {.n = b->q, .m = rows, .c = one, .lower = lower,
+                     .upper = upper, .a = b->jacobian, .b = b->rhs};
+  for (size_t j = 0; j < b->q; j++) {
+    largest = fmax(largest, b->nu[j]);
+  }
+  for (size_t j = 0; j < b->q; j++) {
+    double side = box * fmax(b->nu[j], SMALL * largest);
+    double down = b->nu[j] - d->nu[b->node[j]];
+    one[j] = 1;
+    lower[j] = down < side ? -down : -side;
+    upper[j] = side;
+  }
+  return ph_lp_solve(&lp, &b->lp, step) == PH_LP_OPTIMAL;
+}
+
+/* Goes along a step as far as the criteria hold, or nearly. */
+static bool go(struct block *b, const double *step) {
+  static const double fractions[] = {1, 0.5, 0.2, 0.05};
+  const struct ph_sphere_data *d = b->raise->spline->data;
+  double sum = sum_of(b, b->nu), nu[BLOCK_MAX], more[BLOCK_MAX];
+  for (size_t f = 0; f < sizeof fractions / sizeof fractions[0]; f++) {
+    for (size_t j = 0; j < b->q; j++) {
+      double least = d->nu[b->node[j]];
+      nu[j] = fmax(b->nu[j] + fractions[f] * step[j], least);
+      more[j] = nu[j] + MORE * (nu[j] - least);
+    }
+    if ((sum_of(b, nu) < sum && try_at(b, nu)) ||
+        (sum_of(b, more) < sum && try_at(b, more))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static void minimise_block(struct block *b) {
+  double box = BOX;
+  keep(b);
+  for (size_t i = 0; i < STEPS_MAX && box > BOX_MIN; i++) {
+    double sum = sum_of(b, b->nu), step[BLOCK_MAX];
+    bool gone = false;
+    size_t rows;
+    if (!(sum > 0) || !differentiate(b)) {
+      return;
+    }
+    rows = scale_rows(b);
+    while (!gone && box > BOX_MIN) {
+      gone = find_step(b, rows, box, step) && go(b, step);
+      box *= gone ? 1 : SHRINK;
+    }
+    if (!gone || sum - sum_of(b, b->nu) < PROGRESS * sum) {
+      return;
+    }
+    box = fmin(2 * box, BOX_MAX);
+  }
+}
