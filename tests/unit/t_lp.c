@@ -97,7 +97,7 @@ static void random_degenerate(struct unit_random *r, size_t n, size_t m,
       p->a[i * n + j] = (double)unit_random_below(r, 3) - 1;
     }
     p->b[i] = -(double)unit_random_below(r, 8) / 4;
-    p->b[i] += unit_random_below(r, 8) == 0 ? 0.5 : 0;
+    p->b[i] += unit_random_below(r, 4) == 0 ? 0.5 : 0;
   }
 }
 
