@@ -213,8 +213,13 @@ static size_t scale_rows(struct block *b) {
 static bool find_step(struct block *b, size_t rows, double box, double *step) {
   const struct ph_sphere_data *d = b->raise->spline->data;
   double one[BLOCK_MAX], lower[BLOCK_MAX], upper[BLOCK_MAX], largest = 0;
-  struct ph_lp lp = {.n = b->q, .m = rows, .c = one, .lower = lower,
-                     .upper = upper, .a = b->jacobian, .b = b->rhs};
+  struct ph_lp lp = {.n = b->q,
+                     .m = rows,
+                     .c = one,
+                     .lower = lower,
+                     .upper = upper,
+                     .a = b->jacobian,
+                     .b = b->rhs};
   for (size_t j = 0; j < b->q; j++) {
     largest = fmax(largest, b->nu[j]);
   }
@@ -267,4 +272,126 @@ static void minimise_block(struct block *b) {
     }
     box = fmin(2 * box, BOX_MAX);
   }
+}
+
+/* ---- blocks -------------------------------------------------------------- */
+
+/* Raised nodes that are near each other: count nodes from first on. */
+struct run {
+  size_t first, count;
+};
+
+static bool is_raised(const struct ph_sphere_spline *s, size_t i) {
+  return s->nu[i] > s->data->nu[i];
+}
+
+/* Where to begin: closed data after their longest stretch of nodes that are not
+ * raised, so that no run begins before. */
+static size_t origin_of(const struct ph_sphere_spline *s) {
+  struct ph_sphere_range all = ph_sphere_all(s->data);
+  size_t best = 0, origin = all.first, stretch = 0;
+  for (size_t j = 0; s->data->closed && j < 2 * all.count; j++) {
+    size_t i = j % all.count;
+    if (!is_raised(s, i)) {
+      stretch++;
+    } else {
+      if (stretch > best) {
+        best = stretch;
+        origin = i;
+      }
+      stretch = 0;
+    }
+  }
+  return origin;
+}
+
+/* The first run from place `from` of a range on; false when there is none. */
+static bool next_run(const struct ph_sphere_spline *s,
+                     struct ph_sphere_range range, size_t from,
+                     struct run *run) {
+  size_t last;
+  while (from < range.count &&
+         !is_raised(s, ph_sphere_node(s->data, range, from))) {
+    from++;
+  }
+  if (from == range.count) {
+    return false;
+  }
+  last = from;
+  for (size_t j = from; j < range.count && j <= last + GAP_MAX + 1; j++) {
+    if (is_raised(s, ph_sphere_node(s->data, range, j))) {
+      last = j;
+    }
+  }
+  run->first = from;
+  run->count = last - from + 1;
+  return true;
+}
+
+/* The blocks of a run, of equal size; on odd sweeps half a block further. */
+static void minimise_run(struct block *b, struct ph_sphere_range range,
+                         struct run run, size_t sweep) {
+  const struct ph_sphere_data *d = b->raise->spline->data;
+  size_t blocks = (run.count + BLOCK_MAX - 1) / BLOCK_MAX;
+  size_t size = (run.count + blocks - 1) / blocks;
+  size_t end = sweep % 2 == 1 ? size / 2 + 1 : size;
+  for (size_t begin = 0; begin < run.count; begin = end, end += size) {
+    size_t first = ph_sphere_node(d, range, run.first + begin);
+    end = end < run.count ? end : run.count;
+    b->q = end - begin;
+    for (size_t j = 0; j < b->q; j++) {
+      b->node[j] = ph_sphere_node(d, range, run.first + begin + j);
+    }
+    b->judged = widen(d, first, b->q, AROUND);
+    b->solved = widen(d, first, b->q, REACH);
+    minimise_block(b);
+  }
+}
+
+static double total(const struct ph_sphere_spline *s) {
+  double sum = 0;
+  for (size_t i = 0; i < s->data->n; i++) {
+    sum += s->nu[i];
+  }
+  return sum;
+}
+
+/* Every run once, and again while there is progress those of several blocks. */
+static void sweep_all(struct block *b) {
+  const struct ph_sphere_spline *s = b->raise->spline;
+  struct ph_sphere_range range = {origin_of(s), ph_sphere_all(s->data).count};
+  bool again = true;
+  for (size_t sweep = 0; again && sweep < SWEEPS_MAX; sweep++) {
+    double before = total(s);
+    struct run run = {0, 0};
+    again = false;
+    while (next_run(s, range, run.first + run.count, &run)) {
+      if (sweep == 0 || run.count > BLOCK_MAX) {
+        minimise_run(b, range, run, sweep);
+        again = again || run.count > BLOCK_MAX;
+      }
+    }
+    again = again && before - total(s) >= PROGRESS * before;
+  }
+}
+
+static bool alloc(struct block *b, struct ph_arena *scratch) {
+  size_t number = sizeof(double);
+  b->kept = ph_arena_array(scratch, BLOCK_MAX + 2 * REACH, sizeof *b->kept);
+  b->g = ph_arena_array(scratch, ROWS_MAX, number);
+  b->moved = ph_arena_array(scratch, ROWS_MAX, number);
+  b->jacobian = ph_arena_array(scratch, ROWS_MAX, BLOCK_MAX * number);
+  b->rhs = ph_arena_array(scratch, ROWS_MAX, number);
+  return b->kept && b->g && b->moved && b->jacobian && b->rhs &&
+         ph_lp_alloc(&b->lp, scratch, BLOCK_MAX, ROWS_MAX);
+}
+
+bool ph_sphere_minimise(struct ph_sphere_raise *raise,
+                        struct ph_arena *scratch) {
+  struct block b = {.raise = raise};
+  if (!alloc(&b, scratch)) {
+    return false;
+  }
+  sweep_all(&b);
+  return true;
 }
