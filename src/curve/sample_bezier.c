@@ -8,6 +8,7 @@
 #include "kernel/bern.h"
 #include "kernel/pow2.h"
 
+#include <assert.h>
 #include <float.h>
 
 enum { DEGREE_MAX = 5, ORDERS = 4 };
@@ -30,6 +31,7 @@ static struct bezier bezier_of(const struct ph_curve *curve, size_t k) {
   struct bezier b = {.degree = curve->degree};
   double largest = 0;
   struct ph_pow2 shrink;
+  assert(curve->degree <= DEGREE_MAX);
   for (size_t i = 0; i < n; i++) {
     largest = fmax(largest, fabs(v[i]));
   }
@@ -55,6 +57,10 @@ static void jet_at(const struct bezier *b, double u, size_t orders,
   for (size_t m = 0; m < orders; m++) {
     size_t degree = b->degree - m;
     ph_vec3 sum = {0, 0, 0};
+    jet[m] = sum;
+    if (m > b->degree) {
+      continue;
+    }
     ph_bern_basis(degree, u, basis);
     for (size_t i = 0; i <= degree; i++) {
       sum = ph_vec3_along(sum, basis[i], d[i]);
