@@ -14,6 +14,7 @@
 
 static struct ph_buf buf;
 static struct unit_planar u;
+static const struct ph_offset_rules rules = {1e-9, 0};
 
 static void finish(void) {
   ph_buf_free(&buf);
@@ -333,7 +334,7 @@ START_TEST(test_read_back) {
   u = unit_planar_of(v, 20, true);
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   for (int k = 0; k < 2; k++) {
-    ck_assert_int_eq(ph_offset_planar(c, k ? -1e-4 : 2e-5, 1e-9, &u.arena,
+    ck_assert_int_eq(ph_offset_planar(c, k ? -1e-4 : 2e-5, &rules, &u.arena,
                                       &offsets[k], &u.diag),
                      PH_OK);
   }
