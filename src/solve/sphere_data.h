@@ -34,11 +34,13 @@ struct ph_sphere_data {
                   * no effect, if they are not given */
   ph_vec3 end[2]; /* clamped: velocities with respect to the knots */
 
-  double *knots; /* [m + 1] of the record */
+  double *knots; /* [m + 1] of the record: the numbers given, or sums of h */
   double center[3];
   double radius;
   double moved; /* by how much the points were moved at most, / radius */
   size_t moved_at;
+  bool tell_moved; /* by more than rounding: a warning is due */
+  double rounding; /* error of the coordinates of p, from those given */
 };
 
 /*

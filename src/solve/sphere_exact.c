@@ -318,11 +318,28 @@ static void hug(struct ph_sphere_spline *s) {
   }
 }
 
-/* From there one step of Newton's iteration is the nu-spline of the plane,
- * wrapped around the sphere. */
-static void start(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
+/* Velocities of the parabola through three nodes, times a factor.  With factor
+ * 0, one step of Newton's iteration is the nu-spline of the plane, wrapped
+ * around the sphere. */
+static bool start(struct ph_sphere_spline *s, size_t which,
+                  struct ph_sphere_work *work) {
+  static const double factors[] = {0, 1, 0.5, 2, -1};
+  const struct ph_sphere_data *d = s->data;
   (void)work;
+  if (which >= sizeof factors / sizeof factors[0]) {
+    return false;
+  }
   hug(s);
+  for (size_t i = 0; which > 0 && i < d->n; i++) {
+    if (!ph_sphere_is_end(d, i)) {
+      size_t before = ph_sphere_before(d, i);
+      double a = d->h[before], b = d->h[i], f = factors[which] / (a + b);
+      ph_vec3 to = ph_s2_log(d->p[i], d->p[ph_sphere_next(d, i)]);
+      ph_vec3 from = ph_s2_log(d->p[i], d->p[before]);
+      s->x[i] = ph_vec3_along(ph_vec3_scale(f * a / b, to), -f * b / a, from);
+    }
+  }
+  return true;
 }
 
 const struct ph_sphere_model ph_sphere_exact = {"exact", segment, node,  move,

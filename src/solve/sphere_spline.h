@@ -61,8 +61,10 @@ struct ph_sphere_model {
   /* hug: x of a spline that is nearly at infinite tension; of the ends of open
    * data, whatever it stays */
   void (*hug)(struct ph_sphere_spline *s);
-  /* start: x to begin an iteration from */
-  void (*start)(struct ph_sphere_spline *s, struct ph_sphere_work *work);
+  /* start: x to begin an iteration from; false when there is none of that
+   * number, 0, 1, ... */
+  bool (*start)(struct ph_sphere_spline *s, size_t which,
+                struct ph_sphere_work *work);
   /* last_resort: another way to a solution, which is true if it is one; or
    * NULL */
   bool (*last_resort)(struct ph_sphere_spline *s, struct ph_sphere_work *work);
