@@ -23,7 +23,8 @@ struct ph_sphere_spline {
   const struct ph_sphere_data *data;
   const struct ph_sphere_model *model;
   double *nu; /* [n] tensions */
-  ph_vec3 *x; /* [n] exact: velocities; nielson: the global control points */
+  ph_vec3 *x; /* [n] exact: velocities; nielson: the global control points, less
+               * the nodes */
   ph_vec3 *r; /* [m] control points after each node, and */
   ph_vec3 *l; /* [m] before the next one */
 };

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The smallest tensions that keep the shape of data, starting from some that
+ * do. */
+#ifndef PH_SOLVE_SPHERE_MINIMAL_H
+#define PH_SOLVE_SPHERE_MINIMAL_H
+
+#include "solve/sphere_tension.h"
+
+/*
+ * ph_sphere_minimise: lowers the sum of the tensions to a local minimum,
+ * nearly, while all criteria that the spline satisfies go on to hold.
+ *
+ * inout raise  after its rounds
+ * ret  PH_OK | PH_NO_MEMORY
+ */
+enum ph_status ph_sphere_minimise(struct ph_sphere_raise *raise,
+                                  struct ph_arena *scratch);
+
+#endif
