@@ -3,6 +3,7 @@
 #include "cli/work.h"
 
 #include "cli/message.h"
+#include "curve/sample.h"
 #include "io/csv_in.h"
 #include "io/json_in.h"
 #include "io/json_out.h"
@@ -110,7 +111,8 @@ static void warn_cusps(struct ph_result *result) {
 
 static enum ph_status derive_offsets(struct task *t, double tolerance) {
   const struct ph_options *o = t->options;
-  const struct ph_offset_rules rules = {tolerance, OFFSET_SAMPLES};
+  const struct ph_offset_rules rules = {tolerance, o->samples ? o->samples
+                                                              : OFFSET_SAMPLES};
   struct ph_arena *arena = &t->worker->arena;
   struct ph_result *r = &t->result;
   size_t each = o->command->offsets_n, n = o->offsets_n * each;
@@ -164,6 +166,10 @@ static enum ph_status derive(struct task *t) {
   enum ph_status status = derive_offsets(t, tolerance);
   if (status == PH_OK && o->convert) {
     status = convert_all(t, tolerance);
+  }
+  if (status == PH_OK && o->samples) { /* of the segments in the record */
+    status = ph_sample_curve(&t->result.curve, o->samples, &t->worker->arena,
+                             &t->result.samples, &t->diag);
   }
   return status;
 }
