@@ -13,9 +13,11 @@
 #ifndef PH_SOLVE_SPHERE_SPLINE_H
 #define PH_SOLVE_SPHERE_SPLINE_H
 
+#include "kernel/block2.h"
 #include "solve/sphere_data.h"
 
 struct ph_sphere_model;
+struct ph_sphere_work; /* solve/sphere_newton.h */
 
 struct ph_sphere_spline {
   const struct ph_sphere_data *data;
@@ -37,27 +39,33 @@ struct ph_sphere_part {
   ph_vec3 d[2][2][2];
 };
 
-/* The equation of a node, in its frame: 2x2 blocks by rows, and the residual,
- * scaled: 1 means as large as the data. */
-struct ph_sphere_row {
-  double lo[4], di[4], up[4];
-  double f[2];
-};
-
 struct ph_sphere_model {
   const char *name;
   /* segment: sets r[k] and l[k] from x, and the part; its derivatives only if
    * asked for */
   void (*segment)(struct ph_sphere_spline *s, size_t k, bool derivatives,
                   struct ph_sphere_part *part);
-  /* node: the equation of node i, which is no end, between two parts */
+  /* node: the equation of node i, which is no end, between two parts: its
+   * derivatives, if asked for, and what is missing, in the node's frame; scaled
+   * so that 1 means as large as the data */
   void (*node)(const struct ph_sphere_spline *s, size_t i,
                const struct ph_sphere_part *left,
                const struct ph_sphere_part *right, bool derivatives,
-               struct ph_sphere_row *row);
+               struct ph_block2_row *row);
   /* move: x[i] when it moves by these coordinates in the frame */
   ph_vec3 (*move)(const struct ph_sphere_spline *s, size_t i,
                   const double step[2]);
+  /* reach: how far control points go at most when x[i] moves by 1, in radians
+   */
+  double (*reach)(const struct ph_sphere_spline *s, size_t i);
+  /* hug: x of a spline that is nearly at infinite tension; of the ends of open
+   * data, whatever it stays */
+  void (*hug)(struct ph_sphere_spline *s);
+  /* start: x to begin an iteration from */
+  void (*start)(struct ph_sphere_spline *s, struct ph_sphere_work *work);
+  /* last_resort: another way to a solution, which is true if it is one; or
+   * NULL */
+  bool (*last_resort)(struct ph_sphere_spline *s, struct ph_sphere_work *work);
 };
 
 /* The models: velocities, truly G2 [derived in sphere_exact.c], and global

@@ -1,0 +1,329 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The model `exact`: unknown velocities v_i at the nodes, control points
+ *   R_i = Exp_{P_i}(h_{i+1} v_i / 3),   L_i = Exp_{P_i}(-h_i v_i / 3),
+ * so that the curve is C1 at any tension, and at every node the equation
+ *   A(P_i, R_i, L_{i+1}) / h_{i+1}^2 - A(P_i, L_i, R_{i-1}) / h_i^2
+ *     = nu_i v_i                                                       (1)
+ * where A(P,B,C) is the covariant second derivative at t = 0 of the spherical
+ * Bezier curve P, B, C, *.  The covariant acceleration jumps along the velocity
+ * only: the geodesic curvature is continuous (G2), and the acceleration too
+ * where nu_i = 0.  As spacings fall this becomes the nu-spline of the plane.
+ * (The spline of [IOR15] is not G2: its construction satisfies (1) in the plane
+ * only.)
+ *
+ * A in the frame e1, e2 = P x e1 of P, in complex numbers [derived here]:
+ * (2) u = Log_P B with coordinates z, X = |u|^2; by f_n of kernel/s2.h
+ *     q = B - P = f0 u - c P,  c = 1 - cos|u| = (X/2) f0(X/4)^2.
+ * (3) W = Log_B C = g (d + (s/2) B) with d = C - B, s = |d|^2, g = phi / sin
+ *     phi of the angle phi from B to C.
+ * (4) With T, N along and across the geodesic from P to B, A = 6 ((W.T_B) T_P +
+ *     (W.N) N |u| / sin |u| - u): W is carried to P as it is, and its part
+ *     across is stretched.  The first is W - (W.P) (P + B) / (1 + P.B), the
+ *     rest k Im(conj(z) delta) g i z with k = (1/f0 - 1) / X.
+ * (5) All together, delta being the coordinates of d,
+ *     A/6 = w (g delta + g f0 (s/2 - d.P) / (2 - c) z
+ *              + k g Im(conj(z) delta) i z) - z,
+ *     where w = 1, and w = 1/2 at a natural end: there B' = C is the midpoint
+ *     of B and the end point, and d leads to that point.
+ * Nothing cancels when d is summed from the difference of the data, which is
+ * exact, and q: residuals reach rounding whatever the spacing.
+ * Tested by t_sphere_exact.c: (5) against jets, derivatives against
+ * differences.
+ */
+#include "kernel/cplx.h"
+#include "kernel/s2.h"
+#include "solve/sphere_spline.h"
+
+/* Below this the closed forms of stretch_of would cancel. */
+static const double SMALL = 0.5;
+
+/* One end of a segment: P with its frame, u and what (2) says of it. */
+struct end {
+  ph_vec3 e1, e2, p;
+  double z[2];
+  double f0, f1; /* of X = |z|^2 */
+  double c;
+  ph_vec3 q;
+};
+
+/* k of (4) and its derivative by X. */
+struct stretch {
+  double k, dk;
+};
+
+/* (1 - f0) / X and its derivative, by series where X is small. */
+static struct stretch stretch_of(double x, double f0, double f1) {
+  double m, dm; /* m = (1 - f0) / X */
+  struct stretch s;
+  if (x < SMALL) {
+    static const double c[] = {
+        1 / 6.0,          -1 / 120.0,          1 / 5040.0,
+        -1 / 362880.0,    1 / 39916800.0,      -1 / 6227020800.0,
+        1 / 1307674368e3, -1 / 355687428096e3, 1 / 121645100408832e3};
+    enum { TERMS = sizeof c / sizeof c[0] };
+    m = c[TERMS - 1];
+    dm = 0;
+    for (size_t k = TERMS - 1; k-- > 0;) {
+      dm = m + x * dm;
+      m = c[k] + x * m;
+    }
+  } else {
+    m = (1 - f0) / x;
+    dm = (f1 / 2 - m) / x;
+  }
+  s.k = m / f0;
+  s.dk = (dm + s.k * f1 / 2) / f0;
+  return s;
+}
+
+/* The end at node i with u = scale x[i]; u = 0 with scale = 0. */
+static struct end end_of(const struct ph_sphere_spline *s, size_t i,
+                         double scale) {
+  const struct ph_sphere_data *d = s->data;
+  struct end e;
+  double x, half, f[4];
+  ph_vec3 u = ph_vec3_scale(scale, s->x[i]);
+  e.p = d->p[i];
+  e.e1 = d->e[i];
+  e.e2 = ph_vec3_cross(e.p, e.e1);
+  e.z[0] = ph_vec3_dot(u, e.e1);
+  e.z[1] = ph_vec3_dot(u, e.e2);
+  x = e.z[0] * e.z[0] + e.z[1] * e.z[1];
+  ph_s2_bessel(x, f);
+  half = ph_s2_f0(x / 4);
+  e.f0 = f[0];
+  e.f1 = f[1];
+  e.c = x / 2 * half * half;
+  e.q = ph_vec3_along(ph_vec3_scale(e.f0, u), -e.c, e.p);
+  return e;
+}
+
+/* d of (3), as it is from both ends. */
+struct span {
+  ph_vec3 d; /* from the first end's B to the second's */
+  double s, g;
+  double dg; /* of g by s: g^3 f1(phi^2) / 2 */
+};
+
+static struct span span_of(const struct end *a, const struct end *b) {
+  struct span r;
+  double angle, f[4];
+  ph_vec3 sum;
+  r.d = ph_vec3_add(ph_vec3_sub(b->p, a->p), ph_vec3_sub(b->q, a->q));
+  sum = ph_vec3_add(ph_vec3_add(a->p, a->q), ph_vec3_add(b->p, b->q));
+  r.s = ph_vec3_dot(r.d, r.d);
+  angle = 2 * atan2(sqrt(r.s), ph_vec3_abs(sum));
+  ph_s2_bessel(angle * angle, f);
+  r.g = 1 / f[0];
+  r.dg = r.g * r.g * r.g * f[1] / 2;
+  return r;
+}
+
+/* A vector in the frame of an end: e1, e2, p. */
+static ph_vec3 local(const struct end *e, ph_vec3 v) {
+  return ph_vec3_of(ph_vec3_dot(v, e->e1), ph_vec3_dot(v, e->e2),
+                    ph_vec3_dot(v, e->p));
+}
+
+static ph_vec3 global(const struct end *e, ph_vec3 v) {
+  return ph_vec3_along(ph_vec3_along(ph_vec3_scale(v.x, e->e1), v.y, e->e2),
+                       v.z, e->p);
+}
+
+/* dq by z[j], in the end's own frame. */
+static ph_vec3 move_of(const struct end *e, int j) {
+  ph_vec3 v = ph_vec3_of(-e->f1 * e->z[0] * e->z[j], -e->f1 * e->z[1] * e->z[j],
+                         -e->f0 * e->z[j]);
+  *(j == 0 ? &v.x : &v.y) += e->f0;
+  return v;
+}
+
+/* A/6 of (5) at an end, and what it depends on. */
+struct bend {
+  const struct end *end;
+  const struct span *span;
+  double sign; /* of d: 1 at the first end */
+  double w;    /* of (5) */
+  ph_vec3 d;   /* in the end's frame */
+  struct stretch stretch;
+  double along; /* f0 (s/2 - d.P) / (2 - c) */
+  double cross; /* Im(conj(z) delta) */
+};
+
+static struct bend bend_of(const struct end *e, const struct span *span,
+                           double sign, double w) {
+  struct bend b = {.end = e, .span = span, .sign = sign, .w = w};
+  double x = e->z[0] * e->z[0] + e->z[1] * e->z[1];
+  b.d = local(e, ph_vec3_scale(sign, span->d));
+  b.stretch = stretch_of(x, e->f0, e->f1);
+  b.along = e->f0 * (span->s / 2 - b.d.z) / (2 - e->c);
+  b.cross = e->z[0] * b.d.y - e->z[1] * b.d.x;
+  return b;
+}
+
+/* A/6. */
+static ph_vec3 bend_value(const struct bend *b) {
+  const double *z = b->end->z;
+  double wg = b->w * b->span->g, k = b->stretch.k * b->cross;
+  return ph_vec3_of(wg * (b->d.x + b->along * z[0] - k * z[1]) - z[0],
+                    wg * (b->d.y + b->along * z[1] + k * z[0]) - z[1], 0);
+}
+
+/* The derivative of A/6 when d moves by dd, in the end's frame. */
+static ph_vec3 bend_moved(const struct bend *b, ph_vec3 dd) {
+  const struct end *e = b->end;
+  const double *z = e->z;
+  double ds = 2 * ph_vec3_dot(b->d, dd);
+  double wdg = b->w * b->span->dg * ds, wg = b->w * b->span->g;
+  double along = e->f0 * (ds / 2 - dd.z) / (2 - e->c);
+  double cross = z[0] * dd.y - z[1] * dd.x;
+  double k = b->stretch.k;
+  return ph_vec3_of(wdg * (b->d.x + b->along * z[0] - k * b->cross * z[1]) +
+                        wg * (dd.x + along * z[0] - k * cross * z[1]),
+                    wdg * (b->d.y + b->along * z[1] + k * b->cross * z[0]) +
+                        wg * (dd.y + along * z[1] + k * cross * z[0]),
+                    0);
+}
+
+/* The same when z[j] moves and d does not. */
+static ph_vec3 bend_turned(const struct bend *b, int j) {
+  const struct end *e = b->end;
+  const double *z = e->z;
+  double wg = b->w * b->span->g, dx = 2 * z[j], rest = 2 - e->c;
+  /* f0' = -f1 / 2, c' = f0 / 2 */
+  double along = (b->span->s / 2 - b->d.z) *
+                 (-e->f1 / 2 * rest + e->f0 * e->f0 / 2) / (rest * rest) * dx;
+  double cross = j == 0 ? b->d.y : -b->d.x;
+  double k = b->stretch.k * b->cross;
+  double dk = b->stretch.dk * dx * b->cross + b->stretch.k * cross;
+  ph_vec3 v = ph_vec3_of(wg * (along * z[0] - dk * z[1]),
+                         wg * (along * z[1] + dk * z[0]), 0);
+  if (j == 0) {
+    v.x += wg * b->along - 1;
+    v.y += wg * k;
+  } else {
+    v.x -= wg * k;
+    v.y += wg * b->along - 1;
+  }
+  return v;
+}
+
+/* The derivatives of both ends' A/6 by both ends' z. */
+static void derive(const struct end e[2], const struct bend bend[2],
+                   struct ph_sphere_part *part, const double factor[2]) {
+  for (int w = 0; w < 2; w++) {
+    int other = 1 - w;
+    for (int j = 0; j < 2; j++) {
+      /* d leads away from this end's B and towards it, seen from the other */
+      ph_vec3 move = move_of(&e[w], j);
+      ph_vec3 own = bend_moved(&bend[w], ph_vec3_scale(-1, move));
+      ph_vec3 far =
+          bend_moved(&bend[other], local(&e[other], global(&e[w], move)));
+      own = ph_vec3_add(own, bend_turned(&bend[w], j));
+      part->d[w][w][j] = ph_vec3_scale(factor[w], own);
+      part->d[other][w][j] = ph_vec3_scale(factor[w], far);
+    }
+  }
+}
+
+static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
+                    struct ph_sphere_part *part) {
+  const struct ph_sphere_data *d = s->data;
+  size_t node[2] = {k, ph_sphere_next(d, k)};
+  double h = d->h[k], by = 6 / (h * h);
+  bool natural[2];
+  struct end e[2];
+  struct span span;
+  struct bend bend[2];
+  double factor[2];
+  for (int w = 0; w < 2; w++) {
+    double scale = w == 0 ? h / 3 : -h / 3;
+    natural[w] = d->ends == PH_SPHERE_NATURAL && ph_sphere_is_end(d, node[w]);
+    e[w] = end_of(s, node[w], natural[w] ? 0 : scale);
+    factor[w] = by * scale;
+  }
+  span = span_of(&e[0], &e[1]);
+  s->r[k] = ph_vec3_unit(ph_vec3_add(e[0].p, e[0].q));
+  s->l[k] = ph_vec3_unit(ph_vec3_add(e[1].p, e[1].q));
+  if (natural[0] && natural[1]) {
+    s->r[k] = ph_s2_slerp(e[0].p, e[1].p, 1 / 3.0);
+    s->l[k] = ph_s2_slerp(e[0].p, e[1].p, 2 / 3.0);
+  } else if (natural[0]) {
+    s->r[k] = ph_s2_slerp(e[0].p, s->l[k], 0.5);
+  } else if (natural[1]) {
+    s->l[k] = ph_s2_slerp(e[1].p, s->r[k], 0.5);
+  }
+  for (int w = 0; w < 2; w++) {
+    bend[w] = bend_of(&e[w], &span, w == 0 ? 1 : -1, natural[1 - w] ? 0.5 : 1);
+    part->f[w] = ph_vec3_scale(by, bend_value(&bend[w]));
+  }
+  if (derivatives) {
+    derive(e, bend, part, factor);
+  }
+}
+
+/* (1), over what v_i is multiplied by in the plane, and the speed there. */
+static void node(const struct ph_sphere_spline *s, size_t i,
+                 const struct ph_sphere_part *left,
+                 const struct ph_sphere_part *right, bool derivatives,
+                 struct ph_block2_row *row) {
+  const struct ph_sphere_data *d = s->data;
+  size_t before = ph_sphere_before(d, i);
+  double nu = s->nu[i];
+  double speed[2] = {d->theta[before] / d->h[before], d->theta[i] / d->h[i]};
+  double scale = 1 / ((4 / d->h[before] + 4 / d->h[i] + nu) *
+                      (speed[0] > speed[1] ? speed[0] : speed[1]));
+  double v[2] = {ph_vec3_dot(s->x[i], d->e[i]),
+                 ph_vec3_triple(d->p[i], d->e[i], s->x[i])};
+  row->f[0] = -scale * (right->f[0].x - left->f[1].x - nu * v[0]);
+  row->f[1] = -scale * (right->f[0].y - left->f[1].y - nu * v[1]);
+  if (!derivatives) {
+    return;
+  }
+  for (int j = 0; j < 2; j++) {
+    row->lo[j] = -scale * left->d[1][0][j].x;
+    row->lo[2 + j] = -scale * left->d[1][0][j].y;
+    row->up[j] = scale * right->d[0][1][j].x;
+    row->up[2 + j] = scale * right->d[0][1][j].y;
+    row->di[j] =
+        scale * (right->d[0][0][j].x - left->d[1][1][j].x - (j == 0) * nu);
+    row->di[2 + j] =
+        scale * (right->d[0][0][j].y - left->d[1][1][j].y - (j == 1) * nu);
+  }
+}
+
+static ph_vec3 move(const struct ph_sphere_spline *s, size_t i,
+                    const double step[2]) {
+  ph_vec3 p = s->data->p[i], e = s->data->e[i];
+  ph_vec3 x = ph_vec3_along(s->x[i], step[0], e);
+  return ph_vec3_normal(ph_vec3_along(x, step[1], ph_vec3_cross(p, e)), p);
+}
+
+static double reach(const struct ph_sphere_spline *s, size_t i) {
+  const struct ph_sphere_data *d = s->data;
+  double before = d->h[ph_sphere_before(d, i)], after = d->h[i];
+  return (before > after ? before : after) / 3;
+}
+
+/* No velocities, but those that are given. */
+static void hug(struct ph_sphere_spline *s) {
+  const struct ph_sphere_data *d = s->data;
+  for (size_t i = 0; i < d->n; i++) {
+    s->x[i] = ph_vec3_of(0, 0, 0);
+  }
+  if (d->ends == PH_SPHERE_CLAMPED) {
+    s->x[0] = d->end[0];
+    s->x[d->n - 1] = d->end[1];
+  }
+}
+
+/* From there one step of Newton's iteration is the nu-spline of the plane,
+ * wrapped around the sphere. */
+static void start(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
+  (void)work;
+  hug(s);
+}
+
+const struct ph_sphere_model ph_sphere_exact = {"exact", segment, node,  move,
+                                                reach,   hug,     start, NULL};
