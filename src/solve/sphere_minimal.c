@@ -26,8 +26,9 @@ enum {
   AROUND = 6,     /* nodes on either side of a block that are judged with it */
   REACH = 16,     /* and that are solved: 3.7^-16 twice, there and back */
   ROWS_MAX = (BLOCK_MAX + 2 * AROUND + 1) * 2 * PH_SPHERE_MEASURES,
-  STEPS_MAX = 20, /* linear programs of a block */
-  SWEEPS_MAX = 4  /* of all blocks, where a run of raised nodes has several */
+  STEPS_MAX = 40,  /* linearisations of a block, and linear programs of each */
+  CORRECTIONS = 3, /* after the first, in a box */
+  SWEEPS_MAX = 4   /* of all blocks, where a run of raised nodes has several */
 };
 
 /* The box at first, relative to the tensions (at least SMALL of the largest),
@@ -57,6 +58,7 @@ struct block {
   double *g;        /* [ROWS_MAX] criteria at nu, */
   double *moved;    /* [ROWS_MAX] beside it, */
   double *jacobian; /* [ROWS_MAX][q] and by nu */
+  double *norm;     /* [ROWS_MAX] what its rows were divided by */
   double *rhs;      /* [ROWS_MAX] */
   struct ph_lp_work lp;
 };
@@ -167,6 +169,21 @@ static size_t measure(const struct block *b, double *g) {
   return n;
 }
 
+/* Makes the rows of the jacobian of unit norm; those without a slope are no
+ * constraints. */
+static void scale_rows(struct block *b) {
+  for (size_t row = 0; row < b->rows; row++) {
+    double *slope = b->jacobian + row * b->q, norm = 0;
+    for (size_t j = 0; j < b->q; j++) {
+      norm = hypot(norm, slope[j]);
+    }
+    b->norm[row] = norm > 0 && isfinite(norm) ? norm : (double)INFINITY;
+    for (size_t j = 0; j < b->q; j++) {
+      slope[j] = isfinite(b->norm[row]) ? slope[j] / norm : 0;
+    }
+  }
+}
+
 /* g and its derivatives at the tensions that are kept. */
 static bool differentiate(struct block *b) {
   const struct ph_sphere_data *d = b->raise->spline->data;
@@ -187,34 +204,30 @@ static bool differentiate(struct block *b) {
     nu[j] = b->nu[j];
     restore(b);
   }
+  scale_rows(b);
   return true;
 }
 
-/* Rows of unit norm that are >= -rhs; those without a slope are left out. */
-static size_t scale_rows(struct block *b) {
-  size_t n = 0;
+/* What the linear criteria miss at nu + step, where the spline is, is added to
+ * them: the next step meets the curved ones better. */
+static void correct(struct block *b, const double *step) {
+  measure(b, b->moved);
   for (size_t row = 0; row < b->rows; row++) {
-    const double *from = b->jacobian + row * b->q;
-    double norm = 0;
+    const double *slope = b->jacobian + row * b->q;
+    double along = 0;
     for (size_t j = 0; j < b->q; j++) {
-      norm = hypot(norm, from[j]);
+      along += slope[j] * step[j];
     }
-    if (norm > 0 && isfinite(norm)) {
-      for (size_t j = 0; j < b->q; j++) {
-        b->jacobian[n * b->q + j] = from[j] / norm;
-      }
-      b->rhs[n++] = -fmax(b->g[row], 0) / norm;
-    }
+    b->rhs[row] = along - b->moved[row] / b->norm[row];
   }
-  return n;
 }
 
 /* The step to the least sum in a box. */
-static bool find_step(struct block *b, size_t rows, double box, double *step) {
+static bool find_step(struct block *b, double box, double *step) {
   const struct ph_sphere_data *d = b->raise->spline->data;
   double one[BLOCK_MAX], lower[BLOCK_MAX], upper[BLOCK_MAX], largest = 0;
   struct ph_lp lp = {.n = b->q,
-                     .m = rows,
+                     .m = b->rows,
                      .c = one,
                      .lower = lower,
                      .upper = upper,
@@ -233,21 +246,40 @@ static bool find_step(struct block *b, size_t rows, double box, double *step) {
   return ph_lp_solve(&lp, &b->lp, step) == PH_LP_OPTIMAL;
 }
 
-/* Goes along a step as far as the criteria hold, or nearly. */
-static bool go(struct block *b, const double *step) {
-  static const double fractions[] = {1, 0.5, 0.2, 0.05};
+/* nu + step, and a little more. */
+static void add_step(const struct block *b, const double *step, double part,
+                     double *nu) {
   const struct ph_sphere_data *d = b->raise->spline->data;
-  double sum = sum_of(b, b->nu), nu[BLOCK_MAX], more[BLOCK_MAX];
-  for (size_t f = 0; f < sizeof fractions / sizeof fractions[0]; f++) {
-    for (size_t j = 0; j < b->q; j++) {
-      double least = d->nu[b->node[j]];
-      nu[j] = fmax(b->nu[j] + fractions[f] * step[j], least);
-      more[j] = nu[j] + MORE * (nu[j] - least);
+  for (size_t j = 0; j < b->q; j++) {
+    double least = d->nu[b->node[j]];
+    nu[j] = fmax(b->nu[j] + step[j], least);
+    nu[j] += part * (nu[j] - least);
+  }
+}
+
+/* Takes the step that a linear program finds in the box, corrected some times
+ * for the curvature of the criteria, if they hold there or a little above. */
+static bool go(struct block *b, double box) {
+  double sum = sum_of(b, b->nu), step[BLOCK_MAX], nu[BLOCK_MAX];
+  for (size_t row = 0; row < b->rows; row++) {
+    b->rhs[row] = -fmax(b->g[row], 0) / b->norm[row];
+  }
+  for (size_t i = 0; i <= CORRECTIONS; i++) {
+    if (!find_step(b, box, step)) {
+      return false;
     }
-    if ((sum_of(b, nu) < sum && try_at(b, nu)) ||
-        (sum_of(b, more) < sum && try_at(b, more))) {
-      return true;
+    for (int more = 0; more < 2; more++) {
+      add_step(b, step, more * MORE, nu);
+      if (sum_of(b, nu) < sum && try_at(b, nu)) {
+        return true;
+      }
     }
+    add_step(b, step, 0, nu);
+    if (i == CORRECTIONS || !solve_at(b, nu)) {
+      return false;
+    }
+    correct(b, step);
+    restore(b);
   }
   return false;
 }
@@ -256,15 +288,13 @@ static void minimise_block(struct block *b) {
   double box = BOX;
   keep(b);
   for (size_t i = 0; i < STEPS_MAX && box > BOX_MIN; i++) {
-    double sum = sum_of(b, b->nu), step[BLOCK_MAX];
+    double sum = sum_of(b, b->nu);
     bool gone = false;
-    size_t rows;
     if (!(sum > 0) || !differentiate(b)) {
       return;
     }
-    rows = scale_rows(b);
     while (!gone && box > BOX_MIN) {
-      gone = find_step(b, rows, box, step) && go(b, step);
+      gone = go(b, box);
       box *= gone ? 1 : SHRINK;
     }
     if (!gone || sum - sum_of(b, b->nu) < PROGRESS * sum) {
@@ -381,8 +411,9 @@ static bool alloc(struct block *b, struct ph_arena *scratch) {
   b->g = ph_arena_array(scratch, ROWS_MAX, number);
   b->moved = ph_arena_array(scratch, ROWS_MAX, number);
   b->jacobian = ph_arena_array(scratch, ROWS_MAX, BLOCK_MAX * number);
+  b->norm = ph_arena_array(scratch, ROWS_MAX, number);
   b->rhs = ph_arena_array(scratch, ROWS_MAX, number);
-  return b->kept && b->g && b->moved && b->jacobian && b->rhs &&
+  return b->kept && b->g && b->moved && b->jacobian && b->norm && b->rhs &&
          ph_lp_alloc(&b->lp, scratch, BLOCK_MAX, ROWS_MAX);
 }
 

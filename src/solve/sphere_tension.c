@@ -115,7 +115,8 @@ static bool touch(struct ph_sphere_raise *raise,
     if (raise->mark[node[j]] != raise->rounds) {
       raise->mark[node[j]] = raise->rounds;
       raise->touched[(*touched_n)++] = node[j];
-      if (can) {
+      if (can && (raise->increase != PH_SPHERE_MINIMAL ||
+                  !ph_sphere_is_end(raise->spline->data, node[j]))) {
         raise->spline->nu[node[j]] = raised(raise, node[j]);
       }
     }
