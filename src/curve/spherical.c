@@ -23,6 +23,8 @@
 
 #include "kernel/s2.h"
 
+#include <stdbool.h>
+
 /* What depends on the order of derivatives is written once, and compiled for
  * every order that is used. */
 #if defined(__GNUC__)
@@ -53,6 +55,7 @@ struct arc {
 /* A segment prepared; terms of (2) that suffice for it, 0 if it is not near. */
 struct net {
   ph_vec3 base;
+  double e; /* the greatest of the arcs */
   size_t terms;
   struct arc arc[3];
 };
@@ -390,6 +393,7 @@ INLINE void net_of(const struct ph_spherical *s, struct net *net) {
     arc->e = ph_vec3_dot(arc->d, arc->d);
     e = e < arc->e ? arc->e : e;
   }
+  net->e = e;
   net->terms = terms_for(e);
   for (size_t k = 0; k < 3; k++) {
     if (net->terms > 0) {
@@ -473,13 +477,6 @@ void ph_spherical_numerator(const struct ph_spherical *s, double t,
   k[1] = ph_vec3_dot(side, jet[3]);
 }
 
-double ph_spherical_curvature(const struct ph_spherical *s, double t) {
-  ph_vec3 jet[4];
-  ph_spherical_jet(s, t, jet);
-  return ph_vec3_triple(jet[0], jet[1], jet[2]) /
-         pow(ph_vec3_dot(jet[1], jet[1]), 1.5);
-}
-
 /* K at p, the first of three control points, and the angle to the second. */
 static double start(ph_vec3 p, ph_vec3 q, ph_vec3 r, double *angle) {
   double theta = ph_s2_angle(p, q), omega = ph_s2_angle(q, r);
@@ -509,94 +506,114 @@ double ph_spherical_curvature_end(const struct ph_spherical *s) {
   return -k / (27 * theta * theta * theta);
 }
 
+double ph_spherical_curvature(const struct ph_spherical *s, double t) {
+  ph_vec3 jet[4];
+  if (t <= 0 || t >= 1) {
+    return t <= 0 ? ph_spherical_curvature_start(s)
+                  : ph_spherical_curvature_end(s);
+  }
+  ph_spherical_jet(s, t, jet);
+  return ph_vec3_triple(jet[0], jet[1], jet[2]) /
+         pow(ph_vec3_dot(jet[1], jet[1]), 1.5);
+}
+
 /* -------------------------------------------------------------------------- */
 /* Arc length                                                                 */
 /* -------------------------------------------------------------------------- */
 
-/*
- * A Gauss rule on [-1/2, 1/2] by pairs of nodes, with what shows whether it
- * converges: four Legendre coefficients of the interpolant, two in the middle
- * and the last two.  Row 0 of even gives the mean, the others coefficients; a
- * node in the centre counts twice.
- */
+/* A Gauss rule on [-1, 1]: its nodes >= 0, and weights with sum 1. */
+enum { NODES = 13 };
 struct rule {
-  size_t pairs;
-  double node[6];
-  double even[3][6];
-  double odd[2][6];
+  size_t n;
+  double node[(NODES + 1) / 2];
+  double weight[(NODES + 1) / 2];
 };
 
 static const struct rule coarse = {
-    3,
-    {0.0, 0.26923465505284154552, 0.4530899229693319964},
-    {{0.14222222222222222222, 0.23931433524968323402, 0.11846344252809454376},
-     {-0.35555555555555555556, -0.077868341440967528549, 0.4334238969965230841},
-     {0.48, -0.74199601592044532879, 0.26199601592044532879}},
-    {{0.0, 0.38659027500089126226, 0.32204755229841746931},
-     {0.0, -0.69919864488923337627, 0.41547714135083258685}}};
+    5,
+    {0.0, 0.53846931010568309104, 0.9061798459386639928},
+    {0.28444444444444444444, 0.23931433524968323402, 0.11846344252809454376}};
 
 static const struct rule fine = {
-    6,
-    {0.062616704255734457736, 0.18391574949909009688, 0.29365897714330872365,
-     0.38495133709715234352, 0.45205862818523742834, 0.49078031712335962535},
-    {{0.1245735229067013925, 0.11674626826917740438, 0.10158371336153296087,
-      0.080039164271673113167, 0.05346966299765921548, 0.023587668193255913597},
-     {-0.34715378214889289156, 0.38058509091808292126, 0.26573067079623031459,
-      -0.3465072903130101249, -0.15110587102212645101, 0.19845118176971623163},
-     {-0.1604625453605403859, 0.42763805622508023892, -0.5543681498504460557,
-      0.50861689081657065533, -0.3268652502223004072, 0.10544099839163595456}},
-    {{0.29854843120289561917, 0.39456584681068129361, -0.13534950141601142323,
-      -0.36919629498002251604, -0.0082478954702026470128,
-      0.19221786265920149397},
-     {-0.67116123783272482009, 0.60897690166332891715, -0.49442267934928262056,
-      0.34604162358432194396, -0.18937270565563256635,
-      0.056268555635291563007}}};
+    NODES,
+    {0.0, 0.23045831595513479407, 0.44849275103644685288,
+     0.64234933944034022064, 0.80157809073330991279, 0.91759839922297796521,
+     0.98418305471858814947},
+    {0.1162757766154369551, 0.11314159013144861921, 0.10390802376844425116,
+     0.08907299038097286914, 0.069436755109893619232, 0.046060749918864223957,
+     0.02024200238265793976}};
 
-/* The error that is allowed, relative to the length, and how often the
- * interval is halved and how many parts of it are tried at most. */
-static const double PRECISION = 2e-14;
-enum { HALVINGS = 50, PARTS = 2000 };
-
-/*
- * Integral of the speed over [a, a + width], and a bound of its error: the
- * coefficients fall by high / middle over half the degree of the interpolant,
- * and the first one that a Gauss rule takes for a constant is as far again.
- */
-static double part(const struct net *net, const struct rule *rule, double a,
-                   double width, double *error) {
-  double even[3] = {0, 0, 0}, odd[2] = {0, 0}, middle, high;
-  double c = a + width / 2;
-  for (size_t i = 0; i < rule->pairs; i++) {
-    double x = width * rule->node[i];
-    double r = net_speed(net, c + x);
-    double l = x > 0 ? net_speed(net, c - x) : r;
-    for (size_t k = 0; k < 3; k++) {
-      even[k] += rule->even[k][i] * (r + l);
-    }
-    for (size_t k = 0; k < 2; k++) {
-      odd[k] += rule->odd[k][i] * (r - l);
+/* The Legendre coefficients of the speed over [a, a + width], as the rule has
+ * them; the first is the mean. */
+static void project(const struct net *net, const struct rule *rule, double a,
+                    double width, double c[NODES]) {
+  static const double ratio[NODES + 1] = {
+      0,       1.0 / 2, 2.0 / 3,  3.0 / 4,   4.0 / 5,   5.0 / 6,   6.0 / 7,
+      7.0 / 8, 8.0 / 9, 9.0 / 10, 10.0 / 11, 11.0 / 12, 12.0 / 13, 13.0 / 14};
+  double middle = a + width / 2;
+  for (size_t k = 0; k < rule->n; k++) {
+    c[k] = 0;
+  }
+  for (size_t i = 0; i < (rule->n + 1) / 2; i++) {
+    double x = rule->node[i], p = 1, q = x; /* P_k(x), P_{k+1}(x) */
+    double right = net_speed(net, middle + width / 2 * x);
+    double left = i > 0 ? net_speed(net, middle - width / 2 * x) : 0;
+    double even = rule->weight[i] * (right + left);
+    double odd = rule->weight[i] * (right - left);
+    for (size_t k = 0; k < rule->n; k++) {
+      double next = x * q + ratio[k + 1] * (x * q - p);
+      c[k] += (double)(2 * k + 1) * p * (k % 2 == 0 ? even : odd);
+      p = q;
+      q = next;
     }
   }
-  middle = fmax(fabs(even[1]), fabs(odd[0]));
-  high = fmax(fabs(even[2]), fabs(odd[1]));
-  *error = width * (high < middle ? high * pow(high / middle, 2) : high);
-  return width * even[0];
+}
+
+/* Whether 5 nodes suffice for a segment whose squares of half the angles
+ * between control points are at most e: the coefficients fall so fast that the
+ * tenth, which is the error, does not matter. */
+static bool gentle(const double c[NODES], double e) {
+  static const double R = 0.04;
+  double bound = c[0];
+  bool small = e <= 1e-3;
+  for (size_t k = 1; k < coarse.n; k++) {
+    bound *= R;
+    small = small && fabs(c[k]) <= bound;
+  }
+  return small;
+}
+
+static double largest(const double *c) {
+  return fmax(fmax(fabs(c[0]), fabs(c[1])), fmax(fabs(c[2]), fabs(c[3])));
+}
+
+/*
+ * The error of the mean by 13 nodes: coefficient 26, extrapolated from how
+ * coefficients 5 to 8 fall to 9 to 12.  The first few say nothing: the speed of
+ * a curve that hardly bends is nearly a polynomial of degree 2.
+ */
+static double mean_error(const double c[NODES]) {
+  double middle = largest(c + 5), high = largest(c + 9);
+  double fall = high < middle ? high / middle : 1;
+  return high * fall * fall * fall;
 }
 
 double ph_spherical_length(const struct ph_spherical *s, double to) {
+  static const double precision = 2e-14;
+  enum { HALVINGS = 50, PARTS = 2000 }; /* and parts that are tried, at most */
   struct net net;
-  double error, length, tolerance, sum = 0, width = to;
+  double c[NODES], tolerance, sum = 0, width = to;
   size_t at = 0, depth = 0; /* the part is [at, at + 1] width */
   net_of(s, &net);
-  length = part(&net, &coarse, 0, to, &error);
-  tolerance = PRECISION * length;
-  if (error <= tolerance) {
-    return length;
+  project(&net, &coarse, 0, to, c);
+  if (gentle(c, net.e)) {
+    return to * c[0];
   }
+  tolerance = precision * c[0] * to;
   for (size_t parts = 0; parts < PARTS; parts++) {
-    length = part(&net, &fine, (double)at * width, width, &error);
-    if (error <= tolerance) {
-      sum += length;
+    project(&net, &fine, (double)at * width, width, c);
+    if (width * mean_error(c) <= tolerance) {
+      sum += width * c[0];
       for (at++; at % 2 == 0 && depth > 0; depth--) {
         at /= 2;
         width *= 2;
