@@ -252,6 +252,13 @@ END_TEST
 
 /* ---- cusps -------------------------------------------------------------- */
 
+/* Whether the offset turns back at the joint before segment k. */
+static bool turns(const struct ph_curve *curve, size_t k, double d) {
+  size_t before = (k + curve->n - 1) % curve->n;
+  return (k > 0 || curve->closed) &&
+         ahead(curve, before, 1, d) * ahead(curve, k, 0, d) < 0;
+}
+
 /* All of them, by looking at 4000 places; the length by as many chords, with
  * Richardson's extrapolation. */
 static void ck_cusps(const struct ph_curve *curve, double d) {
@@ -262,7 +269,7 @@ static void ck_cusps(const struct ph_curve *curve, double d) {
   for (size_t k = 0; k < curve->n; k++) {
     ph_vec3 last[2] = {moved(curve, k, 0, d), moved(curve, k, 0, d)};
     double before = ahead(curve, k, 0, d);
-    if (k > 0 && before * ahead(curve, k - 1, 1, d) < 0) { /* at the joint */
+    if (turns(curve, k, d)) {
       ck_assert_uint_lt(found, o.cusps.n);
       ck_assert_uint_eq(o.cusp[found].segment, k);
       ck_abs(o.cusp[found].u, 0, 0);
@@ -291,11 +298,34 @@ static void ck_cusps(const struct ph_curve *curve, double d) {
   ck_rel(o.length, (4 * length[0] - length[1]) / 3, found ? 1e-6 : 1e-9);
 }
 
+/* A closed curve whose curvature jumps at its joints. */
+static void closed_random(struct unit_spherical *c, size_t n,
+                          struct unit_random *r) {
+  ph_vec3 points[UNIT_SPHERICAL_MAX + 1], velocities[UNIT_SPHERICAL_MAX + 1];
+  const double step = 360 / (double)n;
+  for (size_t i = 0; i < n; i++) {
+    double lon = step * (double)i, lat = unit_random_in(r, 20, 50);
+    ph_vec3 east = ph_degree_to_unit(lon + 90, 0);
+    points[i] = ph_degree_to_unit(lon, lat);
+    velocities[i] = ph_vec3_along(east, unit_random_in(r, -0.5, 0.5),
+                                  ph_degree_to_unit(lon, lat + 90));
+    velocities[i] = ph_vec3_scale(unit_random_in(r, 0.3, 0.9) * step * DEGREE,
+                                  velocities[i]);
+  }
+  points[n] = points[0];
+  velocities[n] = velocities[0];
+  unit_spherical_through(c, n, true, points, velocities);
+}
+
 START_TEST(test_cusps) {
   struct unit_random r = unit_random_of(1321);
   for (int i = 0; i < unit_count(20); i++) {
     struct unit_spherical c;
-    unit_spherical_random(&c, 3, 0.5, &r);
+    if (i % 2) {
+      unit_spherical_random(&c, 3, 0.5, &r);
+    } else {
+      closed_random(&c, 5, &r);
+    }
     ck_cusps(&c.curve, unit_random_in(&r, -2.5, 2.5));
     ph_arena_reset(&arena);
   }
