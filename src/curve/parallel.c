@@ -14,9 +14,10 @@
 /*
  * CELLS of a segment in which a cusp is looked for; steps of the search for the
  * bottom of a dip (0.618^40 < 1e-8, the root of rounding) and of a bisection;
- * nodes of the rule for lengths; places that there is room for at first.
+ * nodes of the rule for lengths, enough between a dozen samples a segment;
+ * places that there is room for at first.
  */
-enum { CELLS = 64, STEPS_DIP = 40, STEPS_ROOT = 64, NODES = 8, ROOM = 16 };
+enum { CELLS = 64, STEPS_DIP = 40, STEPS_ROOT = 64, NODES = 5, ROOM = 16 };
 
 static const double GOLDEN = 0.6180339887498949;
 /* Of the length, relative to that of the curve. */

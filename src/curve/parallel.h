@@ -29,9 +29,9 @@
 /*
  * ph_offset_spherical: the offset of a PH_CURVE_SPHERICAL_NU curve.
  *
- * Samples as of the curve (curve/sample.h), rules->samples + 1 a segment; s is
- * along the offset.  At a cusp that is hit exactly the tangent is that of the
- * curve, and the curvature NaN.
+ * Samples as of the curve (curve/sample.h), rules->samples + 1 > 1 a segment; s
+ * is along the offset.  At a cusp that is hit exactly the tangent is that of
+ * the curve, and the curvature NaN.
  *
  * Cusps are looked for between 64 places of each segment, which are denser
  * towards its ends, and at the joints (where a curve that is no more than G1
