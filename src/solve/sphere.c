@@ -60,7 +60,8 @@ static enum ph_status read_shape(struct task *t) {
   const struct ph_problem *p = t->problem;
   const struct ph_value *shape = &p->field[PH_F_SHAPE];
   const struct ph_value *epsilon = &p->field[PH_F_EPSILON];
-  double bound = epsilon->kind == PH_ABSENT ? PH_SPHERE_EPSILON : epsilon->number;
+  double bound =
+      epsilon->kind == PH_ABSENT ? PH_SPHERE_EPSILON : epsilon->number;
   t->keep_shape = shape->kind != PH_BOOL || shape->flag;
   t->raise.waive = ph_field_is(shape, "warn");
   if (!(bound > 0)) {

@@ -3,7 +3,6 @@
 #include "solve/sphere_curve.h"
 
 #include "base/sum.h"
-#include "curve/spherical.h"
 
 #include <math.h>
 #include <string.h>
@@ -20,8 +19,7 @@ static enum ph_status set_segments(const struct ph_sphere_spline *s,
   const struct ph_sphere_data *d = s->data;
   struct ph_sum sum = {0, 0};
   for (size_t k = 0; k < d->m; k++) {
-    struct ph_spherical segment = {
-        {d->p[k], s->r[k], s->l[k], d->p[ph_sphere_next(d, k)]}};
+    struct ph_spherical segment = ph_sphere_segment(s, k);
     double length = ph_spherical_length(&segment, 1);
     if (isnan(length)) {
       return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,

@@ -10,10 +10,13 @@
  * ph_sphere_minimise: lowers the sum of the tensions to a local minimum,
  * nearly, while all criteria that the spline satisfies go on to hold.
  *
+ * Blocks of tensions are solved and judged with their neighbourhood only: the
+ * caller solves and judges the whole once more.
+ *
  * inout raise  after its rounds
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  false when memory is exhausted
  */
-enum ph_status ph_sphere_minimise(struct ph_sphere_raise *raise,
-                                  struct ph_arena *scratch);
+bool ph_sphere_minimise(struct ph_sphere_raise *raise,
+                        struct ph_arena *scratch);
 
 #endif

@@ -228,27 +228,42 @@ static struct joint joint_of(const struct ph_sphere_spline *s, size_t i,
   return j;
 }
 
+/* One coordinate of what is missing, along g, for all that may move. */
+static void put_row(const ph_vec3 moved[3][2], ph_vec3 g, size_t c,
+                    struct ph_block2_row *row) {
+  for (size_t j = 0; j < 2; j++) {
+    row->lo[2 * c + j] = ph_vec3_dot(g, moved[0][j]);
+    row->di[2 * c + j] = ph_vec3_dot(g, moved[1][j]);
+    row->up[2 * c + j] = ph_vec3_dot(g, moved[2][j]);
+  }
+}
+
+/* What is missing is G as seen from -P in the plane that touches P, so that (2)
+ * does not hold at -P, too: with the miss m, G = P + m,
+ *   f = q (m.e1, m.e2),  q = 2 / (2 + m.P),  df_c = q dm.(e_c - f_c P / 2). */
 static void node(const struct ph_sphere_spline *s, size_t i,
                  const struct ph_sphere_part *left,
                  const struct ph_sphere_part *right, bool derivatives,
                  struct ph_block2_row *row) {
   const ph_vec3 zero = {0, 0, 0};
-  ph_vec3 p = s->data->p[i], e1 = s->data->e[i], e2 = ph_vec3_cross(p, e1);
+  ph_vec3 p = s->data->p[i], e = s->data->e[i], frame[2], moved[3][2];
   struct joint j = joint_of(s, i, left, right, derivatives);
-  double scale = 1 / size_at(s->data, i);
-  row->f[0] = -scale * ph_vec3_dot(j.miss, e1);
-  row->f[1] = -scale * ph_vec3_dot(j.miss, e2);
+  double q = 2 / (2 + ph_vec3_dot(j.miss, p)), scale = q / size_at(s->data, i);
+  frame[0] = e;
+  frame[1] = ph_vec3_cross(p, e);
   for (int c = 0; derivatives && c < 2; c++) {
-    ph_vec3 lo = mixed_moved(&j.arc, &j.mix, 1, j.l, left->d[1][0][c], zero);
-    ph_vec3 di = mixed_moved(&j.arc, &j.mix, 1, j.l, left->d[1][1][c],
-                             right->d[0][0][c]);
-    ph_vec3 up = mixed_moved(&j.arc, &j.mix, 1, j.l, zero, right->d[0][1][c]);
-    row->lo[c] = scale * ph_vec3_dot(lo, e1);
-    row->lo[2 + c] = scale * ph_vec3_dot(lo, e2);
-    row->di[c] = scale * ph_vec3_dot(di, e1);
-    row->di[2 + c] = scale * ph_vec3_dot(di, e2);
-    row->up[c] = scale * ph_vec3_dot(up, e1);
-    row->up[2 + c] = scale * ph_vec3_dot(up, e2);
+    moved[0][c] = mixed_moved(&j.arc, &j.mix, 1, j.l, left->d[1][0][c], zero);
+    moved[1][c] = mixed_moved(&j.arc, &j.mix, 1, j.l, left->d[1][1][c],
+                              right->d[0][0][c]);
+    moved[2][c] = mixed_moved(&j.arc, &j.mix, 1, j.l, zero, right->d[0][1][c]);
+  }
+  for (size_t c = 0; c < 2; c++) {
+    double m = ph_vec3_dot(j.miss, frame[c]);
+    row->f[c] = -scale * m;
+    if (derivatives) {
+      ph_vec3 g = ph_vec3_along(frame[c], -q * m / 2, p);
+      put_row((const ph_vec3(*)[2])moved, ph_vec3_scale(scale, g), c, row);
+    }
   }
 }
 

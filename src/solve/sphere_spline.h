@@ -13,6 +13,7 @@
 #ifndef PH_SOLVE_SPHERE_SPLINE_H
 #define PH_SOLVE_SPHERE_SPLINE_H
 
+#include "curve/spherical.h"
 #include "kernel/block2.h"
 #include "solve/sphere_data.h"
 
@@ -28,6 +29,15 @@ struct ph_sphere_spline {
   ph_vec3 *r; /* [m] control points after each node, and */
   ph_vec3 *l; /* [m] before the next one */
 };
+
+/* ph_sphere_segment: segment k. */
+static inline struct ph_spherical
+ph_sphere_segment(const struct ph_sphere_spline *s, size_t k) {
+  const ph_vec3 *p = s->data->p;
+  struct ph_spherical segment = {
+      {p[k], s->r[k], s->l[k], p[ph_sphere_next(s->data, k)]}};
+  return segment;
+}
 
 /*
  * What a segment contributes to the equations of its nodes: one vector to that

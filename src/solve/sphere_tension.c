@@ -13,11 +13,15 @@ enum {
   /* Nodes on either side of a raised tension that are solved again: 3.7^-30 is
    * below rounding. */
   REACH = 30,
-  ROUNDS_MAX = 10000
+  ROUNDS_MAX = 10000,
+  RETURNS_MAX = 8 /* towards the tensions before they were lowered */
 };
 
-/* A tension above this many stiffnesses is given up; the first raise by doubling
- * leads to this part of one. */
+/* The first part of the way back from lowered tensions that do not do. */
+static const double LOWERED = 1e-4;
+
+/* A tension above this many stiffnesses is given up; the first raise by
+ * doubling leads to this part of one. */
 static const double STIFFNESSES_MAX = 1e7;
 static const double FIRST = 0.125;
 
@@ -28,9 +32,9 @@ static unsigned bit_of(enum ph_sphere_criterion criterion) {
   return criterion == PH_SPHERE_SEGMENT ? 2 : 1;
 }
 
-enum ph_sphere_criterion
-ph_sphere_violated(const struct ph_sphere_raise *raise,
-                   struct ph_sphere_range range, size_t *from, size_t *at) {
+enum ph_sphere_criterion ph_sphere_violated(const struct ph_sphere_raise *raise,
+                                            struct ph_sphere_range range,
+                                            size_t *from, size_t *at) {
   const struct ph_sphere_spline *s = raise->spline;
   const struct ph_sphere_data *d = s->data;
   /* places 2 j and 2 j + 1: the segment before node j of the range, and the
@@ -111,7 +115,8 @@ static bool touch(struct ph_sphere_raise *raise,
     if (raise->mark[node[j]] != raise->rounds) {
       raise->mark[node[j]] = raise->rounds;
       raise->touched[(*touched_n)++] = node[j];
-      if (can) {
+      if (can && (raise->increase != PH_SPHERE_MINIMAL ||
+                  !ph_sphere_is_end(raise->spline->data, node[j]))) {
         raise->spline->nu[node[j]] = raised(raise, node[j]);
       }
     }
@@ -226,6 +231,51 @@ static void count_waived(struct ph_sphere_raise *raise) {
   }
 }
 
+/* ---- lowering again ------------------------------------------------------ */
+
+/* Whether the whole spline is solved and violates nothing. */
+static bool is_good(struct ph_sphere_raise *raise) {
+  struct ph_sphere_range all = ph_sphere_all(raise->spline->data);
+  size_t from = 0, at;
+  return ph_sphere_newton(raise->spline, all, raise->work) &&
+         ph_sphere_violated(raise, all, &from, &at) == PH_SPHERE_FINE;
+}
+
+/* The smallest tensions; as they were where these turn out not to do. */
+static enum ph_status lower(struct ph_sphere_raise *raise,
+                            struct ph_arena *scratch) {
+  struct ph_sphere_spline *s = raise->spline;
+  size_t n = s->data->n;
+  double *nu = ph_arena_array(scratch, n, sizeof *nu), part = LOWERED;
+  ph_vec3 *x = ph_arena_array(scratch, n, sizeof *x);
+  double *least = ph_arena_array(scratch, n, sizeof *least);
+  if (!nu || !x || !least) {
+    return PH_NO_MEMORY;
+  }
+  memcpy(nu, s->nu, n * sizeof *nu);
+  memcpy(x, s->x, n * sizeof *x);
+  if (!ph_sphere_minimise(raise, scratch)) {
+    return PH_NO_MEMORY;
+  }
+  memcpy(least, s->nu, n * sizeof *least);
+  for (size_t i = 0; i < RETURNS_MAX; i++) {
+    if (is_good(raise)) {
+      return PH_OK;
+    }
+    for (size_t j = 0; j < n; j++) {
+      s->nu[j] = least[j] + part * (nu[j] - least[j]);
+    }
+    part = i + 2 < RETURNS_MAX ? 4 * part : 1;
+    if (!(part < 1)) {
+      memcpy(s->nu, nu, n * sizeof *nu);
+      memcpy(s->x, x, n * sizeof *x);
+    }
+  }
+  return is_good(raise) ? PH_OK : PH_NO_CONVERGENCE;
+}
+
+/* ---- memory -------------------------------------------------------------- */
+
 static bool alloc(struct ph_sphere_raise *raise, struct ph_arena *scratch) {
   size_t n = raise->spline->data->n;
   raise->ignored = ph_arena_array(scratch, n, sizeof *raise->ignored);
@@ -256,7 +306,7 @@ enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
   }
   if (status == PH_OK && raise->increase == PH_SPHERE_MINIMAL &&
       raise->rounds > 1) {
-    status = ph_sphere_minimise(raise, scratch);
+    status = lower(raise, scratch);
   }
   if (status == PH_OK && raise->waive) {
     count_waived(raise);

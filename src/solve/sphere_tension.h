@@ -30,12 +30,12 @@ struct ph_sphere_raise {
   struct ph_sphere_work *work;
   size_t rounds; /* out: how often tensions were raised */
   size_t waived; /* out: criteria that are violated by the spline, and */
-  size_t at;     /* the node or segment of the first, or of the one that failed */
+  size_t at; /* the node or segment of the first, or of the one that failed */
   enum ph_sphere_criterion criterion; /* which that is */
   /* Of the work: */
-  unsigned char *ignored; /* [n] bits of criteria that were waived */
-  size_t *touched;        /* [n] nodes of this round */
-  size_t *mark;           /* [n] the last round that touched the node */
+  unsigned char *ignored;         /* [n] bits of criteria that were waived */
+  size_t *touched;                /* [n] nodes of this round */
+  size_t *mark;                   /* [n] the last round that touched the node */
   struct ph_sphere_range *ranges; /* [n] where to look, in order and apart */
   size_t ranges_n;
 };
@@ -61,8 +61,8 @@ static inline double ph_sphere_stiffness(const struct ph_sphere_data *d,
 /* ph_sphere_violated: the first criterion in a range that the spline violates,
  * FINE if none; at: its node or segment, from `from` places into the range,
  * which is increased past it. */
-enum ph_sphere_criterion
-ph_sphere_violated(const struct ph_sphere_raise *raise,
-                   struct ph_sphere_range range, size_t *from, size_t *at);
+enum ph_sphere_criterion ph_sphere_violated(const struct ph_sphere_raise *raise,
+                                            struct ph_sphere_range range,
+                                            size_t *from, size_t *at);
 
 #endif
