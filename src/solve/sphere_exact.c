@@ -244,8 +244,8 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
     factor[w] = by * scale;
   }
   span = span_of(&e[0], &e[1]);
-  s->r[k] = ph_vec3_unit(ph_vec3_add(e[0].p, e[0].q));
-  s->l[k] = ph_vec3_unit(ph_vec3_add(e[1].p, e[1].q));
+  s->r[k] = ph_vec3_add(e[0].p, e[0].q);
+  s->l[k] = ph_vec3_add(e[1].p, e[1].q);
   if (natural[0] && natural[1]) {
     s->r[k] = ph_s2_slerp(e[0].p, e[1].p, 1 / 3.0);
     s->l[k] = ph_s2_slerp(e[0].p, e[1].p, 2 / 3.0);

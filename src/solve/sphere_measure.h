@@ -10,7 +10,7 @@
 #include "solve/sphere_criteria.h"
 
 /* Samples of a segment; the most numbers of a segment or node. */
-enum { PH_SPHERE_SAMPLES = 17, PH_SPHERE_MEASURES = PH_SPHERE_SAMPLES };
+enum { PH_SPHERE_SAMPLES = 9, PH_SPHERE_MEASURES = PH_SPHERE_SAMPLES };
 
 /* ph_sphere_measure_node, ph_sphere_measure_segment: the numbers of what is
  * asked of node i, or of segment k.
