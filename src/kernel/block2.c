@@ -148,9 +148,6 @@ static void store(struct ph_block2 *t, const double a[WIDTH],
   memcpy(p->a, a + C1, sizeof p->a);
   memcpy(p->b, b + C1, sizeof p->b);
   if (t->last_far || t->near_far) {
-    for (; t->far_n < t->k; t->far_n++) { /* alive again, as NaN is */
-      memset(&t->far[t->far_n], 0, sizeof t->far[t->far_n]);
-    }
     memcpy(t->far[t->k].a, a + E, sizeof t->far[t->k].a);
     memcpy(t->far[t->k].b, b + E, sizeof t->far[t->k].b);
     t->far_n = t->k + 1;
@@ -211,9 +208,7 @@ void ph_block2_push_any(struct ph_block2 *t, const struct ph_block2_row *row) {
   store(t, w[0], w[1]);
   for (int i = 0; i < 2; i++) {
     gather(w[NEW + i], &t->near[i]);
-    if (t->last_far) {
-      gather(w[LAST + i], &t->last[i]);
-    }
+    gather(w[LAST + i], &t->last[i]);
   }
   t->k++;
   if (far) {

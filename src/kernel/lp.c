@@ -17,7 +17,7 @@ static const double SHARE = 1e-11;
 static const double DUAL = 1e-12;
 
 /* The most violated constraint is added in so many steps; that of the least
- * index in the rest.  Many random programs of 16 unknowns take 60 steps. */
+ * index in the rest.  Programs of 16 unknowns and 400 rows take 20 to 80. */
 static size_t steep_steps(const struct ph_lp *lp) {
   return 100 + 10 * lp->n;
 }
@@ -154,19 +154,26 @@ struct constraint {
   size_t index;
 };
 
+/* a . x, in two sums that need not wait for each other. */
+static double dot(const double *a, const double *x, size_t n) {
+  double even = 0, odd = 0;
+  size_t j = 0;
+  for (; j + 2 <= n; j += 2) {
+    even += a[j] * x[j];
+    odd += a[j + 1] * x[j + 1];
+  }
+  return even + odd + (j < n ? a[j] * x[j] : 0);
+}
+
 /* The constraint that x violates most, or the first one that it violates. */
 static struct constraint violated(const struct ph_lp *lp,
                                   const struct ph_lp_work *w, const double *x,
                                   bool first) {
   struct constraint which = {NONE, 0};
-  double size = 0, most = 0, worst = 0;
+  double size = 0, worst = 0;
   for (size_t j = 0; j < lp->n; j++) {
     size += fabs(x[j]);
   }
-  for (size_t i = 0; i < w->q; i++) {
-    most = fmax(most, fabs(lp->b[w->row[i]]));
-  }
-  size += most;
   for (size_t f = 0; f < w->q && !(first && which.kind != NONE); f++) {
     const size_t j = w->free[f];
     double low = lp->lower[j] - x[j], high = x[j] - lp->upper[j];
@@ -177,13 +184,9 @@ static struct constraint violated(const struct ph_lp *lp,
     }
   }
   for (size_t i = 0; i < lp->m && !(first && which.kind != NONE); i++) {
-    const double *a = lp->a + i * lp->n;
-    double excess = lp->b[i];
-    for (size_t j = 0; j < lp->n; j++) {
-      excess -= a[j] * x[j];
-    }
-    if (!w->active[i] && !(excess <= FEASIBLE * (size + fabs(lp->b[i]))) &&
-        !(excess <= worst)) {
+    double excess = lp->b[i] - dot(lp->a + i * lp->n, x, lp->n);
+    if (!(excess <= worst) && !w->active[i] &&
+        !(excess <= FEASIBLE * (size + fabs(lp->b[i])))) {
       worst = excess;
       which = (struct constraint){ROW, i};
     }

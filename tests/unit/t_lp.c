@@ -191,6 +191,7 @@ static void check_optimal(const struct program *p, const struct ph_lp_work *w,
     ck_assert_double_ge(x[j], p->lower[j]);
     ck_assert_double_le(x[j], p->upper[j]);
     free += w->at[j] == PH_LP_FREE;
+    ck_assert(w->at[j] != PH_LP_FREE || p->lower[j] < p->upper[j]);
     if (w->at[j] != PH_LP_FREE) {
       ck_abs(x[j], w->at[j] == PH_LP_LOWER ? p->lower[j] : p->upper[j], 0);
       rest[j] -= w->at[j] == PH_LP_LOWER ? price : -price;
@@ -203,8 +204,7 @@ static void check_optimal(const struct program *p, const struct ph_lp_work *w,
 
 /* ---- tests --------------------------------------------------------------- */
 
-/* Whether the program has a solution; one that has none by less than 1e-6, or
- * has one by less, is not asked for. */
+/* Whether the program has a solution. */
 static bool compare(const struct program *p, unsigned which) {
   struct ph_lp_work w = work_of(p->n, p->m);
   struct ph_lp lp = view(p);
@@ -259,7 +259,7 @@ START_TEST(test_degenerate_vertices) {
 }
 END_TEST
 
-/* Rows to spare, and all rows through one point; every unknown is a unit. */
+/* Rows to spare, and all rows through one point. */
 START_TEST(test_random) {
   const double spares[] = {1, 0.01, 0};
   const int count = unit_count(400);
@@ -387,6 +387,36 @@ START_TEST(test_empty_row) {
 }
 END_TEST
 
+/*
+ * The dual of the program of Klee and Minty (1972), for which the most violated
+ * row is the worst choice: 2^n - 1 steps.  From 8 unknowns on, the rule of
+ * Bland ends that.
+ */
+START_TEST(test_many_steps) {
+  const size_t sizes[] = {4, 8, 16}, least[] = {15, 181, 261};
+  static struct program p;
+  double x[N_MAX];
+  for (size_t s = 0; s < 3; s++) {
+    const size_t n = p.n = p.m = sizes[s];
+    struct ph_lp_work w = work_of(n, n);
+    struct ph_lp lp = view(&p);
+    for (size_t i = 0; i < n; i++) {
+      p.b[i] = ldexp(1, (int)(n - 1 - i));
+      p.c[i] = pow(5, (double)i + 1);
+      p.lower[i] = 0;
+      p.upper[i] = 1e9;
+      for (size_t j = 0; j < n; j++) {
+        p.a[i * n + j] = j < i ? 0 : j == i ? 1 : ldexp(2, (int)(j - i));
+      }
+    }
+    ck_assert_int_eq(ph_lp_solve(&lp, &w, x), PH_LP_OPTIMAL);
+    ck_rel(dot(p.c, x, n), p.c[n - 1], 1e-12);
+    ck_assert_uint_ge(w.steps, least[s]);
+    ck_assert_uint_le(w.steps, 300);
+  }
+}
+END_TEST
+
 /* The scale of x and that of c are the caller's. */
 START_TEST(test_scale) {
   const double scales[] = {1e-100, 1e-9, 1e9, 1e100};
@@ -434,7 +464,7 @@ END_TEST
 
 START_TEST(test_no_memory) {
   struct ph_lp_work w;
-  ck_assert(!ph_lp_alloc(&w, &arena, 4, SIZE_MAX / 2));
+  ck_assert(!ph_lp_alloc(&w, &arena, SIZE_MAX / 2, 4));
 }
 END_TEST
 
@@ -450,6 +480,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_infeasible);
   tcase_add_test(tc, test_one);
   tcase_add_test(tc, test_empty_row);
+  tcase_add_test(tc, test_many_steps);
   tcase_add_test(tc, test_scale);
   tcase_add_test(tc, test_not_finite);
   tcase_add_test(tc, test_no_memory);
