@@ -109,7 +109,7 @@ static struct miss evaluate(struct ph_sphere_spline *s,
   size_t n = range.count;
   bool cyclic = d->closed && n == d->n;
   struct miss miss = {0, 0};
-  struct ph_sphere_part left, right;
+  struct ph_sphere_part part[2]; /* of the segments before and after a node */
   struct ph_block2_row row = row_at(s, range, 0),
                        last = row_at(s, range, n - 1);
   if (!cyclic) {
@@ -128,16 +128,15 @@ static struct miss evaluate(struct ph_sphere_spline *s,
     add_miss(&miss, &last);
   }
   if (n > 2) {
-    s->model->segment(s, ph_sphere_node(d, range, 0), true, &left);
+    s->model->segment(s, ph_sphere_node(d, range, 0), true, &part[0]);
   }
   for (size_t j = 1; j + 1 < n; j++) {
     size_t i = ph_sphere_node(d, range, j);
-    s->model->segment(s, i, true, &right);
-    s->model->node(s, i, &left, &right, true, &row);
+    s->model->segment(s, i, true, &part[j % 2]);
+    s->model->node(s, i, &part[(j + 1) % 2], &part[j % 2], true, &row);
     add_tau(&row, tau);
     ph_block2_push(&work->system, &row);
     add_miss(&miss, &row);
-    left = right;
   }
   miss.rms = sqrt(miss.rms / (double)n);
   return miss;
