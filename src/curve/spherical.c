@@ -21,6 +21,8 @@
  */
 #include "curve/spherical.h"
 
+#include "kernel/adapt.h"
+
 #include "kernel/s2.h"
 
 #include <stdbool.h>
@@ -521,113 +523,68 @@ double ph_spherical_curvature(const struct ph_spherical *s, double t) {
 /* Arc length                                                                 */
 /* -------------------------------------------------------------------------- */
 
-/* A Gauss rule on [-1, 1]: its nodes >= 0, and weights with sum 1. */
-enum { NODES = 13 };
-struct rule {
-  size_t n;
-  double node[(NODES + 1) / 2];
-  double weight[(NODES + 1) / 2];
-};
-
-static const struct rule coarse = {
+/* Gauss rules on [0,1]: on gentle segments, and on parts of the others. */
+static const struct ph_quad coarse = {
     5,
-    {0.0, 0.53846931010568309104, 0.9061798459386639928},
-    {0.28444444444444444444, 0.23931433524968323402, 0.11846344252809454376}};
-
-static const struct rule fine = {
-    NODES,
-    {0.0, 0.23045831595513479407, 0.44849275103644685288,
-     0.64234933944034022064, 0.80157809073330991279, 0.91759839922297796521,
-     0.98418305471858814947},
-    {0.1162757766154369551, 0.11314159013144861921, 0.10390802376844425116,
+    {0.046910077030668003601, 0.23076534494715845448, 0.5,
+     0.76923465505284154552, 0.9530899229693319964},
+    {0.11846344252809454376, 0.23931433524968323402, 0.28444444444444444444,
+     0.23931433524968323402, 0.11846344252809454376}};
+static const struct ph_quad fine = {
+    13,
+    {0.0079084726407059252636, 0.041200800388511017397, 0.099210954633345043603,
+     0.17882533027982988968, 0.27575362448177657356, 0.38477084202243260297,
+     0.5, 0.61522915797756739703, 0.72424637551822342644,
+     0.82117466972017011032, 0.9007890453666549564, 0.9587991996114889826,
+     0.99209152735929407474},
+    {0.02024200238265793976, 0.046060749918864223957, 0.069436755109893619232,
+     0.08907299038097286914, 0.10390802376844425116, 0.11314159013144861921,
+     0.1162757766154369551, 0.11314159013144861921, 0.10390802376844425116,
      0.08907299038097286914, 0.069436755109893619232, 0.046060749918864223957,
      0.02024200238265793976}};
 
-/* The Legendre coefficients of the speed over [a, a + width], as the rule has
- * them; the first is the mean. */
-static void project(const struct net *net, const struct rule *rule, double a,
-                    double width, double c[NODES]) {
-  static const double ratio[NODES + 1] = {
-      0,       1.0 / 2, 2.0 / 3,  3.0 / 4,   4.0 / 5,   5.0 / 6,   6.0 / 7,
-      7.0 / 8, 8.0 / 9, 9.0 / 10, 10.0 / 11, 11.0 / 12, 12.0 / 13, 13.0 / 14};
-  double middle = a + width / 2;
-  for (size_t k = 0; k < rule->n; k++) {
-    c[k] = 0;
-  }
-  for (size_t i = 0; i < (rule->n + 1) / 2; i++) {
-    double x = rule->node[i], p = 1, q = x; /* P_k(x), P_{k+1}(x) */
-    double right = net_speed(net, middle + width / 2 * x);
-    double left = i > 0 ? net_speed(net, middle - width / 2 * x) : 0;
-    double even = rule->weight[i] * (right + left);
-    double odd = rule->weight[i] * (right - left);
-    for (size_t k = 0; k < rule->n; k++) {
-      double next = x * q + ratio[k + 1] * (x * q - p);
-      c[k] += (double)(2 * k + 1) * p * (k % 2 == 0 ? even : odd);
-      p = q;
-      q = next;
-    }
-  }
-}
-
-/* Whether 5 nodes suffice for a segment whose squares of half the angles
- * between control points are at most e: the coefficients fall so fast that the
- * tenth, which is the error, does not matter. */
-static bool gentle(const double c[NODES], double e) {
+/*
+ * Whether 5 nodes suffice for a segment whose squares of half the angles
+ * between control points are at most e: the Legendre coefficients of the speed
+ * fall so fast that the tenth, which is the error, does not matter.
+ *
+ * in   speed[5]  at the nodes
+ */
+static bool gentle(const double speed[5], double mean, double e) {
   static const double R = 0.04;
-  double bound = c[0];
+  double bound = mean;
+  double p[5] = {1, 1, 1, 1, 1}, before[5] = {0, 0, 0, 0, 0};
   bool small = e <= 1e-3;
-  for (size_t k = 1; k < coarse.n; k++) {
+  for (int k = 1; k < 5; k++) {
+    double c = 0; /* the integral of speed P_k times 2 k + 1 */
+    for (size_t i = 0; i < 5; i++) {
+      double x = 2 * coarse.node[i] - 1;
+      double next = ((2 * k - 1) * x * p[i] - (k - 1) * before[i]) / k;
+      before[i] = p[i];
+      p[i] = next;
+      c += (2 * k + 1) * coarse.weight[i] * speed[i] * next;
+    }
     bound *= R;
-    small = small && fabs(c[k]) <= bound;
+    small = small && fabs(c) <= bound;
   }
   return small;
 }
 
-static double largest(const double *c) {
-  return fmax(fmax(fabs(c[0]), fabs(c[1])), fmax(fabs(c[2]), fabs(c[3])));
-}
-
-/*
- * The error of the mean by 13 nodes: coefficient 26, extrapolated from how
- * coefficients 5 to 8 fall to 9 to 12.  The first few say nothing: the speed of
- * a curve that hardly bends is nearly a polynomial of degree 2.
- */
-static double mean_error(const double c[NODES]) {
-  double middle = largest(c + 5), high = largest(c + 9);
-  double fall = high < middle ? high / middle : 1;
-  return high * fall * fall * fall;
+static double speed_at(const void *net, double t) {
+  return net_speed(net, t);
 }
 
 double ph_spherical_length(const struct ph_spherical *s, double to) {
-  static const double precision = 2e-14;
-  enum { HALVINGS = 50, PARTS = 2000 }; /* and parts that are tried, at most */
+  static const double precision =
+      1e-10; /* of what two halves are better than */
   struct net net;
-  double c[NODES], tolerance, sum = 0, width = to;
-  size_t at = 0, depth = 0; /* the part is [at, at + 1] width */
+  double speed[5], mean = 0;
   net_of(s, &net);
-  project(&net, &coarse, 0, to, c);
-  if (gentle(c, net.e)) {
-    return to * c[0];
+  for (size_t i = 0; i < 5; i++) {
+    speed[i] = net_speed(&net, to * coarse.node[i]);
+    mean += coarse.weight[i] * speed[i];
   }
-  tolerance = precision * c[0] * to;
-  for (size_t parts = 0; parts < PARTS; parts++) {
-    project(&net, &fine, (double)at * width, width, c);
-    if (width * mean_error(c) <= tolerance) {
-      sum += width * c[0];
-      for (at++; at % 2 == 0 && depth > 0; depth--) {
-        at /= 2;
-        width *= 2;
-      }
-      if (depth == 0) {
-        return sum;
-      }
-    } else if (depth < HALVINGS) {
-      depth++;
-      at *= 2;
-      width /= 2;
-    } else {
-      break;
-    }
-  }
-  return (double)NAN;
+  return gentle(speed, mean, net.e)
+             ? to * mean
+             : ph_adapt(&fine, speed_at, &net, 0, to, precision * mean);
 }

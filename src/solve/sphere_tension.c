@@ -17,6 +17,10 @@ enum {
   RETURNS_MAX = 8 /* towards the tensions before they were lowered */
 };
 
+/* The smallest tensions, by how much of what they were raised they stay above
+ * those at which a criterion just holds: there the curve may have a cusp. */
+static const double MARGIN = 2e-3;
+
 /* The first part of the way back from lowered tensions that do not do. */
 static const double LOWERED = 1e-4;
 
@@ -257,7 +261,10 @@ static enum ph_status lower(struct ph_sphere_raise *raise,
   if (!ph_sphere_minimise(raise, scratch)) {
     return PH_NO_MEMORY;
   }
-  memcpy(least, s->nu, n * sizeof *least);
+  for (size_t j = 0; j < n; j++) {
+    s->nu[j] += MARGIN * (s->nu[j] - s->data->nu[j]);
+    least[j] = s->nu[j];
+  }
   for (size_t i = 0; i < RETURNS_MAX; i++) {
     if (is_good(raise)) {
       return PH_OK;
