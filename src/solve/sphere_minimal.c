@@ -25,7 +25,9 @@ enum {
   GAP_MAX = 4,    /* nodes between raised ones of a block */
   AROUND = 6,     /* nodes on either side of a block that are judged with it */
   REACH = 16,     /* and that are solved: 3.7^-16 twice, there and back */
-  ROWS_MAX = (BLOCK_MAX + 2 * AROUND + 1) * 2 * PH_SPHERE_MEASURES,
+  NEAR = 8,       /* and around one node, for a derivative */
+  JUDGED_MAX = BLOCK_MAX + 2 * AROUND,
+  ROWS_MAX = JUDGED_MAX * 2 * PH_SPHERE_MEASURES,
   STEPS_MAX = 40,  /* linearisations of a block, and linear programs of each */
   CORRECTIONS = 3, /* after the first, in a box */
   SWEEPS_MAX = 4   /* of all blocks, where a run of raised nodes has several */
@@ -52,14 +54,16 @@ struct block {
   size_t node[BLOCK_MAX];        /* in order */
   struct ph_sphere_range judged; /* where criteria may change */
   struct ph_sphere_range solved; /* where the spline does */
-  ph_vec3 *kept;                 /* [solved.count] x of the last good one */
-  double nu[BLOCK_MAX];          /* of that */
+  double nu[BLOCK_MAX];          /* tensions of the last good spline, */
+  ph_vec3 *x;                    /* [solved.count] and its x, r and l, */
+  ph_vec3 *r, *l;                /* [solved.count + 1] of the segments there */
   size_t rows;
-  double *g;        /* [ROWS_MAX] criteria at nu, */
-  double *moved;    /* [ROWS_MAX] beside it, */
-  double *jacobian; /* [ROWS_MAX][q] and by nu */
-  double *norm;     /* [ROWS_MAX] what its rows were divided by */
-  double *rhs;      /* [ROWS_MAX] */
+  size_t row[JUDGED_MAX + 1]; /* the first one of each node that is judged */
+  double *g;                  /* [ROWS_MAX] criteria at nu, */
+  double *moved;              /* [ROWS_MAX] beside it, */
+  double *jacobian;           /* [ROWS_MAX][q] and by nu */
+  double *norm;               /* [ROWS_MAX] what its rows were divided by */
+  double *rhs;                /* [ROWS_MAX] */
   struct ph_lp_work lp;
 };
 
@@ -94,20 +98,26 @@ static double sum_of(const struct block *b, const double *nu) {
   return sum;
 }
 
+/* Segment j of those at the nodes that are solved: it ends at node j. */
+static size_t segment_at(const struct block *b, size_t j) {
+  const struct ph_sphere_data *d = b->raise->spline->data;
+  return j < b->solved.count
+             ? ph_sphere_before(d, ph_sphere_node(d, b->solved, j))
+             : ph_sphere_node(d, b->solved, j - 1);
+}
+
 /* The spline as it was kept. */
 static void restore(struct block *b) {
   struct ph_sphere_spline *s = b->raise->spline;
-  struct ph_sphere_part part;
   for (size_t j = 0; j < b->q; j++) {
     s->nu[b->node[j]] = b->nu[j];
   }
   for (size_t j = 0; j < b->solved.count; j++) {
-    s->x[ph_sphere_node(s->data, b->solved, j)] = b->kept[j];
+    s->x[ph_sphere_node(s->data, b->solved, j)] = b->x[j];
   }
-  for (size_t j = 0; j < b->solved.count; j++) {
-    size_t i = ph_sphere_node(s->data, b->solved, j);
-    s->model->segment(s, ph_sphere_before(s->data, i), false, &part);
-    s->model->segment(s, i, false, &part);
+  for (size_t j = 0; j <= b->solved.count; j++) {
+    s->r[segment_at(b, j)] = b->r[j];
+    s->l[segment_at(b, j)] = b->l[j];
   }
 }
 
@@ -117,7 +127,11 @@ static void keep(struct block *b) {
     b->nu[j] = s->nu[b->node[j]];
   }
   for (size_t j = 0; j < b->solved.count; j++) {
-    b->kept[j] = s->x[ph_sphere_node(s->data, b->solved, j)];
+    b->x[j] = s->x[ph_sphere_node(s->data, b->solved, j)];
+  }
+  for (size_t j = 0; j <= b->solved.count; j++) {
+    b->r[j] = s->r[segment_at(b, j)];
+    b->l[j] = s->l[segment_at(b, j)];
   }
 }
 
@@ -150,21 +164,18 @@ static bool try_at(struct block *b, const double *nu) {
 
 /* ---- linear programs ----------------------------------------------------- */
 
-/* All that is asked where criteria may change. */
-static size_t measure(const struct block *b, double *g) {
+/* All that is asked at node j of those that are judged, and of the segment
+ * before it. */
+static size_t measure_at(const struct block *b, size_t j, double *g) {
   const struct ph_sphere_raise *raise = b->raise;
   const struct ph_sphere_spline *s = raise->spline;
-  const struct ph_sphere_data *d = s->data;
-  size_t n = 0;
-  for (size_t j = 0; j < b->judged.count; j++) {
-    size_t i = ph_sphere_node(d, b->judged, j);
-    size_t k = ph_sphere_before(d, i);
-    if (!(raise->ignored[k] & 2)) {
-      n += ph_sphere_measure_segment(raise->shape, s, k, g + n);
-    }
-    if (!(raise->ignored[i] & 1)) {
-      n += ph_sphere_measure_node(raise->shape, s, i, g + n);
-    }
+  size_t i = ph_sphere_node(s->data, b->judged, j);
+  size_t k = ph_sphere_before(s->data, i), n = 0;
+  if (!(raise->ignored[k] & 2)) {
+    n += ph_sphere_measure_segment(raise->shape, s, k, g);
+  }
+  if (!(raise->ignored[i] & 1)) {
+    n += ph_sphere_measure_node(raise->shape, s, i, g + n);
   }
   return n;
 }
@@ -184,34 +195,49 @@ static void scale_rows(struct block *b) {
   }
 }
 
+/* The derivatives of g by the tension of node j of the block: by one step of
+ * Newton's iteration around it, beyond which there is hardly an effect. */
+static void differentiate_by(struct block *b, size_t j) {
+  const struct ph_sphere_spline *s = b->raise->spline;
+  const struct ph_sphere_data *d = s->data;
+  size_t i = b->node[j];
+  double step = DIFFERENCE * fmax(b->nu[j], ph_sphere_stiffness(d, i) / 64);
+  s->nu[i] += step;
+  ph_sphere_step(b->raise->spline, widen(d, i, 1, NEAR), b->raise->work);
+  for (size_t at = 0; at < b->judged.count; at++) {
+    size_t node = ph_sphere_node(d, b->judged, at);
+    size_t far = node > i ? node - i : i - node;
+    far = d->closed && d->n - far < far ? d->n - far : far;
+    if (far < NEAR) {
+      measure_at(b, at, b->moved + b->row[at]);
+    }
+    for (size_t row = b->row[at]; row < b->row[at + 1]; row++) {
+      b->jacobian[row * b->q + j] =
+          far < NEAR ? (b->moved[row] - b->g[row]) / step : 0;
+    }
+  }
+  restore(b);
+}
+
 /* g and its derivatives at the tensions that are kept. */
-static bool differentiate(struct block *b) {
-  const struct ph_sphere_data *d = b->raise->spline->data;
-  double nu[BLOCK_MAX];
-  b->rows = measure(b, b->g);
-  memcpy(nu, b->nu, b->q * sizeof *nu);
+static void differentiate(struct block *b) {
+  b->row[0] = 0;
+  for (size_t at = 0; at < b->judged.count; at++) {
+    b->row[at + 1] = b->row[at] + measure_at(b, at, b->g + b->row[at]);
+  }
+  b->rows = b->row[b->judged.count];
   for (size_t j = 0; j < b->q; j++) {
-    double stiff = ph_sphere_stiffness(d, b->node[j]);
-    double step = DIFFERENCE * fmax(b->nu[j], stiff / 64);
-    nu[j] = b->nu[j] + step;
-    if (!solve_at(b, nu)) {
-      return false;
-    }
-    measure(b, b->moved);
-    for (size_t row = 0; row < b->rows; row++) {
-      b->jacobian[row * b->q + j] = (b->moved[row] - b->g[row]) / step;
-    }
-    nu[j] = b->nu[j];
-    restore(b);
+    differentiate_by(b, j);
   }
   scale_rows(b);
-  return true;
 }
 
 /* What the linear criteria miss at nu + step, where the spline is, is added to
  * them: the next step meets the curved ones better. */
 static void correct(struct block *b, const double *step) {
-  measure(b, b->moved);
+  for (size_t at = 0; at < b->judged.count; at++) {
+    measure_at(b, at, b->moved + b->row[at]);
+  }
   for (size_t row = 0; row < b->rows; row++) {
     const double *slope = b->jacobian + row * b->q;
     double along = 0;
@@ -290,9 +316,10 @@ static void minimise_block(struct block *b) {
   for (size_t i = 0; i < STEPS_MAX && box > BOX_MIN; i++) {
     double sum = sum_of(b, b->nu);
     bool gone = false;
-    if (!(sum > 0) || !differentiate(b)) {
+    if (!(sum > 0)) {
       return;
     }
+    differentiate(b);
     while (!gone && box > BOX_MIN) {
       gone = go(b, box);
       box *= gone ? 1 : SHRINK;
@@ -407,14 +434,17 @@ static void sweep_all(struct block *b) {
 
 static bool alloc(struct block *b, struct ph_arena *scratch) {
   size_t number = sizeof(double);
-  b->kept = ph_arena_array(scratch, BLOCK_MAX + 2 * REACH, sizeof *b->kept);
+  size_t nodes = BLOCK_MAX + 2 * REACH;
+  b->x = ph_arena_array(scratch, nodes, sizeof *b->x);
+  b->r = ph_arena_array(scratch, nodes + 1, sizeof *b->r);
+  b->l = ph_arena_array(scratch, nodes + 1, sizeof *b->l);
   b->g = ph_arena_array(scratch, ROWS_MAX, number);
   b->moved = ph_arena_array(scratch, ROWS_MAX, number);
   b->jacobian = ph_arena_array(scratch, ROWS_MAX, BLOCK_MAX * number);
   b->norm = ph_arena_array(scratch, ROWS_MAX, number);
   b->rhs = ph_arena_array(scratch, ROWS_MAX, number);
-  return b->kept && b->g && b->moved && b->jacobian && b->norm && b->rhs &&
-         ph_lp_alloc(&b->lp, scratch, BLOCK_MAX, ROWS_MAX);
+  return b->x && b->r && b->l && b->g && b->moved && b->jacobian && b->norm &&
+         b->rhs && ph_lp_alloc(&b->lp, scratch, BLOCK_MAX, ROWS_MAX);
 }
 
 bool ph_sphere_minimise(struct ph_sphere_raise *raise,

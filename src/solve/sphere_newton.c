@@ -213,6 +213,16 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
   return false;
 }
 
+void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                    struct ph_sphere_work *work) {
+  double fraction;
+  evaluate(s, range, 0, work);
+  fraction = step_of(s, range, work);
+  keep(s, range, work->before);
+  move(s, range, work->before, (const double(*)[2])work->step, fraction);
+  evaluate(s, range, 0, work);
+}
+
 bool ph_sphere_relax(struct ph_sphere_spline *s, struct ph_sphere_range range,
                      double tau, struct ph_sphere_work *work) {
   struct miss miss = evaluate(s, range, tau, work);

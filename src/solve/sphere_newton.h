@@ -59,6 +59,11 @@ bool ph_sphere_spline_alloc(struct ph_sphere_spline *s,
 bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
                       struct ph_sphere_work *work);
 
+/* ph_sphere_step: one step of the iteration, at most of such a length as the
+ * iteration takes, for derivatives. */
+void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                    struct ph_sphere_work *work);
+
 /*
  * ph_sphere_relax: the same from farther away, by relaxation and then Newton's
  * iteration.
