@@ -23,9 +23,9 @@
 enum {
   BLOCK_MAX = 12, /* nodes of a block */
   GAP_MAX = 4,    /* nodes between raised ones of a block */
-  AROUND = 6,     /* nodes on either side of a block that are judged with it */
-  REACH = 16,     /* and that are solved: 3.7^-16 twice, there and back */
-  NEAR = 8,       /* and around one node, for a derivative */
+  AROUND = 5,     /* nodes on either side of a block that are judged with it */
+  REACH = 10,     /* and that are solved: 3.7^-10 twice, there and back */
+  NEAR = 6,       /* and around one node, for a derivative */
   JUDGED_MAX = BLOCK_MAX + 2 * AROUND,
   ROWS_MAX = JUDGED_MAX * 2 * PH_SPHERE_MEASURES,
   STEPS_MAX = 40,  /* linearisations of a block, and linear programs of each */
@@ -45,7 +45,7 @@ static const double SMALL = 0.05;
  * differences; the fall of the sum that is no progress. */
 static const double MORE = 2e-3;
 static const double DIFFERENCE = 1e-5;
-static const double PROGRESS = 2e-4;
+static const double PROGRESS = 5e-4;
 
 /* A block on its way. */
 struct block {
@@ -148,18 +148,17 @@ static bool solve_at(struct block *b, const double *nu) {
   return false;
 }
 
-/* Takes other tensions if all criteria hold there. */
-static bool try_at(struct block *b, const double *nu) {
+/* Whether all criteria hold where the spline is now, at a smaller sum of the
+ * tensions than the one that was kept. */
+static bool is_better(const struct block *b) {
+  const struct ph_sphere_spline *s = b->raise->spline;
   size_t from = 0, at;
-  if (!solve_at(b, nu)) {
-    return false;
+  double fall = 0;
+  for (size_t j = 0; j < b->q; j++) {
+    fall += b->nu[j] - s->nu[b->node[j]];
   }
-  if (ph_sphere_violated(b->raise, b->judged, &from, &at) != PH_SPHERE_FINE) {
-    restore(b);
-    return false;
-  }
-  keep(b);
-  return true;
+  return fall > 0 &&
+         ph_sphere_violated(b->raise, b->judged, &from, &at) == PH_SPHERE_FINE;
 }
 
 /* ---- linear programs ----------------------------------------------------- */
@@ -286,7 +285,7 @@ static void add_step(const struct block *b, const double *step, double part,
 /* Takes the step that a linear program finds in the box, corrected some times
  * for the curvature of the criteria, if they hold there or a little above. */
 static bool go(struct block *b, double box) {
-  double sum = sum_of(b, b->nu), step[BLOCK_MAX], nu[BLOCK_MAX];
+  double step[BLOCK_MAX], nu[BLOCK_MAX];
   for (size_t row = 0; row < b->rows; row++) {
     b->rhs[row] = -fmax(b->g[row], 0) / b->norm[row];
   }
@@ -296,16 +295,18 @@ static bool go(struct block *b, double box) {
     }
     for (int more = 0; more < 2; more++) {
       add_step(b, step, more * MORE, nu);
-      if (sum_of(b, nu) < sum && try_at(b, nu)) {
+      if (!solve_at(b, nu)) {
+        return false;
+      }
+      if (is_better(b)) {
+        keep(b);
         return true;
       }
+      if (!more) {
+        correct(b, step);
+      }
+      restore(b);
     }
-    add_step(b, step, 0, nu);
-    if (i == CORRECTIONS || !solve_at(b, nu)) {
-      return false;
-    }
-    correct(b, step);
-    restore(b);
   }
   return false;
 }
