@@ -21,7 +21,7 @@ enum { CELLS = 64, STEPS_DIP = 40, STEPS_ROOT = 64, NODES = 5, ROOM = 16 };
 
 static const double GOLDEN = 0.6180339887498949;
 /* Of the length, relative to that of the curve. */
-static const double TOLERANCE = 1e-13;
+static const double TOLERANCE = 1e-10;
 /* What is less than this of its terms is their rounding. */
 static const double ROUNDING = 64 * DBL_EPSILON;
 
@@ -207,18 +207,20 @@ static double length_over(const struct walk *walk, const struct ph_quad *rule,
                           double from, double to, size_t *next) {
   const struct ph_offset *offset = walk->offset;
   double length = walk->curve->lengths[walk->k] / walk->curve->radius;
-  double tolerance = TOLERANCE * length, sum = 0;
+  /* the offset goes round a turn of the curve on an arc of radius sin d */
+  double tolerance = TOLERANCE * (length + fabs(walk->sine)), sum = 0;
   for (; *next < offset->cusps.n; ++*next) {
     const struct ph_place *cusp = &offset->cusp[*next];
     if (cusp->segment > walk->k || cusp->u >= to) {
       break;
     }
     if (cusp->u > from) {
-      sum += ph_adapt(rule, pace_abs, walk, from, cusp->u, tolerance);
+      sum +=
+          ph_adapt(rule, pace_abs, walk, from, cusp->u, tolerance, TOLERANCE);
       from = cusp->u;
     }
   }
-  return sum + ph_adapt(rule, pace_abs, walk, from, to, tolerance);
+  return sum + ph_adapt(rule, pace_abs, walk, from, to, tolerance, TOLERANCE);
 }
 
 /* (1) to (3) at u. */

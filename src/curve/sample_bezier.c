@@ -82,8 +82,8 @@ static double speed_at(const void *context, double u) {
 static double share_of(const struct bezier *b, const struct ph_quad *rule,
                        double u) {
   double tolerance = TOLERANCE * b->polygon;
-  double before = ph_adapt(rule, speed_at, b, 0, u, tolerance);
-  double after = ph_adapt(rule, speed_at, b, u, 1, tolerance);
+  double before = ph_adapt(rule, speed_at, b, 0, u, tolerance, 0);
+  double after = ph_adapt(rule, speed_at, b, u, 1, tolerance, 0);
   return before > 0 ? before / (before + after) : 0;
 }
 

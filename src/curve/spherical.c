@@ -584,7 +584,7 @@ double ph_spherical_length(const struct ph_spherical *s, double to) {
     speed[i] = net_speed(&net, to * coarse.node[i]);
     mean += coarse.weight[i] * speed[i];
   }
-  return gentle(speed, mean, net.e)
-             ? to * mean
-             : ph_adapt(&fine, speed_at, &net, 0, to, precision * mean);
+  return gentle(speed, mean, net.e) ? to * mean
+                                    : ph_adapt(&fine, speed_at, &net, 0, to,
+                                               precision * mean, precision);
 }

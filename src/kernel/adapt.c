@@ -14,7 +14,7 @@ struct task {
   const struct ph_quad *rule;
   ph_integrand *f;
   const void *context;
-  double tolerance;
+  double tolerance, relative;
   int parts;
 };
 
@@ -33,8 +33,8 @@ static double refine(struct task *task, double from, double to, double whole,
                      int depth) {
   double middle = 0.5 * (from + to);
   double left = over(task, from, middle), right = over(task, middle, to);
-  double near =
-      task->tolerance * (to - from) + ROUNDING * (fabs(left) + fabs(right));
+  double near = task->tolerance * (to - from) +
+                task->relative * (fabs(left) + fabs(right));
   if (fabs(left + right - whole) <= near || depth == HALVINGS_MAX) {
     return left + right;
   }
@@ -46,7 +46,8 @@ static double refine(struct task *task, double from, double to, double whole,
 }
 
 double ph_adapt(const struct ph_quad *rule, ph_integrand *f,
-                const void *context, double from, double to, double tolerance) {
-  struct task task = {rule, f, context, tolerance, 0};
+                const void *context, double from, double to, double tolerance,
+                double relative) {
+  struct task task = {rule, f, context, tolerance, relative + ROUNDING, 0};
   return refine(&task, from, to, over(&task, from, to), 0);
 }

@@ -11,13 +11,15 @@ typedef double ph_integrand(const void *context, double x);
  * ph_adapt: the integral of f over [from,to].
  *
  * An interval is halved until one rule on it and the rule on either half agree
- * to `tolerance` times its length, or to rounding.  The halves are kept, which
- * are far better than the difference says.
+ * to `tolerance` times its length, or to `relative` times themselves.  The
+ * halves are kept, which are far better than the difference says.
  *
  * in   tolerance  absolute, per unit of x
+ * in   relative   as well as f is known, at least
  * ret  NaN when the number of intervals does not suffice
  */
 double ph_adapt(const struct ph_quad *rule, ph_integrand *f,
-                const void *context, double from, double to, double tolerance);
+                const void *context, double from, double to, double tolerance,
+                double relative);
 
 #endif
