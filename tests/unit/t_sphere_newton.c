@@ -373,8 +373,7 @@ START_TEST(test_tiny) {
 }
 END_TEST
 
-/* Data that have no spline of global control points: the neighbours of the
- * third control point would have to be antipodal.  Nothing has moved. */
+/* Where the iteration finds no spline, nothing has moved. */
 START_TEST(test_none) {
   struct unit_random r = unit_random_of(730);
   int none = 0;
