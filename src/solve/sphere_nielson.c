@@ -128,7 +128,7 @@ static void parameters(const struct ph_sphere_spline *s, size_t k,
     t[0] = t[1] = 1 / 3.0;
   } else if (natural[0] || natural[1]) {
     int w = natural[0] ? 0 : 1;
-    double l = (d->h[k]) / sum;
+    double l = d->h[k] / sum;
     t[w] = l / (1 + l);
     t[1 - w] = (1 - l) / (1 + l);
   }

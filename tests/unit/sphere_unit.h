@@ -35,9 +35,6 @@ struct ph_spherical unit_sphere_segment(const struct unit_sphere *u, size_t k);
 double unit_sphere_apart(const struct unit_sphere *a,
                          const struct unit_sphere *b);
 
-/* unit_sphere_random: a point, uniform on the sphere. */
-ph_vec3 unit_sphere_random(struct unit_random *r);
-
 /* unit_sphere_path: n points, from each to the next an angle between low and
  * high in a random direction. */
 void unit_sphere_path(struct unit_random *r, size_t n, double low, double high,
@@ -51,6 +48,13 @@ struct unit_sphere_kind {
 
 enum { UNIT_SPHERE_KINDS = 4 };
 extern const struct unit_sphere_kind unit_sphere_kinds[UNIT_SPHERE_KINDS];
+
+/* unit_sphere_any: data of UNIT_SPHERE_ANY nodes with random tensions and
+ * knots, not so wild that there would seldom be a spline. */
+enum { UNIT_SPHERE_ANY = 7 };
+void unit_sphere_any(struct unit_random *r, struct unit_sphere_kind kind,
+                     const struct ph_sphere_model *model,
+                     struct unit_sphere *u);
 
 /* unit_sphere_reference: asserts that the splines of a model in
  * tests/vectors/sphere-iordanov.phv are found again.

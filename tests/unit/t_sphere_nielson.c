@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The spline of global control points: its formulas as they are printed, the
- * published cases, ends, the starts and the last resort. */
+ * published cases, the starts and the last resort. */
 #include "sphere_unit.h"
 #include "unit.h"
 
@@ -9,22 +9,7 @@
 
 #include <string.h>
 
-enum { N = 7, TRIALS = 100 };
-
-/* Data of N nodes with random tensions and knots; not so wild that there would
- * be no spline. */
-static void make(struct unit_random *r, struct unit_sphere_kind kind,
-                 struct unit_sphere *u) {
-  ph_vec3 p[N];
-  unit_sphere_path(r, N, 0.1, 0.8, p);
-  unit_sphere_of(u, N, p, kind.closed, kind.ends, &ph_sphere_nielson);
-  for (size_t i = 0; i < N; i++) {
-    u->spline.nu[i] = exp(unit_random_in(r, 1, 6));
-  }
-  for (size_t k = 0; k < u->data.m; k++) {
-    u->data.h[k] *= exp(unit_random_in(r, -0.3, 0.3));
-  }
-}
+enum { N = UNIT_SPHERE_ANY, TRIALS = 100 };
 
 /* x, anything near the data. */
 static void shake(struct unit_random *r, struct unit_sphere *u) {
@@ -98,8 +83,8 @@ static void ck_node(const struct unit_sphere *u, size_t i,
   struct ph_block2_row row;
   double scale = -2 / (1 + ph_vec3_dot(g, p)) / size;
   u->spline.model->node(&u->spline, i, &part[0], &part[1], false, &row);
-  ck_rel(row.f[0], scale * ph_vec3_dot(g, e), 1e-11);
-  ck_rel(row.f[1], scale * ph_vec3_triple(p, e, g), 1e-11);
+  ck_abs(row.f[0], scale * ph_vec3_dot(g, e), 1e-13 / size);
+  ck_abs(row.f[1], scale * ph_vec3_triple(p, e, g), 1e-13 / size);
 }
 
 START_TEST(test_formulas) {
@@ -107,14 +92,15 @@ START_TEST(test_formulas) {
   for (int t = 0; t < TRIALS; t++) {
     struct ph_sphere_part part[N];
     struct unit_sphere u;
-    make(&r, unit_sphere_kinds[t % UNIT_SPHERE_KINDS], &u);
+    unit_sphere_any(&r, unit_sphere_kinds[t % UNIT_SPHERE_KINDS],
+                    &ph_sphere_nielson, &u);
     shake(&r, &u);
     for (size_t k = 0; k < u.data.m; k++) {
       ph_vec3 right, left;
       u.spline.model->segment(&u.spline, k, false, &part[k]);
       by_formula(&u, k, &right, &left);
-      ck_point(u.spline.r[k], right, 1e-14);
-      ck_point(u.spline.l[k], left, 1e-14);
+      ck_point(u.spline.r[k], right, 1e-13);
+      ck_point(u.spline.l[k], left, 1e-13);
     }
     for (size_t i = 1; i + 1 < N; i++) {
       ck_node(&u, i, &part[i - 1]);
@@ -126,102 +112,6 @@ END_TEST
 
 START_TEST(test_reference) {
   ck_assert_uint_eq(unit_sphere_reference(&ph_sphere_nielson), 28);
-}
-END_TEST
-
-/* ---- ends ---------------------------------------------------------------- */
-
-/* The covariant acceleration at both ends, and R the midpoint of P and L. */
-START_TEST(test_natural) {
-  struct unit_random r = unit_random_of(702);
-  for (int t = 0; t < TRIALS; t++) {
-    struct unit_sphere u;
-    make(&r, unit_sphere_kinds[0], &u);
-    ck_assert(ph_sphere_solve(&u.spline, &u.work));
-    for (int w = 0; w < 2; w++) {
-      struct ph_spherical s = unit_sphere_segment(&u, w == 0 ? 0 : N - 2);
-      ph_vec3 jet[4], *p = s.p;
-      ph_spherical_jet(&s, w, jet);
-      ck_point(ph_vec3_normal(jet[2], jet[0]), ph_vec3_of(0, 0, 0), 1e-13);
-      ck_point(w == 0 ? p[1] : p[2],
-               w == 0 ? ph_s2_slerp(p[0], p[2], 0.5)
-                      : ph_s2_slerp(p[1], p[3], 0.5),
-               1e-15);
-    }
-    unit_sphere_free(&u);
-  }
-}
-END_TEST
-
-START_TEST(test_clamped) {
-  struct unit_random r = unit_random_of(703);
-  for (int t = 0; t < TRIALS; t++) {
-    struct unit_sphere u;
-    make(&r, unit_sphere_kinds[2], &u);
-    u.data.end[0] = ph_vec3_scale(unit_random_in(&r, 0, 2), u.data.end[0]);
-    ck_assert(ph_sphere_solve(&u.spline, &u.work));
-    for (int w = 0; w < 2; w++) {
-      size_t k = w == 0 ? 0 : N - 2;
-      struct ph_spherical s = unit_sphere_segment(&u, k);
-      ph_vec3 jet[2];
-      ph_spherical_first(&s, w, jet);
-      ck_point(jet[1], ph_vec3_scale(u.data.h[k], u.data.end[w]), 1e-13);
-    }
-    unit_sphere_free(&u);
-  }
-}
-END_TEST
-
-START_TEST(test_two_points) {
-  const ph_vec3 p[2] = {{1, 0, 0}, {0, 0, 1}};
-  for (size_t i = 0; i < 3; i++) {
-    enum ph_sphere_ends ends = unit_sphere_kinds[i].ends;
-    struct unit_sphere u;
-    struct ph_spherical s;
-    unit_sphere_of(&u, 2, p, false, ends, &ph_sphere_nielson);
-    ck_assert(ph_sphere_solve(&u.spline, &u.work));
-    s = unit_sphere_segment(&u, 0);
-    if (ends == PH_SPHERE_NATURAL) {
-      ck_point(s.p[1], ph_vec3_of(cos(PH_PI / 6), 0, 0.5), 1e-15);
-      ck_point(s.p[2], ph_vec3_of(0.5, 0, cos(PH_PI / 6)), 1e-15);
-    } else if (ends == PH_SPHERE_REST) {
-      ck_point(s.p[1], p[0], 0);
-      ck_point(s.p[2], p[1], 0);
-    } else {
-      double third = u.data.h[0] / 3;
-      ph_vec3 v = ph_vec3_scale(third, u.data.end[0]);
-      ck_point(s.p[1], ph_s2_exp(p[0], v), 1e-15);
-      v = ph_vec3_scale(-third, u.data.end[1]);
-      ck_point(s.p[2], ph_s2_exp(p[1], v), 1e-15);
-    }
-    unit_sphere_free(&u);
-  }
-}
-END_TEST
-
-/* Points of the equator give the equator, once around. */
-START_TEST(test_equator) {
-  struct unit_random r = unit_random_of(704);
-  for (size_t n = 3; n <= 12; n++) {
-    ph_vec3 p[12];
-    struct unit_sphere u;
-    double length = 0;
-    for (size_t i = 0; i < n; i++) {
-      double lon =
-          2 * PH_PI * ((double)i + unit_random_in(&r, -0.2, 0.2)) / (double)n;
-      p[i] = ph_vec3_of(cos(lon), sin(lon), 0);
-    }
-    unit_sphere_of(&u, n, p, true, PH_SPHERE_NATURAL, &ph_sphere_nielson);
-    ck_assert(ph_sphere_solve(&u.spline, &u.work));
-    for (size_t k = 0; k < n; k++) {
-      struct ph_spherical s = unit_sphere_segment(&u, k);
-      ck_abs(s.p[1].z, 0, 1e-15);
-      ck_abs(s.p[2].z, 0, 1e-15);
-      length += ph_spherical_length(&s, 1);
-    }
-    ck_rel(length, 2 * PH_PI, 1e-14);
-    unit_sphere_free(&u);
-  }
 }
 END_TEST
 
@@ -272,7 +162,8 @@ START_TEST(test_last_resort) {
   int found = 0;
   for (int t = 0; t < TRIALS; t++) {
     struct unit_sphere u, v;
-    make(&r, unit_sphere_kinds[t % UNIT_SPHERE_KINDS], &u);
+    unit_sphere_any(&r, unit_sphere_kinds[t % UNIT_SPHERE_KINDS],
+                    &ph_sphere_nielson, &u);
     unit_sphere_of(&v, N, u.data.p, u.data.closed, u.data.ends,
                    &ph_sphere_nielson);
     memcpy(v.data.h, u.data.h, u.data.m * sizeof *v.data.h);
@@ -314,10 +205,6 @@ static Suite *suite(void) {
   suite_add_tcase(s, tc);
   tcase_add_test(tc, test_formulas);
   tcase_add_test(tc, test_reference);
-  tcase_add_test(tc, test_natural);
-  tcase_add_test(tc, test_clamped);
-  tcase_add_test(tc, test_two_points);
-  tcase_add_test(tc, test_equator);
   tcase_add_test(tc, test_picard);
   tcase_add_test(tc, test_last_resort);
   tcase_add_test(tc, test_antipode);
