@@ -14,11 +14,11 @@
 #include "solve/sphere_solve.h"
 #include "solve/sphere_tension.h"
 
+#include <math.h>
 #include <string.h>
 
-/* Points that were moved by more than this of the radius, which is more than
- * rounding, are told. */
-static const double MOVED = 1e-12;
+/* Less than this of curvature cannot be told from rounding. */
+static const double EPSILON_MIN = 1e-12;
 
 /* A problem on its way. */
 struct task {
@@ -64,9 +64,9 @@ static enum ph_status read_shape(struct task *t) {
       epsilon->kind == PH_ABSENT ? PH_SPHERE_EPSILON : epsilon->number;
   t->keep_shape = shape->kind != PH_BOOL || shape->flag;
   t->raise.waive = ph_field_is(shape, "warn");
-  if (!(bound > 0)) {
+  if (!(bound >= EPSILON_MIN)) {
     return ph_fail(t->diag, PH_BAD_VALUE, "epsilon",
-                   "must be greater than 0, found %.17g", bound);
+                   "must be at least %g, found %.17g", EPSILON_MIN, bound);
   }
   return ph_sphere_shape_of(&t->data, bound,
                             ph_field_is(&p->field[PH_F_CRITERION], "legacy"),
@@ -91,6 +91,17 @@ static const char *place_of(const struct ph_sphere_raise *raise) {
   return raise->criterion == PH_SPHERE_SEGMENT ? "segment" : "node";
 }
 
+/* Where nothing was found; a residual that is NaN says nothing. */
+static enum ph_status fail_spline(const struct task *t, const char *hint) {
+  double residual = t->work.residual;
+  return isfinite(residual)
+             ? ph_fail(t->diag, PH_NO_CONVERGENCE, "tension",
+                       "no spline was found at %s, residual %.2g", hint,
+                       residual)
+             : ph_fail(t->diag, PH_NO_CONVERGENCE, "tension",
+                       "no spline was found at %s", hint);
+}
+
 static enum ph_status fail_shape(const struct task *t, enum ph_status status) {
   const struct ph_sphere_raise *raise = &t->raise;
   switch (status) {
@@ -105,10 +116,13 @@ static enum ph_status fail_shape(const struct task *t, enum ph_status status) {
   case PH_NO_MEMORY:
     return ph_fail_memory(t->diag);
   default:
-    return ph_fail(t->diag, status, "tension",
-                   "no spline was found after %zu increases of tensions, "
-                   "residual %.2g",
-                   raise->rounds, t->work.residual);
+    if (raise->rounds == PH_SPHERE_ROUNDS_MAX) {
+      return ph_fail(t->diag, status, "increase",
+                     "the shape was not reached by %zu increases of tensions, "
+                     "try larger ones",
+                     raise->rounds);
+    }
+    return fail_spline(t, "tensions that were raised for shape");
   }
 }
 
@@ -124,10 +138,7 @@ static enum ph_status find(struct task *t) {
     return ph_fail_memory(t->diag);
   }
   if (!ph_sphere_solve(&t->spline, &t->work)) {
-    return ph_fail(t->diag, PH_NO_CONVERGENCE, "tension",
-                   "no spline was found at these tensions, residual %.2g: "
-                   "try larger ones",
-                   t->work.residual);
+    return fail_spline(t, "these tensions, try larger ones");
   }
   if (!t->keep_shape) {
     return PH_OK;
@@ -141,9 +152,27 @@ static enum ph_status find(struct task *t) {
 
 /* ---- the result ---------------------------------------------------------- */
 
+/* Where the data turn back on a great circle, and the curve has to. */
+static void warn_reversal(const struct task *t, struct ph_result *result) {
+  size_t first = 0, n = 0;
+  for (size_t i = t->data.n; i-- > 0;) {
+    if (!ph_sphere_is_end(&t->data, i) && t->shape.q[i] == 0 &&
+        !t->shape.inorder[i]) {
+      n++;
+      first = i;
+    }
+  }
+  if (n > 0) {
+    ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_REVERSAL, NULL,
+            "the data turn back on a great circle at %zu points, first at "
+            "node %zu",
+            n, first);
+  }
+}
+
 static void warn(const struct task *t, struct ph_result *result) {
   const struct ph_sphere_raise *raise = &t->raise;
-  if (t->data.moved > MOVED) {
+  if (t->data.tell_moved) {
     ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_MOVED_POINTS, NULL,
             "points are not on the sphere and were moved onto it, "
             "points[%zu] farthest, by %.2g of the radius",
@@ -177,6 +206,7 @@ static enum ph_status solve(const struct ph_problem *problem,
     ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS,
                        (double)t.work.iterations);
     ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, t.work.residual);
+    warn_reversal(&t, result);
     warn(&t, result);
   }
   ph_arena_release(scratch, mark);

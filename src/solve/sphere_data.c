@@ -28,6 +28,9 @@ static const double MOVED = 1e-12;
 
 static const double TOLERANCE = 1e-3, NU_MAX = 1e8;
 
+/* The smallest radius: curvatures are in range. */
+static const double RADIUS_MIN = 1e-300;
+
 /* Spacings of knots: their cubes must not leave the range of a double, and they
  * must not differ by more than this. */
 static const double SPACING_MAX = 1e90, SPACINGS = 1e-12;
@@ -69,9 +72,9 @@ static enum ph_status read_sphere(struct reading *r) {
     memcpy(d->center, center->v, sizeof d->center);
   }
   d->radius = radius->kind == PH_ABSENT ? 1 : radius->number;
-  if (!(d->radius > 0 && isfinite(d->radius))) {
+  if (!(d->radius >= RADIUS_MIN && isfinite(d->radius))) {
     return ph_fail(r->diag, PH_BAD_VALUE, "radius",
-                   "must be greater than 0, found %.17g", d->radius);
+                   "must be at least %g, found %.17g", RADIUS_MIN, d->radius);
   }
   r->tolerance = tolerance->kind == PH_ABSENT ? TOLERANCE : tolerance->number;
   if (!(r->tolerance > 0 && r->tolerance < 1)) {

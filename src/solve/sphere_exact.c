@@ -269,12 +269,12 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
   s->r[k] = ph_vec3_add(e[0].p, e[0].q);
   s->l[k] = ph_vec3_add(e[1].p, e[1].q);
   if (natural[0] && natural[1]) {
-    s->r[k] = ph_s2_slerp(e[0].p, e[1].p, 1 / 3.0);
-    s->l[k] = ph_s2_slerp(e[0].p, e[1].p, 2 / 3.0);
+    s->r[k] = ph_vec3_unit(ph_s2_slerp(e[0].p, e[1].p, 1 / 3.0));
+    s->l[k] = ph_vec3_unit(ph_s2_slerp(e[0].p, e[1].p, 2 / 3.0));
   } else if (natural[0]) {
-    s->r[k] = ph_s2_slerp(e[0].p, s->l[k], 0.5);
+    s->r[k] = ph_vec3_unit(ph_vec3_add(e[0].p, s->l[k]));
   } else if (natural[1]) {
-    s->l[k] = ph_s2_slerp(e[1].p, s->r[k], 0.5);
+    s->l[k] = ph_vec3_unit(ph_vec3_add(e[1].p, s->r[k]));
   }
   for (int w = 0; w < 2; w++) {
     bend[w] = bend_of(&e[w], &span, w == 0 ? 1 : -1, natural[1 - w] ? 0.5 : 1);

@@ -13,7 +13,7 @@ enum {
   /* Nodes on either side of a raised tension that are solved again: 3.7^-30 is
    * below rounding. */
   REACH = 30,
-  ROUNDS_MAX = 10000,
+  ROUNDS_MAX = PH_SPHERE_ROUNDS_MAX,
   RETURNS_MAX = 8 /* towards the tensions before they were lowered */
 };
 
@@ -66,18 +66,25 @@ enum ph_sphere_criterion ph_sphere_violated(const struct ph_sphere_raise *raise,
 /* ---- raising ------------------------------------------------------------- */
 
 static double raised(const struct ph_sphere_raise *raise, size_t i) {
-  double nu = raise->spline->nu[i];
-  double first;
+  const struct ph_sphere_data *d = raise->spline->data;
+  double nu = raise->spline->nu[i], next = nu, stiff, first;
   switch (raise->increase) {
   case PH_SPHERE_PLUS:
-    return nu + raise->by;
+    next = nu + raise->by;
+    break;
   case PH_SPHERE_TIMES:
-    return nu > 0 ? nu * raise->by : raise->by;
+    next = nu > 0 ? nu * raise->by : raise->by;
+    break;
   case PH_SPHERE_MINIMAL:
+    first = FIRST * ph_sphere_stiffness(d, i);
+    next = 2 * nu > first ? 2 * nu : first;
     break;
   }
-  first = FIRST * ph_sphere_stiffness(raise->spline->data, i);
-  return 2 * nu > first ? 2 * nu : first;
+  if (ph_sphere_is_end(d, i)) {
+    return next; /* has no effect */
+  }
+  stiff = STIFFNESSES_MAX * ph_sphere_stiffness(d, i);
+  return next < stiff ? next : nu < stiff ? stiff : nu;
 }
 
 /* Whether node i can be raised, as far as is known. */
@@ -309,7 +316,11 @@ enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
   raise->ranges[0] = ph_sphere_all(d);
   raise->ranges_n = raise->ranges[0].count > 0;
   while (status == PH_OK && raise->ranges_n > 0) {
-    status = raise->rounds < ROUNDS_MAX ? go_round(raise) : PH_NO_CONVERGENCE;
+    if (raise->rounds == ROUNDS_MAX) {
+      status = raise->waive ? PH_OK : PH_NO_CONVERGENCE;
+      break;
+    }
+    status = go_round(raise);
   }
   if (status == PH_OK && raise->increase == PH_SPHERE_MINIMAL &&
       raise->rounds > 1) {

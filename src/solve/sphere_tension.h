@@ -20,6 +20,9 @@ enum ph_sphere_increase {
   PH_SPHERE_TIMES    /* nu * by; by itself where nu is 0 */
 };
 
+/* How often tensions are raised at most. */
+enum { PH_SPHERE_ROUNDS_MAX = 10000 };
+
 /* How tensions are raised, and where. */
 struct ph_sphere_raise {
   const struct ph_sphere_shape *shape;
