@@ -164,9 +164,9 @@ static void warn_reversal(const struct task *t, struct ph_result *result) {
   }
   if (n > 0) {
     ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_REVERSAL, NULL,
-            "the data turn back on a great circle at %zu points, first at "
+            "the data turn back on a great circle at %zu point%s, first at "
             "node %zu",
-            n, first);
+            n, n == 1 ? "" : "s", first);
   }
 }
 
@@ -183,10 +183,12 @@ static void warn(const struct task *t, struct ph_result *result) {
                                        ? raise->at
                                        : PH_NO_SEGMENT),
             PH_SHAPE_UNSATISFIABLE, NULL,
-            "%zu criteria of shape fail at any tension, the first is %s at %s "
-            "%zu",
-            raise->waived, ph_sphere_criterion_name(raise->criterion),
-            place_of(raise), raise->at);
+            "%zu criteria of shape fail %s, the first is %s at %s %zu",
+            raise->waived,
+            raise->rounds == PH_SPHERE_ROUNDS_MAX ? "after all increases"
+                                                  : "at any tension",
+            ph_sphere_criterion_name(raise->criterion), place_of(raise),
+            raise->at);
   }
 }
 
