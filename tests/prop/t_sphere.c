@@ -306,6 +306,7 @@ START_TEST(test_circle) {
     sphere_of(&r, SPHERE_CIRCLE, 2 + unit_random_below(&r, 10), &data);
     sphere_options(&r, &data);
     data.ends = i % 2 ? "natural" : "rest";
+    data.knots = "geodesic";
     data.shape = i % 3 != 0;
     pole = ph_vec3_unit(ph_vec3_cross(data.point[0], data.point[1]));
     for (size_t k = sphere_steps(&data, step); k-- > 0;) {
