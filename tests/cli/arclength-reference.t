@@ -17,23 +17,6 @@
 # A curve of less than F is another one, which nothing is known about; there
 # are some where the data have several minima.
 cat >judge.awk <<'EOF'
-function wanted(what, found, value) {
-  if (why == "") why = what " " found ", wanted " value
-}
-function at_most(what, found, most) {
-  if (found == "absent" || !(found + 0 <= most))
-    wanted(what, found, "at most " most)
-}
-function near(what, found, value, tol) {
-  if (found == "absent" || !((found - value) ^ 2 <= (tol * value) ^ 2))
-    wanted(what, found, value)
-}
-# The numbers of a text, into list[1] and so on; returns how many.
-function numbers(text, list) {
-  gsub(/[^-+0-9.eE]+/, " ", text)
-  gsub(/^ | $/, "", text)
-  return split(text, list, " ")
-}
 # The middles of the intervals of so many segments, into middle[]; returns how
 # many coordinates.
 function middles(segments, refine, middle,   n, k, c, p, text) {
@@ -109,21 +92,13 @@ EOF
 judge() {
   run arclength -q "$srcdir/tests/vectors/$1"
   expect "$1" 0
-  set -- "$2" "$3" id diagnostics.F diagnostics.second_order length segments \
+  table id diagnostics.F diagnostics.second_order length segments \
     intervals diagnostics.interpolation_error diagnostics.length_error \
     diagnostics.pythagorean_error diagnostics.continuity_error \
     diagnostics.min_speed meta.F meta.F_at_least meta.length meta.lengths \
-    meta.natural_lengths meta.midpoints meta.scale meta.second_order
-  wanted_n=$1 refine=$2
-  shift 2
-  : >table
-  for path in "$@"; do
-    json get "$path" out >column
-    paste table column >next
-    mv next table
-  done
-  cut -f 2- table |
-    awk -v wanted_n="$wanted_n" -v refine="$refine" -f judge.awk
+    meta.natural_lengths meta.midpoints meta.scale meta.second_order |
+    awk -v wanted_n="$2" -v refine="$3" -f "$srcdir/tests/cli/judge.awk" \
+      -f judge.awk
 }
 
 judge arclength.jsonl 47 1

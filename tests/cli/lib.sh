@@ -112,6 +112,16 @@ get() {
   json get "$1" out | tr '\n' ' ' | sed 's/ $//'
 }
 
+# table PATH...: of each record in out a line, with tabs between its values.
+table() {
+  : >table.out
+  for path; do
+    json get "$path" out | paste table.out - >table.next
+    mv table.next table.out
+  done
+  cut -f 2- table.out
+}
+
 # floats PATH: the numbers at a path of out, one on a line
 floats() {
   json get "$1" out | tr -d '[]' | tr ',' '\n'
