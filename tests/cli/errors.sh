@@ -69,7 +69,7 @@ bad_csv() {
 $(failed 1 1)" "$wanted"
 }
 
-# warned NAME CODE MESSAGE SEGMENT PROBLEM
+# warned NAME CODE MESSAGE SEGMENT PROBLEM; SEGMENT may be empty
 warned() {
   id=$(printf %s "$1" | cut -c 1)
   printf '%s\n' "$5" >a.json
@@ -77,7 +77,7 @@ warned() {
   expect "$1: a warning" 0 \
     "phspline: a.json:1: record $id: warning: $3 [$2]"
   equal "$1: the record" \
-    "\"ok\" [{\"code\":\"$2\",\"segment\":$4,\"message\":\"$3\"}]" \
+    "\"ok\" [{\"code\":\"$2\",${4:+\"segment\":$4,}\"message\":\"$3\"}]" \
     "$(get status) $(get warnings)"
   run "$method" -q a.json
   expect "$1: quiet" 0 ''

@@ -24,6 +24,8 @@ static const struct {
     {PH_TOO_FEW_POINTS, "too-few-points", 1},
     {PH_COINCIDENT_POINTS, "coincident-points", 1},
     {PH_ZERO_TANGENT, "zero-tangent", 1},
+    {PH_ANTIPODAL_POINTS, "antipodal-points", 1},
+    {PH_NOT_ON_SPHERE, "not-on-sphere", 1},
     {PH_INFEASIBLE, "infeasible", 1},
     {PH_NO_CONVERGENCE, "no-convergence", 1},
     {PH_TOO_LARGE, "too-large", 1},
@@ -37,6 +39,7 @@ static const struct {
     {PH_INCONSISTENT_LENGTHS, "inconsistent-lengths", 1},
     {PH_SADDLE, "saddle", 1},
     {PH_LEAVES_PLANE, "leaves-plane", 1},
+    {PH_MOVED_POINTS, "moved-points", 1},
     {PH_USAGE, "usage", 2},
     {PH_INPUT, "input", 3},
     {PH_OUTPUT, "output", 4},
@@ -80,7 +83,7 @@ START_TEST(test_warnings) {
                    i == PH_OFFSET_CUSP || i == PH_LARGE_ALPHA ||
                    i == PH_SHAPE_UNSATISFIABLE || i == PH_WIGGLE ||
                    i == PH_INCONSISTENT_LENGTHS || i == PH_SADDLE ||
-                   i == PH_LEAVES_PLANE;
+                   i == PH_LEAVES_PLANE || i == PH_MOVED_POINTS;
     ck_assert_int_eq(strncmp(meaning, "warning: ", 9) == 0, warning);
   }
 }
