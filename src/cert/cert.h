@@ -99,4 +99,38 @@ ph_cert_fn ph_cert_spatial_hermite;
  */
 ph_cert_fn ph_cert_arclength;
 
+/*
+ * ph_cert_sphere: a spherical nu-spline through the problem's points, of the
+ * model, the ends, the knots, the tensions and the shape that it claims.  All
+ * is brought to the unit sphere first.
+ *
+ *   sphere_error          | |p - center| / radius - 1 | of control points
+ *   interpolation_error   distance of the joints from the points, these
+ *                         projected onto the sphere / half the diagonal of the
+ *                         control points, or the radius if that is smaller;
+ *                         how far points were moved is bounded, too
+ *   continuity_error      jump of the velocity with respect to the knots /
+ *                         the larger speed, where it is not 0
+ *   curvature_jump        jump of kappa_g / max(1, |kappa_g| on both sides);
+ *                         1e-10 is allowed of the model `exact', beside what
+ *                         rounding of control points makes of it; of `nielson'
+ *                         it is a number and no promise
+ *   end_derivative_error  of open curves: distance of the second control point
+ *                         from where the ends put it / angle of the segment
+ *   length_error          lengths against sums of distances of points,
+ *                         extrapolated, / total
+ *   tension_sum           of the nodes where a tension has an effect
+ *   shape_ok              whether all criteria of shape hold
+ *                         (cert/sphere_shape.h); where the problem asks for
+ *                         that and one does not, the curve is refused
+ *
+ * A curve is refused, too, when its knots are not those of the problem, when
+ * it is not the curve of its tensions, or with shape=false when these are not
+ * those of the problem, and when an indicator is not the turn of the data.
+ *
+ * ret  as above; PH_INTERNAL when segments, sphere and problem do not fit
+ *      together
+ */
+ph_cert_fn ph_cert_sphere;
+
 #endif

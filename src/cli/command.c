@@ -4,9 +4,11 @@
 
 #include "curve/bezier.h"
 #include "curve/offset.h"
+#include "curve/parallel.h"
 #include "solve/arclength.h"
 #include "solve/planar.h"
 #include "solve/spatial_hermite.h"
+#include "solve/sphere.h"
 
 #include <string.h>
 
@@ -52,6 +54,18 @@ const struct ph_command ph_commands[] = {
      "The spline of the paper, and all minima that 20 more starts find\n"
      "phspline arclength --sweep='lengths[1]=1.4:1.456:5' problem.json\t"
      "One length in five steps\n"},
+    {&ph_method_sphere, ph_cert_sphere, ph_offset_spherical, 1, NULL,
+     "printf 'lon,lat\\n-9,39\\n-25,38\\n-64,32\\n-74,40\\n' | "
+     "phspline sphere\tA voyage, the curve as JSON\n"
+     "phspline sphere --columns=lon,lat --radius=6371 --sample=20 -f csv "
+     "--table=samples track.csv\tA ground track in km, sampled\n"
+     "phspline sphere --columns=lon,lat --radius=6371 --offset=-100,100 "
+     "track.csv\tA corridor 100 km to either side\n"
+     "phspline sphere --shape=false --sweep=tension=0,10,100 points.csv\t"
+     "At three tensions, whatever shape that gives\n"
+     "phspline sphere --model=nielson --ends=rest --criterion=legacy "
+     "--increase=plus:10 --epsilon=1e-3 points.csv\t"
+     "As the thesis does it\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];

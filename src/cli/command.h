@@ -7,6 +7,7 @@
 #define PH_CLI_COMMAND_H
 
 #include "cert/cert.h"
+#include "curve/offset.h"
 #include "solve/method.h"
 
 struct ph_command {
@@ -14,10 +15,11 @@ struct ph_command {
   ph_cert_fn *certify;
   /* offset: the offsets_n offset curves at a distance */
   enum ph_status (*offset)(const struct ph_curve *curve, double distance,
-                           double tolerance, struct ph_arena *arena,
-                           struct ph_offset *offsets, struct ph_diag *diag);
+                           const struct ph_offset_rules *rules,
+                           struct ph_arena *arena, struct ph_offset *offsets,
+                           struct ph_diag *diag);
   size_t offsets_n;
-  /* convert: to polynomial Bezier curves; NULL if there is nothing to do */
+  /* convert: to polynomial Bezier curves; NULL if they cannot be */
   enum ph_status (*convert)(const struct ph_curve *curve, double tolerance,
                             struct ph_arena *arena, struct ph_curve *bezier,
                             double *error, struct ph_diag *diag);

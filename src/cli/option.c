@@ -23,6 +23,9 @@
 /* More threads than this do not help anyone. */
 enum { JOBS_MAX = 1024 };
 
+/* More samples of a segment than this are a slip of the keyboard. */
+enum { SAMPLES_MAX = 1000000 };
+
 const struct ph_option ph_option_table[PH_OPTION_N] = {
 #define X(symbol, letter, name, argument, help) {letter, name, argument, help},
     PH_OPTIONS(X)
@@ -158,17 +161,19 @@ static enum ph_status choose(struct parser *p, enum ph_option_id id,
                  ph_excerpt(optarg, n, excerpt), clause);
 }
 
-static enum ph_status read_jobs(struct parser *p) {
+static enum ph_status read_count(struct parser *p, enum ph_option_id id,
+                                 int max, size_t *count) {
   const char *end = optarg + strlen(optarg);
   char excerpt[PH_EXCERPT_MAX];
   double x;
-  if (ph_number_read_text(optarg, end, &x) != end || !(x >= 1) ||
-      !(x <= JOBS_MAX) || floor(x) < x) {
+  if (ph_number_read_text(optarg, end, &x) != end || !(x >= 1) || !(x <= max) ||
+      floor(x) < x) {
     return ph_fail(p->diag, PH_USAGE, NULL,
-                   "--jobs must be a whole number from 1 to %d, found '%s'",
-                   JOBS_MAX, ph_excerpt(optarg, strlen(optarg), excerpt));
+                   "--%s must be a whole number from 1 to %d, found '%s'",
+                   ph_option_table[id].name, max,
+                   ph_excerpt(optarg, strlen(optarg), excerpt));
   }
-  p->options->jobs = (size_t)x;
+  *count = (size_t)x;
   return PH_OK;
 }
 
@@ -367,7 +372,10 @@ static enum ph_status read_argument(struct parser *p, enum ph_option_id id) {
     status = read_tolerance(p);
     break;
   case PH_O_JOBS:
-    status = read_jobs(p);
+    status = read_count(p, id, JOBS_MAX, &o->jobs);
+    break;
+  case PH_O_SAMPLE:
+    status = read_count(p, id, SAMPLES_MAX, &o->samples);
     break;
   default:
     break;
@@ -425,6 +433,14 @@ static enum ph_status check_together(struct parser *p) {
   }
   if (o->table == PH_TABLE_OFFSETS && !o->offsets_n) {
     return ph_fail(p->diag, PH_USAGE, NULL, "--table=offsets needs --offset");
+  }
+  if (o->table == PH_TABLE_SAMPLES && !o->samples) {
+    return ph_fail(p->diag, PH_USAGE, NULL, "--table=samples needs --sample");
+  }
+  if (o->convert && !o->command->convert) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--convert: the curves of %s are no Bezier curves",
+                   o->command->method->schema.command);
   }
   return PH_OK;
 }

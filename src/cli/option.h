@@ -41,6 +41,8 @@
     "V1,V2,...; FIELD may be an element: points[2][0]")                       \
   X(OFFSET, 'd', "offset", "D[,D...]",                                        \
     "add offset curves at these distances, positive to the left of travel")   \
+  X(SAMPLE, 'n', "sample", "N",                                               \
+    "add N+1 samples per segment, equally spaced in the segment's parameter") \
   X(CONVERT, 0, "convert", "bezier",                                          \
     "write atph segments as polynomial quintic Bezier segments")              \
   X(TOLERANCE, 0, "tolerance", "E",                                           \
@@ -104,6 +106,7 @@ struct ph_options {
   double tolerance; /* 0: the default */
   double *offsets;
   size_t offsets_n;
+  size_t samples; /* 0: none */
 };
 
 /*

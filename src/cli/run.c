@@ -387,7 +387,8 @@ static enum ph_status write_header(struct run *r, struct ph_diag *diag) {
     swept[i].value = NULL;
   }
   if (swept) {
-    ph_csv_header(&buf, o->table, o->command->method->dimension, swept,
+    const struct ph_method *method = o->command->method;
+    ph_csv_header(&buf, o->table, method->dimension, method->on_sphere, swept,
                   o->sweeps_n);
   }
   status = swept && !buf.failed

@@ -3,6 +3,7 @@
 #include "cli/work.h"
 
 #include "cli/message.h"
+#include "curve/sample.h"
 #include "io/csv_in.h"
 #include "io/json_in.h"
 #include "io/json_out.h"
@@ -14,6 +15,10 @@
 
 /* Default tolerance of Bezier pieces, relative to the size of the curve. */
 static const double TOLERANCE = 1e-9;
+
+/* Samples of an offset on a sphere without --sample: so many and one for each
+ * segment. */
+enum { OFFSET_SAMPLES = 16 };
 
 /* An item on its way. */
 struct task {
@@ -89,6 +94,12 @@ static void warn_cusps(struct ph_result *result) {
             "of curvature towards it is smaller: %zu times, first in "
             "segment %zu at %.6g of its interval",
             o->distance, o->vector, o->cusps.n, o->cusps.segment, o->cusps.u);
+  } else if (result->curve.radius > 0) {
+    ph_fail(diag, PH_OFFSET_CUSP, NULL,
+            "the offset at distance %g has cusps, where the curve bends as a "
+            "circle of that radius on the sphere: %zu, the first in segment "
+            "%zu at %.6g of its interval",
+            o->distance, o->cusps.n, o->cusps.segment, o->cusps.u);
   } else {
     ph_fail(diag, PH_OFFSET_CUSP, NULL,
             "the offset at distance %g has cusps, where the radius of "
@@ -100,6 +111,8 @@ static void warn_cusps(struct ph_result *result) {
 
 static enum ph_status derive_offsets(struct task *t, double tolerance) {
   const struct ph_options *o = t->options;
+  const struct ph_offset_rules rules = {tolerance, o->samples ? o->samples
+                                                              : OFFSET_SAMPLES};
   struct ph_arena *arena = &t->worker->arena;
   struct ph_result *r = &t->result;
   size_t each = o->command->offsets_n, n = o->offsets_n * each;
@@ -109,7 +122,7 @@ static enum ph_status derive_offsets(struct task *t, double tolerance) {
     return ph_fail_memory(&t->diag);
   }
   for (size_t i = 0; status == PH_OK && i < o->offsets_n; i++) {
-    status = o->command->offset(&r->curve, o->offsets[i], tolerance, arena,
+    status = o->command->offset(&r->curve, o->offsets[i], &rules, arena,
                                 r->offsets + i * each, &t->diag);
   }
   r->offsets_n = n;
@@ -153,6 +166,10 @@ static enum ph_status derive(struct task *t) {
   enum ph_status status = derive_offsets(t, tolerance);
   if (status == PH_OK && o->convert) {
     status = convert_all(t, tolerance);
+  }
+  if (status == PH_OK && o->samples) { /* of the segments in the record */
+    status = ph_sample_curve(&t->result.curve, o->samples, &t->worker->arena,
+                             &t->result.samples, &t->diag);
   }
   return status;
 }

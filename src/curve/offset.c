@@ -300,15 +300,17 @@ static enum ph_status offset_along(const struct ph_curve *curve,
 }
 
 enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
-                                double tolerance, struct ph_arena *arena,
+                                const struct ph_offset_rules *rules,
+                                struct ph_arena *arena,
                                 struct ph_offset *offset,
                                 struct ph_diag *diag) {
-  return offset_along(curve, distance, PH_E2, NULL, tolerance, arena, offset,
-                      diag);
+  return offset_along(curve, distance, PH_E2, NULL, rules->tolerance, arena,
+                      offset, diag);
 }
 
 enum ph_status ph_offset_spatial(const struct ph_curve *curve, double distance,
-                                 double tolerance, struct ph_arena *arena,
+                                 const struct ph_offset_rules *rules,
+                                 struct ph_arena *arena,
                                  struct ph_offset *offsets,
                                  struct ph_diag *diag) {
   static const char *const names[] = {[PH_E2] = "e2", [PH_E3] = "e3"};
@@ -316,8 +318,9 @@ enum ph_status ph_offset_spatial(const struct ph_curve *curve, double distance,
   for (size_t i = 0; status == PH_OK && i < PH_OFFSETS_SPATIAL; i++) {
     enum ph_normal normal = i < 2 ? PH_E2 : PH_E3;
     /* The other side of 0 is no -0. */
-    status = offset_along(curve, i % 2 ? 0 - distance : distance, normal,
-                          names[normal], tolerance, arena, &offsets[i], diag);
+    status =
+        offset_along(curve, i % 2 ? 0 - distance : distance, normal,
+                     names[normal], rules->tolerance, arena, &offsets[i], diag);
   }
   return status;
 }

@@ -25,6 +25,12 @@
 #include "base/mem.h"
 #include "curve/result.h"
 
+/* How offsets are made. */
+struct ph_offset_rules {
+  double tolerance; /* of Bezier pieces of ATPH offsets, in the curve's unit */
+  size_t samples;   /* of offsets on a sphere: so many and one a segment */
+};
+
 /*
  * ph_offset_planar: the offset of a planar spline at one distance.
  *
@@ -32,17 +38,17 @@
  * more than about a half turn) is halved until all weights are positive, so
  * that a renderer meets no pole and the convex hull property holds.
  *
- * in   curve      PH_CURVE_PH or PH_CURVE_ATPH
- * in   tolerance  of the Bezier pieces of ATPH offsets, in the curve's unit
+ * in   curve   PH_CURVE_PH or PH_CURVE_ATPH
  *
- * out  offset     arrays from the arena
+ * out  offset  arrays from the arena
  *
  * ret  PH_OK | PH_INFEASIBLE (the curve stands still somewhere: no normal
  *      there; names the segment) | PH_TOO_LARGE | PH_NO_CONVERGENCE (no Bezier
  *      piece is near enough) | PH_NO_MEMORY
  */
 enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
-                                double tolerance, struct ph_arena *arena,
+                                const struct ph_offset_rules *rules,
+                                struct ph_arena *arena,
                                 struct ph_offset *offset, struct ph_diag *diag);
 
 enum { PH_OFFSETS_SPATIAL = 4 };
@@ -54,7 +60,8 @@ enum { PH_OFFSETS_SPATIAL = 4 };
  *                                   the second and the fourth is the negative
  */
 enum ph_status ph_offset_spatial(const struct ph_curve *curve, double distance,
-                                 double tolerance, struct ph_arena *arena,
+                                 const struct ph_offset_rules *rules,
+                                 struct ph_arena *arena,
                                  struct ph_offset *offsets,
                                  struct ph_diag *diag);
 

@@ -98,6 +98,9 @@ struct ph_schema {
  * plane that were written with six digits are in it to this. */
 #define PH_PLANARITY 1e-5
 
+/* PH_SPHERE_EPSILON: what the field epsilon is where it is absent. */
+#define PH_SPHERE_EPSILON 0.01
+
 struct ph_problem {
   struct ph_value field[PH_FIELD_N]; /* by enum ph_field_id */
 };

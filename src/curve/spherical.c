@@ -10,266 +10,420 @@
  * points that are near: what is carried along is the displacement from p[0],
  * so that d is a difference of small vectors, to a relative error of rounding.
  *
- * In Q = phi^2 and Y = sigma^2 Q, by the functions f_n of s2.h and their
- * predecessor f_{-1}(X) = cos(theta) = f_0 - X f_1,
- *   A = f_{-1}(Y) / f_{-1}(Q),   B = sigma f_0(Y) / f_0(Q),             (2)
- *   |d|^2 = E = Q f_0(Q)^2,      dE/dQ = P = f_{-1}(Q) f_0(Q).          (3)
- * Derivatives: those of E are products, those of Q follow from (3), and those
- * of f_n(Q) from f_n' = -f_{n+1} / 2.
+ * A and B are smooth in E = |d|^2 = sin^2(phi).  Near, they are power series,
+ *   A = sum_k (2 k + 1) b_k E^k,   B = sigma sum_k b_k E^k,             (2)
+ *   b_k = product_{j=1..k} ((2 j - 1)^2 - sigma^2) / (2 j (2 j + 1)),
+ * the b_k common to all steps.  Elsewhere, with Q = phi^2, Y = sigma^2 Q, the
+ * functions f_n of s2.h, and f_{-1}(X) = f_0 - X f_1 = cos sqrt(X),
+ *   A = f_{-1}(Y) / f_{-1}(Q),   B = sigma f_0(Y) / f_0(Q),             (3)
+ *   E = Q f_0(Q)^2,   dE/dQ = f_{-1}(Q) f_0(Q),   f_n' = -f_{n+1} / 2.  (4)
+ * Derivatives with respect to t follow the rules of products and chains.
  */
 #include "curve/spherical.h"
 
+#include "kernel/adapt.h"
+
 #include "kernel/s2.h"
 
-/* The halves of the sum, as a displacement and in full, and of the difference
- * of two points; Q, and 1 / f_{-1}(Q), 1 / f_0(Q). */
-struct arc {
-  ph_vec3 mu, m, d;
-  double q, ic, ig;
-};
+#include <stdbool.h>
 
-/* A segment prepared: p[0] and the arcs between neighbours. */
-struct net {
-  ph_vec3 base;
-  struct arc arc[3];
-};
+/* What depends on the order of derivatives is written once, and compiled for
+ * every order that is used. */
+#if defined(__GNUC__)
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
 
-/* Derivatives of order 0 to 3; of a point, value is its displacement. */
-struct jet {
-  ph_vec3 value, d1, d2, d3;
-};
-
-/* The functions f_{-1}, f_0, ..., f_3 at X. */
-struct bessel {
-  double f[5];
-};
-
-/* Derivatives of order 0 to 3 of a number. */
+/* Derivatives of order 0, ..., order of a number, of a point (for the point
+ * itself, its displacement); the others are undefined. */
 struct scalar {
   double v[4];
 };
 
+struct jet {
+  ph_vec3 d[4];
+};
+
+/* Two neighbouring control points: m as a displacement and in full, d, E;
+ * theta^2, theta tan phi, theta / tan phi; of (3), Q, 1 / f_{-1}(Q) and
+ * 1 / f_0(Q). */
+struct arc {
+  ph_vec3 mu, m, d;
+  double e, square, a, b;
+  double q, ic, ig;
+};
+
+/* A segment prepared; terms of (2) that suffice for it, 0 if it is not near. */
+struct net {
+  ph_vec3 base;
+  double e; /* the greatest of the arcs */
+  size_t terms;
+  struct arc arc[3];
+};
+
+/* (2) is used below NEAR, with terms by the greatest E of neighbours. */
+enum { TERMS = 11 };
+static const double NEAR = 0x1p-6;
+
+/* What is common to all steps at a parameter: sigma, and the coefficients of
+ * (2). */
+struct basis {
+  double sigma;
+  size_t terms;
+  struct scalar a[TERMS], b[TERMS];
+};
+
+/* A - 1 and B. */
+struct weights {
+  struct scalar a, b;
+};
+
 /* -------------------------------------------------------------------------- */
-/* Functions of the angle                                                     */
+/* Numbers with derivatives                                                   */
 /* -------------------------------------------------------------------------- */
 
-static inline struct bessel bessel_at(double x) {
-  struct bessel b;
-  ph_s2_bessel(x, b.f + 1);
-  b.f[0] = b.f[1] - x * b.f[2];
-  return b;
+/* c + p e */
+INLINE struct scalar along(const struct scalar *c, const struct scalar *p,
+                           const struct scalar *e, int order) {
+  struct scalar q;
+  const double *u = p->v, *w = e->v;
+  q.v[0] = c->v[0] + u[0] * w[0];
+  if (order >= 1) {
+    q.v[1] = c->v[1] + (u[1] * w[0] + u[0] * w[1]);
+  }
+  if (order >= 3) {
+    q.v[2] = c->v[2] + (u[2] * w[0] + 2 * u[1] * w[1] + u[0] * w[2]);
+    q.v[3] =
+        c->v[3] + (u[3] * w[0] + 3 * (u[2] * w[1] + u[1] * w[2]) + u[0] * w[3]);
+  }
+  return q;
 }
 
-/* Q of E = |d|^2 and m, which is unused where they are near. */
-static inline double half_angle2(double e, ph_vec3 m) {
-  double phi = atan2(sqrt(e), ph_vec3_abs(m));
-  return phi * phi;
-}
-
-/* Derivatives of f_n(x(t)), where f[0], ..., f[3] are f_n, ..., f_{n+3}. */
-static inline struct scalar chain(const double *f, const struct scalar *x) {
-  double f1 = -f[1] / 2, f2 = f[2] / 4, f3 = -f[3] / 8;
-  double x1 = x->v[1], x2 = x->v[2], x3 = x->v[3];
-  struct scalar s = {{f[0], f1 * x1, f2 * x1 * x1 + f1 * x2,
-                      (f3 * x1 * x1 + 3 * f2 * x2) * x1 + f1 * x3}};
+/* f_n(x), where f[0], ..., f[3] are f_n, ..., f_{n+3} there. */
+INLINE struct scalar chain(const double *f, const struct scalar *x, int order) {
+  const double *u = x->v;
+  double f1 = -f[1] / 2;
+  struct scalar s;
+  s.v[0] = f[0];
+  if (order >= 1) {
+    s.v[1] = f1 * u[1];
+  }
+  if (order >= 3) {
+    double f2 = f[2] / 4, f3 = -f[3] / 8;
+    s.v[2] = f2 * u[1] * u[1] + f1 * u[2];
+    s.v[3] = (f3 * u[1] * u[1] + 3 * f2 * u[2]) * u[1] + f1 * u[3];
+  }
   return s;
 }
 
-static inline struct scalar quotient(struct scalar a, struct scalar b) {
-  double inverse = 1 / b.v[0];
+INLINE struct scalar quotient(const struct scalar *a, const struct scalar *b,
+                              int order) {
+  const double *u = a->v, *w = b->v;
+  double inverse = 1 / w[0];
+  struct scalar s;
+  double *q = s.v;
+  q[0] = u[0] * inverse;
+  if (order >= 1) {
+    q[1] = (u[1] - q[0] * w[1]) * inverse;
+  }
+  if (order >= 3) {
+    q[2] = (u[2] - q[0] * w[2] - 2 * q[1] * w[1]) * inverse;
+    q[3] = (u[3] - q[0] * w[3] - 3 * (q[1] * w[2] + q[2] * w[1])) * inverse;
+  }
+  return s;
+}
+
+/* sigma x, sigma' = 2 */
+INLINE struct scalar times_sigma(double sigma, const struct scalar *x,
+                                 int order) {
+  struct scalar s;
+  s.v[0] = sigma * x->v[0];
+  if (order >= 1) {
+    s.v[1] = sigma * x->v[1] + 2 * x->v[0];
+  }
+  if (order >= 3) {
+    s.v[2] = sigma * x->v[2] + 4 * x->v[1];
+    s.v[3] = sigma * x->v[3] + 6 * x->v[2];
+  }
+  return s;
+}
+
+/* -------------------------------------------------------------------------- */
+/* The weights A and B                                                        */
+/* -------------------------------------------------------------------------- */
+
+/* The coefficients of (2): b_k is b_{k-1} times a quadratic polynomial. */
+INLINE void basis_of(double t, size_t terms, int order, struct basis *basis) {
+  double sigma = 2 * t - 1, square = sigma * sigma;
+  const struct scalar none = {{0, 0, 0, 0}};
+  struct scalar last = {{1, 0, 0, 0}};
+  basis->sigma = sigma;
+  basis->terms = terms;
+  basis->a[0] = basis->b[0] = last;
+  for (size_t k = 1; k < terms; k++) {
+    static const double inverse[TERMS] = {
+        0,         1.0 / 6,   1.0 / 20,  1.0 / 42,  1.0 / 72, 1.0 / 110,
+        1.0 / 156, 1.0 / 210, 1.0 / 272, 1.0 / 342, 1.0 / 420};
+    double odd = (double)(2 * k - 1), two = odd + 2;
+    struct scalar factor = {{(odd * odd - square) * inverse[k],
+                             -4 * sigma * inverse[k], -8 * inverse[k], 0}};
+    last = along(&none, &last, &factor, order);
+    basis->b[k] = last;
+    for (int n = 0; n <= order; n++) {
+      basis->a[k].v[n] = two * last.v[n];
+    }
+  }
+}
+
+/* By (2), from E. */
+INLINE struct weights near_weights(const struct basis *basis,
+                                   const struct scalar *e, int order) {
+  const struct scalar none = {{0, 0, 0, 0}};
+  size_t k = basis->terms - 1;
+  struct scalar a = basis->a[k], b = basis->b[k];
+  struct weights w;
+  while (--k > 0) {
+    a = along(&basis->a[k], &a, e, order);
+    b = along(&basis->b[k], &b, e, order);
+  }
+  w.a = along(&none, &a, e, order);
+  b = along(&basis->b[0], &b, e, order);
+  w.b = times_sigma(basis->sigma, &b, order);
+  return w;
+}
+
+/* f_{-1}, f_0, ..., f_3 */
+INLINE void bessel(double x, double f[5]) {
+  ph_s2_bessel(x, f + 1);
+  f[0] = f[1] - x * f[2];
+}
+
+/* Q, from E, by (4); f: f_{-1}(Q), ..., f_3(Q). */
+INLINE struct scalar angle(const double f[5], double value,
+                           const struct scalar *e, int order) {
+  double p = 1 / (f[0] * f[1]);
   struct scalar q;
-  q.v[0] = a.v[0] * inverse;
-  q.v[1] = (a.v[1] - q.v[0] * b.v[1]) * inverse;
-  q.v[2] = (a.v[2] - q.v[0] * b.v[2] - 2 * q.v[1] * b.v[1]) * inverse;
-  q.v[3] =
-      (a.v[3] - q.v[0] * b.v[3] - 3 * q.v[1] * b.v[2] - 3 * q.v[2] * b.v[1]) *
-      inverse;
+  q.v[0] = value;
+  if (order >= 1) {
+    q.v[1] = e->v[1] * p;
+  }
+  if (order >= 3) {
+    double p1 = -(f[0] * f[2] + f[1] * f[1]) / 2;
+    double p2 = (f[0] * f[3] + 3 * f[1] * f[2]) / 4;
+    double s1 = p1 * q.v[1], s2;
+    q.v[2] = (e->v[2] - s1 * q.v[1]) * p;
+    s2 = p2 * q.v[1] * q.v[1] + p1 * q.v[2];
+    q.v[3] = (e->v[3] - 2 * s1 * q.v[2] - s2 * q.v[1]) * p;
+  }
   return q;
 }
 
-/* -------------------------------------------------------------------------- */
-/* The first level: fixed points                                              */
-/* -------------------------------------------------------------------------- */
-
-static inline struct arc arc_of(ph_vec3 base, ph_vec3 u, ph_vec3 w) {
-  struct arc a;
-  struct bessel b;
-  a.mu = ph_vec3_scale(0.5,
-                       ph_vec3_add(ph_vec3_sub(u, base), ph_vec3_sub(w, base)));
-  a.m = ph_vec3_scale(0.5, ph_vec3_add(u, w));
-  a.d = ph_vec3_scale(0.5, ph_vec3_sub(w, u));
-  a.q = half_angle2(ph_vec3_dot(a.d, a.d), a.m);
-  b = bessel_at(a.q);
-  a.ic = 1 / b.f[0];
-  a.ig = 1 / b.f[1];
-  return a;
-}
-
-static inline struct net net_of(const struct ph_spherical *s) {
-  struct net net = {s->p[0],
-                    {arc_of(s->p[0], s->p[0], s->p[1]),
-                     arc_of(s->p[0], s->p[1], s->p[2]),
-                     arc_of(s->p[0], s->p[2], s->p[3])}};
-  return net;
-}
-
-/* (1) where m and d do not depend on t: Z'' = -theta^2 Z. */
-static inline struct jet arc_jet(const struct arc *a, double sigma) {
-  struct bessel y = bessel_at(sigma * sigma * a->q);
-  double ca = y.f[0] * a->ic, cb = sigma * y.f[1] * a->ig;
-  ph_vec3 z = ph_vec3_along(ph_vec3_scale(ca, a->m), cb, a->d);
-  struct jet jet;
-  jet.value = ph_vec3_along(ph_vec3_along(a->mu, ca - 1, a->m), cb, a->d);
-  jet.d1 =
-      ph_vec3_along(ph_vec3_scale(-2 * a->q * sigma * y.f[1] * a->ic, a->m),
-                    2 * y.f[0] * a->ig, a->d);
-  jet.d2 = ph_vec3_scale(-4 * a->q, z);
-  jet.d3 = ph_vec3_scale(-4 * a->q, jet.d1);
-  return jet;
+/* By (3), from E and m. */
+INLINE struct weights far_weights(double sigma, const struct scalar *e,
+                                  ph_vec3 m, int order) {
+  double size = ph_vec3_abs(m), phi = atan2(sqrt(e->v[0]), size);
+  double f[5], g[5];
+  struct scalar q, y, c, r;
+  struct weights w;
+  bessel(phi * phi, f);
+  f[0] = size;
+  q = angle(f, phi * phi, e, order);
+  y = times_sigma(sigma, &q, order);
+  y = times_sigma(sigma, &y, order);
+  bessel(y.v[0], g);
+  c = chain(f, &q, order);
+  r = chain(g, &y, order);
+  w.a = quotient(&r, &c, order);
+  w.a.v[0] -= 1;
+  c = chain(f + 1, &q, order);
+  r = chain(g + 1, &y, order);
+  r = quotient(&r, &c, order);
+  w.b = times_sigma(sigma, &r, order);
+  return w;
 }
 
 /* -------------------------------------------------------------------------- */
-/* The other levels                                                           */
+/* The steps                                                                  */
 /* -------------------------------------------------------------------------- */
 
-static inline ph_vec3 half_sum(ph_vec3 u, ph_vec3 w) {
+INLINE ph_vec3 half_sum(ph_vec3 u, ph_vec3 w) {
   return ph_vec3_scale(0.5, ph_vec3_add(u, w));
 }
 
-static inline ph_vec3 half_difference(ph_vec3 u, ph_vec3 w) {
+INLINE ph_vec3 half_difference(ph_vec3 u, ph_vec3 w) {
   return ph_vec3_scale(0.5, ph_vec3_sub(w, u));
 }
 
-/* Derivatives of Q from those of d, by (3). */
-static inline struct scalar angle_jet(const struct jet *d, ph_vec3 m,
-                                      struct bessel *b) {
-  double e1 = 2 * ph_vec3_dot(d->value, d->d1);
-  double e2 = 2 * (ph_vec3_dot(d->value, d->d2) + ph_vec3_dot(d->d1, d->d1));
-  double e3 =
-      2 * (ph_vec3_dot(d->value, d->d3) + 3 * ph_vec3_dot(d->d1, d->d2));
-  double p, p1, p2, s1, s2;
-  struct scalar q;
-  q.v[0] = half_angle2(ph_vec3_dot(d->value, d->value), m);
-  *b = bessel_at(q.v[0]);
-  p = 1 / (b->f[0] * b->f[1]);
-  p1 = -(b->f[0] * b->f[2] + b->f[1] * b->f[1]) / 2;
-  p2 = (b->f[0] * b->f[3] + 3 * b->f[1] * b->f[2]) / 4;
-  q.v[1] = e1 * p;
-  s1 = p1 * q.v[1];
-  q.v[2] = (e2 - s1 * q.v[1]) * p;
-  s2 = p2 * q.v[1] * q.v[1] + p1 * q.v[2];
-  q.v[3] = (e3 - 2 * s1 * q.v[2] - s2 * q.v[1]) * p;
-  return q;
+/* (1) between fixed points: Z'' = -theta^2 Z. */
+INLINE void arc_step(const struct arc *arc, const struct basis *basis,
+                     int order, struct jet *z) {
+  double a, b; /* A - 1 and B */
+  if (basis->terms > 0) {
+    struct scalar e = {{arc->e, 0, 0, 0}};
+    struct weights w = near_weights(basis, &e, 0);
+    a = w.a.v[0];
+    b = w.b.v[0];
+  } else {
+    double f[5];
+    bessel(basis->sigma * basis->sigma * arc->q, f);
+    a = f[0] * arc->ic - 1;
+    b = basis->sigma * f[1] * arc->ig;
+  }
+  z->d[0] = ph_vec3_along(ph_vec3_along(arc->mu, a, arc->m), b, arc->d);
+  if (order >= 1) {
+    z->d[1] = ph_vec3_along(ph_vec3_scale(-arc->a * b, arc->m),
+                            arc->b * (1 + a), arc->d);
+  }
+  if (order >= 3) {
+    ph_vec3 full = ph_vec3_along(ph_vec3_scale(1 + a, arc->m), b, arc->d);
+    z->d[2] = ph_vec3_scale(-arc->square, full);
+    z->d[3] = ph_vec3_scale(-arc->square, z->d[1]);
+  }
 }
 
-/* Derivatives of sigma^2 Q. */
-static inline struct scalar square_jet(double sigma, const struct scalar *q) {
-  double ss = sigma * sigma;
-  struct scalar y = {{ss * q->v[0], ss * q->v[1] + 4 * sigma * q->v[0],
-                      ss * q->v[2] + 8 * (sigma * q->v[1] + q->v[0]),
-                      ss * q->v[3] + 12 * sigma * q->v[2] + 24 * q->v[1]}};
-  return y;
+/* sum_i binomial(n, i) x_{n-i} v_i, with v for v_0 */
+INLINE ph_vec3 product(const struct scalar *x, ph_vec3 v, const struct jet *jet,
+                       int n) {
+  ph_vec3 sum = ph_vec3_scale(x->v[n], v);
+  if (n >= 2) {
+    sum = ph_vec3_along(sum, n * x->v[n - 1], jet->d[1]);
+  }
+  if (n >= 3) {
+    sum = ph_vec3_along(sum, n * x->v[n - 2], jet->d[2]);
+  }
+  return ph_vec3_along(sum, x->v[0], jet->d[n]);
 }
 
-static inline struct jet slerp_jet(ph_vec3 base, const struct jet *u,
-                                   const struct jet *w, double sigma) {
-  struct jet mu = {half_sum(u->value, w->value), half_sum(u->d1, w->d1),
-                   half_sum(u->d2, w->d2), half_sum(u->d3, w->d3)};
-  struct jet d = {half_difference(u->value, w->value),
-                  half_difference(u->d1, w->d1), half_difference(u->d2, w->d2),
-                  half_difference(u->d3, w->d3)};
-  ph_vec3 m = ph_vec3_add(base, mu.value);
-  struct bessel bq, by;
-  struct scalar q = angle_jet(&d, m, &bq), y = square_jet(sigma, &q), a, r;
-  double b[4];
+/* (1) between moving points. */
+INLINE void step(ph_vec3 base, const struct basis *basis, const struct jet *u,
+                 const struct jet *w, int order, struct jet *z) {
+  struct jet mu, d;
+  struct scalar e;
+  struct weights k;
+  ph_vec3 m;
+  for (int n = 0; n <= order; n++) {
+    mu.d[n] = half_sum(u->d[n], w->d[n]);
+    d.d[n] = half_difference(u->d[n], w->d[n]);
+  }
+  m = ph_vec3_add(base, mu.d[0]);
+  e.v[0] = ph_vec3_dot(d.d[0], d.d[0]);
+  if (order >= 1) {
+    e.v[1] = 2 * ph_vec3_dot(d.d[0], d.d[1]);
+  }
+  if (order >= 3) {
+    e.v[2] = 2 * (ph_vec3_dot(d.d[0], d.d[2]) + ph_vec3_dot(d.d[1], d.d[1]));
+    e.v[3] =
+        2 * (ph_vec3_dot(d.d[0], d.d[3]) + 3 * ph_vec3_dot(d.d[1], d.d[2]));
+  }
+  k = basis->terms > 0 ? near_weights(basis, &e, order)
+                       : far_weights(basis->sigma, &e, m, order);
+  z->d[0] =
+      ph_vec3_along(ph_vec3_along(mu.d[0], k.a.v[0], m), k.b.v[0], d.d[0]);
+  k.a.v[0] += 1;
+  for (int n = 1; n <= order; n++) {
+    z->d[n] =
+        ph_vec3_add(product(&k.a, m, &mu, n), product(&k.b, d.d[0], &d, n));
+  }
+}
+
+/* -------------------------------------------------------------------------- */
+/* Segments                                                                   */
+/* -------------------------------------------------------------------------- */
+
+/* theta^2 and theta / tan phi, by series: with phi = asin sqrt(E),
+ *   dQ/dE = phi / (sin(phi) cos(phi)) = sum_k h_k E^k,
+ *   h_k = h_{k-1} 2 k / (2 k + 1). */
+INLINE void near_arc(struct arc *arc, size_t terms) {
+  static const double h[TERMS] = {1.0,
+                                  2.0 / 3,
+                                  8.0 / 15,
+                                  16.0 / 35,
+                                  128.0 / 315,
+                                  256.0 / 693,
+                                  1024.0 / 3003,
+                                  2048.0 / 6435,
+                                  32768.0 / 109395,
+                                  65536.0 / 230945,
+                                  262144.0 / 969969};
+  static const double integral[TERMS] = {1.0,
+                                         1.0 / 3,
+                                         8.0 / 45,
+                                         4.0 / 35,
+                                         128.0 / 1575,
+                                         128.0 / 2079,
+                                         1024.0 / 21021,
+                                         256.0 / 6435,
+                                         32768.0 / 984555,
+                                         32768.0 / 1154725,
+                                         262144.0 / 10669659};
+  double sum = 0, q = 0;
+  for (size_t k = terms; k-- > 0;) {
+    sum = h[k] + arc->e * sum;
+    q = integral[k] + arc->e * q;
+  }
+  arc->square = 4 * arc->e * q;
+  arc->a = 2 * arc->e * sum;
+  arc->b = 2 * (1 - arc->e) * sum;
+}
+
+INLINE void far_arc(struct arc *arc) {
+  double c = ph_vec3_abs(arc->m), phi = atan2(sqrt(arc->e), c), f[4];
+  arc->q = phi * phi;
+  ph_s2_bessel(arc->q, f);
+  arc->ic = 1 / c;
+  arc->ig = 1 / f[0];
+  arc->square = 4 * arc->q;
+  arc->a = 2 * arc->q * f[0] * arc->ic;
+  arc->b = 2 * c * arc->ig;
+}
+
+/* Terms of (2) for all E <= e. */
+INLINE size_t terms_for(double e) {
+  return e < 0x1p-17 ? 5 : e < 0x1p-11 ? 7 : e < NEAR ? TERMS : 0;
+}
+
+INLINE void net_of(const struct ph_spherical *s, struct net *net) {
+  double e = 0;
+  net->base = s->p[0];
+  for (size_t k = 0; k < 3; k++) {
+    struct arc *arc = &net->arc[k];
+    ph_vec3 u = s->p[k], w = s->p[k + 1];
+    arc->mu = half_sum(ph_vec3_sub(u, net->base), ph_vec3_sub(w, net->base));
+    arc->m = half_sum(u, w);
+    arc->d = half_difference(u, w);
+    arc->e = ph_vec3_dot(arc->d, arc->d);
+    e = e < arc->e ? arc->e : e;
+  }
+  net->e = e;
+  net->terms = terms_for(e);
+  for (size_t k = 0; k < 3; k++) {
+    if (net->terms > 0) {
+      near_arc(&net->arc[k], net->terms);
+    } else {
+      far_arc(&net->arc[k]);
+    }
+  }
+}
+
+/* The curve and its derivatives at t, by three steps, two, and one. */
+INLINE void net_jet(const struct net *net, double t, int order, struct jet *z) {
+  struct basis basis;
+  struct jet a, b, c;
+  basis_of(t, net->terms, order, &basis);
+  arc_step(&net->arc[0], &basis, order, &a);
+  arc_step(&net->arc[1], &basis, order, &b);
+  arc_step(&net->arc[2], &basis, order, &c);
+  step(net->base, &basis, &a, &b, order, &a);
+  step(net->base, &basis, &b, &c, order, &b);
+  step(net->base, &basis, &a, &b, order, z);
+}
+
+/* |S'| */
+static double net_speed(const struct net *net, double t) {
   struct jet z;
-  by = bessel_at(y.v[0]);
-  a = quotient(chain(by.f, &y), chain(bq.f, &q));
-  r = quotient(chain(by.f + 1, &y), chain(bq.f + 1, &q));
-  b[0] = sigma * r.v[0];
-  b[1] = sigma * r.v[1] + 2 * r.v[0];
-  b[2] = sigma * r.v[2] + 4 * r.v[1];
-  b[3] = sigma * r.v[3] + 6 * r.v[2];
-  z.value =
-      ph_vec3_along(ph_vec3_along(mu.value, a.v[0] - 1, m), b[0], d.value);
-  z.d1 = ph_vec3_add(ph_vec3_along(ph_vec3_scale(a.v[1], m), a.v[0], mu.d1),
-                     ph_vec3_along(ph_vec3_scale(b[1], d.value), b[0], d.d1));
-  z.d2 = ph_vec3_add(
-      ph_vec3_along(ph_vec3_along(ph_vec3_scale(a.v[2], m), 2 * a.v[1], mu.d1),
-                    a.v[0], mu.d2),
-      ph_vec3_along(ph_vec3_along(ph_vec3_scale(b[2], d.value), 2 * b[1], d.d1),
-                    b[0], d.d2));
-  z.d3 = ph_vec3_add(
-      ph_vec3_along(ph_vec3_along(ph_vec3_along(ph_vec3_scale(a.v[3], m),
-                                                3 * a.v[2], mu.d1),
-                                  3 * a.v[1], mu.d2),
-                    a.v[0], mu.d3),
-      ph_vec3_along(ph_vec3_along(ph_vec3_along(ph_vec3_scale(b[3], d.value),
-                                                3 * b[2], d.d1),
-                                  3 * b[1], d.d2),
-                    b[0], d.d3));
-  return z;
-}
-
-static inline struct jet net_jet(const struct net *net, double t) {
-  double sigma = 2 * t - 1;
-  struct jet a = arc_jet(&net->arc[0], sigma), b = arc_jet(&net->arc[1], sigma),
-             c = arc_jet(&net->arc[2], sigma);
-  a = slerp_jet(net->base, &a, &b, sigma);
-  b = slerp_jet(net->base, &b, &c, sigma);
-  return slerp_jet(net->base, &a, &b, sigma);
-}
-
-/* -------------------------------------------------------------------------- */
-/* Values and first derivatives                                               */
-/* -------------------------------------------------------------------------- */
-
-/* Displacement and first derivative. */
-struct first {
-  ph_vec3 value, d1;
-};
-
-static inline struct first arc_first(const struct arc *a, double sigma) {
-  struct bessel y = bessel_at(sigma * sigma * a->q);
-  double cb = sigma * y.f[1] * a->ig;
-  struct first z;
-  z.value =
-      ph_vec3_along(ph_vec3_along(a->mu, y.f[0] * a->ic - 1, a->m), cb, a->d);
-  z.d1 = ph_vec3_along(ph_vec3_scale(-2 * a->q * sigma * y.f[1] * a->ic, a->m),
-                       2 * y.f[0] * a->ig, a->d);
-  return z;
-}
-
-static inline struct first slerp_first(ph_vec3 base, const struct first *u,
-                                       const struct first *w, double sigma) {
-  ph_vec3 mu = half_sum(u->value, w->value), mu1 = half_sum(u->d1, w->d1);
-  ph_vec3 d = half_difference(u->value, w->value);
-  ph_vec3 d1 = half_difference(u->d1, w->d1);
-  ph_vec3 m = ph_vec3_add(base, mu);
-  double q = half_angle2(ph_vec3_dot(d, d), m), ss = sigma * sigma;
-  struct bessel bq = bessel_at(q), by = bessel_at(ss * q);
-  double ic = 1 / bq.f[0], ig = 1 / bq.f[1];
-  double q1 = 2 * ph_vec3_dot(d, d1) * ic * ig;
-  double y1 = ss * q1 + 4 * sigma * q;
-  double a = by.f[0] * ic, r = by.f[1] * ig;
-  double a1 = (a * bq.f[1] * q1 - by.f[1] * y1) * ic / 2;
-  double r1 = (r * bq.f[2] * q1 - by.f[2] * y1) * ig / 2;
-  struct first z;
-  z.value = ph_vec3_along(ph_vec3_along(mu, a - 1, m), sigma * r, d);
-  z.d1 = ph_vec3_add(
-      ph_vec3_along(ph_vec3_scale(a1, m), a, mu1),
-      ph_vec3_along(ph_vec3_scale(sigma * r1 + 2 * r, d), sigma * r, d1));
-  return z;
-}
-
-static inline struct first net_first(const struct net *net, double t) {
-  double sigma = 2 * t - 1;
-  struct first a = arc_first(&net->arc[0], sigma),
-               b = arc_first(&net->arc[1], sigma),
-               c = arc_first(&net->arc[2], sigma);
-  a = slerp_first(net->base, &a, &b, sigma);
-  b = slerp_first(net->base, &b, &c, sigma);
-  return slerp_first(net->base, &a, &b, sigma);
+  net_jet(net, t, 1, &z);
+  return ph_vec3_abs(z.d[1]);
 }
 
 /* -------------------------------------------------------------------------- */
@@ -288,25 +442,32 @@ struct ph_spherical ph_spherical_of(const struct ph_curve *curve, size_t k) {
 }
 
 ph_vec3 ph_spherical_point(const struct ph_spherical *s, double t) {
-  struct net net = net_of(s);
-  return ph_vec3_add(net.base, net_first(&net, t).value);
+  struct net net;
+  struct jet z;
+  net_of(s, &net);
+  net_jet(&net, t, 0, &z);
+  return ph_vec3_add(net.base, z.d[0]);
 }
 
 void ph_spherical_first(const struct ph_spherical *s, double t,
                         ph_vec3 jet[2]) {
-  struct net net = net_of(s);
-  struct first z = net_first(&net, t);
-  jet[0] = ph_vec3_add(net.base, z.value);
-  jet[1] = z.d1;
+  struct net net;
+  struct jet z;
+  net_of(s, &net);
+  net_jet(&net, t, 1, &z);
+  jet[0] = ph_vec3_add(net.base, z.d[0]);
+  jet[1] = z.d[1];
 }
 
 void ph_spherical_jet(const struct ph_spherical *s, double t, ph_vec3 jet[4]) {
-  struct net net = net_of(s);
-  struct jet z = net_jet(&net, t);
-  jet[0] = ph_vec3_add(net.base, z.value);
-  jet[1] = z.d1;
-  jet[2] = z.d2;
-  jet[3] = z.d3;
+  struct net net;
+  struct jet z;
+  net_of(s, &net);
+  net_jet(&net, t, 3, &z);
+  jet[0] = ph_vec3_add(net.base, z.d[0]);
+  jet[1] = z.d[1];
+  jet[2] = z.d[2];
+  jet[3] = z.d[3];
 }
 
 void ph_spherical_numerator(const struct ph_spherical *s, double t,
@@ -316,13 +477,6 @@ void ph_spherical_numerator(const struct ph_spherical *s, double t,
   side = ph_vec3_cross(jet[0], jet[1]);
   k[0] = ph_vec3_dot(side, jet[2]);
   k[1] = ph_vec3_dot(side, jet[3]);
-}
-
-double ph_spherical_curvature(const struct ph_spherical *s, double t) {
-  ph_vec3 jet[4];
-  ph_spherical_jet(s, t, jet);
-  return ph_vec3_triple(jet[0], jet[1], jet[2]) /
-         pow(ph_vec3_dot(jet[1], jet[1]), 1.5);
 }
 
 /* K at p, the first of three control points, and the angle to the second. */
@@ -354,107 +508,83 @@ double ph_spherical_curvature_end(const struct ph_spherical *s) {
   return -k / (27 * theta * theta * theta);
 }
 
+double ph_spherical_curvature(const struct ph_spherical *s, double t) {
+  ph_vec3 jet[4];
+  if (t <= 0 || t >= 1) {
+    return t <= 0 ? ph_spherical_curvature_start(s)
+                  : ph_spherical_curvature_end(s);
+  }
+  ph_spherical_jet(s, t, jet);
+  return ph_vec3_triple(jet[0], jet[1], jet[2]) /
+         pow(ph_vec3_dot(jet[1], jet[1]), 1.5);
+}
+
 /* -------------------------------------------------------------------------- */
 /* Arc length                                                                 */
 /* -------------------------------------------------------------------------- */
 
-/*
- * A Gauss rule on [-1/2, 1/2] by pairs of nodes, with what shows whether it
- * converges: four Legendre coefficients of the interpolant, two in the middle
- * and the last two.  Row 0 of even gives the mean, the others coefficients; a
- * node in the centre counts twice.
- */
-struct rule {
-  size_t pairs;
-  double node[6];
-  double even[3][6];
-  double odd[2][6];
-};
-
-static const struct rule coarse = {
-    3,
-    {0.0, 0.26923465505284154552, 0.4530899229693319964},
-    {{0.14222222222222222222, 0.23931433524968323402, 0.11846344252809454376},
-     {-0.35555555555555555556, -0.077868341440967528549, 0.4334238969965230841},
-     {0.48, -0.74199601592044532879, 0.26199601592044532879}},
-    {{0.0, 0.38659027500089126226, 0.32204755229841746931},
-     {0.0, -0.69919864488923337627, 0.41547714135083258685}}};
-
-static const struct rule fine = {
-    6,
-    {0.062616704255734457736, 0.18391574949909009688, 0.29365897714330872365,
-     0.38495133709715234352, 0.45205862818523742834, 0.49078031712335962535},
-    {{0.1245735229067013925, 0.11674626826917740438, 0.10158371336153296087,
-      0.080039164271673113167, 0.05346966299765921548, 0.023587668193255913597},
-     {-0.34715378214889289156, 0.38058509091808292126, 0.26573067079623031459,
-      -0.3465072903130101249, -0.15110587102212645101, 0.19845118176971623163},
-     {-0.1604625453605403859, 0.42763805622508023892, -0.5543681498504460557,
-      0.50861689081657065533, -0.3268652502223004072, 0.10544099839163595456}},
-    {{0.29854843120289561917, 0.39456584681068129361, -0.13534950141601142323,
-      -0.36919629498002251604, -0.0082478954702026470128,
-      0.19221786265920149397},
-     {-0.67116123783272482009, 0.60897690166332891715, -0.49442267934928262056,
-      0.34604162358432194396, -0.18937270565563256635,
-      0.056268555635291563007}}};
-
-/* The error that is allowed, relative to the length, and how often the
- * interval is halved and how many parts of it are tried at most. */
-static const double PRECISION = 2e-14;
-enum { HALVINGS = 50, PARTS = 2000 };
+/* Gauss rules on [0,1]: on gentle segments, and on parts of the others. */
+static const struct ph_quad coarse = {
+    5,
+    {0.046910077030668003601, 0.23076534494715845448, 0.5,
+     0.76923465505284154552, 0.9530899229693319964},
+    {0.11846344252809454376, 0.23931433524968323402, 0.28444444444444444444,
+     0.23931433524968323402, 0.11846344252809454376}};
+static const struct ph_quad fine = {
+    13,
+    {0.0079084726407059252636, 0.041200800388511017397, 0.099210954633345043603,
+     0.17882533027982988968, 0.27575362448177657356, 0.38477084202243260297,
+     0.5, 0.61522915797756739703, 0.72424637551822342644,
+     0.82117466972017011032, 0.9007890453666549564, 0.9587991996114889826,
+     0.99209152735929407474},
+    {0.02024200238265793976, 0.046060749918864223957, 0.069436755109893619232,
+     0.08907299038097286914, 0.10390802376844425116, 0.11314159013144861921,
+     0.1162757766154369551, 0.11314159013144861921, 0.10390802376844425116,
+     0.08907299038097286914, 0.069436755109893619232, 0.046060749918864223957,
+     0.02024200238265793976}};
 
 /*
- * Integral of the speed over [a, a + width], and a bound of its error: the
- * coefficients fall by high / middle over half the degree of the interpolant,
- * and the first one that a Gauss rule takes for a constant is as far again.
+ * Whether 5 nodes suffice for a segment whose squares of half the angles
+ * between control points are at most e: the Legendre coefficients of the speed
+ * fall so fast that the tenth, which is the error, does not matter.
+ *
+ * in   speed[5]  at the nodes
  */
-static double part(const struct net *net, const struct rule *rule, double a,
-                   double width, double *error) {
-  double even[3] = {0, 0, 0}, odd[2] = {0, 0}, middle, high;
-  double c = a + width / 2;
-  for (size_t i = 0; i < rule->pairs; i++) {
-    double x = width * rule->node[i];
-    double r = ph_vec3_abs(net_first(net, c + x).d1);
-    double l = x > 0 ? ph_vec3_abs(net_first(net, c - x).d1) : r;
-    for (size_t k = 0; k < 3; k++) {
-      even[k] += rule->even[k][i] * (r + l);
+static bool gentle(const double speed[5], double mean, double e) {
+  static const double R = 0.04;
+  double bound = mean;
+  double p[5] = {1, 1, 1, 1, 1}, before[5] = {0, 0, 0, 0, 0};
+  bool small = e <= 1e-3;
+  for (int k = 1; k < 5; k++) {
+    double c = 0; /* the integral of speed P_k times 2 k + 1 */
+    for (size_t i = 0; i < 5; i++) {
+      double x = 2 * coarse.node[i] - 1;
+      double next = ((2 * k - 1) * x * p[i] - (k - 1) * before[i]) / k;
+      before[i] = p[i];
+      p[i] = next;
+      c += (2 * k + 1) * coarse.weight[i] * speed[i] * next;
     }
-    for (size_t k = 0; k < 2; k++) {
-      odd[k] += rule->odd[k][i] * (r - l);
-    }
+    bound *= R;
+    small = small && fabs(c) <= bound;
   }
-  middle = fmax(fabs(even[1]), fabs(odd[0]));
-  high = fmax(fabs(even[2]), fabs(odd[1]));
-  *error = width * (high < middle ? high * pow(high / middle, 2) : high);
-  return width * even[0];
+  return small;
+}
+
+static double speed_at(const void *net, double t) {
+  return net_speed(net, t);
 }
 
 double ph_spherical_length(const struct ph_spherical *s, double to) {
-  struct net net = net_of(s);
-  double error, length = part(&net, &coarse, 0, to, &error), tolerance;
-  double sum = 0, width = to;
-  size_t at = 0, depth = 0; /* the part is [at, at + 1] width */
-  tolerance = PRECISION * length;
-  if (error <= tolerance) {
-    return length;
+  static const double precision =
+      1e-10; /* of what two halves are better than */
+  struct net net;
+  double speed[5], mean = 0;
+  net_of(s, &net);
+  for (size_t i = 0; i < 5; i++) {
+    speed[i] = net_speed(&net, to * coarse.node[i]);
+    mean += coarse.weight[i] * speed[i];
   }
-  for (size_t parts = 0; parts < PARTS; parts++) {
-    length = part(&net, &fine, (double)at * width, width, &error);
-    if (error <= tolerance) {
-      sum += length;
-      for (at++; at % 2 == 0 && depth > 0; depth--) {
-        at /= 2;
-        width *= 2;
-      }
-      if (depth == 0) {
-        return sum;
-      }
-    } else if (depth < HALVINGS) {
-      depth++;
-      at *= 2;
-      width /= 2;
-    } else {
-      break;
-    }
-  }
-  return (double)NAN;
+  return gentle(speed, mean, net.e) ? to * mean
+                                    : ph_adapt(&fine, speed_at, &net, 0, to,
+                                               precision * mean, precision);
 }

@@ -5,18 +5,26 @@
 #include "base/sum.h"
 #include "io/number.h"
 
+#include <math.h>
 #include <string.h>
 
+/* Curves differ in what is known of a place on them. */
+enum space { PLANE, SPACE, SPHERE, SPACES };
+
 /* Columns between `id` and the swept fields. */
-static const struct {
-  const char *before_point;
-  bool point;
-  const char *after_point, *in_space;
-} columns[] = {
-    [PH_TABLE_CONTROL_POINTS] = {",segment,index", true, "", ""},
-    [PH_TABLE_LENGTHS] = {",segment,t0,t1,length,cumulative", false, "", ""},
-    [PH_TABLE_OFFSETS] = {",distance,segment,index", true, ",weight",
-                          ",vector"},
+static const char *const columns[PH_TABLE_N][SPACES] = {
+    [PH_TABLE_CONTROL_POINTS] = {",segment,index,x,y", ",segment,index,x,y,z",
+                                 ",segment,index,x,y,z"},
+    [PH_TABLE_LENGTHS] = {",segment,t0,t1,length,cumulative",
+                          ",segment,t0,t1,length,cumulative",
+                          ",segment,t0,t1,length,cumulative"},
+    [PH_TABLE_SAMPLES] = {",segment,t,s,x,y,tx,ty,curvature",
+                          ",segment,t,s,x,y,z,tx,ty,tz,curvature,torsion",
+                          ",segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat"},
+    [PH_TABLE_OFFSETS] =
+        {",distance,segment,index,x,y,weight",
+         ",distance,segment,index,x,y,z,weight,vector",
+         ",distance,segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat"},
 };
 
 /* A row: cells with commas before all but the first. */
@@ -49,11 +57,18 @@ static void json_cell(struct ph_buf *buf, const char *json) {
   text_cell(buf, json + quote, n - 2 * quote);
 }
 
+/* A number that is not finite leaves its cell empty. */
 static void number_cell(struct ph_buf *buf, double x) {
   char *to = ph_buf_reserve(buf, PH_NUMBER_MAX + 1);
   if (to) {
     *to = ',';
-    buf->n += 1 + ph_number_write(to + 1, x);
+    buf->n += 1 + (isfinite(x) ? ph_number_write(to + 1, x) : 0);
+  }
+}
+
+static void number_cells(struct ph_buf *buf, const double *v, size_t n) {
+  for (size_t i = 0; i < n; i++) {
+    number_cell(buf, v[i]);
   }
 }
 
@@ -70,16 +85,11 @@ static void end_row(const struct row *row) {
 }
 
 void ph_csv_header(struct ph_buf *buf, enum ph_table table, size_t dimension,
-                   const struct ph_swept *swept, size_t swept_n) {
+                   bool on_sphere, const struct ph_swept *swept,
+                   size_t swept_n) {
+  enum space space = on_sphere ? SPHERE : dimension == 3 ? SPACE : PLANE;
   ph_buf_puts(buf, "id");
-  ph_buf_puts(buf, columns[table].before_point);
-  if (columns[table].point) {
-    ph_buf_puts(buf, dimension == 3 ? ",x,y,z" : ",x,y");
-  }
-  ph_buf_puts(buf, columns[table].after_point);
-  if (dimension == 3) {
-    ph_buf_puts(buf, columns[table].in_space);
-  }
+  ph_buf_puts(buf, columns[table][space]);
   for (size_t i = 0; i < swept_n; i++) {
     ph_buf_put(buf, ",", 1);
     text_cell(buf, swept[i].name, strlen(swept[i].name));
@@ -94,9 +104,8 @@ static void control_points(const struct row *row, const struct ph_curve *c) {
       begin_row(row);
       number_cell(row->buf, (double)k);
       number_cell(row->buf, (double)i);
-      for (size_t j = 0; j < c->dimension; j++) {
-        number_cell(row->buf, *p++);
-      }
+      number_cells(row->buf, p, c->dimension);
+      p += c->dimension;
       end_row(row);
     }
   }
@@ -112,6 +121,32 @@ static void lengths(const struct row *row, const struct ph_curve *c) {
     number_cell(row->buf, c->knots[k + 1]);
     number_cell(row->buf, c->lengths[k]);
     number_cell(row->buf, ph_sum_value(&cumulative));
+    end_row(row);
+  }
+}
+
+/* Samples of the curve, or of the offset that is not NULL. */
+static void samples(const struct row *row, const struct ph_samples *s,
+                    const struct ph_offset *o) {
+  struct ph_buf *buf = row->buf;
+  size_t d = s->dimension;
+  for (size_t i = 0; i < s->n; i++) {
+    begin_row(row);
+    if (o) {
+      number_cell(buf, o->distance);
+    }
+    number_cell(buf, (double)s->segment[i]);
+    number_cell(buf, s->t[i]);
+    number_cell(buf, s->s[i]);
+    number_cells(buf, s->point + d * i, d);
+    number_cells(buf, s->tangent + d * i, d);
+    number_cell(buf, s->curvature[i]);
+    if (s->torsion) {
+      number_cell(buf, s->torsion[i]);
+    }
+    if (s->lonlat) {
+      number_cells(buf, s->lonlat + 2 * i, 2);
+    }
     end_row(row);
   }
 }
@@ -132,9 +167,8 @@ static void offset_pieces(const struct row *row, const struct ph_offset *o,
       number_cell(row->buf, o->distance);
       number_cell(row->buf, (double)pieces->segment[piece]);
       number_cell(row->buf, (double)index++);
-      for (size_t j = 0; j < pieces->dimension; j++) {
-        number_cell(row->buf, *p++);
-      }
+      number_cells(row->buf, p, pieces->dimension);
+      p += pieces->dimension;
       number_cell(row->buf, weight ? *weight++ : 1);
       if (o->vector) {
         ph_buf_puts(row->buf, ",");
@@ -148,7 +182,11 @@ static void offset_pieces(const struct row *row, const struct ph_offset *o,
 static void offset(const struct row *row, const struct ph_offset *o) {
   struct ph_pieces rational = {o->degree,   o->dimension,      o->n, o->segment,
                                o->interval, o->control_points, 0};
-  offset_pieces(row, o, o->weights ? &rational : &o->pieces, o->weights);
+  if (o->samples.n) {
+    samples(row, &o->samples, o);
+  } else {
+    offset_pieces(row, o, o->weights ? &rational : &o->pieces, o->weights);
+  }
 }
 
 void ph_csv_result(struct ph_buf *buf, enum ph_table table,
@@ -161,6 +199,9 @@ void ph_csv_result(struct ph_buf *buf, enum ph_table table,
     break;
   case PH_TABLE_LENGTHS:
     lengths(&row, &result->curve);
+    break;
+  case PH_TABLE_SAMPLES:
+    samples(&row, &result->samples, NULL);
     break;
   case PH_TABLE_OFFSETS:
     for (size_t i = 0; i < result->offsets_n; i++) {

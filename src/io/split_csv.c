@@ -38,7 +38,9 @@ static const struct {
     {"length", PH_F_LENGTHS, 0, false}, {"tx", PH_F_TANGENTS, 0, true},
     {"ty", PH_F_TANGENTS, 1, true},     {"tz", PH_F_TANGENTS, 2, true},
     {"dx", PH_F_DERIVATIVES, 0, true},  {"dy", PH_F_DERIVATIVES, 1, true},
-    {"dz", PH_F_DERIVATIVES, 2, true},
+    {"dz", PH_F_DERIVATIVES, 2, true},  {"lon", PH_F_LONLAT, 0, true},
+    {"lat", PH_F_LONLAT, 1, true},      {"longitude", PH_F_LONLAT, 0, true},
+    {"latitude", PH_F_LONLAT, 1, true},
 };
 
 enum { NAMES = sizeof names / sizeof *names };
@@ -302,6 +304,12 @@ static enum ph_status columns_by_row(struct ph_split *split, const char *row,
   if (!*data) {
     return ph_split_columns(split, row, (size_t)(end - row), split->delimiter,
                             false, &split->csv.columns, diag);
+  }
+  if (numeric && census.cells == 2 && row_of(split->schema, PH_F_LONLAT)) {
+    return ph_fail(
+        diag, PH_SYNTAX, NULL,
+        "the file has no header row: --columns=lon,lat or "
+        "--columns=lat,lon must say which of its 2 columns is which");
   }
   if (numeric && (census.cells == 2 || census.cells == 3)) {
     status = ph_split_columns(split, "x,y,z", 2 * census.cells - 1, ',', false,

@@ -84,6 +84,9 @@ static const char *vectors_phrase(const struct ph_field *row) {
   if (row->id == PH_F_ANGLES) {
     return "an array of pairs [theta,beta]";
   }
+  if (row->id == PH_F_LONLAT) {
+    return "an array of pairs [lon,lat]";
+  }
   return phrases[row->id == PH_F_POINTS][plane && space ? 2 : space ? 1 : 0];
 }
 

@@ -8,15 +8,16 @@
 
 #include <string.h>
 
-/* Columns of a scalar row in a step: blocks k, k+1, k+2, the right-hand side,
- * blocks n-2 and n-1.  Columns from E on are empty in all rows but far ones. */
-enum { C0 = 0, C1 = 2, C2 = 4, F = 6, E = 7, L = 9, WIDTH = 11 };
+/* Columns of a scalar row in a step: its size, blocks k, k+1, k+2, the
+ * right-hand side, blocks n-2 and n-1.  Those from E on are empty in all rows
+ * but far ones. */
+enum { SIZE = 0, C0 = 1, C1 = 3, C2 = 5, F = 7, E = 8, L = 10, WIDTH = 12 };
 
 /* Rows of a step. */
 enum { NEAR = 0, NEW = 2, LAST = 4, ROWS = 6 };
 
 /* Blocks and scalars of the dense tail. */
-enum { TAIL = 4, TAIL2 = 2 * TAIL };
+enum { TAIL = 4, TAIL2 = 2 * TAIL, TAIL_WIDTH = TAIL2 + 2 };
 
 /* 1e-32 is eps^2: even unknowns whose scales differ by 1e16 do not feel it. */
 static const double NEGLIGIBLE = 1e-32;
@@ -46,6 +47,8 @@ void ph_block2_begin(struct ph_block2 *t, size_t n,
     struct ph_block2_active *a = &t->near[i], *z = &t->last[i];
     a->f = first->f[i];
     z->f = last->f[i];
+    a->size = ph_block2_size(first, i);
+    z->size = ph_block2_size(last, i);
     for (int j = 0; j < 2; j++) {
       a->c0[j] = first->di[2 * i + j];
       a->c1[j] = first->up[2 * i + j];
@@ -72,6 +75,7 @@ static void spread(const struct ph_block2_active *a, double w[WIDTH]) {
     w[L + j] = a->l[j];
   }
   w[F] = a->f;
+  w[SIZE] = a->size;
 }
 
 static void spread_row(const struct ph_block2_row *row, int i,
@@ -83,6 +87,7 @@ static void spread_row(const struct ph_block2_row *row, int i,
     w[E + j] = w[L + j] = 0;
   }
   w[F] = row->f[i];
+  w[SIZE] = ph_block2_size(row, i);
 }
 
 /* A row without its columns of block k: the window moves on by a block. */
@@ -94,6 +99,7 @@ static void gather(const double w[WIDTH], struct ph_block2_active *a) {
     a->l[j] = w[L + j];
   }
   a->f = w[F];
+  a->size = w[SIZE];
 }
 
 static void swap_rows(double *a, double *b, size_t n) {
@@ -104,27 +110,28 @@ static void swap_rows(double *a, double *b, size_t n) {
   }
 }
 
-/* Brings the largest entry of column k among rows k, k+1, ... into row k,
- * divides that row by it, and clears the column below. */
-static void eliminate(double *w, size_t stride, size_t rows, size_t columns,
+/* Brings the largest entry of unknown k, in units of its row's size, from rows
+ * k, k+1, ... into row k, divides that row by it, and clears it below.  Element
+ * 0 of a row is its size, element 1 that of unknown 0. */
+static void eliminate(double *w, size_t width, size_t rows, size_t columns,
                       size_t k) {
-  double *top = w + k * stride, inverse;
-  size_t best = k;
+  double *top = w + k * width, *best = top, inverse;
   for (size_t r = k + 1; r < rows; r++) {
-    if (fabs(w[r * stride + k]) > fabs(w[best * stride + k])) {
-      best = r;
+    double *row = w + r * width;
+    if (fabs(row[k + 1]) * best[SIZE] > fabs(best[k + 1]) * row[SIZE]) {
+      best = row;
     }
   }
-  if (best != k) {
-    swap_rows(top, w + best * stride, columns);
+  if (best != top) {
+    swap_rows(top, best, columns);
   }
-  inverse = 1 / top[k];
-  for (size_t c = k + 1; c < columns; c++) {
+  inverse = 1 / top[k + 1];
+  for (size_t c = k + 2; c < columns; c++) {
     top[c] *= inverse;
   }
   for (size_t r = k + 1; r < rows; r++) {
-    double *row = w + r * stride, m = row[k];
-    for (size_t c = k + 1; c < columns; c++) {
+    double *row = w + r * width, m = row[k + 1];
+    for (size_t c = k + 2; c < columns; c++) {
       row[c] -= m * top[c];
     }
   }
@@ -135,15 +142,12 @@ static void store(struct ph_block2 *t, const double a[WIDTH],
                   const double b[WIDTH]) {
   struct ph_block2_pivot *p = &t->pivot[t->k];
   const double c2[4] = {a[C2], a[C2 + 1], b[C2], b[C2 + 1]};
-  p->u = a[1];
+  p->u = a[C0 + 1];
   p->fa = a[F];
   p->fb = b[F];
   memcpy(p->a, a + C1, sizeof p->a);
   memcpy(p->b, b + C1, sizeof p->b);
   if (t->last_far || t->near_far) {
-    for (; t->far_n < t->k; t->far_n++) { /* alive again, as NaN is */
-      memset(&t->far[t->far_n], 0, sizeof t->far[t->far_n]);
-    }
     memcpy(t->far[t->k].a, a + E, sizeof t->far[t->k].a);
     memcpy(t->far[t->k].b, b + E, sizeof t->far[t->k].b);
     t->far_n = t->k + 1;
@@ -204,9 +208,7 @@ void ph_block2_push_any(struct ph_block2 *t, const struct ph_block2_row *row) {
   store(t, w[0], w[1]);
   for (int i = 0; i < 2; i++) {
     gather(w[NEW + i], &t->near[i]);
-    if (t->last_far) {
-      gather(w[LAST + i], &t->last[i]);
-    }
+    gather(w[LAST + i], &t->last[i]);
   }
   t->k++;
   if (far) {
@@ -216,44 +218,46 @@ void ph_block2_push_any(struct ph_block2 *t, const struct ph_block2_row *row) {
 
 /* ---- the end ------------------------------------------------------------- */
 
-/* Adds a row of a block to the scalar row `row`, at block column c. */
+/* Adds a row of a block to the scalar row `row`, at block c. */
 static void add(double *row, size_t c, const double half[2]) {
-  row[2 * c] += half[0];
-  row[2 * c + 1] += half[1];
+  row[2 * c + 1] += half[0];
+  row[2 * c + 2] += half[1];
 }
 
-/* The scalar rows of the tail's m blocks; column 2 m is the right-hand side. */
+/* The scalar rows of the tail's m blocks: size, unknowns, right-hand side. */
 static void gather_tail(const struct ph_block2 *t, size_t m,
-                        double a[TAIL2][TAIL2 + 1]) {
+                        double a[TAIL2][TAIL_WIDTH]) {
   memset(a, 0, TAIL2 * sizeof a[0]);
   for (size_t i = 0; i < 2; i++) {
     const struct ph_block2_active *active[2] = {&t->near[i], &t->last[i]};
     for (size_t r = 0; r < (m > 1 ? 2 : 1); r++) {
       double *row = a[r == 0 ? i : 2 * m - 2 + i];
+      row[SIZE] = active[r]->size;
       add(row, 0, active[r]->c0);
       add(row, m > 1 ? 1 : 0, active[r]->c1);
       add(row, m > 1 ? m - 2 : 0, active[r]->e);
       add(row, m - 1, active[r]->l);
-      row[2 * m] = active[r]->f;
+      row[2 * m + 1] = active[r]->f;
     }
     for (size_t r = 0; r + 2 < m; r++) {
       double *row = a[2 * r + 2 + i];
+      row[SIZE] = ph_block2_size(&t->tail[r], (int)i);
       add(row, r, &t->tail[r].lo[2 * i]);
       add(row, r + 1, &t->tail[r].di[2 * i]);
       add(row, r + 2, &t->tail[r].up[2 * i]);
-      row[2 * m] = t->tail[r].f[i];
+      row[2 * m + 1] = t->tail[r].f[i];
     }
   }
 }
 
-static void solve_tail(double a[TAIL2][TAIL2 + 1], size_t m, double (*x)[2]) {
+static void solve_tail(double a[TAIL2][TAIL_WIDTH], size_t m, double (*x)[2]) {
   for (size_t k = 0; k < 2 * m; k++) {
-    eliminate(a[0], TAIL2 + 1, 2 * m, 2 * m + 1, k);
+    eliminate(a[0], TAIL_WIDTH, 2 * m, 2 * m + 2, k);
   }
   for (size_t k = 2 * m; k-- > 0;) {
-    double sum = a[k][2 * m];
+    double sum = a[k][2 * m + 1];
     for (size_t c = k + 1; c < 2 * m; c++) {
-      sum -= a[k][c] * x[c / 2][c % 2];
+      sum -= a[k][c + 1] * x[c / 2][c % 2];
     }
     x[k / 2][k % 2] = sum;
   }
@@ -264,7 +268,7 @@ static double dot(const double a[2], const double x[2]) {
 }
 
 void ph_block2_finish(const struct ph_block2 *t, double (*x)[2]) {
-  double a[TAIL2][TAIL2 + 1], next[2];
+  double a[TAIL2][TAIL_WIDTH], next[2];
   const size_t m = t->n - t->stop;
   size_t fill_n = t->fill_n;
   gather_tail(t, m, a);

@@ -18,11 +18,13 @@
  *   near   what is left of the rows above,           blocks k, k+1, n-2, n-1
  *   row    the new block row k+1,                    blocks k, k+1, k+2
  *   last   the last block row, for its corner block, blocks k, k+1, n-2, n-1
- * The pivot of each column is the largest of its entries in all of them, as in
- * a scalar band matrix: a singular diagonal block does no harm.  (Elimination
- * by blocks, with pivoting inside them only, would divide by it.)  Both pivot
- * rows are divided by their pivots; their fill stays inside blocks k+1, k+2,
- * n-2, n-1.  The last four blocks are solved densely.
+ * The pivot of each column is the largest of its entries in all of them, each
+ * measured in the largest entry that its row had at first, as in a scalar band
+ * matrix: neither a singular diagonal block nor rows of different sizes do
+ * harm.  (Elimination by blocks, with pivoting inside them only, would divide
+ * by a singular block.)  Both pivot rows are divided by their pivots; their
+ * fill stays inside blocks k+1, k+2, n-2, n-1.  The last four blocks are solved
+ * densely.
  *
  * What lies in blocks n-2 and n-1 of the near rows and outside them in the
  * last row decays geometrically along a matrix that is anything like
@@ -42,10 +44,10 @@ struct ph_block2_row {
   double lo[4], di[4], up[4], f[2];
 };
 
-/* A scalar row under elimination: blocks k and k+1, its right-hand side, and
- * blocks n-2 and n-1. */
+/* A scalar row under elimination: blocks k and k+1, its right-hand side, blocks
+ * n-2 and n-1, and the largest entry that the row had at first. */
 struct ph_block2_active {
-  double c0[2], c1[2], f, e[2], l[2];
+  double c0[2], c1[2], f, e[2], l[2], size;
 };
 
 /* The pivot rows of block k, both divided by their pivots:
@@ -97,41 +99,57 @@ void ph_block2_begin(struct ph_block2 *t, size_t n,
 /* ph_block2_push_any: ph_block2_push for every case. */
 void ph_block2_push_any(struct ph_block2 *t, const struct ph_block2_row *row);
 
+/* ph_block2_size: the largest entry of scalar row i of a block row. */
+static inline double ph_block2_size(const struct ph_block2_row *row, int i) {
+  double size = 0;
+  for (int j = 2 * i; j < 2 * i + 2; j++) {
+    size = fabs(row->lo[j]) > size ? fabs(row->lo[j]) : size;
+    size = fabs(row->di[j]) > size ? fabs(row->di[j]) : size;
+    size = fabs(row->up[j]) > size ? fabs(row->up[j]) : size;
+  }
+  return size;
+}
+
 /* ph_block2_push: the next row: 1, 2, ..., n-2. */
 static inline void ph_block2_push(struct ph_block2 *t,
                                   const struct ph_block2_row *row) {
   const double *lo = row->lo;
-  const bool swap = fabs(t->near[1].c0[0]) > fabs(t->near[0].c0[0]);
-  struct ph_block2_active *p = &t->near[swap], *q = &t->near[!swap];
+  const struct ph_block2_active *p = &t->near[0], *q = &t->near[1];
+  const double size[2] = {ph_block2_size(row, 0), ph_block2_size(row, 1)};
   double inverse = 1 / p->c0[0], m = q->c0[0] * inverse;
-  double u = p->c0[1] * inverse, second = q->c0[1] - m * p->c0[1];
-  double r = lo[1] - lo[0] * u, s = lo[3] - lo[2] * u;
-  struct ph_block2_pivot *pivot = &t->pivot[t->k];
+  double u = p->c0[1] * inverse, v = q->c0[1] - m * p->c0[1];
+  const double d[2] = {lo[1] - lo[0] * u, lo[3] - lo[2] * u};
+  double first = fabs(p->c0[0]), second = fabs(v);
+  struct ph_block2_pivot pivot;
   if (t->last_far || t->near_far || t->k == t->stop ||
-      !(fabs(p->c0[0]) >= fabs(lo[0]) && fabs(p->c0[0]) >= fabs(lo[2]) &&
-        fabs(second) >= fabs(r) && fabs(second) >= fabs(s))) {
+      !(first * q->size >= fabs(q->c0[0]) * p->size &&
+        first * size[0] >= fabs(lo[0]) * p->size &&
+        first * size[1] >= fabs(lo[2]) * p->size &&
+        second * size[0] >= fabs(d[0]) * q->size &&
+        second * size[1] >= fabs(d[1]) * q->size)) {
     ph_block2_push_any(t, row);
     return;
   }
-  /* The near rows have both pivots, as nearly always. */
-  second = 1 / second;
-  pivot->u = u;
-  pivot->b[0] = (q->c1[0] - m * p->c1[0]) * second;
-  pivot->b[1] = (q->c1[1] - m * p->c1[1]) * second;
-  pivot->fb = (q->f - m * p->f) * second;
-  pivot->a[0] = p->c1[0] * inverse;
-  pivot->a[1] = p->c1[1] * inverse;
-  pivot->fa = p->f * inverse;
+  /* The near rows have both pivots in their order, as nearly always. */
+  v = 1 / v;
+  pivot.u = u;
+  pivot.a[0] = p->c1[0] * inverse;
+  pivot.a[1] = p->c1[1] * inverse;
+  pivot.fa = p->f * inverse;
+  pivot.b[0] = (q->c1[0] - m * p->c1[0]) * v;
+  pivot.b[1] = (q->c1[1] - m * p->c1[1]) * v;
+  pivot.fb = (q->f - m * p->f) * v;
   for (int i = 0; i < 2; i++) {
-    const double c = lo[2 * i], d = i ? s : r;
+    const double c = lo[2 * i];
     struct ph_block2_active *near = &t->near[i];
-    near->c0[0] = row->di[2 * i] - c * pivot->a[0] - d * pivot->b[0];
-    near->c0[1] = row->di[2 * i + 1] - c * pivot->a[1] - d * pivot->b[1];
-    near->f = row->f[i] - c * pivot->fa - d * pivot->fb;
+    near->c0[0] = row->di[2 * i] - c * pivot.a[0] - d[i] * pivot.b[0];
+    near->c0[1] = row->di[2 * i + 1] - c * pivot.a[1] - d[i] * pivot.b[1];
+    near->f = row->f[i] - c * pivot.fa - d[i] * pivot.fb;
     near->c1[0] = row->up[2 * i];
     near->c1[1] = row->up[2 * i + 1];
+    near->size = size[i];
   }
-  t->k++;
+  t->pivot[t->k++] = pivot;
 }
 
 /*

@@ -14,10 +14,13 @@
 #include "curve/problem.h"
 #include "curve/result.h"
 
+#include <stdbool.h>
+
 struct ph_method {
   struct ph_schema schema; /* name of the command, fields of its problems */
   const char *title;       /* one line for the help */
   size_t dimension;        /* of its curves */
+  bool on_sphere;          /* they are, and in 3 dimensions */
   /*
    * solve: fills result->curve, the solver's own diagnostics (iterations,
    * residual) and warnings.

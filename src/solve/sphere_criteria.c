@@ -138,13 +138,6 @@ bool ph_sphere_shape_of(const struct ph_sphere_data *data, double epsilon,
 
 /* ---- nodes --------------------------------------------------------------- */
 
-static struct ph_spherical segment(const struct ph_sphere_spline *s, size_t k) {
-  const ph_vec3 *p = s->data->p;
-  struct ph_spherical c = {
-      {p[k], s->r[k], s->l[k], p[ph_sphere_next(s->data, k)]}};
-  return c;
-}
-
 static bool is_straight(const struct ph_sphere_shape *shape,
                         const struct ph_spherical *left,
                         const struct ph_spherical *right, size_t i) {
@@ -172,8 +165,8 @@ ph_sphere_node_fails(const struct ph_sphere_shape *shape,
   if (!shape->inorder[i] && shape->q[i] == 0) {
     return PH_SPHERE_FINE;
   }
-  left = segment(s, ph_sphere_before(s->data, i));
-  right = segment(s, i);
+  left = ph_sphere_segment(s, ph_sphere_before(s->data, i));
+  right = ph_sphere_segment(s, i);
   if (shape->inorder[i]) {
     return is_straight(shape, &left, &right, i) ? PH_SPHERE_FINE
                                                 : PH_SPHERE_COCIRCULARITY;
@@ -287,7 +280,7 @@ ph_sphere_segment_fails(const struct ph_sphere_shape *shape,
   if (shape->q[k] * shape->q[ph_sphere_next(s->data, k)] <= 0) {
     return PH_SPHERE_FINE;
   }
-  c = segment(s, k);
+  c = ph_sphere_segment(s, k);
   verdict = by_plane(&c, sign);
   if (verdict == UNKNOWN) {
     verdict = by_pieces(&c, sign) ? YES : NO;

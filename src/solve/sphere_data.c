@@ -335,9 +335,9 @@ static enum ph_status check_ends(const struct reading *r) {
     return ph_fail(r->diag, PH_MISSING_FIELD, "end_tangents",
                    "must be given with \"ends\":\"clamped\"");
   }
-  if (given && !ph_field_is(ends, "clamped")) {
+  if (given && ends->kind != PH_ABSENT && !ph_field_is(ends, "clamped")) {
     return ph_fail(r->diag, PH_BAD_VALUE, "end_tangents",
-                   "is for \"ends\":\"clamped\"");
+                   "excludes \"ends\":\"%s\"", ends->word);
   }
   if (given && (tangents->n != 2 || tangents->dimension != 3)) {
     return ph_fail(r->diag, PH_BAD_SHAPE, "end_tangents",
@@ -376,7 +376,7 @@ static enum ph_status read_end(struct reading *r, size_t side) {
 static enum ph_status read_ends(struct reading *r) {
   const struct ph_value *ends = field(r, PH_F_ENDS);
   enum ph_status status;
-  if (!ph_field_is(ends, "clamped")) {
+  if (field(r, PH_F_END_TANGENTS)->kind == PH_ABSENT) {
     r->data->ends =
         ph_field_is(ends, "rest") ? PH_SPHERE_REST : PH_SPHERE_NATURAL;
     return PH_OK;

@@ -35,67 +35,67 @@
 #include "kernel/s2.h"
 #include "solve/sphere_spline.h"
 
-/* Below this the closed forms of stretch_of would cancel. */
-static const double SMALL = 0.5;
+/* Below these X and s series are used, NEAR of them with few terms. */
+static const double NEAR = 1.0 / 64;
+static const double FAR = 0.5;
+enum { TERMS_NEAR = 5, TERMS = 9, TERMS_SPAN = 8 };
+
+/* m = (1 - f0) / X and what follows from it: f0 = 1 - X m, f1 = 2 (m + X m'),
+ * c of (2), k of (4) and its derivative by X. */
+struct stretch {
+  double f0, f1, c, k, dk;
+};
+
+static struct stretch stretch_of(double x) {
+  static const double series[TERMS] = {
+      1 / 6.0,          -1 / 120.0,          1 / 5040.0,
+      -1 / 362880.0,    1 / 39916800.0,      -1 / 6227020800.0,
+      1 / 1307674368e3, -1 / 355687428096e3, 1 / 121645100408832e3};
+  size_t terms = x < NEAR ? TERMS_NEAR : TERMS;
+  double m = series[terms - 1], dm = 0;
+  struct stretch s;
+  if (x < FAR) {
+    for (size_t k = terms - 1; k-- > 0;) {
+      dm = m + x * dm;
+      m = series[k] + x * m;
+    }
+    s.f0 = 1 - x * m;
+    s.f1 = 2 * (m + x * dm);
+  } else {
+    double f[4];
+    ph_s2_bessel(x, f);
+    s.f0 = f[0];
+    s.f1 = f[1];
+    m = (1 - s.f0) / x;
+    dm = (s.f1 / 2 - m) / x;
+  }
+  s.c = x * (m + s.f1);
+  s.k = m / s.f0;
+  s.dk = (dm + s.k * s.f1 / 2) / s.f0;
+  return s;
+}
 
 /* One end of a segment: P with its frame, u and what (2) says of it. */
 struct end {
   ph_vec3 e1, e2, p;
   double z[2];
-  double f0, f1; /* of X = |z|^2 */
-  double c;
+  struct stretch by; /* of X = |z|^2 */
   ph_vec3 q;
 };
-
-/* k of (4) and its derivative by X. */
-struct stretch {
-  double k, dk;
-};
-
-/* (1 - f0) / X and its derivative, by series where X is small. */
-static struct stretch stretch_of(double x, double f0, double f1) {
-  double m, dm; /* m = (1 - f0) / X */
-  struct stretch s;
-  if (x < SMALL) {
-    static const double c[] = {
-        1 / 6.0,          -1 / 120.0,          1 / 5040.0,
-        -1 / 362880.0,    1 / 39916800.0,      -1 / 6227020800.0,
-        1 / 1307674368e3, -1 / 355687428096e3, 1 / 121645100408832e3};
-    enum { TERMS = sizeof c / sizeof c[0] };
-    m = c[TERMS - 1];
-    dm = 0;
-    for (size_t k = TERMS - 1; k-- > 0;) {
-      dm = m + x * dm;
-      m = c[k] + x * m;
-    }
-  } else {
-    m = (1 - f0) / x;
-    dm = (f1 / 2 - m) / x;
-  }
-  s.k = m / f0;
-  s.dk = (dm + s.k * f1 / 2) / f0;
-  return s;
-}
 
 /* The end at node i with u = scale x[i]; u = 0 with scale = 0. */
 static struct end end_of(const struct ph_sphere_spline *s, size_t i,
                          double scale) {
   const struct ph_sphere_data *d = s->data;
   struct end e;
-  double x, half, f[4];
   ph_vec3 u = ph_vec3_scale(scale, s->x[i]);
   e.p = d->p[i];
   e.e1 = d->e[i];
   e.e2 = ph_vec3_cross(e.p, e.e1);
   e.z[0] = ph_vec3_dot(u, e.e1);
   e.z[1] = ph_vec3_dot(u, e.e2);
-  x = e.z[0] * e.z[0] + e.z[1] * e.z[1];
-  ph_s2_bessel(x, f);
-  half = ph_s2_f0(x / 4);
-  e.f0 = f[0];
-  e.f1 = f[1];
-  e.c = x / 2 * half * half;
-  e.q = ph_vec3_along(ph_vec3_scale(e.f0, u), -e.c, e.p);
+  e.by = stretch_of(e.z[0] * e.z[0] + e.z[1] * e.z[1]);
+  e.q = ph_vec3_along(ph_vec3_scale(e.by.f0, u), -e.by.c, e.p);
   return e;
 }
 
@@ -103,20 +103,35 @@ static struct end end_of(const struct ph_sphere_spline *s, size_t i,
 struct span {
   ph_vec3 d; /* from the first end's B to the second's */
   double s, g;
-  double dg; /* of g by s: g^3 f1(phi^2) / 2 */
+  double dg; /* of g by s */
 };
 
+/* With y = s/4 = sin^2(phi/2),
+ *   g = asin(sqrt y) / sqrt(y (1 - y)) = 1 + (2/3) y + (8/15) y^2 + ...,
+ * or dg = g^3 f1(phi^2) / 2 where that converges slowly. */
 static struct span span_of(const struct end *a, const struct end *b) {
+  static const double series[TERMS_SPAN] = {
+      1,           2.0 / 3,     8.0 / 15,      16.0 / 35,
+      128.0 / 315, 256.0 / 693, 1024.0 / 3003, 2048.0 / 6435};
   struct span r;
-  double angle, f[4];
-  ph_vec3 sum;
   r.d = ph_vec3_add(ph_vec3_sub(b->p, a->p), ph_vec3_sub(b->q, a->q));
-  sum = ph_vec3_add(ph_vec3_add(a->p, a->q), ph_vec3_add(b->p, b->q));
   r.s = ph_vec3_dot(r.d, r.d);
-  angle = 2 * atan2(sqrt(r.s), ph_vec3_abs(sum));
-  ph_s2_bessel(angle * angle, f);
-  r.g = 1 / f[0];
-  r.dg = r.g * r.g * r.g * f[1] / 2;
+  if (r.s < NEAR) {
+    double y = r.s / 4;
+    r.g = series[TERMS_SPAN - 1];
+    r.dg = 0;
+    for (size_t k = TERMS_SPAN - 1; k-- > 0;) {
+      r.dg = r.g + y * r.dg;
+      r.g = series[k] + y * r.g;
+    }
+    r.dg /= 4;
+  } else {
+    ph_vec3 sum = ph_vec3_add(ph_vec3_add(a->p, a->q), ph_vec3_add(b->p, b->q));
+    double angle = 2 * atan2(sqrt(r.s), ph_vec3_abs(sum)), f[4];
+    ph_s2_bessel(angle * angle, f);
+    r.g = 1 / f[0];
+    r.dg = r.g * r.g * r.g * f[1] / 2;
+  }
   return r;
 }
 
@@ -126,16 +141,12 @@ static ph_vec3 local(const struct end *e, ph_vec3 v) {
                     ph_vec3_dot(v, e->p));
 }
 
-static ph_vec3 global(const struct end *e, ph_vec3 v) {
-  return ph_vec3_along(ph_vec3_along(ph_vec3_scale(v.x, e->e1), v.y, e->e2),
-                       v.z, e->p);
-}
-
 /* dq by z[j], in the end's own frame. */
 static ph_vec3 move_of(const struct end *e, int j) {
-  ph_vec3 v = ph_vec3_of(-e->f1 * e->z[0] * e->z[j], -e->f1 * e->z[1] * e->z[j],
-                         -e->f0 * e->z[j]);
-  *(j == 0 ? &v.x : &v.y) += e->f0;
+  double f0 = e->by.f0, f1 = e->by.f1;
+  ph_vec3 v = ph_vec3_of(-f1 * e->z[0] * e->z[j], -f1 * e->z[1] * e->z[j],
+                         -f0 * e->z[j]);
+  *(j == 0 ? &v.x : &v.y) += f0;
   return v;
 }
 
@@ -143,86 +154,99 @@ static ph_vec3 move_of(const struct end *e, int j) {
 struct bend {
   const struct end *end;
   const struct span *span;
-  double sign; /* of d: 1 at the first end */
-  double w;    /* of (5) */
-  ph_vec3 d;   /* in the end's frame */
-  struct stretch stretch;
-  double along; /* f0 (s/2 - d.P) / (2 - c) */
-  double cross; /* Im(conj(z) delta) */
+  double w;       /* of (5) */
+  ph_vec3 d;      /* in the end's frame */
+  double over;    /* f0 / (2 - c) */
+  double along;   /* f0 (s/2 - d.P) / (2 - c) */
+  double cross;   /* Im(conj(z) delta) */
+  double wide[2]; /* A / (6 w g) but for the last z */
 };
 
 static struct bend bend_of(const struct end *e, const struct span *span,
                            double sign, double w) {
-  struct bend b = {.end = e, .span = span, .sign = sign, .w = w};
-  double x = e->z[0] * e->z[0] + e->z[1] * e->z[1];
+  struct bend b = {.end = e, .span = span, .w = w};
+  const double *z = e->z;
+  double k;
   b.d = local(e, ph_vec3_scale(sign, span->d));
-  b.stretch = stretch_of(x, e->f0, e->f1);
-  b.along = e->f0 * (span->s / 2 - b.d.z) / (2 - e->c);
-  b.cross = e->z[0] * b.d.y - e->z[1] * b.d.x;
+  b.over = e->by.f0 / (2 - e->by.c);
+  b.along = b.over * (span->s / 2 - b.d.z);
+  b.cross = z[0] * b.d.y - z[1] * b.d.x;
+  k = e->by.k * b.cross;
+  b.wide[0] = b.d.x + b.along * z[0] - k * z[1];
+  b.wide[1] = b.d.y + b.along * z[1] + k * z[0];
   return b;
 }
 
 /* A/6. */
 static ph_vec3 bend_value(const struct bend *b) {
-  const double *z = b->end->z;
-  double wg = b->w * b->span->g, k = b->stretch.k * b->cross;
-  return ph_vec3_of(wg * (b->d.x + b->along * z[0] - k * z[1]) - z[0],
-                    wg * (b->d.y + b->along * z[1] + k * z[0]) - z[1], 0);
+  double wg = b->w * b->span->g;
+  return ph_vec3_of(wg * b->wide[0] - b->end->z[0],
+                    wg * b->wide[1] - b->end->z[1], 0);
 }
 
-/* The derivative of A/6 when d moves by dd, in the end's frame. */
-static ph_vec3 bend_moved(const struct bend *b, ph_vec3 dd) {
-  const struct end *e = b->end;
-  const double *z = e->z;
-  double ds = 2 * ph_vec3_dot(b->d, dd);
-  double wdg = b->w * b->span->dg * ds, wg = b->w * b->span->g;
-  double along = e->f0 * (ds / 2 - dd.z) / (2 - e->c);
-  double cross = z[0] * dd.y - z[1] * dd.x;
-  double k = b->stretch.k;
-  return ph_vec3_of(wdg * (b->d.x + b->along * z[0] - k * b->cross * z[1]) +
-                        wg * (dd.x + along * z[0] - k * cross * z[1]),
-                    wdg * (b->d.y + b->along * z[1] + k * b->cross * z[0]) +
-                        wg * (dd.y + along * z[1] + k * cross * z[0]),
+/* The derivative of A/6 when d moves by dd, in the end's frame: s moves by
+ * 2 d.dd. */
+static inline ph_vec3 bend_moved(const struct bend *b, ph_vec3 dd) {
+  const double *z = b->end->z;
+  double half = ph_vec3_dot(b->d, dd), wg = b->w * b->span->g;
+  double wdg = 2 * b->w * b->span->dg * half;
+  double along = b->over * (half - dd.z);
+  double k = b->end->by.k * (z[0] * dd.y - z[1] * dd.x);
+  return ph_vec3_of(wdg * b->wide[0] + wg * (dd.x + along * z[0] - k * z[1]),
+                    wdg * b->wide[1] + wg * (dd.y + along * z[1] + k * z[0]),
                     0);
 }
 
-/* The same when z[j] moves and d does not. */
-static ph_vec3 bend_turned(const struct bend *b, int j) {
-  const struct end *e = b->end;
-  const double *z = e->z;
-  double wg = b->w * b->span->g, dx = 2 * z[j], rest = 2 - e->c;
-  /* f0' = -f1 / 2, c' = f0 / 2 */
-  double along = (b->span->s / 2 - b->d.z) *
-                 (-e->f1 / 2 * rest + e->f0 * e->f0 / 2) / (rest * rest) * dx;
+/* The same when z[j] moves and d does not: f0' = -f1 / 2, c' = f0 / 2. */
+static inline ph_vec3 bend_turned(const struct bend *b, int j) {
+  const struct stretch *by = &b->end->by;
+  const double *z = b->end->z;
+  double wg = b->w * b->span->g, dx = 2 * z[j], rest = 2 - by->c;
+  double along =
+      (b->span->s / 2 - b->d.z) * (b->over * b->over - by->f1 / rest) / 2 * dx;
   double cross = j == 0 ? b->d.y : -b->d.x;
-  double k = b->stretch.k * b->cross;
-  double dk = b->stretch.dk * dx * b->cross + b->stretch.k * cross;
+  double k = by->k * b->cross;
+  double dk = by->dk * dx * b->cross + by->k * cross;
+  double same = wg * b->along - 1;
   ph_vec3 v = ph_vec3_of(wg * (along * z[0] - dk * z[1]),
                          wg * (along * z[1] + dk * z[0]), 0);
-  if (j == 0) {
-    v.x += wg * b->along - 1;
-    v.y += wg * k;
-  } else {
-    v.x -= wg * k;
-    v.y += wg * b->along - 1;
-  }
+  v.x += j == 0 ? same : -wg * k;
+  v.y += j == 0 ? wg * k : same;
   return v;
+}
+
+/* The rotation from one end's frame to the other's, by its columns. */
+struct turn {
+  ph_vec3 column[3];
+};
+
+static struct turn turn_of(const struct end *from, const struct end *to) {
+  struct turn turn = {
+      {local(to, from->e1), local(to, from->e2), local(to, from->p)}};
+  return turn;
+}
+
+static inline ph_vec3 turned(const struct turn *turn, ph_vec3 v) {
+  return ph_vec3_along(
+      ph_vec3_along(ph_vec3_scale(v.x, turn->column[0]), v.y, turn->column[1]),
+      v.z, turn->column[2]);
 }
 
 /* The derivatives of both ends' A/6 by both ends' z. */
 static void derive(const struct end e[2], const struct bend bend[2],
-                   struct ph_sphere_part *part, const double factor[2]) {
+                   struct ph_sphere_part *part, const double scale[2],
+                   double by) {
   for (int w = 0; w < 2; w++) {
     int other = 1 - w;
+    struct turn turn = turn_of(&e[w], &e[other]);
     for (int j = 0; j < 2; j++) {
-      /* d leads away from this end's B and towards it, seen from the other */
+      /* d leads away from this end's B, and towards it seen from the other */
       ph_vec3 move = move_of(&e[w], j);
       ph_vec3 own = bend_moved(&bend[w], ph_vec3_scale(-1, move));
-      ph_vec3 far =
-          bend_moved(&bend[other], local(&e[other], global(&e[w], move)));
+      ph_vec3 far = bend_moved(&bend[other], turned(&turn, move));
       own = ph_vec3_add(own, bend_turned(&bend[w], j));
-      part->d[w][w][j] = ph_vec3_scale(factor[w], own);
-      part->d[other][w][j] = ph_vec3_scale(factor[w], far);
+      part->d[w][w][j] = ph_vec3_scale(by * scale[w], own);
+      part->d[other][w][j] = ph_vec3_scale(by * scale[w], far);
     }
   }
 }
@@ -236,16 +260,14 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
   struct end e[2];
   struct span span;
   struct bend bend[2];
-  double factor[2];
+  double scale[2] = {h / 3, -h / 3};
   for (int w = 0; w < 2; w++) {
-    double scale = w == 0 ? h / 3 : -h / 3;
     natural[w] = d->ends == PH_SPHERE_NATURAL && ph_sphere_is_end(d, node[w]);
-    e[w] = end_of(s, node[w], natural[w] ? 0 : scale);
-    factor[w] = by * scale;
+    e[w] = end_of(s, node[w], natural[w] ? 0 : scale[w]);
   }
   span = span_of(&e[0], &e[1]);
-  s->r[k] = ph_vec3_unit(ph_vec3_add(e[0].p, e[0].q));
-  s->l[k] = ph_vec3_unit(ph_vec3_add(e[1].p, e[1].q));
+  s->r[k] = ph_vec3_add(e[0].p, e[0].q);
+  s->l[k] = ph_vec3_add(e[1].p, e[1].q);
   if (natural[0] && natural[1]) {
     s->r[k] = ph_s2_slerp(e[0].p, e[1].p, 1 / 3.0);
     s->l[k] = ph_s2_slerp(e[0].p, e[1].p, 2 / 3.0);
@@ -259,7 +281,7 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
     part->f[w] = ph_vec3_scale(by, bend_value(&bend[w]));
   }
   if (derivatives) {
-    derive(e, bend, part, factor);
+    derive(e, bend, part, scale, by);
   }
 }
 
@@ -318,11 +340,28 @@ static void hug(struct ph_sphere_spline *s) {
   }
 }
 
-/* From there one step of Newton's iteration is the nu-spline of the plane,
- * wrapped around the sphere. */
-static void start(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
+/* Velocities of the parabola through three nodes, times a factor.  With factor
+ * 0, one step of Newton's iteration is the nu-spline of the plane, wrapped
+ * around the sphere. */
+static bool start(struct ph_sphere_spline *s, size_t which,
+                  struct ph_sphere_work *work) {
+  static const double factors[] = {0, 1, 0.5, 2, -1};
+  const struct ph_sphere_data *d = s->data;
   (void)work;
+  if (which >= sizeof factors / sizeof factors[0]) {
+    return false;
+  }
   hug(s);
+  for (size_t i = 0; which > 0 && i < d->n; i++) {
+    if (!ph_sphere_is_end(d, i)) {
+      size_t before = ph_sphere_before(d, i);
+      double a = d->h[before], b = d->h[i], f = factors[which] / (a + b);
+      ph_vec3 to = ph_s2_log(d->p[i], d->p[ph_sphere_next(d, i)]);
+      ph_vec3 from = ph_s2_log(d->p[i], d->p[before]);
+      s->x[i] = ph_vec3_along(ph_vec3_scale(f * a / b, to), -f * b / a, from);
+    }
+  }
+  return true;
 }
 
 const struct ph_sphere_model ph_sphere_exact = {"exact", segment, node,  move,

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Newton's iteration and continuation in the tensions (see sphere_newton.h).
+ * Newton's iteration, damped, and relaxation (see sphere_newton.h).
  *
- * Continuation: at tensions nu + sigma (4/h_i + 4/h_{i+1}) the spline hugs its
- * data when sigma is large; sigma falls to 0 by factors that adapt to how the
- * iteration gets on.
+ * Relaxation follows dx/dtime = -residual by implicit Euler steps whose length
+ * grows as the residual falls [KEL98]: the matrix of a Newton step has tau
+ * added to its diagonal, on which it has about 1, and tau is multiplied by the
+ * fall of the residual.
  */
 #include "solve/sphere_newton.h"
 
 #include <string.h>
 
 enum {
-  STEPS_MAX = 50,    /* of one iteration */
-  DESCENTS_MAX = 200 /* values of sigma */
+  STEPS_MAX = 50,  /* of one iteration */
+  RELAX_MAX = 150, /* of relaxation */
 };
 
 /* Longest step of a control point, in radians. */
@@ -23,14 +24,11 @@ static const double FRACTION_MIN = 1e-3;
  * not fall at once: solved as far as rounding lets it. */
 static const double SOLVED = 1e-14;
 static const double NEARLY = 1e-12;
-
-/* Continuation: the first sigma, the one from which 0 is tried, the first and
- * the smallest factor, and the one that is too near 1. */
-static const double SIGMA_MAX = 64;
-static const double SIGMA_MIN = 1e-2;
-static const double FACTOR = 0.5;
-static const double FACTOR_MIN = 0.25;
-static const double FACTOR_MAX = 0.999;
+/* Relaxation: the largest tau, below which it is 0, and the residual from which
+ * Newton's iteration takes over. */
+static const double TAU_MAX = 100;
+static const double TAU_MIN = 1e-14;
+static const double NEAR = 1e-6;
 
 struct ph_sphere_range ph_sphere_all(const struct ph_sphere_data *data) {
   struct ph_sphere_range all = {!data->closed,
@@ -78,16 +76,10 @@ static bool is_solved(struct miss miss) {
   return miss.rms <= NEARLY && miss.largest <= SOLVED;
 }
 
-static size_t node_at(const struct ph_sphere_data *d,
-                      struct ph_sphere_range range, size_t j) {
-  size_t i = range.first + j;
-  return i < d->n ? i : i - d->n;
-}
-
 /* The parts of the two segments at node j of a range, and its equation. */
 static struct ph_block2_row row_at(struct ph_sphere_spline *s,
                                    struct ph_sphere_range range, size_t j) {
-  size_t i = node_at(s->data, range, j);
+  size_t i = ph_sphere_node(s->data, range, j);
   struct ph_sphere_part left, right;
   struct ph_block2_row row;
   s->model->segment(s, ph_sphere_before(s->data, i), true, &left);
@@ -104,15 +96,20 @@ static void add_miss(struct miss *miss, const struct ph_block2_row *row) {
   }
 }
 
-/* The equations at x; pushed into the system. */
+static void add_tau(struct ph_block2_row *row, double tau) {
+  row->di[0] += tau;
+  row->di[3] += tau;
+}
+
+/* The equations at x; pushed into the system, with tau on the diagonal. */
 static struct miss evaluate(struct ph_sphere_spline *s,
-                            struct ph_sphere_range range,
+                            struct ph_sphere_range range, double tau,
                             struct ph_sphere_work *work) {
   const struct ph_sphere_data *d = s->data;
   size_t n = range.count;
   bool cyclic = d->closed && n == d->n;
   struct miss miss = {0, 0};
-  struct ph_sphere_part left, right;
+  struct ph_sphere_part part[2]; /* of the segments before and after a node */
   struct ph_block2_row row = row_at(s, range, 0),
                        last = row_at(s, range, n - 1);
   if (!cyclic) {
@@ -123,44 +120,47 @@ static struct miss evaluate(struct ph_sphere_spline *s,
       memset(last.lo, 0, sizeof last.lo);
     }
   }
+  add_tau(&row, tau);
+  add_tau(&last, tau);
   ph_block2_begin(&work->system, n, &row, &last);
   add_miss(&miss, &row);
   if (n > 1) {
     add_miss(&miss, &last);
   }
   if (n > 2) {
-    s->model->segment(s, node_at(d, range, 0), true, &left);
+    s->model->segment(s, ph_sphere_node(d, range, 0), true, &part[0]);
   }
   for (size_t j = 1; j + 1 < n; j++) {
-    size_t i = node_at(d, range, j);
-    s->model->segment(s, i, true, &right);
-    s->model->node(s, i, &left, &right, true, &row);
+    size_t i = ph_sphere_node(d, range, j);
+    s->model->segment(s, i, true, &part[j % 2]);
+    s->model->node(s, i, &part[(j + 1) % 2], &part[j % 2], true, &row);
+    add_tau(&row, tau);
     ph_block2_push(&work->system, &row);
     add_miss(&miss, &row);
-    left = right;
   }
   miss.rms = sqrt(miss.rms / (double)n);
   return miss;
 }
 
-/* The largest move of a control point by the step, in radians. */
-static double largest_move(const struct ph_sphere_spline *s,
-                           struct ph_sphere_range range,
-                           const struct ph_sphere_work *work) {
-  double largest = 0;
+/* The step; the fraction of it that moves no control point too far. */
+static double step_of(const struct ph_sphere_spline *s,
+                      struct ph_sphere_range range,
+                      struct ph_sphere_work *work) {
+  double largest = MOVE_MAX;
+  ph_block2_finish(&work->system, work->step);
   for (size_t j = 0; j < range.count; j++) {
-    size_t i = node_at(s->data, range, j);
+    size_t i = ph_sphere_node(s->data, range, j);
     double reach = s->model->reach(s, i);
     double move = reach * hypot(work->step[j][0], work->step[j][1]);
     largest = move <= largest ? largest : move;
   }
-  return largest;
+  return MOVE_MAX / largest;
 }
 
 static void keep(const struct ph_sphere_spline *s, struct ph_sphere_range range,
                  ph_vec3 *x) {
   for (size_t j = 0; j < range.count; j++) {
-    x[j] = s->x[node_at(s->data, range, j)];
+    x[j] = s->x[ph_sphere_node(s->data, range, j)];
   }
 }
 
@@ -168,7 +168,7 @@ static void keep(const struct ph_sphere_spline *s, struct ph_sphere_range range,
 static void move(struct ph_sphere_spline *s, struct ph_sphere_range range,
                  const ph_vec3 *x, const double (*step)[2], double fraction) {
   for (size_t j = 0; j < range.count; j++) {
-    size_t i = node_at(s->data, range, j);
+    size_t i = ph_sphere_node(s->data, range, j);
     s->x[i] = x[j];
     if (fraction > 0) {
       double by[2] = {fraction * step[j][0], fraction * step[j][1]};
@@ -186,23 +186,20 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
     return true;
   }
   keep(s, range, work->kept);
-  miss = evaluate(s, range, work);
+  miss = evaluate(s, range, 0, work);
   for (size_t step = 0; step < STEPS_MAX && !is_solved(miss); step++) {
     struct miss next = miss;
-    double fraction, largest;
-    ph_block2_finish(&work->system, work->step);
-    largest = largest_move(s, range, work);
-    fraction = largest <= MOVE_MAX ? 1 : MOVE_MAX / largest;
+    double fraction = step_of(s, range, work);
     keep(s, range, work->before);
     do {
       move(s, range, work->before, (const double(*)[2])work->step, fraction);
-      next = evaluate(s, range, work);
+      next = evaluate(s, range, 0, work);
       fraction /= 2;
     } while (!(next.rms < (1 - 0.2 * fraction) * miss.rms) &&
              fraction > FRACTION_MIN && !(miss.rms <= NEARLY));
     if (!(next.rms < miss.rms)) {
       move(s, range, work->before, NULL, 0);
-      miss = evaluate(s, range, work);
+      miss = evaluate(s, range, 0, work);
       break;
     }
     work->iterations++;
@@ -216,56 +213,28 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
   return false;
 }
 
-/* ---- continuation -------------------------------------------------------- */
-
-/* Tensions at sigma, towards those aimed at. */
-static void set_tensions(struct ph_sphere_spline *s, double sigma,
-                         const double *aim) {
-  const struct ph_sphere_data *d = s->data;
-  struct ph_sphere_range all = ph_sphere_all(d);
-  for (size_t j = 0; j < all.count; j++) {
-    size_t i = node_at(d, all, j);
-    s->nu[i] =
-        aim[i] + sigma * (4 / d->h[ph_sphere_before(d, i)] + 4 / d->h[i]);
-  }
+void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                    struct ph_sphere_work *work) {
+  double fraction;
+  evaluate(s, range, 0, work);
+  fraction = step_of(s, range, work);
+  keep(s, range, work->before);
+  move(s, range, work->before, (const double(*)[2])work->step, fraction);
+  evaluate(s, range, 0, work);
 }
 
-/* From sigma, where x is a solution, as far down as it goes: to 0 if true. */
-static bool descend(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
-  struct ph_sphere_range all = ph_sphere_all(s->data);
-  double sigma = SIGMA_MAX, factor = FACTOR;
-  for (size_t i = 0; i < DESCENTS_MAX; i++) {
-    double next = sigma > SIGMA_MIN ? sigma * factor : 0;
-    set_tensions(s, next, work->tension);
-    if (ph_sphere_newton(s, all, work)) {
-      sigma = next;
-      factor = factor * sqrt(factor);
-      factor = factor > FACTOR_MIN ? factor : FACTOR_MIN;
-      if (!(sigma > 0)) {
-        return true;
-      }
-    } else {
-      factor = sqrt(factor);
-      if (factor > FACTOR_MAX || !(sigma > SIGMA_MIN)) {
-        return false;
-      }
-    }
+bool ph_sphere_relax(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                     double tau, struct ph_sphere_work *work) {
+  struct miss miss = evaluate(s, range, tau, work);
+  for (size_t step = 0; step < RELAX_MAX && !(miss.rms <= NEAR); step++) {
+    double fraction = step_of(s, range, work), before = miss.rms;
+    keep(s, range, work->before);
+    move(s, range, work->before, (const double(*)[2])work->step, fraction);
+    miss = evaluate(s, range, tau, work);
+    tau *= miss.rms / before;
+    tau = tau < TAU_MAX ? tau : TAU_MAX;
+    tau = tau > TAU_MIN ? tau : 0;
+    work->iterations++;
   }
-  return false;
-}
-
-bool ph_sphere_solve(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
-  struct ph_sphere_range all = ph_sphere_all(s->data);
-  size_t size = s->data->n * sizeof *s->nu;
-  bool solved;
-  s->model->start(s, work);
-  if (ph_sphere_newton(s, all, work)) {
-    return true;
-  }
-  memcpy(work->tension, s->nu, size);
-  s->model->hug(s);
-  set_tensions(s, SIGMA_MAX, work->tension);
-  solved = ph_sphere_newton(s, all, work) && descend(s, work);
-  memcpy(s->nu, work->tension, size);
-  return solved || (s->model->last_resort && s->model->last_resort(s, work));
+  return ph_sphere_newton(s, range, work);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Newton's iteration for a spherical nu-spline at given tensions, of either
- * model, on all of its nodes or on a range of them while the rest stands still.
+ * model, on all of its nodes or on a range of them while the rest stands still;
+ * and relaxation, which comes nearer from where Newton's iteration fails.
  */
 #ifndef PH_SOLVE_SPHERE_NEWTON_H
 #define PH_SOLVE_SPHERE_NEWTON_H
@@ -13,6 +14,13 @@
 struct ph_sphere_range {
   size_t first, count;
 };
+
+/* ph_sphere_node: node j of a range. */
+static inline size_t ph_sphere_node(const struct ph_sphere_data *d,
+                                    struct ph_sphere_range range, size_t j) {
+  size_t i = range.first + j;
+  return i < d->n ? i : i - d->n;
+}
 
 /* ph_sphere_all: all nodes that have an equation. */
 struct ph_sphere_range ph_sphere_all(const struct ph_sphere_data *data);
@@ -51,13 +59,20 @@ bool ph_sphere_spline_alloc(struct ph_sphere_spline *s,
 bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
                       struct ph_sphere_work *work);
 
+/* ph_sphere_step: one step of the iteration, at most of such a length as the
+ * iteration takes, for derivatives. */
+void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                    struct ph_sphere_work *work);
+
 /*
- * ph_sphere_solve: the whole spline, from the start of its model; where
- * Newton's iteration fails, from large tensions down to those asked for, for
- * which the spline hugs the data; of `nielson`, by the thesis's sweeps at last.
+ * ph_sphere_relax: the same from farther away, by relaxation and then Newton's
+ * iteration.
  *
- * ret  whether a solution was found
+ * in    tau  what is added to the diagonal in the first step, where it is about
+ *            1: small tau means long steps
+ * inout s    x, which is anything afterwards if no solution was found
  */
-bool ph_sphere_solve(struct ph_sphere_spline *s, struct ph_sphere_work *work);
+bool ph_sphere_relax(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                     double tau, struct ph_sphere_work *work);
 
 #endif

@@ -13,6 +13,7 @@
 #ifndef PH_SOLVE_SPHERE_SPLINE_H
 #define PH_SOLVE_SPHERE_SPLINE_H
 
+#include "curve/spherical.h"
 #include "kernel/block2.h"
 #include "solve/sphere_data.h"
 
@@ -23,10 +24,20 @@ struct ph_sphere_spline {
   const struct ph_sphere_data *data;
   const struct ph_sphere_model *model;
   double *nu; /* [n] tensions */
-  ph_vec3 *x; /* [n] exact: velocities; nielson: the global control points */
+  ph_vec3 *x; /* [n] exact: velocities; nielson: the global control points, less
+               * the nodes */
   ph_vec3 *r; /* [m] control points after each node, and */
   ph_vec3 *l; /* [m] before the next one */
 };
+
+/* ph_sphere_segment: segment k. */
+static inline struct ph_spherical
+ph_sphere_segment(const struct ph_sphere_spline *s, size_t k) {
+  const ph_vec3 *p = s->data->p;
+  struct ph_spherical segment = {
+      {p[k], s->r[k], s->l[k], p[ph_sphere_next(s->data, k)]}};
+  return segment;
+}
 
 /*
  * What a segment contributes to the equations of its nodes: one vector to that
@@ -61,8 +72,10 @@ struct ph_sphere_model {
   /* hug: x of a spline that is nearly at infinite tension; of the ends of open
    * data, whatever it stays */
   void (*hug)(struct ph_sphere_spline *s);
-  /* start: x to begin an iteration from */
-  void (*start)(struct ph_sphere_spline *s, struct ph_sphere_work *work);
+  /* start: x to begin an iteration from; false when there is none of that
+   * number, 0, 1, ... */
+  bool (*start)(struct ph_sphere_spline *s, size_t which,
+                struct ph_sphere_work *work);
   /* last_resort: another way to a solution, which is true if it is one; or
    * NULL */
   bool (*last_resort)(struct ph_sphere_spline *s, struct ph_sphere_work *work);

@@ -153,5 +153,5 @@ awk -F, '$1 == "a" { segments[$2]; rows++ } END {
   for (k in segments) n++
   print (n > 2 && rows == 6 * n) }' out >found
 equal 'Bezier pieces are counted as segments' 1 "$(cat found)"
-run spatial-hermite -q -f csv --table=samples some.jsonl
+run spatial-hermite -q -f csv --table=points some.jsonl
 equal 'a table that is none' 2 "$status"

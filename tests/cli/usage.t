@@ -64,7 +64,7 @@ usage "--input-format must be auto|json|csv, found 'CSV'; \
 did you mean \"csv\"?" -i CSV
 usage "--format must be json|csv, found 'svg'; did you mean \"csv\"?" -f svg
 usage "--format must be json|csv, found 'json|csv'" --format='json|csv'
-usage "--table must be control-points|lengths|offsets, found 'length'; \
+usage "--table must be control-points|lengths|samples|offsets, found 'length'; \
 did you mean \"lengths\"?" -f csv --table=length
 usage '--table needs --format=csv' --table=lengths
 usage '--table=offsets needs --offset' -f csv --table=offsets

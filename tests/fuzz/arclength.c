@@ -297,8 +297,9 @@ static void arclength_check_offsets(const struct arclength_input *in,
   struct ph_offset offsets[PH_OFFSETS_SPATIAL];
   struct ph_diag diag;
   double size = result->curve.length;
-  enum ph_status status = ph_offset_spatial(&result->curve, size, 1e-3 * size,
-                                            arena, offsets, &diag);
+  const struct ph_offset_rules rules = {1e-3 * size, 0};
+  enum ph_status status =
+      ph_offset_spatial(&result->curve, size, &rules, arena, offsets, &diag);
   if (status != PH_OK) {
     fuzz_check_failure(&diag, status);
     return;

@@ -21,6 +21,7 @@
 static struct unit_planar u;
 static struct prop_data data;
 static struct ph_quad rule;
+static const struct ph_offset_rules within = {1e-9, 0};
 
 static void start(void) {
   ck_assert(ph_quad_gauss(&rule, 8));
@@ -294,7 +295,7 @@ START_TEST(test_offset_length) {
                 8 + unit_random_below(&r, 20), i / 2 % 2, &data);
     solve(i);
     d = some_distance(&r);
-    ck_assert_int_eq(ph_offset_planar(c, d, 1e-9, &u.arena, &o, &u.diag),
+    ck_assert_int_eq(ph_offset_planar(c, d, &within, &u.arena, &o, &u.diag),
                      PH_OK);
     for (size_t k = 0; k < o.n; k++) {
       length += piece_length(&o, k);
@@ -355,10 +356,10 @@ START_TEST(test_offset_reverse) {
     back.control_points = points;
     back.preimage = w;
     ck_assert_int_eq(
-        ph_offset_planar(&u.result.curve, d, 1e-9, &u.arena, &o, &u.diag),
+        ph_offset_planar(&u.result.curve, d, &within, &u.arena, &o, &u.diag),
         PH_OK);
-    ck_assert_int_eq(ph_offset_planar(&back, -d, 1e-9, &u.arena, &p, &u.diag),
-                     PH_OK);
+    ck_assert_int_eq(
+        ph_offset_planar(&back, -d, &within, &u.arena, &p, &u.diag), PH_OK);
     ck_assert_uint_eq(o.n, p.n);
     for (size_t k = 0; k < 10 * o.n; k++) {
       ck_same_point(&o, k, &p, 10 * o.n - 1 - k, i);

@@ -35,6 +35,10 @@ static const struct ph_schema schema = {"planar", rows, 3};
 static const struct ph_field space_rows[] = {
     {PH_F_POINTS, PH_VECTORS, SPACE, true, "", "", ""}};
 static const struct ph_schema space = {"spatial", space_rows, 1};
+static const struct ph_field sphere_rows[] = {
+    {PH_F_POINTS, PH_VECTORS, SPACE, false, "", "", ""},
+    {PH_F_LONLAT, PH_VECTORS, PLANE, false, "", "", ""}};
+static const struct ph_schema sphere = {"sphere", sphere_rows, 2};
 
 static const struct ph_split_options automatic = {PH_SPLIT_AUTO, 0, NULL};
 static const struct ph_split_options csv = {PH_SPLIT_CSV, 0, NULL};

@@ -4,6 +4,7 @@
 
 #include "io/csv_out.h"
 
+#include <math.h>
 #include <string.h>
 
 static struct ph_buf buf;
@@ -23,18 +24,34 @@ static const struct ph_swept swept[] = {{"knots[1]", "0.5"},
                                         {"odd,name", "[0,1]"}};
 
 START_TEST(test_headers) {
-  ph_csv_header(&buf, PH_TABLE_CONTROL_POINTS, 2, NULL, 0);
+  ph_csv_header(&buf, PH_TABLE_CONTROL_POINTS, 2, false, NULL, 0);
   ck_written("id,segment,index,x,y\n");
-  ph_csv_header(&buf, PH_TABLE_CONTROL_POINTS, 3, NULL, 0);
+  ph_csv_header(&buf, PH_TABLE_CONTROL_POINTS, 3, false, NULL, 0);
   ck_written("id,segment,index,x,y,z\n");
-  ph_csv_header(&buf, PH_TABLE_LENGTHS, 2, swept, 1);
+  ph_csv_header(&buf, PH_TABLE_LENGTHS, 2, false, swept, 1);
   ck_written("id,segment,t0,t1,length,cumulative,knots[1]\n");
-  ph_csv_header(&buf, PH_TABLE_OFFSETS, 2, swept, 2);
+  ph_csv_header(&buf, PH_TABLE_OFFSETS, 2, false, swept, 2);
   ck_written("id,distance,segment,index,x,y,weight,knots[1],\"odd,name\"\n");
-  ph_csv_header(&buf, PH_TABLE_LENGTHS, 3, NULL, 0);
+  ph_csv_header(&buf, PH_TABLE_LENGTHS, 3, false, NULL, 0);
   ck_written("id,segment,t0,t1,length,cumulative\n");
-  ph_csv_header(&buf, PH_TABLE_OFFSETS, 3, swept, 1);
+  ph_csv_header(&buf, PH_TABLE_OFFSETS, 3, false, swept, 1);
   ck_written("id,distance,segment,index,x,y,z,weight,vector,knots[1]\n");
+  ph_csv_header(&buf, PH_TABLE_SAMPLES, 2, false, NULL, 0);
+  ck_written("id,segment,t,s,x,y,tx,ty,curvature\n");
+  ph_csv_header(&buf, PH_TABLE_SAMPLES, 3, false, NULL, 0);
+  ck_written("id,segment,t,s,x,y,z,tx,ty,tz,curvature,torsion\n");
+}
+END_TEST
+
+START_TEST(test_headers_on_sphere) {
+  ph_csv_header(&buf, PH_TABLE_CONTROL_POINTS, 3, true, NULL, 0);
+  ck_written("id,segment,index,x,y,z\n");
+  ph_csv_header(&buf, PH_TABLE_LENGTHS, 3, true, NULL, 0);
+  ck_written("id,segment,t0,t1,length,cumulative\n");
+  ph_csv_header(&buf, PH_TABLE_SAMPLES, 3, true, swept, 1);
+  ck_written("id,segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat,knots[1]\n");
+  ph_csv_header(&buf, PH_TABLE_OFFSETS, 3, true, NULL, 0);
+  ck_written("id,distance,segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat\n");
 }
 END_TEST
 
@@ -123,6 +140,59 @@ START_TEST(test_offsets_in_space) {
 }
 END_TEST
 
+/* Two samples, the second where the curve stands still. */
+static size_t at[] = {0, 1};
+static double t[] = {0, 0.5}, length[] = {0, 2};
+static double place[] = {1, 2, 3, 4, 5, 6}, tangent[] = {1, 0, 0, 0, 1, 0};
+static double curvature[] = {-3, (double)NAN};
+static double torsion[] = {0.25, (double)NAN}, lonlat[] = {-180, 90, 7, 8};
+
+static struct ph_samples samples_of(size_t dimension) {
+  return (struct ph_samples){.n = 2,
+                             .dimension = dimension,
+                             .segment = at,
+                             .t = t,
+                             .s = length,
+                             .point = place,
+                             .tangent = tangent,
+                             .curvature = curvature};
+}
+
+START_TEST(test_samples) {
+  const struct ph_csv_heading heading = {"7", swept, 1};
+  struct ph_result result = by_hand();
+  ph_csv_result(&buf, PH_TABLE_SAMPLES, &heading, &result);
+  ck_written("");
+  result.samples = samples_of(2);
+  ph_csv_result(&buf, PH_TABLE_SAMPLES, &heading, &result);
+  ck_written("7,0,0,0,1,2,1,0,-3,0.5\n7,1,0.5,2,3,4,0,0,,0.5\n");
+  result.samples = samples_of(3);
+  result.samples.torsion = torsion;
+  ph_csv_result(&buf, PH_TABLE_SAMPLES, &heading, &result);
+  ck_written("7,0,0,0,1,2,3,1,0,0,-3,0.25,0.5\n"
+             "7,1,0.5,2,4,5,6,0,1,0,,,0.5\n");
+}
+END_TEST
+
+/* Of a curve on a sphere, and of its offset. */
+START_TEST(test_samples_on_sphere) {
+  const struct ph_csv_heading heading = {"7", NULL, 0};
+  struct ph_offset offset = {.distance = -0.5};
+  struct ph_result result = by_hand();
+  result.samples = samples_of(3);
+  result.samples.lonlat = lonlat;
+  offset.samples = result.samples;
+  result.offsets = &offset;
+  result.offsets_n = 1;
+  ph_csv_result(&buf, PH_TABLE_SAMPLES, &heading, &result);
+  ck_written("7,0,0,0,1,2,3,1,0,0,-3,-180,90\n"
+             "7,1,0.5,2,4,5,6,0,1,0,,7,8\n");
+  ph_csv_result(&buf, PH_TABLE_OFFSETS, &heading, &result);
+  ck_written("7,-0.5,0,0,0,1,2,3,1,0,0,-3,-180,90\n"
+             "7,-0.5,1,0.5,2,4,5,6,0,1,0,,7,8\n");
+}
+END_TEST
+
 START_TEST(test_no_offsets) {
   const struct ph_csv_heading heading = {"7", NULL, 0};
   struct ph_result result = by_hand();
@@ -156,7 +226,7 @@ START_TEST(test_failed_buffer) {
   const struct ph_csv_heading heading = {"a,b", swept, 2};
   struct ph_result result = by_hand();
   ck_assert_ptr_null(ph_buf_reserve(&buf, (size_t)-1 - 10));
-  ph_csv_header(&buf, PH_TABLE_LENGTHS, 2, swept, 2);
+  ph_csv_header(&buf, PH_TABLE_LENGTHS, 2, false, swept, 2);
   ph_csv_result(&buf, PH_TABLE_LENGTHS, &heading, &result);
   ck_assert(buf.failed);
   ck_assert_uint_eq(buf.n, 0);
@@ -168,10 +238,13 @@ static Suite *suite(void) {
   TCase *tc = tcase_create("csv_out");
   tcase_add_checked_fixture(tc, NULL, finish);
   tcase_add_test(tc, test_headers);
+  tcase_add_test(tc, test_headers_on_sphere);
   tcase_add_test(tc, test_control_points);
   tcase_add_test(tc, test_lengths);
   tcase_add_test(tc, test_offsets);
   tcase_add_test(tc, test_offsets_in_space);
+  tcase_add_test(tc, test_samples);
+  tcase_add_test(tc, test_samples_on_sphere);
   tcase_add_test(tc, test_no_offsets);
   tcase_add_test(tc, test_quoting);
   tcase_add_test(tc, test_failed_buffer);

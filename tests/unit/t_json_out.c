@@ -9,11 +9,13 @@
 #include "io/json_out.h"
 
 #include <cjson/cJSON.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 static struct ph_buf buf;
 static struct unit_planar u;
+static const struct ph_offset_rules rules = {1e-9, 0};
 
 static void finish(void) {
   ph_buf_free(&buf);
@@ -333,7 +335,7 @@ START_TEST(test_read_back) {
   u = unit_planar_of(v, 20, true);
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   for (int k = 0; k < 2; k++) {
-    ck_assert_int_eq(ph_offset_planar(c, k ? -1e-4 : 2e-5, 1e-9, &u.arena,
+    ck_assert_int_eq(ph_offset_planar(c, k ? -1e-4 : 2e-5, &rules, &u.arena,
                                       &offsets[k], &u.diag),
                      PH_OK);
   }
@@ -386,6 +388,92 @@ START_TEST(test_offset_in_space) {
 }
 END_TEST
 
+static size_t at[] = {0, 0};
+static double t[] = {0, 0.5}, length[] = {0, 2};
+static double place[] = {1, 2, 3, 4, 5, 6}, tangent[] = {1, 0, 0, 0, 1, 0};
+static double curvature[] = {-3, 0.5};
+static double torsion[] = {0.25, -1}, lonlat[] = {-180, 90, 7, 8};
+
+static struct ph_samples samples_of(size_t dimension) {
+  return (struct ph_samples){.n = 2,
+                             .dimension = dimension,
+                             .segment = at,
+                             .t = t,
+                             .s = length,
+                             .point = place,
+                             .tangent = tangent,
+                             .curvature = curvature};
+}
+
+/* What is not finite is left out. */
+START_TEST(test_samples) {
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  struct ph_result result = by_hand();
+  double none[] = {-3, (double)NAN};
+  double no_tangent[] = {1, 0, (double)NAN, (double)NAN};
+  result.samples = samples_of(2);
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(strstr(
+      written(),
+      "\"length\":7.25,\"samples\":[{\"segment\":0,\"t\":0,\"s\":0,\"point\":"
+      "[1,2],\"tangent\":[1,0],\"curvature\":-3},{\"segment\":0,\"t\":0.5,"
+      "\"s\":2,\"point\":[3,4],\"tangent\":[0,0],\"curvature\":0.5}],"
+      "\"diagnostics\""));
+  ph_buf_clear(&buf, buf.capacity);
+  result.samples.curvature = none;
+  result.samples.tangent = no_tangent;
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(
+      strstr(written(), "\"curvature\":-3},{\"segment\":0,\"t\":0.5,\"s\":2,"
+                        "\"point\":[3,4]}]"));
+  ph_buf_clear(&buf, buf.capacity);
+  result.samples = samples_of(3);
+  result.samples.torsion = torsion;
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(strstr(written(),
+                               "\"point\":[4,5,6],\"tangent\":[0,1,0],"
+                               "\"curvature\":0.5,\"torsion\":-1}]"));
+}
+END_TEST
+
+/* What only a curve on a sphere has, and its offsets. */
+START_TEST(test_on_sphere) {
+  const struct ph_heading heading = {&nothing, "sphere", NULL, 0};
+  struct ph_result result = by_hand();
+  double tensions[] = {0, 12.5};
+  signed char indicators[] = {0, -1};
+  struct ph_place cusps[] = {{0, 0.25}, {0, 1}};
+  struct ph_offset offsets[] = {
+      {.distance = -0.5, .length = 9, .cusps = {2, 0, 0.25}, .cusp = cusps},
+      {.distance = 0.5, .length = 8}};
+  offsets[0].samples = offsets[1].samples = samples_of(3);
+  offsets[0].samples.n = 1;
+  offsets[0].samples.lonlat = offsets[1].samples.lonlat = lonlat;
+  result.curve.radius = 2;
+  result.curve.center[1] = 1;
+  result.curve.tensions = tensions;
+  result.curve.indicators = indicators;
+  result.offsets = offsets;
+  result.offsets_n = 2;
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(
+      strstr(written(),
+             "\"length\":7.25}],\"center\":[0,1,0],\"radius\":2,"
+             "\"tensions\":[0,12.5],\"indicators\":[0,-1],\"length\":7.25,"
+             "\"offsets\":[{\"distance\":-0.5,\"length\":9,\"cusps\":["
+             "{\"segment\":0,\"t\":0.25},{\"segment\":0,\"t\":1}],"
+             "\"samples\":[{\"segment\":0,\"t\":0,\"s\":0,\"point\":[1,2,3],"
+             "\"tangent\":[1,0,0],\"curvature\":-3,\"lonlat\":[-180,90]}]},"
+             "{\"distance\":0.5,\"length\":8,\"cusps\":[],\"samples\":["));
+  /* A closed curve has as many nodes as segments. */
+  ph_buf_clear(&buf, buf.capacity);
+  result.curve.closed = true;
+  ph_json_result(&buf, &heading, &result, false);
+  ck_assert_ptr_nonnull(
+      strstr(written(), "\"tensions\":[0],\"indicators\":[0],"));
+}
+END_TEST
+
 /* When memory runs out the writer goes on without harm, and the buffer says
  * so in the end. */
 START_TEST(test_failed_buffer) {
@@ -414,6 +502,8 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_strings);
   tcase_add_test(tc, test_read_back);
   tcase_add_test(tc, test_offset_in_space);
+  tcase_add_test(tc, test_samples);
+  tcase_add_test(tc, test_on_sphere);
   tcase_add_test(tc, test_failed_buffer);
   suite_add_tcase(s, tc);
   return s;

@@ -11,6 +11,7 @@
 
 static struct ph_arena arena;
 static struct ph_diag diag;
+static const struct ph_offset_rules rules = {1e-9, 0};
 
 static void finish(void) {
   ph_arena_free(&arena);
@@ -100,7 +101,7 @@ static void ck_pieces(const struct ph_curve *curve, const struct ph_offset *o) {
 static struct ph_offset ck_offset(const struct ph_curve *curve, double d,
                                   double tol, struct unit_random *r) {
   struct ph_offset o;
-  enum ph_status status = ph_offset_planar(curve, d, 1e-9, &arena, &o, &diag);
+  enum ph_status status = ph_offset_planar(curve, d, &rules, &arena, &o, &diag);
   ck_assert_msg(status == PH_OK, "seed %lu: %s", unit_seed(), diag.message);
   ck_abs(o.distance, d, 0);
   ck_pieces(curve, &o);
@@ -144,7 +145,7 @@ START_TEST(test_side) {
   struct ph_offset o;
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   ck_assert_int_eq(
-      ph_offset_planar(&u.result.curve, 3, 1e-9, &arena, &o, &diag), PH_OK);
+      ph_offset_planar(&u.result.curve, 3, &rules, &arena, &o, &diag), PH_OK);
   ck_assert_uint_eq(o.n, 1);
   for (size_t i = 0; i < 10; i++) {
     ck_abs(o.control_points[2 * i], 1 + (double)i / 9, 1e-15);
@@ -220,7 +221,7 @@ START_TEST(test_weights) {
   struct ph_offset o;
   double sum = 0;
   single_of(w, zero, &s);
-  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, 1e-9, &arena, &o, &diag),
+  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, &rules, &arena, &o, &diag),
                    PH_OK);
   ck_rel(o.weights[0], ph_cplx_norm2(w[0]), 1e-15);
   ck_rel(o.weights[9], ph_cplx_norm2(w[2]), 1e-15);
@@ -256,7 +257,7 @@ static void ck_standstill(double w0, double w1, double w2) {
   struct single s;
   struct ph_offset o;
   single_of(w, zero, &s);
-  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, 1e-9, &arena, &o, &diag),
+  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, &rules, &arena, &o, &diag),
                    PH_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[0]");
   ck_assert_str_eq(diag.message, "has no offset: the curve stands still in it "
@@ -278,7 +279,7 @@ START_TEST(test_too_large) {
   struct ph_offset o;
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   ck_assert_int_eq(
-      ph_offset_planar(&u.result.curve, 1e308, 1e-9, &arena, &o, &diag),
+      ph_offset_planar(&u.result.curve, 1e308, &rules, &arena, &o, &diag),
       PH_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");

@@ -13,6 +13,7 @@ enum { ALL = PH_OFFSETS_SPATIAL };
 static struct ph_arena arena;
 static struct ph_diag diag;
 static struct unit_curve3 c;
+static const struct ph_offset_rules rules = {1e-9, 0};
 
 static void finish(void) {
   ph_arena_free(&arena);
@@ -21,8 +22,9 @@ static void finish(void) {
 /* The four offsets, with what they say of themselves. */
 static void offsets_of(double distance, double tolerance,
                        struct ph_offset offsets[ALL]) {
+  const struct ph_offset_rules within = {tolerance, 0};
   enum ph_status status =
-      ph_offset_spatial(&c.curve, distance, tolerance, &arena, offsets, &diag);
+      ph_offset_spatial(&c.curve, distance, &within, &arena, offsets, &diag);
   ck_assert_msg(status == PH_OK, "seed %lu: %s", unit_seed(), diag.message);
   for (size_t i = 0; i < ALL; i++) {
     ck_abs(offsets[i].distance, i % 2 ? -distance : distance, 0);
@@ -210,7 +212,7 @@ START_TEST(test_plane) {
            2 * sizeof(double));
   }
   offsets_of(0.4, 1e-9, offsets);
-  ck_assert_int_eq(ph_offset_planar(&flat, 0.4, 1e-9, &arena, &planar, &diag),
+  ck_assert_int_eq(ph_offset_planar(&flat, 0.4, &rules, &arena, &planar, &diag),
                    PH_OK);
   ck_assert_ptr_null(planar.vector);
   ck_assert_uint_eq(planar.n, offsets[0].n);
@@ -303,8 +305,9 @@ START_TEST(test_standstill) {
       {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}};
   struct ph_offset offsets[ALL];
   unit_curve3_of(&c, 1, NULL, a[_i], ph_vec3_of(0, 0, 0));
-  ck_assert_int_eq(ph_offset_spatial(&c.curve, 1, 1e-9, &arena, offsets, &diag),
-                   PH_INFEASIBLE);
+  ck_assert_int_eq(
+      ph_offset_spatial(&c.curve, 1, &rules, &arena, offsets, &diag),
+      PH_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }
 END_TEST
@@ -314,7 +317,7 @@ START_TEST(test_too_large) {
   struct ph_offset offsets[ALL];
   unit_curve3_of(&c, 1, NULL, a, ph_vec3_of(0, 1.5e308, 0));
   ck_assert_int_eq(
-      ph_offset_spatial(&c.curve, 1e308, 1e-9, &arena, offsets, &diag),
+      ph_offset_spatial(&c.curve, 1e308, &rules, &arena, offsets, &diag),
       PH_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");

@@ -7,7 +7,7 @@
 #include "unit.h"
 
 #include "random_unit.h"
-#include "sphere_unit.h"
+#include "criteria_unit.h"
 
 #include "curve/spherical.h"
 #include "kernel/pi.h"

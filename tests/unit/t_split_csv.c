@@ -99,6 +99,31 @@ START_TEST(test_csv_bad_headers) {
 }
 END_TEST
 
+START_TEST(test_csv_lonlat) {
+  gives_with(&csv, &sphere, "lat,LON\n0,1\n", "1 2 0,1$\nend");
+  gives_with(&csv, &sphere, "Longitude,latitude\n0,1\n", "1 2 0,1$\nend");
+  gives_with(&csv, &sphere, "# lon, lat\n0,1\n", "1 2 0,1$\nend");
+  gives_with(&csv, &sphere, "0,1,2\n", "1 1 0,1,2$\nend");
+  gives_with(&csv, &sphere, "lon,latitude,longitude\n0,1,2\n",
+             "1 1 bad-value 1:14 columns 1 and 3 (\"longitude\") are the same "
+             "(--columns can skip it)\nstopped");
+  gives_with(&csv, &sphere, "lat\n0\n",
+             "1 1 missing-field 1:1 column \"lon\" is missing: sphere needs it "
+             "for lonlat\nstopped");
+  gives_with(&csv, &sphere, "x,y\n0,1\n",
+             "1 1 missing-field 1:1 column \"z\" is missing: sphere needs it "
+             "for points\nstopped");
+  gives("a.csv", "lon,lat\n0,1\n",
+        "1 1 unknown-field 1:1 column \"lon\" is unknown to planar "
+        "(--columns can skip it)\nstopped");
+  /* Many files have the latitude first. */
+  gives_with(&csv, &sphere, "0,1\n",
+             "1 1 syntax 1:1 the file has no header row: --columns=lon,lat or "
+             "--columns=lat,lon must say which of its 2 columns is which\n"
+             "stopped");
+}
+END_TEST
+
 START_TEST(test_csv_broken) {
   gives("a.csv", "x,y\n0,1\n2,\"3\n4,5\n",
         "1 2 syntax 3:3 the quote that begins this cell is never closed\n"
@@ -177,6 +202,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_csv_comments);
   tcase_add_test(tc, test_csv_headers);
   tcase_add_test(tc, test_csv_bad_headers);
+  tcase_add_test(tc, test_csv_lonlat);
   tcase_add_test(tc, test_csv_broken);
   tcase_add_test(tc, test_csv_options);
   tcase_add_test(tc, test_usage);

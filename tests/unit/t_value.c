@@ -39,6 +39,13 @@ static const struct ph_field everything = {PH_F_KNOTS,
                                            "",
                                            ""};
 
+static const struct ph_field shape = {
+    PH_F_SHAPE, PH_BOOL | PH_WORD, 0, false, "warn", "true", ""};
+static const struct ph_field increase = {
+    PH_F_INCREASE, PH_WORD, 0, false, "minimal|plus:V|times:V", "minimal", ""};
+static const struct ph_field lonlat = {PH_F_LONLAT, PH_VECTORS, PLANE, false,
+                                       "",          "points",   ""};
+
 static struct ph_arena arena;
 static struct ph_value value;
 static struct ph_diag diag;
@@ -130,6 +137,42 @@ START_TEST(test_scalars) {
 }
 END_TEST
 
+/* A truth value or a word, in JSON and as an option. */
+START_TEST(test_flag_or_word) {
+  ck_bool(get(&shape, "true"), true);
+  ck_bool(get(&shape, "false"), false);
+  ck_word(get(&shape, "\"warn\""), "warn");
+  ck_bool(option(&shape, ""), true);
+  ck_bool(option(&shape, "true"), true);
+  ck_bool(option(&shape, "false"), false);
+  ck_word(option(&shape, "warn"), "warn");
+  ck_word(option(&shape, "\"warn\""), "warn");
+  bad(&shape, "1", PH_BAD_TYPE, "shape",
+      "must be true, false or \"warn\", found a number");
+  bad(&shape, "\"false\"", PH_BAD_VALUE, "shape",
+      "must be true, false or \"warn\", found \"false\"");
+  bad_option(&shape, "wran", PH_BAD_VALUE,
+             "must be true, false or \"warn\", found \"wran\"; did you mean "
+             "\"warn\"?");
+}
+END_TEST
+
+/* Words of one list that have a number and that have none. */
+START_TEST(test_words_with_numbers) {
+  ck_word(get(&increase, "\"minimal\""), "minimal");
+  ck_word(get(&increase, "\"plus:10\""), "plus:10");
+  ck_rel(value.number, 10, 0);
+  ck_word(option(&increase, "times:.5e1"), "times:.5e1");
+  ck_rel(value.number, 5, 0);
+  bad(&increase, "\"plus\"", PH_BAD_VALUE, "increase",
+      "must be \"minimal\", \"plus:V\" or \"times:V\", found \"plus\"; did "
+      "you mean \"plus:V\"?");
+  bad_option(&increase, "minimal:1", PH_BAD_VALUE,
+             "must be \"minimal\", \"plus:V\" or \"times:V\", found "
+             "\"minimal:1\"; did you mean \"minimal\"?");
+}
+END_TEST
+
 START_TEST(test_arrays) {
   static const double v[] = {0, -1, 2.5, 3, 4e2, 5};
   ck_array(get(&points, "[[0,-1],[2.5,3],[4e2,5]]"), PH_VECTORS, 3, 2, v);
@@ -156,6 +199,8 @@ START_TEST(test_bad_types) {
       "must be an array of points [x,y] or [x,y,z], found an object");
   bad(&ends, "null", PH_BAD_TYPE, "end_derivatives",
       "must be an array of vectors [x,y], found null");
+  bad(&lonlat, "[1,2]", PH_BAD_TYPE, "lonlat",
+      "must be an array of pairs [lon,lat], found an array of numbers");
   bad(&points, "[1,2]", PH_BAD_TYPE, "points",
       "must be an array of points [x,y], found an array of numbers");
   bad(&points, "[\"a\"]", PH_BAD_TYPE, "points",
@@ -372,6 +417,8 @@ static Suite *suite(void) {
   TCase *tc = tcase_create("value");
   tcase_add_checked_fixture(tc, NULL, finish);
   tcase_add_test(tc, test_scalars);
+  tcase_add_test(tc, test_flag_or_word);
+  tcase_add_test(tc, test_words_with_numbers);
   tcase_add_test(tc, test_arrays);
   tcase_add_test(tc, test_bad_types);
   tcase_add_test(tc, test_bad_elements);

@@ -1,0 +1,322 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Raising tensions, round by round (see sphere_tension.h). */
+#include "solve/sphere_tension.h"
+
+#include "solve/sphere_minimal.h"
+#include "solve/sphere_solve.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  /* Nodes on either side of a raised tension that are solved again: 3.7^-30 is
+   * below rounding. */
+  REACH = 30,
+  ROUNDS_MAX = 10000,
+  RETURNS_MAX = 8 /* towards the tensions before they were lowered */
+};
+
+/* The smallest tensions, by how much of what they were raised they stay above
+ * those at which a criterion just holds: there the curve may have a cusp. */
+static const double MARGIN = 2e-3;
+
+/* The first part of the way back from lowered tensions that do not do. */
+static const double LOWERED = 1e-4;
+
+/* A tension above this many stiffnesses is given up; the first raise by
+ * doubling leads to this part of one. */
+static const double STIFFNESSES_MAX = 1e7;
+static const double FIRST = 0.125;
+
+/* ---- looking ------------------------------------------------------------- */
+
+/* The bit of a criterion at its place, of raise->ignored. */
+static unsigned bit_of(enum ph_sphere_criterion criterion) {
+  return criterion == PH_SPHERE_SEGMENT ? 2 : 1;
+}
+
+enum ph_sphere_criterion ph_sphere_violated(const struct ph_sphere_raise *raise,
+                                            struct ph_sphere_range range,
+                                            size_t *from, size_t *at) {
+  const struct ph_sphere_spline *s = raise->spline;
+  const struct ph_sphere_data *d = s->data;
+  /* places 2 j and 2 j + 1: the segment before node j of the range, and the
+   * node; then the segment after the last, if it is another one */
+  size_t end = 2 * range.count + (range.count < d->n);
+  for (; *from < end; ++*from) {
+    size_t i = ph_sphere_node(d, range, *from / 2);
+    bool segment = *from % 2 == 0;
+    size_t place = segment ? ph_sphere_before(d, i) : i;
+    enum ph_sphere_criterion criterion;
+    if (raise->ignored[place] & (segment ? 2 : 1)) {
+      continue;
+    }
+    criterion = segment ? ph_sphere_segment_fails(raise->shape, s, place)
+                        : ph_sphere_node_fails(raise->shape, s, place);
+    if (criterion != PH_SPHERE_FINE) {
+      *at = place;
+      ++*from;
+      return criterion;
+    }
+  }
+  return PH_SPHERE_FINE;
+}
+
+/* ---- raising ------------------------------------------------------------- */
+
+static double raised(const struct ph_sphere_raise *raise, size_t i) {
+  double nu = raise->spline->nu[i];
+  double first;
+  switch (raise->increase) {
+  case PH_SPHERE_PLUS:
+    return nu + raise->by;
+  case PH_SPHERE_TIMES:
+    return nu > 0 ? nu * raise->by : raise->by;
+  case PH_SPHERE_MINIMAL:
+    break;
+  }
+  first = FIRST * ph_sphere_stiffness(raise->spline->data, i);
+  return 2 * nu > first ? 2 * nu : first;
+}
+
+/* Whether node i can be raised, as far as is known. */
+static bool can_raise(const struct ph_sphere_raise *raise, size_t i) {
+  const struct ph_sphere_data *d = raise->spline->data;
+  return !ph_sphere_is_end(d, i) &&
+         raise->spline->nu[i] < STIFFNESSES_MAX * ph_sphere_stiffness(d, i);
+}
+
+/* Goes on without a criterion: its nodes' tensions are those of the begin. */
+static void waive(struct ph_sphere_raise *raise, const size_t *node, size_t n,
+                  enum ph_sphere_criterion criterion, size_t at) {
+  for (size_t j = 0; j < n; j++) {
+    raise->spline->nu[node[j]] = raise->spline->data->nu[node[j]];
+  }
+  raise->ignored[at] |= (unsigned char)bit_of(criterion);
+}
+
+/* Touches the nodes of a violated criterion; false if that cannot help.  Nodes
+ * are raised once a round. */
+static bool touch(struct ph_sphere_raise *raise,
+                  enum ph_sphere_criterion criterion, size_t at,
+                  size_t *touched_n) {
+  size_t node[4];
+  size_t n = ph_sphere_touched(raise->shape, criterion, at, node);
+  bool can = false;
+  for (size_t j = 0; j < n; j++) {
+    can = can || can_raise(raise, node[j]);
+  }
+  if (!can) {
+    raise->criterion = criterion;
+    raise->at = at;
+    if (!raise->waive) {
+      return false;
+    }
+    waive(raise, node, n, criterion, at);
+  }
+  for (size_t j = 0; j < n; j++) {
+    if (raise->mark[node[j]] != raise->rounds) {
+      raise->mark[node[j]] = raise->rounds;
+      raise->touched[(*touched_n)++] = node[j];
+      if (can && (raise->increase != PH_SPHERE_MINIMAL ||
+                  !ph_sphere_is_end(raise->spline->data, node[j]))) {
+        raise->spline->nu[node[j]] = raised(raise, node[j]);
+      }
+    }
+  }
+  return true;
+}
+
+/* ---- where to look again ------------------------------------------------- */
+
+static int compare(const void *a, const void *b) {
+  const size_t *x = a, *y = b;
+  return (*x > *y) - (*x < *y);
+}
+
+/* The nodes within REACH of nodes first, ..., last, without the ends of open
+ * data; last may be beyond n. */
+static struct ph_sphere_range reach_of(const struct ph_sphere_data *d,
+                                       size_t first, size_t last) {
+  struct ph_sphere_range range;
+  size_t end = last + REACH;
+  if (d->closed) {
+    range.first = (first + d->n - REACH % d->n) % d->n;
+    range.count = last - first + 1 + 2 * REACH;
+    return range;
+  }
+  range.first = first > REACH + 1 ? first - REACH : 1;
+  end = end < d->n - 2 ? end : d->n - 2;
+  range.count = end - range.first + 1;
+  return range;
+}
+
+/* The ranges around the touched nodes: where two would meet they are one. */
+static void find_ranges(struct ph_sphere_raise *raise, size_t touched_n) {
+  const struct ph_sphere_data *d = raise->spline->data;
+  size_t *t = raise->touched, begin = 0;
+  qsort(t, touched_n, sizeof *t, compare);
+  raise->ranges_n = 0;
+  if (d->closed) {
+    /* begin after a gap, and count on beyond n */
+    while (begin < touched_n &&
+           (begin > 0 ? t[begin] - t[begin - 1]
+                      : t[0] + d->n - t[touched_n - 1]) <= 2 * REACH + 1) {
+      begin++;
+    }
+    if (begin == touched_n) {
+      raise->ranges[raise->ranges_n++] = ph_sphere_all(d);
+      return;
+    }
+  }
+  for (size_t j = 0; j < touched_n;) {
+    size_t first = t[(begin + j) % touched_n], last = first;
+    for (j++; j < touched_n; j++) {
+      size_t next = t[(begin + j) % touched_n];
+      next += next < first ? d->n : 0;
+      if (next - last > 2 * REACH + 1) {
+        break;
+      }
+      last = next;
+    }
+    raise->ranges[raise->ranges_n++] = reach_of(d, first, last);
+  }
+}
+
+/* ---- the whole ----------------------------------------------------------- */
+
+/* Solves again; from nothing where the way from the last solution fails. */
+static bool solve_ranges(struct ph_sphere_raise *raise) {
+  for (size_t r = 0; r < raise->ranges_n; r++) {
+    if (!ph_sphere_newton(raise->spline, raise->ranges[r], raise->work)) {
+      raise->ranges[0] = ph_sphere_all(raise->spline->data);
+      raise->ranges_n = 1;
+      return ph_sphere_solve(raise->spline, raise->work);
+    }
+  }
+  return true;
+}
+
+/* One round: PH_OK, with no more ranges when nothing is violated. */
+static enum ph_status go_round(struct ph_sphere_raise *raise) {
+  size_t touched_n = 0;
+  raise->rounds++;
+  for (size_t r = 0; r < raise->ranges_n; r++) {
+    size_t from = 0, at = 0;
+    enum ph_sphere_criterion criterion;
+    while ((criterion = ph_sphere_violated(raise, raise->ranges[r], &from,
+                                           &at)) != PH_SPHERE_FINE) {
+      if (!touch(raise, criterion, at, &touched_n)) {
+        return PH_INFEASIBLE;
+      }
+    }
+  }
+  raise->ranges_n = 0;
+  if (touched_n > 0) {
+    find_ranges(raise, touched_n);
+  }
+  return solve_ranges(raise) ? PH_OK : PH_NO_CONVERGENCE;
+}
+
+/* What is violated after all, where that is allowed. */
+static void count_waived(struct ph_sphere_raise *raise) {
+  struct ph_sphere_range all = ph_sphere_all(raise->spline->data);
+  size_t from = 0, at = 0;
+  enum ph_sphere_criterion criterion;
+  memset(raise->ignored, 0, raise->spline->data->n);
+  raise->waived = 0;
+  while ((criterion = ph_sphere_violated(raise, all, &from, &at)) !=
+         PH_SPHERE_FINE) {
+    if (raise->waived++ == 0) {
+      raise->at = at;
+      raise->criterion = criterion;
+    }
+  }
+}
+
+/* ---- lowering again ------------------------------------------------------ */
+
+/* Whether the whole spline is solved and violates nothing. */
+static bool is_good(struct ph_sphere_raise *raise) {
+  struct ph_sphere_range all = ph_sphere_all(raise->spline->data);
+  size_t from = 0, at;
+  return ph_sphere_newton(raise->spline, all, raise->work) &&
+         ph_sphere_violated(raise, all, &from, &at) == PH_SPHERE_FINE;
+}
+
+/* The smallest tensions; as they were where these turn out not to do. */
+static enum ph_status lower(struct ph_sphere_raise *raise,
+                            struct ph_arena *scratch) {
+  struct ph_sphere_spline *s = raise->spline;
+  size_t n = s->data->n;
+  double *nu = ph_arena_array(scratch, n, sizeof *nu), part = LOWERED;
+  ph_vec3 *x = ph_arena_array(scratch, n, sizeof *x);
+  double *least = ph_arena_array(scratch, n, sizeof *least);
+  if (!nu || !x || !least) {
+    return PH_NO_MEMORY;
+  }
+  memcpy(nu, s->nu, n * sizeof *nu);
+  memcpy(x, s->x, n * sizeof *x);
+  if (!ph_sphere_minimise(raise, scratch)) {
+    return PH_NO_MEMORY;
+  }
+  for (size_t j = 0; j < n; j++) {
+    s->nu[j] += MARGIN * (s->nu[j] - s->data->nu[j]);
+    least[j] = s->nu[j];
+  }
+  for (size_t i = 0; i < RETURNS_MAX; i++) {
+    if (is_good(raise)) {
+      return PH_OK;
+    }
+    for (size_t j = 0; j < n; j++) {
+      s->nu[j] = least[j] + part * (nu[j] - least[j]);
+    }
+    part = i + 2 < RETURNS_MAX ? 4 * part : 1;
+    if (!(part < 1)) {
+      memcpy(s->nu, nu, n * sizeof *nu);
+      memcpy(s->x, x, n * sizeof *x);
+    }
+  }
+  return is_good(raise) ? PH_OK : PH_NO_CONVERGENCE;
+}
+
+/* ---- memory -------------------------------------------------------------- */
+
+static bool alloc(struct ph_sphere_raise *raise, struct ph_arena *scratch) {
+  size_t n = raise->spline->data->n;
+  raise->ignored = ph_arena_array(scratch, n, sizeof *raise->ignored);
+  raise->touched = ph_arena_array(scratch, n, sizeof *raise->touched);
+  raise->mark = ph_arena_array(scratch, n, sizeof *raise->mark);
+  raise->ranges = ph_arena_array(scratch, n, sizeof *raise->ranges);
+  if (!raise->ignored || !raise->touched || !raise->mark || !raise->ranges) {
+    return false;
+  }
+  memset(raise->ignored, 0, n * sizeof *raise->ignored);
+  memset(raise->mark, 0, n * sizeof *raise->mark);
+  return true;
+}
+
+enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
+                                    struct ph_arena *scratch) {
+  const struct ph_sphere_data *d = raise->spline->data;
+  enum ph_status status = PH_OK;
+  raise->rounds = 0;
+  raise->waived = 0;
+  if (!alloc(raise, scratch)) {
+    return PH_NO_MEMORY;
+  }
+  raise->ranges[0] = ph_sphere_all(d);
+  raise->ranges_n = raise->ranges[0].count > 0;
+  while (status == PH_OK && raise->ranges_n > 0) {
+    status = raise->rounds < ROUNDS_MAX ? go_round(raise) : PH_NO_CONVERGENCE;
+  }
+  if (status == PH_OK && raise->increase == PH_SPHERE_MINIMAL &&
+      raise->rounds > 1) {
+    status = lower(raise, scratch);
+  }
+  if (status == PH_OK && raise->waive) {
+    count_waived(raise);
+  }
+  return status;
+}

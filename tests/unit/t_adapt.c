@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Adaptive quadrature: smooth and kinked integrands, and what it gives up. */
+#include "unit.h"
+
+#include "kernel/adapt.h"
+
+static struct ph_quad rule;
+
+static void begin(void) {
+  ck_assert(ph_quad_gauss(&rule, 8));
+}
+
+static double peak(const void *context, double x) {
+  const double *width = context;
+  return *width / (*width * *width + x * x);
+}
+
+static double kink(const void *context, double x) {
+  const double *at = context;
+  return fabs(x - *at);
+}
+
+static double root(const void *context, double x) {
+  (void)context;
+  return sqrt(x);
+}
+
+static double pole(const void *context, double x) {
+  const double *at = context;
+  return 1 / (x - *at);
+}
+
+START_TEST(test_peak) {
+  for (int e = 0; e <= 30; e++) {
+    double width = ldexp(1, -e);
+    ck_rel(ph_adapt(&rule, peak, &width, -0.3, 1, 1e-13, 0),
+           atan(0.3 / width) + atan(1 / width), 4e-13);
+  }
+}
+END_TEST
+
+START_TEST(test_kink) {
+  const double places[] = {0, 0.5, 1.0 / 3, 0.9, 1};
+  for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+    double a = places[i];
+    ck_abs(ph_adapt(&rule, kink, &a, 0, 1, 1e-13, 0),
+           a * a / 2 + (1 - a) * (1 - a) / 2, 1e-13);
+  }
+  ck_rel(ph_adapt(&rule, root, NULL, 0, 4, 1e-13, 0), 16.0 / 3, 1e-13);
+  ck_abs(ph_adapt(&rule, root, NULL, 2, 2, 1e-13, 0), 0, 0);
+}
+END_TEST
+
+/* Nothing is asked of rounding: a tolerance of 0 ends, too. */
+START_TEST(test_no_tolerance) {
+  double width = 0.5;
+  ck_rel(ph_adapt(&rule, peak, &width, 0, 1, 0, 0), atan(2), 1e-15);
+}
+END_TEST
+
+START_TEST(test_not_finite) {
+  double at = (double)NAN;
+  ck_assert(isnan(ph_adapt(&rule, kink, &at, 0, 1, 1e-13, 0)));
+  at = rule.node[3]; /* the rule hits the pole */
+  ck_assert(!isfinite(ph_adapt(&rule, pole, &at, 0, 1, 1e-13, 0)));
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("adapt");
+  TCase *tc = tcase_create("adapt");
+  tcase_add_checked_fixture(tc, begin, NULL);
+  tcase_add_test(tc, test_peak);
+  tcase_add_test(tc, test_kink);
+  tcase_add_test(tc, test_no_tolerance);
+  tcase_add_test(tc, test_not_finite);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Samples of spherical curves. */
+#include "spherical_curve_unit.h"
+#include "unit.h"
+
+#include "curve/sample.h"
+#include "kernel/degree.h"
+#include "kernel/pi.h"
+
+enum { N = 8 };
+
+static struct ph_arena arena;
+static struct ph_diag diag;
+
+static void finish(void) {
+  ph_arena_free(&arena);
+}
+
+static struct ph_samples samples_of(const struct ph_curve *curve, size_t n) {
+  struct ph_samples s;
+  ck_assert_int_eq(ph_sample_curve(curve, n, &arena, &s, &diag), PH_OK);
+  ck_assert_uint_eq(s.n, curve->n * (n + 1));
+  ck_assert_uint_eq(s.dimension, 3);
+  ck_assert_ptr_null(s.torsion);
+  ck_assert_ptr_nonnull(s.lonlat);
+  return s;
+}
+
+static void ck_vec3(const double *a, ph_vec3 b, double tol) {
+  ck_abs(a[0], b.x, tol);
+  ck_abs(a[1], b.y, tol);
+  ck_abs(a[2], b.z, tol);
+}
+
+/* Evenly spaced control points on a great circle are run through evenly. */
+START_TEST(test_great_circle) {
+  const ph_vec3 center = {10, -20, 30};
+  const double radius = 4;
+  struct unit_spherical c;
+  struct ph_samples s;
+  ph_vec3 p[8];
+  for (size_t i = 0; i < 8; i++) {
+    p[i] = ph_degree_to_unit(10.0 * (double)(i < 4 ? i : i - 1), 0);
+  }
+  unit_spherical_of(&c, 2, false, p);
+  unit_spherical_place(&c, center, radius);
+  s = samples_of(&c.curve, N);
+  for (size_t i = 0; i < s.n; i++) {
+    double lon = 30 * (s.t[i] + (double)s.segment[i]);
+    ph_vec3 at = ph_degree_to_unit(lon, 0);
+    ck_assert_uint_eq(s.segment[i], i / (N + 1));
+    ck_abs(s.t[i], (double)(i % (N + 1)) / N, 0);
+    ck_abs(s.s[i], radius * lon * (PH_PI / 180), 1e-14);
+    ck_vec3(s.point + 3 * i, ph_vec3_along(center, radius, at), 1e-14);
+    ck_vec3(s.tangent + 3 * i, ph_vec3_of(-at.y, at.x, 0), 1e-15);
+    ck_abs(s.curvature[i], 0, 1e-15);
+    ck_abs(s.lonlat[2 * i], lon, 2e-14);
+    ck_abs(s.lonlat[2 * i + 1], 0, 1e-14);
+  }
+}
+END_TEST
+
+/* Bending by definition: from differences of the tangents along the curve. */
+static void ck_curvature(const struct ph_sampler *sampler, size_t k, double u) {
+  const double h = 1e-3, size = sampler->curve->radius;
+  struct ph_sample at = ph_sample_at(sampler, k, u), near[4];
+  ph_vec3 left, turn, center = ph_vec3_get(sampler->curve->center, 3);
+  double length;
+  for (size_t i = 0; i < 4; i++) {
+    static const double steps[4] = {-2, -1, 1, 2};
+    near[i] = ph_sample_at(sampler, k, u + steps[i] * h);
+  }
+  turn = ph_vec3_sub(
+      ph_vec3_scale(8, ph_vec3_sub(near[2].tangent, near[1].tangent)),
+      ph_vec3_sub(near[3].tangent, near[0].tangent));
+  length =
+      8 * (near[2].length - near[1].length) - (near[3].length - near[0].length);
+  left = ph_vec3_cross(ph_vec3_sub(at.point, center), at.tangent);
+  ck_abs(at.curvature * size, ph_vec3_dot(turn, left) / length, 1e-6);
+}
+
+START_TEST(test_random) {
+  struct unit_random r = unit_random_of(1310);
+  for (int i = 0; i < unit_count(60); i++) {
+    const double radius = exp(unit_random_in(&r, -5, 5));
+    const ph_vec3 center = {radius, -2 * radius, 0};
+    struct ph_sampler sampler;
+    struct ph_samples s;
+    struct unit_spherical c;
+    double start = 0;
+    unit_spherical_random(&c, 3, 0.5, &r);
+    unit_spherical_place(&c, center, radius);
+    s = samples_of(&c.curve, N);
+    ck_assert(ph_sampler_begin(&sampler, &c.curve));
+    for (size_t k = 0; k < 3; k++) {
+      struct ph_spherical segment = ph_spherical_of(&c.curve, k);
+      size_t first = (N + 1) * k, last = first + N;
+      for (size_t j = first; j <= last; j++) {
+        ph_vec3 p = ph_vec3_sub(ph_vec3_get(s.point + 3 * j, 3), center);
+        ph_vec3 t = ph_vec3_get(s.tangent + 3 * j, 3), u;
+        ck_rel(ph_vec3_abs(p), radius, 2e-15);
+        ck_abs(ph_vec3_dot(p, t) / radius, 0, 2e-15);
+        ck_abs(ph_vec3_abs(t), 1, 1e-15);
+        ck_abs(s.curvature[j] * radius,
+               ph_spherical_curvature(&segment, s.t[j]),
+               1e-13 * (1 + fabs(s.curvature[j] * radius)));
+        u = ph_degree_to_unit(s.lonlat[2 * j], s.lonlat[2 * j + 1]);
+        ck_abs(ph_s2_angle(u, ph_vec3_unit(p)), 0, 4e-15);
+        ck_assert(j == first || s.s[j] > s.s[j - 1]);
+      }
+      /* the ends are the data, to the last bit */
+      ck_vec3(s.point + 3 * first, ph_vec3_get(c.control_points + 12 * k, 3),
+              0);
+      ck_vec3(s.point + 3 * last, ph_vec3_get(c.control_points + 12 * k + 9, 3),
+              0);
+      ck_abs(s.s[first], start, 1e-15 * c.curve.length);
+      start += c.lengths[k];
+      ck_abs(s.s[last], start, 1e-15 * c.curve.length);
+      ck_curvature(&sampler, k, unit_random_in(&r, 0.01, 0.99));
+    }
+    ph_arena_reset(&arena);
+  }
+}
+END_TEST
+
+/* s is the integral of the speed. */
+START_TEST(test_length) {
+  struct unit_random r = unit_random_of(1311);
+  struct ph_quad rule;
+  ck_assert(ph_quad_gauss(&rule, 20));
+  for (int i = 0; i < unit_count(50); i++) {
+    struct unit_spherical c;
+    struct ph_samples s;
+    struct ph_spherical segment;
+    double sum = 0;
+    unit_spherical_random(&c, 1, 0.3, &r);
+    s = samples_of(&c.curve, N);
+    segment = ph_spherical_of(&c.curve, 0);
+    for (size_t j = 1; j <= N; j++) {
+      for (size_t n = 0; n < rule.n; n++) {
+        ph_vec3 jet[2];
+        ph_spherical_first(&segment, s.t[j - 1] + rule.node[n] / N, jet);
+        sum += rule.weight[n] / N * ph_vec3_abs(jet[1]);
+      }
+      ck_rel(s.s[j], sum, 1e-12);
+    }
+    ph_arena_reset(&arena);
+  }
+}
+END_TEST
+
+/* At rest ends the tangent is the limit, and there is no curvature. */
+START_TEST(test_rest) {
+  const ph_vec3 a = ph_degree_to_unit(0, 0), b = ph_degree_to_unit(50, 30);
+  const ph_vec3 half[4] = {a, a, ph_degree_to_unit(40, -10), b};
+  const ph_vec3 both[4] = {a, a, b, b};
+  struct unit_spherical c;
+  struct ph_samples s;
+  struct ph_sampler sampler;
+  ph_vec3 limit;
+  unit_spherical_of(&c, 1, false, half);
+  s = samples_of(&c.curve, N);
+  ck_assert(ph_sampler_begin(&sampler, &c.curve));
+  limit = ph_vec3_unit(ph_s2_log(a, half[2]));
+  ck_vec3(s.tangent, limit, 1e-14);
+  ck_assert(isnan(s.curvature[0]));
+  limit = ph_sample_at(&sampler, 0, 1e-9).tangent;
+  ck_vec3(s.tangent, limit, 1e-8);
+  ck_assert(isfinite(s.curvature[1]) && isfinite(s.curvature[N]));
+  /* on the great circle from one to the other, which it does not leave */
+  unit_spherical_of(&c, 1, false, both);
+  s = samples_of(&c.curve, N);
+  ck_vec3(s.tangent, ph_vec3_unit(ph_s2_log(a, b)), 1e-15);
+  limit = ph_vec3_scale(-1, ph_vec3_unit(ph_s2_log(b, a)));
+  ck_vec3(s.tangent + 3 * N, limit, 1e-15);
+  for (size_t i = 0; i <= N; i++) {
+    ck_assert(i % N ? fabs(s.curvature[i]) <= 1e-13 : isnan(s.curvature[i]));
+  }
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("sample_spherical");
+  TCase *tc = tcase_create("sample_spherical");
+  tcase_add_checked_fixture(tc, NULL, finish);
+  tcase_add_test(tc, test_great_circle);
+  tcase_add_test(tc, test_random);
+  tcase_add_test(tc, test_length);
+  tcase_add_test(tc, test_rest);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)
