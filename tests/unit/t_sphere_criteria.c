@@ -218,6 +218,47 @@ START_TEST(test_segment) {
 }
 END_TEST
 
+/* The least K of a segment whose K falls and rises again. */
+static double least_numerator(const struct ph_spherical *s) {
+  double low = 0, high = 1, k[2];
+
+  for (int i = 0; i < 60; i++) {
+    double middle = (low + high) / 2;
+
+    ph_spherical_numerator(s, middle, k);
+    *(k[1] < 0 ? &low : &high) = middle;
+  }
+  ph_spherical_numerator(s, low, k);
+  return k[0];
+}
+
+/* Polygons that turn more and more, until K comes down to 0 in between: what is
+ * accepted ends where its sign does, but for the square of the last piece. */
+START_TEST(test_threshold) {
+  struct unit_random r = unit_random_of(3220);
+  int count = unit_count(100);
+
+  for (int j = 0; j < count; j++) {
+    double sum = pow(10, unit_random_in(&r, -0.5, 0.5));
+    double leg[3] = {sum * unit_random_in(&r, 0.3, 0.4),
+                     sum * unit_random_in(&r, 0.1, 0.2),
+                     sum * unit_random_in(&r, 0.3, 0.4)};
+    double low = 1, high = 2.6, most[2];
+    struct ph_spherical s;
+
+    for (int i = 0; i < 48; i++) {
+      double turn[2] = {(low + high) / 2, (low + high) / 2};
+      struct unit_random same = r;
+
+      s = polygon(&same, leg, turn);
+      *(judge(&s, 1) == PH_SPHERE_FINE ? &low : &high) = turn[0];
+    }
+    ph_spherical_numerator(&s, 0, most);
+    ck_abs(least_numerator(&s), 0, 1e-8 * most[0]);
+  }
+}
+END_TEST
+
 /* Beside the quadratic of a plane cubic: (4) of sphere_criteria.c, with
  * C = 1/2. */
 START_TEST(test_plane) {
@@ -339,6 +380,35 @@ START_TEST(test_great_circle) {
     }
   }
   ph_arena_free(&t.arena);
+}
+END_TEST
+
+/* The thesis looks at the side after a node only. */
+START_TEST(test_sides) {
+  bool legacy = _i == 1;
+  struct setting t;
+
+  for (int curved = 0; curved < 2; curved++) {
+    double lift = curved ? -1 : 1; /* against the turn, or out of line */
+    enum ph_sphere_criterion bad =
+        curved ? PH_SPHERE_NODAL : PH_SPHERE_COCIRCULARITY;
+
+    put_circle(t.v, 3, curved ? 0.5 : 0, 0.5);
+    set_up(&t, t.v, 3, false, 1e-2, legacy);
+    straighten(&t);
+    for (size_t k = 0; curved && k < 2; k++) {
+      t.r[k] = ph_s2_exp(t.r[k], ph_vec3_of(0, 0, -0.03));
+      t.l[k] = ph_s2_exp(t.l[k], ph_vec3_of(0, 0, -0.03));
+    }
+    ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, 1),
+                     PH_SPHERE_FINE);
+    t.r[0] = ph_s2_exp(t.r[0], ph_vec3_of(0, 0, 0.2 * lift));
+    ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, 1),
+                     legacy ? PH_SPHERE_FINE : bad);
+    t.l[1] = ph_s2_exp(t.l[1], ph_vec3_of(0, 0, 0.2 * lift));
+    ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, 1), bad);
+    ph_arena_free(&t.arena);
+  }
 }
 END_TEST
 
@@ -470,11 +540,13 @@ static Suite *suite(void) {
       c, test_case, 0,
       2 * (int)(sizeof unit_sphere_cases / sizeof *unit_sphere_cases));
   tcase_add_loop_test(c, test_segment, 0, 2);
+  tcase_add_test(c, test_threshold);
   tcase_add_test(c, test_plane);
   tcase_add_loop_test(c, test_dense, 0, 4);
   tcase_add_test(c, test_rounding);
   tcase_add_loop_test(c, test_reversal, 0, 2);
   tcase_add_loop_test(c, test_great_circle, 0, 2);
+  tcase_add_loop_test(c, test_sides, 0, 2);
   tcase_add_test(c, test_standstill);
   tcase_add_loop_test(c, test_touched_open, 0, 2);
   tcase_add_test(c, test_touched_closed);
