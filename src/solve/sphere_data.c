@@ -33,7 +33,7 @@ static const double RADIUS_MIN = 1e-300;
 
 /* Spacings of knots: their cubes must not leave the range of a double, and they
  * must not differ by more than this. */
-static const double SPACING_MAX = 1e90, SPACINGS = 1e-12;
+static const double SPACING_MAX = 1e50, SPACINGS = 1e-12;
 
 /* The part of a direction that is along the sphere. */
 static const double NOTHING_LEFT = 1e-12;
