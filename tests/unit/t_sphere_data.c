@@ -482,7 +482,8 @@ START_TEST(test_tensions) {
 }
 END_TEST
 
-/* Directions of any length; the speed is theta / h. */
+/* Directions of any length, which say by themselves that the ends are clamped;
+ * the speed is theta / h. */
 START_TEST(test_ends) {
   const struct given rest[GIVEN_MAX] = {OCTANT, {PH_F_ENDS, WORD("rest")}};
   const struct given natural[GIVEN_MAX] = {OCTANT,
@@ -494,7 +495,6 @@ START_TEST(test_ends) {
   const struct given knots[GIVEN_MAX] = {
       OCTANT,
       {PH_F_KNOTS, NUMBERS(0, 1, 5)},
-      {PH_F_ENDS, WORD("clamped")},
       {PH_F_END_TANGENTS, VECTORS(3, 3, 3, 4, 0, -2, 9)}};
   struct ph_arena arena = {0};
   struct ph_sphere_data d = data_of(rest, &arena);
@@ -507,6 +507,7 @@ START_TEST(test_ends) {
   ck_vector(d.end[0], ph_vec3_of(0, 0, -1), DBL_EPSILON);
   ck_vector(d.end[1], ph_vec3_of(1, 0, 0), DBL_EPSILON);
   d = data_of(knots, &arena);
+  ck_assert_int_eq(d.ends, PH_SPHERE_CLAMPED);
   ck_vector(d.end[0], ph_vec3_scale(PH_PI / 2, ph_vec3_of(0, 0.6, 0.8)), 1e-15);
   ck_vector(d.end[1], ph_vec3_of(0, -PH_PI / 8, 0), 1e-15);
   ph_arena_free(&arena);
