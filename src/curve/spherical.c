@@ -23,9 +23,8 @@
 
 #include "kernel/adapt.h"
 
+#include "curve/spherical_net.h"
 #include "kernel/s2.h"
-
-#include <stdbool.h>
 
 /* What depends on the order of derivatives is written once, and compiled for
  * every order that is used. */
@@ -43,23 +42,6 @@ struct scalar {
 
 struct jet {
   ph_vec3 d[4];
-};
-
-/* Two neighbouring control points: m as a displacement and in full, d, E;
- * theta^2, theta tan phi, theta / tan phi; of (3), Q, 1 / f_{-1}(Q) and
- * 1 / f_0(Q). */
-struct arc {
-  ph_vec3 mu, m, d;
-  double e, square, a, b;
-  double q, ic, ig;
-};
-
-/* A segment prepared; terms of (2) that suffice for it, 0 if it is not near. */
-struct net {
-  ph_vec3 base;
-  double e; /* the greatest of the arcs */
-  size_t terms;
-  struct arc arc[3];
 };
 
 /* (2) is used below NEAR, with terms by the greatest E of neighbours. */
@@ -256,8 +238,8 @@ INLINE ph_vec3 half_difference(ph_vec3 u, ph_vec3 w) {
 }
 
 /* (1) between fixed points: Z'' = -theta^2 Z. */
-INLINE void arc_step(const struct arc *arc, const struct basis *basis,
-                     int order, struct jet *z) {
+INLINE void arc_step(const struct ph_spherical_arc *arc,
+                     const struct basis *basis, int order, struct jet *z) {
   double a, b; /* A - 1 and B */
   if (basis->terms > 0) {
     struct scalar e = {{arc->e, 0, 0, 0}};
@@ -334,7 +316,7 @@ INLINE void step(ph_vec3 base, const struct basis *basis, const struct jet *u,
 /* theta^2 and theta / tan phi, by series: with phi = asin sqrt(E),
  *   dQ/dE = phi / (sin(phi) cos(phi)) = sum_k h_k E^k,
  *   h_k = h_{k-1} 2 k / (2 k + 1). */
-INLINE void near_arc(struct arc *arc, size_t terms) {
+INLINE void near_arc(struct ph_spherical_arc *arc, size_t terms) {
   static const double h[TERMS] = {1.0,
                                   2.0 / 3,
                                   8.0 / 15,
@@ -367,7 +349,7 @@ INLINE void near_arc(struct arc *arc, size_t terms) {
   arc->b = 2 * (1 - arc->e) * sum;
 }
 
-INLINE void far_arc(struct arc *arc) {
+INLINE void far_arc(struct ph_spherical_arc *arc) {
   double c = ph_vec3_abs(arc->m), phi = atan2(sqrt(arc->e), c), f[4];
   arc->q = phi * phi;
   ph_s2_bessel(arc->q, f);
@@ -383,11 +365,12 @@ INLINE size_t terms_for(double e) {
   return e < 0x1p-17 ? 5 : e < 0x1p-11 ? 7 : e < NEAR ? TERMS : 0;
 }
 
-INLINE void net_of(const struct ph_spherical *s, struct net *net) {
+void ph_spherical_net_of(const struct ph_spherical *s,
+                         struct ph_spherical_net *net) {
   double e = 0;
   net->base = s->p[0];
   for (size_t k = 0; k < 3; k++) {
-    struct arc *arc = &net->arc[k];
+    struct ph_spherical_arc *arc = &net->arc[k];
     ph_vec3 u = s->p[k], w = s->p[k + 1];
     arc->mu = half_sum(ph_vec3_sub(u, net->base), ph_vec3_sub(w, net->base));
     arc->m = half_sum(u, w);
@@ -407,7 +390,8 @@ INLINE void net_of(const struct ph_spherical *s, struct net *net) {
 }
 
 /* The curve and its derivatives at t, by three steps, two, and one. */
-INLINE void net_jet(const struct net *net, double t, int order, struct jet *z) {
+INLINE void net_jet(const struct ph_spherical_net *net, double t, int order,
+                    struct jet *z) {
   struct basis basis;
   struct jet a, b, c;
   basis_of(t, net->terms, order, &basis);
@@ -419,8 +403,7 @@ INLINE void net_jet(const struct net *net, double t, int order, struct jet *z) {
   step(net->base, &basis, &a, &b, order, z);
 }
 
-/* |S'| */
-static double net_speed(const struct net *net, double t) {
+double ph_spherical_net_speed(const struct ph_spherical_net *net, double t) {
   struct jet z;
   net_jet(net, t, 1, &z);
   return ph_vec3_abs(z.d[1]);
@@ -442,27 +425,27 @@ struct ph_spherical ph_spherical_of(const struct ph_curve *curve, size_t k) {
 }
 
 ph_vec3 ph_spherical_point(const struct ph_spherical *s, double t) {
-  struct net net;
+  struct ph_spherical_net net;
   struct jet z;
-  net_of(s, &net);
+  ph_spherical_net_of(s, &net);
   net_jet(&net, t, 0, &z);
   return ph_vec3_add(net.base, z.d[0]);
 }
 
 void ph_spherical_first(const struct ph_spherical *s, double t,
                         ph_vec3 jet[2]) {
-  struct net net;
+  struct ph_spherical_net net;
   struct jet z;
-  net_of(s, &net);
+  ph_spherical_net_of(s, &net);
   net_jet(&net, t, 1, &z);
   jet[0] = ph_vec3_add(net.base, z.d[0]);
   jet[1] = z.d[1];
 }
 
 void ph_spherical_jet(const struct ph_spherical *s, double t, ph_vec3 jet[4]) {
-  struct net net;
+  struct ph_spherical_net net;
   struct jet z;
-  net_of(s, &net);
+  ph_spherical_net_of(s, &net);
   net_jet(&net, t, 3, &z);
   jet[0] = ph_vec3_add(net.base, z.d[0]);
   jet[1] = z.d[1];
@@ -517,74 +500,4 @@ double ph_spherical_curvature(const struct ph_spherical *s, double t) {
   ph_spherical_jet(s, t, jet);
   return ph_vec3_triple(jet[0], jet[1], jet[2]) /
          pow(ph_vec3_dot(jet[1], jet[1]), 1.5);
-}
-
-/* -------------------------------------------------------------------------- */
-/* Arc length                                                                 */
-/* -------------------------------------------------------------------------- */
-
-/* Gauss rules on [0,1]: on gentle segments, and on parts of the others. */
-static const struct ph_quad coarse = {
-    5,
-    {0.046910077030668003601, 0.23076534494715845448, 0.5,
-     0.76923465505284154552, 0.9530899229693319964},
-    {0.11846344252809454376, 0.23931433524968323402, 0.28444444444444444444,
-     0.23931433524968323402, 0.11846344252809454376}};
-static const struct ph_quad fine = {
-    13,
-    {0.0079084726407059252636, 0.041200800388511017397, 0.099210954633345043603,
-     0.17882533027982988968, 0.27575362448177657356, 0.38477084202243260297,
-     0.5, 0.61522915797756739703, 0.72424637551822342644,
-     0.82117466972017011032, 0.9007890453666549564, 0.9587991996114889826,
-     0.99209152735929407474},
-    {0.02024200238265793976, 0.046060749918864223957, 0.069436755109893619232,
-     0.08907299038097286914, 0.10390802376844425116, 0.11314159013144861921,
-     0.1162757766154369551, 0.11314159013144861921, 0.10390802376844425116,
-     0.08907299038097286914, 0.069436755109893619232, 0.046060749918864223957,
-     0.02024200238265793976}};
-
-/*
- * Whether 5 nodes suffice for a segment whose squares of half the angles
- * between control points are at most e: the Legendre coefficients of the speed
- * fall so fast that the tenth, which is the error, does not matter.
- *
- * in   speed[5]  at the nodes
- */
-static bool gentle(const double speed[5], double mean, double e) {
-  static const double R = 0.04;
-  double bound = mean;
-  double p[5] = {1, 1, 1, 1, 1}, before[5] = {0, 0, 0, 0, 0};
-  bool small = e <= 1e-3;
-  for (int k = 1; k < 5; k++) {
-    double c = 0; /* the integral of speed P_k times 2 k + 1 */
-    for (size_t i = 0; i < 5; i++) {
-      double x = 2 * coarse.node[i] - 1;
-      double next = ((2 * k - 1) * x * p[i] - (k - 1) * before[i]) / k;
-      before[i] = p[i];
-      p[i] = next;
-      c += (2 * k + 1) * coarse.weight[i] * speed[i] * next;
-    }
-    bound *= R;
-    small = small && fabs(c) <= bound;
-  }
-  return small;
-}
-
-static double speed_at(const void *net, double t) {
-  return net_speed(net, t);
-}
-
-double ph_spherical_length(const struct ph_spherical *s, double to) {
-  static const double precision =
-      1e-10; /* of what two halves are better than */
-  struct net net;
-  double speed[5], mean = 0;
-  net_of(s, &net);
-  for (size_t i = 0; i < 5; i++) {
-    speed[i] = net_speed(&net, to * coarse.node[i]);
-    mean += coarse.weight[i] * speed[i];
-  }
-  return gentle(speed, mean, net.e) ? to * mean
-                                    : ph_adapt(&fine, speed_at, &net, 0, to,
-                                               precision * mean, precision);
 }
