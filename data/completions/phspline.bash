@@ -11,8 +11,8 @@ _phspline() {
     option=${COMP_WORDS[COMP_CWORD - 1]}
   fi
   case $COMP_CWORD,${COMP_WORDS[1]} in
-  1,*) list='planar spatial-hermite arclength help --help --version' ;;
-  *,help) list='planar spatial-hermite arclength' ;;
+  1,*) list='planar spatial-hermite arclength sphere help --help --version' ;;
+  *,help) list='planar spatial-hermite arclength sphere' ;;
   *,planar)
     case $option in
     --points | --points=) kind=nothing ;;
@@ -28,19 +28,20 @@ _phspline() {
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv' ;;
-    --table | --table=) list='control-points lengths offsets' ;;
+    --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
     --override | --override=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
     -S | --sweep | --sweep=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
     -d | --offset | --offset=) kind=nothing ;;
+    -n | --sample | --sample=) kind=nothing ;;
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -64,19 +65,20 @@ _phspline() {
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv' ;;
-    --table | --table=) list='control-points lengths offsets' ;;
+    --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
     --override | --override=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
     -S | --sweep | --sweep=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
     -d | --offset | --offset=) kind=nothing ;;
+    -n | --sample | --sample=) kind=nothing ;;
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -100,19 +102,59 @@ _phspline() {
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv' ;;
-    --table | --table=) list='control-points lengths offsets' ;;
+    --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
     --override | --override=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
     -S | --sweep | --sweep=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
     -d | --offset | --offset=) kind=nothing ;;
+    -n | --sample | --sample=) kind=nothing ;;
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --lengths= --length_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --lengths= --length_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+      fi
+      ;;
+    esac
+    ;;
+  *,sphere)
+    case $option in
+    --points | --points=) kind=nothing ;;
+    --lonlat | --lonlat=) kind=nothing ;;
+    --closed=) list='true false' ;;
+    --center | --center=) kind=nothing ;;
+    --radius | --radius=) kind=nothing ;;
+    --radius_tolerance | --radius_tolerance=) kind=nothing ;;
+    --model | --model=) list='exact nielson' ;;
+    --knots | --knots=) list='geodesic uniform' ;;
+    --ends | --ends=) list='natural rest clamped' ;;
+    --end_tangents | --end_tangents=) kind=nothing ;;
+    --tension | --tension=) kind=nothing ;;
+    --shape | --shape=) list='warn' ;;
+    --increase | --increase=) list='minimal' ;;
+    --criterion | --criterion=) list='geodesic legacy' ;;
+    --epsilon | --epsilon=) kind=nothing ;;
+    -i | --input-format | --input-format=) list='auto json csv' ;;
+    --columns | --columns=) kind=nothing ;;
+    --delimiter | --delimiter=) kind=nothing ;;
+    -f | --format | --format=) list='json csv' ;;
+    --table | --table=) list='control-points lengths samples offsets' ;;
+    -o | --output | --output=) kind=files ;;
+    -s | --set | --set=) list='points= lonlat= closed= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
+    --override | --override=) list='points= lonlat= closed= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
+    -S | --sweep | --sweep=) list='points= lonlat= closed= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
+    -d | --offset | --offset=) kind=nothing ;;
+    -n | --sample | --sample=) kind=nothing ;;
+    --convert | --convert=) list='bezier' ;;
+    --tolerance | --tolerance=) kind=nothing ;;
+    -j | --jobs | --jobs=) kind=nothing ;;
+    *)
+      kind=files
+      if [[ $cur == -* ]]; then
+        kind=words list='--points= --lonlat= --closed --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

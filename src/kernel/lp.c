@@ -13,7 +13,7 @@ static const double FEASIBLE = 1e-12;
 static const double SHARE = 1e-11;
 
 /* Multipliers may fall below 0 by this part of the largest |c|, so that among
- * nearly equal ratios the largest share can be taken [Harris 1973]. */
+ * nearly equal ratios the largest share can be taken [HAR73]. */
 static const double DUAL = 1e-12;
 
 /* The most violated constraint is added in so many steps; that of the least

@@ -13,7 +13,7 @@
  * one of the n leaves such that all multipliers stay >= 0; c . x rises until
  * nothing is violated.  A step costs m n for finding that constraint and q^3/3
  * for fresh LU factors, so that errors do not grow with the number of steps.
- * After many steps, the rule of Bland (1977), which cannot cycle, takes over.
+ * After many steps, the rule of [BLA77], which cannot cycle, takes over.
  *
  * A constraint counts as violated above 1e-12 of the numbers in it; the caller
  * scales its rows to about unit norm.

@@ -221,6 +221,13 @@ while read -r command; do
   printf '1,0,0,\n0,1,0,2\n0,0,1,2\n' >"help-$command/ribbon.csv"
   printf '{"tangents":[[1,0,0],[0,1,0],[0,0,1],[1,0,0]],"lengths":%s}\n' \
     '[1.2,1.4,0.7]' >"help-$command/problem.json"
+  if [ "$command" = sphere ]; then
+    # as far as the coast of Brazil: no turn is sharper than the offsets
+    sed '/^[^-0-9]/d' "$srcdir/data/magellan-elcano.csv" | head -n 6 \
+      >"help-$command/track.csv"
+    printf '1,0,0\n0.6,0.8,0\n0,0.6,0.8\n-0.6,0,0.8\n' \
+      >"help-$command/points.csv"
+  fi
   "$PHSPLINE" help "$command" | sed -n '/^Examples:/,/^$/p' >help.txt
   run "help-$command" PATH <help.txt
 done <commands

@@ -53,7 +53,7 @@ offers() {
 }
 if command -v bash >/dev/null; then
   offers 'planar' phspline p
-  offers 'planar spatial-hermite arclength' phspline help ''
+  offers 'planar spatial-hermite arclength sphere' phspline help ''
   offers '--free= --format= --fail-fast' phspline planar --f
   offers 'json csv' phspline planar --format =
   offers 'csv' phspline planar -f c

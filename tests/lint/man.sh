@@ -179,7 +179,7 @@ same "tables of --table" "$tmp/tables" "$tmp/page"
 items man/phspline.5 'CSV OUTPUT' Cm >"$tmp/page"
 same "tables" "$tmp/tables" "$tmp/page"
 while read -r name; do
-  printf '0,0\n1,0\n' | "$program" planar --offset=1 --format=csv \
+  printf '0,0\n1,0\n' | "$program" planar --offset=1 --sample=1 --format=csv \
     --table="$name" | sed -n 1p
 done <"$tmp/tables" >"$tmp/list"
 items man/phspline.5 'CSV OUTPUT' Cm >"$tmp/names"
