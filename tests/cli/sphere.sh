@@ -26,7 +26,7 @@ function near(name, x, y, most) {
 # joints all of it goes on.
 {
   printf '%s' "$sphere_awk"
-  cat <<'END'
+  cat <<'EOF'
 BEGIN {
   FS = ","
   split(center, c, " ")
@@ -64,7 +64,7 @@ END {
   if (NR < 3) print "no samples"
   exit failed || NR < 3
 }
-END
+EOF
 } >samples.awk
 
 # curve NAME MEMBERS [ARGUMENT...]: it is solved, and its samples are sound; the
