@@ -154,8 +154,10 @@ bad bad-shape center 'must have 3 numbers, found 4' \
   "$(with '"center":[0,0,0,0]')"
 bad not-finite 'center[2]' 'is 1e999, which overflows a double' \
   "$(with '"center":[0,0,1e999]')"
-bad bad-value radius 'must be greater than 0, found 0' "$(with '"radius":0')"
-bad bad-value radius 'must be greater than 0, found -1' "$(with '"radius":-1')"
+for value in 0 -1 -0; do
+  bad bad-value radius "must be at least 1e-300, found $value" \
+    "$(with "\"radius\":$value")"
+done
 bad bad-type radius 'must be a number, found a string' \
   "$(with '"radius":"6371"')"
 bad not-finite radius 'is 1e999, which overflows a double' \
@@ -216,7 +218,7 @@ bad bad-type shape 'must be true, false or "warn", found a number' \
 # ---- numbers -----------------------------------------------------------------
 
 for value in 0 -1 -0; do
-  bad bad-value epsilon "must be greater than 0, found $value" \
+  bad bad-value epsilon "must be at least 1e-12, found $value" \
     "$(with "\"epsilon\":$value")"
 done
 bad bad-type epsilon 'must be a number, found an array' \
@@ -281,7 +283,7 @@ two='must be two vectors of 3 numbers, found'
 bad missing-field end_tangents 'must be given with "ends":"clamped"' \
   "$(with '"ends":"clamped"')"
 for ends in natural rest; do
-  bad bad-value end_tangents 'is for "ends":"clamped"' \
+  bad bad-value end_tangents "excludes \"ends\":\"$ends\"" \
     "$(with "\"ends\":\"$ends\",\"end_tangents\":[[0,1,0],[0,1,0]]")"
 done
 bad bad-value end_tangents 'is for open curves: a closed curve has no ends' \
@@ -349,6 +351,14 @@ equal 'a shape that is not asked for: it is told' false \
 feed "{$corner,\"shape\":\"warn\"}" sphere --strict
 expect 'a shape that some tension has' 0
 
+# More steps than are taken, and one beyond the largest tension.
+bad no-convergence increase \
+  'the shape was not reached by 10000 increases of tensions, try larger ones' \
+  "{$corner,\"increase\":\"plus:0.0009765625\"}"
+bad infeasible 'points[2]' \
+  "the criterion of co-circularity fails at node 2 $none" \
+  "{$corner,\"increase\":\"times:1e300\"}"
+
 # ---- points that are moved ---------------------------------------------------
 
 # moved NAME POINTS I BY
@@ -365,15 +375,30 @@ feed '{"points":[[0.6,0.8,0],[0,0.6,0.8],[-1.0000000000000002,0,0]]}' sphere \
   --strict
 expect 'moved by rounding only' 0
 
+# ---- data that turn back -------------------------------------------------------
+
+# back NAME N FIRST LONLAT
+back() {
+  warned "$1" reversal "the data turn back on a great circle at $2 points, \
+first at node $3" '' "{\"id\":\"$(printf %s "$1" | cut -c 1)\",\"lonlat\":$4}"
+}
+
+back 'back to the start' 1 1 '[[0,0],[10,0],[0,0]]'
+back 'less than back' 1 1 '[[0,0],[10,0],[5,0]]'
+back 'to and fro' 2 1 '[[0,0],[10,0],[0,0],[10,0]]'
+back 'over a pole' 1 3 '[[0,80],[40,70],[10,80],[-170,80],[10,80]]'
+feed '{"lonlat":[[0,0],[10,0],[0,0.001]]}' sphere --strict
+expect 'not quite back' 0
+
 # ---- no spline ---------------------------------------------------------------
 
 # The construction as published has none for these; the other one has.
 wide='"lonlat":[[0,0],[150,60],[-20,-70],[100,10]],"closed":true,"shape":false'
 feed "{$wide,\"model\":\"nielson\"}" sphere
-sed 's/residual [0-9.e-]*:/residual R:/' err >said
+sed 's/residual [0-9.e-]* /residual R /' err >said
 mv said err
 expect 'no convergence' 1 "phspline: -:1: record 1: tension: no spline was \
-found at these tensions, residual R: try larger ones [no-convergence]
+found at these tensions, try larger ones, residual R [no-convergence]
 $(failed 1 1)"
 equal 'no convergence: the record' '"error" "no-convergence" "tension"' \
   "$(get status) $(get error.code) $(get error.field)"
