@@ -92,14 +92,15 @@ static const char *place_of(const struct ph_sphere_raise *raise) {
 }
 
 /* Where nothing was found; a residual that is NaN says nothing. */
-static enum ph_status fail_spline(const struct task *t, const char *hint) {
+static enum ph_status fail_spline(const struct task *t, const char *tensions) {
   double residual = t->work.residual;
   return isfinite(residual)
              ? ph_fail(t->diag, PH_NO_CONVERGENCE, "tension",
-                       "no spline was found at %s, residual %.2g", hint,
-                       residual)
+                       "no spline was found at %s, residual %.2g: try larger "
+                       "ones",
+                       tensions, residual)
              : ph_fail(t->diag, PH_NO_CONVERGENCE, "tension",
-                       "no spline was found at %s", hint);
+                       "no spline was found at %s: try larger ones", tensions);
 }
 
 static enum ph_status fail_shape(const struct task *t, enum ph_status status) {
@@ -122,7 +123,7 @@ static enum ph_status fail_shape(const struct task *t, enum ph_status status) {
                      "try larger ones",
                      raise->rounds);
     }
-    return fail_spline(t, "tensions that were raised for shape");
+    return fail_spline(t, "tensions that were raised to keep the shape");
   }
 }
 
@@ -138,7 +139,7 @@ static enum ph_status find(struct task *t) {
     return ph_fail_memory(t->diag);
   }
   if (!ph_sphere_solve(&t->spline, &t->work)) {
-    return fail_spline(t, "these tensions, try larger ones");
+    return fail_spline(t, "these tensions");
   }
   if (!t->keep_shape) {
     return PH_OK;

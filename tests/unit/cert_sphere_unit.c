@@ -79,7 +79,7 @@ static void set_length(struct unit_sphere *u, size_t k, double length) {
   u->curve.length += length;
 }
 
-void unit_sphere_of(struct unit_sphere *u, const struct unit_spline *s,
+void unit_cert_sphere_of(struct unit_sphere *u, const struct unit_spline *s,
                     const struct unit_ball *sphere) {
   ph_vec3 p[7] = {{0, 0, 0}};
   for (size_t i = 0; i < s->n; i++) {

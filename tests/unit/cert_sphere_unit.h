@@ -45,8 +45,8 @@ void unit_sphere_vectors(struct unit_sphere *u, enum ph_field_id id, double *v,
 /* unit_sphere_put: a point of the unit sphere, on this one.  out  v[3] */
 void unit_sphere_put(const struct unit_ball *sphere, ph_vec3 p, double *v);
 
-/* unit_sphere_of: a spline of the table, with shape=warn. */
-void unit_sphere_of(struct unit_sphere *u, const struct unit_spline *s,
+/* unit_cert_sphere_of: a spline of the table, with shape=warn. */
+void unit_cert_sphere_of(struct unit_sphere *u, const struct unit_spline *s,
                     const struct unit_ball *sphere);
 
 /*

@@ -88,7 +88,7 @@ START_TEST(test_accepts) {
     const struct unit_spline *s = &UNIT_SPLINES[_i];
     const double *center = SPHERES[i].center;
     double digits = 2e-13, sum = 0;
-    unit_sphere_of(&u, s, &SPHERES[i]);
+    unit_cert_sphere_of(&u, s, &SPHERES[i]);
     ck_accepted();
     if (fabs(center[1]) > 100 * SPHERES[i].radius) {
       digits = 1e-7;
@@ -220,7 +220,7 @@ END_TEST
  * and away from it. */
 START_TEST(test_control_points) {
   for (size_t j = 0; j < 2; j++) {
-    unit_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[j]);
+    unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[j]);
     for (size_t i = 0; i < 12 * u.curve.n; i++) {
       double *x = u.control_points + i, *p = x - i % 3, keep[3];
       ph_vec3 v, center = ph_vec3_get(SPHERES[j].center, 3);
@@ -241,7 +241,7 @@ START_TEST(test_control_points) {
 END_TEST
 
 START_TEST(test_off_sphere) {
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   for (size_t i = 0; i < 3; i++) {
     u.control_points[12 + 3 + i] *= 1 + 1e-13;
   }
@@ -252,7 +252,7 @@ END_TEST
 
 START_TEST(test_tensions) {
   const struct unit_spline *s = &UNIT_SPLINES[_i];
-  unit_sphere_of(&u, s, &UNIT);
+  unit_cert_sphere_of(&u, s, &UNIT);
   for (size_t i = 0; i < s->n; i++) {
     double keep = u.tensions[i];
     u.tensions[i] += 1e-6;
@@ -271,7 +271,7 @@ END_TEST
 START_TEST(test_given_tensions) {
   const struct unit_spline *s = &UNIT_SPLINES[_i];
   size_t inner = 0;
-  unit_sphere_of(&u, s, &UNIT);
+  unit_cert_sphere_of(&u, s, &UNIT);
   memcpy(u.given_tensions, u.tensions, sizeof u.tensions);
   unit_sphere_flag(&u, PH_F_SHAPE, false);
   unit_sphere_numbers(&u, PH_F_TENSION, u.given_tensions, s->n);
@@ -290,7 +290,7 @@ START_TEST(test_given_tensions) {
 END_TEST
 
 START_TEST(test_lengths) {
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
   for (size_t k = 0; k < u.curve.n; k++) {
     u.lengths[k] += MOVED;
     ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
@@ -307,7 +307,7 @@ END_TEST
 
 START_TEST(test_indicators) {
   const struct unit_spline *s = &UNIT_SPLINES[_i];
-  unit_sphere_of(&u, s, &UNIT);
+  unit_cert_sphere_of(&u, s, &UNIT);
   for (size_t i = s->closed ? 0 : 1; i < s->n - (s->closed ? 0 : 1); i++) {
     for (int q = -1; q <= 1; q++) {
       u.indicators[i] = (signed char)q;
@@ -324,12 +324,12 @@ END_TEST
 
 START_TEST(test_swapped) {
   double keep[6], *p = u.control_points;
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   memcpy(keep, p + 3, sizeof keep);
   memcpy(p + 3, p + 12 + 3, sizeof keep);
   memcpy(p + 12 + 3, keep, sizeof keep);
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   for (size_t i = 0; i < 12; i++) {
     double x = p[i];
     p[i] = p[12 + i];
@@ -340,13 +340,13 @@ START_TEST(test_swapped) {
 END_TEST
 
 START_TEST(test_radius) {
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
   u.curve.radius *= 1 + MOVED;
   ck_assert_int_eq(certify(), PH_INTERNAL);
   unit_sphere_number(&u, PH_F_RADIUS, u.curve.radius);
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(diag.message, "sphere_error"));
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
   u.center[2] += MOVED;
   ck_assert_int_eq(certify(), PH_INTERNAL);
 }
@@ -355,28 +355,28 @@ END_TEST
 /* Data off the sphere are compared with their projection; how far off they may
  * be is said. */
 START_TEST(test_moved) {
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   for (size_t i = 0; i < 3; i++) {
     u.points[6 + i] *= 1.0009;
   }
   ck_accepted();
   unit_sphere_number(&u, PH_F_RADIUS_TOLERANCE, 1e-4);
   ck_refused_as("points", 2, "is not on the sphere");
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.points[6] += MOVED;
   ck_refused(PH_D_INTERPOLATION_ERROR, 1);
 }
 END_TEST
 
 START_TEST(test_model) {
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   unit_sphere_word(&u, PH_F_MODEL,
                    UNIT_SPLINES[_i].nielson ? "exact" : "nielson");
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   if (UNIT_SPLINES[_i].nielson) {
     ck_assert_ptr_nonnull(strstr(diag.message, "curvature_jump"));
   }
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   unit_sphere_word(&u, PH_F_ENDS, UNIT_SPLINES[_i].rest ? "natural" : "rest");
   ck_assert_int_eq(certify(),
                    UNIT_SPLINES[_i].closed ? PH_OK : PH_NO_CONVERGENCE);
@@ -384,16 +384,16 @@ START_TEST(test_model) {
 END_TEST
 
 START_TEST(test_fits) {
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.curve.n -= 2;
   ck_assert_int_eq(certify(), PH_INTERNAL);
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.curve.tensions = NULL;
   ck_assert_int_eq(certify(), PH_INTERNAL);
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.control_points[20] = (double)NAN;
   ck_assert_int_eq(certify(), PH_TOO_LARGE);
-  unit_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.tensions[1] = (double)INFINITY;
   ck_assert_int_eq(certify(), PH_TOO_LARGE);
 }
@@ -407,7 +407,7 @@ START_TEST(test_shape) {
   static const char *const words[] = {"", "segment convexity", "co-circularity",
                                       "nodal convexity"};
   for (size_t i = 0; i < 2; i++) {
-    unit_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[i]);
+    unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[i]);
     if (i == 0) {
       unit_sphere_flag(&u, PH_F_SHAPE, true);
     } else {
@@ -425,7 +425,7 @@ END_TEST
 
 /* The tensions are those of [IOR15, sec. 5.4]. */
 START_TEST(test_legacy) {
-  unit_sphere_of(&u, &UNIT_SPLINES[THESIS], &SPHERES[_i]);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[THESIS], &SPHERES[_i]);
   unit_sphere_flag(&u, PH_F_SHAPE, true);
   unit_sphere_word(&u, PH_F_CRITERION, "legacy");
   unit_sphere_number(&u, PH_F_EPSILON, 1e-3);
