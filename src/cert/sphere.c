@@ -293,7 +293,8 @@ static void check_nielson(const struct context *c, const struct node *n,
   ph_vec3 miss =
       ph_vec3_sub(d, beyond(n->right, -gamma * n->hl / n->hr, &factor));
   ph_check_add(tension, n->i, ph_vec3_abs(miss), 1,
-               ROUND_TENSION * c->rounding * factor);
+               SOLVED * ph_check_smaller(n->left->angle, n->right->angle) +
+                   ROUND_TENSION * c->rounding * factor);
 }
 
 /* With shape=false the tensions are those of the problem. */
@@ -484,9 +485,11 @@ static bool read_problem(struct context *c) {
   c->knots = knots->kind == PH_NUMBERS   ? NUMBERS
              : is_word(knots, "uniform") ? UNIFORM
                                          : GEODESIC;
-  c->ends = is_word(ends, "rest")      ? REST
-            : is_word(ends, "clamped") ? CLAMPED
-                                       : NATURAL;
+  c->ends = is_word(ends, "rest") ? REST
+            : is_word(ends, "clamped") ||
+                    (ends->kind == PH_ABSENT && tangents->kind == PH_VECTORS)
+                ? CLAMPED
+                : NATURAL;
   return curve->n > 0 && curve->kind == PH_CURVE_SPHERICAL_NU &&
          curve->closed == field[PH_F_CLOSED].flag && curve->dimension == 3 &&
          curve->degree == 3 && curve->tensions && curve->indicators &&

@@ -246,14 +246,15 @@ enum { POINTS = 9, DEPTH = 40, INTERVALS = 4000 };
 static const double ENOUGH = 1e-13;
 
 /* Where an extrapolation agrees with the claim, its last step was at most
- * this. */
-static const double NEAR = 1e-5;
+ * this; where it agrees with the one before, the step before was at most that,
+ * relative to the interval: two alone may agree by chance at a cusp. */
+static const double NEAR = 1e-5, CALM = 1e-3;
 
 /* The widest interval at an end, in units of the r below. */
 static const double COARSE = 4;
 
 /* In units of the rounding of a point. */
-static const double ROUND_SUM = 16;
+static const double ROUND_SUM = 4;
 
 struct interval {
   ph_vec3 s[POINTS];
@@ -352,10 +353,12 @@ static void halve(const struct interval *v, struct interval *a,
   }
 }
 
-/* Whether an interval is fine enough to believe in.  Where the first leg is
- * short, r of the middle one, the curve turns within t = r and may turn back,
- * on a length of about r^2: no point farther away would tell. */
-static int is_fine(const struct ph_cert_segment *s, const struct interval *v) {
+/* Whether an interval is narrow enough for its points to show what the curve
+ * does.  Where the first leg is short, r of the middle one, the curve turns
+ * within t = r and may turn back, on a length of about r^2: no point farther
+ * away would tell. */
+static int is_narrow(const struct ph_cert_segment *s,
+                     const struct interval *v) {
   double width = v->to - v->from, r[2];
   for (size_t end = 0; end < 2; end++) {
     r[end] = s->end[end].angle / sqrt(s->x[1]);
@@ -365,6 +368,22 @@ static int is_fine(const struct ph_cert_segment *s, const struct interval *v) {
   }
   return (v->from > 0 || !(width > COARSE * r[0])) &&
          (v->to < 1 || !(width > COARSE * r[1]));
+}
+
+/* Whether a curve through these equally spaced points, near the first one,
+ * leaves it in the direction of the second.  If not, it turns back in between,
+ * and on a great circle all sums of distances may agree for all that. */
+static int goes_on(ph_vec3 a, ph_vec3 b, ph_vec3 c) {
+  ph_vec3 first = ph_vec3_sub(b, a), second = ph_vec3_sub(c, b);
+  return !(3 * ph_vec3_dot(first, first) <= ph_vec3_dot(first, second));
+}
+
+/* Whether the points of an interval, or every step-th one, can be trusted. */
+static int is_fine(const struct ph_cert_segment *s, const struct interval *v,
+                   size_t step) {
+  const ph_vec3 *last = v->s + POINTS - 1;
+  return is_narrow(s, v) && goes_on(v->s[0], v->s[step], v->s[2 * step]) &&
+         goes_on(*last, *(last - step), *(last - 2 * step));
 }
 
 /* Whether the whole has been extrapolated to what is claimed. */
@@ -380,24 +399,26 @@ double ph_cert_length(const struct ph_cert_segment *s, double claimed,
   double length = 0, table[4], two, four, eight;
   double enough = ENOUGH * claimed + ROUND_SUM * s->rounding;
   size_t n = 1, seen = 0;
-  int fine;
+  int fine, done;
   first_points(s, &stack[0]);
   while (n > 0) {
     struct interval *v = &stack[--n];
     extrapolate(table, 0, sum_of(v, 8));
     two = extrapolate(table, 1, sum_of(v, 4));
     four = extrapolate(table, 2, sum_of(v, 2));
-    fine = is_fine(s, v);
-    if (fine && agrees(v, four, two, claimed, allowed)) {
+    if (agrees(v, four, two, claimed, allowed) && is_fine(s, v, 2)) {
       return four;
     }
     more_points(s, v);
     eight = extrapolate(table, 3, sum_of(v, 1));
+    fine = is_fine(s, v, 1);
     if (fine && agrees(v, eight, four, claimed, allowed)) {
       return eight;
     }
-    if ((fine && !(fabs(eight - four) > enough)) || n + 2 > DEPTH ||
-        ++seen > INTERVALS) {
+    done = (fine && !(fabs(eight - four) > enough) &&
+            !(fabs(four - two) > CALM * eight + enough)) ||
+           sum_of(v, 1) <= enough / 4;
+    if (done || n + 2 > DEPTH || ++seen > INTERVALS) {
       length += eight;
     } else {
       halve(v, &stack[n], &stack[n + 1]);

@@ -10,7 +10,8 @@
  *       8e-15 (1 / theta_i + 1 / theta_{i+1})):                           (1)
  *
  * by an angle that nobody sees, which for close data means a curvature below
- * epsilon as well; or by rounding of coordinates.
+ * epsilon as well; or by rounding of coordinates, and then there is nothing to
+ * keep.
  */
 #include "cert/sphere_shape.h"
 
@@ -39,12 +40,13 @@ void ph_cert_node_turn(struct ph_cert_node *node, double epsilon) {
   ph_vec3 out = towards(p, node->right->p[3]);
   double hl = node->left->angle, hr = node->right->angle;
   double size = ph_vec3_abs(in) * ph_vec3_abs(out), inverse = 1 / hl + 1 / hr;
+  double seen = ph_check_smaller(ANGLE, SHARE * epsilon * (hl + hr));
   node->sine = ph_vec3_triple(p, in, out) / size;
   node->cosine = ph_vec3_dot(in, out) / size;
-  node->limit = ph_check_larger(
-      ph_check_smaller(ANGLE, SHARE * epsilon * (hl + hr)), ROUNDING * inverse);
+  node->limit = ph_check_larger(seen, ROUNDING * inverse);
   node->limit_unsure =
       UNSURE * node->right->rounding * inverse + MET * node->limit;
+  node->told = node->limit_unsure <= seen;
 }
 
 bool ph_cert_node_indicates(const struct ph_cert_node *node) {
@@ -60,7 +62,7 @@ bool ph_cert_node_indicates(const struct ph_cert_node *node) {
  * and, in the thesis, by their distances too. */
 static bool in_order(const struct ph_cert_node *node, bool legacy) {
   double hl = node->left->angle, hr = node->right->angle;
-  return node->cosine > 0 &&
+  return node->told && node->cosine > 0 &&
          (!legacy || ph_s2_angle(node->left->p[0], node->right->p[3]) >
                          ph_check_larger(hl, hr));
 }

@@ -32,6 +32,7 @@ struct ph_cert_node {
   double sine, cosine; /* of the angle by which the data turn */
   double limit;        /* |sine| below which they do not, and */
   double limit_unsure; /* by how much rounding may move this limit */
+  bool told;           /* by the data, not by rounding, whether they turn */
   int indicator;       /* as recorded */
 };
 

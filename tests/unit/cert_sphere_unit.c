@@ -6,6 +6,7 @@
 
 #include "curve/spherical.h"
 #include "kernel/pi.h"
+#include "kernel/quad.h"
 #include "kernel/s2.h"
 
 #include <string.h>
