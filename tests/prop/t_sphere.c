@@ -173,7 +173,7 @@ START_TEST(test_motion_of_shape) {
       solved++;
     }
   }
-  ck_share(solved, n, 0.8);
+  ck_share(solved, n, 0.6);
 }
 END_TEST
 
@@ -202,7 +202,7 @@ START_TEST(test_motion_of_steps) {
       solved++;
     }
   }
-  ck_share(solved, n, 0.8);
+  ck_share(solved, n, 0.6);
 }
 END_TEST
 
