@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Offsets on the sphere: distances, curvature, cusps, lengths. */
 #include "spherical_curve_unit.h"
+#include "kernel/quad.h"
 #include "unit.h"
 
 #include "curve/parallel.h"
