@@ -293,7 +293,8 @@ ph_sphere_segment_fails(const struct ph_sphere_shape *shape,
 /* Adds a node, if its tension is to be raised and it is not there yet. */
 static size_t add(const struct ph_sphere_shape *shape, size_t i, size_t n,
                   size_t node[4]) {
-  if (ph_sphere_is_end(shape->data, i) && !shape->legacy) {
+  if (!shape->legacy &&
+      (ph_sphere_is_end(shape->data, i) || shape->inorder[i])) {
     return n;
   }
   for (size_t j = 0; j < n; j++) {

@@ -480,10 +480,10 @@ START_TEST(test_touched_open) {
     ck_touched(&t, PH_SPHERE_COCIRCULARITY, 4, "3 6");
     ck_touched(&t, PH_SPHERE_COCIRCULARITY, 5, "3 6");
     ck_touched(&t, PH_SPHERE_COCIRCULARITY, 8, "7");
-    ck_touched(&t, PH_SPHERE_NODAL, 1, "1 2");
-    ck_touched(&t, PH_SPHERE_NODAL, 6, "5 6 7");
-    ck_touched(&t, PH_SPHERE_SEGMENT, 1, "1 2 3");
-    ck_touched(&t, PH_SPHERE_SEGMENT, 4, "3 4 5 6");
+    /* without those in order, whose curvature a tension would raise */
+    ck_touched(&t, PH_SPHERE_NODAL, 3, "3");
+    ck_touched(&t, PH_SPHERE_NODAL, 6, "6 7");
+    ck_touched(&t, PH_SPHERE_SEGMENT, 6, "6 7");
   }
   ph_arena_free(&t.arena);
 }
@@ -501,10 +501,9 @@ START_TEST(test_touched_closed) {
   ck_touched(&t, PH_SPHERE_COCIRCULARITY, 7, "6 4");
   ck_touched(&t, PH_SPHERE_COCIRCULARITY, 0, "6 4");
   ck_touched(&t, PH_SPHERE_COCIRCULARITY, 3, "6 4");
-  ck_touched(&t, PH_SPHERE_NODAL, 0, "7 0 1");
-  ck_touched(&t, PH_SPHERE_NODAL, 7, "6 7 0");
-  ck_touched(&t, PH_SPHERE_SEGMENT, 7, "6 7 0 1");
-  ck_touched(&t, PH_SPHERE_SEGMENT, 0, "7 0 1 2");
+  ck_touched(&t, PH_SPHERE_NODAL, 5, "4 5 6");
+  ck_touched(&t, PH_SPHERE_NODAL, 6, "5 6");
+  ck_touched(&t, PH_SPHERE_SEGMENT, 4, "4 5 6");
   ph_arena_free(&t.arena);
 }
 END_TEST

@@ -186,12 +186,12 @@ static const struct {
      PH_TOO_LARGE,
      "knots[1]",
      "must be after the knot before by more than 1e-12 of the largest "
-     "spacing, and by 1e-90 to 1e+90"},
+     "spacing, and by 1e-50 to 1e+50"},
     {{OCTANT, {PH_F_KNOTS, NUMBERS(0, 1e91, 2e91)}},
      PH_TOO_LARGE,
      "knots[1]",
      "must be after the knot before by more than 1e-12 of the largest "
-     "spacing, and by 1e-90 to 1e+90"},
+     "spacing, and by 1e-50 to 1e+50"},
     {{OCTANT, {PH_F_TENSION, NUMBER(-1)}},
      PH_BAD_VALUE,
      "tension",
