@@ -21,8 +21,6 @@
  */
 #include "curve/spherical.h"
 
-#include "kernel/adapt.h"
-
 #include "curve/spherical_net.h"
 #include "kernel/s2.h"
 
@@ -103,7 +101,7 @@ INLINE struct scalar quotient(const struct scalar *a, const struct scalar *b,
                               int order) {
   const double *u = a->v, *w = b->v;
   double inverse = 1 / w[0];
-  struct scalar s;
+  struct scalar s = {0};
   double *q = s.v;
   q[0] = u[0] * inverse;
   if (order >= 1) {
@@ -280,7 +278,7 @@ INLINE ph_vec3 product(const struct scalar *x, ph_vec3 v, const struct jet *jet,
 /* (1) between moving points. */
 INLINE void step(ph_vec3 base, const struct basis *basis, const struct jet *u,
                  const struct jet *w, int order, struct jet *z) {
-  struct jet mu, d;
+  struct jet mu = {0}, d = {0};
   struct scalar e;
   struct weights k;
   ph_vec3 m;

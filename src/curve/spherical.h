@@ -33,21 +33,23 @@ void ph_spherical_first(const struct ph_spherical *s, double t, ph_vec3 jet[2]);
 /* ph_spherical_jet: S, S', S'', S''' at t; out  jet[4] */
 void ph_spherical_jet(const struct ph_spherical *s, double t, ph_vec3 jet[4]);
 
-/* ph_spherical_numerator: K and K' at t; out  k[2] */
+/* ph_spherical_numerator: K and K' at t, for control points taken as exact to a
+ * few roundings of |S'| (|S'| + |S''|) and |S'| (|S'| + |S'''|); out  k[2] */
 void ph_spherical_numerator(const struct ph_spherical *s, double t,
                             double k[2]);
 
-/* ph_spherical_numerator_start: K at t = 0, in closed form:
- *   K = 18 |W| ... with the angle th from p0 to p1 and the normal N of their
- *   great circle, W = Log_{p1} p2,  K = 18 th^3 (W.N) / (th sin th);
+/* ph_spherical_numerator_start: K at t = 0, in closed form: with the angles th
+ * from p0 to p1 and om from p1 to p2, and f_0 of s2.h,
+ *   K = 18 [p0, p1, p2] / (f_0(th^2)^2 f_0(om^2));
  * 0 where p1 = p0.  Of t = 1: ph_spherical_numerator_end. */
 double ph_spherical_numerator_start(const struct ph_spherical *s);
 double ph_spherical_numerator_end(const struct ph_spherical *s);
 
-/* ph_spherical_curvature: kappa_g at t; not finite where S' = 0. */
+/* ph_spherical_curvature: kappa_g at t; not finite where S' = 0.  At 0 and 1 it
+ * is that of the closed forms. */
 double ph_spherical_curvature(const struct ph_spherical *s, double t);
 
-/* kappa_g at t = 0 and t = 1 in closed form, (2/3) (W.N) / (th sin th); not
+/* kappa_g at t = 0 and t = 1 in closed form, K / (27 th^3); not
  * finite where p1 = p0 or p2 = p3. */
 double ph_spherical_curvature_start(const struct ph_spherical *s);
 double ph_spherical_curvature_end(const struct ph_spherical *s);
