@@ -138,50 +138,41 @@ static bool next(struct part *part, bool done) {
   return part->depth > 0;
 }
 
-/* The mean of the root of a series on an interval, and the greatest of the last
- * four Legendre coefficients, 9 to 12. */
+/* The mean of the root of a series on an interval, and how well a polynomial of
+ * degree 12 is that root: its last four coefficients, and what it misses at the
+ * ends, beyond the last nodes. */
 static double mean(const struct series *s, double from, double width,
-                   double *last) {
-  static const double row[FINE / 2 + 1][4] = {
-      {0.15510010835170129707, 0.12737464343945496286, 0.091431962098649541868,
-       0.048470284232779770355},
-      {-0.35693283447076656585, -0.35511986573935663408,
-       -0.28854134333967968427, -0.16406230622896526186},
-      {0.239040836283967845, 0.43468497312272458509, 0.46548442184557562754,
-       0.30297913614688563855},
-      {0.1735345667179657736, -0.26103383705326386787, -0.54156405377957005691,
-       -0.43987771317686819643},
-      {-0.51793879297386034982, -0.099925996619652646047,
-       0.47627413007079880773, 0.55405767405932377834},
-      {0.45164862615846419554, 0.45447487281537307582, -0.27803296876289690034,
-       -0.62944432598732976004},
-      {0, -0.60090957993055895154, 0, 0.65575450190834806219}};
-  double c[4] = {0, 0, 0, 0}, sum = 0;
-  for (size_t i = 0, j = FINE; i < j--; i++) { /* node i and its mirror j */
-    double right = root_at(s, from + width * fine.node[j]);
-    double left = i < j ? root_at(s, from + width * fine.node[i]) : 0;
-    sum += fine.weight[i] * (right + left);
-    for (size_t k = 0; k < 4; k++) {
-      c[k] += row[i][k] * (k % 2 == 0 ? right - left : right + left);
-    }
+                   double *miss) {
+  double value[FINE], c[FINE], left = 0, right = 0;
+  for (size_t i = 0; i < FINE; i++) {
+    value[i] = root_at(s, from + width * fine.node[i]);
   }
-  *last = fmax(fmax(fabs(c[0]), fabs(c[1])), fmax(fabs(c[2]), fabs(c[3])));
-  return sum;
+  project(&fine, value, c);
+  for (size_t k = 0; k < FINE; k++) { /* P_k is 1 and (-1)^k there */
+    right += c[k];
+    left += k % 2 == 0 ? c[k] : -c[k];
+  }
+  *miss = fmax(fabs(left - root_at(s, from)),
+               fabs(right - root_at(s, from + width)));
+  for (size_t k = FINE - 4; k < FINE; k++) {
+    *miss = fmax(*miss, fabs(c[k]));
+  }
+  return c[0];
 }
 
 /*
- * The integral of the root of a series.  The last coefficients bound its error,
- * generously; they do not extrapolate, and halves do not tell it either: next
- * to a place where the speed is nearly 0, the error of a rule is the same on an
- * interval and on its half, until that is as small as the place.
+ * The integral of the root of a series.  What mean() misses bounds its error,
+ * generously; halves do not tell it: next to a place where the speed is nearly
+ * 0, the error of a rule is the same on an interval and on its half, until that
+ * is as small as the place.
  */
 static double root_integral(const struct series *s, double tolerance) {
   struct part part = {0, 0};
   double sum = 0;
   for (int n = 0; n < PARTS && part.depth <= HALVINGS; n++) {
-    double width = ldexp(s->width, -(int)part.depth), last;
-    double value = mean(s, s->from + (double)part.at * width, width, &last);
-    bool done = width * last <= tolerance;
+    double width = ldexp(s->width, -(int)part.depth), miss;
+    double value = mean(s, s->from + (double)part.at * width, width, &miss);
+    bool done = width * miss <= tolerance;
     sum += done ? width * value : 0;
     if (!next(&part, done)) {
       return sum;
