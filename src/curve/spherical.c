@@ -101,15 +101,15 @@ INLINE struct scalar quotient(const struct scalar *a, const struct scalar *b,
                               int order) {
   const double *u = a->v, *w = b->v;
   double inverse = 1 / w[0];
-  struct scalar s = {0};
-  double *q = s.v;
-  q[0] = u[0] * inverse;
+  double q0 = u[0] * inverse;
+  struct scalar s;
+  s.v[0] = q0;
   if (order >= 1) {
-    q[1] = (u[1] - q[0] * w[1]) * inverse;
+    s.v[1] = (u[1] - q0 * w[1]) * inverse;
   }
   if (order >= 3) {
-    q[2] = (u[2] - q[0] * w[2] - 2 * q[1] * w[1]) * inverse;
-    q[3] = (u[3] - q[0] * w[3] - 3 * (q[1] * w[2] + q[2] * w[1])) * inverse;
+    s.v[2] = (u[2] - q0 * w[2] - 2 * s.v[1] * w[1]) * inverse;
+    s.v[3] = (u[3] - q0 * w[3] - 3 * (s.v[1] * w[2] + s.v[2] * w[1])) * inverse;
   }
   return s;
 }
@@ -275,17 +275,23 @@ INLINE ph_vec3 product(const struct scalar *x, ph_vec3 v, const struct jet *jet,
   return ph_vec3_along(sum, x->v[0], jet->d[n]);
 }
 
+/* Half the sum and half the difference. */
+INLINE void split(const struct jet *u, const struct jet *w, int order,
+                  struct jet *mu, struct jet *d) {
+  for (int n = 0; n <= order; n++) {
+    mu->d[n] = half_sum(u->d[n], w->d[n]);
+    d->d[n] = half_difference(u->d[n], w->d[n]);
+  }
+}
+
 /* (1) between moving points. */
 INLINE void step(ph_vec3 base, const struct basis *basis, const struct jet *u,
                  const struct jet *w, int order, struct jet *z) {
-  struct jet mu = {0}, d = {0};
+  struct jet mu, d;
   struct scalar e;
   struct weights k;
   ph_vec3 m;
-  for (int n = 0; n <= order; n++) {
-    mu.d[n] = half_sum(u->d[n], w->d[n]);
-    d.d[n] = half_difference(u->d[n], w->d[n]);
-  }
+  split(u, w, order, &mu, &d);
   m = ph_vec3_add(base, mu.d[0]);
   e.v[0] = ph_vec3_dot(d.d[0], d.d[0]);
   if (order >= 1) {
