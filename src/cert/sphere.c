@@ -32,7 +32,7 @@
 static const double ROUND_POINT = 8, ROUND_LENGTH = 32, ROUND_TENSION = 16;
 
 /* Relative: the solver leaves the rounding of a few operations. */
-static const double CONTINUITY = 1e-12, END = 1e-13, LENGTH = 1e-11;
+static const double CONTINUITY = 1e-12, END = 1e-12, LENGTH = 1e-11;
 static const double SUM = 1e-12, KNOT = 8 * DBL_EPSILON;
 
 /* Of models whose equations are those of the data, relative to their angles;
@@ -530,6 +530,7 @@ static bool set_scale(struct context *c) {
   const struct ph_curve *curve = c->curve;
   struct ph_check_scale scale;
   struct ph_sum sum = {0, 0};
+  double farthest;
   if (!ph_check_scale_of(curve->control_points, 4 * curve->n, 3, &scale)) {
     return false;
   }
@@ -538,7 +539,9 @@ static bool set_scale(struct context *c) {
                          ph_pow2_apply(c->to_unit, curve->center[1]),
                          ph_pow2_apply(c->to_unit, curve->center[2]));
   c->radius = ph_pow2_apply(c->to_unit, curve->radius);
-  c->rounding = 2 * DBL_EPSILON + scale.rounding / c->radius;
+  farthest = ph_check_larger(fabs(c->center.x), fabs(c->center.y));
+  farthest = ph_check_larger(farthest, fabs(c->center.z)) / c->radius;
+  c->rounding = DBL_EPSILON * (3 + farthest) + scale.spacing / c->radius;
   c->size = ph_check_smaller(1, scale.size / c->radius);
   c->farthest_knot =
       ph_check_larger(fabs(curve->knots[0]), fabs(curve->knots[curve->n]));

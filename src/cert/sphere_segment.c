@@ -237,18 +237,21 @@ int ph_cert_turns(const struct ph_cert_segment *s, int q) {
 
 /* Points of an interval, equally spaced; an interval is 2^-DEPTH of the segment
  * at least, and there are INTERVALS at most: a segment of which both ends are
- * at rest takes 60. */
-enum { POINTS = 9, DEPTH = 40, INTERVALS = 4000 };
+ * at rest takes 80. */
+enum { POINTS = 17, ROWS = 5, DEPTH = 40, INTERVALS = 2000 };
 
-/* An interval is done when the extrapolations of 4 and of 8 distances agree to
+/* An interval is done when the extrapolations of 8 and of 16 distances agree to
  * this, relative to what is claimed: the latter is nearer to the truth by far,
  * but near a cusp it is not safe to say by how much. */
 static const double ENOUGH = 1e-13;
 
 /* Where an extrapolation agrees with the claim, its last step was at most
- * this; where it agrees with the one before, the step before was at most that,
- * relative to the interval: two alone may agree by chance at a cusp. */
-static const double NEAR = 1e-5, CALM = 1e-3;
+ * this. */
+static const double NEAR = 1e-5;
+
+/* Where it agrees with the one before, the step before was at most this many
+ * times as large: two alone may agree by chance. */
+static const double CALM = 1000;
 
 /* The widest interval at an end, in units of the r below. */
 static const double COARSE = 4;
@@ -299,13 +302,14 @@ static void first_points(const struct ph_cert_segment *s, struct interval *v) {
     }
     z[0] = quarter(z[0], z[1], j);
     z[1] = quarter(z[1], z[2], j);
-    v->s[2 * j] = quarter(z[0], z[1], j);
+    v->s[(POINTS - 1) / 4 * j] = quarter(z[0], z[1], j);
   }
 }
 
-/* The points between those that there are. */
-static void more_points(const struct ph_cert_segment *s, struct interval *v) {
-  for (size_t i = 1; i < POINTS; i += 2) {
+/* The points between those that there are, every second `step'. */
+static void more_points(const struct ph_cert_segment *s, struct interval *v,
+                        size_t step) {
+  for (size_t i = step; i < POINTS; i += 2 * step) {
     double u = (double)i / (POINTS - 1);
     v->s[i] = point_at(s, v->from + (v->to - v->from) * u);
   }
@@ -328,7 +332,7 @@ static double sum_of(const struct interval *v, size_t step) {
 
 /* One more row of Romberg's table, after rows of 1, 2, ..., 2^(k-1) distances:
  * the extrapolation from all. */
-static double extrapolate(double table[4], size_t k, double sum) {
+static double extrapolate(double table[ROWS], size_t k, double sum) {
   double power = 1, next;
   for (size_t i = 0; i < k; i++) {
     power *= 4;
@@ -386,42 +390,50 @@ static int is_fine(const struct ph_cert_segment *s, const struct interval *v,
          goes_on(*last, *(last - step), *(last - 2 * step));
 }
 
-/* Whether the whole has been extrapolated to what is claimed. */
-static int agrees(const struct interval *v, double length, double before,
-                  double claimed, double allowed) {
-  return v->to - v->from >= 1 && fabs(length - claimed) <= allowed &&
-         fabs(length - before) <= NEAR * claimed;
+/*
+ * The length of an interval of which the first `rows' rows of points are there.
+ *
+ * out  done  whether it is good enough, or agrees with the claim of the whole
+ */
+static double extrapolated(const struct ph_cert_segment *s, struct interval *v,
+                           size_t rows, double claimed, double allowed,
+                           int *done) {
+  double enough = ENOUGH * claimed + ROUND_SUM * s->rounding;
+  double table[ROWS], length = 0, step = 0, before = 0, sum = 0;
+  int whole = v->to - v->from >= 1;
+  *done = 0;
+  for (size_t k = 0; k < ROWS && !*done; k++) {
+    size_t stride = (size_t)(POINTS - 1) >> k;
+    double last = length;
+    if (k >= rows) {
+      more_points(s, v, stride);
+    }
+    sum = sum_of(v, stride);
+    length = extrapolate(table, k, sum);
+    before = step;
+    step = fabs(length - last);
+    *done = whole && k > 1 && fabs(length - claimed) <= allowed &&
+            step <= NEAR * claimed && is_fine(s, v, stride);
+  }
+  *done = *done || sum <= enough / 4 ||
+          (!(step > enough) && !(before > CALM * enough) && is_fine(s, v, 1));
+  return length;
 }
 
 double ph_cert_length(const struct ph_cert_segment *s, double claimed,
                       double allowed) {
   struct interval stack[DEPTH + 1];
-  double length = 0, table[4], two, four, eight;
-  double enough = ENOUGH * claimed + ROUND_SUM * s->rounding;
-  size_t n = 1, seen = 0;
-  int fine, done;
+  double length = 0;
+  size_t n = 1, rows = 3;
   first_points(s, &stack[0]);
-  while (n > 0) {
-    struct interval *v = &stack[--n];
-    extrapolate(table, 0, sum_of(v, 8));
-    two = extrapolate(table, 1, sum_of(v, 4));
-    four = extrapolate(table, 2, sum_of(v, 2));
-    if (agrees(v, four, two, claimed, allowed) && is_fine(s, v, 2)) {
-      return four;
-    }
-    more_points(s, v);
-    eight = extrapolate(table, 3, sum_of(v, 1));
-    fine = is_fine(s, v, 1);
-    if (fine && agrees(v, eight, four, claimed, allowed)) {
-      return eight;
-    }
-    done = (fine && !(fabs(eight - four) > enough) &&
-            !(fabs(four - two) > CALM * eight + enough)) ||
-           sum_of(v, 1) <= enough / 4;
-    if (done || n + 2 > DEPTH || ++seen > INTERVALS) {
-      length += eight;
+  for (size_t seen = 0; n > 0; seen++) {
+    int done;
+    double part = extrapolated(s, &stack[--n], rows, claimed, allowed, &done);
+    rows = ROWS - 1;
+    if (done || n + 2 > DEPTH || seen > INTERVALS) {
+      length += part;
     } else {
-      halve(v, &stack[n], &stack[n + 1]);
+      halve(&stack[n], &stack[n], &stack[n + 1]);
       n += 2;
     }
   }

@@ -81,7 +81,7 @@ static void set_length(struct unit_sphere *u, size_t k, double length) {
 }
 
 void unit_cert_sphere_of(struct unit_sphere *u, const struct unit_spline *s,
-                    const struct unit_ball *sphere) {
+                         const struct unit_ball *sphere) {
   ph_vec3 p[7] = {{0, 0, 0}};
   for (size_t i = 0; i < s->n; i++) {
     p[i] = ph_vec3_get(s->points + 3 * i, 3);

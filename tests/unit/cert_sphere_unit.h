@@ -47,7 +47,7 @@ void unit_sphere_put(const struct unit_ball *sphere, ph_vec3 p, double *v);
 
 /* unit_cert_sphere_of: a spline of the table, with shape=warn. */
 void unit_cert_sphere_of(struct unit_sphere *u, const struct unit_spline *s,
-                    const struct unit_ball *sphere);
+                         const struct unit_ball *sphere);
 
 /*
  * unit_sphere_latitude: a circle at z = sin(lat) through n points; its legs are
