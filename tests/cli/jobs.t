@@ -142,3 +142,40 @@ same 'in space, a sweep' 1 -S shape=true,false -S tension=0.5,1 some-space.jsonl
 same 'in space, offsets and Bezier pieces' 1 -d 0.1,-0.2 --convert=bezier \
   --tolerance=1e-5 some-space.jsonl
 same 'in space, a table' 1 -f csv --strict some-space.jsonl
+
+# ---- points on a sphere ------------------------------------------------------
+
+# Both models, open and closed, tensions to find, failures at several stages, a
+# long record among short ones.
+awk 'BEGIN {
+  for (i = 1; i <= 200; i++) {
+    n = i % 60 == 0 ? 200 : 3 + i % 5
+    text = ""
+    for (k = 0; k < n; k++)
+      text = text (k ? "," : "") "[" k * 2 * (1 + i % 9) % 360 "," \
+        (k * k * i) % 40 "]"
+    more = ""
+    if (i % 3 == 0) more = more ",\"model\":\"nielson\""
+    if (i % 4 == 0) more = more ",\"closed\":true"
+    if (i % 5 == 0) more = more ",\"increase\":\"times:2\""
+    if (i % 7 == 0) more = more ",\"epsilon\":1e-12,\"shape\":\"warn\""
+    if (i % 11 == 0) text = text ",[0,0],[180,0]"
+    if (i % 13 == 0) text = text ",[7,7],[7,7]"
+    if (i % 17 == 0) more = more ",\"radius\":0"
+    if (i % 19 == 0) more = more ",\"tension\":[1]"
+    print "{\"id\":" i ",\"lonlat\":[" text "]" more "}"
+  }
+}' >sphere.jsonl
+method=sphere
+same 'on a sphere' 1 sphere.jsonl
+equal 'on a sphere: a result for each' 200 "$(wc -l <out | tr -d ' ')"
+for code in antipodal-points coincident-points bad-shape bad-value; do
+  true_that "on a sphere: some are $code" grep -q "\[$code\]" err
+done
+true_that 'on a sphere: tensions are raised' grep -q '"tensions":\[0,[1-9]' out
+sed -n 1,30p sphere.jsonl >some-sphere.jsonl
+same 'on a sphere, samples and offsets' 1 -n 3 -d 0.01,-0.02 some-sphere.jsonl
+same 'on a sphere, a sweep' 1 -S model=exact,nielson -S epsilon=0.01,0.1 \
+  some-sphere.jsonl
+same 'on a sphere, a table' 1 -f csv --table=offsets -d 0.01 --strict -q \
+  some-sphere.jsonl

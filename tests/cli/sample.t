@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# --sample: samples in records and in the table `samples', in the plane and in
-# space.  (On a sphere: sphere-csv.t.)
+# --sample: samples in records and in the table `samples', of each command and
+# kind of curve.  (Of a sphere see also sphere-csv.t, sphere.t.)
 . "$srcdir/tests/cli/lib.sh"
 
 line='"points":[[1,0],[5,0]]'
@@ -108,6 +108,115 @@ equal 'converted: samples are those of the segments that are written' \
   "$((3 * segments))" "$samples"
 equal 'converted: t is in [0,1]' '0 0.5 1' \
   "$(get 'samples[0].t') $(get 'samples[1].t') $(get 'samples[2].t')"
+
+# ---- each kind of curve ------------------------------------------------------
+
+# Rows of the table: N + 1 for each segment, t from 0 to the end of the local
+# parameter in equal steps, tangents of length 1, s that grows by no less than
+# the chord, up to the length; in the middle of 33 samples a chord is along the
+# tangent.
+cat >table.awk <<'EOF'
+function bad(what) {
+  print "line " NR ": " what
+  failed = 1
+}
+BEGIN { FS = ","; segment = -1 }
+NR == 1 {
+  at = $7 == "z" ? 3 : 2
+  wanted = "id,segment,t,s," (at == 3 ? "x,y,z,tx,ty,tz,curvature" : \
+    "x,y,tx,ty,curvature")
+  if (substr($0, 1, length(wanted)) != wanted) bad("columns " $0)
+  next
+}
+{
+  size = chord = along = 0
+  for (i = 1; i <= at; i++) {
+    p[i] = $(4 + i)
+    v[i] = $(4 + at + i)
+    size += v[i]^2
+    chord += (p[i] - p0[i])^2
+    along += (p[i] - p0[i]) * (v[i] + v0[i])
+  }
+  chord = sqrt(chord)
+  if (!((size - 1)^2 < 1e-28)) bad("a tangent of the size " sqrt(size))
+  if ($2 != segment) {
+    if ($2 != segment + 1) bad("segment " $2)
+    if (segment >= 0 && rows != n + 1) bad(rows " samples")
+    if ($3 != 0) bad("t = " $3)
+    if (NR > 2 && !(chord < 1e-12 * scale)) bad("a gap of " chord)
+    if (NR > 2 && !(($4 - s)^2 <= (1e-13 * s)^2)) bad("s goes on at " $4)
+    if (NR == 2 && $4 != 0) bad("s begins at " $4)
+    rows = 0
+  } else {
+    if (!($4 - s >= chord * (1 - slack))) bad("s grows by too little")
+    if (!($4 - s <= chord * 1.05)) bad("s grows by too much")
+    if (rows > 1 && !(($3 - t - step)^2 <= (1e-13 * step)^2)) bad("t = " $3)
+    if (!(along > 1.9 * chord)) bad("a tangent that is not along the curve")
+    step = $3 - t
+  }
+  rows++
+  segment = $2
+  t = $3
+  s = $4
+  for (i = 1; i <= at; i++) { p0[i] = p[i]; v0[i] = v[i] }
+}
+END {
+  if (segment + 1 != segments) bad("there are " segments " segments")
+  if (rows != n + 1) bad(rows " samples")
+  if (!((s / scale - 1)^2 < 1e-26)) bad("s ends at " s ", the length is " scale)
+  exit failed
+}
+EOF
+
+# kind TITLE COMMAND MEMBERS [ARGUMENT...]: Bezier pieces that are converted have
+# the lengths of the curve that they stand for
+kind() {
+  title=$1 command=$2 members=$3
+  case $title in *converted*) slack=1e-6 ;; *) slack=1e-11 ;; esac
+  shift 3
+  feed "{$members}" "$command" -q -n 32 -f csv --table=samples "$@"
+  mv out table.csv
+  feed "{$members}" "$command" -q -n 32 "$@"
+  expect "$title" 0
+  true_that "$title: the table" awk -v n=32 -v scale="$(get length)" \
+    -v segments="$(get segments | grep -o interval | wc -l)" -v slack=$slack \
+    -f table.awk table.csv
+  # the record has the same: the numbers of a row, without those left empty
+  printf '%s\n' "$(get samples)" |
+    sed 's/"lonlat":\[[^]]*\]//g; s/"[a-z]*"://g' | tr -d '{}[]' |
+    tr ',' '\n' | sed '/^$/d' >found
+  sed 1d table.csv | cut -d, -f2- | case $command in
+  sphere) cut -d, -f-10 ;;
+  *) cat ;;
+  esac | tr ',' '\n' | sed '/^$/d' >want
+  equal_files "$title: the record" want found
+}
+
+for more in '' ',"basis":"atph"' ',"knots":"uniform"'; do
+  kind "planar $more" planar "$bend$more"
+  kind "planar, closed $more" planar "$bend,\"closed\":true$more"
+done
+kind 'planar, converted' planar "$bend,\"basis\":\"atph\"" --convert=bezier \
+  --tolerance=1e-4
+for more in '' ',"criterion":"F1"' ',"basis":"atph"' ',"closed":true'; do
+  kind "spatial-hermite $more" spatial-hermite "$space$more"
+done
+kind 'spatial-hermite, converted' spatial-hermite \
+  "$space,\"basis\":\"atph\",\"alpha\":1,\"criterion\":\"cc\"" \
+  --convert=bezier --tolerance=1e-4
+kind 'arclength' arclength "$space,\"lengths\":[1.6,2,1.5]"
+kind 'arclength, no lengths' arclength "$space"
+kind 'arclength, closed' arclength "$space,\"closed\":true"
+kind 'arclength, tangents' arclength \
+  '"tangents":[[1,0,0],[1,1,0],[0,1,1]],"lengths":[1,2]'
+globe='"lonlat":[[0,0],[10,20],[40,30],[60,-10]]'
+for more in '' ',"model":"nielson"' ',"radius":6371,"center":[1,2,3]' \
+  ',"closed":true' ',"tension":10' \
+  ',"ends":"clamped","end_tangents":[[0,1,0],[0,0,-1]]'; do
+  kind "sphere $more" sphere "$globe$more"
+done
+feed "{$globe}" sphere -q -n 1000 -f csv --table=samples
+true_that 'a thousand' count 3004 out
 
 # ---- usage -------------------------------------------------------------------
 

@@ -72,14 +72,14 @@ EOF
 # joints, for rounding or for model=nielson; if 1, tangents may turn as well.
 rough=1e-9
 curve() {
-  name=$1 members=$2
+  title=$1 members=$2
   shift 2
   feed "{$members}" sphere -q -n 8 -f csv --table=samples "$@"
   mv out samples.csv
   feed "{$members}" sphere -q "$@"
-  expect "$name" 0
+  expect "$title" 0
   if [ "$status" -eq 0 ]; then
-    true_that "$name: samples" awk -v center="$(floats center | tr '\n' ' ')" \
+    true_that "$title: samples" awk -v center="$(floats center | tr '\n' ' ')" \
       -v r="$(get radius)" -v length_="$(get length)" -v rough="$rough" \
       -f samples.awk samples.csv
   fi

@@ -3,6 +3,8 @@
 # `sphere' against simple truths: circles, ends, symmetries, units, tensions,
 # sweeps.  (Its errors: sphere-errors.t; data at the edge: sphere-degenerate.t;
 # offsets: sphere-offset.t; CSV: sphere-csv.t.)
+#
+# shellcheck disable=SC2034  # rough is for sphere.sh
 . "$srcdir/tests/cli/lib.sh"
 . "$srcdir/tests/cli/sphere.sh"
 

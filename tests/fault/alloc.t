@@ -206,7 +206,7 @@ printf '%s' '{"lonlat":[[0,0],[150,60],[-20,-70],[100,10]],"closed":true,' \
   '"shape":false}' >wide.json
 awk 'BEGIN {
   printf "{\"lonlat\":["
-  for (i = 0; i < 300; i++) printf "%s[%.9f,%.9f]", i ? "," : "", \
+  for (i = 0; i < 40; i++) printf "%s[%.9f,%.9f]", i ? "," : "", \
     i, 20 * sin(i * i / 9)
   print "]}"
 }' >track.json

@@ -27,6 +27,12 @@
 #define LLVMFuzzerTestOneInput corpus_spatial
 #include "../fuzz/spatial.c"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput corpus_arclength
+#include "../fuzz/arclength.c"
+#undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput corpus_sphere
+#include "../fuzz/sphere.c"
+#undef LLVMFuzzerTestOneInput
 
 /* Inputs are small; each target has at least so many. */
 enum { INPUT_MAX = 1 << 16, INPUTS_MIN = 12 };
@@ -102,6 +108,16 @@ START_TEST(spatial) {
 }
 END_TEST
 
+START_TEST(arclength) {
+  replay_all("arclength", corpus_arclength);
+}
+END_TEST
+
+START_TEST(sphere) {
+  replay_all("sphere", corpus_sphere);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("corpus");
   TCase *c = tcase_create("corpus");
@@ -112,6 +128,8 @@ static Suite *suite(void) {
   tcase_add_test(c, options);
   tcase_add_test(c, planar);
   tcase_add_test(c, spatial);
+  tcase_add_test(c, arclength);
+  tcase_add_test(c, sphere);
   suite_add_tcase(s, c);
   return s;
 }
