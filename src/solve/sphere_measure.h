@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * By how much a spline meets the criteria of shape: numbers that are >= 0 where
- * they hold, smooth in the tensions, for linear programs.  Whether a criterion
- * does hold is for sphere_criteria.h to say: on a segment these are samples.
+ * they hold with a margin, smooth in the tensions, for linear programs. Whether
+ * a criterion does hold is for sphere_criteria.h to say: on a segment these are
+ * samples.
  */
 #ifndef PH_SOLVE_SPHERE_MEASURE_H
 #define PH_SOLVE_SPHERE_MEASURE_H

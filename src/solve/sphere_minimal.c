@@ -6,8 +6,8 @@
  * together while all others stay: what the criteria in and around it ask for is
  * made linear by differences, and the sum of the tensions is minimised subject
  * to that (kernel/lp.h) in a box around the tensions (a trust region).  The
- * step is taken if the criteria hold there, or hold when tensions are a little
- * larger; otherwise a shorter one is tried, and the box is made smaller.
+ * step is taken if the criteria hold there; otherwise it is corrected for what
+ * it missed, and at last the box is made smaller.
  *
  * Feasibility is not monotonic in a tension, so that a local minimum is found.
  */
@@ -23,9 +23,9 @@
 enum {
   BLOCK_MAX = 12, /* nodes of a block */
   GAP_MAX = 4,    /* nodes between raised ones of a block */
-  AROUND = 5,     /* nodes on either side of a block that are judged with it */
-  REACH = 10,     /* and that are solved: 3.7^-10 twice, there and back */
-  NEAR = 6,       /* and around one node, for a derivative */
+  AROUND = 5, /* nodes on either side of a block whose criteria it regards */
+  REACH = 10, /* and that are solved: 3.7^-10 twice, there and back */
+  NEAR = 6,   /* and around one node, for a derivative */
   JUDGED_MAX = BLOCK_MAX + 2 * AROUND,
   ROWS_MAX = JUDGED_MAX * 2 * PH_SPHERE_MEASURES,
   STEPS_MAX = 40,  /* linearisations of a block, and linear programs of each */
@@ -41,9 +41,7 @@ static const double BOX_MIN = 1e-3;
 static const double SHRINK = 0.3;
 static const double SMALL = 0.05;
 
-/* By how much tensions are raised where a step misses the criteria a little;
- * differences; the fall of the sum that is no progress. */
-static const double MORE = 2e-3;
+/* Differences; the fall of the sum that is no progress. */
 static const double DIFFERENCE = 1e-5;
 static const double PROGRESS = 5e-4;
 
@@ -52,8 +50,8 @@ struct block {
   struct ph_sphere_raise *raise;
   size_t q;                      /* its nodes */
   size_t node[BLOCK_MAX];        /* in order */
-  struct ph_sphere_range judged; /* where criteria may change */
-  struct ph_sphere_range solved; /* where the spline does */
+  struct ph_sphere_range judged; /* whose criteria a program has */
+  struct ph_sphere_range solved; /* where the spline changes */
   double nu[BLOCK_MAX];          /* tensions of the last good spline, */
   ph_vec3 *x;                    /* [solved.count] and its x, r and l, */
   ph_vec3 *r, *l;                /* [solved.count + 1] of the segments there */
@@ -68,27 +66,6 @@ struct block {
 };
 
 /* ---- one set of tensions ------------------------------------------------- */
-
-/* The range that begins `by` nodes before and ends as many after one, at most
- * the whole. */
-static struct ph_sphere_range widen(const struct ph_sphere_data *d,
-                                    size_t first, size_t count, size_t by) {
-  struct ph_sphere_range all = ph_sphere_all(d), range;
-  if (d->closed) {
-    if (count + 2 * by >= d->n) {
-      return all;
-    }
-    range.first = (first + d->n - by) % d->n;
-    range.count = count + 2 * by;
-    return range;
-  }
-  range.first = first > by + 1 ? first - by : 1;
-  range.count = first + count + by - range.first;
-  if (range.first + range.count > d->n - 1) {
-    range.count = d->n - 1 - range.first;
-  }
-  return range;
-}
 
 static double sum_of(const struct block *b, const double *nu) {
   double sum = 0;
@@ -202,7 +179,8 @@ static void differentiate_by(struct block *b, size_t j) {
   size_t i = b->node[j];
   double step = DIFFERENCE * fmax(b->nu[j], ph_sphere_stiffness(d, i) / 64);
   s->nu[i] += step;
-  ph_sphere_step(b->raise->spline, widen(d, i, 1, NEAR), b->raise->work);
+  ph_sphere_step(b->raise->spline, ph_sphere_widen(d, i, 1, NEAR),
+                 b->raise->work);
   for (size_t at = 0; at < b->judged.count; at++) {
     size_t node = ph_sphere_node(d, b->judged, at);
     size_t far = node > i ? node - i : i - node;
@@ -271,19 +249,16 @@ static bool find_step(struct block *b, double box, double *step) {
   return ph_lp_solve(&lp, &b->lp, step) == PH_LP_OPTIMAL;
 }
 
-/* nu + step, and a little more. */
-static void add_step(const struct block *b, const double *step, double part,
-                     double *nu) {
+static void add_step(const struct block *b, const double *step, double *nu) {
   const struct ph_sphere_data *d = b->raise->spline->data;
   for (size_t j = 0; j < b->q; j++) {
-    double least = d->nu[b->node[j]];
-    nu[j] = fmax(b->nu[j] + step[j], least);
-    nu[j] += part * (nu[j] - least);
+    nu[j] = fmax(b->nu[j] + step[j], d->nu[b->node[j]]);
   }
 }
 
 /* Takes the step that a linear program finds in the box, corrected some times
- * for the curvature of the criteria, if they hold there or a little above. */
+ * for the curvature of the criteria, if they hold there: those of the program
+ * have a margin. */
 static bool go(struct block *b, double box) {
   double step[BLOCK_MAX], nu[BLOCK_MAX];
   for (size_t row = 0; row < b->rows; row++) {
@@ -293,20 +268,16 @@ static bool go(struct block *b, double box) {
     if (!find_step(b, box, step)) {
       return false;
     }
-    for (int more = 0; more < 2; more++) {
-      add_step(b, step, more * MORE, nu);
-      if (!solve_at(b, nu)) {
-        return false;
-      }
-      if (is_better(b)) {
-        keep(b);
-        return true;
-      }
-      if (!more) {
-        correct(b, step);
-      }
-      restore(b);
+    add_step(b, step, nu);
+    if (!solve_at(b, nu)) {
+      return false;
     }
+    if (is_better(b)) {
+      keep(b);
+      return true;
+    }
+    correct(b, step);
+    restore(b);
   }
   return false;
 }
@@ -400,8 +371,8 @@ static void minimise_run(struct block *b, struct ph_sphere_range range,
     for (size_t j = 0; j < b->q; j++) {
       b->node[j] = ph_sphere_node(d, range, run.first + begin + j);
     }
-    b->judged = widen(d, first, b->q, AROUND);
-    b->solved = widen(d, first, b->q, REACH);
+    b->judged = ph_sphere_widen(d, first, b->q, AROUND);
+    b->solved = ph_sphere_widen(d, first, b->q, REACH);
     minimise_block(b);
   }
 }

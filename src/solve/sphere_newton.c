@@ -36,6 +36,25 @@ struct ph_sphere_range ph_sphere_all(const struct ph_sphere_data *data) {
   return all;
 }
 
+struct ph_sphere_range ph_sphere_widen(const struct ph_sphere_data *d,
+                                       size_t first, size_t count, size_t by) {
+  struct ph_sphere_range all = ph_sphere_all(d), range;
+  if (d->closed) {
+    if (count + 2 * by >= d->n) {
+      return all;
+    }
+    range.first = (first + d->n - by) % d->n;
+    range.count = count + 2 * by;
+    return range;
+  }
+  range.first = first > by + 1 ? first - by : 1;
+  range.count = first + count + by - range.first;
+  if (range.first + range.count > d->n - 1) {
+    range.count = d->n - 1 - range.first;
+  }
+  return range;
+}
+
 bool ph_sphere_work_alloc(struct ph_sphere_work *work, struct ph_arena *arena,
                           size_t n) {
   work->iterations = 0;

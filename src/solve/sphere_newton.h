@@ -25,6 +25,11 @@ static inline size_t ph_sphere_node(const struct ph_sphere_data *d,
 /* ph_sphere_all: all nodes that have an equation. */
 struct ph_sphere_range ph_sphere_all(const struct ph_sphere_data *data);
 
+/* ph_sphere_widen: count nodes from first on with `by` more on either side, at
+ * most all; first may be an end of open data. */
+struct ph_sphere_range ph_sphere_widen(const struct ph_sphere_data *data,
+                                       size_t first, size_t count, size_t by);
+
 struct ph_sphere_work {
   struct ph_block2 system;
   double (*step)[2];

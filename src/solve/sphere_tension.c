@@ -14,15 +14,11 @@ enum {
    * below rounding. */
   REACH = 30,
   ROUNDS_MAX = PH_SPHERE_ROUNDS_MAX,
-  RETURNS_MAX = 8 /* towards the tensions before they were lowered */
+  SPREAD = 6 /* nodes around a violated criterion whose tensions go back */
 };
 
-/* The smallest tensions, by how much of what they were raised they stay above
- * those at which a criterion just holds: there the curve may have a cusp. */
-static const double MARGIN = 2e-3;
-
-/* The first part of the way back from lowered tensions that do not do. */
-static const double LOWERED = 1e-4;
+/* Parts of the way back from lowered tensions that do not do, in turn. */
+static const double BACK[] = {1e-4, 1e-3, 1e-2, 0.1, 0.5, 1, 1, 1};
 
 /* A tension above this many stiffnesses is given up; the first raise by
  * doubling leads to this part of one. */
@@ -244,23 +240,34 @@ static void count_waived(struct ph_sphere_raise *raise) {
 
 /* ---- lowering again ------------------------------------------------------ */
 
-/* Whether the whole spline is solved and violates nothing. */
-static bool is_good(struct ph_sphere_raise *raise) {
-  struct ph_sphere_range all = ph_sphere_all(raise->spline->data);
-  size_t from = 0, at;
-  return ph_sphere_newton(raise->spline, all, raise->work) &&
-         ph_sphere_violated(raise, all, &from, &at) == PH_SPHERE_FINE;
+/* Leads the tensions around what is violated back by a part of the way to what
+ * they were; how many places that are. */
+static size_t go_back(struct ph_sphere_raise *raise, const double *before,
+                      double part) {
+  struct ph_sphere_spline *s = raise->spline;
+  struct ph_sphere_range all = ph_sphere_all(s->data);
+  size_t from = 0, at, n = 0;
+  while (ph_sphere_violated(raise, all, &from, &at) != PH_SPHERE_FINE) {
+    struct ph_sphere_range near = ph_sphere_widen(s->data, at, 1, SPREAD);
+    for (size_t j = 0; j < near.count; j++) {
+      size_t i = ph_sphere_node(s->data, near, j);
+      s->nu[i] += part * (before[i] - s->nu[i]);
+    }
+    n++;
+  }
+  return n;
 }
 
-/* The smallest tensions; as they were where these turn out not to do. */
+/* The smallest tensions; where they turn out not to do, some of the way back,
+ * and at last all of it. */
 static enum ph_status lower(struct ph_sphere_raise *raise,
                             struct ph_arena *scratch) {
   struct ph_sphere_spline *s = raise->spline;
+  struct ph_sphere_range all = ph_sphere_all(s->data);
   size_t n = s->data->n;
-  double *nu = ph_arena_array(scratch, n, sizeof *nu), part = LOWERED;
+  double *nu = ph_arena_array(scratch, n, sizeof *nu);
   ph_vec3 *x = ph_arena_array(scratch, n, sizeof *x);
-  double *least = ph_arena_array(scratch, n, sizeof *least);
-  if (!nu || !x || !least) {
+  if (!nu || !x) {
     return PH_NO_MEMORY;
   }
   memcpy(nu, s->nu, n * sizeof *nu);
@@ -268,24 +275,17 @@ static enum ph_status lower(struct ph_sphere_raise *raise,
   if (!ph_sphere_minimise(raise, scratch)) {
     return PH_NO_MEMORY;
   }
-  for (size_t j = 0; j < n; j++) {
-    s->nu[j] += MARGIN * (s->nu[j] - s->data->nu[j]);
-    least[j] = s->nu[j];
-  }
-  for (size_t i = 0; i < RETURNS_MAX; i++) {
-    if (is_good(raise)) {
+  for (size_t i = 0; i < sizeof BACK / sizeof BACK[0]; i++) {
+    if (!ph_sphere_newton(s, all, raise->work)) {
+      break;
+    }
+    if (go_back(raise, nu, BACK[i]) == 0) {
       return PH_OK;
     }
-    for (size_t j = 0; j < n; j++) {
-      s->nu[j] = least[j] + part * (nu[j] - least[j]);
-    }
-    part = i + 2 < RETURNS_MAX ? 4 * part : 1;
-    if (!(part < 1)) {
-      memcpy(s->nu, nu, n * sizeof *nu);
-      memcpy(s->x, x, n * sizeof *x);
-    }
   }
-  return is_good(raise) ? PH_OK : PH_NO_CONVERGENCE;
+  memcpy(s->nu, nu, n * sizeof *nu);
+  memcpy(s->x, x, n * sizeof *x);
+  return ph_sphere_newton(s, all, raise->work) ? PH_OK : PH_NO_CONVERGENCE;
 }
 
 /* ---- memory -------------------------------------------------------------- */
