@@ -2,7 +2,7 @@
 /*
  * Fuzz target: any data through the spherical solver.  The outcome is a failure
  * of the record, or a curve: then its certificate passes or is such a failure,
- * its joints are the data, its tensions are within their range, its samples are
+ * its joints are the data, its tensions are finite, its samples are
  * on the sphere, and what is printed, with its offset, is finite and JSON.
  *
  * The bytes of an input:
@@ -277,7 +277,7 @@ static void sphere_check_nodes(const struct sphere_input *in,
   FUZZ_REQUIRE(nodes == in->points ||
                (curve->closed && nodes + 1 == in->points));
   for (size_t i = 0; i < nodes; i++) {
-    FUZZ_REQUIRE(curve->tensions[i] >= 0 && curve->tensions[i] <= 1e8);
+    FUZZ_REQUIRE(curve->tensions[i] >= 0 && isfinite(curve->tensions[i]));
     FUZZ_REQUIRE(curve->indicators[i] >= -1 && curve->indicators[i] <= 1);
   }
 }
