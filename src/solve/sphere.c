@@ -240,7 +240,7 @@ static const struct ph_field fields[] = {
     {PH_F_END_TANGENTS, PH_VECTORS, 1u << 3, false, NULL, "none",
      "directions of the curve at its first and its last point"},
     {PH_F_TENSION, PH_NUMBER | PH_NUMBERS, 0, false, NULL, "0",
-     "tensions to begin with, one for all points or one each"},
+     "least tensions, one for all points or one each"},
     {PH_F_SHAPE, PH_BOOL | PH_WORD, 0, false, "warn", "true",
      "raise tensions until the curve keeps the shape of the data; warn: only "
      "warn where none does"},

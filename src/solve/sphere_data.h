@@ -74,13 +74,22 @@ static inline bool ph_sphere_is_end(const struct ph_sphere_data *d, size_t i) {
   return !d->closed && (i == 0 || i + 1 == d->n);
 }
 
-/* ph_sphere_spacing: the spacing of segment k; 0 beyond the ends. */
+/* ph_sphere_left, ph_sphere_right: the spacing before and after node i; 0
+ * beyond the ends. */
 static inline double ph_sphere_left(const struct ph_sphere_data *d, size_t i) {
   return !d->closed && i == 0 ? 0 : d->h[ph_sphere_before(d, i)];
 }
 
 static inline double ph_sphere_right(const struct ph_sphere_data *d, size_t i) {
   return !d->closed && i + 1 == d->n ? 0 : d->h[i];
+}
+
+/* ph_sphere_stiffness: what the velocity at node i, which is no end, is
+ * multiplied by in its equation in the plane, beside the tension:
+ * 4/h_i + 4/h_{i+1}. */
+static inline double ph_sphere_stiffness(const struct ph_sphere_data *d,
+                                         size_t i) {
+  return 4 / d->h[ph_sphere_before(d, i)] + 4 / d->h[i];
 }
 
 #endif

@@ -294,7 +294,7 @@ static void node(const struct ph_sphere_spline *s, size_t i,
   size_t before = ph_sphere_before(d, i);
   double nu = s->nu[i];
   double speed[2] = {d->theta[before] / d->h[before], d->theta[i] / d->h[i]};
-  double scale = 1 / ((4 / d->h[before] + 4 / d->h[i] + nu) *
+  double scale = 1 / ((ph_sphere_stiffness(d, i) + nu) *
                       (speed[0] > speed[1] ? speed[0] : speed[1]));
   double v[2] = {ph_vec3_dot(s->x[i], d->e[i]),
                  ph_vec3_triple(d->p[i], d->e[i], s->x[i])};

@@ -26,7 +26,8 @@ enum {
   AROUND = 5, /* nodes on either side of a block whose criteria it regards */
   REACH = 10, /* and that are solved: 3.7^-10 twice, there and back */
   NEAR = 6,   /* and around one node, for a derivative */
-  JUDGED_MAX = BLOCK_MAX + 2 * AROUND,
+  SPAN_MAX = BLOCK_MAX * (GAP_MAX + 1),
+  JUDGED_MAX = SPAN_MAX + 2 * AROUND,
   ROWS_MAX = JUDGED_MAX * 2 * PH_SPHERE_MEASURES,
   STEPS_MAX = 40,  /* linearisations of a block, and linear programs of each */
   CORRECTIONS = 3, /* after the first, in a box */
@@ -49,7 +50,7 @@ static const double PROGRESS = 5e-4;
 struct block {
   struct ph_sphere_raise *raise;
   size_t q;                      /* its nodes */
-  size_t node[BLOCK_MAX];        /* in order */
+  size_t node[BLOCK_MAX];        /* in the order of the data */
   struct ph_sphere_range judged; /* whose criteria a program has */
   struct ph_sphere_range solved; /* where the spline changes */
   double nu[BLOCK_MAX];          /* tensions of the last good spline, */
@@ -305,11 +306,6 @@ static void minimise_block(struct block *b) {
 
 /* ---- blocks -------------------------------------------------------------- */
 
-/* Raised nodes that are near each other: count nodes from first on. */
-struct run {
-  size_t first, count;
-};
-
 static bool is_raised(const struct ph_sphere_spline *s, size_t i) {
   return s->nu[i] > s->data->nu[i];
 }
@@ -334,46 +330,57 @@ static size_t origin_of(const struct ph_sphere_spline *s) {
   return origin;
 }
 
-/* The first run from place `from` of a range on; false when there is none. */
-static bool next_run(const struct ph_sphere_spline *s,
-                     struct ph_sphere_range range, size_t from,
-                     struct run *run) {
-  size_t last;
-  while (from < range.count &&
-         !is_raised(s, ph_sphere_node(s->data, range, from))) {
-    from++;
-  }
-  if (from == range.count) {
-    return false;
-  }
-  last = from;
-  for (size_t j = from; j < range.count && j <= last + GAP_MAX + 1; j++) {
+/* The places of raised nodes in a range, in order; how many. */
+static size_t list_raised(const struct ph_sphere_spline *s,
+                          struct ph_sphere_range range, size_t *place) {
+  size_t n = 0;
+  for (size_t j = 0; j < range.count; j++) {
     if (is_raised(s, ph_sphere_node(s->data, range, j))) {
-      last = j;
+      place[n++] = j;
     }
   }
-  run->first = from;
-  run->count = last - from + 1;
-  return true;
+  return n;
 }
 
-/* The blocks of a run, of equal size; on odd sweeps half a block further. */
+/* Whether the tensions of a run lean to its end: a sense that data read
+ * backwards do not share. */
+static bool leans_back(const struct ph_sphere_spline *s,
+                       struct ph_sphere_range range, const size_t *place,
+                       size_t n) {
+  double moment = 0;
+  for (size_t j = 0; j < n / 2; j++) {
+    moment += s->nu[ph_sphere_node(s->data, range, place[j])] -
+              s->nu[ph_sphere_node(s->data, range, place[n - 1 - j])];
+  }
+  return moment < 0;
+}
+
+/* The blocks of a run of raised nodes, of equal size, on odd sweeps half a
+ * block further. */
 static void minimise_run(struct block *b, struct ph_sphere_range range,
-                         struct run run, size_t sweep) {
-  const struct ph_sphere_data *d = b->raise->spline->data;
-  size_t blocks = (run.count + BLOCK_MAX - 1) / BLOCK_MAX;
-  size_t size = (run.count + blocks - 1) / blocks;
-  size_t end = sweep % 2 == 1 ? size / 2 + 1 : size;
-  for (size_t begin = 0; begin < run.count; begin = end, end += size) {
-    size_t first = ph_sphere_node(d, range, run.first + begin);
-    end = end < run.count ? end : run.count;
+                         const size_t *place, size_t n, size_t sweep) {
+  const struct ph_sphere_spline *s = b->raise->spline;
+  size_t blocks = (n + BLOCK_MAX - 1) / BLOCK_MAX;
+  bool back = leans_back(s, range, place, n);
+  size_t end = sweep % 2 == 1 ? n / (2 * blocks) : n / blocks;
+  for (size_t i = 1, begin = 0; begin < n; i++) {
+    size_t first, last;
     b->q = end - begin;
     for (size_t j = 0; j < b->q; j++) {
-      b->node[j] = ph_sphere_node(d, range, run.first + begin + j);
+      size_t at = back ? n - end + j : begin + j;
+      b->node[j] = ph_sphere_node(s->data, range, place[at]);
     }
-    b->judged = ph_sphere_widen(d, first, b->q, AROUND);
-    b->solved = ph_sphere_widen(d, first, b->q, REACH);
-    minimise_block(b);
+    first = place[back ? n - end : begin];
+    last = place[back ? n - 1 - begin : end - 1];
+    b->judged = ph_sphere_widen(s->data, b->node[0], last - first + 1, AROUND);
+    b->solved = ph_sphere_widen(s->data, b->node[0], last - first + 1, REACH);
+    if (b->q > 0) {
+      minimise_block(b);
+    }
+    begin = end;
+    end =
+        sweep % 2 == 1 ? (2 * i + 1) * n / (2 * blocks) : (i + 1) * n / blocks;
+    end = end < n ? end : n;
   }
 }
 
@@ -386,18 +393,21 @@ static double total(const struct ph_sphere_spline *s) {
 }
 
 /* Every run once, and again while there is progress those of several blocks. */
-static void sweep_all(struct block *b) {
+static void sweep_all(struct block *b, size_t *place) {
   const struct ph_sphere_spline *s = b->raise->spline;
   struct ph_sphere_range range = {origin_of(s), ph_sphere_all(s->data).count};
+  size_t n = list_raised(s, range, place);
   bool again = true;
   for (size_t sweep = 0; again && sweep < SWEEPS_MAX; sweep++) {
     double before = total(s);
-    struct run run = {0, 0};
     again = false;
-    while (next_run(s, range, run.first + run.count, &run)) {
-      if (sweep == 0 || run.count > BLOCK_MAX) {
-        minimise_run(b, range, run, sweep);
-        again = again || run.count > BLOCK_MAX;
+    for (size_t begin = 0, end = 1; begin < n; begin = end, end++) {
+      while (end < n && place[end] - place[end - 1] <= GAP_MAX + 1) {
+        end++;
+      }
+      if (sweep == 0 || end - begin > BLOCK_MAX) {
+        minimise_run(b, range, place + begin, end - begin, sweep);
+        again = again || end - begin > BLOCK_MAX;
       }
     }
     again = again && before - total(s) >= PROGRESS * before;
@@ -406,7 +416,7 @@ static void sweep_all(struct block *b) {
 
 static bool alloc(struct block *b, struct ph_arena *scratch) {
   size_t number = sizeof(double);
-  size_t nodes = BLOCK_MAX + 2 * REACH;
+  size_t nodes = SPAN_MAX + 2 * REACH;
   b->x = ph_arena_array(scratch, nodes, sizeof *b->x);
   b->r = ph_arena_array(scratch, nodes + 1, sizeof *b->r);
   b->l = ph_arena_array(scratch, nodes + 1, sizeof *b->l);
@@ -422,9 +432,11 @@ static bool alloc(struct block *b, struct ph_arena *scratch) {
 bool ph_sphere_minimise(struct ph_sphere_raise *raise,
                         struct ph_arena *scratch) {
   struct block b = {.raise = raise};
-  if (!alloc(&b, scratch)) {
+  size_t *place =
+      ph_arena_array(scratch, raise->spline->data->n, sizeof *place);
+  if (!place || !alloc(&b, scratch)) {
     return false;
   }
-  sweep_all(&b);
+  sweep_all(&b, place);
   return true;
 }

@@ -20,8 +20,8 @@ enum {
 static const double MOVE_MAX = 0.7;
 /* Shortest fraction of a step that is tried. */
 static const double FRACTION_MIN = 1e-3;
-/* Every equation to this: solved; the root mean square to that, where it does
- * not fall at once: solved as far as rounding lets it. */
+/* Every equation to this: solved; to that, where the root mean square does not
+ * fall at once: solved as far as rounding lets it. */
 static const double SOLVED = 1e-14;
 static const double NEARLY = 1e-12;
 /* Relaxation: the largest tau, below which it is 0, and the residual from which
@@ -161,7 +161,8 @@ static struct miss evaluate(struct ph_sphere_spline *s,
   return miss;
 }
 
-/* The step; the fraction of it that moves no control point too far. */
+/* The step; the fraction of it that moves no control point too far, 0 if it is
+ * none. */
 static double step_of(const struct ph_sphere_spline *s,
                       struct ph_sphere_range range,
                       struct ph_sphere_work *work) {
@@ -171,7 +172,10 @@ static double step_of(const struct ph_sphere_spline *s,
     size_t i = ph_sphere_node(s->data, range, j);
     double reach = s->model->reach(s, i);
     double move = reach * hypot(work->step[j][0], work->step[j][1]);
-    largest = move <= largest ? largest : move;
+    if (isnan(move)) {
+      return 0;
+    }
+    largest = move > largest ? move : largest;
   }
   return MOVE_MAX / largest;
 }
@@ -225,7 +229,7 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
     miss = next;
   }
   work->residual = miss.rms;
-  if (miss.rms <= NEARLY) {
+  if (miss.rms <= NEARLY && miss.largest <= NEARLY) {
     return true;
   }
   move(s, range, work->kept, NULL, 0);

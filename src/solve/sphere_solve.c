@@ -32,8 +32,7 @@ static void set_tensions(struct ph_sphere_spline *s, double sigma,
   struct ph_sphere_range all = ph_sphere_all(d);
   for (size_t j = 0; j < all.count; j++) {
     size_t i = ph_sphere_node(d, all, j);
-    s->nu[i] =
-        aim[i] + sigma * (4 / d->h[ph_sphere_before(d, i)] + 4 / d->h[i]);
+    s->nu[i] = aim[i] + sigma * ph_sphere_stiffness(d, i);
   }
 }
 

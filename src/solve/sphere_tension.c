@@ -25,6 +25,9 @@ static const double BACK[] = {1e-4, 1e-3, 1e-2, 0.1, 0.5, 1, 1, 1};
 static const double STIFFNESSES_MAX = 1e7;
 static const double FIRST = 0.125;
 
+/* What a round does to a node. */
+enum { NOTHING, RAISE, RESET };
+
 /* ---- looking ------------------------------------------------------------- */
 
 /* The bit of a criterion at its place, of raise->ignored. */
@@ -90,20 +93,12 @@ static bool can_raise(const struct ph_sphere_raise *raise, size_t i) {
          raise->spline->nu[i] < STIFFNESSES_MAX * ph_sphere_stiffness(d, i);
 }
 
-/* Goes on without a criterion: its nodes' tensions are those of the begin. */
-static void waive(struct ph_sphere_raise *raise, const size_t *node, size_t n,
-                  enum ph_sphere_criterion criterion, size_t at) {
-  for (size_t j = 0; j < n; j++) {
-    raise->spline->nu[node[j]] = raise->spline->data->nu[node[j]];
-  }
-  raise->ignored[at] |= (unsigned char)bit_of(criterion);
-}
-
-/* Touches the nodes of a violated criterion; false if that cannot help.  Nodes
- * are raised once a round. */
-static bool touch(struct ph_sphere_raise *raise,
-                  enum ph_sphere_criterion criterion, size_t at,
-                  size_t *touched_n) {
+/* Plans what a violated criterion asks for, all of a round at once: its nodes
+ * are raised, or, where that cannot help, it is waived, and they begin anew.
+ * False if that is not allowed. */
+static bool plan(struct ph_sphere_raise *raise,
+                 enum ph_sphere_criterion criterion, size_t at,
+                 size_t *touched_n) {
   size_t node[4];
   size_t n = ph_sphere_touched(raise->shape, criterion, at, node);
   bool can = false;
@@ -113,22 +108,32 @@ static bool touch(struct ph_sphere_raise *raise,
   if (!can) {
     raise->criterion = criterion;
     raise->at = at;
-    if (!raise->waive) {
-      return false;
-    }
-    waive(raise, node, n, criterion, at);
+    raise->ignored[at] |= (unsigned char)bit_of(criterion);
   }
   for (size_t j = 0; j < n; j++) {
-    if (raise->mark[node[j]] != raise->rounds) {
-      raise->mark[node[j]] = raise->rounds;
+    if (raise->planned[node[j]] == NOTHING) {
       raise->touched[(*touched_n)++] = node[j];
-      if (can && (raise->increase != PH_SPHERE_MINIMAL ||
-                  !ph_sphere_is_end(raise->spline->data, node[j]))) {
-        raise->spline->nu[node[j]] = raised(raise, node[j]);
-      }
+    }
+    if (!can || raise->planned[node[j]] == NOTHING) {
+      raise->planned[node[j]] = can ? RAISE : RESET;
     }
   }
-  return true;
+  return can || raise->waive;
+}
+
+/* Does what was planned. */
+static void carry_out(struct ph_sphere_raise *raise, size_t touched_n) {
+  struct ph_sphere_spline *s = raise->spline;
+  for (size_t j = 0; j < touched_n; j++) {
+    size_t i = raise->touched[j];
+    if (raise->planned[i] == RESET) {
+      s->nu[i] = s->data->nu[i];
+    } else if (raise->increase != PH_SPHERE_MINIMAL ||
+               !ph_sphere_is_end(s->data, i)) {
+      s->nu[i] = raised(raise, i);
+    }
+    raise->planned[i] = NOTHING;
+  }
 }
 
 /* ---- where to look again ------------------------------------------------- */
@@ -210,11 +215,12 @@ static enum ph_status go_round(struct ph_sphere_raise *raise) {
     enum ph_sphere_criterion criterion;
     while ((criterion = ph_sphere_violated(raise, raise->ranges[r], &from,
                                            &at)) != PH_SPHERE_FINE) {
-      if (!touch(raise, criterion, at, &touched_n)) {
+      if (!plan(raise, criterion, at, &touched_n)) {
         return PH_INFEASIBLE;
       }
     }
   }
+  carry_out(raise, touched_n);
   raise->ranges_n = 0;
   if (touched_n > 0) {
     find_ranges(raise, touched_n);
@@ -294,13 +300,13 @@ static bool alloc(struct ph_sphere_raise *raise, struct ph_arena *scratch) {
   size_t n = raise->spline->data->n;
   raise->ignored = ph_arena_array(scratch, n, sizeof *raise->ignored);
   raise->touched = ph_arena_array(scratch, n, sizeof *raise->touched);
-  raise->mark = ph_arena_array(scratch, n, sizeof *raise->mark);
+  raise->planned = ph_arena_array(scratch, n, sizeof *raise->planned);
   raise->ranges = ph_arena_array(scratch, n, sizeof *raise->ranges);
-  if (!raise->ignored || !raise->touched || !raise->mark || !raise->ranges) {
+  if (!raise->ignored || !raise->touched || !raise->planned || !raise->ranges) {
     return false;
   }
   memset(raise->ignored, 0, n * sizeof *raise->ignored);
-  memset(raise->mark, 0, n * sizeof *raise->mark);
+  memset(raise->planned, NOTHING, n * sizeof *raise->planned);
   return true;
 }
 

@@ -38,7 +38,7 @@ struct ph_sphere_raise {
   /* Of the work: */
   unsigned char *ignored;         /* [n] bits of criteria that were waived */
   size_t *touched;                /* [n] nodes of this round */
-  size_t *mark;                   /* [n] the last round that touched the node */
+  unsigned char *planned;         /* [n] and what it does to them */
   struct ph_sphere_range *ranges; /* [n] where to look, in order and apart */
   size_t ranges_n;
 };
@@ -53,13 +53,6 @@ struct ph_sphere_raise {
  */
 enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
                                     struct ph_arena *scratch);
-
-/* ph_sphere_stiffness: the tension at node i that doubles what the velocity is
- * multiplied by in its equation: 4/h_i + 4/h_{i+1}. */
-static inline double ph_sphere_stiffness(const struct ph_sphere_data *d,
-                                         size_t i) {
-  return 4 / d->h[ph_sphere_before(d, i)] + 4 / d->h[i];
-}
 
 /* ph_sphere_violated: the first criterion in a range that the spline violates,
  * FINE if none; at: its node or segment, from `from` places into the range,
