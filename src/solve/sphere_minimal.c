@@ -22,7 +22,7 @@
 
 enum {
   BLOCK_MAX = 12, /* nodes of a block */
-  GAP_MAX = 4,    /* nodes between raised ones of a block */
+  GAP_MAX = 8,    /* nodes between raised ones of a block */
   AROUND = 5, /* nodes on either side of a block whose criteria it regards */
   REACH = 10, /* and that are solved: 3.7^-10 twice, there and back */
   NEAR = 6,   /* and around one node, for a derivative */
