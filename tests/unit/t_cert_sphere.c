@@ -10,6 +10,7 @@
 #include "unit.h"
 
 #include "cert/cert.h"
+#include "cert/sphere_segment.h"
 #include "kernel/pi.h"
 
 #include <stdio.h>
@@ -211,6 +212,55 @@ START_TEST(test_knots) {
   ck_refused_as("segments", 3, "is refused by its certificate: its knots are");
   u.knots[4] += MOVED;
   ck_refused(PH_D_CONTINUITY_ERROR, 4);
+}
+END_TEST
+
+/* On a great circle the angle is a cubic polynomial, which may turn back
+ * anywhere: b_i are the differences of control points. */
+static double angle_at(const double b[3], double t) {
+  double two = t * t * (3 - 2 * t);
+  return b[0] * t * (3 - 3 * t + t * t) + b[1] * two + b[2] * t * t * t;
+}
+
+static double length_on_circle(const double b[3]) {
+  double c2 = b[0] - 2 * b[1] + b[2], c1 = b[1] - b[0], c0 = b[0];
+  double root = c1 * c1 - c2 * c0, from = 0, length = 0;
+  double turn[3] = {1, 1, 1};
+  if (root > 0) {
+    double q = -(c1 + copysign(sqrt(root), c1)), x = q / c2, y = c0 / q;
+    turn[0] = x > 0 && x < 1 ? x : 1;
+    turn[1] = y > 0 && y < 1 ? y : 1;
+    if (turn[1] < turn[0]) {
+      double swap = turn[0];
+      turn[0] = turn[1];
+      turn[1] = swap;
+    }
+  }
+  for (size_t i = 0; i < 3; i++) {
+    length += fabs(angle_at(b, turn[i]) - angle_at(b, from));
+    from = turn[i];
+  }
+  return length;
+}
+
+START_TEST(test_turning_back) {
+  static const double scale[] = {1, 1e-2, 1e-6};
+  for (int i = -20; i <= 20; i++) {
+    for (int j = -8; j <= 8; j++) {
+      double tail = j == 0 ? 0 : copysign(pow(10, -fabs((double)j)), j);
+      double b[3] = {0.9 + 0.0137 * i, 0.7, tail}, at = 0, length, found;
+      struct ph_cert_segment s;
+      ph_vec3 p[4];
+      for (size_t k = 0; k < 4; k++) {
+        p[k] = ph_vec3_of(cos(at), 0.6 * sin(at), 0.8 * sin(at));
+        at += k < 3 ? b[k] *= scale[_i] : 0;
+      }
+      length = length_on_circle(b);
+      ph_cert_segment_of(p, 4.4e-16, &s);
+      found = ph_cert_length(&s, length, 0);
+      ck_abs(found, length, 1e-11 * length + 1.4e-14);
+    }
+  }
 }
 END_TEST
 
@@ -469,6 +519,7 @@ static Suite *suite(void) {
   tcase_add_test(right, test_ends);
   tcase_add_test(right, test_lonlat);
   tcase_add_test(right, test_knots);
+  tcase_add_loop_test(right, test_turning_back, 0, 3);
   suite_add_tcase(s, right);
   tcase_add_checked_fixture(wrong, NULL, finish);
   tcase_add_loop_test(wrong, test_control_points, 0, UNIT_SPLINES_N);
