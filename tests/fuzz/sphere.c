@@ -2,8 +2,8 @@
 /*
  * Fuzz target: any data through the spherical solver.  The outcome is a failure
  * of the record, or a curve: then its certificate passes or is such a failure,
- * its joints are the data, its tensions are finite, its samples are
- * on the sphere, and what is printed, with its offset, is finite and JSON.
+ * there is a node for each point, its samples are on the sphere, and what is
+ * printed, with its offset, is finite and JSON.
  *
  * The bytes of an input:
  *   0      bits 0-1 how points are coded (see 5...), 2 lonlat in place of
