@@ -293,8 +293,7 @@ ph_sphere_segment_fails(const struct ph_sphere_shape *shape,
 /* Adds a node, if its tension is to be raised and it is not there yet. */
 static size_t add(const struct ph_sphere_shape *shape, size_t i, size_t n,
                   size_t node[4]) {
-  if (!shape->legacy &&
-      (ph_sphere_is_end(shape->data, i) || shape->inorder[i])) {
+  if (!shape->legacy && ph_sphere_is_end(shape->data, i)) {
     return n;
   }
   for (size_t j = 0; j < n; j++) {
@@ -322,7 +321,12 @@ size_t ph_sphere_touched(const struct ph_sphere_shape *shape,
           : criterion == PH_SPHERE_SEGMENT ? 4
                                            : 3;
   for (size_t j = 0; j < count; j++) {
-    n = add(shape, i, n, node);
+    /* of a run in order, the node beyond it: that it stays straight */
+    bool run = shape->inorder[i] && !shape->legacy;
+    const size_t *beyond = j == 0 ? shape->before : shape->after;
+    if (!run || beyond[i] != SIZE_MAX) {
+      n = add(shape, run ? beyond[i] : i, n, node);
+    }
     i = after(d, i);
   }
   return n;

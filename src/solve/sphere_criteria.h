@@ -60,7 +60,8 @@ ph_sphere_segment_fails(const struct ph_sphere_shape *shape,
 /*
  * ph_sphere_touched: the nodes whose tension is raised for a violated
  * criterion.  Only in legacy the ends of open data are among them, whose
- * tension has no effect, and nodes in order, whose curvature grows with it.
+ * tension has no effect, and nodes in order, whose curvature grows with it: in
+ * their place stands the node beyond their run.
  *
  * in   at       the node, or the segment
  * out  node[4]  at most 4 of them, in the order of the curve

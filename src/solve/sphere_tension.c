@@ -20,9 +20,10 @@ enum {
 /* Parts of the way back from lowered tensions that do not do, in turn. */
 static const double BACK[] = {1e-4, 1e-3, 1e-2, 0.1, 0.5, 1, 1, 1};
 
-/* A tension above this many stiffnesses is given up; the first raise by
- * doubling leads to this part of one. */
-static const double STIFFNESSES_MAX = 1e7;
+/* The largest tension, for knots that are angles: control points are 4 / nu
+ * from their node, and at 1e8 half of their digits tell the curvature.  The
+ * first raise by doubling leads to FIRST stiffnesses. */
+static const double TENSION_MAX = 1e8;
 static const double FIRST = 0.125;
 
 /* What a round does to a node. */
@@ -64,9 +65,15 @@ enum ph_sphere_criterion ph_sphere_violated(const struct ph_sphere_raise *raise,
 
 /* ---- raising ------------------------------------------------------------- */
 
+static double largest_tension(const struct ph_sphere_data *d, size_t i) {
+  size_t k = ph_sphere_before(d, i);
+  double before = d->theta[k] / d->h[k], after = d->theta[i] / d->h[i];
+  return TENSION_MAX * (before > after ? before : after);
+}
+
 static double raised(const struct ph_sphere_raise *raise, size_t i) {
   const struct ph_sphere_data *d = raise->spline->data;
-  double nu = raise->spline->nu[i], next = nu, stiff, first;
+  double nu = raise->spline->nu[i], next = nu, most, first;
   switch (raise->increase) {
   case PH_SPHERE_PLUS:
     next = nu + raise->by;
@@ -82,15 +89,15 @@ static double raised(const struct ph_sphere_raise *raise, size_t i) {
   if (ph_sphere_is_end(d, i)) {
     return next; /* has no effect */
   }
-  stiff = STIFFNESSES_MAX * ph_sphere_stiffness(d, i);
-  return next < stiff ? next : nu < stiff ? stiff : nu;
+  most = largest_tension(d, i);
+  return next < most ? next : nu < most ? most : nu;
 }
 
 /* Whether node i can be raised, as far as is known. */
 static bool can_raise(const struct ph_sphere_raise *raise, size_t i) {
   const struct ph_sphere_data *d = raise->spline->data;
   return !ph_sphere_is_end(d, i) &&
-         raise->spline->nu[i] < STIFFNESSES_MAX * ph_sphere_stiffness(d, i);
+         raise->spline->nu[i] < largest_tension(d, i);
 }
 
 /* Plans what a violated criterion asks for, all of a round at once: its nodes

@@ -47,8 +47,8 @@ struct ph_sphere_raise {
  * ph_sphere_keep_shape: raises the tensions of a solution.
  *
  * inout raise  the first six members are given
- * ret  PH_OK | PH_INFEASIBLE (no tension up to 1e7 stiffnesses
- *      satisfies the criterion) | PH_NO_CONVERGENCE (no spline, or too many
+ * ret  PH_OK | PH_INFEASIBLE (no tension up to 1e8 satisfies the
+ *      criterion) | PH_NO_CONVERGENCE (no spline, or too many
  *      rounds) | PH_NO_MEMORY
  */
 enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
