@@ -78,7 +78,7 @@ for latitude in 30 -60; do
         if (off > worst) worst = off
       }
       END { off = length_ / (2 * pi * cos(lat * d)) - 1
-        printf "%.17g\n%.17g\n", off < 0 ? -off : off, worst }' >errors.$n
+        printf "%.17g\n%.17g\n", (off < 0 ? -off : off), worst }' >errors.$n
   done
   cat errors.12 errors.24 errors.48 |
     holds "latitude $latitude: the length" 'n == 6 && x[1] < 1e-2 &&
