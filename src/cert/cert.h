@@ -115,6 +115,8 @@ ph_cert_fn ph_cert_arclength;
  *                         1e-10 is allowed of the model `exact', beside what
  *                         rounding of control points makes of it; of `nielson'
  *                         it is a number and no promise
+ *   max_curvature         the largest |kappa_g| at a node between two segments,
+ *                         1/unit
  *   end_derivative_error  of open curves: distance of the second control point
  *                         from where the ends put it / angle of the segment
  *   length_error          lengths against sums of distances of points,

@@ -70,6 +70,7 @@ struct checks {
   struct ph_check sphere, point, joint, end, jump, length;
   struct ph_check tension; /* `what' is not used */
   struct ph_sum tensions, lengths;
+  double curvature;         /* the largest at a node */
   enum ph_cert_fault fault; /* the first */
   size_t fault_at;
 };
@@ -246,15 +247,17 @@ static void check_velocity(const struct context *c, const struct node *n,
 
 /* The curvature on both sides, where the curve does not stand still. */
 static void check_curvature(const struct context *c, const struct node *n,
-                            struct ph_check *jump) {
+                            struct checks *checks) {
   const struct ph_cert_end *a = &n->left->end[1], *b = &n->right->end[0];
   double before = -a->curvature, after = b->curvature;
   double size = ph_check_larger(1, ph_check_larger(fabs(before), fabs(after)));
   double allowed = JUMP * size + a->curvature_error + b->curvature_error;
   if (!(a->angle <= NO_DIRECTION * a->leg_error) &&
       !(b->angle <= NO_DIRECTION * b->leg_error)) {
-    ph_check_add(jump, n->i, fabs(after - before), size,
+    ph_check_add(&checks->jump, n->i, fabs(after - before), size,
                  c->exact ? allowed : HUGE_VAL);
+    checks->curvature = ph_check_larger(
+        checks->curvature, ph_check_larger(fabs(before), fabs(after)));
   }
 }
 
@@ -324,7 +327,7 @@ static enum ph_status check_node(const struct context *c, const struct node *n,
                               .spacing = n->hr,
                               .indicator = c->curve->indicators[n->i]};
   check_velocity(c, n, &checks->joint);
-  check_curvature(c, n, &checks->jump);
+  check_curvature(c, n, checks);
   if (c->exact) {
     check_exact(n, nu, &checks->tension);
   } else {
@@ -459,6 +462,8 @@ static enum ph_status conclude(const struct context *c, struct checks *checks,
   ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK,
                      checks->fault == PH_CERT_NO_FAULT);
   ph_check_set(diagnostics, PH_D_TENSION_SUM, ph_sum_value(&checks->tensions));
+  ph_check_set(diagnostics, PH_D_MAX_CURVATURE,
+               checks->curvature / c->curve->radius);
   return status;
 }
 

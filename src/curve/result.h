@@ -183,6 +183,7 @@ struct ph_offset {
   X(AT_BOUND, "at_bound")                         \
   X(SPHERE_ERROR, "sphere_error")                 \
   X(CURVATURE_JUMP, "curvature_jump")             \
+  X(MAX_CURVATURE, "max_curvature")               \
   X(TENSION_SUM, "tension_sum")                   \
   X(SHAPE_OK, "shape_ok")                         \
   X(REDUCED, "reduced")                           \

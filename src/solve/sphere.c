@@ -105,15 +105,19 @@ static enum ph_status fail_spline(const struct task *t, const char *tensions) {
 
 static enum ph_status fail_shape(const struct task *t, enum ph_status status) {
   const struct ph_sphere_raise *raise = &t->raise;
+  bool lonlat = t->problem->field[PH_F_LONLAT].kind != PH_ABSENT;
+  const char *field = raise->criterion == PH_SPHERE_SEGMENT ? "segments"
+                      : lonlat                              ? "lonlat"
+                                                            : "points";
   switch (status) {
   case PH_INFEASIBLE:
-    return ph_fail_at(
-        t->diag, status,
-        raise->criterion == PH_SPHERE_SEGMENT ? "segments" : "points",
-        raise->at,
-        "the criterion of %s fails at %s %zu at any tension; with "
-        "\"shape\":\"warn\" it is done without",
-        ph_sphere_criterion_name(raise->criterion), place_of(raise), raise->at);
+    return ph_fail_at(t->diag, status, field, raise->at,
+                      "no tension makes the criterion of %s hold here%s; with "
+                      "\"shape\":\"warn\" it is done without",
+                      ph_sphere_criterion_name(raise->criterion),
+                      raise->criterion == PH_SPHERE_COCIRCULARITY
+                          ? ", a larger epsilon may"
+                          : "");
   case PH_NO_MEMORY:
     return ph_fail_memory(t->diag);
   default:
@@ -184,8 +188,9 @@ static void warn(const struct task *t, struct ph_result *result) {
                                        ? raise->at
                                        : PH_NO_SEGMENT),
             PH_SHAPE_UNSATISFIABLE, NULL,
-            "%zu criteria of shape fail %s, the first is %s at %s %zu",
-            raise->waived,
+            "%zu %s of shape %s %s, the first is %s at %s %zu", raise->waived,
+            raise->waived == 1 ? "criterion" : "criteria",
+            raise->waived == 1 ? "fails" : "fail",
             raise->rounds == PH_SPHERE_ROUNDS_MAX ? "after all increases"
                                                   : "at any tension",
             ph_sphere_criterion_name(raise->criterion), place_of(raise),

@@ -46,6 +46,10 @@ struct stretch {
   double f0, f1, c, k, dk;
 };
 
+/* A leg of this square or longer would go round the sphere: there is no such
+ * control point. */
+static const double AROUND = 9;
+
 static struct stretch stretch_of(double x) {
   static const double series[TERMS] = {
       1 / 6.0,          -1 / 120.0,          1 / 5040.0,
@@ -63,7 +67,7 @@ static struct stretch stretch_of(double x) {
     s.f1 = 2 * (m + x * dm);
   } else {
     double f[4];
-    ph_s2_bessel(x, f);
+    ph_s2_bessel(x < AROUND ? x : (double)NAN, f);
     s.f0 = f[0];
     s.f1 = f[1];
     m = (1 - s.f0) / x;

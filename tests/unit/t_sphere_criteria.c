@@ -504,7 +504,7 @@ START_TEST(test_touched_closed) {
   ck_touched(&t, PH_SPHERE_COCIRCULARITY, 3, "6 4");
   ck_touched(&t, PH_SPHERE_NODAL, 5, "4 5 6");
   ck_touched(&t, PH_SPHERE_NODAL, 6, "5 6 4");
-  ck_touched(&t, PH_SPHERE_SEGMENT, 4, "4 5 6");
+  ck_touched(&t, PH_SPHERE_SEGMENT, 4, "6 4 5");
   ph_arena_free(&t.arena);
 }
 END_TEST
