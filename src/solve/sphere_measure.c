@@ -12,7 +12,9 @@
 
 /* Margins, relative to epsilon, to the turn of the data, and to the largest
  * sample of a segment. */
-static const double MARGIN = 2e-3;
+static const double MARGIN_EPSILON = 2e-3;
+static const double MARGIN_TURN = 1e-4;
+static const double MARGIN_SEGMENT = 1e-5;
 
 /* The sine of the turn from one vector to another at p; |.|: its size. */
 static double turn_of(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
@@ -28,7 +30,7 @@ static size_t measure_convexity(const struct ph_sphere_shape *shape,
   size_t k = ph_sphere_before(d, i), n = 0;
   ph_vec3 p = d->p[i], before = ph_vec3_sub(p, d->p[k]);
   ph_vec3 after = ph_vec3_sub(d->p[ph_sphere_next(d, i)], p);
-  double least = MARGIN * fabs(turn_of(p, before, after)), q = shape->q[i];
+  double least = MARGIN_TURN * fabs(turn_of(p, before, after)), q = shape->q[i];
   g[n++] =
       q * turn_of(p, ph_vec3_sub(s->r[i], p), ph_vec3_sub(s->l[i], s->r[i])) -
       least;
@@ -44,7 +46,8 @@ size_t ph_sphere_measure_node(const struct ph_sphere_shape *shape,
                               const struct ph_sphere_spline *s, size_t i,
                               double *g) {
   const struct ph_sphere_data *d = s->data;
-  double left, right, h = d->h[i], bound = (1 - MARGIN) * shape->epsilon;
+  double left, right, h = d->h[i],
+                      bound = (1 - MARGIN_EPSILON) * shape->epsilon;
   struct ph_spherical before, after;
   size_t n = 0;
   if (!shape->inorder[i]) {
@@ -84,7 +87,7 @@ size_t ph_sphere_measure_segment(const struct ph_sphere_shape *shape,
     most = fmax(most, g[j]);
   }
   for (size_t j = 0; j < PH_SPHERE_SAMPLES; j++) {
-    g[j] -= MARGIN * most;
+    g[j] -= MARGIN_SEGMENT * most;
   }
   return PH_SPHERE_SAMPLES;
 }

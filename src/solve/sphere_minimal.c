@@ -250,18 +250,27 @@ static bool find_step(struct block *b, double box, double *step) {
   return ph_lp_solve(&lp, &b->lp, step) == PH_LP_OPTIMAL;
 }
 
-static void add_step(const struct block *b, const double *step, double *nu) {
+/* Takes a part of a step if the criteria hold there; otherwise the spline is
+ * left there, or as it was kept where there is none. */
+static bool take(struct block *b, const double *step, double part) {
   const struct ph_sphere_data *d = b->raise->spline->data;
+  double nu[BLOCK_MAX];
   for (size_t j = 0; j < b->q; j++) {
-    nu[j] = fmax(b->nu[j] + step[j], d->nu[b->node[j]]);
+    nu[j] = fmax(b->nu[j] + part * step[j], d->nu[b->node[j]]);
   }
+  if (!solve_at(b, nu) || !is_better(b)) {
+    return false;
+  }
+  keep(b);
+  return true;
 }
 
 /* Takes the step that a linear program finds in the box, corrected some times
  * for the curvature of the criteria, if they hold there: those of the program
- * have a margin. */
+ * have a margin.  Or a part of the last one. */
 static bool go(struct block *b, double box) {
-  double step[BLOCK_MAX], nu[BLOCK_MAX];
+  static const double parts[] = {0.5, 0.2, 0.05};
+  double step[BLOCK_MAX];
   for (size_t row = 0; row < b->rows; row++) {
     b->rhs[row] = -fmax(b->g[row], 0) / b->norm[row];
   }
@@ -269,15 +278,16 @@ static bool go(struct block *b, double box) {
     if (!find_step(b, box, step)) {
       return false;
     }
-    add_step(b, step, nu);
-    if (!solve_at(b, nu)) {
-      return false;
-    }
-    if (is_better(b)) {
-      keep(b);
+    if (take(b, step, 1)) {
       return true;
     }
     correct(b, step);
+    restore(b);
+  }
+  for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+    if (take(b, step, parts[i])) {
+      return true;
+    }
     restore(b);
   }
   return false;
