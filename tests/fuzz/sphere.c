@@ -295,13 +295,15 @@ static void sphere_check_curve(const struct sphere_input *in,
   sphere_check_nodes(in, curve);
 }
 
+/* Samples are on the sphere: less so where control points are nearly opposite
+ * to each other, and an arc between them is worth few digits. */
 static void sphere_check_samples(const struct ph_curve *curve,
                                  const struct ph_samples *samples) {
   FUZZ_REQUIRE(fuzz_is_finite(samples->point, 3 * samples->n));
   FUZZ_REQUIRE(fuzz_is_finite(samples->s, samples->n));
   for (size_t i = 0; i < samples->n; i++) {
     const double *t = samples->tangent + 3 * i;
-    FUZZ_REQUIRE(sphere_off(curve, samples->point + 3 * i) < 1e-13);
+    FUZZ_REQUIRE(sphere_off(curve, samples->point + 3 * i) < 1e-9);
     FUZZ_REQUIRE(fabs(hypot(hypot(t[0], t[1]), t[2]) - 1) < 1e-13);
   }
 }
