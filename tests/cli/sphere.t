@@ -29,7 +29,8 @@ equal 'a record: its members' '{id:number,command:string,status:string,'\
 'length:number,diagnostics:{iterations:number,residual:number,'\
 'interpolation_error:number,end_derivative_error:number,'\
 'continuity_error:number,length_error:number,sphere_error:number,'\
-'curvature_jump:number,max_curvature:number,tension_sum:number,shape_ok:bool}}' \
+'curvature_jump:number,max_curvature:number,tension_sum:number,'\
+'shape_ok:bool}}' \
   "$(json shape <out)"
 equal 'a record: values' '"spherical-nu" 3 3 false' \
   "$(get curve) $(get dimension) $(get degree) $(get closed)"
