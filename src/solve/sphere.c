@@ -18,7 +18,7 @@
 #include <string.h>
 
 /* Less than this of curvature cannot be told from rounding. */
-static const double EPSILON_MIN = 1e-12;
+static const double EPSILON_MIN = 1e-11;
 
 /* A problem on its way. */
 struct task {

@@ -110,6 +110,10 @@ struct span {
   double dg; /* of g by s */
 };
 
+/* Control points whose sum is shorter are opposite to each other: interpolation
+ * between them loses digits. */
+static const double OPPOSITE = 1e-3;
+
 /* With y = s/4 = sin^2(phi/2),
  *   g = asin(sqrt y) / sqrt(y (1 - y)) = 1 + (2/3) y + (8/15) y^2 + ...,
  * or dg = g^3 f1(phi^2) / 2 where that converges slowly. */
@@ -131,7 +135,9 @@ static struct span span_of(const struct end *a, const struct end *b) {
     r.dg /= 4;
   } else {
     ph_vec3 sum = ph_vec3_add(ph_vec3_add(a->p, a->q), ph_vec3_add(b->p, b->q));
-    double angle = 2 * atan2(sqrt(r.s), ph_vec3_abs(sum)), f[4];
+    double apart = ph_vec3_abs(sum);
+    double angle = 2 * atan2(sqrt(r.s), apart > OPPOSITE ? apart : (double)NAN);
+    double f[4];
     ph_s2_bessel(angle * angle, f);
     r.g = 1 / f[0];
     r.dg = r.g * r.g * r.g * f[1] / 2;
@@ -273,8 +279,11 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
   s->r[k] = ph_vec3_add(e[0].p, e[0].q);
   s->l[k] = ph_vec3_add(e[1].p, e[1].q);
   if (natural[0] && natural[1]) {
-    s->r[k] = ph_vec3_unit(ph_s2_slerp(e[0].p, e[1].p, 1 / 3.0));
-    s->l[k] = ph_vec3_unit(ph_s2_slerp(e[0].p, e[1].p, 2 / 3.0));
+    /* both on one great circle, however well the data tell which */
+    ph_vec3 v = ph_vec3_normal(ph_s2_log(e[0].p, e[1].p), e[0].p);
+    v = ph_vec3_scale(d->theta[k] / ph_vec3_abs(v), v);
+    s->r[k] = ph_vec3_unit(ph_s2_exp(e[0].p, ph_vec3_scale(1 / 3.0, v)));
+    s->l[k] = ph_vec3_unit(ph_s2_exp(e[0].p, ph_vec3_scale(2 / 3.0, v)));
   } else if (natural[0]) {
     s->r[k] = ph_vec3_unit(ph_vec3_add(e[0].p, s->l[k]));
   } else if (natural[1]) {
