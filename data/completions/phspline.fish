@@ -118,7 +118,7 @@ complete -c phspline -n '__fish_seen_subcommand_from sphere' -l model -x -a 'exa
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l knots -x -a 'geodesic uniform' -d 'spacing of the knots: the angles between points, or all the same; or the knots themselves, increasing'
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l ends -x -a 'natural rest clamped' -d 'ends of an open curve: no curvature, no velocity, or given tangents'
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l end_tangents -x -d 'directions of the curve at its first and its last point'
-complete -c phspline -n '__fish_seen_subcommand_from sphere' -l tension -x -d 'tensions to begin with, one for all points or one each'
+complete -c phspline -n '__fish_seen_subcommand_from sphere' -l tension -x -d 'least tensions, one for all points or one each'
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l shape -x -a 'warn' -d 'raise tensions until the curve keeps the shape of the data; warn: only warn where none does'
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l increase -x -a 'minimal' -d 'how tensions are raised: to the smallest that do, or by a step or a factor V'
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l criterion -x -a 'geodesic legacy' -d 'the curvature that is judged: the geodesic one, or as published'
