@@ -267,8 +267,8 @@ static bool take(struct block *b, const double *step, double part) {
 
 /* Takes the step that a linear program finds in the box, corrected some times
  * for the curvature of the criteria, if they hold there: those of the program
- * have a margin.  Or a part of the last one. */
-static bool go(struct block *b, double box) {
+ * have a margin.  Or a part of the last one.  Which part: 0 is none. */
+static double go(struct block *b, double box) {
   static const double parts[] = {0.5, 0.2, 0.05};
   double step[BLOCK_MAX];
   for (size_t row = 0; row < b->rows; row++) {
@@ -276,41 +276,42 @@ static bool go(struct block *b, double box) {
   }
   for (size_t i = 0; i <= CORRECTIONS; i++) {
     if (!find_step(b, box, step)) {
-      return false;
+      return 0;
     }
     if (take(b, step, 1)) {
-      return true;
+      return 1;
     }
     correct(b, step);
     restore(b);
   }
   for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
     if (take(b, step, parts[i])) {
-      return true;
+      return parts[i];
     }
     restore(b);
   }
-  return false;
+  return 0;
 }
 
 static void minimise_block(struct block *b) {
   double box = BOX;
   keep(b);
   for (size_t i = 0; i < STEPS_MAX && box > BOX_MIN; i++) {
-    double sum = sum_of(b, b->nu);
-    bool gone = false;
+    double sum = sum_of(b, b->nu), part = 0;
     if (!(sum > 0)) {
       return;
     }
     differentiate(b);
-    while (!gone && box > BOX_MIN) {
-      gone = go(b, box);
-      box *= gone ? 1 : SHRINK;
+    while (!(part > 0) && box > BOX_MIN) {
+      part = go(b, box);
+      box *= part < 1 ? SHRINK : 1;
     }
-    if (!gone || sum - sum_of(b, b->nu) < PROGRESS * sum) {
-      return;
+    if (!(part < 1)) {
+      if (sum - sum_of(b, b->nu) < PROGRESS * sum) {
+        return;
+      }
+      box = fmin(2 * box, BOX_MAX);
     }
-    box = fmin(2 * box, BOX_MAX);
   }
 }
 

@@ -218,7 +218,7 @@ bad bad-type shape 'must be true, false or "warn", found a number' \
 # ---- numbers -----------------------------------------------------------------
 
 for value in 0 -1 -0; do
-  bad bad-value epsilon "must be at least 1e-12, found $value" \
+  bad bad-value epsilon "must be at least 1e-11, found $value" \
     "$(with "\"epsilon\":$value")"
 done
 bad bad-type epsilon 'must be a number, found an array' \

@@ -322,7 +322,7 @@ equal 'a sweep: tensions' '[0,0,0,0,0] [0,0,0,0,0] [0,10,10,10,0] '\
 '[0,10,10,10,0] [0,20,20,20,0] [0,20,20,20,0]' "$(get tensions)"
 feed "{$corner}" sphere -q -S epsilon=0.1,0.01,0
 expect 'a sweep over epsilon' 1 'phspline: -:1: record 1: epsilon: must be at '\
-'least 1e-12, found 0 [bad-value]'
+'least 1e-11, found 0 [bad-value]'
 equal 'a sweep over epsilon: results' '"ok" "ok" "error"' "$(get status)"
 feed "{$some,\"tension\":[0,1,2,3,0]}" sphere -q -S 'tension[2]=5,6' \
   -S 'lonlat[1][1]=20,21'
