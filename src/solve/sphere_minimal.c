@@ -29,8 +29,8 @@ enum {
   SPAN_MAX = BLOCK_MAX * (GAP_MAX + 1),
   JUDGED_MAX = SPAN_MAX + 2 * AROUND,
   ROWS_MAX = JUDGED_MAX * 2 * PH_SPHERE_MEASURES,
-  STEPS_MAX = 40,  /* linearisations of a block, and linear programs of each */
-  CORRECTIONS = 3, /* after the first, in a box */
+  STEPS_MAX = 40,  /* linearisations of a block */
+  CORRECTIONS = 3, /* of a linear program in a box */
   SWEEPS_MAX = 4   /* of all blocks, where a run of raised nodes has several */
 };
 
