@@ -29,9 +29,10 @@ enum {
   SPAN_MAX = BLOCK_MAX * (GAP_MAX + 1),
   JUDGED_MAX = SPAN_MAX + 2 * AROUND,
   ROWS_MAX = JUDGED_MAX * 2 * PH_SPHERE_MEASURES,
-  STEPS_MAX = 40,  /* linearisations of a block */
-  CORRECTIONS = 3, /* of a linear program in a box */
-  SWEEPS_MAX = 4   /* of all blocks, where a run of raised nodes has several */
+  STEPS_MAX = 40,    /* linearisations of a block */
+  CORRECTIONS = 3,   /* of a linear program in a box */
+  HALVINGS_MAX = 30, /* of all tensions of a block, to begin with */
+  SWEEPS_MAX = 4 /* of all blocks, where a run of raised nodes has several */
 };
 
 /* The box at first, relative to the tensions (at least SMALL of the largest),
@@ -42,7 +43,7 @@ static const double BOX_MIN = 1e-3;
 static const double SHRINK = 0.3;
 static const double SMALL = 0.05;
 
-/* Differences; the fall of the sum that is no progress. */
+/* Differences; the fall of the sum that is no progress in a box of size BOX. */
 static const double DIFFERENCE = 1e-5;
 static const double PROGRESS = 5e-4;
 
@@ -293,9 +294,25 @@ static double go(struct block *b, double box) {
   return 0;
 }
 
+/* Halves what the tensions of a block were raised by while the criteria hold:
+ * growth by doubling may have gone far beyond. */
+static void halve(struct block *b) {
+  const struct ph_sphere_data *d = b->raise->spline->data;
+  bool held = true;
+  for (size_t i = 0; held && i < HALVINGS_MAX; i++) {
+    double step[BLOCK_MAX];
+    for (size_t j = 0; j < b->q; j++) {
+      step[j] = (d->nu[b->node[j]] - b->nu[j]) / 2;
+    }
+    held = take(b, step, 1);
+  }
+  restore(b);
+}
+
 static void minimise_block(struct block *b) {
   double box = BOX;
   keep(b);
+  halve(b);
   for (size_t i = 0; i < STEPS_MAX && box > BOX_MIN; i++) {
     double sum = sum_of(b, b->nu), part = 0;
     if (!(sum > 0)) {
@@ -307,7 +324,7 @@ static void minimise_block(struct block *b) {
       box *= part < 1 ? SHRINK : 1;
     }
     if (!(part < 1)) {
-      if (sum - sum_of(b, b->nu) < PROGRESS * sum) {
+      if (sum - sum_of(b, b->nu) < PROGRESS * sum * fmin(box / BOX, 1)) {
         return;
       }
       box = fmin(2 * box, BOX_MAX);

@@ -20,8 +20,9 @@ enum {
 static const double MOVE_MAX = 0.7;
 /* Shortest fraction of a step that is tried. */
 static const double FRACTION_MIN = 1e-3;
-/* Every equation to this: solved; to that, where the root mean square does not
- * fall at once: solved as far as rounding lets it. */
+/* Every equation to this: solved; the root mean square to that, and every
+ * equation to 100 times it, where it does not fall at once: solved as far as
+ * rounding lets it. */
 static const double SOLVED = 1e-14;
 static const double NEARLY = 1e-12;
 /* Relaxation: the largest tau, below which it is 0, and the residual from which
@@ -229,7 +230,7 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
     miss = next;
   }
   work->residual = miss.rms;
-  if (miss.rms <= NEARLY && miss.largest <= NEARLY) {
+  if (miss.rms <= NEARLY && miss.largest <= 100 * NEARLY) {
     return true;
   }
   move(s, range, work->kept, NULL, 0);

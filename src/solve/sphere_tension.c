@@ -5,6 +5,7 @@
 #include "solve/sphere_minimal.h"
 #include "solve/sphere_solve.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,17 +15,18 @@ enum {
    * below rounding. */
   REACH = 30,
   ROUNDS_MAX = PH_SPHERE_ROUNDS_MAX,
-  SPREAD = 6 /* nodes around a violated criterion whose tensions go back */
+  REPAIRS_MAX = 100 /* rounds after tensions were lowered */
 };
-
-/* Parts of the way back from lowered tensions that do not do, in turn. */
-static const double BACK[] = {1e-4, 1e-3, 1e-2, 0.1, 0.5, 1, 1, 1};
 
 /* The largest tension, for knots that are angles: control points are 4 / nu
  * from their node, and at 1e8 half of their digits tell the curvature.  The
  * first raise by doubling leads to FIRST stiffnesses. */
 static const double TENSION_MAX = 1e8;
 static const double FIRST = 0.125;
+
+/* A small raise: by this factor, at least to this part of FIRST. */
+static const double REPAIR = 1.1;
+static const double REPAIR_FIRST = 1.0 / 64;
 
 /* What a round does to a node. */
 enum { NOTHING, RAISE, RESET };
@@ -71,9 +73,13 @@ static double largest_tension(const struct ph_sphere_data *d, size_t i) {
   return TENSION_MAX * (before > after ? before : after);
 }
 
+/* An end of open data, whose tension has no effect, has no stiffness either. */
 static double raised(const struct ph_sphere_raise *raise, size_t i) {
   const struct ph_sphere_data *d = raise->spline->data;
-  double nu = raise->spline->nu[i], next = nu, most, first;
+  bool end = ph_sphere_is_end(d, i);
+  double nu = raise->spline->nu[i], next = nu;
+  double first = end ? 0 : FIRST * ph_sphere_stiffness(d, i);
+  double most = end ? (double)INFINITY : largest_tension(d, i);
   switch (raise->increase) {
   case PH_SPHERE_PLUS:
     next = nu + raise->by;
@@ -82,14 +88,13 @@ static double raised(const struct ph_sphere_raise *raise, size_t i) {
     next = nu > 0 ? nu * raise->by : raise->by;
     break;
   case PH_SPHERE_MINIMAL:
-    first = FIRST * ph_sphere_stiffness(d, i);
     next = 2 * nu > first ? 2 * nu : first;
     break;
+  case PH_SPHERE_REPAIR:
+    next =
+        REPAIR * nu > REPAIR_FIRST * first ? REPAIR * nu : REPAIR_FIRST * first;
+    break;
   }
-  if (ph_sphere_is_end(d, i)) {
-    return next; /* has no effect */
-  }
-  most = largest_tension(d, i);
   return next < most ? next : nu < most ? most : nu;
 }
 
@@ -135,8 +140,7 @@ static void carry_out(struct ph_sphere_raise *raise, size_t touched_n) {
     size_t i = raise->touched[j];
     if (raise->planned[i] == RESET) {
       s->nu[i] = s->data->nu[i];
-    } else if (raise->increase != PH_SPHERE_MINIMAL ||
-               !ph_sphere_is_end(s->data, i)) {
+    } else {
       s->nu[i] = raised(raise, i);
     }
     raise->planned[i] = NOTHING;
@@ -253,30 +257,28 @@ static void count_waived(struct ph_sphere_raise *raise) {
 
 /* ---- lowering again ------------------------------------------------------ */
 
-/* Leads the tensions around what is violated back by a part of the way to what
- * they were; how many places that are. */
-static size_t go_back(struct ph_sphere_raise *raise, const double *before,
-                      double part) {
-  struct ph_sphere_spline *s = raise->spline;
-  struct ph_sphere_range all = ph_sphere_all(s->data);
-  size_t from = 0, at, n = 0;
-  while (ph_sphere_violated(raise, all, &from, &at) != PH_SPHERE_FINE) {
-    struct ph_sphere_range near = ph_sphere_widen(s->data, at, 1, SPREAD);
-    for (size_t j = 0; j < near.count; j++) {
-      size_t i = ph_sphere_node(s->data, near, j);
-      s->nu[i] += part * (before[i] - s->nu[i]);
-    }
-    n++;
+/* Rounds of small raises, until nothing is violated. */
+static bool repair(struct ph_sphere_raise *raise) {
+  size_t before = raise->rounds;
+  enum ph_status status = PH_OK;
+  raise->increase = PH_SPHERE_REPAIR;
+  raise->ranges[0] = ph_sphere_all(raise->spline->data);
+  raise->ranges_n = 1;
+  if (!ph_sphere_newton(raise->spline, raise->ranges[0], raise->work)) {
+    return false;
   }
-  return n;
+  while (status == PH_OK && raise->ranges_n > 0) {
+    status = raise->rounds - before < REPAIRS_MAX ? go_round(raise)
+                                                  : PH_NO_CONVERGENCE;
+  }
+  return status == PH_OK;
 }
 
-/* The smallest tensions; where they turn out not to do, some of the way back,
- * and at last all of it. */
+/* The smallest tensions, raised a little where they turn out not to do; as they
+ * were where that does not help. */
 static enum ph_status lower(struct ph_sphere_raise *raise,
                             struct ph_arena *scratch) {
   struct ph_sphere_spline *s = raise->spline;
-  struct ph_sphere_range all = ph_sphere_all(s->data);
   size_t n = s->data->n;
   double *nu = ph_arena_array(scratch, n, sizeof *nu);
   ph_vec3 *x = ph_arena_array(scratch, n, sizeof *x);
@@ -288,17 +290,14 @@ static enum ph_status lower(struct ph_sphere_raise *raise,
   if (!ph_sphere_minimise(raise, scratch)) {
     return PH_NO_MEMORY;
   }
-  for (size_t i = 0; i < sizeof BACK / sizeof BACK[0]; i++) {
-    if (!ph_sphere_newton(s, all, raise->work)) {
-      break;
-    }
-    if (go_back(raise, nu, BACK[i]) == 0) {
-      return PH_OK;
-    }
+  if (repair(raise)) {
+    return PH_OK;
   }
   memcpy(s->nu, nu, n * sizeof *nu);
   memcpy(s->x, x, n * sizeof *x);
-  return ph_sphere_newton(s, all, raise->work) ? PH_OK : PH_NO_CONVERGENCE;
+  return ph_sphere_newton(s, ph_sphere_all(s->data), raise->work)
+             ? PH_OK
+             : PH_NO_CONVERGENCE;
 }
 
 /* ---- memory -------------------------------------------------------------- */

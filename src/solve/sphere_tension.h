@@ -17,7 +17,8 @@
 enum ph_sphere_increase {
   PH_SPHERE_MINIMAL, /* in the end the smallest that were found sufficient */
   PH_SPHERE_PLUS,    /* nu + by */
-  PH_SPHERE_TIMES    /* nu * by; by itself where nu is 0 */
+  PH_SPHERE_TIMES,   /* nu * by; by itself where nu is 0 */
+  PH_SPHERE_REPAIR   /* a little; not for the caller */
 };
 
 /* How often tensions are raised at most. */
