@@ -264,7 +264,7 @@ asan: ## the tests under the address and undefined sanitizers
 	$(SUBMAKE) VARIANT=fault all
 	$(SUBMAKE) VARIANT=asan asan-run
 asan-run: tests-build
-	@CK_FORK=no PHSPLINE_FAULT=build/fault/phspline $(RUN) $(call pick,\
+	@CK_FORK=no PH_SHORT=1 PHSPLINE_FAULT=build/fault/phspline $(RUN) $(call pick,\
 	  $(UNIT_WANTED) $(addprefix $(S),$(CLI_TESTS) $(FAULT_TESTS)))
 
 tsan: ## unit tests and tests/cli/jobs.t under the thread sanitizer

@@ -176,7 +176,7 @@ static struct ph_seg3 plane(const double w[3][2], ph_quat turn, double angle) {
 START_TEST(test_plane) {
   struct unit_random r = unit_random_of(1103);
   const double w[3][2] = {{1, -0.4}, {0.9, 0.5}, {1, -0.5}};
-  for (int n = 0; n < 100; n++) {
+  for (int n = 0; n < unit_count(100); n++) {
     struct ph_seg3 seg =
         plane(w, unit_random_turn(&r), unit_random_in(&r, 0, 2));
     struct ph_fair3 fair = ph_fair3_of(&rules, &seg.space, seg.a);

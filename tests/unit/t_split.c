@@ -247,7 +247,8 @@ END_TEST
 START_TEST(test_sizes) {
   static const size_t sizes[] = {10,    100,  70000,  3,       3000000,
                                  65535, 5000, 131072, 1000000, 2};
-  enum { N = sizeof sizes / sizeof *sizes, REPEAT = 40 };
+  enum { N = sizeof sizes / sizeof *sizes };
+  const size_t repeat = (size_t)unit_count(40);
   const char *name = "a.json";
   struct ph_split split;
   struct ph_record record;
@@ -255,15 +256,15 @@ START_TEST(test_sizes) {
   FILE *file = fopen(name, "w");
   size_t largest = 0;
   ck_assert_ptr_nonnull(file);
-  for (size_t i = 0; i < N * REPEAT; i++) {
-    size_t n = sizes[i / REPEAT];
+  for (size_t i = 0; i < N * repeat; i++) {
+    size_t n = sizes[i / repeat];
     fprintf(file, "\"%0*zu\"\n", (int)n - 2, i % 7);
     largest = n > largest ? n : largest;
   }
   fclose(file);
   begin(&split, &name, 1, &automatic, &schema);
-  for (size_t i = 0; i < N * REPEAT; i++) {
-    size_t n = sizes[i / REPEAT];
+  for (size_t i = 0; i < N * repeat; i++) {
+    size_t n = sizes[i / repeat];
     ck_assert_int_eq(ph_split_next(&split, true, &record, &diag),
                      PH_SPLIT_RECORD);
     ck_assert_uint_eq(record.n, n == 2 ? 3 : n);
@@ -331,10 +332,15 @@ static const char *const documents[] = {json_lines,  json_array, csv_ids,
                                         csv_comment, csv_bad,    json_blanks,
                                         csv_blanks};
 
+/* Every byte of a document, or one in ten where every step takes long. */
+static size_t stride(void) {
+  return (size_t)(10 / unit_count(10));
+}
+
 /* Every beginning of a document. */
 START_TEST(test_prefixes) {
   const char *text = documents[_i];
-  for (size_t n = 0; n <= strlen(text); n++) {
+  for (size_t n = 0; n <= strlen(text); n += stride()) {
     ck_portions(text, n);
   }
 }
@@ -348,7 +354,7 @@ START_TEST(test_mutations) {
   size_t every = unit_long() ? 256 : sizeof bytes - 1;
   char spoilt[256];
   ck_assert_uint_lt(n + 1, sizeof spoilt);
-  for (size_t i = 0; i < n; i++) {
+  for (size_t i = 0; i < n; i += stride()) {
     for (size_t k = 0; k < every; k++) {
       memcpy(spoilt, text, n);
       spoilt[i] = unit_long() ? (char)k : bytes[k];

@@ -211,7 +211,7 @@ START_TEST(test_last_row_scale) {
   struct unit_random r = unit_random_of(8);
   struct ph_tri_row row[N_MAX];
   ph_cplx x[N_MAX], y[N_MAX];
-  for (int i = 0; i < 400; i++) {
+  for (int i = 0; i < unit_count(400); i++) {
     size_t n = 3 + unit_random_below(&r, N_MAX - 2);
     struct ph_tri_row *last = &row[n - 1];
     double s = scales[i % 4];
