@@ -127,8 +127,8 @@ static bool solve_at(struct block *b, const double *nu) {
   return false;
 }
 
-/* Whether all criteria hold where the spline is now, at a smaller sum of the
- * tensions than the one that was kept. */
+/* Whether all criteria hold wherever the spline has changed, at a smaller sum
+ * of the tensions than the one that was kept. */
 static bool is_better(const struct block *b) {
   const struct ph_sphere_spline *s = b->raise->spline;
   size_t from = 0, at;
@@ -137,7 +137,7 @@ static bool is_better(const struct block *b) {
     fall += b->nu[j] - s->nu[b->node[j]];
   }
   return fall > 0 &&
-         ph_sphere_violated(b->raise, b->judged, &from, &at) == PH_SPHERE_FINE;
+         ph_sphere_violated(b->raise, b->solved, &from, &at) == PH_SPHERE_FINE;
 }
 
 /* ---- linear programs ----------------------------------------------------- */
@@ -149,10 +149,10 @@ static size_t measure_at(const struct block *b, size_t j, double *g) {
   const struct ph_sphere_spline *s = raise->spline;
   size_t i = ph_sphere_node(s->data, b->judged, j);
   size_t k = ph_sphere_before(s->data, i), n = 0;
-  if (!(raise->ignored[k] & 2)) {
+  if (!(raise->ignored[k] & PH_SPHERE_IGNORE_SEGMENT)) {
     n += ph_sphere_measure_segment(raise->shape, s, k, g);
   }
-  if (!(raise->ignored[i] & 1)) {
+  if (!(raise->ignored[i] & PH_SPHERE_IGNORE_NODE)) {
     n += ph_sphere_measure_node(raise->shape, s, i, g + n);
   }
   return n;

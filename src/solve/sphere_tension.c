@@ -33,9 +33,9 @@ enum { NOTHING, RAISE, RESET };
 
 /* ---- looking ------------------------------------------------------------- */
 
-/* The bit of a criterion at its place, of raise->ignored. */
-static unsigned bit_of(enum ph_sphere_criterion criterion) {
-  return criterion == PH_SPHERE_SEGMENT ? 2 : 1;
+/* The bit of raise->ignored for a place. */
+static unsigned char bit_of(bool segment) {
+  return segment ? PH_SPHERE_IGNORE_SEGMENT : PH_SPHERE_IGNORE_NODE;
 }
 
 enum ph_sphere_criterion ph_sphere_violated(const struct ph_sphere_raise *raise,
@@ -51,7 +51,7 @@ enum ph_sphere_criterion ph_sphere_violated(const struct ph_sphere_raise *raise,
     bool segment = *from % 2 == 0;
     size_t place = segment ? ph_sphere_before(d, i) : i;
     enum ph_sphere_criterion criterion;
-    if (raise->ignored[place] & (segment ? 2 : 1)) {
+    if (raise->ignored[place] & bit_of(segment)) {
       continue;
     }
     criterion = segment ? ph_sphere_segment_fails(raise->shape, s, place)
@@ -120,7 +120,7 @@ static bool plan(struct ph_sphere_raise *raise,
   if (!can) {
     raise->criterion = criterion;
     raise->at = at;
-    raise->ignored[at] |= (unsigned char)bit_of(criterion);
+    raise->ignored[at] |= bit_of(criterion == PH_SPHERE_SEGMENT);
   }
   for (size_t j = 0; j < n; j++) {
     if (raise->planned[node[j]] == NOTHING) {
@@ -154,23 +154,6 @@ static int compare(const void *a, const void *b) {
   return (*x > *y) - (*x < *y);
 }
 
-/* The nodes within REACH of nodes first, ..., last, without the ends of open
- * data; last may be beyond n. */
-static struct ph_sphere_range reach_of(const struct ph_sphere_data *d,
-                                       size_t first, size_t last) {
-  struct ph_sphere_range range;
-  size_t end = last + REACH;
-  if (d->closed) {
-    range.first = (first + d->n - REACH % d->n) % d->n;
-    range.count = last - first + 1 + 2 * REACH;
-    return range;
-  }
-  range.first = first > REACH + 1 ? first - REACH : 1;
-  end = end < d->n - 2 ? end : d->n - 2;
-  range.count = end - range.first + 1;
-  return range;
-}
-
 /* The ranges around the touched nodes: where two would meet they are one. */
 static void find_ranges(struct ph_sphere_raise *raise, size_t touched_n) {
   const struct ph_sphere_data *d = raise->spline->data;
@@ -199,7 +182,8 @@ static void find_ranges(struct ph_sphere_raise *raise, size_t touched_n) {
       }
       last = next;
     }
-    raise->ranges[raise->ranges_n++] = reach_of(d, first, last);
+    raise->ranges[raise->ranges_n++] =
+        ph_sphere_widen(d, first, last - first + 1, REACH);
   }
 }
 
@@ -257,9 +241,10 @@ static void count_waived(struct ph_sphere_raise *raise) {
 
 /* ---- lowering again ------------------------------------------------------ */
 
-/* Rounds of small raises, until nothing is violated. */
+/* Rounds of small raises, until nothing is violated; nothing more is waived. */
 static bool repair(struct ph_sphere_raise *raise) {
   size_t before = raise->rounds;
+  bool waive = raise->waive;
   enum ph_status status = PH_OK;
   raise->increase = PH_SPHERE_REPAIR;
   raise->ranges[0] = ph_sphere_all(raise->spline->data);
@@ -267,10 +252,12 @@ static bool repair(struct ph_sphere_raise *raise) {
   if (!ph_sphere_newton(raise->spline, raise->ranges[0], raise->work)) {
     return false;
   }
+  raise->waive = false;
   while (status == PH_OK && raise->ranges_n > 0) {
     status = raise->rounds - before < REPAIRS_MAX ? go_round(raise)
                                                   : PH_NO_CONVERGENCE;
   }
+  raise->waive = waive;
   return status == PH_OK;
 }
 

@@ -24,6 +24,10 @@ enum ph_sphere_increase {
 /* How often tensions are raised at most. */
 enum { PH_SPHERE_ROUNDS_MAX = 10000 };
 
+/* Bits of criteria that are gone on without, at a node and of the segment after
+ * it. */
+enum { PH_SPHERE_IGNORE_NODE = 1, PH_SPHERE_IGNORE_SEGMENT = 2 };
+
 /* How tensions are raised, and where. */
 struct ph_sphere_raise {
   const struct ph_sphere_shape *shape;
