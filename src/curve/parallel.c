@@ -20,7 +20,8 @@
 enum { CELLS = 64, STEPS_DIP = 40, STEPS_ROOT = 64, NODES = 5, ROOM = 16 };
 
 static const double GOLDEN = 0.6180339887498949;
-/* Of the length, relative to that of the curve. */
+/* Of the length, relative to that of the curve and of an arc of radius sin d.
+ */
 static const double TOLERANCE = 1e-10;
 /* What is less than this of its terms is their rounding. */
 static const double ROUNDING = 64 * DBL_EPSILON;
@@ -211,10 +212,11 @@ static double length_over(const struct walk *walk, const struct ph_quad *rule,
   double tolerance = TOLERANCE * (length + fabs(walk->sine)), sum = 0;
   for (; *next < offset->cusps.n; ++*next) {
     const struct ph_place *cusp = &offset->cusp[*next];
-    if (cusp->segment > walk->k || cusp->u >= to) {
+    bool here = cusp->segment == walk->k; /* else at a joint before */
+    if (cusp->segment > walk->k || (here && cusp->u >= to)) {
       break;
     }
-    if (cusp->u > from) {
+    if (here && cusp->u > from) {
       sum +=
           ph_adapt(rule, pace_abs, walk, from, cusp->u, tolerance, TOLERANCE);
       from = cusp->u;

@@ -38,7 +38,7 @@
  * may have one); a dip of |g| among these places is searched for two.  Two that
  * are nearer to each other than these places, without such a dip, are missed.
  * Each is found to rounding.  The length is the integral of |g|, split at the
- * cusps, to 1e-12 of the length of the curve.
+ * cusps, to 1e-10 of it and of that of the curve.
  *
  * in   distance  geodesic, in the unit of the data, positive to the left
  *

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The method `sphere`: points on a sphere to a spherical nu-spline that bends
- * where the data bend, and nowhere else.
+ * to the side to which the data bend.
  *
  * The spline is solved at the tensions that are given (sphere_solve.h), and
  * where it does not keep the shape of the data (sphere_criteria.h) its tensions
