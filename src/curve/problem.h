@@ -47,7 +47,16 @@
   X(ENDS, "ends")                         \
   X(END_TANGENTS, "end_tangents")         \
   X(INCREASE, "increase")                 \
-  X(EPSILON, "epsilon")
+  X(EPSILON, "epsilon")                   \
+  X(MODE, "mode")                         \
+  X(LAMBDA, "lambda")                     \
+  X(JOINT, "joint")                       \
+  X(JOINT_ANGLE, "joint_angle")           \
+  X(JOINT_POSITION, "joint_position")     \
+  X(BLASCHKE, "blaschke")                 \
+  X(CURVE, "curve")                       \
+  X(TOLERANCE, "tolerance")               \
+  X(PIECES, "pieces")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,
@@ -61,10 +70,11 @@ enum ph_kind {
   PH_ABSENT = 0,
   PH_BOOL = 1,
   PH_NUMBER = 2,
-  PH_WORD = 4,     /* one of the row's words */
-  PH_NUMBERS = 8,  /* array of numbers */
-  PH_VECTORS = 16, /* array of arrays of 2 or 3 numbers, all of one size */
-  PH_SEGMENTS = 32 /* of a row: its numbers belong to segments, not points */
+  PH_WORD = 4,      /* one of the row's words */
+  PH_NUMBERS = 8,   /* array of numbers */
+  PH_VECTORS = 16,  /* array of arrays of 2 or 3 numbers, all of one size */
+  PH_SEGMENTS = 32, /* of a row: its numbers belong to segments, not points */
+  PH_POLYLINE = 64  /* array of arrays of vectors: control points of pieces */
 };
 
 struct ph_value {
@@ -72,15 +82,18 @@ struct ph_value {
   bool flag;        /* PH_BOOL */
   double number;    /* PH_NUMBER; PH_WORD: V of a word "name:V", else 0 */
   const char *word; /* PH_WORD, NUL-terminated */
-  double *v;        /* PH_NUMBERS: v[n]; PH_VECTORS: v[n][dimension] */
+  double *v; /* PH_NUMBERS: v[n]; PH_VECTORS, PH_POLYLINE: v[n][dimension] */
   size_t n;
-  size_t dimension; /* PH_VECTORS: 2 or 3; PH_NUMBERS: 1 */
+  size_t dimension; /* of vectors: 2 or 3; PH_NUMBERS: 1 */
+  size_t *sizes;    /* PH_POLYLINE: sizes[sizes_n] vectors of each piece, one
+                       piece after another in v, n in all */
+  size_t sizes_n;
 };
 
 struct ph_field {
   enum ph_field_id id;
   unsigned kinds;       /* allowed kinds, or-ed */
-  unsigned dimensions;  /* PH_VECTORS: allowed sizes, bit 2 and bit 3 */
+  unsigned dimensions;  /* of vectors: allowed sizes, bit 2 and bit 3 */
   bool required;        /* absent is an error */
   const char *words;    /* PH_WORD: allowed words, "a|b|c:V", V a number */
   const char *standard; /* what an absent field means, for the help */

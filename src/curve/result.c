@@ -17,6 +17,12 @@ static const char *const outcome_names[] = {
 #undef X
 };
 
+static const char *const root_names[] = {
+#define X(symbol, name) name,
+    PH_ROOTS(X)
+#undef X
+};
+
 static const char *const diagnostic_names[] = {
 #define X(symbol, name) name,
     PH_DIAGNOSTICS(X)
@@ -31,8 +37,18 @@ const char *ph_outcome_name(enum ph_outcome outcome) {
   return outcome_names[outcome];
 }
 
+const char *ph_root_name(enum ph_root root) {
+  return root_names[root];
+}
+
 const char *ph_diagnostic_name(enum ph_diagnostic which) {
   return diagnostic_names[which];
+}
+
+const char *ph_diagnostic_word(enum ph_diagnostic which, double value) {
+  return which == PH_D_SECOND_ORDER ? outcome_names[(enum ph_outcome)value]
+         : which == PH_D_ROOT       ? root_names[(enum ph_root)value]
+                                    : NULL;
 }
 
 enum ph_status ph_curve_alloc(struct ph_curve *c, struct ph_arena *arena,

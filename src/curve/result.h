@@ -10,6 +10,7 @@
 #include "base/diag.h"
 #include "base/mem.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -19,6 +20,7 @@
   X(PH, "ph")         \
   X(ATPH, "atph")     \
   X(BEZIER, "bezier") \
+  X(TC, "tc")         \
   X(SPHERICAL_NU, "spherical-nu")
 
 enum ph_curve_kind {
@@ -35,6 +37,7 @@ enum ph_curve_kind {
  *      atph: the normalised B-basis of <1, t, sin t, cos t, sin 2t, cos 2t>
  * alpha[n]        atph: the angles, segment k has t in [0, alpha[k]]; else NULL
  *      bezier: plain Bezier points, no preimage
+ *      tc: Tschirnhausen cubics, degree 3, preimages of degree 1 (curve/tc.h)
  * preimage[n][preimage_n][preimage_dimension]
  *      planar: complex w, r' = w^2 with respect to the local parameter, u in
  *      [0,1] or t; spatial: quaternions A, r' = A i A*; coefficients in the
@@ -73,8 +76,21 @@ struct ph_curve {
   bool *shape_ok;
   double *tensions;
   signed char *indicators;
+  struct ph_blaschke *blaschke; /* [blaschke_n], of tc where asked for */
+  size_t blaschke_n;
   double center[3]; /* of the sphere */
   double radius;    /* of the sphere; 0: the curve is on none */
+};
+
+/*
+ * A piece of the image of a plane curve on the Blaschke cylinder, a rational
+ * Bezier curve of degree 5 (curve/blaschke.h).
+ */
+struct ph_blaschke {
+  size_t segment;     /* of the curve; pieces are in its order */
+  double interval[2]; /* the part of it, in its local parameter [0,1] */
+  double control_points[6][3];
+  double weights[6]; /* > 0 */
 };
 
 /*
@@ -170,6 +186,7 @@ struct ph_offset {
   X(PYTHAGOREAN_ERROR, "pythagorean_error")       \
   X(CONTINUITY_ERROR, "continuity_error")         \
   X(LENGTH_ERROR, "length_error")                 \
+  X(DISTANCE, "distance")                         \
   X(CONVERSION_ERROR, "conversion_error")         \
   X(F, "F")                                       \
   X(F_RELAXED, "F_relaxed")                       \
@@ -188,6 +205,10 @@ struct ph_offset {
   X(SHAPE_OK, "shape_ok")                         \
   X(REDUCED, "reduced")                           \
   X(FRAME_TURN, "frame_turn")                     \
+  X(REGULAR, "regular")                           \
+  X(ROOT, "root")                                 \
+  X(RATIO, "D")                                   \
+  X(LAMBDA, "lambda")                             \
   X(LOOPS, "loops")                               \
   X(SIMPLE, "simple")                             \
   X(ENERGY, "energy")                             \
@@ -242,17 +263,46 @@ struct ph_kantorovich {
 struct ph_solution {
   struct ph_curve curve;
   struct ph_diagnostics diagnostics;
-  bool good; /* the one that would have been given alone */
+  struct ph_interval *intervals; /* as of ph_result; or NULL */
+  bool good;                     /* the one that would have been given alone */
+};
+
+/*
+ * Roots of the equations of Tschirnhausen cubics: X(SYMBOL, "name in records").
+ * Of one cubic, the sign of D (solve/tc_g1.h); of a pair, the sign of w2 and
+ * that of rho (solve/tc_pair.h), of which "++" is the standard pair.
+ */
+#define PH_ROOTS(X)    \
+  X(PLUS, "+")         \
+  X(MINUS, "-")        \
+  X(PLUS_PLUS, "++")   \
+  X(PLUS_MINUS, "+-")  \
+  X(MINUS_PLUS, "-+")  \
+  X(MINUS_MINUS, "--") \
+  X(ON_CHORD, "chord") \
+  X(STRAIGHT, "straight")
+
+enum ph_root {
+#define X(symbol, name) PH_ROOT_##symbol,
+  PH_ROOTS(X)
+#undef X
+      PH_ROOT_N
 };
 
 /*
  * One data interval of a curve that is found with several segments in each
- * (solve/arclength.h).
+ * (solve/arclength.h), or with one or two cubics (solve/tc.h).  What there is
+ * not is NaN, of root PH_ROOT_N.
  */
 struct ph_interval {
   double length;         /* of the curve between its two data */
-  double natural_length; /* of the curve with free lengths; NaN: none */
+  double natural_length; /* of the curve with free lengths */
   size_t first, last;    /* the segments it consists of */
+  enum ph_root root;
+  double ratio;          /* D of one cubic */
+  double lambda;         /* of a pair, |derivative| at its ends / chord */
+  double joint_angle;    /* of two cubics with their joint on the chord: the */
+  double joint_position; /* angle to it, and the part of it before the joint */
 };
 
 /* What became of one start of an iteration: X(SYMBOL, "name in records"). */
@@ -294,6 +344,14 @@ struct ph_result {
   size_t start;                  /* the one that led to the curve */
 };
 
+/* PH_INTERVAL_NONE: an interval of which nothing is known. */
+#define PH_INTERVAL_NONE                                           \
+  ((struct ph_interval){(double)NAN, (double)NAN, 0, 0, PH_ROOT_N, \
+                        (double)NAN, (double)NAN, (double)NAN, (double)NAN})
+
+/* ph_root_name: the name of a root, as in records. */
+const char *ph_root_name(enum ph_root root);
+
 /* ph_outcome_name: the name of an outcome, as in records. */
 const char *ph_outcome_name(enum ph_outcome outcome);
 
@@ -321,14 +379,13 @@ const char *ph_curve_name(enum ph_curve_kind kind);
 /* ph_diagnostic_is_flag: whether a diagnostic is true or false, 1 or 0. */
 static inline bool ph_diagnostic_is_flag(enum ph_diagnostic which) {
   return which == PH_D_SIMPLE || which == PH_D_AT_BOUND ||
-         which == PH_D_SHAPE_OK || which == PH_D_PLANAR;
+         which == PH_D_SHAPE_OK || which == PH_D_PLANAR ||
+         which == PH_D_REGULAR;
 }
 
-/* ph_diagnostic_is_outcome: whether it is an enum ph_outcome, written as a
- * word. */
-static inline bool ph_diagnostic_is_outcome(enum ph_diagnostic which) {
-  return which == PH_D_SECOND_ORDER;
-}
+/* ph_diagnostic_word: the word that a value of a diagnostic stands for; NULL if
+ * it is a number. */
+const char *ph_diagnostic_word(enum ph_diagnostic which, double value);
 
 /* ph_diagnostic_name: the name of a diagnostic, as in records. */
 const char *ph_diagnostic_name(enum ph_diagnostic which);

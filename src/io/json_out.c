@@ -55,9 +55,9 @@ static void write_diagnostics(struct ph_json_writer *w,
     if (diagnostics->known >> i & 1) {
       if (ph_diagnostic_is_flag(which)) {
         ph_write_key_flag(w, ph_diagnostic_name(which), value > 0);
-      } else if (ph_diagnostic_is_outcome(which)) {
+      } else if (ph_diagnostic_word(which, value)) {
         ph_write_key_string(w, ph_diagnostic_name(which),
-                            ph_outcome_name((enum ph_outcome)value));
+                            ph_diagnostic_word(which, value));
       } else {
         ph_write_key_number(w, ph_diagnostic_name(which), value);
       }

@@ -232,9 +232,12 @@ static enum ph_status set_intervals(const struct ph_arc_search *search,
     double free_length = natural->known ? natural->length[i] * unit(search)
                          : d->length    ? (double)NAN
                                         : length[i] * unit(search);
-    result->intervals[shown] =
-        (struct ph_interval){length[i] * unit(search), free_length,
-                             shown * s->refine, (shown + 1) * s->refine - 1};
+    struct ph_interval *interval = &result->intervals[shown];
+    *interval = PH_INTERVAL_NONE;
+    interval->length = length[i] * unit(search);
+    interval->natural_length = free_length;
+    interval->first = shown * s->refine;
+    interval->last = (shown + 1) * s->refine - 1;
     if (d->sigma > 0) {
       double off = (length[i] / d->length[i] - 1) / d->sigma;
       sum += off * off;

@@ -69,8 +69,9 @@ fuzz_check_diagnostics(const struct ph_diagnostics *diagnostics) {
     double value = diagnostics->value[i];
     if (diagnostics->known >> i & 1) {
       FUZZ_REQUIRE(isfinite(value));
-      FUZZ_REQUIRE(!ph_diagnostic_is_outcome((enum ph_diagnostic)i) ||
+      FUZZ_REQUIRE(i != PH_D_SECOND_ORDER ||
                    (value >= 0 && value < PH_OUTCOME_NO_SOLUTION));
+      FUZZ_REQUIRE(i != PH_D_ROOT || (value >= 0 && value < PH_ROOT_N));
     }
   }
 }

@@ -104,12 +104,23 @@ START_TEST(test_warnings) {
 }
 END_TEST
 
+static void set_interval(struct ph_interval *interval, double length,
+                         double natural_length, size_t first, size_t last) {
+  *interval = PH_INTERVAL_NONE;
+  interval->length = length;
+  interval->natural_length = natural_length;
+  interval->first = first;
+  interval->last = last;
+}
+
 /* Intervals stand beside the segments they consist of; what is natural is told
  * where it is known, and in the certificate when it is known everywhere. */
 START_TEST(test_intervals) {
   const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
-  struct ph_interval intervals[] = {{3, 2.5, 0, 1}, {4.25, (double)NAN, 2, 2}};
+  struct ph_interval intervals[2];
   struct ph_result result = by_hand();
+  set_interval(&intervals[0], 3, 2.5, 0, 1);
+  set_interval(&intervals[1], 4.25, (double)NAN, 2, 2);
   result.intervals = intervals;
   result.intervals_n = 2;
   ph_json_result(&buf, &heading, &result, false);
@@ -198,9 +209,11 @@ static void ck_indented(const struct ph_result *result, const char *part) {
 }
 
 START_TEST(test_pretty_intervals) {
-  struct ph_interval intervals[] = {{3, 2.5, 0, 1}, {4.25, 4, 2, 2}};
+  struct ph_interval intervals[2];
   struct ph_start start = {"init", PH_OUTCOME_MINIMISER, 0.5, 7};
   struct ph_result result = by_hand();
+  set_interval(&intervals[0], 3, 2.5, 0, 1);
+  set_interval(&intervals[1], 4.25, 4, 2, 2);
   result.intervals = intervals;
   result.intervals_n = 2;
   result.starts = &start;

@@ -34,9 +34,10 @@ START_TEST(test_kinds) {
   for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
     enum ph_diagnostic which = (enum ph_diagnostic)i;
     bool flag = i == PH_D_SIMPLE || i == PH_D_AT_BOUND || i == PH_D_SHAPE_OK ||
-                i == PH_D_PLANAR;
+                i == PH_D_PLANAR || i == PH_D_REGULAR;
+    bool word = i == PH_D_SECOND_ORDER || i == PH_D_ROOT;
     ck_assert_int_eq(ph_diagnostic_is_flag(which), flag);
-    ck_assert_int_eq(ph_diagnostic_is_outcome(which), i == PH_D_SECOND_ORDER);
+    ck_assert_int_eq(ph_diagnostic_word(which, 0) != NULL, word);
   }
 }
 END_TEST
