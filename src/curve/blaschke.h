@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The image of a plane curve on the Blaschke cylinder [BYR, ch. 5]: every
+ * The image of a plane curve on the Blaschke cylinder [BYR11, ch. 5]: every
  * tangent line of the curve as a point
  *
  *   c(t) = (n_x, n_y, -<n, r>),  n = i r' / |r'| the left normal.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Tschirnhausen cubics: plane cubics whose hodograph is the square of a linear
- * preimage, wherever they start.  [BYR, ch. 4]
+ * preimage, wherever they start.  [BYR11, ch. 4]
  *
  *   r'(t) = w(t)^2,  w(t) = w0 (1-t) + w1 t,  t in [0,1]
  *   sigma(t) = |w(t)|^2                                  parametric speed
@@ -70,7 +70,7 @@ bool ph_tc_is_regular(const struct ph_tc *tc);
 
 /*
  * ph_tc_double_point: the parameters t[0] <= t[1] of the double point of the
- * unbounded cubic [BYR, (5.16), (5.17)]; not finite if w0 = w1.
+ * unbounded cubic [BYR11, (5.16), (5.17)]; not finite if w0 = w1.
  */
 void ph_tc_double_point(const struct ph_tc *tc, double t[2]);
 

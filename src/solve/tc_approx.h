@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Approximation of a Bezier curve by Tschirnhausen cubics: C1 pairs with the
- * derivatives of the curve, third order [BYR, sec. 5.4], and single cubics with
- * its tangents where these are nearer.
+ * derivatives of the curve, third order [BYR11, sec. 5.4], and single cubics
+ * with its tangents where these are nearer.
  */
 #ifndef PH_SOLVE_TC_APPROX_H
 #define PH_SOLVE_TC_APPROX_H

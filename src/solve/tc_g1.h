@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * G1 Hermite interpolation by one Tschirnhausen cubic [BYR, ch. 4].
+ * G1 Hermite interpolation by one Tschirnhausen cubic [BYR11, ch. 4].
  *
  * With a = arg t0 and b = arg t1, phi = (a + b)/2 and delta = (b - a)/2, every
  * real root D != 0 of
  *
- *   D^2 sin b + D sin phi + sin a = 0                            [BYR, (4.5)]
+ *   D^2 sin b + D sin phi + sin a = 0                            [BYR11, (4.5)]
  *   with  G(D) = cos a + D cos phi + D^2 cos b > 0
  *
  * gives one: w0 = sqrt(3/G) e^(ia/2), w1 = D sqrt(3/G) e^(ib/2) for the
@@ -37,7 +37,7 @@ struct ph_tc_count {
 
 /*
  * ph_tc_g1_count: the same from the angles alone, in closed form: what borders
- * the regions of existence [BYR, fig. 4.5, table 4.1].  Of angles on a border
+ * the regions of existence [BYR11, fig. 4.5, table 4.1].  Of angles on a border
  * to rounding either side may be answered.
  *
  * in   a, b  angles from the chord to the tangents, in [-pi, pi]

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * C1 Hermite interpolation by a pair of Tschirnhausen cubics [BYR, thm 17],
+ * C1 Hermite interpolation by a pair of Tschirnhausen cubics [BYR11, thm 17],
  * each on its own [0,1], with the same preimage z at the joint.
  *
  *   w0 = sqrt(t0), w2 = +-sqrt(t1)                           principal roots

@@ -18,7 +18,7 @@
 bool ph_tc_two_free(const struct ph_tc_hermite *h, struct ph_tc_fit *fit);
 
 /*
- * ph_tc_two_chord: two cubics whose joint is on the chord [BYR, thm 14], with
+ * ph_tc_two_chord: two cubics whose joint is on the chord [BYR11, thm 14], with
  * the tangent there at an angle to it, each the best of ph_tc_g1.  What is NaN
  * is chosen: the angle for the least F, the position for the least energy.
  *
