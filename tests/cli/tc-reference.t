@@ -51,7 +51,8 @@ function turning(k,   a, b, r, q) {
   return 2 * atan2(q, r)
 }
 function leg(i) {
-  return size(points[0, i + 2] - points[0, i], points[0, i + 3] - points[0, i + 1])
+  return size(points[0, i + 2] - points[0, i],
+    points[0, i + 3] - points[0, i + 1])
 }
 function word(what, found, value) {
   if (found != value) wanted(what, found, value)
@@ -100,7 +101,8 @@ function judge_pair(known, found,   tol, joint, turned, loops, k, count) {
     member(known, "max_abs_curvature"), 100 * tol)
 }
 function judge_solution(known, found) {
-  if (($1 < $7) != (known != "absent") || (known == "absent") != (found == "absent"))
+  if (($1 < $7) != (known != "absent") ||
+      (known == "absent") != (found == "absent"))
     wanted("solution " $1, found, known)
   else if (known != "absent" && $5 == "\"one\"") judge_one(known, found)
   else if (known != "absent") judge_pair(known, found)
