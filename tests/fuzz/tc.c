@@ -7,17 +7,20 @@
  *
  * The bytes of an input:
  *   0      bits 0-1 how points are coded (see 6...), 2-3 vectors (none,
- *          tangents, derivatives, both), 4 closed, 5 indented JSON, 6 an
- * offset, 7 blaschke 1      bits 0-2 mode (absent, or by tc_modes), 3-4
- * solutions (absent, best, standard, all), 5-6 ends (absent, circle, the first
- * two vectors as end_tangents or end_derivatives), 7 joint chord 2      signed:
- * lambda is 2^(byte / 32); 0: absent 3      signed: joint_angle in parts of a
- * half turn; 0: absent 4      joint_position in 256ths; 0: absent 5      of
- * what is approximated: bit 0 a curve in place of points, 1 a chain of cubics,
- * 2 pieces in place of a tolerance, 3-7 either 6...   the points: pairs of
- * signed bytes, signed 16-bit numbers, doubles as they are, or steps (turn,
- * length); each followed by its vector, coded likewise, if there are any: after
- * a step an angle from there, length
+ *          tangents, derivatives, both), 4 closed, 5 indented JSON,
+ *          6 an offset, 7 blaschke
+ *   1      bits 0-2 mode (absent, or by tc_modes), 3-4 solutions (absent,
+ *          best, standard, all), 5-6 ends (absent, circle, the first two
+ *          vectors as end_tangents or end_derivatives), 7 joint chord
+ *   2      signed: lambda is 2^(byte / 32); 0: absent
+ *   3      signed: joint_angle in parts of a half turn; 0: absent
+ *   4      joint_position in 256ths; 0: absent
+ *   5      of what is approximated: bit 0 a curve in place of points,
+ *          1 a chain of cubics, 2 pieces in place of a tolerance, 3-7 either
+ *   6...   the points: pairs of signed bytes, signed 16-bit numbers, doubles
+ *          as they are, or steps (turn, length); each followed by its vector,
+ *          coded likewise, if there are any: after a step an angle from there,
+ *          length
  */
 #include "problem.h"
 
