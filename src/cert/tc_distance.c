@@ -139,12 +139,20 @@ static double slope(ph_cplx leg, size_t degree, ph_cplx r) {
   return (double)degree / 9 * ph_cplx_dot(leg, r) / ph_cplx_norm2(r);
 }
 
-/* The bound of one part, without noise; sets its psi. */
-static double bound_of(const struct ph_cert_distance *d, struct part *part) {
-  ph_cplx *composed = room_of(d, ROOM - 2), *c = room_of(d, ROOM - 1);
-  double x = part->from, y = part->to, largest = 0;
-  size_t n = part->degree, degree = n > COMPOSED ? n : COMPOSED;
+/* The part of r, and the difference, r first. */
+struct difference {
   ph_cplx r[4];
+  const ph_cplx *composed, *c;
+  size_t degree;
+};
+
+/* Sets psi of the part, too. */
+static void subtract(const struct ph_cert_distance *d, struct part *part,
+                     struct difference *out) {
+  ph_cplx *composed = room_of(d, ROOM - 2), *c = room_of(d, ROOM - 1);
+  double x = part->from, y = part->to;
+  size_t n = part->degree, degree = n > COMPOSED ? n : COMPOSED;
+  ph_cplx *r = out->r;
   r[0] = polar(part->cubic, x, x, x);
   r[1] = polar(part->cubic, x, x, y);
   r[2] = polar(part->cubic, x, y, y);
@@ -163,13 +171,59 @@ static double bound_of(const struct ph_cert_distance *d, struct part *part) {
   for (size_t i = n; i < degree; i++) {
     raise(c, i);
   }
-  for (size_t k = 0; k <= degree; k++) {
-    double away = ph_cplx_norm2(ph_cplx_sub(composed[k], c[k]));
+  out->composed = composed;
+  out->c = c;
+  out->degree = degree;
+}
+
+/* (1) */
+static double plain_bound(const struct difference *f) {
+  double largest = 0;
+  for (size_t k = 0; k <= f->degree; k++) {
+    double away = ph_cplx_norm2(ph_cplx_sub(f->composed[k], f->c[k]));
     if (ph_check_is_larger(away, largest)) {
       largest = away;
     }
   }
   return sqrt(largest);
+}
+
+/* The steepest leg over an axis, or what there was; infinite where one does not
+ * go forward, but for those that are rounding. */
+static double steepest(const ph_cplx *p, size_t degree, ph_cplx axis,
+                       double noise, double so_far) {
+  for (size_t i = 0; i < degree; i++) {
+    ph_cplx leg = ph_cplx_sub(p[i + 1], p[i]);
+    double along = ph_cplx_dot(axis, leg);
+    double across = fabs(ph_cplx_cross(axis, leg));
+    if (fabs(along) > noise || across > noise) {
+      so_far = along > 0 ? ph_check_larger(so_far, across / along) : HUGE_VAL;
+    }
+  }
+  return so_far;
+}
+
+/* (2), infinite where it does not hold. */
+static double graph_bound(const struct ph_cert_distance *d,
+                          const struct part *part, const struct difference *f) {
+  ph_cplx chord = ph_cplx_sub(f->r[3], f->r[0]);
+  ph_cplx axis = ph_cplx_scale(1 / ph_cplx_abs(chord), chord);
+  double along = 0, across = 0, end = 0, slope;
+  slope = steepest(f->r, 3, axis, d->noise, 0);
+  slope = steepest(part->c, part->degree, axis, d->noise, slope);
+  if (!(slope <= 1)) {
+    return HUGE_VAL;
+  }
+  for (size_t k = 0; k <= f->degree; k++) {
+    ph_cplx miss = ph_cplx_sub(f->composed[k], f->c[k]);
+    double x = fabs(ph_cplx_dot(axis, miss));
+    along = ph_check_larger(along, x);
+    across = ph_check_larger(across, fabs(ph_cplx_cross(axis, miss)));
+    if (k == 0 || k == f->degree) {
+      end = ph_check_larger(end, x);
+    }
+  }
+  return across + slope * along + end;
 }
 
 /* ---- parts -------------------------------------------------------------- */
@@ -210,9 +264,23 @@ static bool is_done(const struct ph_cert_distance *d, double bound,
          d->sampled > d->allowed + d->noise;
 }
 
+/* Also sets psi of the part. */
+static double bound_of(const struct ph_cert_distance *d, struct part *part,
+                       size_t depth) {
+  struct difference f;
+  double bound, graph;
+  subtract(d, part, &f);
+  bound = plain_bound(&f) + d->noise;
+  if (is_done(d, bound, depth)) {
+    return bound;
+  }
+  graph = graph_bound(d, part, &f) + d->noise;
+  return graph < bound ? graph : bound;
+}
+
 static void bound_part(struct ph_cert_distance *d, struct part *part,
                        size_t depth) {
-  double bound = bound_of(d, part) + d->noise;
+  double bound = bound_of(d, part, depth);
   struct part half[2] = {*part, *part};
   ph_cplx middle;
   d->parts++;
