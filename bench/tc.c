@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * tc: what Tschirnhausen cubics take, from points and vectors in the unit of
+ * the data to control points, and the approximation of Bezier curves.
+ */
+#include "bench.h"
+
+#include "base/mem.h"
+#include "kernel/pi.h"
+#include "solve/tc_approx.h"
+#include "solve/tc_g1.h"
+#include "solve/tc_pair.h"
+#include "solve/tc_two.h"
+
+#include <gsl/gsl_errno.h>
+
+enum { SEED = 1, BATCH = 1024 };
+
+/* ---- one interval -------------------------------------------------------- */
+
+struct datum {
+  ph_cplx p[2], t[2];
+};
+
+struct batch {
+  struct datum datum[BATCH];
+  ph_cplx control[BATCH][2][4];
+  size_t solved;
+};
+
+static struct ph_tc_hermite hermite_of(const struct datum *d) {
+  ph_cplx over = ph_cplx_inverse(ph_cplx_sub(d->p[1], d->p[0]));
+  struct ph_tc_hermite h = {{ph_tc_snap(ph_cplx_mul(d->t[0], over)),
+                             ph_tc_snap(ph_cplx_mul(d->t[1], over))}};
+  return h;
+}
+
+static struct ph_tc_hermite directions_of(const struct datum *d) {
+  struct ph_tc_hermite h = hermite_of(d);
+  for (int i = 0; i < 2; i++) {
+    h.t[i] = ph_cplx_scale(1 / ph_cplx_abs(h.t[i]), h.t[i]);
+  }
+  return h;
+}
+
+/* Scaled by the square root of the chord, with their control points. */
+static void put(struct batch *b, size_t i, const struct ph_tc_fit *fit) {
+  const struct datum *d = &b->datum[i];
+  ph_cplx root = ph_cplx_sqrt(ph_cplx_sub(d->p[1], d->p[0])), at = d->p[0];
+  for (size_t k = 0; k < fit->n; k++) {
+    struct ph_tc tc = {{ph_cplx_mul(root, fit->tc[k].w[0]),
+                        ph_cplx_mul(root, fit->tc[k].w[1])}};
+    ph_cplx end = k + 1 < fit->n ? ph_cplx_add(at, ph_tc_leg(&tc)) : d->p[1];
+    ph_tc_control_points(&tc, at, end, b->control[i][k]);
+    at = end;
+  }
+  b->solved++;
+}
+
+static void standard(void *data) {
+  struct batch *b = data;
+  for (size_t i = 0; i < BATCH; i++) {
+    struct ph_tc_hermite h = hermite_of(&b->datum[i]);
+    struct ph_tc_fit fit;
+    if (ph_tc_pair_standard(&h, &fit)) {
+      put(b, i, &fit);
+    }
+  }
+}
+
+static void single(void *data) {
+  struct batch *b = data;
+  for (size_t i = 0; i < BATCH; i++) {
+    struct ph_tc_hermite h = directions_of(&b->datum[i]);
+    struct ph_tc_fit fits[2];
+    if (ph_tc_g1(&h, fits) > 0) {
+      put(b, i, &fits[0]);
+    }
+  }
+}
+
+static void best_of_four(void *data) {
+  struct batch *b = data;
+  for (size_t i = 0; i < BATCH; i++) {
+    struct ph_tc_hermite h = hermite_of(&b->datum[i]);
+    struct ph_tc_fit fit;
+    if (ph_tc_pair_best(&h, &fit)) {
+      put(b, i, &fit);
+    }
+  }
+}
+
+static void two_free(void *data) {
+  struct batch *b = data;
+  for (size_t i = 0; i < BATCH; i++) {
+    struct ph_tc_hermite h = directions_of(&b->datum[i]);
+    struct ph_tc_fit fit;
+    if (ph_tc_two_free(&h, &fit)) {
+      put(b, i, &fit);
+    }
+  }
+}
+
+static void two_chord(void *data) {
+  struct batch *b = data;
+  for (size_t i = 0; i < BATCH; i++) {
+    struct ph_tc_hermite h = directions_of(&b->datum[i]);
+    struct ph_tc_fit fit;
+    if (ph_tc_two_chord(&h, (double)NAN, (double)NAN, &fit)) {
+      put(b, i, &fit);
+    }
+  }
+}
+
+/* A chord anywhere; vectors of 0.1 to 1.4 of it, at up to so large an angle. */
+static struct datum datum_of(uint64_t *state, double angle) {
+  struct datum d;
+  ph_cplx chord =
+      ph_cplx_scale(bench_uniform(state, 1, 10),
+                    ph_cplx_polar(bench_uniform(state, -PH_PI, PH_PI)));
+  d.p[0] = ph_cplx_scale(bench_uniform(state, 0, 10),
+                         ph_cplx_polar(bench_uniform(state, -PH_PI, PH_PI)));
+  d.p[1] = ph_cplx_add(d.p[0], chord);
+  for (int i = 0; i < 2; i++) {
+    double size = bench_uniform(state, 0.1, 1.4);
+    ph_cplx turn = ph_cplx_polar(bench_uniform(state, -angle, angle));
+    d.t[i] = ph_cplx_scale(size, ph_cplx_mul(turn, chord));
+  }
+  return d;
+}
+
+/* Of data that are safe the best pair is known by sight: not among these. */
+static struct batch *batch_of(double angle, bool safe) {
+  struct batch *b = bench_malloc(1, sizeof *b);
+  uint64_t state = SEED;
+  for (size_t i = 0; i < BATCH;) {
+    struct ph_tc_hermite h;
+    b->datum[i] = datum_of(&state, angle);
+    h = hermite_of(&b->datum[i]);
+    i += safe || !ph_tc_pair_is_safe(&h);
+  }
+  return b;
+}
+
+enum { ROUNDS = 9, ROWS = 5 };
+
+static void interval_table(void) {
+  static const char *const names[ROWS] = {"g1", "standard pair", "best of four",
+                                          "g1-pair", "g1-pair on the chord"};
+  static const char *const targets[ROWS] = {"200", "150", "1500", "-", "-"};
+  static void (*const run[ROWS])(void *) = {single, standard, best_of_four,
+                                            two_free, two_chord};
+  printf("Tschirnhausen cubics of one interval, from points and vectors to "
+         "control points:\nprocessor ns, the best of %d runs of %d data\n\n"
+         "                               solved         ns   target\n",
+         ROUNDS, BATCH);
+  for (size_t k = 0; k < ROWS; k++) {
+    struct batch *b = batch_of(PH_PI, k != 2);
+    struct bench_contender c = {run[k], b, 0};
+    bench_alternate(&c, 1, ROUNDS, k < 3 ? 16 : 1);
+    b->solved = 0;
+    run[k](b);
+    printf("  %-24s %7.1f %% %10.0f %8s\n", names[k],
+           100.0 * (double)b->solved / BATCH, 1e9 * c.best / BATCH, targets[k]);
+    free(b);
+  }
+  puts("\n  Directions are uniform, lengths 0.1 to 1.4 of the chord; for the "
+       "best of four\n  only such data for which all four are looked at.");
+}
+
+/* ---- Bezier curves ------------------------------------------------------- */
+
+enum { DEGREE = 7, CURVES = 2 };
+
+static const double beziers[CURVES][DEGREE + 1][2] = {
+    {{0, 0}, {1, 4}, {3, 5}, {4, -2}, {6, -4}, {8, 3}, {9, 5}, {11, 0}},
+    {{0, 0}, {1, 3}, {3, 4}, {4, -5}, {5, -4}, {6, 5}, {8, 3}, {9, 0}}};
+
+struct approximation {
+  ph_cplx p[DEGREE + 1];
+  double tolerance;
+  struct ph_arena arena;
+  struct ph_tc_arcs arcs;
+};
+
+static void approximate(void *data) {
+  struct approximation *a = data;
+  struct ph_tc_bezier curve = {a->p, DEGREE};
+  struct ph_diag diag;
+  ph_arena_reset(&a->arena);
+  a->arcs = (struct ph_tc_arcs){.arena = &a->arena};
+  if (ph_tc_approximate(&curve, a->tolerance, &a->arcs, &diag) != PH_OK) {
+    bench_die(diag.message);
+  }
+}
+
+static void bezier_row(size_t curve, double tolerance, const char *target) {
+  const double unit = 0x1p-3; /* solvers work near unit scale */
+  struct approximation a = {.tolerance = unit * tolerance};
+  struct bench_contender c = {approximate, &a, 0};
+  for (size_t k = 0; k <= DEGREE; k++) {
+    a.p[k] = ph_cplx_scale(
+        unit, ph_cplx_of(beziers[curve][k][0], beziers[curve][k][1]));
+  }
+  bench_alternate(&c, 1, 5, 1);
+  printf("  %zu     %8.0e %10.3g %8zu %8s %8.2f\n", curve + 1, tolerance,
+         a.arcs.distance / unit, a.arcs.n, target, 1e3 * c.best);
+  ph_arena_free(&a.arena);
+}
+
+static void bezier_table(void) {
+  static const double tolerances[] = {1e-2, 1e-4, 1e-6};
+  puts("\nTwo Bezier curves of degree 7 and size 10 by Tschirnhausen cubics, "
+       "processor ms\n\n"
+       "  curve tolerance   distance   cubics   target       ms");
+  for (size_t curve = 0; curve < CURVES; curve++) {
+    for (size_t k = 0; k < 3; k++) {
+      bezier_row(curve, tolerances[k], k == 2 ? "400" : "-");
+    }
+  }
+  puts("\n  The target is 200 pairs, 400 cubics.  distance: the bound that was "
+       "proved.");
+}
+
+int main(void) {
+  gsl_set_error_handler_off();
+  interval_table();
+  bezier_table();
+  return 0;
+}
