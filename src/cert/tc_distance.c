@@ -292,7 +292,7 @@ static void bound_part(struct ph_cert_distance *d, struct part *part,
   }
   half[0].c = room_of(d, 2 * depth + 1);
   half[1].c = room_of(d, 2 * depth + 2);
-  ph_bern_halve(part->c, part->degree, half[0].c, half[1].c);
+  ph_bern_cut(part->c, part->degree, 0.5, half[0].c, half[1].c);
   middle = half[1].c[0];
   half[0].to = half[1].from = nearest(part, middle);
   sample(d, part, half[0].to, middle);

@@ -72,8 +72,8 @@ static enum ph_status add_patch(struct ph_tc_arcs *arcs,
     if (status != PH_OK) {
       return status;
     }
-    arc = (struct ph_tc_arc){patch->at, to->u, patch->joint, to->p,
-                             patch->tc[1]};
+    arc =
+        (struct ph_tc_arc){patch->at, to->u, patch->joint, to->p, patch->tc[1]};
   }
   if (patch->distance > arcs->distance) {
     arcs->distance = patch->distance;
@@ -107,8 +107,8 @@ enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
   struct item item;
   enum ph_status status = item_of(curve, &scratch, &item, diag);
   if (status == PH_OK) {
-    status = ph_tc_plan_curve(&item.target, item.u, item.n, tolerance, &plan,
-                              diag);
+    status =
+        ph_tc_plan_curve(&item.target, item.u, item.n, tolerance, &plan, diag);
   }
   if (status == PH_OK) {
     status = add_plan(&item, &plan, tolerance, arcs, diag);

@@ -108,8 +108,8 @@ static void compose(const ph_cplx c[4], const double inner[2],
   for (size_t i = 0; i < 4; i++) {
     for (size_t j = 0; j < 7; j++) {
       ph_cplx x = between(two[0][j], two[1][j], psi[i]);
-      out[i + j] = ph_cplx_add(
-          out[i + j], ph_cplx_scale(c3[i] * c6[j] / c9[i + j], x));
+      out[i + j] =
+          ph_cplx_add(out[i + j], ph_cplx_scale(c3[i] * c6[j] / c9[i + j], x));
     }
   }
 }
@@ -174,7 +174,7 @@ static void halve(const struct ph_tc_match *m, size_t degree, ph_cplx *q,
   const ph_cplx *c = m->c;
   ph_cplx a, b, d, ab, bd, middle;
   ph_cplx *left = q, *right = q + degree + 1;
-  ph_bern_halve(m->q, degree, left, right);
+  ph_bern_cut(m->q, degree, 0.5, left, right);
   speeds(m, degree, psi);
   t = foot(c, right[0], 0.125 + 0.375 * (psi[0] + psi[1]));
   a = between(c[0], c[1], t);

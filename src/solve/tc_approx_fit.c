@@ -39,7 +39,8 @@ enum ph_status ph_tc_target_of(const struct ph_tc_bezier *curve,
   }
   for (size_t k = 0; k <= n; k++) {
     double a = ph_cplx_abs(curve->p[k]);
-    double d = ph_cplx_abs(ph_cplx_sub(curve->p[k], curve->p[k > 0 ? k - 1 : 0]));
+    double d =
+        ph_cplx_abs(ph_cplx_sub(curve->p[k], curve->p[k > 0 ? k - 1 : 0]));
     size = a > size ? a : size;
     step = d > step ? d : step;
   }
@@ -180,8 +181,7 @@ static double two_distance(const struct ph_tc_target *t,
 }
 
 static struct ph_tc turned(const struct ph_tc *tc, ph_cplx f) {
-  struct ph_tc out = {
-      {ph_cplx_mul(f, tc->w[0]), ph_cplx_mul(f, tc->w[1])}};
+  struct ph_tc out = {{ph_cplx_mul(f, tc->w[0]), ph_cplx_mul(f, tc->w[1])}};
   return out;
 }
 
@@ -191,9 +191,8 @@ static void try_one(const struct ph_tc_target *t, const struct ph_tc_knot *from,
   ph_cplx chord = ph_cplx_sub(to->p, from->p);
   double length = ph_cplx_abs(chord), distance;
   ph_cplx along = ph_cplx_scale(1 / length, ph_cplx_conj(chord));
-  struct ph_tc_hermite h = {
-      {ph_tc_snap(ph_cplx_mul(along, from->tangent)),
-       ph_tc_snap(ph_cplx_mul(along, to->tangent))}};
+  struct ph_tc_hermite h = {{ph_tc_snap(ph_cplx_mul(along, from->tangent)),
+                             ph_tc_snap(ph_cplx_mul(along, to->tangent))}};
   struct ph_tc_fit fits[2];
   struct ph_tc tc;
   bool sharp;
@@ -220,9 +219,8 @@ static ph_cplx derivative_at(const struct ph_tc_knot *knot, double h,
 }
 
 static void try_pair(const struct ph_tc_target *t,
-                     const struct ph_tc_knot *from,
-                     const struct ph_tc_knot *to, double enough,
-                     struct ph_tc_patch *best) {
+                     const struct ph_tc_knot *from, const struct ph_tc_knot *to,
+                     double enough, struct ph_tc_patch *best) {
   ph_cplx chord = ph_cplx_sub(to->p, from->p), f = ph_cplx_sqrt(chord);
   double length = ph_cplx_abs(chord), h = (to->u - from->u) / 2, at;
   ph_cplx along = ph_cplx_scale(1 / length, ph_cplx_conj(chord));
@@ -256,8 +254,8 @@ struct ph_tc_patch ph_tc_patch_of(const struct ph_tc_target *target,
       0, (double)INFINITY, {{{{0, 0}, {0, 0}}}}, {0, 0}, 0};
   double enough = 4 * tolerance;
   double length = ph_cplx_abs(ph_cplx_sub(to->p, from->p));
-  bool turns = ph_cplx_norm2(from->tangent) > 0 &&
-               ph_cplx_norm2(to->tangent) > 0;
+  bool turns =
+      ph_cplx_norm2(from->tangent) > 0 && ph_cplx_norm2(to->tangent) > 0;
   if (!(length > target->same) || !turns) {
     return best;
   }

@@ -50,8 +50,7 @@ static void curvature_form(const struct ph_tc_bezier *curve, double *binomial,
     for (size_t j = 0; j + 1 < n; j++) {
       ph_cplx dd = ph_cplx_add(ph_cplx_sub(p[j + 2], p[j + 1]),
                                ph_cplx_sub(p[j], p[j + 1]));
-      s->pool[i + j].re +=
-          b1[i] / b[i + j] * b2[j] * ph_cplx_cross(d, dd);
+      s->pool[i + j].re += b1[i] / b[i + j] * b2[j] * ph_cplx_cross(d, dd);
     }
   }
   s->degree = 2 * n - 3;
@@ -104,7 +103,7 @@ static void look(struct search *s, const ph_cplx *c, double from, double to,
     }
     return;
   }
-  ph_bern_halve(c, s->degree, left, right);
+  ph_bern_cut(c, s->degree, 0.5, left, right);
   look(s, left, from, middle, depth + 1);
   if (sign_of(s, right[0]) == 0 &&
       end_sign(s, left, true) * end_sign(s, right, false) < 0) {

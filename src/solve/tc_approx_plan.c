@@ -36,8 +36,7 @@ enum ph_status ph_tc_plan_add(struct ph_tc_plan *plan,
   }
   if (plan->n == plan->room) {
     size_t room = plan->room > 0 ? 2 * plan->room : 64;
-    struct ph_tc_part *grown =
-        ph_arena_array(plan->arena, room, sizeof *grown);
+    struct ph_tc_part *grown = ph_arena_array(plan->arena, room, sizeof *grown);
     if (!grown) {
       return ph_fail_memory(diag);
     }
@@ -128,7 +127,8 @@ static enum ph_status cover(struct cover *c, const struct ph_tc_knot *from,
   if (status != PH_OK || near) {
     return status;
   }
-  cut = ph_tc_knot_at(c->target, cut_of(c->u + low, high - low, from->u, to->u));
+  cut =
+      ph_tc_knot_at(c->target, cut_of(c->u + low, high - low, from->u, to->u));
   if (low == high || !(ph_cplx_norm2(cut.tangent) > 0)) {
     status = bisect(c, from, to, 0);
     return status == PH_OK ? ph_tc_plan_even(c->target, first, c->tolerance,
