@@ -60,11 +60,11 @@ function word(what, found, value) {
 # One cubic of g1.
 function judge_one(known, found,   tol) {
   tol = $6
-  word("cubics", read_segments($15), 1)
+  word("cubics", read_segments($14), 1)
   near("|D|", size(member(found, "D"), 0), member(known, "D_abs"), tol)
   near("first leg", leg(1), member(known, "d01"), tol)
   near("last leg", leg(5), member(known, "d23"), tol)
-  near("length", $13, member(known, "length"), tol)
+  near("length", $12, member(known, "length"), tol)
   near("turning", turning(0), member(known, "turning"), tol)
   word("the loop of its preimage", has_loop, member(known, "loop") == "true")
   word("loops", member(found, "loops"), has_loop)
@@ -75,11 +75,10 @@ function judge_one(known, found,   tol) {
     member(known, "turning"), tol)
 }
 # One pair of c1.
-function judge_pair(known, found,   tol, joint, turned, loops, k, count) {
+function judge_pair(known, found,   tol, chord, joint, turned, loops, k, count) {
   tol = $6
-  chord = numbers($11, joint) == 4 ?
-    size(joint[3] - joint[1], joint[4] - joint[2]) : 0
-  word("cubics", read_segments($15), 2)
+  word("cubics", read_segments($14), 2)
+  chord = size(points[1, 7] - points[0, 1], points[1, 8] - points[0, 2])
   numbers(member(known, "joint"), joint)
   numbers(member(known, "turning"), turned)
   split(member(known, "loops"), loops, /[],\[]/)
@@ -91,7 +90,7 @@ function judge_pair(known, found,   tol, joint, turned, loops, k, count) {
     count += has_loop
   }
   word("loops", member(found, "loops"), count)
-  close_to("length", $13, member(known, "length"), tol * chord)
+  close_to("length", $12, member(known, "length"), tol * chord)
   word("regular", member(found, "regular"), member(known, "regular"))
   word("simple", member(found, "simple"), member(known, "simple"))
   word("standard", member(found, "root") == "\"++\"",
@@ -118,10 +117,10 @@ BEGIN { FS = "\t" }
     judge_outcome($7 > 0)
     if ($8 != "absent") {
       word("count", $7, $8 + $9)
-      loops[$2] += member($14, "loops") == 1
+      loops[$2] += member($13, "loops") == 1
       if ($1 == 4) word("solutions with a loop", loops[$2], $9)
     }
-    judge_solution($12, $14)
+    judge_solution($11, $13)
   } else judge_outcome($10 == "true")
   first[$2] = why
   if (!$1) {
@@ -142,17 +141,17 @@ END {
 }
 EOF
 
-status=0
-"$PHSPLINE" tc -q "$srcdir/tests/vectors/tc.jsonl" >out 2>err || status=$?
+run tc -q "$srcdir/tests/vectors/tc.jsonl"
 equal 'some of them have no solution' 1 "$status"
 # of every solution that there could be a row, and one that there is not
 for i in 0 1 2 3 4; do
   table id status error.code meta.kind meta.tolerance meta.count \
-    meta.without_loop meta.with_loop meta.admissible meta.points \
-    "meta.solutions[$i]" "solutions[$i].length" "solutions[$i].diagnostics" \
+    meta.without_loop meta.with_loop meta.admissible "meta.solutions[$i]" \
+    "solutions[$i].length" "solutions[$i].diagnostics" \
     "solutions[$i].segments" | sed "s/^/$i	/"
 done >rows
-awk -f "$srcdir/tests/cli/judge.awk" -f judge-tc.awk rows
+awk -f "$srcdir/tests/cli/judge.awk" -f judge-tc.awk rows ||
+  fail 'the judge' "status $?"
 
 # ---- the best one ------------------------------------------------------------
 
