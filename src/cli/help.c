@@ -137,10 +137,15 @@ static void field_entry(struct page *page, const struct ph_field *field) {
   end_line(page);
 }
 
-static void options(struct page *page) {
+/* The common options, but for those that are fields of the command, too. */
+static void options(struct page *page, const struct ph_schema *schema) {
   heading(page, "Options:");
   for (int i = 0; i < PH_OPTION_N; i++) {
-    option_entry(page, &ph_option_table[i]);
+    const struct ph_option *option = &ph_option_table[i];
+    if (schema && ph_field_find(schema, option->name, strlen(option->name))) {
+      continue;
+    }
+    option_entry(page, option);
     if (i == PH_O_TABLE) {
 #define X(symbol, name, what) entry(page, 8, name, what);
       PH_TABLES(X)
@@ -201,7 +206,7 @@ void ph_help_program(struct ph_buf *buf) {
     entry(&page, 2, method->schema.command, method->title);
   }
   entry(&page, 2, "help COMMAND", "the fields and options of a command");
-  options(&page);
+  options(&page, NULL);
   heading(&page,
           "Problems are read from each FILE in turn, or from standard input "
           "where there is none or it is -, as JSON, JSON Lines or CSV. Each "
@@ -226,7 +231,7 @@ void ph_help_command(struct ph_buf *buf, const struct ph_command *command) {
     field_entry(&page, &schema->fields[i]);
   }
   entry(&page, 2, "id, meta", "copied to the result (no options)");
-  options(&page);
+  options(&page, schema);
   examples(&page, command->examples);
   statuses(&page);
   end_line(&page);

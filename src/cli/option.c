@@ -383,25 +383,30 @@ static enum ph_status read_argument(struct parser *p, enum ph_option_id id) {
   return status;
 }
 
-static enum ph_status read_common(struct parser *p, enum ph_option_id id) {
-  bool *flag = flag_of(p->options, id);
-  if (flag) {
-    *flag = true;
-    return PH_OK;
-  }
-  return read_argument(p, id);
-}
-
-static enum ph_status read_field(struct parser *p, size_t index) {
-  const struct ph_field *field =
-      &p->options->command->method->schema.fields[index];
+static enum ph_status read_field(struct parser *p,
+                                 const struct ph_field *field) {
   char option[64] = "--";
   strncat(option, ph_field_name(field->id), sizeof option - 3);
   return assign(p, field, option, optarg ? optarg : "", false);
 }
 
+static enum ph_status read_common(struct parser *p, enum ph_option_id id) {
+  const char *name = ph_option_table[id].name;
+  const struct ph_field *field =
+      ph_field_find(&p->options->command->method->schema, name, strlen(name));
+  bool *flag = flag_of(p->options, id);
+  enum ph_status status = PH_OK;
+  if (flag) {
+    *flag = true;
+  } else {
+    status = read_argument(p, id);
+  }
+  return status == PH_OK && field ? read_field(p, field) : status;
+}
+
 /* One option that getopt_long returned. */
 static enum ph_status read_option(struct parser *p, int value) {
+  const struct ph_field *fields = p->options->command->method->schema.fields;
   bool apart = optarg && optarg == p->argv[optind - 1];
   const char *typed = p->argv[optind - (apart ? 2 : 1)];
   if (value == '?' || value == ':') {
@@ -419,7 +424,7 @@ static enum ph_status read_option(struct parser *p, int value) {
   }
   value -= 256;
   return value < PH_OPTION_N ? read_common(p, (enum ph_option_id)value)
-                             : read_field(p, (size_t)value - PH_OPTION_N);
+                             : read_field(p, &fields[value - PH_OPTION_N]);
 }
 
 /* Options that contradict each other. */

@@ -2,6 +2,8 @@
 /*
  * The command line: one table of common options, the fields of the command as
  * further options, and what a command line means once read.
+ *
+ * A common option with the name of a field of the command also sets the field.
  */
 #ifndef PH_CLI_OPTION_H
 #define PH_CLI_OPTION_H

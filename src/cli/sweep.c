@@ -26,6 +26,7 @@ static enum ph_status read_target(const char *text, size_t n,
                                   struct ph_sweep *sweep,
                                   struct ph_diag *diag) {
   const char *end = text + n, *p = memchr(text, '[', n);
+  size_t index_max;
   char excerpt[PH_EXCERPT_MAX];
   p = p ? p : end;
   sweep->field = ph_field_find(schema, text, (size_t)(p - text));
@@ -33,6 +34,8 @@ static enum ph_status read_target(const char *text, size_t n,
     return ph_option_no_field(schema, "--sweep", text, (size_t)(p - text),
                               diag);
   }
+  index_max =
+      PH_SWEEP_INDICES_MAX - (sweep->field->kinds & PH_POLYLINE ? 0 : 1);
   while (p < end) {
     size_t index = 0, digits = 0;
     bool bracket = *p++ == '[';
@@ -41,7 +44,7 @@ static enum ph_status read_target(const char *text, size_t n,
       digits++;
     }
     if (!bracket || p == end || *p++ != ']' || !digits ||
-        sweep->index_n == PH_SWEEP_INDICES_MAX) {
+        sweep->index_n == index_max) {
       return ph_fail(diag, PH_USAGE, NULL,
                      "--sweep: '%s' is not a field or an element like "
                      "knots[2] or points[0][1]",
@@ -67,18 +70,44 @@ static char *put_numbers(char *to, const double *v, size_t n) {
   return to;
 }
 
+/* [[a,b],[c,d]] */
+static char *put_vectors(char *to, const double *v, size_t n,
+                         size_t dimension) {
+  *to++ = '[';
+  for (size_t i = 0; i < n; i++) {
+    if (i > 0) {
+      *to++ = ',';
+    }
+    to = put_numbers(to, v + i * dimension, dimension);
+  }
+  *to++ = ']';
+  return to;
+}
+
+/* [[[a,b],[c,d]],[[c,d],[e,f]]] */
+static char *put_polyline(char *to, const struct ph_value *value) {
+  const double *v = value->v;
+  *to++ = '[';
+  for (size_t i = 0; i < value->sizes_n; i++) {
+    if (i > 0) {
+      *to++ = ',';
+    }
+    to = put_vectors(to, v, value->sizes[i], value->dimension);
+    v += value->sizes[i] * value->dimension;
+  }
+  *to++ = ']';
+  return to;
+}
+
 /* A value as JSON on one line, whatever blanks it was given with; NULL when
  * memory is exhausted. */
 static const char *text_of(const struct ph_value *value,
                            struct ph_arena *arena) {
-  bool vectors = value->kind == PH_VECTORS;
-  size_t numbers = vectors                     ? value->n * value->dimension
-                   : value->kind == PH_NUMBERS ? value->n
-                                               : 1;
-  size_t rows = vectors ? value->n : 1;
+  size_t numbers = value->v ? value->n * value->dimension : 1;
+  size_t arrays = value->n + value->sizes_n + 1;
   size_t word = value->kind == PH_WORD ? strlen(value->word) : 0;
   char *text = ph_arena_array(
-      arena, numbers * (PH_NUMBER_MAX + 1) + 3 * rows + word + 3, 1);
+      arena, numbers * (PH_NUMBER_MAX + 1) + 3 * arrays + word + 3, 1);
   char *to = text;
   if (!text) {
     return NULL;
@@ -92,17 +121,12 @@ static const char *text_of(const struct ph_value *value,
     memcpy(to, value->word, word);
     to += word;
     *to++ = '"';
-  } else if (!vectors) {
+  } else if (value->kind == PH_NUMBERS) {
     to = put_numbers(to, value->v, value->n);
+  } else if (value->kind == PH_VECTORS) {
+    to = put_vectors(to, value->v, value->n, value->dimension);
   } else {
-    *to++ = '[';
-    for (size_t i = 0; i < value->n; i++) {
-      if (i > 0) {
-        *to++ = ',';
-      }
-      to = put_numbers(to, value->v + i * value->dimension, value->dimension);
-    }
-    *to++ = ']';
+    to = put_polyline(to, value);
   }
   *to = '\0';
   return text;
@@ -283,28 +307,53 @@ enum ph_status ph_sweep_name(const struct ph_sweep *sweeps, size_t n,
   return PH_OK;
 }
 
+/* Where the element of a sweep is among the numbers of an array; false when
+ * the array has none such. */
+static bool find_element(const struct ph_sweep *sweep,
+                         const struct ph_value *value, size_t *at) {
+  const size_t *index = sweep->index;
+  size_t depth = value->kind == PH_NUMBERS    ? 1
+                 : value->kind == PH_VECTORS  ? 2
+                 : value->kind == PH_POLYLINE ? 3
+                                              : 0;
+  size_t first = 0, n = value->n;
+  if (depth != sweep->index_n) {
+    return false;
+  }
+  if (depth == 3) {
+    if (index[0] >= value->sizes_n) {
+      return false;
+    }
+    for (size_t i = 0; i < index[0]; i++) {
+      first += value->sizes[i];
+    }
+    n = value->sizes[*index++];
+  }
+  if (*index >= n || (depth > 1 && index[1] >= value->dimension)) {
+    return false;
+  }
+  *at = (first + index[0]) * value->dimension + (depth > 1 ? index[1] : 0);
+  return true;
+}
+
 /* The number in a problem's array that a sweep sets; the array is copied, as
  * other results of the same problem keep their own. */
 static enum ph_status set_element(const struct ph_sweep *sweep, double x,
                                   struct ph_arena *arena,
                                   struct ph_value *value,
                                   struct ph_diag *diag) {
-  const char *name = ph_field_name(sweep->field->id);
-  size_t at = sweep->index[0], total, depth;
+  size_t at, total = value->n * value->dimension;
   double *copy;
-  depth = value->kind == PH_NUMBERS ? 1 : value->kind == PH_VECTORS ? 2 : 0;
-  if (depth != sweep->index_n || at >= value->n ||
-      (depth == 2 && sweep->index[1] >= value->dimension)) {
-    return ph_fail(diag, PH_BAD_SHAPE, name,
+  if (!find_element(sweep, value, &at)) {
+    return ph_fail(diag, PH_BAD_SHAPE, ph_field_name(sweep->field->id),
                    "has no element %s for --sweep to set", sweep->name);
   }
-  total = depth == 2 ? value->n * value->dimension : value->n;
   copy = ph_arena_array(arena, total, sizeof *copy);
   if (!copy) {
     return ph_fail_memory(diag);
   }
   memcpy(copy, value->v, total * sizeof *copy);
-  copy[depth == 2 ? at * value->dimension + sweep->index[1] : at] = x;
+  copy[at] = x;
   value->v = copy;
   return PH_OK;
 }

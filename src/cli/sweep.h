@@ -15,7 +15,7 @@
 
 #include <stdbool.h>
 
-enum { PH_SWEEP_INDICES_MAX = 2 };
+enum { PH_SWEEP_INDICES_MAX = 3 };
 
 /* --sweep FIELD=...: the values that one field, or one number of an array
  * field, takes. */

@@ -41,8 +41,8 @@ enum {
   LOOP_STEPS = 4096
 };
 
-/* Segments that are looked at to choose the axes. */
-enum { SAMPLES = 1024 };
+/* Segments that are looked at to choose the axes; control points of one. */
+enum { SAMPLES = 1024, POINTS_MAX = 6 };
 
 struct node {
   struct ph_box2 box;
@@ -74,16 +74,17 @@ static ph_cplx pair(const double *v) {
 /* The box of the control points; false unless all numbers are finite. */
 static bool measure(const struct ph_curve *curve, struct ph_box2 *box) {
   const double *p = curve->control_points, *w = curve->preimage;
+  const size_t points = 2 * (curve->degree + 1), roots = 2 * curve->preimage_n;
   double test = 0;
   *box = (struct ph_box2){{p[0], p[1]}, {p[0], p[1]}};
-  for (size_t k = 0; k < curve->n; k++, p += 12, w += 6) {
-    for (size_t i = 0; i < 12; i++) {
+  for (size_t k = 0; k < curve->n; k++, p += points, w += roots) {
+    for (size_t i = 0; i < points; i++) {
       double *low = &box->low[i % 2], *high = &box->high[i % 2];
       *low = p[i] < *low ? p[i] : *low;
       *high = p[i] > *high ? p[i] : *high;
       test += 0 * p[i]; /* NaN from infinities too */
     }
-    for (size_t i = 0; i < 6; i++) {
+    for (size_t i = 0; i < roots; i++) {
       test += 0 * w[i];
     }
     test += curve->alpha ? 0 * curve->alpha[k] : 0;
@@ -97,8 +98,8 @@ static ph_cplx main_direction(const struct ph_curve *curve, double scale) {
   size_t step = curve->n / SAMPLES + 1;
   ph_cplx sum = {0, 0};
   for (size_t k = 0; k < curve->n; k += step) {
-    const double *p = curve->control_points + 12 * k;
-    ph_cplx chord = ph_cplx_scale(scale, ph_cplx_sub(pair(p + 10), pair(p)));
+    const double *p = ph_curve_points(curve, k), *q = p + 2 * curve->degree;
+    ph_cplx chord = ph_cplx_scale(scale, ph_cplx_sub(pair(q), pair(p)));
     double length = ph_cplx_abs(chord);
     if (length > 0) {
       ph_cplx square = ph_cplx_scale(1 / length, ph_cplx_mul(chord, chord));
@@ -141,12 +142,12 @@ static ph_cplx to_frame(const struct tree *t, const double *p) {
 
 static struct ph_seg2 seg_of(const struct tree *t, size_t k) {
   struct ph_seg2 seg = ph_seg2_of(t->curve, k);
-  const double *p = t->curve->control_points + 12 * k;
+  const double *p = ph_curve_points(t->curve, k);
   for (size_t i = 0; i < 3; i++) {
     seg.w[i] = ph_cplx_mul(t->root, seg.w[i]);
   }
   seg.start = to_frame(t, p);
-  seg.end = to_frame(t, p + 10);
+  seg.end = to_frame(t, p + 2 * t->curve->degree);
   return seg;
 }
 
@@ -156,31 +157,38 @@ static struct ph_seg2 seg_of(const struct tree *t, size_t k) {
  * smooth curve. */
 static struct ph_cone joint(const struct tree *t, size_t k) {
   const struct ph_curve *curve = t->curve;
-  size_t before = k > 0 ? k - 1 : curve->n - 1;
+  size_t before = k > 0 ? k - 1 : curve->n - 1, last = curve->preimage_n - 1;
   ph_cplx from, to;
   if (k == 0 && !curve->closed) {
     return PH_CONE_NONE;
   }
-  from = ph_cplx_mul(t->root, pair(curve->preimage + 6 * before + 4));
-  to = ph_cplx_mul(t->root, pair(curve->preimage + 6 * k));
+  from =
+      ph_cplx_mul(t->root, pair(ph_curve_preimage(curve, before) + 2 * last));
+  to = ph_cplx_mul(t->root, pair(ph_curve_preimage(curve, k)));
   return ph_cone_turn(ph_cplx_mul(from, from), ph_cplx_mul(to, to));
+}
+
+/* The preimage of segment k in the frame, up to a positive factor. */
+static void preimage(const struct tree *t, size_t k, ph_cplx w[3]) {
+  ph_seg2_preimage(t->curve, k, w);
+  for (size_t i = 0; i < 3; i++) {
+    w[i] = ph_cplx_mul(t->root, w[i]);
+  }
 }
 
 /* The node of one segment, and of the joint before it. */
 static struct node leaf(const struct tree *t, size_t k) {
-  const double *p = t->curve->control_points + 12 * k;
-  const double *v = t->curve->preimage + 6 * k;
-  ph_cplx w[3], q[6];
+  const double *p = ph_curve_points(t->curve, k);
+  const size_t points = t->curve->degree + 1;
+  ph_cplx w[3], q[POINTS_MAX] = {to_frame(t, p)};
   struct ph_cone cone, turn = joint(t, k);
   struct node node;
-  for (size_t i = 0; i < 3; i++) {
-    w[i] = ph_cplx_mul(t->root, pair(v + 2 * i));
-  }
-  for (size_t i = 0; i < 6; i++) {
+  preimage(t, k, w);
+  for (size_t i = 1; i < points; i++) {
     q[i] = to_frame(t, p + 2 * i);
   }
   cone = ph_piece_cone(w);
-  node.box = ph_box2_of(q, 6);
+  node.box = ph_box2_of(q, points);
   node.cone = ph_cone_join(&turn, &cone);
   return node;
 }
@@ -251,11 +259,9 @@ static size_t loops(struct tree *t) {
     /* The rest of a closed curve is wide unless there is none. */
     struct ph_cone outer =
         curve->n == 1 && curve->closed ? joint(t, 0) : PH_CONE_ALL;
-    const double *v = curve->preimage + 6 * k;
-    const ph_cplx w[3] = {ph_cplx_mul(t->root, pair(v)),
-                          ph_cplx_mul(t->root, pair(v + 2)),
-                          ph_cplx_mul(t->root, pair(v + 4))};
+    ph_cplx w[3];
     struct ph_piece piece;
+    preimage(t, k, w);
     if (ph_piece_tame(w)) {
       continue;
     }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Whether a planar PH or ATPH spline crosses itself.
+ * Whether a planar PH or ATPH spline, or one of Tschirnhausen cubics, crosses
+ * itself.
  *
  * Two points of a curve meet if they are no further apart than PH_CROSS_NEAR of
  * the curve's size (half the diagonal of its bounding box) and the curve

@@ -74,7 +74,8 @@ enum ph_kind {
   PH_NUMBERS = 8,   /* array of numbers */
   PH_VECTORS = 16,  /* array of arrays of 2 or 3 numbers, all of one size */
   PH_SEGMENTS = 32, /* of a row: its numbers belong to segments, not points */
-  PH_POLYLINE = 64  /* array of arrays of vectors: control points of pieces */
+  PH_POLYLINE = 64  /* array of arrays of vectors: control points of pieces;
+                       of a row: beside PH_VECTORS, those of one piece */
 };
 
 struct ph_value {

@@ -370,6 +370,18 @@ struct ph_diag *ph_warning_add(struct ph_result *result, size_t segment);
 enum ph_status ph_curve_alloc(struct ph_curve *curve, struct ph_arena *arena,
                               struct ph_diag *diag);
 
+/* ph_curve_points: the control points of segment k, (degree + 1) of them. */
+static inline const double *ph_curve_points(const struct ph_curve *curve,
+                                            size_t k) {
+  return curve->control_points + (curve->degree + 1) * curve->dimension * k;
+}
+
+/* ph_curve_preimage: the coefficients of the preimage of segment k. */
+static inline const double *ph_curve_preimage(const struct ph_curve *curve,
+                                              size_t k) {
+  return curve->preimage + curve->preimage_n * curve->preimage_dimension * k;
+}
+
 /* ph_curve_size: half the diagonal of the bounding box of the curve's knots. */
 double ph_curve_size(const struct ph_curve *curve);
 

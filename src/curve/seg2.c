@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Segments of planar PH and ATPH splines (see seg2.h). */
+/* Segments of planar splines (see seg2.h). */
 #include "curve/seg2.h"
 
 #include <math.h>
@@ -8,16 +8,26 @@ static ph_cplx pair(const double *v) {
   return ph_cplx_of(v[0], v[1]);
 }
 
+void ph_seg2_preimage(const struct ph_curve *curve, size_t k, ph_cplx w[3]) {
+  const double *v = ph_curve_preimage(curve, k);
+  size_t last = curve->preimage_n - 1;
+  w[0] = pair(v);
+  w[2] = pair(v + 2 * last);
+  w[1] = last == 2 ? pair(v + 2) : ph_cplx_scale(0.5, ph_cplx_add(w[0], w[2]));
+}
+
 struct ph_seg2 ph_seg2_of(const struct ph_curve *curve, size_t k) {
   double angle = curve->alpha ? curve->alpha[k] : 0;
   double root = curve->alpha ? sqrt(angle) : 1;
+  const double *p = ph_curve_points(curve, k);
   struct ph_seg2 seg;
   seg.space = ph_atph_of(angle);
+  ph_seg2_preimage(curve, k, seg.w);
   for (size_t i = 0; i < 3; i++) {
-    seg.w[i] = ph_cplx_scale(root, pair(curve->preimage + 6 * k + 2 * i));
+    seg.w[i] = ph_cplx_scale(root, seg.w[i]);
   }
-  seg.start = pair(curve->control_points + 12 * k);
-  seg.end = pair(curve->control_points + 12 * k + 10);
+  seg.start = pair(p);
+  seg.end = pair(p + 2 * curve->degree);
   return seg;
 }
 

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * One segment of a planar PH or ATPH spline, by itself: points, derivatives,
- * curvature, parts, rotation.
+ * One segment of a planar PH or ATPH spline, or a Tschirnhausen cubic, by
+ * itself: points, derivatives, curvature, parts, rotation.
  *
  * The preimage is with respect to u in [0,1], whatever the curve writes:
- * r'(u) = w(u)^2.  [GON18, ch. 2]
+ * r'(u) = w(u)^2.  [GON18, ch. 2]  That of a cubic is raised to degree 2: w0,
+ * (w0 + w1)/2, w1.
  */
 #ifndef PH_CURVE_SEG2_H
 #define PH_CURVE_SEG2_H
@@ -19,6 +20,10 @@ struct ph_seg2 {
   ph_cplx w[3];
   ph_cplx start, end;
 };
+
+/* ph_seg2_preimage: the preimage of segment k as the curve has it, but of three
+ * coefficients always. */
+void ph_seg2_preimage(const struct ph_curve *curve, size_t k, ph_cplx w[3]);
 
 /* ph_seg2_of: segment k of a planar curve. */
 struct ph_seg2 ph_seg2_of(const struct ph_curve *curve, size_t k);

@@ -22,17 +22,22 @@ static ph_quat quaternion(const double *a, size_t dimension) {
 
 struct ph_seg3 ph_seg3_of(const struct ph_curve *curve, size_t k) {
   size_t dimension = curve->dimension, size = dimension == 2 ? 2 : 4;
-  const double *a = curve->preimage + 3 * size * k;
-  const double *p = curve->control_points + 6 * dimension * k;
+  size_t last = curve->preimage_n - 1;
+  const double *a = ph_curve_preimage(curve, k);
+  const double *p = ph_curve_points(curve, k);
   double angle = curve->alpha ? curve->alpha[k] : 0;
   double root = curve->alpha ? sqrt(angle) : 1;
   struct ph_seg3 seg;
   seg.space = ph_atph_of(angle);
+  seg.a[0] = quaternion(a, size);
+  seg.a[2] = quaternion(a + size * last, size);
+  seg.a[1] = last == 2 ? quaternion(a + size, size)
+                       : ph_quat_scale(0.5, ph_quat_add(seg.a[0], seg.a[2]));
   for (size_t i = 0; i < 3; i++) {
-    seg.a[i] = ph_quat_scale(root, quaternion(a + size * i, size));
+    seg.a[i] = ph_quat_scale(root, seg.a[i]);
   }
   seg.start = ph_vec3_get(p, dimension);
-  seg.end = ph_vec3_get(p + 5 * dimension, dimension);
+  seg.end = ph_vec3_get(p + curve->degree * dimension, dimension);
   return seg;
 }
 

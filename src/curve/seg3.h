@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * One segment of a spatial PH or ATPH spline, by itself: points, derivatives,
- * curvature and torsion, frames, parts.
+ * One segment of a spatial PH or ATPH spline, or of a planar one taken in
+ * space, by itself: points, derivatives, curvature and torsion, frames, parts.
  *
  * The preimage is with respect to u in [0,1], whatever the curve writes:
  * r'(u) = A(u) i A(u)*.  All invariants come from W = vect(A* A'), which lies
@@ -31,7 +31,8 @@ struct ph_seg3 {
 
 /*
  * ph_seg3_of: segment k of a curve in space, or in the plane z = 0: with
- * A = Re w + Im w k, r' = w^2 there and e2 is the left normal.
+ * A = Re w + Im w k, r' = w^2 there and e2 is the left normal.  The preimage of
+ * a Tschirnhausen cubic is raised to degree 2, as in seg2.h.
  */
 struct ph_seg3 ph_seg3_of(const struct ph_curve *curve, size_t k);
 

@@ -18,9 +18,28 @@ static void write_choice(struct ph_json_writer *w, const struct ph_curve *c,
   }
 }
 
+/* The pieces of the image of segment k, from piece i on.  ret the next piece */
+static size_t write_blaschke(struct ph_json_writer *w, const struct ph_curve *c,
+                             size_t k, size_t i) {
+  ph_write_key(w, "blaschke");
+  ph_write_begin(w, '[');
+  for (; i < c->blaschke_n && c->blaschke[i].segment == k; i++) {
+    const struct ph_blaschke *piece = &c->blaschke[i];
+    ph_write_element(w);
+    ph_write_begin(w, '{');
+    ph_write_key_numbers(w, "interval", piece->interval, 2);
+    ph_write_key_vectors(w, "control_points", piece->control_points[0], 6, 3);
+    ph_write_key_numbers(w, "weights", piece->weights, 6);
+    ph_write_end(w, '}');
+  }
+  ph_write_end(w, ']');
+  return i;
+}
+
 void ph_write_segments(struct ph_json_writer *w, const struct ph_curve *c) {
   size_t stride = (c->degree + 1) * c->dimension;
   size_t preimage_stride = c->preimage_n * c->preimage_dimension;
+  size_t blaschke = 0;
   ph_write_key(w, "segments");
   ph_write_begin(w, '[');
   for (size_t k = 0; k < c->n; k++) {
@@ -38,6 +57,9 @@ void ph_write_segments(struct ph_json_writer *w, const struct ph_curve *c) {
     }
     ph_write_key_number(w, "length", c->lengths[k]);
     write_choice(w, c, k);
+    if (c->blaschke) {
+      blaschke = write_blaschke(w, c, k, blaschke);
+    }
     ph_write_end(w, '}');
   }
   ph_write_end(w, ']');

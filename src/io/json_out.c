@@ -27,21 +27,34 @@ static void write_heading(struct ph_json_writer *w,
   }
 }
 
-/* Where an interval of the data lies among the segments. */
+/* What is not known is left out. */
+static void write_known(struct ph_json_writer *w, const char *name, double x) {
+  if (!isnan(x)) {
+    ph_write_key_number(w, name, x);
+  }
+}
+
+/* Where an interval of the data lies among the segments, and what was found for
+ * it. */
 static void write_intervals(struct ph_json_writer *w,
-                            const struct ph_result *result) {
+                            const struct ph_interval *intervals, size_t n) {
   ph_write_key(w, "intervals");
   ph_write_begin(w, '[');
-  for (size_t i = 0; i < result->intervals_n; i++) {
-    const struct ph_interval *interval = &result->intervals[i];
+  for (size_t i = 0; i < n; i++) {
+    const struct ph_interval *interval = &intervals[i];
     const double segments[] = {(double)interval->first, (double)interval->last};
     ph_write_element(w);
     ph_write_begin(w, '{');
     ph_write_key_number(w, "length", interval->length);
-    if (!isnan(interval->natural_length)) {
-      ph_write_key_number(w, "natural_length", interval->natural_length);
-    }
+    write_known(w, "natural_length", interval->natural_length);
     ph_write_key_numbers(w, "segments", segments, 2);
+    if (interval->root != PH_ROOT_N) {
+      ph_write_key_string(w, "root", ph_root_name(interval->root));
+    }
+    write_known(w, "D", interval->ratio);
+    write_known(w, "lambda", interval->lambda);
+    write_known(w, "joint_angle", interval->joint_angle);
+    write_known(w, "joint_position", interval->joint_position);
     ph_write_end(w, '}');
   }
   ph_write_end(w, ']');
@@ -118,9 +131,7 @@ static void write_starts(struct ph_json_writer *w,
     ph_write_begin(w, '{');
     ph_write_key_string(w, "start", start->name);
     ph_write_key_string(w, "outcome", ph_outcome_name(start->outcome));
-    if (!isnan(start->f)) {
-      ph_write_key_number(w, "F", start->f);
-    }
+    write_known(w, "F", start->f);
     ph_write_key_number(w, "iterations", (double)start->iterations);
     ph_write_end(w, '}');
   }
@@ -155,6 +166,9 @@ static void write_solutions(struct ph_json_writer *w,
     ph_write_begin(w, '{');
     ph_write_key_flag(w, "good", solution->good);
     ph_write_segments(w, &solution->curve);
+    if (solution->intervals) {
+      write_intervals(w, solution->intervals, result->intervals_n);
+    }
     ph_write_key_number(w, "length", solution->curve.length);
     ph_write_key(w, "diagnostics");
     ph_write_begin(w, '{');
@@ -203,7 +217,7 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
     ph_write_sphere(&w, curve);
   }
   if (result->intervals_n) {
-    write_intervals(&w, result);
+    write_intervals(&w, result->intervals, result->intervals_n);
   }
   ph_write_key_number(&w, "length", curve->length);
   if (result->offsets_n) {

@@ -26,7 +26,7 @@
 /* A value being read. */
 struct reader {
   const struct ph_field *row;
-  const char *name; /* of the field */
+  const char *name; /* of the field, or of a piece: curve[1] */
   const char *p;
   const char *end;
   struct ph_arena *arena;
@@ -87,7 +87,10 @@ static const char *vectors_phrase(const struct ph_field *row) {
   if (row->id == PH_F_LONLAT) {
     return "an array of pairs [lon,lat]";
   }
-  return phrases[row->id == PH_F_POINTS][plane && space ? 2 : space ? 1 : 0];
+  return phrases[row->id == PH_F_POINTS || row->id == PH_F_CURVE][plane && space
+                                                                      ? 2
+                                                                  : space ? 1
+                                                                          : 0];
 }
 
 const char *ph_value_describe(const struct ph_field *row,
@@ -98,6 +101,7 @@ const char *ph_value_describe(const struct ph_field *row,
   list.items += row->kinds & PH_NUMBER ? 1 : 0;
   list.items += row->kinds & PH_NUMBERS ? 1 : 0;
   list.items += row->kinds & PH_VECTORS ? 1 : 0;
+  list.items += row->kinds & PH_POLYLINE ? 1 : 0;
   phrase[0] = '\0';
   if (row->kinds & PH_BOOL) {
     add_item(&list, "true");
@@ -112,6 +116,9 @@ const char *ph_value_describe(const struct ph_field *row,
   }
   if (row->kinds & PH_VECTORS) {
     add_item(&list, vectors_phrase(row));
+  }
+  if (row->kinds & PH_POLYLINE) {
+    add_item(&list, "an array of such arrays");
   }
   return phrase;
 }
@@ -334,6 +341,7 @@ static enum ph_status read_numbers(struct reader *r, struct ph_value *value) {
 static enum ph_status bad_size(struct reader *r, size_t i, size_t dimension,
                                size_t found) {
   unsigned allowed = r->row->dimensions;
+  const char *field = ph_field_name(r->row->id);
   char text[PH_DIAG_FIELD_MAX];
   const char *sizes = allowed == (1u << 2 | 1u << 3) ? "2 or 3 numbers"
                       : allowed == 1u << 3           ? "3 numbers"
@@ -343,8 +351,8 @@ static enum ph_status bad_size(struct reader *r, size_t i, size_t dimension,
                    "must have %s, found %zu", sizes, found);
   }
   return ph_fail(r->diag, PH_BAD_SHAPE, path(r, i, -1, text),
-                 "must have %zu numbers as %s[0] has, found %zu", dimension,
-                 r->name, found);
+                 "must have %zu numbers as %s%s has, found %zu", dimension,
+                 field, r->name == field ? "[0]" : "[0][0]", found);
 }
 
 /* Vector i, of `dimension` numbers or (0) of any allowed number of them. */
@@ -374,31 +382,87 @@ static enum ph_status read_vector(struct reader *r, size_t i, size_t dimension,
   return PH_OK;
 }
 
-static enum ph_status read_vectors(struct reader *r, struct ph_value *value) {
-  size_t n_max = count(r, '[');
-  size_t dimension = 0;
-  size_t n = 0;
-  double *v = NULL;
+/* Vectors up to the end of their array, behind the value's others; n_max in
+ * all. */
+static enum ph_status add_vectors(struct reader *r, size_t n_max,
+                                  struct ph_value *value) {
+  size_t before = value->n;
   while (next_element(r)) {
     double vector[3];
-    enum ph_status status = read_vector(r, n, dimension, vector, &dimension);
+    enum ph_status status = read_vector(r, value->n - before, value->dimension,
+                                        vector, &value->dimension);
+    size_t dimension = value->dimension;
     if (status != PH_OK) {
       return status;
     }
-    if (!v) {
-      v = ph_arena_array(r->arena, n_max, dimension * sizeof *v);
-      if (!v) {
+    if (!value->v) {
+      value->v = ph_arena_array(r->arena, n_max, dimension * sizeof *value->v);
+      if (!value->v) {
         return ph_fail_memory(r->diag);
       }
     }
-    memcpy(v + n * dimension, vector, dimension * sizeof *v);
-    n++;
+    memcpy(value->v + value->n++ * dimension, vector,
+           dimension * sizeof *vector);
   }
-  value->kind = PH_VECTORS;
-  value->dimension = dimension;
-  value->v = v;
-  value->n = n;
   return PH_OK;
+}
+
+static enum ph_status read_vectors(struct reader *r, struct ph_value *value) {
+  value->kind = PH_VECTORS;
+  return add_vectors(r, count(r, '['), value);
+}
+
+/* Piece i of several, up to its end. */
+static enum ph_status read_piece(struct reader *r, size_t i, size_t n_max,
+                                 struct ph_value *value) {
+  const char *name = r->name;
+  size_t before = value->n;
+  char text[PH_DIAG_FIELD_MAX];
+  enum ph_status status;
+  path(r, i, -1, text);
+  if (*r->p != '[') {
+    return ph_fail(r->diag, PH_BAD_TYPE, text,
+                   "must be an array of points, found %s",
+                   ph_value_type(*r->p));
+  }
+  r->p++;
+  r->name = text;
+  status = add_vectors(r, n_max, value);
+  r->name = name;
+  r->p++;
+  if (status == PH_OK && value->n == before) {
+    return ph_fail(r->diag, PH_BAD_SHAPE, text, "has no points");
+  }
+  value->sizes[i] = value->n - before;
+  return status;
+}
+
+static enum ph_status read_polyline(struct reader *r, struct ph_value *value) {
+  size_t n_max = count(r, '['); /* of pieces and their points */
+  enum ph_status status = PH_OK;
+  value->kind = PH_POLYLINE;
+  value->sizes = ph_arena_array(r->arena, n_max / 2 + 1, sizeof *value->sizes);
+  if (!value->sizes) {
+    return ph_fail_memory(r->diag);
+  }
+  while (status == PH_OK && next_element(r)) {
+    status = read_piece(r, value->sizes_n++, n_max, value);
+  }
+  return status;
+}
+
+/* Whether the elements of an array, the first of them that is not empty,
+ * begin with an array. */
+static bool is_nested(const struct reader *r) {
+  int depth = 0;
+  for (const char *p = r->p; p < r->end && depth < 2; p++) {
+    if (*p == '[' || *p == ']') {
+      depth += *p == '[' ? 1 : -1;
+    } else if (*p != ',' && ph_json_blanks(p, p + 1) == p) {
+      break;
+    }
+  }
+  return depth == 2;
 }
 
 static enum ph_status read_empty(struct reader *r, struct ph_value *value) {
@@ -418,6 +482,9 @@ static enum ph_status read_array(struct reader *r, struct ph_value *value) {
   r->p++;
   if (!next_element(r)) {
     return read_empty(r, value);
+  }
+  if (*r->p == '[' && kinds & PH_POLYLINE && is_nested(r)) {
+    return read_polyline(r, value);
   }
   if (*r->p == '[' && kinds & PH_VECTORS) {
     return read_vectors(r, value);

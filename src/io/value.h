@@ -23,11 +23,12 @@ enum { PH_VALUE_PHRASE_MAX = 224 };
  * in   row      what the field may hold
  * in   arena    takes the value's memory
  * out  value    complete only when PH_OK is returned; numbers are finite,
- *               vectors are all of one allowed size; an empty array has n = 0
+ *               vectors are all of one allowed size; an empty array has n = 0,
+ *               no piece of several is empty
  * ret  PH_OK; PH_BAD_TYPE (also for null), PH_BAD_VALUE (a word that is not
- *      in the list), PH_BAD_SHAPE (a vector of a wrong size), PH_NOT_FINITE
- *      (a number that overflows), PH_NO_MEMORY; diag names the field with its
- *      path, points[4][1]
+ *      in the list), PH_BAD_SHAPE (a vector of a wrong size, an empty piece),
+ *      PH_NOT_FINITE (a number that overflows), PH_NO_MEMORY; diag names the
+ *      field with its path, points[4][1]
  */
 enum ph_status ph_value_read(const char *text, size_t n,
                              const struct ph_field *row, struct ph_arena *arena,

@@ -12,8 +12,9 @@ static const struct ph_field rows[] = {
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false", ""},
     {PH_F_BASIS, PH_NUMBER, 0, false, NULL, "", ""}, /* as alpha will be */
     {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal|uniform", "", ""},
+    {PH_F_CURVE, PH_VECTORS | PH_POLYLINE, 1u << 2, false, NULL, "", ""},
 };
-static const struct ph_schema schema = {"planar", rows, 4};
+static const struct ph_schema schema = {"planar", rows, 5};
 
 static struct ph_arena arena;
 static struct ph_diag diag;
@@ -107,9 +108,12 @@ END_TEST
 START_TEST(test_list_of_arrays) {
   const char *const arrays[] = {"[0,1,2]", "[0,2.5,3]", "\"uniform\""};
   const char *const vectors[] = {"[[0,1],[2,3]]", "[[4,5],[6,7]]"};
+  const char *const curves[] = {"[[[0,1],[2,3]],[[2,3]]]", "[[4,5],[6,7]]",
+                                "[]"};
   struct ph_sweep sweep = read_sweep("knots=[0,1, 2],[0,\n25e-1,3],uniform");
   ck_texts("knots=[0,1, 2],[0,\n25e-1,3],uniform", 3, arrays);
   ck_texts("points=[[0, 1], [2,3]],[[4,5],[6,7]]", 2, vectors);
+  ck_texts("curve=[[[0 ,1], [2,3]],[[2,3] ]],[[4,5],[6,7]],[ ]", 3, curves);
   ck_assert_int_eq(value_at(&sweep, 1).kind, PH_NUMBERS);
   ck_assert_uint_eq(value_at(&sweep, 1).n, 3);
   ck_abs(value_at(&sweep, 1).v[1], 2.5, 0);
@@ -181,6 +185,8 @@ START_TEST(test_refused_form) {
   ck_refused("knots[-1]=1", "--sweep: 'knots[-1]" ELEMENT);
   ck_refused("knots[1]x=1", "--sweep: 'knots[1]x" ELEMENT);
   ck_refused("knots[1][2][3]=1", "--sweep: 'knots[1][2][3]" ELEMENT);
+  ck_refused("points[1][2][3]=1", "--sweep: 'points[1][2][3]" ELEMENT);
+  ck_refused("curve[1][2][3][4]=1", "--sweep: 'curve[1][2][3][4]" ELEMENT);
   ck_refused("knots[12345678901234567890]=1",
              "--sweep: 'knots[12345678901234567890]" ELEMENT);
 }
@@ -255,7 +261,8 @@ START_TEST(test_set_element) {
   double knots[] = {0, 1, 2}, points[] = {0, 1, 2, 3, 4, 5};
   struct ph_sweep sweeps[] = {read_sweep("knots[1]=0.5,1.5"),
                               read_sweep("points[2][0]=9")};
-  const struct ph_value knots_value = {.kind = PH_NUMBERS, .v = knots, .n = 3};
+  const struct ph_value knots_value = {
+      .kind = PH_NUMBERS, .v = knots, .n = 3, .dimension = 1};
   const struct ph_value points_value = {
       .kind = PH_VECTORS, .v = points, .n = 3, .dimension = 2};
   for (size_t i = 0; i < 2; i++) {
@@ -278,6 +285,40 @@ START_TEST(test_set_element) {
 }
 END_TEST
 
+/* One curve, or several: elements of each. */
+START_TEST(test_set_polyline) {
+  double v[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  size_t sizes[] = {2, 1, 3};
+  struct ph_sweep of_one = read_sweep("curve[0][1]=-1,-2");
+  struct ph_sweep of_three[] = {read_sweep("curve[0][1][0]=-1,-2"),
+                                read_sweep("curve[2][2][1]=-3")};
+  struct ph_value value = {.kind = PH_VECTORS, .v = v, .n = 6, .dimension = 2};
+  for (size_t i = 0; i < 2; i++) {
+    struct ph_problem problem = {0};
+    const struct ph_value *c = &problem.field[PH_F_CURVE];
+    double first = i ? -2 : -1;
+    problem.field[PH_F_CURVE] = value;
+    ck_assert_int_eq(ph_sweep_apply(&of_one, 1, i, &arena, &problem, &diag),
+                     PH_OK);
+    for (size_t k = 0; k < 12; k++) {
+      ck_abs(c->v[k], k == 1 ? first : (double)k, 0);
+    }
+    problem.field[PH_F_CURVE] = value;
+    problem.field[PH_F_CURVE].kind = PH_POLYLINE;
+    problem.field[PH_F_CURVE].sizes = sizes;
+    problem.field[PH_F_CURVE].sizes_n = 3;
+    ck_assert_int_eq(ph_sweep_apply(of_three, 2, i, &arena, &problem, &diag),
+                     PH_OK);
+    for (size_t k = 0; k < 12; k++) {
+      ck_abs(c->v[k], k == 2 ? first : k == 11 ? -3 : (double)k, 0);
+    }
+    ck_assert_uint_eq(c->sizes_n, 3);
+  }
+  ck_abs(v[1], 1, 0);
+  ck_abs(v[2], 2, 0);
+}
+END_TEST
+
 static void ck_no_element(const char *text, struct ph_value value) {
   struct ph_sweep sweep = read_sweep(text);
   struct ph_problem problem = {0};
@@ -293,7 +334,8 @@ static void ck_no_element(const char *text, struct ph_value value) {
 
 START_TEST(test_no_element) {
   double v[] = {0, 1, 2, 3};
-  struct ph_value numbers = {.kind = PH_NUMBERS, .v = v, .n = 4};
+  struct ph_value numbers = {
+      .kind = PH_NUMBERS, .v = v, .n = 4, .dimension = 1};
   struct ph_value vectors = {
       .kind = PH_VECTORS, .v = v, .n = 2, .dimension = 2};
   struct ph_value word = {.kind = PH_WORD, .word = "uniform"};
@@ -304,6 +346,17 @@ START_TEST(test_no_element) {
   ck_no_element("points[2][0]=1", vectors);
   ck_no_element("points[0][2]=1", vectors);
   ck_no_element("points[0]=1", vectors);
+  struct ph_value polyline = vectors;
+  size_t sizes[] = {1, 1};
+  polyline.kind = PH_POLYLINE;
+  polyline.sizes = sizes;
+  polyline.sizes_n = 2;
+  ck_no_element("curve[2][0][0]=1", polyline);
+  ck_no_element("curve[0][1][0]=1", polyline);
+  ck_no_element("curve[1][0][2]=1", polyline);
+  ck_no_element("curve[1][0]=1", polyline);
+  ck_no_element("curve[1]=1", polyline);
+  ck_no_element("curve[1][0][1]=1", vectors);
 }
 END_TEST
 
@@ -326,6 +379,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_count);
   tcase_add_test(tc, test_order);
   tcase_add_test(tc, test_set_element);
+  tcase_add_test(tc, test_set_polyline);
   tcase_add_test(tc, test_no_element);
   suite_add_tcase(s, tc);
   return s;

@@ -46,6 +46,11 @@ static const struct ph_field increase = {
 static const struct ph_field lonlat = {PH_F_LONLAT, PH_VECTORS, PLANE, false,
                                        "",          "points",   ""};
 
+static const struct ph_field curve = {
+    PH_F_CURVE, PH_VECTORS | PH_POLYLINE, PLANE, false, "", "none", ""};
+static const struct ph_field any_curve = {
+    PH_F_CURVE, PH_VECTORS | PH_POLYLINE, PLANE | SPACE, false, "", "none", ""};
+
 static struct ph_arena arena;
 static struct ph_value value;
 static struct ph_diag diag;
@@ -187,6 +192,111 @@ START_TEST(test_arrays) {
   ck_array(get(&points3, "[]"), PH_VECTORS, 0, 3, NULL);
   ck_array(get(&everything, "[0,-1]"), PH_NUMBERS, 2, 1, v);
   ck_array(get(&everything, "[[0,-1]]"), PH_VECTORS, 1, 2, v);
+}
+END_TEST
+
+static void ck_polyline(enum ph_status status, size_t n, const size_t *sizes,
+                        size_t dimension, const double *v) {
+  size_t total = 0;
+  ck_assert_uint_eq(value.sizes_n, n);
+  for (size_t i = 0; i < n; i++) {
+    ck_assert_uint_eq(value.sizes[i], sizes[i]);
+    total += sizes[i];
+  }
+  ck_array(status, PH_POLYLINE, total, dimension, v);
+}
+
+/* Control points of one curve, or of several. */
+START_TEST(test_polyline) {
+  static const double v[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  static const size_t sizes[] = {2, 1, 3};
+  static const size_t one[] = {3};
+  ck_array(get(&curve, "[[0,1],[2,3],[4,5]]"), PH_VECTORS, 3, 2, v);
+  ck_assert_uint_eq(value.sizes_n, 0);
+  ck_array(get(&curve, "[]"), PH_VECTORS, 0, 2, NULL);
+  ck_polyline(get(&curve, "[[[0,1],[2,3]],[[4,5]],[[6,7],[8,9],[10,11]]]"), 3,
+              sizes, 2, v);
+  ck_polyline(get(&curve, "[ [\t[0 ,1], [2,3] ] ,\n[[4,5]] ,[[6,7],[8,9] , "
+                          "[10,11]]]"),
+              3, sizes, 2, v);
+  ck_polyline(get(&curve, "[[[0,1],[2,3],[4,5]]]"), 1, one, 2, v);
+  ck_polyline(get(&any_curve, "[[[0,1,2],[3,4,5],[6,7,8]]]"), 1, one, 3, v);
+  ck_polyline(option(&curve, "[[[0,1],[2,3],[4,5]]] "), 1, one, 2, v);
+  ck_array(option(&curve, "[[0,1],[2,3]]"), PH_VECTORS, 2, 2, v);
+}
+END_TEST
+
+/* More pieces, and more points in one, than memory would be asked for by
+ * mistake: each is where it belongs. */
+START_TEST(test_polyline_long) {
+  enum { PIECES = 40, POINTS = 7, ROOM = PIECES * (POINTS * 12 + 4) + 4 };
+  static char text[ROOM];
+  size_t n = 0;
+  for (int i = 0; i < PIECES; i++) {
+    for (int j = 0; j < i % POINTS + 1; j++) {
+      n += (size_t)snprintf(text + n, ROOM - n, "%s[%d,%d]",
+                            j   ? ","
+                            : i ? "],["
+                                : "[[",
+                            i, j);
+    }
+  }
+  snprintf(text + n, ROOM - n, "]]");
+  ck_assert_int_eq(get(&curve, text), PH_OK);
+  ck_assert_uint_eq(value.sizes_n, PIECES);
+  n = 0;
+  for (int i = 0; i < PIECES; i++) {
+    ck_assert_uint_eq(value.sizes[i], (size_t)(i % POINTS + 1));
+    for (int j = 0; j < i % POINTS + 1; j++) {
+      ck_rel(value.v[n], i, 0);
+      ck_rel(value.v[n + 1], j, 0);
+      n += 2;
+    }
+  }
+  ck_assert_uint_eq(value.n, n / 2);
+}
+END_TEST
+
+START_TEST(test_bad_polyline) {
+  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,2],[3,3],[1e999,4]]]", PH_NOT_FINITE,
+      "curve[1][3][0]", "is 1e999, which overflows a double");
+  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,\"2\"]]]", PH_BAD_TYPE,
+      "curve[1][1][1]", "must be a number, found a string");
+  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,[2]]]]", PH_BAD_TYPE, "curve[1][1][1]",
+      "must be a number, found an array");
+  bad(&curve, "[[[0,0],[1,1]],[[1,1],2]]", PH_BAD_TYPE, "curve[1][1]",
+      "must be an array of numbers, found a number");
+  bad(&curve, "[[[0,0],[1,1]],null]", PH_BAD_TYPE, "curve[1]",
+      "must be an array of points, found null");
+  bad(&curve, "[[[0,0],[1,1]],[1,1]]", PH_BAD_TYPE, "curve[1][0]",
+      "must be an array of numbers, found a number");
+  bad(&curve, "[[0,0],[[1,1],[2,2]]]", PH_BAD_TYPE, "curve[1][0]",
+      "must be a number, found an array");
+  bad(&curve, "[[[0,0],[1,1]],[]]", PH_BAD_SHAPE, "curve[1]", "has no points");
+  bad(&curve, "[[ ], [[0,0],[1,1]]]", PH_BAD_SHAPE, "curve[0]",
+      "has no points");
+  bad(&curve, "[[]]", PH_BAD_SHAPE, "curve[0]", "must have 2 numbers, found 0");
+  bad(&curve, "[[[]]]", PH_BAD_SHAPE, "curve[0][0]",
+      "must have 2 numbers, found 0");
+  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,2,2]]]", PH_BAD_SHAPE, "curve[1][1]",
+      "must have 2 numbers, found 3");
+  bad(&any_curve, "[[[0,0,0],[1,1,1]],[[1,1]]]", PH_BAD_SHAPE, "curve[1][0]",
+      "must have 3 numbers as curve[0][0] has, found 2");
+  bad(&any_curve, "[[0,0],[1,1,1]]", PH_BAD_SHAPE, "curve[1]",
+      "must have 2 numbers as curve[0] has, found 3");
+  bad(&curve, "[1,[[0,0]]]", PH_BAD_TYPE, "curve",
+      "must be an array of points [x,y] or an array of such arrays, found an "
+      "array of numbers");
+  bad(&curve, "null", PH_BAD_TYPE, "curve",
+      "must be an array of points [x,y] or an array of such arrays, found "
+      "null");
+  bad_option(&curve, "0,1", PH_BAD_TYPE,
+             "must be an array of points [x,y] or an array of such arrays, "
+             "found \"0,1\"");
+  bad_option(&curve, "[[[0,1]]", PH_SYNTAX,
+             "must be JSON: the text ends inside an array");
+  bad(&points, "[[[0,0],[1,1]]]", PH_BAD_TYPE, "points[0][0]",
+      "must be a number, found an array");
 }
 END_TEST
 
@@ -420,6 +530,9 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_flag_or_word);
   tcase_add_test(tc, test_words_with_numbers);
   tcase_add_test(tc, test_arrays);
+  tcase_add_test(tc, test_polyline);
+  tcase_add_test(tc, test_polyline_long);
+  tcase_add_test(tc, test_bad_polyline);
   tcase_add_test(tc, test_bad_types);
   tcase_add_test(tc, test_bad_elements);
   tcase_add_test(tc, test_bad_shapes);

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every curve of Tschirnhausen cubics through the data, best first. */
+#ifndef PH_SOLVE_TC_ALL_H
+#define PH_SOLVE_TC_ALL_H
+
+#include "base/mem.h"
+#include "curve/result.h"
+#include "solve/tc_data.h"
+
+/* PH_TC_ALL_MAX: at most so many curves. */
+#define PH_TC_ALL_MAX 4096
+
+/*
+ * ph_tc_all: the product of what the intervals may have (tc_interval.h), simple
+ * curves first, then regular ones, each by energy.
+ *
+ * out  result  solutions, of which the first is the curve
+ * ret  PH_OK | PH_INFEASIBLE | PH_BAD_VALUE (too many) | PH_NO_MEMORY
+ */
+enum ph_status ph_tc_all(const struct ph_tc_data *data, struct ph_arena *out,
+                         struct ph_arena *scratch, struct ph_result *result,
+                         struct ph_diag *diag);
+
+#endif

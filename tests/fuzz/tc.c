@@ -1,0 +1,414 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Fuzz target: any data through the solver of Tschirnhausen cubics.  The
+ * outcome is a failure of the record, or curves: then the certificate of each
+ * passes or is such a failure, cubics follow one another and go through the
+ * points, what is derived from them is sound, and what is printed is JSON.
+ *
+ * The bytes of an input:
+ *   0      bits 0-1 how points are coded (see 6...), 2-3 vectors (none,
+ *          tangents, derivatives, both), 4 closed, 5 indented JSON,
+ *          6 an offset, 7 blaschke
+ *   1      bits 0-2 mode (absent, or by tc_modes), 3-4 solutions (absent,
+ *          best, standard, all), 5-6 ends (absent, circle, the first two
+ *          vectors as end_tangents or end_derivatives), 7 joint chord
+ *   2      signed: lambda is 2^(byte / 32); 0: absent
+ *   3      signed: joint_angle in parts of a half turn; 0: absent
+ *   4      joint_position in 256ths; 0: absent
+ *   5      of what is approximated: bit 0 a curve in place of points,
+ *          1 a chain of cubics, 2 pieces in place of a tolerance, 3-7 either
+ *   6...   the points: pairs of signed bytes, signed 16-bit numbers, doubles
+ *          as they are, or steps (turn, length); each followed by its vector,
+ *          coded likewise, if there are any: after a step an angle from there,
+ *          length
+ */
+#include "problem.h"
+
+#include "cert/cert.h"
+#include "curve/blaschke.h"
+#include "curve/offset.h"
+#include "curve/sample.h"
+#include "kernel/cplx.h"
+#include "kernel/pi.h"
+#include "solve/tc.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
+
+enum { TC_POINTS_MAX = 16 };
+
+enum tc_mode {
+  TC_DEFAULT,
+  TC_G1,
+  TC_G1_PAIR,
+  TC_G1_AUTO,
+  TC_G1_FAIR,
+  TC_C1,
+  TC_SPLINE,
+  TC_APPROXIMATE
+};
+
+static const char *const tc_modes[] = {
+    NULL, "g1", "g1-pair", "g1-auto", "g1-fair", "c1", "spline", "approximate"};
+
+struct tc_flags {
+  bool tangents, derivatives, closed, pretty, offset, blaschke, chord;
+  bool curve, chain, pieces;
+  int coding, solutions, ends, amount;
+  enum tc_mode mode;
+};
+
+struct tc_input {
+  struct fuzz_bytes bytes;
+  struct tc_flags flags;
+  struct ph_problem problem;
+  double lambda, joint_angle, joint_position; /* NaN: absent */
+  size_t points;
+  double point[2 * TC_POINTS_MAX], vector[2 * TC_POINTS_MAX];
+  double chain[2 * 2 * TC_POINTS_MAX]; /* joints come twice */
+  size_t sizes[TC_POINTS_MAX];
+  double heading, at[2];
+};
+
+/* ---- the problem ------------------------------------------------------- */
+
+static bool tc_take_flags(struct tc_input *in) {
+  uint8_t b[6];
+  if (!fuzz_take(&in->bytes, b, sizeof b)) {
+    return false;
+  }
+  in->flags = (struct tc_flags){.coding = b[0] & 3,
+                                .tangents = b[0] >> 2 & 1,
+                                .derivatives = b[0] >> 3 & 1,
+                                .closed = b[0] >> 4 & 1,
+                                .pretty = b[0] >> 5 & 1,
+                                .offset = b[0] >> 6 & 1,
+                                .blaschke = b[0] >> 7,
+                                .mode = (enum tc_mode)(b[1] & 7),
+                                .solutions = b[1] >> 3 & 3,
+                                .ends = b[1] >> 5 & 3,
+                                .chord = b[1] >> 7,
+                                .curve = b[5] & 1,
+                                .chain = b[5] >> 1 & 1,
+                                .pieces = b[5] >> 2 & 1,
+                                .amount = b[5] >> 3};
+  in->lambda = b[2] ? exp2((int8_t)b[2] / 32.0) : (double)NAN;
+  in->joint_angle = b[3] ? (int8_t)b[3] * PH_PI / 128 : (double)NAN;
+  in->joint_position = b[4] ? b[4] / 256.0 : (double)NAN;
+  return true;
+}
+
+/* From the last point on, after a turn to the left. */
+static void tc_step(struct tc_input *in, double *p) {
+  ph_cplx go;
+  in->heading += p[0] * PH_PI / 128;
+  go = ph_cplx_scale(p[1], ph_cplx_polar(in->heading));
+  in->at[0] += go.re;
+  in->at[1] += go.im;
+  memcpy(p, in->at, sizeof in->at);
+}
+
+static bool tc_take_point(struct tc_input *in, size_t k) {
+  const struct tc_flags *f = &in->flags;
+  bool has_vector = f->tangents || f->derivatives || f->ends > 1;
+  double *p = in->point + 2 * k, *v = in->vector + 2 * k;
+  if (!fuzz_take_vector(&in->bytes, f->coding, 2, p) ||
+      (has_vector && !fuzz_take_vector(&in->bytes, f->coding, 2, v))) {
+    return false;
+  }
+  if (f->coding == 3) {
+    ph_cplx direction;
+    tc_step(in, p);
+    direction = ph_cplx_polar(in->heading + v[0] * PH_PI / 128);
+    direction = ph_cplx_scale(exp2(v[1] / 16), direction);
+    v[0] = direction.re;
+    v[1] = direction.im;
+  }
+  return true;
+}
+
+static struct ph_value tc_word(const char *word) {
+  return (struct ph_value){.kind = PH_WORD, .word = word};
+}
+
+static void tc_set_number(struct tc_input *in, enum ph_field_id id, double x) {
+  if (!isnan(x)) {
+    in->problem.field[id] = (struct ph_value){.kind = PH_NUMBER, .number = x};
+  }
+}
+
+static void tc_set_flag(struct tc_input *in, enum ph_field_id id, bool flag) {
+  if (flag) {
+    in->problem.field[id] = (struct ph_value){.kind = PH_BOOL, .flag = true};
+  }
+}
+
+static struct ph_value tc_array(double *v, size_t n) {
+  return (struct ph_value){.kind = PH_VECTORS, .v = v, .n = n, .dimension = 2};
+}
+
+/* The points as cubics, each from the last point of the one before; the last
+ * one of what is left. */
+static void tc_set_chain(struct tc_input *in) {
+  struct ph_value *value = &in->problem.field[PH_F_CURVE];
+  size_t pieces = 0, n = 0;
+  for (size_t from = 0; from == 0 || from + 1 < in->points; from += 3) {
+    size_t size = in->points - from < 4 ? in->points - from : 4;
+    memcpy(in->chain + 2 * n, in->point + 2 * from,
+           2 * size * sizeof *in->chain);
+    in->sizes[pieces++] = size;
+    n += size;
+  }
+  *value = tc_array(in->chain, n);
+  value->kind = PH_POLYLINE;
+  value->sizes = in->sizes;
+  value->sizes_n = pieces;
+}
+
+static void tc_set_data(struct tc_input *in) {
+  const struct tc_flags *f = &in->flags;
+  struct ph_value *field = in->problem.field;
+  if (f->chain) {
+    tc_set_chain(in);
+  } else {
+    field[f->curve ? PH_F_CURVE : PH_F_POINTS] =
+        tc_array(in->point, in->points);
+  }
+  if (f->tangents) {
+    field[PH_F_TANGENTS] = tc_array(in->vector, in->points);
+  }
+  if (f->derivatives) {
+    field[PH_F_DERIVATIVES] = tc_array(in->vector, in->points);
+  }
+  if (f->ends > 1) {
+    field[f->ends == 2 ? PH_F_END_TANGENTS : PH_F_END_DERIVATIVES] =
+        tc_array(in->vector, 2);
+  } else if (f->ends) {
+    field[PH_F_ENDS] = tc_word("circle");
+  }
+  if (f->curve || f->chain || f->mode == TC_APPROXIMATE) {
+    tc_set_number(in, f->pieces ? PH_F_PIECES : PH_F_TOLERANCE,
+                  f->pieces ? 1 + f->amount : ldexp(64, -f->amount));
+  }
+}
+
+static void tc_set_choices(struct tc_input *in) {
+  static const char *const solutions[] = {NULL, "best", "standard", "all"};
+  const struct tc_flags *f = &in->flags;
+  struct ph_value *field = in->problem.field;
+  if (f->mode) {
+    field[PH_F_MODE] = tc_word(tc_modes[f->mode]);
+  }
+  if (f->solutions) {
+    field[PH_F_SOLUTIONS] = tc_word(solutions[f->solutions]);
+  }
+  if (f->chord) {
+    field[PH_F_JOINT] = tc_word("chord");
+  }
+  tc_set_number(in, PH_F_LAMBDA, in->lambda);
+  tc_set_number(in, PH_F_JOINT_ANGLE, in->joint_angle);
+  tc_set_number(in, PH_F_JOINT_POSITION, in->joint_position);
+  tc_set_flag(in, PH_F_CLOSED, f->closed);
+  tc_set_flag(in, PH_F_BLASCHKE, f->blaschke);
+}
+
+/* Sets the problem; false when the bytes are none. */
+static bool tc_set(struct tc_input *in) {
+  if (!tc_take_flags(in)) {
+    return false;
+  }
+  while (in->points < TC_POINTS_MAX && tc_take_point(in, in->points)) {
+    in->points++;
+  }
+  if (in->points == 0 || !fuzz_is_finite(in->point, 2 * TC_POINTS_MAX) ||
+      !fuzz_is_finite(in->vector, 2 * TC_POINTS_MAX)) {
+    return false;
+  }
+  tc_set_data(in);
+  tc_set_choices(in);
+  return true;
+}
+
+/* ---- what holds for a curve --------------------------------------------- */
+
+/* A cubic begins where the one before ends, and is no shorter than straight
+ * on. */
+static void tc_check_segment(const struct ph_curve *curve, size_t k) {
+  const double *p = curve->control_points + 8 * k;
+  double chord = hypot(p[6] - p[0], p[7] - p[1]);
+  FUZZ_REQUIRE(curve->knots[k] < curve->knots[k + 1]);
+  FUZZ_REQUIRE(curve->lengths[k] > 0);
+  FUZZ_REQUIRE(curve->lengths[k] >= chord * (1 - 1e-9));
+  FUZZ_REQUIRE(k + 1 == curve->n || memcmp(p + 6, p + 8, 2 * sizeof *p) == 0);
+}
+
+static void tc_check_curve(const struct tc_input *in,
+                           const struct ph_curve *curve) {
+  FUZZ_REQUIRE(curve->kind == PH_CURVE_TC && curve->degree == 3);
+  FUZZ_REQUIRE(curve->dimension == 2 && curve->n > 0);
+  FUZZ_REQUIRE(curve->preimage_n == 2 && curve->preimage_dimension == 2);
+  FUZZ_REQUIRE(fuzz_is_finite(curve->control_points, 8 * curve->n));
+  FUZZ_REQUIRE(fuzz_is_finite(curve->preimage, 4 * curve->n));
+  FUZZ_REQUIRE(isfinite(curve->length));
+  FUZZ_REQUIRE(!curve->closed || in->flags.closed);
+  for (size_t k = 0; k < curve->n; k++) {
+    tc_check_segment(curve, k);
+  }
+}
+
+/* Of points, each interval begins at one of them, and the last one ends at the
+ * last, or the first. */
+static void tc_check_points(const struct tc_input *in,
+                            const struct ph_result *result) {
+  const struct ph_value *points = &in->problem.field[PH_F_POINTS];
+  size_t n = result->intervals_n;
+  const double *p = result->curve.control_points;
+  if (points->kind == PH_ABSENT || in->flags.mode == TC_APPROXIMATE) {
+    return;
+  }
+  FUZZ_REQUIRE(n + 1 == points->n || (in->flags.closed && n <= points->n));
+  for (size_t i = 0; i < n; i++) {
+    const double *begin = p + 8 * result->intervals[i].first;
+    const double *end = p + 8 * result->intervals[i].last + 6;
+    const double *next =
+        i + 1 < points->n ? points->v + 2 * (i + 1) : points->v;
+    FUZZ_REQUIRE(memcmp(begin, points->v + 2 * i, 2 * sizeof *p) == 0);
+    FUZZ_REQUIRE(memcmp(end, next, 2 * sizeof *p) == 0);
+  }
+}
+
+static void tc_check_samples(const struct ph_samples *samples) {
+  FUZZ_REQUIRE(fuzz_is_finite(samples->point, 2 * samples->n));
+  FUZZ_REQUIRE(fuzz_is_finite(samples->s, samples->n));
+  for (size_t i = 0; i < samples->n; i++) {
+    const double *t = samples->tangent + 2 * i;
+    FUZZ_REQUIRE(fabs(hypot(t[0], t[1]) - 1) < 1e-13);
+    FUZZ_REQUIRE(i == 0 || samples->s[i] >= samples->s[i - 1]);
+  }
+}
+
+/* Rational pieces without a pole, on the cylinder. */
+static void tc_check_blaschke(const struct ph_curve *curve) {
+  FUZZ_REQUIRE(curve->blaschke_n >= curve->n);
+  for (size_t i = 0; i < curve->blaschke_n; i++) {
+    const struct ph_blaschke *piece = &curve->blaschke[i];
+    FUZZ_REQUIRE(piece->segment < curve->n);
+    FUZZ_REQUIRE(piece->interval[0] < piece->interval[1]);
+    FUZZ_REQUIRE(fuzz_is_finite(&piece->control_points[0][0], 18));
+    for (size_t k = 0; k < 6; k++) {
+      FUZZ_REQUIRE(piece->weights[k] > 0 && isfinite(piece->weights[k]));
+    }
+    for (size_t k = 0; k < 6; k += 5) {
+      const double *n = piece->control_points[k];
+      FUZZ_REQUIRE(fabs(hypot(n[0], n[1]) - 1) < 1e-9);
+    }
+  }
+}
+
+static void tc_check_offset(const struct tc_input *in, struct ph_result *result,
+                            struct ph_arena *arena) {
+  double size = ph_curve_size(&result->curve);
+  const struct ph_offset_rules rules = {1e-3 * size, 0};
+  struct ph_offset offset;
+  struct ph_diag diag;
+  enum ph_status status = ph_offset_planar(&result->curve, 0.125 * size, &rules,
+                                           arena, &offset, &diag);
+  if (status != PH_OK) {
+    fuzz_check_failure(&diag, status);
+    return;
+  }
+  FUZZ_REQUIRE(offset.degree == 5 && offset.n >= result->curve.n);
+  fuzz_check_offset(&offset);
+  result->offsets = &offset;
+  result->offsets_n = 1;
+  fuzz_check_output(result, "tc", in->flags.pretty);
+  result->offsets_n = 0;
+}
+
+/* What was asked of an approximation. */
+static void tc_check_approximation(const struct tc_input *in,
+                                   const struct ph_result *result) {
+  const struct ph_value *tolerance = &in->problem.field[PH_F_TOLERANCE];
+  const struct ph_value *pieces = &in->problem.field[PH_F_PIECES];
+  if (tolerance->kind != PH_ABSENT) {
+    FUZZ_REQUIRE(result->diagnostics.known >> PH_D_DISTANCE & 1);
+    FUZZ_REQUIRE(result->diagnostics.value[PH_D_DISTANCE] <= tolerance->number);
+  }
+  if (pieces->kind != PH_ABSENT) {
+    FUZZ_REQUIRE((double)result->curve.n <= pieces->number);
+  }
+}
+
+/* Curves that their certificates accept. */
+static void tc_check_result(const struct tc_input *in, struct ph_result *result,
+                            struct ph_arena *arena) {
+  struct ph_diag diag;
+  enum ph_status status = PH_OK;
+  tc_check_curve(in, &result->curve);
+  fuzz_check_diagnostics(&result->diagnostics);
+  fuzz_check_intervals(result);
+  tc_check_points(in, result);
+  tc_check_approximation(in, result);
+  for (size_t i = 0; i < result->solutions_n; i++) {
+    tc_check_curve(in, &result->solutions[i].curve);
+    fuzz_check_diagnostics(&result->solutions[i].diagnostics);
+  }
+  FUZZ_REQUIRE(ph_sample_curve(&result->curve, 4, arena, &result->samples,
+                               &diag) == PH_OK);
+  FUZZ_REQUIRE(result->samples.n == 5 * result->curve.n);
+  tc_check_samples(&result->samples);
+  if (in->flags.blaschke) {
+    status = ph_blaschke_curve(&result->curve, arena, &diag);
+  }
+  if (status != PH_OK) {
+    fuzz_check_failure(&diag, status);
+  } else if (in->flags.blaschke) {
+    tc_check_blaschke(&result->curve);
+  }
+  fuzz_check_output(result, "tc", in->flags.pretty);
+  if (in->flags.offset) {
+    tc_check_offset(in, result, arena);
+  }
+}
+
+static enum ph_status tc_certify(const struct tc_input *in,
+                                 struct ph_result *result,
+                                 struct ph_arena *scratch,
+                                 struct ph_diag *diag) {
+  enum ph_status status = ph_cert_tc(&in->problem, &result->curve, scratch,
+                                     &result->diagnostics, diag);
+  for (size_t i = 0; status == PH_OK && i < result->solutions_n; i++) {
+    struct ph_solution *solution = &result->solutions[i];
+    status = ph_cert_tc(&in->problem, &solution->curve, scratch,
+                        &solution->diagnostics, diag);
+  }
+  return status;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+  static struct tc_input in;
+  struct ph_arena out = {0}, scratch = {0};
+  struct ph_mark mark, after;
+  struct ph_result result = {0};
+  struct ph_diag diag;
+  enum ph_status status;
+  in = (struct tc_input){.bytes = {data, n, 0}};
+  if (!tc_set(&in)) {
+    return 0;
+  }
+  FUZZ_REQUIRE(ph_arena_array(&scratch, 1, 1) != NULL);
+  mark = ph_arena_mark(&scratch);
+  status = ph_method_tc.solve(&in.problem, &out, &scratch, &result, &diag);
+  after = ph_arena_mark(&scratch);
+  FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
+  if (status == PH_OK) {
+    status = tc_certify(&in, &result, &scratch, &diag);
+  }
+  if (status == PH_OK) {
+    tc_check_result(&in, &result, &out);
+  } else {
+    fuzz_check_failure(&diag, status);
+  }
+  ph_arena_free(&out);
+  ph_arena_free(&scratch);
+  return 0;
+}
