@@ -138,7 +138,8 @@ $(if $(word 2,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
 .SUFFIXES:
 .PHONY: FORCE all install uninstall deps tests-build check check-run demo \
 	demo-run asan asan-run tsan tsan-run valgrind valgrind-run coverage \
-	coverage-run lint lint-run fuzz fuzz-run bench bench-run configure dist \
+	coverage-run lint lint-run fuzz fuzz-run bench bench-run check-long \
+	check-long-run configure dist \
 	distcheck clean distclean help
 
 all: $(PROGRAM) ## build build/plain/phspline (the default)
@@ -317,6 +318,12 @@ fuzz-run: $(FUZZ)
 	  $$f -max_total_time=$(FUZZ_TIME) -artifact_prefix=$(B)/$$n- \
 	    -print_final_stats=1 -timeout=20 $(B)/corpus/$$n \
 	    $$(test -d $$c && echo $$c) || exit 1; done
+
+check-long: ## a million trials of a conjecture (TRIALS=1000000)
+	$(need)
+	$(SUBMAKE) check-long-run
+check-long-run: $(B)/bench/conjecture
+	@$(B)/bench/conjecture $(TRIALS)
 
 bench: ## build and run the benchmarks of bench/
 	$(need)

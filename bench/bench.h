@@ -33,6 +33,11 @@ static inline uint64_t bench_random(uint64_t *state) {
   return z ^ z >> 31;
 }
 
+/* bench_uniform: in [low, high). */
+static inline double bench_uniform(uint64_t *state, double low, double high) {
+  return low + (high - low) * (double)(bench_random(state) >> 11) * 0x1p-53;
+}
+
 /*
  * bench_wobble: the point at angle t of a circle with a few harmonics, and, if
  * there are any, so many waves that turn by about a third of a right angle

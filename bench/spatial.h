@@ -7,10 +7,6 @@
 
 #include "solve/spatial_family.h"
 
-static inline double bench_uniform(uint64_t *state, double low, double high) {
-  return low + (high - low) * (double)(bench_random(state) >> 11) * 0x1p-53;
-}
-
 /* bench_direction: a unit vector, anywhere on the sphere. */
 static inline ph_vec3 bench_direction(uint64_t *state) {
   double z = bench_uniform(state, -1, 1), r = sqrt(1 - z * z);

@@ -7,7 +7,7 @@
 #include "curve/seg3.h"
 
 /*
- * ph_cusps_of: the cusps of the offset of a PH or ATPH curve.
+ * ph_cusps_of: the cusps of the offset of a PH or ATPH curve, or of cubics.
  *
  * None is missed: the speed of the offset along the curve's tangent, which is
  * 1 - d kappa times that of the curve in the plane, is a form of degree 8 in S0

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Fairness of planar PH and ATPH splines [GON18, sec. 2.5].
+ * Fairness of planar PH and ATPH splines and of Tschirnhausen cubics [GON18,
+ * sec. 2.5].
  *
  *   bending  E   = integral of kappa^2 ds
  *   varying  MV  = integral of (dkappa/ds)^2 ds

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Offset curves of PH splines: exact rational Bezier curves of degree 9 [FAR90;
- * GON18, sec. 2.2 with the left normal]; of ATPH splines, the exact
- * displacement as a quotient, and Bezier pieces within a tolerance.
+ * GON18, sec. 2.2 with the left normal], of Tschirnhausen cubics of degree 5;
+ * of ATPH splines, the exact displacement as a quotient, and Bezier pieces
+ * within a tolerance.
  *
  *   o(u) = r(u) + d e(u),  e = A j A* / sigma or A k A* / sigma
  *        = (sigma(u) r(u) + d A(u) j A(u)*) / sigma(u)
@@ -10,7 +11,7 @@
  * for the vectors e2 and e3 of the Euler-Rodrigues frame.  In the plane e2 is
  * the left normal i w^2 / sigma, and d is positive to the left of travel.  The
  * weights are the Bernstein coefficients of the parametric speed sigma, raised
- * to degree 9.
+ * to that degree.
  *
  * An ATPH segment holds t beside sin t and cos t, so that its offset is no
  * NURBS.  o - r is a quotient in <1, sin t, cos t, sin 2t, cos 2t>, given by
@@ -34,11 +35,11 @@ struct ph_offset_rules {
 /*
  * ph_offset_planar: the offset of a planar spline at one distance.
  *
- * A segment whose speed has a coefficient that is not positive (it turns by
- * more than about a half turn) is halved until all weights are positive, so
- * that a renderer meets no pole and the convex hull property holds.
+ * A PH segment whose weights are not all positive (it turns by more than about
+ * a half turn) is cut until they are: halved, or, a cubic, cut once at its
+ * vertex (rational.h).
  *
- * in   curve   PH_CURVE_PH or PH_CURVE_ATPH
+ * in   curve   PH_CURVE_PH, PH_CURVE_TC or PH_CURVE_ATPH
  *
  * out  offset  arrays from the arena
  *

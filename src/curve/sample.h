@@ -45,11 +45,11 @@ bool ph_sampler_begin(struct ph_sampler *sampler, const struct ph_curve *curve);
 /*
  * ph_sample_at: the curve at u in [0,1] of segment k.
  *
- * Of PH and ATPH curves the length is in closed form; of Bezier curves it is
- * that of the curve they stand for, as curve->lengths: a Gauss rule says how it
- * is distributed within a segment; of spherical curves it is by
- * ph_spherical_length.  Points at u = 0 and u = 1 are control points, and the
- * length at u = 1 is curve->lengths[k], to the last bit.
+ * Of PH and ATPH curves and cubics the length is in closed form; of Bezier
+ * curves it is that of the curve they stand for, as curve->lengths: a Gauss
+ * rule says how it is distributed within a segment; of spherical curves it is
+ * by ph_spherical_length.  Points at u = 0 and u = 1 are control points, and
+ * the length at u = 1 is curve->lengths[k], to the last bit.
  */
 struct ph_sample ph_sample_at(const struct ph_sampler *sampler, size_t k,
                               double u);

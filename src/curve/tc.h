@@ -84,15 +84,9 @@ bool ph_tc_has_loop(const struct ph_tc *tc);
 
 /*
  * ph_tc_energy: the integral of kappa^2 ds, to some eps for every sweep D = |
- * atan2(K, R)| of w, in 1/unit.
+ * atan2(K, R)| of w, in 1/unit.  In closed form; tc.c has it.
  *
- *   4/(p q sin^3 D) (p^4 S0 + 4 p^3 q S1 + 6 p^2 q^2 S2 + 4 p q^3 S1 + q^4 S0),
- *   p = 1/|w0|, q = 1/|w1|, Sk = integral of sin(D-x)^(4-k) sin(x)^k, 0 to D
- *
- * all positive; Sk is closed for large D and a series for small D, where the
- * closed form cancels.
- *
- * ret  0 for a straight line; infinite or NaN unless regular
+ * ret  0 for a straight line; infinite unless regular
  */
 double ph_tc_energy(const struct ph_tc *tc);
 

@@ -11,8 +11,9 @@
 
 #include <stddef.h>
 
-/* PH_TC_SIMPLE_NEAR: points no further apart than this, relative to the size of
- * the chain, meet. */
+/* PH_TC_SIMPLE_NEAR: points no further apart than this, relative to the length
+ * of the chain, meet, if the tangent turns by a half turn or more between them.
+ */
 #define PH_TC_SIMPLE_NEAR 1e-11
 
 /* At most so many cubics. */

@@ -19,13 +19,13 @@ void ph_bern_basis(size_t degree, double u, double *basis) {
   }
 }
 
-void ph_bern_halve(const ph_cplx *c, size_t degree, ph_cplx *left,
-                   ph_cplx *right) {
+void ph_bern_cut(const ph_cplx *c, size_t degree, double u, ph_cplx *left,
+                 ph_cplx *right) {
   memcpy(right, c, (degree + 1) * sizeof *right);
   for (size_t n = degree; n > 0; n--) {
     left[degree - n] = right[0];
     for (size_t k = 0; k < n; k++) {
-      right[k] = between(right[k], right[k + 1], 0.5);
+      right[k] = between(right[k], right[k + 1], u);
     }
   }
   left[degree] = right[0];

@@ -18,12 +18,12 @@
 void ph_bern_basis(size_t degree, double u, double *basis);
 
 /*
- * ph_bern_halve: the two halves of a polynomial, each on [0,1] again.
+ * ph_bern_cut: the two parts of a polynomial beside u, each on [0,1] again.
  *
  * in   c[degree + 1]
  * out  left[degree + 1], right[degree + 1]
  */
-void ph_bern_halve(const ph_cplx *c, size_t degree, ph_cplx *left,
-                   ph_cplx *right);
+void ph_bern_cut(const ph_cplx *c, size_t degree, double u, ph_cplx *left,
+                 ph_cplx *right);
 
 #endif

@@ -26,7 +26,7 @@ static void warn_crossings(const struct crossings *crossings,
   if (crossings->n > 0) {
     const struct ph_interval *at = &result->intervals[crossings->first];
     ph_fail(ph_warning_add(result, at->first), PH_LOOP, NULL,
-            "every solution of interval %zu has a loop or crosses itself (such "
+            "the curve of interval %zu has a loop or crosses itself (such "
             "intervals: %zu)",
             crossings->first, crossings->n);
   }

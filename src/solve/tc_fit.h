@@ -30,6 +30,15 @@ static inline ph_cplx ph_tc_snap(ph_cplx t) {
   return fabs(t.im) <= PH_TC_COLLINEAR * fabs(t.re) ? ph_cplx_of(t.re, 0) : t;
 }
 
+/* ph_tc_is_along, ph_tc_is_backward: of a snapped vector. */
+static inline bool ph_tc_is_along(ph_cplx t) {
+  return !(fabs(t.im) > 0);
+}
+
+static inline bool ph_tc_is_backward(ph_cplx t) {
+  return t.re < 0 && ph_tc_is_along(t);
+}
+
 /* A curve of one or two cubics that fits Hermite data. */
 struct ph_tc_fit {
   struct ph_tc tc[2];
@@ -45,6 +54,20 @@ struct ph_tc_fit {
   double length;
   double energy; /* not finite unless regular */
 };
+
+/* ph_tc_fit_of: n cubics that are still to be set and measured. */
+static inline struct ph_tc_fit ph_tc_fit_of(size_t n, enum ph_root root) {
+  const double none = (double)NAN;
+  struct ph_tc_fit fit = {.n = n,
+                          .root = root,
+                          .ratio = none,
+                          .lambda = none,
+                          .joint_angle = none,
+                          .joint_position = none,
+                          .length = none,
+                          .energy = none};
+  return fit;
+}
 
 /*
  * ph_tc_fit_measure: regular, loops, length and energy from tc[n]; simple is

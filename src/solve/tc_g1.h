@@ -10,6 +10,8 @@
  *
  * gives one: w0 = sqrt(3/G) e^(ia/2), w1 = D sqrt(3/G) e^(ib/2) for the
  * chord 1. |D| is the square root of the ratio of the outer legs; D has a sign.
+ * The angle of a backward tangent is taken as pi or -pi such that D > 0, as in
+ * the mirror image.
  */
 #ifndef PH_SOLVE_TC_G1_H
 #define PH_SOLVE_TC_G1_H
@@ -17,8 +19,10 @@
 #include "solve/tc_fit.h"
 
 /*
- * ph_tc_g1: all cubics with these unit tangents, best first: without a loop
- * before those with one, then the one that bends less.
+ * ph_tc_g1: all cubics with these unit tangents, best first: regular ones,
+ * without a loop before those with one, then the one that bends less.  Roots
+ * and G that are 0 to rounding are 0: a double root is one cubic, a closed one
+ * is none.
  *
  * Both tangents along the chord and forward give the straight line (root
  * PH_ROOT_STRAIGHT, D = 1); along the chord otherwise there is none.
@@ -46,12 +50,13 @@ struct ph_tc_count ph_tc_g1_count(double a, double b);
 
 /*
  * ph_tc_g1_range: the open interval of angles at one end for which there is a
- * cubic, given the angle at the other; it holds 0.  The angle 0 itself is not
+ * cubic, given the angle at the other; it holds 0, and is less than a turn
+ * long, but an end of it may be beyond pi or -pi.  The angle 0 itself is not
  * among them if |a| >= 2 pi/3, or else a cubic with a loop; for a = 0 it is the
  * straight line.
  *
  * in   a         in [-pi, pi]
- * out  range[2]  in (-pi, pi)
+ * out  range[2]  in (-2 pi, 2 pi)
  */
 void ph_tc_g1_range(double a, double range[2]);
 

@@ -40,10 +40,10 @@ static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
   low = fmax(range[0][0], range[1][0]);
   high = fmin(range[0][1], range[1][1]);
   return isnan(d->joint_angle)
-             ? ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+             ? ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
                           "no two cubics meet on the chord without a cusp; "
                           "\"joint\":\"free\" has a curve of two")
-             : ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+             : ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
                           "no two cubics meet on the chord at the angle %.6g: "
                           "it must be between %.6g and %.6g, and not 0",
                           d->joint_angle, low, high);
@@ -51,7 +51,7 @@ static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
 
 static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
                                 struct ph_diag *diag) {
-  return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+  return ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
                     d->choice == PH_TC_STANDARD
                         ? "the standard pair has a cusp; \"solutions\":"
                           "\"best\" may have none"
@@ -108,7 +108,7 @@ static enum ph_status two(const struct ph_tc_data *d, size_t k,
   }
   return ph_tc_two_free(h, fit)
              ? PH_OK
-             : ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
+             : ph_fail_at(diag, PH_NO_CONVERGENCE, "intervals", k,
                           "no pair of cubics without a crossing was found");
 }
 

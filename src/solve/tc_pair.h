@@ -39,7 +39,8 @@ bool ph_tc_pair_standard(const struct ph_tc_hermite *h, struct ph_tc_fit *fit);
 
 /*
  * ph_tc_pair_best: of the four the best by ph_tc_fit_best, measured; safe data
- * are not tested.
+ * are not tested.  Of data that are their own mirror image from the other end
+ * two pairs may be equally good.
  *
  * ret  false if all four are irregular
  */

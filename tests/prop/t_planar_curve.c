@@ -220,8 +220,8 @@ START_TEST(test_halves) {
       double size = unit_planar_size(&u), length = 0;
       memcpy(p, c->control_points + 12 * k, sizeof p);
       memcpy(w, c->preimage + 6 * k, sizeof w);
-      ph_bern_halve(p, 5, half[0], half[1]);
-      ph_bern_halve(w, 2, root[0], root[1]);
+      ph_bern_cut(p, 5, 0.5, half[0], half[1]);
+      ph_bern_cut(w, 2, 0.5, root[0], root[1]);
       for (int side = 0; side < 2; side++) {
         for (int j = 0; j < 3; j++) {
           root[side][j] = ph_cplx_scale(sqrt(0.5), root[side][j]);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bernstein form: the basis by its definition, and the two halves. */
+/* Bernstein form: the basis by its definition, and the two parts. */
 #include "unit.h"
 #include "random_unit.h"
 
@@ -55,35 +55,38 @@ static ph_cplx value(const ph_cplx *c, size_t degree, double u) {
   return sum;
 }
 
-START_TEST(test_halve) {
+START_TEST(test_cut) {
   struct unit_random r = unit_random_of(2);
   ph_cplx c[DEGREE_MAX + 1], left[DEGREE_MAX + 1], right[DEGREE_MAX + 1];
   for (size_t n = 0; n <= DEGREE_MAX; n++) {
     for (int i = 0; i < 100; i++) {
+      double at;
       for (size_t k = 0; k <= n; k++) {
         c[k] = unit_random_cplx(&r, 1);
       }
-      ph_bern_halve(c, n, left, right);
+      at = i % 2 ? unit_random_in(&r, 0, 1) : 0.5;
+      ph_bern_cut(c, n, at, left, right);
       for (int j = 0; j < 5; j++) {
         double u = unit_random_in(&r, 0, 1);
         ph_cplx a = value(left, n, u), b = value(right, n, u);
-        ck_assert_double_le(unit_distance(a, value(c, n, u / 2)), 4e-15);
-        ck_assert_double_le(unit_distance(b, value(c, n, (1 + u) / 2)), 4e-15);
+        ck_assert_double_le(unit_distance(a, value(c, n, at * u)), 4e-15);
+        ck_assert_double_le(unit_distance(b, value(c, n, at + (1 - at) * u)),
+                            4e-15);
       }
     }
   }
 }
 END_TEST
 
-/* The ends are kept, and the halves join, to the last digit. */
-START_TEST(test_halve_ends) {
+/* The ends are kept, and the parts join, to the last digit. */
+START_TEST(test_cut_ends) {
   struct unit_random r = unit_random_of(3);
   ph_cplx c[DEGREE_MAX + 1], left[DEGREE_MAX + 1], right[DEGREE_MAX + 1];
   for (size_t n = 0; n <= DEGREE_MAX; n++) {
     for (size_t k = 0; k <= n; k++) {
       c[k] = unit_random_cplx(&r, 1);
     }
-    ph_bern_halve(c, n, left, right);
+    ph_bern_cut(c, n, unit_random_in(&r, 0, 1), left, right);
     ck_abs(unit_distance(left[0], c[0]), 0, 0);
     ck_abs(unit_distance(right[n], c[n]), 0, 0);
     ck_abs(unit_distance(left[n], right[0]), 0, 0);
@@ -96,8 +99,8 @@ static Suite *suite(void) {
   TCase *tc = tcase_create("bern");
   tcase_add_test(tc, test_basis);
   tcase_add_test(tc, test_basis_ends);
-  tcase_add_test(tc, test_halve);
-  tcase_add_test(tc, test_halve_ends);
+  tcase_add_test(tc, test_cut);
+  tcase_add_test(tc, test_cut_ends);
   suite_add_tcase(s, tc);
   return s;
 }

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Hermite data of Tschirnhausen cubics for the tests, and how well they are
+ * met. */
+#ifndef PH_TESTS_TC_HERMITE_UNIT_H
+#define PH_TESTS_TC_HERMITE_UNIT_H
+
+#include "kernel/pi.h"
+#include "random_unit.h"
+#include "solve/tc_fit.h"
+
+/* Tangents at the angles a and b to the chord, of the lengths from and to. */
+static inline struct ph_tc_hermite unit_tc_data(double a, double from, double b,
+                                                double to) {
+  struct ph_tc_hermite h;
+  h.t[0] = ph_tc_snap(ph_cplx_scale(from, ph_cplx_polar(a)));
+  h.t[1] = ph_tc_snap(ph_cplx_scale(to, ph_cplx_polar(b)));
+  return h;
+}
+
+/* How far a fit ends from 1, relative to its length. */
+static inline double unit_tc_miss(const struct ph_tc_fit *fit) {
+  ph_cplx end = {0, 0};
+  double length = 0;
+  for (size_t i = 0; i < fit->n; i++) {
+    end = ph_cplx_add(end, ph_tc_leg(&fit->tc[i]));
+    length += ph_tc_length(&fit->tc[i]);
+  }
+  return unit_distance(end, ph_cplx_of(1, 0)) / length;
+}
+
+/* The derivative at the start (0) or at the end (1). */
+static inline ph_cplx unit_tc_end(const struct ph_tc_fit *fit, size_t end) {
+  ph_cplx w = end == 0 ? fit->tc[0].w[0] : fit->tc[fit->n - 1].w[1];
+  return ph_cplx_mul(w, w);
+}
+
+/* The same data seen from the other end, or in a mirror along the chord. */
+static inline struct ph_tc_hermite unit_tc_reversed(struct ph_tc_hermite h) {
+  struct ph_tc_hermite r = {{h.t[1], h.t[0]}};
+  return r;
+}
+
+static inline struct ph_tc_hermite unit_tc_mirrored(struct ph_tc_hermite h) {
+  struct ph_tc_hermite m = {
+      {ph_tc_snap(ph_cplx_conj(h.t[0])), ph_tc_snap(ph_cplx_conj(h.t[1]))}};
+  return m;
+}
+
+/* ... and the preimages of a fit of n cubics, from one end to the other. */
+static inline ph_cplx unit_tc_preimage(const struct ph_tc_fit *fit, size_t i) {
+  return i == 0 ? fit->tc[0].w[0] : fit->tc[i - 1].w[1];
+}
+
+/* The distance of preimages of x, seen like that, to those of y up to their
+ * common sign, relative to the size of y. */
+static inline double unit_tc_apart(const struct ph_tc_fit *x, bool reversed,
+                                   bool mirrored, const struct ph_tc_fit *y) {
+  double plus = 0, minus = 0, size = 0;
+  for (size_t i = 0; i <= y->n; i++) {
+    ph_cplx u = unit_tc_preimage(x, reversed ? x->n - i : i);
+    ph_cplx v = unit_tc_preimage(y, i);
+    u = mirrored ? ph_cplx_conj(u) : u;
+    plus = unit_larger(plus, unit_distance(u, v));
+    minus = unit_larger(minus, unit_distance(ph_cplx_scale(-1, u), v));
+    size = unit_larger(size, ph_cplx_abs(v));
+  }
+  return (plus < minus ? plus : minus) / size;
+}
+
+#endif
