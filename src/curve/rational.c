@@ -5,6 +5,7 @@
 #include "curve/ph3.h"
 #include "curve/tc.h"
 #include "kernel/bern.h"
+#include "kernel/pow2.h"
 
 /* Halvings of a quintic before its speed counts as zero: 2^-20 of a segment is
  * below any feature that its control points can describe. */
@@ -94,25 +95,41 @@ static void set_speed(struct ph_rational *r, bool whole) {
   }
 }
 
-/* The foot of the origin on the line through a and b: what both have in common
- * across it. */
-static ph_cplx foot_of(ph_cplx a, ph_cplx b) {
-  ph_cplx along = ph_cplx_sub(b, a), across = {along.im, -along.re};
-  return ph_cplx_scale(ph_cplx_cross(a, b) / ph_cplx_norm2(along), across);
+/* A cubic smaller by 2^exponent, so that w is at unit scale. */
+static struct ph_tc cubic_of(const struct piece *piece, int *exponent) {
+  struct ph_tc tc = {{{0, 0}, {0, 0}}};
+  double largest = 0;
+  for (size_t i = 0; i < 2; i++) {
+    tc.w[i] = ph_cplx_of(piece->a[0][i].re, piece->a[1][i].im);
+    largest = fmax(largest, fmax(fabs(tc.w[i].re), fabs(tc.w[i].im)));
+  }
+  *exponent = largest > 0 ? ph_pow2_exponent(largest) : 0;
+  for (size_t i = 0; i < 2; i++) {
+    tc.w[i] = ph_cplx_scale(ldexp(1, -*exponent), tc.w[i]);
+  }
+  return tc;
 }
 
-/* Cuts a piece in two; false where it has no vertex within. */
+/* The foot of the origin on the line of w: what w0 and w1 have in common across
+ * it. */
+static ph_cplx foot_of(const struct ph_tc *tc) {
+  ph_cplx along = ph_cplx_sub(tc->w[1], tc->w[0]);
+  return ph_cplx_scale(ph_cplx_cross(tc->w[0], tc->w[1]) / ph_cplx_norm2(along),
+                       ph_cplx_of(along.im, -along.re));
+}
+
+/* Cuts a piece in two; false where a cubic has no vertex within. */
 static bool cut(const struct piece *piece, size_t degree, struct piece *left,
                 struct piece *right) {
-  const struct ph_tc tc = {{{piece->a[0][0].re, piece->a[1][0].im},
-                            {piece->a[0][1].re, piece->a[1][1].im}}};
+  int exponent;
+  const struct ph_tc tc = cubic_of(piece, &exponent);
   const double u = degree == 5 ? 0.5 : ph_tc_vertex(&tc);
   for (size_t i = 0; i < 2; i++) {
     ph_bern_cut(piece->a[i], (degree - 1) / 2, u, left->a[i], right->a[i]);
     ph_bern_cut(piece->p[i], degree, u, left->p[i], right->p[i]);
   }
   if (degree == 3) {
-    ph_cplx foot = foot_of(tc.w[0], tc.w[1]);
+    ph_cplx foot = ph_cplx_scale(ldexp(1, exponent), foot_of(&tc));
     left->a[0][1] = right->a[0][0] = ph_cplx_of(foot.re, 0);
     left->a[1][1] = right->a[1][0] = ph_cplx_of(0, foot.im);
   }
@@ -153,6 +170,14 @@ static bool visit(const struct walk *walk, const struct piece *piece,
          visit(walk, &left, depth + 1) && visit(walk, &right, depth + 1);
 }
 
+/* Whether the curve stands still in a cubic, to rounding, that the weights of
+ * its two parts cannot tell from a turn on the spot. */
+static bool rests(const struct piece *piece) {
+  int exponent;
+  const struct ph_tc tc = cubic_of(piece, &exponent);
+  return !ph_tc_is_regular(&tc);
+}
+
 enum ph_status ph_rational_walk(const struct ph_curve *curve, const char *what,
                                 ph_rational_visit *each, void *context,
                                 struct ph_diag *diag) {
@@ -160,7 +185,7 @@ enum ph_status ph_rational_walk(const struct ph_curve *curve, const char *what,
   for (size_t k = 0; k < curve->n; k++) {
     struct piece piece = segment_of(curve, k);
     walk.segment = k;
-    if (!visit(&walk, &piece, 0)) {
+    if ((curve->degree == 3 && rests(&piece)) || !visit(&walk, &piece, 0)) {
       return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
                         "has no %s: the curve stands still in it and has no "
                         "normal there",

@@ -123,12 +123,15 @@ ph_cplx unit_bezier(const double *p, size_t degree, size_t order, double t) {
 
 ph_cplx unit_curve(const struct ph_curve *curve, size_t k, size_t order,
                    double t) {
-  return unit_bezier(curve->control_points + 12 * k, 5, order, t);
+  size_t stride = 2 * (curve->degree + 1);
+  return unit_bezier(curve->control_points + stride * k, curve->degree, order,
+                     t);
 }
 
 ph_cplx unit_preimage(const struct ph_curve *curve, size_t k, size_t order,
                       double t) {
-  return unit_bezier(curve->preimage + 6 * k, 2, order, t);
+  size_t n = curve->preimage_n;
+  return unit_bezier(curve->preimage + 2 * n * k, n - 1, order, t);
 }
 
 double unit_curves_apart(const struct ph_curve *a, const struct ph_curve *b) {

@@ -3,6 +3,7 @@
 #include "unit.h"
 #include "curve3_unit.h"
 #include "random_unit.h"
+#include "tc_curve_unit.h"
 
 #include "curve/bezier.h"
 #include "solve/spatial_family.h"
@@ -32,6 +33,20 @@ START_TEST(test_ph) {
   unit_curve3_random(&c, 2, false, 0.6, &r);
   bezier = convert(1e-9, &error);
   ck_assert_int_eq(memcmp(&bezier, &c.curve, sizeof bezier), 0);
+  ck_abs(error, 0, 0);
+}
+END_TEST
+
+START_TEST(test_cubics) {
+  struct unit_random r = unit_random_of(545);
+  struct unit_cubics cubics;
+  struct ph_curve bezier;
+  double error;
+  unit_cubics_random(&cubics, &r, 3, 1, ph_cplx_of(1, 2));
+  ck_assert_int_eq(
+      ph_bezier_curve(&cubics.curve, 1e-9, &arena, &bezier, &error, &diag),
+      PH_OK);
+  ck_assert_int_eq(memcmp(&bezier, &cubics.curve, sizeof bezier), 0);
   ck_abs(error, 0, 0);
 }
 END_TEST
@@ -159,6 +174,7 @@ static Suite *suite(void) {
   TCase *t = tcase_create("bezier");
   tcase_add_checked_fixture(t, NULL, finish);
   tcase_add_test(t, test_ph);
+  tcase_add_test(t, test_cubics);
   tcase_add_test(t, test_atph);
   tcase_add_test(t, test_lengths);
   tcase_add_loop_test(t, test_one_piece, 0, 4);

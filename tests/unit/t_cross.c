@@ -3,6 +3,9 @@
  * curve in other frames. */
 #include "unit.h"
 #include "cross_unit.h"
+#include "tc_curve_unit.h"
+
+#include "curve/tc.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -253,6 +256,65 @@ START_TEST(test_scribble) {
 }
 END_TEST
 
+/* ---- Tschirnhausen cubics ----------------------------------------------- */
+
+/* One cubic has a loop where it turns by more than 4 pi/3 and far enough to
+ * either side of its vertex, at every scale and far from the origin. */
+START_TEST(test_cubic_loops) {
+  const double scales[] = {1, 1e-9, 1e9, 1e-150, 1e150};
+  const int cubics = unit_count(2000);
+  struct unit_random r = unit_random_of(5);
+  size_t loops = 0;
+  for (int i = 0; i < cubics; i++) {
+    const double scale = scales[i % 5], far = i % 3 ? 1 : 1e6;
+    struct unit_cubics c;
+    struct ph_cross cross;
+    double a, b, m;
+    bool loop;
+    unit_cubics_random(&c, &r, 1, scale, unit_random_cplx(&r, far * scale));
+    a = pow(c.preimage[0], 2) + pow(c.preimage[1], 2);
+    b = pow(c.preimage[2], 2) + pow(c.preimage[3], 2);
+    m = c.preimage[0] * c.preimage[2] + c.preimage[1] * c.preimage[3];
+    loop = m < 0 && sqrt(3) * fabs(unit_cubic_bend(&c, 0)) <= fmin(a, b) - m;
+    cross = unit_cross(&c.curve, 1e3 * far * scale);
+    ck_assert_msg((cross.loops == 1) == loop, "seed %lu, cubic %d", unit_seed(),
+                  i);
+    ck_assert(cross.simple == !loop);
+    loops += loop;
+  }
+  ck_assert_int_ge((int)loops, cubics / 10);
+}
+END_TEST
+
+/* Several, as the quintics that they are too: the same but for rounding. */
+START_TEST(test_cubic_chains) {
+  const int chains = unit_count(300);
+  static struct unit_chain chain;
+  struct unit_random r = unit_random_of(6);
+  size_t crossed = 0;
+  for (int i = 0; i < chains; i++) {
+    const size_t n = 2 + unit_random_below(&r, 5);
+    const ph_cplx zero = {0, 0};
+    struct unit_cubics c;
+    struct ph_cross cross, raised;
+    unit_cubics_random(&c, &r, n, 1, zero);
+    unit_chain_begin(&chain, false);
+    for (size_t k = 0; k < n; k++) {
+      const double *v = c.preimage + 4 * k;
+      const ph_cplx w[3] = {
+          {v[0], v[1]}, {(v[0] + v[2]) / 2, (v[1] + v[3]) / 2}, {v[2], v[3]}};
+      unit_chain_add(&chain, w);
+    }
+    cross = unit_cross(&c.curve, 10);
+    raised = unit_cross(&chain.curve, 10);
+    ck_assert_uint_eq(cross.loops, raised.loops);
+    ck_assert(cross.simple == raised.simple);
+    crossed += !cross.simple && cross.loops == 0;
+  }
+  ck_assert_int_ge((int)crossed, chains / 20);
+}
+END_TEST
+
 /* ---- other frames ------------------------------------------------------- */
 
 /* The curve scaled, turned and shifted. */
@@ -354,6 +416,8 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_eight);
   tcase_add_test(tc, test_spirals);
   tcase_add_test(tc, test_scribble);
+  tcase_add_test(tc, test_cubic_loops);
+  tcase_add_test(tc, test_cubic_chains);
   tcase_add_test(tc, test_frames);
   tcase_add_test(tc, test_again);
   suite_add_tcase(s, tc);

@@ -9,6 +9,7 @@
 #include "unit.h"
 #include "curve3_unit.h"
 #include "seg2_unit.h"
+#include "tc_curve_unit.h"
 
 enum { SEGMENTS = 200 };
 
@@ -216,6 +217,61 @@ START_TEST(test_scales) {
 }
 END_TEST
 
+/* The parameters in [0,1], sorted, at which 2 K d = |w|^4 on a cubic:
+ * |w|^2 = A + 2 (R - A) u + M u^2 is sqrt(2 K d). */
+static size_t cubic_cusps(const double w[4], double d, double u[2]) {
+  double kd = d * (w[0] * w[3] - w[1] * w[2]);
+  double slope = w[0] * (w[2] - w[0]) + w[1] * (w[3] - w[1]);
+  double m = pow(w[2] - w[0], 2) + pow(w[3] - w[1], 2);
+  double rest = w[0] * w[0] + w[1] * w[1] - sqrt(2 * fmax(kd, 0));
+  double disc = slope * slope - m * rest;
+  size_t n = 0;
+  for (int side = -1; kd > 0 && disc > 0 && side <= 1; side += 2) {
+    double x = (side * sqrt(disc) - slope) / m;
+    if (x > 0 && x < 1) {
+      u[n++] = x;
+    }
+  }
+  return n;
+}
+
+START_TEST(test_cubics) {
+  struct unit_random r = unit_random_of(514);
+  size_t some = 0;
+  for (size_t n = 0; n < SEGMENTS; n++) {
+    const double scale = n % 2 ? 1 : 1e100;
+    double d = scale * unit_random_in(&r, -2, 2);
+    struct unit_cubics c;
+    struct ph_cusps cusps;
+    size_t wanted = 0;
+    double at = 0, before = 0;
+    unit_cubics_random(&c, &r, 3, scale, unit_random_cplx(&r, scale));
+    for (size_t k = 0; k < 3; k++) {
+      double u[2];
+      size_t inside = cubic_cusps(c.preimage + 4 * k, d, u);
+      double speed = hypot(c.preimage[4 * k], c.preimage[4 * k + 1]);
+      double bend = 2 * (d / scale) * (unit_cubic_bend(&c, k) / scale);
+      double sign = pow(speed / sqrt(scale), 4) - bend;
+      if (k > 0 && (sign > 0) != (before > 0)) { /* at the joint */
+        at = wanted++ == 0 ? (double)k : at;
+      }
+      if (inside > 0 && wanted == 0) {
+        at = (double)k + u[0];
+      }
+      wanted += inside;
+      before = inside % 2 ? -sign : sign;
+    }
+    cusps = ph_cusps_of(&c.curve, d, PH_E2);
+    ck_assert_uint_eq(cusps.n, wanted);
+    if (wanted > 0) {
+      ck_abs((double)cusps.segment + cusps.u, at, 1e-6);
+    }
+    some += wanted > 0;
+  }
+  ck_assert_uint_ge(some, SEGMENTS / 5);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("cusp");
   TCase *t = tcase_create("cusp");
@@ -226,6 +282,7 @@ static Suite *suite(void) {
   tcase_add_test(t, test_form_in_space);
   tcase_add_test(t, test_count_in_space);
   tcase_add_loop_test(t, test_scales, 0, 4);
+  tcase_add_test(t, test_cubics);
   suite_add_tcase(s, t);
   return s;
 }

@@ -2,8 +2,10 @@
 /* Fairness of planar splines: against quadrature that spares no node. */
 #include "unit.h"
 #include "seg2_unit.h"
+#include "tc_curve_unit.h"
 
 #include "curve/energy.h"
+#include "curve/tc.h"
 
 enum { SEGMENTS = 60, PANELS = 400 };
 
@@ -156,6 +158,31 @@ START_TEST(test_bound) {
 }
 END_TEST
 
+/* Of cubics both are known in closed form. */
+START_TEST(test_cubics) {
+  const double scales[] = {1, 1e-9, 1e9};
+  struct unit_random r = unit_random_of(524);
+  for (size_t n = 0; n < SEGMENTS; n++) {
+    const double scale = scales[n % 3];
+    struct unit_cubics c;
+    struct ph_energy found;
+    double bending = 0, turned = 0, absolute = 0;
+    unit_cubics_random(&c, &r, 3, scale, unit_random_cplx(&r, scale));
+    for (size_t k = 0; k < 3; k++) {
+      const double *w = c.preimage + 4 * k;
+      const struct ph_tc tc = {{{w[0], w[1]}, {w[2], w[3]}}};
+      bending += ph_tc_energy(&tc);
+      turned += ph_tc_turning(&tc);
+      absolute += fabs(ph_tc_turning(&tc));
+    }
+    ck_assert(ph_energy_planar(&c.curve, &found));
+    ck_rel(found.bending, bending, 1e-12);
+    ck_abs(2 * PI * found.rotation, turned, 1e-14);
+    ck_abs(2 * PI * found.absolute_rotation, absolute, 1e-14);
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("energy");
   TCase *t = tcase_create("energy");
@@ -166,6 +193,7 @@ static Suite *suite(void) {
   tcase_add_test(t, test_circle);
   tcase_add_test(t, test_line);
   tcase_add_test(t, test_bound);
+  tcase_add_test(t, test_cubics);
   suite_add_tcase(s, t);
   return s;
 }

@@ -4,6 +4,7 @@
 #include "ph_unit.h"
 #include "planar_unit.h"
 #include "random_unit.h"
+#include "tc_curve_unit.h"
 
 #include "curve/offset.h"
 
@@ -47,21 +48,23 @@ static void single_of(const ph_cplx w[3], ph_cplx start, struct single *s) {
 
 /* Value of a rational Bezier piece. */
 static ph_cplx rational(const struct ph_offset *o, size_t piece, double t) {
-  const double *p = o->control_points + 20 * piece;
-  const double *weight = o->weights + 10 * piece;
+  const size_t points = o->degree + 1;
+  const double *p = o->control_points + 2 * points * piece;
+  const double *weight = o->weights + points * piece;
   double lifted[20], flat[20], unit = 0;
   ph_cplx numerator, denominator;
-  for (size_t i = 0; i < 10; i++) {
+  ck_assert_uint_le(points, 10);
+  for (size_t i = 0; i < points; i++) {
     unit = fmax(unit, weight[i]);
   }
-  for (size_t i = 0; i < 10; i++) {
+  for (size_t i = 0; i < points; i++) {
     lifted[2 * i] = weight[i] / unit * p[2 * i];
     lifted[2 * i + 1] = weight[i] / unit * p[2 * i + 1];
     flat[2 * i] = weight[i] / unit;
     flat[2 * i + 1] = 0;
   }
-  numerator = unit_bezier(lifted, 9, 0, t);
-  denominator = unit_bezier(flat, 9, 0, t);
+  numerator = unit_bezier(lifted, o->degree, 0, t);
+  denominator = unit_bezier(flat, o->degree, 0, t);
   return ph_cplx_scale(1 / denominator.re, numerator);
 }
 
@@ -75,8 +78,9 @@ static ph_cplx defined(const struct ph_curve *curve, size_t k, double d,
 
 /* The pieces tile the segments in order, all weights are positive. */
 static void ck_pieces(const struct ph_curve *curve, const struct ph_offset *o) {
+  const size_t points = 2 * curve->degree;
   size_t piece = 0;
-  ck_assert_uint_eq(o->degree, 9);
+  ck_assert_uint_eq(o->degree, points - 1);
   ck_assert_uint_eq(o->dimension, 2);
   for (size_t k = 0; k < curve->n; k++) {
     double at = 0;
@@ -86,8 +90,8 @@ static void ck_pieces(const struct ph_curve *curve, const struct ph_offset *o) {
       ck_abs(o->interval[2 * piece], at, 0);
       ck_assert(o->interval[2 * piece + 1] > at);
       at = o->interval[2 * piece + 1];
-      for (size_t i = 0; i < 10; i++) {
-        ck_assert(o->weights[10 * piece + i] > 0);
+      for (size_t i = 0; i < points; i++) {
+        ck_assert(o->weights[points * piece + i] > 0);
       }
       piece++;
     }
@@ -287,6 +291,96 @@ START_TEST(test_too_large) {
 }
 END_TEST
 
+/* ---- Tschirnhausen cubics ----------------------------------------------- */
+
+/* The offset is at d along the normal from the curve, to rounding: of w over
+ * |w|, and of the points. */
+START_TEST(test_cubics) {
+  const double scales[] = {1, 1e-9, 1e9, 1e-150, 1e150};
+  const int curves = unit_count(300);
+  struct unit_random r = unit_random_of(6);
+  size_t cuts = 0;
+  for (int i = 0; i < curves; i++) {
+    const double scale = scales[i % 5], far = i % 3 ? 1 : 1e6;
+    double d = scale * unit_random_in(&r, -2, 2), slow = HUGE_VAL;
+    struct unit_cubics c;
+    struct ph_offset o;
+    unit_cubics_random(&c, &r, 4, scale, unit_random_cplx(&r, far * scale));
+    for (size_t k = 0; k < 4; k++) {
+      slow = fmin(slow, unit_cubic_slowest(&c, k) / scale);
+    }
+    o = ck_offset(&c.curve, d,
+                  1e-15 * scale * (20 + far) +
+                      4e-16 * fabs(d) * (10 + 10 / sqrt(slow)),
+                  &r);
+    ck_assert_uint_le(o.n, 8);
+    cuts += o.n - 4;
+    ph_arena_reset(&arena);
+  }
+  ck_assert_int_ge((int)cuts, curves / 5);
+}
+END_TEST
+
+/* Cut at the foot of the origin on the line of w, which is where |w| is least,
+ * however near: there the weights are least and equal. */
+START_TEST(test_vertex) {
+  struct unit_random r = unit_random_of(7);
+  for (int e = 0; e <= 36; e += 4) {
+    const double near = ldexp(1, -e); /* w = u - 0.3 + i near */
+    struct unit_cubics c;
+    struct ph_offset o;
+    unit_cubics_begin(&c, ph_cplx_of(0, 0));
+    unit_cubics_add(&c, ph_cplx_of(-0.3, near), ph_cplx_of(0.7, near));
+    o = ck_offset(&c.curve, 0.5, 1e-15 * (1 + ldexp(1, e)), &r);
+    ck_assert_uint_eq(o.n, near > 0.5 ? 1 : 2);
+    if (o.n == 2) {
+      ck_rel(o.interval[1], 0.3, 1e-15);
+      ck_rel(o.weights[5], near * near, 1e-14);
+      ck_rel(o.weights[4], near * near, 1e-14);
+      ck_rel(o.weights[6], near * near, 1e-14);
+      ck_rel(o.weights[7], near * near, 1e-14);
+    }
+  }
+}
+END_TEST
+
+/* A stop in the middle or at an end. */
+START_TEST(test_cubic_standstill) {
+  const double ends[][2] = {{-1, 1}, {-0.3, 0.7}, {0, 1}, {1, 0}, {0, 0}};
+  for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+    const double both[2] = {i == 1 ? -0.9 : 0, i == 1 ? 2.1 : 0};
+    struct unit_cubics c;
+    struct ph_offset o;
+    unit_cubics_begin(&c, ph_cplx_of(0, 0));
+    unit_cubics_add(&c, ph_cplx_of(1, 0), ph_cplx_of(1, 1));
+    unit_cubics_add(&c, ph_cplx_of(ends[i][0], both[0]),
+                    ph_cplx_of(ends[i][1], both[1]));
+    ck_assert_int_eq(ph_offset_planar(&c.curve, 1, &rules, &arena, &o, &diag),
+                     PH_INFEASIBLE);
+    ck_assert_str_eq(diag.field, "segments[1]");
+    ck_assert_str_eq(diag.message, "has no offset: the curve stands still in "
+                                   "it and has no normal there");
+  }
+}
+END_TEST
+
+/* A line moves aside, its weights are its speed. */
+START_TEST(test_cubic_line) {
+  struct unit_cubics c;
+  struct ph_offset o;
+  unit_cubics_begin(&c, ph_cplx_of(1, 1));
+  unit_cubics_add(&c, ph_cplx_of(2, 0), ph_cplx_of(2, 0));
+  ck_assert_int_eq(ph_offset_planar(&c.curve, 3, &rules, &arena, &o, &diag),
+                   PH_OK);
+  ck_assert_uint_eq(o.n, 1);
+  for (size_t i = 0; i < 6; i++) {
+    ck_abs(o.control_points[2 * i], 1 + 0.8 * (double)i, 1e-15);
+    ck_abs(o.control_points[2 * i + 1], 4, 1e-15);
+    ck_abs(o.weights[i], 4, 1e-15);
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("offset");
   TCase *tc = tcase_create("offset");
@@ -300,6 +394,10 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_scales);
   tcase_add_test(tc, test_standstill);
   tcase_add_test(tc, test_too_large);
+  tcase_add_test(tc, test_cubics);
+  tcase_add_test(tc, test_vertex);
+  tcase_add_test(tc, test_cubic_standstill);
+  tcase_add_test(tc, test_cubic_line);
   suite_add_tcase(s, tc);
   return s;
 }

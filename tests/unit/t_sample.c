@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Samples of PH, ATPH and Bezier curves: curves that are known in closed form,
- * and curves by chance against definitions.  Those of spherical curves are in
- * t_sample_spherical.c.
+ * Samples of PH, ATPH and Bezier curves and cubics: curves that are known in
+ * closed form, and curves by chance against definitions.  Those of spherical
+ * curves are in t_sample_spherical.c.
  */
 #include "curve3_unit.h"
+#include "planar_unit.h"
 #include "seg2_unit.h"
+#include "tc_curve_unit.h"
 #include "unit.h"
 
 #include "curve/bezier.h"
@@ -435,6 +437,51 @@ START_TEST(test_bezier_curve) {
 }
 END_TEST
 
+/* Tschirnhausen cubics: s = A t + (R - A) t^2 + M t^3/3, and the curvature is
+ * 2 K/|w|^4. */
+START_TEST(test_cubics) {
+  const double scales[] = {1, 1e-9, 1e9, 1e-150, 1e150};
+  struct unit_random r = unit_random_of(556);
+  for (size_t n = 0; n < 50; n++) {
+    const double scale = scales[n % 5], far = n % 2 ? 1e6 : 1;
+    struct unit_cubics c;
+    struct ph_samples s;
+    double start = 0;
+    unit_cubics_random(&c, &r, 3, scale, unit_random_cplx(&r, far * scale));
+    s = samples_of(&c.curve, N);
+    for (size_t i = 0; i < s.n; i++) {
+      const size_t k = i / (N + 1);
+      const double *w = c.preimage + 4 * k, t = s.t[i];
+      ph_cplx at = unit_curve(&c.curve, k, 0, t);
+      ph_cplx root = unit_preimage(&c.curve, k, 0, t);
+      double a = w[0] * w[0] + w[1] * w[1], ra = w[0] * (w[2] - w[0]);
+      double m = pow(w[2] - w[0], 2) + pow(w[3] - w[1], 2);
+      double speed = ph_cplx_norm2(root), unit = 1 / speed;
+      double bend = 2 * unit_cubic_bend(&c, k);
+      ra += w[1] * (w[3] - w[1]);
+      start += i % (N + 1) || i == 0 ? 0 : c.lengths[k - 1];
+      ck_abs(s.s[i], start + a * t + ra * t * t + m * t * t * t / 3,
+             1e-14 * scale);
+      ck_vec3(vector(s.point, &s, i), ph_vec3_of(at.re, at.im, 0),
+              (far > 1 ? 1e-9 : 1e-14) * scale);
+      root = ph_cplx_scale(unit, ph_cplx_mul(root, root));
+      ck_vec3(vector(s.tangent, &s, i), ph_vec3_of(root.re, root.im, 0),
+              4e-15 * sqrt(scale / speed));
+      ck_rel(s.curvature[i], bend * unit * unit,
+             1e-14 * (1 + scale / speed + scale / fabs(bend)));
+    }
+    for (size_t k = 0; k < 3; k++) { /* the ends are control points */
+      const size_t first = (N + 1) * k;
+      ck_assert_mem_eq(s.point + 2 * first, c.control_points + 8 * k,
+                       2 * sizeof(double));
+      ck_assert_mem_eq(s.point + 2 * (first + N), c.control_points + 8 * k + 6,
+                       2 * sizeof(double));
+    }
+    ck_rel(s.s[s.n - 1], c.curve.length, 4e-16);
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("sample");
   TCase *tc = tcase_create("sample");
@@ -452,6 +499,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_twisted_cubic);
   tcase_add_test(tc, test_bezier_rest);
   tcase_add_test(tc, test_bezier_curve);
+  tcase_add_test(tc, test_cubics);
   suite_add_tcase(s, tc);
   return s;
 }

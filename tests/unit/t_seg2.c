@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Points, curvature, parts and rotation of planar segments. */
 #include "unit.h"
+#include "planar_unit.h"
 #include "seg2_unit.h"
+#include "tc_curve_unit.h"
 
 #include "curve/seg2.h"
 
@@ -149,6 +151,41 @@ START_TEST(test_of_curve) {
 }
 END_TEST
 
+/* Of a cubic the preimage has three coefficients too: speed, curvature and
+ * rotation are those of the linear one. */
+START_TEST(test_of_cubics) {
+  struct unit_random r = unit_random_of(505);
+  for (size_t n = 0; n < SEGMENTS; n++) {
+    const double scale = n % 4 ? 1 : 1e150;
+    const size_t k = n % 3;
+    struct unit_cubics c;
+    struct ph_seg2 seg;
+    struct ph_bend bend;
+    double u = unit_random_in(&r, 0, 1), absolute, turned;
+    ph_cplx w, w0, w1;
+    unit_cubics_random(&c, &r, 3, scale, unit_random_cplx(&r, scale));
+    seg = ph_seg2_of(&c.curve, k);
+    w0 = unit_preimage(&c.curve, k, 0, 0);
+    w1 = unit_preimage(&c.curve, k, 0, 1);
+    w = unit_preimage(&c.curve, k, 0, u);
+    ck_abs(seg.space.angle, 0, 0);
+    ck_cplx(seg.w[0], w0, 0);
+    ck_cplx(seg.w[2], w1, 0);
+    ck_cplx(seg.start, unit_curve(&c.curve, k, 0, 0), 0);
+    ck_cplx(seg.end, unit_curve(&c.curve, k, 0, 1), 0);
+    ck_cplx(ph_seg2_point(&seg, &rule, u), unit_curve(&c.curve, k, 0, u),
+            4e-15 * scale);
+    bend = ph_seg2_bend(&seg, u);
+    ck_abs(bend.speed, ph_cplx_norm2(w), 4e-15 * scale);
+    ck_abs(bend.curvature * bend.speed * bend.speed / scale,
+           2 * unit_cubic_bend(&c, k) / scale, 2e-14);
+    turned = 2 * atan2(ph_cplx_cross(w0, w1), ph_cplx_dot(w0, w1));
+    ck_abs(ph_seg2_rotation(&seg, &absolute), turned, 2e-15);
+    ck_abs(absolute, fabs(turned), 2e-15);
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("seg2");
   TCase *t = tcase_create("seg2");
@@ -158,6 +195,7 @@ static Suite *suite(void) {
   tcase_add_test(t, test_part);
   tcase_add_test(t, test_rotation);
   tcase_add_test(t, test_of_curve);
+  tcase_add_test(t, test_of_cubics);
   suite_add_tcase(s, t);
   return s;
 }

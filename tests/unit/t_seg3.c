@@ -9,7 +9,9 @@
  *   kappa = |r' x r''| / |r'|^3,  tau = [r', r'', r'''] / |r' x r''|^2     (1)
  */
 #include "unit.h"
+#include "planar_unit.h"
 #include "seg3_unit.h"
+#include "tc_curve_unit.h"
 
 enum { SEGMENTS = 200 };
 
@@ -283,6 +285,44 @@ START_TEST(test_of_curve) {
 }
 END_TEST
 
+/* A cubic, taken in space: A = w with k for i, and e2 to its left. */
+START_TEST(test_of_cubics) {
+  struct unit_random r = unit_random_of(944);
+  for (size_t n = 0; n < SEGMENTS; n++) {
+    const size_t k = n % 3;
+    struct unit_cubics c;
+    struct ph_seg3 seg;
+    struct ph_bend3 bend;
+    double u = unit_random_in(&r, 0, 1), speed;
+    ph_cplx w, p;
+    ph_vec3 e[3];
+    ph_quat a;
+    unit_cubics_random(&c, &r, 3, 1, unit_random_cplx(&r, 1));
+    seg = ph_seg3_of(&c.curve, k);
+    w = unit_preimage(&c.curve, k, 0, u);
+    speed = ph_cplx_norm2(w);
+    ph_seg3_jet(&seg, u, &a, 1);
+    ck_assert_double_le(
+        ph_quat_abs(ph_quat_sub(a, ph_quat_of(w.re, 0, 0, w.im))), 2e-15);
+    bend = ph_seg3_bend(&seg, u);
+    ck_abs(bend.speed, speed, 4e-15);
+    ck_abs(bend.curvature * bend.speed * bend.speed,
+           2 * fabs(unit_cubic_bend(&c, k)), 2e-14);
+    ck_abs(bend.turn, 0, 0);
+    ph_seg3_frame(&seg, u, e);
+    p = ph_cplx_scale(1 / speed, ph_cplx_mul(w, w));
+    ck_abs(unit_distance3(e[1], ph_vec3_of(-p.im, p.re, 0)), 0,
+           4e-15 / sqrt(speed));
+    for (int end = 0; end < 2; end++) {
+      p = unit_curve(&c.curve, k, 0, end);
+      ck_abs(
+          unit_distance3(end ? seg.end : seg.start, ph_vec3_of(p.re, p.im, 0)),
+          0, 0);
+    }
+  }
+}
+END_TEST
+
 /* ---- frames --------------------------------------------------------- */
 
 /* Orthonormal, right-handed, along r', and what A makes of i, j, k. */
@@ -537,6 +577,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_part);
   tcase_add_test(tc, test_part_whole);
   tcase_add_test(tc, test_of_curve);
+  tcase_add_test(tc, test_of_cubics);
   tcase_add_test(tc, test_frame);
   tcase_add_test(tc, test_frame_slopes);
   tcase_add_test(tc, test_rmf);

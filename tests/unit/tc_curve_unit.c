@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Curves of Tschirnhausen cubics (see tc_curve_unit.h). */
+#include "tc_curve_unit.h"
+#include "unit.h"
+
+#include <string.h>
+
+void unit_cubics_begin(struct unit_cubics *c, ph_cplx start) {
+  memset(c, 0, sizeof *c);
+  c->at = start;
+  c->curve = (struct ph_curve){.kind = PH_CURVE_TC,
+                               .dimension = 2,
+                               .degree = 3,
+                               .knots = c->knots,
+                               .control_points = c->control_points,
+                               .preimage_n = 2,
+                               .preimage_dimension = 2,
+                               .preimage = c->preimage,
+                               .lengths = c->lengths};
+}
+
+void unit_cubics_add(struct unit_cubics *c, ph_cplx w0, ph_cplx w1) {
+  const size_t k = c->curve.n++;
+  const long double a = (long double)w0.re, b = (long double)w0.im;
+  const long double g = (long double)w1.re, h = (long double)w1.im;
+  const long double re[3] = {a * a - b * b, a * g - b * h, g * g - h * h};
+  const long double im[3] = {2 * a * b, a * h + b * g, 2 * g * h};
+  long double x = (long double)c->at.re, y = (long double)c->at.im;
+  double *p = c->control_points + 8 * k, *w = c->preimage + 4 * k;
+  ck_assert_uint_lt(k, UNIT_CUBICS);
+  p[0] = c->at.re;
+  p[1] = c->at.im;
+  for (size_t i = 0; i < 3; i++) {
+    x += re[i] / 3;
+    y += im[i] / 3;
+    p[2 * i + 2] = (double)x;
+    p[2 * i + 3] = (double)y;
+  }
+  c->at = ph_cplx_of((double)x, (double)y);
+  w[0] = w0.re;
+  w[1] = w0.im;
+  w[2] = w1.re;
+  w[3] = w1.im;
+  c->lengths[k] = (double)((a * a + b * b + a * g + b * h + g * g + h * h) / 3);
+  c->curve.length += c->lengths[k];
+  c->knots[k + 1] = (double)k + 1;
+}
+
+void unit_cubics_random(struct unit_cubics *c, struct unit_random *r, size_t n,
+                        double scale, ph_cplx start) {
+  double direction = unit_random_in(r, -3, 3), root = sqrt(scale);
+  ph_cplx w0 = ph_cplx_scale(root * unit_random_in(r, 0.2, 1.5),
+                             ph_cplx_polar(direction));
+  unit_cubics_begin(c, start);
+  for (size_t k = 0; k < n; k++) {
+    ph_cplx w1;
+    direction += unit_random_in(r, -2.9, 2.9);
+    w1 = ph_cplx_scale(root * unit_random_in(r, 0.2, 1.5),
+                       ph_cplx_polar(direction));
+    unit_cubics_add(c, w0, w1);
+    w0 = w1;
+  }
+}
+
+static ph_cplx preimage(const struct unit_cubics *c, size_t k, size_t i) {
+  const double *w = c->preimage + 4 * k + 2 * i;
+  return ph_cplx_of(w[0], w[1]);
+}
+
+double unit_cubic_bend(const struct unit_cubics *c, size_t k) {
+  return ph_cplx_cross(preimage(c, k, 0), preimage(c, k, 1));
+}
+
+double unit_cubic_slowest(const struct unit_cubics *c, size_t k) {
+  ph_cplx w0 = preimage(c, k, 0), w1 = preimage(c, k, 1);
+  ph_cplx along = ph_cplx_sub(w1, w0);
+  double bend = unit_cubic_bend(c, k);
+  bool within = ph_cplx_dot(w0, along) < 0 && ph_cplx_dot(w1, along) > 0;
+  return within ? bend / ph_cplx_norm2(along) * bend
+                : fmin(ph_cplx_norm2(w0), ph_cplx_norm2(w1));
+}

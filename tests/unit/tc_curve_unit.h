@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Curves of Tschirnhausen cubics for tests, made from their preimages in long
+ * double and by nothing of src/ but the struct that holds them.
+ */
+#ifndef PH_TESTS_TC_CURVE_UNIT_H
+#define PH_TESTS_TC_CURVE_UNIT_H
+
+#include "curve/result.h"
+#include "kernel/cplx.h"
+#include "random_unit.h"
+
+enum { UNIT_CUBICS = 64 };
+
+/* A curve of up to so many cubics. */
+struct unit_cubics {
+  struct ph_curve curve;
+  ph_cplx at; /* where the next one starts */
+  double knots[UNIT_CUBICS + 1], control_points[8 * UNIT_CUBICS];
+  double preimage[4 * UNIT_CUBICS], lengths[UNIT_CUBICS];
+};
+
+/* unit_cubics_begin: no cubics yet. */
+void unit_cubics_begin(struct unit_cubics *c, ph_cplx start);
+
+/* unit_cubics_add: one more. */
+void unit_cubics_add(struct unit_cubics *c, ph_cplx w0, ph_cplx w1);
+
+/* unit_cubics_random: n cubics of the size `scale` from `start` on, turning by
+ * less than a whole turn each, with one tangent at each joint. */
+void unit_cubics_random(struct unit_cubics *c, struct unit_random *r, size_t n,
+                        double scale, ph_cplx start);
+
+/* unit_cubic_bend: K = Im(conj(w0) w1) of cubic k: its curvature is 2 K/|w|^4.
+ */
+double unit_cubic_bend(const struct unit_cubics *c, size_t k);
+
+/* unit_cubic_slowest: the least |w|^2 on [0,1], that of the foot of the origin
+ * on the line of w where it is within. */
+double unit_cubic_slowest(const struct unit_cubics *c, size_t k);
+
+#endif
