@@ -135,4 +135,39 @@ ph_cert_fn ph_cert_arclength;
  */
 ph_cert_fn ph_cert_sphere;
 
+/*
+ * ph_cert_tc: planar Tschirnhausen cubics, one or two for each interval of the
+ * data as the mode of the problem says, or for a chain of Bezier curves.
+ *
+ *   interpolation_error   distance of the ends of intervals from the points,
+ *                         and of joints that are to be on the chord from it /
+ *                         size; of approximations: of ends of cubics, but for
+ *                         inner joints of pairs, from the curve at their knots
+ *   tangent_error         |t - wanted| of unit tangents: given ones, those of
+ *                         [BYR11, (5.24)] anew, or of the curve
+ *   end_derivative_error  |r' - wanted| / |wanted| at the ends of pairs, where
+ *                         derivatives or lambda are given, and of splines
+ *   pythagorean_error     |r' - w^2|, and of h0, h1, h2, the coefficients of r'
+ *                         from the control points alone, |h1^2 - h0 h2| / |r'|;
+ *                         / largest coefficient of r', each cubic by itself
+ *   continuity_error      gaps at the joints / size; jumps of the unit tangent;
+ *                         of r' over |r'| within pairs, but for those with
+ * their joint on the chord, and between those that have the wanted derivatives;
+ * only gaps where the given curves of a chain meet length_error lengths against
+ * Gauss quadrature of |r'| / length regular               whether |w| is
+ * nowhere below 1e-12 of its larger end max_curvature         the largest
+ * |curvature|, 1/unit distance              of approximations: an upper bound
+ * of the Hausdorff distance, in the unit of the data (cert/tc_distance.h)
+ *
+ * Beside these, how fair the curve is and whether it crosses itself; of an
+ * irregular one no energy.  That is refused unless all solutions are asked for.
+ * An approximation is refused, too, when the distance exceeds the tolerance, or
+ * what the diagnostics claim it to be, and when it has too many cubics.
+ *
+ * in   diagnostics  distance as claimed, or unknown
+ * ret  as above; PH_INTERNAL when segments, knots and problem do not fit
+ *      together
+ */
+ph_cert_fn ph_cert_tc;
+
 #endif

@@ -9,6 +9,7 @@
 #include "solve/planar.h"
 #include "solve/spatial_hermite.h"
 #include "solve/sphere.h"
+#include "solve/tc.h"
 
 #include <string.h>
 
@@ -66,6 +67,17 @@ const struct ph_command ph_commands[] = {
      "phspline sphere --model=nielson --ends=rest --criterion=legacy "
      "--increase=plus:10 --epsilon=1e-3 points.csv\t"
      "As the thesis does it\n"},
+    {&ph_method_tc, ph_cert_tc, ph_offset_planar, 1, ph_bezier_curve,
+     "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline tc\t"
+     "A spline of pairs of cubics, as JSON\n"
+     "phspline tc --columns=x,y,tx,ty -f csv outline.csv\t"
+     "Points with tangents, one cubic where one does; control points\n"
+     "phspline tc --mode=g1 --solutions=all problem.json | "
+     "jq '.solutions[].diagnostics.loops'\tEvery single cubic, loops and all\n"
+     "phspline tc --mode=approximate --tolerance=1e-4 --offset=0.5 bezier.csv\t"
+     "A Bezier curve as cubics with an exact offset\n"
+     "phspline tc --sweep=lambda=0.2:1.4:13 points.csv\t"
+     "Tangents of thirteen lengths\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];

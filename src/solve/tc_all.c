@@ -133,7 +133,7 @@ enum ph_status ph_tc_all(const struct ph_tc_data *d, struct ph_arena *out,
                          struct ph_arena *scratch, struct ph_result *result,
                          struct ph_diag *diag) {
   struct options *options = ph_arena_array(scratch, d->n, sizeof *options);
-  size_t total;
+  size_t total = 0;
   enum ph_status status =
       options ? gather(d, options, &total, diag) : ph_fail_memory(diag);
   if (status == PH_OK) {

@@ -19,6 +19,10 @@ struct ph_tc_bezier {
   size_t degree;
 };
 
+/* Curves of higher degree are refused: binomial coefficients of twice the
+ * degree must be finite. */
+enum { PH_TC_DEGREE_MAX = 500 };
+
 /* One cubic of an approximation. */
 struct ph_tc_arc {
   double from, to; /* the part of the curve it stands for, in [0,1] */

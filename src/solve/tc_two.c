@@ -240,12 +240,9 @@ static bool chord_at(const struct ph_tc_hermite *h, double angle,
   if (!(position > 0 && position < 1)) {
     return false;
   }
-  *fit = (struct ph_tc_fit){.n = 2,
-                            .root = PH_ROOT_ON_CHORD,
-                            .ratio = (double)NAN,
-                            .lambda = (double)NAN,
-                            .joint_angle = angle,
-                            .joint_position = position};
+  *fit = ph_tc_fit_of(2, PH_ROOT_ON_CHORD);
+  fit->joint_angle = angle;
+  fit->joint_position = position;
   part_of(&a[0].tc[0], position, &fit->tc[0]);
   part_of(&b[0].tc[0], 1 - position, &fit->tc[1]);
   ph_tc_fit_measure(fit);
@@ -315,12 +312,9 @@ static double best_angle(const struct ph_tc_hermite *h, double position,
 /* The chord itself, in two parts. */
 static bool straight(double position, struct ph_tc_fit *fit) {
   struct ph_tc chord = {{{1, 0}, {1, 0}}};
-  *fit = (struct ph_tc_fit){.n = 2,
-                            .root = PH_ROOT_ON_CHORD,
-                            .ratio = (double)NAN,
-                            .lambda = (double)NAN,
-                            .joint_angle = 0,
-                            .joint_position = isnan(position) ? 0.5 : position};
+  *fit = ph_tc_fit_of(2, PH_ROOT_ON_CHORD);
+  fit->joint_angle = 0;
+  fit->joint_position = isnan(position) ? 0.5 : position;
   part_of(&chord, fit->joint_position, &fit->tc[0]);
   part_of(&chord, 1 - fit->joint_position, &fit->tc[1]);
   ph_tc_fit_measure(fit);

@@ -1,0 +1,331 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Bounds of the distance of cubics from a curve (see tc_distance.h). */
+#include "cert/tc_distance.h"
+
+#include "cert/check.h"
+#include "kernel/bern.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* r of degree 3 after psi of degree 3. */
+enum { COMPOSED = 9 };
+
+/* A part is 2^-DEPTH of a cubic at least, of which there are at most PARTS. */
+enum { DEPTH = 12, PARTS = 512 };
+
+/* A whole and two halves of each depth, and two that are subtracted. */
+enum { ROOM = 2 * DEPTH + 3 };
+
+/* Steps to the nearest point: each leaves (distance times curvature) of the
+ * error of the one before. */
+enum { STEPS = 3 };
+
+/* A bound within this of a distance that there is is good. */
+static const double GOOD = 1.05;
+
+/* Rounding of a difference, in eps of the largest coordinate: of two cuts,
+ * DEPTH halvings and raising by n degrees, and of composing. */
+static const double NOISE_BY_DEGREE = 12, NOISE = 24;
+
+/* A part of the curve, and of the cubic that it is matched with. */
+struct part {
+  ph_cplx *c; /* [degree + 1] */
+  size_t degree;
+  const ph_cplx *cubic; /* the whole one */
+  double from, to;      /* the part of it */
+  double inner[2];      /* psi is 0, inner, 1 */
+};
+
+bool ph_cert_distance_begin(struct ph_cert_distance *d, struct ph_arena *arena,
+                            size_t degree, double allowed) {
+  size_t size = (degree > COMPOSED ? degree : COMPOSED) + 1;
+  *d = (struct ph_cert_distance){.size = size, .allowed = allowed};
+  d->room = ph_arena_array(arena, ROOM, size * sizeof *d->room);
+  return d->room != NULL;
+}
+
+static ph_cplx *room_of(const struct ph_cert_distance *d, size_t i) {
+  return d->room + i * d->size;
+}
+
+static ph_cplx between(ph_cplx a, ph_cplx b, double u) {
+  return ph_cplx_of((1 - u) * a.re + u * b.re, (1 - u) * a.im + u * b.im);
+}
+
+/* x in [0,1], or `none` where it is no number. */
+static double inside(double x, double none) {
+  return x <= 0 ? 0 : x >= 1 ? 1 : isnan(x) ? none : x;
+}
+
+/* ---- pieces of polynomials ---------------------------------------------- */
+
+/* Keeps [0,u] of c. */
+static void keep_start(ph_cplx *c, size_t degree, double u) {
+  for (size_t n = 1; n <= degree; n++) {
+    for (size_t k = degree; k >= n; k--) {
+      c[k] = between(c[k - 1], c[k], u);
+    }
+  }
+}
+
+/* Keeps [u,1]. */
+static void keep_end(ph_cplx *c, size_t degree, double u) {
+  for (size_t n = degree; n > 0; n--) {
+    for (size_t k = 0; k < n; k++) {
+      c[k] = between(c[k], c[k + 1], u);
+    }
+  }
+}
+
+/* The polar form of a cubic. */
+static ph_cplx polar(const ph_cplx p[4], double x, double y, double z) {
+  ph_cplx a = between(p[0], p[1], x), b = between(p[1], p[2], x);
+  ph_cplx c = between(p[2], p[3], x);
+  a = between(a, b, y);
+  b = between(b, c, y);
+  return between(a, b, z);
+}
+
+/* Coefficients of one degree more, in place. */
+static void raise(ph_cplx *c, size_t degree) {
+  double n = (double)degree + 1;
+  c[degree + 1] = c[degree];
+  for (size_t k = degree; k > 0; k--) {
+    c[k] = between(c[k], c[k - 1], (double)k / n);
+  }
+}
+
+/* ---- the difference ----------------------------------------------------- */
+
+/* Adds the product of p and q, both coefficients times binomials. */
+static void add_product(const ph_cplx *p, size_t n, const double q[4],
+                        ph_cplx *sum) {
+  for (size_t i = 0; i <= n; i++) {
+    for (size_t j = 0; j < 4; j++) {
+      sum[i + j].re += q[j] * p[i].re;
+      sum[i + j].im += q[j] * p[i].im;
+    }
+  }
+}
+
+/* r(psi), by de Casteljau's algorithm with polynomials.
+ * out  out[COMPOSED + 1] */
+static void compose(const ph_cplx r[4], const double inner[2], ph_cplx *out) {
+  static const double binomial[] = {1, 9, 36, 84, 126, 126, 84, 36, 9, 1};
+  const double psi[4] = {0, 3 * inner[0], 3 * inner[1], 1};
+  const double rest[4] = {1, 3 * (1 - inner[0]), 3 * (1 - inner[1]), 0};
+  ph_cplx one[3][4] = {{{0, 0}}}, two[2][7] = {{{0, 0}}};
+  for (size_t j = 0; j < 3; j++) {
+    add_product(&r[j], 0, rest, one[j]);
+    add_product(&r[j + 1], 0, psi, one[j]);
+  }
+  for (size_t j = 0; j < 2; j++) {
+    add_product(one[j], 3, rest, two[j]);
+    add_product(one[j + 1], 3, psi, two[j]);
+  }
+  memset(out, 0, (COMPOSED + 1) * sizeof *out);
+  add_product(two[0], 6, rest, out);
+  add_product(two[1], 6, psi, out);
+  for (size_t k = 0; k <= COMPOSED; k++) {
+    out[k] = ph_cplx_scale(1 / binomial[k], out[k]);
+  }
+}
+
+/* A third of the slope of the projection of the curve onto r, from the legs at
+ * an end. */
+static double slope(ph_cplx leg, size_t degree, ph_cplx r) {
+  return (double)degree / 9 * ph_cplx_dot(leg, r) / ph_cplx_norm2(r);
+}
+
+/* The part of r, and the difference, r first. */
+struct difference {
+  ph_cplx r[4];
+  const ph_cplx *composed, *c;
+  size_t degree;
+};
+
+/* Sets psi of the part, too. */
+static void subtract(const struct ph_cert_distance *d, struct part *part,
+                     struct difference *out) {
+  ph_cplx *composed = room_of(d, ROOM - 2), *c = room_of(d, ROOM - 1);
+  double x = part->from, y = part->to;
+  size_t n = part->degree, degree = n > COMPOSED ? n : COMPOSED;
+  ph_cplx *r = out->r;
+  r[0] = polar(part->cubic, x, x, x);
+  r[1] = polar(part->cubic, x, x, y);
+  r[2] = polar(part->cubic, x, y, y);
+  r[3] = polar(part->cubic, y, y, y);
+  part->inner[0] = inside(
+      slope(ph_cplx_sub(part->c[1], part->c[0]), n, ph_cplx_sub(r[1], r[0])),
+      1.0 / 3);
+  part->inner[1] = inside(1 - slope(ph_cplx_sub(part->c[n], part->c[n - 1]), n,
+                                    ph_cplx_sub(r[3], r[2])),
+                          2.0 / 3);
+  compose(r, part->inner, composed);
+  memcpy(c, part->c, (n + 1) * sizeof *c);
+  for (size_t i = COMPOSED; i < degree; i++) {
+    raise(composed, i);
+  }
+  for (size_t i = n; i < degree; i++) {
+    raise(c, i);
+  }
+  out->composed = composed;
+  out->c = c;
+  out->degree = degree;
+}
+
+/* (1) */
+static double plain_bound(const struct difference *f) {
+  double largest = 0;
+  for (size_t k = 0; k <= f->degree; k++) {
+    double away = ph_cplx_norm2(ph_cplx_sub(f->composed[k], f->c[k]));
+    if (ph_check_is_larger(away, largest)) {
+      largest = away;
+    }
+  }
+  return sqrt(largest);
+}
+
+/* The steepest leg over an axis, or what there was; infinite where one does not
+ * go forward, but for those that are rounding. */
+static double steepest(const ph_cplx *p, size_t degree, ph_cplx axis,
+                       double noise, double so_far) {
+  for (size_t i = 0; i < degree; i++) {
+    ph_cplx leg = ph_cplx_sub(p[i + 1], p[i]);
+    double along = ph_cplx_dot(axis, leg);
+    double across = fabs(ph_cplx_cross(axis, leg));
+    if (fabs(along) > noise || across > noise) {
+      so_far = along > 0 ? ph_check_larger(so_far, across / along) : HUGE_VAL;
+    }
+  }
+  return so_far;
+}
+
+/* (2), infinite where it does not hold. */
+static double graph_bound(const struct ph_cert_distance *d,
+                          const struct part *part, const struct difference *f) {
+  ph_cplx chord = ph_cplx_sub(f->r[3], f->r[0]);
+  ph_cplx axis = ph_cplx_scale(1 / ph_cplx_abs(chord), chord);
+  double along = 0, across = 0, end = 0, slope;
+  slope = steepest(f->r, 3, axis, d->noise, 0);
+  slope = steepest(part->c, part->degree, axis, d->noise, slope);
+  if (!(slope <= 1)) {
+    return HUGE_VAL;
+  }
+  for (size_t k = 0; k <= f->degree; k++) {
+    ph_cplx miss = ph_cplx_sub(f->composed[k], f->c[k]);
+    double x = fabs(ph_cplx_dot(axis, miss));
+    along = ph_check_larger(along, x);
+    across = ph_check_larger(across, fabs(ph_cplx_cross(axis, miss)));
+    if (k == 0 || k == f->degree) {
+      end = ph_check_larger(end, x);
+    }
+  }
+  return across + slope * along + end;
+}
+
+/* ---- parts -------------------------------------------------------------- */
+
+/* The parameter of the point of r nearest to p, in the part. */
+static double nearest(const struct part *part, ph_cplx p) {
+  const double *inner = part->inner;
+  double s = part->from +
+             (part->to - part->from) * (3 * (inner[0] + inner[1]) + 1) / 8;
+  for (int i = 0; i < STEPS; i++) {
+    ph_cplx a = polar(part->cubic, s, s, 0), b = polar(part->cubic, s, s, 1);
+    ph_cplx along = ph_cplx_scale(3, ph_cplx_sub(b, a));
+    ph_cplx away = ph_cplx_sub(p, between(a, b, s));
+    double step = ph_cplx_dot(away, along) / ph_cplx_norm2(along);
+    if (!isfinite(step)) {
+      break;
+    }
+    s += step;
+    s = s < part->from ? part->from : s > part->to ? part->to : s;
+  }
+  return s;
+}
+
+static void sample(struct ph_cert_distance *d, const struct part *part,
+                   double s, ph_cplx p) {
+  ph_cplx r = polar(part->cubic, s, s, s);
+  d->sampled = ph_check_larger(d->sampled, ph_cplx_abs(ph_cplx_sub(r, p)));
+}
+
+/* Whether a part need not be halved: its bound is below that of another part,
+ * or near enough to a distance and to what is allowed, or that is out of
+ * reach. */
+static bool is_done(const struct ph_cert_distance *d, double bound,
+                    size_t depth) {
+  return bound <= d->bound || depth == DEPTH || d->parts >= PARTS ||
+         (bound <= d->allowed + d->noise &&
+          bound <= GOOD * d->sampled + 2 * d->noise) ||
+         d->sampled > d->allowed + d->noise;
+}
+
+/* Also sets psi of the part. */
+static double bound_of(const struct ph_cert_distance *d, struct part *part,
+                       size_t depth) {
+  struct difference f;
+  double bound, graph;
+  subtract(d, part, &f);
+  bound = plain_bound(&f) + d->noise;
+  if (is_done(d, bound, depth)) {
+    return bound;
+  }
+  graph = graph_bound(d, part, &f) + d->noise;
+  return graph < bound ? graph : bound;
+}
+
+static void bound_part(struct ph_cert_distance *d, struct part *part,
+                       size_t depth) {
+  double bound = bound_of(d, part, depth);
+  struct part half[2] = {*part, *part};
+  ph_cplx middle;
+  d->parts++;
+  if (is_done(d, bound, depth)) {
+    if (!(bound <= d->bound)) {
+      d->bound = bound;
+    }
+    return;
+  }
+  half[0].c = room_of(d, 2 * depth + 1);
+  half[1].c = room_of(d, 2 * depth + 2);
+  ph_bern_cut(part->c, part->degree, 0.5, half[0].c, half[1].c);
+  middle = half[1].c[0];
+  half[0].to = half[1].from = nearest(part, middle);
+  sample(d, part, half[0].to, middle);
+  bound_part(d, &half[0], depth + 1);
+  bound_part(d, &half[1], depth + 1);
+}
+
+/* What rounding may do to a bound. */
+static double noise_of(const ph_cplx *curve, size_t degree,
+                       const ph_cplx cubic[4]) {
+  double reach = 0;
+  for (size_t i = 0; i <= degree; i++) {
+    reach = ph_check_larger(
+        reach, ph_check_larger(fabs(curve[i].re), fabs(curve[i].im)));
+  }
+  for (size_t i = 0; i < 4; i++) {
+    reach = ph_check_larger(
+        reach, ph_check_larger(fabs(cubic[i].re), fabs(cubic[i].im)));
+  }
+  return (NOISE_BY_DEGREE * (double)degree + NOISE) * DBL_EPSILON * reach;
+}
+
+void ph_cert_distance_add(struct ph_cert_distance *d, const ph_cplx *curve,
+                          size_t degree, double from, double to,
+                          const ph_cplx cubic[4]) {
+  struct part whole = {
+      .c = room_of(d, 0), .degree = degree, .cubic = cubic, .from = 0, .to = 1};
+  memcpy(whole.c, curve, (degree + 1) * sizeof *curve);
+  keep_start(whole.c, degree, to);
+  keep_end(whole.c, degree, to > 0 ? from / to : 0);
+  d->noise = ph_check_larger(d->noise, noise_of(curve, degree, cubic));
+  d->parts = 0;
+  sample(d, &whole, 0, whole.c[0]);
+  sample(d, &whole, 1, whole.c[degree]);
+  bound_part(d, &whole, 0);
+}

@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The distance between cubics and a polynomial curve q (see tc_approx_part.h).
+ *
+ * Points are matched: with a monotone cubic psi from [0,1] onto itself, whose
+ * slopes at the ends make r(psi(u)) as fast as q(u),
+ *
+ *   d(u) = r(psi(u)) - q(u)                                              (1)
+ *
+ * is a polynomial of degree max(9, degree), and no coefficient of its Bernstein
+ * form is longer than the bound.  Both curves are halved, q in the middle and r
+ * next to it, which brings psi to the fourth order nearer to the nearest points
+ * and the coefficients to the second order nearer to the values.
+ *
+ * What psi misses along the curve counts less: where r and q both move forward
+ * along the chord, as graphs with slopes of at most s, the points above the
+ * same point of the chord are no further apart than
+ *
+ *   |d across the chord| + s |d along the chord|                         (2)
+ *
+ * which is 0 for a straight line, however it is travelled.
+ */
+#include "solve/tc_approx_part.h"
+
+#include "kernel/bern.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Halvings that are always done, and how many more there may be; a match is
+ * tight when it is within this factor of a distance that was seen. */
+enum { LEVELS = 2, DEEPER = 4, LEAVES = PH_TC_MATCHES << LEVELS };
+static const double TIGHT = 1.05;
+
+/* The degree of r(psi(u)). */
+enum { COMPOSED = 9 };
+
+struct graph {
+  ph_cplx axis; /* unit vector along the chord */
+  double slope; /* infinite if the curves are no graphs over it */
+};
+
+struct search {
+  size_t degree;
+  struct graph graph;
+  double seen; /* a distance of matched points */
+  double same;
+  ph_cplx *pool; /* (2 LEAVES + 2 DEEPER) (degree + 1) points */
+  ph_cplx *wide; /* max(COMPOSED, degree) + 1 points */
+};
+
+size_t ph_tc_match_room(size_t degree) {
+  return (2 * LEAVES + 2 * DEEPER) * (degree + 1) +
+         (degree > COMPOSED ? degree : COMPOSED) + 1;
+}
+
+static ph_cplx between(ph_cplx a, ph_cplx b, double u) {
+  return ph_cplx_of((1 - u) * a.re + u * b.re, (1 - u) * a.im + u * b.im);
+}
+
+static double larger(double a, double b) {
+  return a > b || isnan(a) ? a : b;
+}
+
+/* The two inner coefficients of psi. */
+static void speeds(const struct ph_tc_match *m, size_t degree, double psi[2]) {
+  const ph_cplx *q = m->q, *c = m->c;
+  double n = (double)degree / 9;
+  double q0 = ph_cplx_abs(ph_cplx_sub(q[1], q[0]));
+  double q1 = ph_cplx_abs(ph_cplx_sub(q[degree], q[degree - 1]));
+  double c0 = ph_cplx_abs(ph_cplx_sub(c[1], c[0]));
+  double c1 = ph_cplx_abs(ph_cplx_sub(c[3], c[2]));
+  double low = n * q0 < c0 ? n * q0 / c0 : 1;
+  double high = n * q1 < c1 ? 1 - n * q1 / c1 : 0;
+  if (!(low <= high)) {
+    low = high = (low + high) / 2;
+  }
+  psi[0] = low;
+  psi[1] = high;
+}
+
+/* c(psi(u)), by de Casteljau's algorithm with products of Bernstein forms:
+ * b <- (1 - psi) b_i + psi b_i+1. */
+static void compose(const ph_cplx c[4], const double inner[2],
+                    ph_cplx out[COMPOSED + 1]) {
+  /* binomial(3, i) binomial(d, j) / binomial(d + 3, i + j), d = 3 and 6 */
+  static const double c3[4] = {1, 3, 3, 1};
+  static const double c6[7] = {1, 6, 15, 20, 15, 6, 1};
+  static const double c9[10] = {1, 9, 36, 84, 126, 126, 84, 36, 9, 1};
+  const double psi[4] = {0, inner[0], inner[1], 1};
+  ph_cplx one[3][4], two[2][7];
+  memset(two, 0, sizeof two);
+  memset(out, 0, (COMPOSED + 1) * sizeof *out);
+  for (size_t k = 0; k < 3; k++) {
+    for (size_t i = 0; i < 4; i++) {
+      one[k][i] = between(c[k], c[k + 1], psi[i]);
+    }
+  }
+  for (size_t k = 0; k < 2; k++) {
+    for (size_t i = 0; i < 4; i++) {
+      for (size_t j = 0; j < 4; j++) {
+        ph_cplx x = between(one[k][j], one[k + 1][j], psi[i]);
+        two[k][i + j] = ph_cplx_add(
+            two[k][i + j], ph_cplx_scale(c3[i] * c3[j] / c6[i + j], x));
+      }
+    }
+  }
+  for (size_t i = 0; i < 4; i++) {
+    for (size_t j = 0; j < 7; j++) {
+      ph_cplx x = between(two[0][j], two[1][j], psi[i]);
+      out[i + j] =
+          ph_cplx_add(out[i + j], ph_cplx_scale(c3[i] * c6[j] / c9[i + j], x));
+    }
+  }
+}
+
+/* From degree n to degree m >= n, in place. */
+static void elevate(ph_cplx *c, size_t n, size_t m) {
+  for (; n < m; n++) {
+    c[n + 1] = c[n];
+    for (size_t k = n; k > 0; k--) {
+      c[k] = between(c[k], c[k - 1], (double)k / (double)(n + 1));
+    }
+  }
+}
+
+/* A bound of d on a match, by (1) or (2). */
+static double upper(const struct search *s, const struct ph_tc_match *m) {
+  size_t n = s->degree > COMPOSED ? s->degree : COMPOSED;
+  double psi[2], whole = 0, across = 0, along = 0;
+  ph_cplx r[COMPOSED + 1];
+  const ph_cplx *a = s->wide, *b = r;
+  speeds(m, s->degree, psi);
+  compose(m->c, psi, r);
+  if (s->degree > COMPOSED) {
+    memcpy(s->wide, r, sizeof r);
+    elevate(s->wide, COMPOSED, n);
+    b = m->q;
+  } else {
+    memcpy(s->wide, m->q, (s->degree + 1) * sizeof *m->q);
+    elevate(s->wide, s->degree, n);
+  }
+  for (size_t k = 0; k <= n; k++) {
+    ph_cplx d = ph_cplx_sub(a[k], b[k]);
+    whole = larger(ph_cplx_norm2(d), whole);
+    across = larger(fabs(ph_cplx_cross(s->graph.axis, d)), across);
+    along = larger(fabs(ph_cplx_dot(s->graph.axis, d)), along);
+  }
+  whole = sqrt(whole);
+  /* not 0 * infinity */
+  across += isfinite(s->graph.slope) ? s->graph.slope * along : whole;
+  return across < whole ? across : whole;
+}
+
+/* The parameter, away from the ends, of a point of the cubic near p. */
+static double foot(const ph_cplx c[4], ph_cplx p, double t) {
+  for (int i = 0; i < 4; i++) {
+    ph_cplx a = between(c[0], c[1], t), b = between(c[1], c[2], t);
+    ph_cplx d = between(c[2], c[3], t), ab = between(a, b, t);
+    ph_cplx bd = between(b, d, t), v = ph_cplx_sub(bd, ab);
+    ph_cplx miss = ph_cplx_sub(p, between(ab, bd, t));
+    double step = ph_cplx_dot(miss, v) / (3 * ph_cplx_norm2(v));
+    t += isfinite(step) ? step : 0;
+    t = t > 0.0625 ? t : 0.0625;
+    t = t < 0.9375 ? t : 0.9375;
+  }
+  return t;
+}
+
+/* Both halves of a match; their points go to q[2][degree + 1]. */
+static void halve(const struct ph_tc_match *m, size_t degree, ph_cplx *q,
+                  struct ph_tc_match out[2]) {
+  double psi[2], t;
+  const ph_cplx *c = m->c;
+  ph_cplx a, b, d, ab, bd, middle;
+  ph_cplx *left = q, *right = q + degree + 1;
+  ph_bern_cut(m->q, degree, 0.5, left, right);
+  speeds(m, degree, psi);
+  t = foot(c, right[0], 0.125 + 0.375 * (psi[0] + psi[1]));
+  a = between(c[0], c[1], t);
+  b = between(c[1], c[2], t);
+  d = between(c[2], c[3], t);
+  ab = between(a, b, t);
+  bd = between(b, d, t);
+  middle = between(ab, bd, t);
+  out[0] = (struct ph_tc_match){left, {c[0], a, ab, middle}};
+  out[1] = (struct ph_tc_match){right, {middle, bd, d, c[3]}};
+}
+
+/* The steepest of the differences of points over the axis; infinite if one is
+ * above 1, where (2) gains nothing. */
+static double steepest(const struct search *s, const ph_cplx *p, size_t degree,
+                       double slope) {
+  for (size_t k = 0; k < degree; k++) {
+    ph_cplx d = ph_cplx_sub(p[k + 1], p[k]);
+    double x = ph_cplx_dot(s->graph.axis, d);
+    double y = fabs(ph_cplx_cross(s->graph.axis, d));
+    if (x <= s->same && y <= s->same && x >= -s->same) {
+      continue; /* it says nothing */
+    }
+    slope = y <= x ? larger(y / x, slope) : (double)INFINITY;
+  }
+  return slope;
+}
+
+static double joint_distance(const struct ph_tc_match *m) {
+  return ph_cplx_abs(ph_cplx_sub(m->q[0], m->c[0]));
+}
+
+/* The bound of a match, halved until it is tight. */
+static double refine(struct search *s, const struct ph_tc_match *m, int depth) {
+  struct ph_tc_match half[2];
+  double bound = upper(s, m), a, b;
+  if (depth == DEEPER || bound <= TIGHT * s->seen) {
+    return bound;
+  }
+  halve(m, s->degree,
+        s->pool + (2 * LEAVES + 2 * (size_t)depth) * (s->degree + 1), half);
+  a = refine(s, &half[0], depth + 1);
+  b = refine(s, &half[1], depth + 1);
+  a = larger(a, b);
+  return a < bound ? a : bound;
+}
+
+double ph_tc_match_distance(const struct ph_tc_match *match, size_t n,
+                            size_t degree, double same, double enough,
+                            ph_cplx *pool) {
+  size_t step = degree + 1;
+  struct search s = {degree, {{0, 0}, 0}, 0, same, pool, NULL};
+  struct ph_tc_match level[2][LEAVES];
+  ph_cplx chord = ph_cplx_sub(match[n - 1].c[3], match[0].c[0]);
+  double bound = 0;
+  s.wide = pool + (2 * LEAVES + 2 * DEEPER) * step;
+  s.graph.axis = ph_cplx_scale(1 / ph_cplx_abs(chord), chord);
+  memcpy(level[0], match, n * sizeof *match);
+  for (size_t k = 0; k < LEVELS; k++, n *= 2) {
+    for (size_t i = 0; i < n; i++) {
+      ph_cplx *q = pool + (k % 2 * LEAVES + 2 * i) * step;
+      halve(&level[k % 2][i], degree, q, &level[(k + 1) % 2][2 * i]);
+    }
+  }
+  for (size_t i = 0; i < n; i++) {
+    const struct ph_tc_match *m = &level[LEVELS % 2][i];
+    s.graph.slope = steepest(&s, m->q, degree, s.graph.slope);
+    s.graph.slope = steepest(&s, m->c, 3, s.graph.slope);
+    s.seen = larger(joint_distance(m), s.seen);
+  }
+  s.seen = larger(s.seen, same);
+  for (size_t i = 0; i < n; i++) {
+    const struct ph_tc_match *m = &level[LEVELS % 2][i];
+    bound = larger(refine(&s, m, s.seen > enough ? DEEPER : 0), bound);
+  }
+  return bound;
+}
