@@ -116,3 +116,126 @@ enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
   ph_arena_free(&scratch);
   return status;
 }
+
+/* ---- to a number of cubics ---------------------------------------------- */
+
+/* Trials of a tolerance, and how near to a tolerance that fails the best
+ * distance need not come. */
+enum { TRIALS = 40 };
+static const double CLOSE = 1.002;
+
+struct chain {
+  const struct item *items;
+  size_t n;
+  size_t pieces;
+  double low;       /* a tolerance that fails */
+  double tolerance; /* the best one that does not, */
+  double distance;  /* the distance there, */
+  size_t cubics;    /* and how many cubics */
+};
+
+/* What a tolerance gives; PH_NO_CONVERGENCE if too many cubics or none. */
+static enum ph_status try_tolerance(struct chain *c, double tolerance,
+                                    struct ph_diag *diag) {
+  double distance = 0;
+  size_t cubics = 0;
+  for (size_t k = 0; k < c->n; k++) {
+    const struct item *item = &c->items[k];
+    struct ph_arena scratch = {NULL};
+    /* halving finds a few times as many parts as are needed in the end */
+    struct ph_tc_plan plan = {&scratch, NULL, 0, 0, 0, 8 * c->pieces + 64};
+    enum ph_status status = ph_tc_plan_curve(&item->target, item->u, item->n,
+                                             tolerance, &plan, diag);
+    for (size_t i = 0; i < plan.n; i++) {
+      double d = plan.part[i].distance;
+      distance = d > distance ? d : distance;
+    }
+    cubics += plan.cubics;
+    ph_arena_free(&scratch);
+    if (status != PH_OK) {
+      return status;
+    }
+  }
+  c->cubics = cubics;
+  if (cubics > c->pieces) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, NULL, "needs %zu cubics", cubics);
+  }
+  c->tolerance = tolerance;
+  c->distance = distance;
+  return PH_OK;
+}
+
+/*
+ * The next tolerance to try: by the fourth power of the number of cubics in
+ * turn with the middle of what is left, both of the logarithm.
+ */
+static double next_tolerance(const struct chain *c, size_t cubics, int trial) {
+  double ratio = (double)cubics / ((double)c->pieces + 0.5);
+  double guess = c->distance * ratio * ratio * ratio * ratio;
+  double middle = sqrt(c->low * c->distance);
+  return trial % 2 == 0 && guess > c->low * CLOSE && guess * CLOSE < c->distance
+             ? guess
+             : middle;
+}
+
+static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
+  struct ph_diag dropped;
+  double size = 0;
+  size_t cubics;
+  enum ph_status status;
+  c->low = 0;
+  for (size_t k = 0; k < c->n; k++) {
+    size = fmax(c->items[k].target.size, size);
+    c->low = fmax(c->items[k].target.noise, c->low);
+  }
+  c->cubics = 0;
+  status = try_tolerance(c, 8 * size, diag); /* no cubics are that far */
+  if (status == PH_NO_CONVERGENCE && c->cubics > c->pieces) {
+    return ph_fail(diag, PH_INFEASIBLE, NULL,
+                   "is too few pieces: the curve takes %zu cubics at least",
+                   c->cubics);
+  }
+  cubics = c->cubics;
+  for (int i = 0; status == PH_OK && i < TRIALS; i++) {
+    double tolerance = next_tolerance(c, cubics, i);
+    if (!(c->distance > CLOSE * c->low)) {
+      break;
+    }
+    status = try_tolerance(c, tolerance, &dropped);
+    if (status == PH_OK) {
+      cubics = c->cubics;
+    } else if (status == PH_NO_CONVERGENCE) {
+      c->low = tolerance;
+      status = PH_OK;
+    } else {
+      *diag = dropped;
+    }
+  }
+  return status;
+}
+
+enum ph_status ph_tc_approximate_pieces(const struct ph_tc_bezier *curves,
+                                        size_t n, size_t pieces,
+                                        struct ph_tc_arcs *arcs, size_t *first,
+                                        struct ph_diag *diag) {
+  struct ph_arena scratch = {NULL};
+  struct item *items = ph_arena_array(&scratch, n, sizeof *items);
+  struct chain c = {items, n, pieces, 0, 0, 0, 0};
+  enum ph_status status = items ? PH_OK : ph_fail_memory(diag);
+  for (size_t k = 0; status == PH_OK && k < n; k++) {
+    status = item_of(&curves[k], &scratch, &items[k], diag);
+  }
+  status = status == PH_OK ? search_tolerance(&c, diag) : status;
+  for (size_t k = 0; status == PH_OK && k < n; k++) {
+    struct ph_tc_plan plan = {&scratch, NULL, 0, 0, 0, LIMIT};
+    first[k] = arcs->n;
+    status = ph_tc_plan_curve(&items[k].target, items[k].u, items[k].n,
+                              c.tolerance, &plan, diag);
+    if (status == PH_OK) {
+      status = add_plan(&items[k], &plan, c.tolerance, arcs, diag);
+    }
+  }
+  first[n] = arcs->n;
+  ph_arena_free(&scratch);
+  return status;
+}

@@ -19,8 +19,8 @@ struct ph_tc_bezier {
   size_t degree;
 };
 
-/* Curves of higher degree are refused: binomial coefficients of twice the degree
- * must be finite. */
+/* Curves of higher degree are refused: binomial coefficients of twice the
+ * degree must be finite. */
 enum { PH_TC_DEGREE_MAX = 500 };
 
 /* One cubic of an approximation. */

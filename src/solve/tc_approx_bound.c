@@ -188,7 +188,7 @@ static void halve(const struct ph_tc_match *m, size_t degree, ph_cplx *q,
 }
 
 /* The steepest of the differences of points over the axis; infinite if one is
- * not forward. */
+ * above 1, where (2) gains nothing. */
 static double steepest(const struct search *s, const ph_cplx *p, size_t degree,
                        double slope) {
   for (size_t k = 0; k < degree; k++) {
@@ -198,7 +198,7 @@ static double steepest(const struct search *s, const ph_cplx *p, size_t degree,
     if (x <= s->same && y <= s->same && x >= -s->same) {
       continue; /* it says nothing */
     }
-    slope = x > 0 ? larger(y / x, slope) : (double)INFINITY;
+    slope = y <= x ? larger(y / x, slope) : (double)INFINITY;
   }
   return slope;
 }

@@ -11,6 +11,7 @@
  */
 #include "solve/tc_approx_part.h"
 
+#include "kernel/bern.h"
 #include "kernel/pi.h"
 #include "solve/tc_g1.h"
 #include "solve/tc_pair.h"
@@ -46,9 +47,11 @@ enum ph_status ph_tc_target_of(const struct ph_tc_bezier *curve,
   }
   target->p = curve->p;
   target->degree = n;
-  /* two cuts, and 2 + 4 halvings in the worst case, each n steps of 3/2 eps and
-   * less; composition and elevation are below 32 more */
-  target->noise = (8 * (double)n + 32) * DBL_EPSILON * size;
+  target->size = size;
+  /* n steps each of two cuts (2 eps a step, and eps for the parameter), of 2 +
+   * 4 halvings (eps/2) and of an elevation (2 eps); as much as `same` for n
+   * points that are not looked at; 56 eps for the cubic, cut and composed */
+  target->noise = (14 * (double)n + 56) * DBL_EPSILON * size;
   target->same = 4 * DBL_EPSILON * size;
   target->still = 1e-12 * (double)n * step;
   target->part = pool;
@@ -80,56 +83,38 @@ static ph_cplx limit(const struct ph_tc_target *t, bool last) {
   return ph_cplx_of(0, 0);
 }
 
-struct ph_tc_knot ph_tc_knot_at(const struct ph_tc_target *t, double u) {
-  struct ph_tc_knot knot = {u, {0, 0}, {0, 0}, {0, 0}};
-  ph_cplx *b = t->spare;
-  bool first = u <= 0, last = u >= 1;
-  memcpy(b, t->p, (t->degree + 1) * sizeof *b);
-  for (size_t n = t->degree; n > 1; n--) {
+/* The point of q at u, and its derivative; b[degree + 1] is scratch. */
+static ph_cplx point_of(const ph_cplx *q, size_t degree, double u, ph_cplx *b,
+                        ph_cplx *derivative) {
+  memcpy(b, q, (degree + 1) * sizeof *b);
+  for (size_t n = degree; n > 1; n--) {
     for (size_t k = 0; k < n; k++) {
       b[k] = between(b[k], b[k + 1], u);
     }
   }
-  knot.p = between(b[0], b[1], u);
-  knot.derivative = ph_cplx_scale((double)t->degree, ph_cplx_sub(b[1], b[0]));
+  *derivative = ph_cplx_scale((double)degree, ph_cplx_sub(b[1], b[0]));
+  return between(b[0], b[1], u);
+}
+
+struct ph_tc_knot ph_tc_knot_at(const struct ph_tc_target *t, double u) {
+  struct ph_tc_knot knot = {u, {0, 0}, {0, 0}, {0, 0}};
+  knot.p = point_of(t->p, t->degree, u, t->spare, &knot.derivative);
   if (ph_cplx_abs(knot.derivative) > t->still) {
     knot.tangent = unit(knot.derivative);
-  } else if (first || last) {
-    knot.tangent = limit(t, last);
+  } else if (u <= 0 || u >= 1) {
+    knot.tangent = limit(t, u >= 1);
   }
   return knot;
-}
-
-/* The part of q before u, or behind it, in place. */
-static void keep_before(ph_cplx *q, size_t degree, double u) {
-  for (size_t n = 1; n <= degree; n++) {
-    for (size_t k = degree; k >= n; k--) {
-      q[k] = between(q[k - 1], q[k], u);
-    }
-  }
-}
-
-static void keep_behind(ph_cplx *q, size_t degree, double u) {
-  for (size_t n = degree; n > 0; n--) {
-    for (size_t k = 0; k < n; k++) {
-      q[k] = between(q[k], q[k + 1], u);
-    }
-  }
 }
 
 /* The part between two knots, to t->part. */
 static void part_of(const struct ph_tc_target *t, const struct ph_tc_knot *from,
                     const struct ph_tc_knot *to) {
-  ph_cplx *q = t->part;
-  memcpy(q, t->p, (t->degree + 1) * sizeof *q);
-  if (to->u < 1) {
-    keep_before(q, t->degree, to->u);
-  }
-  if (from->u > 0) {
-    keep_behind(q, t->degree, from->u / to->u);
-  }
-  q[0] = from->p;
-  q[t->degree] = to->p;
+  size_t n = t->degree;
+  ph_bern_cut(t->p, n, to->u, t->cut, t->spare);
+  ph_bern_cut(t->cut, n, from->u / to->u, t->spare, t->part);
+  t->part[0] = from->p;
+  t->part[n] = to->p;
 }
 
 static double one_distance(const struct ph_tc_target *t, const struct ph_tc *tc,
@@ -145,17 +130,8 @@ static double one_distance(const struct ph_tc_target *t, const struct ph_tc *tc,
 static double part_foot(const struct ph_tc_target *t, ph_cplx p) {
   double u = 0.5;
   for (int i = 0; i < 3; i++) {
-    ph_cplx *b = t->cut, v;
-    double step;
-    memcpy(b, t->part, (t->degree + 1) * sizeof *b);
-    for (size_t n = t->degree; n > 1; n--) {
-      for (size_t k = 0; k < n; k++) {
-        b[k] = between(b[k], b[k + 1], u);
-      }
-    }
-    v = ph_cplx_scale((double)t->degree, ph_cplx_sub(b[1], b[0]));
-    step = ph_cplx_dot(ph_cplx_sub(p, between(b[0], b[1], u)), v) /
-           ph_cplx_norm2(v);
+    ph_cplx v, q = point_of(t->part, t->degree, u, t->cut, &v);
+    double step = ph_cplx_dot(ph_cplx_sub(p, q), v) / ph_cplx_norm2(v);
     u += isfinite(step) ? step : 0;
     u = u > 0.25 ? u : 0.25;
     u = u < 0.75 ? u : 0.75;
@@ -169,10 +145,7 @@ static double two_distance(const struct ph_tc_target *t,
                            double enough) {
   struct ph_tc_match m[2];
   size_t n = t->degree;
-  memcpy(t->cut, t->part, (n + 1) * sizeof *t->cut);
-  memcpy(t->spare, t->part, (n + 1) * sizeof *t->cut);
-  keep_before(t->cut, n, at);
-  keep_behind(t->spare, n, at);
+  ph_bern_cut(t->part, n, at, t->cut, t->spare);
   m[0].q = t->cut;
   m[1].q = t->spare;
   ph_tc_control_points(&patch->tc[0], t->part[0], patch->joint, m[0].c);
@@ -194,18 +167,19 @@ static void try_one(const struct ph_tc_target *t, const struct ph_tc_knot *from,
   struct ph_tc_hermite h = {{ph_tc_snap(ph_cplx_mul(along, from->tangent)),
                              ph_tc_snap(ph_cplx_mul(along, to->tangent))}};
   struct ph_tc_fit fits[2];
-  struct ph_tc tc;
-  bool sharp;
-  if (!(ph_tc_g1(&h, fits) > 0) || !fits[0].regular || fits[0].loops > 0) {
-    return;
-  }
-  sharp = !(fabs(ph_tc_turning(&fits[0].tc[0])) < PH_PI);
-  tc = turned(&fits[0].tc[0], ph_cplx_sqrt(chord));
-  distance = one_distance(t, &tc, enough);
-  if (distance < best->distance && (!sharp || distance <= SURE * length)) {
-    best->n = 1;
-    best->distance = distance;
-    best->tc[0] = tc;
+  size_t n = ph_tc_g1(&h, fits);
+  for (size_t i = 0; i < n; i++) {
+    struct ph_tc tc = turned(&fits[i].tc[0], ph_cplx_sqrt(chord));
+    bool blunt = fabs(ph_tc_turning(&tc)) < PH_PI;
+    if (!fits[i].regular || fits[i].loops > 0) {
+      continue;
+    }
+    distance = one_distance(t, &tc, enough);
+    if (distance < best->distance && (blunt || distance <= SURE * length)) {
+      best->n = 1;
+      best->distance = distance;
+      best->tc[0] = tc;
+    }
   }
 }
 
@@ -228,11 +202,7 @@ static void try_pair(const struct ph_tc_target *t,
                                 derivative_at(to, h, along, length)}};
   struct ph_tc_patch patch = {2, 0, {{{{0, 0}, {0, 0}}}}, {0, 0}, 0};
   struct ph_tc_fit fit;
-  if (!ph_tc_pair_standard(&data, &fit)) {
-    return;
-  }
-  ph_tc_fit_measure(&fit);
-  if (!fit.regular || fit.loops > 0) {
+  if (!ph_tc_pair_best(&data, &fit) || fit.loops > 0) {
     return;
   }
   patch.tc[0] = turned(&fit.tc[0], f);

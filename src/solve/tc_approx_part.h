@@ -17,6 +17,7 @@
 struct ph_tc_target {
   const ph_cplx *p; /* [degree + 1] */
   size_t degree;
+  double size;    /* of the coordinates */
   double noise;   /* what rounding may add to a distance */
   double still;   /* derivatives up to this size have no direction */
   double same;    /* points no further apart than this are the same */
