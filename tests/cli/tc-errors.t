@@ -12,15 +12,16 @@ two='"points":[[0,0],[3,0]]'
 three='"points":[[0,0],[3,0],[4,2]]'
 t2='"tangents":[[1,0],[0,1]]'
 d2='"derivatives":[[1,0],[0,1]]'
-line='"curve":[[0,0],[1,1],[2,0]]'
+bezier='"curve":[[0,0],[1,1],[2,0]]'
 
 # ---- what is needed ----------------------------------------------------------
 
 bad missing-field points 'is required' '{"lambda":0.5}'
 bad missing-field points 'is required' "{$t2}"
-bad too-few-points points 'must have at least 2 points, found 1' \
+bad too-few-points points 'must be at least 2, found 1' \
   '{"points":[[1,2]]}'
-bad too-few-points points 'must have at least 3 points to be closed, found 2' \
+bad too-few-points points \
+  'must be at least 3 different points for a closed curve, found 2' \
   "{$two,\"closed\":true}"
 for mode in g1 g1-pair g1-auto g1-fair; do
   bad missing-field tangents "is required by the mode $mode" \
@@ -33,25 +34,25 @@ bad missing-field derivatives 'is required by the mode c1' \
 bad missing-field curve 'is required by the mode approximate' \
   '{"mode":"approximate","tolerance":1}'
 bad missing-field tolerance 'or pieces is required by the mode approximate' \
-  "{$line}"
+  "{$bezier}"
 
 # ---- what excludes what ------------------------------------------------------
 
 bad bad-value tangents 'excludes derivatives: give one of them' "{$two,$t2,$d2}"
 bad bad-value points 'excludes curve: give one of them' \
-  "{$two,$line,\"tolerance\":1}"
+  "{$two,$bezier,\"tolerance\":1}"
 bad bad-value pieces 'excludes tolerance: give one of them' \
-  "{$line,\"tolerance\":1,\"pieces\":3}"
+  "{$bezier,\"tolerance\":1,\"pieces\":3}"
 bad bad-value tangents 'are for the modes g1, g1-pair, g1-auto, g1-fair' \
   "{$two,$t2,\"mode\":\"spline\"}"
 bad bad-value derivatives 'are for the mode c1' \
   "{$two,$d2,\"mode\":\"spline\"}"
 bad bad-value curve 'is for the mode approximate' \
-  "{$two,$line,\"mode\":\"spline\"}"
+  "{$two,$bezier,\"mode\":\"spline\"}"
 bad bad-value tolerance 'is for the mode approximate' "{$two,\"tolerance\":1}"
 bad bad-value pieces 'is for the mode approximate' "{$two,$t2,\"pieces\":1}"
 bad bad-value solutions 'must not be all in the mode approximate' \
-  "{$line,\"tolerance\":1,\"solutions\":\"all\"}"
+  "{$bezier,\"tolerance\":1,\"solutions\":\"all\"}"
 for rest in "$d2" "$t2,\"mode\":\"g1\""; do
   bad bad-value lambda 'is for the modes spline, g1-pair, g1-auto, g1-fair' \
     "{$two,$rest,\"lambda\":0.5}"
@@ -114,7 +115,7 @@ bad bad-value mode 'must be "g1", "g1-pair", "g1-auto", "g1-fair", "c1", '\
 bad bad-value solutions \
   'must be "best", "standard" or "all", found "every"' \
   "{$two,\"solutions\":\"every\"}"
-bad unknown-field lamda 'is no field of tc; did you mean "lambda"?' \
+bad unknown-field lamda 'is not a field of tc; did you mean "lambda"?' \
   "{$two,\"lamda\":1}"
 
 # ---- numbers -----------------------------------------------------------------
@@ -123,7 +124,7 @@ for value in 0 -1 -0; do
   bad bad-value lambda "must be greater than 0, found $value" \
     "{$two,\"lambda\":$value}"
   bad bad-value tolerance "must be greater than 0, found $value" \
-    "{$line,\"tolerance\":$value}"
+    "{$bezier,\"tolerance\":$value}"
 done
 for value in 3.2 -4; do
   shown=$value
@@ -140,9 +141,12 @@ for value in 0 2.5 -1 1e9; do
   [ "$value" != 1e9 ] || shown=1000000000
   bad bad-value pieces \
     "must be a whole number from 1 to 1000000, found $shown" \
-    "{$line,\"pieces\":$value}"
+    "{$bezier,\"pieces\":$value}"
 done
-bad syntax '' 'a value must not be NaN' "{$two,\"lambda\":NaN}"
+feed "{$two,\"lambda\":NaN}" tc
+expect 'NaN' 3 "phspline: -:1: record 1: NaN is not JSON: numbers are finite \
+[syntax]
+$(failed 1 1)"
 bad not-finite 'points[1][0]' 'is 1e400, which overflows a double' \
   '{"points":[[0,0],[1e400,0]]}'
 bad not-finite 'tangents[0][1]' 'is -1e400, which overflows a double' \
@@ -185,14 +189,15 @@ bad infeasible 'points[0]' 'is where the data turn back by 180 degrees: the '\
 
 # none K A B RANGE PROBLEM
 none() {
-  bad infeasible "intervals[$1]" "no Tschirnhausen cubic has angles $2 and $3 \
+  bad infeasible "segments[$1]" "no Tschirnhausen cubic has angles $2 and $3 \
 to the chord: for the first, the second must be between $4; \
 \"mode\":\"g1-pair\" has a curve of two" "{$5,\"mode\":\"g1\"}"
 }
 
-none 0 1.5708 1.5708 '-2.61799 and 0.143358' \
+none 0 1.5708 1.5708 '-2.61799 and 0.143348' \
   "$two,\"tangents\":[[0,1],[0,1]]"
-none 0 1.5708 0 '-2.61799 and 0.143358' "$two,\"tangents\":[[0,1],[1,0]]"
+none 0 -2.35619 0 '-0.343255 and 1.8326, and not 0' \
+  "$two,\"tangents\":[[-1,-1],[1,0]]"
 none 0 3.14159 0 '-1.0472 and 1.0472, and not 0' \
   "$two,\"tangents\":[[-1,0],[1,0]]"
 none 1 0 3.14159 '-2.0944 and 2.0944' \
@@ -204,7 +209,7 @@ bad infeasible 'intervals[0]' 'the standard pair has a cusp; '\
 '"solutions":"best" may have none' \
   "{$two,\"derivatives\":[[4.5,1],[4.5,-1]],\"solutions\":\"standard\"}"
 bad infeasible 'intervals[0]' 'no two cubics meet on the chord at the angle '\
-'2.5: it must be between -2.61799 and 0.143358, and not 0' \
+'2.5: it must be between -2.61799 and 0.00716179, and not 0' \
   "{$two,\"tangents\":[[0,1],[1,0.1]],\"mode\":\"g1-pair\",\"joint\":\"chord\",\"joint_angle\":2.5}"
 points=$(awk 'BEGIN { for (i = 0; i < 8; i++)
   printf "%s[%d,%d]", (i ? "," : ""), i, i % 2 }')
@@ -215,7 +220,8 @@ bad bad-value solutions \
 # ---- curves to approximate ---------------------------------------------------
 
 goal='"tolerance":1e-3'
-bad too-few-points curve 'has no curves' "{\"curve\":[],$goal}"
+bad too-few-points curve 'must have at least 2 control points' \
+  "{\"curve\":[],$goal}"
 bad too-few-points curve 'must have at least 2 control points' \
   "{\"curve\":[[1,2]],$goal}"
 bad too-few-points 'curve[1]' 'must have at least 2 control points' \
@@ -223,10 +229,10 @@ bad too-few-points 'curve[1]' 'must have at least 2 control points' \
 bad bad-value 'curve[1]' 'must begin where curve[0] ends' \
   "{\"curve\":[[[0,0],[1,1]],[[1,2],[3,3]]],$goal}"
 bad bad-value curve 'must end where it begins if closed' \
-  "{$line,$goal,\"closed\":true}"
+  "{$bezier,$goal,\"closed\":true}"
 bad bad-shape 'curve[0][1]' 'must have 2 numbers, found 1' \
   "{\"curve\":[[[0,0],[1]],[[1,2],[3,3]]],$goal}"
-bad coincident-points curve 'is a point' \
+bad coincident-points curve 'has control points that are all the same' \
   "{\"curve\":[[1,2],[1,2],[1,2]],$goal}"
 bad bad-value pieces 'must be at least 2, one for each curve, found 1' \
   '{"curve":[[[0,0],[1,1]],[[1,1],[3,3]]],"pieces":1}'
@@ -242,15 +248,9 @@ loop='"tangents":[[0.5403023058681398,-0.8414709848078965],[1,0]],"mode":"g1"'
 warned loop loop \
   'the curve of interval 0 has a loop or crosses itself (such intervals: 1)' 0 \
   "{\"id\":\"l\",$two,$loop}"
+row='"points":[[0,0],[3,0],[6,0]]'
 warned both loop \
   'the curve of interval 0 has a loop or crosses itself (such intervals: 2)' 0 \
-  "{\"id\":\"b\",\"points\":[[0,0],[3,0],[3,3]],\"derivatives\":[[9,0],[9,9],[0,9]]}"
+  "{\"id\":\"b\",$row,\"derivatives\":[[6,0],[6,0],[6,0]]}"
 feed "{$two,\"derivatives\":[[4,0],[0,1]]}" tc --strict
 expect 'no loop' 0
-
-# ---- offsets -----------------------------------------------------------------
-
-feed "{$two}" tc --convert=bezier
-expect '--convert=bezier' 2 'phspline: --convert: the curves of tc are Bezier '\
-"curves as they are
-Try 'phspline tc --help'."
