@@ -119,10 +119,10 @@ enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
 
 /* ---- to a number of cubics ---------------------------------------------- */
 
-/* Trials of a tolerance, and how near to a tolerance that fails the best
- * distance need not come. */
+/* Trials of a tolerance; how near to one that fails the best distance need not
+ * come; and no less than so many times the noise is tried. */
 enum { TRIALS = 40 };
-static const double CLOSE = 1.002;
+static const double CLOSE = 1.002, CLEAR = 16;
 
 struct chain {
   const struct item *items;
@@ -186,7 +186,7 @@ static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
   c->low = 0;
   for (size_t k = 0; k < c->n; k++) {
     size = fmax(c->items[k].target.size, size);
-    c->low = fmax(c->items[k].target.noise, c->low);
+    c->low = fmax(CLEAR * c->items[k].target.noise, c->low);
   }
   c->cubics = 0;
   status = try_tolerance(c, 8 * size, diag); /* no cubics are that far */

@@ -16,9 +16,10 @@
  * along the chord, as graphs with slopes of at most s, the points above the
  * same point of the chord are no further apart than
  *
- *   |d across the chord| + s |d along the chord|                         (2)
+ *   |d across the chord| + s |d along the chord| + e                     (2)
  *
- * which is 0 for a straight line, however it is travelled.
+ * with e the larger |d along the chord| at the ends, for points beyond the end
+ * of the other; 0 for a straight line, however it is travelled.
  */
 #include "solve/tc_approx_part.h"
 
@@ -29,7 +30,7 @@
 
 /* Halvings that are always done, and how many more there may be; a match is
  * tight when it is within this factor of a distance that was seen. */
-enum { LEVELS = 2, DEEPER = 4, LEAVES = PH_TC_MATCHES << LEVELS };
+enum { LEVELS = 2, DEEPER = 4, LEAVES = 1 << LEVELS };
 static const double TIGHT = 1.05;
 
 /* The degree of r(psi(u)). */
@@ -38,6 +39,7 @@ enum { COMPOSED = 9 };
 struct graph {
   ph_cplx axis; /* unit vector along the chord */
   double slope; /* infinite if the curves are no graphs over it */
+  double ends;  /* e of (2) */
 };
 
 struct search {
@@ -148,7 +150,8 @@ static double upper(const struct search *s, const struct ph_tc_match *m) {
   }
   whole = sqrt(whole);
   /* not 0 * infinity */
-  across += isfinite(s->graph.slope) ? s->graph.slope * along : whole;
+  across +=
+      isfinite(s->graph.slope) ? s->graph.slope * along + s->graph.ends : whole;
   return across < whole ? across : whole;
 }
 
@@ -203,10 +206,6 @@ static double steepest(const struct search *s, const ph_cplx *p, size_t degree,
   return slope;
 }
 
-static double joint_distance(const struct ph_tc_match *m) {
-  return ph_cplx_abs(ph_cplx_sub(m->q[0], m->c[0]));
-}
-
 /* The bound of a match, halved until it is tight. */
 static double refine(struct search *s, const struct ph_tc_match *m, int depth) {
   struct ph_tc_match half[2];
@@ -218,21 +217,31 @@ static double refine(struct search *s, const struct ph_tc_match *m, int depth) {
         s->pool + (2 * LEAVES + 2 * (size_t)depth) * (s->degree + 1), half);
   a = refine(s, &half[0], depth + 1);
   b = refine(s, &half[1], depth + 1);
-  a = larger(a, b);
-  return a < bound ? a : bound;
+  return larger(a, b);
 }
 
-double ph_tc_match_distance(const struct ph_tc_match *match, size_t n,
-                            size_t degree, double same, double enough,
-                            ph_cplx *pool) {
-  size_t step = degree + 1;
-  struct search s = {degree, {{0, 0}, 0}, 0, same, pool, NULL};
+/* The axis of a match, and d at its ends. */
+static void begin(struct search *s, const struct ph_tc_match *m) {
+  ph_cplx chord = ph_cplx_sub(m->c[3], m->c[0]);
+  ph_cplx first = ph_cplx_sub(m->c[0], m->q[0]);
+  ph_cplx last = ph_cplx_sub(m->c[3], m->q[s->degree]);
+  ph_cplx axis = ph_cplx_scale(1 / ph_cplx_abs(chord), chord);
+  s->graph.axis = axis;
+  s->graph.slope = 0;
+  s->graph.ends =
+      larger(fabs(ph_cplx_dot(axis, first)), fabs(ph_cplx_dot(axis, last)));
+  s->seen = larger(ph_cplx_abs(first), ph_cplx_abs(last));
+}
+
+double ph_tc_match_distance(const struct ph_tc_match *match, size_t degree,
+                            double same, double enough, ph_cplx *pool) {
+  size_t step = degree + 1, n = 1;
+  struct search s = {.degree = degree, .same = same, .pool = pool};
   struct ph_tc_match level[2][LEAVES];
-  ph_cplx chord = ph_cplx_sub(match[n - 1].c[3], match[0].c[0]);
   double bound = 0;
   s.wide = pool + (2 * LEAVES + 2 * DEEPER) * step;
-  s.graph.axis = ph_cplx_scale(1 / ph_cplx_abs(chord), chord);
-  memcpy(level[0], match, n * sizeof *match);
+  begin(&s, match);
+  level[0][0] = *match;
   for (size_t k = 0; k < LEVELS; k++, n *= 2) {
     for (size_t i = 0; i < n; i++) {
       ph_cplx *q = pool + (k % 2 * LEAVES + 2 * i) * step;
@@ -241,9 +250,10 @@ double ph_tc_match_distance(const struct ph_tc_match *match, size_t n,
   }
   for (size_t i = 0; i < n; i++) {
     const struct ph_tc_match *m = &level[LEVELS % 2][i];
+    double seen = ph_cplx_abs(ph_cplx_sub(m->q[0], m->c[0]));
     s.graph.slope = steepest(&s, m->q, degree, s.graph.slope);
     s.graph.slope = steepest(&s, m->c, 3, s.graph.slope);
-    s.seen = larger(joint_distance(m), s.seen);
+    s.seen = larger(seen, s.seen);
   }
   s.seen = larger(s.seen, same);
   for (size_t i = 0; i < n; i++) {

@@ -117,40 +117,13 @@ static void part_of(const struct ph_tc_target *t, const struct ph_tc_knot *from,
   t->part[n] = to->p;
 }
 
-static double one_distance(const struct ph_tc_target *t, const struct ph_tc *tc,
-                           double enough) {
-  struct ph_tc_match m = {t->part, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}};
-  ph_tc_control_points(tc, t->part[0], t->part[t->degree], m.c);
-  return ph_tc_match_distance(&m, 1, t->degree, t->same, enough, t->pool) +
+static double distance_of(const struct ph_tc_target *t, const struct ph_tc *tc,
+                          ph_cplx start, ph_cplx end, const ph_cplx *part,
+                          double enough) {
+  struct ph_tc_match m = {part, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}};
+  ph_tc_control_points(tc, start, end, m.c);
+  return ph_tc_match_distance(&m, t->degree, t->same, enough, t->pool) +
          t->noise;
-}
-
-/* A parameter of the part whose point is next to p, by a few steps from the
- * middle; in [1/4, 3/4]. */
-static double part_foot(const struct ph_tc_target *t, ph_cplx p) {
-  double u = 0.5;
-  for (int i = 0; i < 3; i++) {
-    ph_cplx v, q = point_of(t->part, t->degree, u, t->cut, &v);
-    double step = ph_cplx_dot(ph_cplx_sub(p, q), v) / ph_cplx_norm2(v);
-    u += isfinite(step) ? step : 0;
-    u = u > 0.25 ? u : 0.25;
-    u = u < 0.75 ? u : 0.75;
-  }
-  return u;
-}
-
-/* The same for a pair; `at` is a parameter of the part. */
-static double two_distance(const struct ph_tc_target *t,
-                           const struct ph_tc_patch *patch, double at,
-                           double enough) {
-  struct ph_tc_match m[2];
-  size_t n = t->degree;
-  ph_bern_cut(t->part, n, at, t->cut, t->spare);
-  m[0].q = t->cut;
-  m[1].q = t->spare;
-  ph_tc_control_points(&patch->tc[0], t->part[0], patch->joint, m[0].c);
-  ph_tc_control_points(&patch->tc[1], patch->joint, t->part[n], m[1].c);
-  return ph_tc_match_distance(m, 2, n, t->same, enough, t->pool) + t->noise;
 }
 
 static struct ph_tc turned(const struct ph_tc *tc, ph_cplx f) {
@@ -174,7 +147,7 @@ static void try_one(const struct ph_tc_target *t, const struct ph_tc_knot *from,
     if (!fits[i].regular || fits[i].loops > 0) {
       continue;
     }
-    distance = one_distance(t, &tc, enough);
+    distance = distance_of(t, &tc, from->p, to->p, t->part, enough);
     if (distance < best->distance && (blunt || distance <= SURE * length)) {
       best->n = 1;
       best->distance = distance;
@@ -196,21 +169,23 @@ static void try_pair(const struct ph_tc_target *t,
                      const struct ph_tc_knot *from, const struct ph_tc_knot *to,
                      double enough, struct ph_tc_patch *best) {
   ph_cplx chord = ph_cplx_sub(to->p, from->p), f = ph_cplx_sqrt(chord);
-  double length = ph_cplx_abs(chord), h = (to->u - from->u) / 2, at;
+  double length = ph_cplx_abs(chord), h = (to->u - from->u) / 2;
   ph_cplx along = ph_cplx_scale(1 / length, ph_cplx_conj(chord));
   struct ph_tc_hermite data = {{derivative_at(from, h, along, length),
                                 derivative_at(to, h, along, length)}};
   struct ph_tc_patch patch = {2, 0, {{{{0, 0}, {0, 0}}}}, {0, 0}, 0};
   struct ph_tc_fit fit;
-  if (!ph_tc_pair_best(&data, &fit) || fit.loops > 0) {
+  if (!ph_tc_pair_best(&data, &fit) || !fit.simple) {
     return;
   }
   patch.tc[0] = turned(&fit.tc[0], f);
   patch.tc[1] = turned(&fit.tc[1], f);
   patch.joint = ph_cplx_add(from->p, ph_tc_leg(&patch.tc[0]));
-  at = part_foot(t, patch.joint);
   patch.at = from->u + h;
-  patch.distance = two_distance(t, &patch, at, enough);
+  ph_bern_cut(t->part, t->degree, 0.5, t->cut, t->spare);
+  patch.distance =
+      fmax(distance_of(t, &patch.tc[0], from->p, patch.joint, t->cut, enough),
+           distance_of(t, &patch.tc[1], patch.joint, to->p, t->spare, enough));
   if (patch.distance < best->distance) {
     *best = patch;
   }

@@ -57,7 +57,7 @@ struct ph_tc_patch {
   double distance; /* proved; infinite if there are none */
   struct ph_tc tc[2];
   ph_cplx joint; /* of two */
-  double at;     /* and the parameter of the curve that belongs to it */
+  double at;     /* and the parameter of the curve that it stands for */
 };
 
 /*
@@ -76,24 +76,20 @@ struct ph_tc_match {
   ph_cplx c[4];     /* begins and ends near it */
 };
 
-enum { PH_TC_MATCHES = 2 };
-
 /* ph_tc_match_room: points that ph_tc_match_distance needs as `pool`. */
 size_t ph_tc_match_room(size_t degree);
 
 /*
- * ph_tc_match_distance: an upper bound of the Hausdorff distance between a
- * chain of cubics and a polynomial curve with the same end points; a few
- * percent above it.  Without what rounding adds.
+ * ph_tc_match_distance: an upper bound of the Hausdorff distance between the
+ * cubic and the part of the curve, a few percent above it where both run side
+ * by side.  Without what rounding adds.
  *
- * in   match[n]  n <= PH_TC_MATCHES
- * in   same      points no further apart than this are the same
- * in   enough    bounds of distances beyond it may be loose
+ * in   same    points no further apart than this are the same
+ * in   enough  bounds of distances beyond it may be loose
  * ws   pool[ph_tc_match_room(degree)]
  */
-double ph_tc_match_distance(const struct ph_tc_match *match, size_t n,
-                            size_t degree, double same, double enough,
-                            ph_cplx *pool);
+double ph_tc_match_distance(const struct ph_tc_match *match, size_t degree,
+                            double same, double enough, ph_cplx *pool);
 
 /*
  * ph_tc_inflections: where the curvature changes sign, each at the middle of a
