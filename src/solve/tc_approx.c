@@ -191,8 +191,8 @@ static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
   c->cubics = 0;
   status = try_tolerance(c, 8 * size, diag); /* no cubics are that far */
   if (status == PH_NO_CONVERGENCE && c->cubics > c->pieces) {
-    return ph_fail(diag, PH_INFEASIBLE, NULL,
-                   "is too few pieces: the curve takes %zu cubics at least",
+    return ph_fail(diag, PH_INFEASIBLE, "pieces",
+                   "is too few: the curve takes %zu cubics at least",
                    c->cubics);
   }
   cubics = c->cubics;
