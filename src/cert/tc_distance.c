@@ -61,24 +61,6 @@ static double inside(double x, double none) {
 
 /* ---- pieces of polynomials ---------------------------------------------- */
 
-/* Keeps [0,u] of c. */
-static void keep_start(ph_cplx *c, size_t degree, double u) {
-  for (size_t n = 1; n <= degree; n++) {
-    for (size_t k = degree; k >= n; k--) {
-      c[k] = between(c[k - 1], c[k], u);
-    }
-  }
-}
-
-/* Keeps [u,1]. */
-static void keep_end(ph_cplx *c, size_t degree, double u) {
-  for (size_t n = degree; n > 0; n--) {
-    for (size_t k = 0; k < n; k++) {
-      c[k] = between(c[k], c[k + 1], u);
-    }
-  }
-}
-
 /* The polar form of a cubic. */
 static ph_cplx polar(const ph_cplx p[4], double x, double y, double z) {
   ph_cplx a = between(p[0], p[1], x), b = between(p[1], p[2], x);
@@ -320,9 +302,9 @@ void ph_cert_distance_add(struct ph_cert_distance *d, const ph_cplx *curve,
                           const ph_cplx cubic[4]) {
   struct part whole = {
       .c = room_of(d, 0), .degree = degree, .cubic = cubic, .from = 0, .to = 1};
-  memcpy(whole.c, curve, (degree + 1) * sizeof *curve);
-  keep_start(whole.c, degree, to);
-  keep_end(whole.c, degree, to > 0 ? from / to : 0);
+  ph_bern_cut(curve, degree, to, room_of(d, 1), room_of(d, 2));
+  ph_bern_cut(room_of(d, 1), degree, to > 0 ? from / to : 0, room_of(d, 2),
+              whole.c);
   d->noise = ph_check_larger(d->noise, noise_of(curve, degree, cubic));
   d->parts = 0;
   sample(d, &whole, 0, whole.c[0]);

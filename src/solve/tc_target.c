@@ -221,7 +221,19 @@ static ph_cplx corner(const struct target *t, size_t k) {
   return ph_cplx_of(v[0], v[1]);
 }
 
-/* The cubics of one Bezier curve, from `start` to `end`. */
+/* The most by which a cubic misses its end / its length. */
+static double residual(const struct ph_tc_arcs *arcs) {
+  double worst = 0;
+  for (size_t i = 0; i < arcs->n; i++) {
+    const struct ph_tc_arc *arc = &arcs->arc[i];
+    ph_cplx missed =
+        ph_cplx_sub(ph_cplx_sub(arc->end, arc->start), ph_tc_leg(&arc->tc));
+    worst = fmax(worst, ph_cplx_abs(missed) / ph_tc_length(&arc->tc));
+  }
+  return worst;
+}
+
+/* The cubics of one Bezier curve; returns their length. */
 static double put_curve(const struct target *t, const struct ph_tc_arcs *arcs,
                         size_t k, struct ph_curve *curve) {
   struct ph_sum length = {0, 0};
@@ -266,6 +278,7 @@ static enum ph_status write(const struct target *t,
   curve->knots[curve->n] = (double)t->n;
   curve->length = ph_sum_value(&length);
   ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS, 0);
+  ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, residual(arcs));
   ph_diagnostics_set(&result->diagnostics, PH_D_DISTANCE,
                      ph_pow2_apply(ph_pow2_of(-t->exponent), arcs->distance));
   return PH_OK;

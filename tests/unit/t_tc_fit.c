@@ -109,6 +109,19 @@ START_TEST(test_best_without_simple) {
 }
 END_TEST
 
+/* One that is not simple hides none of the same energy, and an energy that is
+ * no number hides none at all. */
+START_TEST(test_best_behind) {
+  struct ph_tc_fit fits[] = {fit_of(&cusp, 0, (double)NAN, 1),
+                             fit_of(&loop, 1, 2, 1), fit_of(&loop, 2, 2, 1),
+                             fit_of(&line, 3, 2, 1), fit_of(&line, 4, 3, 0.5)};
+  const size_t number[] = {3, 4, 1, 2, 0};
+  ck_assert_ptr_eq(ph_tc_fit_best(fits, 5), &fits[3]);
+  ph_tc_fit_order(fits, 5);
+  expect_order(fits, 5, number);
+}
+END_TEST
+
 /* Energies that agree: the shorter; lengths that agree too: the first. */
 START_TEST(test_order_ties) {
   struct ph_tc_fit fits[] = {
@@ -202,6 +215,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_measure_irregular);
   tcase_add_test(tc, test_order_classes);
   tcase_add_test(tc, test_best_without_simple);
+  tcase_add_test(tc, test_best_behind);
   tcase_add_test(tc, test_order_ties);
   tcase_add_test(tc, test_order_chain);
   tcase_add_test(tc, test_best_chain_with_loop);

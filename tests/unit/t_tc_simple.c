@@ -11,7 +11,7 @@
  * known whether there is one.
  */
 #include "unit.h"
-#include "random_unit.h"
+#include "cross_unit.h"
 
 #include "curve/tc_simple.h"
 #include "kernel/pi.h"
@@ -221,6 +221,39 @@ START_TEST(test_slow) {
 }
 END_TEST
 
+/* Whole splines are looked at by cross.h: it must not say otherwise. */
+START_TEST(test_cross) {
+  struct unit_random r = unit_random_of(5);
+  int n = unit_count(PAIRS);
+  for (int i = 0; i < n; i++) {
+    struct chain c = i % 2 == 0 ? random_chain(&r) : random_spiral(&r);
+    ph_cplx from = {0, 0}, joint = chain_point(&c, 1, 0);
+    ph_cplx to = chain_point(&c, 1, 1), p[8], w[4];
+    double points[16], preimage[8], knots[3] = {0, 1, 2};
+    struct ph_curve curve = {.kind = PH_CURVE_TC, .dimension = 2, .degree = 3};
+    curve.n = 2;
+    curve.knots = knots;
+    curve.control_points = points;
+    curve.preimage = preimage;
+    curve.preimage_n = 2;
+    curve.preimage_dimension = 2;
+    ph_tc_control_points(&c.tc[0], from, joint, p);
+    ph_tc_control_points(&c.tc[1], joint, to, p + 4);
+    for (size_t k = 0; k < 8; k++) {
+      points[2 * k] = p[k].re;
+      points[2 * k + 1] = p[k].im;
+    }
+    for (size_t k = 0; k < 4; k++) {
+      w[k] = c.tc[k / 2].w[k % 2];
+      preimage[2 * k] = w[k].re;
+      preimage[2 * k + 1] = w[k].im;
+    }
+    ck_assert_msg(unit_cross(&curve, 1).simple == ph_tc_is_simple(c.tc, 2),
+                  "seed %lu, chain %d", unit_seed(), i);
+  }
+}
+END_TEST
+
 /* ---- known chains ------------------------------------------------------- */
 
 /*
@@ -384,6 +417,7 @@ static Suite *suite(void) {
   TCase *tc = tcase_create("tc_simple");
   tcase_set_timeout(tc, 60);
   tcase_add_test(tc, test_slow);
+  tcase_add_test(tc, test_cross);
   tcase_add_test(tc, test_drop);
   tcase_add_test(tc, test_closed);
   tcase_add_test(tc, test_known);

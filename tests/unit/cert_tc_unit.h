@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What tests of the certificate of Tschirnhausen cubics share: a curve, its
+ * problem, and what the certificate says of them. */
+#ifndef PH_TESTS_CERT_TC_UNIT_H
+#define PH_TESTS_CERT_TC_UNIT_H
+
+#include "tc_curve_unit.h"
+
+#include "cert/cert.h"
+
+enum { UNIT_TC_POINTS = 5 };
+
+struct unit_cert_tc {
+  struct unit_cubics c;
+  struct ph_problem problem;
+  struct ph_diagnostics claims, diagnostics;
+  struct ph_diag diag;
+  struct ph_arena scratch;
+  double points[2 * UNIT_TC_POINTS], vectors[2 * UNIT_TC_POINTS], ends[4];
+};
+
+/* The one that the functions are about; {0} at the start of a test. */
+extern struct unit_cert_tc unit_tc;
+
+/* unit_cert_finish: of a checked fixture. */
+void unit_cert_finish(void);
+
+/* Values of fields. */
+struct ph_value unit_word(const char *word);
+struct ph_value unit_number(double x);
+struct ph_value unit_vectors(double *v, size_t n);
+
+static inline void unit_put(double *v, ph_cplx z) {
+  v[0] = z.re;
+  v[1] = z.im;
+}
+
+static inline ph_cplx unit_get(const double *v) {
+  return ph_cplx_of(v[0], v[1]);
+}
+
+/* unit_certify: the certificate, which gets the claims. */
+enum ph_status unit_certify(void);
+
+/* unit_said: a diagnostic, which must be known. */
+double unit_said(enum ph_diagnostic what);
+bool unit_is_known(enum ph_diagnostic what);
+
+/* Accepted; refused for this reason, in this segment or in any. */
+void ck_accepted(void);
+void ck_refused(enum ph_diagnostic what, size_t segment);
+void ck_refused_somewhere(enum ph_diagnostic what);
+
+/* unit_unit: v/|v|. */
+static inline ph_cplx unit_unit(ph_cplx v) {
+  return ph_cplx_scale(1 / ph_cplx_abs(v), v);
+}
+
+/* unit_add_pair: two more cubics, the standard pair of [BYR11, thm 17] for the
+ * derivatives a, b and this chord; its end is set to a point of the data. */
+void unit_add_pair(ph_cplx a, ph_cplx b, ph_cplx chord, const double *end);
+
+#endif

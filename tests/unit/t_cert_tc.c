@@ -1,0 +1,411 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The certificate of Tschirnhausen cubics that interpolate: it accepts what is
+ * right, and whatever is changed in a curve or its problem, it notices and
+ * names.  The curves are chains of preimages.
+ */
+#include "cert_tc_unit.h"
+#include "unit.h"
+
+#include <string.h>
+
+/* By so much something is changed; the size of all curves here is some 1 to
+ * 3. */
+static const double MOVED = 1e-9;
+
+/* ---- chains of preimages ------------------------------------------------ */
+
+enum kind { SINGLES, PAIRS, MIXED, DERIVATIVES, KINDS };
+
+/* How many cubics each interval has; 4 in all. */
+static const size_t INTERVALS[KINDS][4] = {
+    {1, 1, 1, 1}, {2, 2}, {1, 2, 1}, {2, 2}};
+static const char *const MODES[KINDS] = {"g1", "g1-pair", "g1-auto", "c1"};
+
+static const ph_cplx NODES[] = {
+    {1, 0}, {.8, .5}, {.9, .9}, {.3, 1.1}, {-.4, 1}};
+
+/* One tangent at every point, and one derivative within pairs and where
+ * derivatives are given. */
+static void chain(enum kind kind, double scale, double offset) {
+  size_t point = 0, left = 0;
+  double root = sqrt(scale);
+  memset(&unit_tc, 0, sizeof unit_tc);
+  unit_cubics_begin(&unit_tc.c, ph_cplx_of(offset, -offset));
+  for (size_t k = 0; k < 4; k++) {
+    double slower = left > 0 || kind == DERIVATIVES ? 1 : 0.8;
+    ph_cplx w = ph_cplx_scale(root * slower, NODES[k]);
+    if (left == 0) {
+      unit_put(unit_tc.points + 2 * point, unit_tc.c.at);
+      unit_put(unit_tc.vectors + 2 * point, ph_cplx_mul(w, w));
+      left = INTERVALS[kind][point];
+      point++;
+    }
+    unit_cubics_add(&unit_tc.c, w, ph_cplx_scale(root, NODES[k + 1]));
+    left--;
+  }
+  unit_put(unit_tc.points + 2 * point, unit_tc.c.at);
+  unit_put(unit_tc.vectors + 2 * point,
+           ph_cplx_scale(scale, ph_cplx_mul(NODES[4], NODES[4])));
+  unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, point + 1);
+  unit_tc.problem
+      .field[kind == DERIVATIVES ? PH_F_DERIVATIVES : PH_F_TANGENTS] =
+      unit_vectors(unit_tc.vectors, point + 1);
+  unit_tc.problem.field[PH_F_MODE] = unit_word(MODES[kind]);
+}
+
+/* Whether cubic k begins (end = 0) or ends at a point of the data. */
+static bool at_point(enum kind kind, size_t k, size_t end) {
+  size_t first = 0;
+  for (size_t i = 0; i < 4; first += INTERVALS[kind][i], i++) {
+    if (k + end == first) {
+      return true;
+    }
+  }
+  return k + end == 4;
+}
+
+START_TEST(test_chains) {
+  static const double scales[] = {1e-9, 1, 1e9, 1e-290, 1e290};
+  for (size_t i = 0; i < 5; i++) {
+    for (int far = 0; far < 2; far++) {
+      double tiny = far ? 3e-9 : 2e-15;
+      chain((enum kind)_i, scales[i], far ? 1e6 * scales[i] : 0);
+      ck_accepted();
+      ck_abs(unit_said(PH_D_INTERPOLATION_ERROR), 0, 0);
+      ck_assert_double_le(unit_said(PH_D_PYTHAGOREAN_ERROR), tiny);
+      ck_assert_double_le(unit_said(PH_D_CONTINUITY_ERROR), tiny);
+      ck_assert_double_le(unit_said(PH_D_LENGTH_ERROR), tiny);
+      ck_assert_double_le(unit_said(_i == DERIVATIVES
+                                        ? PH_D_END_DERIVATIVE_ERROR
+                                        : PH_D_TANGENT_ERROR),
+                          tiny);
+      ck_assert(!unit_is_known(_i == DERIVATIVES ? PH_D_TANGENT_ERROR
+                                                 : PH_D_END_DERIVATIVE_ERROR));
+      ck_assert(!unit_is_known(PH_D_DISTANCE));
+      ck_abs(unit_said(PH_D_REGULAR), 1, 0);
+      ck_abs(unit_said(PH_D_SIMPLE), 1, 0);
+      ck_abs(unit_said(PH_D_LOOPS), 0, 0);
+    }
+  }
+}
+END_TEST
+
+/* What the mode is where the problem does not say. */
+START_TEST(test_modes) {
+  chain(MIXED, 1, 0);
+  unit_tc.problem.field[PH_F_MODE].kind = PH_ABSENT;
+  ck_accepted();
+  chain(MIXED, 1, 0);
+  unit_tc.problem.field[PH_F_MODE] = unit_word("g1-fair");
+  ck_accepted();
+  chain(DERIVATIVES, 1, 0);
+  unit_tc.problem.field[PH_F_MODE].kind = PH_ABSENT;
+  ck_accepted();
+  for (size_t kind = SINGLES; kind <= PAIRS; kind++) {
+    chain((enum kind)kind, 1, 0);
+    unit_tc.problem.field[PH_F_MODE] = unit_word("g1-auto");
+    ck_accepted();
+    unit_tc.problem.field[PH_F_MODE] =
+        unit_word(MODES[kind == PAIRS ? SINGLES : PAIRS]);
+    ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+    ck_assert_str_eq(unit_tc.diag.field, "segments");
+  }
+}
+END_TEST
+
+/* The largest curvature and the energies, against those of the cubics. */
+START_TEST(test_shape) {
+  double largest = 0;
+  chain(MIXED, 100, 0);
+  ck_accepted();
+  for (size_t k = 0; k < 4; k++) {
+    double slow = unit_cubic_slowest(&unit_tc.c, k);
+    largest =
+        unit_larger(largest, 2 * unit_cubic_bend(&unit_tc.c, k) / slow / slow);
+  }
+  ck_rel(unit_said(PH_D_MAX_CURVATURE), largest, 1e-13);
+  /* from 0 to twice the angle of the last node */
+  ck_rel(unit_said(PH_D_ROTATION_INDEX), 2 * atan2(1, -.4) / 6.283185307179586,
+         1e-13);
+  ck_rel(unit_said(PH_D_ABSOLUTE_ROTATION_INDEX),
+         2 * atan2(1, -.4) / 6.283185307179586, 1e-13);
+  ck_assert_double_gt(unit_said(PH_D_ENERGY), 0);
+}
+END_TEST
+
+/* Each coordinate of each control point, one after the other. */
+START_TEST(test_control_points) {
+  enum kind kind = (enum kind)_i;
+  chain(kind, 1, 0);
+  for (size_t i = 0; i < 32; i++) {
+    size_t k = i / 8, end = i % 8 >= 4;
+    bool outer = i % 8 < 2 || i % 8 >= 6, at = at_point(kind, k, end);
+    double *x = &unit_tc.c.control_points[i], keep = *x;
+    *x += MOVED;
+    if (outer && at) {
+      ck_refused(PH_D_INTERPOLATION_ERROR, k);
+    } else if (at && kind == DERIVATIVES) {
+      ck_refused(PH_D_END_DERIVATIVE_ERROR, k);
+    } else {
+      ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
+      ck_assert(strstr(unit_tc.diag.message, "tangent_error") != NULL ||
+                strstr(unit_tc.diag.message, "pythagorean_error") != NULL);
+    }
+    *x = keep;
+  }
+  ck_accepted();
+}
+END_TEST
+
+START_TEST(test_preimage) {
+  chain((enum kind)_i, 1, 0);
+  for (size_t i = 0; i < 16; i++) {
+    double *w = &unit_tc.c.preimage[i], keep = *w;
+    *w += MOVED;
+    ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 4);
+    *w = keep;
+  }
+  for (size_t i = 4; i < 8; i++) {
+    unit_tc.c.preimage[i] *= -1; /* its sign has no meaning */
+  }
+  ck_accepted();
+}
+END_TEST
+
+/* The first leg longer, with or without its preimage: no square any more. */
+START_TEST(test_not_ph) {
+  double *p = unit_tc.c.control_points, *w = unit_tc.c.preimage;
+  chain(SINGLES, 1, 0);
+  p[2] = p[0] + (1 + MOVED) * (p[2] - p[0]);
+  p[3] = p[1] + (1 + MOVED) * (p[3] - p[1]);
+  ck_refused(PH_D_PYTHAGOREAN_ERROR, 0);
+  w[0] *= 1 + MOVED / 2;
+  w[1] *= 1 + MOVED / 2;
+  ck_refused(PH_D_PYTHAGOREAN_ERROR, 0);
+}
+END_TEST
+
+START_TEST(test_lengths) {
+  chain((enum kind)_i, 1, 0);
+  for (size_t k = 0; k < 4; k++) {
+    double *length = &unit_tc.c.lengths[k], keep = *length;
+    *length *= 1 + MOVED;
+    ck_refused(PH_D_LENGTH_ERROR, k);
+    *length = keep;
+  }
+  unit_tc.c.curve.length *= 1 + MOVED;
+  ck_refused(PH_D_LENGTH_ERROR, 3);
+  unit_tc.c.curve.length = 0;
+  ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
+}
+END_TEST
+
+/* The data: moved points, turned tangents, tangents that are swapped or point
+ * backward, other derivatives. */
+START_TEST(test_data) {
+  enum kind kind = (enum kind)_i;
+  size_t n;
+  chain(kind, 1, 0);
+  n = unit_tc.problem.field[PH_F_POINTS].n;
+  for (size_t i = 0; i < 2 * n; i++) {
+    double keep = unit_tc.points[i];
+    unit_tc.points[i] += MOVED;
+    ck_refused_somewhere(PH_D_INTERPOLATION_ERROR);
+    unit_tc.points[i] = keep;
+  }
+  for (size_t i = 0; i < n; i++) {
+    double *v = unit_tc.vectors + 2 * i;
+    ph_cplx keep = unit_get(v);
+    unit_put(v, ph_cplx_mul(keep, ph_cplx_polar(MOVED)));
+    ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
+    ck_assert_ptr_nonnull(
+        strstr(unit_tc.diag.message,
+               kind == DERIVATIVES ? "end_derivative_error" : "tangent_error"));
+    unit_put(v, ph_cplx_scale(-1, keep));
+    ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
+    unit_put(v, ph_cplx_scale(1 + MOVED, keep));
+    ck_assert_int_eq(unit_certify(),
+                     kind == DERIVATIVES ? PH_NO_CONVERGENCE : PH_OK);
+    unit_put(v, keep);
+  }
+  unit_put(unit_tc.vectors, unit_get(unit_tc.vectors + 2));
+  ck_refused(
+      kind == DERIVATIVES ? PH_D_END_DERIVATIVE_ERROR : PH_D_TANGENT_ERROR, 0);
+}
+END_TEST
+
+/* Two pairs that are right by themselves, but for what they say where they or
+ * their cubics meet. */
+START_TEST(test_joints) {
+  for (int i = 0; i < 3; i++) {
+    double by = i == 1 ? 1 + 1e-8 : 1;
+    ph_cplx turn = ph_cplx_scale(by, ph_cplx_polar(i == 0 ? 1e-8 : 0));
+    memset(&unit_tc, 0, sizeof unit_tc);
+    unit_cubics_begin(&unit_tc.c, ph_cplx_of(0, 0));
+    unit_cubics_add(&unit_tc.c, NODES[0], NODES[1]);
+    unit_cubics_add(&unit_tc.c, ph_cplx_mul(turn, NODES[1]), NODES[2]);
+    unit_put(unit_tc.points + 2, unit_tc.c.at);
+    unit_put(unit_tc.vectors, ph_cplx_mul(NODES[0], NODES[0]));
+    unit_put(unit_tc.vectors + 2, ph_cplx_mul(NODES[2], NODES[2]));
+    unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, 2);
+    unit_tc.problem.field[PH_F_TANGENTS] = unit_vectors(unit_tc.vectors, 2);
+    if (i < 2) {
+      ck_refused(PH_D_CONTINUITY_ERROR, 1);
+    } else {
+      ck_accepted();
+      unit_tc.c.control_points[6] += MOVED;
+      unit_tc.c.control_points[5] += MOVED;
+      ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
+    }
+  }
+}
+END_TEST
+
+START_TEST(test_knots) {
+  chain((enum kind)_i, 1, 0);
+  for (size_t k = 0; k <= 4; k++) {
+    double keep = unit_tc.c.knots[k];
+    unit_tc.c.knots[k] += 1e-15;
+    if (k > 0) {
+      unit_tc.c.knots[k] *= 1.5;
+    }
+    ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+    ck_assert_int_eq(strncmp(unit_tc.diag.field, "knots[", 6), 0);
+    unit_tc.c.knots[k] = keep;
+  }
+  ck_accepted();
+}
+END_TEST
+
+/* Too few or too many cubics, or none of this kind. */
+START_TEST(test_number) {
+  chain((enum kind)_i, 1, 0);
+  unit_tc.c.curve.n = 1;
+  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+  ck_assert_str_eq(unit_tc.diag.field, "segments");
+  unit_tc.c.curve.n = 3;
+  ck_assert_int_ne(unit_certify(), PH_OK);
+  unit_tc.c.curve.n = 4;
+  unit_tc.problem.field[PH_F_POINTS].n--;
+  unit_tc.problem.field[_i == DERIVATIVES ? PH_F_DERIVATIVES : PH_F_TANGENTS]
+      .n--;
+  ck_assert_int_ne(unit_certify(), PH_OK);
+  unit_tc.problem.field[PH_F_POINTS].n++;
+  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+  ck_assert_str_eq(unit_tc.diag.field, "points");
+  chain((enum kind)_i, 1, 0);
+  unit_tc.c.curve.degree = 5;
+  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+  unit_tc.c.curve.degree = 3;
+  unit_tc.c.curve.kind = PH_CURVE_PH;
+  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+}
+END_TEST
+
+static void ck_not_finite(double *x) {
+  const double bad[] = {nan(""), HUGE_VAL, -HUGE_VAL};
+  double keep = *x;
+  for (size_t i = 0; i < 3; i++) {
+    *x = bad[i];
+    ck_assert_int_eq(unit_certify(), PH_TOO_LARGE);
+  }
+  *x = keep;
+}
+
+START_TEST(test_not_finite) {
+  chain(MIXED, 1, 0);
+  for (size_t i = 0; i < 32; i++) {
+    ck_not_finite(&unit_tc.c.control_points[i]);
+  }
+  for (size_t i = 0; i < 16; i++) {
+    ck_not_finite(&unit_tc.c.preimage[i]);
+  }
+  for (size_t k = 0; k < 4; k++) {
+    ck_not_finite(&unit_tc.c.lengths[k]);
+    ck_not_finite(&unit_tc.c.knots[k]);
+  }
+  ck_not_finite(&unit_tc.c.curve.length);
+  ck_accepted();
+}
+END_TEST
+
+/* ---- curves that stand still -------------------------------------------- */
+
+/* The sum of the derivatives is three chords: w is 0 at the joint. */
+static void cusp(double w) {
+  const ph_cplx w0 = {0.8, 0.6}, w2 = {1.2, -0.4};
+  memset(&unit_tc, 0, sizeof unit_tc);
+  unit_cubics_begin(&unit_tc.c, ph_cplx_of(0, 0));
+  unit_cubics_add(&unit_tc.c, w0, ph_cplx_of(w, 0));
+  unit_cubics_add(&unit_tc.c, ph_cplx_of(w, 0), w2);
+  unit_put(unit_tc.points + 2, unit_tc.c.at);
+  unit_put(unit_tc.vectors, ph_cplx_mul(w0, w0));
+  unit_put(unit_tc.vectors + 2, ph_cplx_mul(w2, w2));
+  unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, 2);
+  unit_tc.problem.field[PH_F_DERIVATIVES] = unit_vectors(unit_tc.vectors, 2);
+}
+
+START_TEST(test_irregular) {
+  cusp(0);
+  ck_refused(PH_D_REGULAR, 0);
+  ck_abs(unit_said(PH_D_REGULAR), 0, 0);
+  unit_tc.problem.field[PH_F_SOLUTIONS] = unit_word("all");
+  ck_accepted();
+  ck_abs(unit_said(PH_D_REGULAR), 0, 0);
+  ck_abs(unit_said(PH_D_SIMPLE), 0, 0);
+  ck_assert(!unit_is_known(PH_D_ENERGY));
+  ck_assert(!unit_is_known(PH_D_MAX_CURVATURE));
+  cusp(1e-11);
+  ck_accepted();
+  ck_abs(unit_said(PH_D_REGULAR), 1, 0);
+}
+END_TEST
+
+/* The preimage passes through 0 inside a cubic, or close by. */
+START_TEST(test_turns_back) {
+  for (int i = 0; i < 2; i++) {
+    memset(&unit_tc, 0, sizeof unit_tc);
+    unit_cubics_begin(&unit_tc.c, ph_cplx_of(0, 0));
+    unit_cubics_add(&unit_tc.c, ph_cplx_of(1, i ? 1e-6 : 0), ph_cplx_of(-2, 0));
+    unit_put(unit_tc.points + 2, unit_tc.c.at);
+    unit_put(unit_tc.vectors, ph_cplx_of(1, i ? 2e-6 : 0));
+    unit_put(unit_tc.vectors + 2, ph_cplx_of(1, 0));
+    unit_tc.vectors[0] -= i ? 1e-12 : 0;
+    unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, 2);
+    unit_tc.problem.field[PH_F_TANGENTS] = unit_vectors(unit_tc.vectors, 2);
+    unit_tc.problem.field[PH_F_MODE] = unit_word("g1");
+    if (i) {
+      ck_accepted();
+      ck_abs(unit_said(PH_D_REGULAR), 1, 0);
+      ck_abs(unit_said(PH_D_LOOPS), 1, 0);
+    } else {
+      ck_refused(PH_D_REGULAR, 0);
+    }
+  }
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("cert_tc");
+  TCase *tc = tcase_create("cert_tc");
+  tcase_add_checked_fixture(tc, NULL, unit_cert_finish);
+  tcase_add_loop_test(tc, test_chains, 0, KINDS);
+  tcase_add_test(tc, test_modes);
+  tcase_add_test(tc, test_shape);
+  tcase_add_loop_test(tc, test_control_points, 0, KINDS);
+  tcase_add_loop_test(tc, test_preimage, 0, KINDS);
+  tcase_add_test(tc, test_not_ph);
+  tcase_add_loop_test(tc, test_lengths, 0, KINDS);
+  tcase_add_loop_test(tc, test_data, 0, KINDS);
+  tcase_add_test(tc, test_joints);
+  tcase_add_loop_test(tc, test_knots, 0, KINDS);
+  tcase_add_loop_test(tc, test_number, 0, KINDS);
+  tcase_add_test(tc, test_not_finite);
+  tcase_add_test(tc, test_irregular);
+  tcase_add_test(tc, test_turns_back);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)
