@@ -295,6 +295,10 @@ static enum ph_status check_distance(const struct context *x, double allowed,
   struct ph_check check = {.what = PH_D_DISTANCE};
   ph_check_add(&check, x->farthest, ph_pow2_apply(back, x->distance.bound), 1,
                allowed + ph_pow2_apply(back, x->distance.noise) + DBL_MIN);
+  if (diagnostics->known >> PH_D_DISTANCE & 1) { /* a bound as good as ours */
+    check.reported =
+        ph_check_smaller(check.reported, diagnostics->value[PH_D_DISTANCE]);
+  }
   return ph_check_conclude(&check, diagnostics, diag);
 }
 

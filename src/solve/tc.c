@@ -16,12 +16,7 @@
 #include "solve/tc_interval.h"
 #include "solve/tc_target.h"
 
-/* Intervals whose best curve is not simple. */
-struct crossings {
-  size_t n, first;
-};
-
-static void warn_crossings(const struct crossings *crossings,
+static void warn_crossings(const struct ph_tc_crossings *crossings,
                            struct ph_result *result) {
   if (crossings->n > 0) {
     const struct ph_interval *at = &result->intervals[crossings->first];
@@ -35,27 +30,24 @@ static void warn_crossings(const struct crossings *crossings,
 /* Each interval by itself. */
 static enum ph_status solve_one(const struct ph_tc_data *d,
                                 struct ph_arena *out, struct ph_result *result,
+                                struct ph_tc_crossings *crossings,
                                 struct ph_diag *diag) {
-  const bool mixed = d->mode == PH_TC_G1_AUTO || d->mode == PH_TC_G1_FAIR;
-  const size_t each = mixed || d->mode != PH_TC_G1 ? 2 : 1;
-  struct crossings crossings = {0, 0};
+  const size_t most = d->mode == PH_TC_G1 ? d->n : 2 * d->n;
   struct ph_tc_builder builder;
   enum ph_status status =
-      ph_tc_build_begin(&builder, d, each * d->n, out, &result->curve, diag);
+      ph_tc_build_begin(&builder, d, most, out, &result->curve, diag);
   for (size_t k = 0; status == PH_OK && k < d->n; k++) {
     struct ph_tc_fit fit;
     status = ph_tc_interval(d, k, &fit, diag);
     if (status == PH_OK) {
       ph_tc_build_add(&builder, &fit);
-      crossings.first = crossings.n > 0 ? crossings.first : k;
-      crossings.n += !fit.simple;
+      ph_tc_crossings_see(crossings, k, &fit);
     }
   }
   if (status == PH_OK) {
     ph_tc_build_end(&builder, &result->diagnostics);
     result->intervals = builder.intervals;
     result->intervals_n = d->n;
-    warn_crossings(&crossings, result);
   }
   return status;
 }
@@ -65,13 +57,18 @@ static enum ph_status interpolate(const struct ph_problem *problem,
                                   struct ph_arena *scratch,
                                   struct ph_result *result,
                                   struct ph_diag *diag) {
+  struct ph_tc_crossings crossings = {0, 0};
   struct ph_tc_data data;
   enum ph_status status = ph_tc_data_of(problem, mode, scratch, &data, diag);
-  if (status != PH_OK) {
-    return status;
+  if (status == PH_OK) {
+    status = data.choice == PH_TC_ALL
+                 ? ph_tc_all(&data, out, scratch, result, &crossings, diag)
+                 : solve_one(&data, out, result, &crossings, diag);
   }
-  return data.choice == PH_TC_ALL ? ph_tc_all(&data, out, scratch, result, diag)
-                                  : solve_one(&data, out, result, diag);
+  if (status == PH_OK) {
+    warn_crossings(&crossings, result);
+  }
+  return status;
 }
 
 /* Images on the Blaschke cylinder, of all regular curves. */

@@ -11,6 +11,10 @@
 /* At most so many parts. */
 enum { LIMIT = 1000000 };
 
+/* So much of a tolerance is used: whoever matches the same curves in another
+ * way may find a little more. */
+static const double USED = 0.98;
+
 /* A curve of a chain, ready to be approximated. */
 struct item {
   struct ph_tc_target target;
@@ -105,13 +109,13 @@ enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
   struct ph_arena scratch = {NULL};
   struct ph_tc_plan plan = {&scratch, NULL, 0, 0, 0, LIMIT};
   struct item item;
+  double used = USED * tolerance;
   enum ph_status status = item_of(curve, &scratch, &item, diag);
   if (status == PH_OK) {
-    status =
-        ph_tc_plan_curve(&item.target, item.u, item.n, tolerance, &plan, diag);
+    status = ph_tc_plan_curve(&item.target, item.u, item.n, used, &plan, diag);
   }
   if (status == PH_OK) {
-    status = add_plan(&item, &plan, tolerance, arcs, diag);
+    status = add_plan(&item, &plan, used, arcs, diag);
   }
   ph_arena_free(&scratch);
   return status;
@@ -191,8 +195,8 @@ static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
   c->cubics = 0;
   status = try_tolerance(c, 8 * size, diag); /* no cubics are that far */
   if (status == PH_NO_CONVERGENCE && c->cubics > c->pieces) {
-    return ph_fail(diag, PH_INFEASIBLE, NULL,
-                   "is too few pieces: the curve takes %zu cubics at least",
+    return ph_fail(diag, PH_INFEASIBLE, "pieces",
+                   "is too few: the curve takes %zu cubics at least",
                    c->cubics);
   }
   cubics = c->cubics;

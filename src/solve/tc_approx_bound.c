@@ -33,6 +33,11 @@
 enum { LEVELS = 2, DEEPER = 4, LEAVES = 1 << LEVELS };
 static const double TIGHT = 1.05;
 
+/* The cubic is cut no nearer to its ends than EDGE; a foot is one to this
+ * cosine of the angle; and so many places are looked at where that fails. */
+static const double EDGE = 0x1p-6, NORMAL = 0.1;
+enum { PLACES = 16 };
+
 /* The degree of r(psi(u)). */
 enum { COMPOSED = 9 };
 
@@ -155,39 +160,82 @@ static double upper(const struct search *s, const struct ph_tc_match *m) {
   return across < whole ? across : whole;
 }
 
-/* The parameter, away from the ends, of a point of the cubic near p. */
-static double foot(const ph_cplx c[4], ph_cplx p, double t) {
-  for (int i = 0; i < 4; i++) {
-    ph_cplx a = between(c[0], c[1], t), b = between(c[1], c[2], t);
-    ph_cplx d = between(c[2], c[3], t), ab = between(a, b, t);
-    ph_cplx bd = between(b, d, t), v = ph_cplx_sub(bd, ab);
-    ph_cplx miss = ph_cplx_sub(p, between(ab, bd, t));
-    double step = ph_cplx_dot(miss, v) / (3 * ph_cplx_norm2(v));
-    t += isfinite(step) ? step : 0;
-    t = t > 0.0625 ? t : 0.0625;
-    t = t < 0.9375 ? t : 0.9375;
+/* The cubic cut at t. */
+static ph_cplx cut(const ph_cplx c[4], double t, ph_cplx inner[4]) {
+  ph_cplx b = between(c[1], c[2], t);
+  inner[0] = between(c[0], c[1], t);
+  inner[3] = between(c[2], c[3], t);
+  inner[1] = between(inner[0], b, t);
+  inner[2] = between(b, inner[3], t);
+  return between(inner[1], inner[2], t);
+}
+
+/* Whether t, with the inner points and the point of the cut there, is next to
+ * p, where the curve goes in the direction v. */
+static bool is_foot(const ph_cplx inner[4], ph_cplx point, ph_cplx p,
+                    ph_cplx v) {
+  ph_cplx d = ph_cplx_sub(inner[2], inner[1]), miss = ph_cplx_sub(p, point);
+  double along = ph_cplx_dot(miss, d);
+  return ph_cplx_dot(d, v) > 0 && along * along <= NORMAL * NORMAL *
+                                                       ph_cplx_norm2(d) *
+                                                       ph_cplx_norm2(miss);
+}
+
+/* The nearest of some places that go in the direction v, or t if none does. */
+static double look_round(const ph_cplx c[4], ph_cplx p, ph_cplx v, double t) {
+  double best = (double)INFINITY;
+  for (int i = 1; i < PLACES; i++) {
+    double at = (double)i / PLACES, away;
+    ph_cplx inner[4], point = cut(c, at, inner);
+    away = ph_cplx_norm2(ph_cplx_sub(p, point));
+    if (away < best && ph_cplx_dot(ph_cplx_sub(inner[2], inner[1]), v) > 0) {
+      best = away;
+      t = at;
+    }
   }
   return t;
 }
 
-/* Both halves of a match; their points go to q[2][degree + 1]. */
+/* The parameter, away from the ends, of a point of the cubic near p. */
+static double approach(const ph_cplx c[4], ph_cplx p, double t) {
+  for (int i = 0; i < 4; i++) {
+    ph_cplx inner[4], point = cut(c, t, inner);
+    ph_cplx d = ph_cplx_sub(inner[2], inner[1]);
+    double step =
+        ph_cplx_dot(ph_cplx_sub(p, point), d) / (3 * ph_cplx_norm2(d));
+    t += isfinite(step) ? step : 0;
+    t = t > EDGE ? t : EDGE;
+    t = t < 1 - EDGE ? t : 1 - EDGE;
+  }
+  return t;
+}
+
+/*
+ * Both halves of a match; their points go to q[2][degree + 1].  Where the cubic
+ * has a hairpin, steps from the guess may end on its other side.
+ */
 static void halve(const struct ph_tc_match *m, size_t degree, ph_cplx *q,
                   struct ph_tc_match out[2]) {
-  double psi[2], t;
   const ph_cplx *c = m->c;
-  ph_cplx a, b, d, ab, bd, middle;
   ph_cplx *left = q, *right = q + degree + 1;
+  ph_cplx inner[4], point, v;
+  double psi[2], guess, t;
   ph_bern_cut(m->q, degree, 0.5, left, right);
+  v = ph_cplx_sub(right[1], right[0]);
   speeds(m, degree, psi);
-  t = foot(c, right[0], 0.125 + 0.375 * (psi[0] + psi[1]));
-  a = between(c[0], c[1], t);
-  b = between(c[1], c[2], t);
-  d = between(c[2], c[3], t);
-  ab = between(a, b, t);
-  bd = between(b, d, t);
-  middle = between(ab, bd, t);
-  out[0] = (struct ph_tc_match){left, {c[0], a, ab, middle}};
-  out[1] = (struct ph_tc_match){right, {middle, bd, d, c[3]}};
+  guess = 0.125 + 0.375 * (psi[0] + psi[1]);
+  t = approach(c, right[0], guess);
+  point = cut(c, t, inner);
+  if (!is_foot(inner, point, right[0], v)) {
+    guess = look_round(c, right[0], v, guess);
+    t = approach(c, right[0], guess);
+    point = cut(c, t, inner);
+    if (!is_foot(inner, point, right[0], v)) {
+      point = cut(c, guess, inner);
+    }
+  }
+  out[0] = (struct ph_tc_match){left, {c[0], inner[0], inner[1], point}};
+  out[1] = (struct ph_tc_match){right, {point, inner[2], inner[3], c[3]}};
 }
 
 /* The steepest of the differences of points over the axis; infinite if one is

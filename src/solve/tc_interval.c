@@ -17,6 +17,11 @@ static double angle_of(ph_cplx t) {
 /* From this angle on at one end, the other must not be 0 [BYR11, table 4.1]. */
 static const double NOT_ZERO = 2 * PH_PI / 3;
 
+/* What to say of a range that reaches beyond the angles of directions. */
+static const char *modulo(const double range[2]) {
+  return range[0] < -PH_PI || range[1] > PH_PI ? " modulo 2 pi" : "";
+}
+
 static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h,
                               struct ph_diag *diag) {
   double a = angle_of(h->t[0]), b = angle_of(h->t[1]), range[2];
@@ -24,29 +29,30 @@ static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h,
   return ph_fail_at(
       diag, PH_INFEASIBLE, "segments", k,
       "no Tschirnhausen cubic has angles %.6g and %.6g to the chord: for the "
-      "first, the second must be between %.6g and %.6g%s; "
+      "first, the second must be between %.6g and %.6g%s%s; "
       "\"mode\":\"g1-pair\" has a curve of two",
-      a, b, range[0], range[1],
-      fabs(a) >= NOT_ZERO || !(fabs(a) > 0) ? ", and not 0" : "");
+      a, b, range[0], range[1], modulo(range),
+      fabs(a) >= NOT_ZERO ? ", and not 0" : "");
 }
 
 static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
                                  const struct ph_tc_hermite *h,
                                  struct ph_diag *diag) {
-  double range[2][2], low, high;
+  double range[2][2];
   for (size_t i = 0; i < 2; i++) {
     ph_tc_g1_range(angle_of(h->t[i]), range[i]);
   }
-  low = fmax(range[0][0], range[1][0]);
-  high = fmin(range[0][1], range[1][1]);
   return isnan(d->joint_angle)
              ? ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
                           "no two cubics meet on the chord without a cusp; "
                           "\"joint\":\"free\" has a curve of two")
              : ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
                           "no two cubics meet on the chord at the angle %.6g: "
-                          "it must be between %.6g and %.6g, and not 0",
-                          d->joint_angle, low, high);
+                          "it must be between %.6g and %.6g%s and between "
+                          "%.6g and %.6g%s, and not 0",
+                          d->joint_angle, range[0][0], range[0][1],
+                          modulo(range[0]), range[1][0], range[1][1],
+                          modulo(range[1]));
 }
 
 static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
