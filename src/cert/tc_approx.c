@@ -19,8 +19,10 @@
 static const double POSITION = 1e-13;
 static const double DIRECTION = 1e-12;
 
-/* A claim about the distance is not exceeded by more than this part of it. */
-static const double CLAIM = 1e-9;
+/* A bound of the distance that is claimed and the one that is found here belong
+ * to different matchings of points: by so much of it they may differ.  The
+ * tolerance is not exceeded. */
+static const double CLAIM = 0.02, TOLERANCE = 1e-9;
 
 /* Rounding of control points that were written, in that of a coordinate. */
 enum { ROUND_POINTS = 4 };
@@ -287,26 +289,38 @@ static enum ph_status check_knots(const struct context *x,
                               x->pieces);
 }
 
-/* What is claimed and allowed of the distance, in the unit of the data. */
+/* The lesser of what is claimed, with some slack, and allowed of the distance,
+ * in the unit of the data. */
 static double distance_allowed(const struct ph_problem *problem,
-                               const struct ph_diagnostics *diagnostics) {
+                               const struct ph_diagnostics *diagnostics,
+                               double slack) {
   const struct ph_value *tolerance = &problem->field[PH_F_TOLERANCE];
   double allowed = tolerance->kind == PH_NUMBER ? tolerance->number : HUGE_VAL;
   if (diagnostics->known >> PH_D_DISTANCE & 1) {
-    allowed = ph_check_smaller(diagnostics->value[PH_D_DISTANCE], allowed);
+    allowed = ph_check_smaller((1 + slack) * diagnostics->value[PH_D_DISTANCE],
+                               allowed);
   }
-  return (1 + CLAIM) * allowed;
+  return allowed;
+}
+
+/* ... at unit scale, with what the rounding of control points makes of it. */
+static double allowed_at_unit(const struct ph_tc_check *c, double allowed) {
+  return ph_pow2_apply(c->scale.to_unit, allowed) +
+         ROUND_POINTS * c->scale.rounding;
 }
 
 static enum ph_status check_distance(const struct context *x,
+                                     const struct ph_problem *problem,
                                      struct ph_diagnostics *diagnostics,
                                      struct ph_diag *diag) {
   const struct ph_pow2 unit = x->c.scale.to_unit;
   const struct ph_pow2 back = {1 / unit.first, 1 / unit.second};
   const struct ph_cert_distance *d = &x->distance;
+  double allowed = distance_allowed(problem, diagnostics, CLAIM);
   struct ph_check check = {.what = PH_D_DISTANCE};
+  allowed = (1 + TOLERANCE) * allowed_at_unit(&x->c, allowed) + d->noise;
   ph_check_add(&check, x->farthest, ph_pow2_apply(back, d->bound), 1,
-               ph_pow2_apply(back, d->allowed + d->noise));
+               ph_pow2_apply(back, allowed));
   return ph_check_conclude(&check, diagnostics, diag);
 }
 
@@ -317,7 +331,6 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
                             struct ph_diag *diag) {
   const struct ph_value *chain = &problem->field[PH_F_CURVE];
   size_t most = 0;
-  double allowed_at_unit;
   enum ph_status status;
   if (chain->kind == PH_ABSENT) {
     chain = &problem->field[PH_F_POINTS];
@@ -336,14 +349,12 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
   if (status != PH_OK) {
     return status;
   }
-  allowed_at_unit = ph_pow2_apply(x->c.scale.to_unit, allowed) +
-                    ROUND_POINTS * x->c.scale.rounding;
   x->piece.p = ph_arena_array(scratch, most, sizeof *x->piece.p);
   x->piece.leg = ph_arena_array(scratch, most, sizeof *x->piece.leg);
   x->basis = ph_arena_array(scratch, most, sizeof *x->basis);
   return x->piece.p && x->piece.leg && x->basis &&
                  ph_cert_distance_begin(&x->distance, scratch, most,
-                                        allowed_at_unit)
+                                        allowed_at_unit(&x->c, allowed))
              ? PH_OK
              : ph_fail_memory(diag);
 }
@@ -368,7 +379,8 @@ static enum ph_status certify(struct context *x,
   }
   check_cubics(x);
   status = ph_tc_check_conclude(&x->c, false, scratch, diagnostics, diag);
-  return status == PH_OK ? check_distance(x, diagnostics, diag) : status;
+  return status == PH_OK ? check_distance(x, problem, diagnostics, diag)
+                         : status;
 }
 
 enum ph_status ph_cert_tc_approximation(const struct ph_problem *problem,
@@ -376,7 +388,7 @@ enum ph_status ph_cert_tc_approximation(const struct ph_problem *problem,
                                         struct ph_arena *scratch,
                                         struct ph_diagnostics *diagnostics,
                                         struct ph_diag *diag) {
-  double allowed = distance_allowed(problem, diagnostics);
+  double allowed = distance_allowed(problem, diagnostics, 0);
   struct ph_mark mark = ph_arena_mark(scratch);
   struct context x = {.next = 0};
   enum ph_status status = begin(&x, problem, curve, scratch, allowed, diag);
