@@ -19,8 +19,8 @@
 static const double POSITION = 1e-13;
 static const double DIRECTION = 1e-12;
 
-/* A claim about the distance is not exceeded by more than this part of it. */
-static const double CLAIM = 1e-9;
+/* The tolerance is not exceeded by more. */
+static const double TOLERANCE = 1e-9;
 
 /* Rounding of control points that were written, in that of a coordinate. */
 enum { ROUND_POINTS = 4 };
@@ -287,29 +287,45 @@ static enum ph_status check_knots(const struct context *x,
                               x->pieces);
 }
 
-/* What is claimed and allowed of the distance, in the unit of the data. */
-static double distance_allowed(const struct ph_problem *problem,
-                               const struct ph_diagnostics *diagnostics) {
+/* What is allowed of the distance, in the unit of the data: the tolerance, if
+ * there is one. */
+static double distance_allowed(const struct ph_problem *problem) {
   const struct ph_value *tolerance = &problem->field[PH_F_TOLERANCE];
-  double allowed = tolerance->kind == PH_NUMBER ? tolerance->number : HUGE_VAL;
-  if (diagnostics->known >> PH_D_DISTANCE & 1) {
-    allowed = ph_check_smaller(diagnostics->value[PH_D_DISTANCE], allowed);
-  }
-  return (1 + CLAIM) * allowed;
+  return tolerance->kind == PH_NUMBER ? tolerance->number : HUGE_VAL;
 }
 
+/* What is claimed of it, or allowed: worth looking for. */
+static double distance_wanted(const struct ph_problem *problem,
+                              const struct ph_diagnostics *diagnostics) {
+  double allowed = distance_allowed(problem);
+  return diagnostics->known >> PH_D_DISTANCE & 1
+             ? ph_check_smaller(diagnostics->value[PH_D_DISTANCE], allowed)
+             : allowed;
+}
+
+/* ... at unit scale, with what the rounding of control points makes of it. */
+static double allowed_at_unit(const struct ph_tc_check *c, double allowed) {
+  return ph_pow2_apply(c->scale.to_unit, allowed) +
+         ROUND_POINTS * c->scale.rounding;
+}
+
+/* The bound that was found here is what is told, and judged by the tolerance; a
+ * claim that it confirms, but for rounding, may be a little less. */
 static enum ph_status check_distance(const struct context *x,
+                                     const struct ph_problem *problem,
                                      struct ph_diagnostics *diagnostics,
                                      struct ph_diag *diag) {
   const struct ph_pow2 unit = x->c.scale.to_unit;
   const struct ph_pow2 back = {1 / unit.first, 1 / unit.second};
   const struct ph_cert_distance *d = &x->distance;
+  double wanted = distance_wanted(problem, diagnostics);
+  double allowed = allowed_at_unit(&x->c, distance_allowed(problem));
   struct ph_check check = {.what = PH_D_DISTANCE};
+  allowed = (1 + TOLERANCE) * allowed + d->noise;
   ph_check_add(&check, x->farthest, ph_pow2_apply(back, d->bound), 1,
-               ph_pow2_apply(back, d->allowed + d->noise));
-  if (diagnostics->known >> PH_D_DISTANCE & 1) { /* a bound as good as ours */
-    check.reported =
-        ph_check_smaller(check.reported, diagnostics->value[PH_D_DISTANCE]);
+               ph_pow2_apply(back, allowed));
+  if (d->bound <= (1 + TOLERANCE) * allowed_at_unit(&x->c, wanted) + d->noise) {
+    check.reported = ph_check_smaller(check.reported, wanted);
   }
   return ph_check_conclude(&check, diagnostics, diag);
 }
@@ -321,7 +337,6 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
                             struct ph_diag *diag) {
   const struct ph_value *chain = &problem->field[PH_F_CURVE];
   size_t most = 0;
-  double allowed_at_unit;
   enum ph_status status;
   if (chain->kind == PH_ABSENT) {
     chain = &problem->field[PH_F_POINTS];
@@ -340,14 +355,12 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
   if (status != PH_OK) {
     return status;
   }
-  allowed_at_unit = ph_pow2_apply(x->c.scale.to_unit, allowed) +
-                    ROUND_POINTS * x->c.scale.rounding;
   x->piece.p = ph_arena_array(scratch, most, sizeof *x->piece.p);
   x->piece.leg = ph_arena_array(scratch, most, sizeof *x->piece.leg);
   x->basis = ph_arena_array(scratch, most, sizeof *x->basis);
   return x->piece.p && x->piece.leg && x->basis &&
                  ph_cert_distance_begin(&x->distance, scratch, most,
-                                        allowed_at_unit)
+                                        allowed_at_unit(&x->c, allowed))
              ? PH_OK
              : ph_fail_memory(diag);
 }
@@ -372,7 +385,8 @@ static enum ph_status certify(struct context *x,
   }
   check_cubics(x);
   status = ph_tc_check_conclude(&x->c, false, scratch, diagnostics, diag);
-  return status == PH_OK ? check_distance(x, diagnostics, diag) : status;
+  return status == PH_OK ? check_distance(x, problem, diagnostics, diag)
+                         : status;
 }
 
 enum ph_status ph_cert_tc_approximation(const struct ph_problem *problem,
@@ -380,7 +394,7 @@ enum ph_status ph_cert_tc_approximation(const struct ph_problem *problem,
                                         struct ph_arena *scratch,
                                         struct ph_diagnostics *diagnostics,
                                         struct ph_diag *diag) {
-  double allowed = distance_allowed(problem, diagnostics);
+  double allowed = distance_wanted(problem, diagnostics);
   struct ph_mark mark = ph_arena_mark(scratch);
   struct context x = {.next = 0};
   enum ph_status status = begin(&x, problem, curve, scratch, allowed, diag);
