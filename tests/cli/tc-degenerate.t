@@ -41,7 +41,8 @@ done
 for mode in g1-auto g1-fair g1-pair; do
   for tangents in '[[1,0],[-1,0]]' '[[-1,0],[1,0]]' '[[-1,0],[-1,0]]'; do
     solved "$tangents, $mode" "$chord,\"tangents\":$tangents" --mode=$mode
-    equal "$tangents, $mode: two cubics" '[0,1]' "$(get 'intervals[0].segments')"
+    equal "$tangents, $mode: two cubics" '[0,1]' \
+      "$(get 'intervals[0].segments')"
     simple
   done
 done
@@ -70,7 +71,7 @@ is length 2
 is diagnostics.energy 0 0
 # w0^2 + w2^2 = 3: two of the four pairs have a cusp where they meet
 solved 'two of four with a cusp' \
-  "$chord,\"derivatives\":[[3,2],[3,-2]],\"solutions\":\"all\""
+  "$chord,\"derivatives\":[[3,2],[3,-2]],\"solutions\":\"all\"" -q
 equal 'two of four with a cusp: these are last' 'true true false false' \
   "$(for i in 0 1 2 3; do get "solutions[$i].diagnostics.regular"; echo; done |
     tr '\n' ' ' | sed 's/ $//')"
@@ -195,4 +196,5 @@ solved 'at the origin' '"points":[[0,0],[3,1],[4,-2]]'
 get length >want
 numbers 'far from the origin: the same length' 0 want found
 solved 'far from the origin, approximated' \
-  '"curve":[[1000000,1000000],[1000003,1000001],[1000004,999998]],"tolerance":1e-6'
+  '"curve":[[1000000,1000000],[1000003,1000001],[1000004,999998]]' \
+  --tolerance=1e-6

@@ -24,6 +24,7 @@ two='"points":[[0,0],[3,0]]'
 three='"points":[[0,0],[3,0],[4,2]]'
 t2='"tangents":[[1,0],[0,1]]'
 d2='"derivatives":[[1,0],[0,1]]'
+chord='"mode":"g1-pair","joint":"chord"'
 bezier='"curve":[[0,0],[1,1],[2,0]]'
 
 # ---- what is needed ----------------------------------------------------------
@@ -50,7 +51,8 @@ wrong missing-field tolerance 'or pieces is required by the mode approximate' \
 
 # ---- what excludes what ------------------------------------------------------
 
-wrong bad-value tangents 'excludes derivatives: give one of them' "{$two,$t2,$d2}"
+wrong bad-value tangents 'excludes derivatives: give one of them' \
+  "{$two,$t2,$d2}"
 wrong bad-value points 'excludes curve: give one of them' \
   "{$two,$bezier,\"tolerance\":1}"
 wrong bad-value pieces 'excludes tolerance: give one of them' \
@@ -70,7 +72,7 @@ for rest in "$d2" "$t2,\"mode\":\"g1\""; do
     "{$two,$rest,\"lambda\":0.5}"
 done
 wrong bad-value lambda 'is for joints that are free' \
-  "{$two,$t2,\"mode\":\"g1-pair\",\"joint\":\"chord\",\"lambda\":0.5}"
+  "{$two,$t2,$chord,\"lambda\":0.5}"
 wrong bad-value joint 'is for the mode g1-pair' \
   "{$two,$t2,\"joint\":\"chord\"}"
 for field in joint_angle joint_position; do
@@ -113,7 +115,8 @@ done
 round='"points":[[0,0],[3,0],[4,2],[0,0]],"closed":true'
 wrong bad-value 'tangents[3]' 'must equal tangents[0], as the point does' \
   "{$round,\"tangents\":[[1,0],[1,0],[1,1],[0,1]]}"
-wrong bad-value 'derivatives[3]' 'must equal derivatives[0], as the point does' \
+wrong bad-value 'derivatives[3]' \
+  'must equal derivatives[0], as the point does' \
   "{$round,\"derivatives\":[[1,0],[1,0],[1,1],[2,0]]}"
 wrong bad-type points 'must be an array of points [x,y], found a string' \
   '{"points":"here"}'
@@ -142,11 +145,11 @@ for value in 3.2 -4; do
   shown=$value
   [ "$value" != 3.2 ] || shown=3.2000000000000002
   wrong bad-value joint_angle "must be between -pi and pi, found $shown" \
-    "{$two,$t2,\"mode\":\"g1-pair\",\"joint\":\"chord\",\"joint_angle\":$value}"
+    "{$two,$t2,$chord,\"joint_angle\":$value}"
 done
 for value in 0 1; do
   wrong bad-value joint_position "must be between 0 and 1, found $value" \
-    "{$two,$t2,\"mode\":\"g1-pair\",\"joint\":\"chord\",\"joint_position\":$value}"
+    "{$two,$t2,$chord,\"joint_position\":$value}"
 done
 for value in 0 2.5 1e9; do
   shown=$value
@@ -185,7 +188,8 @@ wrong zero-tangent 'end_derivatives[1]' 'must not be zero' \
 wrong zero-tangent 'derivatives[1]' \
   'is too small beside the chord from points[0]' \
   "{$two,\"derivatives\":[[1,0],[1e-13,0]]}"
-wrong too-large 'derivatives[0]' 'is too large beside the chord from points[0]' \
+wrong too-large 'derivatives[0]' \
+  'is too large beside the chord from points[0]' \
   "{$two,\"derivatives\":[[1e14,0],[1,0]]}"
 wrong too-large 'points[0]' \
   'has a derivative too large beside the chord from points[0]' \
@@ -212,8 +216,8 @@ none 0 3.14159 0 '-1.0472 and 1.0472, and not 0' \
   "$two,\"tangents\":[[-1,0],[1,0]]"
 none 1 0 3.14159 '-2.0944 and 2.0944' \
   '"points":[[0,0],[3,0],[6,0]],"tangents":[[1,0],[1,0],[-1,0]]'
-wrong infeasible 'segments[0]' 'all four pairs of cubics have a cusp with these '\
-'derivatives; other lengths of them do not' \
+wrong infeasible 'segments[0]' 'all four pairs of cubics have a cusp with '\
+'these derivatives; other lengths of them do not' \
   "{$two,\"derivatives\":[[4.5,0],[4.5,0]]}"
 wrong infeasible 'segments[0]' 'the standard pair has a cusp; '\
 '"solutions":"best" may have none' \
@@ -221,7 +225,7 @@ wrong infeasible 'segments[0]' 'the standard pair has a cusp; '\
 wrong infeasible 'segments[0]' 'no two cubics meet on the chord at the angle '\
 '2.5: it must be between -2.61799 and 0.143348 and between -5.0689 and '\
 '0.00716179 modulo 2 pi, and not 0' \
-  "{$two,\"tangents\":[[0,1],[1,0.1]],\"mode\":\"g1-pair\",\"joint\":\"chord\",\"joint_angle\":2.5}"
+  "{$two,\"tangents\":[[0,1],[1,0.1]],$chord,\"joint_angle\":2.5}"
 points=$(awk 'BEGIN { for (i = 0; i < 8; i++)
   printf "%s[%d,%d]", (i ? "," : ""), i, i % 2 }')
 wrong bad-value solutions \
