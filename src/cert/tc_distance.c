@@ -18,9 +18,9 @@ enum { DEPTH = 12, PARTS = 512 };
 /* A whole and two halves of each depth, and two that are subtracted. */
 enum { ROOM = 2 * DEPTH + 3 };
 
-/* Steps to the nearest point: each leaves (distance times curvature) of the
- * error of the one before. */
-enum { STEPS = 3 };
+/* Parameters that are tried for the nearest point, and steps to it: each leaves
+ * (distance times curvature) of the error of the one before. */
+enum { GUESSES = 8, STEPS = 4 };
 
 /* A bound within this of a distance that there is is good. */
 static const double GOOD = 1.05;
@@ -210,40 +210,54 @@ static double graph_bound(const struct ph_cert_distance *d,
 
 /* ---- parts -------------------------------------------------------------- */
 
-/* The parameter of the point of r nearest to p, in the part. */
+static double distance_at(const struct part *part, double s, ph_cplx p) {
+  return ph_cplx_abs(ph_cplx_sub(polar(part->cubic, s, s, s), p));
+}
+
+/* The parameter of the point of r nearest to p, in the part: from the best of
+ * some on, by steps that are taken as long as they help. */
 static double nearest(const struct part *part, ph_cplx p) {
   const double *inner = part->inner;
-  double s = part->from +
-             (part->to - part->from) * (3 * (inner[0] + inner[1]) + 1) / 8;
+  double width = part->to - part->from;
+  double s = part->from + width * (3 * (inner[0] + inner[1]) + 1) / 8;
+  double away = distance_at(part, s, p);
+  for (int i = 1; i < GUESSES; i++) {
+    double other = part->from + width * i / GUESSES;
+    double there = distance_at(part, other, p);
+    if (there < away) {
+      s = other;
+      away = there;
+    }
+  }
   for (int i = 0; i < STEPS; i++) {
     ph_cplx a = polar(part->cubic, s, s, 0), b = polar(part->cubic, s, s, 1);
     ph_cplx along = ph_cplx_scale(3, ph_cplx_sub(b, a));
-    ph_cplx away = ph_cplx_sub(p, between(a, b, s));
-    double step = ph_cplx_dot(away, along) / ph_cplx_norm2(along);
-    if (!isfinite(step)) {
+    ph_cplx miss = ph_cplx_sub(p, between(a, b, s));
+    double next = s + ph_cplx_dot(miss, along) / ph_cplx_norm2(along), there;
+    next = next > part->from ? next : part->from;
+    next = next < part->to ? next : part->to;
+    there = distance_at(part, next, p);
+    if (!(there < away)) {
       break;
     }
-    s += step;
-    s = s < part->from ? part->from : s > part->to ? part->to : s;
+    s = next;
+    away = there;
   }
   return s;
 }
 
 static void sample(struct ph_cert_distance *d, const struct part *part,
                    double s, ph_cplx p) {
-  ph_cplx r = polar(part->cubic, s, s, s);
-  d->sampled = ph_check_larger(d->sampled, ph_cplx_abs(ph_cplx_sub(r, p)));
+  d->sampled = ph_check_larger(d->sampled, distance_at(part, s, p));
 }
 
 /* Whether a part need not be halved: its bound is below that of another part,
- * or near enough to a distance and to what is allowed, or that is out of
- * reach. */
+ * or is allowed and near enough to a distance that there is. */
 static bool is_done(const struct ph_cert_distance *d, double bound,
                     size_t depth) {
   return bound <= d->bound || depth == DEPTH || d->parts >= PARTS ||
          (bound <= d->allowed + d->noise &&
-          bound <= GOOD * d->sampled + 2 * d->noise) ||
-         d->sampled > d->allowed + d->noise;
+          bound <= GOOD * d->sampled + 2 * d->noise);
 }
 
 /* Also sets psi of the part. */

@@ -22,9 +22,16 @@ static const char *modulo(const double range[2]) {
   return range[0] < -PH_PI || range[1] > PH_PI ? " modulo 2 pi" : "";
 }
 
-static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h,
+static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h, size_t n,
                               struct ph_diag *diag) {
   double a = angle_of(h->t[0]), b = angle_of(h->t[1]), range[2];
+  if (n > 0) {
+    return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+                      "a Tschirnhausen cubic with angles %.6g and %.6g to the "
+                      "chord has a cusp; \"mode\":\"g1-pair\" has a curve of "
+                      "two",
+                      a, b);
+  }
   ph_tc_g1_range(a, range);
   return ph_fail_at(
       diag, PH_INFEASIBLE, "segments", k,
@@ -43,10 +50,10 @@ static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
     ph_tc_g1_range(angle_of(h->t[i]), range[i]);
   }
   return isnan(d->joint_angle)
-             ? ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
+             ? ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
                           "no two cubics meet on the chord without a cusp; "
                           "\"joint\":\"free\" has a curve of two")
-             : ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
+             : ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
                           "no two cubics meet on the chord at the angle %.6g: "
                           "it must be between %.6g and %.6g%s and between "
                           "%.6g and %.6g%s, and not 0",
@@ -57,7 +64,7 @@ static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
 
 static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
                                 struct ph_diag *diag) {
-  return ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
+  return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
                     d->choice == PH_TC_STANDARD
                         ? "the standard pair has a cusp; \"solutions\":"
                           "\"best\" may have none"
@@ -70,8 +77,9 @@ static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
 static enum ph_status g1(size_t k, const struct ph_tc_hermite *h,
                          struct ph_tc_fit *fit, struct ph_diag *diag) {
   struct ph_tc_fit fits[2];
-  if (ph_tc_g1(h, fits) == 0) {
-    return fail_g1(k, h, diag);
+  size_t n = ph_tc_g1(h, fits);
+  if (n == 0 || !fits[0].regular) {
+    return fail_g1(k, h, n, diag);
   }
   *fit = fits[0];
   return PH_OK;
@@ -114,7 +122,7 @@ static enum ph_status two(const struct ph_tc_data *d, size_t k,
   }
   return ph_tc_two_free(h, fit)
              ? PH_OK
-             : ph_fail_at(diag, PH_NO_CONVERGENCE, "intervals", k,
+             : ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
                           "no pair of cubics without a crossing was found");
 }
 
@@ -169,7 +177,7 @@ static enum ph_status all_g1(size_t k, const struct ph_tc_hermite *h,
                              struct ph_tc_fit fits[PH_TC_FITS_MAX], size_t *n,
                              struct ph_diag *diag) {
   *n = ph_tc_g1(h, fits);
-  return *n > 0 ? PH_OK : fail_g1(k, h, diag);
+  return *n > 0 && fits[0].regular ? PH_OK : fail_g1(k, h, *n, diag);
 }
 
 static enum ph_status all_pairs(const struct ph_tc_data *d, size_t k,

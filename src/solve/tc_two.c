@@ -249,11 +249,23 @@ static bool chord_at(const struct ph_tc_hermite *h, double angle,
   return fit->regular;
 }
 
+/* Loops of a fit, and those that its cubics have if they go on a little: a
+ * curve that all but ends on itself is no better. */
+static unsigned loops_near(const struct ph_tc_fit *fit) {
+  const double margin = 0.01;
+  unsigned loops = 0;
+  for (size_t i = 0; i < fit->n; i++) {
+    struct ph_tc longer = ph_tc_part(&fit->tc[i], -margin, 1 + margin);
+    loops += ph_tc_has_loop(&longer);
+  }
+  return loops;
+}
+
 static double chord_fairness(const struct fairness *fair, double x) {
   struct ph_tc_fit fit;
   bool is = x > 0 && x < 1 &&
             chord_at(fair->h, x * fair->end, fair->position, &fit) &&
-            fit.loops <= fair->loops;
+            loops_near(&fit) <= fair->loops;
   return is ? fairness_of(&fit) : (double)INFINITY;
 }
 
@@ -327,12 +339,11 @@ bool ph_tc_two_chord(const struct ph_tc_hermite *h, double angle,
   if (isnan(angle) && is_straight(h)) {
     return straight(position, fit);
   }
-  range_of(h, range);
   if (isnan(angle)) {
+    range_of(h, range);
     angle = best_angle(h, position, range);
   }
-  if (!(angle > range[0] && angle < range[1] && fabs(angle) > 0) ||
-      !chord_at(h, angle, position, fit)) {
+  if (!(fabs(angle) > 0) || !chord_at(h, angle, position, fit)) {
     return false;
   }
   ph_tc_fit_test(fit);
