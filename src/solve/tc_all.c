@@ -122,7 +122,9 @@ rank(const struct ph_tc_data *d, const struct options *options, size_t total,
       return status;
     }
   }
-  qsort(candidates, total, sizeof *candidates, compare);
+  if (d->n > 1) { /* those of one interval are in order */
+    qsort(candidates, total, sizeof *candidates, compare);
+  }
   for (size_t i = 0; i < total; i++) {
     result->solutions[i] = candidates[i].solution;
   }

@@ -97,14 +97,6 @@ static enum ph_status pair(const struct ph_tc_data *d, size_t k,
   return ph_tc_pair_best(h, fit) ? PH_OK : fail_pair(d, k, diag);
 }
 
-/* The data of a pair whose lengths are lambda times the chord. */
-static struct ph_tc_hermite stretched(const struct ph_tc_hermite *h,
-                                      double lambda) {
-  struct ph_tc_hermite longer = {
-      {ph_cplx_scale(lambda, h->t[0]), ph_cplx_scale(lambda, h->t[1])}};
-  return longer;
-}
-
 /* Tangents alone are given. */
 static enum ph_status two(const struct ph_tc_data *d, size_t k,
                           const struct ph_tc_hermite *h, struct ph_tc_fit *fit,
@@ -115,7 +107,7 @@ static enum ph_status two(const struct ph_tc_data *d, size_t k,
                : fail_chord(d, k, h, diag);
   }
   if (d->choice == PH_TC_STANDARD) {
-    const struct ph_tc_hermite longer = stretched(h, PH_TC_LAMBDA);
+    const struct ph_tc_hermite longer = ph_tc_hermite_scaled(h, PH_TC_LAMBDA);
     enum ph_status status = pair(d, k, &longer, fit, diag);
     fit->lambda = PH_TC_LAMBDA;
     return status;
@@ -212,9 +204,9 @@ enum ph_status ph_tc_interval_all(const struct ph_tc_data *d, size_t k,
   }
   *n = 1;
   status = two(d, k, &h, fits, diag);
-  if (status == PH_OK && !d->on_chord && fits[0].root != PH_ROOT_STRAIGHT) {
+  if (status == PH_OK && !d->on_chord) {
     double lambda = fits[0].lambda;
-    const struct ph_tc_hermite longer = stretched(&h, lambda);
+    const struct ph_tc_hermite longer = ph_tc_hermite_scaled(&h, lambda);
     return all_pairs(d, k, &longer, lambda, fits, n, diag);
   }
   return status;

@@ -212,14 +212,15 @@ none 0 3.14159 0 '-1.0472 and 1.0472, and not 0' \
   "$two,\"tangents\":[[-1,0],[1,0]]"
 none 1 0 3.14159 '-2.0944 and 2.0944' \
   '"points":[[0,0],[3,0],[6,0]],"tangents":[[1,0],[1,0],[-1,0]]'
-wrong infeasible 'intervals[0]' 'all four pairs of cubics have a cusp with these '\
+wrong infeasible 'segments[0]' 'all four pairs of cubics have a cusp with these '\
 'derivatives; other lengths of them do not' \
   "{$two,\"derivatives\":[[4.5,0],[4.5,0]]}"
-wrong infeasible 'intervals[0]' 'the standard pair has a cusp; '\
+wrong infeasible 'segments[0]' 'the standard pair has a cusp; '\
 '"solutions":"best" may have none' \
   "{$two,\"derivatives\":[[4.5,1],[4.5,-1]],\"solutions\":\"standard\"}"
-wrong infeasible 'intervals[0]' 'no two cubics meet on the chord at the angle '\
-'2.5: it must be between -2.61799 and 0.00716179, and not 0' \
+wrong infeasible 'segments[0]' 'no two cubics meet on the chord at the angle '\
+'2.5: it must be between -2.61799 and 0.143348 and between -5.0689 and '\
+'0.00716179 modulo 2 pi, and not 0' \
   "{$two,\"tangents\":[[0,1],[1,0.1]],\"mode\":\"g1-pair\",\"joint\":\"chord\",\"joint_angle\":2.5}"
 points=$(awk 'BEGIN { for (i = 0; i < 8; i++)
   printf "%s[%d,%d]", (i ? "," : ""), i, i % 2 }')

@@ -228,7 +228,7 @@ floats 'segments[0].control_points' | holds 'a joint on the chord: there' \
   'n == 8 && (x[7] - 1)^2 + x[8]^2 < 1e-28 &&
     ((x[8] - x[6]) / (x[7] - x[5]) - sin(0.05) / cos(0.05))^2 < 1e-24'
 feed "{$chord}" tc -q -S joint_angle=-0.05,0.05,0.1
-expect 'a sweep of the angle' 1 'phspline: -:1: record 1: intervals[0]: no two '\
+expect 'a sweep of the angle' 1 'phspline: -:1: record 1: segments[0]: no two '\
 'cubics meet on the chord at the angle 0.1: it must be between '\
 '-0.0886875 and 0.0886875, and not 0 [infeasible]'
 equal 'a sweep of the angle: outcomes' '"ok" "ok" "error"' "$(get status)"
