@@ -133,13 +133,24 @@ static struct ph_tc_hermite tangents_of(const struct ph_tc_hermite *h) {
   return unit;
 }
 
+/* Whether a cubic comes so near to a cusp that no one would draw it. */
+static bool is_sharp(const struct ph_tc *tc) {
+  const double sharp = 1e-6;
+  double t = ph_tc_vertex(tc);
+  struct ph_tc_form f = ph_tc_form_of(tc);
+  ph_cplx w =
+      ph_cplx_add(ph_cplx_scale(1 - t, tc->w[0]), ph_cplx_scale(t, tc->w[1]));
+  return !(ph_cplx_norm2(w) > sharp * sharp * fmax(f.a, f.b));
+}
+
 /* Whether an interval of a mode that has the choice gets one cubic. */
 static bool takes_one(const struct ph_tc_data *d, size_t k,
                       const struct ph_tc_hermite *h, struct ph_tc_fit *one) {
   const struct ph_tc_hermite unit = tangents_of(h);
   struct ph_tc_fit fits[2], other;
   struct ph_diag none;
-  if (ph_tc_g1(&unit, fits) == 0 || !fits[0].regular || fits[0].loops > 0) {
+  if (ph_tc_g1(&unit, fits) == 0 || is_sharp(&fits[0].tc[0]) ||
+      fits[0].loops > 0) {
     return false;
   }
   *one = fits[0];
