@@ -15,7 +15,7 @@
 
 /* Chords that are shorter, of data at unit scale, are none: their squares would
  * not be numbers. */
-static const double NOTHING = 1e-100;
+static const double NOTHING = 1e-140;
 
 /* Directions whose sum is less than this are opposite. */
 static const double REVERSAL = 1e-12;
@@ -265,10 +265,12 @@ static enum ph_status read_vectors(const struct ph_problem *p,
 static ph_cplx end_direction(const struct ph_problem *p,
                              const struct ph_tc_data *d, size_t end) {
   ph_cplx chord = direction(d, end == 0 ? 0 : d->n - 1);
-  ph_cplx inner = d->vector[end == 0 ? 1 : d->n - 1];
-  return d->n > 1 && ph_field_is(&p->field[PH_F_ENDS], "circle")
-             ? ph_cplx_mul(ph_cplx_mul(chord, chord), ph_cplx_conj(inner))
-             : chord;
+  ph_cplx inner;
+  if (d->n == 1 || !ph_field_is(&p->field[PH_F_ENDS], "circle")) {
+    return chord;
+  }
+  inner = d->vector[end == 0 ? 1 : d->n - 1];
+  return ph_cplx_mul(ph_cplx_mul(chord, chord), ph_cplx_conj(inner));
 }
 
 /* What is given of the two ends: a field of two vectors. */
@@ -344,9 +346,9 @@ static enum ph_status check_ratios(const struct ph_tc_data *d,
       bool small = ratio * RATIO_MAX < 1;
       if (small || !(ratio < RATIO_MAX)) {
         return ph_fail_at(diag,
-                          !given  ? PH_BAD_VALUE
-                          : small ? PH_ZERO_TANGENT
-                                  : PH_TOO_LARGE,
+                          !small  ? PH_TOO_LARGE
+                          : given ? PH_ZERO_TANGENT
+                                  : PH_COINCIDENT_POINTS,
                           given ? "derivatives" : "points", at,
                           "%s too %s beside the chord from points[%zu]",
                           given ? "is" : "gets a derivative that is",
