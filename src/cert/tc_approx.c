@@ -297,8 +297,8 @@ static double distance_allowed(const struct ph_problem *problem,
   const struct ph_value *tolerance = &problem->field[PH_F_TOLERANCE];
   double allowed = tolerance->kind == PH_NUMBER ? tolerance->number : HUGE_VAL;
   if (diagnostics->known >> PH_D_DISTANCE & 1) {
-    allowed = ph_check_smaller((1 + slack) * diagnostics->value[PH_D_DISTANCE],
-                               allowed);
+    double claim = (1 + slack) * diagnostics->value[PH_D_DISTANCE];
+    allowed = claim >= allowed ? allowed : claim; /* not a number: that */
   }
   return allowed;
 }
