@@ -53,7 +53,7 @@ static void add_part(const double *p, double from, double to, double turn) {
 /* Pairs for both curves; the start of one of them is turned. */
 static void approximate(double scale, double offset, size_t which,
                         double turn) {
-  memset(&unit_tc, 0, sizeof unit_tc);
+  unit_cert_begin();
   for (size_t i = 0; i < 2 * GIVEN; i++) {
     given[i] = offset + scale * SOME[i];
   }
@@ -183,6 +183,9 @@ START_TEST(test_number) {
   ck_assert_str_eq(unit_tc.diag.message,
                    "is refused by its certificate: there are 24, at most 23 "
                    "are allowed");
+  sizes[0] = 1; /* no curve */
+  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+  sizes[0] = DEGREE + 1;
 }
 END_TEST
 
@@ -265,7 +268,7 @@ END_TEST
 START_TEST(test_parts_of_a_cubic) {
   static const double cuts[] = {0, 0.3, 0.55, 1};
   const ph_cplx w0 = {1, 0.2}, w1 = {0.6, 0.9};
-  memset(&unit_tc, 0, sizeof unit_tc);
+  unit_cert_begin();
   unit_cubics_begin(&unit_tc.c, ph_cplx_of(2, 1));
   unit_cubics_add(&unit_tc.c, w0, w1);
   memcpy(given, unit_tc.c.control_points, 8 * sizeof(double));
