@@ -11,8 +11,8 @@ _phspline() {
     option=${COMP_WORDS[COMP_CWORD - 1]}
   fi
   case $COMP_CWORD,${COMP_WORDS[1]} in
-  1,*) list='planar spatial-hermite arclength sphere help --help --version' ;;
-  *,help) list='planar spatial-hermite arclength sphere' ;;
+  1,*) list='planar spatial-hermite arclength sphere tc help --help --version' ;;
+  *,help) list='planar spatial-hermite arclength sphere tc' ;;
   *,planar)
     case $option in
     --points | --points=) kind=nothing ;;
@@ -155,6 +155,46 @@ _phspline() {
       kind=files
       if [[ $cur == -* ]]; then
         kind=words list='--points= --lonlat= --closed --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+      fi
+      ;;
+    esac
+    ;;
+  *,tc)
+    case $option in
+    --points | --points=) kind=nothing ;;
+    --tangents | --tangents=) kind=nothing ;;
+    --derivatives | --derivatives=) kind=nothing ;;
+    --curve | --curve=) kind=nothing ;;
+    --closed=) list='true false' ;;
+    --mode | --mode=) list='g1 g1-pair g1-auto g1-fair c1 spline approximate' ;;
+    --lambda | --lambda=) kind=nothing ;;
+    --ends | --ends=) list='chord circle' ;;
+    --end_tangents | --end_tangents=) kind=nothing ;;
+    --end_derivatives | --end_derivatives=) kind=nothing ;;
+    --joint | --joint=) list='free chord' ;;
+    --joint_angle | --joint_angle=) kind=nothing ;;
+    --joint_position | --joint_position=) kind=nothing ;;
+    --solutions | --solutions=) list='best standard all' ;;
+    --tolerance | --tolerance=) kind=nothing ;;
+    --pieces | --pieces=) kind=nothing ;;
+    --blaschke=) list='true false' ;;
+    -i | --input-format | --input-format=) list='auto json csv' ;;
+    --columns | --columns=) kind=nothing ;;
+    --delimiter | --delimiter=) kind=nothing ;;
+    -f | --format | --format=) list='json csv' ;;
+    --table | --table=) list='control-points lengths samples offsets' ;;
+    -o | --output | --output=) kind=files ;;
+    -s | --set | --set=) list='points= tangents= derivatives= curve= closed= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    --override | --override=) list='points= tangents= derivatives= curve= closed= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= closed= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    -d | --offset | --offset=) kind=nothing ;;
+    -n | --sample | --sample=) kind=nothing ;;
+    --convert | --convert=) list='bezier' ;;
+    -j | --jobs | --jobs=) kind=nothing ;;
+    *)
+      kind=files
+      if [[ $cur == -* ]]; then
+        kind=words list='--points= --tangents= --derivatives= --curve= --closed --mode= --lambda= --ends= --end_tangents= --end_derivatives= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

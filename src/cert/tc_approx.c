@@ -20,10 +20,8 @@
 static const double POSITION = 1e-13;
 static const double DIRECTION = 1e-12;
 
-/* A bound of the distance that is claimed and the one that is found here belong
- * to different matchings of points: by so much of it they may differ.  The
- * tolerance is not exceeded. */
-static const double CLAIM = 0.02, TOLERANCE = 1e-9;
+/* The tolerance is not exceeded by more. */
+static const double TOLERANCE = 1e-9;
 
 /* Rounding of control points that were written, in that of a coordinate. */
 enum { ROUND_POINTS = 4 };
@@ -290,18 +288,20 @@ static enum ph_status check_knots(const struct context *x,
                               x->pieces);
 }
 
-/* The lesser of what is claimed, with some slack, and allowed of the distance,
- * in the unit of the data. */
-static double distance_allowed(const struct ph_problem *problem,
-                               const struct ph_diagnostics *diagnostics,
-                               double slack) {
+/* What is allowed of the distance, in the unit of the data: the tolerance, if
+ * there is one. */
+static double distance_allowed(const struct ph_problem *problem) {
   const struct ph_value *tolerance = &problem->field[PH_F_TOLERANCE];
-  double allowed = tolerance->kind == PH_NUMBER ? tolerance->number : HUGE_VAL;
-  if (diagnostics->known >> PH_D_DISTANCE & 1) {
-    double claim = (1 + slack) * diagnostics->value[PH_D_DISTANCE];
-    allowed = claim >= allowed ? allowed : claim; /* not a number: that */
-  }
-  return allowed;
+  return tolerance->kind == PH_NUMBER ? tolerance->number : HUGE_VAL;
+}
+
+/* What is claimed of it, or allowed: worth looking for. */
+static double distance_wanted(const struct ph_problem *problem,
+                              const struct ph_diagnostics *diagnostics) {
+  double allowed = distance_allowed(problem);
+  return diagnostics->known >> PH_D_DISTANCE & 1
+             ? ph_check_smaller(diagnostics->value[PH_D_DISTANCE], allowed)
+             : allowed;
 }
 
 /* ... at unit scale, with what the rounding of control points makes of it. */
@@ -310,6 +310,8 @@ static double allowed_at_unit(const struct ph_tc_check *c, double allowed) {
          ROUND_POINTS * c->scale.rounding;
 }
 
+/* The bound that was found here is what is told, and judged by the tolerance; a
+ * claim that it confirms, but for rounding, may be a little less. */
 static enum ph_status check_distance(const struct context *x,
                                      const struct ph_problem *problem,
                                      struct ph_diagnostics *diagnostics,
@@ -317,11 +319,15 @@ static enum ph_status check_distance(const struct context *x,
   const struct ph_pow2 unit = x->c.scale.to_unit;
   const struct ph_pow2 back = {1 / unit.first, 1 / unit.second};
   const struct ph_cert_distance *d = &x->distance;
-  double allowed = distance_allowed(problem, diagnostics, CLAIM);
+  double wanted = distance_wanted(problem, diagnostics);
+  double allowed = allowed_at_unit(&x->c, distance_allowed(problem));
   struct ph_check check = {.what = PH_D_DISTANCE};
-  allowed = (1 + TOLERANCE) * allowed_at_unit(&x->c, allowed) + d->noise;
+  allowed = (1 + TOLERANCE) * allowed + d->noise;
   ph_check_add(&check, x->farthest, ph_pow2_apply(back, d->bound), 1,
                ph_pow2_apply(back, allowed));
+  if (d->bound <= (1 + TOLERANCE) * allowed_at_unit(&x->c, wanted) + d->noise) {
+    check.reported = ph_check_smaller(check.reported, wanted);
+  }
   return ph_check_conclude(&check, diagnostics, diag);
 }
 
@@ -390,7 +396,7 @@ enum ph_status ph_cert_tc_approximation(const struct ph_problem *problem,
                                         struct ph_arena *scratch,
                                         struct ph_diagnostics *diagnostics,
                                         struct ph_diag *diag) {
-  double allowed = distance_allowed(problem, diagnostics, 0);
+  double allowed = distance_wanted(problem, diagnostics);
   struct ph_mark mark = ph_arena_mark(scratch);
   struct context x = {.next = 0};
   enum ph_status status = begin(&x, problem, curve, scratch, allowed, diag);

@@ -97,7 +97,7 @@ static void set_speed(struct ph_rational *r, bool whole) {
 
 /* A cubic smaller by 2^exponent, so that w is at unit scale. */
 static struct ph_tc cubic_of(const struct piece *piece, int *exponent) {
-  struct ph_tc tc;
+  struct ph_tc tc = {{{0, 0}, {0, 0}}};
   double largest = 0;
   for (size_t i = 0; i < 2; i++) {
     tc.w[i] = ph_cplx_of(piece->a[0][i].re, piece->a[1][i].im);

@@ -281,8 +281,7 @@ static enum ph_status set_solutions(const struct ph_arc_search *search,
   }
   for (size_t i = 0; status == PH_OK && i < search->found_n; i++) {
     struct ph_solution *solution = &result->solutions[i];
-    solution->diagnostics = (struct ph_diagnostics){.known = 0};
-    solution->good = i == 0;
+    *solution = (struct ph_solution){.good = i == 0};
     set_diagnostics(search, &search->found[i], &solution->diagnostics);
     status = ph_arc_curve(&search->system, search->found[i].point.x, out,
                           &solution->curve, &turn, diag);

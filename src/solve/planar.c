@@ -271,7 +271,9 @@ static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
                                     struct ph_diag *diag) {
   struct ph_planar_loops loops;
   struct ph_energy energy;
-  enum ph_status status = ph_planar_curve_alloc(d, out, &solution->curve, diag);
+  enum ph_status status;
+  *solution = (struct ph_solution){.good = false};
+  status = ph_planar_curve_alloc(d, out, &solution->curve, diag);
   if (status != PH_OK) {
     return status;
   }
@@ -279,7 +281,6 @@ static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
   if (!ph_energy_planar(&solution->curve, &energy)) {
     return ph_fail_memory(diag);
   }
-  solution->diagnostics = (struct ph_diagnostics){.known = 0};
   ph_diagnostics_set(&solution->diagnostics, PH_D_ENERGY, energy.bending);
   ph_diagnostics_set(&solution->diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
                      energy.absolute_rotation);

@@ -51,11 +51,14 @@ enum ph_status ph_tc_build_begin(struct ph_tc_builder *b,
   return PH_OK;
 }
 
-/* Where the cubics of a fit meet, over the chord: seen from both ends. */
+/* Where the cubics of a fit meet, over the chord; what both together miss the
+ * end by is shared by their lengths. */
 static ph_cplx joint_of(const struct ph_tc_fit *fit) {
   ph_cplx before = ph_tc_leg(&fit->tc[0]), after = ph_tc_leg(&fit->tc[1]);
-  return ph_cplx_of(0.5 * (before.re + (1 - after.re)),
-                    0.5 * (before.im - after.im));
+  double first = ph_tc_length(&fit->tc[0]), last = ph_tc_length(&fit->tc[1]);
+  double share = first / (first + last);
+  return ph_cplx_of(before.re - share * (before.re + after.re - 1),
+                    before.im - share * (before.im + after.im));
 }
 
 static void describe(struct ph_tc_builder *b, const struct ph_tc_fit *fit,

@@ -33,7 +33,7 @@ bool ph_tc_fit_test(struct ph_tc_fit *fit) {
 
 /* ---- the best of some --------------------------------------------------- */
 
-/* Which fits may be chosen. */
+/* Which fits may be chosen; irregular ones never. */
 typedef bool admit(struct ph_tc_fit *fit);
 
 static bool admit_simple(struct ph_tc_fit *fit) {
@@ -72,14 +72,14 @@ static struct ph_tc_fit *best_of(struct ph_tc_fit *fits, size_t n,
                                  double energy, admit *admitted) {
   struct ph_tc_fit *shortest = NULL;
   for (struct ph_tc_fit *f = fits; f < fits + n; f++) {
-    if (f->regular && f->energy <= energy &&
+    if (f->energy <= energy &&
         (shortest == NULL || f->length < shortest->length) && admitted(f)) {
       shortest = f;
     }
   }
   for (struct ph_tc_fit *f = fits; shortest != NULL && f < shortest; f++) {
-    if (f->regular && f->energy <= energy &&
-        f->length <= limit_of(shortest->length) && admitted(f)) {
+    if (f->energy <= energy && f->length <= limit_of(shortest->length) &&
+        admitted(f)) {
       return f;
     }
   }

@@ -133,13 +133,10 @@ size_t ph_tc_g1(const struct ph_tc_hermite *h, struct ph_tc_fit fits[2]) {
 
 /* ---- their number -------------------------------------------------------- */
 
-/* The angle of a snapped tangent (ph_tc_snap). */
+/* The angle of a snapped tangent (ph_tc_snap); backward ones are on no border
+ * and stay as they are. */
 static double snapped(double angle) {
-  if (fabs(angle) <= PH_TC_COLLINEAR) {
-    return 0;
-  }
-  return PH_PI - fabs(angle) <= PH_TC_COLLINEAR ? copysign(PH_PI, angle)
-                                                : angle;
+  return fabs(angle) <= PH_TC_COLLINEAR ? 0 : angle;
 }
 
 static struct ph_tc_count count_of(unsigned without_loop, unsigned with_loop) {

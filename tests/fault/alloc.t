@@ -223,6 +223,26 @@ exhaust 'on a sphere, samples and offsets' lines sphere -j 1 -n 3 -d 0.1 \
   sphere.jsonl
 exhaust 'on a sphere, a table of offsets' lines sphere -j 1 -f csv \
   --table=offsets -d 0.1 sphere.csv
+printf '%s\n' '{"points":[[0,0],[2,1],[3,0]],"tangents":[[1,1],[1,0],[-1,2]]}' \
+  '{"points":[[0,0],[2,1],[3,3],[0,2]],"closed":true,"lambda":0.7}' \
+  '{"points":[[0,0],[1,0]],"derivatives":[[1,1],[-1,1]]}' \
+  '{"points":[[0,0],[1,0]],"tangents":[[1,1],[1,-3]],"mode":"g1-pair",' \
+  '"joint":"chord"}' '{"points":[[0,0],[1,0],[0,0]]}' >cubics.jsonl
+printf 'x,y,tx,ty\n0,0,1,1\n1,0,1,0\n2,2,-1,3\n' >cubics.csv
+printf '%s' '{"curve":[[[0,0],[1,2],[3,2],[4,0]],[[4,0],[5,-2],[6,0]]]}' \
+  >chain.json
+exhaust 'cubics' lines tc -j 1 cubics.jsonl
+exhaust 'cubics, offsets and images' lines tc -j 1 -d 0.1 --blaschke \
+  cubics.jsonl
+exhaust 'cubics, all solutions' lines tc -j 1 --mode=g1-pair --solutions=all \
+  cubics.csv
+exhaust 'cubics, a table of samples' lines tc -j 1 -n 2 -f csv --table=samples \
+  cubics.csv
+exhaust 'cubics along a chain' lines tc -j 1 --tolerance=0.01 chain.json
+exhaust 'cubics along a chain, so many' lines tc -j 1 --pieces=6 \
+  -S 'curve[1][1][1]=-1,-2' chain.json
+exhaust 'cubics along a curve, two threads' lines tc -j 2 \
+  '--curve=[[0,0],[1,2],[3,-2],[4,0]]' -S tolerance=0.1,0.01 empty.json
 exhaust 'samples' lines planar -j 1 -n 2 some.jsonl
 exhaust 'samples of atph' lines planar -j 1 -n 2 atph.json
 exhaust 'samples in space' lines spatial-hermite -j 1 -n 2 space.json

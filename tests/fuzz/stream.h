@@ -28,6 +28,14 @@
 /* A pipe holds at least so many bytes, so that writing never waits. */
 enum { STREAM_MAX = 4096 };
 
+/* Kinds of values that the fields of `planar' are not. */
+static const struct ph_field stream_rows[] = {
+    {PH_F_CURVE, PH_VECTORS | PH_POLYLINE, 1u << 2 | 1u << 3, false, NULL, "",
+     ""},
+    {PH_F_LAMBDA, PH_NUMBER | PH_NUMBERS, 0, false, NULL, "", ""},
+};
+static const struct ph_schema stream_schema = {"tc", stream_rows, 2};
+
 static void stream_note(struct ph_buf *log, const void *bytes, size_t n) {
   ph_buf_put(log, bytes, n);
 }
@@ -54,13 +62,22 @@ static void stream_check_value(struct ph_buf *log, const struct ph_field *row,
   if (value->kind == PH_WORD) {
     stream_note(log, value->word, strlen(value->word));
   }
-  if (value->kind == PH_VECTORS && value->n > 0) {
+  if (value->kind & (PH_VECTORS | PH_POLYLINE) && value->n > 0) {
     FUZZ_REQUIRE(row->dimensions >> value->dimension & 1);
   }
-  if (value->kind == PH_VECTORS || value->kind == PH_NUMBERS) {
-    size_t n = value->n * (value->kind == PH_VECTORS ? value->dimension : 1);
+  if (value->kind == PH_POLYLINE) {
+    size_t n = 0;
+    for (size_t i = 0; i < value->sizes_n; i++) {
+      FUZZ_REQUIRE(value->sizes[i] >= 1);
+      n += value->sizes[i];
+    }
+    FUZZ_REQUIRE(n == value->n && n >= 1);
+    stream_note(log, value->sizes, value->sizes_n * sizeof *value->sizes);
+  }
+  if (value->kind & (PH_VECTORS | PH_POLYLINE | PH_NUMBERS)) {
+    FUZZ_REQUIRE(value->kind != PH_NUMBERS || value->dimension == 1);
     stream_note_size(log, value->n);
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < value->n * value->dimension; i++) {
       FUZZ_REQUIRE(isfinite(value->v[i]));
       stream_note(log, &value->v[i], sizeof value->v[i]);
     }
@@ -85,8 +102,8 @@ static void stream_check_output(const struct ph_echo *echo,
 
 /* A record that the splitter has found good. */
 static void stream_check_problem(const struct ph_record *record,
+                                 const struct ph_schema *schema,
                                  struct ph_arena *arena, struct ph_buf *log) {
-  const struct ph_schema *schema = &ph_method_planar.schema;
   struct ph_problem problem = {0};
   struct ph_echo echo = {0};
   struct ph_diag diag = {PH_SYNTAX, "", "none", 0, 0};
@@ -123,7 +140,10 @@ static void stream_check_record(const struct ph_record *record,
     FUZZ_REQUIRE(text != NULL);
     memcpy(text, record->text, record->n);
     own.text = text;
-    stream_check_problem(&own, arena, log);
+    stream_check_problem(&own, &ph_method_planar.schema, arena, log);
+    if (!own.columns) {
+      stream_check_problem(&own, &stream_schema, arena, log);
+    }
     free(text);
     ph_arena_reset(arena);
   } else {

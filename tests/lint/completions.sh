@@ -53,7 +53,7 @@ offers() {
 }
 if command -v bash >/dev/null; then
   offers 'planar' phspline p
-  offers 'planar spatial-hermite arclength sphere' phspline help ''
+  offers 'planar spatial-hermite arclength sphere tc' phspline help ''
   offers '--free= --format= --fail-fast' phspline planar --f
   offers 'json csv' phspline planar --format =
   offers 'csv' phspline planar -f c
@@ -63,6 +63,8 @@ if command -v bash >/dev/null; then
   offers 'true false' phspline planar --closed =
   offers 'data/README' phspline planar --closed data/R
   offers 'knots=' phspline planar --sweep k
+  offers 'g1 g1-pair g1-auto g1-fair' phspline tc --mode = g
+  offers 'curve=' phspline tc --override cu
   offers '' phspline planar --jobs ''
 fi
 exit "$bad"

@@ -298,6 +298,13 @@ START_TEST(test_cubic_chains) {
     struct unit_cubics c;
     struct ph_cross cross, raised;
     unit_cubics_random(&c, &r, n, 1, zero);
+    if (i % 2) { /* with corners */
+      unit_cubics_begin(&c, zero);
+      for (size_t k = 0; k < n; k++) {
+        ph_cplx w0 = unit_random_cplx(&r, 1);
+        unit_cubics_add(&c, w0, unit_random_cplx(&r, 1));
+      }
+    }
     unit_chain_begin(&chain, false);
     for (size_t k = 0; k < n; k++) {
       const double *v = c.preimage + 4 * k;

@@ -10,6 +10,8 @@
 
 #include <string.h>
 
+static const double PI = 3.14159265358979323846;
+
 static struct ph_arena arena;
 static struct ph_diag diag;
 static const struct ph_offset_rules rules = {1e-9, 0};
@@ -344,17 +346,58 @@ START_TEST(test_vertex) {
 }
 END_TEST
 
+/* One cut is enough for every cubic that does not stand still: lengths of w far
+ * apart, turns as near to a whole one as there are.  However sharp it turns,
+ * the offset keeps its distance. */
+START_TEST(test_one_cut) {
+  const int cubics = unit_count(2000);
+  struct unit_random r = unit_random_of(8);
+  size_t cuts = 0;
+  for (int i = 0; i < cubics; i++) {
+    const double direction = unit_random_in(&r, -3, 3);
+    const double sweep = PI - pow(10, unit_random_in(&r, -11.5, 0));
+    const double lengths[2] = {1, pow(10, unit_random_in(&r, -11.5, 0))};
+    const double side = i % 4 < 2 ? -1 : 1;
+    struct unit_cubics c;
+    struct ph_offset o;
+    enum ph_status status;
+    unit_cubics_begin(&c, ph_cplx_of(0, 0));
+    unit_cubics_add(&c, ph_cplx_scale(lengths[i % 2], ph_cplx_polar(direction)),
+                    ph_cplx_scale(lengths[1 - i % 2],
+                                  ph_cplx_polar(direction + side * sweep)));
+    status = ph_offset_planar(&c.curve, 1, &rules, &arena, &o, &diag);
+    ck_assert_msg(status == PH_OK, "seed %lu, cubic %d: %s", unit_seed(), i,
+                  diag.message);
+    ck_pieces(&c.curve, &o);
+    ck_assert_uint_le(o.n, 2);
+    for (size_t j = 0; j < o.n; j++) {
+      const double *in = o.interval + 2 * j;
+      const double t = 1 - pow(10, unit_random_in(&r, -12, 0));
+      const double at = j == 0 ? t : 1 - t;
+      ph_cplx found = rational(&o, j, at);
+      ph_cplx on = unit_curve(&c.curve, 0, 0, in[0] + at * (in[1] - in[0]));
+      ck_abs(unit_distance(found, on), 1, 4e-15);
+    }
+    cuts += o.n - 1;
+    ph_arena_reset(&arena);
+  }
+  ck_assert_int_ge((int)cuts, cubics / 2);
+}
+END_TEST
+
 /* A stop in the middle or at an end. */
 START_TEST(test_cubic_standstill) {
-  const double ends[][2] = {{-1, 1}, {-0.3, 0.7}, {0, 1}, {1, 0}, {0, 0}};
-  for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
-    const double both[2] = {i == 1 ? -0.9 : 0, i == 1 ? 2.1 : 0};
+  /* w0 and w1 in units of a direction */
+  const double ends[][2] = {{-1, 1}, {-0.3, 0.7}, {0.1, -3},
+                            {0, 1},  {1, 0},      {0, 0}};
+  for (size_t i = 0; i < 10 * sizeof ends / sizeof ends[0]; i++) {
+    const ph_cplx along = ph_cplx_polar((double)i);
+    const double *w = ends[i / 10];
     struct unit_cubics c;
     struct ph_offset o;
     unit_cubics_begin(&c, ph_cplx_of(0, 0));
     unit_cubics_add(&c, ph_cplx_of(1, 0), ph_cplx_of(1, 1));
-    unit_cubics_add(&c, ph_cplx_of(ends[i][0], both[0]),
-                    ph_cplx_of(ends[i][1], both[1]));
+    unit_cubics_add(&c, ph_cplx_scale(w[0], along), ph_cplx_scale(w[1], along));
     ck_assert_int_eq(ph_offset_planar(&c.curve, 1, &rules, &arena, &o, &diag),
                      PH_INFEASIBLE);
     ck_assert_str_eq(diag.field, "segments[1]");
@@ -396,6 +439,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_too_large);
   tcase_add_test(tc, test_cubics);
   tcase_add_test(tc, test_vertex);
+  tcase_add_test(tc, test_one_cut);
   tcase_add_test(tc, test_cubic_standstill);
   tcase_add_test(tc, test_cubic_line);
   suite_add_tcase(s, tc);

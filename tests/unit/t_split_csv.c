@@ -2,6 +2,13 @@
 /* The splitter on CSV: records, comments, headers, and --columns. */
 #include "split_unit.h"
 
+static const struct ph_field plane_rows[] = {
+    {PH_F_POINTS, PH_VECTORS, PLANE, false, "", "", ""},
+    {PH_F_TANGENTS, PH_VECTORS, PLANE, false, "", "", ""},
+    {PH_F_DERIVATIVES, PH_VECTORS, PLANE, false, "", "", ""},
+    {PH_F_CURVE, PH_VECTORS | PH_POLYLINE, PLANE, false, "", "", ""}};
+static const struct ph_schema plane = {"tc", plane_rows, 4};
+
 /* ---- CSV ------------------------------------------------------------ */
 
 START_TEST(test_csv_records) {
@@ -96,6 +103,31 @@ START_TEST(test_csv_bad_headers) {
   gives_with(&csv, &space, "x,y,z,knot\n",
              "1 1 unknown-field 1:7 column \"knot\" is unknown to spatial "
              "(--columns can skip it)\nstopped");
+}
+END_TEST
+
+/* Vectors of the plane have no third column. */
+START_TEST(test_csv_plane) {
+  struct ph_split_options named = {PH_SPLIT_CSV, 0, "x,y,tx,ty"};
+  gives_with(&csv, &plane, "0,1\n2,3\n", "1 1 0,1$2,3$\nend");
+  gives_with(&csv, &plane, "x,y,tx,ty\n0,1,2,3\n", "1 2 0,1,2,3$\nend");
+  gives_with(&csv, &plane, "# dy,dx,y_m,x_m\n0,1,2,3\n", "1 2 0,1,2,3$\nend");
+  gives_with(&named, &plane, "0,1,2,3\n", "1 1 0,1,2,3$\nend");
+  gives_with(&csv, &plane, "x,y,tx,ty,tz\n",
+             "1 1 unknown-field 1:11 column \"tz\" is unknown to tc; did you "
+             "mean \"tx\"? (--columns can skip it)\nstopped");
+  gives_with(&csv, &plane, "dx,dy,dz\n",
+             "1 1 unknown-field 1:7 column \"dz\" is unknown to tc; did you "
+             "mean \"dx\"? (--columns can skip it)\nstopped");
+  gives_with(&csv, &plane, "0,1,2\n",
+             "1 1 unknown-field 1:1 column \"z\" is unknown to tc "
+             "(--columns can skip it)\nstopped");
+  gives_with(&csv, &plane, "0,1,2,3\n",
+             "1 1 syntax 1:1 the file has no header row: --columns must name "
+             "its 4 columns\nstopped");
+  gives_with(&csv, &plane, "x,y,tx\n",
+             "1 1 missing-field 1:1 column \"ty\" is missing: tc needs it for "
+             "tangents\nstopped");
 }
 END_TEST
 
@@ -202,6 +234,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_csv_comments);
   tcase_add_test(tc, test_csv_headers);
   tcase_add_test(tc, test_csv_bad_headers);
+  tcase_add_test(tc, test_csv_plane);
   tcase_add_test(tc, test_csv_lonlat);
   tcase_add_test(tc, test_csv_broken);
   tcase_add_test(tc, test_csv_options);

@@ -148,6 +148,10 @@ START_TEST(test_straight) {
     if (fabs(a) > 0 || fabs(b) > 0) {
       ck_assert_uint_eq(solve(a, b, fits), 0);
       ck_count(a, b, ph_tc_g1_count(a, b), none);
+      a -= copysign(1e-15, a);
+      b -= copysign(1e-15, b);
+      ck_assert_uint_eq(solve(a, b, fits), 0);
+      ck_count(a, b, ph_tc_g1_count(a, b), none);
     }
   }
 }
@@ -216,7 +220,9 @@ START_TEST(test_double_root) {
     ck_abs(unit_tc_miss(&fits[0]), 0, 1e-14);
     ck_assert_uint_eq(solve(p + d, p - d, fits), 1);
     ck_assert_uint_eq(solve(p - d + 1e-6 * d, p + d + 1e-6 * d, fits), 0);
-    ck_assert_uint_eq(solve(p - d - 1e-6 * d, p + d - 1e-6 * d, fits), 2);
+    p *= 1 - 1e-8;
+    ck_assert_uint_eq(solve(p - d, p + d, fits), 2);
+    ck_count(p - d, p + d, ph_tc_g1_count(p - d, p + d), count_fits(fits, 2));
   }
 }
 END_TEST
@@ -359,7 +365,17 @@ START_TEST(test_range) {
                         (count.with_loop + count.without_loop > 0),
                     "angles %.17g, %.17g", a, b);
     }
-    for (int k = 0; k < 4; k++) { /* just inside and just beyond each end */
+  }
+}
+END_TEST
+
+/* Just inside and just beyond both ends. */
+START_TEST(test_range_ends) {
+  const int n = unit_count(3000);
+  for (int i = -n; i <= n; i++) {
+    double a = i * PH_PI / n, range[2];
+    ph_tc_g1_range(a, range);
+    for (int k = 0; k < 4; k++) {
       double b = remainder(range[k / 2] + (k & 1 ? 1e-9 : -1e-9), 2 * PH_PI);
       struct ph_tc_count count = ph_tc_g1_count(a, b);
       ck_assert_msg((k == 1 || k == 2) ==
@@ -423,7 +439,8 @@ END_TEST
 START_TEST(test_own) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < unit_count(5000); i++) {
-    struct ph_tc tc = {{unit_random_cplx(&r, 1), unit_random_cplx(&r, 1)}};
+    ph_cplx first = unit_random_cplx(&r, 1);
+    struct ph_tc tc = {{first, unit_random_cplx(&r, 1)}};
     ph_cplx over = ph_cplx_inverse(ph_tc_leg(&tc));
     struct ph_tc_fit own = {.tc = {tc}, .n = 1}, fits[2];
     struct ph_tc_hermite h;
@@ -486,7 +503,8 @@ START_TEST(test_order) {
   for (int i = 0; i < unit_count(20000); i++) {
     struct ph_tc_fit f[2];
     double a = unit_random_in(&r, -PH_PI, PH_PI);
-    if (solve(a, unit_random_in(&r, -PH_PI, PH_PI), f) == 2) {
+    double b = unit_random_in(&r, -PH_PI, PH_PI);
+    if (solve(a, b, f) == 2) {
       ck_assert(f[0].regular >= f[1].regular && f[0].loops <= f[1].loops);
       if (f[0].loops == f[1].loops) {
         ck_assert(f[0].energy <= f[1].energy);
@@ -513,6 +531,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_count);
   tcase_add_test(tc, test_count_near_chord);
   tcase_add_test(tc, test_range);
+  tcase_add_test(tc, test_range_ends);
   tcase_add_test(tc, test_range_zero);
   tcase_add_test(tc, test_residual);
   tcase_add_test(tc, test_own);

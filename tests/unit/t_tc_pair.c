@@ -212,7 +212,8 @@ START_TEST(test_cut) {
   struct unit_random r = unit_random_of(2);
   const double half = sqrt(0.5);
   for (int i = 0; i < unit_count(5000); i++) {
-    struct ph_tc tc = {{unit_random_cplx(&r, 1), unit_random_cplx(&r, 1)}};
+    ph_cplx first = unit_random_cplx(&r, 1);
+    struct ph_tc tc = {{first, unit_random_cplx(&r, 1)}};
     ph_cplx root = ph_cplx_sqrt(ph_cplx_inverse(ph_tc_leg(&tc)));
     ph_cplx u = ph_cplx_mul(root, tc.w[0]), v = ph_cplx_mul(root, tc.w[1]);
     ph_cplx z = ph_cplx_scale(half / 2, ph_cplx_add(u, v));
@@ -367,15 +368,16 @@ START_TEST(test_is_safe) {
 }
 END_TEST
 
-/* Of safe data, the standard pair is simple and bends least. */
+/* Of safe data the standard pair is simple, and bends least of those that are:
+ * others bend less only where the lengths differ by a factor of 30 or so. */
 START_TEST(test_safe) {
   struct unit_random r = unit_random_of(4);
   for (int i = 0; i < unit_count(3000); i++) {
-    struct ph_tc_hermite h =
-        unit_tc_data(unit_random_in(&r, -PH_PI / 2, PH_PI / 2),
-                     unit_random_in(&r, 0.03, 1.4),
-                     unit_random_in(&r, -PH_PI / 2, PH_PI / 2),
-                     unit_random_in(&r, 0.03, 1.4));
+    double a = unit_random_in(&r, -PH_PI / 2, PH_PI / 2);
+    double b = unit_random_in(&r, -PH_PI / 2, PH_PI / 2);
+    double from = unit_random_in(&r, 0.03, 1.4);
+    double to = unit_random_in(&r, 0.03, 1.4);
+    struct ph_tc_hermite h = unit_tc_data(a, from, b, to);
     struct ph_tc_fit fits[PH_TC_PAIRS], best;
     ck_assert(ph_tc_pair_is_safe(&h) && ph_tc_pair_best(&h, &best));
     ck_assert_int_eq(best.root, PH_ROOT_PLUS_PLUS);
@@ -383,7 +385,7 @@ START_TEST(test_safe) {
     ph_tc_pairs(&h, fits);
     for (size_t j = 1; j < PH_TC_PAIRS; j++) {
       ph_tc_fit_measure(&fits[j]);
-      ck_assert(!fits[j].regular || fits[j].energy >= best.energy);
+      ck_assert(!(fits[j].energy < best.energy) || !ph_tc_fit_test(&fits[j]));
     }
   }
 }

@@ -216,9 +216,8 @@ START_TEST(test_polyline) {
   ck_array(get(&curve, "[]"), PH_VECTORS, 0, 2, NULL);
   ck_polyline(get(&curve, "[[[0,1],[2,3]],[[4,5]],[[6,7],[8,9],[10,11]]]"), 3,
               sizes, 2, v);
-  ck_polyline(get(&curve, " [ [\t[0 ,1], [2,3] ] ,\n[[4,5]] ,[[6,7],[8,9] , "
-                          "[10,11]]]" +
-                              1),
+  ck_polyline(get(&curve, "[ [\t[0 ,1], [2,3] ] ,\n[[4,5]] ,[[6,7],[8,9] , "
+                          "[10,11]]]"),
               3, sizes, 2, v);
   ck_polyline(get(&curve, "[[[0,1],[2,3],[4,5]]]"), 1, one, 2, v);
   ck_polyline(get(&any_curve, "[[[0,1,2],[3,4,5],[6,7,8]]]"), 1, one, 3, v);

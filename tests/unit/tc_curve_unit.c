@@ -21,10 +21,11 @@ void unit_cubics_begin(struct unit_cubics *c, ph_cplx start) {
 
 void unit_cubics_add(struct unit_cubics *c, ph_cplx w0, ph_cplx w1) {
   const size_t k = c->curve.n++;
-  const long double a = w0.re, b = w0.im, g = w1.re, h = w1.im;
+  const long double a = (long double)w0.re, b = (long double)w0.im;
+  const long double g = (long double)w1.re, h = (long double)w1.im;
   const long double re[3] = {a * a - b * b, a * g - b * h, g * g - h * h};
   const long double im[3] = {2 * a * b, a * h + b * g, 2 * g * h};
-  long double x = c->at.re, y = c->at.im;
+  long double x = (long double)c->at.re, y = (long double)c->at.im;
   double *p = c->control_points + 8 * k, *w = c->preimage + 4 * k;
   ck_assert_uint_lt(k, UNIT_CUBICS);
   p[0] = c->at.re;

@@ -13,7 +13,7 @@ for file in "$srcdir"/data/*.csv; do
     echo 'skip data: no data/*.csv'
     continue
   fi
-  for method in planar spatial-hermite arclength sphere; do
+  for method in planar spatial-hermite arclength sphere tc; do
     status=0
     "$PHSPLINE" $method --offset=0.1 "$file" >out 2>err || status=$?
     case $status in

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Approximation of Bezier curves by Tschirnhausen cubics (see tc_approx.h). */
+#include "solve/tc_approx.h"
+
+#include "solve/tc_approx_part.h"
+#include "solve/tc_approx_plan.h"
+
+#include <math.h>
+#include <string.h>
+
+/* At most so many parts. */
+enum { LIMIT = 1000000 };
+
+/* So much of a tolerance is used: whoever matches the same curves in another
+ * way may find a little more. */
+static const double USED = 0.98;
+
+/* A curve of a chain, ready to be approximated. */
+struct item {
+  struct ph_tc_target target;
+  double *u; /* inflections */
+  size_t n;
+};
+
+static enum ph_status item_of(const struct ph_tc_bezier *curve,
+                              struct ph_arena *scratch, struct item *item,
+                              struct ph_diag *diag) {
+  enum ph_status status;
+  if (curve->degree < 1 || curve->degree > PH_TC_DEGREE_MAX) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+                   "has degree %zu; 1 to %d are allowed", curve->degree,
+                   PH_TC_DEGREE_MAX);
+  }
+  item->u = ph_arena_array(scratch, 2 * curve->degree, sizeof *item->u);
+  if (!item->u) {
+    return ph_fail_memory(diag);
+  }
+  status = ph_tc_target_of(curve, scratch, &item->target, diag);
+  return status == PH_OK
+             ? ph_tc_inflections(curve, scratch, item->u, &item->n, diag)
+             : status;
+}
+
+/* ---- the cubics of a plan ----------------------------------------------- */
+
+static enum ph_status add_arc(struct ph_tc_arcs *arcs,
+                              const struct ph_tc_arc *arc,
+                              struct ph_diag *diag) {
+  if (arcs->n == arcs->room) {
+    size_t room = arcs->room > 0 ? 2 * arcs->room : 16;
+    struct ph_tc_arc *grown = ph_arena_array(arcs->arena, room, sizeof *grown);
+    if (!grown) {
+      return ph_fail_memory(diag);
+    }
+    if (arcs->n > 0) {
+      memcpy(grown, arcs->arc, arcs->n * sizeof *grown);
+    }
+    arcs->arc = grown;
+    arcs->room = room;
+  }
+  arcs->arc[arcs->n++] = *arc;
+  return PH_OK;
+}
+
+static enum ph_status add_patch(struct ph_tc_arcs *arcs,
+                                const struct ph_tc_patch *patch,
+                                const struct ph_tc_knot *from,
+                                const struct ph_tc_knot *to,
+                                struct ph_diag *diag) {
+  struct ph_tc_arc arc = {from->u, to->u, from->p, to->p, patch->tc[0]};
+  enum ph_status status;
+  if (patch->n == 2) {
+    arc.to = patch->at;
+    arc.end = patch->joint;
+    status = add_arc(arcs, &arc, diag);
+    if (status != PH_OK) {
+      return status;
+    }
+    arc =
+        (struct ph_tc_arc){patch->at, to->u, patch->joint, to->p, patch->tc[1]};
+  }
+  if (patch->distance > arcs->distance) {
+    arcs->distance = patch->distance;
+  }
+  return add_arc(arcs, &arc, diag);
+}
+
+static enum ph_status add_plan(const struct item *item,
+                               const struct ph_tc_plan *plan, double tolerance,
+                               struct ph_tc_arcs *arcs, struct ph_diag *diag) {
+  struct ph_tc_knot from = ph_tc_knot_at(&item->target, 0), to;
+  enum ph_status status = PH_OK;
+  for (size_t i = 0; status == PH_OK && i < plan->n; i++) {
+    const struct ph_tc_part *part = &plan->part[i];
+    struct ph_tc_patch patch;
+    to = ph_tc_knot_at(&item->target, part->to);
+    patch = ph_tc_patch_of(&item->target, &from, &to, part->kind, tolerance);
+    status = add_patch(arcs, &patch, &from, &to, diag);
+    from = to;
+  }
+  return status;
+}
+
+/* ---- to a tolerance ----------------------------------------------------- */
+
+enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
+                                 double tolerance, struct ph_tc_arcs *arcs,
+                                 struct ph_diag *diag) {
+  struct ph_arena scratch = {NULL};
+  struct ph_tc_plan plan = {&scratch, NULL, 0, 0, 0, LIMIT};
+  struct item item;
+  double used = USED * tolerance;
+  enum ph_status status = item_of(curve, &scratch, &item, diag);
+  if (status == PH_OK) {
+    status = ph_tc_plan_curve(&item.target, item.u, item.n, used, &plan, diag);
+  }
+  if (status == PH_OK) {
+    status = add_plan(&item, &plan, used, arcs, diag);
+  }
+  ph_arena_free(&scratch);
+  return status;
+}
+
+/* ---- to a number of cubics ---------------------------------------------- */
+
+/* Trials of a tolerance; how near to one that fails the best distance need not
+ * come; and no less than so many times the noise is tried. */
+enum { TRIALS = 40 };
+static const double CLOSE = 1.002, CLEAR = 16;
+
+struct chain {
+  const struct item *items;
+  size_t n;
+  size_t pieces;
+  double low;       /* a tolerance that fails */
+  double tolerance; /* the best one that does not, */
+  double distance;  /* the distance there, */
+  size_t cubics;    /* and how many cubics */
+};
+
+/* What a tolerance gives; PH_NO_CONVERGENCE if too many cubics or none. */
+static enum ph_status try_tolerance(struct chain *c, double tolerance,
+                                    struct ph_diag *diag) {
+  double distance = 0;
+  size_t cubics = 0;
+  for (size_t k = 0; k < c->n; k++) {
+    const struct item *item = &c->items[k];
+    struct ph_arena scratch = {NULL};
+    /* halving finds a few times as many parts as are needed in the end */
+    struct ph_tc_plan plan = {&scratch, NULL, 0, 0, 0, 8 * c->pieces + 64};
+    enum ph_status status = ph_tc_plan_curve(&item->target, item->u, item->n,
+                                             tolerance, &plan, diag);
+    for (size_t i = 0; i < plan.n; i++) {
+      double d = plan.part[i].distance;
+      distance = d > distance ? d : distance;
+    }
+    cubics += plan.cubics;
+    ph_arena_free(&scratch);
+    if (status != PH_OK) {
+      return status;
+    }
+  }
+  c->cubics = cubics;
+  if (cubics > c->pieces) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, NULL, "needs %zu cubics", cubics);
+  }
+  c->tolerance = tolerance;
+  c->distance = distance;
+  return PH_OK;
+}
+
+/*
+ * The next tolerance to try: by the fourth power of the number of cubics in
+ * turn with the middle of what is left, both of the logarithm.
+ */
+static double next_tolerance(const struct chain *c, size_t cubics, int trial) {
+  double ratio = (double)cubics / ((double)c->pieces + 0.5);
+  double guess = c->distance * ratio * ratio * ratio * ratio;
+  double middle = sqrt(c->low * c->distance);
+  return trial % 2 == 0 && guess > c->low * CLOSE && guess * CLOSE < c->distance
+             ? guess
+             : middle;
+}
+
+static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
+  struct ph_diag dropped;
+  double size = 0;
+  size_t cubics;
+  enum ph_status status;
+  for (size_t k = 0; k < c->n; k++) {
+    size = fmax(c->items[k].target.size, size);
+    c->low = fmax(CLEAR * c->items[k].target.noise, c->low);
+  }
+  c->cubics = 0;
+  status = try_tolerance(c, 8 * size, diag); /* no cubics are that far */
+  if (status == PH_NO_CONVERGENCE && c->cubics > c->pieces) {
+    return ph_fail(diag, PH_INFEASIBLE, "pieces",
+                   "is too few: the curve takes %zu cubics at least",
+                   c->cubics);
+  }
+  cubics = c->cubics;
+  for (int i = 0; status == PH_OK && i < TRIALS; i++) {
+    double tolerance = next_tolerance(c, cubics, i);
+    if (!(c->distance > CLOSE * c->low)) {
+      break;
+    }
+    status = try_tolerance(c, tolerance, &dropped);
+    if (status == PH_OK) {
+      cubics = c->cubics;
+    } else if (status == PH_NO_CONVERGENCE) {
+      c->low = tolerance;
+      status = PH_OK;
+    } else {
+      *diag = dropped;
+    }
+  }
+  return status;
+}
+
+enum ph_status ph_tc_approximate_pieces(const struct ph_tc_bezier *curves,
+                                        size_t n, size_t pieces, double least,
+                                        struct ph_tc_arcs *arcs, size_t *first,
+                                        struct ph_diag *diag) {
+  struct ph_arena scratch = {NULL};
+  struct item *items = ph_arena_array(&scratch, n, sizeof *items);
+  struct chain c = {items, n, pieces, least, 0, 0, 0};
+  enum ph_status status = items ? PH_OK : ph_fail_memory(diag);
+  for (size_t k = 0; status == PH_OK && k < n; k++) {
+    status = item_of(&curves[k], &scratch, &items[k], diag);
+  }
+  status = status == PH_OK ? search_tolerance(&c, diag) : status;
+  for (size_t k = 0; status == PH_OK && k < n; k++) {
+    struct ph_tc_plan plan = {&scratch, NULL, 0, 0, 0, LIMIT};
+    first[k] = arcs->n;
+    status = ph_tc_plan_curve(&items[k].target, items[k].u, items[k].n,
+                              c.tolerance, &plan, diag);
+    if (status == PH_OK) {
+      status = add_plan(&items[k], &plan, c.tolerance, arcs, diag);
+    }
+  }
+  first[n] = arcs->n;
+  ph_arena_free(&scratch);
+  return status;
+}
