@@ -4,8 +4,8 @@
  * the Hausdorff distance.
  *
  * A cubic r stands for the part C of the curve.  Both run on [0,1]; any
- * continuous psi from [0,1] onto [0,1] matches every point of one with one of
- * the other, so that
+ * continuous psi with psi(0) = 0, psi(1) = 1 matches every point of one with
+ * one of the other, so that
  *
  *   distance <= max |d(t)| <= max |d_k|,  d(t) = r(psi(t)) - C(t)         (1)
  *
@@ -18,7 +18,8 @@
  *
  * the last for points beyond the other's end.  Where the bound is not good
  * enough, C is halved, r is cut at the point nearest to where, and both halves
- * are bounded by themselves.
+ * are bounded by themselves.  psi need not increase: near a hairpin of C it
+ * turns back where r is shorter.
  */
 #ifndef PH_CERT_TC_DISTANCE_H
 #define PH_CERT_TC_DISTANCE_H

@@ -16,8 +16,9 @@
 
 #include <math.h>
 
-/* Pairs of pieces looked at, at most; past them the cubics are said to meet. A
- * few are usual; two hundred where the cubics touch. */
+/* Cuts at most; past them the cubics are said to meet.  A few are usual, and
+ * about a hundred where cubics just touch (575 of 23598 random such at most).
+ */
 enum { STEPS = 4096 };
 
 /* A piece is straight if it bends by no more than this many tolerances. */

@@ -16,12 +16,7 @@
 #include "solve/tc_interval.h"
 #include "solve/tc_target.h"
 
-/* Intervals whose best curve is not simple. */
-struct crossings {
-  size_t n, first;
-};
-
-static void warn_crossings(const struct crossings *crossings,
+static void warn_crossings(const struct ph_tc_crossings *crossings,
                            struct ph_result *result) {
   if (crossings->n > 0) {
     const struct ph_interval *at = &result->intervals[crossings->first];
@@ -35,27 +30,24 @@ static void warn_crossings(const struct crossings *crossings,
 /* Each interval by itself. */
 static enum ph_status solve_one(const struct ph_tc_data *d,
                                 struct ph_arena *out, struct ph_result *result,
+                                struct ph_tc_crossings *crossings,
                                 struct ph_diag *diag) {
-  const bool mixed = d->mode == PH_TC_G1_AUTO || d->mode == PH_TC_G1_FAIR;
-  const size_t each = mixed || d->mode != PH_TC_G1 ? 2 : 1;
-  struct crossings crossings = {0, 0};
+  const size_t most = d->mode == PH_TC_G1 ? d->n : 2 * d->n;
   struct ph_tc_builder builder;
   enum ph_status status =
-      ph_tc_build_begin(&builder, d, each * d->n, out, &result->curve, diag);
+      ph_tc_build_begin(&builder, d, most, out, &result->curve, diag);
   for (size_t k = 0; status == PH_OK && k < d->n; k++) {
     struct ph_tc_fit fit;
     status = ph_tc_interval(d, k, &fit, diag);
     if (status == PH_OK) {
       ph_tc_build_add(&builder, &fit);
-      crossings.first = crossings.n > 0 ? crossings.first : k;
-      crossings.n += !fit.simple;
+      ph_tc_crossings_see(crossings, k, &fit);
     }
   }
   if (status == PH_OK) {
     ph_tc_build_end(&builder, &result->diagnostics);
     result->intervals = builder.intervals;
     result->intervals_n = d->n;
-    warn_crossings(&crossings, result);
   }
   return status;
 }
@@ -65,13 +57,18 @@ static enum ph_status interpolate(const struct ph_problem *problem,
                                   struct ph_arena *scratch,
                                   struct ph_result *result,
                                   struct ph_diag *diag) {
+  struct ph_tc_crossings crossings = {0, 0};
   struct ph_tc_data data;
   enum ph_status status = ph_tc_data_of(problem, mode, scratch, &data, diag);
-  if (status != PH_OK) {
-    return status;
+  if (status == PH_OK) {
+    status = data.choice == PH_TC_ALL
+                 ? ph_tc_all(&data, out, scratch, result, &crossings, diag)
+                 : solve_one(&data, out, result, &crossings, diag);
   }
-  return data.choice == PH_TC_ALL ? ph_tc_all(&data, out, scratch, result, diag)
-                                  : solve_one(&data, out, result, diag);
+  if (status == PH_OK) {
+    warn_crossings(&crossings, result);
+  }
+  return status;
 }
 
 /* Images on the Blaschke cylinder, of all regular curves. */
@@ -111,19 +108,18 @@ static const struct ph_field fields[] = {
     {PH_F_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL, "none",
      "derivatives, one for each point, by each cubic's own parameter in [0,1]"},
     {PH_F_CURVE, PH_VECTORS | PH_POLYLINE, 1u << 2, false, NULL, "points",
-     "the curve to approximate: control points of a Bezier curve, or of one "
-     "after another"},
+     "the curve to approximate: control points of a Bezier curve, or of "
+     "several, one after another"},
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
     {PH_F_MODE, PH_WORD, 0, false,
      "g1|g1-pair|g1-auto|g1-fair|c1|spline|approximate",
-     "by what is given: approximate, g1-auto, c1, spline",
-     "one cubic an interval with the tangents, two, one where it has no loop, "
-     "whichever is fairer; two with the derivatives; tangents by a rule; or "
-     "approximate the curve"},
+     "approximate, g1-auto, c1 or spline, by what is given",
+     "cubics in each interval: one, two, one if it has no loop, or what is "
+     "fairer; two with derivatives, given or by rule; or an approximation"},
     {PH_F_LAMBDA, PH_NUMBER, 0, false, NULL,
      "0.5 for spline, else the fairest of each interval",
-     "length of derivatives over the shorter neighbouring chord"},
+     "length of derivatives over that of the shorter chord beside them"},
     {PH_F_ENDS, PH_WORD, 0, false, "chord|circle", "chord",
      "end tangents of an open spline: along the chord, or of a circle"},
     {PH_F_END_TANGENTS, PH_VECTORS, 1u << 2, false, NULL, "by ends",
@@ -131,15 +127,15 @@ static const struct ph_field fields[] = {
     {PH_F_END_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL, "by ends",
      "derivatives at the first and the last point of a spline"},
     {PH_F_JOINT, PH_WORD, 0, false, "free|chord", "free",
-     "where two cubics of the mode g1-pair meet"},
+     "where the two cubics of g1-pair meet: anywhere, or on the chord"},
     {PH_F_JOINT_ANGLE, PH_NUMBER, 0, false, NULL, "the fairest",
-     "angle of the curve to the chord at a joint on it"},
+     "angle from the chord to the curve at a joint on it, to the left"},
     {PH_F_JOINT_POSITION, PH_NUMBER, 0, false, NULL, "the fairest",
-     "part of the chord before a joint on it"},
+     "part of the chord before a joint on it, between 0 and 1"},
     {PH_F_SOLUTIONS, PH_WORD, 0, false, "best|standard|all", "best",
-     "the best of several solutions, the standard one, or all, best first"},
+     "the best of several curves, the standard one, or all, the best first"},
     {PH_F_TOLERANCE, PH_NUMBER, 0, false, NULL, "none",
-     "greatest distance of an approximation from the curve"},
+     "greatest distance of an approximation from the curve, of Hausdorff"},
     {PH_F_PIECES, PH_NUMBER, 0, false, NULL, "none",
      "in place of tolerance: greatest number of cubics"},
     {PH_F_BLASCHKE, PH_BOOL, 0, false, NULL, "false",

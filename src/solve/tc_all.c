@@ -4,7 +4,6 @@
 
 #include "curve/cross.h"
 #include "solve/tc_curve.h"
-#include "solve/tc_interval.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,6 +22,7 @@ struct options {
 struct candidate {
   size_t index;
   bool regular, simple;
+  struct ph_tc_crossings crossings;
   double level; /* log(energy) in units of SAME, rounded; straight lines are
                    lowest */
   double length;
@@ -79,7 +79,7 @@ static enum ph_status build(const struct ph_tc_data *d,
   if (status != PH_OK) {
     return status;
   }
-  c->regular = c->simple = true;
+  c->regular = true;
   for (size_t k = 0; k < d->n; k++) {
     const struct ph_tc_fit *fit;
     among /= options[k].n;
@@ -87,7 +87,7 @@ static enum ph_status build(const struct ph_tc_data *d,
     index %= among;
     energy += fit->energy / d->chord[k];
     c->regular = c->regular && fit->regular;
-    c->simple = c->simple && fit->simple;
+    ph_tc_crossings_see(&c->crossings, k, fit);
     ph_tc_build_add(&builder, fit);
   }
   ph_tc_build_end(&builder, &c->solution.diagnostics);
@@ -95,6 +95,7 @@ static enum ph_status build(const struct ph_tc_data *d,
   c->solution.good = c->index == 0;
   c->level = energy > 0 ? round(log(energy) / SAME) : -HUGE_VAL;
   c->length = c->solution.curve.length;
+  c->simple = c->crossings.n == 0;
   if (c->simple && d->n > 1) { /* of one interval it is known */
     status = ph_cross_planar(&c->solution.curve, scratch, &cross, diag);
     c->simple = status == PH_OK && cross.simple;
@@ -103,10 +104,10 @@ static enum ph_status build(const struct ph_tc_data *d,
 }
 
 /* All curves, in order, with their own memory. */
-static enum ph_status rank(const struct ph_tc_data *d,
-                           const struct options *options, size_t total,
-                           struct ph_arena *out, struct ph_arena *scratch,
-                           struct ph_result *result, struct ph_diag *diag) {
+static enum ph_status
+rank(const struct ph_tc_data *d, const struct options *options, size_t total,
+     struct ph_arena *out, struct ph_arena *scratch, struct ph_result *result,
+     struct ph_tc_crossings *crossings, struct ph_diag *diag) {
   struct candidate *candidates =
       ph_arena_array(scratch, total, sizeof *candidates);
   result->solutions = ph_arena_array(out, total, sizeof *result->solutions);
@@ -121,23 +122,27 @@ static enum ph_status rank(const struct ph_tc_data *d,
       return status;
     }
   }
-  qsort(candidates, total, sizeof *candidates, compare);
+  if (d->n > 1) { /* those of one interval are in order */
+    qsort(candidates, total, sizeof *candidates, compare);
+  }
   for (size_t i = 0; i < total; i++) {
     result->solutions[i] = candidates[i].solution;
   }
   result->solutions_n = total;
+  *crossings = candidates[0].crossings;
   return PH_OK;
 }
 
 enum ph_status ph_tc_all(const struct ph_tc_data *d, struct ph_arena *out,
                          struct ph_arena *scratch, struct ph_result *result,
+                         struct ph_tc_crossings *crossings,
                          struct ph_diag *diag) {
   struct options *options = ph_arena_array(scratch, d->n, sizeof *options);
   size_t total = 0;
   enum ph_status status =
       options ? gather(d, options, &total, diag) : ph_fail_memory(diag);
   if (status == PH_OK) {
-    status = rank(d, options, total, out, scratch, result, diag);
+    status = rank(d, options, total, out, scratch, result, crossings, diag);
   }
   if (status == PH_OK) {
     const struct ph_solution *best = &result->solutions[0];

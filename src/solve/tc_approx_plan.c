@@ -79,9 +79,9 @@ static enum ph_status bisect(struct cover *c, const struct ph_tc_knot *from,
   }
   if (depth == DEPTH) {
     return ph_fail(c->diag, PH_NO_CONVERGENCE, NULL,
-                   "has no cubics within the tolerance near the parameter "
-                   "%.17g: the distance is still %.3g at unit scale",
-                   middle, distance);
+                   "has no cubics within the tolerance near its parameter "
+                   "%.6g: try a larger one",
+                   middle);
   }
   if (ph_cplx_norm2(knot.tangent) > 0) {
     status = bisect(c, from, &knot, depth + 1);
@@ -151,9 +151,9 @@ enum ph_status ph_tc_plan_curve(const struct ph_tc_target *target,
   struct ph_tc_knot to = ph_tc_knot_at(target, 1);
   if (!(tolerance > target->noise)) {
     return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
-                   "cannot be approximated to %.3g at unit scale: rounding "
-                   "alone is up to %.3g",
-                   tolerance, target->noise);
+                   "is not known to the tolerance: rounding alone may be up "
+                   "to %.2g of its coordinates",
+                   target->noise / target->size);
   }
   return cover(&c, &from, &to, 0, n);
 }

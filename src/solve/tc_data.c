@@ -332,7 +332,7 @@ static void set_lengths(const struct ph_problem *p, struct ph_tc_data *d) {
 /* Derivatives that are nothing beside a chord, or all but everything. */
 static enum ph_status check_ratios(const struct ph_tc_data *d,
                                    struct ph_diag *diag) {
-  const char *field = d->mode == PH_TC_C1 ? "derivatives" : "lambda";
+  const bool given = d->mode == PH_TC_C1;
   for (size_t k = 0; d->c1 && k < d->n; k++) {
     for (size_t i = 0; i < 2; i++) {
       size_t at = k + i < d->points_n ? k + i : 0;
@@ -340,9 +340,9 @@ static enum ph_status check_ratios(const struct ph_tc_data *d,
       bool small = ratio * RATIO_MAX < 1;
       if (small || !(ratio < RATIO_MAX)) {
         return ph_fail_at(diag, small ? PH_ZERO_TANGENT : PH_TOO_LARGE,
-                          d->mode == PH_TC_C1 ? field : "points", at,
+                          given ? "derivatives" : "points", at,
                           "%s too %s beside the chord from points[%zu]",
-                          d->mode == PH_TC_C1 ? "is" : "has a derivative",
+                          given ? "is" : "has a derivative",
                           small ? "small" : "large", k);
       }
     }

@@ -17,41 +17,54 @@ static double angle_of(ph_cplx t) {
 /* From this angle on at one end, the other must not be 0 [BYR11, table 4.1]. */
 static const double NOT_ZERO = 2 * PH_PI / 3;
 
-static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h,
+/* What to say of a range that reaches beyond the angles of directions. */
+static const char *modulo(const double range[2]) {
+  return range[0] < -PH_PI || range[1] > PH_PI ? " modulo 2 pi" : "";
+}
+
+static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h, size_t n,
                               struct ph_diag *diag) {
   double a = angle_of(h->t[0]), b = angle_of(h->t[1]), range[2];
+  if (n > 0) {
+    return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+                      "a Tschirnhausen cubic with angles %.6g and %.6g to the "
+                      "chord has a cusp; \"mode\":\"g1-pair\" has a curve of "
+                      "two",
+                      a, b);
+  }
   ph_tc_g1_range(a, range);
   return ph_fail_at(
       diag, PH_INFEASIBLE, "segments", k,
       "no Tschirnhausen cubic has angles %.6g and %.6g to the chord: for the "
-      "first, the second must be between %.6g and %.6g%s; "
+      "first, the second must be between %.6g and %.6g%s%s; "
       "\"mode\":\"g1-pair\" has a curve of two",
-      a, b, range[0], range[1],
-      fabs(a) >= NOT_ZERO || !(fabs(a) > 0) ? ", and not 0" : "");
+      a, b, range[0], range[1], modulo(range),
+      fabs(a) >= NOT_ZERO ? ", and not 0" : "");
 }
 
 static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
                                  const struct ph_tc_hermite *h,
                                  struct ph_diag *diag) {
-  double range[2][2], low, high;
+  double range[2][2];
   for (size_t i = 0; i < 2; i++) {
     ph_tc_g1_range(angle_of(h->t[i]), range[i]);
   }
-  low = fmax(range[0][0], range[1][0]);
-  high = fmin(range[0][1], range[1][1]);
   return isnan(d->joint_angle)
-             ? ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
+             ? ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
                           "no two cubics meet on the chord without a cusp; "
                           "\"joint\":\"free\" has a curve of two")
-             : ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
+             : ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
                           "no two cubics meet on the chord at the angle %.6g: "
-                          "it must be between %.6g and %.6g, and not 0",
-                          d->joint_angle, low, high);
+                          "it must be between %.6g and %.6g%s and between "
+                          "%.6g and %.6g%s, and not 0",
+                          d->joint_angle, range[0][0], range[0][1],
+                          modulo(range[0]), range[1][0], range[1][1],
+                          modulo(range[1]));
 }
 
 static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
                                 struct ph_diag *diag) {
-  return ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
+  return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
                     d->choice == PH_TC_STANDARD
                         ? "the standard pair has a cusp; \"solutions\":"
                           "\"best\" may have none"
@@ -64,8 +77,9 @@ static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
 static enum ph_status g1(size_t k, const struct ph_tc_hermite *h,
                          struct ph_tc_fit *fit, struct ph_diag *diag) {
   struct ph_tc_fit fits[2];
-  if (ph_tc_g1(h, fits) == 0) {
-    return fail_g1(k, h, diag);
+  size_t n = ph_tc_g1(h, fits);
+  if (n == 0 || !fits[0].regular) {
+    return fail_g1(k, h, n, diag);
   }
   *fit = fits[0];
   return PH_OK;
@@ -83,14 +97,6 @@ static enum ph_status pair(const struct ph_tc_data *d, size_t k,
   return ph_tc_pair_best(h, fit) ? PH_OK : fail_pair(d, k, diag);
 }
 
-/* The data of a pair whose lengths are lambda times the chord. */
-static struct ph_tc_hermite stretched(const struct ph_tc_hermite *h,
-                                      double lambda) {
-  struct ph_tc_hermite longer = {
-      {ph_cplx_scale(lambda, h->t[0]), ph_cplx_scale(lambda, h->t[1])}};
-  return longer;
-}
-
 /* Tangents alone are given. */
 static enum ph_status two(const struct ph_tc_data *d, size_t k,
                           const struct ph_tc_hermite *h, struct ph_tc_fit *fit,
@@ -101,14 +107,14 @@ static enum ph_status two(const struct ph_tc_data *d, size_t k,
                : fail_chord(d, k, h, diag);
   }
   if (d->choice == PH_TC_STANDARD) {
-    const struct ph_tc_hermite longer = stretched(h, PH_TC_LAMBDA);
+    const struct ph_tc_hermite longer = ph_tc_hermite_scaled(h, PH_TC_LAMBDA);
     enum ph_status status = pair(d, k, &longer, fit, diag);
     fit->lambda = PH_TC_LAMBDA;
     return status;
   }
   return ph_tc_two_free(h, fit)
              ? PH_OK
-             : ph_fail_at(diag, PH_NO_CONVERGENCE, "intervals", k,
+             : ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
                           "no pair of cubics without a crossing was found");
 }
 
@@ -163,7 +169,7 @@ static enum ph_status all_g1(size_t k, const struct ph_tc_hermite *h,
                              struct ph_tc_fit fits[PH_TC_FITS_MAX], size_t *n,
                              struct ph_diag *diag) {
   *n = ph_tc_g1(h, fits);
-  return *n > 0 ? PH_OK : fail_g1(k, h, diag);
+  return *n > 0 && fits[0].regular ? PH_OK : fail_g1(k, h, *n, diag);
 }
 
 static enum ph_status all_pairs(const struct ph_tc_data *d, size_t k,
@@ -198,9 +204,9 @@ enum ph_status ph_tc_interval_all(const struct ph_tc_data *d, size_t k,
   }
   *n = 1;
   status = two(d, k, &h, fits, diag);
-  if (status == PH_OK && !d->on_chord && fits[0].root != PH_ROOT_STRAIGHT) {
+  if (status == PH_OK && !d->on_chord) {
     double lambda = fits[0].lambda;
-    const struct ph_tc_hermite longer = stretched(&h, lambda);
+    const struct ph_tc_hermite longer = ph_tc_hermite_scaled(&h, lambda);
     return all_pairs(d, k, &longer, lambda, fits, n, diag);
   }
   return status;

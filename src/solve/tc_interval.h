@@ -27,4 +27,17 @@ enum ph_status ph_tc_interval_all(const struct ph_tc_data *data, size_t k,
                                   struct ph_tc_fit fits[PH_TC_FITS_MAX],
                                   size_t *n, struct ph_diag *diag);
 
+/* Intervals whose curve is not known to be simple. */
+struct ph_tc_crossings {
+  size_t n, first;
+};
+
+/* ph_tc_crossings_see: interval k has this curve; in the order of k. */
+static inline void ph_tc_crossings_see(struct ph_tc_crossings *crossings,
+                                       size_t k, const struct ph_tc_fit *fit) {
+  if (!fit->simple && crossings->n++ == 0) {
+    crossings->first = k;
+  }
+}
+
 #endif

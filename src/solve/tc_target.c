@@ -14,10 +14,16 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 /* Ends within this of each other, relative to the largest coordinate, are the
  * same point. */
 static const double JOINED = 1e-12;
+
+/* A number of cubics is given no smaller tolerance than so many times what
+ * rounding of coordinates may add; shorter cubics than SHORT times that have no
+ * direction. */
+static const double CLEAR = 16, SHORT = 64;
 
 /* As many cubics as a user may ask for. */
 static const double PIECES_MAX = 1e6;
@@ -104,6 +110,25 @@ static enum ph_status read_field(const struct ph_problem *p, struct target *t,
   return PH_OK;
 }
 
+/* A curve that is a point has no direction, and no cubics. */
+static enum ph_status check_extent(const struct target *t,
+                                   struct ph_diag *diag) {
+  const double near =
+      4 * DBL_EPSILON * ph_pow2_apply(ph_pow2_of(t->exponent), t->far);
+  for (size_t k = 0; k < t->n; k++) {
+    const struct ph_tc_bezier *b = &t->bezier[k];
+    bool point = true;
+    for (size_t i = 1; i <= b->degree && point; i++) {
+      point = !(ph_cplx_abs(ph_cplx_sub(b->p[i], b->p[0])) > near);
+    }
+    if (point) {
+      return fail_curve(t, k, PH_COINCIDENT_POINTS, diag,
+                        "has control points that are all the same");
+    }
+  }
+  return PH_OK;
+}
+
 /* The box of all control points: its middle, and the scale of the rest. */
 static enum ph_status measure(struct target *t, struct ph_diag *diag) {
   const double *v = t->value->v;
@@ -178,30 +203,62 @@ static enum ph_status read(const struct ph_problem *problem,
   for (size_t k = 0, at = 0; k < t->n; at += size_of(t, k), k++) {
     t->bezier[k] = (struct ph_tc_bezier){p + at, size_of(t, k) - 1};
   }
-  return join(t, p, diag);
+  status = join(t, p, diag);
+  return status == PH_OK ? check_extent(t, diag) : status;
 }
 
 /* ---- solving ------------------------------------------------------------ */
 
-static enum ph_status approximate(struct target *t, struct ph_tc_arcs *arcs,
-                                  struct ph_diag *diag) {
-  struct ph_pow2 scale = ph_pow2_of(t->exponent);
+/* What rounding of the user's coordinates may add to a distance. */
+static double rounding(const struct target *t) {
+  return 4 * DBL_EPSILON * t->far;
+}
+
+/* Says of which curve a failure is. */
+static enum ph_status name_curve(const struct target *t, size_t k,
+                                 enum ph_status status, struct ph_diag *diag) {
+  char why[PH_DIAG_MESSAGE_MAX];
+  if (status != PH_NO_CONVERGENCE) {
+    return status;
+  }
+  memcpy(why, diag->message, sizeof why);
+  return fail_curve(t, k, status, diag, why);
+}
+
+static enum ph_status within_tolerance(struct target *t,
+                                       struct ph_tc_arcs *arcs,
+                                       struct ph_diag *diag) {
+  double tolerance =
+      ph_pow2_apply(ph_pow2_of(t->exponent), t->tolerance - rounding(t));
   enum ph_status status = PH_OK;
-  if (t->pieces > 0) {
-    return t->pieces < t->n
-               ? ph_fail(diag, PH_BAD_VALUE, "pieces",
-                         "must be at least %zu, one for each curve, found %zu",
-                         t->n, t->pieces)
-               : ph_tc_approximate_pieces(t->bezier, t->n, t->pieces, arcs,
-                                          t->first, diag);
+  if (!(tolerance > 0)) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, "tolerance",
+                   "is no larger than the rounding of coordinates, %.2g",
+                   rounding(t));
   }
   for (size_t k = 0; status == PH_OK && k < t->n; k++) {
     t->first[k] = arcs->n;
-    status = ph_tc_approximate(&t->bezier[k],
-                               ph_pow2_apply(scale, t->tolerance), arcs, diag);
+    status = ph_tc_approximate(&t->bezier[k], tolerance, arcs, diag);
+    status = name_curve(t, k, status, diag);
     t->first[k + 1] = arcs->n;
   }
   return status;
+}
+
+static enum ph_status approximate(struct target *t, struct ph_tc_arcs *arcs,
+                                  struct ph_diag *diag) {
+  if (t->pieces == 0) {
+    return within_tolerance(t, arcs, diag);
+  }
+  if (t->pieces < t->n) {
+    return ph_fail(diag, PH_BAD_VALUE, "pieces",
+                   "must be at least %zu, one for each curve, found %zu", t->n,
+                   t->pieces);
+  }
+  return ph_tc_approximate_pieces(
+      t->bezier, t->n, t->pieces,
+      CLEAR * ph_pow2_apply(ph_pow2_of(t->exponent), rounding(t)), arcs,
+      t->first, diag);
 }
 
 /* ---- the result --------------------------------------------------------- */
@@ -250,6 +307,23 @@ static double put_curve(const struct target *t, const struct ph_tc_arcs *arcs,
   return ph_sum_value(&length);
 }
 
+/* Where a curve turns back within the rounding of its coordinates. */
+static enum ph_status check_chords(const struct target *t,
+                                   const struct ph_curve *curve,
+                                   struct ph_diag *diag) {
+  for (size_t k = 0; k < t->n; k++) {
+    for (size_t i = t->first[k]; i < t->first[k + 1]; i++) {
+      const double *p = curve->control_points + 8 * i;
+      if (!(hypot(p[6] - p[0], p[7] - p[1]) > SHORT * rounding(t))) {
+        return fail_curve(t, k, PH_NO_CONVERGENCE, diag,
+                          "takes cubics as short as the rounding of its "
+                          "coordinates: try a larger tolerance");
+      }
+    }
+  }
+  return PH_OK;
+}
+
 static enum ph_status write(const struct target *t,
                             const struct ph_tc_arcs *arcs, struct ph_arena *out,
                             struct ph_result *result, struct ph_diag *diag) {
@@ -280,8 +354,9 @@ static enum ph_status write(const struct target *t,
   ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS, 0);
   ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, residual(arcs));
   ph_diagnostics_set(&result->diagnostics, PH_D_DISTANCE,
-                     ph_pow2_apply(ph_pow2_of(-t->exponent), arcs->distance));
-  return PH_OK;
+                     ph_pow2_apply(ph_pow2_of(-t->exponent), arcs->distance) +
+                         rounding(t));
+  return check_chords(t, curve, diag);
 }
 
 enum ph_status ph_tc_target(const struct ph_problem *problem,

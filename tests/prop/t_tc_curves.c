@@ -124,7 +124,7 @@ static ph_cplx cubic(const struct ph_curve *c, size_t k, double t) {
   return p;
 }
 
-/* A cubic, or the part of the data's curve that it stands for. */
+/* A cubic, or a part of the data's curve. */
 struct part {
   const struct ph_curve *cubics; /* NULL: of the data's curve */
   size_t k;
@@ -136,41 +136,57 @@ static ph_cplx place(const struct part *part, double u) {
                       : bezier(part->from + u * (part->to - part->from));
 }
 
-enum { PLACES = 12, THIRDS = 36 };
+enum { PLACES = 16, THIRDS = 60 };
 
-/* The distance of a point from a part: from the nearest of some places, and
- * between the two beside it, by thirds. */
+/* The square of the distance of p from the straight line from a to b. */
+static double off_line(ph_cplx a, ph_cplx b, ph_cplx p) {
+  ph_cplx d = ph_cplx_sub(b, a), v = ph_cplx_sub(p, a);
+  double u = ph_cplx_dot(d, v) / ph_cplx_norm2(d);
+  u = u > 0 ? fmin(u, 1) : 0;
+  return ph_cplx_norm2(ph_cplx_sub(v, ph_cplx_scale(u, d)));
+}
+
+/* The distance of a point from a part: from what is around the nearest of some
+ * straight lines, by thirds. */
 static double distance_to(const struct part *part, ph_cplx p) {
   double least = HUGE_VAL, low = 0, high = 1;
-  for (size_t i = 0; i <= PLACES; i++) {
-    double u = (double)i / PLACES, d = unit_distance(p, place(part, u));
+  ph_cplx a = place(part, 0);
+  for (size_t i = 0; i < PLACES; i++) {
+    ph_cplx b = place(part, (double)(i + 1) / PLACES);
+    double d = off_line(a, b, p);
     if (d < least) {
       least = d;
-      low = fmax(u - 1.0 / PLACES, 0);
-      high = fmin(u + 1.0 / PLACES, 1);
+      low = fmax((double)i - 1, 0) / PLACES;
+      high = fmin((double)i + 2, PLACES) / PLACES;
     }
+    a = b;
   }
   for (size_t i = 0; i < THIRDS; i++) {
     double u = low + (high - low) / 3, v = high - (high - low) / 3;
-    double a = unit_distance(p, place(part, u));
-    double b = unit_distance(p, place(part, v));
-    least = fmin(least, fmin(a, b));
-    low = a < b ? low : u;
-    high = a < b ? v : high;
+    bool left =
+        unit_distance(p, place(part, u)) < unit_distance(p, place(part, v));
+    low = left ? low : u;
+    high = left ? v : high;
   }
-  return least;
+  least = unit_distance(p, place(part, low));
+  return fmin(least, unit_distance(p, place(part, high)));
 }
 
-/* How far a cubic is from its part of the curve, seen from both at some
- * places. */
+/* How far cubic k and its part of the curve are from each other, or from what
+ * is next to the other: pairs meet beside the curve. */
 static double apart(const struct ph_curve *c, size_t k) {
-  const struct part a = {NULL, k, c->knots[k], c->knots[k + 1]};
-  const struct part b = {c, k, 0, 1};
+  const size_t first = k > 0 ? k - 1 : k, last = k + 1 < c->n ? k + 1 : k;
+  const struct part own = {NULL, k, c->knots[k], c->knots[k + 1]};
   double worst = 0;
   for (size_t i = 0; i <= PLACES; i++) {
-    double u = (double)i / PLACES;
-    worst = unit_larger(worst, distance_to(&b, place(&a, u)));
-    worst = unit_larger(worst, distance_to(&a, place(&b, u)));
+    double u = (double)i / PLACES, here = HUGE_VAL, there = HUGE_VAL;
+    for (size_t j = first; j <= last; j++) {
+      const struct part arc = {c, j, 0, 1};
+      const struct part part = {NULL, j, c->knots[j], c->knots[j + 1]};
+      here = fmin(here, distance_to(&arc, place(&own, u)));
+      there = fmin(there, distance_to(&part, cubic(c, k, u)));
+    }
+    worst = unit_larger(worst, unit_larger(here, there));
   }
   return worst;
 }
@@ -179,14 +195,14 @@ static void ck_near(size_t which, double distance) {
   const struct ph_curve *c = &one.result.curve;
   for (size_t k = 0; k < c->n; k++) {
     double d = apart(c, k);
-    tc_assert(d <= (1 + 1e-6) * distance, which, &data,
+    tc_assert(d <= (1 + 1e-6) * distance + 1e-10, which, &data,
               "cubic %zu of %zu is off by %.3g", k, c->n, d);
   }
 }
 
 START_TEST(test_approximate) {
   struct unit_random r = unit_random_of(29);
-  for (size_t i = 0; i < cases(30); i++) {
+  for (size_t i = 0; i < cases(20); i++) {
     double distance;
     tc_of(&r, TC_APPROXIMATE, &data);
     tc_must(&data, i, &one);
@@ -203,7 +219,9 @@ START_TEST(test_pieces) {
   struct unit_random r = unit_random_of(30);
   for (size_t i = 0; i < cases(8); i++) {
     double distance;
-    tc_of(&r, TC_APPROXIMATE, &data);
+    do { /* straight lines are met at once */
+      tc_of(&r, TC_APPROXIMATE, &data);
+    } while (data.n < 3);
     data.tolerance = (double)NAN;
     data.pieces = 6 + (double)unit_random_below(&r, 10);
     tc_must(&data, i, &one);

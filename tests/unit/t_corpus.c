@@ -33,6 +33,9 @@
 #define LLVMFuzzerTestOneInput corpus_sphere
 #include "../fuzz/sphere.c"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput corpus_tc
+#include "../fuzz/tc.c"
+#undef LLVMFuzzerTestOneInput
 
 /* Inputs are small; each target has at least so many. */
 enum { INPUT_MAX = 1 << 16, INPUTS_MIN = 12 };
@@ -118,6 +121,11 @@ START_TEST(sphere) {
 }
 END_TEST
 
+START_TEST(tc) {
+  replay_all("tc", corpus_tc);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("corpus");
   TCase *c = tcase_create("corpus");
@@ -130,6 +138,7 @@ static Suite *suite(void) {
   tcase_add_test(c, spatial);
   tcase_add_test(c, arclength);
   tcase_add_test(c, sphere);
+  tcase_add_test(c, tc);
   suite_add_tcase(s, c);
   return s;
 }
