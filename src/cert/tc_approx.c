@@ -125,8 +125,9 @@ static double apart(const struct context *x, const struct ph_tc_cubic *s,
   return ph_cplx_abs(ph_cplx_sub(at, place->point));
 }
 
+/* Where the curve all but stands still, it may turn back, or be said to. */
 static bool has_tangent(const struct place *place) {
-  return place->turned < 1;
+  return place->turned < 0.01;
 }
 
 static void check_end(struct context *x, const struct ph_tc_cubic *s, size_t k,
