@@ -141,17 +141,17 @@ static void check_end(struct context *x, const struct ph_tc_cubic *s, size_t k,
   }
 }
 
-/* Whether the end of a cubic is on the curve, with its tangent. */
+/* Whether the end of a cubic is on the curve, with its tangent if rounding has
+ * left both one. */
 static bool is_on(const struct context *x, const struct ph_tc_cubic *s,
                   const struct place *place) {
   double allowed, away = apart(x, s, 1, place, &allowed);
   double size = ph_cplx_abs(s->h[2]);
-  ph_cplx miss = ph_cplx_sub(
-      ph_cplx_scale(1 / size, s->h[2]),
-      ph_cplx_scale(1 / ph_cplx_abs(place->derivative), place->derivative));
+  double error = place->turned + (size > 0 ? s->allowance / size : 1);
+  ph_cplx miss = ph_cplx_sub(ph_tc_check_direction(s->h[2]),
+                             ph_tc_check_direction(place->derivative));
   return away <= allowed &&
-         (!has_tangent(place) ||
-          ph_cplx_abs(miss) <= DIRECTION + place->turned + s->allowance / size);
+         (!(error < 1) || ph_cplx_abs(miss) <= DIRECTION + error);
 }
 
 /* The parameter in (from, to) of a point of the curve that is near to an inner

@@ -297,6 +297,28 @@ START_TEST(test_parts_of_a_cubic) {
 }
 END_TEST
 
+/* A line on which a cubic is so slow at its end that its last leg is lost to
+ * rounding: a joint on the curve for all that, with no derivative to agree in.
+ */
+START_TEST(test_no_direction) {
+  static const double line[] = {0, 0, 1, 0, 2, 0, 3, 0};
+  const double slow = 1e-10; /* root^2 + root slow + slow^2 = 4.5 */
+  const double root = (sqrt(18 - 3 * slow * slow) - slow) / 2;
+  unit_cert_begin();
+  memcpy(given, line, sizeof line);
+  unit_tc.problem.field[PH_F_CURVE] = unit_vectors(given, 4);
+  unit_cubics_begin(&unit_tc.c, ph_cplx_of(0, 0));
+  unit_cubics_add(&unit_tc.c, ph_cplx_of(root, 0), ph_cplx_of(slow, 0));
+  unit_cubics_add(&unit_tc.c, ph_cplx_of(sqrt(1.5), 0),
+                  ph_cplx_of(sqrt(1.5), 0));
+  unit_tc.c.knots[1] = 0.5;
+  unit_tc.c.knots[2] = 1;
+  ck_abs(unit_tc.c.control_points[4], unit_tc.c.control_points[6], 0);
+  ck_accepted();
+  ck_assert_double_le(unit_said(PH_D_DISTANCE), 1e-9);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("cert_tc_approx");
   TCase *tc = tcase_create("cert_tc_approx");
@@ -310,6 +332,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_tangents);
   tcase_add_test(tc, test_joints);
   tcase_add_test(tc, test_parts_of_a_cubic);
+  tcase_add_test(tc, test_no_direction);
   suite_add_tcase(s, tc);
   return s;
 }
