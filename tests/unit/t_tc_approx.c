@@ -342,7 +342,8 @@ START_TEST(test_pieces) {
     struct ph_diag diag;
     size_t first[3];
     ck_assert_int_eq(
-        ph_tc_approximate_pieces(chain, 2, pieces, &arcs, first, &diag), PH_OK);
+        ph_tc_approximate_pieces(chain, 2, pieces, 0, &arcs, first, &diag),
+        PH_OK);
     ck_assert_uint_le(arcs.n, pieces);
     ck_assert_uint_gt(4 * arcs.n, 3 * pieces); /* they are used */
     ck_assert_uint_eq(first[0], 0);
@@ -369,8 +370,8 @@ START_TEST(test_pieces_of_line) {
   struct ph_tc_arcs arcs = {.arena = &arena};
   struct ph_diag diag;
   size_t first[2];
-  ck_assert_int_eq(ph_tc_approximate_pieces(&line, 1, 100, &arcs, first, &diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_tc_approximate_pieces(&line, 1, 100, 0, &arcs, first, &diag), PH_OK);
   ck_assert_uint_eq(arcs.n, 1);
   ph_arena_free(&arena);
 }
@@ -382,10 +383,11 @@ START_TEST(test_too_few_pieces) {
   struct ph_tc_arcs arcs = {.arena = &arena};
   struct ph_diag diag;
   size_t first[2];
-  ck_assert_int_eq(ph_tc_approximate_pieces(&closed, 1, 1, &arcs, first, &diag),
-                   PH_INFEASIBLE);
+  ck_assert_int_eq(
+      ph_tc_approximate_pieces(&closed, 1, 1, 0, &arcs, first, &diag),
+      PH_INFEASIBLE);
   ck_assert_str_eq(diag.message,
-                   "is too few pieces: the curve takes 2 cubics at least");
+                   "is too few: the curve takes 2 cubics at least");
   ph_arena_free(&arena);
 }
 END_TEST
