@@ -162,10 +162,11 @@ ph_cert_fn ph_cert_sphere;
  *
  * Beside these, how fair the curve is and whether it crosses itself; of an
  * irregular one no energy.  That is refused unless all solutions are asked for.
- * An approximation is refused, too, when the distance exceeds the tolerance, or
- * by 2 % what the diagnostics claim it to be, and when it has too many cubics.
+ * An approximation is refused, too, when the distance exceeds the tolerance and
+ * when it has too many cubics.
  *
- * in   diagnostics  distance as claimed, or unknown
+ * in   diagnostics  distance as claimed, or unknown: what it is worth to look
+ *                   for; a claim that is confirmed is kept
  * ret  as above; PH_INTERNAL when segments, knots and problem do not fit
  *      together
  */

@@ -15,6 +15,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 
 static const double POSITION = 1e-13;
 static const double DIRECTION = 1e-12;
@@ -336,7 +337,7 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
                             struct ph_arena *scratch, double allowed,
                             struct ph_diag *diag) {
   const struct ph_value *chain = &problem->field[PH_F_CURVE];
-  size_t most = 0;
+  size_t most = 0, least = SIZE_MAX;
   enum ph_status status;
   if (chain->kind == PH_ABSENT) {
     chain = &problem->field[PH_F_POINTS];
@@ -346,10 +347,11 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
   x->pieces = chain->kind == PH_POLYLINE ? chain->sizes_n : 1;
   for (size_t i = 0; i < x->pieces; i++) {
     most = x->sizes[i] > most ? x->sizes[i] : most;
+    least = x->sizes[i] < least ? x->sizes[i] : least;
   }
   if ((chain->kind != PH_POLYLINE && chain->kind != PH_VECTORS) ||
-      chain->dimension != 2) {
-    return ph_fail(diag, PH_INTERNAL, "curve", "is not in the plane");
+      chain->dimension != 2 || least < 2) {
+    return ph_fail(diag, PH_INTERNAL, "curve", "is none in the plane");
   }
   status = ph_tc_check_begin(&x->c, curve, chain->v, chain->n, diag);
   if (status != PH_OK) {

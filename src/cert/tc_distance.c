@@ -28,9 +28,9 @@ static const double EDGE = 1.0 / 16;
 /* A bound within this of a distance that there is is good. */
 static const double GOOD = 1.05;
 
-/* Rounding of a difference, in eps of the largest coordinate: of two cuts,
- * DEPTH halvings and raising by n degrees, and of composing. */
-static const double NOISE_BY_DEGREE = 12, NOISE = 24;
+/* Rounding of a difference, in eps of the largest coordinate: of cuts, 1.5 for
+ * each degree and each of DEPTH + 2 of them, of raising, and of composing. */
+static const double NOISE_BY_DEGREE = 24, NOISE = 24;
 
 /*
  * How points are matched: with the nearest ones, and psi by their projection;
@@ -52,7 +52,7 @@ struct part {
   ph_cplx *c; /* [degree + 1] */
   size_t degree;
   const ph_cplx *cubic; /* the whole one */
-  double from, to;      /* the part of it; to may be less than from */
+  double from, to;      /* the part of it */
   double inner[2];      /* psi is 0, inner, 1 */
 };
 
@@ -352,12 +352,14 @@ void ph_cert_distance_add(struct ph_cert_distance *d, const ph_cplx *curve,
   d->noise = ph_check_larger(d->noise, noise_of(curve, degree, cubic));
   sample(d, &whole, 0, whole.c[0]);
   sample(d, &whole, 1, whole.c[degree]);
-  for (size_t i = 0;
-       i < sizeof WAYS / sizeof WAYS[0] && !(bound <= d->allowed + d->noise);
+  for (size_t i = 0; i < sizeof WAYS / sizeof WAYS[0] &&
+                     (i == 0 || !(bound <= d->allowed + d->noise));
        i++) {
     whole.way = WAYS[i];
     d->parts = 0;
     bound = ph_check_smaller(bound, bound_part(d, &whole, d->bound, 0));
   }
-  d->bound = ph_check_larger(d->bound, bound);
+  if (ph_check_is_larger(bound, d->bound)) {
+    d->bound = bound;
+  }
 }

@@ -10,16 +10,16 @@
  *   distance <= max |d(t)| <= max |d_k|,  d(t) = r(psi(t)) - C(t)         (1)
  *
  * with d_k the Bernstein coefficients of the polynomial d.  psi is a cubic with
- * the slopes of the projection onto r at its ends.  What is left along the
- * curve counts less where both are graphs over the chord of r, with slopes of
- * at most s: the point of one above a point of the other is no further than
+ * the slopes of the projection onto r at its ends, or those of the speeds. What
+ * is left along the curve counts less where both are graphs over the chord of
+ * r, with slopes of at most s: the point of one above a point of the other is
+ * no further than
  *
  *   max |d across| + s max |d along| + max |d along at the ends|          (2)
  *
  * the last for points beyond the other's end.  Where the bound is not good
- * enough, C is halved, r is cut at the point nearest to where, and both halves
- * are bounded by themselves.  psi need not increase: near a hairpin of C it
- * turns back where r is shorter.
+ * enough, C is cut, r is cut at a point that is near to where, and both parts
+ * are bounded by themselves.
  */
 #ifndef PH_CERT_TC_DISTANCE_H
 #define PH_CERT_TC_DISTANCE_H

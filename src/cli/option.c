@@ -468,7 +468,7 @@ enum ph_status ph_options_read(int argc, char **argv,
                                struct ph_options *options,
                                struct ph_diag *diag) {
   static char *standard_input[] = {"-"};
-  struct parser p = {argc, argv, options, diag, NULL, "", (size_t)argc};
+  struct parser p = {argc, argv, options, diag, NULL, "", (size_t)argc, NULL};
   enum ph_status status = build_tables(&p);
   int value;
   options->sweep_count = 1;

@@ -32,10 +32,9 @@ static enum ph_status solve_one(const struct ph_tc_data *d,
                                 struct ph_arena *out, struct ph_result *result,
                                 struct ph_tc_crossings *crossings,
                                 struct ph_diag *diag) {
-  const size_t most = d->mode == PH_TC_G1 ? d->n : 2 * d->n;
   struct ph_tc_builder builder;
   enum ph_status status =
-      ph_tc_build_begin(&builder, d, most, out, &result->curve, diag);
+      ph_tc_build_begin(&builder, d, out, &result->curve, diag);
   for (size_t k = 0; status == PH_OK && k < d->n; k++) {
     struct ph_tc_fit fit;
     status = ph_tc_interval(d, k, &fit, diag);

@@ -23,7 +23,7 @@ static const double JOINED = 1e-12;
 /* A number of cubics is given no smaller tolerance than so many times what
  * rounding of coordinates may add; shorter cubics than SHORT times that have no
  * direction. */
-static const double CLEAR = 16, SHORT = 64;
+static const double CLEAR = 256, SHORT = 64;
 
 /* As many cubics as a user may ask for. */
 static const double PIECES_MAX = 1e6;

@@ -192,7 +192,7 @@ wrong too-large 'derivatives[0]' \
   'is too large beside the chord from points[0]' \
   "{$two,\"derivatives\":[[1e14,0],[1,0]]}"
 wrong too-large 'points[0]' \
-  'has a derivative too large beside the chord from points[0]' \
+  'gets a derivative that is too large beside the chord from points[0]' \
   "{$two,\"lambda\":1e13}"
 wrong infeasible 'points[1]' 'is where the data turn back by 180 degrees: the '\
 'chords have no bisector there' '{"points":[[0,0],[2,0],[1,0],[1,1]]}'
@@ -229,7 +229,8 @@ wrong infeasible 'segments[0]' 'no two cubics meet on the chord at the angle '\
 points=$(awk 'BEGIN { for (i = 0; i < 8; i++)
   printf "%s[%d,%d]", (i ? "," : ""), i, i % 2 }')
 wrong bad-value solutions \
-  'must not be all with more than 4096 curves in all: give fewer points' \
+  'must not be all with more than 4096 curves, or 65536 intervals in all of '\
+'them: give fewer points' \
   "{\"points\":[$points],\"solutions\":\"all\"}"
 
 # ---- curves to approximate ---------------------------------------------------
