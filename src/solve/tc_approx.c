@@ -126,7 +126,7 @@ enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
 /* Trials of a tolerance; how near to one that fails the best distance need not
  * come; and no less than so many times the noise is tried. */
 enum { TRIALS = 40 };
-static const double CLOSE = 1.002, CLEAR = 16;
+static const double CLOSE = 1.002, CLEAR = 64;
 
 struct chain {
   const struct item *items;
