@@ -141,6 +141,11 @@ a spiral, drawn in the terminal,
     $program planar $data/spiral.csv --format=csv |
       LC_ALL=C awk -f $data/picture.awk -v style=$style - $data/spiral.csv
 
+a spanner from its drawing as cubics, with the path of a cutter,
+
+    $program tc $data/spanner.json \\
+      --tolerance=0.01 --offset=-3 -o $out/spanner.json
+
 and all options:
 
     $program help planar

@@ -151,20 +151,22 @@ ph_cert_fn ph_cert_sphere;
  *                         from the control points alone, |h1^2 - h0 h2| / |r'|;
  *                         / largest coefficient of r', each cubic by itself
  *   continuity_error      gaps at the joints / size; jumps of the unit tangent;
- *                         of r' over |r'| within pairs, but for those with
- * their joint on the chord, and between those that have the wanted derivatives;
- * only gaps where the given curves of a chain meet length_error lengths against
- * Gauss quadrature of |r'| / length regular               whether |w| is
- * nowhere below 1e-12 of its larger end max_curvature         the largest
- * |curvature|, 1/unit distance              of approximations: an upper bound
- * of the Hausdorff distance, in the unit of the data (cert/tc_distance.h)
+ *                         |jump of r'| / |r'| within pairs whose joint is free,
+ *                         and between intervals where derivatives are wanted;
+ *                         of chains, gaps alone where two given curves meet
+ *   length_error          lengths against Gauss quadrature of |r'| / length
+ *   regular               |w| is nowhere below 1e-12 of its larger end
+ *   max_curvature         the largest |curvature|, 1/unit
+ *   distance              of approximations: an upper bound of the Hausdorff
+ *                         distance, in the unit of the data (tc_distance.h)
  *
  * Beside these, how fair the curve is and whether it crosses itself; of an
  * irregular one no energy.  That is refused unless all solutions are asked for.
- * An approximation is refused, too, when the distance exceeds the tolerance, or
- * what the diagnostics claim it to be, and when it has too many cubics.
+ * An approximation is refused, too, when the distance exceeds the tolerance and
+ * when it has too many cubics.
  *
- * in   diagnostics  distance as claimed, or unknown
+ * in   diagnostics  distance as claimed, or unknown: what it is worth to look
+ *                   for; a claim that is confirmed is kept
  * ret  as above; PH_INTERNAL when segments, knots and problem do not fit
  *      together
  */

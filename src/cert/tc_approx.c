@@ -15,15 +15,19 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 
 static const double POSITION = 1e-13;
 static const double DIRECTION = 1e-12;
 
-/* A claim about the distance is not exceeded by more than this part of it. */
-static const double CLAIM = 1e-9;
+/* The tolerance is not exceeded by more. */
+static const double TOLERANCE = 1e-9;
+
+/* Rounding of control points that were written, in that of a coordinate. */
+enum { ROUND_POINTS = 4 };
 
 /* Steps to the point of the curve that is nearest to a joint. */
-enum { STEPS = 3 };
+enum { STEPS = 4 };
 
 /* One Bezier curve of the chain, with its start as the origin. */
 struct piece {
@@ -121,8 +125,9 @@ static double apart(const struct context *x, const struct ph_tc_cubic *s,
   return ph_cplx_abs(ph_cplx_sub(at, place->point));
 }
 
+/* Where the curve all but stands still, it may turn back, or be said to. */
 static bool has_tangent(const struct place *place) {
-  return place->turned < 1;
+  return place->turned < 0.01;
 }
 
 static void check_end(struct context *x, const struct ph_tc_cubic *s, size_t k,
@@ -136,34 +141,42 @@ static void check_end(struct context *x, const struct ph_tc_cubic *s, size_t k,
   }
 }
 
-/* Whether the end of a cubic is on the curve, with its tangent. */
+/* Whether the end of a cubic is on the curve, with its tangent if rounding has
+ * left both one. */
 static bool is_on(const struct context *x, const struct ph_tc_cubic *s,
                   const struct place *place) {
   double allowed, away = apart(x, s, 1, place, &allowed);
   double size = ph_cplx_abs(s->h[2]);
-  ph_cplx miss = ph_cplx_sub(
-      ph_cplx_scale(1 / size, s->h[2]),
-      ph_cplx_scale(1 / ph_cplx_abs(place->derivative), place->derivative));
+  double error = place->turned + (size > 0 ? s->allowance / size : 1);
+  ph_cplx miss = ph_cplx_sub(ph_tc_check_direction(s->h[2]),
+                             ph_tc_check_direction(place->derivative));
   return away <= allowed &&
-         (!has_tangent(place) ||
-          ph_cplx_abs(miss) <= DIRECTION + place->turned + s->allowance / size);
+         (!(error < 1) || ph_cplx_abs(miss) <= DIRECTION + error);
 }
 
-/* The parameter in (from, to) of the point of the curve that is nearest to an
- * inner joint; t where it is none. */
+/* The parameter in (from, to) of a point of the curve that is near to an inner
+ * joint: from t on by steps that are taken as long as they help. */
 static double nearest(const struct context *x, ph_cplx joint, double from,
                       double t, double to) {
-  double u = t;
   ph_cplx p = ph_cplx_sub(joint, x->piece.origin);
+  struct place place = place_of(x, t);
+  double away = ph_cplx_abs(ph_cplx_sub(p, place.point));
   for (int i = 0; i < STEPS; i++) {
-    struct place place = place_of(x, u);
-    u += ph_cplx_dot(ph_cplx_sub(p, place.point), place.derivative) /
-         ph_cplx_norm2(place.derivative);
+    double u = t + ph_cplx_dot(ph_cplx_sub(p, place.point), place.derivative) /
+                       ph_cplx_norm2(place.derivative);
+    double there;
     if (!(u > from && u < to)) {
-      return t;
+      break;
     }
+    place = place_of(x, u);
+    there = ph_cplx_abs(ph_cplx_sub(p, place.point));
+    if (!(there < away)) {
+      break;
+    }
+    t = u;
+    away = there;
   }
-  return u;
+  return t;
 }
 
 /* The end of cubic k, which began at `before`. */
@@ -276,28 +289,45 @@ static enum ph_status check_knots(const struct context *x,
                               x->pieces);
 }
 
-/* What is claimed and allowed of the distance, in the unit of the data. */
-static double distance_allowed(const struct ph_problem *problem,
-                               const struct ph_diagnostics *diagnostics) {
+/* What is allowed of the distance, in the unit of the data: the tolerance, if
+ * there is one. */
+static double distance_allowed(const struct ph_problem *problem) {
   const struct ph_value *tolerance = &problem->field[PH_F_TOLERANCE];
-  double allowed = tolerance->kind == PH_NUMBER ? tolerance->number : HUGE_VAL;
-  if (diagnostics->known >> PH_D_DISTANCE & 1) {
-    allowed = ph_check_smaller(diagnostics->value[PH_D_DISTANCE], allowed);
-  }
-  return (1 + CLAIM) * allowed;
+  return tolerance->kind == PH_NUMBER ? tolerance->number : HUGE_VAL;
 }
 
-static enum ph_status check_distance(const struct context *x, double allowed,
+/* What is claimed of it, or allowed: worth looking for. */
+static double distance_wanted(const struct ph_problem *problem,
+                              const struct ph_diagnostics *diagnostics) {
+  double allowed = distance_allowed(problem);
+  return diagnostics->known >> PH_D_DISTANCE & 1
+             ? ph_check_smaller(diagnostics->value[PH_D_DISTANCE], allowed)
+             : allowed;
+}
+
+/* ... at unit scale, with what the rounding of control points makes of it. */
+static double allowed_at_unit(const struct ph_tc_check *c, double allowed) {
+  return ph_pow2_apply(c->scale.to_unit, allowed) +
+         ROUND_POINTS * c->scale.rounding;
+}
+
+/* The bound that was found here is what is told, and judged by the tolerance; a
+ * claim that it confirms, but for rounding, may be a little less. */
+static enum ph_status check_distance(const struct context *x,
+                                     const struct ph_problem *problem,
                                      struct ph_diagnostics *diagnostics,
                                      struct ph_diag *diag) {
   const struct ph_pow2 unit = x->c.scale.to_unit;
   const struct ph_pow2 back = {1 / unit.first, 1 / unit.second};
+  const struct ph_cert_distance *d = &x->distance;
+  double wanted = distance_wanted(problem, diagnostics);
+  double allowed = allowed_at_unit(&x->c, distance_allowed(problem));
   struct ph_check check = {.what = PH_D_DISTANCE};
-  ph_check_add(&check, x->farthest, ph_pow2_apply(back, x->distance.bound), 1,
-               allowed + ph_pow2_apply(back, x->distance.noise) + DBL_MIN);
-  if (diagnostics->known >> PH_D_DISTANCE & 1) { /* a bound as good as ours */
-    check.reported =
-        ph_check_smaller(check.reported, diagnostics->value[PH_D_DISTANCE]);
+  allowed = (1 + TOLERANCE) * allowed + d->noise;
+  ph_check_add(&check, x->farthest, ph_pow2_apply(back, d->bound), 1,
+               ph_pow2_apply(back, allowed));
+  if (d->bound <= (1 + TOLERANCE) * allowed_at_unit(&x->c, wanted) + d->noise) {
+    check.reported = ph_check_smaller(check.reported, wanted);
   }
   return ph_check_conclude(&check, diagnostics, diag);
 }
@@ -308,7 +338,7 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
                             struct ph_arena *scratch, double allowed,
                             struct ph_diag *diag) {
   const struct ph_value *chain = &problem->field[PH_F_CURVE];
-  size_t most = 0;
+  size_t most = 0, least = SIZE_MAX;
   enum ph_status status;
   if (chain->kind == PH_ABSENT) {
     chain = &problem->field[PH_F_POINTS];
@@ -318,10 +348,11 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
   x->pieces = chain->kind == PH_POLYLINE ? chain->sizes_n : 1;
   for (size_t i = 0; i < x->pieces; i++) {
     most = x->sizes[i] > most ? x->sizes[i] : most;
+    least = x->sizes[i] < least ? x->sizes[i] : least;
   }
   if ((chain->kind != PH_POLYLINE && chain->kind != PH_VECTORS) ||
-      chain->dimension != 2) {
-    return ph_fail(diag, PH_INTERNAL, "curve", "is not in the plane");
+      chain->dimension != 2 || least < 2) {
+    return ph_fail(diag, PH_INTERNAL, "curve", "is none in the plane");
   }
   status = ph_tc_check_begin(&x->c, curve, chain->v, chain->n, diag);
   if (status != PH_OK) {
@@ -331,16 +362,15 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
   x->piece.leg = ph_arena_array(scratch, most, sizeof *x->piece.leg);
   x->basis = ph_arena_array(scratch, most, sizeof *x->basis);
   return x->piece.p && x->piece.leg && x->basis &&
-                 ph_cert_distance_begin(
-                     &x->distance, scratch, most,
-                     ph_pow2_apply(x->c.scale.to_unit, allowed))
+                 ph_cert_distance_begin(&x->distance, scratch, most,
+                                        allowed_at_unit(&x->c, allowed))
              ? PH_OK
              : ph_fail_memory(diag);
 }
 
 static enum ph_status certify(struct context *x,
                               const struct ph_problem *problem,
-                              struct ph_arena *scratch, double allowed,
+                              struct ph_arena *scratch,
                               struct ph_diagnostics *diagnostics,
                               struct ph_diag *diag) {
   const struct ph_value *pieces = &problem->field[PH_F_PIECES];
@@ -358,7 +388,7 @@ static enum ph_status certify(struct context *x,
   }
   check_cubics(x);
   status = ph_tc_check_conclude(&x->c, false, scratch, diagnostics, diag);
-  return status == PH_OK ? check_distance(x, allowed, diagnostics, diag)
+  return status == PH_OK ? check_distance(x, problem, diagnostics, diag)
                          : status;
 }
 
@@ -367,12 +397,12 @@ enum ph_status ph_cert_tc_approximation(const struct ph_problem *problem,
                                         struct ph_arena *scratch,
                                         struct ph_diagnostics *diagnostics,
                                         struct ph_diag *diag) {
-  double allowed = distance_allowed(problem, diagnostics);
+  double allowed = distance_wanted(problem, diagnostics);
   struct ph_mark mark = ph_arena_mark(scratch);
   struct context x = {.next = 0};
   enum ph_status status = begin(&x, problem, curve, scratch, allowed, diag);
   if (status == PH_OK) {
-    status = certify(&x, problem, scratch, allowed, diagnostics, diag);
+    status = certify(&x, problem, scratch, diagnostics, diag);
   }
   ph_arena_release(scratch, mark);
   return status;

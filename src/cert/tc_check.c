@@ -3,7 +3,8 @@
 #include "cert/tc_check.h"
 
 #include "curve/cross.h"
-#include "curve/energy.h"
+#include "curve/tc.h"
+#include "kernel/pi.h"
 
 #include <float.h>
 #include <math.h>
@@ -146,11 +147,33 @@ static void check_stop(struct ph_tc_check *c, const struct ph_tc_cubic *s,
   }
 }
 
+/* Whether r(s) = r(t) for s, t in [0,1]: with w = w0 + (w1 - w0) t and z its
+ * parameter where it is 0, (s - z)^3 = (t - z)^3, so that s - z and t - z are
+ * conjugate and of angles +-pi/3. */
+static bool has_loop(const struct ph_tc_cubic *s) {
+  ph_cplx step = ph_cplx_sub(s->w[1], s->w[0]);
+  double square = ph_cplx_norm2(step);
+  double middle = -ph_cplx_dot(s->w[0], step) / square;
+  double half = sqrt(3) * fabs(ph_cplx_cross(s->w[0], step)) / square;
+  return half > 0 && middle - half >= 0 && middle + half <= 1;
+}
+
+/* How fair it is, and whether it meets itself. */
+static void describe_cubic(struct ph_tc_check *c, const struct ph_tc_cubic *s) {
+  const struct ph_tc tc = {{s->w[0], s->w[1]}};
+  double turning = ph_tc_turning(&tc);
+  ph_sum_add(&c->energy, ph_tc_energy(&tc));
+  ph_sum_add(&c->rotation, turning);
+  ph_sum_add(&c->absolute, fabs(turning));
+  c->loops += has_loop(s);
+}
+
 void ph_tc_check_cubic(struct ph_tc_check *c, const struct ph_tc_cubic *s,
                        size_t k) {
   check_square(c, s, k);
   check_length(c, s, k);
   check_stop(c, s, k);
+  describe_cubic(c, s);
 }
 
 /* ---- ends and joints ---------------------------------------------------- */
@@ -216,27 +239,26 @@ static enum ph_status describe(const struct ph_tc_check *c,
                                struct ph_arena *scratch,
                                struct ph_diagnostics *diagnostics,
                                struct ph_diag *diag) {
-  struct ph_energy energy;
+  const double turn = 2 * PH_PI;
   struct ph_cross cross;
   enum ph_status status = ph_cross_planar(c->curve, scratch, &cross, diag);
   if (status != PH_OK) {
     return status;
   }
-  if (!ph_energy_planar(c->curve, &energy)) {
-    return ph_fail_memory(diag);
-  }
   ph_diagnostics_set(diagnostics, PH_D_REGULAR, c->regular);
-  ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)cross.loops);
+  ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)c->loops);
   ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple && c->regular);
   if (c->regular) {
-    ph_check_set(diagnostics, PH_D_ENERGY, energy.bending);
-    /* The inverse of a length. */
+    /* Both are inverses of a length. */
+    ph_check_set(diagnostics, PH_D_ENERGY,
+                 ph_pow2_apply(c->scale.to_unit, ph_sum_value(&c->energy)));
     ph_check_set(diagnostics, PH_D_MAX_CURVATURE,
                  ph_pow2_apply(c->scale.to_unit, c->flattening));
   }
-  ph_check_set(diagnostics, PH_D_ROTATION_INDEX, energy.rotation);
+  ph_check_set(diagnostics, PH_D_ROTATION_INDEX,
+               ph_sum_value(&c->rotation) / turn);
   ph_check_set(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
-               energy.absolute_rotation);
+               ph_sum_value(&c->absolute) / turn);
   return PH_OK;
 }
 

@@ -32,6 +32,8 @@ struct ph_tc_check {
   bool regular;
   size_t irregular;  /* the first cubic that is not */
   double flattening; /* the largest 2 |K| / |w|^4: curvature at unit scale */
+  struct ph_sum energy, rotation, absolute; /* at unit scale, of the preimage */
+  size_t loops;                             /* cubics that have one */
 };
 
 /* A cubic at unit scale, with respect to u in [0,1]. */

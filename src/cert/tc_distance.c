@@ -20,17 +20,35 @@ enum { ROOM = 2 * DEPTH + 3 };
 
 /* Steps to the nearest point: each leaves (distance times curvature) of the
  * error of the one before. */
-enum { STEPS = 3 };
+enum { STEPS = 4 };
+
+/* A near point is not nearer than this part of it to an end of a part. */
+static const double EDGE = 1.0 / 16;
 
 /* A bound within this of a distance that there is is good. */
 static const double GOOD = 1.05;
 
-/* Rounding of a difference, in eps of the largest coordinate: of two cuts,
- * DEPTH halvings and raising by n degrees, and of composing. */
-static const double NOISE_BY_DEGREE = 12, NOISE = 24;
+/* Rounding of a difference, in eps of the largest coordinate: of cuts, 1.5 for
+ * each degree and each of DEPTH + 2 of them, of raising, and of composing. */
+static const double NOISE_BY_DEGREE = 24, NOISE = 24;
+
+/*
+ * How points are matched: with the nearest ones, and psi by their projection;
+ * or with near ones, but for the ends of what there is to match with, and psi
+ * by the speeds of both.  In a hairpin what is nearest may be on the wrong
+ * side, and all that follows suffers from one bad match: then other points are.
+ */
+struct way {
+  bool nearest;
+  double cut; /* where the curve is cut */
+};
+
+static const struct way WAYS[] = {
+    {true, 0.5}, {false, 0.5}, {false, 0.375}, {false, 0.625}, {true, 0.4375}};
 
 /* A part of the curve, and of the cubic that it is matched with. */
 struct part {
+  struct way way;
   ph_cplx *c; /* [degree + 1] */
   size_t degree;
   const ph_cplx *cubic; /* the whole one */
@@ -115,10 +133,12 @@ static void compose(const ph_cplx r[4], const double inner[2], ph_cplx *out) {
   }
 }
 
-/* A third of the slope of the projection of the curve onto r, from the legs at
- * an end. */
-static double slope(ph_cplx leg, size_t degree, ph_cplx r) {
-  return (double)degree / 9 * ph_cplx_dot(leg, r) / ph_cplx_norm2(r);
+/* A third of the slope of psi at an end, from the legs there. */
+static double slope(bool nearest, ph_cplx leg, size_t degree, ph_cplx r) {
+  double square = ph_cplx_norm2(r);
+  double step =
+      nearest ? ph_cplx_dot(leg, r) / square : ph_cplx_abs(leg) / sqrt(square);
+  return (double)degree / 9 * step;
 }
 
 /* The part of r, and the difference, r first. */
@@ -131,6 +151,7 @@ struct difference {
 /* Sets psi of the part, too. */
 static void subtract(const struct ph_cert_distance *d, struct part *part,
                      struct difference *out) {
+  bool nearest = part->way.nearest;
   ph_cplx *composed = room_of(d, ROOM - 2), *c = room_of(d, ROOM - 1);
   double x = part->from, y = part->to;
   size_t n = part->degree, degree = n > COMPOSED ? n : COMPOSED;
@@ -139,12 +160,16 @@ static void subtract(const struct ph_cert_distance *d, struct part *part,
   r[1] = polar(part->cubic, x, x, y);
   r[2] = polar(part->cubic, x, y, y);
   r[3] = polar(part->cubic, y, y, y);
-  part->inner[0] = inside(
-      slope(ph_cplx_sub(part->c[1], part->c[0]), n, ph_cplx_sub(r[1], r[0])),
-      1.0 / 3);
-  part->inner[1] = inside(1 - slope(ph_cplx_sub(part->c[n], part->c[n - 1]), n,
-                                    ph_cplx_sub(r[3], r[2])),
-                          2.0 / 3);
+  part->inner[0] = inside(slope(nearest, ph_cplx_sub(part->c[1], part->c[0]), n,
+                                ph_cplx_sub(r[1], r[0])),
+                          1.0 / 3);
+  part->inner[1] =
+      inside(1 - slope(nearest, ph_cplx_sub(part->c[n], part->c[n - 1]), n,
+                       ph_cplx_sub(r[3], r[2])),
+             2.0 / 3);
+  if (!(part->inner[0] <= part->inner[1])) {
+    part->inner[0] = part->inner[1] = (part->inner[0] + part->inner[1]) / 2;
+  }
   compose(r, part->inner, composed);
   memcpy(c, part->c, (n + 1) * sizeof *c);
   for (size_t i = COMPOSED; i < degree; i++) {
@@ -210,76 +235,94 @@ static double graph_bound(const struct ph_cert_distance *d,
 
 /* ---- parts -------------------------------------------------------------- */
 
-/* The parameter of the point of r nearest to p, in the part. */
-static double nearest(const struct part *part, ph_cplx p) {
-  const double *inner = part->inner;
-  double s = part->from +
-             (part->to - part->from) * (3 * (inner[0] + inner[1]) + 1) / 8;
+static double distance_at(const struct part *part, double s, ph_cplx p) {
+  return ph_cplx_abs(ph_cplx_sub(polar(part->cubic, s, s, s), p));
+}
+
+/* The parameter in [low, high] of a point of r that is near to p: from where
+ * psi has it by steps that are taken as long as they help. */
+static double near(const struct part *part, double s, double low, double high,
+                   ph_cplx p) {
+  double away = distance_at(part, s, p);
   for (int i = 0; i < STEPS; i++) {
     ph_cplx a = polar(part->cubic, s, s, 0), b = polar(part->cubic, s, s, 1);
     ph_cplx along = ph_cplx_scale(3, ph_cplx_sub(b, a));
-    ph_cplx away = ph_cplx_sub(p, between(a, b, s));
-    double step = ph_cplx_dot(away, along) / ph_cplx_norm2(along);
-    if (!isfinite(step)) {
+    ph_cplx miss = ph_cplx_sub(p, between(a, b, s));
+    double next = s + ph_cplx_dot(miss, along) / ph_cplx_norm2(along), there;
+    next = next > low ? next : low;
+    next = next < high ? next : high;
+    there = distance_at(part, next, p);
+    if (!(there < away)) {
       break;
     }
-    s += step;
-    s = s < part->from ? part->from : s > part->to ? part->to : s;
+    s = next;
+    away = there;
   }
   return s;
 }
 
+/* The parameter of the point of r that p, where the part is cut, is matched
+ * with. */
+static double match(const struct part *part, ph_cplx p) {
+  double width = part->to - part->from, u = part->way.cut, v = 1 - u;
+  double edge = part->way.nearest ? 0 : EDGE * width;
+  double psi = u * (3 * v * (v * part->inner[0] + u * part->inner[1]) + u * u);
+  return near(part, part->from + width * psi, part->from + edge,
+              part->to - edge, p);
+}
+
 static void sample(struct ph_cert_distance *d, const struct part *part,
                    double s, ph_cplx p) {
-  ph_cplx r = polar(part->cubic, s, s, s);
-  d->sampled = ph_check_larger(d->sampled, ph_cplx_abs(ph_cplx_sub(r, p)));
+  d->sampled = ph_check_larger(d->sampled, distance_at(part, s, p));
 }
 
-/* Whether a part need not be halved: its bound is below that of another part,
- * or near enough to a distance and to what is allowed, or that is out of
- * reach. */
+/* Whether a part need not be halved: its bound is below `floor`, or is allowed
+ * and near enough to a distance that there is. */
 static bool is_done(const struct ph_cert_distance *d, double bound,
-                    size_t depth) {
-  return bound <= d->bound || depth == DEPTH || d->parts >= PARTS ||
+                    double floor, size_t depth) {
+  return bound <= floor || depth == DEPTH || d->parts >= PARTS ||
          (bound <= d->allowed + d->noise &&
-          bound <= GOOD * d->sampled + 2 * d->noise) ||
-         d->sampled > d->allowed + d->noise;
+          bound <= GOOD * d->sampled + 2 * d->noise);
 }
 
-/* Also sets psi of the part. */
+/* The better bound of the part as a whole.  Also sets its psi. */
 static double bound_of(const struct ph_cert_distance *d, struct part *part,
-                       size_t depth) {
+                       double floor, size_t depth) {
   struct difference f;
   double bound, graph;
   subtract(d, part, &f);
   bound = plain_bound(&f) + d->noise;
-  if (is_done(d, bound, depth)) {
+  if (is_done(d, bound, floor, depth)) {
     return bound;
   }
   graph = graph_bound(d, part, &f) + d->noise;
   return graph < bound ? graph : bound;
 }
 
-static void bound_part(struct ph_cert_distance *d, struct part *part,
-                       size_t depth) {
-  double bound = bound_of(d, part, depth);
+/* The bound of a part, by halves where that helps.
+ *
+ * in   floor  what bound there is of other parts */
+static double bound_part(struct ph_cert_distance *d, struct part *part,
+                         double floor, size_t depth) {
+  double bound = bound_of(d, part, floor, depth), halves;
   struct part half[2] = {*part, *part};
   ph_cplx middle;
   d->parts++;
-  if (is_done(d, bound, depth)) {
-    if (!(bound <= d->bound)) {
-      d->bound = bound;
-    }
-    return;
+  if (is_done(d, bound, floor, depth)) {
+    return bound;
   }
   half[0].c = room_of(d, 2 * depth + 1);
   half[1].c = room_of(d, 2 * depth + 2);
-  ph_bern_cut(part->c, part->degree, 0.5, half[0].c, half[1].c);
+  ph_bern_cut(part->c, part->degree, part->way.cut, half[0].c, half[1].c);
   middle = half[1].c[0];
-  half[0].to = half[1].from = nearest(part, middle);
+  half[0].to = half[1].from = match(part, middle);
   sample(d, part, half[0].to, middle);
-  bound_part(d, &half[0], depth + 1);
-  bound_part(d, &half[1], depth + 1);
+  halves = bound_part(d, &half[0], floor, depth + 1);
+  if (halves < bound) {
+    floor = ph_check_larger(floor, halves);
+    halves = ph_check_larger(halves, bound_part(d, &half[1], floor, depth + 1));
+  }
+  return ph_check_smaller(halves, bound);
 }
 
 /* What rounding may do to a bound. */
@@ -300,14 +343,23 @@ static double noise_of(const ph_cplx *curve, size_t degree,
 void ph_cert_distance_add(struct ph_cert_distance *d, const ph_cplx *curve,
                           size_t degree, double from, double to,
                           const ph_cplx cubic[4]) {
+  double bound = HUGE_VAL;
   struct part whole = {
       .c = room_of(d, 0), .degree = degree, .cubic = cubic, .from = 0, .to = 1};
   ph_bern_cut(curve, degree, to, room_of(d, 1), room_of(d, 2));
   ph_bern_cut(room_of(d, 1), degree, to > 0 ? from / to : 0, room_of(d, 2),
               whole.c);
   d->noise = ph_check_larger(d->noise, noise_of(curve, degree, cubic));
-  d->parts = 0;
   sample(d, &whole, 0, whole.c[0]);
   sample(d, &whole, 1, whole.c[degree]);
-  bound_part(d, &whole, 0);
+  for (size_t i = 0; i < sizeof WAYS / sizeof WAYS[0] &&
+                     (i == 0 || !(bound <= d->allowed + d->noise));
+       i++) {
+    whole.way = WAYS[i];
+    d->parts = 0;
+    bound = ph_check_smaller(bound, bound_part(d, &whole, d->bound, 0));
+  }
+  if (ph_check_is_larger(bound, d->bound)) {
+    d->bound = bound;
+  }
 }

@@ -4,20 +4,21 @@
  * the Hausdorff distance.
  *
  * A cubic r stands for the part C of the curve.  Both run on [0,1]; any
- * continuous psi from [0,1] onto [0,1] matches every point of one with one of
- * the other, so that
+ * continuous psi with psi(0) = 0, psi(1) = 1 matches every point of one with
+ * one of the other, so that
  *
  *   distance <= max |d(t)| <= max |d_k|,  d(t) = r(psi(t)) - C(t)         (1)
  *
  * with d_k the Bernstein coefficients of the polynomial d.  psi is a cubic with
- * the slopes of the projection onto r at its ends.  What is left along the
- * curve counts less where both are graphs over the chord of r, with slopes of
- * at most s: the point of one above a point of the other is no further than
+ * the slopes of the projection onto r at its ends, or those of the speeds. What
+ * is left along the curve counts less where both are graphs over the chord of
+ * r, with slopes of at most s: the point of one above a point of the other is
+ * no further than
  *
  *   max |d across| + s max |d along| + max |d along at the ends|          (2)
  *
  * the last for points beyond the other's end.  Where the bound is not good
- * enough, C is halved, r is cut at the point nearest to where, and both halves
+ * enough, C is cut, r is cut at a point that is near to where, and both parts
  * are bounded by themselves.
  */
 #ifndef PH_CERT_TC_DISTANCE_H

@@ -69,15 +69,18 @@ const struct ph_command ph_commands[] = {
      "As the thesis does it\n"},
     {&ph_method_tc, ph_cert_tc, ph_offset_planar, 1, ph_bezier_curve,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline tc\t"
-     "A spline of pairs of cubics, as JSON\n"
-     "phspline tc --columns=x,y,tx,ty -f csv outline.csv\t"
-     "Points with tangents, one cubic where one does; control points\n"
-     "phspline tc --mode=g1 --solutions=all problem.json | "
-     "jq '.solutions[].diagnostics.loops'\tEvery single cubic, loops and all\n"
-     "phspline tc --mode=approximate --tolerance=1e-4 --offset=0.5 bezier.csv\t"
-     "A Bezier curve as cubics with an exact offset\n"
-     "phspline tc --sweep=lambda=0.2:1.4:13 points.csv\t"
-     "Tangents of thirteen lengths\n"},
+     "A spline of two cubics for each two points, as JSON\n"
+     "phspline tc --columns=x,y,tx,ty --mode=g1-fair -f csv outline.csv\t"
+     "Points with tangents, one cubic or two, what is fairer; control points\n"
+     "phspline tc --tolerance=0.01 --offset=-3 drawing.json -o path.json\t"
+     "Bezier curves of a drawing as cubics, with the path of a cutter, in a "
+     "file\n"
+     "phspline tc --mode=approximate --pieces=8 bezier.csv | "
+     "jq .diagnostics.distance\tHow near eight cubics come to a Bezier curve\n"
+     "phspline tc --mode=g1 --solutions=all -q problem.json | "
+     "jq '.solutions[].length'\tEvery single cubic, those with loops too\n"
+     "phspline tc --sweep=lambda=0.3,0.5,0.8 points.csv\t"
+     "Tangents of three lengths\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];

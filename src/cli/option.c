@@ -40,7 +40,8 @@ struct parser {
   struct ph_diag *diag;
   struct option *longs; /* common options, then fields */
   char shorts[2 * PH_OPTION_N + 2];
-  size_t argument_n; /* upper bound for every list */
+  size_t argument_n;     /* upper bound for every list */
+  const char *tolerance; /* the last argument of --tolerance, or NULL */
 };
 
 /* The tables that getopt_long reads; values are 256 + index into longs. */
@@ -370,6 +371,7 @@ static enum ph_status read_argument(struct parser *p, enum ph_option_id id) {
     break;
   case PH_O_TOLERANCE:
     status = read_tolerance(p);
+    p->tolerance = optarg;
     break;
   case PH_O_JOBS:
     status = read_count(p, id, JOBS_MAX, &o->jobs);
@@ -383,25 +385,31 @@ static enum ph_status read_argument(struct parser *p, enum ph_option_id id) {
   return status;
 }
 
-static enum ph_status read_field(struct parser *p,
-                                 const struct ph_field *field) {
+static enum ph_status read_field(struct parser *p, const struct ph_field *field,
+                                 const char *text) {
   char option[64] = "--";
   strncat(option, ph_field_name(field->id), sizeof option - 3);
-  return assign(p, field, option, optarg ? optarg : "", false);
+  return assign(p, field, option, text ? text : "", false);
 }
 
 static enum ph_status read_common(struct parser *p, enum ph_option_id id) {
-  const char *name = ph_option_table[id].name;
-  const struct ph_field *field =
-      ph_field_find(&p->options->command->method->schema, name, strlen(name));
   bool *flag = flag_of(p->options, id);
-  enum ph_status status = PH_OK;
   if (flag) {
     *flag = true;
-  } else {
-    status = read_argument(p, id);
+    return PH_OK;
   }
-  return status == PH_OK && field ? read_field(p, field) : status;
+  return read_argument(p, id);
+}
+
+/* --tolerance is the field of that name, too, where the command has one, but
+ * not beside --convert, of which it then is the tolerance. */
+static enum ph_status assign_tolerance(struct parser *p) {
+  const char *name = ph_option_table[PH_O_TOLERANCE].name;
+  const struct ph_field *field =
+      ph_field_find(&p->options->command->method->schema, name, strlen(name));
+  return field && p->tolerance && !p->options->convert
+             ? read_field(p, field, p->tolerance)
+             : PH_OK;
 }
 
 /* One option that getopt_long returned. */
@@ -423,8 +431,9 @@ static enum ph_status read_option(struct parser *p, int value) {
     return unknown_long(p, typed);
   }
   value -= 256;
-  return value < PH_OPTION_N ? read_common(p, (enum ph_option_id)value)
-                             : read_field(p, &fields[value - PH_OPTION_N]);
+  return value < PH_OPTION_N
+             ? read_common(p, (enum ph_option_id)value)
+             : read_field(p, &fields[value - PH_OPTION_N], optarg);
 }
 
 /* Options that contradict each other. */
@@ -459,7 +468,7 @@ enum ph_status ph_options_read(int argc, char **argv,
                                struct ph_options *options,
                                struct ph_diag *diag) {
   static char *standard_input[] = {"-"};
-  struct parser p = {argc, argv, options, diag, NULL, "", (size_t)argc};
+  struct parser p = {argc, argv, options, diag, NULL, "", (size_t)argc, NULL};
   enum ph_status status = build_tables(&p);
   int value;
   options->sweep_count = 1;
@@ -484,6 +493,9 @@ enum ph_status ph_options_read(int argc, char **argv,
       (const char *const *)(optind < argc ? argv + optind : standard_input);
   options->files_n = optind < argc ? (size_t)(argc - optind) : 1;
   options->files_given = optind < argc;
+  if (status == PH_OK) {
+    status = assign_tolerance(&p);
+  }
   return status == PH_OK ? check_together(&p) : status;
 }
 

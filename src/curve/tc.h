@@ -83,8 +83,9 @@ void ph_tc_double_point(const struct ph_tc *tc, double t[2]);
 bool ph_tc_has_loop(const struct ph_tc *tc);
 
 /*
- * ph_tc_energy: the integral of kappa^2 ds, to some eps for every sweep D = |
- * atan2(K, R)| of w, in 1/unit.  In closed form; tc.c has it.
+ * ph_tc_energy: the integral of kappa^2 ds, in 1/unit, to some eps for every
+ * sweep of w as K has it, which of small sweeps is a difference: to some eps of
+ * A, B, R and K.  In closed form; tc.c has it.
  *
  * ret  0 for a straight line; infinite unless regular
  */

@@ -32,10 +32,9 @@ static enum ph_status solve_one(const struct ph_tc_data *d,
                                 struct ph_arena *out, struct ph_result *result,
                                 struct ph_tc_crossings *crossings,
                                 struct ph_diag *diag) {
-  const size_t most = d->mode == PH_TC_G1 ? d->n : 2 * d->n;
   struct ph_tc_builder builder;
   enum ph_status status =
-      ph_tc_build_begin(&builder, d, most, out, &result->curve, diag);
+      ph_tc_build_begin(&builder, d, out, &result->curve, diag);
   for (size_t k = 0; status == PH_OK && k < d->n; k++) {
     struct ph_tc_fit fit;
     status = ph_tc_interval(d, k, &fit, diag);
@@ -108,19 +107,18 @@ static const struct ph_field fields[] = {
     {PH_F_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL, "none",
      "derivatives, one for each point, by each cubic's own parameter in [0,1]"},
     {PH_F_CURVE, PH_VECTORS | PH_POLYLINE, 1u << 2, false, NULL, "points",
-     "the curve to approximate: control points of a Bezier curve, or of one "
-     "after another"},
+     "the curve to approximate: control points of a Bezier curve, or of "
+     "several, one after another"},
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
     {PH_F_MODE, PH_WORD, 0, false,
      "g1|g1-pair|g1-auto|g1-fair|c1|spline|approximate",
-     "by what is given: approximate, g1-auto, c1, spline",
-     "one cubic an interval with the tangents, two, one where it has no loop, "
-     "whichever is fairer; two with the derivatives; tangents by a rule; or "
-     "approximate the curve"},
+     "approximate, g1-auto, c1 or spline, by what is given",
+     "cubics in each interval: one, two, one if it has no loop, or what is "
+     "fairer; two with derivatives, given or by rule; or an approximation"},
     {PH_F_LAMBDA, PH_NUMBER, 0, false, NULL,
      "0.5 for spline, else the fairest of each interval",
-     "length of derivatives over the shorter neighbouring chord"},
+     "length of derivatives over that of the shorter chord beside them"},
     {PH_F_ENDS, PH_WORD, 0, false, "chord|circle", "chord",
      "end tangents of an open spline: along the chord, or of a circle"},
     {PH_F_END_TANGENTS, PH_VECTORS, 1u << 2, false, NULL, "by ends",
@@ -128,15 +126,15 @@ static const struct ph_field fields[] = {
     {PH_F_END_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL, "by ends",
      "derivatives at the first and the last point of a spline"},
     {PH_F_JOINT, PH_WORD, 0, false, "free|chord", "free",
-     "where two cubics of the mode g1-pair meet"},
+     "where the two cubics of g1-pair meet: anywhere, or on the chord"},
     {PH_F_JOINT_ANGLE, PH_NUMBER, 0, false, NULL, "the fairest",
-     "angle of the curve to the chord at a joint on it"},
+     "angle from the chord to the curve at a joint on it, to the left"},
     {PH_F_JOINT_POSITION, PH_NUMBER, 0, false, NULL, "the fairest",
-     "part of the chord before a joint on it"},
+     "part of the chord before a joint on it, between 0 and 1"},
     {PH_F_SOLUTIONS, PH_WORD, 0, false, "best|standard|all", "best",
-     "the best of several solutions, the standard one, or all, best first"},
+     "the best of several curves, the standard one, or all, the best first"},
     {PH_F_TOLERANCE, PH_NUMBER, 0, false, NULL, "none",
-     "greatest distance of an approximation from the curve"},
+     "greatest distance of an approximation from the curve, of Hausdorff"},
     {PH_F_PIECES, PH_NUMBER, 0, false, NULL, "none",
      "in place of tolerance: greatest number of cubics"},
     {PH_F_BLASCHKE, PH_BOOL, 0, false, NULL, "false",

@@ -55,11 +55,11 @@ static enum ph_status gather(const struct ph_tc_data *d,
       return status;
     }
     *total *= options[k].n;
-    if (*total > PH_TC_ALL_MAX) {
+    if (*total > PH_TC_ALL_MAX || *total > PH_TC_ALL_INTERVALS / d->n) {
       return ph_fail(diag, PH_BAD_VALUE, "solutions",
-                     "must not be all with more than %d curves in all: give "
-                     "fewer points",
-                     PH_TC_ALL_MAX);
+                     "must not be all with more than %d curves, or %d "
+                     "intervals in all of them: give fewer points",
+                     PH_TC_ALL_MAX, PH_TC_ALL_INTERVALS);
     }
   }
   return PH_OK;
@@ -75,7 +75,7 @@ static enum ph_status build(const struct ph_tc_data *d,
   size_t index = c->index, among = total;
   double energy = 0;
   enum ph_status status =
-      ph_tc_build_begin(&builder, d, 2 * d->n, out, &c->solution.curve, diag);
+      ph_tc_build_begin(&builder, d, out, &c->solution.curve, diag);
   if (status != PH_OK) {
     return status;
   }
@@ -122,7 +122,9 @@ rank(const struct ph_tc_data *d, const struct options *options, size_t total,
       return status;
     }
   }
-  qsort(candidates, total, sizeof *candidates, compare);
+  if (d->n > 1) { /* those of one interval are in order */
+    qsort(candidates, total, sizeof *candidates, compare);
+  }
   for (size_t i = 0; i < total; i++) {
     result->solutions[i] = candidates[i].solution;
   }

@@ -7,8 +7,9 @@
 #include "curve/result.h"
 #include "solve/tc_interval.h"
 
-/* PH_TC_ALL_MAX: at most so many curves. */
-#define PH_TC_ALL_MAX 4096
+/* PH_TC_ALL_MAX, PH_TC_ALL_INTERVALS: at most so many curves, with so many
+ * intervals in all. */
+enum { PH_TC_ALL_MAX = 4096, PH_TC_ALL_INTERVALS = 65536 };
 
 /*
  * ph_tc_all: the product of what the intervals may have (tc_interval.h), simple

@@ -126,7 +126,7 @@ enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
 /* Trials of a tolerance; how near to one that fails the best distance need not
  * come; and no less than so many times the noise is tried. */
 enum { TRIALS = 40 };
-static const double CLOSE = 1.002, CLEAR = 16;
+static const double CLOSE = 1.002, CLEAR = 64;
 
 struct chain {
   const struct item *items;
@@ -187,7 +187,6 @@ static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
   double size = 0;
   size_t cubics;
   enum ph_status status;
-  c->low = 0;
   for (size_t k = 0; k < c->n; k++) {
     size = fmax(c->items[k].target.size, size);
     c->low = fmax(CLEAR * c->items[k].target.noise, c->low);
@@ -219,12 +218,12 @@ static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
 }
 
 enum ph_status ph_tc_approximate_pieces(const struct ph_tc_bezier *curves,
-                                        size_t n, size_t pieces,
+                                        size_t n, size_t pieces, double least,
                                         struct ph_tc_arcs *arcs, size_t *first,
                                         struct ph_diag *diag) {
   struct ph_arena scratch = {NULL};
   struct item *items = ph_arena_array(&scratch, n, sizeof *items);
-  struct chain c = {items, n, pieces, 0, 0, 0, 0};
+  struct chain c = {items, n, pieces, least, 0, 0, 0};
   enum ph_status status = items ? PH_OK : ph_fail_memory(diag);
   for (size_t k = 0; status == PH_OK && k < n; k++) {
     status = item_of(&curves[k], &scratch, &items[k], diag);

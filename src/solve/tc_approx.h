@@ -58,11 +58,12 @@ enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
  *
  * in   curves[n]
  * in   pieces  >= n
+ * in   least   no smaller distance is looked for
  * out  arcs    first[k] is the first one of curve k, first[n] = arcs->n
  * ret  as above; PH_INFEASIBLE if pieces are too few for any
  */
 enum ph_status ph_tc_approximate_pieces(const struct ph_tc_bezier *curves,
-                                        size_t n, size_t pieces,
+                                        size_t n, size_t pieces, double least,
                                         struct ph_tc_arcs *arcs, size_t *first,
                                         struct ph_diag *diag);
 

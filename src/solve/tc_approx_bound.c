@@ -34,8 +34,9 @@ enum { LEVELS = 2, DEEPER = 4, LEAVES = 1 << LEVELS };
 static const double TIGHT = 1.05;
 
 /* The cubic is cut no nearer to its ends than EDGE; a foot is one to this
- * cosine of the angle; and so many places are looked at where that fails. */
-static const double EDGE = 0x1p-6, NORMAL = 0.1;
+ * cosine of the angle, or to this step; and so many places are looked at where
+ * that fails. */
+static const double EDGE = 0x1p-6, NORMAL = 0.1, STEP = 1e-6;
 enum { PLACES = 16 };
 
 /* The degree of r(psi(u)). */
@@ -170,15 +171,16 @@ static ph_cplx cut(const ph_cplx c[4], double t, ph_cplx inner[4]) {
   return between(inner[1], inner[2], t);
 }
 
-/* Whether t, with the inner points and the point of the cut there, is next to
- * p, where the curve goes in the direction v. */
+/* Whether a cut, by its inner points and its point, is next to p, where the
+ * curve goes in the direction v: on the normal, or a step from it that does not
+ * matter. */
 static bool is_foot(const ph_cplx inner[4], ph_cplx point, ph_cplx p,
                     ph_cplx v) {
   ph_cplx d = ph_cplx_sub(inner[2], inner[1]), miss = ph_cplx_sub(p, point);
-  double along = ph_cplx_dot(miss, d);
-  return ph_cplx_dot(d, v) > 0 && along * along <= NORMAL * NORMAL *
-                                                       ph_cplx_norm2(d) *
-                                                       ph_cplx_norm2(miss);
+  double along = fabs(ph_cplx_dot(miss, d)), length = ph_cplx_abs(d);
+  return ph_cplx_dot(d, v) > 0 &&
+         (along <= NORMAL * length * ph_cplx_abs(miss) ||
+          along <= STEP * length * length);
 }
 
 /* The nearest of some places that go in the direction v, or t if none does. */

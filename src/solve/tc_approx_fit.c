@@ -28,12 +28,17 @@ static const double SHORTEST = 0.03, LONGEST = 1.4;
  * to the curve, over the chord: it may go another way round. */
 static const double SURE = 0.0625;
 
+/* Nor is one whose first leg is so much shorter than its last, or the other way
+ * round: it has nearly a cusp at an end, and its tangent there is lost in the
+ * rounding of control points. */
+static const double EVEN = 0x1p-16;
+
 enum ph_status ph_tc_target_of(const struct ph_tc_bezier *curve,
                                struct ph_arena *arena,
                                struct ph_tc_target *target,
                                struct ph_diag *diag) {
   size_t n = curve->degree, room = ph_tc_match_room(n);
-  double size = 0, step = 0;
+  double size = 0, step = 0, extent = 0;
   ph_cplx *pool = ph_arena_array(arena, 3 * (n + 1) + room, sizeof *pool);
   if (!pool) {
     return ph_fail_memory(diag);
@@ -42,12 +47,15 @@ enum ph_status ph_tc_target_of(const struct ph_tc_bezier *curve,
     double a = ph_cplx_abs(curve->p[k]);
     double d =
         ph_cplx_abs(ph_cplx_sub(curve->p[k], curve->p[k > 0 ? k - 1 : 0]));
+    double e = ph_cplx_abs(ph_cplx_sub(curve->p[k], curve->p[0]));
     size = a > size ? a : size;
+    extent = e > extent ? e : extent;
     step = d > step ? d : step;
   }
   target->p = curve->p;
   target->degree = n;
   target->size = size;
+  target->extent = extent;
   /* n steps each of two cuts (2 eps a step, and eps for the parameter), of 2 +
    * 4 halvings (eps/2) and of an elevation (2 eps); as much as `same` for n
    * points that are not looked at; 56 eps for the cubic, cut and composed */
@@ -144,7 +152,9 @@ static void try_one(const struct ph_tc_target *t, const struct ph_tc_knot *from,
   for (size_t i = 0; i < n; i++) {
     struct ph_tc tc = turned(&fits[i].tc[0], ph_cplx_sqrt(chord));
     bool blunt = fabs(ph_tc_turning(&tc)) < PH_PI;
-    if (!fits[i].regular || fits[i].loops > 0) {
+    double a = ph_cplx_norm2(tc.w[0]), b = ph_cplx_norm2(tc.w[1]);
+    if (!(fits[i].regular && fits[i].loops == 0 && a >= EVEN * b &&
+          b >= EVEN * a)) {
       continue;
     }
     distance = distance_of(t, &tc, from->p, to->p, t->part, enough);
@@ -201,7 +211,7 @@ struct ph_tc_patch ph_tc_patch_of(const struct ph_tc_target *target,
   double length = ph_cplx_abs(ph_cplx_sub(to->p, from->p));
   bool turns =
       ph_cplx_norm2(from->tangent) > 0 && ph_cplx_norm2(to->tangent) > 0;
-  if (!(length > target->same) || !turns) {
+  if (!(length > ph_tc_shortest(target, tolerance)) || !turns) {
     return best;
   }
   part_of(target, from, to);

@@ -11,6 +11,7 @@
 #include "curve/tc.h"
 #include "solve/tc_approx.h"
 
+#include <math.h>
 #include <stddef.h>
 
 /* A curve with what is needed to work on it. */
@@ -18,6 +19,7 @@ struct ph_tc_target {
   const ph_cplx *p; /* [degree + 1] */
   size_t degree;
   double size;    /* of the coordinates */
+  double extent;  /* from the first point */
   double noise;   /* what rounding may add to a distance */
   double still;   /* derivatives up to this size have no direction */
   double same;    /* points no further apart than this are the same */
@@ -32,6 +34,17 @@ enum ph_status ph_tc_target_of(const struct ph_tc_bezier *curve,
                                struct ph_arena *arena,
                                struct ph_tc_target *target,
                                struct ph_diag *diag);
+
+/*
+ * ph_tc_shortest: no chord of cubics is shorter.  Where a curve turns back
+ * there are parts of any length with a chord of almost none; a chord that is
+ * small beside the tolerance gains nothing and loses its direction to rounding.
+ */
+static inline double ph_tc_shortest(const struct ph_tc_target *target,
+                                    double tolerance) {
+  double chord = fmin(tolerance / 16, 0x1p-30 * target->extent);
+  return fmax(chord, target->same);
+}
 
 /* A point of the curve. */
 struct ph_tc_knot {

@@ -92,7 +92,8 @@ static enum ph_status bisect(struct cover *c, const struct ph_tc_knot *from,
   knot = ph_tc_knot_at(t, middle - beside);
   other = ph_tc_knot_at(t, middle + beside);
   status = bisect(c, from, &knot, depth + 1);
-  if (ph_cplx_abs(ph_cplx_sub(knot.p, other.p)) > t->same) {
+  if (ph_cplx_abs(ph_cplx_sub(knot.p, other.p)) >
+      ph_tc_shortest(t, c->tolerance)) {
     status = status == PH_OK ? bisect(c, &knot, &other, depth + 1) : status;
     knot = other;
   }

@@ -31,16 +31,17 @@ void ph_tc_curve_put(struct ph_curve *curve, size_t i, const struct ph_tc *tc,
 }
 
 enum ph_status ph_tc_build_begin(struct ph_tc_builder *b,
-                                 const struct ph_tc_data *data, size_t cubics,
+                                 const struct ph_tc_data *data,
                                  struct ph_arena *arena, struct ph_curve *curve,
                                  struct ph_diag *diag) {
-  *curve = (struct ph_curve){.kind = PH_CURVE_TC,
-                             .closed = data->closed,
-                             .dimension = 2,
-                             .degree = 3,
-                             .n = cubics,
-                             .preimage_n = 2,
-                             .preimage_dimension = 2};
+  *curve =
+      (struct ph_curve){.kind = PH_CURVE_TC,
+                        .closed = data->closed,
+                        .dimension = 2,
+                        .degree = 3,
+                        .n = data->mode == PH_TC_G1 ? data->n : 2 * data->n,
+                        .preimage_n = 2,
+                        .preimage_dimension = 2};
   *b = (struct ph_tc_builder){.data = data, .curve = curve};
   b->intervals = ph_arena_array(arena, data->n, sizeof *b->intervals);
   if (!b->intervals || ph_curve_alloc(curve, arena, diag) != PH_OK) {

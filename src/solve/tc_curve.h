@@ -17,12 +17,12 @@ struct ph_tc_builder {
 };
 
 /*
- * ph_tc_build_begin: the arrays of a curve of at most `cubics` cubics.
+ * ph_tc_build_begin: the arrays of a curve, empty yet.
  *
  * ret  PH_OK | PH_NO_MEMORY
  */
 enum ph_status ph_tc_build_begin(struct ph_tc_builder *builder,
-                                 const struct ph_tc_data *data, size_t cubics,
+                                 const struct ph_tc_data *data,
                                  struct ph_arena *arena, struct ph_curve *curve,
                                  struct ph_diag *diag);
 

@@ -13,6 +13,10 @@
 #include <float.h>
 #include <math.h>
 
+/* Chords that are shorter, of data at unit scale, are none: their squares would
+ * not be numbers. */
+static const double NOTHING = 1e-140;
+
 /* Directions whose sum is less than this are opposite. */
 static const double REVERSAL = 1e-12;
 
@@ -190,7 +194,7 @@ static enum ph_status set_chords(struct ph_tc_data *d, struct ph_diag *diag) {
     double far =
         fmax(fmax(fabs(a.re), fabs(a.im)), fmax(fabs(b.re), fabs(b.im)));
     d->chord[k] = hypot(c.re, c.im);
-    if (!(d->chord[k] > 4 * DBL_EPSILON * far)) {
+    if (!(d->chord[k] > 4 * DBL_EPSILON * far) || !(d->chord[k] > NOTHING)) {
       return ph_fail_at(diag, PH_COINCIDENT_POINTS, "points", to,
                         "coincides with points[%zu]", k);
     }
@@ -261,10 +265,12 @@ static enum ph_status read_vectors(const struct ph_problem *p,
 static ph_cplx end_direction(const struct ph_problem *p,
                              const struct ph_tc_data *d, size_t end) {
   ph_cplx chord = direction(d, end == 0 ? 0 : d->n - 1);
-  ph_cplx inner = d->vector[end == 0 ? 1 : d->n - 1];
-  return d->n > 1 && ph_field_is(&p->field[PH_F_ENDS], "circle")
-             ? ph_cplx_mul(ph_cplx_mul(chord, chord), ph_cplx_conj(inner))
-             : chord;
+  ph_cplx inner;
+  if (d->n == 1 || !ph_field_is(&p->field[PH_F_ENDS], "circle")) {
+    return chord;
+  }
+  inner = d->vector[end == 0 ? 1 : d->n - 1];
+  return ph_cplx_mul(ph_cplx_mul(chord, chord), ph_cplx_conj(inner));
 }
 
 /* What is given of the two ends: a field of two vectors. */
@@ -332,17 +338,20 @@ static void set_lengths(const struct ph_problem *p, struct ph_tc_data *d) {
 /* Derivatives that are nothing beside a chord, or all but everything. */
 static enum ph_status check_ratios(const struct ph_tc_data *d,
                                    struct ph_diag *diag) {
-  const char *field = d->mode == PH_TC_C1 ? "derivatives" : "lambda";
+  const bool given = d->mode == PH_TC_C1;
   for (size_t k = 0; d->c1 && k < d->n; k++) {
     for (size_t i = 0; i < 2; i++) {
       size_t at = k + i < d->points_n ? k + i : 0;
       double ratio = hypot(d->vector[at].re, d->vector[at].im) / d->chord[k];
       bool small = ratio * RATIO_MAX < 1;
       if (small || !(ratio < RATIO_MAX)) {
-        return ph_fail_at(diag, small ? PH_ZERO_TANGENT : PH_TOO_LARGE,
-                          d->mode == PH_TC_C1 ? field : "points", at,
+        return ph_fail_at(diag,
+                          !small  ? PH_TOO_LARGE
+                          : given ? PH_ZERO_TANGENT
+                                  : PH_COINCIDENT_POINTS,
+                          given ? "derivatives" : "points", at,
                           "%s too %s beside the chord from points[%zu]",
-                          d->mode == PH_TC_C1 ? "is" : "has a derivative",
+                          given ? "is" : "gets a derivative that is",
                           small ? "small" : "large", k);
       }
     }

@@ -30,13 +30,25 @@ static inline ph_cplx ph_tc_snap(ph_cplx t) {
   return fabs(t.im) <= PH_TC_COLLINEAR * fabs(t.re) ? ph_cplx_of(t.re, 0) : t;
 }
 
-/* ph_tc_is_along, ph_tc_is_backward: of a snapped vector. */
+/* ph_tc_is_along, _forward, _backward: of a snapped vector, to the chord. */
 static inline bool ph_tc_is_along(ph_cplx t) {
   return !(fabs(t.im) > 0);
 }
 
+static inline bool ph_tc_is_forward(ph_cplx t) {
+  return t.re > 0 && ph_tc_is_along(t);
+}
+
 static inline bool ph_tc_is_backward(ph_cplx t) {
   return t.re < 0 && ph_tc_is_along(t);
+}
+
+/* ph_tc_hermite_scaled: the same data with vectors as long by a factor. */
+static inline struct ph_tc_hermite
+ph_tc_hermite_scaled(const struct ph_tc_hermite *h, double factor) {
+  struct ph_tc_hermite scaled = {
+      {ph_cplx_scale(factor, h->t[0]), ph_cplx_scale(factor, h->t[1])}};
+  return scaled;
 }
 
 /* A curve of one or two cubics that fits Hermite data. */

@@ -22,9 +22,16 @@ static const char *modulo(const double range[2]) {
   return range[0] < -PH_PI || range[1] > PH_PI ? " modulo 2 pi" : "";
 }
 
-static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h,
+static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h, size_t n,
                               struct ph_diag *diag) {
   double a = angle_of(h->t[0]), b = angle_of(h->t[1]), range[2];
+  if (n > 0) {
+    return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+                      "a Tschirnhausen cubic with angles %.6g and %.6g to the "
+                      "chord has a cusp; \"mode\":\"g1-pair\" has a curve of "
+                      "two",
+                      a, b);
+  }
   ph_tc_g1_range(a, range);
   return ph_fail_at(
       diag, PH_INFEASIBLE, "segments", k,
@@ -43,10 +50,10 @@ static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
     ph_tc_g1_range(angle_of(h->t[i]), range[i]);
   }
   return isnan(d->joint_angle)
-             ? ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
+             ? ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
                           "no two cubics meet on the chord without a cusp; "
                           "\"joint\":\"free\" has a curve of two")
-             : ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
+             : ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
                           "no two cubics meet on the chord at the angle %.6g: "
                           "it must be between %.6g and %.6g%s and between "
                           "%.6g and %.6g%s, and not 0",
@@ -57,7 +64,7 @@ static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
 
 static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
                                 struct ph_diag *diag) {
-  return ph_fail_at(diag, PH_INFEASIBLE, "intervals", k,
+  return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
                     d->choice == PH_TC_STANDARD
                         ? "the standard pair has a cusp; \"solutions\":"
                           "\"best\" may have none"
@@ -70,8 +77,9 @@ static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
 static enum ph_status g1(size_t k, const struct ph_tc_hermite *h,
                          struct ph_tc_fit *fit, struct ph_diag *diag) {
   struct ph_tc_fit fits[2];
-  if (ph_tc_g1(h, fits) == 0) {
-    return fail_g1(k, h, diag);
+  size_t n = ph_tc_g1(h, fits);
+  if (n == 0 || !fits[0].regular) {
+    return fail_g1(k, h, n, diag);
   }
   *fit = fits[0];
   return PH_OK;
@@ -89,14 +97,6 @@ static enum ph_status pair(const struct ph_tc_data *d, size_t k,
   return ph_tc_pair_best(h, fit) ? PH_OK : fail_pair(d, k, diag);
 }
 
-/* The data of a pair whose lengths are lambda times the chord. */
-static struct ph_tc_hermite stretched(const struct ph_tc_hermite *h,
-                                      double lambda) {
-  struct ph_tc_hermite longer = {
-      {ph_cplx_scale(lambda, h->t[0]), ph_cplx_scale(lambda, h->t[1])}};
-  return longer;
-}
-
 /* Tangents alone are given. */
 static enum ph_status two(const struct ph_tc_data *d, size_t k,
                           const struct ph_tc_hermite *h, struct ph_tc_fit *fit,
@@ -107,14 +107,14 @@ static enum ph_status two(const struct ph_tc_data *d, size_t k,
                : fail_chord(d, k, h, diag);
   }
   if (d->choice == PH_TC_STANDARD) {
-    const struct ph_tc_hermite longer = stretched(h, PH_TC_LAMBDA);
+    const struct ph_tc_hermite longer = ph_tc_hermite_scaled(h, PH_TC_LAMBDA);
     enum ph_status status = pair(d, k, &longer, fit, diag);
     fit->lambda = PH_TC_LAMBDA;
     return status;
   }
   return ph_tc_two_free(h, fit)
              ? PH_OK
-             : ph_fail_at(diag, PH_NO_CONVERGENCE, "intervals", k,
+             : ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
                           "no pair of cubics without a crossing was found");
 }
 
@@ -125,26 +125,43 @@ static enum ph_status g1_pair(const struct ph_tc_data *d, size_t k,
 }
 
 /* The data as unit tangents. */
-static struct ph_tc_hermite tangents_of(const struct ph_tc_hermite *h) {
-  struct ph_tc_hermite unit;
-  for (size_t i = 0; i < 2; i++) {
+static struct ph_tc_hermite tangents_of(const struct ph_tc_data *d,
+                                        const struct ph_tc_hermite *h) {
+  struct ph_tc_hermite unit = *h;
+  for (size_t i = 0; d->c1 && i < 2; i++) {
     unit.t[i] = ph_cplx_scale(1 / ph_cplx_abs(h->t[i]), h->t[i]);
   }
   return unit;
 }
 
-/* Whether an interval of a mode that has the choice gets one cubic. */
-static bool takes_one(const struct ph_tc_data *d, size_t k,
-                      const struct ph_tc_hermite *h, struct ph_tc_fit *one) {
-  const struct ph_tc_hermite unit = tangents_of(h);
-  struct ph_tc_fit fits[2], other;
-  struct ph_diag none;
-  if (ph_tc_g1(&unit, fits) == 0 || !fits[0].regular || fits[0].loops > 0) {
-    return false;
+/* Whether a cubic comes so near to a cusp that no one would draw it. */
+static bool is_sharp(const struct ph_tc *tc) {
+  const double sharp = 1e-6;
+  double t = ph_tc_vertex(tc);
+  struct ph_tc_form f = ph_tc_form_of(tc);
+  ph_cplx w =
+      ph_cplx_add(ph_cplx_scale(1 - t, tc->w[0]), ph_cplx_scale(t, tc->w[1]));
+  return !(ph_cplx_norm2(w) > sharp * sharp * fmax(f.a, f.b));
+}
+
+/* One cubic where a mode that has the choice takes it, else two. */
+static enum ph_status one_or_two(const struct ph_tc_data *d, size_t k,
+                                 const struct ph_tc_hermite *h,
+                                 struct ph_tc_fit *fit, struct ph_diag *diag) {
+  const struct ph_tc_hermite unit = tangents_of(d, h);
+  struct ph_tc_fit fits[2];
+  bool one = ph_tc_g1(&unit, fits) > 0 && !is_sharp(&fits[0].tc[0]) &&
+             fits[0].loops == 0;
+  enum ph_status status = PH_OK;
+  if (!one || d->mode == PH_TC_G1_FAIR) {
+    status = g1_pair(d, k, h, fit, diag);
   }
-  *one = fits[0];
-  return d->mode == PH_TC_G1_AUTO || g1_pair(d, k, h, &other, &none) != PH_OK ||
-         one->energy * one->length <= other.energy * other.length;
+  if (one && (d->mode == PH_TC_G1_AUTO || status != PH_OK ||
+              fits[0].energy * fits[0].length <= fit->energy * fit->length)) {
+    *fit = fits[0];
+    status = PH_OK;
+  }
+  return status;
 }
 
 enum ph_status ph_tc_interval(const struct ph_tc_data *d, size_t k,
@@ -155,7 +172,7 @@ enum ph_status ph_tc_interval(const struct ph_tc_data *d, size_t k,
     return g1(k, &h, fit, diag);
   case PH_TC_G1_AUTO:
   case PH_TC_G1_FAIR:
-    return takes_one(d, k, &h, fit) ? PH_OK : g1_pair(d, k, &h, fit, diag);
+    return one_or_two(d, k, &h, fit, diag);
   case PH_TC_G1_PAIR:
     return g1_pair(d, k, &h, fit, diag);
   default:
@@ -165,49 +182,32 @@ enum ph_status ph_tc_interval(const struct ph_tc_data *d, size_t k,
 
 /* ---- all ---------------------------------------------------------------- */
 
-static enum ph_status all_g1(size_t k, const struct ph_tc_hermite *h,
-                             struct ph_tc_fit fits[PH_TC_FITS_MAX], size_t *n,
-                             struct ph_diag *diag) {
-  *n = ph_tc_g1(h, fits);
-  return *n > 0 ? PH_OK : fail_g1(k, h, diag);
-}
-
-static enum ph_status all_pairs(const struct ph_tc_data *d, size_t k,
-                                const struct ph_tc_hermite *h, double lambda,
-                                struct ph_tc_fit fits[PH_TC_FITS_MAX],
-                                size_t *n, struct ph_diag *diag) {
+static void all_pairs(const struct ph_tc_hermite *h, double lambda,
+                      struct ph_tc_fit fits[PH_TC_FITS_MAX]) {
   ph_tc_pairs(h, fits);
   for (size_t i = 0; i < PH_TC_PAIRS; i++) {
     ph_tc_fit_measure(&fits[i]);
     fits[i].lambda = lambda;
   }
   ph_tc_fit_order(fits, PH_TC_PAIRS);
-  *n = PH_TC_PAIRS;
-  return fits[0].regular ? PH_OK : fail_pair(d, k, diag);
 }
 
 enum ph_status ph_tc_interval_all(const struct ph_tc_data *d, size_t k,
                                   struct ph_tc_fit fits[PH_TC_FITS_MAX],
                                   size_t *n, struct ph_diag *diag) {
   const struct ph_tc_hermite h = ph_tc_hermite_of(d, k);
-  bool g1 = d->mode <= PH_TC_G1_FAIR;
-  enum ph_status status;
-  if (d->mode == PH_TC_G1) {
-    return all_g1(k, &h, fits, n, diag);
-  }
-  if (g1 && d->mode != PH_TC_G1_PAIR && takes_one(d, k, &h, fits)) {
-    const struct ph_tc_hermite unit = tangents_of(&h);
-    return all_g1(k, &unit, fits, n, diag);
-  }
-  if (d->c1) {
-    return all_pairs(d, k, &h, (double)NAN, fits, n, diag);
-  }
-  *n = 1;
-  status = two(d, k, &h, fits, diag);
-  if (status == PH_OK && !d->on_chord && fits[0].root != PH_ROOT_STRAIGHT) {
+  enum ph_status status = ph_tc_interval(d, k, &fits[0], diag);
+  if (status != PH_OK || d->on_chord) {
+    *n = 1;
+  } else if (fits[0].n == 1) {
+    const struct ph_tc_hermite unit = tangents_of(d, &h);
+    *n = ph_tc_g1(&unit, fits);
+  } else {
     double lambda = fits[0].lambda;
-    const struct ph_tc_hermite longer = stretched(&h, lambda);
-    return all_pairs(d, k, &longer, lambda, fits, n, diag);
+    const struct ph_tc_hermite longer =
+        d->c1 ? h : ph_tc_hermite_scaled(&h, lambda);
+    all_pairs(&longer, lambda, fits);
+    *n = PH_TC_PAIRS;
   }
   return status;
 }

@@ -16,9 +16,10 @@
 #include <math.h>
 #include <string.h>
 
-/* Ends within this of each other, relative to the largest coordinate, are the
- * same point. */
-static const double JOINED = 1e-12;
+/* A number of cubics is given no smaller tolerance than so many times what
+ * rounding of coordinates may add; shorter cubics than SHORT times that have no
+ * direction. */
+static const double CLEAR = 256, SHORT = 64;
 
 /* As many cubics as a user may ask for. */
 static const double PIECES_MAX = 1e6;
@@ -153,7 +154,7 @@ static enum ph_status measure(struct target *t, struct ph_diag *diag) {
  * taken. */
 static enum ph_status join(struct target *t, ph_cplx *p, struct ph_diag *diag) {
   struct ph_pow2 scale = ph_pow2_of(t->exponent);
-  double near = JOINED * fmax(1, ph_pow2_apply(scale, t->far));
+  double near = 4 * DBL_EPSILON * ph_pow2_apply(scale, t->far);
   for (size_t k = 0, at = size_of(t, 0); k < t->n; k++) {
     bool last = k + 1 == t->n;
     size_t to = last ? 0 : at;
@@ -250,8 +251,10 @@ static enum ph_status approximate(struct target *t, struct ph_tc_arcs *arcs,
                    "must be at least %zu, one for each curve, found %zu", t->n,
                    t->pieces);
   }
-  return ph_tc_approximate_pieces(t->bezier, t->n, t->pieces, arcs, t->first,
-                                  diag);
+  return ph_tc_approximate_pieces(
+      t->bezier, t->n, t->pieces,
+      CLEAR * ph_pow2_apply(ph_pow2_of(t->exponent), rounding(t)), arcs,
+      t->first, diag);
 }
 
 /* ---- the result --------------------------------------------------------- */
@@ -300,6 +303,23 @@ static double put_curve(const struct target *t, const struct ph_tc_arcs *arcs,
   return ph_sum_value(&length);
 }
 
+/* Where a curve turns back within the rounding of its coordinates. */
+static enum ph_status check_chords(const struct target *t,
+                                   const struct ph_curve *curve,
+                                   struct ph_diag *diag) {
+  for (size_t k = 0; k < t->n; k++) {
+    for (size_t i = t->first[k]; i < t->first[k + 1]; i++) {
+      const double *p = curve->control_points + 8 * i;
+      if (!(hypot(p[6] - p[0], p[7] - p[1]) > SHORT * rounding(t))) {
+        return fail_curve(t, k, PH_NO_CONVERGENCE, diag,
+                          "takes cubics as short as the rounding of its "
+                          "coordinates: try a larger tolerance");
+      }
+    }
+  }
+  return PH_OK;
+}
+
 static enum ph_status write(const struct target *t,
                             const struct ph_tc_arcs *arcs, struct ph_arena *out,
                             struct ph_result *result, struct ph_diag *diag) {
@@ -332,7 +352,7 @@ static enum ph_status write(const struct target *t,
   ph_diagnostics_set(&result->diagnostics, PH_D_DISTANCE,
                      ph_pow2_apply(ph_pow2_of(-t->exponent), arcs->distance) +
                          rounding(t));
-  return PH_OK;
+  return check_chords(t, curve, diag);
 }
 
 enum ph_status ph_tc_target(const struct ph_problem *problem,

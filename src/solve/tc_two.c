@@ -20,8 +20,9 @@ struct fairness {
   const struct ph_tc_hermite *h;
   size_t root;     /* of a pair */
   double position; /* of the joint on the chord; or NaN */
-  double end;      /* of the angles on one side of the chord */
-  unsigned loops;  /* so many are allowed */
+  double start;    /* of a range of angles at the joint */
+  double end;
+  unsigned loops; /* so many are allowed */
 };
 
 /* x within [low, high], where F is value and no more than at either end. */
@@ -109,18 +110,11 @@ static double lambda_of(double x) {
   return fmin(LAMBDA_LEAST * exp(x), LAMBDA_MOST);
 }
 
-static struct ph_tc_hermite scaled(const struct ph_tc_hermite *h,
-                                   double lambda) {
-  struct ph_tc_hermite s = {
-      {ph_cplx_scale(lambda, h->t[0]), ph_cplx_scale(lambda, h->t[1])}};
-  return s;
-}
-
 /* The pair of one root, measured. */
 static struct ph_tc_fit pair_at(const struct fairness *fair, double x) {
   struct ph_tc_fit fits[PH_TC_PAIRS];
   double lambda = lambda_of(x);
-  struct ph_tc_hermite h = scaled(fair->h, lambda);
+  struct ph_tc_hermite h = ph_tc_hermite_scaled(fair->h, lambda);
   ph_tc_pairs(&h, fits);
   ph_tc_fit_measure(&fits[fair->root]);
   fits[fair->root].lambda = lambda;
@@ -133,15 +127,15 @@ static double pair_fairness(const struct fairness *fair, double x) {
 }
 
 static bool is_straight(const struct ph_tc_hermite *h) {
-  return fabs(h->t[0].im) <= 0 && h->t[0].re > 0 && fabs(h->t[1].im) <= 0 &&
-         h->t[1].re > 0;
+  return ph_tc_is_forward(h->t[0]) && ph_tc_is_forward(h->t[1]);
 }
 
 static void look_at_lambdas(const struct ph_tc_hermite *h, double step,
                             double value[LAMBDAS][PH_TC_PAIRS]) {
   for (size_t k = 0; k < LAMBDAS; k++) {
     struct ph_tc_fit fits[PH_TC_PAIRS];
-    struct ph_tc_hermite s = scaled(h, lambda_of((double)k * step));
+    struct ph_tc_hermite s =
+        ph_tc_hermite_scaled(h, lambda_of((double)k * step));
     ph_tc_pairs(&s, fits);
     for (size_t i = 0; i < PH_TC_PAIRS; i++) {
       ph_tc_fit_measure(&fits[i]);
@@ -187,7 +181,7 @@ bool ph_tc_two_free(const struct ph_tc_hermite *h, struct ph_tc_fit *fit) {
   struct bracket b;
   size_t at = 0;
   if (is_straight(h)) {
-    struct ph_tc_hermite half = scaled(h, 0.5);
+    struct ph_tc_hermite half = ph_tc_hermite_scaled(h, 0.5);
     ph_tc_pair_standard(&half, fit);
     ph_tc_fit_measure(fit);
     fit->lambda = 0.5;
@@ -249,11 +243,28 @@ static bool chord_at(const struct ph_tc_hermite *h, double angle,
   return fit->regular;
 }
 
+/* Loops of a fit, and those that its cubics have if they go on a little: a
+ * curve that all but ends on itself is no better. */
+static unsigned loops_near(const struct ph_tc_fit *fit) {
+  const double margin = 0.01;
+  unsigned loops = 0;
+  for (size_t i = 0; i < fit->n; i++) {
+    struct ph_tc longer = ph_tc_part(&fit->tc[i], -margin, 1 + margin);
+    loops += ph_tc_has_loop(&longer);
+  }
+  return loops;
+}
+
+/* The angle at x in (0, 1) of a range. */
+static double angle_of(const struct fairness *fair, double x) {
+  return fair->start + x * (fair->end - fair->start);
+}
+
 static double chord_fairness(const struct fairness *fair, double x) {
   struct ph_tc_fit fit;
   bool is = x > 0 && x < 1 &&
-            chord_at(fair->h, x * fair->end, fair->position, &fit) &&
-            fit.loops <= fair->loops;
+            chord_at(fair->h, angle_of(fair, x), fair->position, &fit) &&
+            loops_near(&fit) <= fair->loops;
   return is ? fairness_of(&fit) : (double)INFINITY;
 }
 
@@ -262,8 +273,8 @@ static double angle_at(size_t k) {
   return s * s;
 }
 
-/* The least on the side of fair->end. */
-static struct bracket side(const struct fairness *fair) {
+/* The least in a range. */
+static struct bracket least_of(const struct fairness *fair) {
   struct bracket b = {0, 0, 1, (double)INFINITY};
   for (size_t k = 1; k <= ANGLES; k++) {
     double x = angle_at(k), value = fair->f(fair, x);
@@ -277,29 +288,49 @@ static struct bracket side(const struct fairness *fair) {
   return b;
 }
 
-static void range_of(const struct ph_tc_hermite *h, double range[2]) {
+/*
+ * Ranges of angles for which both cubics are: what the ranges of both tangents
+ * have in common, to either side of 0, and modulo a turn, where that is
+ * something.
+ */
+static size_t ranges_of(const struct ph_tc_hermite *h, double range[4][2]) {
   double r[2][2];
+  size_t n = 0;
   for (int i = 0; i < 2; i++) {
     ph_tc_g1_range(atan2(h->t[i].im, h->t[i].re), r[i]);
   }
-  range[0] = fmax(r[0][0], r[1][0]);
-  range[1] = fmin(r[0][1], r[1][1]);
+  for (int turn = -1; turn <= 1; turn++) {
+    double low = fmax(r[0][0], r[1][0] + 2 * PH_PI * turn);
+    double high = fmin(r[0][1], r[1][1] + 2 * PH_PI * turn);
+    if (turn == 0) {
+      range[n][0] = range[n + 1][0] = 0;
+      range[n][1] = high;
+      range[n + 1][1] = low;
+      n += 2;
+    } else if (low < high) {
+      range[n][0] = low;
+      range[n++][1] = high;
+    }
+  }
+  return n;
 }
 
 /* The angle of the least F with as few loops as there can be; NaN if there is
  * none. */
-static double best_angle(const struct ph_tc_hermite *h, double position,
-                         const double range[2]) {
+static double best_angle(const struct ph_tc_hermite *h, double position) {
   struct fairness fair = {.f = chord_fairness, .h = h, .position = position};
+  double range[4][2];
+  size_t n = ranges_of(h, range);
   for (fair.loops = 0; fair.loops <= 2; fair.loops++) {
     double angle = (double)NAN, least = (double)INFINITY;
-    for (int i = 0; i < 2; i++) {
+    for (size_t i = 0; i < n; i++) {
       struct bracket b;
-      fair.end = range[1 - i];
-      b = side(&fair);
+      fair.start = range[i][0];
+      fair.end = range[i][1];
+      b = least_of(&fair);
       if (is_less(b.value, least)) {
         least = b.value;
-        angle = b.x * fair.end;
+        angle = remainder(angle_of(&fair, b.x), 2 * PH_PI);
       }
     }
     if (!isnan(angle)) {
@@ -323,16 +354,13 @@ static bool straight(double position, struct ph_tc_fit *fit) {
 
 bool ph_tc_two_chord(const struct ph_tc_hermite *h, double angle,
                      double position, struct ph_tc_fit *fit) {
-  double range[2];
   if (isnan(angle) && is_straight(h)) {
     return straight(position, fit);
   }
-  range_of(h, range);
   if (isnan(angle)) {
-    angle = best_angle(h, position, range);
+    angle = best_angle(h, position);
   }
-  if (!(angle > range[0] && angle < range[1] && fabs(angle) > 0) ||
-      !chord_at(h, angle, position, fit)) {
+  if (!(fabs(angle) > 0) || !chord_at(h, angle, position, fit)) {
     return false;
   }
   ph_tc_fit_test(fit);

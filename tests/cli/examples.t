@@ -228,6 +228,13 @@ while read -r command; do
     printf '1,0,0\n0.6,0.8,0\n0,0.6,0.8\n-0.6,0,0.8\n' \
       >"help-$command/points.csv"
   fi
+  if [ "$command" = tc ]; then
+    printf '0,0,1,1\n2,0,1,-1\n3,1,0,1\n' >"help-$command/outline.csv"
+    printf '0,0\n1,3\n4,-2\n5,1\n' >"help-$command/bezier.csv"
+    printf '{"points":[[0,0],[1,0]],"tangents":[[1,1],[1,-1]]}\n' \
+      >"help-$command/problem.json"
+    cp "$srcdir/data/spanner.json" "help-$command/drawing.json"
+  fi
   "$PHSPLINE" help "$command" | sed -n '/^Examples:/,/^$/p' >help.txt
   run "help-$command" PATH <help.txt
 done <commands

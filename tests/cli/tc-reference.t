@@ -75,7 +75,7 @@ function judge_one(known, found,   tol) {
     member(known, "turning"), tol)
 }
 # One pair of c1.
-function judge_pair(known, found,   tol, chord, joint, turned, loops, k, count) {
+function judge_pair(known, found,   tol, chord, joint, turned, loops, k, n) {
   tol = $6
   word("cubics", read_segments($14), 2)
   chord = size(points[1, 7] - points[0, 1], points[1, 8] - points[0, 2])
@@ -87,9 +87,9 @@ function judge_pair(known, found,   tol, chord, joint, turned, loops, k, count) 
     word("where it goes on", points[1, 1 + k], points[0, 7 + k])
     near("turning of cubic " k, turning(k), turned[k + 1], tol)
     word("the loop of cubic " k, has_loop, loops[k + 2] == "true")
-    count += has_loop
+    n += has_loop
   }
-  word("loops", member(found, "loops"), count)
+  word("loops", member(found, "loops"), n)
   close_to("length", $12, member(known, "length"), tol * chord)
   word("regular", member(found, "regular"), member(known, "regular"))
   word("simple", member(found, "simple"), member(known, "simple"))

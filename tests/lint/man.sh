@@ -110,10 +110,14 @@ items man/phspline.1 OPTIONS Fl |
 same options "$tmp/list" "$tmp/page"
 cp "$tmp/list" "$tmp/options"
 
-# help_options NAME FILE
+# help_options NAME FILE [FIELDS]: an option that is a field is listed as such
 help_options() {
   sed -n 's/^ \{2,6\}\(\(-., \)*--[^ ]*\).*/\1/p' "$2" >"$tmp/page"
-  same "options in $1" "$tmp/options" "$tmp/page"
+  sed 's/.*/--&=/' "${3:-/dev/null}" >"$tmp/not"
+  awk 'FILENAME == ARGV[1] { field[$0] = 1; next }
+    { name = $0; sub(/=.*/, "=", name) }
+    !(name in field)' "$tmp/not" "$tmp/options" >"$tmp/list"
+  same "options in $1" "$tmp/list" "$tmp/page"
 }
 help_options --help "$tmp/help"
 
@@ -131,7 +135,8 @@ while read -r command; do
   items "$page" 'PROBLEM FIELDS' Cm >"$tmp/page"
   same "fields of $command" "$tmp/list" "$tmp/page"
   cat "$tmp/list" >>"$tmp/fields"
-  help_options "help $command" "$tmp/help.$command"
+  cp "$tmp/list" "$tmp/fields.$command"
+  help_options "help $command" "$tmp/help.$command" "$tmp/fields.$command"
 done <"$tmp/commands"
 sort -u "$tmp/fields" -o "$tmp/fields"
 table curve/problem.h PH_FIELDS 'symbol, name' 'name' >"$tmp/list"

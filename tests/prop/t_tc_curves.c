@@ -202,7 +202,7 @@ static void ck_near(size_t which, double distance) {
 
 START_TEST(test_approximate) {
   struct unit_random r = unit_random_of(29);
-  for (size_t i = 0; i < cases(30); i++) {
+  for (size_t i = 0; i < cases(20); i++) {
     double distance;
     tc_of(&r, TC_APPROXIMATE, &data);
     tc_must(&data, i, &one);

@@ -8,6 +8,11 @@
 
 struct unit_cert_tc unit_tc;
 
+void unit_cert_begin(void) {
+  unit_cert_finish();
+  memset(&unit_tc, 0, sizeof unit_tc);
+}
+
 void unit_cert_finish(void) {
   ph_arena_free(&unit_tc.scratch);
 }

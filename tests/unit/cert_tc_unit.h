@@ -19,10 +19,12 @@ struct unit_cert_tc {
   double points[2 * UNIT_TC_POINTS], vectors[2 * UNIT_TC_POINTS], ends[4];
 };
 
-/* The one that the functions are about; {0} at the start of a test. */
+/* The one that the functions are about. */
 extern struct unit_cert_tc unit_tc;
 
-/* unit_cert_finish: of a checked fixture. */
+/* unit_cert_begin: nothing in it; unit_cert_finish: gives its memory back, of a
+ * checked fixture. */
+void unit_cert_begin(void);
 void unit_cert_finish(void);
 
 /* Values of fields. */

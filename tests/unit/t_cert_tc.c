@@ -30,7 +30,7 @@ static const ph_cplx NODES[] = {
 static void chain(enum kind kind, double scale, double offset) {
   size_t point = 0, left = 0;
   double root = sqrt(scale);
-  memset(&unit_tc, 0, sizeof unit_tc);
+  unit_cert_begin();
   unit_cubics_begin(&unit_tc.c, ph_cplx_of(offset, -offset));
   for (size_t k = 0; k < 4; k++) {
     double slower = left > 0 || kind == DERIVATIVES ? 1 : 0.8;
@@ -69,7 +69,7 @@ START_TEST(test_chains) {
   static const double scales[] = {1e-9, 1, 1e9, 1e-290, 1e290};
   for (size_t i = 0; i < 5; i++) {
     for (int far = 0; far < 2; far++) {
-      double tiny = far ? 3e-9 : 2e-15;
+      double tiny = far ? 3e-9 : 5e-15;
       chain((enum kind)_i, scales[i], far ? 1e6 * scales[i] : 0);
       ck_accepted();
       ck_abs(unit_said(PH_D_INTERPOLATION_ERROR), 0, 0);
@@ -241,7 +241,7 @@ START_TEST(test_joints) {
   for (int i = 0; i < 3; i++) {
     double by = i == 1 ? 1 + 1e-8 : 1;
     ph_cplx turn = ph_cplx_scale(by, ph_cplx_polar(i == 0 ? 1e-8 : 0));
-    memset(&unit_tc, 0, sizeof unit_tc);
+    unit_cert_begin();
     unit_cubics_begin(&unit_tc.c, ph_cplx_of(0, 0));
     unit_cubics_add(&unit_tc.c, NODES[0], NODES[1]);
     unit_cubics_add(&unit_tc.c, ph_cplx_mul(turn, NODES[1]), NODES[2]);
@@ -335,7 +335,7 @@ END_TEST
 /* The sum of the derivatives is three chords: w is 0 at the joint. */
 static void cusp(double w) {
   const ph_cplx w0 = {0.8, 0.6}, w2 = {1.2, -0.4};
-  memset(&unit_tc, 0, sizeof unit_tc);
+  unit_cert_begin();
   unit_cubics_begin(&unit_tc.c, ph_cplx_of(0, 0));
   unit_cubics_add(&unit_tc.c, w0, ph_cplx_of(w, 0));
   unit_cubics_add(&unit_tc.c, ph_cplx_of(w, 0), w2);
@@ -365,7 +365,7 @@ END_TEST
 /* The preimage passes through 0 inside a cubic, or close by. */
 START_TEST(test_turns_back) {
   for (int i = 0; i < 2; i++) {
-    memset(&unit_tc, 0, sizeof unit_tc);
+    unit_cert_begin();
     unit_cubics_begin(&unit_tc.c, ph_cplx_of(0, 0));
     unit_cubics_add(&unit_tc.c, ph_cplx_of(1, i ? 1e-6 : 0), ph_cplx_of(-2, 0));
     unit_put(unit_tc.points + 2, unit_tc.c.at);

@@ -56,7 +56,7 @@ static void add_pairs(bool closed) {
 }
 
 static void spline(bool closed, double lambda, double scale, double offset) {
-  memset(&unit_tc, 0, sizeof unit_tc);
+  unit_cert_begin();
   for (size_t i = 0; i < 2 * UNIT_TC_POINTS; i++) {
     unit_tc.points[i] = offset + scale * SOME[i];
   }
@@ -218,7 +218,7 @@ static void wave(double f, double turn) {
   ph_cplx root = ph_cplx_polar(turn / 2);
   ph_cplx back = ph_cplx_mul(root, ph_cplx_polar(-f / 2));
   ph_cplx on = ph_cplx_mul(root, ph_cplx_polar(f / 2));
-  memset(&unit_tc, 0, sizeof unit_tc);
+  unit_cert_begin();
   unit_cubics_begin(&unit_tc.c, ph_cplx_of(0, 0));
   unit_cubics_add(&unit_tc.c, ph_cplx_scale(size, back),
                   ph_cplx_scale(size, on));
