@@ -68,10 +68,6 @@ static ph_cplx *room_of(const struct ph_cert_distance *d, size_t i) {
   return d->room + i * d->size;
 }
 
-static ph_cplx between(ph_cplx a, ph_cplx b, double u) {
-  return ph_cplx_of((1 - u) * a.re + u * b.re, (1 - u) * a.im + u * b.im);
-}
-
 /* x in [0,1], or `none` where it is no number. */
 static double inside(double x, double none) {
   return x <= 0 ? 0 : x >= 1 ? 1 : isnan(x) ? none : x;
@@ -81,20 +77,12 @@ static double inside(double x, double none) {
 
 /* The polar form of a cubic. */
 static ph_cplx polar(const ph_cplx p[4], double x, double y, double z) {
-  ph_cplx a = between(p[0], p[1], x), b = between(p[1], p[2], x);
-  ph_cplx c = between(p[2], p[3], x);
-  a = between(a, b, y);
-  b = between(b, c, y);
-  return between(a, b, z);
-}
-
-/* Coefficients of one degree more, in place. */
-static void raise(ph_cplx *c, size_t degree) {
-  double n = (double)degree + 1;
-  c[degree + 1] = c[degree];
-  for (size_t k = degree; k > 0; k--) {
-    c[k] = between(c[k], c[k - 1], (double)k / n);
-  }
+  ph_cplx a = ph_cplx_between(p[0], p[1], x);
+  ph_cplx b = ph_cplx_between(p[1], p[2], x);
+  ph_cplx c = ph_cplx_between(p[2], p[3], x);
+  a = ph_cplx_between(a, b, y);
+  b = ph_cplx_between(b, c, y);
+  return ph_cplx_between(a, b, z);
 }
 
 /* ---- the difference ----------------------------------------------------- */
@@ -173,10 +161,10 @@ static void subtract(const struct ph_cert_distance *d, struct part *part,
   compose(r, part->inner, composed);
   memcpy(c, part->c, (n + 1) * sizeof *c);
   for (size_t i = COMPOSED; i < degree; i++) {
-    raise(composed, i);
+    ph_bern_raise(composed, i);
   }
   for (size_t i = n; i < degree; i++) {
-    raise(c, i);
+    ph_bern_raise(c, i);
   }
   out->composed = composed;
   out->c = c;
@@ -247,7 +235,7 @@ static double near(const struct part *part, double s, double low, double high,
   for (int i = 0; i < STEPS; i++) {
     ph_cplx a = polar(part->cubic, s, s, 0), b = polar(part->cubic, s, s, 1);
     ph_cplx along = ph_cplx_scale(3, ph_cplx_sub(b, a));
-    ph_cplx miss = ph_cplx_sub(p, between(a, b, s));
+    ph_cplx miss = ph_cplx_sub(p, ph_cplx_between(a, b, s));
     double next = s + ph_cplx_dot(miss, along) / ph_cplx_norm2(along), there;
     next = next > low ? next : low;
     next = next < high ? next : high;

@@ -2,33 +2,18 @@
 /* One Tschirnhausen cubic (see tc.h). */
 #include "curve/tc.h"
 
-#include <math.h>
+#include "kernel/pi.h"
 
-static const double SQRT3 = 1.73205080756887729353;
+#include <math.h>
 
 /* What is nothing beside the other end, or for the sine of a sweep. */
 static const double NOTHING = 1e-12;
 
-/* w(t) */
-static ph_cplx preimage_at(const struct ph_tc *tc, double t) {
-  return ph_cplx_add(ph_cplx_scale(1 - t, tc->w[0]),
-                     ph_cplx_scale(t, tc->w[1]));
-}
-
-/* (a^2 + a b + b^2)/3 */
-static ph_cplx leg_of(ph_cplx a, ph_cplx b) {
+ph_cplx ph_tc_leg(const struct ph_tc *tc) {
+  ph_cplx a = tc->w[0], b = tc->w[1];
   ph_cplx sum =
       ph_cplx_add(ph_cplx_mul(a, ph_cplx_add(a, b)), ph_cplx_mul(b, b));
   return ph_cplx_of(sum.re / 3, sum.im / 3);
-}
-
-ph_cplx ph_tc_leg(const struct ph_tc *tc) {
-  return leg_of(tc->w[0], tc->w[1]);
-}
-
-/* The leg of the part [0,t]. */
-ph_cplx ph_tc_at(const struct ph_tc *tc, double t) {
-  return ph_cplx_scale(t, leg_of(tc->w[0], preimage_at(tc, t)));
 }
 
 void ph_tc_control_points(const struct ph_tc *tc, ph_cplx start, ph_cplx end,
@@ -62,19 +47,10 @@ bool ph_tc_is_regular(const struct ph_tc *tc) {
   return form_is_regular(&f);
 }
 
-/* With d = w1 - w0: A - R = -w0.d and M = d.d, which do not cancel. */
-void ph_tc_double_point(const struct ph_tc *tc, double t[2]) {
-  ph_cplx d = ph_cplx_sub(tc->w[1], tc->w[0]);
-  double m = ph_cplx_norm2(d), foot = -ph_cplx_dot(tc->w[0], d) / m;
-  double half = SQRT3 * fabs(ph_cplx_cross(tc->w[0], d)) / m;
-  t[0] = foot - half;
-  t[1] = foot + half;
-}
-
 bool ph_tc_has_loop(const struct ph_tc *tc) {
   struct ph_tc_form f = ph_tc_form_of(tc);
   double slower = f.a < f.b ? f.a : f.b;
-  return f.r < 0 && fabs(f.k) > 0 && SQRT3 * fabs(f.k) <= slower - f.r;
+  return f.r < 0 && fabs(f.k) > 0 && PH_SQRT3 * fabs(f.k) <= slower - f.r;
 }
 
 /* ---- bending energy ----------------------------------------------------- */
@@ -149,7 +125,7 @@ double ph_tc_energy(const struct ph_tc *tc) {
           squares / sum * (squares / sum) * (cosine * cosine) * fourth_k3);
 }
 
-/* ---- curvature, parts --------------------------------------------------- */
+/* ---- vertex, parts ------------------------------------------------------ */
 
 double ph_tc_vertex(const struct ph_tc *tc) {
   ph_cplx d = ph_cplx_sub(tc->w[1], tc->w[0]);
@@ -157,14 +133,10 @@ double ph_tc_vertex(const struct ph_tc *tc) {
   return foot > 0 ? (foot < m ? foot / m : 1) : 0;
 }
 
-double ph_tc_curvature(const struct ph_tc *tc, double t) {
-  double speed = ph_cplx_norm2(preimage_at(tc, t));
-  return 2 * ph_cplx_cross(tc->w[0], tc->w[1]) / (speed * speed);
-}
-
 struct ph_tc ph_tc_part(const struct ph_tc *tc, double u, double v) {
+  const ph_cplx *w = tc->w;
   double root = sqrt(v - u);
-  struct ph_tc part = {{ph_cplx_scale(root, preimage_at(tc, u)),
-                        ph_cplx_scale(root, preimage_at(tc, v))}};
+  struct ph_tc part = {{ph_cplx_scale(root, ph_cplx_between(w[0], w[1], u)),
+                        ph_cplx_scale(root, ph_cplx_between(w[0], w[1], v))}};
   return part;
 }

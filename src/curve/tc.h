@@ -40,9 +40,6 @@ static inline struct ph_tc_form ph_tc_form_of(const struct ph_tc *tc) {
 /* ph_tc_leg: r(1) - r(0) = (w0^2 + w0 w1 + w1^2)/3. */
 ph_cplx ph_tc_leg(const struct ph_tc *tc);
 
-/* ph_tc_at: r(t) - r(0). */
-ph_cplx ph_tc_at(const struct ph_tc *tc, double t);
-
 /*
  * ph_tc_control_points: Bezier points of the cubic from `start` to `end`.
  *
@@ -69,14 +66,9 @@ double ph_tc_turning(const struct ph_tc *tc);
 bool ph_tc_is_regular(const struct ph_tc *tc);
 
 /*
- * ph_tc_double_point: the parameters t[0] <= t[1] of the double point of the
- * unbounded cubic [BYR11, (5.16), (5.17)]; not finite if w0 = w1.
- */
-void ph_tc_double_point(const struct ph_tc *tc, double t[2]);
-
-/*
- * ph_tc_has_loop: whether that double point is on [0,1]: it turns by more than
- * 4 pi/3 and covers 2 pi/3 to either side of its vertex.
+ * ph_tc_has_loop: whether the double point of the unbounded cubic [BYR11,
+ * (5.16), (5.17)] is on [0,1]: it turns by more than 4 pi/3 and covers 2 pi/3
+ * to either side of its vertex.
  *
  *   R < 0, K != 0 and sqrt3 |K| <= min(A, B) - R,  without a division
  */
@@ -94,9 +86,6 @@ double ph_tc_energy(const struct ph_tc *tc);
 /* ph_tc_vertex: the parameter in [0,1] of the largest |curvature|, that of the
  * foot (A - R)/M of the origin on the line of w, or the end next to it. */
 double ph_tc_vertex(const struct ph_tc *tc);
-
-/* ph_tc_curvature: signed, positive to the left. */
-double ph_tc_curvature(const struct ph_tc *tc, double t);
 
 /* ph_tc_part: the part [u,v] on [0,1] again. */
 struct ph_tc ph_tc_part(const struct ph_tc *tc, double u, double v);

@@ -4,10 +4,6 @@
 
 #include <string.h>
 
-static ph_cplx between(ph_cplx a, ph_cplx b, double u) {
-  return ph_cplx_of((1 - u) * a.re + u * b.re, (1 - u) * a.im + u * b.im);
-}
-
 void ph_bern_basis(size_t degree, double u, double *basis) {
   basis[0] = 1;
   for (size_t n = 1; n <= degree; n++) {
@@ -25,8 +21,16 @@ void ph_bern_cut(const ph_cplx *c, size_t degree, double u, ph_cplx *left,
   for (size_t n = degree; n > 0; n--) {
     left[degree - n] = right[0];
     for (size_t k = 0; k < n; k++) {
-      right[k] = between(right[k], right[k + 1], u);
+      right[k] = ph_cplx_between(right[k], right[k + 1], u);
     }
   }
   left[degree] = right[0];
+}
+
+void ph_bern_raise(ph_cplx *c, size_t degree) {
+  double n = (double)degree + 1;
+  c[degree + 1] = c[degree];
+  for (size_t k = degree; k > 0; k--) {
+    c[k] = ph_cplx_between(c[k], c[k - 1], (double)k / n);
+  }
 }

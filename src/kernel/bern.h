@@ -26,4 +26,8 @@ void ph_bern_basis(size_t degree, double u, double *basis);
 void ph_bern_cut(const ph_cplx *c, size_t degree, double u, ph_cplx *left,
                  ph_cplx *right);
 
+/* ph_bern_raise: the same polynomial with one degree more, in place.
+ * inout  c[degree + 2] */
+void ph_bern_raise(ph_cplx *c, size_t degree);
+
 #endif

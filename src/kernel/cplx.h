@@ -43,6 +43,11 @@ static inline ph_cplx ph_cplx_conj(ph_cplx a) {
   return ph_cplx_of(a.re, -a.im);
 }
 
+/* ph_cplx_between: (1 - u) a + u b. */
+static inline ph_cplx ph_cplx_between(ph_cplx a, ph_cplx b, double u) {
+  return ph_cplx_of((1 - u) * a.re + u * b.re, (1 - u) * a.im + u * b.im);
+}
+
 /* ph_cplx_norm2: |a|^2. */
 static inline double ph_cplx_norm2(ph_cplx a) {
   return a.re * a.re + a.im * a.im;

@@ -62,10 +62,6 @@ size_t ph_tc_match_room(size_t degree) {
          (degree > COMPOSED ? degree : COMPOSED) + 1;
 }
 
-static ph_cplx between(ph_cplx a, ph_cplx b, double u) {
-  return ph_cplx_of((1 - u) * a.re + u * b.re, (1 - u) * a.im + u * b.im);
-}
-
 static double larger(double a, double b) {
   return a > b || isnan(a) ? a : b;
 }
@@ -101,13 +97,13 @@ static void compose(const ph_cplx c[4], const double inner[2],
   memset(out, 0, (COMPOSED + 1) * sizeof *out);
   for (size_t k = 0; k < 3; k++) {
     for (size_t i = 0; i < 4; i++) {
-      one[k][i] = between(c[k], c[k + 1], psi[i]);
+      one[k][i] = ph_cplx_between(c[k], c[k + 1], psi[i]);
     }
   }
   for (size_t k = 0; k < 2; k++) {
     for (size_t i = 0; i < 4; i++) {
       for (size_t j = 0; j < 4; j++) {
-        ph_cplx x = between(one[k][j], one[k + 1][j], psi[i]);
+        ph_cplx x = ph_cplx_between(one[k][j], one[k + 1][j], psi[i]);
         two[k][i + j] = ph_cplx_add(
             two[k][i + j], ph_cplx_scale(c3[i] * c3[j] / c6[i + j], x));
       }
@@ -115,7 +111,7 @@ static void compose(const ph_cplx c[4], const double inner[2],
   }
   for (size_t i = 0; i < 4; i++) {
     for (size_t j = 0; j < 7; j++) {
-      ph_cplx x = between(two[0][j], two[1][j], psi[i]);
+      ph_cplx x = ph_cplx_between(two[0][j], two[1][j], psi[i]);
       out[i + j] =
           ph_cplx_add(out[i + j], ph_cplx_scale(c3[i] * c6[j] / c9[i + j], x));
     }
@@ -125,10 +121,7 @@ static void compose(const ph_cplx c[4], const double inner[2],
 /* From degree n to degree m >= n, in place. */
 static void elevate(ph_cplx *c, size_t n, size_t m) {
   for (; n < m; n++) {
-    c[n + 1] = c[n];
-    for (size_t k = n; k > 0; k--) {
-      c[k] = between(c[k], c[k - 1], (double)k / (double)(n + 1));
-    }
+    ph_bern_raise(c, n);
   }
 }
 
@@ -163,12 +156,12 @@ static double upper(const struct search *s, const struct ph_tc_match *m) {
 
 /* The cubic cut at t. */
 static ph_cplx cut(const ph_cplx c[4], double t, ph_cplx inner[4]) {
-  ph_cplx b = between(c[1], c[2], t);
-  inner[0] = between(c[0], c[1], t);
-  inner[3] = between(c[2], c[3], t);
-  inner[1] = between(inner[0], b, t);
-  inner[2] = between(b, inner[3], t);
-  return between(inner[1], inner[2], t);
+  ph_cplx b = ph_cplx_between(c[1], c[2], t);
+  inner[0] = ph_cplx_between(c[0], c[1], t);
+  inner[3] = ph_cplx_between(c[2], c[3], t);
+  inner[1] = ph_cplx_between(inner[0], b, t);
+  inner[2] = ph_cplx_between(b, inner[3], t);
+  return ph_cplx_between(inner[1], inner[2], t);
 }
 
 /* Whether a cut, by its inner points and its point, is next to p, where the

@@ -69,10 +69,6 @@ enum ph_status ph_tc_target_of(const struct ph_tc_bezier *curve,
   return PH_OK;
 }
 
-static ph_cplx between(ph_cplx a, ph_cplx b, double u) {
-  return ph_cplx_of((1 - u) * a.re + u * b.re, (1 - u) * a.im + u * b.im);
-}
-
 static ph_cplx unit(ph_cplx a) {
   return ph_cplx_scale(1 / ph_cplx_abs(a), a);
 }
@@ -97,11 +93,11 @@ static ph_cplx point_of(const ph_cplx *q, size_t degree, double u, ph_cplx *b,
   memcpy(b, q, (degree + 1) * sizeof *b);
   for (size_t n = degree; n > 1; n--) {
     for (size_t k = 0; k < n; k++) {
-      b[k] = between(b[k], b[k + 1], u);
+      b[k] = ph_cplx_between(b[k], b[k + 1], u);
     }
   }
   *derivative = ph_cplx_scale((double)degree, ph_cplx_sub(b[1], b[0]));
-  return between(b[0], b[1], u);
+  return ph_cplx_between(b[0], b[1], u);
 }
 
 struct ph_tc_knot ph_tc_knot_at(const struct ph_tc_target *t, double u) {

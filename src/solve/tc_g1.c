@@ -19,8 +19,6 @@
 
 #include <float.h>
 
-#define SQRT3 1.73205080756887729353
-
 /* G of no more than this, beside its terms, is 0 to rounding: the cubic would
  * be closed, and of any size. */
 #define CLOSED 1e-14
@@ -52,7 +50,7 @@ static struct quadratic quadratic_of(const struct ph_tc_hermite *h) {
 static size_t roots_of(const struct quadratic *q, double root[2]) {
   double phi = q->middle.im, a = q->t[0].im, b = q->t[1].im;
   double d = 2 * fabs(ph_cplx_cross(q->u[0], q->u[1]));
-  double p = SQRT3 * fabs(phi), gap = d - p, s;
+  double p = PH_SQRT3 * fabs(phi), gap = d - p, s;
   size_t n = 0;
   if (!(gap >= -DOUBLE_ROOT * d)) {
     return 0;
@@ -146,7 +144,7 @@ static struct ph_tc_count count_of(unsigned without_loop, unsigned with_loop) {
 /* d < p, d < pi/3: both turn by 2 pi - 2 d, or there is none. */
 static struct ph_tc_count count_large_turns(double p, double d) {
   double m, closes;
-  if (p >= PH_PI / 2 || SQRT3 * sin(p) > 2 * sin(d)) {
+  if (p >= PH_PI / 2 || PH_SQRT3 * sin(p) > 2 * sin(d)) {
     return count_of(0, 0);
   }
   if (d <= PH_PI / 6) {
@@ -158,7 +156,7 @@ static struct ph_tc_count count_large_turns(double p, double d) {
   if (p <= closes) {
     return count_of(1, 1);
   }
-  return 2 * tan(d) < SQRT3 ? count_of(0, 2) : count_of(2, 0);
+  return 2 * tan(d) < PH_SQRT3 ? count_of(0, 2) : count_of(2, 0);
 }
 
 struct ph_tc_count ph_tc_g1_count(double a, double b) {
@@ -182,7 +180,7 @@ struct ph_tc_count ph_tc_g1_count(double a, double b) {
 
 /* For a in [-pi, 0). */
 static void range_right(double a, double range[2]) {
-  const double k = (2 - SQRT3) * (2 - SQRT3), tangent = tan(a / 2);
+  const double k = (2 - PH_SQRT3) * (2 - PH_SQRT3), tangent = tan(a / 2);
   range[0] = a <= -5 * PH_PI / 6 ? a + 2 * PH_PI / 3 : 2 * atan(k * tangent);
   range[1] =
       a <= -PH_PI / 6 ? a + 4 * PH_PI / 3 : 2 * PH_PI + 2 * atan(tangent / k);

@@ -41,8 +41,9 @@ struct ph_tc_count {
 
 /*
  * ph_tc_g1_count: the same from the angles alone, in closed form: what borders
- * the regions of existence [BYR11, fig. 4.5, table 4.1].  Of angles on a border
- * to rounding either side may be answered.
+ * the regions of existence [BYR11, fig. 4.5, table 4.1].  It solves nothing,
+ * and no curve is made with it: it is a check of ph_tc_g1.  Of angles on a
+ * border to rounding either side may be answered.
  *
  * in   a, b  angles from the chord to the tangents, in [-pi, pi]
  */

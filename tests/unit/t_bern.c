@@ -94,6 +94,25 @@ START_TEST(test_cut_ends) {
 }
 END_TEST
 
+START_TEST(test_raise) {
+  struct unit_random r = unit_random_of(4);
+  ph_cplx c[DEGREE_MAX + 1], raised[DEGREE_MAX + 1];
+  for (size_t n = 0; n < DEGREE_MAX; n++) {
+    for (size_t k = 0; k <= n; k++) {
+      c[k] = raised[k] = unit_random_cplx(&r, 1);
+    }
+    ph_bern_raise(raised, n);
+    ck_abs(unit_distance(raised[0], c[0]), 0, 0);
+    ck_abs(unit_distance(raised[n + 1], c[n]), 0, 0);
+    for (int j = 0; j < 20; j++) {
+      double u = unit_random_in(&r, 0, 1);
+      ck_assert_double_le(
+          unit_distance(value(raised, n + 1, u), value(c, n, u)), 4e-15);
+    }
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("bern");
   TCase *tc = tcase_create("bern");
@@ -101,6 +120,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_basis_ends);
   tcase_add_test(tc, test_cut);
   tcase_add_test(tc, test_cut_ends);
+  tcase_add_test(tc, test_raise);
   suite_add_tcase(s, tc);
   return s;
 }

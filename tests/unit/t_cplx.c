@@ -70,6 +70,21 @@ START_TEST(test_sqrt_axes) {
 }
 END_TEST
 
+/* Its ends exactly, also where they are of very different sizes. */
+START_TEST(test_between) {
+  struct unit_random r = unit_random_of(3);
+  for (int i = 0; i < 2000; i++) {
+    ph_cplx a = unit_random_cplx(&r, 1e20), b = unit_random_cplx(&r, 1);
+    double u = unit_random_in(&r, 0, 1), size = ph_cplx_abs(a);
+    double complex wanted = c11(a) + u * (c11(b) - c11(a));
+    ck_cplx(ph_cplx_between(a, b, 0), c11(a), 0);
+    ck_cplx(ph_cplx_between(a, b, 1), c11(b), 0);
+    ck_abs(cabs(c11(ph_cplx_between(a, b, u)) - wanted), 0,
+           4 * DBL_EPSILON * size);
+  }
+}
+END_TEST
+
 START_TEST(test_finite) {
   ck_assert(ph_cplx_is_finite(ph_cplx_of(1, -1e308)));
   ck_assert(!ph_cplx_is_finite(ph_cplx_of(1, HUGE_VAL)));
@@ -84,6 +99,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_arithmetic);
   tcase_add_test(tc, test_sqrt);
   tcase_add_test(tc, test_sqrt_axes);
+  tcase_add_test(tc, test_between);
   tcase_add_test(tc, test_finite);
   suite_add_tcase(s, tc);
   return s;

@@ -3,6 +3,7 @@
 #include "unit.h"
 #include "random_unit.h"
 #include "tc_approx_unit.h"
+#include "tc_curve_unit.h"
 
 #include "solve/tc_approx_part.h"
 
@@ -79,7 +80,7 @@ START_TEST(test_random) {
     /* the cubic, raised, with something else between its ends */
     for (size_t k = 0; k <= n; k++) {
       double u = (double)k / (double)n;
-      q[k] = k == 0 || k == n ? c[k == 0 ? 0 : 3] : ph_tc_at(&tc, u);
+      q[k] = k == 0 || k == n ? c[k == 0 ? 0 : 3] : unit_tc_at(&tc, u);
       q[k].im += k == 0 || k == n ? 0 : away * unit_random_in(&r, 0, 1);
     }
     bound = bound_of(q, n, c);

@@ -4,6 +4,7 @@
  * solutions against a search along D, and their number against both.
  */
 #include "unit.h"
+#include "tc_curve_unit.h"
 #include "tc_hermite_unit.h"
 
 #include "solve/tc_g1.h"
@@ -268,7 +269,7 @@ static bool crosses(ph_cplx w0, ph_cplx w1) {
   double from = ph_cplx_abs(w0), to = ph_cplx_abs(w1);
   for (int i = 0; i <= CORNERS; i++) {
     double angle = sweep * i / CORNERS, x = from * sin(angle);
-    p[i] = ph_tc_at(&tc, x / (x + to * sin(sweep - angle)));
+    p[i] = unit_tc_at(&tc, x / (x + to * sin(sweep - angle)));
   }
   return polygon_crosses(p, CORNERS + 1);
 }

@@ -4,6 +4,7 @@
 
 #include "kernel/bern.h"
 #include "random_unit.h"
+#include "tc_curve_unit.h"
 
 #include <math.h>
 
@@ -28,7 +29,7 @@ struct path {
 static ph_cplx path_at(const struct path *path, double u) {
   return path->curve
              ? unit_bezier_at(path->curve, u)
-             : ph_cplx_add(path->arc->start, ph_tc_at(&path->arc->tc, u));
+             : ph_cplx_add(path->arc->start, unit_tc_at(&path->arc->tc, u));
 }
 
 /* The distance of p from the path on [a,b], which is short. */
@@ -90,7 +91,7 @@ double unit_arcs_distance(const struct ph_tc_bezier *curve,
     const struct ph_tc_arc *arc = &arcs->arc[i];
     for (int k = 0; k <= SAMPLES; k++) {
       double t = (double)k / SAMPLES;
-      ph_cplx on_arc = ph_cplx_add(arc->start, ph_tc_at(&arc->tc, t));
+      ph_cplx on_arc = ph_cplx_add(arc->start, unit_tc_at(&arc->tc, t));
       ph_cplx on_curve =
           unit_bezier_at(curve, arc->from + t * (arc->to - arc->from));
       distance = unit_larger(unit_bezier_away(curve, on_arc), distance);

@@ -1,9 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Curves of Tschirnhausen cubics (see tc_curve_unit.h). */
+/* Tschirnhausen cubics and curves of them (see tc_curve_unit.h). */
 #include "tc_curve_unit.h"
 #include "unit.h"
 
 #include <string.h>
+
+/* t (w0^2 + t (w0 d + t/3 d^2)), d = w1 - w0 */
+ph_cplx unit_tc_at(const struct ph_tc *tc, double t) {
+  const long double a = (long double)tc->w[0].re, b = (long double)tc->w[0].im;
+  const long double c = (long double)tc->w[1].re - a;
+  const long double d = (long double)tc->w[1].im - b, x = (long double)t;
+  long double re = a * c - b * d + x / 3 * (c * c - d * d);
+  long double im = a * d + b * c + x / 3 * (2 * c * d);
+  re = x * (a * a - b * b + x * re);
+  im = x * (2 * a * b + x * im);
+  return ph_cplx_of((double)re, (double)im);
+}
 
 void unit_cubics_begin(struct unit_cubics *c, ph_cplx start) {
   memset(c, 0, sizeof *c);

@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Curves of Tschirnhausen cubics for tests, made from their preimages in long
- * double and by nothing of src/ but the struct that holds them.
+ * Tschirnhausen cubics and curves of them for tests, worked out from their
+ * preimages in long double and by nothing of src/ but the structs that hold
+ * them.
  */
 #ifndef PH_TESTS_TC_CURVE_UNIT_H
 #define PH_TESTS_TC_CURVE_UNIT_H
 
 #include "curve/result.h"
+#include "curve/tc.h"
 #include "kernel/cplx.h"
 #include "random_unit.h"
+
+/* unit_tc_at: the point r(t) - r(0) of a cubic, t of any size. */
+ph_cplx unit_tc_at(const struct ph_tc *tc, double t);
 
 enum { UNIT_CUBICS = 64 };
 
