@@ -73,8 +73,8 @@ static inline int unit_long(void) {
   return s != NULL && s[0] == '1';
 }
 
-/* n, or a tenth of it where every step takes long: under valgrind, which sets
- * PH_SHORT=1. */
+/* n, or a tenth of it where every step takes long: under valgrind and the
+ * sanitizers, PH_SHORT=1. */
 static inline int unit_count(int n) {
   const char *s = getenv("PH_SHORT");
 
