@@ -176,6 +176,38 @@ static enum ph_status check_number(const struct ph_tc_check *c,
   return PH_OK;
 }
 
+/* Whether numbers that are told of the only interval are those of its curve: D
+ * of one cubic, whose square is the ratio of its outer legs, and lambda of a
+ * pair, the length of its derivatives over the chord. */
+static enum ph_status check_claims(const struct ph_tc_check *c,
+                                   const struct ph_tc_wanted *w,
+                                   const struct ph_diagnostics *diagnostics,
+                                   struct ph_diag *diag) {
+  const double slack = 1e-9;
+  const double *value = diagnostics->value;
+  size_t last = c->curve->n - 1;
+  struct ph_tc_cubic a = ph_tc_check_load(c, 0);
+  struct ph_tc_cubic b = ph_tc_check_load(c, last);
+  double first = ph_cplx_abs(a.h[0]), end = ph_cplx_abs(b.h[2]);
+  double rounding = a.allowance + b.allowance;
+  double square = value[PH_D_RATIO] * value[PH_D_RATIO];
+  double chord = apart(b.p[3], a.p[0]), lambda = value[PH_D_LAMBDA];
+  if (w->n == 1 && diagnostics->known >> PH_D_RATIO & 1 &&
+      !(last == 0 &&
+        fabs(end - square * first) <= slack * end + (1 + square) * rounding)) {
+    return ph_fail(diag, PH_INTERNAL, "diagnostics",
+                   "D is %.17g, which its legs do not have", value[PH_D_RATIO]);
+  }
+  if (w->n == 1 && diagnostics->known >> PH_D_LAMBDA & 1 && last > 0 &&
+      isnan(w->lambda) &&
+      !(fabs(first - lambda * chord) <= slack * first + rounding)) {
+    return ph_fail(diag, PH_INTERNAL, "diagnostics",
+                   "lambda is %.17g, which its derivatives do not have",
+                   lambda);
+  }
+  return PH_OK;
+}
+
 enum ph_status ph_cert_tc(const struct ph_problem *problem,
                           const struct ph_curve *curve,
                           struct ph_arena *scratch,
@@ -202,5 +234,7 @@ enum ph_status ph_cert_tc(const struct ph_problem *problem,
     return status;
   }
   check_intervals(&c, &wanted);
-  return ph_tc_check_conclude(&c, wanted.all, scratch, diagnostics, diag);
+  status = ph_tc_check_conclude(&c, wanted.all, scratch, diagnostics, diag);
+  return status == PH_OK ? check_claims(&c, &wanted, diagnostics, diag)
+                         : status;
 }

@@ -64,6 +64,13 @@ static bool vectors(const struct ph_tc_wanted *w, enum ph_field_id id,
           (value->n == n || (w->closed && value->n == n + 1)));
 }
 
+/* Whether a field is absent, or a vector for each end. */
+static bool two_ends(const struct ph_problem *p, enum ph_field_id id) {
+  const struct ph_value *value = &p->field[id];
+  return value->kind == PH_ABSENT ||
+         (value->kind == PH_VECTORS && value->dimension == 2 && value->n == 2);
+}
+
 enum ph_status ph_tc_wanted_of(const struct ph_problem *p,
                                const struct ph_tc_check *c,
                                struct ph_tc_wanted *w, struct ph_diag *diag) {
@@ -80,7 +87,8 @@ enum ph_status ph_tc_wanted_of(const struct ph_problem *p,
   w->n = intervals(points, c, w->closed);
   if (w->n == 0 || w->closed != c->curve->closed ||
       !vectors(w, PH_F_TANGENTS, &w->tangents) ||
-      !vectors(w, PH_F_DERIVATIVES, &w->derivatives)) {
+      !vectors(w, PH_F_DERIVATIVES, &w->derivatives) ||
+      !two_ends(p, PH_F_END_TANGENTS) || !two_ends(p, PH_F_END_DERIVATIVES)) {
     return ph_fail(diag, PH_INTERNAL, "points", "do not fit the segments");
   }
   w->spline = !w->tangents && !w->derivatives;

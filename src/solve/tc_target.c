@@ -16,10 +16,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Ends within this of each other, relative to the largest coordinate, are the
- * same point. */
-static const double JOINED = 1e-12;
-
 /* A number of cubics is given no smaller tolerance than so many times what
  * rounding of coordinates may add; shorter cubics than SHORT times that have no
  * direction. */
@@ -158,7 +154,7 @@ static enum ph_status measure(struct target *t, struct ph_diag *diag) {
  * taken. */
 static enum ph_status join(struct target *t, ph_cplx *p, struct ph_diag *diag) {
   struct ph_pow2 scale = ph_pow2_of(t->exponent);
-  double near = JOINED * fmax(1, ph_pow2_apply(scale, t->far));
+  double near = 4 * DBL_EPSILON * ph_pow2_apply(scale, t->far);
   for (size_t k = 0, at = size_of(t, 0); k < t->n; k++) {
     bool last = k + 1 == t->n;
     size_t to = last ? 0 : at;

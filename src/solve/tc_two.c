@@ -22,7 +22,7 @@ struct fairness {
   double position; /* of the joint on the chord; or NaN */
   double start;    /* of a range of angles at the joint */
   double end;
-  unsigned loops; /* so many are allowed */
+  unsigned rank; /* of curves that are looked for */
 };
 
 /* x within [low, high], where F is value and no more than at either end. */
@@ -206,7 +206,7 @@ bool ph_tc_two_free(const struct ph_tc_hermite *h, struct ph_tc_fit *fit) {
 /* ---- joint on the chord -------------------------------------------------- */
 
 /* x is the angle over the end of the range of angles, in (0, 1). */
-enum { ANGLES = 32 };
+enum { ANGLES = 64 };
 
 static void part_of(const struct ph_tc *tc, double part, struct ph_tc *out) {
   for (int i = 0; i < 2; i++) {
@@ -243,16 +243,23 @@ static bool chord_at(const struct ph_tc_hermite *h, double angle,
   return fit->regular;
 }
 
-/* Loops of a fit, and those that its cubics have if they go on a little: a
- * curve that all but ends on itself is no better. */
-static unsigned loops_near(const struct ph_tc_fit *fit) {
+/* How much a curve on the chord is worth: simple, also if its cubics go on a
+ * little, as one that all but ends on itself is no better than a loop; simple;
+ * with crossings of its two cubics, one loop, or two. */
+enum { RANKS = 5 };
+
+static unsigned rank_of(const struct ph_tc_fit *fit) {
   const double margin = 0.01;
-  unsigned loops = 0;
+  struct ph_tc_fit tested = *fit;
+  unsigned near = 0;
+  if (fit->loops > 0 || !ph_tc_fit_test(&tested)) {
+    return 2 + fit->loops;
+  }
   for (size_t i = 0; i < fit->n; i++) {
     struct ph_tc longer = ph_tc_part(&fit->tc[i], -margin, 1 + margin);
-    loops += ph_tc_has_loop(&longer);
+    near |= ph_tc_has_loop(&longer);
   }
-  return loops;
+  return near;
 }
 
 /* The angle at x in (0, 1) of a range. */
@@ -264,7 +271,7 @@ static double chord_fairness(const struct fairness *fair, double x) {
   struct ph_tc_fit fit;
   bool is = x > 0 && x < 1 &&
             chord_at(fair->h, angle_of(fair, x), fair->position, &fit) &&
-            loops_near(&fit) <= fair->loops;
+            rank_of(&fit) == fair->rank;
   return is ? fairness_of(&fit) : (double)INFINITY;
 }
 
@@ -321,7 +328,7 @@ static double best_angle(const struct ph_tc_hermite *h, double position) {
   struct fairness fair = {.f = chord_fairness, .h = h, .position = position};
   double range[4][2];
   size_t n = ranges_of(h, range);
-  for (fair.loops = 0; fair.loops <= 2; fair.loops++) {
+  for (fair.rank = 0; fair.rank < RANKS; fair.rank++) {
     double angle = (double)NAN, least = (double)INFINITY;
     for (size_t i = 0; i < n; i++) {
       struct bracket b;

@@ -20,9 +20,9 @@ bool ph_tc_two_free(const struct ph_tc_hermite *h, struct ph_tc_fit *fit);
 /*
  * ph_tc_two_chord: two cubics whose joint is on the chord [BYR11, thm 14], with
  * the tangent there at an angle to it, each the best of ph_tc_g1.  What is NaN
- * is chosen: the angle for the fewest loops and of these the least F, the
- * position for the least energy.  Both tangents along the chord and forward
- * give the straight line where no angle is given.
+ * is chosen: the angle for the best rank (simple, then with the fewest loops)
+ * and of these the least F, the position for the least energy.  Both tangents
+ * along the chord and forward give the straight line where no angle is given.
  *
  * in   angle     in (-pi, pi), not 0; or NaN
  * in   position  of the joint, in (0, 1); or NaN

@@ -4,13 +4,9 @@
 # about them, and of the exit status.  (Also run under the thread sanitizer.)
 . "$srcdir/tests/cli/lib.sh"
 
-# 4000 lines, or fewer where every step takes long: curves of 2 to 200 points,
-# and one in ten that fails, in one of several ways, at one of several stages; one
-# of the eight ways is a warning.
+# 4000 lines: curves of 2 to 200 points, and one in ten that fails, in one of
+# several ways, at one of several stages; one of the eight ways is a warning.
 lines=4000
-if [ "${PH_SHORT-}" = 1 ]; then
-  lines=1600
-fi
 awk -v lines=$lines 'BEGIN {
   for (i = 1; i <= lines; i++) {
     n = i % 500 == 0 ? 200 : 2 + i % 5
@@ -106,8 +102,10 @@ done
 # ---- points in space ---------------------------------------------------------
 
 # Each kind of problem that has code of its own: criteria, the search for a
-# minimum, reduced tensions, closed and plane curves, failures, warnings.
-awk 'BEGIN {
+# minimum, reduced tensions, closed and plane curves, failures, warnings.  Where
+# every step takes long, one in five of the searches for an alpha: they take nine
+# tenths of the time.
+awk -v short="${PH_SHORT-}" 'BEGIN {
   split("cc hc bv zero F1 F2 F3", criterion, " ")
   for (i = 1; i <= 140; i++) {
     n = i % 100 == 0 ? 100 : 2 + i % 4
@@ -131,12 +129,12 @@ awk 'BEGIN {
     if (i % 11 == 0) text = text ",\"closed\":true"
     if (i % 13 == 0) text = text ",\"tension\":[1]"
     if (i % 17 == 0) text = text ",\"angle\":0"
-    print text "}"
+    if (!(short == 1 && kind == 5 && i % 5 != 2)) print text "}"
   }
 }' >space.jsonl
 method=spatial-hermite
 same 'in space' 1 space.jsonl
-equal 'in space: a result for each' 140 "$(wc -l <out | tr -d ' ')"
+equal 'in space: a result for each' "$(wc -l <space.jsonl)" "$(wc -l <out)"
 for code in unknown-field bad-shape shape-unsatisfiable too-few-points; do
   true_that "in space: some are $code" grep -q "\[$code\]" err
 done

@@ -61,6 +61,19 @@ true_that() {
   fi
 }
 
+# ---- where every step takes long ---------------------------------------------
+
+# one_in COUNT: of COUNT calls the last is true where PH_SHORT=1, elsewhere all
+# are.  Calls are counted through the whole test: what a loop leaves out in one
+# round, it does in another, if COUNT and the length of the loop have no common
+# divisor.
+calls=0
+one_in() {
+  [ "${PH_SHORT-}" = 1 ] || return 0
+  calls=$((calls + 1))
+  [ $((calls % $1)) -eq 0 ]
+}
+
 # ---- the program -------------------------------------------------------------
 
 # run ARGUMENT...: the program, with the standard input of the function; sets

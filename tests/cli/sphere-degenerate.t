@@ -65,12 +65,14 @@ curve 'a figure of eight' '"lonlat":[[0,0],[10,10],[20,0],[10,-10],[0,0],
 # ---- great circles -----------------------------------------------------------
 
 # circle NAME LENGTH POINTS [ARGUMENT...]: the curve stays on the great circle
-# of the points, by no tension
+# of the points, by no tension; where every step takes long, in either model for
+# one in three circles.
 circle() {
   name=$1 wanted=$2
   points=$3
   shift 3
   for model in exact nielson; do
+    one_in 3 || continue
     curve "$name, $model" "\"lonlat\":[$points]" --model=$model "$@"
     length_is "$name, $model" "$wanted"
     floats tensions | awk '$1 != 0 { bad = 1 } END { exit bad }'

@@ -113,16 +113,22 @@ START_TEST(test_accepts) {
 }
 END_TEST
 
+enum { LATITUDES = 4 * 4 * 5 };
+
+/* The factor and LATITUDES have no common divisor: all are taken, in an order
+ * in which a tenth has each latitude, each number of points, each speed. */
 START_TEST(test_latitude) {
+  int which = 11 * _i % LATITUDES;
   static const double lat[] = {0.3, -1.2, 0.01, 0};
   static const size_t n[] = {3, 4, 20, UNIT_SPHERE_MAX};
   static const double speed[] = {1, 0.7, 0.1, 1e-3, 1e-6};
-  double leg = cos(lat[_i % 4]) * 2 / 3 * PH_PI / (double)n[_i / 4 % 4];
-  if (n[_i / 4 % 4] == 3 && !(lat[_i % 4] < -1)) {
+  double at = lat[which % 4];
+  size_t points = n[which / 4 % 4];
+  double leg = cos(at) * 2 / 3 * PH_PI / (double)points;
+  if (points == 3 && !(at < -1)) {
     leg *= 0.9;
   }
-  unit_sphere_latitude(&u, n[_i / 4 % 4], lat[_i % 4], leg * speed[_i / 16],
-                       &UNIT);
+  unit_sphere_latitude(&u, points, at, leg * speed[which / 16], &UNIT);
   unit_sphere_flag(&u, PH_F_SHAPE, true);
   ck_accepted();
   ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 1e-12);
@@ -515,7 +521,7 @@ static Suite *suite(void) {
         *shape = tcase_create("shape");
   tcase_add_checked_fixture(right, NULL, finish);
   tcase_add_loop_test(right, test_accepts, 0, UNIT_SPLINES_N);
-  tcase_add_loop_test(right, test_latitude, 0, 80);
+  tcase_add_loop_test(right, test_latitude, 0, unit_count(LATITUDES));
   tcase_add_test(right, test_small);
   tcase_add_test(right, test_ends);
   tcase_add_test(right, test_lonlat);

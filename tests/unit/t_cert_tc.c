@@ -303,6 +303,42 @@ START_TEST(test_number) {
 }
 END_TEST
 
+static void ck_claim(enum ph_diagnostic what, double value) {
+  unit_tc.claims = (struct ph_diagnostics){.known = 0};
+  ph_diagnostics_set(&unit_tc.claims, what, value);
+  ck_accepted();
+  ph_diagnostics_set(&unit_tc.claims, what, value * (1 + 1e-6));
+  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+  ck_assert_str_eq(unit_tc.diag.field, "diagnostics");
+}
+
+/* D and lambda of the only interval are those of its legs. */
+START_TEST(test_claims) {
+  const ph_cplx w0 = {1.1, -0.2}, w1 = {0.7, 0.6};
+  unit_cert_begin();
+  unit_cubics_begin(&unit_tc.c, ph_cplx_of(1, 2));
+  unit_put(unit_tc.points, unit_tc.c.at);
+  unit_put(unit_tc.vectors, ph_cplx_mul(w0, w0));
+  unit_put(unit_tc.vectors + 2, ph_cplx_mul(w1, w1));
+  if (_i == 1) {
+    unit_cubics_add(&unit_tc.c, w0, ph_cplx_of(0.8, 0.1));
+    unit_cubics_add(&unit_tc.c, ph_cplx_of(0.8, 0.1), w1);
+  } else {
+    unit_cubics_add(&unit_tc.c, w0, w1);
+  }
+  unit_put(unit_tc.points + 2, unit_tc.c.at);
+  unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, 2);
+  unit_tc.problem.field[PH_F_TANGENTS] = unit_vectors(unit_tc.vectors, 2);
+  unit_tc.problem.field[PH_F_MODE] = unit_word("g1-auto");
+  if (_i == 1) {
+    ph_cplx chord = ph_cplx_sub(unit_tc.c.at, ph_cplx_of(1, 2));
+    ck_claim(PH_D_LAMBDA, ph_cplx_norm2(w0) / ph_cplx_abs(chord));
+  } else {
+    ck_claim(PH_D_RATIO, ph_cplx_abs(w1) / ph_cplx_abs(w0));
+  }
+}
+END_TEST
+
 static void ck_not_finite(double *x) {
   const double bad[] = {nan(""), HUGE_VAL, -HUGE_VAL};
   double keep = *x;
@@ -401,6 +437,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_joints);
   tcase_add_loop_test(tc, test_knots, 0, KINDS);
   tcase_add_loop_test(tc, test_number, 0, KINDS);
+  tcase_add_loop_test(tc, test_claims, 0, 2);
   tcase_add_test(tc, test_not_finite);
   tcase_add_test(tc, test_irregular);
   tcase_add_test(tc, test_turns_back);

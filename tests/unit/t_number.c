@@ -191,7 +191,7 @@ START_TEST(test_middles) {
   check_middle(2 * hidden - 1, 3); /* 768 digits, the most there are */
   check_middle(INFINITY_BITS - 1, 0);
   check_middle(INFINITY_BITS - 1, 2000);
-  for (int i = 0; i < (unit_long() ? 100000 : 500); i++) {
+  for (int i = 0; i < (unit_long() ? 100000 : unit_count(500)); i++) {
     uint64_t bits = next_random(&state) % INFINITY_BITS;
     if (i % 4 == 0) {
       bits %= hidden;
@@ -231,7 +231,7 @@ END_TEST
 
 START_TEST(test_random_digits) {
   uint64_t state = 3;
-  int count = unit_long() ? 20000000 : 200000;
+  int count = unit_long() ? 20000000 : unit_count(200000);
   for (int i = 0; i < count; i++) {
     char text[64];
     size_t n = 1 + next_random(&state) % 40;
@@ -482,7 +482,7 @@ END_TEST
 
 START_TEST(test_random) {
   uint64_t state = 4;
-  long count = unit_long() ? 100000000 : 200000;
+  long count = unit_long() ? 100000000 : unit_count(200000);
   for (long i = 0; i < count; i++) {
     check_double(random_double(&state), i % 10 == 0);
   }

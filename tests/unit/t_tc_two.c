@@ -332,20 +332,21 @@ static void ck_joint(const struct ph_tc_fit *fit) {
   ck_assert_double_gt(ph_cplx_dot(u, t), 0);
 }
 
-/* Loops that cubics have if they go on by 1 % at both ends. */
-static unsigned loops_near(const struct ph_tc_fit *fit) {
-  unsigned loops = 0;
+/* 0 of a simple curve, also if cubics go on by 1 % at both ends; 1 of a simple
+ * one; else two more than loops. */
+static unsigned rank_of(struct ph_tc_fit *fit) {
+  unsigned near = 0;
   for (size_t i = 0; i < fit->n; i++) {
     struct ph_tc longer = ph_tc_part(&fit->tc[i], -0.01, 1.01);
-    loops += ph_tc_has_loop(&longer);
+    near |= ph_tc_has_loop(&longer);
   }
-  return loops;
+  return ph_tc_fit_test(fit) ? near : 2 + fit->loops;
 }
 
-/* The chosen position is that of the least energy, the chosen angle that of
- * the least F: no other is better. */
-static void ck_chosen(const struct ph_tc_hermite *h,
-                      const struct ph_tc_fit *fit) {
+/* The chosen position is that of the least energy.  Whether the chosen angle is
+ * that of the best rank and the least F: one in a narrow range may be missed.
+ */
+static bool is_chosen(const struct ph_tc_hermite *h, struct ph_tc_fit *fit) {
   struct ph_tc_fit other;
   for (int k = 1; k < 20; k++) {
     ck_assert(ph_tc_two_chord(h, fit->joint_angle, k / 20.0, &other));
@@ -355,27 +356,32 @@ static void ck_chosen(const struct ph_tc_hermite *h,
   }
   for (int k = -100; k <= 100; k++) {
     if (ph_tc_two_chord(h, k * PH_PI / 101, (double)NAN, &other)) {
-      ck_assert_uint_ge(loops_near(&other), loops_near(fit));
-      ck_assert(loops_near(&other) > loops_near(fit) ||
-                fairness(&other) > fairness(fit) * (1 - 1e-9));
+      unsigned rank = rank_of(fit), than = rank_of(&other);
+      if (than < rank ||
+          (than == rank && !(fairness(&other) > fairness(fit) * (1 - 1e-9)))) {
+        return false;
+      }
     }
   }
+  return true;
 }
 
 START_TEST(test_chord_random) {
   struct unit_random r = unit_random_of(3503);
-  for (int i = 0; i < unit_count(100); i++) {
+  int missed = 0, n = unit_count(100);
+  for (int i = 0; i < n; i++) {
     double a = uniform_angle(&r), position = unit_random_in(&r, 0.1, 0.9);
     struct ph_tc_hermite h = data_of(a, uniform_angle(&r));
     struct ph_tc_fit fit;
     ck_assert(ph_tc_two_chord(&h, (double)NAN, (double)NAN, &fit));
     ck_fits(&h, &fit);
     ck_joint(&fit);
-    ck_chosen(&h, &fit);
+    missed += !is_chosen(&h, &fit);
     ck_assert(ph_tc_two_chord(&h, (double)NAN, position, &fit));
     ck_abs(fit.joint_position, position, 0);
     ck_joint(&fit);
   }
+  ck_assert_int_le(missed, 1 + n / 50);
 }
 END_TEST
 

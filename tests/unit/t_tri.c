@@ -147,7 +147,7 @@ static void compare_family(struct family family, uint64_t stream) {
   struct ph_tri_row row[N_MAX];
   unsigned compared = 0, tried = 0;
   for (size_t n = 3; n <= N_MAX; n++) {
-    for (int i = 0; i < 30; i++) {
+    for (int i = 0; i < unit_count(30); i++) {
       make(&r, &family, n, row);
       compared += compare(row, n, tried++);
       ph_arena_reset(&arena);
