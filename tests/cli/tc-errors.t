@@ -250,6 +250,8 @@ wrong coincident-points curve 'has control points that are all the same' \
   "{\"curve\":[[1,2],[1,2],[1,2]],$goal}"
 wrong bad-value pieces 'must be at least 2, one for each curve, found 1' \
   '{"curve":[[[0,0],[1,1]],[[1,1],[3,3]]],"pieces":1}'
+wrong bad-value pieces 'is too few: the fewest cubics found are 2' \
+  '{"curve":[[0,0],[1,1],[-1,1],[0,0]],"pieces":1}'
 
 # ---- too large ---------------------------------------------------------------
 

@@ -385,9 +385,9 @@ START_TEST(test_too_few_pieces) {
   size_t first[2];
   ck_assert_int_eq(
       ph_tc_approximate_pieces(&closed, 1, 1, 0, &arcs, first, &diag),
-      PH_INFEASIBLE);
-  ck_assert_str_eq(diag.message,
-                   "is too few: the curve takes 2 cubics at least");
+      PH_BAD_VALUE);
+  ck_assert_str_eq(diag.field, "pieces");
+  ck_assert_str_eq(diag.message, "is too few: the fewest cubics found are 2");
   ph_arena_free(&arena);
 }
 END_TEST
