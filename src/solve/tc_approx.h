@@ -17,6 +17,7 @@
 struct ph_tc_bezier {
   const ph_cplx *p; /* [degree + 1] */
   size_t degree;
+  double shortest; /* chords of its cubics are longer; 0: than rounding */
 };
 
 /* Curves of higher degree are refused: binomial coefficients of twice the

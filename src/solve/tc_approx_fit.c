@@ -66,7 +66,7 @@ struct ph_tc_target ph_tc_target_of(const struct ph_tc_bezier *curve,
    * 4 halvings (eps/2) and of an elevation (2 eps); as much as `same` for n
    * points that are not looked at; 56 eps for the cubic, cut and composed */
   target.noise = (14 * (double)n + 56) * DBL_EPSILON * size;
-  target.same = 4 * DBL_EPSILON * size;
+  target.same = fmax(4 * DBL_EPSILON * size, curve->shortest);
   target.still = STILL * (double)n * step;
   return target;
 }
