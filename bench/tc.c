@@ -210,7 +210,7 @@ struct approximation {
 
 static void approximate(void *data) {
   struct approximation *a = data;
-  struct ph_tc_bezier curve = {a->p, DEGREE};
+  struct ph_tc_bezier curve = {a->p, DEGREE, 0};
   struct ph_diag diag;
   ph_arena_reset(&a->arena);
   a->arcs = (struct ph_tc_arcs){.arena = &a->arena};

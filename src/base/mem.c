@@ -116,6 +116,23 @@ void *ph_arena_array(struct ph_arena *arena, size_t n, size_t size) {
   return memory;
 }
 
+void *ph_arena_grow(struct ph_arena *arena, void *array, size_t n, size_t size,
+                    size_t least, size_t *room) {
+  size_t more = *room > 0 ? 2 * *room : least;
+  void *grown;
+  if (n < *room) {
+    return array;
+  }
+  grown = ph_arena_array(arena, more, size);
+  if (grown) {
+    if (n > 0) {
+      memcpy(grown, array, n * size);
+    }
+    *room = more;
+  }
+  return grown;
+}
+
 char *ph_arena_copy(struct ph_arena *arena, const char *text, size_t n) {
   char *copy = n < SIZE_MAX ? ph_arena_array(arena, n + 1, 1) : NULL;
   if (copy) {

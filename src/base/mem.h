@@ -38,6 +38,16 @@ struct ph_mark {
  */
 void *ph_arena_array(struct ph_arena *arena, size_t n, size_t size);
 
+/*
+ * ph_arena_grow: an array of n elements of `size` bytes with room for one more:
+ * itself, or a copy with twice the room; `least` at first, when it is NULL.
+ *
+ * inout  room  elements that there is memory for, 0 at first
+ * ret    NULL when memory is exhausted
+ */
+void *ph_arena_grow(struct ph_arena *arena, void *array, size_t n, size_t size,
+                    size_t least, size_t *room);
+
 /* ph_arena_copy: a NUL-terminated copy of n bytes, or NULL. */
 char *ph_arena_copy(struct ph_arena *arena, const char *text, size_t n);
 

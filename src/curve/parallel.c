@@ -69,19 +69,13 @@ static bool stands(const struct walk *walk, const struct ph_motion *m) {
 static void add_cusp(struct walk *walk, double u) {
   struct ph_offset *offset = walk->offset;
   size_t n = offset->cusps.n;
-  if (n == walk->room) {
-    size_t room = n ? 2 * n : ROOM;
-    struct ph_place *more = ph_arena_array(walk->arena, room, sizeof *more);
-    if (!more) {
-      walk->memory = true;
-      return;
-    }
-    if (n) {
-      memcpy(more, offset->cusp, n * sizeof *more);
-    }
-    offset->cusp = more;
-    walk->room = room;
+  struct ph_place *cusp = ph_arena_grow(walk->arena, offset->cusp, n,
+                                        sizeof *cusp, ROOM, &walk->room);
+  if (!cusp) {
+    walk->memory = true;
+    return;
   }
+  offset->cusp = cusp;
   offset->cusp[n].segment = walk->k;
   offset->cusp[n].u = u;
   offset->cusps.n++;

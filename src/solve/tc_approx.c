@@ -8,8 +8,9 @@
 #include <math.h>
 #include <string.h>
 
-/* At most so many parts. */
-enum { LIMIT = 1000000 };
+/* At most so many parts of one curve, as cubics may be asked for; and so many
+ * cubics have room at first. */
+enum { LIMIT = 1000000, ARCS = 16 };
 
 /* So much of a tolerance is used: whoever matches the same curves in another
  * way may find a little more. */
@@ -18,27 +19,50 @@ static const double USED = 0.98;
 /* A curve of a chain, ready to be approximated. */
 struct item {
   struct ph_tc_target target;
-  double *u; /* inflections */
+  double *u; /* [n] inflections */
   size_t n;
 };
 
-static enum ph_status item_of(const struct ph_tc_bezier *curve,
-                              struct ph_arena *scratch, struct item *item,
+/* What all curves of a chain are worked on with, one after another. */
+struct room {
+  ph_cplx *points;
+  double *u; /* [2 * degree] */
+};
+
+static enum ph_status room_of(const struct ph_tc_bezier *curves, size_t n,
+                              struct ph_arena *scratch, struct room *room,
                               struct ph_diag *diag) {
-  enum ph_status status;
-  if (curve->degree < 1 || curve->degree > PH_TC_DEGREE_MAX) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
-                   "has degree %zu; 1 to %d are allowed", curve->degree,
-                   PH_TC_DEGREE_MAX);
+  size_t most = 0;
+  for (size_t k = 0; k < n; k++) {
+    size_t degree = curves[k].degree;
+    if (degree < 1 || degree > PH_TC_DEGREE_MAX) {
+      return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+                     "has degree %zu; 1 to %d are allowed", degree,
+                     PH_TC_DEGREE_MAX);
+    }
+    most = degree > most ? degree : most;
   }
-  item->u = ph_arena_array(scratch, 2 * curve->degree, sizeof *item->u);
+  room->points =
+      ph_arena_array(scratch, ph_tc_target_room(most), sizeof *room->points);
+  room->u = ph_arena_array(scratch, 2 * most, sizeof *room->u);
+  return room->points && room->u ? PH_OK : ph_fail_memory(diag);
+}
+
+static enum ph_status item_of(const struct ph_tc_bezier *curve,
+                              const struct room *room, struct ph_arena *scratch,
+                              struct item *item, struct ph_diag *diag) {
+  enum ph_status status =
+      ph_tc_inflections(curve, scratch, room->u, &item->n, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  item->target = ph_tc_target_of(curve, room->points);
+  item->u = ph_arena_array(scratch, item->n, sizeof *item->u);
   if (!item->u) {
     return ph_fail_memory(diag);
   }
-  status = ph_tc_target_of(curve, scratch, &item->target, diag);
-  return status == PH_OK
-             ? ph_tc_inflections(curve, scratch, item->u, &item->n, diag)
-             : status;
+  memcpy(item->u, room->u, item->n * sizeof *item->u);
+  return PH_OK;
 }
 
 /* ---- the cubics of a plan ----------------------------------------------- */
@@ -46,18 +70,12 @@ static enum ph_status item_of(const struct ph_tc_bezier *curve,
 static enum ph_status add_arc(struct ph_tc_arcs *arcs,
                               const struct ph_tc_arc *arc,
                               struct ph_diag *diag) {
-  if (arcs->n == arcs->room) {
-    size_t room = arcs->room > 0 ? 2 * arcs->room : 16;
-    struct ph_tc_arc *grown = ph_arena_array(arcs->arena, room, sizeof *grown);
-    if (!grown) {
-      return ph_fail_memory(diag);
-    }
-    if (arcs->n > 0) {
-      memcpy(grown, arcs->arc, arcs->n * sizeof *grown);
-    }
-    arcs->arc = grown;
-    arcs->room = room;
+  struct ph_tc_arc *grown = ph_arena_grow(arcs->arena, arcs->arc, arcs->n,
+                                          sizeof *grown, ARCS, &arcs->room);
+  if (!grown) {
+    return ph_fail_memory(diag);
   }
+  arcs->arc = grown;
   arcs->arc[arcs->n++] = *arc;
   return PH_OK;
 }
@@ -67,7 +85,11 @@ static enum ph_status add_patch(struct ph_tc_arcs *arcs,
                                 const struct ph_tc_knot *from,
                                 const struct ph_tc_knot *to,
                                 struct ph_diag *diag) {
-  struct ph_tc_arc arc = {from->u, to->u, from->p, to->p, patch->tc[0]};
+  struct ph_tc_arc arc = {.from = from->u,
+                          .to = to->u,
+                          .start = from->p,
+                          .end = to->p,
+                          .tc = patch->tc[0]};
   enum ph_status status;
   if (patch->n == 2) {
     arc.to = patch->at;
@@ -76,8 +98,11 @@ static enum ph_status add_patch(struct ph_tc_arcs *arcs,
     if (status != PH_OK) {
       return status;
     }
-    arc =
-        (struct ph_tc_arc){patch->at, to->u, patch->joint, to->p, patch->tc[1]};
+    arc = (struct ph_tc_arc){.from = patch->at,
+                             .to = to->u,
+                             .start = patch->joint,
+                             .end = to->p,
+                             .tc = patch->tc[1]};
   }
   if (patch->distance > arcs->distance) {
     arcs->distance = patch->distance;
@@ -107,10 +132,13 @@ enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
                                  double tolerance, struct ph_tc_arcs *arcs,
                                  struct ph_diag *diag) {
   struct ph_arena scratch = {NULL};
-  struct ph_tc_plan plan = {&scratch, NULL, 0, 0, 0, LIMIT};
+  struct ph_tc_plan plan = {.arena = &scratch, .limit = LIMIT};
+  struct room room;
   struct item item;
   double used = USED * tolerance;
-  enum ph_status status = item_of(curve, &scratch, &item, diag);
+  enum ph_status status = room_of(curve, 1, &scratch, &room, diag);
+  status =
+      status == PH_OK ? item_of(curve, &room, &scratch, &item, diag) : status;
   if (status == PH_OK) {
     status = ph_tc_plan_curve(&item.target, item.u, item.n, used, &plan, diag);
   }
@@ -147,7 +175,7 @@ static enum ph_status try_tolerance(struct chain *c, double tolerance,
     const struct item *item = &c->items[k];
     struct ph_arena scratch = {NULL};
     /* halving finds a few times as many parts as are needed in the end */
-    struct ph_tc_plan plan = {&scratch, NULL, 0, 0, 0, 8 * c->pieces + 64};
+    struct ph_tc_plan plan = {.arena = &scratch, .limit = 8 * c->pieces + 64};
     enum ph_status status = ph_tc_plan_curve(&item->target, item->u, item->n,
                                              tolerance, &plan, diag);
     for (size_t i = 0; i < plan.n; i++) {
@@ -194,9 +222,8 @@ static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
   c->cubics = 0;
   status = try_tolerance(c, 8 * size, diag); /* no cubics are that far */
   if (status == PH_NO_CONVERGENCE && c->cubics > c->pieces) {
-    return ph_fail(diag, PH_INFEASIBLE, "pieces",
-                   "is too few: the curve takes %zu cubics at least",
-                   c->cubics);
+    return ph_fail(diag, PH_BAD_VALUE, "pieces",
+                   "is too few: the fewest cubics found are %zu", c->cubics);
   }
   cubics = c->cubics;
   for (int i = 0; status == PH_OK && i < TRIALS; i++) {
@@ -217,28 +244,43 @@ static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
   return status;
 }
 
+/* The cubics of all curves. */
+static enum ph_status add_chain(const struct chain *c, struct ph_arena *scratch,
+                                struct ph_tc_arcs *arcs, size_t *first,
+                                struct ph_diag *diag) {
+  enum ph_status status = PH_OK;
+  for (size_t k = 0; status == PH_OK && k < c->n; k++) {
+    const struct item *item = &c->items[k];
+    struct ph_mark mark = ph_arena_mark(scratch);
+    struct ph_tc_plan plan = {.arena = scratch, .limit = LIMIT};
+    first[k] = arcs->n;
+    status = ph_tc_plan_curve(&item->target, item->u, item->n, c->tolerance,
+                              &plan, diag);
+    if (status == PH_OK) {
+      status = add_plan(item, &plan, c->tolerance, arcs, diag);
+    }
+    ph_arena_release(scratch, mark);
+  }
+  first[c->n] = arcs->n;
+  return status;
+}
+
 enum ph_status ph_tc_approximate_pieces(const struct ph_tc_bezier *curves,
                                         size_t n, size_t pieces, double least,
                                         struct ph_tc_arcs *arcs, size_t *first,
                                         struct ph_diag *diag) {
   struct ph_arena scratch = {NULL};
   struct item *items = ph_arena_array(&scratch, n, sizeof *items);
-  struct chain c = {items, n, pieces, least, 0, 0, 0};
-  enum ph_status status = items ? PH_OK : ph_fail_memory(diag);
+  struct chain c = {.items = items, .n = n, .pieces = pieces, .low = least};
+  struct room room;
+  enum ph_status status =
+      items ? room_of(curves, n, &scratch, &room, diag) : ph_fail_memory(diag);
   for (size_t k = 0; status == PH_OK && k < n; k++) {
-    status = item_of(&curves[k], &scratch, &items[k], diag);
+    status = item_of(&curves[k], &room, &scratch, &items[k], diag);
   }
   status = status == PH_OK ? search_tolerance(&c, diag) : status;
-  for (size_t k = 0; status == PH_OK && k < n; k++) {
-    struct ph_tc_plan plan = {&scratch, NULL, 0, 0, 0, LIMIT};
-    first[k] = arcs->n;
-    status = ph_tc_plan_curve(&items[k].target, items[k].u, items[k].n,
-                              c.tolerance, &plan, diag);
-    if (status == PH_OK) {
-      status = add_plan(&items[k], &plan, c.tolerance, arcs, diag);
-    }
-  }
-  first[n] = arcs->n;
+  status =
+      status == PH_OK ? add_chain(&c, &scratch, arcs, first, diag) : status;
   ph_arena_free(&scratch);
   return status;
 }

@@ -17,6 +17,7 @@
 struct ph_tc_bezier {
   const ph_cplx *p; /* [degree + 1] */
   size_t degree;
+  double shortest; /* chords of its cubics are longer; 0: than rounding */
 };
 
 /* Curves of higher degree are refused: binomial coefficients of twice the
@@ -60,7 +61,7 @@ enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
  * in   pieces  >= n
  * in   least   no smaller distance is looked for
  * out  arcs    first[k] is the first one of curve k, first[n] = arcs->n
- * ret  as above; PH_INFEASIBLE if pieces are too few for any
+ * ret  as above; PH_BAD_VALUE if all that is found takes more than `pieces`
  */
 enum ph_status ph_tc_approximate_pieces(const struct ph_tc_bezier *curves,
                                         size_t n, size_t pieces, double least,

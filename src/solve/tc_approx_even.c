@@ -196,8 +196,11 @@ enum ph_status ph_tc_plan_even(const struct ph_tc_target *target, size_t first,
   plan->n = first;
   even(&s);
   for (size_t i = 0; status == PH_OK && i < s.best.n; i++) {
-    struct ph_tc_part part = {s.best.u[i], s.best.u[i + 1], s.best.e[i],
-                              PH_TC_ONE, s.best.cubics[i]};
+    struct ph_tc_part part = {.from = s.best.u[i],
+                              .to = s.best.u[i + 1],
+                              .distance = s.best.e[i],
+                              .kind = PH_TC_ONE,
+                              .n = s.best.cubics[i]};
     status = ph_tc_plan_add(plan, &part, diag);
   }
   ph_arena_free(&scratch);

@@ -33,16 +33,24 @@ static const double SURE = 0.0625;
  * rounding of control points. */
 static const double EVEN = 0x1p-16;
 
-enum ph_status ph_tc_target_of(const struct ph_tc_bezier *curve,
-                               struct ph_arena *arena,
-                               struct ph_tc_target *target,
-                               struct ph_diag *diag) {
-  size_t n = curve->degree, room = ph_tc_match_room(n);
+/* Derivatives of no more than this, beside the largest that a curve may have,
+ * lose their direction to rounding. */
+static const double STILL = 1e-12;
+
+size_t ph_tc_target_room(size_t degree) {
+  return 3 * (degree + 1) + ph_tc_match_room(degree);
+}
+
+struct ph_tc_target ph_tc_target_of(const struct ph_tc_bezier *curve,
+                                    ph_cplx *room) {
+  size_t n = curve->degree;
   double size = 0, step = 0, extent = 0;
-  ph_cplx *pool = ph_arena_array(arena, 3 * (n + 1) + room, sizeof *pool);
-  if (!pool) {
-    return ph_fail_memory(diag);
-  }
+  struct ph_tc_target target = {.p = curve->p,
+                                .degree = n,
+                                .part = room,
+                                .cut = room + (n + 1),
+                                .spare = room + 2 * (n + 1),
+                                .pool = room + 3 * (n + 1)};
   for (size_t k = 0; k <= n; k++) {
     double a = ph_cplx_abs(curve->p[k]);
     double d =
@@ -52,21 +60,15 @@ enum ph_status ph_tc_target_of(const struct ph_tc_bezier *curve,
     extent = e > extent ? e : extent;
     step = d > step ? d : step;
   }
-  target->p = curve->p;
-  target->degree = n;
-  target->size = size;
-  target->extent = extent;
+  target.size = size;
+  target.extent = extent;
   /* n steps each of two cuts (2 eps a step, and eps for the parameter), of 2 +
    * 4 halvings (eps/2) and of an elevation (2 eps); as much as `same` for n
    * points that are not looked at; 56 eps for the cubic, cut and composed */
-  target->noise = (14 * (double)n + 56) * DBL_EPSILON * size;
-  target->same = 4 * DBL_EPSILON * size;
-  target->still = 1e-12 * (double)n * step;
-  target->part = pool;
-  target->cut = pool + (n + 1);
-  target->spare = pool + 2 * (n + 1);
-  target->pool = pool + 3 * (n + 1);
-  return PH_OK;
+  target.noise = (14 * (double)n + 56) * DBL_EPSILON * size;
+  target.same = fmax(4 * DBL_EPSILON * size, curve->shortest);
+  target.still = STILL * (double)n * step;
+  return target;
 }
 
 static ph_cplx unit(ph_cplx a) {
@@ -101,7 +103,7 @@ static ph_cplx point_of(const ph_cplx *q, size_t degree, double u, ph_cplx *b,
 }
 
 struct ph_tc_knot ph_tc_knot_at(const struct ph_tc_target *t, double u) {
-  struct ph_tc_knot knot = {u, {0, 0}, {0, 0}, {0, 0}};
+  struct ph_tc_knot knot = {.u = u};
   knot.p = point_of(t->p, t->degree, u, t->spare, &knot.derivative);
   if (ph_cplx_abs(knot.derivative) > t->still) {
     knot.tangent = unit(knot.derivative);
@@ -124,7 +126,7 @@ static void part_of(const struct ph_tc_target *t, const struct ph_tc_knot *from,
 static double distance_of(const struct ph_tc_target *t, const struct ph_tc *tc,
                           ph_cplx start, ph_cplx end, const ph_cplx *part,
                           double enough) {
-  struct ph_tc_match m = {part, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}};
+  struct ph_tc_match m = {.q = part};
   ph_tc_control_points(tc, start, end, m.c);
   return ph_tc_match_distance(&m, t->degree, t->same, enough, t->pool) +
          t->noise;
@@ -179,7 +181,7 @@ static void try_pair(const struct ph_tc_target *t,
   ph_cplx along = ph_cplx_scale(1 / length, ph_cplx_conj(chord));
   struct ph_tc_hermite data = {{derivative_at(from, h, along, length),
                                 derivative_at(to, h, along, length)}};
-  struct ph_tc_patch patch = {2, 0, {{{{0, 0}, {0, 0}}}}, {0, 0}, 0};
+  struct ph_tc_patch patch = {.n = 2};
   struct ph_tc_fit fit;
   if (!ph_tc_pair_best(&data, &fit) || !fit.simple) {
     return;
@@ -201,8 +203,7 @@ struct ph_tc_patch ph_tc_patch_of(const struct ph_tc_target *target,
                                   const struct ph_tc_knot *from,
                                   const struct ph_tc_knot *to,
                                   enum ph_tc_kind kind, double tolerance) {
-  struct ph_tc_patch best = {
-      0, (double)INFINITY, {{{{0, 0}, {0, 0}}}}, {0, 0}, 0};
+  struct ph_tc_patch best = {.n = 0, .distance = (double)INFINITY};
   double enough = 4 * tolerance;
   double length = ph_cplx_abs(ph_cplx_sub(to->p, from->p));
   bool turns =

@@ -115,8 +115,9 @@ static void look(struct search *s, const ph_cplx *c, double from, double to,
 enum ph_status ph_tc_inflections(const struct ph_tc_bezier *curve,
                                  struct ph_arena *arena, double *u, size_t *n,
                                  struct ph_diag *diag) {
-  struct search s = {0, 0, NULL, u, 0, 2 * curve->degree, 0};
   size_t m = curve->degree;
+  struct search s = {.u = u, .room = 2 * m, .visits = VISITS * m};
+  struct ph_mark mark = ph_arena_mark(arena);
   double *binomial;
   *n = 0;
   if (m < 3) {
@@ -124,12 +125,11 @@ enum ph_status ph_tc_inflections(const struct ph_tc_bezier *curve,
   }
   s.pool = ph_arena_array(arena, (2 * DEPTH + 3) * (2 * m - 2), sizeof *s.pool);
   binomial = ph_arena_array(arena, 4 * m, sizeof *binomial);
-  if (!s.pool || !binomial) {
-    return ph_fail_memory(diag);
+  if (s.pool && binomial) {
+    curvature_form(curve, binomial, &s);
+    look(&s, s.pool, 0, 1, 0);
+    *n = s.n;
   }
-  curvature_form(curve, binomial, &s);
-  s.visits = VISITS * m;
-  look(&s, s.pool, 0, 1, 0);
-  *n = s.n;
-  return PH_OK;
+  ph_arena_release(arena, mark);
+  return s.pool && binomial ? PH_OK : ph_fail_memory(diag);
 }

@@ -14,7 +14,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/* A curve with what is needed to work on it. */
+/* A curve, and the room to work on it, which several may have in common. */
 struct ph_tc_target {
   const ph_cplx *p; /* [degree + 1] */
   size_t degree;
@@ -29,11 +29,14 @@ struct ph_tc_target {
   ph_cplx *pool;  /* and the parts of the matching */
 };
 
-/* ph_tc_target_of: ret  PH_OK | PH_NO_MEMORY */
-enum ph_status ph_tc_target_of(const struct ph_tc_bezier *curve,
-                               struct ph_arena *arena,
-                               struct ph_tc_target *target,
-                               struct ph_diag *diag);
+/* ph_tc_target_room: points of room for a curve of this degree, or less. */
+size_t ph_tc_target_room(size_t degree);
+
+/* ph_tc_target_of: a curve; its control points are not copied.
+ *
+ * ws   room[ph_tc_target_room(degree)]  as long as the target is used */
+struct ph_tc_target ph_tc_target_of(const struct ph_tc_bezier *curve,
+                                    ph_cplx *room);
 
 /*
  * ph_tc_shortest: no chord of cubics is shorter.  Where a curve turns back
@@ -108,6 +111,7 @@ double ph_tc_match_distance(const struct ph_tc_match *match, size_t degree,
  * ph_tc_inflections: where the curvature changes sign, each at the middle of a
  * dyadic interval of width 2^-31, or at its end; increasing.
  *
+ * ws   arena  as it was after the call
  * out  u[2 * degree]
  * ret  PH_OK | PH_NO_MEMORY
  */

@@ -11,10 +11,9 @@
 #include "solve/tc_approx_plan.h"
 
 #include <math.h>
-#include <string.h>
 
-/* So often is a part halved. */
-enum { DEPTH = 48 };
+/* So often is a part halved; and so many parts have room at first. */
+enum { DEPTH = 48, PARTS = 64 };
 
 /* Cuts beside a middle where the curve stands still. */
 static const double BESIDE = 0.0625;
@@ -30,22 +29,17 @@ struct cover {
 enum ph_status ph_tc_plan_add(struct ph_tc_plan *plan,
                               const struct ph_tc_part *part,
                               struct ph_diag *diag) {
+  struct ph_tc_part *grown;
   if (plan->n == plan->limit) {
     return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
                    "would need more than %zu cubics", plan->limit);
   }
-  if (plan->n == plan->room) {
-    size_t room = plan->room > 0 ? 2 * plan->room : 64;
-    struct ph_tc_part *grown = ph_arena_array(plan->arena, room, sizeof *grown);
-    if (!grown) {
-      return ph_fail_memory(diag);
-    }
-    if (plan->n > 0) {
-      memcpy(grown, plan->part, plan->n * sizeof *grown);
-    }
-    plan->part = grown;
-    plan->room = room;
+  grown = ph_arena_grow(plan->arena, plan->part, plan->n, sizeof *grown, PARTS,
+                        &plan->room);
+  if (!grown) {
+    return ph_fail_memory(diag);
   }
+  plan->part = grown;
   plan->part[plan->n++] = *part;
   plan->cubics += part->n;
   return PH_OK;
@@ -59,8 +53,11 @@ static enum ph_status add_if_near(struct cover *c,
                                   double *distance) {
   struct ph_tc_patch patch =
       ph_tc_patch_of(c->target, from, to, kind, c->tolerance);
-  struct ph_tc_part part = {from->u, to->u, patch.distance, kind,
-                            (unsigned)patch.n};
+  struct ph_tc_part part = {.from = from->u,
+                            .to = to->u,
+                            .distance = patch.distance,
+                            .kind = kind,
+                            .n = (unsigned)patch.n};
   *near = patch.distance <= c->tolerance;
   *distance = patch.distance;
   return *near ? ph_tc_plan_add(c->plan, &part, c->diag) : PH_OK;
@@ -147,7 +144,11 @@ static enum ph_status cover(struct cover *c, const struct ph_tc_knot *from,
 enum ph_status ph_tc_plan_curve(const struct ph_tc_target *target,
                                 const double *u, size_t n, double tolerance,
                                 struct ph_tc_plan *plan, struct ph_diag *diag) {
-  struct cover c = {target, u, tolerance, plan, diag};
+  struct cover c = {.target = target,
+                    .u = u,
+                    .tolerance = tolerance,
+                    .plan = plan,
+                    .diag = diag};
   struct ph_tc_knot from = ph_tc_knot_at(target, 0);
   struct ph_tc_knot to = ph_tc_knot_at(target, 1);
   if (!(tolerance > target->noise)) {

@@ -145,12 +145,13 @@ static enum ph_status read_number(const struct ph_problem *p,
 static enum ph_status read_numbers(const struct ph_problem *p,
                                    struct ph_tc_data *d, struct ph_diag *diag) {
   const double none = d->mode == PH_TC_SPLINE ? PH_TC_LAMBDA : (double)NAN;
-  enum ph_status status = read_number(p, PH_F_LAMBDA, 0, HUGE_VAL,
-                                      "greater than 0", none, &d->lambda, diag);
+  enum ph_status status =
+      read_number(p, PH_F_LAMBDA, 1 / RATIO_MAX, RATIO_MAX,
+                  "between 1e-12 and 1e12", none, &d->lambda, diag);
   if (status == PH_OK) {
-    status =
-        read_number(p, PH_F_JOINT_ANGLE, -PH_PI, PH_PI, "between -pi and pi",
-                    (double)NAN, &d->joint_angle, diag);
+    status = read_number(p, PH_F_JOINT_ANGLE, -2 * PH_PI, 2 * PH_PI,
+                         "between -2 pi and 2 pi", (double)NAN, &d->joint_angle,
+                         diag);
   }
   return status == PH_OK
              ? read_number(p, PH_F_JOINT_POSITION, 0, 1, "between 0 and 1",

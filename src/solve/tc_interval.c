@@ -68,8 +68,11 @@ static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
                     d->choice == PH_TC_STANDARD
                         ? "the standard pair has a cusp; \"solutions\":"
                           "\"best\" may have none"
-                        : "all four pairs of cubics have a cusp with these "
-                          "derivatives; other lengths of them do not");
+                    : d->mode == PH_TC_C1
+                        ? "all four pairs of cubics have a cusp with these "
+                          "derivatives; other lengths of them do not"
+                        : "all four pairs of cubics have a cusp with this "
+                          "lambda; others do not");
 }
 
 /* ---- one ---------------------------------------------------------------- */

@@ -15,7 +15,7 @@
  *
  * ret  PH_OK | PH_MISSING_FIELD | PH_BAD_VALUE | PH_BAD_SHAPE |
  *      PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS | PH_NO_CONVERGENCE |
- *      PH_INFEASIBLE | PH_TOO_LARGE | PH_NO_MEMORY
+ *      PH_TOO_LARGE | PH_NO_MEMORY
  */
 enum ph_status ph_tc_target(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,

@@ -136,15 +136,13 @@ wrong unknown-field lamda 'is not a field of tc; did you mean "lambda"?' \
 # ---- numbers -----------------------------------------------------------------
 
 for value in 0 -1; do
-  wrong bad-value lambda "must be greater than 0, found $value" \
+  wrong bad-value lambda "must be between 1e-12 and 1e12, found $value" \
     "{$two,\"lambda\":$value}"
   wrong bad-value tolerance "must be greater than 0, found $value" \
     "{$bezier,\"tolerance\":$value}"
 done
-for value in 3.2 -4; do
-  shown=$value
-  [ "$value" != 3.2 ] || shown=3.2000000000000002
-  wrong bad-value joint_angle "must be between -pi and pi, found $shown" \
+for value in 6.5 -7; do
+  wrong bad-value joint_angle "must be between -2 pi and 2 pi, found $value" \
     "{$two,$t2,$chord,\"joint_angle\":$value}"
 done
 for value in 0 1; do
@@ -193,7 +191,7 @@ wrong too-large 'derivatives[0]' \
   "{$two,\"derivatives\":[[1e14,0],[1,0]]}"
 wrong too-large 'points[0]' \
   'gets a derivative that is too large beside the chord from points[0]' \
-  "{$two,\"lambda\":1e13}"
+  "{$two,\"end_derivatives\":[[1e14,0],[1,0]]}"
 wrong infeasible 'points[1]' 'is where the data turn back by 180 degrees: the '\
 'chords have no bisector there' '{"points":[[0,0],[2,0],[1,0],[1,1]]}'
 wrong infeasible 'points[0]' 'is where the data turn back by 180 degrees: the '\
@@ -252,6 +250,8 @@ wrong coincident-points curve 'has control points that are all the same' \
   "{\"curve\":[[1,2],[1,2],[1,2]],$goal}"
 wrong bad-value pieces 'must be at least 2, one for each curve, found 1' \
   '{"curve":[[[0,0],[1,1]],[[1,1],[3,3]]],"pieces":1}'
+wrong bad-value pieces 'is too few: the fewest cubics found are 2' \
+  '{"curve":[[0,0],[1,1],[-1,1],[0,0]],"pieces":1}'
 
 # ---- too large ---------------------------------------------------------------
 

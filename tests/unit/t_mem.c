@@ -165,6 +165,28 @@ START_TEST(test_reset_gives_back) {
 }
 END_TEST
 
+/* What there was is kept, and little is copied. */
+START_TEST(test_grow) {
+  size_t *v = NULL, room = 0, copies = 0;
+  for (size_t n = 0; n < 1000; n++) {
+    size_t *grown = ph_arena_grow(&arena, v, n, sizeof *v, 3, &room);
+    ck_assert_ptr_nonnull(grown);
+    ck_assert_uint_gt(room, n);
+    copies += grown != v;
+    v = grown;
+    v[n] = n;
+  }
+  for (size_t n = 0; n < 1000; n++) {
+    ck_assert_uint_eq(v[n], n);
+  }
+  ck_assert_uint_eq(room, 3 << 9);
+  ck_assert_uint_eq(copies, 10);
+  room = 1;
+  ck_assert_ptr_null(ph_arena_grow(&arena, v, 1, SIZE_MAX / 2 + 1, 1, &room));
+  ck_assert_uint_eq(room, 1);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("mem");
   TCase *tc = tcase_create("mem");
@@ -174,6 +196,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_pieces);
   tcase_add_test(tc, test_large);
   tcase_add_test(tc, test_overflow);
+  tcase_add_test(tc, test_grow);
   tcase_add_test(tc, test_copy);
   tcase_add_test(tc, test_mark);
   tcase_add_test(tc, test_mark_of_nothing);

@@ -5,6 +5,7 @@
 
 #include "cli/help.h"
 #include "cli/option.h"
+#include "curve/bezier.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +20,8 @@ static const struct ph_method named = {
     {"named", rows, 2}, "A title", 2, false, NULL};
 static const struct ph_method other = {
     {"other", rows, 1}, "A title", 2, false, NULL};
-static const struct ph_command of_named = {&named, NULL, NULL, 1, NULL, ""};
+static const struct ph_command of_named = {&named,          NULL, NULL, 1,
+                                           ph_bezier_curve, ""};
 static const struct ph_command of_other = {&other, NULL, NULL, 1, NULL, ""};
 
 static struct ph_options options;
@@ -77,17 +79,20 @@ START_TEST(test_namesake) {
 }
 END_TEST
 
-/* Each time it is given, there is an assignment more; one of another kind is
- * about the field alone. */
+/* The last one that is given sets the field, after all other assignments, which
+ * are about the field alone; beside --convert it is not the field's. */
 START_TEST(test_namesakes) {
   ck_assert_int_eq(get(&of_named, "--tolerance=1", "--override=tolerance=3",
                        "--tolerance=2"),
                    PH_OK);
   ck_abs(options.tolerance, 2, 0);
-  ck_assert_uint_eq(options.assignments_n, 3);
-  ck_assigned(0, 1, false);
-  ck_assigned(1, 3, true);
-  ck_assigned(2, 2, false);
+  ck_assert_uint_eq(options.assignments_n, 2);
+  ck_assigned(0, 3, true);
+  ck_assigned(1, 2, false);
+  ck_assert_int_eq(get(&of_named, "--tolerance=1", "--convert=bezier", NULL),
+                   PH_OK);
+  ck_abs(options.tolerance, 1, 0);
+  ck_assert_uint_eq(options.assignments_n, 0);
   ck_assert_int_eq(get(&of_named, "--set=tolerance=4", NULL, NULL), PH_OK);
   ck_abs(options.tolerance, 0, 0);
   ck_assert_uint_eq(options.assignments_n, 1);

@@ -73,7 +73,7 @@ static const struct known turning[] = {
 #define COUNT(a) (sizeof(a) / sizeof *(a))
 
 static struct ph_tc_bezier bezier(const struct known *k) {
-  struct ph_tc_bezier b = {k->p, k->degree};
+  struct ph_tc_bezier b = {k->p, k->degree, 0};
   return b;
 }
 
@@ -265,7 +265,7 @@ START_TEST(test_random) {
     struct ph_arena arena = {NULL};
     struct ph_tc_arcs arcs = {.arena = &arena};
     ph_cplx p[16];
-    struct ph_tc_bezier curve = {p, 1 + unit_random_below(&r, 15)};
+    struct ph_tc_bezier curve = {p, 1 + unit_random_below(&r, 15), 0};
     double sampled;
     random_curve(&r, curve.degree, p);
     approximate("random", &curve, pow(10, unit_random_in(&r, -5, 0)), &arcs);
@@ -299,7 +299,7 @@ static void check_moved(const struct known *k, double tolerance, ph_cplx by,
   ph_cplx p[POINTS_MAX];
   double same = k == &turning[0] ? 1e-2 : 1e-6;
   move(&curve, by, mirror, backward, p);
-  moved = (struct ph_tc_bezier){p, curve.degree};
+  moved = (struct ph_tc_bezier){p, curve.degree, 0};
   approximate(k->name, &curve, tolerance, &a);
   approximate(k->name, &moved, size * tolerance, &b);
   ck_assert_msg(a.n == b.n, "%s to %g: %zu and %zu", k->name, tolerance, a.n,
@@ -365,7 +365,7 @@ END_TEST
 /* A line takes one cubic, however many there may be. */
 START_TEST(test_pieces_of_line) {
   const ph_cplx p[] = {{0, 0}, {1, .5}};
-  const struct ph_tc_bezier line = {p, 1};
+  const struct ph_tc_bezier line = {p, 1, 0};
   struct ph_arena arena = {NULL};
   struct ph_tc_arcs arcs = {.arena = &arena};
   struct ph_diag diag;
@@ -385,9 +385,9 @@ START_TEST(test_too_few_pieces) {
   size_t first[2];
   ck_assert_int_eq(
       ph_tc_approximate_pieces(&closed, 1, 1, 0, &arcs, first, &diag),
-      PH_INFEASIBLE);
-  ck_assert_str_eq(diag.message,
-                   "is too few: the curve takes 2 cubics at least");
+      PH_BAD_VALUE);
+  ck_assert_str_eq(diag.field, "pieces");
+  ck_assert_str_eq(diag.message, "is too few: the fewest cubics found are 2");
   ph_arena_free(&arena);
 }
 END_TEST
@@ -408,7 +408,7 @@ static void check_refused(const struct ph_tc_bezier *curve, double tolerance,
 START_TEST(test_refused) {
   const struct ph_tc_bezier curve = bezier(&quarter);
   const ph_cplx same[] = {{1, 1}, {1, 1}, {1, 1}};
-  const struct ph_tc_bezier point = {same, 2}, none = {same, 0};
+  const struct ph_tc_bezier point = {same, 2, 0}, none = {same, 0, 0};
   check_refused(&curve, 1e-15, "rounding alone");
   check_refused(&curve, 0, "rounding alone");
   check_refused(&curve, (double)NAN, "rounding alone");
@@ -432,7 +432,7 @@ START_TEST(test_high_degree) {
   static ph_cplx p[POINTS_MAX];
   struct ph_arena arena = {NULL};
   struct ph_tc_arcs arcs = {.arena = &arena};
-  struct ph_tc_bezier curve = {p, 100};
+  struct ph_tc_bezier curve = {p, 100, 0};
   for (size_t k = 0; k <= 100; k++) {
     p[k] = ph_cplx_polar(.06 * (double)k);
   }

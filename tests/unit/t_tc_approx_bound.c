@@ -72,7 +72,7 @@ START_TEST(test_random) {
                         ph_cplx_polar(unit_random_in(&r, -.4, .4))}};
     size_t n = 3 + unit_random_below(&r, DEGREE_MAX - 3);
     ph_cplx q[DEGREE_MAX + 1], c[4];
-    struct ph_tc_bezier curve = {q, n};
+    struct ph_tc_bezier curve = {q, n, 0};
     struct ph_tc_arc arc = {0, 1, {0, 0}, ph_tc_leg(&tc), tc};
     struct ph_tc_arcs arcs = {.arc = &arc, .n = 1};
     double sampled, bound, away = pow(10, unit_random_in(&r, -6, -2));
@@ -95,7 +95,7 @@ END_TEST
 
 static size_t inflections(const ph_cplx *p, size_t degree, double *u) {
   struct ph_arena arena = {NULL};
-  struct ph_tc_bezier curve = {p, degree};
+  struct ph_tc_bezier curve = {p, degree, 0};
   struct ph_diag diag;
   size_t n;
   ck_assert_int_eq(ph_tc_inflections(&curve, &arena, u, &n, &diag), PH_OK);
