@@ -160,13 +160,14 @@ ph_cert_fn ph_cert_sphere;
  *   distance              of approximations: an upper bound of the Hausdorff
  *                         distance, in the unit of the data (tc_distance.h)
  *
- * Beside these, how fair the curve is and whether it crosses itself; of an
- * irregular one no energy.  That is refused unless all solutions are asked for.
- * An approximation is refused, too, when the distance exceeds the tolerance and
- * when it has too many cubics.
+ * Beside these, which nothing is compared with, how fair the curve is and
+ * whether it crosses itself; of an irregular one no energy.  That is refused
+ * unless all solutions are asked for.  An approximation is refused, too, when
+ * its distance exceeds the tolerance and when it has too many cubics.  The
+ * distance that is told is the bound found here, or the claim where this bound
+ * confirms it but for rounding; no claim is refused.
  *
- * in   diagnostics  distance as claimed, or unknown: what it is worth to look
- *                   for; a claim that is confirmed is kept
+ * in   diagnostics  distance as claimed, or unknown: what is looked for
  * ret  as above; PH_INTERNAL when segments, knots and problem do not fit
  *      together
  */

@@ -75,9 +75,9 @@ bool ph_tc_is_regular(const struct ph_tc *tc);
 bool ph_tc_has_loop(const struct ph_tc *tc);
 
 /*
- * ph_tc_energy: the integral of kappa^2 ds, in 1/unit, to some eps for every
- * sweep of w as K has it, which of small sweeps is a difference: to some eps of
- * A, B, R and K.  In closed form; tc.c has it.
+ * ph_tc_energy: the integral of kappa^2 ds, in 1/unit: a closed form that is
+ * good to some eps of what A, B, R and K say, for every sweep of w.  K itself,
+ * a difference, is known to fewer digits where the sweep is small.
  *
  * ret  0 for a straight line; infinite unless regular
  */

@@ -29,13 +29,14 @@
 #include <string.h>
 
 /* Halvings that are always done, and how many more there may be; a match is
- * tight when it is within this factor of a distance that was seen. */
+ * tight when it is within this factor of a distance that was seen.  Whatever is
+ * chosen here and below, a bound is one: it may only be loose. */
 enum { LEVELS = 2, DEEPER = 4, LEAVES = 1 << LEVELS };
 static const double TIGHT = 1.05;
 
-/* The cubic is cut no nearer to its ends than EDGE; a foot is one to this
- * cosine of the angle, or to this step; and so many places are looked at where
- * that fails. */
+/* The cubic is cut no nearer to its ends than EDGE, as both parts must have a
+ * direction; a foot is one to this cosine of the angle, or to this step; and so
+ * many places are looked at where that fails. */
 static const double EDGE = 0x1p-6, NORMAL = 0.1, STEP = 1e-6;
 enum { PLACES = 16 };
 

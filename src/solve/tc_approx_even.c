@@ -15,12 +15,20 @@
 
 #include <math.h>
 
-/* Sweeps for one number of parts, all sweeps, and those that only make an
- * accepted mesh more even. */
+/*
+ * Sweeps for one number of parts, all sweeps, and those that only make an
+ * accepted mesh more even.  A number of parts is given up when a sweep leaves
+ * more than SHRINK of what is beyond the tolerance, or the counts promise more
+ * than HOPELESS times as many.
+ *
+ * With 1000 random curves, twice as many sweeps save no cubic and half as many
+ * cost one in 400; SHRINK from .5 to .9 and HOPELESS from 1 to 1.1 matter less.
+ */
 enum { TRIES = 12, SWEEPS = 36, POLISH = 2 };
 static const double SHRINK = 0.7, HOPELESS = 1.02;
 
-/* A knot is rounded to this fraction of the parts beside it. */
+/* A knot is rounded to this fraction of the parts beside it, which changes
+ * their distances by a percent at most. */
 static const double GRAIN = 0x1p-10;
 
 struct mesh {

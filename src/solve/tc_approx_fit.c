@@ -20,10 +20,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Derivatives of pairs over the chord: standard pairs are simple to 1.46, and
- * have no sharp bend at an end from .03. */
-static const double SHORTEST = 0.03, LONGEST = 1.4;
-
 /* A cubic that turns by a half turn or more is taken only where it is this near
  * to the curve, over the chord: it may go another way round. */
 static const double SURE = 0.0625;
@@ -168,8 +164,8 @@ static void try_one(const struct ph_tc_target *t, const struct ph_tc_knot *from,
 static ph_cplx derivative_at(const struct ph_tc_knot *knot, double h,
                              ph_cplx along, double length) {
   double size = h * ph_cplx_abs(knot->derivative) / length;
-  size = size > SHORTEST ? size : SHORTEST;
-  size = size < LONGEST ? size : LONGEST;
+  size = size > PH_TC_PAIR_SHORTEST ? size : PH_TC_PAIR_SHORTEST;
+  size = size < PH_TC_PAIR_LONGEST ? size : PH_TC_PAIR_LONGEST;
   return ph_tc_snap(ph_cplx_scale(size, ph_cplx_mul(along, knot->tangent)));
 }
 

@@ -15,7 +15,7 @@
 /* So often is a part halved; and so many parts have room at first. */
 enum { DEPTH = 48, PARTS = 64 };
 
-/* Cuts beside a middle where the curve stands still. */
+/* Cuts beside a middle where the curve stands still, as a part of the part. */
 static const double BESIDE = 0.0625;
 
 struct cover {

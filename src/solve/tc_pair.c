@@ -54,9 +54,10 @@ void ph_tc_pairs(const struct ph_tc_hermite *h,
 }
 
 bool ph_tc_pair_is_safe(const struct ph_tc_hermite *h) {
+  const double low = PH_TC_PAIR_SHORTEST, high = PH_TC_PAIR_LONGEST;
   for (size_t i = 0; i < 2; i++) {
     double norm2 = ph_cplx_norm2(h->t[i]);
-    if (!(h->t[i].re >= 0 && norm2 >= 0.03 * 0.03 && norm2 <= 1.4 * 1.4)) {
+    if (!(h->t[i].re >= 0 && norm2 >= low * low && norm2 <= high * high)) {
       return false;
     }
   }

@@ -23,9 +23,14 @@ enum { PH_TC_PAIRS = 4 };
 void ph_tc_pairs(const struct ph_tc_hermite *h,
                  struct ph_tc_fit fits[PH_TC_PAIRS]);
 
+/* Derivatives over the chord: standard pairs are simple to 1.46, and have no
+ * sharp bend at an end from .03. */
+#define PH_TC_PAIR_SHORTEST 0.03
+#define PH_TC_PAIR_LONGEST 1.4
+
 /* ph_tc_pair_is_safe: whether the standard pair is known to be the best by
- * sight of the data: both within a right angle of the chord, and from .03 to
- * 1.4 of its length. */
+ * sight of the data: both within a right angle of the chord, and of a length
+ * between those. */
 bool ph_tc_pair_is_safe(const struct ph_tc_hermite *h);
 
 /*

@@ -30,7 +30,15 @@ struct bracket {
   double low, x, high, value;
 };
 
+/* Golden section leaves 1.2e-3 of a bracket.  Newton's method squares what is
+ * left, relative, so that two steps come to the rounding of F; a third is kept
+ * in reserve.  F may rise by RISE in it, some hundred roundings. */
 enum { GOLDEN_STEPS = 14, POLISH_STEPS = 3 };
+static const double RISE = 1e-13;
+
+/* The step of the difference quotient in a bracket: its error moves lambda by
+ * 1e-9, and half or twice as long a step no minimum of F by more. */
+static const double STEP = 1.0 / 32;
 
 static void golden(const struct fairness *fair, struct bracket *b) {
   const double part = 0.3819660112501051; /* (3 - sqrt 5)/2 */
@@ -68,7 +76,7 @@ static void polish(const struct fairness *fair, double step,
       return;
     }
     f[2] = fair->f(fair, x);
-    if (!(f[2] <= b->value * (1 + 1e-13))) {
+    if (!(f[2] <= b->value * (1 + RISE))) {
       return;
     }
     b->x = x;
@@ -79,7 +87,7 @@ static void polish(const struct fairness *fair, double step,
 /* No step of it leads to a larger F, but for rounding. */
 static void refine(const struct fairness *fair, struct bracket *b) {
   struct bracket fine = *b;
-  double step = (b->high - b->low) / 32;
+  double step = STEP * (b->high - b->low);
   golden(fair, &fine);
   b->x = fine.x;
   b->value = fine.value;
@@ -104,6 +112,7 @@ static double fairness_of(const struct ph_tc_fit *fit) {
 #define LAMBDA_LEAST 0.15
 #define LAMBDA_MOST 1.4
 
+/* Half as many find the same minima of 1500 random data, a quarter misses 3. */
 enum { LAMBDAS = 25 };
 
 static double lambda_of(double x) {
@@ -205,7 +214,9 @@ bool ph_tc_two_free(const struct ph_tc_hermite *h, struct ph_tc_fit *fit) {
 
 /* ---- joint on the chord -------------------------------------------------- */
 
-/* x is the angle over the end of the range of angles, in (0, 1). */
+/* x is the angle over the end of the range of angles, in (0, 1).  Twice as many
+ * find less F for 15 % of random data, by a percent for .4 %: where it is least
+ * next to a loop. */
 enum { ANGLES = 64 };
 
 static void part_of(const struct ph_tc *tc, double part, struct ph_tc *out) {
@@ -282,11 +293,14 @@ static double angle_at(size_t k) {
 
 /* The least in a range. */
 static struct bracket least_of(const struct fairness *fair) {
-  struct bracket b = {0, 0, 1, (double)INFINITY};
+  struct bracket b = {.high = 1, .value = (double)INFINITY};
   for (size_t k = 1; k <= ANGLES; k++) {
     double x = angle_at(k), value = fair->f(fair, x);
     if (is_less(value, b.value)) {
-      b = (struct bracket){angle_at(k - 1), x, angle_at(k + 1), value};
+      b = (struct bracket){.low = angle_at(k - 1),
+                           .x = x,
+                           .high = angle_at(k + 1),
+                           .value = value};
     }
   }
   if (b.value < (double)INFINITY) {
