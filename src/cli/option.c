@@ -481,7 +481,7 @@ enum ph_status ph_options_read(int argc, char **argv,
     return ph_fail_memory(diag);
   }
   opterr = 0;
-  optind = 1;
+  optind = 0; /* anew, also after a command line that ended in an error */
   while (status == PH_OK &&
          (value = getopt_long(argc, argv, p.shorts, p.longs, NULL)) != -1) {
     status = read_option(&p, value);
