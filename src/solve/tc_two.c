@@ -36,8 +36,8 @@ struct bracket {
 enum { GOLDEN_STEPS = 14, POLISH_STEPS = 3 };
 static const double RISE = 1e-13;
 
-/* The step of the difference quotient in a bracket: its error moves lambda by
- * 1e-9, and half or twice as long a step no minimum of F by more. */
+/* The step of the difference quotient in a bracket, so long that rounding of F
+ * does not show; its error, of the fourth order, moves lambda by some 1e-9. */
 static const double STEP = 1.0 / 32;
 
 static void golden(const struct fairness *fair, struct bracket *b) {
