@@ -142,8 +142,7 @@ static bool is_sharp(const struct ph_tc *tc) {
   const double sharp = 1e-6;
   double t = ph_tc_vertex(tc);
   struct ph_tc_form f = ph_tc_form_of(tc);
-  ph_cplx w =
-      ph_cplx_add(ph_cplx_scale(1 - t, tc->w[0]), ph_cplx_scale(t, tc->w[1]));
+  ph_cplx w = ph_cplx_between(tc->w[0], tc->w[1], t);
   return !(ph_cplx_norm2(w) > sharp * sharp * fmax(f.a, f.b));
 }
 
