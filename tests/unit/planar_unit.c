@@ -137,7 +137,8 @@ ph_cplx unit_preimage(const struct ph_curve *curve, size_t k, size_t order,
 double unit_curves_apart(const struct ph_curve *a, const struct ph_curve *b) {
   double apart = 0;
   ck_assert_uint_eq(a->n, b->n);
-  for (size_t i = 0; i < 6 * a->n; i++) {
+  ck_assert_uint_eq(a->degree, b->degree);
+  for (size_t i = 0; i < (a->degree + 1) * a->n; i++) {
     const double *p = a->control_points + 2 * i, *q = b->control_points + 2 * i;
     apart = unit_larger(apart, hypot(p[0] - q[0], p[1] - q[1]));
   }
