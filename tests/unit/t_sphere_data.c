@@ -5,6 +5,7 @@
  */
 #include "unit.h"
 
+#include "fields_unit.h"
 #include "random_unit.h"
 
 #include "kernel/pi.h"
@@ -12,51 +13,18 @@
 #include "solve/sphere_data.h"
 
 #include <float.h>
-#include <string.h>
-
-enum { GIVEN_MAX = 5 };
-
-/* A field that is given; the list ends with one of kind PH_ABSENT. */
-struct given {
-  enum ph_field_id id;
-  struct ph_value value;
-};
-
-#define COUNT(...) (sizeof((double[]){__VA_ARGS__}) / sizeof(double))
-#define VECTORS(size, ...)                                \
-  {                                                       \
-    .kind = PH_VECTORS, .v = (double[]){__VA_ARGS__},     \
-    .n = COUNT(__VA_ARGS__) / (size), .dimension = (size) \
-  }
-#define NUMBERS(...)                                                           \
-  {                                                                            \
-    .kind = PH_NUMBERS, .v = (double[]){__VA_ARGS__}, .n = COUNT(__VA_ARGS__), \
-    .dimension = 1                                                             \
-  }
-#define NUMBER(x) \
-  { .kind = PH_NUMBER, .number = (x) }
-#define WORD(x) \
-  { .kind = PH_WORD, .word = (x) }
-#define TRUE_FLAG \
-  { .kind = PH_BOOL, .flag = true }
 
 #define OCTANT \
   { PH_F_POINTS, VECTORS(3, 1, 0, 0, 0, 1, 0, 0, 0, 1) }
 #define RING \
   { PH_F_POINTS, VECTORS(3, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0) }
-#define CLOSED \
-  { PH_F_CLOSED, TRUE_FLAG }
 
 static enum ph_status read_fields(const struct given given[GIVEN_MAX],
                                   struct ph_arena *arena,
                                   struct ph_sphere_data *data,
                                   struct ph_diag *diag) {
-  struct ph_problem problem;
+  const struct ph_problem problem = unit_problem_of(given);
 
-  memset(&problem, 0, sizeof problem);
-  for (size_t i = 0; i < GIVEN_MAX && given[i].value.kind != PH_ABSENT; i++) {
-    problem.field[given[i].id] = given[i].value;
-  }
   return ph_sphere_data_read(&problem, arena, data, diag);
 }
 
