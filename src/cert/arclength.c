@@ -299,7 +299,7 @@ static enum ph_status conclude(const struct context *c,
       }
     }
   }
-  ph_check_set(diagnostics, PH_D_MIN_SPEED, checks->speed);
+  ph_diagnostics_set_finite(diagnostics, PH_D_MIN_SPEED, checks->speed);
   return PH_OK;
 }
 

@@ -83,14 +83,6 @@ enum ph_status ph_check_conclude(const struct ph_check *check,
 enum ph_status ph_check_finite(const struct ph_curve *curve,
                                struct ph_diag *diag);
 
-/* ph_check_set: a diagnostic that is unknown where it is not finite. */
-static inline void ph_check_set(struct ph_diagnostics *diagnostics,
-                                enum ph_diagnostic which, double value) {
-  if (isfinite(value)) {
-    ph_diagnostics_set(diagnostics, which, value);
-  }
-}
-
 /* The scale of the data, and what depends on it. */
 struct ph_check_scale {
   struct ph_pow2 to_unit;

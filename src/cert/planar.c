@@ -218,14 +218,14 @@ static enum ph_status describe(const struct ph_curve *curve,
   }
   ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)cross.loops);
   ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple);
-  ph_check_set(diagnostics, PH_D_ENERGY, energy.bending);
-  ph_check_set(diagnostics, PH_D_MV, energy.varying);
-  ph_check_set(diagnostics, PH_D_IES, energy.bending * length);
-  ph_check_set(diagnostics, PH_D_IMV,
-               energy.varying * length * length * length);
-  ph_check_set(diagnostics, PH_D_ROTATION_INDEX, energy.rotation);
-  ph_check_set(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
-               energy.absolute_rotation);
+  ph_diagnostics_set_finite(diagnostics, PH_D_ENERGY, energy.bending);
+  ph_diagnostics_set_finite(diagnostics, PH_D_MV, energy.varying);
+  ph_diagnostics_set_finite(diagnostics, PH_D_IES, energy.bending * length);
+  ph_diagnostics_set_finite(diagnostics, PH_D_IMV,
+                            energy.varying * length * length * length);
+  ph_diagnostics_set_finite(diagnostics, PH_D_ROTATION_INDEX, energy.rotation);
+  ph_diagnostics_set_finite(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
+                            energy.absolute_rotation);
   return PH_OK;
 }
 

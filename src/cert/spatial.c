@@ -213,10 +213,10 @@ static enum ph_status describe_fairness(const struct context *c,
     }
   }
   /* The bending is the inverse of a length. */
-  ph_check_set(diagnostics, PH_D_ENERGY,
-               ph_pow2_apply(c->at.scale.to_unit, bending));
+  ph_diagnostics_set_finite(diagnostics, PH_D_ENERGY,
+                            ph_pow2_apply(c->at.scale.to_unit, bending));
   for (size_t i = 0; i < 3; i++) {
-    ph_check_set(diagnostics, name[i], functional[i]);
+    ph_diagnostics_set_finite(diagnostics, name[i], functional[i]);
   }
   return PH_OK;
 }

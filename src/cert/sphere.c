@@ -461,9 +461,10 @@ static enum ph_status conclude(const struct context *c, struct checks *checks,
   }
   ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK,
                      checks->fault == PH_CERT_NO_FAULT);
-  ph_check_set(diagnostics, PH_D_TENSION_SUM, ph_sum_value(&checks->tensions));
-  ph_check_set(diagnostics, PH_D_MAX_CURVATURE,
-               checks->curvature / c->curve->radius);
+  ph_diagnostics_set_finite(diagnostics, PH_D_TENSION_SUM,
+                            ph_sum_value(&checks->tensions));
+  ph_diagnostics_set_finite(diagnostics, PH_D_MAX_CURVATURE,
+                            checks->curvature / c->curve->radius);
   return status;
 }
 

@@ -250,15 +250,16 @@ static enum ph_status describe(const struct ph_tc_check *c,
   ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple && c->regular);
   if (c->regular) {
     /* Both are inverses of a length. */
-    ph_check_set(diagnostics, PH_D_ENERGY,
-                 ph_pow2_apply(c->scale.to_unit, ph_sum_value(&c->energy)));
-    ph_check_set(diagnostics, PH_D_MAX_CURVATURE,
-                 ph_pow2_apply(c->scale.to_unit, c->flattening));
+    ph_diagnostics_set_finite(
+        diagnostics, PH_D_ENERGY,
+        ph_pow2_apply(c->scale.to_unit, ph_sum_value(&c->energy)));
+    ph_diagnostics_set_finite(diagnostics, PH_D_MAX_CURVATURE,
+                              ph_pow2_apply(c->scale.to_unit, c->flattening));
   }
-  ph_check_set(diagnostics, PH_D_ROTATION_INDEX,
-               ph_sum_value(&c->rotation) / turn);
-  ph_check_set(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
-               ph_sum_value(&c->absolute) / turn);
+  ph_diagnostics_set_finite(diagnostics, PH_D_ROTATION_INDEX,
+                            ph_sum_value(&c->rotation) / turn);
+  ph_diagnostics_set_finite(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
+                            ph_sum_value(&c->absolute) / turn);
   return PH_OK;
 }
 

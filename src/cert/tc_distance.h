@@ -20,6 +20,8 @@
  * the last for points beyond the other's end.  Where the bound is not good
  * enough, C is cut, r is cut at a point that is near to where, and both parts
  * are bounded by themselves.
+ *
+ * Derived here; tested by t_cert_tc_distance.c: test_known, test_random.
  */
 #ifndef PH_CERT_TC_DISTANCE_H
 #define PH_CERT_TC_DISTANCE_H

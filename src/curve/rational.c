@@ -21,7 +21,8 @@ static const double QUINTIC[5 * 6] = {
     1.0 / 126, 5.0 / 126,  10.0 / 84,  10.0 / 36,  5.0 / 9,    1.0,
 };
 
-/* binomial(2,j) binomial(3,i) / binomial(5,j+i): of degrees 2 and 3. */
+/* binomial(2,j) binomial(3,i) / binomial(5,j+i): of degrees 2 and 3.  Tested by
+ * t_offset.c, against points at the distance along the normal. */
 static const double CUBIC[3 * 4] = {
     1.0,      3.0 / 5,  3.0 / 10, 1.0 / 10, /* j = 0 */
     2.0 / 5,  6.0 / 10, 6.0 / 10, 2.0 / 5,  /* 1 */

@@ -240,6 +240,15 @@ static inline void ph_diagnostics_set(struct ph_diagnostics *diagnostics,
   diagnostics->known |= (uint64_t)1 << which;
 }
 
+/* ph_diagnostics_set_finite: the same; not known where it is not finite. */
+static inline void ph_diagnostics_set_finite(struct ph_diagnostics *diagnostics,
+                                             enum ph_diagnostic which,
+                                             double value) {
+  if (isfinite(value)) {
+    ph_diagnostics_set(diagnostics, which, value);
+  }
+}
+
 #define PH_NO_SEGMENT SIZE_MAX
 
 /* Something that a user should know but that breaks no promise. */

@@ -56,6 +56,7 @@ bool ph_tc_has_loop(const struct ph_tc *tc) {
 /* ---- bending energy ----------------------------------------------------- */
 
 /*
+ * Derived here; tested by t_tc.c: test_energy_table, test_energy_small.
  * (1) From the middle of the sweep, |w| at the angle y from there is
  *       |w| = a b sin D / (P cos y + Q sin y),
  *       P = (a + b) sin h, Q = (a - b) cos h, h = D/2, a = |w0|, b = |w1|,

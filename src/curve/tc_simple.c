@@ -9,6 +9,8 @@
  *
  * the way from the joint, up to its sign.  What matters of an arc up to t is
  * z = conj(v) w(t): its argument is half the turn from the joint to t.
+ *
+ * Derived here; tested by t_tc_simple.c: test_slow, test_cross.
  */
 #include "curve/tc_simple.h"
 

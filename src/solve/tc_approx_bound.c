@@ -20,6 +20,8 @@
  *
  * with e the larger |d along the chord| at the ends, for points beyond the end
  * of the other; 0 for a straight line, however it is travelled.
+ *
+ * Derived here; tested by t_tc_approx_bound.c: test_known, test_random.
  */
 #include "solve/tc_approx_part.h"
 

@@ -6,7 +6,7 @@
  * The distance of one cubic grows like the fourth power of its part: a part at
  * the distance e counts (e/tolerance)^(1/4), and the sum of all is how many it
  * takes, about, whatever the parts are.  Knots move to where each part counts
- * the same [de Boor's equidistribution]; the distances there give new counts.
+ * the same (equidistribution); the distances there give new counts.
  *
  * Knots are rounded to few bits, so that rounding errors, which differ for the
  * curve backward or turned, do not show.

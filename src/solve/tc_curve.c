@@ -106,13 +106,6 @@ void ph_tc_build_add(struct ph_tc_builder *b, const struct ph_tc_fit *fit) {
   b->done++;
 }
 
-static void set_finite(struct ph_diagnostics *diagnostics,
-                       enum ph_diagnostic which, double value) {
-  if (isfinite(value)) {
-    ph_diagnostics_set(diagnostics, which, value);
-  }
-}
-
 void ph_tc_build_end(const struct ph_tc_builder *b,
                      struct ph_diagnostics *diagnostics) {
   b->curve->length = ph_sum_value(&b->length);
@@ -121,8 +114,8 @@ void ph_tc_build_end(const struct ph_tc_builder *b,
   if (b->data->n == 1) {
     const struct ph_interval *only = &b->intervals[0];
     ph_diagnostics_set(diagnostics, PH_D_ROOT, only->root);
-    set_finite(diagnostics, PH_D_RATIO, only->ratio);
-    set_finite(diagnostics, PH_D_LAMBDA, only->lambda);
+    ph_diagnostics_set_finite(diagnostics, PH_D_RATIO, only->ratio);
+    ph_diagnostics_set_finite(diagnostics, PH_D_LAMBDA, only->lambda);
   }
-  set_finite(diagnostics, PH_D_LAMBDA, b->data->lambda);
+  ph_diagnostics_set_finite(diagnostics, PH_D_LAMBDA, b->data->lambda);
 }
