@@ -26,6 +26,9 @@ enum { JOBS_MAX = 1024 };
 /* More samples of a segment than this are a slip of the keyboard. */
 enum { SAMPLES_MAX = 1000000 };
 
+/* Figures are no larger than this to a side; cairo's limit is 32767. */
+enum { PLOT_MAX = 20000 };
+
 const struct ph_option ph_option_table[PH_OPTION_N] = {
 #define X(symbol, letter, name, argument, help) {letter, name, argument, help},
     PH_OPTIONS(X)
@@ -42,6 +45,8 @@ struct parser {
   char shorts[2 * PH_OPTION_N + 2];
   size_t argument_n;     /* upper bound for every list */
   const char *tolerance; /* the last argument of --tolerance, or NULL */
+  const char *format;    /* and of --format */
+  bool table;            /* --table was given */
 };
 
 /* The tables that getopt_long reads; values are 256 + index into longs. */
@@ -178,16 +183,58 @@ static enum ph_status read_count(struct parser *p, enum ph_option_id id,
   return PH_OK;
 }
 
-static enum ph_status read_tolerance(struct parser *p) {
+static enum ph_status read_positive(struct parser *p, enum ph_option_id id,
+                                    double *x) {
   const char *end = optarg + strlen(optarg);
   char excerpt[PH_EXCERPT_MAX];
-  double x;
-  if (ph_number_read_text(optarg, end, &x) != end || !(x > 0) || !isfinite(x)) {
+  if (ph_number_read_text(optarg, end, x) != end || !(*x > 0) ||
+      !isfinite(*x)) {
     return ph_fail(p->diag, PH_USAGE, NULL,
-                   "--tolerance must be a number greater than 0, found '%s'",
+                   "--%s must be a number greater than 0, found '%s'",
+                   ph_option_table[id].name,
                    ph_excerpt(optarg, strlen(optarg), excerpt));
   }
-  p->options->tolerance = x;
+  return PH_OK;
+}
+
+/* One of the three ways of taking samples. */
+static enum ph_status read_samples(struct parser *p, enum ph_option_id id) {
+  struct ph_sample_rules *rules = &p->options->samples;
+  enum ph_sampling how = id == PH_O_SAMPLE    ? PH_SAMPLE_PARAMETER
+                         : id == PH_O_SPACING ? PH_SAMPLE_SPACING
+                                              : PH_SAMPLE_CHORD;
+  if (rules->how != PH_SAMPLE_NONE && rules->how != how) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--sample, --spacing and --chord-error are alternatives");
+  }
+  rules->how = how;
+  switch (how) {
+  case PH_SAMPLE_PARAMETER:
+    return read_count(p, id, SAMPLES_MAX, &rules->n);
+  case PH_SAMPLE_SPACING:
+    return read_positive(p, id, &rules->spacing);
+  default:
+    return read_positive(p, id, &rules->chord_error);
+  }
+}
+
+/* WIDTHxHEIGHT */
+static enum ph_status read_size(struct parser *p) {
+  const char *cross = optarg + strcspn(optarg, "x");
+  const char *end = optarg + strlen(optarg);
+  char excerpt[PH_EXCERPT_MAX];
+  double w, h;
+  if (!*cross || ph_number_read_text(optarg, cross, &w) != cross ||
+      ph_number_read_text(cross + 1, end, &h) != end || !(w >= 100) ||
+      !(h >= 100) || !(w <= PLOT_MAX) || !(h <= PLOT_MAX) || floor(w) < w ||
+      floor(h) < h) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--plot-size must be WIDTHxHEIGHT, whole numbers from 100 "
+                   "to %d, found '%s'",
+                   PLOT_MAX, ph_excerpt(optarg, strlen(optarg), excerpt));
+  }
+  p->options->plot_width = (size_t)w;
+  p->options->plot_height = (size_t)h;
   return PH_OK;
 }
 
@@ -337,11 +384,13 @@ static enum ph_status read_argument(struct parser *p, enum ph_option_id id) {
     break;
   case PH_O_FORMAT:
     status = choose(p, id, words, &which);
-    o->csv = which == 1;
+    o->format = (enum ph_format)which;
+    p->format = optarg;
     break;
   case PH_O_TABLE:
     status = choose(p, id, table_words + 1, &which);
     o->table = (enum ph_table)which;
+    p->table = true;
     break;
   case PH_O_COLUMNS:
     o->input.columns = optarg;
@@ -370,14 +419,26 @@ static enum ph_status read_argument(struct parser *p, enum ph_option_id id) {
     o->convert = true;
     break;
   case PH_O_TOLERANCE:
-    status = read_tolerance(p);
+    status = read_positive(p, id, &o->tolerance);
     p->tolerance = optarg;
     break;
   case PH_O_JOBS:
     status = read_count(p, id, JOBS_MAX, &o->jobs);
     break;
   case PH_O_SAMPLE:
-    status = read_count(p, id, SAMPLES_MAX, &o->samples);
+  case PH_O_SPACING:
+  case PH_O_CHORD_ERROR:
+    status = read_samples(p, id);
+    break;
+  case PH_O_FRAME:
+    status = choose(p, id, words, &which);
+    o->samples.frame = (enum ph_frame)(which + 1);
+    break;
+  case PH_O_PLOT:
+    o->plot = optarg;
+    break;
+  case PH_O_PLOT_SIZE:
+    status = read_size(p);
     break;
   default:
     break;
@@ -438,18 +499,41 @@ static enum ph_status read_option(struct parser *p, int value) {
 
 /* Options that contradict each other. */
 static enum ph_status check_together(struct parser *p) {
-  const struct ph_options *o = p->options;
-  if (o->table != PH_TABLE_CONTROL_POINTS && !o->csv) {
-    return ph_fail(p->diag, PH_USAGE, NULL, "--table needs --format=csv");
+  struct ph_options *o = p->options;
+  const struct ph_method *method = o->command->method;
+  if (p->table && !p->format) {
+    o->format = PH_FORMAT_CSV;
   }
-  if (o->pretty && o->csv) {
+  if (p->table && o->format != PH_FORMAT_CSV && o->format != PH_FORMAT_TEXT) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--table needs --format=csv or --format=text");
+  }
+  if (o->pretty && o->format != PH_FORMAT_JSON) {
     return ph_fail(p->diag, PH_USAGE, NULL, "--pretty needs --format=json");
   }
   if (o->table == PH_TABLE_OFFSETS && !o->offsets_n) {
     return ph_fail(p->diag, PH_USAGE, NULL, "--table=offsets needs --offset");
   }
-  if (o->table == PH_TABLE_SAMPLES && !o->samples) {
-    return ph_fail(p->diag, PH_USAGE, NULL, "--table=samples needs --sample");
+  if (o->table == PH_TABLE_SAMPLES && o->samples.how == PH_SAMPLE_NONE) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--table=samples needs --sample, --spacing or "
+                   "--chord-error");
+  }
+  if (o->samples.frame && o->samples.how == PH_SAMPLE_NONE) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--frame needs --sample, --spacing or --chord-error");
+  }
+  if (o->samples.frame && method->dimension == 2) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--frame: the curves of %s are in the plane, where the "
+                   "normal is (-ty,tx)",
+                   method->schema.command);
+  }
+  if (o->samples.frame == PH_FRAME_ERF && method->on_sphere) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--frame: the curves of %s have no Euler-Rodrigues frame; "
+                   "take rmf or frenet",
+                   method->schema.command);
   }
   if (o->convert && !o->command->convert) {
     return ph_fail(p->diag, PH_USAGE, NULL,
@@ -468,7 +552,8 @@ enum ph_status ph_options_read(int argc, char **argv,
                                struct ph_options *options,
                                struct ph_diag *diag) {
   static char *standard_input[] = {"-"};
-  struct parser p = {argc, argv, options, diag, NULL, "", (size_t)argc, NULL};
+  struct parser p = {argc, argv,         options, diag, NULL,
+                     "",   (size_t)argc, NULL,    NULL, false};
   enum ph_status status = build_tables(&p);
   int value;
   options->sweep_count = 1;

@@ -12,6 +12,7 @@
 #include "base/mem.h"
 #include "cli/command.h"
 #include "cli/sweep.h"
+#include "curve/sample.h"
 #include "io/csv_out.h"
 #include "io/split.h"
 
@@ -28,10 +29,12 @@
     "what the columns of CSV input are, in order (-: skip)")                  \
   X(DELIMITER, 0, "delimiter", "C",                                           \
     "separator of CSV input (default: a comma; a tab in .tsv files)")         \
-  X(FORMAT, 'f', "format", "json|csv",                                        \
-    "json (default): one object a line; csv: one table")                      \
+  X(FORMAT, 'f', "format", "json|csv|text|svg-path",                          \
+    "json (default): one object a line; csv (with --table the default): one " \
+    "table; text: the same in columns, for gnuplot and awk; svg-path: paths " \
+    "of cubic Bezier curves")                                                 \
   X(TABLE, 0, "table", "NAME",                                                \
-    "what --format=csv prints (default: control-points):")                    \
+    "what --format=csv and text print (default: control-points):")            \
   X(PRETTY, 0, "pretty", NULL, "indented JSON")                               \
   X(OUTPUT, 'o', "output", "FILE",                                            \
     "write FILE, replaced only when everything was written")                  \
@@ -45,6 +48,17 @@
     "add offset curves at these distances, positive to the left of travel")   \
   X(SAMPLE, 'n', "sample", "N",                                               \
     "add N+1 samples per segment, equally spaced in the segment's parameter") \
+  X(SPACING, 0, "spacing", "DS",                                              \
+    "add samples equally spaced by arc length along the whole curve")         \
+  X(CHORD_ERROR, 0, "chord-error", "E",                                       \
+    "add samples such that no chord leaves the curve by more than E")         \
+  X(FRAME, 0, "frame", "frenet|erf|rmf",                                      \
+    "add normal and binormal to samples of curves in space")                  \
+  X(PLOT, 'p', "plot", "FILE",                                                \
+    "draw data, curves, offsets and curvature of the whole run: FILE.svg, "   \
+    "FILE.pdf or FILE.png")                                                   \
+  X(PLOT_SIZE, 0, "plot-size", "WIDTHxHEIGHT",                                \
+    "size of the figure, in pixels (.png) or points of 1/72 inch")            \
   X(CONVERT, 0, "convert", "bezier",                                          \
     "write atph segments as polynomial quintic Bezier segments")              \
   X(TOLERANCE, 0, "tolerance", "E",                                           \
@@ -78,6 +92,14 @@ struct ph_option {
 
 extern const struct ph_option ph_option_table[PH_OPTION_N];
 
+/* What is printed; in the order of the words of --format. */
+enum ph_format {
+  PH_FORMAT_JSON,
+  PH_FORMAT_CSV,
+  PH_FORMAT_TEXT,
+  PH_FORMAT_SVG_PATH
+};
+
 /* --set, --override and the field options. */
 struct ph_assignment {
   enum ph_field_id field;
@@ -94,7 +116,7 @@ struct ph_options {
   size_t files_n;
   bool files_given; /* not standard input for want of a file */
   struct ph_split_options input;
-  bool csv;
+  enum ph_format format;
   enum ph_table table;
   bool pretty, strict, fail_fast, progress, quiet, verbose;
   const char *output; /* NULL: standard output */
@@ -108,7 +130,9 @@ struct ph_options {
   double tolerance; /* 0: the default */
   double *offsets;
   size_t offsets_n;
-  size_t samples; /* 0: none */
+  struct ph_sample_rules samples;
+  const char *plot;               /* NULL: none */
+  size_t plot_width, plot_height; /* 0: the default */
 };
 
 /*

@@ -378,7 +378,7 @@ static enum ph_status write_header(struct run *r, struct ph_diag *diag) {
   struct ph_buf buf = {0};
   enum ph_status status;
   struct ph_swept *swept;
-  if (!o->csv) {
+  if (o->format == PH_FORMAT_JSON || o->format == PH_FORMAT_SVG_PATH) {
     return PH_OK;
   }
   swept = ph_malloc((o->sweeps_n + 1) * sizeof *swept);

@@ -80,6 +80,7 @@ static void assign(struct task *t) {
 /* One warning for all offsets: the first one that has cusps. */
 static void warn_cusps(struct ph_result *result) {
   const struct ph_offset *o = result->offsets, *end = o + result->offsets_n;
+  const struct ph_place *at;
   struct ph_diag *diag;
   while (o < end && !o->cusps.n) {
     o++;
@@ -87,36 +88,40 @@ static void warn_cusps(struct ph_result *result) {
   if (o == end) {
     return;
   }
-  diag = ph_warning_add(result, o->cusps.segment);
+  at = &o->cusps.at[0];
+  diag = ph_warning_add(result, at->segment);
   if (o->vector) {
     ph_fail(diag, PH_OFFSET_CUSP, NULL,
             "the offset at distance %g along %s turns back, where the radius "
             "of curvature towards it is smaller: %zu times, first in "
             "segment %zu at %.6g of its interval",
-            o->distance, o->vector, o->cusps.n, o->cusps.segment, o->cusps.u);
+            o->distance, o->vector, o->cusps.n, at->segment, at->u);
   } else if (result->curve.radius > 0) {
     ph_fail(diag, PH_OFFSET_CUSP, NULL,
             "the offset at distance %g has cusps, where the curve bends as a "
             "circle of that radius on the sphere: %zu, the first in segment "
             "%zu at %.6g of its interval",
-            o->distance, o->cusps.n, o->cusps.segment, o->cusps.u);
+            o->distance, o->cusps.n, at->segment, at->u);
   } else {
     ph_fail(diag, PH_OFFSET_CUSP, NULL,
             "the offset at distance %g has cusps, where the radius of "
             "curvature equals it: %zu, the first in segment %zu at %.6g of "
             "its interval",
-            o->distance, o->cusps.n, o->cusps.segment, o->cusps.u);
+            o->distance, o->cusps.n, at->segment, at->u);
   }
 }
 
 static enum ph_status derive_offsets(struct task *t, double tolerance) {
   const struct ph_options *o = t->options;
-  const struct ph_offset_rules rules = {tolerance, o->samples ? o->samples
-                                                              : OFFSET_SAMPLES};
+  struct ph_offset_rules rules = {tolerance, o->samples};
   struct ph_arena *arena = &t->worker->arena;
   struct ph_result *r = &t->result;
   size_t each = o->command->offsets_n, n = o->offsets_n * each;
   enum ph_status status = PH_OK;
+  if (o->command->method->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
+    rules.samples.how = PH_SAMPLE_PARAMETER;
+    rules.samples.n = OFFSET_SAMPLES;
+  }
   r->offsets = ph_arena_array(arena, n, sizeof *r->offsets);
   if (!r->offsets) {
     return ph_fail_memory(&t->diag);
@@ -167,8 +172,8 @@ static enum ph_status derive(struct task *t) {
   if (status == PH_OK && o->convert) {
     status = convert_all(t, tolerance);
   }
-  if (status == PH_OK && o->samples) { /* of the segments in the record */
-    status = ph_sample_curve(&t->result.curve, o->samples, &t->worker->arena,
+  if (status == PH_OK && o->samples.how) { /* of the segments in the record */
+    status = ph_sample_curve(&t->result.curve, &o->samples, &t->worker->arena,
                              &t->result.samples, &t->diag);
   }
   return status;
@@ -247,7 +252,7 @@ static void write_result(struct task *t, const struct ph_heading *heading,
                          const char *id, struct ph_buf *out) {
   char number[32];
   struct ph_csv_heading csv = {id, t->swept, t->swept_n};
-  if (!t->options->csv) {
+  if (t->options->format == PH_FORMAT_JSON) {
     ph_json_result(out, heading, &t->result, t->options->pretty);
     return;
   }
@@ -308,7 +313,7 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
                         : record->line;
     }
     subject.line = t.diag.line;
-    if (!options->csv) {
+    if (options->format == PH_FORMAT_JSON) {
       ph_json_error(out, &heading, &t.diag, record->file, options->pretty);
     }
   }

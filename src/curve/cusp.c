@@ -21,8 +21,8 @@
 
 #include <math.h>
 
-/* Degree of g; halvings until v is known to rounding. */
-enum { DEGREE = 8, HALVINGS_MAX = 50 };
+/* Degree of g; halvings until v is known to rounding; room at first. */
+enum { DEGREE = 8, HALVINGS_MAX = 50, ROOM = 16 };
 
 struct form {
   double b[DEGREE + 1]; /* Bernstein coefficients */
@@ -81,6 +81,9 @@ static double parameter_of(const struct ph_atph *space, double v) {
 /* The signs of g along the curve so far. */
 struct walk {
   struct ph_cusps cusps;
+  struct ph_arena *arena;
+  size_t room; /* of cusps.at */
+  bool memory; /* is exhausted */
   size_t segment;
   const struct ph_atph *space;
   int sign; /* the last one seen, 0 before any */
@@ -93,9 +96,16 @@ static int sign_of(double x) {
 /* An interval from v on that has one sign, or none. */
 static void see(struct walk *walk, int sign, double v) {
   struct ph_cusps *cusps = &walk->cusps;
-  if (sign * walk->sign < 0 && cusps->n++ == 0) {
-    cusps->segment = walk->segment;
-    cusps->u = parameter_of(walk->space, v);
+  if (sign * walk->sign < 0) {
+    struct ph_place *at = ph_arena_grow(walk->arena, cusps->at, cusps->n,
+                                        sizeof *at, ROOM, &walk->room);
+    walk->memory |= !at;
+    if (at) {
+      cusps->at = at;
+      at[cusps->n].segment = walk->segment;
+      at[cusps->n].u = parameter_of(walk->space, v);
+      cusps->n++;
+    }
   }
   walk->sign = sign ? sign : walk->sign;
 }
@@ -120,9 +130,10 @@ static void visit(struct walk *walk, const struct form *form, double v0,
   }
 }
 
-struct ph_cusps ph_cusps_of(const struct ph_curve *curve, double distance,
-                            enum ph_normal normal) {
-  struct walk walk = {{0, 0, 0}, 0, NULL, 0};
+enum ph_status ph_cusps_of(const struct ph_curve *curve, double distance,
+                           enum ph_normal normal, struct ph_arena *arena,
+                           struct ph_cusps *cusps, struct ph_diag *diag) {
+  struct walk walk = {.arena = arena};
   int first = 0;
   for (size_t k = 0; k < curve->n; k++) {
     struct ph_seg3 seg = ph_seg3_of(curve, k);
@@ -137,5 +148,6 @@ struct ph_cusps ph_cusps_of(const struct ph_curve *curve, double distance,
     walk.segment = 0;
     see(&walk, first, 0);
   }
-  return walk.cusps;
+  *cusps = walk.cusps;
+  return walk.memory ? ph_fail_memory(diag) : PH_OK;
 }

@@ -3,6 +3,8 @@
 #ifndef PH_CURVE_CUSP_H
 #define PH_CURVE_CUSP_H
 
+#include "base/diag.h"
+#include "base/mem.h"
 #include "curve/result.h"
 #include "curve/seg3.h"
 
@@ -17,8 +19,11 @@
  *
  * in   distance  signed, along the normal
  * in   normal    of a planar curve E2, which is to the left of travel
+ * out  cusps     from the arena; one at the joint of a closed curve is the last
+ * ret  PH_OK | PH_NO_MEMORY
  */
-struct ph_cusps ph_cusps_of(const struct ph_curve *curve, double distance,
-                            enum ph_normal normal);
+enum ph_status ph_cusps_of(const struct ph_curve *curve, double distance,
+                           enum ph_normal normal, struct ph_arena *arena,
+                           struct ph_cusps *cusps, struct ph_diag *diag);
 
 #endif

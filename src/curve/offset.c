@@ -153,25 +153,29 @@ static bool is_finite(const struct ph_offset *offset) {
 }
 
 /* The offset along a normal, which has no name in the plane. */
-static enum ph_status offset_along(const struct ph_curve *curve,
-                                   double distance, enum ph_normal normal,
-                                   const char *name, double tolerance,
-                                   struct ph_arena *arena,
-                                   struct ph_offset *offset,
-                                   struct ph_diag *diag) {
+static enum ph_status
+offset_along(const struct ph_curve *curve, double distance,
+             enum ph_normal normal, const char *name,
+             const struct ph_offset_rules *rules, struct ph_arena *arena,
+             struct ph_offset *offset, struct ph_diag *diag) {
   enum ph_status status;
-  *offset = (struct ph_offset){
-      .distance = distance, .vector = name, .dimension = curve->dimension};
-  status = curve->alpha
-               ? offset_atph(curve, normal, tolerance, arena, offset, diag)
-               : offset_ph(curve, normal, arena, offset, diag);
+  *offset = (struct ph_offset){.distance = distance,
+                               .vector = name,
+                               .dimension = curve->dimension,
+                               .length = (double)NAN};
+  status = curve->alpha ? offset_atph(curve, normal, rules->tolerance, arena,
+                                      offset, diag)
+                        : offset_ph(curve, normal, arena, offset, diag);
   if (status == PH_OK && !is_finite(offset)) {
     status = ph_fail(diag, PH_TOO_LARGE, NULL,
                      "the offset at distance %g exceeds the range of a double",
                      distance);
   }
   if (status == PH_OK) {
-    offset->cusps = ph_cusps_of(curve, distance, normal);
+    status = ph_cusps_of(curve, distance, normal, arena, &offset->cusps, diag);
+  }
+  if (status == PH_OK && rules->samples.how != PH_SAMPLE_NONE) {
+    status = ph_sample_offset(curve, &rules->samples, arena, offset, diag);
   }
   return status;
 }
@@ -181,8 +185,7 @@ enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
                                 struct ph_arena *arena,
                                 struct ph_offset *offset,
                                 struct ph_diag *diag) {
-  return offset_along(curve, distance, PH_E2, NULL, rules->tolerance, arena,
-                      offset, diag);
+  return offset_along(curve, distance, PH_E2, NULL, rules, arena, offset, diag);
 }
 
 enum ph_status ph_offset_spatial(const struct ph_curve *curve, double distance,
@@ -195,9 +198,8 @@ enum ph_status ph_offset_spatial(const struct ph_curve *curve, double distance,
   for (size_t i = 0; status == PH_OK && i < PH_OFFSETS_SPATIAL; i++) {
     enum ph_normal normal = i < 2 ? PH_E2 : PH_E3;
     /* The other side of 0 is no -0. */
-    status =
-        offset_along(curve, i % 2 ? 0 - distance : distance, normal,
-                     names[normal], rules->tolerance, arena, &offsets[i], diag);
+    status = offset_along(curve, i % 2 ? 0 - distance : distance, normal,
+                          names[normal], rules, arena, &offsets[i], diag);
   }
   return status;
 }

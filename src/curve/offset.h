@@ -25,11 +25,13 @@
 #include "base/diag.h"
 #include "base/mem.h"
 #include "curve/result.h"
+#include "curve/sample.h"
 
 /* How offsets are made. */
 struct ph_offset_rules {
   double tolerance; /* of Bezier pieces of ATPH offsets, in the curve's unit */
-  size_t samples;   /* of offsets on a sphere: so many and one a segment */
+  struct ph_sample_rules samples; /* how they are sampled, or not at all; on a
+                                     sphere they must be */
 };
 
 /*

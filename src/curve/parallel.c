@@ -69,15 +69,15 @@ static bool stands(const struct walk *walk, const struct ph_motion *m) {
 static void add_cusp(struct walk *walk, double u) {
   struct ph_offset *offset = walk->offset;
   size_t n = offset->cusps.n;
-  struct ph_place *cusp = ph_arena_grow(walk->arena, offset->cusp, n,
+  struct ph_place *cusp = ph_arena_grow(walk->arena, offset->cusps.at, n,
                                         sizeof *cusp, ROOM, &walk->room);
   if (!cusp) {
     walk->memory = true;
     return;
   }
-  offset->cusp = cusp;
-  offset->cusp[n].segment = walk->k;
-  offset->cusp[n].u = u;
+  offset->cusps.at = cusp;
+  cusp[n].segment = walk->k;
+  cusp[n].u = u;
   offset->cusps.n++;
 }
 
@@ -172,7 +172,6 @@ static void find_cusps(struct walk *walk) {
 }
 
 static void find_all_cusps(struct walk *walk) {
-  struct ph_cusps *cusps = &walk->offset->cusps;
   size_t n = walk->curve->n;
   if (walk->curve->closed) { /* the sign before the first joint */
     struct ph_motion m;
@@ -183,10 +182,6 @@ static void find_all_cusps(struct walk *walk) {
   for (size_t k = 0; k < n && !walk->memory; k++) {
     enter(walk, k);
     find_cusps(walk);
-  }
-  if (cusps->n) {
-    cusps->segment = walk->offset->cusp[0].segment;
-    cusps->u = walk->offset->cusp[0].u;
   }
 }
 
@@ -205,7 +200,7 @@ static double length_over(const struct walk *walk, const struct ph_quad *rule,
   /* the offset goes round a turn of the curve on an arc of radius sin d */
   double tolerance = TOLERANCE * (length + fabs(walk->sine)), sum = 0;
   for (; *next < offset->cusps.n; ++*next) {
-    const struct ph_place *cusp = &offset->cusp[*next];
+    const struct ph_place *cusp = &offset->cusps.at[*next];
     bool here = cusp->segment == walk->k; /* else at a joint before */
     if (cusp->segment > walk->k || (here && cusp->u >= to)) {
       break;
@@ -264,7 +259,7 @@ static enum ph_status sample_all(struct walk *walk, size_t n,
                        "double",
                        offset->distance);
       }
-      ph_samples_put(&offset->samples, (n + 1) * k + i, k, u,
+      ph_samples_add(&offset->samples, k, u,
                      walk->curve->radius * ph_sum_value(&sum), &sample);
     }
     if (!isfinite(ph_sum_value(&sum))) {
@@ -296,15 +291,12 @@ ph_offset_spherical(const struct ph_curve *curve, double distance,
                    "circumference of the sphere, %g",
                    distance, PH_PI * curve->radius);
   }
-  offset->samples.n = ph_samples_count(curve->n, rules->samples);
-  if (offset->samples.n == 0) {
-    return ph_fail_memory(diag);
-  }
-  status = ph_samples_alloc(&offset->samples, 3, false, true, arena, diag);
+  status = ph_samples_alloc(&offset->samples, curve, false,
+                            curve->n * (rules->samples.n + 1), arena, diag);
   if (status != PH_OK) {
     return status;
   }
   find_all_cusps(&walk);
   return walk.memory ? ph_fail_memory(diag)
-                     : sample_all(&walk, rules->samples, diag);
+                     : sample_all(&walk, rules->samples.n, diag);
 }

@@ -41,8 +41,9 @@
  * cusps, to 1e-10 of it and of that of the curve.
  *
  * in   distance  geodesic, in the unit of the data, positive to the left
+ * in   rules     samples.how is not PH_SAMPLE_NONE
  *
- * out  offset    samples, cusps, cusp, length; arrays from the arena
+ * out  offset    samples, cusps, length; arrays from the arena
  *
  * ret  PH_OK | PH_BAD_VALUE (the distance is not less than half the
  *      circumference) | PH_NO_CONVERGENCE (of the length) | PH_TOO_LARGE |

@@ -103,6 +103,7 @@ struct ph_blaschke {
  * tangent[n][dimension] unit vectors
  * curvature[n]          signed in the plane, geodesic on the sphere; 1/unit
  * torsion[n]            in space; NULL in the plane and on the sphere
+ * normal[n][3], binormal[n][3]  of the frame, if one was asked for; else NULL
  * lonlat[n][2]          degrees, seen from the center; NULL if on no sphere
  */
 struct ph_samples {
@@ -115,6 +116,8 @@ struct ph_samples {
   double *tangent;
   double *curvature;
   double *torsion;
+  double *normal;
+  double *binormal;
   double *lonlat;
 };
 
@@ -135,23 +138,22 @@ struct ph_pieces {
   double error; /* greatest distance from the exact curve */
 };
 
-/* Where an offset turns back along its curve (curve/cusp.h). */
-struct ph_cusps {
-  size_t n;       /* how many */
-  size_t segment; /* of the first one */
-  double u;       /* its local parameter in [0,1] */
-};
-
 /* A place on a curve. */
 struct ph_place {
   size_t segment;
   double u; /* its local parameter in [0,1] */
 };
 
+/* Where an offset turns back along its curve (curve/cusp.h), in order. */
+struct ph_cusps {
+  size_t n;
+  struct ph_place *at; /* [n]; NULL if n = 0 */
+};
+
 /*
  * One offset curve: n rational Bezier pieces of a PH curve, or n quotients of
- * an ATPH curve and its approximation by polynomial pieces (curve/offset.h), or
- * samples of the parallel curve of a spherical one (curve/parallel.h).
+ * an ATPH curve and its approximation by polynomial pieces (curve/offset.h); on
+ * a sphere, samples alone (curve/parallel.h).
  *
  * segment[n]       the curve segment that the piece belongs to
  * interval[n][2]   the part of that segment, in its local parameter [0,1]
@@ -171,9 +173,8 @@ struct ph_offset {
   double *denominator; /* ATPH: [n][5] */
   struct ph_pieces pieces;
   struct ph_cusps cusps;
-  struct ph_samples samples; /* n = 0 unless on a sphere */
-  struct ph_place *cusp;     /* [cusps.n], on a sphere; else NULL */
-  double length;             /* on a sphere */
+  struct ph_samples samples; /* n = 0: none; on a sphere there are always */
+  double length;             /* NaN unless there are samples */
 };
 
 /* Diagnostics: X(SYMBOL, "name in records"). */

@@ -5,61 +5,75 @@
 #include "base/sum.h"
 #include "curve/sample_kind.h"
 
-#include <stdint.h>
 
-/* Nodes for points of PH and ATPH segments, and for lengths of Bezier ones. */
-enum { NODES = 12, NODES_BEZIER = 16 };
-
-bool ph_sampler_begin(struct ph_sampler *sampler,
-                      const struct ph_curve *curve) {
-  sampler->curve = curve;
-  return ph_quad_gauss(&sampler->rule,
-                       curve->kind == PH_CURVE_BEZIER ? NODES_BEZIER : NODES);
-}
-
-struct ph_sample ph_sample_at(const struct ph_sampler *sampler, size_t k,
-                              double u) {
-  const struct ph_curve *curve = sampler->curve;
-  struct ph_sample sample;
-  if (curve->kind == PH_CURVE_SPHERICAL_NU) {
-    sample = ph_sample_spherical(sampler, k, u);
-  } else if (curve->kind == PH_CURVE_BEZIER) {
-    sample = ph_sample_bezier(sampler, k, u);
-  } else {
-    sample = ph_sample_ph(sampler, k, u);
+static const struct ph_sample_kind *kind_of(const struct ph_curve *curve,
+                                            const struct ph_offset *offset) {
+  switch (curve->kind) {
+  case PH_CURVE_SPHERICAL_NU:
+    return &ph_sample_kind_spherical;
+  case PH_CURVE_BEZIER:
+    return &ph_sample_kind_bezier;
+  default:
+    return &ph_sample_kind_ph;
   }
-  if (!(u < 1)) {
-    sample.length = curve->lengths[k];
-  }
-  return sample;
 }
 
-size_t ph_samples_count(size_t segments, size_t n) {
-  return n < SIZE_MAX / segments ? segments * (n + 1) : 0;
-}
-
-enum ph_status ph_samples_alloc(struct ph_samples *s, size_t dimension,
-                                bool torsion, bool lonlat,
+enum ph_status ph_sampler_begin(struct ph_sampler *sampler,
+                                const struct ph_curve *curve,
+                                const struct ph_offset *offset,
                                 struct ph_arena *arena, struct ph_diag *diag) {
-  size_t n = s->n, number = sizeof(double);
-  s->dimension = dimension;
-  s->segment = ph_arena_array(arena, n, sizeof *s->segment);
-  s->t = ph_arena_array(arena, n, number);
-  s->s = ph_arena_array(arena, n, number);
-  s->point = ph_arena_array(arena, n, dimension * number);
-  s->tangent = ph_arena_array(arena, n, dimension * number);
-  s->curvature = ph_arena_array(arena, n, number);
-  s->torsion = torsion ? ph_arena_array(arena, n, number) : NULL;
-  s->lonlat = lonlat ? ph_arena_array(arena, n, 2 * number) : NULL;
+  *sampler = (struct ph_sampler){curve, offset, arena, kind_of(curve, offset),
+                                 NULL,  0,      0};
+  return sampler->kind->begin(sampler, diag);
+}
+
+enum ph_status ph_sampler_enter(struct ph_sampler *sampler, size_t k,
+                                struct ph_diag *diag) {
+  sampler->k = k;
+  return sampler->kind->enter(sampler, diag);
+}
+
+struct ph_sample ph_sampler_at(const struct ph_sampler *sampler, double u) {
+  return sampler->kind->at(sampler, u);
+}
+
+double ph_sampler_length(const struct ph_sampler *sampler, double u,
+                         double *speed) {
+  return sampler->kind->length(sampler, u, speed);
+}
+
+double ph_sampler_bend(const struct ph_sampler *sampler, double u0, double u1) {
+  return sampler->kind->bend(sampler, u0, u1);
+}
+
+enum ph_status ph_samples_alloc(struct ph_samples *s,
+                                const struct ph_curve *curve, bool frame,
+                                size_t room, struct ph_arena *arena,
+                                struct ph_diag *diag) {
+  size_t number = sizeof(double), dimension = curve->dimension;
+  bool sphere = curve->kind == PH_CURVE_SPHERICAL_NU;
+  bool torsion = dimension == 3 && !sphere;
+  *s = (struct ph_samples){.dimension = dimension};
+  s->segment = ph_arena_array(arena, room, sizeof *s->segment);
+  s->t = ph_arena_array(arena, room, number);
+  s->s = ph_arena_array(arena, room, number);
+  s->point = ph_arena_array(arena, room, dimension * number);
+  s->tangent = ph_arena_array(arena, room, dimension * number);
+  s->curvature = ph_arena_array(arena, room, number);
+  s->torsion = torsion ? ph_arena_array(arena, room, number) : NULL;
+  s->lonlat = sphere ? ph_arena_array(arena, room, 2 * number) : NULL;
+  s->normal = frame ? ph_arena_array(arena, room, 3 * number) : NULL;
+  s->binormal = frame ? ph_arena_array(arena, room, 3 * number) : NULL;
   return s->segment && s->t && s->s && s->point && s->tangent && s->curvature &&
-                 (s->torsion || !torsion) && (s->lonlat || !lonlat)
+                 (s->torsion || !torsion) && (s->lonlat || !sphere) &&
+                 ((s->normal && s->binormal) || !frame)
              ? PH_OK
              : ph_fail_memory(diag);
 }
 
-void ph_samples_put(struct ph_samples *samples, size_t i, size_t segment,
-                    double t, double s, const struct ph_sample *sample) {
-  size_t dimension = samples->dimension;
+void ph_samples_add(struct ph_samples *samples, size_t segment, double t,
+                    double s, const struct ph_sample *sample) {
+  size_t dimension = samples->dimension, i = samples->n++;
   samples->segment[i] = segment;
   samples->t[i] = t;
   samples->s[i] = s;
@@ -75,32 +89,40 @@ void ph_samples_put(struct ph_samples *samples, size_t i, size_t segment,
   }
 }
 
-enum ph_status ph_sample_curve(const struct ph_curve *curve, size_t n,
+enum ph_status ph_sample_curve(const struct ph_curve *curve,
+                               const struct ph_sample_rules *rules,
                                struct ph_arena *arena,
                                struct ph_samples *samples,
                                struct ph_diag *diag) {
-  bool sphere = curve->kind == PH_CURVE_SPHERICAL_NU;
+  const size_t n = rules->n;
   struct ph_sum start = {0, 0};
   struct ph_sampler sampler;
-  enum ph_status status;
-  samples->n = ph_samples_count(curve->n, n);
-  if (samples->n == 0 || !ph_sampler_begin(&sampler, curve)) {
-    return ph_fail_memory(diag);
+  enum ph_status status =
+      ph_samples_alloc(samples, curve, rules->frame != PH_FRAME_NONE,
+                       curve->n * (n + 1), arena, diag);
+  if (status == PH_OK) {
+    status = ph_sampler_begin(&sampler, curve, NULL, arena, diag);
   }
-  status =
-      ph_samples_alloc(samples, curve->dimension,
-                       curve->dimension == 3 && !sphere, sphere, arena, diag);
   for (size_t k = 0; status == PH_OK && k < curve->n; k++) {
     double range = curve->alpha ? curve->alpha[k] : 1;
-    for (size_t i = 0; i <= n; i++) {
-      double u = (double)i / (double)n;
-      struct ph_sample sample = ph_sample_at(&sampler, k, u);
+    status = ph_sampler_enter(&sampler, k, diag);
+    for (size_t i = 0; status == PH_OK && i <= n; i++) {
+      double u = (double)i / (double)n, speed;
+      struct ph_sample sample = ph_sampler_at(&sampler, u);
       struct ph_sum s = start;
-      ph_sum_add(&s, sample.length);
-      ph_samples_put(samples, (n + 1) * k + i, k, u * range, ph_sum_value(&s),
-                     &sample);
+      ph_sum_add(&s, ph_sampler_length(&sampler, u, &speed));
+      ph_samples_add(samples, k, u * range, ph_sum_value(&s), &sample);
     }
     ph_sum_add(&start, curve->lengths[k]);
   }
   return status;
+}
+
+enum ph_status ph_sample_offset(const struct ph_curve *curve,
+                                const struct ph_sample_rules *rules,
+                                struct ph_arena *arena,
+                                struct ph_offset *offset,
+                                struct ph_diag *diag) {
+  (void)curve, (void)rules, (void)arena, (void)offset, (void)diag;
+  return PH_OK;
 }

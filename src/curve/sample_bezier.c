@@ -3,6 +3,7 @@
  * A place on a Bezier segment (see sample.h), by derivatives of its control
  * points, which are brought to unit scale by a power of two.
  */
+#include "curve/bend.h"
 #include "curve/sample_kind.h"
 #include "kernel/adapt.h"
 #include "kernel/bern.h"
@@ -99,31 +100,67 @@ static ph_vec3 direction_of(const ph_vec3 jet[ORDERS], double least, double u) {
   return ph_vec3_scale(sign / ph_vec3_abs(jet[i]), jet[i]);
 }
 
-struct ph_sample ph_sample_bezier(const struct ph_sampler *sampler, size_t k,
-                                  double u) {
+enum { NODES = 16 };
+
+struct state {
+  struct bezier b;
+  struct ph_quad rule;
+};
+
+static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
+  struct state *state = ph_arena_array(sampler->arena, 1, sizeof *state);
+  sampler->state = state;
+  return state && ph_quad_gauss(&state->rule, NODES) ? PH_OK
+                                                     : ph_fail_memory(diag);
+}
+
+static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
+  struct state *state = sampler->state;
+  (void)diag;
+  state->b = bezier_of(sampler->curve, sampler->k);
+  sampler->length = sampler->curve->lengths[sampler->k];
+  return PH_OK;
+}
+
+static double length(const struct ph_sampler *sampler, double u,
+                     double *speed) {
+  const struct state *state = sampler->state;
+  *speed = ldexp(speed_at(&state->b, u), state->b.exponent);
+  return u < 1 ? sampler->length * share_of(&state->b, &state->rule, u)
+               : sampler->length;
+}
+
+static double bend(const struct ph_sampler *sampler, double u0, double u1) {
+  const struct bezier *b = &((const struct state *)sampler->state)->b;
+  return ldexp(ph_bend_bezier(b->p, b->degree, u0, u1), b->exponent);
+}
+
+static struct ph_sample at(const struct ph_sampler *sampler, double u) {
   const struct ph_curve *curve = sampler->curve;
-  const struct bezier b = bezier_of(curve, k);
+  const struct bezier b = ((const struct state *)sampler->state)->b;
   const struct ph_pow2 grow = ph_pow2_of(b.exponent);
   const struct ph_pow2 shrink = ph_pow2_of(-b.exponent);
   struct ph_sample sample = {.lonlat = {0, 0}};
   ph_vec3 jet[ORDERS], cross;
-  double speed, bend, least = ROUNDING * b.polygon;
+  double speed, bent, least = ROUNDING * b.polygon;
   jet_at(&b, u, ORDERS, jet);
   sample.point =
       ph_vec3_of(ph_pow2_apply(grow, jet[0].x), ph_pow2_apply(grow, jet[0].y),
                  ph_pow2_apply(grow, jet[0].z));
   sample.tangent = direction_of(jet, least, u);
-  sample.length = curve->lengths[k] * share_of(&b, &sampler->rule, u);
   sample.curvature = sample.torsion = (double)NAN;
   speed = ph_vec3_abs(jet[1]);
   if (speed > least) {
     cross = ph_vec3_cross(jet[1], jet[2]);
-    bend = curve->dimension == 2 ? cross.z : ph_vec3_abs(cross);
-    sample.curvature = ph_pow2_apply(shrink, bend / (speed * speed * speed));
-    if (fabs(bend) > least * speed) {
+    bent = curve->dimension == 2 ? cross.z : ph_vec3_abs(cross);
+    sample.curvature = ph_pow2_apply(shrink, bent / (speed * speed * speed));
+    if (fabs(bent) > least * speed) {
       sample.torsion = ph_pow2_apply(shrink, ph_vec3_dot(cross, jet[3]) /
                                                  ph_vec3_dot(cross, cross));
     }
   }
   return sample;
 }
+
+const struct ph_sample_kind ph_sample_kind_bezier = {begin, enter, at, length,
+                                                     bend};

@@ -1,18 +1,41 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What sample.c asks of each kind of curve; for it and parallel.c alone. */
+/*
+ * What a sampler asks of each kind of curve (see sample.h, whose functions of
+ * the same names say what these do); for the sample*.c and parallel.c alone.
+ */
 #ifndef PH_CURVE_SAMPLE_KIND_H
 #define PH_CURVE_SAMPLE_KIND_H
 
 #include "curve/sample.h"
 #include "curve/spherical.h"
 
-/* ph_sample_ph, ..: ph_sample_at of one kind. */
-struct ph_sample ph_sample_ph(const struct ph_sampler *sampler, size_t k,
-                              double u);
-struct ph_sample ph_sample_bezier(const struct ph_sampler *sampler, size_t k,
-                                  double u);
-struct ph_sample ph_sample_spherical(const struct ph_sampler *sampler, size_t k,
-                                     double u);
+struct ph_sample_kind {
+  /* begin: allocates sampler->state. */
+  enum ph_status (*begin)(struct ph_sampler *sampler, struct ph_diag *diag);
+  /* enter: sampler->k is set; fills the state and sampler->length. */
+  enum ph_status (*enter)(struct ph_sampler *sampler, struct ph_diag *diag);
+  struct ph_sample (*at)(const struct ph_sampler *sampler, double u);
+  double (*length)(const struct ph_sampler *sampler, double u, double *speed);
+  double (*bend)(const struct ph_sampler *sampler, double u0, double u1);
+};
+
+/* PH and ATPH curves and cubics; offsets of these; Bezier curves; spherical
+ * curves and their parallels. */
+extern const struct ph_sample_kind ph_sample_kind_ph;
+extern const struct ph_sample_kind ph_sample_kind_offset;
+extern const struct ph_sample_kind ph_sample_kind_bezier;
+extern const struct ph_sample_kind ph_sample_kind_spherical;
+
+/* ph_samples_alloc: room for `room` samples of a curve; samples->n = 0.
+ * ret  PH_OK | PH_NO_MEMORY */
+enum ph_status ph_samples_alloc(struct ph_samples *samples,
+                                const struct ph_curve *curve, bool frame,
+                                size_t room, struct ph_arena *arena,
+                                struct ph_diag *diag);
+
+/* ph_samples_add: appends one; s is from the start of the curve. */
+void ph_samples_add(struct ph_samples *samples, size_t segment, double t,
+                    double s, const struct ph_sample *sample);
 
 /*
  * How a point moves on the unit sphere, also where it is at rest: with S' = t V

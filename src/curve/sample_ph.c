@@ -6,6 +6,7 @@
  * it are in range: lengths are then smaller by 2^(2e), curvatures larger.
  * Planar curves are taken in space, where z = 0 (curve/seg3.h).
  */
+#include "curve/bend.h"
 #include "curve/ph2.h"
 #include "curve/sample_kind.h"
 #include "curve/seg3.h"
@@ -16,6 +17,14 @@
 /* A at unit scale that is less than this has no direction but its rounding;
  * likewise the curvature, as its numerator z. */
 static const double ROUNDING = 64 * DBL_EPSILON;
+
+enum { NODES = 12 };
+
+struct state {
+  struct ph_seg3 seg; /* A at unit scale */
+  struct ph_quad rule;
+  struct ph_pow2 grow, shrink;
+};
 
 /* Brings A to unit scale; the exponent e. */
 static int rescale(struct ph_seg3 *seg) {
@@ -73,29 +82,64 @@ static ph_quat direction_at(const struct ph_seg3 *seg, double u, bool *rests) {
   return jet[i];
 }
 
-struct ph_sample ph_sample_ph(const struct ph_sampler *sampler, size_t k,
-                              double u) {
+static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
+  struct state *state = ph_arena_array(sampler->arena, 1, sizeof *state);
+  sampler->state = state;
+  return state && ph_quad_gauss(&state->rule, NODES) ? PH_OK
+                                                     : ph_fail_memory(diag);
+}
+
+static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
+  struct state *state = sampler->state;
+  int exponent;
+  (void)diag;
+  state->seg = ph_seg3_of(sampler->curve, sampler->k);
+  exponent = 2 * rescale(&state->seg);
+  state->grow = ph_pow2_of(exponent);
+  state->shrink = ph_pow2_of(-exponent);
+  sampler->length = sampler->curve->lengths[sampler->k];
+  return PH_OK;
+}
+
+static double length(const struct ph_sampler *sampler, double u,
+                     double *speed) {
+  const struct state *state = sampler->state;
+  ph_quat a;
+  ph_seg3_jet(&state->seg, u, &a, 1);
+  *speed = ph_pow2_apply(state->grow, ph_quat_dot(a, a));
+  return u < 1 ? ph_pow2_apply(state->grow, length_to(&state->seg, u))
+               : sampler->length;
+}
+
+static double bend(const struct ph_sampler *sampler, double u0, double u1) {
+  const struct state *state = sampler->state;
+  return ph_pow2_apply(state->grow, ph_bend_ph(&state->seg, u0, u1));
+}
+
+static struct ph_sample at(const struct ph_sampler *sampler, double u) {
   const bool planar = sampler->curve->dimension == 2;
-  struct ph_seg3 seg = ph_seg3_of(sampler->curve, k);
-  int exponent = 2 * rescale(&seg);
-  struct ph_pow2 grow = ph_pow2_of(exponent), shrink = ph_pow2_of(-exponent);
+  const struct state *state = sampler->state;
+  const struct ph_seg3 seg = state->seg;
+  const struct ph_pow2 grow = state->grow, shrink = state->shrink;
   struct ph_sample sample = {.lonlat = {0, 0}};
-  struct ph_bend3 bend;
+  struct ph_bend3 bent;
   ph_quat a;
   bool rests, straight;
   a = direction_at(&seg, u, &rests);
-  sample.point = point_at(&seg, &sampler->rule, grow, u);
+  sample.point = point_at(&seg, &state->rule, grow, u);
   sample.tangent = ph_vec3_scale(1 / ph_quat_dot(a, a), ph_quat_i(a, a));
-  sample.length = ph_pow2_apply(grow, length_to(&seg, u));
   sample.curvature = sample.torsion = (double)NAN;
   if (!rests) {
-    bend = ph_seg3_bend(&seg, u);
-    straight = ph_cplx_abs(bend.z) <= ROUNDING * sqrt(bend.speed);
+    bent = ph_seg3_bend(&seg, u);
+    straight = ph_cplx_abs(bent.z) <= ROUNDING * sqrt(bent.speed);
     sample.curvature =
-        ph_pow2_apply(shrink, planar ? 2 * bend.z.im / (bend.speed * bend.speed)
-                                     : bend.curvature);
+        ph_pow2_apply(shrink, planar ? 2 * bent.z.im / (bent.speed * bent.speed)
+                                     : bent.curvature);
     sample.torsion =
-        straight ? (double)NAN : ph_pow2_apply(shrink, bend.torsion);
+        straight ? (double)NAN : ph_pow2_apply(shrink, bent.torsion);
   }
   return sample;
 }
+
+const struct ph_sample_kind ph_sample_kind_ph = {begin, enter, at, length,
+                                                 bend};

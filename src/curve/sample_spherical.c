@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A place on a spherical segment (see sample.h), on the unit sphere first. */
+#include "curve/bend.h"
 #include "curve/sample_kind.h"
 #include "kernel/degree.h"
 
@@ -49,16 +50,41 @@ static ph_vec3 point_at(const struct ph_curve *curve, size_t k, double u,
                     : ph_motion_point(curve, s);
 }
 
-struct ph_sample ph_sample_spherical(const struct ph_sampler *sampler, size_t k,
-                                     double u) {
+static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
+  sampler->state =
+      ph_arena_array(sampler->arena, 1, sizeof(struct ph_spherical));
+  return sampler->state ? PH_OK : ph_fail_memory(diag);
+}
+
+static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
+  struct ph_spherical *segment = sampler->state;
+  (void)diag;
+  *segment = ph_spherical_of(sampler->curve, sampler->k);
+  sampler->length = sampler->curve->lengths[sampler->k];
+  return PH_OK;
+}
+
+static double length(const struct ph_sampler *sampler, double u,
+                     double *speed) {
+  const struct ph_spherical *segment = sampler->state;
+  const double radius = sampler->curve->radius;
+  *speed = radius * ph_motion_at(segment, u).speed;
+  return !(u < 1) ? sampler->length
+         : u > 0  ? radius * ph_spherical_length(segment, u)
+                  : 0;
+}
+
+static double bend(const struct ph_sampler *sampler, double u0, double u1) {
+  const double radius = sampler->curve->radius;
+  return radius * ph_bend_spherical(sampler->state, 0, u0, u1);
+}
+
+static struct ph_sample at(const struct ph_sampler *sampler, double u) {
   const struct ph_curve *curve = sampler->curve;
-  struct ph_spherical segment = ph_spherical_of(curve, k);
-  struct ph_motion motion = ph_motion_at(&segment, u);
+  struct ph_motion motion = ph_motion_at(sampler->state, u);
   struct ph_sample sample;
-  sample.point = point_at(curve, k, u, motion.s);
+  sample.point = point_at(curve, sampler->k, u, motion.s);
   sample.tangent = motion.tangent;
-  sample.length =
-      u > 0 && u < 1 ? curve->radius * ph_spherical_length(&segment, u) : 0;
   sample.curvature = motion.speed > 0
                          ? motion.turn / motion.speed / curve->radius
                          : (double)NAN;
@@ -66,3 +92,6 @@ struct ph_sample ph_sample_spherical(const struct ph_sampler *sampler, size_t k,
   ph_degree_of_unit(motion.s, sample.lonlat);
   return sample;
 }
+
+const struct ph_sample_kind ph_sample_kind_spherical = {begin, enter, at,
+                                                        length, bend};

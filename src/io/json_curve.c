@@ -165,7 +165,7 @@ static void write_parallel(struct ph_json_writer *w,
   for (size_t i = 0; i < o->cusps.n; i++) {
     ph_write_element(w);
     ph_write_begin(w, '{');
-    write_place(w, o->cusp[i].segment, o->cusp[i].u);
+    write_place(w, o->cusps.at[i].segment, o->cusps.at[i].u);
     ph_write_end(w, '}');
   }
   ph_write_end(w, ']');

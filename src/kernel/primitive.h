@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The integral of a smooth function as a table, for many evaluations: the
+ * function is interpolated on panels by Chebyshev polynomials, which are
+ * integrated.  Panels are halved until the interpolant is known to rounding.
+ */
+#ifndef PH_KERNEL_PRIMITIVE_H
+#define PH_KERNEL_PRIMITIVE_H
+
+#include "base/mem.h"
+#include "base/status.h"
+#include "kernel/adapt.h"
+
+#include <stddef.h>
+
+/* Coefficients of one panel: of the integral from its start and of the
+ * function, in Chebyshev polynomials over it. */
+enum { PH_PRIMITIVE_NODES = 16 };
+
+struct ph_primitive_panel {
+  double from, to;
+  double before; /* integral from 0 to `from` */
+  double sum[PH_PRIMITIVE_NODES + 1];
+  double value[PH_PRIMITIVE_NODES];
+};
+
+/* Zeroed at first; its memory is used again for the next function. */
+struct ph_primitive {
+  struct ph_primitive_panel *panels;
+  size_t n, room;
+  double total; /* the integral over [0,1] */
+};
+
+/*
+ * ph_primitive_make: tabulates the integral of f over [0,1].
+ *
+ * in   breaks[breaks_n]  increasing, in (0,1): where f is not smooth
+ * in   tolerance         error of every integral, relative to that of |f|
+ * ret  PH_OK | PH_NO_CONVERGENCE (some 2^12 panels do not suffice, or f is not
+ *      finite) | PH_NO_MEMORY
+ */
+enum ph_status ph_primitive_make(struct ph_primitive *primitive,
+                                 ph_integrand *f, const void *context,
+                                 const double *breaks, size_t breaks_n,
+                                 double tolerance, struct ph_arena *arena);
+
+/* ph_primitive_at: the integral over [0,u]; out  value  NULL, or f(u) */
+double ph_primitive_at(const struct ph_primitive *primitive, double u,
+                       double *value);
+
+#endif

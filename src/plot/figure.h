@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Figures: all drawings of a run on one page, as SVG, PDF or PNG.
+ *
+ * Every problem is a panel of a grid, with its views above and its profiles of
+ * curvature and torsion below; results of a sweep share the panel of their
+ * problem and are told apart by colour, with a legend.  Cairo does the drawing,
+ * behind page.c; the same drawings give the same bytes.
+ */
+#ifndef PH_PLOT_FIGURE_H
+#define PH_PLOT_FIGURE_H
+
+#include "base/buf.h"
+#include "base/diag.h"
+#include "plot/drawing.h"
+
+#include <stdbool.h>
+
+/* Formats: X(SYMBOL, "suffix"). */
+#define PH_FIGURE_FORMATS(X) \
+  X(SVG, ".svg")             \
+  X(PDF, ".pdf")             \
+  X(PNG, ".png")
+
+enum ph_figure_format {
+#define X(symbol, suffix) PH_FIGURE_##symbol,
+  PH_FIGURE_FORMATS(X)
+#undef X
+      PH_FIGURE_FORMAT_N
+};
+
+/* How a figure is made. */
+struct ph_figure_rules {
+  enum ph_figure_format format;
+  double width, height; /* points, or pixels of a PNG; 0: as is needed */
+};
+
+/* More panels than this, or results of a sweep in one, are not drawn. */
+enum { PH_FIGURE_PANELS_MAX = 100, PH_FIGURE_SWEEP_MAX = 1000 };
+
+/* ph_figure_format_of: the format that a file's name asks for;
+ * PH_FIGURE_FORMAT_N: none of them. */
+enum ph_figure_format ph_figure_format_of(const char *file);
+
+/* ph_figure_can: whether the program was built with cairo. */
+bool ph_figure_can(void);
+
+/*
+ * ph_figure_write: appends the bytes of the figure.
+ *
+ * in   drawings[n]  in the order of the records; n = 0 is an empty page
+ * ret  PH_OK | PH_NO_MEMORY | PH_INTERNAL (cairo failed, or is not there; says
+ *      why)
+ */
+enum ph_status ph_figure_write(const struct ph_drawing *const *drawings,
+                               size_t n, const struct ph_figure_rules *rules,
+                               struct ph_buf *out, struct ph_diag *diag);
+
+#endif

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Verification: everything that a result says, recomputed from its control
+ * points alone, by whomever it was written.
+ *
+ * This room stands by itself.  Of the others it includes base, kernel, and the
+ * plain structs of curve/result.h and curve/problem.h; neither solvers nor
+ * certificates nor the closed forms of curve/: it evaluates control points by
+ * de Casteljau's algorithm, in the B-basis of ATPH curves and by great circles,
+ * and integrates by quadrature.  tests/lint/layers.sh sees to that.
+ *
+ * Errors are relative: of points and lengths to the size of the curve (half the
+ * diagonal of the bounding box of its control points), of vectors and numbers
+ * to what is claimed; and less what rounding of the control points to doubles
+ * can make of them.
+ */
+#ifndef PH_VERIFY_VERIFY_H
+#define PH_VERIFY_VERIFY_H
+
+#include "base/diag.h"
+#include "base/mem.h"
+#include "curve/problem.h"
+#include "curve/result.h"
+
+/* What is checked: X(SYMBOL, "name in records"). */
+#define PH_VERIFY_CHECKS(X)                \
+  X(SHAPE, "shape")                        \
+  X(PYTHAGOREAN, "pythagorean_error")      \
+  X(PREIMAGE, "preimage_error")            \
+  X(SPHERE, "sphere_error")                \
+  X(CONTINUITY, "continuity_error")        \
+  X(LENGTH, "length_error")                \
+  X(INTERPOLATION, "interpolation_error")  \
+  X(TANGENT, "tangent_error")              \
+  X(END, "end_derivative_error")           \
+  X(PRESCRIBED, "prescribed_length_error") \
+  X(DIAGNOSTIC, "diagnostic_error")        \
+  X(OFFSET, "offset_error")                \
+  X(SAMPLE, "sample_error")                \
+  X(BLASCHKE, "blaschke_error")            \
+  X(DISTANCE, "distance_error")
+
+enum ph_verify_check {
+#define X(symbol, name) PH_V_##symbol,
+  PH_VERIFY_CHECKS(X)
+#undef X
+      PH_V_N
+};
+
+/* The worst error of one check. */
+struct ph_verify_error {
+  bool done;            /* whether there was anything to check */
+  double error;         /* not NaN: what is not finite is infinite */
+  struct ph_diag where; /* field: as in "segments[2].length"; message: what was
+                           found and what was expected */
+};
+
+struct ph_verdict {
+  struct ph_verify_error check[PH_V_N];
+  enum ph_verify_check worst; /* PH_V_N: nothing was checked */
+};
+
+/* ph_verify_name: the name of a check, as in records. */
+const char *ph_verify_name(enum ph_verify_check check);
+
+/*
+ * ph_verify_result: checks a result.
+ *
+ * in   claim    as it was read (io/json_result.h): arrays have the lengths that
+ *               its struct says, numbers need not be finite
+ * in   problem  NULL, or the problem that it is said to solve
+ * in   command  the name of the command, as in the result
+ * ret  PH_OK (also where errors are large) | PH_NO_MEMORY
+ */
+enum ph_status ph_verify_result(const struct ph_result *claim,
+                                const struct ph_problem *problem,
+                                const char *command, struct ph_arena *scratch,
+                                struct ph_verdict *verdict,
+                                struct ph_diag *diag);
+
+#endif
