@@ -43,7 +43,7 @@ static double number_in(struct unit_random *r, struct ph_range range) {
 }
 
 static bool has(struct ph_range range, long double x) {
-  return range.low <= x && x <= range.high;
+  return (long double)range.low <= x && x <= (long double)range.high;
 }
 
 /* No end is further out than the values at the ends of the operands, by more
@@ -63,13 +63,14 @@ START_TEST(test_sums) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < unit_count(CASES); i++) {
     struct ph_range a = range_random(&r), b = range_random(&r);
-    double x = number_in(&r, a), y = number_in(&r, b);
+    long double x = (long double)number_in(&r, a);
+    long double y = (long double)number_in(&r, b);
     double s = unit_random_in(&r, -3, 3);
     const double sum[2] = {a.low + b.low, a.high + b.high};
     const double difference[2] = {a.low - b.high, a.high - b.low};
     const double scaled[2] = {s * a.low, s * a.high};
-    ck_assert(has(ph_range_add(a, b), (long double)x + y));
-    ck_assert(has(ph_range_sub(a, b), (long double)x - y));
+    ck_assert(has(ph_range_add(a, b), x + y));
+    ck_assert(has(ph_range_sub(a, b), x - y));
     ck_assert(has(ph_range_scale(s, a), (long double)s * x));
     check_width(ph_range_add(a, b), sum, 2);
     check_width(ph_range_sub(a, b), difference, 2);
@@ -82,12 +83,13 @@ START_TEST(test_products) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < unit_count(CASES); i++) {
     struct ph_range a = range_random(&r), b = range_random(&r);
-    double x = number_in(&r, a), y = number_in(&r, b);
+    long double x = (long double)number_in(&r, a);
+    long double y = (long double)number_in(&r, b);
     const double product[4] = {a.low * b.low, a.low * b.high, a.high * b.low,
                                a.high * b.high};
     double square[3] = {a.low * a.low, a.high * a.high, 0};
-    ck_assert(has(ph_range_mul(a, b), (long double)x * y));
-    ck_assert(has(ph_range_square(a), (long double)x * x));
+    ck_assert(has(ph_range_mul(a, b), x * y));
+    ck_assert(has(ph_range_square(a), x * x));
     check_width(ph_range_mul(a, b), product, 4);
     check_width(ph_range_square(a), square, has(a, 0) ? 3 : 2);
     ck_assert_double_ge(ph_range_square(a).low, 0);
@@ -100,14 +102,15 @@ START_TEST(test_quotients) {
   for (int i = 0; i < unit_count(CASES); i++) {
     struct ph_range a = range_random(&r), b = range_random(&r);
     struct ph_range c = ph_range_div(a, b);
-    double x = number_in(&r, a), y = number_in(&r, b);
+    long double x = (long double)number_in(&r, a);
+    long double y = (long double)number_in(&r, b);
     const double quotient[4] = {a.low / b.low, a.low / b.high, a.high / b.low,
                                 a.high / b.high};
     if (has(b, 0)) {
       ck_abs(c.low, -(double)INFINITY, 0);
       ck_abs(c.high, (double)INFINITY, 0);
     } else {
-      ck_assert(has(c, (long double)x / y));
+      ck_assert(has(c, x / y));
       check_width(c, quotient, 4);
     }
   }
@@ -119,7 +122,7 @@ START_TEST(test_roots) {
   struct ph_range below = {-1e-17, 4};
   for (int i = 0; i < unit_count(CASES); i++) {
     struct ph_range a = ph_range_square(range_random(&r));
-    double x = number_in(&r, a);
+    long double x = (long double)number_in(&r, a);
     const double root[2] = {sqrt(a.low), sqrt(a.high)};
     ck_assert(has(ph_range_root(a), sqrtl(x)));
     check_width(ph_range_root(a), root, 2);
@@ -145,7 +148,7 @@ END_TEST
 START_TEST(test_of) {
   const double x[3] = {1, -2, 0.5};
   struct ph_range a = ph_range_of(x, 3, 0.25);
-  ck_assert(has(a, -2.25) && has(a, 1.25));
+  ck_assert(has(a, -2.25L) && has(a, 1.25L));
   ck_rel(a.low, -2.25, 1e-15);
   ck_rel(a.high, 1.25, 1e-15);
 }
