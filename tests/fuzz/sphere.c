@@ -326,7 +326,8 @@ static void sphere_check_lengths(const struct ph_curve *curve,
 static void sphere_check_offset(const struct sphere_input *in,
                                 struct ph_result *result,
                                 struct ph_arena *arena) {
-  const struct ph_offset_rules rules = {1e-9, 3};
+  const struct ph_offset_rules rules = {
+      .tolerance = 1e-9, .samples = {.how = PH_SAMPLE_PARAMETER, .n = 3}};
   struct ph_offset offset;
   struct ph_diag diag;
   enum ph_status status =

@@ -313,7 +313,7 @@ static void tc_check_blaschke(const struct ph_curve *curve) {
 static void tc_check_offset(const struct tc_input *in, struct ph_result *result,
                             struct ph_arena *arena) {
   double size = ph_curve_size(&result->curve);
-  const struct ph_offset_rules rules = {1e-3 * size, 0};
+  const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
   struct ph_offset offset;
   struct ph_diag diag;
   enum ph_status status = ph_offset_planar(&result->curve, 0.125 * size, &rules,

@@ -452,7 +452,8 @@ END_TEST
 
 /* From an offset by its own samples back to the curve. */
 START_TEST(test_offset_and_back) {
-  static const struct ph_offset_rules rules = {.samples = 20};
+  static const struct ph_offset_rules rules = {
+      .samples = {.how = PH_SAMPLE_PARAMETER, .n = 20}};
   struct unit_random r = unit_random_of(39);
   for (size_t i = 0; i < cases(20); i++) {
     double d = unit_random_in(&r, -1.5, 1.5), c = cos(d), s = sin(d);

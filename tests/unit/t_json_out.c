@@ -15,7 +15,7 @@
 
 static struct ph_buf buf;
 static struct unit_planar u;
-static const struct ph_offset_rules rules = {1e-9, 0};
+static const struct ph_offset_rules rules = {.tolerance = 1e-9};
 
 static void finish(void) {
   ph_buf_free(&buf);
@@ -457,7 +457,7 @@ START_TEST(test_on_sphere) {
   signed char indicators[] = {0, -1};
   struct ph_place cusps[] = {{0, 0.25}, {0, 1}};
   struct ph_offset offsets[] = {
-      {.distance = -0.5, .length = 9, .cusps = {2, 0, 0.25}, .cusp = cusps},
+      {.distance = -0.5, .length = 9, .cusps = {2, cusps}},
       {.distance = 0.5, .length = 8}};
   offsets[0].samples = offsets[1].samples = samples_of(3);
   offsets[0].samples.n = 1;
