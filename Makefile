@@ -150,8 +150,8 @@ $(if $(word 2,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
 .PHONY: FORCE all install uninstall deps tests-build check check-run demo \
 	demo-run asan asan-run tsan tsan-run valgrind valgrind-run coverage \
 	coverage-run lint lint-run fuzz fuzz-run bench bench-run check-long \
-	check-long-run configure dist \
-	distcheck clean distclean help
+	check-long-run figures figures-run configure dist distcheck clean \
+	distclean help
 
 all: $(PROGRAM) ## build build/plain/phspline (the default)
 
@@ -269,6 +269,14 @@ demo: ## build, then run data/demo.sh
 	$(SUBMAKE) demo-run
 demo-run: all
 	@sh $(S)data/demo.sh $(PROGRAM)
+
+# In the source directory, where two of them are kept for README.
+figures: ## draw the figures of the manual in data/figures/
+	$(need)
+	$(call may_need,$(PLOT))
+	$(SUBMAKE) figures-run
+figures-run: all
+	@sh $(S)data/figures.sh $(PROGRAM)
 
 # CK_FORK=no: leaks in forked children would go unreported.
 asan: ## the tests under the address and undefined sanitizers
