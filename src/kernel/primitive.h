@@ -45,7 +45,8 @@ enum ph_status ph_primitive_make(struct ph_primitive *primitive,
                                  const double *breaks, size_t breaks_n,
                                  double tolerance, struct ph_arena *arena);
 
-/* ph_primitive_at: the integral over [0,u]; out  value  NULL, or f(u) */
+/* ph_primitive_at: the integral over [0,u]; out  value  NULL, or f(u), to some
+ * 64 tolerances of the mean of |f| */
 double ph_primitive_at(const struct ph_primitive *primitive, double u,
                        double *value);
 
