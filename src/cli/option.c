@@ -584,6 +584,14 @@ enum ph_status ph_options_read(int argc, char **argv,
   return status == PH_OK ? check_together(&p) : status;
 }
 
+struct ph_csv_shape ph_options_shape(const struct ph_options *options) {
+  const struct ph_method *method = options->command->method;
+  return (struct ph_csv_shape){
+      options->table,     options->format == PH_FORMAT_TEXT,
+      method->dimension,  method->on_sphere,
+      options->offsets_n, options->samples.frame != PH_FRAME_NONE};
+}
+
 void ph_options_free(struct ph_options *options) {
   ph_arena_free(&options->arena);
 }

@@ -146,6 +146,9 @@ enum ph_status ph_options_read(int argc, char **argv,
                                struct ph_options *options,
                                struct ph_diag *diag);
 
+/* ph_options_shape: of the table that is printed. */
+struct ph_csv_shape ph_options_shape(const struct ph_options *options);
+
 /* ph_option_no_field: the failure of an option that is about a field which the
  * command does not have; name[n] is not NUL-terminated. */
 enum ph_status ph_option_no_field(const struct ph_schema *schema,

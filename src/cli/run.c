@@ -387,9 +387,8 @@ static enum ph_status write_header(struct run *r, struct ph_diag *diag) {
     swept[i].value = NULL;
   }
   if (swept) {
-    const struct ph_method *method = o->command->method;
-    ph_csv_header(&buf, o->table, method->dimension, method->on_sphere, swept,
-                  o->sweeps_n);
+    const struct ph_csv_shape shape = ph_options_shape(o);
+    ph_csv_header(&buf, &shape, swept, o->sweeps_n);
   }
   status = swept && !buf.failed
                ? ph_output_write(&r->output, buf.data, buf.n, diag)

@@ -251,6 +251,7 @@ static const char *plain_id(struct task *t) {
 static void write_result(struct task *t, const struct ph_heading *heading,
                          const char *id, struct ph_buf *out) {
   char number[32];
+  const struct ph_csv_shape shape = ph_options_shape(t->options);
   struct ph_csv_heading csv = {id, t->swept, t->swept_n};
   if (t->options->format == PH_FORMAT_JSON) {
     ph_json_result(out, heading, &t->result, t->options->pretty);
@@ -260,7 +261,7 @@ static void write_result(struct task *t, const struct ph_heading *heading,
     snprintf(number, sizeof number, "%zu", t->item->record.number);
     csv.id = number;
   }
-  ph_csv_result(out, t->options->table, &csv, &t->result);
+  ph_csv_result(out, &shape, &csv, &t->result);
 }
 
 static void report(struct task *t, const struct ph_subject *subject,

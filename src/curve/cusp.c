@@ -73,8 +73,8 @@ static struct form form_of(const struct ph_seg3 *seg, double distance,
 }
 
 /* The local parameter at which S1 : S0 = v : 1 - v. */
-static double parameter_of(const struct ph_atph *space, double v) {
-  double half = space->angle / 2;
+static double parameter_of(double angle, double v) {
+  double half = angle / 2;
   return half > 0 ? atan2(v * sin(half), 1 - v + v * cos(half)) / half : v;
 }
 
@@ -85,7 +85,8 @@ struct walk {
   size_t room; /* of cusps.at */
   bool memory; /* is exhausted */
   size_t segment;
-  const struct ph_atph *space;
+  double angle; /* of the space of the segment */
+  double range; /* of the local parameter */
   int sign; /* the last one seen, 0 before any */
 };
 
@@ -103,7 +104,8 @@ static void see(struct walk *walk, int sign, double v) {
     if (at) {
       cusps->at = at;
       at[cusps->n].segment = walk->segment;
-      at[cusps->n].u = parameter_of(walk->space, v);
+      at[cusps->n].u = parameter_of(walk->angle, v);
+      at[cusps->n].t = at[cusps->n].u * walk->range;
       cusps->n++;
     }
   }
@@ -140,7 +142,8 @@ enum ph_status ph_cusps_of(const struct ph_curve *curve, double distance,
     struct form form = form_of(&seg, distance, normal);
     first = k == 0 ? sign_of(form.b[0]) : first;
     walk.segment = k;
-    walk.space = &seg.space;
+    walk.range = curve->alpha ? curve->alpha[k] : 1;
+    walk.angle = seg.space.angle;
     visit(&walk, &form, 0, 1, 0);
   }
   /* In space the frame comes back turned, and the offset does not close. */

@@ -55,6 +55,7 @@ static void add_cusp(struct walk *walk, double u) {
   offset->cusps.at = cusp;
   cusp[n].segment = walk->k;
   cusp[n].u = u;
+  cusp[n].t = u;
   offset->cusps.n++;
 }
 

@@ -141,7 +141,8 @@ struct ph_pieces {
 /* A place on a curve. */
 struct ph_place {
   size_t segment;
-  double u; /* its local parameter in [0,1] */
+  double u; /* its local parameter, brought to [0,1] */
+  double t; /* its local parameter: in [0,1], atph: [0, alpha] */
 };
 
 /* Where an offset turns back along its curve (curve/cusp.h), in order. */

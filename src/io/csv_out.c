@@ -27,72 +27,114 @@ static const char *const columns[PH_TABLE_N][SPACES] = {
          ",distance,segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat"},
 };
 
-/* A row: cells with commas before all but the first. */
+/* A row in the making: its cells are separated by `between`. */
 struct row {
   struct ph_buf *buf;
+  const struct ph_csv_shape *shape;
   const struct ph_csv_heading *heading;
+  char between;
 };
 
-static void text_cell(struct ph_buf *buf, const char *text, size_t n) {
-  bool quoted = false;
+static void between(const struct row *row) {
+  ph_buf_put(row->buf, &row->between, 1);
+}
+
+static void text_cell(const struct row *row, const char *text, size_t n) {
+  bool quoted = n == 0 && row->shape->text;
   for (size_t i = 0; i < n; i++) {
-    quoted |= memchr(",\"\r\n", text[i], 4) != NULL;
+    quoted |= memchr(",\"\r\n", text[i], 4) != NULL ||
+              (row->shape->text && memchr(" \t#", text[i], 3) != NULL);
   }
   if (!quoted) {
-    ph_buf_put(buf, text, n);
+    ph_buf_put(row->buf, text, n);
     return;
   }
-  ph_buf_put(buf, "\"", 1);
+  ph_buf_put(row->buf, "\"", 1);
   for (size_t i = 0; i < n; i++) {
-    ph_buf_put(buf, "\"", text[i] == '"');
-    ph_buf_put(buf, text + i, 1);
+    ph_buf_put(row->buf, "\"", text[i] == '"');
+    ph_buf_put(row->buf, text + i, 1);
   }
-  ph_buf_put(buf, "\"", 1);
+  ph_buf_put(row->buf, "\"", 1);
 }
 
 /* A JSON value; of a string, which holds no escapes, what it stands for. */
-static void json_cell(struct ph_buf *buf, const char *json) {
+static void json_cell(const struct row *row, const char *json) {
   size_t n = strlen(json);
   size_t quote = *json == '"';
-  text_cell(buf, json + quote, n - 2 * quote);
+  text_cell(row, json + quote, n - 2 * quote);
 }
 
-/* A number that is not finite leaves its cell empty. */
-static void number_cell(struct ph_buf *buf, double x) {
-  char *to = ph_buf_reserve(buf, PH_NUMBER_MAX + 1);
+/* A number; what is none is an empty cell, or NaN. */
+static void number_cell(const struct row *row, double x) {
+  char *to = ph_buf_reserve(row->buf, PH_NUMBER_MAX + 1);
   if (to) {
-    *to = ',';
-    buf->n += 1 + (isfinite(x) ? ph_number_write(to + 1, x) : 0);
+    *to = row->between;
+    row->buf->n += 1 + (isfinite(x) ? ph_number_write(to + 1, x) : 0);
+  }
+  if (!isfinite(x) && row->shape->text) {
+    ph_buf_puts(row->buf, "NaN");
   }
 }
 
-static void number_cells(struct ph_buf *buf, const double *v, size_t n) {
+static void number_cells(const struct row *row, const double *v, size_t n) {
   for (size_t i = 0; i < n; i++) {
-    number_cell(buf, v[i]);
+    number_cell(row, v[i]);
   }
 }
 
 static void begin_row(const struct row *row) {
-  text_cell(row->buf, row->heading->id, strlen(row->heading->id));
+  text_cell(row, row->heading->id, strlen(row->heading->id));
 }
 
 static void end_row(const struct row *row) {
   for (size_t i = 0; i < row->heading->swept_n; i++) {
-    ph_buf_put(row->buf, ",", 1);
-    json_cell(row->buf, row->heading->swept[i].value);
+    between(row);
+    json_cell(row, row->heading->swept[i].value);
   }
   ph_buf_put(row->buf, "\n", 1);
 }
 
-void ph_csv_header(struct ph_buf *buf, enum ph_table table, size_t dimension,
-                   bool on_sphere, const struct ph_swept *swept,
-                   size_t swept_n) {
-  enum space space = on_sphere ? SPHERE : dimension == 3 ? SPACE : PLANE;
-  ph_buf_puts(buf, "id");
-  ph_buf_puts(buf, columns[table][space]);
+/* Between two curves that no line should join. */
+static void end_curve(const struct row *row) {
+  ph_buf_put(row->buf, "\n", row->shape->text);
+}
+
+static enum space space_of(const struct ph_csv_shape *shape) {
+  return shape->on_sphere ? SPHERE : shape->dimension == 3 ? SPACE : PLANE;
+}
+
+static struct row row_of(struct ph_buf *buf, const struct ph_csv_shape *shape,
+                         const struct ph_csv_heading *heading) {
+  return (struct row){buf, shape, heading, shape->text ? ' ' : ','};
+}
+
+/* Names in one list, separated by commas. */
+static void names(const struct row *row, const char *list) {
+  for (; *list; list++) {
+    if (*list == ',') {
+      between(row);
+    } else {
+      ph_buf_put(row->buf, list, 1);
+    }
+  }
+}
+
+void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
+                   const struct ph_swept *swept, size_t swept_n) {
+  const struct row row = row_of(buf, shape, NULL);
+  const enum space space = space_of(shape);
+  const bool samples = shape->table == PH_TABLE_SAMPLES;
+  ph_buf_puts(buf, shape->text ? "# id" : "id");
+  names(&row, columns[shape->table][space]);
+  if (samples && shape->frame) {
+    names(&row, ",nx,ny,nz,bx,by,bz");
+  }
+  if (samples && shape->offsets) {
+    names(&row, space == SPACE ? ",distance,vector" : ",distance");
+  }
   for (size_t i = 0; i < swept_n; i++) {
-    ph_buf_put(buf, ",", 1);
-    text_cell(buf, swept[i].name, strlen(swept[i].name));
+    between(&row);
+    text_cell(&row, swept[i].name, strlen(swept[i].name));
   }
   ph_buf_put(buf, "\n", 1);
 }
@@ -102,9 +144,9 @@ static void control_points(const struct row *row, const struct ph_curve *c) {
   for (size_t k = 0; k < c->n; k++) {
     for (size_t i = 0; i <= c->degree; i++) {
       begin_row(row);
-      number_cell(row->buf, (double)k);
-      number_cell(row->buf, (double)i);
-      number_cells(row->buf, p, c->dimension);
+      number_cell(row, (double)k);
+      number_cell(row, (double)i);
+      number_cells(row, p, c->dimension);
       p += c->dimension;
       end_row(row);
     }
@@ -116,37 +158,66 @@ static void lengths(const struct row *row, const struct ph_curve *c) {
   for (size_t k = 0; k < c->n; k++) {
     ph_sum_add(&cumulative, c->lengths[k]);
     begin_row(row);
-    number_cell(row->buf, (double)k);
-    number_cell(row->buf, c->knots[k]);
-    number_cell(row->buf, c->knots[k + 1]);
-    number_cell(row->buf, c->lengths[k]);
-    number_cell(row->buf, ph_sum_value(&cumulative));
+    number_cell(row, (double)k);
+    number_cell(row, c->knots[k]);
+    number_cell(row, c->knots[k + 1]);
+    number_cell(row, c->lengths[k]);
+    number_cell(row, ph_sum_value(&cumulative));
     end_row(row);
   }
+}
+
+/* What all tables of samples say of a place. */
+static void place_cells(const struct row *row, const struct ph_samples *s,
+                        size_t i) {
+  size_t d = s->dimension;
+  number_cell(row, (double)s->segment[i]);
+  number_cell(row, s->t[i]);
+  number_cell(row, s->s[i]);
+  number_cells(row, s->point + d * i, d);
+  number_cells(row, s->tangent + d * i, d);
+  number_cell(row, s->curvature[i]);
+}
+
+static void vector_cell(const struct row *row, const char *vector) {
+  between(row);
+  ph_buf_puts(row->buf, vector ? vector : row->shape->text ? "-" : "");
 }
 
 /* Samples of the curve, or of the offset that is not NULL. */
 static void samples(const struct row *row, const struct ph_samples *s,
                     const struct ph_offset *o) {
-  struct ph_buf *buf = row->buf;
-  size_t d = s->dimension;
+  static const double none[] = {(double)NAN, (double)NAN, (double)NAN};
   for (size_t i = 0; i < s->n; i++) {
     begin_row(row);
-    if (o) {
-      number_cell(buf, o->distance);
-    }
-    number_cell(buf, (double)s->segment[i]);
-    number_cell(buf, s->t[i]);
-    number_cell(buf, s->s[i]);
-    number_cells(buf, s->point + d * i, d);
-    number_cells(buf, s->tangent + d * i, d);
-    number_cell(buf, s->curvature[i]);
+    place_cells(row, s, i);
     if (s->torsion) {
-      number_cell(buf, s->torsion[i]);
+      number_cell(row, s->torsion[i]);
     }
     if (s->lonlat) {
-      number_cells(buf, s->lonlat + 2 * i, 2);
+      number_cells(row, s->lonlat + 2 * i, 2);
     }
+    if (row->shape->frame) {
+      number_cells(row, s->normal ? s->normal + 3 * i : none, 3);
+      number_cells(row, s->binormal ? s->binormal + 3 * i : none, 3);
+    }
+    if (row->shape->offsets) {
+      number_cell(row, o ? o->distance : 0);
+      if (space_of(row->shape) == SPACE) {
+        vector_cell(row, o ? o->vector : NULL);
+      }
+    }
+    end_row(row);
+  }
+}
+
+/* Samples in the table of offsets, where the distance comes first. */
+static void offset_samples(const struct row *row, const struct ph_offset *o) {
+  for (size_t i = 0; i < o->samples.n; i++) {
+    begin_row(row);
+    number_cell(row, o->distance);
+    place_cells(row, &o->samples, i);
+    number_cells(row, o->samples.lonlat + 2 * i, 2);
     end_row(row);
   }
 }
@@ -164,15 +235,14 @@ static void offset_pieces(const struct row *row, const struct ph_offset *o,
     }
     for (size_t i = 0; i <= pieces->degree; i++) {
       begin_row(row);
-      number_cell(row->buf, o->distance);
-      number_cell(row->buf, (double)pieces->segment[piece]);
-      number_cell(row->buf, (double)index++);
-      number_cells(row->buf, p, pieces->dimension);
+      number_cell(row, o->distance);
+      number_cell(row, (double)pieces->segment[piece]);
+      number_cell(row, (double)index++);
+      number_cells(row, p, pieces->dimension);
       p += pieces->dimension;
-      number_cell(row->buf, weight ? *weight++ : 1);
+      number_cell(row, weight ? *weight++ : 1);
       if (o->vector) {
-        ph_buf_puts(row->buf, ",");
-        ph_buf_puts(row->buf, o->vector);
+        vector_cell(row, o->vector);
       }
       end_row(row);
     }
@@ -182,18 +252,18 @@ static void offset_pieces(const struct row *row, const struct ph_offset *o,
 static void offset(const struct row *row, const struct ph_offset *o) {
   struct ph_pieces rational = {o->degree,   o->dimension,      o->n, o->segment,
                                o->interval, o->control_points, 0};
-  if (o->samples.n) {
-    samples(row, &o->samples, o);
+  if (row->shape->on_sphere) {
+    offset_samples(row, o);
   } else {
     offset_pieces(row, o, o->weights ? &rational : &o->pieces, o->weights);
   }
 }
 
-void ph_csv_result(struct ph_buf *buf, enum ph_table table,
+void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
                    const struct ph_csv_heading *heading,
                    const struct ph_result *result) {
-  struct row row = {buf, heading};
-  switch (table) {
+  const struct row row = row_of(buf, shape, heading);
+  switch (shape->table) {
   case PH_TABLE_CONTROL_POINTS:
     control_points(&row, &result->curve);
     break;
@@ -202,13 +272,22 @@ void ph_csv_result(struct ph_buf *buf, enum ph_table table,
     break;
   case PH_TABLE_SAMPLES:
     samples(&row, &result->samples, NULL);
+    for (size_t i = 0; i < result->offsets_n; i++) {
+      end_curve(&row);
+      samples(&row, &result->offsets[i].samples, &result->offsets[i]);
+    }
     break;
   case PH_TABLE_OFFSETS:
     for (size_t i = 0; i < result->offsets_n; i++) {
+      if (i > 0) {
+        end_curve(&row);
+      }
       offset(&row, &result->offsets[i]);
     }
     break;
   case PH_TABLE_N:
     break;
   }
+  end_curve(&row);
+  end_curve(&row);
 }

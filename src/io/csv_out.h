@@ -1,6 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Results as CSV tables (INTERFACE: --table).  Quoting as in RFC 4180, lines
- * end in LF; numbers as in JSON. */
+/*
+ * Results as tables (INTERFACE: --table), in one of two forms, with numbers as
+ * in JSON and lines that end in LF:
+ *
+ *   CSV   quoting as in RFC 4180; what is not defined is an empty cell
+ *   text  for gnuplot and awk: cells between blanks, NaN where something is not
+ *         defined; the names of the columns in a line that begins with #; an
+ *         empty line between curves, two between problems
+ */
 #ifndef PH_IO_CSV_OUT_H
 #define PH_IO_CSV_OUT_H
 
@@ -26,6 +33,16 @@ enum ph_table {
       PH_TABLE_N
 };
 
+/* What decides about the columns. */
+struct ph_csv_shape {
+  enum ph_table table;
+  bool text;        /* the second form */
+  size_t dimension; /* of the curves */
+  bool on_sphere;
+  bool offsets; /* there are some */
+  bool frame;   /* of samples */
+};
+
 /* The first cells of every row. */
 struct ph_csv_heading {
   const char *id; /* plain text */
@@ -34,17 +51,16 @@ struct ph_csv_heading {
 };
 
 /*
- * ph_csv_header: appends the header row.  Swept fields are columns after all
- * others.
- *
- * in  dimension, on_sphere  of the curves
+ * ph_csv_header: appends the header row.  Of samples, what was asked for comes
+ * after what there always is: the frame; distance, and in space vector, of the
+ * offset that a row is of (0 and nothing: of the curve).  Swept fields are
+ * columns after all others.
  */
-void ph_csv_header(struct ph_buf *buf, enum ph_table table, size_t dimension,
-                   bool on_sphere, const struct ph_swept *swept,
-                   size_t swept_n);
+void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
+                   const struct ph_swept *swept, size_t swept_n);
 
 /* ph_csv_result: appends the rows of a solved problem. */
-void ph_csv_result(struct ph_buf *buf, enum ph_table table,
+void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
                    const struct ph_csv_heading *heading,
                    const struct ph_result *result);
 

@@ -151,28 +151,27 @@ void ph_write_samples(struct ph_json_writer *w, const struct ph_samples *s) {
     if (s->lonlat) {
       ph_write_key_numbers(w, "lonlat", s->lonlat + 2 * i, 2);
     }
+    if (s->normal && isfinite(s->normal[3 * i])) {
+      ph_write_key_numbers(w, "normal", s->normal + 3 * i, 3);
+      ph_write_key_numbers(w, "binormal", s->binormal + 3 * i, 3);
+    }
     ph_write_end(w, '}');
   }
   ph_write_end(w, ']');
 }
 
-/* What an offset on a sphere is: its length, its cusps, its samples. */
-static void write_parallel(struct ph_json_writer *w,
-                           const struct ph_offset *o) {
-  ph_write_key_number(w, "length", o->length);
+static void write_cusps(struct ph_json_writer *w, const struct ph_offset *o) {
   ph_write_key(w, "cusps");
   ph_write_begin(w, '[');
   for (size_t i = 0; i < o->cusps.n; i++) {
     ph_write_element(w);
     ph_write_begin(w, '{');
-    write_place(w, o->cusps.at[i].segment, o->cusps.at[i].u);
+    write_place(w, o->cusps.at[i].segment, o->cusps.at[i].t);
     ph_write_end(w, '}');
   }
   ph_write_end(w, ']');
-  ph_write_samples(w, &o->samples);
 }
 
-/* What other offsets are: their pieces. */
 static void write_offset_pieces(struct ph_json_writer *w,
                                 const struct ph_offset *o) {
   ph_write_key_number(w, "degree", (double)o->degree);
@@ -201,10 +200,13 @@ void ph_write_offsets(struct ph_json_writer *w, const struct ph_offset *offsets,
     if (o->vector) {
       ph_write_key_string(w, "vector", o->vector);
     }
-    if (o->samples.n) {
-      write_parallel(w, o);
-    } else {
+    if (o->n) {
       write_offset_pieces(w, o);
+    }
+    write_finite(w, "length", o->length);
+    write_cusps(w, o);
+    if (o->samples.n) {
+      ph_write_samples(w, &o->samples);
     }
     ph_write_end(w, '}');
   }
