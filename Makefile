@@ -44,7 +44,7 @@ VALGRIND ?= valgrind -q --error-exitcode=9 --leak-check=full \
 # what distcheck runs in the unpacked tree
 FUZZ_TIME ?= 60
 TEST_JOBS ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
-DEPS ?= build test
+DEPS ?= build test $(PLOT)
 DISTCHECK_TARGETS ?= check
 
 # $(call pkg,OPTION,MODULE,FALLBACK): ask pkg-config, or hope for the best
@@ -61,8 +61,18 @@ ifndef CHECK_LIBS
 CHECK_CFLAGS := $(call pkg,--cflags,check)
 CHECK_LIBS := $(call pkg,--libs,check,-lcheck)
 endif
+# nothing where there is no cairo
+ifndef CAIRO_LIBS
+CAIRO_CFLAGS := $(call pkg,--cflags,cairo)
+CAIRO_LIBS := $(call pkg,--libs,cairo)
+endif
 
 -include config.mk
+
+# No cairo, no --plot; the rest works.  WITHOUT_CAIRO=1, as ./configure
+# --without-cairo, leaves out one that is there.
+CAIRO = $(if $(WITHOUT_CAIRO),,$(CAIRO_LIBS))
+PLOT = $(if $(WITHOUT_CAIRO),,plot)
 
 # ---- flags -------------------------------------------------------------------
 # Order: warnings (CFLAGS may silence one), CFLAGS, then what the results depend
@@ -82,10 +92,11 @@ VFLAGS_cov = -O0 --coverage
 VFLAGS_fuzz = -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
 	-fsanitize=fuzzer-no-link,address,undefined
 
-COMPILE = $(CC) $(WARNINGS) $(GSL_CFLAGS) $(CJSON_CFLAGS) $(CPPFLAGS) \
-	$(CFLAGS) $(MANDATORY) $(VFLAGS_$(VARIANT))
+COMPILE = $(CC) $(WARNINGS) $(GSL_CFLAGS) $(CJSON_CFLAGS) \
+	$(if $(CAIRO),-DPH_CAIRO $(CAIRO_CFLAGS)) $(CPPFLAGS) $(CFLAGS) \
+	$(MANDATORY) $(VFLAGS_$(VARIANT))
 LINK = $(CC) $(CFLAGS) $(MANDATORY) $(VFLAGS_$(VARIANT)) $(LDFLAGS)
-LIBRARIES = $(GSL_LIBS) $(CJSON_LIBS) $(LIBS) -lm
+LIBRARIES = $(GSL_LIBS) $(CJSON_LIBS) $(CAIRO) $(LIBS) -lm
 
 # V=1 shows whole command lines
 Q = $(if $(V),,@)
@@ -139,8 +150,8 @@ $(if $(word 2,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
 .PHONY: FORCE all install uninstall deps tests-build check check-run demo \
 	demo-run asan asan-run tsan tsan-run valgrind valgrind-run coverage \
 	coverage-run lint lint-run fuzz fuzz-run bench bench-run check-long \
-	check-long-run configure dist \
-	distcheck clean distclean help
+	check-long-run figures figures-run configure dist distcheck clean \
+	distclean help
 
 all: $(PROGRAM) ## build build/plain/phspline (the default)
 
@@ -225,8 +236,8 @@ deps: ## install missing packages (DEPS="SET...", see the script)
 
 need = @sh $(S).ci/install-packages build
 # what a run can do without may stay missing, loudly
-may_need = @sh $(S).ci/install-packages $1 || \
-	echo 'make: going on; what needs it is skipped' >&2
+may_need = $(if $(strip $1),@sh $(S).ci/install-packages $1 || \
+	echo 'make: going on; what needs it is skipped' >&2)
 
 # ---- tests -------------------------------------------------------------------
 
@@ -246,7 +257,7 @@ tests-build: all $(TOOLS) $(filter-out --%,$(UNIT_WANTED))
 
 check: ## unit and command line tests, quick lints (or TESTS=FILE...)
 	$(need)
-	$(call may_need,test)
+	$(call may_need,test $(PLOT))
 	$(SUBMAKE) check-run
 check-run: tests-build
 	@$(RUN) $(call pick,$(UNIT_WANTED) $(addprefix $(S),$(CLI_TESTS) \
@@ -254,14 +265,23 @@ check-run: tests-build
 
 demo: ## build, then run data/demo.sh
 	$(need)
+	$(call may_need,$(PLOT))
 	$(SUBMAKE) demo-run
 demo-run: all
 	@sh $(S)data/demo.sh $(PROGRAM)
 
+# In the source directory, where two of them are kept for README.
+figures: ## draw the figures of the manual in data/figures/
+	$(need)
+	$(call may_need,$(PLOT))
+	$(SUBMAKE) figures-run
+figures-run: all
+	@sh $(S)data/figures.sh $(PROGRAM)
+
 # CK_FORK=no: leaks in forked children would go unreported.
 asan: ## the tests under the address and undefined sanitizers
 	$(need)
-	$(call may_need,test)
+	$(call may_need,test $(PLOT))
 	$(SUBMAKE) VARIANT=fault all
 	$(SUBMAKE) VARIANT=asan asan-run
 asan-run: tests-build
@@ -270,7 +290,7 @@ asan-run: tests-build
 
 tsan: ## unit tests and tests/cli/jobs.t under the thread sanitizer
 	$(need)
-	$(call may_need,test)
+	$(call may_need,test $(PLOT))
 	$(SUBMAKE) VARIANT=tsan tsan-run
 # Without setarch -R its fixed shadow map can collide with randomised addresses.
 tsan-run: tests-build
@@ -279,7 +299,7 @@ tsan-run: tests-build
 
 valgrind: ## unit tests, tests/cli/smoke.t and data/ under valgrind
 	$(need)
-	$(call may_need,test valgrind)
+	$(call may_need,test valgrind $(PLOT))
 	$(SUBMAKE) valgrind-run
 valgrind-run: tests-build
 	@printf '#!/bin/sh\nexec %s "%s" "$$@"\n' '$(VALGRIND)' \
@@ -290,7 +310,7 @@ valgrind-run: tests-build
 
 coverage: ## the tests, then the lines of each source file they executed
 	$(need)
-	$(call may_need,test)
+	$(call may_need,test $(PLOT))
 	$(SUBMAKE) VARIANT=cov coverage-run
 coverage-run: tests-build
 	@find $(B) -name '*.gcda' -exec rm -f {} +
@@ -327,6 +347,7 @@ check-long-run: $(B)/bench/conjecture
 
 bench: ## build and run the benchmarks of bench/
 	$(need)
+	$(call may_need,$(PLOT))
 	$(SUBMAKE) bench-run
 bench-run: all $(BENCH)
 	@sh $(S)bench/run $(B)
@@ -357,4 +378,5 @@ help: ## this list
 	@echo 'phspline $(VERSION): make TARGET [VARIABLE=VALUE]...'
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1 \2/p' $(S)Makefile | \
 	  while read -r t d; do printf '  %-11s %s\n' "$$t" "$$d"; done
-	@echo 'Variables: CC CFLAGS CPPFLAGS LDFLAGS prefix DESTDIR WERROR=1 V=1'
+	@echo 'Variables: CC CFLAGS CPPFLAGS LDFLAGS prefix DESTDIR WERROR=1 V=1' \
+	  'WITHOUT_CAIRO=1'

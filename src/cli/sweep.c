@@ -138,7 +138,7 @@ static enum ph_status read_value(const char *text, size_t n,
                                  const struct ph_sweep *sweep,
                                  struct ph_arena *arena, struct ph_value *value,
                                  struct ph_diag *diag) {
-  bool element = sweep->index_n > 0;
+  bool element = sweep->index_n > 0 || sweep->factor;
   char excerpt[PH_EXCERPT_MAX];
   const char *copy;
   struct ph_diag why;
@@ -163,21 +163,31 @@ static enum ph_status read_value(const char *text, size_t n,
                                    why.field, why.message);
 }
 
-/* START:STOP:COUNT, if the text has that form. */
+/* START:STOP:COUNT or START:STOP:COUNT:log */
 static enum ph_status read_range(const char *text, const char *first,
                                  const char *second, struct ph_arena *arena,
                                  struct ph_sweep *sweep, struct ph_diag *diag) {
   char excerpt[PH_EXCERPT_MAX];
+  const size_t count_n = strcspn(second + 1, ":");
+  const char *end = second + 1 + count_n;
   struct ph_value value;
   double count;
-  if (!read_number(text, (size_t)(first - text), &sweep->start) ||
+  sweep->log = strcmp(end, ":log") == 0;
+  if ((*end && !sweep->log) ||
+      !read_number(text, (size_t)(first - text), &sweep->start) ||
       !read_number(first + 1, (size_t)(second - first - 1), &sweep->stop) ||
-      !read_number(second + 1, strlen(second + 1), &count) || !(count >= 1) ||
+      !read_number(second + 1, count_n, &count) || !(count >= 1) ||
       count > COUNT_MAX || floor(count) < count) {
     return ph_fail(diag, PH_USAGE, NULL,
-                   "--sweep: '%s' is not START:STOP:COUNT with a COUNT from 1 "
-                   "to %.0f",
+                   "--sweep: '%s' is not START:STOP:COUNT[:log] with a COUNT "
+                   "from 1 to %.0f",
                    ph_excerpt(text, strlen(text), excerpt), COUNT_MAX);
+  }
+  if (sweep->log && (!(sweep->start > 0) || !(sweep->stop > 0))) {
+    return ph_fail(diag, PH_USAGE, NULL,
+                   "--sweep: '%s' has no logarithms: START and STOP must be "
+                   "greater than 0",
+                   ph_excerpt(text, strlen(text), excerpt));
   }
   sweep->n = (size_t)count;
   /* may the field be a number? */
@@ -228,7 +238,7 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
   const char *equals = strchr(text, '=');
   const char *first, *second;
   char excerpt[PH_EXCERPT_MAX];
-  size_t name_n = equals ? (size_t)(equals - text) : 0;
+  size_t name_n = equals ? (size_t)(equals - text) : 0, target_n = name_n;
   enum ph_status status;
   memset(sweep, 0, sizeof *sweep);
   if (!equals || name_n == 0) {
@@ -241,7 +251,11 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
   if (!sweep->name) {
     return ph_fail_memory(diag);
   }
-  status = read_target(text, name_n, schema, sweep, diag);
+  if (text[name_n - 1] == '*') {
+    sweep->factor = true;
+    target_n--;
+  }
+  status = read_target(text, target_n, schema, sweep, diag);
   if (status != PH_OK) {
     return status;
   }
@@ -278,6 +292,12 @@ static struct ph_value value_at(const struct ph_sweep *sweep, size_t i) {
   }
   if (i > 0) {
     part = (double)i / (double)(sweep->n - 1);
+    if (sweep->log) {
+      value.number =
+          exp((1 - part) * log(sweep->start) + part * log(sweep->stop));
+      value.number = i + 1 == sweep->n ? sweep->stop : value.number;
+      return value;
+    }
     value.number = isfinite(width)
                        ? sweep->start + part * width
                        : (1 - part) * sweep->start + part * sweep->stop;
@@ -336,24 +356,58 @@ static bool find_element(const struct ph_sweep *sweep,
   return true;
 }
 
-/* The number in a problem's array that a sweep sets; the array is copied, as
- * other results of the same problem keep their own. */
+/* A copy of an array's numbers, as other results of the same problem keep their
+ * own; NULL when memory is exhausted. */
+static double *copy_of(const struct ph_value *value, struct ph_arena *arena) {
+  size_t total = value->n * value->dimension;
+  double *copy = ph_arena_array(arena, total, sizeof *copy);
+  if (copy) {
+    memcpy(copy, value->v, total * sizeof *copy);
+  }
+  return copy;
+}
+
+/* Sets, or multiplies, one number of a problem's array. */
 static enum ph_status set_element(const struct ph_sweep *sweep, double x,
                                   struct ph_arena *arena,
                                   struct ph_value *value,
                                   struct ph_diag *diag) {
-  size_t at, total = value->n * value->dimension;
+  size_t at;
   double *copy;
   if (!find_element(sweep, value, &at)) {
     return ph_fail(diag, PH_BAD_SHAPE, ph_field_name(sweep->field->id),
                    "has no element %s for --sweep to set", sweep->name);
   }
-  copy = ph_arena_array(arena, total, sizeof *copy);
+  copy = copy_of(value, arena);
   if (!copy) {
     return ph_fail_memory(diag);
   }
-  memcpy(copy, value->v, total * sizeof *copy);
-  copy[at] = x;
+  copy[at] = sweep->factor ? copy[at] * x : x;
+  value->v = copy;
+  return PH_OK;
+}
+
+/* Multiplies all numbers of a field. */
+static enum ph_status multiply(const struct ph_sweep *sweep, double x,
+                               struct ph_arena *arena, struct ph_value *value,
+                               struct ph_diag *diag) {
+  const unsigned arrays = PH_NUMBERS | PH_VECTORS | PH_POLYLINE;
+  double *copy;
+  if (value->kind == PH_NUMBER) {
+    value->number *= x;
+    return PH_OK;
+  }
+  if (!(value->kind & arrays)) {
+    return ph_fail(diag, PH_BAD_SHAPE, ph_field_name(sweep->field->id),
+                   "has no numbers for --sweep to multiply");
+  }
+  copy = copy_of(value, arena);
+  if (!copy) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; i < value->n * value->dimension; i++) {
+    copy[i] *= x;
+  }
   value->v = copy;
   return PH_OK;
 }
@@ -372,6 +426,8 @@ enum ph_status ph_sweep_apply(const struct ph_sweep *sweeps, size_t n,
     value = value_at(sweep, which / stride % sweep->n);
     if (sweep->index_n > 0) {
       status = set_element(sweep, value.number, arena, field, diag);
+    } else if (sweep->factor) {
+      status = multiply(sweep, value.number, arena, field, diag);
     } else {
       *field = value;
     }

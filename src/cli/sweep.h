@@ -17,8 +17,8 @@
 
 enum { PH_SWEEP_INDICES_MAX = 3 };
 
-/* --sweep FIELD=...: the values that one field, or one number of an array
- * field, takes. */
+/* --sweep FIELD=... or FIELD*=...: the values that one field, or one number of
+ * an array field, takes, or is multiplied by. */
 struct ph_sweep {
   const char *name; /* as given: lengths[1] */
   const struct ph_field *field;
@@ -28,12 +28,16 @@ struct ph_sweep {
   struct ph_value *values; /* [n]; NULL: a range */
   const char **texts;      /* [n], JSON on one line; NULL: a range */
   double start, stop;      /* of a range */
+  bool log;                /* of which the logarithms are equally spaced */
+  bool factor; /* values multiply what the problem has; the name ends in * */
 };
 
 /*
  * ph_sweep_read: reads FIELD=START:STOP:COUNT or FIELD=V1,V2,...
  *
- * START:STOP:COUNT gives COUNT equally spaced numbers with both ends exact.
+ * START:STOP:COUNT gives COUNT equally spaced numbers with both ends exact;
+ * START:STOP:COUNT:log numbers of which each is the same multiple of the one
+ * before.  With FIELD*= all numbers of the field, or the one, are multiplied.
  *
  * ret  PH_OK | PH_USAGE | PH_NO_MEMORY
  */

@@ -297,7 +297,7 @@ static void arclength_check_offsets(const struct arclength_input *in,
   struct ph_offset offsets[PH_OFFSETS_SPATIAL];
   struct ph_diag diag;
   double size = result->curve.length;
-  const struct ph_offset_rules rules = {1e-3 * size, 0};
+  const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
   enum ph_status status =
       ph_offset_spatial(&result->curve, size, &rules, arena, offsets, &diag);
   if (status != PH_OK) {

@@ -128,7 +128,7 @@ static void planar_check_result(const struct planar_input *in,
                                 struct ph_arena *arena) {
   struct ph_diag diag;
   struct ph_offset offset;
-  const struct ph_offset_rules rules = {1e-9, 0};
+  const struct ph_offset_rules rules = {.tolerance = 1e-9};
   double size = fabs(in->points[1][0] - in->points[0][0]);
   enum ph_status status =
       ph_offset_planar(&result->curve, size, &rules, arena, &offset, &diag);

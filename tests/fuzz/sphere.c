@@ -326,7 +326,8 @@ static void sphere_check_lengths(const struct ph_curve *curve,
 static void sphere_check_offset(const struct sphere_input *in,
                                 struct ph_result *result,
                                 struct ph_arena *arena) {
-  const struct ph_offset_rules rules = {1e-9, 3};
+  const struct ph_offset_rules rules = {
+      .tolerance = 1e-9, .samples = {.how = PH_SAMPLE_PARAMETER, .n = 3}};
   struct ph_offset offset;
   struct ph_diag diag;
   enum ph_status status =
@@ -349,10 +350,11 @@ static void sphere_check_offset(const struct sphere_input *in,
 static void sphere_check_result(const struct sphere_input *in,
                                 struct ph_result *result,
                                 struct ph_arena *arena) {
+  const struct ph_sample_rules rules = {.how = PH_SAMPLE_PARAMETER, .n = 4};
   struct ph_diag diag;
   sphere_check_curve(in, &result->curve);
   fuzz_check_diagnostics(&result->diagnostics);
-  FUZZ_REQUIRE(ph_sample_curve(&result->curve, 4, arena, &result->samples,
+  FUZZ_REQUIRE(ph_sample_curve(&result->curve, &rules, arena, &result->samples,
                                &diag) == PH_OK);
   FUZZ_REQUIRE(result->samples.n == 5 * result->curve.n);
   sphere_check_samples(&result->curve, &result->samples);

@@ -313,7 +313,7 @@ static void tc_check_blaschke(const struct ph_curve *curve) {
 static void tc_check_offset(const struct tc_input *in, struct ph_result *result,
                             struct ph_arena *arena) {
   double size = ph_curve_size(&result->curve);
-  const struct ph_offset_rules rules = {1e-3 * size, 0};
+  const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
   struct ph_offset offset;
   struct ph_diag diag;
   enum ph_status status = ph_offset_planar(&result->curve, 0.125 * size, &rules,
@@ -347,6 +347,7 @@ static void tc_check_approximation(const struct tc_input *in,
 /* Curves that their certificates accept. */
 static void tc_check_result(const struct tc_input *in, struct ph_result *result,
                             struct ph_arena *arena) {
+  const struct ph_sample_rules rules = {.how = PH_SAMPLE_PARAMETER, .n = 4};
   struct ph_diag diag;
   enum ph_status status = PH_OK;
   tc_check_curve(in, &result->curve);
@@ -358,7 +359,7 @@ static void tc_check_result(const struct tc_input *in, struct ph_result *result,
     tc_check_curve(in, &result->solutions[i].curve);
     fuzz_check_diagnostics(&result->solutions[i].diagnostics);
   }
-  FUZZ_REQUIRE(ph_sample_curve(&result->curve, 4, arena, &result->samples,
+  FUZZ_REQUIRE(ph_sample_curve(&result->curve, &rules, arena, &result->samples,
                                &diag) == PH_OK);
   FUZZ_REQUIRE(result->samples.n == 5 * result->curve.n);
   tc_check_samples(&result->samples);

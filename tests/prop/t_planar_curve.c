@@ -21,7 +21,7 @@
 static struct unit_planar u;
 static struct prop_data data;
 static struct ph_quad rule;
-static const struct ph_offset_rules within = {1e-9, 0};
+static const struct ph_offset_rules within = {.tolerance = 1e-9};
 
 static void start(void) {
   ck_assert(ph_quad_gauss(&rule, 8));

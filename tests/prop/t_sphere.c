@@ -423,6 +423,8 @@ END_TEST
 
 /* Samples: arc length grows, and is that of the distances between them. */
 START_TEST(test_samples) {
+  static const struct ph_sample_rules rules = {.how = PH_SAMPLE_PARAMETER,
+                                               .n = 50};
   struct unit_random r = unit_random_of(38);
   for (size_t i = 0; i < cases(20); i++) {
     struct ph_samples s = {0};
@@ -432,7 +434,8 @@ START_TEST(test_samples) {
       continue;
     }
     ck_assert_int_eq(
-        ph_sample_curve(&one.result.curve, 50, &one.arena, &s, &diag), PH_OK);
+        ph_sample_curve(&one.result.curve, &rules, &one.arena, &s, &diag),
+        PH_OK);
     for (size_t k = 1; k < s.n; k++) {
       ph_vec3 a = ph_vec3_get(s.point + 3 * k - 3, 3);
       ph_vec3 b = ph_vec3_get(s.point + 3 * k, 3);
@@ -452,7 +455,8 @@ END_TEST
 
 /* From an offset by its own samples back to the curve. */
 START_TEST(test_offset_and_back) {
-  static const struct ph_offset_rules rules = {.samples = 20};
+  static const struct ph_offset_rules rules = {
+      .samples = {.how = PH_SAMPLE_PARAMETER, .n = 20}};
   struct unit_random r = unit_random_of(39);
   for (size_t i = 0; i < cases(20); i++) {
     double d = unit_random_in(&r, -1.5, 1.5), c = cos(d), s = sin(d);
@@ -465,9 +469,9 @@ START_TEST(test_offset_and_back) {
     ck_assert_int_eq(ph_offset_spherical(&one.result.curve, d, &rules,
                                          &one.arena, &offset, &one.diag),
                      PH_OK);
-    ck_assert_int_eq(
-        ph_sample_curve(&one.result.curve, 20, &one.arena, &on, &one.diag),
-        PH_OK);
+    ck_assert_int_eq(ph_sample_curve(&one.result.curve, &rules.samples,
+                                     &one.arena, &on, &one.diag),
+                     PH_OK);
     ck_assert_uint_eq(on.n, offset.samples.n);
     for (size_t k = 0; k < on.n; k++) {
       ph_vec3 p = ph_vec3_get(on.point + 3 * k, 3);

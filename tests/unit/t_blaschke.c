@@ -74,7 +74,7 @@ static struct noise noise_of(const struct unit_cubics *c, double scale,
 /* The same pieces and weights as those of an offset, and its points. */
 START_TEST(test_definition) {
   const double scales[] = {1, 1e-9, 1e9, 1e-150, 1e150};
-  const struct ph_offset_rules rules = {1e-9, 0};
+  const struct ph_offset_rules rules = {.tolerance = 1e-9};
   const int curves = unit_count(300);
   struct unit_random r = unit_random_of(900);
   size_t cuts = 0;

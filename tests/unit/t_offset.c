@@ -14,7 +14,7 @@ static const double PI = 3.14159265358979323846;
 
 static struct ph_arena arena;
 static struct ph_diag diag;
-static const struct ph_offset_rules rules = {1e-9, 0};
+static const struct ph_offset_rules rules = {.tolerance = 1e-9};
 
 static void finish(void) {
   ph_arena_free(&arena);

@@ -13,7 +13,7 @@ enum { ALL = PH_OFFSETS_SPATIAL };
 static struct ph_arena arena;
 static struct ph_diag diag;
 static struct unit_curve3 c;
-static const struct ph_offset_rules rules = {1e-9, 0};
+static const struct ph_offset_rules rules = {.tolerance = 1e-9};
 
 static void finish(void) {
   ph_arena_free(&arena);
@@ -22,7 +22,7 @@ static void finish(void) {
 /* The four offsets, with what they say of themselves. */
 static void offsets_of(double distance, double tolerance,
                        struct ph_offset offsets[ALL]) {
-  const struct ph_offset_rules within = {tolerance, 0};
+  const struct ph_offset_rules within = {.tolerance = tolerance};
   enum ph_status status =
       ph_offset_spatial(&c.curve, distance, &within, &arena, offsets, &diag);
   ck_assert_msg(status == PH_OK, "seed %lu: %s", unit_seed(), diag.message);

@@ -6,12 +6,13 @@
  */
 #include "curve3_unit.h"
 #include "planar_unit.h"
+#include "sample_unit.h"
 #include "seg2_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
 
 #include "curve/bezier.h"
-#include "curve/sample.h"
+#include "curve/seg3.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -26,10 +27,7 @@ static void finish(void) {
 }
 
 static struct ph_samples samples_of(const struct ph_curve *curve, size_t n) {
-  struct ph_samples s;
-  ck_assert_int_eq(ph_sample_curve(curve, n, &arena, &s, &diag), PH_OK);
-  ck_assert_uint_eq(s.n, curve->n * (n + 1));
-  ck_assert_uint_eq(s.dimension, curve->dimension);
+  struct ph_samples s = unit_samples_even(curve, n, &arena);
   ck_assert((s.torsion != NULL) == (curve->dimension == 3));
   ck_assert_ptr_null(s.lonlat);
   return s;
@@ -181,17 +179,19 @@ START_TEST(test_standstill) {
 }
 END_TEST
 
+/* More than are allowed are refused before there is memory for them. */
 START_TEST(test_too_many) {
+  const size_t refused[] = {PH_SAMPLES_MAX, SIZE_MAX / 4, SIZE_MAX};
   const ph_cplx w[3] = {{2, 0}, {2, 0}, {2, 0}};
   struct unit_segments c;
   struct ph_samples s;
   planar_of(0, w, 4, &c);
-  ck_assert_int_eq(ph_sample_curve(&c.curve, SIZE_MAX, &arena, &s, &diag),
-                   PH_NO_MEMORY);
-  ck_assert_int_eq(ph_sample_curve(&c.curve, SIZE_MAX / 4, &arena, &s, &diag),
-                   PH_NO_MEMORY);
-  ck_assert_uint_eq(ph_samples_count(3, 4), 15);
-  ck_assert_uint_eq(ph_samples_count(3, SIZE_MAX / 3), 0);
+  for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+    struct ph_sample_rules rules = {.how = PH_SAMPLE_PARAMETER,
+                                    .n = refused[i]};
+    ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &arena, &s, &diag),
+                     PH_TOO_LARGE);
+  }
 }
 END_TEST
 
@@ -199,16 +199,14 @@ END_TEST
 
 /* Curvature and torsion from differences of tangents T at s -+ h, -+ 2h along
  * the curve: T' = kappa N, [T, T', T''] = kappa^2 tau. */
-static void ck_bend(const struct ph_sampler *sampler, size_t k, double u,
-                    const struct ph_sample *at, double tol) {
+static void ck_bend(const struct ph_sampler *sampler, double u, double tol) {
   const double h = 1e-3;
-  const struct ph_quad *rule = &sampler->rule;
-  const struct ph_seg3 seg = ph_seg3_of(sampler->curve, k);
+  const struct ph_sample at = ph_sampler_at(sampler, u);
+  const struct ph_seg3 seg = ph_seg3_of(sampler->curve, sampler->k);
   double speed = ph_seg3_bend(&seg, u).speed, speed1, length;
   ph_vec3 t[5], d1, d2;
-  ck_assert_uint_eq(rule->n, 12);
   for (size_t i = 0; i < 5; i++) {
-    t[i] = ph_sample_at(sampler, k, u + ((double)i - 2) * h).tangent;
+    t[i] = ph_sampler_at(sampler, u + ((double)i - 2) * h).tangent;
   }
   speed1 = (ph_seg3_bend(&seg, u + h).speed - ph_seg3_bend(&seg, u - h).speed) /
            (2 * h);
@@ -221,22 +219,19 @@ static void ck_bend(const struct ph_sampler *sampler, size_t k, double u,
   d2 = ph_vec3_along(ph_vec3_scale(1 / (12 * h * h), d2), -speed1, d1);
   d2 = ph_vec3_scale(1 / (speed * speed), d2);
   length = ph_vec3_dot(d1, d1);
-  ck_rel(at->curvature * at->curvature, length, tol);
-  ck_abs(at->torsion * length, ph_vec3_triple(t[2], d1, d2),
-         tol * (1 + fabs(at->torsion * length)));
+  ck_rel(at.curvature * at.curvature, length, tol);
+  ck_abs(at.torsion * length, ph_vec3_triple(t[2], d1, d2),
+         tol * (1 + fabs(at.torsion * length)));
 }
 
 static void ck_random(const struct ph_curve *curve, struct unit_random *r) {
   struct ph_samples s = samples_of(curve, N);
-  struct ph_sampler sampler;
   double start = 0;
-  ck_assert(ph_sampler_begin(&sampler, curve));
   for (size_t k = 0; k < curve->n; k++) {
     double range = curve->alpha ? curve->alpha[k] : 1;
     size_t first = (N + 1) * k, last = first + N;
-    double u = unit_random_in(r, 0.01, 0.99);
-    struct ph_sample at = ph_sample_at(&sampler, k, u);
-    ck_bend(&sampler, k, u, &at, 1e-6);
+    struct ph_sampler sampler = unit_sampler(curve, NULL, k, &arena);
+    ck_bend(&sampler, unit_random_in(r, 0.01, 0.99), 1e-6);
     for (size_t i = first; i <= last; i++) {
       double v = (double)(i - first) / N;
       ph_vec3 e[3];
@@ -279,12 +274,12 @@ START_TEST(test_length) {
     struct ph_sampler sampler;
     struct unit_curve3 c;
     unit_curve3_random(&c, 1, i % 2, 1, &r);
-    ck_assert(ph_sampler_begin(&sampler, &c.curve));
+    sampler = unit_sampler(&c.curve, NULL, 0, &arena);
     for (size_t j = 0; j < rule.n; j++) {
       ph_quat a = unit_curve3_preimage(&c.curve, 0, u * rule.node[j]);
       sum += u * rule.weight[j] * ph_quat_dot(a, a);
     }
-    ck_abs(ph_sample_at(&sampler, 0, u).length, sum, 4e-15 * c.curve.length);
+    ck_abs(unit_length(&sampler, u), sum, 4e-15 * c.curve.length);
   }
 }
 END_TEST
@@ -426,11 +421,11 @@ START_TEST(test_bezier_curve) {
         before += c.curve.lengths[j];
       }
       u = (knot - c.curve.knots[k]) / (c.curve.knots[k + 1] - c.curve.knots[k]);
-      ck_assert(ph_sampler_begin(&sampler, &c.curve));
-      at = ph_sample_at(&sampler, k, u);
+      sampler = unit_sampler(&c.curve, NULL, k, &arena);
+      at = ph_sampler_at(&sampler, u);
       ck_vec3(vector(s.point, &s, (N + 1) * piece), at.point, tolerance);
       ck_vec3(vector(s.tangent, &s, (N + 1) * piece), at.tangent, 1e-12);
-      ck_abs(s.s[(N + 1) * piece], before + at.length, 1e-12);
+      ck_abs(s.s[(N + 1) * piece], before + unit_length(&sampler, u), 1e-12);
     }
     ph_arena_reset(&arena);
   }

@@ -1,26 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Samples of spherical curves. */
+#include "sample_unit.h"
 #include "spherical_curve_unit.h"
 #include "unit.h"
 
-#include "curve/sample.h"
 #include "kernel/degree.h"
 #include "kernel/pi.h"
+#include "kernel/quad.h"
 
 enum { N = 8 };
 
 static struct ph_arena arena;
-static struct ph_diag diag;
 
 static void finish(void) {
   ph_arena_free(&arena);
 }
 
 static struct ph_samples samples_of(const struct ph_curve *curve, size_t n) {
-  struct ph_samples s;
-  ck_assert_int_eq(ph_sample_curve(curve, n, &arena, &s, &diag), PH_OK);
-  ck_assert_uint_eq(s.n, curve->n * (n + 1));
-  ck_assert_uint_eq(s.dimension, 3);
+  struct ph_samples s = unit_samples_even(curve, n, &arena);
   ck_assert_ptr_null(s.torsion);
   ck_assert_ptr_nonnull(s.lonlat);
   return s;
@@ -61,20 +58,20 @@ START_TEST(test_great_circle) {
 END_TEST
 
 /* Bending by definition: from differences of the tangents along the curve. */
-static void ck_curvature(const struct ph_sampler *sampler, size_t k, double u) {
+static void ck_curvature(const struct ph_sampler *sampler, double u) {
   const double h = 1e-3, size = sampler->curve->radius;
-  struct ph_sample at = ph_sample_at(sampler, k, u), near[4];
+  struct ph_sample at = ph_sampler_at(sampler, u), near[4];
   ph_vec3 left, turn, center = ph_vec3_get(sampler->curve->center, 3);
-  double length;
+  double length, s[4];
   for (size_t i = 0; i < 4; i++) {
     static const double steps[4] = {-2, -1, 1, 2};
-    near[i] = ph_sample_at(sampler, k, u + steps[i] * h);
+    near[i] = ph_sampler_at(sampler, u + steps[i] * h);
+    s[i] = unit_length(sampler, u + steps[i] * h);
   }
   turn = ph_vec3_sub(
       ph_vec3_scale(8, ph_vec3_sub(near[2].tangent, near[1].tangent)),
       ph_vec3_sub(near[3].tangent, near[0].tangent));
-  length =
-      8 * (near[2].length - near[1].length) - (near[3].length - near[0].length);
+  length = 8 * (s[2] - s[1]) - (s[3] - s[0]);
   left = ph_vec3_cross(ph_vec3_sub(at.point, center), at.tangent);
   ck_abs(at.curvature * size, ph_vec3_dot(turn, left) / length, 1e-6);
 }
@@ -84,15 +81,14 @@ START_TEST(test_random) {
   for (int i = 0; i < unit_count(60); i++) {
     const double radius = exp(unit_random_in(&r, -5, 5));
     const ph_vec3 center = {radius, -2 * radius, 0};
-    struct ph_sampler sampler;
     struct ph_samples s;
     struct unit_spherical c;
     double start = 0;
     unit_spherical_random(&c, 3, 0.5, &r);
     unit_spherical_place(&c, center, radius);
     s = samples_of(&c.curve, N);
-    ck_assert(ph_sampler_begin(&sampler, &c.curve));
     for (size_t k = 0; k < 3; k++) {
+      struct ph_sampler sampler = unit_sampler(&c.curve, NULL, k, &arena);
       struct ph_spherical segment = ph_spherical_of(&c.curve, k);
       size_t first = (N + 1) * k, last = first + N;
       for (size_t j = first; j <= last; j++) {
@@ -116,7 +112,7 @@ START_TEST(test_random) {
       ck_abs(s.s[first], start, 1e-15 * c.curve.length);
       start += c.lengths[k];
       ck_abs(s.s[last], start, 1e-15 * c.curve.length);
-      ck_curvature(&sampler, k, unit_random_in(&r, 0.01, 0.99));
+      ck_curvature(&sampler, unit_random_in(&r, 0.01, 0.99));
     }
     ph_arena_reset(&arena);
   }
@@ -160,11 +156,11 @@ START_TEST(test_rest) {
   ph_vec3 limit;
   unit_spherical_of(&c, 1, false, half);
   s = samples_of(&c.curve, N);
-  ck_assert(ph_sampler_begin(&sampler, &c.curve));
+  sampler = unit_sampler(&c.curve, NULL, 0, &arena);
   limit = ph_vec3_unit(ph_s2_log(a, half[2]));
   ck_vec3(s.tangent, limit, 1e-14);
   ck_assert(isnan(s.curvature[0]));
-  limit = ph_sample_at(&sampler, 0, 1e-9).tangent;
+  limit = ph_sampler_at(&sampler, 1e-9).tangent;
   ck_vec3(s.tangent, limit, 1e-8);
   ck_assert(isfinite(s.curvature[1]) && isfinite(s.curvature[N]));
   /* on the great circle from one to the other, which it does not leave */
