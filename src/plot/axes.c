@@ -42,8 +42,8 @@ static double spread(const struct ph_axis *axis, double length) {
 
 void ph_axes_ticks(struct ph_axes *axes, struct ph_page *page, double em) {
   size_t n = wanted_in(axes->rect.w, 4.5 * em);
-  ph_ticks_make(axes->y.low, axes->y.high,
-                wanted_in(axes->rect.h, 2.6 * em), &axes->y.ticks);
+  ph_ticks_make(axes->y.low, axes->y.high, wanted_in(axes->rect.h, 2.6 * em),
+                &axes->y.ticks);
   do {
     ph_ticks_make(axes->x.low, axes->x.high, n, &axes->x.ticks);
   } while (widest(&axes->x.ticks, page, em) + 0.9 * em >
@@ -67,9 +67,9 @@ static bool name_text(const struct ph_axis *axis, char text[128]) {
   size_t n = 0, size = 128;
   const char *parts[6] = {base && power ? "(" : "",
                           axis->name,
-                          !base                ? ""
+                          !base              ? ""
                           : t->base_negative ? " + "
-                                               : " \xE2\x88\x92 ",
+                                             : " \xE2\x88\x92 ",
                           t->base,
                           base && power ? ")" : "",
                           power ? " / 10" : ""};
@@ -128,8 +128,8 @@ static void x_axis(const struct ph_axes *axes, struct ph_page *page,
   const struct ph_axis *axis = &axes->x;
   double bottom = axes->rect.y + axes->rect.h;
   for (size_t i = 0; i < axis->ticks.n; i++) {
-    double x = axes->rect.x +
-               axes->rect.w * ph_axis_place(axis, axis->ticks.at[i]);
+    double x =
+        axes->rect.x + axes->rect.w * ph_axis_place(axis, axis->ticks.at[i]);
     struct ph_spot from = {x, bottom}, to = {x, bottom + TICK * em};
     struct ph_spot text = {x, to.y + (GAP + 2 * RISE) * em};
     ph_page_pen(page, ph_ink(PH_INK_TICK), LINE * em, 0);

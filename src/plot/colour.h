@@ -16,23 +16,23 @@ struct ph_colour {
 };
 
 /* X(SYMBOL, red, green, blue), in percent. */
-#define PH_INKS(X)           \
-  X(EVEN, 8, 39, 70)         \
-  X(ODD, 90, 47, 8)          \
-  X(LAST, 49, 32, 66)        \
-  X(OFFSET, 5, 58, 44)       \
-  X(POLYGON, 66, 66, 66)     \
-  X(TANGENT, 36, 36, 36)     \
-  X(POINT, 10, 10, 10)       \
-  X(FRAME, 45, 45, 45)       \
-  X(TICK, 44, 44, 44)        \
-  X(TEXT, 15, 15, 15)        \
-  X(ZERO, 80, 80, 80)        \
-  X(JOINT, 85, 85, 85)       \
-  X(GRATICULE, 87, 88, 90)   \
-  X(OUTLINE, 55, 56, 58)     \
-  X(BOX, 83, 83, 83)         \
-  X(SHADOW, 78, 80, 82)      \
+#define PH_INKS(X)         \
+  X(EVEN, 8, 39, 70)       \
+  X(ODD, 90, 47, 8)        \
+  X(LAST, 49, 32, 66)      \
+  X(OFFSET, 5, 58, 44)     \
+  X(POLYGON, 66, 66, 66)   \
+  X(TANGENT, 36, 36, 36)   \
+  X(POINT, 10, 10, 10)     \
+  X(FRAME, 45, 45, 45)     \
+  X(TICK, 44, 44, 44)      \
+  X(TEXT, 15, 15, 15)      \
+  X(ZERO, 80, 80, 80)      \
+  X(JOINT, 85, 85, 85)     \
+  X(GRATICULE, 87, 88, 90) \
+  X(OUTLINE, 55, 56, 58)   \
+  X(BOX, 83, 83, 83)       \
+  X(SHADOW, 78, 80, 82)    \
   X(PAPER, 100, 100, 100)
 
 enum ph_ink {

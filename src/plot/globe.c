@@ -3,6 +3,7 @@
 #include "plot/globe.h"
 
 #include "kernel/pi.h"
+#include "plot/trace.h"
 
 #include <math.h>
 #include <string.h>
@@ -71,8 +72,8 @@ size_t ph_globe_views(const struct ph_panel *panel, struct ph_view views[2]) {
     return 1;
   }
   behind = ph_vec3_normal(behind, views[0].toward);
-  views[1] = ph_view_from(ph_vec3_abs(behind) > 1e-3 * length_of(panel)
-                              ? behind : views[0].right);
+  views[1] = ph_view_from(
+      ph_vec3_abs(behind) > 1e-3 * length_of(panel) ? behind : views[0].right);
   return 2;
 }
 
@@ -113,8 +114,8 @@ double ph_globe_reach(const struct ph_panel *panel, const struct ph_view *view,
 double ph_globe_step(double reach) {
   static const double steps[] = {30, 10, 5, 2, 1, 0.5, 0.2, 0.1, 0.05, 0.02};
   size_t i = 0;
-  while (i + 1 < sizeof steps / sizeof steps[0] &&
-         reach < 1 && steps[i] * PH_PI / 180 > 0.6 * reach) {
+  while (i + 1 < sizeof steps / sizeof steps[0] && reach < 1 &&
+         steps[i] * PH_PI / 180 > 0.6 * reach) {
     i++;
   }
   return steps[i];
@@ -184,8 +185,8 @@ static void graticule(const struct ph_look *look, double reach) {
   const double degree = PH_PI / 180;
   double step = ph_globe_step(reach), u = look->window.u, v = look->window.v;
   double depth = sqrt(fmax(0, 1 - u * u - v * v));
-  ph_vec3 m = ph_vec3_along(ph_vec3_scale(u, look->view.right), v,
-                            look->view.up);
+  ph_vec3 m =
+      ph_vec3_along(ph_vec3_scale(u, look->view.right), v, look->view.up);
   double lon, lat, more = asin(fmin(1, 1.5 * reach)) / degree, wide, low, high;
   m = ph_vec3_along(m, depth, look->view.toward);
   lon = atan2(m.y, m.x) / degree;

@@ -11,7 +11,7 @@
 static const struct {
   size_t n;
   double width, em;
-} sizes[] = {{1, 640, 12},  {2, 480, 10.5}, {6, 400, 9.5},
+} sizes[] = {{1, 640, 12},   {2, 480, 10.5}, {6, 400, 9.5},
              {12, 330, 8.5}, {30, 270, 7.5}, {SIZE_MAX, 230, 6.5}};
 
 #define PADDING 0.8 /* around a panel, in ems */
@@ -54,14 +54,15 @@ static void page_size(const struct ph_figure_rules *rules, double width,
 
 static void set_cells(struct ph_layout *layout, size_t n, const double *rows,
                       double sum, double note) {
-  double w = layout->width / (double)layout->columns, pad = PADDING * layout->em;
+  double w = layout->width / (double)layout->columns,
+         pad = PADDING * layout->em;
   double h = layout->height - note * layout->em, y = 0;
   for (size_t i = 0; i < n; i++) {
     size_t row = i / layout->columns, column = i % layout->columns;
     double high = h * rows[row] / sum;
-    layout->cells[i] = (struct ph_rect){w * (double)column + pad, y + pad,
-                                        fmax(w - 2 * pad, 1),
-                                        fmax(high - 2 * pad, 1)};
+    layout->cells[i] =
+        (struct ph_rect){w * (double)column + pad, y + pad,
+                         fmax(w - 2 * pad, 1), fmax(high - 2 * pad, 1)};
     y += column + 1 == layout->columns ? high : 0;
   }
 }

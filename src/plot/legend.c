@@ -67,9 +67,9 @@ static size_t shown_n(const struct ph_panel *panel) {
 }
 
 static size_t shown(const struct ph_panel *panel, size_t i) {
-  return is_bar(panel) ? (i * (panel->n - 1) + (BAR_LABELS - 1) / 2) /
-                             (BAR_LABELS - 1)
-                       : i;
+  return is_bar(panel)
+             ? (i * (panel->n - 1) + (BAR_LABELS - 1) / 2) / (BAR_LABELS - 1)
+             : i;
 }
 
 double ph_legend_width(const struct ph_panel *panel, struct ph_page *page,
@@ -130,8 +130,8 @@ static void draw_bar(const struct ph_panel *panel, struct ph_page *page,
     size_t k = shown(panel, i);
     double y = top + h * (double)k / (double)(panel->n - 1);
     value_text(panel, k, common, text);
-    put(page, place->x + (BAR + GAP) * em, y, em,
-        place->w - (BAR + GAP) * em, text);
+    put(page, place->x + (BAR + GAP) * em, y, em, place->w - (BAR + GAP) * em,
+        text);
   }
 }
 

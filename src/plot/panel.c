@@ -111,8 +111,8 @@ enum ph_status ph_panel_make(const struct ph_drawing *const *drawings, size_t n,
   find_views(panel);
   for (size_t i = 0; i < n; i++) {
     double length = drawings[i]->length;
-    panel->length = isfinite(length) ? fmax(panel->length, length)
-                                     : panel->length;
+    panel->length =
+        isfinite(length) ? fmax(panel->length, length) : panel->length;
   }
   if (!(panel->length > 0)) {
     panel->length = panel->unit.size;

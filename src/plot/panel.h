@@ -22,7 +22,7 @@ struct ph_panel {
   ph_vec3 low, high; /* what is seen, in the unit */
   struct ph_view views[PH_PANEL_VIEWS_MAX];
   size_t views_n;
-  double length; /* of the longest curve, > 0 */
+  double length;                                 /* of the longest curve, > 0 */
   struct ph_range ranges[PH_PANEL_PROFILES_MAX]; /* by enum ph_profile_of */
   size_t profiles_n;
 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A panel on the page (see panel.h): where its parts go, and what is in them. */
+/* A panel on the page (see panel.h): where its parts go, and what is in them.
+ */
 #include "plot/globe.h"
 #include "plot/legend.h"
 #include "plot/panel.h"
@@ -58,8 +59,7 @@ static double views_height(const struct ph_panel *panel, double width,
   extents(panel, extent);
   switch (panel->drawings[0]->space) {
   case PH_DRAWING_PLANE:
-    return fmin(inner * extent[1] / extent[0], 1.1 * inner) +
-           ph_axes_below(em);
+    return fmin(inner * extent[1] / extent[0], 1.1 * inner) + ph_axes_below(em);
   case PH_DRAWING_SPACE:
     inner *= (extent[1] + extent[2]) / (extent[0] + extent[1]);
     return fmin(inner, 1.25 * width) + ph_axes_below(em) + VIEW_GAP * em;
@@ -136,9 +136,9 @@ static struct ph_axes plane_axes(const struct place *place,
                                  struct ph_window *window) {
   double extent[3];
   extents(place->panel, extent);
-  *window = window_of(place->panel, &place->views, 0, 1,
-                      fmin(place->views.w / extent[0],
-                           place->views.h / extent[1]));
+  *window =
+      window_of(place->panel, &place->views, 0, 1,
+                fmin(place->views.w / extent[0], place->views.h / extent[1]));
   return axes_of(place->panel, window, 0, 1);
 }
 
@@ -173,8 +173,7 @@ static void space_layout(const struct place *place, struct space *space) {
   space->corner = (struct ph_rect){rects[2].x, r->y, w - left, top};
   for (int i = 0; i < 3; i++) {
     int x = i == 2 ? 1 : 0, y = i == 0 ? 1 : 2;
-    space->windows[i] =
-        window_of(place->panel, &rects[i], x, y, space->scale);
+    space->windows[i] = window_of(place->panel, &rects[i], x, y, space->scale);
     space->axes[i] = axes_of(place->panel, &space->windows[i], x, y);
   }
   space->axes[0].x.bare = space->axes[2].y.bare = true;
@@ -204,7 +203,8 @@ static void draw_box(const struct place *place, struct ph_look *look) {
   look->window.scale =
       fmin(look->window.scale,
            fmin(look->window.rect.w / fmax(high[0] - low[0], 1e-3),
-                look->window.rect.h / fmax(high[1] - low[1], 1e-3)) / MARGIN);
+                look->window.rect.h / fmax(high[1] - low[1], 1e-3)) /
+               MARGIN);
   ph_page_pen(look->page, ph_ink(PH_INK_BOX), 0.055 * look->em, 0);
   for (int i = 0; i < 12; i++) {
     ph_vec3 edge[2] = {corners[edges[i][0]], corners[edges[i][1]]};
@@ -214,8 +214,10 @@ static void draw_box(const struct place *place, struct ph_look *look) {
 
 static void draw_space(const struct place *place) {
   struct space space;
-  struct ph_look look = {.panel = place->panel, .view = place->panel->views[3],
-                         .page = place->page, .em = place->em};
+  struct ph_look look = {.panel = place->panel,
+                         .view = place->panel->views[3],
+                         .page = place->page,
+                         .em = place->em};
   space_layout(place, &space);
   for (int i = 0; i < 3; i++) {
     ph_axes_ticks(&space.axes[i], place->page, place->em);
@@ -274,18 +276,18 @@ static struct ph_axes profile_axes(const struct place *place, size_t which) {
   double n = (double)panel->profiles_n, gap = PROFILE_GAP * place->em;
   double h = (place->profiles.h - (n - 1) * gap) / n;
   bool sphere = panel->drawings[0]->space == PH_DRAWING_SPHERE;
-  struct ph_axes axes = {
-      {place->profiles.x, place->profiles.y + (double)which * (h + gap),
-       place->profiles.w, h},
-      {.name = "arc length",
-       .low = 0,
-       .high = panel->length,
-       .bare = which + 1 < panel->profiles_n},
-      {.name = which == PH_PROFILE_TORSION ? "torsion"
-               : sphere                    ? "geodesic curvature"
+  struct ph_axes axes = {{place->profiles.x,
+                          place->profiles.y + (double)which * (h + gap),
+                          place->profiles.w, h},
+                         {.name = "arc length",
+                          .low = 0,
+                          .high = panel->length,
+                          .bare = which + 1 < panel->profiles_n},
+                         {.name = which == PH_PROFILE_TORSION ? "torsion"
+                                  : sphere ? "geodesic curvature"
                                            : "curvature",
-       .low = range->low,
-       .high = range->high}};
+                          .low = range->low,
+                          .high = range->high}};
   return axes;
 }
 
@@ -335,12 +337,12 @@ static struct place place_in(const struct ph_panel *panel, struct ph_page *page,
   double profiles = fmin(profiles_height(panel, em), 0.45 * body->h);
   for (int pass = 0; pass < 2; pass++) {
     double x = body->x + left, w = fmax(body->w - left - RIGHT * em, em);
-    place.views = (struct ph_rect){
-        x, body->y + TOP * em, w,
-        fmax(body->h - profiles - below - TOP * em, em)};
-    place.profiles = (struct ph_rect){
-        x, body->y + body->h - profiles + PROFILE_GAP * em, w,
-        fmax(profiles - below - PROFILE_GAP * em, em)};
+    place.views =
+        (struct ph_rect){x, body->y + TOP * em, w,
+                         fmax(body->h - profiles - below - TOP * em, em)};
+    place.profiles =
+        (struct ph_rect){x, body->y + body->h - profiles + PROFILE_GAP * em, w,
+                         fmax(profiles - below - PROFILE_GAP * em, em)};
     left = left_of(&place);
   }
   if (sphere) {
@@ -371,8 +373,8 @@ void ph_panel_draw(const struct ph_panel *panel, struct ph_page *page,
   double legend = ph_legend_width(panel, page, em, 0.3 * cell->w);
   draw_title(panel, page, &body, em);
   if (legend > 0) {
-    struct ph_rect at = {body.x + body.w - legend - 0.5 * em,
-                         body.y + TOP * em, legend, 0.6 * body.h};
+    struct ph_rect at = {body.x + body.w - legend - 0.5 * em, body.y + TOP * em,
+                         legend, 0.6 * body.h};
     ph_legend_draw(panel, page, &at, em);
     body.w -= legend + (LEGEND_GAP - RIGHT + 0.5) * em;
   }

@@ -138,8 +138,8 @@ static bool same_place(ph_vec3 a, ph_vec3 b) {
 /* Whether the drawing before has the same: tangents that a sweep leaves. */
 static bool repeated(const struct ph_drawing *before, size_t i,
                      const struct ph_stroke *stroke) {
-  const struct ph_stroke *b = before && i < before->strokes_n
-                                  ? &before->strokes[i] : NULL;
+  const struct ph_stroke *b =
+      before && i < before->strokes_n ? &before->strokes[i] : NULL;
   return b && b->role == stroke->role && b->n == stroke->n && b->n > 0 &&
          same_place(b->points[0], stroke->points[0]) &&
          same_place(b->points[b->n - 1], stroke->points[b->n - 1]);
@@ -155,11 +155,10 @@ static void choose_pen(const struct ph_look *look, enum ph_side side,
   struct ph_colour ramp = ph_colour_ramp(which, panel->n);
   switch (stroke->role) {
   case PH_STROKE_CURVE:
-    ph_page_pen(look->page,
-                many ? ramp
-                     : ph_colour_segment(segment, d->segments_n, d->closed),
-                (dash > 0 ? 0.7 : 1) * (many ? CURVE_OF_MANY : CURVE) * em,
-                dash);
+    ph_page_pen(
+        look->page,
+        many ? ramp : ph_colour_segment(segment, d->segments_n, d->closed),
+        (dash > 0 ? 0.7 : 1) * (many ? CURVE_OF_MANY : CURVE) * em, dash);
     break;
   case PH_STROKE_POLYGON:
     ph_page_pen(look->page, ph_ink(PH_INK_POLYGON), POLYGON * em, dash);

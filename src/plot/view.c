@@ -19,8 +19,8 @@ struct ph_unit ph_unit_of(ph_vec3 low, ph_vec3 high) {
   double size = 0, far;
   unit.center = ph_vec3_of(middle_of(low.x, high.x), middle_of(low.y, high.y),
                            middle_of(low.z, high.z));
-  far = fmax(fabs(unit.center.x),
-             fmax(fabs(unit.center.y), fabs(unit.center.z)));
+  far =
+      fmax(fabs(unit.center.x), fmax(fabs(unit.center.y), fabs(unit.center.z)));
   size = fmax(half_of(low.x, high.x),
               fmax(half_of(low.y, high.y), half_of(low.z, high.z)));
   if (!(size > 1e-13 * far && isfinite(size))) {
