@@ -72,8 +72,7 @@ struct ph_drawing {
   struct ph_stroke *strokes; /* in the order in which they are drawn: control
                                 polygons, offsets, the curve, tangents */
   size_t strokes_n;
-  ph_vec3
-      *data; /* the points that the curve goes through; NULL if data_n = 0 */
+  ph_vec3 *data; /* [data_n], the points that the curve goes through */
   size_t data_n;
   struct ph_profile *profiles; /* [segments_n] */
   size_t segments_n;           /* as many as strokes of the curve */
