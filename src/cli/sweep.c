@@ -179,8 +179,8 @@ static enum ph_status read_range(const char *text, const char *first,
       !read_number(second + 1, count_n, &count) || !(count >= 1) ||
       count > COUNT_MAX || floor(count) < count) {
     return ph_fail(diag, PH_USAGE, NULL,
-                   "--sweep: '%s' is not START:STOP:COUNT or "
-                   "START:STOP:COUNT:log with a COUNT from 1 to %.0f",
+                   "--sweep: '%s' is not START:STOP:COUNT[:log] with a COUNT "
+                   "from 1 to %.0f",
                    ph_excerpt(text, strlen(text), excerpt), COUNT_MAX);
   }
   if (sweep->log && (!(sweep->start > 0) || !(sweep->stop > 0))) {

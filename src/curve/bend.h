@@ -6,13 +6,15 @@
  * v and v + h of it leaves the curve between them by no more than M h^2 / 8,
  * and the curve the chord.  Such are
  *   max |r''|, as |r(u) - chord(u)| is at most max|r''| h^2 / 8,           (1)
- *   max |kappa| (max |r'|)^2, the same by arc length.                      (2)
- * Both are found in interval arithmetic from the range of the preimage, or of
- * the control points, over [u0,u1] (the convex hull of the coefficients of that
- * part): they hold up to rounding, are the smaller of the two, and are exact in
- * the limit of short intervals, but for (1) where the speed changes.
+ *   max |kappa| (max |r'|)^2, the same by arc length,                      (2)
+ *   max |kappa| |r'|^2, increased by a part that is of the order of the
+ *     interval, where the curve turns by less than a quarter.              (3)
+ * They are found from the hull of the coefficients of the preimage, or of the
+ * control points, over [u0,u1], hold up to rounding, which they are increased
+ * by, and the least of the three is taken.  (1) is finite wherever the curve
+ * has a second derivative; (3) is exact in the limit of short intervals.
  *
- * Derived here; tested by t_bend.c against dense samples.
+ * Derived in bend.c; tested by t_bend.c against dense samples.
  */
 #ifndef PH_CURVE_BEND_H
 #define PH_CURVE_BEND_H
@@ -24,7 +26,8 @@
  * of the segment; infinite where no bound was found. */
 double ph_bend_ph(const struct ph_seg3 *seg, double u0, double u1);
 
-/* ph_bend_offset: M of its offset at a signed distance along a normal. */
+/* ph_bend_offset: M of its offset at a signed distance along a normal; infinite
+ * unless it is seen that the segment stands still nowhere in [u0,u1]. */
 double ph_bend_offset(const struct ph_seg3 *seg, enum ph_normal normal,
                       double distance, double u0, double u1);
 

@@ -235,5 +235,5 @@ refused many
 refused nan
 refused ''
 run planar -f csv --table=samples /dev/null
-expect '--table=samples alone' 2 "phspline: --table=samples needs --sample
+expect '--table=samples alone' 2 "phspline: --table=samples needs --sample, --spacing or --chord-error
 Try 'phspline planar --help'."

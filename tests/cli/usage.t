@@ -62,11 +62,33 @@ did you mean \"json\"?" -i jsn
 usage "--input-format must be auto|json|csv, found ''" -i ''
 usage "--input-format must be auto|json|csv, found 'CSV'; \
 did you mean \"csv\"?" -i CSV
-usage "--format must be json|csv, found 'svg'; did you mean \"csv\"?" -f svg
-usage "--format must be json|csv, found 'json|csv'" --format='json|csv'
+usage "--format must be json|csv|text|svg-path, found 'svg'; did you mean \"csv\"?" -f svg
+usage "--format must be json|csv|text|svg-path, found 'json|csv'" --format='json|csv'
 usage "--table must be control-points|lengths|samples|offsets, found 'length'; \
 did you mean \"lengths\"?" -f csv --table=length
-usage '--table needs --format=csv' --table=lengths
+usage '--table needs --format=csv or --format=text' -f json --table=lengths
+usage '--table needs --format=csv or --format=text' --table=lengths -f svg-path
+usage '--table=samples needs --sample, --spacing or --chord-error' \
+  --table=samples
+usage '--pretty needs --format=json' --pretty --table=lengths
+usage '--sample, --spacing and --chord-error are alternatives' \
+  --sample=3 --spacing=1
+usage '--sample, --spacing and --chord-error are alternatives' \
+  --chord-error=1 --spacing=1
+usage '--frame needs --sample, --spacing or --chord-error' --frame=rmf
+usage '--frame: the curves of planar are in the plane, where the normal is '\
+'(-ty,tx)' --frame=erf --sample=3
+usage "--frame must be frenet|erf|rmf, found 'RMF'; did you mean \"rmf\"?" \
+  --frame=RMF
+for n in 0 -1 x '' inf nan 1e999; do
+  usage "--spacing must be a number greater than 0, found '$n'" --spacing="$n"
+  usage "--chord-error must be a number greater than 0, found '$n'" \
+    --chord-error="$n"
+done
+for n in 640 640x 640x0 x480 640X480 1.5x200 99x200 200x20001; do
+  usage "--plot-size must be WIDTHxHEIGHT, whole numbers from 100 to 20000, \
+found '$n'" --plot=x.svg --plot-size="$n"
+done
 usage '--table=offsets needs --offset' -f csv --table=offsets
 usage '--pretty needs --format=json' --pretty -f csv
 
@@ -134,7 +156,7 @@ points[0][1]" --sweep "$target=1,2"
 done
 for range in 1:2:0 1:2:-1 1:2:1.5 1:2: 1::3 :2:3 1:x:3 1:2:3:4 1:2:1e10 \
   inf:1:2 0:nan:2; do
-  usage "--sweep: '$range' is not START:STOP:COUNT with a COUNT from 1 to \
+  usage "--sweep: '$range' is not START:STOP:COUNT[:log] with a COUNT from 1 to \
 1000000000" \
     --sweep "points[0][0]=$range"
 done
@@ -157,7 +179,7 @@ usage '--sweep: too many combinations' --sweep 'points[0][0]=0:1:1000000000' \
 
 # a message is one line, whatever it is about
 nasty=$(printf 'a\nb\033')
-usage "--format must be json|csv, found 'a\\x0ab\\x1b'" -f "$nasty"
+usage "--format must be json|csv|text|svg-path, found 'a\\x0ab\\x1b'" -f "$nasty"
 usage "unknown option '--a\\x0ab\\x1b'" "--$nasty"
 usage "--jobs must be a whole number from 1 to 1024, found 'a\\x0ab\\x1b'" \
   -j "$nasty"

@@ -23,34 +23,68 @@ static void ck_written(const char *expected) {
 static const struct ph_swept swept[] = {{"knots[1]", "0.5"},
                                         {"odd,name", "[0,1]"}};
 
+static void header(struct ph_csv_shape shape, const struct ph_swept *names,
+                   size_t n) {
+  ph_csv_header(&buf, &shape, names, n);
+}
+
+/* Rows of CSV, in the plane. */
+static void rows(enum ph_table table, const struct ph_csv_heading *heading,
+                 const struct ph_result *result) {
+  const struct ph_csv_shape shape = {.table = table, .dimension = 2};
+  ph_csv_result(&buf, &shape, heading, result);
+}
+
 START_TEST(test_headers) {
-  ph_csv_header(&buf, PH_TABLE_CONTROL_POINTS, 2, false, NULL, 0);
+  header(
+      (struct ph_csv_shape){.table = PH_TABLE_CONTROL_POINTS, .dimension = 2},
+      NULL, 0);
   ck_written("id,segment,index,x,y\n");
-  ph_csv_header(&buf, PH_TABLE_CONTROL_POINTS, 3, false, NULL, 0);
+  header(
+      (struct ph_csv_shape){.table = PH_TABLE_CONTROL_POINTS, .dimension = 3},
+      NULL, 0);
   ck_written("id,segment,index,x,y,z\n");
-  ph_csv_header(&buf, PH_TABLE_LENGTHS, 2, false, swept, 1);
+  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .dimension = 2},
+         swept, 1);
   ck_written("id,segment,t0,t1,length,cumulative,knots[1]\n");
-  ph_csv_header(&buf, PH_TABLE_OFFSETS, 2, false, swept, 2);
+  header((struct ph_csv_shape){.table = PH_TABLE_OFFSETS, .dimension = 2},
+         swept, 2);
   ck_written("id,distance,segment,index,x,y,weight,knots[1],\"odd,name\"\n");
-  ph_csv_header(&buf, PH_TABLE_LENGTHS, 3, false, NULL, 0);
+  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .dimension = 3}, NULL,
+         0);
   ck_written("id,segment,t0,t1,length,cumulative\n");
-  ph_csv_header(&buf, PH_TABLE_OFFSETS, 3, false, swept, 1);
+  header((struct ph_csv_shape){.table = PH_TABLE_OFFSETS, .dimension = 3},
+         swept, 1);
   ck_written("id,distance,segment,index,x,y,z,weight,vector,knots[1]\n");
-  ph_csv_header(&buf, PH_TABLE_SAMPLES, 2, false, NULL, 0);
+  header((struct ph_csv_shape){.table = PH_TABLE_SAMPLES, .dimension = 2}, NULL,
+         0);
   ck_written("id,segment,t,s,x,y,tx,ty,curvature\n");
-  ph_csv_header(&buf, PH_TABLE_SAMPLES, 3, false, NULL, 0);
+  header((struct ph_csv_shape){.table = PH_TABLE_SAMPLES, .dimension = 3}, NULL,
+         0);
   ck_written("id,segment,t,s,x,y,z,tx,ty,tz,curvature,torsion\n");
 }
 END_TEST
 
 START_TEST(test_headers_on_sphere) {
-  ph_csv_header(&buf, PH_TABLE_CONTROL_POINTS, 3, true, NULL, 0);
+  header((struct ph_csv_shape){.table = PH_TABLE_CONTROL_POINTS,
+                               .dimension = 3,
+                               .on_sphere = true},
+         NULL, 0);
   ck_written("id,segment,index,x,y,z\n");
-  ph_csv_header(&buf, PH_TABLE_LENGTHS, 3, true, NULL, 0);
+  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS,
+                               .dimension = 3,
+                               .on_sphere = true},
+         NULL, 0);
   ck_written("id,segment,t0,t1,length,cumulative\n");
-  ph_csv_header(&buf, PH_TABLE_SAMPLES, 3, true, swept, 1);
+  header((struct ph_csv_shape){.table = PH_TABLE_SAMPLES,
+                               .dimension = 3,
+                               .on_sphere = true},
+         swept, 1);
   ck_written("id,segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat,knots[1]\n");
-  ph_csv_header(&buf, PH_TABLE_OFFSETS, 3, true, NULL, 0);
+  header((struct ph_csv_shape){.table = PH_TABLE_OFFSETS,
+                               .dimension = 3,
+                               .on_sphere = true},
+         NULL, 0);
   ck_written("id,distance,segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat\n");
 }
 END_TEST
@@ -74,7 +108,7 @@ static struct ph_result by_hand(void) {
 START_TEST(test_control_points) {
   const struct ph_csv_heading heading = {"r1", NULL, 0};
   struct ph_result result = by_hand();
-  ph_csv_result(&buf, PH_TABLE_CONTROL_POINTS, &heading, &result);
+  rows(PH_TABLE_CONTROL_POINTS, &heading, &result);
   ck_written("r1,0,0,0,0\nr1,0,1,1,-2.5\nr1,1,0,1,-2.5\nr1,1,1,1e21,1e-7\n");
 }
 END_TEST
@@ -82,7 +116,7 @@ END_TEST
 START_TEST(test_lengths) {
   const struct ph_csv_heading heading = {"", swept, 2};
   struct ph_result result = by_hand();
-  ph_csv_result(&buf, PH_TABLE_LENGTHS, &heading, &result);
+  rows(PH_TABLE_LENGTHS, &heading, &result);
   /* The sum is that of the two doubles, correctly rounded. */
   ck_written(",0,0,0.5,0.1,0.1,0.5,\"[0,1]\"\n"
              ",1,0.5,2,0.2,0.30000000000000004,0.5,\"[0,1]\"\n");
@@ -109,7 +143,7 @@ START_TEST(test_offsets) {
   }
   result.offsets = offsets;
   result.offsets_n = 2;
-  ph_csv_result(&buf, PH_TABLE_OFFSETS, &heading, &result);
+  rows(PH_TABLE_OFFSETS, &heading, &result);
   ck_written("7,1,0,0,0,1,1\n7,1,0,1,2,3,2\n7,1,0,2,2,3,2\n7,1,0,3,4,5,3\n"
              "7,1,1,0,6,7,0.5\n7,1,1,1,8,9,0.25\n"
              "7,-0.5,0,0,0,1,1\n7,-0.5,0,1,2,3,2\n");
@@ -134,7 +168,7 @@ START_TEST(test_offsets_in_space) {
   }
   result.offsets = offsets;
   result.offsets_n = 2;
-  ph_csv_result(&buf, PH_TABLE_OFFSETS, &heading, &result);
+  rows(PH_TABLE_OFFSETS, &heading, &result);
   ck_written("7,0.5,0,0,1,2,3,1,e2,0.5\n7,0.5,0,1,4,5,6,2,e2,0.5\n"
              "7,0.5,0,0,1,2,3,1,e3,0.5\n7,0.5,0,1,4,5,6,2,e3,0.5\n");
 }
@@ -161,14 +195,14 @@ static struct ph_samples samples_of(size_t dimension) {
 START_TEST(test_samples) {
   const struct ph_csv_heading heading = {"7", swept, 1};
   struct ph_result result = by_hand();
-  ph_csv_result(&buf, PH_TABLE_SAMPLES, &heading, &result);
+  rows(PH_TABLE_SAMPLES, &heading, &result);
   ck_written("");
   result.samples = samples_of(2);
-  ph_csv_result(&buf, PH_TABLE_SAMPLES, &heading, &result);
+  rows(PH_TABLE_SAMPLES, &heading, &result);
   ck_written("7,0,0,0,1,2,1,0,-3,0.5\n7,1,0.5,2,3,4,0,0,,0.5\n");
   result.samples = samples_of(3);
   result.samples.torsion = torsion;
-  ph_csv_result(&buf, PH_TABLE_SAMPLES, &heading, &result);
+  rows(PH_TABLE_SAMPLES, &heading, &result);
   ck_written("7,0,0,0,1,2,3,1,0,0,-3,0.25,0.5\n"
              "7,1,0.5,2,4,5,6,0,1,0,,,0.5\n");
 }
@@ -177,26 +211,65 @@ END_TEST
 /* Of a curve on a sphere, and of its offset. */
 START_TEST(test_samples_on_sphere) {
   const struct ph_csv_heading heading = {"7", NULL, 0};
+  struct ph_csv_shape shape = {
+      .table = PH_TABLE_SAMPLES, .dimension = 3, .on_sphere = true};
   struct ph_offset offset = {.distance = -0.5};
   struct ph_result result = by_hand();
   result.samples = samples_of(3);
   result.samples.lonlat = lonlat;
   offset.samples = result.samples;
-  result.offsets = &offset;
-  result.offsets_n = 1;
-  ph_csv_result(&buf, PH_TABLE_SAMPLES, &heading, &result);
+  ph_csv_result(&buf, &shape, &heading, &result);
   ck_written("7,0,0,0,1,2,3,1,0,0,-3,-180,90\n"
              "7,1,0.5,2,4,5,6,0,1,0,,7,8\n");
-  ph_csv_result(&buf, PH_TABLE_OFFSETS, &heading, &result);
+  result.offsets = &offset;
+  result.offsets_n = 1;
+  shape.offsets = true;
+  ph_csv_result(&buf, &shape, &heading, &result);
+  ck_written("7,0,0,0,1,2,3,1,0,0,-3,-180,90,0\n"
+             "7,1,0.5,2,4,5,6,0,1,0,,7,8,0\n"
+             "7,0,0,0,1,2,3,1,0,0,-3,-180,90,-0.5\n"
+             "7,1,0.5,2,4,5,6,0,1,0,,7,8,-0.5\n");
+  shape.table = PH_TABLE_OFFSETS;
+  ph_csv_result(&buf, &shape, &heading, &result);
   ck_written("7,-0.5,0,0,0,1,2,3,1,0,0,-3,-180,90\n"
              "7,-0.5,1,0.5,2,4,5,6,0,1,0,,7,8\n");
+}
+END_TEST
+
+/* Columns for gnuplot and awk, with all that samples may have. */
+START_TEST(test_text) {
+  static double normal[] = {0, 1, 0, (double)NAN, (double)NAN, (double)NAN};
+  static double binormal[] = {0, 0, 1, (double)NAN, (double)NAN, (double)NAN};
+  const struct ph_swept word = {"knots", "\"uniform\""};
+  const struct ph_csv_heading heading = {"no 7", &word, 1};
+  struct ph_csv_shape shape = {PH_TABLE_SAMPLES, true, 3, false, true, true};
+  struct ph_offset offset = {.distance = -0.5, .vector = "e2"};
+  struct ph_result result = by_hand();
+  result.samples = samples_of(3);
+  result.samples.torsion = torsion;
+  offset.samples = result.samples;
+  offset.samples.n = 1;
+  result.samples.normal = normal;
+  result.samples.binormal = binormal;
+  result.offsets = &offset;
+  result.offsets_n = 1;
+  header(shape, &word, 1);
+  ck_written("# id segment t s x y z tx ty tz curvature torsion nx ny nz bx by "
+             "bz distance vector knots\n");
+  ph_csv_result(&buf, &shape, &heading, &result);
+  ck_written(
+      "\"no 7\" 0 0 0 1 2 3 1 0 0 -3 0.25 0 1 0 0 0 1 0 - uniform\n"
+      "\"no 7\" 1 0.5 2 4 5 6 0 1 0 NaN NaN NaN NaN NaN NaN NaN NaN 0 - "
+      "uniform\n\n"
+      "\"no 7\" 0 0 0 1 2 3 1 0 0 -3 0.25 NaN NaN NaN NaN NaN NaN -0.5 e2 "
+      "uniform\n\n\n");
 }
 END_TEST
 
 START_TEST(test_no_offsets) {
   const struct ph_csv_heading heading = {"7", NULL, 0};
   struct ph_result result = by_hand();
-  ph_csv_result(&buf, PH_TABLE_OFFSETS, &heading, &result);
+  rows(PH_TABLE_OFFSETS, &heading, &result);
   ck_written("");
 }
 END_TEST
@@ -216,7 +289,7 @@ START_TEST(test_quoting) {
     const struct ph_csv_heading heading = {ids[i][0], NULL, 0};
     char expected[64] = "";
     strcat(strcat(expected, ids[i][1]), ",0,0,0.5,0.1,0.1\n");
-    ph_csv_result(&buf, PH_TABLE_LENGTHS, &heading, &result);
+    rows(PH_TABLE_LENGTHS, &heading, &result);
     ck_written(expected);
   }
 }
@@ -226,8 +299,9 @@ START_TEST(test_failed_buffer) {
   const struct ph_csv_heading heading = {"a,b", swept, 2};
   struct ph_result result = by_hand();
   ck_assert_ptr_null(ph_buf_reserve(&buf, (size_t)-1 - 10));
-  ph_csv_header(&buf, PH_TABLE_LENGTHS, 2, false, swept, 2);
-  ph_csv_result(&buf, PH_TABLE_LENGTHS, &heading, &result);
+  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .dimension = 2},
+         swept, 2);
+  rows(PH_TABLE_LENGTHS, &heading, &result);
   ck_assert(buf.failed);
   ck_assert_uint_eq(buf.n, 0);
 }
@@ -245,6 +319,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_offsets_in_space);
   tcase_add_test(tc, test_samples);
   tcase_add_test(tc, test_samples_on_sphere);
+  tcase_add_test(tc, test_text);
   tcase_add_test(tc, test_no_offsets);
   tcase_add_test(tc, test_quoting);
   tcase_add_test(tc, test_failed_buffer);

@@ -381,7 +381,10 @@ START_TEST(test_offset_in_space) {
   const struct ph_heading heading = {&nothing, "spatial-hermite", NULL, 0};
   size_t segment = 0;
   double interval[] = {0, 0.5}, p[] = {1, 2, 3}, weight = 4;
+  struct ph_place cusp = {0, 0.5, 0.75};
   struct ph_offset offset = {.distance = -0.5,
+                             .length = (double)NAN,
+                             .cusps = {1, &cusp},
                              .vector = "e3",
                              .dimension = 3,
                              .n = 1,
@@ -397,7 +400,8 @@ START_TEST(test_offset_in_space) {
       strstr(written(),
              "\"offsets\":[{\"distance\":-0.5,\"vector\":\"e3\",\"degree\":0,"
              "\"segments\":[{\"segment\":0,\"interval\":[0,0.5],"
-             "\"control_points\":[[1,2,3]],\"weights\":[4]}]}]"));
+             "\"control_points\":[[1,2,3]],\"weights\":[4]}],\"cusps\":["
+             "{\"segment\":0,\"t\":0.75}]}]"));
 }
 END_TEST
 
@@ -455,7 +459,7 @@ START_TEST(test_on_sphere) {
   struct ph_result result = by_hand();
   double tensions[] = {0, 12.5};
   signed char indicators[] = {0, -1};
-  struct ph_place cusps[] = {{0, 0.25}, {0, 1}};
+  struct ph_place cusps[] = {{0, 0.5, 0.25}, {0, 1, 1}};
   struct ph_offset offsets[] = {
       {.distance = -0.5, .length = 9, .cusps = {2, cusps}},
       {.distance = 0.5, .length = 8}};

@@ -169,7 +169,8 @@ static void ck_refused(const char *text, const char *message) {
 }
 
 #define FORM "' is not FIELD=START:STOP:COUNT or FIELD=V1,V2,..."
-#define RANGE "' is not START:STOP:COUNT with a COUNT from 1 to 1000000000"
+#define RANGE \
+  "' is not START:STOP:COUNT[:log] with a COUNT from 1 to 1000000000"
 #define ELEMENT "' is not a field or an element like knots[2] or points[0][1]"
 
 START_TEST(test_refused_form) {
@@ -203,6 +204,12 @@ START_TEST(test_refused_range) {
   ck_refused("basis=0:1e999:2", "--sweep: '0:1e999:2" RANGE);
   ck_refused("basis=0:1:1e10", "--sweep: '0:1:1e10" RANGE);
   ck_refused("basis=0:1:nan", "--sweep: '0:1:nan" RANGE);
+  ck_refused("basis=1:2:3:lin", "--sweep: '1:2:3:lin" RANGE);
+  ck_refused("basis=1:2:3:log:", "--sweep: '1:2:3:log:" RANGE);
+  ck_refused("basis=0:2:3:log", "--sweep: '0:2:3:log' has no logarithms: START "
+                                "and STOP must be greater than 0");
+  ck_refused("basis=1:-2:3:log", "--sweep: '1:-2:3:log' has no logarithms: "
+                                 "START and STOP must be greater than 0");
 }
 END_TEST
 
@@ -360,6 +367,69 @@ START_TEST(test_no_element) {
 }
 END_TEST
 
+/* Each value is the same multiple of the one before. */
+START_TEST(test_range_log) {
+  struct ph_sweep sweep = read_sweep("basis=2:2.08120802:5:log");
+  struct ph_sweep down = read_sweep("basis=1e300:1e-300:3:log");
+  double x = 2;
+  for (size_t i = 0; i < 5; i++, x *= 1.01) {
+    ck_rel(value_at(&sweep, i).number, x, 1e-14);
+  }
+  ck_abs(value_at(&sweep, 0).number, 2, 0);
+  ck_abs(value_at(&sweep, 4).number, 2.08120802, 0);
+  ck_rel(value_at(&down, 1).number, 1, 1e-12);
+}
+END_TEST
+
+/* What a problem has, times the values of the sweep. */
+START_TEST(test_factors) {
+  const char *const texts[] = {"0.5", "2"};
+  double knots[] = {1, 2, 4};
+  struct ph_sweep all = read_sweep("knots*=0.5,2");
+  struct ph_sweep both[] = {read_sweep("knots*=3"), read_sweep("knots[1]*=5")};
+  struct ph_sweep number = read_sweep("basis*=1:4:2");
+  const struct ph_value value = {
+      .kind = PH_NUMBERS, .v = knots, .n = 3, .dimension = 1};
+  struct ph_problem problem = {0};
+  const double *v;
+  ck_texts("knots*=0.5,2", 2, texts);
+  ck_assert_str_eq(all.name, "knots*");
+  ck_assert(!ph_sweep_same(&both[0], &both[1]));
+  ck_assert(ph_sweep_same(&all, &both[0]));
+  for (size_t i = 0; i < 2; i++) {
+    problem.field[PH_F_KNOTS] = value;
+    ck_assert_int_eq(ph_sweep_apply(&all, 1, i, &arena, &problem, &diag),
+                     PH_OK);
+    v = problem.field[PH_F_KNOTS].v;
+    for (size_t k = 0; k < 3; k++) {
+      ck_abs(v[k], (i ? 2 : 0.5) * knots[k], 0);
+    }
+  }
+  problem.field[PH_F_KNOTS] = value;
+  ck_assert_int_eq(ph_sweep_apply(both, 2, 0, &arena, &problem, &diag), PH_OK);
+  v = problem.field[PH_F_KNOTS].v;
+  ck_abs(v[0], 3, 0);
+  ck_abs(v[1], 30, 0);
+  ck_abs(knots[1], 2, 0);
+  problem.field[PH_F_BASIS] = (struct ph_value){.kind = PH_NUMBER, .number = 7};
+  ck_assert_int_eq(ph_sweep_apply(&number, 1, 1, &arena, &problem, &diag),
+                   PH_OK);
+  ck_abs(problem.field[PH_F_BASIS].number, 28, 0);
+}
+END_TEST
+
+START_TEST(test_no_factor) {
+  struct ph_sweep sweep = read_sweep("knots*=2");
+  struct ph_problem problem = {0};
+  ck_assert_int_eq(ph_sweep_apply(&sweep, 1, 0, &arena, &problem, &diag),
+                   PH_BAD_SHAPE);
+  ck_assert_str_eq(diag.field, "knots");
+  ck_assert_str_eq(diag.message, "has no numbers for --sweep to multiply");
+  ck_refused("knots*=a", "--sweep: knots* takes numbers, found 'a'");
+  ck_refused("*=1", "--sweep: planar has no field ''");
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("sweep");
   TCase *tc = tcase_create("sweep");
@@ -381,6 +451,9 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_set_element);
   tcase_add_test(tc, test_set_polyline);
   tcase_add_test(tc, test_no_element);
+  tcase_add_test(tc, test_range_log);
+  tcase_add_test(tc, test_factors);
+  tcase_add_test(tc, test_no_factor);
   suite_add_tcase(s, tc);
   return s;
 }
