@@ -29,16 +29,15 @@
 /*
  * ph_offset_spherical: the offset of a PH_CURVE_SPHERICAL_NU curve.
  *
- * Samples as of the curve (curve/sample.h), rules->samples + 1 > 1 a segment; s
- * is along the offset.  At a cusp that is hit exactly the tangent is that of
- * the curve, and the curvature NaN.
+ * Samples and length are those of ph_sample_offset (curve/sample.h).  At a cusp
+ * that is hit exactly the tangent is that of the curve, and the curvature NaN.
  *
  * Cusps are looked for between 64 places of each segment, which are denser
  * towards its ends, and at the joints (where a curve that is no more than G1
  * may have one); a dip of |g| among these places is searched for two.  Two that
  * are nearer to each other than these places, without such a dip, are missed.
  * Each is found to rounding.  The length is the integral of |g|, split at the
- * cusps, to 1e-10 of it and of that of the curve.
+ * cusps, as well as |g| is known to rounding.
  *
  * in   distance  geodesic, in the unit of the data, positive to the left
  * in   rules     samples.how is not PH_SAMPLE_NONE

@@ -53,6 +53,12 @@ struct ph_motion {
 /* ph_motion_at: the motion at u in [0,1]. */
 struct ph_motion ph_motion_at(const struct ph_spherical *segment, double u);
 
+/* ph_motion_pace: g of parallel.h, how fast the parallel at the distance of
+ * this cosine and sine goes along the tangent; 0 where g is nothing but
+ * rounding: at a cusp, or everywhere in the center of a circle. */
+double ph_motion_pace(const struct ph_motion *motion, double cosine,
+                      double sine);
+
 /* ph_motion_point: where a point of the unit sphere is in the user's unit. */
 ph_vec3 ph_motion_point(const struct ph_curve *curve, ph_vec3 s);
 

@@ -15,12 +15,12 @@
 
 /* Coefficients of one panel: of the integral from its start and of the
  * function, in Chebyshev polynomials over it. */
-enum { PH_PRIMITIVE_NODES = 16 };
+enum { PH_PRIMITIVE_NODES = 16, PH_PRIMITIVE_TERMS = 18 };
 
 struct ph_primitive_panel {
   double from, to;
-  double before; /* integral from 0 to `from` */
-  double sum[PH_PRIMITIVE_NODES + 1];
+  double before;                  /* integral from 0 to `from` */
+  double sum[PH_PRIMITIVE_TERMS]; /* an even number: the last one is 0 */
   double value[PH_PRIMITIVE_NODES];
 };
 
@@ -35,7 +35,8 @@ struct ph_primitive {
  * ph_primitive_make: tabulates the integral of f over [0,1].
  *
  * in   breaks[breaks_n]  increasing, in (0,1): where f is not smooth
- * in   tolerance         error of every integral, relative to that of |f|
+ * in   tolerance         error of every integral, relative to that of |f|;
+ *                        1e-14 can be reached if f is known to rounding
  * ret  PH_OK | PH_NO_CONVERGENCE (some 2^12 panels do not suffice, or f is not
  *      finite) | PH_NO_MEMORY
  */
@@ -44,7 +45,8 @@ enum ph_status ph_primitive_make(struct ph_primitive *primitive,
                                  const double *breaks, size_t breaks_n,
                                  double tolerance, struct ph_arena *arena);
 
-/* ph_primitive_at: the integral over [0,u]; out  value  NULL, or f(u) */
+/* ph_primitive_at: the integral over [0,u]; out  value  NULL, or f(u), to some
+ * 64 tolerances of the mean of |f| */
 double ph_primitive_at(const struct ph_primitive *primitive, double u,
                        double *value);
 

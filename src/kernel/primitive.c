@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The integral of a smooth function as a table (see primitive.h).
+ *
+ * On a panel, f is the polynomial through its values at the zeros of T_n,
+ * n = PH_PRIMITIVE_NODES, x in [-1,1]:
+ *
+ *   f(x) = sum_k c_k T_k(x),  c_k = 2/n sum_j f(x_j) cos((2j + 1) k pi / 2n),
+ *   x_j = cos((2j + 1) pi / 2n), c_0 half of that                         (1)
+ *   integral of f from -1 = sum_k C_k T_k(x),
+ *   C_k = (c_{k-1} - c_{k+1}) / 2k  (2 c_0 in C_1),  C_0 = sum (-1)^{k+1} C_k
+ *                                                                         (2)
+ *
+ * Both sums are evaluated by Clenshaw's recurrence, in their even and odd parts
+ * by themselves: T_{k+2} = 2 T_2 T_k - T_{k-2}.                           (3)
+ */
+#include "kernel/primitive.h"
+
+#include "base/sum.h"
+
+#include <float.h>
+#include <math.h>
+
+enum {
+  NODES = PH_PRIMITIVE_NODES,
+  TERMS = PH_PRIMITIVE_TERMS,
+  PANELS_MAX = 4096,
+  PANELS_LEAST = 8,
+  HALVINGS_MAX = 50,
+  PASSES_MAX = 4
+};
+
+/* What the values are not known better than. */
+static const double ROUNDING = 4 * DBL_EPSILON;
+
+/* cos(k pi / 32) */
+static const double quarter[NODES + 1] = {1,
+                                          0.99518472667219688624,
+                                          0.98078528040323044913,
+                                          0.95694033573220886494,
+                                          0.92387953251128675613,
+                                          0.88192126434835502971,
+                                          0.83146961230254523708,
+                                          0.77301045336273696081,
+                                          0.70710678118654752440,
+                                          0.63439328416364549822,
+                                          0.55557023301960222474,
+                                          0.47139673682599764856,
+                                          0.38268343236508977173,
+                                          0.29028467725446236764,
+                                          0.19509032201612826785,
+                                          0.09801714032956060199,
+                                          0};
+
+/* cos(k pi / 2n) for any k. */
+static double cosine(size_t k) {
+  k %= 4 * NODES;
+  k = k > 2 * NODES ? 4 * NODES - k : k;
+  return k > NODES ? -quarter[2 * NODES - k] : quarter[k];
+}
+
+struct task {
+  struct ph_primitive *primitive;
+  ph_integrand *f;
+  const void *context;
+  double tolerance;
+  double mean; /* the integral of |f| over [0,1], or what is known of it */
+  struct ph_arena *arena;
+  struct ph_sum before, size; /* integrals of f and |f| so far */
+};
+
+/* ---- one panel ----------------------------------------------------------- */
+
+/* The coefficients of f by (1); the mean of |f| on the panel. */
+static double interpolate(const struct task *task,
+                          struct ph_primitive_panel *panel) {
+  const double middle = 0.5 * (panel->from + panel->to);
+  const double half = 0.5 * (panel->to - panel->from);
+  double f[NODES], mean = 0;
+  for (size_t j = 0; j < NODES; j++) {
+    f[j] = task->f(task->context, middle + half * cosine(2 * j + 1));
+    mean += fabs(f[j]) / NODES;
+  }
+  for (size_t k = 0; k < NODES; k++) {
+    double sum = 0;
+    for (size_t j = 0; j < NODES; j++) {
+      sum += f[j] * cosine((2 * j + 1) * k);
+    }
+    panel->value[k] = (k ? 2 : 1) * sum / NODES;
+  }
+  return mean;
+}
+
+/* The coefficients of the integral by (2); the integral over the panel. */
+static double integrate(struct ph_primitive_panel *panel) {
+  const double half = 0.5 * (panel->to - panel->from), *c = panel->value;
+  double whole = 0;
+  panel->sum[0] = 0;
+  for (size_t k = 1; k <= NODES; k++) {
+    double below = k > 1 ? c[k - 1] : 2 * c[0];
+    double above = k + 1 < NODES ? c[k + 1] : 0;
+    panel->sum[k] = half * (below - above) / (2 * (double)k);
+    panel->sum[0] += k % 2 ? panel->sum[k] : -panel->sum[k];
+    whole += k % 2 ? 2 * panel->sum[k] : 0;
+  }
+  return whole;
+}
+
+static enum ph_status
+keep(struct task *task, const struct ph_primitive_panel *panel, double mean) {
+  struct ph_primitive *p = task->primitive;
+  struct ph_primitive_panel *grown;
+  if (p->n == PANELS_MAX) {
+    return PH_NO_CONVERGENCE;
+  }
+  grown = ph_arena_grow(task->arena, p->panels, p->n, sizeof *grown,
+                        PANELS_LEAST, &p->room);
+  if (!grown) {
+    return PH_NO_MEMORY;
+  }
+  p->panels = grown;
+  grown[p->n] = *panel;
+  grown[p->n].before = ph_sum_value(&task->before);
+  ph_sum_add(&task->before, integrate(&grown[p->n]));
+  ph_sum_add(&task->size, mean * (panel->to - panel->from));
+  p->n++;
+  return PH_OK;
+}
+
+/* Tabulates [from,to], halved as often as needed. */
+static enum ph_status tabulate(struct task *task, double from, double to,
+                               int depth) {
+  struct ph_primitive_panel panel = {.from = from, .to = to};
+  const double middle = 0.5 * (from + to), width = to - from;
+  const double mean = interpolate(task, &panel), *c = panel.value;
+  const double tail = fabs(c[NODES - 2]) + fabs(c[NODES - 1]);
+  enum ph_status status;
+  if (!isfinite(mean)) {
+    return PH_NO_CONVERGENCE;
+  }
+  task->mean = fmax(task->mean, mean * width);
+  /* known well enough here, or of no matter for the whole */
+  if (tail <= (task->tolerance + ROUNDING) * fmax(mean, task->mean) ||
+      tail * width <= task->tolerance / 64 * task->mean ||
+      depth == HALVINGS_MAX) {
+    return keep(task, &panel, mean);
+  }
+  status = tabulate(task, from, middle, depth + 1);
+  return status == PH_OK ? tabulate(task, middle, to, depth + 1) : status;
+}
+
+/* ---- the table ----------------------------------------------------------- */
+
+/* One pass over [0,1].  The mean is known after it: if it was thought to be
+ * larger, by values at a few places, the table is not as good as it must be. */
+static enum ph_status pass(struct task *task, const double *breaks,
+                           size_t breaks_n) {
+  const struct ph_sum none = {0, 0};
+  enum ph_status status = PH_OK;
+  double from = 0;
+  task->primitive->n = 0;
+  task->before = task->size = none;
+  for (size_t i = 0; status == PH_OK && i <= breaks_n; i++) {
+    double to = i < breaks_n ? breaks[i] : 1;
+    if (to > from) {
+      status = tabulate(task, from, to, 0);
+      from = to;
+    }
+  }
+  return status;
+}
+
+enum ph_status ph_primitive_make(struct ph_primitive *primitive,
+                                 ph_integrand *f, const void *context,
+                                 const double *breaks, size_t breaks_n,
+                                 double tolerance, struct ph_arena *arena) {
+  struct task task = {.primitive = primitive,
+                      .f = f,
+                      .context = context,
+                      .tolerance = tolerance,
+                      .arena = arena};
+  enum ph_status status;
+  double mean;
+  int passes = 0;
+  do {
+    status = pass(&task, breaks, breaks_n);
+    mean = task.mean;
+    task.mean = ph_sum_value(&task.size);
+    passes++;
+  } while (status == PH_OK && task.mean < mean / 2 && passes < PASSES_MAX);
+  primitive->total = ph_sum_value(&task.before);
+  return status;
+}
+
+/* The panel that u is in. */
+static const struct ph_primitive_panel *
+panel_of(const struct ph_primitive *primitive, double u) {
+  size_t low = 0, high = primitive->n;
+  while (high - low > 1) {
+    size_t middle = low + (high - low) / 2;
+    if (primitive->panels[middle].from <= u) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return &primitive->panels[low];
+}
+
+/* sum_k c[k] T_k(x), k < n, by (3). */
+static double chebyshev(const double *c, size_t n, double x) {
+  const double twice = 4 * x * x - 2; /* 2 T_2 */
+  double even[2] = {0, 0}, odd[2] = {0, 0};
+  for (size_t k = n / 2; k-- > 0;) {
+    double e = c[2 * k] + twice * even[0] - even[1];
+    double o = c[2 * k + 1] + twice * odd[0] - odd[1];
+    even[1] = even[0];
+    even[0] = e;
+    odd[1] = odd[0];
+    odd[0] = o;
+  }
+  return even[0] - twice / 2 * even[1] + x * (odd[0] - odd[1]);
+}
+
+double ph_primitive_at(const struct ph_primitive *primitive, double u,
+                       double *value) {
+  const struct ph_primitive_panel *p = panel_of(primitive, u);
+  const double x = ((u - p->from) + (u - p->to)) / (p->to - p->from);
+  if (value) {
+    *value = chebyshev(p->value, NODES, x);
+  }
+  return !(u > 0) ? 0
+         : u < 1  ? p->before + chebyshev(p->sum, TERMS, x)
+                  : primitive->total;
+}
