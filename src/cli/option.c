@@ -11,6 +11,7 @@
 #include "cli/option.h"
 
 #include "base/suggest.h"
+#include "cli/plot.h"
 #include "io/number.h"
 #include "io/value.h"
 
@@ -25,9 +26,6 @@ enum { JOBS_MAX = 1024 };
 
 /* More samples of a segment than this are a slip of the keyboard. */
 enum { SAMPLES_MAX = 1000000 };
-
-/* Figures are no larger than this to a side; cairo's limit is 32767. */
-enum { PLOT_MAX = 20000 };
 
 const struct ph_option ph_option_table[PH_OPTION_N] = {
 #define X(symbol, letter, name, argument, help) {letter, name, argument, help},
@@ -216,26 +214,6 @@ static enum ph_status read_samples(struct parser *p, enum ph_option_id id) {
   default:
     return read_positive(p, id, &rules->chord_error);
   }
-}
-
-/* WIDTHxHEIGHT */
-static enum ph_status read_size(struct parser *p) {
-  const char *cross = optarg + strcspn(optarg, "x");
-  const char *end = optarg + strlen(optarg);
-  char excerpt[PH_EXCERPT_MAX];
-  double w, h;
-  if (!*cross || ph_number_read_text(optarg, cross, &w) != cross ||
-      ph_number_read_text(cross + 1, end, &h) != end || !(w >= 100) ||
-      !(h >= 100) || !(w <= PLOT_MAX) || !(h <= PLOT_MAX) || floor(w) < w ||
-      floor(h) < h) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
-                   "--plot-size must be WIDTHxHEIGHT, whole numbers from 100 "
-                   "to %d, found '%s'",
-                   PLOT_MAX, ph_excerpt(optarg, strlen(optarg), excerpt));
-  }
-  p->options->plot_width = (size_t)w;
-  p->options->plot_height = (size_t)h;
-  return PH_OK;
 }
 
 static enum ph_status read_offsets(struct parser *p) {
@@ -438,7 +416,7 @@ static enum ph_status read_argument(struct parser *p, enum ph_option_id id) {
     o->plot = optarg;
     break;
   case PH_O_PLOT_SIZE:
-    status = read_size(p);
+    status = ph_plot_read_size(optarg, o, p->diag);
     break;
   default:
     break;
@@ -540,7 +518,7 @@ static enum ph_status check_together(struct parser *p) {
                    "--convert: the curves of %s are no Bezier curves",
                    o->command->method->schema.command);
   }
-  return PH_OK;
+  return ph_plot_check(o, p->diag);
 }
 
 static size_t processors(void) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Standard output, or a file replaced at the end (see output.h). */
+/* Standard output, or files replaced at the end (see output.h). */
 #define _XOPEN_SOURCE 700 /* SIGXCPU, SIGXFSZ, PATH_MAX */
 #include "cli/output.h"
 
@@ -15,9 +15,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The temporary file for the signal handler; signals are blocked while it
- * changes. */
-static char *volatile doomed;
+/* Those with a temporary file, for the signal handler; signals are blocked
+ * while the list changes. */
+static struct ph_output *volatile doomed;
 
 static const int signals[] = {SIGINT,  SIGTERM, SIGHUP,
                               SIGPIPE, SIGQUIT, SIGXCPU};
@@ -29,8 +29,8 @@ enum { LINKS_MAX = 40 };
 enum { NAME_KEPT = 200 };
 
 static void on_signal(int number) {
-  if (doomed) {
-    unlink(doomed);
+  for (const struct ph_output *o = doomed; o; o = o->next) {
+    unlink(o->temporary);
   }
   signal(number, SIG_DFL);
   raise(number);
@@ -50,15 +50,25 @@ static void catch_signals(void) {
   }
 }
 
-static void set_doomed(char *name) {
+/* The temporary file of an output is no more, or has got its name. */
+static void forget(struct ph_output *output) {
   sigset_t set, old;
+  struct ph_output *before;
   sigemptyset(&set);
   for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
     sigaddset(&set, signals[i]);
   }
   sigprocmask(SIG_BLOCK, &set, &old);
-  doomed = name;
+  if (doomed == output) {
+    doomed = output->next;
+  } else {
+    for (before = doomed; before->next != output; before = before->next) {
+    }
+    before->next = output->next;
+  }
   sigprocmask(SIG_SETMASK, &old, NULL);
+  ph_free(output->temporary);
+  output->temporary = NULL;
 }
 
 void ph_output_prepare(void) {
@@ -155,7 +165,8 @@ static enum ph_status open_temporary(struct ph_output *output,
   sigprocmask(SIG_BLOCK, &all, &old); /* no signal between making and noting */
   output->descriptor = mkstemp(output->temporary);
   if (output->descriptor >= 0) {
-    doomed = output->temporary;
+    output->next = doomed;
+    doomed = output;
   }
   sigprocmask(SIG_SETMASK, &old, NULL);
   if (output->descriptor < 0) {
@@ -185,12 +196,49 @@ enum ph_status ph_output_open(struct ph_output *output, const char *file,
     return PH_OK;
   }
   output->name = file;
+  output->descriptor = -1;
   exists = stat(file, &info) == 0;
   if (!exists || S_ISREG(info.st_mode)) {
     return open_temporary(output, exists ? &info : NULL, diag);
   }
   output->descriptor = open(file, O_WRONLY | O_CLOEXEC);
   return output->descriptor >= 0 ? PH_OK : failed("open", file, diag);
+}
+
+/* Whether two names lead to one file or directory that is there. */
+static bool same_existing(const char *a, const char *b) {
+  struct stat x, y;
+  return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev &&
+         x.st_ino == y.st_ino;
+}
+
+/* The directory of a path, with its slash: cuts the path there; `base` is the
+ * name in it. */
+static const char *split_path(char *path, char *base, size_t size) {
+  char *slash = strrchr(path, '/');
+  snprintf(base, size, "%s", slash ? slash + 1 : path);
+  if (!slash) {
+    return "./";
+  }
+  slash[1] = '\0';
+  return path;
+}
+
+bool ph_output_same(const char *a, const char *b) {
+  char *x = resolve(a), *y = resolve(b);
+  char x_base[NAME_MAX + 1], y_base[NAME_MAX + 1];
+  bool same = false;
+  if (x && y) {
+    same = same_existing(x, y);
+  }
+  if (x && y && !same) {
+    const char *x_dir = split_path(x, x_base, sizeof x_base);
+    const char *y_dir = split_path(y, y_base, sizeof y_base);
+    same = strcmp(x_base, y_base) == 0 && same_existing(x_dir, y_dir);
+  }
+  ph_free(x);
+  ph_free(y);
+  return same;
 }
 
 enum ph_status ph_output_write(struct ph_output *output, const char *bytes,
@@ -211,9 +259,7 @@ enum ph_status ph_output_commit(struct ph_output *output,
     if (rename(output->temporary, output->target) != 0) {
       return failed("replace", output->name, diag);
     }
-    set_doomed(NULL);
-    ph_free(output->temporary);
-    output->temporary = NULL;
+    forget(output);
   }
   return PH_OK;
 }
@@ -225,9 +271,7 @@ void ph_output_discard(struct ph_output *output) {
   }
   if (output->temporary) {
     unlink(output->temporary);
-    set_doomed(NULL);
-    ph_free(output->temporary);
-    output->temporary = NULL;
+    forget(output);
   }
   ph_free(output->target);
   output->target = NULL;

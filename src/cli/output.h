@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Where results go: standard output, or a file that is replaced only when
- * everything was written.
+ * Where results and figures go: standard output, or files that are replaced
+ * only when everything was written.
  *
- * The file is written under a temporary name in its own directory and renamed
- * at the end.  SIGINT, SIGTERM and the like remove the temporary file and then
+ * A file is written under a temporary name in its own directory and renamed
+ * at the end.  SIGINT, SIGTERM and the like remove temporary files and then
  * end the program as they would have.  A name that exists and is not a regular
  * file (a device, a pipe) is written to directly.
  */
@@ -16,11 +16,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* One that is open stays where it is: signals find it. */
 struct ph_output {
   const char *name; /* for messages */
   int descriptor;
-  char *target;    /* NULL: no renaming */
-  char *temporary; /* exists as long as it is not NULL */
+  char *target;           /* NULL: no renaming */
+  char *temporary;        /* exists as long as it is not NULL */
+  struct ph_output *next; /* of those with a temporary file */
 };
 
 /* ph_output_prepare: to be called before any file is opened.  A standard
@@ -35,6 +37,10 @@ bool ph_output_bytes(int descriptor, const char *bytes, size_t n);
  * ret  PH_OK | PH_OUTPUT | PH_NO_MEMORY */
 enum ph_status ph_output_open(struct ph_output *output, const char *file,
                               struct ph_diag *diag);
+
+/* ph_output_same: whether two names, neither of them "-", are of one file, be
+ * it there or not. */
+bool ph_output_same(const char *a, const char *b);
 
 /* ph_output_write: ret PH_OK | PH_OUTPUT */
 enum ph_status ph_output_write(struct ph_output *output, const char *bytes,

@@ -11,6 +11,7 @@
 
 #include "cli/message.h"
 #include "cli/output.h"
+#include "cli/plot.h"
 #include "cli/progress.h"
 #include "cli/work.h"
 
@@ -40,6 +41,7 @@ struct run {
   const struct ph_options *options;
   struct ph_split split;
   struct ph_output output;
+  struct ph_plot plot;
   struct ph_progress progress;
   struct ph_buf message;
   enum ph_class class; /* the worst so far */
@@ -138,6 +140,7 @@ static bool add_item(struct run *r, struct slot *slot) {
     }
   }
   *item = r->current;
+  item->draw = ph_plot_wants(&r->plot, r->current.record.number);
   slot->text_at[slot->n] = at;
   slot->n++;
   r->current.sweep++;
@@ -249,6 +252,22 @@ static size_t count_outcomes(struct run *r, const struct slot *slot) {
   return slot->n;
 }
 
+/* Takes the drawings of the first n items of a slot. */
+static void collect_drawings(struct run *r, struct slot *slot, size_t n) {
+  struct ph_diag diag;
+  for (size_t i = 0; i < n; i++) {
+    struct ph_item *item = &slot->items[i];
+    struct ph_drawing *drawing = item->drawing;
+    item->drawing = NULL;
+    if (item->status == PH_OK &&
+        ph_plot_add(&r->plot, drawing, &diag) != PH_OK) {
+      complain(r, &diag);
+      r->stopped = true;
+      return;
+    }
+  }
+}
+
 static void write_slot(struct run *r, struct slot *slot) {
   size_t n = count_outcomes(r, slot);
   struct ph_diag diag;
@@ -264,6 +283,7 @@ static void write_slot(struct run *r, struct slot *slot) {
       r->stopped = true;
     }
     ph_buf_put(&r->message, slot->err.data, slot->err_end[n - 1]);
+    collect_drawings(r, slot, n);
   }
   send(r);
   slot->state = SLOT_FREE;
@@ -357,6 +377,9 @@ static bool allocate(struct run *r) {
 
 static void release(struct run *r) {
   for (size_t i = 0; r->slots && i < r->slots_n; i++) {
+    for (size_t k = 0; k < r->slots[i].n; k++) {
+      ph_drawing_free(r->slots[i].items[k].drawing);
+    }
     ph_buf_free(&r->slots[i].text);
     ph_buf_free(&r->slots[i].out);
     ph_buf_free(&r->slots[i].err);
@@ -369,6 +392,7 @@ static void release(struct run *r) {
   ph_free(r->threads);
   ph_buf_free(&r->message);
   ph_split_free(&r->split);
+  ph_plot_free(&r->plot);
   ph_output_discard(&r->output);
 }
 
@@ -398,6 +422,19 @@ static enum ph_status write_header(struct run *r, struct ph_diag *diag) {
   return status;
 }
 
+/* Results are complete: the figure. */
+static void finish_plot(struct run *r) {
+  const struct ph_plot *plot = &r->plot;
+  struct ph_diag diag;
+  if (ph_plot_write(&r->plot, &diag) != PH_OK) {
+    complain(r, &diag);
+  } else if (r->options->plot && plot->n < plot->solved && !r->options->quiet) {
+    ph_message_printf(
+        &r->message, "phspline: warning: --plot shows %zu of %zu %s\n", plot->n,
+        plot->solved, r->options->sweeps_n ? "results" : "problems");
+  }
+}
+
 /* A file gets its name when all results are in it: not after a failure of the
  * run itself, and not when --fail-fast broke off. */
 static void conclude(struct run *r) {
@@ -407,6 +444,9 @@ static void conclude(struct run *r) {
       ph_output_commit(&r->output, &diag) != PH_OK) {
     complain(r, &diag);
   }
+  if (whole && r->class < PH_CLASS_OUTPUT) {
+    finish_plot(r);
+  }
   if (r->progress.failed && !r->options->quiet) {
     ph_message_printf(&r->message, "phspline: %zu of %zu records failed\n",
                       r->progress.failed, r->progress.records);
@@ -415,7 +455,9 @@ static void conclude(struct run *r) {
 
 int ph_run(const struct ph_options *options) {
   const struct ph_options *o = options;
-  struct run r = {.options = options};
+  struct run r = {.options = options,
+                  .output = {.descriptor = -1},
+                  .plot = {.output = {.descriptor = -1}}};
   struct thread_start *starts = NULL;
   struct ph_diag diag;
   enum ph_status status;
@@ -429,6 +471,9 @@ int ph_run(const struct ph_options *options) {
   }
   if (status == PH_OK) {
     status = ph_output_open(&r.output, o->output, &diag);
+  }
+  if (status == PH_OK) {
+    status = ph_plot_open(&r.plot, o, &diag);
   }
   if (status == PH_OK) {
     status = write_header(&r, &diag);

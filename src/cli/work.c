@@ -3,6 +3,7 @@
 #include "cli/work.h"
 
 #include "cli/message.h"
+#include "cli/plot.h"
 #include "curve/sample.h"
 #include "io/csv_in.h"
 #include "io/json_in.h"
@@ -24,12 +25,13 @@ enum { OFFSET_SAMPLES = 16 };
 struct task {
   const struct ph_options *options;
   struct ph_worker *worker;
-  const struct ph_item *item;
+  struct ph_item *item;
   struct ph_echo echo;
   struct ph_swept *swept;
   size_t swept_n;
   struct ph_problem problem;
   struct ph_result result;
+  struct ph_curve exact; /* what offsets are of: as it was before --convert */
   struct ph_diag diag;
 };
 
@@ -169,6 +171,7 @@ static enum ph_status derive(struct task *t) {
                          ? o->tolerance
                          : TOLERANCE * ph_curve_size(&t->result.curve);
   enum ph_status status = derive_offsets(t, tolerance);
+  t->exact = t->result.curve;
   if (status == PH_OK && o->convert) {
     status = convert_all(t, tolerance);
   }
@@ -237,6 +240,16 @@ static enum ph_status solve(struct task *t) {
   return status == PH_OK ? refuse_warnings(t) : status;
 }
 
+/* The curve as it was found, also where Bezier pieces of it are written. */
+static enum ph_status draw(struct task *t, const char *id) {
+  const struct ph_plot_subject subject = {id, t->item->record.number, t->swept,
+                                          t->swept_n};
+  struct ph_result exact = t->result;
+  exact.curve = t->exact;
+  return ph_plot_draw(&subject, &t->problem, &exact, &t->worker->arena,
+                      &t->item->drawing, &t->diag);
+}
+
 /* The id as people write it: without the quotes of a JSON string. */
 static const char *plain_id(struct task *t) {
   const struct ph_echo *echo = &t->echo;
@@ -302,6 +315,9 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   subject.id = plain_id(&t);
   if (t.echo.id && !subject.id) {
     item->status = ph_fail_memory(&t.diag);
+  }
+  if (item->status == PH_OK && item->draw) {
+    item->status = draw(&t, subject.id);
   }
   heading.swept = t.swept;
   heading.swept_n = t.swept_n;

@@ -7,6 +7,7 @@
 #include "base/mem.h"
 #include "cli/option.h"
 #include "io/record.h"
+#include "plot/drawing.h"
 
 /* What a worker keeps from record to record. */
 struct ph_worker {
@@ -20,12 +21,15 @@ struct ph_item {
   struct ph_diag diag; /* of a record whose text is broken */
   bool cut_off;        /* ... so that nothing behind it could be read */
   size_t sweep;
-  enum ph_status status; /* the outcome */
+  bool draw;                  /* for the figure */
+  struct ph_drawing *drawing; /* out: to be freed; NULL: there is none */
+  enum ph_status status;      /* the outcome */
 };
 
 /*
  * ph_work: appends the record of one item to `out` and its messages to `err`,
- * and sets item->status.  Depends on nothing but the item and the options.
+ * and sets item->status and item->drawing.  Depends on nothing but the item and
+ * the options.
  */
 void ph_work(const struct ph_options *options, struct ph_worker *worker,
              struct ph_item *item, struct ph_buf *out, struct ph_buf *err);

@@ -34,22 +34,20 @@
  *     is not negative, so that a form with coefficients f0, 2 c f1, f2 is in
  *     the hull of f0, f1 and f2.  Likewise for products of two such, with
  *     (1, 4c, 4c^2 + 2, 4c, 1).
- * (h) (S0^2)' = -2 S0 (c S0 + S1) / sinc, and so on [of a h], gives A' = f0,
- * f1, f2 with f1 = (f0 + f2) / (2 c^2), f0 and f2 its values at u0 and u1; and
- *     W = vect(A* A') [curve/seg3.h] has the values at u0, u1 and vect(a0* f1).
- *     W' is made from its own values as A' is.
- * (i) sigma = |A|^2, sigma' = 2 A . A', r'' = 2 A i A'* (vector part); b = 2
- *     |p + i q|.
- * (j) With X, P, Q = 2 x, 2 p, 2 q over sigma, e1' = Q e2 - P e3, e2' = X e3 -
- *     Q e1, e3' = P e1 - X e2; those of e2, e3 taken for e3, -e2 are X, Q, -P.
- *     For o = r + d e2, g = sigma - d Q and w = d X,
- *       o'  = g e1 + w e3,  s^2 = g^2 + w^2,  s' = (g g' + w w') / s
- *       o'' = (g' + w P) e1 + (sigma Q - d (Q^2 + X^2)) e2 + (w' - g P) e3
- *     and b is made of the part along e2 and of s P + (w g' - g w') / s.  In
- *     the plane w = P = 0, and s' = +-g', but where g = 0 (1) alone holds.
- * (k) Of a Bezier curve, s is at least r' . e for any unit vector e, and |s'|
- *     and b are no more than |r' . r''| and |r' x r''| over that: quotients
- *     of polynomials of the same degree.
+ * (h) S0' = -(c S0 + S1) / sinc, S1' = (S0 + c S1) / sinc [of a h], so that
+ *     the derivative of such a form is one, with f1 = (f0 + f2) / (2 c^2), f0
+ *     and f2 its values at u0 and u1: A' and, of W = vect(A* A')
+ * [curve/seg3.h], W'.  W has vect(A(u0)* f1) in the middle, f1 of A'. (i) s =
+ * sigma = |A|^2, s' = 2 A . A', r'' = 2 vect(A i A'*), b = 2 |p + i q| where W
+ * = x i + p j + q k. (j) With X, P, Q = 2 x, 2 p, 2 q over sigma, e1' = Q e2 -
+ * P e3, e2' = X e3 - Q e1, e3' = P e1 - X e2; those of e2, e3 taken for e3, -e2
+ * are X, Q, -P. For o = r + d e2, g = sigma - d Q and w = d X, o'  = g e1 + w
+ * e3,  s^2 = g^2 + w^2,  s' = (g g' + w w') / s o'' = (g' + w P) e1 + (sigma Q
+ * - d (Q^2 + X^2)) e2 + (w' - g P) e3 and b is made of the part along e2 and of
+ * s P + (w g' - g w') / s.  In the plane w = P = 0, and s' = +-g', but where g
+ * = 0 (1) alone holds. (k) Of a Bezier curve, s is at least r' . e for any unit
+ * vector e, and |s'| and b are no more than |r' . r''| and |r' x r''| over
+ * that: quotients of polynomials of the same degree.
  */
 #include "curve/bend.h"
 
@@ -60,7 +58,7 @@
 static const double QUARTER = 1.5707963267948966; /* pi / 2, less rounding */
 
 /* Errors of what is computed here: some eps of the terms. */
-static const double ROUNDING = 32 * DBL_EPSILON;
+static const double ROUNDING = 8 * DBL_EPSILON;
 
 /* ---- the bounds ---------------------------------------------------------- */
 
@@ -73,6 +71,7 @@ struct motion {
   double slowest, fastest; /* of s */
 };
 
+/* The least of (1)-(3). */
 static double bound_of(const struct motion *m) {
   double turn = m->h * m->bend / m->slowest;
   double qh = m->h * m->slope / m->slowest;
@@ -132,7 +131,7 @@ static double largest(const ph_quat a[3]) {
   return size;
 }
 
-/* The derivative's coefficient between its values at the ends. */
+/* A derivative's coefficient between its values at the ends. */
 static ph_quat between(ph_quat f0, ph_quat f2, double c) {
   return ph_quat_scale(0.5 / (c * c), ph_quat_add(f0, f2));
 }
@@ -153,13 +152,15 @@ static struct part part_of(const struct ph_seg3 *seg, double u0, double u1,
   part.b[0] = first[1];
   part.b[1] = between(first[1], last[1], part.c);
   part.b[2] = last[1];
-  /* the terms of A' at its ends are at most some 10 |a| */
+  /* the terms of A' and A'' at its ends are at most some 40 |a| */
   size = largest(part.a) + largest(seg->a);
-  part.error = ROUNDING * size * (largest(part.b) + 10 * size);
+  part.error =
+      ROUNDING * size * (largest(part.b) + 40 * size) / (part.c * part.c);
   return part;
 }
 
-static double twist_free(ph_quat w) {
+/* |p + i q| of W. */
+static double across(ph_quat w) {
   return sqrt(w.p * w.p + w.q * w.q);
 }
 
@@ -175,9 +176,9 @@ double ph_bend_ph(const struct ph_seg3 *seg, double u0, double u1) {
     longest = ph_range_greatest(longest, ph_vec3_abs(second.vector[k]));
   }
   bend = ph_range_greatest(
-      twist_free(ph_quat_between(part.a[0], part.b[0])),
-      ph_range_greatest(twist_free(ph_quat_between(part.a[0], part.b[1])),
-                        twist_free(ph_quat_between(part.a[2], part.b[2]))));
+      across(ph_quat_between(part.a[0], part.b[0])),
+      ph_range_greatest(across(ph_quat_between(part.a[0], part.b[1])),
+                        across(ph_quat_between(part.a[2], part.b[2]))));
   return bound_of(&(struct motion){
       part.h, 2 * (longest + part.error), 2 * (bend + part.error),
       2 * ph_range_farthest(slope), sigma.low, sigma.high});

@@ -74,7 +74,7 @@ static inline struct ph_range ph_range_mul(struct ph_range a,
 /* ph_range_square: of the same number twice. */
 static inline struct ph_range ph_range_square(struct ph_range a) {
   double x = a.low * a.low, y = a.high * a.high;
-  double least = a.low > 0 || a.high < 0 ? ph_range_least(x, y) : 0;
+  double least = a.low <= 0 && a.high >= 0 ? 0 : ph_range_least(x, y);
   return ph_range_wider(least, ph_range_greatest(x, y));
 }
 

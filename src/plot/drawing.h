@@ -2,6 +2,8 @@
 /*
  * What a result looks like: polylines and profiles in the unit of the data,
  * kept after the record that they are of has gone.  No library is involved.
+ *
+ * A drawing is bounded, whatever the curve: see the limits below.
  */
 #ifndef PH_PLOT_DRAWING_H
 #define PH_PLOT_DRAWING_H
@@ -12,11 +14,30 @@
 #include "curve/result.h"
 #include "kernel/vec3.h"
 
+/*
+ * Up to PH_DRAWING_SEGMENTS segments are drawn one by one.  Of more, so many
+ * neighbours as are needed share a stroke and a profile that there are no more
+ * than that of either, and there are no control polygons, data points and
+ * tangents: nobody could tell them apart.
+ *
+ * Chords of the curve, and of each offset, are halved until they are near
+ * enough or there may be PH_DRAWING_POINTS of them; profiles have up to
+ * PH_DRAWING_INTERVALS + 1 places a segment, fewer when there would be more
+ * than PH_DRAWING_PLACES.  Of still more segments than these, every so many-th
+ * counts.
+ */
+enum {
+  PH_DRAWING_SEGMENTS = 1000,
+  PH_DRAWING_POINTS = 100000,
+  PH_DRAWING_PLACES = 20000,
+  PH_DRAWING_INTERVALS = 64
+};
+
 enum ph_drawing_space { PH_DRAWING_PLANE, PH_DRAWING_SPACE, PH_DRAWING_SPHERE };
 
 /* What a stroke is. */
 enum ph_stroke_role {
-  PH_STROKE_CURVE,   /* one segment of the curve */
+  PH_STROKE_CURVE,   /* one segment of the curve, or more */
   PH_STROKE_POLYGON, /* its control polygon; on a sphere, of great circles */
   PH_STROKE_OFFSET,  /* one offset, from end to end */
   PH_STROKE_TANGENT  /* a given tangent or derivative: from its point on */
@@ -25,13 +46,14 @@ enum ph_stroke_role {
 /* A polyline, fine enough to be drawn as it is. */
 struct ph_stroke {
   enum ph_stroke_role role;
-  size_t index; /* segment, offset or data point, from 0 */
-  size_t n;
-  ph_vec3 *points; /* z = 0 in the plane */
+  size_t index; /* segment (the first of them), offset or data point, from 0 */
+  size_t n;     /* 2 at least */
+  ph_vec3 *points; /* z = 0 in the plane; finite */
 };
 
-/* Curvature, and in space torsion, over arc length from the start: one for each
- * segment.  What is not defined is NaN. */
+/* Curvature, and in space torsion, over arc length from the start of the curve:
+ * of a segment, or of neighbours one after the other, with both ends of each.
+ * What is not defined is NaN. */
 struct ph_profile {
   size_t n;
   double *s, *curvature, *torsion; /* torsion NULL in the plane, on a sphere */
@@ -45,18 +67,20 @@ struct ph_drawing {
   size_t record;         /* number of the problem: its sweep is one panel */
   enum ph_drawing_space space;
   bool closed;
-  double center[3], radius;  /* of the sphere */
+  double center[3], radius;  /* of the sphere; radius 0: there is none */
   ph_vec3 low, high;         /* bounding box of all but control polygons */
-  struct ph_stroke *strokes; /* in the order in which they are drawn */
+  struct ph_stroke *strokes; /* in the order in which they are drawn: control
+                                polygons, offsets, the curve, tangents */
   size_t strokes_n;
-  ph_vec3 *data; /* the points that the curve goes through */
+  ph_vec3 *data; /* [data_n], the points that the curve goes through */
   size_t data_n;
   struct ph_profile *profiles; /* [segments_n] */
-  size_t segments_n;
+  size_t segments_n;           /* as many as strokes of the curve */
   double length;
+  size_t places; /* points of strokes and places of profiles, all together */
 };
 
-/* Names of a drawing. */
+/* Names of a drawing: UTF-8 without control characters, copied. */
 struct ph_drawing_names {
   const char *title, *label;
   size_t record;
@@ -65,12 +89,14 @@ struct ph_drawing_names {
 /*
  * ph_drawing_make: draws a result.
  *
- * Curves and offsets are sampled so that chords leave them by no more than
- * 1/4000 of the size of the drawing.
+ * Chords leave curves and offsets by no more than 1/4000 of the size of the
+ * data and the greatest offset, within the limits above.  Given tangents have
+ * one length, derivatives are in proportion; on a sphere they follow great
+ * circles.
  *
  * in   problem  tangents or derivatives of it are drawn
  * out  drawing  to be freed; NULL on failure
- * ret  PH_OK | PH_NO_MEMORY | what ph_sample_curve returns
+ * ret  PH_OK | PH_NO_MEMORY | what ph_sampler_enter returns
  */
 enum ph_status ph_drawing_make(const struct ph_problem *problem,
                                const struct ph_result *result,
@@ -78,6 +104,7 @@ enum ph_status ph_drawing_make(const struct ph_problem *problem,
                                struct ph_drawing **drawing,
                                struct ph_diag *diag);
 
+/* ph_drawing_free: drawing may be NULL. */
 void ph_drawing_free(struct ph_drawing *drawing);
 
 #endif

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A page to draw on: lines, discs, letters.  All that knows cairo is page.c;
+ * without it (PH_CAIRO is not defined) there are no pages.
+ *
+ * Coordinates are points, of a PNG pixels, y downwards.  What fails is
+ * remembered, and told at the end.
+ */
+#ifndef PH_PLOT_PAGE_H
+#define PH_PLOT_PAGE_H
+
+#include "base/buf.h"
+#include "base/diag.h"
+#include "plot/clip.h"
+#include "plot/colour.h"
+#include "plot/figure.h"
+
+#include <stdbool.h>
+
+struct ph_page;
+
+/* ph_page_can: whether there are pages. */
+bool ph_page_can(void);
+
+/*
+ * ph_page_begin: a white page.
+ *
+ * out  page  to be ended; NULL on failure
+ * ret  PH_OK | PH_NO_MEMORY | PH_INTERNAL (cairo says why, or is not there)
+ */
+enum ph_status ph_page_begin(enum ph_figure_format format, double width,
+                             double height, struct ph_buf *out,
+                             struct ph_page **page, struct ph_diag *diag);
+
+/* ph_page_end: finishes the file in `out`, frees the page. */
+enum ph_status ph_page_end(struct ph_page *page, struct ph_diag *diag);
+
+/* ph_page_pen: colour and width of what is stroked and filled from now on;
+ * dash: length of dashes, 0: none. */
+void ph_page_pen(struct ph_page *page, struct ph_colour colour, double width,
+                 double dash);
+
+/* A path is built by moves and lines, then stroked or filled, and is one
+ * element of the file. */
+void ph_page_move(struct ph_page *page, struct ph_spot to);
+void ph_page_line(struct ph_page *page, struct ph_spot to);
+void ph_page_circle(struct ph_page *page, struct ph_spot center, double radius);
+void ph_page_rect(struct ph_page *page, const struct ph_rect *rect);
+void ph_page_close(struct ph_page *page);
+void ph_page_stroke(struct ph_page *page);
+void ph_page_fill(struct ph_page *page);
+
+/* ph_page_text_width: of UTF-8 text in letters of a size. */
+double ph_page_text_width(struct ph_page *page, double size, const char *text);
+
+/*
+ * ph_page_text: valid UTF-8 text.
+ *
+ * in   at     of its base line
+ * in   align  0: starts there, 0.5: is centred, 1: ends there
+ * in   up     reads from bottom to top
+ */
+void ph_page_text(struct ph_page *page, struct ph_spot at, double size,
+                  double align, bool up, const char *text);
+
+#endif

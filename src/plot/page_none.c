@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What there is of pages without cairo (see page.h): the news that there are
+ * none. */
+#include "plot/page.h"
+
+#ifndef PH_CAIRO
+
+bool ph_page_can(void) {
+  return false;
+}
+
+enum ph_status ph_page_begin(enum ph_figure_format format, double width,
+                             double height, struct ph_buf *out,
+                             struct ph_page **page, struct ph_diag *diag) {
+  (void)format, (void)width, (void)height, (void)out;
+  *page = NULL;
+  return ph_fail(diag, PH_INTERNAL, NULL,
+                 "figures need cairo, which this program was built without");
+}
+
+/* There is no page: nothing of what follows is ever called. */
+enum ph_status ph_page_end(struct ph_page *page, struct ph_diag *diag) {
+  (void)page, (void)diag;
+  return PH_OK;
+}
+
+void ph_page_pen(struct ph_page *page, struct ph_colour colour, double width,
+                 double dash) {
+  (void)page, (void)colour, (void)width, (void)dash;
+}
+
+void ph_page_move(struct ph_page *page, struct ph_spot to) {
+  (void)page, (void)to;
+}
+
+void ph_page_line(struct ph_page *page, struct ph_spot to) {
+  (void)page, (void)to;
+}
+
+void ph_page_circle(struct ph_page *page, struct ph_spot center,
+                    double radius) {
+  (void)page, (void)center, (void)radius;
+}
+
+void ph_page_rect(struct ph_page *page, const struct ph_rect *rect) {
+  (void)page, (void)rect;
+}
+
+void ph_page_close(struct ph_page *page) {
+  (void)page;
+}
+
+void ph_page_stroke(struct ph_page *page) {
+  (void)page;
+}
+
+void ph_page_fill(struct ph_page *page) {
+  (void)page;
+}
+
+double ph_page_text_width(struct ph_page *page, double size, const char *text) {
+  (void)page, (void)size, (void)text;
+  return 0;
+}
+
+void ph_page_text(struct ph_page *page, struct ph_spot at, double size,
+                  double align, bool up, const char *text) {
+  (void)page, (void)at, (void)size, (void)align, (void)up, (void)text;
+}
+
+#endif

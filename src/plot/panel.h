@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A panel: one problem, with its views above and its profiles below.
+ */
+#ifndef PH_PLOT_PANEL_H
+#define PH_PLOT_PANEL_H
+
+#include "base/mem.h"
+#include "plot/drawing.h"
+#include "plot/page.h"
+#include "plot/profile.h"
+#include "plot/view.h"
+
+#include <stdbool.h>
+
+enum { PH_PANEL_PROFILES_MAX = 2, PH_PANEL_VIEWS_MAX = 4 };
+
+struct ph_panel {
+  const struct ph_drawing *const *drawings; /* [n], of the same space */
+  size_t n;
+  struct ph_unit unit;
+  ph_vec3 low, high; /* what is seen, in the unit */
+  struct ph_view views[PH_PANEL_VIEWS_MAX];
+  size_t views_n;
+  double length;                                 /* of the longest curve, > 0 */
+  struct ph_range ranges[PH_PANEL_PROFILES_MAX]; /* by enum ph_profile_of */
+  size_t profiles_n;
+};
+
+/*
+ * ph_panel_make: looks through the drawings of a problem.
+ *
+ * in   drawings[n]  n > 0, all in the plane, or in space, or on a sphere
+ * ret  PH_OK | PH_NO_MEMORY
+ */
+enum ph_status ph_panel_make(const struct ph_drawing *const *drawings, size_t n,
+                             struct ph_arena *scratch, struct ph_panel *panel,
+                             struct ph_diag *diag);
+
+/* ph_panel_height: of a panel of a width that shows everything well, with
+ * letters of size em. */
+double ph_panel_height(const struct ph_panel *panel, double width, double em);
+
+/* ph_panel_draw: draws the panel in its place on the page. */
+void ph_panel_draw(const struct ph_panel *panel, struct ph_page *page,
+                   const struct ph_rect *cell, double em);
+
+#endif

@@ -1,0 +1,394 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A panel on the page (see panel.h): where its parts go, and what is in them.
+ */
+#include "plot/globe.h"
+#include "plot/legend.h"
+#include "plot/panel.h"
+#include "plot/text.h"
+
+#include <math.h>
+
+/* In ems: the title, the margins, a profile without its numbers. */
+#define TITLE 1.25
+#define TITLE_LINE 2.1
+#define RIGHT 1.3
+#define TOP 0.6
+#define PROFILE 8
+#define PROFILE_GAP 0.9
+#define LEFT 5.5 /* of axes, before their numbers are known */
+#define CAPTION 1.9
+#define CAPTION_SIZE 0.82
+#define LEGEND_GAP 1.2
+#define VIEW_GAP 1.2
+
+/* What is seen is so much smaller than its frame. */
+#define MARGIN 1.1
+
+/* A view is no flatter than this, whatever the curve. */
+#define FLAT 0.4
+
+/* ---- extents ------------------------------------------------------------- */
+
+/* Widths of the box by axis, with a margin, none much less than the largest. */
+static void extents(const struct ph_panel *panel, double extent[3]) {
+  double most;
+  extent[0] = panel->high.x - panel->low.x;
+  extent[1] = panel->high.y - panel->low.y;
+  extent[2] = panel->high.z - panel->low.z;
+  most = fmax(fmax(extent[0], extent[1]), fmax(extent[2], 1e-3));
+  for (int i = 0; i < 3; i++) {
+    extent[i] = MARGIN * fmax(extent[i], FLAT * most);
+  }
+}
+
+static double middle_of(const struct ph_panel *panel, int axis) {
+  return axis == 0   ? 0.5 * (panel->low.x + panel->high.x)
+         : axis == 1 ? 0.5 * (panel->low.y + panel->high.y)
+                     : 0.5 * (panel->low.z + panel->high.z);
+}
+
+static double center_of(const struct ph_panel *panel, int axis) {
+  return axis == 0   ? panel->unit.center.x
+         : axis == 1 ? panel->unit.center.y
+                     : panel->unit.center.z;
+}
+
+static double views_height(const struct ph_panel *panel, double width,
+                           double em) {
+  double extent[3], inner = width - (LEFT + RIGHT) * em;
+  extents(panel, extent);
+  switch (panel->drawings[0]->space) {
+  case PH_DRAWING_PLANE:
+    return fmin(inner * extent[1] / extent[0], 1.1 * inner) + ph_axes_below(em);
+  case PH_DRAWING_SPACE:
+    inner *= (extent[1] + extent[2]) / (extent[0] + extent[1]);
+    return fmin(inner, 1.25 * width) + ph_axes_below(em) + VIEW_GAP * em;
+  default:
+    return panel->views_n == 2 ? 0.5 * width + CAPTION * em
+                               : 0.8 * width + CAPTION * em;
+  }
+}
+
+/* Of profiles with what is around them. */
+static double profiles_height(const struct ph_panel *panel, double em) {
+  return (PROFILE_GAP + PROFILE) * em * (double)panel->profiles_n +
+         ph_axes_below(em);
+}
+
+double ph_panel_height(const struct ph_panel *panel, double width, double em) {
+  double title = panel->drawings[0]->title ? TITLE_LINE * em : 0;
+  return title + TOP * em + views_height(panel, width, em) +
+         profiles_height(panel, em);
+}
+
+/* ---- axes ---------------------------------------------------------------- */
+
+/* The axis of a window in the unit of the data, which a window shows `half` of
+ * on either side of `middle`. */
+static struct ph_axis axis_of(const struct ph_panel *panel, int which,
+                              double middle, double half) {
+  static const char *const names[3] = {"x", "y", "z"};
+  double center = center_of(panel, which);
+  struct ph_axis axis = {
+      .name = names[which],
+      .low = ph_unit_out(center, panel->unit.size, middle - half),
+      .high = ph_unit_out(center, panel->unit.size, middle + half)};
+  return axis;
+}
+
+static struct ph_axes axes_of(const struct ph_panel *panel,
+                              const struct ph_window *window, int x, int y) {
+  struct ph_axes axes = {
+      window->rect,
+      axis_of(panel, x, window->u, 0.5 * window->rect.w / window->scale),
+      axis_of(panel, y, window->v, 0.5 * window->rect.h / window->scale)};
+  return axes;
+}
+
+/* A window on two axes of the box that shows `scale` points for a unit. */
+static struct ph_window window_of(const struct ph_panel *panel,
+                                  const struct ph_rect *rect, int x, int y,
+                                  double scale) {
+  struct ph_window window = {*rect, middle_of(panel, x), middle_of(panel, y),
+                             scale};
+  return window;
+}
+
+/* ---- views --------------------------------------------------------------- */
+
+/* The parts of a panel's place. */
+struct place {
+  const struct ph_panel *panel;
+  struct ph_page *page;
+  double em;
+  struct ph_rect views;    /* frames of views without their numbers */
+  struct ph_rect profiles; /* all of them, as the views */
+};
+
+static void draw_view(const struct place *place, size_t view,
+                      const struct ph_window *window) {
+  struct ph_look look = {place->panel, place->panel->views[view], *window,
+                         place->page, place->em};
+  ph_strokes_draw(&look, PH_SIDE_ALL);
+}
+
+static struct ph_axes plane_axes(const struct place *place,
+                                 struct ph_window *window) {
+  double extent[3];
+  extents(place->panel, extent);
+  *window =
+      window_of(place->panel, &place->views, 0, 1,
+                fmin(place->views.w / extent[0], place->views.h / extent[1]));
+  return axes_of(place->panel, window, 0, 1);
+}
+
+static void draw_plane(const struct place *place) {
+  struct ph_window window;
+  struct ph_axes axes = plane_axes(place, &window);
+  ph_axes_ticks(&axes, place->page, place->em);
+  draw_view(place, 0, &window);
+  ph_axes_draw(&axes, place->page, place->em);
+}
+
+/* Of space: x-y above x-z, y-z to the right of that; all to one scale. */
+struct space {
+  struct ph_window windows[3];
+  struct ph_axes axes[3];
+  struct ph_rect corner; /* for the fourth view */
+  double scale;
+};
+
+static void space_layout(const struct place *place, struct space *space) {
+  const struct ph_rect *r = &place->views;
+  double extent[3], gap = VIEW_GAP * place->em, w = r->w - gap, h = r->h - gap;
+  double left, top;
+  struct ph_rect rects[3];
+  extents(place->panel, extent);
+  space->scale = fmin(w / (extent[0] + extent[1]), h / (extent[1] + extent[2]));
+  left = w * extent[0] / (extent[0] + extent[1]);
+  top = h * extent[1] / (extent[1] + extent[2]);
+  rects[0] = (struct ph_rect){r->x, r->y, left, top};
+  rects[1] = (struct ph_rect){r->x, r->y + top + gap, left, h - top};
+  rects[2] = (struct ph_rect){r->x + left + gap, rects[1].y, w - left, h - top};
+  space->corner = (struct ph_rect){rects[2].x, r->y, w - left, top};
+  for (int i = 0; i < 3; i++) {
+    int x = i == 2 ? 1 : 0, y = i == 0 ? 1 : 2;
+    space->windows[i] = window_of(place->panel, &rects[i], x, y, space->scale);
+    space->axes[i] = axes_of(place->panel, &space->windows[i], x, y);
+  }
+  space->axes[0].x.bare = space->axes[2].y.bare = true;
+}
+
+/* The box of the curves in the fourth view, the middle of it in the middle. */
+static void draw_box(const struct place *place, struct ph_look *look) {
+  const struct ph_panel *panel = place->panel;
+  double low[2] = {9, 9}, high[2] = {-9, -9};
+  ph_vec3 corners[8];
+  static const int edges[12][2] = {{0, 1}, {2, 3}, {4, 5}, {6, 7},
+                                   {0, 2}, {1, 3}, {4, 6}, {5, 7},
+                                   {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  for (int i = 0; i < 8; i++) {
+    struct ph_seen seen;
+    corners[i] = ph_vec3_of(i & 1 ? panel->high.x : panel->low.x,
+                            i & 2 ? panel->high.y : panel->low.y,
+                            i & 4 ? panel->high.z : panel->low.z);
+    seen = ph_view_see(&look->view, corners[i]);
+    low[0] = fmin(low[0], seen.u);
+    low[1] = fmin(low[1], seen.v);
+    high[0] = fmax(high[0], seen.u);
+    high[1] = fmax(high[1], seen.v);
+  }
+  look->window.u = 0.5 * (low[0] + high[0]);
+  look->window.v = 0.5 * (low[1] + high[1]);
+  look->window.scale =
+      fmin(look->window.scale,
+           fmin(look->window.rect.w / fmax(high[0] - low[0], 1e-3),
+                look->window.rect.h / fmax(high[1] - low[1], 1e-3)) /
+               MARGIN);
+  ph_page_pen(look->page, ph_ink(PH_INK_BOX), 0.055 * look->em, 0);
+  for (int i = 0; i < 12; i++) {
+    ph_vec3 edge[2] = {corners[edges[i][0]], corners[edges[i][1]]};
+    ph_strokes_line(look, PH_SIDE_ALL, edge, 2);
+  }
+}
+
+static void draw_space(const struct place *place) {
+  struct space space;
+  struct ph_look look = {.panel = place->panel,
+                         .view = place->panel->views[3],
+                         .page = place->page,
+                         .em = place->em};
+  space_layout(place, &space);
+  for (int i = 0; i < 3; i++) {
+    ph_axes_ticks(&space.axes[i], place->page, place->em);
+  }
+  space.axes[0].x.ticks = space.axes[1].x.ticks;
+  space.axes[2].y.ticks = space.axes[1].y.ticks;
+  for (size_t i = 0; i < 3; i++) {
+    draw_view(place, i, &space.windows[i]);
+    ph_axes_draw(&space.axes[i], place->page, place->em);
+  }
+  look.window = (struct ph_window){space.corner, 0, 0, space.scale};
+  draw_box(place, &look);
+  ph_strokes_draw(&look, PH_SIDE_ALL);
+}
+
+/* ---- the sphere ---------------------------------------------------------- */
+
+static void draw_sphere(const struct place *place) {
+  for (size_t i = 0; i < place->panel->views_n; i++) {
+    const struct ph_rect *r = &place->views;
+    double w = r->w / (double)place->panel->views_n, reach;
+    double h = r->h - CAPTION * place->em, side = fmin(w, h);
+    struct ph_look look = {.panel = place->panel,
+                           .view = place->panel->views[i],
+                           .page = place->page,
+                           .em = place->em};
+    struct ph_seen middle;
+    struct ph_spot at;
+    char text[PH_GLOBE_CAPTION_MAX];
+    reach = ph_globe_reach(place->panel, &look.view, &middle);
+    look.window.rect = (struct ph_rect){r->x + w * (double)i + 0.5 * (w - side),
+                                        r->y + 0.5 * (h - side), side, side};
+    look.window.u = middle.u;
+    look.window.v = middle.v;
+    look.window.scale = 0.5 * side / (reach < 1 ? reach : 1.04);
+    ph_globe_draw(&look, reach);
+    ph_strokes_draw(&look, PH_SIDE_HIDDEN);
+    ph_strokes_draw(&look, PH_SIDE_VISIBLE);
+    ph_globe_caption(&look.view, text);
+    at.x = look.window.rect.x + 0.5 * side;
+    at.y = look.window.rect.y + side + 0.7 * CAPTION * place->em;
+    ph_page_text(place->page, at, CAPTION_SIZE * place->em, 0.5, false, text);
+    if (reach < 1) {
+      ph_page_pen(place->page, ph_ink(PH_INK_FRAME), 0.055 * place->em, 0);
+      ph_page_rect(place->page, &look.window.rect);
+      ph_page_stroke(place->page);
+    }
+  }
+}
+
+/* ---- profiles ------------------------------------------------------------ */
+
+static struct ph_axes profile_axes(const struct place *place, size_t which) {
+  const struct ph_panel *panel = place->panel;
+  const struct ph_range *range = &panel->ranges[which];
+  double n = (double)panel->profiles_n, gap = PROFILE_GAP * place->em;
+  double h = (place->profiles.h - (n - 1) * gap) / n;
+  bool sphere = panel->drawings[0]->space == PH_DRAWING_SPHERE;
+  struct ph_axes axes = {{place->profiles.x,
+                          place->profiles.y + (double)which * (h + gap),
+                          place->profiles.w, h},
+                         {.name = "arc length",
+                          .low = 0,
+                          .high = panel->length,
+                          .bare = which + 1 < panel->profiles_n},
+                         {.name = which == PH_PROFILE_TORSION ? "torsion"
+                                  : sphere ? "geodesic curvature"
+                                           : "curvature",
+                          .low = range->low,
+                          .high = range->high}};
+  return axes;
+}
+
+static void draw_profiles(const struct place *place) {
+  const struct ph_panel *panel = place->panel;
+  for (size_t i = 0; i < panel->profiles_n; i++) {
+    struct ph_axes axes = profile_axes(place, i);
+    ph_axes_ticks(&axes, place->page, place->em);
+    ph_profile_draw(panel->drawings, panel->n, (enum ph_profile_of)i, &axes,
+                    place->page, place->em);
+    ph_axes_draw(&axes, place->page, place->em);
+  }
+}
+
+/* ---- the panel ----------------------------------------------------------- */
+
+/* How much room the widest numbers at the left take. */
+static double left_of(const struct place *place) {
+  double most = 0;
+  for (size_t i = 0; i < place->panel->profiles_n; i++) {
+    struct ph_axes axes = profile_axes(place, i);
+    ph_axes_ticks(&axes, place->page, place->em);
+    most = fmax(most, ph_axes_left(&axes, place->page, place->em));
+  }
+  if (place->panel->drawings[0]->space == PH_DRAWING_PLANE) {
+    struct ph_window window;
+    struct ph_axes axes = plane_axes(place, &window);
+    ph_axes_ticks(&axes, place->page, place->em);
+    most = fmax(most, ph_axes_left(&axes, place->page, place->em));
+  } else if (place->panel->drawings[0]->space == PH_DRAWING_SPACE) {
+    struct space space;
+    space_layout(place, &space);
+    for (int i = 0; i < 2; i++) {
+      ph_axes_ticks(&space.axes[i], place->page, place->em);
+      most = fmax(most, ph_axes_left(&space.axes[i], place->page, place->em));
+    }
+  }
+  return most;
+}
+
+/* Divides the cell below the title, left of the legend. */
+static struct place place_in(const struct ph_panel *panel, struct ph_page *page,
+                             const struct ph_rect *body, double em) {
+  struct place place = {.panel = panel, .page = page, .em = em};
+  bool sphere = panel->drawings[0]->space == PH_DRAWING_SPHERE;
+  double below = ph_axes_below(em), left = LEFT * em;
+  double profiles = fmin(profiles_height(panel, em), 0.45 * body->h);
+  for (int pass = 0; pass < 2; pass++) {
+    double x = body->x + left, w = fmax(body->w - left - RIGHT * em, em);
+    place.views =
+        (struct ph_rect){x, body->y + TOP * em, w,
+                         fmax(body->h - profiles - below - TOP * em, em)};
+    place.profiles =
+        (struct ph_rect){x, body->y + body->h - profiles + PROFILE_GAP * em, w,
+                         fmax(profiles - below - PROFILE_GAP * em, em)};
+    left = left_of(&place);
+  }
+  if (sphere) {
+    place.views.x = body->x;
+    place.views.w = body->w;
+    place.views.h += below;
+  }
+  return place;
+}
+
+static void draw_title(const struct ph_panel *panel, struct ph_page *page,
+                       struct ph_rect *cell, double em) {
+  char text[PH_PLOT_TEXT_MAX];
+  struct ph_spot at = {cell->x + 0.5 * cell->w, cell->y + 1.3 * em};
+  if (panel->drawings[0]->title) {
+    ph_plot_text(panel->drawings[0]->title, text);
+    ph_plot_text_fit(page, TITLE * em, cell->w - 2 * em, text);
+    ph_page_text(page, at, TITLE * em, 0.5, false, text);
+    cell->y += TITLE_LINE * em;
+    cell->h -= TITLE_LINE * em;
+  }
+}
+
+void ph_panel_draw(const struct ph_panel *panel, struct ph_page *page,
+                   const struct ph_rect *cell, double em) {
+  struct ph_rect body = *cell;
+  struct place place;
+  double legend = ph_legend_width(panel, page, em, 0.3 * cell->w);
+  draw_title(panel, page, &body, em);
+  if (legend > 0) {
+    struct ph_rect at = {body.x + body.w - legend - 0.5 * em, body.y + TOP * em,
+                         legend, 0.6 * body.h};
+    ph_legend_draw(panel, page, &at, em);
+    body.w -= legend + (LEGEND_GAP - RIGHT + 0.5) * em;
+  }
+  place = place_in(panel, page, &body, em);
+  switch (panel->drawings[0]->space) {
+  case PH_DRAWING_PLANE:
+    draw_plane(&place);
+    break;
+  case PH_DRAWING_SPACE:
+    draw_space(&place);
+    break;
+  case PH_DRAWING_SPHERE:
+    draw_sphere(&place);
+    break;
+  }
+  draw_profiles(&place);
+}

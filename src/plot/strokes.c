@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a view of a panel shows (see strokes.h). */
+#include "plot/strokes.h"
+
+#include "plot/trace.h"
+
+#include <math.h>
+
+/* Widths, in ems. */
+#define CURVE 0.145
+#define CURVE_OF_MANY 0.11
+#define OFFSET 0.085
+#define POLYGON 0.06
+#define ARROW 0.075
+#define HEAD 0.62
+#define DASH 0.28
+#define DOT_MAX 0.24
+#define DOT_MIN 0.09
+
+struct ph_seen ph_look_see(const struct ph_look *look, ph_vec3 place) {
+  return ph_view_see(&look->view, ph_unit_in(&look->panel->unit, place));
+}
+
+static struct ph_spot spot_of(const struct ph_look *look, struct ph_seen seen) {
+  return ph_window_spot(&look->window, seen);
+}
+
+/* ---- polylines ----------------------------------------------------------- */
+
+static bool shown(struct ph_seen seen, enum ph_side side) {
+  return side == PH_SIDE_ALL ||
+         ph_view_hidden(seen) == (side == PH_SIDE_HIDDEN);
+}
+
+static struct ph_seen between(struct ph_seen a, struct ph_seen b, double t) {
+  struct ph_seen m = {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v), 0};
+  return m;
+}
+
+/* Goes from one place to the next; only the parts of a side are drawn. */
+static void go(const struct ph_look *look, enum ph_side side,
+               struct ph_trace *trace, const struct ph_seen *from,
+               struct ph_seen to) {
+  bool now = shown(to, side);
+  if (from && shown(*from, side) != now) {
+    double t = ph_view_horizon(*from, to);
+    ph_trace_to(trace, spot_of(look, between(*from, to, t)));
+    if (!now) {
+      ph_trace_break(trace);
+    }
+  }
+  if (now) {
+    ph_trace_to(trace, spot_of(look, to));
+  }
+}
+
+void ph_strokes_line(const struct ph_look *look, enum ph_side side,
+                     const ph_vec3 *places, size_t n) {
+  struct ph_trace trace;
+  struct ph_seen last = {0, 0, 0};
+  ph_trace_begin(&trace, look->page, &look->window.rect);
+  for (size_t i = 0; i < n; i++) {
+    struct ph_seen seen = ph_view_see(&look->view, places[i]);
+    go(look, side, &trace, i > 0 ? &last : NULL, seen);
+    last = seen;
+  }
+  ph_trace_end(&trace);
+}
+
+static void draw_line(const struct ph_look *look, enum ph_side side,
+                      const struct ph_stroke *stroke) {
+  struct ph_trace trace;
+  struct ph_seen last = {0, 0, 0};
+  ph_trace_begin(&trace, look->page, &look->window.rect);
+  for (size_t i = 0; i < stroke->n; i++) {
+    struct ph_seen seen = ph_look_see(look, stroke->points[i]);
+    go(look, side, &trace, i > 0 ? &last : NULL, seen);
+    last = seen;
+  }
+  ph_trace_end(&trace);
+}
+
+/* ---- arrows -------------------------------------------------------------- */
+
+/* The head of an arrow from somewhere towards (dx, dy) ahead of its neck. */
+static void draw_head(const struct ph_look *look, struct ph_spot tip, double dx,
+                      double dy) {
+  struct ph_spot neck = {tip.x - 0.8 * dx, tip.y - 0.8 * dy};
+  struct ph_spot left = {tip.x - dx - 0.3 * dy, tip.y - dy + 0.3 * dx};
+  struct ph_spot right = {tip.x - dx + 0.3 * dy, tip.y - dy - 0.3 * dx};
+  if (ph_rect_has(&look->window.rect, tip, 0) &&
+      ph_rect_has(&look->window.rect, neck, 0)) {
+    ph_page_move(look->page, tip);
+    ph_page_line(look->page, left);
+    ph_page_line(look->page, neck);
+    ph_page_line(look->page, right);
+    ph_page_close(look->page);
+    ph_page_fill(look->page);
+  }
+}
+
+/* A thin arrow; it is as visible as its root is. */
+static void draw_arrow(const struct ph_look *look, enum ph_side side,
+                       const struct ph_stroke *stroke) {
+  struct ph_seen root = ph_look_see(look, stroke->points[0]);
+  struct ph_spot at = spot_of(look, root), from = at;
+  struct ph_spot tip =
+      spot_of(look, ph_look_see(look, stroke->points[stroke->n - 1]));
+  double head = hypot(tip.x - at.x, tip.y - at.y), far;
+  struct ph_trace trace;
+  head = fmin(HEAD * look->em, 0.5 * head);
+  if (!shown(root, side) || !(head > 0)) {
+    return;
+  }
+  ph_trace_begin(&trace, look->page, &look->window.rect);
+  for (size_t i = 0; i + 1 < stroke->n; i++) {
+    at = spot_of(look, ph_look_see(look, stroke->points[i]));
+    if (hypot(tip.x - at.x, tip.y - at.y) >= head) {
+      ph_trace_to(&trace, at);
+      from = at;
+    }
+  }
+  far = head / hypot(tip.x - from.x, tip.y - from.y);
+  at.x = tip.x - 0.8 * far * (tip.x - from.x);
+  at.y = tip.y - 0.8 * far * (tip.y - from.y);
+  ph_trace_to(&trace, at);
+  ph_trace_end(&trace);
+  draw_head(look, tip, far * (tip.x - from.x), far * (tip.y - from.y));
+}
+
+/* ---- strokes ------------------------------------------------------------- */
+
+static bool same_place(ph_vec3 a, ph_vec3 b) {
+  return a.x <= b.x && a.x >= b.x && a.y <= b.y && a.y >= b.y && a.z <= b.z &&
+         a.z >= b.z;
+}
+
+/* Whether the drawing before has the same: tangents that a sweep leaves. */
+static bool repeated(const struct ph_drawing *before, size_t i,
+                     const struct ph_stroke *stroke) {
+  const struct ph_stroke *b =
+      before && i < before->strokes_n ? &before->strokes[i] : NULL;
+  return b && b->role == stroke->role && b->n == stroke->n && b->n > 0 &&
+         same_place(b->points[0], stroke->points[0]) &&
+         same_place(b->points[b->n - 1], stroke->points[b->n - 1]);
+}
+
+static void choose_pen(const struct ph_look *look, enum ph_side side,
+                       size_t which, const struct ph_stroke *stroke,
+                       size_t segment) {
+  const struct ph_panel *panel = look->panel;
+  const struct ph_drawing *d = panel->drawings[which];
+  double em = look->em, dash = side == PH_SIDE_HIDDEN ? DASH * em : 0;
+  bool many = panel->n > 1;
+  struct ph_colour ramp = ph_colour_ramp(which, panel->n);
+  switch (stroke->role) {
+  case PH_STROKE_CURVE:
+    ph_page_pen(
+        look->page,
+        many ? ramp : ph_colour_segment(segment, d->segments_n, d->closed),
+        (dash > 0 ? 0.7 : 1) * (many ? CURVE_OF_MANY : CURVE) * em, dash);
+    break;
+  case PH_STROKE_POLYGON:
+    ph_page_pen(look->page, ph_ink(PH_INK_POLYGON), POLYGON * em, dash);
+    break;
+  case PH_STROKE_OFFSET:
+    ph_page_pen(look->page, many ? ramp : ph_ink(PH_INK_OFFSET),
+                (many ? 0.6 : 1) * OFFSET * em, dash);
+    break;
+  case PH_STROKE_TANGENT:
+    ph_page_pen(look->page, ph_ink(PH_INK_TANGENT), ARROW * em, dash);
+    break;
+  }
+}
+
+static void draw_strokes(const struct ph_look *look, enum ph_side side,
+                         size_t which) {
+  const struct ph_panel *panel = look->panel;
+  const struct ph_drawing *d = panel->drawings[which];
+  size_t segment = 0;
+  for (size_t i = 0; i < d->strokes_n; i++) {
+    const struct ph_stroke *s = &d->strokes[i];
+    if (s->n == 0 || (s->role == PH_STROKE_POLYGON && panel->n > 1)) {
+      continue;
+    }
+    choose_pen(look, side, which, s, segment);
+    segment += s->role == PH_STROKE_CURVE;
+    if (s->role != PH_STROKE_TANGENT) {
+      draw_line(look, side, s);
+    } else if (which == 0 || !repeated(panel->drawings[which - 1], i, s)) {
+      draw_arrow(look, side, s);
+    }
+  }
+}
+
+/* ---- points -------------------------------------------------------------- */
+
+/* Dots are smaller where they would touch. */
+static double dot_radius(const struct ph_look *look,
+                         const struct ph_drawing *d) {
+  double sum = 0;
+  struct ph_spot last = {0, 0};
+  for (size_t i = 0; i < d->data_n; i++) {
+    struct ph_spot spot = spot_of(look, ph_look_see(look, d->data[i]));
+    double step = hypot(spot.x - last.x, spot.y - last.y);
+    sum += i > 0 && isfinite(step) ? step : 0;
+    last = spot;
+  }
+  sum /= fmax(1, (double)d->data_n - 1);
+  return fmin(fmax(0.2 * sum, DOT_MIN * look->em), DOT_MAX * look->em);
+}
+
+static bool same_data(const struct ph_drawing *a, const struct ph_drawing *b) {
+  bool same = a->data_n == b->data_n;
+  for (size_t i = 0; same && i < a->data_n; i++) {
+    same = same_place(a->data[i], b->data[i]);
+  }
+  return same;
+}
+
+static void draw_points(const struct ph_look *look, enum ph_side side,
+                        size_t which) {
+  const struct ph_drawing *d = look->panel->drawings[which];
+  double r = dot_radius(look, d);
+  bool hidden = side == PH_SIDE_HIDDEN;
+  if (which > 0 && same_data(d, look->panel->drawings[which - 1])) {
+    return;
+  }
+  ph_page_pen(look->page, ph_ink(hidden ? PH_INK_OUTLINE : PH_INK_POINT),
+              0.05 * look->em, 0);
+  for (size_t i = 0; i < d->data_n; i++) {
+    struct ph_seen seen = ph_look_see(look, d->data[i]);
+    struct ph_spot spot = spot_of(look, seen);
+    if (shown(seen, side) && ph_rect_has(&look->window.rect, spot, 0)) {
+      ph_page_circle(look->page, spot, hidden ? 0.8 * r : r);
+      ph_page_fill(look->page);
+    }
+  }
+}
+
+void ph_strokes_draw(const struct ph_look *look, enum ph_side side) {
+  for (size_t i = 0; i < look->panel->n; i++) {
+    draw_strokes(look, side, i);
+  }
+  for (size_t i = 0; i < look->panel->n; i++) {
+    draw_points(look, side, i);
+  }
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What a view of a panel shows: curves, polygons, offsets, tangents and points,
+ * as one looks at them through a window.
+ */
+#ifndef PH_PLOT_STROKES_H
+#define PH_PLOT_STROKES_H
+
+#include "plot/panel.h"
+
+/* A view, where it goes. */
+struct ph_look {
+  const struct ph_panel *panel;
+  struct ph_view view;
+  struct ph_window window;
+  struct ph_page *page;
+  double em;
+};
+
+/* Which parts: on a sphere those behind it come first, dashed. */
+enum ph_side { PH_SIDE_ALL, PH_SIDE_HIDDEN, PH_SIDE_VISIBLE };
+
+/* ph_look_see: a place of the data in the view. */
+struct ph_seen ph_look_see(const struct ph_look *look, ph_vec3 place);
+
+/* ph_strokes_draw: all strokes of all drawings, then their points. */
+void ph_strokes_draw(const struct ph_look *look, enum ph_side side);
+
+/* ph_strokes_line: any polyline in space, in the unit, with the pen as it is:
+ * one path. */
+void ph_strokes_line(const struct ph_look *look, enum ph_side side,
+                     const ph_vec3 *places, size_t n);
+
+#endif

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Texts made fit for a page (see text.h). */
+#include "plot/text.h"
+
+#include "base/suggest.h"
+#include "plot/page.h"
+
+#include <string.h>
+
+static const char more[] = "...";
+
+enum { MORE = sizeof more - 1 };
+
+/* Control characters of ASCII and Latin 1, and the two that are none. */
+static bool is_control(const unsigned char *c, int n) {
+  return (n == 1 && (c[0] < 0x20 || c[0] == 0x7F)) ||
+         (n == 2 && c[0] == 0xC2 && c[1] < 0xA0) ||
+         (n == 3 && c[0] == 0xEF && c[1] == 0xBF && c[2] >= 0xBE);
+}
+
+void ph_plot_text(const char *text, char clean[PH_PLOT_TEXT_MAX]) {
+  const char *end = text + strlen(text);
+  size_t n = 0;
+  while (text < end) {
+    int c = ph_utf8_length(text, end);
+    bool bad = c <= 0 || is_control((const unsigned char *)text, c);
+    size_t step = c <= 0 ? 1 : (size_t)c;
+    if (n + step + MORE >= PH_PLOT_TEXT_MAX) {
+      memcpy(clean + n, more, MORE);
+      n += MORE;
+      break;
+    }
+    if (bad) {
+      clean[n++] = '?';
+    } else {
+      memcpy(clean + n, text, step);
+      n += step;
+    }
+    text += step;
+  }
+  clean[n] = '\0';
+}
+
+void ph_plot_text_fit(struct ph_page *page, double size, double width,
+                      char clean[PH_PLOT_TEXT_MAX]) {
+  size_t n = strlen(clean);
+  if (n >= MORE && strcmp(clean + n - MORE, more) == 0) {
+    n -= MORE;
+  }
+  while (n > 0 && ph_page_text_width(page, size, clean) > width) {
+    do {
+      n--;
+    } while (n > 0 && ((unsigned char)clean[n] >> 6) == 2);
+    strcpy(clean + n, n + MORE < PH_PLOT_TEXT_MAX ? more : "");
+  }
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The checks that verify.c runs, each in a file of its own.  All note what they
+ * find (note.h); a curve has the right shape before the others look at it.
+ */
+#ifndef PH_VERIFY_CHECK_H
+#define PH_VERIFY_CHECK_H
+
+#include "verify/segment.h"
+
+/* ph_verify_shape: whether arrays, numbers and knots are such that there is a
+ * curve to look at. */
+bool ph_verify_shape(struct ph_verify *v);
+
+/* ph_verify_square: whether |r'| of a segment is a polynomial in its space, and
+ * r' that of the claimed preimage; sets noise[k]. */
+void ph_verify_square(struct ph_verify *v, struct ph_verify_segment *s);
+
+/* ph_verify_joint: between two segments, the second being b. */
+void ph_verify_joint(struct ph_verify *v, const struct ph_verify_segment *a,
+                     const struct ph_verify_segment *b);
+
+/* ph_verify_lengths: of all segments, intervals and the whole. */
+void ph_verify_lengths(struct ph_verify *v);
+
+#endif

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Whether a result holds a curve at all: arrays, and numbers in their range. */
+#include "verify/check.h"
+
+#include "kernel/pi.h"
+
+static const struct ph_verify_where SEGMENTS = {"segments", PH_VERIFY_ONE,
+                                                NULL};
+
+static bool wrong(struct ph_verify *v, struct ph_verify_where where,
+                  const char *what) {
+  ph_verify_wrong(v, PH_V_SHAPE, where, what);
+  return false;
+}
+
+/* The first of n numbers that is not finite, or n. */
+static size_t finite_until(const double *x, size_t n) {
+  size_t i = 0;
+  while (i < n && isfinite(x[i])) {
+    i++;
+  }
+  return i;
+}
+
+/* Whether all segments have finite numbers of some kind, `each' of them. */
+static bool are_finite(struct ph_verify *v, const double *x, size_t each,
+                       const char *member) {
+  size_t n = v->curve->n * each, i = finite_until(x, n);
+  return i == n ||
+         wrong(v, ph_verify_in(i / each, member), "holds what is not finite");
+}
+
+/* Whether the degree and the dimension are those of the kind. */
+static bool is_kind(struct ph_verify *v) {
+  const struct ph_curve *c = v->curve;
+  bool fits = c->dimension == 2 || c->dimension == 3;
+  size_t degree = c->degree;
+  switch (c->kind) {
+  case PH_CURVE_PH:
+    fits = fits && degree % 2 == 1 && degree <= PH_VERIFY_DEGREE_MAX;
+    break;
+  case PH_CURVE_ATPH:
+    fits = fits && degree == 5;
+    break;
+  case PH_CURVE_BEZIER:
+    fits = fits && degree >= 1 && degree <= PH_VERIFY_DEGREE_MAX;
+    break;
+  case PH_CURVE_TC:
+    fits = c->dimension == 2 && degree == 3;
+    break;
+  case PH_CURVE_SPHERICAL_NU:
+    fits = c->dimension == 3 && degree == 3;
+    break;
+  default:
+    fits = false;
+  }
+  return fits || wrong(v, ph_verify_of(NULL, PH_VERIFY_ONE, "degree"),
+                       "or dimension is not that of the kind of curve");
+}
+
+static bool is_parametrised(struct ph_verify *v) {
+  const struct ph_curve *c = v->curve;
+  if (c->knots) {
+    for (size_t k = 0; k < c->n; k++) {
+      if (!(c->knots[k + 1] > c->knots[k] && isfinite(c->knots[k]) &&
+            isfinite(c->knots[k + 1]))) {
+        return wrong(v, ph_verify_in(k, "interval"), "is no interval");
+      }
+    }
+  }
+  if ((c->kind == PH_CURVE_ATPH) != (c->alpha != NULL)) {
+    return wrong(v, ph_verify_in(0, "alpha"),
+                 c->alpha ? "is of ATPH curves alone" : "is missing");
+  }
+  for (size_t k = 0; c->alpha && k < c->n; k++) {
+    if (!(c->alpha[k] > 0 && c->alpha[k] < PH_PI)) {
+      return wrong(v, ph_verify_in(k, "alpha"), "is not between 0 and pi");
+    }
+  }
+  return true;
+}
+
+static bool is_preimage(struct ph_verify *v) {
+  const struct ph_curve *c = v->curve;
+  if (!c->preimage) {
+    return true;
+  }
+  if (c->preimage_n != (c->degree + 1) / 2 || c->degree % 2 == 0 ||
+      c->preimage_dimension != 2 * (c->dimension - 1) ||
+      c->kind == PH_CURVE_SPHERICAL_NU || c->kind == PH_CURVE_BEZIER) {
+    return wrong(v, ph_verify_in(0, "preimage"),
+                 "is none of such control points");
+  }
+  return are_finite(v, c->preimage, c->preimage_n * c->preimage_dimension,
+                    "preimage");
+}
+
+static bool is_sphere(struct ph_verify *v) {
+  const struct ph_curve *c = v->curve;
+  size_t nodes = c->closed ? c->n : c->n + 1;
+  if (c->kind != PH_CURVE_SPHERICAL_NU) {
+    return true;
+  }
+  if (!(c->radius > 0) || !isfinite(c->radius)) {
+    return wrong(v, ph_verify_of("radius", PH_VERIFY_ONE, NULL),
+                 "is not positive");
+  }
+  if (finite_until(c->center, 3) < 3) {
+    return wrong(v, ph_verify_of("center", PH_VERIFY_ONE, NULL),
+                 "is not finite");
+  }
+  if (c->tensions && finite_until(c->tensions, nodes) < nodes) {
+    return wrong(v, ph_verify_of("tensions", PH_VERIFY_ONE, NULL),
+                 "hold what is not finite");
+  }
+  return true;
+}
+
+bool ph_verify_shape(struct ph_verify *v) {
+  const struct ph_curve *c = v->curve;
+  ph_verify_done(v, PH_V_SHAPE);
+  if (c->n == 0 || !c->control_points) {
+    return wrong(v, SEGMENTS, "are missing");
+  }
+  return is_kind(v) &&
+         are_finite(v, c->control_points, (c->degree + 1) * c->dimension,
+                    "control_points") &&
+         is_parametrised(v) && is_preimage(v) && is_sphere(v);
+}

@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Whatever the program answers, verification accepts it: random problems of all
+ * commands, with everything that can be derived from their curves.
+ *
+ * The seed is 1, or PH_SEED; PH_LONG=1 takes ten times as many data.
+ */
+#include "arclength_data.h"
+#include "planar_data.h"
+#include "spatial_data.h"
+#include "sphere_data.h"
+#include "tc_data.h"
+#include "unit.h"
+#include "verify_unit.h"
+
+#include <stdio.h>
+
+/* What the command accepts by default. */
+static const double TOLERANCE = 1e-9;
+
+static double worst[PH_V_N];
+static struct ph_arena arena, scratch;
+
+static size_t cases(size_t n) {
+  return unit_long() ? 10 * n : (size_t)unit_count((int)n);
+}
+
+/* Verifies a result, with the problem and, every second one, without. */
+static void accept(const char *command, const struct ph_problem *problem,
+                   struct ph_result *result, const struct unit_wanted *wanted,
+                   size_t which) {
+  struct ph_verdict verdict;
+  struct ph_diag diag;
+  enum ph_status status = unit_derive(ph_command_find(command), wanted, &arena,
+                                      result, &diag);
+  if (status != PH_OK) { /* an offset that there is not */
+    ph_arena_reset(&arena);
+    return;
+  }
+  status = ph_verify_result(result, which % 2 ? problem : NULL, command,
+                            &scratch, &verdict, &diag);
+  ck_assert_int_eq(status, PH_OK);
+  for (int i = 0; i < PH_V_N; i++) {
+    const struct ph_verify_error *e = &verdict.check[i];
+    ck_assert_msg(e->error <= TOLERANCE, "seed %lu, %s %zu: %s %.3g: %s %s",
+                  unit_seed(), command, which, ph_verify_name(i), e->error,
+                  e->where.field, e->where.message);
+    worst[i] = unit_larger(worst[i], e->error);
+  }
+  ph_arena_reset(&arena);
+}
+
+static void report(const char *command) {
+  printf("%s:", command);
+  for (int i = 0; i < PH_V_N; i++) {
+    if (worst[i] > 0) {
+      printf(" %s %.2g", ph_verify_name(i), worst[i]);
+    }
+    worst[i] = 0;
+  }
+  printf("\n");
+  ph_arena_free(&arena);
+  ph_arena_free(&scratch);
+}
+
+/* Samples of every kind, and an offset. */
+static struct unit_wanted wanted_of(struct unit_random *r, double size,
+                                    bool space) {
+  struct unit_wanted w = {.samples.how = unit_random_below(r, 4)};
+  w.samples.n = 1 + unit_random_below(r, 5);
+  w.samples.spacing = size * unit_random_in(r, 0.05, 0.5);
+  w.samples.chord_error = size * unit_random_in(r, 1e-4, 1e-2);
+  if (space && w.samples.how) {
+    w.samples.frame = unit_random_below(r, 4);
+  }
+  w.offset = unit_random_below(r, 2) ? size * unit_random_in(r, -0.5, 0.5) : 0;
+  w.bezier = unit_random_below(r, 4) == 0;
+  return w;
+}
+
+START_TEST(planar_curves) {
+  static struct prop_data data;
+  struct unit_random r = unit_random_of(501);
+  size_t n = cases(300);
+  for (size_t i = 0; i < n; i++) {
+    struct unit_planar u;
+    prop_any(&r, 12, &data);
+    u = prop_problem(&data);
+    if (unit_random_below(&r, 2)) {
+      double alpha[PROP_POINTS_MAX];
+      for (size_t k = 0; k < prop_segments(&data); k++) {
+        alpha[k] = unit_random_in(&r, 0.1, 2);
+      }
+      if (!data.has_knots && !data.rule) {
+        unit_planar_atph(&u, alpha, prop_segments(&data));
+      }
+    }
+    if (unit_planar_solve(&u) == PH_OK) {
+      struct unit_wanted w =
+          wanted_of(&r, ph_curve_size(&u.result.curve), false);
+      accept("planar", &u.problem, &u.result, &w, i);
+    }
+    unit_planar_free(&u);
+  }
+  report("planar");
+}
+END_TEST
+
+START_TEST(spatial_curves) {
+  static struct spatial_data data;
+  struct unit_random r = unit_random_of(502);
+  size_t n = cases(300);
+  for (size_t i = 0; i < n; i++) {
+    struct spatial_solution s = {0};
+    spatial_any(&r, 8, &data);
+    if (spatial_answer(&data, i, &s)) {
+      struct unit_wanted w =
+          wanted_of(&r, ph_curve_size(&s.result.curve), true);
+      accept("spatial-hermite", &s.problem, &s.result, &w, i);
+    }
+    spatial_free(&s);
+  }
+  report("spatial-hermite");
+}
+END_TEST
+
+START_TEST(arclength_curves) {
+  static struct arc_data data;
+  struct unit_random r = unit_random_of(503);
+  size_t n = cases(60);
+  for (size_t i = 0; i < n; i++) {
+    struct arc_solution s = {0};
+    arc_any(&r, &data);
+    if (arc_solve(&data, i, &s)) {
+      struct unit_wanted w =
+          wanted_of(&r, ph_curve_size(&s.result.curve), true);
+      accept("arclength", &s.problem, &s.result, &w, i);
+    }
+    arc_free(&s);
+  }
+  report("arclength");
+}
+END_TEST
+
+START_TEST(sphere_curves) {
+  static struct sphere_data data;
+  struct unit_random r = unit_random_of(504);
+  size_t n = cases(200);
+  for (size_t i = 0; i < n; i++) {
+    struct sphere_solution s = {0};
+    sphere_any(&r, &data);
+    if (sphere_solve(&data, i, &s)) {
+      struct unit_wanted w =
+          wanted_of(&r, ph_curve_size(&s.result.curve), true);
+      w.bezier = false;
+      w.samples.frame = w.samples.frame == PH_FRAME_ERF ? PH_FRAME_NONE
+                                                        : w.samples.frame;
+      accept("sphere", &s.problem, &s.result, &w, i);
+    }
+    sphere_free(&s);
+  }
+  report("sphere");
+}
+END_TEST
+
+START_TEST(tc_curves) {
+  static struct tc_data data;
+  struct unit_random r = unit_random_of(505);
+  size_t n = cases(300);
+  for (size_t i = 0; i < n; i++) {
+    struct tc_solution s = {0};
+    tc_of(&r, (enum tc_family)(i % TC_FAMILY_N), &data);
+    if (tc_solve(&data, i, &s)) {
+      struct unit_wanted w =
+          wanted_of(&r, ph_curve_size(&s.result.curve), false);
+      accept("tc", &s.problem, &s.result, &w, i);
+    }
+    tc_free(&s);
+  }
+  report("tc");
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("verify");
+  TCase *tc = tcase_create("accepts");
+  tcase_set_timeout(tc, 300);
+  tcase_add_test(tc, planar_curves);
+  tcase_add_test(tc, spatial_curves);
+  tcase_add_test(tc, arclength_curves);
+  tcase_add_test(tc, sphere_curves);
+  tcase_add_test(tc, tc_curves);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Results to be verified (see verify_unit.h). */
+#include "verify_unit.h"
+
+#include "io/json_in.h"
+#include "unit.h"
+
+#include <string.h>
+
+static enum ph_status convert(const struct ph_command *command,
+                              struct ph_arena *arena, struct ph_curve *curve,
+                              struct ph_diagnostics *diagnostics,
+                              struct ph_diag *diag) {
+  struct ph_curve bezier;
+  double error;
+  enum ph_status status = command->convert(curve, 1e-9 * ph_curve_size(curve),
+                                           arena, &bezier, &error, diag);
+  if (status == PH_OK) {
+    *curve = bezier;
+    ph_diagnostics_set(diagnostics, PH_D_CONVERSION_ERROR, error);
+  }
+  return status;
+}
+
+static enum ph_status offset(const struct ph_command *command,
+                             const struct unit_wanted *wanted,
+                             struct ph_arena *arena, struct ph_result *r,
+                             struct ph_diag *diag) {
+  struct ph_offset_rules rules = {1e-9 * ph_curve_size(&r->curve),
+                                  wanted->samples};
+  if (command->method->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
+    rules.samples.how = PH_SAMPLE_PARAMETER;
+    rules.samples.n = 16;
+  }
+  r->offsets_n = command->offsets_n;
+  r->offsets = ph_arena_array(arena, r->offsets_n, sizeof *r->offsets);
+  return command->offset(&r->curve, wanted->offset, &rules, arena, r->offsets,
+                         diag);
+}
+
+enum ph_status unit_derive(const struct ph_command *command,
+                           const struct unit_wanted *wanted,
+                           struct ph_arena *arena, struct ph_result *r,
+                           struct ph_diag *diag) {
+  enum ph_status status = PH_OK;
+  if (fabs(wanted->offset) > 0) {
+    status = offset(command, wanted, arena, r, diag);
+  }
+  if (status == PH_OK && wanted->bezier) {
+    status = convert(command, arena, &r->curve, &r->diagnostics, diag);
+  }
+  for (size_t i = 0;
+       status == PH_OK && wanted->bezier && i < r->solutions_n; i++) {
+    status = convert(command, arena, &r->solutions[i].curve,
+                     &r->solutions[i].diagnostics, diag);
+  }
+  if (status == PH_OK && wanted->samples.how) {
+    status = ph_sample_curve(&r->curve, &wanted->samples, arena, &r->samples,
+                             diag);
+  }
+  return status;
+}
+
+static enum ph_status certify(struct unit_claim *c) {
+  struct ph_result *r = &c->result;
+  enum ph_status status = c->command->certify(
+      &c->problem, &r->curve, &c->scratch, &r->diagnostics, &c->diag);
+  for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
+    status = c->command->certify(&c->problem, &r->solutions[i].curve,
+                                 &c->scratch, &r->solutions[i].diagnostics,
+                                 &c->diag);
+  }
+  return status;
+}
+
+void unit_claim_make(struct unit_claim *c, const char *command,
+                     const char *json, const struct unit_wanted *wanted) {
+  const struct ph_record record = {.text = json, .n = strlen(json)};
+  struct ph_echo echo;
+  enum ph_status status;
+  unit_claim_free(c);
+  c->command = ph_command_find(command);
+  ck_assert_ptr_nonnull(c->command);
+  status = ph_json_in(&record, &c->command->method->schema, &c->arena,
+                      &c->problem, &echo, &c->diag);
+  if (status == PH_OK) {
+    status = c->command->method->solve(&c->problem, &c->arena, &c->scratch,
+                                       &c->result, &c->diag);
+  }
+  if (status == PH_OK) {
+    status = certify(c);
+  }
+  if (status == PH_OK && wanted) {
+    status = unit_derive(c->command, wanted, &c->arena, &c->result, &c->diag);
+  }
+  ck_assert_msg(status == PH_OK, "%s: %s %s", json, c->diag.field,
+                c->diag.message);
+}
+
+void unit_claim_verify(struct unit_claim *c, bool with_problem) {
+  enum ph_status status =
+      ph_verify_result(&c->result, with_problem ? &c->problem : NULL,
+                       c->command->method->schema.command, &c->scratch,
+                       &c->verdict, &c->diag);
+  ck_assert_int_eq(status, PH_OK);
+}
+
+double unit_worst(const struct ph_verdict *verdict) {
+  return verdict->worst == PH_V_N ? 0 : verdict->check[verdict->worst].error;
+}
+
+void unit_claim_free(struct unit_claim *c) {
+  ph_arena_free(&c->arena);
+  ph_arena_free(&c->scratch);
+  *c = (struct unit_claim){0};
+}
