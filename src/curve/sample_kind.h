@@ -7,7 +7,7 @@
 #define PH_CURVE_SAMPLE_KIND_H
 
 #include "curve/sample.h"
-#include "curve/spherical.h"
+#include "curve/spherical_fast.h"
 
 struct ph_sample_kind {
   /* begin: allocates sampler->state. */
@@ -40,7 +40,8 @@ struct ph_motion {
 };
 
 /* ph_motion_at: the motion at u in [0,1]. */
-struct ph_motion ph_motion_at(const struct ph_spherical *segment, double u);
+struct ph_motion ph_motion_at(const struct ph_spherical_fast *segment,
+                              double u);
 
 /* ph_motion_pace: g of parallel.h, how fast the parallel at the distance of
  * this cosine and sine goes along the tangent; 0 where g is nothing but
