@@ -111,12 +111,10 @@ enum ph_status ph_plot_draw(const struct ph_plot_subject *subject,
                             struct ph_drawing **drawing, struct ph_diag *diag) {
   const char *id = subject->id;
   char title[PH_EXCERPT_MAX];
-  struct ph_drawing_names names = {title, NULL, subject->record};
+  struct ph_drawing_names names = {NULL, NULL, subject->record};
   *drawing = NULL;
   if (id) {
-    ph_excerpt(id, strlen(id), title);
-  } else {
-    snprintf(title, sizeof title, "record %zu", subject->record);
+    names.title = ph_excerpt(id, strlen(id), title);
   }
   if (subject->swept_n) {
     names.label = label_of(subject, scratch);

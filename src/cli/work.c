@@ -37,7 +37,7 @@ struct task {
 
 static enum ph_status read_problem(struct task *t) {
   const struct ph_record *record = &t->item->record;
-  const struct ph_schema *schema = &t->options->command->method->schema;
+  const struct ph_schema *schema = t->options->command->schema;
   struct ph_arena *arena = &t->worker->arena;
   return record->columns
              ? ph_csv_in(record, schema, arena, &t->problem, &t->echo, &t->diag)
@@ -61,19 +61,17 @@ static enum ph_status name_sweep(struct task *t) {
   return status;
 }
 
-/* --set gives what the problem lacks, --override anything; the last one that
- * is about a field counts. */
-static void assign(struct task *t) {
-  const struct ph_options *o = t->options;
+void ph_work_assign(const struct ph_assignment *assignments, size_t n,
+                    struct ph_problem *problem) {
   bool given[PH_FIELD_N];
   for (size_t i = 0; i < PH_FIELD_N; i++) {
-    given[i] = t->problem.field[i].kind != PH_ABSENT;
+    given[i] = problem->field[i].kind != PH_ABSENT;
   }
   for (int override = 0; override < 2; override++) {
-    for (size_t i = 0; i < o->assignments_n; i++) {
-      const struct ph_assignment *a = &o->assignments[i];
+    for (size_t i = 0; i < n; i++) {
+      const struct ph_assignment *a = &assignments[i];
       if (a->override == override && (override || !given[a->field])) {
-        t->problem.field[a->field] = a->value;
+        problem->field[a->field] = a->value;
       }
     }
   }
@@ -219,13 +217,12 @@ static enum ph_status solve(struct task *t) {
   }
   if (status == PH_OK) {
     const struct ph_options *o = t->options;
-    assign(t);
+    ph_work_assign(o->assignments, o->assignments_n, &t->problem);
     status = ph_sweep_apply(o->sweeps, o->sweeps_n, t->item->sweep,
                             &worker->arena, &t->problem, &t->diag);
   }
   if (status == PH_OK) {
-    status = ph_problem_check_required(&t->problem, &command->method->schema,
-                                       &t->diag);
+    status = ph_problem_check_required(&t->problem, command->schema, &t->diag);
   }
   if (status == PH_OK) {
     status = command->method->solve(&t->problem, &worker->arena,
@@ -250,15 +247,12 @@ static enum ph_status draw(struct task *t, const char *id) {
                       &t->item->drawing, &t->diag);
 }
 
-/* The id as people write it: without the quotes of a JSON string. */
-static const char *plain_id(struct task *t) {
-  const struct ph_echo *echo = &t->echo;
+const char *ph_work_id(const struct ph_echo *echo, struct ph_arena *arena) {
   if (!echo->id) {
     return NULL;
   }
-  return echo->id[0] == '"'
-             ? ph_value_string(echo->id, echo->id_n, &t->worker->arena)
-             : ph_arena_copy(&t->worker->arena, echo->id, echo->id_n);
+  return echo->id[0] == '"' ? ph_value_string(echo->id, echo->id_n, arena)
+                            : ph_arena_copy(arena, echo->id, echo->id_n);
 }
 
 static void write_result(struct task *t, const struct ph_heading *heading,
@@ -305,14 +299,14 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   struct task t = {.options = options, .worker = worker, .item = item};
   struct ph_subject subject = {record->file, record->line, NULL,
                                record->number};
-  struct ph_heading heading = {
-      &t.echo, options->command->method->schema.command, NULL, 0};
+  struct ph_heading heading = {&t.echo, options->command->schema->command, NULL,
+                               0};
   struct timespec start = {0, 0};
   if (options->verbose) {
     clock_gettime(CLOCK_MONOTONIC, &start);
   }
   item->status = solve(&t);
-  subject.id = plain_id(&t);
+  subject.id = ph_work_id(&t.echo, &worker->arena);
   if (t.echo.id && !subject.id) {
     item->status = ph_fail_memory(&t.diag);
   }

@@ -26,17 +26,6 @@ extern const struct ph_sample_kind ph_sample_kind_offset;
 extern const struct ph_sample_kind ph_sample_kind_bezier;
 extern const struct ph_sample_kind ph_sample_kind_spherical;
 
-/* ph_samples_alloc: room for `room` samples of a curve; samples->n = 0.
- * ret  PH_OK | PH_NO_MEMORY */
-enum ph_status ph_samples_alloc(struct ph_samples *samples,
-                                const struct ph_curve *curve, bool frame,
-                                size_t room, struct ph_arena *arena,
-                                struct ph_diag *diag);
-
-/* ph_samples_add: appends one; s is from the start of the curve. */
-void ph_samples_add(struct ph_samples *samples, size_t segment, double t,
-                    double s, const struct ph_sample *sample);
-
 /*
  * How a point moves on the unit sphere, also where it is at rest: with S' = t V
  * next to rest at t = 0, K = S . (S' x S'') = t^2 K'' / 2, so that K / |S'|^2 =

@@ -40,15 +40,27 @@ static double spread(const struct ph_axis *axis, double length) {
                               ph_axis_place(axis, t->at[0]));
 }
 
+/* At least three, where they do not touch. */
+static void y_ticks(struct ph_axes *axes, double em) {
+  const double h = axes->rect.h;
+  size_t n = wanted_in(h, 3.2 * em), most = wanted_in(h, 1.2 * em);
+  n = n < 4 ? wanted_in(fmin(h, 7.5 * em), 1.8 * em) : n;
+  do {
+    ph_ticks_make(axes->y.low, axes->y.high, n, &axes->y.ticks);
+  } while (axes->y.ticks.n < 3 && n++ < most);
+  if (spread(&axes->y, h) < em) {
+    ph_ticks_make(axes->y.low, axes->y.high, 1, &axes->y.ticks);
+  }
+}
+
 void ph_axes_ticks(struct ph_axes *axes, struct ph_page *page, double em) {
-  size_t n = wanted_in(axes->rect.w, 4.5 * em);
-  ph_ticks_make(axes->y.low, axes->y.high, wanted_in(axes->rect.h, 2.6 * em),
-                &axes->y.ticks);
+  size_t n = wanted_in(axes->rect.w, 3.4 * em);
   do {
     ph_ticks_make(axes->x.low, axes->x.high, n, &axes->x.ticks);
-  } while (widest(&axes->x.ticks, page, em) + 0.9 * em >
+  } while (widest(&axes->x.ticks, page, em) + em >
                spread(&axes->x, axes->rect.w) &&
            n-- > 1);
+  y_ticks(axes, em);
 }
 
 double ph_axes_left(const struct ph_axes *axes, struct ph_page *page,
@@ -165,9 +177,8 @@ static void y_axis(const struct ph_axes *axes, struct ph_page *page,
     }
   }
   if (!axis->bare) {
-    struct ph_spot at = {left - (TICK + GAP + 0.45) * em -
-                             widest(&axis->ticks, page, em),
-                         axes->rect.y + 0.5 * axes->rect.h};
+    double room = axes->left > 0 ? axes->left : ph_axes_left(axes, page, em);
+    struct ph_spot at = {left - room + em, axes->rect.y + 0.5 * axes->rect.h};
     put_name(axis, page, em, at, true);
   }
 }

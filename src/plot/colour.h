@@ -57,4 +57,7 @@ struct ph_colour ph_colour_segment(size_t segment, size_t n, bool closed);
  */
 struct ph_colour ph_colour_ramp(size_t i, size_t n);
 
+/* ph_colour_thin: how much thinner the lines of n curves in one place are. */
+double ph_colour_thin(size_t n);
+
 #endif

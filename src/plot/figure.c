@@ -65,6 +65,29 @@ static enum ph_status fill(struct figure *figure,
   return status;
 }
 
+/* Titles; problems without one are numbered, where there are several. */
+static void set_titles(struct figure *figure) {
+  for (size_t i = 0; i < figure->n; i++) {
+    struct ph_panel *panel = &figure->panels[i];
+    const struct ph_drawing *d = panel->drawings[0];
+    size_t digits = 0;
+    char *end = panel->title;
+    if (d->title) {
+      ph_plot_text(d->title, panel->title);
+    } else if (figure->n > 1) {
+      ph_plot_text("record ", panel->title);
+      end += strlen(end);
+      for (size_t k = d->record; k >= 10; k /= 10) {
+        digits++;
+      }
+      end[digits + 1] = '\0';
+      for (size_t k = d->record; digits + 1 > 0; k /= 10) {
+        end[digits--] = (char)('0' + k % 10);
+      }
+    }
+  }
+}
+
 static void draw(const struct figure *figure, const struct ph_layout *layout,
                  struct ph_page *page) {
   struct ph_spot middle = {0.5 * layout->width, 0.5 * layout->height};
@@ -96,6 +119,7 @@ enum ph_status ph_figure_write(const struct ph_drawing *const *drawings,
   figure->more = false;
   status = fill(figure, drawings, n, &arena, diag);
   if (status == PH_OK) {
+    set_titles(figure);
     status = ph_layout_make(figure->panels, figure->n, rules, figure->more,
                             &arena, &layout, diag);
   }

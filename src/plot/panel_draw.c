@@ -4,16 +4,16 @@
 #include "plot/globe.h"
 #include "plot/legend.h"
 #include "plot/panel.h"
-#include "plot/text.h"
 
 #include <math.h>
+#include <string.h>
 
 /* In ems: the title, the margins, a profile without its numbers. */
 #define TITLE 1.25
 #define TITLE_LINE 2.1
 #define RIGHT 1.3
 #define TOP 0.6
-#define PROFILE 8
+#define PROFILE 8.5
 #define PROFILE_GAP 0.9
 #define LEFT 5.5 /* of axes, before their numbers are known */
 #define CAPTION 1.9
@@ -26,6 +26,16 @@
 
 /* A view is no flatter than this, whatever the curve. */
 #define FLAT 0.4
+
+/* The parts of a panel's place. */
+struct place {
+  const struct ph_panel *panel;
+  struct ph_page *page;
+  double em;
+  double left;             /* room for numbers and names left of frames */
+  struct ph_rect views;    /* frames of views without their numbers */
+  struct ph_rect profiles; /* all of them, as the views */
+};
 
 /* ---- extents ------------------------------------------------------------- */
 
@@ -76,7 +86,7 @@ static double profiles_height(const struct ph_panel *panel, double em) {
 }
 
 double ph_panel_height(const struct ph_panel *panel, double width, double em) {
-  double title = panel->drawings[0]->title ? TITLE_LINE * em : 0;
+  double title = panel->title[0] ? TITLE_LINE * em : 0;
   return title + TOP * em + views_height(panel, width, em) +
          profiles_height(panel, em);
 }
@@ -96,10 +106,11 @@ static struct ph_axis axis_of(const struct ph_panel *panel, int which,
   return axis;
 }
 
-static struct ph_axes axes_of(const struct ph_panel *panel,
+static struct ph_axes axes_of(const struct place *place,
                               const struct ph_window *window, int x, int y) {
+  const struct ph_panel *panel = place->panel;
   struct ph_axes axes = {
-      window->rect,
+      window->rect, place->left,
       axis_of(panel, x, window->u, 0.5 * window->rect.w / window->scale),
       axis_of(panel, y, window->v, 0.5 * window->rect.h / window->scale)};
   return axes;
@@ -116,15 +127,6 @@ static struct ph_window window_of(const struct ph_panel *panel,
 
 /* ---- views --------------------------------------------------------------- */
 
-/* The parts of a panel's place. */
-struct place {
-  const struct ph_panel *panel;
-  struct ph_page *page;
-  double em;
-  struct ph_rect views;    /* frames of views without their numbers */
-  struct ph_rect profiles; /* all of them, as the views */
-};
-
 static void draw_view(const struct place *place, size_t view,
                       const struct ph_window *window) {
   struct ph_look look = {place->panel, place->panel->views[view], *window,
@@ -139,7 +141,7 @@ static struct ph_axes plane_axes(const struct place *place,
   *window =
       window_of(place->panel, &place->views, 0, 1,
                 fmin(place->views.w / extent[0], place->views.h / extent[1]));
-  return axes_of(place->panel, window, 0, 1);
+  return axes_of(place, window, 0, 1);
 }
 
 static void draw_plane(const struct place *place) {
@@ -174,7 +176,7 @@ static void space_layout(const struct place *place, struct space *space) {
   for (int i = 0; i < 3; i++) {
     int x = i == 2 ? 1 : 0, y = i == 0 ? 1 : 2;
     space->windows[i] = window_of(place->panel, &rects[i], x, y, space->scale);
-    space->axes[i] = axes_of(place->panel, &space->windows[i], x, y);
+    space->axes[i] = axes_of(place, &space->windows[i], x, y);
   }
   space->axes[0].x.bare = space->axes[2].y.bare = true;
 }
@@ -201,14 +203,31 @@ static void draw_box(const struct place *place, struct ph_look *look) {
   look->window.u = 0.5 * (low[0] + high[0]);
   look->window.v = 0.5 * (low[1] + high[1]);
   look->window.scale =
-      fmin(look->window.scale,
-           fmin(look->window.rect.w / fmax(high[0] - low[0], 1e-3),
-                look->window.rect.h / fmax(high[1] - low[1], 1e-3)) /
-               MARGIN);
+      fmin(look->window.scale, fmin((look->window.rect.w - 2 * place->em) /
+                                        fmax(high[0] - low[0], 1e-3),
+                                    (look->window.rect.h - 2 * place->em) /
+                                        fmax(high[1] - low[1], 1e-3)));
   ph_page_pen(look->page, ph_ink(PH_INK_BOX), 0.055 * look->em, 0);
   for (int i = 0; i < 12; i++) {
     ph_vec3 edge[2] = {corners[edges[i][0]], corners[edges[i][1]]};
     ph_strokes_line(look, PH_SIDE_ALL, edge, 2);
+  }
+}
+
+/* Names of the axes at three edges of the box that are in front. */
+static void name_box(const struct ph_look *look) {
+  const ph_vec3 a = look->panel->low, b = look->panel->high;
+  const ph_vec3 places[3] = {{0.5 * (a.x + b.x), a.y, a.z},
+                             {b.x, 0.5 * (a.y + b.y), a.z},
+                             {a.x, a.y, 0.5 * (a.z + b.z)}};
+  static const char *const names[3] = {"x", "y", "z"};
+  static const double right[3] = {-0.5, 0.7, -0.7}, down[3] = {1, 0.9, 0.3};
+  for (int i = 0; i < 3; i++) {
+    struct ph_spot at =
+        ph_window_spot(&look->window, ph_view_see(&look->view, places[i]));
+    at.x += right[i] * look->em;
+    at.y += down[i] * look->em;
+    ph_page_text(look->page, at, CAPTION_SIZE * look->em, 0.5, false, names[i]);
   }
 }
 
@@ -230,6 +249,7 @@ static void draw_space(const struct place *place) {
   }
   look.window = (struct ph_window){space.corner, 0, 0, space.scale};
   draw_box(place, &look);
+  name_box(&look);
   ph_strokes_draw(&look, PH_SIDE_ALL);
 }
 
@@ -279,6 +299,7 @@ static struct ph_axes profile_axes(const struct place *place, size_t which) {
   struct ph_axes axes = {{place->profiles.x,
                           place->profiles.y + (double)which * (h + gap),
                           place->profiles.w, h},
+                         place->left,
                          {.name = "arc length",
                           .low = 0,
                           .high = panel->length,
@@ -345,6 +366,7 @@ static struct place place_in(const struct ph_panel *panel, struct ph_page *page,
                          fmax(profiles - below - PROFILE_GAP * em, em)};
     left = left_of(&place);
   }
+  place.left = left;
   if (sphere) {
     place.views.x = body->x;
     place.views.w = body->w;
@@ -357,8 +379,8 @@ static void draw_title(const struct ph_panel *panel, struct ph_page *page,
                        struct ph_rect *cell, double em) {
   char text[PH_PLOT_TEXT_MAX];
   struct ph_spot at = {cell->x + 0.5 * cell->w, cell->y + 1.3 * em};
-  if (panel->drawings[0]->title) {
-    ph_plot_text(panel->drawings[0]->title, text);
+  if (panel->title[0]) {
+    memcpy(text, panel->title, sizeof text);
     ph_plot_text_fit(page, TITLE * em, cell->w - 2 * em, text);
     ph_page_text(page, at, TITLE * em, 0.5, false, text);
     cell->y += TITLE_LINE * em;

@@ -16,7 +16,7 @@
 /* Curvature times length below this is that of a straight line, and relative
  * changes below CONSTANT are none: rounding, to eyes. */
 #define STRAIGHT 1e-7
-#define CONSTANT 1e-5
+#define CONSTANT 1e-4
 
 /* A value, and how much of the arc length has it. */
 struct weighed {
@@ -262,7 +262,7 @@ void ph_profile_draw(const struct ph_drawing *const *drawings, size_t n,
         draw_one(&d->profiles[k], values, &marks,
                  n == 1 ? ph_colour_segment(k, d->segments_n, d->closed)
                         : ph_colour_ramp(i, n),
-                 (n == 1 ? 0.11 : 0.09) * em);
+                 0.11 * em * ph_colour_thin(n));
       }
     }
   }

@@ -8,13 +8,12 @@
 
 /* Widths, in ems. */
 #define CURVE 0.145
-#define CURVE_OF_MANY 0.11
 #define OFFSET 0.085
 #define POLYGON 0.06
 #define ARROW 0.075
 #define HEAD 0.62
 #define DASH 0.28
-#define DOT_MAX 0.24
+#define DOT_MAX 0.22
 #define DOT_MIN 0.09
 
 struct ph_seen ph_look_see(const struct ph_look *look, ph_vec3 place) {
@@ -152,20 +151,21 @@ static void choose_pen(const struct ph_look *look, enum ph_side side,
   const struct ph_drawing *d = panel->drawings[which];
   double em = look->em, dash = side == PH_SIDE_HIDDEN ? DASH * em : 0;
   bool many = panel->n > 1;
+  double thin = ph_colour_thin(panel->n);
   struct ph_colour ramp = ph_colour_ramp(which, panel->n);
   switch (stroke->role) {
   case PH_STROKE_CURVE:
-    ph_page_pen(
-        look->page,
-        many ? ramp : ph_colour_segment(segment, d->segments_n, d->closed),
-        (dash > 0 ? 0.7 : 1) * (many ? CURVE_OF_MANY : CURVE) * em, dash);
+    ph_page_pen(look->page,
+                many ? ramp
+                     : ph_colour_segment(segment, d->segments_n, d->closed),
+                (dash > 0 ? 0.7 : 1) * CURVE * thin * em, dash);
     break;
   case PH_STROKE_POLYGON:
     ph_page_pen(look->page, ph_ink(PH_INK_POLYGON), POLYGON * em, dash);
     break;
   case PH_STROKE_OFFSET:
     ph_page_pen(look->page, many ? ramp : ph_ink(PH_INK_OFFSET),
-                (many ? 0.6 : 1) * OFFSET * em, dash);
+                OFFSET * thin * em, dash);
     break;
   case PH_STROKE_TANGENT:
     ph_page_pen(look->page, ph_ink(PH_INK_TANGENT), ARROW * em, dash);
@@ -207,7 +207,7 @@ static double dot_radius(const struct ph_look *look,
     last = spot;
   }
   sum /= fmax(1, (double)d->data_n - 1);
-  return fmin(fmax(0.2 * sum, DOT_MIN * look->em), DOT_MAX * look->em);
+  return fmin(fmax(0.13 * sum, DOT_MIN * look->em), DOT_MAX * look->em);
 }
 
 static bool same_data(const struct ph_drawing *a, const struct ph_drawing *b) {
