@@ -2,6 +2,8 @@
 /* The table of commands (see command.h). */
 #include "cli/command.h"
 
+#include "cli/verify.h"
+#include "cli/work.h"
 #include "curve/bezier.h"
 #include "curve/offset.h"
 #include "curve/parallel.h"
@@ -14,7 +16,8 @@
 #include <string.h>
 
 const struct ph_command ph_commands[] = {
-    {&ph_method_planar, ph_cert_planar, ph_offset_planar, 1, ph_bezier_curve,
+    {PH_SOLVES_BY(ph_method_planar), ph_cert_planar, ph_offset_planar, 1,
+     ph_bezier_curve,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline planar\t"
      "Four points, the curve as JSON\n"
      "phspline planar --closed -q --offset=-10 coast.csv -o coast.json\t"
@@ -29,8 +32,8 @@ const struct ph_command ph_commands[] = {
      "\tAn algebraic-trigonometric curve as polynomial Bezier segments\n"
      "phspline planar --minimize=IES points.csv | jq .diagnostics\t"
      "The fairest knots\n"},
-    {&ph_method_spatial_hermite, ph_cert_spatial_hermite, ph_offset_spatial,
-     PH_OFFSETS_SPATIAL, ph_bezier_curve,
+    {PH_SOLVES_BY(ph_method_spatial_hermite), ph_cert_spatial_hermite,
+     ph_offset_spatial, PH_OFFSETS_SPATIAL, ph_bezier_curve,
      "printf '0,0,0\\n1,1,0\\n2,0,1\\n' | phspline spatial-hermite\t"
      "Three points, the curve as JSON\n"
      "phspline spatial-hermite --columns=x,y,z,tx,ty,tz -f csv sensors.csv\t"
@@ -43,7 +46,7 @@ const struct ph_command ph_commands[] = {
      "Algebraic-trigonometric segments that bend least\n"
      "phspline spatial-hermite --shape=false --angles='[0,0]' "
      "--sweep='angles[1]=-3:3:13' path.csv\tOther members of the family\n"},
-    {&ph_method_arclength, ph_cert_arclength, ph_offset_spatial,
+    {PH_SOLVES_BY(ph_method_arclength), ph_cert_arclength, ph_offset_spatial,
      PH_OFFSETS_SPATIAL, ph_bezier_curve,
      "phspline arclength --columns=x,y,z,length survey.csv\t"
      "Points, each with the distance from the one before, as JSON\n"
@@ -55,7 +58,8 @@ const struct ph_command ph_commands[] = {
      "The spline of the paper, and all minima that 20 more starts find\n"
      "phspline arclength --sweep='lengths[1]=1.4:1.456:5' problem.json\t"
      "One length in five steps\n"},
-    {&ph_method_sphere, ph_cert_sphere, ph_offset_spherical, 1, NULL,
+    {PH_SOLVES_BY(ph_method_sphere), ph_cert_sphere, ph_offset_spherical, 1,
+     NULL,
      "printf 'lon,lat\\n-9,39\\n-25,38\\n-64,32\\n-74,40\\n' | "
      "phspline sphere\tA voyage, the curve as JSON\n"
      "phspline sphere --columns=lon,lat --radius=6371 --sample=20 -f csv "
@@ -67,7 +71,8 @@ const struct ph_command ph_commands[] = {
      "phspline sphere --model=nielson --ends=rest --criterion=legacy "
      "--increase=plus:10 --epsilon=1e-3 points.csv\t"
      "As the thesis does it\n"},
-    {&ph_method_tc, ph_cert_tc, ph_offset_planar, 1, ph_bezier_curve,
+    {PH_SOLVES_BY(ph_method_tc), ph_cert_tc, ph_offset_planar, 1,
+     ph_bezier_curve,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline tc\t"
      "A spline of two cubics for each two points, as JSON\n"
      "phspline tc --columns=x,y,tx,ty --mode=g1-fair -f csv outline.csv\t"
@@ -81,13 +86,24 @@ const struct ph_command ph_commands[] = {
      "jq '.solutions[].length'\tEvery single cubic, those with loops too\n"
      "phspline tc --sweep=lambda=0.3,0.5,0.8 points.csv\t"
      "Tangents of three lengths\n"},
+    {&ph_verify_schema, "checks of results, from their control points alone",
+     PH_USE_VERIFY, ph_verify_work,
+     .examples =
+         "phspline planar points.csv | phspline verify\t"
+         "A curve and all that is said about it\n"
+         "phspline verify --problems=points.csv curve.json\t"
+         "... and that it is one through these points\n"
+         "phspline verify -q results.jsonl | jq -c '[.id, .worst]'\t"
+         "The worst error of each result\n"
+         "phspline verify --tolerance=1e-6 received.jsonl >/dev/null\t"
+         "Curves with coordinates of seven digits: the exit status tells\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];
 
 const struct ph_command *ph_command_find(const char *name) {
   for (size_t i = 0; i < ph_commands_n; i++) {
-    if (strcmp(ph_commands[i].method->schema.command, name) == 0) {
+    if (strcmp(ph_commands[i].schema->command, name) == 0) {
       return &ph_commands[i];
     }
   }

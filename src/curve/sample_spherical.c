@@ -9,9 +9,13 @@
 
 /* What is less than this of its terms is their rounding. */
 static const double ROUNDING = 64 * DBL_EPSILON;
+/* |S'| over |S''|, up to which one looks more closely. */
+static const double SLOW = 0x1p-20;
 
-struct ph_motion ph_motion_at(const struct ph_spherical *segment, double u) {
-  struct ph_motion motion;
+/* The motion at or next to rest, where S'' and S''' say what S' does not. */
+static struct ph_motion motion_slow(const struct ph_spherical *segment,
+                                    double u) {
+  struct ph_motion motion = {.speed = 0};
   ph_vec3 jet[4], along;
   double first, second, third;
   ph_spherical_jet(segment, u, jet);
@@ -27,14 +31,30 @@ struct ph_motion ph_motion_at(const struct ph_spherical *segment, double u) {
   } else {
     bool back = second > ROUNDING * third; /* before the end, S' is -S'' */
     double k = ph_vec3_triple(jet[0], jet[2], jet[3]);
-    motion.speed = 0;
-    motion.noise = 0;
     motion.turn =
         fabs(k) > ROUNDING * second * third ? 0.5 * k / (second * second) : 0;
     along = !back ? jet[3] : ph_vec3_scale(u < 1 ? 1 : -1, jet[2]);
   }
   /* S'' and S''' need not be normal to S. */
   motion.tangent = ph_vec3_unit(ph_vec3_normal(along, jet[0]));
+  return motion;
+}
+
+struct ph_motion ph_motion_at(const struct ph_spherical_fast *fast, double u) {
+  struct ph_motion motion;
+  ph_vec3 jet[3];
+  double square, bend;
+  ph_spherical_fast_jet(fast, u, jet);
+  square = ph_vec3_dot(jet[1], jet[1]);
+  bend = ph_vec3_dot(jet[2], jet[2]);
+  if (!(square > SLOW * SLOW * bend)) {
+    return motion_slow(&fast->segment, u);
+  }
+  motion.s = jet[0];
+  motion.speed = sqrt(square);
+  motion.turn = ph_vec3_triple(jet[0], jet[1], jet[2]) / square;
+  motion.noise = sqrt(bend / square);
+  motion.tangent = ph_vec3_unit(ph_vec3_normal(jet[1], jet[0]));
   return motion;
 }
 
@@ -63,7 +83,7 @@ double ph_motion_pace(const struct ph_motion *motion, double cosine,
 
 /* A segment of a curve, or of its parallel. */
 struct state {
-  struct ph_spherical segment;
+  struct ph_spherical_fast segment;
   double angle, cosine, sine; /* d of parallel.h; 0 of the curve itself */
   struct ph_primitive length; /* by u, on the unit sphere */
   double scale;               /* to the unit of the data */
@@ -150,8 +170,10 @@ static enum ph_status tabulate(struct ph_sampler *sampler) {
 static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
   const struct ph_curve *curve = sampler->curve;
   struct state *state = sampler->state;
+  struct ph_spherical segment;
   enum ph_status status;
-  state->segment = ph_spherical_of(curve, sampler->k);
+  segment = ph_spherical_of(curve, sampler->k);
+  ph_spherical_fast_of(&segment, &state->segment);
   state->scale = curve->radius;
   sampler->length = (double)NAN;
   if (sampler->offset) {
@@ -190,7 +212,7 @@ static double length(const struct ph_sampler *sampler, double u,
 static double bend(const struct ph_sampler *sampler, double u0, double u1) {
   const struct state *state = sampler->state;
   return sampler->curve->radius *
-         ph_bend_spherical(&state->segment, state->angle, u0, u1);
+         ph_bend_spherical(&state->segment.segment, state->angle, u0, u1);
 }
 
 /* ---- one place ----------------------------------------------------------- */

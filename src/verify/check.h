@@ -6,7 +6,7 @@
 #ifndef PH_VERIFY_CHECK_H
 #define PH_VERIFY_CHECK_H
 
-#include "verify/segment.h"
+#include "verify/place.h"
 
 /* ph_verify_shape: whether arrays, numbers and knots are such that there is a
  * curve to look at. */
@@ -22,5 +22,21 @@ void ph_verify_joint(struct ph_verify *v, const struct ph_verify_segment *a,
 
 /* ph_verify_lengths: of all segments, intervals and the whole. */
 void ph_verify_lengths(struct ph_verify *v);
+
+/* ph_verify_conversion: by how much a Bezier curve may be longer or shorter
+ * than the curve that it stands for; 0 of other curves. */
+double ph_verify_conversion(const struct ph_verify *v);
+
+/*
+ * ph_verify_samples: samples of the curve.
+ *
+ * in   beside  NULL, or the offset that they are of
+ * out  length  of what they are of
+ */
+void ph_verify_samples(struct ph_verify *v, const struct ph_samples *samples,
+                       const struct ph_verify_path *beside, double *length);
+
+/* ph_verify_offset: an offset curve. */
+void ph_verify_offset(struct ph_verify *v, const struct ph_offset *offset);
 
 #endif

@@ -12,13 +12,12 @@ static const double TURN = 6.3;
 /* How near Bezier curves are, of the size, unless they say it. */
 static const double CONVERSION = 1e-9;
 
-static double conversion_error(const struct ph_verify *v) {
-  if (v->curve->kind != PH_CURVE_BEZIER) {
-    return 0;
-  }
-  return ph_verify_known(v, PH_D_CONVERSION_ERROR)
-             ? ph_verify_scaled(v, v->diagnostics->value[PH_D_CONVERSION_ERROR])
-             : CONVERSION * v->size;
+double ph_verify_conversion(const struct ph_verify *v) {
+  const double *value = v->diagnostics->value;
+  double error = ph_verify_known(v, PH_D_CONVERSION_ERROR)
+                     ? ph_verify_scaled(v, value[PH_D_CONVERSION_ERROR])
+                     : CONVERSION * v->size;
+  return v->curve->kind == PH_CURVE_BEZIER ? TURN * error : 0;
 }
 
 /* A length that is claimed, in the unit of the record. */
@@ -51,7 +50,7 @@ static void check_interval(struct ph_verify *v, size_t i, double each) {
 void ph_verify_lengths(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
   struct ph_sum sum = {0, 0};
-  double allowance = 0, each = TURN * conversion_error(v);
+  double allowance = 0, each = ph_verify_conversion(v);
   for (size_t k = 0; k < c->n; k++) {
     if (c->lengths) {
       check(v, ph_verify_in(k, "length"), c->lengths[k], v->length[k],

@@ -2,7 +2,6 @@
 /* Segments from their control points (see segment.h). */
 #include "verify/segment.h"
 
-#include "kernel/adapt.h"
 #include "verify/spherical.h"
 
 /* Lengths, relative. */
@@ -198,36 +197,6 @@ ph_vec3 ph_verify_point(const struct ph_verify *v,
                  : ph_vec3_sub(s->p[s->m + 1], chord(v, s, u, 1));
 }
 
-/* kappa = (r' x r'') / |r'|^3, of a surface r'' within it; in space the
- * absolute value. */
-struct ph_verify_bend ph_verify_bend_at(const struct ph_verify *v,
-                                        const struct ph_verify_segment *s,
-                                        double u) {
-  struct ph_verify_bend b;
-  ph_vec3 jet[2], turn;
-  double square;
-  ph_verify_jet(s, u, jet, 2);
-  b.first = jet[0];
-  b.speed = ph_vec3_abs(jet[0]);
-  b.tangent = ph_vec3_scale(1 / b.speed, jet[0]);
-  b.speed_error = ph_verify_uncertain(s, 1);
-  b.tangent_error = b.speed_error / b.speed;
-  turn = ph_vec3_cross(b.tangent, jet[1]);
-  square = b.speed * b.speed;
-  if (s->radius > 0) {
-    ph_vec3 all[3];
-    ph_verify_great(s->p, u, all);
-    b.curvature = ph_vec3_dot(all[0], turn) / square;
-  } else {
-    b.curvature =
-        v->curve->dimension == 2 ? turn.z / square : ph_vec3_abs(turn) / square;
-  }
-  b.curvature_error =
-      (ph_verify_uncertain(s, 2) + 3 * ph_vec3_abs(jet[1]) * b.tangent_error) /
-      square;
-  return b;
-}
-
 static double speed_at(const void *context, double u) {
   ph_vec3 first;
   ph_verify_jet(context, u, &first, 1);
@@ -237,5 +206,5 @@ static double speed_at(const void *context, double u) {
 double ph_verify_length_of(const struct ph_verify *v,
                            const struct ph_verify_segment *s, double from,
                            double to) {
-  return ph_adapt(&v->rule, speed_at, s, from, to, s->noise, LENGTH);
+  return ph_verify_integral(&v->rule, speed_at, s, from, to, s->noise, LENGTH);
 }

@@ -73,20 +73,6 @@ static inline double ph_verify_uncertain(const struct ph_verify_segment *s,
   return noise;
 }
 
-/* What bends at a place.  An error is what the uncertainty of r' can make. */
-struct ph_verify_bend {
-  ph_vec3 first, tangent; /* r', and its direction */
-  double speed, speed_error;
-  double tangent_error;
-  double curvature; /* signed in the plane, geodesic on the sphere */
-  double curvature_error;
-};
-
-/* ph_verify_bend_at: where r' = 0 nothing is finite. */
-struct ph_verify_bend ph_verify_bend_at(const struct ph_verify *v,
-                                        const struct ph_verify_segment *s,
-                                        double u);
-
 /*
  * ph_verify_length_of: the length of the part [from,to] of a segment, by
  * adaptive quadrature to 1e-13 relative and what r' is uncertain by.

@@ -89,6 +89,20 @@ static void check_segments(struct ph_verify *v) {
   }
 }
 
+/* What was made of the curve of the record. */
+static void check_derived(struct ph_verify *v) {
+  const struct ph_result *claim = v->claim;
+  double length;
+  if (claim->samples.n > 0) {
+    ph_verify_samples(v, &claim->samples, NULL, &length);
+  }
+  for (size_t i = 0; i < claim->offsets_n; i++) {
+    ph_verify_prefix(v, "offsets", i);
+    ph_verify_offset(v, &claim->offsets[i]);
+  }
+  ph_verify_prefix(v, NULL, 0);
+}
+
 /* A curve, alone or one of several solutions. */
 static enum ph_status check_curve(struct ph_verify *v) {
   size_t n = v->curve->n;
@@ -102,6 +116,9 @@ static enum ph_status check_curve(struct ph_verify *v) {
   }
   check_segments(v);
   ph_verify_lengths(v);
+  if (v->curve == &v->claim->curve) {
+    check_derived(v);
+  }
   return PH_OK;
 }
 
@@ -151,7 +168,7 @@ enum ph_status ph_verify_result(const struct ph_result *claim,
   struct ph_mark mark = ph_arena_mark(scratch);
   enum ph_status status;
   *verdict = (struct ph_verdict){.worst = PH_V_N};
-  if (!ph_quad_gauss(&v.rule, 8) || !ph_quad_gauss(&v.fine, 16)) {
+  if (!ph_verify_rule_of(&v.rule) || !ph_quad_gauss(&v.fine, 16)) {
     return ph_fail_memory(diag);
   }
   status = check_curve(&v);

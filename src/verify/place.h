@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A place on a curve or on an offset of it: point, direction, curvature,
+ * torsion, and by how much each may be off because control points are rounded.
+ *
+ * With o = r + d e, e a unit vector across the curve,
+ *
+ *   plane    e = i r' / |r'|, from the control points
+ *   space    e = A j A* / |A|^2 or A k A* / |A|^2, A the claimed preimage
+ *
+ * derivatives of o are those of power series, and what bends follows from them.
+ * On the unit sphere O = cos d S + sin d S x T, with T the unit tangent of S:
+ *
+ *   O' = g T,  g = cos d |S'| - sin d K / |S'|^2,  K = S . (S' x S'')   (1)
+ *
+ * and a curve that bends as a circle of radius rho, kappa = cot rho, has a
+ * parallel that bends as one of radius rho - d.
+ */
+#ifndef PH_VERIFY_PLACE_H
+#define PH_VERIFY_PLACE_H
+
+#include "verify/segment.h"
+
+/* What is looked at: a segment, or the offset of it. */
+struct ph_verify_path {
+  const struct ph_verify *v;
+  const struct ph_verify_segment *s;
+  double distance; /* at unit scale; on a sphere the angle; 0: the curve */
+  bool binormal;   /* in space: along e3 */
+};
+
+struct ph_verify_place {
+  ph_vec3 point, tangent;
+  double point_error, tangent_error; /* the latter is not finite where the
+                                        curve stands still */
+  double speed, speed_error;         /* |o'| by u */
+  double along; /* o' in the direction of the curve: < 0 where the offset
+                   turned back */
+  double along_error;
+  double curvature, curvature_error; /* signed in the plane, geodesic on the
+                                        sphere */
+  double torsion, torsion_error;     /* in space */
+  double flat; /* in space: the relative error of r' x r'' */
+};
+
+/* ph_verify_place_at: the place at u in [0,1]. */
+struct ph_verify_place ph_verify_place_at(const struct ph_verify_path *path,
+                                          double u);
+
+/* ph_verify_across: e. */
+ph_vec3 ph_verify_across(const struct ph_verify_path *path, double u);
+
+/* ph_verify_path_length: the length of the path between two places, NaN where
+ * it is not found; as ph_verify_length_of. */
+double ph_verify_path_length(const struct ph_verify_path *path, double from,
+                             double to);
+
+#endif
