@@ -8,6 +8,7 @@
 #include "curve3_unit.h"
 #include "sample_unit.h"
 #include "seg2_unit.h"
+#include "seg3_unit.h"
 #include "spherical_curve_unit.h"
 #include "tc_curve_unit.h"
 
@@ -276,6 +277,20 @@ static struct ph_offset offset_of(const struct any *any, enum kind kind,
   return offset;
 }
 
+/* It is an offset that is sampled: at its distance from the curve. */
+static void check_aside(const struct ph_curve *curve,
+                        const struct ph_offset *offset) {
+  struct ph_sampler on = unit_sampler(curve, NULL, 0, &arena);
+  struct ph_sampler beside = unit_sampler(curve, offset, 0, &arena);
+  double distance = unit_distance3(ph_sampler_at(&on, 0.4).point,
+                                   ph_sampler_at(&beside, 0.4).point);
+  double wanted = fabs(offset->distance);
+  if (curve->radius > 0) {
+    wanted = 2 * curve->radius * sin(wanted / (2 * curve->radius));
+  }
+  ck_abs(distance, wanted, 1e-12);
+}
+
 /* Offsets to either side, with cusps and without. */
 START_TEST(test_offsets) {
   struct unit_random r = unit_random_of(800 + (uint64_t)_i);
@@ -288,6 +303,7 @@ START_TEST(test_offsets) {
       struct ph_offset offset = offset_of(&any, (enum kind)_i, distance,
                                           _i == SPACE && n % 2 ? PH_E3 : PH_E2);
       cusps += offset.cusps.n;
+      check_aside(any.curve, &offset);
       check(any.curve, &offset, tolerances[j]);
       ph_arena_reset(&arena);
     }
@@ -327,6 +343,34 @@ START_TEST(test_circle) {
     ck_assert_double_le((double)check(any.curve, NULL, wanted[i][0]),
                         wanted[i][1]);
   }
+}
+END_TEST
+
+/* Two halves of a circle: where they meet there is one control point. */
+START_TEST(test_closed) {
+  const double angle = PI / 2, alpha[2] = {angle, angle}, root = sqrt(PI);
+  const double handle = root * angle / (2 * ph_atph_of(angle).slope);
+  const ph_quat a[5] = {{root, 0, 0, 0},
+                        {root, 0, 0, handle},
+                        {0, 0, 0, root},
+                        {-handle, 0, 0, root},
+                        {-root, 0, 0, 0}};
+  struct any any;
+  struct ph_pieces cubics;
+  size_t n, joints = 0;
+  unit_curve3_of(&any.space, 2, alpha, a, ph_vec3_of(1, 1. / 3, 0));
+  any.space.curve.closed = true;
+  check(&any.space.curve, NULL, 1e-5);
+  cubics = cubics_of(&any.space.curve, NULL, 1e-5);
+  n = cubics.n;
+  for (size_t i = 0; i < n; i++) {
+    const double *p = cubics.control_points + 8 * i;
+    const double *next = cubics.control_points + 8 * ((i + 1) % n);
+    ck_abs(p[6], next[0], 0);
+    ck_abs(p[7], next[1], 0);
+    joints += cubics.segment[i] != cubics.segment[(i + 1) % n];
+  }
+  ck_assert_uint_eq(joints, 2);
 }
 END_TEST
 
@@ -418,6 +462,7 @@ static Suite *suite(void) {
   tcase_add_loop_test(t, test_curves, 0, KINDS);
   tcase_add_loop_test(t, test_offsets, 0, BEZIER);
   tcase_add_test(t, test_circle);
+  tcase_add_test(t, test_closed);
   tcase_add_test(t, test_edge_on);
   tcase_add_test(t, test_upright);
   tcase_add_test(t, test_exact);
