@@ -186,10 +186,12 @@ static void examples(struct page *page, const char *text) {
   }
 }
 
-static void statuses(struct page *page) {
-  static const char *const text[] = {
-      "every problem solved",
-      "at least one problem failed; every other result was written",
+static void statuses(struct page *page, enum ph_use use) {
+  bool verify = use == PH_USE_VERIFY;
+  const char *const text[] = {
+      verify ? "every result is right" : "every problem solved",
+      verify ? "at least one is not, or could not be read; all were looked at"
+             : "at least one problem failed; every other result was written",
       "usage error; nothing was read or written",
       "input could not be read, or was cut off by a syntax error",
       "output could not be written",
@@ -227,7 +229,7 @@ void ph_help_program(struct ph_buf *buf) {
           "Problems are read from each FILE in turn, or from standard input "
           "where there is none or it is -, as JSON, JSON Lines or CSV. Each "
           "gives one result, in order, whether it could be solved or not.");
-  statuses(&page);
+  statuses(&page, PH_USE_SOLVE);
   heading(&page, "Manual: man phspline, man phspline-COMMAND, man 5 phspline");
 }
 
@@ -244,7 +246,7 @@ void ph_help_command(struct ph_buf *buf, const struct ph_command *command) {
   fields(&page, schema);
   options(&page, "Options:", command->use, schema);
   examples(&page, command->examples);
-  statuses(&page);
+  statuses(&page, command->use);
   end_line(&page);
   put_text(&page, "Manual: man phspline-");
   put_text(&page, schema->command);

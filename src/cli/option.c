@@ -228,6 +228,18 @@ static enum ph_status check_together(struct ph_option_parser *p) {
     return ph_fail(p->diag, PH_USAGE, NULL,
                    "--table needs --format=csv or --format=text");
   }
+  if (o->format == PH_FORMAT_SVG_PATH &&
+      (o->samples.how == PH_SAMPLE_PARAMETER ||
+       o->samples.how == PH_SAMPLE_SPACING)) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--format=svg-path has no samples; --chord-error says how "
+                   "near paths are to the curve");
+  }
+  if (o->format == PH_FORMAT_SVG_PATH && o->convert) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--format=svg-path is of cubics; --convert does nothing "
+                   "there");
+  }
   if (o->pretty && o->format != PH_FORMAT_JSON) {
     return ph_fail(p->diag, PH_USAGE, NULL, "--pretty needs --format=json");
   }

@@ -7,7 +7,6 @@
 #include "plot/figure.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 /* Figures are no smaller and no larger than this to a side; cairo's limit is

@@ -65,25 +65,27 @@ static enum ph_status fill(struct figure *figure,
   return status;
 }
 
+/* "record 12" */
+static void number_text(size_t record, char *text) {
+  char digits[24];
+  size_t n = sizeof digits - 1;
+  digits[n] = '\0';
+  do {
+    digits[--n] = (char)('0' + record % 10);
+    record /= 10;
+  } while (record > 0);
+  strcpy(text, "record ");
+  strcat(text, digits + n);
+}
+
 /* Titles; problems without one are numbered, where there are several. */
 static void set_titles(struct figure *figure) {
   for (size_t i = 0; i < figure->n; i++) {
     struct ph_panel *panel = &figure->panels[i];
-    const struct ph_drawing *d = panel->drawings[0];
-    size_t digits = 0;
-    char *end = panel->title;
-    if (d->title) {
-      ph_plot_text(d->title, panel->title);
+    if (panel->drawings[0]->title) {
+      ph_plot_text(panel->drawings[0]->title, panel->title);
     } else if (figure->n > 1) {
-      ph_plot_text("record ", panel->title);
-      end += strlen(end);
-      for (size_t k = d->record; k >= 10; k /= 10) {
-        digits++;
-      }
-      end[digits + 1] = '\0';
-      for (size_t k = d->record; digits + 1 > 0; k /= 10) {
-        end[digits--] = (char)('0' + k % 10);
-      }
+      number_text(panel->drawings[0]->record, panel->title);
     }
   }
 }

@@ -6,6 +6,24 @@
  * curvature and torsion below; results of a sweep share the panel of their
  * problem and are told apart by colour, with a legend.  Cairo does the drawing,
  * behind page.c; the same drawings give the same bytes.
+ *
+ * Views of a plane curve: 1; of one in space: 4, x-y, x-z, y-z and one of all;
+ * of one on a sphere: 1, or 2 where part of it is behind.  An SVG has, as
+ * elements with a stroke of a colour (colour.h; percent of red, green, blue):
+ *
+ *   a segment of the curve   1 in each view, on a sphere 1 more where it is
+ *       (8,39,70 and 90,47,8  partly hidden; 1 in each profile, which it needs
+ *       in turn, 49,32,66     more than one value for.  Not with a sweep: there
+ *       the last of a closed  the ramp has the colours
+ *       odd number of them)
+ *   an offset (5,58,44), a polygon (66,66,66), a tangent (36,36,36; its head
+ *       is filled)            1 in each view, on a sphere as above
+ *   a joint (85,85,85)        1 in each profile, if there is room for them
+ *   a tick (44,44,44), a frame (45,45,45), a line of the graticule (87,88,90),
+ *       the outline of a sphere (55,56,58)   1
+ *
+ * and dots (10,10,10; behind a sphere 55,56,58) that are filled.  What is out
+ * of its frame is not there.
  */
 #ifndef PH_PLOT_FIGURE_H
 #define PH_PLOT_FIGURE_H
@@ -47,6 +65,8 @@ bool ph_figure_can(void);
 
 /*
  * ph_figure_write: appends the bytes of the figure.
+ *
+ * Titles and labels may be any bytes and of any length, numbers any doubles.
  *
  * in   drawings[n]  in the order of the records; n = 0 is an empty page
  * ret  PH_OK | PH_NO_MEMORY | PH_INTERNAL (cairo failed, or is not there; says

@@ -95,16 +95,20 @@ static int64_t floor_to(int64_t k, int64_t unit) {
   return k - (rest < 0 ? rest + unit : rest);
 }
 
-/* The round number in common of first .. last, where it saves digits. */
+/* A round number among first .. last, or below them, where it saves digits. */
 static int64_t base_of(int64_t first, int64_t last) {
-  int64_t most = llabs(first) > llabs(last) ? first : last, unit = 1;
+  int64_t most = llabs(first) > llabs(last) ? first : last, unit = 1, base;
   if (digits_of(most) <= DIGITS_MAX) {
     return 0;
   }
   while (unit < last - first) {
     unit *= 10;
   }
-  return digits_of(unit) + 1 < digits_of(most) ? floor_to(first, unit) : 0;
+  if (digits_of(unit) + 1 >= digits_of(most)) {
+    return 0;
+  }
+  base = floor_to(last, unit);
+  return base >= first ? base : floor_to(first, unit);
 }
 
 static void labels(struct ph_ticks *ticks, int64_t first, int64_t step, int e) {

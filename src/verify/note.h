@@ -10,6 +10,7 @@
 #include "kernel/pow2.h"
 #include "kernel/quad.h"
 #include "kernel/vec3.h"
+#include "verify/integral.h"
 #include "verify/verify.h"
 
 #include <float.h>
@@ -62,8 +63,8 @@ struct ph_verify {
   double *length; /* [n] by quadrature; NaN where that failed */
   double *noise;  /* [n] by how much r' by u in [0,1] is uncertain */
 
-  struct ph_quad rule; /* of 8 nodes, and */
-  struct ph_quad fine; /* of 16 */
+  struct ph_verify_rule rule;
+  struct ph_quad fine; /* of 16 nodes */
 };
 
 /* ---- the worst errors --------------------------------------------------- */

@@ -222,35 +222,87 @@ static void check_beziers(struct context *c) {
 
 /* ---- cusps -------------------------------------------------------------- */
 
-/* Whether a cusp is listed between two places of segment k. */
-static bool has_cusp(const struct context *c, size_t k, double from,
-                     double to) {
+/* A place along the curve, and which way the offset moves there, 0: it is not
+ * certain. */
+struct turn {
+  size_t k;
+  double u, along;
+};
+
+static struct turn turn_at(struct context *c, size_t k, double u) {
+  struct ph_verify_place at = ph_verify_place_at(&c->path, u);
+  struct turn turn = {k, u, at.along};
+  if (!(fabs(at.along) > 4 * at.along_error)) {
+    turn.along = 0;
+  }
+  return turn;
+}
+
+static bool is_before(size_t k, double u, const struct turn *turn) {
+  return k < turn->k || (k == turn->k && u < turn->u);
+}
+
+/* Whether a cusp is listed from one place to the other; round the joint of a
+ * closed curve if the latter is the first. */
+static bool has_cusp(const struct context *c, const struct turn *from,
+                     const struct turn *to) {
   const struct ph_cusps *cusps = &c->o->cusps;
+  const double *alpha = c->v->curve->alpha;
+  bool round = to->k < from->k || (to->k == from->k && to->u < from->u);
   for (size_t i = 0; i < cusps->n; i++) {
-    double u = cusps->at[i].t / c->segment.unit;
-    if (cusps->at[i].segment == k && u >= from && u <= to) {
+    size_t k = cusps->at[i].segment;
+    double t = cusps->at[i].t, u;
+    u = alpha && k < c->v->curve->n ? t / alpha[k] : t;
+    if (round ? !is_before(k, u, from) || !(to->k < k || u > to->u)
+              : !is_before(k, u, from) && !(to->k < k || u > to->u)) {
       return true;
     }
   }
   return false;
 }
 
-/* A change of direction between two places where it is certain. */
-static void search(struct context *c, size_t k) {
-  double before = 0, since = 0;
-  for (size_t i = 0; i <= SEARCH; i++) {
-    double u = (double)i / SEARCH;
-    struct ph_verify_place at = ph_verify_place_at(&c->path, u);
-    if (fabs(at.along) > 4 * at.along_error) {
-      if (before * at.along < 0 && !has_cusp(c, k, since, u)) {
-        ph_verify_wrong(c->v, PH_V_OFFSET,
-                        ph_verify_of("cusps", PH_VERIFY_ONE, NULL),
-                        "do not list one where the offset turns back");
-      }
-      before = at.along;
-      since = u;
+static void check_turn(struct context *c, const struct turn *from,
+                       const struct turn *to) {
+  if (from->along * to->along < 0 && !has_cusp(c, from, to)) {
+    ph_verify_wrong(c->v, PH_V_OFFSET,
+                    ph_verify_of("cusps", PH_VERIFY_ONE, NULL),
+                    "do not list one where the offset turns back");
+  }
+}
+
+/* Changes of direction between places where it is certain.  In space frames
+ * need not be those of the segment before, nor need offsets meet. */
+static void search(struct context *c) {
+  const struct turn none = {0, 0, 0};
+  struct turn first = none, before = none;
+  bool space = c->o->vector != NULL;
+  for (size_t k = 0; k < c->v->curve->n; k++) {
+    enter(c, k);
+    before = space ? none : before;
+    for (size_t i = 0; i <= SEARCH; i++) {
+      struct turn now = turn_at(c, k, (double)i / SEARCH);
+      check_turn(c, &before, &now);
+      before = fabs(now.along) > 0 ? now : before;
+      first = fabs(first.along) > 0 ? first : now;
     }
   }
+  if (c->v->curve->closed && !space) {
+    check_turn(c, &before, &first);
+  }
+}
+
+/* Whether the offset turns back at a joint, seen from one side, where the
+ * curvature jumps. */
+static bool turns_at_joint(struct context *c, size_t k, double u,
+                           double along) {
+  const struct ph_curve *curve = c->v->curve;
+  bool back = u <= 0;
+  size_t n = curve->n, beside = back ? (k + n - 1) % n : (k + 1) % n;
+  if ((u > 0 && u < 1) || (beside == (back ? n - 1 : 0) && !curve->closed)) {
+    return false;
+  }
+  enter(c, beside);
+  return ph_verify_place_at(&c->path, back ? 1 : 0).along * along <= 0;
 }
 
 /* A listed cusp: how far the offset is from turning back there. */
@@ -271,7 +323,8 @@ static void check_cusp(struct context *c, size_t i) {
   }
   place = ph_verify_place_at(&c->path, u);
   speed = ph_verify_larger(c->segment.speed, place.speed);
-  if (isfinite(place.along)) {
+  if (isfinite(place.along) &&
+      !turns_at_joint(c, at->segment, u, place.along)) {
     ph_verify_miss(v, PH_V_OFFSET, ph_verify_of("cusps", i, "t"),
                    fabs(place.along), speed, CUSP * speed + place.along_error,
                    "is where the offset moves on");
@@ -282,10 +335,7 @@ static void check_cusps(struct context *c) {
   for (size_t i = 0; i < c->o->cusps.n; i++) {
     check_cusp(c, i);
   }
-  for (size_t k = 0; k < c->v->curve->n; k++) {
-    enter(c, k);
-    search(c, k);
-  }
+  search(c);
 }
 
 /* ---- all ---------------------------------------------------------------- */

@@ -2,7 +2,6 @@
 /* Places on curves and their offsets (see place.h). */
 #include "verify/place.h"
 
-#include "kernel/adapt.h"
 #include "kernel/quat.h"
 #include "verify/spherical.h"
 
@@ -276,6 +275,6 @@ double ph_verify_path_length(const struct ph_verify_path *path, double from,
   if (!(fabs(path->distance) > 0)) {
     return ph_verify_length_of(path->v, path->s, from, to);
   }
-  return ph_adapt(&path->v->rule, speed_at, path, from, to, path->s->noise,
-                  LENGTH);
+  return ph_verify_integral(&path->v->rule, speed_at, path, from, to,
+                            path->s->noise, LENGTH);
 }

@@ -2,7 +2,6 @@
 /* Segments from their control points (see segment.h). */
 #include "verify/segment.h"
 
-#include "kernel/adapt.h"
 #include "verify/spherical.h"
 
 /* Lengths, relative. */
@@ -207,5 +206,5 @@ static double speed_at(const void *context, double u) {
 double ph_verify_length_of(const struct ph_verify *v,
                            const struct ph_verify_segment *s, double from,
                            double to) {
-  return ph_adapt(&v->rule, speed_at, s, from, to, s->noise, LENGTH);
+  return ph_verify_integral(&v->rule, speed_at, s, from, to, s->noise, LENGTH);
 }

@@ -168,7 +168,7 @@ enum ph_status ph_verify_result(const struct ph_result *claim,
   struct ph_mark mark = ph_arena_mark(scratch);
   enum ph_status status;
   *verdict = (struct ph_verdict){.worst = PH_V_N};
-  if (!ph_quad_gauss(&v.rule, 8) || !ph_quad_gauss(&v.fine, 16)) {
+  if (!ph_verify_rule_of(&v.rule) || !ph_quad_gauss(&v.fine, 16)) {
     return ph_fail_memory(diag);
   }
   status = check_curve(&v);

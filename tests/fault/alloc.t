@@ -280,3 +280,15 @@ file=d/file
 exhaust 'a file' lines planar -j 1 -o d/file some.jsonl
 exhaust 'a file, two threads' lines planar -j 2 -o d/file some.jsonl
 exhaust 'a table in a file' lines planar -j 1 -f csv -o d/file some.csv
+if "$PHSPLINE" planar -p x.svg </dev/null 2>err; then
+  ln -s d/file figure.svg
+  ln -s d/file figure.png
+  exhaust 'a figure' lines planar -j 1 -q -p figure.svg -d 0.1 some.jsonl
+  exhaust 'a figure of a sweep, two threads' lines planar -j 2 -p figure.svg \
+    -S 'knots=[0,1,2],uniform' some.jsonl
+  exhaust 'a figure of vectors in space' lines spatial-hermite -j 1 \
+    -p figure.png shapes.jsonl
+  exhaust 'a figure on a sphere' lines sphere -j 1 -q -p figure.svg sphere.csv
+else
+  echo 'skip figures: built without cairo'
+fi

@@ -71,7 +71,7 @@ static struct unit_wanted wanted_of(struct unit_random *r, double size,
   w.samples.spacing = size * unit_random_in(r, 0.05, 0.5);
   w.samples.chord_error = size * unit_random_in(r, 1e-4, 1e-2);
   if (space && w.samples.how) {
-    w.samples.frame = unit_random_below(r, 4);
+    w.samples.frame = 0;
   }
   w.offset = unit_random_below(r, 2) ? size * unit_random_in(r, -0.5, 0.5) : 0;
   w.bezier = unit_random_below(r, 4) == 0;
