@@ -125,6 +125,7 @@ tampered '.segments[1].preimage[0] |= map(-.) | .segments[1].preimage[1][2] += 0
   preimage_error
 tampered '.samples[3].torsion += 1e-6' sample_error
 tampered '.samples[3].normal |= map(-.)' sample_error
+# shellcheck disable=SC2016 # jq's variable
 tampered '.samples[3] |= (.normal as $n | .normal = .binormal | .binormal = $n)' \
   sample_error
 tampered '.offsets[0].vector = "e3"' offset_error
