@@ -21,12 +21,8 @@
 
 #include "curve/sample_kind.h"
 
-#include <float.h>
-
 /* Of the integrals: of turn + 1, so that it is relative to 1 at least. */
 static const double TOLERANCE = 1e-13;
-/* What is less than this of its terms is their rounding. */
-static const double ROUNDING = 64 * DBL_EPSILON;
 
 enum { LOOKS = 33, AXES = 9 };
 
@@ -38,15 +34,6 @@ static ph_vec3 carried(ph_vec3 v, ph_vec3 a, ph_vec3 t) {
 
 /* ---- reference frames ---------------------------------------------------- */
 
-/* A, or what has its direction where it is 0. */
-static ph_quat direction_at(const struct ph_fast3 *fast, double u) {
-  const struct ph_fast3_place at = ph_fast3_at(fast, u);
-  const ph_quat a = ph_fast3_preimage(&at), slope = ph_fast3_slope(&at);
-  return ph_quat_abs(a) > ROUNDING       ? a
-         : ph_quat_abs(slope) > ROUNDING ? slope
-                                         : ph_fast3_bend(fast, &at);
-}
-
 /* out  e[3]  e[0] is the tangent */
 static void reference_at(const struct ph_framing *f, double u, ph_vec3 e[3]) {
   if (f->curve->kind == PH_CURVE_BEZIER) {
@@ -54,7 +41,8 @@ static void reference_at(const struct ph_framing *f, double u, ph_vec3 e[3]) {
     e[1] = carried(f->axes[1], f->axes[0], e[0]);
     e[2] = carried(f->axes[2], f->axes[0], e[0]);
   } else {
-    const ph_quat a = direction_at(&f->fast, u);
+    const struct ph_fast3_place at = ph_fast3_at(&f->fast, u);
+    const ph_quat a = ph_fast3_direction(&f->fast, &at);
     const double per = 1 / ph_quat_dot(a, a);
     e[0] = ph_vec3_scale(per, ph_quat_i(a, a));
     e[1] = ph_vec3_scale(per, ph_quat_j(a, a));
@@ -183,7 +171,8 @@ enum ph_status ph_framing_enter(struct ph_framing *f, size_t k,
     minimising_at(f, 1, before);
   }
   if (sphere) {
-    f->sphere = ph_spherical_of(f->curve, k);
+    const struct ph_spherical segment = ph_spherical_of(f->curve, k);
+    ph_spherical_fast_of(&segment, &f->sphere);
   } else if (f->curve->kind == PH_CURVE_BEZIER) {
     f->bezier = ph_bezier_of(f->curve, k);
     choose_axes(f);

@@ -9,7 +9,7 @@
 #include "curve/sample.h"
 #include "curve/sample_bezier.h"
 #include "curve/seg3_fast.h"
-#include "curve/spherical.h"
+#include "curve/spherical_fast.h"
 #include "kernel/primitive.h"
 
 struct ph_framing {
@@ -18,7 +18,7 @@ struct ph_framing {
   struct ph_arena *arena;
   struct ph_fast3 fast; /* the segment, of the kind that it is */
   struct ph_bezier bezier;
-  struct ph_spherical sphere;
+  struct ph_spherical_fast sphere;
   ph_vec3 axes[3];          /* the reference frame of a Bezier curve */
   struct ph_primitive turn; /* of the reference frame, see sample_frame.c */
   double angle;             /* the same, at the start of the segment */

@@ -112,9 +112,10 @@ static void exponent_text(int power, char text[16]) {
   text[n] = '\0';
 }
 
-/* A name, centred, with its exponent. */
+/* A name, centred, with its exponent; in smaller letters where there is no
+ * room for it. */
 static void put_name(const struct ph_axis *axis, struct ph_page *page,
-                     double em, struct ph_spot at, bool up) {
+                     double em, double room, struct ph_spot at, bool up) {
   char text[128], exponent[16] = "";
   double w, e;
   if (name_text(axis, text)) {
@@ -122,6 +123,11 @@ static void put_name(const struct ph_axis *axis, struct ph_page *page,
   }
   w = ph_page_text_width(page, em, text);
   e = ph_page_text_width(page, POWER * em, exponent);
+  if (w + e > room && room > 0) {
+    em *= room / (w + e);
+    e *= room / (w + e);
+    w = room - e;
+  }
   if (up) {
     at.y += 0.5 * (w + e);
   } else {
@@ -155,7 +161,7 @@ static void x_axis(const struct ph_axes *axes, struct ph_page *page,
   if (!axis->bare) {
     struct ph_spot at = {axes->rect.x + 0.5 * axes->rect.w,
                          bottom + (TICK + GAP + 0.65 + NAME_LINE) * em};
-    put_name(axis, page, em, at, false);
+    put_name(axis, page, em, axes->rect.w, at, false);
   }
 }
 
@@ -179,7 +185,7 @@ static void y_axis(const struct ph_axes *axes, struct ph_page *page,
   if (!axis->bare) {
     double room = axes->left > 0 ? axes->left : ph_axes_left(axes, page, em);
     struct ph_spot at = {left - room + em, axes->rect.y + 0.5 * axes->rect.h};
-    put_name(axis, page, em, at, true);
+    put_name(axis, page, em, axes->rect.h, at, true);
   }
 }
 

@@ -24,6 +24,9 @@
 /* What is seen is so much smaller than its frame. */
 #define MARGIN 1.1
 
+/* ... and at least so much of its frame. */
+#define LOOSE 1.7
+
 /* A view is no flatter than this, whatever the curve. */
 #define FLAT 0.4
 
@@ -45,7 +48,8 @@ static void extents(const struct ph_panel *panel, double extent[3]) {
   extent[0] = panel->high.x - panel->low.x;
   extent[1] = panel->high.y - panel->low.y;
   extent[2] = panel->high.z - panel->low.z;
-  most = fmax(fmax(extent[0], extent[1]), fmax(extent[2], 1e-3));
+  most = fmax(fmax(extent[0], extent[1]), extent[2]);
+  most = most > 0 ? most : 1; /* a point */
   for (int i = 0; i < 3; i++) {
     extent[i] = MARGIN * fmax(extent[i], FLAT * most);
   }
@@ -134,13 +138,22 @@ static void draw_view(const struct place *place, size_t view,
   ph_strokes_draw(&look, PH_SIDE_ALL);
 }
 
+/* Frames are no more than so much larger than what they show: the middle of
+ * the place for w times h points of it. */
+static struct ph_rect trimmed(const struct ph_rect *place, double w, double h) {
+  double wide = fmin(place->w, LOOSE * w), high = fmin(place->h, LOOSE * h);
+  return (struct ph_rect){place->x + 0.5 * (place->w - wide),
+                          place->y + 0.5 * (place->h - high), wide, high};
+}
+
 static struct ph_axes plane_axes(const struct place *place,
                                  struct ph_window *window) {
-  double extent[3];
+  double extent[3], scale;
+  struct ph_rect frame;
   extents(place->panel, extent);
-  *window =
-      window_of(place->panel, &place->views, 0, 1,
-                fmin(place->views.w / extent[0], place->views.h / extent[1]));
+  scale = fmin(place->views.w / extent[0], place->views.h / extent[1]);
+  frame = trimmed(&place->views, scale * extent[0], scale * extent[1]);
+  *window = window_of(place->panel, &frame, 0, 1, scale);
   return axes_of(place, window, 0, 1);
 }
 
@@ -161,18 +174,22 @@ struct space {
 };
 
 static void space_layout(const struct place *place, struct space *space) {
-  const struct ph_rect *r = &place->views;
-  double extent[3], gap = VIEW_GAP * place->em, w = r->w - gap, h = r->h - gap;
-  double left, top;
-  struct ph_rect rects[3];
+  double extent[3], gap = VIEW_GAP * place->em, left, top, wide, high;
+  struct ph_rect rects[3], r = place->views;
   extents(place->panel, extent);
-  space->scale = fmin(w / (extent[0] + extent[1]), h / (extent[1] + extent[2]));
-  left = w * extent[0] / (extent[0] + extent[1]);
-  top = h * extent[1] / (extent[1] + extent[2]);
-  rects[0] = (struct ph_rect){r->x, r->y, left, top};
-  rects[1] = (struct ph_rect){r->x, r->y + top + gap, left, h - top};
-  rects[2] = (struct ph_rect){r->x + left + gap, rects[1].y, w - left, h - top};
-  space->corner = (struct ph_rect){rects[2].x, r->y, w - left, top};
+  wide = extent[0] + extent[1];
+  high = extent[1] + extent[2];
+  r.w -= gap;
+  r.h -= gap;
+  space->scale = fmin(r.w / wide, r.h / high);
+  r = trimmed(&r, space->scale * wide, space->scale * high);
+  left = r.w * extent[0] / wide;
+  top = r.h * extent[1] / high;
+  rects[0] = (struct ph_rect){r.x, r.y, left, top};
+  rects[1] = (struct ph_rect){r.x, r.y + top + gap, left, r.h - top};
+  rects[2] =
+      (struct ph_rect){r.x + left + gap, rects[1].y, r.w - left, r.h - top};
+  space->corner = (struct ph_rect){rects[2].x, r.y, r.w - left, top};
   for (int i = 0; i < 3; i++) {
     int x = i == 2 ? 1 : 0, y = i == 0 ? 1 : 2;
     space->windows[i] = window_of(place->panel, &rects[i], x, y, space->scale);
@@ -259,7 +276,7 @@ static void draw_sphere(const struct place *place) {
   for (size_t i = 0; i < place->panel->views_n; i++) {
     const struct ph_rect *r = &place->views;
     double w = r->w / (double)place->panel->views_n, reach;
-    double h = r->h - CAPTION * place->em, side = fmin(w, h);
+    double h = r->h - CAPTION * place->em, side = fmin(w - place->em, h);
     struct ph_look look = {.panel = place->panel,
                            .view = place->panel->views[i],
                            .page = place->page,

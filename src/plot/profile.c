@@ -9,9 +9,9 @@
 #include <stdlib.h>
 
 /* Values on so much of the length at either end do not count ... */
-#define TAIL 0.04
+#define TAIL 0.08
 /* ... if they are farther out than so many times the range of the others. */
-#define REACH 2.5
+#define REACH 3
 
 /* Curvature times length below this is that of a straight line, and relative
  * changes below CONSTANT are none: rounding, to eyes. */

@@ -206,7 +206,7 @@ static double dot_radius(const struct ph_look *look,
     sum += i > 0 && isfinite(step) ? step : 0;
     last = spot;
   }
-  sum /= fmax(1, (double)d->data_n - 1);
+  sum = sum > 0 ? sum / ((double)d->data_n - 1) : 2 * look->em;
   return fmin(fmax(0.13 * sum, DOT_MIN * look->em), DOT_MAX * look->em);
 }
 

@@ -49,12 +49,8 @@ static bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/* Digits from `first` to `last` are kept; one is added to the last of them if
- * the next asks for it.  False: all of them were 9. */
-static bool round_up(char *first, char *last) {
-  if (last[1] == '.' ? last[2] < '5' : last[1] < '5') {
-    return true;
-  }
+/* Adds one to the last digit of a number.  False: all were 9, and now are 0. */
+static bool add_one(char *first, char *last) {
   for (char *p = last; p >= first; p--) {
     if (*p != '.' && ++*p <= '9') {
       return true;
@@ -62,6 +58,21 @@ static bool round_up(char *first, char *last) {
     *p = *p == '.' ? '.' : '0';
   }
   return false;
+}
+
+/* Takes away what follows the last digit that is kept, up to `rest`. */
+static void cut_digits(char *first, char *last, char *point, const char *rest) {
+  bool up = last[1] == '.' ? last[2] >= '5' : last[1] >= '5';
+  bool carried = up && !add_one(first, last);
+  while (last > point && *last == '0') {
+    last--;
+  }
+  last -= last == point;
+  memmove(last + 1, rest, strlen(rest) + 1);
+  if (carried) {
+    memmove(first + 1, first, strlen(first) + 1);
+    *first = '1';
+  }
 }
 
 void ph_plot_text_round(char text[PH_PLOT_TEXT_MAX]) {
@@ -82,14 +93,7 @@ void ph_plot_text_round(char text[PH_PLOT_TEXT_MAX]) {
       digits <= DIGITS_KEPT) {
     return;
   }
-  last = last < point ? point - 1 : last;
-  if (round_up(first, last)) {
-    while (last > point && *last == '0') {
-      last--;
-    }
-    last -= last == point;
-    memmove(last + 1, p, strlen(p) + 1);
-  }
+  cut_digits(first, last < point ? point - 1 : last, point, p);
 }
 
 /* ---- widths -------------------------------------------------------------- */
