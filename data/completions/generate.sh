@@ -34,7 +34,7 @@ export LC_ALL=C COLUMNS=80
         rest = substr(rest, RSTART + RLENGTH)
       }
       fields[command] = fields[command] " " name "="
-    } else if (argument ~ /^[a-z|]+$/) {
+    } else if (argument ~ /^[a-z|-]+$/) {
       words = " " argument
       gsub(/\|/, " ", words)
     }

@@ -91,12 +91,12 @@ const struct ph_command ph_commands[] = {
      .examples =
          "phspline planar points.csv | phspline verify\t"
          "A curve and all that is said about it\n"
-         "phspline verify --problems=points.csv curve.json\t"
+         "phspline planar points.csv | phspline verify --problems=points.csv\t"
          "... and that it is one through these points\n"
-         "phspline verify -q results.jsonl | jq -c '[.id, .worst]'\t"
-         "The worst error of each result\n"
-         "phspline verify --tolerance=1e-6 received.jsonl >/dev/null\t"
-         "Curves with coordinates of seven digits: the exit status tells\n"},
+         "phspline planar problems.jsonl | phspline verify -q | "
+         "jq -c '[.id, .worst]'\tThe worst error of each result\n"
+         "phspline tc points.csv | phspline verify --tolerance=1e-6 "
+         "-o verdict.json\tNumbers of six digits would do\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];

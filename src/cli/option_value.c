@@ -15,6 +15,7 @@
 enum { SAMPLES_MAX = 1000000 };
 
 /* ---- values ----------------------------------------------------------- */
+
 /* One of the words of the option's argument text "a|b|c". */
 static enum ph_status choose(struct ph_option_parser *p, enum ph_option_id id,
                              const char *words, size_t *which) {
@@ -273,8 +274,9 @@ static bool *flag_of(struct ph_options *o, enum ph_option_id id) {
   }
 }
 
-static enum ph_status read_argument(struct ph_option_parser *p,
-                                    enum ph_option_id id) {
+/* Options about what is read and written. */
+static enum ph_status read_stream(struct ph_option_parser *p,
+                                  enum ph_option_id id) {
   struct ph_options *o = p->options;
   const char *words = ph_option_table[id].argument;
   enum ph_status status = PH_OK;
@@ -291,6 +293,12 @@ static enum ph_status read_argument(struct ph_option_parser *p,
     status = choose(p, id, words, &which);
     o->problems_input.format = (enum ph_split_format)which;
     break;
+  case PH_O_COLUMNS:
+    input_of(o)->columns = optarg;
+    break;
+  case PH_O_DELIMITER:
+    status = read_delimiter(p);
+    break;
   case PH_O_FORMAT:
     status = choose(p, id, words, &which);
     o->format = (enum ph_format)which;
@@ -301,59 +309,58 @@ static enum ph_status read_argument(struct ph_option_parser *p,
     o->table = (enum ph_table)which;
     p->table = true;
     break;
-  case PH_O_COLUMNS:
-    input_of(o)->columns = optarg;
-    break;
-  case PH_O_DELIMITER:
-    status = read_delimiter(p);
-    break;
   case PH_O_OUTPUT:
     o->output = optarg;
     status = *optarg ? PH_OK
                      : ph_fail(p->diag, PH_USAGE, NULL,
                                "--output must be the name of a file");
     break;
-  case PH_O_SET:
-  case PH_O_OVERRIDE:
-    status = read_assignment(p, id);
-    break;
-  case PH_O_SWEEP:
-    status = read_sweep(p);
-    break;
-  case PH_O_OFFSET:
-    status = read_offsets(p);
-    break;
-  case PH_O_CONVERT:
-    status = choose(p, id, words, &which);
-    o->convert = true;
-    break;
-  case PH_O_TOLERANCE:
-  case PH_O_LIMIT:
-    status = read_positive(p, id, &o->tolerance);
-    p->tolerance = optarg;
-    break;
-  case PH_O_JOBS:
-    status = read_count(p, id, PH_JOBS_MAX, &o->jobs);
-    break;
-  case PH_O_SAMPLE:
-  case PH_O_SPACING:
-  case PH_O_CHORD_ERROR:
-    status = read_samples(p, id);
-    break;
-  case PH_O_FRAME:
-    status = choose(p, id, words, &which);
-    o->samples.frame = (enum ph_frame)(which + 1);
-    break;
-  case PH_O_PLOT:
-    o->plot = optarg;
-    break;
-  case PH_O_PLOT_SIZE:
-    status = ph_plot_read_size(optarg, o, p->diag);
-    break;
   default:
     break;
   }
   return status;
+}
+
+/* The other options with arguments. */
+static enum ph_status read_argument(struct ph_option_parser *p,
+                                    enum ph_option_id id) {
+  struct ph_options *o = p->options;
+  const char *words = ph_option_table[id].argument;
+  enum ph_status status = PH_OK;
+  size_t which = 0;
+  switch (id) {
+  case PH_O_SET:
+  case PH_O_OVERRIDE:
+    return read_assignment(p, id);
+  case PH_O_SWEEP:
+    return read_sweep(p);
+  case PH_O_OFFSET:
+    return read_offsets(p);
+  case PH_O_CONVERT:
+    o->convert = true;
+    return choose(p, id, words, &which);
+  case PH_O_TOLERANCE:
+  case PH_O_LIMIT:
+    p->tolerance = optarg;
+    return read_positive(p, id, &o->tolerance);
+  case PH_O_JOBS:
+    return read_count(p, id, PH_JOBS_MAX, &o->jobs);
+  case PH_O_SAMPLE:
+  case PH_O_SPACING:
+  case PH_O_CHORD_ERROR:
+    return read_samples(p, id);
+  case PH_O_FRAME:
+    status = choose(p, id, words, &which);
+    o->samples.frame = (enum ph_frame)(which + 1);
+    return status;
+  case PH_O_PLOT:
+    o->plot = optarg;
+    return PH_OK;
+  case PH_O_PLOT_SIZE:
+    return ph_plot_read_size(optarg, o, p->diag);
+  default:
+    return read_stream(p, id);
+  }
 }
 
 enum ph_status ph_option_read_common(struct ph_option_parser *p,

@@ -38,6 +38,8 @@ struct work {
   struct piece *pieces;
   size_t n, room, before; /* pieces of earlier segments */
   double error;
+  double cusps[2]; /* at the ends of what is covered, where the tangent may be
+                      that of the other side; or NaN */
 };
 
 /* ---- pieces -------------------------------------------------------------- */
@@ -83,27 +85,46 @@ static ph_cplx scaled(struct ph_pow2 scale, double x, double y) {
   return ph_cplx_of(ph_pow2_apply(scale, x), ph_pow2_apply(scale, y));
 }
 
-static struct ph_arc arc_of(const struct work *work, double u0, double u1) {
+/* The arc by its places u[PH_ARC_STEPS + 1]. */
+static struct ph_arc arc_of(const struct work *work, const double *u) {
   const size_t last = PH_ARC_STEPS;
   struct ph_arc arc;
   for (size_t j = 0; j <= last; j++) {
-    double u = j < last ? u0 + (u1 - u0) * (double)j / (double)last : u1;
-    struct ph_sample sample = ph_sampler_at(&work->sampler, u);
+    struct ph_sample sample = ph_sampler_at(&work->sampler, u[j]);
     ph_cplx tangent = ph_cplx_of(sample.tangent.x, sample.tangent.y);
     double size = ph_cplx_abs(tangent);
     arc.point[j] = scaled(work->shrink, sample.point.x, sample.point.y);
     arc.tangent[j] =
         ph_cplx_scale(size > VERTICAL ? 1 / size : (double)NAN, tangent);
   }
-  /* at a cusp the tangent may be that of the other side */
-  for (size_t j = 0; j <= last; j += last) {
-    size_t from = j > 0 ? last - 1 : 0;
+  for (size_t i = 0; i < 2; i++) {
+    size_t from = i > 0 ? last - 1 : 0, end = i > 0 ? last : 0;
     ph_cplx step = ph_cplx_sub(arc.point[from + 1], arc.point[from]);
-    if (ph_cplx_dot(step, arc.tangent[j]) < 0) {
-      arc.tangent[j] = ph_cplx_scale(-1, arc.tangent[j]);
+    bool cusp = u[end] >= work->cusps[i] && u[end] <= work->cusps[i];
+    if (cusp && ph_cplx_dot(step, arc.tangent[end]) < 0) {
+      arc.tangent[end] = ph_cplx_scale(-1, arc.tangent[end]);
     }
   }
   return arc;
+}
+
+/* The cubic of an arc and its error, also at places that are even in length. */
+static double fit(const struct work *work, double u0, double u1, ph_cplx c[4]) {
+  double u[PH_ARC_STEPS + 1], spaced[PH_ARC_STEPS + 1], error, other;
+  struct ph_arc arc;
+  for (size_t j = 0; j < PH_ARC_STEPS; j++) {
+    u[j] = u0 + (u1 - u0) * (double)j / PH_ARC_STEPS;
+  }
+  u[PH_ARC_STEPS] = u1;
+  arc = arc_of(work, u);
+  error = ph_cubics_fit(&arc, work->tolerance, c);
+  if (!(error <= work->tolerance)) {
+    return error;
+  }
+  ph_cubics_respace(&arc, u, spaced);
+  arc = arc_of(work, spaced);
+  other = ph_cubics_distance(&arc, c);
+  return other <= error ? error : other;
 }
 
 /* How far an arc is from its chord at most: by the bound of chords, and as no
@@ -121,9 +142,8 @@ static double straight_error(const struct work *work, double u0, double u1) {
 static enum ph_status cover(struct work *work, double u0, double u1,
                             int depth) {
   const double interval[2] = {u0, u1};
-  const struct ph_arc arc = arc_of(work, u0, u1);
   ph_cplx c[4];
-  double error = ph_cubics_fit(&arc, work->tolerance, c), parts;
+  double error = fit(work, u0, u1, c), parts;
   enum ph_status status = PH_OK;
   if (error <= work->tolerance) {
     return add(work, interval, c, error);
@@ -131,16 +151,14 @@ static enum ph_status cover(struct work *work, double u0, double u1,
   parts = ceil(pow(error / work->tolerance, 1. / 6));
   error = straight_error(work, u0, u1);
   if (error <= work->tolerance) {
-    for (size_t i = 0; i < 4; i++) {
-      c[i] =
-          ph_cplx_between(arc.point[0], arc.point[PH_ARC_STEPS], (double)i / 3);
-    }
+    c[1] = ph_cplx_between(c[0], c[3], 1. / 3);
+    c[2] = ph_cplx_between(c[0], c[3], 2. / 3);
     return add(work, interval, c, error);
   }
   if (depth == DEPTH_MAX) {
     return no_convergence(work);
   }
-  parts = parts <= PARTS_MAX ? parts : 2;
+  parts = parts > 2 && parts <= PARTS_MAX ? parts : 2;
   for (double i = 0; i < parts && status == PH_OK; i++) {
     double from = u0 + (u1 - u0) * i / parts;
     double to = i + 1 < parts ? u0 + (u1 - u0) * (i + 1) / parts : u1;
@@ -157,14 +175,17 @@ static enum ph_status cover_segment(struct work *work, size_t *cusp) {
   const size_t k = work->sampler.k, n = offset ? offset->cusps.n : 0;
   enum ph_status status = PH_OK;
   double from = 0;
+  work->cusps[0] = (double)NAN;
   for (; status == PH_OK && *cusp < n && offset->cusps.at[*cusp].segment == k;
        ++*cusp) {
     double u = offset->cusps.at[*cusp].u;
     if (u > from && u < 1) {
+      work->cusps[1] = u;
       status = cover(work, from, u, 0);
-      from = u;
+      work->cusps[0] = from = u;
     }
   }
+  work->cusps[1] = (double)NAN;
   return status == PH_OK ? cover(work, from, 1, 0) : status;
 }
 

@@ -184,8 +184,32 @@ static bool goes_forward(const ph_cplx c[4]) {
   return ph_cplx_dot(ph_cplx_sub(c[2], c[1]), chord) > 0;
 }
 
+double ph_cubics_distance(const struct ph_arc *arc, const ph_cplx c[4]) {
+  double part[LAST + 1], length;
+  return measure(arc, part, &length) ? distance_of(arc, part, c)
+                                     : (double)INFINITY;
+}
+
+void ph_cubics_respace(const struct ph_arc *arc, const double *u,
+                       double *spaced) {
+  double part[LAST + 1], length;
+  size_t i = 0;
+  (void)measure(arc, part, &length);
+  for (size_t j = 0; j <= LAST; j++) {
+    double wanted = (double)j / LAST;
+    while (i + 1 < LAST && part[i + 1] < wanted) {
+      i++;
+    }
+    spaced[j] =
+        u[i] + (u[i + 1] - u[i]) * (wanted - part[i]) / (part[i + 1] - part[i]);
+  }
+  spaced[0] = u[0];
+  spaced[LAST] = u[LAST];
+}
+
 double ph_cubics_fit(const struct ph_arc *arc, double enough, ph_cplx c[4]) {
   double part[LAST + 1], length, distance, handle[2];
+  cubic_of(arc, 0, 0, c);
   if (!measure(arc, part, &length)) {
     return (double)INFINITY;
   }

@@ -85,7 +85,7 @@ static enum ph_status halve(struct task *task, struct end from, struct end to,
   if (count > 1 && to.s - from.s <= 2 * task->error) {
     return keep(task, from.u, to.u, ALONE);
   }
-  if (count <= COARSE || (isfinite(count) && idle == IDLE_MAX)) {
+  if (count <= COARSE || (isfinite(count) && idle >= IDLE_MAX)) {
     return keep(task, from.u, to.u, count);
   }
   if (depth == HALVINGS_MAX) {
@@ -97,7 +97,7 @@ static enum ph_status halve(struct task *task, struct end from, struct end to,
   middle = end_at(task, 0.5 * (from.u + to.u));
   left = count_of(task, from.u, middle.u);
   right = count_of(task, middle.u, to.u);
-  idle = left + right < SAVED * count ? 0 : idle + 1;
+  idle = isfinite(count) && left + right > SAVED * count ? idle + 1 : 0;
   status = halve(task, from, middle, left, depth + 1, idle);
   return status == PH_OK ? halve(task, middle, to, right, depth + 1, idle)
                          : status;

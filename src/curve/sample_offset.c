@@ -96,13 +96,14 @@ static struct turn turn_of(const struct ph_fast3_end *end, double angle2) {
   return turn;
 }
 
-/* arg(w / w0), positive to the left. */
+/* arg(w / w0), positive to the left.  It is less than a right angle nearly
+ * always, and atan takes 5 ns less than atan2. */
 static double angle_at(const struct turn *turn,
                        const struct ph_fast3_place *at) {
   const double c = turn->cross[0] * at->p + turn->cross[1] * at->q;
   const double d = turn->norm2 + turn->dot[0] * at->p + turn->dot[1] * at->q;
   const double first = turn->cross[0] * at->x;
-  const double angle = atan2(c, d);
+  const double angle = d > 0 ? atan(c / d) : atan2(c, d);
   return turn->wraps && c * first < 0 ? angle + copysign(2 * PH_PI, first)
                                       : angle;
 }
@@ -120,20 +121,22 @@ static double travel_at(const struct state *state, double u,
                  : travel_from(state, 0, at);
 }
 
-/* F' = sigma (1 - d kappa), theta', and what of F' is rounding. */
-struct rate {
-  double travel, theta, noise;
-};
+/* theta' */
+static double turning(ph_quat a, ph_quat slope) {
+  return 2 * cross(a, slope) / dot(a, a);
+}
 
-static struct rate rate_at(const struct state *state, ph_quat a,
+/* F' = sigma (1 - d kappa) */
+static double travel_rate(const struct state *state, ph_quat a, ph_quat slope) {
+  return dot(a, a) - state->distance * turning(a, slope);
+}
+
+/* What of F' is rounding. */
+static double travel_noise(const struct state *state, ph_quat a,
                            ph_quat slope) {
-  const double speed = dot(a, a), per = 2 / speed;
-  struct rate rate;
-  rate.theta = per * cross(a, slope);
-  rate.travel = speed - state->distance * rate.theta;
-  rate.noise = ROUNDING * (speed + fabs(state->distance) * per *
-                                       sqrt(speed * dot(slope, slope)));
-  return rate;
+  const double speed = dot(a, a);
+  return ROUNDING *
+         (speed + 2 * fabs(state->distance) * sqrt(dot(slope, slope) / speed));
 }
 
 static const struct part *part_at(const struct state *state, double u) {
@@ -179,7 +182,7 @@ static void set_signs(struct state *state) {
   }
   at = ph_fast3_at(&state->fast, middle);
   sign = copysign(
-      1, rate_at(state, ph_fast3_preimage(&at), ph_fast3_slope(&at)).travel);
+      1, travel_rate(state, ph_fast3_preimage(&at), ph_fast3_slope(&at)));
   for (size_t i = 0; i < state->parts; i++) {
     state->part[i].sign = (i + longest) % 2 == 0 ? sign : -sign;
   }
@@ -227,7 +230,7 @@ static double enter_plane(struct state *state, const struct ph_offset *offset,
 static double length_plane(const struct state *state, double u, double *speed) {
   const struct ph_fast3_place at = ph_fast3_at(&state->fast, u);
   *speed =
-      fabs(rate_at(state, ph_fast3_preimage(&at), ph_fast3_slope(&at)).travel);
+      fabs(travel_rate(state, ph_fast3_preimage(&at), ph_fast3_slope(&at)));
   return length_in(part_at(state, u), travel_at(state, u, &at));
 }
 
@@ -238,7 +241,8 @@ static struct ph_sample at_plane(const struct state *state, double distance,
   const struct part *part = part_at(state, u);
   const bool cusp = part > state->part && !(u > part->from);
   const ph_quat a = ph_fast3_preimage(&place);
-  const struct rate rate = rate_at(state, a, ph_fast3_slope(&place));
+  const ph_quat slope = ph_fast3_slope(&place);
+  const double rate = fabs(travel_rate(state, a, slope));
   const double per = 1 / dot(a, a);
   const ph_vec3 e1 = ph_vec3_scale(per, ph_quat_i(a, a));
   const ph_vec3 left = ph_vec3_of(-e1.y, e1.x, 0);
@@ -247,9 +251,9 @@ static struct ph_sample at_plane(const struct state *state, double distance,
       ph_vec3_along(ph_fast3_point(&state->fast, &place), distance, left);
   sample.tangent = ph_vec3_scale(part->sign, e1);
   sample.curvature = sample.torsion = (double)NAN;
-  if (!cusp && fabs(rate.travel) > rate.noise) {
+  if (!cusp && rate > travel_noise(state, a, slope)) {
     sample.curvature =
-        ph_pow2_apply(state->fast.shrink, rate.theta / fabs(rate.travel));
+        ph_pow2_apply(state->fast.shrink, turning(a, slope) / rate);
   }
   return sample;
 }

@@ -9,8 +9,6 @@
 
 /* What is less than this of its terms is their rounding. */
 static const double ROUNDING = 64 * DBL_EPSILON;
-/* |S'| over |S''|, up to which one looks more closely. */
-static const double SLOW = 0x1p-20;
 
 /* The motion at or next to rest, where S'' and S''' say what S' does not. */
 static struct ph_motion motion_slow(const struct ph_spherical *segment,
@@ -47,7 +45,7 @@ struct ph_motion ph_motion_at(const struct ph_spherical_fast *fast, double u) {
   ph_spherical_fast_jet(fast, u, jet);
   square = ph_vec3_dot(jet[1], jet[1]);
   bend = ph_vec3_dot(jet[2], jet[2]);
-  if (!(square > SLOW * SLOW * bend)) {
+  if (!(square > ROUNDING * ROUNDING * bend)) {
     return motion_slow(&fast->segment, u);
   }
   motion.s = jet[0];

@@ -55,9 +55,10 @@ struct basis {
   double b[TERMS];
 };
 
-/* Of sigma and E: A - 1, b - 1, the derivatives of b by E; H, H_E. */
+/* Of sigma and E: A - 1, (A - B) / 2, (A + B) / 2, b, its derivatives by E; H,
+ * H_E. */
 struct functions {
-  double a, b, b1, b2, h, h1;
+  double a, before, after, b, b1, b2, h, h1;
 };
 
 /* ---- functions of sigma and E -------------------------------------------- */
@@ -112,7 +113,7 @@ static void basis_of(const struct ph_spherical_fast *fast, double t,
 static void near(const struct basis *basis, size_t terms, double e,
                  struct functions *f) {
   /* sum of b_k E^(k-1), k >= 1, its derivative, and half the second one */
-  double c = 0, c1 = 0, c2 = 0, h1 = slope[terms + 1];
+  double c = 0, c1 = 0, c2 = 0, h1 = slope[terms + 1], odd;
   for (size_t k = terms; k-- > 1;) {
     c2 = c1 + e * c2;
     c1 = c + e * c1;
@@ -120,10 +121,13 @@ static void near(const struct basis *basis, size_t terms, double e,
     h1 = slope[k + 1] + e * h1;
   }
   h1 = slope[1] + e * h1;
-  f->b = e * c;
+  odd = basis->sigma * (e * c); /* B - sigma */
+  f->b = 1 + e * c;
   f->b1 = c + e * c1;
   f->b2 = 2 * (c1 + e * c2);
   f->a = e * (c + 2 * f->b1);
+  f->before = basis->s + 0.5 * (f->a - odd);
+  f->after = basis->t + 0.5 * (f->a + odd);
   f->h1 = h1;
   f->h = (1 - 2 * e * (1 - e) * h1) / (1 - 2 * e);
 }
@@ -133,10 +137,12 @@ static void far(const struct basis *basis, double e, double m,
                 struct functions *f) {
   const double sine = sqrt(e), phi = atan2(sine, m), z = basis->sigma * phi;
   const double square = m * m, a = cos(z) / m;
-  const double b = ph_s2_f0(z * z) * phi / sine;
+  const double b = ph_s2_f0(z * z) * phi / sine, whole = 2 * sine * m;
   const double ae = (a - (1 - basis->y) * b) / (2 * square);
   f->a = 2 * sin(basis->t * phi) * sin(basis->s * phi) / m;
-  f->b = b - 1;
+  f->before = sin(2 * basis->s * phi) / whole;
+  f->after = sin(2 * basis->t * phi) / whole;
+  f->b = b;
   f->b1 = (a - b) / (2 * e);
   f->b2 = (ae - 3 * f->b1) / (2 * e);
   f->h = phi / (sine * m);
@@ -150,7 +156,7 @@ static void far(const struct basis *basis, double e, double m,
 static void chain(const struct basis *basis, const struct functions *f,
                   double e, double e1, double e2, double a[2], double b[2]) {
   const double rest = 1 - e, sigma = basis->sigma;
-  const double value_a = 1 + f->a, value_b = sigma * (1 + f->b);
+  const double value_a = 1 + f->a, value_b = sigma * f->b;
   const double be = sigma * f->b1, ae = 3 * f->b1 + 2 * e * f->b2;
   const double aee = (3 * ae - sigma * be) / (2 * rest);
   const double low = e * f->h, high = rest * f->h;
@@ -176,15 +182,6 @@ static void weights_of(double a, double b, double x[3]) {
   x[2] = 0.5 * (a + b);
 }
 
-/* The weights in (8) themselves. */
-static void places_of(const struct basis *basis, double a, double b,
-                      double x[3]) {
-  double odd = basis->sigma * b; /* B - sigma */
-  x[0] = a;
-  x[1] = basis->s + 0.5 * (a - odd);
-  x[2] = basis->t + 0.5 * (a + odd);
-}
-
 /* (8) */
 static void step(const struct basis *basis, size_t terms, const struct jet *u,
                  const struct jet *w, struct jet *z) {
@@ -194,7 +191,7 @@ static void step(const struct basis *basis, size_t terms, const struct jet *u,
   const double e = 0.25 * ph_vec3_dot(d, d), e1 = 0.5 * ph_vec3_dot(d, d1);
   const double e2 = 0.5 * (ph_vec3_dot(d, d2) + ph_vec3_dot(d1, d1));
   struct functions f;
-  double a[2], b[2], x[3], x1[3], x2[3];
+  double a[2], b[2], x1[3], x2[3];
   ph_vec3 first, second;
   if (e < NEAR) {
     near(basis, terms, e, &f);
@@ -203,19 +200,19 @@ static void step(const struct basis *basis, size_t terms, const struct jet *u,
     far(basis, e, ph_vec3_abs(m), &f);
   }
   chain(basis, &f, e, e1, e2, a, b);
-  places_of(basis, f.a, f.b, x);
   weights_of(a[0], b[0], x1);
   weights_of(a[1], b[1], x2);
   first = join(x1, basis->base, u->v, w->v);
   second = join(x2, basis->base, u->v, w->v);
-  z->second = ph_vec3_along(
-      ph_vec3_along(ph_vec3_along(ph_vec3_along(second, x[1], u->second), x[2],
-                                  w->second),
-                    2 * x1[1], u->first),
-      2 * x1[2], w->first);
-  z->first =
-      ph_vec3_along(ph_vec3_along(first, x[1], u->first), x[2], w->first);
-  z->v = join(x, basis->base, u->v, w->v);
+  second = ph_vec3_along(second, f.before, u->second);
+  second = ph_vec3_along(second, f.after, w->second);
+  second = ph_vec3_along(second, 2 * x1[1], u->first);
+  z->second = ph_vec3_along(second, 2 * x1[2], w->first);
+  first = ph_vec3_along(first, f.before, u->first);
+  z->first = ph_vec3_along(first, f.after, w->first);
+  z->v = ph_vec3_along(
+      ph_vec3_along(ph_vec3_scale(f.a, basis->base), f.before, u->v), f.after,
+      w->v);
 }
 
 /* c[0] x + c[1] x^2 + ... */
@@ -234,8 +231,9 @@ static void arc_step(const struct ph_spherical_fast *fast,
   const ph_vec3 *at = fast->at[basis->t < 0.5 ? 0 : 1] + k;
   const double a = polynomial(arc->a, fast->arc_terms, basis->y);
   const double b = polynomial(arc->b, fast->arc_terms, basis->y);
-  double x[3];
-  places_of(basis, a, b, x);
+  const double odd = basis->sigma * b;
+  const double x[3] = {a, basis->s + 0.5 * (a - odd),
+                       basis->t + 0.5 * (a + odd)};
   z->v = join(x, basis->base, at[0], at[1]);
   z->first = ph_vec3_along(ph_vec3_scale(basis->sigma * (1 + b), arc->dm),
                            1 + a, arc->dd);

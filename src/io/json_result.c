@@ -337,8 +337,12 @@ static void read_solutions(struct ph_json_reader *r,
 /* What says how the curve is to be read. */
 static void read_kind(struct ph_json_reader *r,
                       const struct ph_json_item *items, struct ph_curve *c) {
-  static const enum member required[] = {SEGMENTS, CURVE, DIMENSION, DEGREE,
-                                         CLOSED};
+  static const enum member required[] = {CURVE, DIMENSION, DEGREE, CLOSED};
+  if (!items[SEGMENTS].value) {
+    ph_read_enter(r, member_names[SEGMENTS]);
+    ph_read_fail(r, PH_MISSING_FIELD, "is missing: this is no result");
+    return;
+  }
   for (size_t i = 0; i < sizeof required / sizeof required[0]; i++) {
     ph_read_required(r, &items[required[i]], member_names[required[i]]);
   }

@@ -170,6 +170,20 @@ static enum ph_status pass(struct task *task, const double *breaks,
   return status;
 }
 
+/* The mean of |f|, about: a short first part, where f is small, is not asked to
+ * be as good as if it were all. */
+static double mean_of(const struct task *task, const double *breaks,
+                      size_t breaks_n) {
+  struct ph_primitive_panel panel = {.to = 0};
+  double mean = 0;
+  for (size_t i = 0; i <= breaks_n && breaks_n > 0; i++) {
+    panel.from = panel.to;
+    panel.to = i < breaks_n ? breaks[i] : 1;
+    mean += (panel.to - panel.from) * interpolate(task, &panel);
+  }
+  return isfinite(mean) ? mean : 0;
+}
+
 enum ph_status ph_primitive_make(struct ph_primitive *primitive,
                                  ph_integrand *f, const void *context,
                                  const double *breaks, size_t breaks_n,
@@ -182,6 +196,7 @@ enum ph_status ph_primitive_make(struct ph_primitive *primitive,
   enum ph_status status;
   double mean;
   int passes = 0;
+  task.mean = mean_of(&task, breaks, breaks_n);
   do {
     status = pass(&task, breaks, breaks_n);
     mean = task.mean;

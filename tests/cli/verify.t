@@ -40,9 +40,8 @@ equal 'its shape' '{id:string,command:string,status:string,'\
 'meta:{b:number},of:string,curve:string,segments:number,'\
 'worst:{check:string,error:number}}' \
   "$(sed 's/,"checks".*/}/' out | json shape)"
-equal 'its members' 'a verify ok planar ph 2' \
-  "$(for i in id command status of curve segments; do get "$i"; done |
-    tr '\n' ' ' | tr -d '"' | sed 's/ $//')"
+equal 'its members' 'a	verify	ok	planar	ph	2' \
+  "$(table id command status of curve segments | tr -d '"')"
 equal 'the checks of a curve' '{shape:number,pythagorean_error:number,'\
 'preimage_error:number,continuity_error:number,length_error:number,'\
 'diagnostic_error:number}' "$(shape_of checks)"
@@ -124,7 +123,8 @@ expect 'a problem without a result' 1 \
   'phspline: ids.csv:7: 1 of 3 problems have no result, this one first'
 sed -n 2p r2 | sed 's/"id":"b",//' >r3
 run verify --problems=ids.csv r3
-equal 'no ids in the results: by order' 1 "$(grep -c interpolation out)"
+equal 'no ids in the results: by order' '"interpolation_error"' \
+  "$(get worst.check)"
 printf 'x;y\n0;0\n2;1\n' >semicolon
 printf '{"points":[[0,0],[2,1]]}' | made planar
 verified 'columns of the problems' 1 --problems=semicolon --delimiter=';' \
@@ -182,7 +182,7 @@ sed 's/^{/{"id":4,/' two >four
 run planar -q --sweep='points[1][0]*=0.9:1.1:3' --sweep=closed=true,false four
 mv out r
 verified 'a sweep, by id' 12 --problems=four
-run arclength -q --sweep='lengths[1]=1.7,1.8' \
+run arclength -q --sweep='lengths[1]=1.8,1.9' \
   --set='lengths=[1.8,1.9,1.6]' - <<END
 $space
 END
@@ -207,10 +207,10 @@ printf '{"pionts":[[0,0],[2,1]]}\n' >bad
 printf '{"points":[[0,0],[2,1]]}' | made planar
 run verify -q --problems=bad r
 expect 'a problem that cannot be read' 1 'phspline: bad:1: record 1: pionts: is '\
-'not a field of planar, did you mean '\''points'\''? [unknown-field]'
+'not a field of planar; did you mean "points"? [unknown-field]'
 run verify --problems=missing r
 equal 'no file of problems' 3 "$status"
-equal 'it says so' 'phspline: missing: ' "$(cut -c 1-19 err)"
+equal 'it says so' 'phspline: cannot open missing: ' "$(cut -c 1-31 err)"
 feed '' verify --problems=p
 expect 'no results' 1 'phspline: p was not read: no result says what it solves' ''
 printf '{"id":1,"command":"tc","status":"error"}' >r

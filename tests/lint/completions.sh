@@ -53,9 +53,10 @@ offers() {
 }
 if command -v bash >/dev/null; then
   offers 'planar' phspline p
-  offers 'planar spatial-hermite arclength sphere tc' phspline help ''
-  offers '--free= --format= --fail-fast' phspline planar --f
-  offers 'json csv' phspline planar --format =
+  offers 'planar spatial-hermite arclength sphere tc verify' phspline help ''
+  offers '--free= --format= --frame= --fail-fast' phspline planar --f
+  offers '--problems= --pretty --progress' phspline verify --pr
+  offers 'json csv text svg-path' phspline planar --format =
   offers 'csv' phspline planar -f c
   offers 'uniform' phspline planar --knots = u
   offers 'E MV IES IMV' phspline planar --minimize =
