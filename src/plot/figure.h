@@ -23,7 +23,8 @@
  *       the outline of a sphere (55,56,58)   1
  *
  * and dots (10,10,10; behind a sphere 55,56,58) that are filled.  What is out
- * of its frame is not there.
+ * of its frame is not there.  Of the points and tangents of a sweep those that
+ * all curves share are there once, others in the colours of the ramp.
  */
 #ifndef PH_PLOT_FIGURE_H
 #define PH_PLOT_FIGURE_H
