@@ -8,10 +8,11 @@
  *   max |r''|, as |r(u) - chord(u)| is at most max|r''| h^2 / 8,           (1)
  *   max |kappa| (max |r'|)^2, the same by arc length,                      (2)
  *   max |kappa| |r'|^2, increased by a part that is of the order of the
- *     interval, where the curve turns by less than a quarter.              (3)
+ *     interval, where the curve turns by less than a quarter,              (3)
+ *   the same with max ||r'|'| times that turn, also from a cusp on.        (4)
  * They are found from the hull of the coefficients of the preimage, or of the
  * control points, over [u0,u1], hold up to rounding, which they are increased
- * by, and the least of the three is taken.  (1) is finite wherever the curve
+ * by, and the least of the four is taken.  (1) is finite wherever the curve
  * has a second derivative; (3) is exact in the limit of short intervals.
  *
  * Derived in bend.c; tested by t_bend.c against dense samples.

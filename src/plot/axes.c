@@ -97,17 +97,16 @@ static bool name_text(const struct ph_axis *axis, char text[128]) {
 }
 
 static void exponent_text(int power, char text[16]) {
-  char digits[8];
-  int n = 0, d = 0, k = power < 0 ? -power : power;
+  int n = 0, unit = 1, k = power < 0 ? -power : power;
   if (power < 0) {
     memcpy(text, "\xE2\x88\x92", 3);
     n = 3;
   }
-  for (; k > 0 && d < 8; k /= 10) {
-    digits[d++] = (char)('0' + k % 10);
+  while (k / unit >= 10) {
+    unit *= 10;
   }
-  while (d > 0) {
-    text[n++] = digits[--d];
+  for (; unit > 0; unit /= 10) {
+    text[n++] = (char)('0' + k / unit % 10);
   }
   text[n] = '\0';
 }
