@@ -37,7 +37,9 @@ double ph_bend_bezier(const ph_vec3 *p, size_t degree, double u0, double u1);
 
 /* ph_bend_spherical: M of the parallel at a signed geodesic distance of a
  * spherical segment, on the unit sphere; distance 0: the segment itself.
- * Chords are straight, through the inside of the sphere. */
+ * Chords are straight, through the inside of the sphere.  (1) and (2) alone,
+ * derived in bend_spherical.c; infinite over wide blocks of wild segments, and,
+ * of a parallel, where the segment stands still but for its ends. */
 double ph_bend_spherical(const struct ph_spherical *segment, double distance,
                          double u0, double u1);
 

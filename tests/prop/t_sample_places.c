@@ -161,7 +161,7 @@ START_TEST(test_counts) {
     all += s.n - 1;
     least += sum;
     /* a few chords in all, and it is their rounding up that counts */
-    ck_assert_uint_le(s.n - 1, 2 * sum + 3 * data.curve.n);
+    ck_assert_uint_le(s.n - 1, 2 * sum + 6 * data.curve.n);
   }
   ck_assert_msg((double)all <= 1.3 * (double)least, "%zu, not %zu", all, least);
 }
