@@ -231,8 +231,8 @@ _phspline() {
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='' ;;
-    --override | --override=) list='' ;;
+    -s | --set | --set=) kind=nothing ;;
+    --override | --override=) kind=nothing ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     *)

@@ -50,8 +50,9 @@
   X(OVERRIDE, ALL, 0, "override", "FIELD=VALUE",                              \
     "set a field of every problem")                                           \
   X(SWEEP, SOLVE, 'S', "sweep", "FIELD=RANGE",                                \
-    "solve every problem once for each value of RANGE: START:STOP:COUNT or "  \
-    "V1,V2,...; FIELD may be an element: points[2][0]")                       \
+    "solve every problem once for each value of RANGE: V1,V2,... or "         \
+    "START:STOP:COUNT, with :log at equal ratios; FIELD may be an element, "  \
+    "points[2][0]; FIELD*=RANGE multiplies what is there")                    \
   X(OFFSET, SOLVE, 'd', "offset", "D[,D...]",                                 \
     "add offset curves at these distances, positive to the left of travel")   \
   X(SAMPLE, SOLVE, 'n', "sample", "N",                                        \

@@ -50,7 +50,7 @@ static int compare_posed(const void *a, const void *b) {
 
 static int compare_group(const void *key, const void *group) {
   const struct ph_posed_group *g = group;
-  return compare_keys(key, g->posed[0]->key);
+  return compare_keys(*(const char *const *)key, g->posed[0]->key);
 }
 
 /* ---- problems ------------------------------------------------------------ */
@@ -219,7 +219,8 @@ static struct ph_posed_group *group_of(struct ph_pairing *p, const char *key) {
   if (no_keys || (!key && !without)) {
     return &p->all;
   }
-  return bsearch(key, p->groups, p->groups_n, sizeof *p->groups, compare_group);
+  return bsearch(&key, p->groups, p->groups_n, sizeof *p->groups,
+                 compare_group);
 }
 
 /* Takes the next problem of a group, or, in a sweep, the last one again. */

@@ -17,6 +17,8 @@
 /* Places that are nearer to a joint than this of the length so far are at it:
  * whether they are before or after must not be left to rounding. */
 static const double AT_JOINT = 4 * DBL_EPSILON;
+/* Arrays grow to this times what is needed, at most. */
+static const double GROWTH = 8;
 /* A last interval is no shorter than this, of the spacing. */
 static const double LAST = 1e-9;
 
@@ -107,22 +109,14 @@ static void *grown(struct growth *growth, bool wanted, const void *column,
   return larger;
 }
 
-/* Room for n samples more, and for twice as many as there was. */
-static enum ph_status reserve(struct walk *walk, double n) {
+/* Arrays for so many samples; those that there are stay. */
+static enum ph_status move_to(struct walk *walk, size_t room) {
   const struct ph_curve *curve = walk->sampler.curve;
   const size_t number = sizeof(double), vector = curve->dimension * number;
   const bool sphere = curve->kind == PH_CURVE_SPHERICAL_NU;
   const bool frame = walk->framing.frame != PH_FRAME_NONE;
   struct ph_samples *s = walk->samples;
-  struct growth g = {walk->sampler.arena, s->n, 2 * walk->room, false};
-  if (!((double)s->n + n <= PH_SAMPLES_MAX)) {
-    return too_many(walk, (double)s->n + n);
-  }
-  if (s->n + (size_t)n <= walk->room) {
-    return PH_OK;
-  }
-  g.room = g.room < PH_SAMPLES_MAX ? g.room : PH_SAMPLES_MAX;
-  g.room = g.room > s->n + (size_t)n ? g.room : s->n + (size_t)n;
+  struct growth g = {walk->sampler.arena, s->n, room, false};
   s->segment = grown(&g, true, s->segment, sizeof *s->segment);
   s->t = grown(&g, true, s->t, number);
   s->s = grown(&g, true, s->s, number);
@@ -133,8 +127,30 @@ static enum ph_status reserve(struct walk *walk, double n) {
   s->lonlat = grown(&g, sphere, s->lonlat, 2 * number);
   s->normal = grown(&g, frame, s->normal, 3 * number);
   s->binormal = grown(&g, frame, s->binormal, 3 * number);
-  walk->room = g.room;
+  walk->room = room;
   return g.memory ? ph_fail_memory(walk->diag) : PH_OK;
+}
+
+/* Room for n samples more; if more is taken, for so many in all. */
+static enum ph_status reserve(struct walk *walk, double n, double all) {
+  const double needed = (double)walk->samples->n + n;
+  if (!(needed <= PH_SAMPLES_MAX)) {
+    return too_many(walk, needed);
+  }
+  return needed <= (double)walk->room
+             ? PH_OK
+             : move_to(walk, (size_t)fmin(fmax(all, needed), PH_SAMPLES_MAX));
+}
+
+/* The same; if more is taken, it is for all segments, as if those to come were
+ * as those before, but for no more than GROWTH times what is needed, and no
+ * less than twice what there was. */
+static enum ph_status reserve_more(struct walk *walk, double n) {
+  const double needed = (double)walk->samples->n + n;
+  const double segments = (double)walk->sampler.curve->n;
+  double all = segments / (double)(walk->sampler.k + 1) * needed;
+  all = fmax(fmin(all, GROWTH * needed), 2 * (double)walk->room);
+  return reserve(walk, n, all);
 }
 
 /* Appends the sample at u of the segment, where there is room for it. */
@@ -192,7 +208,8 @@ static enum ph_status by_spacing(struct walk *walk) {
   ph_sum_add(&after, sampler->length);
   joint = AT_JOINT * ph_sum_value(&after);
   s = (double)walk->samples->n * spacing;
-  status = reserve(walk, fmax((ph_sum_value(&after) - s) / spacing, 0) + 2);
+  status =
+      reserve_more(walk, fmax((ph_sum_value(&after) - s) / spacing, 0) + 2);
   while (status == PH_OK && s < ph_sum_value(&after) - joint) {
     double local = (s - walk->start.high) - walk->start.low;
     put(walk, ph_trail_next(&trail, sampler, local > joint ? local : 0, NULL),
@@ -215,7 +232,7 @@ static enum ph_status by_chords(struct walk *walk) {
                      n ? offset->cusps.at + first : NULL, walk->cusp - first,
                      PH_SAMPLES_MAX, walk->diag);
   if (status == PH_OK) {
-    status = reserve(walk, (double)walk->chords.n + 1);
+    status = reserve_more(walk, (double)walk->chords.n + 1);
   }
   if (status == PH_OK && walk->sampler.k == 0) {
     put(walk, 0, 0);
@@ -235,7 +252,7 @@ static enum ph_status end(struct walk *walk) {
   while (s->n > 1 && s->s[s->n - 1] > length - LAST * spacing) {
     s->n--;
   }
-  status = reserve(walk, 1);
+  status = reserve(walk, 1, 0);
   if (status == PH_OK) {
     put(walk, 1, length);
   }
@@ -266,9 +283,9 @@ static enum ph_status go(struct walk *walk) {
   const struct ph_curve *curve = walk->sampler.curve;
   enum ph_status status =
       rules->how == PH_SAMPLE_PARAMETER
-          ? reserve(walk, (double)curve->n * ((double)rules->n + 1))
+          ? reserve(walk, (double)curve->n * ((double)rules->n + 1), 0)
       : rules->how == PH_SAMPLE_SPACING && !walk->sampler.offset
-          ? reserve(walk, curve->length / rules->spacing + 2)
+          ? reserve(walk, curve->length / rules->spacing + 4, 0)
           : PH_OK;
   for (size_t k = 0; status == PH_OK && k < curve->n; k++) {
     status = enter(walk, k);

@@ -5,14 +5,15 @@
 #include <float.h>
 
 /*
- * A block of no more than COARSE chords is not halved, nor one whose last
- * IDLE_MAX halvings saved less than a twentieth of the chords each; where M is
- * not finite, halvings go on.  One halving is not enough to tell: where the
- * curve bends most in the middle, both halves are as bad as the whole.
+ * A block of no more than COARSE chords is not halved, nor one that came of a
+ * halving that saved less than 7 % of the chords.  Two halvings are
+ * made in any case: where a segment bends most in the middle, both halves are
+ * as bad as the whole.  Next to each other, blocks of MANY chords have their
+ * own steps.
  */
-enum { HALVINGS_MAX = 44, IDLE_MAX = 2, ROOM = 64 };
-static const double COARSE = 2;
-static const double SAVED = 0.95;
+enum { HALVINGS_MAX = 44, HALVINGS_LEAST = 2, ROOM = 64 };
+static const double COARSE = 2, MANY = 16;
+static const double SAVED = 0.93;
 static const double ALONE = -1;
 
 /* M is known to rounding. */
@@ -78,14 +79,14 @@ static enum ph_status keep(struct task *task, double from, double to,
 
 /* Halves [from,to], of so many chords, as long as that saves some. */
 static enum ph_status halve(struct task *task, struct end from, struct end to,
-                            double count, int depth, int idle) {
+                            double count, int depth, bool idle) {
   struct end middle;
   double left, right;
   enum ph_status status;
   if (count > 1 && to.s - from.s <= 2 * task->error) {
     return keep(task, from.u, to.u, ALONE);
   }
-  if (count <= COARSE || (isfinite(count) && idle >= IDLE_MAX)) {
+  if (count <= COARSE || (idle && depth >= HALVINGS_LEAST)) {
     return keep(task, from.u, to.u, count);
   }
   if (depth == HALVINGS_MAX) {
@@ -97,7 +98,7 @@ static enum ph_status halve(struct task *task, struct end from, struct end to,
   middle = end_at(task, 0.5 * (from.u + to.u));
   left = count_of(task, from.u, middle.u);
   right = count_of(task, middle.u, to.u);
-  idle = isfinite(count) && left + right > SAVED * count ? idle + 1 : 0;
+  idle = isfinite(count) && left + right > SAVED * count;
   status = halve(task, from, middle, left, depth + 1, idle);
   return status == PH_OK ? halve(task, middle, to, right, depth + 1, idle)
                          : status;
@@ -182,6 +183,12 @@ static enum ph_status spread(struct task *task, size_t first, size_t last) {
   return status;
 }
 
+/* Whether equal spacing goes on from one block to the next. */
+static bool goes_on(const struct ph_chord_block *block,
+                    const struct ph_chord_block *next) {
+  return next->count >= 0 && !(block->count > MANY && next->count > MANY);
+}
+
 /* Places after `from` up to `to`. */
 static enum ph_status plan(struct task *task, double from, double to) {
   const struct ph_chords *c = task->chords;
@@ -189,14 +196,14 @@ static enum ph_status plan(struct task *task, double from, double to) {
   enum ph_status status;
   task->chords->blocks_n = 0;
   status = halve(task, end_at(task, from), end_at(task, to),
-                 count_of(task, from, to), 0, 0);
+                 count_of(task, from, to), 0, false);
   for (size_t i = 0; status == PH_OK && i < c->blocks_n; i++) {
-    bool alone = c->blocks[i].count < 0, ends = i + 1 == c->blocks_n;
-    if ((alone && i > first) || (ends && !alone)) {
-      status = spread(task, first, alone ? i : i + 1);
-    }
-    if (status == PH_OK && alone) {
+    if (c->blocks[i].count < 0) {
       status = add(task, c->blocks[i].to);
+      first = i + 1;
+    } else if (i + 1 == c->blocks_n ||
+               !goes_on(&c->blocks[i], &c->blocks[i + 1])) {
+      status = spread(task, first, i + 1);
       first = i + 1;
     }
   }

@@ -292,3 +292,17 @@ if "$PHSPLINE" planar -p x.svg </dev/null 2>err; then
 else
   echo 'skip figures: built without cairo'
 fi
+
+# verification: results with and without their problems, and texts that are none
+file=
+export PH_FAIL_AT=-1
+"$PHSPLINE" planar -q -d 0.1 -n 1 some.jsonl >results.jsonl 2>/dev/null
+"$PHSPLINE" planar -q -S knots=uniform,chordal some.csv >swept.jsonl 2>/dev/null
+"$PHSPLINE" tc --blaschke=true space.csv >bad.jsonl 2>/dev/null
+printf '%s\n' '{"points":[]}' '{"segments":1}' >>bad.jsonl
+exhaust 'verification' lines verify -j 1 results.jsonl bad.jsonl
+exhaust 'verification, two threads' lines verify -j 2 results.jsonl
+exhaust 'verification, with problems' lines verify -j 1 --problems=some.jsonl \
+  results.jsonl
+exhaust 'verification of a sweep' lines verify -j 1 --problems=some.csv \
+  --set=closed=false swept.jsonl

@@ -53,6 +53,7 @@ offers() {
 }
 if command -v bash >/dev/null; then
   offers 'planar' phspline p
+  offers 'verify' phspline v
   offers 'planar spatial-hermite arclength sphere tc verify' phspline help ''
   offers '--free= --format= --frame= --fail-fast' phspline planar --f
   offers '--problems= --pretty --progress' phspline verify --pr
@@ -66,6 +67,9 @@ if command -v bash >/dev/null; then
   offers 'knots=' phspline planar --sweep k
   offers 'g1 g1-pair g1-auto g1-fair' phspline tc --mode = g
   offers 'curve=' phspline tc --override cu
+  offers 'frenet erf rmf' phspline arclength --frame =
+  offers 'data/README' phspline verify --problems = data/R
+  offers '' phspline verify --set ''
   offers '' phspline planar --jobs ''
 fi
 exit "$bad"

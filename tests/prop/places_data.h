@@ -41,7 +41,7 @@ void places_offset(struct places_data *data, struct unit_random *r);
 /* places_reverse: the same curve, run through from its end. */
 void places_reverse(struct places_data *data);
 
-/* places_scale: the same curve, larger by 2^exponent; not of a Bezier curve. */
+/* places_scale: the same curve, larger by 2^exponent. */
 void places_scale(struct places_data *data, int exponent);
 
 /* places_free: gives back its memory; NULL-safe after zeroing. */

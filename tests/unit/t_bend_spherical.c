@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bounds of chords of spherical curves and parallels, against dense samples. */
+#include "parallel_unit.h"
 #include "random_unit.h"
 #include "unit.h"
 
@@ -14,26 +15,6 @@ enum { LOOKS = 24, SIZES = 3 };
 /* Deviations are known to this. */
 static const double ROUNDING = 2e-15;
 
-/* O of parallel.h. */
-static ph_vec3 place(const struct ph_spherical *s, double d, double u) {
-  ph_vec3 jet[4], tangent;
-  ph_spherical_jet(s, u, jet);
-  tangent = ph_vec3_abs(jet[1]) > 1e-13 * ph_vec3_abs(jet[2])
-                ? jet[1]
-                : ph_vec3_scale(u < 0.5 ? 1 : -1, jet[2]);
-  tangent = ph_vec3_unit(ph_vec3_normal(tangent, jet[0]));
-  return ph_vec3_along(ph_vec3_scale(cos(d), jet[0]), sin(d),
-                       ph_vec3_cross(jet[0], tangent));
-}
-
-/* The distance of p from the line from a to b. */
-static double distance(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
-  ph_vec3 ap = ph_vec3_sub(p, a), ab = ph_vec3_sub(b, a);
-  double part = ph_vec3_dot(ap, ab) / ph_vec3_dot(ab, ab);
-  part = part > 0 ? part < 1 ? part : 1 : 0;
-  return ph_vec3_abs(ph_vec3_along(ap, -part, ab));
-}
-
 /* The most of 8 (deviation) / h^2 of some chords of a block. */
 static double bend_of(const struct ph_spherical *s, double d, double u0,
                       double u1) {
@@ -42,10 +23,11 @@ static double bend_of(const struct ph_spherical *s, double d, double u0,
     double h = (u1 - u0) / (double)n;
     for (size_t k = 0; k < n; k++) {
       double from = u0 + (double)k * h;
-      ph_vec3 a = place(s, d, from), b = place(s, d, from + h);
+      ph_vec3 a = unit_parallel(s, d, from), b = unit_parallel(s, d, from + h);
       for (size_t j = 1; j < LOOKS; j++) {
         double u = from + h * (double)j / LOOKS;
-        double away = distance(place(s, d, u), a, b) - ROUNDING;
+        double away =
+            unit_chord_distance(unit_parallel(s, d, u), a, b) - ROUNDING;
         most = fmax(most, 8 * away / (h * h));
       }
     }

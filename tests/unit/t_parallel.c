@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Offsets on the sphere: distances, curvature, cusps, lengths. */
+#include "parallel_unit.h"
 #include "spherical_curve_unit.h"
 #include "kernel/quad.h"
 #include "unit.h"
@@ -40,10 +41,6 @@ static struct ph_offset offset_of(const struct ph_curve *curve,
   return o;
 }
 
-static ph_vec3 vector(const double *v, size_t i) {
-  return ph_vec3_get(v + 3 * i, 3);
-}
-
 static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
   ck_abs(a.x, b.x, tol);
   ck_abs(a.y, b.y, tol);
@@ -52,31 +49,18 @@ static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
 
 /* ---- definitions, for tests --------------------------------------------- */
 
-/* kappa_g straight from the jet of a segment, and its speed. */
-static double kappa_of(const struct ph_curve *curve, size_t k, double u,
-                       double *speed) {
-  struct ph_spherical segment = ph_spherical_of(curve, k);
-  ph_vec3 jet[4];
-  ph_spherical_jet(&segment, u, jet);
-  *speed = ph_vec3_abs(jet[1]);
-  return ph_vec3_triple(jet[0], jet[1], jet[2]) / (*speed * *speed * *speed);
-}
-
 /* cos d - kappa sin d, whose zeros are the cusps. */
 static double ahead(const struct ph_curve *curve, size_t k, double u,
                     double d) {
   double speed;
-  return cos(d) - sin(d) * kappa_of(curve, k, u, &speed);
+  return cos(d) - sin(d) * unit_kappa(curve, k, u, &speed);
 }
 
 /* The offset point of the unit sphere. */
 static ph_vec3 moved(const struct ph_curve *curve, size_t k, double u,
                      double d) {
   struct ph_spherical segment = ph_spherical_of(curve, k);
-  ph_vec3 jet[4];
-  ph_spherical_jet(&segment, u, jet);
-  return ph_vec3_along(ph_vec3_scale(cos(d), jet[0]), sin(d),
-                       ph_vec3_cross(jet[0], ph_vec3_unit(jet[1])));
+  return unit_parallel(&segment, d, u);
 }
 
 /* ---- circles ------------------------------------------------------------ */
@@ -101,9 +85,9 @@ static void ck_latitude(double lat) {
   for (size_t i = 0; i < o.samples.n; i++) {
     double lon = 75 * (o.samples.t[i] + (double)o.samples.segment[i]);
     ph_vec3 at = ph_degree_to_unit(lon, lat), lonlat;
-    ck_vec3(vector(o.samples.point, i), ph_vec3_along(center, radius, at),
+    ck_vec3(unit_vector(o.samples.point, i), ph_vec3_along(center, radius, at),
             4e-15);
-    ck_vec3(vector(o.samples.tangent, i),
+    ck_vec3(unit_vector(o.samples.tangent, i),
             ph_vec3_scale(back, ph_degree_to_unit(lon + 90, 0)), 2e-15);
     ck_abs(o.samples.curvature[i] * radius, sin(d) / fabs(cos(d)), 1e-13);
     ck_abs(o.samples.s[i], radius * lon * DEGREE * fabs(cos(d)), 1e-13);
@@ -169,7 +153,7 @@ START_TEST(test_closed_length) {
   ck_assert(ph_quad_gauss(&rule, 20));
   for (size_t k = 0; k < c.curve.n; k++) {
     for (size_t i = 0; i < rule.n; i++) {
-      double speed, kappa = kappa_of(&c.curve, k, rule.node[i], &speed);
+      double speed, kappa = unit_kappa(&c.curve, k, rule.node[i], &speed);
       total += rule.weight[i] * kappa * speed;
     }
   }
@@ -206,7 +190,8 @@ static void ck_travel(const struct ph_curve *curve, const struct ph_offset *o,
   d2 = ph_vec3_scale(1 / (12 * h * h), d2);
   pace = ph_vec3_abs(d1);
   if (pace > 0.05) {
-    ck_vec3(vector(o->samples.tangent, i), ph_vec3_scale(1 / pace, d1), 1e-6);
+    ck_vec3(unit_vector(o->samples.tangent, i), ph_vec3_scale(1 / pace, d1),
+            1e-6);
     ck_abs(o->samples.curvature[i] * curve->radius,
            ph_vec3_triple(p[2], d1, d2) / (pace * pace * pace),
            1e-4 * (1 + 1 / pace));
@@ -227,8 +212,8 @@ START_TEST(test_random) {
     for (size_t i = 0; i < o.samples.n; i++) {
       struct ph_spherical segment =
           ph_spherical_of(&c.curve, o.samples.segment[i]);
-      ph_vec3 at = ph_vec3_sub(vector(o.samples.point, i), center), jet[2];
-      ph_vec3 tangent = vector(o.samples.tangent, i);
+      ph_vec3 at = ph_vec3_sub(unit_vector(o.samples.point, i), center), jet[2];
+      ph_vec3 tangent = unit_vector(o.samples.tangent, i);
       ph_spherical_first(&segment, o.samples.t[i], jet);
       at = ph_vec3_scale(1 / radius, at);
       ck_abs(ph_vec3_abs(at), 1, 4e-15);
@@ -335,13 +320,13 @@ static double peak_of(const struct ph_curve *curve, double *peak) {
   double from = 0, to = 1, speed;
   for (int i = 0; i < 100; i++) {
     double a = from + (to - from) / 3, b = to - (to - from) / 3;
-    if (kappa_of(curve, 0, a, &speed) < kappa_of(curve, 0, b, &speed)) {
+    if (unit_kappa(curve, 0, a, &speed) < unit_kappa(curve, 0, b, &speed)) {
       from = a;
     } else {
       to = b;
     }
   }
-  *peak = kappa_of(curve, 0, from, &speed);
+  *peak = unit_kappa(curve, 0, from, &speed);
   return from;
 }
 
@@ -384,8 +369,8 @@ START_TEST(test_joint) {
   struct ph_offset o;
   double speed, before, after, d;
   unit_spherical_of(&c, 2, false, p);
-  before = kappa_of(&c.curve, 0, 1, &speed);
-  after = kappa_of(&c.curve, 1, 0, &speed);
+  before = unit_kappa(&c.curve, 0, 1, &speed);
+  after = unit_kappa(&c.curve, 1, 0, &speed);
   ck_assert(after > before + 0.5);
   d = atan2(1, 0.5 * (before + after));
   o = offset_of(&c.curve, d);
@@ -413,17 +398,18 @@ START_TEST(test_rest) {
   struct ph_offset o;
   double d = 0.3, speed;
   unit_spherical_of(&c, 1, false, p);
-  ck_assert(kappa_of(&c.curve, 0, 1e-3, &speed) > 100);
+  ck_assert(unit_kappa(&c.curve, 0, 1e-3, &speed) > 100);
   o = offset_of(&c.curve, d);
   ck_assert_uint_ge(o.cusps.n, 1);
   ck_abs(ahead(&c.curve, 0, o.cusps.at[0].u, d), 0, 1e-11);
   ck_abs(o.samples.curvature[0], cos(d) / sin(d), 1e-12);
-  ck_vec3(vector(o.samples.point, 0), ph_degree_to_unit(0, d / DEGREE), 1e-14);
-  ck_vec3(vector(o.samples.tangent, 0), ph_vec3_of(0, -1, 0), 1e-14);
+  ck_vec3(unit_vector(o.samples.point, 0), ph_degree_to_unit(0, d / DEGREE),
+          1e-14);
+  ck_vec3(unit_vector(o.samples.tangent, 0), ph_vec3_of(0, -1, 0), 1e-14);
   o = offset_of(&c.curve, -d);
   ck_assert_uint_eq(o.cusps.n, 0);
   ck_abs(o.samples.curvature[0], cos(d) / sin(d), 1e-12);
-  ck_vec3(vector(o.samples.tangent, 0), ph_vec3_of(0, 1, 0), 1e-14);
+  ck_vec3(unit_vector(o.samples.tangent, 0), ph_vec3_of(0, 1, 0), 1e-14);
   o = offset_of(&c.curve, 0);
   ck_assert(isnan(o.samples.curvature[0]));
   ck_rel(o.length, c.curve.length, 1e-12);
@@ -441,174 +427,10 @@ START_TEST(test_rest_great_circle) {
   ck_assert_uint_eq(o.cusps.n, 0);
   ck_rel(o.length, 20 * DEGREE, 1e-13);
   for (size_t i = 0; i <= N; i++) {
-    ck_vec3(vector(o.samples.tangent, i),
+    ck_vec3(unit_vector(o.samples.tangent, i),
             ph_degree_to_unit(o.samples.lonlat[2 * i] + 90, 0), 1e-14);
     ck_assert(i % N ? unit_near(o.samples.curvature[i], sqrt(3), 1e-12)
                     : isnan(o.samples.curvature[i]));
-  }
-}
-END_TEST
-
-/* ---- by length and by chords ----------------------------------------------
- */
-
-/* |g|, with kappa from its definition. */
-static double pace_of(const struct ph_curve *curve, size_t k, double u,
-                      double d) {
-  double speed, kappa = kappa_of(curve, k, u, &speed);
-  return fabs(cos(d) - sin(d) * kappa) * speed;
-}
-
-/* The length of an offset over part of a segment, without a cusp within. */
-static double integral(const struct ph_quad *rule, const struct ph_curve *curve,
-                       size_t k, double from, double to, double d) {
-  enum { PARTS = 32 };
-  double sum = 0, h = (to - from) / PARTS;
-  for (size_t i = 0; i < PARTS; i++) {
-    for (size_t j = 0; j < rule->n; j++) {
-      double u = from + h * ((double)i + rule->node[j]);
-      sum += h * rule->weight[j] * pace_of(curve, k, u, d);
-    }
-  }
-  return sum;
-}
-
-START_TEST(test_length) {
-  struct unit_random r = unit_random_of(1323);
-  struct ph_quad rule;
-  ck_assert(ph_quad_gauss(&rule, 20));
-  for (int i = 0; i < unit_count(30); i++) {
-    struct unit_spherical c;
-    struct ph_offset o;
-    double d = unit_random_in(&r, -2, 2), sum = 0;
-    size_t next = 0;
-    unit_spherical_random(&c, 3, 0.2, &r);
-    o = offset_of(&c.curve, d);
-    for (size_t k = 0; k < c.curve.n; k++) {
-      double from = 0;
-      for (; next < o.cusps.n && o.cusps.at[next].segment == k; next++) {
-        sum += integral(&rule, &c.curve, k, from, o.cusps.at[next].u, d);
-        from = o.cusps.at[next].u;
-      }
-      sum += integral(&rule, &c.curve, k, from, 1, d);
-      ck_abs(o.samples.s[(N + 1) * k + N], sum, 1e-13 * (c.curve.length + sum));
-    }
-    ph_arena_reset(&arena);
-  }
-}
-END_TEST
-
-static struct ph_offset offset_by(const struct ph_curve *curve, double distance,
-                                  struct ph_sample_rules samples) {
-  const struct ph_offset_rules by = {.tolerance = 1e-9, .samples = samples};
-  struct ph_offset o;
-  ck_assert_int_eq(ph_offset_spherical(curve, distance, &by, &arena, &o, &diag),
-                   PH_OK);
-  return o;
-}
-
-/* A sample is at the distance from its place on the curve. */
-static void ck_beside(const struct ph_curve *curve, const struct ph_offset *o,
-                      size_t i, double d) {
-  struct ph_spherical segment = ph_spherical_of(curve, o->samples.segment[i]);
-  ph_vec3 on = ph_spherical_point(&segment, o->samples.t[i]);
-  ck_abs(ph_s2_angle(on, vector(o->samples.point, i)), fabs(d), 1e-12);
-}
-
-/* Equally spaced along the offset, which is not longer than its chords say. */
-START_TEST(test_spacing) {
-  struct unit_random r = unit_random_of(1324);
-  for (int i = 0; i < unit_count(20); i++) {
-    const double d = unit_random_in(&r, -2, 2);
-    struct ph_sample_rules by = {.how = PH_SAMPLE_SPACING};
-    struct unit_spherical c;
-    struct ph_offset o;
-    unit_spherical_random(&c, 3, 0.4, &r);
-    by.spacing = offset_of(&c.curve, d).length / 100.5;
-    o = offset_by(&c.curve, d, by);
-    ck_assert_uint_eq(o.samples.n, 102);
-    ck_abs(o.samples.s[101], o.length, 0);
-    for (size_t j = 0; j < o.samples.n; j++) {
-      ck_beside(&c.curve, &o, j, d);
-      if (j < 101) {
-        ck_abs(o.samples.s[j], (double)j * by.spacing, 1e-15 * o.length);
-      }
-      if (j > 0) {
-        ck_assert(ph_s2_angle(vector(o.samples.point, j - 1),
-                              vector(o.samples.point, j)) <=
-                  by.spacing * (1 + 1e-12));
-      }
-    }
-    ph_arena_reset(&arena);
-  }
-}
-END_TEST
-
-/* Parallels of a great circle at one speed: equal spacing is that of longitude.
- */
-START_TEST(test_spacing_latitude) {
-  const double d = 50 * DEGREE, length = 60 * DEGREE * cos(d);
-  const struct ph_sample_rules by = {.how = PH_SAMPLE_SPACING,
-                                     .spacing = length / 12};
-  ph_vec3 p[4];
-  struct unit_spherical c;
-  struct ph_offset o;
-  for (size_t i = 0; i < 4; i++) {
-    p[i] = ph_degree_to_unit(20.0 * (double)i, 0);
-  }
-  unit_spherical_of(&c, 1, false, p);
-  o = offset_by(&c.curve, d, by);
-  ck_assert_uint_eq(o.samples.n, 13);
-  for (size_t i = 0; i <= 12; i++) {
-    ck_abs(o.samples.lonlat[2 * i], 5 * (double)i, 1e-12);
-    ck_abs(o.samples.lonlat[2 * i + 1], 50, 1e-13);
-    ck_abs(o.samples.curvature[i], tan(d), 1e-13);
-  }
-}
-END_TEST
-
-/* The distance of p from the line from a to b. */
-static double distance(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
-  ph_vec3 ap = ph_vec3_sub(p, a), ab = ph_vec3_sub(b, a);
-  double part = ph_vec3_dot(ap, ab) / ph_vec3_dot(ab, ab);
-  part = part > 0 ? part < 1 ? part : 1 : 0;
-  return ph_vec3_abs(ph_vec3_along(ap, -part, ab));
-}
-
-/* No place of the offset is farther from the chord over it than asked for, and
- * cusps are samples. */
-START_TEST(test_chords) {
-  enum { LOOKS = 16 };
-  struct unit_random r = unit_random_of(1325);
-  for (int i = 0; i < unit_count(20); i++) {
-    const double d = unit_random_in(&r, -2, 2), error = 1e-4;
-    const struct ph_sample_rules by = {.how = PH_SAMPLE_CHORD,
-                                       .chord_error = error};
-    struct unit_spherical c;
-    struct ph_offset o;
-    size_t cusps = 0;
-    unit_spherical_random(&c, 3, 0.4, &r);
-    o = offset_by(&c.curve, d, by);
-    for (size_t j = 0; j < o.samples.n; j++) {
-      size_t k = o.samples.segment[j];
-      double from =
-          j > 0 && o.samples.segment[j - 1] == k ? o.samples.t[j - 1] : 0;
-      double to = o.samples.t[j];
-      ck_beside(&c.curve, &o, j, d);
-      for (size_t m = 0; j > 0 && m <= LOOKS; m++) {
-        double u = from + (to - from) * (double)m / LOOKS;
-        ck_assert(distance(moved(&c.curve, k, u, d),
-                           vector(o.samples.point, j - 1),
-                           vector(o.samples.point, j)) <= error * (1 + 1e-9));
-      }
-      while (cusps < o.cusps.n && o.cusps.at[cusps].segment == k &&
-             o.cusps.at[cusps].u <= to) {
-        ck_assert(o.cusps.at[cusps].u >= to || o.cusps.at[cusps].u <= 0);
-        cusps++;
-      }
-    }
-    ck_assert_uint_eq(cusps, o.cusps.n);
-    ph_arena_reset(&arena);
   }
 }
 END_TEST
@@ -673,10 +495,6 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_joint);
   tcase_add_test(tc, test_rest);
   tcase_add_test(tc, test_rest_great_circle);
-  tcase_add_test(tc, test_length);
-  tcase_add_test(tc, test_spacing);
-  tcase_add_test(tc, test_spacing_latitude);
-  tcase_add_test(tc, test_chords);
   tcase_add_test(tc, test_refusals);
   tcase_add_test(tc, test_too_large);
   suite_add_tcase(s, tc);
