@@ -103,7 +103,7 @@ static void fail_input(struct run *r, const struct ph_diag *diag) {
 /* Finds the problem of the current record, a result; false if the problems
  * cannot be read. */
 static bool find_problem(struct run *r) {
-  struct ph_diag diag;
+  struct ph_diag diag = {.line = 0};
   struct ph_diag *why =
       r->current.record.status == PH_OK ? &r->current.diag : &diag;
   enum ph_status status = ph_pairing_find(

@@ -23,6 +23,9 @@ void ph_verify_joint(struct ph_verify *v, const struct ph_verify_segment *a,
 /* ph_verify_lengths: of all segments, intervals and the whole. */
 void ph_verify_lengths(struct ph_verify *v);
 
+/* ph_verify_fairness: energies and turns that the diagnostics claim. */
+void ph_verify_fairness(struct ph_verify *v);
+
 /* ph_verify_conversion: by how much a Bezier curve may be longer or shorter
  * than the curve that it stands for; 0 of other curves. */
 double ph_verify_conversion(const struct ph_verify *v);

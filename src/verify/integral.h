@@ -23,19 +23,31 @@ struct ph_verify_rule {
 /* ph_verify_rule_of: false when memory is exhausted. */
 bool ph_verify_rule_of(struct ph_verify_rule *rule);
 
-/* A function of one variable. */
-typedef double ph_verify_integrand(const void *context, double x);
+/* At most so many functions at once. */
+enum { PH_VERIFY_TOGETHER = 10 };
+
+/* Functions of one variable: out  value[n]. */
+typedef void ph_verify_integrand(const void *context, double x, double *value);
+
+/* What is integrated together. */
+struct ph_verify_integrands {
+  ph_verify_integrand *f;
+  const void *context;
+  size_t n;         /* functions */
+  size_t uncertain; /* 0; or n = 2 uncertain, and the second half are errors of
+                       the first, which need not be found better than that */
+  double tolerance; /* absolute, per unit of x */
+  double relative;  /* of the integral */
+};
 
 /*
- * ph_verify_integral: the integral of f over [from,to].
+ * ph_verify_integral: the integrals over [from,to].
  *
- * in   tolerance  absolute, per unit of x
- * in   relative   of the integral of each part
- * ret  NaN when the number of intervals does not suffice
+ * out  sum[n]  NaN when the number of intervals does not suffice, or where a
+ *              function is not finite; the others do not suffer from that
  */
-double ph_verify_integral(const struct ph_verify_rule *rule,
-                          ph_verify_integrand *f, const void *context,
-                          double from, double to, double tolerance,
-                          double relative);
+void ph_verify_integral(const struct ph_verify_rule *rule,
+                        const struct ph_verify_integrands *of, double from,
+                        double to, double *sum);
 
 #endif

@@ -266,15 +266,18 @@ ph_vec3 ph_verify_across(const struct ph_verify_path *path, double u) {
 
 /* ---- length ------------------------------------------------------------- */
 
-static double speed_at(const void *context, double u) {
-  return ph_verify_place_at(context, u).speed;
+static void speed_at(const void *context, double u, double *value) {
+  *value = ph_verify_place_at(context, u).speed;
 }
 
 double ph_verify_path_length(const struct ph_verify_path *path, double from,
                              double to) {
+  const struct ph_verify_integrands of = {speed_at, path,           1,
+                                          0,        path->s->noise, LENGTH};
+  double length;
   if (!(fabs(path->distance) > 0)) {
     return ph_verify_length_of(path->v, path->s, from, to);
   }
-  return ph_verify_integral(&path->v->rule, speed_at, path, from, to,
-                            path->s->noise, LENGTH);
+  ph_verify_integral(&path->v->rule, &of, from, to, &length);
+  return length;
 }

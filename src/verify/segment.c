@@ -197,14 +197,17 @@ ph_vec3 ph_verify_point(const struct ph_verify *v,
                  : ph_vec3_sub(s->p[s->m + 1], chord(v, s, u, 1));
 }
 
-static double speed_at(const void *context, double u) {
+static void speed_at(const void *context, double u, double *value) {
   ph_vec3 first;
   ph_verify_jet(context, u, &first, 1);
-  return ph_vec3_abs(first);
+  *value = ph_vec3_abs(first);
 }
 
 double ph_verify_length_of(const struct ph_verify *v,
                            const struct ph_verify_segment *s, double from,
                            double to) {
-  return ph_verify_integral(&v->rule, speed_at, s, from, to, s->noise, LENGTH);
+  const struct ph_verify_integrands of = {speed_at, s, 1, 0, s->noise, LENGTH};
+  double length;
+  ph_verify_integral(&v->rule, &of, from, to, &length);
+  return length;
 }

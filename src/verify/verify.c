@@ -116,6 +116,7 @@ static enum ph_status check_curve(struct ph_verify *v) {
   }
   check_segments(v);
   ph_verify_lengths(v);
+  ph_verify_fairness(v);
   if (v->curve == &v->claim->curve) {
     check_derived(v);
   }

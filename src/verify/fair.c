@@ -1,0 +1,327 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * How fair a curve is, against quadrature of what follows from its control
+ * points.  With sigma = |r'|, C = r' x r'' and primes by u,
+ *
+ *   kappa = |C| / sigma^3,  kappa' = |C|' / sigma^3 - 3 kappa sigma' / sigma,
+ *   tau = C . r''' / |C|^2,
+ *   tau' = C . r'''' / |C|^2 - 2 tau C . C' / |C|^2,  C' = r' x r'''     (1)
+ *
+ *   energy   E   = integral of kappa^2 sigma
+ *            MV  = integral of kappa'^2 / sigma
+ *   IES = E L,  IMV = MV L^3
+ *   F1, F2   sums of IES and IMV of the segments; F3 = F2 + L^3 times the
+ *            integral of tau'^2 / sigma, summed
+ *   rotation_index, absolute   integrals of kappa sigma, |kappa| sigma / 2 pi
+ *
+ * Where a curve nearly stops, these are large, and rounding of control points
+ * changes them: by how much is integrated, too.
+ */
+#include "verify/check.h"
+
+#include "base/sum.h"
+#include "kernel/pi.h"
+
+/* Integrals, relative. */
+static const double INTEGRAL = 1e-11;
+
+/* Claims that were integrated to less are not looked at closer. */
+static const double CLAIMED = 1e-10;
+
+/* Derivatives are as uncertain as (note.h) and change as fast as that. */
+static const double NEXT = PH_VERIFY_ROUND_NEXT;
+
+/* A torsion that comes and goes with changes of r' by this, relative, is that
+ * of a plane curve. */
+static const double PLANE = 1e-10;
+
+/* Where the sine between r' and r'' is less than this, a space curve is near to
+ * an inflection.  The slope of its curvature changes sign there, within nothing
+ * or as good as nothing, and that of its torsion has a peak that is as high as
+ * the curve is near: one is known to less, the other is no number to be
+ * compared. */
+static const double INFLECTION = 1e-3, LESS = 1e-7;
+
+enum integral { BENDING, VARYING, TWISTING, TURNING, ABSOLUTE, INTEGRALS };
+
+/* A segment, and what is integrated: the value of each, then its error. */
+struct integrand {
+  const struct ph_verify_segment *s;
+  bool plane;
+  enum integral what[INTEGRALS];
+  size_t n;
+  bool twists;  /* TWISTING is among them */
+  double *sine; /* the smallest one between r' and r'' so far */
+};
+
+/* (1) at a place, with errors. */
+struct bend {
+  double speed, kappa, slope, twist;
+  double kappa_error, slope_error, twist_error;
+};
+
+static void twist(const struct ph_verify_segment *s, const ph_vec3 jet[4],
+                  ph_vec3 turn, struct bend *b) {
+  double noise = s->noise + PLANE * s->speed;
+  double error = noise * (NEXT * b->speed + ph_vec3_abs(jet[1]));
+  double square = ph_vec3_dot(turn, turn), size = sqrt(square);
+  ph_vec3 change = ph_vec3_cross(jet[0], jet[2]);
+  double tau = ph_vec3_dot(turn, jet[2]) / square;
+  double rate = ph_vec3_dot(turn, change) / square;
+  double part = error / size, third = ph_vec3_abs(jet[2]);
+  b->twist = ph_vec3_dot(turn, jet[3]) / square - 2 * tau * rate;
+  b->twist_error =
+      (NEXT * NEXT * NEXT * noise + ph_vec3_abs(jet[3]) * part) / size +
+      2 * fabs(rate) * (NEXT * NEXT * noise + 2 * third * part) / size +
+      2 * fabs(tau) * (NEXT * error + 3 * ph_vec3_abs(change) * part) / size;
+}
+
+static struct bend bend_at(const struct integrand *in, double u) {
+  const struct ph_verify_segment *s = in->s;
+  struct bend b = {.twist = 0};
+  ph_vec3 jet[4], turn, change;
+  double size, cube, rate, fast, second;
+  ph_verify_jet(s, u, jet, in->twists ? 4 : 3);
+  b.speed = ph_vec3_abs(jet[0]);
+  second = ph_vec3_abs(jet[1]);
+  cube = b.speed * b.speed * b.speed;
+  turn = ph_vec3_cross(jet[0], jet[1]);
+  change = ph_vec3_cross(jet[0], jet[2]);
+  size = in->plane ? turn.z : ph_vec3_abs(turn);
+  rate = ph_vec3_dot(jet[0], jet[1]) / (b.speed * b.speed);
+  b.kappa = size / cube;
+  b.slope = (in->plane  ? change.z
+             : size > 0 ? ph_vec3_dot(turn, change) / size
+                        : ph_vec3_abs(change)) /
+                cube -
+            3 * b.kappa * rate;
+  fast = NEXT + 4 * second / b.speed + sqrt(ph_vec3_abs(jet[2]) / b.speed);
+  b.kappa_error =
+      (ph_verify_uncertain(s, 2) + 4 * second * s->noise / b.speed) /
+      (b.speed * b.speed);
+  b.slope_error =
+      fast * b.kappa_error + fast * fabs(b.slope) * s->noise / b.speed;
+  if (in->twists) {
+    *in->sine = ph_verify_smaller(*in->sine, size / (b.speed * second));
+    twist(s, jet, turn, &b);
+  }
+  return b;
+}
+
+/* x^2 and by how much it may be off, times a factor. */
+static void put_square(double x, double error, double factor, double *value,
+                       double *uncertain) {
+  *value = x * x * factor;
+  *uncertain = (2 * fabs(x) + error) * error * factor;
+}
+
+static void values_at(const void *context, double u, double *value) {
+  const struct integrand *in = context;
+  struct bend b = bend_at(in, u);
+  for (size_t i = 0; i < in->n; i++) {
+    double *x = &value[i], *error = &value[in->n + i];
+    switch (in->what[i]) {
+    case BENDING:
+      put_square(b.kappa, b.kappa_error, b.speed, x, error);
+      break;
+    case VARYING:
+      put_square(b.slope, b.slope_error, 1 / b.speed, x, error);
+      break;
+    case TWISTING:
+      put_square(b.twist, b.twist_error, 1 / b.speed, x, error);
+      break;
+    default:
+      *x = (in->what[i] == TURNING ? b.kappa : fabs(b.kappa)) * b.speed;
+      *error = b.kappa_error * b.speed;
+    }
+  }
+}
+
+/* ---- sums over the segments --------------------------------------------- */
+
+/* A sum, and by how much it may be off. */
+struct total {
+  struct ph_sum sum;
+  double error;
+};
+
+struct fair {
+  struct ph_verify *v;
+  struct total of[INTEGRALS]; /* integrals over the curve */
+  struct total f[3];          /* F1, F2, F3 */
+  bool wanted[INTEGRALS];
+};
+
+static void add(struct total *total, double x, double error) {
+  ph_sum_add(&total->sum, x);
+  total->error += error;
+}
+
+static void add_segment(struct fair *fair, const struct ph_verify_segment *s) {
+  struct ph_verify *v = fair->v;
+  double sine = 1;
+  struct integrand in = {.s = s,
+                         .plane = v->curve->dimension == 2,
+                         .twists = fair->wanted[TWISTING],
+                         .sine = &sine};
+  struct ph_verify_integrands of = {values_at, &in, 0, 0, 0, INTEGRAL};
+  double sum[PH_VERIFY_TOGETHER], value[INTEGRALS] = {0},
+                                  error[INTEGRALS] = {0};
+  double l = v->length[s->k], cube = l * l * l;
+  for (size_t i = 0; i < INTEGRALS; i++) {
+    if (fair->wanted[i]) {
+      in.what[in.n++] = (enum integral)i;
+    }
+  }
+  of.n = 2 * in.n;
+  of.uncertain = in.n;
+  ph_verify_integral(&v->rule, &of, 0, 1, sum);
+  for (size_t i = 0; i < in.n; i++) {
+    enum integral what = in.what[i];
+    value[what] = sum[i];
+    error[what] = sum[in.n + i] + 4 * INTEGRAL * fabs(sum[i]);
+    add(&fair->of[what], value[what], error[what]);
+  }
+  if (sine < INFLECTION) {
+    error[VARYING] += LESS * value[VARYING];
+    error[TWISTING] = HUGE_VAL;
+  }
+  add(&fair->f[0], l * value[BENDING], l * error[BENDING]);
+  add(&fair->f[1], cube * value[VARYING], cube * error[VARYING]);
+  add(&fair->f[2], cube * (value[VARYING] + value[TWISTING]),
+      cube * (error[VARYING] + error[TWISTING]));
+}
+
+/* ---- claims ------------------------------------------------------------- */
+
+/* What a number is: a sum times a power of the length and of the scale. */
+struct claim {
+  enum ph_diagnostic which;
+  const struct total *total;
+  double factor; /* of the sum, to the unit of the record */
+};
+
+/* The claims that can be found; at most these. */
+enum { CLAIMS = 9 };
+
+static size_t claims_of(const struct fair *fair, struct claim *claim) {
+  const struct ph_verify *v = fair->v;
+  bool plane = v->curve->dimension == 2;
+  double one = ph_verify_scaled(v, 1), l = 0;
+  const double turn = 1 / (2 * PH_PI);
+  const struct claim all[CLAIMS] = {
+      {PH_D_ENERGY, &fair->of[BENDING], one},
+      {PH_D_F1, &fair->f[0], 1},
+      {PH_D_F2, &fair->f[1], 1},
+      {PH_D_F3, &fair->f[2], 1},
+      {PH_D_ROTATION_INDEX, &fair->of[TURNING], turn},
+      {PH_D_ABSOLUTE_ROTATION_INDEX, &fair->of[ABSOLUTE], turn},
+      {PH_D_MV, &fair->of[VARYING], one * one * one},
+      {PH_D_IES, &fair->of[BENDING], 1},
+      {PH_D_IMV, &fair->of[VARYING], 1}};
+  size_t n = plane ? CLAIMS : 4;
+  for (size_t k = 0; k < v->curve->n; k++) {
+    l += v->length[k];
+  }
+  for (size_t i = 0; i < n; i++) {
+    claim[i] = all[i];
+  }
+  if (plane) {
+    claim[7].factor = l;
+    claim[8].factor = l * l * l;
+  }
+  return n;
+}
+
+static double excess_of(const struct claim *claim, double claimed) {
+  double found = claim->factor * ph_sum_value(&claim->total->sum);
+  double error = claim->factor * claim->total->error;
+  return ph_verify_excess(fabs(claimed - found), fabs(found),
+                          error + CLAIMED * fabs(found));
+}
+
+static void check_claim(struct ph_verify *v, const struct claim *claim,
+                        enum ph_diagnostic which) {
+  double claimed = v->diagnostics->value[which];
+  double found = claim->factor * ph_sum_value(&claim->total->sum);
+  double error = claim->factor * claim->total->error;
+  double unit = fabs(found);
+  if (claim->which == PH_D_ROTATION_INDEX ||
+      claim->which == PH_D_ABSOLUTE_ROTATION_INDEX) {
+    unit = ph_verify_larger(unit, 1);
+  }
+  if (isfinite(found) && isfinite(error)) {
+    ph_verify_number(
+        v, PH_V_DIAGNOSTIC,
+        ph_verify_of("diagnostics", PH_VERIFY_ONE, ph_diagnostic_name(which)),
+        claimed, found, unit, error + CLAIMED * unit);
+  }
+}
+
+/* The minimised functional is one of those that a curve of its kind has. */
+static void check_functional(struct ph_verify *v, const struct claim *claim,
+                             size_t n) {
+  double claimed = v->diagnostics->value[PH_D_FUNCTIONAL];
+  size_t best = n;
+  for (size_t i = 0; i < n; i++) {
+    enum ph_diagnostic which = claim[i].which;
+    bool is_one = v->curve->dimension == 2
+                      ? which == PH_D_ENERGY || which >= PH_D_MV
+                      : which != PH_D_ENERGY;
+    if (is_one && which != PH_D_ROTATION_INDEX &&
+        which != PH_D_ABSOLUTE_ROTATION_INDEX &&
+        !(which >= PH_D_F1 && which <= PH_D_F3 && v->curve->dimension == 2) &&
+        (best == n || !(excess_of(&claim[i], claimed) >=
+                        excess_of(&claim[best], claimed)))) {
+      best = i;
+    }
+  }
+  if (best < n) {
+    check_claim(v, &claim[best], PH_D_FUNCTIONAL);
+  }
+}
+
+static void set_wanted(struct fair *fair) {
+  const struct ph_verify *v = fair->v;
+  bool plane = v->curve->dimension == 2;
+  bool functional = ph_verify_known(v, PH_D_FUNCTIONAL);
+  bool f3 = ph_verify_known(v, PH_D_F3) || functional;
+  fair->wanted[BENDING] = functional || ph_verify_known(v, PH_D_ENERGY) ||
+                          ph_verify_known(v, PH_D_IES) ||
+                          ph_verify_known(v, PH_D_F1);
+  fair->wanted[VARYING] = functional || ph_verify_known(v, PH_D_MV) ||
+                          ph_verify_known(v, PH_D_IMV) ||
+                          ph_verify_known(v, PH_D_F2) || f3;
+  fair->wanted[TWISTING] = !plane && f3;
+  fair->wanted[TURNING] = plane && ph_verify_known(v, PH_D_ROTATION_INDEX);
+  fair->wanted[ABSOLUTE] =
+      plane && ph_verify_known(v, PH_D_ABSOLUTE_ROTATION_INDEX);
+}
+
+void ph_verify_fairness(struct ph_verify *v) {
+  struct fair fair = {.v = v};
+  struct claim claim[CLAIMS];
+  bool any = false;
+  size_t n;
+  set_wanted(&fair);
+  for (size_t i = 0; i < INTEGRALS; i++) {
+    any = any || fair.wanted[i];
+  }
+  if (!any || v->curve->kind == PH_CURVE_BEZIER || v->curve->radius > 0) {
+    return; /* Bezier curves stand for another */
+  }
+  for (size_t k = 0; k < v->curve->n; k++) {
+    struct ph_verify_segment s;
+    ph_verify_load(v, k, &s);
+    add_segment(&fair, &s);
+  }
+  n = claims_of(&fair, claim);
+  for (size_t i = 0; i < n; i++) {
+    if (ph_verify_known(v, claim[i].which)) {
+      check_claim(v, &claim[i], claim[i].which);
+    }
+  }
+  if (ph_verify_known(v, PH_D_FUNCTIONAL)) {
+    check_functional(v, claim, n);
+  }
+}
