@@ -10,7 +10,6 @@
 
 #include "kernel/adapt.h"
 
-#include <float.h>
 #include <stdint.h>
 
 static struct places_data data;
