@@ -28,7 +28,7 @@
 #define LOOSE 1.7
 
 /* A view is no flatter than this, whatever the curve. */
-#define FLAT 0.4
+#define FLAT 0.18
 
 /* The parts of a panel's place. */
 struct place {
