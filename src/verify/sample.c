@@ -197,6 +197,19 @@ static void check_sample(struct walk *w, size_t i) {
 
 /* ---- all of them -------------------------------------------------------- */
 
+/* Samples are in the order of the parameter, and so of the length, which may
+ * have been rounded. */
+static void check_order(struct walk *w, size_t i) {
+  const struct ph_samples *of = w->of;
+  if (i > 0 && of->segment[i] == of->segment[i - 1] &&
+      !(of->t[i] >= of->t[i - 1])) {
+    ph_verify_wrong(w->v, PH_V_SAMPLE, in(i, "t"), "is before the last one");
+  }
+  if (i > 0 && !(of->s[i] >= of->s[i - 1] * (1 - ROUND_UNIT))) {
+    ph_verify_wrong(w->v, PH_V_SAMPLE, in(i, "s"), "is before the last one");
+  }
+}
+
 /* Whether there is what every sample must have. */
 static bool is_whole(struct ph_verify *v, const struct ph_samples *of) {
   bool whole = of->segment && of->t && of->s && of->point && of->tangent &&
@@ -227,6 +240,7 @@ void ph_verify_samples(struct ph_verify *v, const struct ph_samples *of,
                       k < w.k ? "is one before" : "is not there");
       return;
     }
+    check_order(&w, i);
     while (w.k < k) {
       next_segment(&w);
     }
