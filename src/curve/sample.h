@@ -115,19 +115,6 @@ enum ph_sampling {
   PH_SAMPLE_CHORD      /* so that chords are near the curve */
 };
 
-/* Frames: X(SYMBOL, "name"). */
-#define PH_FRAMES(X)  \
-  X(FRENET, "frenet") \
-  X(ERF, "erf")       \
-  X(RMF, "rmf")
-
-enum ph_frame {
-  PH_FRAME_NONE,
-#define X(symbol, name) PH_FRAME_##symbol,
-  PH_FRAMES(X)
-#undef X
-};
-
 /* Where samples are taken, and with which frame. */
 struct ph_sample_rules {
   enum ph_sampling how;

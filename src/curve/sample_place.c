@@ -12,8 +12,6 @@
  */
 #include "curve/sample_place.h"
 
-#include <float.h>
-
 enum { STEPS_MAX = 200 };
 
 /* Of the length of the segment: half of what is promised. */

@@ -8,6 +8,14 @@
 
 #include "verify/place.h"
 
+#include <string.h>
+
+/* ph_verify_is_command: of which command the result is. */
+static inline bool ph_verify_is_command(const struct ph_verify *v,
+                                        const char *name) {
+  return v->command && strcmp(v->command, name) == 0;
+}
+
 /* ph_verify_shape: whether arrays, numbers and knots are such that there is a
  * curve to look at. */
 bool ph_verify_shape(struct ph_verify *v);
@@ -38,6 +46,21 @@ double ph_verify_conversion(const struct ph_verify *v);
  */
 void ph_verify_samples(struct ph_verify *v, const struct ph_samples *samples,
                        const struct ph_verify_path *beside, double *length);
+
+/* ph_verify_sphere: points of a curve on a sphere; with the problem, what joins
+ * and ends its segments. */
+void ph_verify_sphere(struct ph_verify *v);
+
+/* ph_verify_blaschke: images on the Blaschke cylinder. */
+void ph_verify_blaschke(struct ph_verify *v);
+
+/* ph_verify_solves: the problem, if there is one.
+ * ret  PH_OK | PH_NO_MEMORY */
+enum ph_status ph_verify_solves(struct ph_verify *v);
+
+/* ph_verify_distance: of cubics from the curve of the problem.
+ * ret  PH_OK | PH_NO_MEMORY */
+enum ph_status ph_verify_distance(struct ph_verify *v);
 
 /* ph_verify_offset: an offset curve. */
 void ph_verify_offset(struct ph_verify *v, const struct ph_offset *offset);
