@@ -14,8 +14,6 @@
 #include "cli/plot.h"
 
 #include <getopt.h>
-#include <limits.h>
-#include <math.h>
 #include <string.h>
 #include <unistd.h>
 

@@ -7,7 +7,6 @@
  */
 #include "cli/pairing.h"
 
-#include "base/suggest.h"
 #include "io/json_in.h"
 #include "io/json_read.h"
 #include "io/number.h"

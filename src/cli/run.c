@@ -17,9 +17,7 @@
 #include "cli/work.h"
 
 #include <pthread.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { BATCH_ITEMS = 64, BATCH_BYTES = 64 << 10, SLOTS_PER_JOB = 4 };
 
@@ -103,7 +101,7 @@ static void fail_input(struct run *r, const struct ph_diag *diag) {
 /* Finds the problem of the current record, a result; false if the problems
  * cannot be read. */
 static bool find_problem(struct run *r) {
-  struct ph_diag diag;
+  struct ph_diag diag = {.line = 0};
   struct ph_diag *why =
       r->current.record.status == PH_OK ? &r->current.diag : &diag;
   enum ph_status status = ph_pairing_find(

@@ -19,7 +19,6 @@
 #include "verify/verify.h"
 
 #include <float.h>
-#include <math.h>
 #include <string.h>
 #include <time.h>
 

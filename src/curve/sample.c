@@ -311,7 +311,7 @@ static enum ph_status sample(const struct ph_curve *curve,
                       .diag = diag};
   enum ph_status status =
       ph_sampler_begin(&walk.sampler, curve, offset, arena, diag);
-  *samples = (struct ph_samples){.dimension = curve->dimension};
+  *samples = (struct ph_samples){.frame = frame, .dimension = curve->dimension};
   if (status == PH_OK) {
     status = ph_framing_begin(&walk.framing, curve, frame, arena, diag);
   }

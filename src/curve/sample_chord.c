@@ -2,8 +2,6 @@
 /* Places by the error of chords (see sample_chord.h). */
 #include "curve/sample_chord.h"
 
-#include <float.h>
-
 /*
  * A block of no more than COARSE chords is not halved, nor one that came of a
  * halving that saved less than 7 % of the chords.  Two halvings are

@@ -12,6 +12,9 @@
  * T) = -a . (r' x r'') / (|r'| (|r'| + a . r')),              (2) with that
  * axis, of some, from whose opposite T stays farthest.
  *
+ * A curve that stands still in space has no such frame: how it turns there is
+ * not known to any digit.
+ *
  * At a joint the frame is taken along by the shortest rotation between the
  * tangents, (1) again, which mostly are the same.  Integrals are to 1e-13.
  *

@@ -49,7 +49,4 @@ struct ph_motion ph_motion_at(const struct ph_spherical_fast *segment,
 double ph_motion_pace(const struct ph_motion *motion, double cosine,
                       double sine);
 
-/* ph_motion_point: where a point of the unit sphere is in the user's unit. */
-ph_vec3 ph_motion_point(const struct ph_curve *curve, ph_vec3 s);
-
 #endif

@@ -245,11 +245,11 @@ static struct ph_sample at_plane(const struct state *state, double distance,
   const double rate = fabs(travel_rate(state, a, slope));
   const double per = 1 / dot(a, a);
   const ph_vec3 e1 = ph_vec3_scale(per, ph_quat_i(a, a));
-  const ph_vec3 left = ph_vec3_of(-e1.y, e1.x, 0);
+  const ph_vec3 left = ph_vec3_of(-e1.y, e1.x, 0), none = {0, 0, 0};
   struct ph_sample sample = {.lonlat = {0, 0}};
   sample.point =
       ph_vec3_along(ph_fast3_point(&state->fast, &place), distance, left);
-  sample.tangent = ph_vec3_scale(part->sign, e1);
+  sample.tangent = part->sign > 0 ? e1 : ph_vec3_sub(none, e1); /* no -0 */
   sample.curvature = sample.torsion = (double)NAN;
   if (!cusp && rate > travel_noise(state, a, slope)) {
     sample.curvature =

@@ -9,8 +9,6 @@
 #include "curve/sample_kind.h"
 #include "curve/seg3_fast.h"
 
-#include <float.h>
-
 /* A at unit scale that is less than this has no curvature but its rounding;
  * likewise the torsion, as z of the curvature. */
 static const double ROUNDING = PH_FAST3_ROUNDING;

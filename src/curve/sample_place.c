@@ -12,8 +12,6 @@
  */
 #include "curve/sample_place.h"
 
-#include <float.h>
-
 enum { STEPS_MAX = 200 };
 
 /* Of the length of the segment: half of what is promised. */
@@ -54,12 +52,13 @@ static struct look find(struct search *search, struct look before, double u) {
     double f, d, next;
     f = ph_sampler_length(search->sampler, now.u, &now.speed) - search->s;
     search->steps++;
+    d = -f / now.speed;
+    next = now.u + d;
     if (fabs(f) <= near) {
+      now.u = next > search->low && next < search->high ? next : now.u;
       break;
     }
     *(f > 0 ? &search->high : &search->low) = now.u;
-    d = -f / now.speed;
-    next = now.u + d;
     if (next > search->low && next < search->high && fabs(f) <= last[1] / 2) {
       if (left_after(search, before, now, d) <= near) {
         now.speed += (now.speed - before.speed) / (now.u - before.u) * d;

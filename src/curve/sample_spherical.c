@@ -56,7 +56,8 @@ struct ph_motion ph_motion_at(const struct ph_spherical_fast *fast, double u) {
   return motion;
 }
 
-ph_vec3 ph_motion_point(const struct ph_curve *curve, ph_vec3 s) {
+/* Where a point of the unit sphere is in the user's unit. */
+static ph_vec3 placed(const struct ph_curve *curve, ph_vec3 s) {
   return ph_vec3_along(ph_vec3_get(curve->center, 3), curve->radius, s);
 }
 
@@ -66,7 +67,7 @@ static ph_vec3 point_at(const struct ph_curve *curve, size_t k, double u,
   const double *p = curve->control_points + 12 * k;
   return !(u > 0)   ? ph_vec3_get(p, 3)
          : !(u < 1) ? ph_vec3_get(p + 9, 3)
-                    : ph_motion_point(curve, s);
+                    : placed(curve, s);
 }
 
 double ph_motion_pace(const struct ph_motion *motion, double cosine,
@@ -239,7 +240,7 @@ static struct ph_sample at_parallel(const struct ph_sampler *sampler,
   ph_vec3 left = ph_vec3_cross(m->s, m->tangent);
   ph_vec3 o = ph_vec3_along(ph_vec3_scale(cosine, m->s), sine, left);
   struct ph_sample sample = {.torsion = (double)NAN};
-  sample.point = ph_motion_point(curve, o);
+  sample.point = placed(curve, o);
   sample.tangent = g < 0 ? ph_vec3_scale(-1, m->tangent) : m->tangent;
   sample.curvature = fabs(g) > 0 ? bend / fabs(g) / curve->radius : (double)NAN;
   ph_degree_of_unit(o, sample.lonlat);

@@ -222,6 +222,9 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
   if (result->offsets_n) {
     ph_write_offsets(&w, result->offsets, result->offsets_n);
   }
+  if (result->samples.frame) {
+    ph_write_key_string(&w, "frame", ph_frame_name(result->samples.frame));
+  }
   if (result->samples.n) {
     ph_write_samples(&w, &result->samples);
   }

@@ -34,6 +34,7 @@ enum member {
   INTERVALS,
   LENGTH,
   OFFSETS,
+  FRAME,
   SAMPLES,
   DIAGNOSTICS,
   SOLUTIONS,
@@ -41,10 +42,10 @@ enum member {
 };
 
 static const char *const member_names[MEMBERS] = {
-    "id",     "meta",      "command",  "status",      "sweep",
-    "curve",  "dimension", "degree",   "closed",      "segments",
-    "center", "radius",    "tensions", "indicators",  "intervals",
-    "length", "offsets",   "samples",  "diagnostics", "solutions"};
+    "id",        "meta",        "command",   "status",   "sweep",   "curve",
+    "dimension", "degree",      "closed",    "segments", "center",  "radius",
+    "tensions",  "indicators",  "intervals", "length",   "offsets", "frame",
+    "samples",   "diagnostics", "solutions"};
 
 /* A list of names to choose from. */
 struct words {
@@ -60,12 +61,17 @@ static const char *root_word(size_t i) {
   return ph_root_name((enum ph_root)i);
 }
 
+static const char *frame_word(size_t i) {
+  return ph_frame_name((enum ph_frame)(i + 1));
+}
+
 static const char *outcome_word(size_t i) {
   return ph_outcome_name((enum ph_outcome)i);
 }
 
 static const struct words curves = {curve_word, PH_CURVE_N};
 static const struct words roots = {root_word, PH_ROOT_N};
+static const struct words frames = {frame_word, PH_FRAME_N - 1};
 static const struct words outcomes = {outcome_word, PH_OUTCOME_N};
 
 /* Which of the words a member is; `absent' where there is none, and after a
@@ -371,6 +377,10 @@ static void read_result(struct ph_json_reader *r,
                  &result->intervals_n);
   ph_read_offsets(r, &items[OFFSETS], c, &result->offsets, &result->offsets_n);
   ph_read_samples(r, &items[SAMPLES], c, &result->samples);
+  if (items[FRAME].value) {
+    result->samples.frame = (enum ph_frame)(
+        1 + read_word(r, &items[FRAME], member_names[FRAME], &frames, 0));
+  }
   read_diagnostics(r, &items[DIAGNOSTICS], &result->diagnostics, result);
   read_solutions(r, &items[SOLUTIONS], result);
 }

@@ -32,7 +32,6 @@ struct ph_colour {
   X(GRATICULE, 87, 88, 90) \
   X(OUTLINE, 55, 56, 58)   \
   X(BOX, 83, 83, 83)       \
-  X(SHADOW, 78, 80, 82)    \
   X(PAPER, 100, 100, 100)
 
 enum ph_ink {

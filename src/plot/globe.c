@@ -73,9 +73,9 @@ size_t ph_globe_views(const struct ph_panel *panel, struct ph_view views[2]) {
   if (!(ph_vec3_abs(behind) > 0)) {
     return 1;
   }
-  behind = ph_vec3_normal(behind, views[0].toward);
-  views[1] = ph_view_from(
-      ph_vec3_abs(behind) > 1e-3 * length_of(panel) ? behind : views[0].right);
+  views[1] = ph_view_from(ph_vec3_abs(behind) > 1e-3 * length_of(panel)
+                              ? rounded(behind)
+                              : views[0].right);
   return 2;
 }
 

@@ -28,7 +28,7 @@
 #define LOOSE 1.7
 
 /* A view is no flatter than this, whatever the curve. */
-#define FLAT 0.4
+#define FLAT 0.18
 
 /* The parts of a panel's place. */
 struct place {
@@ -337,6 +337,12 @@ static void draw_profiles(const struct place *place) {
     ph_profile_draw(panel->drawings, panel->n, (enum ph_profile_of)i, &axes,
                     place->page, place->em);
     ph_axes_draw(&axes, place->page, place->em);
+    if (!panel->ranges[i].any) { /* as the torsion of a straight line */
+      struct ph_spot middle = {axes.rect.x + 0.5 * axes.rect.w,
+                               axes.rect.y + 0.35 * axes.rect.h};
+      ph_page_text(place->page, middle, CAPTION_SIZE * place->em, 0.5, false,
+                   "not defined");
+    }
   }
 }
 

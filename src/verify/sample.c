@@ -3,13 +3,14 @@
  * Samples of a curve or of an offset: that they are where they say, and what
  * they say of the curve there.
  *
- * Which frame was asked for, the record does not say: normal and binormal are
- * unit vectors that make a right-handed frame with the tangent.
+ * Normal and binormal are unit vectors that make a right-handed frame with the
+ * tangent, the one that the record says it is.
  */
 #include "verify/check.h"
 
 #include "base/sum.h"
 #include "kernel/degree.h"
+#include "verify/frame.h"
 #include "verify/place.h"
 
 /* What is said of unit vectors and angles is rounded a few times. */
@@ -24,6 +25,7 @@ struct walk {
   const struct ph_samples *of;
   struct ph_verify_path path;
   struct ph_verify_segment segment;
+  struct ph_verify_framing framing;
   size_t k;    /* the segment, of which */
   double u, s; /* a place and the arc length from its start are known */
   struct ph_sum before; /* of the segments before */
@@ -45,6 +47,7 @@ static void next_segment(struct walk *w) {
                       : w->v->length[w->k];
     ph_sum_add(&w->before, rest);
     w->error += w->v->noise[w->k] + w->each;
+    ph_verify_frame_leave(&w->framing, &w->path);
     w->k++;
   } else {
     w->k = 0;
@@ -106,7 +109,26 @@ static void check_bend(struct walk *w, struct ph_verify_where where,
   }
 }
 
-static void check_frame(struct walk *w, size_t i) {
+/* That the normal is that of the frame; goes on from there. */
+static void check_kind(struct walk *w, size_t i, double u,
+                       const struct ph_verify_place *place) {
+  struct ph_verify_framing *f = &w->framing;
+  ph_vec3 normal = ph_vec3_get(w->of->normal + 3 * i, 3);
+  double error;
+  ph_vec3 found = ph_verify_frame_at(f, &w->path, place, u, &error);
+  if (isfinite(error)) {
+    ph_verify_miss(w->v, PH_V_SAMPLE, in(i, "normal"),
+                   ph_verify_apart(normal, found), 1, ROUND_UNIT + 2 * error,
+                   "is not that of the frame");
+  }
+  f->begun = f->frame == PH_FRAME_RMF;
+  f->u = u;
+  f->normal = normal;
+  f->error = 0;
+}
+
+static void check_frame(struct walk *w, size_t i, double u,
+                        const struct ph_verify_place *place) {
   const double *n = w->of->normal + 3 * i, *b = w->of->binormal + 3 * i;
   ph_vec3 tangent = ph_vec3_get(w->of->tangent + 3 * i, 3);
   ph_vec3 right = ph_vec3_cross(tangent, ph_vec3_get(n, 3));
@@ -120,6 +142,7 @@ static void check_frame(struct walk *w, size_t i) {
   ph_verify_miss(w->v, PH_V_SAMPLE, in(i, "binormal"),
                  ph_verify_apart(ph_vec3_get(b, 3), right), 1, ROUND_UNIT,
                  "makes no right-handed frame");
+  check_kind(w, i, u, place);
 }
 
 /* Longitude and latitude against the claimed point. */
@@ -165,7 +188,7 @@ static void check_sample(struct walk *w, size_t i) {
                place.torsion_error, place.flat < FLAT);
   }
   if (of->normal && of->binormal) {
-    check_frame(w, i);
+    check_frame(w, i, u, &place);
   }
   if (of->lonlat && w->segment.radius > 0) {
     check_degrees(w, i, point);
@@ -202,6 +225,7 @@ void ph_verify_samples(struct ph_verify *v, const struct ph_samples *of,
   struct walk w = {.v = v, .of = of, .k = v->curve->n};
   w.path = beside ? *beside : (struct ph_verify_path){.distance = 0};
   w.path.v = v;
+  w.framing.frame = of->frame;
   w.path.s = &w.segment;
   w.each = ph_verify_conversion(v);
   ph_verify_done(v, PH_V_SAMPLE);

@@ -206,9 +206,9 @@ same "tables of --table" "$tmp/tables" "$tmp/page"
 items man/phspline.5 'CSV OUTPUT' Cm >"$tmp/page"
 same "tables" "$tmp/tables" "$tmp/page"
 while read -r name; do
-  # samples have further columns for offsets
-  test "$name" = offsets && set -- --offset=1 || set -- --sample=1
-  printf '0,0\n1,0\n' | "$program" planar "$@" --table="$name" | sed -n 1p
+  with=--sample=1 # with offsets, samples have further columns
+  test "$name" != offsets || with=--offset=1
+  printf '0,0\n1,0\n' | "$program" planar "$with" --table="$name" | sed -n 1p
 done <"$tmp/tables" >"$tmp/list"
 items man/phspline.5 'CSV OUTPUT' Cm >"$tmp/names"
 sed -n '/^\.Sh CSV OUTPUT/,/^\.El/s/^\.Li \(id,.*\)/\1/p' man/phspline.5 \

@@ -5,12 +5,10 @@
  * on the unit or on the direction of travel.  Of every kind of curve and its
  * offsets.
  */
+#include "../unit/adapt_unit.h"
 #include "../unit/sample_unit.h"
 #include "places_data.h"
 
-#include "kernel/adapt.h"
-
-#include <float.h>
 #include <stdint.h>
 
 static struct places_data data;
@@ -194,8 +192,8 @@ static double length_between(const struct ph_sampler *sampler,
   stops[n] = to;
   for (size_t i = 0; i < n; i++) {
     double width = stops[i + 1] - stops[i];
-    sum += ph_adapt(rule, speed_at, sampler, stops[i], stops[i + 1],
-                    1e-14 * sampler->length / width, 0);
+    sum += unit_adapt(rule, speed_at, sampler, stops[i], stops[i + 1],
+                      1e-14 * sampler->length / width, 0);
   }
   return sum;
 }

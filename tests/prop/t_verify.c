@@ -31,8 +31,8 @@ static void accept(const char *command, const struct ph_problem *problem,
                    size_t which) {
   struct ph_verdict verdict;
   struct ph_diag diag;
-  enum ph_status status = unit_derive(ph_command_find(command), wanted, &arena,
-                                      result, &diag);
+  enum ph_status status =
+      unit_derive(ph_command_find(command), wanted, &arena, result, &diag);
   if (status != PH_OK) { /* an offset that there is not */
     ph_arena_reset(&arena);
     return;
@@ -167,8 +167,8 @@ START_TEST(sphere_curves) {
       struct unit_wanted w =
           wanted_of(&r, ph_curve_size(&s.result.curve), true);
       w.bezier = false;
-      w.samples.frame = w.samples.frame == PH_FRAME_ERF ? PH_FRAME_NONE
-                                                        : w.samples.frame;
+      w.samples.frame =
+          w.samples.frame == PH_FRAME_ERF ? PH_FRAME_NONE : w.samples.frame;
       accept("sphere", &s.problem, &s.result, &w, i);
     }
     sphere_free(&s);

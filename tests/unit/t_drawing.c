@@ -11,7 +11,6 @@
 #include "curve/ph2.h"
 #include "plot/drawing.h"
 
-#include <stdint.h>
 #include <string.h>
 
 static const struct ph_drawing_names names = {"a title", "a = 1", 7};

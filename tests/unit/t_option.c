@@ -9,7 +9,6 @@
 #include "curve/bezier.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const struct ph_field rows[] = {

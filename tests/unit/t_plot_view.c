@@ -136,7 +136,8 @@ START_TEST(globes) {
   ck_assert_str_eq(text, "from longitude 55\xC2\xB0, latitude 15\xC2\xB0");
   of.turn = 5;
   ck_assert_uint_eq(views_of(&of, views, &reach), 2);
-  ck_abs(ph_vec3_dot(views[0].toward, views[1].toward), 0, 1e-14);
+  /* of a curve all around, what the first view hides is in the other half */
+  ck_assert(ph_vec3_dot(views[0].toward, views[1].toward) < 0);
   ck_abs(reach, 1, 0);
   of.turn = 0.01; /* chord 0.0098 of the radius, seen from near */
   ck_assert_uint_eq(views_of(&of, views, &reach), 1);

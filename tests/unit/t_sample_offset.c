@@ -3,6 +3,7 @@
  * Places on offsets: of curves whose offsets are known in closed form, and of
  * curves by chance against definitions and quadrature.
  */
+#include "adapt_unit.h"
 #include "curve3_unit.h"
 #include "known_unit.h"
 #include "sample_unit.h"
@@ -13,7 +14,6 @@
 
 #include "curve/cusp.h"
 #include "curve/ph2.h"
-#include "kernel/adapt.h"
 
 enum { STEPS = 24, CURVES = 200 };
 
@@ -200,11 +200,11 @@ static double quadrature(const struct moved *m, const struct ph_cusps *cusps,
   for (size_t i = 0; i < cusps->n; i++) {
     double cusp = cusps->at[i].u;
     if (cusps->at[i].segment == m->k && cusp > u && cusp < v) {
-      sum += ph_adapt(&rule, speed_at, m, u, cusp, tolerance, 1e-15);
+      sum += unit_adapt(&rule, speed_at, m, u, cusp, tolerance, 1e-15);
       u = cusp;
     }
   }
-  return sum + ph_adapt(&rule, speed_at, m, u, v, tolerance, 1e-15);
+  return sum + unit_adapt(&rule, speed_at, m, u, v, tolerance, 1e-15);
 }
 
 /* Lengths increase from 0 to that of the segment, as |o'| says. */
