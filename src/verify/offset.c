@@ -296,7 +296,7 @@ static void search(struct context *c) {
 }
 
 /* Whether the offset turns back at a joint, seen from one side, where the
- * curvature jumps. */
+ * curvature jumps; or may do so, as the other side is not certain. */
 static bool turns_at_joint(struct context *c, size_t k, double u,
                            double along) {
   const struct ph_curve *curve = c->v->curve;
@@ -306,7 +306,7 @@ static bool turns_at_joint(struct context *c, size_t k, double u,
     return false;
   }
   enter(c, beside);
-  return ph_verify_place_at(&c->path, back ? 1 : 0).along * along <= 0;
+  return turn_at(c, beside, back ? 1 : 0).along * along <= 0;
 }
 
 /* A listed cusp: how far the offset is from turning back there. */
