@@ -89,8 +89,9 @@ static void check_point(const struct context *x, const struct end *e) {
 static void check_start(const struct context *x, const struct end *e) {
   struct ph_verify *v = x->v;
   const struct ph_value *given = ph_verify_field(v, PH_F_START);
+  bool fits = given && (given->n == 2 || given->n == 3);
   ph_vec3 start =
-      given ? ph_verify_vector(v, given->v, given->n) : ph_vec3_of(0, 0, 0);
+      fits ? ph_verify_vector(v, given->v, given->n) : ph_vec3_of(0, 0, 0);
   ph_verify_miss(v, PH_V_INTERPOLATION, ph_verify_in(e->s->k, "control_points"),
                  ph_verify_apart(ph_verify_point(v, e->s, e->u), start),
                  v->size, ROUND_POINT * v->rounding, "miss the start");

@@ -306,6 +306,28 @@ START_TEST(distance) {
 }
 END_TEST
 
+/* Problems that nobody could have solved. */
+START_TEST(nonsense) {
+  const double never = (double)INFINITY;
+  make("tc", "{\"curve\":[[[0,0],[1,2],[3,2]]],\"tolerance\":0.01}");
+  claim.problem.field[PH_F_CURVE].sizes[0] = 1;
+  claim.problem.field[PH_F_CURVE].n = 1;
+  expect_fail(PH_V_SHAPE, never, never);
+  make("tc", "{\"curve\":[[[0,0],[1,2],[3,2]]],\"tolerance\":0.01}");
+  claim.problem.field[PH_F_CURVE].kind = PH_NUMBER;
+  expect_fail(PH_V_SHAPE, never, never);
+  make("arclength", "{\"tangents\":[[1,0,0],[1,1,0]],\"lengths\":[1.2],"
+                    "\"start\":[1,2,3]}");
+  claim.problem.field[PH_F_START].n = 1;
+  expect_fail(PH_V_INTERPOLATION, 1, 10);
+  claim.problem.field[PH_F_TANGENTS].n = 1;
+  expect_fail(PH_V_SHAPE, never, never);
+  make("planar", "{\"points\":[[0,0],[2,1],[3,0]]}");
+  claim.problem.field[PH_F_POINTS].v[2] = (double)NAN;
+  expect_fail(PH_V_INTERPOLATION, never, never);
+}
+END_TEST
+
 /* Samples in another order, each by itself right. */
 START_TEST(order) {
   const struct unit_wanted wanted = {
@@ -341,6 +363,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, sphere);
   tcase_add_test(tc, blaschke);
   tcase_add_test(tc, distance);
+  tcase_add_test(tc, nonsense);
   tcase_add_test(tc, order);
   suite_add_tcase(s, tc);
   return s;
