@@ -55,7 +55,7 @@ static void accept(const char *command, const struct ph_problem *problem,
 static void forget_extremes(struct ph_diagnostics *d) {
   static const enum ph_diagnostic which[] = {PH_D_ENERGY, PH_D_F1, PH_D_F2,
                                              PH_D_F3, PH_D_FUNCTIONAL};
-  const double extreme = 1e6;
+  const double extreme = 1e4;
   if (!(d->value[PH_D_F1] <= extreme)) {
     for (size_t i = 0; i < sizeof which / sizeof which[0]; i++) {
       d->known &= ~((uint64_t)1 << which[i]);
