@@ -35,12 +35,15 @@ static const double NEXT = PH_VERIFY_ROUND_NEXT;
  * of a plane curve. */
 static const double PLANE = 1e-10;
 
-/* Where the sine between r' and r'' is less than this, a space curve is near to
- * an inflection.  The slope of its curvature changes sign there, within nothing
- * or as good as nothing, and that of its torsion has a peak that is as high as
- * the curve is near: one is known to less, the other is no number to be
- * compared. */
-static const double INFLECTION = 1e-3, LESS = 1e-7;
+/* Near an inflection of a space curve the slope of its curvature changes sign
+ * within as good as nothing: claims of integrals of that are not looked at
+ * closer. */
+static const double NEAR_INFLECTION = 1e-7;
+
+/* The slope of the torsion has a peak there that is as high as the inflection
+ * is near: where that is so many times what the curvature makes, it is no
+ * number to be compared. */
+static const double PEAK = 1e3;
 
 enum integral { BENDING, VARYING, TWISTING, TURNING, ABSOLUTE, INTEGRALS };
 
@@ -50,8 +53,7 @@ struct integrand {
   bool plane;
   enum integral what[INTEGRALS];
   size_t n;
-  bool twists;  /* TWISTING is among them */
-  double *sine; /* the smallest one between r' and r'' so far */
+  bool twists; /* TWISTING is among them */
 };
 
 /* (1) at a place, with errors. */
@@ -102,7 +104,6 @@ static struct bend bend_at(const struct integrand *in, double u) {
   b.slope_error =
       fast * b.kappa_error + fast * fabs(b.slope) * s->noise / b.speed;
   if (in->twists) {
-    *in->sine = ph_verify_smaller(*in->sine, size / (b.speed * second));
     twist(s, jet, turn, &b);
   }
   return b;
@@ -159,11 +160,9 @@ static void add(struct total *total, double x, double error) {
 
 static void add_segment(struct fair *fair, const struct ph_verify_segment *s) {
   struct ph_verify *v = fair->v;
-  double sine = 1;
   struct integrand in = {.s = s,
                          .plane = v->curve->dimension == 2,
-                         .twists = fair->wanted[TWISTING],
-                         .sine = &sine};
+                         .twists = fair->wanted[TWISTING]};
   struct ph_verify_integrands of = {values_at, &in, 0, 0, 0, INTEGRAL};
   double sum[PH_VERIFY_TOGETHER], value[INTEGRALS] = {0},
                                   error[INTEGRALS] = {0};
@@ -182,8 +181,11 @@ static void add_segment(struct fair *fair, const struct ph_verify_segment *s) {
     error[what] = sum[in.n + i] + 4 * INTEGRAL * fabs(sum[i]);
     add(&fair->of[what], value[what], error[what]);
   }
-  if (sine < INFLECTION) {
-    error[VARYING] += LESS * value[VARYING];
+  if (!in.plane) {
+    error[VARYING] += NEAR_INFLECTION * value[VARYING];
+    error[TWISTING] += NEAR_INFLECTION * value[TWISTING];
+  }
+  if (!(value[TWISTING] <= PEAK * value[VARYING])) {
     error[TWISTING] = HUGE_VAL;
   }
   add(&fair->f[0], l * value[BENDING], l * error[BENDING]);

@@ -41,16 +41,17 @@ static bool is_flag(const struct ph_verify *v, enum ph_field_id id) {
   return v->problem->field[id].kind == PH_BOOL && v->problem->field[id].flag;
 }
 
-/* Whether the curve is of the kind that was asked for. */
+/* Whether the curve is of the kind that was asked for.  Where the basis is
+ * absent, it may have been an option. */
 static bool is_asked_for(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
-  bool atph = ph_verify_is_word(v, PH_F_BASIS, "atph");
   if (c->closed != is_flag(v, PH_F_CLOSED)) {
     ph_verify_wrong(v, PH_V_SHAPE, ph_verify_of(NULL, PH_VERIFY_ONE, "closed"),
                     "is not what the problem says");
     return false;
   }
-  if (atph ? c->kind == PH_CURVE_PH : c->kind == PH_CURVE_ATPH) {
+  if ((ph_verify_is_word(v, PH_F_BASIS, "atph") && c->kind == PH_CURVE_PH) ||
+      (ph_verify_is_word(v, PH_F_BASIS, "ph") && c->kind == PH_CURVE_ATPH)) {
     ph_verify_wrong(v, PH_V_SHAPE, ph_verify_of(NULL, PH_VERIFY_ONE, "curve"),
                     "is not of the basis of the problem");
     return false;
