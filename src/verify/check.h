@@ -43,9 +43,11 @@ double ph_verify_conversion(const struct ph_verify *v);
  *
  * in   beside  NULL, or the offset that they are of
  * out  length  of what they are of
+ * out  error   how uncertain that is
  */
 void ph_verify_samples(struct ph_verify *v, const struct ph_samples *samples,
-                       const struct ph_verify_path *beside, double *length);
+                       const struct ph_verify_path *beside, double *length,
+                       double *error);
 
 /* ph_verify_sphere: points of a curve on a sphere; with the problem, what joins
  * and ends its segments. */

@@ -365,7 +365,7 @@ static bool begin(struct context *c) {
 
 void ph_verify_offset(struct ph_verify *v, const struct ph_offset *o) {
   struct context c = {.v = v, .o = o};
-  double length = (double)NAN, unit = ph_verify_unscaled(v, v->size);
+  double length = (double)NAN, error = 0, unit = ph_verify_unscaled(v, v->size);
   ph_verify_done(v, PH_V_OFFSET);
   if (v->curve->kind == PH_CURVE_BEZIER || !begin(&c)) {
     return; /* of the curve before it was converted */
@@ -378,9 +378,12 @@ void ph_verify_offset(struct ph_verify *v, const struct ph_offset *o) {
   }
   check_cusps(&c);
   if (o->samples.n > 0) {
-    ph_verify_samples(v, &o->samples, &c.path, &length);
-    ph_verify_number(v, PH_V_OFFSET,
-                     ph_verify_of(NULL, PH_VERIFY_ONE, "length"), o->length,
-                     ph_verify_unscaled(v, length), unit, 0);
+    ph_verify_samples(v, &o->samples, &c.path, &length, &error);
+    if (!isnan(length)) { /* else beside a point at rest */
+      ph_verify_number(v, PH_V_OFFSET,
+                       ph_verify_of(NULL, PH_VERIFY_ONE, "length"), o->length,
+                       ph_verify_unscaled(v, length), unit,
+                       ph_verify_unscaled(v, error));
+    }
   }
 }

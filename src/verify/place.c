@@ -267,17 +267,20 @@ ph_vec3 ph_verify_across(const struct ph_verify_path *path, double u) {
 /* ---- length ------------------------------------------------------------- */
 
 static void speed_at(const void *context, double u, double *value) {
-  *value = ph_verify_place_at(context, u).speed;
+  struct ph_verify_place place = ph_verify_place_at(context, u);
+  value[0] = place.speed;
+  value[1] = place.speed_error;
 }
 
 double ph_verify_path_length(const struct ph_verify_path *path, double from,
-                             double to) {
-  const struct ph_verify_integrands of = {speed_at, path,           1,
-                                          0,        path->s->noise, LENGTH};
-  double length;
+                             double to, double *error) {
+  const struct ph_verify_integrands of = {speed_at, path,           2,
+                                          1,        path->s->noise, LENGTH};
+  double sum[2];
   if (!(fabs(path->distance) > 0)) {
     return ph_verify_length_of(path->v, path->s, from, to);
   }
-  ph_verify_integral(&path->v->rule, &of, from, to, &length);
-  return length;
+  ph_verify_integral(&path->v->rule, &of, from, to, sum);
+  *error += isfinite(sum[1]) ? sum[1] : path->v->size;
+  return sum[0];
 }

@@ -50,9 +50,13 @@ struct ph_verify_place ph_verify_place_at(const struct ph_verify_path *path,
 /* ph_verify_across: e. */
 ph_vec3 ph_verify_across(const struct ph_verify_path *path, double u);
 
-/* ph_verify_path_length: the length of the path between two places, NaN where
- * it is not found; as ph_verify_length_of. */
+/*
+ * ph_verify_path_length: the length of the path between two places, NaN where
+ * it is not found; as ph_verify_length_of.
+ *
+ * inout error  grows by how much that of an offset is uncertain
+ */
 double ph_verify_path_length(const struct ph_verify_path *path, double from,
-                             double to);
+                             double to, double *error);
 
 #endif

@@ -95,9 +95,9 @@ static void check_segments(struct ph_verify *v) {
 /* What was made of the curve of the record. */
 static void check_derived(struct ph_verify *v) {
   const struct ph_result *claim = v->claim;
-  double length;
+  double length, error;
   if (claim->samples.n > 0) {
-    ph_verify_samples(v, &claim->samples, NULL, &length);
+    ph_verify_samples(v, &claim->samples, NULL, &length, &error);
   }
   for (size_t i = 0; i < claim->offsets_n; i++) {
     ph_verify_prefix(v, "offsets", i);
