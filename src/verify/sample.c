@@ -186,6 +186,9 @@ static void check_sample(struct walk *w, size_t i) {
   }
   s = ph_verify_unscaled(v, length_at(w, u));
   place = ph_verify_place_at(&w->path, u);
+  if (isnan(place.point.x)) {
+    return; /* beside a point at rest, where there is no direction */
+  }
   if (!isfinite(place.point_error)) {
     /* beside a point at rest; the curve is there itself */
     place.point_error = v->size;

@@ -80,7 +80,7 @@ static void load_sphere(const struct ph_verify *v,
 }
 
 static void load_form(const struct ph_verify *v, struct ph_verify_segment *s) {
-  double mu[PH_VERIFY_FORM_MAX], binomial = 1;
+  double mu[PH_VERIFY_FORM_MAX] = {0}, binomial = 1;
   for (size_t j = 0; j <= s->m; j++) {
     s->normal[j] = binomial;
     binomial *= (double)(s->m - j) / (double)(j + 1);

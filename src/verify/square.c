@@ -47,7 +47,7 @@ static void expand(const double *q, size_t n, double x, double *series) {
 /* What the terms of a series after the first m + 1 differ from the square of
  * its root by, the largest at places of [0,1]. */
 static double not_square(const double *series, size_t m, double x) {
-  double root[PH_VERIFY_FORM_MAX], rest[SQUARE_MAX] = {0}, worst = 0;
+  double root[PH_VERIFY_FORM_MAX] = {0}, rest[SQUARE_MAX] = {0}, worst = 0;
   for (size_t i = 0; i <= 2 * m; i++) {
     double sum = series[i];
     size_t from = i > m ? i - m : 1, to = i > m ? m + 1 : i;

@@ -94,7 +94,7 @@ static struct unit_wanted wanted_of(struct unit_random *r, double size,
 START_TEST(planar_curves) {
   static struct prop_data data;
   struct unit_random r = unit_random_of(501);
-  size_t n = cases(300);
+  size_t n = cases(60);
   for (size_t i = 0; i < n; i++) {
     struct unit_planar u;
     prop_any(&r, 12, &data);
@@ -122,7 +122,7 @@ END_TEST
 START_TEST(spatial_curves) {
   static struct spatial_data data;
   struct unit_random r = unit_random_of(502);
-  size_t n = cases(300);
+  size_t n = cases(60);
   for (size_t i = 0; i < n; i++) {
     struct spatial_solution s = {0};
     spatial_any(&r, 8, &data);
@@ -159,7 +159,7 @@ END_TEST
 START_TEST(sphere_curves) {
   static struct sphere_data data;
   struct unit_random r = unit_random_of(504);
-  size_t n = cases(200);
+  size_t n = cases(60);
   for (size_t i = 0; i < n; i++) {
     struct sphere_solution s = {0};
     sphere_any(&r, &data);
@@ -180,7 +180,7 @@ END_TEST
 START_TEST(tc_curves) {
   static struct tc_data data;
   struct unit_random r = unit_random_of(505);
-  size_t n = cases(300);
+  size_t n = cases(60);
   for (size_t i = 0; i < n; i++) {
     struct tc_solution s = {0};
     tc_of(&r, (enum tc_family)(i % TC_FAMILY_N), &data);
