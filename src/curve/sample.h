@@ -91,7 +91,8 @@ double ph_sampler_length(const struct ph_sampler *sampler, double u,
 /*
  * ph_sampler_place: where on the segment its arc length from the start is s.
  *
- * Newton's method, kept in a bracket, to 1e-14 of the length of the segment.
+ * Newton's method, kept in a bracket, to 1e-14 of the length of the segment, or
+ * to the last digit of u where the speed is great.
  *
  * in   u    a place near by, to begin with
  * out  steps  NULL, or how many evaluations of the length it took

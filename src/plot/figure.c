@@ -7,6 +7,7 @@
 #include "plot/panel.h"
 
 #include <string.h>
+#include <strings.h>
 
 static const char *const suffixes[] = {
 #define X(symbol, suffix) suffix,
@@ -18,7 +19,7 @@ enum ph_figure_format ph_figure_format_of(const char *file) {
   size_t n = strlen(file);
   for (int i = 0; i < PH_FIGURE_FORMAT_N; i++) {
     size_t m = strlen(suffixes[i]);
-    if (n > m && strcmp(file + n - m, suffixes[i]) == 0) {
+    if (n > m && strcasecmp(file + n - m, suffixes[i]) == 0) {
       return (enum ph_figure_format)i;
     }
   }

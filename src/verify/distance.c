@@ -208,6 +208,16 @@ static void check_ends(const struct context *x) {
   }
 }
 
+/* Whether the problem has a curve in the plane. */
+static bool is_chain(const struct context *x) {
+  bool fits = x->chain->kind == PH_VECTORS || x->chain->kind == PH_POLYLINE;
+  fits = fits && x->chain->dimension == 2;
+  for (size_t i = 0; fits && i < x->pieces; i++) {
+    fits = x->sizes[i] > 1;
+  }
+  return fits;
+}
+
 static bool begin(struct context *x) {
   struct ph_verify *v = x->v;
   size_t n = v->curve->n, most = 4;
@@ -275,11 +285,10 @@ enum ph_status ph_verify_distance(struct ph_verify *v) {
   x.chain = chain ? chain : &v->problem->field[PH_F_POINTS];
   x.sizes = x.chain->kind == PH_POLYLINE ? x.chain->sizes : &x.chain->n;
   x.pieces = x.chain->kind == PH_POLYLINE ? x.chain->sizes_n : 1;
-  if (x.chain->kind == PH_ABSENT || x.chain->dimension != 2 ||
-      (pieces && !((double)v->curve->n <= pieces->number))) {
+  if (!is_chain(&x) || (pieces && !((double)v->curve->n <= pieces->number))) {
     ph_verify_wrong(v, PH_V_SHAPE,
                     ph_verify_of("segments", PH_VERIFY_ONE, NULL),
-                    "are more than the problem wants");
+                    "are not what the problem wants");
     return PH_OK;
   }
   if (!begin(&x)) {

@@ -35,12 +35,17 @@ static const double NEXT = PH_VERIFY_ROUND_NEXT;
  * of a plane curve. */
 static const double PLANE = 1e-10;
 
-/* Where the sine between r' and r'' is less than this, a space curve is near to
- * an inflection.  The slope of its curvature changes sign there, within nothing
- * or as good as nothing, and that of its torsion has a peak that is as high as
- * the curve is near: one is known to less, the other is no number to be
- * compared. */
-static const double INFLECTION = 1e-3, LESS = 1e-7;
+/* Where |C| / sigma^2 of a space curve falls to this part of its largest, it is
+ * near to an inflection: within as good as nothing kappa' changes its sign, and
+ * tau' has a peak that is as high as the inflection is near.  What is claimed
+ * of one is looked at less closely, of the other not at all; elsewhere as
+ * closely as two orders of smoothness less allow. */
+static const double INFLECTION = 1e-2, INFLECTED = 1e-5, SMOOTH = 1e-8;
+
+/* Places among which dips are searched, steps that find one, and how many there
+ * are at most in a quintic. */
+enum { PLACES = 32, STEPS = 40, DIPS = 4 };
+static const double GOLDEN = 0.61803398874989485;
 
 enum integral { BENDING, VARYING, TWISTING, TURNING, ABSOLUTE, INTEGRALS };
 
@@ -50,8 +55,7 @@ struct integrand {
   bool plane;
   enum integral what[INTEGRALS];
   size_t n;
-  bool twists;  /* TWISTING is among them */
-  double *sine; /* the smallest one between r' and r'' so far */
+  bool twists; /* TWISTING is among them */
 };
 
 /* (1) at a place, with errors. */
@@ -102,7 +106,6 @@ static struct bend bend_at(const struct integrand *in, double u) {
   b.slope_error =
       fast * b.kappa_error + fast * fabs(b.slope) * s->noise / b.speed;
   if (in->twists) {
-    *in->sine = ph_verify_smaller(*in->sine, size / (b.speed * second));
     twist(s, jet, turn, &b);
   }
   return b;
@@ -157,34 +160,97 @@ static void add(struct total *total, double x, double error) {
   total->error += error;
 }
 
-static void add_segment(struct fair *fair, const struct ph_verify_segment *s) {
-  struct ph_verify *v = fair->v;
-  double sine = 1;
+/* (|C| / sigma^2)^2 */
+static double bending_at(const struct ph_verify_segment *s, double u) {
+  ph_vec3 jet[2], turn;
+  double square;
+  ph_verify_jet(s, u, jet, 2);
+  turn = ph_vec3_cross(jet[0], jet[1]);
+  square = ph_vec3_dot(jet[0], jet[0]);
+  return ph_vec3_dot(turn, turn) / (square * square);
+}
+
+/* The lowest place between two. */
+static double dip_between(const struct ph_verify_segment *s, double from,
+                          double to) {
+  for (size_t i = 0; i < STEPS; i++) {
+    double a = to - GOLDEN * (to - from), b = from + GOLDEN * (to - from);
+    if (bending_at(s, a) < bending_at(s, b)) {
+      to = b;
+    } else {
+      from = a;
+    }
+  }
+  return 0.5 * (from + to);
+}
+
+/* Dips of |C| / sigma^2, where integrals are cut.
+ *
+ * out  cut[DIPS + 2]  0, dips, 1
+ * out  depth          of the deepest, relative to the largest
+ * ret  how many cuts
+ */
+static size_t cuts_of(const struct ph_verify_segment *s, double *cut,
+                      double *depth) {
+  double g[PLACES + 1], high = 0, low = HUGE_VAL;
+  size_t n = 1;
+  for (size_t i = 0; i <= PLACES; i++) {
+    g[i] = bending_at(s, (double)i / PLACES);
+    high = ph_verify_larger(high, g[i]);
+    low = ph_verify_smaller(low, g[i]);
+  }
+  cut[0] = 0;
+  for (size_t i = 1; i < PLACES && n <= DIPS; i++) {
+    if (g[i] < g[i - 1] && g[i] <= g[i + 1]) {
+      cut[n] =
+          dip_between(s, (double)(i - 1) / PLACES, (double)(i + 1) / PLACES);
+      low = ph_verify_smaller(low, bending_at(s, cut[n]));
+      n++;
+    }
+  }
+  cut[n++] = 1;
+  *depth = sqrt(low / high);
+  return n;
+}
+
+/* The integrals over a segment, of which the curve is cut in space. */
+static void integrate(const struct fair *fair,
+                      const struct ph_verify_segment *s, double *value,
+                      double *error) {
   struct integrand in = {.s = s,
-                         .plane = v->curve->dimension == 2,
-                         .twists = fair->wanted[TWISTING],
-                         .sine = &sine};
+                         .plane = fair->v->curve->dimension == 2,
+                         .twists = fair->wanted[TWISTING]};
   struct ph_verify_integrands of = {values_at, &in, 0, 0, 0, INTEGRAL};
-  double sum[PH_VERIFY_TOGETHER], value[INTEGRALS] = {0},
-                                  error[INTEGRALS] = {0};
-  double l = v->length[s->k], cube = l * l * l;
+  double cut[DIPS + 2] = {0, 1}, sum[PH_VERIFY_TOGETHER], depth = 1;
+  size_t n = in.plane ? 2 : cuts_of(s, cut, &depth);
   for (size_t i = 0; i < INTEGRALS; i++) {
+    value[i] = error[i] = 0;
     if (fair->wanted[i]) {
       in.what[in.n++] = (enum integral)i;
     }
   }
   of.n = 2 * in.n;
   of.uncertain = in.n;
-  ph_verify_integral(&v->rule, &of, 0, 1, sum);
-  for (size_t i = 0; i < in.n; i++) {
-    enum integral what = in.what[i];
-    value[what] = sum[i];
-    error[what] = sum[in.n + i] + 4 * INTEGRAL * fabs(sum[i]);
-    add(&fair->of[what], value[what], error[what]);
+  for (size_t k = 0; k + 1 < n; k++) {
+    ph_verify_integral(&fair->v->rule, &of, cut[k], cut[k + 1], sum);
+    for (size_t i = 0; i < in.n; i++) {
+      value[in.what[i]] += sum[i];
+      error[in.what[i]] += sum[in.n + i] + 4 * INTEGRAL * fabs(sum[i]);
+    }
   }
-  if (sine < INFLECTION) {
-    error[VARYING] += LESS * value[VARYING];
-    error[TWISTING] = HUGE_VAL;
+  if (!in.plane) {
+    bool near = !(depth > INFLECTION);
+    error[VARYING] += (near ? INFLECTED : SMOOTH) * value[VARYING];
+    error[TWISTING] += near ? HUGE_VAL : SMOOTH * value[TWISTING];
+  }
+}
+
+static void add_segment(struct fair *fair, const struct ph_verify_segment *s) {
+  double value[INTEGRALS], error[INTEGRALS], l = fair->v->length[s->k];
+  double cube = l * l * l;
+  integrate(fair, s, value, error);
+  for (size_t i = 0; i < INTEGRALS; i++) {
+    add(&fair->of[i], value[i], error[i]);
   }
   add(&fair->f[0], l * value[BENDING], l * error[BENDING]);
   add(&fair->f[1], cube * value[VARYING], cube * error[VARYING]);

@@ -71,13 +71,17 @@ static void trigonometric(double angle, double u, double *b) {
   b[4] = q * q * q * q;
 }
 
-/* sum b_j w_j p_j over sum b_j w_j; w NULL: 1; q the denominator's own. */
+/* sum b_j w_j p_j over sum b_j w_j; w NULL: 1.  The weights may be far from 1,
+ * in products with the points out of range: they are taken over the largest. */
 static ph_vec3 combine(const double *b, size_t n, size_t dimension,
                        const double *p, const double *w) {
   ph_vec3 sum = {0, 0, 0};
-  double bottom = 0;
+  double bottom = 0, largest = 0;
+  for (size_t j = 0; w && j < n; j++) {
+    largest = ph_verify_larger(largest, fabs(w[j]));
+  }
   for (size_t j = 0; j < n; j++) {
-    double weight = w ? b[j] * w[j] : b[j];
+    double weight = w ? b[j] * (w[j] / largest) : b[j];
     sum = ph_vec3_along(sum, weight, ph_vec3_get(p + dimension * j, dimension));
     bottom += weight;
   }
@@ -292,7 +296,7 @@ static void search(struct context *c) {
 }
 
 /* Whether the offset turns back at a joint, seen from one side, where the
- * curvature jumps. */
+ * curvature jumps; or may do so, as the other side is not certain. */
 static bool turns_at_joint(struct context *c, size_t k, double u,
                            double along) {
   const struct ph_curve *curve = c->v->curve;
@@ -302,7 +306,7 @@ static bool turns_at_joint(struct context *c, size_t k, double u,
     return false;
   }
   enter(c, beside);
-  return ph_verify_place_at(&c->path, back ? 1 : 0).along * along <= 0;
+  return turn_at(c, beside, back ? 1 : 0).along * along <= 0;
 }
 
 /* A listed cusp: how far the offset is from turning back there. */

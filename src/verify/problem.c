@@ -41,16 +41,17 @@ static bool is_flag(const struct ph_verify *v, enum ph_field_id id) {
   return v->problem->field[id].kind == PH_BOOL && v->problem->field[id].flag;
 }
 
-/* Whether the curve is of the kind that was asked for. */
+/* Whether the curve is of the kind that was asked for.  Where the basis is
+ * absent, it may have been an option. */
 static bool is_asked_for(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
-  bool atph = ph_verify_is_word(v, PH_F_BASIS, "atph");
   if (c->closed != is_flag(v, PH_F_CLOSED)) {
     ph_verify_wrong(v, PH_V_SHAPE, ph_verify_of(NULL, PH_VERIFY_ONE, "closed"),
                     "is not what the problem says");
     return false;
   }
-  if (atph ? c->kind == PH_CURVE_PH : c->kind == PH_CURVE_ATPH) {
+  if ((ph_verify_is_word(v, PH_F_BASIS, "atph") && c->kind == PH_CURVE_PH) ||
+      (ph_verify_is_word(v, PH_F_BASIS, "ph") && c->kind == PH_CURVE_ATPH)) {
     ph_verify_wrong(v, PH_V_SHAPE, ph_verify_of(NULL, PH_VERIFY_ONE, "curve"),
                     "is not of the basis of the problem");
     return false;
@@ -88,8 +89,9 @@ static void check_point(const struct context *x, const struct end *e) {
 static void check_start(const struct context *x, const struct end *e) {
   struct ph_verify *v = x->v;
   const struct ph_value *given = ph_verify_field(v, PH_F_START);
+  bool fits = given && (given->n == 2 || given->n == 3);
   ph_vec3 start =
-      given ? ph_verify_vector(v, given->v, given->n) : ph_vec3_of(0, 0, 0);
+      fits ? ph_verify_vector(v, given->v, given->n) : ph_vec3_of(0, 0, 0);
   ph_verify_miss(v, PH_V_INTERPOLATION, ph_verify_in(e->s->k, "control_points"),
                  ph_verify_apart(ph_verify_point(v, e->s, e->u), start),
                  v->size, ROUND_POINT * v->rounding, "miss the start");

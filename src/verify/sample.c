@@ -74,10 +74,21 @@ static void check_unit(struct walk *w, const double *x, double to,
                  ROUND_UNIT, "is no unit vector");
 }
 
+/* Whether there must be a curvature: not at a cusp or beside a point at rest.
+ */
+static bool bends(const struct ph_verify *v,
+                  const struct ph_verify_place *place) {
+  return place->tangent_error < FLAT &&
+         place->curvature_error <
+             FLAT * ph_verify_larger(fabs(place->curvature), 1 / v->size);
+}
+
+/* At a cusp, the direction is that of either side. */
 static void check_tangent(struct walk *w, size_t i,
                           const struct ph_verify_place *place) {
   size_t d = w->of->dimension;
   const double *claimed = w->of->tangent + d * i;
+  ph_vec3 tangent;
   if (isnan(claimed[0]) || !(place->tangent_error < PH_VERIFY_NO_DIRECTION)) {
     /* left out, which a point alone may do */
     if (place->tangent_error < FLAT) {
@@ -86,8 +97,12 @@ static void check_tangent(struct walk *w, size_t i,
     return;
   }
   check_unit(w, claimed, 1, d, in(i, "tangent"));
+  tangent = ph_vec3_get(claimed, d);
+  if (!bends(w->v, place) && ph_vec3_dot(tangent, place->tangent) < 0) {
+    tangent = ph_vec3_scale(-1, tangent);
+  }
   ph_verify_miss(w->v, PH_V_SAMPLE, in(i, "tangent"),
-                 ph_verify_apart(ph_vec3_get(claimed, d), place->tangent), 1,
+                 ph_verify_apart(tangent, place->tangent), 1,
                  ROUND_UNIT + 2 * place->tangent_error,
                  "is not the direction of the curve");
 }
@@ -182,7 +197,7 @@ static void check_sample(struct walk *w, size_t i) {
                    ph_verify_unscaled(v, w->error + v->noise[w->k] + w->each));
   check_tangent(w, i, &place);
   check_bend(w, in(i, "curvature"), of->curvature[i], place.curvature,
-             place.curvature_error, place.tangent_error < FLAT);
+             place.curvature_error, bends(v, &place));
   if (of->torsion) {
     check_bend(w, in(i, "torsion"), of->torsion[i], place.torsion,
                place.torsion_error, place.flat < FLAT);

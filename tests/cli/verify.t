@@ -123,7 +123,7 @@ expect 'a problem without a result' 1 \
   'phspline: ids.csv:7: 1 of 3 problems have no result, this one first'
 sed -n 2p r2 | sed 's/"id":"b",//' >r3
 run verify --problems=ids.csv r3
-equal 'no ids in the results: by order' '"interpolation_error"' \
+equal 'no ids in the results: by order' '"shape"' \
   "$(get worst.check)"
 printf 'x;y\n0;0\n2;1\n' >semicolon
 printf '{"points":[[0,0],[2,1]]}' | made planar

@@ -31,9 +31,9 @@ static void line_of(size_t n, struct unit_segments *c) {
   const ph_cplx w[3] = {{2 / sqrt((double)n), 0},
                         {2 / sqrt((double)n), 0},
                         {2 / sqrt((double)n), 0}};
-  struct ph_seg2 seg[3];
+  struct ph_seg2 seg[3] = {unit_seg2(0, w)};
   for (size_t k = 0; k < n; k++) {
-    seg[k] = unit_seg2(0, w);
+    seg[k] = seg[0];
     seg[k].start.re = 4 * (double)k / (double)n;
     seg[k].end.re = 4 * (double)(k + 1) / (double)n;
   }
