@@ -185,7 +185,7 @@ static double speed_along(const struct path *path, double u) {
 START_TEST(test_cusp) {
   struct unit_random r = unit_random_of(250);
   size_t cusps = 0;
-  for (int n = 0; n < 5 * CURVES; n++) {
+  for (int n = 0; n < 5 * unit_count(CURVES); n++) {
     struct path path = path_random(OFFSET_PLANE, &r);
     double low = 0.25, high = 0.5, h = 1. / 256, distance[2], bound[2];
     if (!(speed_along(&path, low) > 0 && speed_along(&path, high) < 0)) {
