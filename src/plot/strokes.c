@@ -16,7 +16,8 @@
 #define DOT_MAX 0.22
 #define DOT_MIN 0.09
 
-struct ph_seen ph_look_see(const struct ph_look *look, ph_vec3 place) {
+/* A place of the data in the view. */
+static struct ph_seen see(const struct ph_look *look, ph_vec3 place) {
   return ph_view_see(&look->view, ph_unit_in(&look->panel->unit, place));
 }
 
@@ -72,7 +73,7 @@ static void draw_line(const struct ph_look *look, enum ph_side side,
   struct ph_seen last = {0, 0, 0};
   ph_trace_begin(&trace, look->page, &look->window.rect);
   for (size_t i = 0; i < stroke->n; i++) {
-    struct ph_seen seen = ph_look_see(look, stroke->points[i]);
+    struct ph_seen seen = see(look, stroke->points[i]);
     go(look, side, &trace, i > 0 ? &last : NULL, seen);
     last = seen;
   }
@@ -101,10 +102,9 @@ static void draw_head(const struct ph_look *look, struct ph_spot tip, double dx,
 /* A thin arrow; it is as visible as its root is. */
 static void draw_arrow(const struct ph_look *look, enum ph_side side,
                        const struct ph_stroke *stroke) {
-  struct ph_seen root = ph_look_see(look, stroke->points[0]);
+  struct ph_seen root = see(look, stroke->points[0]);
   struct ph_spot at = spot_of(look, root), from = at;
-  struct ph_spot tip =
-      spot_of(look, ph_look_see(look, stroke->points[stroke->n - 1]));
+  struct ph_spot tip = spot_of(look, see(look, stroke->points[stroke->n - 1]));
   double head = hypot(tip.x - at.x, tip.y - at.y), far;
   struct ph_trace trace;
   head = fmin(HEAD * look->em, 0.5 * head);
@@ -113,7 +113,7 @@ static void draw_arrow(const struct ph_look *look, enum ph_side side,
   }
   ph_trace_begin(&trace, look->page, &look->window.rect);
   for (size_t i = 0; i + 1 < stroke->n; i++) {
-    at = spot_of(look, ph_look_see(look, stroke->points[i]));
+    at = spot_of(look, see(look, stroke->points[i]));
     if (hypot(tip.x - at.x, tip.y - at.y) >= head) {
       ph_trace_to(&trace, at);
       from = at;
@@ -215,7 +215,7 @@ static double dot_radius(const struct ph_look *look,
   double sum = 0;
   struct ph_spot last = {0, 0};
   for (size_t i = 0; i < d->data_n; i++) {
-    struct ph_spot spot = spot_of(look, ph_look_see(look, d->data[i]));
+    struct ph_spot spot = spot_of(look, see(look, d->data[i]));
     double step = hypot(spot.x - last.x, spot.y - last.y);
     sum += i > 0 && isfinite(step) ? step : 0;
     last = spot;
@@ -232,7 +232,7 @@ static void draw_points(const struct ph_look *look, enum ph_side side,
   double r = dot_radius(look, d) * (side == PH_SIDE_HIDDEN ? 0.8 : 1);
   enum ph_ink ink = side == PH_SIDE_HIDDEN ? PH_INK_OUTLINE : PH_INK_POINT;
   for (size_t i = 0; i < d->data_n; i++) {
-    struct ph_seen seen = ph_look_see(look, d->data[i]);
+    struct ph_seen seen = see(look, d->data[i]);
     struct ph_spot spot = spot_of(look, seen);
     bool stays = panel->n == 1 ||
                  has_point(look, panel->drawings[panel->n - 1], i, d->data[i]);

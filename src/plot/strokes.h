@@ -20,9 +20,6 @@ struct ph_look {
 /* Which parts: on a sphere those behind it come first, dashed. */
 enum ph_side { PH_SIDE_ALL, PH_SIDE_HIDDEN, PH_SIDE_VISIBLE };
 
-/* ph_look_see: a place of the data in the view. */
-struct ph_seen ph_look_see(const struct ph_look *look, ph_vec3 place);
-
 /* ph_strokes_draw: all strokes of all drawings, then their points. */
 void ph_strokes_draw(const struct ph_look *look, enum ph_side side);
 

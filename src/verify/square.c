@@ -14,7 +14,6 @@
  */
 #include "verify/check.h"
 
-#include "kernel/cplx.h"
 #include "kernel/quat.h"
 
 enum { SQUARE_MAX = 2 * PH_VERIFY_FORM_MAX + 1, PLACES = 16 };
