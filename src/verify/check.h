@@ -23,6 +23,9 @@ void ph_verify_joint(struct ph_verify *v, const struct ph_verify_segment *a,
 /* ph_verify_lengths: of all segments, intervals and the whole. */
 void ph_verify_lengths(struct ph_verify *v);
 
+/* ph_verify_sphere: what is peculiar to spherical nu-splines. */
+void ph_verify_sphere(struct ph_verify *v);
+
 /* ph_verify_fairness: energies and turns that the diagnostics claim. */
 void ph_verify_fairness(struct ph_verify *v);
 

@@ -117,6 +117,9 @@ static enum ph_status check_curve(struct ph_verify *v) {
   check_segments(v);
   ph_verify_lengths(v);
   ph_verify_fairness(v);
+  if (v->curve->kind == PH_CURVE_SPHERICAL_NU) {
+    ph_verify_sphere(v);
+  }
   if (v->curve == &v->claim->curve) {
     check_derived(v);
   }
