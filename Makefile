@@ -39,7 +39,8 @@ CFLAGS ?= -O2 -g
 PKG_CONFIG ?= pkg-config
 GCOV ?= gcov
 VALGRIND ?= valgrind -q --error-exitcode=9 --leak-check=full \
-	--errors-for-leak-kinds=definite,possible
+	--errors-for-leak-kinds=definite,possible \
+	--suppressions=$(abspath $(srcdir)/tests/suppress/valgrind)
 # seconds for each fuzz target; test files run at once; what `make deps' gets;
 # what distcheck runs in the unpacked tree
 FUZZ_TIME ?= 60
@@ -285,7 +286,9 @@ asan: ## the tests under the address and undefined sanitizers
 	$(SUBMAKE) VARIANT=fault all
 	$(SUBMAKE) VARIANT=asan asan-run
 asan-run: tests-build
-	@CK_FORK=no PH_SHORT=1 PHSPLINE_FAULT=build/fault/phspline $(RUN) $(call pick,\
+	@CK_FORK=no PH_SHORT=1 PHSPLINE_FAULT=build/fault/phspline \
+	  LSAN_OPTIONS='suppressions=$(abspath \
+	  $(srcdir)/tests/suppress/lsan):print_suppressions=0' $(RUN) $(call pick,\
 	  $(UNIT_WANTED) $(addprefix $(S),$(CLI_TESTS) $(FAULT_TESTS)))
 
 tsan: ## unit tests and tests/cli/jobs.t under the thread sanitizer

@@ -14,30 +14,36 @@ data=$(dirname "$0")
 out=${2:-$data/figures}
 mkdir -p "$out"
 
-# draw NAME COMMAND OPTION...: NAME.svg; the results themselves are not kept
+phspline() {
+  "$program" "$@" -q -o /dev/null
+}
+
+# draw NAME COMMAND: NAME.svg; the results themselves are not kept
 draw() {
-  name=$1
-  shift
-  echo "phspline $* --plot=$out/$name.svg"
-  "$program" "$@" --plot="$out/$name.svg" -q -o /dev/null
+  echo "$2 --plot=$out/$1.svg"
+  eval "$2 --plot=\$out/\$1.svg"
 }
 
 # [HUA14]: a helix with its lengths, 1 % less and 1 % more; then sweeps of one
 # length
-draw huard-figure4 arclength "$data/huard-2014-figure4.json" \
-  --sweep='lengths*=0.99,1,1.01'
-draw huard-figure5 arclength "$data/huard-2014-figure5.json" \
-  --sweep='lengths[1]=2.9,2.5'
-draw huard-figure6 arclength "$data/huard-2014-figure6.json" \
-  --sweep='lengths[0]=6.3,7.24,5.35'
-draw huard-figure12 arclength "$data/huard-2014-figure12.json" \
-  --sweep='lengths[0]=2:2.08120802:5:log'
-draw huard-figure13 arclength "$data/huard-2014-figure13.json" \
-  --sweep='lengths[1]=1.4:1.456845614:5:log'
+draw huard-figure4 "phspline arclength $data/huard-2014-figure4.json \
+--sweep='lengths*=0.99,1,1.01'"
+draw huard-figure5 "phspline arclength $data/huard-2014-figure5.json \
+--sweep='lengths[1]=2.9,2.5'"
+draw huard-figure6 "phspline arclength $data/huard-2014-figure6.json \
+--sweep='lengths[0]=6.3,7.24,5.35'"
+draw huard-figure12 "phspline arclength $data/huard-2014-figure12.json \
+--sweep='lengths[0]=2:2.08120802:5:log'"
+draw huard-figure13 "phspline arclength $data/huard-2014-figure13.json \
+--sweep='lengths[1]=1.4:1.456845614:5:log'"
 
-# one of each command
-draw coastline planar "$data/coastline.csv" --closed --offset=-10
-draw gonzalez-2018-spatial spatial-hermite \
-  "$data/gonzalez-2018-spatial.jsonl"
-draw magellan sphere "$data/magellan-elcano.csv" --offset=-0.1,0.1
-draw byrtus-2011 tc "$data/byrtus-2011.jsonl"
+# one of each of the other commands: the path of a ship 10 km out at sea; a
+# segment of [GON18] by six criteria; a corridor of 637 km on either side of a
+# voyage; the path of a cutter; and several problems, pairs of cubics of [BYR11]
+draw coastline "phspline planar $data/coastline.csv --closed --offset=-10"
+draw gonzalez-criteria "sed -n 's/\"ph-2c-F1\"/\"case 2\"/p' \
+$data/gonzalez-2018-spatial.jsonl | phspline spatial-hermite \
+--sweep=criterion=cc,hc,bv,F1,F2,F3"
+draw magellan "phspline sphere $data/magellan-elcano.csv --offset=-0.1,0.1"
+draw spanner "phspline tc $data/spanner.json --tolerance=0.01 --offset=-3"
+draw byrtus-figure5-15 "grep figure-5.15 $data/byrtus-2011.jsonl | phspline tc"

@@ -34,7 +34,7 @@ export LC_ALL=C COLUMNS=80
         rest = substr(rest, RSTART + RLENGTH)
       }
       fields[command] = fields[command] " " name "="
-    } else if (argument ~ /^[a-z|]+$/) {
+    } else if (argument ~ /^[a-z|-]+$/) {
       words = " " argument
       gsub(/\|/, " ", words)
     }
@@ -89,7 +89,7 @@ export LC_ALL=C COLUMNS=80
   # how the value of entry i is completed
   function value_bash(i) {
     if (arguments[i] == "FILE") return "kind=files"
-    if (arguments[i] ~ /^FIELD/) {
+    if (arguments[i] ~ /^FIELD/ && of[i] in fields) {
       return "list=" quote(substr(fields[of[i]], 2))
     }
     return choices[i] == "" ? "kind=nothing" : "list=" quote(choices[i])
@@ -151,7 +151,9 @@ export LC_ALL=C COLUMNS=80
 
   function value_zsh(i) {
     if (arguments[i] == "FILE") return "_files"
-    if (arguments[i] ~ /^FIELD/) return "compadd -S \"\" --" fields[of[i]]
+    if (arguments[i] ~ /^FIELD/ && of[i] in fields) {
+      return "compadd -S \"\" --" fields[of[i]]
+    }
     if (choices[i] != "") return "(" choices[i] ")"
     return " "
   }
@@ -216,7 +218,7 @@ export LC_ALL=C COLUMNS=80
       if (letters[i] != "") s = s " -s " letters[i]
       s = s " -l " names[i]
       if (arguments[i] == "FILE") s = s " -r -F"
-      else if (arguments[i] ~ /^FIELD/) {
+      else if (arguments[i] ~ /^FIELD/ && of[i] in fields) {
         s = s " -x -a " quote(substr(fields[of[i]], 2))
       } else if (arguments[i] != "") s = s " -x"
       if (arguments[i] != "" && choices[i] != "") s = s " -a " quote(choices[i])

@@ -11,8 +11,8 @@ _phspline() {
     option=${COMP_WORDS[COMP_CWORD - 1]}
   fi
   case $COMP_CWORD,${COMP_WORDS[1]} in
-  1,*) list='planar spatial-hermite arclength sphere tc help --help --version' ;;
-  *,help) list='planar spatial-hermite arclength sphere tc' ;;
+  1,*) list='planar spatial-hermite arclength sphere tc verify help --help --version' ;;
+  *,help) list='planar spatial-hermite arclength sphere tc verify' ;;
   *,planar)
     case $option in
     --points | --points=) kind=nothing ;;
@@ -27,7 +27,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv' ;;
+    -f | --format | --format=) list='json csv text svg-path' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
@@ -35,13 +35,18 @@ _phspline() {
     -S | --sweep | --sweep=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
+    --spacing | --spacing=) kind=nothing ;;
+    --chord-error | --chord-error=) kind=nothing ;;
+    --frame | --frame=) list='frenet erf rmf' ;;
+    -p | --plot | --plot=) kind=files ;;
+    --plot-size | --plot-size=) kind=nothing ;;
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -64,7 +69,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv' ;;
+    -f | --format | --format=) list='json csv text svg-path' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
@@ -72,13 +77,18 @@ _phspline() {
     -S | --sweep | --sweep=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
+    --spacing | --spacing=) kind=nothing ;;
+    --chord-error | --chord-error=) kind=nothing ;;
+    --frame | --frame=) list='frenet erf rmf' ;;
+    -p | --plot | --plot=) kind=files ;;
+    --plot-size | --plot-size=) kind=nothing ;;
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -101,7 +111,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv' ;;
+    -f | --format | --format=) list='json csv text svg-path' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
@@ -109,13 +119,18 @@ _phspline() {
     -S | --sweep | --sweep=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
+    --spacing | --spacing=) kind=nothing ;;
+    --chord-error | --chord-error=) kind=nothing ;;
+    --frame | --frame=) list='frenet erf rmf' ;;
+    -p | --plot | --plot=) kind=files ;;
+    --plot-size | --plot-size=) kind=nothing ;;
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --lengths= --length_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --lengths= --length_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -140,7 +155,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv' ;;
+    -f | --format | --format=) list='json csv text svg-path' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= lonlat= closed= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
@@ -148,13 +163,18 @@ _phspline() {
     -S | --sweep | --sweep=) list='points= lonlat= closed= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
+    --spacing | --spacing=) kind=nothing ;;
+    --chord-error | --chord-error=) kind=nothing ;;
+    --frame | --frame=) list='frenet erf rmf' ;;
+    -p | --plot | --plot=) kind=files ;;
+    --plot-size | --plot-size=) kind=nothing ;;
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -181,7 +201,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv' ;;
+    -f | --format | --format=) list='json csv text svg-path' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= tangents= derivatives= curve= closed= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
@@ -189,12 +209,36 @@ _phspline() {
     -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= closed= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
+    --spacing | --spacing=) kind=nothing ;;
+    --chord-error | --chord-error=) kind=nothing ;;
+    --frame | --frame=) list='frenet erf rmf' ;;
+    -p | --plot | --plot=) kind=files ;;
+    --plot-size | --plot-size=) kind=nothing ;;
     --convert | --convert=) list='bezier' ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --closed --mode= --lambda= --ends= --end_tangents= --end_derivatives= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --convert= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --closed --mode= --lambda= --ends= --end_tangents= --end_derivatives= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+      fi
+      ;;
+    esac
+    ;;
+  *,verify)
+    case $option in
+    --problems | --problems=) kind=files ;;
+    -i | --input-format | --input-format=) list='auto json csv' ;;
+    --columns | --columns=) kind=nothing ;;
+    --delimiter | --delimiter=) kind=nothing ;;
+    -o | --output | --output=) kind=files ;;
+    -s | --set | --set=) kind=nothing ;;
+    --override | --override=) kind=nothing ;;
+    --tolerance | --tolerance=) kind=nothing ;;
+    -j | --jobs | --jobs=) kind=nothing ;;
+    *)
+      kind=files
+      if [[ $cur == -* ]]; then
+        kind=words list='--problems= --input-format= --columns= --delimiter= --pretty --output= --set= --override= --tolerance= --jobs= --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

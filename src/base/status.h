@@ -40,6 +40,8 @@ enum ph_class {
   X(NO_CONVERGENCE, "no-convergence", RECORD,                                  \
     "the solver did not reach its tolerance")                                  \
   X(TOO_LARGE, "too-large", RECORD, "a result exceeds the range of a double")  \
+  X(NOT_VERIFIED, "not-verified", RECORD,                                      \
+    "a result is not what it says, or solves none of the problems")            \
   X(REVERSAL, "reversal", RECORD,                                              \
     "warning: the data turn back by exactly 180 degrees")                      \
   X(LOOP, "loop", RECORD, "warning: a segment turns by more than 180 degrees") \

@@ -2,6 +2,8 @@
 /* The table of commands (see command.h). */
 #include "cli/command.h"
 
+#include "cli/verify.h"
+#include "cli/work.h"
 #include "curve/bezier.h"
 #include "curve/offset.h"
 #include "curve/parallel.h"
@@ -14,7 +16,8 @@
 #include <string.h>
 
 const struct ph_command ph_commands[] = {
-    {&ph_method_planar, ph_cert_planar, ph_offset_planar, 1, ph_bezier_curve,
+    {PH_SOLVES_BY(ph_method_planar), ph_cert_planar, ph_offset_planar, 1,
+     ph_bezier_curve,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline planar\t"
      "Four points, the curve as JSON\n"
      "phspline planar --closed -q --offset=-10 coast.csv -o coast.json\t"
@@ -28,9 +31,16 @@ const struct ph_command ph_commands[] = {
      "phspline planar --basis=atph --convert=bezier --tolerance=1e-6 points.csv"
      "\tAn algebraic-trigonometric curve as polynomial Bezier segments\n"
      "phspline planar --minimize=IES points.csv | jq .diagnostics\t"
-     "The fairest knots\n"},
-    {&ph_method_spatial_hermite, ph_cert_spatial_hermite, ph_offset_spatial,
-     PH_OFFSETS_SPATIAL, ph_bezier_curve,
+     "The fairest knots\n"
+     "phspline planar --spacing=0.5 --table=samples points.csv\t"
+     "A point every half unit of length, as a table\n"
+     "phspline planar --closed -q -d -5,-10 -p coast.svg coast.csv -o "
+     "coast.json"
+     "\tA figure of a curve, two offsets and the curvature\n"
+     "phspline planar --format=svg-path --chord-error=0.01 points.csv\t"
+     "A path of cubics for a drawing, within a hundredth\n"},
+    {PH_SOLVES_BY(ph_method_spatial_hermite), ph_cert_spatial_hermite,
+     ph_offset_spatial, PH_OFFSETS_SPATIAL, ph_bezier_curve,
      "printf '0,0,0\\n1,1,0\\n2,0,1\\n' | phspline spatial-hermite\t"
      "Three points, the curve as JSON\n"
      "phspline spatial-hermite --columns=x,y,z,tx,ty,tz -f csv sensors.csv\t"
@@ -42,8 +52,13 @@ const struct ph_command ph_commands[] = {
      "phspline spatial-hermite --basis=atph --criterion=F1 path.csv\t"
      "Algebraic-trigonometric segments that bend least\n"
      "phspline spatial-hermite --shape=false --angles='[0,0]' "
-     "--sweep='angles[1]=-3:3:13' path.csv\tOther members of the family\n"},
-    {&ph_method_arclength, ph_cert_arclength, ph_offset_spatial,
+     "--sweep='angles[1]=-3:3:13' path.csv\tOther members of the family\n"
+     "phspline spatial-hermite --chord-error=1e-3 --frame=rmf "
+     "--table=samples path.csv\t"
+     "A polygon within 1e-3, with frames that do not spin\n"
+     "phspline spatial-hermite --sweep=tension=0.7,1,1.4 -p path.pdf path.csv "
+     "-o path.json\tThree tensions in one figure\n"},
+    {PH_SOLVES_BY(ph_method_arclength), ph_cert_arclength, ph_offset_spatial,
      PH_OFFSETS_SPATIAL, ph_bezier_curve,
      "phspline arclength --columns=x,y,z,length survey.csv\t"
      "Points, each with the distance from the one before, as JSON\n"
@@ -54,8 +69,13 @@ const struct ph_command ph_commands[] = {
      "phspline arclength --refine=1 --all_minima --starts=20 problem.json\t"
      "The spline of the paper, and all minima that 20 more starts find\n"
      "phspline arclength --sweep='lengths[1]=1.4:1.456:5' problem.json\t"
-     "One length in five steps\n"},
-    {&ph_method_sphere, ph_cert_sphere, ph_offset_spherical, 1, NULL,
+     "One length in five steps\n"
+     "phspline arclength --spacing=0.05 -f text --table=samples survey.csv\t"
+     "Where 5 cm of cable end, for gnuplot and awk\n"
+     "phspline arclength -q --sweep='lengths*=0.99,1,1.01' -p lengths.svg "
+     "problem.json -o lengths.json\tA hundredth too short and too long\n"},
+    {PH_SOLVES_BY(ph_method_sphere), ph_cert_sphere, ph_offset_spherical, 1,
+     NULL,
      "printf 'lon,lat\\n-9,39\\n-25,38\\n-64,32\\n-74,40\\n' | "
      "phspline sphere\tA voyage, the curve as JSON\n"
      "phspline sphere --columns=lon,lat --radius=6371 --sample=20 -f csv "
@@ -66,8 +86,14 @@ const struct ph_command ph_commands[] = {
      "At three tensions, whatever shape that gives\n"
      "phspline sphere --model=nielson --ends=rest --criterion=legacy "
      "--increase=plus:10 --epsilon=1e-3 points.csv\t"
-     "As the thesis does it\n"},
-    {&ph_method_tc, ph_cert_tc, ph_offset_planar, 1, ph_bezier_curve,
+     "As the thesis does it\n"
+     "phspline sphere --columns=lon,lat --radius=6371 --spacing=500 "
+     "--table=samples track.csv\tA place every 500 km\n"
+     "phspline sphere --columns=lon,lat --offset=-0.05,0.05 -p track.png "
+     "--plot-size=1200x900 track.csv -o track.json\t"
+     "The globe with track and corridor\n"},
+    {PH_SOLVES_BY(ph_method_tc), ph_cert_tc, ph_offset_planar, 1,
+     ph_bezier_curve,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline tc\t"
      "A spline of two cubics for each two points, as JSON\n"
      "phspline tc --columns=x,y,tx,ty --mode=g1-fair -f csv outline.csv\t"
@@ -80,14 +106,29 @@ const struct ph_command ph_commands[] = {
      "phspline tc --mode=g1 --solutions=all -q problem.json | "
      "jq '.solutions[].length'\tEvery single cubic, those with loops too\n"
      "phspline tc --sweep=lambda=0.3,0.5,0.8 points.csv\t"
-     "Tangents of three lengths\n"},
+     "Tangents of three lengths\n"
+     "phspline tc --tolerance=0.01 --offset=-3 --format=svg-path drawing.json\t"
+     "Outline and cutter path as one SVG path\n"
+     "phspline tc --sweep=lambda=0.3:0.8:6 -q -p lambda.svg points.csv "
+     "-o lambda.json\tSix of them in one figure\n"},
+    {&ph_verify_schema, "checks of results, from their control points alone",
+     PH_USE_VERIFY, ph_verify_work,
+     .examples =
+         "phspline planar points.csv | phspline verify\t"
+         "A curve and all that is said about it\n"
+         "phspline planar points.csv | phspline verify --problems=points.csv\t"
+         "... and that it is one through these points\n"
+         "phspline planar problems.jsonl | phspline verify -q | "
+         "jq -c '[.id, .worst]'\tThe worst error of each result\n"
+         "phspline tc points.csv | phspline verify --tolerance=1e-6 "
+         "-o verdict.json\tNumbers of six digits would do\n"},
 };
 
 const size_t ph_commands_n = sizeof ph_commands / sizeof ph_commands[0];
 
 const struct ph_command *ph_command_find(const char *name) {
   for (size_t i = 0; i < ph_commands_n; i++) {
-    if (strcmp(ph_commands[i].method->schema.command, name) == 0) {
+    if (strcmp(ph_commands[i].schema->command, name) == 0) {
       return &ph_commands[i];
     }
   }

@@ -1,16 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The commands of phspline: each a method, its certificate, and what can be
- * derived from its curves.  Adding a command is adding a row (command.c).
+ * The commands of phspline.  Those that solve problems are each a method, its
+ * certificate, and what can be derived from its curves; the other one verifies
+ * results.  Adding a command is adding a row (command.c).
  */
 #ifndef PH_CLI_COMMAND_H
 #define PH_CLI_COMMAND_H
 
+#include "base/buf.h"
 #include "cert/cert.h"
 #include "curve/offset.h"
 #include "solve/method.h"
 
+struct ph_options;
+struct ph_worker;
+struct ph_item;
+
+/* What a command is for, and so which of the common options it has. */
+enum ph_use { PH_USE_SOLVE = 1, PH_USE_VERIFY = 2, PH_USE_ALL = 3 };
+
 struct ph_command {
+  const struct ph_schema *schema; /* its name, and the fields of its records */
+  const char *title;              /* one line for the help */
+  enum ph_use use;
+  /* work: one record, bytes to bytes (cli/work.h) */
+  void (*work)(const struct ph_options *options, struct ph_worker *worker,
+               struct ph_item *item, struct ph_buf *out, struct ph_buf *err);
+
+  /* What follows belongs to commands that solve. */
   const struct ph_method *method;
   ph_cert_fn *certify;
   /* offset: the offsets_n offset curves at a distance */
@@ -23,8 +40,12 @@ struct ph_command {
   enum ph_status (*convert)(const struct ph_curve *curve, double tolerance,
                             struct ph_arena *arena, struct ph_curve *bezier,
                             double *error, struct ph_diag *diag);
+
   const char *examples; /* lines for the help: command, tab, what it does */
 };
+
+/* The members of a command that solves by a method, up to that one. */
+#define PH_SOLVES_BY(by) &(by).schema, (by).title, PH_USE_SOLVE, ph_work, &(by)
 
 extern const struct ph_command ph_commands[];
 extern const size_t ph_commands_n;

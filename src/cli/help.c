@@ -137,12 +137,27 @@ static void field_entry(struct page *page, const struct ph_field *field) {
   end_line(page);
 }
 
-/* The common options, but for those that are fields of the command, too. */
-static void options(struct page *page, const struct ph_schema *schema) {
-  heading(page, "Options:");
+/* What the records of a command hold; nothing of one that has no fields. */
+static void fields(struct page *page, const struct ph_schema *schema) {
+  if (schema->fields_n == 0) {
+    return;
+  }
+  heading(page, "Fields of a problem (each also an option: --FIELD=VALUE is "
+                "--set=FIELD=VALUE):");
+  for (size_t i = 0; i < schema->fields_n; i++) {
+    field_entry(page, &schema->fields[i]);
+  }
+  entry(page, 2, "id, meta", "copied to the result (no options)");
+}
+
+/* The common options of a use, but for those that are fields, too. */
+static void options(struct page *page, const char *title, enum ph_use use,
+                    const struct ph_schema *schema) {
+  heading(page, title);
   for (int i = 0; i < PH_OPTION_N; i++) {
     const struct ph_option *option = &ph_option_table[i];
-    if (schema && ph_field_find(schema, option->name, strlen(option->name))) {
+    if (!(option->use & use) ||
+        ph_field_find(schema, option->name, strlen(option->name))) {
       continue;
     }
     option_entry(page, option);
@@ -171,10 +186,12 @@ static void examples(struct page *page, const char *text) {
   }
 }
 
-static void statuses(struct page *page) {
-  static const char *const text[] = {
-      "every problem solved",
-      "at least one problem failed; every other result was written",
+static void statuses(struct page *page, enum ph_use use) {
+  bool verify = use == PH_USE_VERIFY;
+  const char *const text[] = {
+      verify ? "every result is right" : "every problem solved",
+      verify ? "at least one is not, or could not be read; all were looked at"
+             : "at least one problem failed; every other result was written",
       "usage error; nothing was read or written",
       "input could not be read, or was cut off by a syntax error",
       "output could not be written",
@@ -195,6 +212,7 @@ static void version_line(struct page *page) {
 }
 
 void ph_help_program(struct ph_buf *buf) {
+  static const struct ph_schema no_fields = {"", NULL, 0};
   struct page page = page_of(buf);
   version_line(&page);
   paragraph(&page, "Usage: phspline COMMAND [OPTION]... [FILE]...");
@@ -202,38 +220,33 @@ void ph_help_program(struct ph_buf *buf) {
                    "offset curves are exact.");
   heading(&page, "Commands:");
   for (size_t i = 0; i < ph_commands_n; i++) {
-    const struct ph_method *method = ph_commands[i].method;
-    entry(&page, 2, method->schema.command, method->title);
+    entry(&page, 2, ph_commands[i].schema->command, ph_commands[i].title);
   }
   entry(&page, 2, "help COMMAND", "the fields and options of a command");
-  options(&page, NULL);
+  options(&page, "Options of all commands but verify:", PH_USE_SOLVE,
+          &no_fields);
   heading(&page,
           "Problems are read from each FILE in turn, or from standard input "
           "where there is none or it is -, as JSON, JSON Lines or CSV. Each "
           "gives one result, in order, whether it could be solved or not.");
-  statuses(&page);
+  statuses(&page, PH_USE_SOLVE);
   heading(&page, "Manual: man phspline, man phspline-COMMAND, man 5 phspline");
 }
 
 void ph_help_command(struct ph_buf *buf, const struct ph_command *command) {
   struct page page = page_of(buf);
-  const struct ph_schema *schema = &command->method->schema;
+  const struct ph_schema *schema = command->schema;
   version_line(&page);
   flow(&page, 0, "Usage: phspline");
   flow(&page, 0, schema->command);
   paragraph(&page, "[OPTION]... [FILE]...");
-  put_text(&page, command->method->title);
+  put_text(&page, command->title);
   put_text(&page, ".");
   end_line(&page);
-  heading(&page, "Fields of a problem (each also an option: --FIELD=VALUE is "
-                 "--set=FIELD=VALUE):");
-  for (size_t i = 0; i < schema->fields_n; i++) {
-    field_entry(&page, &schema->fields[i]);
-  }
-  entry(&page, 2, "id, meta", "copied to the result (no options)");
-  options(&page, schema);
+  fields(&page, schema);
+  options(&page, "Options:", command->use, schema);
   examples(&page, command->examples);
-  statuses(&page);
+  statuses(&page, command->use);
   end_line(&page);
   put_text(&page, "Manual: man phspline-");
   put_text(&page, schema->command);

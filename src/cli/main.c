@@ -70,7 +70,7 @@ static int refuse(const char *message, const char *command) {
 static int run_command(const struct ph_command *command, int argc,
                        char **argv) {
   struct ph_options options = {.command = command};
-  const char *name = command->method->schema.command;
+  const char *name = command->schema->command;
   struct ph_diag diag;
   int result;
   if (ph_options_read(argc, argv, &options, &diag) != PH_OK) {
@@ -107,7 +107,7 @@ static int unknown_word(const char *word) {
     ph_suggest_list(&suggest, "help|version");
   }
   for (size_t i = 0; !option && i < ph_commands_n; i++) {
-    const char *candidate = ph_commands[i].method->schema.command;
+    const char *candidate = ph_commands[i].schema->command;
     ph_suggest_try(&suggest, candidate, strlen(candidate));
   }
   ph_did_you_mean(&suggest, clause);

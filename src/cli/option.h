@@ -19,71 +19,85 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* X(SYMBOL, 'short' or 0, "long", "ARGUMENT" or NULL, "help").  Help texts are
- * broken into lines where they are printed. */
+/* X(SYMBOL, USE, 'short' or 0, "long", "ARGUMENT" or NULL, "help").  USE is the
+ * commands that have the option: SOLVE, VERIFY or ALL (enum ph_use).  Help
+ * texts are broken into lines where they are printed. */
 #define PH_OPTIONS(X)                                                         \
-  X(INPUT_FORMAT, 'i', "input-format", "auto|json|csv",                       \
+  X(INPUT_FORMAT, SOLVE, 'i', "input-format", "auto|json|csv",                \
     "what the input is; auto (default): by the suffix of the file (.json "    \
     ".ndjson .jsonl .csv .tsv), else by its first character")                 \
-  X(COLUMNS, 0, "columns", "NAME,...",                                        \
+  X(PROBLEMS, VERIFY, 0, "problems", "FILE",                                  \
+    "the problems that the results solve, to check these as well: the same "  \
+    "id, or else the same order")                                             \
+  X(PROBLEMS_FORMAT, VERIFY, 'i', "input-format", "auto|json|csv",            \
+    "what the file of problems is; auto (default): by its suffix, else by "   \
+    "its first character")                                                    \
+  X(COLUMNS, ALL, 0, "columns", "NAME,...",                                   \
     "what the columns of CSV input are, in order (-: skip)")                  \
-  X(DELIMITER, 0, "delimiter", "C",                                           \
+  X(DELIMITER, ALL, 0, "delimiter", "C",                                      \
     "separator of CSV input (default: a comma; a tab in .tsv files)")         \
-  X(FORMAT, 'f', "format", "json|csv|text|svg-path",                          \
+  X(FORMAT, SOLVE, 'f', "format", "json|csv|text|svg-path",                   \
     "json (default): one object a line; csv (with --table the default): one " \
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths " \
     "of cubic Bezier curves")                                                 \
-  X(TABLE, 0, "table", "NAME",                                                \
+  X(TABLE, SOLVE, 0, "table", "NAME",                                         \
     "what --format=csv and text print (default: control-points):")            \
-  X(PRETTY, 0, "pretty", NULL, "indented JSON")                               \
-  X(OUTPUT, 'o', "output", "FILE",                                            \
+  X(PRETTY, ALL, 0, "pretty", NULL, "indented JSON")                          \
+  X(OUTPUT, ALL, 'o', "output", "FILE",                                       \
     "write FILE, replaced only when everything was written")                  \
-  X(SET, 's', "set", "FIELD=VALUE",                                           \
+  X(SET, ALL, 's', "set", "FIELD=VALUE",                                      \
     "set a field of the problems that lack it; VALUE is JSON or a word")      \
-  X(OVERRIDE, 0, "override", "FIELD=VALUE", "set a field of every problem")   \
-  X(SWEEP, 'S', "sweep", "FIELD=RANGE",                                       \
-    "solve every problem once for each value of RANGE: START:STOP:COUNT or "  \
-    "V1,V2,...; FIELD may be an element: points[2][0]")                       \
-  X(OFFSET, 'd', "offset", "D[,D...]",                                        \
+  X(OVERRIDE, ALL, 0, "override", "FIELD=VALUE",                              \
+    "set a field of every problem")                                           \
+  X(SWEEP, SOLVE, 'S', "sweep", "FIELD=RANGE",                                \
+    "solve every problem once for each value of RANGE: V1,V2,... or "         \
+    "START:STOP:COUNT, with :log at equal ratios; FIELD may be an element, "  \
+    "points[2][0]; FIELD*=RANGE multiplies what is there")                    \
+  X(OFFSET, SOLVE, 'd', "offset", "D[,D...]",                                 \
     "add offset curves at these distances, positive to the left of travel")   \
-  X(SAMPLE, 'n', "sample", "N",                                               \
+  X(SAMPLE, SOLVE, 'n', "sample", "N",                                        \
     "add N+1 samples per segment, equally spaced in the segment's parameter") \
-  X(SPACING, 0, "spacing", "DS",                                              \
+  X(SPACING, SOLVE, 0, "spacing", "DS",                                       \
     "add samples equally spaced by arc length along the whole curve")         \
-  X(CHORD_ERROR, 0, "chord-error", "E",                                       \
+  X(CHORD_ERROR, SOLVE, 0, "chord-error", "E",                                \
     "add samples such that no chord leaves the curve by more than E")         \
-  X(FRAME, 0, "frame", "frenet|erf|rmf",                                      \
+  X(FRAME, SOLVE, 0, "frame", "frenet|erf|rmf",                               \
     "add normal and binormal to samples of curves in space")                  \
-  X(PLOT, 'p', "plot", "FILE",                                                \
+  X(PLOT, SOLVE, 'p', "plot", "FILE",                                         \
     "draw data, curves, offsets and curvature of the whole run: FILE.svg, "   \
     "FILE.pdf or FILE.png")                                                   \
-  X(PLOT_SIZE, 0, "plot-size", "WIDTHxHEIGHT",                                \
+  X(PLOT_SIZE, SOLVE, 0, "plot-size", "WIDTHxHEIGHT",                         \
     "size of the figure, in pixels (.png) or points of 1/72 inch")            \
-  X(CONVERT, 0, "convert", "bezier",                                          \
+  X(CONVERT, SOLVE, 0, "convert", "bezier",                                   \
     "write atph segments as polynomial quintic Bezier segments")              \
-  X(TOLERANCE, 0, "tolerance", "E",                                           \
+  X(TOLERANCE, SOLVE, 0, "tolerance", "E",                                    \
     "greatest distance of Bezier pieces from the exact curve (default: 1e-9 " \
     "of its size)")                                                           \
-  X(JOBS, 'j', "jobs", "N",                                                   \
+  X(LIMIT, VERIFY, 0, "tolerance", "E",                                       \
+    "greatest relative error of what is right (default: 1e-9)")               \
+  X(JOBS, ALL, 'j', "jobs", "N",                                              \
     "worker threads (default: the processors); for every N the results are "  \
     "the same, in the same order")                                            \
-  X(STRICT, 0, "strict", NULL, "a warning is an error")                       \
-  X(FAIL_FAST, 0, "fail-fast", NULL, "stop at the first problem that fails")  \
-  X(PROGRESS, 0, "progress", NULL, "report progress on standard error")       \
-  X(QUIET, 'q', "quiet", NULL, "no warnings, no summary of failures")         \
-  X(VERBOSE, 'v', "verbose", NULL,                                            \
+  X(STRICT, SOLVE, 0, "strict", NULL, "a warning is an error")                \
+  X(FAIL_FAST, ALL, 0, "fail-fast", NULL, "stop at the first failure")        \
+  X(PROGRESS, ALL, 0, "progress", NULL, "report progress on standard error")  \
+  X(QUIET, ALL, 'q', "quiet", NULL, "no warnings, no summary of failures")    \
+  X(VERBOSE, SOLVE, 'v', "verbose", NULL,                                     \
     "a line for each problem solved: iterations, residual, time")             \
-  X(HELP, 'h', "help", NULL, "this text")                                     \
-  X(VERSION, 'V', "version", NULL, "the version")
+  X(VERBOSE_VERIFY, VERIFY, 'v', "verbose", NULL,                             \
+    "a line for each result that is right: its worst error, time")            \
+  X(HELP, ALL, 'h', "help", NULL, "this text")                                \
+  X(VERSION, ALL, 'V', "version", NULL, "the version")
 
 enum ph_option_id {
-#define X(symbol, letter, name, argument, help) PH_O_##symbol,
+#define X(symbol, use, letter, name, argument, help) PH_O_##symbol,
   PH_OPTIONS(X)
 #undef X
       PH_OPTION_N
 };
 
 struct ph_option {
+  enum ph_use use;
   char letter;
   const char *name;
   const char *argument;
@@ -100,8 +114,10 @@ enum ph_format {
   PH_FORMAT_SVG_PATH
 };
 
-/* --set, --override and the field options. */
+/* --set, --override and the field options.  Which field is meant, verify knows
+ * of each result only: ph_option_assign. */
 struct ph_assignment {
+  const char *text; /* FIELD=VALUE; NULL: a field option */
   enum ph_field_id field;
   struct ph_value value;
   bool override;
@@ -127,7 +143,9 @@ struct ph_options {
   size_t sweeps_n;
   size_t sweep_count; /* results for each problem */
   bool convert;
-  double tolerance; /* 0: the default */
+  double tolerance;     /* 0: the default */
+  const char *problems; /* of the results that verify looks at; NULL: none */
+  struct ph_split_options problems_input;
   double *offsets;
   size_t offsets_n;
   struct ph_sample_rules samples;
@@ -148,6 +166,13 @@ enum ph_status ph_options_read(int argc, char **argv,
 
 /* ph_options_shape: of the table that is printed. */
 struct ph_csv_shape ph_options_shape(const struct ph_options *options);
+
+/* ph_option_assign: reads the FIELD=VALUE of --set or --override as of one
+ * command.  ret PH_OK | PH_USAGE | PH_NO_MEMORY */
+enum ph_status ph_option_assign(const struct ph_schema *schema,
+                                struct ph_arena *arena,
+                                struct ph_assignment *assignment,
+                                struct ph_diag *diag);
 
 /* ph_option_no_field: the failure of an option that is about a field which the
  * command does not have; name[n] is not NUL-terminated. */

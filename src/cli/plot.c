@@ -86,18 +86,32 @@ bool ph_plot_wants(const struct ph_plot *plot, size_t record) {
           plot->inside < PH_FIGURE_SWEEP_MAX);
 }
 
+/* A swept value as one reads it: six digits, words without quotes. */
+static void put_value(struct ph_buf *buf, const char *json) {
+  size_t n = strlen(json);
+  char excerpt[PH_EXCERPT_MAX];
+  double x;
+  if (ph_number_read(json, json + n, &x) == json + n) {
+    snprintf(excerpt, sizeof excerpt, "%.6g", x);
+    ph_buf_puts(buf, excerpt);
+  } else if (*json == '"') {
+    ph_buf_put(buf, json + 1, n - 2);
+  } else {
+    ph_buf_puts(buf, ph_excerpt(json, n, excerpt));
+  }
+}
+
 /* "lengths[1] = 2.5, alpha = 1"; NULL when memory is exhausted. */
 static const char *label_of(const struct ph_plot_subject *subject,
                             struct ph_arena *arena) {
   struct ph_buf buf = {0};
-  char excerpt[PH_EXCERPT_MAX];
   const char *label;
   for (size_t i = 0; i < subject->swept_n; i++) {
     const struct ph_swept *swept = &subject->swept[i];
     ph_buf_puts(&buf, i ? ", " : "");
     ph_buf_puts(&buf, swept->name);
     ph_buf_puts(&buf, " = ");
-    ph_buf_puts(&buf, ph_excerpt(swept->value, strlen(swept->value), excerpt));
+    put_value(&buf, swept->value);
   }
   label = buf.failed ? NULL : ph_arena_copy(arena, buf.data, buf.n);
   ph_buf_free(&buf);
@@ -111,12 +125,10 @@ enum ph_status ph_plot_draw(const struct ph_plot_subject *subject,
                             struct ph_drawing **drawing, struct ph_diag *diag) {
   const char *id = subject->id;
   char title[PH_EXCERPT_MAX];
-  struct ph_drawing_names names = {title, NULL, subject->record};
+  struct ph_drawing_names names = {NULL, NULL, subject->record};
   *drawing = NULL;
   if (id) {
-    ph_excerpt(id, strlen(id), title);
-  } else {
-    snprintf(title, sizeof title, "record %zu", subject->record);
+    names.title = ph_excerpt(id, strlen(id), title);
   }
   if (subject->swept_n) {
     names.label = label_of(subject, scratch);

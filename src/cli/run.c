@@ -11,14 +11,13 @@
 
 #include "cli/message.h"
 #include "cli/output.h"
+#include "cli/pairing.h"
 #include "cli/plot.h"
 #include "cli/progress.h"
 #include "cli/work.h"
 
 #include <pthread.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { BATCH_ITEMS = 64, BATCH_BYTES = 64 << 10, SLOTS_PER_JOB = 4 };
 
@@ -40,6 +39,7 @@ struct slot {
 struct run {
   const struct ph_options *options;
   struct ph_split split;
+  struct ph_pairing pairing; /* with --problems */
   struct ph_output output;
   struct ph_plot plot;
   struct ph_progress progress;
@@ -84,8 +84,7 @@ static void worsen(struct run *r, enum ph_class class) {
 
 /* A failure that is not a record's. */
 static void complain(struct run *r, const struct ph_diag *diag) {
-  ph_message_failure(&r->message, diag,
-                     r->options->command->method->schema.command);
+  ph_message_failure(&r->message, diag, r->options->command->schema->command);
   worsen(r, ph_status_class(diag->status));
 }
 
@@ -97,6 +96,29 @@ static void fail_input(struct run *r, const struct ph_diag *diag) {
   r->input_failure = *diag;
   r->input_ended = true;
   r->current_left = 0;
+}
+
+/* Finds the problem of the current record, a result; false if the problems
+ * cannot be read. */
+static bool find_problem(struct run *r) {
+  struct ph_diag diag = {.line = 0};
+  struct ph_diag *why =
+      r->current.record.status == PH_OK ? &r->current.diag : &diag;
+  enum ph_status status = ph_pairing_find(
+      &r->pairing, r->options, &r->current.record, &r->current.posed, why);
+  if (status != PH_OK) {
+    fail_input(r, why);
+  }
+  return status == PH_OK;
+}
+
+/* Whether all problems had results; not after --fail-fast or a failure. */
+static void finish_pairing(struct run *r) {
+  struct ph_diag diag;
+  if (r->options->problems && !r->stopped && r->class < PH_CLASS_USAGE &&
+      ph_pairing_finish(&r->pairing, r->options, &diag) != PH_OK) {
+    complain(r, &diag);
+  }
 }
 
 /* Gets the next record, if there is one now; false ends the batch. */
@@ -115,7 +137,7 @@ static bool next_record(struct run *r, bool may_wait) {
     r->current.cut_off = ph_split_stopped(&r->split);
     r->current_left =
         r->current.record.status == PH_OK ? r->options->sweep_count : 1;
-    return true;
+    return !r->options->problems || find_problem(r);
   case PH_SPLIT_WAIT:
     return false;
   case PH_SPLIT_FAILED:
@@ -181,7 +203,8 @@ static void work_slot(const struct ph_options *options,
   ph_buf_clear(&slot->out, KEEP_BYTES);
   ph_buf_clear(&slot->err, KEEP_BYTES);
   for (size_t i = 0; i < slot->n; i++) {
-    ph_work(options, worker, &slot->items[i], &slot->out, &slot->err);
+    options->command->work(options, worker, &slot->items[i], &slot->out,
+                           &slot->err);
     slot->out_end[i] = slot->out.n;
     slot->err_end[i] = slot->err.n;
   }
@@ -392,6 +415,7 @@ static void release(struct run *r) {
   ph_free(r->threads);
   ph_buf_free(&r->message);
   ph_split_free(&r->split);
+  ph_pairing_free(&r->pairing);
   ph_plot_free(&r->plot);
   ph_output_discard(&r->output);
 }
@@ -439,7 +463,8 @@ static void finish_plot(struct run *r) {
  * run itself, and not when --fail-fast broke off. */
 static void conclude(struct run *r) {
   struct ph_diag diag;
-  bool whole = r->class < PH_CLASS_OUTPUT && !r->stopped;
+  bool whole =
+      r->class < PH_CLASS_OUTPUT && r->class != PH_CLASS_USAGE && !r->stopped;
   if ((whole || !r->output.temporary) && r->class != PH_CLASS_OUTPUT &&
       ph_output_commit(&r->output, &diag) != PH_OK) {
     complain(r, &diag);
@@ -465,7 +490,7 @@ int ph_run(const struct ph_options *options) {
   pthread_cond_init(&r.changed, NULL);
   ph_progress_init(&r.progress, o->progress, o->quiet);
   status = ph_split_init(&r.split, o->files, o->files_n, &o->input,
-                         &o->command->method->schema, &diag);
+                         o->command->schema, &diag);
   if (status == PH_OK && !allocate(&r)) {
     status = ph_fail_memory(&diag);
   }
@@ -485,6 +510,7 @@ int ph_run(const struct ph_options *options) {
     if (r.input_failed && !r.stopped) {
       complain(&r, &r.input_failure);
     }
+    finish_pairing(&r);
     ph_progress_finish(&r.progress);
     conclude(&r);
   } else {

@@ -2,24 +2,18 @@
 /* One record, bytes to bytes (see work.h). */
 #include "cli/work.h"
 
+#include "cli/derive.h"
 #include "cli/message.h"
 #include "cli/plot.h"
-#include "curve/sample.h"
 #include "io/csv_in.h"
 #include "io/json_in.h"
 #include "io/json_out.h"
+#include "io/svg_out.h"
 #include "io/value.h"
 
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
-
-/* Default tolerance of Bezier pieces, relative to the size of the curve. */
-static const double TOLERANCE = 1e-9;
-
-/* Samples of an offset on a sphere without --sample: so many and one for each
- * segment. */
-enum { OFFSET_SAMPLES = 16 };
 
 /* An item on its way. */
 struct task {
@@ -31,13 +25,13 @@ struct task {
   size_t swept_n;
   struct ph_problem problem;
   struct ph_result result;
-  struct ph_curve exact; /* what offsets are of: as it was before --convert */
+  struct ph_derived derived;
   struct ph_diag diag;
 };
 
 static enum ph_status read_problem(struct task *t) {
   const struct ph_record *record = &t->item->record;
-  const struct ph_schema *schema = &t->options->command->method->schema;
+  const struct ph_schema *schema = t->options->command->schema;
   struct ph_arena *arena = &t->worker->arena;
   return record->columns
              ? ph_csv_in(record, schema, arena, &t->problem, &t->echo, &t->diag)
@@ -61,125 +55,20 @@ static enum ph_status name_sweep(struct task *t) {
   return status;
 }
 
-/* --set gives what the problem lacks, --override anything; the last one that
- * is about a field counts. */
-static void assign(struct task *t) {
-  const struct ph_options *o = t->options;
+void ph_work_assign(const struct ph_assignment *assignments, size_t n,
+                    struct ph_problem *problem) {
   bool given[PH_FIELD_N];
   for (size_t i = 0; i < PH_FIELD_N; i++) {
-    given[i] = t->problem.field[i].kind != PH_ABSENT;
+    given[i] = problem->field[i].kind != PH_ABSENT;
   }
   for (int override = 0; override < 2; override++) {
-    for (size_t i = 0; i < o->assignments_n; i++) {
-      const struct ph_assignment *a = &o->assignments[i];
+    for (size_t i = 0; i < n; i++) {
+      const struct ph_assignment *a = &assignments[i];
       if (a->override == override && (override || !given[a->field])) {
-        t->problem.field[a->field] = a->value;
+        problem->field[a->field] = a->value;
       }
     }
   }
-}
-
-/* One warning for all offsets: the first one that has cusps. */
-static void warn_cusps(struct ph_result *result) {
-  const struct ph_offset *o = result->offsets, *end = o + result->offsets_n;
-  const struct ph_place *at;
-  struct ph_diag *diag;
-  while (o < end && !o->cusps.n) {
-    o++;
-  }
-  if (o == end) {
-    return;
-  }
-  at = &o->cusps.at[0];
-  diag = ph_warning_add(result, at->segment);
-  if (o->vector) {
-    ph_fail(diag, PH_OFFSET_CUSP, NULL,
-            "the offset at distance %g along %s turns back, where the radius "
-            "of curvature towards it is smaller: %zu times, first in "
-            "segment %zu at %.6g of its interval",
-            o->distance, o->vector, o->cusps.n, at->segment, at->u);
-  } else if (result->curve.radius > 0) {
-    ph_fail(diag, PH_OFFSET_CUSP, NULL,
-            "the offset at distance %g has cusps, where the curve bends as a "
-            "circle of that radius on the sphere: %zu, the first in segment "
-            "%zu at %.6g of its interval",
-            o->distance, o->cusps.n, at->segment, at->u);
-  } else {
-    ph_fail(diag, PH_OFFSET_CUSP, NULL,
-            "the offset at distance %g has cusps, where the radius of "
-            "curvature equals it: %zu, the first in segment %zu at %.6g of "
-            "its interval",
-            o->distance, o->cusps.n, at->segment, at->u);
-  }
-}
-
-static enum ph_status derive_offsets(struct task *t, double tolerance) {
-  const struct ph_options *o = t->options;
-  struct ph_offset_rules rules = {tolerance, o->samples};
-  struct ph_arena *arena = &t->worker->arena;
-  struct ph_result *r = &t->result;
-  size_t each = o->command->offsets_n, n = o->offsets_n * each;
-  enum ph_status status = PH_OK;
-  if (o->command->method->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
-    rules.samples.how = PH_SAMPLE_PARAMETER;
-    rules.samples.n = OFFSET_SAMPLES;
-  }
-  r->offsets = ph_arena_array(arena, n, sizeof *r->offsets);
-  if (!r->offsets) {
-    return ph_fail_memory(&t->diag);
-  }
-  for (size_t i = 0; status == PH_OK && i < o->offsets_n; i++) {
-    status = o->command->offset(&r->curve, o->offsets[i], &rules, arena,
-                                r->offsets + i * each, &t->diag);
-  }
-  r->offsets_n = n;
-  if (status == PH_OK) {
-    warn_cusps(r);
-  }
-  return status;
-}
-
-/* Replaces a curve by Bezier curves. */
-static enum ph_status convert(struct task *t, double tolerance,
-                              struct ph_curve *curve,
-                              struct ph_diagnostics *diagnostics) {
-  struct ph_curve bezier;
-  double error;
-  enum ph_status status = t->options->command->convert(
-      curve, tolerance, &t->worker->arena, &bezier, &error, &t->diag);
-  if (status == PH_OK) {
-    *curve = bezier;
-    ph_diagnostics_set(diagnostics, PH_D_CONVERSION_ERROR, error);
-  }
-  return status;
-}
-
-static enum ph_status convert_all(struct task *t, double tolerance) {
-  struct ph_result *r = &t->result;
-  enum ph_status status = convert(t, tolerance, &r->curve, &r->diagnostics);
-  for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
-    status = convert(t, tolerance, &r->solutions[i].curve,
-                     &r->solutions[i].diagnostics);
-  }
-  return status;
-}
-
-/* What the options ask for beside the curve. */
-static enum ph_status derive(struct task *t) {
-  const struct ph_options *o = t->options;
-  double tolerance = o->tolerance > 0
-                         ? o->tolerance
-                         : TOLERANCE * ph_curve_size(&t->result.curve);
-  enum ph_status status = derive_offsets(t, tolerance);
-  t->exact = t->result.curve;
-  if (status == PH_OK && o->convert) {
-    status = convert_all(t, tolerance);
-  }
-  if (status == PH_OK && o->samples.how) { /* of the segments in the record */
-    status = ph_sample_curve(&t->result.curve, &o->samples, &t->worker->arena,
-                             &t->result.samples, &t->diag);
-  }
-  return status;
 }
 
 /* Under --strict the first warning is the failure. */
@@ -219,13 +108,12 @@ static enum ph_status solve(struct task *t) {
   }
   if (status == PH_OK) {
     const struct ph_options *o = t->options;
-    assign(t);
+    ph_work_assign(o->assignments, o->assignments_n, &t->problem);
     status = ph_sweep_apply(o->sweeps, o->sweeps_n, t->item->sweep,
                             &worker->arena, &t->problem, &t->diag);
   }
   if (status == PH_OK) {
-    status = ph_problem_check_required(&t->problem, &command->method->schema,
-                                       &t->diag);
+    status = ph_problem_check_required(&t->problem, command->schema, &t->diag);
   }
   if (status == PH_OK) {
     status = command->method->solve(&t->problem, &worker->arena,
@@ -235,7 +123,8 @@ static enum ph_status solve(struct task *t) {
     status = certify(t);
   }
   if (status == PH_OK) {
-    status = derive(t);
+    status = ph_derive(t->options, &worker->arena, &t->result, &t->derived,
+                       &t->diag);
   }
   return status == PH_OK ? refuse_warnings(t) : status;
 }
@@ -245,20 +134,27 @@ static enum ph_status draw(struct task *t, const char *id) {
   const struct ph_plot_subject subject = {id, t->item->record.number, t->swept,
                                           t->swept_n};
   struct ph_result exact = t->result;
-  exact.curve = t->exact;
+  exact.curve = t->derived.exact;
   return ph_plot_draw(&subject, &t->problem, &exact, &t->worker->arena,
                       &t->item->drawing, &t->diag);
 }
 
-/* The id as people write it: without the quotes of a JSON string. */
-static const char *plain_id(struct task *t) {
-  const struct ph_echo *echo = &t->echo;
+const char *ph_work_id(const struct ph_echo *echo, struct ph_arena *arena) {
   if (!echo->id) {
     return NULL;
   }
-  return echo->id[0] == '"'
-             ? ph_value_string(echo->id, echo->id_n, &t->worker->arena)
-             : ph_arena_copy(&t->worker->arena, echo->id, echo->id_n);
+  return echo->id[0] == '"' ? ph_value_string(echo->id, echo->id_n, arena)
+                            : ph_arena_copy(arena, echo->id, echo->id_n);
+}
+
+/* One line, also where there is no path: lines are those of the problems. */
+static void write_path(const struct task *t, struct ph_buf *out) {
+  for (size_t i = 0; i < t->derived.paths_n; i++) {
+    /* in space the frame comes back turned, and offsets do not close */
+    bool turned = i > 0 && t->result.offsets[i - 1].vector;
+    ph_svg_path(out, &t->derived.paths[i], t->result.curve.closed && !turned);
+  }
+  ph_buf_puts(out, "\n");
 }
 
 static void write_result(struct task *t, const struct ph_heading *heading,
@@ -268,6 +164,10 @@ static void write_result(struct task *t, const struct ph_heading *heading,
   struct ph_csv_heading csv = {id, t->swept, t->swept_n};
   if (t->options->format == PH_FORMAT_JSON) {
     ph_json_result(out, heading, &t->result, t->options->pretty);
+    return;
+  }
+  if (t->options->format == PH_FORMAT_SVG_PATH) {
+    write_path(t, out);
     return;
   }
   if (!id) {
@@ -305,14 +205,14 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   struct task t = {.options = options, .worker = worker, .item = item};
   struct ph_subject subject = {record->file, record->line, NULL,
                                record->number};
-  struct ph_heading heading = {
-      &t.echo, options->command->method->schema.command, NULL, 0};
+  struct ph_heading heading = {&t.echo, options->command->schema->command, NULL,
+                               0};
   struct timespec start = {0, 0};
   if (options->verbose) {
     clock_gettime(CLOCK_MONOTONIC, &start);
   }
   item->status = solve(&t);
-  subject.id = plain_id(&t);
+  subject.id = ph_work_id(&t.echo, &worker->arena);
   if (t.echo.id && !subject.id) {
     item->status = ph_fail_memory(&t.diag);
   }
@@ -330,7 +230,9 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
                         : record->line;
     }
     subject.line = t.diag.line;
-    if (options->format == PH_FORMAT_JSON) {
+    if (options->format == PH_FORMAT_SVG_PATH) {
+      ph_buf_puts(out, "\n");
+    } else if (options->format == PH_FORMAT_JSON) {
       ph_json_error(out, &heading, &t.diag, record->file, options->pretty);
     }
   }

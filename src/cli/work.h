@@ -9,6 +9,8 @@
 #include "io/record.h"
 #include "plot/drawing.h"
 
+struct ph_posed;
+
 /* What a worker keeps from record to record. */
 struct ph_worker {
   struct ph_arena arena;   /* of the record */
@@ -18,12 +20,14 @@ struct ph_worker {
 /* One result to be: a record and a combination of swept values. */
 struct ph_item {
   struct ph_record record;
-  struct ph_diag diag; /* of a record whose text is broken */
+  struct ph_diag diag; /* of a record whose text is broken, or a result that
+                          solves no problem */
   bool cut_off;        /* ... so that nothing behind it could be read */
   size_t sweep;
-  bool draw;                  /* for the figure */
-  struct ph_drawing *drawing; /* out: to be freed; NULL: there is none */
-  enum ph_status status;      /* the outcome */
+  const struct ph_posed *posed; /* the problem of a result (cli/pairing.h) */
+  bool draw;                    /* for the figure */
+  struct ph_drawing *drawing;   /* out: to be freed; NULL: there is none */
+  enum ph_status status;        /* the outcome */
 };
 
 /*
@@ -33,6 +37,15 @@ struct ph_item {
  */
 void ph_work(const struct ph_options *options, struct ph_worker *worker,
              struct ph_item *item, struct ph_buf *out, struct ph_buf *err);
+
+/* ph_work_assign: --set gives what a problem lacks, --override anything; the
+ * last one that is about a field counts. */
+void ph_work_assign(const struct ph_assignment *assignments, size_t n,
+                    struct ph_problem *problem);
+
+/* ph_work_id: an id as people write it, without the quotes of a JSON string;
+ * NULL: there is none, or memory is exhausted. */
+const char *ph_work_id(const struct ph_echo *echo, struct ph_arena *arena);
 
 /* ph_worker_free: gives back a worker's memory. */
 void ph_worker_free(struct ph_worker *worker);

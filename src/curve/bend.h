@@ -8,10 +8,11 @@
  *   max |r''|, as |r(u) - chord(u)| is at most max|r''| h^2 / 8,           (1)
  *   max |kappa| (max |r'|)^2, the same by arc length,                      (2)
  *   max |kappa| |r'|^2, increased by a part that is of the order of the
- *     interval, where the curve turns by less than a quarter.              (3)
+ *     interval, where the curve turns by less than a quarter,              (3)
+ *   the same with max ||r'|'| times that turn, also from a cusp on.        (4)
  * They are found from the hull of the coefficients of the preimage, or of the
  * control points, over [u0,u1], hold up to rounding, which they are increased
- * by, and the least of the three is taken.  (1) is finite wherever the curve
+ * by, and the least of the four is taken.  (1) is finite wherever the curve
  * has a second derivative; (3) is exact in the limit of short intervals.
  *
  * Derived in bend.c; tested by t_bend.c against dense samples.
@@ -36,7 +37,9 @@ double ph_bend_bezier(const ph_vec3 *p, size_t degree, double u0, double u1);
 
 /* ph_bend_spherical: M of the parallel at a signed geodesic distance of a
  * spherical segment, on the unit sphere; distance 0: the segment itself.
- * Chords are straight, through the inside of the sphere. */
+ * Chords are straight, through the inside of the sphere.  (1) and (2) alone,
+ * derived in bend_spherical.c; infinite over wide blocks of wild segments, and,
+ * of a parallel, where the segment stands still but for its ends. */
 double ph_bend_spherical(const struct ph_spherical *segment, double distance,
                          double u0, double u1);
 

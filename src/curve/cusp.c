@@ -87,7 +87,7 @@ struct walk {
   size_t segment;
   double angle; /* of the space of the segment */
   double range; /* of the local parameter */
-  int sign; /* the last one seen, 0 before any */
+  int sign;     /* the last one seen, 0 before any */
 };
 
 static int sign_of(double x) {

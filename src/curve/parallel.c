@@ -18,7 +18,7 @@ struct walk {
   const struct ph_curve *curve;
   struct ph_arena *arena;
   struct ph_offset *offset;
-  struct ph_spherical segment; /* number k */
+  struct ph_spherical_fast segment; /* number k */
   size_t k;
   double cosine, sine; /* of d */
   size_t room;         /* of offset->cusp */
@@ -27,8 +27,10 @@ struct walk {
 };
 
 static void enter(struct walk *walk, size_t k) {
+  struct ph_spherical segment;
   walk->k = k;
-  walk->segment = ph_spherical_of(walk->curve, k);
+  segment = ph_spherical_of(walk->curve, k);
+  ph_spherical_fast_of(&segment, &walk->segment);
 }
 
 /* ---- (2) and its cusps -------------------------------------------------- */

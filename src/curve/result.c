@@ -11,6 +11,12 @@ static const char *const curve_names[] = {
 #undef X
 };
 
+static const char *const frame_names[] = {NULL,
+#define X(symbol, name) name,
+                                          PH_FRAMES(X)
+#undef X
+};
+
 static const char *const outcome_names[] = {
 #define X(symbol, name) name,
     PH_OUTCOMES(X)
@@ -31,6 +37,10 @@ static const char *const diagnostic_names[] = {
 
 const char *ph_curve_name(enum ph_curve_kind kind) {
   return curve_names[kind];
+}
+
+const char *ph_frame_name(enum ph_frame frame) {
+  return frame_names[frame];
 }
 
 const char *ph_outcome_name(enum ph_outcome outcome) {

@@ -93,6 +93,20 @@ struct ph_blaschke {
   double weights[6]; /* > 0 */
 };
 
+/* Frames: X(SYMBOL, "name"). */
+#define PH_FRAMES(X)  \
+  X(FRENET, "frenet") \
+  X(ERF, "erf")       \
+  X(RMF, "rmf")
+
+enum ph_frame {
+  PH_FRAME_NONE,
+#define X(symbol, name) PH_FRAME_##symbol,
+  PH_FRAMES(X)
+#undef X
+      PH_FRAME_N
+};
+
 /*
  * Samples of a curve, or of a curve beside it, in the order of the parameter.
  *
@@ -107,6 +121,7 @@ struct ph_blaschke {
  * lonlat[n][2]          degrees, seen from the center; NULL if on no sphere
  */
 struct ph_samples {
+  enum ph_frame frame;
   size_t n;
   size_t dimension;
   size_t *segment;
@@ -362,6 +377,9 @@ struct ph_result {
 
 /* ph_root_name: the name of a root, as in records. */
 const char *ph_root_name(enum ph_root root);
+
+/* ph_frame_name: the name of a frame, as in records; not of PH_FRAME_NONE. */
+const char *ph_frame_name(enum ph_frame frame);
 
 /* ph_outcome_name: the name of an outcome, as in records. */
 const char *ph_outcome_name(enum ph_outcome outcome);

@@ -1,10 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Samples: the choice of places, and the arrays (see sample.h). */
+/*
+ * Samples: the sampler by kind, the arrays, and the walk along a whole curve
+ * (see sample.h).
+ */
 #include "curve/sample.h"
 
 #include "base/sum.h"
+#include "curve/sample_chord.h"
+#include "curve/sample_frame.h"
 #include "curve/sample_kind.h"
+#include "curve/sample_place.h"
 
+#include <float.h>
+#include <string.h>
+
+/* Places that are nearer to a joint than this of the length so far are at it:
+ * whether they are before or after must not be left to rounding. */
+static const double AT_JOINT = 4 * DBL_EPSILON;
+/* Arrays grow to this times what is needed, at most. */
+static const double GROWTH = 8;
+/* A last interval is no shorter than this, of the spacing. */
+static const double LAST = 1e-9;
+
+/* ---- the sampler --------------------------------------------------------- */
 
 static const struct ph_sample_kind *kind_of(const struct ph_curve *curve,
                                             const struct ph_offset *offset) {
@@ -14,7 +32,7 @@ static const struct ph_sample_kind *kind_of(const struct ph_curve *curve,
   case PH_CURVE_BEZIER:
     return &ph_sample_kind_bezier;
   default:
-    return &ph_sample_kind_ph;
+    return offset ? &ph_sample_kind_offset : &ph_sample_kind_ph;
   }
 }
 
@@ -46,47 +64,262 @@ double ph_sampler_bend(const struct ph_sampler *sampler, double u0, double u1) {
   return sampler->kind->bend(sampler, u0, u1);
 }
 
-enum ph_status ph_samples_alloc(struct ph_samples *s,
-                                const struct ph_curve *curve, bool frame,
-                                size_t room, struct ph_arena *arena,
-                                struct ph_diag *diag) {
-  size_t number = sizeof(double), dimension = curve->dimension;
-  bool sphere = curve->kind == PH_CURVE_SPHERICAL_NU;
-  bool torsion = dimension == 3 && !sphere;
-  *s = (struct ph_samples){.dimension = dimension};
-  s->segment = ph_arena_array(arena, room, sizeof *s->segment);
-  s->t = ph_arena_array(arena, room, number);
-  s->s = ph_arena_array(arena, room, number);
-  s->point = ph_arena_array(arena, room, dimension * number);
-  s->tangent = ph_arena_array(arena, room, dimension * number);
-  s->curvature = ph_arena_array(arena, room, number);
-  s->torsion = torsion ? ph_arena_array(arena, room, number) : NULL;
-  s->lonlat = sphere ? ph_arena_array(arena, room, 2 * number) : NULL;
-  s->normal = frame ? ph_arena_array(arena, room, 3 * number) : NULL;
-  s->binormal = frame ? ph_arena_array(arena, room, 3 * number) : NULL;
-  return s->segment && s->t && s->s && s->point && s->tangent && s->curvature &&
-                 (s->torsion || !torsion) && (s->lonlat || !sphere) &&
-                 ((s->normal && s->binormal) || !frame)
-             ? PH_OK
-             : ph_fail_memory(diag);
+/* ---- the walk ------------------------------------------------------------ */
+
+/* Along a curve, one segment after the other. */
+struct walk {
+  const struct ph_sample_rules *rules;
+  struct ph_sampler sampler;
+  struct ph_framing framing;
+  struct ph_chords chords;
+  size_t cusp; /* the next one of the offset */
+  struct ph_samples *samples;
+  size_t room;
+  struct ph_sum start; /* length before the segment */
+  double range;        /* of t */
+  struct ph_diag *diag;
+};
+
+static enum ph_status too_many(const struct walk *walk, double wanted) {
+  const struct ph_sample_rules *rules = walk->rules;
+  return rules->how == PH_SAMPLE_SPACING
+             ? ph_fail(walk->diag, PH_TOO_LARGE, NULL,
+                       "samples %g apart would be %.6g or more, above %d",
+                       rules->spacing, wanted, PH_SAMPLES_MAX)
+             : ph_fail(walk->diag, PH_TOO_LARGE, NULL,
+                       "the samples would be %.6g, above %d", wanted,
+                       PH_SAMPLES_MAX);
 }
 
-void ph_samples_add(struct ph_samples *samples, size_t segment, double t,
-                    double s, const struct ph_sample *sample) {
-  size_t dimension = samples->dimension, i = samples->n++;
-  samples->segment[i] = segment;
-  samples->t[i] = t;
-  samples->s[i] = s;
-  ph_vec3_put(sample->point, dimension, samples->point + dimension * i);
-  ph_vec3_put(sample->tangent, dimension, samples->tangent + dimension * i);
-  samples->curvature[i] = sample->curvature;
-  if (samples->torsion) {
-    samples->torsion[i] = sample->torsion;
+/* Room for more samples. */
+struct growth {
+  struct ph_arena *arena;
+  size_t n, room;
+  bool memory; /* is exhausted */
+};
+
+static void *grown(struct growth *growth, bool wanted, const void *column,
+                   size_t size) {
+  void *larger =
+      wanted ? ph_arena_array(growth->arena, growth->room, size) : NULL;
+  growth->memory |= wanted && !larger;
+  if (larger && growth->n > 0) {
+    memcpy(larger, column, growth->n * size);
   }
-  if (samples->lonlat) {
-    samples->lonlat[2 * i] = sample->lonlat[0];
-    samples->lonlat[2 * i + 1] = sample->lonlat[1];
+  return larger;
+}
+
+/* Arrays for so many samples; those that there are stay. */
+static enum ph_status move_to(struct walk *walk, size_t room) {
+  const struct ph_curve *curve = walk->sampler.curve;
+  const size_t number = sizeof(double), vector = curve->dimension * number;
+  const bool sphere = curve->kind == PH_CURVE_SPHERICAL_NU;
+  const bool frame = walk->framing.frame != PH_FRAME_NONE;
+  struct ph_samples *s = walk->samples;
+  struct growth g = {walk->sampler.arena, s->n, room, false};
+  s->segment = grown(&g, true, s->segment, sizeof *s->segment);
+  s->t = grown(&g, true, s->t, number);
+  s->s = grown(&g, true, s->s, number);
+  s->point = grown(&g, true, s->point, vector);
+  s->tangent = grown(&g, true, s->tangent, vector);
+  s->curvature = grown(&g, true, s->curvature, number);
+  s->torsion = grown(&g, curve->dimension == 3 && !sphere, s->torsion, number);
+  s->lonlat = grown(&g, sphere, s->lonlat, 2 * number);
+  s->normal = grown(&g, frame, s->normal, 3 * number);
+  s->binormal = grown(&g, frame, s->binormal, 3 * number);
+  walk->room = room;
+  return g.memory ? ph_fail_memory(walk->diag) : PH_OK;
+}
+
+/* Room for n samples more; if more is taken, for so many in all. */
+static enum ph_status reserve(struct walk *walk, double n, double all) {
+  const double needed = (double)walk->samples->n + n;
+  if (!(needed <= PH_SAMPLES_MAX)) {
+    return too_many(walk, needed);
   }
+  return needed <= (double)walk->room
+             ? PH_OK
+             : move_to(walk, (size_t)fmin(fmax(all, needed), PH_SAMPLES_MAX));
+}
+
+/* The same; if more is taken, it is for all segments, as if those to come were
+ * as those before, but for no more than GROWTH times what is needed, and no
+ * less than twice what there was. */
+static enum ph_status reserve_more(struct walk *walk, double n) {
+  const double needed = (double)walk->samples->n + n;
+  const double segments = (double)walk->sampler.curve->n;
+  double all = segments / (double)(walk->sampler.k + 1) * needed;
+  all = fmax(fmin(all, GROWTH * needed), 2 * (double)walk->room);
+  return reserve(walk, n, all);
+}
+
+/* Appends the sample at u of the segment, where there is room for it. */
+static void put(struct walk *walk, double u, double s) {
+  const struct ph_sample sample = ph_sampler_at(&walk->sampler, u);
+  struct ph_samples *to = walk->samples;
+  const size_t dimension = to->dimension, i = to->n++;
+  ph_vec3 normal, binormal;
+  to->segment[i] = walk->sampler.k;
+  to->t[i] = u * walk->range;
+  to->s[i] = s;
+  ph_vec3_put(sample.point, dimension, to->point + dimension * i);
+  ph_vec3_put(sample.tangent, dimension, to->tangent + dimension * i);
+  to->curvature[i] = sample.curvature;
+  if (to->torsion) {
+    to->torsion[i] = sample.torsion;
+  }
+  if (to->lonlat) {
+    to->lonlat[2 * i] = sample.lonlat[0];
+    to->lonlat[2 * i + 1] = sample.lonlat[1];
+  }
+  if (to->normal) {
+    ph_framing_at(&walk->framing, u, &sample, &normal, &binormal);
+    ph_vec3_put(normal, 3, to->normal + 3 * i);
+    ph_vec3_put(binormal, 3, to->binormal + 3 * i);
+  }
+}
+
+/* The same, s being what is there. */
+static void put_at(struct walk *walk, double u) {
+  struct ph_sum s = walk->start;
+  double speed;
+  ph_sum_add(&s, ph_sampler_length(&walk->sampler, u, &speed));
+  put(walk, u, ph_sum_value(&s));
+}
+
+/* ---- where --------------------------------------------------------------- */
+
+static enum ph_status by_parameter(struct walk *walk) {
+  const size_t n = walk->rules->n;
+  for (size_t i = 0; i <= n; i++) {
+    put_at(walk, (double)i / (double)n);
+  }
+  return PH_OK;
+}
+
+/* Sample i is at i times the spacing. */
+static enum ph_status by_spacing(struct walk *walk) {
+  const struct ph_sampler *sampler = &walk->sampler;
+  const double spacing = walk->rules->spacing;
+  struct ph_sum after = walk->start;
+  struct ph_trail trail = {.n = 0};
+  enum ph_status status;
+  double joint, s;
+  ph_sum_add(&after, sampler->length);
+  joint = AT_JOINT * ph_sum_value(&after);
+  s = (double)walk->samples->n * spacing;
+  status =
+      reserve_more(walk, fmax((ph_sum_value(&after) - s) / spacing, 0) + 2);
+  while (status == PH_OK && s < ph_sum_value(&after) - joint) {
+    double local = (s - walk->start.high) - walk->start.low;
+    put(walk, ph_trail_next(&trail, sampler, local > joint ? local : 0, NULL),
+        s);
+    s = (double)walk->samples->n * spacing;
+  }
+  return status;
+}
+
+static enum ph_status by_chords(struct walk *walk) {
+  const struct ph_offset *offset = walk->sampler.offset;
+  const size_t n = offset ? offset->cusps.n : 0, first = walk->cusp;
+  enum ph_status status;
+  while (walk->cusp < n &&
+         offset->cusps.at[walk->cusp].segment == walk->sampler.k) {
+    walk->cusp++;
+  }
+  status =
+      ph_chords_plan(&walk->chords, &walk->sampler, walk->rules->chord_error,
+                     n ? offset->cusps.at + first : NULL, walk->cusp - first,
+                     PH_SAMPLES_MAX, walk->diag);
+  if (status == PH_OK) {
+    status = reserve_more(walk, (double)walk->chords.n + 1);
+  }
+  if (status == PH_OK && walk->sampler.k == 0) {
+    put(walk, 0, 0);
+  }
+  for (size_t i = 0; status == PH_OK && i < walk->chords.n; i++) {
+    put_at(walk, walk->chords.u[i]);
+  }
+  return status;
+}
+
+/* The end of the curve, instead of places that are all but there. */
+static enum ph_status end(struct walk *walk) {
+  const double spacing = walk->rules->spacing;
+  const double length = ph_sum_value(&walk->start);
+  struct ph_samples *s = walk->samples;
+  enum ph_status status;
+  while (s->n > 1 && s->s[s->n - 1] > length - LAST * spacing) {
+    s->n--;
+  }
+  status = reserve(walk, 1, 0);
+  if (status == PH_OK) {
+    put(walk, 1, length);
+  }
+  return status;
+}
+
+static enum ph_status enter(struct walk *walk, size_t k) {
+  const struct ph_curve *curve = walk->sampler.curve;
+  enum ph_status status = ph_sampler_enter(&walk->sampler, k, walk->diag);
+  walk->range = curve->alpha ? curve->alpha[k] : 1;
+  if (status == PH_OK && !isfinite(walk->sampler.length)) {
+    status = ph_fail_at(walk->diag, PH_NO_CONVERGENCE, "segments", k,
+                        "%s a length that was not found",
+                        walk->sampler.offset ? "has an offset with" : "has");
+  }
+  return status == PH_OK ? ph_framing_enter(&walk->framing, k, walk->diag)
+                         : status;
+}
+
+static enum ph_status (*const places[])(struct walk *) = {
+    [PH_SAMPLE_PARAMETER] = by_parameter,
+    [PH_SAMPLE_SPACING] = by_spacing,
+    [PH_SAMPLE_CHORD] = by_chords,
+};
+
+static enum ph_status go(struct walk *walk) {
+  const struct ph_sample_rules *rules = walk->rules;
+  const struct ph_curve *curve = walk->sampler.curve;
+  enum ph_status status =
+      rules->how == PH_SAMPLE_PARAMETER
+          ? reserve(walk, (double)curve->n * ((double)rules->n + 1), 0)
+      : rules->how == PH_SAMPLE_SPACING && !walk->sampler.offset
+          ? reserve(walk, curve->length / rules->spacing + 4, 0)
+          : PH_OK;
+  for (size_t k = 0; status == PH_OK && k < curve->n; k++) {
+    status = enter(walk, k);
+    if (status == PH_OK) {
+      status = places[rules->how](walk);
+      ph_sum_add(&walk->start, walk->sampler.length);
+    }
+  }
+  return status == PH_OK && rules->how == PH_SAMPLE_SPACING ? end(walk)
+                                                            : status;
+}
+
+/* out  length  of what is sampled */
+static enum ph_status sample(const struct ph_curve *curve,
+                             const struct ph_offset *offset,
+                             const struct ph_sample_rules *rules,
+                             enum ph_frame frame, struct ph_arena *arena,
+                             struct ph_samples *samples, double *length,
+                             struct ph_diag *diag) {
+  struct walk walk = {.rules = rules,
+                      .chords = {.arena = arena},
+                      .samples = samples,
+                      .diag = diag};
+  enum ph_status status =
+      ph_sampler_begin(&walk.sampler, curve, offset, arena, diag);
+  *samples = (struct ph_samples){.frame = frame, .dimension = curve->dimension};
+  if (status == PH_OK) {
+    status = ph_framing_begin(&walk.framing, curve, frame, arena, diag);
+  }
+  if (status == PH_OK) {
+    status = go(&walk);
+  }
+  *length = ph_sum_value(&walk.start);
+  return status;
 }
 
 enum ph_status ph_sample_curve(const struct ph_curve *curve,
@@ -94,28 +327,9 @@ enum ph_status ph_sample_curve(const struct ph_curve *curve,
                                struct ph_arena *arena,
                                struct ph_samples *samples,
                                struct ph_diag *diag) {
-  const size_t n = rules->n;
-  struct ph_sum start = {0, 0};
-  struct ph_sampler sampler;
-  enum ph_status status =
-      ph_samples_alloc(samples, curve, rules->frame != PH_FRAME_NONE,
-                       curve->n * (n + 1), arena, diag);
-  if (status == PH_OK) {
-    status = ph_sampler_begin(&sampler, curve, NULL, arena, diag);
-  }
-  for (size_t k = 0; status == PH_OK && k < curve->n; k++) {
-    double range = curve->alpha ? curve->alpha[k] : 1;
-    status = ph_sampler_enter(&sampler, k, diag);
-    for (size_t i = 0; status == PH_OK && i <= n; i++) {
-      double u = (double)i / (double)n, speed;
-      struct ph_sample sample = ph_sampler_at(&sampler, u);
-      struct ph_sum s = start;
-      ph_sum_add(&s, ph_sampler_length(&sampler, u, &speed));
-      ph_samples_add(samples, k, u * range, ph_sum_value(&s), &sample);
-    }
-    ph_sum_add(&start, curve->lengths[k]);
-  }
-  return status;
+  double length;
+  return sample(curve, NULL, rules, rules->frame, arena, samples, &length,
+                diag);
 }
 
 enum ph_status ph_sample_offset(const struct ph_curve *curve,
@@ -123,6 +337,6 @@ enum ph_status ph_sample_offset(const struct ph_curve *curve,
                                 struct ph_arena *arena,
                                 struct ph_offset *offset,
                                 struct ph_diag *diag) {
-  (void)curve, (void)rules, (void)arena, (void)offset, (void)diag;
-  return PH_OK;
+  return sample(curve, offset, rules, PH_FRAME_NONE, arena, &offset->samples,
+                &offset->length, diag);
 }

@@ -91,7 +91,8 @@ double ph_sampler_length(const struct ph_sampler *sampler, double u,
 /*
  * ph_sampler_place: where on the segment its arc length from the start is s.
  *
- * Newton's method, kept in a bracket, to 1e-14 of the length of the segment.
+ * Newton's method, kept in a bracket, to 1e-14 of the length of the segment, or
+ * to the last digit of u where the speed is great.
  *
  * in   u    a place near by, to begin with
  * out  steps  NULL, or how many evaluations of the length it took
@@ -113,19 +114,6 @@ enum ph_sampling {
   PH_SAMPLE_PARAMETER, /* n + 1 a segment, equally spaced in its parameter */
   PH_SAMPLE_SPACING,   /* equally spaced by arc length along the curve */
   PH_SAMPLE_CHORD      /* so that chords are near the curve */
-};
-
-/* Frames: X(SYMBOL, "name"). */
-#define PH_FRAMES(X)  \
-  X(FRENET, "frenet") \
-  X(ERF, "erf")       \
-  X(RMF, "rmf")
-
-enum ph_frame {
-  PH_FRAME_NONE,
-#define X(symbol, name) PH_FRAME_##symbol,
-  PH_FRAMES(X)
-#undef X
 };
 
 /* Where samples are taken, and with which frame. */
@@ -156,13 +144,15 @@ enum { PH_SAMPLES_MAX = 10000000 };
  * Frames: normal and binormal make a right-handed frame with the tangent.
  *   frenet  the principal normal
  *   erf     e2 and e3 of the Euler-Rodrigues frame (curve/seg3.h)
- *   rmf     the rotation-minimising frame that begins as e2 and e3 and goes on
- *           through joints as the tangent does; on a sphere, the normal is to
- *           the left and the binormal points outward
+ *   rmf     the rotation-minimising frame that begins as e2 and e3 (of Bezier
+ *           curves, with a horizontal normal) and goes on through joints as the
+ *           tangent does; on a sphere, the normal is to the left and the
+ *           binormal points outward
  *
  * out  samples  arrays from the arena
- * ret  PH_OK | PH_TOO_LARGE (more than PH_SAMPLES_MAX) | PH_NO_CONVERGENCE (a
- *      length was not found) | PH_NO_MEMORY
+ * ret  PH_OK | PH_TOO_LARGE (more than PH_SAMPLES_MAX) | PH_INFEASIBLE (there
+ *      is no such frame) | PH_NO_CONVERGENCE (a length, a bound of chords or a
+ *      rotation-minimising frame was not found) | PH_NO_MEMORY
  */
 enum ph_status ph_sample_curve(const struct ph_curve *curve,
                                const struct ph_sample_rules *rules,

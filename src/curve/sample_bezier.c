@@ -1,91 +1,88 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A place on a Bezier segment (see sample.h), by derivatives of its control
- * points, which are brought to unit scale by a power of two.
+ * points (sample_bezier.h).
  */
+#include "curve/sample_bezier.h"
+
 #include "curve/bend.h"
 #include "curve/sample_kind.h"
-#include "kernel/adapt.h"
-#include "kernel/bern.h"
 #include "kernel/pow2.h"
+#include "kernel/primitive.h"
 
 #include <assert.h>
 #include <float.h>
 
-enum { DEGREE_MAX = 5, ORDERS = 4 };
+enum { DEGREE_MAX = PH_BEZIER_DEGREE_MAX, ORDERS = PH_BEZIER_ORDERS };
 
-/* Lengths are found to this, relative to the control polygon. */
-static const double TOLERANCE = 1e-13;
+/* Lengths are found to this. */
+static const double TOLERANCE = 1e-14;
 /* What is less than this of its terms is their rounding. */
 static const double ROUNDING = 64 * DBL_EPSILON;
 
-struct bezier {
-  size_t degree;
-  ph_vec3 p[DEGREE_MAX + 1];
-  int exponent;   /* p is smaller by 2^exponent than the curve's */
-  double polygon; /* length of the control polygon */
-};
+/* ---- derivatives --------------------------------------------------------- */
 
-static struct bezier bezier_of(const struct ph_curve *curve, size_t k) {
-  size_t dimension = curve->dimension, n = (curve->degree + 1) * dimension;
-  const double *v = curve->control_points + n * k;
-  struct bezier b = {.degree = curve->degree};
-  double largest = 0;
+/* The coefficients by x from p[0], which is at u = 0, or at u = 1 of the points
+ * in reverse order: binomial(n, k) times the k-th difference. */
+static void expand(const struct ph_bezier *b, bool end, ph_vec3 *taylor) {
+  const size_t n = b->degree;
+  double binomial = 1;
+  for (size_t i = 0; i <= n; i++) {
+    taylor[i] = b->p[end ? n - i : i];
+  }
+  for (size_t k = 0; k <= n; k++) {
+    for (size_t i = n; i > k; i--) {
+      taylor[i] = ph_vec3_sub(taylor[i], taylor[i - 1]);
+    }
+    taylor[k] = ph_vec3_scale(end && k % 2 ? -binomial : binomial, taylor[k]);
+    binomial *= (double)(n - k) / (double)(k + 1);
+  }
+}
+
+struct ph_bezier ph_bezier_of(const struct ph_curve *curve, size_t k) {
+  const size_t dimension = curve->dimension, degree = curve->degree;
+  const double *v = ph_curve_points(curve, k);
+  struct ph_bezier b = {.degree = degree};
   struct ph_pow2 shrink;
-  assert(curve->degree <= DEGREE_MAX);
-  for (size_t i = 0; i < n; i++) {
+  double largest = 0;
+  assert(degree <= DEGREE_MAX);
+  for (size_t i = 0; i < (degree + 1) * dimension; i++) {
     largest = fmax(largest, fabs(v[i]));
   }
   b.exponent = largest > 0 ? ph_pow2_exponent(largest) : 0;
   shrink = ph_pow2_of(-b.exponent);
-  for (size_t i = 0; i <= b.degree; i++) {
+  for (size_t i = 0; i <= degree; i++) {
     ph_vec3 p = ph_vec3_get(v + dimension * i, dimension);
     b.p[i] = ph_vec3_of(ph_pow2_apply(shrink, p.x), ph_pow2_apply(shrink, p.y),
                         ph_pow2_apply(shrink, p.z));
     b.polygon += i > 0 ? ph_vec3_abs(ph_vec3_sub(b.p[i], b.p[i - 1])) : 0;
   }
+  expand(&b, false, b.taylor[0]);
+  expand(&b, true, b.taylor[1]);
   return b;
 }
 
-/* The point and `orders` - 1 derivatives. */
-static void jet_at(const struct bezier *b, double u, size_t orders,
-                   ph_vec3 *jet) {
-  ph_vec3 d[DEGREE_MAX + 1];
-  double basis[DEGREE_MAX + 1];
-  for (size_t i = 0; i <= b->degree; i++) {
-    d[i] = b->p[i];
+void ph_bezier_jet(const struct ph_bezier *b, double u, ph_vec3 *jet) {
+  const bool end = u > 0.5;
+  const double x = end ? u - 1 : u;
+  const ph_vec3 *c = b->taylor[end];
+  ph_vec3 j[ORDERS] = {c[b->degree]};
+  for (size_t k = b->degree; k-- > 0;) {
+    j[3] = ph_vec3_along(j[2], x, j[3]);
+    j[2] = ph_vec3_along(j[1], x, j[2]);
+    j[1] = ph_vec3_along(j[0], x, j[1]);
+    j[0] = ph_vec3_along(c[k], x, j[0]);
   }
-  for (size_t m = 0; m < orders; m++) {
-    size_t degree = b->degree - m;
-    ph_vec3 sum = {0, 0, 0};
-    jet[m] = sum;
-    if (m > b->degree) {
-      continue;
-    }
-    ph_bern_basis(degree, u, basis);
-    for (size_t i = 0; i <= degree; i++) {
-      sum = ph_vec3_along(sum, basis[i], d[i]);
-    }
-    jet[m] = sum;
-    for (size_t i = 0; i < degree; i++) {
-      d[i] = ph_vec3_scale((double)degree, ph_vec3_sub(d[i + 1], d[i]));
-    }
-  }
+  jet[0] = j[0];
+  jet[1] = j[1];
+  jet[2] = ph_vec3_scale(2, j[2]);
+  jet[3] = ph_vec3_scale(6, j[3]);
 }
 
 static double speed_at(const void *context, double u) {
-  ph_vec3 jet[2];
-  jet_at(context, u, 2, jet);
+  ph_vec3 jet[ORDERS];
+  ph_bezier_jet(context, u, jet);
   return ph_vec3_abs(jet[1]);
-}
-
-/* How much of the length of a segment is in [0,u]. */
-static double share_of(const struct bezier *b, const struct ph_quad *rule,
-                       double u) {
-  double tolerance = TOLERANCE * b->polygon;
-  double before = ph_adapt(rule, speed_at, b, 0, u, tolerance, 0);
-  double after = ph_adapt(rule, speed_at, b, u, 1, tolerance, 0);
-  return before > 0 ? before / (before + after) : 0;
 }
 
 /* The direction of r', of r'' or r''' where r' is 0; against r'' at the end of
@@ -100,63 +97,86 @@ static ph_vec3 direction_of(const ph_vec3 jet[ORDERS], double least, double u) {
   return ph_vec3_scale(sign / ph_vec3_abs(jet[i]), jet[i]);
 }
 
-enum { NODES = 16 };
+ph_vec3 ph_bezier_tangent(const struct ph_bezier *b, double u) {
+  ph_vec3 jet[ORDERS];
+  ph_bezier_jet(b, u, jet);
+  return direction_of(jet, ROUNDING * b->polygon, u);
+}
+
+/* ---- the sampler --------------------------------------------------------- */
 
 struct state {
-  struct bezier b;
-  struct ph_quad rule;
+  struct ph_bezier b;
+  struct ph_pow2 grow, shrink;
+  struct ph_primitive table; /* of the speed */
+  double scale;              /* of what the curve stands for to that */
 };
 
 static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
+  const struct state none = {.scale = 0};
   struct state *state = ph_arena_array(sampler->arena, 1, sizeof *state);
+  if (!state) {
+    return ph_fail_memory(diag);
+  }
+  *state = none;
   sampler->state = state;
-  return state && ph_quad_gauss(&state->rule, NODES) ? PH_OK
-                                                     : ph_fail_memory(diag);
+  return PH_OK;
 }
 
 static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
   struct state *state = sampler->state;
-  (void)diag;
-  state->b = bezier_of(sampler->curve, sampler->k);
+  enum ph_status status;
+  state->b = ph_bezier_of(sampler->curve, sampler->k);
+  state->grow = ph_pow2_of(state->b.exponent);
+  state->shrink = ph_pow2_of(-state->b.exponent);
   sampler->length = sampler->curve->lengths[sampler->k];
-  return PH_OK;
+  status = ph_primitive_make(&state->table, speed_at, &state->b, NULL, 0,
+                             TOLERANCE, sampler->arena);
+  state->scale =
+      state->table.total > 0 ? sampler->length / state->table.total : 0;
+  if (status == PH_NO_CONVERGENCE) {
+    sampler->length = (double)NAN;
+    status = PH_OK;
+  }
+  return status == PH_OK ? PH_OK : ph_fail_memory(diag);
 }
 
 static double length(const struct ph_sampler *sampler, double u,
                      double *speed) {
   const struct state *state = sampler->state;
-  *speed = ldexp(speed_at(&state->b, u), state->b.exponent);
-  return u < 1 ? sampler->length * share_of(&state->b, &state->rule, u)
-               : sampler->length;
+  double s = state->scale * ph_primitive_at(&state->table, u, speed);
+  *speed *= state->scale;
+  return u < 1 ? s : sampler->length;
 }
 
 static double bend(const struct ph_sampler *sampler, double u0, double u1) {
-  const struct bezier *b = &((const struct state *)sampler->state)->b;
-  return ldexp(ph_bend_bezier(b->p, b->degree, u0, u1), b->exponent);
+  const struct state *state = sampler->state;
+  const struct ph_bezier *b = &state->b;
+  return ph_pow2_apply(state->grow, ph_bend_bezier(b->p, b->degree, u0, u1));
 }
 
 static struct ph_sample at(const struct ph_sampler *sampler, double u) {
-  const struct ph_curve *curve = sampler->curve;
-  const struct bezier b = ((const struct state *)sampler->state)->b;
-  const struct ph_pow2 grow = ph_pow2_of(b.exponent);
-  const struct ph_pow2 shrink = ph_pow2_of(-b.exponent);
+  const struct state *state = sampler->state;
+  const double least = ROUNDING * state->b.polygon;
   struct ph_sample sample = {.lonlat = {0, 0}};
   ph_vec3 jet[ORDERS], cross;
-  double speed, bent, least = ROUNDING * b.polygon;
-  jet_at(&b, u, ORDERS, jet);
-  sample.point =
-      ph_vec3_of(ph_pow2_apply(grow, jet[0].x), ph_pow2_apply(grow, jet[0].y),
-                 ph_pow2_apply(grow, jet[0].z));
+  double speed, bent;
+  ph_bezier_jet(&state->b, u, jet);
+  sample.point = ph_vec3_of(ph_pow2_apply(state->grow, jet[0].x),
+                            ph_pow2_apply(state->grow, jet[0].y),
+                            ph_pow2_apply(state->grow, jet[0].z));
   sample.tangent = direction_of(jet, least, u);
   sample.curvature = sample.torsion = (double)NAN;
   speed = ph_vec3_abs(jet[1]);
   if (speed > least) {
     cross = ph_vec3_cross(jet[1], jet[2]);
-    bent = curve->dimension == 2 ? cross.z : ph_vec3_abs(cross);
-    sample.curvature = ph_pow2_apply(shrink, bent / (speed * speed * speed));
+    bent = sampler->curve->dimension == 2 ? cross.z : ph_vec3_abs(cross);
+    sample.curvature =
+        ph_pow2_apply(state->shrink, bent / (speed * speed * speed));
     if (fabs(bent) > least * speed) {
-      sample.torsion = ph_pow2_apply(shrink, ph_vec3_dot(cross, jet[3]) /
-                                                 ph_vec3_dot(cross, cross));
+      sample.torsion =
+          ph_pow2_apply(state->shrink,
+                        ph_vec3_dot(cross, jet[3]) / ph_vec3_dot(cross, cross));
     }
   }
   return sample;

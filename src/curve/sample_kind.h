@@ -7,7 +7,7 @@
 #define PH_CURVE_SAMPLE_KIND_H
 
 #include "curve/sample.h"
-#include "curve/spherical.h"
+#include "curve/spherical_fast.h"
 
 struct ph_sample_kind {
   /* begin: allocates sampler->state. */
@@ -26,17 +26,6 @@ extern const struct ph_sample_kind ph_sample_kind_offset;
 extern const struct ph_sample_kind ph_sample_kind_bezier;
 extern const struct ph_sample_kind ph_sample_kind_spherical;
 
-/* ph_samples_alloc: room for `room` samples of a curve; samples->n = 0.
- * ret  PH_OK | PH_NO_MEMORY */
-enum ph_status ph_samples_alloc(struct ph_samples *samples,
-                                const struct ph_curve *curve, bool frame,
-                                size_t room, struct ph_arena *arena,
-                                struct ph_diag *diag);
-
-/* ph_samples_add: appends one; s is from the start of the curve. */
-void ph_samples_add(struct ph_samples *samples, size_t segment, double t,
-                    double s, const struct ph_sample *sample);
-
 /*
  * How a point moves on the unit sphere, also where it is at rest: with S' = t V
  * next to rest at t = 0, K = S . (S' x S'') = t^2 K'' / 2, so that K / |S'|^2 =
@@ -51,15 +40,13 @@ struct ph_motion {
 };
 
 /* ph_motion_at: the motion at u in [0,1]. */
-struct ph_motion ph_motion_at(const struct ph_spherical *segment, double u);
+struct ph_motion ph_motion_at(const struct ph_spherical_fast *segment,
+                              double u);
 
 /* ph_motion_pace: g of parallel.h, how fast the parallel at the distance of
  * this cosine and sine goes along the tangent; 0 where g is nothing but
  * rounding: at a cusp, or everywhere in the center of a circle. */
 double ph_motion_pace(const struct ph_motion *motion, double cosine,
                       double sine);
-
-/* ph_motion_point: where a point of the unit sphere is in the user's unit. */
-ph_vec3 ph_motion_point(const struct ph_curve *curve, ph_vec3 s);
 
 #endif

@@ -9,11 +9,9 @@
 #include "curve/sample_kind.h"
 #include "curve/seg3_fast.h"
 
-#include <float.h>
-
-/* A at unit scale that is less than this has no direction but its rounding;
- * likewise the curvature, as its numerator z. */
-static const double ROUNDING = 64 * DBL_EPSILON;
+/* A at unit scale that is less than this has no curvature but its rounding;
+ * likewise the torsion, as z of the curvature. */
+static const double ROUNDING = PH_FAST3_ROUNDING;
 
 static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
   sampler->state = ph_arena_array(sampler->arena, 1, sizeof(struct ph_fast3));
@@ -40,14 +38,6 @@ static double length(const struct ph_sampler *sampler, double u,
 static double bend(const struct ph_sampler *sampler, double u0, double u1) {
   const struct ph_fast3 *fast = sampler->state;
   return ph_pow2_apply(fast->grow, ph_bend_ph(&fast->seg, u0, u1));
-}
-
-/* The direction of r', of any length: where A is 0, that of A (u - u0)^m on
- * either side of u0, by the first of its derivatives that is not. */
-static ph_quat direction(ph_quat a, ph_quat slope, ph_quat bending) {
-  return ph_quat_abs(a) > ROUNDING       ? a
-         : ph_quat_abs(slope) > ROUNDING ? slope
-                                         : bending;
 }
 
 /* Curvature and torsion at unit scale, by (1) and (2) of curve/seg3.h. */
@@ -80,7 +70,7 @@ static struct ph_sample at(const struct ph_sampler *sampler, double u) {
     sample.curvature = ph_pow2_apply(fast->shrink, sample.curvature);
     sample.torsion = ph_pow2_apply(fast->shrink, sample.torsion);
   } else {
-    e = direction(a, slope, bending);
+    e = ph_fast3_direction(fast, &place);
   }
   sample.tangent = ph_vec3_scale(1 / ph_quat_dot(e, e), ph_quat_i(e, e));
   return sample;

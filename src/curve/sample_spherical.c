@@ -10,8 +10,10 @@
 /* What is less than this of its terms is their rounding. */
 static const double ROUNDING = 64 * DBL_EPSILON;
 
-struct ph_motion ph_motion_at(const struct ph_spherical *segment, double u) {
-  struct ph_motion motion;
+/* The motion at or next to rest, where S'' and S''' say what S' does not. */
+static struct ph_motion motion_slow(const struct ph_spherical *segment,
+                                    double u) {
+  struct ph_motion motion = {.speed = 0};
   ph_vec3 jet[4], along;
   double first, second, third;
   ph_spherical_jet(segment, u, jet);
@@ -27,8 +29,6 @@ struct ph_motion ph_motion_at(const struct ph_spherical *segment, double u) {
   } else {
     bool back = second > ROUNDING * third; /* before the end, S' is -S'' */
     double k = ph_vec3_triple(jet[0], jet[2], jet[3]);
-    motion.speed = 0;
-    motion.noise = 0;
     motion.turn =
         fabs(k) > ROUNDING * second * third ? 0.5 * k / (second * second) : 0;
     along = !back ? jet[3] : ph_vec3_scale(u < 1 ? 1 : -1, jet[2]);
@@ -38,7 +38,26 @@ struct ph_motion ph_motion_at(const struct ph_spherical *segment, double u) {
   return motion;
 }
 
-ph_vec3 ph_motion_point(const struct ph_curve *curve, ph_vec3 s) {
+struct ph_motion ph_motion_at(const struct ph_spherical_fast *fast, double u) {
+  struct ph_motion motion;
+  ph_vec3 jet[3];
+  double square, bend;
+  ph_spherical_fast_jet(fast, u, jet);
+  square = ph_vec3_dot(jet[1], jet[1]);
+  bend = ph_vec3_dot(jet[2], jet[2]);
+  if (!(square > ROUNDING * ROUNDING * bend)) {
+    return motion_slow(&fast->segment, u);
+  }
+  motion.s = jet[0];
+  motion.speed = sqrt(square);
+  motion.turn = ph_vec3_triple(jet[0], jet[1], jet[2]) / square;
+  motion.noise = sqrt(bend / square);
+  motion.tangent = ph_vec3_unit(ph_vec3_normal(jet[1], jet[0]));
+  return motion;
+}
+
+/* Where a point of the unit sphere is in the user's unit. */
+static ph_vec3 placed(const struct ph_curve *curve, ph_vec3 s) {
   return ph_vec3_along(ph_vec3_get(curve->center, 3), curve->radius, s);
 }
 
@@ -48,7 +67,7 @@ static ph_vec3 point_at(const struct ph_curve *curve, size_t k, double u,
   const double *p = curve->control_points + 12 * k;
   return !(u > 0)   ? ph_vec3_get(p, 3)
          : !(u < 1) ? ph_vec3_get(p + 9, 3)
-                    : ph_motion_point(curve, s);
+                    : placed(curve, s);
 }
 
 double ph_motion_pace(const struct ph_motion *motion, double cosine,
@@ -63,7 +82,7 @@ double ph_motion_pace(const struct ph_motion *motion, double cosine,
 
 /* A segment of a curve, or of its parallel. */
 struct state {
-  struct ph_spherical segment;
+  struct ph_spherical_fast segment;
   double angle, cosine, sine; /* d of parallel.h; 0 of the curve itself */
   struct ph_primitive length; /* by u, on the unit sphere */
   double scale;               /* to the unit of the data */
@@ -150,8 +169,10 @@ static enum ph_status tabulate(struct ph_sampler *sampler) {
 static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
   const struct ph_curve *curve = sampler->curve;
   struct state *state = sampler->state;
+  struct ph_spherical segment;
   enum ph_status status;
-  state->segment = ph_spherical_of(curve, sampler->k);
+  segment = ph_spherical_of(curve, sampler->k);
+  ph_spherical_fast_of(&segment, &state->segment);
   state->scale = curve->radius;
   sampler->length = (double)NAN;
   if (sampler->offset) {
@@ -190,7 +211,7 @@ static double length(const struct ph_sampler *sampler, double u,
 static double bend(const struct ph_sampler *sampler, double u0, double u1) {
   const struct state *state = sampler->state;
   return sampler->curve->radius *
-         ph_bend_spherical(&state->segment, state->angle, u0, u1);
+         ph_bend_spherical(&state->segment.segment, state->angle, u0, u1);
 }
 
 /* ---- one place ----------------------------------------------------------- */
@@ -219,7 +240,7 @@ static struct ph_sample at_parallel(const struct ph_sampler *sampler,
   ph_vec3 left = ph_vec3_cross(m->s, m->tangent);
   ph_vec3 o = ph_vec3_along(ph_vec3_scale(cosine, m->s), sine, left);
   struct ph_sample sample = {.torsion = (double)NAN};
-  sample.point = ph_motion_point(curve, o);
+  sample.point = placed(curve, o);
   sample.tangent = g < 0 ? ph_vec3_scale(-1, m->tangent) : m->tangent;
   sample.curvature = fabs(g) > 0 ? bend / fabs(g) / curve->radius : (double)NAN;
   ph_degree_of_unit(o, sample.lonlat);

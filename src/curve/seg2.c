@@ -137,6 +137,18 @@ static size_t inflections(const ph_cplx w[3], ph_cplx m, double v[2]) {
   return n;
 }
 
+/* w by a power of two, so that fourth powers of it are in range. */
+static void at_unit_scale(const ph_cplx w[3], ph_cplx out[3]) {
+  double largest = 0, scale;
+  for (size_t i = 0; i < 3; i++) {
+    largest = fmax(largest, fmax(fabs(w[i].re), fabs(w[i].im)));
+  }
+  scale = largest > 0 ? ldexp(1, -ilogb(largest)) : 1;
+  for (size_t i = 0; i < 3; i++) {
+    out[i] = ph_cplx_scale(scale, w[i]);
+  }
+}
+
 double ph_seg2_rotation(const struct ph_seg2 *seg, double *absolute) {
   /*
    * (1) w ~ w0 (1-v)^2 + 2 m (1-v) v + w2 v^2,  m = c w1.
@@ -144,11 +156,13 @@ double ph_seg2_rotation(const struct ph_seg2 *seg, double *absolute) {
    *     q w ~ (q (1-v) + w2 v) (w0 (1-v) + q v),  as w0 w2 + q^2 = 2 m q.
    *     Tested by t_seg2.c: factorisation.
    */
-  const ph_cplx *w = seg->w;
-  ph_cplx m = ph_cplx_scale(seg->space.c, w[1]);
-  ph_cplx d =
+  ph_cplx w[3], m;
+  at_unit_scale(seg->w, w);
+  m = ph_cplx_scale(seg->space.c, w[1]);
+  const ph_cplx d =
       ph_cplx_sqrt(ph_cplx_sub(ph_cplx_mul(m, m), ph_cplx_mul(w[0], w[2])));
-  ph_cplx q = ph_cplx_dot(m, d) >= 0 ? ph_cplx_add(m, d) : ph_cplx_sub(m, d);
+  const ph_cplx q =
+      ph_cplx_dot(m, d) >= 0 ? ph_cplx_add(m, d) : ph_cplx_sub(m, d);
   const struct form forms[2] = {{q, w[2]}, {w[0], q}};
   if (absolute) {
     double v[4] = {0};

@@ -47,6 +47,8 @@
 #include "curve/seg3.h"
 #include "kernel/pow2.h"
 
+#include <float.h>
+
 /* Rows of the series (6), two terms each. */
 enum { PH_FAST3_ROWS = 6 };
 
@@ -151,6 +153,19 @@ static inline ph_quat ph_fast3_bend(const struct ph_fast3 *fast,
                                     const struct ph_fast3_place *at) {
   const ph_quat *a = at->end->a;
   return ph_fast3_mix(at->slope, a[2], -fast->angle2 * at->p, a[1]);
+}
+
+/* A at unit scale that is less than this has no direction but its rounding. */
+#define PH_FAST3_ROUNDING (64 * DBL_EPSILON)
+
+/* ph_fast3_direction: A, or where it is 0 the first of its derivatives that is
+ * not: its square has the direction that r' has on either side. */
+static inline ph_quat ph_fast3_direction(const struct ph_fast3 *fast,
+                                         const struct ph_fast3_place *at) {
+  const ph_quat a = ph_fast3_preimage(at), slope = ph_fast3_slope(at);
+  return ph_quat_abs(a) > PH_FAST3_ROUNDING       ? a
+         : ph_quat_abs(slope) > PH_FAST3_ROUNDING ? slope
+                                                  : ph_fast3_bend(fast, at);
 }
 
 /* ph_fast3_integral: (5), from the end to the place: negative next to u = 1, of

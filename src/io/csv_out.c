@@ -39,11 +39,24 @@ static void between(const struct row *row) {
   ph_buf_put(row->buf, &row->between, 1);
 }
 
-static void text_cell(const struct row *row, const char *text, size_t n) {
-  bool quoted = n == 0 && row->shape->text;
+/* A word for gnuplot and awk: no blanks, none empty. */
+static void word_cell(const struct row *row, const char *text, size_t n) {
   for (size_t i = 0; i < n; i++) {
-    quoted |= memchr(",\"\r\n", text[i], 4) != NULL ||
-              (row->shape->text && memchr(" \t#", text[i], 3) != NULL);
+    bool apart = (unsigned char)text[i] <= ' ' || text[i] == '"' ||
+                 (i == 0 && text[i] == '#');
+    ph_buf_put(row->buf, apart ? "_" : text + i, 1);
+  }
+  ph_buf_put(row->buf, "-", n == 0);
+}
+
+static void text_cell(const struct row *row, const char *text, size_t n) {
+  bool quoted = false;
+  if (row->shape->text) {
+    word_cell(row, text, n);
+    return;
+  }
+  for (size_t i = 0; i < n; i++) {
+    quoted |= memchr(",\"\r\n", text[i], 4) != NULL;
   }
   if (!quoted) {
     ph_buf_put(row->buf, text, n);

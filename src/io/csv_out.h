@@ -4,9 +4,10 @@
  * in JSON and lines that end in LF:
  *
  *   CSV   quoting as in RFC 4180; what is not defined is an empty cell
- *   text  for gnuplot and awk: cells between blanks, NaN where something is not
- *         defined; the names of the columns in a line that begins with #; an
- *         empty line between curves, two between problems
+ *   text  for gnuplot and awk: cells between blanks, _ for what would break or
+ *         quote a word, - for an empty one, NaN where something is not defined;
+ *         the names of the columns in a line that begins with #; an empty line
+ *         between curves, two between problems
  */
 #ifndef PH_IO_CSV_OUT_H
 #define PH_IO_CSV_OUT_H

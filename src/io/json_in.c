@@ -161,8 +161,8 @@ static enum ph_status check_echo(const struct ph_json_item *echoed,
   return status;
 }
 
-/* A JSON text without line breaks, for a result of one line: they can only be
- * among the blanks between its tokens, which are then all dropped. */
+/* The same without line breaks, if there are any: they can only be among the
+ * blanks between the tokens, which are then all dropped. */
 static const char *one_line(const struct ph_json_item *item,
                             struct ph_arena *arena, size_t *n) {
   const char *end = item->value + item->value_n;
@@ -185,6 +185,13 @@ static const char *one_line(const struct ph_json_item *item,
     copy[(*n)++] = *p;
   }
   return copy;
+}
+
+const char *ph_json_one_line(const struct ph_json_item *item,
+                             struct ph_arena *arena) {
+  size_t n;
+  const char *text = one_line(item, arena, &n);
+  return text ? ph_arena_copy(arena, text, n) : NULL;
 }
 
 static enum ph_status echo_id(const struct ph_json_item *id,
@@ -215,8 +222,6 @@ static enum ph_status echo_meta(const struct ph_json_item *meta,
   return status;
 }
 
-/* ---- the whole ------------------------------------------------------ */
-
 /* Of two failures the first is told, but for that of the memory. */
 static enum ph_status both(enum ph_status first, enum ph_status second,
                            struct ph_diag *diag) {
@@ -225,13 +230,31 @@ static enum ph_status both(enum ph_status first, enum ph_status second,
                                 : first;
 }
 
+enum ph_status ph_json_echo(const struct ph_json_item *id,
+                            const struct ph_json_item *meta,
+                            struct ph_arena *arena, struct ph_echo *echo,
+                            struct ph_diag *diag) {
+  struct ph_diag later;
+  enum ph_status status = PH_OK;
+  *echo = (struct ph_echo){0};
+  if (id->value) {
+    status = echo_id(id, arena, echo, diag);
+  }
+  if (meta->value) {
+    status = both(status,
+                  echo_meta(meta, arena, echo, status == PH_OK ? diag : &later),
+                  diag);
+  }
+  return status;
+}
+
+/* ---- the whole ------------------------------------------------------ */
+
 enum ph_status ph_json_in(const struct ph_record *record,
                           const struct ph_schema *schema,
                           struct ph_arena *arena, struct ph_problem *problem,
                           struct ph_echo *echo, struct ph_diag *diag) {
   struct members members = {{{0}}};
-  const struct ph_json_item *id = &members.item[ID];
-  const struct ph_json_item *meta = &members.item[META];
   struct ph_json_walk walk;
   struct ph_json_item item;
   struct ph_diag later;
@@ -250,16 +273,10 @@ enum ph_status ph_json_in(const struct ph_record *record,
                               status == PH_OK ? diag : &later),
                   diag);
   }
-  if (id->value) {
-    status =
-        both(status, echo_id(id, arena, echo, status == PH_OK ? diag : &later),
-             diag);
-  }
-  if (meta->value) {
-    status = both(status,
-                  echo_meta(meta, arena, echo, status == PH_OK ? diag : &later),
-                  diag);
-  }
+  status = both(status,
+                ph_json_echo(&members.item[ID], &members.item[META], arena,
+                             echo, status == PH_OK ? diag : &later),
+                diag);
   for (size_t i = 0; status == PH_OK && i < schema->fields_n; i++) {
     const struct ph_field *row = &schema->fields[i];
     const struct ph_json_item *member = &members.item[row->id];

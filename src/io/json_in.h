@@ -6,6 +6,7 @@
 #define PH_IO_JSON_IN_H
 
 #include "base/mem.h"
+#include "io/json_scan.h"
 #include "io/record.h"
 
 /*
@@ -24,6 +25,24 @@ enum ph_status ph_json_in(const struct ph_record *record,
                           const struct ph_schema *schema,
                           struct ph_arena *arena, struct ph_problem *problem,
                           struct ph_echo *echo, struct ph_diag *diag);
+
+/*
+ * ph_json_echo: what a result repeats of its problem, and a verdict of its
+ * result.
+ *
+ * in   id, meta  values of these members; NULL: absent
+ * out  echo      as far as they are good
+ * ret  PH_OK | PH_BAD_TYPE | PH_BAD_VALUE | PH_NOT_FINITE | PH_NO_MEMORY
+ */
+enum ph_status ph_json_echo(const struct ph_json_item *id,
+                            const struct ph_json_item *meta,
+                            struct ph_arena *arena, struct ph_echo *echo,
+                            struct ph_diag *diag);
+
+/* ph_json_one_line: a value without line breaks, NUL-terminated; NULL when
+ * memory is exhausted. */
+const char *ph_json_one_line(const struct ph_json_item *item,
+                             struct ph_arena *arena);
 
 /*
  * ph_record_line: the line in the file of the element that a path names,

@@ -8,9 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-static void write_heading(struct ph_json_writer *w,
-                          const struct ph_heading *heading,
-                          const char *status) {
+void ph_json_heading(struct ph_json_writer *w, const struct ph_heading *heading,
+                     const char *status) {
   const struct ph_echo *echo = heading->echo;
   ph_write_key_raw(w, "id", echo->id, echo->id_n);
   ph_write_key_string(w, "command", heading->command);
@@ -207,7 +206,7 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
   struct ph_json_writer w = {.buf = buf, .pretty = pretty};
   const struct ph_curve *curve = &result->curve;
   ph_write_begin(&w, '{');
-  write_heading(&w, heading, "ok");
+  ph_json_heading(&w, heading, "ok");
   ph_write_key_string(&w, "curve", ph_curve_name(curve->kind));
   ph_write_key_number(&w, "dimension", (double)curve->dimension);
   ph_write_key_number(&w, "degree", (double)curve->degree);
@@ -223,6 +222,9 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
   if (result->offsets_n) {
     ph_write_offsets(&w, result->offsets, result->offsets_n);
   }
+  if (result->samples.frame) {
+    ph_write_key_string(&w, "frame", ph_frame_name(result->samples.frame));
+  }
   if (result->samples.n) {
     ph_write_samples(&w, &result->samples);
   }
@@ -236,29 +238,34 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
   finish(&w);
 }
 
+void ph_json_failure(struct ph_json_writer *w, const struct ph_diag *diag,
+                     const char *file) {
+  char sentence[PH_DIAG_FIELD_MAX + PH_DIAG_MESSAGE_MAX];
+  ph_diag_sentence(diag, sentence, sizeof sentence);
+  ph_write_key(w, "error");
+  ph_write_begin(w, '{');
+  ph_write_key_string(w, "code", ph_status_code(diag->status));
+  ph_write_key_string(w, "message", sentence);
+  if (diag->field[0]) {
+    ph_write_key_string(w, "field", diag->field);
+  }
+  if (file) {
+    ph_write_key_string(w, "file", file);
+  }
+  if (diag->line) {
+    ph_write_key_number(w, "line", (double)diag->line);
+  }
+  if (diag->column) {
+    ph_write_key_number(w, "column", (double)diag->column);
+  }
+  ph_write_end(w, '}');
+}
+
 void ph_json_error(struct ph_buf *buf, const struct ph_heading *heading,
                    const struct ph_diag *diag, const char *file, bool pretty) {
   struct ph_json_writer w = {.buf = buf, .pretty = pretty};
-  char sentence[PH_DIAG_FIELD_MAX + PH_DIAG_MESSAGE_MAX];
-  ph_diag_sentence(diag, sentence, sizeof sentence);
   ph_write_begin(&w, '{');
-  write_heading(&w, heading, "error");
-  ph_write_key(&w, "error");
-  ph_write_begin(&w, '{');
-  ph_write_key_string(&w, "code", ph_status_code(diag->status));
-  ph_write_key_string(&w, "message", sentence);
-  if (diag->field[0]) {
-    ph_write_key_string(&w, "field", diag->field);
-  }
-  if (file) {
-    ph_write_key_string(&w, "file", file);
-  }
-  if (diag->line) {
-    ph_write_key_number(&w, "line", (double)diag->line);
-  }
-  if (diag->column) {
-    ph_write_key_number(&w, "column", (double)diag->column);
-  }
-  ph_write_end(&w, '}');
+  ph_json_heading(&w, heading, "error");
+  ph_json_failure(&w, diag, file);
   finish(&w);
 }

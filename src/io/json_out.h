@@ -9,6 +9,7 @@
 #include "base/buf.h"
 #include "base/diag.h"
 #include "curve/result.h"
+#include "io/json_write.h"
 #include "io/record.h"
 
 /* One swept field and its value, as in "sweep": {"lengths[1]": 1.414}. */
@@ -32,5 +33,15 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
 /* ph_json_error: appends the record of a failed problem; file may be NULL. */
 void ph_json_error(struct ph_buf *buf, const struct ph_heading *heading,
                    const struct ph_diag *diag, const char *file, bool pretty);
+
+/* ---- parts of records -------------------------------------------------- */
+
+/* ph_json_heading: the members that every record begins with. */
+void ph_json_heading(struct ph_json_writer *w, const struct ph_heading *heading,
+                     const char *status);
+
+/* ph_json_failure: the member "error"; file may be NULL. */
+void ph_json_failure(struct ph_json_writer *w, const struct ph_diag *diag,
+                     const char *file);
 
 #endif

@@ -34,30 +34,38 @@ enum {
 static const double ROUNDING = 4 * DBL_EPSILON;
 
 /* cos(k pi / 32) */
-static const double quarter[NODES + 1] = {1,
-                                          0.99518472667219688624,
-                                          0.98078528040323044913,
-                                          0.95694033573220886494,
-                                          0.92387953251128675613,
-                                          0.88192126434835502971,
-                                          0.83146961230254523708,
-                                          0.77301045336273696081,
-                                          0.70710678118654752440,
-                                          0.63439328416364549822,
-                                          0.55557023301960222474,
-                                          0.47139673682599764856,
-                                          0.38268343236508977173,
-                                          0.29028467725446236764,
-                                          0.19509032201612826785,
-                                          0.09801714032956060199,
-                                          0};
+#define C1 0.99518472667219688624
+#define C2 0.98078528040323044913
+#define C3 0.95694033573220886494
+#define C4 0.92387953251128675613
+#define C5 0.88192126434835502971
+#define C6 0.83146961230254523708
+#define C7 0.77301045336273696081
+#define C8 0.70710678118654752440
+#define C9 0.63439328416364549822
+#define C10 0.55557023301960222474
+#define C11 0.47139673682599764856
+#define C12 0.38268343236508977173
+#define C13 0.29028467725446236764
+#define C14 0.19509032201612826785
+#define C15 0.09801714032956060199
 
-/* cos(k pi / 2n) for any k. */
-static double cosine(size_t k) {
-  k %= 4 * NODES;
-  k = k > 2 * NODES ? 4 * NODES - k : k;
-  return k > NODES ? -quarter[2 * NODES - k] : quarter[k];
-}
+/* T_k(x_j) in row j, and T_k(-x_j) but for the sign of odd k: x_{n-1-j} is
+ * -x_j. */
+static const double cosines[NODES / 2][NODES] = {
+    {1, C1, C2, C3, C4, C5, C6, C7, C8, C9, C10, C11, C12, C13, C14, C15},
+    {1, C3, C6, C9, C12, C15, -C14, -C11, -C8, -C5, -C2, -C1, -C4, -C7, -C10,
+     -C13},
+    {1, C5, C10, C15, -C12, -C7, -C2, -C3, -C8, -C13, C14, C9, C4, C1, C6, C11},
+    {1, C7, C14, -C11, -C4, -C3, -C10, C15, C8, C1, C6, C13, -C12, -C5, -C2,
+     -C9},
+    {1, C9, -C14, -C5, -C4, -C13, C10, C1, C8, -C15, -C6, -C3, -C12, C11, C2,
+     C7},
+    {1, C11, -C10, -C1, -C12, C9, C2, C13, -C8, -C3, -C14, C7, C4, C15, -C6,
+     -C5},
+    {1, C13, -C6, -C7, C12, C1, C14, -C5, -C8, C11, C2, C15, -C4, -C9, C10, C3},
+    {1, C15, -C2, -C13, C4, C11, -C6, -C9, C8, C7, -C10, -C5, C12, C3, -C14,
+     -C1}};
 
 struct task {
   struct ph_primitive *primitive;
@@ -71,22 +79,28 @@ struct task {
 
 /* ---- one panel ----------------------------------------------------------- */
 
-/* The coefficients of f by (1); the mean of |f| on the panel. */
+/* The coefficients of f by (1), even ones from f(x) + f(-x) and odd ones from
+ * f(x) - f(-x); the mean of |f| on the panel. */
 static double interpolate(const struct task *task,
                           struct ph_primitive_panel *panel) {
   const double middle = 0.5 * (panel->from + panel->to);
   const double half = 0.5 * (panel->to - panel->from);
-  double f[NODES], mean = 0;
-  for (size_t j = 0; j < NODES; j++) {
-    f[j] = task->f(task->context, middle + half * cosine(2 * j + 1));
-    mean += fabs(f[j]) / NODES;
+  double *c = panel->value, mean = 0;
+  for (size_t k = 0; k < NODES; k++) {
+    c[k] = 0;
+  }
+  for (size_t j = 0; j < NODES / 2; j++) {
+    const double *row = cosines[j], step = half * row[1];
+    const double f = task->f(task->context, middle + step);
+    const double g = task->f(task->context, middle - step);
+    mean += (fabs(f) + fabs(g)) / NODES;
+    for (size_t k = 0; k < NODES; k += 2) {
+      c[k] += (f + g) * row[k];
+      c[k + 1] += (f - g) * row[k + 1];
+    }
   }
   for (size_t k = 0; k < NODES; k++) {
-    double sum = 0;
-    for (size_t j = 0; j < NODES; j++) {
-      sum += f[j] * cosine((2 * j + 1) * k);
-    }
-    panel->value[k] = (k ? 2 : 1) * sum / NODES;
+    c[k] *= k > 0 ? 2. / NODES : 1. / NODES;
   }
   return mean;
 }
@@ -170,6 +184,20 @@ static enum ph_status pass(struct task *task, const double *breaks,
   return status;
 }
 
+/* The mean of |f|, about: a short first part, where f is small, is not asked to
+ * be as good as if it were all. */
+static double mean_of(const struct task *task, const double *breaks,
+                      size_t breaks_n) {
+  struct ph_primitive_panel panel = {.to = 0};
+  double mean = 0;
+  for (size_t i = 0; i <= breaks_n && breaks_n > 0; i++) {
+    panel.from = panel.to;
+    panel.to = i < breaks_n ? breaks[i] : 1;
+    mean += (panel.to - panel.from) * interpolate(task, &panel);
+  }
+  return isfinite(mean) ? mean : 0;
+}
+
 enum ph_status ph_primitive_make(struct ph_primitive *primitive,
                                  ph_integrand *f, const void *context,
                                  const double *breaks, size_t breaks_n,
@@ -182,6 +210,7 @@ enum ph_status ph_primitive_make(struct ph_primitive *primitive,
   enum ph_status status;
   double mean;
   int passes = 0;
+  task.mean = mean_of(&task, breaks, breaks_n);
   do {
     status = pass(&task, breaks, breaks_n);
     mean = task.mean;

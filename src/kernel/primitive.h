@@ -9,9 +9,10 @@
 
 #include "base/mem.h"
 #include "base/status.h"
-#include "kernel/adapt.h"
 
 #include <stddef.h>
+
+typedef double ph_integrand(const void *context, double x);
 
 /* Coefficients of one panel: of the integral from its start and of the
  * function, in Chebyshev polynomials over it. */

@@ -40,15 +40,27 @@ static double spread(const struct ph_axis *axis, double length) {
                               ph_axis_place(axis, t->at[0]));
 }
 
+/* At least three, where they do not touch. */
+static void y_ticks(struct ph_axes *axes, double em) {
+  const double h = axes->rect.h;
+  size_t n = wanted_in(h, 3.2 * em), most = wanted_in(h, 1.2 * em);
+  n = n < 4 ? wanted_in(fmin(h, 7.5 * em), 1.8 * em) : n;
+  do {
+    ph_ticks_make(axes->y.low, axes->y.high, n, &axes->y.ticks);
+  } while (axes->y.ticks.n < 3 && n++ < most);
+  if (spread(&axes->y, h) < em) {
+    ph_ticks_make(axes->y.low, axes->y.high, 1, &axes->y.ticks);
+  }
+}
+
 void ph_axes_ticks(struct ph_axes *axes, struct ph_page *page, double em) {
-  size_t n = wanted_in(axes->rect.w, 4.5 * em);
-  ph_ticks_make(axes->y.low, axes->y.high, wanted_in(axes->rect.h, 2.6 * em),
-                &axes->y.ticks);
+  size_t n = wanted_in(axes->rect.w, 3.4 * em);
   do {
     ph_ticks_make(axes->x.low, axes->x.high, n, &axes->x.ticks);
-  } while (widest(&axes->x.ticks, page, em) + 0.9 * em >
+  } while (widest(&axes->x.ticks, page, em) + em >
                spread(&axes->x, axes->rect.w) &&
            n-- > 1);
+  y_ticks(axes, em);
 }
 
 double ph_axes_left(const struct ph_axes *axes, struct ph_page *page,
@@ -85,24 +97,24 @@ static bool name_text(const struct ph_axis *axis, char text[128]) {
 }
 
 static void exponent_text(int power, char text[16]) {
-  char digits[8];
-  int n = 0, d = 0, k = power < 0 ? -power : power;
+  int n = 0, unit = 1, k = power < 0 ? -power : power;
   if (power < 0) {
     memcpy(text, "\xE2\x88\x92", 3);
     n = 3;
   }
-  for (; k > 0 && d < 8; k /= 10) {
-    digits[d++] = (char)('0' + k % 10);
+  while (k / unit >= 10) {
+    unit *= 10;
   }
-  while (d > 0) {
-    text[n++] = digits[--d];
+  for (; unit > 0; unit /= 10) {
+    text[n++] = (char)('0' + k / unit % 10);
   }
   text[n] = '\0';
 }
 
-/* A name, centred, with its exponent. */
+/* A name, centred, with its exponent; in smaller letters where there is no
+ * room for it. */
 static void put_name(const struct ph_axis *axis, struct ph_page *page,
-                     double em, struct ph_spot at, bool up) {
+                     double em, double room, struct ph_spot at, bool up) {
   char text[128], exponent[16] = "";
   double w, e;
   if (name_text(axis, text)) {
@@ -110,6 +122,11 @@ static void put_name(const struct ph_axis *axis, struct ph_page *page,
   }
   w = ph_page_text_width(page, em, text);
   e = ph_page_text_width(page, POWER * em, exponent);
+  if (w + e > room && room > 0) {
+    em *= room / (w + e);
+    e *= room / (w + e);
+    w = room - e;
+  }
   if (up) {
     at.y += 0.5 * (w + e);
   } else {
@@ -143,7 +160,7 @@ static void x_axis(const struct ph_axes *axes, struct ph_page *page,
   if (!axis->bare) {
     struct ph_spot at = {axes->rect.x + 0.5 * axes->rect.w,
                          bottom + (TICK + GAP + 0.65 + NAME_LINE) * em};
-    put_name(axis, page, em, at, false);
+    put_name(axis, page, em, axes->rect.w, at, false);
   }
 }
 
@@ -165,10 +182,9 @@ static void y_axis(const struct ph_axes *axes, struct ph_page *page,
     }
   }
   if (!axis->bare) {
-    struct ph_spot at = {left - (TICK + GAP + 0.45) * em -
-                             widest(&axis->ticks, page, em),
-                         axes->rect.y + 0.5 * axes->rect.h};
-    put_name(axis, page, em, at, true);
+    double room = axes->left > 0 ? axes->left : ph_axes_left(axes, page, em);
+    struct ph_spot at = {left - room + em, axes->rect.y + 0.5 * axes->rect.h};
+    put_name(axis, page, em, axes->rect.h, at, true);
   }
 }
 

@@ -16,6 +16,7 @@ struct ph_axis {
 
 struct ph_axes {
   struct ph_rect rect;
+  double left; /* from the frame to the left end of it all; 0: as is needed */
   struct ph_axis x, y;
 };
 

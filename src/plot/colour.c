@@ -2,6 +2,8 @@
 /* The colours of figures (see colour.h). */
 #include "plot/colour.h"
 
+#include <math.h>
+
 struct ph_colour ph_ink(enum ph_ink ink) {
   static const struct ph_colour inks[PH_INK_N] = {
 #define X(symbol, r, g, b) {r / 100.0, g / 100.0, b / 100.0},
@@ -38,4 +40,8 @@ struct ph_colour ph_colour_ramp(size_t i, size_t n) {
                         mix(ramp[k][1], ramp[k + 1][1], t),
                         mix(ramp[k][2], ramp[k + 1][2], t)};
   return c;
+}
+
+double ph_colour_thin(size_t n) {
+  return n > 1 ? fmax(0.35, fmin(0.8, sqrt(8 / (double)n))) : 1;
 }

@@ -32,7 +32,6 @@ struct ph_colour {
   X(GRATICULE, 87, 88, 90) \
   X(OUTLINE, 55, 56, 58)   \
   X(BOX, 83, 83, 83)       \
-  X(SHADOW, 78, 80, 82)    \
   X(PAPER, 100, 100, 100)
 
 enum ph_ink {
@@ -56,5 +55,8 @@ struct ph_colour ph_colour_segment(size_t segment, size_t n, bool closed);
  * its end, which is too light on paper.
  */
 struct ph_colour ph_colour_ramp(size_t i, size_t n);
+
+/* ph_colour_thin: how much thinner the lines of n curves in one place are. */
+double ph_colour_thin(size_t n);
 
 #endif

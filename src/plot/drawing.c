@@ -49,6 +49,29 @@ static bool is_same(ph_vec3 a, ph_vec3 b) {
   return memcmp(&a, &b, sizeof a) == 0;
 }
 
+/* ---- how much of many segments is drawn ---------------------------------- */
+
+static size_t ratio_up(size_t n, size_t m) {
+  return (n + m - 1) / m;
+}
+
+/* Every so many-th segment counts for strokes; for profiles, a multiple of
+ * that. With two points or places for each there is room for all. */
+static size_t stroke_step(size_t n) {
+  return n <= PH_DRAWING_POINTS ? 1 : ratio_up(2 * n, PH_DRAWING_POINTS);
+}
+
+static size_t profile_step(size_t n) {
+  const size_t step = stroke_step(n);
+  return ratio_up(ratio_up(2 * n, PH_DRAWING_PLACES), step) * step;
+}
+
+/* As many share a stroke and a profile, which begin with one that counts. */
+static size_t group_of(size_t n) {
+  const size_t step = profile_step(n);
+  return ratio_up(ratio_up(n, PH_DRAWING_SEGMENTS), step) * step;
+}
+
 /* ---- strokes ------------------------------------------------------------- */
 
 static void extend_box(struct ph_drawing *d, ph_vec3 p) {
@@ -131,13 +154,6 @@ static void draw_segment(struct pen *pen, const struct ph_sampler *sampler,
   draw_part(pen, sampler, from, 1, depth);
 }
 
-/* As many segments share a stroke; a multiple of `every`, so that each stroke
- * begins with one that counts. */
-static size_t merged(size_t n, size_t every) {
-  size_t least = (n + PH_DRAWING_SEGMENTS - 1) / PH_DRAWING_SEGMENTS;
-  return (least + every - 1) / every * every;
-}
-
 /* The curve, a stroke for each of its segments if there are not too many, or an
  * offset of it. */
 static enum ph_status draw_curve(struct pen *pen,
@@ -145,8 +161,7 @@ static enum ph_status draw_curve(struct pen *pen,
                                  enum ph_stroke_role role, size_t index) {
   const struct ph_curve *curve = &pen->result->curve;
   const size_t n = curve->n;
-  const size_t every = (n + PH_DRAWING_POINTS - 1) / PH_DRAWING_POINTS;
-  const size_t each = offset ? n : merged(n, every);
+  const size_t step = stroke_step(n), group = offset ? n : group_of(n);
   struct ph_sampler sampler;
   size_t cusp = 0;
   int depth = 0;
@@ -156,20 +171,20 @@ static enum ph_status draw_curve(struct pen *pen,
     depth++;
   }
   for (size_t k = 0; status == PH_OK && k < n; k++) {
-    bool begins = k > 0 && k % each == 0;
-    if (k % every != 0 && k + 1 < n) {
+    bool begins = k > 0 && k % group == 0;
+    if (k % step != 0 && k + 1 < n) {
       continue;
     }
     status = ph_sampler_enter(&sampler, k, pen->diag);
     if (status == PH_OK && begins) { /* the one before ends here */
       draw_to(pen, ph_sampler_at(&sampler, 0).point);
-      lift(pen, role, k - each);
+      lift(pen, role, k - group);
     }
     if (status == PH_OK) {
       draw_segment(pen, &sampler, offset ? &offset->cusps : NULL, &cusp, depth);
     }
   }
-  lift(pen, role, offset ? index : (n - 1) / each * each);
+  lift(pen, role, offset ? index : (n - 1) / group * group);
   return status;
 }
 
@@ -369,7 +384,7 @@ static enum ph_status make_profiles(struct pen *pen) {
   const struct ph_curve *curve = &pen->result->curve;
   struct ph_drawing *d = pen->drawing;
   const size_t n = curve->n, most = PH_DRAWING_PLACES;
-  const size_t every = (2 * n + most - 1) / most, each = merged(n, every);
+  const size_t step = profile_step(n), group = group_of(n);
   size_t intervals = most / n > 2 ? most / n - 1 : 1;
   struct ph_profile *profile = NULL;
   struct ph_sum s = {0, 0};
@@ -379,10 +394,10 @@ static enum ph_status make_profiles(struct pen *pen) {
   intervals =
       intervals < PH_DRAWING_INTERVALS ? intervals : PH_DRAWING_INTERVALS;
   for (size_t k = 0; status == PH_OK && !pen->failed && k < n; k++) {
-    if (k % each == 0) {
-      profile = new_profile(pen, each / every * (intervals + 1));
+    if (k % group == 0) {
+      profile = new_profile(pen, group / step * (intervals + 1));
     }
-    if (k % every == 0 && !pen->failed) {
+    if (k % step == 0 && !pen->failed) {
       status = ph_sampler_enter(&sampler, k, pen->diag);
       if (status == PH_OK) {
         profile_segment(&sampler, ph_sum_value(&s), intervals, profile);

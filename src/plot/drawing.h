@@ -62,7 +62,7 @@ struct ph_profile {
 /* One result. */
 struct ph_drawing {
   struct ph_arena arena; /* holds all of it */
-  const char *title;     /* id of the problem, or "record N" */
+  const char *title;     /* id of the problem, or NULL */
   const char *label;     /* "lengths[1] = 2.5", or NULL: no sweep */
   size_t record;         /* number of the problem: its sweep is one panel */
   enum ph_drawing_space space;

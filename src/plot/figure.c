@@ -7,6 +7,7 @@
 #include "plot/panel.h"
 
 #include <string.h>
+#include <strings.h>
 
 static const char *const suffixes[] = {
 #define X(symbol, suffix) suffix,
@@ -18,7 +19,7 @@ enum ph_figure_format ph_figure_format_of(const char *file) {
   size_t n = strlen(file);
   for (int i = 0; i < PH_FIGURE_FORMAT_N; i++) {
     size_t m = strlen(suffixes[i]);
-    if (n > m && strcmp(file + n - m, suffixes[i]) == 0) {
+    if (n > m && strcasecmp(file + n - m, suffixes[i]) == 0) {
       return (enum ph_figure_format)i;
     }
   }
@@ -65,6 +66,31 @@ static enum ph_status fill(struct figure *figure,
   return status;
 }
 
+/* "record 12" */
+static void number_text(size_t record, char *text) {
+  char digits[24];
+  size_t n = sizeof digits - 1;
+  digits[n] = '\0';
+  do {
+    digits[--n] = (char)('0' + record % 10);
+    record /= 10;
+  } while (record > 0);
+  strcpy(text, "record ");
+  strcat(text, digits + n);
+}
+
+/* Titles; problems without one are numbered, where there are several. */
+static void set_titles(struct figure *figure) {
+  for (size_t i = 0; i < figure->n; i++) {
+    struct ph_panel *panel = &figure->panels[i];
+    if (panel->drawings[0]->title) {
+      ph_plot_text(panel->drawings[0]->title, panel->title);
+    } else if (figure->n > 1) {
+      number_text(panel->drawings[0]->record, panel->title);
+    }
+  }
+}
+
 static void draw(const struct figure *figure, const struct ph_layout *layout,
                  struct ph_page *page) {
   struct ph_spot middle = {0.5 * layout->width, 0.5 * layout->height};
@@ -96,6 +122,7 @@ enum ph_status ph_figure_write(const struct ph_drawing *const *drawings,
   figure->more = false;
   status = fill(figure, drawings, n, &arena, diag);
   if (status == PH_OK) {
+    set_titles(figure);
     status = ph_layout_make(figure->panels, figure->n, rules, figure->more,
                             &arena, &layout, diag);
   }

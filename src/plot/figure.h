@@ -6,6 +6,30 @@
  * curvature and torsion below; results of a sweep share the panel of their
  * problem and are told apart by colour, with a legend.  Cairo does the drawing,
  * behind page.c; the same drawings give the same bytes.
+ *
+ * There is 1 view of a plane curve; of one in space there are 4: x-y, x-z, y-z
+ * and one of all; of one on a sphere 1, or 2 where part of it is behind.  In an
+ * SVG, these are elements of their own, told apart by their colour (red, green,
+ * blue in percent: colour.h):
+ *
+ *   stroke 8,39,70 and 90,47,8  segments of the curve in turn; 49,32,66: the
+ *                               last of a closed curve of an odd number of them
+ *   stroke 66,66,66             polygons
+ *   stroke 5,58,44              offsets
+ *   stroke 36,36,36             tangents, without their heads
+ *          1 in each view, and 1 more on a sphere if it is hidden in part; of
+ *          segments 1 more in each profile that has more than one value for it
+ *   stroke 85,85,85             joints: 1 in each profile, if there is room
+ *   stroke 44,44,44             ticks: 1 each
+ *   stroke 45,45,45             frames: 1 of each view and profile with axes
+ *   stroke 87,88,90             lines of the graticule
+ *   stroke 55,56,58             outlines of spheres
+ *   fill 10,10,10               data points: 1 in each view; hidden ones
+ *                               55,56,58
+ *
+ * What is out of its frame is not there.  In a sweep curves and offsets have
+ * the colours of the ramp, as have points and tangents that not all curves
+ * share, and there are neither polygons nor joints.
  */
 #ifndef PH_PLOT_FIGURE_H
 #define PH_PLOT_FIGURE_H
@@ -47,6 +71,8 @@ bool ph_figure_can(void);
 
 /*
  * ph_figure_write: appends the bytes of the figure.
+ *
+ * Titles and labels may be any bytes and of any length, numbers any doubles.
  *
  * in   drawings[n]  in the order of the records; n = 0 is an empty page
  * ret  PH_OK | PH_NO_MEMORY | PH_INTERNAL (cairo failed, or is not there; says

@@ -10,6 +10,8 @@
 
 /* A curve within this of the middle is seen from nearer. */
 #define NEAR 0.45
+/* ... unless it is a point. */
+#define POINT 1e-9
 
 /* Hidden deeper than this, a curve needs a second view. */
 #define DEEP 0.05
@@ -71,9 +73,9 @@ size_t ph_globe_views(const struct ph_panel *panel, struct ph_view views[2]) {
   if (!(ph_vec3_abs(behind) > 0)) {
     return 1;
   }
-  behind = ph_vec3_normal(behind, views[0].toward);
-  views[1] = ph_view_from(
-      ph_vec3_abs(behind) > 1e-3 * length_of(panel) ? behind : views[0].right);
+  views[1] = ph_view_from(ph_vec3_abs(behind) > 1e-3 * length_of(panel)
+                              ? rounded(behind)
+                              : views[0].right);
   return 2;
 }
 
@@ -99,16 +101,20 @@ double ph_globe_reach(const struct ph_panel *panel, const struct ph_view *view,
         extend(low, high, ph_view_see(view, p));
       }
     }
+    for (size_t k = 0; k < d->data_n; k++) {
+      ph_vec3 p = ph_unit_in(&panel->unit, d->data[k]);
+      extend(low, high, ph_view_see(view, p));
+    }
   }
   middle->u = 0.5 * (low[0] + high[0]);
   middle->v = 0.5 * (low[1] + high[1]);
   middle->depth = 0;
   reach = 0.5 * fmax(high[0] - low[0], high[1] - low[1]);
-  if (!(reach < NEAR && panel->views_n < 2)) {
+  if (!(reach > POINT && reach < NEAR && panel->views_n < 2)) {
     middle->u = middle->v = 0;
     return 1;
   }
-  return fmax(1.25 * reach, 1e-9);
+  return 1.25 * reach;
 }
 
 double ph_globe_step(double reach) {

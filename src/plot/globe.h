@@ -9,8 +9,7 @@ enum { PH_GLOBE_CAPTION_MAX = 64 };
 
 /*
  * ph_globe_views: a view on the middle of the curves, and where part of them is
- * behind the sphere, a second one at right angles to it that shows most of that
- * part.
+ * behind the sphere, a second one on the middle of that part.
  *
  * ret  how many, 1 or 2
  */

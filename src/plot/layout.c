@@ -20,20 +20,31 @@ static const struct {
 /* Letters shrink by no more than this. */
 #define SHRINK_MAX 0.75
 
+/* How bad a grid is: how far from the aspect, and how many cells are empty. */
+static double badness(size_t n, size_t columns, double width, double height) {
+  size_t rows = (n + columns - 1) / columns;
+  double aspect = (double)columns * width / ((double)rows * height);
+  return fabs(log(aspect / ASPECT)) +
+         2 * (double)(rows * columns - n) / (double)n;
+}
+
 static size_t columns_for(size_t n, double width, double height) {
-  double c = ceil(sqrt((double)n * ASPECT * height / width) - 0.25);
-  return c < 1 ? 1 : c > (double)n ? n : (size_t)c;
+  size_t best = 1;
+  for (size_t c = 2; c <= n; c++) {
+    if (badness(n, c, width, height) < badness(n, best, width, height)) {
+      best = c;
+    }
+  }
+  return best;
 }
 
 /* Natural heights of the rows, into rows[]; their sum. */
-static double row_heights(const struct ph_panel *panels, size_t n,
-                          size_t columns, double width, double em,
+static double row_heights(const double *heights, size_t n, size_t columns,
                           double *rows) {
   double sum = 0;
   for (size_t i = 0; i < n; i++) {
-    double h = ph_panel_height(&panels[i], width - 2 * PADDING * em, em) +
-               2 * PADDING * em;
-    rows[i / columns] = i % columns == 0 ? h : fmax(rows[i / columns], h);
+    rows[i / columns] =
+        i % columns == 0 ? heights[i] : fmax(rows[i / columns], heights[i]);
   }
   for (size_t i = 0; i * columns < n; i++) {
     sum += rows[i];
@@ -52,18 +63,17 @@ static void page_size(const struct ph_figure_rules *rules, double width,
   layout->em *= fmax(scale, SHRINK_MAX);
 }
 
-static void set_cells(struct ph_layout *layout, size_t n, const double *rows,
-                      double sum, double note) {
-  double w = layout->width / (double)layout->columns,
-         pad = PADDING * layout->em;
-  double h = layout->height - note * layout->em, y = 0;
+/* Cells are as high as their panels want to be, by the scale of all rows. */
+static void set_cells(struct ph_layout *layout, size_t n, const double *heights,
+                      const double *rows, double scale) {
+  double w = layout->width / (double)layout->columns;
+  double pad = PADDING * layout->em, y = 0;
   for (size_t i = 0; i < n; i++) {
     size_t row = i / layout->columns, column = i % layout->columns;
-    double high = h * rows[row] / sum;
-    layout->cells[i] =
-        (struct ph_rect){w * (double)column + pad, y + pad,
-                         fmax(w - 2 * pad, 1), fmax(high - 2 * pad, 1)};
-    y += column + 1 == layout->columns ? high : 0;
+    layout->cells[i] = (struct ph_rect){w * (double)column + pad, y + pad,
+                                        fmax(w - 2 * pad, 1),
+                                        fmax(scale * heights[i] - 2 * pad, 1)};
+    y += column + 1 == layout->columns ? scale * rows[row] : 0;
   }
 }
 
@@ -71,27 +81,35 @@ enum ph_status ph_layout_make(const struct ph_panel *panels, size_t n,
                               const struct ph_figure_rules *rules, bool note,
                               struct ph_arena *arena, struct ph_layout *layout,
                               struct ph_diag *diag) {
-  double *rows = ph_arena_array(arena, n, sizeof *rows), sum = 0, width, high;
+  double *rows = ph_arena_array(arena, n, sizeof *rows);
+  double *heights = ph_arena_array(arena, n, sizeof *heights);
+  double width, sum = 0, em, below;
   size_t i = 0;
   while (sizes[i].n < n) {
     i++;
   }
-  *layout = (struct ph_layout){.em = sizes[i].em, .columns = 1};
+  em = sizes[i].em;
+  width = sizes[i].width;
+  below = note ? NOTE : 0;
+  *layout = (struct ph_layout){.em = em, .columns = 1};
   layout->cells = ph_arena_array(arena, n, sizeof *layout->cells);
-  if (!rows || !layout->cells) {
+  if (!rows || !heights || !layout->cells) {
     return ph_fail_memory(diag);
   }
-  width = sizes[i].width;
-  high = 0.75 * width;
+  for (i = 0; i < n; i++) {
+    heights[i] = ph_panel_height(&panels[i], width - 2 * PADDING * em, em) +
+                 2 * PADDING * em;
+    sum += heights[i];
+  }
   if (n > 0) {
-    high = row_heights(panels, n, n, width, layout->em, rows);
-    layout->columns = columns_for(n, width, high);
-    sum = row_heights(panels, n, layout->columns, width, layout->em, rows);
-    high = sum;
+    layout->columns = columns_for(n, width, sum / (double)n);
+    sum = row_heights(heights, n, layout->columns, rows);
+  } else {
+    sum = 0.75 * width;
   }
   layout->rows = (n + layout->columns - 1) / layout->columns;
-  high += note ? NOTE * layout->em : 0;
-  page_size(rules, width * (double)layout->columns, high, layout);
-  set_cells(layout, n, rows, sum, note ? NOTE : 0);
+  page_size(rules, width * (double)layout->columns, sum + below * em, layout);
+  set_cells(layout, n, heights, rows,
+            (layout->height - below * layout->em) / sum);
   return PH_OK;
 }

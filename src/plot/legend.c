@@ -41,6 +41,7 @@ static void value_text(const struct ph_panel *panel, size_t i, size_t common,
                        char text[PH_PLOT_TEXT_MAX]) {
   const char *label = panel->drawings[i]->label;
   ph_plot_text(label ? label + common : "", text);
+  ph_plot_text_round(text);
 }
 
 /* The name that all have in common; empty without one. */
@@ -86,7 +87,7 @@ double ph_legend_width(const struct ph_panel *panel, struct ph_page *page,
     any = any || text[0] != '\0';
     width = fmax(width, ph_page_text_width(page, LETTERS * em, text));
   }
-  width += ((is_bar(panel) ? BAR : SAMPLE) + GAP) * em;
+  width += ((is_bar(panel) ? BAR : SAMPLE) + GAP + 0.1) * em;
   head_text(panel, common, text);
   head = ph_page_text_width(page, LETTERS * em, text);
   return any ? fmin(fmax(width, head), most) : 0;

@@ -9,6 +9,7 @@
 #include "plot/drawing.h"
 #include "plot/page.h"
 #include "plot/profile.h"
+#include "plot/text.h"
 #include "plot/view.h"
 
 #include <stdbool.h>
@@ -18,6 +19,7 @@ enum { PH_PANEL_PROFILES_MAX = 2, PH_PANEL_VIEWS_MAX = 4 };
 struct ph_panel {
   const struct ph_drawing *const *drawings; /* [n], of the same space */
   size_t n;
+  char title[PH_PLOT_TEXT_MAX]; /* clean; "": none */
   struct ph_unit unit;
   ph_vec3 low, high; /* what is seen, in the unit */
   struct ph_view views[PH_PANEL_VIEWS_MAX];

@@ -4,16 +4,16 @@
 #include "plot/globe.h"
 #include "plot/legend.h"
 #include "plot/panel.h"
-#include "plot/text.h"
 
 #include <math.h>
+#include <string.h>
 
 /* In ems: the title, the margins, a profile without its numbers. */
 #define TITLE 1.25
 #define TITLE_LINE 2.1
 #define RIGHT 1.3
 #define TOP 0.6
-#define PROFILE 8
+#define PROFILE 8.5
 #define PROFILE_GAP 0.9
 #define LEFT 5.5 /* of axes, before their numbers are known */
 #define CAPTION 1.9
@@ -24,8 +24,21 @@
 /* What is seen is so much smaller than its frame. */
 #define MARGIN 1.1
 
+/* ... and at least so much of its frame. */
+#define LOOSE 1.7
+
 /* A view is no flatter than this, whatever the curve. */
-#define FLAT 0.4
+#define FLAT 0.18
+
+/* The parts of a panel's place. */
+struct place {
+  const struct ph_panel *panel;
+  struct ph_page *page;
+  double em;
+  double left;             /* room for numbers and names left of frames */
+  struct ph_rect views;    /* frames of views without their numbers */
+  struct ph_rect profiles; /* all of them, as the views */
+};
 
 /* ---- extents ------------------------------------------------------------- */
 
@@ -35,7 +48,8 @@ static void extents(const struct ph_panel *panel, double extent[3]) {
   extent[0] = panel->high.x - panel->low.x;
   extent[1] = panel->high.y - panel->low.y;
   extent[2] = panel->high.z - panel->low.z;
-  most = fmax(fmax(extent[0], extent[1]), fmax(extent[2], 1e-3));
+  most = fmax(fmax(extent[0], extent[1]), extent[2]);
+  most = most > 0 ? most : 1; /* a point */
   for (int i = 0; i < 3; i++) {
     extent[i] = MARGIN * fmax(extent[i], FLAT * most);
   }
@@ -76,7 +90,7 @@ static double profiles_height(const struct ph_panel *panel, double em) {
 }
 
 double ph_panel_height(const struct ph_panel *panel, double width, double em) {
-  double title = panel->drawings[0]->title ? TITLE_LINE * em : 0;
+  double title = panel->title[0] ? TITLE_LINE * em : 0;
   return title + TOP * em + views_height(panel, width, em) +
          profiles_height(panel, em);
 }
@@ -96,10 +110,11 @@ static struct ph_axis axis_of(const struct ph_panel *panel, int which,
   return axis;
 }
 
-static struct ph_axes axes_of(const struct ph_panel *panel,
+static struct ph_axes axes_of(const struct place *place,
                               const struct ph_window *window, int x, int y) {
+  const struct ph_panel *panel = place->panel;
   struct ph_axes axes = {
-      window->rect,
+      window->rect, place->left,
       axis_of(panel, x, window->u, 0.5 * window->rect.w / window->scale),
       axis_of(panel, y, window->v, 0.5 * window->rect.h / window->scale)};
   return axes;
@@ -116,15 +131,6 @@ static struct ph_window window_of(const struct ph_panel *panel,
 
 /* ---- views --------------------------------------------------------------- */
 
-/* The parts of a panel's place. */
-struct place {
-  const struct ph_panel *panel;
-  struct ph_page *page;
-  double em;
-  struct ph_rect views;    /* frames of views without their numbers */
-  struct ph_rect profiles; /* all of them, as the views */
-};
-
 static void draw_view(const struct place *place, size_t view,
                       const struct ph_window *window) {
   struct ph_look look = {place->panel, place->panel->views[view], *window,
@@ -132,14 +138,23 @@ static void draw_view(const struct place *place, size_t view,
   ph_strokes_draw(&look, PH_SIDE_ALL);
 }
 
+/* Frames are no more than so much larger than what they show: the middle of
+ * the place for w times h points of it. */
+static struct ph_rect trimmed(const struct ph_rect *place, double w, double h) {
+  double wide = fmin(place->w, LOOSE * w), high = fmin(place->h, LOOSE * h);
+  return (struct ph_rect){place->x + 0.5 * (place->w - wide),
+                          place->y + 0.5 * (place->h - high), wide, high};
+}
+
 static struct ph_axes plane_axes(const struct place *place,
                                  struct ph_window *window) {
-  double extent[3];
+  double extent[3], scale;
+  struct ph_rect frame;
   extents(place->panel, extent);
-  *window =
-      window_of(place->panel, &place->views, 0, 1,
-                fmin(place->views.w / extent[0], place->views.h / extent[1]));
-  return axes_of(place->panel, window, 0, 1);
+  scale = fmin(place->views.w / extent[0], place->views.h / extent[1]);
+  frame = trimmed(&place->views, scale * extent[0], scale * extent[1]);
+  *window = window_of(place->panel, &frame, 0, 1, scale);
+  return axes_of(place, window, 0, 1);
 }
 
 static void draw_plane(const struct place *place) {
@@ -159,22 +174,26 @@ struct space {
 };
 
 static void space_layout(const struct place *place, struct space *space) {
-  const struct ph_rect *r = &place->views;
-  double extent[3], gap = VIEW_GAP * place->em, w = r->w - gap, h = r->h - gap;
-  double left, top;
-  struct ph_rect rects[3];
+  double extent[3], gap = VIEW_GAP * place->em, left, top, wide, high;
+  struct ph_rect rects[3], r = place->views;
   extents(place->panel, extent);
-  space->scale = fmin(w / (extent[0] + extent[1]), h / (extent[1] + extent[2]));
-  left = w * extent[0] / (extent[0] + extent[1]);
-  top = h * extent[1] / (extent[1] + extent[2]);
-  rects[0] = (struct ph_rect){r->x, r->y, left, top};
-  rects[1] = (struct ph_rect){r->x, r->y + top + gap, left, h - top};
-  rects[2] = (struct ph_rect){r->x + left + gap, rects[1].y, w - left, h - top};
-  space->corner = (struct ph_rect){rects[2].x, r->y, w - left, top};
+  wide = extent[0] + extent[1];
+  high = extent[1] + extent[2];
+  r.w -= gap;
+  r.h -= gap;
+  space->scale = fmin(r.w / wide, r.h / high);
+  r = trimmed(&r, space->scale * wide, space->scale * high);
+  left = r.w * extent[0] / wide;
+  top = r.h * extent[1] / high;
+  rects[0] = (struct ph_rect){r.x, r.y, left, top};
+  rects[1] = (struct ph_rect){r.x, r.y + top + gap, left, r.h - top};
+  rects[2] =
+      (struct ph_rect){r.x + left + gap, rects[1].y, r.w - left, r.h - top};
+  space->corner = (struct ph_rect){rects[2].x, r.y, r.w - left, top};
   for (int i = 0; i < 3; i++) {
     int x = i == 2 ? 1 : 0, y = i == 0 ? 1 : 2;
     space->windows[i] = window_of(place->panel, &rects[i], x, y, space->scale);
-    space->axes[i] = axes_of(place->panel, &space->windows[i], x, y);
+    space->axes[i] = axes_of(place, &space->windows[i], x, y);
   }
   space->axes[0].x.bare = space->axes[2].y.bare = true;
 }
@@ -201,14 +220,31 @@ static void draw_box(const struct place *place, struct ph_look *look) {
   look->window.u = 0.5 * (low[0] + high[0]);
   look->window.v = 0.5 * (low[1] + high[1]);
   look->window.scale =
-      fmin(look->window.scale,
-           fmin(look->window.rect.w / fmax(high[0] - low[0], 1e-3),
-                look->window.rect.h / fmax(high[1] - low[1], 1e-3)) /
-               MARGIN);
+      fmin(look->window.scale, fmin((look->window.rect.w - 2 * place->em) /
+                                        fmax(high[0] - low[0], 1e-3),
+                                    (look->window.rect.h - 2 * place->em) /
+                                        fmax(high[1] - low[1], 1e-3)));
   ph_page_pen(look->page, ph_ink(PH_INK_BOX), 0.055 * look->em, 0);
   for (int i = 0; i < 12; i++) {
     ph_vec3 edge[2] = {corners[edges[i][0]], corners[edges[i][1]]};
     ph_strokes_line(look, PH_SIDE_ALL, edge, 2);
+  }
+}
+
+/* Names of the axes at three edges of the box that are in front. */
+static void name_box(const struct ph_look *look) {
+  const ph_vec3 a = look->panel->low, b = look->panel->high;
+  const ph_vec3 places[3] = {{0.5 * (a.x + b.x), a.y, a.z},
+                             {b.x, 0.5 * (a.y + b.y), a.z},
+                             {a.x, a.y, 0.5 * (a.z + b.z)}};
+  static const char *const names[3] = {"x", "y", "z"};
+  static const double right[3] = {-0.5, 0.7, -0.7}, down[3] = {1, 0.9, 0.3};
+  for (int i = 0; i < 3; i++) {
+    struct ph_spot at =
+        ph_window_spot(&look->window, ph_view_see(&look->view, places[i]));
+    at.x += right[i] * look->em;
+    at.y += down[i] * look->em;
+    ph_page_text(look->page, at, CAPTION_SIZE * look->em, 0.5, false, names[i]);
   }
 }
 
@@ -230,6 +266,7 @@ static void draw_space(const struct place *place) {
   }
   look.window = (struct ph_window){space.corner, 0, 0, space.scale};
   draw_box(place, &look);
+  name_box(&look);
   ph_strokes_draw(&look, PH_SIDE_ALL);
 }
 
@@ -239,7 +276,7 @@ static void draw_sphere(const struct place *place) {
   for (size_t i = 0; i < place->panel->views_n; i++) {
     const struct ph_rect *r = &place->views;
     double w = r->w / (double)place->panel->views_n, reach;
-    double h = r->h - CAPTION * place->em, side = fmin(w, h);
+    double h = r->h - CAPTION * place->em, side = fmin(w - place->em, h);
     struct ph_look look = {.panel = place->panel,
                            .view = place->panel->views[i],
                            .page = place->page,
@@ -279,6 +316,7 @@ static struct ph_axes profile_axes(const struct place *place, size_t which) {
   struct ph_axes axes = {{place->profiles.x,
                           place->profiles.y + (double)which * (h + gap),
                           place->profiles.w, h},
+                         place->left,
                          {.name = "arc length",
                           .low = 0,
                           .high = panel->length,
@@ -299,6 +337,12 @@ static void draw_profiles(const struct place *place) {
     ph_profile_draw(panel->drawings, panel->n, (enum ph_profile_of)i, &axes,
                     place->page, place->em);
     ph_axes_draw(&axes, place->page, place->em);
+    if (!panel->ranges[i].any) { /* as the torsion of a straight line */
+      struct ph_spot middle = {axes.rect.x + 0.5 * axes.rect.w,
+                               axes.rect.y + 0.35 * axes.rect.h};
+      ph_page_text(place->page, middle, CAPTION_SIZE * place->em, 0.5, false,
+                   "not defined");
+    }
   }
 }
 
@@ -345,6 +389,7 @@ static struct place place_in(const struct ph_panel *panel, struct ph_page *page,
                          fmax(profiles - below - PROFILE_GAP * em, em)};
     left = left_of(&place);
   }
+  place.left = left;
   if (sphere) {
     place.views.x = body->x;
     place.views.w = body->w;
@@ -357,8 +402,8 @@ static void draw_title(const struct ph_panel *panel, struct ph_page *page,
                        struct ph_rect *cell, double em) {
   char text[PH_PLOT_TEXT_MAX];
   struct ph_spot at = {cell->x + 0.5 * cell->w, cell->y + 1.3 * em};
-  if (panel->drawings[0]->title) {
-    ph_plot_text(panel->drawings[0]->title, text);
+  if (panel->title[0]) {
+    memcpy(text, panel->title, sizeof text);
     ph_plot_text_fit(page, TITLE * em, cell->w - 2 * em, text);
     ph_page_text(page, at, TITLE * em, 0.5, false, text);
     cell->y += TITLE_LINE * em;

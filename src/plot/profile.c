@@ -9,14 +9,14 @@
 #include <stdlib.h>
 
 /* Values on so much of the length at either end do not count ... */
-#define TAIL 0.04
+#define TAIL 0.08
 /* ... if they are farther out than so many times the range of the others. */
-#define REACH 2.5
+#define REACH 3
 
 /* Curvature times length below this is that of a straight line, and relative
  * changes below CONSTANT are none: rounding, to eyes. */
 #define STRAIGHT 1e-7
-#define CONSTANT 1e-5
+#define CONSTANT 1e-4
 
 /* A value, and how much of the arc length has it. */
 struct weighed {
@@ -262,7 +262,7 @@ void ph_profile_draw(const struct ph_drawing *const *drawings, size_t n,
         draw_one(&d->profiles[k], values, &marks,
                  n == 1 ? ph_colour_segment(k, d->segments_n, d->closed)
                         : ph_colour_ramp(i, n),
-                 (n == 1 ? 0.11 : 0.09) * em);
+                 0.11 * em * ph_colour_thin(n));
       }
     }
   }

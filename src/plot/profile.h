@@ -23,7 +23,7 @@ struct ph_range {
 /*
  * ph_profile_range: the range in which profiles are drawn.
  *
- * All values, if the largest are not much larger than those on 92 % of the
+ * All values, if the largest are not much larger than those on 84 % of the
  * length; else what is a few times as far from the middle as those.  What is
  * zero or constant but for rounding is drawn as a straight line.
  *

@@ -8,13 +8,12 @@
 
 /* Widths, in ems. */
 #define CURVE 0.145
-#define CURVE_OF_MANY 0.11
 #define OFFSET 0.085
 #define POLYGON 0.06
 #define ARROW 0.075
 #define HEAD 0.62
 #define DASH 0.28
-#define DOT_MAX 0.24
+#define DOT_MAX 0.22
 #define DOT_MIN 0.09
 
 struct ph_seen ph_look_see(const struct ph_look *look, ph_vec3 place) {
@@ -128,47 +127,57 @@ static void draw_arrow(const struct ph_look *look, enum ph_side side,
   draw_head(look, tip, far * (tip.x - from.x), far * (tip.y - from.y));
 }
 
+/* ---- what curves of a sweep share ---------------------------------------- */
+
+/* The same to the eye. */
+static bool same_place(const struct ph_look *look, ph_vec3 a, ph_vec3 b) {
+  const struct ph_unit *unit = &look->panel->unit;
+  ph_vec3 d = ph_vec3_sub(ph_unit_in(unit, a), ph_unit_in(unit, b));
+  return fabs(d.x) <= 1e-6 && fabs(d.y) <= 1e-6 && fabs(d.z) <= 1e-6;
+}
+
+/* Whether the first (last) drawing has the same tangent there. */
+static bool has_tangent(const struct ph_look *look, const struct ph_drawing *d,
+                        size_t i, const struct ph_stroke *stroke) {
+  const struct ph_stroke *s = i < d->strokes_n ? &d->strokes[i] : NULL;
+  return s && s->role == PH_STROKE_TANGENT && s->n > 0 &&
+         same_place(look, s->points[0], stroke->points[0]) &&
+         same_place(look, s->points[s->n - 1], stroke->points[stroke->n - 1]);
+}
+
+static bool has_point(const struct ph_look *look, const struct ph_drawing *d,
+                      size_t i, ph_vec3 point) {
+  return i < d->data_n && same_place(look, d->data[i], point);
+}
+
 /* ---- strokes ------------------------------------------------------------- */
-
-static bool same_place(ph_vec3 a, ph_vec3 b) {
-  return a.x <= b.x && a.x >= b.x && a.y <= b.y && a.y >= b.y && a.z <= b.z &&
-         a.z >= b.z;
-}
-
-/* Whether the drawing before has the same: tangents that a sweep leaves. */
-static bool repeated(const struct ph_drawing *before, size_t i,
-                     const struct ph_stroke *stroke) {
-  const struct ph_stroke *b =
-      before && i < before->strokes_n ? &before->strokes[i] : NULL;
-  return b && b->role == stroke->role && b->n == stroke->n && b->n > 0 &&
-         same_place(b->points[0], stroke->points[0]) &&
-         same_place(b->points[b->n - 1], stroke->points[b->n - 1]);
-}
 
 static void choose_pen(const struct ph_look *look, enum ph_side side,
                        size_t which, const struct ph_stroke *stroke,
-                       size_t segment) {
+                       size_t segment, bool moves) {
   const struct ph_panel *panel = look->panel;
   const struct ph_drawing *d = panel->drawings[which];
   double em = look->em, dash = side == PH_SIDE_HIDDEN ? DASH * em : 0;
   bool many = panel->n > 1;
+  double thin = ph_colour_thin(panel->n);
   struct ph_colour ramp = ph_colour_ramp(which, panel->n);
   switch (stroke->role) {
   case PH_STROKE_CURVE:
-    ph_page_pen(
-        look->page,
-        many ? ramp : ph_colour_segment(segment, d->segments_n, d->closed),
-        (dash > 0 ? 0.7 : 1) * (many ? CURVE_OF_MANY : CURVE) * em, dash);
+    ph_page_pen(look->page,
+                many ? ramp
+                     : ph_colour_segment(segment, d->segments_n, d->closed),
+                (dash > 0 ? 0.7 : 1) * CURVE * thin * em, dash);
     break;
   case PH_STROKE_POLYGON:
     ph_page_pen(look->page, ph_ink(PH_INK_POLYGON), POLYGON * em, dash);
     break;
   case PH_STROKE_OFFSET:
     ph_page_pen(look->page, many ? ramp : ph_ink(PH_INK_OFFSET),
-                (many ? 0.6 : 1) * OFFSET * em, dash);
+                OFFSET * thin * em, dash);
     break;
   case PH_STROKE_TANGENT:
-    ph_page_pen(look->page, ph_ink(PH_INK_TANGENT), ARROW * em, dash);
+    ph_page_pen(look->page, moves ? ramp : ph_ink(PH_INK_TANGENT), ARROW * em,
+                dash);
     break;
   }
 }
@@ -180,15 +189,20 @@ static void draw_strokes(const struct ph_look *look, enum ph_side side,
   size_t segment = 0;
   for (size_t i = 0; i < d->strokes_n; i++) {
     const struct ph_stroke *s = &d->strokes[i];
-    if (s->n == 0 || (s->role == PH_STROKE_POLYGON && panel->n > 1)) {
+    bool tangent = s->role == PH_STROKE_TANGENT, moves;
+    if (s->n == 0 || (s->role == PH_STROKE_POLYGON && panel->n > 1) ||
+        (tangent && which > 0 && has_tangent(look, panel->drawings[0], i, s))) {
       continue;
     }
-    choose_pen(look, side, which, s, segment);
+    moves =
+        tangent && panel->n > 1 &&
+        (which > 0 || !has_tangent(look, panel->drawings[panel->n - 1], i, s));
+    choose_pen(look, side, which, s, segment, moves);
     segment += s->role == PH_STROKE_CURVE;
-    if (s->role != PH_STROKE_TANGENT) {
-      draw_line(look, side, s);
-    } else if (which == 0 || !repeated(panel->drawings[which - 1], i, s)) {
+    if (tangent) {
       draw_arrow(look, side, s);
+    } else {
+      draw_line(look, side, s);
     }
   }
 }
@@ -206,33 +220,29 @@ static double dot_radius(const struct ph_look *look,
     sum += i > 0 && isfinite(step) ? step : 0;
     last = spot;
   }
-  sum /= fmax(1, (double)d->data_n - 1);
-  return fmin(fmax(0.2 * sum, DOT_MIN * look->em), DOT_MAX * look->em);
+  sum = sum > 0 ? sum / ((double)d->data_n - 1) : 2 * look->em;
+  return fmin(fmax(0.13 * sum, DOT_MIN * look->em), DOT_MAX * look->em);
 }
 
-static bool same_data(const struct ph_drawing *a, const struct ph_drawing *b) {
-  bool same = a->data_n == b->data_n;
-  for (size_t i = 0; same && i < a->data_n; i++) {
-    same = same_place(a->data[i], b->data[i]);
-  }
-  return same;
-}
-
+/* Points of all curves of a sweep are black, and others of its colour. */
 static void draw_points(const struct ph_look *look, enum ph_side side,
                         size_t which) {
-  const struct ph_drawing *d = look->panel->drawings[which];
-  double r = dot_radius(look, d);
-  bool hidden = side == PH_SIDE_HIDDEN;
-  if (which > 0 && same_data(d, look->panel->drawings[which - 1])) {
-    return;
-  }
-  ph_page_pen(look->page, ph_ink(hidden ? PH_INK_OUTLINE : PH_INK_POINT),
-              0.05 * look->em, 0);
+  const struct ph_panel *panel = look->panel;
+  const struct ph_drawing *d = panel->drawings[which];
+  double r = dot_radius(look, d) * (side == PH_SIDE_HIDDEN ? 0.8 : 1);
+  enum ph_ink ink = side == PH_SIDE_HIDDEN ? PH_INK_OUTLINE : PH_INK_POINT;
   for (size_t i = 0; i < d->data_n; i++) {
     struct ph_seen seen = ph_look_see(look, d->data[i]);
     struct ph_spot spot = spot_of(look, seen);
-    if (shown(seen, side) && ph_rect_has(&look->window.rect, spot, 0)) {
-      ph_page_circle(look->page, spot, hidden ? 0.8 * r : r);
+    bool stays = panel->n == 1 ||
+                 has_point(look, panel->drawings[panel->n - 1], i, d->data[i]);
+    if (shown(seen, side) && ph_rect_has(&look->window.rect, spot, 0) &&
+        (which == 0 || !has_point(look, panel->drawings[0], i, d->data[i]))) {
+      ph_page_pen(look->page,
+                  stays && which == 0 ? ph_ink(ink)
+                                      : ph_colour_ramp(which, panel->n),
+                  1, 0);
+      ph_page_circle(look->page, spot, stays && which == 0 ? r : 0.7 * r);
       ph_page_fill(look->page);
     }
   }

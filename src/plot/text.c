@@ -41,6 +41,63 @@ void ph_plot_text(const char *text, char clean[PH_PLOT_TEXT_MAX]) {
   clean[n] = '\0';
 }
 
+/* ---- numbers ------------------------------------------------------------- */
+
+enum { DIGITS_KEPT = 6 };
+
+static bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/* Adds one to the last digit of a number.  False: all were 9, and now are 0. */
+static bool add_one(char *first, char *last) {
+  for (char *p = last; p >= first; p--) {
+    if (*p != '.' && ++*p <= '9') {
+      return true;
+    }
+    *p = *p == '.' ? '.' : '0';
+  }
+  return false;
+}
+
+/* Takes away what follows the last digit that is kept, up to `rest`. */
+static void cut_digits(char *first, char *last, char *point, const char *rest) {
+  bool up = last[1] == '.' ? last[2] >= '5' : last[1] >= '5';
+  bool carried = up && !add_one(first, last);
+  while (last > point && *last == '0') {
+    last--;
+  }
+  last -= last == point;
+  memmove(last + 1, rest, strlen(rest) + 1);
+  if (carried) {
+    memmove(first + 1, first, strlen(first) + 1);
+    *first = '1';
+  }
+}
+
+void ph_plot_text_round(char text[PH_PLOT_TEXT_MAX]) {
+  char *first = text + (text[0] == '-'), *p = first, *point = NULL, *end;
+  char *last = NULL; /* the last digit that is kept */
+  size_t digits = 0;
+  for (; is_digit(*p) || (*p == '.' && !point); p++) {
+    point = *p == '.' ? p : point;
+    digits += is_digit(*p) && (digits > 0 || *p > '0');
+    last = digits <= DIGITS_KEPT && is_digit(*p) ? p : last;
+  }
+  end = p;
+  if (*end == 'e' || *end == 'E') {
+    end += 1 + (end[1] == '-' || end[1] == '+');
+    end += strspn(end, "0123456789");
+  }
+  if (*end || !point || point == first || !is_digit(p[-1]) ||
+      digits <= DIGITS_KEPT) {
+    return;
+  }
+  cut_digits(first, last < point ? point - 1 : last, point, p);
+}
+
+/* ---- widths -------------------------------------------------------------- */
+
 void ph_plot_text_fit(struct ph_page *page, double size, double width,
                       char clean[PH_PLOT_TEXT_MAX]) {
   size_t n = strlen(clean);

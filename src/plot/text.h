@@ -17,6 +17,10 @@ enum { PH_PLOT_TEXT_MAX = 256 };
  */
 void ph_plot_text(const char *text, char clean[PH_PLOT_TEXT_MAX]);
 
+/* ph_plot_text_round: if the text is a number, and has more than 6 digits,
+ * rounds what it has after the point to 6 significant digits. */
+void ph_plot_text_round(char text[PH_PLOT_TEXT_MAX]);
+
 /* ph_plot_text_fit: shortens a clean text, at its end and with "...", until it
  * is no wider than `width` in letters of a size. */
 void ph_plot_text_fit(struct ph_page *page, double size, double width,

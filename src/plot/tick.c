@@ -11,8 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Plain labels have so many digits before and after the point at most. */
-enum { WHOLE_MAX = 5, DECIMALS_MAX = 4 };
+/* Plain labels have so many digits before and after the point at most; more of
+ * those after it where the first is not 0. */
+enum { WHOLE_MAX = 5, DECIMALS_MAX = 4, DECIMALS_FULL = 6 };
 
 /* More digits than this, and a base is taken off. */
 enum { DIGITS_MAX = 6 };
@@ -94,22 +95,26 @@ static int64_t floor_to(int64_t k, int64_t unit) {
   return k - (rest < 0 ? rest + unit : rest);
 }
 
-/* The round number in common of first .. last, where it saves digits. */
+/* A round number among first .. last, or below them, where it saves digits. */
 static int64_t base_of(int64_t first, int64_t last) {
-  int64_t most = llabs(first) > llabs(last) ? first : last, unit = 1;
+  int64_t most = llabs(first) > llabs(last) ? first : last, unit = 1, base;
   if (digits_of(most) <= DIGITS_MAX) {
     return 0;
   }
   while (unit < last - first) {
     unit *= 10;
   }
-  return digits_of(unit) + 1 < digits_of(most) ? floor_to(first, unit) : 0;
+  if (digits_of(unit) + 1 >= digits_of(most)) {
+    return 0;
+  }
+  base = floor_to(last, unit);
+  return base >= first ? base : floor_to(first, unit);
 }
 
 static void labels(struct ph_ticks *ticks, int64_t first, int64_t step, int e) {
   int64_t last = first + (int64_t)(ticks->n - 1) * step;
   int64_t base = base_of(first, last), most;
-  int digits;
+  int digits, decimals;
   if (base != 0) {
     base_text(ticks, base, e);
   }
@@ -117,7 +122,8 @@ static void labels(struct ph_ticks *ticks, int64_t first, int64_t step, int e) {
   last -= base;
   most = llabs(first) > llabs(last) ? first : last;
   digits = digits_of(most);
-  if (most != 0 && (digits + e > WHOLE_MAX || e < -DECIMALS_MAX)) {
+  decimals = digits + e >= 0 ? DECIMALS_FULL : DECIMALS_MAX;
+  if (most != 0 && (digits + e > WHOLE_MAX || e < -decimals)) {
     ticks->power = e + digits - 1;
   }
   for (size_t i = 0; i < ticks->n; i++) {

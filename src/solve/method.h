@@ -18,7 +18,7 @@
 
 struct ph_method {
   struct ph_schema schema; /* name of the command, fields of its problems */
-  const char *title;       /* one line for the help */
+  char title[72];          /* one line for the help */
   size_t dimension;        /* of its curves */
   bool on_sphere;          /* they are, and in 3 dimensions */
   /*

@@ -8,6 +8,14 @@
 
 #include "verify/place.h"
 
+#include <string.h>
+
+/* ph_verify_is_command: of which command the result is. */
+static inline bool ph_verify_is_command(const struct ph_verify *v,
+                                        const char *name) {
+  return v->command && strcmp(v->command, name) == 0;
+}
+
 /* ph_verify_shape: whether arrays, numbers and knots are such that there is a
  * curve to look at. */
 bool ph_verify_shape(struct ph_verify *v);
@@ -23,8 +31,8 @@ void ph_verify_joint(struct ph_verify *v, const struct ph_verify_segment *a,
 /* ph_verify_lengths: of all segments, intervals and the whole. */
 void ph_verify_lengths(struct ph_verify *v);
 
-/* ph_verify_sphere: what is peculiar to spherical nu-splines. */
-void ph_verify_sphere(struct ph_verify *v);
+/* ph_verify_tensions: what joins segments on a sphere. */
+void ph_verify_tensions(struct ph_verify *v);
 
 /* ph_verify_fairness: energies and turns that the diagnostics claim. */
 void ph_verify_fairness(struct ph_verify *v);
@@ -41,6 +49,21 @@ double ph_verify_conversion(const struct ph_verify *v);
  */
 void ph_verify_samples(struct ph_verify *v, const struct ph_samples *samples,
                        const struct ph_verify_path *beside, double *length);
+
+/* ph_verify_sphere: points of a curve on a sphere; with the problem, how it
+ * ends. */
+void ph_verify_sphere(struct ph_verify *v);
+
+/* ph_verify_blaschke: images on the Blaschke cylinder. */
+void ph_verify_blaschke(struct ph_verify *v);
+
+/* ph_verify_solves: the problem, if there is one.
+ * ret  PH_OK | PH_NO_MEMORY */
+enum ph_status ph_verify_solves(struct ph_verify *v);
+
+/* ph_verify_distance: of cubics from the curve of the problem.
+ * ret  PH_OK | PH_NO_MEMORY */
+enum ph_status ph_verify_distance(struct ph_verify *v);
 
 /* ph_verify_offset: an offset curve. */
 void ph_verify_offset(struct ph_verify *v, const struct ph_offset *offset);

@@ -12,13 +12,7 @@
  */
 #include "verify/check.h"
 
-#include <string.h>
-
 enum { ROUND_POINT = 4 };
-
-static bool is_command(const struct ph_verify *v, const char *name) {
-  return v->command && strcmp(v->command, name) == 0;
-}
 
 /* An end of a segment, with r' and r'' by u. */
 struct end {
@@ -80,8 +74,8 @@ void ph_verify_joint(struct ph_verify *v, const struct ph_verify_segment *a,
   enum ph_curve_kind kind = v->curve->kind;
   struct end before = end_of(v, a, 1), after = end_of(v, b, 0);
   bool smooth = kind == PH_CURVE_PH || kind == PH_CURVE_ATPH;
-  bool second =
-      smooth && (is_command(v, "planar") || is_command(v, "arclength"));
+  bool second = smooth && (ph_verify_is_command(v, "planar") ||
+                           ph_verify_is_command(v, "arclength"));
   ph_verify_miss(v, PH_V_CONTINUITY, ph_verify_in(b->k, "control_points"),
                  ph_verify_apart(before.at, after.at), v->size,
                  ROUND_POINT * v->rounding, "are away from the end before");

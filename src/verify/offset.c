@@ -71,13 +71,17 @@ static void trigonometric(double angle, double u, double *b) {
   b[4] = q * q * q * q;
 }
 
-/* sum b_j w_j p_j over sum b_j w_j; w NULL: 1; q the denominator's own. */
+/* sum b_j w_j p_j over sum b_j w_j; w NULL: 1.  The weights may be far from 1,
+ * in products with the points out of range: they are taken over the largest. */
 static ph_vec3 combine(const double *b, size_t n, size_t dimension,
                        const double *p, const double *w) {
   ph_vec3 sum = {0, 0, 0};
-  double bottom = 0;
+  double bottom = 0, largest = 0;
+  for (size_t j = 0; w && j < n; j++) {
+    largest = ph_verify_larger(largest, fabs(w[j]));
+  }
   for (size_t j = 0; j < n; j++) {
-    double weight = w ? b[j] * w[j] : b[j];
+    double weight = w ? b[j] * (w[j] / largest) : b[j];
     sum = ph_vec3_along(sum, weight, ph_vec3_get(p + dimension * j, dimension));
     bottom += weight;
   }

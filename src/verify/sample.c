@@ -3,13 +3,14 @@
  * Samples of a curve or of an offset: that they are where they say, and what
  * they say of the curve there.
  *
- * Which frame was asked for, the record does not say: normal and binormal are
- * unit vectors that make a right-handed frame with the tangent.
+ * Normal and binormal are unit vectors that make a right-handed frame with the
+ * tangent, the one that the record says it is.
  */
 #include "verify/check.h"
 
 #include "base/sum.h"
 #include "kernel/degree.h"
+#include "verify/frame.h"
 #include "verify/place.h"
 
 /* What is said of unit vectors and angles is rounded a few times. */
@@ -24,6 +25,7 @@ struct walk {
   const struct ph_samples *of;
   struct ph_verify_path path;
   struct ph_verify_segment segment;
+  struct ph_verify_framing framing;
   size_t k;    /* the segment, of which */
   double u, s; /* a place and the arc length from its start are known */
   struct ph_sum before; /* of the segments before */
@@ -45,6 +47,7 @@ static void next_segment(struct walk *w) {
                       : w->v->length[w->k];
     ph_sum_add(&w->before, rest);
     w->error += w->v->noise[w->k] + w->each;
+    ph_verify_frame_leave(&w->framing, &w->path);
     w->k++;
   } else {
     w->k = 0;
@@ -71,10 +74,21 @@ static void check_unit(struct walk *w, const double *x, double to,
                  ROUND_UNIT, "is no unit vector");
 }
 
+/* Whether there must be a curvature: not at a cusp or beside a point at rest.
+ */
+static bool bends(const struct ph_verify *v,
+                  const struct ph_verify_place *place) {
+  return place->tangent_error < FLAT &&
+         place->curvature_error <
+             FLAT * ph_verify_larger(fabs(place->curvature), 1 / v->size);
+}
+
+/* At a cusp, the direction is that of either side. */
 static void check_tangent(struct walk *w, size_t i,
                           const struct ph_verify_place *place) {
   size_t d = w->of->dimension;
   const double *claimed = w->of->tangent + d * i;
+  ph_vec3 tangent;
   if (isnan(claimed[0]) || !(place->tangent_error < PH_VERIFY_NO_DIRECTION)) {
     /* left out, which a point alone may do */
     if (place->tangent_error < FLAT) {
@@ -83,8 +97,12 @@ static void check_tangent(struct walk *w, size_t i,
     return;
   }
   check_unit(w, claimed, 1, d, in(i, "tangent"));
+  tangent = ph_vec3_get(claimed, d);
+  if (!bends(w->v, place) && ph_vec3_dot(tangent, place->tangent) < 0) {
+    tangent = ph_vec3_scale(-1, tangent);
+  }
   ph_verify_miss(w->v, PH_V_SAMPLE, in(i, "tangent"),
-                 ph_verify_apart(ph_vec3_get(claimed, d), place->tangent), 1,
+                 ph_verify_apart(tangent, place->tangent), 1,
                  ROUND_UNIT + 2 * place->tangent_error,
                  "is not the direction of the curve");
 }
@@ -106,7 +124,26 @@ static void check_bend(struct walk *w, struct ph_verify_where where,
   }
 }
 
-static void check_frame(struct walk *w, size_t i) {
+/* That the normal is that of the frame; goes on from there. */
+static void check_kind(struct walk *w, size_t i, double u,
+                       const struct ph_verify_place *place) {
+  struct ph_verify_framing *f = &w->framing;
+  ph_vec3 normal = ph_vec3_get(w->of->normal + 3 * i, 3);
+  double error;
+  ph_vec3 found = ph_verify_frame_at(f, &w->path, place, u, &error);
+  if (isfinite(error)) {
+    ph_verify_miss(w->v, PH_V_SAMPLE, in(i, "normal"),
+                   ph_verify_apart(normal, found), 1, ROUND_UNIT + 2 * error,
+                   "is not that of the frame");
+  }
+  f->begun = f->frame == PH_FRAME_RMF;
+  f->u = u;
+  f->normal = normal;
+  f->error = 0;
+}
+
+static void check_frame(struct walk *w, size_t i, double u,
+                        const struct ph_verify_place *place) {
   const double *n = w->of->normal + 3 * i, *b = w->of->binormal + 3 * i;
   ph_vec3 tangent = ph_vec3_get(w->of->tangent + 3 * i, 3);
   ph_vec3 right = ph_vec3_cross(tangent, ph_vec3_get(n, 3));
@@ -120,6 +157,7 @@ static void check_frame(struct walk *w, size_t i) {
   ph_verify_miss(w->v, PH_V_SAMPLE, in(i, "binormal"),
                  ph_verify_apart(ph_vec3_get(b, 3), right), 1, ROUND_UNIT,
                  "makes no right-handed frame");
+  check_kind(w, i, u, place);
 }
 
 /* Longitude and latitude against the claimed point. */
@@ -159,13 +197,13 @@ static void check_sample(struct walk *w, size_t i) {
                    ph_verify_unscaled(v, w->error + v->noise[w->k] + w->each));
   check_tangent(w, i, &place);
   check_bend(w, in(i, "curvature"), of->curvature[i], place.curvature,
-             place.curvature_error, place.tangent_error < FLAT);
+             place.curvature_error, bends(v, &place));
   if (of->torsion) {
     check_bend(w, in(i, "torsion"), of->torsion[i], place.torsion,
                place.torsion_error, place.flat < FLAT);
   }
   if (of->normal && of->binormal) {
-    check_frame(w, i);
+    check_frame(w, i, u, &place);
   }
   if (of->lonlat && w->segment.radius > 0) {
     check_degrees(w, i, point);
@@ -173,6 +211,19 @@ static void check_sample(struct walk *w, size_t i) {
 }
 
 /* ---- all of them -------------------------------------------------------- */
+
+/* Samples are in the order of the parameter, and so of the length, which may
+ * have been rounded. */
+static void check_order(struct walk *w, size_t i) {
+  const struct ph_samples *of = w->of;
+  if (i > 0 && of->segment[i] == of->segment[i - 1] &&
+      !(of->t[i] >= of->t[i - 1])) {
+    ph_verify_wrong(w->v, PH_V_SAMPLE, in(i, "t"), "is before the last one");
+  }
+  if (i > 0 && !(of->s[i] >= of->s[i - 1] * (1 - ROUND_UNIT))) {
+    ph_verify_wrong(w->v, PH_V_SAMPLE, in(i, "s"), "is before the last one");
+  }
+}
 
 /* Whether there is what every sample must have. */
 static bool is_whole(struct ph_verify *v, const struct ph_samples *of) {
@@ -189,6 +240,7 @@ void ph_verify_samples(struct ph_verify *v, const struct ph_samples *of,
   struct walk w = {.v = v, .of = of, .k = v->curve->n};
   w.path = beside ? *beside : (struct ph_verify_path){.distance = 0};
   w.path.v = v;
+  w.framing.frame = of->frame;
   w.path.s = &w.segment;
   w.each = ph_verify_conversion(v);
   ph_verify_done(v, PH_V_SAMPLE);
@@ -203,6 +255,7 @@ void ph_verify_samples(struct ph_verify *v, const struct ph_samples *of,
                       k < w.k ? "is one before" : "is not there");
       return;
     }
+    check_order(&w, i);
     while (w.k < k) {
       next_segment(&w);
     }

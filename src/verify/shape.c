@@ -58,6 +58,43 @@ static bool is_kind(struct ph_verify *v) {
                        "or dimension is not that of the kind of curve");
 }
 
+/* Whether curves of the kind are what the command makes. */
+static bool is_of_command(struct ph_verify *v) {
+  const struct ph_curve *c = v->curve;
+  bool smooth = c->kind == PH_CURVE_PH || c->kind == PH_CURVE_ATPH ||
+                c->kind == PH_CURVE_BEZIER;
+  bool fits = true;
+  if (ph_verify_is_command(v, "planar")) {
+    fits = smooth && c->dimension == 2;
+  } else if (ph_verify_is_command(v, "spatial-hermite")) {
+    fits = smooth && c->dimension == 3;
+  } else if (ph_verify_is_command(v, "arclength")) {
+    fits = c->kind == PH_CURVE_PH && c->dimension == 3;
+  } else if (ph_verify_is_command(v, "sphere")) {
+    fits = c->kind == PH_CURVE_SPHERICAL_NU;
+  } else if (ph_verify_is_command(v, "tc")) {
+    fits = c->kind == PH_CURVE_TC;
+  }
+  return fits || wrong(v, ph_verify_of(NULL, PH_VERIFY_ONE, "curve"),
+                       "is of no kind that the command makes");
+}
+
+/* Whether intervals of the data are made of all segments, in their order. */
+static bool is_divided(struct ph_verify *v) {
+  size_t next = 0;
+  for (size_t i = 0; i < v->intervals_n; i++) {
+    const struct ph_interval *in = &v->intervals[i];
+    if (in->first != next || in->last < in->first || in->last >= v->curve->n) {
+      return wrong(v, ph_verify_of("intervals", i, "segments"),
+                   "are not the next ones");
+    }
+    next = in->last + 1;
+  }
+  return v->intervals_n == 0 || next == v->curve->n ||
+         wrong(v, ph_verify_of("intervals", v->intervals_n - 1, "segments"),
+               "are not the last ones");
+}
+
 static bool is_parametrised(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
   if (c->knots) {
@@ -122,7 +159,7 @@ bool ph_verify_shape(struct ph_verify *v) {
   if (c->n == 0 || !c->control_points) {
     return wrong(v, SEGMENTS, "are missing");
   }
-  return is_kind(v) &&
+  return is_kind(v) && is_of_command(v) && is_divided(v) &&
          are_finite(v, c->control_points, (c->degree + 1) * c->dimension,
                     "control_points") &&
          is_parametrised(v) && is_preimage(v) && is_sphere(v);

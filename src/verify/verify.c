@@ -5,6 +5,9 @@
 
 #include "verify/check.h"
 
+/* Numbers that were written with fewer digits may be the same to this. */
+static const double SAME = 1e-12;
+
 static const double SMALLEST = 4.9406564584124654e-324;
 
 /* No more rounding is allowed for: control points would be claims of no digit.
@@ -117,18 +120,37 @@ static enum ph_status check_curve(struct ph_verify *v) {
   check_segments(v);
   ph_verify_lengths(v);
   ph_verify_fairness(v);
-  if (v->curve->kind == PH_CURVE_SPHERICAL_NU) {
-    ph_verify_sphere(v);
-  }
+  ph_verify_sphere(v);
+  ph_verify_tensions(v);
+  ph_verify_blaschke(v);
   if (v->curve == &v->claim->curve) {
     check_derived(v);
   }
-  return PH_OK;
+  return ph_verify_solves(v);
+}
+
+/* Whether two curves have the same control points, but for rounding of them to
+ * text. */
+static bool is_same(const struct ph_curve *a, const struct ph_curve *b) {
+  size_t n = a->n * (a->degree + 1) * a->dimension;
+  bool same = a->kind == b->kind && a->n == b->n && a->degree == b->degree &&
+              a->dimension == b->dimension && a->control_points &&
+              b->control_points;
+  for (size_t i = 0; same && i < n; i++) {
+    double x = a->control_points[i], y = b->control_points[i];
+    same = fabs(x - y) <= SAME * fabs(x);
+  }
+  return same;
 }
 
 static enum ph_status check_solutions(struct ph_verify *v) {
   const struct ph_result *claim = v->claim;
   enum ph_status status = PH_OK;
+  if (claim->solutions_n > 0 &&
+      !is_same(&claim->solutions[0].curve, &claim->curve)) {
+    ph_verify_wrong(v, PH_V_SHAPE, ph_verify_of("solutions", 0, NULL),
+                    "is not the curve of the record");
+  }
   for (size_t i = 0; i < claim->solutions_n && status == PH_OK; i++) {
     const struct ph_solution *solution = &claim->solutions[i];
     struct ph_mark mark = ph_arena_mark(v->scratch);

@@ -150,6 +150,26 @@ example() {
   fi
 }
 
+# what a figure needs, which the program may have been built without
+figures=yes
+printf '0,0\n1,1\n' >two.csv
+"$PHSPLINE" planar two.csv --plot=two.svg >two.out 2>two.err || figures=no
+if [ "$figures" = no ] && ! grep -q 'built without cairo' two.err; then
+  fail "--plot: $(cat two.err)"
+fi
+
+# missing FILE: prints what the example needs and is not there; fails if there is
+# nothing
+missing() {
+  for tool in jq gnuplot; do
+    if grep -qw "$tool" "$1" && ! command -v "$tool" >/dev/null; then
+      echo "$tool"
+      return
+    fi
+  done
+  grep -Eq -e '(--plot=| -p )' "$1" && [ "$figures" = no ] && echo cairo
+}
+
 # run NAME PATH: the examples of the text on standard input, in a directory like
 # the source's after make; PATH: with the program on it
 run() {
@@ -176,8 +196,8 @@ EOF
     fi
     if ! grep -q 'phspline [a-z-]' "$n.cmd"; then
       not_ours "$1 $n" "$n.cmd"
-    elif grep -qw jq "$n.cmd" && ! command -v jq >/dev/null; then
-      echo "skip examples $1 $n: no jq"
+    elif missing=$(missing "$n.cmd"); then
+      echo "skip examples $1 $n: no $missing"
       ran=$((ran + 1))
     else
       example "$1" "$n"

@@ -18,9 +18,10 @@ solve() {
 
 solve "$hermite" --offset=0.25,-0.5
 expect 'offsets' 0
-equal 'offsets: their shape' '[{distance:number,vector:string,degree:number,'\
-'segments:[{segment:number,interval:[number],control_points:[[number]],'\
-'weights:[number]}]}]' "$(shape_of offsets)"
+piece='{distance:number,vector:string,degree:number,segments:[{segment:number,'\
+'interval:[number],control_points:[[number]],weights:[number]}],cusps:['
+equal 'offsets: their shape' "[$piece]}|$piece{segment:number,t:number}]}]" \
+  "$(shape_of offsets)"
 equal 'offsets: four for each distance' \
   '0.25 "e2" -0.25 "e2" 0.25 "e3" -0.25 "e3" -0.5 "e2" 0.5 "e2" -0.5 "e3" 0.5 "e3" absent' \
   "$(for i in 0 1 2 3 4 5 6 7; do
@@ -119,7 +120,7 @@ expect 'offsets of atph' 0
 equal 'offsets of atph: their shape' '[{distance:number,vector:string,'\
 'degree:number,segments:[{segment:number,interval:[number],'\
 'numerator:[[number]],denominator:[number]}],beziers:[{segment:number,'\
-'interval:[number],control_points:[[number]]}],error:number}]' \
+'interval:[number],control_points:[[number]]}],error:number,cusps:[]}]' \
   "$(shape_of offsets)"
 equal 'offsets of atph: four' '-0.25 "e3" absent' \
   "$(get 'offsets[3].distance') $(get 'offsets[3].vector') $(get 'offsets[4]')"

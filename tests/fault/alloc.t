@@ -280,3 +280,29 @@ file=d/file
 exhaust 'a file' lines planar -j 1 -o d/file some.jsonl
 exhaust 'a file, two threads' lines planar -j 2 -o d/file some.jsonl
 exhaust 'a table in a file' lines planar -j 1 -f csv -o d/file some.csv
+if "$PHSPLINE" planar -p x.svg </dev/null 2>err; then
+  ln -s d/file figure.svg
+  ln -s d/file figure.png
+  exhaust 'a figure' lines planar -j 1 -q -p figure.svg -d 0.1 some.jsonl
+  exhaust 'a figure of a sweep, two threads' lines planar -j 2 -p figure.svg \
+    -S 'knots=[0,1,2],uniform' some.jsonl
+  exhaust 'a figure of vectors in space' lines spatial-hermite -j 1 \
+    -p figure.png shapes.jsonl
+  exhaust 'a figure on a sphere' lines sphere -j 1 -q -p figure.svg sphere.csv
+else
+  echo 'skip figures: built without cairo'
+fi
+
+# verification: results with and without their problems, and texts that are none
+file=
+export PH_FAIL_AT=-1
+"$PHSPLINE" planar -q -d 0.1 -n 1 some.jsonl >results.jsonl 2>/dev/null
+"$PHSPLINE" planar -q -S knots=uniform,chordal some.csv >swept.jsonl 2>/dev/null
+"$PHSPLINE" tc --blaschke=true space.csv >bad.jsonl 2>/dev/null
+printf '%s\n' '{"points":[]}' '{"segments":1}' >>bad.jsonl
+exhaust 'verification' lines verify -j 1 results.jsonl bad.jsonl
+exhaust 'verification, two threads' lines verify -j 2 results.jsonl
+exhaust 'verification, with problems' lines verify -j 1 --problems=some.jsonl \
+  results.jsonl
+exhaust 'verification of a sweep' lines verify -j 1 --problems=some.csv \
+  --set=closed=false swept.jsonl

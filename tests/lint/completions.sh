@@ -53,9 +53,11 @@ offers() {
 }
 if command -v bash >/dev/null; then
   offers 'planar' phspline p
-  offers 'planar spatial-hermite arclength sphere tc' phspline help ''
-  offers '--free= --format= --fail-fast' phspline planar --f
-  offers 'json csv' phspline planar --format =
+  offers 'verify' phspline v
+  offers 'planar spatial-hermite arclength sphere tc verify' phspline help ''
+  offers '--free= --format= --frame= --fail-fast' phspline planar --f
+  offers '--problems= --pretty --progress' phspline verify --pr
+  offers 'json csv text svg-path' phspline planar --format =
   offers 'csv' phspline planar -f c
   offers 'uniform' phspline planar --knots = u
   offers 'E MV IES IMV' phspline planar --minimize =
@@ -65,6 +67,9 @@ if command -v bash >/dev/null; then
   offers 'knots=' phspline planar --sweep k
   offers 'g1 g1-pair g1-auto g1-fair' phspline tc --mode = g
   offers 'curve=' phspline tc --override cu
+  offers 'frenet erf rmf' phspline arclength --frame =
+  offers 'data/README' phspline verify --problems = data/R
+  offers '' phspline verify --set ''
   offers '' phspline planar --jobs ''
 fi
 exit "$bad"

@@ -100,26 +100,39 @@ sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z-]*\)  .*/\1/p' "$tmp/help" \
 items man/phspline.1 DESCRIPTION Cm >"$tmp/page"
 same commands "$tmp/list" "$tmp/page"
 
-table cli/option.h PH_OPTIONS 'symbol, letter, name, argument, help' \
-  'letter name argument' |
-  sed "s/^'\(.\)' /-\1, --/; s/^0 /--/; s/ NULL\$//; s/ /=/2; s/^\(--[^ ]*\) /\1=/" \
-    >"$tmp/list"
-items man/phspline.1 OPTIONS Fl |
-  awk '/^-/ { print "-" $0; next } { letter = $0; getline; print "-" letter ", " \
-    "-" substr($0, 4) }' | sed 's/ Ns = Ns Ar /=/' >"$tmp/page"
-same options "$tmp/list" "$tmp/page"
-cp "$tmp/list" "$tmp/options"
+# options USE: those of the commands that solve, or that verify
+options() {
+  table cli/option.h PH_OPTIONS 'symbol, use, letter, name, argument, help' \
+    'use letter name argument' | grep -E "^($1|ALL) " | sed "s/^[A-Z]* //
+    s/^'\(.\)' /-\1, --/; s/^0 /--/; s/ NULL\$//; s/ /=/2
+    s/^\(--[^ ]*\) /\1=/"
+}
 
-# help_options NAME FILE [FIELDS]: an option that is a field is listed as such
+# option_items PAGE: in the same form
+option_items() {
+  items "$1" OPTIONS Fl |
+    awk '/^-/ { print "-" $0; next } { letter = $0; getline
+      print "-" letter ", " "-" substr($0, 4) }' | sed 's/ Ns = Ns Ar /=/'
+}
+
+options SOLVE >"$tmp/options"
+option_items man/phspline.1 >"$tmp/page"
+same options "$tmp/options" "$tmp/page"
+options VERIFY >"$tmp/options.verify"
+option_items man/phspline-verify.1 >"$tmp/page"
+same 'options of verify' "$tmp/options.verify" "$tmp/page"
+
+# help_options NAME FILE LIST [FIELDS]: an option that is a field is listed as
+# such
 help_options() {
   sed -n 's/^ \{2,6\}\(\(-., \)*--[^ ]*\).*/\1/p' "$2" >"$tmp/page"
-  sed 's/.*/--&=/' "${3:-/dev/null}" >"$tmp/not"
+  sed 's/.*/--&=/' "${4:-/dev/null}" >"$tmp/not"
   awk 'FILENAME == ARGV[1] { field[$0] = 1; next }
     { name = $0; sub(/=.*/, "=", name) }
-    !(name in field)' "$tmp/not" "$tmp/options" >"$tmp/list"
+    !(name in field)' "$tmp/not" "$3" >"$tmp/list"
   same "options in $1" "$tmp/list" "$tmp/page"
 }
-help_options --help "$tmp/help"
+help_options --help "$tmp/help" "$tmp/options"
 
 # ---- fields ----
 
@@ -130,13 +143,18 @@ while read -r command; do
     fail "$command: no page or no help"
     continue
   fi
+  if [ "$command" = verify ]; then # its records are results
+    help_options 'help verify' "$tmp/help.verify" "$tmp/options.verify"
+    continue
+  fi
   sed -n '/^Fields/,/^$/s/^  \([a-z][a-z_]*\) .*/\1/p' "$tmp/help.$command" \
     >"$tmp/list"
   items "$page" 'PROBLEM FIELDS' Cm >"$tmp/page"
   same "fields of $command" "$tmp/list" "$tmp/page"
   cat "$tmp/list" >>"$tmp/fields"
   cp "$tmp/list" "$tmp/fields.$command"
-  help_options "help $command" "$tmp/help.$command" "$tmp/fields.$command"
+  help_options "help $command" "$tmp/help.$command" "$tmp/options" \
+    "$tmp/fields.$command"
 done <"$tmp/commands"
 sort -u "$tmp/fields" -o "$tmp/fields"
 table curve/problem.h PH_FIELDS 'symbol, name' 'name' >"$tmp/list"
@@ -149,7 +167,8 @@ items man/phspline.5 PROBLEMS Cm >"$tmp/page"
 same "problems" "$tmp/list" "$tmp/page"
 
 # no page speaks of an option that is none; examples may use other programs
-sed 's/.*--//; s/=.*//' "$tmp/options" | sort -u - "$tmp/fields" >"$tmp/list"
+cat "$tmp/options" "$tmp/options.verify" | sed 's/.*--//; s/=.*//' |
+  sort -u - "$tmp/fields" >"$tmp/list"
 for page in man/*.[1-9]; do
   awk '/^\.Sh / { skip = /EXAMPLE/ } !skip && !/^\.\\"/' "$page" |
     sed 's/\\-/-/g' | grep -oE '(Fl -|--)[a-z][a-z_-]*' |
@@ -170,8 +189,11 @@ same "codes" "$tmp/list" "$tmp/page"
 table curve/result.h PH_DIAGNOSTICS 'symbol, name' 'name' >"$tmp/list"
 items man/phspline.5 CERTIFICATE Cm >"$tmp/page"
 same "diagnostics" "$tmp/list" "$tmp/page"
+table verify/verify.h PH_VERIFY_CHECKS 'symbol, name' 'name' >"$tmp/checks"
+items man/phspline-verify.1 CHECKS Cm >"$tmp/page"
+same "checks of verify" "$tmp/checks" "$tmp/page"
 cat man/*.[1-9] | grep -oE '[a-z_]+_error' | sort -u >"$tmp/page"
-grep '_error$' "$tmp/list" >"$tmp/errors"
+cat "$tmp/list" "$tmp/checks" | grep '_error$' | sort -u >"$tmp/errors"
 same "errors of the certificate" "$tmp/errors" "$tmp/page"
 
 table curve/result.h PH_CURVES 'symbol, name' 'name' >"$tmp/list"
@@ -184,8 +206,9 @@ same "tables of --table" "$tmp/tables" "$tmp/page"
 items man/phspline.5 'CSV OUTPUT' Cm >"$tmp/page"
 same "tables" "$tmp/tables" "$tmp/page"
 while read -r name; do
-  printf '0,0\n1,0\n' | "$program" planar --offset=1 --sample=1 --format=csv \
-    --table="$name" | sed -n 1p
+  with=--sample=1 # with offsets, samples have further columns
+  test "$name" != offsets || with=--offset=1
+  printf '0,0\n1,0\n' | "$program" planar "$with" --table="$name" | sed -n 1p
 done <"$tmp/tables" >"$tmp/list"
 items man/phspline.5 'CSV OUTPUT' Cm >"$tmp/names"
 sed -n '/^\.Sh CSV OUTPUT/,/^\.El/s/^\.Li \(id,.*\)/\1/p' man/phspline.5 \

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Adaptive quadrature: smooth and kinked integrands, and what it gives up. */
+#include "adapt_unit.h"
 #include "unit.h"
-
-#include "kernel/adapt.h"
 
 static struct ph_quad rule;
 
@@ -33,7 +32,7 @@ static double pole(const void *context, double x) {
 START_TEST(test_peak) {
   for (int e = 0; e <= 30; e++) {
     double width = ldexp(1, -e);
-    ck_rel(ph_adapt(&rule, peak, &width, -0.3, 1, 1e-13, 0),
+    ck_rel(unit_adapt(&rule, peak, &width, -0.3, 1, 1e-13, 0),
            atan(0.3 / width) + atan(1 / width), 4e-13);
   }
 }
@@ -43,26 +42,26 @@ START_TEST(test_kink) {
   const double places[] = {0, 0.5, 1.0 / 3, 0.9, 1};
   for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
     double a = places[i];
-    ck_abs(ph_adapt(&rule, kink, &a, 0, 1, 1e-13, 0),
+    ck_abs(unit_adapt(&rule, kink, &a, 0, 1, 1e-13, 0),
            a * a / 2 + (1 - a) * (1 - a) / 2, 1e-13);
   }
-  ck_rel(ph_adapt(&rule, root, NULL, 0, 4, 1e-13, 0), 16.0 / 3, 1e-13);
-  ck_abs(ph_adapt(&rule, root, NULL, 2, 2, 1e-13, 0), 0, 0);
+  ck_rel(unit_adapt(&rule, root, NULL, 0, 4, 1e-13, 0), 16.0 / 3, 1e-13);
+  ck_abs(unit_adapt(&rule, root, NULL, 2, 2, 1e-13, 0), 0, 0);
 }
 END_TEST
 
 /* Nothing is asked of rounding: a tolerance of 0 ends, too. */
 START_TEST(test_no_tolerance) {
   double width = 0.5;
-  ck_rel(ph_adapt(&rule, peak, &width, 0, 1, 0, 0), atan(2), 1e-15);
+  ck_rel(unit_adapt(&rule, peak, &width, 0, 1, 0, 0), atan(2), 1e-15);
 }
 END_TEST
 
 START_TEST(test_not_finite) {
   double at = (double)NAN;
-  ck_assert(isnan(ph_adapt(&rule, kink, &at, 0, 1, 1e-13, 0)));
+  ck_assert(isnan(unit_adapt(&rule, kink, &at, 0, 1, 1e-13, 0)));
   at = rule.node[3]; /* the rule hits the pole */
-  ck_assert(!isfinite(ph_adapt(&rule, pole, &at, 0, 1, 1e-13, 0)));
+  ck_assert(!isfinite(unit_adapt(&rule, pole, &at, 0, 1, 1e-13, 0)));
 }
 END_TEST
 

@@ -174,6 +174,41 @@ START_TEST(test_tight) {
 }
 END_TEST
 
+/* g / sigma of a planar offset: 0 at cusps. */
+static double speed_along(const struct path *path, double u) {
+  struct ph_bend3 b = ph_seg3_bend(&path->seg, u);
+  return 1 - path->distance * 2 * b.z.im / (b.speed * b.speed);
+}
+
+/* From a cusp on there is more than (1), which is that of the speed's slope:
+ * chords leave the curve by the third power of their length alone. */
+START_TEST(test_cusp) {
+  struct unit_random r = unit_random_of(250);
+  size_t cusps = 0;
+  for (int n = 0; n < 5 * CURVES; n++) {
+    struct path path = path_random(OFFSET_PLANE, &r);
+    double low = 0.25, high = 0.5, h = 1. / 256, distance[2], bound[2];
+    if (!(speed_along(&path, low) > 0 && speed_along(&path, high) < 0)) {
+      continue;
+    }
+    for (size_t i = 0; i < 60; i++) {
+      double middle = 0.5 * (low + high);
+      *(speed_along(&path, middle) > 0 ? &low : &high) = middle;
+    }
+    for (size_t i = 0; i < 2; i++, h /= 16) {
+      distance[i] = distance_of(&path, low, low + h);
+      bound[i] = bend_of(&path, low, low + h) * h * h / 8;
+      ck_assert_double_le(distance[i], bound[i] * (1 + 1e-12) + POINT);
+    }
+    if (bound[0] < 1e-3) { /* not so wild that h is long */
+      ck_assert_double_le(bound[1], bound[0] / 1000);
+      cusps++;
+    }
+  }
+  ck_assert_uint_ge(cusps, 1);
+}
+END_TEST
+
 /* In the limit it is |r''| across the curve, of offsets from the curve's
  * geometry: kappa / |1 - d kappa| times the square of sigma (1 - d kappa). */
 START_TEST(test_limit) {
@@ -281,6 +316,7 @@ static Suite *suite(void) {
   tcase_add_checked_fixture(t, begin, NULL);
   tcase_add_loop_test(t, test_holds, 0, KINDS);
   tcase_add_loop_test(t, test_tight, 0, KINDS);
+  tcase_add_test(t, test_cusp);
   tcase_add_test(t, test_limit);
   tcase_add_test(t, test_circle);
   tcase_add_test(t, test_line);

@@ -36,6 +36,9 @@
 #define LLVMFuzzerTestOneInput corpus_tc
 #include "../fuzz/tc.c"
 #undef LLVMFuzzerTestOneInput
+#define LLVMFuzzerTestOneInput corpus_result
+#include "../fuzz/result.c"
+#undef LLVMFuzzerTestOneInput
 
 /* Inputs are small; each target has at least so many. */
 enum { INPUT_MAX = 1 << 16, INPUTS_MIN = 12 };
@@ -126,6 +129,11 @@ START_TEST(tc) {
 }
 END_TEST
 
+START_TEST(result) {
+  replay_all("result", corpus_result);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("corpus");
   TCase *c = tcase_create("corpus");
@@ -139,6 +147,7 @@ static Suite *suite(void) {
   tcase_add_test(c, arclength);
   tcase_add_test(c, sphere);
   tcase_add_test(c, tc);
+  tcase_add_test(c, result);
   suite_add_tcase(s, c);
   return s;
 }

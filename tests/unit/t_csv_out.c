@@ -257,12 +257,11 @@ START_TEST(test_text) {
   ck_written("# id segment t s x y z tx ty tz curvature torsion nx ny nz bx by "
              "bz distance vector knots\n");
   ph_csv_result(&buf, &shape, &heading, &result);
-  ck_written(
-      "\"no 7\" 0 0 0 1 2 3 1 0 0 -3 0.25 0 1 0 0 0 1 0 - uniform\n"
-      "\"no 7\" 1 0.5 2 4 5 6 0 1 0 NaN NaN NaN NaN NaN NaN NaN NaN 0 - "
-      "uniform\n\n"
-      "\"no 7\" 0 0 0 1 2 3 1 0 0 -3 0.25 NaN NaN NaN NaN NaN NaN -0.5 e2 "
-      "uniform\n\n\n");
+  ck_written("no_7 0 0 0 1 2 3 1 0 0 -3 0.25 0 1 0 0 0 1 0 - uniform\n"
+             "no_7 1 0.5 2 4 5 6 0 1 0 NaN NaN NaN NaN NaN NaN NaN NaN 0 - "
+             "uniform\n\n"
+             "no_7 0 0 0 1 2 3 1 0 0 -3 0.25 NaN NaN NaN NaN NaN NaN -0.5 e2 "
+             "uniform\n\n\n");
 }
 END_TEST
 

@@ -5,10 +5,10 @@
 
 #include "cli/help.h"
 #include "cli/option.h"
+#include "cli/work.h"
 #include "curve/bezier.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const struct ph_field rows[] = {
@@ -20,9 +20,10 @@ static const struct ph_method named = {
     {"named", rows, 2}, "A title", 2, false, NULL};
 static const struct ph_method other = {
     {"other", rows, 1}, "A title", 2, false, NULL};
-static const struct ph_command of_named = {&named,          NULL, NULL, 1,
-                                           ph_bezier_curve, ""};
-static const struct ph_command of_other = {&other, NULL, NULL, 1, NULL, ""};
+static const struct ph_command of_named = {PH_SOLVES_BY(named), NULL, NULL, 1,
+                                           ph_bezier_curve,     ""};
+static const struct ph_command of_other = {
+    PH_SOLVES_BY(other), NULL, NULL, 1, NULL, ""};
 
 static struct ph_options options;
 static struct ph_diag diag;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Offsets on the sphere: distances, curvature, cusps, lengths. */
+#include "parallel_unit.h"
 #include "spherical_curve_unit.h"
 #include "kernel/quad.h"
 #include "unit.h"
@@ -40,10 +41,6 @@ static struct ph_offset offset_of(const struct ph_curve *curve,
   return o;
 }
 
-static ph_vec3 vector(const double *v, size_t i) {
-  return ph_vec3_get(v + 3 * i, 3);
-}
-
 static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
   ck_abs(a.x, b.x, tol);
   ck_abs(a.y, b.y, tol);
@@ -52,31 +49,18 @@ static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
 
 /* ---- definitions, for tests --------------------------------------------- */
 
-/* kappa_g straight from the jet of a segment, and its speed. */
-static double kappa_of(const struct ph_curve *curve, size_t k, double u,
-                       double *speed) {
-  struct ph_spherical segment = ph_spherical_of(curve, k);
-  ph_vec3 jet[4];
-  ph_spherical_jet(&segment, u, jet);
-  *speed = ph_vec3_abs(jet[1]);
-  return ph_vec3_triple(jet[0], jet[1], jet[2]) / (*speed * *speed * *speed);
-}
-
 /* cos d - kappa sin d, whose zeros are the cusps. */
 static double ahead(const struct ph_curve *curve, size_t k, double u,
                     double d) {
   double speed;
-  return cos(d) - sin(d) * kappa_of(curve, k, u, &speed);
+  return cos(d) - sin(d) * unit_kappa(curve, k, u, &speed);
 }
 
 /* The offset point of the unit sphere. */
 static ph_vec3 moved(const struct ph_curve *curve, size_t k, double u,
                      double d) {
   struct ph_spherical segment = ph_spherical_of(curve, k);
-  ph_vec3 jet[4];
-  ph_spherical_jet(&segment, u, jet);
-  return ph_vec3_along(ph_vec3_scale(cos(d), jet[0]), sin(d),
-                       ph_vec3_cross(jet[0], ph_vec3_unit(jet[1])));
+  return unit_parallel(&segment, d, u);
 }
 
 /* ---- circles ------------------------------------------------------------ */
@@ -101,9 +85,9 @@ static void ck_latitude(double lat) {
   for (size_t i = 0; i < o.samples.n; i++) {
     double lon = 75 * (o.samples.t[i] + (double)o.samples.segment[i]);
     ph_vec3 at = ph_degree_to_unit(lon, lat), lonlat;
-    ck_vec3(vector(o.samples.point, i), ph_vec3_along(center, radius, at),
+    ck_vec3(unit_vector(o.samples.point, i), ph_vec3_along(center, radius, at),
             4e-15);
-    ck_vec3(vector(o.samples.tangent, i),
+    ck_vec3(unit_vector(o.samples.tangent, i),
             ph_vec3_scale(back, ph_degree_to_unit(lon + 90, 0)), 2e-15);
     ck_abs(o.samples.curvature[i] * radius, sin(d) / fabs(cos(d)), 1e-13);
     ck_abs(o.samples.s[i], radius * lon * DEGREE * fabs(cos(d)), 1e-13);
@@ -169,7 +153,7 @@ START_TEST(test_closed_length) {
   ck_assert(ph_quad_gauss(&rule, 20));
   for (size_t k = 0; k < c.curve.n; k++) {
     for (size_t i = 0; i < rule.n; i++) {
-      double speed, kappa = kappa_of(&c.curve, k, rule.node[i], &speed);
+      double speed, kappa = unit_kappa(&c.curve, k, rule.node[i], &speed);
       total += rule.weight[i] * kappa * speed;
     }
   }
@@ -206,7 +190,8 @@ static void ck_travel(const struct ph_curve *curve, const struct ph_offset *o,
   d2 = ph_vec3_scale(1 / (12 * h * h), d2);
   pace = ph_vec3_abs(d1);
   if (pace > 0.05) {
-    ck_vec3(vector(o->samples.tangent, i), ph_vec3_scale(1 / pace, d1), 1e-6);
+    ck_vec3(unit_vector(o->samples.tangent, i), ph_vec3_scale(1 / pace, d1),
+            1e-6);
     ck_abs(o->samples.curvature[i] * curve->radius,
            ph_vec3_triple(p[2], d1, d2) / (pace * pace * pace),
            1e-4 * (1 + 1 / pace));
@@ -227,8 +212,8 @@ START_TEST(test_random) {
     for (size_t i = 0; i < o.samples.n; i++) {
       struct ph_spherical segment =
           ph_spherical_of(&c.curve, o.samples.segment[i]);
-      ph_vec3 at = ph_vec3_sub(vector(o.samples.point, i), center), jet[2];
-      ph_vec3 tangent = vector(o.samples.tangent, i);
+      ph_vec3 at = ph_vec3_sub(unit_vector(o.samples.point, i), center), jet[2];
+      ph_vec3 tangent = unit_vector(o.samples.tangent, i);
       ph_spherical_first(&segment, o.samples.t[i], jet);
       at = ph_vec3_scale(1 / radius, at);
       ck_abs(ph_vec3_abs(at), 1, 4e-15);
@@ -335,13 +320,13 @@ static double peak_of(const struct ph_curve *curve, double *peak) {
   double from = 0, to = 1, speed;
   for (int i = 0; i < 100; i++) {
     double a = from + (to - from) / 3, b = to - (to - from) / 3;
-    if (kappa_of(curve, 0, a, &speed) < kappa_of(curve, 0, b, &speed)) {
+    if (unit_kappa(curve, 0, a, &speed) < unit_kappa(curve, 0, b, &speed)) {
       from = a;
     } else {
       to = b;
     }
   }
-  *peak = kappa_of(curve, 0, from, &speed);
+  *peak = unit_kappa(curve, 0, from, &speed);
   return from;
 }
 
@@ -384,8 +369,8 @@ START_TEST(test_joint) {
   struct ph_offset o;
   double speed, before, after, d;
   unit_spherical_of(&c, 2, false, p);
-  before = kappa_of(&c.curve, 0, 1, &speed);
-  after = kappa_of(&c.curve, 1, 0, &speed);
+  before = unit_kappa(&c.curve, 0, 1, &speed);
+  after = unit_kappa(&c.curve, 1, 0, &speed);
   ck_assert(after > before + 0.5);
   d = atan2(1, 0.5 * (before + after));
   o = offset_of(&c.curve, d);
@@ -413,17 +398,18 @@ START_TEST(test_rest) {
   struct ph_offset o;
   double d = 0.3, speed;
   unit_spherical_of(&c, 1, false, p);
-  ck_assert(kappa_of(&c.curve, 0, 1e-3, &speed) > 100);
+  ck_assert(unit_kappa(&c.curve, 0, 1e-3, &speed) > 100);
   o = offset_of(&c.curve, d);
   ck_assert_uint_ge(o.cusps.n, 1);
   ck_abs(ahead(&c.curve, 0, o.cusps.at[0].u, d), 0, 1e-11);
   ck_abs(o.samples.curvature[0], cos(d) / sin(d), 1e-12);
-  ck_vec3(vector(o.samples.point, 0), ph_degree_to_unit(0, d / DEGREE), 1e-14);
-  ck_vec3(vector(o.samples.tangent, 0), ph_vec3_of(0, -1, 0), 1e-14);
+  ck_vec3(unit_vector(o.samples.point, 0), ph_degree_to_unit(0, d / DEGREE),
+          1e-14);
+  ck_vec3(unit_vector(o.samples.tangent, 0), ph_vec3_of(0, -1, 0), 1e-14);
   o = offset_of(&c.curve, -d);
   ck_assert_uint_eq(o.cusps.n, 0);
   ck_abs(o.samples.curvature[0], cos(d) / sin(d), 1e-12);
-  ck_vec3(vector(o.samples.tangent, 0), ph_vec3_of(0, 1, 0), 1e-14);
+  ck_vec3(unit_vector(o.samples.tangent, 0), ph_vec3_of(0, 1, 0), 1e-14);
   o = offset_of(&c.curve, 0);
   ck_assert(isnan(o.samples.curvature[0]));
   ck_rel(o.length, c.curve.length, 1e-12);
@@ -441,7 +427,7 @@ START_TEST(test_rest_great_circle) {
   ck_assert_uint_eq(o.cusps.n, 0);
   ck_rel(o.length, 20 * DEGREE, 1e-13);
   for (size_t i = 0; i <= N; i++) {
-    ck_vec3(vector(o.samples.tangent, i),
+    ck_vec3(unit_vector(o.samples.tangent, i),
             ph_degree_to_unit(o.samples.lonlat[2 * i] + 90, 0), 1e-14);
     ck_assert(i % N ? unit_near(o.samples.curvature[i], sqrt(3), 1e-12)
                     : isnan(o.samples.curvature[i]));
@@ -473,7 +459,7 @@ START_TEST(test_refusals) {
                                  "the circumference of the sphere, 25.1327");
   ck_assert_uint_eq(offset_of(&c.curve, 25).samples.n, 2 * (N + 1));
   ck_assert_int_eq(ph_offset_spherical(&c.curve, 1, &many, &arena, &o, &diag),
-                   PH_NO_MEMORY);
+                   PH_TOO_LARGE);
 }
 END_TEST
 

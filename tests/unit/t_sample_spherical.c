@@ -138,7 +138,7 @@ START_TEST(test_length) {
         ph_spherical_first(&segment, s.t[j - 1] + rule.node[n] / N, jet);
         sum += rule.weight[n] / N * ph_vec3_abs(jet[1]);
       }
-      ck_rel(s.s[j], sum, 1e-12);
+      ck_rel(s.s[j], sum, 1e-13);
     }
     ph_arena_reset(&arena);
   }
@@ -175,6 +175,113 @@ START_TEST(test_rest) {
 }
 END_TEST
 
+/* ---- lengths and places -------------------------------------------------- */
+
+/* Lengths grow from 0 to what the curve says, their derivative is the speed,
+ * and they are those of ph_spherical_length. */
+static void ck_lengths(const struct ph_curve *curve, size_t k) {
+  enum { LOOKS = 200 };
+  const struct ph_spherical segment = ph_spherical_of(curve, k);
+  const struct ph_sampler sampler = unit_sampler(curve, NULL, k, &arena);
+  const double whole = curve->lengths[k];
+  double before = 0;
+  ck_abs(sampler.length, whole, 0);
+  ck_abs(unit_length(&sampler, 0), 0, 0);
+  ck_abs(unit_length(&sampler, 1), whole, 0);
+  for (size_t i = 1; i <= LOOKS; i++) {
+    double u = (double)i / LOOKS, speed;
+    double s = ph_sampler_length(&sampler, u, &speed);
+    ph_vec3 jet[2];
+    ph_spherical_first(&segment, u, jet);
+    ck_assert(s > before);
+    ck_abs(s, curve->radius * ph_spherical_length(&segment, u), 1e-13 * whole);
+    ck_abs(speed, curve->radius * ph_vec3_abs(jet[1]), 1e-11 * whole);
+    before = s;
+  }
+}
+
+/* The place of a length, from the ends on, where the curve may be at rest. */
+static void ck_places(const struct ph_curve *curve, size_t k) {
+  const struct ph_sampler sampler = unit_sampler(curve, NULL, k, &arena);
+  const double whole = sampler.length;
+  for (int i = 0; i <= 60; i++) {
+    double part = ldexp(1, -i / 2), s = (i % 2 ? part : 1 - part) * whole;
+    double u = ph_sampler_place(&sampler, s, 0.5, NULL);
+    ck_assert(u >= 0 && u <= 1);
+    ck_abs(unit_length(&sampler, u), s, 1e-14 * whole);
+  }
+}
+
+START_TEST(test_places) {
+  struct unit_random r = unit_random_of(1312);
+  for (int i = 0; i < unit_count(40); i++) {
+    struct unit_spherical c;
+    unit_spherical_random(&c, 2, 0.5, &r);
+    unit_spherical_place(&c, ph_vec3_of(1, 2, 3), 1 + i);
+    for (size_t k = 0; k < 2; k++) {
+      ck_lengths(&c.curve, k);
+      ck_places(&c.curve, k);
+    }
+    ph_arena_reset(&arena);
+  }
+}
+END_TEST
+
+/* At rest at both ends, at one, and nearly. */
+START_TEST(test_places_rest) {
+  const ph_vec3 a = ph_degree_to_unit(0, 0), b = ph_degree_to_unit(40, -10);
+  const ph_vec3 e = ph_degree_to_unit(50, 30);
+  const ph_vec3 p[][4] = {{a, a, b, e},
+                          {a, b, e, e},
+                          {a, a, e, e},
+                          {a, ph_degree_to_unit(1e-7, 1e-7), b, e},
+                          {a, ph_degree_to_unit(0.01, -0.02), e, e}};
+  for (size_t i = 0; i < sizeof p / sizeof p[0]; i++) {
+    struct unit_spherical c;
+    unit_spherical_of(&c, 1, false, p[i]);
+    ck_lengths(&c.curve, 0);
+    ck_places(&c.curve, 0);
+  }
+}
+END_TEST
+
+/* The same with three points in one place, where s goes with u^3. */
+START_TEST(test_places_thrice) {
+  const ph_vec3 a = ph_degree_to_unit(0, 0), e = ph_degree_to_unit(50, 30);
+  const ph_vec3 p[4] = {a, a, a, e};
+  struct unit_spherical c;
+  struct ph_sampler sampler;
+  unit_spherical_of(&c, 1, false, p);
+  c.lengths[0] = ph_s2_angle(a, e);
+  ck_places(&c.curve, 0);
+  sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+  for (size_t i = 0; i <= 100; i++) {
+    double u = (double)i / 100;
+    ck_abs(unit_length(&sampler, u), c.lengths[0] * u * u * u, 1e-14);
+  }
+}
+END_TEST
+
+/* From rest, s = |S''(0)| u^2 / 2 to first order. */
+START_TEST(test_start) {
+  const ph_vec3 a = ph_degree_to_unit(0, 0);
+  const ph_vec3 p[4] = {a, a, ph_degree_to_unit(40, -10),
+                        ph_degree_to_unit(50, 30)};
+  const struct ph_spherical segment = {{p[0], p[1], p[2], p[3]}};
+  struct unit_spherical c;
+  struct ph_sampler sampler;
+  ph_vec3 jet[4];
+  unit_spherical_of(&c, 1, false, p);
+  sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+  ph_spherical_jet(&segment, 0, jet);
+  for (double u = 1e-2; u > 1e-6; u /= 10) {
+    double s = ph_vec3_abs(jet[2]) * u * u / 2;
+    ck_rel(ph_sampler_place(&sampler, s, 0.5, NULL), u,
+           3 * u + 1e-14 / (u * u));
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("sample_spherical");
   TCase *tc = tcase_create("sample_spherical");
@@ -183,6 +290,10 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_random);
   tcase_add_test(tc, test_length);
   tcase_add_test(tc, test_rest);
+  tcase_add_test(tc, test_places);
+  tcase_add_test(tc, test_places_rest);
+  tcase_add_test(tc, test_places_thrice);
+  tcase_add_test(tc, test_start);
   suite_add_tcase(s, tc);
   return s;
 }

@@ -49,14 +49,14 @@ enum ph_status unit_derive(const struct ph_command *command,
   if (status == PH_OK && wanted->bezier) {
     status = convert(command, arena, &r->curve, &r->diagnostics, diag);
   }
-  for (size_t i = 0;
-       status == PH_OK && wanted->bezier && i < r->solutions_n; i++) {
+  for (size_t i = 0; status == PH_OK && wanted->bezier && i < r->solutions_n;
+       i++) {
     status = convert(command, arena, &r->solutions[i].curve,
                      &r->solutions[i].diagnostics, diag);
   }
   if (status == PH_OK && wanted->samples.how) {
-    status = ph_sample_curve(&r->curve, &wanted->samples, arena, &r->samples,
-                             diag);
+    status =
+        ph_sample_curve(&r->curve, &wanted->samples, arena, &r->samples, diag);
   }
   return status;
 }
@@ -66,9 +66,9 @@ static enum ph_status certify(struct unit_claim *c) {
   enum ph_status status = c->command->certify(
       &c->problem, &r->curve, &c->scratch, &r->diagnostics, &c->diag);
   for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
-    status = c->command->certify(&c->problem, &r->solutions[i].curve,
-                                 &c->scratch, &r->solutions[i].diagnostics,
-                                 &c->diag);
+    status =
+        c->command->certify(&c->problem, &r->solutions[i].curve, &c->scratch,
+                            &r->solutions[i].diagnostics, &c->diag);
   }
   return status;
 }
@@ -98,10 +98,9 @@ void unit_claim_make(struct unit_claim *c, const char *command,
 }
 
 void unit_claim_verify(struct unit_claim *c, bool with_problem) {
-  enum ph_status status =
-      ph_verify_result(&c->result, with_problem ? &c->problem : NULL,
-                       c->command->method->schema.command, &c->scratch,
-                       &c->verdict, &c->diag);
+  enum ph_status status = ph_verify_result(
+      &c->result, with_problem ? &c->problem : NULL,
+      c->command->method->schema.command, &c->scratch, &c->verdict, &c->diag);
   ck_assert_int_eq(status, PH_OK);
 }
 

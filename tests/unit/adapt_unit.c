@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Adaptive Gauss quadrature (see adapt.h). */
-#include "kernel/adapt.h"
+/* Adaptive Gauss quadrature (see adapt_unit.h). */
+#include "adapt_unit.h"
 
 #include <float.h>
 #include <math.h>
@@ -45,9 +45,9 @@ static double refine(struct task *task, double from, double to, double whole,
   return isnan(left) ? left : left + refine(task, middle, to, right, depth + 1);
 }
 
-double ph_adapt(const struct ph_quad *rule, ph_integrand *f,
-                const void *context, double from, double to, double tolerance,
-                double relative) {
+double unit_adapt(const struct ph_quad *rule, ph_integrand *f,
+                  const void *context, double from, double to, double tolerance,
+                  double relative) {
   struct task task = {rule, f, context, tolerance, relative + ROUNDING, 0};
   return refine(&task, from, to, over(&task, from, to), 0);
 }

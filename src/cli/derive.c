@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is derived from a curve (see derive.h). */
+#include "cli/derive.h"
+
+#include "curve/cubics.h"
+#include "curve/sample.h"
+
+/* Default tolerances, relative to the size of the curve: of Bezier pieces that
+ * stand for it, and of paths of drawings. */
+static const double TOLERANCE = 1e-9, TOLERANCE_PATH = 1e-6;
+
+/* Samples of an offset on a sphere without --sample: so many and one for each
+ * segment. */
+enum { OFFSET_SAMPLES = 16 };
+
+/* One warning for all offsets: the first one that has cusps. */
+static void warn_cusps(struct ph_result *result) {
+  const struct ph_offset *o = result->offsets, *end = o + result->offsets_n;
+  const struct ph_place *at;
+  struct ph_diag *diag;
+  while (o < end && !o->cusps.n) {
+    o++;
+  }
+  if (o == end) {
+    return;
+  }
+  at = &o->cusps.at[0];
+  diag = ph_warning_add(result, at->segment);
+  if (o->vector) {
+    ph_fail(diag, PH_OFFSET_CUSP, NULL,
+            "the offset at distance %g along %s turns back, where the radius "
+            "of curvature towards it is smaller: %zu times, first in "
+            "segment %zu at %.6g of its interval",
+            o->distance, o->vector, o->cusps.n, at->segment, at->u);
+  } else if (result->curve.radius > 0) {
+    ph_fail(diag, PH_OFFSET_CUSP, NULL,
+            "the offset at distance %g has cusps, where the curve bends as a "
+            "circle of that radius on the sphere: %zu, the first in segment "
+            "%zu at %.6g of its interval",
+            o->distance, o->cusps.n, at->segment, at->u);
+  } else {
+    ph_fail(diag, PH_OFFSET_CUSP, NULL,
+            "the offset at distance %g has cusps, where the radius of "
+            "curvature equals it: %zu, the first in segment %zu at %.6g of "
+            "its interval",
+            o->distance, o->cusps.n, at->segment, at->u);
+  }
+}
+
+static enum ph_status derive_offsets(const struct ph_options *o,
+                                     double tolerance, struct ph_arena *arena,
+                                     struct ph_result *r,
+                                     struct ph_diag *diag) {
+  struct ph_offset_rules rules = {tolerance, o->samples};
+  size_t each = o->command->offsets_n, n = o->offsets_n * each;
+  enum ph_status status = PH_OK;
+  if (o->format == PH_FORMAT_SVG_PATH) {
+    rules.samples.how = PH_SAMPLE_NONE;
+  }
+  if (o->command->method->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
+    rules.samples.how = PH_SAMPLE_PARAMETER;
+    rules.samples.n = OFFSET_SAMPLES;
+  }
+  r->offsets = ph_arena_array(arena, n, sizeof *r->offsets);
+  if (!r->offsets) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; status == PH_OK && i < o->offsets_n; i++) {
+    status = o->command->offset(&r->curve, o->offsets[i], &rules, arena,
+                                r->offsets + i * each, diag);
+  }
+  r->offsets_n = n;
+  if (status == PH_OK) {
+    warn_cusps(r);
+  }
+  return status;
+}
+
+/* The curve and its offsets as cubics. */
+static enum ph_status derive_paths(const struct ph_options *o,
+                                   struct ph_arena *arena,
+                                   const struct ph_result *r,
+                                   struct ph_derived *derived,
+                                   struct ph_diag *diag) {
+  const double tolerance = o->samples.how == PH_SAMPLE_CHORD
+                               ? o->samples.chord_error
+                               : TOLERANCE_PATH * ph_curve_size(&r->curve);
+  size_t n = r->offsets_n + 1;
+  enum ph_status status = PH_OK;
+  derived->paths = ph_arena_array(arena, n, sizeof *derived->paths);
+  if (!derived->paths) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; status == PH_OK && i < n; i++) {
+    status = ph_cubics_of(&r->curve, i > 0 ? &r->offsets[i - 1] : NULL,
+                          tolerance, arena, &derived->paths[i], diag);
+  }
+  derived->paths_n = n;
+  return status;
+}
+
+/* Replaces a curve by Bezier curves. */
+static enum ph_status convert(const struct ph_options *o, double tolerance,
+                              struct ph_arena *arena, struct ph_curve *curve,
+                              struct ph_diagnostics *diagnostics,
+                              struct ph_diag *diag) {
+  struct ph_curve bezier;
+  double error;
+  enum ph_status status =
+      o->command->convert(curve, tolerance, arena, &bezier, &error, diag);
+  if (status == PH_OK) {
+    *curve = bezier;
+    ph_diagnostics_set(diagnostics, PH_D_CONVERSION_ERROR, error);
+  }
+  return status;
+}
+
+static enum ph_status convert_all(const struct ph_options *o, double tolerance,
+                                  struct ph_arena *arena, struct ph_result *r,
+                                  struct ph_diag *diag) {
+  enum ph_status status =
+      convert(o, tolerance, arena, &r->curve, &r->diagnostics, diag);
+  for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
+    status = convert(o, tolerance, arena, &r->solutions[i].curve,
+                     &r->solutions[i].diagnostics, diag);
+  }
+  return status;
+}
+
+enum ph_status ph_derive(const struct ph_options *options,
+                         struct ph_arena *arena, struct ph_result *result,
+                         struct ph_derived *derived, struct ph_diag *diag) {
+  const struct ph_options *o = options;
+  double tolerance = o->tolerance > 0
+                         ? o->tolerance
+                         : TOLERANCE * ph_curve_size(&result->curve);
+  enum ph_status status = derive_offsets(o, tolerance, arena, result, diag);
+  derived->exact = result->curve;
+  if (status == PH_OK && o->format == PH_FORMAT_SVG_PATH) {
+    return derive_paths(o, arena, result, derived, diag);
+  }
+  if (status == PH_OK && o->convert) {
+    status = convert_all(o, tolerance, arena, result, diag);
+  }
+  if (status == PH_OK && o->samples.how) { /* of the segments in the record */
+    status = ph_sample_curve(&result->curve, &o->samples, arena,
+                             &result->samples, diag);
+  }
+  return status;
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the options ask for beside a curve: offsets, Bezier curves in its place,
+ * samples, paths. */
+#ifndef PH_CLI_DERIVE_H
+#define PH_CLI_DERIVE_H
+
+#include "cli/option.h"
+
+/* What is no part of the result. */
+struct ph_derived {
+  struct ph_curve exact;   /* what offsets are of: as it was before --convert */
+  struct ph_pieces *paths; /* --format=svg-path: the curve, then its offsets */
+  size_t paths_n;          /* 0: not asked for */
+};
+
+/*
+ * ph_derive: fills offsets and samples of a result, with warnings about cusps,
+ * and replaces its curves.
+ *
+ * ret  PH_OK | what offsets, conversion and samples return
+ */
+enum ph_status ph_derive(const struct ph_options *options,
+                         struct ph_arena *arena, struct ph_result *result,
+                         struct ph_derived *derived, struct ph_diag *diag);
+
+#endif

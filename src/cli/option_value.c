@@ -1,0 +1,374 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the arguments of options may be (see option_value.h). */
+#include "cli/option_value.h"
+
+#include "base/suggest.h"
+#include "cli/plot.h"
+#include "io/number.h"
+#include "io/value.h"
+
+#include <getopt.h>
+#include <math.h>
+#include <string.h>
+
+/* More samples of a segment than this are a slip of the keyboard. */
+enum { SAMPLES_MAX = 1000000 };
+
+/* ---- values ----------------------------------------------------------- */
+
+/* One of the words of the option's argument text "a|b|c". */
+static enum ph_status choose(struct ph_option_parser *p, enum ph_option_id id,
+                             const char *words, size_t *which) {
+  struct ph_suggest suggest;
+  char clause[PH_DID_YOU_MEAN_MAX], excerpt[PH_EXCERPT_MAX];
+  size_t n = strlen(optarg);
+  *which = 0;
+  for (const char *w = words; *w; w += w[strcspn(w, "|")] ? 1 : 0) {
+    size_t length = strcspn(w, "|");
+    if (length == n && memcmp(w, optarg, n) == 0) {
+      return PH_OK;
+    }
+    w += length;
+    ++*which;
+  }
+  ph_suggest_init(&suggest, optarg, n);
+  ph_suggest_list(&suggest, words);
+  ph_did_you_mean(&suggest, clause);
+  return ph_fail(p->diag, PH_USAGE, NULL, "--%s must be %s, found '%s'%s",
+                 ph_option_table[id].name, words,
+                 ph_excerpt(optarg, n, excerpt), clause);
+}
+
+static enum ph_status read_count(struct ph_option_parser *p,
+                                 enum ph_option_id id, int max, size_t *count) {
+  const char *end = optarg + strlen(optarg);
+  char excerpt[PH_EXCERPT_MAX];
+  double x;
+  if (ph_number_read_text(optarg, end, &x) != end || !(x >= 1) || !(x <= max) ||
+      floor(x) < x) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--%s must be a whole number from 1 to %d, found '%s'",
+                   ph_option_table[id].name, max,
+                   ph_excerpt(optarg, strlen(optarg), excerpt));
+  }
+  *count = (size_t)x;
+  return PH_OK;
+}
+
+static enum ph_status read_positive(struct ph_option_parser *p,
+                                    enum ph_option_id id, double *x) {
+  const char *end = optarg + strlen(optarg);
+  char excerpt[PH_EXCERPT_MAX];
+  if (ph_number_read_text(optarg, end, x) != end || !(*x > 0) ||
+      !isfinite(*x)) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--%s must be a number greater than 0, found '%s'",
+                   ph_option_table[id].name,
+                   ph_excerpt(optarg, strlen(optarg), excerpt));
+  }
+  return PH_OK;
+}
+
+/* One of the three ways of taking samples. */
+static enum ph_status read_samples(struct ph_option_parser *p,
+                                   enum ph_option_id id) {
+  struct ph_sample_rules *rules = &p->options->samples;
+  enum ph_sampling how = id == PH_O_SAMPLE    ? PH_SAMPLE_PARAMETER
+                         : id == PH_O_SPACING ? PH_SAMPLE_SPACING
+                                              : PH_SAMPLE_CHORD;
+  if (rules->how != PH_SAMPLE_NONE && rules->how != how) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--sample, --spacing and --chord-error are alternatives");
+  }
+  rules->how = how;
+  switch (how) {
+  case PH_SAMPLE_PARAMETER:
+    return read_count(p, id, SAMPLES_MAX, &rules->n);
+  case PH_SAMPLE_SPACING:
+    return read_positive(p, id, &rules->spacing);
+  default:
+    return read_positive(p, id, &rules->chord_error);
+  }
+}
+
+static enum ph_status read_offsets(struct ph_option_parser *p) {
+  struct ph_options *o = p->options;
+  size_t room = 1;
+  char excerpt[PH_EXCERPT_MAX];
+  double *all;
+  const char *at = optarg, *end;
+  for (const char *c = optarg; *c; c++) {
+    room += *c == ',';
+  }
+  all = ph_arena_array(&o->arena, o->offsets_n + room, sizeof *all);
+  if (!all) {
+    return ph_fail_memory(p->diag);
+  }
+  if (o->offsets_n) {
+    memcpy(all, o->offsets, o->offsets_n * sizeof *all);
+  }
+  o->offsets = all;
+  for (; room-- > 0; at = end + 1) {
+    double *x = &o->offsets[o->offsets_n++];
+    end = at + strcspn(at, ",");
+    if (end == at || ph_number_read_text(at, end, x) != end || !isfinite(*x)) {
+      return ph_fail(p->diag, PH_USAGE, NULL,
+                     "--offset takes numbers, found '%s'",
+                     ph_excerpt(optarg, strlen(optarg), excerpt));
+    }
+  }
+  return PH_OK;
+}
+
+/* What options about CSV are about: results are JSON. */
+static struct ph_split_options *input_of(struct ph_options *o) {
+  return o->command->use == PH_USE_VERIFY ? &o->problems_input : &o->input;
+}
+
+/* A character, or the two characters \t, which are easier to type. */
+static enum ph_status read_delimiter(struct ph_option_parser *p) {
+  char excerpt[PH_EXCERPT_MAX];
+  if (strlen(optarg) == 1) {
+    input_of(p->options)->delimiter = optarg[0];
+  } else if (strcmp(optarg, "\\t") == 0) {
+    input_of(p->options)->delimiter = '\t';
+  } else {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--delimiter must be one character or \\t, found '%s'",
+                   ph_excerpt(optarg, strlen(optarg), excerpt));
+  }
+  return PH_OK;
+}
+
+/* ---- fields ----------------------------------------------------------- */
+
+/* A value for a field, from --set, --override or the field's own option. */
+static enum ph_status assign(const struct ph_field *field, const char *option,
+                             const char *text, struct ph_arena *arena,
+                             struct ph_assignment *assignment,
+                             struct ph_diag *diag) {
+  struct ph_diag why;
+  enum ph_status status =
+      ph_value_read_option(text, field, arena, &assignment->value, &why);
+  if (status == PH_NO_MEMORY) {
+    return ph_fail_memory(diag);
+  }
+  if (status != PH_OK) {
+    return ph_fail(diag, PH_USAGE, NULL, "%s: %s %s", option, why.field,
+                   why.message);
+  }
+  assignment->field = field->id;
+  return PH_OK;
+}
+
+enum ph_status ph_option_read_field(struct ph_option_parser *p,
+                                    const struct ph_field *field,
+                                    const char *text) {
+  struct ph_options *o = p->options;
+  struct ph_assignment *a = &o->assignments[o->assignments_n++];
+  char option[64] = "--";
+  strncat(option, ph_field_name(field->id), sizeof option - 3);
+  a->text = NULL;
+  a->override = false;
+  return assign(field, option, text ? text : "", &o->arena, a, p->diag);
+}
+
+enum ph_status ph_option_assign(const struct ph_schema *schema,
+                                struct ph_arena *arena,
+                                struct ph_assignment *assignment,
+                                struct ph_diag *diag) {
+  const char *option = assignment->override ? "--override" : "--set";
+  const char *text = assignment->text;
+  size_t n = strcspn(text, "=");
+  const struct ph_field *field = ph_field_find(schema, text, n);
+  return field ? assign(field, option, text + n + 1, arena, assignment, diag)
+               : ph_option_no_field(schema, option, text, n, diag);
+}
+
+/* Whether a field of that name belongs to any command. */
+static bool is_field(const char *name, size_t n) {
+  for (size_t i = 0; i < ph_commands_n; i++) {
+    if (ph_field_find(ph_commands[i].schema, name, n)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* FIELD=VALUE; read now, unless of verify. */
+static enum ph_status read_assignment(struct ph_option_parser *p,
+                                      enum ph_option_id id) {
+  struct ph_options *o = p->options;
+  struct ph_assignment *a = &o->assignments[o->assignments_n++];
+  const char *option = id == PH_O_SET ? "--set" : "--override";
+  char excerpt[PH_EXCERPT_MAX];
+  size_t n = strcspn(optarg, "=");
+  if (n == 0 || !optarg[n]) {
+    return ph_fail(p->diag, PH_USAGE, NULL, "%s: '%s' is not FIELD=VALUE",
+                   option, ph_excerpt(optarg, strlen(optarg), excerpt));
+  }
+  a->text = optarg;
+  a->override = id == PH_O_OVERRIDE;
+  if (o->command->use == PH_USE_SOLVE) {
+    return ph_option_assign(o->command->schema, &o->arena, a, p->diag);
+  }
+  return is_field(optarg, n) ? PH_OK
+                             : ph_fail(p->diag, PH_USAGE, NULL,
+                                       "%s: no command has a field '%s'",
+                                       option, ph_excerpt(optarg, n, excerpt));
+}
+
+static enum ph_status read_sweep(struct ph_option_parser *p) {
+  struct ph_options *o = p->options;
+  const struct ph_schema *schema = o->command->schema;
+  struct ph_sweep *sweep = &o->sweeps[o->sweeps_n];
+  enum ph_status status =
+      ph_sweep_read(optarg, schema, &o->arena, sweep, p->diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  for (size_t i = 0; i < o->sweeps_n; i++) {
+    if (ph_sweep_same(&o->sweeps[i], sweep)) {
+      return ph_fail(p->diag, PH_USAGE, NULL, "--sweep: %s is swept twice",
+                     o->sweeps[i].name);
+    }
+  }
+  o->sweeps_n++;
+  o->sweep_count = ph_sweep_count(o->sweeps, o->sweeps_n);
+  return o->sweep_count ? PH_OK
+                        : ph_fail(p->diag, PH_USAGE, NULL,
+                                  "--sweep: too many combinations");
+}
+
+/* ---- options ---------------------------------------------------------- */
+
+/* The words of the tables as "a|b|c". */
+static const char table_words[] =
+#define X(symbol, name, what) "|" name
+    PH_TABLES(X)
+#undef X
+    ;
+
+/* The flag that an option without argument sets. */
+static bool *flag_of(struct ph_options *o, enum ph_option_id id) {
+  switch (id) {
+  case PH_O_PRETTY:
+    return &o->pretty;
+  case PH_O_STRICT:
+    return &o->strict;
+  case PH_O_FAIL_FAST:
+    return &o->fail_fast;
+  case PH_O_PROGRESS:
+    return &o->progress;
+  case PH_O_QUIET:
+    return &o->quiet;
+  case PH_O_VERBOSE:
+  case PH_O_VERBOSE_VERIFY:
+    return &o->verbose;
+  case PH_O_HELP:
+    return &o->help;
+  case PH_O_VERSION:
+    return &o->version;
+  default:
+    return NULL;
+  }
+}
+
+/* Options about what is read and written. */
+static enum ph_status read_stream(struct ph_option_parser *p,
+                                  enum ph_option_id id) {
+  struct ph_options *o = p->options;
+  const char *words = ph_option_table[id].argument;
+  enum ph_status status = PH_OK;
+  size_t which = 0;
+  switch (id) {
+  case PH_O_INPUT_FORMAT:
+    status = choose(p, id, words, &which);
+    o->input.format = (enum ph_split_format)which;
+    break;
+  case PH_O_PROBLEMS:
+    o->problems = optarg;
+    break;
+  case PH_O_PROBLEMS_FORMAT:
+    status = choose(p, id, words, &which);
+    o->problems_input.format = (enum ph_split_format)which;
+    break;
+  case PH_O_COLUMNS:
+    input_of(o)->columns = optarg;
+    break;
+  case PH_O_DELIMITER:
+    status = read_delimiter(p);
+    break;
+  case PH_O_FORMAT:
+    status = choose(p, id, words, &which);
+    o->format = (enum ph_format)which;
+    p->format = optarg;
+    break;
+  case PH_O_TABLE:
+    status = choose(p, id, table_words + 1, &which);
+    o->table = (enum ph_table)which;
+    p->table = true;
+    break;
+  case PH_O_OUTPUT:
+    o->output = optarg;
+    status = *optarg ? PH_OK
+                     : ph_fail(p->diag, PH_USAGE, NULL,
+                               "--output must be the name of a file");
+    break;
+  default:
+    break;
+  }
+  return status;
+}
+
+/* The other options with arguments. */
+static enum ph_status read_argument(struct ph_option_parser *p,
+                                    enum ph_option_id id) {
+  struct ph_options *o = p->options;
+  const char *words = ph_option_table[id].argument;
+  enum ph_status status = PH_OK;
+  size_t which = 0;
+  switch (id) {
+  case PH_O_SET:
+  case PH_O_OVERRIDE:
+    return read_assignment(p, id);
+  case PH_O_SWEEP:
+    return read_sweep(p);
+  case PH_O_OFFSET:
+    return read_offsets(p);
+  case PH_O_CONVERT:
+    o->convert = true;
+    return choose(p, id, words, &which);
+  case PH_O_TOLERANCE:
+  case PH_O_LIMIT:
+    p->tolerance = optarg;
+    return read_positive(p, id, &o->tolerance);
+  case PH_O_JOBS:
+    return read_count(p, id, PH_JOBS_MAX, &o->jobs);
+  case PH_O_SAMPLE:
+  case PH_O_SPACING:
+  case PH_O_CHORD_ERROR:
+    return read_samples(p, id);
+  case PH_O_FRAME:
+    status = choose(p, id, words, &which);
+    o->samples.frame = (enum ph_frame)(which + 1);
+    return status;
+  case PH_O_PLOT:
+    o->plot = optarg;
+    return PH_OK;
+  case PH_O_PLOT_SIZE:
+    return ph_plot_read_size(optarg, o, p->diag);
+  default:
+    return read_stream(p, id);
+  }
+}
+
+enum ph_status ph_option_read_common(struct ph_option_parser *p,
+                                     enum ph_option_id id) {
+  bool *flag = flag_of(p->options, id);
+  if (flag) {
+    *flag = true;
+    return PH_OK;
+  }
+  return read_argument(p, id);
+}

@@ -1,0 +1,342 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One result, bytes to bytes (see verify.h): read, checked, told.
+ *
+ * What is right has status ok, and a result that is an error record claims no
+ * curve, which is right, too.  A result whose worst error is beyond the
+ * tolerance is a failure like any other.
+ */
+#include "cli/verify.h"
+
+#include "cli/message.h"
+#include "cli/pairing.h"
+#include "io/csv_in.h"
+#include "io/json_in.h"
+#include "io/json_out.h"
+#include "io/json_result.h"
+#include "io/json_write.h"
+#include "io/value.h"
+#include "verify/verify.h"
+
+#include <float.h>
+#include <string.h>
+#include <time.h>
+
+const struct ph_schema ph_verify_schema = {"verify", NULL, 0};
+
+/* Relative errors up to this are right, unless --tolerance says otherwise. */
+static const double TOLERANCE = 1e-9;
+
+/* A result on its way. */
+struct task {
+  const struct ph_options *options;
+  struct ph_worker *worker;
+  const struct ph_item *item;
+  struct ph_claim claim;
+  bool read; /* the claim was, as a whole */
+  struct ph_swept *swept;
+  size_t swept_n;
+  struct ph_problem problem;
+  bool posed;         /* there is a problem, and it could be read */
+  bool about_problem; /* that it could not is the failure */
+  struct ph_verdict verdict;
+  bool judged; /* there is a verdict */
+  struct ph_diag diag;
+};
+
+/* ---- sweeps ------------------------------------------------------------ */
+
+/* The members of "sweep": names and values as they stand there. */
+static enum ph_status read_sweep(struct task *t) {
+  const char *text = t->claim.sweep;
+  struct ph_arena *arena = &t->worker->arena;
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  size_t n = 0;
+  if (!text) {
+    return PH_OK;
+  }
+  ph_json_walk_init(&walk, text, strlen(text));
+  while (ph_json_walk_next(&walk, &item)) {
+    n++;
+  }
+  t->swept = ph_arena_array(arena, n, sizeof *t->swept);
+  ph_json_walk_init(&walk, text, strlen(text));
+  while (t->swept && ph_json_walk_next(&walk, &item)) {
+    struct ph_swept *swept = &t->swept[t->swept_n];
+    swept->name = ph_arena_copy(arena, item.key, item.key_n);
+    swept->value = ph_json_one_line(&item, arena);
+    if (!swept->name || !swept->value) {
+      return ph_fail_memory(&t->diag);
+    }
+    t->swept_n++;
+  }
+  return t->swept ? PH_OK : ph_fail_memory(&t->diag);
+}
+
+/* Sets one swept field of the problem, as --sweep=NAME=VALUE does. */
+static enum ph_status apply(struct task *t, const struct ph_schema *schema,
+                            const struct ph_swept *swept) {
+  struct ph_arena *arena = &t->worker->arena;
+  size_t n = strlen(swept->name), value_n = strlen(swept->value);
+  char *text = ph_arena_array(arena, n + value_n + 2, 1);
+  struct ph_sweep sweep;
+  struct ph_diag why;
+  enum ph_status status;
+  if (!text) {
+    return ph_fail_memory(&t->diag);
+  }
+  memcpy(text, swept->name, n);
+  text[n] = '=';
+  memcpy(text + n + 1, swept->value, value_n + 1);
+  status = ph_sweep_read(text, schema, arena, &sweep, &why);
+  if (status == PH_OK) {
+    return ph_sweep_apply(&sweep, 1, 0, arena, &t->problem, &t->diag);
+  }
+  return status == PH_NO_MEMORY
+             ? ph_fail_memory(&t->diag)
+             : ph_fail(&t->diag, PH_BAD_VALUE, "sweep",
+                       "is none of this problem: %s", why.message);
+}
+
+/* ---- the problem ------------------------------------------------------- */
+
+/* --set and --override, as of the command that the result is of. */
+static enum ph_status assign(struct task *t, const struct ph_schema *schema) {
+  const struct ph_options *o = t->options;
+  struct ph_arena *arena = &t->worker->arena;
+  size_t n = o->assignments_n;
+  struct ph_assignment *all = ph_arena_array(arena, n, sizeof *all);
+  struct ph_diag why;
+  if (!all) {
+    return ph_fail_memory(&t->diag);
+  }
+  for (size_t i = 0; i < n; i++) {
+    enum ph_status status;
+    all[i] = o->assignments[i];
+    status = ph_option_assign(schema, arena, &all[i], &why);
+    if (status != PH_OK) {
+      return status == PH_NO_MEMORY
+                 ? ph_fail_memory(&t->diag)
+                 : ph_fail(&t->diag, PH_BAD_VALUE, NULL, "%s", why.message);
+    }
+  }
+  ph_work_assign(all, n, &t->problem);
+  return PH_OK;
+}
+
+static enum ph_status read_record(struct task *t, const struct ph_posed *posed,
+                                  const struct ph_schema *schema) {
+  const struct ph_record *record = &posed->record;
+  struct ph_arena *arena = &t->worker->arena;
+  struct ph_echo echo;
+  if (record->status != PH_OK) {
+    t->diag = posed->diag;
+    return record->status;
+  }
+  if (record->columns && posed->schema != schema) {
+    return ph_fail(&t->diag, PH_BAD_VALUE, "command",
+                   "is %s, but the columns of %s were read as those of %s, "
+                   "which the first result is of",
+                   schema->command, record->file, posed->schema->command);
+  }
+  return record->columns
+             ? ph_csv_in(record, schema, arena, &t->problem, &echo, &t->diag)
+             : ph_json_in(record, schema, arena, &t->problem, &echo, &t->diag);
+}
+
+/* The problem that the result solves, with what the options and the sweep make
+ * of it. */
+static enum ph_status read_problem(struct task *t) {
+  const struct ph_posed *posed = t->item->posed;
+  const char *name = t->claim.command;
+  const struct ph_command *command = name ? ph_command_find(name) : NULL;
+  enum ph_status status;
+  if (!command || command->use != PH_USE_SOLVE) {
+    return ph_fail(&t->diag, name ? PH_BAD_VALUE : PH_MISSING_FIELD, "command",
+                   name ? "is none that solves problems" : "is missing");
+  }
+  t->about_problem = true;
+  status = read_record(t, posed, command->schema);
+  if (status == PH_OK) {
+    status = assign(t, command->schema);
+  }
+  for (size_t i = 0; status == PH_OK && i < t->swept_n; i++) {
+    status = apply(t, command->schema, &t->swept[i]);
+  }
+  if (status == PH_OK) {
+    status = ph_problem_check_required(&t->problem, command->schema, &t->diag);
+  }
+  t->about_problem = status != PH_OK && strcmp(t->diag.field, "sweep") != 0;
+  t->posed = status == PH_OK;
+  return status;
+}
+
+/* ---- the verdict ------------------------------------------------------- */
+
+/* The worst error as a failure, if it is one. */
+static enum ph_status judge(struct task *t) {
+  const double tolerance =
+      t->options->tolerance > 0 ? t->options->tolerance : TOLERANCE;
+  const struct ph_verdict *v = &t->verdict;
+  const struct ph_verify_error *worst;
+  t->judged = true;
+  if (v->worst == PH_V_N || v->check[v->worst].error <= tolerance) {
+    return PH_OK;
+  }
+  worst = &v->check[v->worst];
+  if (worst->error > DBL_MAX) {
+    return ph_fail(&t->diag, PH_NOT_VERIFIED, worst->where.field, "%s (%s)",
+                   worst->where.message, ph_verify_name(v->worst));
+  }
+  return ph_fail(&t->diag, PH_NOT_VERIFIED, worst->where.field, "%s (%s %.3g)",
+                 worst->where.message, ph_verify_name(v->worst), worst->error);
+}
+
+static enum ph_status verify(struct task *t) {
+  const struct ph_item *item = t->item;
+  struct ph_claim *claim = &t->claim;
+  enum ph_status status = item->record.status;
+  if (status != PH_OK) {
+    t->diag = item->diag;
+    return status;
+  }
+  status = ph_json_result_in(&item->record, &t->worker->arena, claim, &t->diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  t->read = true;
+  status = read_sweep(t);
+  if (status == PH_OK && t->options->problems && !item->posed) {
+    t->diag = item->diag;
+    status = item->diag.status;
+  }
+  if (status == PH_OK && item->posed && claim->solved) {
+    status = read_problem(t);
+  }
+  if (status == PH_OK && claim->solved) {
+    status = ph_verify_result(&claim->result, t->posed ? &t->problem : NULL,
+                              claim->command ? claim->command : "",
+                              &t->worker->scratch, &t->verdict, &t->diag);
+    if (status == PH_OK) {
+      status = judge(t);
+    }
+  }
+  return status;
+}
+
+/* ---- telling ----------------------------------------------------------- */
+
+/* An error as a number of JSON: one that is infinite as the largest there is.
+ */
+static void write_error(struct ph_json_writer *w, const char *name, double x) {
+  ph_write_key_number(w, name, x <= DBL_MAX ? x : DBL_MAX);
+}
+
+static void write_verdict(struct ph_json_writer *w, const struct task *t) {
+  const struct ph_curve *curve = &t->claim.result.curve;
+  const struct ph_verdict *v = &t->verdict;
+  ph_write_key_string(w, "curve", ph_curve_name(curve->kind));
+  ph_write_key_number(w, "segments", (double)curve->n);
+  if (v->worst != PH_V_N) {
+    ph_write_key(w, "worst");
+    ph_write_begin(w, '{');
+    ph_write_key_string(w, "check", ph_verify_name(v->worst));
+    write_error(w, "error", v->check[v->worst].error);
+    ph_write_end(w, '}');
+  }
+  ph_write_key(w, "checks");
+  ph_write_begin(w, '{');
+  for (int i = 0; i < PH_V_N; i++) {
+    if (v->check[i].done) {
+      write_error(w, ph_verify_name((enum ph_verify_check)i),
+                  v->check[i].error);
+    }
+  }
+  ph_write_end(w, '}');
+}
+
+/* file: that the failure is in */
+static void write_record(const struct task *t, enum ph_status status,
+                         const char *file, struct ph_buf *out) {
+  const struct ph_heading heading = {&t->claim.echo, ph_verify_schema.command,
+                                     t->swept, t->swept_n};
+  struct ph_json_writer w = {.buf = out, .pretty = t->options->pretty};
+  ph_write_begin(&w, '{');
+  ph_json_heading(&w, &heading, status == PH_OK ? "ok" : "error");
+  if (status != PH_OK) {
+    ph_json_failure(&w, &t->diag, file);
+  }
+  if (t->read && t->claim.command) {
+    ph_write_key_string(&w, "of", t->claim.command);
+  }
+  if (t->judged) {
+    write_verdict(&w, t);
+  } else if (t->read && !t->claim.solved) {
+    ph_write_key_string(&w, "claims", "error");
+  }
+  ph_write_end(&w, '}');
+  ph_write_put(&w, '\n');
+}
+
+static void report(const struct task *t, const struct ph_subject *subject,
+                   enum ph_status status, const struct timespec *start,
+                   struct ph_buf *err) {
+  const struct ph_verdict *v = &t->verdict;
+  struct timespec now;
+  double ms;
+  if (status != PH_OK) {
+    ph_message_error(err, subject, &t->diag);
+    return;
+  }
+  if (!t->options->verbose) {
+    return;
+  }
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  ms = 1e3 * (double)(now.tv_sec - start->tv_sec) +
+       1e-6 * (double)(now.tv_nsec - start->tv_nsec);
+  ph_message_subject(err, subject);
+  if (t->judged && v->worst != PH_V_N) {
+    ph_message_printf(err, "%s %.2g, %.3g ms\n", ph_verify_name(v->worst),
+                      v->check[v->worst].error, ms);
+  } else {
+    ph_message_printf(err, "nothing to verify, %.3g ms\n", ms);
+  }
+}
+
+/* Where the failure is: in the result, or in the problem. */
+static void locate(struct task *t, struct ph_subject *subject) {
+  const struct ph_record *record =
+      t->about_problem ? &t->item->posed->record : &t->item->record;
+  subject->file = record->file;
+  if (!t->diag.line) {
+    t->diag.line = record->status == PH_OK
+                       ? ph_record_line(record, t->diag.field)
+                       : record->line;
+  }
+  subject->line = t->diag.line;
+}
+
+void ph_verify_work(const struct ph_options *options, struct ph_worker *worker,
+                    struct ph_item *item, struct ph_buf *out,
+                    struct ph_buf *err) {
+  const struct ph_record *record = &item->record;
+  struct task t = {.options = options, .worker = worker, .item = item};
+  struct ph_subject subject = {record->file, record->line, NULL,
+                               record->number};
+  struct timespec start = {0, 0};
+  if (options->verbose) {
+    clock_gettime(CLOCK_MONOTONIC, &start);
+  }
+  item->status = verify(&t);
+  subject.id = ph_work_id(&t.claim.echo, &worker->arena);
+  if (t.claim.echo.id && !subject.id) {
+    item->status = ph_fail_memory(&t.diag);
+  }
+  if (item->status != PH_OK) {
+    locate(&t, &subject);
+  }
+  write_record(&t, item->status, subject.file, out);
+  report(&t, &subject, item->status, &start, err);
+  ph_arena_reset(&worker->arena);
+}

@@ -1,0 +1,306 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads JSON whose members are known (see json_read.h). */
+#include "io/json_read.h"
+
+#include "base/suggest.h"
+#include "io/number.h"
+#include "io/value.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- where it is ------------------------------------------------------- */
+
+/* Goes on with the path; one that does not fit is cut. */
+static size_t extend(struct ph_json_reader *r, const char *format, ...)
+    PH_PRINTF(2, 3);
+
+static size_t extend(struct ph_json_reader *r, const char *format, ...) {
+  size_t mark = r->n, room = sizeof r->path - r->n;
+  va_list args;
+  int n;
+  va_start(args, format);
+  n = vsnprintf(r->path + r->n, room, format, args);
+  va_end(args);
+  r->n += n < 0 ? 0 : (size_t)n < room ? (size_t)n : room - 1;
+  return mark;
+}
+
+size_t ph_read_enter(struct ph_json_reader *r, const char *name) {
+  return extend(r, "%s%s", r->n ? "." : "", name);
+}
+
+size_t ph_read_enter_at(struct ph_json_reader *r, size_t index) {
+  return extend(r, "[%zu]", index);
+}
+
+void ph_read_leave(struct ph_json_reader *r, size_t mark) {
+  r->n = mark;
+  r->path[mark] = '\0';
+}
+
+void ph_read_fail(struct ph_json_reader *r, enum ph_status status,
+                  const char *format, ...) {
+  char message[PH_DIAG_MESSAGE_MAX];
+  va_list args;
+  if (r->status != PH_OK) {
+    return;
+  }
+  va_start(args, format);
+  vsnprintf(message, sizeof message, format, args);
+  va_end(args);
+  r->status = ph_fail(r->diag, status, r->n ? r->path : NULL, "%s", message);
+}
+
+static void exhausted(struct ph_json_reader *r) {
+  if (r->status == PH_OK) {
+    r->status = ph_fail_memory(r->diag);
+  }
+}
+
+void *ph_read_array_of(struct ph_json_reader *r, size_t n, size_t size) {
+  void *memory;
+  if (r->status != PH_OK) {
+    return NULL;
+  }
+  memory = ph_arena_array(r->arena, n, size);
+  if (!memory) {
+    exhausted(r);
+  }
+  return memory;
+}
+
+static void wrong_type(struct ph_json_reader *r, const char *wanted,
+                       const struct ph_json_item *found) {
+  ph_read_fail(r, PH_BAD_TYPE, "must be %s, found %s", wanted,
+               ph_value_type(*found->value));
+}
+
+/* ---- containers -------------------------------------------------------- */
+
+/* Which of the names a key is; n: none. */
+static size_t index_of(struct ph_json_reader *r,
+                       const struct ph_json_item *item,
+                       const char *const *names, size_t n) {
+  const char *key = item->key;
+  size_t key_n = item->key_n, i;
+  if (memchr(key, '\\', key_n)) {
+    key = ph_value_string(key - 1, key_n + 2, r->arena);
+    if (!key) {
+      exhausted(r);
+      return n;
+    }
+    key_n = strlen(key);
+  }
+  for (i = 0; i < n; i++) {
+    if (strlen(names[i]) == key_n && memcmp(names[i], key, key_n) == 0) {
+      break;
+    }
+  }
+  return i;
+}
+
+void ph_read_members(struct ph_json_reader *r, const struct ph_json_item *from,
+                     const char *const *names, size_t n,
+                     struct ph_json_item *items) {
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  memset(items, 0, n * sizeof *items);
+  if (r->status != PH_OK) {
+    return;
+  }
+  if (*from->value != '{') {
+    wrong_type(r, "an object", from);
+    return;
+  }
+  ph_json_walk_init(&walk, from->value, from->value_n);
+  while (r->status == PH_OK && ph_json_walk_next(&walk, &item)) {
+    size_t i = index_of(r, &item, names, n);
+    if (i < n && items[i].value) {
+      ph_read_enter(r, names[i]);
+      ph_read_fail(r, PH_BAD_VALUE, "occurs twice");
+    } else if (i < n) {
+      items[i] = item;
+    }
+  }
+}
+
+size_t ph_read_size(struct ph_json_reader *r, const struct ph_json_item *from) {
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  size_t n = 0;
+  if (r->status != PH_OK) {
+    return 0;
+  }
+  if (*from->value != '[') {
+    wrong_type(r, "an array", from);
+    return 0;
+  }
+  ph_json_walk_init(&walk, from->value, from->value_n);
+  while (ph_json_walk_next(&walk, &item)) {
+    n++;
+  }
+  return n;
+}
+
+/* ---- single values ----------------------------------------------------- */
+
+bool ph_read_required(struct ph_json_reader *r, const struct ph_json_item *item,
+                      const char *name) {
+  size_t mark;
+  if (item->value) {
+    return true;
+  }
+  mark = ph_read_enter(r, name);
+  ph_read_fail(r, PH_MISSING_FIELD, "is missing");
+  ph_read_leave(r, mark);
+  return false;
+}
+
+/* A finite number, here; 0 after a failure. */
+static double number(struct ph_json_reader *r,
+                     const struct ph_json_item *item) {
+  const char *end = item->value + item->value_n;
+  char excerpt[PH_EXCERPT_MAX];
+  double x;
+  if (!ph_number_read(item->value, end, &x)) {
+    wrong_type(r, "a number", item);
+  } else if (!isfinite(x)) {
+    ph_read_fail(r, PH_NOT_FINITE, "is %s, which overflows a double",
+                 ph_excerpt(item->value, item->value_n, excerpt));
+  } else {
+    return x;
+  }
+  return 0;
+}
+
+double ph_read_number(struct ph_json_reader *r, const struct ph_json_item *item,
+                      const char *name, double absent) {
+  size_t mark;
+  double x;
+  if (r->status != PH_OK || !item->value) {
+    return absent;
+  }
+  mark = ph_read_enter(r, name);
+  x = number(r, item);
+  ph_read_leave(r, mark);
+  return r->status == PH_OK ? x : absent;
+}
+
+bool ph_read_flag(struct ph_json_reader *r, const struct ph_json_item *item,
+                  const char *name, bool absent) {
+  size_t mark;
+  if (r->status != PH_OK || !item->value) {
+    return absent;
+  }
+  if (*item->value != 't' && *item->value != 'f') {
+    mark = ph_read_enter(r, name);
+    wrong_type(r, "true or false", item);
+    ph_read_leave(r, mark);
+    return absent;
+  }
+  return *item->value == 't';
+}
+
+const char *ph_read_string(struct ph_json_reader *r,
+                           const struct ph_json_item *item, const char *name,
+                           const char *absent) {
+  const char *text = absent;
+  size_t mark;
+  if (r->status != PH_OK || !item->value) {
+    return absent;
+  }
+  mark = ph_read_enter(r, name);
+  if (*item->value != '"') {
+    wrong_type(r, "a string", item);
+  } else {
+    text = ph_value_string(item->value, item->value_n, r->arena);
+    if (!text) {
+      exhausted(r);
+      text = absent;
+    }
+  }
+  ph_read_leave(r, mark);
+  return text;
+}
+
+size_t ph_read_whole(struct ph_json_reader *r, const struct ph_json_item *item,
+                     const char *name, size_t least, size_t most) {
+  char excerpt[PH_EXCERPT_MAX];
+  size_t mark;
+  double x;
+  if (r->status != PH_OK || !ph_read_required(r, item, name)) {
+    return least;
+  }
+  mark = ph_read_enter(r, name);
+  x = number(r, item);
+  if (r->status == PH_OK &&
+      (!(x >= (double)least) || !(x <= (double)most) || floor(x) < x)) {
+    ph_read_fail(r, PH_BAD_VALUE,
+                 "must be a whole number from %zu to %zu, found %s", least,
+                 most, ph_excerpt(item->value, item->value_n, excerpt));
+  }
+  ph_read_leave(r, mark);
+  return r->status == PH_OK ? (size_t)x : least;
+}
+
+/* ---- arrays ------------------------------------------------------------ */
+
+/* An array of n numbers, here. */
+static void numbers(struct ph_json_reader *r, const struct ph_json_item *from,
+                    double *v, size_t n) {
+  size_t found = ph_read_size(r, from);
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  if (r->status == PH_OK && found != n) {
+    ph_read_fail(r, PH_BAD_SHAPE, "must have %zu number%s, found %zu", n,
+                 n == 1 ? "" : "s", found);
+  }
+  if (r->status != PH_OK) {
+    return;
+  }
+  ph_json_walk_init(&walk, from->value, from->value_n);
+  for (size_t i = 0; r->status == PH_OK && i < n; i++) {
+    size_t mark = ph_read_enter_at(r, i);
+    ph_json_walk_next(&walk, &item);
+    v[i] = number(r, &item);
+    ph_read_leave(r, mark);
+  }
+}
+
+void ph_read_numbers(struct ph_json_reader *r, const struct ph_json_item *item,
+                     const char *name, double *v, size_t n) {
+  size_t mark;
+  if (r->status != PH_OK || !ph_read_required(r, item, name)) {
+    return;
+  }
+  mark = ph_read_enter(r, name);
+  numbers(r, item, v, n);
+  ph_read_leave(r, mark);
+}
+
+void ph_read_vectors(struct ph_json_reader *r, const struct ph_json_item *item,
+                     const char *name, double *v, size_t n, size_t dimension) {
+  size_t mark, found;
+  struct ph_json_walk walk;
+  struct ph_json_item vector;
+  if (r->status != PH_OK || !ph_read_required(r, item, name)) {
+    return;
+  }
+  mark = ph_read_enter(r, name);
+  found = ph_read_size(r, item);
+  if (r->status == PH_OK && found != n) {
+    ph_read_fail(r, PH_BAD_SHAPE, "must have %zu vector%s, found %zu", n,
+                 n == 1 ? "" : "s", found);
+  }
+  ph_json_walk_init(&walk, item->value, item->value_n);
+  for (size_t i = 0; r->status == PH_OK && i < n; i++) {
+    size_t inner = ph_read_enter_at(r, i);
+    ph_json_walk_next(&walk, &vector);
+    numbers(r, &vector, v + i * dimension, dimension);
+    ph_read_leave(r, inner);
+  }
+  ph_read_leave(r, mark);
+}

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Frames of samples (see frame.h). */
+#include "verify/frame.h"
+
+/* Steps from one sample to the next, then twice as many. */
+enum { STEPS = 8 };
+
+/* What is carried along: a place and a normal. */
+struct carried {
+  ph_vec3 point, tangent, normal;
+};
+
+static ph_vec3 reflect(ph_vec3 v, ph_vec3 across) {
+  double square = ph_vec3_dot(across, across);
+  return square > 0
+             ? ph_vec3_along(v, -2 * ph_vec3_dot(across, v) / square, across)
+             : v;
+}
+
+/* Reflects in the plane between two points, then in that which takes the
+ * tangent along. */
+static void step_to(struct carried *c, ph_vec3 point, ph_vec3 tangent) {
+  ph_vec3 chord = ph_vec3_sub(point, c->point);
+  ph_vec3 normal = reflect(c->normal, chord);
+  ph_vec3 there = reflect(c->tangent, chord);
+  c->normal = reflect(normal, ph_vec3_sub(tangent, there));
+  c->point = point;
+  c->tangent = tangent;
+}
+
+/* The normal at `to`, in some steps from f->u. */
+static ph_vec3 carry(const struct ph_verify_framing *f,
+                     const struct ph_verify_path *path, double to,
+                     size_t steps) {
+  struct ph_verify_place place = ph_verify_place_at(path, f->u);
+  struct carried c = {place.point, place.tangent, f->normal};
+  for (size_t i = 1; i <= steps; i++) {
+    double part = (double)i / (double)steps;
+    place = ph_verify_place_at(path, f->u + part * (to - f->u));
+    step_to(&c, place.point, place.tangent);
+  }
+  return c.normal;
+}
+
+/* The error of both falls by 16 from one to the other. */
+static ph_vec3 transport(const struct ph_verify_framing *f,
+                         const struct ph_verify_path *path, double to,
+                         double *error) {
+  ph_vec3 coarse = carry(f, path, to, STEPS);
+  ph_vec3 fine = carry(f, path, to, 2 * STEPS);
+  ph_vec3 change = ph_vec3_sub(fine, coarse);
+  *error = f->error + ph_vec3_abs(change);
+  return ph_vec3_unit(ph_vec3_along(fine, 1.0 / 15, change));
+}
+
+void ph_verify_frame_leave(struct ph_verify_framing *f,
+                           const struct ph_verify_path *path) {
+  double error;
+  if (f->begun) {
+    f->normal = transport(f, path, 1, &error);
+    f->error = error;
+    f->begun = error < 1;
+  }
+  f->k++;
+  f->u = 0;
+}
+
+/* Of r'' across r'. */
+static ph_vec3 principal(const struct ph_verify_path *path, double u) {
+  ph_vec3 jet[2];
+  ph_verify_jet(path->s, u, jet, 2);
+  return ph_vec3_unit(ph_vec3_normal(jet[1], ph_vec3_unit(jet[0])));
+}
+
+ph_vec3 ph_verify_frame_at(const struct ph_verify_framing *f,
+                           const struct ph_verify_path *path,
+                           const struct ph_verify_place *place, double u,
+                           double *error) {
+  const bool sphere = path->s->radius > 0;
+  ph_vec3 none = {(double)NAN, (double)NAN, (double)NAN};
+  *error = (double)INFINITY;
+  switch (f->frame) {
+  case PH_FRAME_FRENET:
+    *error = place->tangent_error + place->flat;
+    return principal(path, u);
+  case PH_FRAME_ERF:
+    *error = path->v->curve->preimage ? place->tangent_error : *error;
+    return path->v->curve->preimage ? ph_verify_across(path, u) : none;
+  case PH_FRAME_RMF:
+    if (sphere) {
+      ph_vec3 out = ph_vec3_sub(place->point, path->s->center);
+      *error = place->tangent_error + place->point_error / path->s->radius;
+      return ph_vec3_cross(ph_vec3_unit(out), place->tangent);
+    }
+    return f->begun ? transport(f, path, u, error) : none;
+  default:
+    return none;
+  }
+}

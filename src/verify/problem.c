@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A curve against the problem that it is said to solve: points, tangents and
+ * derivatives, what is given at the ends, and lengths.  Which derivatives are
+ * by which parameter:
+ *
+ *   planar           end derivatives by the knots
+ *   spatial-hermite  by the local one, times the square of the tension
+ *   arclength        by the knots
+ *   tc               by that of each cubic, in [0,1], of two in an interval
+ *
+ * Of a Bezier curve in place of another only the direction is known.
+ */
+#include "verify/check.h"
+#include "verify/data.h"
+
+enum { ROUND_POINT = 8 };
+
+/* What moves points of a sphere, unless the problem says it. */
+static const double MOVED = 1e-3;
+
+struct context {
+  struct ph_verify *v;
+  struct ph_verify_data data;
+  bool spatial, arclength, tc, planar; /* the command */
+  double moved;                        /* allowed, of the radius */
+};
+
+/* An end of an interval. */
+struct end {
+  const struct ph_verify_segment *s;
+  double u;
+  size_t datum;
+  bool pair; /* the interval has two segments */
+};
+
+/* ---- what the problem is ---------------------------------------------------
+ */
+
+static bool is_flag(const struct ph_verify *v, enum ph_field_id id) {
+  return v->problem->field[id].kind == PH_BOOL && v->problem->field[id].flag;
+}
+
+/* Whether the curve is of the kind that was asked for.  Where the basis is
+ * absent, it may have been an option. */
+static bool is_asked_for(struct ph_verify *v) {
+  const struct ph_curve *c = v->curve;
+  if (c->closed != is_flag(v, PH_F_CLOSED)) {
+    ph_verify_wrong(v, PH_V_SHAPE, ph_verify_of(NULL, PH_VERIFY_ONE, "closed"),
+                    "is not what the problem says");
+    return false;
+  }
+  if ((ph_verify_is_word(v, PH_F_BASIS, "atph") && c->kind == PH_CURVE_PH) ||
+      (ph_verify_is_word(v, PH_F_BASIS, "ph") && c->kind == PH_CURVE_ATPH)) {
+    ph_verify_wrong(v, PH_V_SHAPE, ph_verify_of(NULL, PH_VERIFY_ONE, "curve"),
+                    "is not of the basis of the problem");
+    return false;
+  }
+  return true;
+}
+
+static bool is_approximation(const struct ph_verify *v) {
+  return v->problem->field[PH_F_MODE].kind == PH_WORD
+             ? ph_verify_is_word(v, PH_F_MODE, "approximate")
+             : ph_verify_field(v, PH_F_CURVE) != NULL;
+}
+
+/* ---- points ----------------------------------------------------------------
+ */
+
+static void check_point(const struct context *x, const struct end *e) {
+  struct ph_verify *v = x->v;
+  double off, reach;
+  ph_vec3 datum = ph_verify_datum(v, &x->data, e->datum, &off);
+  reach = v->rounding;
+  if (e->s->radius > 0) {
+    reach += ph_verify_reach(v, e->s->center) + DBL_EPSILON * e->s->radius;
+    ph_verify_miss(v, PH_V_INTERPOLATION,
+                   ph_verify_in(e->s->k, "control_points"), off - x->moved, 1,
+                   ROUND_POINT * reach / e->s->radius,
+                   "stand for a point that is off the sphere");
+  }
+  ph_verify_miss(v, PH_V_INTERPOLATION, ph_verify_in(e->s->k, "control_points"),
+                 ph_verify_apart(ph_verify_point(v, e->s, e->u), datum),
+                 v->size, ROUND_POINT * reach, "miss the point");
+}
+
+/* Without points the curve begins at the start. */
+static void check_start(const struct context *x, const struct end *e) {
+  struct ph_verify *v = x->v;
+  const struct ph_value *given = ph_verify_field(v, PH_F_START);
+  bool fits = given && (given->n == 2 || given->n == 3);
+  ph_vec3 start =
+      fits ? ph_verify_vector(v, given->v, given->n) : ph_vec3_of(0, 0, 0);
+  ph_verify_miss(v, PH_V_INTERPOLATION, ph_verify_in(e->s->k, "control_points"),
+                 ph_verify_apart(ph_verify_point(v, e->s, e->u), start),
+                 v->size, ROUND_POINT * v->rounding, "miss the start");
+}
+
+/* ---- tangents and derivatives ----------------------------------------------
+ */
+
+static void check_vector(const struct context *x, const struct end *e) {
+  struct ph_verify *v = x->v;
+  const struct ph_curve *c = v->curve;
+  const struct ph_value *given = x->data.vectors;
+  size_t j = e->datum < given->n ? e->datum : 0;
+  const double *w = given->v + given->dimension * j;
+  bool known = x->data.derivatives && c->kind != PH_CURVE_BEZIER;
+  double factor = 1;
+  if (x->spatial) {
+    known = known && c->tension;
+    factor = known ? c->tension[e->s->k] * c->tension[e->s->k] * e->s->unit : 1;
+  } else if (x->arclength) {
+    known = known && c->knots;
+    factor = e->s->spacing;
+  } else {
+    known = known && e->pair;
+  }
+  if (known) {
+    ph_verify_derivative(v, PH_V_TANGENT, e->s, e->u, factor,
+                         ph_verify_vector(v, w, given->dimension),
+                         x->arclength);
+  } else {
+    ph_verify_heading(v, PH_V_TANGENT, e->s, e->u,
+                      ph_verify_direction(w, given->dimension));
+  }
+}
+
+/* The first and the last end of an open curve. */
+static void check_ends(const struct context *x, const struct end *e) {
+  struct ph_verify *v = x->v;
+  const struct ph_value *derivatives = ph_verify_field(v, PH_F_END_DERIVATIVES);
+  const struct ph_value *tangents = ph_verify_field(v, PH_F_END_TANGENTS);
+  const struct ph_value *given = derivatives ? derivatives : tangents;
+  const double *w;
+  if (!given || given->n != 2) {
+    return;
+  }
+  w = given->v + (e->datum > 0 ? given->dimension : 0);
+  if (derivatives && v->curve->kind != PH_CURVE_BEZIER &&
+      (x->planar ? v->curve->knots != NULL : e->pair)) {
+    ph_verify_derivative(v, PH_V_END, e->s, e->u, x->planar ? e->s->spacing : 1,
+                         ph_verify_vector(v, w, given->dimension), x->planar);
+  } else {
+    ph_verify_heading(v, PH_V_END, e->s, e->u,
+                      ph_verify_direction(w, given->dimension));
+  }
+}
+
+/* ---- intervals -------------------------------------------------------------
+ */
+
+static void check_end(const struct context *x, const struct end *e) {
+  bool outer = !x->v->curve->closed &&
+               (e->u < 1 ? e->datum == 0 : e->datum == x->data.n);
+  if (x->data.points) {
+    check_point(x, e);
+  } else if (outer && e->datum == 0) {
+    check_start(x, e);
+  }
+  if (x->data.vectors) {
+    check_vector(x, e);
+  }
+  if (outer && (x->planar || x->tc)) {
+    check_ends(x, e);
+  }
+}
+
+static void check_interval(const struct context *x, size_t i) {
+  const struct ph_verify_data *data = &x->data;
+  struct ph_verify_segment s;
+  bool pair = data->last[i] == data->first[i] + 1;
+  struct end e = {&s, 0, i, pair};
+  ph_verify_load(x->v, data->first[i], &s);
+  check_end(x, &e);
+  if (data->last[i] > data->first[i]) {
+    ph_verify_load(x->v, data->last[i], &s);
+  }
+  e.u = 1;
+  e.datum = i + 1;
+  check_end(x, &e);
+}
+
+/* Lengths that are to be reached. */
+static void check_lengths(const struct context *x) {
+  struct ph_verify *v = x->v;
+  const struct ph_value *given = ph_verify_field(v, PH_F_LENGTHS);
+  if (!x->arclength || !given || ph_verify_field(v, PH_F_LENGTH_SIGMA)) {
+    return;
+  }
+  if (given->kind == PH_NUMBERS && given->n != x->data.n) {
+    ph_verify_wrong(v, PH_V_SHAPE,
+                    ph_verify_of("segments", PH_VERIFY_ONE, NULL),
+                    "are not as many as the lengths of the problem");
+    return;
+  }
+  for (size_t i = 0; i < x->data.n; i++) {
+    double wanted = given->kind == PH_NUMBERS ? given->v[i] : given->number;
+    double length = 0, allowance = 0;
+    for (size_t k = x->data.first[i]; k <= x->data.last[i]; k++) {
+      length += v->length[k];
+      allowance += v->noise[k];
+    }
+    wanted = ph_verify_scaled(v, wanted);
+    ph_verify_miss(v, PH_V_PRESCRIBED,
+                   v->intervals_n > 0 ? ph_verify_of("intervals", i, "length")
+                                      : ph_verify_in(i, "length"),
+                   fabs(length - wanted), ph_verify_larger(length, v->mean),
+                   allowance, "misses what was prescribed");
+  }
+}
+
+enum ph_status ph_verify_solves(struct ph_verify *v) {
+  const struct ph_value *moved;
+  struct context x = {.v = v,
+                      .spatial = ph_verify_is_command(v, "spatial-hermite"),
+                      .arclength = ph_verify_is_command(v, "arclength"),
+                      .tc = ph_verify_is_command(v, "tc"),
+                      .planar = ph_verify_is_command(v, "planar")};
+  enum ph_status status = PH_OK;
+  if (!v->problem || !is_asked_for(v)) {
+    return PH_OK;
+  }
+  if (x.tc && is_approximation(v)) {
+    return ph_verify_distance(v);
+  }
+  if (!ph_verify_data_of(v, &x.data, &status)) {
+    return status;
+  }
+  moved = ph_verify_field(v, PH_F_RADIUS_TOLERANCE);
+  x.moved = moved ? moved->number : MOVED;
+  for (size_t i = 0; i < x.data.n; i++) {
+    check_interval(&x, i);
+  }
+  check_lengths(&x);
+  return PH_OK;
+}

@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# phspline verify: results that are not what they say, each by one change of a
+# good one, and texts that are no results at all.
+. "$srcdir/tests/cli/lib.sh"
+
+if ! command -v jq >/dev/null; then
+  echo 'skip verify-tampered: no jq'
+  exit 0
+fi
+
+# good NAME PROBLEM COMMAND [OPTION]...: a result that is right, in NAME.
+good() {
+  base=$1
+  printf '%s\n' "$2" >"$base.problem"
+  shift 2
+  run "$@" -q "$base.problem"
+  mv out "$base"
+  run verify --problems="$base.problem" "$base"
+  expect "$base is right" 0
+}
+
+# tampered FILTER CHECK [OPTION]...: the base, changed, fails, by that check at
+# least.
+tampered() {
+  filter=$1 check=$2
+  shift 2
+  jq -c "$filter" "$base" >bad
+  run verify -q "$@" bad
+  if [ "$status" -eq 1 ] && ! cmp -s "$base" bad &&
+    [ "$(get status)" = '"error"' ] &&
+    [ "$(get error.code)" = '"not-verified"' ] &&
+    jq -e ".worst.error >= .checks.$check and .checks.$check > 1e-9" out \
+      >/dev/null; then
+    pass "$base: $filter"
+  else
+    fail "$base: $filter" "status $status, $(get checks)"
+    cut -c 1-300 err
+  fi
+}
+
+# refused FILTER CODE FIELD: the base, changed, cannot be read.
+refused() {
+  jq -c "$1" "$base" >bad
+  run verify -q bad
+  equal "$base: $1" "1 \"$2\" \"$3\"" \
+    "$status $(get error.code) $(get error.field)"
+}
+
+points='[[0,0],[2,1],[3,0],[5,2]]'
+
+# ---- planar --------------------------------------------------------------------
+
+good ph "{\"points\":$points}" planar --offset=0.3 --sample=2
+tampered '.segments[1].control_points[2][0] += 1e-6' pythagorean_error
+tampered '.segments[1].control_points[0][1] += 1e-6' continuity_error
+tampered '.segments[1].control_points |= map([.[0] + 1e-7, .[1]])' \
+  continuity_error
+tampered '.segments[1].control_points |= reverse' continuity_error
+tampered '.segments[0:2] |= [
+  .[1] + {interval: .[0].interval}, .[0] + {interval: .[1].interval}]' \
+  continuity_error
+tampered '.segments[2].control_points = [[3,0],[3,1],[3.5,-1],[4,2],[5,3],[5,2]]
+  | del(.segments[].preimage, .offsets, .samples)' pythagorean_error
+tampered '.segments[1].preimage[1][0] *= 1.000001' preimage_error
+tampered '.segments[1].preimage |= reverse' preimage_error
+tampered '.segments[2].length += 1e-6' length_error
+tampered '.length *= 1.00001' length_error
+tampered '.segments[0].interval[1] += 1e-4
+  | .segments[1].interval[0] = .segments[0].interval[1]' continuity_error
+tampered '.curve = "tc"' shape
+tampered '.curve = "atph"' shape
+tampered '.closed = true' continuity_error
+tampered '.segments[1].interval[1] = -1 | .segments[2].interval[0] = -1' shape
+tampered '.samples[3].point[0] += 1e-6' sample_error
+tampered '.samples[3].s += 1e-6' sample_error
+tampered '.samples[3].t += 1e-6' sample_error
+tampered '.samples[3].tangent |= map(-.)' sample_error
+tampered '.samples[3].curvature *= -1' sample_error
+tampered '.samples[1:3] |= reverse' sample_error
+tampered '.offsets[0].distance += 1e-6' offset_error
+tampered '.offsets[0].segments[1].weights[4] *= 1.0001' offset_error
+tampered '.offsets[0].segments[1].control_points[4][1] += 1e-6' offset_error
+tampered '.offsets[0].segments[1].interval[0] = 0.1' offset_error
+tampered '.offsets[0].segments |= reverse' offset_error
+tampered '.offsets[0].samples[2].point[0] += 1e-6' sample_error
+tampered '.offsets[0].length += 1e-6' offset_error
+tampered '.diagnostics.energy *= 1.0001' diagnostic_error
+tampered '.diagnostics.absolute_rotation_index += 0.001' diagnostic_error
+printf '{"points":[[0,0],[2,1],[3,0],[5,2.000001]]}' >other
+tampered '.meta = 1' interpolation_error --problems=other
+printf '{"points":[[0,0],[2,1],[3,0],[5,2]],"closed":true}' >other
+tampered '.meta = 1' shape --problems=other
+printf '{"points":%s,"end_derivatives":[[1,1],[1,0]]}' "$points" >other
+tampered '.meta = 1' end_derivative_error --problems=other
+
+good cusp '{"points":[[0,0],[2,1],[3,0],[5,2]]}' planar --offset=-1
+tampered '.offsets[0].cusps |= .[1:]' offset_error
+tampered '.offsets[0].cusps[0].t += 0.01' offset_error
+tampered '.offsets[0].cusps += [{segment: 2, t: 0.9}]' offset_error
+
+good all "{\"points\":$points}" planar --solutions=all
+tampered '.solutions[2].segments[1].control_points[3][0] += 1e-6' \
+  pythagorean_error
+tampered '.solutions[2].length += 1e-6' length_error
+tampered '.solutions |= [.[1], .[0]] + .[2:]' shape
+
+# ---- trigonometric ---------------------------------------------------------------
+
+good atph "{\"points\":$points}" planar --basis=atph --offset=0.3 --sample=2
+tampered '.segments[1].alpha += 1e-5' pythagorean_error
+tampered '.segments[1].control_points[2][0] += 1e-6' pythagorean_error
+tampered '.segments[1].length += 1e-6' length_error
+tampered '.offsets[0].segments[1].denominator[2] *= 1.0001' offset_error
+tampered '.offsets[0].beziers[1].control_points[2][0] += 1e-3' offset_error
+tampered '.samples[3].curvature += 1e-6' sample_error
+
+# ---- in space -------------------------------------------------------------------
+
+good spatial '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],
+  "tangents":[[1,0,0],[0,1,0],[1,0,1],[1,1,0]]}' \
+  spatial-hermite --offset=0.1 --sample=2 --frame=erf
+tampered '.segments[1].control_points[3][2] += 1e-6' pythagorean_error
+tampered '.segments[1].preimage[0] |= map(-.) | .segments[1].preimage[1][2] += 0.01' \
+  preimage_error
+tampered '.samples[3].torsion += 1e-6' sample_error
+tampered '.samples[3].normal |= map(-.)' sample_error
+# shellcheck disable=SC2016 # jq's variable
+tampered '.samples[3] |= (.normal as $n | .normal = .binormal | .binormal = $n)' \
+  sample_error
+tampered '.offsets[0].vector = "e3"' offset_error
+printf '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],
+  "tangents":[[1,0,0],[0,1,0],[1,0,1],[1,1,1e-5]]}' >other
+tampered '.meta = 1' tangent_error --problems=other
+
+good lengths '{"points":[[0,0,0],[1,1,0],[2,0,1]],"lengths":[1.6,1.9]}' \
+  arclength
+tampered '.intervals[0].length += 1e-6' length_error
+printf '{"points":[[0,0,0],[1,1,0],[2,0,1]],"lengths":[1.6,1.900001]}' >other
+tampered '.meta = 1' prescribed_length_error --problems=other
+
+# ---- on a sphere -----------------------------------------------------------------
+
+good sphere '{"lonlat":[[0,0],[40,10],[80,-20],[120,50]],"radius":2}' \
+  sphere --offset=0.1 --sample=2
+tampered '.segments[1].control_points[1] |= map(. * 1.000001)' sphere_error
+tampered '.radius *= 1.000001' sphere_error
+tampered '.center[2] = 1e-6' sphere_error
+tampered '.segments[1].length += 1e-6' length_error
+tampered '.offsets[0].samples[3].point |= map(-.)' sample_error
+tampered '.samples[3].curvature += 1e-6' sample_error
+
+# ---- cubics --------------------------------------------------------------------
+
+good tc '{"points":[[0,0],[2,1],[3,0],[5,2]]}' tc --offset=0.1 --blaschke
+tampered '.segments[1].control_points[1][0] += 1e-6' pythagorean_error
+tampered '.segments[1].blaschke[0].weights[2] *= 1.0001' blaschke_error
+tampered '.segments[1].blaschke[0].control_points[2][2] += 1e-5' blaschke_error
+tampered '.offsets[0].segments[2].weights |= reverse' offset_error
+
+good near '{"curve":[[0,0],[1,2],[3,2],[4,-1],[6,0]]}' tc --tolerance=0.01
+tampered '.diagnostics.distance /= 2' distance_error --problems=near.problem
+
+# ---- how much is too much ------------------------------------------------------
+
+base=ph
+jq -c '.segments[2].length += 1e-6' ph >bad
+run verify --tolerance=1e-5 bad
+expect 'within the tolerance' 0
+run verify --pretty -q ph bad
+equal 'one of two' 1 "$status"
+run verify bad ph
+equal 'the line on standard error' 1 "$(grep -c \
+  '^phspline: bad:1: record 1: segments\[2\].length: .*(length_error .*) '\
+'\[not-verified\]$' err)"
+equal 'and the count' "$(failed 1 2)" "$(tail -n 1 err)"
+run verify --fail-fast bad ph
+equal 'the first failure is the end' 1 "$(wc -l <out | tr -d ' ')"
+jq . bad >pretty
+run verify -q pretty
+equal 'the line of a segment' "$(grep -n '"interval"' pretty |
+  sed -n '3s/:.*//p' | awk '{ print $1 - 1 }')" "$(get error.line)"
+
+# ---- what is no result ---------------------------------------------------------
+
+refused 'del(.segments)' missing-field segments
+refused 'del(.curve)' missing-field curve
+refused 'del(.segments[1].control_points)' missing-field \
+  'segments[1].control_points'
+refused 'del(.segments[1].length)' missing-field 'segments[1].length'
+refused '.segments[1].interval[0] += 1' bad-value 'segments[1].interval'
+refused '.segments[1].control_points[2] = [1]' bad-shape \
+  'segments[1].control_points[2]'
+refused '.segments[1].control_points[2] = null' bad-type \
+  'segments[1].control_points[2]'
+refused '.degree = 3' bad-shape 'segments[0].control_points'
+refused '.samples[1].segment = 3' bad-value 'samples[1].segment'
+refused '.curve = "circle"' bad-value curve
+refused '.id = {}' bad-type id
+sed 's/"length":[0-9.]*/"length":NaN/' ph >bad
+run verify -q bad
+equal 'NaN' '"syntax"' "$(get error.code)"
+sed 's/"length":[0-9.]*/"length":1e400/' ph >bad
+run verify -q bad
+equal 'no double' '"not-finite" "segments[0].length"' \
+  "$(get error.code) $(get error.field)"
+sed 's/"length":/"length":1,"length":/' ph >bad
+run verify -q bad
+equal 'a name twice' '"bad-value" "segments[0].length"' \
+  "$(get error.code) $(get error.field)"
+feed '' verify
+expect 'nothing' 0 '' ''
+feed '[]' verify
+expect 'no results' 0 '' ''
+feed '7 "a"' verify -q
+equal 'no objects' '"bad-type" "bad-type"' "$(get error.code)"
+feed "{\"points\":$points}" verify -q
+equal 'a problem' '"segments"' "$(get error.field)"
+{ cut -c 1-300 ph && cat ph; } >bad
+run verify -q bad
+equal 'a broken line' '"error" "ok"' "$(get status)"
+tr -d '\n' <ph | cut -c 1-300 | sed 's/^/[/' >bad
+run verify -q bad
+equal 'a broken array' 3 "$status"
+if [ -w /dev/full ]; then
+  "$PHSPLINE" verify ph >/dev/full 2>err
+  equal 'a full disk' 4 "$?"
+fi
+yes "$(cat ph)" | sed 500q >many
+run verify many
+equal 'many' "0 500" "$status $(grep -c '"status":"ok"' out)"

@@ -1,0 +1,502 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Drawings: strokes near curves, profiles, vectors, and that all is bounded. */
+#include "curve3_unit.h"
+#include "sample_unit.h"
+#include "seg2_unit.h"
+#include "spherical_curve_unit.h"
+#include "tc_curve_unit.h"
+#include "unit.h"
+
+#include "curve/cusp.h"
+#include "curve/ph2.h"
+#include "plot/drawing.h"
+
+#include <string.h>
+
+static const struct ph_drawing_names names = {"a title", "a = 1", 7};
+
+static struct ph_arena arena;
+static struct ph_drawing *drawing;
+static struct ph_diag diag;
+
+static void finish(void) {
+  ph_arena_free(&arena);
+  ph_drawing_free(drawing);
+  drawing = NULL;
+}
+
+/* Draws anew. */
+static const struct ph_drawing *draw(const struct ph_problem *problem,
+                                     const struct ph_result *result) {
+  ph_drawing_free(drawing);
+  ck_assert_int_eq(ph_drawing_make(problem, result, &names, &drawing, &diag),
+                   PH_OK);
+  ck_assert_str_eq(drawing->title, names.title);
+  ck_assert_str_eq(drawing->label, names.label);
+  ck_assert_uint_eq(drawing->record, 7);
+  ck_assert(drawing->closed == result->curve.closed);
+  ck_abs(drawing->length, result->curve.length, 0);
+  return drawing;
+}
+
+/* Draws a curve that is the only thing there is. */
+static const struct ph_drawing *draw_curve(const struct ph_curve *curve) {
+  static const struct ph_problem nothing;
+  const struct ph_result result = {.curve = *curve};
+  return draw(&nothing, &result);
+}
+
+/* Number i of the strokes of a role; NULL: there are fewer. */
+static const struct ph_stroke *stroke_of(const struct ph_drawing *d,
+                                         enum ph_stroke_role role, size_t i) {
+  for (size_t k = 0; k < d->strokes_n; k++) {
+    if (d->strokes[k].role == role && i-- == 0) {
+      return &d->strokes[k];
+    }
+  }
+  return NULL;
+}
+
+static size_t strokes_of(const struct ph_drawing *d, enum ph_stroke_role role) {
+  size_t n = 0;
+  while (stroke_of(d, role, n)) {
+    n++;
+  }
+  return n;
+}
+
+static double apart(ph_vec3 a, ph_vec3 b) {
+  return ph_vec3_abs(ph_vec3_sub(a, b));
+}
+
+static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
+  ck_assert_msg(apart(a, b) <= tol, "(%g, %g, %g) is not (%g, %g, %g)", a.x,
+                a.y, a.z, b.x, b.y, b.z);
+}
+
+/* Control point i of segment k. */
+static ph_vec3 control_of(const struct ph_curve *curve, size_t k, size_t i) {
+  return ph_vec3_get(ph_curve_points(curve, k) + curve->dimension * i,
+                     curve->dimension);
+}
+
+static double to_segment(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
+  ph_vec3 ab = ph_vec3_sub(b, a), ap = ph_vec3_sub(p, a);
+  double square = ph_vec3_dot(ab, ab);
+  double t = square > 0 ? ph_vec3_dot(ap, ab) / square : 0;
+  return apart(p, ph_vec3_along(a, t < 0 ? 0 : t > 1 ? 1 : t, ab));
+}
+
+static double to_stroke(ph_vec3 p, const struct ph_stroke *stroke) {
+  double least = (double)INFINITY;
+  for (size_t i = 1; i < stroke->n; i++) {
+    least =
+        fmin(least, to_segment(p, stroke->points[i - 1], stroke->points[i]));
+  }
+  return least;
+}
+
+/* Every segment of a curve by its stroke and profile. */
+static void ck_segments(const struct ph_curve *curve) {
+  const double tolerance = 2 * ph_curve_size(curve) / 4000;
+  const struct ph_drawing *d = draw_curve(curve);
+  double start = 0;
+  ck_assert_uint_eq(d->segments_n, curve->n);
+  ck_assert_uint_eq(strokes_of(d, PH_STROKE_CURVE), curve->n);
+  ck_assert_uint_eq(strokes_of(d, PH_STROKE_POLYGON), curve->n);
+  ck_assert_uint_eq(d->strokes_n, 2 * curve->n);
+  for (size_t k = 0; k < curve->n; k++) {
+    const struct ph_stroke *s = stroke_of(d, PH_STROKE_CURVE, k);
+    const struct ph_stroke *polygon = stroke_of(d, PH_STROKE_POLYGON, k);
+    const struct ph_profile *p = &d->profiles[k];
+    struct ph_sampler sampler = unit_sampler(curve, NULL, k, &arena);
+    ck_assert_uint_eq(s->index, k);
+    ck_assert_uint_ge(s->n, 2);
+    ck_vec3(s->points[0], control_of(curve, k, 0), 0);
+    ck_vec3(s->points[s->n - 1], control_of(curve, k, curve->degree), 0);
+    ck_assert_uint_eq(polygon->index, k);
+    ck_vec3(polygon->points[0], control_of(curve, k, 0), 0);
+    ck_vec3(polygon->points[polygon->n - 1],
+            control_of(curve, k, curve->degree), 0);
+    ck_assert_uint_eq(p->n, 65);
+    ck_assert((p->torsion != NULL) == (d->space == PH_DRAWING_SPACE));
+    for (size_t i = 0; i <= 256; i++) {
+      double u = (double)i / 256;
+      struct ph_sample at = ph_sampler_at(&sampler, u);
+      ck_assert_double_le(to_stroke(at.point, s), tolerance);
+      if (i % 4 == 0) {
+        ck_rel(p->s[i / 4], start + unit_length(&sampler, u), 1e-15);
+        ck_assert(unit_same(p->curvature[i / 4], at.curvature) ||
+                  (!isfinite(at.curvature) && isnan(p->curvature[i / 4])));
+        ck_assert(!p->torsion || unit_same(p->torsion[i / 4], at.torsion) ||
+                  isnan(at.torsion));
+      }
+    }
+    start += curve->lengths[k];
+  }
+}
+
+/* ---- curves by themselves ------------------------------------------------ */
+
+/* w = e^(it), t in [0,3]: most of a circle of radius 1/2 about (0, 1/2). */
+static void circle(struct unit_segments *c) {
+  const double angle = 3, root = sqrt(angle);
+  const struct ph_atph space = ph_atph_of(angle);
+  const ph_cplx w[3] = {
+      {root, 0},
+      {root, root * angle / (2 * space.slope)},
+      {root * cos(angle), root * sin(angle)},
+  };
+  struct ph_seg2 seg = unit_seg2(angle, w);
+  unit_seg2_curve(&seg, 1, c);
+  c->lengths[0] = c->curve.length = angle;
+}
+
+START_TEST(test_circle) {
+  const struct ph_drawing *d;
+  const struct ph_stroke *s;
+  struct unit_segments c;
+  circle(&c);
+  d = draw_curve(&c.curve);
+  ck_assert_int_eq(d->space, PH_DRAWING_PLANE);
+  ck_assert_uint_eq(d->data_n, 2);
+  ck_vec3(d->data[0], ph_vec3_of(0, 0, 0), 0);
+  ck_vec3(d->data[1], ph_vec3_of(sin(6) / 2, (1 - cos(6)) / 2, 0), 1e-15);
+  ck_vec3(d->low, ph_vec3_of(-0.5, 0, 0), 1e-4);
+  ck_vec3(d->high, ph_vec3_of(0.5, 1, 0), 1e-4);
+  s = stroke_of(d, PH_STROKE_CURVE, 0);
+  /* the ends are 0.14 apart, and chords of pi / 50 leave the arc by 2.5e-4 */
+  ck_assert_uint_ge(s->n, 100);
+  ck_assert_uint_le(s->n, 1025);
+  for (size_t i = 0; i < s->n; i++) {
+    ck_abs(apart(s->points[i], ph_vec3_of(0, 0.5, 0)), 0.5, 1e-14);
+  }
+  for (size_t i = 0; i < d->profiles[0].n; i++) {
+    ck_abs(d->profiles[0].s[i], 3 * (double)i / 64, 1e-14);
+    ck_abs(d->profiles[0].curvature[i], 2, 1e-13);
+  }
+}
+END_TEST
+
+START_TEST(test_planar) {
+  struct unit_random r = unit_random_of(1);
+  for (int i = 0; i < unit_count(50); i++) {
+    struct unit_segments c;
+    struct ph_seg2 seg = unit_seg2_random(&r);
+    unit_seg2_curve(&seg, 1, &c);
+    c.lengths[0] = c.curve.length = ph_ph2_length(&seg.space, seg.w);
+    ck_segments(&c.curve);
+  }
+}
+END_TEST
+
+START_TEST(test_cubics) {
+  struct unit_random r = unit_random_of(2);
+  for (int i = 0; i < unit_count(50); i++) {
+    struct unit_cubics c;
+    unit_cubics_random(&c, &r, 3, 1e3, ph_cplx_of(1, 2));
+    ck_segments(&c.curve);
+  }
+}
+END_TEST
+
+START_TEST(test_space) {
+  struct unit_random r = unit_random_of(3);
+  for (int i = 0; i < unit_count(50); i++) {
+    struct unit_curve3 c;
+    unit_curve3_random(&c, 3, i % 2, 0.5, &r);
+    ck_segments(&c.curve);
+    ck_assert_int_eq(drawing->space, PH_DRAWING_SPACE);
+  }
+}
+END_TEST
+
+/* On a sphere, polygons are on it too, and data. */
+START_TEST(test_sphere) {
+  const ph_vec3 center = {1, -2, 3};
+  struct unit_random r = unit_random_of(4);
+  for (int i = 0; i < unit_count(50); i++) {
+    struct unit_spherical c;
+    unit_spherical_random(&c, 3, 0.4, &r);
+    unit_spherical_place(&c, center, 10);
+    ck_segments(&c.curve);
+    ck_assert_int_eq(drawing->space, PH_DRAWING_SPHERE);
+    ck_abs(drawing->radius, 10, 0);
+    ck_vec3(ph_vec3_get(drawing->center, 3), center, 0);
+    for (size_t k = 0; k < 3; k++) {
+      const struct ph_stroke *s = stroke_of(drawing, PH_STROKE_POLYGON, k);
+      for (size_t j = 0; j < s->n; j++) {
+        ck_abs(apart(s->points[j], center), 10, 1e-13);
+        ck_assert(j == 0 || apart(s->points[j - 1], s->points[j]) <= 0.4);
+      }
+    }
+  }
+}
+END_TEST
+
+/* A curve that stands still at its start has no curvature there. */
+START_TEST(test_rest) {
+  const ph_vec3 p[4] = {{1, 0, 0}, {1, 0, 0}, {0.8, 0.6, 0}, {0, 0, 1}};
+  const struct ph_drawing *d;
+  struct unit_spherical c;
+  unit_spherical_of(&c, 1, false, p);
+  d = draw_curve(&c.curve);
+  ck_assert(isnan(d->profiles[0].curvature[0]));
+  for (size_t i = 1; i < d->profiles[0].n; i++) {
+    ck_assert(isfinite(d->profiles[0].curvature[i]));
+  }
+}
+END_TEST
+
+/* ---- data and vectors ---------------------------------------------------- */
+
+START_TEST(test_intervals) {
+  struct ph_interval intervals[2] = {PH_INTERVAL_NONE, PH_INTERVAL_NONE};
+  const struct ph_problem nothing = {.field = {{.kind = PH_ABSENT}}};
+  struct unit_random r = unit_random_of(5);
+  struct unit_curve3 c;
+  struct ph_result result = {.intervals = intervals, .intervals_n = 2};
+  const struct ph_drawing *d;
+  unit_curve3_random(&c, 3, false, 0.3, &r);
+  result.curve = c.curve;
+  intervals[0].last = 1;
+  intervals[1].first = intervals[1].last = 2;
+  d = draw(&nothing, &result);
+  ck_assert_uint_eq(d->data_n, 3);
+  ck_vec3(d->data[0], control_of(&c.curve, 0, 0), 0);
+  ck_vec3(d->data[1], control_of(&c.curve, 2, 0), 0);
+  ck_vec3(d->data[2], control_of(&c.curve, 2, 5), 0);
+  result.curve.closed = true;
+  ck_assert_uint_eq(draw(&nothing, &result)->data_n, 2);
+}
+END_TEST
+
+/* Derivatives keep their proportions, directions do not. */
+START_TEST(test_vectors) {
+  static const enum ph_field_id fields[] = {
+      PH_F_TANGENTS, PH_F_DERIVATIVES, PH_F_END_TANGENTS, PH_F_END_DERIVATIVES};
+  double v[] = {1, 0, 0, 2, 0, 0, -3, -4};
+  struct unit_random r = unit_random_of(6);
+  struct unit_cubics c;
+  struct ph_result result = {.curve = {.n = 0}};
+  unit_cubics_random(&c, &r, 3, 1, ph_cplx_of(0, 0));
+  result.curve = c.curve;
+  for (size_t f = 0; f < 4; f++) {
+    const size_t n = f < 2 ? 4 : 2;
+    struct ph_problem problem = {.field = {{.kind = PH_ABSENT}}};
+    const struct ph_drawing *d;
+    double first = 0, longest = 0, box = 2 * ph_curve_size(&c.curve);
+    problem.field[fields[f]] = (struct ph_value){
+        .kind = PH_VECTORS, .v = f < 2 ? v : v + 4, .n = n, .dimension = 2};
+    d = draw(&problem, &result);
+    /* the third of the four vectors is 0 */
+    ck_assert_uint_eq(strokes_of(d, PH_STROKE_TANGENT), f < 2 ? 3 : 1);
+    for (size_t i = 0; i < strokes_of(d, PH_STROKE_TANGENT); i++) {
+      const struct ph_stroke *s = stroke_of(d, PH_STROKE_TANGENT, i);
+      const size_t at = f >= 2 || i == 2 ? 3 : i;
+      const ph_vec3 given = ph_vec3_get(v + 2 * at, 2);
+      const ph_vec3 drawn = ph_vec3_sub(s->points[1], s->points[0]);
+      const double length = ph_vec3_abs(drawn);
+      const double scale = f % 2 ? length / ph_vec3_abs(given) : length;
+      ck_assert_uint_eq(s->index, at);
+      ck_assert_uint_eq(s->n, 2);
+      ck_vec3(s->points[0], d->data[at], 0);
+      ck_vec3(ph_vec3_unit(drawn), ph_vec3_unit(given), 1e-13);
+      first = i == 0 ? scale : first;
+      ck_rel(scale, first, 1e-13);
+      longest = fmax(longest, length);
+    }
+    ck_assert_double_ge(longest, 0.02 * box);
+    ck_assert_double_le(longest, 0.2 * box);
+    result.curve.closed = true; /* it has no ends */
+    ck_assert_uint_eq(strokes_of(draw(&problem, &result), PH_STROKE_TANGENT),
+                      f < 2 ? 2 : 0);
+    result.curve.closed = false;
+  }
+}
+END_TEST
+
+/* On a sphere vectors are bent to it. */
+START_TEST(test_vectors_sphere) {
+  double v[] = {0, 3, 0, 1, 2, 3};
+  const ph_vec3 center = {1, -2, 3};
+  struct ph_problem problem = {.field = {{.kind = PH_ABSENT}}};
+  struct unit_random r = unit_random_of(7);
+  struct unit_spherical c;
+  struct ph_result result = {.offsets_n = 0};
+  const struct ph_drawing *d;
+  unit_spherical_random(&c, 3, 0.2, &r);
+  unit_spherical_place(&c, center, 10);
+  result.curve = c.curve;
+  problem.field[PH_F_END_TANGENTS] =
+      (struct ph_value){.kind = PH_VECTORS, .v = v, .n = 2, .dimension = 3};
+  d = draw(&problem, &result);
+  ck_assert_uint_eq(strokes_of(d, PH_STROKE_TANGENT), 2);
+  for (size_t i = 0; i < 2; i++) {
+    const struct ph_stroke *s = stroke_of(d, PH_STROKE_TANGENT, i);
+    ph_vec3 out = ph_vec3_unit(ph_vec3_sub(d->data[3 * i], center));
+    ph_vec3 step =
+        ph_vec3_normal(ph_vec3_sub(s->points[s->n - 1], s->points[0]), out);
+    ck_assert_uint_eq(s->index, 3 * i);
+    ck_vec3(s->points[0], d->data[3 * i], 0);
+    ck_vec3(ph_vec3_unit(step),
+            ph_vec3_unit(ph_vec3_normal(ph_vec3_get(v + 3 * i, 3), out)),
+            1e-12);
+    for (size_t j = 0; j < s->n; j++) {
+      ck_abs(apart(s->points[j], center), 10, 1e-13);
+    }
+  }
+}
+END_TEST
+
+/* ---- offsets ------------------------------------------------------------- */
+
+/* Within the circle, far outside of it, and one that is a point: it is drawn
+ * too.  What is far away makes the box larger and the chords coarser. */
+START_TEST(test_offsets) {
+  const struct ph_problem nothing = {.field = {{.kind = PH_ABSENT}}};
+  struct ph_offset offsets[] = {
+      {.distance = 0.2}, {.distance = -9.5}, {.distance = 0.5}};
+  const double radii[] = {0.3, 10, 0};
+  struct ph_result result = {.offsets = offsets, .offsets_n = 3};
+  const struct ph_drawing *d;
+  struct unit_segments c;
+  circle(&c);
+  result.curve = c.curve;
+  d = draw(&nothing, &result);
+  ck_assert_uint_eq(strokes_of(d, PH_STROKE_OFFSET), 3);
+  for (size_t i = 0; i < 3; i++) {
+    const struct ph_stroke *s = stroke_of(d, PH_STROKE_OFFSET, i);
+    ck_assert_uint_eq(s->index, i);
+    ck_assert_uint_ge(s->n, 2);
+    for (size_t j = 0; j < s->n; j++) {
+      ck_abs(apart(s->points[j], ph_vec3_of(0, 0.5, 0)), radii[i], 1e-13);
+    }
+  }
+  ck_assert_uint_ge(stroke_of(d, PH_STROKE_OFFSET, 1)->n, 64);
+  ck_assert_uint_le(stroke_of(d, PH_STROKE_CURVE, 0)->n, 65);
+  ck_vec3(d->low, ph_vec3_of(-10, -9.5, 0), 0.01);
+  ck_vec3(d->high, ph_vec3_of(10, 10.5, 0), 0.01);
+}
+END_TEST
+
+/* The tips of cusps are drawn. */
+START_TEST(test_cusps) {
+  const struct ph_problem nothing = {.field = {{.kind = PH_ABSENT}}};
+  struct unit_random r = unit_random_of(8);
+  size_t cusps = 0;
+  for (int i = 0; i < unit_count(100); i++) {
+    struct unit_cubics c;
+    struct ph_offset offset = {.distance = unit_random_in(&r, -0.5, 0.5)};
+    struct ph_result result = {.offsets = &offset, .offsets_n = 1};
+    struct ph_sampler sampler;
+    const struct ph_stroke *s;
+    unit_cubics_random(&c, &r, 3, 1, ph_cplx_of(0, 0));
+    result.curve = c.curve;
+    ck_assert_int_eq(ph_cusps_of(&c.curve, offset.distance, PH_E2, &arena,
+                                 &offset.cusps, &diag),
+                     PH_OK);
+    s = stroke_of(draw(&nothing, &result), PH_STROKE_OFFSET, 0);
+    for (size_t k = 0; k < offset.cusps.n; k++) {
+      const struct ph_place *at = &offset.cusps.at[k];
+      double least = (double)INFINITY;
+      ph_vec3 tip;
+      sampler = unit_sampler(&c.curve, &offset, at->segment, &arena);
+      tip = ph_sampler_at(&sampler, at->u).point;
+      for (size_t j = 0; j < s->n; j++) {
+        least = fmin(least, apart(tip, s->points[j]));
+      }
+      ck_abs(least, 0, 0);
+    }
+    cusps += offset.cusps.n;
+  }
+  ck_assert_uint_ge(cusps, 10);
+}
+END_TEST
+
+/* ---- bounds -------------------------------------------------------------- */
+
+/* n straight segments of length 1. */
+static struct ph_curve straight(size_t n) {
+  struct ph_curve curve = {.kind = PH_CURVE_PH,
+                           .dimension = 2,
+                           .degree = 5,
+                           .n = n,
+                           .preimage_n = 3,
+                           .preimage_dimension = 2};
+  ck_assert_int_eq(ph_curve_alloc(&curve, &arena, &diag), PH_OK);
+  for (size_t k = 0; k < n; k++) {
+    for (size_t i = 0; i < 6; i++) {
+      curve.control_points[12 * k + 2 * i] = (double)k + (double)i / 5;
+      curve.control_points[12 * k + 2 * i + 1] = 0;
+    }
+    for (size_t i = 0; i < 3; i++) {
+      curve.preimage[6 * k + 2 * i] = 1;
+      curve.preimage[6 * k + 2 * i + 1] = 0;
+    }
+    curve.lengths[k] = 1;
+  }
+  curve.length = (double)n;
+  return curve;
+}
+
+START_TEST(test_many) {
+  static const size_t numbers[] = {1000, 1001, 2500, 10001, 100001, 250000};
+  for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+    const size_t n = numbers[i];
+    const struct ph_curve curve = straight(n);
+    const struct ph_drawing *d = draw_curve(&curve);
+    const bool details = n <= PH_DRAWING_SEGMENTS;
+    size_t points = 0, places = 0, polygons = details ? n : 0;
+    double s = 0;
+    ck_assert_uint_eq(d->data_n, details ? n + 1 : 0);
+    ck_assert_uint_eq(strokes_of(d, PH_STROKE_POLYGON), polygons);
+    ck_assert_uint_eq(d->strokes_n, polygons + d->segments_n);
+    ck_assert_uint_le(d->segments_n, PH_DRAWING_SEGMENTS);
+    ck_assert_uint_ge(d->segments_n, PH_DRAWING_SEGMENTS / 2);
+    for (size_t k = 0; k < d->segments_n; k++) {
+      const struct ph_stroke *stroke = &d->strokes[polygons + k];
+      const struct ph_profile *profile = &d->profiles[k];
+      ck_assert_int_eq(stroke->role, PH_STROKE_CURVE);
+      ck_abs(stroke->points[0].x, (double)stroke->index, 0);
+      ck_abs(stroke->points[stroke->n - 1].x,
+             k + 1 < d->segments_n ? (double)stroke[1].index : (double)n, 0);
+      for (size_t j = 0; j < profile->n; j++) {
+        ck_abs(profile->curvature[j], 0, 0);
+        ck_assert_double_ge(profile->s[j], s);
+        s = profile->s[j];
+      }
+      points += stroke->n;
+      places += profile->n;
+    }
+    ck_assert_uint_ge(points, n < PH_DRAWING_POINTS ? n : 50000);
+    ck_assert_uint_le(points, PH_DRAWING_POINTS + PH_DRAWING_SEGMENTS + 1);
+    ck_assert_uint_ge(places, PH_DRAWING_PLACES / 2);
+    ck_assert_uint_le(places, PH_DRAWING_PLACES);
+    ck_assert_uint_eq(d->places, points + places + 6 * polygons);
+    ck_abs(d->high.x, (double)n, 0);
+  }
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("drawing");
+  TCase *tc = tcase_create("drawing");
+  tcase_add_checked_fixture(tc, NULL, finish);
+  tcase_add_test(tc, test_circle);
+  tcase_add_test(tc, test_planar);
+  tcase_add_test(tc, test_cubics);
+  tcase_add_test(tc, test_space);
+  tcase_add_test(tc, test_sphere);
+  tcase_add_test(tc, test_rest);
+  tcase_add_test(tc, test_intervals);
+  tcase_add_test(tc, test_vectors);
+  tcase_add_test(tc, test_vectors_sphere);
+  tcase_add_test(tc, test_offsets);
+  tcase_add_test(tc, test_cusps);
+  tcase_add_test(tc, test_many);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)
