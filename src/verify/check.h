@@ -31,6 +31,9 @@ void ph_verify_joint(struct ph_verify *v, const struct ph_verify_segment *a,
 /* ph_verify_lengths: of all segments, intervals and the whole. */
 void ph_verify_lengths(struct ph_verify *v);
 
+/* ph_verify_tensions: what joins segments on a sphere. */
+void ph_verify_tensions(struct ph_verify *v);
+
 /* ph_verify_fairness: energies and turns that the diagnostics claim. */
 void ph_verify_fairness(struct ph_verify *v);
 
@@ -49,8 +52,8 @@ void ph_verify_samples(struct ph_verify *v, const struct ph_samples *samples,
                        const struct ph_verify_path *beside, double *length,
                        double *error);
 
-/* ph_verify_sphere: points of a curve on a sphere; with the problem, what joins
- * and ends its segments. */
+/* ph_verify_sphere: points of a curve on a sphere; with the problem, how it
+ * ends. */
 void ph_verify_sphere(struct ph_verify *v);
 
 /* ph_verify_blaschke: images on the Blaschke cylinder. */

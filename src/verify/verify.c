@@ -121,6 +121,7 @@ static enum ph_status check_curve(struct ph_verify *v) {
   ph_verify_lengths(v);
   ph_verify_fairness(v);
   ph_verify_sphere(v);
+  ph_verify_tensions(v);
   ph_verify_blaschke(v);
   if (v->curve == &v->claim->curve) {
     check_derived(v);

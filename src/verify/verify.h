@@ -28,6 +28,7 @@
   X(PYTHAGOREAN, "pythagorean_error")      \
   X(PREIMAGE, "preimage_error")            \
   X(SPHERE, "sphere_error")                \
+  X(TENSION, "tension_error")              \
   X(CONTINUITY, "continuity_error")        \
   X(LENGTH, "length_error")                \
   X(INTERPOLATION, "interpolation_error")  \

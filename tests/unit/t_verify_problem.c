@@ -237,7 +237,7 @@ START_TEST(sphere) {
   make("sphere", json);
   expect_pass(PH_V_SPHERE);
   claim.result.curve.tensions[1] += 1e-3;
-  expect_fail(PH_V_CONTINUITY, 1e-5, 1e-3);
+  expect_fail(PH_V_TENSION, 1e-5, 1e-3);
   make("sphere", json);
   claim.result.curve.control_points[12] *= 1 + 1e-6;
   expect_fail(PH_V_SPHERE, 1e-7, 1e-5);
