@@ -76,7 +76,8 @@ struct ph_sample ph_sampler_at(const struct ph_sampler *sampler, double u);
 
 /*
  * ph_sampler_length: the arc length from the start of the segment to u in
- * [0,1], increasing, from 0 to sampler->length, to 1e-13 of that.
+ * [0,1], increasing, from 0 to sampler->length, to 1e-13 of that; on
+ * a sphere to 1e-9 beside near-cusps of an offset, where its speed is rounding.
  *
  * Of PH and ATPH curves, of cubics, and of offsets of these in the plane it is
  * in closed form; else the integral of an interpolant of the speed.  Of Bezier

@@ -152,8 +152,10 @@ static double precision_of(const struct state *state) {
   return fmax(least, rounding * terms / fmax(pace, DBL_MIN));
 }
 
+/* Beside a turn that is nearly a cusp |g| is known to much less; a length to
+ * 1e-9 is still one. */
 static enum ph_status tabulate(struct ph_sampler *sampler) {
-  enum { TRIES = 3 };
+  enum { TRIES = 6 };
   struct state *state = sampler->state;
   double precision = precision_of(state);
   enum ph_status status = PH_NO_CONVERGENCE;
