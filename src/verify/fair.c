@@ -240,6 +240,7 @@ static void integrate(const struct fair *fair,
   }
   if (!in.plane) {
     bool near = !(depth > INFLECTION);
+    error[BENDING] += SMOOTH * value[BENDING];
     error[VARYING] += (near ? INFLECTED : SMOOTH) * value[VARYING];
     error[TWISTING] += near ? HUGE_VAL : SMOOTH * value[TWISTING];
   }

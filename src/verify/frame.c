@@ -2,8 +2,11 @@
 /* Frames of samples (see frame.h). */
 #include "verify/frame.h"
 
-/* Steps from one sample to the next, then twice as many. */
-enum { STEPS = 8 };
+/* Steps from one sample to the next, then twice as many and so on, until no
+ * more than this changes; where a tangent turns by more than that in one of
+ * them, what the normal does is not known. */
+enum { STEPS = 4, STEPS_MAX = 512 };
+static const double ENOUGH = 1e-8, TURN = 0.5;
 
 /* What is carried along: a place and a normal. */
 struct carried {
@@ -28,28 +31,41 @@ static void step_to(struct carried *c, ph_vec3 point, ph_vec3 tangent) {
   c->tangent = tangent;
 }
 
-/* The normal at `to`, in some steps from f->u. */
+/* The normal at `to`, in some steps from f->u; adds what its tangents may be
+ * off by to the error. */
 static ph_vec3 carry(const struct ph_verify_framing *f,
-                     const struct ph_verify_path *path, double to,
-                     size_t steps) {
+                     const struct ph_verify_path *path, double to, size_t steps,
+                     double *error) {
   struct ph_verify_place place = ph_verify_place_at(path, f->u);
   struct carried c = {place.point, place.tangent, f->normal};
+  *error += place.tangent_error;
   for (size_t i = 1; i <= steps; i++) {
     double part = (double)i / (double)steps;
     place = ph_verify_place_at(path, f->u + part * (to - f->u));
+    if (!(ph_verify_apart(place.tangent, c.tangent) <= TURN)) {
+      *error = HUGE_VAL;
+    }
+    *error += place.tangent_error;
     step_to(&c, place.point, place.tangent);
   }
   return c.normal;
 }
 
-/* The error of both falls by 16 from one to the other. */
+/* Their error falls by 16 where steps are twice as many. */
 static ph_vec3 transport(const struct ph_verify_framing *f,
                          const struct ph_verify_path *path, double to,
                          double *error) {
-  ph_vec3 coarse = carry(f, path, to, STEPS);
-  ph_vec3 fine = carry(f, path, to, 2 * STEPS);
-  ph_vec3 change = ph_vec3_sub(fine, coarse);
-  *error = f->error + ph_vec3_abs(change);
+  double tangents = 0;
+  ph_vec3 fine = carry(f, path, to, STEPS, &tangents), coarse, change;
+  size_t steps = STEPS;
+  do {
+    coarse = fine;
+    steps *= 2;
+    tangents = 0;
+    fine = carry(f, path, to, steps, &tangents);
+    change = ph_vec3_sub(fine, coarse);
+  } while (steps < STEPS_MAX && !(ph_vec3_abs(change) <= ENOUGH + tangents));
+  *error = f->error + ph_vec3_abs(change) + tangents;
   return ph_vec3_unit(ph_vec3_along(fine, 1.0 / 15, change));
 }
 

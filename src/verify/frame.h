@@ -6,7 +6,7 @@
  *   erf     it is A j A* / |A|^2, A the claimed preimage
  *   rmf     the frame does not turn about the tangent: from each sample to the
  *           next the normal is carried along by double reflections (exact but
- *           for the fourth power of the step), in two step sizes; on a sphere
+ *           for the fourth power of the step), in ever more steps; on a sphere
  *           it is S x T
  *
  * How a rotation-minimising frame begins is nobody's claim.

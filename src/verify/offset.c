@@ -358,6 +358,7 @@ static bool begin(struct context *c) {
     return wrong(c, NULL, PH_VERIFY_ONE, "vector", "is neither e2 nor e3");
   }
   c->path.binormal = space && vector[1] == '3';
+  c->path.cusps = &c->o->cusps;
   c->path.distance = curve->radius > 0 ? c->o->distance / curve->radius
                                        : ph_verify_scaled(v, c->o->distance);
   return true;

@@ -231,6 +231,8 @@ static struct ph_verify_place sphere_place(const struct ph_verify_path *path,
   error = s->noise / s->radius + PARAMETER * ph_vec3_abs(jet[2]);
   next = PH_VERIFY_ROUND_NEXT * s->noise / s->radius;
   turn = ph_vec3_dot(jet[0], ph_vec3_cross(jet[1], jet[2])) / (speed * speed);
+  place.flat = (next + 2 * ph_vec3_abs(jet[2]) * error / speed) * speed /
+               ph_vec3_abs(ph_vec3_cross(jet[1], jet[2]));
   next = next / speed + 4 * ph_vec3_abs(jet[2]) * error / (speed * speed);
   place.tangent = ph_vec3_scale(1 / speed, jet[1]);
   place.tangent_error = error / speed;
@@ -251,9 +253,16 @@ static struct ph_verify_place sphere_place(const struct ph_verify_path *path,
   return place;
 }
 
+/* Errors are those of the first order: where a speed may vanish they say
+ * nothing. */
 struct ph_verify_place ph_verify_place_at(const struct ph_verify_path *path,
                                           double u) {
-  return path->s->radius > 0 ? sphere_place(path, u) : curve_place(path, u);
+  struct ph_verify_place place =
+      path->s->radius > 0 ? sphere_place(path, u) : curve_place(path, u);
+  if (!(place.speed_error < PH_VERIFY_NO_DIRECTION * place.speed)) {
+    place.curvature_error = place.torsion_error = HUGE_VAL;
+  }
+  return place;
 }
 
 ph_vec3 ph_verify_across(const struct ph_verify_path *path, double u) {
@@ -272,15 +281,45 @@ static void speed_at(const void *context, double u, double *value) {
   value[1] = place.speed_error;
 }
 
+/* The first cusp after a place. */
+static size_t cusp_after(const struct ph_verify_path *path, double u) {
+  const struct ph_cusps *cusps = path->cusps;
+  size_t low = 0, high = cusps ? cusps->n : 0;
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    const struct ph_place *at = &cusps->at[middle];
+    if (at->segment < path->s->k ||
+        (at->segment == path->s->k && at->t <= u * path->s->unit)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
 double ph_verify_path_length(const struct ph_verify_path *path, double from,
                              double to, double *error) {
   const struct ph_verify_integrands of = {speed_at, path,           2,
                                           1,        path->s->noise, LENGTH};
-  double sum[2];
+  const struct ph_cusps *cusps = path->cusps;
+  double sum[2], length = 0;
   if (!(fabs(path->distance) > 0)) {
     return ph_verify_length_of(path->v, path->s, from, to);
   }
+  for (size_t i = cusp_after(path, from);
+       cusps && i < cusps->n && cusps->at[i].segment == path->s->k &&
+       cusps->at[i].t < to * path->s->unit;
+       i++) {
+    double u = cusps->at[i].t / path->s->unit;
+    if (u > from) { /* in order, as they should be */
+      ph_verify_integral(&path->v->rule, &of, from, u, sum);
+      *error += isfinite(sum[1]) ? sum[1] : path->v->size;
+      length += sum[0];
+      from = u;
+    }
+  }
   ph_verify_integral(&path->v->rule, &of, from, to, sum);
   *error += isfinite(sum[1]) ? sum[1] : path->v->size;
-  return sum[0];
+  return length + sum[0];
 }

@@ -21,12 +21,15 @@
 
 #include "verify/segment.h"
 
-/* What is looked at: a segment, or the offset of it. */
+/* What is looked at: a segment, or the offset of it.  The length of an offset
+ * is integrated from cusp to cusp: two of them may be nearer to each other than
+ * the places where the speed is looked at, which has a kink at each. */
 struct ph_verify_path {
   const struct ph_verify *v;
   const struct ph_verify_segment *s;
   double distance; /* at unit scale; on a sphere the angle; 0: the curve */
   bool binormal;   /* in space: along e3 */
+  const struct ph_cusps *cusps; /* of an offset, as listed; or NULL */
 };
 
 struct ph_verify_place {

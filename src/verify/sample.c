@@ -227,7 +227,8 @@ static void check_order(struct walk *w, size_t i) {
       !(of->t[i] >= of->t[i - 1])) {
     ph_verify_wrong(w->v, PH_V_SAMPLE, in(i, "t"), "is before the last one");
   }
-  if (i > 0 && !(of->s[i] >= of->s[i - 1] * (1 - ROUND_UNIT))) {
+  if (i > 0 &&
+      !(of->s[i] >= of->s[i - 1] - ROUND_UNIT * fabs(of->s[of->n - 1]))) {
     ph_verify_wrong(w->v, PH_V_SAMPLE, in(i, "s"), "is before the last one");
   }
 }

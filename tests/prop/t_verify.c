@@ -77,16 +77,17 @@ static void report(const char *command) {
 }
 
 /* Samples of every kind, and an offset. */
-static struct unit_wanted wanted_of(struct unit_random *r, double size,
+static struct unit_wanted wanted_of(struct unit_random *r, double length,
                                     bool space) {
   struct unit_wanted w = {.samples.how = unit_random_below(r, 4)};
   w.samples.n = 1 + unit_random_below(r, 5);
-  w.samples.spacing = size * unit_random_in(r, 0.05, 0.5);
-  w.samples.chord_error = size * unit_random_in(r, 1e-4, 1e-2);
+  w.samples.spacing = length * unit_random_in(r, 0.03, 0.3);
+  w.samples.chord_error = length * unit_random_in(r, 1e-4, 1e-2);
   if (space && w.samples.how) {
-    w.samples.frame = 0;
+    w.samples.frame = unit_random_below(r, 4);
   }
-  w.offset = unit_random_below(r, 2) ? size * unit_random_in(r, -0.5, 0.5) : 0;
+  w.offset =
+      unit_random_below(r, 2) ? length * unit_random_in(r, -0.3, 0.3) : 0;
   w.bezier = unit_random_below(r, 4) == 0;
   return w;
 }
@@ -109,8 +110,7 @@ START_TEST(planar_curves) {
       }
     }
     if (unit_planar_solve(&u) == PH_OK) {
-      struct unit_wanted w =
-          wanted_of(&r, ph_curve_size(&u.result.curve), false);
+      struct unit_wanted w = wanted_of(&r, u.result.curve.length, false);
       accept("planar", &u.problem, &u.result, &w, i);
     }
     unit_planar_free(&u);
@@ -127,8 +127,7 @@ START_TEST(spatial_curves) {
     struct spatial_solution s = {0};
     spatial_any(&r, 8, &data);
     if (spatial_answer(&data, i, &s)) {
-      struct unit_wanted w =
-          wanted_of(&r, ph_curve_size(&s.result.curve), true);
+      struct unit_wanted w = wanted_of(&r, s.result.curve.length, true);
       forget_extremes(&s.result.diagnostics);
       accept("spatial-hermite", &s.problem, &s.result, &w, i);
     }
@@ -146,8 +145,7 @@ START_TEST(arclength_curves) {
     struct arc_solution s = {0};
     arc_any(&r, &data);
     if (arc_solve(&data, i, &s)) {
-      struct unit_wanted w =
-          wanted_of(&r, ph_curve_size(&s.result.curve), true);
+      struct unit_wanted w = wanted_of(&r, s.result.curve.length, true);
       accept("arclength", &s.problem, &s.result, &w, i);
     }
     arc_free(&s);
@@ -164,8 +162,7 @@ START_TEST(sphere_curves) {
     struct sphere_solution s = {0};
     sphere_any(&r, &data);
     if (sphere_solve(&data, i, &s)) {
-      struct unit_wanted w =
-          wanted_of(&r, ph_curve_size(&s.result.curve), true);
+      struct unit_wanted w = wanted_of(&r, s.result.curve.length, true);
       w.bezier = false;
       w.samples.frame =
           w.samples.frame == PH_FRAME_ERF ? PH_FRAME_NONE : w.samples.frame;
@@ -185,8 +182,7 @@ START_TEST(tc_curves) {
     struct tc_solution s = {0};
     tc_of(&r, (enum tc_family)(i % TC_FAMILY_N), &data);
     if (tc_solve(&data, i, &s)) {
-      struct unit_wanted w =
-          wanted_of(&r, ph_curve_size(&s.result.curve), false);
+      struct unit_wanted w = wanted_of(&r, s.result.curve.length, false);
       accept("tc", &s.problem, &s.result, &w, i);
     }
     tc_free(&s);
