@@ -254,7 +254,7 @@ UNIT_WANTED := $(if $(filter %-run tests-build,$(MAKECMDGOALS)),\
 TESTS =
 pick = $(if $(TESTS),$(filter $(TESTS) $(addprefix %/,$(TESTS)),$1),$1)
 
-tests-build: all $(TOOLS) $(filter-out --%,$(UNIT_WANTED))
+tests-build: all $(TOOLS) $(call pick,$(filter-out --%,$(UNIT_WANTED)))
 
 check: ## unit and command line tests, quick lints (or TESTS=FILE...)
 	$(need)
