@@ -25,6 +25,9 @@ static const int signals[] = {SIGINT,  SIGTERM, SIGHUP,
 /* As many symbolic links lead to a file at most. */
 enum { LINKS_MAX = 40 };
 
+/* Digits of a descriptor's number at most. */
+enum { DIGITS_MAX = 9 };
+
 /* So much of a file's name, which may have 255 bytes, is in the temporary's. */
 enum { NAME_KEPT = 200 };
 
@@ -74,7 +77,7 @@ static void forget(struct ph_output *output) {
 void ph_output_prepare(void) {
   for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++) {
     if (fcntl(fd, F_GETFD) < 0) { /* the wrong way round */
-      open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+      open("/dev/null", (fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) | O_CLOEXEC);
     }
   }
   signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is a failed write */
@@ -128,11 +131,40 @@ static char *join(const char *path, size_t n, const char *name) {
   return joined;
 }
 
-/* What a symbolic link points to is replaced or made, not the link. */
+/* The number of one of our own descriptors that a path is the name of, such as
+ * /proc/self/fd/1, or -1.  Such a name is no place that a file could be put at:
+ * what stands behind it has been opened by somebody else, who is to say from
+ * where on it is written. */
+static int descriptor_of(const char *path) {
+  static const char *const homes[] = {"/dev/fd", "/proc/self/fd",
+                                      "/proc/thread-self/fd"};
+  const char *slash = strrchr(path, '/');
+  size_t digits = slash ? strspn(slash + 1, "0123456789") : 0;
+  char *directory, *real;
+  int number = -1;
+  if (digits == 0 || digits > DIGITS_MAX || slash[1 + digits]) {
+    return -1;
+  }
+  directory = join(path, (size_t)(slash + 1 - path), "");
+  real = directory ? realpath(directory, NULL) : NULL;
+  for (size_t i = 0; real && i < sizeof homes / sizeof homes[0]; i++) {
+    char *home = realpath(homes[i], NULL);
+    if (home && strcmp(home, real) == 0) {
+      number = atoi(slash + 1);
+    }
+    free(home);
+  }
+  free(real);
+  ph_free(directory);
+  return number;
+}
+
+/* What a symbolic link points to is replaced or made, not the link; a name of
+ * one of our descriptors is followed no further. */
 static char *resolve(const char *file) {
   char link[PATH_MAX];
   char *path = join("", 0, file);
-  for (int i = 0; path && i < LINKS_MAX; i++) {
+  for (int i = 0; path && i < LINKS_MAX && descriptor_of(path) < 0; i++) {
     ssize_t n = readlink(path, link, sizeof link - 1);
     const char *slash = strrchr(path, '/');
     char *next;
@@ -148,15 +180,30 @@ static char *resolve(const char *file) {
   return path;
 }
 
+/* Owner and permissions of the file that is replaced, or those of a new one.
+ * Only root can give files away, and others can give one only to a group of
+ * theirs: a group that never had the file gets no more than everybody. */
+static enum ph_status set_mode(const struct ph_output *output,
+                               const struct stat *existing,
+                               struct ph_diag *diag) {
+  int fd = output->descriptor;
+  mode_t mask = umask(0);
+  mode_t mode = existing ? existing->st_mode & 0777 : 0666 & ~mask;
+  umask(mask);
+  if (existing && fchown(fd, existing->st_uid, existing->st_gid) != 0 &&
+      fchown(fd, (uid_t)-1, existing->st_gid) != 0) {
+    mode &= ~(mode_t)S_IRWXG | (mode & S_IRWXO) << 3;
+  }
+  return fchmod(fd, mode) == 0 ? PH_OK
+                               : failed("set the mode of", output->name, diag);
+}
+
+/* Takes over output->target. */
 static enum ph_status open_temporary(struct ph_output *output,
                                      const struct stat *existing,
                                      struct ph_diag *diag) {
   sigset_t all, old;
-  mode_t mask = umask(0);
-  mode_t mode = existing ? existing->st_mode & 0777 : 0666 & ~mask;
-  umask(mask);
-  output->target = resolve(output->name);
-  output->temporary = output->target ? temporary_name(output->target) : NULL;
+  output->temporary = temporary_name(output->target);
   if (!output->temporary) {
     return ph_fail_memory(diag);
   }
@@ -175,20 +222,49 @@ static enum ph_status open_temporary(struct ph_output *output,
     output->temporary = NULL;
     return PH_OUTPUT;
   }
-  if (existing &&
-      fchown(output->descriptor, existing->st_uid, existing->st_gid) != 0) {
-    /* only root can give files away: it is ours then */
+  if (fcntl(output->descriptor, F_SETFD, FD_CLOEXEC) != 0) {
+    return failed("create", output->name, diag);
   }
-  if (fchmod(output->descriptor, mode) != 0) {
-    return failed("set the mode of", output->name, diag);
+  return set_mode(output, existing, diag);
+}
+
+/* A descriptor that was handed to the program, to write to where it stands.
+ * Those that the program opened itself are closed when it executes another:
+ * nobody can have meant one of these. */
+static enum ph_status open_descriptor(struct ph_output *output, int number,
+                                      struct ph_diag *diag) {
+  int flags = fcntl(number, F_GETFD);
+  int mode = fcntl(number, F_GETFL);
+  if (flags < 0 || flags & FD_CLOEXEC || (mode & O_ACCMODE) == O_RDONLY) {
+    errno = EBADF;
+  } else {
+    output->descriptor = fcntl(number, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   }
-  return PH_OK;
+  return output->descriptor >= 0 ? PH_OK : failed("open", output->name, diag);
+}
+
+/* A file that is there, or not. */
+static enum ph_status open_named(struct ph_output *output,
+                                 struct ph_diag *diag) {
+  const char *file = output->name;
+  struct stat info;
+  if (stat(file, &info) != 0) {
+    return errno == ENOENT ? open_temporary(output, NULL, diag)
+                           : failed("create", file, diag);
+  }
+  if (!S_ISREG(info.st_mode)) {
+    output->descriptor = open(file, O_WRONLY | O_CLOEXEC);
+    return output->descriptor >= 0 ? PH_OK : failed("open", file, diag);
+  }
+  if (faccessat(AT_FDCWD, file, W_OK, AT_EACCESS) != 0) {
+    return failed("replace", file, diag);
+  }
+  return open_temporary(output, &info, diag);
 }
 
 enum ph_status ph_output_open(struct ph_output *output, const char *file,
                               struct ph_diag *diag) {
-  struct stat info;
-  bool exists;
+  int number;
   memset(output, 0, sizeof *output);
   output->descriptor = STDOUT_FILENO;
   output->name = "standard output";
@@ -197,18 +273,25 @@ enum ph_status ph_output_open(struct ph_output *output, const char *file,
   }
   output->name = file;
   output->descriptor = -1;
-  exists = stat(file, &info) == 0;
-  if (!exists || S_ISREG(info.st_mode)) {
-    return open_temporary(output, exists ? &info : NULL, diag);
+  output->target = resolve(file);
+  if (!output->target) {
+    return ph_fail_memory(diag);
   }
-  output->descriptor = open(file, O_WRONLY | O_CLOEXEC);
-  return output->descriptor >= 0 ? PH_OK : failed("open", file, diag);
+  number = descriptor_of(output->target);
+  return number >= 0 ? open_descriptor(output, number, diag)
+                     : open_named(output, diag);
+}
+
+/* What a name leads to; that of standard output is NULL or "-". */
+static bool look_up(const char *file, struct stat *info) {
+  return (!file || strcmp(file, "-") == 0 ? fstat(STDOUT_FILENO, info)
+                                          : stat(file, info)) == 0;
 }
 
 /* Whether two names lead to one file or directory that is there. */
 static bool same_existing(const char *a, const char *b) {
   struct stat x, y;
-  return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev &&
+  return look_up(a, &x) && look_up(b, &y) && x.st_dev == y.st_dev &&
          x.st_ino == y.st_ino;
 }
 
@@ -224,14 +307,12 @@ static const char *split_path(char *path, char *base, size_t size) {
   return path;
 }
 
-bool ph_output_same(const char *a, const char *b) {
+/* Whether two names lead to one file that is not there yet. */
+static bool same_new(const char *a, const char *b) {
   char *x = resolve(a), *y = resolve(b);
   char x_base[NAME_MAX + 1], y_base[NAME_MAX + 1];
   bool same = false;
   if (x && y) {
-    same = same_existing(x, y);
-  }
-  if (x && y && !same) {
     const char *x_dir = split_path(x, x_base, sizeof x_base);
     const char *y_dir = split_path(y, y_base, sizeof y_base);
     same = strcmp(x_base, y_base) == 0 && same_existing(x_dir, y_dir);
@@ -239,6 +320,24 @@ bool ph_output_same(const char *a, const char *b) {
   ph_free(x);
   ph_free(y);
   return same;
+}
+
+bool ph_output_same(const char *a, const char *b) {
+  return same_existing(a, b) || (a && b && same_new(a, b));
+}
+
+enum ph_status ph_output_unlike(const struct ph_output *output,
+                                const char *input, struct ph_diag *diag) {
+  struct stat x, y;
+  bool same = !output->temporary && fstat(output->descriptor, &x) == 0 &&
+              S_ISREG(x.st_mode) &&
+              (strcmp(input, "-") == 0 ? fstat(STDIN_FILENO, &y)
+                                       : stat(input, &y)) == 0 &&
+              x.st_dev == y.st_dev && x.st_ino == y.st_ino;
+  return same ? ph_fail(diag, PH_OUTPUT, NULL,
+                        "cannot write %s: it is the input %s", output->name,
+                        input)
+              : PH_OK;
 }
 
 enum ph_status ph_output_write(struct ph_output *output, const char *bytes,

@@ -6,7 +6,9 @@
  * A file is written under a temporary name in its own directory and renamed
  * at the end.  SIGINT, SIGTERM and the like remove temporary files and then
  * end the program as they would have.  A name that exists and is not a regular
- * file (a device, a pipe) is written to directly.
+ * file (a device, a pipe) is written to directly, and so is a descriptor that
+ * the program was started with (/dev/stdout, /dev/fd/3): nothing that stands
+ * there is replaced.
  */
 #ifndef PH_CLI_OUTPUT_H
 #define PH_CLI_OUTPUT_H
@@ -38,9 +40,16 @@ bool ph_output_bytes(int descriptor, const char *bytes, size_t n);
 enum ph_status ph_output_open(struct ph_output *output, const char *file,
                               struct ph_diag *diag);
 
-/* ph_output_same: whether two names, neither of them "-", are of one file, be
- * it there or not. */
+/* ph_output_same: whether two names (NULL or "-": standard output) are of one
+ * file, be it there or not. */
 bool ph_output_same(const char *a, const char *b);
+
+/* ph_output_unlike: refuses an input ("-": standard input) that is the very
+ * file which is written to directly: what is read would be what was written
+ * before, without end.
+ * ret  PH_OK | PH_OUTPUT */
+enum ph_status ph_output_unlike(const struct ph_output *output,
+                                const char *input, struct ph_diag *diag);
 
 /* ph_output_write: ret PH_OK | PH_OUTPUT */
 enum ph_status ph_output_write(struct ph_output *output, const char *bytes,

@@ -65,9 +65,9 @@ enum ph_status ph_plot_check(const struct ph_options *options,
                    "libcairo2-dev (Debian, Ubuntu), cairo-devel (Fedora) or "
                    "cairo (elsewhere) and build it again");
   }
-  if (options->output && ph_output_same(options->output, file)) {
-    return ph_fail(diag, PH_USAGE, NULL,
-                   "--plot and --output are the same file");
+  if (ph_output_same(options->output, file)) {
+    return ph_fail(diag, PH_USAGE, NULL, "--plot and %s are the same file",
+                   options->output ? "--output" : "standard output");
   }
   return PH_OK;
 }

@@ -478,6 +478,19 @@ static void conclude(struct run *r) {
   }
 }
 
+/* Opens what is written, none of which may be what is read. */
+static enum ph_status open_outputs(struct run *r, struct ph_diag *diag) {
+  const struct ph_options *o = r->options;
+  enum ph_status status = ph_output_open(&r->output, o->output, diag);
+  if (status == PH_OK && o->problems) {
+    status = ph_output_unlike(&r->output, o->problems, diag);
+  }
+  for (size_t i = 0; status == PH_OK && i < o->files_n; i++) {
+    status = ph_output_unlike(&r->output, o->files[i], diag);
+  }
+  return status == PH_OK ? ph_plot_open(&r->plot, o, diag) : status;
+}
+
 int ph_run(const struct ph_options *options) {
   const struct ph_options *o = options;
   struct run r = {.options = options,
@@ -495,10 +508,7 @@ int ph_run(const struct ph_options *options) {
     status = ph_fail_memory(&diag);
   }
   if (status == PH_OK) {
-    status = ph_output_open(&r.output, o->output, &diag);
-  }
-  if (status == PH_OK) {
-    status = ph_plot_open(&r.plot, o, &diag);
+    status = open_outputs(&r, &diag);
   }
   if (status == PH_OK) {
     status = write_header(&r, &diag);

@@ -145,6 +145,185 @@ wait $!
 equal_files 'a pipe is written to' good.out out
 equal 'and stays one' p "$(mode d/fifo | cut -c 1)"
 
+# ---- descriptors -------------------------------------------------------------
+
+# What stands behind a descriptor is not ours: it is written to from where it
+# stands, and keeps what it has.
+
+# shared NAME DESCRIPTOR FILE: FILE is a name of DESCRIPTOR, which leads to d/old
+shared() {
+  fresh
+  ln "d/old" d/hard
+  status=0
+  {
+    echo before >&7
+    case $2 in
+    1) "$PHSPLINE" planar -o "$3" good.jsonl 2>err >&7 ;;
+    2) "$PHSPLINE" planar -o "$3" good.jsonl >out 2>&7 ;;
+    7) "$PHSPLINE" planar -o "$3" good.jsonl >out 2>err ;;
+    esac || status=$?
+    echo after >&7
+  } 7>>d/old
+  {
+    printf 'old\nbefore\n'
+    cat good.out
+    echo after
+  } >want
+  equal "$1: status" 0 "$status"
+  equal_files "$1: the file" want d/old
+  equal_files "$1: it is the same file" d/hard d/old
+  equal "$1: nothing else is left" 'hard
+old' "$(ls -A d)"
+}
+
+: >err
+: >out
+if [ -e /dev/fd/1 ]; then
+  ln -s /dev/stdout to-stdout
+  ln -s /dev/fd to-fd
+  shared '/dev/stdout' 1 /dev/stdout
+  shared '/dev/fd/1' 1 /dev/fd/1
+  shared 'a link to /dev/stdout' 1 to-stdout
+  shared '/dev/stderr' 2 /dev/stderr
+  shared '/dev/fd/7' 7 /dev/fd/7
+  shared 'a link to /dev/fd' 7 to-fd/7
+  shared '/dev/fd/../fd/07' 7 /dev/fd/../fd/07
+  if [ -e /proc/self/fd/1 ]; then
+    shared '/proc/self/fd/1' 1 /proc/self/fd/1
+    shared '/proc/self/fd/7' 7 /proc/self/fd/7
+  else
+    echo 'skip /proc/self/fd: not on this system'
+  fi
+  if [ -e /proc/thread-self/fd/1 ]; then
+    shared '/proc/thread-self/fd/1' 1 /proc/thread-self/fd/1
+  else
+    echo 'skip /proc/thread-self/fd: not on this system'
+  fi
+
+  # from where the descriptor stands, in a file that is not appended to
+  fresh
+  {
+    echo before
+    "$PHSPLINE" planar -q -o /dev/stdout mixed.jsonl 2>err
+    echo after
+  } >d/old
+  {
+    echo before
+    cat mixed.out
+    echo after
+  } >want
+  replaced '/dev/stdout, in the middle of a file' want
+  "$PHSPLINE" planar -o /dev/stdout good.jsonl | cat >out
+  equal_files '/dev/stdout is a pipe' good.out out
+
+  # descriptors that cannot be written to
+  bad_descriptor() {
+    fresh
+    run planar -o "$1" good.jsonl
+    expect "$1 $2" 4 "phspline: cannot open $1: Bad file descriptor" ''
+  }
+  bad_descriptor /dev/fd/6 'is not open' 6>&-
+  bad_descriptor /dev/fd/999999999 'is no descriptor'
+  bad_descriptor /dev/stdin 'is for reading' <good.jsonl
+  bad_descriptor /dev/stdin 'is closed' <&-
+  status=0
+  "$PHSPLINE" planar -o /dev/stdout good.jsonl >&- 2>err || status=$?
+  expect '/dev/stdout is closed' 4 \
+    'phspline: cannot open /dev/stdout: Bad file descriptor'
+
+  if "$PHSPLINE" planar -p x.svg </dev/null 2>err; then
+    fresh
+    ln -s /dev/fd/7 figure.svg
+    run planar -p figure.svg good.jsonl 7>>d/old
+    expect 'a figure by a descriptor' 0 '' "$(cat good.out)"
+    equal 'a figure by a descriptor: the file' 'old </svg>' \
+      "$(sed -n '1p;$p' d/old | tr '\n' ' ' | sed 's/ $//')"
+    rm figure.svg
+    ln -s /dev/fd/1 figure.svg
+    run planar -p figure.svg good.jsonl
+    expect 'a figure into standard output' 2 \
+      "phspline: --plot and standard output are the same file
+Try 'phspline planar --help'." ''
+    run planar -o /dev/stdout -p figure.svg good.jsonl
+    expect 'a figure into the output' 2 \
+      "phspline: --plot and --output are the same file
+Try 'phspline planar --help'." ''
+    rm figure.svg
+    status=0
+    # shellcheck disable=SC2094  # that is what is tried
+    "$PHSPLINE" planar -p d/old.svg good.jsonl >d/old.svg 2>err || status=$?
+    expect 'a figure onto standard output' 2 \
+      "phspline: --plot and standard output are the same file
+Try 'phspline planar --help'."
+    # the first descriptor that the program opens itself is nobody's
+    ln -s /dev/fd/3 figure.svg
+    run planar -o d/old -p figure.svg good.jsonl 3>&-
+    expect "a figure into the program's own file" 4 \
+      'phspline: cannot open figure.svg: Bad file descriptor' ''
+    rm figure.svg
+  else
+    echo 'skip a figure by a descriptor: built without cairo'
+  fi
+else
+  echo 'skip descriptors by name: no /dev/fd on this system'
+fi
+
+# what is read may not be what is written to directly
+fresh
+cp good.jsonl d/old
+status=0
+# shellcheck disable=SC2094  # that is what is tried
+"$PHSPLINE" planar d/old >>d/old 2>err || status=$?
+expect 'the input as standard output' 4 \
+  'phspline: cannot write standard output: it is the input d/old'
+equal_files 'the input as standard output: it stays' good.jsonl d/old
+status=0
+# shellcheck disable=SC2094  # that is what is tried
+"$PHSPLINE" planar <d/old >>d/old 2>err || status=$?
+expect 'standard input as standard output' 4 \
+  'phspline: cannot write standard output: it is the input -'
+status=0
+"$PHSPLINE" verify --problems=d/old good.out >>d/old 2>err || status=$?
+expect 'the problems as standard output' 4 \
+  'phspline: cannot write standard output: it is the input d/old'
+equal_files 'the problems as standard output: they stay' good.jsonl d/old
+
+# ---- other names, owners, permissions ----------------------------------------
+
+fresh
+ln d/old d/hard
+run planar -o d/old good.jsonl
+expect 'a file with two names' 0 '' ''
+equal_files 'a file with two names: the one is replaced' good.out d/old
+equal 'a file with two names: the other is not' old "$(cat d/hard)"
+fresh
+ln -s loop d/loop
+run planar -o d/loop good.jsonl
+expect 'a link to itself' 4 \
+  'phspline: cannot create d/loop: Too many levels of symbolic links' ''
+equal 'a link to itself stays' 'loop loop
+old' "$(readlink d/loop) $(ls -A d)"
+fresh
+chmod 444 d/old
+if (: >>d/old) 2>/dev/null; then
+  echo 'skip a file without permission: nothing is forbidden to this user'
+else
+  run planar -o d/old good.jsonl
+  expect 'a file without permission' 4 \
+    'phspline: cannot replace d/old: Permission denied' ''
+  untouched 'a file without permission'
+fi
+fresh
+run planar -o d/old/ good.jsonl
+expect 'a file with a slash' 4 \
+  'phspline: cannot create d/old/: Not a directory' ''
+run planar -o d/new/ good.jsonl
+expect 'a new file with a slash' 4 \
+  'phspline: cannot create d/new/: No such file or directory' ''
+run planar -o d/ good.jsonl
+expect 'a directory with a slash' 4 'phspline: cannot open d/: Is a directory' ''
+untouched 'names with a slash'
+
 # ---- a file is not replaced --------------------------------------------------
 
 fresh
