@@ -31,8 +31,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 enum {
   SPATIAL_POINTS_MAX = 100,
   SPATIAL_SEARCHED_MAX = 3, /* where a minimum is searched: it is slow */
-  /* The most that any segment has taken is a tenth of it. */
-  SPATIAL_STEPS_MAX = 100000
+  SPATIAL_SHAPED_MAX = 2,   /* and where it is, tension by tension */
+  /* The most that any search has taken is a tenth of it. */
+  SPATIAL_STEPS_MAX = 100000,
+  /* Tensions that are tried, each by a search, where a shape is asked for: one,
+   * 81 from 0.95 to 1/64, 3 for each halving from there to 1e-7, one back. */
+  SPATIAL_TENSIONS_MAX = 140
 };
 
 struct spatial_flags {
@@ -199,7 +203,7 @@ static bool spatial_set(struct spatial_input *in) {
     return false;
   }
   if (in->flags.criterion > 3 && in->flags.criterion < 7) {
-    most = SPATIAL_SEARCHED_MAX;
+    most = in->flags.shape == 2 ? SPATIAL_SHAPED_MAX : SPATIAL_SEARCHED_MAX;
   }
   while (n < most && spatial_take_point(in, n)) {
     n++;
@@ -308,6 +312,15 @@ static void spatial_check_pieces(const struct spatial_input *in,
   fuzz_check_output(result, "spatial-hermite", in->flags.pretty);
 }
 
+/* Each segment is searched at most so often, and no search is without end. */
+static void spatial_check_steps(const struct spatial_input *in,
+                                const struct ph_result *result) {
+  double steps = result->diagnostics.value[PH_D_ITERATIONS];
+  double searches = in->flags.shape == 2 ? SPATIAL_TENSIONS_MAX : 1;
+  FUZZ_REQUIRE(steps > 0 &&
+               steps <= SPATIAL_STEPS_MAX * searches * (double)result->curve.n);
+}
+
 /* A curve that its certificate accepts. */
 static void spatial_check_result(const struct spatial_input *in,
                                  struct ph_result *result,
@@ -341,9 +354,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   after = ph_arena_mark(&scratch);
   FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
   if (status == PH_OK) {
-    double steps = result.diagnostics.value[PH_D_ITERATIONS];
-    FUZZ_REQUIRE(steps > 0 &&
-                 steps <= (double)SPATIAL_STEPS_MAX * (double)result.curve.n);
+    spatial_check_steps(&in, &result);
     status = ph_cert_spatial_hermite(&in.problem, &result.curve, &scratch,
                                      &result.diagnostics, &diag);
   }
