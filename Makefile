@@ -298,7 +298,8 @@ tsan: ## unit tests and tests/cli/jobs.t under the thread sanitizer
 # Without setarch -R its fixed shadow map can collide with randomised addresses.
 tsan-run: tests-build
 	@CK_FORK=no $$(setarch -R true 2>/dev/null && echo setarch -R) \
-	  $(RUN) $(UNIT_WANTED) $(addprefix $(S),$(filter %/jobs.t,$(CLI_TESTS)))
+	  $(RUN) $(call pick,$(UNIT_WANTED) $(addprefix $(S),$(filter \
+	  %/jobs.t,$(CLI_TESTS))))
 
 valgrind: ## unit tests, tests/cli/smoke.t and data/ under valgrind
 	$(need)
@@ -329,18 +330,15 @@ lint-run: all
 	@$(RUN) $(addprefix $(S),$(LINTS))
 
 # Committed inputs are read, new ones kept below build/.
-fuzz: ## run each fuzz target for FUZZ_TIME=60 seconds
+fuzz: ## each fuzz target, TEST_JOBS at once, for FUZZ_TIME=60 seconds
 	$(need)
 	+@if sh $(S).ci/install-packages clang; then \
 	  $(AGAIN) CC=clang VARIANT=fuzz fuzz-run; \
 	else echo 'SKIPPED: fuzzing needs clang and its runtime' \
 	  '(Debian: clang, libclang-rt-14-dev)'; fi
-fuzz-run: $(FUZZ)
-	@for f in $(or $(FUZZ),$(error no tests/fuzz/*.c)); do n=$${f##*/}; \
-	  c=$(S)tests/fuzz/corpus/$$n; mkdir -p $(B)/corpus/$$n; echo "fuzzing $$n"; \
-	  $$f -max_total_time=$(FUZZ_TIME) -artifact_prefix=$(B)/$$n- \
-	    -print_final_stats=1 -timeout=20 $(B)/corpus/$$n \
-	    $$(test -d $$c && echo $$c) || exit 1; done
+fuzz-run: $(call pick,$(FUZZ))
+	@FUZZ_TIME=$(FUZZ_TIME) PH_TIMEOUT=$$(($(FUZZ_TIME) + 600)) \
+	  PH_WRAP='sh tests/fuzz/run' $(RUN) $(call pick,$(FUZZ))
 
 check-long: ## a million trials of a conjecture (TRIALS=1000000)
 	$(need)
