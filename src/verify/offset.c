@@ -242,8 +242,9 @@ static struct turn turn_at(struct context *c, size_t k, double u) {
   return turn;
 }
 
-static bool is_before(size_t k, double u, const struct turn *turn) {
-  return k < turn->k || (k == turn->k && u < turn->u);
+/* Whether a place is before another one along the curve. */
+static bool is_before(size_t k, double u, size_t l, double w) {
+  return k < l || (k == l && u < w);
 }
 
 /* Whether a cusp is listed from one place to the other; round the joint of a
@@ -252,13 +253,15 @@ static bool has_cusp(const struct context *c, const struct turn *from,
                      const struct turn *to) {
   const struct ph_cusps *cusps = &c->o->cusps;
   const double *alpha = c->v->curve->alpha;
-  bool round = to->k < from->k || (to->k == from->k && to->u < from->u);
+  bool round = is_before(to->k, to->u, from->k, from->u);
   for (size_t i = 0; i < cusps->n; i++) {
     size_t k = cusps->at[i].segment;
     double t = cusps->at[i].t, u;
+    bool begun, over;
     u = alpha && k < c->v->curve->n ? t / alpha[k] : t;
-    if (round ? !is_before(k, u, from) || !(to->k < k || u > to->u)
-              : !is_before(k, u, from) && !(to->k < k || u > to->u)) {
+    begun = !is_before(k, u, from->k, from->u);
+    over = is_before(to->k, to->u, k, u);
+    if (round ? begun || !over : begun && !over) {
       return true;
     }
   }

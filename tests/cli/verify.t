@@ -109,6 +109,16 @@ derived tc '{"points":[[0,1],[6,1]],"tangents":[[1,-1],[1,1]]}' --mode=g1 \
   --solutions=all --blaschke
 derived tc '{"curve":[[0,0],[1,2],[3,2],[4,-1],[6,0]]}' --tolerance=0.01
 
+# an offset that turns back in a segment too short for rounding, with its cusp
+for command in planar 'planar --basis=atph' tc; do
+  echo '{"points":[[-71.429795,-53.856455],[-72.557943,-53.53141],
+    [-73.702757,-52.835069],[-73.702757,-52.83507],[-74.946763,-52.262754],
+    [-75.260026,-51.629355]]}' >short
+  # shellcheck disable=SC2086 # two words
+  made $command --offset=0.5,-0.5 <short
+  verified "$command: a short segment" 1 --problems=short
+done
+
 # ---- problems ------------------------------------------------------------------
 
 printf '0,0\n2,1\n3,0\n5,2\n' >p.csv
