@@ -301,6 +301,9 @@ static void read_solution(struct ph_json_reader *r,
     return;
   }
   ph_read_segments(r, &items[1], &solution->curve);
+  if (result->intervals_n > 0) {
+    ph_read_required(r, &items[2], names[2]);
+  }
   read_intervals(r, &items[2], solution->curve.n, &solution->intervals,
                  &intervals_n);
   if (r->status == PH_OK && intervals_n != result->intervals_n) {

@@ -211,28 +211,28 @@ static void set_diagnostics(const struct ph_arc_search *search,
 }
 
 /* Lengths of the intervals, in the user's order; of lengths that were fitted
- * the root mean square of (L - l) / (sigma l). */
-static enum ph_status set_intervals(const struct ph_arc_search *search,
-                                    struct ph_arena *scratch,
-                                    struct ph_arena *out,
-                                    struct ph_result *result,
-                                    struct ph_diag *diag) {
+ * the root mean square of (L - l) / (sigma l).
+ * out  intervals  [d->n] */
+static enum ph_status
+set_intervals(const struct ph_arc_search *search,
+              const struct ph_arc_found *found, struct ph_arena *scratch,
+              struct ph_arena *out, struct ph_interval **intervals,
+              struct ph_diagnostics *diagnostics, struct ph_diag *diag) {
   const struct ph_arc_system *s = &search->system;
   const struct ph_arc_data *d = s->data;
   const struct ph_arc_natural *natural = &search->natural;
   double *length = ph_arena_array(scratch, d->n, sizeof *length), sum = 0;
-  result->intervals = ph_arena_array(out, d->n, sizeof *result->intervals);
-  if (!length || !result->intervals) {
+  *intervals = ph_arena_array(out, d->n, sizeof **intervals);
+  if (!length || !*intervals) {
     return ph_fail_memory(diag);
   }
-  result->intervals_n = d->n;
-  ph_arc_lengths(s, search->found[0].point.x, length);
+  ph_arc_lengths(s, found->point.x, length);
   for (size_t i = 0; i < d->n; i++) {
     size_t shown = ph_arc_data_user(d, i);
     double free_length = natural->known ? natural->length[i] * unit(search)
                          : d->length    ? (double)NAN
                                         : length[i] * unit(search);
-    struct ph_interval *interval = &result->intervals[shown];
+    struct ph_interval *interval = *intervals + shown;
     *interval = PH_INTERVAL_NONE;
     interval->length = length[i] * unit(search);
     interval->natural_length = free_length;
@@ -244,8 +244,7 @@ static enum ph_status set_intervals(const struct ph_arc_search *search,
     }
   }
   if (d->sigma > 0) {
-    ph_diagnostics_set(&result->diagnostics, PH_D_LENGTH_RMS,
-                       sqrt(sum / (double)d->n));
+    ph_diagnostics_set(diagnostics, PH_D_LENGTH_RMS, sqrt(sum / (double)d->n));
   }
   return PH_OK;
 }
@@ -269,6 +268,7 @@ static enum ph_status set_starts(const struct ph_arc_search *search,
 }
 
 static enum ph_status set_solutions(const struct ph_arc_search *search,
+                                    struct ph_arena *scratch,
                                     struct ph_arena *out,
                                     struct ph_result *result,
                                     struct ph_diag *diag) {
@@ -285,6 +285,11 @@ static enum ph_status set_solutions(const struct ph_arc_search *search,
     set_diagnostics(search, &search->found[i], &solution->diagnostics);
     status = ph_arc_curve(&search->system, search->found[i].point.x, out,
                           &solution->curve, &turn, diag);
+    if (status == PH_OK) {
+      status =
+          set_intervals(search, &search->found[i], scratch, out,
+                        &solution->intervals, &solution->diagnostics, diag);
+    }
   }
   result->solutions_n = status == PH_OK ? search->found_n : 0;
   return status;
@@ -306,13 +311,15 @@ enum ph_status ph_arc_report(const struct ph_arc_search *search,
     ph_diagnostics_set(&result->diagnostics, PH_D_FRAME_TURN, turn);
   }
   if (status == PH_OK) {
-    status = set_intervals(search, scratch, out, result, diag);
+    result->intervals_n = search->system.data->n;
+    status = set_intervals(search, &search->found[0], scratch, out,
+                           &result->intervals, &result->diagnostics, diag);
   }
   if (status == PH_OK) {
     status = set_starts(search, out, result, diag);
   }
   if (status == PH_OK && search->all) {
-    status = set_solutions(search, out, result, diag);
+    status = set_solutions(search, scratch, out, result, diag);
   }
   if (status == PH_OK) {
     bool flat = search->system.data->plane &&

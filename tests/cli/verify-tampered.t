@@ -139,6 +139,15 @@ tampered '.intervals[0].length += 1e-6' length_error
 printf '{"points":[[0,0,0],[1,1,0],[2,0,1]],"lengths":[1.6,1.900001]}' >other
 tampered '.meta = 1' prescribed_length_error --problems=other
 
+good minima '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],
+  "lengths":[1.8,1.9,1.6]}' arclength --all_minima --starts=5
+tampered '.solutions[1].intervals[0].length += 1e-6' length_error
+tampered '.solutions[1].intervals[1].segments = [2,2]' shape
+tampered '.solutions[1].intervals |= reverse' shape
+tampered '.solutions[0].intervals[2].length += 1e-6' length_error
+refused 'del(.solutions[1].intervals)' missing-field 'solutions[1].intervals'
+refused '.solutions[1].intervals |= .[1:]' bad-shape 'solutions[1].intervals'
+
 # ---- on a sphere -----------------------------------------------------------------
 
 good sphere '{"lonlat":[[0,0],[40,10],[80,-20],[120,50]],"radius":2}' \

@@ -102,6 +102,8 @@ derived spatial-hermite "$space" --frame=frenet
 derived spatial-hermite "$space" --basis=atph --frame=erf
 derived arclength "$space" --frame=rmf
 derived arclength "$space" --lengths='[1.8,1.9,1.6]' --all_minima
+derived arclength "$space" --length_sigma=0.01 --lengths='[1.8,1.9,1.6]' \
+  --all_minima --refine=3
 derived sphere '{"lonlat":[[0,0],[40,10],[80,-20],[120,50]]}' --frame=rmf
 derived sphere '{"lonlat":[[0,0],[40,10],[80,-20]]}' --model=nielson --radius=3
 derived tc "$plane"
@@ -117,6 +119,21 @@ for command in planar 'planar --basis=atph' tc; do
   # shellcheck disable=SC2086 # two words
   made $command --offset=0.5,-0.5 <short
   verified "$command: a short segment" 1 --problems=short
+done
+
+# all minima have their intervals
+printf '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],"lengths":[1.8,1.9,1.6]}\n' \
+  >minima
+for refine in 1 2 3; do
+  all "all minima, refine $refine" arclength minima --all_minima --starts=5 \
+    --refine="$refine"
+  cp r out
+  equal "the intervals of the best, refine $refine" "$(get intervals)" \
+    "$(get 'solutions[0].intervals')"
+  equal "the intervals of another, refine $refine" \
+    "$(get 'intervals[2].segments') absent" \
+    "$(get 'solutions[1].intervals[2].segments') $(
+      get 'solutions[1].intervals[3]')"
 done
 
 # ---- problems ------------------------------------------------------------------
