@@ -244,7 +244,8 @@ may_need = $(if $(strip $1),@sh $(S).ci/install-packages $1 || \
 
 RUN = env CC='$(CC)' COMPILE='$(subst ','\'',$(COMPILE))' builddir=$(B) \
 	TEST_JOBS='$(TEST_JOBS)' sh $(S)tests/run
-HAVE_CHECK = $(shell echo 'int main(void) { srunner_run_all(0, CK_ENV); }' | \
+HAVE_CHECK = $(shell echo 'TTest t;' \
+	'int main(void) { srunner_run_all(0, CK_ENV); }' | \
 	$(CC) $(CHECK_CFLAGS) -include check.h -x c - -o /dev/null \
 	$(LDFLAGS) $(CHECK_LIBS) $(LIBS) -pthread -lm 2>/dev/null && echo yes)
 # no Check, no unit tests: tests/run is told so, and tells it

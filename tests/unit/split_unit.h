@@ -46,7 +46,6 @@ static const struct ph_split_options csv = {PH_SPLIT_CSV, 0, NULL};
 /* ---- transcripts ---------------------------------------------------- */
 
 static struct ph_buf transcript;
-static struct ph_arena arena;
 
 static inline void note(const char *text, size_t n) {
   for (size_t i = 0; i < n; i++) {
@@ -69,8 +68,8 @@ static inline void note_problem(const struct ph_record *record) {
   const struct ph_value *points = &problem.field[PH_F_POINTS];
   enum ph_status status =
       record->columns
-          ? ph_csv_in(record, &schema, &arena, &problem, &echo, &diag)
-          : ph_json_in(record, &schema, &arena, &problem, &echo, &diag);
+          ? ph_csv_in(record, &schema, &unit_arena, &problem, &echo, &diag)
+          : ph_json_in(record, &schema, &unit_arena, &problem, &echo, &diag);
   ph_buf_puts(&transcript, "  ");
   if (echo.id) {
     note(echo.id, echo.id_n);
@@ -87,7 +86,7 @@ static inline void note_problem(const struct ph_record *record) {
     ph_buf_puts(&transcript, number);
   }
   ph_buf_puts(&transcript, "\n");
-  ph_arena_reset(&arena);
+  ph_arena_reset(&unit_arena);
 }
 
 static inline void note_record(const struct ph_record *record,
@@ -178,7 +177,6 @@ static inline void finish(void) {
   dup2(standard_input, 0);
   close(standard_input);
   ph_buf_free(&transcript);
-  ph_arena_free(&arena);
 }
 
 static inline void write_all(int fd, const char *text, size_t n) {

@@ -102,7 +102,7 @@ static void check_same(const struct ph_arc_data *a,
 }
 
 /* All poses of one problem are one. */
-START_TEST(test_pose) {
+PH_TEST_EACH(test_pose, 8) {
   static const enum ph_field_id what[] = {PH_F_POINTS, PH_F_DERIVATIVES,
                                           PH_F_TANGENTS};
   struct unit_random r = unit_random_of(1200 + (uint64_t)_i);
@@ -125,10 +125,9 @@ START_TEST(test_pose) {
     ph_arena_free(&b.arena);
   }
 }
-END_TEST
 
 /* Any nodes whatsoever, as curves of both problems. */
-START_TEST(test_curve_moves_along) {
+PH_TEST_EACH(test_curve_moves_along, 8) {
   struct unit_random r = unit_random_of(1240 + (uint64_t)_i);
   struct motion m = random_motion(&r, _i);
   struct setting t[2];
@@ -167,11 +166,10 @@ START_TEST(test_curve_moves_along) {
   ph_arena_free(&t[0].arena);
   ph_arena_free(&t[1].arena);
 }
-END_TEST
 
 /* Our vectors turned back are the user's, also of data that hardly leave a
  * line, whose second axis is a difference of nearly equal vectors. */
-START_TEST(test_turn_of_slender_data) {
+PH_TEST_EACH(test_turn_of_slender_data, 14) {
   struct unit_random r = unit_random_of(1300 + (uint64_t)_i);
   double bulge = pow(10, -_i), length[N];
   struct setting t;
@@ -199,10 +197,9 @@ START_TEST(test_turn_of_slender_data) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* Data in a plane and on a line are known as such, also in a tilted one. */
-START_TEST(test_plane_and_line) {
+PH_TEST_EACH(test_plane_and_line, 4) {
   struct unit_random r = unit_random_of(1280 + (uint64_t)_i);
   struct motion m = random_motion(&r, _i);
   struct setting t;
@@ -231,10 +228,9 @@ START_TEST(test_plane_and_line) {
   ck_assert(t.data.plane && t.data.line && t.data.straight);
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* A plane curve stays exactly in the plane z = 0 of its data. */
-START_TEST(test_plane_is_kept) {
+PH_TEST_EACH(test_plane_is_kept, 4) {
   struct unit_random r = unit_random_of(1320 + (uint64_t)_i);
   struct setting t;
   struct ph_arc_system s;
@@ -258,7 +254,6 @@ START_TEST(test_plane_is_kept) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* ---- closed data --------------------------------------------------------- */
 
@@ -280,7 +275,7 @@ static void set_up_closed(struct setting *t, const ph_vec3 *v, size_t from,
 }
 
 /* Wherever they begin and whichever way they go, they are the same. */
-START_TEST(test_closed_pose) {
+PH_TEST_EACH(test_closed_pose, 2 * N) {
   struct unit_random r = unit_random_of(1360);
   ph_vec3 v[N + 1];
   double length[N];
@@ -299,11 +294,10 @@ START_TEST(test_closed_pose) {
   ph_arena_free(&a.arena);
   ph_arena_free(&b.arena);
 }
-END_TEST
 
 /* Any nodes and any chi: the preimage is continuous from segment to segment,
  * also where ours begin, and an interval is as long as in ours. */
-START_TEST(test_closed_curve) {
+PH_TEST_EACH(test_closed_curve, 2 * N) {
   struct unit_random r = unit_random_of(1400 + (uint64_t)_i);
   struct setting t;
   struct ph_arc_system s;
@@ -337,21 +331,7 @@ START_TEST(test_closed_curve) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("arclength_data");
-  TCase *pose = tcase_create("pose");
-
-  tcase_add_loop_test(pose, test_pose, 0, 8);
-  tcase_add_loop_test(pose, test_curve_moves_along, 0, 8);
-  tcase_add_loop_test(pose, test_turn_of_slender_data, 0, 14);
-  tcase_add_loop_test(pose, test_plane_and_line, 0, 4);
-  tcase_add_loop_test(pose, test_plane_is_kept, 0, 4);
-  tcase_add_loop_test(pose, test_closed_pose, 0, 2 * N);
-  tcase_add_loop_test(pose, test_closed_curve, 0, 2 * N);
-  suite_add_tcase(s, pose);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_pose, test_curve_moves_along, test_turn_of_slender_data,
+         test_plane_and_line, test_plane_is_kept, test_closed_pose,
+         test_closed_curve)

@@ -114,7 +114,7 @@ static double largest(const double *v, size_t n) {
 /* ---- whitened rows ------------------------------------------------------ */
 
 /* Targets become 1, 1, 0, 0: they are what the rows are relative to. */
-START_TEST(test_white_targets) {
+PH_TEST(test_white_targets) {
   struct unit_random r;
   r = unit_random_of(1);
   for (int round = 0; round < 20; round++) {
@@ -142,11 +142,10 @@ START_TEST(test_white_targets) {
     done(&t);
   }
 }
-END_TEST
 
 /* y . c is the same for whitened rows and as they are, and so is its
  * gradient. */
-START_TEST(test_plain) {
+PH_TEST(test_plain) {
   struct unit_random r;
   struct setting t;
   struct ph_arc_linear white, plain;
@@ -175,10 +174,9 @@ START_TEST(test_plain) {
   }
   done(&t);
 }
-END_TEST
 
 /* Only exact lengths of points have what it takes. */
-START_TEST(test_not_whitened) {
+PH_TEST(test_not_whitened) {
   struct setting t;
   set_data(&t, PH_ARC_TANGENTS, 2);
   t.length[0] = t.length[1] = 1;
@@ -192,7 +190,6 @@ START_TEST(test_not_whitened) {
   ck_abs(t.x[3], 7, 0);
   done(&t);
 }
-END_TEST
 
 /* ---- steps within a radius ---------------------------------------------- */
 
@@ -255,13 +252,12 @@ static void check_best(struct unit_random *random,
   }
 }
 
-START_TEST(test_region) {
+PH_TEST(test_region) {
   struct unit_random random;
-  struct ph_arena arena = {0};
   struct ph_arc_region r;
   int shifted = 0, along = 0, free = 0;
   random = unit_random_of(3);
-  ck_assert(ph_arc_region_alloc(ORDER, BAND, &arena, &r));
+  ck_assert(ph_arc_region_alloc(ORDER, BAND, &unit_arena, &r));
   for (int round = 0; round < unit_count(200); round++) {
     double radius = pow(10, unit_random_in(&random, -3, 2));
     bool lowest;
@@ -279,31 +275,25 @@ START_TEST(test_region) {
     free += !(r.shift > 0);
   }
   ck_assert(shifted > 0 && along > 0 && free > 0);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* A shift that is known to be too small is not tried. */
-START_TEST(test_region_above) {
+PH_TEST(test_region_above) {
   struct unit_random random;
-  struct ph_arena arena = {0};
   struct ph_arc_region r;
   random = unit_random_of(4);
-  ck_assert(ph_arc_region_alloc(ORDER, BAND, &arena, &r));
+  ck_assert(ph_arc_region_alloc(ORDER, BAND, &unit_arena, &r));
   random_model(&random, 6, &r);
   ck_assert(ph_arc_region_step(&r, 1e3, 0));
   ck_abs(r.shift, 0, 0);
   ck_assert(ph_arc_region_step(&r, r.length / 4, 0.5));
   ck_assert(r.shift > 0.5);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* From a saddle, where the gradient vanishes, the step leads down. */
-START_TEST(test_region_saddle) {
-  struct ph_arena arena = {0};
+PH_TEST(test_region_saddle) {
   struct ph_arc_region r;
-  ck_assert(ph_arc_region_alloc(ORDER, BAND, &arena, &r));
+  ck_assert(ph_arc_region_alloc(ORDER, BAND, &unit_arena, &r));
   memset(r.matrix, 0, ph_sym_size(ORDER, BAND) * sizeof *r.matrix);
   memset(r.g, 0, ORDER * sizeof *r.g);
   for (size_t k = 0; k < ORDER; k++) {
@@ -313,26 +303,21 @@ START_TEST(test_region_saddle) {
   ck_rel(r.length, 0.1, 1e-12);
   ck_rel(fabs(r.step[5]), 0.1, 1e-3);
   ck_assert(fall_along(&r, r.step) > 0.0049);
-  ph_arena_free(&arena);
 }
-END_TEST
 
-START_TEST(test_region_not_finite) {
-  struct ph_arena arena = {0};
+PH_TEST(test_region_not_finite) {
   struct ph_arc_region r;
-  ck_assert(ph_arc_region_alloc(ORDER, BAND, &arena, &r));
+  ck_assert(ph_arc_region_alloc(ORDER, BAND, &unit_arena, &r));
   memset(r.matrix, 0, ph_sym_size(ORDER, BAND) * sizeof *r.matrix);
   memset(r.g, 0, ORDER * sizeof *r.g);
   *ph_sym_at(r.matrix, BAND, 4, 4) = (double)NAN;
   ck_assert(!ph_arc_region_step(&r, 1, 0));
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- searches ----------------------------------------------------------- */
 
 /* Lengths far below what the points ask for. */
-START_TEST(test_not_feasible) {
+PH_TEST(test_not_feasible) {
   struct setting t;
   struct ph_arc_penalty_report report;
   const struct ph_arc_penalty_options options = {1e3, 1e8, 1e-6, 60};
@@ -346,7 +331,6 @@ START_TEST(test_not_feasible) {
   ck_assert_uint_le(report.iterations, 60);
   done(&t);
 }
-END_TEST
 
 /* The rows hold, F is a known one, in the user's unit, and the multipliers
  * make the gradient vanish. */
@@ -366,7 +350,7 @@ static void check_penalty(struct setting *t, double rho, double unit,
   ck_rel(t->work.linear.f * unit, f, 1e-5);
 }
 
-START_TEST(test_penalty_helix) {
+PH_TEST(test_penalty_helix) {
   static const struct {
     size_t n;
     double rho, f;
@@ -382,9 +366,8 @@ START_TEST(test_penalty_helix) {
     done(&t);
   }
 }
-END_TEST
 
-START_TEST(test_penalty_screw) {
+PH_TEST(test_penalty_screw) {
   static const struct {
     size_t n;
     double f;
@@ -398,10 +381,9 @@ START_TEST(test_penalty_screw) {
     done(&t);
   }
 }
-END_TEST
 
 /* Derivatives of the paper's fig. 14, and directions of a helix. */
-START_TEST(test_penalty_given) {
+PH_TEST(test_penalty_given) {
   struct setting t;
   set_data(&t, PH_ARC_DERIVATIVES, 3);
   t.given[0] = t.given[3] = ph_vec3_of(1, 0, 0);
@@ -422,10 +404,9 @@ START_TEST(test_penalty_given) {
   check_penalty(&t, 100, sqrt(4.09) / 2, 0.252645188);
   done(&t);
 }
-END_TEST
 
 /* Data of the sine, in their plane: the curve there is the paper's fig. 3. */
-START_TEST(test_penalty_plane) {
+PH_TEST(test_penalty_plane) {
   static const double length[] = {1.364647438430407, 1.0909029121668972,
                                   1.3646474384304073};
   struct setting t;
@@ -440,10 +421,9 @@ START_TEST(test_penalty_plane) {
   check_penalty(&t, 100, unit, 2.2463116060159027);
   done(&t);
 }
-END_TEST
 
 /* A circle with two segments in each interval. */
-START_TEST(test_penalty_closed) {
+PH_TEST(test_penalty_closed) {
   const struct ph_arc_penalty_options options = {10, 1e8, 1e-9, 200};
   struct ph_arc_penalty_report report;
   struct setting t;
@@ -463,10 +443,9 @@ START_TEST(test_penalty_closed) {
   ck_assert(largest(t.work.c, t.plain.y_n) <= 1e-8);
   done(&t);
 }
-END_TEST
 
 /* Nodes keep their lengths and directions; a turn back undoes it. */
-START_TEST(test_twist) {
+PH_TEST(test_twist) {
   struct setting t;
   double x[4 * (N_MAX + 2)];
   set_helix(&t, 5);
@@ -488,10 +467,9 @@ START_TEST(test_twist) {
   }
   done(&t);
 }
-END_TEST
 
 /* What the search finds is where Newton's method begins: few steps are left. */
-START_TEST(test_penalty_newton) {
+PH_TEST(test_penalty_newton) {
   const struct ph_arc_penalty_options options = {100, 1e8, 1e-4, 200};
   struct ph_arc_penalty_report report;
   struct ph_arc_newton newton;
@@ -510,28 +488,9 @@ START_TEST(test_penalty_newton) {
   ck_rel(point.f * sqrt(4.09) / 2, 0.704614496874, 1e-9);
   done(&t);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("arclength penalty");
-  TCase *c = tcase_create("all");
-  tcase_add_test(c, test_white_targets);
-  tcase_add_test(c, test_plain);
-  tcase_add_test(c, test_not_whitened);
-  tcase_add_test(c, test_region);
-  tcase_add_test(c, test_region_above);
-  tcase_add_test(c, test_region_saddle);
-  tcase_add_test(c, test_region_not_finite);
-  tcase_add_test(c, test_not_feasible);
-  tcase_add_test(c, test_penalty_helix);
-  tcase_add_test(c, test_penalty_screw);
-  tcase_add_test(c, test_penalty_given);
-  tcase_add_test(c, test_penalty_plane);
-  tcase_add_test(c, test_penalty_closed);
-  tcase_add_test(c, test_twist);
-  tcase_add_test(c, test_penalty_newton);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_white_targets, test_plain, test_not_whitened, test_region,
+         test_region_above, test_region_saddle, test_region_not_finite,
+         test_not_feasible, test_penalty_helix, test_penalty_screw,
+         test_penalty_given, test_penalty_plane, test_penalty_closed,
+         test_twist, test_penalty_newton)

@@ -164,7 +164,7 @@ static void image(const double w[4], double out[4]) {
   out[3] = 2 * ab.im;
 }
 
-START_TEST(test_rows_are_integrals) {
+PH_TEST_EACH(test_rows_are_integrals, SORTS) {
   struct unit_random r = unit_random_of(900 + (uint64_t)_i);
   struct ph_quad rule;
   struct setting t;
@@ -203,10 +203,9 @@ START_TEST(test_rows_are_integrals) {
   ck_rel(ph_arc_functional(&t.system, t.x), f, 1e-12);
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* Rows of knots: H(w) - d, or the part of H(w) that is not along d. */
-START_TEST(test_rows_of_knots) {
+PH_TEST_EACH(test_rows_of_knots, SORTS) {
   struct unit_random r = unit_random_of(930 + (uint64_t)_i);
   struct setting t;
   double c[Y_MAX];
@@ -239,7 +238,6 @@ START_TEST(test_rows_of_knots) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* ---- derivatives by differences ------------------------------------------ */
 
@@ -269,7 +267,7 @@ static double lagrangian_at(struct setting *t, size_t k, double step) {
   return sum;
 }
 
-START_TEST(test_gradient) {
+PH_TEST_EACH(test_gradient, SORTS) {
   struct unit_random r = unit_random_of(960 + (uint64_t)_i);
   struct setting t;
 
@@ -284,7 +282,6 @@ START_TEST(test_gradient) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* The dense form of a band matrix of the unknowns and rows. */
 static double kkt_at(struct setting *t, double *matrix, uint32_t i,
@@ -294,7 +291,7 @@ static double kkt_at(struct setting *t, double *matrix, uint32_t i,
   return i > j + k || j > i + k ? 0 : *ph_band_at(matrix, k, i, j);
 }
 
-START_TEST(test_kkt_matrix) {
+PH_TEST_EACH(test_kkt_matrix, SORTS) {
   struct unit_random r = unit_random_of(990 + (uint64_t)_i);
   static const struct ph_arc_weights weights = {1, 0, 0};
   struct setting t;
@@ -331,10 +328,9 @@ START_TEST(test_kkt_matrix) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* v . (A + rho J^T J) v in one way and the other. */
-START_TEST(test_penalised_matrix) {
+PH_TEST_EACH(test_penalised_matrix, SORTS) {
   struct unit_random r = unit_random_of(1020 + (uint64_t)_i);
   static const struct ph_arc_weights weights = {1, 0.5, 3};
   const double rho = 7;
@@ -372,12 +368,11 @@ START_TEST(test_penalised_matrix) {
   ck_rel(got, want, 1e-12);
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* ---- bands, steps -------------------------------------------------------- */
 
 /* Bands do not grow with the number of intervals. */
-START_TEST(test_bands) {
+PH_TEST(test_bands) {
   static const struct {
     size_t refine;
     bool closed;
@@ -395,11 +390,10 @@ START_TEST(test_bands) {
     ph_arena_free(&t.arena);
   }
 }
-END_TEST
 
 /* A step along the phases alone turns every node by its phase, whatever its
  * size: the rows are left as they are where the phase is the same. */
-START_TEST(test_retract_turns_phases) {
+PH_TEST(test_retract_turns_phases) {
   struct unit_random r = unit_random_of(1080);
   struct setting t;
   double to[X_MAX], dx[X_MAX], before[Y_MAX], after[Y_MAX];
@@ -421,10 +415,9 @@ START_TEST(test_retract_turns_phases) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* A step of any kind is x + dx to first order. */
-START_TEST(test_retract_is_a_step) {
+PH_TEST_EACH(test_retract_is_a_step, SORTS) {
   struct unit_random r = unit_random_of(1110 + (uint64_t)_i);
   const double small = 1e-7;
   struct setting t;
@@ -440,10 +433,9 @@ START_TEST(test_retract_is_a_step) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* H of the spinor of a direction is the direction, near both poles too. */
-START_TEST(test_spinor) {
+PH_TEST(test_spinor) {
   struct unit_random r = unit_random_of(1140);
 
   for (int round = 0; round < 100; round++) {
@@ -458,10 +450,9 @@ START_TEST(test_spinor) {
     ck_abs(ph_vec3_abs(ph_vec3_sub(ph_vec3_of(v[1], v[2], v[3]), d)), 0, 1e-15);
   }
 }
-END_TEST
 
 /* NaN is the largest, wherever it stands. */
-START_TEST(test_largest) {
+PH_TEST(test_largest) {
   double v[3] = {-2, 1, -3};
 
   ck_abs(ph_arc_largest(0, v), 0, 0);
@@ -474,25 +465,7 @@ START_TEST(test_largest) {
     v[i] = keep;
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("arclength_system");
-  TCase *rows = tcase_create("rows"), *steps = tcase_create("steps");
-
-  tcase_add_loop_test(rows, test_rows_are_integrals, 0, SORTS);
-  tcase_add_loop_test(rows, test_rows_of_knots, 0, SORTS);
-  tcase_add_loop_test(rows, test_gradient, 0, SORTS);
-  tcase_add_loop_test(rows, test_kkt_matrix, 0, SORTS);
-  tcase_add_loop_test(rows, test_penalised_matrix, 0, SORTS);
-  tcase_add_test(steps, test_spinor);
-  tcase_add_test(steps, test_largest);
-  tcase_add_test(steps, test_bands);
-  tcase_add_test(steps, test_retract_turns_phases);
-  tcase_add_loop_test(steps, test_retract_is_a_step, 0, SORTS);
-  suite_add_tcase(s, rows);
-  suite_add_tcase(s, steps);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_rows_are_integrals, test_rows_of_knots, test_gradient,
+         test_kkt_matrix, test_penalised_matrix, test_spinor, test_largest,
+         test_bands, test_retract_turns_phases, test_retract_is_a_step)

@@ -22,7 +22,7 @@ static void ck_cplx(ph_cplx a, ph_cplx b, double tol) {
 }
 
 /* 1/5, 1/20, 1/30 for PH quintics; positive integrands, no digit is lost. */
-START_TEST(test_integrals) {
+PH_TEST(test_integrals) {
   struct ph_atph ph = ph_atph_of(0);
   ck_rel(ph.q[0], 1 / 5.0, 1e-15);
   ck_rel(ph.q[1], 4 / 20.0, 1e-15);
@@ -45,9 +45,8 @@ START_TEST(test_integrals) {
     ck_rel(space.q[3], 2 * mu[2], 4e-15);
   }
 }
-END_TEST
 
-START_TEST(test_constants) {
+PH_TEST(test_constants) {
   struct ph_atph ph = ph_atph_of(0);
   ck_rel(ph.c, 1, 0);
   ck_rel(ph.sinc, 1, 0);
@@ -61,9 +60,8 @@ START_TEST(test_constants) {
     ck_rel(space.slope, half / tan(half), 2e-15);
   }
 }
-END_TEST
 
-START_TEST(test_basis) {
+PH_TEST(test_basis) {
   for (size_t n = 0; n < ANGLES_N; n++) {
     const double a = ANGLES[n];
     struct ph_atph space = ph_atph_of(a);
@@ -77,11 +75,10 @@ START_TEST(test_basis) {
     }
   }
 }
-END_TEST
 
 /* w from its definition, and each derivative from differences of the one
  * before it. */
-START_TEST(test_jet) {
+PH_TEST(test_jet) {
   struct unit_random r = unit_random_of(530);
   const double step = 1e-4;
   for (size_t n = 0; n < 200; n++) {
@@ -102,10 +99,9 @@ START_TEST(test_jet) {
     }
   }
 }
-END_TEST
 
 /* w'(0) = 2 slope (w1 - w0), w'(1) = 2 slope (w2 - w1). */
-START_TEST(test_ends) {
+PH_TEST(test_ends) {
   struct unit_random r = unit_random_of(531);
   for (size_t n = 0; n < 200; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r);
@@ -120,10 +116,9 @@ START_TEST(test_ends) {
     ck_cplx(jet[1], ph_cplx_scale(slope, ph_cplx_sub(w[2], w[1])), 1e-13);
   }
 }
-END_TEST
 
 /* Sums of the table are the jet; its changes are differences by log a. */
-START_TEST(test_table) {
+PH_TEST(test_table) {
   struct unit_random r = unit_random_of(532);
   const double step = 1e-4;
   for (size_t n = 0; n < 200; n++) {
@@ -156,10 +151,9 @@ START_TEST(test_table) {
     }
   }
 }
-END_TEST
 
 /* A part has the values of the whole. */
-START_TEST(test_part) {
+PH_TEST(test_part) {
   struct unit_random r = unit_random_of(533);
   for (size_t n = 0; n < 200; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r), part;
@@ -177,21 +171,6 @@ START_TEST(test_part) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("atph");
-  TCase *t = tcase_create("atph");
-  tcase_add_checked_fixture(t, begin, NULL);
-  tcase_add_test(t, test_integrals);
-  tcase_add_test(t, test_constants);
-  tcase_add_test(t, test_basis);
-  tcase_add_test(t, test_jet);
-  tcase_add_test(t, test_ends);
-  tcase_add_test(t, test_table);
-  tcase_add_test(t, test_part);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_integrals, test_constants, test_basis, test_jet,
+              test_ends, test_table, test_part)

@@ -115,7 +115,7 @@ static void shape(struct unit_random *r, size_t *n, size_t *k) {
   *k = unit_random_below(r, *n + 6);
 }
 
-START_TEST(cholesky) {
+PH_TEST(cholesky) {
   const struct family family = {.zeros = 0.2};
   struct unit_random r = unit_random_of(1);
   for (int trial = 0; trial < unit_count(600); trial++) {
@@ -143,11 +143,10 @@ START_TEST(cholesky) {
     }
   }
 }
-END_TEST
 
 /* L L^T of small integers, which has no rounding: one diagonal element less is
  * the end of it. */
-START_TEST(indefinite) {
+PH_TEST(indefinite) {
   for (size_t k = 0; k < 8; k++) {
     for (size_t at = 0; at < 12; at++) {
       for (int less = 0; less < 3; less++) {
@@ -168,7 +167,6 @@ START_TEST(indefinite) {
     }
   }
 }
-END_TEST
 
 static void check_lu(struct unit_random *r, size_t k, double tolerance) {
   double x[N_MAX], b[N_MAX];
@@ -190,7 +188,7 @@ static const struct family families[] = {
     {.corner = 50},                 /* nothing but exchanges, by k rows */
 };
 
-START_TEST(lu) {
+PH_TEST_EACH(lu, sizeof families / sizeof families[0]) {
   struct unit_random r = unit_random_of(2 + (uint64_t)_i);
   for (int trial = 0; trial < unit_count(600); trial++) {
     size_t n, k;
@@ -199,11 +197,10 @@ START_TEST(lu) {
     check_lu(&r, k, 100 * DBL_EPSILON);
   }
 }
-END_TEST
 
 /* Stages of variables and a constraint on them: every such diagonal element is
  * 0, exactly, and the matrix is indefinite. */
-START_TEST(kkt) {
+PH_TEST(kkt) {
   struct unit_random r = unit_random_of(10);
   for (int trial = 0; trial < unit_count(300); trial++) {
     const size_t stage = 2 + unit_random_below(&r, 4);
@@ -214,10 +211,9 @@ START_TEST(kkt) {
     check_lu(&r, k, 100 * DBL_EPSILON);
   }
 }
-END_TEST
 
 /* The diagonal is 0, and every pivot is one row further down or up. */
-START_TEST(permutation) {
+PH_TEST(permutation) {
   struct unit_random r = unit_random_of(11);
   for (size_t k = 1; k < 8; k++) {
     const size_t n = 4 * k;
@@ -230,10 +226,9 @@ START_TEST(permutation) {
     check_lu(&r, k, 2 * DBL_EPSILON);
   }
 }
-END_TEST
 
 /* Without exchanges, nothing is written where the fill would be. */
-START_TEST(no_fill) {
+PH_TEST(no_fill) {
   const struct family family = {.diagonal = 50};
   struct unit_random r = unit_random_of(12);
   for (size_t k = 1; k < 12; k++) {
@@ -248,10 +243,9 @@ START_TEST(no_fill) {
     }
   }
 }
-END_TEST
 
 /* A column or a row of zeros, and a row that is there twice. */
-START_TEST(singular) {
+PH_TEST(singular) {
   const struct family family = {.zeros = 0.1};
   struct unit_random r = unit_random_of(13);
   for (int trial = 0; trial < unit_count(600); trial++) {
@@ -273,9 +267,8 @@ START_TEST(singular) {
     ck_assert(!ph_band_factor(band, pivot, n, k));
   }
 }
-END_TEST
 
-START_TEST(one_row) {
+PH_TEST(one_row) {
   for (size_t k = 0; k < 4; k++) {
     double x = 6;
     dense.n = 1;
@@ -297,12 +290,11 @@ START_TEST(one_row) {
     ck_assert(!ph_band_factor(band, pivot, 1, k));
   }
 }
-END_TEST
 
 static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
 
 /* One element that is no number, anywhere. */
-START_TEST(not_finite) {
+PH_TEST_EACH(not_finite, sizeof bad / sizeof bad[0]) {
   struct unit_random r = unit_random_of(20);
   const size_t n = 9;
   for (size_t k = 0; k < 11; k++) {
@@ -324,10 +316,9 @@ START_TEST(not_finite) {
     }
   }
 }
-END_TEST
 
 /* The solution of a long one is known: 1, 2, 3, 1, 2, ... */
-START_TEST(many_rows) {
+PH_TEST(many_rows) {
   const size_t n = (size_t)unit_count(30000), k = 11;
   double *a = calloc(ph_band_size(n, k), sizeof *a);
   double *s = calloc(ph_sym_size(n, k), sizeof *s);
@@ -360,23 +351,6 @@ START_TEST(many_rows) {
   free(y);
   free(exchanged);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("band");
-  TCase *t = tcase_create("band");
-  tcase_add_test(t, cholesky);
-  tcase_add_test(t, indefinite);
-  tcase_add_loop_test(t, lu, 0, (int)(sizeof families / sizeof families[0]));
-  tcase_add_test(t, kkt);
-  tcase_add_test(t, permutation);
-  tcase_add_test(t, no_fill);
-  tcase_add_test(t, singular);
-  tcase_add_test(t, one_row);
-  tcase_add_loop_test(t, not_finite, 0, (int)(sizeof bad / sizeof bad[0]));
-  tcase_add_test(t, many_rows);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(cholesky, indefinite, lu, kkt, permutation, no_fill, singular, one_row,
+         not_finite, many_rows)

@@ -15,7 +15,7 @@ static double basis_by_definition(unsigned n, unsigned k, double u) {
   return gsl_sf_choose(n, k) * pow(1 - u, (double)(n - k)) * pow(u, (double)k);
 }
 
-START_TEST(test_basis) {
+PH_TEST(test_basis) {
   struct unit_random r = unit_random_of(1);
   double basis[DEGREE_MAX + 1];
   for (unsigned n = 0; n <= DEGREE_MAX; n++) {
@@ -30,9 +30,8 @@ START_TEST(test_basis) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_basis_ends) {
+PH_TEST(test_basis_ends) {
   double basis[DEGREE_MAX + 1];
   for (size_t n = 0; n <= DEGREE_MAX; n++) {
     for (int end = 0; end < 2; end++) {
@@ -43,7 +42,6 @@ START_TEST(test_basis_ends) {
     }
   }
 }
-END_TEST
 
 static ph_cplx value(const ph_cplx *c, size_t degree, double u) {
   double basis[DEGREE_MAX + 1];
@@ -55,7 +53,7 @@ static ph_cplx value(const ph_cplx *c, size_t degree, double u) {
   return sum;
 }
 
-START_TEST(test_cut) {
+PH_TEST(test_cut) {
   struct unit_random r = unit_random_of(2);
   ph_cplx c[DEGREE_MAX + 1], left[DEGREE_MAX + 1], right[DEGREE_MAX + 1];
   for (size_t n = 0; n <= DEGREE_MAX; n++) {
@@ -76,10 +74,9 @@ START_TEST(test_cut) {
     }
   }
 }
-END_TEST
 
 /* The ends are kept, and the parts join, to the last digit. */
-START_TEST(test_cut_ends) {
+PH_TEST(test_cut_ends) {
   struct unit_random r = unit_random_of(3);
   ph_cplx c[DEGREE_MAX + 1], left[DEGREE_MAX + 1], right[DEGREE_MAX + 1];
   for (size_t n = 0; n <= DEGREE_MAX; n++) {
@@ -92,9 +89,8 @@ START_TEST(test_cut_ends) {
     ck_abs(unit_distance(left[n], right[0]), 0, 0);
   }
 }
-END_TEST
 
-START_TEST(test_raise) {
+PH_TEST(test_raise) {
   struct unit_random r = unit_random_of(4);
   ph_cplx c[DEGREE_MAX + 1], raised[DEGREE_MAX + 1];
   for (size_t n = 0; n < DEGREE_MAX; n++) {
@@ -111,18 +107,5 @@ START_TEST(test_raise) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("bern");
-  TCase *tc = tcase_create("bern");
-  tcase_add_test(tc, test_basis);
-  tcase_add_test(tc, test_basis_ends);
-  tcase_add_test(tc, test_cut);
-  tcase_add_test(tc, test_cut_ends);
-  tcase_add_test(tc, test_raise);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_basis, test_basis_ends, test_cut, test_cut_ends, test_raise)

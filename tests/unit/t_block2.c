@@ -10,12 +10,6 @@
 
 enum { N_MAX = 40 };
 
-static struct ph_arena arena;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 /* What the blocks of a random system are like. */
 enum kind {
   FULL,     /* no more than random */
@@ -102,7 +96,7 @@ static void push_all(struct ph_block2 *t, const struct ph_block2_row *row,
 
 static void solve(const struct ph_block2_row *row, size_t n, double (*x)[2]) {
   struct ph_block2 t;
-  ck_assert(ph_block2_alloc(&t, &arena, n));
+  ck_assert(ph_block2_alloc(&t, &unit_arena, n));
   push_all(&t, row, n, x);
 }
 
@@ -202,7 +196,7 @@ static bool compare(const struct ph_block2_row *row, size_t n, unsigned which) {
 }
 
 /* Every kind of open and of cyclic systems. */
-START_TEST(test_dense) {
+PH_TEST_EACH(test_dense, 2 * KINDS) {
   const enum kind kind = (enum kind)(_i / 2);
   struct unit_random r = unit_random_of((uint64_t)_i);
   struct ph_block2_row row[N_MAX];
@@ -212,17 +206,16 @@ START_TEST(test_dense) {
     for (int i = 0; i < count; i++) {
       make(&r, kind, _i % 2 == 1, n, row);
       compared += compare(row, n, tried++);
-      ph_arena_reset(&arena);
+      ph_arena_reset(&unit_arena);
     }
   }
   /* Without diagonal blocks every open system of odd size is singular. */
   ck_assert_uint_ge(compared, tried / 3);
 }
-END_TEST
 
 /* The last row goes along for as long as its corner block matters; how large
  * its entries are beside those of the others has no influence. */
-START_TEST(test_last_row_scale) {
+PH_TEST(test_last_row_scale) {
   const double scales[] = {0x1p-50, 0x1p-25, 0x1p25, 0x1p50};
   struct unit_random r = unit_random_of(100);
   struct ph_block2_row row[N_MAX];
@@ -239,13 +232,12 @@ START_TEST(test_last_row_scale) {
                     "seed %lu, system %d of %zu blocks: x[%zu] moves by %.3g",
                     unit_seed(), i, n, k, d);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Long enough for the corner blocks to decay, and for them not to. */
-START_TEST(test_long) {
+PH_TEST_EACH(test_long, 2 * KINDS) {
   enum { N = 20000 };
   struct unit_random r = unit_random_of(200 + (uint64_t)_i);
   struct ph_block2_row *row = malloc(N * sizeof *row);
@@ -263,31 +255,29 @@ START_TEST(test_long) {
   free(row);
   free(x);
 }
-END_TEST
 
 /* What is dropped of the corner blocks of a long dominant system is gone for
  * good: later rows are as fast as those of an open one. */
-START_TEST(test_decay) {
+PH_TEST(test_decay) {
   struct unit_random r = unit_random_of(300);
   struct ph_block2_row row[200];
   double x[200][2];
   struct ph_block2 t;
-  ck_assert(ph_block2_alloc(&t, &arena, 200));
+  ck_assert(ph_block2_alloc(&t, &unit_arena, 200));
   make(&r, DOMINANT, true, 200, row);
   push_all(&t, row, 200, x);
   ck_assert(!t.near_far && !t.last_far);
   ck_assert_uint_lt(t.far_n, 100);
   ck_assert_uint_eq(t.fill_n, 0);
 }
-END_TEST
 
 /* The workspace is used again, for fewer unknowns and another kind. */
-START_TEST(test_reuse) {
+PH_TEST(test_reuse) {
   struct unit_random r = unit_random_of(400);
   struct ph_block2_row row[N_MAX];
   double x[N_MAX][2], again[N_MAX][2];
   struct ph_block2 t;
-  ck_assert(ph_block2_alloc(&t, &arena, N_MAX));
+  ck_assert(ph_block2_alloc(&t, &unit_arena, N_MAX));
   for (size_t n = N_MAX; n >= 1; n--) {
     make(&r, n % 3 == 0 ? FULL : DOMINANT, n % 2 == 0, n, row);
     push_all(&t, row, n, x);
@@ -296,10 +286,9 @@ START_TEST(test_reuse) {
     ck_assert_mem_eq(x, again, n * sizeof *x);
   }
 }
-END_TEST
 
 /* A singular matrix gives something that is not finite, and so does NaN. */
-START_TEST(test_not_finite) {
+PH_TEST(test_not_finite) {
   const double bad[] = {0, (double)NAN, (double)INFINITY};
   struct unit_random r = unit_random_of(500);
   struct ph_block2_row row[N_MAX];
@@ -311,14 +300,13 @@ START_TEST(test_not_finite) {
       solve(row, n, x);
       ck_assert_msg(!is_finite((const double(*)[2])x, n),
                     "row %zu of %zu times %g", i / 6, n, bad[i % 3]);
-      ph_arena_reset(&arena);
+      ph_arena_reset(&unit_arena);
     }
   }
 }
-END_TEST
 
 /* An empty column is found wherever it is. */
-START_TEST(test_empty_column) {
+PH_TEST(test_empty_column) {
   struct unit_random r = unit_random_of(600);
   struct ph_block2_row row[N_MAX];
   double x[N_MAX][2];
@@ -331,33 +319,15 @@ START_TEST(test_empty_column) {
       }
       solve(row, n, x);
       ck_assert_msg(!is_finite((const double(*)[2])x, n), "%zu of %zu", i, n);
-      ph_arena_reset(&arena);
+      ph_arena_reset(&unit_arena);
     }
   }
 }
-END_TEST
 
-START_TEST(test_no_memory) {
+PH_TEST(test_no_memory) {
   struct ph_block2 t;
-  ck_assert(!ph_block2_alloc(&t, &arena, SIZE_MAX / 2));
-}
-END_TEST
-
-static Suite *suite(void) {
-  Suite *s = suite_create("block2");
-  TCase *tc = tcase_create("block2");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_set_timeout(tc, 60);
-  tcase_add_loop_test(tc, test_dense, 0, 2 * KINDS);
-  tcase_add_test(tc, test_last_row_scale);
-  tcase_add_loop_test(tc, test_long, 0, 2 * KINDS);
-  tcase_add_test(tc, test_decay);
-  tcase_add_test(tc, test_reuse);
-  tcase_add_test(tc, test_not_finite);
-  tcase_add_test(tc, test_empty_column);
-  tcase_add_test(tc, test_no_memory);
-  suite_add_tcase(s, tc);
-  return s;
+  ck_assert(!ph_block2_alloc(&t, &unit_arena, SIZE_MAX / 2));
 }
 
-PH_TEST_MAIN(suite)
+PH_TESTS(test_dense, test_last_row_scale, test_long, test_decay, test_reuse,
+         test_not_finite, test_empty_column, test_no_memory)

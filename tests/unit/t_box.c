@@ -70,7 +70,7 @@ static enum ph_status run(double upper, size_t steps) {
   return status;
 }
 
-START_TEST(test_inside) {
+PH_TEST(test_inside) {
   valley = (struct valley){.limit = 10};
   ck_assert_int_eq(run(3, 1000), PH_OK);
   ck_assert(report.converged);
@@ -81,10 +81,9 @@ START_TEST(test_inside) {
     ck_abs(x[i], 1, 1e-2);
   }
 }
-END_TEST
 
 /* At the bound the gradient pushes outwards, elsewhere it vanishes. */
-START_TEST(test_bounds) {
+PH_TEST(test_bounds) {
   double g[N], most = 0;
   valley = (struct valley){.limit = 10};
   ck_assert_int_eq(run(0.5, 1000), PH_OK);
@@ -100,10 +99,9 @@ START_TEST(test_bounds) {
   }
   ck_assert_double_le(most, 1e-5);
 }
-END_TEST
 
 /* Points that are refused are avoided; where the start is one, it stays. */
-START_TEST(test_refused) {
+PH_TEST(test_refused) {
   valley = (struct valley){.limit = 0.25};
   ck_assert_int_eq(run(3, 1000), PH_OK);
   ck_assert_double_le(x[0], 0.25);
@@ -113,10 +111,9 @@ START_TEST(test_refused) {
   ck_assert(!isfinite(report.value) && !report.converged);
   ck_assert_uint_eq(valley.accepted, 0);
 }
-END_TEST
 
 /* The cap of the steps, and failures of the function, end the search. */
-START_TEST(test_ends) {
+PH_TEST(test_ends) {
   valley = (struct valley){.limit = 10};
   ck_assert_int_eq(run(3, 3), PH_OK);
   ck_assert(!report.converged);
@@ -125,17 +122,5 @@ START_TEST(test_ends) {
   ck_assert_int_eq(run(3, 1000), PH_NO_CONVERGENCE);
   ck_assert_uint_eq(valley.values, 5);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("box");
-  TCase *t = tcase_create("box");
-  tcase_add_test(t, test_inside);
-  tcase_add_test(t, test_bounds);
-  tcase_add_test(t, test_refused);
-  tcase_add_test(t, test_ends);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_inside, test_bounds, test_refused, test_ends)

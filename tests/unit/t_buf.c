@@ -16,7 +16,7 @@ static void finish(void) {
   ck_assert(!buf.failed);
 }
 
-START_TEST(test_append) {
+PH_TEST(test_append) {
   ph_buf_put(&buf, "ab\0c", 4);
   ph_buf_puts(&buf, "");
   ph_buf_put(&buf, NULL, 0);
@@ -24,10 +24,9 @@ START_TEST(test_append) {
   ck_assert_uint_eq(buf.n, 7);
   ck_assert_mem_eq(buf.data, "ab\0cdef", 7);
 }
-END_TEST
 
 /* One byte at a time and in large pieces: nothing is lost by growing. */
-START_TEST(test_growth) {
+PH_TEST(test_growth) {
   static char large[100000];
   size_t n = 0;
   for (size_t i = 0; i < sizeof large; i++) {
@@ -43,10 +42,9 @@ START_TEST(test_growth) {
   ck_assert_mem_eq(buf.data + n, large, n);
   ck_assert_uint_le(buf.n, buf.capacity);
 }
-END_TEST
 
 /* Reserved room is ours to write into, up to the last byte. */
-START_TEST(test_reserve) {
+PH_TEST(test_reserve) {
   for (size_t n = 1; n < 20000; n = 2 * n + 1) {
     char *to = ph_buf_reserve(&buf, n);
     ck_assert_ptr_nonnull(to);
@@ -58,10 +56,9 @@ START_TEST(test_reserve) {
     ck_assert_int_eq(buf.data[i], 'x');
   }
 }
-END_TEST
 
 /* Too much to ask for is remembered; what follows does nothing. */
-START_TEST(test_failure) {
+PH_TEST(test_failure) {
   ph_buf_puts(&buf, "before");
   ck_assert_ptr_null(ph_buf_reserve(&buf, SIZE_MAX - 10));
   ck_assert(buf.failed);
@@ -74,9 +71,8 @@ START_TEST(test_failure) {
   ph_buf_puts(&buf, "again");
   ck_assert_mem_eq(buf.data, "again", 5);
 }
-END_TEST
 
-START_TEST(test_clear) {
+PH_TEST(test_clear) {
   size_t capacity;
   ph_buf_puts(&buf, "some");
   capacity = buf.capacity;
@@ -89,19 +85,6 @@ START_TEST(test_clear) {
   ck_assert_uint_eq(buf.capacity, 0);
   ck_assert_ptr_null(buf.data);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("buf");
-  TCase *tc = tcase_create("buf");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_append);
-  tcase_add_test(tc, test_growth);
-  tcase_add_test(tc, test_reserve);
-  tcase_add_test(tc, test_failure);
-  tcase_add_test(tc, test_clear);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_append, test_growth, test_reserve,
+              test_failure, test_clear)

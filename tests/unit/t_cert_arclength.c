@@ -41,13 +41,8 @@ static struct {
   double preimage[12 * SEGMENTS], segment_lengths[SEGMENTS];
 } u;
 
-static struct ph_arena scratch;
 static struct ph_diagnostics diagnostics;
 static struct ph_diag diag;
-
-static void finish(void) {
-  ph_arena_free(&scratch);
-}
 
 /* ---- curves ---------------------------------------------------------- */
 
@@ -143,7 +138,8 @@ static void build(enum mode mode, size_t refine, ph_quat a, ph_quat b,
 static enum ph_status certify(void) {
   memset(&diagnostics, 0, sizeof diagnostics);
   memset(&diag, 0, sizeof diag);
-  return ph_cert_arclength(&u.problem, &u.curve, &scratch, &diagnostics, &diag);
+  return ph_cert_arclength(&u.problem, &u.curve, &unit_arena, &diagnostics,
+                           &diag);
 }
 
 static void ck_accepted(void) {
@@ -200,7 +196,7 @@ static void begin_variant(int i) {
 
 /* ---- what is right ---------------------------------------------------- */
 
-START_TEST(test_accepts) {
+PH_TEST_EACH(test_accepts, VARIANTS) {
   begin_variant(_i);
   ck_accepted();
   ck_abs(value_of(PH_D_INTERPOLATION_ERROR), 0, 0);
@@ -213,10 +209,9 @@ START_TEST(test_accepts) {
     ck_assert(!is_known(PH_D_TANGENT_ERROR));
   }
 }
-END_TEST
 
 /* |a + t b|^2 is smallest where its derivative vanishes. */
-START_TEST(test_min_speed) {
+PH_TEST_EACH(test_min_speed, VARIANTS) {
   double t = -ph_quat_dot(A, B) / ph_quat_dot(B, B);
   ph_quat a = preimage_at(A, B, t);
   begin_variant(_i);
@@ -225,19 +220,17 @@ START_TEST(test_min_speed) {
   ck_abs(value_of(PH_D_MIN_SPEED), ph_quat_dot(a, a) * 4 / u.curve.length,
          2e-13);
 }
-END_TEST
 
 /* A curve that stands still at t = 1.1. */
-START_TEST(test_min_speed_of_cusp) {
+PH_TEST_EACH(test_min_speed_of_cusp, VARIANTS) {
   build(_i % 2 ? RELAXED : POINTS, refine_of(_i), ph_quat_scale(-1.1, B), B,
         ph_vec3_get(START, 3));
   ck_accepted();
   ck_abs(value_of(PH_D_MIN_SPEED), 0, 2e-13);
 }
-END_TEST
 
 /* Everything is relative: by powers of four not a digit changes. */
-START_TEST(test_scales) {
+PH_TEST_EACH(test_scales, VARIANTS) {
   struct ph_diagnostics unit;
   begin_variant(_i);
   ck_accepted();
@@ -255,11 +248,10 @@ START_TEST(test_scales) {
     ck_refused(PH_D_LENGTH_ERROR, 1);
   }
 }
-END_TEST
 
 /* Far from the origin control points have fewer digits: what that makes of a
  * curve is allowed for, and no more. */
-START_TEST(test_far_away) {
+PH_TEST_EACH(test_far_away, VARIANTS) {
   static const double away[] = {1e3, 1e6, 1e9};
   for (size_t i = 0; i < 3; i++) {
     double step = 1000 * away[i] * 2.2e-16;
@@ -272,10 +264,9 @@ START_TEST(test_far_away) {
     ck_refused(PH_D_LENGTH_ERROR, 2);
   }
 }
-END_TEST
 
 /* Lengths with a deviation are not met, and `auto' is any number. */
-START_TEST(test_soft_lengths) {
+PH_TEST_EACH(test_soft_lengths, VARIANTS) {
   begin(_i % MODES == RELAXED ? POINTS : mode_of(_i), refine_of(_i));
   u.lengths[1] *= 1.01;
   ck_refused(PH_D_LENGTH_ERROR, 2 * refine_of(_i) - 1);
@@ -287,10 +278,9 @@ START_TEST(test_soft_lengths) {
   ck_assert(is_known(PH_D_LENGTH_ERROR));
   ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 1e-14);
 }
-END_TEST
 
 /* Plane data are data in the plane z = 0. */
-START_TEST(test_plane) {
+PH_TEST_EACH(test_plane, VARIANTS) {
   const ph_quat a = {1, 0, 0, 0.5}, b = {-0.25, 0, 0, 0.25};
   double two[2 * (INTERVALS + 1)];
   build(mode_of(_i), refine_of(_i), a, b, ph_vec3_of(3, 4, 0));
@@ -309,12 +299,11 @@ START_TEST(test_plane) {
   }
   ck_accepted();
 }
-END_TEST
 
 /* ---- what is not ------------------------------------------------------ */
 
 /* Each coordinate of each control point, one after the other. */
-START_TEST(test_control_points) {
+PH_TEST_EACH(test_control_points, VARIANTS) {
   begin_variant(_i);
   for (size_t i = 0; i < 18 * u.curve.n; i++) {
     double *x = &u.control_points[i], keep = *x;
@@ -324,9 +313,8 @@ START_TEST(test_control_points) {
   }
   ck_accepted();
 }
-END_TEST
 
-START_TEST(test_preimage) {
+PH_TEST_EACH(test_preimage, VARIANTS) {
   begin_variant(_i);
   for (size_t i = 0; i < 12 * u.curve.n; i++) {
     double *a = &u.preimage[i], keep = *a;
@@ -336,9 +324,8 @@ START_TEST(test_preimage) {
   }
   ck_accepted();
 }
-END_TEST
 
-START_TEST(test_data) {
+PH_TEST_EACH(test_data, VARIANTS) {
   static const enum ph_diagnostic what[MODES] = {
       PH_D_INTERPOLATION_ERROR, PH_D_INTERPOLATION_ERROR, PH_D_TANGENT_ERROR,
       PH_D_TANGENT_ERROR};
@@ -353,9 +340,8 @@ START_TEST(test_data) {
   }
   ck_accepted();
 }
-END_TEST
 
-START_TEST(test_start) {
+PH_TEST_EACH(test_start, VARIANTS) {
   begin(_i % 2 ? TANGENTS : DERIVATIVES, refine_of(_i));
   u.start[1] += MOVED;
   ck_refused(PH_D_INTERPOLATION_ERROR, 0);
@@ -366,9 +352,8 @@ START_TEST(test_start) {
   u.problem.field[PH_F_START].kind = PH_ABSENT;
   ck_accepted();
 }
-END_TEST
 
-START_TEST(test_lengths) {
+PH_TEST_EACH(test_lengths, VARIANTS) {
   size_t refine = refine_of(_i);
   begin_variant(_i);
   for (size_t k = 0; k < u.curve.n; k++) {
@@ -389,10 +374,9 @@ START_TEST(test_lengths) {
     u.lengths[j] = keep;
   }
 }
-END_TEST
 
 /* Derivatives are by the knots, and so is their continuity. */
-START_TEST(test_knots) {
+PH_TEST_EACH(test_knots, VARIANTS) {
   begin_variant(_i);
   for (size_t k = 1; k < u.curve.n; k++) {
     double keep = u.knots[k];
@@ -401,10 +385,9 @@ START_TEST(test_knots) {
     u.knots[k] = keep;
   }
 }
-END_TEST
 
 /* Magnitudes by the rule of the mean are lengths by knots. */
-START_TEST(test_magnitudes) {
+PH_TEST_EACH(test_magnitudes, VARIANTS) {
   struct ph_value *field = u.problem.field;
   ph_quat still = {0, 0, 0, 0};
   build(TANGENTS, refine_of(_i), A, still, ph_vec3_of(0, 0, 0));
@@ -418,10 +401,9 @@ START_TEST(test_magnitudes) {
   field[PH_F_MAGNITUDES].word = "free";
   ck_accepted();
 }
-END_TEST
 
 /* As many segments as there must be. */
-START_TEST(test_refine) {
+PH_TEST_EACH(test_refine, VARIANTS) {
   struct ph_value *refine = &u.problem.field[PH_F_REFINE];
   begin_variant(_i);
   *refine = (struct ph_value){.kind = PH_NUMBER, .number = 1};
@@ -433,39 +415,14 @@ START_TEST(test_refine) {
   u.curve.n--;
   ck_assert_int_ne(certify(), PH_OK);
 }
-END_TEST
 
-START_TEST(test_not_finite) {
+PH_TEST_EACH(test_not_finite, VARIANTS) {
   begin_variant(_i);
   u.control_points[20] = (double)NAN;
   ck_assert_int_eq(certify(), PH_TOO_LARGE);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cert_arclength");
-  TCase *right = tcase_create("right"), *wrong = tcase_create("wrong");
-  tcase_add_checked_fixture(right, NULL, finish);
-  tcase_add_loop_test(right, test_accepts, 0, VARIANTS);
-  tcase_add_loop_test(right, test_min_speed, 0, VARIANTS);
-  tcase_add_loop_test(right, test_min_speed_of_cusp, 0, VARIANTS);
-  tcase_add_loop_test(right, test_scales, 0, VARIANTS);
-  tcase_add_loop_test(right, test_far_away, 0, VARIANTS);
-  tcase_add_loop_test(right, test_soft_lengths, 0, VARIANTS);
-  tcase_add_loop_test(right, test_plane, 0, VARIANTS);
-  suite_add_tcase(s, right);
-  tcase_add_checked_fixture(wrong, NULL, finish);
-  tcase_add_loop_test(wrong, test_control_points, 0, VARIANTS);
-  tcase_add_loop_test(wrong, test_preimage, 0, VARIANTS);
-  tcase_add_loop_test(wrong, test_data, 0, VARIANTS);
-  tcase_add_loop_test(wrong, test_start, 0, VARIANTS);
-  tcase_add_loop_test(wrong, test_lengths, 0, VARIANTS);
-  tcase_add_loop_test(wrong, test_knots, 0, VARIANTS);
-  tcase_add_loop_test(wrong, test_magnitudes, 0, VARIANTS);
-  tcase_add_loop_test(wrong, test_refine, 0, VARIANTS);
-  tcase_add_loop_test(wrong, test_not_finite, 0, VARIANTS);
-  suite_add_tcase(s, wrong);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_accepts, test_min_speed, test_min_speed_of_cusp, test_scales,
+         test_far_away, test_soft_lengths, test_plane, test_control_points,
+         test_preimage, test_data, test_start, test_lengths, test_knots,
+         test_magnitudes, test_refine, test_not_finite)

@@ -65,7 +65,7 @@ static bool at_point(enum kind kind, size_t k, size_t end) {
   return k + end == 4;
 }
 
-START_TEST(test_chains) {
+PH_TEST_EACH(test_chains, KINDS) {
   static const double scales[] = {1e-9, 1, 1e9, 1e-290, 1e290};
   for (size_t i = 0; i < 5; i++) {
     for (int far = 0; far < 2; far++) {
@@ -89,10 +89,9 @@ START_TEST(test_chains) {
     }
   }
 }
-END_TEST
 
 /* What the mode is where the problem does not say. */
-START_TEST(test_modes) {
+PH_TEST(test_modes) {
   chain(MIXED, 1, 0);
   unit_tc.problem.field[PH_F_MODE].kind = PH_ABSENT;
   ck_accepted();
@@ -112,10 +111,9 @@ START_TEST(test_modes) {
     ck_assert_str_eq(unit_tc.diag.field, "segments");
   }
 }
-END_TEST
 
 /* The largest curvature and the energies, against those of the cubics. */
-START_TEST(test_shape) {
+PH_TEST(test_shape) {
   double largest = 0;
   chain(MIXED, 100, 0);
   ck_accepted();
@@ -132,10 +130,9 @@ START_TEST(test_shape) {
          2 * atan2(1, -.4) / 6.283185307179586, 1e-13);
   ck_assert_double_gt(unit_said(PH_D_ENERGY), 0);
 }
-END_TEST
 
 /* Each coordinate of each control point, one after the other. */
-START_TEST(test_control_points) {
+PH_TEST_EACH(test_control_points, KINDS) {
   enum kind kind = (enum kind)_i;
   chain(kind, 1, 0);
   for (size_t i = 0; i < 32; i++) {
@@ -156,9 +153,8 @@ START_TEST(test_control_points) {
   }
   ck_accepted();
 }
-END_TEST
 
-START_TEST(test_preimage) {
+PH_TEST_EACH(test_preimage, KINDS) {
   chain((enum kind)_i, 1, 0);
   for (size_t i = 0; i < 16; i++) {
     double *w = &unit_tc.c.preimage[i], keep = *w;
@@ -171,10 +167,9 @@ START_TEST(test_preimage) {
   }
   ck_accepted();
 }
-END_TEST
 
 /* The first leg longer, with or without its preimage: no square any more. */
-START_TEST(test_not_ph) {
+PH_TEST(test_not_ph) {
   double *p = unit_tc.c.control_points, *w = unit_tc.c.preimage;
   chain(SINGLES, 1, 0);
   p[2] = p[0] + (1 + MOVED) * (p[2] - p[0]);
@@ -184,9 +179,8 @@ START_TEST(test_not_ph) {
   w[1] *= 1 + MOVED / 2;
   ck_refused(PH_D_PYTHAGOREAN_ERROR, 0);
 }
-END_TEST
 
-START_TEST(test_lengths) {
+PH_TEST_EACH(test_lengths, KINDS) {
   chain((enum kind)_i, 1, 0);
   for (size_t k = 0; k < 4; k++) {
     double *length = &unit_tc.c.lengths[k], keep = *length;
@@ -199,11 +193,10 @@ START_TEST(test_lengths) {
   unit_tc.c.curve.length = 0;
   ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
 }
-END_TEST
 
 /* The data: moved points, turned tangents, tangents that are swapped or point
  * backward, other derivatives. */
-START_TEST(test_data) {
+PH_TEST_EACH(test_data, KINDS) {
   enum kind kind = (enum kind)_i;
   size_t n;
   chain(kind, 1, 0);
@@ -233,11 +226,10 @@ START_TEST(test_data) {
   ck_refused(
       kind == DERIVATIVES ? PH_D_END_DERIVATIVE_ERROR : PH_D_TANGENT_ERROR, 0);
 }
-END_TEST
 
 /* Two pairs that are right by themselves, but for what they say where they or
  * their cubics meet. */
-START_TEST(test_joints) {
+PH_TEST(test_joints) {
   for (int i = 0; i < 3; i++) {
     double by = i == 1 ? 1 + 1e-8 : 1;
     ph_cplx turn = ph_cplx_scale(by, ph_cplx_polar(i == 0 ? 1e-8 : 0));
@@ -260,9 +252,8 @@ START_TEST(test_joints) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_knots) {
+PH_TEST_EACH(test_knots, KINDS) {
   chain((enum kind)_i, 1, 0);
   for (size_t k = 0; k <= 4; k++) {
     double keep = unit_tc.c.knots[k];
@@ -276,10 +267,9 @@ START_TEST(test_knots) {
   }
   ck_accepted();
 }
-END_TEST
 
 /* Too few or too many cubics, or none of this kind. */
-START_TEST(test_number) {
+PH_TEST_EACH(test_number, KINDS) {
   chain((enum kind)_i, 1, 0);
   unit_tc.c.curve.n = 1;
   ck_assert_int_eq(unit_certify(), PH_INTERNAL);
@@ -301,7 +291,6 @@ START_TEST(test_number) {
   unit_tc.c.curve.kind = PH_CURVE_PH;
   ck_assert_int_eq(unit_certify(), PH_INTERNAL);
 }
-END_TEST
 
 static void ck_claim(enum ph_diagnostic what, double value) {
   unit_tc.claims = (struct ph_diagnostics){.known = 0};
@@ -313,7 +302,7 @@ static void ck_claim(enum ph_diagnostic what, double value) {
 }
 
 /* D and lambda of the only interval are those of its legs. */
-START_TEST(test_claims) {
+PH_TEST_EACH(test_claims, 2) {
   const ph_cplx w0 = {1.1, -0.2}, w1 = {0.7, 0.6};
   unit_cert_begin();
   unit_cubics_begin(&unit_tc.c, ph_cplx_of(1, 2));
@@ -337,7 +326,6 @@ START_TEST(test_claims) {
     ck_claim(PH_D_RATIO, ph_cplx_abs(w1) / ph_cplx_abs(w0));
   }
 }
-END_TEST
 
 static void ck_not_finite(double *x) {
   const double bad[] = {nan(""), HUGE_VAL, -HUGE_VAL};
@@ -349,7 +337,7 @@ static void ck_not_finite(double *x) {
   *x = keep;
 }
 
-START_TEST(test_not_finite) {
+PH_TEST(test_not_finite) {
   chain(MIXED, 1, 0);
   for (size_t i = 0; i < 32; i++) {
     ck_not_finite(&unit_tc.c.control_points[i]);
@@ -364,7 +352,6 @@ START_TEST(test_not_finite) {
   ck_not_finite(&unit_tc.c.curve.length);
   ck_accepted();
 }
-END_TEST
 
 /* ---- curves that stand still -------------------------------------------- */
 
@@ -382,7 +369,7 @@ static void cusp(double w) {
   unit_tc.problem.field[PH_F_DERIVATIVES] = unit_vectors(unit_tc.vectors, 2);
 }
 
-START_TEST(test_irregular) {
+PH_TEST(test_irregular) {
   cusp(0);
   ck_refused(PH_D_REGULAR, 0);
   ck_abs(unit_said(PH_D_REGULAR), 0, 0);
@@ -396,10 +383,9 @@ START_TEST(test_irregular) {
   ck_accepted();
   ck_abs(unit_said(PH_D_REGULAR), 1, 0);
 }
-END_TEST
 
 /* The preimage passes through 0 inside a cubic, or close by. */
-START_TEST(test_turns_back) {
+PH_TEST(test_turns_back) {
   for (int i = 0; i < 2; i++) {
     unit_cert_begin();
     unit_cubics_begin(&unit_tc.c, ph_cplx_of(0, 0));
@@ -420,29 +406,8 @@ START_TEST(test_turns_back) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cert_tc");
-  TCase *tc = tcase_create("cert_tc");
-  tcase_add_checked_fixture(tc, NULL, unit_cert_finish);
-  tcase_add_loop_test(tc, test_chains, 0, KINDS);
-  tcase_add_test(tc, test_modes);
-  tcase_add_test(tc, test_shape);
-  tcase_add_loop_test(tc, test_control_points, 0, KINDS);
-  tcase_add_loop_test(tc, test_preimage, 0, KINDS);
-  tcase_add_test(tc, test_not_ph);
-  tcase_add_loop_test(tc, test_lengths, 0, KINDS);
-  tcase_add_loop_test(tc, test_data, 0, KINDS);
-  tcase_add_test(tc, test_joints);
-  tcase_add_loop_test(tc, test_knots, 0, KINDS);
-  tcase_add_loop_test(tc, test_number, 0, KINDS);
-  tcase_add_loop_test(tc, test_claims, 0, 2);
-  tcase_add_test(tc, test_not_finite);
-  tcase_add_test(tc, test_irregular);
-  tcase_add_test(tc, test_turns_back);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, unit_cert_finish, test_chains, test_modes, test_shape,
+              test_control_points, test_preimage, test_not_ph, test_lengths,
+              test_data, test_joints, test_knots, test_number, test_claims,
+              test_not_finite, test_irregular, test_turns_back)

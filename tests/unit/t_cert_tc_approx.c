@@ -101,7 +101,7 @@ static double seen(void) {
   return largest;
 }
 
-START_TEST(test_pairs) {
+PH_TEST(test_pairs) {
   static const double scales[] = {1e-9, 1, 1e9};
   double distance = 0;
   for (size_t i = 0; i < 3; i++) {
@@ -125,10 +125,9 @@ START_TEST(test_pairs) {
   ck_assert_double_ge(distance, seen() * (1 - 1e-3));
   ck_assert_double_le(distance, seen() * 1.08);
 }
-END_TEST
 
 /* One curve, as control points in the field points. */
-START_TEST(test_points) {
+PH_TEST(test_points) {
   start();
   unit_tc.c.curve.n = 2 * PAIRS;
   unit_tc.c.curve.length = 0;
@@ -143,7 +142,6 @@ START_TEST(test_points) {
   unit_tc.problem.field[PH_F_CURVE] = unit_vectors(given, DEGREE + 1);
   ck_accepted();
 }
-END_TEST
 
 static void claim(double distance) {
   unit_tc.claims.known = 0;
@@ -152,7 +150,7 @@ static void claim(double distance) {
 
 /* A claim is kept if it is confirmed, and else corrected; the tolerance is what
  * counts. */
-START_TEST(test_distance) {
+PH_TEST(test_distance) {
   static const double claims[] = {0.9, 0, (double)NAN};
   double found;
   start();
@@ -175,9 +173,8 @@ START_TEST(test_distance) {
   unit_tc.claims.known = 0;
   ck_refused_somewhere(PH_D_DISTANCE);
 }
-END_TEST
 
-START_TEST(test_number) {
+PH_TEST(test_number) {
   start();
   unit_tc.problem.field[PH_F_PIECES] = unit_number(2 * PIECES * PAIRS);
   ck_accepted();
@@ -191,10 +188,9 @@ START_TEST(test_number) {
   ck_assert_int_eq(unit_certify(), PH_INTERNAL);
   sizes[0] = DEGREE + 1;
 }
-END_TEST
 
 /* Knots that do not go through the chain. */
-START_TEST(test_knots) {
+PH_TEST(test_knots) {
   static const struct {
     size_t k;
     double knot;
@@ -220,10 +216,9 @@ START_TEST(test_knots) {
   unit_tc.c.knots[2] += 1e-6; /* the end of the first pair */
   ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
 }
-END_TEST
 
 /* Every control point of the curve, and of what is given, matters. */
-START_TEST(test_control_points) {
+PH_TEST(test_control_points) {
   start();
   for (size_t i = 0; i < 8 * 2 * PIECES * PAIRS; i++) {
     double *x = &unit_tc.c.control_points[i], keep = *x;
@@ -238,21 +233,19 @@ START_TEST(test_control_points) {
   }
   ck_accepted();
 }
-END_TEST
 
 /* One pair starts in another direction: at the start of a curve it is not its
  * tangent, elsewhere there is a kink. */
-START_TEST(test_tangents) {
+PH_TEST(test_tangents) {
   for (size_t i = 0; i < PIECES * PAIRS; i++) {
     approximate(1, 0, i, MOVED);
     ck_refused(i % PAIRS == 0 ? PH_D_TANGENT_ERROR : PH_D_CONTINUITY_ERROR,
                2 * i);
   }
 }
-END_TEST
 
 /* An inner joint is on no curve: two in a row are one too many. */
-START_TEST(test_joints) {
+PH_TEST(test_joints) {
   start();
   ck_accepted();
   for (size_t i = 0; i < 8; i++) {
@@ -266,10 +259,9 @@ START_TEST(test_joints) {
   ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
   sizes[0] = DEGREE + 1;
 }
-END_TEST
 
 /* Cubics that are the curve: parts [u,v] of w have w(u) sqrt(v-u), ... */
-START_TEST(test_parts_of_a_cubic) {
+PH_TEST(test_parts_of_a_cubic) {
   static const double cuts[] = {0, 0.3, 0.55, 1};
   const ph_cplx w0 = {1, 0.2}, w1 = {0.6, 0.9};
   unit_cert_begin();
@@ -295,12 +287,11 @@ START_TEST(test_parts_of_a_cubic) {
   unit_tc.c.knots[1] += 1e-4;
   ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
 }
-END_TEST
 
 /* A line on which a cubic is so slow at its end that its last leg is lost to
  * rounding: a joint on the curve for all that, with no derivative to agree in.
  */
-START_TEST(test_no_direction) {
+PH_TEST(test_no_direction) {
   static const double line[] = {0, 0, 1, 0, 2, 0, 3, 0};
   const double slow = 1e-10; /* root^2 + root slow + slow^2 = 4.5 */
   const double root = (sqrt(18 - 3 * slow * slow) - slow) / 2;
@@ -317,24 +308,7 @@ START_TEST(test_no_direction) {
   ck_accepted();
   ck_assert_double_le(unit_said(PH_D_DISTANCE), 1e-9);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cert_tc_approx");
-  TCase *tc = tcase_create("cert_tc_approx");
-  tcase_add_checked_fixture(tc, NULL, unit_cert_finish);
-  tcase_add_test(tc, test_pairs);
-  tcase_add_test(tc, test_points);
-  tcase_add_test(tc, test_distance);
-  tcase_add_test(tc, test_number);
-  tcase_add_test(tc, test_knots);
-  tcase_add_test(tc, test_control_points);
-  tcase_add_test(tc, test_tangents);
-  tcase_add_test(tc, test_joints);
-  tcase_add_test(tc, test_parts_of_a_cubic);
-  tcase_add_test(tc, test_no_direction);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, unit_cert_finish, test_pairs, test_points, test_distance,
+              test_number, test_knots, test_control_points, test_tangents,
+              test_joints, test_parts_of_a_cubic, test_no_direction)

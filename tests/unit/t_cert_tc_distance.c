@@ -12,15 +12,10 @@
 
 enum { DEGREE_MAX = 40, SAMPLES = 150 };
 
-static struct ph_arena arena;
 static struct ph_cert_distance d;
 
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 static void begin(double allowed) {
-  ck_assert(ph_cert_distance_begin(&d, &arena, DEGREE_MAX, allowed));
+  ck_assert(ph_cert_distance_begin(&d, &unit_arena, DEGREE_MAX, allowed));
 }
 
 /* The bound for one cubic and the whole of a curve. */
@@ -94,7 +89,7 @@ static void gentle(struct unit_random *r, ph_cplx p[4]) {
 }
 
 /* Curves of every degree that are the cubic: nothing but rounding. */
-START_TEST(test_same) {
+PH_TEST(test_same) {
   struct unit_random r = unit_random_of(401);
   for (int i = 0; i < unit_count(20); i++) {
     ph_cplx cubic[4], curve[DEGREE_MAX + 1];
@@ -106,10 +101,9 @@ START_TEST(test_same) {
     }
   }
 }
-END_TEST
 
 /* A line, travelled at all speeds. */
-START_TEST(test_line) {
+PH_TEST(test_line) {
   struct unit_random r = unit_random_of(402);
   const ph_cplx cubic[4] = {{0, 0}, {1, .5}, {2, 1}, {3, 1.5}};
   for (size_t n = 1; n <= 12; n++) {
@@ -126,11 +120,10 @@ START_TEST(test_line) {
     ck_assert_double_le(bound_of(curve, n, cubic), 1e-12);
   }
 }
-END_TEST
 
 /* The graph of a polynomial over its parameter, against the axis: the distance
  * is the largest value. */
-START_TEST(test_known) {
+PH_TEST(test_known) {
   const ph_cplx cubic[4] = {{0, 0}, {1.0 / 3, 0}, {2.0 / 3, 0}, {1, 0}};
   static const double heights[] = {1e-12, 1e-6, 1e-3, .1};
   for (size_t i = 0; i < 4; i++) {
@@ -148,10 +141,9 @@ START_TEST(test_known) {
     ck_rel(d.bound, found, 0);
   }
 }
-END_TEST
 
 /* Random curves near a cubic, and cubics anywhere. */
-START_TEST(test_random) {
+PH_TEST(test_random) {
   struct unit_random r = unit_random_of(403);
   for (int i = 0; i < unit_count(60); i++) {
     size_t n = 3 + unit_random_below(&r, 9);
@@ -176,10 +168,9 @@ START_TEST(test_random) {
                         seen(curve, n, cubic) * (1 - 1e-3));
   }
 }
-END_TEST
 
 /* A curve that stands still at an end: r(t^2), r((t^2 (3 - t)/2). */
-START_TEST(test_standing_still) {
+PH_TEST(test_standing_still) {
   const ph_cplx cubic[4] = {{0, 0}, {.3, .1}, {.7, .2}, {1, -.1}};
   /* 1, s, s^2, s^3 of r, then t^0, t^2, t^4, t^6 in Bernstein form */
   const ph_cplx power[4] = {
@@ -204,10 +195,9 @@ START_TEST(test_standing_still) {
   ck_abs(unit_distance(curve[0], curve[1]), 0, 0);
   ck_assert_double_le(bound_of(curve, 6, cubic), 1e-11);
 }
-END_TEST
 
 /* Parts of a curve, and the largest of several bounds. */
-START_TEST(test_parts) {
+PH_TEST(test_parts) {
   struct unit_random r = unit_random_of(404);
   ph_cplx curve[8], cubic[4], moved[4];
   for (size_t k = 0; k < 8; k++) {
@@ -237,18 +227,16 @@ START_TEST(test_parts) {
   ck_assert_double_ge(d.bound, unit_distance(cubic[0], cubic[3]));
   ck_assert_double_le(d.bound, 1.1 * unit_distance(cubic[0], cubic[3]));
 }
-END_TEST
 
 /* The same line the other way. */
-START_TEST(test_backward) {
+PH_TEST(test_backward) {
   const ph_cplx cubic[4] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
   const ph_cplx back[4] = {{3, 0}, {2, 0}, {1, 0}, {0, 0}};
   ck_assert_double_ge(bound_of(back, 3, cubic), 3 * (1 - 1e-12));
 }
-END_TEST
 
 /* What is claimed is come near to, where there is a difference. */
-START_TEST(test_allowed) {
+PH_TEST(test_allowed) {
   const ph_cplx cubic[4] = {{0, 0}, {1.0 / 3, 0}, {2.0 / 3, 0}, {1, 0}};
   ph_cplx curve[6];
   for (size_t k = 0; k < 6; k++) {
@@ -261,22 +249,6 @@ START_TEST(test_allowed) {
   ph_cert_distance_add(&d, curve, 5, 0, 1, cubic);
   ck_assert_double_ge(d.bound, 0.3456e-3);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cert_tc_distance");
-  TCase *tc = tcase_create("cert_tc_distance");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_same);
-  tcase_add_test(tc, test_line);
-  tcase_add_test(tc, test_known);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_standing_still);
-  tcase_add_test(tc, test_parts);
-  tcase_add_test(tc, test_backward);
-  tcase_add_test(tc, test_allowed);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_same, test_line, test_known, test_random, test_standing_still,
+         test_parts, test_backward, test_allowed)

@@ -68,7 +68,7 @@ static void spline(bool closed, double lambda, double scale, double offset) {
   add_pairs(closed);
 }
 
-START_TEST(test_splines) {
+PH_TEST_EACH(test_splines, 2) {
   static const double scales[] = {1e-9, 1, 1e9};
   for (size_t i = 0; i < 3; i++) {
     for (int far = 0; far < 2; far++) {
@@ -82,10 +82,9 @@ START_TEST(test_splines) {
     }
   }
 }
-END_TEST
 
 /* A closed one whose first point is given again. */
-START_TEST(test_repeated) {
+PH_TEST(test_repeated) {
   double again[2 * UNIT_TC_POINTS + 2];
   spline(true, 0.5, 1, 0);
   memcpy(again, unit_tc.points, sizeof unit_tc.points);
@@ -95,9 +94,8 @@ START_TEST(test_repeated) {
   again[2 * UNIT_TC_POINTS] += 1e-6;
   ck_assert_int_eq(unit_certify(), PH_INTERNAL);
 }
-END_TEST
 
-START_TEST(test_lambda) {
+PH_TEST_EACH(test_lambda, 2) {
   spline(_i, 0.5, 1, 0);
   unit_tc.problem.field[PH_F_LAMBDA] = unit_number(0.5);
   ck_accepted();
@@ -108,11 +106,10 @@ START_TEST(test_lambda) {
   unit_tc.problem.field[PH_F_LAMBDA] = unit_number(0.8);
   ck_accepted();
 }
-END_TEST
 
 /* The same curve as pairs with tangents, whose lengths are by lambda if that is
  * given. */
-START_TEST(test_tangents_with_lambda) {
+PH_TEST_EACH(test_tangents_with_lambda, 2) {
   spline(_i, 0.7, 1, 0);
   unit_tc.problem.field[PH_F_TANGENTS] =
       unit_vectors(unit_tc.vectors, UNIT_TC_POINTS);
@@ -125,11 +122,10 @@ START_TEST(test_tangents_with_lambda) {
   unit_tc.problem.field[PH_F_LAMBDA] = unit_number(0.7 * (1 + MOVED));
   ck_refused_somewhere(PH_D_END_DERIVATIVE_ERROR);
 }
-END_TEST
 
 /* Each tangent of a spline in turn is another: directions are those of
  * [BYR11, (5.24)]. */
-START_TEST(test_bisectors) {
+PH_TEST_EACH(test_bisectors, 2) {
   for (size_t k = 0; k < UNIT_TC_POINTS; k++) {
     spline(_i, 0.5, 1, 0);
     unit_put(
@@ -139,17 +135,15 @@ START_TEST(test_bisectors) {
     ck_refused_somewhere(PH_D_TANGENT_ERROR);
   }
 }
-END_TEST
 
 /* An open curve that comes back to its start is not closed for that. */
-START_TEST(test_not_closed) {
+PH_TEST(test_not_closed) {
   spline(true, 0.5, 1, 0);
   unit_tc.c.curve.closed = false;
   ck_assert_int_eq(unit_certify(), PH_INTERNAL);
   unit_tc.problem.field[PH_F_CLOSED].flag = false;
   ck_assert_int_eq(unit_certify(), PH_INTERNAL);
 }
-END_TEST
 
 enum { CHORD, CIRCLE, END_TANGENTS, END_DERIVATIVES, END_RULES };
 
@@ -193,7 +187,7 @@ static void say_ends(int rule) {
 }
 
 /* A curve with the ends of one rule is refused by every other one. */
-START_TEST(test_ends) {
+PH_TEST_EACH(test_ends, END_RULES) {
   for (int rule = 0; rule < END_RULES; rule++) {
     spline(false, 0.5, 1, 0);
     set_ends(_i);
@@ -207,7 +201,6 @@ START_TEST(test_ends) {
     }
   }
 }
-END_TEST
 
 /* ---- joints on the chord ------------------------------------------------ */
 
@@ -234,7 +227,7 @@ static void wave(double f, double turn) {
   unit_tc.problem.field[PH_F_JOINT] = unit_word("chord");
 }
 
-START_TEST(test_chord) {
+PH_TEST(test_chord) {
   wave(0.5, 0.3);
   ck_accepted();
   unit_tc.problem.field[PH_F_JOINT_ANGLE] = unit_number(0.5);
@@ -258,22 +251,7 @@ START_TEST(test_chord) {
   unit_tc.problem.field[PH_F_JOINT] = unit_word("chord");
   ck_refused_somewhere(PH_D_INTERPOLATION_ERROR);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cert_tc_spline");
-  TCase *tc = tcase_create("cert_tc_spline");
-  tcase_add_checked_fixture(tc, NULL, unit_cert_finish);
-  tcase_add_loop_test(tc, test_splines, 0, 2);
-  tcase_add_test(tc, test_repeated);
-  tcase_add_loop_test(tc, test_lambda, 0, 2);
-  tcase_add_loop_test(tc, test_tangents_with_lambda, 0, 2);
-  tcase_add_loop_test(tc, test_bisectors, 0, 2);
-  tcase_add_test(tc, test_not_closed);
-  tcase_add_loop_test(tc, test_ends, 0, END_RULES);
-  tcase_add_test(tc, test_chord);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, unit_cert_finish, test_splines, test_repeated, test_lambda,
+              test_tangents_with_lambda, test_bisectors, test_not_closed,
+              test_ends, test_chord)

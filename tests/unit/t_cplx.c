@@ -21,7 +21,7 @@ static void ck_cplx(ph_cplx found, double complex wanted, double tol) {
                 found.re, found.im, creal(wanted), cimag(wanted), error);
 }
 
-START_TEST(test_arithmetic) {
+PH_TEST(test_arithmetic) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < 2000; i++) {
     ph_cplx a = unit_random_cplx(&r, 10), b = unit_random_cplx(&r, 10);
@@ -39,10 +39,9 @@ START_TEST(test_arithmetic) {
     ck_abs(ph_cplx_cross(a, b), cimag(conj(c11(a)) * c11(b)), 1e-13);
   }
 }
-END_TEST
 
 /* Accurate near the negative axis, too, where small parts could cancel. */
-START_TEST(test_sqrt) {
+PH_TEST(test_sqrt) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < 5000; i++) {
     ph_cplx a = unit_random_cplx(&r, 1), root;
@@ -54,9 +53,8 @@ START_TEST(test_sqrt) {
     ck_assert(root.re >= 0);
   }
 }
-END_TEST
 
-START_TEST(test_sqrt_axes) {
+PH_TEST(test_sqrt_axes) {
   const double v[][4] = {{0, 0, 0, 0},   {4, 0, 2, 0},      {4, -0.0, 2, -0.0},
                          {-4, 0, 0, 2},  {-4, -0.0, 0, -2}, {0, 2, 1, 1},
                          {0, -2, 1, -1}, {-0.0, 2, 1, 1},   {-3, 4, 1, 2},
@@ -68,10 +66,9 @@ START_TEST(test_sqrt_axes) {
     ck_assert_int_eq(signbit(root.im) != 0, signbit(v[i][3]) != 0);
   }
 }
-END_TEST
 
 /* Its ends exactly, also where they are of very different sizes. */
-START_TEST(test_between) {
+PH_TEST(test_between) {
   struct unit_random r = unit_random_of(3);
   for (int i = 0; i < 2000; i++) {
     ph_cplx a = unit_random_cplx(&r, 1e20), b = unit_random_cplx(&r, 1);
@@ -83,26 +80,12 @@ START_TEST(test_between) {
            4 * DBL_EPSILON * size);
   }
 }
-END_TEST
 
-START_TEST(test_finite) {
+PH_TEST(test_finite) {
   ck_assert(ph_cplx_is_finite(ph_cplx_of(1, -1e308)));
   ck_assert(!ph_cplx_is_finite(ph_cplx_of(1, HUGE_VAL)));
   ck_assert(!ph_cplx_is_finite(ph_cplx_of(nan(""), 0)));
   ck_assert(!ph_cplx_is_finite(ph_cplx_inverse(ph_cplx_of(0, 0))));
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cplx");
-  TCase *tc = tcase_create("cplx");
-  tcase_add_test(tc, test_arithmetic);
-  tcase_add_test(tc, test_sqrt);
-  tcase_add_test(tc, test_sqrt_axes);
-  tcase_add_test(tc, test_between);
-  tcase_add_test(tc, test_finite);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_arithmetic, test_sqrt, test_sqrt_axes, test_between, test_finite)

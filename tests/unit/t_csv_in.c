@@ -26,7 +26,6 @@ static const struct ph_field segment_rows[] = {
 };
 static const struct ph_schema of_segments = {"arclength", segment_rows, 4};
 
-static struct ph_arena arena;
 static struct ph_problem problem;
 static struct ph_echo echo;
 static struct ph_diag diag;
@@ -34,7 +33,6 @@ static char *copy;
 static struct ph_csv_columns *columns;
 
 static void finish(void) {
-  ph_arena_free(&arena);
   free(copy);
   free(columns);
   copy = NULL;
@@ -74,7 +72,7 @@ static void ck_scan(const char *text, enum ph_csv_state state, size_t at,
   }
 }
 
-START_TEST(test_rows) {
+PH_TEST(test_rows) {
   ck_scan("1,2", PH_CSV_ROW, 3, NULL);
   ck_scan("1,2\n3,4", PH_CSV_ROW, 4, NULL);
   ck_scan("1,2\r\n3,4", PH_CSV_ROW, 5, NULL);
@@ -96,9 +94,8 @@ START_TEST(test_rows) {
   ck_scan("# it's \"so\nx", PH_CSV_COMMENT, 11, NULL);
   ck_scan("#\"", PH_CSV_COMMENT, 2, NULL);
 }
-END_TEST
 
-START_TEST(test_broken_rows) {
+PH_TEST(test_broken_rows) {
   const char *never = "the quote that begins this cell is never closed";
   ck_scan("\"a", PH_CSV_ERROR, 0, never);
   ck_scan("1, \"a\n2,3\n", PH_CSV_ERROR, 3, never);
@@ -115,7 +112,6 @@ START_TEST(test_broken_rows) {
           "expected ',' or the end of the row after a quoted cell, "
           "found '\\xc3'");
 }
-END_TEST
 
 /* Cell i of a row. */
 static struct ph_csv_cell cell_of(const char *row, char delimiter, size_t i) {
@@ -140,7 +136,7 @@ static void ck_cell(const char *row, char delimiter, size_t i,
   ck_assert_str_eq(out, content);
 }
 
-START_TEST(test_cells) {
+PH_TEST(test_cells) {
   ck_cell("1,2\r\n", ',', 0, "1");
   ck_cell("1,2\r\n", ',', 1, "2");
   ck_cell(" 1 ,\t2 \n", ',', 0, "1");
@@ -163,13 +159,12 @@ START_TEST(test_cells) {
   ck_assert(!cell_of("a", ',', 0).quoted);
   ck_assert(cell_of("\"\"", ',', 0).quoted);
 }
-END_TEST
 
 static bool number(const char *text, double *x) {
   return ph_csv_number(heap(text, strlen(text)), strlen(text), x);
 }
 
-START_TEST(test_numbers) {
+PH_TEST(test_numbers) {
   static const char *const words[] = {"",    "a",    "1a",   "1 2",       "-",
                                       "+-1", "nano", "na",   "infinitys", "in",
                                       "-a",  "1e",   "0x10", "1,5",       "."};
@@ -189,7 +184,6 @@ START_TEST(test_numbers) {
     ck_assert_msg(!number(words[i], &x), "%s", words[i]);
   }
 }
-END_TEST
 
 /* ---- records -------------------------------------------------------- */
 
@@ -229,7 +223,7 @@ static enum ph_status get_by(const struct ph_schema *by, const char *letters,
                              const char *text) {
   struct ph_record record = record_of(letters, text);
   memset(&diag, 0, sizeof diag);
-  return ph_csv_in(&record, by, &arena, &problem, &echo, &diag);
+  return ph_csv_in(&record, by, &unit_arena, &problem, &echo, &diag);
 }
 
 static enum ph_status get(const char *letters, const char *text) {
@@ -273,7 +267,7 @@ static void bad(const char *letters, const char *text, enum ph_status status,
   bad_by(&schema, letters, text, status, field, line, message);
 }
 
-START_TEST(test_good) {
+PH_TEST(test_good) {
   static const double v[] = {0, 1, 2, 3, 4, 5};
   static const double k[] = {7, 8};
   ck_assert_int_eq(get("xy", "0,1\n2,3\n4,5\n"), PH_OK);
@@ -288,9 +282,8 @@ START_TEST(test_good) {
   ck_assert_int_eq(get("i", "a\n"), PH_OK);
   ck_assert_int_eq(problem.field[PH_F_POINTS].kind, PH_ABSENT);
 }
-END_TEST
 
-START_TEST(test_empty_columns) {
+PH_TEST(test_empty_columns) {
   static const double v[] = {0, 1, 2, 3};
   ck_assert_int_eq(get("xyz", "0,1,\n2,3, \n"), PH_OK);
   ck_array(PH_F_POINTS, PH_VECTORS, 2, 2, v);
@@ -301,11 +294,10 @@ START_TEST(test_empty_columns) {
   ck_assert_int_eq(problem.field[PH_F_POINTS].kind, PH_ABSENT);
   ck_array(PH_F_KNOTS, PH_NUMBERS, 2, 1, v);
 }
-END_TEST
 
 /* A length stands in the row in which its segment ends; the first row has none
  * or that of the segment which closes the curve. */
-START_TEST(test_segments) {
+PH_TEST(test_segments) {
   static const double v[] = {0, 1, 2, 3, 4, 5};
   static const double l[] = {7, 8, 6};
   ck_assert_int_eq(get_by(&of_segments, "xyl", "0,1,\n2,3,7\n4,5,8\n"), PH_OK);
@@ -328,9 +320,8 @@ START_TEST(test_segments) {
   ck_assert_int_eq(get_by(&of_segments, "xyl", "0,1,7\n"), PH_OK);
   ck_array(PH_F_LENGTHS, PH_NUMBERS, 1, 1, l);
 }
-END_TEST
 
-START_TEST(test_segment_gaps) {
+PH_TEST(test_segment_gaps) {
   static const char wanted[] =
       "needs a number in column length of every row but the first";
   bad_by(&of_segments, "xyl", "0,1,\n2,3,7\n4,5,\n", PH_BAD_VALUE, "lengths", 0,
@@ -348,9 +339,8 @@ START_TEST(test_segment_gaps) {
   bad_by(&of_segments, "xyl", "0,1,\n2,3,inf\n", PH_NOT_FINITE, "lengths[0]",
          11, "needs a finite number in column length, found \"inf\"");
 }
-END_TEST
 
-START_TEST(test_gaps) {
+PH_TEST(test_gaps) {
   bad("xy", "0,1\n2,\n4,5\n", PH_BAD_VALUE, "points[1]", 11,
       "needs a number in column y, found an empty cell");
   bad("xy", ",1\n2,3\n", PH_BAD_VALUE, "points[0]", 10,
@@ -364,9 +354,8 @@ START_TEST(test_gaps) {
   bad("xyk", "0,1,2\n#\n0,1,3\n0,1,\n", PH_BAD_VALUE, "knots[2]", 13,
       "needs a number in column knot, found an empty cell");
 }
-END_TEST
 
-START_TEST(test_bad_rows) {
+PH_TEST(test_bad_rows) {
   bad("xy", "0,1\n1,2,3\n", PH_BAD_SHAPE, "", 11,
       "the row has 3 cells, expected 2");
   bad("xyk", "0,1\n", PH_BAD_SHAPE, "", 10, "the row has 2 cells, expected 3");
@@ -385,9 +374,8 @@ START_TEST(test_bad_rows) {
   bad("xyk", "0,1,1e999\n", PH_NOT_FINITE, "knots[0]", 10,
       "needs a finite number in column knot, found \"1e999\"");
 }
-END_TEST
 
-START_TEST(test_ids) {
+PH_TEST(test_ids) {
   static const char *const cases[][2] = {
       {"7", "7"},
       {"-1.50", "-1.50"},
@@ -415,9 +403,8 @@ START_TEST(test_ids) {
   ck_assert_int_eq(get("ixy", "\"\",0,1\n"), PH_OK);
   ck_id(NULL);
 }
-END_TEST
 
-START_TEST(test_ids_on_failure) {
+PH_TEST(test_ids_on_failure) {
   bad("xyi", "a,1,7\n", PH_BAD_TYPE, "points[0]", 10,
       "needs a number in column x, found \"a\"");
   ck_id("7");
@@ -429,9 +416,8 @@ START_TEST(test_ids_on_failure) {
       "has the byte \\xff, which is not UTF-8");
   ck_id(NULL);
 }
-END_TEST
 
-START_TEST(test_lines) {
+PH_TEST(test_lines) {
   struct ph_record record =
       record_of("ikxy", "\"a\nb\",0,0,0\n# comment\n\"a\nb\",1,1,1\n"
                         "\"a\nb\",2,2,2");
@@ -445,11 +431,10 @@ START_TEST(test_lines) {
   ck_assert_uint_eq(ph_record_line(&record, "end_derivatives[1]"), 10);
   ck_assert_uint_eq(ph_record_line(&record, "point[1]"), 10);
 }
-END_TEST
 
 /* Element i of the segments ends in row i + 1; the one that closes the curve
  * ends in the first row. */
-START_TEST(test_segment_lines) {
+PH_TEST(test_segment_lines) {
   struct ph_record record = record_of("xyl", "0,0,3\n#\n1,1,1\n\n2,2,2\n");
   ck_assert_uint_eq(ph_record_line(&record, "points[1]"), 12);
   ck_assert_uint_eq(ph_record_line(&record, "lengths"), 10);
@@ -457,28 +442,8 @@ START_TEST(test_segment_lines) {
   ck_assert_uint_eq(ph_record_line(&record, "lengths[1]"), 14);
   ck_assert_uint_eq(ph_record_line(&record, "lengths[2]"), 10);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("csv_in");
-  TCase *tc = tcase_create("csv_in");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_rows);
-  tcase_add_test(tc, test_broken_rows);
-  tcase_add_test(tc, test_cells);
-  tcase_add_test(tc, test_numbers);
-  tcase_add_test(tc, test_good);
-  tcase_add_test(tc, test_empty_columns);
-  tcase_add_test(tc, test_segments);
-  tcase_add_test(tc, test_segment_gaps);
-  tcase_add_test(tc, test_gaps);
-  tcase_add_test(tc, test_bad_rows);
-  tcase_add_test(tc, test_ids);
-  tcase_add_test(tc, test_ids_on_failure);
-  tcase_add_test(tc, test_lines);
-  tcase_add_test(tc, test_segment_lines);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_rows, test_broken_rows, test_cells,
+              test_numbers, test_good, test_empty_columns, test_segments,
+              test_segment_gaps, test_gaps, test_bad_rows, test_ids,
+              test_ids_on_failure, test_lines, test_segment_lines)

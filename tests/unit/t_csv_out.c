@@ -35,7 +35,7 @@ static void rows(enum ph_table table, const struct ph_csv_heading *heading,
   ph_csv_result(&buf, &shape, heading, result);
 }
 
-START_TEST(test_headers) {
+PH_TEST(test_headers) {
   header(
       (struct ph_csv_shape){.table = PH_TABLE_CONTROL_POINTS, .dimension = 2},
       NULL, 0);
@@ -63,9 +63,8 @@ START_TEST(test_headers) {
          0);
   ck_written("id,segment,t,s,x,y,z,tx,ty,tz,curvature,torsion\n");
 }
-END_TEST
 
-START_TEST(test_headers_on_sphere) {
+PH_TEST(test_headers_on_sphere) {
   header((struct ph_csv_shape){.table = PH_TABLE_CONTROL_POINTS,
                                .dimension = 3,
                                .on_sphere = true},
@@ -87,7 +86,6 @@ START_TEST(test_headers_on_sphere) {
          NULL, 0);
   ck_written("id,distance,segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat\n");
 }
-END_TEST
 
 /* Two segments of degree 1, which the table does not mind. */
 static double knots[] = {0, 0.5, 2};
@@ -105,15 +103,14 @@ static struct ph_result by_hand(void) {
   return result;
 }
 
-START_TEST(test_control_points) {
+PH_TEST(test_control_points) {
   const struct ph_csv_heading heading = {"r1", NULL, 0};
   struct ph_result result = by_hand();
   rows(PH_TABLE_CONTROL_POINTS, &heading, &result);
   ck_written("r1,0,0,0,0\nr1,0,1,1,-2.5\nr1,1,0,1,-2.5\nr1,1,1,1e21,1e-7\n");
 }
-END_TEST
 
-START_TEST(test_lengths) {
+PH_TEST(test_lengths) {
   const struct ph_csv_heading heading = {"", swept, 2};
   struct ph_result result = by_hand();
   rows(PH_TABLE_LENGTHS, &heading, &result);
@@ -121,11 +118,10 @@ START_TEST(test_lengths) {
   ck_written(",0,0,0.5,0.1,0.1,0.5,\"[0,1]\"\n"
              ",1,0.5,2,0.2,0.30000000000000004,0.5,\"[0,1]\"\n");
 }
-END_TEST
 
 /* Pieces of one segment go on counting, the next segment begins anew, and so
  * does the next offset. */
-START_TEST(test_offsets) {
+PH_TEST(test_offsets) {
   const struct ph_csv_heading heading = {"7", NULL, 0};
   size_t segment[] = {0, 0, 1};
   double p[] = {0, 1, 2, 3, 2, 3, 4, 5, 6, 7, 8, 9};
@@ -148,9 +144,8 @@ START_TEST(test_offsets) {
              "7,1,1,0,6,7,0.5\n7,1,1,1,8,9,0.25\n"
              "7,-0.5,0,0,0,1,1\n7,-0.5,0,1,2,3,2\n");
 }
-END_TEST
 
-START_TEST(test_offsets_in_space) {
+PH_TEST(test_offsets_in_space) {
   const struct ph_csv_heading heading = {"7", swept, 1};
   size_t segment = 0;
   double p[] = {1, 2, 3, 4, 5, 6}, weight[] = {1, 2};
@@ -172,7 +167,6 @@ START_TEST(test_offsets_in_space) {
   ck_written("7,0.5,0,0,1,2,3,1,e2,0.5\n7,0.5,0,1,4,5,6,2,e2,0.5\n"
              "7,0.5,0,0,1,2,3,1,e3,0.5\n7,0.5,0,1,4,5,6,2,e3,0.5\n");
 }
-END_TEST
 
 /* Two samples, the second where the curve stands still. */
 static size_t at[] = {0, 1};
@@ -192,7 +186,7 @@ static struct ph_samples samples_of(size_t dimension) {
                              .curvature = curvature};
 }
 
-START_TEST(test_samples) {
+PH_TEST(test_samples) {
   const struct ph_csv_heading heading = {"7", swept, 1};
   struct ph_result result = by_hand();
   rows(PH_TABLE_SAMPLES, &heading, &result);
@@ -206,10 +200,9 @@ START_TEST(test_samples) {
   ck_written("7,0,0,0,1,2,3,1,0,0,-3,0.25,0.5\n"
              "7,1,0.5,2,4,5,6,0,1,0,,,0.5\n");
 }
-END_TEST
 
 /* Of a curve on a sphere, and of its offset. */
-START_TEST(test_samples_on_sphere) {
+PH_TEST(test_samples_on_sphere) {
   const struct ph_csv_heading heading = {"7", NULL, 0};
   struct ph_csv_shape shape = {
       .table = PH_TABLE_SAMPLES, .dimension = 3, .on_sphere = true};
@@ -234,10 +227,9 @@ START_TEST(test_samples_on_sphere) {
   ck_written("7,-0.5,0,0,0,1,2,3,1,0,0,-3,-180,90\n"
              "7,-0.5,1,0.5,2,4,5,6,0,1,0,,7,8\n");
 }
-END_TEST
 
 /* Columns for gnuplot and awk, with all that samples may have. */
-START_TEST(test_text) {
+PH_TEST(test_text) {
   static double normal[] = {0, 1, 0, (double)NAN, (double)NAN, (double)NAN};
   static double binormal[] = {0, 0, 1, (double)NAN, (double)NAN, (double)NAN};
   const struct ph_swept word = {"knots", "\"uniform\""};
@@ -263,18 +255,16 @@ START_TEST(test_text) {
              "no_7 0 0 0 1 2 3 1 0 0 -3 0.25 NaN NaN NaN NaN NaN NaN -0.5 e2 "
              "uniform\n\n\n");
 }
-END_TEST
 
-START_TEST(test_no_offsets) {
+PH_TEST(test_no_offsets) {
   const struct ph_csv_heading heading = {"7", NULL, 0};
   struct ph_result result = by_hand();
   rows(PH_TABLE_OFFSETS, &heading, &result);
   ck_written("");
 }
-END_TEST
 
 /* RFC 4180: a comma, a quote or a line break puts quotes around the cell. */
-START_TEST(test_quoting) {
+PH_TEST(test_quoting) {
   const char *const ids[][2] = {{"plain id", "plain id"},
                                 {"a,b", "\"a,b\""},
                                 {"say \"so\"", "\"say \"\"so\"\"\""},
@@ -292,9 +282,8 @@ START_TEST(test_quoting) {
     ck_written(expected);
   }
 }
-END_TEST
 
-START_TEST(test_failed_buffer) {
+PH_TEST(test_failed_buffer) {
   const struct ph_csv_heading heading = {"a,b", swept, 2};
   struct ph_result result = by_hand();
   ck_assert_ptr_null(ph_buf_reserve(&buf, (size_t)-1 - 10));
@@ -304,26 +293,8 @@ START_TEST(test_failed_buffer) {
   ck_assert(buf.failed);
   ck_assert_uint_eq(buf.n, 0);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("csv_out");
-  TCase *tc = tcase_create("csv_out");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_headers);
-  tcase_add_test(tc, test_headers_on_sphere);
-  tcase_add_test(tc, test_control_points);
-  tcase_add_test(tc, test_lengths);
-  tcase_add_test(tc, test_offsets);
-  tcase_add_test(tc, test_offsets_in_space);
-  tcase_add_test(tc, test_samples);
-  tcase_add_test(tc, test_samples_on_sphere);
-  tcase_add_test(tc, test_text);
-  tcase_add_test(tc, test_no_offsets);
-  tcase_add_test(tc, test_quoting);
-  tcase_add_test(tc, test_failed_buffer);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_headers, test_headers_on_sphere,
+              test_control_points, test_lengths, test_offsets,
+              test_offsets_in_space, test_samples, test_samples_on_sphere,
+              test_text, test_no_offsets, test_quoting, test_failed_buffer)

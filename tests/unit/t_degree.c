@@ -14,7 +14,7 @@ static void ck_unit(double lon, double lat, double x, double y, double z,
   ck_abs(u.z, z, tol);
 }
 
-START_TEST(test_multiples) {
+PH_TEST(test_multiples) {
   for (int turn = -3; turn <= 3; turn++) {
     double round = 360.0 * turn;
     ck_unit(round, 0, 1, 0, 0, 0);
@@ -28,10 +28,9 @@ START_TEST(test_multiples) {
   ck_unit(0, 30, sqrt(0.75), 0, 0.5, 2e-16);
   ck_unit(60, 45, sqrt(0.125), sqrt(0.375), sqrt(0.5), 3e-16);
 }
-END_TEST
 
 /* Zeros are no -0: it would be written. */
-START_TEST(test_zeros) {
+PH_TEST(test_zeros) {
   for (int lon = -360; lon <= 360; lon += 90) {
     for (int lat = -90; lat <= 90; lat += 90) {
       ph_vec3 u = ph_degree_to_unit(lon, lat);
@@ -41,10 +40,9 @@ START_TEST(test_zeros) {
     }
   }
 }
-END_TEST
 
 /* To the last bit; whole degrees, so that 180 - lon is exact. */
-START_TEST(test_symmetry) {
+PH_TEST(test_symmetry) {
   for (int lon = 0; lon < 360; lon += 360 / unit_count(360)) {
     for (int lat = -90; lat <= 90; lat += 5) {
       ph_vec3 u = ph_degree_to_unit(lon, lat);
@@ -56,9 +54,8 @@ START_TEST(test_symmetry) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_back) {
+PH_TEST(test_back) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < unit_count(2000); i++) {
     double lon = unit_random_in(&r, -180, 180);
@@ -74,10 +71,9 @@ START_TEST(test_back) {
     ck_abs(v.z, u.z, 1e-15);
   }
 }
-END_TEST
 
 /* Next to a pole latitude has all its digits, where asin would lose half. */
-START_TEST(test_pole) {
+PH_TEST(test_pole) {
   double lonlat[2];
   for (int e = -40; e <= -1; e++) {
     ph_vec3 u = ph_vec3_unit(ph_vec3_of(0, -ldexp(1, e), 1));
@@ -86,7 +82,6 @@ START_TEST(test_pole) {
     ck_abs(90 - lonlat[1], atan(ldexp(1, e)) * (180 / PH_PI), 2e-14);
   }
 }
-END_TEST
 
 static void ck_lonlat(double x, double y, double z, double lon, double lat) {
   double lonlat[2];
@@ -95,7 +90,7 @@ static void ck_lonlat(double x, double y, double z, double lon, double lat) {
   ck_abs(lonlat[1], lat, 0);
 }
 
-START_TEST(test_ends) {
+PH_TEST(test_ends) {
   ck_lonlat(1, 0, 0, 0, 0);
   ck_lonlat(0, 1, 0, 90, 0);
   ck_lonlat(0, -1, 0, -90, 0);
@@ -107,19 +102,6 @@ START_TEST(test_ends) {
   ck_lonlat(-0.0, -0.0, -1, 0, -90);
   ck_lonlat(0, 0, 7, 0, 90);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("degree");
-  TCase *tc = tcase_create("degree");
-  tcase_add_test(tc, test_multiples);
-  tcase_add_test(tc, test_zeros);
-  tcase_add_test(tc, test_symmetry);
-  tcase_add_test(tc, test_back);
-  tcase_add_test(tc, test_pole);
-  tcase_add_test(tc, test_ends);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_multiples, test_zeros, test_symmetry, test_back, test_pole,
+         test_ends)

@@ -13,7 +13,7 @@ static void start(void) {
   memset(&diag, 'x', sizeof diag);
 }
 
-START_TEST(test_fail) {
+PH_TEST(test_fail) {
   ck_assert_int_eq(
       ph_fail(&diag, PH_BAD_VALUE, "knots", "is %d, not %s", 3, "four"),
       PH_BAD_VALUE);
@@ -23,16 +23,14 @@ START_TEST(test_fail) {
   ck_assert_uint_eq(diag.line, 0);
   ck_assert_uint_eq(diag.column, 0);
 }
-END_TEST
 
-START_TEST(test_fail_without_field) {
+PH_TEST(test_fail_without_field) {
   ck_assert_int_eq(ph_fail(&diag, PH_USAGE, NULL, "100%%"), PH_USAGE);
   ck_assert_str_eq(diag.field, "");
   ck_assert_str_eq(diag.message, "100%");
 }
-END_TEST
 
-START_TEST(test_fail_at) {
+PH_TEST(test_fail_at) {
   ck_assert_int_eq(
       ph_fail_at(&diag, PH_COINCIDENT_POINTS, "points", 3, "coincides"),
       PH_COINCIDENT_POINTS);
@@ -41,17 +39,15 @@ START_TEST(test_fail_at) {
   ph_fail_at(&diag, PH_BAD_TYPE, "points", 4294967295u, "x");
   ck_assert_str_eq(diag.field, "points[4294967295]");
 }
-END_TEST
 
-START_TEST(test_fail_memory) {
+PH_TEST(test_fail_memory) {
   ck_assert_int_eq(ph_fail_memory(&diag), PH_NO_MEMORY);
   ck_assert_int_eq(diag.status, PH_NO_MEMORY);
   ck_assert_str_eq(diag.field, "");
   ck_assert_str_eq(diag.message, "memory is exhausted");
 }
-END_TEST
 
-START_TEST(test_sentence) {
+PH_TEST(test_sentence) {
   char text[64], small[8];
   ph_fail_at(&diag, PH_COINCIDENT_POINTS, "points", 3, "coincides");
   ph_diag_sentence(&diag, text, sizeof text);
@@ -62,7 +58,6 @@ START_TEST(test_sentence) {
   ph_diag_sentence(&diag, text, sizeof text);
   ck_assert_str_eq(text, "no space left");
 }
-END_TEST
 
 /* Texts of n bytes: `before` letters and then a character over and over. */
 static const char *long_text(size_t before, const char *character) {
@@ -77,7 +72,7 @@ static const char *long_text(size_t before, const char *character) {
 }
 
 /* Cut where a character ends, as much kept as there is room for. */
-START_TEST(test_cut) {
+PH_TEST(test_cut) {
   const char *characters[] = {"b", "\xC3\xA4", "\xE2\x82\xAC",
                               "\xF0\x9F\x98\x80"};
   for (size_t i = 0; i < 4; i++) {
@@ -98,31 +93,15 @@ START_TEST(test_cut) {
     }
   }
 }
-END_TEST
 
 /* A text that fits is kept whole. */
-START_TEST(test_exact_fit) {
+PH_TEST(test_exact_fit) {
   char text[PH_DIAG_MESSAGE_MAX];
   memset(text, 'a', sizeof text);
   memcpy(text + PH_DIAG_MESSAGE_MAX - 4, "\xE2\x82\xAC", 4);
   ph_fail(&diag, PH_SYNTAX, NULL, "%s", text);
   ck_assert_str_eq(diag.message, text);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("diag");
-  TCase *tc = tcase_create("diag");
-  tcase_add_checked_fixture(tc, start, NULL);
-  tcase_add_test(tc, test_fail);
-  tcase_add_test(tc, test_fail_without_field);
-  tcase_add_test(tc, test_fail_at);
-  tcase_add_test(tc, test_fail_memory);
-  tcase_add_test(tc, test_sentence);
-  tcase_add_test(tc, test_cut);
-  tcase_add_test(tc, test_exact_fit);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(start, NULL, test_fail, test_fail_without_field, test_fail_at,
+              test_fail_memory, test_sentence, test_cut, test_exact_fit)

@@ -36,7 +36,7 @@ static double bernstein_at(const double *b, size_t degree, double v) {
   return value;
 }
 
-START_TEST(test_multiply) {
+PH_TEST(test_multiply) {
   struct unit_random r = unit_random_of(520);
   for (size_t n = 0; n < FORMS; n++) {
     size_t df = unit_random_below(&r, 5), dg = unit_random_below(&r, 5);
@@ -51,10 +51,9 @@ START_TEST(test_multiply) {
     }
   }
 }
-END_TEST
 
 /* A form is (S0 + S1)^n times its Bernstein polynomial in S1 / (S0 + S1). */
-START_TEST(test_bernstein) {
+PH_TEST(test_bernstein) {
   struct unit_random r = unit_random_of(521);
   for (size_t n = 0; n < FORMS; n++) {
     struct ph_atph space = ph_atph_of(unit_random_in(&r, 0, 3));
@@ -75,9 +74,8 @@ START_TEST(test_bernstein) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_halve) {
+PH_TEST(test_halve) {
   struct unit_random r = unit_random_of(522);
   for (size_t n = 0; n < FORMS; n++) {
     size_t degree = unit_random_below(&r, DEGREE + 1);
@@ -93,9 +91,8 @@ START_TEST(test_halve) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_mixed) {
+PH_TEST(test_mixed) {
   const double plus[3] = {0, 1, 2}, minus[3] = {-1, 0, -2},
                both[3] = {1, 0, -1};
   const double none[3] = {0, 0, 0};
@@ -105,11 +102,10 @@ START_TEST(test_mixed) {
   ck_assert(ph_form_is_mixed(both, 2));
   ck_assert(!ph_form_is_mixed(both, 1));
 }
-END_TEST
 
 /* Signs of random forms, made nearly one-signed so that all three occur, agree
  * with the extrema over many points where these leave no doubt. */
-START_TEST(test_sign) {
+PH_TEST(test_sign) {
   enum { STEPS = 2000 };
   struct unit_random r = unit_random_of(523);
   size_t seen[3] = {0, 0, 0}, mixed = 0;
@@ -148,7 +144,6 @@ START_TEST(test_sign) {
   ck_assert_uint_ge(seen[2], FORMS / 10);
   ck_assert_uint_ge(mixed, FORMS / 10); /* halving was needed */
 }
-END_TEST
 
 /* ((2 v - 1) (3 v - 1))^2 + lift has two minima, each of them lift. */
 static int lifted(double lift, double sign) {
@@ -162,7 +157,7 @@ static int lifted(double lift, double sign) {
   return ph_form_sign(f, 4, ZERO);
 }
 
-START_TEST(test_touching) {
+PH_TEST(test_touching) {
   for (double lift = 1; lift > 2e-13; lift /= 2) {
     ck_assert_int_eq(lifted(lift, 1), 1);
     ck_assert_int_eq(lifted(lift, -1), -1);
@@ -172,9 +167,8 @@ START_TEST(test_touching) {
   ck_assert_int_eq(lifted(0, 1), 0);
   ck_assert_int_eq(lifted(0, -1), 0);
 }
-END_TEST
 
-START_TEST(test_ends) {
+PH_TEST(test_ends) {
   const double zero_first[3] = {0, 1, 1}, zero_last[3] = {-1, -1, 0};
   const double zero[3] = {0, 0, 0}, small[2] = {1, 1e-15};
   const double enough[2] = {-1, -2e-14}, nothing[3] = {1, (double)NAN, 1};
@@ -188,20 +182,6 @@ START_TEST(test_ends) {
   ck_assert_int_eq(ph_form_sign(infinite, 2, ZERO), 0);
   ck_assert_int_eq(ph_form_sign(constant, 0, ZERO), -1);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("form");
-  TCase *t = tcase_create("form");
-  tcase_add_test(t, test_multiply);
-  tcase_add_test(t, test_bernstein);
-  tcase_add_test(t, test_halve);
-  tcase_add_test(t, test_mixed);
-  tcase_add_test(t, test_sign);
-  tcase_add_test(t, test_touching);
-  tcase_add_test(t, test_ends);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_multiply, test_bernstein, test_halve, test_mixed, test_sign,
+         test_touching, test_ends)

@@ -59,7 +59,7 @@ static void check_width(struct ph_range range, const double *ends, size_t n) {
   ck_assert_double_le(range.high, high + size);
 }
 
-START_TEST(test_sums) {
+PH_TEST(test_sums) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < unit_count(CASES); i++) {
     struct ph_range a = range_random(&r), b = range_random(&r);
@@ -77,9 +77,8 @@ START_TEST(test_sums) {
     check_width(ph_range_scale(s, a), scaled, 2);
   }
 }
-END_TEST
 
-START_TEST(test_products) {
+PH_TEST(test_products) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < unit_count(CASES); i++) {
     struct ph_range a = range_random(&r), b = range_random(&r);
@@ -95,9 +94,8 @@ START_TEST(test_products) {
     ck_assert_double_ge(ph_range_square(a).low, 0);
   }
 }
-END_TEST
 
-START_TEST(test_quotients) {
+PH_TEST(test_quotients) {
   struct unit_random r = unit_random_of(3);
   for (int i = 0; i < unit_count(CASES); i++) {
     struct ph_range a = range_random(&r), b = range_random(&r);
@@ -115,9 +113,8 @@ START_TEST(test_quotients) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_roots) {
+PH_TEST(test_roots) {
   struct unit_random r = unit_random_of(4);
   struct ph_range below = {-1e-17, 4};
   for (int i = 0; i < unit_count(CASES); i++) {
@@ -130,9 +127,8 @@ START_TEST(test_roots) {
   ck_abs(ph_range_root(below).low, 0, 0);
   ck_rel(ph_range_root(below).high, 2, 1e-15);
 }
-END_TEST
 
-START_TEST(test_distances) {
+PH_TEST(test_distances) {
   struct unit_random r = unit_random_of(5);
   for (int i = 0; i < unit_count(CASES); i++) {
     struct ph_range a = range_random(&r);
@@ -143,19 +139,17 @@ START_TEST(test_distances) {
     ck_abs(ph_range_nearest(a), has(a, 0) ? 0 : near, 0);
   }
 }
-END_TEST
 
-START_TEST(test_of) {
+PH_TEST(test_of) {
   const double x[3] = {1, -2, 0.5};
   struct ph_range a = ph_range_of(x, 3, 0.25);
   ck_assert(has(a, -2.25L) && has(a, 1.25L));
   ck_rel(a.low, -2.25, 1e-15);
   ck_rel(a.high, 1.25, 1e-15);
 }
-END_TEST
 
 /* What is not a number is never taken for one. */
-START_TEST(test_not_a_number) {
+PH_TEST(test_not_a_number) {
   const double x[3] = {1, (double)NAN, 2};
   struct ph_range nan = ph_range_of(x, 3, 0), one = {1, 2};
   const struct ph_range results[] = {nan,
@@ -173,20 +167,6 @@ START_TEST(test_not_a_number) {
   ck_assert(isnan(ph_range_farthest(nan)));
   ck_assert(isinf(ph_range_div(one, nan).low));
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("interval");
-  TCase *t = tcase_create("interval");
-  tcase_add_test(t, test_sums);
-  tcase_add_test(t, test_products);
-  tcase_add_test(t, test_quotients);
-  tcase_add_test(t, test_roots);
-  tcase_add_test(t, test_distances);
-  tcase_add_test(t, test_of);
-  tcase_add_test(t, test_not_a_number);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_sums, test_products, test_quotients, test_roots, test_distances,
+         test_of, test_not_a_number)

@@ -19,14 +19,12 @@ static const struct ph_field rows[] = {
 };
 static const struct ph_schema schema = {"planar", rows, 4};
 
-static struct ph_arena arena;
 static struct ph_problem problem;
 static struct ph_echo echo;
 static struct ph_diag diag;
 static char *copy;
 
 static void finish(void) {
-  ph_arena_free(&arena);
   free(copy);
   copy = NULL;
 }
@@ -46,7 +44,7 @@ static struct ph_record record_of(const char *text) {
 static enum ph_status get(const char *text) {
   struct ph_record record = record_of(text);
   memset(&diag, 0, sizeof diag);
-  return ph_json_in(&record, &schema, &arena, &problem, &echo, &diag);
+  return ph_json_in(&record, &schema, &unit_arena, &problem, &echo, &diag);
 }
 
 static void bad(const char *text, enum ph_status status, const char *field,
@@ -70,7 +68,7 @@ static void ck_echo(const char *id, const char *meta) {
   }
 }
 
-START_TEST(test_good) {
+PH_TEST(test_good) {
   const struct ph_value *points = &problem.field[PH_F_POINTS];
   ck_assert_int_eq(get("{\"points\":[[0,1],[2,3],[4,5]], \"closed\" :true,"
                        "\"basis\":\"atph\",\"knots\":[0,1,2]}"),
@@ -88,9 +86,8 @@ START_TEST(test_good) {
   ck_assert_int_eq(get("{}"), PH_OK);
   ck_assert_int_eq(points->kind, PH_ABSENT);
 }
-END_TEST
 
-START_TEST(test_names) {
+PH_TEST(test_names) {
   ck_assert_int_eq(get("{\"po\\u0069nts\":[[0,1]]}"), PH_OK);
   ck_assert_int_eq(problem.field[PH_F_POINTS].kind, PH_VECTORS);
   ck_assert_int_eq(get("{\"\\u0069d\":1}"), PH_OK);
@@ -116,18 +113,16 @@ START_TEST(test_names) {
       PH_UNKNOWN_FIELD, "1234567890123456789012345678901234567890...",
       "is not a field of planar");
 }
-END_TEST
 
-START_TEST(test_not_an_object) {
+PH_TEST(test_not_an_object) {
   bad("[1]", PH_BAD_TYPE, "", "a problem must be an object, found an array");
   bad("\"x\"", PH_BAD_TYPE, "", "a problem must be an object, found a string");
   bad("-1", PH_BAD_TYPE, "", "a problem must be an object, found a number");
   bad("null", PH_BAD_TYPE, "", "a problem must be an object, found null");
   ck_echo(NULL, NULL);
 }
-END_TEST
 
-START_TEST(test_echo) {
+PH_TEST(test_echo) {
   ck_assert_int_eq(get("{\"meta\":{\"a\": [1, 2]},\"id\":\"w\\n1\"}"), PH_OK);
   ck_echo("\"w\\n1\"", "{\"a\": [1, 2]}");
   ck_assert_int_eq(get("{\"id\":-1.50e2,\"meta\":null}"), PH_OK);
@@ -143,10 +138,9 @@ START_TEST(test_echo) {
       "must be a string or a number, found an array");
   ck_echo(NULL, "2");
 }
-END_TEST
 
 /* What is only passed on is JSON all the same. */
-START_TEST(test_bad_echo) {
+PH_TEST(test_bad_echo) {
   bad("{\"id\":-1e999,\"meta\":2}", PH_NOT_FINITE, "id",
       "is -1e999, which overflows a double");
   ck_echo(NULL, "2");
@@ -159,10 +153,9 @@ START_TEST(test_bad_echo) {
                    PH_OK);
   ck_echo(NULL, "{\"\":1,\"a\":{\"\":1,\"a\":[]},\"b\":1}");
 }
-END_TEST
 
 /* The first failure is told; id and meta are known all the same. */
-START_TEST(test_echo_on_failure) {
+PH_TEST(test_echo_on_failure) {
   bad("{\"a\":1,\"id\":7,\"b\":2,\"meta\":[]}", PH_UNKNOWN_FIELD, "a",
       "is not a field of planar");
   ck_echo("7", "[]");
@@ -175,9 +168,8 @@ START_TEST(test_echo_on_failure) {
       "occurs twice");
   ck_echo("3", NULL);
 }
-END_TEST
 
-START_TEST(test_values) {
+PH_TEST(test_values) {
   bad("{\"points\":null}", PH_BAD_TYPE, "points",
       "must be an array of points [x,y], found null");
   bad("{\"basis\":\"p\"}", PH_BAD_VALUE, "basis",
@@ -185,9 +177,8 @@ START_TEST(test_values) {
   bad("{\"points\":[[0,0],[1,-1e400]]}", PH_NOT_FINITE, "points[1][1]",
       "is -1e400, which overflows a double");
 }
-END_TEST
 
-START_TEST(test_lines) {
+PH_TEST(test_lines) {
   struct ph_record record = record_of("{\n\"id\":1,\n\"points\":\n[\n[0,0],\n"
                                       "[1,\n1]], \"a\\n\":[],\n\n\"closed\":1"
                                       "}");
@@ -210,22 +201,7 @@ START_TEST(test_lines) {
   record = record_of("[1,\n2]");
   ck_assert_uint_eq(ph_record_line(&record, "points[1]"), 10);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("json_in");
-  TCase *tc = tcase_create("json_in");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_good);
-  tcase_add_test(tc, test_names);
-  tcase_add_test(tc, test_not_an_object);
-  tcase_add_test(tc, test_echo);
-  tcase_add_test(tc, test_bad_echo);
-  tcase_add_test(tc, test_echo_on_failure);
-  tcase_add_test(tc, test_values);
-  tcase_add_test(tc, test_lines);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_good, test_names, test_not_an_object,
+              test_echo, test_bad_echo, test_echo_on_failure, test_values,
+              test_lines)

@@ -60,7 +60,7 @@ static struct ph_result by_hand(void) {
   "[2,0.25],[3,-1e-7],[4,1e21],[5,-0]],\"preimage\":[[1,0],[0.5,2],"     \
   "[3,-4]],\"length\":7.25}]"
 
-START_TEST(test_compact) {
+PH_TEST(test_compact) {
   struct ph_result result = by_hand();
   const struct ph_heading heading = {&nothing, "planar", NULL, 0};
   ph_json_result(&buf, &heading, &result, false);
@@ -70,10 +70,9 @@ START_TEST(test_compact) {
                    ",\"length\":7.25,\"diagnostics\":{\"iterations\":3,"
                    "\"length_error\":1.5e-16}}\n");
 }
-END_TEST
 
 /* The order of members, and what is echoed as it came. */
-START_TEST(test_heading) {
+PH_TEST(test_heading) {
   const struct ph_echo echo = {"\"a\\u00e4\"X", 9, "{\"k\": [1, 2]}X", 13};
   const struct ph_swept swept[] = {{"alpha", "0.5"}, {"knots[1]", "-1e300"}};
   const struct ph_heading heading = {&echo, "planar", swept, 2};
@@ -88,9 +87,8 @@ START_TEST(test_heading) {
                    ",\"length\":7.25,\"diagnostics\":{\"iterations\":3,"
                    "\"length_error\":1.5e-16}}\n");
 }
-END_TEST
 
-START_TEST(test_warnings) {
+PH_TEST(test_warnings) {
   const struct ph_heading heading = {&nothing, "planar", NULL, 0};
   struct ph_result result = by_hand();
   ph_fail(ph_warning_add(&result, 3), PH_LOOP, NULL, "it turns");
@@ -101,7 +99,6 @@ START_TEST(test_warnings) {
                         "\"message\":\"it turns\"},{\"code\":\"reversal\","
                         "\"message\":\"so\"}]}\n"));
 }
-END_TEST
 
 static void set_interval(struct ph_interval *interval, double length,
                          double natural_length, size_t first, size_t last) {
@@ -114,7 +111,7 @@ static void set_interval(struct ph_interval *interval, double length,
 
 /* Intervals stand beside the segments they consist of; what is natural is told
  * where it is known, and in the certificate when it is known everywhere. */
-START_TEST(test_intervals) {
+PH_TEST(test_intervals) {
   const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
   struct ph_interval intervals[2];
   struct ph_result result = by_hand();
@@ -139,10 +136,9 @@ START_TEST(test_intervals) {
   ck_assert_ptr_nonnull(strstr(
       buf.data, "\"length_error\":1.5e-16,\"natural_lengths\":[2.5,4]}}\n"));
 }
-END_TEST
 
 /* All starts, in the order they were tried, and which of them won. */
-START_TEST(test_starts) {
+PH_TEST(test_starts) {
   const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
   struct ph_start starts[] = {
       {"init", PH_OUTCOME_NO_SOLUTION, (double)NAN, 200},
@@ -162,10 +158,9 @@ START_TEST(test_starts) {
                  "\"outcome\":\"saddle\",\"F\":1e21,"
                  "\"iterations\":0}]}}\n"));
 }
-END_TEST
 
 /* Outcomes are words and flags truth values, of each solution, too. */
-START_TEST(test_outcomes) {
+PH_TEST(test_outcomes) {
   const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
   struct ph_result result = by_hand();
   struct ph_solution solutions[2];
@@ -189,7 +184,6 @@ START_TEST(test_outcomes) {
       "false," SEGMENTS ",\"length\":7.25,\"diagnostics\":{\"F\":0.25,"
       "\"second_order\":\"saddle\",\"planar\":true}}]}\n"));
 }
-END_TEST
 
 /* Indented, a result has this part, and is the same value as on one line. */
 static void ck_indented(const struct ph_result *result, const char *part) {
@@ -207,7 +201,7 @@ static void ck_indented(const struct ph_result *result, const char *part) {
   cJSON_Delete(compact);
 }
 
-START_TEST(test_pretty_intervals) {
+PH_TEST(test_pretty_intervals) {
   struct ph_interval intervals[2];
   struct ph_start start = {"init", PH_OUTCOME_MINIMISER, 0.5, 7};
   struct ph_result result = by_hand();
@@ -224,9 +218,8 @@ START_TEST(test_pretty_intervals) {
   ck_indented(&result, "\n    \"natural_lengths\": [2.5,4],\n"
                        "    \"start\": \"init\",\n    \"starts\": [\n");
 }
-END_TEST
 
-START_TEST(test_pretty) {
+PH_TEST(test_pretty) {
   const struct ph_heading heading = {&nothing, "planar", NULL, 0};
   const struct ph_diag diag = {.status = PH_SYNTAX, .message = "no"};
   struct ph_result result = by_hand();
@@ -241,9 +234,8 @@ START_TEST(test_pretty) {
                    "  \"error\": {\n    \"code\": \"syntax\",\n    "
                    "\"message\": \"no\"\n  }\n}\n");
 }
-END_TEST
 
-START_TEST(test_error) {
+PH_TEST(test_error) {
   const struct ph_echo echo = {"7", 1, "null", 4};
   const struct ph_swept swept = {"closed", "true"};
   const struct ph_heading heading = {&echo, "planar", &swept, 1};
@@ -260,11 +252,10 @@ START_TEST(test_error) {
       "\"message\":\"points[3] coincides with points[2]\",\"field\":"
       "\"points[3]\",\"file\":\"a.json\",\"line\":12,\"column\":5}}\n");
 }
-END_TEST
 
 /* All bytes but NUL, in a message and in a file name: what is special is
  * escaped, text beyond ASCII stays. */
-START_TEST(test_strings) {
+PH_TEST(test_strings) {
   const struct ph_heading heading = {&nothing, "planar", NULL, 0};
   struct ph_diag diag = {.status = PH_INPUT};
   char all[128];
@@ -289,7 +280,6 @@ START_TEST(test_strings) {
                                          "0a\""));
   cJSON_Delete(record);
 }
-END_TEST
 
 /* The n numbers of a JSON array, of arrays inside of it, to any depth. */
 static const double *ck_numbers(const cJSON *array, const double *v) {
@@ -332,7 +322,7 @@ static void ck_offset(const cJSON *item, const struct ph_offset *o) {
 }
 
 /* A curve with everything: each number reads back as it was. */
-START_TEST(test_read_back) {
+PH_TEST(test_read_back) {
   const struct ph_heading heading = {&nothing, "planar", NULL, 0};
   struct unit_random r = unit_random_of(1);
   struct ph_offset offsets[2];
@@ -373,10 +363,9 @@ START_TEST(test_read_back) {
   ck_assert_uint_eq(i, 2);
   cJSON_Delete(record);
 }
-END_TEST
 
 /* The vector follows the distance. */
-START_TEST(test_offset_in_space) {
+PH_TEST(test_offset_in_space) {
   const struct ph_heading heading = {&nothing, "spatial-hermite", NULL, 0};
   size_t segment = 0;
   double interval[] = {0, 0.5}, p[] = {1, 2, 3}, weight = 4;
@@ -402,7 +391,6 @@ START_TEST(test_offset_in_space) {
              "\"control_points\":[[1,2,3]],\"weights\":[4]}],\"cusps\":["
              "{\"segment\":0,\"t\":0.75}]}]"));
 }
-END_TEST
 
 static size_t at[] = {0, 0};
 static double t[] = {0, 0.5}, length[] = {0, 2};
@@ -422,7 +410,7 @@ static struct ph_samples samples_of(size_t dimension) {
 }
 
 /* What is not finite is left out. */
-START_TEST(test_samples) {
+PH_TEST(test_samples) {
   const struct ph_heading heading = {&nothing, "planar", NULL, 0};
   struct ph_result result = by_hand();
   double none[] = {-3, (double)NAN};
@@ -450,10 +438,9 @@ START_TEST(test_samples) {
                                "\"point\":[4,5,6],\"tangent\":[0,1,0],"
                                "\"curvature\":0.5,\"torsion\":-1}]"));
 }
-END_TEST
 
 /* What only a curve on a sphere has, and its offsets. */
-START_TEST(test_on_sphere) {
+PH_TEST(test_on_sphere) {
   const struct ph_heading heading = {&nothing, "sphere", NULL, 0};
   struct ph_result result = by_hand();
   double tensions[] = {0, 12.5};
@@ -488,11 +475,10 @@ START_TEST(test_on_sphere) {
   ck_assert_ptr_nonnull(
       strstr(written(), "\"tensions\":[0],\"indicators\":[0],"));
 }
-END_TEST
 
 /* When memory runs out the writer goes on without harm, and the buffer says
  * so in the end. */
-START_TEST(test_failed_buffer) {
+PH_TEST(test_failed_buffer) {
   const struct ph_heading heading = {&nothing, "planar", NULL, 0};
   struct ph_result result = by_hand();
   ck_assert_ptr_null(ph_buf_reserve(&buf, SIZE_MAX - 10));
@@ -500,29 +486,9 @@ START_TEST(test_failed_buffer) {
   ck_assert(buf.failed);
   ck_assert_uint_eq(buf.n, 0);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("json_out");
-  TCase *tc = tcase_create("json_out");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_compact);
-  tcase_add_test(tc, test_heading);
-  tcase_add_test(tc, test_warnings);
-  tcase_add_test(tc, test_intervals);
-  tcase_add_test(tc, test_starts);
-  tcase_add_test(tc, test_outcomes);
-  tcase_add_test(tc, test_pretty);
-  tcase_add_test(tc, test_pretty_intervals);
-  tcase_add_test(tc, test_error);
-  tcase_add_test(tc, test_strings);
-  tcase_add_test(tc, test_read_back);
-  tcase_add_test(tc, test_offset_in_space);
-  tcase_add_test(tc, test_samples);
-  tcase_add_test(tc, test_on_sphere);
-  tcase_add_test(tc, test_failed_buffer);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_compact, test_heading, test_warnings,
+              test_intervals, test_starts, test_outcomes, test_pretty,
+              test_pretty_intervals, test_error, test_strings, test_read_back,
+              test_offset_in_space, test_samples, test_on_sphere,
+              test_failed_buffer)

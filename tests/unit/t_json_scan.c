@@ -61,7 +61,7 @@ static void bad(const char *text, size_t at, const char *message) {
   ck_scan(text, strlen(text), PH_JSON_ERROR, at, message);
 }
 
-START_TEST(test_good) {
+PH_TEST(test_good) {
   good("0");
   good("-0");
   good("12");
@@ -86,9 +86,8 @@ START_TEST(test_good) {
   good("[ 1 , 2 ]");
   good("{\"a\":1,\"b\" : [ ] , \"c\":{\"d\":null}}");
 }
-END_TEST
 
-START_TEST(test_end) {
+PH_TEST(test_end) {
   ck_scan("1,", 2, PH_JSON_DONE, 1, NULL);
   ck_scan("1 2", 3, PH_JSON_DONE, 1, NULL);
   ck_scan("[1]]", 4, PH_JSON_DONE, 3, NULL);
@@ -96,9 +95,8 @@ START_TEST(test_end) {
   ck_scan("\"a\"b", 4, PH_JSON_DONE, 3, NULL);
   ck_scan("true,", 5, PH_JSON_DONE, 4, NULL);
 }
-END_TEST
 
-START_TEST(test_bad_structure) {
+PH_TEST(test_bad_structure) {
   bad("[1 x", 3, "expected ',' or ']', found 'x'");
   bad("[1}", 2, "expected ',' or ']', found '}'");
   bad("{\"a\":1]", 6, "expected ',' or '}', found ']'");
@@ -120,9 +118,8 @@ START_TEST(test_bad_structure) {
   bad("\xEF\xBB\xBF[]", 0, "expected a value, found '\xEF\xBB\xBF'");
   ck_scan("[1\0]", 4, PH_JSON_ERROR, 2, "expected ',' or ']', found '\\x00'");
 }
-END_TEST
 
-START_TEST(test_bad_words) {
+PH_TEST(test_bad_words) {
   bad("NaN", 0, "NaN is not JSON: numbers are finite");
   bad("[1,nan]", 3, "nan is not JSON: numbers are finite");
   bad("Infinity", 0, "Infinity is not JSON: numbers are finite");
@@ -136,9 +133,8 @@ START_TEST(test_bad_words) {
   bad("abcdefghijklmnopqrstuvwxyz", 0,
       "expected a value, found \"abcdefghijklmno\"");
 }
-END_TEST
 
-START_TEST(test_bad_numbers) {
+PH_TEST(test_bad_numbers) {
   bad("01", 1, "a number has no leading zero");
   bad("[-01]", 3, "a number has no leading zero");
   bad("+1", 0, "expected a value, found '+'");
@@ -152,9 +148,8 @@ START_TEST(test_bad_numbers) {
   bad("[1.2.3]", 4, "expected ',' or ']', found '.'");
   bad("[0x10]", 2, "expected ',' or ']', found 'x'");
 }
-END_TEST
 
-START_TEST(test_bad_strings) {
+PH_TEST(test_bad_strings) {
   const char *escape = "a backslash in a string begins none of "
                        "\\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u";
   const char *half = "a \\u escape is half of a surrogate pair";
@@ -178,9 +173,8 @@ START_TEST(test_bad_strings) {
   ck_scan("\"\0\"", 3, PH_JSON_ERROR, 1,
           "a string has the control character \\x00, which must be escaped");
 }
-END_TEST
 
-START_TEST(test_cut_off) {
+PH_TEST(test_cut_off) {
   bad("", 0, "the text ends inside a value");
   bad("  ", 2, "the text ends inside a value");
   bad("[", 1, "the text ends inside an array");
@@ -201,9 +195,8 @@ START_TEST(test_cut_off) {
   bad("1e", 2, "the text ends inside a number");
   bad("1e-", 3, "the text ends inside a number");
 }
-END_TEST
 
-START_TEST(test_depth) {
+PH_TEST(test_depth) {
   char text[2 * PH_JSON_DEPTH_MAX + 3];
   size_t n = PH_JSON_DEPTH_MAX;
   memset(text, '[', n);
@@ -222,11 +215,10 @@ START_TEST(test_depth) {
   ck_scan(text, 2 * n, PH_JSON_ERROR, 2 * n - 1,
           "expected ',' or ']', found '}'");
 }
-END_TEST
 
 /* Every beginning of a good text wants more, and is cut off when it is all;
  * a number is whole at any of its digits. */
-START_TEST(test_prefixes) {
+PH_TEST(test_prefixes) {
   const char *text = "{\"a\\u00e4\\uD83D\\uDE00\xC3\xA4\": [1, -2.5e+3, true, "
                      "null, {\"b\": \"\\n\"}, []], \"c\": 0 }";
   size_t n = strlen(text);
@@ -238,7 +230,6 @@ START_TEST(test_prefixes) {
     ck_assert_int_eq(go_on(&scan, text, i, true), PH_JSON_ERROR);
   }
 }
-END_TEST
 
 static void ck_item(struct ph_json_walk *walk, const char *key,
                     const char *value) {
@@ -254,7 +245,7 @@ static void ck_item(struct ph_json_walk *walk, const char *key,
   ck_assert_mem_eq(item.value, value, item.value_n);
 }
 
-START_TEST(test_walk) {
+PH_TEST(test_walk) {
   const char *object = " { \"a\" : 1 ,\"b\\\"]\":[1,[2,\"]\\\"\"],{}] , "
                        "\"\":\"}\",\"c\":{\"d\":[{}]},\"e\":true}";
   const char *array = "[ 1, -2e5 ,\"x\",[],{\"a\":0},null ]";
@@ -281,9 +272,8 @@ START_TEST(test_walk) {
   ck_assert(!ph_json_walk_next(&walk, &item));
   free(copy);
 }
-END_TEST
 
-START_TEST(test_walk_nothing) {
+PH_TEST(test_walk_nothing) {
   static const char *const texts[] = {"[]", "{}",    " [ ] ", "{ }",
                                       "1",  "\"a\"", "null",  ""};
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
@@ -296,12 +286,11 @@ START_TEST(test_walk_nothing) {
     free(copy);
   }
 }
-END_TEST
 
 /* What the scanner finds good, cut anywhere and spoilt anywhere, in portions:
  * the verdict must be the one on the whole.  Where every step takes long, each
  * place is spoilt by one in five of the bytes, in turn. */
-START_TEST(test_mutations) {
+PH_TEST(test_mutations) {
   const char *text = "{\"p\":[[0,-1.5e3],[\"\\u00e4\xC3\xA4\",true]]}";
   static const char bytes[] = "[]{},:\"\\ntfu0-.e \n\x01\x80\xC3\xFF/'x";
   size_t n = strlen(text), step = unit_count(10) < 10 ? 5 : 1;
@@ -317,26 +306,7 @@ START_TEST(test_mutations) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("json_scan");
-  TCase *tc = tcase_create("json_scan");
-  tcase_set_timeout(tc, 60);
-  tcase_add_test(tc, test_good);
-  tcase_add_test(tc, test_end);
-  tcase_add_test(tc, test_bad_structure);
-  tcase_add_test(tc, test_bad_words);
-  tcase_add_test(tc, test_bad_numbers);
-  tcase_add_test(tc, test_bad_strings);
-  tcase_add_test(tc, test_cut_off);
-  tcase_add_test(tc, test_depth);
-  tcase_add_test(tc, test_prefixes);
-  tcase_add_test(tc, test_walk);
-  tcase_add_test(tc, test_walk_nothing);
-  tcase_add_test(tc, test_mutations);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_good, test_end, test_bad_structure, test_bad_words,
+         test_bad_numbers, test_bad_strings, test_cut_off, test_depth,
+         test_prefixes, test_walk, test_walk_nothing, test_mutations)

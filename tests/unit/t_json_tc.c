@@ -59,13 +59,12 @@ static struct ph_result by_hand(void) {
   "\"preimage\":[[2,0.5],[1,0]],\"length\":4"
 #define SEGMENTS "\"segments\":[" FIRST "}," SECOND "}]"
 
-START_TEST(test_curve) {
+PH_TEST(test_curve) {
   struct ph_result result = by_hand();
   ck_has(&result,
          "\"curve\":\"tc\",\"dimension\":2,\"degree\":3,"
          "\"closed\":false," SEGMENTS ",\"length\":7.5,\"diagnostics\":{}}\n");
 }
-END_TEST
 
 static struct ph_interval interval_of(double length, size_t first, size_t last,
                                       enum ph_root root) {
@@ -78,7 +77,7 @@ static struct ph_interval interval_of(double length, size_t first, size_t last,
 }
 
 /* Of an interval there is only what was found; no lengths are natural. */
-START_TEST(test_intervals) {
+PH_TEST(test_intervals) {
   struct ph_result result = by_hand();
   struct ph_interval intervals[] = {
       interval_of(1, 0, 0, PH_ROOT_MINUS),
@@ -104,9 +103,8 @@ START_TEST(test_intervals) {
                   "{\"length\":5,\"segments\":[6,6]}],"
                   "\"length\":7.5,\"diagnostics\":{}}\n");
 }
-END_TEST
 
-START_TEST(test_diagnostics) {
+PH_TEST(test_diagnostics) {
   struct ph_result result = by_hand();
   struct ph_diagnostics *d = &result.diagnostics;
   ph_diagnostics_set(d, PH_D_DISTANCE, 1e-7);
@@ -117,7 +115,6 @@ START_TEST(test_diagnostics) {
   ck_has(&result, "\"diagnostics\":{\"distance\":1e-7,\"regular\":true,"
                   "\"root\":\"++\",\"D\":0.5,\"lambda\":2}}\n");
 }
-END_TEST
 
 /* A piece of which each coordinate tells where it is. */
 static struct ph_blaschke piece_of(size_t segment, double from, double to,
@@ -144,7 +141,7 @@ static struct ph_blaschke piece_of(size_t segment, double from, double to,
 #define WHOLE ",\"blaschke\":[" PIECE("[0,1]", "") "]"
 
 /* Pieces are with their segments: one, or two where it was cut. */
-START_TEST(test_blaschke) {
+PH_TEST(test_blaschke) {
   struct ph_result result = by_hand();
   struct ph_blaschke pieces[] = {
       piece_of(0, 0, 0.25, 1), piece_of(0, 0.25, 1, -1), piece_of(1, 0, 1, 1)};
@@ -153,10 +150,9 @@ START_TEST(test_blaschke) {
   ck_has(&result,
          "\"segments\":[" FIRST CUT "}," SECOND WHOLE "}],\"length\":7.5");
 }
-END_TEST
 
 /* Each solution has the choices that led to it, before its length. */
-START_TEST(test_solutions) {
+PH_TEST(test_solutions) {
   struct ph_result result = by_hand();
   struct ph_interval first = interval_of(7.5, 0, 1, PH_ROOT_PLUS_PLUS);
   struct ph_interval second = interval_of(7.5, 0, 1, PH_ROOT_MINUS_PLUS);
@@ -176,10 +172,9 @@ START_TEST(test_solutions) {
          ",\"length\":7.5,\"diagnostics\":{}},{\"good\":false," SEGMENTS
          ",\"length\":7.5,\"diagnostics\":{}}]}\n");
 }
-END_TEST
 
 /* Indented it is the same value, as deep as it goes. */
-START_TEST(test_pretty) {
+PH_TEST(test_pretty) {
   struct ph_result result = by_hand();
   struct ph_interval interval = interval_of(7.5, 0, 1, PH_ROOT_PLUS_PLUS);
   struct ph_blaschke piece = piece_of(1, 0, 1, 1);
@@ -206,20 +201,6 @@ START_TEST(test_pretty) {
   cJSON_Delete(indented);
   cJSON_Delete(compact);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("json_tc");
-  TCase *tc = tcase_create("json_tc");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_curve);
-  tcase_add_test(tc, test_intervals);
-  tcase_add_test(tc, test_diagnostics);
-  tcase_add_test(tc, test_blaschke);
-  tcase_add_test(tc, test_solutions);
-  tcase_add_test(tc, test_pretty);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_curve, test_intervals, test_diagnostics,
+              test_blaschke, test_solutions, test_pretty)

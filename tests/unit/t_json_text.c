@@ -19,38 +19,25 @@ static void ck_quoted(const char *text, size_t n, const char *expected) {
   free(quoted);
 }
 
-START_TEST(test_plain) {
+PH_TEST(test_plain) {
   ck_quoted("", 0, "\"\"");
   ck_quoted("a b/c'", 6, "\"a b/c'\"");
   ck_quoted("\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80", 9,
             "\"\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80\"");
 }
-END_TEST
 
-START_TEST(test_escapes) {
+PH_TEST(test_escapes) {
   ck_quoted("\"\\", 2, "\"\\\"\\\\\"");
   ck_quoted("\0\n\x1F\x7F", 4, "\"\\u0000\\u000a\\u001f\\u007f\"");
 }
-END_TEST
 
 /* Each byte that is not UTF-8 for itself, also at the end of the text. */
-START_TEST(test_not_utf8) {
+PH_TEST(test_not_utf8) {
   ck_quoted("a\xFF", 2, "\"a\\ufffd\"");
   ck_quoted("\xE2\x82", 2, "\"\\ufffd\\ufffd\"");
   ck_quoted("\xE2x", 2, "\"\\ufffdx\"");
   ck_quoted("\xC0\x80", 2, "\"\\ufffd\\ufffd\"");
   ck_quoted("\xED\xA0\x80", 3, "\"\\ufffd\\ufffd\\ufffd\"");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("json_text");
-  TCase *tc = tcase_create("json_text");
-  tcase_add_test(tc, test_plain);
-  tcase_add_test(tc, test_escapes);
-  tcase_add_test(tc, test_not_utf8);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_plain, test_escapes, test_not_utf8)

@@ -9,12 +9,6 @@
 
 enum { N_MAX = 16, M_MAX = 400 };
 
-static struct ph_arena arena;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 /* A program in its own memory. */
 struct program {
   size_t n, m;
@@ -36,7 +30,7 @@ static double dot(const double *a, const double *b, size_t n) {
 
 static struct ph_lp_work work_of(size_t n, size_t m) {
   struct ph_lp_work w;
-  ck_assert(ph_lp_alloc(&w, &arena, n, m));
+  ck_assert(ph_lp_alloc(&w, &unit_arena, n, m));
   return w;
 }
 
@@ -222,11 +216,11 @@ static bool compare(const struct program *p, unsigned which) {
   } else {
     ck_assert_double_gt(violation(p, x), 0);
   }
-  ph_arena_reset(&arena);
+  ph_arena_reset(&unit_arena);
   return outcome == PH_LP_OPTIMAL;
 }
 
-START_TEST(test_vertices) {
+PH_TEST(test_vertices) {
   const int count = unit_count(600);
   struct unit_random r = unit_random_of(1);
   struct program p;
@@ -242,9 +236,8 @@ START_TEST(test_vertices) {
   ck_assert_int_gt(solved, count / 5);
   ck_assert_int_lt(solved, count - count / 10);
 }
-END_TEST
 
-START_TEST(test_degenerate_vertices) {
+PH_TEST(test_degenerate_vertices) {
   const int count = unit_count(1500);
   struct unit_random r = unit_random_of(2);
   struct program p;
@@ -257,10 +250,9 @@ START_TEST(test_degenerate_vertices) {
   ck_assert_int_gt(solved, count / 5);
   ck_assert_int_lt(solved, count - count / 10);
 }
-END_TEST
 
 /* Rows to spare, and all rows through one point. */
-START_TEST(test_random) {
+PH_TEST(test_random) {
   const double spares[] = {1, 0.01, 0};
   const int count = unit_count(400);
   struct unit_random r = unit_random_of(3);
@@ -278,13 +270,12 @@ START_TEST(test_random) {
                   "seed %lu, program %d, n %zu, m %zu: outcome %d", unit_seed(),
                   i, p.n, p.m, (int)outcome);
     check_optimal(&p, &w, x);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Either a solution with its multipliers, or a proof that there is none. */
-START_TEST(test_degenerate) {
+PH_TEST(test_degenerate) {
   const int count = unit_count(600);
   struct unit_random r = unit_random_of(4);
   static struct program p;
@@ -308,14 +299,13 @@ START_TEST(test_degenerate) {
       check_optimal(&p, &w, x);
       solved++;
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_int_lt(solved, count);
 }
-END_TEST
 
 /* A row contradicts a sum of others, by little. */
-START_TEST(test_infeasible) {
+PH_TEST(test_infeasible) {
   const int count = unit_count(200);
   struct unit_random r = unit_random_of(5);
   static struct program p;
@@ -345,13 +335,12 @@ START_TEST(test_infeasible) {
     if (w.violated < m) {
       ck_assert_double_lt(dot(p.a + w.violated * n, x, n), p.b[w.violated]);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* One unknown, in words. */
-START_TEST(test_one) {
+PH_TEST(test_one) {
   struct program p = {1, 2, {1}, {-1}, {3}, {1, -1}, {0.5, -2}};
   struct ph_lp_work w = work_of(1, 2);
   struct ph_lp lp = view(&p);
@@ -370,10 +359,9 @@ START_TEST(test_one) {
   ck_assert_int_eq(ph_lp_solve(&lp, &w, &x), PH_LP_OPTIMAL);
   ck_abs(x, 3, 0);
 }
-END_TEST
 
 /* Empty rows: satisfied or not. */
-START_TEST(test_empty_row) {
+PH_TEST(test_empty_row) {
   struct program p = {2, 1, {1, 1}, {0, 0}, {1, 1}, {0, 0}, {0}};
   struct ph_lp_work w = work_of(2, 1);
   struct ph_lp lp = view(&p);
@@ -385,14 +373,13 @@ START_TEST(test_empty_row) {
   p.b[0] = -1;
   ck_assert_int_eq(ph_lp_solve(&lp, &w, x), PH_LP_OPTIMAL);
 }
-END_TEST
 
 /*
  * The dual of the program of Klee and Minty (1972), for which the most violated
  * row is the worst choice: 2^n - 1 steps.  From 8 unknowns on, the rule of
  * Bland ends that.
  */
-START_TEST(test_many_steps) {
+PH_TEST(test_many_steps) {
   const size_t sizes[] = {4, 8, 16}, least[] = {15, 181, 261};
   static struct program p;
   double x[N_MAX];
@@ -415,10 +402,9 @@ START_TEST(test_many_steps) {
     ck_assert_uint_le(w.steps, 300);
   }
 }
-END_TEST
 
 /* The scale of x and that of c are the caller's. */
-START_TEST(test_scale) {
+PH_TEST(test_scale) {
   const double scales[] = {1e-100, 1e-9, 1e9, 1e100};
   struct unit_random r = unit_random_of(6);
   static struct program p;
@@ -442,13 +428,12 @@ START_TEST(test_scale) {
     for (size_t j = 0; j < 8; j++) {
       ck_abs(y[j] / s, x[j], 1e-10);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* What is not a number is not called a solution. */
-START_TEST(test_not_finite) {
+PH_TEST(test_not_finite) {
   for (size_t i = 0; i < 5; i++) {
     struct program p = {2, 1, {1, 1}, {0, 0}, {1, 1}, {0.6, 0.8}, {0.5}};
     double *place[] = {p.c, p.lower, p.upper, p.a, p.b};
@@ -460,32 +445,12 @@ START_TEST(test_not_finite) {
     ck_assert_int_eq(ph_lp_solve(&lp, &w, x), PH_LP_STALLED);
   }
 }
-END_TEST
 
-START_TEST(test_no_memory) {
+PH_TEST(test_no_memory) {
   struct ph_lp_work w;
-  ck_assert(!ph_lp_alloc(&w, &arena, SIZE_MAX / 2, 4));
-}
-END_TEST
-
-static Suite *suite(void) {
-  Suite *s = suite_create("lp");
-  TCase *tc = tcase_create("lp");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_set_timeout(tc, 60);
-  tcase_add_test(tc, test_vertices);
-  tcase_add_test(tc, test_degenerate_vertices);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_degenerate);
-  tcase_add_test(tc, test_infeasible);
-  tcase_add_test(tc, test_one);
-  tcase_add_test(tc, test_empty_row);
-  tcase_add_test(tc, test_many_steps);
-  tcase_add_test(tc, test_scale);
-  tcase_add_test(tc, test_not_finite);
-  tcase_add_test(tc, test_no_memory);
-  suite_add_tcase(s, tc);
-  return s;
+  ck_assert(!ph_lp_alloc(&w, &unit_arena, SIZE_MAX / 2, 4));
 }
 
-PH_TEST_MAIN(suite)
+PH_TESTS(test_vertices, test_degenerate_vertices, test_random, test_degenerate,
+         test_infeasible, test_one, test_empty_row, test_many_steps, test_scale,
+         test_not_finite, test_no_memory)

@@ -85,7 +85,7 @@ static void check_text(const char *text, double x) {
   check_read(text, strlen(text), x);
 }
 
-START_TEST(test_known_values) {
+PH_TEST(test_known_values) {
   static const struct {
     const char *text;
     double x;
@@ -122,7 +122,6 @@ START_TEST(test_known_values) {
     check_text(known[i].text, known[i].x);
   }
 }
-END_TEST
 
 static int max(int a, int b) {
   return a > b ? a : b;
@@ -180,7 +179,7 @@ static void check_middle(uint64_t bits, int zeros) {
   check_text(text, from_bits(bits));
 }
 
-START_TEST(test_middles) {
+PH_TEST(test_middles) {
   const uint64_t hidden = UINT64_C(1) << 52;
   uint64_t state = 2;
   check_middle(0, 1);
@@ -201,10 +200,9 @@ START_TEST(test_middles) {
     check_middle(bits, (int)(next_random(&state) % 1000));
   }
 }
-END_TEST
 
 /* A million digits, in no more than linear time. */
-START_TEST(test_many_digits) {
+PH_TEST(test_many_digits) {
   enum { ZEROS = 1000000 };
   char *text = malloc(ZEROS + 50);
   ck_assert(text != NULL);
@@ -227,9 +225,8 @@ START_TEST(test_many_digits) {
   check_read(text, ZEROS, HUGE_VAL);
   free(text);
 }
-END_TEST
 
-START_TEST(test_random_digits) {
+PH_TEST(test_random_digits) {
   uint64_t state = 3;
   int count = unit_long() ? 20000000 : unit_count(200000);
   for (int i = 0; i < count; i++) {
@@ -249,11 +246,10 @@ START_TEST(test_random_digits) {
     check_text(text, strtod(text, NULL));
   }
 }
-END_TEST
 
 /* ---- grammar -------------------------------------------------------- */
 
-START_TEST(test_grammar) {
+PH_TEST(test_grammar) {
   static const struct {
     const char *text;
     size_t json, cell; /* length of the number; 0: none */
@@ -301,11 +297,10 @@ START_TEST(test_grammar) {
                   "%s", cases[i].text);
   }
 }
-END_TEST
 
 /* Every byte ends a number wherever it stands; no byte beyond the end has any
    influence on what is read. */
-START_TEST(test_ends) {
+PH_TEST(test_ends) {
   const char *digits = "1234567890123456";
   for (int c = 0; c < 256; c++) {
     for (size_t at = 1; at < 16; at++) {
@@ -330,7 +325,6 @@ START_TEST(test_ends) {
     ck_assert_uint_eq(to_bits(x), to_bits(y));
   }
 }
-END_TEST
 
 /* ---- writing -------------------------------------------------------- */
 
@@ -347,7 +341,7 @@ static size_t write_text(double x, char *text) {
   return n;
 }
 
-START_TEST(test_form) {
+PH_TEST(test_form) {
   static const struct {
     double x;
     const char *text;
@@ -389,7 +383,6 @@ START_TEST(test_form) {
     ck_assert_str_eq(text, cases[i].text);
   }
 }
-END_TEST
 
 /* The significant digits of a number, and the exponent of 0.ddd 10^e. */
 static int digits_of(const char *text, char *digits, int *e) {
@@ -460,7 +453,7 @@ static void check_neighbours(double x) {
   }
 }
 
-START_TEST(test_powers) {
+PH_TEST(test_powers) {
   for (int e = -1074; e < 1024; e++) {
     check_neighbours(ldexp(1, e));
   }
@@ -478,9 +471,8 @@ START_TEST(test_powers) {
     check_double(from_bits(INFINITY_BITS - 1 - i), true);
   }
 }
-END_TEST
 
-START_TEST(test_random) {
+PH_TEST(test_random) {
   uint64_t state = 4;
   long count = unit_long() ? 100000000 : unit_count(200000);
   for (long i = 0; i < count; i++) {
@@ -492,7 +484,6 @@ START_TEST(test_random) {
     check_double((double)(int64_t)next_random(&state) / 0x1p33, i % 10 == 0);
   }
 }
-END_TEST
 
 /* ---- locale --------------------------------------------------------- */
 
@@ -509,7 +500,7 @@ static bool set_comma_locale(void) {
   return false;
 }
 
-START_TEST(test_locale) {
+PH_TEST(test_locale) {
   static char middle[900];
   int e;
   size_t n = write_middle(to_bits(0.1), middle, &e);
@@ -527,24 +518,7 @@ START_TEST(test_locale) {
   }
   check_text(middle, 0.1); /* the locale "C" gives the same */
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("number");
-  TCase *tc = tcase_create("number");
-  tcase_set_timeout(tc, 0); /* the long form takes minutes */
-  tcase_add_test(tc, test_known_values);
-  tcase_add_test(tc, test_middles);
-  tcase_add_test(tc, test_many_digits);
-  tcase_add_test(tc, test_random_digits);
-  tcase_add_test(tc, test_grammar);
-  tcase_add_test(tc, test_ends);
-  tcase_add_test(tc, test_form);
-  tcase_add_test(tc, test_powers);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_locale);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_known_values, test_middles, test_many_digits, test_random_digits,
+         test_grammar, test_ends, test_form, test_powers, test_random,
+         test_locale)

@@ -92,7 +92,7 @@ static int compare_power(uint64_t hi, uint64_t lo, int q, int e) {
 }
 
 /* T - 1 < 10^q 2^-e <= T and 2^127 <= T < 2^128 leave no other T and e. */
-START_TEST(test_table) {
+PH_TEST(test_table) {
   for (int q = PH_POW10_MIN; q <= PH_POW10_MAX; q++) {
     struct ph_u128 t = ph_pow10[q - PH_POW10_MIN];
     int e = ph_log2_pow10(q) - 127;
@@ -102,9 +102,8 @@ START_TEST(test_table) {
                   "10^%d", q);
   }
 }
-END_TEST
 
-START_TEST(test_multiply) {
+PH_TEST(test_multiply) {
   uint64_t state = 1;
   for (int i = 0; i < 100000; i++) {
     uint64_t a = next_random(&state), b = next_random(&state);
@@ -128,7 +127,6 @@ START_TEST(test_multiply) {
     }
   }
 }
-END_TEST
 
 /*
  * Whether each of x a / m, x = 1..n, is an integer or at least 2^-bits away
@@ -176,7 +174,7 @@ static bool is_apart(struct big a, const struct big *m, uint64_t n, int bits) {
 }
 
 /* is_apart itself, against trying all x */
-START_TEST(test_apart) {
+PH_TEST(test_apart) {
   const uint64_t most = unit_count(10) < 10 ? 20 : 50;
   for (uint64_t m = 2; m < most; m++) {
     for (uint64_t a = 0; a < 2 * m; a++) {
@@ -200,7 +198,6 @@ START_TEST(test_apart) {
     }
   }
 }
-END_TEST
 
 /* The same for 10^q 2^shift in place of a / m. */
 static bool is_power_apart(int q, int shift, uint64_t n, int bits) {
@@ -212,13 +209,12 @@ static bool is_power_apart(int q, int shift, uint64_t n, int bits) {
 
 /* The reader: w 10^q in units of the 192-bit product is w 10^q 2^(127 - L), L
    the exponent of 10^q; the half bit of the result counts 2^137 or more. */
-START_TEST(test_gap_reader) {
+PH_TEST(test_gap_reader) {
   for (int q = PH_POW10_MIN; q <= DBL_MAX_10_EXP; q++) {
     int shift = 127 - ph_log2_pow10(q) - 137;
     ck_assert_msg(is_power_apart(q, shift, UINT64_MAX, 137 - 64), "10^%d", q);
   }
 }
-END_TEST
 
 /*
  * The writer: 4 c and 4 c +- 2 are 2 x, x <= 2^54 + 1, and round_to_odd(2 x)
@@ -227,7 +223,7 @@ END_TEST
  * A second one would differ from it by some d, again close to an integer.
  * The odd 4 c - 1 of the powers of two are left to test_powers in t_number.c.
  */
-START_TEST(test_gap_writer) {
+PH_TEST(test_gap_writer) {
   const uint64_t last = (UINT64_C(1) << 54) + 1;
   const uint64_t odd_one = UINT64_C(17774110498711576);
   for (int q = -1074, k = -324; q <= 971; q++) {
@@ -253,19 +249,6 @@ START_TEST(test_gap_writer) {
   }
   ck_assert_uint_eq(quotient & 1, 1);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("number_table");
-  TCase *tc = tcase_create("number_table");
-  tcase_set_timeout(tc, 0); /* valgrind is slow */
-  tcase_add_test(tc, test_table);
-  tcase_add_test(tc, test_multiply);
-  tcase_add_test(tc, test_apart);
-  tcase_add_test(tc, test_gap_reader);
-  tcase_add_test(tc, test_gap_writer);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_table, test_multiply, test_apart, test_gap_reader,
+         test_gap_writer)

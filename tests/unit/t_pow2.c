@@ -7,7 +7,7 @@
 
 #include <float.h>
 
-START_TEST(test_exponent) {
+PH_TEST(test_exponent) {
   ck_assert_int_eq(ph_pow2_exponent(1), 0);
   ck_assert_int_eq(ph_pow2_exponent(nextafter(2, 1)), 0);
   ck_assert_int_eq(ph_pow2_exponent(2), 1);
@@ -17,10 +17,9 @@ START_TEST(test_exponent) {
   ck_assert_int_eq(ph_pow2_exponent(0x1p-1074), -1074);
   ck_assert_int_eq(ph_pow2_exponent(0x1.8p-1040), -1040);
 }
-END_TEST
 
 /* Every size of number goes to unit scale, and comes back as it was. */
-START_TEST(test_round_trip) {
+PH_TEST(test_round_trip) {
   struct unit_random r = unit_random_of(1);
   for (int e = -1074; e <= 1023; e++) {
     double x = ldexp(unit_random_in(&r, 1, 2), e);
@@ -32,10 +31,9 @@ START_TEST(test_round_trip) {
     ck_abs(ph_pow2_apply(ph_pow2_of(exponent), -unit), -x, 0);
   }
 }
-END_TEST
 
 /* Wherever the result is a normal number it is the exact one. */
-START_TEST(test_exact) {
+PH_TEST(test_exact) {
   struct unit_random r = unit_random_of(2);
   for (int e = -2000; e <= 2000; e++) {
     double x = unit_random_in(&r, 1, 2);
@@ -48,24 +46,11 @@ START_TEST(test_exact) {
   }
   ck_abs(ph_pow2_apply(ph_pow2_of(2000), DBL_MIN), ldexp(DBL_MIN, 2000), 0);
 }
-END_TEST
 
-START_TEST(test_range) {
+PH_TEST(test_range) {
   ck_assert(isinf(ph_pow2_apply(ph_pow2_of(1), DBL_MAX)));
   ck_abs(ph_pow2_apply(ph_pow2_of(-2000), DBL_MIN), 0, 0);
   ck_abs(ph_pow2_apply(ph_pow2_of(2000), 0), 0, 0);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("pow2");
-  TCase *tc = tcase_create("pow2");
-  tcase_add_test(tc, test_exponent);
-  tcase_add_test(tc, test_round_trip);
-  tcase_add_test(tc, test_exact);
-  tcase_add_test(tc, test_range);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_exponent, test_round_trip, test_exact, test_range)

@@ -9,16 +9,11 @@
 
 enum { PLACES = 1000 };
 
-static struct ph_arena arena;
 static struct ph_primitive table;
 
 static void begin(void) {
   const struct ph_primitive none = {.panels = NULL};
   table = none;
-}
-
-static void finish(void) {
-  ph_arena_free(&arena);
 }
 
 /* A function, its integral, and a number both depend on. */
@@ -100,7 +95,7 @@ static void ck_known(struct known known, double parameter, double tolerance) {
   struct unit_random r = unit_random_of(900);
   double before = 0;
   ck_assert_int_eq(ph_primitive_make(&table, known.f, &parameter, NULL, 0,
-                                     tolerance / 2, &arena),
+                                     tolerance / 2, &unit_arena),
                    PH_OK);
   ck_rel(table.total, total, tolerance);
   ck_abs(ph_primitive_at(&table, 0, NULL), 0, 0);
@@ -116,7 +111,7 @@ static void ck_known(struct known known, double parameter, double tolerance) {
   }
 }
 
-START_TEST(test_powers) {
+PH_TEST(test_powers) {
   const struct known known = {power, power_integral};
   for (int n = 0; n < PH_PRIMITIVE_NODES - 2; n++) {
     ck_known(known, n, 2e-15);
@@ -126,18 +121,16 @@ START_TEST(test_powers) {
   ck_known(known, 0.5, 1e-14);
   ck_known(known, 1.5, 1e-14);
 }
-END_TEST
 
-START_TEST(test_dip) {
+PH_TEST(test_dip) {
   const struct known known = {dip, dip_integral};
   for (int e = 0; e <= 40; e += 2) {
     ck_known(known, ldexp(1, -e), 4e-15);
     ck_assert_uint_le(table.n, 120);
   }
 }
-END_TEST
 
-START_TEST(test_peak) {
+PH_TEST(test_peak) {
   const struct known known = {peak, peak_integral};
   for (int e = 0; e <= 30; e += 2) {
     const double width = ldexp(1, -e);
@@ -145,18 +138,16 @@ START_TEST(test_peak) {
     ck_assert(table.n <= 100 || e > 8);
   }
 }
-END_TEST
 
-START_TEST(test_wave) {
+PH_TEST(test_wave) {
   const struct known known = {wave, wave_integral};
   for (double n = 1; n < 1000; n *= 3) {
     ck_known(known, n, 4e-15);
   }
 }
-END_TEST
 
 /* Where f is not smooth it is halved until that does not matter. */
-START_TEST(test_kinks) {
+PH_TEST(test_kinks) {
   const struct known kinked = {kink, kink_integral};
   const struct known stepped = {step, step_integral};
   const double places[] = {0, 1e-9, 0.3, 0.5, 0.9, 1};
@@ -164,97 +155,80 @@ START_TEST(test_kinks) {
     ck_known(kinked, places[i], 4e-15);
   }
   /* the value next to it is not known */
-  ck_assert_int_eq(
-      ph_primitive_make(&table, stepped.f, &places[2], NULL, 0, 1e-14, &arena),
-      PH_OK);
+  ck_assert_int_eq(ph_primitive_make(&table, stepped.f, &places[2], NULL, 0,
+                                     1e-14, &unit_arena),
+                   PH_OK);
   for (double u = 0; u <= 1; u += 0.01) {
     ck_abs(ph_primitive_at(&table, u, NULL), step_integral(&places[2], u),
            1e-14);
   }
 }
-END_TEST
 
 /* With breaks it is smooth. */
-START_TEST(test_breaks) {
+PH_TEST(test_breaks) {
   const double at = 0.3, breaks[] = {at}, twice[] = {at, at, 0.7};
   double value;
   ck_assert_int_eq(
-      ph_primitive_make(&table, kink, &at, breaks, 1, 1e-15, &arena), PH_OK);
+      ph_primitive_make(&table, kink, &at, breaks, 1, 1e-15, &unit_arena),
+      PH_OK);
   ck_assert_uint_eq(table.n, 2);
   for (double u = 0; u <= 1; u += 0.01) {
     ck_abs(ph_primitive_at(&table, u, &value), kink_integral(&at, u), 2e-16);
     ck_abs(value, kink(&at, u), 2e-15);
   }
   ck_assert_int_eq(
-      ph_primitive_make(&table, step, &at, twice, 3, 1e-15, &arena), PH_OK);
+      ph_primitive_make(&table, step, &at, twice, 3, 1e-15, &unit_arena),
+      PH_OK);
   ck_assert_uint_eq(table.n, 3);
   ck_rel(table.total, 2.7, 1e-15);
   ck_rel(ph_primitive_at(&table, 0.5, NULL), 1.2, 1e-15);
 }
-END_TEST
 
 /* The memory of one table is used for the next one. */
-START_TEST(test_reuse) {
+PH_TEST(test_reuse) {
   const double narrow = 1e-6, wide = 0.5;
   const struct ph_primitive_panel *panels;
   size_t room;
   ck_assert_int_eq(
-      ph_primitive_make(&table, peak, &narrow, NULL, 0, 1e-13, &arena), PH_OK);
+      ph_primitive_make(&table, peak, &narrow, NULL, 0, 1e-13, &unit_arena),
+      PH_OK);
   panels = table.panels;
   room = table.room;
   ck_assert_uint_le(table.n, room);
   for (int i = 0; i < 100; i++) {
     ck_assert_int_eq(ph_primitive_make(&table, i % 2 ? peak : dip, &wide, NULL,
-                                       0, 1e-13, &arena),
+                                       0, 1e-13, &unit_arena),
                      PH_OK);
   }
   ck_assert_ptr_eq(table.panels, panels);
   ck_assert_uint_eq(table.room, room);
 }
-END_TEST
 
-START_TEST(test_zero) {
+PH_TEST(test_zero) {
   double value;
   ck_assert_int_eq(
-      ph_primitive_make(&table, zero, NULL, NULL, 0, 1e-14, &arena), PH_OK);
+      ph_primitive_make(&table, zero, NULL, NULL, 0, 1e-14, &unit_arena),
+      PH_OK);
   ck_assert_uint_eq(table.n, 1);
   ck_abs(ph_primitive_at(&table, 0.5, &value), 0, 0);
   ck_abs(value, 0, 0);
 }
-END_TEST
 
 /* What is infinite somewhere is refused, or what takes too many panels. */
-START_TEST(test_refusals) {
+PH_TEST(test_refusals) {
   const double places[] = {0.5, 1.0 / 3}, fast = 1e6, nan = (double)NAN;
   for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
-    ck_assert_int_eq(
-        ph_primitive_make(&table, pole, &places[i], NULL, 0, 1e-14, &arena),
-        PH_NO_CONVERGENCE);
+    ck_assert_int_eq(ph_primitive_make(&table, pole, &places[i], NULL, 0, 1e-14,
+                                       &unit_arena),
+                     PH_NO_CONVERGENCE);
   }
   ck_assert_int_eq(
-      ph_primitive_make(&table, wave, &fast, NULL, 0, 1e-14, &arena),
+      ph_primitive_make(&table, wave, &fast, NULL, 0, 1e-14, &unit_arena),
       PH_NO_CONVERGENCE);
   ck_assert_int_eq(
-      ph_primitive_make(&table, wave, &nan, NULL, 0, 1e-14, &arena),
+      ph_primitive_make(&table, wave, &nan, NULL, 0, 1e-14, &unit_arena),
       PH_NO_CONVERGENCE);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("primitive");
-  TCase *tc = tcase_create("primitive");
-  tcase_add_checked_fixture(tc, begin, finish);
-  tcase_add_test(tc, test_powers);
-  tcase_add_test(tc, test_dip);
-  tcase_add_test(tc, test_peak);
-  tcase_add_test(tc, test_wave);
-  tcase_add_test(tc, test_kinks);
-  tcase_add_test(tc, test_breaks);
-  tcase_add_test(tc, test_reuse);
-  tcase_add_test(tc, test_zero);
-  tcase_add_test(tc, test_refusals);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_powers, test_dip, test_peak, test_wave,
+              test_kinks, test_breaks, test_reuse, test_zero, test_refusals)

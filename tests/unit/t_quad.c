@@ -14,7 +14,7 @@ static double moment(const struct ph_quad *rule, double power) {
   return sum;
 }
 
-START_TEST(test_moments) {
+PH_TEST(test_moments) {
   for (size_t n = 1; n <= PH_QUAD_MAX; n++) {
     struct ph_quad rule;
     ck_assert(ph_quad_gauss(&rule, n));
@@ -25,10 +25,9 @@ START_TEST(test_moments) {
     }
   }
 }
-END_TEST
 
 /* The next moment is missed by (n!)^4 / ((2n + 1) (2n)!^2). */
-START_TEST(test_next_moment) {
+PH_TEST(test_next_moment) {
   double missed = 1;
   for (size_t n = 1; n <= 10; n++) {
     double k = (double)n, wanted;
@@ -39,9 +38,8 @@ START_TEST(test_next_moment) {
     ck_rel(moment(&rule, 2 * k), wanted, 32 * DBL_EPSILON);
   }
 }
-END_TEST
 
-START_TEST(test_nodes) {
+PH_TEST(test_nodes) {
   for (size_t n = 1; n <= PH_QUAD_MAX; n++) {
     struct ph_quad rule;
     ck_assert(ph_quad_gauss(&rule, n));
@@ -55,16 +53,5 @@ START_TEST(test_nodes) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("quad");
-  TCase *tc = tcase_create("quad");
-  tcase_add_test(tc, test_moments);
-  tcase_add_test(tc, test_next_moment);
-  tcase_add_test(tc, test_nodes);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_moments, test_next_moment, test_nodes)

@@ -31,7 +31,7 @@ static void ck_quat(ph_quat found, ph_quat wanted, double tol) {
 
 /* ---- vectors -------------------------------------------------------- */
 
-START_TEST(test_vec3) {
+PH_TEST(test_vec3) {
   struct unit_random r = unit_random_of(301);
   for (int i = 0; i < unit_count(2000); i++) {
     ph_vec3 a = random_vec3(&r), b = random_vec3(&r), c = random_vec3(&r);
@@ -49,9 +49,8 @@ START_TEST(test_vec3) {
     ck_vec3(ph_vec3_scale(ph_vec3_abs(a), ph_vec3_unit(a)), a, tol);
   }
 }
-END_TEST
 
-START_TEST(test_normal) {
+PH_TEST(test_normal) {
   struct unit_random r = unit_random_of(302);
   for (int i = 0; i < unit_count(2000); i++) {
     ph_vec3 u = unit_random_direction(&r), a = random_vec3(&r), v;
@@ -69,11 +68,10 @@ START_TEST(test_normal) {
     ck_abs(ph_vec3_dot(ph_vec3_any_normal(u), u), 0, DBL_EPSILON);
   }
 }
-END_TEST
 
 /* ---- quaternions ---------------------------------------------------- */
 
-START_TEST(test_table) {
+PH_TEST(test_table) {
   const ph_quat minus = {-1, 0, 0, 0};
   ck_quat(ph_quat_mul(I, I), minus, 0);
   ck_quat(ph_quat_mul(J, J), minus, 0);
@@ -85,9 +83,8 @@ START_TEST(test_table) {
   ck_quat(ph_quat_mul(K, J), ph_quat_scale(-1, I), 0);
   ck_quat(ph_quat_mul(I, K), ph_quat_scale(-1, J), 0);
 }
-END_TEST
 
-START_TEST(test_product) {
+PH_TEST(test_product) {
   struct unit_random r = unit_random_of(303);
   for (int i = 0; i < unit_count(2000); i++) {
     ph_quat a = random_quat(&r), b = random_quat(&r), c = random_quat(&r);
@@ -111,14 +108,13 @@ START_TEST(test_product) {
     ck_vec3(ph_quat_vector(vw), ph_vec3_cross(v, w), 1e-14);
   }
 }
-END_TEST
 
 static ph_vec3 sandwich(ph_quat a, ph_quat axis, ph_quat b) {
   return ph_quat_vector(ph_quat_mul(ph_quat_mul(a, axis), ph_quat_conj(b)));
 }
 
 /* vect(a i b*) and so on, and that they are symmetric. */
-START_TEST(test_maps) {
+PH_TEST(test_maps) {
   struct unit_random r = unit_random_of(304);
   for (int i = 0; i < unit_count(2000); i++) {
     ph_quat a = random_quat(&r), b = random_quat(&r);
@@ -136,7 +132,6 @@ START_TEST(test_maps) {
     ck_abs(ph_vec3_triple(e1, e2, e3), 1, 2e-15);
   }
 }
-END_TEST
 
 /* ---- frames --------------------------------------------------------- */
 
@@ -158,7 +153,7 @@ static size_t largest(ph_quat q) {
   return at;
 }
 
-START_TEST(test_of_frame) {
+PH_TEST(test_of_frame) {
   struct unit_random r = unit_random_of(305);
   int seen[4] = {0};
   for (int i = 0; i < unit_count(4000); i++) {
@@ -170,11 +165,10 @@ START_TEST(test_of_frame) {
     ck_assert_int_gt(seen[i], unit_count(50));
   }
 }
-END_TEST
 
 /* No turn, half turns, and all turns whose quaternion has entries 0 and +-1:
  * several diagonals are the largest. */
-START_TEST(test_of_frame_even) {
+PH_TEST(test_of_frame_even) {
   for (int i = 0; i < 81; i++) {
     ph_quat q = ph_quat_of(i % 3 - 1, i / 3 % 3 - 1, i / 9 % 3 - 1, i / 27 - 1);
     if (ph_quat_dot(q, q) > 0) {
@@ -182,20 +176,6 @@ START_TEST(test_of_frame_even) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("quat");
-  TCase *t = tcase_create("quat");
-  tcase_add_test(t, test_vec3);
-  tcase_add_test(t, test_normal);
-  tcase_add_test(t, test_table);
-  tcase_add_test(t, test_product);
-  tcase_add_test(t, test_maps);
-  tcase_add_test(t, test_of_frame);
-  tcase_add_test(t, test_of_frame_even);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_vec3, test_normal, test_table, test_product, test_maps,
+         test_of_frame, test_of_frame_even)

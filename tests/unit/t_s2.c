@@ -83,7 +83,7 @@ static ph_vec3 random_tangent(struct unit_random *r, ph_vec3 p) {
 }
 
 /* f_0 vanishes at pi^2: its error is one of the angle. */
-START_TEST(test_bessel) {
+PH_TEST(test_bessel) {
   for (size_t i = 0; i < sizeof bessel / sizeof *bessel; i++) {
     double f[4], x = bessel[i].x;
     ph_s2_bessel(x, f);
@@ -94,11 +94,10 @@ START_TEST(test_bessel) {
     }
   }
 }
-END_TEST
 
 /* f_0 = 1 - integral, f_{n-1} = (2 n + 1) f_n - X f_{n+1}, on both sides of
  * every threshold. */
-START_TEST(test_recurrence) {
+PH_TEST(test_recurrence) {
   for (int i = 0; i <= 986; i++) {
     double f[4], x = 0.01 * i, cosine;
     ph_s2_bessel(x, f);
@@ -109,9 +108,8 @@ START_TEST(test_recurrence) {
     ck_abs(ph_s2_f0(x), f[0], 4 * DBL_EPSILON);
   }
 }
-END_TEST
 
-START_TEST(test_angle) {
+PH_TEST(test_angle) {
   struct unit_random r = unit_random_of(601);
   for (int i = 0; i < unit_count(2000); i++) {
     double angle = random_angle(&r);
@@ -123,9 +121,8 @@ START_TEST(test_angle) {
   ck_abs(ph_s2_angle(ph_vec3_of(0, 1, 0), ph_vec3_of(0, 1, 0)), 0, 0);
   ck_rel(ph_s2_angle(ph_vec3_of(0, 1, 0), ph_vec3_of(0, -1, 0)), PH_PI, 0);
 }
-END_TEST
 
-START_TEST(test_weight) {
+PH_TEST(test_weight) {
   struct unit_random r = unit_random_of(602);
   for (int i = 0; i < unit_count(2000); i++) {
     double angle = random_angle(&r), tau = unit_random_in(&r, 0, 1);
@@ -134,9 +131,8 @@ START_TEST(test_weight) {
   }
   ck_abs(ph_s2_weight(0.3, 0), 0.3, 0);
 }
-END_TEST
 
-START_TEST(test_slerp) {
+PH_TEST(test_slerp) {
   struct unit_random r = unit_random_of(603);
   for (int i = 0; i < unit_count(2000); i++) {
     ph_vec3 p = unit_random_direction(&r), v = random_tangent(&r, p), q, z;
@@ -152,10 +148,9 @@ START_TEST(test_slerp) {
     ck_vec3(ph_s2_slerp(p, p, t), p, 4 * DBL_EPSILON);
   }
 }
-END_TEST
 
 /* The points are rounded, which moves q by 1e-16 absolutely. */
-START_TEST(test_exp_log) {
+PH_TEST(test_exp_log) {
   struct unit_random r = unit_random_of(604);
   for (int i = 0; i < unit_count(2000); i++) {
     ph_vec3 p = unit_random_direction(&r);
@@ -172,19 +167,6 @@ START_TEST(test_exp_log) {
   ck_vec3(ph_s2_log(ph_vec3_of(0, 0, 1), ph_vec3_of(0, 0, 1)),
           ph_vec3_of(0, 0, 0), 0);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("s2");
-  TCase *t = tcase_create("s2");
-  tcase_add_test(t, test_bessel);
-  tcase_add_test(t, test_recurrence);
-  tcase_add_test(t, test_angle);
-  tcase_add_test(t, test_weight);
-  tcase_add_test(t, test_slerp);
-  tcase_add_test(t, test_exp_log);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_bessel, test_recurrence, test_angle, test_weight, test_slerp,
+         test_exp_log)

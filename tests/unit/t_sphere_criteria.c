@@ -94,7 +94,8 @@ static void violations(const struct setting *t, char text[99]) {
   }
 }
 
-START_TEST(test_case) {
+PH_TEST_EACH(test_case,
+             2 * sizeof unit_sphere_cases / sizeof *unit_sphere_cases) {
   size_t which = (size_t)_i / 2, from = unit_sphere_cases[which].inner;
   bool legacy = _i % 2 == 0;
   struct setting t;
@@ -112,7 +113,6 @@ START_TEST(test_case) {
                                 : unit_sphere_cases[which].geodesic);
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* ---- random segments ----------------------------------------------------- */
 
@@ -182,7 +182,7 @@ static ph_vec3 mirrored(ph_vec3 v) {
 
 /* The segment criterion accepts nothing that has a sample of the wrong sign,
  * and everything that is well away from 0. */
-START_TEST(test_segment) {
+PH_TEST_EACH(test_segment, 2) {
   enum { SAMPLES = 128 };
   struct unit_random r = unit_random_of(3200 + (uint64_t)_i);
   int count = unit_count(1000), accepted = 0, rejected = 0;
@@ -216,7 +216,6 @@ START_TEST(test_segment) {
   ck_assert_int_gt(accepted, count / 10);
   ck_assert_int_gt(rejected, count / 10);
 }
-END_TEST
 
 /* The least K of a segment whose K falls and rises again. */
 static double least_numerator(const struct ph_spherical *s) {
@@ -234,7 +233,7 @@ static double least_numerator(const struct ph_spherical *s) {
 
 /* Polygons that turn more and more, until K comes down to 0 in between: what is
  * accepted ends where its sign does, but for the square of the last piece. */
-START_TEST(test_threshold) {
+PH_TEST(test_threshold) {
   struct unit_random r = unit_random_of(3220);
   int count = unit_count(100);
 
@@ -257,11 +256,10 @@ START_TEST(test_threshold) {
     ck_abs(least_numerator(&s), 0, 1e-8 * most[0]);
   }
 }
-END_TEST
 
 /* Beside the quadratic of a plane cubic: (4) of sphere_criteria.c, with
  * C = 1/2. */
-START_TEST(test_plane) {
+PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(3210 + (uint64_t)_i);
   int count = unit_count(2000);
 
@@ -286,7 +284,6 @@ START_TEST(test_plane) {
     }
   }
 }
-END_TEST
 
 /* ---- data of known shape ------------------------------------------------- */
 
@@ -303,7 +300,7 @@ static void put_circle(double *v, size_t n, double latitude, double step) {
 
 /* A circle of latitude has the curvature tan(latitude) at every spacing: it is
  * convex, however dense, unless that is below epsilon / 4. */
-START_TEST(test_dense) {
+PH_TEST_EACH(test_dense, 4) {
   static const double steps[] = {0.3, 1e-2, 1e-4, 3e-6};
   struct setting t;
 
@@ -319,10 +316,9 @@ START_TEST(test_dense) {
     ph_arena_free(&t.arena);
   }
 }
-END_TEST
 
 /* Where rounding hides a curvature of epsilon, nothing is asked. */
-START_TEST(test_rounding) {
+PH_TEST(test_rounding) {
   struct setting t;
 
   put_circle(t.v, 20, 1e-3, 5e-8);
@@ -336,11 +332,10 @@ START_TEST(test_rounding) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* Back and forth on a great circle: the turn has no sign, and the data do not
  * go on; by the thesis's distances neither. */
-START_TEST(test_reversal) {
+PH_TEST_EACH(test_reversal, 2) {
   static const int q[7] = {0};
   struct setting t;
   double lon[] = {0, 0.5, 1, 0.3, 0.1, 1.6, 3.1};
@@ -358,10 +353,9 @@ START_TEST(test_reversal) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* The great circle itself satisfies all there is. */
-START_TEST(test_great_circle) {
+PH_TEST_EACH(test_great_circle, 2) {
   struct setting t;
   char text[99];
 
@@ -381,10 +375,9 @@ START_TEST(test_great_circle) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* The thesis looks at the side after a node only. */
-START_TEST(test_sides) {
+PH_TEST_EACH(test_sides, 2) {
   bool legacy = _i == 1;
   struct setting t;
 
@@ -410,10 +403,9 @@ START_TEST(test_sides) {
     ph_arena_free(&t.arena);
   }
 }
-END_TEST
 
 /* A node whose velocity is 0 has no curvature that could be small. */
-START_TEST(test_standstill) {
+PH_TEST(test_standstill) {
   struct setting t;
 
   put_circle(t.v, 3, 0, 0.5);
@@ -426,7 +418,6 @@ START_TEST(test_standstill) {
                    PH_SPHERE_COCIRCULARITY);
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* ---- tensions ------------------------------------------------------------ */
 
@@ -459,7 +450,7 @@ static void put_bends(double *v) {
   }
 }
 
-START_TEST(test_touched_open) {
+PH_TEST_EACH(test_touched_open, 2) {
   static const int q[10] = {0, 0, 0, 1, 0, 0, -1, 1, 0, 0};
   struct setting t;
 
@@ -488,9 +479,8 @@ START_TEST(test_touched_open) {
   }
   ph_arena_free(&t.arena);
 }
-END_TEST
 
-START_TEST(test_touched_closed) {
+PH_TEST(test_touched_closed) {
   /* an equator with one bend out of it and back, from node 4 over 5 to 6 */
   static const int q[8] = {0, 0, 0, 0, 1, -1, 1, 0};
   struct setting t;
@@ -507,10 +497,9 @@ START_TEST(test_touched_closed) {
   ck_touched(&t, PH_SPHERE_SEGMENT, 4, "6 4 5");
   ph_arena_free(&t.arena);
 }
-END_TEST
 
 /* Of three nodes, a segment touches each once. */
-START_TEST(test_touched_triangle) {
+PH_TEST(test_touched_triangle) {
   static const double v[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   struct setting t;
 
@@ -519,9 +508,8 @@ START_TEST(test_touched_triangle) {
   ck_touched(&t, PH_SPHERE_NODAL, 2, "1 2 0");
   ph_arena_free(&t.arena);
 }
-END_TEST
 
-START_TEST(test_names) {
+PH_TEST(test_names) {
   ck_assert_str_eq(ph_sphere_criterion_name(PH_SPHERE_FINE), "none");
   ck_assert_str_eq(ph_sphere_criterion_name(PH_SPHERE_COCIRCULARITY),
                    "co-circularity");
@@ -530,30 +518,8 @@ START_TEST(test_names) {
   ck_assert_str_eq(ph_sphere_criterion_name(PH_SPHERE_SEGMENT),
                    "segment convexity");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere_criteria");
-  TCase *c = tcase_create("sphere_criteria");
-
-  tcase_add_loop_test(
-      c, test_case, 0,
-      2 * (int)(sizeof unit_sphere_cases / sizeof *unit_sphere_cases));
-  tcase_add_loop_test(c, test_segment, 0, 2);
-  tcase_add_test(c, test_threshold);
-  tcase_add_test(c, test_plane);
-  tcase_add_loop_test(c, test_dense, 0, 4);
-  tcase_add_test(c, test_rounding);
-  tcase_add_loop_test(c, test_reversal, 0, 2);
-  tcase_add_loop_test(c, test_great_circle, 0, 2);
-  tcase_add_loop_test(c, test_sides, 0, 2);
-  tcase_add_test(c, test_standstill);
-  tcase_add_loop_test(c, test_touched_open, 0, 2);
-  tcase_add_test(c, test_touched_closed);
-  tcase_add_test(c, test_touched_triangle);
-  tcase_add_test(c, test_names);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_case, test_segment, test_threshold, test_plane, test_dense,
+         test_rounding, test_reversal, test_great_circle, test_sides,
+         test_standstill, test_touched_open, test_touched_closed,
+         test_touched_triangle, test_names)

@@ -72,15 +72,15 @@ static void ck_curve(struct unit_raise *t, const struct ph_curve *curve) {
   }
 }
 
-START_TEST(test_curve) {
-  struct ph_arena arena = {0};
+PH_TEST_EACH(test_curve, 2) {
   struct ph_diag diag = {0};
   struct ph_curve curve;
   struct unit_raise t;
   bool closed = _i == 1;
   set_up(&t, closed);
   ck_assert_int_eq(
-      ph_sphere_curve(&t.u.spline, &t.shape, &arena, &curve, &diag), PH_OK);
+      ph_sphere_curve(&t.u.spline, &t.shape, &unit_arena, &curve, &diag),
+      PH_OK);
   ck_assert_int_eq(curve.kind, PH_CURVE_SPHERICAL_NU);
   ck_assert_int_eq(curve.closed, closed);
   ck_assert_uint_eq(curve.n, closed ? N : N - 1);
@@ -92,37 +92,22 @@ START_TEST(test_curve) {
   }
   ck_curve(&t, &curve);
   unit_raise_free(&t);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* A segment that is not finite has no length: an error that names it. */
-START_TEST(test_no_length) {
-  struct ph_arena arena = {0};
+PH_TEST(test_no_length) {
   struct ph_diag diag = {0};
   struct ph_curve curve;
   struct unit_raise t;
   set_up(&t, false);
   t.u.spline.l[3].y = (double)NAN;
   ck_assert_int_eq(
-      ph_sphere_curve(&t.u.spline, &t.shape, &arena, &curve, &diag),
+      ph_sphere_curve(&t.u.spline, &t.shape, &unit_arena, &curve, &diag),
       PH_NO_CONVERGENCE);
   ck_assert_int_eq(diag.status, PH_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(diag.message, "has no length"));
   ck_assert_str_eq(diag.field, "segments[3]");
   unit_raise_free(&t);
-  ph_arena_free(&arena);
-}
-END_TEST
-
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere_curve");
-  TCase *tc = tcase_create("curve");
-
-  suite_add_tcase(s, tc);
-  tcase_add_loop_test(tc, test_curve, 0, 2);
-  tcase_add_test(tc, test_no_length);
-  return s;
 }
 
-PH_TEST_MAIN(suite)
+PH_TESTS(test_curve, test_no_length)

@@ -224,25 +224,22 @@ static const struct {
      "must not be at right angles to the sphere at points[2]"},
 };
 
-START_TEST(test_failure) {
-  struct ph_arena arena = {0};
+PH_TEST_EACH(test_failure, sizeof failures / sizeof *failures) {
   struct ph_sphere_data data;
   struct ph_diag diag;
 
-  ck_assert_int_eq(read_fields(failures[_i].given, &arena, &data, &diag),
+  ck_assert_int_eq(read_fields(failures[_i].given, &unit_arena, &data, &diag),
                    failures[_i].status);
   ck_assert_int_eq(diag.status, failures[_i].status);
   ck_assert_str_eq(diag.field, failures[_i].field);
   ck_assert_str_eq(diag.message, failures[_i].message);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- points -------------------------------------------------------------- */
 
-START_TEST(test_open) {
-  struct ph_arena arena = {0};
-  struct ph_sphere_data d = data_of((struct given[GIVEN_MAX]){OCTANT}, &arena);
+PH_TEST(test_open) {
+  struct ph_sphere_data d =
+      data_of((struct given[GIVEN_MAX]){OCTANT}, &unit_arena);
 
   ck_assert(!d.closed);
   ck_assert_int_eq(d.ends, PH_SPHERE_NATURAL);
@@ -262,11 +259,9 @@ START_TEST(test_open) {
   ck_rel(d.radius, 1, 0);
   ck_rel(d.moved, 0, 0);
   ck_assert(!d.tell_moved);
-  ph_arena_free(&arena);
 }
-END_TEST
 
-START_TEST(test_closed) {
+PH_TEST_EACH(test_closed, 4) {
   const struct given given[][GIVEN_MAX] = {
       {CLOSED, OCTANT, {PH_F_TENSION, NUMBERS(1, 2, 3)}},
       {CLOSED, RING, {PH_F_TENSION, NUMBERS(1, 2, 3)}},
@@ -274,8 +269,7 @@ START_TEST(test_closed) {
       {CLOSED,
        {PH_F_LONLAT, VECTORS(2, 180, 0, -90, 0, 55, 90, -180, 0)},
        {PH_F_TENSION, NUMBERS(1, 2, 3, 1)}}};
-  struct ph_arena arena = {0};
-  struct ph_sphere_data d = data_of(given[_i], &arena);
+  struct ph_sphere_data d = data_of(given[_i], &unit_arena);
 
   ck_assert(d.closed);
   ck_assert_uint_eq(d.n, 3);
@@ -285,28 +279,23 @@ START_TEST(test_closed) {
     ck_rel(d.nu[i], (double)(i + 1), 0);
   }
   ck_rel(d.knots[3], 3 * PH_PI / 2, DBL_EPSILON);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* A repeated last point of open data is a point like others. */
-START_TEST(test_open_ring) {
-  struct ph_arena arena = {0};
-  struct ph_sphere_data d = data_of((struct given[GIVEN_MAX]){RING}, &arena);
+PH_TEST(test_open_ring) {
+  struct ph_sphere_data d =
+      data_of((struct given[GIVEN_MAX]){RING}, &unit_arena);
 
   ck_assert_uint_eq(d.n, 4);
   ck_assert_uint_eq(d.m, 3);
-  ph_arena_free(&arena);
 }
-END_TEST
 
-START_TEST(test_lonlat) {
+PH_TEST(test_lonlat) {
   const struct given given[GIVEN_MAX] = {
       {PH_F_LONLAT, VECTORS(2, 0, 0, 90, 0, -360, 60, 0, -90)},
       {PH_F_RADIUS, NUMBER(6371)},
       {PH_F_CENTER, NUMBERS(1, 2, 3)}};
-  struct ph_arena arena = {0};
-  struct ph_sphere_data d = data_of(given, &arena);
+  struct ph_sphere_data d = data_of(given, &unit_arena);
 
   ck_vector(d.p[0], ph_vec3_of(1, 0, 0), 0);
   ck_vector(d.p[1], ph_vec3_of(0, 1, 0), 0);
@@ -315,13 +304,11 @@ START_TEST(test_lonlat) {
   ck_rel(d.radius, 6371, 0);
   ck_rel(d.center[2], 3, 0);
   ck_rel(d.moved, 0, 0);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Points of spheres of any size, anywhere; how far off they are is relative to
  * the radius. */
-START_TEST(test_sphere) {
+PH_TEST_EACH(test_sphere, 12) {
   static const struct {
     double radius, center;
     double off; /* by this part of the radius the second point is moved */
@@ -345,8 +332,7 @@ START_TEST(test_sphere) {
       {PH_F_CENTER, {.kind = PH_NUMBERS, .v = center, .n = 3, .dimension = 1}},
       {PH_F_RADIUS, NUMBER(radius)},
       {PH_F_RADIUS_TOLERANCE, NUMBER(tol > 1e-3 ? 0.5 : 1e-3)}};
-  struct ph_arena arena = {0};
-  struct ph_sphere_data d = data_of(given, &arena);
+  struct ph_sphere_data d = data_of(given, &unit_arena);
 
   ck_vector(d.p[0], ph_vec3_of(0.6, 0.8, 0), tol);
   ck_vector(d.p[1], ph_vec3_of(-0.48, 0.64, 0.6), tol);
@@ -360,12 +346,10 @@ START_TEST(test_sphere) {
   if (spheres[_i].tell) {
     ck_assert_uint_eq(d.moved_at, 1);
   }
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* The same sphere, turned, shifted and of another size: the same data. */
-START_TEST(test_scales) {
+PH_TEST_EACH(test_scales, 50) {
   enum { N = 8 };
   struct unit_random r = unit_random_of(3100 + (uint64_t)_i);
   double radius = pow(10, unit_random_in(&r, -200, 200)), v[3 * N], center[3];
@@ -374,7 +358,6 @@ START_TEST(test_scales) {
       {PH_F_POINTS, {.kind = PH_VECTORS, .v = v, .n = N, .dimension = 3}},
       {PH_F_CENTER, {.kind = PH_NUMBERS, .v = center, .n = 3, .dimension = 1}},
       {PH_F_RADIUS, NUMBER(radius)}};
-  struct ph_arena arena = {0};
   struct ph_sphere_data d;
 
   for (size_t j = 0; j < 3; j++) {
@@ -389,7 +372,7 @@ START_TEST(test_scales) {
       v[3 * i + j] = center[j] + radius * v[3 * i + j];
     }
   }
-  d = data_of(given, &arena);
+  d = data_of(given, &unit_arena);
   for (size_t i = 0; i < N; i++) {
     ck_vector(d.p[i], u[i], 4e-15);
   }
@@ -397,13 +380,11 @@ START_TEST(test_scales) {
     ck_abs(d.theta[k], ph_s2_angle(u[k], u[k + 1]), 8e-15);
   }
   ck_assert(!d.tell_moved);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- knots, tensions, ends ----------------------------------------------- */
 
-START_TEST(test_knots) {
+PH_TEST(test_knots) {
   const struct given uniform[GIVEN_MAX] = {
       {PH_F_LONLAT, VECTORS(2, 0, 0, 30, 0, 90, 0)},
       {PH_F_KNOTS, WORD("uniform")}};
@@ -412,47 +393,41 @@ START_TEST(test_knots) {
       {PH_F_KNOTS, NUMBERS(-1, 6, 106)}};
   const struct given period[GIVEN_MAX] = {
       CLOSED, RING, {PH_F_KNOTS, NUMBERS(5, 6, 8, 11)}};
-  struct ph_arena arena = {0};
-  struct ph_sphere_data d = data_of(uniform, &arena);
+  struct ph_sphere_data d = data_of(uniform, &unit_arena);
 
   ck_rel(d.theta[0], PH_PI / 6, DBL_EPSILON);
   ck_rel(d.h[0], PH_PI / 4, DBL_EPSILON);
   ck_rel(d.h[1], d.h[0], 0);
   ck_rel(d.knots[1], d.h[0], 0);
   ck_rel(d.knots[2], PH_PI / 2, DBL_EPSILON);
-  d = data_of(numbers, &arena);
+  d = data_of(numbers, &unit_arena);
   ck_rel(d.h[0], 7, 0);
   ck_rel(d.h[1], 100, 0);
   ck_rel(d.knots[0], -1, 0);
   ck_rel(d.knots[2], 106, 0);
-  d = data_of(period, &arena);
+  d = data_of(period, &unit_arena);
   ck_rel(d.h[2], 3, 0);
   ck_rel(d.knots[3], 11, 0);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* A number is for the nodes where it has an effect; numbers are kept. */
-START_TEST(test_tensions) {
+PH_TEST_EACH(test_tensions, 3) {
   const struct {
     struct given given[GIVEN_MAX];
     double nu[3];
   } cases[] = {{{OCTANT, {PH_F_TENSION, NUMBER(7)}}, {0, 7, 0}},
                {{RING, CLOSED, {PH_F_TENSION, NUMBER(7)}}, {7, 7, 7}},
                {{OCTANT, {PH_F_TENSION, NUMBERS(1, 0, 1e8)}}, {1, 0, 1e8}}};
-  struct ph_arena arena = {0};
-  struct ph_sphere_data d = data_of(cases[_i].given, &arena);
+  struct ph_sphere_data d = data_of(cases[_i].given, &unit_arena);
 
   for (size_t i = 0; i < 3; i++) {
     ck_rel(d.nu[i], cases[_i].nu[i], 0);
   }
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Directions of any length, which say by themselves that the ends are clamped;
  * the speed is theta / h. */
-START_TEST(test_ends) {
+PH_TEST(test_ends) {
   const struct given rest[GIVEN_MAX] = {OCTANT, {PH_F_ENDS, WORD("rest")}};
   const struct given natural[GIVEN_MAX] = {OCTANT,
                                            {PH_F_ENDS, WORD("natural")}};
@@ -464,41 +439,20 @@ START_TEST(test_ends) {
       OCTANT,
       {PH_F_KNOTS, NUMBERS(0, 1, 5)},
       {PH_F_END_TANGENTS, VECTORS(3, 3, 3, 4, 0, -2, 9)}};
-  struct ph_arena arena = {0};
-  struct ph_sphere_data d = data_of(rest, &arena);
+  struct ph_sphere_data d = data_of(rest, &unit_arena);
 
   ck_assert_int_eq(d.ends, PH_SPHERE_REST);
-  d = data_of(natural, &arena);
+  d = data_of(natural, &unit_arena);
   ck_assert_int_eq(d.ends, PH_SPHERE_NATURAL);
-  d = data_of(clamped, &arena);
+  d = data_of(clamped, &unit_arena);
   ck_assert_int_eq(d.ends, PH_SPHERE_CLAMPED);
   ck_vector(d.end[0], ph_vec3_of(0, 0, -1), DBL_EPSILON);
   ck_vector(d.end[1], ph_vec3_of(1, 0, 0), DBL_EPSILON);
-  d = data_of(knots, &arena);
+  d = data_of(knots, &unit_arena);
   ck_assert_int_eq(d.ends, PH_SPHERE_CLAMPED);
   ck_vector(d.end[0], ph_vec3_scale(PH_PI / 2, ph_vec3_of(0, 0.6, 0.8)), 1e-15);
   ck_vector(d.end[1], ph_vec3_of(0, -PH_PI / 8, 0), 1e-15);
-  ph_arena_free(&arena);
-}
-END_TEST
-
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere_data");
-  TCase *c = tcase_create("sphere_data");
-
-  tcase_add_loop_test(c, test_failure, 0,
-                      (int)(sizeof failures / sizeof *failures));
-  tcase_add_test(c, test_open);
-  tcase_add_loop_test(c, test_closed, 0, 4);
-  tcase_add_test(c, test_open_ring);
-  tcase_add_test(c, test_lonlat);
-  tcase_add_loop_test(c, test_sphere, 0, 12);
-  tcase_add_loop_test(c, test_scales, 0, unit_count(50));
-  tcase_add_test(c, test_knots);
-  tcase_add_loop_test(c, test_tensions, 0, 3);
-  tcase_add_test(c, test_ends);
-  suite_add_tcase(s, c);
-  return s;
 }
 
-PH_TEST_MAIN(suite)
+PH_TESTS(test_failure, test_open, test_closed, test_open_ring, test_lonlat,
+         test_sphere, test_scales, test_knots, test_tensions, test_ends)

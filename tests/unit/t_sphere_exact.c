@@ -33,7 +33,7 @@ static void ck_parts(const struct unit_sphere *u, size_t k,
 }
 
 /* Velocities from none to such that control points are 1 radian away. */
-START_TEST(test_acceleration) {
+PH_TEST(test_acceleration) {
   struct unit_random r = unit_random_of(711);
   for (int t = 0; t < TRIALS; t++) {
     struct unit_sphere u;
@@ -56,15 +56,13 @@ START_TEST(test_acceleration) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
-START_TEST(test_reference) {
+PH_TEST(test_reference) {
   ck_assert_uint_eq(unit_sphere_reference(&ph_sphere_exact), 28);
 }
-END_TEST
 
 /* The acceleration jumps by nu v, so that the curvature does not jump. */
-START_TEST(test_g2) {
+PH_TEST(test_g2) {
   struct unit_random r = unit_random_of(712);
   for (int t = 0; t < TRIALS; t++) {
     struct unit_sphere u;
@@ -87,17 +85,5 @@ START_TEST(test_g2) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere_exact");
-  TCase *tc = tcase_create("exact");
-
-  suite_add_tcase(s, tc);
-  tcase_add_test(tc, test_acceleration);
-  tcase_add_test(tc, test_reference);
-  tcase_add_test(tc, test_g2);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_acceleration, test_reference, test_g2)

@@ -82,7 +82,7 @@ static void change(struct unit_random *r, struct unit_raise *t) {
   ck_assert(ph_sphere_solve(&t->u.spline, &t->u.work));
 }
 
-START_TEST(test_signs) {
+PH_TEST(test_signs) {
   enum { NODES = 12 };
   struct unit_random r = {771};
   for (int t = 0; t < unit_count(300); t++) {
@@ -106,11 +106,10 @@ START_TEST(test_signs) {
     ck_assert_uint_ge(missed[kind], 10);
   }
 }
-END_TEST
 
 /* The four numbers of a node in order are the bound less and plus the curvature
  * on both sides. */
-START_TEST(test_bound) {
+PH_TEST(test_bound) {
   const struct unit_raise_kind kind = {false, PH_SPHERE_NATURAL,
                                        &ph_sphere_exact, 0.01, false};
   const double bound = (1 - MARGIN) * 0.01;
@@ -134,16 +133,5 @@ START_TEST(test_bound) {
   ck_abs(g[3], bound + kappa, 1e-15);
   unit_raise_free(&t);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere_measure");
-  TCase *tc = tcase_create("measure");
-
-  suite_add_tcase(s, tc);
-  tcase_add_test(tc, test_signs);
-  tcase_add_test(tc, test_bound);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_signs, test_bound)

@@ -117,7 +117,7 @@ static double search_both(const ph_vec3 *p, size_t n,
 
 /* Minima are local, and a block stops early where its boxes become small: most
  * sums are as small as those found, and the others not far above. */
-START_TEST(test_search) {
+PH_TEST(test_search) {
   struct unit_random r = {791};
   int raised = 0, small_enough = 0;
   for (int k = 0; k < unit_count(60); k++) {
@@ -143,7 +143,6 @@ START_TEST(test_search) {
   ck_assert_msg(small_enough + 1 >= 0.85 * raised, "%d of %d", small_enough,
                 raised);
 }
-END_TEST
 
 /* ---- other data of the same shape ---------------------------------------- */
 
@@ -195,7 +194,7 @@ static void ck_motions(const ph_vec3 *p, size_t n,
 
 /* A block stops where a step gains less than 5e-4 of its sum, of which there
  * may be some before it: rounding decides where. */
-START_TEST(test_motions) {
+PH_TEST(test_motions) {
   struct unit_random r = {792};
   for (int k = 0; k < unit_count(40); k++) {
     ph_vec3 p[MOST];
@@ -211,7 +210,6 @@ START_TEST(test_motions) {
     ck_motions(p, n, &kind, k);
   }
 }
-END_TEST
 
 /* ---- long runs ----------------------------------------------------------- */
 
@@ -229,7 +227,7 @@ static size_t longest_run(const struct unit_raise *t) {
 }
 
 /* Runs of raised nodes that are longer than a block of 12. */
-START_TEST(test_blocks) {
+PH_TEST(test_blocks) {
   struct unit_random r = {793};
   for (int k = 0; k < unit_count(10); k++) {
     struct unit_raise t, grown;
@@ -249,11 +247,10 @@ START_TEST(test_blocks) {
     unit_raise_free(&grown);
   }
 }
-END_TEST
 
 /* Of these data the blocks are judged to have the shape, and the whole does not
  * have it: most of the way back has to be gone. */
-START_TEST(test_back) {
+PH_TEST(test_back) {
   enum { NODES = 40, WHICH = 38 };
   struct unit_random r = {862};
   struct unit_raise t;
@@ -266,11 +263,10 @@ START_TEST(test_back) {
   ck_assert(unit_raise_holds(&t));
   unit_raise_free(&t);
 }
-END_TEST
 
 /* Tensions that are given are not lowered, and those of others do not matter.
  */
-START_TEST(test_given) {
+PH_TEST(test_given) {
   struct unit_random r = {794};
   size_t kept = 0, above = 0;
   for (int k = 0; k < unit_count(20); k++) {
@@ -294,19 +290,5 @@ START_TEST(test_given) {
   ck_assert_uint_ge(kept, 1);
   ck_assert_uint_ge(above, 1);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere_minimal");
-  TCase *tc = tcase_create("minimal");
-
-  suite_add_tcase(s, tc);
-  tcase_add_test(tc, test_search);
-  tcase_add_test(tc, test_motions);
-  tcase_add_test(tc, test_blocks);
-  tcase_add_test(tc, test_back);
-  tcase_add_test(tc, test_given);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_search, test_motions, test_blocks, test_back, test_given)

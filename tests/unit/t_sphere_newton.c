@@ -76,7 +76,7 @@ static void ck_block(struct unit_sphere *u, size_t i, size_t j,
   }
 }
 
-START_TEST(test_derivatives) {
+PH_TEST(test_derivatives) {
   struct unit_random r = unit_random_of(721);
   for (int t = 0; t < TRIALS; t++) {
     struct unit_sphere u;
@@ -100,13 +100,12 @@ START_TEST(test_derivatives) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
 /* ---- ends ---------------------------------------------------------------- */
 
 /* No covariant acceleration, no curvature, and the second control point the
  * midpoint of its neighbours. */
-START_TEST(test_natural) {
+PH_TEST(test_natural) {
   struct unit_random r = unit_random_of(722);
   for (int t = 0; t < TRIALS; t++) {
     struct unit_sphere u;
@@ -127,9 +126,8 @@ START_TEST(test_natural) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
-START_TEST(test_clamped) {
+PH_TEST(test_clamped) {
   struct unit_random r = unit_random_of(723);
   for (int t = 0; t < TRIALS; t++) {
     struct unit_sphere u;
@@ -146,7 +144,6 @@ START_TEST(test_clamped) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
 static void ck_two_points(enum ph_sphere_ends ends,
                           const struct ph_sphere_model *model) {
@@ -168,19 +165,18 @@ static void ck_two_points(enum ph_sphere_ends ends,
   unit_sphere_free(&u);
 }
 
-START_TEST(test_two_points) {
+PH_TEST(test_two_points) {
   for (int model = 0; model < MODELS; model++) {
     ck_two_points(PH_SPHERE_NATURAL, models[model]);
     ck_two_points(PH_SPHERE_REST, models[model]);
     ck_two_points(PH_SPHERE_CLAMPED, models[model]);
   }
 }
-END_TEST
 
 /* ---- symmetries ---------------------------------------------------------- */
 
 /* Points of the equator give the equator, once around. */
-START_TEST(test_equator) {
+PH_TEST(test_equator) {
   struct unit_random r = unit_random_of(724);
   for (size_t n = 4; n <= 12; n++) {
     ph_vec3 p[12];
@@ -203,10 +199,9 @@ START_TEST(test_equator) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
 /* The same data from another node on. */
-START_TEST(test_start_index) {
+PH_TEST(test_start_index) {
   struct unit_random r = unit_random_of(725);
   for (int t = 0; t < TRIALS; t++) {
     struct unit_sphere u, v;
@@ -234,7 +229,6 @@ START_TEST(test_start_index) {
     unit_sphere_free(&v);
   }
 }
-END_TEST
 
 /* Rotated or, with sign = -1, mirrored. */
 static ph_vec3 turned(const ph_vec3 axes[3], double sign, ph_vec3 v) {
@@ -264,7 +258,7 @@ static void make_image(const struct unit_sphere *u, const ph_vec3 axes[3],
   }
 }
 
-START_TEST(test_rotation) {
+PH_TEST(test_rotation) {
   struct unit_random r = unit_random_of(726);
   for (int t = 0; t < TRIALS; t++) {
     struct unit_sphere u, v;
@@ -289,9 +283,8 @@ START_TEST(test_rotation) {
     unit_sphere_free(&v);
   }
 }
-END_TEST
 
-START_TEST(test_reversal) {
+PH_TEST(test_reversal) {
   struct unit_random r = unit_random_of(727);
   for (int t = 0; t < TRIALS; t++) {
     struct unit_sphere u, v;
@@ -311,13 +304,12 @@ START_TEST(test_reversal) {
     unit_sphere_free(&v);
   }
 }
-END_TEST
 
 /* ---- the iteration ------------------------------------------------------- */
 
 /* Part of a spline, also across the first node of closed data, is found again
  * while the rest stands still. */
-START_TEST(test_range) {
+PH_TEST(test_range) {
   struct unit_random r = unit_random_of(728);
   for (int t = 0; t < TRIALS; t++) {
     struct unit_sphere u;
@@ -347,11 +339,10 @@ START_TEST(test_range) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
 /* Tiny spacings: equations hold to rounding of the spacing, and both models
  * come to the spline of the plane. */
-START_TEST(test_tiny) {
+PH_TEST(test_tiny) {
   static const double sizes[] = {1e-3, 1e-5, 1e-7};
   struct unit_random r = unit_random_of(729);
   for (int t = 0; t < TRIALS; t++) {
@@ -371,10 +362,9 @@ START_TEST(test_tiny) {
     unit_sphere_free(&v);
   }
 }
-END_TEST
 
 /* Where the iteration finds no spline, nothing has moved. */
-START_TEST(test_none) {
+PH_TEST(test_none) {
   struct unit_random r = unit_random_of(730);
   int none = 0;
   for (int t = 0; t < TRIALS; t++) {
@@ -392,7 +382,6 @@ START_TEST(test_none) {
   }
   ck_assert_int_gt(none, 0);
 }
-END_TEST
 
 /* ---- random data --------------------------------------------------------- */
 
@@ -424,7 +413,7 @@ static int solved(uint64_t stream, int count, double low, double high,
   return found;
 }
 
-START_TEST(test_random) {
+PH_TEST(test_random) {
   int count = unit_count(1000), few = unit_count(200);
   ck_assert_int_eq(solved(731, count, 0.1, PH_PI / 2, models[0]), count);
   ck_assert_int_eq(solved(732, count, 0.5, 2.2, models[0]), count);
@@ -432,26 +421,7 @@ START_TEST(test_random) {
   ck_assert_int_eq(solved(734, few, 0.1, 0.8, models[1]), few);
   ck_assert_int_ge(solved(735, few, 0.1, PH_PI / 2, models[1]), few * 3 / 4);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere_newton");
-  TCase *tc = tcase_create("newton");
-
-  suite_add_tcase(s, tc);
-  tcase_add_test(tc, test_derivatives);
-  tcase_add_test(tc, test_natural);
-  tcase_add_test(tc, test_clamped);
-  tcase_add_test(tc, test_two_points);
-  tcase_add_test(tc, test_equator);
-  tcase_add_test(tc, test_start_index);
-  tcase_add_test(tc, test_rotation);
-  tcase_add_test(tc, test_reversal);
-  tcase_add_test(tc, test_range);
-  tcase_add_test(tc, test_tiny);
-  tcase_add_test(tc, test_none);
-  tcase_add_test(tc, test_random);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_derivatives, test_natural, test_clamped, test_two_points,
+         test_equator, test_start_index, test_rotation, test_reversal,
+         test_range, test_tiny, test_none, test_random)

@@ -87,7 +87,7 @@ static void ck_node(const struct unit_sphere *u, size_t i,
   ck_abs(row.f[1], scale * ph_vec3_triple(p, e, g), 1e-13 / size);
 }
 
-START_TEST(test_formulas) {
+PH_TEST(test_formulas) {
   struct unit_random r = unit_random_of(701);
   for (int t = 0; t < TRIALS; t++) {
     struct ph_sphere_part part[N];
@@ -108,12 +108,10 @@ START_TEST(test_formulas) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
-START_TEST(test_reference) {
+PH_TEST(test_reference) {
   ck_assert_uint_eq(unit_sphere_reference(&ph_sphere_nielson), 28);
 }
-END_TEST
 
 /* ---- starts -------------------------------------------------------------- */
 
@@ -135,7 +133,7 @@ static double missing(struct unit_sphere *u) {
 
 /* On a track that turns little from node to node, three Picard steps leave
  * next to nothing for Newton's iteration. */
-START_TEST(test_picard) {
+PH_TEST(test_picard) {
   enum { M = 32 };
   for (size_t which = 0; which < UNIT_SPHERE_KINDS; which++) {
     struct unit_sphere_kind kind = unit_sphere_kinds[which];
@@ -154,10 +152,9 @@ START_TEST(test_picard) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
 /* The sweeps find what Newton's iteration finds, if there is anything. */
-START_TEST(test_last_resort) {
+PH_TEST(test_last_resort) {
   struct unit_random r = unit_random_of(705);
   int found = 0;
   for (int t = 0; t < TRIALS; t++) {
@@ -179,10 +176,9 @@ START_TEST(test_last_resort) {
   }
   ck_assert_int_ge(found, TRIALS * 9 / 10);
 }
-END_TEST
 
 /* Of three nodes, with the middle control point near -P. */
-START_TEST(test_antipode) {
+PH_TEST(test_antipode) {
   const ph_vec3 p[3] = {{0.6, -0.8, 0}, {1, 0, 0}, {0.6, 0.8, 0}};
   struct ph_sphere_part part[2];
   struct ph_block2_row row;
@@ -196,19 +192,6 @@ START_TEST(test_antipode) {
   ck_assert(hypot(row.f[0], row.f[1]) > 10);
   unit_sphere_free(&u);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere_nielson");
-  TCase *tc = tcase_create("nielson");
-
-  suite_add_tcase(s, tc);
-  tcase_add_test(tc, test_formulas);
-  tcase_add_test(tc, test_reference);
-  tcase_add_test(tc, test_picard);
-  tcase_add_test(tc, test_last_resort);
-  tcase_add_test(tc, test_antipode);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_formulas, test_reference, test_picard, test_last_resort,
+         test_antipode)

@@ -91,7 +91,7 @@ static size_t solve_hard(const struct ph_sphere_model *model, size_t data,
 
 /* ---- tests --------------------------------------------------------------- */
 
-START_TEST(test_easy) {
+PH_TEST(test_easy) {
   struct unit_random r = {1};
   struct ph_sphere_model model = exact_of(start, hug);
   for (int t = 0; t < 20; t++) {
@@ -104,18 +104,16 @@ START_TEST(test_easy) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
-START_TEST(test_continuation) {
+PH_TEST(test_continuation) {
   struct ph_sphere_model model = exact_of(start_once, hug);
   size_t hard, solved = solve_hard(&model, DATA, &hard);
   ck_assert_uint_ge(hard, 20);
   ck_assert_uint_ge(solved, hard * 3 / 4);
   ck_assert_uint_eq(hugs, 1);
 }
-END_TEST
 
-START_TEST(test_relaxation) {
+PH_TEST(test_relaxation) {
   struct ph_sphere_model model = exact_of(start, hug_nothing);
   size_t hard, solved = solve_hard(&model, (size_t)unit_count(DATA), &hard);
   ck_assert_uint_ge(hard, 1);
@@ -123,10 +121,9 @@ START_TEST(test_relaxation) {
   ck_assert_uint_eq(hugs, 1);
   ck_assert_uint_ge(starts, 2);
 }
-END_TEST
 
 /* Both together find all; the equations hold, and no leg goes round. */
-START_TEST(test_all) {
+PH_TEST(test_all) {
   struct unit_random r = {STREAM};
   size_t data = (size_t)unit_count(DATA);
   for (size_t t = 0; t < data; t++) {
@@ -147,11 +144,10 @@ START_TEST(test_all) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
 /* Where a leg goes nearly round the sphere or farther there are no equations:
  * an iteration that begins there is over, with everything as it was. */
-START_TEST(test_legs) {
+PH_TEST(test_legs) {
   struct unit_random r = {7};
   for (int t = 0; t < 30; t++) {
     struct unit_sphere u;
@@ -167,10 +163,9 @@ START_TEST(test_legs) {
     unit_sphere_free(&u);
   }
 }
-END_TEST
 
 /* Everything is tried, once, and the tensions are as they were. */
-START_TEST(test_none) {
+PH_TEST(test_none) {
   struct unit_random r = {STREAM};
   struct ph_sphere_model model = ph_sphere_nielson;
   size_t failed = 0, most = 5000;
@@ -190,20 +185,6 @@ START_TEST(test_none) {
   }
   ck_assert_uint_ge(failed, 1);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere_solve");
-  TCase *tc = tcase_create("solve");
-
-  suite_add_tcase(s, tc);
-  tcase_add_test(tc, test_easy);
-  tcase_add_test(tc, test_continuation);
-  tcase_add_test(tc, test_relaxation);
-  tcase_add_test(tc, test_all);
-  tcase_add_test(tc, test_legs);
-  tcase_add_test(tc, test_none);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_easy, test_continuation, test_relaxation, test_all, test_legs,
+         test_none)

@@ -103,7 +103,7 @@ static void bumps(size_t n, bool closed, const size_t *place, size_t places,
 
 /* Short data are solved whole; longer ones, from twice 30 nodes and one on, in
  * ranges, which may wrap, meet, and begin before the first node. */
-START_TEST(test_plain) {
+PH_TEST_EACH(test_plain, 2) {
   static const size_t sizes[] = {59, 60, 61, 62, 63, 64, 66, 90, 125, LONG};
   static const size_t places[][3] = {
       {1, 0, 0}, {30, 31, 0}, {2, 58, 33}, {0, 64, 0}, {57, 25, 59}};
@@ -123,9 +123,8 @@ START_TEST(test_plain) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_small) {
+PH_TEST(test_small) {
   struct unit_random r = {753};
   size_t raised = 0;
   for (int t = 0; t < unit_count(60); t++) {
@@ -139,7 +138,6 @@ START_TEST(test_small) {
   }
   ck_assert_uint_ge(raised, 1);
 }
-END_TEST
 
 /* ---- what cannot be ------------------------------------------------------ */
 
@@ -155,7 +153,7 @@ static void corner(size_t n, size_t straight, ph_vec3 *p) {
 
 /* At the bound of rounding only an infinite tension would do: the node that
  * bounds the run is raised to the largest one and not beyond. */
-START_TEST(test_largest) {
+PH_TEST_EACH(test_largest, 3) {
   static const double by[] = {0, 3e6, 3};
   struct unit_raise_kind kind = open_kind;
   struct unit_raise t;
@@ -181,12 +179,11 @@ START_TEST(test_largest) {
   ck_rel(t.u.spline.nu[2], 0, 0);
   unit_raise_free(&t);
 }
-END_TEST
 
 /* The ends of these data bound the run, and cannot be raised: what is done
  * without is counted, and the rest holds at the tensions of data that do not
  * ask it; the same for data read backwards. */
-START_TEST(test_waive) {
+PH_TEST_EACH(test_waive, 2) {
   struct unit_raise_kind kind = open_kind;
   struct unit_raise t;
   bool back = _i == 1;
@@ -211,11 +208,10 @@ START_TEST(test_waive) {
   ck_rel(unit_raise_sum(&t), 0, 0);
   unit_raise_free(&t);
 }
-END_TEST
 
 /* Where a run at either end cannot be straight, which tensions there are in the
  * end does not depend on the direction. */
-START_TEST(test_waive_reversed) {
+PH_TEST(test_waive_reversed) {
   struct unit_random r = {755};
   size_t waived = 0, n = 12;
   for (int t = 0; t < unit_count(20); t++) {
@@ -252,13 +248,12 @@ START_TEST(test_waive_reversed) {
   }
   ck_assert_uint_ge(waived, 1);
 }
-END_TEST
 
 /* ---- ends ---------------------------------------------------------------- */
 
 /* The ends of open data are raised in the measures of the thesis only, and not
  * where the least tensions are sought. */
-START_TEST(test_ends) {
+PH_TEST_EACH(test_ends, 3) {
   struct unit_raise_kind kind = open_kind;
   struct unit_raise t;
   ph_vec3 p[5];
@@ -279,20 +274,6 @@ START_TEST(test_ends) {
   ck_rel(nu[4], nu[0], 0);
   unit_raise_free(&t);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere_tension");
-  TCase *tc = tcase_create("tension");
-
-  suite_add_tcase(s, tc);
-  tcase_add_loop_test(tc, test_plain, 0, 2);
-  tcase_add_test(tc, test_small);
-  tcase_add_loop_test(tc, test_largest, 0, 3);
-  tcase_add_loop_test(tc, test_waive, 0, 2);
-  tcase_add_test(tc, test_waive_reversed);
-  tcase_add_loop_test(tc, test_ends, 0, 3);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_plain, test_small, test_largest, test_waive, test_waive_reversed,
+         test_ends)

@@ -77,7 +77,7 @@ static double rounding(const struct ph_spherical *s) {
 
 /* The control points are unit vectors to rounding, which shows along the normal
  * of the sphere as an absolute error. */
-START_TEST(test_known_jets) {
+PH_TEST_EACH(test_known_jets, KNOWN) {
   struct ph_spherical s = segment(known[_i].p);
   double t = known[_i].t, scale = 1, eps = rounding(&s);
   const char *name = known[_i].name;
@@ -94,11 +94,10 @@ START_TEST(test_known_jets) {
   }
   ck_vec3(ph_spherical_point(&s, t), jet[0], 2 * eps, name);
 }
-END_TEST
 
 /* The part of S' along the sphere, and K, are right relative to their size, or
  * to what they are a small difference of. */
-START_TEST(test_known_numerators) {
+PH_TEST_EACH(test_known_numerators, KNOWN) {
   struct ph_spherical s = segment(known[_i].p);
   double t = known[_i].t, eps = rounding(&s), k[2], size[4], speed3;
   ph_vec3 first[2], wanted = ph_vec3_get(known[_i].jet[1], 3);
@@ -123,20 +122,18 @@ START_TEST(test_known_numerators) {
     ck_rel(ph_spherical_curvature(&s, t) * speed3, known[_i].k[0], 8 * eps);
   }
 }
-END_TEST
 
-START_TEST(test_known_lengths) {
+PH_TEST_EACH(test_known_lengths, KNOWN) {
   struct ph_spherical s = segment(known[_i].p);
   double t = known[_i].t > 0 ? known[_i].t : 1;
   ck_rel(ph_spherical_length(&s, t), known[_i].length, 1e-13);
 }
-END_TEST
 
 /* ---- what derivatives are ------------------------------------------- */
 
 /* |S| = 1, hence S.S' = 0, and S.S'' + |S'|^2 = 0, and S.S''' + 3 S'.S'' = 0.
  */
-START_TEST(test_on_sphere) {
+PH_TEST(test_on_sphere) {
   struct unit_random r = unit_random_of(611);
   for (int i = 0; i < unit_count(500); i++) {
     double angle = pow(10, unit_random_in(&r, -6, 0)), t, tol;
@@ -152,11 +149,10 @@ START_TEST(test_on_sphere) {
     ck_abs(ph_vec3_dot(j[0], j[3]), -3 * ph_vec3_dot(j[1], j[2]), 16 * tol);
   }
 }
-END_TEST
 
 /* Each derivative against differences of the one before, of K as well; what
  * differences leave falls with the square of their step. */
-START_TEST(test_differences) {
+PH_TEST(test_differences) {
   struct unit_random r = unit_random_of(612);
   const double h = 1e-4;
   for (int i = 0; i < unit_count(200); i++) {
@@ -178,11 +174,10 @@ START_TEST(test_differences) {
            angle * angle * (1e-4 * angle + 1e-10));
   }
 }
-END_TEST
 
 /* ---- symmetries ----------------------------------------------------- */
 
-START_TEST(test_symmetries) {
+PH_TEST(test_symmetries) {
   struct unit_random r = unit_random_of(613);
   for (int i = 0; i < unit_count(500); i++) {
     double angle = pow(10, unit_random_in(&r, -6, 0)), t, k[2], other[2];
@@ -207,11 +202,10 @@ START_TEST(test_symmetries) {
            0);
   }
 }
-END_TEST
 
 /* ---- the ends ------------------------------------------------------- */
 
-START_TEST(test_ends) {
+PH_TEST(test_ends) {
   struct unit_random r = unit_random_of(614);
   for (int i = 0; i < unit_count(500); i++) {
     double angle = pow(10, unit_random_in(&r, -6, 0)), k[2], speed;
@@ -237,11 +231,10 @@ START_TEST(test_ends) {
     ck_vec3(j[0], s.p[3], 8 * DBL_EPSILON, "end");
   }
 }
-END_TEST
 
 /* At rest there is no curvature.  All control points are on a great circle: the
  * angle is 3 t^2 - 2 t^3 of the whole. */
-START_TEST(test_rest) {
+PH_TEST(test_rest) {
   struct unit_random r = unit_random_of(615);
   for (int i = 0; i < unit_count(100); i++) {
     struct ph_spherical s = random_segment(&r, 0.4, 1);
@@ -260,9 +253,8 @@ START_TEST(test_rest) {
     ck_rel(ph_spherical_length(&s, 0.25), 0.15625 * angle, 1e-13);
   }
 }
-END_TEST
 
-START_TEST(test_point) {
+PH_TEST(test_point) {
   ph_vec3 p = {0.6, 0, 0.8};
   struct ph_spherical s = {{p, p, p, p}};
   ph_vec3 j[4];
@@ -280,19 +272,17 @@ START_TEST(test_point) {
   ck_abs(ph_spherical_length(&s, 1), 0, 0);
   ck_assert(isnan(ph_spherical_curvature(&s, 0.5)));
 }
-END_TEST
 
-START_TEST(test_not_a_segment) {
+PH_TEST(test_not_a_segment) {
   ph_vec3 p = {1, 0, 0}, q = {0, 1, 0}, bad = {0, (double)NAN, 1};
   struct ph_spherical s = {{p, bad, q, q}};
   ck_assert(isnan(ph_spherical_length(&s, 1)));
 }
-END_TEST
 
 /* ---- curves that are known ------------------------------------------ */
 
 /* On a great circle angles are those of a Bezier polynomial. */
-START_TEST(test_great_circle) {
+PH_TEST(test_great_circle) {
   struct unit_random r = unit_random_of(616);
   for (int i = 0; i < unit_count(300); i++) {
     double size = pow(10, unit_random_in(&r, -6, 0)), a[4] = {0}, t, b;
@@ -312,11 +302,10 @@ START_TEST(test_great_circle) {
     ck_abs(ph_vec3_triple(j[0], j[1], j[2]), 0, 64 * DBL_EPSILON * size);
   }
 }
-END_TEST
 
 /* A quarter of the parallel of latitude pi/4, in short segments: its geodesic
  * curvature is tan(pi/4) = 1, to the left going east. */
-START_TEST(test_parallel) {
+PH_TEST(test_parallel) {
   enum { PIECES = 256 };
   const double step = PH_PI / 2 / PIECES, c = sqrt(0.5);
   double length = 0;
@@ -335,7 +324,6 @@ START_TEST(test_parallel) {
   }
   ck_rel(length, c * PH_PI / 2, 1e-10);
 }
-END_TEST
 
 /* The length by 20 nodes on each of 32 parts of u, t = u^3 (10 - 15 u + 6 u^2),
  * which grades both ends. */
@@ -354,7 +342,7 @@ static double graded_length(const struct ph_spherical *s,
   return sum;
 }
 
-START_TEST(test_length) {
+PH_TEST(test_length) {
   struct unit_random r = unit_random_of(617);
   struct ph_quad rule;
   ck_assert(ph_quad_gauss(&rule, PH_QUAD_MAX));
@@ -371,11 +359,10 @@ START_TEST(test_length) {
     ck_assert(ph_spherical_length(&s, unit_random_in(&r, 0.1, 0.9)) < length);
   }
 }
-END_TEST
 
 /* ---- from curves ---------------------------------------------------- */
 
-START_TEST(test_of_curve) {
+PH_TEST(test_of_curve) {
   struct unit_random r = unit_random_of(618);
   double points[24];
   struct ph_curve curve = {.kind = PH_CURVE_SPHERICAL_NU,
@@ -398,27 +385,8 @@ START_TEST(test_of_curve) {
     ck_abs(ph_vec3_abs(s.p[i % 4]), 1, DBL_EPSILON);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("spherical");
-  TCase *t = tcase_create("spherical");
-  tcase_add_loop_test(t, test_known_jets, 0, KNOWN);
-  tcase_add_loop_test(t, test_known_numerators, 0, KNOWN);
-  tcase_add_loop_test(t, test_known_lengths, 0, KNOWN);
-  tcase_add_test(t, test_on_sphere);
-  tcase_add_test(t, test_differences);
-  tcase_add_test(t, test_symmetries);
-  tcase_add_test(t, test_ends);
-  tcase_add_test(t, test_rest);
-  tcase_add_test(t, test_point);
-  tcase_add_test(t, test_not_a_segment);
-  tcase_add_test(t, test_great_circle);
-  tcase_add_test(t, test_parallel);
-  tcase_add_test(t, test_length);
-  tcase_add_test(t, test_of_curve);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_known_jets, test_known_numerators, test_known_lengths,
+         test_on_sphere, test_differences, test_symmetries, test_ends,
+         test_rest, test_point, test_not_a_segment, test_great_circle,
+         test_parallel, test_length, test_of_curve)

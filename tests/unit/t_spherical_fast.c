@@ -27,7 +27,7 @@ static double rounding(const struct ph_spherical *s) {
   return 8 * DBL_EPSILON / (cosine * cosine);
 }
 
-START_TEST(test_known) {
+PH_TEST_EACH(test_known, KNOWN) {
   struct ph_spherical_fast fast;
   struct ph_spherical s;
   ph_vec3 jet[3];
@@ -43,7 +43,6 @@ START_TEST(test_known) {
     ck_vec3(jet[n], wanted, rounding(&s) * scale, known[_i].name);
   }
 }
-END_TEST
 
 static struct ph_spherical random_segment(struct unit_random *r, double angle) {
   struct ph_spherical s;
@@ -62,7 +61,7 @@ static struct ph_spherical random_segment(struct unit_random *r, double angle) {
 
 /* As ph_spherical_jet, relative to the size of the segment: near and far, and
  * on either side of where one way of E takes over from the other. */
-START_TEST(test_random) {
+PH_TEST(test_random) {
   const double angles[] = {1e-9, 1e-5, 1e-3, 0.02, 0.06, 0.12, 0.25, 0.35,
                            0.5,  0.7,  0.73, 0.8,  1,    1.5,  2,    2.8};
   struct unit_random r = unit_random_of(1340);
@@ -83,11 +82,10 @@ START_TEST(test_random) {
     }
   }
 }
-END_TEST
 
 /* Next to an end at rest S' is right relative to itself: S' = t S''(0) but for
  * terms of higher order, and exactly 0 there. */
-START_TEST(test_rest) {
+PH_TEST(test_rest) {
   struct unit_random r = unit_random_of(1341);
   for (int i = 0; i < unit_count(100); i++) {
     double angle = pow(10, unit_random_in(&r, -6, 0.3));
@@ -106,16 +104,5 @@ START_TEST(test_rest) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("spherical_fast");
-  TCase *tc = tcase_create("spherical_fast");
-  tcase_add_loop_test(tc, test_known, 0, KNOWN);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_rest);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_known, test_random, test_rest)

@@ -9,7 +9,7 @@
 
 /* ---- JSON ----------------------------------------------------------- */
 
-START_TEST(test_json_streams) {
+PH_TEST(test_json_streams) {
   gives("a.json", "", "end");
   gives("a.json", " \n ", "end");
   gives("a.json", "{}", "1 1 {}\nend");
@@ -23,9 +23,8 @@ START_TEST(test_json_streams) {
   gives("a.json", "\xEF\xBB\xBF{}", "1 1 {}\nend");
   gives("a.json", "\xEF\xBB\xBF", "end");
 }
-END_TEST
 
-START_TEST(test_json_stops) {
+PH_TEST(test_json_stops) {
   gives("a.json", "{\"a\":}",
         "1 1 syntax 1:6 expected a value, found '}'\nstopped");
   gives("a.json", "{} {\"a\" 1}\n{}\n",
@@ -60,9 +59,8 @@ START_TEST(test_json_stops) {
   gives("a.json", "[1]\n{\"a\"}\n",
         "1 1 1\n2 2 syntax 2:5 expected ':', found '}'\nstopped");
 }
-END_TEST
 
-START_TEST(test_json_resumes) {
+PH_TEST(test_json_resumes) {
   /* (a) the suffix says so */
   gives("a.jsonl", "{\"a\"}\n", "1 1 syntax 1:5 expected ':', found '}'\nend");
   gives("a.NDJSON", "x\n\n  {\"a\"}\r\n1\n",
@@ -101,10 +99,9 @@ START_TEST(test_json_resumes) {
   gives("a.json", "{\"a\"}\n[]\n",
         "1 1 syntax 1:5 expected ':', found '}'\nstopped");
 }
-END_TEST
 
 /* A truncated line takes none of the good lines after it away. */
-START_TEST(test_json_truncated_line) {
+PH_TEST(test_json_truncated_line) {
   gives("a.json", "{\"a\":[1,\n{\"b\":2}\n{\"c\":[[1,\n{\"d\":\"x\n{\"e\":4}\n",
         "1 1 syntax 1:9 the text ends inside an array\n2 2 {\"b\":2}\n"
         "3 3 syntax 3:10 the text ends inside an array\n"
@@ -114,11 +111,10 @@ START_TEST(test_json_truncated_line) {
   /* In JSON Lines or not: a good value may have several lines. */
   gives("a.jsonl", "{\"a\":\n{\"b\":2}}\n", "1 1 {\"a\":${\"b\":2}}\nend");
 }
-END_TEST
 
 /* ---- files and descriptors ------------------------------------------ */
 
-START_TEST(test_formats) {
+PH_TEST(test_formats) {
   struct ph_split_options json = {PH_SPLIT_JSON, 0, NULL};
   gives("a.txt", "\n \t{}", "1 2 {}\nend");
   gives("a.txt", "[1]", "1 1 1\nend");
@@ -138,9 +134,8 @@ START_TEST(test_formats) {
   gives_with(&json, &schema, "5", "1 1 5\nend");
   gives_with(&csv, &schema, "0,1", "1 1 0,1\nend");
 }
-END_TEST
 
-START_TEST(test_several_files) {
+PH_TEST(test_several_files) {
   static const char *const files[] = {"a.json", "a.csv", "b.csv", "a.tsv",
                                       "b.json"};
   put_file("a.json", "{}\n{}");
@@ -152,9 +147,8 @@ START_TEST(test_several_files) {
            "1 1 {}\n2 2 {}\n3 2 0,1\n4 2 0,1,2$\n5 3 1,2,3$\n6 1 0\t1$\n"
            "7 1 {}\n8 1 {}\nend");
 }
-END_TEST
 
-START_TEST(test_failures) {
+PH_TEST(test_failures) {
   static const char *const missing[] = {"b.json", "a.txt", "b.json"};
   static const char *const folder[] = {"."};
   put_file("b.json", "{}");
@@ -163,10 +157,9 @@ START_TEST(test_failures) {
   ck_files(folder, 1, &automatic, &schema,
            "failed: cannot read .: Is a directory");
 }
-END_TEST
 
 /* The names and columns of records outlive the records. */
-START_TEST(test_record_parts) {
+PH_TEST(test_record_parts) {
   static const char *const files[] = {"a.csv", "b.csv"};
   struct ph_split split;
   struct ph_record first;
@@ -184,7 +177,6 @@ START_TEST(test_record_parts) {
   ck_assert_uint_eq(second.columns->column[0].component, 0);
   ph_split_free(&split);
 }
-END_TEST
 
 /* A pipe as standard input; its other end. */
 static int open_pipe(void) {
@@ -196,7 +188,7 @@ static int open_pipe(void) {
 }
 
 /* A record is handed out with its last byte. */
-START_TEST(test_interactive) {
+PH_TEST(test_interactive) {
   int fd = open_pipe();
   struct ph_split split;
   struct ph_record record;
@@ -222,9 +214,8 @@ START_TEST(test_interactive) {
   ph_split_free(&split);
   ck_assert_int_ge(fcntl(0, F_GETFD), 0); /* standard input stays open */
 }
-END_TEST
 
-START_TEST(test_nonblocking_input) {
+PH_TEST(test_nonblocking_input) {
   int fd = open_pipe();
   struct ph_split split;
   struct ph_record record;
@@ -239,12 +230,11 @@ START_TEST(test_nonblocking_input) {
   ck_assert_int_eq(ph_split_next(&split, true, &record, &diag), PH_SPLIT_END);
   ph_split_free(&split);
 }
-END_TEST
 
 /* ---- memory --------------------------------------------------------- */
 
 /* Records from tiny to larger than any buffer so far and back. */
-START_TEST(test_sizes) {
+PH_TEST(test_sizes) {
   static const size_t sizes[] = {10,    100,  70000,  3,       3000000,
                                  65535, 5000, 131072, 1000000, 2};
   enum { N = sizeof sizes / sizeof *sizes };
@@ -277,7 +267,6 @@ START_TEST(test_sizes) {
   ck_assert_uint_le(split.capacity, 1 << 20);
   ph_split_free(&split);
 }
-END_TEST
 
 /* ---- portions ------------------------------------------------------- */
 
@@ -338,17 +327,16 @@ static size_t stride(void) {
 }
 
 /* Every beginning of a document. */
-START_TEST(test_prefixes) {
+PH_TEST_EACH(test_prefixes, sizeof documents / sizeof *documents) {
   const char *text = documents[_i];
   for (size_t n = 0; n <= strlen(text); n += stride()) {
     ck_portions(text, n);
   }
 }
-END_TEST
 
 /* Every document with one byte replaced, left out or doubled; where every step
  * takes long, replaced by one in four of the others, in turn. */
-START_TEST(test_mutations) {
+PH_TEST_EACH(test_mutations, sizeof documents / sizeof *documents) {
   static const char bytes[] = "\n\"{]#,0\xC3";
   const char *text = documents[_i];
   size_t n = strlen(text);
@@ -370,29 +358,9 @@ START_TEST(test_mutations) {
     ck_portions(spoilt, n + 1);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  enum { DOCUMENTS = sizeof documents / sizeof *documents };
-  Suite *s = suite_create("split");
-  TCase *tc = tcase_create("split");
-  tcase_add_checked_fixture(tc, setup, finish);
-  tcase_set_timeout(tc, unit_long() ? 3600 : 120);
-  tcase_add_test(tc, test_json_streams);
-  tcase_add_test(tc, test_json_stops);
-  tcase_add_test(tc, test_json_resumes);
-  tcase_add_test(tc, test_json_truncated_line);
-  tcase_add_test(tc, test_formats);
-  tcase_add_test(tc, test_several_files);
-  tcase_add_test(tc, test_failures);
-  tcase_add_test(tc, test_record_parts);
-  tcase_add_test(tc, test_interactive);
-  tcase_add_test(tc, test_nonblocking_input);
-  tcase_add_test(tc, test_sizes);
-  tcase_add_loop_test(tc, test_prefixes, 0, DOCUMENTS);
-  tcase_add_loop_test(tc, test_mutations, 0, DOCUMENTS);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(setup, finish, test_json_streams, test_json_stops,
+              test_json_resumes, test_json_truncated_line, test_formats,
+              test_several_files, test_failures, test_record_parts,
+              test_interactive, test_nonblocking_input, test_sizes,
+              test_prefixes, test_mutations)

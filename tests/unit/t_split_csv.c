@@ -11,7 +11,7 @@ static const struct ph_schema plane = {"tc", plane_rows, 4};
 
 /* ---- CSV ------------------------------------------------------------ */
 
-START_TEST(test_csv_records) {
+PH_TEST(test_csv_records) {
   gives("a.csv", "", "end");
   gives("a.csv", "x,y\n", "end");
   gives("a.csv", "x,y\n0,1\n2,3\n", "1 2 0,1$2,3$\nend");
@@ -31,9 +31,8 @@ START_TEST(test_csv_records) {
   gives("a.csv", "id,x,y\n\"a\nb\",0,1\n\"a\nb\",2,3\nc,4,5",
         "1 2 \"a$b\",0,1$\"a$b\",2,3$\n2 6 c,4,5\nend");
 }
-END_TEST
 
-START_TEST(test_csv_comments) {
+PH_TEST(test_csv_comments) {
   gives("a.csv", "# a\nx,y\n# b\n0,1\n# c\n2,3\n#d\n\n# e\n4,5\n# f",
         "1 4 0,1$# c$2,3$#d$\n2 10 4,5$# f\nend");
   gives("a.csv", "# X_m, y_m\n0,1\n", "1 2 0,1$\nend");
@@ -48,9 +47,8 @@ START_TEST(test_csv_comments) {
         "1 1 bad-value 1:5 columns 1 and 2 (\"x\") are the same "
         "(--columns can skip it)\nstopped");
 }
-END_TEST
 
-START_TEST(test_csv_headers) {
+PH_TEST(test_csv_headers) {
   gives("a.csv", "0,1\n2,3\n", "1 1 0,1$2,3$\nend");
   gives("a.csv", "\xEF\xBB\xBF X ,\"Y\"\n0,1\n", "1 2 0,1$\nend");
   gives("a.csv", "y,KNOT,x\n0,1,2\n", "1 2 0,1,2$\nend");
@@ -58,9 +56,8 @@ START_TEST(test_csv_headers) {
   gives_with(&csv, &space, "0,1,2\n", "1 1 0,1,2$\nend");
   gives_with(&csv, &space, "x_m,y_m,z_m\n0,1,2\n", "1 2 0,1,2$\nend");
 }
-END_TEST
 
-START_TEST(test_csv_bad_headers) {
+PH_TEST(test_csv_bad_headers) {
   gives("a.csv", "x,yy\n",
         "1 1 unknown-field 1:3 column \"yy\" is unknown to planar; "
         "did you mean \"y\"? (--columns can skip it)\nstopped");
@@ -104,10 +101,9 @@ START_TEST(test_csv_bad_headers) {
              "1 1 unknown-field 1:7 column \"knot\" is unknown to spatial "
              "(--columns can skip it)\nstopped");
 }
-END_TEST
 
 /* Vectors of the plane have no third column. */
-START_TEST(test_csv_plane) {
+PH_TEST(test_csv_plane) {
   struct ph_split_options named = {PH_SPLIT_CSV, 0, "x,y,tx,ty"};
   gives_with(&csv, &plane, "0,1\n2,3\n", "1 1 0,1$2,3$\nend");
   gives_with(&csv, &plane, "x,y,tx,ty\n0,1,2,3\n", "1 2 0,1,2,3$\nend");
@@ -129,9 +125,8 @@ START_TEST(test_csv_plane) {
              "1 1 missing-field 1:1 column \"ty\" is missing: tc needs it for "
              "tangents\nstopped");
 }
-END_TEST
 
-START_TEST(test_csv_lonlat) {
+PH_TEST(test_csv_lonlat) {
   gives_with(&csv, &sphere, "lat,LON\n0,1\n", "1 2 0,1$\nend");
   gives_with(&csv, &sphere, "Longitude,latitude\n0,1\n", "1 2 0,1$\nend");
   gives_with(&csv, &sphere, "# lon, lat\n0,1\n", "1 2 0,1$\nend");
@@ -154,9 +149,8 @@ START_TEST(test_csv_lonlat) {
              "--columns=lat,lon must say which of its 2 columns is which\n"
              "stopped");
 }
-END_TEST
 
-START_TEST(test_csv_broken) {
+PH_TEST(test_csv_broken) {
   gives("a.csv", "x,y\n0,1\n2,\"3\n4,5\n",
         "1 2 syntax 3:3 the quote that begins this cell is never closed\n"
         "stopped");
@@ -167,9 +161,8 @@ START_TEST(test_csv_broken) {
         "1 1 syntax 1:1 the quote that begins this cell is "
         "never closed\nstopped");
 }
-END_TEST
 
-START_TEST(test_csv_options) {
+PH_TEST(test_csv_options) {
   struct ph_split_options options = {PH_SPLIT_AUTO, 0, "x,y,-,-"};
   gives_with(&options, &schema, "0,1,2,3\n", "1 1 0,1,2,3$\nend");
   /* A header is skipped when it is one. */
@@ -194,7 +187,6 @@ START_TEST(test_csv_options) {
   gives_with(&options, &schema, "\"a;b\";0;1\n\"a;b\";1;2\n",
              "1 1 \"a;b\";0;1$\"a;b\";1;2$\nend");
 }
-END_TEST
 
 static void ck_usage(const struct ph_split_options *options, const char *field,
                      const char *message) {
@@ -209,7 +201,7 @@ static void ck_usage(const struct ph_split_options *options, const char *field,
   ph_split_free(&split);
 }
 
-START_TEST(test_usage) {
+PH_TEST(test_usage) {
   struct ph_split_options options = {PH_SPLIT_AUTO, 0, "x,yy"};
   ck_usage(&options, "--columns",
            "column \"yy\" is unknown to planar; did you mean \"y\"?");
@@ -224,23 +216,7 @@ START_TEST(test_usage) {
   options.delimiter = '"';
   ck_usage(&options, "--delimiter", "must be neither a quote nor a line break");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("split_csv");
-  TCase *tc = tcase_create("split_csv");
-  tcase_add_checked_fixture(tc, setup, finish);
-  tcase_add_test(tc, test_csv_records);
-  tcase_add_test(tc, test_csv_comments);
-  tcase_add_test(tc, test_csv_headers);
-  tcase_add_test(tc, test_csv_bad_headers);
-  tcase_add_test(tc, test_csv_plane);
-  tcase_add_test(tc, test_csv_lonlat);
-  tcase_add_test(tc, test_csv_broken);
-  tcase_add_test(tc, test_csv_options);
-  tcase_add_test(tc, test_usage);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(setup, finish, test_csv_records, test_csv_comments,
+              test_csv_headers, test_csv_bad_headers, test_csv_plane,
+              test_csv_lonlat, test_csv_broken, test_csv_options, test_usage)

@@ -48,7 +48,7 @@ static const struct {
     {PH_INTERNAL, "internal", 5},
 };
 
-START_TEST(test_codes) {
+PH_TEST(test_codes) {
   ck_assert_uint_eq(sizeof expected / sizeof expected[0], PH_STATUS_N);
   for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
     enum ph_status status = expected[i].status;
@@ -56,10 +56,9 @@ START_TEST(test_codes) {
     ck_assert_int_eq((int)ph_status_class(status), expected[i].exit_status);
   }
 }
-END_TEST
 
 /* A code is one word, lower case, no other's; a meaning is one line. */
-START_TEST(test_form) {
+PH_TEST(test_form) {
   const char *letters = "abcdefghijklmnopqrstuvwxyz-";
   for (int i = 0; i < PH_STATUS_N; i++) {
     const char *code = ph_status_code((enum ph_status)i);
@@ -74,10 +73,9 @@ START_TEST(test_form) {
     }
   }
 }
-END_TEST
 
 /* Only warnings call themselves so. */
-START_TEST(test_warnings) {
+PH_TEST(test_warnings) {
   for (int i = 0; i < PH_STATUS_N; i++) {
     const char *meaning = ph_status_meaning((enum ph_status)i);
     bool warning = i == PH_REVERSAL || i == PH_LOOP || i == PH_AMBIGUOUS ||
@@ -88,16 +86,5 @@ START_TEST(test_warnings) {
     ck_assert_int_eq(strncmp(meaning, "warning: ", 9) == 0, warning);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("status");
-  TCase *tc = tcase_create("status");
-  tcase_add_test(tc, test_codes);
-  tcase_add_test(tc, test_form);
-  tcase_add_test(tc, test_warnings);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_codes, test_form, test_warnings)

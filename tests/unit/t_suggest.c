@@ -23,7 +23,7 @@ static int utf8(const char *text, size_t n) {
 
 /* The definition of RFC 3629: encode every code point, and count what is
  * accepted of all sequences of three bytes, and of four with a last 0x80. */
-START_TEST(test_utf8_against_definition) {
+PH_TEST(test_utf8_against_definition) {
   long good2 = 0;
   long good3 = 0;
   long good4 = 0;
@@ -42,9 +42,8 @@ START_TEST(test_utf8_against_definition) {
   ck_assert_int_eq(good3, 0x10000 - 0x800 - 0x800); /* no surrogates */
   ck_assert_int_eq(good4, 0x100000 / 64);
 }
-END_TEST
 
-START_TEST(test_utf8) {
+PH_TEST(test_utf8) {
   ck_assert_int_eq(utf8("a", 1), 1);
   ck_assert_int_eq(utf8("\0", 1), 1);
   ck_assert_int_eq(utf8("\xC3\xA4", 2), 2);
@@ -63,7 +62,6 @@ START_TEST(test_utf8) {
   ck_assert_int_eq(utf8("\xF0\x9F\x98", 3), -1);
   ck_assert_int_eq(utf8("\xE2x", 2), 0);
 }
-END_TEST
 
 static void ck_excerpt(const char *text, size_t n, const char *expected) {
   char excerpt[PH_EXCERPT_MAX];
@@ -72,7 +70,7 @@ static void ck_excerpt(const char *text, size_t n, const char *expected) {
   free(copy);
 }
 
-START_TEST(test_excerpt) {
+PH_TEST(test_excerpt) {
   ck_excerpt("", 0, "");
   ck_excerpt("abc", 3, "abc");
   ck_excerpt("a\0b\n\x1b[0m\x7f", 9, "a\\x00b\\x0a\\x1b[0m\\x7f");
@@ -85,16 +83,14 @@ START_TEST(test_excerpt) {
   ck_excerpt("123456789012345678901234567890123456789\xC3\xA4", 41,
              "123456789012345678901234567890123456789...");
 }
-END_TEST
 
-START_TEST(test_word_is) {
+PH_TEST(test_word_is) {
   ck_assert(ph_word_is("Points", 6, "points"));
   ck_assert(ph_word_is("", 0, ""));
   ck_assert(!ph_word_is("point", 5, "points"));
   ck_assert(!ph_word_is("points", 6, "point"));
   ck_assert(!ph_word_is("po\0nts", 6, "po"));
 }
-END_TEST
 
 static const char *meant(const char *word, const char *names) {
   static char clause[PH_DID_YOU_MEAN_MAX];
@@ -105,7 +101,7 @@ static const char *meant(const char *word, const char *names) {
   return clause;
 }
 
-START_TEST(test_did_you_mean) {
+PH_TEST(test_did_you_mean) {
   const char *names = "points|closed|basis|knots|id";
   ck_assert_str_eq(meant("pints", names), "; did you mean \"points\"?");
   ck_assert_str_eq(meant("ponits", names), "; did you mean \"points\"?");
@@ -126,19 +122,6 @@ START_TEST(test_did_you_mean) {
                    "; did you mean \"knots\"?");
   ck_assert_str_eq(meant("pointspointspointspointspointspoints", names), "");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("suggest");
-  TCase *tc = tcase_create("suggest");
-  tcase_set_timeout(tc, 60);
-  tcase_add_test(tc, test_utf8_against_definition);
-  tcase_add_test(tc, test_utf8);
-  tcase_add_test(tc, test_excerpt);
-  tcase_add_test(tc, test_word_is);
-  tcase_add_test(tc, test_did_you_mean);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_utf8_against_definition, test_utf8, test_excerpt, test_word_is,
+         test_did_you_mean)

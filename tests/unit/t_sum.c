@@ -15,20 +15,18 @@ static double sum_of(const double *x, size_t n) {
   return ph_sum_value(&sum);
 }
 
-START_TEST(test_nothing) {
+PH_TEST(test_nothing) {
   ck_abs(sum_of(NULL, 0), 0, 0);
 }
-END_TEST
 
 /* Plain summation gives 0; so does Kahan's without Neumaier's comparison. */
-START_TEST(test_cancellation) {
+PH_TEST(test_cancellation) {
   const double x[] = {1, 1e100, 1, -1e100};
   ck_abs(sum_of(x, 4), 2, 0);
 }
-END_TEST
 
 /* A tenth, a million times: plain summation misses by 1.3e-6. */
-START_TEST(test_many) {
+PH_TEST(test_many) {
   struct ph_sum sum = {0, 0};
   for (int i = 0; i < 1000000; i++) {
     ph_sum_add(&sum, 0.1);
@@ -36,10 +34,9 @@ START_TEST(test_many) {
   /* 1e6 times the double next to 0.1, correctly rounded */
   ck_rel(ph_sum_value(&sum), 1e5, DBL_EPSILON);
 }
-END_TEST
 
 /* Numbers with their negatives in another order, and one left over. */
-START_TEST(test_pairs) {
+PH_TEST(test_pairs) {
   enum { PAIRS = 500 };
   struct unit_random r = unit_random_of(1);
   for (int trial = 0; trial < 100; trial++) {
@@ -60,17 +57,5 @@ START_TEST(test_pairs) {
                   sum_of(x, 2 * PAIRS + 1), extra);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sum");
-  TCase *tc = tcase_create("sum");
-  tcase_add_test(tc, test_nothing);
-  tcase_add_test(tc, test_cancellation);
-  tcase_add_test(tc, test_many);
-  tcase_add_test(tc, test_pairs);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_nothing, test_cancellation, test_many, test_pairs)

@@ -33,7 +33,7 @@ static struct ph_tc tc_of(double re0, double im0, double re1, double im1) {
 /* ---- legs and control points -------------------------------------------- */
 
 /* Some eps of the length, also of short parts at either end. */
-START_TEST(test_leg) {
+PH_TEST(test_leg) {
   struct unit_random r = unit_random_of(1);
   int n = unit_count(CUBICS);
   for (int i = 0; i < n; i++) {
@@ -48,9 +48,8 @@ START_TEST(test_leg) {
            8 * DBL_EPSILON * ph_tc_length(&head));
   }
 }
-END_TEST
 
-START_TEST(test_control_points) {
+PH_TEST(test_control_points) {
   struct unit_random r = unit_random_of(3);
   int n = unit_count(CUBICS);
   for (int i = 0; i < n; i++) {
@@ -71,10 +70,9 @@ START_TEST(test_control_points) {
     }
   }
 }
-END_TEST
 
 /* An end that the leg misses is met all the same, with the right directions. */
-START_TEST(test_control_points_missed_end) {
+PH_TEST(test_control_points_missed_end) {
   struct ph_tc tc = tc_of(1, 0.5, -0.25, 1);
   ph_cplx start = {7, -3}, end = ph_cplx_add(start, ph_tc_leg(&tc)), p[4];
   end.re += 1e-3;
@@ -86,9 +84,8 @@ START_TEST(test_control_points_missed_end) {
     ck_abs(unit_distance(ph_cplx_scale(3, leg), square), 0, 1e-14);
   }
 }
-END_TEST
 
-START_TEST(test_parts) {
+PH_TEST(test_parts) {
   struct unit_random r = unit_random_of(4);
   int n = unit_count(CUBICS);
   for (int i = 0; i < n; i++) {
@@ -106,11 +103,10 @@ START_TEST(test_parts) {
     ck_abs(turning, ph_tc_turning(&tc), 1e-12);
   }
 }
-END_TEST
 
 /* ---- length, turning, curvature ----------------------------------------- */
 
-START_TEST(test_known) {
+PH_TEST(test_known) {
   /* [BYR11, ex. 1]: 6 wide, tangents at -45 and 45 degrees */
   double leg = 6 / (1 + sqrt(2)), size = sqrt(3 * leg);
   ph_cplx w0 = ph_cplx_scale(size, ph_cplx_polar(-PH_PI / 8));
@@ -129,7 +125,6 @@ START_TEST(test_known) {
   ck_rel(ph_tc_turning(&loop), -1.5 * PH_PI, 1e-15);
   ck_assert(ph_tc_has_loop(&loop));
 }
-END_TEST
 
 /* 2 K/|w|^4 */
 static double curvature(const struct ph_tc *tc, double t) {
@@ -138,7 +133,7 @@ static double curvature(const struct ph_tc *tc, double t) {
 }
 
 /* Curvature is the turning over the length, of a short part. */
-START_TEST(test_curvature) {
+PH_TEST(test_curvature) {
   struct unit_random r = unit_random_of(5);
   int n = unit_count(CUBICS);
   for (int i = 0; i < n; i++) {
@@ -156,9 +151,8 @@ START_TEST(test_curvature) {
     ck_rel(at, mean, change + rounding);
   }
 }
-END_TEST
 
-START_TEST(test_vertex) {
+PH_TEST(test_vertex) {
   struct unit_random r = unit_random_of(6);
   int n = unit_count(CUBICS), inner = 0;
   for (int i = 0; i < n; i++) {
@@ -174,9 +168,8 @@ START_TEST(test_vertex) {
   ck_assert_int_gt(inner, n / 4);
   ck_assert_int_lt(inner, n);
 }
-END_TEST
 
-START_TEST(test_vertex_known) {
+PH_TEST(test_vertex_known) {
   const struct ph_tc even = tc_of(0.5, -0.5, 0.5, 0.5);
   const struct ph_tc quarter = tc_of(1, -0.25, 1, 0.75);
   const struct ph_tc slower = tc_of(2, 0, 1, 0.5), faster = tc_of(1, 0.5, 2, 0);
@@ -187,11 +180,10 @@ START_TEST(test_vertex_known) {
   ck_abs(ph_tc_vertex(&faster), 0, 0);
   ck_abs(ph_tc_vertex(&same), 0, 0);
 }
-END_TEST
 
 /* ---- regular, loops ----------------------------------------------------- */
 
-START_TEST(test_regular) {
+PH_TEST(test_regular) {
   const double inf = (double)INFINITY, nan = (double)NAN;
   const struct {
     struct ph_tc tc;
@@ -216,7 +208,6 @@ START_TEST(test_regular) {
                   energy);
   }
 }
-END_TEST
 
 /* The parameters of the double point of the unbounded cubic [BYR11, (5.16),
  * (5.17)]: (A - R -+ sqrt3 |K|)/M, with differences of w that do not cancel. */
@@ -229,7 +220,7 @@ static void double_point(const struct ph_tc *tc, double t[2]) {
 }
 
 /* A loop is where both are on it; the formula is tested with it. */
-START_TEST(test_has_loop) {
+PH_TEST(test_has_loop) {
   struct unit_random r = unit_random_of(7);
   int n = unit_count(10 * CUBICS), loops = 0;
   for (int i = 0; i < n; i++) {
@@ -249,11 +240,10 @@ START_TEST(test_has_loop) {
   }
   ck_assert_int_gt(loops, n / 50);
 }
-END_TEST
 
 /* Straight to rounding: no loop, though the inequality without R < 0 says so of
  * the last two; and a cusp is none. */
-START_TEST(test_no_loop) {
+PH_TEST(test_no_loop) {
   const struct ph_tc none[] = {
       tc_of(0.1, 0.7, 0.1, 0.7),
       tc_of(0.1, 0.7, -0.1, -0.7),
@@ -266,14 +256,13 @@ START_TEST(test_no_loop) {
     ck_assert_msg(!ph_tc_has_loop(&none[i]), "%zu", i);
   }
 }
-END_TEST
 
 /* ---- bending energy ----------------------------------------------------- */
 
 /* From the closed form of the integrals with 110 digits; what is measured is
  * 7.1e-16 here, and 1.2e-15 over 24000 random cubics with sweeps from 1e-12 to
  * pi - 1e-4 and ratios |w1|/|w0| from 1e-3 to 1e3. */
-START_TEST(test_energy_table) {
+PH_TEST(test_energy_table) {
   static const double cases[][4] = {
       /* w0, w1, energy; sweep and ratio of moduli: */
       {1, 1, 0x1.19799812dea11p-40, 3.9999999999999998e-24}, /* 1e-12, 1 */
@@ -320,11 +309,10 @@ START_TEST(test_energy_table) {
     ck_rel(ph_tc_energy(&negated), c[3], 2e-15);
   }
 }
-END_TEST
 
 /* Straight lines bend not at all, and a sweep that is almost none by its
  * square: nothing in between underflows. */
-START_TEST(test_energy_small) {
+PH_TEST(test_energy_small) {
   const struct ph_tc line = tc_of(0.3, 0.4, 0.6, 0.8);
   ck_abs(ph_tc_energy(&line), 0, 0);
   for (int i = 20; i <= 150; i += 10) {
@@ -333,11 +321,10 @@ START_TEST(test_energy_small) {
     ck_rel(ph_tc_energy(&tc) / sweep / sweep, 4, 1e-14);
   }
 }
-END_TEST
 
 /* What the parts bend adds up, though cut so that they use other formulas; and
  * no curve of this length turns so far with less. */
-START_TEST(test_energy_adds) {
+PH_TEST(test_energy_adds) {
   struct unit_random r = unit_random_of(8);
   int n = unit_count(CUBICS);
   for (int i = 0; i < n; i++) {
@@ -355,28 +342,8 @@ START_TEST(test_energy_adds) {
                         turning * turning);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc");
-  TCase *tc = tcase_create("tc");
-  tcase_set_timeout(tc, 60);
-  tcase_add_test(tc, test_leg);
-  tcase_add_test(tc, test_control_points);
-  tcase_add_test(tc, test_control_points_missed_end);
-  tcase_add_test(tc, test_parts);
-  tcase_add_test(tc, test_known);
-  tcase_add_test(tc, test_curvature);
-  tcase_add_test(tc, test_vertex);
-  tcase_add_test(tc, test_vertex_known);
-  tcase_add_test(tc, test_regular);
-  tcase_add_test(tc, test_has_loop);
-  tcase_add_test(tc, test_no_loop);
-  tcase_add_test(tc, test_energy_table);
-  tcase_add_test(tc, test_energy_small);
-  tcase_add_test(tc, test_energy_adds);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_leg, test_control_points, test_control_points_missed_end,
+         test_parts, test_known, test_curvature, test_vertex, test_vertex_known,
+         test_regular, test_has_loop, test_no_loop, test_energy_table,
+         test_energy_small, test_energy_adds)

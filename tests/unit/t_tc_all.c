@@ -128,7 +128,7 @@ static void check_first(const struct ph_result *r) {
 /* ---- products ------------------------------------------------------------ */
 
 /* Pairs have four curves in each interval. */
-START_TEST(test_splines) {
+PH_TEST(test_splines) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < unit_count(10); i++) {
     bool closed = i % 2;
@@ -153,10 +153,9 @@ START_TEST(test_splines) {
     unit_tc_free(&s);
   }
 }
-END_TEST
 
 /* One cubic has two, of which one has a loop [BYR11, example 1]. */
-START_TEST(test_one_interval) {
+PH_TEST(test_one_interval) {
   double v[] = {0, 1, 6, 1}, tangents[] = {1, -1, 1, 1};
   struct unit_tc_solved s = spline_of(v, 2, "all");
   const struct ph_result *r = &s.result;
@@ -177,11 +176,10 @@ START_TEST(test_one_interval) {
   }
   unit_tc_free(&s);
 }
-END_TEST
 
 /* Each interval the same: all curves of the second are those of the first,
  * moved. */
-START_TEST(test_combinations) {
+PH_TEST(test_combinations) {
   double v[] = {0, 1, 6, 1, 12, 1}, tangents[] = {1, -1, 1, 1, 1, -1};
   struct unit_tc_solved s = spline_of(v, 3, "all");
   size_t seen[2][2] = {{0, 0}, {0, 0}};
@@ -202,11 +200,10 @@ START_TEST(test_combinations) {
   ck_assert_uint_eq(check_good(&s), 0);
   unit_tc_free(&s);
 }
-END_TEST
 
 /* The best curves of the intervals may cross each other: then good is not
  * first. */
-START_TEST(test_good_is_not_first) {
+PH_TEST(test_good_is_not_first) {
   struct unit_random r = unit_random_of(3);
   size_t later = 0;
   for (int i = 0; i < 40; i++) {
@@ -226,7 +223,6 @@ START_TEST(test_good_is_not_first) {
   }
   ck_assert_uint_gt(later, 0);
 }
-END_TEST
 
 /* ---- limits -------------------------------------------------------------- */
 
@@ -238,7 +234,7 @@ static void too_many(struct unit_tc_solved *s) {
 }
 
 /* 4^6 curves, and 4^7. */
-START_TEST(test_most_curves) {
+PH_TEST(test_most_curves) {
   struct unit_tc_solved s = spline_of(zigzag, 7, "all");
   set_zigzag();
   unit_tc_solve_ok(&s);
@@ -248,11 +244,10 @@ START_TEST(test_most_curves) {
   s = spline_of(zigzag, 8, "all");
   too_many(&s);
 }
-END_TEST
 
 /* Twelve intervals with two cubics and some with one, a line: 2^12 curves of
  * sixteen intervals, and no more. */
-START_TEST(test_most_intervals) {
+PH_TEST(test_most_intervals) {
   for (size_t lines = 4; lines <= 5; lines++) {
     double tangents[2 * ROOM], v[2 * ROOM];
     size_t n = 12 + lines;
@@ -275,10 +270,9 @@ START_TEST(test_most_intervals) {
     }
   }
 }
-END_TEST
 
 /* Of one curve there may be too many intervals, too. */
-START_TEST(test_long_line) {
+PH_TEST(test_long_line) {
   size_t n = PH_TC_ALL_INTERVALS + 2;
   double *v = calloc(2 * n, sizeof *v);
   struct unit_tc_solved s = spline_of(v, n, "all");
@@ -289,12 +283,11 @@ START_TEST(test_long_line) {
   too_many(&s);
   free(v);
 }
-END_TEST
 
 /* ---- failures and crossings ---------------------------------------------- */
 
 /* An interval without a curve. */
-START_TEST(test_none) {
+PH_TEST(test_none) {
   double v[] = {0, 1, 6, 1, 12, 1}, tangents[] = {1, -1, 1, 1, 1, 1};
   struct unit_tc_solved s = spline_of(v, 3, "all");
   *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(tangents, 3);
@@ -303,7 +296,6 @@ START_TEST(test_none) {
                   "no Tschirnhausen cubic has angles");
   unit_tc_free(&s);
 }
-END_TEST
 
 /* The curve of one interval by itself. */
 static struct ph_curve part_of(const struct ph_result *r, size_t k) {
@@ -320,7 +312,7 @@ static struct ph_curve part_of(const struct ph_result *r, size_t k) {
 }
 
 /* Crossings are those of the first curve, by interval. */
-START_TEST(test_crossings) {
+PH_TEST(test_crossings) {
   struct unit_random r = unit_random_of(4);
   size_t seen[3] = {0, 0, 0};
   for (int i = 0; i < 40; i++) {
@@ -354,22 +346,7 @@ START_TEST(test_crossings) {
     ck_assert_uint_gt(seen[n], 0);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_all");
-  TCase *tc = tcase_create("tc_all");
-  tcase_add_test(tc, test_splines);
-  tcase_add_test(tc, test_one_interval);
-  tcase_add_test(tc, test_combinations);
-  tcase_add_test(tc, test_good_is_not_first);
-  tcase_add_test(tc, test_most_curves);
-  tcase_add_test(tc, test_most_intervals);
-  tcase_add_test(tc, test_long_line);
-  tcase_add_test(tc, test_none);
-  tcase_add_test(tc, test_crossings);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_splines, test_one_interval, test_combinations,
+         test_good_is_not_first, test_most_curves, test_most_intervals,
+         test_long_line, test_none, test_crossings)

@@ -135,35 +135,32 @@ static void check_known(const struct known *k, double tolerance, size_t most) {
 }
 
 /* Half of what bisection takes, and a fraction of 200 pairs. */
-START_TEST(test_counts) {
+PH_TEST(test_counts) {
   check_known(&waves[0], 1e-3, 12);
   check_known(&waves[0], 1e-6, 58);
   check_known(&waves[1], 1e-6, 56);
   check_known(&quarter, 1e-1, 1);
   check_known(&quarter, 1e-6, 10);
 }
-END_TEST
 
-START_TEST(test_smooth) {
+PH_TEST(test_smooth) {
   for (size_t i = 0; i < COUNT(smooth); i++) {
     check_known(&smooth[i], 1e-2, 4);
     check_known(&smooth[i], 1e-5, 20);
     check_known(&smooth[i], 1e-7, 60);
   }
 }
-END_TEST
 
-START_TEST(test_turning) {
+PH_TEST(test_turning) {
   for (size_t i = 0; i < COUNT(turning); i++) {
     check_known(&turning[i], 1e-1, 6);
     check_known(&turning[i], 1e-3, 12);
     check_known(&turning[i], 1e-6, 24);
   }
 }
-END_TEST
 
 /* The bound is near the distance where curves run side by side. */
-START_TEST(test_tight) {
+PH_TEST(test_tight) {
   for (size_t i = 0; i < COUNT(waves); i++) {
     struct ph_arena arena = {NULL};
     struct ph_tc_arcs arcs = {.arena = &arena};
@@ -173,9 +170,8 @@ START_TEST(test_tight) {
     ph_arena_free(&arena);
   }
 }
-END_TEST
 
-START_TEST(test_straight) {
+PH_TEST(test_straight) {
   const struct known lines[] = {
       {"degree 1", 1, {{0, 0}, {1, .5}}},
       {"degree 5",
@@ -192,11 +188,10 @@ START_TEST(test_straight) {
     check_known(&lines[i], 1e-12, 1);
   }
 }
-END_TEST
 
 /* A Tschirnhausen cubic is one, also where it turns by more than a half turn.
  */
-START_TEST(test_own) {
+PH_TEST(test_own) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < unit_count(200); i++) {
     double size = unit_random_in(&r, .3, 3), turn = unit_random_in(&r, -2, 2);
@@ -211,10 +206,9 @@ START_TEST(test_own) {
     check_known(&own, 1e-11, 1);
   }
 }
-END_TEST
 
 /* The tangents at the ends, also of a curve that stands still there. */
-START_TEST(test_end_tangents) {
+PH_TEST(test_end_tangents) {
   for (size_t i = 0; i < COUNT(smooth); i++) {
     struct ph_arena arena = {NULL};
     struct ph_tc_arcs arcs = {.arena = &arena};
@@ -237,16 +231,14 @@ START_TEST(test_end_tangents) {
     ph_arena_free(&arena);
   }
 }
-END_TEST
 
 /* Without a tolerance to speak of: one cubic or a pair; two for closed ones. */
-START_TEST(test_huge_tolerance) {
+PH_TEST(test_huge_tolerance) {
   for (size_t i = 0; i < COUNT(smooth); i++) {
     check_known(&smooth[i], 1e3, 2);
   }
   check_known(&waves[0], 1e3, 2);
 }
-END_TEST
 
 static void random_curve(struct unit_random *r, size_t degree, ph_cplx *p) {
   bool wave = unit_random_below(r, 2) == 1;
@@ -259,7 +251,7 @@ static void random_curve(struct unit_random *r, size_t degree, ph_cplx *p) {
   }
 }
 
-START_TEST(test_random) {
+PH_TEST(test_random) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < unit_count(60); i++) {
     struct ph_arena arena = {NULL};
@@ -276,7 +268,6 @@ START_TEST(test_random) {
     ph_arena_free(&arena);
   }
 }
-END_TEST
 
 /* ---- symmetry ----------------------------------------------------------- */
 
@@ -316,7 +307,7 @@ static void check_moved(const struct known *k, double tolerance, ph_cplx by,
   ph_arena_free(&arena);
 }
 
-START_TEST(test_symmetry) {
+PH_TEST(test_symmetry) {
   const struct known *all[] = {&waves[0],  &waves[1],  &quarter,
                                &smooth[1], &smooth[4], &turning[0]};
   for (size_t i = 0; i < COUNT(all); i++) {
@@ -329,11 +320,10 @@ START_TEST(test_symmetry) {
     }
   }
 }
-END_TEST
 
 /* ---- numbers of cubics -------------------------------------------------- */
 
-START_TEST(test_pieces) {
+PH_TEST(test_pieces) {
   const struct ph_tc_bezier chain[2] = {bezier(&waves[0]), bezier(&quarter)};
   double before = 1e9;
   for (size_t pieces = 2; pieces <= 128; pieces *= 2) {
@@ -360,27 +350,22 @@ START_TEST(test_pieces) {
   }
   ck_assert(before < 1e-7);
 }
-END_TEST
 
 /* A line takes one cubic, however many there may be. */
-START_TEST(test_pieces_of_line) {
+PH_TEST(test_pieces_of_line) {
   const ph_cplx p[] = {{0, 0}, {1, .5}};
   const struct ph_tc_bezier line = {p, 1, 0};
-  struct ph_arena arena = {NULL};
-  struct ph_tc_arcs arcs = {.arena = &arena};
+  struct ph_tc_arcs arcs = {.arena = &unit_arena};
   struct ph_diag diag;
   size_t first[2];
   ck_assert_int_eq(
       ph_tc_approximate_pieces(&line, 1, 100, 0, &arcs, first, &diag), PH_OK);
   ck_assert_uint_eq(arcs.n, 1);
-  ph_arena_free(&arena);
 }
-END_TEST
 
-START_TEST(test_too_few_pieces) {
+PH_TEST(test_too_few_pieces) {
   const struct ph_tc_bezier closed = bezier(&smooth[4]);
-  struct ph_arena arena = {NULL};
-  struct ph_tc_arcs arcs = {.arena = &arena};
+  struct ph_tc_arcs arcs = {.arena = &unit_arena};
   struct ph_diag diag;
   size_t first[2];
   ck_assert_int_eq(
@@ -388,9 +373,7 @@ START_TEST(test_too_few_pieces) {
       PH_BAD_VALUE);
   ck_assert_str_eq(diag.field, "pieces");
   ck_assert_str_eq(diag.message, "is too few: the fewest cubics found are 2");
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- limits ------------------------------------------------------------- */
 
@@ -405,7 +388,7 @@ static void check_refused(const struct ph_tc_bezier *curve, double tolerance,
   ph_arena_free(&arena);
 }
 
-START_TEST(test_refused) {
+PH_TEST(test_refused) {
   const struct ph_tc_bezier curve = bezier(&quarter);
   const ph_cplx same[] = {{1, 1}, {1, 1}, {1, 1}};
   const struct ph_tc_bezier point = {same, 2, 0}, none = {same, 0, 0};
@@ -415,23 +398,18 @@ START_TEST(test_refused) {
   check_refused(&point, 1e-3, "within the tolerance");
   check_refused(&none, 1e-3, "degree 0");
 }
-END_TEST
 
 /* Near rounding it ends, with a curve that is as near as it says. */
-START_TEST(test_near_rounding) {
-  struct ph_arena arena = {NULL};
-  struct ph_tc_arcs arcs = {.arena = &arena};
+PH_TEST(test_near_rounding) {
+  struct ph_tc_arcs arcs = {.arena = &unit_arena};
   struct ph_tc_bezier curve = bezier(&quarter);
   approximate(quarter.name, &curve, 1e-12, &arcs);
   ck_assert_uint_le(arcs.n, 400);
-  ph_arena_free(&arena);
 }
-END_TEST
 
-START_TEST(test_high_degree) {
+PH_TEST(test_high_degree) {
   static ph_cplx p[POINTS_MAX];
-  struct ph_arena arena = {NULL};
-  struct ph_tc_arcs arcs = {.arena = &arena};
+  struct ph_tc_arcs arcs = {.arena = &unit_arena};
   struct ph_tc_bezier curve = {p, 100, 0};
   for (size_t k = 0; k <= 100; k++) {
     p[k] = ph_cplx_polar(.06 * (double)k);
@@ -439,32 +417,9 @@ START_TEST(test_high_degree) {
   approximate("degree 100", &curve, 1e-3, &arcs);
   ck_assert_uint_le(arcs.n, 8);
   ck_assert(unit_arcs_distance(&curve, &arcs) <= arcs.distance);
-  ph_arena_free(&arena);
-}
-END_TEST
-
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_approx");
-  TCase *tc = tcase_create("tc_approx");
-  tcase_set_timeout(tc, 120);
-  tcase_add_test(tc, test_counts);
-  tcase_add_test(tc, test_smooth);
-  tcase_add_test(tc, test_turning);
-  tcase_add_test(tc, test_tight);
-  tcase_add_test(tc, test_straight);
-  tcase_add_test(tc, test_own);
-  tcase_add_test(tc, test_end_tangents);
-  tcase_add_test(tc, test_huge_tolerance);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_symmetry);
-  tcase_add_test(tc, test_pieces);
-  tcase_add_test(tc, test_pieces_of_line);
-  tcase_add_test(tc, test_too_few_pieces);
-  tcase_add_test(tc, test_refused);
-  tcase_add_test(tc, test_near_rounding);
-  tcase_add_test(tc, test_high_degree);
-  suite_add_tcase(s, tc);
-  return s;
 }
 
-PH_TEST_MAIN(suite)
+PH_TESTS(test_counts, test_smooth, test_turning, test_tight, test_straight,
+         test_own, test_end_tangents, test_huge_tolerance, test_random,
+         test_symmetry, test_pieces, test_pieces_of_line, test_too_few_pieces,
+         test_refused, test_near_rounding, test_high_degree)

@@ -22,7 +22,7 @@ static double bound_of(const ph_cplx *q, size_t degree, const ph_cplx c[4]) {
 }
 
 /* A line is a line, at whatever speed it is travelled. */
-START_TEST(test_line) {
+PH_TEST(test_line) {
   struct unit_random r = unit_random_of(1);
   for (size_t n = 1; n <= DEGREE_MAX; n++) {
     ph_cplx q[DEGREE_MAX + 1], c[4], d = {.8, -.6};
@@ -38,21 +38,19 @@ START_TEST(test_line) {
     ck_abs(bound_of(q, n, c), 0, 1e-13);
   }
 }
-END_TEST
 
 /* Parallel lines, and one that goes further: the distance is known. */
-START_TEST(test_known) {
+PH_TEST(test_known) {
   const ph_cplx q[] = {{0, .01}, {1, .01}}, longer[] = {{-.02, 0}, {1.03, 0}};
   const ph_cplx c[4] = {{0, 0}, {1 / 3.0, 0}, {2 / 3.0, 0}, {1, 0}};
   ck_rel(bound_of(q, 1, c), .01, 1e-12);
   ck_rel(bound_of(longer, 1, c), .03, 1e-12);
 }
-END_TEST
 
 /* A part of its own cubic, at another speed: y = x^2 as (x, x^2) with x a
  * quadratic of the parameter is of degree 4.  psi finds it exactly, and keeps
  * it in all halves. */
-START_TEST(test_speed) {
+PH_TEST(test_speed) {
   const double e = .2; /* x = u + e u (1 - u) */
   const ph_cplx c[4] = {{0, 0}, {1 / 3.0, 0}, {2 / 3.0, 1 / 3.0}, {1, 1}};
   const ph_cplx q[5] = {{0, 0},
@@ -62,10 +60,9 @@ START_TEST(test_speed) {
                         {1, 1}};
   ck_abs(bound_of(q, 4, c), 0, 1e-14);
 }
-END_TEST
 
 /* Not below the distance, and not far above where both run side by side. */
-START_TEST(test_random) {
+PH_TEST(test_random) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < unit_count(100); i++) {
     struct ph_tc tc = {{ph_cplx_polar(unit_random_in(&r, -.4, .4)),
@@ -89,7 +86,6 @@ START_TEST(test_random) {
     ck_assert_msg(bound <= 1.15 * sampled + 1e-12, "%g and %g", sampled, bound);
   }
 }
-END_TEST
 
 /* ---- inflections -------------------------------------------------------- */
 
@@ -103,7 +99,7 @@ static size_t inflections(const ph_cplx *p, size_t degree, double *u) {
   return n;
 }
 
-START_TEST(test_inflections) {
+PH_TEST(test_inflections) {
   const ph_cplx s[] = {{0, 0}, {.5, 0}, {.5, 1}, {1, 1}};
   const ph_cplx arch[] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
   const ph_cplx line[] = {{0, 0}, {.1, .05}, {.7, .35}, {1, .5}};
@@ -115,10 +111,9 @@ START_TEST(test_inflections) {
   ck_assert_uint_eq(inflections(line, 3, u), 0);
   ck_assert_uint_eq(inflections(parabola, 2, u), 0);
 }
-END_TEST
 
 /* The graph of a polynomial y with y'' = (u - 1/5) (u - 3/4) has two. */
-START_TEST(test_inflections_of_graph) {
+PH_TEST(test_inflections_of_graph) {
   const double a = .2, b = .75;
   /* y = u^4/12 - (a + b) u^3/6 + a b u^2/2 */
   const double power[5] = {0, 0, a * b / 2, -(a + b) / 6, 1.0 / 12};
@@ -139,20 +134,6 @@ START_TEST(test_inflections_of_graph) {
   ck_abs(u[0], a, 0x1p-31);
   ck_abs(u[1], b, 0x1p-31);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_approx_bound");
-  TCase *tc = tcase_create("tc_approx_bound");
-  tcase_set_timeout(tc, 120);
-  tcase_add_test(tc, test_line);
-  tcase_add_test(tc, test_known);
-  tcase_add_test(tc, test_speed);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_inflections);
-  tcase_add_test(tc, test_inflections_of_graph);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_line, test_known, test_speed, test_random, test_inflections,
+         test_inflections_of_graph)

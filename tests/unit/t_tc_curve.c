@@ -95,7 +95,7 @@ static void ck_hodograph(const double *w, double x, double y, double scale) {
 static const double SCALES[] = {1e-300, 1, 1e300};
 
 /* Legs of 1/3 of the first and the last derivative; the rest is between. */
-START_TEST(test_one) {
+PH_TEST_EACH(test_one, 3) {
   const double scale = SCALES[_i];
   const struct ph_tc_fit fit = line();
   struct built b;
@@ -124,9 +124,8 @@ START_TEST(test_one) {
   ck_rel(b.curve.length, b.curve.lengths[0], 0);
   ph_arena_free(&b.arena);
 }
-END_TEST
 
-START_TEST(test_two) {
+PH_TEST_EACH(test_two, 3) {
   const double scale = SCALES[_i];
   const struct ph_tc_fit fit = bent();
   struct built b;
@@ -161,7 +160,6 @@ START_TEST(test_two) {
   ck_rel(b.builder.residual, BENT_MISS, 4 * DBL_EPSILON);
   ph_arena_free(&b.arena);
 }
-END_TEST
 
 /* ---- diagnostics --------------------------------------------------------- */
 
@@ -173,7 +171,7 @@ static const uint64_t ALWAYS =
     (uint64_t)1 << PH_D_ITERATIONS | (uint64_t)1 << PH_D_RESIDUAL;
 
 /* One interval tells what is known of its fit, and nothing else. */
-START_TEST(test_diagnostics_one) {
+PH_TEST_EACH(test_diagnostics_one, 3) {
   struct ph_tc_fit fits[] = {line(), bent(), bent()};
   const double *value;
   struct built b;
@@ -193,10 +191,9 @@ START_TEST(test_diagnostics_one) {
   ck_rel(value[PH_D_LAMBDA], _i == 1 ? 0.75 : 0, 0);
   ph_arena_free(&b.arena);
 }
-END_TEST
 
 /* A lambda of the whole problem is told of any number of intervals. */
-START_TEST(test_diagnostics_spline) {
+PH_TEST_EACH(test_diagnostics_spline, 2) {
   struct ph_tc_fit fit = bent();
   struct built b;
   fit.lambda = (double)NAN;
@@ -210,13 +207,12 @@ START_TEST(test_diagnostics_spline) {
   ck_rel(b.diagnostics.value[PH_D_LAMBDA], 0.5, 0);
   ph_arena_free(&b.arena);
 }
-END_TEST
 
 /* ---- several intervals --------------------------------------------------- */
 
 /* One cubic and two, in either order: where they are, what they are, and that
  * the largest misfit is kept. */
-START_TEST(test_several) {
+PH_TEST_EACH(test_several, 2) {
   struct ph_tc_fit one = line(), two = bent();
   const struct ph_interval *interval;
   struct built b;
@@ -262,11 +258,10 @@ START_TEST(test_several) {
   ck_assert(b.diagnostics.known == ALWAYS);
   ph_arena_free(&b.arena);
 }
-END_TEST
 
 /* The last interval of closed data ends in the first point, to the last bit,
  * though the repeated last point is another one. */
-START_TEST(test_closed) {
+PH_TEST(test_closed) {
   const struct given given[GIVEN_MAX] = {
       {PH_F_POINTS, VECTORS(2, 0.1, 0.7, 3, 4, 1, 5, 0.1, 0.7 + DBL_EPSILON)},
       CLOSED};
@@ -285,19 +280,6 @@ START_TEST(test_closed) {
   ck_rel(b.curve.control_points[47], 0.7, 0);
   ph_arena_free(&b.arena);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_curve");
-  TCase *tc = tcase_create("tc_curve");
-  tcase_add_loop_test(tc, test_one, 0, 3);
-  tcase_add_loop_test(tc, test_two, 0, 3);
-  tcase_add_loop_test(tc, test_diagnostics_one, 0, 3);
-  tcase_add_loop_test(tc, test_diagnostics_spline, 0, 2);
-  tcase_add_loop_test(tc, test_several, 0, 2);
-  tcase_add_test(tc, test_closed);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_one, test_two, test_diagnostics_one, test_diagnostics_spline,
+         test_several, test_closed)

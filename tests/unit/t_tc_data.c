@@ -67,7 +67,7 @@ static const struct {
     {{POINTS, END_DERIVATIVES(1, 0, 0, 1)}, PH_TC_SPLINE},
 };
 
-START_TEST(test_mode) {
+PH_TEST_EACH(test_mode, sizeof MODES / sizeof MODES[0]) {
   const struct ph_problem problem = unit_problem_of(MODES[_i].given);
   enum ph_tc_mode mode;
   struct ph_diag diag;
@@ -75,7 +75,6 @@ START_TEST(test_mode) {
   ck_assert_msg(status == PH_OK, "%s: %s", diag.field, diag.message);
   ck_assert_int_eq(mode, MODES[_i].mode);
 }
-END_TEST
 
 /* ---- failures ------------------------------------------------------------ */
 
@@ -312,18 +311,15 @@ static const struct {
      "gets a derivative that is too large beside the chord from points[1]"},
 };
 
-START_TEST(test_failure) {
-  struct ph_arena arena = {0};
+PH_TEST_EACH(test_failure, sizeof FAILURES / sizeof FAILURES[0]) {
   struct ph_tc_data data;
   struct ph_diag diag;
-  ck_assert_int_eq(unit_tc_read(FAILURES[_i].given, &arena, &data, &diag),
+  ck_assert_int_eq(unit_tc_read(FAILURES[_i].given, &unit_arena, &data, &diag),
                    FAILURES[_i].status);
   ck_assert_int_eq(diag.status, FAILURES[_i].status);
   ck_assert_str_eq(diag.field, FAILURES[_i].field);
   ck_assert_str_eq(diag.message, FAILURES[_i].message);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- vectors ------------------------------------------------------------- */
 
@@ -370,9 +366,8 @@ static const struct {
      {5, 5, 12, 15}},
 };
 
-START_TEST(test_spline) {
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = unit_tc_given(SPLINES[_i].given, &arena);
+PH_TEST_EACH(test_spline, sizeof SPLINES / sizeof SPLINES[0]) {
+  struct ph_tc_data d = unit_tc_given(SPLINES[_i].given, &unit_arena);
   ck_assert_uint_eq(d.points_n, 4);
   ck_assert_uint_eq(d.n, d.closed ? 4 : 3);
   ck_assert(d.c1);
@@ -383,13 +378,11 @@ START_TEST(test_spline) {
     ck_cplx(d.vector[k], ph_cplx_scale(ldexp(length, d.exponent), t),
             4 * DBL_EPSILON);
   }
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Of equally spaced points of a circle, (5.24) and the rule for the ends give
  * its tangents; the chords do not. */
-START_TEST(test_circle) {
+PH_TEST_EACH(test_circle, 2) {
   double v[10];
   for (size_t i = 0; i < 5; i++) {
     v[2 * i] = 7 + 3 * cos(0.3 + 0.5 * (double)i);
@@ -399,8 +392,7 @@ START_TEST(test_circle) {
       {PH_F_POINTS, {.kind = PH_VECTORS, .v = v, .n = 5, .dimension = 2}},
       ENDS(_i ? "circle" : "chord")};
   const double length = 0.5 * 6 * sin(0.25), turned = _i ? 0 : 0.25;
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = unit_tc_given(given, &arena);
+  struct ph_tc_data d = unit_tc_given(given, &unit_arena);
   for (size_t k = 0; k < 5; k++) {
     double end = k == 0 ? turned : k == 4 ? -turned : 0;
     double angle = PH_PI / 2 + 0.3 + 0.5 * (double)k + end;
@@ -408,28 +400,23 @@ START_TEST(test_circle) {
             ph_cplx_scale(ldexp(length, d.exponent), ph_cplx_polar(angle)),
             4 * DBL_EPSILON);
   }
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Two points have no circle: the chord. */
-START_TEST(test_circle_of_two) {
-  struct ph_arena arena = {0};
+PH_TEST(test_circle_of_two) {
   struct ph_tc_data d = unit_tc_given(
       (struct given[GIVEN_MAX]){{PH_F_POINTS, VECTORS(2, 1, 1, 4, 5)},
                                 ENDS("circle")},
-      &arena);
+      &unit_arena);
   for (size_t k = 0; k < 2; k++) {
     ck_cplx(d.vector[k],
             ph_cplx_of(ldexp(1.5, d.exponent), ldexp(2, d.exponent)),
             DBL_EPSILON);
   }
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Vectors of closed data, also with a last point that repeats the first. */
-START_TEST(test_closed) {
+PH_TEST_EACH(test_closed, 5) {
   const struct given GIVEN[][GIVEN_MAX] = {
       {POINTS, CLOSED, {PH_F_TANGENTS, VECTORS(2, 3, 4, 0, 2, -5, 0)}},
       {RING, CLOSED, {PH_F_TANGENTS, VECTORS(2, 3, 4, 0, 2, -5, 0)}},
@@ -440,8 +427,7 @@ START_TEST(test_closed) {
        {PH_F_DERIVATIVES, VECTORS(2, .6, .8, 0, 1, -1, 0, .6, .8)}},
   };
   static const ph_cplx VECTOR[] = {{0.6, 0.8}, {0, 1}, {-1, 0}};
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = unit_tc_given(GIVEN[_i], &arena);
+  struct ph_tc_data d = unit_tc_given(GIVEN[_i], &unit_arena);
   const int scale = d.c1 ? d.exponent : 0;
   ck_assert(d.c1 == (_i >= 3));
   ck_assert(d.closed && isnan(d.lambda));
@@ -453,61 +439,53 @@ START_TEST(test_closed) {
   }
   ck_cplx(ph_tc_point(&d, 2), ph_cplx_of(1, 1), 0);
   ck_cplx(ph_tc_point(&d, 3), ph_cplx_of(0, 0), 0);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* What else the fields say. */
-START_TEST(test_choices) {
+PH_TEST(test_choices) {
   static const char *const WORDS[] = {"best", "standard", "all"};
   static const enum ph_tc_choice CHOICES[] = {PH_TC_BEST, PH_TC_STANDARD,
                                               PH_TC_ALL};
-  struct ph_arena arena = {0};
   struct ph_tc_data d;
   for (size_t i = 0; i < 3; i++) {
     d = unit_tc_given(
         (struct given[GIVEN_MAX]){POINTS, {PH_F_SOLUTIONS, WORD(WORDS[i])}},
-        &arena);
+        &unit_arena);
     ck_assert_int_eq(d.choice, CHOICES[i]);
   }
-  d = unit_tc_given((struct given[GIVEN_MAX]){POINTS, TANGENTS}, &arena);
+  d = unit_tc_given((struct given[GIVEN_MAX]){POINTS, TANGENTS}, &unit_arena);
   ck_assert_int_eq(d.choice, PH_TC_BEST);
   ck_assert(!d.on_chord && !d.c1 && isnan(d.joint_angle) &&
             isnan(d.joint_position));
   d = unit_tc_given(
       (struct given[GIVEN_MAX]){ON_CHORD, {PH_F_JOINT_ANGLE, NUMBER(-6)}},
-      &arena);
+      &unit_arena);
   ck_assert(d.on_chord && isnan(d.joint_position));
   ck_rel(d.joint_angle, -6, 0);
   d = unit_tc_given(
       (struct given[GIVEN_MAX]){ON_CHORD, {PH_F_JOINT_POSITION, NUMBER(0.125)}},
-      &arena);
+      &unit_arena);
   ck_assert(d.on_chord && isnan(d.joint_angle));
   ck_rel(d.joint_position, 0.125, 0);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Points that are just far enough from each other. */
-START_TEST(test_near) {
+PH_TEST_EACH(test_near, 3) {
   const struct given GIVEN[][GIVEN_MAX] = {
       {{PH_F_POINTS, VECTORS(2, 1, 0, 1 + 5 * DBL_EPSILON, 0)}},
       {{PH_F_POINTS, VECTORS(2, 0, 0, 1e-139, 0, 1, 0)},
        {PH_F_TANGENTS, VECTORS(2, 1, 0, 1, 0, 1, 0)}},
       {{PH_F_POINTS, VECTORS(2, 0, 0, 4e-12, 0, 1, 0)}}};
   static const double CHORD[] = {5 * DBL_EPSILON, 1e-139, 4e-12};
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = unit_tc_given(GIVEN[_i], &arena);
+  struct ph_tc_data d = unit_tc_given(GIVEN[_i], &unit_arena);
   ck_rel(ldexp(d.chord[0], -d.exponent), CHORD[_i], DBL_EPSILON);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- scales -------------------------------------------------------------- */
 
 /* The polygon with its derivatives, times a scale: at unit scale no coordinate
  * reaches 1/2, and what is over the chords does not know the scale. */
-START_TEST(test_scale) {
+PH_TEST_EACH(test_scale, 3) {
   static const double SCALES[] = {1e-300, 1, 1e300};
   static const double POINT[] = {0, 0, 3, 4, 3, 16, -12, 16};
   static const double VECTOR[] = {6, 8, -4, 3, 0, 12, 3, -4};
@@ -526,8 +504,7 @@ START_TEST(test_scale) {
       {PH_F_DERIVATIVES,
        {.kind = PH_VECTORS, .v = vectors, .n = 4, .dimension = 2}},
       CLOSED};
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = unit_tc_given(given, &arena);
+  struct ph_tc_data d = unit_tc_given(given, &unit_arena);
   double largest = ph_pow2_apply(d.to_unit, points[5]);
   ck_assert_int_eq(d.exponent % 2, 0);
   ck_assert(largest >= 0.125 && largest < 0.5);
@@ -544,44 +521,22 @@ START_TEST(test_scale) {
   /* along the chord to rounding is along the chord */
   ck_rel(ph_tc_hermite_of(&d, 0).t[0].im, 0, 0);
   ck_rel(ph_tc_hermite_of(&d, 1).t[1].im, 0, 0);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Tangents are of length 1 over every chord, whatever their own length. */
-START_TEST(test_tangent_length) {
-  struct ph_arena arena = {0};
+PH_TEST(test_tangent_length) {
   struct ph_tc_data d = unit_tc_given(
       (struct given[GIVEN_MAX]){
           {PH_F_POINTS, VECTORS(2, 0, 0, 3, 4, 3, 16)},
           {PH_F_TANGENTS, VECTORS(2, 4e-320, 0, -1.2e308, 1.6e308, -30, -40)}},
-      &arena);
+      &unit_arena);
   struct ph_tc_hermite h = ph_tc_hermite_of(&d, 0);
   ck_cplx(h.t[0], ph_cplx_of(0.6, -0.8), 4 * DBL_EPSILON);
   ck_cplx(h.t[1], ph_cplx_of(0.28, 0.96), 4 * DBL_EPSILON);
   h = ph_tc_hermite_of(&d, 1);
   ck_cplx(h.t[0], ph_cplx_of(0.8, 0.6), 4 * DBL_EPSILON);
   ck_cplx(h.t[1], ph_cplx_of(-0.8, 0.6), 4 * DBL_EPSILON);
-  ph_arena_free(&arena);
-}
-END_TEST
-
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_data");
-  TCase *tc = tcase_create("tc_data");
-  tcase_add_loop_test(tc, test_mode, 0, sizeof MODES / sizeof MODES[0]);
-  tcase_add_loop_test(tc, test_failure, 0,
-                      sizeof FAILURES / sizeof FAILURES[0]);
-  tcase_add_loop_test(tc, test_spline, 0, sizeof SPLINES / sizeof SPLINES[0]);
-  tcase_add_loop_test(tc, test_circle, 0, 2);
-  tcase_add_test(tc, test_circle_of_two);
-  tcase_add_loop_test(tc, test_closed, 0, 5);
-  tcase_add_test(tc, test_choices);
-  tcase_add_loop_test(tc, test_near, 0, 3);
-  tcase_add_loop_test(tc, test_scale, 0, 3);
-  tcase_add_test(tc, test_tangent_length);
-  suite_add_tcase(s, tc);
-  return s;
 }
 
-PH_TEST_MAIN(suite)
+PH_TESTS(test_mode, test_failure, test_spline, test_circle, test_circle_of_two,
+         test_closed, test_choices, test_near, test_scale, test_tangent_length)

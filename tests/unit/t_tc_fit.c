@@ -31,7 +31,7 @@ static void expect_order(const struct ph_tc_fit *fits, size_t n,
 
 /* [BYR11, ex. 5] over its chord: z of the four pairs; measures by Gauss
  * quadrature of the curvature. */
-START_TEST(test_measure) {
+PH_TEST(test_measure) {
   const ph_cplx w0 = {1.20354814503777, 0.49852596464362514};
   const ph_cplx w2 = {1.1273066988401768, 0.266121012417165};
   const ph_cplx z[4] = {{0.28613298450635427, -0.5808823156467595},
@@ -67,9 +67,8 @@ START_TEST(test_measure) {
   ph_tc_fit_order(fits, 4);
   expect_order(fits, 4, number);
 }
-END_TEST
 
-START_TEST(test_measure_irregular) {
+PH_TEST(test_measure_irregular) {
   struct ph_tc_fit fit = {.tc = {line, cusp}, .n = 2};
   ph_tc_fit_measure(&fit);
   ck_assert(!fit.regular);
@@ -78,11 +77,10 @@ START_TEST(test_measure_irregular) {
   ck_assert_ptr_null(ph_tc_fit_best(&fit, 1));
   ck_assert_ptr_null(ph_tc_fit_best(&fit, 0));
 }
-END_TEST
 
 /* Simple ones first whatever they bend, then the other regular ones, then the
  * rest as they were. */
-START_TEST(test_order_classes) {
+PH_TEST(test_order_classes) {
   struct ph_tc_fit fits[] = {
       fit_of(&cusp, 0, (double)INFINITY, 1),
       fit_of(&loop, 1, 3, 1),
@@ -98,20 +96,18 @@ START_TEST(test_order_classes) {
     ck_assert_int_eq(fits[i].simple, i < 2);
   }
 }
-END_TEST
 
-START_TEST(test_best_without_simple) {
+PH_TEST(test_best_without_simple) {
   struct ph_tc_fit fits[] = {fit_of(&cusp, 0, 0, 1), fit_of(&loop, 1, 3, 1),
                              fit_of(&loop, 2, 2, 1)};
   struct ph_tc_fit *best = ph_tc_fit_best(fits, 3);
   ck_assert_ptr_eq(best, &fits[2]);
   ck_assert(!best->simple);
 }
-END_TEST
 
 /* One that is not simple hides none of the same energy, and an energy that is
  * no number hides none at all. */
-START_TEST(test_best_behind) {
+PH_TEST(test_best_behind) {
   struct ph_tc_fit fits[] = {fit_of(&cusp, 0, (double)NAN, 1),
                              fit_of(&loop, 1, 2, 1), fit_of(&loop, 2, 2, 1),
                              fit_of(&line, 3, 2, 1), fit_of(&line, 4, 3, 0.5)};
@@ -120,10 +116,9 @@ START_TEST(test_best_behind) {
   ph_tc_fit_order(fits, 5);
   expect_order(fits, 5, number);
 }
-END_TEST
 
 /* Energies that agree: the shorter; lengths that agree too: the first. */
-START_TEST(test_order_ties) {
+PH_TEST(test_order_ties) {
   struct ph_tc_fit fits[] = {
       fit_of(&line, 0, 5, 4),
       fit_of(&line, 1, 5 * (1 - 0.9e-9), 4 * (1 - 0.9e-9)),
@@ -137,11 +132,10 @@ START_TEST(test_order_ties) {
   ph_tc_fit_order(fits, 6);
   expect_order(fits, 6, number);
 }
-END_TEST
 
 /* Neighbours agree, the outer ones do not: the one of least energy says which
  * others agree with it, in whichever order they come. */
-START_TEST(test_order_chain) {
+PH_TEST(test_order_chain) {
   static const size_t come[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
                                     {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
   const size_t number[] = {1, 0, 2};
@@ -160,10 +154,9 @@ START_TEST(test_order_chain) {
     expect_order(fits, 3, number);
   }
 }
-END_TEST
 
 /* A loop at the least energy does not say who agrees. */
-START_TEST(test_best_chain_with_loop) {
+PH_TEST(test_best_chain_with_loop) {
   struct ph_tc_fit fits[] = {
       fit_of(&loop, 0, 1, 3),
       fit_of(&line, 1, 1 + 0.8e-9, 2),
@@ -171,7 +164,6 @@ START_TEST(test_best_chain_with_loop) {
   };
   ck_assert_ptr_eq(ph_tc_fit_best(fits, 3), &fits[2]);
 }
-END_TEST
 
 /* A few values, or some that differ by about the tolerance. */
 static double random_measure(struct unit_random *r) {
@@ -179,7 +171,7 @@ static double random_measure(struct unit_random *r) {
   return 1 + step * (double)unit_random_below(r, 4);
 }
 
-START_TEST(test_best_is_first) {
+PH_TEST(test_best_is_first) {
   const struct ph_tc *tc[] = {&line, &line, &loop, &cusp};
   struct unit_random r = unit_random_of(1);
   int n = unit_count(SETS);
@@ -205,23 +197,7 @@ START_TEST(test_best_is_first) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_fit");
-  TCase *tc = tcase_create("tc_fit");
-  tcase_set_timeout(tc, 60);
-  tcase_add_test(tc, test_measure);
-  tcase_add_test(tc, test_measure_irregular);
-  tcase_add_test(tc, test_order_classes);
-  tcase_add_test(tc, test_best_without_simple);
-  tcase_add_test(tc, test_best_behind);
-  tcase_add_test(tc, test_order_ties);
-  tcase_add_test(tc, test_order_chain);
-  tcase_add_test(tc, test_best_chain_with_loop);
-  tcase_add_test(tc, test_best_is_first);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_measure, test_measure_irregular, test_order_classes,
+         test_best_without_simple, test_best_behind, test_order_ties,
+         test_order_chain, test_best_chain_with_loop, test_best_is_first)

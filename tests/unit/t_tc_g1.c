@@ -111,7 +111,7 @@ static const struct {
     {-11 * PH_PI / 12, 3 * PH_PI / 5, 6.0827625302982193, 0, 0, {{0, 0, 0}}},
 };
 
-START_TEST(test_known) {
+PH_TEST_EACH(test_known, sizeof KNOWN / sizeof KNOWN[0]) {
   struct ph_tc_fit fits[2];
   double a = KNOWN[_i].a, b = KNOWN[_i].b, chord = KNOWN[_i].chord;
   struct ph_tc_count wanted = {(unsigned)(KNOWN[_i].n - KNOWN[_i].loops),
@@ -130,10 +130,9 @@ START_TEST(test_known) {
     ck_assert(fits[i].simple == (fits[i].loops == 0));
   }
 }
-END_TEST
 
 /* Tangents along the chord: a line if both are forward. */
-START_TEST(test_straight) {
+PH_TEST(test_straight) {
   struct ph_tc_fit fits[2];
   ck_assert_uint_eq(solve(0, 0, fits), 1);
   ck_assert_int_eq(fits[0].root, PH_ROOT_STRAIGHT);
@@ -156,13 +155,12 @@ START_TEST(test_straight) {
     }
   }
 }
-END_TEST
 
 /* ---- borders ------------------------------------------------------------- */
 
 /* One tangent along the chord: what is printed for D and G, up to the angles
  * where G = 0. */
-START_TEST(test_along) {
+PH_TEST_EACH(test_along, 4) {
   static const double near[] = {-1, -1e-3, -1e-9, 1e-9, 1e-3, 1};
   const bool backward = _i & 1, first = _i & 2;
   const double border = backward ? PH_PI / 3 : 2 * PH_PI / 3;
@@ -191,10 +189,9 @@ START_TEST(test_along) {
   ck_assert_uint_eq(
       first ? solve(along, border, fits) : solve(border, along, fits), 0);
 }
-END_TEST
 
 /* The tangents 1e-15 off the chord are along it, those 1e-13 off are not. */
-START_TEST(test_snap) {
+PH_TEST(test_snap) {
   struct ph_tc_fit fits[2], snapped[2];
   for (int i = 0; i < 4; i++) {
     double along = i & 1 ? PH_PI : 0, off = i & 2 ? 1e-15 : -1e-15;
@@ -209,11 +206,10 @@ START_TEST(test_snap) {
   ck_assert(!fits[1].regular && !fits[1].simple);
   ck_assert(fits[0].regular && fits[0].loops == 1);
 }
-END_TEST
 
 /* Along the border of existence, the two solutions are one: two nearer the
  * chord, none beyond. */
-START_TEST(test_double_root) {
+PH_TEST(test_double_root) {
   for (int i = 1; i < 100; i++) {
     double d = i * PH_PI / 300, p = asin(2 * sin(d) / sqrt(3));
     struct ph_tc_fit fits[2];
@@ -226,10 +222,9 @@ START_TEST(test_double_root) {
     ck_count(p - d, p + d, ph_tc_g1_count(p - d, p + d), count_fits(fits, 2));
   }
 }
-END_TEST
 
 /* Tangents 2 pi/3 apart: only one of the two solutions is not closed. */
-START_TEST(test_sixty_degrees) {
+PH_TEST(test_sixty_degrees) {
   struct ph_tc_fit fits[2];
   for (int i = -60; i < 60; i++) {
     double p = (i + 0.5) * PH_PI / 60, d = PH_PI / 3;
@@ -239,7 +234,6 @@ START_TEST(test_sixty_degrees) {
     ck_assert(n == 0 || unit_tc_miss(&fits[0]) <= 1e-15);
   }
 }
-END_TEST
 
 /* ---- number -------------------------------------------------------------- */
 
@@ -305,7 +299,7 @@ static struct ph_tc_count search(double a, double b, int steps) {
 }
 
 /* A search on a grid that is on no border. */
-START_TEST(test_search) {
+PH_TEST(test_search) {
   const int n = 42, steps = unit_count(3000);
   for (int i = 0; i < n; i++) {
     for (int j = 0; j < n; j++) {
@@ -315,11 +309,10 @@ START_TEST(test_search) {
     }
   }
 }
-END_TEST
 
 /* What is solved has the number that the angles say; on a grid with angles 0
  * and pi, and with others near them. */
-START_TEST(test_count) {
+PH_TEST(test_count) {
   const int n = unit_count(200);
   struct ph_tc_fit fits[2];
   for (int i = -n; i <= n; i++) {
@@ -330,9 +323,8 @@ START_TEST(test_count) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_count_near_chord) {
+PH_TEST(test_count_near_chord) {
   struct ph_tc_fit fits[2];
   for (int k = 0; k < 48; k++) {
     double off = pow(10, -1 - k / 4) * (k & 1 ? 1 : -1);
@@ -344,7 +336,6 @@ START_TEST(test_count_near_chord) {
     }
   }
 }
-END_TEST
 
 /* Of b or b + a turn or b - a turn, whether it is in a range. */
 static bool is_in(double b, const double range[2]) {
@@ -353,7 +344,7 @@ static bool is_in(double b, const double range[2]) {
          (b - 2 * PH_PI > range[0] && b - 2 * PH_PI < range[1]);
 }
 
-START_TEST(test_range) {
+PH_TEST(test_range) {
   const int n = unit_count(200);
   for (int i = -n; i <= n; i++) {
     double a = i * PH_PI / n, range[2];
@@ -368,10 +359,9 @@ START_TEST(test_range) {
     }
   }
 }
-END_TEST
 
 /* Just inside and just beyond both ends. */
-START_TEST(test_range_ends) {
+PH_TEST(test_range_ends) {
   const int n = unit_count(3000);
   for (int i = -n; i <= n; i++) {
     double a = i * PH_PI / n, range[2];
@@ -385,10 +375,9 @@ START_TEST(test_range_ends) {
     }
   }
 }
-END_TEST
 
 /* The angle 0 in the middle of a range. */
-START_TEST(test_range_zero) {
+PH_TEST(test_range_zero) {
   struct ph_tc_fit fits[2];
   for (int i = -100; i <= 100; i++) {
     double a = i * PH_PI / 100;
@@ -397,7 +386,6 @@ START_TEST(test_range_zero) {
     ck_assert(n == 0 || (fits[0].loops == 1) == (i != 0));
   }
 }
-END_TEST
 
 /* ---- solutions ----------------------------------------------------------- */
 
@@ -414,7 +402,7 @@ static double random_angle(struct unit_random *r) {
   }
 }
 
-START_TEST(test_residual) {
+PH_TEST(test_residual) {
   struct unit_random r = unit_random_of(1);
   double worst = 0, turned = 0;
   for (int i = 0; i < unit_count(20000); i++) {
@@ -434,10 +422,9 @@ START_TEST(test_residual) {
   ck_assert_msg(worst <= 4e-15, "seed %lu: %.3g", unit_seed(), worst);
   ck_assert_msg(turned <= 1e-15, "seed %lu: %.3g", unit_seed(), turned);
 }
-END_TEST
 
 /* A cubic is among the solutions for its own tangents. */
-START_TEST(test_own) {
+PH_TEST(test_own) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < unit_count(5000); i++) {
     ph_cplx first = unit_random_cplx(&r, 1);
@@ -460,13 +447,12 @@ START_TEST(test_own) {
     ck_assert_msg(apart <= 1e-6, "seed %lu, %d: %.3g", unit_seed(), i, apart);
   }
 }
-END_TEST
 
 /* What differs by a rounding of the data, near a border. */
 #define SENSITIVE 1e-7
 
 /* From the other end and in a mirror: the same curves in the same order. */
-START_TEST(test_seen) {
+PH_TEST(test_seen) {
   struct unit_random r = unit_random_of(3);
   for (int i = 0; i < unit_count(5000); i++) {
     double a = unit_random_in(&r, -PH_PI, PH_PI);
@@ -494,11 +480,10 @@ START_TEST(test_seen) {
     }
   }
 }
-END_TEST
 
 /* No loop comes first; of two alike the one that bends less, which is the one
  * with |D| nearer to 1. */
-START_TEST(test_order) {
+PH_TEST(test_order) {
   struct unit_random r = unit_random_of(4);
   int alike = 0;
   for (int i = 0; i < unit_count(20000); i++) {
@@ -516,30 +501,8 @@ START_TEST(test_order) {
   }
   ck_assert_int_gt(alike, 0);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_g1");
-  TCase *tc = tcase_create("tc_g1");
-  tcase_set_timeout(tc, 60);
-  tcase_add_loop_test(tc, test_known, 0, sizeof KNOWN / sizeof KNOWN[0]);
-  tcase_add_test(tc, test_straight);
-  tcase_add_loop_test(tc, test_along, 0, 4);
-  tcase_add_test(tc, test_snap);
-  tcase_add_test(tc, test_double_root);
-  tcase_add_test(tc, test_sixty_degrees);
-  tcase_add_test(tc, test_search);
-  tcase_add_test(tc, test_count);
-  tcase_add_test(tc, test_count_near_chord);
-  tcase_add_test(tc, test_range);
-  tcase_add_test(tc, test_range_ends);
-  tcase_add_test(tc, test_range_zero);
-  tcase_add_test(tc, test_residual);
-  tcase_add_test(tc, test_own);
-  tcase_add_test(tc, test_seen);
-  tcase_add_test(tc, test_order);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_known, test_straight, test_along, test_snap, test_double_root,
+         test_sixty_degrees, test_search, test_count, test_count_near_chord,
+         test_range, test_range_ends, test_range_zero, test_residual, test_own,
+         test_seen, test_order)

@@ -74,10 +74,9 @@ static const struct {
              {-2.5, -0.99e-6, 1, 1, 2, 0}, /* the same from the other end */
              {-2.5, -1.01e-6, 1, 1, 1, 0}};
 
-START_TEST(test_modes) {
+PH_TEST_EACH(test_modes, sizeof CASES / sizeof CASES[0]) {
   const double a = CASES[_i].a, b = CASES[_i].b;
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = data_of(PH_TC_G1, a, b, &arena);
+  struct ph_tc_data d = data_of(PH_TC_G1, a, b, &unit_arena);
   const struct ph_tc_hermite h = ph_tc_hermite_of(&d, 0);
   struct ph_tc_fit fits[2], fit, pair;
   struct ph_diag diag;
@@ -98,18 +97,15 @@ START_TEST(test_modes) {
   ck_assert_uint_eq(fit.n, CASES[_i].automatic);
   ck_same(&fit, fit.n == 1 ? &fits[0] : &pair);
   ck_assert(fit.simple);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* g1-auto takes a loop-free cubic, g1-fair it or the pair: the smaller F. */
-START_TEST(test_fair) {
+PH_TEST(test_fair) {
   struct unit_random r = unit_random_of(1);
-  struct ph_arena arena = {0};
   size_t singles = 0, pairs = 0;
   for (int i = 0; i < unit_count(200); i++) {
     double a = unit_random_in(&r, -2, 2), b = unit_random_in(&r, -2, 2);
-    struct ph_tc_data d = data_of(PH_TC_G1_PAIR, a, b, &arena);
+    struct ph_tc_data d = data_of(PH_TC_G1_PAIR, a, b, &unit_arena);
     const struct ph_tc_hermite h = ph_tc_hermite_of(&d, 0);
     struct ph_tc_fit fits[2], pair = solved(&d), fair, either;
     bool one = ph_tc_g1(&h, fits) > 0 && fits[0].loops == 0;
@@ -122,23 +118,20 @@ START_TEST(test_fair) {
     ck_same(&fair, one ? &fits[0] : &pair);
     singles += fair.n == 1;
     pairs += fair.n == 2 && either.n == 1;
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_uint_gt(singles, 0);
   ck_assert_uint_gt(pairs, 0);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* A lambda makes derivatives of the tangents; a single cubic does not mind. */
-START_TEST(test_lambda) {
-  struct ph_arena arena = {0};
+PH_TEST_EACH(test_lambda, 2) {
   const struct given given[GIVEN_MAX] = {
       {PH_F_MODE, WORD(_i == 0 ? "g1-pair" : "g1-auto")},
       CHORD,
       {PH_F_TANGENTS, VECTORS(2, 3, 4, 3, -4)},
       {PH_F_LAMBDA, NUMBER(0.75)}};
-  struct ph_tc_data d = unit_tc_given(given, &arena);
+  struct ph_tc_data d = unit_tc_given(given, &unit_arena);
   struct ph_tc_fit fit = solved(&d);
   ck_assert_uint_eq(fit.n, _i == 0 ? 2 : 1);
   for (size_t k = 0; k < 2; k++) {
@@ -147,9 +140,7 @@ START_TEST(test_lambda) {
     ck_assert(v.re > 0);
     ck_assert(unit_near(ph_cplx_abs(v), 0.75, 1e-14) == (_i == 0));
   }
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- choices ------------------------------------------------------------- */
 
@@ -177,9 +168,8 @@ static struct ph_tc_data c1_of(const double v[4], const char *solutions,
   return unit_tc_given(given, arena);
 }
 
-START_TEST(test_standard) {
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = c1_of(CHOICES[_i].v, "best", &arena);
+PH_TEST_EACH(test_standard, sizeof CHOICES / sizeof CHOICES[0]) {
+  struct ph_tc_data d = c1_of(CHOICES[_i].v, "best", &unit_arena);
   struct ph_tc_fit fit = solved(&d);
   ck_assert_int_eq(fit.root, CHOICES[_i].best);
   ck_assert(fit.simple);
@@ -187,28 +177,22 @@ START_TEST(test_standard) {
   fit = solved(&d);
   ck_assert_int_eq(fit.root, CHOICES[_i].standard);
   ck_assert(fit.simple == CHOICES[_i].simple);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Where a derivative is backward the standard pair is the best. */
-START_TEST(test_standard_backward) {
+PH_TEST(test_standard_backward) {
   static const double V[4] = {-2, 0, 1, 1};
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = c1_of(V, "best", &arena);
+  struct ph_tc_data d = c1_of(V, "best", &unit_arena);
   struct ph_tc_fit best = solved(&d), fit;
   d.choice = PH_TC_STANDARD;
   fit = solved(&d);
   ck_same(&fit, &best);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Of tangents the standard pair has lambda 1/2, and the best a lambda of which
  * F is no larger. */
-START_TEST(test_standard_tangents) {
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = data_of(PH_TC_G1_PAIR, 1.5, 0.25, &arena);
+PH_TEST(test_standard_tangents) {
+  struct ph_tc_data d = data_of(PH_TC_G1_PAIR, 1.5, 0.25, &unit_arena);
   struct ph_tc_fit best = solved(&d), fit;
   d.choice = PH_TC_STANDARD;
   fit = solved(&d);
@@ -217,9 +201,7 @@ START_TEST(test_standard_tangents) {
   ck_rel(ph_cplx_abs(unit_tc_end(&fit, 0)), 0.5, 1e-15);
   ck_rel(ph_cplx_abs(unit_tc_end(&best, 1)), best.lambda, 1e-14);
   ck_assert(f_of(&best) < f_of(&fit));
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- on the chord -------------------------------------------------------- */
 
@@ -233,9 +215,8 @@ static struct ph_tc_data on_chord(double angle, struct ph_arena *arena) {
   return unit_tc_given(given, arena);
 }
 
-START_TEST(test_on_chord) {
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = on_chord(-0.75, &arena);
+PH_TEST(test_on_chord) {
+  struct ph_tc_data d = on_chord(-0.75, &unit_arena);
   struct ph_tc_fit fit, fits[PH_TC_FITS_MAX];
   struct ph_diag diag;
   size_t n = 0;
@@ -248,16 +229,13 @@ START_TEST(test_on_chord) {
   ck_assert_int_eq(ph_tc_interval_all(&d, 0, fits, &n, &diag), PH_OK);
   ck_assert_uint_eq(n, 1);
   ck_same(&fits[0], &fit);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- all ----------------------------------------------------------------- */
 
 /* As many as there are, the first of them the one that is given alone. */
-START_TEST(test_all) {
+PH_TEST(test_all) {
   struct unit_random r = unit_random_of(2);
-  struct ph_arena arena = {0};
   for (int i = 0; i < unit_count(100); i++) {
     double v[4];
     struct ph_tc_data d;
@@ -267,8 +245,8 @@ START_TEST(test_all) {
     for (size_t j = 0; j < 4; j++) {
       v[j] = unit_random_in(&r, -2, 2);
     }
-    d = i % 2 == 0 ? c1_of(v, "all", &arena)
-                   : data_of(PH_TC_G1_AUTO, v[0], v[1], &arena);
+    d = i % 2 == 0 ? c1_of(v, "all", &unit_arena)
+                   : data_of(PH_TC_G1_AUTO, v[0], v[1], &unit_arena);
     alone = solved(&d);
     ck_assert_int_eq(ph_tc_interval_all(&d, 0, fits, &n, &diag), PH_OK);
     ck_assert_int_eq(fits[0].root, alone.root);
@@ -288,11 +266,9 @@ START_TEST(test_all) {
         ck_assert(unit_tc_apart(&fits[k], false, false, &fits[j]) > 1e-9);
       }
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- failures ------------------------------------------------------------ */
 
@@ -329,55 +305,47 @@ static const struct {
      "cusp" HAS_TWO},
 };
 
-START_TEST(test_no_g1) {
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = data_of(PH_TC_G1, NO_G1[_i].a, NO_G1[_i].b, &arena);
+PH_TEST_EACH(test_no_g1, sizeof NO_G1 / sizeof NO_G1[0]) {
+  struct ph_tc_data d =
+      data_of(PH_TC_G1, NO_G1[_i].a, NO_G1[_i].b, &unit_arena);
   ck_fails(&d, NO_G1[_i].message);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Along the chord, 3/2 of it, all pairs have cusps; of w0^2 + w2^2 = 3 the
  * standard one has. */
-START_TEST(test_no_pair) {
+PH_TEST(test_no_pair) {
   static const double CUSPS[4] = {1.5, 0, 1.5, 0}, ONE[4] = {1.5, 1, 1.5, -1};
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = c1_of(CUSPS, "best", &arena);
+  struct ph_tc_data d = c1_of(CUSPS, "best", &unit_arena);
   struct ph_tc_fit fit;
   ck_fails(&d, "all four pairs of cubics have a cusp with these derivatives; "
                "other lengths of them do not");
   d.mode = PH_TC_G1_PAIR;
   ck_fails(&d, "all four pairs of cubics have a cusp with this lambda; others "
                "do not");
-  d = c1_of(ONE, "standard", &arena);
+  d = c1_of(ONE, "standard", &unit_arena);
   ck_fails(&d, "the standard pair has a cusp; \"solutions\":\"best\" may have "
                "none");
   d.choice = PH_TC_BEST;
   fit = solved(&d);
   ck_assert(fit.root != PH_ROOT_PLUS_PLUS);
   /* g1-fair has the straight line where the pair fails */
-  d = c1_of(CUSPS, "best", &arena);
+  d = c1_of(CUSPS, "best", &unit_arena);
   d.mode = PH_TC_G1_FAIR;
   fit = solved(&d);
   ck_assert_int_eq(fit.root, PH_ROOT_STRAIGHT);
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* Angles to the chord .927295 and .643501. */
-START_TEST(test_no_joint) {
-  struct ph_arena arena = {0};
-  struct ph_tc_data d = on_chord(1, &arena);
+PH_TEST(test_no_joint) {
+  struct ph_tc_data d = on_chord(1, &unit_arena);
   ck_fails(&d, "no two cubics meet on the chord at the angle 1: it must be "
                "between -3.26149 and 0.071766 modulo 2 pi and between -3.54529 "
                "and 0.0478554 modulo 2 pi, and not 0");
-  ph_arena_free(&arena);
 }
-END_TEST
 
 /* ---- crossings ----------------------------------------------------------- */
 
-START_TEST(test_crossings) {
+PH_TEST(test_crossings) {
   struct ph_tc_crossings crossings = {0, 0};
   struct ph_tc_fit fit = ph_tc_fit_of(1, PH_ROOT_PLUS);
   for (size_t k = 0; k < 9; k++) {
@@ -387,26 +355,7 @@ START_TEST(test_crossings) {
   ck_assert_uint_eq(crossings.n, 3);
   ck_assert_uint_eq(crossings.first, 3);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_interval");
-  TCase *tc = tcase_create("tc_interval");
-  tcase_set_timeout(tc, 60);
-  tcase_add_loop_test(tc, test_modes, 0, sizeof CASES / sizeof CASES[0]);
-  tcase_add_test(tc, test_fair);
-  tcase_add_loop_test(tc, test_lambda, 0, 2);
-  tcase_add_loop_test(tc, test_standard, 0, sizeof CHOICES / sizeof CHOICES[0]);
-  tcase_add_test(tc, test_standard_backward);
-  tcase_add_test(tc, test_standard_tangents);
-  tcase_add_test(tc, test_on_chord);
-  tcase_add_test(tc, test_all);
-  tcase_add_loop_test(tc, test_no_g1, 0, sizeof NO_G1 / sizeof NO_G1[0]);
-  tcase_add_test(tc, test_no_pair);
-  tcase_add_test(tc, test_no_joint);
-  tcase_add_test(tc, test_crossings);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_modes, test_fair, test_lambda, test_standard,
+         test_standard_backward, test_standard_tangents, test_on_chord,
+         test_all, test_no_g1, test_no_pair, test_no_joint, test_crossings)

@@ -124,7 +124,7 @@ static ph_cplx joint_of(const struct ph_tc_fit *fit) {
   return ph_tc_leg(&fit->tc[0]);
 }
 
-START_TEST(test_known) {
+PH_TEST_EACH(test_known, sizeof KNOWN / sizeof KNOWN[0]) {
   static const enum ph_root ROOTS[] = {PH_ROOT_PLUS_PLUS, PH_ROOT_PLUS_MINUS,
                                        PH_ROOT_MINUS_PLUS, PH_ROOT_MINUS_MINUS};
   const double chord = KNOWN[_i].chord;
@@ -151,7 +151,6 @@ START_TEST(test_known) {
   ck_assert_int_eq(fit.root, KNOWN[_i].best);
   ck_assert(fit.simple);
 }
-END_TEST
 
 /* ---- the four pairs ------------------------------------------------------ */
 
@@ -181,7 +180,7 @@ static struct ph_tc_hermite random_data(struct unit_random *r) {
 
 /* They end where they should, with the derivatives given; those of the same w2
  * have the same length, that of rho. */
-START_TEST(test_residual) {
+PH_TEST(test_residual) {
   struct unit_random r = unit_random_of(1);
   double worst = 0, turned = 0, longer = 0;
   for (int i = 0; i < unit_count(20000); i++) {
@@ -204,11 +203,10 @@ START_TEST(test_residual) {
   ck_assert_msg(turned <= 2e-15, "seed %lu: %.3g", unit_seed(), turned);
   ck_assert_msg(longer <= 2e-15, "seed %lu: %.3g", unit_seed(), longer);
 }
-END_TEST
 
 /* A cubic cut in the middle is one of the pairs; the standard one if it turns
  * by less than a half turn. */
-START_TEST(test_cut) {
+PH_TEST(test_cut) {
   struct unit_random r = unit_random_of(2);
   const double half = sqrt(0.5);
   for (int i = 0; i < unit_count(5000); i++) {
@@ -234,10 +232,9 @@ START_TEST(test_cut) {
     ck_assert_msg(apart <= 1e-7, "seed %lu, %d: %.3g", unit_seed(), i, apart);
   }
 }
-END_TEST
 
 /* A joint in 0 is in both signs of w2, and never chosen. */
-START_TEST(test_joint_zero) {
+PH_TEST(test_joint_zero) {
   for (int i = 1; i < 40; i++) {
     double y = i / 10.0, x = 0.3 + i / 25.0;
     struct ph_tc_hermite h = {{{x, y}, {3 - x, -y}}};
@@ -259,10 +256,9 @@ START_TEST(test_joint_zero) {
     ck_assert(best.regular);
   }
 }
-END_TEST
 
 /* Along the chord, 3/2 of it: all pairs have cusps. */
-START_TEST(test_all_irregular) {
+PH_TEST(test_all_irregular) {
   struct ph_tc_hermite h = {{{1.5, 0}, {1.5, 0}}};
   struct ph_tc_fit fits[PH_TC_PAIRS], fit;
   ck_assert(!ph_tc_pair_best(&h, &fit));
@@ -273,10 +269,9 @@ START_TEST(test_all_irregular) {
     ck_abs(unit_tc_miss(&fits[i]), 0, 1e-15);
   }
 }
-END_TEST
 
 /* rho = 0: two pairs are one, and both are given. */
-START_TEST(test_rho_zero) {
+PH_TEST(test_rho_zero) {
   for (int i = 1; i < 20; i++) {
     double y = i / 10.0, x = sqrt((4 * y * y + 6) / 3);
     ph_cplx w = ph_cplx_of(x, y), t = ph_cplx_mul(w, w);
@@ -292,7 +287,6 @@ START_TEST(test_rho_zero) {
     ck_assert(fits[0].root != fits[1].root);
   }
 }
-END_TEST
 
 /* ---- from the other end, in a mirror ------------------------------------- */
 
@@ -338,7 +332,7 @@ static void ck_seen(const struct ph_tc_hermite *h, bool reversed, bool mirrored,
   ck_assert(unit_tc_apart(&y, reversed, mirrored, &x) <= SENSITIVE);
 }
 
-START_TEST(test_seen) {
+PH_TEST(test_seen) {
   struct unit_random r = unit_random_of(3);
   for (int i = 0; i < unit_count(3000); i++) {
     struct ph_tc_hermite h = random_data(&r);
@@ -346,11 +340,10 @@ START_TEST(test_seen) {
     ck_seen(&h, true, false, i);
   }
 }
-END_TEST
 
 /* ---- which --------------------------------------------------------------- */
 
-START_TEST(test_is_safe) {
+PH_TEST(test_is_safe) {
   static const struct {
     double a, from, b, to;
     bool safe;
@@ -366,11 +359,10 @@ START_TEST(test_is_safe) {
     ck_assert(ph_tc_pair_is_safe(&h) == sight[i].safe);
   }
 }
-END_TEST
 
 /* Of safe data the standard pair is simple, and bends least of those that are:
  * others bend less only where the lengths differ by a factor of 30 or so. */
-START_TEST(test_safe) {
+PH_TEST(test_safe) {
   struct unit_random r = unit_random_of(4);
   for (int i = 0; i < unit_count(3000); i++) {
     double a = unit_random_in(&r, -PH_PI / 2, PH_PI / 2);
@@ -389,10 +381,9 @@ START_TEST(test_safe) {
     }
   }
 }
-END_TEST
 
 /* Of others, the one that the order puts first. */
-START_TEST(test_best) {
+PH_TEST(test_best) {
   struct unit_random r = unit_random_of(5);
   int standard = 0;
   for (int i = 0; i < unit_count(3000); i++) {
@@ -412,24 +403,7 @@ START_TEST(test_best) {
   ck_assert_int_gt(standard, 0);
   ck_assert_int_lt(standard, unit_count(3000));
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_pair");
-  TCase *tc = tcase_create("tc_pair");
-  tcase_set_timeout(tc, 60);
-  tcase_add_loop_test(tc, test_known, 0, sizeof KNOWN / sizeof KNOWN[0]);
-  tcase_add_test(tc, test_residual);
-  tcase_add_test(tc, test_cut);
-  tcase_add_test(tc, test_joint_zero);
-  tcase_add_test(tc, test_all_irregular);
-  tcase_add_test(tc, test_rho_zero);
-  tcase_add_test(tc, test_seen);
-  tcase_add_test(tc, test_is_safe);
-  tcase_add_test(tc, test_safe);
-  tcase_add_test(tc, test_best);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_known, test_residual, test_cut, test_joint_zero,
+         test_all_irregular, test_rho_zero, test_seen, test_is_safe, test_safe,
+         test_best)

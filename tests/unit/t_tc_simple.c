@@ -202,7 +202,7 @@ static enum verdict slow_test(const struct chain *c) {
 
 /* Half of the chains turn to one side, by so much that the ends come near the
  * joint; a few in a thousand come nearer than 94 chords can tell. */
-START_TEST(test_slow) {
+PH_TEST(test_slow) {
   struct unit_random r = unit_random_of(1);
   int n = unit_count(PAIRS), count[3] = {0, 0, 0};
   for (int i = 0; i < n; i++) {
@@ -219,10 +219,9 @@ START_TEST(test_slow) {
   ck_assert_int_gt(count[CROSSING], n / 4);
   ck_assert_int_lt(count[UNKNOWN], 4 + n / 100);
 }
-END_TEST
 
 /* Whole splines are looked at by cross.h: it must not say otherwise. */
-START_TEST(test_cross) {
+PH_TEST(test_cross) {
   struct unit_random r = unit_random_of(5);
   int n = unit_count(PAIRS);
   for (int i = 0; i < n; i++) {
@@ -252,7 +251,6 @@ START_TEST(test_cross) {
                   "seed %lu, chain %d", unit_seed(), i);
   }
 }
-END_TEST
 
 /* ---- known chains ------------------------------------------------------- */
 
@@ -270,7 +268,7 @@ static struct chain drop(double x) {
   return chain;
 }
 
-START_TEST(test_drop) {
+PH_TEST(test_drop) {
   const struct {
     double x;
     bool simple;
@@ -287,10 +285,9 @@ START_TEST(test_drop) {
                   cases[i].x);
   }
 }
-END_TEST
 
 /* Ends that meet, wherever they come from. */
-START_TEST(test_closed) {
+PH_TEST(test_closed) {
   struct unit_random r = unit_random_of(2);
   int n = unit_count(PAIRS);
   for (int i = 0; i < n; i++) {
@@ -306,9 +303,8 @@ START_TEST(test_closed) {
     ck_assert(!ph_tc_is_simple(c.tc, 2));
   }
 }
-END_TEST
 
-START_TEST(test_known) {
+PH_TEST(test_known) {
   const struct ph_tc line = {{{1, 0}, {1, 0}}}, cusp = {{{1, 0}, {-1, 0}}};
   const struct ph_tc loop = {{{1, 0}, {-1, 0.5}}}, none = {{{1, 0}, {0, 0}}};
   const struct ph_tc broken = {{{1, 0}, {(double)NAN, 0}}};
@@ -323,11 +319,10 @@ START_TEST(test_known) {
     ck_assert_msg(ph_tc_is_simple(pair, 2) == simple[i], "%zu", i);
   }
 }
-END_TEST
 
 /* [BYR11, ex. 5]: of the four pairs one has two loops and one a loop; one has
  * none but crosses itself, and one is simple. */
-START_TEST(test_example_5) {
+PH_TEST(test_example_5) {
   const ph_cplx w0 = {1.20354814503777, 0.49852596464362514};
   const ph_cplx w2 = {1.1273066988401768, 0.266121012417165};
   const ph_cplx back = ph_cplx_scale(-1, w2);
@@ -349,7 +344,6 @@ START_TEST(test_example_5) {
     ck_assert_int_eq(ph_tc_is_simple(pairs[i].tc, 2), i == 0);
   }
 }
-END_TEST
 
 /* ---- the same in other places ------------------------------------------- */
 
@@ -379,7 +373,7 @@ static struct chain turned(const struct chain *c, ph_cplx by) {
   return image;
 }
 
-START_TEST(test_same) {
+PH_TEST(test_same) {
   struct unit_random r = unit_random_of(3);
   int n = unit_count(10 * PAIRS);
   for (int i = 0; i < n; i++) {
@@ -395,10 +389,9 @@ START_TEST(test_same) {
     }
   }
 }
-END_TEST
 
 /* A cubic cut in two is as simple as it is whole. */
-START_TEST(test_cut) {
+PH_TEST(test_cut) {
   struct unit_random r = unit_random_of(4);
   int n = unit_count(10 * PAIRS), looped = 0;
   for (int i = 0; i < n; i++) {
@@ -410,22 +403,6 @@ START_TEST(test_cut) {
   }
   ck_assert_int_gt(looped, n / 50);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_simple");
-  TCase *tc = tcase_create("tc_simple");
-  tcase_set_timeout(tc, 60);
-  tcase_add_test(tc, test_slow);
-  tcase_add_test(tc, test_cross);
-  tcase_add_test(tc, test_drop);
-  tcase_add_test(tc, test_closed);
-  tcase_add_test(tc, test_known);
-  tcase_add_test(tc, test_example_5);
-  tcase_add_test(tc, test_same);
-  tcase_add_test(tc, test_cut);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_slow, test_cross, test_drop, test_closed, test_known,
+         test_example_5, test_same, test_cut)

@@ -13,7 +13,7 @@ static struct unit_tc_solved spline(void) {
 
 /* ---- the schema ---------------------------------------------------------- */
 
-START_TEST(test_schema) {
+PH_TEST(test_schema) {
   const struct ph_schema *schema = &ph_method_tc.schema;
   bool seen[PH_FIELD_N] = {false};
   ck_assert_str_eq(schema->command, "tc");
@@ -36,7 +36,6 @@ START_TEST(test_schema) {
   }
   ck_assert_uint_eq(schema->fields_n, 17);
 }
-END_TEST
 
 /* ---- images -------------------------------------------------------------- */
 
@@ -60,7 +59,7 @@ static void check_images(const struct ph_curve *curve) {
   ck_assert_uint_eq(segment, curve->n);
 }
 
-START_TEST(test_images) {
+PH_TEST(test_images) {
   double tangents[] = {1, -1, 1, 1};
   struct unit_tc_solved s = spline();
   unit_tc_solve_ok(&s);
@@ -84,7 +83,6 @@ START_TEST(test_images) {
   ck_assert_uint_gt(s.result.solutions[1].curve.blaschke_n, 1);
   unit_tc_free(&s);
 }
-END_TEST
 
 /* ---- the warning --------------------------------------------------------- */
 
@@ -99,7 +97,7 @@ static void check_warning(const struct unit_tc_solved *s, size_t segment,
 
 /* Angles of 1.3 and 0.1 leave one cubic that is regular and has a loop; pairs
  * have none. */
-START_TEST(test_loop) {
+PH_TEST(test_loop) {
   double a = 1.3, b = 0.1, v[] = {0, 0, 1, 0, 2, 0};
   double one[] = {cos(a), sin(a), cos(b), sin(b)};
   double two[] = {cos(a), sin(a), cos(b), sin(b), cos(a), sin(a)};
@@ -124,10 +122,9 @@ START_TEST(test_loop) {
   ck_assert_uint_eq(s.result.warnings_n, 0);
   unit_tc_free(&s);
 }
-END_TEST
 
 /* The segment is the first of the interval: two are before it. */
-START_TEST(test_loop_later) {
+PH_TEST(test_loop_later) {
   double v[] = {0, 0, 1, 0, 2, 0};
   double d[] = {.5,           0,           3 * cos(-1.5), 3 * sin(-1.5),
                 3 * cos(0.1), 3 * sin(0.1)};
@@ -144,12 +141,11 @@ START_TEST(test_loop_later) {
     unit_tc_free(&s);
   }
 }
-END_TEST
 
 /* ---- ways ---------------------------------------------------------------- */
 
 /* Every failure gives scratch memory back, which unit_tc_solve checks. */
-START_TEST(test_failures) {
+PH_TEST(test_failures) {
   double tangents[] = {1, 1, 1, 1};
   struct unit_tc_solved s = spline(), none = {.result = {.offsets_n = 0}};
   unit_tc_refused(&none, PH_MISSING_FIELD, "points", "is required");
@@ -167,10 +163,9 @@ START_TEST(test_failures) {
   unit_tc_free(&s);
   unit_tc_free(&none);
 }
-END_TEST
 
 /* One cubic, two, or as many as an approximation takes; intervals of each. */
-START_TEST(test_modes) {
+PH_TEST(test_modes) {
   double v[] = {0, 0, 1, 0}, t[] = {1, -1, 1, 1};
   static const struct {
     const char *mode;
@@ -191,19 +186,6 @@ START_TEST(test_modes) {
   }
   unit_tc_free(&s);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_solve");
-  TCase *tc = tcase_create("tc_solve");
-  tcase_add_test(tc, test_schema);
-  tcase_add_test(tc, test_images);
-  tcase_add_test(tc, test_loop);
-  tcase_add_test(tc, test_loop_later);
-  tcase_add_test(tc, test_failures);
-  tcase_add_test(tc, test_modes);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_schema, test_images, test_loop, test_loop_later, test_failures,
+         test_modes)

@@ -110,7 +110,7 @@ static void check_chain(const struct unit_tc_solved *s) {
 
 /* ---- what is read -------------------------------------------------------- */
 
-START_TEST(test_chain) {
+PH_TEST(test_chain) {
   for (double tolerance = 1e-1; tolerance > 1e-6; tolerance /= 100) {
     struct unit_tc_solved s = chain_to(tolerance);
     unit_tc_solve_ok(&s);
@@ -126,10 +126,9 @@ START_TEST(test_chain) {
     unit_tc_free(&s);
   }
 }
-END_TEST
 
 /* One curve by itself, in a list of one, and as points. */
-START_TEST(test_one_curve) {
+PH_TEST(test_one_curve) {
   struct unit_tc_solved s = curve_to(chain, 4, 1e-3);
   struct unit_tc_solved t = {.problem = s.problem}, u = {.problem = s.problem};
   *unit_tc_field(&t, PH_F_CURVE) = polyline(chain, chain_sizes, 1);
@@ -149,10 +148,9 @@ START_TEST(test_one_curve) {
   unit_tc_free(&t);
   unit_tc_free(&u);
 }
-END_TEST
 
 /* As many cubics as asked for, at most, and the more the nearer. */
-START_TEST(test_pieces) {
+PH_TEST(test_pieces) {
   double before = HUGE_VAL;
   for (int pieces = 3; pieces <= 24; pieces *= 2) {
     struct unit_tc_solved s = chain_to(1);
@@ -171,10 +169,9 @@ START_TEST(test_pieces) {
     unit_tc_free(&s);
   }
 }
-END_TEST
 
 /* A Tschirnhausen cubic is one. */
-START_TEST(test_own_cubic) {
+PH_TEST(test_own_cubic) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < unit_count(20); i++) {
     struct unit_cubics c;
@@ -194,11 +191,10 @@ START_TEST(test_own_cubic) {
     unit_tc_free(&s);
   }
 }
-END_TEST
 
 /* ---- what is refused ----------------------------------------------------- */
 
-START_TEST(test_goal) {
+PH_TEST(test_goal) {
   const double bad_tolerance[] = {0, -1, (double)NAN};
   const double bad_pieces[] = {0, -1, 2.5, 1000001, (double)NAN};
   struct unit_tc_solved s = chain_to(1);
@@ -219,9 +215,8 @@ START_TEST(test_goal) {
   }
   unit_tc_free(&s);
 }
-END_TEST
 
-START_TEST(test_fields) {
+PH_TEST(test_fields) {
   struct unit_tc_solved s = chain_to(1);
   *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(chain, 4);
   unit_tc_refused(&s, PH_BAD_VALUE, "points", "excludes curve");
@@ -234,10 +229,9 @@ START_TEST(test_fields) {
   unit_tc_refused(&s, PH_TOO_FEW_POINTS, "curve", "has no curves");
   unit_tc_free(&s);
 }
-END_TEST
 
 /* Curves of too few points, of none but one place, and of too many. */
-START_TEST(test_points) {
+PH_TEST(test_points) {
   static double many[2 * 2 * ROOM];
   double same[] = {0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
   size_t one[] = {4, 1}, three[] = {2, 3}, most[] = {2, PH_TC_DEGREE_MAX + 2};
@@ -267,11 +261,10 @@ START_TEST(test_points) {
   ck_rel(s.result.curve.length, PH_TC_DEGREE_MAX, 1e-14);
   unit_tc_free(&s);
 }
-END_TEST
 
 /* Ends that do not meet; where they differ by rounding alone the later start
  * is taken. */
-START_TEST(test_joints) {
+PH_TEST(test_joints) {
   double v[COUNT(chain)];
   struct unit_tc_solved s = chain_to(1e-3);
   unit_tc_field(&s, PH_F_CURVE)->v = v;
@@ -298,13 +291,12 @@ START_TEST(test_joints) {
                   "must end where it begins if closed");
   unit_tc_free(&s);
 }
-END_TEST
 
 /* ---- place and scale ----------------------------------------------------- */
 
 /* Far from the origin the claim has the rounding of coordinates in it, and no
  * tolerance is met that is below it. */
-START_TEST(test_far) {
+PH_TEST(test_far) {
   const double far = 1e6, rounding = 4 * DBL_EPSILON * far;
   double v[COUNT(chain)];
   struct unit_tc_solved s = chain_to(1e-6);
@@ -326,10 +318,9 @@ START_TEST(test_far) {
   ck_assert_uint_le(s.result.curve.n, 10);
   unit_tc_free(&s);
 }
-END_TEST
 
 /* The same cubics near the ends of the range of doubles. */
-START_TEST(test_scale) {
+PH_TEST(test_scale) {
   const int exponents[] = {-996, 996};
   struct unit_tc_solved s = chain_to(1e-3);
   unit_tc_solve_ok(&s);
@@ -356,23 +347,6 @@ START_TEST(test_scale) {
   }
   unit_tc_free(&s);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_target");
-  TCase *tc = tcase_create("tc_target");
-  tcase_add_test(tc, test_chain);
-  tcase_add_test(tc, test_one_curve);
-  tcase_add_test(tc, test_pieces);
-  tcase_add_test(tc, test_own_cubic);
-  tcase_add_test(tc, test_goal);
-  tcase_add_test(tc, test_fields);
-  tcase_add_test(tc, test_points);
-  tcase_add_test(tc, test_joints);
-  tcase_add_test(tc, test_far);
-  tcase_add_test(tc, test_scale);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_chain, test_one_curve, test_pieces, test_own_cubic, test_goal,
+         test_fields, test_points, test_joints, test_far, test_scale)

@@ -104,7 +104,7 @@ static double spread(size_t k, double s) {
   return PH_PI * (2 * (x - floor(x)) - 1);
 }
 
-START_TEST(test_free_known) {
+PH_TEST(test_free_known) {
   for (size_t k = 0; k < sizeof known / sizeof known[0]; k++) {
     struct ph_tc_hermite h = data_of(spread(k + 1, 0.7548776662466927),
                                      spread(k + 1, 0.5698402909980532));
@@ -113,7 +113,6 @@ START_TEST(test_free_known) {
     ck_rel(fairness(&fit), known[k], 1e-9);
   }
 }
-END_TEST
 
 /* Of 25 lambdas no simple pair is better than the one found. */
 static void ck_best(const struct ph_tc_hermite *h,
@@ -153,7 +152,7 @@ static void ck_free(const struct ph_tc_hermite *h, struct ph_tc_fit *fit) {
   ck_best(h, fit);
 }
 
-START_TEST(test_free_random) {
+PH_TEST(test_free_random) {
   struct unit_random r = unit_random_of(3501);
   for (int i = 0; i < unit_count(400); i++) {
     double range = i % 2 ? PH_PI : 0.5 * PH_PI;
@@ -163,10 +162,9 @@ START_TEST(test_free_random) {
     ck_free(&h, &fit);
   }
 }
-END_TEST
 
 /* Tangents along the chord either way, or off it by little or a right angle. */
-START_TEST(test_free_special) {
+PH_TEST(test_free_special) {
   static const double angles[] = {0,         1e-9,         1e-3,         1,
                                   PH_PI / 2, PH_PI - 1e-3, PH_PI - 1e-9, PH_PI};
   enum { N = sizeof angles / sizeof angles[0] };
@@ -179,9 +177,8 @@ START_TEST(test_free_special) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_free_straight) {
+PH_TEST(test_free_straight) {
   struct ph_tc_hermite h = data_of(0, 0);
   struct ph_tc_fit fit;
   ck_free(&h, &fit);
@@ -190,14 +187,12 @@ START_TEST(test_free_straight) {
   ck_rel(fit.length, 1, 1e-15);
   ck_assert_uint_eq(fit.root, PH_ROOT_PLUS_PLUS);
 }
-END_TEST
 
-START_TEST(test_free_not_finite) {
+PH_TEST(test_free_not_finite) {
   struct ph_tc_hermite h = data_of((double)NAN, 1);
   struct ph_tc_fit fit;
   ck_assert(!ph_tc_two_free(&h, &fit));
 }
-END_TEST
 
 static struct ph_tc_hermite mirrored(const struct ph_tc_hermite *h) {
   struct ph_tc_hermite m = {{ph_cplx_conj(h->t[0]), ph_cplx_conj(h->t[1])}};
@@ -225,7 +220,7 @@ static enum ph_root root_reversed(enum ph_root root) {
                                        : root;
 }
 
-START_TEST(test_free_invariant) {
+PH_TEST(test_free_invariant) {
   struct unit_random r = unit_random_of(3502);
   for (int i = 0; i < unit_count(400); i++) {
     double a = uniform_angle(&r);
@@ -244,7 +239,6 @@ START_TEST(test_free_invariant) {
     }
   }
 }
-END_TEST
 
 /* ---- joint on the chord -------------------------------------------------- */
 
@@ -267,7 +261,7 @@ static const struct interval intervals[] = {
     {-0.7 * PH_PI, -2 * PH_PI / 15, -1, 0.03051937990731603, PH_PI / 110,
      PH_PI / 85}};
 
-START_TEST(test_chord_intervals) {
+PH_TEST(test_chord_intervals) {
   for (size_t i = 0; i < sizeof intervals / sizeof intervals[0]; i++) {
     struct interval v = intervals[i];
     struct ph_tc_hermite h = data_of(v.a, v.b);
@@ -283,7 +277,6 @@ START_TEST(test_chord_intervals) {
     ck_assert(!ph_tc_two_chord(&h, 0, (double)NAN, &fit));
   }
 }
-END_TEST
 
 /* Curves of Example 4 by another program, see above. */
 struct curve {
@@ -305,7 +298,7 @@ static const struct curve curves[] = {
     {-0.7 * PH_PI, -2 * PH_PI / 15, -PH_PI / 110, (double)NAN, 0.674095882046,
      129026.467566, 1.00434478311, 1, false}};
 
-START_TEST(test_chord_known) {
+PH_TEST(test_chord_known) {
   for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++) {
     const struct curve *v = &curves[i];
     struct ph_tc_hermite h = data_of(v->a, v->b);
@@ -318,7 +311,6 @@ START_TEST(test_chord_known) {
     ck_assert(fit.simple == v->simple);
   }
 }
-END_TEST
 
 /* The joint is where it is said to be, with its tangent. */
 static void ck_joint(const struct ph_tc_fit *fit) {
@@ -366,7 +358,7 @@ static bool is_chosen(const struct ph_tc_hermite *h, struct ph_tc_fit *fit) {
   return true;
 }
 
-START_TEST(test_chord_random) {
+PH_TEST(test_chord_random) {
   struct unit_random r = unit_random_of(3503);
   int missed = 0, n = unit_count(100);
   for (int i = 0; i < n; i++) {
@@ -383,9 +375,8 @@ START_TEST(test_chord_random) {
   }
   ck_assert_int_le(missed, 1 + n / 50);
 }
-END_TEST
 
-START_TEST(test_chord_invariant) {
+PH_TEST(test_chord_invariant) {
   struct unit_random r = unit_random_of(3504);
   for (int i = 0; i < unit_count(200); i++) {
     double a = uniform_angle(&r);
@@ -406,9 +397,8 @@ START_TEST(test_chord_invariant) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_chord_straight) {
+PH_TEST(test_chord_straight) {
   struct ph_tc_hermite h = data_of(0, 0);
   struct ph_tc_fit fit;
   ck_assert(ph_tc_two_chord(&h, (double)NAN, (double)NAN, &fit));
@@ -426,10 +416,9 @@ START_TEST(test_chord_straight) {
   ck_assert_uint_eq(fit.loops, 2);
   ck_assert(!fit.simple);
 }
-END_TEST
 
 /* Along the chord, backward: there is always a curve. */
-START_TEST(test_chord_special) {
+PH_TEST(test_chord_special) {
   static const double angles[] = {0, 1, PH_PI / 2, PH_PI, -PH_PI / 2, -1};
   for (size_t i = 0; i < 6; i++) {
     for (size_t j = 0; j < 6; j++) {
@@ -441,38 +430,16 @@ START_TEST(test_chord_special) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_chord_not_finite) {
+PH_TEST(test_chord_not_finite) {
   struct ph_tc_hermite h = data_of((double)NAN, 1);
   struct ph_tc_fit fit;
   ck_assert(!ph_tc_two_chord(&h, (double)NAN, (double)NAN, &fit));
   ck_assert(!ph_tc_two_chord(&h, 1, 0.5, &fit));
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("tc_two");
-  TCase *c = tcase_create("free");
-  tcase_add_test(c, test_free_known);
-  tcase_add_test(c, test_free_random);
-  tcase_add_test(c, test_free_special);
-  tcase_add_test(c, test_free_straight);
-  tcase_add_test(c, test_free_not_finite);
-  tcase_add_test(c, test_free_invariant);
-  tcase_set_timeout(c, 600);
-  suite_add_tcase(s, c);
-  c = tcase_create("chord");
-  tcase_add_test(c, test_chord_intervals);
-  tcase_add_test(c, test_chord_known);
-  tcase_add_test(c, test_chord_random);
-  tcase_add_test(c, test_chord_invariant);
-  tcase_add_test(c, test_chord_straight);
-  tcase_add_test(c, test_chord_special);
-  tcase_add_test(c, test_chord_not_finite);
-  tcase_set_timeout(c, 600);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_free_known, test_free_random, test_free_special,
+         test_free_straight, test_free_not_finite, test_free_invariant,
+         test_chord_intervals, test_chord_known, test_chord_random,
+         test_chord_invariant, test_chord_straight, test_chord_special,
+         test_chord_not_finite)

@@ -11,12 +11,6 @@
 
 enum { N_MAX = 40 };
 
-static struct ph_arena arena;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 /* What the rows of a random system are like. */
 struct family {
   bool cyclic;
@@ -45,7 +39,7 @@ static void make(struct unit_random *r, const struct family *family, size_t n,
 
 static void solve(const struct ph_tri_row *row, size_t n, ph_cplx *x) {
   struct ph_tri tri;
-  ck_assert(ph_tri_alloc(&tri, &arena, n));
+  ck_assert(ph_tri_alloc(&tri, &unit_arena, n));
   ph_tri_begin(&tri, n, row[0], row[n - 1]);
   for (size_t i = 1; i + 1 < n; i++) {
     ph_tri_push(&tri, &row[i]);
@@ -150,62 +144,53 @@ static void compare_family(struct family family, uint64_t stream) {
     for (int i = 0; i < unit_count(30); i++) {
       make(&r, &family, n, row);
       compared += compare(row, n, tried++);
-      ph_arena_reset(&arena);
+      ph_arena_reset(&unit_arena);
     }
   }
   /* With many zeros most larger matrices are singular. */
   ck_assert_uint_ge(compared, tried / 10);
 }
 
-START_TEST(test_open) {
+PH_TEST(test_open) {
   compare_family((struct family){false, 0, 1}, 1);
 }
-END_TEST
 
-START_TEST(test_open_zero_entries) {
+PH_TEST(test_open_zero_entries) {
   compare_family((struct family){false, 0.2, 1}, 2);
 }
-END_TEST
 
-START_TEST(test_open_zero_diagonal) {
+PH_TEST(test_open_zero_diagonal) {
   compare_family((struct family){false, 0, 0}, 3);
 }
-END_TEST
 
 /* Without row interchanges ten digits would be lost. */
-START_TEST(test_open_small_diagonal) {
+PH_TEST(test_open_small_diagonal) {
   compare_family((struct family){false, 0, 1e-10}, 12);
 }
-END_TEST
 
-START_TEST(test_cyclic_small_diagonal) {
+PH_TEST(test_cyclic_small_diagonal) {
   compare_family((struct family){true, 0, 1e-10}, 13);
 }
-END_TEST
 
-START_TEST(test_cyclic) {
+PH_TEST(test_cyclic) {
   compare_family((struct family){true, 0, 1}, 4);
 }
-END_TEST
 
-START_TEST(test_cyclic_zero_entries) {
+PH_TEST(test_cyclic_zero_entries) {
   compare_family((struct family){true, 0.2, 1}, 5);
 }
-END_TEST
 
-START_TEST(test_cyclic_zero_diagonal) {
+PH_TEST(test_cyclic_zero_diagonal) {
   compare_family((struct family){true, 0, 0}, 6);
 }
-END_TEST
 
-START_TEST(test_cyclic_dominant) {
+PH_TEST(test_cyclic_dominant) {
   compare_family((struct family){true, 0, 100}, 7);
 }
-END_TEST
 
 /* The last row goes along for as long as its corner entry matters; how large
  * its entries are beside those of the others has no influence. */
-START_TEST(test_last_row_scale) {
+PH_TEST(test_last_row_scale) {
   const double scales[] = {1e-16, 1e-8, 1e8, 1e16};
   const struct family family = {true, 0, 8};
   struct unit_random r = unit_random_of(8);
@@ -231,13 +216,12 @@ START_TEST(test_last_row_scale) {
                     "seed %lu, system %d of %zu unknowns: x[%zu] moves by %.3g",
                     unit_seed(), i, n, k, unit_distance(x[k], y[k]));
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Long enough for the corner entries to decay, and for them not to. */
-START_TEST(test_long) {
+PH_TEST(test_long) {
   const struct family families[] = {{true, 0, 100}, {true, 0, 1},
                                     {true, 0, 0},   {true, 0, 1.5},
                                     {false, 0, 1},  {false, 0, 0}};
@@ -256,20 +240,19 @@ START_TEST(test_long) {
     }
     ck_assert_msg(error <= 1e-13, "seed %lu, family %zu: %.3g, largest %.3g",
                   unit_seed(), i, error, size);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   free(row);
   free(x);
 }
-END_TEST
 
 /* The workspace is used again, for fewer unknowns and another kind. */
-START_TEST(test_reuse) {
+PH_TEST(test_reuse) {
   struct unit_random r = unit_random_of(10);
   struct ph_tri_row row[N_MAX];
   ph_cplx x[N_MAX];
   struct ph_tri tri;
-  ck_assert(ph_tri_alloc(&tri, &arena, N_MAX));
+  ck_assert(ph_tri_alloc(&tri, &unit_arena, N_MAX));
   for (size_t n = N_MAX; n >= 3; n--) {
     struct family family = {n % 2 == 0, 0, 8};
     make(&r, &family, n, row);
@@ -281,10 +264,9 @@ START_TEST(test_reuse) {
     ck_assert_double_le(backward_error(row, n, x), 1e-14);
   }
 }
-END_TEST
 
 /* A singular matrix gives something that is not finite. */
-START_TEST(test_singular) {
+PH_TEST(test_singular) {
   struct unit_random r = unit_random_of(11);
   for (size_t n = 3; n <= 12; n++) {
     for (size_t dead = 0; dead < n; dead++) {
@@ -300,39 +282,18 @@ START_TEST(test_singular) {
         finite = finite && ph_cplx_is_finite(x[i]);
       }
       ck_assert_msg(!finite, "row %zu of %zu is zero", dead, n);
-      ph_arena_reset(&arena);
+      ph_arena_reset(&unit_arena);
     }
   }
 }
-END_TEST
 
-START_TEST(test_no_memory) {
+PH_TEST(test_no_memory) {
   struct ph_tri tri;
-  ck_assert(!ph_tri_alloc(&tri, &arena, SIZE_MAX / 2));
-}
-END_TEST
-
-static Suite *suite(void) {
-  Suite *s = suite_create("tri");
-  TCase *tc = tcase_create("tri");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_set_timeout(tc, 60);
-  tcase_add_test(tc, test_open);
-  tcase_add_test(tc, test_open_zero_entries);
-  tcase_add_test(tc, test_open_zero_diagonal);
-  tcase_add_test(tc, test_open_small_diagonal);
-  tcase_add_test(tc, test_cyclic_small_diagonal);
-  tcase_add_test(tc, test_cyclic);
-  tcase_add_test(tc, test_cyclic_zero_entries);
-  tcase_add_test(tc, test_cyclic_zero_diagonal);
-  tcase_add_test(tc, test_cyclic_dominant);
-  tcase_add_test(tc, test_last_row_scale);
-  tcase_add_test(tc, test_long);
-  tcase_add_test(tc, test_reuse);
-  tcase_add_test(tc, test_singular);
-  tcase_add_test(tc, test_no_memory);
-  suite_add_tcase(s, tc);
-  return s;
+  ck_assert(!ph_tri_alloc(&tri, &unit_arena, SIZE_MAX / 2));
 }
 
-PH_TEST_MAIN(suite)
+PH_TESTS(test_open, test_open_zero_entries, test_open_zero_diagonal,
+         test_open_small_diagonal, test_cyclic_small_diagonal, test_cyclic,
+         test_cyclic_zero_entries, test_cyclic_zero_diagonal,
+         test_cyclic_dominant, test_last_row_scale, test_long, test_reuse,
+         test_singular, test_no_memory)

@@ -51,13 +51,8 @@ static const struct ph_field curve = {
 static const struct ph_field any_curve = {
     PH_F_CURVE, PH_VECTORS | PH_POLYLINE, PLANE | SPACE, false, "", "none", ""};
 
-static struct ph_arena arena;
 static struct ph_value value;
 static struct ph_diag diag;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 /* Reads a value from a copy of its own size: a read beyond it shows. */
 static enum ph_status get(const struct ph_field *row, const char *text) {
@@ -70,14 +65,14 @@ static enum ph_status get(const struct ph_field *row, const char *text) {
   ck_assert_int_eq(ph_json_scan(&scan, copy, n, true), PH_JSON_DONE);
   ck_assert_uint_eq(scan.at, n);
   memset(&diag, 0, sizeof diag);
-  status = ph_value_read(copy, n, row, &arena, &value, &diag);
+  status = ph_value_read(copy, n, row, &unit_arena, &value, &diag);
   free(copy);
   return status;
 }
 
 static enum ph_status option(const struct ph_field *row, const char *text) {
   memset(&diag, 0, sizeof diag);
-  return ph_value_read_option(text, row, &arena, &value, &diag);
+  return ph_value_read_option(text, row, &unit_arena, &value, &diag);
 }
 
 static void ck_diag(enum ph_status found, enum ph_status status,
@@ -128,7 +123,7 @@ static void ck_array(enum ph_status status, enum ph_kind kind, size_t n,
   }
 }
 
-START_TEST(test_scalars) {
+PH_TEST(test_scalars) {
   ck_bool(get(&closed, "true"), true);
   ck_bool(get(&closed, "false"), false);
   ck_word(get(&basis, "\"ph\""), "ph");
@@ -140,10 +135,9 @@ START_TEST(test_scalars) {
   ck_number(get(&number, "9007199254740993"), 9007199254740992.0);
   ck_number(get(&number, "1e-400"), 0);
 }
-END_TEST
 
 /* A truth value or a word, in JSON and as an option. */
-START_TEST(test_flag_or_word) {
+PH_TEST(test_flag_or_word) {
   ck_bool(get(&shape, "true"), true);
   ck_bool(get(&shape, "false"), false);
   ck_word(get(&shape, "\"warn\""), "warn");
@@ -160,10 +154,9 @@ START_TEST(test_flag_or_word) {
              "must be true, false or \"warn\", found \"wran\"; did you mean "
              "\"warn\"?");
 }
-END_TEST
 
 /* Words of one list that have a number and that have none. */
-START_TEST(test_words_with_numbers) {
+PH_TEST(test_words_with_numbers) {
   ck_word(get(&increase, "\"minimal\""), "minimal");
   ck_word(get(&increase, "\"plus:10\""), "plus:10");
   ck_rel(value.number, 10, 0);
@@ -176,9 +169,8 @@ START_TEST(test_words_with_numbers) {
              "must be \"minimal\", \"plus:V\" or \"times:V\", found "
              "\"minimal:1\"; did you mean \"minimal\"?");
 }
-END_TEST
 
-START_TEST(test_arrays) {
+PH_TEST(test_arrays) {
   static const double v[] = {0, -1, 2.5, 3, 4e2, 5};
   ck_array(get(&points, "[[0,-1],[2.5,3],[4e2,5]]"), PH_VECTORS, 3, 2, v);
   ck_array(get(&points, "[ [ 0 , -1 ] , [\n2.5,3] , [4e2\t,5]\r\n]"),
@@ -193,7 +185,6 @@ START_TEST(test_arrays) {
   ck_array(get(&everything, "[0,-1]"), PH_NUMBERS, 2, 1, v);
   ck_array(get(&everything, "[[0,-1]]"), PH_VECTORS, 1, 2, v);
 }
-END_TEST
 
 static void ck_polyline(enum ph_status status, size_t n, const size_t *sizes,
                         size_t dimension, const double *v) {
@@ -207,7 +198,7 @@ static void ck_polyline(enum ph_status status, size_t n, const size_t *sizes,
 }
 
 /* Control points of one curve, or of several. */
-START_TEST(test_polyline) {
+PH_TEST(test_polyline) {
   static const double v[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   static const size_t sizes[] = {2, 1, 3};
   static const size_t one[] = {3};
@@ -224,11 +215,10 @@ START_TEST(test_polyline) {
   ck_polyline(option(&curve, "[[[0,1],[2,3],[4,5]]] "), 1, one, 2, v);
   ck_array(option(&curve, "[[0,1],[2,3]]"), PH_VECTORS, 2, 2, v);
 }
-END_TEST
 
 /* More pieces, and more points in one, than memory would be asked for by
  * mistake: each is where it belongs. */
-START_TEST(test_polyline_long) {
+PH_TEST(test_polyline_long) {
   enum { PIECES = 40, POINTS = 7, ROOM = PIECES * (POINTS * 12 + 4) + 4 };
   static char text[ROOM];
   size_t n = 0;
@@ -255,9 +245,8 @@ START_TEST(test_polyline_long) {
   }
   ck_assert_uint_eq(value.n, n / 2);
 }
-END_TEST
 
-START_TEST(test_bad_polyline) {
+PH_TEST(test_bad_polyline) {
   bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,2],[3,3],[1e999,4]]]", PH_NOT_FINITE,
       "curve[1][3][0]", "is 1e999, which overflows a double");
   bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,\"2\"]]]", PH_BAD_TYPE,
@@ -298,9 +287,8 @@ START_TEST(test_bad_polyline) {
   bad(&points, "[[[0,0],[1,1]]]", PH_BAD_TYPE, "points[0][0]",
       "must be a number, found an array");
 }
-END_TEST
 
-START_TEST(test_bad_types) {
+PH_TEST(test_bad_types) {
   bad(&points, "\"abc\"", PH_BAD_TYPE, "points",
       "must be an array of points [x,y], found a string");
   bad(&points3, "1", PH_BAD_TYPE, "points",
@@ -335,9 +323,8 @@ START_TEST(test_bad_types) {
       "must be true, false, \"warn\", a number, an array of numbers or an "
       "array of vectors [x,y] or [x,y,z], found null");
 }
-END_TEST
 
-START_TEST(test_bad_elements) {
+PH_TEST(test_bad_elements) {
   bad(&points, "[[0,0],1]", PH_BAD_TYPE, "points[1]",
       "must be an array of numbers, found a number");
   bad(&points, "[[0,0],null]", PH_BAD_TYPE, "points[1]",
@@ -353,9 +340,8 @@ START_TEST(test_bad_elements) {
   bad(&knots, "[0,[1]]", PH_BAD_TYPE, "knots[1]",
       "must be a number, found an array");
 }
-END_TEST
 
-START_TEST(test_bad_shapes) {
+PH_TEST(test_bad_shapes) {
   bad(&points, "[[0,0],[1,1],[2,2],[3,3,3]]", PH_BAD_SHAPE, "points[3]",
       "must have 2 numbers, found 3");
   bad(&points, "[[0,0,0]]", PH_BAD_SHAPE, "points[0]",
@@ -373,9 +359,8 @@ START_TEST(test_bad_shapes) {
   bad(&any_points, "[[1,2,3,4,5,6,7,8]]", PH_BAD_SHAPE, "points[0]",
       "must have 2 or 3 numbers, found 8");
 }
-END_TEST
 
-START_TEST(test_not_finite) {
+PH_TEST(test_not_finite) {
   bad(&points, "[[0,0],[1,1],[2,2],[3,3],[4,1e999]]", PH_NOT_FINITE,
       "points[4][1]", "is 1e999, which overflows a double");
   bad(&knots, "[0,-1e309]", PH_NOT_FINITE, "knots[1]",
@@ -387,9 +372,8 @@ START_TEST(test_not_finite) {
       "is 1000000000000000000000000000000000000000..., "
       "which overflows a double");
 }
-END_TEST
 
-START_TEST(test_bad_words) {
+PH_TEST(test_bad_words) {
   const char *phrase = "must be \"chordal\", \"centripetal\", \"uniform\" or "
                        "an array of numbers, found ";
   char message[PH_DIAG_MESSAGE_MAX];
@@ -416,23 +400,22 @@ START_TEST(test_bad_words) {
       "must be \"ph\" or \"atph\", found "
       "\"12345678901234567890123456789012345678\xC3\xA4...\"");
 }
-END_TEST
 
-START_TEST(test_string) {
+PH_TEST(test_string) {
   static const char text[] =
       "\"\\\"\\\\\\/\\b\\f\\n\\r\\t\\u00e4\\uD83D\\uDE00\xC3\xA4\"";
   static const char nul[] = "\"a\\u0000b\"";
   static const char no_nul[] = "\"a\\\\u0000b\"";
-  ck_assert_str_eq(ph_value_string(text, sizeof text - 1, &arena),
+  ck_assert_str_eq(ph_value_string(text, sizeof text - 1, &unit_arena),
                    "\"\\/\b\f\n\r\t\xC3\xA4\xF0\x9F\x98\x80\xC3\xA4");
-  ck_assert_str_eq(ph_value_string(nul, sizeof nul - 1, &arena), "a\\u0000b");
-  ck_assert_str_eq(ph_value_string(no_nul, sizeof no_nul - 1, &arena),
+  ck_assert_str_eq(ph_value_string(nul, sizeof nul - 1, &unit_arena),
                    "a\\u0000b");
-  ck_assert_str_eq(ph_value_string("\"\"", 2, &arena), "");
+  ck_assert_str_eq(ph_value_string(no_nul, sizeof no_nul - 1, &unit_arena),
+                   "a\\u0000b");
+  ck_assert_str_eq(ph_value_string("\"\"", 2, &unit_arena), "");
 }
-END_TEST
 
-START_TEST(test_options) {
+PH_TEST(test_options) {
   static const double v[] = {0, 1, 2, 3};
   ck_word(option(&basis, "atph"), "atph");
   ck_word(option(&basis, "\"atph\""), "atph");
@@ -449,9 +432,8 @@ START_TEST(test_options) {
   ck_array(option(&points, "[[0,1],[2,3]]"), PH_VECTORS, 2, 2, v);
   ck_array(option(&knots, " [0, 1, 2] "), PH_NUMBERS, 3, 1, v);
 }
-END_TEST
 
-START_TEST(test_bad_options) {
+PH_TEST(test_bad_options) {
   bad_option(&basis, "atp", PH_BAD_VALUE,
              "must be \"ph\" or \"atph\", found \"atp\"; "
              "did you mean \"atph\"?");
@@ -484,9 +466,8 @@ START_TEST(test_bad_options) {
   bad_option(&points, "0,1", PH_BAD_TYPE,
              "must be an array of points [x,y], found \"0,1\"");
 }
-END_TEST
 
-START_TEST(test_describe) {
+PH_TEST(test_describe) {
   static const struct ph_field many = {
       PH_F_BASIS,
       PH_WORD,
@@ -507,9 +488,8 @@ START_TEST(test_describe) {
   ck_assert_uint_eq(strlen(ph_value_describe(&many, phrase)),
                     PH_VALUE_PHRASE_MAX - 1);
 }
-END_TEST
 
-START_TEST(test_required) {
+PH_TEST(test_required) {
   struct ph_field rows[2];
   struct ph_schema schema = {"planar", rows, 2};
   struct ph_problem problem = {0};
@@ -520,31 +500,9 @@ START_TEST(test_required) {
   problem.field[PH_F_POINTS].kind = PH_VECTORS;
   ck_assert_int_eq(ph_problem_check_required(&problem, &schema, &diag), PH_OK);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("value");
-  TCase *tc = tcase_create("value");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_scalars);
-  tcase_add_test(tc, test_flag_or_word);
-  tcase_add_test(tc, test_words_with_numbers);
-  tcase_add_test(tc, test_arrays);
-  tcase_add_test(tc, test_polyline);
-  tcase_add_test(tc, test_polyline_long);
-  tcase_add_test(tc, test_bad_polyline);
-  tcase_add_test(tc, test_bad_types);
-  tcase_add_test(tc, test_bad_elements);
-  tcase_add_test(tc, test_bad_shapes);
-  tcase_add_test(tc, test_not_finite);
-  tcase_add_test(tc, test_bad_words);
-  tcase_add_test(tc, test_string);
-  tcase_add_test(tc, test_options);
-  tcase_add_test(tc, test_bad_options);
-  tcase_add_test(tc, test_describe);
-  tcase_add_test(tc, test_required);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_scalars, test_flag_or_word, test_words_with_numbers, test_arrays,
+         test_polyline, test_polyline_long, test_bad_polyline, test_bad_types,
+         test_bad_elements, test_bad_shapes, test_not_finite, test_bad_words,
+         test_string, test_options, test_bad_options, test_describe,
+         test_required)

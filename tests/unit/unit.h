@@ -2,11 +2,15 @@
 /*
  * What every unit test needs: Check, two comparisons of doubles, and main.
  *
- * A test is tests/unit/t_NAME.c, an executable of its own:
+ * A file of tests is t_NAME.c, an executable of its own:
  *
  *     #include "unit.h"
- *     static Suite *suite(void) {...}
- *     PH_TEST_MAIN(suite)
+ *     PH_TEST(test_this) {...}
+ *     PH_TEST_EACH(test_that, 3) {... _i ...}
+ *     PH_TESTS(test_this, test_that)
+ *
+ * Tests of many cases are tables: one loop over an array of structs, whose
+ * names unit_case takes down for the message of a failure.
  *
  * Check's ck_assert_double_eq_tol asks for |a - b| < tol, so that a tolerance
  * of 0 always fails; ours ask for <=, and say what they saw to the last digit.
@@ -14,10 +18,54 @@
 #ifndef PH_TESTS_UNIT_H
 #define PH_TESTS_UNIT_H
 
+#include "base/mem.h"
+
 #include <check.h>
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
+
+/* For whatever a test needs memory for; freed after each test. */
+extern struct ph_arena unit_arena;
+
+/* Takes down which case is being tested, as printf does: a failure from here
+ * to the end of the test says it. */
+void unit_case(const char *format, ...) CK_ATTRIBUTE_FORMAT(printf, 1, 2);
+
+/* Prints the case, if there is one. */
+void unit_case_print(void);
+
+/* Every assertion of Check fails through this function. */
+#define _ck_assert_failed(...) \
+  (unit_case_print(), (_ck_assert_failed)(__VA_ARGS__))
+
+/* A test, and how often it runs: _i counts from 0. */
+struct unit_test {
+  TTest check;
+  int n;
+};
+
+/* Begins a test that runs n times. */
+#define PH_TEST_EACH(name, n)                               \
+  static void name##_run(int _i);                           \
+  static const struct unit_test name[] = {                  \
+      {{#name, name##_run, __FILE__, __LINE__}, (int)(n)}}; \
+  static void name##_run(int _i CK_ATTRIBUTE_UNUSED)
+
+/* Begins a test. */
+#define PH_TEST(name) PH_TEST_EACH(name, 1)
+
+/* Runs n tests; begin and finish, unless NULL, before and after each. */
+int unit_main(const char *file, const struct unit_test *const *tests, size_t n,
+              void (*begin)(void), void (*finish)(void));
+
+/* Ends a file: its tests, in the order in which they run. */
+#define PH_TESTS(...) PH_TESTS_WITH(NULL, NULL, __VA_ARGS__)
+#define PH_TESTS_WITH(begin, finish, ...)                                    \
+  int main(void) {                                                           \
+    static const struct unit_test *const tests[] = {__VA_ARGS__};            \
+    return unit_main(__FILE__, tests, sizeof tests / sizeof tests[0], begin, \
+                     finish);                                                \
+  }
 
 /* The same number: NaN is none, infinities are, and -0 is +0. */
 static inline int unit_same(double a, double b) {
@@ -83,17 +131,11 @@ static inline int unit_count(int n) {
   return s != NULL && s[0] == '1' ? (n + 9) / 10 : n;
 }
 
-/* GSL's handler is off, as in the program: by default it aborts. */
-#define PH_TEST_MAIN(suite_fn)                        \
-  int main(void) {                                    \
-    SRunner *runner = srunner_create(suite_fn());     \
-    int failed;                                       \
-                                                      \
-    gsl_set_error_handler_off();                      \
-    srunner_run_all(runner, CK_ENV);                  \
-    failed = srunner_ntests_failed(runner);           \
-    srunner_free(runner);                             \
-    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE; \
+/* Runs a suite made by hand. */
+int unit_run(Suite *suite);
+#define PH_TEST_MAIN(suite_fn)   \
+  int main(void) {               \
+    return unit_run(suite_fn()); \
   }
 
 #endif
