@@ -32,7 +32,7 @@ static int print(struct ph_buf *text) {
   struct ph_diag diag;
   enum ph_status status = text->failed ? ph_fail_memory(&diag) : PH_OK;
   if (status == PH_OK) {
-    status = ph_output_open(&output, NULL, &diag);
+    status = ph_output_open(&output, NULL, false, &diag);
   }
   if (status == PH_OK) {
     status = ph_output_write(&output, text->data, text->n, &diag);

@@ -45,6 +45,7 @@
   X(PRETTY, ALL, 0, "pretty", NULL, "indented JSON")                          \
   X(OUTPUT, ALL, 'o', "output", "FILE",                                       \
     "write FILE, replaced only when everything was written")                  \
+  X(NO_SYNC, ALL, 0, "no-sync", NULL, "do not wait for the disk")             \
   X(SET, ALL, 's', "set", "FIELD=VALUE",                                      \
     "set a field of the problems that lack it; VALUE is JSON or a word")      \
   X(OVERRIDE, ALL, 0, "override", "FIELD=VALUE",                              \
@@ -134,7 +135,7 @@ struct ph_options {
   struct ph_split_options input;
   enum ph_format format;
   enum ph_table table;
-  bool pretty, strict, fail_fast, progress, quiet, verbose;
+  bool pretty, strict, fail_fast, progress, quiet, verbose, no_sync;
   const char *output; /* NULL: standard output */
   size_t jobs;
   struct ph_assignment *assignments;

@@ -263,9 +263,10 @@ static enum ph_status open_named(struct ph_output *output,
 }
 
 enum ph_status ph_output_open(struct ph_output *output, const char *file,
-                              struct ph_diag *diag) {
+                              bool sync, struct ph_diag *diag) {
   int number;
   memset(output, 0, sizeof *output);
+  output->sync = sync;
   output->descriptor = STDOUT_FILENO;
   output->name = "standard output";
   if (!file || strcmp(file, "-") == 0) {
@@ -347,9 +348,47 @@ enum ph_status ph_output_write(struct ph_output *output, const char *bytes,
              : failed("write", output->name, diag);
 }
 
+/* Waits until what was written to a file or directory is on the disk; some
+ * kinds, and file systems that are read only, cannot be waited for. */
+static bool reaches_disk(int descriptor) {
+  int result;
+  do {
+    result = fsync(descriptor);
+  } while (result != 0 && errno == EINTR);
+  return result == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+}
+
+/* The same for the directory that has got a new name; one that may be written
+ * to, but not read, cannot be opened for that. */
+static bool name_reaches_disk(const char *target) {
+  const char *slash = strrchr(target, '/');
+  char *directory =
+      slash ? join(target, (size_t)(slash + 1 - target), "") : join("", 0, ".");
+  bool ok = false;
+  int fd = -1;
+  if (!directory) {
+    errno = ENOMEM;
+  } else if ((fd = open(directory, O_RDONLY | O_DIRECTORY | O_CLOEXEC)) < 0) {
+    ok = errno == EACCES;
+  } else {
+    ok = reaches_disk(fd);
+  }
+  if (fd >= 0) {
+    int why = errno;
+    close(fd);
+    errno = why;
+  }
+  ph_free(directory);
+  return ok;
+}
+
 enum ph_status ph_output_commit(struct ph_output *output,
                                 struct ph_diag *diag) {
   int descriptor = output->descriptor;
+  bool sync = output->sync && output->temporary;
+  if (sync && !reaches_disk(descriptor)) {
+    return failed("write", output->name, diag);
+  }
   output->descriptor = -1;
   if (close(descriptor) != 0) {
     return failed("write", output->name, diag);
@@ -360,7 +399,9 @@ enum ph_status ph_output_commit(struct ph_output *output,
     }
     forget(output);
   }
-  return PH_OK;
+  return !sync || name_reaches_disk(output->target)
+             ? PH_OK
+             : failed("write the directory of", output->name, diag);
 }
 
 void ph_output_discard(struct ph_output *output) {

@@ -4,11 +4,12 @@
  * only when everything was written.
  *
  * A file is written under a temporary name in its own directory and renamed
- * at the end.  SIGINT, SIGTERM and the like remove temporary files and then
- * end the program as they would have.  A name that exists and is not a regular
- * file (a device, a pipe) is written to directly, and so is a descriptor that
- * the program was started with (/dev/stdout, /dev/fd/3): nothing that stands
- * there is replaced.
+ * at the end; it reaches the disk before its name does, so that even a machine
+ * that loses power has the old file or the whole new one.  SIGINT, SIGTERM and
+ * the like remove temporary files and then end the program as they would have.
+ * A name that exists and is not a regular file (a device, a pipe) is written to
+ * directly, and so is a descriptor that the program was started with
+ * (/dev/stdout, /dev/fd/3): nothing that stands there is replaced.
  */
 #ifndef PH_CLI_OUTPUT_H
 #define PH_CLI_OUTPUT_H
@@ -22,6 +23,7 @@
 struct ph_output {
   const char *name; /* for messages */
   int descriptor;
+  bool sync;              /* wait for the disk */
   char *target;           /* NULL: no renaming */
   char *temporary;        /* exists as long as it is not NULL */
   struct ph_output *next; /* of those with a temporary file */
@@ -35,10 +37,11 @@ void ph_output_prepare(void);
 /* ph_output_bytes: writes all n bytes; false, with errno, on failure. */
 bool ph_output_bytes(int descriptor, const char *bytes, size_t n);
 
-/* ph_output_open: opens standard output (file NULL or "-") or a file.
+/* ph_output_open: opens standard output (file NULL or "-") or a file; `sync`:
+ * a file that is replaced is to be on the disk when it is committed.
  * ret  PH_OK | PH_OUTPUT | PH_NO_MEMORY */
 enum ph_status ph_output_open(struct ph_output *output, const char *file,
-                              struct ph_diag *diag);
+                              bool sync, struct ph_diag *diag);
 
 /* ph_output_same: whether two names (NULL or "-": standard output) are of one
  * file, be it there or not. */
@@ -55,7 +58,8 @@ enum ph_status ph_output_unlike(const struct ph_output *output,
 enum ph_status ph_output_write(struct ph_output *output, const char *bytes,
                                size_t n, struct ph_diag *diag);
 
-/* ph_output_commit: closes, and gives a file its name.
+/* ph_output_commit: closes, and gives a file its name.  A file system that
+ * cannot be waited for is no failure.
  * ret  PH_OK | PH_OUTPUT */
 enum ph_status ph_output_commit(struct ph_output *output, struct ph_diag *diag);
 

@@ -76,7 +76,8 @@ enum ph_status ph_plot_open(struct ph_plot *plot,
                             const struct ph_options *options,
                             struct ph_diag *diag) {
   *plot = (struct ph_plot){.options = options, .output = {.descriptor = -1}};
-  return options->plot ? ph_output_open(&plot->output, options->plot, diag)
+  return options->plot ? ph_output_open(&plot->output, options->plot,
+                                        !options->no_sync, diag)
                        : PH_OK;
 }
 

@@ -481,7 +481,8 @@ static void conclude(struct run *r) {
 /* Opens what is written, none of which may be what is read. */
 static enum ph_status open_outputs(struct run *r, struct ph_diag *diag) {
   const struct ph_options *o = r->options;
-  enum ph_status status = ph_output_open(&r->output, o->output, diag);
+  enum ph_status status =
+      ph_output_open(&r->output, o->output, !o->no_sync, diag);
   if (status == PH_OK && o->problems) {
     status = ph_output_unlike(&r->output, o->problems, diag);
   }

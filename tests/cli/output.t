@@ -324,6 +324,31 @@ run planar -o d/ good.jsonl
 expect 'a directory with a slash' 4 'phspline: cannot open d/: Is a directory' ''
 untouched 'names with a slash'
 
+# ---- the disk ----------------------------------------------------------------
+
+# What fails, and in which order things are done, is tests/unit/t_output.c's.
+# synced WANTED ARGUMENT...: so many files and directories are waited for
+synced() {
+  wanted=$1
+  shift
+  name="phspline $*"
+  fresh
+  strace -f -e trace=fsync -o trace "$PHSPLINE" "$@" >out 2>err
+  equal "waits for the disk: $name" "$wanted" "$(grep -c 'fsync(' trace)"
+}
+if strace -o trace true 2>cmd.out; then
+  synced 2 planar -o d/old good.jsonl
+  synced 2 planar --output=d/new good.jsonl
+  synced 2 verify -o d/old good.out
+  synced 0 planar --no-sync -o d/old good.jsonl
+  synced 0 verify --no-sync -o d/old good.out
+  synced 0 planar good.jsonl
+  synced 0 planar --fail-fast -o d/old mixed.jsonl
+  synced 0 planar -o /dev/stdout good.jsonl
+else
+  echo 'skip waiting for the disk: strace is missing, or may not trace'
+fi
+
 # ---- a file is not replaced --------------------------------------------------
 
 fresh
