@@ -206,7 +206,6 @@ static enum ph_status describe(const struct ph_curve *curve,
                                struct ph_arena *scratch,
                                struct ph_diagnostics *diagnostics,
                                struct ph_diag *diag) {
-  double length = curve->length;
   struct ph_energy energy;
   struct ph_cross cross;
   enum ph_status status = ph_cross_planar(curve, scratch, &cross, diag);
@@ -220,9 +219,8 @@ static enum ph_status describe(const struct ph_curve *curve,
   ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple);
   ph_diagnostics_set_finite(diagnostics, PH_D_ENERGY, energy.bending);
   ph_diagnostics_set_finite(diagnostics, PH_D_MV, energy.varying);
-  ph_diagnostics_set_finite(diagnostics, PH_D_IES, energy.bending * length);
-  ph_diagnostics_set_finite(diagnostics, PH_D_IMV,
-                            energy.varying * length * length * length);
+  ph_diagnostics_set_finite(diagnostics, PH_D_IES, energy.ies);
+  ph_diagnostics_set_finite(diagnostics, PH_D_IMV, energy.imv);
   ph_diagnostics_set_finite(diagnostics, PH_D_ROTATION_INDEX, energy.rotation);
   ph_diagnostics_set_finite(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
                             energy.absolute_rotation);

@@ -16,6 +16,7 @@
 #include "curve/energy.h"
 
 #include "kernel/pi.h"
+#include "kernel/pow2.h"
 
 #include <float.h>
 #include <math.h>
@@ -131,8 +132,21 @@ void ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
   refine(sum, seg, 0, 1, &coarse, 0);
 }
 
+/* Half the exponent of the power of two that brings r' = w^2 to unit scale. */
+static int unit_exponent(const struct ph_curve *curve) {
+  size_t n = curve->n * curve->preimage_n * 2;
+  double largest = 0;
+  for (size_t i = 0; i < n; i++) {
+    largest = fmax(largest, fabs(curve->preimage[i]));
+  }
+  return largest > 0 ? -ilogb(largest) : 0;
+}
+
 bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {
   const double turn = 2 * PH_PI;
+  const int exponent = unit_exponent(curve);
+  const double scale = ldexp(1, exponent);
+  const double length = ldexp(curve->length, 2 * exponent);
   struct ph_energy_sum sum;
   struct ph_sum rotation = {0, 0}, absolute = {0, 0};
   if (!ph_energy_begin(&sum)) {
@@ -141,12 +155,17 @@ bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {
   for (size_t k = 0; k < curve->n; k++) {
     struct ph_seg2 seg = ph_seg2_of(curve, k);
     double turned;
+    for (size_t i = 0; i < 3; i++) {
+      seg.w[i] = ph_cplx_scale(scale, seg.w[i]);
+    }
     ph_sum_add(&rotation, ph_seg2_rotation(&seg, &turned));
     ph_sum_add(&absolute, turned);
     ph_energy_add(&sum, &seg);
   }
-  energy->bending = ph_sum_value(&sum.bending);
-  energy->varying = ph_sum_value(&sum.varying);
+  energy->bending = ph_pow2_positive(ph_sum_value(&sum.bending), 2 * exponent);
+  energy->varying = ph_pow2_positive(ph_sum_value(&sum.varying), 6 * exponent);
+  energy->ies = ph_sum_value(&sum.bending) * length;
+  energy->imv = ph_sum_value(&sum.varying) * length * length * length;
   energy->rotation = ph_sum_value(&rotation) / turn;
   energy->absolute_rotation = ph_sum_value(&absolute) / turn;
   return true;

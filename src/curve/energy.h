@@ -30,6 +30,8 @@ struct ph_energy_sum {
 struct ph_energy {
   double bending;
   double varying;
+  double ies;
+  double imv;
   double rotation;
   double absolute_rotation;
 };
@@ -46,11 +48,12 @@ void ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg);
 /*
  * ph_energy_planar: the energies of a curve, in its unit, to 1e-12 relative.
  *
- * Adaptive Gauss quadrature; the rotations are in closed form.  O(n), with
- * more nodes where a segment bends more.
+ * Adaptive Gauss quadrature at unit scale; the rotations are in closed form.
+ * O(n), with more nodes where a segment bends more.
  *
  * ret  false when memory is exhausted; an energy is not finite where the
- *      curve stands still
+ *      curve stands still, or where E or MV leave the range of a double:
+ *      either end of it, as less than DBL_MIN is not known to 1e-12
  */
 bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy);
 

@@ -9,6 +9,7 @@
 #ifndef PH_KERNEL_POW2_H
 #define PH_KERNEL_POW2_H
 
+#include <float.h>
 #include <math.h>
 
 struct ph_pow2 {
@@ -24,6 +25,13 @@ static inline struct ph_pow2 ph_pow2_of(int exponent) {
 
 static inline double ph_pow2_apply(struct ph_pow2 s, double x) {
   return x * s.first * s.second;
+}
+
+/* ph_pow2_positive: x 2^exponent for x >= 0, any exponent; NaN where that is
+ * less than DBL_MIN and has lost digits, infinite where it is too large. */
+static inline double ph_pow2_positive(double x, int exponent) {
+  double scaled = ldexp(x, exponent);
+  return x > 0 && scaled < DBL_MIN ? (double)NAN : scaled;
 }
 
 /* ph_pow2_exponent: e with 2^e <= x < 2^(e+1), for finite x > 0. */

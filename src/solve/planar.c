@@ -107,8 +107,7 @@ static bool turns_sharply(const struct ph_planar_c2 *c2) {
 /* E L, which is the same for every scale. */
 static double fairness(const struct ph_curve *curve) {
   struct ph_energy energy;
-  return ph_energy_planar(curve, &energy) ? energy.bending * curve->length
-                                          : (double)NAN;
+  return ph_energy_planar(curve, &energy) ? energy.ies : (double)NAN;
 }
 
 /*
@@ -233,12 +232,11 @@ solve_fairest(const struct ph_problem *problem, struct ph_planar_data *d,
     return status;
   }
   ph_planar_curve_fill(d, b, &result->curve, loops);
-  ph_diagnostics_set(&result->diagnostics, PH_D_FUNCTIONAL, report.minimum);
+  ph_diagnostics_set_finite(&result->diagnostics, PH_D_FUNCTIONAL,
+                            report.minimum);
   ph_diagnostics_set(&result->diagnostics, PH_D_AT_BOUND, report.at_bound);
-  if (isfinite(report.start)) {
-    ph_diagnostics_set(&result->diagnostics, PH_D_FUNCTIONAL_START,
-                       report.start);
-  }
+  ph_diagnostics_set_finite(&result->diagnostics, PH_D_FUNCTIONAL_START,
+                            report.start);
   return report_solution(d, b, report.evaluations,
                          sqrt(ph_planar_residual(&d->c2, b).max2), scratch,
                          result, diag);

@@ -16,6 +16,7 @@
 #include "curve/energy.h"
 #include "curve/ph2.h"
 #include "kernel/box.h"
+#include "kernel/pow2.h"
 #include "solve/planar_gradient.h"
 
 #include <math.h>
@@ -102,12 +103,12 @@ static void weights_of(enum ph_planar_functional functional,
   }
 }
 
-/* From unit scale to the unit of the data. */
+/* From unit scale to the unit of the data; not finite out of range. */
 static double in_user_unit(const struct work *w, double value) {
   int power = w->functional == PH_PLANAR_E    ? 1
               : w->functional == PH_PLANAR_MV ? 3
                                               : 0;
-  return ldexp(value, power * w->data->exponent);
+  return ph_pow2_positive(value, power * w->data->exponent);
 }
 
 /* Energies of the trial's curve; in NaN where it stands still. */
