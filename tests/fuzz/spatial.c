@@ -57,6 +57,12 @@ struct spatial_input {
   double heading, at[3];
 };
 
+/* Whether tensions are reduced for the shape; by default, where derivatives do
+ * not say how long tangents are. */
+static bool spatial_is_shaped(const struct spatial_flags *f) {
+  return f->shape == 2 || (f->shape != 1 && f->vectors != 2);
+}
+
 static bool spatial_take_flags(struct spatial_input *in) {
   uint8_t b[4];
   if (!fuzz_take(&in->bytes, b, sizeof b)) {
@@ -203,7 +209,8 @@ static bool spatial_set(struct spatial_input *in) {
     return false;
   }
   if (in->flags.criterion > 3 && in->flags.criterion < 7) {
-    most = in->flags.shape == 2 ? SPATIAL_SHAPED_MAX : SPATIAL_SEARCHED_MAX;
+    most = spatial_is_shaped(&in->flags) ? SPATIAL_SHAPED_MAX
+                                         : SPATIAL_SEARCHED_MAX;
   }
   while (n < most && spatial_take_point(in, n)) {
     n++;
@@ -316,7 +323,7 @@ static void spatial_check_pieces(const struct spatial_input *in,
 static void spatial_check_steps(const struct spatial_input *in,
                                 const struct ph_result *result) {
   double steps = result->diagnostics.value[PH_D_ITERATIONS];
-  double searches = in->flags.shape == 2 ? SPATIAL_TENSIONS_MAX : 1;
+  double searches = spatial_is_shaped(&in->flags) ? SPATIAL_TENSIONS_MAX : 1;
   FUZZ_REQUIRE(steps > 0 &&
                steps <= SPATIAL_STEPS_MAX * searches * (double)result->curve.n);
 }
