@@ -298,7 +298,7 @@ tsan: ## unit tests and tests/cli/jobs.t under the thread sanitizer
 	$(SUBMAKE) VARIANT=tsan tsan-run
 # Without setarch -R its fixed shadow map can collide with randomised addresses.
 tsan-run: tests-build
-	@CK_FORK=no $$(setarch -R true 2>/dev/null && echo setarch -R) \
+	@CK_FORK=no PH_SHORT=1 $$(setarch -R true 2>/dev/null && echo setarch -R) \
 	  $(RUN) $(call pick,$(UNIT_WANTED) $(addprefix $(S),$(filter \
 	  %/jobs.t,$(CLI_TESTS))))
 
