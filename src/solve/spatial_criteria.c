@@ -197,8 +197,8 @@ static ph_cplx polish_longest(const struct ph_spatial_family *f, ph_cplx b) {
 }
 
 struct ph_spatial_member ph_spatial_hc(const struct ph_spatial_family *f) {
-  struct ph_spatial_member member = {{1, 0}, {1, 0}};
-  const ph_cplx opposite = {-1, 0};
+  struct ph_spatial_member member = {f->plane_b, {1, 0}};
+  const ph_cplx opposite = ph_cplx_scale(-1, f->plane_b);
   double length = length_at(f, member.b).value, p[DEGREE + 1];
   double size = fabs(length) + 4 * f->k * f->m;
   if (f->planar) { /* (3) is sin^2 b = 0, or all lengths are the same */
@@ -288,14 +288,15 @@ static void choose_nearer(const struct ph_spatial_family *f, ph_cplx b,
 }
 
 struct ph_spatial_member ph_spatial_bv(const struct ph_spatial_family *f) {
-  struct ph_spatial_member member = {{1, 0}, {1, 0}};
+  struct ph_spatial_member member = {f->plane_b, {1, 0}};
   const double step = 2 * PH_PI / SAMPLES;
-  const ph_cplx opposite = {-1, 0}, turn = ph_cplx_polar(step);
+  const ph_cplx opposite = ph_cplx_scale(-1, f->plane_b),
+                turn = ph_cplx_polar(step);
   double least = gap_at(f, member.b).value;
   double tie = TIE * f->m11 * (f->h + f->ni + f->nf), before;
-  ph_cplx b = opposite;
-  choose_nearer(f, opposite, f->flat ? tie : 0, &least, &member.b);
-  if (f->flat) {
+  ph_cplx b = {-1, 0};
+  choose_nearer(f, opposite, f->planar ? tie : 0, &least, &member.b);
+  if (f->planar) {
     return member; /* all others leave the plane */
   }
   before = gap_at(f, b).slope;

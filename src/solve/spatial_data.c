@@ -21,6 +21,10 @@
  * matters; nor has the chord beside one that is longer by its inverse. */
 static const double STANDSTILL = 1e-14;
 
+/* All data are in one plane where they are each within this part of the
+ * flatness of a segment, so that what three of them span is within 2 of it. */
+static const double ONE_PLANE = 2.0 / 3;
+
 /* Vectors of a point that closes the curve agree with the first to this. */
 static const double REPEATED = 1e-9;
 
@@ -261,11 +265,92 @@ double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
   data->dp = chord(p, k, &root);
   data->noise = DBL_EPSILON * size * root * root;
   data->planarity = p->planarity;
+  data->normal = p->normal;
   data->ti = p->tangents[k];
   data->tf = p->tangents[to];
   data->ni = ni * root * root * tension * tension;
   data->nf = nf * root * root * tension * tension;
   return root;
+}
+
+/* The directions of a segment, and how far each may be out of the plane of all
+ * data. */
+struct directions {
+  ph_vec3 v[3];
+  double away;
+};
+
+static struct directions directions_of(const struct ph_spatial_points *p,
+                                       size_t k) {
+  struct ph_spatial_data data;
+  struct directions d;
+  double h;
+  ph_spatial_segment(p, k, 1, &data);
+  h = ph_vec3_abs(data.dp);
+  d.v[0] = ph_vec3_scale(1 / h, data.dp);
+  d.v[1] = data.ti;
+  d.v[2] = data.tf;
+  d.away = ONE_PLANE * ph_spatial_flatness(&data) / h;
+  return d;
+}
+
+/* An order of vectors, so that what is chosen depends on no first one. */
+static bool is_before(ph_vec3 a, ph_vec3 b) {
+  return a.x < b.x ||
+         (!(b.x < a.x) && (a.y < b.y || (!(b.y < a.y) && a.z < b.z)));
+}
+
+/* The last one of all directions. */
+static ph_vec3 last_direction(const struct ph_spatial_points *p) {
+  ph_vec3 last = directions_of(p, 0).v[0];
+  for (size_t k = 0; k < p->n; k++) {
+    struct directions d = directions_of(p, k);
+    for (size_t i = 0; i < 3; i++) {
+      last = is_before(last, d.v[i]) ? d.v[i] : last;
+    }
+  }
+  return last;
+}
+
+/* The normal of a direction and of the one farthest from its line; 0 for data
+ * on a line. */
+static ph_vec3 normal_to(const struct ph_spatial_points *p, ph_vec3 direction) {
+  ph_vec3 normal = {0, 0, 0};
+  double largest = 0;
+  for (size_t k = 0; k < p->n; k++) {
+    struct directions d = directions_of(p, k);
+    for (size_t i = 0; i < 3; i++) {
+      ph_vec3 n = ph_vec3_cross(direction, d.v[i]);
+      double size = ph_vec3_abs(n);
+      if (size > fmax(largest, d.away) ||
+          (size >= fmax(largest, d.away) && is_before(normal, n))) {
+        largest = size;
+        normal = n;
+      }
+    }
+  }
+  return largest > 0 ? ph_vec3_scale(1 / largest, normal) : normal;
+}
+
+/* The plane that all data are in, if there is one. */
+static void set_normal(struct ph_spatial_points *p) {
+  ph_vec3 normal;
+  for (size_t k = 0; k < p->n; k++) { /* most data end here */
+    struct directions d = directions_of(p, k);
+    if (fabs(ph_vec3_triple(d.v[0], d.v[1], d.v[2])) > 3 * d.away) {
+      return;
+    }
+  }
+  normal = normal_to(p, last_direction(p));
+  for (size_t k = 0; k < p->n; k++) {
+    struct directions d = directions_of(p, k);
+    for (size_t i = 0; i < 3; i++) {
+      if (fabs(ph_vec3_dot(normal, d.v[i])) > d.away) {
+        return;
+      }
+    }
+  }
+  p->normal = normal;
 }
 
 /* A speed beside a chord: -1 too small, 1 too large. */
@@ -355,5 +440,11 @@ enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
   if (status == PH_OK) {
     status = set_tension(&problem->field[PH_F_TENSION], p, diag);
   }
-  return status == PH_OK ? check_speeds(p, diag) : status;
+  if (status == PH_OK) {
+    status = check_speeds(p, diag);
+  }
+  if (status == PH_OK) {
+    set_normal(p);
+  }
+  return status;
 }

@@ -20,6 +20,7 @@ struct ph_spatial_points {
   bool derivatives; /* given: what ends have is a promise */
   bool estimated;   /* tangents, from the points */
   double planarity;
+  ph_vec3 normal;    /* unit, of the plane of all data; 0: they have none */
   double *points;    /* [points_n][3] */
   ph_vec3 *tangents; /* [points_n], unit */
   double *speeds;    /* [points_n] |derivative|, or NULL */

@@ -276,9 +276,9 @@ struct change {
 };
 
 /* The change of D by that of d, turned about i so as to stay at the same phase:
- * D(0) i is normal to Q = A0 + A2. */
-static ph_quat follow(ph_quat d, ph_vec3 at, ph_vec3 change, ph_quat nearest,
-                      ph_quat q, ph_quat q_change) {
+ * D(0) i is normal to Q = A0 + A2, unless D(0) stays in a plane. */
+static ph_quat follow(bool plane, ph_quat d, ph_vec3 at, ph_vec3 change,
+                      ph_quat nearest, ph_quat q, ph_quat q_change) {
   const ph_cplx i = {0, 1};
   double size2 = ph_vec3_dot(at, at), rate;
   ph_quat by = ph_quat_scale(
@@ -287,7 +287,7 @@ static ph_quat follow(ph_quat d, ph_vec3 at, ph_vec3 change, ph_quat nearest,
           ph_quat_dot(ph_quat_turn(nearest, i), q_change)) /
          ph_quat_dot(nearest, q);
   by = ph_quat_mul(by, d);
-  return isfinite(rate) ? axpy(by, rate, ph_quat_turn(d, i)) : by;
+  return isfinite(rate) && !plane ? axpy(by, rate, ph_quat_turn(d, i)) : by;
 }
 
 /* What the changes have in common. */
@@ -296,6 +296,7 @@ struct member {
   const ph_quat *a;
   ph_quat q, d, nearest; /* A0 + A2, D and D(0) */
   ph_cplx b;
+  bool plane; /* of plane data, in their plane */
 };
 
 static void change_by_b(const struct member *m, struct change *by) {
@@ -308,9 +309,9 @@ static void change_by_b(const struct member *m, struct change *by) {
   by->a[0] = ph_quat_turn(m->a[0], left);
   by->a[2] = ph_quat_turn(m->a[2], right);
   q_change = ph_quat_add(by->a[0], by->a[2]);
-  by->a[1] = ph_quat_scale(
-      1 / f->m11, axpy(follow(m->d, d, d_change, m->nearest, m->q, q_change),
-                       -f->m01, q_change));
+  by->a[1] = ph_quat_scale(1 / f->m11, axpy(follow(m->plane, m->d, d, d_change,
+                                                   m->nearest, m->q, q_change),
+                                            -f->m01, q_change));
   by->length =
       (ph_vec3_dot(d, d_change) / ph_vec3_abs(d) + k * f->c * m->b.im) / f->m11;
 }
@@ -346,7 +347,7 @@ static void change_by_alpha(const struct member *m, bool scaled,
   d_change.z -= k_change * f->s * m->b.im;
   by->a[0] = ph_quat_scale(0.5 * grow, m->a[0]);
   by->a[2] = ph_quat_scale(0.5 * grow, m->a[2]);
-  turned = follow(m->d, d, d_change, m->nearest, m->q, q_change);
+  turned = follow(m->plane, m->d, d, d_change, m->nearest, m->q, q_change);
   turned = axpy(axpy(turned, -f->m01, q_change), -m01, m->q);
   by->a[1] = ph_quat_scale(1 / f->m11, axpy(turned, -m11, m->a[1]));
   around = (k1_change + grow * k1) * (f->ni + f->nf);
@@ -398,6 +399,8 @@ double ph_spatial_fair(const struct ph_spatial_target *target, size_t panels,
       integrate(target->rule, panels, k, &form, gradient ? &form_ : NULL);
   if (gradient) {
     struct member m = {&f, a, .q = ph_quat_add(a[0], a[2]), .b = member.b};
+    double b;
+    m.plane = ph_spatial_in_plane(&f, member.b, &b);
     m.d = axpy(ph_quat_scale(f.m11, a[1]), f.m01, m.q);
     m.nearest = ph_quat_turn(m.d, ph_cplx_conj(member.phi));
     set_gradient(&m, target->scaled, integral, k == 1 ? 1 : 3, &form, &form_,

@@ -14,6 +14,21 @@ static const double PARALLEL = 1e-13;
 static const double PLANAR = 1e-13;
 static const double PLANAR_NOISE = 8;
 
+/* Sines of angles between data on a line, beyond their flatness. */
+static const double NO_NORMAL = 1e-12;
+
+/* ... and where their plane is theirs: its normal is up to ten times as
+ * uncertain as they are. */
+static const double SPREAD = 0.1;
+
+/* How far plane curves may leave their plane, relative, and in units of what
+ * the data do. */
+static const double NOT_PLANE = 1e-11;
+static const double AWAY = 16;
+
+/* exp(i b) of members in the plane is so near to real. */
+static const double NOT_REAL = 1e-12;
+
 /* Of a vector whose direction is rounding, relative. */
 static const double NO_DIRECTION = 1e-12;
 
@@ -66,6 +81,51 @@ static void set_frame(struct ph_spatial_family *f,
   f->axis[2] = ph_vec3_cross(f->axis[0], f->axis[1]);
 }
 
+/* exp(i b) of members in the plane: E(b) of (3) is, as A0 and A2 are.  Where
+ * the tangents are nearly opposite, the direction of g+ may be rounding. */
+static ph_cplx plane_b(const struct ph_spatial_family *f) {
+  double re = f->s * f->normal.z, im = f->normal.x, size = hypot(re, im);
+  return f->s > f->c ? ph_cplx_scale(copysign(1 / size, re), ph_cplx_of(re, im))
+                     : ph_cplx_of(1, 0);
+}
+
+/* The plane of the data: the one of two of their three directions that the
+ * third one leaves; or that of all data, if these have one, where the three are
+ * near to a line. */
+static void set_plane(struct ph_spatial_family *f,
+                      const struct ph_spatial_data *data) {
+  ph_vec3 v[3] = {ph_vec3_of(f->c, -f->s, 0), ph_vec3_scale(1 / f->h, f->dp),
+                  ph_vec3_of(f->c, f->s, 0)};
+  double flatness = f->flatness / f->h, largest = 0;
+  bool given = ph_vec3_dot(data->normal, data->normal) > 0, straight;
+  f->normal = ph_vec3_of(0, 0, 1);
+  for (size_t i = 0; i < 3; i++) {
+    ph_vec3 n = ph_vec3_cross(v[i], v[(i + 1) % 3]);
+    double size = ph_vec3_abs(n);
+    if (size > largest) {
+      largest = size;
+      f->normal = n;
+    }
+  }
+  given = given && largest < SPREAD;
+  straight = !given && !(largest > NO_NORMAL + flatness);
+  if (given) {
+    f->normal = ph_vec3_of(ph_vec3_dot(data->normal, f->axis[0]),
+                           ph_vec3_dot(data->normal, f->axis[1]),
+                           ph_vec3_dot(data->normal, f->axis[2]));
+  } else {
+    f->normal =
+        straight ? ph_vec3_of(0, 0, 1) : ph_vec3_scale(1 / largest, f->normal);
+  }
+  f->away = 0;
+  for (size_t i = 0; i < 3; i++) {
+    f->away = fmax(f->away, fabs(ph_vec3_dot(v[i], f->normal)));
+  }
+  f->has_plane = !straight && f->away <= flatness;
+  f->flat = f->planar || f->has_plane || straight;
+  f->plane_b = f->planar && !given ? ph_cplx_of(1, 0) : plane_b(f);
+}
+
 void ph_spatial_family_space(struct ph_spatial_family *f,
                              const struct ph_atph *space) {
   double k1;
@@ -78,6 +138,14 @@ void ph_spatial_family_space(struct ph_spatial_family *f,
   k1 = f->m01 * f->m01 - f->m00 * f->m11;
   f->vanishing = VANISHES * (f->m11 * f->h + f->m00 * f->m11 * (f->ni + f->nf));
   f->d0 = ph_vec3_along(ph_vec3_scale(f->m11, f->dp), k1, f->sum);
+}
+
+double ph_spatial_noise(const struct ph_spatial_data *data) {
+  return PLANAR * ph_vec3_abs(data->dp) + PLANAR_NOISE * data->noise;
+}
+
+double ph_spatial_flatness(const struct ph_spatial_data *data) {
+  return ph_spatial_noise(data) + data->planarity * ph_vec3_abs(data->dp);
 }
 
 struct ph_spatial_family
@@ -97,10 +165,10 @@ ph_spatial_family_of(const struct ph_spatial_data *data,
                     ph_vec3_dot(data->dp, f.axis[1]),
                     ph_vec3_dot(data->dp, f.axis[2]));
   f.sum = ph_vec3_of(f.c * (f.ni + f.nf), f.s * (f.nf - f.ni), 0);
-  f.noise = PLANAR * f.h + PLANAR_NOISE * data->noise;
-  f.flatness = f.noise + data->planarity * f.h;
+  f.noise = ph_spatial_noise(data);
+  f.flatness = ph_spatial_flatness(data);
   f.planar = f.s * fabs(f.dp.z) <= f.noise;
-  f.flat = f.planar || fabs(f.dp.z) <= f.flatness;
+  set_plane(&f, data);
   ph_spatial_family_space(&f, space);
   return f;
 }
@@ -159,15 +227,52 @@ static inline bool nearest_point(ph_quat q, double whole2, ph_vec3 d,
   return true;
 }
 
-/* D(0) of (4).  Where the phase is not determined, those of A0 and A2 keep
- * plane data in their plane; and where d is opposite to both tangents, k A0 or
- * k A2, which is as far from either side of it. */
+/* Whether exp(i b) is that of a member in the plane, or its opposite. */
+static inline bool is_plane_b(const struct ph_spatial_family *f, ph_cplx b) {
+  return f->flat && fabs(ph_cplx_cross(f->plane_b, b)) <= NOT_REAL;
+}
+
+/*
+ * D(0) in the plane of the data, up to a few times what these leave it, where
+ * A0 and A2 are.
+ *
+ * D and -D are A0 turned about the normal n of the plane, by angles in which
+ * d is in the direction of ti turned twice.  They are nearest to A0 or n A0, or
+ * to their opposites, and one of them is nearest to A0 + A2, or where this does
+ * not tell, to A0, to A2: the direction of A0 + A2 may be rounding of the data.
+ */
+static ph_quat plane_d(const struct ph_spatial_family *f, ph_cplx b, ph_quat a0,
+                       ph_quat a2) {
+  ph_vec3 d = ph_spatial_d(f, b);
+  double size = ph_vec3_abs(d), unclear = NO_PHASE + f->flatness / f->h;
+  bool ahead = d.x * f->c - d.y * f->s >= 0;
+  ph_quat to[3] = {ph_quat_add(a0, a2), a0, a2}, nearest = {0, 0, 0, 0};
+  if (!(size > f->vanishing) ||
+      !nearest_point(ahead ? a0 : ph_quat_mul(ph_quat_pure(f->normal), a0),
+                     f->ni, d, size, &nearest)) {
+    return nearest;
+  }
+  unclear *= sqrt(size) * (f->root[0] + f->root[1]);
+  for (size_t i = 0; i < 3; i++) {
+    double side = ph_quat_dot(nearest, to[i]);
+    if (fabs(side) > unclear) {
+      return side > 0 ? nearest : ph_quat_scale(-1, nearest);
+    }
+  }
+  return nearest;
+}
+
+/* D(0) of (4).  Where the phase is not determined, those of A0 and A2 do as
+ * well; and where d is opposite to both tangents, k A0 or k A2. */
 static inline ph_quat nearest_d(const struct ph_spatial_family *f, ph_cplx b,
                                 ph_quat a0, ph_quat a2) {
   const ph_quat k = ph_quat_of(0, 0, 0, 1);
   ph_vec3 d = ph_spatial_d(f, b);
   double size = ph_vec3_abs(d), whole2 = f->ni + f->nf;
   ph_quat nearest = {0, 0, 0, 0};
+  if (is_plane_b(f, b)) {
+    return plane_d(f, b, a0, a2);
+  }
   if (size > f->vanishing &&
       !nearest_point(ph_quat_add(a0, a2), whole2, d, size, &nearest) &&
       !nearest_point(a0, whole2, d, size, &nearest) &&
@@ -186,6 +291,27 @@ void ph_spatial_preimage(const struct ph_spatial_family *f,
   a[1] = ph_quat_scale(
       1 / f->m11,
       ph_quat_sub(d, ph_quat_scale(f->m01, ph_quat_add(a[0], a[2]))));
+}
+
+bool ph_spatial_in_plane(const struct ph_spatial_family *f, ph_cplx b,
+                         double *angle) {
+  ph_cplx e = f->plane_b;
+  bool plane = is_plane_b(f, b);
+  if (plane) {
+    b = ph_cplx_dot(e, b) > 0 ? e : ph_cplx_scale(-1, e);
+  }
+  *angle = atan2(b.im + 0.0, b.re);
+  return plane;
+}
+
+bool ph_spatial_is_plane(const struct ph_spatial_family *f,
+                         const ph_quat a[3]) {
+  /* As dp is, three legs of five say it. */
+  ph_vec3 second = ph_quat_i(a[0], a[1]), fourth = ph_quat_i(a[1], a[2]);
+  double size = f->h + ph_vec3_abs(second) + ph_vec3_abs(fourth);
+  double away = (NOT_PLANE + AWAY * (f->away + f->noise / f->h)) * size;
+  return fabs(ph_vec3_dot(second, f->normal)) <= away &&
+         fabs(ph_vec3_dot(fourth, f->normal)) <= away;
 }
 
 /* ---- angles about another axis -------------------------------------- */
@@ -312,7 +438,8 @@ struct ph_spatial_member ph_spatial_cc(const struct ph_spatial_family *f) {
   double re = f->s * x, im = -3 * f->dp.z;
   double size = sqrt(re * re + im * im), per_size = 1 / size;
   if (f->planar || size <= 1e-14 * (3 * f->h + f->ni + f->nf)) {
-    member.b.re = x >= 0 ? 1 : -1;
+    double along = x * f->plane_b.re - 3 * f->s * f->dp.z * f->plane_b.im;
+    member.b = ph_cplx_scale(along >= 0 ? 1 : -1, f->plane_b);
   } else {
     member.b = ph_cplx_of(re * per_size, im * per_size);
   }

@@ -19,8 +19,9 @@
  *   D i D* = d = d0 + 2 k m E(b),  E(b) = (cos b, 0, -s sin b)          (3)
  *   D = e A1 + m01 (A0 + A2) = D(0) exp(phi i)                          (4)
  *
- * where D(0) is the solution of (3) nearest to A0 + A2, m = sqrt(|Di| |Df|),
- * and k, d0 and e follow from the integrals of the basis (kernel/atph.h); the
+ * where D(0) is the solution of (3) nearest to A0 + A2 (of plane data, of those
+ * that lie in their plane where A0 and A2 do), m = sqrt(|Di| |Df|), and k,
+ * d0 and e follow from the integrals of the basis (kernel/atph.h); the
  * identities are tested by t_spatial_family.c.  [FAR15] writes (alpha, beta),
  * [GON18] (theta, beta), with respect to an axis u of their own: see
  * ph_spatial_angles.
@@ -40,7 +41,14 @@ struct ph_spatial_data {
   double ni, nf;    /* |Di|, |Df|: derivatives by u in [0,1] */
   double noise;     /* what rounding of the points can make of dp */
   double planarity; /* out of a plane by less of |dp|: in the plane */
+  ph_vec3 normal;   /* unit, of the plane of all data; 0: they have none */
 };
+
+/* ph_spatial_noise: what is no direction of dp, beyond doubt. */
+double ph_spatial_noise(const struct ph_spatial_data *data);
+
+/* ph_spatial_flatness: how far dp may be out of a plane that it is in. */
+double ph_spatial_flatness(const struct ph_spatial_data *data);
 
 /* The family of some data: frame and invariants. */
 struct ph_spatial_family {
@@ -60,7 +68,11 @@ struct ph_spatial_family {
   double noise;              /* of dp, beyond doubt */
   double flatness;           /* noise, or what counts as such by planarity */
   bool planar;               /* s dp.gh is noise: b = 0 or b = pi is plane */
-  bool flat;                 /* dp.gh is within the flatness */
+  bool flat;                 /* within the flatness in a plane, or on a line */
+  bool has_plane;            /* flat, and it is known in which plane: */
+  ph_vec3 normal;            /* of that plane, unit; gh of data on a line */
+  double away;               /* how far the data leave it, of unit vectors */
+  ph_cplx plane_b;           /* exp(i b) in that plane, up to its sign */
 };
 
 /* A member of a family: exp(i b) and exp(i phi). */
@@ -93,6 +105,25 @@ static inline ph_vec3 ph_spatial_d(const struct ph_spatial_family *f,
 
 /* ph_spatial_length: the exact arc length, which depends on b alone. */
 double ph_spatial_length(const struct ph_spatial_family *family, ph_cplx b);
+
+/*
+ * ph_spatial_in_plane: whether data are flat, and b one of the two angles of
+ * members in their plane: 0 or pi, up to the flatness of the data.
+ *
+ * out  angle  b; where it is one of these, without rounding of exp(i b)
+ */
+bool ph_spatial_in_plane(const struct ph_spatial_family *family, ph_cplx b,
+                         double *angle);
+
+/*
+ * ph_spatial_is_plane: whether a curve leaves the plane of its data by no more
+ * than a few times what these do.
+ *
+ * in   family  has_plane
+ * in   a[3]    preimage of a member
+ */
+bool ph_spatial_is_plane(const struct ph_spatial_family *family,
+                         const ph_quat a[3]);
 
 /*
  * ph_spatial_preimage: the preimage of a member, in the frame of the data.

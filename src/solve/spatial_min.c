@@ -9,7 +9,7 @@
  * 3. The best of these to the end, by ever finer quadratures until two agree.
  * 4. Their values by adaptive quadrature, and the least of these.
  *
- * Plane data have members in the plane, b and phi being 0 or pi.  They are
+ * Plane data have members in the plane, two b with phi 0 or pi.  They are
  * searched by themselves: with an inflection their F3 is finite, but that of
  * all members nearby is not.
  *
@@ -190,14 +190,6 @@ static void finish(const struct search *s, const struct start *best,
                     (alpha <= w->alpha_lower || alpha >= w->alpha_upper);
 }
 
-/* The angle of one of the four members in the plane, or of any. */
-static bool in_plane(ph_cplx e, double *angle) {
-  const double rounding = 1e-12;
-  bool plane = fabs(e.im) <= rounding;
-  *angle = !plane ? atan2(e.im, e.re) : e.re > 0 ? 0 : PH_PI;
-  return plane;
-}
-
 enum ph_status ph_spatial_descend(const struct ph_spatial_search *search,
                                   const struct ph_fair3_rules *rules,
                                   struct ph_arena *scratch,
@@ -205,10 +197,12 @@ enum ph_status ph_spatial_descend(const struct ph_spatial_search *search,
   struct search s;
   struct start start = {{0, 0, found->alpha}, 0, false};
   enum ph_status status;
-  bool b = in_plane(found->member.b, &start.at.b);
-  bool phi = in_plane(found->member.phi, &start.at.phi);
+  const double rounding = 1e-12;
+  ph_cplx phi = found->member.phi;
   begin(&s, search, rules, scratch);
-  start.plane = s.family.flat && b && phi;
+  start.plane = ph_spatial_in_plane(&s.family, found->member.b, &start.at.b) &&
+                fabs(phi.im) <= rounding;
+  start.at.phi = !start.plane ? atan2(phi.im, phi.re) : phi.re > 0 ? 0 : PH_PI;
   status = polish(&s, HUGE_VAL, &start);
   start.value = true_value(&s, &start.at);
   finish(&s, &start, found);
@@ -353,10 +347,12 @@ static bool is_least(const struct grid *g, size_t k, size_t i,
 /* The members in the plane, descended to the end at once. */
 static enum ph_status search_plane(struct search *s, const struct grid *g,
                                    struct start *best) {
+  double b;
+  ph_spatial_in_plane(&s->family, s->family.plane_b, &b);
   for (size_t k = 0; k < g->alphas; k++) {
     for (int i = 0; i < 4; i++) {
       struct start start = {
-          {i % 2 ? PH_PI : 0, i / 2 ? PH_PI : 0, g->alpha[k]}, 0, true};
+          {i % 2 ? b + PH_PI : b, i / 2 ? PH_PI : 0, g->alpha[k]}, 0, true};
       enum ph_status status = polish(s, best->value + SMALL, &start);
       if (status != PH_OK) {
         return status;

@@ -26,11 +26,6 @@ static const double NOT_CONVEX = 1e-12;
 static const double NO_NORMAL = 1e-12;
 static const double NO_TORSION = 1e-14;
 
-/* How far plane curves may leave their plane, relative, and in units of what
- * the data do. */
-static const double NOT_PLANE = 1e-11;
-static const double AWAY = 16;
-
 /* The factors tried first. */
 static const double FACTOR = 0.95;
 static const double FACTOR_MIN = 1.0 / 64;
@@ -104,57 +99,14 @@ static bool is_twisted(const struct ph_spatial_family *f) {
   return f->s * f->c * fabs(f->dp.z) > f->flatness;
 }
 
-/* A plane in which data are: its unit normal, and how far they leave it,
- * relative to the chord. */
-struct plane {
-  ph_vec3 normal;
-  double away;
-};
-
-/* The plane of data that are not twisted; false for straight ones, which have
- * none. */
-static bool plane_of(const struct ph_spatial_family *f, struct plane *plane) {
-  ph_vec3 ti = start_tangent(f), tf = end_tangent(f);
-  ph_vec3 chord = ph_vec3_scale(1 / f->h, f->dp);
-  ph_vec3 n[3] = {ph_vec3_cross(ti, chord), ph_vec3_cross(chord, tf),
-                  ph_vec3_cross(ti, tf)};
-  double flatness = f->flatness / f->h, largest = 0;
-  for (size_t i = 0; i < 3; i++) {
-    double size = ph_vec3_abs(n[i]);
-    if (size > largest) {
-      largest = size;
-      plane->normal = ph_vec3_scale(1 / size, n[i]);
-    }
-  }
-  if (!(largest > NO_NORMAL + flatness)) {
-    return false;
-  }
-  plane->away = fmax(fmax(fabs(ph_vec3_dot(ti, plane->normal)),
-                          fabs(ph_vec3_dot(tf, plane->normal))),
-                     fabs(ph_vec3_dot(chord, plane->normal)));
-  return plane->away <= flatness;
-}
-
-/* Whether a curve is in the plane as its data are.  As dp is, three legs of
- * five say it. */
-static bool is_plane(const struct ph_spatial_family *f, const ph_quat a[3],
-                     const struct plane *plane) {
-  ph_vec3 second = ph_quat_i(a[0], a[1]), fourth = ph_quat_i(a[1], a[2]);
-  double size = f->h + ph_vec3_abs(second) + ph_vec3_abs(fourth);
-  double away = (NOT_PLANE + AWAY * (plane->away + f->noise / f->h)) * size;
-  return fabs(ph_vec3_dot(second, plane->normal)) <= away &&
-         fabs(ph_vec3_dot(fourth, plane->normal)) <= away;
-}
-
 unsigned ph_spatial_constraints(const struct ph_spatial_family *f) {
   ph_vec3 ni = ph_vec3_cross(start_tangent(f), f->dp);
   ph_vec3 nf = ph_vec3_cross(f->dp, end_tangent(f));
-  struct plane plane;
   return (is_normal(f, ni) ? PH_SHAPE_START : 0u) |
          (is_normal(f, nf) ? PH_SHAPE_END : 0u) |
-         (is_twisted(f)         ? PH_SHAPE_TORSION
-          : plane_of(f, &plane) ? PH_SHAPE_PLANE
-                                : 0u);
+         (is_twisted(f)  ? PH_SHAPE_TORSION
+          : f->has_plane ? PH_SHAPE_PLANE
+                         : 0u);
 }
 
 /* The sign that the torsion is to have, where it is to have one. */
@@ -166,14 +118,13 @@ unsigned ph_spatial_violations(const struct ph_spatial_family *f,
                                const ph_quat a[3]) {
   unsigned violated = (start_convexity(f, a) > 0 ? 0u : PH_SHAPE_START) |
                       (end_convexity(f, a) > 0 ? 0u : PH_SHAPE_END);
-  struct plane plane;
   if (is_twisted(f)) {
     double form[7];
     ph_spatial_torsion_form(&f->space, a, form);
     if (ph_form_sign(form, 6, NO_TORSION) != sign_of(f)) {
       violated |= PH_SHAPE_TORSION;
     }
-  } else if (plane_of(f, &plane) && !is_plane(f, a, &plane)) {
+  } else if (f->has_plane && !ph_spatial_is_plane(f, a)) {
     violated |= PH_SHAPE_PLANE;
   }
   return violated;

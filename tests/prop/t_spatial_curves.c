@@ -7,6 +7,7 @@
  * The seed is 1, or PH_SEED; PH_LONG=1 takes ten times as many data.
  */
 #include "spatial_data.h"
+#include "spatial_unit.h"
 #include "unit.h"
 
 #include "kernel/atph.h"
@@ -179,6 +180,108 @@ START_TEST(test_flat) {
 }
 END_TEST
 
+/* ---- plane data in digits ------------------------------------------------ */
+
+enum { CROOKED_N = 8 };
+
+/* Plane data with what makes frames uncertain: steps of a grid, zigzags, given
+ * tangents that are parallel or opposite, or any. */
+static void crooked(struct unit_random *r, struct spatial_data *d) {
+  bool zigzag = unit_random_below(r, 2), grid = unit_random_below(r, 2);
+  double x = 0, y = 0;
+  spatial_points(r, SPATIAL_FLAT, CROOKED_N, false, d);
+  d->given = unit_random_below(r, 2) ? SPATIAL_TANGENTS : SPATIAL_POINTS;
+  for (size_t k = 0; k < d->n && (zigzag || grid); k++) {
+    d->point[k] = ph_vec3_of(x, zigzag ? (double)(k % 2) : y, 0);
+    x += zigzag ? 1 : (double)(1 + unit_random_below(r, 3));
+    y += (double)unit_random_below(r, 3) - 1;
+  }
+  for (size_t k = 0; k < d->n && grid; k++) {
+    double angle = 0.3 + 1.5707963267948966 * (double)unit_random_below(r, 4);
+    d->vector[k] = ph_vec3_of(cos(angle), sin(angle), 0);
+  }
+}
+
+static double in_digits(double x, double unit) {
+  return nearbyint(x / unit) * unit;
+}
+
+static ph_vec3 vector_in_digits(ph_vec3 v, double unit) {
+  return ph_vec3_of(in_digits(v.x, unit), in_digits(v.y, unit),
+                    in_digits(v.z, unit));
+}
+
+/* Turns data, writes them in digits, and scales them; tangents may be of any
+ * length, so that opposite ones are not rounded alike. */
+static ph_vec3 turn_in_digits(struct unit_random *r, double unit, double scale,
+                              struct spatial_data *d) {
+  ph_quat q = unit_random_turn(r);
+  for (size_t k = 0; k < d->n; k++) {
+    ph_vec3 p = d->point[k], t = d->vector[k];
+    double size = unit_random_in(r, 1, 2);
+    p = ph_vec3_along(ph_vec3_scale(p.x, ph_quat_i(q, q)), p.y,
+                      ph_quat_j(q, q));
+    t = ph_vec3_along(ph_vec3_scale(t.x, ph_quat_i(q, q)), t.y,
+                      ph_quat_j(q, q));
+    d->point[k] = ph_vec3_scale(scale, vector_in_digits(p, unit));
+    d->vector[k] = vector_in_digits(ph_vec3_scale(size, t), unit);
+  }
+  return ph_quat_k(q, q);
+}
+
+/* How far the curve leaves the plane through its first point, in units of the
+ * last digit of the data, and of the size of its segments where that is more.
+ */
+static double digits_away(const struct ph_curve *curve, ph_vec3 normal,
+                          double unit, double scale) {
+  double most = 0;
+  for (size_t k = 0; k < curve->n; k++) {
+    double size = unit_larger(spatial_segment_size(curve, k), scale);
+    for (size_t i = 1; i < 5; i++) {
+      ph_vec3 v =
+          ph_vec3_sub(spatial_point(curve, k, i), spatial_point(curve, k, 0));
+      double away = fabs(ph_vec3_dot(v, normal));
+      most = unit_larger(most, away / (unit * size));
+    }
+  }
+  return most;
+}
+
+/* Plane data that were written with 6 to 12 digits have curves in their plane:
+ * where two directions differ by rounding alone, their cross product has none.
+ */
+static void ck_digits(struct unit_random *r, size_t which,
+                      const char *criterion) {
+  double unit = pow(10, -6 - (double)unit_random_below(r, 7));
+  double scale = pow(10, 3 * (double)unit_random_below(r, 7) - 9), away;
+  ph_vec3 normal;
+  crooked(r, &data);
+  data.criterion = criterion;
+  data.atph = unit_random_below(r, 2);
+  for (size_t k = 0; k < data.n; k++) {
+    data.alpha[k] = 1.2;
+  }
+  data.n = criterion[0] == 'F' ? 3 : data.n;
+  normal = turn_in_digits(r, unit, scale, &data);
+  if (spatial_answer(&data, which, &one)) {
+    away = digits_away(&one.result.curve, normal, unit, scale);
+    spatial_assert(away <= 50, which, &data, "%s: %.3g units of %.0e away",
+                   criterion, away, unit);
+  }
+}
+
+START_TEST(test_digits) {
+  static const char *const names[] = {"cc", "hc", "bv", "F1", "F2", "F3"};
+  struct unit_random r = unit_random_of(17);
+  for (size_t i = 0; i < cases(2000); i++) {
+    ck_digits(&r, i, names[i % 3]);
+  }
+  for (size_t i = 0; i < cases(60); i++) {
+    ck_digits(&r, i, names[3 + i % 3]);
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("spatial curves");
   TCase *tc = tcase_create("spatial curves");
@@ -188,6 +291,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_tight);
   tcase_add_test(tc, test_functionals);
   tcase_add_test(tc, test_flat);
+  tcase_add_test(tc, test_digits);
   suite_add_tcase(s, tc);
   return s;
 }

@@ -47,6 +47,7 @@ unit_random_spatial(struct unit_random *r) {
   data.nf = exp(unit_random_in(r, -1.1, 1.1));
   data.noise = 0;
   data.planarity = 0;
+  data.normal = ph_vec3_of(0, 0, 0);
   return data;
 }
 

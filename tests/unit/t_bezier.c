@@ -120,7 +120,7 @@ START_TEST(test_one_piece) {
   } known[] = {{0.1, 1.8e-5}, {0.5, 4.4e-4}, {1, 1.8e-3}, {2.0943951, 9.2e-3}};
   const double alpha = known[_i].alpha;
   const struct ph_spatial_data data = {
-      {1, 0, 0}, {0.8, 0.6, 0}, {0.8, 0, 0.6}, 1, 1, 0, 0};
+      {1, 0, 0}, {0.8, 0.6, 0}, {0.8, 0, 0.6}, 1, 1, 0, 0, {0, 0, 0}};
   const struct ph_atph space = ph_atph_of(alpha);
   const struct ph_spatial_family family = ph_spatial_family_of(&data, &space);
   ph_quat a[3];

@@ -444,7 +444,8 @@ static void ck_refused(const struct ph_spatial_data *data, bool angles_refused,
 /* A tangent opposite to the axis, or nearer to that than to be useful, has no
  * angle; d neither. */
 START_TEST(test_refused) {
-  struct ph_spatial_data data = {{0, 1, 0}, {-1, 0, 0}, {0, 1, 0}, 1, 1, 0, 0};
+  struct ph_spatial_data data = {{0, 1, 0}, {-1, 0, 0}, {0, 1, 0}, 1,
+                                 1,         0,          0,         {0, 0, 0}};
   const ph_vec3 y = {0, 1, 0}, z = {0, 0, 1}, minus = {-1, 0, 0};
   ck_refused(&data, true, true);
   data.ti = ph_vec3_of(-1, 1e-8, 0);

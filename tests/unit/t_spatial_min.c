@@ -207,7 +207,8 @@ static struct ph_spatial_data row_data(const struct row *row, double scale) {
                                  scale * ph_vec3_abs(d0),
                                  scale * ph_vec3_abs(d1),
                                  0,
-                                 0};
+                                 0,
+                                 {0, 0, 0}};
   return data;
 }
 
@@ -343,7 +344,7 @@ START_TEST(test_straight) {
   const ph_vec3 x = {1, 0, 0};
   for (int k = 1; k <= 3; k++) {
     for (int atph = 0; atph < 2; atph++) {
-      struct ph_spatial_data data = {x, x, x, 1, 0.8, 0, 0};
+      struct ph_spatial_data data = {x, x, x, 1, 0.8, 0, 0, {0, 0, 0}};
       struct ph_spatial_search search = search_of(&data, atph, k);
       struct ph_spatial_minimum found = minimize(&search);
       ck_abs(found.value, 0, 1e-20);
@@ -355,7 +356,8 @@ END_TEST
 /* Half a circle, of which F1 is pi^2: for opposite tangents, too, the frame has
  * an answer. */
 START_TEST(test_circle) {
-  struct ph_spatial_data data = {{2, 0, 0}, {0, 1, 0}, {0, -1, 0}, 2, 2, 0, 0};
+  struct ph_spatial_data data = {{2, 0, 0}, {0, 1, 0}, {0, -1, 0}, 2,
+                                 2,         0,         0,          {0, 0, 0}};
   struct ph_spatial_search search = search_of(&data, true, 1);
   struct ph_spatial_minimum found = minimize(&search);
   ck_rel(found.value, 9.869604401089358, 1e-12);
@@ -381,7 +383,8 @@ START_TEST(test_plane) {
                                    1,
                                    0.7,
                                    0,
-                                   0};
+                                   0,
+                                   {0, 0, 0}};
     struct ph_spatial_search search = search_of(&data, false, 3);
     struct ph_spatial_minimum found = minimize(&search);
     ck_rel(found.value, 276.5791974, 1e-8);

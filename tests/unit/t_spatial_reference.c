@@ -136,6 +136,7 @@ static struct ph_spatial_family family_of(void) {
   data.nf = interval * ph_vec3_abs(df);
   data.noise = 0;
   data.planarity = 0;
+  data.normal = ph_vec3_of(0, 0, 0);
   return ph_spatial_family_of(&data, &space);
 }
 

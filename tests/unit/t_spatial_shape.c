@@ -32,6 +32,7 @@ static struct ph_spatial_data random_data(struct unit_random *r,
   data.nf = unit_random_in(r, 0.5, 1.5);
   data.noise = 0;
   data.planarity = 0;
+  data.normal = ph_vec3_of(0, 0, 0);
   return data;
 }
 
@@ -172,7 +173,7 @@ END_TEST
 
 static struct ph_spatial_data data_of(ph_vec3 dp, ph_vec3 ti, ph_vec3 tf) {
   struct ph_spatial_data data = {
-      dp, ph_vec3_unit(ti), ph_vec3_unit(tf), 1, 1, 0, 0};
+      dp, ph_vec3_unit(ti), ph_vec3_unit(tf), 1, 1, 0, 0, {0, 0, 0}};
   return data;
 }
 
@@ -255,7 +256,8 @@ static struct ph_spatial_data example3(double size) {
       size,
       size,
       0,
-      0};
+      0,
+      {0, 0, 0}};
   return data;
 }
 
@@ -304,7 +306,8 @@ START_TEST(test_example1) {
       3.3719110708995483,
       3.3719110708995483,
       0,
-      0};
+      0,
+      {0, 0, 0}};
   struct ph_atph space = ph_atph_of(0);
   struct ph_spatial_tension tension;
   double zero[2] = {0, 0};
@@ -398,7 +401,8 @@ static struct ph_spatial_data reversed(const struct ph_spatial_data *data) {
                                   data->nf,
                                   data->ni,
                                   data->noise,
-                                  data->planarity};
+                                  data->planarity,
+                                  data->normal};
   return image;
 }
 
