@@ -11,6 +11,7 @@
 #include "io/json_read.h"
 #include "io/number.h"
 #include "io/value.h"
+#include "verify/promise.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -201,7 +202,8 @@ static enum ph_status read_head(const struct ph_record *result,
     r.status = head->sweep ? PH_OK : PH_NO_MEMORY;
   }
   if (r.status == PH_OK) {
-    head->command = command ? ph_command_find(command) : NULL;
+    head->command =
+        command && ph_promise_of(command) ? ph_command_find(command) : NULL;
     r.status = ph_json_echo(&items[0], &none, arena, &head->echo, &ignored);
   }
   if (r.status == PH_OK && head->echo.id) {

@@ -8,6 +8,7 @@
  */
 #include "cli/verify.h"
 
+#include "base/suggest.h"
 #include "cli/message.h"
 #include "cli/pairing.h"
 #include "io/csv_in.h"
@@ -34,6 +35,7 @@ struct task {
   const struct ph_item *item;
   struct ph_claim claim;
   bool read; /* the claim was, as a whole */
+  const struct ph_promise *promise;
   struct ph_swept *swept;
   size_t swept_n;
   struct ph_problem problem;
@@ -43,6 +45,30 @@ struct task {
   bool judged; /* there is a verdict */
   struct ph_diag diag;
 };
+
+/* ---- the command ------------------------------------------------------- */
+
+/* What the command of the result promises. */
+static enum ph_status read_command(struct task *t) {
+  const char *name = t->claim.command;
+  struct ph_suggest suggest;
+  char clause[PH_DID_YOU_MEAN_MAX], excerpt[PH_EXCERPT_MAX];
+  if (!name) {
+    return ph_fail(&t->diag, PH_MISSING_FIELD, "command", "is missing");
+  }
+  t->promise = ph_promise_of(name);
+  if (t->promise) {
+    return PH_OK;
+  }
+  ph_suggest_init(&suggest, name, strlen(name));
+  for (size_t i = 0; i < ph_promises_n; i++) {
+    const char *command = ph_promises[i].command;
+    ph_suggest_try(&suggest, command, strlen(command));
+  }
+  ph_did_you_mean(&suggest, clause);
+  return ph_fail(&t->diag, PH_BAD_VALUE, "command", "cannot be \"%s\"%s",
+                 ph_excerpt(name, strlen(name), excerpt), clause);
+}
 
 /* ---- sweeps ------------------------------------------------------------ */
 
@@ -149,13 +175,8 @@ static enum ph_status read_record(struct task *t, const struct ph_posed *posed,
  * of it. */
 static enum ph_status read_problem(struct task *t) {
   const struct ph_posed *posed = t->item->posed;
-  const char *name = t->claim.command;
-  const struct ph_command *command = name ? ph_command_find(name) : NULL;
+  const struct ph_command *command = ph_command_find(t->claim.command);
   enum ph_status status;
-  if (!command || command->use != PH_USE_SOLVE) {
-    return ph_fail(&t->diag, name ? PH_BAD_VALUE : PH_MISSING_FIELD, "command",
-                   name ? "is none that solves problems" : "is missing");
-  }
   t->about_problem = true;
   status = read_record(t, posed, command->schema);
   if (status == PH_OK) {
@@ -206,7 +227,10 @@ static enum ph_status verify(struct task *t) {
     return status;
   }
   t->read = true;
-  status = read_sweep(t);
+  status = read_command(t);
+  if (status == PH_OK) {
+    status = read_sweep(t);
+  }
   if (status == PH_OK && t->options->problems && !item->posed) {
     t->diag = item->diag;
     status = item->diag.status;
@@ -216,8 +240,8 @@ static enum ph_status verify(struct task *t) {
   }
   if (status == PH_OK && claim->solved) {
     status = ph_verify_result(&claim->result, t->posed ? &t->problem : NULL,
-                              claim->command ? claim->command : "",
-                              &t->worker->scratch, &t->verdict, &t->diag);
+                              t->promise, &t->worker->scratch, &t->verdict,
+                              &t->diag);
     if (status == PH_OK) {
       status = judge(t);
     }

@@ -402,6 +402,10 @@ static void read_heading(struct ph_json_reader *r,
     ph_read_enter(r, member_names[STATUS]);
     ph_read_fail(r, PH_BAD_VALUE, "must be \"ok\" or \"error\"");
   }
+  if (!claim->solved && items[SEGMENTS].value) {
+    ph_read_enter(r, member_names[SEGMENTS]);
+    ph_read_fail(r, PH_BAD_SHAPE, "are not of an error record");
+  }
   if (r->status == PH_OK && sweep->value) {
     claim->sweep = ph_arena_copy(r->arena, sweep->value, sweep->value_n);
     if (!claim->sweep) {

@@ -8,14 +8,6 @@
 
 #include "verify/place.h"
 
-#include <string.h>
-
-/* ph_verify_is_command: of which command the result is. */
-static inline bool ph_verify_is_command(const struct ph_verify *v,
-                                        const char *name) {
-  return v->command && strcmp(v->command, name) == 0;
-}
-
 /* ph_verify_shape: whether arrays, numbers and knots are such that there is a
  * curve to look at. */
 bool ph_verify_shape(struct ph_verify *v);
@@ -62,6 +54,10 @@ void ph_verify_blaschke(struct ph_verify *v);
 /* ph_verify_solves: the problem, if there is one.
  * ret  PH_OK | PH_NO_MEMORY */
 enum ph_status ph_verify_solves(struct ph_verify *v);
+
+/* ph_verify_is_approximation: whether the curve approximates another one: as
+ * the problem says, or, without one, as the result says it. */
+bool ph_verify_is_approximation(const struct ph_verify *v);
 
 /* ph_verify_distance: of cubics from the curve of the problem.
  * ret  PH_OK | PH_NO_MEMORY */

@@ -175,7 +175,7 @@ static bool set_parts(struct context *x) {
   size_t piece = 0, first = 0;
   for (size_t k = 0; k < c->n; k++) {
     double from, to;
-    if (!c->knots || piece >= x->pieces) {
+    if (piece >= x->pieces) {
       return false;
     }
     from = c->knots[k] - (double)piece;

@@ -1,14 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How segments join.  A result does not say what was promised; its command and
- * its kind of curve do:
- *
- *   planar, arclength   PH and ATPH segments: r' and r'' by the knots
- *   sphere              r' by the knots; r'' (the geodesic curvature) is a
- *                       matter of the model (tension.c)
- *   others, and Bezier curves in place of ATPH ones   the unit tangent
- *   tc, approximating   ends that meet: of a chain of given curves there may be
- *                       corners
+ * How segments join: as promised (promise.h); approximations have ends that
+ * meet, for of a chain of given curves there may be corners.
  */
 #include "verify/check.h"
 
@@ -71,17 +64,15 @@ static void check_tangent(struct ph_verify *v, size_t k,
 
 void ph_verify_joint(struct ph_verify *v, const struct ph_verify_segment *a,
                      const struct ph_verify_segment *b) {
-  enum ph_curve_kind kind = v->curve->kind;
+  bool exact = v->curve->kind != PH_CURVE_BEZIER;
+  enum ph_join join = exact ? v->promise->join : PH_JOIN_TANGENT;
   struct end before = end_of(v, a, 1), after = end_of(v, b, 0);
-  bool smooth = kind == PH_CURVE_PH || kind == PH_CURVE_ATPH;
-  bool second = smooth && (ph_verify_is_command(v, "planar") ||
-                           ph_verify_is_command(v, "arclength"));
   ph_verify_miss(v, PH_V_CONTINUITY, ph_verify_in(b->k, "control_points"),
                  ph_verify_apart(before.at, after.at), v->size,
                  ROUND_POINT * v->rounding, "are away from the end before");
-  if (v->curve->knots && (second || kind == PH_CURVE_SPHERICAL_NU)) {
-    check_derivatives(v, a, b, &before, &after, second);
-  } else if (kind != PH_CURVE_TC || !ph_verify_known(v, PH_D_DISTANCE)) {
+  if (join != PH_JOIN_TANGENT) {
+    check_derivatives(v, a, b, &before, &after, join == PH_JOIN_SECOND);
+  } else if (!ph_verify_is_approximation(v)) {
     check_tangent(v, b->k, &before, &after);
   }
 }

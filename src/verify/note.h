@@ -37,8 +37,8 @@ enum { PH_VERIFY_PREFIX = 48 };
 struct ph_verify {
   struct ph_verdict *verdict;
   struct ph_arena *scratch;
-  struct ph_diag *diag; /* of what stops verification: no memory */
-  const char *command;
+  struct ph_diag *diag;             /* of what stops verification: no memory */
+  const struct ph_promise *promise; /* of the command */
   const struct ph_problem *problem;
   char prefix[PH_VERIFY_PREFIX]; /* of fields: "solutions[1]." */
 

@@ -356,6 +356,9 @@ static bool begin(struct context *c) {
   if (!isfinite(c->o->distance)) {
     return wrong(c, NULL, PH_VERIFY_ONE, "distance", "is not finite");
   }
+  if (!space && vector) {
+    return wrong(c, NULL, PH_VERIFY_ONE, "vector", "is of curves in space");
+  }
   if (space &&
       !(vector && (strcmp(vector, "e2") == 0 || strcmp(vector, "e3") == 0))) {
     return wrong(c, NULL, PH_VERIFY_ONE, "vector", "is neither e2 nor e3");

@@ -1,15 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A curve against the problem that it is said to solve: points, tangents and
- * derivatives, what is given at the ends, and lengths.  Which derivatives are
- * by which parameter:
- *
- *   planar           end derivatives by the knots
- *   spatial-hermite  by the local one, times the square of the tension
- *   arclength        by the knots
- *   tc               by that of each cubic, in [0,1], of two in an interval
- *
- * Of a Bezier curve in place of another only the direction is known.
+ * derivatives, what is given at the ends, and lengths, as far as the command
+ * promises them (promise.h).  Of a Bezier curve in place of another only the
+ * direction is known.
  */
 #include "verify/check.h"
 #include "verify/data.h"
@@ -22,8 +16,7 @@ static const double MOVED = 1e-3;
 struct context {
   struct ph_verify *v;
   struct ph_verify_data data;
-  bool spatial, arclength, tc, planar; /* the command */
-  double moved;                        /* allowed, of the radius */
+  double moved; /* allowed, of the radius */
 };
 
 /* An end of an interval. */
@@ -59,7 +52,13 @@ static bool is_asked_for(struct ph_verify *v) {
   return true;
 }
 
-static bool is_approximation(const struct ph_verify *v) {
+bool ph_verify_is_approximation(const struct ph_verify *v) {
+  if (!v->promise->approximate) {
+    return false;
+  }
+  if (!v->problem) {
+    return ph_verify_known(v, PH_D_DISTANCE);
+  }
   return v->problem->field[PH_F_MODE].kind == PH_WORD
              ? ph_verify_is_word(v, PH_F_MODE, "approximate")
              : ph_verify_field(v, PH_F_CURVE) != NULL;
@@ -100,29 +99,38 @@ static void check_start(const struct context *x, const struct end *e) {
 /* ---- tangents and derivatives ----------------------------------------------
  */
 
-static void check_vector(const struct context *x, const struct end *e) {
+/* A given derivative against r' by u, where it is known what it is by, or else
+ * its direction. */
+static void check_derivative(const struct context *x, const struct end *e,
+                             enum ph_verify_check check, const double *w,
+                             size_t dimension) {
   struct ph_verify *v = x->v;
   const struct ph_curve *c = v->curve;
+  enum ph_given given =
+      c->kind == PH_CURVE_BEZIER ? PH_GIVEN_NONE : v->promise->given;
+  double factor = 1;
+  if (given == PH_GIVEN_TENSION) {
+    factor = c->tension[e->s->k] * c->tension[e->s->k] * e->s->unit;
+  } else if (given == PH_GIVEN_KNOTS) {
+    factor = e->s->spacing;
+  }
+  if (given == PH_GIVEN_NONE || (given == PH_GIVEN_CUBIC && !e->pair)) {
+    ph_verify_heading(v, check, e->s, e->u, ph_verify_direction(w, dimension));
+  } else {
+    ph_verify_derivative(v, check, e->s, e->u, factor,
+                         ph_verify_vector(v, w, dimension),
+                         given == PH_GIVEN_KNOTS);
+  }
+}
+
+static void check_vector(const struct context *x, const struct end *e) {
   const struct ph_value *given = x->data.vectors;
   size_t j = e->datum < given->n ? e->datum : 0;
   const double *w = given->v + given->dimension * j;
-  bool known = x->data.derivatives && c->kind != PH_CURVE_BEZIER;
-  double factor = 1;
-  if (x->spatial) {
-    known = known && c->tension;
-    factor = known ? c->tension[e->s->k] * c->tension[e->s->k] * e->s->unit : 1;
-  } else if (x->arclength) {
-    known = known && c->knots;
-    factor = e->s->spacing;
+  if (x->data.derivatives) {
+    check_derivative(x, e, PH_V_TANGENT, w, given->dimension);
   } else {
-    known = known && e->pair;
-  }
-  if (known) {
-    ph_verify_derivative(v, PH_V_TANGENT, e->s, e->u, factor,
-                         ph_verify_vector(v, w, given->dimension),
-                         x->arclength);
-  } else {
-    ph_verify_heading(v, PH_V_TANGENT, e->s, e->u,
+    ph_verify_heading(x->v, PH_V_TANGENT, e->s, e->u,
                       ph_verify_direction(w, given->dimension));
   }
 }
@@ -138,10 +146,8 @@ static void check_ends(const struct context *x, const struct end *e) {
     return;
   }
   w = given->v + (e->datum > 0 ? given->dimension : 0);
-  if (derivatives && v->curve->kind != PH_CURVE_BEZIER &&
-      (x->planar ? v->curve->knots != NULL : e->pair)) {
-    ph_verify_derivative(v, PH_V_END, e->s, e->u, x->planar ? e->s->spacing : 1,
-                         ph_verify_vector(v, w, given->dimension), x->planar);
+  if (derivatives) {
+    check_derivative(x, e, PH_V_END, w, given->dimension);
   } else {
     ph_verify_heading(v, PH_V_END, e->s, e->u,
                       ph_verify_direction(w, given->dimension));
@@ -162,7 +168,7 @@ static void check_end(const struct context *x, const struct end *e) {
   if (x->data.vectors) {
     check_vector(x, e);
   }
-  if (outer && (x->planar || x->tc)) {
+  if (outer && x->v->promise->ends) {
     check_ends(x, e);
   }
 }
@@ -186,7 +192,7 @@ static void check_interval(const struct context *x, size_t i) {
 static void check_lengths(const struct context *x) {
   struct ph_verify *v = x->v;
   const struct ph_value *given = ph_verify_field(v, PH_F_LENGTHS);
-  if (!x->arclength || !given || ph_verify_field(v, PH_F_LENGTH_SIGMA)) {
+  if (!v->promise->lengths || !given || ph_verify_field(v, PH_F_LENGTH_SIGMA)) {
     return;
   }
   if (given->kind == PH_NUMBERS && given->n != x->data.n) {
@@ -203,9 +209,7 @@ static void check_lengths(const struct context *x) {
       allowance += v->noise[k];
     }
     wanted = ph_verify_scaled(v, wanted);
-    ph_verify_miss(v, PH_V_PRESCRIBED,
-                   v->intervals_n > 0 ? ph_verify_of("intervals", i, "length")
-                                      : ph_verify_in(i, "length"),
+    ph_verify_miss(v, PH_V_PRESCRIBED, ph_verify_of("intervals", i, "length"),
                    fabs(length - wanted), ph_verify_larger(length, v->mean),
                    allowance, "misses what was prescribed");
   }
@@ -213,16 +217,12 @@ static void check_lengths(const struct context *x) {
 
 enum ph_status ph_verify_solves(struct ph_verify *v) {
   const struct ph_value *moved;
-  struct context x = {.v = v,
-                      .spatial = ph_verify_is_command(v, "spatial-hermite"),
-                      .arclength = ph_verify_is_command(v, "arclength"),
-                      .tc = ph_verify_is_command(v, "tc"),
-                      .planar = ph_verify_is_command(v, "planar")};
+  struct context x = {.v = v};
   enum ph_status status = PH_OK;
   if (!v->problem || !is_asked_for(v)) {
     return PH_OK;
   }
-  if (x.tc && is_approximation(v)) {
+  if (ph_verify_is_approximation(v)) {
     return ph_verify_distance(v);
   }
   if (!ph_verify_data_of(v, &x.data, &status)) {

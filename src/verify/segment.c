@@ -98,7 +98,7 @@ void ph_verify_load(const struct ph_verify *v, size_t k,
   s->k = k;
   s->angle = c->alpha ? c->alpha[k] : 0;
   s->unit = c->alpha ? c->alpha[k] : 1;
-  s->spacing = c->knots ? c->knots[k + 1] - c->knots[k] : 1;
+  s->spacing = c->knots[k + 1] - c->knots[k];
   s->speed = 0;
   s->radius = 0;
   for (size_t i = 0; i <= c->degree; i++) {

@@ -30,53 +30,36 @@ static bool are_finite(struct ph_verify *v, const double *x, size_t each,
          wrong(v, ph_verify_in(i / each, member), "holds what is not finite");
 }
 
-/* Whether the degree and the dimension are those of the kind. */
-static bool is_kind(struct ph_verify *v) {
-  const struct ph_curve *c = v->curve;
-  bool fits = c->dimension == 2 || c->dimension == 3;
-  size_t degree = c->degree;
-  switch (c->kind) {
-  case PH_CURVE_PH:
-    fits = fits && degree % 2 == 1 && degree <= PH_VERIFY_DEGREE_MAX;
-    break;
-  case PH_CURVE_ATPH:
-    fits = fits && degree == 5;
-    break;
-  case PH_CURVE_BEZIER:
-    fits = fits && degree >= 1 && degree <= PH_VERIFY_DEGREE_MAX;
-    break;
-  case PH_CURVE_TC:
-    fits = c->dimension == 2 && degree == 3;
-    break;
-  case PH_CURVE_SPHERICAL_NU:
-    fits = c->dimension == 3 && degree == 3;
-    break;
-  default:
-    fits = false;
-  }
-  return fits || wrong(v, ph_verify_of(NULL, PH_VERIFY_ONE, "degree"),
-                       "or dimension is not that of the kind of curve");
+static bool wrong_in(struct ph_verify *v, const char *member,
+                     const char *what) {
+  return wrong(v, ph_verify_of(NULL, PH_VERIFY_ONE, member), what);
 }
 
-/* Whether curves of the kind are what the command makes. */
+/* Whether the curve is one that the command makes, with all that such a curve
+ * has. */
 static bool is_of_command(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
-  bool smooth = c->kind == PH_CURVE_PH || c->kind == PH_CURVE_ATPH ||
-                c->kind == PH_CURVE_BEZIER;
-  bool fits = true;
-  if (ph_verify_is_command(v, "planar")) {
-    fits = smooth && c->dimension == 2;
-  } else if (ph_verify_is_command(v, "spatial-hermite")) {
-    fits = smooth && c->dimension == 3;
-  } else if (ph_verify_is_command(v, "arclength")) {
-    fits = c->kind == PH_CURVE_PH && c->dimension == 3;
-  } else if (ph_verify_is_command(v, "sphere")) {
-    fits = c->kind == PH_CURVE_SPHERICAL_NU;
-  } else if (ph_verify_is_command(v, "tc")) {
-    fits = c->kind == PH_CURVE_TC;
+  const struct ph_promise *promise = v->promise;
+  bool exact = c->kind != PH_CURVE_BEZIER;
+  if (!(promise->kinds >> c->kind & 1)) {
+    return wrong_in(v, "curve", "is of no kind that the command makes");
   }
-  return fits || wrong(v, ph_verify_of(NULL, PH_VERIFY_ONE, "curve"),
-                       "is of no kind that the command makes");
+  if (c->dimension != promise->dimension) {
+    return wrong_in(v, "dimension", "is not that of curves of the command");
+  }
+  if (c->degree != promise->degree) {
+    return wrong_in(v, "degree", "is not that of curves of the command");
+  }
+  if (promise->intervals != (v->intervals_n > 0)) {
+    return wrong_in(v, "intervals",
+                    promise->intervals ? "are missing"
+                                       : "are not what the command makes");
+  }
+  if ((promise->tension && exact) != (c->tension != NULL)) {
+    return wrong(v, ph_verify_in(0, "tension"),
+                 c->tension ? "is not of such a curve" : "is missing");
+  }
+  return true;
 }
 
 /* Whether intervals of the data are made of all segments, in their order. */
@@ -97,12 +80,13 @@ static bool is_divided(struct ph_verify *v) {
 
 static bool is_parametrised(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
-  if (c->knots) {
-    for (size_t k = 0; k < c->n; k++) {
-      if (!(c->knots[k + 1] > c->knots[k] && isfinite(c->knots[k]) &&
-            isfinite(c->knots[k + 1]))) {
-        return wrong(v, ph_verify_in(k, "interval"), "is no interval");
-      }
+  if (!c->knots) {
+    return wrong(v, ph_verify_in(0, "interval"), "is missing");
+  }
+  for (size_t k = 0; k < c->n; k++) {
+    if (!(c->knots[k + 1] > c->knots[k] && isfinite(c->knots[k]) &&
+          isfinite(c->knots[k + 1]))) {
+      return wrong(v, ph_verify_in(k, "interval"), "is no interval");
     }
   }
   if ((c->kind == PH_CURVE_ATPH) != (c->alpha != NULL)) {
@@ -136,7 +120,9 @@ static bool is_sphere(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
   size_t nodes = c->closed ? c->n : c->n + 1;
   if (c->kind != PH_CURVE_SPHERICAL_NU) {
-    return true;
+    return !(c->radius > 0) ||
+           wrong(v, ph_verify_of("radius", PH_VERIFY_ONE, NULL),
+                 "is not of such a curve");
   }
   if (!(c->radius > 0) || !isfinite(c->radius)) {
     return wrong(v, ph_verify_of("radius", PH_VERIFY_ONE, NULL),
@@ -146,9 +132,9 @@ static bool is_sphere(struct ph_verify *v) {
     return wrong(v, ph_verify_of("center", PH_VERIFY_ONE, NULL),
                  "is not finite");
   }
-  if (c->tensions && finite_until(c->tensions, nodes) < nodes) {
+  if (!c->tensions || finite_until(c->tensions, nodes) < nodes) {
     return wrong(v, ph_verify_of("tensions", PH_VERIFY_ONE, NULL),
-                 "hold what is not finite");
+                 c->tensions ? "hold what is not finite" : "are missing");
   }
   return true;
 }
@@ -159,7 +145,7 @@ bool ph_verify_shape(struct ph_verify *v) {
   if (c->n == 0 || !c->control_points) {
     return wrong(v, SEGMENTS, "are missing");
   }
-  return is_kind(v) && is_of_command(v) && is_divided(v) &&
+  return is_of_command(v) && is_divided(v) &&
          are_finite(v, c->control_points, (c->degree + 1) * c->dimension,
                     "control_points") &&
          is_parametrised(v) && is_preimage(v) && is_sphere(v);

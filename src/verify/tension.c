@@ -123,12 +123,10 @@ static void check_node(struct context *c, size_t node,
   double size = ph_verify_larger(fabs(a.curvature), fabs(b.curvature));
   double error = a.curvature_error + b.curvature_error;
   double jump = fabs(a.curvature - b.curvature) / ph_verify_larger(1, size);
-  if (c->v->curve->tensions) {
-    double nu = c->v->curve->tensions[node];
-    check_exact(c, node, nu, &a, &b);
-    check_nielson(c, node, nu, &a, &b);
-    ph_sum_add(&c->tensions, nu);
-  }
+  double nu = c->v->curve->tensions[node];
+  check_exact(c, node, nu, &a, &b);
+  check_nielson(c, node, nu, &a, &b);
+  ph_sum_add(&c->tensions, nu);
   if (isfinite(error)) { /* it does not stand still */
     c->jump = ph_verify_larger(c->jump, jump);
     c->jump_error = ph_verify_larger(c->jump_error, error);
@@ -165,11 +163,9 @@ static void conclude(struct context *c) {
   struct ph_verify *v = c->v;
   double radius = v->curve->radius;
   enum model model = model_of(c);
-  if (v->curve->tensions) {
-    ph_verify_miss(v, PH_V_TENSION,
-                   ph_verify_of("tensions", c->worst[model].node, NULL),
-                   c->worst[model].error, 1, 0, "is not that of the curve");
-  }
+  ph_verify_miss(v, PH_V_TENSION,
+                 ph_verify_of("tensions", c->worst[model].node, NULL),
+                 c->worst[model].error, 1, 0, "is not that of the curve");
   if (model == EXACT) {
     ph_verify_miss(v, PH_V_CONTINUITY,
                    ph_verify_of("segments", PH_VERIFY_ONE, NULL), c->jump, 1,
@@ -186,7 +182,7 @@ void ph_verify_tensions(struct ph_verify *v) {
   struct context c = {.v = v};
   struct ph_verify_segment first, s[2];
   size_t n = v->curve->n;
-  if (v->curve->kind != PH_CURVE_SPHERICAL_NU || !v->curve->knots) {
+  if (v->curve->kind != PH_CURVE_SPHERICAL_NU) {
     return;
   }
   for (size_t k = 0; k < n; k++) {

@@ -63,10 +63,8 @@ static bool begin_curve(struct ph_verify *v) {
   mean = ph_verify_scaled(v, c->length) / (double)c->n;
   /* a false claim would make all errors small */
   v->mean = mean < 4 * v->size ? mean : 0;
-  v->knot = c->knots
-                ? PH_VERIFY_ROUND_KNOT * DBL_EPSILON *
-                      ph_verify_larger(fabs(c->knots[0]), fabs(c->knots[c->n]))
-                : 0;
+  v->knot = PH_VERIFY_ROUND_KNOT * DBL_EPSILON *
+            ph_verify_larger(fabs(c->knots[0]), fabs(c->knots[c->n]));
   return true;
 }
 
@@ -178,13 +176,14 @@ static void conclude(struct ph_verdict *verdict) {
 
 enum ph_status ph_verify_result(const struct ph_result *claim,
                                 const struct ph_problem *problem,
-                                const char *command, struct ph_arena *scratch,
+                                const struct ph_promise *promise,
+                                struct ph_arena *scratch,
                                 struct ph_verdict *verdict,
                                 struct ph_diag *diag) {
   struct ph_verify v = {.verdict = verdict,
                         .scratch = scratch,
                         .diag = diag,
-                        .command = command,
+                        .promise = promise,
                         .problem = problem,
                         .claim = claim,
                         .curve = &claim->curve,

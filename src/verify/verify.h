@@ -21,6 +21,7 @@
 #include "base/mem.h"
 #include "curve/problem.h"
 #include "curve/result.h"
+#include "verify/promise.h"
 
 /* What is checked: X(SYMBOL, "name in records"). */
 #define PH_VERIFY_CHECKS(X)                \
@@ -70,12 +71,13 @@ const char *ph_verify_name(enum ph_verify_check check);
  * in   claim    as it was read (io/json_result.h): arrays have the lengths that
  *               its struct says, numbers need not be finite
  * in   problem  NULL, or the problem that it is said to solve
- * in   command  the name of the command, as in the result
+ * in   promise  of the command that the result is of
  * ret  PH_OK (also where errors are large) | PH_NO_MEMORY
  */
 enum ph_status ph_verify_result(const struct ph_result *claim,
                                 const struct ph_problem *problem,
-                                const char *command, struct ph_arena *scratch,
+                                const struct ph_promise *promise,
+                                struct ph_arena *scratch,
                                 struct ph_verdict *verdict,
                                 struct ph_diag *diag);
 

@@ -47,6 +47,15 @@ refused() {
     "$status $(get error.code) $(get error.field)"
 }
 
+# says FILTER MESSAGE [OPTION]...: what is said of the base, changed.
+says() {
+  filter=$1 message=$2
+  shift 2
+  jq -c "$filter" "$base" >bad
+  run verify -q "$@" bad
+  expect "$base: $filter" 1 "phspline: bad:1: record 1: $message"
+}
+
 points='[[0,0],[2,1],[3,0],[5,2]]'
 
 # ---- planar --------------------------------------------------------------------
@@ -169,6 +178,118 @@ tampered '.offsets[0].segments[2].weights |= reverse' offset_error
 
 good near '{"curve":[[0,0],[1,2],[3,2],[4,-1],[6,0]]}' tc --tolerance=0.01
 tampered '.diagnostics.distance /= 2' distance_error --problems=near.problem
+
+# ---- what decides which checks there are ---------------------------------------
+
+kind='curve: is of no kind that the command makes (shape) [not-verified]'
+size='dimension: is not that of curves of the command (shape) [not-verified]'
+degree='degree: is not that of curves of the command (shape) [not-verified]'
+for base in ph atph spatial lengths sphere tc; do
+  says 'del(.command)' 'command: is missing [missing-field]'
+  says '.command = "cone"' 'command: cannot be "cone" [bad-value]'
+  says '.command = "verify"' 'command: cannot be "verify" [bad-value]'
+  says '.command = 7' 'command: must be a string, found a number [bad-type]'
+  says 'del(.command) | .status = "error" | del(.segments)' \
+    'command: is missing [missing-field]'
+  says '.status = "error"' \
+    'segments: are not of an error record [bad-shape]'
+  says 'del(.segments[].interval)' \
+    'segments[0].interval: is missing (shape) [not-verified]'
+  says '.degree += 1
+    | .segments[].control_points |= . + [.[-1]]
+    | del(.offsets, .segments[].preimage, .segments[].alpha, .samples)' "$degree"
+done
+
+# another command's name
+base=ph
+says '.command = "planer"' \
+  'command: cannot be "planer"; did you mean "planar"? [bad-value]'
+says '.command = "spatial-hermite"' "$size"
+says '.command = "arclength"' "$size"
+says '.command = "sphere"' "$kind"
+says '.command = "tc"' "$kind"
+base=atph
+says '.command = "spatial-hermite"' "$size"
+says '.command = "arclength"' "$kind"
+says '.command = "sphere"' "$kind"
+says '.command = "tc"' "$kind"
+base=spatial
+says '.command = "planar"' "$size"
+says '.command = "arclength"' 'intervals: are missing (shape) [not-verified]'
+says '.command = "sphere"' "$kind"
+says '.command = "tc"' "$kind"
+base=lengths
+says '.command = "planar"' "$size"
+says '.command = "spatial-hermite"' \
+  'intervals: are not what the command makes (shape) [not-verified]'
+says '.command = "spatial-hermite" | del(.intervals)' \
+  'segments[0].tension: is missing (shape) [not-verified]'
+says '.command = "sphere"' "$kind"
+says '.command = "tc"' "$kind"
+base=sphere
+says '.command = "planar"' "$kind"
+says '.command = "spatial-hermite"' "$kind"
+says '.command = "arclength"' "$kind"
+says '.command = "tc"' "$kind"
+base=tc
+says '.command = "planar"' "$kind"
+says '.command = "spatial-hermite"' "$kind"
+says '.command = "arclength"' "$kind"
+says '.command = "sphere"' "$kind"
+
+# another kind of curve
+base=ph
+says '.curve = "atph"' 'segments[0].alpha: is missing (shape) [not-verified]'
+says '.curve = "bezier"' \
+  'segments[0].preimage: is none of such control points (shape) [not-verified]'
+says '.curve = "spherical-nu"' "$kind"
+says '.dimension = 3' 'segments[0].control_points[0]: must have 3 numbers, '\
+'found 2 [bad-shape]'
+says '.radius = 1 | .center = [0,0,0]' \
+  'radius: is not of such a curve (shape) [not-verified]'
+says '.offsets[0].vector = "e2"' \
+  'offsets[0].vector: is of curves in space (offset_error) [not-verified]'
+says '.intervals = [{"length":.length,"segments":[0,2]}]' \
+  'intervals: are not what the command makes (shape) [not-verified]'
+says '.closed = null' 'closed: must be true or false, found null [bad-type]'
+says 'del(.closed)' 'closed: is missing [missing-field]'
+base=atph
+says '.curve = "ph"' 'segments[0].alpha: is of ATPH curves alone (shape) '\
+'[not-verified]'
+tampered '.curve = "bezier"
+  | del(.segments[].preimage, .segments[].alpha, .offsets, .samples)' length_error
+base=spatial
+says '.curve = "tc"' "$kind"
+says 'del(.segments[].tension)' \
+  'segments[0].tension: is missing (shape) [not-verified]'
+tampered '.closed = true' continuity_error
+base=lengths
+says '.curve = "bezier" | del(.segments[].preimage)' "$kind"
+says 'del(.intervals)' 'intervals: are missing (shape) [not-verified]'
+tampered '.closed = true' continuity_error
+base=sphere
+says '.curve = "ph"' "$kind"
+says 'del(.tensions)' 'tensions: are missing (shape) [not-verified]'
+says '.closed = true' 'tensions: must have 3 numbers, found 4 [bad-shape]'
+base=tc
+says '.curve = "bezier" | del(.segments[].preimage)' "$kind"
+says 'del(.intervals)' 'intervals: are missing (shape) [not-verified]'
+tampered '.closed = true' continuity_error
+
+# corners, which approximations alone may have
+good corner "{\"points\":$points}" tc
+# shellcheck disable=SC2016 # jq's variables
+turned='.intervals[0].segments[1] as $k
+  | .segments[$k].control_points[-1] as [$x, $y]
+  | .segments[$k+1:] |= map(.control_points
+    |= map([$x - .[1] + $y, $y + .[0] - $x]))
+  | del(.segments[].preimage) | .diagnostics = {distance: 1}'
+tampered "$turned" continuity_error --problems=corner.problem
+equal 'a turn by a right angle' 1.414214 "$(json get checks.continuity_error out |
+  awk '{ printf "%.6f", $1 }')"
+good round "{\"points\":$points,\"closed\":true}" planar
+says '.closed = false' 'closed: is not what the problem says (shape) '\
+'[not-verified]' --problems=round.problem
 
 # ---- how much is too much ------------------------------------------------------
 

@@ -37,8 +37,8 @@ static void accept(const char *command, const struct ph_problem *problem,
     ph_arena_reset(&arena);
     return;
   }
-  status = ph_verify_result(result, which % 4 ? problem : NULL, command,
-                            &scratch, &verdict, &diag);
+  status = ph_verify_result(result, which % 4 ? problem : NULL,
+                            ph_promise_of(command), &scratch, &verdict, &diag);
   ck_assert_int_eq(status, PH_OK);
   for (int i = 0; i < PH_V_N; i++) {
     const struct ph_verify_error *e = &verdict.check[i];

@@ -98,9 +98,10 @@ void unit_claim_make(struct unit_claim *c, const char *command,
 }
 
 void unit_claim_verify(struct unit_claim *c, bool with_problem) {
-  enum ph_status status = ph_verify_result(
-      &c->result, with_problem ? &c->problem : NULL,
-      c->command->method->schema.command, &c->scratch, &c->verdict, &c->diag);
+  enum ph_status status =
+      ph_verify_result(&c->result, with_problem ? &c->problem : NULL,
+                       ph_promise_of(c->command->schema->command), &c->scratch,
+                       &c->verdict, &c->diag);
   ck_assert_int_eq(status, PH_OK);
 }
 
