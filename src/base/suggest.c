@@ -15,10 +15,10 @@
  */
 #include "base/suggest.h"
 
+#include <stdint.h>
 #include <string.h>
 
 enum {
-  SHOWN = 40,   /* bytes of an excerpt: half a terminal line */
   LONGEST = 32, /* no name of the program is longer */
   NEAR = 2      /* wrong letters that still make a typing mistake */
 };
@@ -59,41 +59,64 @@ int ph_utf8_length(const char *p, const char *end) {
   return n;
 }
 
-/* U+0000 to U+001F, U+007F to U+009F: what could drive a terminal. */
-static bool is_control(const char *p) {
-  unsigned char c = (unsigned char)*p;
-  return c < 0x20 || c == 0x7F || (c == 0xC2 && (unsigned char)p[1] < 0xA0);
+/* What is not shown: first and last. */
+static const uint32_t unseen[][2] = {
+    {0x00, 0x1F},     {0x7F, 0x9F},     {0x61C, 0x61C},
+    {0x200B, 0x200F}, {0x2028, 0x202E}, {0x2060, 0x206F},
+    {0xFEFF, 0xFEFF}, {0xFFFE, 0xFFFF}, {0xE0000, 0xE007F}};
+
+size_t ph_shown_length(const char *p, const char *end) {
+  static const unsigned char lead[] = {0, 0x7F, 0x1F, 0x0F, 0x07};
+  const unsigned char *u = (const unsigned char *)p;
+  int length = ph_utf8_length(p, end);
+  uint32_t c;
+  if (length <= 0) {
+    return 0;
+  }
+  c = u[0] & lead[length];
+  for (int i = 1; i < length; i++) {
+    c = c << 6 | (u[i] & 0x3F);
+  }
+  for (size_t i = 0; i < sizeof unseen / sizeof unseen[0]; i++) {
+    if (c >= unseen[i][0] && c <= unseen[i][1]) {
+      return 0;
+    }
+  }
+  return (size_t)length;
+}
+
+const char *ph_show(const char *text, size_t n, char *shown, size_t size) {
+  static const char digits[] = "0123456789abcdef", more[] = "...";
+  const char *end = text + n;
+  size_t used = 0, room = size - sizeof more;
+  while (text < end) {
+    int length = ph_utf8_length(text, end);
+    size_t step = length > 0 ? (size_t)length : 1;
+    bool plain = ph_shown_length(text, end) > 0;
+    if (used + (plain ? step : 4 * step) > room) {
+      memcpy(shown + used, more, sizeof more);
+      return shown;
+    }
+    for (size_t i = 0; i < step; i++) {
+      unsigned char c = (unsigned char)text[i];
+      if (plain) {
+        shown[used++] = text[i];
+      } else {
+        shown[used++] = '\\';
+        shown[used++] = 'x';
+        shown[used++] = digits[c >> 4];
+        shown[used++] = digits[c & 15];
+      }
+    }
+    text += step;
+  }
+  shown[used] = '\0';
+  return shown;
 }
 
 const char *ph_excerpt(const char *text, size_t n,
                        char excerpt[PH_EXCERPT_MAX]) {
-  static const char digits[] = "0123456789abcdef";
-  const char *end = text + n;
-  size_t used = 0;
-  while (text < end) {
-    unsigned char c = (unsigned char)*text;
-    int length = ph_utf8_length(text, end);
-    bool plain = length > 0 && !is_control(text);
-    size_t width = plain ? (size_t)length : 4;
-    if (used + width > SHOWN) {
-      memcpy(excerpt + used, "...", 3);
-      used += 3;
-      break;
-    }
-    if (plain) {
-      memcpy(excerpt + used, text, width);
-      text += width;
-    } else {
-      excerpt[used] = '\\';
-      excerpt[used + 1] = 'x';
-      excerpt[used + 2] = digits[c >> 4];
-      excerpt[used + 3] = digits[c & 15];
-      text++;
-    }
-    used += width;
-  }
-  excerpt[used] = '\0';
-  return excerpt;
+  return ph_show(text, n, excerpt, PH_EXCERPT_MAX);
 }
 
 static char lower(char c) {

@@ -9,7 +9,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* An excerpt has at most 40 bytes, then "..." where it was cut. */
+/* An excerpt has at most 40 bytes, then "..." where it was cut; with room for
+ * those and a zero. */
 enum { PH_EXCERPT_MAX = 44 };
 
 /* Room for the clause of ph_did_you_mean. */
@@ -26,12 +27,30 @@ enum { PH_DID_YOU_MEAN_MAX = 96 };
 int ph_utf8_length(const char *p, const char *end);
 
 /*
- * ph_excerpt: a text of the input as messages show it: cut to 40 bytes at a
- * character boundary, control characters and bytes that are no UTF-8 as \x1b.
+ * ph_shown_length: the length in bytes of the character that begins at p, if a
+ * terminal or a page shows it as such; 0 otherwise.
  *
- * out  excerpt  NUL-terminated
- * ret  excerpt
+ * That is 0 of bytes that are not UTF-8, and of what has no width of its own
+ * but an effect on the rest: control characters (U+0000 to U+001F, U+007F to
+ * U+009F), marks of direction (U+061C, U+200E, U+200F, U+202A to U+202E, U+2066
+ * to U+2069), line and paragraph separators (U+2028, U+2029), what is invisible
+ * (U+200B to U+200D, U+2060 to U+2065, U+206A to U+206F, U+FEFF, U+E0000 to
+ * U+E007F), U+FFFE and U+FFFF.
+ *
+ * in   p, end  p < end; never looks at or beyond end
  */
+size_t ph_shown_length(const char *p, const char *end);
+
+/*
+ * ph_show: a text as messages show it: bytes of what is not shown (see above)
+ * as \x1b, and cut where a character does not fit, with "...".
+ *
+ * out  shown[size]  NUL-terminated; size >= 4
+ * ret  shown
+ */
+const char *ph_show(const char *text, size_t n, char *shown, size_t size);
+
+/* ph_excerpt: ph_show of a word or two in the middle of a message. */
 const char *ph_excerpt(const char *text, size_t n,
                        char excerpt[PH_EXCERPT_MAX]);
 

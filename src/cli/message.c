@@ -11,6 +11,11 @@
 #include <string.h>
 #include <unistd.h>
 
+/* Bytes of an id, and of any text: the name of a file is shown as a whole, as
+ * far as systems have such names (PATH_MAX is 4096 where it is large), each
+ * byte of it as four. */
+enum { ID_MAX = 80, SHOWN_MAX = 4 * 4096 };
+
 void ph_message_printf(struct ph_buf *buf, const char *format, ...) {
   char text[1024]; /* messages are bounded by struct ph_diag; names are cut */
   va_list args;
@@ -20,23 +25,21 @@ void ph_message_printf(struct ph_buf *buf, const char *format, ...) {
   ph_buf_puts(buf, text);
 }
 
-/* A line stays a line, and a terminal is left alone: a name may hold any
- * character. */
-static void put_name(struct ph_buf *buf, const char *name) {
-  const char *end = name + strlen(name);
-  char excerpt[PH_EXCERPT_MAX];
-  while (name < end) {
-    int length = ph_utf8_length(name, end);
-    size_t n = length > 0 ? (size_t)length : 1;
-    ph_buf_puts(buf, ph_excerpt(name, n, excerpt));
-    name += n;
-  }
+/* A line stays a line, and a terminal is left alone: a text may hold any
+ * character.  Cut to so many bytes. */
+static void put_cut(struct ph_buf *buf, const char *text, size_t most) {
+  char shown[SHOWN_MAX + sizeof "..."];
+  ph_buf_puts(buf, ph_show(text, strlen(text), shown, most + sizeof "..."));
+}
+
+static void put_text(struct ph_buf *buf, const char *text) {
+  put_cut(buf, text, SHOWN_MAX);
 }
 
 void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject) {
   ph_buf_puts(buf, "phspline: ");
   if (subject->file) {
-    put_name(buf, subject->file);
+    put_text(buf, subject->file);
     ph_buf_puts(buf, ":");
     if (subject->line) {
       ph_message_printf(buf, "%zu:", subject->line);
@@ -45,7 +48,7 @@ void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject) {
   }
   if (subject->id) {
     ph_buf_puts(buf, "record ");
-    put_name(buf, subject->id);
+    put_cut(buf, subject->id, ID_MAX);
     ph_buf_puts(buf, ": ");
   } else if (subject->number) {
     ph_message_printf(buf, "record %zu: ", subject->number);
@@ -56,11 +59,11 @@ static void message(struct ph_buf *buf, const struct ph_subject *subject,
                     const struct ph_diag *diag, const char *prefix) {
   ph_message_subject(buf, subject);
   if (diag->field[0]) {
-    ph_buf_puts(buf, diag->field);
+    put_text(buf, diag->field);
     ph_buf_puts(buf, ": ");
   }
   ph_buf_puts(buf, prefix);
-  ph_buf_puts(buf, diag->message);
+  put_text(buf, diag->message);
   ph_message_printf(buf, " [%s]\n", ph_status_code(diag->status));
 }
 
@@ -76,9 +79,10 @@ void ph_message_warning(struct ph_buf *buf, const struct ph_subject *subject,
 
 void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
                         const char *command) {
-  ph_message_printf(buf, "phspline: %s%s", diag->field,
-                    diag->field[0] ? ": " : "");
-  put_name(buf, diag->message); /* it may hold the name of a file */
+  ph_buf_puts(buf, "phspline: ");
+  put_text(buf, diag->field);
+  ph_buf_puts(buf, diag->field[0] ? ": " : "");
+  put_text(buf, diag->message); /* it may hold the name of a file */
   ph_buf_puts(buf, "\n");
   if (diag->status == PH_USAGE) {
     ph_message_printf(buf, "Try 'phspline%s%s --help'.\n", command ? " " : "",

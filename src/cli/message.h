@@ -2,6 +2,8 @@
 /*
  * Lines for standard error, all of one form, parts left out where unknown:
  *   phspline: FILE:LINE: record ID: FIELD: [warning: ]MESSAGE [CODE]
+ * Whatever a text of the input holds, a line stays one, and a terminal does no
+ * more than show it (ph_show in base/suggest.h).
  */
 #ifndef PH_CLI_MESSAGE_H
 #define PH_CLI_MESSAGE_H
@@ -13,7 +15,7 @@
 struct ph_subject {
   const char *file;
   size_t line;
-  const char *id; /* plain text; NULL: the number is used */
+  const char *id; /* plain text, cut to 80 bytes; NULL: the number is used */
   size_t number;  /* of the record in the stream */
 };
 

@@ -11,19 +11,12 @@ static const char more[] = "...";
 
 enum { MORE = sizeof more - 1 };
 
-/* Control characters of ASCII and Latin 1, and the two that are none. */
-static bool is_control(const unsigned char *c, int n) {
-  return (n == 1 && (c[0] < 0x20 || c[0] == 0x7F)) ||
-         (n == 2 && c[0] == 0xC2 && c[1] < 0xA0) ||
-         (n == 3 && c[0] == 0xEF && c[1] == 0xBF && c[2] >= 0xBE);
-}
-
 void ph_plot_text(const char *text, char clean[PH_PLOT_TEXT_MAX]) {
   const char *end = text + strlen(text);
   size_t n = 0;
   while (text < end) {
     int c = ph_utf8_length(text, end);
-    bool bad = c <= 0 || is_control((const unsigned char *)text, c);
+    bool bad = ph_shown_length(text, end) == 0;
     size_t step = c <= 0 ? 1 : (size_t)c;
     if (n + step + MORE >= PH_PLOT_TEXT_MAX) {
       memcpy(clean + n, more, MORE);

@@ -10,8 +10,8 @@ struct ph_page;
 enum { PH_PLOT_TEXT_MAX = 256 };
 
 /*
- * ph_plot_text: valid UTF-8 without control characters; a byte or character
- * that is not becomes a question mark.
+ * ph_plot_text: valid UTF-8, all of which is shown (ph_shown_length); a byte or
+ * character that is not becomes a question mark.
  *
  * out  clean  NUL-terminated; with "..." at the end when there was more
  */

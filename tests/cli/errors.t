@@ -191,6 +191,61 @@ called 'an id with escapes' "a\"\\x0ab\\" '"a\"\nb\\"'
 called 'an id with letters beyond ASCII' 'Ärger' '"Ärger"'
 called 'an id that drives terminals' 'a\x1b[2J\x7f\xc2\x9b' \
   "\"a\\u001b[2J\\u007f$(printf '\302\233')\""
+
+# bytes OCTAL...: characters that would be invisible here
+bytes() {
+  # shellcheck disable=SC2059  # a format of nothing but octal escapes
+  printf "$(printf '\\%s' "$@")"
+}
+
+# no_effect NAME SHOWN OCTAL...: a character that is not shown as such
+no_effect() {
+  name=$1 seen=$2
+  shift 2
+  called "$name" "a${seen}b" "\"a$(bytes "$@")b\""
+}
+no_effect 'U+0080' '\xc2\x80' 302 200
+no_effect 'U+061C, of Arabic letters' '\xd8\x9c' 330 234
+no_effect 'U+200B, a space of no width' '\xe2\x80\x8b' 342 200 213
+no_effect 'U+200F, right to left' '\xe2\x80\x8f' 342 200 217
+no_effect 'U+2028, a line separator' '\xe2\x80\xa8' 342 200 250
+no_effect 'U+2029, a paragraph separator' '\xe2\x80\xa9' 342 200 251
+no_effect 'U+202A, an embedding' '\xe2\x80\xaa' 342 200 252
+no_effect 'U+202E, an override' '\xe2\x80\xae' 342 200 256
+no_effect 'U+2066, an isolate' '\xe2\x81\xa6' 342 201 246
+no_effect 'U+2069, its end' '\xe2\x81\xa9' 342 201 251
+no_effect 'U+FEFF, of byte order' '\xef\xbb\xbf' 357 273 277
+no_effect 'U+E0041, a tag' '\xf3\xa0\x81\x81' 363 240 201 201
+for shown in '302 240' '342 200 247' '342 200 257' '357 277 275'; do
+  # shellcheck disable=SC2086  # of several bytes
+  called "$shown is shown" "a$(bytes $shown)b" "\"a$(bytes $shown)b\""
+done
+
+ten=1234567890
+forty=$ten$ten$ten$ten
+called 'an id of 80 bytes' $forty$forty "\"$forty$forty\""
+called 'an id of 81 bytes' $forty$forty... "\"$forty${forty}1\""
+called 'an id cut where a character begins' "$forty$ten$ten${ten}123456789..." \
+  "\"$forty$ten$ten${ten}123456789Ä\""
+called 'an id cut before an escape' "${forty}${ten}${ten}${ten}1234567..." \
+  "\"$forty$ten$ten${ten}1234567\\u001bxyz\""
+
+unseen=$(bytes 342 200 256)
+feed "{\"points$unseen\":[]}" planar -
+expect 'the name of a field' 1 \
+  "phspline: -:1: record 1: points\\xe2\\x80\\xae: is not a field of planar \
+[unknown-field]
+$(failed 1 1)"
+feed "{\"points\":[[0,0],[1,1]],\"basis\":\"a$unseen\"}" planar -
+expect 'the value of a field' 1 \
+  "phspline: -:1: record 1: basis: must be \"ph\" or \"atph\", found \
+\"a\\xe2\\x80\\xae\" [bad-value]
+$(failed 1 1)"
+printf '%s\n' "$good" >"a$unseen"
+run planar -v "a$unseen"
+equal 'a line of --verbose' 'phspline: a\xe2\x80\xae:1: record 1' \
+  "$(sed 's/: [^:]*$//' err)"
+
 called 'an id written in escapes' 'AÄ' '"\u0041\u00c4"'
 
 printf '{"points":7,"extra":1,"id":"last"}' >a.json

@@ -114,6 +114,7 @@ START_TEST(texts) {
   ck_assert_str_eq(clean("\xFF\xC3 \xE2\x82"), "?? ??");
   ck_assert_str_eq(clean("a\nb\tc\x7F\x1B[0m"), "a?b?c??[0m");
   ck_assert_str_eq(clean("\xC2\x85\xEF\xBF\xBF\xEF\xBF\xBD"), "??\xEF\xBF\xBD");
+  ck_assert_str_eq(clean("a\xE2\x80\xAE\xE2\x81\xA6z"), "a??z");
   memset(longest, 'x', sizeof longest);
   longest[sizeof longest - 1] = '\0';
   clean(longest);

@@ -4,6 +4,7 @@
 
 #include "base/suggest.h"
 
+#include <stdint.h>
 #include <string.h>
 
 /* A copy of its own size on the heap: a read beyond it shows. */
@@ -70,12 +71,48 @@ static void ck_excerpt(const char *text, size_t n, const char *expected) {
   free(copy);
 }
 
+static size_t encode(uint32_t c, char text[4]) {
+  static const unsigned char lead[] = {0, 0, 0xC0, 0xE0, 0xF0};
+  size_t n = c < 0x80 ? 1 : c < 0x800 ? 2 : c < 0x10000 ? 3 : 4;
+  for (size_t i = n; i-- > 1; c >>= 6) {
+    text[i] = (char)(0x80 | (c & 0x3F));
+  }
+  text[0] = (char)(lead[n] | c);
+  return n;
+}
+
+/* Every character: as many as the header names, all where it names them. */
+PH_TEST(test_shown) {
+  size_t unseen = 0;
+  for (uint32_t c = 0; c < 0x110000; c++) {
+    char text[4];
+    size_t n = encode(c, text), shown;
+    if (c >= 0xD800 && c < 0xE000) {
+      continue;
+    }
+    shown = ph_shown_length(text, text + n);
+    unseen += shown == 0;
+    ck_assert(shown == n ||
+              (shown == 0 &&
+               (c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x61C ||
+                (c >= 0x200B && c <= 0x200F) || (c >= 0x2028 && c <= 0x202E) ||
+                (c >= 0x2060 && c < 0x2070) || c == 0xFEFF || c == 0xFFFE ||
+                c == 0xFFFF || (c >= 0xE0000 && c < 0xE0080))));
+    if (n > 1) {
+      ck_assert_uint_eq(ph_shown_length(text, text + n - 1), 0);
+    }
+  }
+  ck_assert_uint_eq(unseen, 32 + 33 + 1 + 5 + 7 + 16 + 1 + 2 + 128);
+}
+
 PH_TEST(test_excerpt) {
   ck_excerpt("", 0, "");
   ck_excerpt("abc", 3, "abc");
   ck_excerpt("a\0b\n\x1b[0m\x7f", 9, "a\\x00b\\x0a\\x1b[0m\\x7f");
   ck_excerpt("\xC3\xA4\xFF\xC3", 4, "\xC3\xA4\\xff\\xc3");
   ck_excerpt("\xC2\x9b", 2, "\\xc2\\x9b"); /* a control character, too */
+  ck_excerpt("123456789012345678901234567890123456789\x1b", 40,
+             "123456789012345678901234567890123456789...");
   ck_excerpt("1234567890123456789012345678901234567890", 40,
              "1234567890123456789012345678901234567890");
   ck_excerpt("12345678901234567890123456789012345678901", 41,
@@ -123,5 +160,5 @@ PH_TEST(test_did_you_mean) {
   ck_assert_str_eq(meant("pointspointspointspointspointspoints", names), "");
 }
 
-PH_TESTS(test_utf8_against_definition, test_utf8, test_excerpt, test_word_is,
-         test_did_you_mean)
+PH_TESTS(test_utf8_against_definition, test_utf8, test_shown, test_excerpt,
+         test_word_is, test_did_you_mean)
