@@ -1,14 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The figure of a run (see plot.h). */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "cli/plot.h"
 
 #include "base/suggest.h"
 #include "io/number.h"
 #include "plot/figure.h"
 
+#include <errno.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 /* Figures are no smaller and no larger than this to a side; cairo's limit is
  * 32767. */
@@ -17,6 +26,10 @@ enum { SIDE_MIN = 100, SIDE_MAX = 20000 };
 /* Places of all drawings together, and for how many the memory of one counts at
  * least: some 300 MB. */
 enum { PLACES_MAX = 5000000, PLACES_MIN = 500 };
+
+/* Seconds after which drawing is taken to hang.  The largest figures take some
+ * 20 of an idle processor. */
+enum { DRAWING_MAX = 600 };
 
 /* A whole number within bounds, and nothing after it. */
 static bool read_side(const char *text, const char *end, size_t *side) {
@@ -181,30 +194,114 @@ enum ph_status ph_plot_add(struct ph_plot *plot, struct ph_drawing *drawing,
   return PH_OK;
 }
 
-enum ph_status ph_plot_write(struct ph_plot *plot, struct ph_diag *diag) {
+/* Draws, and writes the bytes. */
+static enum ph_status draw(struct ph_plot *plot, struct ph_diag *diag) {
   const struct ph_options *o = plot->options;
-  struct ph_figure_rules rules;
+  const struct ph_figure_rules rules = {ph_figure_format_of(o->plot),
+                                        (double)o->plot_width,
+                                        (double)o->plot_height};
   struct ph_buf bytes = {0};
-  enum ph_status status;
-  if (!o->plot) {
-    return PH_OK;
-  }
-  rules =
-      (struct ph_figure_rules){ph_figure_format_of(o->plot),
-                               (double)o->plot_width, (double)o->plot_height};
-  status = ph_figure_write((const struct ph_drawing *const *)plot->drawings,
-                           plot->n, &rules, &bytes, diag);
+  enum ph_status status =
+      ph_figure_write((const struct ph_drawing *const *)plot->drawings, plot->n,
+                      &rules, &bytes, diag);
   if (status == PH_OK && bytes.failed) {
     status = ph_fail_memory(diag);
   }
   if (status == PH_OK) {
     status = ph_output_write(&plot->output, bytes.data, bytes.n, diag);
   }
-  if (status == PH_OK) {
-    status = ph_output_commit(&plot->output, diag);
-  }
   ph_buf_free(&bytes);
   return status;
+}
+
+/* What the process that draws has to tell, in memory that it shares. */
+struct outcome {
+  bool told;
+  enum ph_status status;
+  struct ph_diag diag;
+};
+
+/* The process that draws: it ends with its parent, and when it hangs. */
+static void draw_apart(struct ph_plot *plot, struct outcome *outcome) {
+  sigset_t set;
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG,
+        SIGKILL); /* elsewhere it comes to its end by itself */
+#endif
+  sigemptyset(&set);
+  sigaddset(&set, SIGALRM);
+  sigprocmask(SIG_UNBLOCK, &set, NULL);
+  signal(SIGALRM, SIG_DFL);
+  alarm(DRAWING_MAX);
+  outcome->status = draw(plot, &outcome->diag);
+  outcome->told = true;
+  _exit(0);
+}
+
+/* What has become of that process, which ended as waitpid says. */
+static enum ph_status judge(const char *file, int end,
+                            const struct outcome *outcome,
+                            struct ph_diag *diag) {
+  int number = WIFSIGNALED(end) ? WTERMSIG(end) : 0;
+  if (outcome->told && WIFEXITED(end) && WEXITSTATUS(end) == 0) {
+    *diag = outcome->diag;
+    return outcome->status;
+  }
+  if (number == SIGPIPE) {
+    raise(number); /* the reader of the figure has gone away: silently */
+  }
+  if (number == SIGALRM) {
+    return ph_fail(diag, PH_INTERNAL, NULL,
+                   "cannot draw %s: not done after %d s; the results are whole",
+                   file, DRAWING_MAX);
+  }
+  if (number) {
+    return ph_fail(diag, PH_INTERNAL, NULL,
+                   "cannot draw %s: drawing was ended by signal %d (%s), as it "
+                   "is when memory is exhausted; the results are whole",
+                   file, number, strsignal(number));
+  }
+  return ph_fail(diag, PH_INTERNAL, NULL,
+                 "cannot draw %s: drawing ended with status %d; the results "
+                 "are whole",
+                 file, WEXITSTATUS(end));
+}
+
+/* Draws in a process of its own: cairo, and what it calls, do not all survive
+ * that memory is exhausted.  No other thread is left at this time. */
+static enum ph_status draw_safely(struct ph_plot *plot, struct ph_diag *diag) {
+  const char *file = plot->options->plot;
+  struct outcome *outcome = mmap(NULL, sizeof *outcome, PROT_READ | PROT_WRITE,
+                                 MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  enum ph_status status;
+  pid_t child, ended;
+  int end = 0;
+  if (outcome == MAP_FAILED) {
+    return ph_fail_memory(diag);
+  }
+  signal(SIGCHLD, SIG_DFL); /* where it is ignored, no end is told */
+  child = fork();
+  if (child == 0) {
+    draw_apart(plot, outcome);
+  }
+  do {
+    ended = child < 0 ? child : waitpid(child, &end, 0);
+  } while (child > 0 && ended < 0 && errno == EINTR);
+  status = ended < 0
+               ? ph_fail(diag, PH_INTERNAL, NULL,
+                         "cannot draw %s: no process for it: %s; the results "
+                         "are whole",
+                         file, strerror(errno))
+               : judge(file, end, outcome, diag);
+  munmap(outcome, sizeof *outcome);
+  return status;
+}
+
+enum ph_status ph_plot_write(struct ph_plot *plot, struct ph_diag *diag) {
+  enum ph_status status = plot->options->plot ? draw_safely(plot, diag) : PH_OK;
+  return status == PH_OK && plot->options->plot
+             ? ph_output_commit(&plot->output, diag)
+             : status;
 }
 
 void ph_plot_free(struct ph_plot *plot) {

@@ -78,7 +78,9 @@ enum ph_status ph_plot_draw(const struct ph_plot_subject *subject,
 enum ph_status ph_plot_add(struct ph_plot *plot, struct ph_drawing *drawing,
                            struct ph_diag *diag);
 
-/* ph_plot_write: writes the file and gives it its name.
+/* ph_plot_write: writes the file and gives it its name.  Drawing is the work of
+ * a process of its own, whose crash or hang is a failure like others: results
+ * are to be written before, and threads to have ended.
  * ret  PH_OK | PH_OUTPUT | PH_NO_MEMORY | PH_INTERNAL */
 enum ph_status ph_plot_write(struct ph_plot *plot, struct ph_diag *diag);
 
