@@ -78,12 +78,14 @@ PLOT = $(if $(WITHOUT_CAIRO),,plot)
 # ---- flags -------------------------------------------------------------------
 # Order: warnings (CFLAGS may silence one), CFLAGS, then what the results depend
 # on and nobody overrides.  No contraction into FMA: it changes last digits from
-# one processor to the next.  -ffast-math would break NaN tests: never add it.
+# one processor to the next.  Nor is anything vectorised: gcc 12 fuses the
+# products of complex numbers that it vectorises, whatever -ffp-contract says.
+# -ffast-math would break NaN tests: never add it.
 
 WARNINGS = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes \
 	-Wvla -Wdouble-promotion -Wfloat-equal $(if $(WERROR),-Werror)
-MANDATORY = -std=c11 -ffp-contract=off -pthread -D_POSIX_C_SOURCE=200809L \
-	-I$(S)src
+MANDATORY = -std=c11 -ffp-contract=off -fno-tree-vectorize \
+	-fno-tree-slp-vectorize -pthread -D_POSIX_C_SOURCE=200809L -I$(S)src
 
 VFLAGS_asan = -O1 -fno-omit-frame-pointer -fsanitize=address,undefined \
 	-fno-sanitize-recover=all
@@ -93,10 +95,19 @@ VFLAGS_cov = -O0 --coverage
 VFLAGS_fuzz = -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
 	-fsanitize=fuzzer-no-link,address,undefined
 
-COMPILE = $(CC) $(WARNINGS) $(GSL_CFLAGS) $(CJSON_CFLAGS) \
-	$(if $(CAIRO),-DPH_CAIRO $(CAIRO_CFLAGS)) $(CPPFLAGS) $(CFLAGS) \
+# Hardening, as far as the compiler has it and CFLAGS and LDFLAGS, which come
+# after it, allow; none beside sanitizers.  Found out once (see below).
+HARDENING = $(if $(findstring -fsanitize,$(ALL_FLAGS)),,-D_FORTIFY_SOURCE=2 \
+	-fstack-protector-strong -Wl,-z,relro,-z,now $(if $(filter -static% \
+	-no-pie -nopie -fno-pi% -fno-PI%,$(ALL_FLAGS)),,'-fPIE -pie'))
+ALL_FLAGS = $(CC) $(CPPFLAGS) $(CFLAGS) $(VFLAGS_$(VARIANT)) $(LDFLAGS)
+hardening = $(shell sed 1d $(B)/hardening 2>/dev/null)
+
+COMPILE = $(CC) $(WARNINGS) $(filter -D% -f%,$(hardening)) $(GSL_CFLAGS) \
+	$(CJSON_CFLAGS) $(if $(CAIRO),-DPH_CAIRO $(CAIRO_CFLAGS)) $(CPPFLAGS) $(CFLAGS) \
 	$(MANDATORY) $(VFLAGS_$(VARIANT))
-LINK = $(CC) $(CFLAGS) $(MANDATORY) $(VFLAGS_$(VARIANT)) $(LDFLAGS)
+LINK = $(CC) $(filter-out -D%,$(hardening)) $(CFLAGS) $(MANDATORY) \
+	$(VFLAGS_$(VARIANT)) $(LDFLAGS)
 LIBRARIES = $(GSL_LIBS) $(CJSON_LIBS) $(CAIRO) $(LIBS) -lm
 
 # V=1 shows whole command lines
@@ -181,10 +192,22 @@ $(PROGRAM) $(UNIT) $(TOOLS) $(BENCH) $(FUZZ): $(LIB)
 # flags, and the list of objects, which shrinks when a source file is removed.
 $(B)/flags: STAMP = $(COMPILE) : $(LDFLAGS) : $(LIBRARIES)
 $(B)/objects: STAMP = $(LIB_OBJ)
+$(B)/flags: $(B)/hardening
 $(B)/flags $(B)/objects: FORCE
 	@mkdir -p $(@D)
 	@printf '%s\n' '$(subst ','\'',$(STAMP))' | cmp -s - $@ || \
 	  printf '%s\n' '$(subst ','\'',$(STAMP))' >$@
+
+# The flags it was found for, and those of HARDENING that go without a warning.
+$(B)/hardening: FORCE
+	@mkdir -p $(@D)
+	@asked='$(subst ','\'',$(strip $(ALL_FLAGS) : $(HARDENING)))'; \
+	  test "$$(sed 1q $@ 2>/dev/null)" = "$$asked" || { \
+	  printf '#include <stdio.h>\nint main(void) { return puts("") < 0; }\n' \
+	    >$@.c; printf '%s\n' "$$asked" >$@.new; for f in $(HARDENING); do \
+	    $(CC) -Werror $$f $(CPPFLAGS) $(CFLAGS) $(VFLAGS_$(VARIANT)) -o $@.exe \
+	      $@.c $(LDFLAGS) >/dev/null 2>&1 && echo $$f >>$@.new; done; \
+	  rm -f $@.c $@.exe && mv $@.new $@; }
 
 # One clear message in place of fifty about a missing header.
 $(B)/libraries: $(B)/flags
