@@ -18,6 +18,7 @@ struct polygon {
   size_t n;     /* points */
   size_t edges; /* n, or n - 1 if open */
   bool closed;
+  int exponent;         /* unit scale is 2^exponent times theirs */
   struct ph_pow2 scale; /* to unit scale */
 };
 
@@ -27,40 +28,48 @@ struct edge {
 };
 
 static struct polygon polygon_of(const double *points, size_t n, bool closed) {
-  struct polygon p = {points, n, closed ? n : n - 1, closed, {1, 1}};
+  struct polygon p = {points, n, closed ? n : n - 1, closed, 0, {1, 1}};
   double largest = 0;
   for (size_t i = 0; i < 3 * n; i++) {
     largest = fabs(points[i]) > largest ? fabs(points[i]) : largest;
   }
   if (largest > 0) {
-    p.scale = ph_pow2_of(-ph_pow2_exponent(largest));
+    p.exponent = -ph_pow2_exponent(largest);
+    p.scale = ph_pow2_of(p.exponent);
   }
   return p;
 }
 
 static ph_vec3 point(const struct polygon *p, size_t j) {
-  const double *x = p->points + 3 * (j < p->n ? j : j - p->n);
+  const double *x = p->points + 3 * j;
   return ph_vec3_of(ph_pow2_apply(p->scale, x[0]),
                     ph_pow2_apply(p->scale, x[1]),
                     ph_pow2_apply(p->scale, x[2]));
+}
+
+/* An edge between points that are so near to each other that at unit scale they
+ * may be the same: from their own digits. */
+static struct edge short_edge(const double *from, const double *to,
+                              int exponent) {
+  ph_vec3 d = ph_vec3_of(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+  double largest = fmax(fmax(fabs(d.x), fabs(d.y)), fabs(d.z)), length;
+  int up = -ph_pow2_exponent(largest);
+  d = ph_vec3_of(ldexp(d.x, up), ldexp(d.y, up), ldexp(d.z, up));
+  length = ph_vec3_abs(d);
+  return (struct edge){ph_vec3_scale(1 / length, d),
+                       ldexp(length, exponent - up)};
 }
 
 /* The edge that starts in point k; k < 2 n if closed, so that one may count on
  * from the last. */
 static struct edge edge_of(const struct polygon *p, size_t k) {
   size_t from = k < p->edges ? k : k - p->edges;
-  ph_vec3 d = ph_vec3_sub(point(p, from + 1), point(p, from));
-  double length = ph_vec3_abs(d), unit = 1;
-  struct edge edge;
-  if (!(length > SHORT)) {
-    double largest = fmax(fmax(fabs(d.x), fabs(d.y)), fabs(d.z));
-    unit = ldexp(1, -ph_pow2_exponent(largest) / 2);
-    d = ph_vec3_scale(unit, ph_vec3_scale(unit, d));
-    length = ph_vec3_abs(d);
-  }
-  edge.direction = ph_vec3_scale(1 / length, d);
-  edge.length = length / unit / unit;
-  return edge;
+  size_t to = from + 1 < p->n ? from + 1 : 0;
+  ph_vec3 d = ph_vec3_sub(point(p, to), point(p, from));
+  double length = ph_vec3_abs(d);
+  return length > SHORT ? (struct edge){ph_vec3_scale(1 / length, d), length}
+                        : short_edge(p->points + 3 * from, p->points + 3 * to,
+                                     p->exponent);
 }
 
 /* The edge on the other side of `edge` whose mirror image is `next`: before the

@@ -385,6 +385,18 @@ START_TEST(test_line) {
 }
 END_TEST
 
+/* Points that differ in less than the others have digits for: an edge keeps its
+ * direction. */
+START_TEST(test_short_edge) {
+  const double huge[] = {0, 0, 0, 0, 4e-320, 3e-320, 1e284, 4e-320, 3e-320};
+  struct polygon p = polygon_of(3, false, huge);
+  ck_vec3(p.tangents[0], ph_vec3_of(0, 0.8, 0.6), 1e-4);
+  ck_vec3(p.tangents[1], p.tangents[0], 1e-15);
+  /* the last one is that of a circle through three points */
+  ck_vec3(p.tangents[2], ph_vec3_scale(-1, p.tangents[0]), 1e-15);
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("spatial_tangents");
   TCase *t = tcase_create("shape");
@@ -393,6 +405,7 @@ static Suite *suite(void) {
   tcase_add_test(t, test_circle);
   tcase_add_test(t, test_ends);
   tcase_add_test(t, test_two_points);
+  tcase_add_test(t, test_short_edge);
   suite_add_tcase(s, t);
   t = tcase_create("invariance");
   tcase_add_test(t, test_invariance);
