@@ -144,7 +144,7 @@ a spiral, drawn in the terminal,
 a spanner from its drawing as cubics, with the path of a cutter,
 
     $program tc $data/spanner.json \\
-      --tolerance=0.01 --offset=-3 -o $out/spanner.json
+      --tolerance=0.01 --offset=-3 --quiet -o $out/spanner.json
 
 and all options:
 

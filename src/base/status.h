@@ -46,6 +46,7 @@ enum ph_class {
     "warning: the data turn back by exactly 180 degrees")                      \
   X(LOOP, "loop", RECORD, "warning: a segment turns by more than 180 degrees") \
   X(OFFSET_CUSP, "offset-cusp", RECORD, "warning: an offset has cusps")        \
+  X(OFFSET_GAP, "offset-gap", RECORD, "warning: an offset has gaps")           \
   X(LARGE_ALPHA, "large-alpha", RECORD, "warning: an alpha above 2 pi/3")      \
   X(AMBIGUOUS, "ambiguous", RECORD, "warning: another good curve exists")      \
   X(SHAPE_UNSATISFIABLE, "shape-unsatisfiable", RECORD,                        \

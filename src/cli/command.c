@@ -98,7 +98,7 @@ const struct ph_command ph_commands[] = {
      "A spline of two cubics for each two points, as JSON\n"
      "phspline tc --columns=x,y,tx,ty --mode=g1-fair -f csv outline.csv\t"
      "Points with tangents, one cubic or two, what is fairer; control points\n"
-     "phspline tc --tolerance=0.01 --offset=-3 drawing.json -o path.json\t"
+     "phspline tc --tolerance=0.01 --offset=-3 -q drawing.json -o path.json\t"
      "Bezier curves of a drawing as cubics, with the path of a cutter, in a "
      "file\n"
      "phspline tc --mode=approximate --pieces=8 bezier.csv | "
@@ -107,7 +107,8 @@ const struct ph_command ph_commands[] = {
      "jq '.solutions[].length'\tEvery single cubic, those with loops too\n"
      "phspline tc --sweep=lambda=0.3,0.5,0.8 points.csv\t"
      "Tangents of three lengths\n"
-     "phspline tc --tolerance=0.01 --offset=-3 --format=svg-path drawing.json\t"
+     "phspline tc --tolerance=0.01 --offset=-3 -q --format=svg-path "
+     "drawing.json\t"
      "Outline and cutter path as one SVG path\n"
      "phspline tc --sweep=lambda=0.3:0.8:6 -q -p lambda.svg points.csv "
      "-o lambda.json\tSix of them in one figure\n"},

@@ -5,9 +5,14 @@
 #include "curve/cubics.h"
 #include "curve/sample.h"
 
+#include <stdio.h>
+
 /* Default tolerances, relative to the size of the curve: of Bezier pieces that
  * stand for it, and of paths of drawings. */
 static const double TOLERANCE = 1e-9, TOLERANCE_PATH = 1e-6;
+
+/* Joints that a warning of gaps names. */
+enum { GAPS_NAMED = 8 };
 
 /* Samples of an offset on a sphere without --sample: so many and one for each
  * segment. */
@@ -47,6 +52,30 @@ static void warn_cusps(struct ph_result *result) {
   }
 }
 
+/* One warning for all offsets: the first one that has gaps. */
+static void warn_gaps(struct ph_result *result) {
+  const struct ph_offset *o = result->offsets, *end = o + result->offsets_n;
+  char joints[32 * GAPS_NAMED];
+  size_t n = 0;
+  while (o < end && !o->gaps.n) {
+    o++;
+  }
+  if (o == end) {
+    return;
+  }
+  for (size_t i = 0; i < o->gaps.n && i < GAPS_NAMED; i++) {
+    n += (size_t)snprintf(joints + n, sizeof joints - n, "%s%zu",
+                          i > 0 ? ", " : "", o->gaps.before[i]);
+  }
+  ph_fail(ph_warning_add(result, o->gaps.before[0]), PH_OFFSET_GAP, NULL,
+          "the offset at distance %g%s%s has gaps, where the %s: %zu, before "
+          "%s %s%s",
+          o->distance, o->vector ? " along " : "", o->vector ? o->vector : "",
+          o->vector ? "frame turns at a joint" : "curve has corners", o->gaps.n,
+          o->gaps.n > 1 ? "segments" : "segment", joints,
+          o->gaps.n > GAPS_NAMED ? ", ..." : "");
+}
+
 static enum ph_status derive_offsets(const struct ph_options *o,
                                      double tolerance, struct ph_arena *arena,
                                      struct ph_result *r,
@@ -72,6 +101,7 @@ static enum ph_status derive_offsets(const struct ph_options *o,
   r->offsets_n = n;
   if (status == PH_OK) {
     warn_cusps(r);
+    warn_gaps(r);
   }
   return status;
 }

@@ -150,9 +150,7 @@ const char *ph_work_id(const struct ph_echo *echo, struct ph_arena *arena) {
 /* One line, also where there is no path: lines are those of the problems. */
 static void write_path(const struct task *t, struct ph_buf *out) {
   for (size_t i = 0; i < t->derived.paths_n; i++) {
-    /* in space the frame comes back turned, and offsets do not close */
-    bool turned = i > 0 && t->result.offsets[i - 1].vector;
-    ph_svg_path(out, &t->derived.paths[i], t->result.curve.closed && !turned);
+    ph_svg_path(out, &t->derived.paths[i], t->result.curve.closed);
   }
   ph_buf_puts(out, "\n");
 }

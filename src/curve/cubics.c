@@ -9,15 +9,13 @@
 #include "curve/cubics.h"
 
 #include "curve/cubics_fit.h"
+#include "curve/gap.h"
 #include "curve/sample.h"
 #include "kernel/pow2.h"
 
 /* Of a segment; parts that an arc is cut into, by the sixth root of what its
  * distance is too large by; room at first. */
 enum { PIECES_MAX = 1 << 16, DEPTH_MAX = 48, PARTS_MAX = 4, ROOM = 64 };
-
-/* Ends that are this near, relative to the curve, are meant to be the same. */
-static const double SAME = 1e-9;
 
 /* A direction that is less than this part of a tangent is none. */
 static const double VERTICAL = 1e-6;
@@ -37,16 +35,13 @@ struct work {
   double tolerance;
   struct piece *pieces;
   size_t n, room, before; /* pieces of earlier segments */
+  bool meets;             /* a piece begins where the one before ends */
   double error;
   double cusps[2]; /* at the ends of what is covered, where the tangent may be
                       that of the other side; or NaN */
 };
 
 /* ---- pieces -------------------------------------------------------------- */
-
-static double distance_between(ph_cplx a, ph_cplx b) {
-  return ph_cplx_abs(ph_cplx_sub(a, b));
-}
 
 static enum ph_status no_convergence(const struct work *work) {
   return ph_fail_at(work->diag, PH_NO_CONVERGENCE, "segments", work->sampler.k,
@@ -71,9 +66,10 @@ static enum ph_status add(struct work *work, const double interval[2],
     piece->c[i] = c[i];
     piece->interval[i % 2] = interval[i % 2];
   }
-  if (work->n > 0 && distance_between(c[0], piece[-1].c[3]) <= SAME) {
+  if (work->meets) {
     piece->c[0] = piece[-1].c[3];
   }
+  work->meets = true;
   work->n++;
   work->error = error <= work->error ? work->error : error;
   return PH_OK;
@@ -250,20 +246,20 @@ enum ph_status ph_cubics_of(const struct ph_curve *curve,
                       .diag = diag,
                       .grow = ph_pow2_of(exponent),
                       .shrink = ph_pow2_of(-exponent)};
-  size_t cusp = 0;
+  size_t cusp = 0, gap = 0;
   enum ph_status status =
       ph_sampler_begin(&work.sampler, curve, offset, arena, diag);
   work.tolerance = ph_pow2_apply(work.shrink, tolerance);
   for (size_t k = 0; status == PH_OK && k < curve->n; k++) {
     work.before = work.n;
+    work.meets = !(offset && ph_gaps_pass(&offset->gaps, k, &gap)) && k > 0;
     status = ph_sampler_enter(&work.sampler, k, diag);
     if (status == PH_OK) {
       status = exact ? copy_segment(&work, curve) : cover_segment(&work, &cusp);
     }
   }
   if (status == PH_OK && curve->closed &&
-      distance_between(work.pieces[0].c[0], work.pieces[work.n - 1].c[3]) <=
-          SAME) {
+      !(offset && ph_gaps_open(&offset->gaps))) {
     work.pieces[work.n - 1].c[3] = work.pieces[0].c[0];
   }
   return status == PH_OK ? store(&work, cubics) : status;

@@ -23,12 +23,13 @@
 /*
  * ph_cubics_of: a curve, or its offset, as cubics.
  *
- * in   offset     NULL: the curve itself; else distance, vector, cusps count
+ * in   offset     NULL: the curve itself; else distance, vector, cusps and
+ *                 gaps count
  * in   tolerance  greatest distance, in the unit of the curve
  * out  cubics     degree 3, dimension 2, from the arena; where pieces meet,
  *                 also of two segments or at the ends of a closed curve, they
- *                 have the same control point; error is the greatest distance,
- *                 as said above
+ *                 have the same control point, but not across a gap; error is
+ *                 the greatest distance, as said above
  * ret  PH_OK | PH_NO_CONVERGENCE (names the segment: 2^16 pieces of it do not
  *      suffice) | PH_NO_MEMORY | what ph_sampler_enter returns
  */

@@ -6,6 +6,7 @@
 #include "curve/offset.h"
 
 #include "curve/cusp.h"
+#include "curve/gap.h"
 #include "curve/hermite.h"
 #include "curve/rational.h"
 
@@ -173,6 +174,9 @@ offset_along(const struct ph_curve *curve, double distance,
   }
   if (status == PH_OK) {
     status = ph_cusps_of(curve, distance, normal, arena, &offset->cusps, diag);
+  }
+  if (status == PH_OK) {
+    status = ph_gaps_of(curve, distance, normal, arena, &offset->gaps, diag);
   }
   if (status == PH_OK && rules->samples.how != PH_SAMPLE_NONE) {
     status = ph_sample_offset(curve, &rules->samples, arena, offset, diag);

@@ -166,6 +166,12 @@ struct ph_cusps {
   struct ph_place *at; /* [n]; NULL if n = 0 */
 };
 
+/* Where an offset jumps from one segment to the next (curve/gap.h). */
+struct ph_gaps {
+  size_t n;
+  size_t *before; /* [n] the segments that follow, increasing; NULL if n = 0 */
+};
+
 /*
  * One offset curve: n rational Bezier pieces of a PH curve, or n quotients of
  * an ATPH curve and its approximation by polynomial pieces (curve/offset.h); on
@@ -189,6 +195,7 @@ struct ph_offset {
   double *denominator; /* ATPH: [n][5] */
   struct ph_pieces pieces;
   struct ph_cusps cusps;
+  struct ph_gaps gaps;
   struct ph_samples samples; /* n = 0: none; on a sphere there are always */
   double length;             /* NaN unless there are samples */
 };

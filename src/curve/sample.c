@@ -6,6 +6,7 @@
 #include "curve/sample.h"
 
 #include "base/sum.h"
+#include "curve/gap.h"
 #include "curve/sample_chord.h"
 #include "curve/sample_frame.h"
 #include "curve/sample_kind.h"
@@ -72,7 +73,10 @@ struct walk {
   struct ph_sampler sampler;
   struct ph_framing framing;
   struct ph_chords chords;
-  size_t cusp; /* the next one of the offset */
+  size_t cusp, gap; /* the next ones of the offset */
+  size_t first;     /* sample of the connected part */
+  bool begins;      /* the segment begins it */
+  size_t step;      /* the next place is at so many times the spacing */
   struct ph_samples *samples;
   size_t room;
   struct ph_sum start; /* length before the segment */
@@ -197,7 +201,8 @@ static enum ph_status by_parameter(struct walk *walk) {
   return PH_OK;
 }
 
-/* Sample i is at i times the spacing. */
+/* At the start of a part, and at multiples of the spacing that are not all but
+ * there. */
 static enum ph_status by_spacing(struct walk *walk) {
   const struct ph_sampler *sampler = &walk->sampler;
   const double spacing = walk->rules->spacing;
@@ -207,14 +212,21 @@ static enum ph_status by_spacing(struct walk *walk) {
   double joint, s;
   ph_sum_add(&after, sampler->length);
   joint = AT_JOINT * ph_sum_value(&after);
-  s = (double)walk->samples->n * spacing;
-  status =
-      reserve_more(walk, fmax((ph_sum_value(&after) - s) / spacing, 0) + 2);
+  s = (double)walk->step * spacing;
+  status = /* with both ends of a part */
+      reserve_more(walk, fmax((ph_sum_value(&after) - s) / spacing, 0) + 3);
+  if (status == PH_OK && walk->begins) {
+    const double start = ph_sum_value(&walk->start);
+    put(walk, 0, start);
+    while (s <= start + fmax(LAST * spacing, joint)) {
+      s = (double)++walk->step * spacing;
+    }
+  }
   while (status == PH_OK && s < ph_sum_value(&after) - joint) {
     double local = (s - walk->start.high) - walk->start.low;
     put(walk, ph_trail_next(&trail, sampler, local > joint ? local : 0, NULL),
         s);
-    s = (double)walk->samples->n * spacing;
+    s = (double)++walk->step * spacing;
   }
   return status;
 }
@@ -234,8 +246,8 @@ static enum ph_status by_chords(struct walk *walk) {
   if (status == PH_OK) {
     status = reserve_more(walk, (double)walk->chords.n + 1);
   }
-  if (status == PH_OK && walk->sampler.k == 0) {
-    put(walk, 0, 0);
+  if (status == PH_OK && walk->begins) {
+    put(walk, 0, ph_sum_value(&walk->start));
   }
   for (size_t i = 0; status == PH_OK && i < walk->chords.n; i++) {
     put_at(walk, walk->chords.u[i]);
@@ -243,25 +255,24 @@ static enum ph_status by_chords(struct walk *walk) {
   return status;
 }
 
-/* The end of the curve, instead of places that are all but there. */
-static enum ph_status end(struct walk *walk) {
+/* The end of a part, instead of places that are all but there. */
+static void end(struct walk *walk) {
   const double spacing = walk->rules->spacing;
   const double length = ph_sum_value(&walk->start);
   struct ph_samples *s = walk->samples;
-  enum ph_status status;
-  while (s->n > 1 && s->s[s->n - 1] > length - LAST * spacing) {
+  while (s->n > walk->first + 1 && s->s[s->n - 1] > length - LAST * spacing) {
     s->n--;
   }
-  status = reserve(walk, 1, 0);
-  if (status == PH_OK) {
-    put(walk, 1, length);
-  }
-  return status;
+  put(walk, 1, length);
 }
 
 static enum ph_status enter(struct walk *walk, size_t k) {
   const struct ph_curve *curve = walk->sampler.curve;
+  const struct ph_offset *offset = walk->sampler.offset;
   enum ph_status status = ph_sampler_enter(&walk->sampler, k, walk->diag);
+  walk->begins =
+      (offset && ph_gaps_pass(&offset->gaps, k, &walk->gap)) || k == 0;
+  walk->first = walk->begins ? walk->samples->n : walk->first;
   walk->range = curve->alpha ? curve->alpha[k] : 1;
   if (status == PH_OK && !isfinite(walk->sampler.length)) {
     status = ph_fail_at(walk->diag, PH_NO_CONVERGENCE, "segments", k,
@@ -270,6 +281,14 @@ static enum ph_status enter(struct walk *walk, size_t k) {
   }
   return status == PH_OK ? ph_framing_enter(&walk->framing, k, walk->diag)
                          : status;
+}
+
+/* Whether the segment ends a part. */
+static bool ends(const struct walk *walk) {
+  const struct ph_offset *offset = walk->sampler.offset;
+  size_t next = walk->gap;
+  return walk->sampler.k + 1 == walk->sampler.curve->n ||
+         (offset && ph_gaps_pass(&offset->gaps, walk->sampler.k + 1, &next));
 }
 
 static enum ph_status (*const places[])(struct walk *) = {
@@ -293,9 +312,11 @@ static enum ph_status go(struct walk *walk) {
       status = places[rules->how](walk);
       ph_sum_add(&walk->start, walk->sampler.length);
     }
+    if (status == PH_OK && rules->how == PH_SAMPLE_SPACING && ends(walk)) {
+      end(walk);
+    }
   }
-  return status == PH_OK && rules->how == PH_SAMPLE_SPACING ? end(walk)
-                                                            : status;
+  return status;
 }
 
 /* out  length  of what is sampled */

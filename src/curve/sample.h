@@ -136,8 +136,8 @@ enum { PH_SAMPLES_MAX = 10000000 };
  *   parameter ([0,1]; atph: [0, alpha]) and at both of its ends: a joint is
  *   there twice, with the curvatures on either side.
  * PH_SAMPLE_SPACING: at arc lengths 0, spacing, 2 spacing, ... from the start
- *   of the curve, and at its end; a last interval of less than 1e-9 spacing is
- *   merged with the one before.
+ *   of the curve, and at its end; places that are nearer to an end than 1e-9
+ *   spacing are left out.
  * PH_SAMPLE_CHORD: at both ends of every segment and so many between that no
  *   chord leaves the curve by more than chord_error; a joint is there once, as
  *   the end of the first segment.
@@ -164,9 +164,11 @@ enum ph_status ph_sample_curve(const struct ph_curve *curve,
 /*
  * ph_sample_offset: the same of an offset, whose s, spacing and chords are its
  * own; without frames.  Its segments are those of the curve, t is of the
- * curve; PH_SAMPLE_CHORD has its cusps among the places.
+ * curve; PH_SAMPLE_CHORD has its cusps among the places.  From gap to gap it is
+ * a curve of its own, with samples at both ends; s goes on through gaps, and
+ * so do the multiples of the spacing.
  *
- * inout offset  distance, vector, cusps; samples and length are filled
+ * inout offset  distance, vector, cusps, gaps; samples and length are filled
  */
 enum ph_status ph_sample_offset(const struct ph_curve *curve,
                                 const struct ph_sample_rules *rules,

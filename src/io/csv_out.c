@@ -3,6 +3,7 @@
 #include "io/csv_out.h"
 
 #include "base/sum.h"
+#include "curve/gap.h"
 #include "io/number.h"
 
 #include <math.h>
@@ -107,9 +108,18 @@ static void end_row(const struct row *row) {
   ph_buf_put(row->buf, "\n", 1);
 }
 
-/* Between two curves that no line should join. */
+/* Between two curves, or parts of one, that no line should join. */
 static void end_curve(const struct row *row) {
   ph_buf_put(row->buf, "\n", row->shape->text);
+}
+
+/* Before row or piece number i, of a segment, of the offset that is not NULL:
+ * after a gap it begins a part. */
+static void end_part(const struct row *row, const struct ph_offset *o,
+                     size_t segment, size_t i, size_t *gap) {
+  if (o && ph_gaps_pass(&o->gaps, segment, gap) && i > 0) {
+    end_curve(row);
+  }
 }
 
 static enum space space_of(const struct ph_csv_shape *shape) {
@@ -201,7 +211,9 @@ static void vector_cell(const struct row *row, const char *vector) {
 static void samples(const struct row *row, const struct ph_samples *s,
                     const struct ph_offset *o) {
   static const double none[] = {(double)NAN, (double)NAN, (double)NAN};
+  size_t gap = 0;
   for (size_t i = 0; i < s->n; i++) {
+    end_part(row, o, s->segment[i], i, &gap);
     begin_row(row);
     place_cells(row, s, i);
     if (s->torsion) {
@@ -226,7 +238,9 @@ static void samples(const struct row *row, const struct ph_samples *s,
 
 /* Samples in the table of offsets, where the distance comes first. */
 static void offset_samples(const struct row *row, const struct ph_offset *o) {
+  size_t gap = 0;
   for (size_t i = 0; i < o->samples.n; i++) {
+    end_part(row, o, o->samples.segment[i], i, &gap);
     begin_row(row);
     number_cell(row, o->distance);
     place_cells(row, &o->samples, i);
@@ -241,8 +255,9 @@ static void offset_pieces(const struct row *row, const struct ph_offset *o,
                           const struct ph_pieces *pieces,
                           const double *weight) {
   const double *p = pieces->control_points;
-  size_t index = 0;
+  size_t index = 0, gap = 0;
   for (size_t piece = 0; piece < pieces->n; piece++) {
+    end_part(row, o, pieces->segment[piece], piece, &gap);
     if (piece == 0 || pieces->segment[piece] != pieces->segment[piece - 1]) {
       index = 0;
     }

@@ -7,7 +7,7 @@
  *   text  for gnuplot and awk: cells between blanks, _ for what would break or
  *         quote a word, - for an empty one, NaN where something is not defined;
  *         the names of the columns in a line that begins with #; an empty line
- *         between curves, two between problems
+ *         between curves and at gaps of offsets, two between problems
  */
 #ifndef PH_IO_CSV_OUT_H
 #define PH_IO_CSV_OUT_H

@@ -172,6 +172,16 @@ static void write_cusps(struct ph_json_writer *w, const struct ph_offset *o) {
   ph_write_end(w, ']');
 }
 
+static void write_gaps(struct ph_json_writer *w, const struct ph_gaps *gaps) {
+  ph_write_key(w, "gaps");
+  ph_write_begin(w, '[');
+  for (size_t i = 0; i < gaps->n; i++) {
+    ph_write_element(w);
+    ph_write_number(w, (double)gaps->before[i]);
+  }
+  ph_write_end(w, ']');
+}
+
 static void write_offset_pieces(struct ph_json_writer *w,
                                 const struct ph_offset *o) {
   ph_write_key_number(w, "degree", (double)o->degree);
@@ -205,6 +215,7 @@ void ph_write_offsets(struct ph_json_writer *w, const struct ph_offset *offsets,
     }
     write_finite(w, "length", o->length);
     write_cusps(w, o);
+    write_gaps(w, &o->gaps);
     if (o->samples.n) {
       ph_write_samples(w, &o->samples);
     }

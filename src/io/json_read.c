@@ -231,10 +231,10 @@ size_t ph_read_whole(struct ph_json_reader *r, const struct ph_json_item *item,
   char excerpt[PH_EXCERPT_MAX];
   size_t mark;
   double x;
-  if (r->status != PH_OK || !ph_read_required(r, item, name)) {
+  if (r->status != PH_OK || (name && !ph_read_required(r, item, name))) {
     return least;
   }
-  mark = ph_read_enter(r, name);
+  mark = name ? ph_read_enter(r, name) : r->n;
   x = number(r, item);
   if (r->status == PH_OK &&
       (!(x >= (double)least) || !(x <= (double)most) || floor(x) < x)) {

@@ -73,7 +73,7 @@ const char *ph_read_string(struct ph_json_reader *r,
                            const char *absent);
 
 /* ph_read_whole: a whole number from least to most, which must be there;
- * `least' after a failure. */
+ * `least' after a failure.  Without a name the item is itself the number. */
 size_t ph_read_whole(struct ph_json_reader *r, const struct ph_json_item *item,
                      const char *name, size_t least, size_t most);
 

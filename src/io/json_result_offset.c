@@ -226,13 +226,14 @@ enum offset_member {
   ERROR,
   LENGTH,
   CUSPS,
+  GAPS,
   SAMPLES,
   OFFSET_MEMBERS
 };
 
 static const char *const offset_names[OFFSET_MEMBERS] = {
     "distance", "vector", "degree", "segments", "beziers",
-    "error",    "length", "cusps",  "samples"};
+    "error",    "length", "cusps",  "gaps",     "samples"};
 
 /* The exact pieces. */
 static void read_offset_pieces(struct ph_json_reader *r,
@@ -335,6 +336,28 @@ static void read_cusps(struct ph_json_reader *r,
   ph_read_leave(r, mark);
 }
 
+static void read_gaps(struct ph_json_reader *r, const struct ph_json_item *item,
+                      const struct ph_curve *curve, struct ph_gaps *gaps) {
+  struct ph_json_item before;
+  struct ph_json_walk walk;
+  size_t mark;
+  if (r->status != PH_OK || !item->value) {
+    return;
+  }
+  mark = ph_read_enter(r, offset_names[GAPS]);
+  gaps->n = ph_read_size(r, item);
+  gaps->before =
+      gaps->n ? ph_read_array_of(r, gaps->n, sizeof *gaps->before) : NULL;
+  ph_json_walk_init(&walk, item->value, item->value_n);
+  for (size_t i = 0; r->status == PH_OK && i < gaps->n; i++) {
+    size_t inner = ph_read_enter_at(r, i);
+    ph_json_walk_next(&walk, &before);
+    gaps->before[i] = ph_read_whole(r, &before, NULL, 0, curve->n - 1);
+    ph_read_leave(r, inner);
+  }
+  ph_read_leave(r, mark);
+}
+
 /* In space, e2 or e3. */
 static const char *read_frame_vector(struct ph_json_reader *r,
                                      const struct ph_json_item *item) {
@@ -362,6 +385,7 @@ static void read_offset(struct ph_json_reader *r,
   o->length =
       ph_read_number(r, &items[LENGTH], offset_names[LENGTH], (double)NAN);
   read_cusps(r, &items[CUSPS], curve, &o->cusps);
+  read_gaps(r, &items[GAPS], curve, &o->gaps);
   ph_read_samples(r, &items[SAMPLES], curve, &o->samples);
 }
 

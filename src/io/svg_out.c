@@ -35,7 +35,7 @@ void ph_svg_path(struct ph_buf *buf, const struct ph_pieces *cubics,
     point(buf, ' ', p + 4);
     point(buf, ' ', p + 6);
   }
-  if (closed && joined && cubics->n) {
+  if (closed && joined && cubics->n && same(p - 2, cubics->control_points)) {
     ph_buf_put(buf, "Z", 1);
   }
 }

@@ -15,7 +15,7 @@
  * A piece that does not begin where the one before ends begins a subpath.
  *
  * in   cubics  degree 3, dimension 2
- * in   closed  a curve of one subpath is closed by Z
+ * in   closed  a curve of one subpath that ends where it began is closed by Z
  */
 void ph_svg_path(struct ph_buf *buf, const struct ph_pieces *cubics,
                  bool closed);

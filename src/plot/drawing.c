@@ -8,6 +8,7 @@
 #include "plot/drawing.h"
 
 #include "base/sum.h"
+#include "curve/gap.h"
 #include "curve/sample.h"
 #include "kernel/s2.h"
 
@@ -155,7 +156,7 @@ static void draw_segment(struct pen *pen, const struct ph_sampler *sampler,
 }
 
 /* The curve, a stroke for each of its segments if there are not too many, or an
- * offset of it. */
+ * offset of it, a stroke from gap to gap. */
 static enum ph_status draw_curve(struct pen *pen,
                                  const struct ph_offset *offset,
                                  enum ph_stroke_role role, size_t index) {
@@ -163,7 +164,7 @@ static enum ph_status draw_curve(struct pen *pen,
   const size_t n = curve->n;
   const size_t step = stroke_step(n), group = offset ? n : group_of(n);
   struct ph_sampler sampler;
-  size_t cusp = 0;
+  size_t cusp = 0, gap = 0;
   int depth = 0;
   enum ph_status status =
       ph_sampler_begin(&sampler, curve, offset, &pen->scratch, pen->diag);
@@ -174,6 +175,9 @@ static enum ph_status draw_curve(struct pen *pen,
     bool begins = k > 0 && k % group == 0;
     if (k % step != 0 && k + 1 < n) {
       continue;
+    }
+    if (offset && ph_gaps_pass(&offset->gaps, k, &gap)) {
+      lift(pen, role, index);
     }
     status = ph_sampler_enter(&sampler, k, pen->diag);
     if (status == PH_OK && begins) { /* the one before ends here */
@@ -427,6 +431,16 @@ static const char *copy(struct pen *pen, const char *text) {
   return kept;
 }
 
+/* The connected parts of all offsets, those that are drawn at most. */
+static size_t parts_of(const struct ph_result *r) {
+  size_t n = 0;
+  for (size_t i = 0; i < r->offsets_n; i++) {
+    const size_t gaps = r->offsets[i].gaps.n;
+    n += 1 + (gaps < PH_DRAWING_POINTS ? gaps : PH_DRAWING_POINTS);
+  }
+  return n;
+}
+
 /* All but strokes and profiles; makes room for these. */
 static void prepare(struct pen *pen, const struct ph_drawing_names *names) {
   const struct ph_curve *curve = &pen->result->curve;
@@ -449,7 +463,7 @@ static void prepare(struct pen *pen, const struct ph_drawing_names *names) {
   d->high = ph_vec3_of(-far, -far, -far);
   d->length = curve->length;
   d->strokes = ph_arena_array(
-      &d->arena, 2 * shown + pen->result->offsets_n + (given ? given->n : 0),
+      &d->arena, 2 * shown + parts_of(pen->result) + (given ? given->n : 0),
       sizeof *d->strokes);
   d->profiles = ph_arena_array(&d->arena, shown, sizeof *d->profiles);
   pen->failed = pen->failed || !d->strokes || !d->profiles;

@@ -39,7 +39,7 @@ enum ph_drawing_space { PH_DRAWING_PLANE, PH_DRAWING_SPACE, PH_DRAWING_SPHERE };
 enum ph_stroke_role {
   PH_STROKE_CURVE,   /* one segment of the curve, or more */
   PH_STROKE_POLYGON, /* its control polygon; on a sphere, of great circles */
-  PH_STROKE_OFFSET,  /* one offset, from end to end */
+  PH_STROKE_OFFSET,  /* a connected part of an offset, from end to end */
   PH_STROKE_TANGENT  /* a given tangent or derivative: from its point on */
 };
 

@@ -228,7 +228,7 @@ expect 'an offset' 0
 equal 'an offset: its shape' '[{distance:number,degree:number,segments:'\
 '[{segment:number,interval:[number],numerator:[[number]],denominator:'\
 '[number]}],beziers:[{segment:number,interval:[number],control_points:'\
-'[[number]]}],error:number,cusps:[]}]' "$(shape_of offsets)"
+'[[number]]}],error:number,cusps:[],gaps:[]}]' "$(shape_of offsets)"
 
 # The first Bezier pieces against r + numerator / denominator, r by Simpson's
 # rule from the preimage.

@@ -57,7 +57,7 @@ shape 'meta' 0 "id:number,$begin,meta:{a:[number|null],b:{}},$curve,$diagnostics
   "{\"meta\": {\"a\" :[1,null], \"b\":{}},\"id\":1,$points}"
 shape 'meta of no object' 0 "$begin,meta:bool,$curve,$diagnostics" \
   "{\"meta\":false,$points}"
-shape 'offsets' 0 "$begin,$curve,$offsets]}],$diagnostics" "{$points}" \
+shape 'offsets' 0 "$begin,$curve,$offsets],gaps:[]}],$diagnostics" "{$points}" \
   --offset=0.5,-0.5
 shape 'a warning' 0 "$begin,$curve,$diagnostics,$warnings" \
   '{"points":[[0,0],[1,0],[0,0]]}'
@@ -65,7 +65,7 @@ shape 'a sweep' 0 \
   "id:number,$begin,meta:number,sweep:{knots:string},$curve,$diagnostics" \
   "{\"id\":1,\"meta\":2,$points}" --sweep knots=uniform
 shape 'all at once' 0 "id:number,$begin,meta:[],sweep:{points[0][0]:number,\
-knots:string},$curve,$offsets{segment:number,t:number}]}],$diagnostics,$warnings" \
+knots:string},$curve,$offsets{segment:number,t:number}],gaps:[]}],$diagnostics,$warnings" \
   '{"id":1,"meta":[],"points":[[0,0],[1,0],[0,0]]}' --offset=1 \
   --sweep 'points[0][0]=0' --sweep knots=chordal
 shape 'an error' 1 "$begin,$error" 7 --input-format=json

@@ -20,7 +20,8 @@ solve "$hermite" --offset=0.25,-0.5
 expect 'offsets' 0
 piece='{distance:number,vector:string,degree:number,segments:[{segment:number,'\
 'interval:[number],control_points:[[number]],weights:[number]}],cusps:['
-equal 'offsets: their shape' "[$piece]}|$piece{segment:number,t:number}]}]" \
+equal 'offsets: their shape' \
+  "[$piece],gaps:[]}|$piece{segment:number,t:number}],gaps:[]}]" \
   "$(shape_of offsets)"
 equal 'offsets: four for each distance' \
   '0.25 "e2" -0.25 "e2" 0.25 "e3" -0.25 "e3" -0.5 "e2" 0.5 "e2" -0.5 "e3" 0.5 "e3" absent' \
@@ -120,7 +121,7 @@ expect 'offsets of atph' 0
 equal 'offsets of atph: their shape' '[{distance:number,vector:string,'\
 'degree:number,segments:[{segment:number,interval:[number],'\
 'numerator:[[number]],denominator:[number]}],beziers:[{segment:number,'\
-'interval:[number],control_points:[[number]]}],error:number,cusps:[]}]' \
+'interval:[number],control_points:[[number]]}],error:number,cusps:[],gaps:[]}]' \
   "$(shape_of offsets)"
 equal 'offsets of atph: four' '-0.25 "e3" absent' \
   "$(get 'offsets[3].distance') $(get 'offsets[3].vector') $(get 'offsets[4]')"

@@ -131,7 +131,7 @@ equal 'a sample' '[{segment:number,t:number,s:number,point:[number],'\
 feed "{$lonlat,\"closed\":true}" sphere -q
 floats indicators | holds 'closed: an indicator for each point' 'n == 4'
 feed "{$lonlat}" sphere -q --offset=0.125
-equal 'an offset' '[{distance:number,length:number,cusps:[],samples:[{'\
+equal 'an offset' '[{distance:number,length:number,cusps:[],gaps:[],samples:[{'\
 'segment:number,t:number,s:number,point:[number],tangent:[number],'\
 'curvature:number,lonlat:[number]}]}]' "$(shape_of offsets)"
 equal 'an offset: no degree, no segments' '0.125 absent absent' "$(get \

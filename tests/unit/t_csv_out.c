@@ -256,6 +256,36 @@ PH_TEST(test_text) {
              "uniform\n\n\n");
 }
 
+/* Parts of an offset, each after a blank line but the first: also where a curve
+ * that is closed has its joint. */
+PH_TEST(test_parts) {
+  size_t before[] = {0, 1}, segment[] = {0, 1};
+  double weights[] = {1, 1};
+  const struct ph_csv_heading heading = {"7", NULL, 0};
+  struct ph_csv_shape shape = {
+      .table = PH_TABLE_SAMPLES, .text = true, .dimension = 2, .offsets = true};
+  struct ph_offset offset = {
+      .distance = 2, .dimension = 2, .gaps = {2, before}};
+  struct ph_result result = by_hand();
+  result.samples = samples_of(2);
+  offset.samples = result.samples;
+  result.offsets = &offset;
+  result.offsets_n = 1;
+  ph_csv_result(&buf, &shape, &heading, &result);
+  ck_written("7 0 0 0 1 2 1 0 -3 0\n7 1 0.5 2 3 4 0 0 NaN 0\n\n"
+             "7 0 0 0 1 2 1 0 -3 2\n\n7 1 0.5 2 3 4 0 0 NaN 2\n\n\n");
+  shape.table = PH_TABLE_OFFSETS;
+  offset.n = 2;
+  offset.segment = segment;
+  offset.control_points = result.samples.point;
+  offset.weights = weights;
+  ph_csv_result(&buf, &shape, &heading, &result);
+  ck_written("7 2 0 0 1 2 1\n\n7 2 1 0 3 4 1\n\n\n");
+  shape.text = false;
+  ph_csv_result(&buf, &shape, &heading, &result);
+  ck_written("7,2,0,0,1,2,1\n7,2,1,0,3,4,1\n");
+}
+
 PH_TEST(test_no_offsets) {
   const struct ph_csv_heading heading = {"7", NULL, 0};
   struct ph_result result = by_hand();
@@ -297,4 +327,5 @@ PH_TEST(test_failed_buffer) {
 PH_TESTS_WITH(NULL, finish, test_headers, test_headers_on_sphere,
               test_control_points, test_lengths, test_offsets,
               test_offsets_in_space, test_samples, test_samples_on_sphere,
-              test_text, test_no_offsets, test_quoting, test_failed_buffer)
+              test_text, test_parts, test_no_offsets, test_quoting,
+              test_failed_buffer)

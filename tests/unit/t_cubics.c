@@ -13,8 +13,10 @@
 #include "tc_curve_unit.h"
 
 #include "curve/cusp.h"
+#include "curve/gap.h"
 #include "curve/parallel.h"
 #include "curve/ph2.h"
+#include "kernel/pi.h"
 
 enum { PLACES = 8, STEPS = 60, ROUNDS = 9, NARROW = 8, CURVES = 10 };
 
@@ -273,6 +275,10 @@ static struct ph_offset offset_of(const struct any *any, enum kind kind,
     status =
         ph_cusps_of(any->curve, distance, normal, &arena, &offset.cusps, &diag);
   }
+  if (status == PH_OK && kind != SPHERE) {
+    status =
+        ph_gaps_of(any->curve, distance, normal, &arena, &offset.gaps, &diag);
+  }
   ck_assert_int_eq(status, PH_OK);
   return offset;
 }
@@ -310,6 +316,31 @@ START_TEST(test_offsets) {
   }
   /* of three curves there may be none */
   ck_assert(cusps > 0 || curves_of((enum kind)_i) < CURVES);
+}
+END_TEST
+
+/* Offsets of a square: its sides do not meet, nor does the last the first. */
+START_TEST(test_gaps) {
+  struct ph_offset offset = {.distance = 0.25};
+  struct ph_pieces cubics;
+  struct unit_cubics c;
+  struct ph_diag diag;
+  unit_cubics_begin(&c, ph_cplx_of(1, 2));
+  for (int i = 0; i < 4; i++) {
+    const ph_cplx w = ph_cplx_polar(0.1 + PH_PI / 4 * i);
+    unit_cubics_add(&c, w, w);
+  }
+  c.curve.closed = true;
+  ck_assert_int_eq(
+      ph_gaps_of(&c.curve, offset.distance, PH_E2, &arena, &offset.gaps, &diag),
+      PH_OK);
+  cubics = cubics_of(&c.curve, &offset, 1e-3);
+  ck_assert_uint_eq(cubics.n, 4);
+  for (size_t i = 0; i < 4; i++) {
+    const double *p = cubics.control_points + 8 * i + 6;
+    const double *q = cubics.control_points + 8 * ((i + 1) % 4);
+    ck_abs(hypot(p[0] - q[0], p[1] - q[1]), sqrt(2) / 4, 1e-14);
+  }
 }
 END_TEST
 
@@ -461,6 +492,7 @@ static Suite *suite(void) {
   tcase_add_checked_fixture(t, NULL, finish);
   tcase_add_loop_test(t, test_curves, 0, KINDS);
   tcase_add_loop_test(t, test_offsets, 0, BEZIER);
+  tcase_add_test(t, test_gaps);
   tcase_add_test(t, test_circle);
   tcase_add_test(t, test_closed);
   tcase_add_test(t, test_edge_on);

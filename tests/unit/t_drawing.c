@@ -8,7 +8,9 @@
 #include "unit.h"
 
 #include "curve/cusp.h"
+#include "curve/gap.h"
 #include "curve/ph2.h"
+#include "kernel/pi.h"
 #include "plot/drawing.h"
 
 #include <string.h>
@@ -414,6 +416,36 @@ START_TEST(test_cusps) {
 }
 END_TEST
 
+/* Parts of an offset from gap to gap are strokes of their own. */
+START_TEST(test_gaps) {
+  const struct ph_problem nothing = {.field = {{.kind = PH_ABSENT}}};
+  struct ph_offset offsets[] = {{.distance = -1}, {.distance = 1}};
+  struct ph_result result = {.offsets = offsets, .offsets_n = 2};
+  const struct ph_drawing *d;
+  struct unit_cubics c;
+  unit_cubics_begin(&c, ph_cplx_of(0, 0));
+  for (int i = 0; i < 4; i++) { /* a square */
+    const ph_cplx w = ph_cplx_polar(PH_PI / 4 * i);
+    unit_cubics_add(&c, w, w);
+  }
+  c.curve.closed = true;
+  result.curve = c.curve;
+  for (size_t i = 0; i < 2; i++) {
+    ck_assert_int_eq(ph_gaps_of(&c.curve, offsets[i].distance, PH_E2, &arena,
+                                &offsets[i].gaps, &diag),
+                     PH_OK);
+  }
+  d = draw(&nothing, &result);
+  ck_assert_uint_eq(strokes_of(d, PH_STROKE_OFFSET), 8);
+  for (size_t i = 0; i < 8; i++) {
+    const struct ph_stroke *s = stroke_of(d, PH_STROKE_OFFSET, i);
+    ck_assert_uint_eq(s->index, i / 4);
+    ck_assert_uint_eq(s->n, 2);
+    ck_abs(apart(s->points[0], s->points[1]), 1, 1e-14);
+  }
+}
+END_TEST
+
 /* ---- bounds -------------------------------------------------------------- */
 
 /* n straight segments of length 1. */
@@ -495,6 +527,7 @@ static Suite *suite(void) {
   tcase_add_test(tc, test_vectors_sphere);
   tcase_add_test(tc, test_offsets);
   tcase_add_test(tc, test_cusps);
+  tcase_add_test(tc, test_gaps);
   tcase_add_test(tc, test_many);
   suite_add_tcase(s, tc);
   return s;

@@ -367,12 +367,13 @@ PH_TEST(test_read_back) {
 /* The vector follows the distance. */
 PH_TEST(test_offset_in_space) {
   const struct ph_heading heading = {&nothing, "spatial-hermite", NULL, 0};
-  size_t segment = 0;
+  size_t segment = 0, gaps[] = {0, 3};
   double interval[] = {0, 0.5}, p[] = {1, 2, 3}, weight = 4;
   struct ph_place cusp = {0, 0.5, 0.75};
   struct ph_offset offset = {.distance = -0.5,
                              .length = (double)NAN,
                              .cusps = {1, &cusp},
+                             .gaps = {2, gaps},
                              .vector = "e3",
                              .dimension = 3,
                              .n = 1,
@@ -389,7 +390,7 @@ PH_TEST(test_offset_in_space) {
              "\"offsets\":[{\"distance\":-0.5,\"vector\":\"e3\",\"degree\":0,"
              "\"segments\":[{\"segment\":0,\"interval\":[0,0.5],"
              "\"control_points\":[[1,2,3]],\"weights\":[4]}],\"cusps\":["
-             "{\"segment\":0,\"t\":0.75}]}]"));
+             "{\"segment\":0,\"t\":0.75}],\"gaps\":[0,3]}]"));
 }
 
 static size_t at[] = {0, 0};
@@ -459,15 +460,15 @@ PH_TEST(test_on_sphere) {
   result.offsets = offsets;
   result.offsets_n = 2;
   ph_json_result(&buf, &heading, &result, false);
-  ck_assert_ptr_nonnull(
-      strstr(written(),
-             "\"length\":7.25}],\"center\":[0,1,0],\"radius\":2,"
-             "\"tensions\":[0,12.5],\"indicators\":[0,-1],\"length\":7.25,"
-             "\"offsets\":[{\"distance\":-0.5,\"length\":9,\"cusps\":["
-             "{\"segment\":0,\"t\":0.25},{\"segment\":0,\"t\":1}],"
-             "\"samples\":[{\"segment\":0,\"t\":0,\"s\":0,\"point\":[1,2,3],"
-             "\"tangent\":[1,0,0],\"curvature\":-3,\"lonlat\":[-180,90]}]},"
-             "{\"distance\":0.5,\"length\":8,\"cusps\":[],\"samples\":["));
+  ck_assert_ptr_nonnull(strstr(
+      written(),
+      "\"length\":7.25}],\"center\":[0,1,0],\"radius\":2,"
+      "\"tensions\":[0,12.5],\"indicators\":[0,-1],\"length\":7.25,"
+      "\"offsets\":[{\"distance\":-0.5,\"length\":9,\"cusps\":["
+      "{\"segment\":0,\"t\":0.25},{\"segment\":0,\"t\":1}],\"gaps\":[],"
+      "\"samples\":[{\"segment\":0,\"t\":0,\"s\":0,\"point\":[1,2,3],"
+      "\"tangent\":[1,0,0],\"curvature\":-3,\"lonlat\":[-180,90]}]},"
+      "{\"distance\":0.5,\"length\":8,\"cusps\":[],\"gaps\":[],\"samples\":["));
   /* A closed curve has as many nodes as segments. */
   ph_buf_clear(&buf, buf.capacity);
   result.curve.closed = true;

@@ -33,6 +33,7 @@ static const struct {
     {PH_REVERSAL, "reversal", 1},
     {PH_LOOP, "loop", 1},
     {PH_OFFSET_CUSP, "offset-cusp", 1},
+    {PH_OFFSET_GAP, "offset-gap", 1},
     {PH_LARGE_ALPHA, "large-alpha", 1},
     {PH_AMBIGUOUS, "ambiguous", 1},
     {PH_SHAPE_UNSATISFIABLE, "shape-unsatisfiable", 1},
@@ -79,10 +80,11 @@ PH_TEST(test_warnings) {
   for (int i = 0; i < PH_STATUS_N; i++) {
     const char *meaning = ph_status_meaning((enum ph_status)i);
     bool warning = i == PH_REVERSAL || i == PH_LOOP || i == PH_AMBIGUOUS ||
-                   i == PH_OFFSET_CUSP || i == PH_LARGE_ALPHA ||
-                   i == PH_SHAPE_UNSATISFIABLE || i == PH_WIGGLE ||
-                   i == PH_INCONSISTENT_LENGTHS || i == PH_SADDLE ||
-                   i == PH_LEAVES_PLANE || i == PH_MOVED_POINTS;
+                   i == PH_OFFSET_CUSP || i == PH_OFFSET_GAP ||
+                   i == PH_LARGE_ALPHA || i == PH_SHAPE_UNSATISFIABLE ||
+                   i == PH_WIGGLE || i == PH_INCONSISTENT_LENGTHS ||
+                   i == PH_SADDLE || i == PH_LEAVES_PLANE ||
+                   i == PH_MOVED_POINTS;
     ck_assert_int_eq(strncmp(meaning, "warning: ", 9) == 0, warning);
   }
 }
