@@ -63,6 +63,16 @@ bool ph_verify_is_approximation(const struct ph_verify *v);
  * ret  PH_OK | PH_NO_MEMORY */
 enum ph_status ph_verify_distance(struct ph_verify *v);
 
+/*
+ * ph_verify_gaps: where an offset jumps: the gaps that are listed, no others,
+ * and of samples those at both ends of each.
+ *
+ * in   path  the offset; it goes from segment to segment by `segment`
+ */
+void ph_verify_gaps(struct ph_verify *v, const struct ph_offset *offset,
+                    struct ph_verify_path *path,
+                    struct ph_verify_segment *segment);
+
 /* ph_verify_offset: an offset curve. */
 void ph_verify_offset(struct ph_verify *v, const struct ph_offset *offset);
 

@@ -384,6 +384,7 @@ void ph_verify_offset(struct ph_verify *v, const struct ph_offset *o) {
     check_beziers(&c);
   }
   check_cusps(&c);
+  ph_verify_gaps(v, o, &c.path, &c.segment);
   if (o->samples.n > 0) {
     ph_verify_samples(v, &o->samples, &c.path, &length, &error);
     if (!isnan(length)) { /* else beside a point at rest */

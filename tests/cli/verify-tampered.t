@@ -108,6 +108,30 @@ tampered '.offsets[0].cusps |= .[1:]' offset_error
 tampered '.offsets[0].cusps[0].t += 0.01' offset_error
 tampered '.offsets[0].cusps += [{segment: 2, t: 0.9}]' offset_error
 
+# ---- gaps ----------------------------------------------------------------------
+
+angle='{"curve":[[[0,0],[10,0]],[[10,0],[10,10]]]}'
+for gap_how in --chord-error=0.01 --spacing=4 --sample=2; do
+  good "gap$gap_how" "$angle" tc --tolerance=0.01 --offset=-3 "$gap_how"
+  first='(.offsets[0].samples | map(.segment) | index(1))'
+  tampered "del(.offsets[0].samples[$first])" sample_error
+  tampered "del(.offsets[0].samples[$first - 1])" sample_error
+  tampered "del(.offsets[0].samples[$first - 1, $first])" sample_error
+  tampered ".offsets[0].samples[$first:] |= map(.s += 3)" sample_error
+done
+tampered '.offsets[0].gaps = []' offset_error
+tampered 'del(.offsets[0].gaps)' offset_error
+tampered '.offsets[0].gaps = [0, 1]' offset_error
+tampered '.offsets[0].gaps = [1, 1]' offset_error
+good loop '{"curve":[[[0,0],[4,3],[4,-3],[0,0]]],"closed":true}' tc \
+  --tolerance=0.01 --offset=-0.1 --spacing=1
+tampered '.offsets[0].gaps = []' offset_error
+tampered '.offsets[0].gaps += [1]' offset_error
+tampered 'del(.offsets[0].samples[0])' sample_error
+tampered 'del(.offsets[0].samples[-1])' sample_error
+
+# ---- all solutions ---------------------------------------------------------------
+
 good all "{\"points\":$points}" planar --solutions=all
 tampered '.solutions[2].segments[1].control_points[3][0] += 1e-6' \
   pythagorean_error
