@@ -94,11 +94,17 @@ static ph_cplx plane_b(const struct ph_spatial_family *f) {
  * near to a line. */
 static void set_plane(struct ph_spatial_family *f,
                       const struct ph_spatial_data *data) {
-  ph_vec3 v[3] = {ph_vec3_of(f->c, -f->s, 0), ph_vec3_scale(1 / f->h, f->dp),
-                  ph_vec3_of(f->c, f->s, 0)};
+  const ph_vec3 ti = {f->c, -f->s, 0}, tf = {f->c, f->s, 0};
   double flatness = f->flatness / f->h, largest = 0;
   bool given = ph_vec3_dot(data->normal, data->normal) > 0, straight;
+  ph_vec3 v[3] = {ti, ph_vec3_scale(1 / f->h, f->dp), tf};
   f->normal = ph_vec3_of(0, 0, 1);
+  f->plane_b = ph_cplx_of(1, 0);
+  f->away = HUGE_VAL;
+  f->flat = f->has_plane = false;
+  if (ph_spatial_is_twisted(f)) {
+    return; /* none is near enough */
+  }
   for (size_t i = 0; i < 3; i++) {
     ph_vec3 n = ph_vec3_cross(v[i], v[(i + 1) % 3]);
     double size = ph_vec3_abs(n);
@@ -123,7 +129,9 @@ static void set_plane(struct ph_spatial_family *f,
   }
   f->has_plane = !straight && f->away <= flatness;
   f->flat = f->planar || f->has_plane || straight;
-  f->plane_b = f->planar && !given ? ph_cplx_of(1, 0) : plane_b(f);
+  if (given || !f->planar) {
+    f->plane_b = plane_b(f);
+  }
 }
 
 void ph_spatial_family_space(struct ph_spatial_family *f,

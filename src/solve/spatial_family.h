@@ -92,6 +92,13 @@ struct ph_spatial_family
 ph_spatial_family_of(const struct ph_spatial_data *data,
                      const struct ph_atph *space);
 
+/* ph_spatial_is_twisted: whether [ti, dp, tf] = -dp.(ti x tf) has a sign,
+ * beyond the flatness; ti x tf is 2 s c gh. */
+static inline bool
+ph_spatial_is_twisted(const struct ph_spatial_family *family) {
+  return family->s * family->c * fabs(family->dp.z) > family->flatness;
+}
+
 /* ph_spatial_family_space: the same data, another space of preimages. */
 void ph_spatial_family_space(struct ph_spatial_family *family,
                              const struct ph_atph *space);

@@ -94,19 +94,14 @@ static double end_convexity(const struct ph_spatial_family *f,
                    ph_vec3_cross(f->dp, tangent));
 }
 
-/* Whether [ti, dp, tf] = -dp.(ti x tf) has a sign; ti x tf is 2 s c gh. */
-static bool is_twisted(const struct ph_spatial_family *f) {
-  return f->s * f->c * fabs(f->dp.z) > f->flatness;
-}
-
 unsigned ph_spatial_constraints(const struct ph_spatial_family *f) {
   ph_vec3 ni = ph_vec3_cross(start_tangent(f), f->dp);
   ph_vec3 nf = ph_vec3_cross(f->dp, end_tangent(f));
   return (is_normal(f, ni) ? PH_SHAPE_START : 0u) |
          (is_normal(f, nf) ? PH_SHAPE_END : 0u) |
-         (is_twisted(f)  ? PH_SHAPE_TORSION
-          : f->has_plane ? PH_SHAPE_PLANE
-                         : 0u);
+         (ph_spatial_is_twisted(f) ? PH_SHAPE_TORSION
+          : f->has_plane           ? PH_SHAPE_PLANE
+                                   : 0u);
 }
 
 /* The sign that the torsion is to have, where it is to have one. */
@@ -118,7 +113,7 @@ unsigned ph_spatial_violations(const struct ph_spatial_family *f,
                                const ph_quat a[3]) {
   unsigned violated = (start_convexity(f, a) > 0 ? 0u : PH_SHAPE_START) |
                       (end_convexity(f, a) > 0 ? 0u : PH_SHAPE_END);
-  if (is_twisted(f)) {
+  if (ph_spatial_is_twisted(f)) {
     double form[7];
     ph_spatial_torsion_form(&f->space, a, form);
     if (ph_form_sign(form, 6, NO_TORSION) != sign_of(f)) {
@@ -199,7 +194,7 @@ static double slack_of(const struct ph_spatial_fit *fit) {
     return (double)NAN;
   }
   slack = fmin(start_convexity(f, fit->a), end_convexity(f, fit->a));
-  if (is_twisted(f)) {
+  if (ph_spatial_is_twisted(f)) {
     ph_spatial_torsion_form(&f->space, fit->a, form);
     slack = fmin(slack, fmin(sign_of(f) * form[0], sign_of(f) * form[6]));
   }
