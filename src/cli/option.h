@@ -121,6 +121,7 @@ struct ph_assignment {
   const char *text; /* FIELD=VALUE; NULL: a field option */
   enum ph_field_id field;
   struct ph_value value;
+  const char *json; /* the value, on one line */
   bool override;
 };
 

@@ -158,7 +158,8 @@ static enum ph_status assign(const struct ph_field *field, const char *option,
                    why.message);
   }
   assignment->field = field->id;
-  return PH_OK;
+  assignment->json = ph_value_text(&assignment->value, arena);
+  return assignment->json ? PH_OK : ph_fail_memory(diag);
 }
 
 enum ph_status ph_option_read_field(struct ph_option_parser *p,

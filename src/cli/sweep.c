@@ -57,81 +57,6 @@ static enum ph_status read_target(const char *text, size_t n,
 
 /* ---- values ----------------------------------------------------------- */
 
-/* [a,b] */
-static char *put_numbers(char *to, const double *v, size_t n) {
-  *to++ = '[';
-  for (size_t i = 0; i < n; i++) {
-    if (i > 0) {
-      *to++ = ',';
-    }
-    to += ph_number_write(to, v[i]);
-  }
-  *to++ = ']';
-  return to;
-}
-
-/* [[a,b],[c,d]] */
-static char *put_vectors(char *to, const double *v, size_t n,
-                         size_t dimension) {
-  *to++ = '[';
-  for (size_t i = 0; i < n; i++) {
-    if (i > 0) {
-      *to++ = ',';
-    }
-    to = put_numbers(to, v + i * dimension, dimension);
-  }
-  *to++ = ']';
-  return to;
-}
-
-/* [[[a,b],[c,d]],[[c,d],[e,f]]] */
-static char *put_polyline(char *to, const struct ph_value *value) {
-  const double *v = value->v;
-  *to++ = '[';
-  for (size_t i = 0; i < value->sizes_n; i++) {
-    if (i > 0) {
-      *to++ = ',';
-    }
-    to = put_vectors(to, v, value->sizes[i], value->dimension);
-    v += value->sizes[i] * value->dimension;
-  }
-  *to++ = ']';
-  return to;
-}
-
-/* A value as JSON on one line, whatever blanks it was given with; NULL when
- * memory is exhausted. */
-static const char *text_of(const struct ph_value *value,
-                           struct ph_arena *arena) {
-  size_t numbers = value->v ? value->n * value->dimension : 1;
-  size_t arrays = value->n + value->sizes_n + 1;
-  size_t word = value->kind == PH_WORD ? strlen(value->word) : 0;
-  char *text = ph_arena_array(
-      arena, numbers * (PH_NUMBER_MAX + 1) + 3 * arrays + word + 3, 1);
-  char *to = text;
-  if (!text) {
-    return NULL;
-  }
-  if (value->kind == PH_NUMBER) {
-    to += ph_number_write(to, value->number);
-  } else if (value->kind == PH_BOOL) {
-    return value->flag ? "true" : "false";
-  } else if (value->kind == PH_WORD) { /* words need no escapes */
-    *to++ = '"';
-    memcpy(to, value->word, word);
-    to += word;
-    *to++ = '"';
-  } else if (value->kind == PH_NUMBERS) {
-    to = put_numbers(to, value->v, value->n);
-  } else if (value->kind == PH_VECTORS) {
-    to = put_vectors(to, value->v, value->n, value->dimension);
-  } else {
-    to = put_polyline(to, value);
-  }
-  *to = '\0';
-  return text;
-}
-
 /* An element of an array field is a number; a whole field is what its row
  * allows. */
 static enum ph_status read_value(const char *text, size_t n,
@@ -223,7 +148,7 @@ static enum ph_status read_list(const char *text, struct ph_arena *arena,
     if (status != PH_OK) {
       return status;
     }
-    sweep->texts[i] = text_of(&sweep->values[i], arena);
+    sweep->texts[i] = ph_value_text(&sweep->values[i], arena);
     if (!sweep->texts[i]) {
       return ph_fail_memory(diag);
     }
@@ -318,7 +243,7 @@ enum ph_status ph_sweep_name(const struct ph_sweep *sweeps, size_t n,
       swept[i].value = sweep->texts[at];
     } else {
       struct ph_value value = value_at(sweep, at);
-      swept[i].value = text_of(&value, arena);
+      swept[i].value = ph_value_text(&value, arena);
     }
     if (!swept[i].value) {
       return ph_fail_memory(diag);

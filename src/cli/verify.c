@@ -20,6 +20,7 @@
 #include "verify/verify.h"
 
 #include <float.h>
+#include <stdio.h>
 #include <string.h>
 #include <time.h>
 
@@ -36,8 +37,6 @@ struct task {
   struct ph_claim claim;
   bool read; /* the claim was, as a whole */
   const struct ph_promise *promise;
-  struct ph_swept *swept;
-  size_t swept_n;
   struct ph_problem problem;
   bool posed;         /* there is a problem, and it could be read */
   bool about_problem; /* that it could not is the failure */
@@ -70,35 +69,7 @@ static enum ph_status read_command(struct task *t) {
                  ph_excerpt(name, strlen(name), excerpt), clause);
 }
 
-/* ---- sweeps ------------------------------------------------------------ */
-
-/* The members of "sweep": names and values as they stand there. */
-static enum ph_status read_sweep(struct task *t) {
-  const char *text = t->claim.sweep;
-  struct ph_arena *arena = &t->worker->arena;
-  struct ph_json_walk walk;
-  struct ph_json_item item;
-  size_t n = 0;
-  if (!text) {
-    return PH_OK;
-  }
-  ph_json_walk_init(&walk, text, strlen(text));
-  while (ph_json_walk_next(&walk, &item)) {
-    n++;
-  }
-  t->swept = ph_arena_array(arena, n, sizeof *t->swept);
-  ph_json_walk_init(&walk, text, strlen(text));
-  while (t->swept && ph_json_walk_next(&walk, &item)) {
-    struct ph_swept *swept = &t->swept[t->swept_n];
-    swept->name = ph_arena_copy(arena, item.key, item.key_n);
-    swept->value = ph_json_one_line(&item, arena);
-    if (!swept->name || !swept->value) {
-      return ph_fail_memory(&t->diag);
-    }
-    t->swept_n++;
-  }
-  return t->swept ? PH_OK : ph_fail_memory(&t->diag);
-}
+/* ---- what was swept and set -------------------------------------------- */
 
 /* Sets one swept field of the problem, as --sweep=NAME=VALUE does. */
 static enum ph_status apply(struct task *t, const struct ph_schema *schema,
@@ -125,6 +96,51 @@ static enum ph_status apply(struct task *t, const struct ph_schema *schema,
                        "is none of this problem: %s", why.message);
 }
 
+static enum ph_status fail_set(struct task *t, const char *name,
+                               enum ph_status status, const char *message) {
+  char excerpt[PH_EXCERPT_MAX], field[PH_EXCERPT_MAX + 4];
+  snprintf(field, sizeof field, "set.%s",
+           ph_excerpt(name, strlen(name), excerpt));
+  return ph_fail(&t->diag, status, field, "%s", message);
+}
+
+/* A field that options set when the result was made: the problem, with what
+ * --set and --override make of it now, lacks it or has the same value. */
+static enum ph_status set_field(struct task *t, const struct ph_schema *schema,
+                                const struct ph_swept *set) {
+  struct ph_arena *arena = &t->worker->arena;
+  size_t n = strlen(set->name);
+  const struct ph_field *field = ph_field_find(schema, set->name, n);
+  struct ph_value value, *has;
+  struct ph_diag why;
+  const char *text, *other;
+  enum ph_status status;
+  if (!field) {
+    return fail_set(t, set->name, PH_BAD_VALUE, "is no field of the command");
+  }
+  status =
+      ph_value_read(set->value, strlen(set->value), field, arena, &value, &why);
+  if (status != PH_OK) {
+    return status == PH_NO_MEMORY ? ph_fail_memory(&t->diag)
+                                  : fail_set(t, set->name, status, why.message);
+  }
+  has = &t->problem.field[field->id];
+  if (has->kind == PH_ABSENT) {
+    *has = value;
+    return PH_OK;
+  }
+  text = ph_value_text(&value, arena);
+  other = ph_value_text(has, arena);
+  if (!text || !other) {
+    return ph_fail_memory(&t->diag);
+  }
+  return strcmp(text, other) == 0
+             ? PH_OK
+             : fail_set(t, set->name, PH_NOT_VERIFIED,
+                        "is not what the problem has; --override sets that of "
+                        "the problem");
+}
+
 /* ---- the problem ------------------------------------------------------- */
 
 /* --set and --override, as of the command that the result is of. */
@@ -147,7 +163,7 @@ static enum ph_status assign(struct task *t, const struct ph_schema *schema) {
                  : ph_fail(&t->diag, PH_BAD_VALUE, NULL, "%s", why.message);
     }
   }
-  ph_work_assign(all, n, &t->problem);
+  ph_work_assign(all, n, &t->problem, NULL);
   return PH_OK;
 }
 
@@ -182,13 +198,17 @@ static enum ph_status read_problem(struct task *t) {
   if (status == PH_OK) {
     status = assign(t, command->schema);
   }
-  for (size_t i = 0; status == PH_OK && i < t->swept_n; i++) {
-    status = apply(t, command->schema, &t->swept[i]);
+  for (size_t i = 0; status == PH_OK && i < t->claim.set_n; i++) {
+    status = set_field(t, command->schema, &t->claim.set[i]);
+  }
+  for (size_t i = 0; status == PH_OK && i < t->claim.swept_n; i++) {
+    status = apply(t, command->schema, &t->claim.swept[i]);
   }
   if (status == PH_OK) {
     status = ph_problem_check_required(&t->problem, command->schema, &t->diag);
   }
-  t->about_problem = status != PH_OK && strcmp(t->diag.field, "sweep") != 0;
+  t->about_problem = status != PH_OK && strcmp(t->diag.field, "sweep") != 0 &&
+                     strncmp(t->diag.field, "set.", 4) != 0;
   t->posed = status == PH_OK;
   return status;
 }
@@ -228,9 +248,6 @@ static enum ph_status verify(struct task *t) {
   }
   t->read = true;
   status = read_command(t);
-  if (status == PH_OK) {
-    status = read_sweep(t);
-  }
   if (status == PH_OK && t->options->problems && !item->posed) {
     t->diag = item->diag;
     status = item->diag.status;
@@ -283,8 +300,10 @@ static void write_verdict(struct ph_json_writer *w, const struct task *t) {
 /* file: that the failure is in */
 static void write_record(const struct task *t, enum ph_status status,
                          const char *file, struct ph_buf *out) {
-  const struct ph_heading heading = {&t->claim.echo, ph_verify_schema.command,
-                                     t->swept, t->swept_n};
+  const struct ph_claim *claim = &t->claim;
+  const struct ph_heading heading = {&claim->echo, ph_verify_schema.command,
+                                     claim->swept, claim->swept_n,
+                                     claim->set,   claim->set_n};
   struct ph_json_writer w = {.buf = out, .pretty = t->options->pretty};
   ph_write_begin(&w, '{');
   ph_json_heading(&w, &heading, status == PH_OK ? "ok" : "error");

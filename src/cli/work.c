@@ -23,6 +23,8 @@ struct task {
   struct ph_echo echo;
   struct ph_swept *swept;
   size_t swept_n;
+  struct ph_swept set[PH_FIELD_N]; /* by options, */
+  size_t set_n;                    /* so many */
   struct ph_problem problem;
   struct ph_result result;
   struct ph_derived derived;
@@ -55,20 +57,29 @@ static enum ph_status name_sweep(struct task *t) {
   return status;
 }
 
-void ph_work_assign(const struct ph_assignment *assignments, size_t n,
-                    struct ph_problem *problem) {
-  bool given[PH_FIELD_N];
-  for (size_t i = 0; i < PH_FIELD_N; i++) {
-    given[i] = problem->field[i].kind != PH_ABSENT;
-  }
+size_t ph_work_assign(const struct ph_assignment *assignments, size_t n,
+                      struct ph_problem *problem, struct ph_swept *set) {
+  const struct ph_assignment *by[PH_FIELD_N] = {NULL};
+  size_t set_n = 0;
   for (int override = 0; override < 2; override++) {
     for (size_t i = 0; i < n; i++) {
       const struct ph_assignment *a = &assignments[i];
-      if (a->override == override && (override || !given[a->field])) {
-        problem->field[a->field] = a->value;
+      bool given = problem->field[a->field].kind != PH_ABSENT;
+      if (a->override == override && (override || !given)) {
+        by[a->field] = a;
       }
     }
   }
+  for (size_t i = 0; n > 0 && i < PH_FIELD_N; i++) {
+    if (by[i]) {
+      problem->field[i] = by[i]->value;
+      if (set) {
+        set[set_n++] =
+            (struct ph_swept){ph_field_name((enum ph_field_id)i), by[i]->json};
+      }
+    }
+  }
+  return set_n;
 }
 
 /* Under --strict the first warning is the failure. */
@@ -108,7 +119,8 @@ static enum ph_status solve(struct task *t) {
   }
   if (status == PH_OK) {
     const struct ph_options *o = t->options;
-    ph_work_assign(o->assignments, o->assignments_n, &t->problem);
+    t->set_n =
+        ph_work_assign(o->assignments, o->assignments_n, &t->problem, t->set);
     status = ph_sweep_apply(o->sweeps, o->sweeps_n, t->item->sweep,
                             &worker->arena, &t->problem, &t->diag);
   }
@@ -203,8 +215,8 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   struct task t = {.options = options, .worker = worker, .item = item};
   struct ph_subject subject = {record->file, record->line, NULL,
                                record->number};
-  struct ph_heading heading = {&t.echo, options->command->schema->command, NULL,
-                               0};
+  struct ph_heading heading = {.echo = &t.echo,
+                               .command = options->command->schema->command};
   struct timespec start = {0, 0};
   if (options->verbose) {
     clock_gettime(CLOCK_MONOTONIC, &start);
@@ -219,6 +231,8 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   }
   heading.swept = t.swept;
   heading.swept_n = t.swept_n;
+  heading.set = t.set;
+  heading.set_n = t.set_n;
   if (item->status == PH_OK) {
     write_result(&t, &heading, subject.id, out);
   } else {

@@ -38,10 +38,15 @@ struct ph_item {
 void ph_work(const struct ph_options *options, struct ph_worker *worker,
              struct ph_item *item, struct ph_buf *out, struct ph_buf *err);
 
-/* ph_work_assign: --set gives what a problem lacks, --override anything; the
- * last one that is about a field counts. */
-void ph_work_assign(const struct ph_assignment *assignments, size_t n,
-                    struct ph_problem *problem);
+/*
+ * ph_work_assign: --set gives what a problem lacks, --override anything; the
+ * last one that is about a field counts.
+ *
+ * out  set[PH_FIELD_N]  the fields that were set, or NULL
+ * ret  how many
+ */
+size_t ph_work_assign(const struct ph_assignment *assignments, size_t n,
+                      struct ph_problem *problem, struct ph_swept *set);
 
 /* ph_work_id: an id as people write it, without the quotes of a JSON string;
  * NULL: there is none, or memory is exhausted. */

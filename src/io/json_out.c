@@ -8,6 +8,21 @@
 #include <math.h>
 #include <string.h>
 
+/* {"FIELD":VALUE,...}, unless it is empty. */
+static void write_fields(struct ph_json_writer *w, const char *name,
+                         const struct ph_swept *fields, size_t n) {
+  if (n == 0) {
+    return;
+  }
+  ph_write_key(w, name);
+  ph_write_begin(w, '{');
+  for (size_t i = 0; i < n; i++) {
+    ph_write_key_raw(w, fields[i].name, fields[i].value,
+                     strlen(fields[i].value));
+  }
+  ph_write_end(w, '}');
+}
+
 void ph_json_heading(struct ph_json_writer *w, const struct ph_heading *heading,
                      const char *status) {
   const struct ph_echo *echo = heading->echo;
@@ -15,15 +30,8 @@ void ph_json_heading(struct ph_json_writer *w, const struct ph_heading *heading,
   ph_write_key_string(w, "command", heading->command);
   ph_write_key_string(w, "status", status);
   ph_write_key_raw(w, "meta", echo->meta, echo->meta_n);
-  if (heading->swept_n) {
-    ph_write_key(w, "sweep");
-    ph_write_begin(w, '{');
-    for (size_t i = 0; i < heading->swept_n; i++) {
-      const struct ph_swept *swept = &heading->swept[i];
-      ph_write_key_raw(w, swept->name, swept->value, strlen(swept->value));
-    }
-    ph_write_end(w, '}');
-  }
+  write_fields(w, "sweep", heading->swept, heading->swept_n);
+  write_fields(w, "set", heading->set, heading->set_n);
 }
 
 /* What is not known is left out. */

@@ -12,7 +12,8 @@
 #include "io/json_write.h"
 #include "io/record.h"
 
-/* One swept field and its value, as in "sweep": {"lengths[1]": 1.414}. */
+/* A field and what it was swept or set to, as in "sweep": {"lengths[1]": 1.414}
+ * and "set": {"knots": "uniform"}. */
 struct ph_swept {
   const char *name;
   const char *value; /* JSON, NUL-terminated; strings need no escapes */
@@ -24,6 +25,8 @@ struct ph_heading {
   const char *command;
   const struct ph_swept *swept;
   size_t swept_n;
+  const struct ph_swept *set; /* by options, which the problem does not have */
+  size_t set_n;
 };
 
 /* ph_json_result: appends the record of a solved problem, with its newline. */

@@ -22,6 +22,7 @@ enum member {
   COMMAND,
   STATUS,
   SWEEP,
+  SET,
   CURVE,
   DIMENSION,
   DEGREE,
@@ -42,10 +43,10 @@ enum member {
 };
 
 static const char *const member_names[MEMBERS] = {
-    "id",        "meta",        "command",   "status",   "sweep",   "curve",
-    "dimension", "degree",      "closed",    "segments", "center",  "radius",
-    "tensions",  "indicators",  "intervals", "length",   "offsets", "frame",
-    "samples",   "diagnostics", "solutions"};
+    "id",     "meta",      "command",     "status",    "sweep",    "set",
+    "curve",  "dimension", "degree",      "closed",    "segments", "center",
+    "radius", "tensions",  "indicators",  "intervals", "length",   "offsets",
+    "frame",  "samples",   "diagnostics", "solutions"};
 
 /* A list of names to choose from. */
 struct words {
@@ -388,12 +389,45 @@ static void read_result(struct ph_json_reader *r,
   read_solutions(r, &items[SOLUTIONS], result);
 }
 
+/* "sweep" or "set": names and values as they stand there. */
+static void read_fields(struct ph_json_reader *r,
+                        const struct ph_json_item *from, const char *name,
+                        struct ph_swept **fields, size_t *fields_n) {
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  size_t n = 0, mark;
+  if (r->status != PH_OK || !from->value) {
+    return;
+  }
+  mark = ph_read_enter(r, name);
+  if (*from->value != '{') {
+    ph_read_fail(r, PH_BAD_TYPE, "must be an object");
+    return;
+  }
+  ph_json_walk_init(&walk, from->value, from->value_n);
+  while (ph_json_walk_next(&walk, &item)) {
+    n++;
+  }
+  *fields = ph_read_array_of(r, n, sizeof **fields);
+  ph_json_walk_init(&walk, from->value, from->value_n);
+  while (r->status == PH_OK && ph_json_walk_next(&walk, &item)) {
+    struct ph_swept *field = *fields + *fields_n;
+    field->name = ph_arena_copy(r->arena, item.key, item.key_n);
+    field->value = ph_json_one_line(&item, r->arena);
+    if (!field->name || !field->value) {
+      r->status = ph_fail_memory(r->diag);
+      return;
+    }
+    *fields_n += 1;
+  }
+  ph_read_leave(r, mark);
+}
+
 /* What a record says of itself. */
 static void read_heading(struct ph_json_reader *r,
                          const struct ph_json_item *items,
                          struct ph_claim *claim) {
   const char *status;
-  const struct ph_json_item *sweep = &items[SWEEP];
   claim->command =
       ph_read_string(r, &items[COMMAND], member_names[COMMAND], NULL);
   status = ph_read_string(r, &items[STATUS], member_names[STATUS], "ok");
@@ -406,15 +440,9 @@ static void read_heading(struct ph_json_reader *r,
     ph_read_enter(r, member_names[SEGMENTS]);
     ph_read_fail(r, PH_BAD_SHAPE, "are not of an error record");
   }
-  if (r->status == PH_OK && sweep->value) {
-    claim->sweep = ph_arena_copy(r->arena, sweep->value, sweep->value_n);
-    if (!claim->sweep) {
-      r->status = ph_fail_memory(r->diag);
-    } else if (*claim->sweep != '{') {
-      ph_read_enter(r, member_names[SWEEP]);
-      ph_read_fail(r, PH_BAD_TYPE, "must be an object");
-    }
-  }
+  read_fields(r, &items[SWEEP], member_names[SWEEP], &claim->swept,
+              &claim->swept_n);
+  read_fields(r, &items[SET], member_names[SET], &claim->set, &claim->set_n);
 }
 
 enum ph_status ph_json_result_in(const struct ph_record *record,

@@ -14,6 +14,7 @@
 #include "base/diag.h"
 #include "base/mem.h"
 #include "curve/result.h"
+#include "io/json_out.h"
 #include "io/record.h"
 
 #include <stdbool.h>
@@ -23,7 +24,10 @@ struct ph_claim {
   const char *command; /* that it says it is of; NULL: it does not say */
   bool solved;         /* status "ok"; an error record has no result */
   struct ph_echo echo;
-  const char *sweep; /* its member "sweep", JSON, NUL-terminated; or NULL */
+  struct ph_swept *swept; /* its member "sweep", values on one line */
+  size_t swept_n;
+  struct ph_swept *set; /* its member "set" */
+  size_t set_n;
   struct ph_result result;
 };
 

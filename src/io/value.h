@@ -49,6 +49,10 @@ enum ph_status ph_value_read_option(const char *text,
                                     struct ph_value *value,
                                     struct ph_diag *diag);
 
+/* ph_value_text: a value as JSON on one line, NUL-terminated; NULL when memory
+ * is exhausted. */
+const char *ph_value_text(const struct ph_value *value, struct ph_arena *arena);
+
 /* ph_value_describe: what a row allows, as in messages: "chordal" or an array
  * of numbers.  ret phrase */
 const char *ph_value_describe(const struct ph_field *row,

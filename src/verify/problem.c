@@ -34,8 +34,7 @@ static bool is_flag(const struct ph_verify *v, enum ph_field_id id) {
   return v->problem->field[id].kind == PH_BOOL && v->problem->field[id].flag;
 }
 
-/* Whether the curve is of the kind that was asked for.  Where the basis is
- * absent, it may have been an option. */
+/* Whether the curve is of the kind that was asked for. */
 static bool is_asked_for(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
   if (c->closed != is_flag(v, PH_F_CLOSED)) {
@@ -43,8 +42,8 @@ static bool is_asked_for(struct ph_verify *v) {
                     "is not what the problem says");
     return false;
   }
-  if ((ph_verify_is_word(v, PH_F_BASIS, "atph") && c->kind == PH_CURVE_PH) ||
-      (ph_verify_is_word(v, PH_F_BASIS, "ph") && c->kind == PH_CURVE_ATPH)) {
+  if ((v->promise->kinds & PH_KIND(ATPH)) &&
+      ph_verify_is_word(v, PH_F_BASIS, "atph") != (c->kind != PH_CURVE_PH)) {
     ph_verify_wrong(v, PH_V_SHAPE, ph_verify_of(NULL, PH_VERIFY_ONE, "curve"),
                     "is not of the basis of the problem");
     return false;

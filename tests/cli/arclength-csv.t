@@ -68,7 +68,7 @@ option() {
   shift 3
   feed "{$problem}" arclength -q "$@"
   expect "$name as an option" 0
-  equal_files "$name as an option: the same" one out
+  equal_but_set "$name as an option: the same" one out
 }
 
 option lengths "$points" "$lengths" --lengths='[4.9, 2.5, 2]'

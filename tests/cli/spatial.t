@@ -480,20 +480,20 @@ expect 'fields as options' 0
 mv out options
 solve "{$points,\"basis\":\"atph\",\"alpha\":1,\"criterion\":\"hc\",
   \"axis\":\"bisector\",\"tension\":0.5,\"shape\":false,\"knots\":[0,1,2,3]}"
-equal_files 'fields as options: the same' options out
+equal_but_set 'fields as options: the same' options out
 solve "{$points}" --tangents='[[1,0,0],[0,1,1],[1,-2,0],[0,0,3]]' \
   --angles='[[0,1],[1,2],[2,3]]'
 mv out options
 solve "{$hermite,\"angles\":[[0,1],[1,2],[2,3]]}"
-equal_files 'arrays as options' options out
+equal_but_set 'arrays as options' options out
 solve "{$points,\"criterion\":\"hc\"}" --set=criterion=bv --set tension=0.5
 mv out set
 solve "{$points,\"criterion\":\"hc\",\"tension\":0.5}"
-equal_files '--set does not change what is there' out set
+equal_but_set '--set does not change what is there' out set
 solve "{$points,\"criterion\":\"hc\"}" --override=criterion=bv
 mv out set
 solve "{$points,\"criterion\":\"bv\"}"
-equal_files '--override does' out set
+equal_but_set '--override does' out set
 
 # swept NAME WANTED PATH ARGUMENT...: the values at a path of all records
 swept() {

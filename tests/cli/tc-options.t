@@ -20,7 +20,7 @@ same() {
   shift 2
   feed "$chain" tc "$@"
   expect "$name" 0
-  equal_files "$name: the record" wanted out
+  equal_but_set "$name: the record" wanted out
 }
 
 # ---- tolerance -----------------------------------------------------------------
@@ -55,14 +55,14 @@ equal 'that of others, too' 1 "$(grep -c '^ *--tolerance=E' out)"
 with '"tolerance":0.01'
 feed '{}' tc --tolerance=0.01 \
   --curve='[ [[0,0],[1,2],[3,2],[4,0]], [[4,0],[5,-2],[6,0]] ]'
-equal_files '--curve' wanted out
+equal_but_set '--curve' wanted out
 feed '{"curve":[[0,0],[9,9]]}' tc --tolerance=0.01 \
   --override='curve=[[[0,0],[1,2],[3,2],[4,0]],[[4,0],[5,-2],[6,0]]]'
-equal_files '--override=curve' wanted out
+equal_but_set '--override=curve' wanted out
 feed '{"curve":[[0,0],[1,2],[3,2],[4,0]]}' tc --tolerance=0.01
 mv out wanted
 feed '{"curve":[[[0,0],[1,2],[3,2],[4,0]]]}' tc --tolerance=0.01
-equal_files 'a chain of one' wanted out
+equal_but_set 'a chain of one' wanted out
 
 # refused NAME LINE CURVE WHERE WHY CODE
 refused() {
@@ -90,7 +90,7 @@ with '"tolerance":0.01'
 feed "$chain" tc --tolerance=0.01 --sweep='curve[1][1][1]=-2,-3'
 expect 'an element of a piece' 0
 sed -n '1s/"sweep":{[^}]*},//p' out >found
-equal_files 'an element of a piece: as it was' wanted found
+equal_but_set 'an element of a piece: as it was' wanted found
 equal 'an element of a piece: names' \
   '{"curve[1][1][1]":-2} {"curve[1][1][1]":-3}' "$(get sweep)"
 equal 'an element of a piece: other curves' 2 "$(json get length out | sort -u |

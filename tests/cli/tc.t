@@ -17,9 +17,9 @@ is() {
     "n == 1 && (x[1] - ($3))^2 <= (${4-1e-14})^2"
 }
 
-# same NAME FILE: the record in out is that of the file, but for its id
+# same NAME FILE: the record in out is that of the file, whatever options set
 same() {
-  equal_files "$1" "$2" out
+  equal_but_set "$1" "$2" out
 }
 
 some='"points":[[0,0],[1,2],[4,1],[5,3]]'

@@ -315,6 +315,39 @@ good round "{\"points\":$points,\"closed\":true}" planar
 says '.closed = false' 'closed: is not what the problem says (shape) '\
 '[not-verified]' --problems=round.problem
 
+# ---- what options set ----------------------------------------------------------
+
+good set "{\"points\":$points}" planar --knots=uniform \
+  --end_derivatives='[[1,1],[0,1]]'
+tampered '.set.end_derivatives[1][1] = 1.00001' end_derivative_error \
+  --problems=set.problem
+tampered '.set.closed = true' shape --problems=set.problem
+tampered '.set.basis = "atph"' shape --problems=set.problem
+no='is not what the problem has; --override sets that of the problem'
+says '.set.points = [[0,0],[2,1],[3,0],[5,3]]' "set.points: $no [not-verified]" \
+  --problems=set.problem
+says '.set.colour = 1' 'set.colour: is no field of the command [bad-value]' \
+  --problems=set.problem
+says '.set.knots = "uniforme"' 'set.knots: must be "chordal", "centripetal", '\
+'"uniform" or an array of numbers, found "uniforme"; did you mean "uniform"? '\
+'[bad-value]' --problems=set.problem
+says '.set.closed = null' 'set.closed: must be true or false, found null '\
+'[bad-type]' --problems=set.problem
+says '.set = []' 'set: must be an object [bad-type]'
+says '.sweep = 7' 'sweep: must be an object [bad-type]'
+sed 's/"set":{/"set":{"knots":"chordal",/' set >bad
+run verify -q --problems=set.problem bad
+expect 'a field twice' 1 "phspline: bad:1: record 1: set.knots: $no [not-verified]"
+good swept "{\"points\":$points}" planar --knots='[0,1,2,3]' \
+  --sweep='points[1][0]=2.25' --end_derivatives='[[1,1],[0,1]]'
+tampered '.sweep."points[1][0]" = 2.250001' interpolation_error \
+  --problems=swept.problem
+tampered '.set.end_derivatives[0][0] = 1.00001' end_derivative_error \
+  --problems=swept.problem
+base=lengths
+says '.set.lengths = [1.6,1.90001]' "set.lengths: $no [not-verified]" \
+  --problems=lengths.problem
+
 # ---- how much is too much ------------------------------------------------------
 
 base=ph

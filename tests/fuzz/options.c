@@ -31,7 +31,8 @@ static void options_forget(void) {
 static void options_check_names(struct ph_options *o, size_t which) {
   struct ph_swept *swept = calloc(o->sweeps_n + 1, sizeof *swept);
   const struct ph_echo echo = {0};
-  const struct ph_heading heading = {&echo, "planar", swept, o->sweeps_n};
+  const struct ph_heading heading = {&echo,       "planar", swept,
+                                     o->sweeps_n, NULL,     0};
   struct ph_json_scan scan = {0};
   struct ph_buf out = {0};
   struct ph_diag diag = {PH_SYNTAX, "", "none", 0, 0};

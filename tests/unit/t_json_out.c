@@ -62,7 +62,7 @@ static struct ph_result by_hand(void) {
 
 PH_TEST(test_compact) {
   struct ph_result result = by_hand();
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
   ph_json_result(&buf, &heading, &result, false);
   ck_assert_str_eq(written(),
                    "{\"command\":\"planar\",\"status\":\"ok\",\"curve\":\"ph\","
@@ -75,21 +75,23 @@ PH_TEST(test_compact) {
 PH_TEST(test_heading) {
   const struct ph_echo echo = {"\"a\\u00e4\"X", 9, "{\"k\": [1, 2]}X", 13};
   const struct ph_swept swept[] = {{"alpha", "0.5"}, {"knots[1]", "-1e300"}};
-  const struct ph_heading heading = {&echo, "planar", swept, 2};
+  const struct ph_swept set[] = {{"closed", "true"}, {"knots", "[0,1]"}};
+  const struct ph_heading heading = {&echo, "planar", swept, 2, set, 2};
   struct ph_result result = by_hand();
   result.curve.closed = true;
   ph_json_result(&buf, &heading, &result, false);
   ck_assert_str_eq(written(),
                    "{\"id\":\"a\\u00e4\",\"command\":\"planar\",\"status\":"
                    "\"ok\",\"meta\":{\"k\": [1, 2]},\"sweep\":{\"alpha\":0.5,"
-                   "\"knots[1]\":-1e300},\"curve\":\"ph\",\"dimension\":2,"
+                   "\"knots[1]\":-1e300},\"set\":{\"closed\":true,"
+                   "\"knots\":[0,1]},\"curve\":\"ph\",\"dimension\":2,"
                    "\"degree\":5,\"closed\":true," SEGMENTS
                    ",\"length\":7.25,\"diagnostics\":{\"iterations\":3,"
                    "\"length_error\":1.5e-16}}\n");
 }
 
 PH_TEST(test_warnings) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
   struct ph_result result = by_hand();
   ph_fail(ph_warning_add(&result, 3), PH_LOOP, NULL, "it turns");
   ph_fail(ph_warning_add(&result, PH_NO_SEGMENT), PH_REVERSAL, NULL, "so");
@@ -112,7 +114,7 @@ static void set_interval(struct ph_interval *interval, double length,
 /* Intervals stand beside the segments they consist of; what is natural is told
  * where it is known, and in the certificate when it is known everywhere. */
 PH_TEST(test_intervals) {
-  const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
+  const struct ph_heading heading = {&nothing, "arclength", NULL, 0, NULL, 0};
   struct ph_interval intervals[2];
   struct ph_result result = by_hand();
   set_interval(&intervals[0], 3, 2.5, 0, 1);
@@ -139,7 +141,7 @@ PH_TEST(test_intervals) {
 
 /* All starts, in the order they were tried, and which of them won. */
 PH_TEST(test_starts) {
-  const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
+  const struct ph_heading heading = {&nothing, "arclength", NULL, 0, NULL, 0};
   struct ph_start starts[] = {
       {"init", PH_OUTCOME_NO_SOLUTION, (double)NAN, 200},
       {"chords", PH_OUTCOME_MINIMISER, 0.5, 7},
@@ -161,7 +163,7 @@ PH_TEST(test_starts) {
 
 /* Outcomes are words and flags truth values, of each solution, too. */
 PH_TEST(test_outcomes) {
-  const struct ph_heading heading = {&nothing, "arclength", NULL, 0};
+  const struct ph_heading heading = {&nothing, "arclength", NULL, 0, NULL, 0};
   struct ph_result result = by_hand();
   struct ph_solution solutions[2];
   for (size_t i = 0; i < 2; i++) {
@@ -187,7 +189,7 @@ PH_TEST(test_outcomes) {
 
 /* Indented, a result has this part, and is the same value as on one line. */
 static void ck_indented(const struct ph_result *result, const char *part) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
   cJSON *indented, *compact;
   ph_json_result(&buf, &heading, result, true);
   indented = cJSON_Parse(written());
@@ -220,7 +222,7 @@ PH_TEST(test_pretty_intervals) {
 }
 
 PH_TEST(test_pretty) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
   const struct ph_diag diag = {.status = PH_SYNTAX, .message = "no"};
   struct ph_result result = by_hand();
   ck_indented(&result, "\n  \"command\": \"planar\",\n");
@@ -238,7 +240,7 @@ PH_TEST(test_pretty) {
 PH_TEST(test_error) {
   const struct ph_echo echo = {"7", 1, "null", 4};
   const struct ph_swept swept = {"closed", "true"};
-  const struct ph_heading heading = {&echo, "planar", &swept, 1};
+  const struct ph_heading heading = {&echo, "planar", &swept, 1, NULL, 0};
   struct ph_diag diag;
   ph_fail_at(&diag, PH_COINCIDENT_POINTS, "points", 3,
              "coincides with points[2]");
@@ -256,7 +258,7 @@ PH_TEST(test_error) {
 /* All bytes but NUL, in a message and in a file name: what is special is
  * escaped, text beyond ASCII stays. */
 PH_TEST(test_strings) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
   struct ph_diag diag = {.status = PH_INPUT};
   char all[128];
   cJSON *record, *error;
@@ -323,7 +325,7 @@ static void ck_offset(const cJSON *item, const struct ph_offset *o) {
 
 /* A curve with everything: each number reads back as it was. */
 PH_TEST(test_read_back) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
   struct unit_random r = unit_random_of(1);
   struct ph_offset offsets[2];
   const struct ph_curve *c = &u.result.curve;
@@ -366,7 +368,8 @@ PH_TEST(test_read_back) {
 
 /* The vector follows the distance. */
 PH_TEST(test_offset_in_space) {
-  const struct ph_heading heading = {&nothing, "spatial-hermite", NULL, 0};
+  const struct ph_heading heading = {&nothing, "spatial-hermite", NULL, 0, NULL,
+                                     0};
   size_t segment = 0, gaps[] = {0, 3};
   double interval[] = {0, 0.5}, p[] = {1, 2, 3}, weight = 4;
   struct ph_place cusp = {0, 0.5, 0.75};
@@ -412,7 +415,7 @@ static struct ph_samples samples_of(size_t dimension) {
 
 /* What is not finite is left out. */
 PH_TEST(test_samples) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
   struct ph_result result = by_hand();
   double none[] = {-3, (double)NAN};
   double no_tangent[] = {1, 0, (double)NAN, (double)NAN};
@@ -442,7 +445,7 @@ PH_TEST(test_samples) {
 
 /* What only a curve on a sphere has, and its offsets. */
 PH_TEST(test_on_sphere) {
-  const struct ph_heading heading = {&nothing, "sphere", NULL, 0};
+  const struct ph_heading heading = {&nothing, "sphere", NULL, 0, NULL, 0};
   struct ph_result result = by_hand();
   double tensions[] = {0, 12.5};
   signed char indicators[] = {0, -1};
@@ -480,7 +483,7 @@ PH_TEST(test_on_sphere) {
 /* When memory runs out the writer goes on without harm, and the buffer says
  * so in the end. */
 PH_TEST(test_failed_buffer) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
   struct ph_result result = by_hand();
   ck_assert_ptr_null(ph_buf_reserve(&buf, SIZE_MAX - 10));
   ph_json_result(&buf, &heading, &result, true);

@@ -69,12 +69,14 @@ static enum ph_status read_text(const char *text, size_t n) {
 
 /* Reads what was made and writes it again. */
 static void ck_round_trip(const char *line, const char *problem) {
-  struct ph_heading heading = {&claim.echo, NULL, NULL, 0};
+  struct ph_heading heading = {&claim.echo, NULL, NULL, 0, NULL, 0};
   make(line, problem);
   ck_assert_msg(read_text(made.data, made.n) == PH_OK, "%s: %s: %s", line,
                 diag.field, diag.message);
   ck_assert(claim.solved);
   heading.command = claim.command;
+  heading.set = claim.set;
+  heading.set_n = claim.set_n;
   ph_buf_clear(&again, 0);
   ph_json_result(&again, &heading, &claim.result, false);
   ph_buf_put(&again, "", 1);
@@ -132,18 +134,28 @@ START_TEST(test_heading) {
   char text[512];
   int n;
   make("planar", "{\"points\":[[0,0],[2,1],[3,0]]}");
-  n = snprintf(text, sizeof text, "{\"status\":\"error\",\"sweep\":%s}", sweep);
+  n = snprintf(text, sizeof text,
+               "{\"status\":\"error\",\"sweep\":%s,\"set\":{\"closed\":true}}",
+               sweep);
   ck_assert_int_eq(read_text(text, (size_t)n), PH_OK);
   ck_assert(!claim.solved);
   ck_assert_ptr_null(claim.command);
-  ck_assert_str_eq(claim.sweep, sweep);
+  ck_assert_uint_eq(claim.swept_n, 2);
+  ck_assert_str_eq(claim.swept[0].name, "knots");
+  ck_assert_str_eq(claim.swept[0].value, "\"uniform\"");
+  ck_assert_str_eq(claim.swept[1].name, "lengths[1]");
+  ck_assert_str_eq(claim.swept[1].value, "2");
+  ck_assert_uint_eq(claim.set_n, 1);
+  ck_assert_str_eq(claim.set[0].name, "closed");
+  ck_assert_str_eq(claim.set[0].value, "true");
   ck_assert_ptr_null(claim.echo.id);
   n = snprintf(text, sizeof text,
                "{\"id\":7,\"status\":\"error\",\"command\":\"tc\",\"meta\":"
                "[1,2],\"more\":{\"segments\":3,\"segments\":3}}");
   ck_assert_int_eq(read_text(text, (size_t)n), PH_OK);
   ck_assert_str_eq(claim.command, "tc");
-  ck_assert_ptr_null(claim.sweep);
+  ck_assert_uint_eq(claim.swept_n, 0);
+  ck_assert_uint_eq(claim.set_n, 0);
   ck_assert(strncmp(claim.echo.id, "7", claim.echo.id_n) == 0);
   ck_assert_uint_eq(claim.echo.meta_n, 5);
 }
@@ -280,9 +292,9 @@ static const struct {
      PH_BAD_VALUE, "samples[2].segment"},
     {"planar --sample=1", "\"samples\"", "\"tangent\":[", "\"tangent\":[0,",
      PH_BAD_SHAPE, "samples[0].tangent"},
-    {"planar --solutions=all", "\"solutions\"", "\"segments\"", "\"s\"",
+    {"planar --solutions=all", "\"solutions\":[", "\"segments\"", "\"s\"",
      PH_MISSING_FIELD, "solutions[0].segments"},
-    {"planar --solutions=all", "\"solutions\"",
+    {"planar --solutions=all", "\"solutions\":[",
      "\"good\":", "\"good\":1,\"g\":", PH_BAD_TYPE, "solutions[0].good"},
     {"tc", "\"intervals\"", "\"segments\":[0,", "\"segments\":[2,",
      PH_BAD_VALUE, "intervals[0].segments"},
