@@ -29,6 +29,11 @@ static const double REVERSAL = 1e-12;
 /* Two curves whose lengths agree to this are the same curve. */
 static const double SAME_LENGTH = 1e-9;
 
+/* Control points of the same curve are within this of each other, relative to
+ * its length: other solutions are far away, but a multiple one is known to the
+ * root of rounding only. */
+static const double SAME_CURVE = 1e-7;
+
 /* E L below this is that of a straight line. */
 static const double STRAIGHT = 1e-12;
 
@@ -242,29 +247,63 @@ solve_fairest(const struct ph_problem *problem, struct ph_planar_data *d,
                          result, diag);
 }
 
-/* E, or 0 where it is rounding. */
-static double energy_of(const struct ph_solution *solution) {
-  double energy = solution->diagnostics.value[PH_D_ENERGY];
-  return energy * solution->curve.length > STRAIGHT ? energy : 0;
+/* Whether two values are the same, but for rounding. */
+static bool is_same(double a, double b) {
+  return fabs(a - b) <= SAME_LENGTH * fmax(fabs(a), fabs(b));
 }
 
-/* Those that bend least first; where they bend alike, the shorter, then the
- * one that turns less: of straight lines, the one that goes straight. */
+/* E, times a length that all have in common; or 0 where it is rounding. */
+static double fairness_of(const struct ph_solution *solution) {
+  double energy = solution->diagnostics.value[PH_D_ENERGY];
+  return energy > STRAIGHT ? energy : 0;
+}
+
+/* Which of two curves is farther to the left of its chords where they part, or
+ * farther on along them; 0 where they are the same. */
+static int compare_sides(const struct ph_curve *x, const struct ph_curve *y) {
+  double apart = SAME_CURVE * x->length;
+  for (size_t i = 0; i < 6 * x->n; i++) {
+    const double *p = x->control_points + 2 * i, *q = y->control_points + 2 * i;
+    const double *chord = x->control_points + 12 * (i / 6);
+    ph_cplx off = ph_cplx_of(p[0] - q[0], p[1] - q[1]);
+    ph_cplx c = ph_cplx_of(chord[10] - chord[0], chord[11] - chord[1]);
+    double size = hypot(c.re, c.im), left, on;
+    c = ph_cplx_of(c.re / size, c.im / size);
+    left = ph_cplx_cross(c, off);
+    on = ph_cplx_dot(c, off);
+    if (fabs(left) > apart || fabs(on) > apart) {
+      return fabs(left) > apart ? order(0, left) : order(0, on);
+    }
+  }
+  return 0;
+}
+
+/* Those that bend least first; where they bend alike, the shorter, then the one
+ * that is found alone, then the one that turns less: of straight lines, the one
+ * that goes straight.  Mirror images are alike in all that; the one to the left
+ * comes first.  None of that depends on rounding. */
 static int compare_solutions(const void *a, const void *b) {
   const struct ph_solution *x = a, *y = b;
-  int energy = order(energy_of(x), energy_of(y));
-  if (energy) {
-    return energy;
+  double turns[2] = {x->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX],
+                     y->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX]};
+  if (!is_same(fairness_of(x), fairness_of(y))) {
+    return order(fairness_of(x), fairness_of(y));
   }
   if (!is_same_length(x->curve.length, y->curve.length)) {
     return order(x->curve.length, y->curve.length);
   }
-  return order(x->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX],
-               y->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX]);
+  if (x->good != y->good) {
+    return x->good ? -1 : 1;
+  }
+  if (!(fabs(turns[0] - turns[1]) <= SAME_LENGTH)) {
+    return order(turns[0], turns[1]);
+  }
+  return compare_sides(&x->curve, &y->curve);
 }
 
 static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
-                                    double good_length, struct ph_arena *out,
+                                    const struct ph_curve *good,
+                                    struct ph_arena *out,
                                     struct ph_solution *solution,
                                     struct ph_diag *diag) {
   struct ph_planar_loops loops;
@@ -279,10 +318,15 @@ static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
   if (!ph_energy_planar(&solution->curve, &energy)) {
     return ph_fail_memory(diag);
   }
-  ph_diagnostics_set(&solution->diagnostics, PH_D_ENERGY, energy.bending);
-  ph_diagnostics_set(&solution->diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
-                     energy.absolute_rotation);
-  solution->good = is_same_length(solution->curve.length, good_length);
+  /* for comparing; the certificate says what is known */
+  solution->diagnostics.value[PH_D_ENERGY] =
+      isfinite(energy.ies)
+          ? energy.ies * (good->length / solution->curve.length)
+          : HUGE_VAL;
+  solution->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX] =
+      energy.absolute_rotation;
+  solution->good = is_same_length(solution->curve.length, good->length) &&
+                   compare_sides(good, &solution->curve) == 0;
   return PH_OK;
 }
 
@@ -330,9 +374,8 @@ add_solutions(struct ph_planar_data *d, struct ph_arena *out,
   }
   for (size_t i = 0; status == PH_OK && i < all.n; i++) {
     d->c2.twist = ph_cplx_of(all.twist[i], 0);
-    status =
-        fill_solution(d, all.b + i * ph_planar_unknowns(&d->c2),
-                      result->curve.length, out, &result->solutions[i], diag);
+    status = fill_solution(d, all.b + i * ph_planar_unknowns(&d->c2),
+                           &result->curve, out, &result->solutions[i], diag);
   }
   return status == PH_OK ? choose_best(d, &all, scratch, result, loops, diag)
                          : status;

@@ -101,7 +101,8 @@ solutions() {
   equal "$1: one is the good one" 1 "$(cat good.n)"
   json get diagnostics.energy each >energies
   sort -g energies >sorted
-  equal_files "$1: by energy" sorted energies
+  # mirror images have the same, but for rounding
+  numbers "$1: by energy" 1e-9 sorted energies
   sort -u energies >apart
   true_that "$1: no two alike" count "$2" apart
   equal "$1: the record is the first" \

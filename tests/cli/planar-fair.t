@@ -44,3 +44,27 @@ expect 'minimum of MV' 0
 equal 'minimum of MV, or none' 'in no no no no in in no no no no' \
   "$(json get diagnostics.functional out | sed 's/^[0-9].*/in/; s/absent/no/' |
     tr '\n' ' ' | sed 's/ $//')"
+
+# ---- of mirror images the same one, alone and among all ----------------------
+
+# A quarter turn, a scale and an angle do not change which.
+for points in '[[0,0],[1,0],[0.5,0],[2,0]]' '[[0,0],[0,3],[0,1.5],[0,6]]' \
+  '[[0,0],[-1,0],[-0.5,0],[-2,0]]' '[[0,0],[0.3,0.1],[0.15,0.05],[0.6,0.2]]' \
+  '[[0,0],[1,0],[0.25,0],[0.75,0],[-1,0]]'; do
+  for basis in ph atph; do
+    of="{\"points\":$points,\"basis\":\"$basis\""
+    printf '%s}\n%s,"solutions":"all"}\n' "$of" "$of" >p
+    run planar -q p
+    # a preimage and its negative are of the same curve
+    json get segments out | sed 's/"preimage":[^"]*"/"/g' | tr -d '[]{}' | tr ',' '\n' |
+      grep '^-\{0,1\}[0-9]' >both
+    split=$(($(wc -l <both) / 2))
+    sed "${split}q" both >alone
+    sed "1,${split}d" both >among
+    numbers "$basis $points: the same curve" 1e-9 alone among
+    equal "$basis $points: good is the first" true \
+      "$(json get 'solutions[0].good' out | sed 1d)"
+    json get diagnostics.rotation_index out |
+      holds "$basis $points: to the left" '(x[1] - x[2]) ^ 2 < 1e-18'
+  done
+done
