@@ -43,10 +43,13 @@ _phspline() {
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
+    --max-samples | --max-samples=) kind=nothing ;;
+    --max-memory | --max-memory=) kind=nothing ;;
+    --time-limit | --time-limit=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -85,10 +88,13 @@ _phspline() {
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
+    --max-samples | --max-samples=) kind=nothing ;;
+    --max-memory | --max-memory=) kind=nothing ;;
+    --time-limit | --time-limit=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -127,10 +133,13 @@ _phspline() {
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
+    --max-samples | --max-samples=) kind=nothing ;;
+    --max-memory | --max-memory=) kind=nothing ;;
+    --time-limit | --time-limit=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --lengths= --length_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --lengths= --length_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -171,10 +180,13 @@ _phspline() {
     --convert | --convert=) list='bezier' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
+    --max-samples | --max-samples=) kind=nothing ;;
+    --max-memory | --max-memory=) kind=nothing ;;
+    --time-limit | --time-limit=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -216,10 +228,13 @@ _phspline() {
     --plot-size | --plot-size=) kind=nothing ;;
     --convert | --convert=) list='bezier' ;;
     -j | --jobs | --jobs=) kind=nothing ;;
+    --max-samples | --max-samples=) kind=nothing ;;
+    --max-memory | --max-memory=) kind=nothing ;;
+    --time-limit | --time-limit=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --closed --mode= --lambda= --ends= --end_tangents= --end_derivatives= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --closed --mode= --lambda= --ends= --end_tangents= --end_derivatives= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -235,10 +250,12 @@ _phspline() {
     --override | --override=) kind=nothing ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
+    --max-memory | --max-memory=) kind=nothing ;;
+    --time-limit | --time-limit=) kind=nothing ;;
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--problems= --input-format= --columns= --delimiter= --pretty --output= --no-sync --set= --override= --tolerance= --jobs= --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--problems= --input-format= --columns= --delimiter= --pretty --output= --no-sync --set= --override= --tolerance= --jobs= --max-memory= --time-limit= --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

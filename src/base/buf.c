@@ -18,6 +18,10 @@ char *ph_buf_reserve(struct ph_buf *buf, size_t n) {
   if (n <= buf->capacity - buf->n) {
     return buf->data + buf->n;
   }
+  if (buf->most && buf->n > buf->most) {
+    buf->failed = true;
+    return NULL;
+  }
   while (capacity - buf->n < n) {
     if (capacity > SIZE_MAX / 3 * 2) {
       buf->failed = true;
@@ -45,6 +49,18 @@ void ph_buf_put(struct ph_buf *buf, const char *bytes, size_t n) {
 
 void ph_buf_puts(struct ph_buf *buf, const char *text) {
   ph_buf_put(buf, text, strlen(text));
+}
+
+void ph_buf_cut(struct ph_buf *buf, size_t n, size_t keep) {
+  const size_t capacity = n + FIRST_CAPACITY > keep ? n + FIRST_CAPACITY : keep;
+  char *data =
+      buf->capacity > capacity ? ph_realloc(buf->data, capacity) : NULL;
+  if (data) {
+    buf->data = data;
+    buf->capacity = capacity;
+  }
+  buf->n = n;
+  buf->failed = false;
 }
 
 void ph_buf_clear(struct ph_buf *buf, size_t keep) {

@@ -2,8 +2,9 @@
 /*
  * A growable byte buffer: the only thing that writers write to.
  *
- * A failed growth is remembered in `failed` and makes every later append a
- * no-op, so that a writer checks once, at its end.
+ * A failed growth, or one that is not allowed (most), is remembered in `failed`
+ * and makes every later append a no-op, so that a writer checks once, at its
+ * end.
  */
 #ifndef PH_BASE_BUF_H
 #define PH_BASE_BUF_H
@@ -17,6 +18,7 @@ struct ph_buf {
   size_t n;        /* bytes used */
   size_t capacity; /* bytes owned */
   bool failed;     /* memory ran out: the content is incomplete */
+  size_t most;     /* it grows no more when n is above; 0: any number */
 };
 
 /* ph_buf_reserve: room for n more bytes; NULL when memory is exhausted.  The
@@ -28,6 +30,10 @@ void ph_buf_put(struct ph_buf *buf, const char *bytes, size_t n);
 
 /* ph_buf_puts: appends a NUL-terminated text. */
 void ph_buf_puts(struct ph_buf *buf, const char *text);
+
+/* ph_buf_cut: forgets what follows the first n bytes, and a failure; memory
+ * beyond `keep` bytes that these do not need is given back. */
+void ph_buf_cut(struct ph_buf *buf, size_t n, size_t keep);
 
 /* ph_buf_clear: forgets the content and, if it grew beyond `keep` bytes, the
  * memory too. */

@@ -10,7 +10,7 @@
  * number is in the environment variable PH_FAIL_AT (from 0) fails, and with
  * PH_FAIL_ON=1 all after it; the product does not contain that code.
  */
-#define _DEFAULT_SOURCE /* madvise */
+#define _DEFAULT_SOURCE /* madvise, clock_gettime */
 #include "base/mem.h"
 
 #include <stdalign.h>
@@ -18,6 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <time.h>
 
 #ifdef PH_FAULT_INJECTION
 #include <stdatomic.h>
@@ -97,6 +98,67 @@ static struct ph_chunk *add_chunk(struct ph_arena *arena, size_t need) {
   return chunk;
 }
 
+static double clock_now(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+void ph_budget_start(struct ph_budget *budget, size_t bytes, double seconds) {
+  budget->bytes = bytes;
+  budget->needed = 0;
+  budget->seconds = seconds;
+  budget->end = seconds > 0 ? clock_now() + seconds : 0;
+  budget->late = false;
+}
+
+void ph_budget_stop(struct ph_budget *budget) {
+  budget->bytes = 0;
+  budget->seconds = 0;
+}
+
+struct ph_arena ph_arena_beside(const struct ph_arena *arena) {
+  return (struct ph_arena){.budget = arena->budget};
+}
+
+bool ph_arena_late(const struct ph_arena *arena) {
+  struct ph_budget *b = arena->budget;
+  if (!b || !(b->seconds > 0)) {
+    return false;
+  }
+  b->late = b->late || clock_now() >= b->end;
+  return b->late;
+}
+
+/* Takes bytes from the budget; false: it is spent. */
+static bool spend(struct ph_arena *arena, size_t bytes) {
+  struct ph_budget *b = arena->budget;
+  if (!b) {
+    return true;
+  }
+  if (ph_arena_late(arena)) {
+    return false;
+  }
+  if (b->bytes &&
+      (b->needed || b->used > b->bytes || bytes > b->bytes - b->used)) {
+    b->needed = b->needed                    ? b->needed
+                : bytes > SIZE_MAX - b->used ? SIZE_MAX
+                                             : b->used + bytes;
+    return false;
+  }
+  b->used += bytes;
+  arena->taken += bytes;
+  return true;
+}
+
+/* Gives back what was taken beyond so many bytes. */
+static void refund(struct ph_arena *arena, size_t taken) {
+  if (arena->budget) {
+    arena->budget->used -= arena->taken - taken;
+    arena->taken = taken;
+  }
+}
+
 void *ph_arena_array(struct ph_arena *arena, size_t n, size_t size) {
   struct ph_chunk *chunk = arena->chunks;
   size_t need;
@@ -105,6 +167,9 @@ void *ph_arena_array(struct ph_arena *arena, size_t n, size_t size) {
     return NULL;
   }
   need = (n * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+  if (!spend(arena, need)) {
+    return NULL;
+  }
   if (!chunk || need > chunk->size - chunk->used) {
     chunk = add_chunk(arena, need);
     if (!chunk) {
@@ -145,8 +210,8 @@ char *ph_arena_copy(struct ph_arena *arena, const char *text, size_t n) {
 }
 
 struct ph_mark ph_arena_mark(const struct ph_arena *arena) {
-  struct ph_mark mark = {arena->chunks,
-                         arena->chunks ? arena->chunks->used : 0};
+  struct ph_mark mark = {arena->chunks, arena->chunks ? arena->chunks->used : 0,
+                         arena->taken};
   return mark;
 }
 
@@ -161,6 +226,7 @@ void ph_arena_release(struct ph_arena *arena, struct ph_mark mark) {
     ph_arena_reset(arena);
     return;
   }
+  refund(arena, mark.taken);
   while (arena->chunks != mark.chunk) {
     drop_chunk(arena);
   }
@@ -169,6 +235,7 @@ void ph_arena_release(struct ph_arena *arena, struct ph_mark mark) {
 
 void ph_arena_reset(struct ph_arena *arena) {
   struct ph_chunk *keep = NULL;
+  refund(arena, 0);
   while (arena->chunks) {
     struct ph_chunk *chunk = arena->chunks;
     if (chunk->size <= CHUNK_MAX && (!keep || chunk->size > keep->size)) {
@@ -185,6 +252,7 @@ void ph_arena_reset(struct ph_arena *arena) {
 }
 
 void ph_arena_free(struct ph_arena *arena) {
+  refund(arena, 0);
   while (arena->chunks) {
     drop_chunk(arena);
   }

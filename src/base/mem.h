@@ -10,6 +10,7 @@
 #ifndef PH_BASE_MEM_H
 #define PH_BASE_MEM_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* ph_malloc, ph_realloc, ph_free: as in libc; size 0 gives a unique pointer. */
@@ -17,24 +18,57 @@ void *ph_malloc(size_t size);
 void *ph_realloc(void *old, size_t size);
 void ph_free(void *memory);
 
+/*
+ * What the work on one record may take, all its arenas together.  An arena that
+ * has a budget gives nothing more once it is spent, so that work on the record
+ * ends as if memory were exhausted; who began it tells the two apart.
+ *
+ * Bytes are those that were asked for, not those of chunks: whether a record
+ * keeps to its budget does not depend on the records before it.
+ */
+struct ph_budget {
+  size_t bytes;   /* 0: any number */
+  size_t used;    /* now */
+  size_t needed;  /* by the first request beyond; 0: there was none */
+  double seconds; /* 0: any number */
+  double end;     /* on the monotonic clock */
+  bool late;      /* it has passed, and that was seen */
+};
+
+/* ph_budget_start: the time begins; what is used already, counts. */
+void ph_budget_start(struct ph_budget *budget, size_t bytes, double seconds);
+
+/* ph_budget_stop: from now on nothing is refused; what was, stays known. */
+void ph_budget_stop(struct ph_budget *budget);
+
 struct ph_chunk;
 
 /* An arena: bump allocation out of chunks.  {0} is an empty arena. */
 struct ph_arena {
-  struct ph_chunk *chunks; /* newest first */
+  struct ph_chunk *chunks;  /* newest first */
+  struct ph_budget *budget; /* NULL: none */
+  size_t taken;             /* bytes that were asked for */
 };
+
+/* ph_arena_beside: another arena, empty, on the same budget. */
+struct ph_arena ph_arena_beside(const struct ph_arena *arena);
+
+/* ph_arena_late: whether the time of its budget is over.  What iterates asks
+ * from step to step, and stops; it need not say why, as its caller knows. */
+bool ph_arena_late(const struct ph_arena *arena);
 
 /* A moment of an arena, to return to. */
 struct ph_mark {
   struct ph_chunk *chunk;
   size_t used;
+  size_t taken;
 };
 
 /*
  * ph_arena_array: uninitialised memory for n elements of `size` bytes, aligned
  * to 16 bytes.
  *
- * ret  NULL when n * size overflows or memory is exhausted
+ * ret  NULL when n * size overflows, memory is exhausted or the budget spent
  */
 void *ph_arena_array(struct ph_arena *arena, size_t n, size_t size);
 

@@ -40,6 +40,7 @@ enum ph_class {
   X(NO_CONVERGENCE, "no-convergence", RECORD,                                  \
     "the solver did not reach its tolerance")                                  \
   X(TOO_LARGE, "too-large", RECORD, "a result exceeds the range of a double")  \
+  X(LIMIT, "limit", RECORD, "a record needs more than an option allows")       \
   X(NOT_VERIFIED, "not-verified", RECORD,                                      \
     "a result is not what it says, or solves none of the problems")            \
   X(REVERSAL, "reversal", RECORD,                                              \

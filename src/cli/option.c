@@ -14,6 +14,7 @@
 #include "cli/plot.h"
 
 #include <getopt.h>
+#include <stdint.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -273,6 +274,13 @@ static enum ph_status check_together(struct ph_option_parser *p) {
   return ph_plot_check(o, p->diag);
 }
 
+/* What a record may take, unless --max-memory says it: a quarter of all. */
+static size_t memory_default(void) {
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  return pages > 3 && size > 0 ? (size_t)pages / 4 * (size_t)size
+                               : SIZE_MAX / 4;
+}
+
 static size_t processors(void) {
   long n = sysconf(_SC_NPROCESSORS_ONLN);
   return n < 1 ? 1 : n > PH_JOBS_MAX ? PH_JOBS_MAX : (size_t)n;
@@ -290,6 +298,8 @@ enum ph_status ph_options_read(int argc, char **argv,
   options->input.format =
       options->command->use == PH_USE_VERIFY ? PH_SPLIT_JSON : PH_SPLIT_AUTO;
   options->jobs = processors();
+  options->max_memory = memory_default();
+  options->samples.most = PH_SAMPLES_MAX;
   options->assignments = ph_arena_array(&options->arena, p.argument_n,
                                         sizeof *options->assignments);
   options->sweeps =

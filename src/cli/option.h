@@ -79,6 +79,13 @@
   X(JOBS, ALL, 'j', "jobs", "N",                                              \
     "worker threads (default: the processors); for every N the results are "  \
     "the same, in the same order")                                            \
+  X(MAX_SAMPLES, SOLVE, 0, "max-samples", "N",                                \
+    "the most samples that a curve may have (default: 10000000)")             \
+  X(MAX_MEMORY, ALL, 0, "max-memory", "BYTES",                                \
+    "the most memory that a record may take: a number, or one with K, M or "  \
+    "G (default: a quarter of the machine's)")                                \
+  X(TIME_LIMIT, ALL, 0, "time-limit", "SECONDS",                              \
+    "the longest time that a record may take (default: any)")                 \
   X(STRICT, SOLVE, 0, "strict", NULL, "a warning is an error")                \
   X(FAIL_FAST, ALL, 0, "fail-fast", NULL, "stop at the first failure")        \
   X(PROGRESS, ALL, 0, "progress", NULL, "report progress on standard error")  \
@@ -139,6 +146,8 @@ struct ph_options {
   bool pretty, strict, fail_fast, progress, quiet, verbose, no_sync;
   const char *output; /* NULL: standard output */
   size_t jobs;
+  size_t max_memory; /* bytes */
+  double time_limit; /* seconds; 0: none */
   struct ph_assignment *assignments;
   size_t assignments_n;
   struct ph_sweep *sweeps;

@@ -14,6 +14,10 @@
 /* More samples of a segment than this are a slip of the keyboard. */
 enum { SAMPLES_MAX = 1000000 };
 
+/* The most that the options about limits can allow: samples, bytes. */
+enum { SAMPLES_LIMIT_MAX = 1000000000 };
+static const double BYTES_MAX = 1e15;
+
 /* ---- values ----------------------------------------------------------- */
 
 /* One of the words of the option's argument text "a|b|c". */
@@ -53,6 +57,29 @@ static enum ph_status read_count(struct ph_option_parser *p,
   }
   *count = (size_t)x;
   return PH_OK;
+}
+
+/* A number of bytes, or with a suffix of units of 2^10, 2^20 or 2^30 bytes. */
+static enum ph_status read_bytes(struct ph_option_parser *p,
+                                 enum ph_option_id id, size_t *bytes) {
+  static const char suffixes[] = "KMG";
+  const size_t n = strlen(optarg);
+  const char *suffix = n ? strchr(suffixes, optarg[n - 1]) : NULL;
+  const char *end = optarg + n - (suffix ? 1 : 0);
+  char excerpt[PH_EXCERPT_MAX];
+  double x;
+  if (ph_number_read_text(optarg, end, &x) == end) {
+    x = suffix ? ldexp(x, 10 * (int)(suffix - suffixes + 1)) : x;
+    if (x >= 1 && x <= BYTES_MAX && !(floor(x) < x)) {
+      *bytes = (size_t)x;
+      return PH_OK;
+    }
+  }
+  return ph_fail(p->diag, PH_USAGE, NULL,
+                 "--%s must be a whole number of bytes from 1 to %g, or one "
+                 "of K, M or G, found '%s'",
+                 ph_option_table[id].name, BYTES_MAX,
+                 ph_excerpt(optarg, n, excerpt));
 }
 
 static enum ph_status read_positive(struct ph_option_parser *p,
@@ -348,6 +375,12 @@ static enum ph_status read_argument(struct ph_option_parser *p,
     return read_positive(p, id, &o->tolerance);
   case PH_O_JOBS:
     return read_count(p, id, PH_JOBS_MAX, &o->jobs);
+  case PH_O_MAX_SAMPLES:
+    return read_count(p, id, SAMPLES_LIMIT_MAX, &o->samples.most);
+  case PH_O_MAX_MEMORY:
+    return read_bytes(p, id, &o->max_memory);
+  case PH_O_TIME_LIMIT:
+    return read_positive(p, id, &o->time_limit);
   case PH_O_SAMPLE:
   case PH_O_SPACING:
   case PH_O_CHORD_ERROR:

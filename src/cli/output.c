@@ -360,25 +360,25 @@ static bool reaches_disk(int descriptor) {
 
 /* The same for the directory that has got a new name; one that may be written
  * to, but not read, cannot be opened for that. */
-static bool name_reaches_disk(const char *target) {
-  const char *slash = strrchr(target, '/');
-  char *directory =
-      slash ? join(target, (size_t)(slash + 1 - target), "") : join("", 0, ".");
-  bool ok = false;
-  int fd = -1;
-  if (!directory) {
-    errno = ENOMEM;
-  } else if ((fd = open(directory, O_RDONLY | O_DIRECTORY | O_CLOEXEC)) < 0) {
-    ok = errno == EACCES;
-  } else {
-    ok = reaches_disk(fd);
+static bool name_reaches_disk(char *target) {
+  const int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+  char *name = strrchr(target, '/');
+  char first = name ? name[1] : '\0';
+  bool ok;
+  int fd;
+  if (name) { /* its directory, for a moment */
+    name[1] = '\0';
   }
+  fd = open(name ? target : ".", flags);
+  if (name) {
+    name[1] = first;
+  }
+  ok = fd >= 0 ? reaches_disk(fd) : errno == EACCES;
   if (fd >= 0) {
     int why = errno;
     close(fd);
     errno = why;
   }
-  ph_free(directory);
   return ok;
 }
 

@@ -265,7 +265,9 @@ static size_t count_outcomes(struct run *r, const struct slot *slot) {
     }
     if (status != PH_OK) {
       r->progress.failed++;
-      worsen(r, ph_status_class(status));
+      /* memory that one record lacks is there for the next one */
+      worsen(r, status == PH_NO_MEMORY ? PH_CLASS_RECORD
+                                       : ph_status_class(status));
       if (r->options->fail_fast) {
         r->stopped = true;
         return i + 1;

@@ -371,9 +371,13 @@ void ph_verify_work(const struct ph_options *options, struct ph_worker *worker,
   if (options->verbose) {
     clock_gettime(CLOCK_MONOTONIC, &start);
   }
+  ph_work_begin(options, worker);
   item->status = verify(&t);
+  if (record->status == PH_OK) {
+    item->status = ph_work_settle(options, worker, item->status, &t.diag);
+  }
   subject.id = ph_work_id(&t.claim.echo, &worker->arena);
-  if (t.claim.echo.id && !subject.id) {
+  if (item->status == PH_OK && t.claim.echo.id && !subject.id) {
     item->status = ph_fail_memory(&t.diag);
   }
   if (item->status != PH_OK) {

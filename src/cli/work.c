@@ -15,6 +15,9 @@
 #include <string.h>
 #include <time.h>
 
+/* Output that a record has failed to write leaves no more memory than this. */
+enum { KEEP_BYTES = 1 << 20 };
+
 /* An item on its way. */
 struct task {
   const struct ph_options *options;
@@ -105,6 +108,32 @@ static enum ph_status certify(struct task *t) {
   return status;
 }
 
+void ph_work_begin(const struct ph_options *options, struct ph_worker *worker) {
+  ph_budget_start(&worker->budget, options->max_memory, options->time_limit);
+  worker->arena.budget = &worker->budget;
+  worker->scratch.budget = &worker->budget;
+}
+
+enum ph_status ph_work_settle(const struct ph_options *options,
+                              struct ph_worker *worker, enum ph_status status,
+                              struct ph_diag *diag) {
+  const bool late = ph_arena_late(&worker->arena);
+  const size_t needed = worker->budget.needed;
+  ph_budget_stop(&worker->budget);
+  ph_arena_reset(&worker->scratch);
+  if (needed) {
+    return ph_fail(diag, PH_LIMIT, NULL,
+                   "the record takes %zu bytes of memory or more, above the "
+                   "%zu of --max-memory",
+                   needed, options->max_memory);
+  }
+  return late ? ph_fail(diag, PH_LIMIT, NULL,
+                        "the record takes longer than the %g seconds of "
+                        "--time-limit",
+                        options->time_limit)
+              : status;
+}
+
 static enum ph_status solve(struct task *t) {
   const struct ph_command *command = t->options->command;
   struct ph_worker *worker = t->worker;
@@ -187,6 +216,48 @@ static void write_result(struct task *t, const struct ph_heading *heading,
   ph_csv_result(out, &shape, &csv, &t->result);
 }
 
+/* Writes the result where there is memory for it; else none of it is left. */
+static enum ph_status try_write(struct task *t,
+                                const struct ph_heading *heading,
+                                const char *id, struct ph_buf *out) {
+  const size_t start = out->n, most = t->options->max_memory;
+  const size_t used = t->worker->budget.used;
+  enum ph_status status = PH_OK;
+  out->most = start + (most > used ? most - used : 0);
+  write_result(t, heading, id, out);
+  if (out->n > out->most) {
+    status = ph_fail(&t->diag, PH_LIMIT, NULL,
+                     "the record takes more bytes of memory, with its result "
+                     "as text, than the %zu of --max-memory",
+                     most);
+  } else if (out->failed) {
+    status = ph_fail_memory(&t->diag);
+  }
+  out->most = 0;
+  if (status != PH_OK) {
+    ph_drawing_free(t->item->drawing);
+    t->item->drawing = NULL;
+    ph_buf_cut(out, start, KEEP_BYTES);
+  }
+  return status;
+}
+
+/* The record of a failure. */
+static void write_failure(struct task *t, const struct ph_heading *heading,
+                          struct ph_buf *out) {
+  const struct ph_record *record = &t->item->record;
+  if (!t->diag.line) {
+    t->diag.line = record->status == PH_OK
+                       ? ph_record_line(record, t->diag.field)
+                       : record->line;
+  }
+  if (t->options->format == PH_FORMAT_SVG_PATH) {
+    ph_buf_puts(out, "\n");
+  } else if (t->options->format == PH_FORMAT_JSON) {
+    ph_json_error(out, heading, &t->diag, record->file, t->options->pretty);
+  }
+}
+
 static void report(struct task *t, const struct ph_subject *subject,
                    enum ph_status status, const struct timespec *start,
                    struct ph_buf *err) {
@@ -221,9 +292,13 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   if (options->verbose) {
     clock_gettime(CLOCK_MONOTONIC, &start);
   }
+  ph_work_begin(options, worker);
   item->status = solve(&t);
+  if (record->status == PH_OK) {
+    item->status = ph_work_settle(options, worker, item->status, &t.diag);
+  }
   subject.id = ph_work_id(&t.echo, &worker->arena);
-  if (t.echo.id && !subject.id) {
+  if (item->status == PH_OK && t.echo.id && !subject.id) {
     item->status = ph_fail_memory(&t.diag);
   }
   if (item->status == PH_OK && item->draw) {
@@ -234,19 +309,11 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   heading.set = t.set;
   heading.set_n = t.set_n;
   if (item->status == PH_OK) {
-    write_result(&t, &heading, subject.id, out);
-  } else {
-    if (!t.diag.line) {
-      t.diag.line = record->status == PH_OK
-                        ? ph_record_line(record, t.diag.field)
-                        : record->line;
-    }
+    item->status = try_write(&t, &heading, subject.id, out);
+  }
+  if (item->status != PH_OK) {
+    write_failure(&t, &heading, out);
     subject.line = t.diag.line;
-    if (options->format == PH_FORMAT_SVG_PATH) {
-      ph_buf_puts(out, "\n");
-    } else if (options->format == PH_FORMAT_JSON) {
-      ph_json_error(out, &heading, &t.diag, record->file, options->pretty);
-    }
   }
   report(&t, &subject, item->status, &start, err);
   ph_arena_reset(&worker->arena);

@@ -15,6 +15,7 @@ struct ph_posed;
 struct ph_worker {
   struct ph_arena arena;   /* of the record */
   struct ph_arena scratch; /* of the solver */
+  struct ph_budget budget; /* of both */
 };
 
 /* One result to be: a record and a combination of swept values. */
@@ -37,6 +38,16 @@ struct ph_item {
  */
 void ph_work(const struct ph_options *options, struct ph_worker *worker,
              struct ph_item *item, struct ph_buf *out, struct ph_buf *err);
+
+/* ph_work_begin: the work on a record begins, on a budget by the options. */
+void ph_work_begin(const struct ph_options *options, struct ph_worker *worker);
+
+/* ph_work_settle: it has ended so; what spent its budget has failed for that,
+ * whatever the solver made of it.  From then on there is no budget, and no
+ * scratch.  ret  the status, PH_LIMIT if there was too little */
+enum ph_status ph_work_settle(const struct ph_options *options,
+                              struct ph_worker *worker, enum ph_status status,
+                              struct ph_diag *diag);
 
 /*
  * ph_work_assign: --set gives what a problem lacks, --override anything; the

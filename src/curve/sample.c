@@ -78,7 +78,7 @@ struct walk {
   bool begins;      /* the segment begins it */
   size_t step;      /* the next place is at so many times the spacing */
   struct ph_samples *samples;
-  size_t room;
+  size_t most, room;
   struct ph_sum start; /* length before the segment */
   double range;        /* of t */
   struct ph_diag *diag;
@@ -87,12 +87,14 @@ struct walk {
 static enum ph_status too_many(const struct walk *walk, double wanted) {
   const struct ph_sample_rules *rules = walk->rules;
   return rules->how == PH_SAMPLE_SPACING
-             ? ph_fail(walk->diag, PH_TOO_LARGE, NULL,
-                       "samples %g apart would be %.6g or more, above %d",
-                       rules->spacing, wanted, PH_SAMPLES_MAX)
-             : ph_fail(walk->diag, PH_TOO_LARGE, NULL,
-                       "the samples would be %.6g, above %d", wanted,
-                       PH_SAMPLES_MAX);
+             ? ph_fail(walk->diag, PH_LIMIT, NULL,
+                       "samples %g apart would be %.6g or more, above the %zu "
+                       "of --max-samples",
+                       rules->spacing, wanted, walk->most)
+             : ph_fail(walk->diag, PH_LIMIT, NULL,
+                       "the samples would be %.6g, above the %zu of "
+                       "--max-samples",
+                       wanted, walk->most);
 }
 
 /* Room for more samples. */
@@ -138,12 +140,13 @@ static enum ph_status move_to(struct walk *walk, size_t room) {
 /* Room for n samples more; if more is taken, for so many in all. */
 static enum ph_status reserve(struct walk *walk, double n, double all) {
   const double needed = (double)walk->samples->n + n;
-  if (!(needed <= PH_SAMPLES_MAX)) {
+  if (!(needed <= (double)walk->most)) {
     return too_many(walk, needed);
   }
   return needed <= (double)walk->room
              ? PH_OK
-             : move_to(walk, (size_t)fmin(fmax(all, needed), PH_SAMPLES_MAX));
+             : move_to(walk,
+                       (size_t)fmin(fmax(all, needed), (double)walk->most));
 }
 
 /* The same; if more is taken, it is for all segments, as if those to come were
@@ -242,7 +245,7 @@ static enum ph_status by_chords(struct walk *walk) {
   status =
       ph_chords_plan(&walk->chords, &walk->sampler, walk->rules->chord_error,
                      n ? offset->cusps.at + first : NULL, walk->cusp - first,
-                     PH_SAMPLES_MAX, walk->diag);
+                     walk->most, walk->diag);
   if (status == PH_OK) {
     status = reserve_more(walk, (double)walk->chords.n + 1);
   }
@@ -329,6 +332,7 @@ static enum ph_status sample(const struct ph_curve *curve,
   struct walk walk = {.rules = rules,
                       .chords = {.arena = arena},
                       .samples = samples,
+                      .most = rules->most ? rules->most : PH_SAMPLES_MAX,
                       .diag = diag};
   enum ph_status status =
       ph_sampler_begin(&walk.sampler, curve, offset, arena, diag);

@@ -124,9 +124,10 @@ struct ph_sample_rules {
   double spacing;      /* PH_SAMPLE_SPACING: > 0, in the unit of the data */
   double chord_error;  /* PH_SAMPLE_CHORD: > 0, in the unit of the data */
   enum ph_frame frame; /* of curves in space and, but for erf, on a sphere */
+  size_t most;         /* of one curve; 0: PH_SAMPLES_MAX */
 };
 
-/* More samples of one curve than this are refused. */
+/* More samples of one curve than this are refused, if nothing else is said. */
 enum { PH_SAMPLES_MAX = 10000000 };
 
 /*
@@ -151,9 +152,9 @@ enum { PH_SAMPLES_MAX = 10000000 };
  *           binormal points outward
  *
  * out  samples  arrays from the arena
- * ret  PH_OK | PH_TOO_LARGE (more than PH_SAMPLES_MAX) | PH_INFEASIBLE (there
- *      is no such frame) | PH_NO_CONVERGENCE (a length, a bound of chords or a
- *      rotation-minimising frame was not found) | PH_NO_MEMORY
+ * ret  PH_OK | PH_LIMIT (there would be more than rules->most) | PH_INFEASIBLE
+ * (there is no such frame) | PH_NO_CONVERGENCE (a length, a bound of chords or
+ * a rotation-minimising frame was not found) | PH_NO_MEMORY
  */
 enum ph_status ph_sample_curve(const struct ph_curve *curve,
                                const struct ph_sample_rules *rules,

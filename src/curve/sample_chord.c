@@ -48,9 +48,10 @@ static double count_of(const struct task *task, double from, double to) {
 }
 
 static enum ph_status too_large(const struct task *task) {
-  return ph_fail(task->diag, PH_TOO_LARGE, NULL,
-                 "chords within %g of the curve take more than %d samples",
-                 task->error, PH_SAMPLES_MAX);
+  return ph_fail(task->diag, PH_LIMIT, NULL,
+                 "chords within %g of the curve take more samples than the "
+                 "%zu of --max-samples",
+                 task->error, task->most);
 }
 
 /* ---- blocks -------------------------------------------------------------- */

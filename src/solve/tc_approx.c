@@ -131,7 +131,7 @@ static enum ph_status add_plan(const struct item *item,
 enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
                                  double tolerance, struct ph_tc_arcs *arcs,
                                  struct ph_diag *diag) {
-  struct ph_arena scratch = {NULL};
+  struct ph_arena scratch = ph_arena_beside(arcs->arena);
   struct ph_tc_plan plan = {.arena = &scratch, .limit = LIMIT};
   struct room room;
   struct item item;
@@ -159,6 +159,7 @@ enum { TRIALS = 40 };
 static const double CLOSE = 1.002, CLEAR = 64;
 
 struct chain {
+  struct ph_arena *arena;
   const struct item *items;
   size_t n;
   size_t pieces;
@@ -175,7 +176,7 @@ static enum ph_status try_tolerance(struct chain *c, double tolerance,
   size_t cubics = 0;
   for (size_t k = 0; k < c->n; k++) {
     const struct item *item = &c->items[k];
-    struct ph_arena scratch = {NULL};
+    struct ph_arena scratch = ph_arena_beside(c->arena);
     /* halving finds a few times as many parts as are needed in the end */
     struct ph_tc_plan plan = {.arena = &scratch, .limit = 8 * c->pieces + 64};
     enum ph_status status = ph_tc_plan_curve(&item->target, item->u, item->n,
@@ -271,9 +272,13 @@ enum ph_status ph_tc_approximate_pieces(const struct ph_tc_bezier *curves,
                                         size_t n, size_t pieces, double least,
                                         struct ph_tc_arcs *arcs, size_t *first,
                                         struct ph_diag *diag) {
-  struct ph_arena scratch = {NULL};
+  struct ph_arena scratch = ph_arena_beside(arcs->arena);
   struct item *items = ph_arena_array(&scratch, n, sizeof *items);
-  struct chain c = {.items = items, .n = n, .pieces = pieces, .low = least};
+  struct chain c = {.arena = &scratch,
+                    .items = items,
+                    .n = n,
+                    .pieces = pieces,
+                    .low = least};
   struct room room;
   enum ph_status status =
       items ? room_of(curves, n, &scratch, &room, diag) : ph_fail_memory(diag);

@@ -186,7 +186,7 @@ static void read_plan(struct evener *s, const struct ph_tc_plan *plan,
 enum ph_status ph_tc_plan_even(const struct ph_tc_target *target, size_t first,
                                double tolerance, struct ph_tc_plan *plan,
                                struct ph_diag *diag) {
-  struct ph_arena scratch = {NULL};
+  struct ph_arena scratch = ph_arena_beside(plan->arena);
   struct evener s = {
       .target = target, .tolerance = tolerance, .sweeps = SWEEPS};
   size_t n = plan->n - first;

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Memory that gives out: each allocation of a run fails in turn, alone and with
-# all after it.  The run ends with status 5 and says so, or ends as it would
-# have; no line of output is half, no file is replaced by less than the whole,
-# and the sanitizers of this build have nothing to report.
+# all after it.  A record whose allocation fails is an error record, and no
+# record is lost; or the run ends with status 5 and says so; or it ends as it
+# would have.  No line of output is half, no file is replaced by less than the
+# whole, and the sanitizers of this build have nothing to report.
 #
 # Where every step takes long (PH_SHORT=1), one allocation in three fails alone;
 # which, goes on from one command to the next.  That gives up the path that only
@@ -21,29 +22,39 @@ also() {
 
 # Sets why to what is wrong with the last run, nothing if it ended as it may:
 # results are those of the good run, as far as they go; a record may have failed
-# for want of memory.  It is asked thousands of times: processes are few.
+# for want of memory, which makes a status of 0 one of 1.  It is asked thousands
+# of times: processes are few.
 judge() {
   why=
   said=$(cat err)
-  if [ "$status" -eq "$good_status" ]; then
+  short=
+  case $said in
+  *'memory is exhausted'*) short=1 ;;
+  esac
+  if [ -z "$short" ]; then
+    [ "$status" -eq "$good_status" ] ||
+      also "status $status, and no word of memory"
     cmp -s good.out out || also "status $status, but other results"
-  elif [ "$status" -ne 5 ]; then
-    also "status $status"
-  else
-    case $said in
-    *'memory is exhausted'*) ;;
-    *) also 'status 5, and no word of memory' ;;
-    esac
+  elif [ "$status" -eq 5 ]; then
     if [ -s out ]; then
-      judge_part
+      judge_part out good.out
     fi
+  elif [ "$format" = text ]; then
+    also "status $status"
+  elif [ "$status" -ne "$good_status" ] &&
+    [ "$status $good_status" != '1 0' ]; then
+    also "status $status instead of $good_status"
+  else
+    judge_whole out good.out
   fi
   case $said in
   *Sanitizer* | *'runtime error'*) also 'a sanitizer reports' ;;
   esac
   if [ -n "$file" ]; then
-    if [ "$status" -eq "$good_status" ]; then
+    if [ -z "$short" ]; then
       cmp -s good.file "$file" || also 'the file is not what it should be'
+    elif [ "$status" -ne 5 ]; then
+      judge_file
     elif [ "$(cat "$file")" != old ]; then
       also 'the old file is gone'
     fi
@@ -51,24 +62,49 @@ judge() {
   fi
 }
 
-# The same for the output of a run that has failed.
+# The same for what a run has written that has failed as a whole.
 judge_part() {
-  if [ -n "$(tail -c 1 out)" ]; then
+  if [ -n "$(tail -c 1 "$1")" ]; then
     also 'a line is cut off'
   elif [ "$format" = text ]; then
-    cmp -s out good.out || also 'other text'
+    cmp -s "$1" "$2" || also 'other text'
   else
-    part=$(awk -v format="$format" '
+    part=$(awk -v format="$format" -v good="$2" '
       { record = record $0 }
       format == "pretty" && $0 != "}" { next }
-      FILENAME == "good.out" { good[record] }
-      !(record in good) && record !~ /"code": ?"out-of-memory"/ {
+      FILENAME == good { was[record] }
+      !(record in was) && record !~ /"code": ?"out-of-memory"/ {
         print "line " FNR ": " substr(record, 1, 100)
       }
       { record = "" }
-      END { if (record != "") print "a record is cut off" }' good.out out)
+      END { if (record != "") print "a record is cut off" }' "$2" "$1")
     [ -z "$part" ] || also "$part"
   fi
+}
+
+# The same for a run that went on: there is a record, good or failed, for each
+# one of JSON; of a table the rows of failed ones are missing.
+judge_whole() {
+  if [ -s "$1" ] || [ -s "$2" ]; then
+    judge_part "$1" "$2"
+  fi
+  case $(head -c 1 "$2") in
+  '{')
+    [ "$(grep -c '^{' "$1")" -eq "$(grep -c '^{' "$2")" ] ||
+      also 'a record is lost'
+    ;;
+  esac
+}
+
+# What it left in the file: the records, or a figure without those that failed.
+judge_file() {
+  case $(head -c 5 good.file) in
+  '<?xml' | ?PNG*)
+    [ "$(head -c 5 "$file")" = "$(head -c 5 good.file)" ] ||
+      also 'the figure is none'
+    ;;
+  *) judge_whole "$file" good.file ;;
+  esac
 }
 
 # once NUMBER ARGUMENT...: a run in which that allocation fails

@@ -173,7 +173,59 @@ PH_TEST(test_grow) {
   ck_assert_uint_eq(room, 1);
 }
 
+/* Two arenas on one budget; what is given back can be had again. */
+PH_TEST(test_budget_of_bytes) {
+  struct ph_budget budget = {.used = 0};
+  struct ph_arena a = {.budget = &budget}, b = ph_arena_beside(&a);
+  struct ph_mark mark;
+  ph_budget_start(&budget, 1000, 0);
+  ck_assert_ptr_nonnull(ph_arena_array(&a, 50, 10)); /* 512 of them */
+  mark = ph_arena_mark(&b);
+  ck_assert_ptr_nonnull(ph_arena_array(&b, 400, 1));
+  ck_assert_uint_eq(budget.used, 912);
+  ph_arena_release(&b, mark);
+  ck_assert_uint_eq(budget.used, 512);
+  ck_assert_ptr_nonnull(ph_arena_array(&b, 480, 1));
+  ck_assert_uint_eq(budget.needed, 0);
+  ck_assert_ptr_null(ph_arena_array(&a, 16, 1));
+  ck_assert_uint_eq(budget.needed, 1008);
+  ck_assert_ptr_null(ph_arena_array(&a, 1, 1)); /* once spent, it stays so */
+  ck_assert_ptr_null(ph_arena_array(&b, SIZE_MAX / 2, 1));
+  ck_assert_uint_eq(budget.needed, 1008);
+  ph_budget_stop(&budget);
+  ck_assert_ptr_nonnull(ph_arena_array(&a, 5000, 1));
+  ph_arena_reset(&a);
+  ph_arena_reset(&b);
+  ck_assert_uint_eq(budget.used, 0);
+  ph_budget_start(&budget, 1000, 0); /* whatever chunks there are */
+  ck_assert_ptr_nonnull(ph_arena_array(&a, 992, 1));
+  ck_assert_ptr_null(ph_arena_array(&b, 16, 1));
+  ph_arena_free(&a);
+  ph_arena_free(&b);
+  ck_assert_uint_eq(budget.used, 0);
+}
+
+PH_TEST(test_budget_of_time) {
+  struct ph_budget budget = {.used = 0};
+  struct ph_arena a = {.budget = &budget};
+  ph_budget_start(&budget, 0, 0);
+  ck_assert(!ph_arena_late(&a));
+  ck_assert(!ph_arena_late(&unit_arena));
+  ph_budget_start(&budget, 0, 1e6);
+  ck_assert(!ph_arena_late(&a));
+  ck_assert_ptr_nonnull(ph_arena_array(&a, 1, 1));
+  ph_budget_start(&budget, 0, 1e-9);
+  while (!ph_arena_late(&a)) { /* a clock may be coarse */
+  }
+  ck_assert_ptr_null(ph_arena_array(&a, 1, 1));
+  ck_assert_uint_eq(budget.needed, 0);
+  ph_budget_stop(&budget);
+  ck_assert(budget.late);
+  ck_assert_ptr_nonnull(ph_arena_array(&a, 1, 1));
+  ph_arena_free(&a);
+}
+
 PH_TESTS_WITH(NULL, finish, test_malloc_of_nothing, test_alignment, test_pieces,
               test_large, test_overflow, test_grow, test_copy, test_mark,
               test_mark_of_nothing, test_reset_keeps, test_reset_keeps_largest,
-              test_reset_gives_back)
+              test_reset_gives_back, test_budget_of_bytes, test_budget_of_time)

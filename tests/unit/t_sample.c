@@ -190,7 +190,7 @@ START_TEST(test_too_many) {
     struct ph_sample_rules rules = {.how = PH_SAMPLE_PARAMETER,
                                     .n = refused[i]};
     ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &arena, &s, &diag),
-                     PH_TOO_LARGE);
+                     PH_LIMIT);
   }
 }
 END_TEST

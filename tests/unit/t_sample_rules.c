@@ -288,12 +288,17 @@ START_TEST(test_too_many) {
       {.how = PH_SAMPLE_PARAMETER, .n = PH_SAMPLES_MAX / 3},
   };
   static const char *const messages[] = {
-      "samples 1e-09 apart would be 6.28319e+09 or more, above 10000000",
-      "samples 1e-300 apart would be 6.28319e+300 or more, above 10000000",
-      "samples 9.88131e-324 apart would be inf or more, above 10000000",
-      "chords within 1e-20 of the curve take more than 10000000 samples",
-      "chords within 1e-300 of the curve take more than 10000000 samples",
-      "the samples would be 1e+07, above 10000000",
+      "samples 1e-09 apart would be 6.28319e+09 or more, above the 10000000 "
+      "of --max-samples",
+      "samples 1e-300 apart would be 6.28319e+300 or more, above the 10000000 "
+      "of --max-samples",
+      "samples 9.88131e-324 apart would be inf or more, above the 10000000 "
+      "of --max-samples",
+      "chords within 1e-20 of the curve take more samples than the "
+      "10000000 of --max-samples",
+      "chords within 1e-300 of the curve take more samples than the "
+      "10000000 of --max-samples",
+      "the samples would be 1e+07, above the 10000000 of --max-samples",
   };
   for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
     struct ph_offset o = {.distance = 0.5, .dimension = 2};
@@ -301,10 +306,10 @@ START_TEST(test_too_many) {
     struct unit_segments c;
     circle_of(1, &c);
     ck_assert_int_eq(ph_sample_curve(&c.curve, &refused[i], &arena, &s, &diag),
-                     PH_TOO_LARGE);
+                     PH_LIMIT);
     ck_assert_str_eq(diag.message, messages[i]);
     ck_assert_int_eq(ph_sample_offset(&c.curve, &refused[i], &arena, &o, &diag),
-                     PH_TOO_LARGE);
+                     PH_LIMIT);
   }
 }
 END_TEST

@@ -29,6 +29,7 @@ static const struct {
     {PH_INFEASIBLE, "infeasible", 1},
     {PH_NO_CONVERGENCE, "no-convergence", 1},
     {PH_TOO_LARGE, "too-large", 1},
+    {PH_LIMIT, "limit", 1},
     {PH_NOT_VERIFIED, "not-verified", 1},
     {PH_REVERSAL, "reversal", 1},
     {PH_LOOP, "loop", 1},

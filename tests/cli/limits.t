@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# What a record may take: samples, memory, time.  One that reaches a limit is an
+# error record that names it; the others are what they would have been.
+. "$srcdir/tests/cli/lib.sh"
+
+# beside NAME MESSAGE ARGUMENT...: of three problems the one in the middle, wide,
+# reaches a limit, with one thread and with two
+printf '%s\n' "$good" '{"id":"wide","points":[[0,0],[9e5,1]],"meta":7}' \
+  "$good" >three.jsonl
+beside() {
+  name=$1 message=$2
+  shift 2
+  run planar "$@" good.jsonl
+  mv out plain.out
+  for jobs in 1 2; do
+    run planar -j "$jobs" "$@" three.jsonl
+    expect "$name, --jobs=$jobs" 1 \
+      "phspline: three.jsonl:2: record wide: $message [limit]
+$(failed 1 3)"
+    {
+      cat plain.out
+      printf '{"id":"wide","command":"planar","status":"error","meta":7,%s' \
+        '"error":{"code":"limit","message":"'
+      printf '%s","file":"three.jsonl","line":2}}\n' "$message"
+      cat plain.out
+    } >want
+    equal_files "$name, --jobs=$jobs: the records" want out
+  done
+}
+printf '%s\n' "$good" >good.jsonl
+
+# ---- samples -----------------------------------------------------------------
+
+many='samples 0.1 apart would be 9e+06 or more, above the 1000 of --max-samples'
+beside '--max-samples, by spacing' "$many" --spacing=0.1 --max-samples=1000
+beside '--max-samples=1e3' "$many" --spacing=0.1 --max-samples=1e3
+feed "$good" planar --chord-error=1e-12 --max-samples=1000
+expect 'more chords than there may be' 1 "phspline: -:1: record 1: chords within \
+1e-12 of the curve take more samples than the 1000 of --max-samples [limit]
+$(failed 1 1)"
+feed "$good" planar -n 3 --max-samples=8
+expect 'as many samples as there may be' 0 ''
+feed "$good" planar -n 3 --max-samples=7
+expect 'one more' 1 "phspline: -:1: record 1: the samples would be 8, above the \
+7 of --max-samples [limit]
+$(failed 1 1)"
+feed "$good" planar -n 3 -d 0.1 --max-samples=7
+expect 'the same of an offset' 1 "phspline: -:1: record 1: the samples would be \
+8, above the 7 of --max-samples [limit]
+$(failed 1 1)"
+
+# ---- memory ------------------------------------------------------------------
+
+beside '--max-memory' \
+  "the record takes $(
+    run planar --spacing=0.1 --max-memory=100M three.jsonl
+    sed -n 's/.*takes \([0-9]*\) bytes.*/\1/p' err
+  ) bytes of memory or more, above the 104857600 of --max-memory" \
+  --spacing=0.1 --max-memory=100M
+beside '--max-memory, of text' \
+  'the record takes more bytes of memory, with its result as text, than the 1048576 of --max-memory' \
+  --spacing=100 --max-memory=1M
+
+# Whether a record keeps to the limit does not depend on those before it.
+awk 'BEGIN {
+  for (k = 0; k < 300; k++) {
+    printf "{\"points\":["
+    for (i = 0; i < 2 + k % 40 * 4; i++) printf "%s[%d,%d]", i ? "," : "", i, i % 2
+    print "]}"
+  }
+}' >sizes.jsonl
+run planar -q -j 1 --max-memory=40K sizes.jsonl
+mv out one.out
+true_that 'some records keep to 40K' grep -q '"status":"ok"' one.out
+true_that 'some do not' grep -q '"code":"limit"' one.out
+run planar -q -j 3 --max-memory=40K sizes.jsonl
+equal_files 'the same ones with three threads' one.out out
+i=0
+while IFS= read -r line && [ "$i" -lt 40 ]; do
+  i=$((i + 1))
+  printf '%s\n' "$line" >alone.jsonl
+  run planar -q --max-memory=40K alone.jsonl
+  sed -n "${i}p" one.out | sed "s/sizes.jsonl/alone.jsonl/;s/\"line\":$i}/\"line\":1}/" >want
+  cmp -s want out || break
+done <sizes.jsonl
+equal 'the same ones alone' 40 "$i"
+
+# Memory that the system refuses is the failure of that record alone.
+# shellcheck disable=SC3045  # as the next line says
+if (ulimit -v 250000 && "$PHSPLINE" --version) >out 2>err; then (
+  ulimit -v 250000
+  for jobs in 1 2; do
+    run planar -j $jobs --spacing=1 --max-memory=100G three.jsonl
+    expect "memory is exhausted, --jobs=$jobs" 1 \
+      "phspline: three.jsonl:2: record wide: memory is exhausted [out-of-memory]
+$(failed 1 3)"
+    equal "memory is exhausted, --jobs=$jobs: the records" \
+      '"ok" "error" "ok"' "$(get status)"
+  done
+) else
+  echo 'skip memory that is exhausted: the shell cannot limit that of the program'
+fi
+run planar --fail-fast --max-memory=1M --spacing=100 three.jsonl
+expect '--fail-fast ends at a limit' 1 \
+  "phspline: three.jsonl:2: record wide: the record takes more bytes of memory, \
+with its result as text, than the 1048576 of --max-memory [limit]
+$(failed 1 2)"
+
+# ---- time --------------------------------------------------------------------
+
+beside '--time-limit' \
+  'the record takes longer than the 0.05 seconds of --time-limit' \
+  --spacing=0.1 --time-limit=0.05
+run planar --time-limit=1000 good.jsonl
+mv out late.out
+run planar good.jsonl
+equal_files 'results do not depend on the limit' out late.out
+
+# ---- verify ------------------------------------------------------------------
+
+run planar -n 1000 good.jsonl
+mv out result.jsonl
+run verify --max-memory=10K result.jsonl
+equal 'verify --max-memory: status' 1 "$status"
+equal 'verify --max-memory: code' '"limit"' "$(get error.code)"
+run verify --time-limit=1e-9 result.jsonl
+expect 'verify --time-limit' 1 "phspline: result.jsonl:1: record 1: the record \
+takes longer than the 1e-09 seconds of --time-limit [limit]
+$(failed 1 1)"
+run verify --max-memory=1G --time-limit=1000 result.jsonl
+expect 'verify within its limits' 0 ''
+
+# ---- values ------------------------------------------------------------------
+
+# bad_value OPTION WHAT VALUE...: none of the values is one
+bad_value() {
+  option=$1 what=$2
+  shift 2
+  for value; do
+    run planar "--$option=$value" good.jsonl
+    expect "--$option=$value" 2 "phspline: --$option must be $what, found \
+'$value'
+Try 'phspline planar --help'." ''
+  done
+}
+bad_value max-samples 'a whole number from 1 to 1000000000' \
+  0 -1 nan inf 1.5 1e10 1e400 1K '' x
+bad_value max-memory \
+  'a whole number of bytes from 1 to 1e+15, or one of K, M or G' \
+  0 -1 nan inf 0.5 1e16 1e400 1.0001K 1k 1KK K 1MB '' x
+bad_value time-limit 'a number greater than 0' 0 -1 nan inf 1e400 1s '' x
+for value in 1000000 1e6 1000K 1.5M 1G 0.5G; do
+  run planar --max-memory=$value good.jsonl
+  expect "--max-memory=$value" 0 ''
+done
+run verify --max-samples=5 result.jsonl
+expect 'verify takes no samples' 2 "phspline: verify has no option \
+'--max-samples'
+Try 'phspline verify --help'." ''
