@@ -176,9 +176,12 @@ static inline double ph_verify_smaller(double a, double b) {
   return a < b ? a : b;
 }
 
-/* ph_verify_apart: |a - b|. */
+/* ph_verify_apart: |a - b|, also where the squares leave the range of a double:
+ * between points of far offsets. */
 static inline double ph_verify_apart(ph_vec3 a, ph_vec3 b) {
-  return ph_vec3_abs(ph_vec3_sub(a, b));
+  ph_vec3 d = ph_vec3_sub(a, b);
+  double apart = ph_vec3_abs(d);
+  return apart <= DBL_MAX ? apart : hypot(hypot(d.x, d.y), d.z);
 }
 
 /* ph_verify_reach: the rounding of a vector's coordinates. */

@@ -155,14 +155,35 @@ static void displace(const struct ph_verify_path *path, double u,
   }
 }
 
-/* Curvature and torsion of what moves so. */
-static void bend(const struct ph_verify_path *path, const struct motion *m,
+/* Brings the derivatives of a far offset near 1, as their products would leave
+ * the range of a double.  ret  what they were multiplied by */
+static double bring_near(struct motion *m) {
+  double largest = ph_verify_larger(fabs(m->jet[0].x), fabs(m->jet[0].y));
+  double scale;
+  largest = ph_verify_larger(largest, fabs(m->jet[0].z));
+  if (!(largest > 1) || !isfinite(largest)) {
+    return 1;
+  }
+  scale = ldexp(1, -ph_pow2_exponent(largest));
+  for (size_t i = 0; i + 1 < N; i++) {
+    m->jet[i] = ph_vec3_scale(scale, m->jet[i]);
+    m->error[i] *= scale;
+  }
+  return scale;
+}
+
+/* Speed, tangent, curvature and torsion of what moves so. */
+static void bend(const struct ph_verify_path *path, struct motion *m,
                  struct ph_verify_place *place) {
-  double speed = place->speed, square = speed * speed;
+  double scale = bring_near(m);
+  double speed = ph_vec3_abs(m->jet[0]), square = speed * speed;
   double second = ph_vec3_abs(m->jet[1]);
   ph_vec3 turn = ph_vec3_cross(m->jet[0], m->jet[1]);
   double area = ph_vec3_abs(turn);
   double error = speed * m->error[1] + second * m->error[0];
+  place->speed = speed / scale;
+  place->tangent = ph_vec3_scale(1 / speed, m->jet[0]);
+  place->tangent_error = m->error[0] / speed;
   place->curvature =
       (path->v->curve->dimension == 2 ? turn.z : area) / (square * speed);
   place->curvature_error =
@@ -172,6 +193,10 @@ static void bend(const struct ph_verify_path *path, const struct motion *m,
   place->torsion_error =
       (area * m->error[2] + ph_vec3_abs(m->jet[2]) * error) / (area * area) +
       2 * fabs(place->torsion) * place->flat;
+  place->curvature *= scale;
+  place->curvature_error *= scale;
+  place->torsion *= scale;
+  place->torsion_error *= scale;
 }
 
 static struct ph_verify_place curve_place(const struct ph_verify_path *path,
@@ -193,12 +218,9 @@ static struct ph_verify_place curve_place(const struct ph_verify_path *path,
     to_series(r);
     displace(path, u, r, &m, &place);
   }
-  place.speed = ph_vec3_abs(m.jet[0]);
   place.speed_error = m.error[0];
   place.along = ph_vec3_dot(m.jet[0], direction);
   place.along_error = m.error[0];
-  place.tangent = ph_vec3_scale(1 / place.speed, m.jet[0]);
-  place.tangent_error = m.error[0] / place.speed;
   bend(path, &m, &place);
   return place;
 }

@@ -132,6 +132,11 @@ tampered 'del(.offsets[0].samples[-1])' sample_error
 
 # ---- all solutions ---------------------------------------------------------------
 
+good far '{"points":[[0,0],[2e-300,1e-300],[3e-300,0]]}' planar --offset=0.5
+tampered '.offsets[0].distance *= 1.00000001' offset_error
+tampered '.offsets[0].segments[1].control_points[4][0] += 1e-9' offset_error
+tampered '.offsets[0].segments[1].weights[4] *= 1.0001' offset_error
+
 good all "{\"points\":$points}" planar --solutions=all
 tampered '.solutions[2].segments[1].control_points[3][0] += 1e-6' \
   pythagorean_error

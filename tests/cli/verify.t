@@ -121,6 +121,19 @@ for command in planar 'planar --basis=atph' tc; do
   verified "$command: a short segment" 1 --problems=short
 done
 
+# offsets whose distance and the size of the curve have a ratio without a square
+for ratio in '-300 5e-1' '-200 1e+100' '-300 1e-160' '+100 1e-200' '-1 1e+300'; do
+  size=${ratio% *}
+  for command in planar tc; do
+    echo '{"points":[[0,0],[2eX,1eX],[3eX,0],[5eX,2eX]]}' | sed "s/eX/e$size/g" |
+      made "$command" --offset="${ratio#* }" --sample=2
+    verified "$command: size 1e$size, offset ${ratio#* }" 1
+  done
+  echo '{"points":[[0,0,0],[2eX,1eX,3eX],[3eX,0,1eX]]}' | sed "s/eX/e$size/g" |
+    made spatial-hermite --offset="${ratio#* }"
+  verified "spatial-hermite: size 1e$size, offset ${ratio#* }" 1
+done
+
 # all minima have their intervals
 printf '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],"lengths":[1.8,1.9,1.6]}\n' \
   >minima
