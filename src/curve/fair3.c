@@ -22,11 +22,20 @@
  *   q^9 / sigma^3 ((3 q'/q - sigma'/sigma) T + T')^2                    (6)
  *
  * Polynomials are written in y = v - 1/2.  z is of degree 2, and the interval
- * is cut at its zeros, near to which (5) and (6) change fast.  At a zero that
+ * is cut at its zeros, near to which (5) and (6) change fast.  The poles of all
+ * integrands are known: the zeros of sigma, z and its conjugate.  One that is
+ * nearer to an interval than its nodes are to each other may be seen by none:
+ * such an interval is halved whatever the rules say.  At a distance d from a
+ * node, however complex, sigma is not 0 as long as
+ *
+ *   |B'| d + |B''/2| d^2 < (sqrt 2 - 1) |B|                             (7)
+ *
+ * since its terms besides |B|^2 are at most 2 |B| times that and its square,
+ * and z is not 0 as long as |z'| d + |z''/2| d^2 < |z|.  At a zero that
  * is real, an inflection, z changes its sign and arg z jumps, while (arg z)' is
  * that of the other factor of z.  Rules of 8 and
  * 16 nodes are compared, then 16 nodes on an interval with 16 on either half.
- * The finer value is kept, which is far better than the difference says.
+ * The finer value is kept, which is better than the difference says.
  */
 #include "curve/fair3.h"
 
@@ -42,14 +51,16 @@ enum { DEPTH_MAX = 50, PARTS_MAX = 1024, SUMS = 3 };
  * regularity having semi-axes that add up to r), and halves by much less
  * than e.
  */
-static const double AGREE = 1e-7, HALVES_AGREE = 1e-9;
+static const double AGREE = 1e-8, HALVES_AGREE = 1e-12;
 /* Error of what is squared in units of its terms. */
 static const double ROUNDING = 16 * DBL_EPSILON;
 /* Out of the plane, or off the line: less than this is rounding. */
 static const double FLAT = 1e-13;
-/* A zero of z nearer to the interval is on it; farther than that, the interval
- * is not cut. */
-static const double INFLECTION = 1e-6, NEAR = 0.3;
+/* A zero of z farther from the interval does not cut it; a real one, if it is
+ * double, is nearer to it than that. */
+static const double NEAR = 0.3, INFLECTION = 1e-6;
+/* Half the square of sqrt 2 - 1, and of 1: (x + y)^2 <= 2 (x^2 + y^2). */
+static const double CLEAR_SIGMA = 0.0857, CLEAR_Z = 0.5;
 
 /* The polynomials in y: of B, of W, of Im(conj(z) z'). */
 struct form {
@@ -60,6 +71,7 @@ struct form {
   double a2_size;     /* of the terms of B, squared */
   double z2_size;     /* of the terms of z, squared */
   bool twists;        /* the torsion counts */
+  double b2, z2;      /* |B''/2|^2, |z''/2|^2 */
   bool inflected;     /* z has a real zero on the interval */
   ph_cplx zero;       /* then: the other one */
   size_t parts;       /* intervals so far */
@@ -73,6 +85,7 @@ struct square {
 
 struct squares {
   struct square of[SUMS];
+  bool clear; /* no pole is nearer than the nodes are to each other */
 };
 
 static ph_cplx z_of(ph_quat w) {
@@ -103,6 +116,8 @@ static void set_form(struct form *f, const struct ph_atph *space,
   f->z2_size = ph_cplx_norm2(z[0]) + ph_cplx_norm2(z[1]) + ph_cplx_norm2(z[2]);
   f->parts = 0;
   f->inflected = false;
+  f->b2 = ph_quat_dot(f->b[2], f->b[2]);
+  f->z2 = ph_cplx_norm2(z[2]);
   for (size_t i = 0; i < SUMS; i++) {
     f->total[i] = 0;
   }
@@ -116,6 +131,9 @@ struct node {
   double turn, turn1;    /* (arg z)' and its derivative */
   double turn1_terms;    /* what turn1 is a difference of */
   double q3, dq;         /* q^3, q'/q */
+  double sigma, b1, z1;  /* sigma, |B'|^2, |z'|^2 */
+  double other2;         /* of an inflected one, the square of the distance from
+                            the other zero */
   double noise;          /* squared, what enlarges rounding */
 };
 
@@ -130,19 +148,27 @@ static inline struct node node_at(const struct form *f, double y) {
   double re = at(w[0].p, w[1].p, w[2].p, y), im = at(w[0].q, w[1].q, w[2].q, y);
   double y2 = 2 * y, q = f->q0 + f->q2 * y * y;
   double sigma = u * u + v * v + p * p + r * r;
-  double half = u * (b[1].u + y2 * b[2].u) + v * (b[1].v + y2 * b[2].v) +
-                p * (b[1].p + y2 * b[2].p) + r * (b[1].q + y2 * b[2].q);
+  double u1 = b[1].u + y2 * b[2].u, v1 = b[1].v + y2 * b[2].v;
+  double p1 = b[1].p + y2 * b[2].p, r1 = b[1].q + y2 * b[2].q;
+  double re1 = w[1].p + y2 * w[2].p, im1 = w[1].q + y2 * w[2].q;
+  double half = u * u1 + v * v1 + p * p1 + r * r1;
   struct node n;
   n.per_sigma = 1 / sigma;
   n.ds = 2 * half * n.per_sigma;
   n.z2 = re * re + im * im;
   n.per_z2 = 1 / n.z2;
-  n.dz = (re * (w[1].p + y2 * w[2].p) + im * (w[1].q + y2 * w[2].q)) * n.per_z2;
+  n.dz = (re * re1 + im * im1) * n.per_z2;
+  n.sigma = sigma;
+  n.b1 = u1 * u1 + v1 * v1 + p1 * p1 + r1 * r1;
+  n.z1 = re1 * re1 + im1 * im1;
+  n.other2 = 0;
   n.x = at(w[0].v, w[1].v, w[2].v, y);
   n.x1 = w[1].v + y2 * w[2].v;
   if (f->inflected) {
     double away = y - f->zero.re;
-    double per = 1 / (away * away + f->zero.im * f->zero.im);
+    double per;
+    n.other2 = away * away + f->zero.im * f->zero.im;
+    per = 1 / n.other2;
     n.turn = f->zero.im * per;
     n.turn1 = -2 * away * n.turn * per;
     n.turn1_terms = fabs(n.turn1);
@@ -156,6 +182,23 @@ static inline struct node node_at(const struct form *f, double y) {
   n.dq = 2 * f->q2 * y / q;
   n.noise = f->a2_size * n.per_sigma + f->z2_size * n.per_z2;
   return n;
+}
+
+/* (7) */
+static inline bool is_clear(const struct form *f, const struct node *n,
+                            double d) {
+  double d2 = d * d;
+  return d2 * (n->b1 + d2 * f->b2) < CLEAR_SIGMA * n->sigma &&
+         (f->inflected ? d2 < n->other2
+                       : d2 * (n->z1 + d2 * f->z2) < CLEAR_Z * n->z2);
+}
+
+/* Up to where node i is the nearest one, in [0,1]. */
+static inline double reach_of(const struct ph_quad *rule, size_t i) {
+  const double *x = rule->node;
+  double left = i > 0 ? 0.5 * (x[i] - x[i - 1]) : x[0];
+  double right = i + 1 < rule->n ? 0.5 * (x[i + 1] - x[i]) : 1 - x[i];
+  return left > right ? left : right;
 }
 
 static inline void add_square(struct square *sum, double weight, double x,
@@ -179,7 +222,7 @@ static inline void add_twisting(struct square *sum, const struct node *n,
 static struct squares integrate(const struct form *f,
                                 const struct ph_quad *rule, double y0,
                                 double y1) {
-  struct squares sum = {{{0, 0}, {0, 0}, {0, 0}}};
+  struct squares sum = {{{0, 0}, {0, 0}, {0, 0}}, true};
   for (size_t i = 0; i < rule->n; i++) {
     struct node n = node_at(f, y0 + (y1 - y0) * rule->node[i]);
     double weight = (y1 - y0) * rule->weight[i] * n.q3;
@@ -187,6 +230,7 @@ static struct squares integrate(const struct form *f,
     double slope = 3 * n.dq + n.dz - 2 * n.ds;
     double terms = fabs(3 * n.dq) + fabs(n.dz) + fabs(2 * n.ds);
     double bend = 4 * weight * per3 * n.z2;
+    sum.clear = sum.clear && is_clear(f, &n, (y1 - y0) * reach_of(rule, i));
     add_square(&sum.of[0], bend, 1, n.noise);
     weight *= n.q3 * n.q3 * per3;
     bend = 4 * weight * n.z2 * n.per_sigma * n.per_sigma;
@@ -235,7 +279,7 @@ static void refine(struct form *f, const struct ph_quad *rule, double y0,
   }
   f->parts++;
   if (depth == DEPTH_MAX || f->parts >= PARTS_MAX || !finite ||
-      all_agree(f, whole, &sum, HALVES_AGREE)) {
+      (left.clear && right.clear && all_agree(f, whole, &sum, HALVES_AGREE))) {
     accept(f, &sum);
     return;
   }
@@ -247,7 +291,7 @@ static void add_interval(struct form *f, const struct ph_fair3_rules *rules,
                          double y0, double y1) {
   struct squares coarse = integrate(f, &rules->coarse, y0, y1);
   struct squares fine = integrate(f, &rules->fine, y0, y1);
-  if (all_agree(f, &coarse, &fine, AGREE)) {
+  if (fine.clear && all_agree(f, &coarse, &fine, AGREE)) {
     accept(f, &fine);
   } else {
     refine(f, &rules->fine, y0, y1, &fine, 0);
@@ -268,11 +312,20 @@ static void zeros_of(const struct form *f, ph_cplx zero[2]) {
   zero[1] = ph_cplx_mul(z0, ph_cplx_inverse(sum));
 }
 
+/* Whether a zero of z is real and on the interval: z is rounding there. */
+static bool is_inflection(const struct form *f, ph_cplx zero) {
+  double y = zero.re;
+  double re = at(f->w[0].p, f->w[1].p, f->w[2].p, y);
+  double im = at(f->w[0].q, f->w[1].q, f->w[2].q, y);
+  return fabs(y) < 0.5 && fabs(zero.im) <= INFLECTION &&
+         hypot(re, im) <= FLAT * f->a2_size;
+}
+
 /* Zero i of z is real and on the interval.  Where the other one is real, too,
  * or there is none, arg z only jumps. */
 static void set_inflection(struct form *f, const ph_cplx zero[2], size_t i) {
   ph_cplx other = zero[1 - i];
-  bool turns = fabs(other.im) > (fabs(other.re) < 0.5 ? INFLECTION : 0) &&
+  bool turns = !is_inflection(f, other) && fabs(other.im) > 0 &&
                isfinite(ph_cplx_norm2(other));
   f->zero = turns ? other : ph_cplx_of(1, 0);
   f->inflected = true;
@@ -326,7 +379,7 @@ struct ph_fair3 ph_fair3_of(const struct ph_fair3_rules *rules,
   zeros_of(&f, zero);
   for (size_t i = 0; i < 2; i++) {
     if (fabs(zero[i].re) < 0.5 && fabs(zero[i].im) < NEAR) {
-      if (fabs(zero[i].im) <= INFLECTION) {
+      if (is_inflection(&f, zero[i])) {
         set_inflection(&f, zero, i);
       }
       cut[n++] = zero[i].re;

@@ -240,6 +240,62 @@ START_TEST(test_cusp) {
 }
 END_TEST
 
+/* ---- poles ----------------------------------------------------------------
+ */
+
+enum { LEVELS = 90 };
+
+/* The same by brute force: panels that halve towards a place on either side. */
+static struct ph_fair3 towards(const struct ph_seg3 *seg, double place) {
+  struct ph_fair3 sum = {0, 0, 0, false};
+  for (int side = 0; side < 2; side++) {
+    double far = side;
+    for (int k = 0; k <= LEVELS; k++) {
+      double near = k == LEVELS ? place : place + 0.7 * (far - place);
+      double h = fabs(near - far);
+      for (size_t j = 0; j < 2 * rule.n; j++) {
+        double x = 0.5 * ((double)(j / rule.n) + rule.node[j % rule.n]);
+        struct ph_bend3 bend = ph_seg3_bend(seg, near + x * (far - near));
+        double weight = 0.5 * h * rule.weight[j % rule.n];
+        sum.bending += weight * pow(bend.curvature, 2) * bend.speed;
+        sum.varying += weight * pow(bend.slope, 2) / bend.speed;
+      }
+      far = near;
+    }
+  }
+  return sum;
+}
+
+/* Near-cusps of any sharpness anywhere: A nearly vanishes at a place, where the
+ * speed and all integrands have peaks that no node need see. */
+START_TEST(test_near_cusps) {
+  struct unit_random r = unit_random_of(1105);
+  for (int n = 0; n < unit_count(2000); n++) {
+    struct ph_seg3 seg = {.space = ph_atph_of(0)};
+    double place = unit_random_in(&r, 0.01, 0.99);
+    double sharp = pow(10, unit_random_in(&r, -5, 0));
+    ph_quat least = ph_quat_scale(sharp, unit_random_turn(&r));
+    ph_quat slope = unit_random_turn(&r);
+    ph_quat bend =
+        ph_quat_scale(unit_random_in(&r, 0, 1), unit_random_turn(&r));
+    struct ph_fair3 found, wanted;
+    slope =
+        ph_quat_add(slope, ph_quat_scale(-ph_quat_dot(slope, least) /
+                                             ph_quat_dot(least, least),
+                                         least)); /* the least speed is there */
+    for (size_t i = 0; i < 3;
+         i++) { /* blossoms of least + slope y + bend y^2 */
+      double y0 = (i == 2) - place, y1 = (i > 0) - place;
+      seg.a[i] = ph_quat_add(least, ph_quat_scale(0.5 * (y0 + y1), slope));
+      seg.a[i] = ph_quat_add(seg.a[i], ph_quat_scale(y0 * y1, bend));
+    }
+    found = ph_fair3_of(&rules, &seg.space, seg.a);
+    wanted = towards(&seg, place);
+    ck_rel(found.bending, wanted.bending, 1e-9);
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("fair3");
   TCase *c = tcase_create("fair3");
@@ -253,6 +309,7 @@ static Suite *suite(void) {
   tcase_add_test(c, test_inflection);
   tcase_add_test(c, test_straight);
   tcase_add_test(c, test_cusp);
+  tcase_add_test(c, test_near_cusps);
   suite_add_tcase(s, c);
   return s;
 }
