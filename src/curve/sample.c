@@ -310,7 +310,8 @@ static enum ph_status go(struct walk *walk) {
           ? reserve(walk, curve->length / rules->spacing + 4, 0)
           : PH_OK;
   for (size_t k = 0; status == PH_OK && k < curve->n; k++) {
-    status = enter(walk, k);
+    status = ph_arena_late(walk->sampler.arena) ? ph_fail_memory(walk->diag)
+                                                : enter(walk, k);
     if (status == PH_OK) {
       status = places[rules->how](walk);
       ph_sum_add(&walk->start, walk->sampler.length);

@@ -56,6 +56,7 @@ struct state {
 bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
                          struct ph_arc_newton *w) {
   size_t size = sizeof(double);
+  w->arena = arena;
   w->kkt = ph_arena_array(arena, s->kkt_n, ph_band_size(1, s->kkt_band) * size);
   w->pivot = ph_arena_array(arena, s->kkt_n, sizeof(uint32_t));
   w->penalised =
@@ -395,7 +396,7 @@ bool ph_arc_newton_solve(const struct ph_arc_system *s,
   p->converged = p->minimiser = false;
   look(&t);
   for (size_t i = 0; i < limit && go && isfinite(p->f); i++) {
-    go = iterate(&t);
+    go = iterate(&t) && !ph_arena_late(work->arena);
     if (go) {
       look(&t);
     }

@@ -26,6 +26,7 @@ struct ph_arc_point {
 };
 
 struct ph_arc_newton {
+  const struct ph_arena *arena; /* of all this; knows how much time there is */
   struct ph_arc_linear linear;
   double *kkt; /* factors of the KKT matrix */
   uint32_t *pivot;

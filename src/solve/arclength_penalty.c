@@ -109,6 +109,7 @@ bool ph_arc_work_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
       !ph_arc_region_alloc(n, s->order_band, arena, &work->region)) {
     return false;
   }
+  work->arena = arena;
   work->ordered = x;
   work->step = x + n;
   work->to = x + 2 * n;
@@ -319,7 +320,8 @@ bool ph_arc_penalty(const struct ph_arc_system *s,
   *report = (struct ph_arc_penalty_report){0};
   begin(&g);
   report->rows = ph_arc_largest(s->y_n, work->c);
-  while (more && report->iterations < options->iterations && advance(&g)) {
+  while (more && report->iterations < options->iterations &&
+         !ph_arena_late(work->arena) && advance(&g)) {
     report->iterations++;
     report->rows = ph_arc_largest(s->y_n, work->c);
     if (is_inner(&g)) {

@@ -51,6 +51,7 @@ void ph_arc_twist(const struct ph_arc_system *system, double angle, double *x);
 
 /* What the search works in, for systems of one size. */
 struct ph_arc_work {
+  const struct ph_arena *arena; /* of all this; knows how much time there is */
   struct ph_arc_linear linear;
   struct ph_arc_region region;
   double *ordered;                 /* [x_n] in the order of matrices */

@@ -32,6 +32,7 @@ static const double FOLLOW_FIRST = 0.25, FOLLOW_SMALLEST = 1e-4;
 static const double FOLLOW_NEAR = 0.5;
 
 struct work {
+  const struct ph_arena *arena; /* knows how much time there is */
   struct ph_tri tri;
   ph_cplx *b;    /* the iterate */
   ph_cplx *step; /* Newton's step, then the next iterate; start values */
@@ -74,7 +75,7 @@ static bool is_enough(const struct ph_planar_measure *before,
  */
 static bool newton(const struct ph_planar_c2 *c2, struct work *w, bool damped,
                    int cap, size_t *iterations, struct ph_planar_measure *m) {
-  for (int i = 0; i < cap; i++) {
+  for (int i = 0; i < cap && !ph_arena_late(w->arena); i++) {
     struct ph_planar_measure next;
     double lambda = 1;
     ph_cplx *swap = w->b;
@@ -298,6 +299,7 @@ static enum ph_status work_init(struct work *w, const struct ph_planar_c2 *c2,
                                 struct ph_diag *diag) {
   size_t n = ph_planar_unknowns(c2);
   w->b = b;
+  w->arena = scratch;
   /* One more: the knot derivatives of a closed cubic spline. */
   w->step = ph_arena_array(scratch, n + 1, sizeof *w->step);
   return w->step && ph_tri_alloc(&w->tri, scratch, n) ? PH_OK

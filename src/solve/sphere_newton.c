@@ -58,6 +58,7 @@ struct ph_sphere_range ph_sphere_widen(const struct ph_sphere_data *d,
 
 bool ph_sphere_work_alloc(struct ph_sphere_work *work, struct ph_arena *arena,
                           size_t n) {
+  work->arena = arena;
   work->iterations = 0;
   work->residual = 0;
   work->step = ph_arena_array(arena, n, sizeof *work->step);
@@ -211,7 +212,9 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
   }
   keep(s, range, work->kept);
   miss = evaluate(s, range, 0, work);
-  for (size_t step = 0; step < STEPS_MAX && !is_solved(miss); step++) {
+  for (size_t step = 0;
+       step < STEPS_MAX && !is_solved(miss) && !ph_arena_late(work->arena);
+       step++) {
     struct miss next = miss;
     double fraction = step_of(s, range, work);
     keep(s, range, work->before);
@@ -250,7 +253,9 @@ void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
 bool ph_sphere_relax(struct ph_sphere_spline *s, struct ph_sphere_range range,
                      double tau, struct ph_sphere_work *work) {
   struct miss miss = evaluate(s, range, tau, work);
-  for (size_t step = 0; step < RELAX_MAX && !(miss.rms <= NEAR); step++) {
+  for (size_t step = 0;
+       step < RELAX_MAX && !(miss.rms <= NEAR) && !ph_arena_late(work->arena);
+       step++) {
     double fraction = step_of(s, range, work), before = miss.rms;
     keep(s, range, work->before);
     move(s, range, work->before, (const double(*)[2])work->step, fraction);

@@ -31,6 +31,7 @@ struct ph_sphere_range ph_sphere_widen(const struct ph_sphere_data *data,
                                        size_t first, size_t count, size_t by);
 
 struct ph_sphere_work {
+  const struct ph_arena *arena; /* of all this; knows how much time there is */
   struct ph_block2 system;
   double (*step)[2];
   ph_vec3 *before;   /* x at the begin of an iteration, and */

@@ -117,6 +117,25 @@ mv out late.out
 run planar good.jsonl
 equal_files 'results do not depend on the limit' out late.out
 
+# hard COMMAND FIELD: a problem that takes seconds, by points of an awk program,
+# ends soon after its time
+hard() {
+  awk -v field="$2" 'BEGIN {
+    printf "{\"%s\":[", field
+    for (i = 0; i < 3000; i++) printf "%s[%.9f,%.9f]", i ? "," : "", i / 10, \
+      20 * sin(i * i / 9)
+    print "]}"
+  }' >hard.json
+  began=$(date +%s)
+  run "$1" --time-limit=0.1 "$3" hard.json
+  expect "$1, a hard problem" 1 "phspline: hard.json:1: record 1: the record takes \
+longer than the 0.1 seconds of --time-limit [limit]
+$(failed 1 1)"
+  true_that "$1, a hard problem: it ends soon" [ $(($(date +%s) - began)) -lt 10 ]
+}
+hard sphere lonlat --shape=true
+hard arclength points --refine=3
+
 # ---- verify ------------------------------------------------------------------
 
 run planar -n 1000 good.jsonl

@@ -85,7 +85,7 @@ static void random_points(struct unit_random *r, bool closed, double sharp,
 }
 
 static struct work work_of(size_t n) {
-  struct work w;
+  struct work w = {.arena = &arena};
   w.b = ph_arena_array(&arena, n, sizeof *w.b);
   w.step = ph_arena_array(&arena, n + 1, sizeof *w.step);
   ck_assert(w.b && w.step);
