@@ -170,7 +170,7 @@ all: $(PROGRAM) ## build build/plain/phspline (the default)
 $(PROGRAM): $(MAIN_OBJ)
 $(LIB): $(LIB_OBJ) $(B)/objects
 	$(SAY) "  AR  $@"
-	$(Q)rm -f $@ && $(AR) rcs $@ $(LIB_OBJ)
+	$(Q)rm -f $@ && $(AR) qcs $@ $(LIB_OBJ)
 
 $(OBJ): $(B)/%.o: $(S)%.c $(B)/flags $(B)/libraries
 	$(SAY) "  CC  $<"

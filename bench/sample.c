@@ -12,10 +12,10 @@
 #include "curve/cusp.h"
 #include "curve/sample.h"
 #include "kernel/pi.h"
-#include "solve/planar.h"
-#include "solve/spatial_hermite.h"
-#include "solve/sphere.h"
-#include "solve/tc.h"
+#include "solve/planar/method.h"
+#include "solve/spatial/method.h"
+#include "solve/sphere/method.h"
+#include "solve/tc/method.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>

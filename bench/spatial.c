@@ -12,10 +12,10 @@
 #include "base/mem.h"
 #include "cert/cert.h"
 #include "curve/ph3.h"
-#include "solve/spatial_criteria.h"
-#include "solve/spatial_hermite.h"
-#include "solve/spatial_shape.h"
-#include "solve/spatial_tangents.h"
+#include "solve/spatial/criteria.h"
+#include "solve/spatial/method.h"
+#include "solve/spatial/shape.h"
+#include "solve/spatial/tangents.h"
 
 #include <gsl/gsl_errno.h>
 #include <string.h>

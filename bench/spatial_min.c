@@ -8,8 +8,8 @@
  */
 #include "spatial.h"
 
-#include "solve/spatial_fair.h"
-#include "solve/spatial_min.h"
+#include "solve/spatial/fair.h"
+#include "solve/spatial/min.h"
 
 #include <gsl/gsl_errno.h>
 

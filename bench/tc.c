@@ -7,10 +7,10 @@
 
 #include "base/mem.h"
 #include "kernel/pi.h"
-#include "solve/tc_approx.h"
-#include "solve/tc_g1.h"
-#include "solve/tc_pair.h"
-#include "solve/tc_two.h"
+#include "solve/tc/approx.h"
+#include "solve/tc/g1.h"
+#include "solve/tc/pair.h"
+#include "solve/tc/two.h"
 
 #include <gsl/gsl_errno.h>
 

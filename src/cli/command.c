@@ -7,11 +7,11 @@
 #include "curve/bezier.h"
 #include "curve/offset.h"
 #include "curve/parallel.h"
-#include "solve/arclength.h"
-#include "solve/planar.h"
-#include "solve/spatial_hermite.h"
-#include "solve/sphere.h"
-#include "solve/tc.h"
+#include "solve/arclength/method.h"
+#include "solve/planar/method.h"
+#include "solve/spatial/method.h"
+#include "solve/sphere/method.h"
+#include "solve/tc/method.h"
 
 #include <string.h>
 

@@ -45,7 +45,7 @@ enum ph_curve_kind {
  * knots[n + 1]    global parameter at the joints, increasing
  * lengths[n]      exact arc lengths; length is their sum
  *
- * Of spatial Hermite interpolants, else NULL (solve/spatial_hermite.h):
+ * Of spatial Hermite interpolants, else NULL (solve/spatial/method.h):
  * tension[n]      by its square the derivatives at both ends were scaled
  * angles[n][2]    theta and beta; NaN where there are none
  * shape_ok[n]     whether the segment keeps the shape of its data
@@ -285,7 +285,7 @@ struct ph_warning {
 enum { PH_WARNINGS_MAX = 8 };
 
 /* The theorem of Kantorovich at a solution of nonlinear equations: solve/ says
- * of which (solve/planar_kantorovich.h). */
+ * of which (solve/planar/kantorovich.h). */
 struct ph_kantorovich {
   double b, c, k, h;
   double radius;  /* infinite unless certified */
@@ -302,8 +302,8 @@ struct ph_solution {
 
 /*
  * Roots of the equations of Tschirnhausen cubics: X(SYMBOL, "name in records").
- * Of one cubic, the sign of D (solve/tc_g1.h); of a pair, the sign of w2 and
- * that of rho (solve/tc_pair.h), of which "++" is the standard pair.
+ * Of one cubic, the sign of D (solve/tc/g1.h); of a pair, the sign of w2 and
+ * that of rho (solve/tc/pair.h), of which "++" is the standard pair.
  */
 #define PH_ROOTS(X)    \
   X(PLUS, "+")         \
@@ -324,8 +324,8 @@ enum ph_root {
 
 /*
  * One data interval of a curve that is found with several segments in each
- * (solve/arclength.h), or with one or two cubics (solve/tc.h).  What there is
- * not is NaN, of root PH_ROOT_N.
+ * (solve/arclength/method.h), or with one or two cubics (solve/tc/method.h).
+ * What there is not is NaN, of root PH_ROOT_N.
  */
 struct ph_interval {
   double length;         /* of the curve between its two data */

@@ -6,8 +6,8 @@
  * to 128 bits with a table of powers rounded up (number_table.h).  It is too
  * large by less than one unit of its last bit, and this never matters: no
  * w 10^q comes that close to a place of decision without lying on it, which
- * tests/unit/t_number_table.c proves by continued fractions, for every w and q
- * in use.  Hence there is no "cannot tell" exit in either direction.
+ * tests/unit/io/t_number_table.c proves by continued fractions, for every w and
+ * q in use.  Hence there is no "cannot tell" exit in either direction.
  *
  * Reading: the product is rounded to 53 bits [Lemire 2021; Mushtak and Lemire
  * 2023, who prove the same for a table rounded down].  A text of more than 19

@@ -10,7 +10,7 @@
  *   e = (q * 217706 >> 16) - 127
  *   n, d = 10**max(q, 0) << max(-e, 0), 10**max(-q, 0) << max(e, 0)
  *   print("P(%016x,%016x)" % divmod(-(-n // d), 1 << 64))
- * tests/unit/t_number_table.c checks every entry with exact integers.
+ * tests/unit/io/t_number_table.c checks every entry with exact integers.
  */
 #ifndef PH_IO_NUMBER_TABLE_H
 #define PH_IO_NUMBER_TABLE_H

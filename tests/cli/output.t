@@ -326,7 +326,7 @@ untouched 'names with a slash'
 
 # ---- the disk ----------------------------------------------------------------
 
-# What fails, and in which order things are done, is tests/unit/t_output.c's.
+# What fails, and in which order things are done, is tests/unit/cli/t_output.c's.
 # synced WANTED ARGUMENT...: so many files and directories are waited for
 synced() {
   wanted=$1

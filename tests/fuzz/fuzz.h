@@ -4,9 +4,9 @@
  *
  * A target is tests/fuzz/NAME.c with LLVMFuzzerTestOneInput; its inputs are in
  * tests/fuzz/corpus/NAME/.  It gives any bytes to the program's own functions
- * and requires what their headers promise.  tests/unit/t_corpus.c includes all
- * targets, to run them on their corpora wherever the tests run: names of file
- * scope begin with the target's, and each declares its own entry.
+ * and requires what their headers promise.  tests/unit/cli/t_corpus.c includes
+ * all targets, to run them on their corpora wherever the tests run: names of
+ * file scope begin with the target's, and each declares its own entry.
  */
 #ifndef PH_TESTS_FUZZ_FUZZ_H
 #define PH_TESTS_FUZZ_FUZZ_H

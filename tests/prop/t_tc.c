@@ -11,7 +11,7 @@
 #include "unit.h"
 
 #include "kernel/pi.h"
-#include "solve/tc_g1.h"
+#include "solve/tc/g1.h"
 
 static struct tc_solution one, other;
 static struct tc_data data, image;

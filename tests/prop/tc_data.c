@@ -5,8 +5,8 @@
 
 #include "cert/cert.h"
 #include "kernel/pi.h"
-#include "solve/tc.h"
-#include "solve/tc_g1.h"
+#include "solve/tc/method.h"
+#include "solve/tc/g1.h"
 
 #include <float.h>
 #include <stdarg.h>

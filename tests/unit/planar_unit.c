@@ -5,7 +5,7 @@
 #include "unit.h"
 
 #include "cert/cert.h"
-#include "solve/planar.h"
+#include "solve/planar/method.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #ifndef PH_TESTS_TC_APPROX_UNIT_H
 #define PH_TESTS_TC_APPROX_UNIT_H
 
-#include "solve/tc_approx.h"
+#include "solve/tc/approx.h"
 
 /* The point of a Bezier curve. */
 ph_cplx unit_bezier_at(const struct ph_tc_bezier *curve, double u);

@@ -1,0 +1,422 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Newton's method for the equations of arclength (see arclength_newton.h). */
+#include "solve/arclength/newton.h"
+
+#include "kernel/band.h"
+#include "solve/arclength/form.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Residuals of rows, relative to the mean length, are below this in the end. */
+static const double RESIDUAL = 1e-12;
+/* So is the Newton decrement, relative to F: a fixed bound for the gradient
+ * would be below its rounding where F is small, as of many points. */
+static const double DECREMENT = 1e-9;
+/* Or it is rounding: so many times it did not fall by this in a step. */
+static const double STAGNANT = 0.25;
+enum { STAGNATIONS = 8 };
+/* From here on plain Newton steps are taken: the proof that they led to a
+ * minimum comes in the end. */
+static const double NEAR = 1e-7;
+static const double NEAR_DECREMENT = 1e-6; /* enough when steps are used up */
+/* Weight of what fixes the common phase. */
+static const double PIN = 1e3;
+/* Weights of J^T J in the test of A, each times 1 + |y|: with a fixed weight
+ * large multipliers would give false alarms. */
+static const double PENALTY[2] = {1e4, 1e7};
+/* Where that fails, the diagonal is raised by this part of its largest element,
+ * below which curvature is rounding: of many points all is. */
+static const double ROUNDING = 64 * 2.2204460492503131e-16;
+/* Weights of J^T J that prove a minimum. */
+static const double PROOF[4] = {1e2, 1e4, 1e6, 1e8};
+static const double SHIFT_FIRST = 1e-4, SHIFT_REFUSED = 1e-3, SHIFT_MAX = 1e10,
+                    SHIFT_NONE = 1e-7;
+static const double STEP_MIN = 1e-5;
+static const double ARMIJO = 1e-4;
+/* A step does not change a node by more than this times the largest one. */
+static const double STEP_MAX = 2;
+static const double STEP_SINGULAR = 1e6;
+
+struct state {
+  const struct ph_arc_system *s;
+  struct ph_arc_newton *w;
+  struct ph_arc_point *p;
+  double shift;
+  double nu;     /* weight of |c| in the merit function */
+  double y_size; /* largest multiplier */
+  bool near;     /* plain Newton steps */
+  double noise;  /* rounding of the merit function */
+  double before; /* the decrement of the step before, if that was near */
+  size_t stagnations;
+};
+
+/* ---- memory -------------------------------------------------------------- */
+
+bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
+                         struct ph_arc_newton *w) {
+  size_t size = sizeof(double);
+  w->arena = arena;
+  w->kkt = ph_arena_array(arena, s->kkt_n, ph_band_size(1, s->kkt_band) * size);
+  w->pivot = ph_arena_array(arena, s->kkt_n, sizeof(uint32_t));
+  w->penalised =
+      ph_arena_array(arena, s->x_n, ph_sym_size(1, s->order_band) * size);
+  w->step = ph_arena_array(arena, s->kkt_n, size);
+  w->dx = ph_arena_array(arena, s->x_n, size);
+  w->dx2 = ph_arena_array(arena, s->x_n, size);
+  w->x[0] = ph_arena_array(arena, s->x_n, size);
+  w->x[1] = ph_arena_array(arena, s->x_n, size);
+  w->y = ph_arena_array(arena, s->y_n, size);
+  w->dy = ph_arena_array(arena, s->y_n, size);
+  w->c = ph_arena_array(arena, s->y_n, size);
+  return ph_arc_linear_alloc(s, arena, &w->linear) && w->kkt && w->pivot &&
+         w->penalised && w->step && w->dx && w->dx2 && w->x[0] && w->x[1] &&
+         w->y && w->dy && w->c;
+}
+
+bool ph_arc_point_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
+                        struct ph_arc_point *p) {
+  *p =
+      (struct ph_arc_point){.x = ph_arena_array(arena, s->x_n, sizeof(double)),
+                            .y = ph_arena_array(arena, s->y_n, sizeof(double))};
+  if (!p->x || !p->y) {
+    return false;
+  }
+  memset(p->y, 0, s->y_n * sizeof *p->y);
+  return true;
+}
+
+void ph_arc_point_copy(const struct ph_arc_system *s,
+                       const struct ph_arc_point *from,
+                       struct ph_arc_point *to) {
+  double *x = to->x, *y = to->y;
+  *to = *from;
+  to->x = x;
+  to->y = y;
+  memcpy(x, from->x, s->x_n * sizeof *x);
+  memcpy(y, from->y, s->y_n * sizeof *y);
+}
+
+/* ---- the linear system --------------------------------------------------- */
+
+/* What row r yields to its multiplier. */
+static double compliance(const struct ph_arc_system *s, size_t r) {
+  bool soft =
+      s->compliance && r < s->data->n * s->forms_n && r % s->forms_n == 0;
+  return soft ? s->compliance[r / s->forms_n] : 0;
+}
+
+/* Whether all residuals are as small as asked for. */
+static bool rows_hold(const struct ph_arc_system *s, const double *c,
+                      const double *y) {
+  bool hold = true;
+  for (size_t r = 0; r < s->y_n; r++) {
+    double soft = compliance(s, r);
+    hold = hold && fabs(c[r] - soft * y[r]) <= RESIDUAL * (1 + soft);
+  }
+  return hold;
+}
+
+/* Solves for the right side (u, v) that is in the step already. */
+static void solve(struct state *t, double *dx, double *dy) {
+  const struct ph_arc_system *s = t->s;
+  ph_band_solve(t->w->kkt, t->w->pivot, s->kkt_n, s->kkt_band, t->w->step);
+  for (size_t k = 0; k < s->x_n; k++) {
+    dx[k] = t->w->step[s->place_x[k]];
+  }
+  for (size_t r = 0; dy && r < s->y_n; r++) {
+    dy[r] = t->w->step[s->place_y[r]];
+  }
+}
+
+/* Whether the Hessian with rho J^T J is positive definite. */
+static bool is_positive(const struct ph_arc_system *s, struct ph_arc_newton *w,
+                        const double *x, const double *y, double shift,
+                        double rho, bool rounded) {
+  struct ph_arc_weights weights = {1, shift, PIN};
+  ph_arc_penalised(s, x, y, &w->linear, &weights, rho, w->penalised);
+  if (rounded) {
+    double most = 0;
+    for (size_t k = 0; k < s->x_n; k++) {
+      double d = *ph_sym_at(w->penalised, s->order_band, k, k);
+      most = d > most ? d : most;
+    }
+    for (size_t k = 0; k < s->x_n; k++) {
+      *ph_sym_at(w->penalised, s->order_band, k, k) += ROUNDING * most;
+    }
+  }
+  return ph_sym_factor(w->penalised, s->x_n, s->order_band);
+}
+
+/* Whether the Hessian, shifted, is positive definite on the null space of J. */
+static bool is_convex(struct state *t) {
+  for (size_t k = 0; k < 3; k++) {
+    if (is_positive(t->s, t->w, t->p->x, t->p->y, t->shift,
+                    PENALTY[k % 2] * (1 + t->y_size), k == 2)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* The Newton step from a matrix that has the inertia of a minimum. */
+static bool find_step(struct state *t) {
+  const struct ph_arc_system *s = t->s;
+  struct ph_arc_newton *w = t->w;
+  const struct ph_arc_point *p = t->p;
+  while (t->shift <= SHIFT_MAX) {
+    struct ph_arc_weights weights = {1, t->shift, PIN};
+    if (t->near || is_convex(t)) {
+      ph_arc_kkt(s, p->x, p->y, &w->linear, &weights, w->kkt);
+      if (ph_band_factor(w->kkt, w->pivot, s->kkt_n, s->kkt_band)) {
+        for (size_t k = 0; k < s->x_n; k++) {
+          w->step[s->place_x[k]] = -w->linear.l_x[k];
+        }
+        for (size_t r = 0; r < s->y_n; r++) {
+          w->step[s->place_y[r]] = compliance(s, r) * p->y[r] - w->linear.c[r];
+        }
+        solve(t, w->dx, w->dy);
+        if (ph_arc_largest(s->x_n, w->dx) < STEP_SINGULAR &&
+            isfinite(ph_arc_largest(s->y_n, w->dy))) {
+          return true;
+        }
+      }
+    }
+    t->near = false;
+    t->shift = t->shift > 0 ? 4 * t->shift : SHIFT_FIRST;
+  }
+  return false;
+}
+
+/* ---- the search ---------------------------------------------------------- */
+
+/* F + nu |c|_1; soft rows by what they cost instead. */
+static double merit(struct state *t, const double *x) {
+  const struct ph_arc_system *s = t->s;
+  double *c = t->w->c, f = ph_arc_functional(s, x), sum = 0;
+  ph_arc_residual(s, x, c);
+  for (size_t r = 0; r < s->y_n; r++) {
+    double soft = compliance(s, r);
+    if (soft > 0) {
+      f += c[r] * c[r] / (2 * soft);
+    } else {
+      sum += fabs(c[r]);
+    }
+  }
+  return f + t->nu * sum;
+}
+
+/* The derivative of the merit function along the step, at most 0. */
+static double slope(struct state *t) {
+  const struct ph_arc_system *s = t->s;
+  const struct ph_arc_linear *l = &t->w->linear;
+  double sum = 0, hard = 0;
+  for (size_t k = 0; k < s->x_n; k++) {
+    sum += l->f_x[k] * t->w->dx[k];
+  }
+  if (s->compliance) { /* + c / compliance . J dx of the soft rows */
+    ph_arc_rows_times(s, l, t->w->dx, t->w->c);
+  }
+  for (size_t r = 0; r < s->y_n; r++) {
+    double soft = compliance(s, r);
+    if (soft > 0) {
+      sum += l->c[r] / soft * t->w->c[r];
+    } else {
+      hard += fabs(l->c[r]);
+    }
+  }
+  sum -= t->nu * hard;
+  return sum < 0 ? sum : 0;
+}
+
+/* The multiplier of |c|_1 follows the multipliers of the hard rows. */
+static void weigh_rows(struct state *t) {
+  double most = 0;
+  for (size_t r = 0; r < t->s->y_n; r++) {
+    double size = compliance(t->s, r) > 0 ? 0 : fabs(t->w->y[r]);
+    most = size > most ? size : most;
+  }
+  if (1.1 * most > t->nu) {
+    t->nu = 1.5 * most;
+  } else if (t->nu > 10 * most) {
+    t->nu = 3 * most;
+  }
+}
+
+/* A second step with the same matrix that takes the rows back to 0. */
+static void correct(struct state *t, const double *x) {
+  const struct ph_arc_system *s = t->s;
+  struct ph_arc_newton *w = t->w;
+  ph_arc_residual(s, x, w->c);
+  memset(w->step, 0, s->kkt_n * sizeof *w->step);
+  for (size_t r = 0; r < s->y_n; r++) {
+    w->step[s->place_y[r]] = compliance(s, r) * w->y[r] - w->c[r];
+  }
+  solve(t, w->dx2, NULL);
+  for (size_t k = 0; k < s->x_n; k++) {
+    w->dx2[k] += w->dx[k];
+  }
+}
+
+/* The largest change of a node by a step, relative to the largest node. */
+static double change(struct state *t) {
+  const double *x = t->p->x;
+  double most = 0, size = ph_arc_largest(t->s->nodes * t->s->dim, x);
+  ph_arc_retract(t->s, x, t->w->dx, 1, t->w->x[0]);
+  for (size_t k = 0; k < t->s->x_n; k++) {
+    double moved = fabs(t->w->x[0][k] - x[k]);
+    most = moved > most ? moved : most;
+  }
+  return most / size;
+}
+
+/* The step length; the new x is in w->x[0].  0: none was good enough. */
+static double search(struct state *t) {
+  const struct ph_arc_system *s = t->s;
+  struct ph_arc_newton *w = t->w;
+  double before = merit(t, t->p->x), down = slope(t), far = change(t);
+  double step = far < STEP_MAX ? 1 : STEP_MAX / far;
+  double noise = t->noise + 1e-14 * before;
+  while (step > STEP_MIN) {
+    double *swap;
+    ph_arc_retract(s, t->p->x, w->dx, step, w->x[0]);
+    if (merit(t, w->x[0]) <= before + ARMIJO * step * down + noise) {
+      return step;
+    }
+    if (!(step < 1)) {
+      correct(t, w->x[0]);
+      ph_arc_retract(s, t->p->x, w->dx2, 1, w->x[1]);
+      if (merit(t, w->x[1]) <= before + ARMIJO * down + noise) {
+        swap = w->x[0];
+        w->x[0] = w->x[1];
+        w->x[1] = swap;
+        return 1;
+      }
+    }
+    step /= 2;
+  }
+  return 0;
+}
+
+/* ---- the iteration ------------------------------------------------------- */
+
+static double decrement(const struct state *t) {
+  double sum = 0;
+  for (size_t k = 0; k < t->s->x_n; k++) {
+    sum += t->w->linear.l_x[k] * t->w->dx[k];
+  }
+  return fabs(sum);
+}
+
+/* Everything at x and y. */
+static void look(struct state *t) {
+  const struct ph_arc_system *s = t->s;
+  struct ph_arc_point *p = t->p;
+  ph_arc_linearise(s, p->x, p->y, &t->w->linear);
+  t->y_size = ph_arc_largest(s->y_n, p->y);
+  p->f = t->w->linear.f;
+  p->kkt = ph_arc_largest(s->x_n, t->w->linear.l_x) / (1 + t->y_size);
+  p->residual = 0;
+  for (size_t r = 0; r < s->y_n && !isnan(p->residual); r++) {
+    double soft = compliance(s, r);
+    double c = fabs(t->w->linear.c[r] - soft * p->y[r]) / (1 + soft);
+    p->residual = c <= p->residual || isnan(p->residual) ? p->residual : c;
+  }
+  t->near = p->residual < NEAR && p->kkt < NEAR;
+  t->shift = t->near ? 0 : t->shift;
+  t->noise = 1e-10 * p->f + 1e-15 * (double)s->y_n * t->nu;
+}
+
+/* The last step is taken if it keeps the rows. */
+static void finish(struct state *t) {
+  const struct ph_arc_system *s = t->s;
+  struct ph_arc_newton *w = t->w;
+  ph_arc_retract(s, t->p->x, w->dx, 1, w->x[0]);
+  ph_arc_residual(s, w->x[0], w->c);
+  if (rows_hold(s, w->c, w->y)) {
+    memcpy(t->p->x, w->x[0], s->x_n * sizeof *w->x[0]);
+    memcpy(t->p->y, w->y, s->y_n * sizeof *w->y);
+  }
+  t->p->converged = true;
+  t->p->iterations++;
+  look(t);
+}
+
+/* Whether the decrement is as small as it is asked to be or can be. */
+static bool is_settled(struct state *t) {
+  double now = decrement(t), before = t->before;
+  t->before = t->near ? now : (double)INFINITY;
+  t->stagnations += t->near && now >= STAGNANT * before;
+  return now <= DECREMENT * t->p->f || t->stagnations >= STAGNATIONS;
+}
+
+/* One iteration; false when there is no way on. */
+static bool iterate(struct state *t) {
+  const struct ph_arc_system *s = t->s;
+  struct ph_arc_newton *w = t->w;
+  struct ph_arc_point *p = t->p;
+  double step;
+  if (!find_step(t)) {
+    return false;
+  }
+  for (size_t r = 0; r < s->y_n; r++) {
+    w->y[r] = p->y[r] + w->dy[r];
+  }
+  if (rows_hold(s, w->linear.c, p->y) && is_settled(t)) {
+    finish(t);
+    return false;
+  }
+  weigh_rows(t);
+  step = search(t);
+  p->iterations++;
+  if (!(step > 0) && t->near) {
+    ph_arc_retract(s, p->x, w->dx, 1, w->x[0]);
+    step = 1;
+  } else if (!(step > 0)) {
+    t->shift = t->shift > SHIFT_REFUSED / 10 ? 10 * t->shift : SHIFT_REFUSED;
+    return t->shift <= SHIFT_MAX;
+  }
+  memcpy(p->x, w->x[0], s->x_n * sizeof *p->x);
+  for (size_t r = 0; r < s->y_n; r++) {
+    p->y[r] += step * w->dy[r];
+  }
+  t->shift = !(step < 1)    ? t->shift / 10
+             : step > 0.2   ? t->shift
+             : t->shift > 0 ? 4 * t->shift
+                            : SHIFT_REFUSED;
+  t->shift = t->shift < SHIFT_NONE ? 0 : t->shift;
+  return true;
+}
+
+bool ph_arc_newton_solve(const struct ph_arc_system *s,
+                         struct ph_arc_newton *work, size_t limit,
+                         struct ph_arc_point *p) {
+  struct state t = {.s = s, .w = work, .p = p, .before = (double)INFINITY};
+  bool go = true;
+  p->converged = p->minimiser = false;
+  look(&t);
+  for (size_t i = 0; i < limit && go && isfinite(p->f); i++) {
+    go = iterate(&t) && !ph_arena_late(work->arena);
+    if (go) {
+      look(&t);
+    }
+  }
+  if (go && rows_hold(s, work->linear.c, p->y) &&
+      decrement(&t) <= NEAR_DECREMENT * p->f) {
+    p->converged = true;
+  }
+  p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y);
+  return p->converged;
+}
+
+bool ph_arc_is_minimum(const struct ph_arc_system *s,
+                       struct ph_arc_newton *work, const double *x,
+                       const double *y) {
+  ph_arc_linearise(s, x, y, &work->linear);
+  for (size_t k = 0; k < 5; k++) {
+    if (is_positive(s, work, x, y, 0, PROOF[k % 4], k == 4)) {
+      return true;
+    }
+  }
+  return false;
+}

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Fields that several methods have (see fields.h). */
+#include "solve/common/fields.h"
+
+#include "kernel/pi.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A last point within this of the first, relative to the largest coordinate,
+ * repeats it. */
+static const double REPEATED = 1e-14;
+
+bool ph_field_is(const struct ph_value *value, const char *word) {
+  return value->kind == PH_WORD && strcmp(value->word, word) == 0;
+}
+
+double ph_fields_largest(const double *v, size_t n) {
+  double largest = 0;
+  for (size_t i = 0; i < n; i++) {
+    double x = fabs(v[i]);
+    largest = x > largest ? x : largest;
+  }
+  return largest;
+}
+
+static bool repeats_first(const struct ph_value *points) {
+  size_t n = points->n, dimension = points->dimension;
+  const double *last = points->v + dimension * (n - 1);
+  double size = ph_fields_largest(points->v, dimension * n), away = 0;
+  for (size_t j = 0; j < dimension; j++) {
+    away = hypot(away, last[j] - points->v[j]);
+  }
+  return away <= REPEATED * size;
+}
+
+enum ph_status ph_fields_segments(const struct ph_problem *problem,
+                                  size_t *segments, struct ph_diag *diag) {
+  const struct ph_value *points = &problem->field[PH_F_POINTS];
+  bool closed = problem->field[PH_F_CLOSED].flag;
+  size_t n = points->n;
+  if (closed && n > 1 && repeats_first(points)) {
+    n--;
+  }
+  if (n < (closed ? 3u : 2u)) {
+    return ph_fail(diag, PH_TOO_FEW_POINTS, "points",
+                   closed ? "must be at least 3 different points for a "
+                            "closed curve, found %zu"
+                          : "must be at least 2, found %zu",
+                   n);
+  }
+  *segments = closed ? n : n - 1;
+  return PH_OK;
+}
+
+enum ph_status ph_fields_knots(const struct ph_value *knots, size_t n,
+                               bool closed, double *h, struct ph_diag *diag) {
+  if (knots->n != n + 1) {
+    return ph_fail(diag, PH_BAD_SHAPE, "knots",
+                   closed ? "must have %zu numbers, one for each point and "
+                            "one that closes the period, found %zu"
+                          : "must have %zu numbers, one for each point, "
+                            "found %zu",
+                   n + 1, knots->n);
+  }
+  for (size_t k = 0; k < n; k++) {
+    if (!(knots->v[k + 1] > knots->v[k])) {
+      return ph_fail_at(diag, PH_BAD_VALUE, "knots", k + 1,
+                        "must be greater than the knot before, %.17g, found "
+                        "%.17g",
+                        knots->v[k], knots->v[k + 1]);
+    }
+    h[k] = knots->v[k + 1] - knots->v[k];
+    if (!isfinite(h[k])) {
+      return ph_fail_at(diag, PH_TOO_LARGE, "knots", k + 1,
+                        "differs from the knot before by more than a double "
+                        "can hold");
+    }
+  }
+  return PH_OK;
+}
+
+static enum ph_status out_of_range(const char *what, bool one, size_t k,
+                                   const char *range, double x,
+                                   struct ph_diag *diag) {
+  static const char problem[] = "must be %s, found %.17g";
+  return one ? ph_fail(diag, PH_BAD_VALUE, what, problem, range, x)
+             : ph_fail_at(diag, PH_BAD_VALUE, what, k, problem, range, x);
+}
+
+enum ph_status ph_fields_each(const struct ph_value *value, const char *what,
+                              size_t n, double below, const char *range,
+                              double *v, struct ph_diag *diag) {
+  bool one = value->kind == PH_NUMBER;
+  if (!one && value->n != n) {
+    return ph_fail(diag, PH_BAD_SHAPE, what,
+                   "must have %zu numbers, one for each segment, found %zu", n,
+                   value->n);
+  }
+  for (size_t k = 0; k < n; k++) {
+    v[k] = one ? value->number : value->v[k];
+    if (!(v[k] > 0 && v[k] < below)) {
+      return out_of_range(what, one, k, range, v[k], diag);
+    }
+  }
+  return PH_OK;
+}
+
+enum ph_status ph_fields_angles(const struct ph_value *value, size_t n,
+                                double *angle, struct ph_diag *diag) {
+  return ph_fields_each(value, "alpha", n, PH_PI, "between 0 and pi", angle,
+                        diag);
+}
+
+void ph_warn_alpha(const struct ph_curve *curve, struct ph_result *result) {
+  const double usual = 2.095; /* 2 pi/3, also as 0.6667 pi */
+  size_t found = 0, first = 0;
+  for (size_t k = 0; curve->alpha && k < curve->n; k++) {
+    if (curve->alpha[k] > usual && found++ == 0) {
+      first = k;
+    }
+  }
+  if (found) {
+    ph_fail(ph_warning_add(result, first), PH_LARGE_ALPHA, NULL,
+            "alpha[%zu] is above 2 pi/3 (such segments: %zu)", first, found);
+  }
+}

@@ -1,0 +1,441 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The method `planar`: from the fields of a problem to a C2 PH quintic or ATPH
+ * spline.
+ *
+ * The data are checked and brought to unit scale (planar_data.h), the C2
+ * equations solved (planar_c2.h), and the preimage mapped back.
+ *
+ * [GON18] gives the equations for knots that are sums of the angles alpha; PH
+ * quintics may have any knots, chordal by default.
+ */
+#include "solve/planar/method.h"
+
+#include "curve/energy.h"
+#include "solve/common/fields.h"
+#include "solve/planar/all.h"
+#include "solve/planar/curve.h"
+#include "solve/planar/kantorovich.h"
+#include "solve/planar/min.h"
+#include "solve/planar/newton.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Directions within this of exactly opposite count as a reversal. */
+static const double REVERSAL = 1e-12;
+
+/* Two curves whose lengths agree to this are the same curve. */
+static const double SAME_LENGTH = 1e-9;
+
+/* Control points of the same curve are within this of each other, relative to
+ * its length: other solutions are far away, but a multiple one is known to the
+ * root of rounding only. */
+static const double SAME_CURVE = 1e-7;
+
+/* E L below this is that of a straight line. */
+static const double STRAIGHT = 1e-12;
+
+/* On more segments the theorem would take as long as the solution. */
+enum { KANTOROVICH_MAX = 100 };
+
+static void warn_loops(const struct ph_planar_loops *loops,
+                       struct ph_result *result) {
+  if (loops->n) {
+    ph_fail(ph_warning_add(result, loops->first), PH_LOOP, NULL,
+            "segment %zu turns by %.4g radians, more than half a turn (such "
+            "segments: %zu)",
+            loops->first, loops->angle, loops->n);
+  }
+}
+
+static int order(double a, double b) {
+  return (a > b) - (a < b);
+}
+
+static bool is_same_length(double a, double b) {
+  return fabs(a - b) <= SAME_LENGTH * b;
+}
+
+static void warn_reversals(const struct ph_planar_data *d,
+                           struct ph_result *result) {
+  size_t found = 0, first = 0;
+  for (size_t k = d->closed ? 0 : 1; k < d->n; k++) {
+    ph_cplx before = d->c2.direction[k > 0 ? k - 1 : d->n - 1];
+    ph_cplx after = d->c2.direction[k];
+    if (ph_cplx_dot(before, after) < 0 &&
+        fabs(ph_cplx_cross(before, after)) <= REVERSAL) {
+      first = found ? first : k;
+      found++;
+    }
+  }
+  if (found) {
+    ph_fail(ph_warning_add(result, first), PH_REVERSAL, NULL,
+            "the data turn back by 180 degrees at points[%zu] (such points: "
+            "%zu): of two mirror images the left turn was taken",
+            first, found);
+  }
+}
+
+static bool is_chordal(const struct ph_value *value) {
+  return value->kind == PH_ABSENT ||
+         (value->kind == PH_WORD && strncmp(value->word, "chordal", 7) == 0);
+}
+
+/* Spacings unrelated to the chords are what makes data unsolvable. */
+static enum ph_status advise(const struct ph_problem *problem,
+                             struct ph_diag *diag) {
+  const char *advice =
+      !is_chordal(&problem->field[PH_F_KNOTS])   ? "; try \"knots\":\"chordal\""
+      : !is_chordal(&problem->field[PH_F_ALPHA]) ? "; try \"alpha\":\"chordal\""
+                                                 : "";
+  strncat(diag->message, advice,
+          sizeof diag->message - 1 - strlen(diag->message));
+  return diag->status;
+}
+
+/* Whether the data turn by more than a right angle anywhere: other good curves
+ * may exist then. */
+static bool turns_sharply(const struct ph_planar_c2 *c2) {
+  size_t n = c2->n;
+  for (size_t k = 0; k + 1 < n; k++) {
+    if (ph_cplx_dot(c2->direction[k], c2->direction[k + 1]) < 0) {
+      return true;
+    }
+  }
+  return c2->closed ? ph_cplx_dot(c2->direction[n - 1], c2->direction[0]) < 0
+                    : ph_cplx_dot(c2->end[0], c2->direction[0]) < 0 ||
+                          ph_cplx_dot(c2->direction[n - 1], c2->end[1]) < 0;
+}
+
+/* E L, which is the same for every scale. */
+static double fairness(const struct ph_curve *curve) {
+  struct ph_energy energy;
+  return ph_energy_planar(curve, &energy) ? energy.ies : (double)NAN;
+}
+
+/*
+ * Where the data turn sharply, solves once more from the other start, and keeps
+ * the fairer curve of two that differ.  On random data the two starts differ
+ * often, and neither is always the better one.
+ */
+static enum ph_status compare_starts(struct ph_planar_data *d,
+                                     struct ph_arena *scratch,
+                                     struct ph_result *result,
+                                     struct ph_planar_loops *loops,
+                                     struct ph_planar_report *report,
+                                     ph_cplx *first, struct ph_diag *diag) {
+  double twist = d->c2.twist.re, other;
+  struct ph_planar_report second;
+  struct ph_planar_loops second_loops;
+  struct ph_curve curve;
+  ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
+  struct ph_diag why;
+  enum ph_status status =
+      b ? ph_planar_c2_second(&d->c2, scratch, b, &second, &why)
+        : ph_fail_memory(&why);
+  if (status == PH_NO_CONVERGENCE) {
+    d->c2.twist.re = twist;
+    return PH_OK; /* there is nothing to compare with */
+  }
+  if (status != PH_OK) {
+    *diag = why;
+  }
+  if (status == PH_OK) {
+    status = ph_planar_curve_alloc(d, scratch, &curve, diag);
+  }
+  if (status != PH_OK) {
+    return status;
+  }
+  ph_planar_curve_fill(d, b, &curve, &second_loops);
+  if (is_same_length(curve.length, result->curve.length)) {
+    d->c2.twist.re = twist;
+    return PH_OK;
+  }
+  other = curve.length;
+  if (fairness(&curve) < fairness(&result->curve)) {
+    other = result->curve.length;
+    ph_planar_curve_fill(d, b, &result->curve, loops);
+    memcpy(first, b, ph_planar_unknowns(&d->c2) * sizeof *b);
+    *report = second;
+  } else {
+    d->c2.twist.re = twist;
+  }
+  ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_AMBIGUOUS, NULL,
+          "another good curve exists, of length %.6g: of the two the one that "
+          "bends less was taken; \"solutions\":\"all\" shows all",
+          other);
+  return PH_OK;
+}
+
+/* What is said of a solution, and of the equations there. */
+static enum ph_status report_solution(const struct ph_planar_data *d,
+                                      const ph_cplx *b, size_t iterations,
+                                      double residual, struct ph_arena *scratch,
+                                      struct ph_result *result,
+                                      struct ph_diag *diag) {
+  ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS, (double)iterations);
+  ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, residual);
+  result->has_kantorovich = d->n <= KANTOROVICH_MAX;
+  if (result->has_kantorovich &&
+      !ph_planar_kantorovich(&d->c2, b, scratch, &result->kantorovich)) {
+    return ph_fail_memory(diag);
+  }
+  return PH_OK;
+}
+
+static enum ph_status solve_good(struct ph_planar_data *d, struct ph_arena *out,
+                                 struct ph_arena *scratch,
+                                 struct ph_result *result,
+                                 struct ph_planar_loops *loops,
+                                 struct ph_diag *diag) {
+  struct ph_planar_report report;
+  ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
+  enum ph_status status =
+      b ? ph_planar_c2_solve(&d->c2, scratch, b, &report, diag)
+        : ph_fail_memory(diag);
+  if (status == PH_OK) {
+    status = ph_planar_curve_alloc(d, out, &result->curve, diag);
+  }
+  if (status != PH_OK) {
+    return status;
+  }
+  ph_planar_curve_fill(d, b, &result->curve, loops);
+  if (turns_sharply(&d->c2)) {
+    status = compare_starts(d, scratch, result, loops, &report, b, diag);
+  }
+  return status == PH_OK
+             ? report_solution(d, b, report.iterations, report.residual,
+                               scratch, result, diag)
+             : status;
+}
+
+/* The solution of the fairest angles or knots. */
+static enum ph_status
+solve_fairest(const struct ph_problem *problem, struct ph_planar_data *d,
+              struct ph_arena *out, struct ph_arena *scratch,
+              struct ph_result *result, struct ph_planar_loops *loops,
+              struct ph_diag *diag) {
+  static const char *const names[] = {"E", "MV", "IES", "IMV"};
+  const char *name = problem->field[PH_F_MINIMIZE].word;
+  const struct ph_value *free = &problem->field[PH_F_FREE];
+  enum ph_planar_functional functional = PH_PLANAR_E;
+  struct ph_planar_min report;
+  ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
+  enum ph_status status;
+  while (functional < PH_PLANAR_IMV && strcmp(name, names[functional]) != 0) {
+    functional++;
+  }
+  status = b ? ph_planar_minimize(d, functional, ph_field_is(free, "scale"),
+                                  scratch, b, &report, diag)
+             : ph_fail_memory(diag);
+  if (status == PH_OK) {
+    status = ph_planar_curve_alloc(d, out, &result->curve, diag);
+  }
+  if (status != PH_OK) {
+    return status;
+  }
+  ph_planar_curve_fill(d, b, &result->curve, loops);
+  ph_diagnostics_set_finite(&result->diagnostics, PH_D_FUNCTIONAL,
+                            report.minimum);
+  ph_diagnostics_set(&result->diagnostics, PH_D_AT_BOUND, report.at_bound);
+  ph_diagnostics_set_finite(&result->diagnostics, PH_D_FUNCTIONAL_START,
+                            report.start);
+  return report_solution(d, b, report.evaluations,
+                         sqrt(ph_planar_residual(&d->c2, b).max2), scratch,
+                         result, diag);
+}
+
+/* Whether two values are the same, but for rounding. */
+static bool is_same(double a, double b) {
+  return fabs(a - b) <= SAME_LENGTH * fmax(fabs(a), fabs(b));
+}
+
+/* E, times a length that all have in common; or 0 where it is rounding. */
+static double fairness_of(const struct ph_solution *solution) {
+  double energy = solution->diagnostics.value[PH_D_ENERGY];
+  return energy > STRAIGHT ? energy : 0;
+}
+
+/* Which of two curves is farther to the left of its chords where they part, or
+ * farther on along them; 0 where they are the same. */
+static int compare_sides(const struct ph_curve *x, const struct ph_curve *y) {
+  double apart = SAME_CURVE * x->length;
+  for (size_t i = 0; i < 6 * x->n; i++) {
+    const double *p = x->control_points + 2 * i, *q = y->control_points + 2 * i;
+    const double *chord = x->control_points + 12 * (i / 6);
+    ph_cplx off = ph_cplx_of(p[0] - q[0], p[1] - q[1]);
+    ph_cplx c = ph_cplx_of(chord[10] - chord[0], chord[11] - chord[1]);
+    double size = hypot(c.re, c.im), left, on;
+    c = ph_cplx_of(c.re / size, c.im / size);
+    left = ph_cplx_cross(c, off);
+    on = ph_cplx_dot(c, off);
+    if (fabs(left) > apart || fabs(on) > apart) {
+      return fabs(left) > apart ? order(0, left) : order(0, on);
+    }
+  }
+  return 0;
+}
+
+/* Those that bend least first; where they bend alike, the shorter, then the one
+ * that is found alone, then the one that turns less: of straight lines, the one
+ * that goes straight.  Mirror images are alike in all that; the one to the left
+ * comes first.  None of that depends on rounding. */
+static int compare_solutions(const void *a, const void *b) {
+  const struct ph_solution *x = a, *y = b;
+  double turns[2] = {x->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX],
+                     y->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX]};
+  if (!is_same(fairness_of(x), fairness_of(y))) {
+    return order(fairness_of(x), fairness_of(y));
+  }
+  if (!is_same_length(x->curve.length, y->curve.length)) {
+    return order(x->curve.length, y->curve.length);
+  }
+  if (x->good != y->good) {
+    return x->good ? -1 : 1;
+  }
+  if (!(fabs(turns[0] - turns[1]) <= SAME_LENGTH)) {
+    return order(turns[0], turns[1]);
+  }
+  return compare_sides(&x->curve, &y->curve);
+}
+
+static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
+                                    const struct ph_curve *good,
+                                    struct ph_arena *out,
+                                    struct ph_solution *solution,
+                                    struct ph_diag *diag) {
+  struct ph_planar_loops loops;
+  struct ph_energy energy;
+  enum ph_status status;
+  *solution = (struct ph_solution){.good = false};
+  status = ph_planar_curve_alloc(d, out, &solution->curve, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  ph_planar_curve_fill(d, b, &solution->curve, &loops);
+  if (!ph_energy_planar(&solution->curve, &energy)) {
+    return ph_fail_memory(diag);
+  }
+  /* for comparing; the certificate says what is known */
+  solution->diagnostics.value[PH_D_ENERGY] =
+      isfinite(energy.ies)
+          ? energy.ies * (good->length / solution->curve.length)
+          : HUGE_VAL;
+  solution->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX] =
+      energy.absolute_rotation;
+  solution->good = is_same_length(solution->curve.length, good->length) &&
+                   compare_sides(good, &solution->curve) == 0;
+  return PH_OK;
+}
+
+/* Makes the best of all solutions the curve, and sorts them. */
+static enum ph_status
+choose_best(struct ph_planar_data *d, const struct ph_planar_all *all,
+            struct ph_arena *scratch, struct ph_result *result,
+            struct ph_planar_loops *loops, struct ph_diag *diag) {
+  const struct ph_diagnostics *known = &result->diagnostics;
+  size_t iterations = (size_t)known->value[PH_D_ITERATIONS], best = 0;
+  const ph_cplx *b;
+  for (size_t i = 1; i < all->n; i++) {
+    if (compare_solutions(&result->solutions[i], &result->solutions[best]) <
+        0) {
+      best = i;
+    }
+  }
+  b = all->b + best * ph_planar_unknowns(&d->c2);
+  d->c2.twist = ph_cplx_of(all->twist[best], 0);
+  ph_planar_curve_fill(d, b, &result->curve, loops);
+  qsort(result->solutions, all->n, sizeof *result->solutions,
+        compare_solutions);
+  result->solutions_n = all->n;
+  for (size_t i = 0, good = 0; i < all->n; i++) { /* one of equal length */
+    result->solutions[i].good = result->solutions[i].good && good++ == 0;
+  }
+  return report_solution(d, b, iterations,
+                         sqrt(ph_planar_residual(&d->c2, b).max2), scratch,
+                         result, diag);
+}
+
+/* Adds every solution to the good one. */
+static enum ph_status
+add_solutions(struct ph_planar_data *d, struct ph_arena *out,
+              struct ph_arena *scratch, struct ph_result *result,
+              struct ph_planar_loops *loops, struct ph_diag *diag) {
+  struct ph_planar_all all;
+  enum ph_status status = ph_planar_all(&d->c2, out, scratch, &all, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  result->solutions = ph_arena_array(out, all.n, sizeof *result->solutions);
+  if (!result->solutions) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; status == PH_OK && i < all.n; i++) {
+    d->c2.twist = ph_cplx_of(all.twist[i], 0);
+    status = fill_solution(d, all.b + i * ph_planar_unknowns(&d->c2),
+                           &result->curve, out, &result->solutions[i], diag);
+  }
+  return status == PH_OK ? choose_best(d, &all, scratch, result, loops, diag)
+                         : status;
+}
+
+static enum ph_status solve(const struct ph_problem *problem,
+                            struct ph_arena *out, struct ph_arena *scratch,
+                            struct ph_result *result, struct ph_diag *diag) {
+  struct ph_mark mark = ph_arena_mark(scratch);
+  struct ph_planar_loops loops;
+  struct ph_planar_data d;
+  enum ph_status status = ph_planar_data_of(problem, scratch, &d, diag);
+  if (status == PH_OK && problem->field[PH_F_MINIMIZE].kind == PH_WORD) {
+    status = solve_fairest(problem, &d, out, scratch, result, &loops, diag);
+  } else if (status == PH_OK) {
+    status = solve_good(&d, out, scratch, result, &loops, diag);
+  }
+  if (status == PH_NO_CONVERGENCE) {
+    status = advise(problem, diag);
+  }
+  if (status == PH_OK && ph_field_is(&problem->field[PH_F_SOLUTIONS], "all")) {
+    status = add_solutions(&d, out, scratch, result, &loops, diag);
+  }
+  if (status == PH_OK) {
+    ph_warn_alpha(&result->curve, result);
+    warn_reversals(&d, result);
+    warn_loops(&loops, result);
+  }
+  ph_arena_release(scratch, mark);
+  return status;
+}
+
+static const struct ph_field fields[] = {
+    {PH_F_POINTS, PH_VECTORS, 1u << 2, true, NULL, NULL,
+     "the points to interpolate, 2 or more, 3 or more if closed"},
+    {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
+     "close the curve, a repeated last point is dropped"},
+    {PH_F_BASIS, PH_WORD, 0, false, "ph|atph", "ph",
+     "PH quintic segments, polynomial, or algebraic-trigonometric ones"},
+    {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal|centripetal|uniform",
+     "chordal, of atph the sums of alpha",
+     "spacing of the knots, or the knots themselves, increasing"},
+    {PH_F_ALPHA, PH_NUMBER | PH_NUMBERS | PH_WORD | PH_SEGMENTS, 0, false,
+     "chordal|chordal:V", "chordal, the largest pi/2",
+     "angles of atph segments below pi, one for all or one each"},
+    {PH_F_END_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL,
+     "those of a parabola through three points",
+     "the two end derivatives of an open curve, per unit of the knots"},
+    {PH_F_SOLUTIONS, PH_WORD, 0, false, "good|all", "good",
+     "the good curve, or every curve that satisfies the equations, those that "
+     "bend least first; at most 12 segments"},
+    {PH_F_MINIMIZE, PH_WORD, 0, false, "E|MV|IES|IMV", "nothing",
+     "functional of the curvature to minimise, over alpha, or the knots of ph"},
+    {PH_F_FREE, PH_WORD, 0, false, "each|scale", "each",
+     "what minimize varies, each alpha or knot, or one factor on all alpha"},
+};
+
+const struct ph_method ph_method_planar = {
+    .schema = {"planar", fields, sizeof fields / sizeof fields[0]},
+    .title = "C2 PH splines through points in the plane",
+    .dimension = 2,
+    .solve = solve,
+};

@@ -1,0 +1,450 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Minimisation over angles and knot spacings (see planar_min.h).
+ *
+ * The variables are logarithms, in a box; the function is the logarithm of the
+ * functional, with its exact gradient (planar_gradient.h).  Each evaluation
+ * starts Newton's iteration from the solution at the best point so far, with b
+ * scaled as 1/sqrt(h), and solves from scratch where that fails.
+ *
+ * The functionals have several local minima, hence several starts: the data as
+ * given, and chordal angles of three sizes or knots by the three usual rules.
+ * The first of equally good minima is kept.
+ */
+#include "solve/planar/min.h"
+
+#include "curve/energy.h"
+#include "curve/ph2.h"
+#include "kernel/box.h"
+#include "kernel/pow2.h"
+#include "solve/planar/gradient.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double ANGLE_MIN = 1e-3, ANGLE_MAX = 2.0943951023931953;
+static const double SPACING_RANGE = 20;
+
+/* Gains of a step, relative, that count as none, at first and in the end; of
+ * one start over another. */
+static const double COARSE = 1e-8, GAIN = 1e-13, BETTER = 1e-5;
+
+/* Curves of less than that are straight: what they bend is rounding.  At unit
+ * scale, where curves have a size of about 1. */
+static const double STRAIGHT = 1e-16;
+
+enum { STARTS = 6, STEPS_MAX = 1000 };
+
+/* Steps for one start of large data: no more than this times 1/n. */
+static const double WORK_MAX = 2e5;
+
+struct candidate {
+  double *spacing;  /* [n] */
+  ph_cplx *b;       /* [unknowns] */
+  double *h;        /* [n] as in the data */
+  ph_cplx twist;    /* closed */
+  double energy[3]; /* E, MV, L at unit scale */
+  double value;     /* of the functional, at unit scale; or NaN */
+};
+
+struct work {
+  struct ph_planar_data *data;
+  enum ph_planar_functional functional;
+  bool scale;
+  size_t variables, unknowns;
+  const double *shape; /* [n] spacings = shape, or 1, times exp(variable) */
+  struct ph_arena *scratch;
+  struct ph_diag *diag;
+  struct ph_energy_sum sum;
+  size_t *parts; /* [n] */
+  struct ph_planar_gradient gradient;
+  ph_cplx *guess;
+  struct candidate now, trial, best;
+  bool warm; /* `now` holds a solution */
+  size_t evaluations;
+};
+
+static double functional_of(enum ph_planar_functional functional,
+                            const double energy[3]) {
+  double length = energy[2];
+  switch (functional) {
+  case PH_PLANAR_E:
+    return energy[0];
+  case PH_PLANAR_MV:
+    return energy[1];
+  case PH_PLANAR_IES:
+    return energy[0] * length;
+  case PH_PLANAR_IMV:
+    break;
+  }
+  return energy[1] * length * length * length;
+}
+
+/* Derivatives of the functional with respect to E, MV, L. */
+static void weights_of(enum ph_planar_functional functional,
+                       const double energy[3], double weight[3]) {
+  double length = energy[2];
+  weight[0] = weight[1] = weight[2] = 0;
+  switch (functional) {
+  case PH_PLANAR_E:
+    weight[0] = 1;
+    break;
+  case PH_PLANAR_MV:
+    weight[1] = 1;
+    break;
+  case PH_PLANAR_IES:
+    weight[0] = length;
+    weight[2] = energy[0];
+    break;
+  case PH_PLANAR_IMV:
+    weight[1] = length * length * length;
+    weight[2] = 3 * energy[1] * length * length;
+    break;
+  }
+}
+
+/* From unit scale to the unit of the data; not finite out of range. */
+static double in_user_unit(const struct work *w, double value) {
+  int power = w->functional == PH_PLANAR_E    ? 1
+              : w->functional == PH_PLANAR_MV ? 3
+                                              : 0;
+  return ph_pow2_positive(value, power * w->data->exponent);
+}
+
+/* Energies of the trial's curve; in NaN where it stands still. */
+static void measure(struct work *w) {
+  const struct ph_planar_data *d = w->data;
+  struct candidate *t = &w->trial;
+  struct ph_sum length = {0, 0};
+  ph_energy_clear(&w->sum);
+  for (size_t k = 0; k < d->n; k++) {
+    struct ph_seg2 seg = {
+        *ph_planar_space(&d->c2, k), {{0, 0}}, {0, 0}, {0, 0}};
+    double root = sqrt(d->h[k]);
+    ph_planar_preimage(&d->c2, t->b, k, seg.w);
+    for (size_t i = 0; i < 3; i++) {
+      seg.w[i] = ph_cplx_scale(root, seg.w[i]);
+    }
+    ph_energy_add(&w->sum, &seg);
+    w->parts[k] = w->sum.parts;
+    ph_sum_add(&length, ph_ph2_length(&seg.space, seg.w));
+  }
+  t->energy[0] = ph_sum_value(&w->sum.bending);
+  t->energy[1] = ph_sum_value(&w->sum.varying);
+  t->energy[2] = ph_sum_value(&length);
+  t->value = functional_of(w->functional, t->energy);
+}
+
+/* Newton from the solution at `now`. */
+static enum ph_status solve_near(struct work *w, bool *solved) {
+  struct ph_planar_c2 *c2 = &w->data->c2;
+  size_t n = w->data->n, shift = c2->closed ? 0 : 1;
+  for (size_t k = 0; k < n; k++) {
+    double factor = sqrt(w->now.h[k] / w->data->h[k]);
+    w->guess[k + shift] = ph_cplx_scale(factor, w->now.b[k + shift]);
+    if (!c2->closed && k == 0) {
+      w->guess[0] = ph_cplx_scale(factor, w->now.b[0]);
+    }
+    if (!c2->closed && k + 1 == n) {
+      w->guess[n + 1] = ph_cplx_scale(factor, w->now.b[n + 1]);
+    }
+  }
+  c2->twist = w->now.twist;
+  return ph_planar_c2_near(c2, w->scratch, w->guess, w->trial.b, solved,
+                           w->diag);
+}
+
+/* The solution for the data as they are, and its energies, into the trial.
+ * No solution: a value that is NaN, and PH_OK. */
+static enum ph_status solve_trial(struct work *w) {
+  struct ph_planar_data *d = w->data;
+  struct candidate *t = &w->trial;
+  struct ph_planar_report report;
+  bool solved = false;
+  enum ph_status status = w->warm ? solve_near(w, &solved) : PH_OK;
+  t->value = (double)NAN;
+  w->evaluations++;
+  if (status == PH_OK && !solved) {
+    struct ph_mark mark = ph_arena_mark(w->scratch);
+    status = ph_planar_c2_solve(&d->c2, w->scratch, t->b, &report, w->diag);
+    ph_arena_release(w->scratch, mark);
+    solved = status == PH_OK;
+    status = status == PH_NO_CONVERGENCE ? PH_OK : status;
+  }
+  if (solved) {
+    t->twist = d->c2.twist;
+    memcpy(t->h, d->h, d->n * sizeof *t->h);
+    measure(w);
+  }
+  return status;
+}
+
+static void copy(struct candidate *to, const struct candidate *from,
+                 const struct work *w) {
+  size_t n = w->data->n;
+  memcpy(to->spacing, from->spacing, n * sizeof *to->spacing);
+  memcpy(to->h, from->h, n * sizeof *to->h);
+  memcpy(to->b, from->b, w->unknowns * sizeof *to->b);
+  memcpy(to->energy, from->energy, sizeof to->energy);
+  to->twist = from->twist;
+  to->value = from->value;
+}
+
+static enum ph_status value(void *context, const double *x, double *result) {
+  struct work *w = context;
+  struct candidate *t = &w->trial;
+  enum ph_status status;
+  for (size_t k = 0; k < w->data->n; k++) {
+    t->spacing[k] = w->scale ? w->shape[k] * exp(x[0]) : exp(x[k]);
+  }
+  *result = (double)NAN;
+  if (ph_planar_data_space(w->data, t->spacing, w->diag) != PH_OK) {
+    return PH_OK;
+  }
+  status = solve_trial(w);
+  *result = log(t->value + STRAIGHT);
+  return status;
+}
+
+static void accept(void *context) {
+  struct work *w = context;
+  struct candidate keep = w->now;
+  w->now = w->trial;
+  w->trial = keep;
+  w->warm = true;
+}
+
+static void gradient(void *context, double *result) {
+  struct work *w = context;
+  const struct ph_planar_data *d = w->data;
+  struct ph_planar_gradient *g = &w->gradient;
+  double weight[3], sum = 0;
+  weights_of(w->functional, w->now.energy, weight);
+  for (size_t i = 0; i < 3; i++) {
+    weight[i] /= w->now.value + STRAIGHT;
+  }
+  ph_planar_gradient_of(g, d, w->now.b, weight, w->parts);
+  result[0] = 0;
+  for (size_t k = 0; k < d->n; k++) {
+    double by_h = d->atph && d->own_knots ? 0 : g->by_h[k];
+    double change = by_h + (d->atph ? g->by_angle[k] : 0);
+    sum += change;
+    result[w->scale ? 0 : k] = w->scale ? sum : change;
+  }
+  for (size_t k = 0; !d->atph && k < d->n; k++) {
+    result[k] -= sum * d->h[k] / (double)d->n; /* the mean of h is fixed */
+  }
+}
+
+static bool candidate_alloc(struct candidate *c, const struct work *w) {
+  size_t n = w->data->n;
+  c->spacing = ph_arena_array(w->scratch, n, sizeof *c->spacing);
+  c->h = ph_arena_array(w->scratch, n, sizeof *c->h);
+  c->b = ph_arena_array(w->scratch, w->unknowns, sizeof *c->b);
+  c->value = (double)NAN;
+  return c->spacing && c->h && c->b;
+}
+
+static enum ph_status allocate(struct work *w) {
+  w->guess = ph_arena_array(w->scratch, w->unknowns, sizeof *w->guess);
+  w->parts = ph_arena_array(w->scratch, w->data->n, sizeof *w->parts);
+  if (!w->guess || !w->parts || !candidate_alloc(&w->now, w) ||
+      !candidate_alloc(&w->trial, w) || !candidate_alloc(&w->best, w) ||
+      !ph_energy_begin(&w->sum)) {
+    return ph_fail_memory(w->diag);
+  }
+  return ph_planar_gradient_alloc(&w->gradient, w->data, w->scratch, w->diag);
+}
+
+/* Spacings of start number i; the first is what the data have. */
+static void start_of(const struct work *w, size_t i, const double *given,
+                     double *spacing) {
+  static const double angle[STARTS] = {0, 0.4, 1, 1.8, 1, 1};
+  static const double power[STARTS] = {0, 1, 1, 1, 0.5, 0};
+  const struct ph_planar_data *d = w->data;
+  if (i == 0) {
+    memcpy(spacing, given, d->n * sizeof *spacing);
+  } else {
+    ph_planar_data_chordal(d, power[i], angle[i], spacing);
+  }
+}
+
+struct room {
+  double *given, *shape, *x, *best, *lower, *upper;
+};
+
+static enum ph_status room_alloc(struct room *r, size_t n,
+                                 struct ph_arena *arena, struct ph_diag *diag) {
+  double *v = ph_arena_array(arena, n, 6 * sizeof *v);
+  if (!v) {
+    return ph_fail_memory(diag);
+  }
+  r->given = v;
+  r->shape = v + n;
+  r->x = v + 2 * n;
+  r->lower = v + 3 * n;
+  r->upper = v + 4 * n;
+  r->best = v + 5 * n;
+  return PH_OK;
+}
+
+/* Angles as given; knot spacings and chordal ones with the same sum. */
+static void describe(const struct ph_planar_data *d, struct room *r) {
+  double sum = 0, largest = 0;
+  ph_planar_data_chordal(d, 1, 1, r->shape);
+  for (size_t k = 0; k < d->n; k++) {
+    sum += r->shape[k];
+    r->given[k] = d->atph ? d->space[k].angle : d->h[k];
+    largest = r->given[k] > largest ? r->given[k] : largest;
+  }
+  for (size_t k = 0; k < d->n; k++) {
+    double chordal = r->shape[k] * (double)d->n / sum;
+    r->lower[k] = log(d->atph ? ANGLE_MIN : chordal / SPACING_RANGE);
+    r->upper[k] = log(d->atph ? ANGLE_MAX : chordal * SPACING_RANGE);
+    r->shape[k] = r->given[k] / largest;
+  }
+}
+
+/* The variables of a start, moved into the box. */
+static void enter(const struct work *w, struct room *r, size_t start) {
+  double *spacing = w->trial.spacing, sum = 0, largest = 0;
+  size_t n = w->data->n;
+  start_of(w, start, r->given, spacing);
+  for (size_t k = 0; k < n; k++) {
+    sum += spacing[k];
+    largest = spacing[k] > largest ? spacing[k] : largest;
+  }
+  for (size_t k = 0; k < w->variables; k++) {
+    double v = w->scale        ? largest
+               : w->data->atph ? spacing[k]
+                               : spacing[k] * (double)n / sum;
+    double x = log(v);
+    x = x < r->lower[k] ? r->lower[k] : x;
+    r->x[k] = x > r->upper[k] ? r->upper[k] : x;
+  }
+}
+
+static bool touches(const struct work *w, const struct room *r,
+                    const double *x) {
+  for (size_t k = 0; k < w->variables; k++) {
+    if (x[k] <= r->lower[k] || x[k] >= r->upper[k]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* One search from the variables in r->x; keeps what is better than the best. */
+static enum ph_status descend(struct work *w, struct room *r, double decrease,
+                              double better, bool *converged) {
+  double steps = WORK_MAX / (double)w->data->n;
+  struct ph_box box = {.n = w->variables,
+                       .lower = r->lower,
+                       .upper = r->upper,
+                       .decrease = decrease,
+                       .steps_max = steps < STEPS_MAX ? (size_t)steps + 1
+                                                      : (size_t)STEPS_MAX,
+                       .context = w,
+                       .value = value,
+                       .gradient = gradient,
+                       .accept = accept};
+  struct ph_box_report found;
+  enum ph_status status = ph_box_minimize(&box, w->scratch, r->x, &found);
+  if (status != PH_OK) {
+    return status == PH_NO_MEMORY ? ph_fail_memory(w->diag) : status;
+  }
+  if (w->warm && !(w->now.value >= w->best.value * (1 - better))) {
+    copy(&w->best, &w->now, w);
+    memcpy(r->best, r->x, w->variables * sizeof *r->best);
+  }
+  *converged = found.converged || found.gain <= COARSE;
+  return PH_OK;
+}
+
+/* From every start to some digits, from the best of them to all digits. */
+static enum ph_status search(struct work *w, struct room *r,
+                             struct ph_planar_min *report, bool *converged) {
+  enum ph_status status = PH_OK;
+  for (size_t i = 0; status == PH_OK && i < STARTS; i++) {
+    w->warm = false;
+    enter(w, r, i);
+    status = descend(w, r, COARSE, BETTER, converged);
+  }
+  if (status == PH_OK && !isnan(w->best.value)) {
+    memcpy(r->x, r->best, w->variables * sizeof *r->x);
+    copy(&w->now, &w->best, w);
+    w->warm = true;
+    status = descend(w, r, GAIN, 0, converged);
+    report->at_bound = touches(w, r, r->best);
+  }
+  return status;
+}
+
+static enum ph_status conclude(struct work *w, ph_cplx *b, bool converged,
+                               struct ph_planar_min *report) {
+  struct ph_planar_data *d = w->data;
+  enum ph_status status = ph_planar_data_space(d, w->best.spacing, w->diag);
+  report->minimum = in_user_unit(w, w->best.value);
+  report->evaluations = w->evaluations;
+  if (isnan(w->best.value)) {
+    return ph_fail(w->diag, PH_NO_CONVERGENCE, "minimize",
+                   "found no solution at any of its starts");
+  }
+  d->c2.twist = w->best.twist;
+  memcpy(b, w->best.b, w->unknowns * sizeof *b);
+  if (status == PH_OK && !converged) {
+    return ph_fail(w->diag, PH_NO_CONVERGENCE, "minimize",
+                   "was cut short after %zu evaluations, from %.6g at %.6g",
+                   w->evaluations, report->start, report->minimum);
+  }
+  return status;
+}
+
+static enum ph_status run(struct work *w, ph_cplx *b,
+                          struct ph_planar_min *report) {
+  struct room room = {0};
+  bool converged = false;
+  enum ph_status status = allocate(w);
+  if (status == PH_OK) {
+    status = room_alloc(&room, w->data->n, w->scratch, w->diag);
+  }
+  if (status != PH_OK) {
+    return status;
+  }
+  describe(w->data, &room);
+  w->shape = room.shape;
+  status = solve_trial(w);
+  if (status == PH_OK) {
+    report->start = in_user_unit(w, w->trial.value);
+    memcpy(w->trial.spacing, room.given, w->data->n * sizeof *room.given);
+    copy(&w->best, &w->trial, w);
+    w->best.value = (double)NAN; /* may be outside the box */
+    status = search(w, &room, report, &converged);
+  }
+  return status == PH_OK ? conclude(w, b, converged, report) : status;
+}
+
+enum ph_status ph_planar_minimize(struct ph_planar_data *data,
+                                  enum ph_planar_functional functional,
+                                  bool scale, struct ph_arena *scratch,
+                                  ph_cplx *b, struct ph_planar_min *report,
+                                  struct ph_diag *diag) {
+  struct ph_mark mark = ph_arena_mark(scratch);
+  struct work w = {.data = data,
+                   .functional = functional,
+                   .scale = scale,
+                   .variables = scale ? 1 : data->n,
+                   .unknowns = ph_planar_unknowns(&data->c2),
+                   .scratch = scratch,
+                   .diag = diag};
+  enum ph_status status;
+  *report = (struct ph_planar_min){(double)NAN, (double)NAN, 0, false};
+  if (scale && !data->atph) {
+    return ph_fail(diag, PH_BAD_VALUE, "free",
+                   "must be \"each\" for \"basis\":\"ph\": the knots of PH "
+                   "quintics have no scale of their own");
+  }
+  status = run(&w, b, report);
+  ph_arena_release(scratch, mark);
+  return status;
+}

@@ -1,0 +1,450 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Data of spatial Hermite interpolation (see spatial_data.h).
+ *
+ * Where no magnitudes are given, lambda is the spacing of the knots [FAR15,
+ * (61)], which by default is the chord: knots are not divided by their sum,
+ * which would make the scheme depend on the length of the whole.
+ */
+#include "solve/spatial/data.h"
+
+#include "base/sum.h"
+#include "kernel/pow2.h"
+#include "solve/common/fields.h"
+#include "solve/spatial/tangents.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* A derivative below this part of a chord beside it has no direction that
+ * matters; nor has the chord beside one that is longer by its inverse. */
+static const double STANDSTILL = 1e-14;
+
+/* All data are in one plane where they are each within this part of the
+ * flatness of a segment, so that what three of them span is within 2 of it. */
+static const double ONE_PLANE = 2.0 / 3;
+
+/* Vectors of a point that closes the curve agree with the first to this. */
+static const double REPEATED = 1e-9;
+
+static double largest_of(ph_vec3 v) {
+  double x = fabs(v.x), y = fabs(v.y), z = fabs(v.z);
+  double largest = x > y ? x : y;
+  return largest > z ? largest : z;
+}
+
+static ph_vec3 point(const struct ph_spatial_points *p, size_t k) {
+  const double *v = p->points + 3 * (k < p->points_n ? k : 0);
+  return ph_vec3_of(v[0], v[1], v[2]);
+}
+
+/* A power of two whose square brings x to [1/8, 1/2). */
+static double root_for(double x) {
+  int exponent = x > 0 ? -ph_pow2_exponent(x) - 2 : 0;
+  return ldexp(1, (exponent - (exponent & 1)) / 2);
+}
+
+static ph_vec3 scaled(double root, ph_vec3 v) {
+  return ph_vec3_scale(root, ph_vec3_scale(root, v));
+}
+
+/* Vector i of two or three numbers. */
+static ph_vec3 in_space(const struct ph_value *value, size_t i) {
+  const double *v = value->v + value->dimension * i;
+  return ph_vec3_of(v[0], v[1], value->dimension > 2 ? v[2] : 0);
+}
+
+/* ---- points --------------------------------------------------------- */
+
+/* The chord of segment k, at a scale where its length neither overflows nor
+ * underflows. */
+static ph_vec3 chord(const struct ph_spatial_points *p, size_t k,
+                     double *root) {
+  ph_vec3 difference = ph_vec3_sub(point(p, k + 1), point(p, k));
+  *root = root_for(largest_of(difference));
+  return scaled(*root, difference);
+}
+
+static enum ph_status check_chords(const struct ph_spatial_points *p,
+                                   struct ph_diag *diag) {
+  for (size_t k = 0; k < p->n; k++) {
+    size_t to = k + 1 < p->points_n ? k + 1 : 0;
+    ph_vec3 a = point(p, k), b = point(p, to);
+    double size = fmax(largest_of(a), largest_of(b));
+    double away = largest_of(ph_vec3_sub(b, a));
+    if (!(away > 4 * DBL_EPSILON * size)) {
+      return ph_fail_at(diag, PH_COINCIDENT_POINTS, "points", to,
+                        "coincides with points[%zu]", k);
+    }
+    if (!isfinite(away)) {
+      return ph_fail_at(diag, PH_TOO_LARGE, "points", to,
+                        "differs from points[%zu] by more than a double can "
+                        "hold",
+                        k);
+    }
+  }
+  return PH_OK;
+}
+
+/* ---- tangents and derivatives --------------------------------------- */
+
+/* v at a size at which its length can be taken. */
+static ph_vec3 sized(ph_vec3 v) {
+  return scaled(root_for(largest_of(v)), v);
+}
+
+/* Whether the last vector is the first, or has its direction. */
+static bool is_repeated(const struct ph_value *value, bool direction) {
+  ph_vec3 first = in_space(value, 0), last = in_space(value, value->n - 1);
+  double size = fmax(largest_of(first), largest_of(last));
+  if (direction && largest_of(first) > 0 && largest_of(last) > 0) {
+    first = ph_vec3_unit(sized(first));
+    last = ph_vec3_unit(sized(last));
+    size = 1;
+  }
+  return largest_of(ph_vec3_sub(last, first)) <= REPEATED * size;
+}
+
+/* One vector for each point; closed data whose last point repeats the first
+ * may repeat the vector as well. */
+static enum ph_status check_count(const struct ph_problem *problem,
+                                  const struct ph_spatial_points *p,
+                                  enum ph_field_id id, struct ph_diag *diag) {
+  const struct ph_value *points = &problem->field[PH_F_POINTS];
+  const struct ph_value *value = &problem->field[id];
+  const char *name = ph_field_name(id);
+  if (value->n != points->n && value->n != p->points_n) {
+    return ph_fail(diag, PH_BAD_SHAPE, name,
+                   "must have %zu vectors, one for each point, found %zu",
+                   points->n, value->n);
+  }
+  if (value->dimension < points->dimension) {
+    return ph_fail(diag, PH_BAD_SHAPE, name,
+                   "must have vectors of 3 numbers, as the points have");
+  }
+  if (value->n > p->points_n && !is_repeated(value, id == PH_F_TANGENTS)) {
+    return ph_fail_at(diag, PH_BAD_VALUE, name, value->n - 1,
+                      "must equal %s[0], as the point does", name);
+  }
+  return PH_OK;
+}
+
+/* Divides vectors by their lengths. */
+static enum ph_status set_vectors(const struct ph_problem *problem,
+                                  enum ph_field_id id, struct ph_arena *arena,
+                                  struct ph_spatial_points *p,
+                                  struct ph_diag *diag) {
+  const struct ph_value *value = &problem->field[id];
+  enum ph_status status = check_count(problem, p, id, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  if (id == PH_F_DERIVATIVES) {
+    p->speeds = ph_arena_array(arena, p->points_n, sizeof *p->speeds);
+    if (!p->speeds) {
+      return ph_fail_memory(diag);
+    }
+  }
+  for (size_t k = 0; k < p->points_n; k++) {
+    ph_vec3 v = in_space(value, k);
+    double largest = largest_of(v), root = root_for(largest), size;
+    if (!(largest > 0)) {
+      return ph_fail_at(diag, PH_ZERO_TANGENT, ph_field_name(id), k,
+                        "must not be zero");
+    }
+    v = scaled(root, v);
+    size = ph_vec3_abs(v);
+    p->tangents[k] = ph_vec3_scale(1 / size, v);
+    if (p->speeds) {
+      p->speeds[k] = size / root / root;
+    }
+  }
+  return PH_OK;
+}
+
+static enum ph_status set_tangents(const struct ph_problem *problem,
+                                   struct ph_arena *arena,
+                                   struct ph_spatial_points *p,
+                                   struct ph_diag *diag) {
+  bool tangents = problem->field[PH_F_TANGENTS].kind != PH_ABSENT;
+  p->derivatives = problem->field[PH_F_DERIVATIVES].kind != PH_ABSENT;
+  if (tangents && p->derivatives) {
+    return ph_fail(diag, PH_BAD_VALUE, "tangents",
+                   "excludes derivatives: give one of them");
+  }
+  p->tangents = ph_arena_array(arena, p->points_n, sizeof *p->tangents);
+  if (!p->tangents) {
+    return ph_fail_memory(diag);
+  }
+  if (tangents || p->derivatives) {
+    return set_vectors(problem, tangents ? PH_F_TANGENTS : PH_F_DERIVATIVES,
+                       arena, p, diag);
+  }
+  p->estimated = true;
+  ph_spatial_tangents(p->points, p->points_n, p->closed, p->tangents);
+  return PH_OK;
+}
+
+/* ---- knots, tensions, alpha ----------------------------------------- */
+
+static enum ph_status set_knots(const struct ph_value *knots,
+                                struct ph_spatial_points *p,
+                                struct ph_diag *diag) {
+  struct ph_sum sum = {0, 0};
+  enum ph_status status;
+  if (knots->kind == PH_NUMBERS) {
+    status = ph_fields_knots(knots, p->n, p->closed, p->lambda, diag);
+    if (status == PH_OK) {
+      memcpy(p->knots, knots->v, (p->n + 1) * sizeof *p->knots);
+    }
+    return status;
+  }
+  p->knots[0] = 0;
+  for (size_t k = 0; k < p->n; k++) {
+    double root;
+    ph_vec3 c = chord(p, k, &root);
+    p->lambda[k] = ph_vec3_abs(c) / root / root;
+    ph_sum_add(&sum, p->lambda[k]);
+    p->knots[k + 1] = ph_sum_value(&sum);
+    if (p->knots[k + 1] <= p->knots[k]) {
+      return ph_fail_at(diag, PH_COINCIDENT_POINTS, "points",
+                        k + 1 < p->points_n ? k + 1 : 0,
+                        "is so near to points[%zu] that their chordal knots "
+                        "are the same; \"knots\" can be given",
+                        k);
+    }
+  }
+  return isfinite(p->knots[p->n]) ? PH_OK
+                                  : ph_fail(diag, PH_TOO_LARGE, "knots",
+                                            "span more than a double can hold");
+}
+
+static enum ph_status set_planarity(const struct ph_value *planarity,
+                                    struct ph_spatial_points *p,
+                                    struct ph_diag *diag) {
+  p->planarity =
+      planarity->kind == PH_NUMBER ? planarity->number : PH_PLANARITY;
+  return p->planarity >= 0 && p->planarity < 1
+             ? PH_OK
+             : ph_fail(diag, PH_BAD_VALUE, "planarity",
+                       "must be at least 0 and below 1, found %.17g",
+                       p->planarity);
+}
+
+static enum ph_status set_tension(const struct ph_value *tension,
+                                  struct ph_spatial_points *p,
+                                  struct ph_diag *diag) {
+  struct ph_value one = {.kind = PH_NUMBER, .number = 1};
+  return ph_fields_each(tension->kind == PH_ABSENT ? &one : tension, "tension",
+                        p->n, HUGE_VAL, "greater than 0", p->tension, diag);
+}
+
+static enum ph_status set_alpha(const struct ph_value *alpha,
+                                struct ph_arena *arena,
+                                struct ph_spatial_points *p,
+                                struct ph_diag *diag) {
+  if (alpha->kind == PH_ABSENT) {
+    return PH_OK;
+  }
+  if (!p->atph) {
+    return ph_fail(diag, PH_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
+  }
+  p->alpha = ph_arena_array(arena, p->n, sizeof *p->alpha);
+  return p->alpha ? ph_fields_angles(alpha, p->n, p->alpha, diag)
+                  : ph_fail_memory(diag);
+}
+
+double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
+                          double tension, struct ph_spatial_data *data) {
+  size_t to = k + 1 < p->points_n ? k + 1 : 0;
+  double ni = p->speeds ? p->speeds[k] : p->lambda[k];
+  double nf = p->speeds ? p->speeds[to] : p->lambda[k];
+  double root;
+  double size = fmax(largest_of(point(p, k)), largest_of(point(p, to)));
+  data->dp = chord(p, k, &root);
+  data->noise = DBL_EPSILON * size * root * root;
+  data->planarity = p->planarity;
+  data->normal = p->normal;
+  data->ti = p->tangents[k];
+  data->tf = p->tangents[to];
+  data->ni = ni * root * root * tension * tension;
+  data->nf = nf * root * root * tension * tension;
+  return root;
+}
+
+/* The directions of a segment, and how far each may be out of the plane of all
+ * data. */
+struct directions {
+  ph_vec3 v[3];
+  double away;
+};
+
+static struct directions directions_of(const struct ph_spatial_points *p,
+                                       size_t k) {
+  struct ph_spatial_data data;
+  struct directions d;
+  double h;
+  ph_spatial_segment(p, k, 1, &data);
+  h = ph_vec3_abs(data.dp);
+  d.v[0] = ph_vec3_scale(1 / h, data.dp);
+  d.v[1] = data.ti;
+  d.v[2] = data.tf;
+  d.away = ONE_PLANE * ph_spatial_flatness(&data) / h;
+  return d;
+}
+
+/* An order of vectors, so that what is chosen depends on no first one. */
+static bool is_before(ph_vec3 a, ph_vec3 b) {
+  return a.x < b.x ||
+         (!(b.x < a.x) && (a.y < b.y || (!(b.y < a.y) && a.z < b.z)));
+}
+
+/* The last one of all directions. */
+static ph_vec3 last_direction(const struct ph_spatial_points *p) {
+  ph_vec3 last = directions_of(p, 0).v[0];
+  for (size_t k = 0; k < p->n; k++) {
+    struct directions d = directions_of(p, k);
+    for (size_t i = 0; i < 3; i++) {
+      last = is_before(last, d.v[i]) ? d.v[i] : last;
+    }
+  }
+  return last;
+}
+
+/* The normal of a direction and of the one farthest from its line; 0 for data
+ * on a line. */
+static ph_vec3 normal_to(const struct ph_spatial_points *p, ph_vec3 direction) {
+  ph_vec3 normal = {0, 0, 0};
+  double largest = 0;
+  for (size_t k = 0; k < p->n; k++) {
+    struct directions d = directions_of(p, k);
+    for (size_t i = 0; i < 3; i++) {
+      ph_vec3 n = ph_vec3_cross(direction, d.v[i]);
+      double size = ph_vec3_abs(n);
+      if (size > fmax(largest, d.away) ||
+          (size >= fmax(largest, d.away) && is_before(normal, n))) {
+        largest = size;
+        normal = n;
+      }
+    }
+  }
+  return largest > 0 ? ph_vec3_scale(1 / largest, normal) : normal;
+}
+
+/* The plane that all data are in, if there is one. */
+static void set_normal(struct ph_spatial_points *p) {
+  ph_vec3 normal;
+  for (size_t k = 0; k < p->n; k++) { /* most data end here */
+    struct directions d = directions_of(p, k);
+    if (fabs(ph_vec3_triple(d.v[0], d.v[1], d.v[2])) > 3 * d.away) {
+      return;
+    }
+  }
+  normal = normal_to(p, last_direction(p));
+  for (size_t k = 0; k < p->n; k++) {
+    struct directions d = directions_of(p, k);
+    for (size_t i = 0; i < 3; i++) {
+      if (fabs(ph_vec3_dot(normal, d.v[i])) > d.away) {
+        return;
+      }
+    }
+  }
+  p->normal = normal;
+}
+
+/* A speed beside a chord: -1 too small, 1 too large. */
+static int judge(double speed, double chord) {
+  return speed < STANDSTILL * chord      ? -1
+         : !(STANDSTILL * speed < chord) ? 1
+                                         : 0;
+}
+
+static enum ph_status wrong_speed(const struct ph_spatial_points *p, size_t k,
+                                  const char *field, size_t index, int verdict,
+                                  struct ph_diag *diag) {
+  return ph_fail_at(
+      diag, verdict < 0 ? PH_ZERO_TANGENT : PH_TOO_LARGE, field, index,
+      "%stoo %s beside the chord between points[%zu] and "
+      "points[%zu]",
+      strcmp(field, "derivatives") == 0 ? "is " : "makes derivatives ",
+      verdict < 0 ? "small" : "large", k, k + 1 < p->points_n ? k + 1 : 0);
+}
+
+/* Derivatives that are nothing beside their chord, or all but everything; they
+ * are so by themselves, by the knots, or by the tension. */
+static enum ph_status check_speeds(const struct ph_spatial_points *p,
+                                   struct ph_diag *diag) {
+  for (size_t k = 0; k < p->n; k++) {
+    size_t to = k + 1 < p->points_n ? k + 1 : 0;
+    struct ph_spatial_data data;
+    double chord, square = p->tension[k] * p->tension[k];
+    double alpha = p->speeds && p->alpha ? p->alpha[k] : 1;
+    ph_spatial_segment(p, k, 1, &data);
+    chord = ph_vec3_abs(data.dp);
+    for (size_t i = 0; i < 2; i++) {
+      double speed = i ? data.nf : data.ni;
+      int given = judge(speed, chord), by_u = judge(speed * alpha, chord);
+      int tense = judge(speed * alpha * square, chord);
+      if (given != 0) {
+        return p->speeds
+                   ? wrong_speed(p, k, "derivatives", i ? to : k, given, diag)
+                   : wrong_speed(p, k, "knots", k + 1, given, diag);
+      }
+      if (by_u != 0 || tense != 0) {
+        return wrong_speed(p, k, by_u != 0 ? "alpha" : "tension", k,
+                           by_u != 0 ? by_u : tense, diag);
+      }
+    }
+  }
+  return PH_OK;
+}
+
+enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
+                                    struct ph_arena *arena,
+                                    struct ph_spatial_points *p,
+                                    struct ph_diag *diag) {
+  const struct ph_value *points = &problem->field[PH_F_POINTS];
+  enum ph_status status;
+  *p = (struct ph_spatial_points){.closed = problem->field[PH_F_CLOSED].flag};
+  p->atph = ph_field_is(&problem->field[PH_F_BASIS], "atph");
+  status = ph_fields_segments(problem, &p->n, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  p->points_n = p->closed ? p->n : p->n + 1;
+  p->points = ph_arena_array(arena, p->points_n, 3 * sizeof *p->points);
+  p->knots = ph_arena_array(arena, p->n + 1, sizeof *p->knots);
+  p->lambda = ph_arena_array(arena, p->n, sizeof *p->lambda);
+  p->tension = ph_arena_array(arena, p->n, sizeof *p->tension);
+  if (!p->points || !p->knots || !p->lambda || !p->tension) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t k = 0; k < p->points_n; k++) {
+    ph_vec3 v = in_space(points, k);
+    memcpy(p->points + 3 * k, &v, sizeof v);
+  }
+  status = check_chords(p, diag);
+  if (status == PH_OK) {
+    status = set_knots(&problem->field[PH_F_KNOTS], p, diag);
+  }
+  if (status == PH_OK) {
+    status = set_tangents(problem, arena, p, diag);
+  }
+  if (status == PH_OK) {
+    status = set_alpha(&problem->field[PH_F_ALPHA], arena, p, diag);
+  }
+  if (status == PH_OK) {
+    status = set_planarity(&problem->field[PH_F_PLANARITY], p, diag);
+  }
+  if (status == PH_OK) {
+    status = set_tension(&problem->field[PH_F_TENSION], p, diag);
+  }
+  if (status == PH_OK) {
+    status = check_speeds(p, diag);
+  }
+  if (status == PH_OK) {
+    set_normal(p);
+  }
+  return status;
+}

@@ -1,0 +1,443 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The method `spatial-hermite`: points in space, with tangents or without, to a
+ * curve of independent PH quintic or ATPH segments.
+ *
+ * Each segment is a member of the family of its data (spatial_family.h), chosen
+ * by a criterion; its tension is then reduced until it keeps the shape of the
+ * data (spatial_shape.h).  [FAR15; GON18, ch. 3]
+ */
+#include "solve/spatial/method.h"
+
+#include "base/sum.h"
+#include "curve/ph3.h"
+#include "solve/common/fields.h"
+#include "solve/common/frame.h"
+#include "solve/spatial/criteria.h"
+#include "solve/spatial/curve.h"
+#include "solve/spatial/data.h"
+#include "solve/spatial/min.h"
+#include "solve/spatial/shape.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Directions within this of exactly opposite count as a reversal. */
+static const double REVERSAL = 1e-12;
+
+/* How well a factor on the tension can be told: of a minimum, half of the
+ * digits of its value are known. */
+static const double EXACT = 1e-13;
+static const double MINIMUM = 1e-7;
+
+/* The criteria: those of FAR15 are functions of the family. */
+static const struct criterion {
+  const char *name;
+  struct ph_spatial_member (*choose)(const struct ph_spatial_family *family);
+  int functional; /* 1, 2, 3: minimise it; 0: do not */
+} criteria[] = {{"cc", ph_spatial_cc, 0}, {"hc", ph_spatial_hc, 0},
+                {"bv", ph_spatial_bv, 0}, {"zero", NULL, 0},
+                {"F1", NULL, 1},          {"F2", NULL, 2},
+                {"F3", NULL, 3}};
+
+/* A problem on its way. */
+struct task {
+  struct ph_spatial_points points;
+  struct ph_atph space; /* of alpha = 0 */
+  struct ph_fair3_rules rules;
+  struct ph_arena *scratch;
+  const struct criterion *criterion;
+  const double *angles; /* fixed: [n][2], or one pair for all */
+  size_t angles_stride;
+  enum ph_spatial_axis axis;
+  bool shape;
+  struct ph_result *result;
+  size_t evaluations, reduced, unsatisfied, first_unsatisfied;
+  const char *why; /* of the first unsatisfied segment */
+  double functional, residual;
+  bool at_bound;
+};
+
+/* ---- reading -------------------------------------------------------- */
+
+static enum ph_status set_criterion(const struct ph_problem *problem,
+                                    struct task *t, struct ph_diag *diag) {
+  const struct ph_value *value = &problem->field[PH_F_CRITERION];
+  const char *name = value->kind == PH_WORD ? value->word
+                     : t->points.atph       ? "F3"
+                                            : "cc";
+  size_t i = 0;
+  while (strcmp(criteria[i].name, name) != 0) {
+    i++;
+  }
+  t->criterion = &criteria[i];
+  if (value->kind != PH_ABSENT && t->angles) {
+    return ph_fail(diag, PH_BAD_VALUE, "criterion",
+                   "excludes angles, which are given in its place");
+  }
+  if (t->points.atph && !t->points.alpha &&
+      (t->angles || !t->criterion->functional)) {
+    return ph_fail(diag, PH_MISSING_FIELD, "alpha",
+                   "is missing: only the criteria F1, F2 and F3 choose it");
+  }
+  return PH_OK;
+}
+
+static enum ph_status set_angles(const struct ph_problem *problem,
+                                 struct task *t, struct ph_diag *diag) {
+  const struct ph_value *angles = &problem->field[PH_F_ANGLES];
+  const struct ph_value *axis = &problem->field[PH_F_AXIS];
+  bool pair = angles->kind == PH_NUMBERS; /* [theta,beta] */
+  t->axis = ph_field_is(axis, "x")          ? PH_SPATIAL_X
+            : ph_field_is(axis, "bisector") ? PH_SPATIAL_BISECTOR
+            : ph_field_is(axis, "chord")    ? PH_SPATIAL_CHORD
+            : t->points.atph                ? PH_SPATIAL_X
+                                            : PH_SPATIAL_CHORD;
+  if (angles->kind == PH_ABSENT) {
+    return PH_OK;
+  }
+  if (pair ? angles->n != 2 : angles->n != 1 && angles->n != t->points.n) {
+    return ph_fail(diag, PH_BAD_SHAPE, "angles",
+                   "must have %zu pairs, one for each segment, or one for all, "
+                   "found %zu %s",
+                   t->points.n, angles->n, pair ? "numbers" : "vectors");
+  }
+  t->angles = angles->v;
+  t->angles_stride = pair || angles->n == 1 ? 0 : 2;
+  return PH_OK;
+}
+
+static enum ph_status read_task(const struct ph_problem *problem,
+                                struct ph_arena *scratch, struct task *t,
+                                struct ph_diag *diag) {
+  const struct ph_value *shape = &problem->field[PH_F_SHAPE];
+  enum ph_status status =
+      ph_spatial_points_of(problem, scratch, &t->points, diag);
+  if (status == PH_OK) {
+    status = set_angles(problem, t, diag);
+  }
+  if (status == PH_OK) {
+    status = set_criterion(problem, t, diag);
+  }
+  /* Derivatives that are given are kept, unless their owner says otherwise. */
+  t->shape = shape->kind == PH_BOOL ? shape->flag : !t->points.derivatives;
+  return status;
+}
+
+/* ---- one segment ---------------------------------------------------- */
+
+/* What the choice of a member depends on beside its family. */
+struct choice {
+  struct task *task;
+  size_t segment;
+  struct ph_spatial_data data; /* dp and directions */
+  struct ph_diag *diag;
+};
+
+static enum ph_status no_angles(const struct choice *c) {
+  return ph_fail_at(c->diag, PH_INFEASIBLE, "segments", c->segment,
+                    "has no angles about the axis \"%s\": a tangent or the "
+                    "vector d is opposite to it; \"axis\":\"bisector\" always "
+                    "has",
+                    c->task->axis == PH_SPATIAL_X ? "x" : "chord");
+}
+
+/* The angles of segment k that no criterion chooses, or NULL. */
+static const double *fixed_angles(const struct task *t, size_t k) {
+  static const double zero[2] = {0, 0};
+  bool chosen = t->criterion->choose || t->criterion->functional;
+  return t->angles ? t->angles + k * t->angles_stride : chosen ? NULL : zero;
+}
+
+/* The member that a criterion chooses, of plane data from those in their plane.
+ * Where it lies in the plane as the data do, it is that of any data. */
+static struct ph_spatial_member
+choose_of(const struct criterion *criterion,
+          const struct ph_spatial_family *family) {
+  struct ph_spatial_member member = criterion->choose(family);
+  ph_quat a[3];
+  if (family->has_plane && !family->planar) {
+    ph_spatial_preimage(family, member, a);
+    if (!ph_spatial_is_plane(family, a)) {
+      struct ph_spatial_family plane = *family;
+      plane.planar = true;
+      member = criterion->choose(&plane);
+    }
+  }
+  return member;
+}
+
+/* A criterion that is a function of the family, or given angles. */
+static enum ph_status choose_member(struct ph_spatial_family *family,
+                                    void *context,
+                                    struct ph_spatial_member *member) {
+  const struct choice *c = context;
+  const struct task *t = c->task;
+  const double *angles = fixed_angles(t, c->segment);
+  if (!angles) {
+    *member = choose_of(t->criterion, family);
+    return PH_OK;
+  }
+  return ph_spatial_member_of(family, angles, t->axis, member) ? PH_OK
+                                                               : no_angles(c);
+}
+
+static enum ph_status no_functional(const struct choice *c) {
+  return ph_fail_at(c->diag, PH_NO_CONVERGENCE, "segments", c->segment,
+                    "has no finite %s, as far as was found",
+                    c->task->criterion->name);
+}
+
+/* The fairest member, and alpha where it is free.  Always the whole search, so
+ * that what is found at a tension does not depend on how it was come to. */
+static enum ph_status choose_fairest(struct ph_spatial_family *family,
+                                     void *context,
+                                     struct ph_spatial_member *member) {
+  struct choice *c = context;
+  struct task *t = c->task;
+  bool free = t->points.atph && !t->points.alpha;
+  double angle = family->space.angle;
+  struct ph_spatial_search search = {
+      .data = &c->data,
+      .scaled = free && t->points.derivatives,
+      .alpha_lower = free ? PH_SPATIAL_ALPHA_MIN : angle,
+      .alpha_upper = free ? PH_SPATIAL_ALPHA_MAX : angle,
+      .functional = t->criterion->functional,
+      .plane = t->shape};
+  struct ph_spatial_minimum found;
+  c->data.ni = family->ni;
+  c->data.nf = family->nf;
+  if (ph_spatial_minimize(&search, &t->rules, t->scratch, &found) != PH_OK) {
+    return ph_fail_memory(c->diag);
+  }
+  if (!isfinite(found.value)) {
+    return no_functional(c);
+  }
+  t->evaluations += found.evaluations;
+  *member = found.member;
+  if (free) {
+    struct ph_atph space = ph_atph_of(found.alpha);
+    c->data.ni *= search.scaled ? found.alpha : 1;
+    c->data.nf *= search.scaled ? found.alpha : 1;
+    *family = ph_spatial_family_of(&c->data, &space);
+  }
+  return PH_OK;
+}
+
+/* The segment at the tension that the criterion and the shape ask for. */
+static enum ph_status fit_segment(struct task *t, size_t k,
+                                  struct ph_spatial_data *data,
+                                  struct ph_spatial_tension *best,
+                                  struct ph_diag *diag) {
+  struct choice choice = {.task = t, .segment = k, .data = *data, .diag = diag};
+  struct ph_atph space =
+      t->points.alpha ? ph_atph_of(t->points.alpha[k]) : t->space;
+  ph_spatial_choice *choose =
+      t->angles || !t->criterion->functional ? choose_member : choose_fairest;
+  if (t->points.derivatives && t->points.alpha) {
+    data->ni *= t->points.alpha[k];
+    data->nf *= t->points.alpha[k];
+  }
+  if (t->shape) {
+    return ph_spatial_tension(data, &space, choose, &choice,
+                              choose == choose_fairest ? MINIMUM : EXACT, best);
+  }
+  best->factor = 1;
+  best->without = 0;
+  best->tried = 1;
+  return ph_spatial_fit_of(data, &space, choose, &choice, &best->fit);
+}
+
+static double functional_of(const struct task *t,
+                            const struct ph_spatial_fit *fit) {
+  const struct ph_atph *space = &fit->family.space;
+  struct ph_fair3 fair = ph_fair3_of(&t->rules, space, fit->a);
+  return ph_fair3_functional(&fair, ph_ph3_length(space, fit->a),
+                             t->criterion->functional);
+}
+
+/* What may be why, after a word about the segment. */
+static const char *why_unsatisfied(const struct ph_spatial_data *data,
+                                   unsigned violated) {
+  return violated & PH_SHAPE_PLANE ? "it leaves their plane"
+         : !ph_spatial_is_forward(data)
+             ? "(ti + tf).dp is not positive, the condition for it fails"
+         : !ph_spatial_is_acute(data)
+             ? "ti.tf is not positive, the condition for it fails"
+             : "(ti + tf).dp and ti.tf are positive, and yet none was found";
+}
+
+static void count_segment(struct task *t, size_t k,
+                          const struct ph_spatial_data *data,
+                          const struct ph_spatial_tension *best) {
+  double angle = best->fit.family.space.angle;
+  t->reduced += best->factor < 1;
+  if (t->shape && best->fit.violated && t->unsatisfied++ == 0) {
+    t->first_unsatisfied = k;
+    t->why = why_unsatisfied(data, best->fit.violated);
+  }
+  if (t->angles || !t->criterion->functional) {
+    t->evaluations += best->tried;
+  } else {
+    t->functional += functional_of(t, &best->fit);
+    t->at_bound = t->at_bound || angle <= PH_SPATIAL_ALPHA_MIN ||
+                  angle >= PH_SPATIAL_ALPHA_MAX;
+  }
+}
+
+/* The angles of segment k for its record: those given as they were. */
+static void set_angles_of(const struct task *t, size_t k,
+                          const struct ph_spatial_fit *fit, double angles[2]) {
+  const double *fixed = fixed_angles(t, k);
+  if (fixed) {
+    memcpy(angles, fixed, 2 * sizeof *angles);
+  } else if (!ph_spatial_angles(&fit->family, fit->member, t->axis, angles)) {
+    angles[0] = angles[1] = (double)NAN;
+  }
+}
+
+static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
+  struct ph_curve *curve = &t->result->curve;
+  struct ph_sum length = {0, 0};
+  ph_quat end = {1, 0, 0, 0};
+  for (size_t k = 0; k < t->points.n; k++) {
+    double tension = t->points.tension[k], missed;
+    struct ph_spatial_data data;
+    struct ph_spatial_tension best;
+    struct ph_spatial_chosen chosen;
+    enum ph_status status;
+    chosen.root = ph_spatial_segment(&t->points, k, tension, &data);
+    status = fit_segment(t, k, &data, &best, diag);
+    if (status != PH_OK) {
+      return status;
+    }
+    count_segment(t, k, &data, &best);
+    chosen.fit = &best.fit;
+    chosen.tension = tension * best.factor;
+    set_angles_of(t, k, &best.fit, chosen.angles);
+    missed = ph_spatial_curve_put(&t->points, k, &chosen, &end, curve);
+    t->residual = missed > t->residual ? missed : t->residual;
+    ph_sum_add(&length, curve->lengths[k]);
+  }
+  curve->length = ph_sum_value(&length);
+  if (curve->closed) {
+    ph_diagnostics_set(&t->result->diagnostics, PH_D_FRAME_TURN,
+                       ph_frame_turn(curve, end));
+  }
+  return PH_OK;
+}
+
+/* ---- the whole ------------------------------------------------------ */
+
+static void warn_shape(const struct task *t) {
+  if (t->unsatisfied) {
+    ph_fail(ph_warning_add(t->result, t->first_unsatisfied),
+            PH_SHAPE_UNSATISFIABLE, NULL,
+            "segment %zu does not keep the shape of its data at any tension: "
+            "%s (such segments: %zu)",
+            t->first_unsatisfied, t->why, t->unsatisfied);
+  }
+}
+
+/* Tangents found where the data turn back: others are as good. */
+static void warn_reversals(const struct task *t) {
+  const struct ph_spatial_points *p = &t->points;
+  size_t found = 0, first = 0;
+  for (size_t k = p->closed ? 0 : 1; k < p->n; k++) {
+    struct ph_spatial_data a, b;
+    ph_vec3 u, v;
+    ph_spatial_segment(p, k > 0 ? k - 1 : p->n - 1, 1, &a);
+    ph_spatial_segment(p, k, 1, &b);
+    u = ph_vec3_unit(a.dp);
+    v = ph_vec3_unit(b.dp);
+    if (ph_vec3_dot(u, v) < 0 && ph_vec3_abs(ph_vec3_cross(u, v)) <= REVERSAL &&
+        found++ == 0) {
+      first = k;
+    }
+  }
+  if (found) {
+    ph_fail(ph_warning_add(t->result, first), PH_REVERSAL, NULL,
+            "the data turn back by 180 degrees at points[%zu] (such points: "
+            "%zu): of many tangents one was taken",
+            first, found);
+  }
+}
+
+static void report(const struct task *t) {
+  struct ph_diagnostics *d = &t->result->diagnostics;
+  ph_diagnostics_set(d, PH_D_ITERATIONS, (double)t->evaluations);
+  ph_diagnostics_set(d, PH_D_RESIDUAL, t->residual);
+  ph_diagnostics_set(d, PH_D_REDUCED, (double)t->reduced);
+  if (!t->angles && t->criterion->functional) {
+    ph_diagnostics_set(d, PH_D_FUNCTIONAL, t->functional);
+    if (t->points.atph && !t->points.alpha) {
+      ph_diagnostics_set(d, PH_D_AT_BOUND, t->at_bound);
+    }
+  }
+  ph_warn_alpha(&t->result->curve, t->result);
+  warn_shape(t);
+  if (t->points.estimated) {
+    warn_reversals(t);
+  }
+}
+
+static enum ph_status solve(const struct ph_problem *problem,
+                            struct ph_arena *out, struct ph_arena *scratch,
+                            struct ph_result *result, struct ph_diag *diag) {
+  struct ph_mark mark = ph_arena_mark(scratch);
+  struct task t = {
+      .result = result, .space = ph_atph_of(0), .scratch = scratch};
+  enum ph_status status = read_task(problem, scratch, &t, diag);
+  if (status == PH_OK) {
+    status = ph_spatial_curve_alloc(&t.points, out, &result->curve, diag);
+  }
+  if (status == PH_OK && !ph_fair3_begin(&t.rules)) {
+    status = ph_fail_memory(diag);
+  }
+  if (status == PH_OK) {
+    status = solve_segments(&t, diag);
+  }
+  if (status == PH_OK) {
+    report(&t);
+  }
+  ph_arena_release(scratch, mark);
+  return status;
+}
+
+static const struct ph_field fields[] = {
+    {PH_F_POINTS, PH_VECTORS, 1u << 2 | 1u << 3, true, NULL, NULL,
+     "the points to interpolate, 2 or more, 3 or more if closed"},
+    {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
+     "close the curve, a repeated last point is dropped"},
+    {PH_F_TANGENTS, PH_VECTORS, 1u << 2 | 1u << 3, false, NULL,
+     "from the points", "a direction for each point"},
+    {PH_F_DERIVATIVES, PH_VECTORS, 1u << 2 | 1u << 3, false, NULL, "none",
+     "a derivative for each point, by the parameter of a segment"},
+    {PH_F_BASIS, PH_WORD, 0, false, "ph|atph", "ph",
+     "PH quintic segments, polynomial, or algebraic-trigonometric ones"},
+    {PH_F_CRITERION, PH_WORD, 0, false, "cc|hc|bv|zero|F1|F2|F3",
+     "cc, of atph F3", "what chooses the two angles of a segment"},
+    {PH_F_ANGLES, PH_VECTORS | PH_NUMBERS, 1u << 2, false, NULL,
+     "by the criterion", "pairs [theta,beta], one for each segment or for all"},
+    {PH_F_AXIS, PH_WORD, 0, false, "chord|x|bisector", "chord, of atph x",
+     "the axis that angles are about"},
+    {PH_F_ALPHA, PH_NUMBER | PH_NUMBERS | PH_SEGMENTS, 0, false, NULL,
+     "chosen by F1, F2 or F3",
+     "angles of atph segments below pi, one for all or one each"},
+    {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal", "chordal",
+     "the knots, increasing: where tangents have no length, their differences "
+     "are it"},
+    {PH_F_TENSION, PH_NUMBER | PH_NUMBERS | PH_SEGMENTS, 0, false, NULL, "1",
+     "scales end derivatives by its square, one for all or one each"},
+    {PH_F_SHAPE, PH_BOOL, 0, false, NULL, "true, with derivatives false",
+     "reduce the tension until segments keep the shape of the data"},
+    {PH_F_PLANARITY, PH_NUMBER, 0, false, NULL, "1e-5",
+     "data that leave a plane by no more of their chord are plane data"},
+};
+
+const struct ph_method ph_method_spatial_hermite = {
+    .schema = {"spatial-hermite", fields, sizeof fields / sizeof fields[0]},
+    .title = "G1 PH curves through points in space",
+    .dimension = 3,
+    .solve = solve,
+};

@@ -1,0 +1,415 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The fairest members of a family (see spatial_min.h).
+ *
+ * 1. The functional over phi, for a grid of b and alpha: its local minima, a
+ *    little improved.  The valleys are narrow in phi and long in b, so that a
+ *    plain grid can miss them.
+ * 2. Rough descents from those that are less than their neighbours in the grid.
+ * 3. The best of these to the end, by ever finer quadratures until two agree.
+ * 4. Their values by adaptive quadrature, and the least of these.
+ *
+ * Plane data have members in the plane, two b with phi 0 or pi.  They are
+ * searched by themselves: with an inflection their F3 is finite, but that of
+ * all members nearby is not.
+ *
+ * What is descended is log(F + SMALL): F spans many powers of ten, and can have
+ * a minimum of 0.
+ */
+#include "solve/spatial/min.h"
+
+#include "kernel/box.h"
+#include "kernel/pi.h"
+#include "solve/spatial/fair.h"
+
+#include <math.h>
+
+enum {
+  B_MAX = 20, /* of the grid, in every direction */
+  PHI_N = 14,
+  ALPHA_MAX = 6,
+  VALLEYS = 4,     /* kept for one b and alpha */
+  STARTS = 24,     /* of rough descents, and of fine ones */
+  GRID_PANELS = 2, /* of the quadrature: in the grid, and at first */
+  PANELS_MAX = 16,
+  ROUGH_STEPS = 60, /* of one descent */
+  STEPS_MAX = 100
+};
+
+static const double SMALL = 1e-3;
+/* Steps of log(F + SMALL) that are not worth while. */
+static const double ROUGH = 1e-4, FINE = 1e-14;
+/* Two quadratures agree, relative to this much more than F. */
+static const double AGREE = 1e-9, NOTHING = 1e-6;
+/* How much a rough minimum can still lose. */
+static const double PROMISING = 1.2, HOPELESS = 3;
+/* Minima at neighbouring b or alpha whose phi is nearer belong together. */
+static const double APART = 0.8;
+
+static const double TURN = 6.28318530717958647693;
+
+struct search {
+  const struct ph_spatial_search *wanted;
+  const struct ph_fair3_rules *rules;
+  struct ph_arena *scratch;
+  struct ph_spatial_family family;
+  struct ph_spatial_target target;
+  size_t panels;
+  struct ph_spatial_point at; /* of the last value */
+  double last;                /* F there */
+  size_t evaluations;
+};
+
+struct start {
+  struct ph_spatial_point at;
+  double value;
+  bool plane; /* b and phi stay */
+};
+
+static void begin(struct search *s, const struct ph_spatial_search *wanted,
+                  const struct ph_fair3_rules *rules,
+                  struct ph_arena *scratch) {
+  struct ph_atph space = ph_atph_of(wanted->alpha_lower);
+  s->wanted = wanted;
+  s->rules = rules;
+  s->scratch = scratch;
+  s->family = ph_spatial_family_of(wanted->data, &space);
+  s->target = (struct ph_spatial_target){&rules->fine, &s->family,
+                                         wanted->scaled, wanted->functional};
+  s->panels = GRID_PANELS;
+  s->evaluations = 0;
+}
+
+static double value_at(struct search *s, size_t panels,
+                       const struct ph_spatial_point *at) {
+  s->evaluations++;
+  return ph_spatial_fair(&s->target, panels, at, NULL);
+}
+
+/* ---- descent --------------------------------------------------------- */
+
+static enum ph_status descent_value(void *context, const double *x,
+                                    double *value) {
+  struct search *s = context;
+  s->at.b = x[PH_SPATIAL_B];
+  s->at.phi = x[PH_SPATIAL_PHI];
+  s->at.alpha = x[PH_SPATIAL_ALPHA];
+  s->last = value_at(s, s->panels, &s->at);
+  *value = log(s->last + SMALL);
+  return PH_OK;
+}
+
+static void descent_gradient(void *context, double *gradient) {
+  struct search *s = context;
+  double value = ph_spatial_fair(&s->target, s->panels, &s->at, gradient);
+  for (size_t i = 0; i < PH_SPATIAL_VARIABLES; i++) {
+    gradient[i] /= value + SMALL;
+  }
+  if (s->wanted->alpha_lower >= s->wanted->alpha_upper) {
+    gradient[PH_SPATIAL_ALPHA] = 0;
+  }
+}
+
+static void descent_accept(void *context) {
+  (void)context;
+}
+
+/* One descent by the quadrature of s->panels. */
+static enum ph_status descend(struct search *s, double decrease, size_t steps,
+                              struct start *start) {
+  const double none = HUGE_VAL;
+  const double lower[] = {start->plane ? start->at.b : -none,
+                          start->plane ? start->at.phi : -none,
+                          s->wanted->alpha_lower};
+  const double upper[] = {start->plane ? start->at.b : none,
+                          start->plane ? start->at.phi : none,
+                          s->wanted->alpha_upper};
+  struct ph_box box = {PH_SPATIAL_VARIABLES,
+                       lower,
+                       upper,
+                       decrease,
+                       steps,
+                       s,
+                       descent_value,
+                       descent_gradient,
+                       descent_accept};
+  double x[] = {start->at.b, start->at.phi, start->at.alpha};
+  struct ph_box_report report;
+  enum ph_status status = ph_box_minimize(&box, s->scratch, x, &report);
+  start->at = (struct ph_spatial_point){x[PH_SPATIAL_B], x[PH_SPATIAL_PHI],
+                                        x[PH_SPATIAL_ALPHA]};
+  start->value = exp(report.value) - SMALL;
+  return status;
+}
+
+/* To the end, by a quadrature that is fine enough there.  What the first ones
+ * do not see may be far above the limit: it is left then. */
+static enum ph_status polish(struct search *s, double limit,
+                             struct start *start) {
+  enum ph_status status;
+  bool done;
+  s->panels = GRID_PANELS;
+  do {
+    double finer;
+    status = descend(s, FINE, STEPS_MAX, start);
+    finer = value_at(s, 2 * s->panels, &start->at);
+    done = fabs(finer - start->value) <= AGREE * (finer + NOTHING) ||
+           !(finer <= HOPELESS * limit);
+    s->panels *= 2;
+  } while (status == PH_OK && !done && s->panels <= PANELS_MAX);
+  return status;
+}
+
+/* The functional by adaptive quadrature. */
+static double true_value(const struct search *s,
+                         const struct ph_spatial_point *at) {
+  struct ph_spatial_family f = ph_spatial_fair_family(&s->target, at->alpha);
+  struct ph_spatial_member member = {ph_cplx_polar(at->b),
+                                     ph_cplx_polar(at->phi)};
+  struct ph_fair3 fair;
+  ph_quat a[3];
+  ph_spatial_preimage(&f, member, a);
+  fair = ph_fair3_of(s->rules, &f.space, a);
+  if (fair.inflected && s->target.functional == 3) {
+    return HUGE_VAL; /* isolated: F3 is huge all around */
+  }
+  return ph_fair3_functional(&fair, ph_spatial_length(&f, member.b),
+                             s->wanted->functional);
+}
+
+static void finish(const struct search *s, const struct start *best,
+                   struct ph_spatial_minimum *found) {
+  const struct ph_spatial_search *w = s->wanted;
+  double alpha = best->at.alpha;
+  found->member.b = ph_cplx_polar(best->at.b);
+  found->member.phi = ph_cplx_polar(best->at.phi);
+  found->alpha = alpha;
+  found->value = best->value;
+  found->evaluations = s->evaluations;
+  found->at_bound = w->alpha_lower < w->alpha_upper &&
+                    (alpha <= w->alpha_lower || alpha >= w->alpha_upper);
+}
+
+enum ph_status ph_spatial_descend(const struct ph_spatial_search *search,
+                                  const struct ph_fair3_rules *rules,
+                                  struct ph_arena *scratch,
+                                  struct ph_spatial_minimum *found) {
+  struct search s;
+  struct start start = {{0, 0, found->alpha}, 0, false};
+  enum ph_status status;
+  const double rounding = 1e-12;
+  ph_cplx phi = found->member.phi;
+  begin(&s, search, rules, scratch);
+  start.plane = ph_spatial_in_plane(&s.family, found->member.b, &start.at.b) &&
+                fabs(phi.im) <= rounding;
+  start.at.phi = !start.plane ? atan2(phi.im, phi.re) : phi.re > 0 ? 0 : PH_PI;
+  status = polish(&s, HUGE_VAL, &start);
+  start.value = true_value(&s, &start.at);
+  finish(&s, &start, found);
+  return status;
+}
+
+/* ---- global search --------------------------------------------------- */
+
+/* Keeps the best n starts, in order; others than finite values go last. */
+static void insert(struct start *list, size_t *n, size_t most,
+                   const struct start *start) {
+  size_t i;
+  if (!isfinite(start->value)) {
+    return;
+  }
+  if (*n == most) {
+    if (!(start->value < list[most - 1].value)) {
+      return;
+    }
+    (*n)--;
+  }
+  for (i = *n; i > 0 && start->value < list[i - 1].value; i--) {
+    list[i] = list[i - 1];
+  }
+  list[i] = *start;
+  (*n)++;
+}
+
+/* Local minima in phi, for each b and alpha of a grid. */
+struct valley {
+  size_t n;
+  struct start at[VALLEYS];
+};
+
+struct grid {
+  size_t alphas, bs;
+  double alpha[ALPHA_MAX];
+  struct valley valley[ALPHA_MAX][B_MAX];
+};
+
+/* The samples of phi.  D(0) is the smoothest choice as a rule, and the valleys
+ * are crowded there. */
+static const double PHI[PHI_N] = {-2.4, -1.6, -1.0, -0.6, -0.36, -0.17, 0,
+                                  0.17, 0.36, 0.6,  1.0,  1.6,   2.4,   3.141};
+
+/* The least of a parabola through log F at -left, 0, right. */
+static double vertex(const double f[3], double left, double right) {
+  double fl = log(f[0] / f[1]), fr = log(f[2] / f[1]);
+  double x =
+      0.5 * (fl * right * right - fr * left * left) / (fl * right + fr * left);
+  return isfinite(x) ? x : 0;
+}
+
+/* Takes another phi if the functional is less there. */
+static double attempt(struct search *s, struct start *best, double phi) {
+  struct start next = *best;
+  next.at.phi = phi;
+  next.value = value_at(s, GRID_PANELS, &next.at);
+  *best = next.value < best->value ? next : *best;
+  return next.value;
+}
+
+/* A few steps down in phi from the middle of three values. */
+static struct start bottom(struct search *s, const struct ph_spatial_point *at,
+                           const double three[3], double left, double right) {
+  const double step = 0.3 * (left < right ? left : right);
+  struct start best = {*at, three[1], false}, middle;
+  double f[3];
+  attempt(s, &best, at->phi + vertex(three, left, right));
+  middle = best;
+  f[0] = attempt(s, &best, middle.at.phi - step);
+  f[1] = middle.value;
+  f[2] = attempt(s, &best, middle.at.phi + step);
+  if (f[0] >= f[1] && f[2] >= f[1]) {
+    attempt(s, &best, middle.at.phi + vertex(f, step, step));
+  }
+  return best;
+}
+
+static void fill_valley(struct search *s, double alpha, double b,
+                        struct valley *v) {
+  double f[PHI_N];
+  struct ph_spatial_point at = {b, 0, alpha};
+  for (size_t j = 0; j < PHI_N; j++) {
+    at.phi = PHI[j];
+    f[j] = value_at(s, GRID_PANELS, &at);
+    f[j] = isfinite(f[j]) ? f[j] : HUGE_VAL;
+  }
+  v->n = 0;
+  for (size_t j = 0; j < PHI_N; j++) {
+    size_t before = (j + PHI_N - 1) % PHI_N, after = (j + 1) % PHI_N;
+    const double three[3] = {f[before], f[j], f[after]};
+    if (three[1] <= three[0] && three[1] < three[2]) {
+      double left = PHI[j] - PHI[before], right = PHI[after] - PHI[j];
+      struct start start;
+      at.phi = PHI[j];
+      start = bottom(s, &at, three, left > 0 ? left : left + TURN,
+                     right > 0 ? right : right + TURN);
+      insert(v->at, &v->n, VALLEYS, &start);
+    }
+  }
+}
+
+/* F1 is smoother than the others. */
+static void fill(struct search *s, struct grid *g) {
+  double lower = s->wanted->alpha_lower, upper = s->wanted->alpha_upper;
+  bool smooth = s->wanted->functional == 1;
+  g->bs = smooth ? B_MAX / 2 : B_MAX;
+  g->alphas = !(lower < upper) ? 1 : smooth ? ALPHA_MAX - 1 : ALPHA_MAX;
+  for (size_t k = 0; k < g->alphas; k++) {
+    double part =
+        g->alphas > 1 ? ((double)k + 0.25) / ((double)g->alphas - 0.5) : 0;
+    g->alpha[k] = lower + part * (upper - lower);
+    for (size_t i = 0; i < g->bs; i++) {
+      fill_valley(s, g->alpha[k], TURN * ((double)i + 0.5) / (double)g->bs,
+                  &g->valley[k][i]);
+    }
+  }
+}
+
+/* Whether a valley rises towards its neighbour, or ends. */
+static bool rises(const struct start *from, const struct valley *to) {
+  double nearest = APART, value = HUGE_VAL;
+  for (size_t i = 0; i < to->n; i++) {
+    double d = fabs(remainder(to->at[i].at.phi - from->at.phi, TURN));
+    if (d < nearest) {
+      nearest = d;
+      value = to->at[i].value;
+    }
+  }
+  return value >= from->value;
+}
+
+static bool is_least(const struct grid *g, size_t k, size_t i,
+                     const struct start *start) {
+  return rises(start, &g->valley[k][(i + 1) % g->bs]) &&
+         rises(start, &g->valley[k][(i + g->bs - 1) % g->bs]) &&
+         (k == 0 || rises(start, &g->valley[k - 1][i])) &&
+         (k + 1 == g->alphas || rises(start, &g->valley[k + 1][i]));
+}
+
+/* The members in the plane, descended to the end at once. */
+static enum ph_status search_plane(struct search *s, const struct grid *g,
+                                   struct start *best) {
+  double b;
+  ph_spatial_in_plane(&s->family, s->family.plane_b, &b);
+  for (size_t k = 0; k < g->alphas; k++) {
+    for (int i = 0; i < 4; i++) {
+      struct start start = {
+          {i % 2 ? b + PH_PI : b, i / 2 ? PH_PI : 0, g->alpha[k]}, 0, true};
+      enum ph_status status = polish(s, best->value + SMALL, &start);
+      if (status != PH_OK) {
+        return status;
+      }
+      start.value = true_value(s, &start.at);
+      *best = start.value < best->value ? start : *best;
+    }
+  }
+  return PH_OK;
+}
+
+static enum ph_status search_grid(struct search *s, const struct grid *g,
+                                  struct start *best) {
+  struct start list[STARTS], rough[STARTS] = {{{0, 0, 0}, 0, false}};
+  size_t n = 0, kept = 0;
+  enum ph_status status = PH_OK;
+  for (size_t k = 0; k < g->alphas; k++) {
+    for (size_t i = 0; i < g->bs; i++) {
+      const struct valley *v = &g->valley[k][i];
+      for (size_t j = 0; j < v->n; j++) {
+        if (is_least(g, k, i, &v->at[j])) {
+          insert(list, &n, STARTS, &v->at[j]);
+        }
+      }
+    }
+  }
+  s->panels = GRID_PANELS;
+  for (size_t i = 0; status == PH_OK && i < n; i++) {
+    status = descend(s, ROUGH, ROUGH_STEPS, &list[i]);
+    insert(rough, &kept, STARTS, &list[i]);
+  }
+  for (size_t i = 0; status == PH_OK && i < kept &&
+                     rough[i].value <= PROMISING * (best->value + SMALL);
+       i++) {
+    status = polish(s, best->value + SMALL, &rough[i]);
+    rough[i].value = true_value(s, &rough[i].at);
+    *best = rough[i].value < best->value ? rough[i] : *best;
+  }
+  return status;
+}
+
+enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
+                                   const struct ph_fair3_rules *rules,
+                                   struct ph_arena *scratch,
+                                   struct ph_spatial_minimum *found) {
+  struct search s;
+  struct grid grid;
+  struct start best = {{0, 0, search->alpha_lower}, HUGE_VAL, false};
+  enum ph_status status = PH_OK;
+  begin(&s, search, rules, scratch);
+  fill(&s, &grid);
+  if (s.family.flat) {
+    status = search_plane(&s, &grid, &best);
+  }
+  if (status == PH_OK && !(search->plane && s.family.flat)) {
+    status = search_grid(&s, &grid, &best);
+  }
+  finish(&s, &best, found);
+  return status;
+}

@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Solutions of one interval by the mode of the problem (see tc_interval.h). */
+#include "solve/tc/interval.h"
+
+#include "kernel/pi.h"
+#include "solve/tc/g1.h"
+#include "solve/tc/two.h"
+
+#include <math.h>
+
+static double angle_of(ph_cplx t) {
+  return atan2(t.im, t.re);
+}
+
+/* ---- why there is none -------------------------------------------------- */
+
+/* From this angle on at one end, the other must not be 0 [BYR11, table 4.1]. */
+static const double NOT_ZERO = 2 * PH_PI / 3;
+
+/* What to say of a range that reaches beyond the angles of directions. */
+static const char *modulo(const double range[2]) {
+  return range[0] < -PH_PI || range[1] > PH_PI ? " modulo 2 pi" : "";
+}
+
+static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h, size_t n,
+                              struct ph_diag *diag) {
+  double a = angle_of(h->t[0]), b = angle_of(h->t[1]), range[2];
+  if (n > 0) {
+    return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+                      "a Tschirnhausen cubic with angles %.6g and %.6g to the "
+                      "chord has a cusp; \"mode\":\"g1-pair\" has a curve of "
+                      "two",
+                      a, b);
+  }
+  ph_tc_g1_range(a, range);
+  return ph_fail_at(
+      diag, PH_INFEASIBLE, "segments", k,
+      "no Tschirnhausen cubic has angles %.6g and %.6g to the chord: for the "
+      "first, the second must be between %.6g and %.6g%s%s; "
+      "\"mode\":\"g1-pair\" has a curve of two",
+      a, b, range[0], range[1], modulo(range),
+      fabs(a) >= NOT_ZERO ? ", and not 0" : "");
+}
+
+static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
+                                 const struct ph_tc_hermite *h,
+                                 struct ph_diag *diag) {
+  double range[2][2];
+  for (size_t i = 0; i < 2; i++) {
+    ph_tc_g1_range(angle_of(h->t[i]), range[i]);
+  }
+  return isnan(d->joint_angle)
+             ? ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+                          "no two cubics meet on the chord without a cusp; "
+                          "\"joint\":\"free\" has a curve of two")
+             : ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+                          "no two cubics meet on the chord at the angle %.6g: "
+                          "it must be between %.6g and %.6g%s and between "
+                          "%.6g and %.6g%s, and not 0",
+                          d->joint_angle, range[0][0], range[0][1],
+                          modulo(range[0]), range[1][0], range[1][1],
+                          modulo(range[1]));
+}
+
+static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
+                                struct ph_diag *diag) {
+  return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+                    d->choice == PH_TC_STANDARD
+                        ? "the standard pair has a cusp; \"solutions\":"
+                          "\"best\" may have none"
+                    : d->mode == PH_TC_C1
+                        ? "all four pairs of cubics have a cusp with these "
+                          "derivatives; other lengths of them do not"
+                        : "all four pairs of cubics have a cusp with this "
+                          "lambda; others do not");
+}
+
+/* ---- one ---------------------------------------------------------------- */
+
+static enum ph_status g1(size_t k, const struct ph_tc_hermite *h,
+                         struct ph_tc_fit *fit, struct ph_diag *diag) {
+  struct ph_tc_fit fits[2];
+  size_t n = ph_tc_g1(h, fits);
+  if (n == 0 || !fits[0].regular) {
+    return fail_g1(k, h, n, diag);
+  }
+  *fit = fits[0];
+  return PH_OK;
+}
+
+/* Derivatives at both ends are given. */
+static enum ph_status pair(const struct ph_tc_data *d, size_t k,
+                           const struct ph_tc_hermite *h, struct ph_tc_fit *fit,
+                           struct ph_diag *diag) {
+  if (d->choice == PH_TC_STANDARD && ph_tc_pair_standard(h, fit)) {
+    ph_tc_fit_measure(fit);
+    fit->simple = ph_tc_pair_is_safe(h) || ph_tc_fit_test(fit);
+    return fit->regular ? PH_OK : fail_pair(d, k, diag);
+  }
+  return ph_tc_pair_best(h, fit) ? PH_OK : fail_pair(d, k, diag);
+}
+
+/* Tangents alone are given. */
+static enum ph_status two(const struct ph_tc_data *d, size_t k,
+                          const struct ph_tc_hermite *h, struct ph_tc_fit *fit,
+                          struct ph_diag *diag) {
+  if (d->on_chord) {
+    return ph_tc_two_chord(h, d->joint_angle, d->joint_position, fit)
+               ? PH_OK
+               : fail_chord(d, k, h, diag);
+  }
+  if (d->choice == PH_TC_STANDARD) {
+    const struct ph_tc_hermite longer = ph_tc_hermite_scaled(h, PH_TC_LAMBDA);
+    enum ph_status status = pair(d, k, &longer, fit, diag);
+    fit->lambda = PH_TC_LAMBDA;
+    return status;
+  }
+  return ph_tc_two_free(h, fit)
+             ? PH_OK
+             : ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
+                          "no pair of cubics without a crossing was found");
+}
+
+static enum ph_status g1_pair(const struct ph_tc_data *d, size_t k,
+                              const struct ph_tc_hermite *h,
+                              struct ph_tc_fit *fit, struct ph_diag *diag) {
+  return d->c1 ? pair(d, k, h, fit, diag) : two(d, k, h, fit, diag);
+}
+
+/* The data as unit tangents. */
+static struct ph_tc_hermite tangents_of(const struct ph_tc_data *d,
+                                        const struct ph_tc_hermite *h) {
+  struct ph_tc_hermite unit = *h;
+  for (size_t i = 0; d->c1 && i < 2; i++) {
+    unit.t[i] = ph_cplx_scale(1 / ph_cplx_abs(h->t[i]), h->t[i]);
+  }
+  return unit;
+}
+
+/* Whether a cubic comes so near to a cusp that no one would draw it. */
+static bool is_sharp(const struct ph_tc *tc) {
+  const double sharp = 1e-6;
+  double t = ph_tc_vertex(tc);
+  struct ph_tc_form f = ph_tc_form_of(tc);
+  ph_cplx w = ph_cplx_between(tc->w[0], tc->w[1], t);
+  return !(ph_cplx_norm2(w) > sharp * sharp * fmax(f.a, f.b));
+}
+
+/* One cubic where a mode that has the choice takes it, else two. */
+static enum ph_status one_or_two(const struct ph_tc_data *d, size_t k,
+                                 const struct ph_tc_hermite *h,
+                                 struct ph_tc_fit *fit, struct ph_diag *diag) {
+  const struct ph_tc_hermite unit = tangents_of(d, h);
+  struct ph_tc_fit fits[2];
+  bool one = ph_tc_g1(&unit, fits) > 0 && !is_sharp(&fits[0].tc[0]) &&
+             fits[0].loops == 0;
+  enum ph_status status = PH_OK;
+  if (!one || d->mode == PH_TC_G1_FAIR) {
+    status = g1_pair(d, k, h, fit, diag);
+  }
+  if (one && (d->mode == PH_TC_G1_AUTO || status != PH_OK ||
+              fits[0].energy * fits[0].length <= fit->energy * fit->length)) {
+    *fit = fits[0];
+    status = PH_OK;
+  }
+  return status;
+}
+
+enum ph_status ph_tc_interval(const struct ph_tc_data *d, size_t k,
+                              struct ph_tc_fit *fit, struct ph_diag *diag) {
+  const struct ph_tc_hermite h = ph_tc_hermite_of(d, k);
+  switch (d->mode) {
+  case PH_TC_G1:
+    return g1(k, &h, fit, diag);
+  case PH_TC_G1_AUTO:
+  case PH_TC_G1_FAIR:
+    return one_or_two(d, k, &h, fit, diag);
+  case PH_TC_G1_PAIR:
+    return g1_pair(d, k, &h, fit, diag);
+  default:
+    return pair(d, k, &h, fit, diag);
+  }
+}
+
+/* ---- all ---------------------------------------------------------------- */
+
+static void all_pairs(const struct ph_tc_hermite *h, double lambda,
+                      struct ph_tc_fit fits[PH_TC_FITS_MAX]) {
+  ph_tc_pairs(h, fits);
+  for (size_t i = 0; i < PH_TC_PAIRS; i++) {
+    ph_tc_fit_measure(&fits[i]);
+    fits[i].lambda = lambda;
+  }
+  ph_tc_fit_order(fits, PH_TC_PAIRS);
+}
+
+enum ph_status ph_tc_interval_all(const struct ph_tc_data *d, size_t k,
+                                  struct ph_tc_fit fits[PH_TC_FITS_MAX],
+                                  size_t *n, struct ph_diag *diag) {
+  const struct ph_tc_hermite h = ph_tc_hermite_of(d, k);
+  enum ph_status status = ph_tc_interval(d, k, &fits[0], diag);
+  if (status != PH_OK || d->on_chord) {
+    *n = 1;
+  } else if (fits[0].n == 1) {
+    const struct ph_tc_hermite unit = tangents_of(d, &h);
+    *n = ph_tc_g1(&unit, fits);
+  } else {
+    double lambda = fits[0].lambda;
+    const struct ph_tc_hermite longer =
+        d->c1 ? h : ph_tc_hermite_scaled(&h, lambda);
+    all_pairs(&longer, lambda, fits);
+    *n = PH_TC_PAIRS;
+  }
+  return status;
+}

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The method `tc`: from the fields of a problem to a curve of Tschirnhausen
+ * cubics.
+ *
+ * The data are read (tc_data.h), every interval is solved by itself
+ * (tc_interval.h) and put into the curve (tc_curve.h): O(n), and nothing is
+ * allocated for an interval.  Curves that are approximated go their own way
+ * (tc_target.h).
+ */
+#include "solve/tc/method.h"
+
+#include "curve/blaschke.h"
+#include "solve/tc/all.h"
+#include "solve/tc/curve.h"
+#include "solve/tc/interval.h"
+#include "solve/tc/target.h"
+
+static void warn_crossings(const struct ph_tc_crossings *crossings,
+                           struct ph_result *result) {
+  if (crossings->n > 0) {
+    const struct ph_interval *at = &result->intervals[crossings->first];
+    ph_fail(ph_warning_add(result, at->first), PH_LOOP, NULL,
+            "the curve of interval %zu has a loop or crosses itself (such "
+            "intervals: %zu)",
+            crossings->first, crossings->n);
+  }
+}
+
+/* Each interval by itself. */
+static enum ph_status solve_one(const struct ph_tc_data *d,
+                                struct ph_arena *out, struct ph_result *result,
+                                struct ph_tc_crossings *crossings,
+                                struct ph_diag *diag) {
+  struct ph_tc_builder builder;
+  enum ph_status status =
+      ph_tc_build_begin(&builder, d, out, &result->curve, diag);
+  for (size_t k = 0; status == PH_OK && k < d->n; k++) {
+    struct ph_tc_fit fit;
+    status = ph_tc_interval(d, k, &fit, diag);
+    if (status == PH_OK) {
+      ph_tc_build_add(&builder, &fit);
+      ph_tc_crossings_see(crossings, k, &fit);
+    }
+  }
+  if (status == PH_OK) {
+    ph_tc_build_end(&builder, &result->diagnostics);
+    result->intervals = builder.intervals;
+    result->intervals_n = d->n;
+  }
+  return status;
+}
+
+static enum ph_status interpolate(const struct ph_problem *problem,
+                                  enum ph_tc_mode mode, struct ph_arena *out,
+                                  struct ph_arena *scratch,
+                                  struct ph_result *result,
+                                  struct ph_diag *diag) {
+  struct ph_tc_crossings crossings = {0, 0};
+  struct ph_tc_data data;
+  enum ph_status status = ph_tc_data_of(problem, mode, scratch, &data, diag);
+  if (status == PH_OK) {
+    status = data.choice == PH_TC_ALL
+                 ? ph_tc_all(&data, out, scratch, result, &crossings, diag)
+                 : solve_one(&data, out, result, &crossings, diag);
+  }
+  if (status == PH_OK) {
+    warn_crossings(&crossings, result);
+  }
+  return status;
+}
+
+/* Images on the Blaschke cylinder, of all regular curves. */
+static enum ph_status add_images(struct ph_arena *out, struct ph_result *result,
+                                 struct ph_diag *diag) {
+  enum ph_status status = ph_blaschke_curve(&result->curve, out, diag);
+  for (size_t i = 0; status == PH_OK && i < result->solutions_n; i++) {
+    status = ph_blaschke_curve(&result->solutions[i].curve, out, diag);
+    status = status == PH_INFEASIBLE ? PH_OK : status;
+  }
+  return status;
+}
+
+static enum ph_status solve(const struct ph_problem *problem,
+                            struct ph_arena *out, struct ph_arena *scratch,
+                            struct ph_result *result, struct ph_diag *diag) {
+  struct ph_mark mark = ph_arena_mark(scratch);
+  enum ph_tc_mode mode;
+  enum ph_status status = ph_tc_mode_of(problem, &mode, diag);
+  if (status == PH_OK) {
+    status = mode == PH_TC_APPROXIMATE
+                 ? ph_tc_target(problem, out, scratch, result, diag)
+                 : interpolate(problem, mode, out, scratch, result, diag);
+  }
+  if (status == PH_OK && problem->field[PH_F_BLASCHKE].flag) {
+    status = add_images(out, result, diag);
+  }
+  ph_arena_release(scratch, mark);
+  return status;
+}
+
+static const struct ph_field fields[] = {
+    {PH_F_POINTS, PH_VECTORS, 1u << 2, false, NULL, "none",
+     "the points to interpolate, 2 or more, 3 or more if closed"},
+    {PH_F_TANGENTS, PH_VECTORS, 1u << 2, false, NULL, "none",
+     "directions of the curve, one for each point"},
+    {PH_F_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL, "none",
+     "derivatives, one for each point, by each cubic's own parameter in [0,1]"},
+    {PH_F_CURVE, PH_VECTORS | PH_POLYLINE, 1u << 2, false, NULL, "points",
+     "the curve to approximate: control points of a Bezier curve, or of "
+     "several, one after another"},
+    {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
+     "close the curve, a repeated last point is dropped"},
+    {PH_F_MODE, PH_WORD, 0, false,
+     "g1|g1-pair|g1-auto|g1-fair|c1|spline|approximate",
+     "approximate, g1-auto, c1 or spline, by what is given",
+     "cubics in each interval: one, two, one if it has no loop, or what is "
+     "fairer; two with derivatives, given or by rule; or an approximation"},
+    {PH_F_LAMBDA, PH_NUMBER, 0, false, NULL,
+     "0.5 for spline, else the fairest of each interval",
+     "length of derivatives over that of the shorter chord beside them"},
+    {PH_F_ENDS, PH_WORD, 0, false, "chord|circle", "chord",
+     "end tangents of an open spline: along the chord, or of a circle"},
+    {PH_F_END_TANGENTS, PH_VECTORS, 1u << 2, false, NULL, "by ends",
+     "directions at the first and the last point of a spline"},
+    {PH_F_END_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL, "by ends",
+     "derivatives at the first and the last point of a spline"},
+    {PH_F_JOINT, PH_WORD, 0, false, "free|chord", "free",
+     "where the two cubics of g1-pair meet: anywhere, or on the chord"},
+    {PH_F_JOINT_ANGLE, PH_NUMBER, 0, false, NULL, "the fairest",
+     "angle from the chord to the curve at a joint on it, to the left"},
+    {PH_F_JOINT_POSITION, PH_NUMBER, 0, false, NULL, "the fairest",
+     "part of the chord before a joint on it, between 0 and 1"},
+    {PH_F_SOLUTIONS, PH_WORD, 0, false, "best|standard|all", "best",
+     "the best of several curves, the standard one, or all, the best first"},
+    {PH_F_TOLERANCE, PH_NUMBER, 0, false, NULL, "none",
+     "greatest distance of an approximation from the curve, of Hausdorff"},
+    {PH_F_PIECES, PH_NUMBER, 0, false, NULL, "none",
+     "in place of tolerance: greatest number of cubics"},
+    {PH_F_BLASCHKE, PH_BOOL, 0, false, NULL, "false",
+     "add the image of each segment on the Blaschke cylinder"},
+};
+
+const struct ph_method ph_method_tc = {
+    .schema = {"tc", fields, sizeof fields / sizeof fields[0]},
+    .title = "Tschirnhausen cubics: one, two, or a spline of them",
+    .dimension = 2,
+    .solve = solve,
+};
