@@ -459,7 +459,7 @@ START_TEST(test_refusals) {
                                  "the circumference of the sphere, 25.1327");
   ck_assert_uint_eq(offset_of(&c.curve, 25).samples.n, 2 * (N + 1));
   ck_assert_int_eq(ph_offset_spherical(&c.curve, 1, &many, &arena, &o, &diag),
-                   PH_TOO_LARGE);
+                   PH_LIMIT);
 }
 END_TEST
 

@@ -115,7 +115,7 @@ PH_TEST(test_bad_structure) {
   bad("[1\xC3\xA4]", 2, "expected ',' or ']', found '\xC3\xA4'");
   bad("[1\xFF]", 2, "expected ',' or ']', found '\\xff'");
   bad("[1\xC3", 2, "expected ',' or ']', found '\\xc3'");
-  bad("\xEF\xBB\xBF[]", 0, "expected a value, found '\xEF\xBB\xBF'");
+  bad("\xEF\xBB\xBF[]", 0, "expected a value, found '\\xef\\xbb\\xbf'");
   ck_scan("[1\0]", 4, PH_JSON_ERROR, 2, "expected ',' or ']', found '\\x00'");
 }
 
