@@ -370,10 +370,11 @@ static void check(const struct ph_spatial_data *d, const struct whole *w,
   const double *value = w->result.diagnostics.value;
   double interpolation = value[PH_D_INTERPOLATION_ERROR];
   double pythagorean = value[PH_D_PYTHAGOREAN_ERROR];
-  double lost = curve->shape_ok[0] ? shape_lost(d, curve->control_points) : 0;
-  enum kind kind = !curve->shape_ok[0]     ? UNSATISFIED
-                   : curve->tension[0] < 1 ? REDUCED
-                                           : KEPT;
+  double lost =
+      curve->choice.shape_ok[0] ? shape_lost(d, curve->control_points) : 0;
+  enum kind kind = !curve->choice.shape_ok[0]     ? UNSATISFIED
+                   : curve->choice.tension[0] < 1 ? REDUCED
+                                                  : KEPT;
   t->kind[kind]++;
   if (kind == UNSATISFIED) {
     t->backward += !ph_spatial_is_forward(d);

@@ -74,7 +74,7 @@ static void finish(struct run *run) {
 static size_t raised(const struct run *run, size_t n) {
   size_t sum = 0;
   for (size_t i = 0; i < n; i++) {
-    sum += run->result.curve.tensions[i] > 0;
+    sum += run->result.curve.sphere.tensions[i] > 0;
   }
   return sum;
 }

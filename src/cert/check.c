@@ -37,13 +37,13 @@ static bool all_finite(const double *v, size_t n) {
 enum ph_status ph_check_finite(const struct ph_curve *curve,
                                struct ph_diag *diag) {
   size_t n = curve->n, points = n * (curve->degree + 1) * curve->dimension;
-  size_t preimage = n * curve->preimage_n * curve->preimage_dimension;
+  size_t preimage = n * curve->preimage.n * curve->preimage.dimension;
   if (all_finite(curve->control_points, points) &&
-      all_finite(curve->preimage, preimage) &&
+      all_finite(curve->preimage.v, preimage) &&
       all_finite(curve->knots, n + 1) && all_finite(curve->lengths, n) &&
       isfinite(curve->length) &&
-      (!curve->alpha || all_finite(curve->alpha, n)) &&
-      (!curve->tension || all_finite(curve->tension, n))) {
+      (!curve->preimage.alpha || all_finite(curve->preimage.alpha, n)) &&
+      (!curve->choice.tension || all_finite(curve->choice.tension, n))) {
     return PH_OK;
   }
   return ph_fail(diag, PH_TOO_LARGE, NULL,
@@ -116,7 +116,7 @@ struct ph_check_space ph_check_space_of(const struct ph_quad *rule,
 void ph_check_space_for(struct ph_check_space *space,
                         const struct ph_quad *rule,
                         const struct ph_curve *curve, size_t k) {
-  double angle = curve->alpha ? curve->alpha[k] : 0;
+  double angle = curve->preimage.alpha ? curve->preimage.alpha[k] : 0;
   if (!(angle <= space->of.angle && angle >= space->of.angle)) {
     *space = ph_check_space_of(rule, angle);
   }

@@ -21,8 +21,8 @@ enum ph_status ph_check3_begin(struct ph_check3 *c,
     return status;
   }
   c->curve = curve;
-  if (!ph_quad_gauss(&c->rule,
-                     curve->alpha ? PH_CHECK_NODES_ATPH : PH_CHECK_NODES_PH)) {
+  if (!ph_quad_gauss(&c->rule, curve->preimage.alpha ? PH_CHECK_NODES_ATPH
+                                                     : PH_CHECK_NODES_PH)) {
     return ph_fail_memory(diag);
   }
   c->space = ph_check_space_of(&c->rule, 0);
@@ -64,8 +64,8 @@ static void set_legs(const struct ph_check3 *c, const double *p,
 }
 
 void ph_check3_preimage(const struct ph_check3 *c, size_t k, ph_quat a[3]) {
-  const double *v = c->curve->preimage + 12 * k;
-  double unit = c->curve->alpha ? c->curve->alpha[k] : 1;
+  const double *v = c->curve->preimage.v + 12 * k;
+  double unit = c->curve->preimage.alpha ? c->curve->preimage.alpha[k] : 1;
   double root = c->scale.root * sqrt(unit);
   for (size_t i = 0; i < 3; i++, v += 4) {
     a[i] = ph_quat_of(root * v[0], root * v[1], root * v[2], root * v[3]);
@@ -78,8 +78,8 @@ struct ph_check3_segment ph_check3_segment_of(struct ph_check3 *c, size_t k) {
   ph_check_space_for(&c->space, &c->rule, curve, k);
   set_legs(c, curve->control_points + 18 * k, &s);
   ph_check3_preimage(c, k, s.a);
-  s.unit = curve->alpha ? curve->alpha[k] : 1;
-  s.tension = curve->tension ? curve->tension[k] : 1;
+  s.unit = curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
+  s.tension = curve->choice.tension ? curve->choice.tension[k] : 1;
   for (size_t i = 0; i < 2; i++) {
     double size;
     s.first[i] = ph_vec3_scale(1 / c->space.mu[0], s.leg[4 * i]);

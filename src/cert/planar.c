@@ -69,8 +69,8 @@ static ph_cplx second_at(const struct ph_check_space *space, ph_cplx outer,
 
 static struct segment segment_of(struct context *c, size_t k) {
   const double *p = c->curve->control_points + 12 * k;
-  const double *w = c->curve->preimage + 6 * k;
-  const double *alpha = c->curve->alpha;
+  const double *w = c->curve->preimage.v + 6 * k;
+  const double *alpha = c->curve->preimage.alpha;
   double root = alpha ? c->scale.root * sqrt(alpha[k]) : c->scale.root;
   struct segment s;
   ph_cplx from = scaled(c, p);
@@ -250,8 +250,8 @@ enum ph_status ph_cert_planar(const struct ph_problem *problem,
   if (status != PH_OK) {
     return status;
   }
-  if (!ph_quad_gauss(&c.rule,
-                     curve->alpha ? PH_CHECK_NODES_ATPH : PH_CHECK_NODES_PH)) {
+  if (!ph_quad_gauss(&c.rule, curve->preimage.alpha ? PH_CHECK_NODES_ATPH
+                                                    : PH_CHECK_NODES_PH)) {
     return ph_fail_memory(diag);
   }
   c.space = ph_check_space_of(&c.rule, 0);

@@ -118,7 +118,7 @@ static void check_points(const struct context *c,
 static void check_shape(const struct context *c,
                         const struct ph_check3_segment *s, size_t k,
                         struct checks *checks) {
-  if (c->at.curve->shape_ok && c->at.curve->shape_ok[k] &&
+  if (c->at.curve->choice.shape_ok && c->at.curve->choice.shape_ok[k] &&
       checks->shape == PH_CERT_SHAPE_KEPT) {
     checks->shape = ph_cert_shape_of(s->leg, c->at.space.mu, PYTHAGOREAN,
                                      s->rounding, c->planarity);
@@ -201,7 +201,8 @@ static enum ph_status describe_fairness(const struct context *c,
     return ph_fail_memory(diag);
   }
   for (size_t k = 0; k < curve->n; k++) {
-    struct ph_atph space = ph_atph_of(curve->alpha ? curve->alpha[k] : 0);
+    struct ph_atph space =
+        ph_atph_of(curve->preimage.alpha ? curve->preimage.alpha[k] : 0);
     double length = ph_pow2_apply(c->at.scale.to_unit, curve->lengths[k]);
     struct ph_fair3 fair;
     ph_quat a[3];
@@ -228,10 +229,10 @@ static enum ph_status describe(const struct context *c,
                                struct ph_diag *diag) {
   const struct ph_curve *curve = c->at.curve;
   bool shape_ok = true;
-  for (size_t k = 0; curve->shape_ok && k < curve->n; k++) {
-    shape_ok = shape_ok && curve->shape_ok[k];
+  for (size_t k = 0; curve->choice.shape_ok && k < curve->n; k++) {
+    shape_ok = shape_ok && curve->choice.shape_ok[k];
   }
-  if (curve->shape_ok) {
+  if (curve->choice.shape_ok) {
     ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK, shape_ok);
   }
   return curve->n <= FAIR_MAX ? describe_fairness(c, diagnostics, diag) : PH_OK;

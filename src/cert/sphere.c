@@ -303,7 +303,7 @@ static void check_nielson(const struct context *c, const struct node *n,
 /* With shape=false the tensions are those of the problem. */
 static bool is_given_tension(const struct context *c, size_t i) {
   const struct ph_value *given = &c->problem->field[PH_F_TENSION];
-  double nu = c->curve->tensions[i];
+  double nu = c->curve->sphere.tensions[i];
   double wanted = given->kind == PH_NUMBER    ? given->number
                   : given->kind == PH_NUMBERS ? given->v[i]
                                               : 0;
@@ -321,11 +321,11 @@ static void add_fault(struct checks *checks, enum ph_cert_fault fault,
 
 static enum ph_status check_node(const struct context *c, const struct node *n,
                                  struct checks *checks, struct ph_diag *diag) {
-  double nu = c->curve->tensions[n->i];
+  double nu = c->curve->sphere.tensions[n->i];
   struct ph_cert_node data = {.left = n->left,
                               .right = n->right,
                               .spacing = n->hr,
-                              .indicator = c->curve->indicators[n->i]};
+                              .indicator = c->curve->sphere.indicators[n->i]};
   check_velocity(c, n, &checks->joint);
   check_curvature(c, n, checks);
   if (c->exact) {
@@ -364,9 +364,10 @@ static enum ph_status check_segment(const struct context *c,
     status = check_knots(c, h, k, diag);
   }
   check_length(c, s, k, checks);
-  add_fault(
-      checks,
-      ph_cert_segment_fault(s, curve->indicators[k], curve->indicators[to]), k);
+  add_fault(checks,
+            ph_cert_segment_fault(s, curve->sphere.indicators[k],
+                                  curve->sphere.indicators[to]),
+            k);
   if (!curve->closed && k == 0) {
     check_end(c, s, k, 0, &checks->end);
   }
@@ -416,7 +417,7 @@ static enum ph_status check_tension(const struct context *c,
                     "is refused by its certificate: the curve is not that of "
                     "%.10g, it misses its equation by %.3g, at most %.3g is "
                     "allowed",
-                    c->curve->tensions[tension->where], tension->value,
+                    c->curve->sphere.tensions[tension->where], tension->value,
                     tension->allowed);
 }
 
@@ -464,7 +465,7 @@ static enum ph_status conclude(const struct context *c, struct checks *checks,
   ph_diagnostics_set_finite(diagnostics, PH_D_TENSION_SUM,
                             ph_sum_value(&checks->tensions));
   ph_diagnostics_set_finite(diagnostics, PH_D_MAX_CURVATURE,
-                            checks->curvature / c->curve->radius);
+                            checks->curvature / c->curve->sphere.radius);
   return status;
 }
 
@@ -498,8 +499,8 @@ static bool read_problem(struct context *c) {
                 : NATURAL;
   return curve->n > 0 && curve->kind == PH_CURVE_SPHERICAL_NU &&
          curve->closed == field[PH_F_CLOSED].flag && curve->dimension == 3 &&
-         curve->degree == 3 && curve->tensions && curve->indicators &&
-         c->points->kind == PH_VECTORS &&
+         curve->degree == 3 && curve->sphere.tensions &&
+         curve->sphere.indicators && c->points->kind == PH_VECTORS &&
          c->points->dimension == (c->lonlat ? 2u : 3u) &&
          (c->points->n == n || (curve->closed && c->points->n == n + 1)) &&
          (c->knots != NUMBERS || knots->n == curve->n + 1) &&
@@ -513,11 +514,13 @@ static bool read_problem(struct context *c) {
 static bool is_sphere(const struct context *c) {
   const struct ph_value *center = &c->problem->field[PH_F_CENTER];
   double radius = number_or(&c->problem->field[PH_F_RADIUS], 1);
-  bool same = c->curve->radius > 0 && isfinite(radius) &&
-              c->curve->radius <= radius && c->curve->radius >= radius;
+  bool same = c->curve->sphere.radius > 0 && isfinite(radius) &&
+              c->curve->sphere.radius <= radius &&
+              c->curve->sphere.radius >= radius;
   for (size_t i = 0; i < 3; i++) {
     double at = center->kind == PH_NUMBERS && center->n == 3 ? center->v[i] : 0;
-    same = same && c->curve->center[i] <= at && c->curve->center[i] >= at;
+    same = same && c->curve->sphere.center[i] <= at &&
+           c->curve->sphere.center[i] >= at;
   }
   return same;
 }
@@ -526,7 +529,7 @@ static bool is_finite(const struct ph_curve *curve) {
   size_t n = curve->closed ? curve->n : curve->n + 1;
   bool finite = true;
   for (size_t i = 0; i < n; i++) {
-    finite = finite && isfinite(curve->tensions[i]);
+    finite = finite && isfinite(curve->sphere.tensions[i]);
   }
   return finite;
 }
@@ -541,10 +544,10 @@ static bool set_scale(struct context *c) {
     return false;
   }
   c->to_unit = scale.to_unit;
-  c->center = ph_vec3_of(ph_pow2_apply(c->to_unit, curve->center[0]),
-                         ph_pow2_apply(c->to_unit, curve->center[1]),
-                         ph_pow2_apply(c->to_unit, curve->center[2]));
-  c->radius = ph_pow2_apply(c->to_unit, curve->radius);
+  c->center = ph_vec3_of(ph_pow2_apply(c->to_unit, curve->sphere.center[0]),
+                         ph_pow2_apply(c->to_unit, curve->sphere.center[1]),
+                         ph_pow2_apply(c->to_unit, curve->sphere.center[2]));
+  c->radius = ph_pow2_apply(c->to_unit, curve->sphere.radius);
   farthest = ph_check_larger(fabs(c->center.x), fabs(c->center.y));
   farthest = ph_check_larger(farthest, fabs(c->center.z)) / c->radius;
   c->rounding = DBL_EPSILON * (3 + farthest) + scale.spacing / c->radius;

@@ -20,7 +20,7 @@ static const double SLOW = 1e-3;
 static ph_quat local_coefficient(const struct ph_spinor *s,
                                  const struct ph_curve *curve, size_t k,
                                  size_t i) {
-  const double *v = curve->preimage + 12 * k + 4 * i;
+  const double *v = curve->preimage.v + 12 * k + 4 * i;
   double root = 1 / sqrt(s->unit);
   return ph_quat_of(root * v[0], root * v[1], root * v[2], root * v[3]);
 }

@@ -42,8 +42,8 @@ enum ph_status ph_tc_check_begin(struct ph_tc_check *c,
                             .length = {.what = PH_D_LENGTH_ERROR},
                             .regular = true};
   if (curve->kind != PH_CURVE_TC || curve->n == 0 || curve->degree != 3 ||
-      curve->dimension != 2 || curve->preimage_n != 2 ||
-      curve->preimage_dimension != 2) {
+      curve->dimension != 2 || curve->preimage.n != 2 ||
+      curve->preimage.dimension != 2) {
     return ph_fail(diag, PH_INTERNAL, "segments",
                    "are no Tschirnhausen cubics");
   }
@@ -66,7 +66,7 @@ ph_cplx ph_tc_check_direction(ph_cplx v) {
 
 struct ph_tc_cubic ph_tc_check_load(const struct ph_tc_check *c, size_t k) {
   const double *p = c->curve->control_points + 8 * k;
-  const double *w = c->curve->preimage + 4 * k;
+  const double *w = c->curve->preimage.v + 4 * k;
   struct ph_tc_cubic s = {.speed = 0};
   double reach = 0, rounding = c->scale.rounding;
   for (size_t i = 0; i < 4; i++) {

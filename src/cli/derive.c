@@ -37,7 +37,7 @@ static void warn_cusps(struct ph_result *result) {
             "of curvature towards it is smaller: %zu times, first in "
             "segment %zu at %.6g of its interval",
             o->distance, o->vector, o->cusps.n, at->segment, at->u);
-  } else if (result->curve.radius > 0) {
+  } else if (result->curve.sphere.radius > 0) {
     ph_fail(diag, PH_OFFSET_CUSP, NULL,
             "the offset at distance %g has cusps, where the curve bends as a "
             "circle of that radius on the sphere: %zu, the first in segment "

@@ -39,7 +39,7 @@ enum ph_status ph_bezier_curve(const struct ph_curve *curve, double tolerance,
   enum ph_status status;
   *bezier = *curve;
   *error = 0;
-  if (!curve->alpha) {
+  if (!curve->preimage.alpha) {
     return PH_OK;
   }
   status = ph_hermite_pieces(curve, 0, PH_E2, tolerance, arena, &pieces, diag);

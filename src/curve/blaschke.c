@@ -51,9 +51,9 @@ static void visit(void *context, const struct ph_rational *piece) {
   struct walk *walk = context;
   struct ph_curve *curve = walk->curve;
   if (walk->fill) {
-    fill_piece(piece, &curve->blaschke[curve->blaschke_n]);
+    fill_piece(piece, &curve->blaschke.v[curve->blaschke.n]);
   }
-  curve->blaschke_n++;
+  curve->blaschke.n++;
 }
 
 static bool is_finite(const struct ph_blaschke *image) {
@@ -71,21 +71,21 @@ enum ph_status ph_blaschke_curve(struct ph_curve *curve, struct ph_arena *arena,
   static const char what[] = "image on the Blaschke cylinder";
   struct walk walk = {curve, false};
   enum ph_status status;
-  curve->blaschke_n = 0;
+  curve->blaschke.n = 0;
   status = ph_rational_walk(curve, what, visit, &walk, diag);
   if (status != PH_OK) {
     return status;
   }
-  curve->blaschke =
-      ph_arena_array(arena, curve->blaschke_n, sizeof *curve->blaschke);
-  if (!curve->blaschke) {
+  curve->blaschke.v =
+      ph_arena_array(arena, curve->blaschke.n, sizeof *curve->blaschke.v);
+  if (!curve->blaschke.v) {
     return ph_fail_memory(diag);
   }
-  curve->blaschke_n = 0;
+  curve->blaschke.n = 0;
   walk.fill = true;
   status = ph_rational_walk(curve, what, visit, &walk, diag);
-  for (size_t i = 0; status == PH_OK && i < curve->blaschke_n; i++) {
-    const struct ph_blaschke *image = &curve->blaschke[i];
+  for (size_t i = 0; status == PH_OK && i < curve->blaschke.n; i++) {
+    const struct ph_blaschke *image = &curve->blaschke.v[i];
     if (!is_finite(image)) {
       status = ph_fail_at(diag, PH_TOO_LARGE, "segments", image->segment,
                           "its %s exceeds the range of a double", what);

@@ -73,8 +73,8 @@ static ph_cplx pair(const double *v) {
 
 /* The box of the control points; false unless all numbers are finite. */
 static bool measure(const struct ph_curve *curve, struct ph_box2 *box) {
-  const double *p = curve->control_points, *w = curve->preimage;
-  const size_t points = 2 * (curve->degree + 1), roots = 2 * curve->preimage_n;
+  const double *p = curve->control_points, *w = curve->preimage.v;
+  const size_t points = 2 * (curve->degree + 1), roots = 2 * curve->preimage.n;
   double test = 0;
   *box = (struct ph_box2){{p[0], p[1]}, {p[0], p[1]}};
   for (size_t k = 0; k < curve->n; k++, p += points, w += roots) {
@@ -87,7 +87,7 @@ static bool measure(const struct ph_curve *curve, struct ph_box2 *box) {
     for (size_t i = 0; i < roots; i++) {
       test += 0 * w[i];
     }
-    test += curve->alpha ? 0 * curve->alpha[k] : 0;
+    test += curve->preimage.alpha ? 0 * curve->preimage.alpha[k] : 0;
   }
   return isfinite(test);
 }
@@ -157,7 +157,7 @@ static struct ph_seg2 seg_of(const struct tree *t, size_t k) {
  * smooth curve. */
 static struct ph_cone joint(const struct tree *t, size_t k) {
   const struct ph_curve *curve = t->curve;
-  size_t before = k > 0 ? k - 1 : curve->n - 1, last = curve->preimage_n - 1;
+  size_t before = k > 0 ? k - 1 : curve->n - 1, last = curve->preimage.n - 1;
   ph_cplx from, to;
   if (k == 0 && !curve->closed) {
     return PH_CONE_NONE;

@@ -134,10 +134,10 @@ void ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
 
 /* Half the exponent of the power of two that brings r' = w^2 to unit scale. */
 static int unit_exponent(const struct ph_curve *curve) {
-  size_t n = curve->n * curve->preimage_n * 2;
+  size_t n = curve->n * curve->preimage.n * 2;
   double largest = 0;
   for (size_t i = 0; i < n; i++) {
-    largest = fmax(largest, fabs(curve->preimage[i]));
+    largest = fmax(largest, fabs(curve->preimage.v[i]));
   }
   return largest > 0 ? -ilogb(largest) : 0;
 }

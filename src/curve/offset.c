@@ -164,9 +164,10 @@ offset_along(const struct ph_curve *curve, double distance,
                                .vector = name,
                                .dimension = curve->dimension,
                                .length = (double)NAN};
-  status = curve->alpha ? offset_atph(curve, normal, rules->tolerance, arena,
-                                      offset, diag)
-                        : offset_ph(curve, normal, arena, offset, diag);
+  status =
+      curve->preimage.alpha
+          ? offset_atph(curve, normal, rules->tolerance, arena, offset, diag)
+          : offset_ph(curve, normal, arena, offset, diag);
   if (status == PH_OK && !is_finite(offset)) {
     status = ph_fail(diag, PH_TOO_LARGE, NULL,
                      "the offset at distance %g exceeds the range of a double",

@@ -174,7 +174,7 @@ enum ph_status
 ph_offset_spherical(const struct ph_curve *curve, double distance,
                     const struct ph_offset_rules *rules, struct ph_arena *arena,
                     struct ph_offset *offset, struct ph_diag *diag) {
-  const double angle = distance / curve->radius;
+  const double angle = distance / curve->sphere.radius;
   struct walk walk = {.curve = curve,
                       .arena = arena,
                       .offset = offset,
@@ -186,7 +186,7 @@ ph_offset_spherical(const struct ph_curve *curve, double distance,
     return ph_fail(diag, PH_BAD_VALUE, NULL,
                    "the offset distance %g is not less than half the "
                    "circumference of the sphere, %g",
-                   distance, PH_PI * curve->radius);
+                   distance, PH_PI * curve->sphere.radius);
   }
   find_all_cusps(&walk);
   if (walk.memory) {

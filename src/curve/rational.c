@@ -47,7 +47,7 @@ static struct piece segment_of(const struct ph_curve *curve, size_t k) {
   size_t dimension = curve->dimension;
   const double *p = ph_curve_points(curve, k);
   struct piece piece = {.from = 0, .to = 1};
-  if (curve->preimage_n == 2) {
+  if (curve->preimage.n == 2) {
     seg.a[1] = seg.a[2];
   }
   ph_seg3_pair(&seg, piece.a);

@@ -64,17 +64,17 @@ const char *ph_diagnostic_word(enum ph_diagnostic which, double value) {
 enum ph_status ph_curve_alloc(struct ph_curve *c, struct ph_arena *arena,
                               struct ph_diag *diag) {
   size_t number = sizeof(double);
-  size_t preimage = c->preimage_n * c->preimage_dimension;
+  size_t preimage = c->preimage.n * c->preimage.dimension;
   bool atph = c->kind == PH_CURVE_ATPH;
   c->knots = ph_arena_array(arena, c->n + 1, number);
   c->control_points =
       ph_arena_array(arena, c->n, (c->degree + 1) * c->dimension * number);
-  c->preimage =
+  c->preimage.v =
       preimage ? ph_arena_array(arena, c->n, preimage * number) : NULL;
   c->lengths = ph_arena_array(arena, c->n, number);
-  c->alpha = atph ? ph_arena_array(arena, c->n, number) : NULL;
-  return c->knots && c->control_points && (c->preimage || !preimage) &&
-                 c->lengths && (c->alpha || !atph)
+  c->preimage.alpha = atph ? ph_arena_array(arena, c->n, number) : NULL;
+  return c->knots && c->control_points && (c->preimage.v || !preimage) &&
+                 c->lengths && (c->preimage.alpha || !atph)
              ? PH_OK
              : ph_fail_memory(diag);
 }

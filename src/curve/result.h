@@ -31,55 +31,49 @@ enum ph_curve_kind {
 };
 
 /*
- * A spline of n segments.  Coordinates are in the unit of the data.
+ * What PH and ATPH curves and Tschirnhausen cubics have: the hodograph is a
+ * square.
  *
- * control_points[n][degree + 1][dimension]   Bernstein-Bezier, on [0,1];
- *      atph: the normalised B-basis of <1, t, sin t, cos t, sin 2t, cos 2t>
- * alpha[n]        atph: the angles, segment k has t in [0, alpha[k]]; else NULL
- *      bezier: plain Bezier points, no preimage
- *      tc: Tschirnhausen cubics, degree 3, preimages of degree 1 (curve/tc.h)
- * preimage[n][preimage_n][preimage_dimension]
+ * v[curve.n][n][dimension]
  *      planar: complex w, r' = w^2 with respect to the local parameter, u in
  *      [0,1] or t; spatial: quaternions A, r' = A i A*; coefficients in the
  *      segment's space; unit^(1/2)
- * knots[n + 1]    global parameter at the joints, increasing
- * lengths[n]      exact arc lengths; length is their sum
- *
- * Of spatial Hermite interpolants, else NULL (solve/spatial/method.h):
- * tension[n]      by its square the derivatives at both ends were scaled
- * angles[n][2]    theta and beta; NaN where there are none
- * shape_ok[n]     whether the segment keeps the shape of its data
- *
- * Of spherical nu-splines: control points of de Casteljau's algorithm by great
- * circles (curve/spherical.h), on the sphere, degree 3, no preimage; else NULL:
- * tensions[n or n + 1]    nu at the nodes, as many as the data have
- * indicators[n or n + 1]  the sign of the turn of the data at the nodes, 0
- *                         where they are on a great circle (and at the ends of
- *                         an open curve)
+ * alpha[curve.n]  atph: the angles, segment k has t in [0, alpha[k]]; else NULL
  */
-struct ph_curve {
-  enum ph_curve_kind kind;
-  bool closed;
-  size_t dimension;
-  size_t degree;
-  size_t n;
-  double *knots;
-  double *control_points;
+struct ph_preimage {
+  size_t n, dimension; /* 0: there is none */
+  double *v;
   double *alpha;
-  size_t preimage_n;
-  size_t preimage_dimension;
-  double *preimage;
-  double *lengths;
-  double length;
+};
+
+/*
+ * What was chosen for the segments of spatial Hermite interpolants, else NULL
+ * (solve/spatial/method.h).
+ *
+ * tension[curve.n]    by its square the derivatives at both ends were scaled
+ * angles[curve.n][2]  theta and beta; NaN where there are none
+ * shape_ok[curve.n]   whether the segment keeps the shape of its data
+ */
+struct ph_choice {
   double *tension;
   double *angles;
   bool *shape_ok;
+};
+
+/*
+ * Of spherical nu-splines: control points of de Casteljau's algorithm by great
+ * circles (curve/spherical.h), on the sphere, degree 3.
+ *
+ * tensions    nu at the nodes, as many as the data have: curve.n, and one more
+ *             unless it is closed
+ * indicators  the sign of the turn of the data at the nodes, 0 where they are
+ *             on a great circle (and at the ends of an open curve)
+ */
+struct ph_sphere {
+  double center[3];
+  double radius; /* 0: the curve is on none */
   double *tensions;
   signed char *indicators;
-  struct ph_blaschke *blaschke; /* [blaschke_n], of tc where asked for */
-  size_t blaschke_n;
-  double center[3]; /* of the sphere */
-  double radius;    /* of the sphere; 0: the curve is on none */
 };
 
 /*
@@ -91,6 +85,39 @@ struct ph_blaschke {
   double interval[2]; /* the part of it, in its local parameter [0,1] */
   double control_points[6][3];
   double weights[6]; /* > 0 */
+};
+
+/* The images of cubics, where asked for. */
+struct ph_images {
+  struct ph_blaschke *v;
+  size_t n;
+};
+
+/*
+ * A spline of n segments, and what its kind has besides.  Coordinates are in
+ * the unit of the data.
+ *
+ * control_points[n][degree + 1][dimension]   Bernstein-Bezier, on [0,1];
+ *      atph: the normalised B-basis of <1, t, sin t, cos t, sin 2t, cos 2t>
+ *      bezier: plain Bezier points, no preimage
+ *      tc: Tschirnhausen cubics, degree 3, preimages of degree 1 (curve/tc.h)
+ * knots[n + 1]    global parameter at the joints, increasing
+ * lengths[n]      exact arc lengths; length is their sum
+ */
+struct ph_curve {
+  enum ph_curve_kind kind;
+  bool closed;
+  size_t dimension;
+  size_t degree;
+  size_t n;
+  double *knots;
+  double *control_points;
+  double *lengths;
+  double length;
+  struct ph_preimage preimage;
+  struct ph_choice choice;
+  struct ph_images blaschke;
+  struct ph_sphere sphere;
 };
 
 /* Frames: X(SYMBOL, "name"). */
@@ -415,7 +442,7 @@ static inline const double *ph_curve_points(const struct ph_curve *curve,
 /* ph_curve_preimage: the coefficients of the preimage of segment k. */
 static inline const double *ph_curve_preimage(const struct ph_curve *curve,
                                               size_t k) {
-  return curve->preimage + curve->preimage_n * curve->preimage_dimension * k;
+  return curve->preimage.v + curve->preimage.n * curve->preimage.dimension * k;
 }
 
 /* ph_curve_size: half the diagonal of the bounding box of the curve's knots. */

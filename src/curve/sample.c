@@ -276,7 +276,7 @@ static enum ph_status enter(struct walk *walk, size_t k) {
   walk->begins =
       (offset && ph_gaps_pass(&offset->gaps, k, &walk->gap)) || k == 0;
   walk->first = walk->begins ? walk->samples->n : walk->first;
-  walk->range = curve->alpha ? curve->alpha[k] : 1;
+  walk->range = curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
   if (status == PH_OK && !isfinite(walk->sampler.length)) {
     status = ph_fail_at(walk->diag, PH_NO_CONVERGENCE, "segments", k,
                         "%s a length that was not found",

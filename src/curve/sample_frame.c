@@ -219,7 +219,7 @@ void ph_framing_at(const struct ph_framing *f, double u,
     frame[2] = ph_motion_at(&f->sphere, u).s;
     frame[1] = ph_vec3_cross(frame[2], frame[0]);
     if (f->frame == PH_FRAME_FRENET) {
-      frame[1] = principal_on_sphere(sample->curvature, f->curve->radius,
+      frame[1] = principal_on_sphere(sample->curvature, f->curve->sphere.radius,
                                      frame[1], frame[2]);
       frame[2] = ph_vec3_cross(frame[0], frame[1]);
     }

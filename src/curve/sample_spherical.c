@@ -58,7 +58,8 @@ struct ph_motion ph_motion_at(const struct ph_spherical_fast *fast, double u) {
 
 /* Where a point of the unit sphere is in the user's unit. */
 static ph_vec3 placed(const struct ph_curve *curve, ph_vec3 s) {
-  return ph_vec3_along(ph_vec3_get(curve->center, 3), curve->radius, s);
+  return ph_vec3_along(ph_vec3_get(curve->sphere.center, 3),
+                       curve->sphere.radius, s);
 }
 
 /* The point, which at the ends is as given: without a rounding of its own. */
@@ -100,7 +101,7 @@ static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
   }
   *state = (struct state){.breaks = breaks, .cosine = 1};
   if (offset) {
-    state->angle = offset->distance / sampler->curve->radius;
+    state->angle = offset->distance / sampler->curve->sphere.radius;
     state->cosine = cos(state->angle);
     state->sine = sin(state->angle);
   }
@@ -175,7 +176,7 @@ static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
   enum ph_status status;
   segment = ph_spherical_of(curve, sampler->k);
   ph_spherical_fast_of(&segment, &state->segment);
-  state->scale = curve->radius;
+  state->scale = curve->sphere.radius;
   sampler->length = (double)NAN;
   if (sampler->offset) {
     find_breaks(state, sampler->offset, sampler->k);
@@ -193,7 +194,7 @@ static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
                : ph_fail_at(diag, status, "segments", sampler->k,
                             "has a length that was not found");
   }
-  sampler->length = curve->radius * state->length.total;
+  sampler->length = curve->sphere.radius * state->length.total;
   if (!sampler->offset) {
     double found = sampler->length;
     sampler->length = curve->lengths[sampler->k];
@@ -212,7 +213,7 @@ static double length(const struct ph_sampler *sampler, double u,
 
 static double bend(const struct ph_sampler *sampler, double u0, double u1) {
   const struct state *state = sampler->state;
-  return sampler->curve->radius *
+  return sampler->curve->sphere.radius *
          ph_bend_spherical(&state->segment.segment, state->angle, u0, u1);
 }
 
@@ -225,7 +226,7 @@ static struct ph_sample at_curve(const struct ph_sampler *sampler, double u,
   sample.point = point_at(curve, sampler->k, u, motion->s);
   sample.tangent = motion->tangent;
   sample.curvature = motion->speed > 0
-                         ? motion->turn / motion->speed / curve->radius
+                         ? motion->turn / motion->speed / curve->sphere.radius
                          : (double)NAN;
   ph_degree_of_unit(motion->s, sample.lonlat);
   return sample;
@@ -244,7 +245,8 @@ static struct ph_sample at_parallel(const struct ph_sampler *sampler,
   struct ph_sample sample = {.torsion = (double)NAN};
   sample.point = placed(curve, o);
   sample.tangent = g < 0 ? ph_vec3_scale(-1, m->tangent) : m->tangent;
-  sample.curvature = fabs(g) > 0 ? bend / fabs(g) / curve->radius : (double)NAN;
+  sample.curvature =
+      fabs(g) > 0 ? bend / fabs(g) / curve->sphere.radius : (double)NAN;
   ph_degree_of_unit(o, sample.lonlat);
   return sample;
 }

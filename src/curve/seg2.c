@@ -10,15 +10,15 @@ static ph_cplx pair(const double *v) {
 
 void ph_seg2_preimage(const struct ph_curve *curve, size_t k, ph_cplx w[3]) {
   const double *v = ph_curve_preimage(curve, k);
-  size_t last = curve->preimage_n - 1;
+  size_t last = curve->preimage.n - 1;
   w[0] = pair(v);
   w[2] = pair(v + 2 * last);
   w[1] = last == 2 ? pair(v + 2) : ph_cplx_scale(0.5, ph_cplx_add(w[0], w[2]));
 }
 
 struct ph_seg2 ph_seg2_of(const struct ph_curve *curve, size_t k) {
-  double angle = curve->alpha ? curve->alpha[k] : 0;
-  double root = curve->alpha ? sqrt(angle) : 1;
+  double angle = curve->preimage.alpha ? curve->preimage.alpha[k] : 0;
+  double root = curve->preimage.alpha ? sqrt(angle) : 1;
   const double *p = ph_curve_points(curve, k);
   struct ph_seg2 seg;
   seg.space = ph_atph_of(angle);

@@ -22,11 +22,11 @@ static ph_quat quaternion(const double *a, size_t dimension) {
 
 struct ph_seg3 ph_seg3_of(const struct ph_curve *curve, size_t k) {
   size_t dimension = curve->dimension, size = dimension == 2 ? 2 : 4;
-  size_t last = curve->preimage_n - 1;
+  size_t last = curve->preimage.n - 1;
   const double *a = ph_curve_preimage(curve, k);
   const double *p = ph_curve_points(curve, k);
-  double angle = curve->alpha ? curve->alpha[k] : 0;
-  double root = curve->alpha ? sqrt(angle) : 1;
+  double angle = curve->preimage.alpha ? curve->preimage.alpha[k] : 0;
+  double root = curve->preimage.alpha ? sqrt(angle) : 1;
   struct ph_seg3 seg;
   seg.space = ph_atph_of(angle);
   seg.a[0] = quaternion(a, size);

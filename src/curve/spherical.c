@@ -419,11 +419,11 @@ double ph_spherical_net_speed(const struct ph_spherical_net *net, double t) {
 
 struct ph_spherical ph_spherical_of(const struct ph_curve *curve, size_t k) {
   const double *p = curve->control_points + 12 * k;
-  ph_vec3 center = ph_vec3_get(curve->center, 3);
+  ph_vec3 center = ph_vec3_get(curve->sphere.center, 3);
   struct ph_spherical s;
   for (size_t i = 0; i < 4; i++) {
     ph_vec3 v = ph_vec3_sub(ph_vec3_get(p + 3 * i, 3), center);
-    s.p[i] = ph_vec3_unit(ph_vec3_scale(1 / curve->radius, v));
+    s.p[i] = ph_vec3_unit(ph_vec3_scale(1 / curve->sphere.radius, v));
   }
   return s;
 }

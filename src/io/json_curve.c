@@ -7,14 +7,14 @@
 /* What was chosen for segment k; angles that do not exist are left out. */
 static void write_choice(struct ph_json_writer *w, const struct ph_curve *c,
                          size_t k) {
-  if (c->tension) {
-    ph_write_key_number(w, "tension", c->tension[k]);
+  if (c->choice.tension) {
+    ph_write_key_number(w, "tension", c->choice.tension[k]);
   }
-  if (c->angles && !isnan(c->angles[2 * k])) {
-    ph_write_key_numbers(w, "angles", c->angles + 2 * k, 2);
+  if (c->choice.angles && !isnan(c->choice.angles[2 * k])) {
+    ph_write_key_numbers(w, "angles", c->choice.angles + 2 * k, 2);
   }
-  if (c->shape_ok) {
-    ph_write_key_flag(w, "shape_ok", c->shape_ok[k]);
+  if (c->choice.shape_ok) {
+    ph_write_key_flag(w, "shape_ok", c->choice.shape_ok[k]);
   }
 }
 
@@ -23,8 +23,8 @@ static size_t write_blaschke(struct ph_json_writer *w, const struct ph_curve *c,
                              size_t k, size_t i) {
   ph_write_key(w, "blaschke");
   ph_write_begin(w, '[');
-  for (; i < c->blaschke_n && c->blaschke[i].segment == k; i++) {
-    const struct ph_blaschke *piece = &c->blaschke[i];
+  for (; i < c->blaschke.n && c->blaschke.v[i].segment == k; i++) {
+    const struct ph_blaschke *piece = &c->blaschke.v[i];
     ph_write_element(w);
     ph_write_begin(w, '{');
     ph_write_key_numbers(w, "interval", piece->interval, 2);
@@ -38,7 +38,7 @@ static size_t write_blaschke(struct ph_json_writer *w, const struct ph_curve *c,
 
 void ph_write_segments(struct ph_json_writer *w, const struct ph_curve *c) {
   size_t stride = (c->degree + 1) * c->dimension;
-  size_t preimage_stride = c->preimage_n * c->preimage_dimension;
+  size_t preimage_stride = c->preimage.n * c->preimage.dimension;
   size_t blaschke = 0;
   ph_write_key(w, "segments");
   ph_write_begin(w, '[');
@@ -46,18 +46,18 @@ void ph_write_segments(struct ph_json_writer *w, const struct ph_curve *c) {
     ph_write_element(w);
     ph_write_begin(w, '{');
     ph_write_key_numbers(w, "interval", c->knots + k, 2);
-    if (c->alpha) {
-      ph_write_key_number(w, "alpha", c->alpha[k]);
+    if (c->preimage.alpha) {
+      ph_write_key_number(w, "alpha", c->preimage.alpha[k]);
     }
     ph_write_key_vectors(w, "control_points", c->control_points + k * stride,
                          c->degree + 1, c->dimension);
-    if (c->preimage) {
-      ph_write_key_vectors(w, "preimage", c->preimage + k * preimage_stride,
-                           c->preimage_n, c->preimage_dimension);
+    if (c->preimage.v) {
+      ph_write_key_vectors(w, "preimage", c->preimage.v + k * preimage_stride,
+                           c->preimage.n, c->preimage.dimension);
     }
     ph_write_key_number(w, "length", c->lengths[k]);
     write_choice(w, c, k);
-    if (c->blaschke) {
+    if (c->blaschke.v) {
       blaschke = write_blaschke(w, c, k, blaschke);
     }
     ph_write_end(w, '}');
@@ -67,16 +67,16 @@ void ph_write_segments(struct ph_json_writer *w, const struct ph_curve *c) {
 
 void ph_write_sphere(struct ph_json_writer *w, const struct ph_curve *c) {
   size_t nodes = c->closed ? c->n : c->n + 1;
-  ph_write_key_numbers(w, "center", c->center, 3);
-  ph_write_key_number(w, "radius", c->radius);
-  ph_write_key_numbers(w, "tensions", c->tensions, nodes);
+  ph_write_key_numbers(w, "center", c->sphere.center, 3);
+  ph_write_key_number(w, "radius", c->sphere.radius);
+  ph_write_key_numbers(w, "tensions", c->sphere.tensions, nodes);
   ph_write_key(w, "indicators");
   ph_write_put(w, '[');
   for (size_t i = 0; i < nodes; i++) {
     if (i > 0) {
       ph_write_put(w, ',');
     }
-    ph_write_number(w, c->indicators[i]);
+    ph_write_number(w, c->sphere.indicators[i]);
   }
   ph_write_put(w, ']');
 }

@@ -220,7 +220,7 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
   ph_write_key_number(&w, "degree", (double)curve->degree);
   ph_write_key_flag(&w, "closed", curve->closed);
   ph_write_segments(&w, curve);
-  if (curve->radius > 0) {
+  if (curve->sphere.radius > 0) {
     ph_write_sphere(&w, curve);
   }
   if (result->intervals_n) {

@@ -51,12 +51,12 @@ static void compare_members(struct walk *w, const struct ph_json_item *items) {
 static void measure_preimage(struct walk *w) {
   struct ph_curve *c = w->curve;
   size_t mark = ph_read_enter(w->r, segment_names[PREIMAGE]);
-  c->preimage_n = ph_read_size(w->r, &w->first[PREIMAGE]);
-  c->preimage_dimension = c->dimension == 2 ? 2 : 4;
-  if (c->preimage_n < 1 || c->preimage_n > PH_CLAIM_DEGREE_MAX) {
+  c->preimage.n = ph_read_size(w->r, &w->first[PREIMAGE]);
+  c->preimage.dimension = c->dimension == 2 ? 2 : 4;
+  if (c->preimage.n < 1 || c->preimage.n > PH_CLAIM_DEGREE_MAX) {
     ph_read_fail(w->r, PH_BAD_SHAPE,
                  "must have from 1 to %d coefficients, found %zu",
-                 PH_CLAIM_DEGREE_MAX, c->preimage_n);
+                 PH_CLAIM_DEGREE_MAX, c->preimage.n);
   }
   ph_read_leave(w->r, mark);
 }
@@ -70,22 +70,22 @@ static void allocate(struct walk *w) {
   if (has[PREIMAGE].value) {
     measure_preimage(w);
   }
-  preimage = c->preimage_n * c->preimage_dimension;
+  preimage = c->preimage.n * c->preimage.dimension;
   c->control_points =
       ph_read_array_of(r, c->n, (c->degree + 1) * c->dimension * number);
 #define NEED(member, n, size) \
   (has[member].value ? ph_read_array_of(r, (n), (size)) : NULL)
   c->knots = NEED(INTERVAL, c->n + 1, number);
-  c->alpha = NEED(ALPHA, c->n, number);
-  c->preimage = NEED(PREIMAGE, c->n, preimage * number);
+  c->preimage.alpha = NEED(ALPHA, c->n, number);
+  c->preimage.v = NEED(PREIMAGE, c->n, preimage * number);
   c->lengths = NEED(LENGTH, c->n, number);
-  c->tension = NEED(TENSION, c->n, number);
-  c->shape_ok = NEED(SHAPE_OK, c->n, sizeof *c->shape_ok);
+  c->choice.tension = NEED(TENSION, c->n, number);
+  c->choice.shape_ok = NEED(SHAPE_OK, c->n, sizeof *c->choice.shape_ok);
   /* of angles, and pieces of images, there need not be any */
-  c->angles = NEED(TENSION, c->n, 2 * number);
-  c->blaschke = NEED(BLASCHKE, 1, sizeof *c->blaschke);
+  c->choice.angles = NEED(TENSION, c->n, 2 * number);
+  c->blaschke.v = NEED(BLASCHKE, 1, sizeof *c->blaschke.v);
 #undef NEED
-  w->blaschke_room = c->blaschke ? 1 : 0;
+  w->blaschke_room = c->blaschke.v ? 1 : 0;
 }
 
 /* The knots: a segment begins where the one before ended. */
@@ -113,13 +113,13 @@ static void read_piece(struct walk *w, const struct ph_json_item *from,
   struct ph_json_item items[3];
   struct ph_curve *c = w->curve;
   struct ph_blaschke *piece;
-  c->blaschke = ph_arena_grow(w->r->arena, c->blaschke, c->blaschke_n,
-                              sizeof *c->blaschke, 1, &w->blaschke_room);
-  if (!c->blaschke) {
+  c->blaschke.v = ph_arena_grow(w->r->arena, c->blaschke.v, c->blaschke.n,
+                                sizeof *c->blaschke.v, 1, &w->blaschke_room);
+  if (!c->blaschke.v) {
     w->r->status = ph_fail_memory(w->r->diag);
     return;
   }
-  piece = &c->blaschke[c->blaschke_n++];
+  piece = &c->blaschke.v[c->blaschke.n++];
   piece->segment = k;
   ph_read_members(w->r, from, names, 3, items);
   ph_read_numbers(w->r, &items[0], names[0], piece->interval, 2);
@@ -149,19 +149,19 @@ static void read_blaschke(struct walk *w, const struct ph_json_item *item,
 static void read_choice(struct walk *w, const struct ph_json_item *items,
                         size_t k) {
   struct ph_curve *c = w->curve;
-  if (c->tension) {
-    c->tension[k] = ph_read_number(w->r, &items[TENSION],
-                                   segment_names[TENSION], (double)NAN);
+  if (c->choice.tension) {
+    c->choice.tension[k] = ph_read_number(w->r, &items[TENSION],
+                                          segment_names[TENSION], (double)NAN);
   }
-  if (c->angles) {
-    c->angles[2 * k] = c->angles[2 * k + 1] = (double)NAN;
+  if (c->choice.angles) {
+    c->choice.angles[2 * k] = c->choice.angles[2 * k + 1] = (double)NAN;
   }
-  if (c->angles && items[ANGLES].value) {
+  if (c->choice.angles && items[ANGLES].value) {
     ph_read_numbers(w->r, &items[ANGLES], segment_names[ANGLES],
-                    c->angles + 2 * k, 2);
+                    c->choice.angles + 2 * k, 2);
   }
-  if (c->shape_ok) {
-    c->shape_ok[k] =
+  if (c->choice.shape_ok) {
+    c->choice.shape_ok[k] =
         ph_read_flag(w->r, &items[SHAPE_OK], segment_names[SHAPE_OK], false);
   }
 }
@@ -171,7 +171,7 @@ static void read_segment(struct walk *w, const struct ph_json_item *from,
   struct ph_json_reader *r = w->r;
   struct ph_curve *c = w->curve;
   struct ph_json_item items[SEGMENT_MEMBERS];
-  size_t points = c->degree + 1, preimage = c->preimage_n;
+  size_t points = c->degree + 1, preimage = c->preimage.n;
   ph_read_members(r, from, segment_names, SEGMENT_MEMBERS, items);
   compare_members(w, items);
   if (r->status != PH_OK) {
@@ -180,22 +180,23 @@ static void read_segment(struct walk *w, const struct ph_json_item *from,
   if (c->knots) {
     read_interval(w, &items[INTERVAL], k);
   }
-  if (c->alpha) {
-    c->alpha[k] = ph_read_number(r, &items[ALPHA], segment_names[ALPHA], 0);
+  if (c->preimage.alpha) {
+    c->preimage.alpha[k] =
+        ph_read_number(r, &items[ALPHA], segment_names[ALPHA], 0);
   }
   ph_read_vectors(r, &items[CONTROL_POINTS], segment_names[CONTROL_POINTS],
                   c->control_points + k * points * c->dimension, points,
                   c->dimension);
-  if (c->preimage) {
+  if (c->preimage.v) {
     ph_read_vectors(r, &items[PREIMAGE], segment_names[PREIMAGE],
-                    c->preimage + k * preimage * c->preimage_dimension,
-                    preimage, c->preimage_dimension);
+                    c->preimage.v + k * preimage * c->preimage.dimension,
+                    preimage, c->preimage.dimension);
   }
   if (c->lengths) {
     c->lengths[k] = ph_read_number(r, &items[LENGTH], segment_names[LENGTH], 0);
   }
   read_choice(w, items, k);
-  if (c->blaschke) {
+  if (c->blaschke.v) {
     read_blaschke(w, &items[BLASCHKE], k);
   }
 }
@@ -235,7 +236,8 @@ static void read_indicators(struct ph_json_reader *r,
                             const struct ph_json_item *item, size_t n,
                             struct ph_curve *curve) {
   double *signs = ph_read_array_of(r, n, sizeof *signs);
-  curve->indicators = ph_read_array_of(r, n, sizeof *curve->indicators);
+  curve->sphere.indicators =
+      ph_read_array_of(r, n, sizeof *curve->sphere.indicators);
   ph_read_numbers(r, item, "indicators", signs, n);
   for (size_t i = 0; r->status == PH_OK && i < n; i++) {
     double x = signs[i];
@@ -244,7 +246,7 @@ static void read_indicators(struct ph_json_reader *r,
       ph_read_enter_at(r, i);
       ph_read_fail(r, PH_BAD_VALUE, "must be -1, 0 or 1, found %g", x);
     } else {
-      curve->indicators[i] = (signed char)x;
+      curve->sphere.indicators[i] = (signed char)x;
     }
   }
 }
@@ -255,17 +257,18 @@ void ph_read_sphere(struct ph_json_reader *r, const struct ph_json_item *items,
   if (r->status != PH_OK || !items[1].value) {
     return;
   }
-  ph_read_numbers(r, &items[0], "center", curve->center, 3);
-  curve->radius = ph_read_number(r, &items[1], "radius", 0);
-  if (!(curve->radius > 0)) {
+  ph_read_numbers(r, &items[0], "center", curve->sphere.center, 3);
+  curve->sphere.radius = ph_read_number(r, &items[1], "radius", 0);
+  if (!(curve->sphere.radius > 0)) {
     mark = ph_read_enter(r, "radius");
     ph_read_fail(r, PH_BAD_VALUE, "must be greater than 0, found %g",
-                 curve->radius);
+                 curve->sphere.radius);
     ph_read_leave(r, mark);
   }
   if (items[2].value) {
-    curve->tensions = ph_read_array_of(r, nodes, sizeof *curve->tensions);
-    ph_read_numbers(r, &items[2], "tensions", curve->tensions, nodes);
+    curve->sphere.tensions =
+        ph_read_array_of(r, nodes, sizeof *curve->sphere.tensions);
+    ph_read_numbers(r, &items[2], "tensions", curve->sphere.tensions, nodes);
   }
   if (items[3].value) {
     read_indicators(r, &items[3], nodes, curve);

@@ -204,11 +204,12 @@ static enum ph_status draw_offsets(struct pen *pen) {
 
 /* A point of the unit sphere, and back. */
 static ph_vec3 to_unit(const struct ph_curve *curve, ph_vec3 p) {
-  return ph_vec3_unit(ph_vec3_sub(p, ph_vec3_get(curve->center, 3)));
+  return ph_vec3_unit(ph_vec3_sub(p, ph_vec3_get(curve->sphere.center, 3)));
 }
 
 static ph_vec3 from_unit(const struct ph_curve *curve, ph_vec3 p) {
-  return ph_vec3_along(ph_vec3_get(curve->center, 3), curve->radius, p);
+  return ph_vec3_along(ph_vec3_get(curve->sphere.center, 3),
+                       curve->sphere.radius, p);
 }
 
 /* From where the pen is, at p, along a great circle to q. */
@@ -231,7 +232,7 @@ static void draw_polygons(struct pen *pen) {
     ph_vec3 p, last = {0, 0, 0};
     for (size_t i = 0; i <= curve->degree; i++, last = p) {
       p = ph_vec3_get(v + curve->dimension * i, curve->dimension);
-      if (i > 0 && curve->radius > 0) {
+      if (i > 0 && curve->sphere.radius > 0) {
         draw_arc(pen, curve, last, p);
       } else {
         draw_to(pen, p);
@@ -311,9 +312,9 @@ static ph_vec3 vector_at(const struct ph_drawing *d, const struct vectors *v,
 static void draw_vector(struct pen *pen, ph_vec3 from, ph_vec3 vector) {
   const struct ph_curve *curve = &pen->result->curve;
   draw_to(pen, from);
-  if (curve->radius > 0) {
+  if (curve->sphere.radius > 0) {
     ph_vec3 p = to_unit(curve, from), v = ph_vec3_normal(vector, p);
-    double angle = ph_vec3_abs(vector) / curve->radius;
+    double angle = ph_vec3_abs(vector) / curve->sphere.radius;
     size_t steps = 1 + (size_t)(angle / ARC_STEP);
     v = ph_vec3_scale(angle / ph_vec3_abs(v), v);
     for (size_t i = 1; i <= steps; i++) {
@@ -453,12 +454,12 @@ static void prepare(struct pen *pen, const struct ph_drawing_names *names) {
   d->title = copy(pen, names->title);
   d->label = copy(pen, names->label);
   d->record = names->record;
-  d->space = curve->dimension == 2 ? PH_DRAWING_PLANE
-             : curve->radius > 0   ? PH_DRAWING_SPHERE
-                                   : PH_DRAWING_SPACE;
+  d->space = curve->dimension == 2      ? PH_DRAWING_PLANE
+             : curve->sphere.radius > 0 ? PH_DRAWING_SPHERE
+                                        : PH_DRAWING_SPACE;
   d->closed = curve->closed;
-  memcpy(d->center, curve->center, sizeof d->center);
-  d->radius = curve->radius;
+  memcpy(d->center, curve->sphere.center, sizeof d->center);
+  d->radius = curve->sphere.radius;
   d->low = ph_vec3_of(far, far, far);
   d->high = ph_vec3_of(-far, -far, -far);
   d->length = curve->length;

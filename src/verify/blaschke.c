@@ -82,13 +82,13 @@ static bool same(double a, double b) {
 /* Whether image i goes on where the one before ended; the last one is at the
  * end of all segments. */
 static bool goes_on(const struct ph_curve *c, size_t i) {
-  const struct ph_blaschke *b = &c->blaschke[i], *before = b - 1;
+  const struct ph_blaschke *b = &c->blaschke.v[i], *before = b - 1;
   bool whole = i == 0 || same(before->interval[1], 1);
   size_t segment = i == 0 ? 0 : before->segment + whole;
   return b->segment == segment && segment < c->n &&
          same(b->interval[0], whole ? 0 : before->interval[1]) &&
          b->interval[1] > b->interval[0] && b->interval[1] <= 1 &&
-         (i + 1 < c->blaschke_n ||
+         (i + 1 < c->blaschke.n ||
           (segment + 1 == c->n && same(b->interval[1], 1)));
 }
 
@@ -96,8 +96,8 @@ void ph_verify_blaschke(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
   struct ph_verify_segment s;
   struct ph_verify_path path = {.v = v, .s = &s};
-  for (size_t i = 0; i < c->blaschke_n; i++) {
-    const struct ph_blaschke *b = &c->blaschke[i];
+  for (size_t i = 0; i < c->blaschke.n; i++) {
+    const struct ph_blaschke *b = &c->blaschke.v[i];
     if (!goes_on(c, i)) {
       ph_verify_wrong(v, PH_V_BLASCHKE, in(b),
                       "is of no part of the curve that is next");

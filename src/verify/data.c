@@ -48,12 +48,12 @@ ph_vec3 ph_verify_datum(const struct ph_verify *v,
   size_t i = j < data->points->n ? j : 0;
   const double *x = data->points->v + data->points->dimension * i;
   ph_vec3 point, center, from;
-  double radius = ph_verify_scaled(v, c->radius);
+  double radius = ph_verify_scaled(v, c->sphere.radius);
   *off = 0;
   if (c->kind != PH_CURVE_SPHERICAL_NU) {
     return ph_verify_vector(v, x, data->points->dimension);
   }
-  center = ph_verify_vector(v, c->center, 3);
+  center = ph_verify_vector(v, c->sphere.center, 3);
   if (data->lonlat) {
     return ph_vec3_along(center, radius, ph_degree_to_unit(x[0], x[1]));
   }

@@ -387,7 +387,8 @@ void ph_verify_fairness(struct ph_verify *v) {
   for (size_t i = 0; i < INTEGRALS; i++) {
     any = any || fair.wanted[i];
   }
-  if (!any || v->curve->kind == PH_CURVE_BEZIER || v->curve->radius > 0) {
+  if (!any || v->curve->kind == PH_CURVE_BEZIER ||
+      v->curve->sphere.radius > 0) {
     return; /* Bezier curves stand for another */
   }
   for (size_t k = 0; k < v->curve->n; k++) {

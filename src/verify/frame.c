@@ -100,8 +100,8 @@ ph_vec3 ph_verify_frame_at(const struct ph_verify_framing *f,
     *error = place->tangent_error + place->flat;
     return principal(path, u);
   case PH_FRAME_ERF:
-    *error = path->v->curve->preimage ? place->tangent_error : *error;
-    return path->v->curve->preimage ? ph_verify_across(path, u) : none;
+    *error = path->v->curve->preimage.v ? place->tangent_error : *error;
+    return path->v->curve->preimage.v ? ph_verify_across(path, u) : none;
   case PH_FRAME_RMF:
     if (sphere) {
       ph_vec3 out = ph_vec3_sub(place->point, path->s->center);

@@ -62,7 +62,7 @@ static bool check_jump(struct context *c, size_t k) {
   const double jump = ph_verify_apart(a.point, b.point);
   const double error = a.point_error + b.point_error;
   const bool listed = c->gap < c->o->gaps.n && c->o->gaps.before[c->gap] == k;
-  if (v->curve->radius > 0 && !isfinite(error)) {
+  if (v->curve->sphere.radius > 0 && !isfinite(error)) {
     return listed;
   }
   if (!listed) {
@@ -80,7 +80,7 @@ static bool check_jump(struct context *c, size_t k) {
 /* Whether sample i is at an end of segment k. */
 static bool is_at(const struct context *c, size_t i, size_t k, double u) {
   const struct ph_samples *s = &c->o->samples;
-  const double *alpha = c->v->curve->alpha;
+  const double *alpha = c->v->curve->preimage.alpha;
   return i < s->n && s->segment[i] == k &&
          fabs(s->t[i] / (alpha ? alpha[k] : 1) - u) <= ROUND_END;
 }

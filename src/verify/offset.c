@@ -252,7 +252,7 @@ static bool is_before(size_t k, double u, size_t l, double w) {
 static bool has_cusp(const struct context *c, const struct turn *from,
                      const struct turn *to) {
   const struct ph_cusps *cusps = &c->o->cusps;
-  const double *alpha = c->v->curve->alpha;
+  const double *alpha = c->v->curve->preimage.alpha;
   bool round = is_before(to->k, to->u, from->k, from->u);
   for (size_t i = 0; i < cusps->n; i++) {
     size_t k = cusps->at[i].segment;
@@ -352,7 +352,7 @@ static bool begin(struct context *c) {
   struct ph_verify *v = c->v;
   const struct ph_curve *curve = v->curve;
   const char *vector = c->o->vector;
-  bool space = curve->dimension == 3 && !(curve->radius > 0);
+  bool space = curve->dimension == 3 && !(curve->sphere.radius > 0);
   if (!isfinite(c->o->distance)) {
     return wrong(c, NULL, PH_VERIFY_ONE, "distance", "is not finite");
   }
@@ -365,8 +365,9 @@ static bool begin(struct context *c) {
   }
   c->path.binormal = space && vector[1] == '3';
   c->path.cusps = &c->o->cusps;
-  c->path.distance = curve->radius > 0 ? c->o->distance / curve->radius
-                                       : ph_verify_scaled(v, c->o->distance);
+  c->path.distance = curve->sphere.radius > 0
+                         ? c->o->distance / curve->sphere.radius
+                         : ph_verify_scaled(v, c->o->distance);
   return true;
 }
 
@@ -377,7 +378,7 @@ void ph_verify_offset(struct ph_verify *v, const struct ph_offset *o) {
   if (v->curve->kind == PH_CURVE_BEZIER || !begin(&c)) {
     return; /* of the curve before it was converted */
   }
-  if (o->n > 0 || !(v->curve->radius > 0)) {
+  if (o->n > 0 || !(v->curve->sphere.radius > 0)) {
     check_pieces(&c);
   }
   if (o->pieces.n > 0) {

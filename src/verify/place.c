@@ -72,9 +72,9 @@ static void preimage_at(const struct ph_verify_path *path, double u,
   for (size_t i = 0; i < N; i++) {
     a[i] = ph_quat_of(0, 0, 0, 0);
   }
-  for (size_t i = 0; i < c->preimage_n; i++, w += 4) {
+  for (size_t i = 0; i < c->preimage.n; i++, w += 4) {
     double b[N] = {s->angle > 0 && i == 1 ? 2 * cos(s->angle / 2) : factor};
-    for (size_t j = 0; j + 1 < c->preimage_n; j++) {
+    for (size_t j = 0; j + 1 < c->preimage.n; j++) {
       const double *by = series[j < i];
       for (size_t l = N; l-- > 0;) {
         double sum = 0;
@@ -88,7 +88,7 @@ static void preimage_at(const struct ph_verify_path *path, double u,
       a[l] = ph_quat_add(
           a[l], ph_quat_scale(b[l], ph_quat_of(w[0], w[1], w[2], w[3])));
     }
-    factor *= (double)(c->preimage_n - 1 - i) / (double)(i + 1);
+    factor *= (double)(c->preimage.n - 1 - i) / (double)(i + 1);
   }
 }
 
@@ -97,7 +97,7 @@ static void frame_normal(const struct ph_verify_path *path, double u,
                          ph_vec3 *e) {
   ph_quat a[N];
   double square[N];
-  if (!path->v->curve->preimage) {
+  if (!path->v->curve->preimage.v) {
     const double none = (double)NAN;
     for (size_t i = 0; i < N; i++) {
       e[i] = ph_vec3_of(none, none, none);

@@ -109,7 +109,8 @@ static void check_derivative(const struct context *x, const struct end *e,
       c->kind == PH_CURVE_BEZIER ? PH_GIVEN_NONE : v->promise->given;
   double factor = 1;
   if (given == PH_GIVEN_TENSION) {
-    factor = c->tension[e->s->k] * c->tension[e->s->k] * e->s->unit;
+    factor =
+        c->choice.tension[e->s->k] * c->choice.tension[e->s->k] * e->s->unit;
   } else if (given == PH_GIVEN_KNOTS) {
     factor = e->s->spacing;
   }

@@ -68,8 +68,8 @@ static double leg_weight(const struct ph_verify *v, double angle, size_t m,
 
 static void load_sphere(const struct ph_verify *v,
                         struct ph_verify_segment *s) {
-  s->center = ph_verify_vector(v, v->curve->center, 3);
-  s->radius = ph_verify_scaled(v, v->curve->radius);
+  s->center = ph_verify_vector(v, v->curve->sphere.center, 3);
+  s->radius = ph_verify_scaled(v, v->curve->sphere.radius);
   for (size_t i = 0; i < 4; i++) {
     s->p[i] = ph_vec3_unit(ph_vec3_sub(s->p[i], s->center));
   }
@@ -96,8 +96,8 @@ void ph_verify_load(const struct ph_verify *v, size_t k,
   const struct ph_curve *c = v->curve;
   const double *p = ph_curve_points(c, k);
   s->k = k;
-  s->angle = c->alpha ? c->alpha[k] : 0;
-  s->unit = c->alpha ? c->alpha[k] : 1;
+  s->angle = c->preimage.alpha ? c->preimage.alpha[k] : 0;
+  s->unit = c->preimage.alpha ? c->preimage.alpha[k] : 1;
   s->spacing = c->knots[k + 1] - c->knots[k];
   s->speed = 0;
   s->radius = 0;

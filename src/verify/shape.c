@@ -55,9 +55,9 @@ static bool is_of_command(struct ph_verify *v) {
                     promise->intervals ? "are missing"
                                        : "are not what the command makes");
   }
-  if ((promise->tension && exact) != (c->tension != NULL)) {
+  if ((promise->tension && exact) != (c->choice.tension != NULL)) {
     return wrong(v, ph_verify_in(0, "tension"),
-                 c->tension ? "is not of such a curve" : "is missing");
+                 c->choice.tension ? "is not of such a curve" : "is missing");
   }
   return true;
 }
@@ -89,12 +89,12 @@ static bool is_parametrised(struct ph_verify *v) {
       return wrong(v, ph_verify_in(k, "interval"), "is no interval");
     }
   }
-  if ((c->kind == PH_CURVE_ATPH) != (c->alpha != NULL)) {
+  if ((c->kind == PH_CURVE_ATPH) != (c->preimage.alpha != NULL)) {
     return wrong(v, ph_verify_in(0, "alpha"),
-                 c->alpha ? "is of ATPH curves alone" : "is missing");
+                 c->preimage.alpha ? "is of ATPH curves alone" : "is missing");
   }
-  for (size_t k = 0; c->alpha && k < c->n; k++) {
-    if (!(c->alpha[k] > 0 && c->alpha[k] < PH_PI)) {
+  for (size_t k = 0; c->preimage.alpha && k < c->n; k++) {
+    if (!(c->preimage.alpha[k] > 0 && c->preimage.alpha[k] < PH_PI)) {
       return wrong(v, ph_verify_in(k, "alpha"), "is not between 0 and pi");
     }
   }
@@ -103,16 +103,16 @@ static bool is_parametrised(struct ph_verify *v) {
 
 static bool is_preimage(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
-  if (!c->preimage) {
+  if (!c->preimage.v) {
     return true;
   }
-  if (c->preimage_n != (c->degree + 1) / 2 || c->degree % 2 == 0 ||
-      c->preimage_dimension != 2 * (c->dimension - 1) ||
+  if (c->preimage.n != (c->degree + 1) / 2 || c->degree % 2 == 0 ||
+      c->preimage.dimension != 2 * (c->dimension - 1) ||
       c->kind == PH_CURVE_SPHERICAL_NU || c->kind == PH_CURVE_BEZIER) {
     return wrong(v, ph_verify_in(0, "preimage"),
                  "is none of such control points");
   }
-  return are_finite(v, c->preimage, c->preimage_n * c->preimage_dimension,
+  return are_finite(v, c->preimage.v, c->preimage.n * c->preimage.dimension,
                     "preimage");
 }
 
@@ -120,21 +120,22 @@ static bool is_sphere(struct ph_verify *v) {
   const struct ph_curve *c = v->curve;
   size_t nodes = c->closed ? c->n : c->n + 1;
   if (c->kind != PH_CURVE_SPHERICAL_NU) {
-    return !(c->radius > 0) ||
+    return !(c->sphere.radius > 0) ||
            wrong(v, ph_verify_of("radius", PH_VERIFY_ONE, NULL),
                  "is not of such a curve");
   }
-  if (!(c->radius > 0) || !isfinite(c->radius)) {
+  if (!(c->sphere.radius > 0) || !isfinite(c->sphere.radius)) {
     return wrong(v, ph_verify_of("radius", PH_VERIFY_ONE, NULL),
                  "is not positive");
   }
-  if (finite_until(c->center, 3) < 3) {
+  if (finite_until(c->sphere.center, 3) < 3) {
     return wrong(v, ph_verify_of("center", PH_VERIFY_ONE, NULL),
                  "is not finite");
   }
-  if (!c->tensions || finite_until(c->tensions, nodes) < nodes) {
+  if (!c->sphere.tensions || finite_until(c->sphere.tensions, nodes) < nodes) {
     return wrong(v, ph_verify_of("tensions", PH_VERIFY_ONE, NULL),
-                 c->tensions ? "hold what is not finite" : "are missing");
+                 c->sphere.tensions ? "hold what is not finite"
+                                    : "are missing");
   }
   return true;
 }

@@ -36,10 +36,11 @@ static void check_sphere(struct ph_verify *v) {
   const struct ph_value *center = ph_verify_field(v, PH_F_CENTER);
   double wanted = radius ? radius->number : 1;
   ph_verify_number(v, PH_V_SPHERE, ph_verify_of("radius", PH_VERIFY_ONE, NULL),
-                   c->radius, wanted, wanted, 0);
+                   c->sphere.radius, wanted, wanted, 0);
   for (size_t i = 0; i < 3; i++) {
     ph_verify_number(v, PH_V_SPHERE,
-                     ph_verify_of("center", PH_VERIFY_ONE, NULL), c->center[i],
+                     ph_verify_of("center", PH_VERIFY_ONE, NULL),
+                     c->sphere.center[i],
                      center && i < center->n ? center->v[i] : 0, wanted, 0);
   }
 }

@@ -112,8 +112,8 @@ static void square_of(const struct ph_verify *v,
   const double *w = ph_curve_preimage(c, s->k);
   ph_quat a[PH_VERIFY_FORM_MAX];
   double root = v->root * sqrt(s->unit);
-  size_t n = c->preimage_n;
-  for (size_t i = 0; i < n; i++, w += c->preimage_dimension) {
+  size_t n = c->preimage.n;
+  for (size_t i = 0; i < n; i++, w += c->preimage.dimension) {
     double f = root * factor_of(s, i, n);
     /* in the plane: w = x + y i as x + y k, whose square turns i */
     a[i] = c->dimension == 2
@@ -157,12 +157,12 @@ void ph_verify_square(struct ph_verify *v, struct ph_verify_segment *s) {
   if (c->kind == PH_CURVE_SPHERICAL_NU || c->kind == PH_CURVE_BEZIER) {
     return;
   }
-  if (c->preimage) {
+  if (c->preimage.v) {
     miss = preimage_miss(v, s);
     ph_verify_miss(v, PH_V_PREIMAGE, ph_verify_in(s->k, "preimage"), miss, unit,
                    s->noise, "misses the hodograph");
   }
-  if (c->preimage && miss <= s->noise + SAME * unit) {
+  if (c->preimage.v && miss <= s->noise + SAME * unit) {
     ph_verify_miss(v, PH_V_PYTHAGOREAN, ph_verify_in(s->k, "control_points"),
                    miss, unit, s->noise, "miss the square");
     v->noise[s->k] = s->noise += miss;

@@ -123,7 +123,7 @@ static void check_node(struct context *c, size_t node,
   double size = ph_verify_larger(fabs(a.curvature), fabs(b.curvature));
   double error = a.curvature_error + b.curvature_error;
   double jump = fabs(a.curvature - b.curvature) / ph_verify_larger(1, size);
-  double nu = c->v->curve->tensions[node];
+  double nu = c->v->curve->sphere.tensions[node];
   check_exact(c, node, nu, &a, &b);
   check_nielson(c, node, nu, &a, &b);
   ph_sum_add(&c->tensions, nu);
@@ -161,7 +161,7 @@ static enum model model_of(const struct context *c) {
 
 static void conclude(struct context *c) {
   struct ph_verify *v = c->v;
-  double radius = v->curve->radius;
+  double radius = v->curve->sphere.radius;
   enum model model = model_of(c);
   ph_verify_miss(v, PH_V_TENSION,
                  ph_verify_of("tensions", c->worst[model].node, NULL),

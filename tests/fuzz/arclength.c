@@ -283,10 +283,10 @@ static void arclength_check_curve(const struct arclength_input *in,
                                   const struct ph_curve *curve) {
   size_t intervals = result->intervals_n;
   FUZZ_REQUIRE(curve->kind == PH_CURVE_PH && curve->degree == 5);
-  FUZZ_REQUIRE(curve->dimension == 3 && curve->preimage_n == 3);
+  FUZZ_REQUIRE(curve->dimension == 3 && curve->preimage.n == 3);
   FUZZ_REQUIRE(curve->closed == (in->flags.mode == ARCLENGTH_CLOSED));
   FUZZ_REQUIRE(fuzz_is_finite(curve->control_points, 18 * curve->n));
-  FUZZ_REQUIRE(fuzz_is_finite(curve->preimage, 12 * curve->n));
+  FUZZ_REQUIRE(fuzz_is_finite(curve->preimage.v, 12 * curve->n));
   FUZZ_REQUIRE(isfinite(curve->length));
   FUZZ_REQUIRE(intervals > 0 && curve->n % intervals == 0);
 }

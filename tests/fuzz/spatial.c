@@ -261,18 +261,19 @@ static void spatial_check_segment(const struct spatial_input *in,
   spatial_check_ends(in, curve, k);
   FUZZ_REQUIRE(curve->knots[k] < curve->knots[k + 1]);
   FUZZ_REQUIRE(curve->lengths[k] > 0);
-  FUZZ_REQUIRE(curve->tension[k] <= most);
-  FUZZ_REQUIRE(curve->tension[k] >= most / 64.0001);
-  spatial_check_angles(in, curve->angles + 2 * k, k);
-  if (curve->alpha) {
-    FUZZ_REQUIRE(curve->alpha[k] > 0 && curve->alpha[k] < 3.1415927);
+  FUZZ_REQUIRE(curve->choice.tension[k] <= most);
+  FUZZ_REQUIRE(curve->choice.tension[k] >= most / 64.0001);
+  spatial_check_angles(in, curve->choice.angles + 2 * k, k);
+  if (curve->preimage.alpha) {
+    FUZZ_REQUIRE(curve->preimage.alpha[k] > 0 &&
+                 curve->preimage.alpha[k] < 3.1415927);
   }
 }
 
 static void spatial_check_curve(const struct spatial_input *in,
                                 const struct ph_curve *curve) {
   FUZZ_REQUIRE(fuzz_is_finite(curve->control_points, 18 * curve->n));
-  FUZZ_REQUIRE(fuzz_is_finite(curve->preimage, 12 * curve->n));
+  FUZZ_REQUIRE(fuzz_is_finite(curve->preimage.v, 12 * curve->n));
   FUZZ_REQUIRE(isfinite(curve->length));
   for (size_t k = 0; k < curve->n; k++) {
     spatial_check_segment(in, curve, k);

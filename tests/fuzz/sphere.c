@@ -255,7 +255,8 @@ static bool sphere_set(struct sphere_input *in) {
 static double sphere_off(const struct ph_curve *curve, const double *p) {
   double d = 0;
   for (size_t i = 0; i < 3; i++) {
-    d = hypot(d, p[i] / curve->radius - curve->center[i] / curve->radius);
+    d = hypot(d, p[i] / curve->sphere.radius -
+                     curve->sphere.center[i] / curve->sphere.radius);
   }
   return fabs(d - 1);
 }
@@ -277,8 +278,10 @@ static void sphere_check_nodes(const struct sphere_input *in,
   FUZZ_REQUIRE(nodes == in->points ||
                (curve->closed && nodes + 1 == in->points));
   for (size_t i = 0; i < nodes; i++) {
-    FUZZ_REQUIRE(curve->tensions[i] >= 0 && isfinite(curve->tensions[i]));
-    FUZZ_REQUIRE(curve->indicators[i] >= -1 && curve->indicators[i] <= 1);
+    FUZZ_REQUIRE(curve->sphere.tensions[i] >= 0 &&
+                 isfinite(curve->sphere.tensions[i]));
+    FUZZ_REQUIRE(curve->sphere.indicators[i] >= -1 &&
+                 curve->sphere.indicators[i] <= 1);
   }
 }
 
@@ -286,7 +289,7 @@ static void sphere_check_curve(const struct sphere_input *in,
                                const struct ph_curve *curve) {
   FUZZ_REQUIRE(curve->kind == PH_CURVE_SPHERICAL_NU && curve->degree == 3);
   FUZZ_REQUIRE(curve->dimension == 3 && curve->closed == in->flags.closed);
-  FUZZ_REQUIRE(curve->n > 0 && curve->radius > 0);
+  FUZZ_REQUIRE(curve->n > 0 && curve->sphere.radius > 0);
   FUZZ_REQUIRE(fuzz_is_finite(curve->control_points, 12 * curve->n));
   FUZZ_REQUIRE(isfinite(curve->length));
   for (size_t k = 0; k < curve->n; k++) {
@@ -318,8 +321,9 @@ static void sphere_check_lengths(const struct ph_curve *curve,
     for (size_t j = 0; j < 3; j++) {
       chord = hypot(chord, p[j] - *(p + j - 3));
     }
-    FUZZ_REQUIRE(step >= (1 - 1e-9) * chord -
-                             1e-14 * (samples->s[i] + 8 * curve->radius));
+    FUZZ_REQUIRE(step >=
+                 (1 - 1e-9) * chord -
+                     1e-14 * (samples->s[i] + 8 * curve->sphere.radius));
   }
 }
 
@@ -331,8 +335,8 @@ static void sphere_check_offset(const struct sphere_input *in,
   struct ph_offset offset;
   struct ph_diag diag;
   enum ph_status status =
-      ph_offset_spherical(&result->curve, 0.125 * result->curve.radius, &rules,
-                          arena, &offset, &diag);
+      ph_offset_spherical(&result->curve, 0.125 * result->curve.sphere.radius,
+                          &rules, arena, &offset, &diag);
   if (status != PH_OK) {
     fuzz_check_failure(&diag, status);
     return;

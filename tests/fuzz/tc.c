@@ -249,9 +249,9 @@ static void tc_check_curve(const struct tc_input *in,
                            const struct ph_curve *curve) {
   FUZZ_REQUIRE(curve->kind == PH_CURVE_TC && curve->degree == 3);
   FUZZ_REQUIRE(curve->dimension == 2 && curve->n > 0);
-  FUZZ_REQUIRE(curve->preimage_n == 2 && curve->preimage_dimension == 2);
+  FUZZ_REQUIRE(curve->preimage.n == 2 && curve->preimage.dimension == 2);
   FUZZ_REQUIRE(fuzz_is_finite(curve->control_points, 8 * curve->n));
-  FUZZ_REQUIRE(fuzz_is_finite(curve->preimage, 4 * curve->n));
+  FUZZ_REQUIRE(fuzz_is_finite(curve->preimage.v, 4 * curve->n));
   FUZZ_REQUIRE(isfinite(curve->length));
   FUZZ_REQUIRE(!curve->closed || in->flags.closed);
   for (size_t k = 0; k < curve->n; k++) {
@@ -292,9 +292,9 @@ static void tc_check_samples(const struct ph_samples *samples) {
 
 /* Rational pieces without a pole, on the cylinder. */
 static void tc_check_blaschke(const struct ph_curve *curve) {
-  FUZZ_REQUIRE(curve->blaschke_n >= curve->n);
-  for (size_t i = 0; i < curve->blaschke_n; i++) {
-    const struct ph_blaschke *piece = &curve->blaschke[i];
+  FUZZ_REQUIRE(curve->blaschke.n >= curve->n);
+  for (size_t i = 0; i < curve->blaschke.n; i++) {
+    const struct ph_blaschke *piece = &curve->blaschke.v[i];
     FUZZ_REQUIRE(piece->segment < curve->n);
     FUZZ_REQUIRE(piece->interval[0] < piece->interval[1]);
     FUZZ_REQUIRE(fuzz_is_finite(&piece->control_points[0][0], 18));

@@ -16,9 +16,9 @@ static void flatten(struct places_data *data) {
   const struct unit_curve3 *from = &data->space;
   struct ph_curve *c = &data->curve;
   *c = from->curve;
-  c->dimension = c->preimage_dimension = 2;
+  c->dimension = c->preimage.dimension = 2;
   c->control_points = data->points;
-  c->preimage = data->preimage;
+  c->preimage.v = data->preimage;
   for (size_t i = 0; i < 6 * c->n; i++) {
     data->points[2 * i] = from->control_points[3 * i];
     data->points[2 * i + 1] = from->control_points[3 * i + 1];
@@ -138,13 +138,13 @@ static void reverse(double *v, size_t size, size_t n) {
 void places_reverse(struct places_data *data) {
   struct ph_curve *c = &data->curve;
   reverse(c->control_points, c->dimension, (c->degree + 1) * c->n);
-  reverse(c->preimage, c->preimage_dimension, c->preimage_n * c->n);
+  reverse(c->preimage.v, c->preimage.dimension, c->preimage.n * c->n);
   reverse(c->lengths, 1, c->n);
-  reverse(c->alpha, 1, c->n);
-  for (size_t i = 0; c->preimage && i < c->preimage_n * c->n; i++) {
+  reverse(c->preimage.alpha, 1, c->n);
+  for (size_t i = 0; c->preimage.v && i < c->preimage.n * c->n; i++) {
     const ph_quat j = {0, 0, 1, 0};
-    double *w = c->preimage + c->preimage_dimension * i, re = w[0];
-    if (c->preimage_dimension == 2) {
+    double *w = c->preimage.v + c->preimage.dimension * i, re = w[0];
+    if (c->preimage.dimension == 2) {
       w[0] = -w[1];
       w[1] = re;
     } else {
@@ -163,12 +163,12 @@ static void scale(double *v, size_t n, int exponent) {
 void places_scale(struct places_data *data, int exponent) {
   struct ph_curve *c = &data->curve;
   scale(c->control_points, (c->degree + 1) * c->dimension * c->n, exponent);
-  scale(c->preimage, c->preimage_n * c->preimage_dimension * c->n,
+  scale(c->preimage.v, c->preimage.n * c->preimage.dimension * c->n,
         exponent / 2);
   scale(c->lengths, c->n, exponent);
   scale(&c->length, 1, exponent);
-  scale(c->center, 3, exponent);
-  scale(&c->radius, 1, exponent);
+  scale(c->sphere.center, 3, exponent);
+  scale(&c->sphere.radius, 1, exponent);
   scale(&data->offset.distance, 1, exponent);
 }
 

@@ -225,7 +225,7 @@ START_TEST(test_halves) {
       ph_cplx p[6], w[3], half[2][6], root[2][3], square[5];
       double size = unit_planar_size(&u), length = 0;
       memcpy(p, c->control_points + 12 * k, sizeof p);
-      memcpy(w, c->preimage + 6 * k, sizeof w);
+      memcpy(w, c->preimage.v + 6 * k, sizeof w);
       ph_bern_cut(p, 5, 0.5, half[0], half[1]);
       ph_bern_cut(w, 2, 0.5, root[0], root[1]);
       for (int side = 0; side < 2; side++) {
@@ -308,7 +308,7 @@ START_TEST(test_offset_length) {
     }
     for (size_t k = 0; k < c->n; k++) {
       ph_cplx w[3];
-      memcpy(w, c->preimage + 6 * k, sizeof w);
+      memcpy(w, c->preimage.v + 6 * k, sizeof w);
       turned += ph_rotation(w);
     }
     prop_assert(unit_near_rel(length, c->length - d * turned, 1e-10), i, &data,
@@ -356,11 +356,11 @@ START_TEST(test_offset_reverse) {
              2 * sizeof *points);
     }
     for (size_t k = 0; k < 3 * n; k++) { /* i w, as its square points back */
-      w[2 * k] = -back.preimage[2 * (3 * n - 1 - k) + 1];
-      w[2 * k + 1] = back.preimage[2 * (3 * n - 1 - k)];
+      w[2 * k] = -back.preimage.v[2 * (3 * n - 1 - k) + 1];
+      w[2 * k + 1] = back.preimage.v[2 * (3 * n - 1 - k)];
     }
     back.control_points = points;
-    back.preimage = w;
+    back.preimage.v = w;
     ck_assert_int_eq(
         ph_offset_planar(&u.result.curve, d, &within, &u.arena, &o, &u.diag),
         PH_OK);

@@ -85,7 +85,8 @@ static double apart(const struct ph_sampler *sampler, double u0, double u1) {
 /* The parameter in [0,1] of sample i. */
 static double u_of(const struct ph_samples *s, size_t i) {
   const struct ph_curve *curve = &data.curve;
-  return curve->alpha ? s->t[i] / curve->alpha[s->segment[i]] : s->t[i];
+  return curve->preimage.alpha ? s->t[i] / curve->preimage.alpha[s->segment[i]]
+                               : s->t[i];
 }
 
 /* Every chord of a segment, of which the first sample may be the last one of

@@ -106,10 +106,10 @@ static void ck_segment(const struct motion *m, size_t which, size_t k, size_t j,
   spatial_assert(unit_near_rel(a->lengths[k] * m->scale, b->lengths[j], tol),
                  which, &data, "segment %zu: lengths %.17g, %.17g", k,
                  a->lengths[k], b->lengths[j]);
-  spatial_assert(unit_near_rel(a->tension[k], b->tension[j], tol), which, &data,
-                 "segment %zu: tension %.17g, %.17g", k, a->tension[k],
-                 b->tension[j]);
-  spatial_assert(a->shape_ok[k] == b->shape_ok[j], which, &data,
+  spatial_assert(unit_near_rel(a->choice.tension[k], b->choice.tension[j], tol),
+                 which, &data, "segment %zu: tension %.17g, %.17g", k,
+                 a->choice.tension[k], b->choice.tension[j]);
+  spatial_assert(a->choice.shape_ok[k] == b->choice.shape_ok[j], which, &data,
                  "segment %zu: its shape is kept once", k);
 }
 
@@ -145,7 +145,7 @@ static bool is_steady(void) {
   double per_u = data.atph ? data.alpha[0] : 1, size;
   ph_quat a[3], q, d;
   for (size_t i = 0; i < 3; i++) {
-    const double *v = curve->preimage + 4 * i;
+    const double *v = curve->preimage.v + 4 * i;
     a[i] = ph_quat_scale(sqrt(per_u), ph_quat_of(v[0], v[1], v[2], v[3]));
   }
   di = ph_quat_i(a[0], a[0]);
@@ -374,7 +374,7 @@ START_TEST(test_translate) {
       spatial_assert(away <= 2 * spatial_rounding(b, k), i, &data,
                      "segment %zu is %.3g away", k, away);
       spatial_assert(unit_same(a->lengths[k], b->lengths[k]) &&
-                         unit_same(a->tension[k], b->tension[k]),
+                         unit_same(a->choice.tension[k], b->choice.tension[k]),
                      i, &data, "segment %zu: lengths %.17g, %.17g", k,
                      a->lengths[k], b->lengths[k]);
     }

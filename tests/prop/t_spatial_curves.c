@@ -51,10 +51,10 @@ static void ck_vector(const struct spatial_data *d, size_t which,
   spatial_assert(away <= TANGENT + error, which, d,
                  "segment %zu, side %zu: tangent %.3g away", k, side, away);
   if (d->given == SPATIAL_DERIVATIVES) {
-    double angle = d->atph ? curve->alpha[k] : 1;
+    double angle = d->atph ? curve->preimage.alpha[k] : 1;
     struct ph_atph space = ph_atph_of(d->atph ? angle : 0);
     double wanted = ph_vec3_abs(given) * angle * space.q[0];
-    double s = curve->tension[k];
+    double s = curve->choice.tension[k];
     wanted *= s * s;
     spatial_assert(fabs(size - wanted) <= (TANGENT + error) * wanted, which, d,
                    "segment %zu, side %zu: derivative %.17g, wanted %.17g", k,
@@ -63,7 +63,7 @@ static void ck_vector(const struct spatial_data *d, size_t which,
 }
 
 static ph_quat preimage_of(const struct ph_curve *curve, size_t k, size_t i) {
-  const double *a = curve->preimage + 12 * k + 4 * i;
+  const double *a = curve->preimage.v + 12 * k + 4 * i;
   ph_quat q = ph_quat_of(a[0], a[1], a[2], a[3]);
   return ph_quat_scale(1 / ph_quat_abs(q), q);
 }
@@ -87,11 +87,12 @@ static void ck_numbers(const struct spatial_data *d, size_t which,
                        : d->given == SPATIAL_DERIVATIVES;
   double chord = ph_vec3_abs(spatial_chord(d, k));
   double least = keep ? first : first / 64;
-  spatial_assert(curve->tension[k] >= least && curve->tension[k] <= first,
-                 which, d, "segment %zu: tension %.17g", k, curve->tension[k]);
-  spatial_assert(curve->tension[k] >= first || curve->shape_ok[k], which, d,
-                 "segment %zu: tension reduced to %.17g for nothing", k,
-                 curve->tension[k]);
+  spatial_assert(
+      curve->choice.tension[k] >= least && curve->choice.tension[k] <= first,
+      which, d, "segment %zu: tension %.17g", k, curve->choice.tension[k]);
+  spatial_assert(curve->choice.tension[k] >= first || curve->choice.shape_ok[k],
+                 which, d, "segment %zu: tension reduced to %.17g for nothing",
+                 k, curve->choice.tension[k]);
   spatial_assert(curve->lengths[k] >= chord * (1 - 1e-14), which, d,
                  "segment %zu: length %.17g, chord %.17g", k, curve->lengths[k],
                  chord);

@@ -194,8 +194,8 @@ START_TEST(test_motion_of_steps) {
       move_data(&m);
       sphere_must(&image, i, &other);
       for (size_t k = 0; k < data.n; k++) {
-        double a = one.result.curve.tensions[node_from(&m, k)];
-        double b = other.result.curve.tensions[k];
+        double a = one.result.curve.sphere.tensions[node_from(&m, k)];
+        double b = other.result.curve.sphere.tensions[k];
         sphere_assert(unit_near_rel(a, b, 1e-12), i, &data,
                       "tensions[%zu]: %.17g and %.17g", k, a, b);
       }
@@ -222,7 +222,8 @@ START_TEST(test_neighbours) {
       const struct ph_curve *x = &one.result.curve, *y = &other.result.curve;
       ck_assert_mem_eq(x->control_points, y->control_points,
                        12 * x->n * sizeof *x->control_points);
-      ck_assert_mem_eq(x->tensions, y->tensions, data.n * sizeof *x->tensions);
+      ck_assert_mem_eq(x->sphere.tensions, y->sphere.tensions,
+                       data.n * sizeof *x->sphere.tensions);
     } else {
       ck_assert_str_eq(one.diag.message, other.diag.message);
     }
@@ -319,9 +320,10 @@ START_TEST(test_circle) {
       sphere_assert(fabs(off) <= 1e-12, i, &data, "%.3g off", off);
     }
     for (size_t k = 1; k + 1 < data.n; k++) {
-      ck_assert_int_eq(one.result.curve.indicators[k], 0);
-      sphere_assert(unit_same(one.result.curve.tensions[k], data.tension), i,
-                    &data, "tensions[%zu] is raised", k);
+      ck_assert_int_eq(one.result.curve.sphere.indicators[k], 0);
+      sphere_assert(
+          unit_same(one.result.curve.sphere.tensions[k], data.tension), i,
+          &data, "tensions[%zu] is raised", k);
     }
     sphere_assert(unit_near_rel(one.result.curve.length, sum, 1e-12), i, &data,
                   "length %.17g, not %.17g", one.result.curve.length, sum);
@@ -366,8 +368,8 @@ static void ck_shape(size_t which) {
     struct ph_spherical s = ph_spherical_of(c, k);
     double ends[2] = {ph_spherical_curvature(&s, 0),
                       ph_spherical_curvature(&s, 1)};
-    sphere_assert(from == 0 || from == c->indicators[k], which, &data,
-                  "indicators[%zu] is %d", k, c->indicators[k]);
+    sphere_assert(from == 0 || from == c->sphere.indicators[k], which, &data,
+                  "indicators[%zu] is %d", k, c->sphere.indicators[k]);
     if (from * to > 0) {
       double least = least_bend(k, from);
       sphere_assert(least >= -1e-9, which, &data,

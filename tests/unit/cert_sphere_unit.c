@@ -55,10 +55,10 @@ static void begin(struct unit_sphere *u, const struct unit_ball *sphere,
                                .knots = u->knots,
                                .control_points = u->control_points,
                                .lengths = u->lengths,
-                               .tensions = u->tensions,
-                               .indicators = u->indicators,
-                               .radius = sphere->radius};
-  memcpy(u->curve.center, sphere->center, sizeof u->center);
+                               .sphere.tensions = u->tensions,
+                               .sphere.indicators = u->indicators,
+                               .sphere.radius = sphere->radius};
+  memcpy(u->curve.sphere.center, sphere->center, sizeof u->center);
   memcpy(u->center, sphere->center, sizeof u->center);
   for (size_t i = 0; i < n; i++) {
     unit_sphere_put(sphere, p[i], u->points + 3 * i);

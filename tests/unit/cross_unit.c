@@ -47,9 +47,9 @@ void unit_chain_begin(struct unit_chain *chain, bool closed) {
                                    .dimension = 2,
                                    .degree = 5,
                                    .control_points = chain->p,
-                                   .preimage_n = 3,
-                                   .preimage_dimension = 2,
-                                   .preimage = chain->w};
+                                   .preimage.n = 3,
+                                   .preimage.dimension = 2,
+                                   .preimage.v = chain->w};
 }
 
 void unit_chain_add(struct unit_chain *chain, const ph_cplx w[3]) {

@@ -12,8 +12,8 @@ enum { DEGREE_MAX = 9, PANELS = 16, NODES = 5 };
 static const ph_quat UNIT[3] = {{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 
 ph_quat unit_curve3_preimage(const struct ph_curve *curve, size_t k, double u) {
-  const double *a = curve->preimage + 12 * k;
-  const double angle = curve->alpha ? curve->alpha[k] : 0;
+  const double *a = curve->preimage.v + 12 * k;
+  const double angle = curve->preimage.alpha ? curve->preimage.alpha[k] : 0;
   const double s0 =
       angle > 0 ? sin(angle * (1 - u) / 2) / sin(angle / 2) : 1 - u;
   const double s1 = angle > 0 ? sin(angle * u / 2) / sin(angle / 2) : u;
@@ -71,10 +71,10 @@ void unit_curve3_of(struct unit_curve3 *c, size_t n, const double *alpha,
                                .n = n,
                                .knots = c->knots,
                                .control_points = c->control_points,
-                               .alpha = alpha ? c->alpha : NULL,
-                               .preimage_n = 3,
-                               .preimage_dimension = 4,
-                               .preimage = c->preimage,
+                               .preimage.alpha = alpha ? c->alpha : NULL,
+                               .preimage.n = 3,
+                               .preimage.dimension = 4,
+                               .preimage.v = c->preimage,
                                .lengths = c->lengths};
   for (size_t k = 0; k < n; k++) {
     struct ph_atph space = ph_atph_of(alpha ? alpha[k] : 0);

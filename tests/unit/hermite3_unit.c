@@ -27,9 +27,9 @@ static void build_segment(struct unit_hermite3 *s, size_t k, double phi) {
   ph_vec3 to = vector_at(s->points, d, (k + 1) % n);
   ph_vec3 vi = vector_at(s->vectors, d, k);
   ph_vec3 vf = vector_at(s->vectors, d, (k + 1) % n);
-  double unit = s->curve.alpha ? s->alpha[k] : 1;
+  double unit = s->curve.preimage.alpha ? s->alpha[k] : 1;
   double factor = s->tension[k] * s->tension[k], largest = 0;
-  struct ph_atph space = ph_atph_of(s->curve.alpha ? s->alpha[k] : 0);
+  struct ph_atph space = ph_atph_of(s->curve.preimage.alpha ? s->alpha[k] : 0);
   struct ph_spatial_data data = {.noise = 0};
   struct ph_spatial_family family;
   struct ph_spatial_member member;
@@ -100,13 +100,13 @@ void unit_hermite3_of(struct unit_hermite3 *s, const double *points,
                                .n = closed ? n : n - 1,
                                .knots = s->knots,
                                .control_points = s->control_points,
-                               .alpha = alpha > 0 ? s->alpha : NULL,
-                               .preimage_n = 3,
-                               .preimage_dimension = 4,
-                               .preimage = s->preimage,
+                               .preimage.alpha = alpha > 0 ? s->alpha : NULL,
+                               .preimage.n = 3,
+                               .preimage.dimension = 4,
+                               .preimage.v = s->preimage,
                                .lengths = s->lengths,
-                               .tension = s->tension,
-                               .shape_ok = s->shape_ok};
+                               .choice.tension = s->tension,
+                               .choice.shape_ok = s->shape_ok};
   for (size_t k = 0; k < s->curve.n; k++) {
     s->alpha[k] = alpha;
     s->tension[k] = 1;

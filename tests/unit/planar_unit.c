@@ -130,8 +130,8 @@ ph_cplx unit_curve(const struct ph_curve *curve, size_t k, size_t order,
 
 ph_cplx unit_preimage(const struct ph_curve *curve, size_t k, size_t order,
                       double t) {
-  size_t n = curve->preimage_n;
-  return unit_bezier(curve->preimage + 2 * n * k, n - 1, order, t);
+  size_t n = curve->preimage.n;
+  return unit_bezier(curve->preimage.v + 2 * n * k, n - 1, order, t);
 }
 
 double unit_curves_apart(const struct ph_curve *a, const struct ph_curve *b) {

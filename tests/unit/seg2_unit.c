@@ -39,10 +39,10 @@ void unit_seg2_curve(const struct ph_seg2 *seg, size_t n,
                                .n = n,
                                .knots = s->knots,
                                .control_points = s->control_points,
-                               .alpha = atph ? s->alpha : NULL,
-                               .preimage_n = 3,
-                               .preimage_dimension = 2,
-                               .preimage = s->preimage,
+                               .preimage.alpha = atph ? s->alpha : NULL,
+                               .preimage.n = 3,
+                               .preimage.dimension = 2,
+                               .preimage.v = s->preimage,
                                .lengths = s->lengths};
   for (size_t k = 0; k < n; k++) {
     double angle = seg[k].space.angle, root = atph ? sqrt(angle) : 1;

@@ -30,7 +30,7 @@ static inline void unit_spherical_of(struct unit_spherical *c, size_t n,
                                .knots = c->knots,
                                .control_points = c->control_points,
                                .lengths = c->lengths,
-                               .radius = 1};
+                               .sphere.radius = 1};
   c->knots[0] = 0;
   for (size_t i = 0; i < 4 * n; i++) {
     ph_vec3_put(p[i], 3, c->control_points + 3 * i);
@@ -84,8 +84,8 @@ static inline void unit_spherical_random(struct unit_spherical *c, size_t n,
 /* unit_spherical_place: brings a curve of the unit sphere to another. */
 static inline void unit_spherical_place(struct unit_spherical *c,
                                         ph_vec3 center, double radius) {
-  ph_vec3_put(center, 3, c->curve.center);
-  c->curve.radius = radius;
+  ph_vec3_put(center, 3, c->curve.sphere.center);
+  c->curve.sphere.radius = radius;
   c->curve.length *= radius;
   for (size_t i = 0; i < 4 * c->curve.n; i++) {
     double *p = c->control_points + 3 * i;

@@ -25,9 +25,9 @@ void unit_cubics_begin(struct unit_cubics *c, ph_cplx start) {
                                .degree = 3,
                                .knots = c->knots,
                                .control_points = c->control_points,
-                               .preimage_n = 2,
-                               .preimage_dimension = 2,
-                               .preimage = c->preimage,
+                               .preimage.n = 2,
+                               .preimage.dimension = 2,
+                               .preimage.v = c->preimage,
                                .lengths = c->lengths};
 }
 

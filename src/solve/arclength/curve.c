@@ -84,7 +84,7 @@ static void put_segment(size_t q, const ph_quat a[3], const ph_vec3 p[6],
     ph_vec3_put(p[k], 3, curve->control_points + (6 * q + k) * 3);
   }
   for (size_t k = 0; k < 3; k++) {
-    double *out = curve->preimage + (3 * q + k) * 4;
+    double *out = curve->preimage.v + (3 * q + k) * 4;
     out[0] = a[k].u + 0.0; /* no -0 */
     out[1] = a[k].v + 0.0;
     out[2] = a[k].p + 0.0;
@@ -118,8 +118,8 @@ enum ph_status ph_arc_curve(const struct ph_arc_system *s, const double *x,
                              .dimension = 3,
                              .degree = 5,
                              .n = s->segments,
-                             .preimage_n = 3,
-                             .preimage_dimension = 4};
+                             .preimage.n = 3,
+                             .preimage.dimension = 4};
   status = ph_curve_alloc(curve, arena, diag);
   if (status != PH_OK) {
     return status;

@@ -115,8 +115,8 @@ enum ph_status ph_fields_angles(const struct ph_value *value, size_t n,
 void ph_warn_alpha(const struct ph_curve *curve, struct ph_result *result) {
   const double usual = 2.095; /* 2 pi/3, also as 0.6667 pi */
   size_t found = 0, first = 0;
-  for (size_t k = 0; curve->alpha && k < curve->n; k++) {
-    if (curve->alpha[k] > usual && found++ == 0) {
+  for (size_t k = 0; curve->preimage.alpha && k < curve->n; k++) {
+    if (curve->preimage.alpha[k] > usual && found++ == 0) {
       first = k;
     }
   }

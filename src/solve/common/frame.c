@@ -38,7 +38,7 @@ ph_cplx ph_frame_follow(ph_quat a, ph_quat before) {
 }
 
 double ph_frame_turn(const struct ph_curve *curve, ph_quat end) {
-  const double *a = curve->preimage;
+  const double *a = curve->preimage.v;
   ph_quat start = ph_quat_of(a[0], a[1], a[2], a[3]);
   ph_cplx half = ph_frame_follow(start, end);
   ph_cplx whole = ph_cplx_mul(half, half);

@@ -19,8 +19,8 @@ enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *d,
                              .dimension = 2,
                              .degree = 5,
                              .n = d->n,
-                             .preimage_n = 3,
-                             .preimage_dimension = 2};
+                             .preimage.n = 3,
+                             .preimage.dimension = 2};
   return ph_curve_alloc(curve, arena, diag);
 }
 
@@ -67,9 +67,9 @@ void ph_planar_curve_fill(const struct ph_planar_data *d, const ph_cplx *b,
       w[i] = ph_cplx_scale(1 / sqrt(space->angle), w[i]);
     }
     if (d->atph) {
-      curve->alpha[k] = space->angle;
+      curve->preimage.alpha[k] = space->angle;
     }
-    memcpy(curve->preimage + 6 * k, w, sizeof w);
+    memcpy(curve->preimage.v + 6 * k, w, sizeof w);
   }
   curve->length = ph_sum_value(&length);
 }

@@ -19,16 +19,17 @@ enum ph_status ph_spatial_curve_alloc(const struct ph_spatial_points *p,
                              .dimension = 3,
                              .degree = 5,
                              .n = n,
-                             .preimage_n = 3,
-                             .preimage_dimension = 4};
+                             .preimage.n = 3,
+                             .preimage.dimension = 4};
   status = ph_curve_alloc(curve, arena, diag);
   if (status != PH_OK) {
     return status;
   }
-  curve->tension = ph_arena_array(arena, n, sizeof(double));
-  curve->angles = ph_arena_array(arena, n, 2 * sizeof(double));
-  curve->shape_ok = ph_arena_array(arena, n, sizeof(bool));
-  if (!curve->tension || !curve->angles || !curve->shape_ok) {
+  curve->choice.tension = ph_arena_array(arena, n, sizeof(double));
+  curve->choice.angles = ph_arena_array(arena, n, 2 * sizeof(double));
+  curve->choice.shape_ok = ph_arena_array(arena, n, sizeof(bool));
+  if (!curve->choice.tension || !curve->choice.angles ||
+      !curve->choice.shape_ok) {
     return ph_fail_memory(diag);
   }
   memcpy(curve->knots, p->knots, (n + 1) * sizeof *p->knots);
@@ -109,12 +110,12 @@ double ph_spatial_curve_put(const struct ph_spatial_points *p, size_t k,
   put_control_points(p, k, chosen, leg, curve->control_points + 18 * k);
   length = ph_ph3_length(&f->space, a); /* not below the chord by rounding */
   curve->lengths[k] = (length > f->h ? length : f->h) * unit * unit;
-  put_preimage(p, k, chosen, a, end, curve->preimage + 12 * k);
+  put_preimage(p, k, chosen, a, end, curve->preimage.v + 12 * k);
   if (p->atph) {
-    curve->alpha[k] = f->space.angle;
+    curve->preimage.alpha[k] = f->space.angle;
   }
-  curve->tension[k] = chosen->tension;
-  curve->shape_ok[k] = chosen->fit->violated == 0;
-  memcpy(curve->angles + 2 * k, chosen->angles, sizeof chosen->angles);
+  curve->choice.tension[k] = chosen->tension;
+  curve->choice.shape_ok[k] = chosen->fit->violated == 0;
+  memcpy(curve->choice.angles + 2 * k, chosen->angles, sizeof chosen->angles);
   return missed;
 }

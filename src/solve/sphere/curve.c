@@ -45,18 +45,21 @@ enum ph_status ph_sphere_curve(const struct ph_sphere_spline *s,
                              .dimension = 3,
                              .degree = 3,
                              .n = d->m,
-                             .radius = d->radius};
+                             .sphere.radius = d->radius};
   if (ph_curve_alloc(curve, arena, diag) != PH_OK) {
     return diag->status;
   }
-  curve->tensions = ph_arena_array(arena, d->n, sizeof *curve->tensions);
-  curve->indicators = ph_arena_array(arena, d->n, sizeof *curve->indicators);
-  if (!curve->tensions || !curve->indicators) {
+  curve->sphere.tensions =
+      ph_arena_array(arena, d->n, sizeof *curve->sphere.tensions);
+  curve->sphere.indicators =
+      ph_arena_array(arena, d->n, sizeof *curve->sphere.indicators);
+  if (!curve->sphere.tensions || !curve->sphere.indicators) {
     return ph_fail_memory(diag);
   }
-  memcpy(curve->center, d->center, sizeof curve->center);
+  memcpy(curve->sphere.center, d->center, sizeof curve->sphere.center);
   memcpy(curve->knots, d->knots, (d->m + 1) * sizeof *curve->knots);
-  memcpy(curve->tensions, s->nu, d->n * sizeof *curve->tensions);
-  memcpy(curve->indicators, shape->q, d->n * sizeof *curve->indicators);
+  memcpy(curve->sphere.tensions, s->nu, d->n * sizeof *curve->sphere.tensions);
+  memcpy(curve->sphere.indicators, shape->q,
+         d->n * sizeof *curve->sphere.indicators);
   return set_segments(s, curve, diag);
 }

@@ -18,7 +18,7 @@ void ph_tc_curve_put(struct ph_curve *curve, size_t i, const struct ph_tc *tc,
   const struct ph_pow2 grow = ph_pow2_of(-exponent);
   const double root = ldexp(1, -exponent / 2);
   const ph_cplx zero = {0, 0};
-  double *p = curve->control_points + 8 * i, *w = curve->preimage + 4 * i;
+  double *p = curve->control_points + 8 * i, *w = curve->preimage.v + 4 * i;
   ph_cplx leg[4];
   ph_tc_control_points(tc, zero, zero, leg);
   put(p, start);
@@ -40,8 +40,8 @@ enum ph_status ph_tc_build_begin(struct ph_tc_builder *b,
                         .dimension = 2,
                         .degree = 3,
                         .n = data->mode == PH_TC_G1 ? data->n : 2 * data->n,
-                        .preimage_n = 2,
-                        .preimage_dimension = 2};
+                        .preimage.n = 2,
+                        .preimage.dimension = 2};
   *b = (struct ph_tc_builder){.data = data, .curve = curve};
   b->intervals = ph_arena_array(arena, data->n, sizeof *b->intervals);
   if (!b->intervals || ph_curve_alloc(curve, arena, diag) != PH_OK) {

@@ -328,8 +328,8 @@ static enum ph_status write(const struct target *t,
                              .dimension = 2,
                              .degree = 3,
                              .n = arcs->n,
-                             .preimage_n = 2,
-                             .preimage_dimension = 2};
+                             .preimage.n = 2,
+                             .preimage.dimension = 2};
   result->intervals = ph_arena_array(out, t->n, sizeof *result->intervals);
   result->intervals_n = t->n;
   if (!result->intervals || ph_curve_alloc(curve, out, diag) != PH_OK) {

@@ -75,7 +75,7 @@ END_TEST
 START_TEST(test_accepts_other_sign) {
   solve(false);
   for (size_t i = 6; i < 12; i++) {
-    u.result.curve.preimage[i] *= -1;
+    u.result.curve.preimage.v[i] *= -1;
   }
   ck_assert_int_eq(certify(), PH_OK);
 }
@@ -108,7 +108,7 @@ END_TEST
 START_TEST(test_preimage) {
   solve(true);
   for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
-    double *w = &u.result.curve.preimage[i], keep = *w;
+    double *w = &u.result.curve.preimage.v[i], keep = *w;
     *w += MOVED;
     ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 6);
     *w = keep;
@@ -201,7 +201,7 @@ static void join(const double left[2], const double right[2]) {
     ck_assert_int_eq(unit_planar_solve(&part[i]), PH_OK);
     memcpy(curve->control_points + 12 * i, arc->control_points,
            12 * sizeof(double));
-    memcpy(curve->preimage + 6 * i, arc->preimage, 6 * sizeof(double));
+    memcpy(curve->preimage.v + 6 * i, arc->preimage.v, 6 * sizeof(double));
     curve->lengths[i] = arc->length;
     unit_planar_free(&part[i]);
   }
@@ -270,7 +270,7 @@ START_TEST(test_not_finite) {
     ck_not_finite(&u.result.curve.control_points[i]);
   }
   for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
-    ck_not_finite(&u.result.curve.preimage[i]);
+    ck_not_finite(&u.result.curve.preimage.v[i]);
   }
   for (size_t k = 0; k < u.result.curve.n; k++) {
     ck_not_finite(&u.result.curve.lengths[k]);
@@ -373,7 +373,7 @@ START_TEST(test_atph) {
   ck_assert_double_le(value_of(PH_D_CONTINUITY_ERROR), 1e-13);
   ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 2e-14);
   for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
-    double *w = &u.result.curve.preimage[i], keep = *w;
+    double *w = &u.result.curve.preimage.v[i], keep = *w;
     *w += MOVED;
     ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 6);
     *w = keep;
@@ -402,7 +402,7 @@ START_TEST(test_alpha) {
                                 4, (double)NAN, HUGE_VAL};
   solve_atph(_i);
   for (size_t k = 0; k < u.result.curve.n; k++) {
-    double *alpha = &u.result.curve.alpha[k], keep = *alpha;
+    double *alpha = &u.result.curve.preimage.alpha[k], keep = *alpha;
     *alpha = keep * (1 + 10 * MOVED);
     ck_refused(PH_D_PYTHAGOREAN_ERROR, k);
     for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {

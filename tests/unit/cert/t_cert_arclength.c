@@ -105,9 +105,9 @@ static void build(enum mode mode, size_t refine, ph_quat a, ph_quat b,
                               .n = INTERVALS * refine,
                               .knots = u.knots,
                               .control_points = u.control_points,
-                              .preimage_n = 3,
-                              .preimage_dimension = 4,
-                              .preimage = u.preimage,
+                              .preimage.n = 3,
+                              .preimage.dimension = 4,
+                              .preimage.v = u.preimage,
                               .lengths = u.segment_lengths};
   put(start, u.start);
   for (size_t j = 0; j < INTERVALS; j++) {

@@ -102,8 +102,8 @@ START_TEST(test_accepts) {
   ck_assert_double_le(value_of(PH_D_CONTINUITY_ERROR), 4e-15);
   ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 2e-15);
   ck_abs(value_of(PH_D_SHAPE_OK), 0, 0);
-  u.curve.shape_ok = NULL;
-  u.curve.tension = NULL;
+  u.curve.choice.shape_ok = NULL;
+  u.curve.choice.tension = NULL;
   ck_accepted();
   ck_assert(!is_known(PH_D_SHAPE_OK));
 }
@@ -386,7 +386,7 @@ START_TEST(test_tension) {
     ck_assert_int_eq(certify(), PH_TOO_LARGE);
     u.tension[k] = keep;
   }
-  u.curve.tension = NULL;
+  u.curve.choice.tension = NULL;
   ck_refused(PH_D_TANGENT_ERROR, 2);
 }
 END_TEST

@@ -398,9 +398,9 @@ END_TEST
 
 START_TEST(test_radius) {
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
-  u.curve.radius *= 1 + MOVED;
+  u.curve.sphere.radius *= 1 + MOVED;
   ck_assert_int_eq(certify(), PH_INTERNAL);
-  unit_sphere_number(&u, PH_F_RADIUS, u.curve.radius);
+  unit_sphere_number(&u, PH_F_RADIUS, u.curve.sphere.radius);
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(diag.message, "sphere_error"));
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
@@ -445,7 +445,7 @@ START_TEST(test_fits) {
   u.curve.n -= 2;
   ck_assert_int_eq(certify(), PH_INTERNAL);
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
-  u.curve.tensions = NULL;
+  u.curve.sphere.tensions = NULL;
   ck_assert_int_eq(certify(), PH_INTERNAL);
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.control_points[20] = (double)NAN;

@@ -164,7 +164,7 @@ START_TEST(test_phase) {
   ring(true, 2);
   solve();
   for (int each = 0; each < 2; each++) {
-    double *a = u.result.curve.preimage;
+    double *a = u.result.curve.preimage.v;
     for (size_t i = 0; i < 3 * u.result.curve.n; i++, a += 4) {
       ph_cplx e = ph_cplx_polar(each ? (double)(i / 3) : 0.7);
       ph_quat turned = ph_quat_turn(ph_quat_of(a[0], a[1], a[2], a[3]), e);

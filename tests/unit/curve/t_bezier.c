@@ -60,19 +60,19 @@ START_TEST(test_atph) {
   bool flags[UNIT_CURVE3_MAX] = {false};
   size_t k = 0;
   unit_curve3_random(&c, 3, true, 0.6, &r);
-  c.curve.tension = c.curve.angles = numbers;
-  c.curve.shape_ok = flags;
+  c.curve.choice.tension = c.curve.choice.angles = numbers;
+  c.curve.choice.shape_ok = flags;
   bezier = convert(1e-8, &error);
   ck_assert_double_le(error, 1e-8);
   ck_assert_int_eq(bezier.kind, PH_CURVE_BEZIER);
   ck_assert_uint_eq(bezier.dimension, 3);
   ck_assert_uint_eq(bezier.degree, 5);
   ck_assert_uint_gt(bezier.n, 3);
-  ck_assert_ptr_null(bezier.alpha);
-  ck_assert_ptr_null(bezier.preimage);
-  ck_assert_ptr_null(bezier.tension);
-  ck_assert_ptr_null(bezier.angles);
-  ck_assert_ptr_null(bezier.shape_ok);
+  ck_assert_ptr_null(bezier.preimage.alpha);
+  ck_assert_ptr_null(bezier.preimage.v);
+  ck_assert_ptr_null(bezier.choice.tension);
+  ck_assert_ptr_null(bezier.choice.angles);
+  ck_assert_ptr_null(bezier.choice.shape_ok);
   ck_rel(bezier.length, c.curve.length, 0);
   ck_rel(bezier.knots[bezier.n], c.knots[3], 0);
   for (size_t i = 0; i < bezier.n; i++) {

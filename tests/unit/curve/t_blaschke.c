@@ -88,9 +88,9 @@ START_TEST(test_definition) {
     ck_assert_int_eq(ph_blaschke_curve(&c.curve, &arena, &diag), PH_OK);
     ck_assert_int_eq(ph_offset_planar(&c.curve, 0, &rules, &arena, &o, &diag),
                      PH_OK);
-    ck_assert_uint_eq(c.curve.blaschke_n, o.n);
+    ck_assert_uint_eq(c.curve.blaschke.n, o.n);
     for (size_t j = 0; j < o.n; j++) {
-      const struct ph_blaschke *b = &c.curve.blaschke[j];
+      const struct ph_blaschke *b = &c.curve.blaschke.v[j];
       const double from = b->interval[0], to = b->interval[1];
       ck_assert_uint_eq(b->segment, o.segment[j]);
       ck_assert_mem_eq(b->interval, o.interval + 2 * j, sizeof b->interval);
@@ -122,8 +122,8 @@ START_TEST(test_ends) {
     struct unit_cubics c;
     unit_cubics_random(&c, &r, 3, 1, unit_random_cplx(&r, 1));
     ck_assert_int_eq(ph_blaschke_curve(&c.curve, &arena, &diag), PH_OK);
-    for (size_t j = 0; j < c.curve.blaschke_n; j++) {
-      const struct ph_blaschke *b = &c.curve.blaschke[j];
+    for (size_t j = 0; j < c.curve.blaschke.n; j++) {
+      const struct ph_blaschke *b = &c.curve.blaschke.v[j];
       const double width = b->interval[1] - b->interval[0];
       for (size_t end = 0; end < 2; end++) {
         const size_t at = 5 * end, near = end ? 4 : 1;
@@ -154,9 +154,9 @@ START_TEST(test_line) {
   unit_cubics_begin(&c, ph_cplx_of(1, 7));
   unit_cubics_add(&c, ph_cplx_of(2, 0), ph_cplx_of(3, 0));
   ck_assert_int_eq(ph_blaschke_curve(&c.curve, &arena, &diag), PH_OK);
-  ck_assert_uint_eq(c.curve.blaschke_n, 1);
+  ck_assert_uint_eq(c.curve.blaschke.n, 1);
   for (size_t k = 0; k < 6; k++) {
-    const double *p = c.curve.blaschke[0].control_points[k];
+    const double *p = c.curve.blaschke.v[0].control_points[k];
     ck_abs(p[0], 0, 0);
     ck_abs(p[1], 1, 1e-15);
     ck_abs(p[2], -7, 1e-14);

@@ -328,7 +328,7 @@ END_TEST
 static void move_curve(struct ph_curve *curve, double scale, double angle,
                        ph_cplx d) {
   ph_cplx *p = (ph_cplx *)curve->control_points;
-  ph_cplx *w = (ph_cplx *)curve->preimage;
+  ph_cplx *w = (ph_cplx *)curve->preimage.v;
   ph_cplx f = ph_cplx_scale(scale, ph_cplx_polar(angle));
   ph_cplx root = ph_cplx_scale(sqrt(scale), ph_cplx_polar(angle / 2));
   for (size_t i = 0; i < 6 * curve->n; i++) {
@@ -349,16 +349,16 @@ static void reverse_points(ph_cplx *p, size_t n) {
 
 /* The curve in the other direction; its angles too. */
 static void reverse_curve(struct ph_curve *curve) {
-  ph_cplx *w = (ph_cplx *)curve->preimage;
+  ph_cplx *w = (ph_cplx *)curve->preimage.v;
   reverse_points((ph_cplx *)curve->control_points, 6 * curve->n);
   reverse_points(w, 3 * curve->n);
   for (size_t i = 0; i < 3 * curve->n; i++) {
     w[i] = ph_cplx_mul(w[i], ph_cplx_of(0, 1));
   }
-  for (size_t i = 0; curve->alpha && 2 * i + 1 < curve->n; i++) {
-    double keep = curve->alpha[i];
-    curve->alpha[i] = curve->alpha[curve->n - 1 - i];
-    curve->alpha[curve->n - 1 - i] = keep;
+  for (size_t i = 0; curve->preimage.alpha && 2 * i + 1 < curve->n; i++) {
+    double keep = curve->preimage.alpha[i];
+    curve->preimage.alpha[i] = curve->preimage.alpha[curve->n - 1 - i];
+    curve->preimage.alpha[curve->n - 1 - i] = keep;
   }
 }
 

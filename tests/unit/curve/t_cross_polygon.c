@@ -194,7 +194,7 @@ START_TEST(test_all_loops) {
     struct ph_curve one = chain.curve;
     one.n = 1;
     one.control_points += 12 * k;
-    one.preimage += 6 * k;
+    one.preimage.v += 6 * k;
     ck_polygons(&one, 10, (int)k, &tally);
   }
   ck_assert_uint_eq(cross.loops, tally.loops);

@@ -53,8 +53,8 @@ static void bezier_random(struct any *any, struct unit_random *r) {
   struct ph_curve *curve = &any->plane.curve;
   plane_random(any, r);
   curve->kind = PH_CURVE_BEZIER;
-  curve->alpha = NULL;
-  curve->preimage = NULL;
+  curve->preimage.alpha = NULL;
+  curve->preimage.v = NULL;
   for (size_t i = 0; i < 12; i++) {
     any->plane.control_points[i] = unit_random_in(r, -1, 1);
   }
@@ -291,8 +291,9 @@ static void check_aside(const struct ph_curve *curve,
   double distance = unit_distance3(ph_sampler_at(&on, 0.4).point,
                                    ph_sampler_at(&beside, 0.4).point);
   double wanted = fabs(offset->distance);
-  if (curve->radius > 0) {
-    wanted = 2 * curve->radius * sin(wanted / (2 * curve->radius));
+  if (curve->sphere.radius > 0) {
+    wanted =
+        2 * curve->sphere.radius * sin(wanted / (2 * curve->sphere.radius));
   }
   ck_abs(distance, wanted, 1e-12);
 }

@@ -49,7 +49,10 @@ static void ck_cusps(const struct ph_curve *curve, const struct ph_cusps *cusps,
     ck_assert_uint_lt(at->segment, curve->n);
     ck_assert(at->u >= 0 && at->u <= 1);
     ck_abs((double)at->segment + at->u, wanted->at[i], tol);
-    ck_abs(at->t, curve->alpha ? at->u * curve->alpha[at->segment] : at->u, 0);
+    ck_abs(at->t,
+           curve->preimage.alpha ? at->u * curve->preimage.alpha[at->segment]
+                                 : at->u,
+           0);
   }
 }
 

@@ -102,7 +102,7 @@ END_TEST
  * same derivatives by the knots.  Pieces of an offset take their second
  * derivative from the third of the curve, which jumps at knots: C1 there. */
 START_TEST(test_joints) {
-  const double *alpha = u.result.curve.alpha;
+  const double *alpha = u.result.curve.preimage.alpha;
   const bool offset = _i;
   ck_assert_int_eq(convert(offset ? 0.2 : 0, 1e-6), PH_OK);
   for (size_t i = 0; i < pieces.n; i++) {

@@ -41,9 +41,9 @@ static void single_of(const ph_cplx w[3], ph_cplx start, struct single *s) {
                                .degree = 5,
                                .n = 1,
                                .control_points = s->control_points,
-                               .preimage_n = 3,
-                               .preimage_dimension = 2,
-                               .preimage = s->preimage,
+                               .preimage.n = 3,
+                               .preimage.dimension = 2,
+                               .preimage.v = s->preimage,
                                .lengths = &s->length,
                                .length = s->length};
 }

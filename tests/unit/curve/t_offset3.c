@@ -200,8 +200,8 @@ START_TEST(test_plane) {
   unit_curve3_of(&c, 2, NULL, a, ph_vec3_of(1, 2, 0));
   flat = c.curve;
   flat.dimension = 2;
-  flat.preimage = preimage;
-  flat.preimage_dimension = 2;
+  flat.preimage.v = preimage;
+  flat.preimage.dimension = 2;
   flat.control_points = control_points;
   for (size_t i = 0; i < 6; i++) {
     preimage[2 * i] = c.preimage[4 * i];

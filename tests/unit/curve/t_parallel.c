@@ -192,7 +192,7 @@ static void ck_travel(const struct ph_curve *curve, const struct ph_offset *o,
   if (pace > 0.05) {
     ck_vec3(unit_vector(o->samples.tangent, i), ph_vec3_scale(1 / pace, d1),
             1e-6);
-    ck_abs(o->samples.curvature[i] * curve->radius,
+    ck_abs(o->samples.curvature[i] * curve->sphere.radius,
            ph_vec3_triple(p[2], d1, d2) / (pace * pace * pace),
            1e-4 * (1 + 1 / pace));
   }

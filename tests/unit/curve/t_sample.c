@@ -228,7 +228,7 @@ static void ck_random(const struct ph_curve *curve, struct unit_random *r) {
   struct ph_samples s = samples_of(curve, N);
   double start = 0;
   for (size_t k = 0; k < curve->n; k++) {
-    double range = curve->alpha ? curve->alpha[k] : 1;
+    double range = curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
     size_t first = (N + 1) * k, last = first + N;
     struct ph_sampler sampler = unit_sampler(curve, NULL, k, &arena);
     ck_bend(&sampler, unit_random_in(r, 0.01, 0.99), 1e-6);
@@ -305,7 +305,7 @@ START_TEST(test_scales) {
       big.lengths[i] *= unit;
     }
     big.curve.control_points = big.control_points;
-    big.curve.preimage = big.preimage;
+    big.curve.preimage.v = big.preimage;
     big.curve.lengths = big.lengths;
     t = samples_of(&big.curve, N);
     for (size_t i = 0; i < s.n; i++) {

@@ -59,9 +59,9 @@ END_TEST
 
 /* Bending by definition: from differences of the tangents along the curve. */
 static void ck_curvature(const struct ph_sampler *sampler, double u) {
-  const double h = 1e-3, size = sampler->curve->radius;
+  const double h = 1e-3, size = sampler->curve->sphere.radius;
   struct ph_sample at = ph_sampler_at(sampler, u), near[4];
-  ph_vec3 left, turn, center = ph_vec3_get(sampler->curve->center, 3);
+  ph_vec3 left, turn, center = ph_vec3_get(sampler->curve->sphere.center, 3);
   double length, s[4];
   for (size_t i = 0; i < 4; i++) {
     static const double steps[4] = {-2, -1, 1, 2};
@@ -194,8 +194,9 @@ static void ck_lengths(const struct ph_curve *curve, size_t k) {
     ph_vec3 jet[2];
     ph_spherical_first(&segment, u, jet);
     ck_assert(s > before);
-    ck_abs(s, curve->radius * ph_spherical_length(&segment, u), 1e-13 * whole);
-    ck_abs(speed, curve->radius * ph_vec3_abs(jet[1]), 1e-11 * whole);
+    ck_abs(s, curve->sphere.radius * ph_spherical_length(&segment, u),
+           1e-13 * whole);
+    ck_abs(speed, curve->sphere.radius * ph_vec3_abs(jet[1]), 1e-11 * whole);
     before = s;
   }
 }

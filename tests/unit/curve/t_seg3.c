@@ -259,12 +259,12 @@ START_TEST(test_of_curve) {
                              .degree = 5,
                              .n = 2,
                              .control_points = points,
-                             .preimage_n = 3,
-                             .preimage_dimension = 4,
-                             .preimage = preimage};
+                             .preimage.n = 3,
+                             .preimage.dimension = 4,
+                             .preimage.v = preimage};
     alpha[0] = 1;
     alpha[1] = seg.space.angle;
-    curve.alpha = atph ? alpha : NULL;
+    curve.preimage.alpha = atph ? alpha : NULL;
     for (size_t i = 0; i < 3; i++) {
       preimage[12 + 4 * i] = seg.a[i].u / root;
       preimage[12 + 4 * i + 1] = seg.a[i].v / root;

@@ -370,13 +370,13 @@ PH_TEST(test_of_curve) {
                            .dimension = 3,
                            .degree = 3,
                            .control_points = points,
-                           .center = {10, -3, 0.5},
-                           .radius = 6371};
+                           .sphere.center = {10, -3, 0.5},
+                           .sphere.radius = 6371};
   ph_vec3 p[8];
   for (size_t i = 0; i < 8; i++) {
     p[i] = unit_random_direction(&r);
-    ph_vec3_put(ph_vec3_along(ph_vec3_get(curve.center, 3),
-                              curve.radius * (1 + 1e-9), p[i]),
+    ph_vec3_put(ph_vec3_along(ph_vec3_get(curve.sphere.center, 3),
+                              curve.sphere.radius * (1 + 1e-9), p[i]),
                 3, points + 3 * i);
   }
   for (size_t i = 0; i < 8; i++) {

@@ -233,9 +233,9 @@ PH_TEST(test_cross) {
     curve.n = 2;
     curve.knots = knots;
     curve.control_points = points;
-    curve.preimage = preimage;
-    curve.preimage_n = 2;
-    curve.preimage_dimension = 2;
+    curve.preimage.v = preimage;
+    curve.preimage.n = 2;
+    curve.preimage.dimension = 2;
     ph_tc_control_points(&c.tc[0], from, joint, p);
     ph_tc_control_points(&c.tc[1], joint, to, p + 4);
     for (size_t k = 0; k < 8; k++) {

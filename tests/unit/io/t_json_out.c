@@ -45,9 +45,9 @@ static struct ph_result by_hand(void) {
                                        .n = 1,
                                        .knots = knots,
                                        .control_points = points,
-                                       .preimage_n = 3,
-                                       .preimage_dimension = 2,
-                                       .preimage = preimage,
+                                       .preimage.n = 3,
+                                       .preimage.dimension = 2,
+                                       .preimage.v = preimage,
                                        .lengths = lengths,
                                        .length = 7.25}};
   ph_diagnostics_set(&result.diagnostics, PH_D_ITERATIONS, 3);
@@ -349,7 +349,7 @@ PH_TEST(test_read_back) {
   record = cJSON_Parse(written());
   ck_assert_ptr_nonnull(record);
   cJSON_ArrayForEach(item, member(record, "segments")) {
-    const double *p = c->control_points + 12 * i, *w = c->preimage + 6 * i;
+    const double *p = c->control_points + 12 * i, *w = c->preimage.v + 6 * i;
     ck_assert_ptr_eq(ck_numbers(member(item, "interval"), c->knots + i),
                      c->knots + i + 2);
     ck_assert_ptr_eq(ck_numbers(member(item, "control_points"), p), p + 12);
@@ -456,10 +456,10 @@ PH_TEST(test_on_sphere) {
   offsets[0].samples = offsets[1].samples = samples_of(3);
   offsets[0].samples.n = 1;
   offsets[0].samples.lonlat = offsets[1].samples.lonlat = lonlat;
-  result.curve.radius = 2;
-  result.curve.center[1] = 1;
-  result.curve.tensions = tensions;
-  result.curve.indicators = indicators;
+  result.curve.sphere.radius = 2;
+  result.curve.sphere.center[1] = 1;
+  result.curve.sphere.tensions = tensions;
+  result.curve.sphere.indicators = indicators;
   result.offsets = offsets;
   result.offsets_n = 2;
   ph_json_result(&buf, &heading, &result, false);

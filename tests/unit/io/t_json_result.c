@@ -174,10 +174,10 @@ START_TEST(test_missing) {
   ck_abs(c->control_points[6], 2, 0);
   ck_assert_ptr_null(c->knots);
   ck_assert_ptr_null(c->lengths);
-  ck_assert_ptr_null(c->alpha);
-  ck_assert_ptr_null(c->preimage);
-  ck_assert_uint_eq(c->preimage_n, 0);
-  ck_assert_ptr_null(c->tensions);
+  ck_assert_ptr_null(c->preimage.alpha);
+  ck_assert_ptr_null(c->preimage.v);
+  ck_assert_uint_eq(c->preimage.n, 0);
+  ck_assert_ptr_null(c->sphere.tensions);
   ck_assert(isnan(c->length));
   ck_assert_uint_eq(claim.result.diagnostics.known, 0);
   ck_assert_uint_eq(claim.result.offsets_n, 0);

@@ -43,9 +43,9 @@ static struct ph_result by_hand(void) {
                                        .n = 2,
                                        .knots = knots,
                                        .control_points = points,
-                                       .preimage_n = 2,
-                                       .preimage_dimension = 2,
-                                       .preimage = preimage,
+                                       .preimage.n = 2,
+                                       .preimage.dimension = 2,
+                                       .preimage.v = preimage,
                                        .lengths = lengths,
                                        .length = 7.5}};
   return result;
@@ -145,8 +145,8 @@ PH_TEST(test_blaschke) {
   struct ph_result result = by_hand();
   struct ph_blaschke pieces[] = {
       piece_of(0, 0, 0.25, 1), piece_of(0, 0.25, 1, -1), piece_of(1, 0, 1, 1)};
-  result.curve.blaschke = pieces;
-  result.curve.blaschke_n = 3;
+  result.curve.blaschke.v = pieces;
+  result.curve.blaschke.n = 3;
   ck_has(&result,
          "\"segments\":[" FIRST CUT "}," SECOND WHOLE "}],\"length\":7.5");
 }
@@ -180,8 +180,8 @@ PH_TEST(test_pretty) {
   struct ph_blaschke piece = piece_of(1, 0, 1, 1);
   struct ph_solution solution = {.intervals = &interval, .good = true};
   cJSON *indented, *compact;
-  result.curve.blaschke = &piece;
-  result.curve.blaschke_n = 1;
+  result.curve.blaschke.v = &piece;
+  result.curve.blaschke.n = 1;
   solution.curve = result.curve;
   result.intervals = &interval;
   result.intervals_n = 1;

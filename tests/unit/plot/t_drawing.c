@@ -454,8 +454,8 @@ static struct ph_curve straight(size_t n) {
                            .dimension = 2,
                            .degree = 5,
                            .n = n,
-                           .preimage_n = 3,
-                           .preimage_dimension = 2};
+                           .preimage.n = 3,
+                           .preimage.dimension = 2};
   ck_assert_int_eq(ph_curve_alloc(&curve, &arena, &diag), PH_OK);
   for (size_t k = 0; k < n; k++) {
     for (size_t i = 0; i < 6; i++) {
@@ -463,8 +463,8 @@ static struct ph_curve straight(size_t n) {
       curve.control_points[12 * k + 2 * i + 1] = 0;
     }
     for (size_t i = 0; i < 3; i++) {
-      curve.preimage[6 * k + 2 * i] = 1;
-      curve.preimage[6 * k + 2 * i + 1] = 0;
+      curve.preimage.v[6 * k + 2 * i] = 1;
+      curve.preimage.v[6 * k + 2 * i + 1] = 0;
     }
     curve.lengths[k] = 1;
   }

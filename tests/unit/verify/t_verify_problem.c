@@ -236,7 +236,7 @@ START_TEST(sphere) {
                            "\"tension\":[0,3,1,0],\"shape\":false}";
   make("sphere", json);
   expect_pass(PH_V_SPHERE);
-  claim.result.curve.tensions[1] += 1e-3;
+  claim.result.curve.sphere.tensions[1] += 1e-3;
   expect_fail(PH_V_TENSION, 1e-5, 1e-3);
   make("sphere", json);
   claim.result.curve.control_points[12] *= 1 + 1e-6;
@@ -259,13 +259,13 @@ START_TEST(blaschke) {
   struct ph_blaschke *b;
   make("tc", json);
   expect_pass(PH_V_BLASCHKE);
-  b = claim.result.curve.blaschke;
+  b = claim.result.curve.blaschke.v;
   b[0].weights[1] *= 1.001;
   expect_fail(PH_V_BLASCHKE, 1e-6, 1e-2);
   b[0].weights[1] = -1;
   expect_fail(PH_V_BLASCHKE, (double)INFINITY, (double)INFINITY);
   make("tc", json);
-  b = claim.result.curve.blaschke;
+  b = claim.result.curve.blaschke.v;
   b[0].control_points[3][0] += 1e-6;
   expect_fail(PH_V_BLASCHKE, 1e-8, 1e-6);
   b[0].control_points[3][0] -= 1e-6;

@@ -323,7 +323,7 @@ PH_TEST_EACH(test_closed_curve, 2 * N) {
   for (size_t q = 0; q + 1 < curve.n; q++) {
     double before = curve.knots[q + 1] - curve.knots[q];
     double after = curve.knots[q + 2] - curve.knots[q + 1];
-    const double *a = curve.preimage + 12 * q + 8, *b = a + 4;
+    const double *a = curve.preimage.v + 12 * q + 8, *b = a + 4;
 
     for (size_t k = 0; k < 4; k++) {
       ck_abs(a[k] / sqrt(before), b[k] / sqrt(after), 1e-13);

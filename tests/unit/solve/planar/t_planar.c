@@ -168,8 +168,8 @@ START_TEST(test_shape) {
   ck_assert_uint_eq(curve->dimension, 2);
   ck_assert_uint_eq(curve->degree, 5);
   ck_assert_uint_eq(curve->n, 4);
-  ck_assert_uint_eq(curve->preimage_n, 3);
-  ck_assert_uint_eq(curve->preimage_dimension, 2);
+  ck_assert_uint_eq(curve->preimage.n, 3);
+  ck_assert_uint_eq(curve->preimage.dimension, 2);
   for (size_t k = 0; k < 4; k++) {
     const double *next = SOME + 2 * ((k + 1) % 4);
     ck_abs(curve->control_points[12 * k], SOME[2 * k], 0);
@@ -403,7 +403,7 @@ START_TEST(test_loop) {
   POINTS(false, 0, 0, 1, 0, 2, 0);
   ENDS(-1, 0, 1, 0);
   ck_solved();
-  memcpy(w, u.result.curve.preimage, sizeof w);
+  memcpy(w, u.result.curve.preimage.v, sizeof w);
   ck_assert_double_gt(fabs(ph_rotation(w)), PI);
   ck_assert_ptr_nonnull(strstr(warning(PH_LOOP, 0)->message,
                                "more than half a turn (such segments: 1)"));

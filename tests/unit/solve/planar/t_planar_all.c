@@ -399,7 +399,7 @@ START_TEST(test_double_root) {
   ck_assert_int_eq(
       ph_planar_curve_alloc(&f.data, &f.u.arena, &curve, &f.u.diag), PH_OK);
   for (size_t i = 0; i < 3; i++) {
-    const double *w = curve.preimage;
+    const double *w = curve.preimage.v;
     curve_of(&f, i, &curve);
     if (f.all.multiplicity[i] == 2) {
       /* its digits are half of all digits */

@@ -239,7 +239,7 @@ END_TEST
 /* ---- splines ------------------------------------------------------------ */
 
 static ph_cplx derivative(const struct ph_curve *curve, size_t k, size_t i) {
-  const double *w = curve->preimage + 6 * k + 2 * i;
+  const double *w = curve->preimage.v + 6 * k + 2 * i;
   ph_cplx z = ph_cplx_of(w[0], w[1]);
   return ph_cplx_mul(z, z);
 }
@@ -399,7 +399,7 @@ START_TEST(test_ies) {
   minimize("IES");
   ck_abs(known(&u.result.diagnostics, PH_D_FUNCTIONAL), 25.0506578, 2e-6);
   for (size_t k = 0; k < 3; k++) {
-    ck_abs(u.result.curve.alpha[k] / PI, alpha[k], 0.002);
+    ck_abs(u.result.curve.preimage.alpha[k] / PI, alpha[k], 0.002);
   }
 }
 END_TEST

@@ -67,8 +67,8 @@ static void ck_curve(struct unit_raise *t, const struct ph_curve *curve) {
     ck_rel(curve->knots[k], knots[k], 0);
   }
   for (size_t i = 0; i < N; i++) {
-    ck_rel(curve->tensions[i], 0.5 * (double)i, 0);
-    ck_assert_int_eq(curve->indicators[i], t->shape.q[i]);
+    ck_rel(curve->sphere.tensions[i], 0.5 * (double)i, 0);
+    ck_assert_int_eq(curve->sphere.indicators[i], t->shape.q[i]);
   }
 }
 
@@ -86,9 +86,9 @@ PH_TEST_EACH(test_curve, 2) {
   ck_assert_uint_eq(curve.n, closed ? N : N - 1);
   ck_assert_uint_eq(curve.degree, 3);
   ck_assert_uint_eq(curve.dimension, 3);
-  ck_rel(curve.radius, radius, 0);
+  ck_rel(curve.sphere.radius, radius, 0);
   for (int c = 0; c < 3; c++) {
-    ck_rel(curve.center[c], center[c], 0);
+    ck_rel(curve.sphere.center[c], center[c], 0);
   }
   ck_curve(&t, &curve);
   unit_raise_free(&t);

@@ -306,7 +306,7 @@ static struct ph_curve part_of(const struct ph_result *r, size_t k) {
   part.length = at->length;
   part.knots += at->first;
   part.control_points += 8 * at->first;
-  part.preimage += 4 * at->first;
+  part.preimage.v += 4 * at->first;
   part.lengths += at->first;
   return part;
 }

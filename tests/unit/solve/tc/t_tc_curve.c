@@ -107,8 +107,8 @@ PH_TEST_EACH(test_one, 3) {
   ck_assert_uint_eq(b.curve.dimension, 2);
   ck_assert_uint_eq(b.curve.degree, 3);
   ck_assert_uint_eq(b.curve.n, 1);
-  ck_assert_uint_eq(b.curve.preimage_n, 2);
-  ck_assert_uint_eq(b.curve.preimage_dimension, 2);
+  ck_assert_uint_eq(b.curve.preimage.n, 2);
+  ck_assert_uint_eq(b.curve.preimage.dimension, 2);
   ck_assert(!b.curve.closed);
   for (size_t j = 0; j < 2; j++) {
     ck_rel(b.curve.control_points[j], b.points[j], 0);
@@ -116,8 +116,8 @@ PH_TEST_EACH(test_one, 3) {
   }
   ck_point(b.curve.control_points + 2, 1.1, 0.7 + 4.0 / 3, scale);
   ck_point(b.curve.control_points + 4, 2.1, 4.7 - 4.0 / 3, scale);
-  ck_hodograph(b.curve.preimage, 3, 4, scale);
-  ck_hodograph(b.curve.preimage + 2, 3, 4, scale);
+  ck_hodograph(b.curve.preimage.v, 3, 4, scale);
+  ck_hodograph(b.curve.preimage.v + 2, 3, 4, scale);
   ck_rel(b.curve.knots[0], 0, 0);
   ck_rel(b.curve.knots[1], 1, 0);
   ck_rel(b.curve.lengths[0] / scale, 5, 4 * DBL_EPSILON);
@@ -134,7 +134,7 @@ PH_TEST_EACH(test_two, 3) {
   ph_tc_build_add(&b.builder, &fit);
   end(&b);
   p = b.curve.control_points;
-  w = b.curve.preimage;
+  w = b.curve.preimage.v;
   ck_assert_uint_eq(b.curve.n, 2);
   for (size_t j = 0; j < 2; j++) {
     ck_rel(p[j], b.points[j], 0);

@@ -43,8 +43,8 @@ PH_TEST(test_schema) {
 static void check_images(const struct ph_curve *curve) {
   size_t segment = 0;
   double at = 0;
-  for (size_t i = 0; i < curve->blaschke_n; i++) {
-    const struct ph_blaschke *b = &curve->blaschke[i];
+  for (size_t i = 0; i < curve->blaschke.n; i++) {
+    const struct ph_blaschke *b = &curve->blaschke.v[i];
     ck_assert_uint_eq(b->segment, segment);
     ck_abs(b->interval[0], at, 0);
     for (size_t k = 0; k < 6; k++) {
@@ -63,11 +63,11 @@ PH_TEST(test_images) {
   double tangents[] = {1, -1, 1, 1};
   struct unit_tc_solved s = spline();
   unit_tc_solve_ok(&s);
-  ck_assert_uint_eq(s.result.curve.blaschke_n, 0);
-  ck_assert_ptr_null(s.result.curve.blaschke);
+  ck_assert_uint_eq(s.result.curve.blaschke.n, 0);
+  ck_assert_ptr_null(s.result.curve.blaschke.v);
   *unit_tc_field(&s, PH_F_BLASCHKE) = (struct ph_value){.kind = PH_BOOL};
   unit_tc_solve_ok(&s);
-  ck_assert_uint_eq(s.result.curve.blaschke_n, 0);
+  ck_assert_uint_eq(s.result.curve.blaschke.n, 0);
   unit_tc_flag(&s, PH_F_BLASCHKE);
   unit_tc_solve_ok(&s);
   check_images(&s.result.curve);
@@ -80,7 +80,7 @@ PH_TEST(test_images) {
   check_images(&s.result.curve);
   check_images(&s.result.solutions[0].curve);
   check_images(&s.result.solutions[1].curve);
-  ck_assert_uint_gt(s.result.solutions[1].curve.blaschke_n, 1);
+  ck_assert_uint_gt(s.result.solutions[1].curve.blaschke.n, 1);
   unit_tc_free(&s);
 }
 
