@@ -19,7 +19,7 @@
 #include "cert/cert.h"
 #include "io/json_in.h"
 #include "kernel/bern.h"
-#include "solve/arclength/method.h"
+#include "solve/method.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_interp.h>

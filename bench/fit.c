@@ -14,7 +14,7 @@
 #include "bench.h"
 
 #include "base/mem.h"
-#include "solve/planar/method.h"
+#include "solve/method.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_interp.h>

@@ -12,10 +12,7 @@
 #include "curve/cusp.h"
 #include "curve/sample.h"
 #include "kernel/pi.h"
-#include "solve/planar/method.h"
-#include "solve/spatial/method.h"
-#include "solve/sphere/method.h"
-#include "solve/tc/method.h"
+#include "solve/method.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>

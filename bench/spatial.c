@@ -13,7 +13,7 @@
 #include "cert/cert.h"
 #include "curve/ph3.h"
 #include "solve/spatial/criteria.h"
-#include "solve/spatial/method.h"
+#include "solve/method.h"
 #include "solve/spatial/shape.h"
 #include "solve/spatial/tangents.h"
 

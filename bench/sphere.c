@@ -17,7 +17,7 @@
 #include "curve/spherical.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"
-#include "solve/sphere/method.h"
+#include "solve/method.h"
 
 #include <gsl/gsl_errno.h>
 #include <string.h>

@@ -7,11 +7,7 @@
 #include "curve/bezier.h"
 #include "curve/offset.h"
 #include "curve/parallel.h"
-#include "solve/arclength/method.h"
-#include "solve/planar/method.h"
-#include "solve/spatial/method.h"
-#include "solve/sphere/method.h"
-#include "solve/tc/method.h"
+#include "solve/method.h"
 
 #include <string.h>
 

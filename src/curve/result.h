@@ -48,7 +48,7 @@ struct ph_preimage {
 
 /*
  * What was chosen for the segments of spatial Hermite interpolants, else NULL
- * (solve/spatial/method.h).
+ * (solve/spatial/method.c).
  *
  * tension[curve.n]    by its square the derivatives at both ends were scaled
  * angles[curve.n][2]  theta and beta; NaN where there are none
@@ -351,7 +351,7 @@ enum ph_root {
 
 /*
  * One data interval of a curve that is found with several segments in each
- * (solve/arclength/method.h), or with one or two cubics (solve/tc/method.h).
+ * (solve/arclength/method.c), or with one or two cubics (solve/tc/method.h).
  * What there is not is NaN, of root PH_ROOT_N.
  */
 struct ph_interval {

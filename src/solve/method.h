@@ -2,9 +2,9 @@
 /*
  * A method: one way to turn a problem into a curve.
  *
- * Each solve/NAME.c exports one const struct ph_method; cli/commands.h lists
- * them, each with its certificate.  A solver is a pure function: no I/O, no
- * globals, and nothing but its problem decides its result.
+ * Each solve/NAME/method.c defines one const struct ph_method; cli/command.c
+ * lists them, each with its certificate.  A solver is a pure function: no I/O,
+ * no globals, and nothing but its problem decides its result.
  */
 #ifndef PH_SOLVE_METHOD_H
 #define PH_SOLVE_METHOD_H
@@ -33,5 +33,23 @@ struct ph_method {
                           struct ph_arena *out, struct ph_arena *scratch,
                           struct ph_result *result, struct ph_diag *diag);
 };
+
+/* C2 interpolation of points in the plane by PH quintic and ATPH splines, open
+ * or closed [GON18, ch. 2]. */
+extern const struct ph_method ph_method_planar;
+
+/* Local interpolation of points in space, with tangents or without, by PH
+ * quintic and ATPH segments [FAR15; GON18, ch. 3]. */
+extern const struct ph_method ph_method_spatial_hermite;
+
+/* C2 spatial PH quintic splines with prescribed arc lengths [HUA14]. */
+extern const struct ph_method ph_method_arclength;
+
+/* Shape-preserving G2 curves on the sphere [IOR15]. */
+extern const struct ph_method ph_method_sphere;
+
+/* Plane data to curves of Tschirnhausen cubics, the PH cubics: one for each
+ * interval, two, or as many as approximate a curve [BYR11]. */
+extern const struct ph_method ph_method_tc;
 
 #endif

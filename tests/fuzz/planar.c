@@ -17,7 +17,7 @@
 
 #include "cert/cert.h"
 #include "curve/offset.h"
-#include "solve/planar/method.h"
+#include "solve/method.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 

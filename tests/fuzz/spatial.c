@@ -24,7 +24,7 @@
 #include "cert/cert.h"
 #include "curve/bezier.h"
 #include "curve/offset.h"
-#include "solve/spatial/method.h"
+#include "solve/method.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 

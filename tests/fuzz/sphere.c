@@ -25,7 +25,7 @@
 #include "cert/cert.h"
 #include "curve/parallel.h"
 #include "curve/sample.h"
-#include "solve/sphere/method.h"
+#include "solve/method.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 

@@ -19,7 +19,7 @@
 #include "io/json_scan.h"
 #include "io/split.h"
 #include "io/value.h"
-#include "solve/planar/method.h"
+#include "solve/method.h"
 
 #include <math.h>
 #include <string.h>

@@ -31,7 +31,7 @@
 #include "curve/sample.h"
 #include "kernel/cplx.h"
 #include "kernel/pi.h"
-#include "solve/tc/method.h"
+#include "solve/method.h"
 
 #include <float.h>
 

@@ -7,7 +7,7 @@
 #include "cert/cert.h"
 #include "kernel/bern.h"
 #include "kernel/quad.h"
-#include "solve/arclength/method.h"
+#include "solve/method.h"
 
 #include <stdarg.h>
 #include <stdio.h>

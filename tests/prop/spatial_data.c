@@ -5,7 +5,7 @@
 #include "unit.h"
 
 #include "cert/cert.h"
-#include "solve/spatial/method.h"
+#include "solve/method.h"
 
 #include <float.h>
 #include <stdarg.h>

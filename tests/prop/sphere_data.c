@@ -7,7 +7,7 @@
 #include "cert/cert.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"
-#include "solve/sphere/method.h"
+#include "solve/method.h"
 
 #include <float.h>
 #include <stdarg.h>

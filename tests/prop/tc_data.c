@@ -5,7 +5,7 @@
 
 #include "cert/cert.h"
 #include "kernel/pi.h"
-#include "solve/tc/method.h"
+#include "solve/method.h"
 #include "solve/tc/g1.h"
 
 #include <float.h>

@@ -5,7 +5,7 @@
 #include "unit.h"
 
 #include "cert/cert.h"
-#include "solve/planar/method.h"
+#include "solve/method.h"
 
 #include <string.h>
 

@@ -7,7 +7,7 @@
 #include "planar_unit.h"
 #include "unit.h"
 
-#include "solve/tc/method.h"
+#include "solve/method.h"
 
 #include <string.h>
 

@@ -7,7 +7,7 @@
  * freedom there is: with one the lengths of dense data can only be had by
  * wiggling, with two they are as easily had as not.
  */
-#include "solve/arclength/method.h"
+#include "solve/method.h"
 
 #include "kernel/pi.h"
 #include "solve/arclength/curve.h"

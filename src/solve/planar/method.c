@@ -9,7 +9,7 @@
  * [GON18] gives the equations for knots that are sums of the angles alpha; PH
  * quintics may have any knots, chordal by default.
  */
-#include "solve/planar/method.h"
+#include "solve/method.h"
 
 #include "curve/energy.h"
 #include "solve/common/fields.h"

@@ -7,7 +7,7 @@
  * by a criterion; its tension is then reduced until it keeps the shape of the
  * data (spatial_shape.h).  [FAR15; GON18, ch. 3]
  */
-#include "solve/spatial/method.h"
+#include "solve/method.h"
 
 #include "base/sum.h"
 #include "curve/ph3.h"

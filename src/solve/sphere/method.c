@@ -7,7 +7,7 @@
  * where it does not keep the shape of the data (sphere_criteria.h) its tensions
  * are raised (sphere_tension.h).  [IOR15]
  */
-#include "solve/sphere/method.h"
+#include "solve/method.h"
 
 #include "solve/common/fields.h"
 #include "solve/sphere/curve.h"

@@ -8,7 +8,7 @@
  * allocated for an interval.  Curves that are approximated go their own way
  * (tc_target.h).
  */
-#include "solve/tc/method.h"
+#include "solve/method.h"
 
 #include "curve/blaschke.h"
 #include "solve/tc/all.h"

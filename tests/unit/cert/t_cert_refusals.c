@@ -8,7 +8,7 @@
 #include "unit.h"
 
 #include "cert/cert.h"
-#include "solve/arclength/method.h"
+#include "solve/method.h"
 
 #include <string.h>
 

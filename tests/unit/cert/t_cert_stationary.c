@@ -8,7 +8,7 @@
 
 #include "cert/cert.h"
 #include "kernel/quat.h"
-#include "solve/arclength/method.h"
+#include "solve/method.h"
 
 #include <string.h>
 

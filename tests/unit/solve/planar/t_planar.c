@@ -6,7 +6,7 @@
 #include "planar_unit.h"
 #include "random_unit.h"
 
-#include "solve/planar/method.h"
+#include "solve/method.h"
 
 #include <string.h>
 
