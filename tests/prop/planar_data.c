@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random problems of planar splines (see planar_data.h). */
+/* Random problems of planar splines (see planar.h). */
 #include "planar_data.h"
 #include "unit.h"
 

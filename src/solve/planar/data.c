@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Data of planar splines (see planar_data.h): points to chords, knots and
+ * Data of planar splines (see planar.h): points to chords, knots and
  * angles by their rules, end derivatives.  Fewer points than a spline needs,
  * equal neighbours, and vanishing end derivatives are refused, each with its
  * own code.
  */
-#include "solve/planar/data.h"
+#include "solve/planar/planar.h"
 
 #include "base/sum.h"
 #include "kernel/pi.h"

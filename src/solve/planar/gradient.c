@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Exact gradients of energies (see planar_gradient.h), by the adjoint of the C2
+ * Exact gradients of energies (see planar.h), by the adjoint of the C2
  * equations: O(n) for all n variables.
  *
  * With p the angles and spacings, F(b,p) = 0 and J(b,p) the functional,
@@ -8,11 +8,11 @@
  *   dJ = J_p dp - Re(x^T F_p) dp,   F_b^T x = J_b                        (1)
  *
  * where real functions of complex z have derivatives c with dJ = Re(c dz). Both
- * J and F depend on b and the weights y by w at the knots (planar_c2.h), on h
+ * J and F depend on b and the weights y by w at the knots (planar.h), on h
  * by W = sqrt(h) w and the factor h of F, and on the angle by the functions
  * of its space (kernel/atph.h).
  */
-#include "solve/planar/gradient.h"
+#include "solve/planar/planar.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The theorem of Kantorovich for the C2 equations (planar_kantorovich.h).
+ * The theorem of Kantorovich for the C2 equations (planar.h).
  *
  * K.  Row i of F'(x) - F'(y) is made of the form's coefficients times the
  * differences of three unknowns; each coefficient occurs with the sum of its
@@ -39,9 +39,7 @@
  * row at most Y, where Y = (1 + |y|) / |s|, |y| at most the row sums of T^-1
  * in the first and the last row, times the two entries of v.
  */
-#include "solve/planar/kantorovich.h"
-
-#include "solve/planar/newton.h"
+#include "solve/planar/planar.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Minimisation over angles and knot spacings (see planar_min.h).
+ * Minimisation over angles and knot spacings (see planar.h).
  *
  * The variables are logarithms, in a box; the function is the logarithm of the
- * functional, with its exact gradient (planar_gradient.h).  Each evaluation
+ * functional, with its exact gradient (planar.h).  Each evaluation
  * starts Newton's iteration from the solution at the best point so far, with b
  * scaled as 1/sqrt(h), and solves from scratch where that fails.
  *
@@ -11,13 +11,12 @@
  * given, and chordal angles of three sizes or knots by the three usual rules.
  * The first of equally good minima is kept.
  */
-#include "solve/planar/min.h"
+#include "solve/planar/planar.h"
 
 #include "curve/energy.h"
 #include "curve/ph2.h"
 #include "kernel/box.h"
 #include "kernel/pow2.h"
-#include "solve/planar/gradient.h"
 
 #include <math.h>
 #include <string.h>

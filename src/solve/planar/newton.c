@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Solves the C2 equations (planar_c2.h): Newton from two starts, damped where
+ * Solves the C2 equations (planar.h): Newton from two starts, damped where
  * it fails plain, then continuation.
  *
  * Newton from the chord start has not failed on any of the data that the
@@ -11,7 +11,7 @@
  * bend it back: the turning angles are multiplied by s = 0 ... 1.  At s = 0
  * the solution is a straight line, and the solution is followed from there.
  */
-#include "solve/planar/newton.h"
+#include "solve/planar/planar.h"
 
 #include <float.h>
 #include <math.h>

@@ -7,8 +7,7 @@
 #include "unit.h"
 #include "random_unit.h"
 
-#include "solve/planar/kantorovich.h"
-#include "solve/planar/newton.h"
+#include "solve/planar/planar.h"
 
 #include <gsl/gsl_complex.h>
 #include <gsl/gsl_complex_math.h>

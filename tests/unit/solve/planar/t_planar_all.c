@@ -14,7 +14,7 @@
 
 #include "cert/cert.h"
 #include "curve/energy.h"
-#include "solve/planar/curve.h"
+#include "solve/planar/planar.h"
 
 enum { N_MAX = PH_PLANAR_ALL_MAX, SETS = 200 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The C2 equations of planar PH quintic splines (planar_c2.h): every numbered
+ * The C2 equations of planar PH quintic splines (planar.h): every numbered
  * formula against its meaning, by quadrature where an integral is meant, and
  * the starting values against splines of other makes.
  */
@@ -9,7 +9,7 @@
 #include "random_unit.h"
 
 #include "kernel/quad.h"
-#include "solve/planar/newton.h"
+#include "solve/planar/planar.h"
 
 #include <float.h>
 #include <gsl/gsl_spline.h>

@@ -5,9 +5,7 @@
 #include "random_unit.h"
 
 #include "curve/energy.h"
-#include "solve/planar/curve.h"
-#include "solve/planar/gradient.h"
-#include "solve/planar/min.h"
+#include "solve/planar/planar.h"
 
 #include <string.h>
 
