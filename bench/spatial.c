@@ -12,10 +12,8 @@
 #include "base/mem.h"
 #include "cert/cert.h"
 #include "curve/ph3.h"
-#include "solve/spatial/criteria.h"
+#include "solve/spatial/spatial.h"
 #include "solve/method.h"
-#include "solve/spatial/shape.h"
-#include "solve/spatial/tangents.h"
 
 #include <gsl/gsl_errno.h>
 #include <string.h>

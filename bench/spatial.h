@@ -5,7 +5,7 @@
 
 #include "bench.h"
 
-#include "solve/spatial/family.h"
+#include "solve/spatial/spatial.h"
 
 /* bench_direction: a unit vector, anywhere on the sphere. */
 static inline ph_vec3 bench_direction(uint64_t *state) {

@@ -8,8 +8,7 @@
  */
 #include "spatial.h"
 
-#include "solve/spatial/fair.h"
-#include "solve/spatial/min.h"
+#include "solve/spatial/spatial.h"
 
 #include <gsl/gsl_errno.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random problems of spatial Hermite interpolation (see spatial_data.h). */
+/* Random problems of spatial Hermite interpolation (see spatial.h). */
 #include "spatial_data.h"
 #include "spatial_unit.h"
 #include "unit.h"

@@ -6,7 +6,7 @@
 #include "random_unit.h"
 
 #include "curve/ph3.h"
-#include "solve/spatial/family.h"
+#include "solve/spatial/spatial.h"
 
 /* A random unit vector. */
 static inline ph_vec3 unit_random_direction(struct unit_random *r) {

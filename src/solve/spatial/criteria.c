@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The criteria HC and BV (see spatial_criteria.h).
+ * The criteria HC and BV (see spatial.h).
  *
- * In the frame of the data, with d of spatial_family.h, (3),
+ * In the frame of the data, with d of spatial.h, (3),
  *
  *   d(b) = (x + K cos b, y, z - K s sin b),  K = 2 k m > 0              (1)
  *
@@ -26,7 +26,7 @@
  *
  * (3) and (4) are tested by t_spatial_criteria.c.
  */
-#include "solve/spatial/criteria.h"
+#include "solve/spatial/spatial.h"
 
 #include "kernel/pi.h"
 

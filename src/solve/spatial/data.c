@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Data of spatial Hermite interpolation (see spatial_data.h).
+ * Data of spatial Hermite interpolation (see spatial.h).
  *
  * Where no magnitudes are given, lambda is the spacing of the knots [FAR15,
  * (61)], which by default is the chord: knots are not divided by their sum,
  * which would make the scheme depend on the length of the whole.
  */
-#include "solve/spatial/data.h"
+#include "solve/spatial/spatial.h"
 
 #include "base/sum.h"
 #include "kernel/pow2.h"
 #include "solve/common/fields.h"
-#include "solve/spatial/tangents.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Functionals by a fixed quadrature (see spatial_fair.h).
+ * Functionals by a fixed quadrature (see spatial.h).
  *
  * The integrands are (4), (5) and (6) of curve/fair3.c.  Their derivatives are
  * taken backwards: at a node, by what they are made of; summed up over the
  * nodes, by the coefficients of the polynomials; then by the preimage, and then
  * by the variables.  The name of the derivative by `x` is `x_`.
  */
-#include "solve/spatial/fair.h"
+#include "solve/spatial/spatial.h"
 
 /* Polynomials in y = v - 1/2: sigma, x, Re z and Im z, Im(conj(z) z'), q. */
 struct form {

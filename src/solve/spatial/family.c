@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The family of spatial Hermite interpolants (see spatial_family.h). */
-#include "solve/spatial/family.h"
+/* The family of spatial Hermite interpolants (see spatial.h). */
+#include "solve/spatial/spatial.h"
 
 #include "kernel/pi.h"
 

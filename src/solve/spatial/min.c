@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The fairest members of a family (see spatial_min.h).
+ * The fairest members of a family (see spatial.h).
  *
  * 1. The functional over phi, for a grid of b and alpha: its local minima, a
  *    little improved.  The valleys are narrow in phi and long in b, so that a
@@ -16,11 +16,10 @@
  * What is descended is log(F + SMALL): F spans many powers of ten, and can have
  * a minimum of 0.
  */
-#include "solve/spatial/min.h"
+#include "solve/spatial/spatial.h"
 
 #include "kernel/box.h"
 #include "kernel/pi.h"
-#include "solve/spatial/fair.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The shape of spatial Hermite segments (see spatial_shape.h).
+ * The shape of spatial Hermite segments (see spatial.h).
  *
  * The form (3), derived here.  With m = c A1 and the quaternions w01 = A0* m,
  * w02 = A0* A2, w12 = m* A2,
@@ -17,7 +17,7 @@
  * and N = (4/sinc^3) (sigma sinc Im(conj(z) z') + 4 x |z|^2).  (Tested by
  * t_spatial_shape.c: against the torsion at many u.)
  */
-#include "solve/spatial/shape.h"
+#include "solve/spatial/spatial.h"
 
 #include "kernel/form.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Unit tangents at points in space (see spatial_tangents.h). */
-#include "solve/spatial/tangents.h"
+/* Unit tangents at points in space (see spatial.h). */
+#include "solve/spatial/spatial.h"
 
 #include "kernel/pow2.h"
 

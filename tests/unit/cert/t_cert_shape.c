@@ -10,7 +10,7 @@
 
 #include "cert/cert.h"
 #include "cert/shape.h"
-#include "solve/spatial/shape.h"
+#include "solve/spatial/spatial.h"
 
 #include <string.h>
 

@@ -6,7 +6,7 @@
 #include "tc_curve_unit.h"
 
 #include "curve/bezier.h"
-#include "solve/spatial/family.h"
+#include "solve/spatial/spatial.h"
 
 #include <string.h>
 

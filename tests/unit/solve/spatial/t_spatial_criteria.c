@@ -11,7 +11,7 @@
 #include "unit.h"
 #include "spatial_unit.h"
 
-#include "solve/spatial/criteria.h"
+#include "solve/spatial/spatial.h"
 
 enum { CRITERIA = 3 };
 

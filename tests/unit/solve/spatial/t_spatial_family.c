@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The family of spatial Hermite interpolants: the identities of
- * spatial_family.h at random members, for PH quintics and ATPH curves, also
+ * spatial.h at random members, for PH quintics and ATPH curves, also
  * where the data are nearly singular; and angles about an axis against
  * [FAR15, (11)-(17)] written down again.
  */

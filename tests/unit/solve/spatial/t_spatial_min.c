@@ -4,8 +4,7 @@
 #include "unit.h"
 #include "spatial_unit.h"
 
-#include "solve/spatial/fair.h"
-#include "solve/spatial/min.h"
+#include "solve/spatial/spatial.h"
 
 static const double TURN = 6.283185307179586;
 
@@ -38,7 +37,7 @@ minimize(const struct ph_spatial_search *search) {
   return found;
 }
 
-/* The family at alpha, made without the shortcuts of spatial_fair.c. */
+/* The family at alpha, made without the shortcuts of spatial/fair.c. */
 static struct ph_spatial_family
 family_at(const struct ph_spatial_search *search, double alpha) {
   struct ph_spatial_data data = *search->data;

@@ -10,7 +10,7 @@
 
 #include "curve/fair3.h"
 #include "curve/seg3.h"
-#include "solve/spatial/criteria.h"
+#include "solve/spatial/spatial.h"
 
 #include <string.h>
 

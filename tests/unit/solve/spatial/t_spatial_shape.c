@@ -3,7 +3,7 @@
  * The shape of spatial segments: constraints against sampled torsion and
  * control polygons, tensions against published data and by their definition.
  */
-#include "solve/spatial/shape.h"
+#include "solve/spatial/spatial.h"
 
 #include "curve/ph3.h"
 #include "curve/seg3.h"

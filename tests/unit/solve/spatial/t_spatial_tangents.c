@@ -3,7 +3,7 @@
  * Tangents from points: they have the shape of the polygon [FAR15, (63)],
  * commute with motions, and are defined where a polygon turns back.
  */
-#include "solve/spatial/tangents.h"
+#include "solve/spatial/spatial.h"
 
 #include "kernel/quat.h"
 #include "unit.h"
