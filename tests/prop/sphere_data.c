@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random points on spheres (see sphere_data.h). */
+/* Random points on spheres (see sphere.h). */
 #include "sphere_data.h"
 #include "spatial_unit.h"
 #include "unit.h"

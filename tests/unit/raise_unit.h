@@ -6,7 +6,7 @@
 
 #include "sphere_unit.h"
 
-#include "solve/sphere/tension.h"
+#include "solve/sphere/sphere.h"
 
 struct unit_raise {
   struct unit_sphere u;

@@ -7,7 +7,7 @@
 #include "vectors_unit.h"
 
 #include "curve/spherical.h"
-#include "solve/sphere/solve.h"
+#include "solve/sphere/sphere.h"
 
 enum { UNIT_SPHERE_MAX = 32 }; /* nodes */
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The fields of the sphere problem (see sphere_data.h).
+ * The fields of the sphere problem (see sphere.h).
  *
  * Points are taken relative to the center and divided by their distance from
  * it, at a scale of each point's own: neither 1e300 nor 1e-300 is special.
  */
-#include "solve/sphere/data.h"
+#include "solve/sphere/sphere.h"
 
 #include "base/sum.h"
 #include "kernel/degree.h"

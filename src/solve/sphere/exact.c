@@ -33,7 +33,7 @@
  */
 #include "kernel/cplx.h"
 #include "kernel/s2.h"
-#include "solve/sphere/spline.h"
+#include "solve/sphere/sphere.h"
 
 /* Below these X and s series are used, NEAR of them with few terms. */
 static const double NEAR = 1.0 / 64;

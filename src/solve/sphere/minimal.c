@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The smallest tensions (see sphere_minimal.h): sequential linear programming.
+ * The smallest tensions (see sphere.h): sequential linear programming.
  *
  * Raised nodes that are near each other are a block, whose tensions are changed
  * together while all others stay: what the criteria in and around it ask for is
@@ -11,10 +11,9 @@
  *
  * Feasibility is not monotonic in a tension, so that a local minimum is found.
  */
-#include "solve/sphere/minimal.h"
+#include "solve/sphere/sphere.h"
 
 #include "kernel/lp.h"
-#include "solve/sphere/measure.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -29,7 +29,7 @@
  * Tested by t_sphere_nielson.c.
  */
 #include "kernel/s2.h"
-#include "solve/sphere/newton.h"
+#include "solve/sphere/sphere.h"
 
 /* Picard's iterations before Newton's; sweeps of the last resort, and the root
  * mean square at which Newton's iteration takes over. */

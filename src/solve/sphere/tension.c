@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Raising tensions, round by round (see sphere_tension.h). */
-#include "solve/sphere/tension.h"
-
-#include "solve/sphere/minimal.h"
-#include "solve/sphere/solve.h"
+/* Raising tensions, round by round (see sphere.h). */
+#include "solve/sphere/sphere.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -12,7 +12,7 @@
 #include "curve/spherical.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"
-#include "solve/sphere/criteria.h"
+#include "solve/sphere/sphere.h"
 
 #include <float.h>
 #include <stdint.h>
@@ -257,7 +257,7 @@ PH_TEST(test_threshold) {
   }
 }
 
-/* Beside the quadratic of a plane cubic: (4) of sphere_criteria.c, with
+/* Beside the quadratic of a plane cubic: (4) of sphere/criteria.c, with
  * C = 1/2. */
 PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(3210 + (uint64_t)_i);

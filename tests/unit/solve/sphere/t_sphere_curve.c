@@ -3,7 +3,7 @@
 #include "raise_unit.h"
 #include "unit.h"
 
-#include "solve/sphere/curve.h"
+#include "solve/sphere/sphere.h"
 
 #include <string.h>
 

@@ -10,7 +10,7 @@
 
 #include "kernel/pi.h"
 #include "kernel/s2.h"
-#include "solve/sphere/data.h"
+#include "solve/sphere/sphere.h"
 
 #include <float.h>
 

@@ -3,7 +3,7 @@
 #include "raise_unit.h"
 #include "unit.h"
 
-#include "solve/sphere/measure.h"
+#include "solve/sphere/sphere.h"
 
 /* The margin, and how far a comparison of rounded numbers may be off. */
 static const double MARGIN = 2e-3, ROUNDING = 1e-9;
