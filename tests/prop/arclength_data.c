@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random problems with prescribed arc lengths (see arclength_data.h). */
+/* Random problems with prescribed arc lengths (see arclength/system.h). */
 #include "arclength_data.h"
 #include "spatial_unit.h"
 #include "unit.h"

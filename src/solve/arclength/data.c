@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The fields of the arc-length problem (see arclength_data.h). */
-#include "solve/arclength/data.h"
+/* The fields of the arc-length problem (see system.h). */
+#include "solve/arclength/system.h"
 
 #include "base/sum.h"
 #include "kernel/pow2.h"

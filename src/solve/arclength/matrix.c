@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Matrices of second derivatives (see arclength_system.h). */
-#include "solve/arclength/form.h"
-#include "solve/arclength/piece.h"
+/* Matrices of second derivatives (see system.h). */
 #include "solve/arclength/system.h"
 
 #include "kernel/band.h"

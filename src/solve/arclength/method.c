@@ -10,9 +10,7 @@
 #include "solve/method.h"
 
 #include "kernel/pi.h"
-#include "solve/arclength/curve.h"
-#include "solve/arclength/report.h"
-#include "solve/arclength/search.h"
+#include "solve/arclength/arclength.h"
 #include "solve/common/fields.h"
 
 #include <math.h>

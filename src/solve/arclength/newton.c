@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Newton's method for the equations of arclength (see arclength_newton.h). */
-#include "solve/arclength/newton.h"
+/* Newton's method for the equations of arclength (see arclength.h). */
+#include "solve/arclength/arclength.h"
 
 #include "kernel/band.h"
-#include "solve/arclength/form.h"
+#include "solve/arclength/system.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows, functional and their first derivatives (see arclength_system.h). */
-#include "solve/arclength/form.h"
-#include "solve/arclength/piece.h"
+/* Rows, functional and their first derivatives (see system.h). */
 #include "solve/arclength/system.h"
 
 #include <math.h>

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Starts and minima of arclength (see arclength_search.h). */
-#include "solve/arclength/search.h"
-
-#include "solve/arclength/penalty.h"
-#include "solve/arclength/start.h"
+/* Starts and minima of arclength (see arclength.h). */
+#include "solve/arclength/arclength.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Matrices of the intervals and the order of unknowns and rows (see
- * arclength_system.h). */
+ * system.h). */
 #include "solve/arclength/system.h"
-
-#include "solve/arclength/form.h"
 
 #include <math.h>
 #include <string.h>

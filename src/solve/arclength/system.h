@@ -1,4 +1,206 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Data and equations of the method `arclength`. */
+#ifndef PH_SOLVE_ARCLENGTH_SYSTEM_H
+#define PH_SOLVE_ARCLENGTH_SYSTEM_H
+
+#include "base/diag.h"
+#include "base/mem.h"
+#include "curve/problem.h"
+#include "kernel/quat.h"
+#include "kernel/vec3.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* ---- data ---------------------------------------------------------------- */
+
+/*
+ * Data of the arc-length problem, from the fields of a problem to unit scale
+ * and to a pose that does not depend on where the data lie.
+ *
+ * N intervals; in each the curve is given at both ends by a point, a derivative
+ * or a direction.  Ours is the unit in which the mean length (of chords, where
+ * lengths are free) is 1, and the frame in which the first vector is along x,
+ * the next that is not is in the plane of x and y, the data turn in the sense
+ * of a right-handed screw, and the sequence read backwards is not the smaller
+ * one; closed data begin with their longest interval.  Data that were moved,
+ * turned, mirrored or reversed give the same, and closed ones wherever they
+ * begin.
+ */
+
+enum ph_arc_mode { PH_ARC_POINTS, PH_ARC_DERIVATIVES, PH_ARC_TANGENTS };
+
+struct ph_arc_data {
+  enum ph_arc_mode mode;
+  bool closed;
+  size_t n; /* intervals */
+
+  double *h;      /* [n] spacings of the knots, mean 1 */
+  double *length; /* [n]; NULL: they are free */
+  double sigma;   /* their relative standard deviation; 0: they are exact */
+  double *chord;  /* [n] of points: |step|; else NULL */
+  ph_vec3 *step;  /* [n] of points: to the next one; else NULL */
+  ph_vec3 *given; /* [n + 1] derivatives, or unit tangents; else NULL */
+
+  bool plane;      /* all vectors are in the plane z = 0 */
+  bool line;       /* all are along x */
+  bool straight;   /* all are along x, in its sense; of points, lengths are
+                    * chords */
+  double rounding; /* of the vectors: below this they are zero */
+
+  ph_quat turn;  /* takes the axes of our frame to those of the user's */
+  bool mirrored; /* z is reversed, before that */
+  size_t first;  /* the user's interval that the sequence begins with: of closed
+                  * data; else 0 */
+  bool reversed; /* it is reversed, after that */
+  double root;   /* a number of ours times its square is one of the user's */
+
+  double *knots;        /* [n + 1] of the record */
+  const double *points; /* of the user: of points the n or n + 1 of them */
+  size_t dimension;     /* of these: 2 or 3 */
+  double start[3];      /* the first point */
+};
+
+/*
+ * ph_arc_data_read: the data of a problem.
+ *
+ * out  data  arrays in the arena
+ * ret  PH_OK | PH_MISSING_FIELD | PH_BAD_VALUE | PH_BAD_SHAPE |
+ *      PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS | PH_ZERO_TANGENT |
+ *      PH_INFEASIBLE (a length is below its chord) | PH_TOO_LARGE |
+ *      PH_NO_MEMORY
+ */
+enum ph_status ph_arc_data_read(const struct ph_problem *problem,
+                                struct ph_arena *arena,
+                                struct ph_arc_data *data, struct ph_diag *diag);
+
+/* ph_arc_data_speed: the mean of length / spacing of the intervals beside datum
+ * j: derivatives of that size belong to the lengths [HUA14, sec. 5.3]. */
+double ph_arc_data_speed(const struct ph_arc_data *data, size_t j);
+
+/* ph_arc_data_user: the user's number of our interval i. */
+static inline size_t ph_arc_data_user(const struct ph_arc_data *data,
+                                      size_t i) {
+  size_t at = data->reversed ? data->n - 1 - i : i;
+  return (at + data->first) % data->n;
+}
+
+/* ph_arc_data_ours: our number of the user's interval i. */
+static inline size_t ph_arc_data_ours(const struct ph_arc_data *data,
+                                      size_t i) {
+  size_t at = (i + data->n - data->first) % data->n;
+  return data->reversed ? data->n - 1 - at : at;
+}
+
+/* ph_arc_data_pose: turns, mirrors and reverses what ph_arc_data_read found in
+ * the user's frame to the pose that all such data have. */
+void ph_arc_data_pose(struct ph_arc_data *data);
+
+/* ---- forms --------------------------------------------------------------- */
+
+/* Nodes, and the quadratic forms S_0, ..., S_3 of one: its squared length and
+ * the components of its image H (see above). */
+
+/* ph_arc_form: out = S_k v, of dim components. */
+static inline void ph_arc_form(size_t dim, int k, const double *v,
+                               double *out) {
+  if (dim == 4) {
+    double v0 = v[0], v1 = v[1], v2 = v[2], v3 = v[3];
+    out[0] = k < 2 ? v0 : k == 2 ? v2 : -v3;
+    out[1] = k < 2 ? v1 : k == 2 ? v3 : v2;
+    out[2] = k == 0 ? v2 : k == 1 ? -v2 : k == 2 ? v0 : v1;
+    out[3] = k == 0 ? v3 : k == 1 ? -v3 : k == 2 ? v1 : -v0;
+  } else if (dim == 2) {
+    double v0 = v[0], v1 = v[1];
+    out[0] = k < 2 ? v0 : v1;
+    out[1] = k == 0 ? v1 : k == 1 ? -v1 : v0;
+  } else {
+    out[0] = v[0];
+  }
+}
+
+/* ph_arc_dot: of two vectors. */
+static inline double ph_arc_dot(size_t dim, const double *u, const double *v) {
+  double sum = 0;
+  for (size_t i = 0; i < dim; i++) {
+    sum += u[i] * v[i];
+  }
+  return sum;
+}
+
+/* ph_arc_largest: the largest |v[i]|; NaN if one is. */
+static inline double ph_arc_largest(size_t n, const double *v) {
+  double most = 0;
+  for (size_t i = 0; i < n && !isnan(most); i++) {
+    double size = fabs(v[i]);
+    most = size <= most ? most : size;
+  }
+  return most;
+}
+
+/* ph_arc_form_sum: out[dim][dim] = sum_k y_k S_k of the given forms. */
+static inline void ph_arc_form_sum(size_t dim, size_t n, const int *form,
+                                   const double *y, double *out) {
+  double w[4] = {0, 0, 0, 0};
+  for (size_t k = 0; k < n; k++) {
+    w[form[k]] += y[k];
+  }
+  if (dim == 4) {
+    const double sum[16] = {
+        w[0] + w[1], 0, w[2],  -w[3], 0, w[0] + w[1], w[3], w[2], w[2], w[3],
+        w[0] - w[1], 0, -w[3], w[2],  0, w[0] - w[1]};
+    for (size_t i = 0; i < 16; i++) {
+      out[i] = sum[i];
+    }
+  } else if (dim == 2) {
+    out[0] = w[0] + w[1];
+    out[1] = out[2] = w[2];
+    out[3] = w[0] - w[1];
+  } else {
+    out[0] = w[0] + w[1];
+  }
+}
+
+/* ph_arc_spinor: a unit node in space whose image H is the unit vector d, well
+ * conditioned for each. */
+static inline void ph_arc_spinor(ph_vec3 d, double w[4]) {
+  if (d.x >= 0) {
+    double a = sqrt((1 + d.x) / 2);
+    w[0] = a;
+    w[1] = 0;
+    w[2] = d.y / (2 * a);
+    w[3] = -d.z / (2 * a);
+  } else {
+    double b = sqrt((1 - d.x) / 2);
+    w[0] = d.y / (2 * b);
+    w[1] = d.z / (2 * b);
+    w[2] = b;
+    w[3] = 0;
+  }
+}
+
+/* ph_arc_turned: i w of a node in space. */
+static inline void ph_arc_turned(const double *w, double *out) {
+  double w0 = w[0], w1 = w[1], w2 = w[2], w3 = w[3];
+  out[0] = -w1;
+  out[1] = w0;
+  out[2] = -w3;
+  out[3] = w2;
+}
+
+/* ph_arc_phase: e^(i angle) w of a node in space. */
+static inline void ph_arc_phase(double cosine, double sine, const double *w,
+                                double *out) {
+  double iw[4];
+  ph_arc_turned(w, iw);
+  for (size_t i = 0; i < 4; i++) {
+    out[i] = cosine * w[i] + sine * iw[i];
+  }
+}
+
+/* ---- equations ----------------------------------------------------------- */
+
 /*
  * The equations of C2 PH quintic splines with prescribed arc lengths.
  *
@@ -22,12 +224,6 @@
  * are ordered by intervals, then by knots.  Nodes of a closed curve repeat:
  * w_M+j = e^(i chi) w_j with chi unknown (in the plane e^(i chi) = +-1).
  */
-#ifndef PH_SOLVE_ARCLENGTH_SYSTEM_H
-#define PH_SOLVE_ARCLENGTH_SYSTEM_H
-
-#include "solve/arclength/data.h"
-
-#include <stdint.h>
 
 enum {
   PH_ARC_SPAN = 5,                   /* nodes of an interval, at most */
@@ -195,5 +391,33 @@ void ph_arc_penalised(const struct ph_arc_system *system, const double *x,
  */
 void ph_arc_retract(const struct ph_arc_system *system, const double *x,
                     const double *dx, double step, double *to);
+
+/* ---- pieces -------------------------------------------------------------- */
+
+/* One interval of the equations: its nodes, with those of a closed curve beyond
+ * the seam turned or reversed (see above). */
+
+struct ph_arc_piece {
+  size_t interval;
+  size_t inside;              /* its nodes before the seam */
+  double cosine, sine;        /* of chi */
+  double w[4 * PH_ARC_SPAN];  /* nodes [span][dim] */
+  double gw[4 * PH_ARC_SPAN]; /* G w */
+};
+
+/* ph_arc_piece_of: an interval at x. */
+void ph_arc_piece_of(const struct ph_arc_system *system, const double *x,
+                     size_t interval, struct ph_arc_piece *piece);
+
+/* ph_arc_piece_row: w . S_k G w.
+ * out gradient  [span][dim] its derivative by the nodes; or NULL */
+double ph_arc_piece_row(const struct ph_arc_system *system,
+                        const struct ph_arc_piece *piece, int form,
+                        double *gradient);
+
+/* ph_arc_piece_back: derivatives by the nodes become derivatives by the
+ * unknowns.  inout v[local] */
+void ph_arc_piece_back(const struct ph_arc_system *system,
+                       const struct ph_arc_piece *piece, double *v);
 
 #endif

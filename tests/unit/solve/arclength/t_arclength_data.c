@@ -8,7 +8,7 @@
 
 #include "spatial_unit.h"
 
-#include "solve/arclength/curve.h"
+#include "solve/arclength/arclength.h"
 
 #include <string.h>
 

@@ -9,9 +9,7 @@
 #include "random_unit.h"
 
 #include "kernel/band.h"
-#include "solve/arclength/newton.h"
-#include "solve/arclength/penalty.h"
-#include "solve/arclength/start.h"
+#include "solve/arclength/arclength.h"
 
 #include <string.h>
 

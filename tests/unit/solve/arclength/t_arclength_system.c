@@ -10,9 +10,8 @@
 
 #include "kernel/band.h"
 #include "kernel/quad.h"
-#include "solve/arclength/form.h"
-#include "solve/arclength/newton.h"
-#include "solve/arclength/start.h"
+#include "solve/arclength/system.h"
+#include "solve/arclength/arclength.h"
 
 #include <string.h>
 

@@ -1,0 +1,350 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How the equations of the method `arclength` (system.h) are solved. */
+#ifndef PH_SOLVE_ARCLENGTH_ARCLENGTH_H
+#define PH_SOLVE_ARCLENGTH_ARCLENGTH_H
+
+#include "base/mem.h"
+#include "curve/result.h"
+#include "solve/arclength/system.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* ---- Newton's iteration -------------------------------------------------- */
+
+/*
+ * Newton's method for stationary points of F under the rows: the system
+ *
+ *   A dx + J^T dy = -grad (F + y . c),   J dx - compliance dy = -c
+ *
+ * with A made positive definite on the null space of J by a shift, an l1 merit
+ * function, a correction for the curvature of the rows and phases that turn
+ * (ph_arc_retract).
+ */
+
+/* An iterate, and what is known of it. */
+struct ph_arc_point {
+  double *x;         /* [x_n] */
+  double *y;         /* [y_n] multipliers */
+  double f;          /* F at x, in our unit */
+  double residual;   /* largest residual of a row */
+  double kkt;        /* largest |gradient of the Lagrangian| / (1 + |y|) */
+  size_t iterations; /* so far */
+  bool converged;
+  bool minimiser; /* and proved to be one, see ph_arc_is_minimum */
+};
+
+struct ph_arc_newton {
+  const struct ph_arena *arena; /* of all this; knows how much time there is */
+  struct ph_arc_linear linear;
+  double *kkt; /* factors of the KKT matrix */
+  uint32_t *pivot;
+  double *penalised; /* factor of the penalised Hessian */
+  double *step;      /* [kkt_n] in the order of the matrix */
+  double *dx;        /* [x_n] */
+  double *dx2;       /* [x_n] */
+  double *y;         /* [y_n] multipliers after a full step */
+  double *dy;        /* [y_n] */
+  double *x[2];      /* [x_n] candidates */
+  double *c;         /* [y_n] rows of a candidate */
+};
+
+/* ph_arc_newton_alloc: the memory that a system needs; false: there is none. */
+bool ph_arc_newton_alloc(const struct ph_arc_system *system,
+                         struct ph_arena *arena, struct ph_arc_newton *work);
+
+/* ph_arc_point_alloc: an iterate of a system, y = 0; false: no memory. */
+bool ph_arc_point_alloc(const struct ph_arc_system *system,
+                        struct ph_arena *arena, struct ph_arc_point *point);
+
+/* ph_arc_point_copy: to = from, of one system. */
+void ph_arc_point_copy(const struct ph_arc_system *system,
+                       const struct ph_arc_point *from,
+                       struct ph_arc_point *to);
+
+/*
+ * ph_arc_newton_solve: iterates until the residuals are below 1e-12 and the
+ * Newton decrement is below 1e-9 F or is rounding.
+ *
+ * inout point  x and y; all the rest is set; iterations are added
+ * ret   point->converged
+ */
+bool ph_arc_newton_solve(const struct ph_arc_system *system,
+                         struct ph_arc_newton *work, size_t limit,
+                         struct ph_arc_point *point);
+
+/*
+ * ph_arc_is_minimum: proves that a stationary point is a strict minimum but for
+ * what leaves the equations as they are: the Hessian of the Lagrangian plus
+ * rho J^T J, pinned, has a Cholesky factor for some rho, at least with a shift
+ * of the size of its rounding.  False: it is a saddle.
+ *
+ * in   x, y  of this system, which may be another than the one that was solved
+ */
+bool ph_arc_is_minimum(const struct ph_arc_system *system,
+                       struct ph_arc_newton *work, const double *x,
+                       const double *y);
+
+/* ---- trust regions ------------------------------------------------------- */
+
+/*
+ * Steps within a trusted radius: the minimum of g . s + s . A s / 2 for
+ * |s| <= radius, with a symmetric band matrix A that need not be positive
+ * definite.  It solves (A + shift) s = -g with the least shift >= 0 that makes
+ * A + shift positive definite and s short enough [MOR83, sec. 3].
+ *
+ * Where A is not positive definite the step goes along its lowest direction up
+ * to the radius, even if g vanishes: nothing is lost near a saddle.
+ */
+
+struct ph_arc_region {
+  size_t n, band;
+  double *matrix; /* A, as in kernel/band.h: set by the caller */
+  double *factor; /* of A + shift, after a step */
+  double *g;      /* [n] set by the caller */
+  double *step;   /* [n] s */
+  double *other;  /* [n] */
+  double shift;   /* of the last step */
+  double hint;    /* the last that was not 0 */
+  double length;  /* |s| */
+  double fall;    /* by how much the model falls along s */
+  size_t factors; /* tried so far */
+};
+
+/* ph_arc_region_alloc: false when memory is exhausted. */
+bool ph_arc_region_alloc(size_t n, size_t band, struct ph_arena *arena,
+                         struct ph_arc_region *region);
+
+/*
+ * ph_arc_region_step: the step.  Its length is within 0.5 to 1.6 of the radius,
+ * or less if A is positive definite.
+ *
+ * in   above  a shift known to be too small, or 0
+ * ret  false when none was found, as of a matrix that is not finite
+ */
+bool ph_arc_region_step(struct ph_arc_region *region, double radius,
+                        double above);
+
+/* ph_arc_region_solve: v = -(A + shift)^-1 v, after a step. */
+void ph_arc_region_solve(const struct ph_arc_region *region, double *v);
+
+/* ---- penalties ----------------------------------------------------------- */
+
+/*
+ * Solutions of the arc-length equations from afar: whitened rows, twisted
+ * phases and an augmented Lagrangian.  They lead into the region
+ * where Newton's method on the KKT system converges.
+ *
+ * With one segment in an interval the rows are nearly dependent wherever the
+ * curve is smooth [HUA14, 4.5], so that a line search on a merit function
+ * stalls.  What is here asks for no rank of the rows: every step is the minimum
+ * of a model within a trusted radius, corrected for the curvature of the rows.
+ */
+
+/*
+ * ph_arc_whiten: takes the rows of an interval to the entries of
+ * M^-1/2 (integral of w w^H - M) M^-1/2, M = (length + step . sigma) / 2, the
+ * Pauli matrices sigma.  With the unit vector u of the step, L = (length +
+ * chord) / 2, e = (length - chord) / 2 and t across u, they are
+ *
+ *   (c_0 + u . c) / 2 L,  (c_0 - u . c) / 2 e,  t . c / sqrt(2 L e).
+ *
+ * They are relative, and the same wherever the data are turned.  Lengths near
+ * their chords weigh more, as they leave less room.  Systems other than of
+ * points with exact lengths stay as they are.
+ *
+ * ret  false when memory is exhausted
+ */
+bool ph_arc_whiten(struct ph_arc_system *system, struct ph_arena *arena);
+
+/* ph_arc_plain: multipliers of the rows as they are, of those of the whitened
+ * ones.  out plain[y_n], may be y */
+void ph_arc_plain(const struct ph_arc_system *system, const double *y,
+                  double *plain);
+
+/* ph_arc_whitened: and back.  out white[y_n], may be y */
+void ph_arc_whitened(const struct ph_arc_system *system, const double *y,
+                     double *white);
+
+/*
+ * ph_arc_twist: turns the phases of the nodes by angle and -angle in turn.
+ *
+ * With one segment in an interval, smooth curves are too short for the exact
+ * lengths of a smooth curve; those that are long enough have such phases, of
+ * about a tenth of the turning of an interval.  inout x of a system in space
+ */
+void ph_arc_twist(const struct ph_arc_system *system, double angle, double *x);
+
+/* What the search works in, for systems of one size. */
+struct ph_arc_work {
+  const struct ph_arena *arena; /* of all this; knows how much time there is */
+  struct ph_arc_linear linear;
+  struct ph_arc_region region;
+  double *ordered;                 /* [x_n] in the order of matrices */
+  double *step;                    /* [x_n] */
+  double *to, *better;             /* [x_n] points tried */
+  double *c, *c_to, *c_better, *y; /* [y_n] */
+};
+
+/* ph_arc_work_alloc: ret false when memory is exhausted. */
+bool ph_arc_work_alloc(const struct ph_arc_system *system,
+                       struct ph_arena *arena, struct ph_arc_work *work);
+
+struct ph_arc_penalty_options {
+  double rho;        /* first weight of the squared rows */
+  double rho_max;    /* and the last */
+  double tolerance;  /* of the rows */
+  size_t iterations; /* steps, at most */
+};
+
+struct ph_arc_penalty_report {
+  size_t iterations; /* steps made */
+  size_t factors;    /* Cholesky factors tried */
+  double rows;       /* the largest |c_k| */
+};
+
+/*
+ * ph_arc_penalty: minimises F + y . c + rho / 2 |c|^2, then y += rho c, and so
+ * on until the rows are met.
+ *
+ * inout x
+ * inout y  multipliers of the rows of the system, whitened if they are
+ * ret   whether the tolerance was reached
+ *
+ * Rows with a compliance are taken as exact.
+ */
+bool ph_arc_penalty(const struct ph_arc_system *system,
+                    const struct ph_arc_penalty_options *options,
+                    struct ph_arc_work *work, double *x, double *y,
+                    struct ph_arc_penalty_report *report);
+
+/* ---- first iterates ------------------------------------------------------ */
+
+/* Where the iterations of arclength begin [HUA14, sec. 4.4]. */
+
+/*
+ * ph_arc_start: spinors of the steps, or of the given vectors, with phases as
+ * near to each other as they can be, between which the nodes are interpolated.
+ *
+ * inout system  the sign of a closed curve in the plane is set
+ * out   x[x_n]
+ * ret   false when memory is exhausted
+ */
+bool ph_arc_start(struct ph_arc_system *system, struct ph_arena *scratch,
+                  double *x);
+
+/*
+ * ph_arc_perturb: adds a random curve of low frequencies to x.
+ *
+ * in    size   relative to the largest node
+ * inout state  of the random numbers
+ */
+void ph_arc_perturb(const struct ph_arc_system *system, double size,
+                    uint64_t *state, double *x);
+
+/* ---- search -------------------------------------------------------------- */
+
+/*
+ * The search for minima of F under the rows: from several starts, in a fixed
+ * order, until one leads to a minimum.  A minimum that was found is a local
+ * one; of several the lowest is taken.
+ */
+
+/* What is asked for. */
+struct ph_arc_request {
+  const struct ph_arc_data *data;
+  size_t refine;
+  size_t dim;
+  size_t random; /* extra starts */
+  bool all;      /* try every start, keep every minimum */
+};
+
+/* The curve whose lengths are free. */
+struct ph_arc_natural {
+  bool known;
+  double f;
+  double *length; /* [n] */
+  double *x;      /* [x_n] */
+};
+
+/* A minimum. */
+struct ph_arc_found {
+  struct ph_arc_point point;
+  size_t start; /* that led to it */
+};
+
+struct ph_arc_search {
+  struct ph_arc_system system; /* of the request */
+  bool all;                    /* of the request */
+  struct ph_arc_natural natural;
+  struct ph_start *starts; /* as tried; f in our unit */
+  size_t starts_n;
+  struct ph_arc_found *found; /* different ones, lowest first */
+  size_t found_n;
+  bool stood_still;            /* a curve was found and refused: it has speed
+                                * 0 where it is to have a direction */
+  struct ph_arc_point nearest; /* if none was found: the iterate whose rows
+                                * hold best */
+};
+
+/* ph_arc_is_same: whether two values of F, of ours, are of one minimum. */
+bool ph_arc_is_same(double f, double g);
+
+/*
+ * ph_arc_search_run: carries out a request.
+ *
+ * inout arena   of the search, and of what it works in: the caller gives both
+ *               back
+ * out   search  found_n is 0 when every start failed
+ * ret   false when memory is exhausted
+ */
+bool ph_arc_search_run(const struct ph_arc_request *request,
+                       struct ph_arena *arena, struct ph_arc_search *search);
+
+/* ---- the curve ----------------------------------------------------------- */
+
+/* From the nodes of an arc-length spline to the curve of a record. */
+
+/*
+ * ph_arc_curve: the curve in the user's frame, unit and sense.
+ *
+ * The Euler-Rodrigues frame is upright in the first point
+ * (solve/common/frame.h). Joints that are data are exactly the data.
+ *
+ * in   x      nodes of the system
+ * out  curve  PH quintic segments; arrays in the arena
+ * out  turn   closed: by how much the frame comes back turned; else 0
+ * ret  PH_OK | PH_NO_MEMORY
+ */
+enum ph_status ph_arc_curve(const struct ph_arc_system *system, const double *x,
+                            struct ph_arena *arena, struct ph_curve *curve,
+                            double *turn, struct ph_diag *diag);
+
+/* ph_arc_is_flat: whether the curve of nodes in space is in the plane z = 0. */
+bool ph_arc_is_flat(const struct ph_arc_system *system, const double *x);
+
+/* ---- the result ---------------------------------------------------------- */
+
+/* What is told of a search for arc-length splines: curves, lengths, diagnostics
+ * and warnings, or why there is none. */
+
+/*
+ * ph_arc_report: the result of a search that found something.
+ *
+ * in   left_plane  data in a plane whose curve is not
+ * out  result      curve, intervals, starts, solutions if all were asked for,
+ *                  diagnostics and warnings
+ * ret  PH_OK | PH_NO_MEMORY
+ */
+enum ph_status ph_arc_report(const struct ph_arc_search *search,
+                             bool left_plane, struct ph_arena *scratch,
+                             struct ph_arena *out, struct ph_result *result,
+                             struct ph_diag *diag);
+
+/* ph_arc_report_failure: why nothing was found: the interval that is missed
+ * most, with its lengths.  ret PH_NO_CONVERGENCE | PH_NO_MEMORY */
+enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
+                                     struct ph_arena *scratch,
+                                     struct ph_diag *diag);
+
+#endif
