@@ -13,7 +13,7 @@
 
 #include "curve/tc_simple.h"
 #include "kernel/pi.h"
-#include "solve/tc/pair.h"
+#include "solve/tc/tc.h"
 
 /* Small numbers of all sizes down to 1e-12. */
 static double small(uint64_t *state) {

@@ -8,9 +8,7 @@
 #include "base/mem.h"
 #include "kernel/pi.h"
 #include "solve/tc/approx.h"
-#include "solve/tc/g1.h"
-#include "solve/tc/pair.h"
-#include "solve/tc/two.h"
+#include "solve/tc/tc.h"
 
 #include <gsl/gsl_errno.h>
 

@@ -3,7 +3,7 @@
  * Properties of curves of Tschirnhausen cubics on random data: what must follow
  * when the data are moved, turned, scaled, mirrored, reversed or begun
  * elsewhere; that there is a curve where there must be one, the best of all.
- * Every curve is certified, and looked at by tc_data.c.
+ * Every curve is certified, and looked at by tc/data.c.
  *
  * The seed is 1, or PH_SEED; PH_LONG=1 takes ten times as many data.
  */
@@ -11,7 +11,7 @@
 #include "unit.h"
 
 #include "kernel/pi.h"
-#include "solve/tc/g1.h"
+#include "solve/tc/tc.h"
 
 static struct tc_solution one, other;
 static struct tc_data data, image;

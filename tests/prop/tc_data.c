@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random data for curves of Tschirnhausen cubics (see tc_data.h). */
+/* Random data for curves of Tschirnhausen cubics (see tc.h). */
 #include "tc_data.h"
 #include "unit.h"
 
 #include "cert/cert.h"
 #include "kernel/pi.h"
 #include "solve/method.h"
-#include "solve/tc/g1.h"
+#include "solve/tc/tc.h"
 
 #include <float.h>
 #include <stdarg.h>

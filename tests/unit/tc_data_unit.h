@@ -6,7 +6,7 @@
 #include "fields_unit.h"
 #include "unit.h"
 
-#include "solve/tc/data.h"
+#include "solve/tc/tc.h"
 
 /* What becomes of a problem: its mode, then its data. */
 static inline enum ph_status unit_tc_read(const struct given given[GIVEN_MAX],

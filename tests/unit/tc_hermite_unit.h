@@ -6,7 +6,7 @@
 
 #include "kernel/pi.h"
 #include "random_unit.h"
-#include "solve/tc/fit.h"
+#include "solve/tc/tc.h"
 
 /* Tangents at the angles a and b to the chord, of the lengths from and to. */
 static inline struct ph_tc_hermite unit_tc_data(double a, double from, double b,

@@ -100,7 +100,7 @@ void ph_arc_data_pose(struct ph_arc_data *data);
 /* ---- forms --------------------------------------------------------------- */
 
 /* Nodes, and the quadratic forms S_0, ..., S_3 of one: its squared length and
- * the components of its image H (see above). */
+ * the components of its image H (see below). */
 
 /* ph_arc_form: out = S_k v, of dim components. */
 static inline void ph_arc_form(size_t dim, int k, const double *v,

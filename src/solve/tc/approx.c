@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Approximation of Bezier curves by Tschirnhausen cubics (see tc_approx.h). */
+/* Approximation of Bezier curves by Tschirnhausen cubics (see approx.h). */
 #include "solve/tc/approx.h"
-
-#include "solve/tc/approx_part.h"
-#include "solve/tc/approx_plan.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Data of Tschirnhausen cubics (see tc_data.h).
+ * Data of Tschirnhausen cubics (see tc.h).
  *
  * Tangents of a spline are bisectors of the directions of the chords [BYR11,
  * (5.24)], their lengths lambda times the shorter one [BYR11, (5.25)].
  */
-#include "solve/tc/data.h"
+#include "solve/tc/tc.h"
 
 #include "kernel/pi.h"
 #include "solve/common/fields.h"

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Approximation of a chain of Bezier curves (see tc_target.h).
+ * Approximation of a chain of Bezier curves (see tc.h).
  *
  * The chain is moved to the middle of its box and brought to unit scale by a
  * power of two, where curves far from the origin lose nothing.
  */
-#include "solve/tc/target.h"
+#include "solve/tc/tc.h"
 
 #include "base/sum.h"
 #include "kernel/pow2.h"
 #include "solve/tc/approx.h"
-#include "solve/tc/curve.h"
 
 #include <float.h>
 #include <math.h>

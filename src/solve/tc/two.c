@@ -6,11 +6,9 @@
  * grid of x, and its minimum is then refined between the neighbours of the
  * best.
  */
-#include "solve/tc/two.h"
+#include "solve/tc/tc.h"
 
 #include "kernel/pi.h"
-#include "solve/tc/g1.h"
-#include "solve/tc/pair.h"
 
 /* ---- a minimum of one variable ------------------------------------------- */
 

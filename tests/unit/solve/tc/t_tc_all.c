@@ -6,7 +6,7 @@
 
 #include "curve/cross.h"
 #include "curve/energy.h"
-#include "solve/tc/all.h"
+#include "solve/tc/tc.h"
 
 enum { ROOM = 20 };
 

@@ -5,7 +5,7 @@
 #include "tc_approx_unit.h"
 #include "tc_curve_unit.h"
 
-#include "solve/tc/approx_part.h"
+#include "solve/tc/approx.h"
 
 enum { DEGREE_MAX = 24 };
 

@@ -5,7 +5,7 @@
  */
 #include "tc_data_unit.h"
 
-#include "solve/tc/curve.h"
+#include "solve/tc/tc.h"
 
 #include <float.h>
 

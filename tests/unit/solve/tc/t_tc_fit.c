@@ -3,7 +3,7 @@
 #include "unit.h"
 #include "random_unit.h"
 
-#include "solve/tc/fit.h"
+#include "solve/tc/tc.h"
 
 enum { SETS = 5000, MANY = 5 };
 

@@ -7,7 +7,7 @@
 #include "tc_curve_unit.h"
 #include "tc_hermite_unit.h"
 
-#include "solve/tc/g1.h"
+#include "solve/tc/tc.h"
 
 #include <float.h>
 

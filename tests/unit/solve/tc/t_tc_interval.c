@@ -6,8 +6,7 @@
 #include "tc_data_unit.h"
 #include "tc_hermite_unit.h"
 
-#include "solve/tc/g1.h"
-#include "solve/tc/interval.h"
+#include "solve/tc/tc.h"
 
 /* The data hold their points: these outlive every test. */
 static double chord[] = {0, 0, 1, 0};

@@ -4,7 +4,7 @@
 #include "unit.h"
 #include "tc_hermite_unit.h"
 
-#include "solve/tc/pair.h"
+#include "solve/tc/tc.h"
 
 /* ---- examples ------------------------------------------------------------ */
 

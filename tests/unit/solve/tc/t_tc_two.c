@@ -4,9 +4,7 @@
 #include "random_unit.h"
 
 #include "kernel/pi.h"
-#include "solve/tc/g1.h"
-#include "solve/tc/pair.h"
-#include "solve/tc/two.h"
+#include "solve/tc/tc.h"
 
 static struct ph_tc_hermite data_of(double a, double b) {
   struct ph_tc_hermite h = {
