@@ -9,7 +9,6 @@
 #include "kernel/quad.h"
 #include "solve/method.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -163,65 +162,51 @@ void arc_any(struct unit_random *r, struct arc_data *d) {
 
 /* ---- solutions -------------------------------------------------------- */
 
-static void set_vectors(struct arc_solution *s, enum ph_field_id id, double *v,
-                        size_t n) {
-  s->problem.field[id] =
-      (struct ph_value){.kind = PH_VECTORS, .v = v, .n = n, .dimension = 3};
-}
-
-static void set_problem(const struct arc_data *d, struct arc_solution *s) {
+static void set_problem(const struct arc_data *d, struct unit_solution *s) {
+  struct ph_problem *p = &s->problem;
   size_t n = d->closed ? d->n : d->n + 1;
-  double *v = ph_arena_array(&s->arena, 3 * n + 3 + d->n, sizeof *v);
-  struct ph_value *field = s->problem.field;
-  ck_assert_ptr_nonnull(v);
+  double *v = unit_numbers(s, 3 * n + 3);
   for (size_t i = 0; i < n; i++) {
     ph_vec3_put(d->given <= ARC_SOFT ? d->point[i] : d->vector[i], 3,
                 v + 3 * i);
   }
-  ph_vec3_put(d->point[0], 3, v + 3 * n);
-  memcpy(v + 3 * n + 3, d->length, d->n * sizeof *v);
-  set_vectors(s,
-              d->given == ARC_DERIVATIVES ? PH_F_DERIVATIVES
-              : d->given == ARC_TANGENTS  ? PH_F_TANGENTS
-                                          : PH_F_POINTS,
-              v, n);
+  unit_set_array(p,
+                 d->given == ARC_DERIVATIVES ? PH_F_DERIVATIVES
+                 : d->given == ARC_TANGENTS  ? PH_F_TANGENTS
+                                             : PH_F_POINTS,
+                 v, n, 3);
   if (d->given > ARC_SOFT) {
-    field[PH_F_START] = (struct ph_value){
-        .kind = PH_NUMBERS, .v = v + 3 * n, .n = 3, .dimension = 1};
+    ph_vec3_put(d->point[0], 3, v + 3 * n);
+    unit_set_array(p, PH_F_START, v + 3 * n, 3, 1);
   }
   if (d->given != ARC_RELAXED) {
-    field[PH_F_LENGTHS] = (struct ph_value){
-        .kind = PH_NUMBERS, .v = v + 3 * n + 3, .n = d->n, .dimension = 1};
+    unit_set_copy(s, PH_F_LENGTHS, d->length, d->n, 1);
   }
   if (d->given == ARC_SOFT) {
-    field[PH_F_LENGTH_SIGMA] =
-        (struct ph_value){.kind = PH_NUMBER, .number = d->sigma};
+    unit_set_number(p, PH_F_LENGTH_SIGMA, d->sigma);
   }
   if (d->refine) {
-    field[PH_F_REFINE] =
-        (struct ph_value){.kind = PH_NUMBER, .number = d->refine};
+    unit_set_number(p, PH_F_REFINE, d->refine);
   }
-  if (d->knots) {
-    field[PH_F_KNOTS] = (struct ph_value){.kind = PH_WORD, .word = d->knots};
-  }
-  field[PH_F_CLOSED] = (struct ph_value){.kind = PH_BOOL, .flag = d->closed};
+  unit_set_word(p, PH_F_KNOTS, d->knots);
+  unit_set_flag(p, PH_F_CLOSED, d->closed);
 }
 
-double arc_f(const struct arc_solution *s) {
+double arc_f(const struct unit_solution *s) {
   return s->result.diagnostics.value[PH_D_F];
 }
 
-bool arc_is_minimum(const struct arc_solution *s) {
+bool arc_is_minimum(const struct unit_solution *s) {
   return (enum ph_outcome)s->result.diagnostics.value[PH_D_SECOND_ORDER] ==
          PH_OUTCOME_MINIMISER;
 }
 
-ph_vec3 arc_point(const struct arc_solution *s, size_t k, size_t i) {
+ph_vec3 arc_point(const struct unit_solution *s, size_t k, size_t i) {
   return ph_vec3_get(s->result.curve.control_points + 18 * k + 3 * i, 3);
 }
 
 /* Derivative with respect to the local parameter. */
-static ph_vec3 derivative(const struct arc_solution *s, size_t k, double u) {
+static ph_vec3 derivative(const struct unit_solution *s, size_t k, double u) {
   ph_vec3 sum = {0, 0, 0};
   double basis[5];
   ph_bern_basis(4, u, basis);
@@ -232,7 +217,7 @@ static ph_vec3 derivative(const struct arc_solution *s, size_t k, double u) {
   return sum;
 }
 
-double arc_length(const struct arc_solution *s, size_t n, size_t i) {
+double arc_length(const struct unit_solution *s, size_t n, size_t i) {
   size_t refine = s->result.curve.n / n;
   struct ph_quad rule;
   double sum = 0;
@@ -246,92 +231,66 @@ double arc_length(const struct arc_solution *s, size_t n, size_t i) {
   return sum;
 }
 
-static double apart(ph_vec3 a, ph_vec3 b) {
-  return ph_vec3_abs(ph_vec3_sub(a, b));
-}
-
 /* Points or directions, lengths: straight from the control points. */
-static void ck_curve(const struct arc_data *d, size_t which,
-                     const struct arc_solution *s) {
+static void ck_curve(const struct arc_data *d, const struct unit_solution *s) {
   size_t segments = s->result.curve.n, refine = segments / d->n;
   double mean = s->result.curve.length / (double)d->n;
-  arc_assert(segments == refine * d->n && refine >= 1 && refine <= 3 &&
-                 (!d->refine || (size_t)d->refine == refine),
-             which, d, "%zu segments", segments);
+  ck_that(segments == refine * d->n && refine >= 1 && refine <= 3 &&
+              (!d->refine || (size_t)d->refine == refine),
+          "%zu segments", segments);
   for (size_t i = 0; i < d->n; i++) {
     size_t first = refine * i, last = first + refine - 1;
     if (d->given <= ARC_SOFT) {
       ph_vec3 to = d->point[i + 1 < d->n || !d->closed ? i + 1 : 0];
-      double away = apart(arc_point(s, first, 0), d->point[i]);
-      away = unit_larger(away, apart(arc_point(s, last, 5), to));
-      arc_assert(away <= 1e-12 * (mean + ph_vec3_abs(to)), which, d,
-                 "point %zu is missed by %.3g", i, away);
+      double away = unit_apart(arc_point(s, first, 0), d->point[i]);
+      away = unit_larger(away, unit_apart(arc_point(s, last, 5), to));
+      ck_that(away <= 1e-12 * (mean + ph_vec3_abs(to)),
+              "point %zu is missed by %.3g", i, away);
     } else {
       ph_vec3 t = ph_vec3_unit(derivative(s, first, 0));
-      double away = apart(t, ph_vec3_unit(d->vector[i]));
-      arc_assert(away <= 1e-9, which, d, "direction %zu is missed by %.3g", i,
-                 away);
+      double away = unit_apart(t, ph_vec3_unit(d->vector[i]));
+      ck_that(away <= 1e-9, "direction %zu is missed by %.3g", i, away);
     }
     if (d->given != ARC_RELAXED && d->given != ARC_SOFT) {
       double length = arc_length(s, d->n, i);
-      arc_assert(fabs(length - d->length[i]) <= 1e-11 * mean, which, d,
-                 "length %zu is %.17g, not %.17g", i, length, d->length[i]);
+      ck_that(fabs(length - d->length[i]) <= 1e-11 * mean,
+              "length %zu is %.17g, not %.17g", i, length, d->length[i]);
     }
   }
 }
 
-bool arc_solve(const struct arc_data *d, size_t which, struct arc_solution *s) {
-  struct ph_mark before, after;
-  enum ph_status status;
-  arc_free(s);
-  *s = (struct arc_solution){.result = {.start = 0}};
-  set_problem(d, s);
-  before = ph_arena_mark(&s->scratch);
-  status = ph_method_arclength.solve(&s->problem, &s->arena, &s->scratch,
-                                     &s->result, &s->diag);
-  after = ph_arena_mark(&s->scratch); /* a first chunk may be kept, empty */
-  ck_assert(!before.chunk || before.chunk == after.chunk);
-  ck_assert_uint_eq(before.used, after.used);
-  if (status != PH_OK) {
-    arc_assert(s->diag.status == status &&
-                   (status == PH_INFEASIBLE || status == PH_NO_CONVERGENCE),
-               which, d, "%s %s", s->diag.field, s->diag.message);
-    return false;
-  }
-  status = ph_cert_arclength(&s->problem, &s->result.curve, &s->scratch,
-                             &s->result.diagnostics, &s->diag);
-  arc_assert(status == PH_OK || d->family == ARC_WILD, which, d, "%s %s",
-             s->diag.field, s->diag.message);
-  if (status == PH_OK) {
-    ck_curve(d, which, s);
-  }
-  return status == PH_OK;
-}
-
-void arc_must(const struct arc_data *d, size_t which, struct arc_solution *s) {
-  bool solved = arc_solve(d, which, s);
-  arc_assert(solved, which, d, "%s %s", s->diag.field, s->diag.message);
-}
-
-void arc_free(struct arc_solution *s) {
-  ph_arena_free(&s->arena);
-  ph_arena_free(&s->scratch);
-}
-
-void arc_fail(size_t which, const struct arc_data *d, const char *condition,
-              const char *format, ...) {
+bool arc_solve(const struct arc_data *d, size_t which,
+               struct unit_solution *s) {
   static const char *const families[] = {"smooth", "perturbed", "plane",
                                          "walk",   "wild",      "line"};
   static const char *const given[] = {"points", "relaxed", "soft",
                                       "derivatives", "tangents"};
-  char text[512];
-  va_list args;
-  va_start(args, format);
-  vsnprintf(text, sizeof text, format, args);
-  va_end(args);
-  ck_abort_msg("PH_SEED=%lu, case %zu (%s, %s, %zu intervals, %s, refine %d, "
-               "knots %s, sigma %g): not %s: %s",
-               unit_seed(), which, families[d->family], given[d->given], d->n,
-               d->closed ? "closed" : "open", d->refine,
-               d->knots ? d->knots : "by default", d->sigma, condition, text);
+  enum ph_status status;
+  unit_case("PH_SEED=%lu, case %zu (%s, %s, %zu intervals, %s, refine %d, "
+            "knots %s, sigma %g)",
+            unit_seed(), which, families[d->family], given[d->given], d->n,
+            d->closed ? "closed" : "open", d->refine,
+            d->knots ? d->knots : "by default", d->sigma);
+  unit_solution_free(s);
+  set_problem(d, s);
+  status = unit_solve(&ph_method_arclength, s);
+  if (status != PH_OK) {
+    ck_that(status == PH_INFEASIBLE || status == PH_NO_CONVERGENCE, "%s %s",
+            s->diag.field, s->diag.message);
+    return false;
+  }
+  status = ph_cert_arclength(&s->problem, &s->result.curve, &s->scratch,
+                             &s->result.diagnostics, &s->diag);
+  s->refused = status != PH_OK;
+  ck_that(!s->refused || d->family == ARC_WILD, "%s %s", s->diag.field,
+          s->diag.message);
+  if (!s->refused) {
+    ck_curve(d, s);
+  }
+  return !s->refused;
+}
+
+void arc_must(const struct arc_data *d, size_t which, struct unit_solution *s) {
+  bool solved = arc_solve(d, which, s);
+  ck_that(solved, "%s %s", s->diag.field, s->diag.message);
 }

@@ -6,11 +6,9 @@
 #ifndef PH_TESTS_PROP_ARCLENGTH_DATA_H
 #define PH_TESTS_PROP_ARCLENGTH_DATA_H
 
+#include "problem_unit.h"
 #include "random_unit.h"
 
-#include "base/mem.h"
-#include "curve/problem.h"
-#include "curve/result.h"
 #include "kernel/vec3.h"
 
 #include <stdbool.h>
@@ -62,14 +60,6 @@ void arc_closed(struct unit_random *r, enum arc_given given, size_t n,
 /* arc_any: any family but ARC_LINE, anything given, n to ARC_MAX / 2. */
 void arc_any(struct unit_random *r, struct arc_data *data);
 
-/* A problem and what became of it.  {0} is none. */
-struct arc_solution {
-  struct ph_problem problem;
-  struct ph_result result; /* after a solution */
-  struct ph_diag diag;     /* after a failure */
-  struct ph_arena arena, scratch;
-};
-
 /*
  * arc_solve: solves, then certifies and looks at points and lengths by itself:
  * fails unless the curve is right, or refused for a reason that data can have;
@@ -80,35 +70,22 @@ struct arc_solution {
  * ret   whether there is a curve
  */
 bool arc_solve(const struct arc_data *data, size_t which,
-               struct arc_solution *solution);
+               struct unit_solution *solution);
 
 /* arc_must: the same; fails unless there is a curve. */
 void arc_must(const struct arc_data *data, size_t which,
-              struct arc_solution *solution);
-
-void arc_free(struct arc_solution *solution);
+              struct unit_solution *solution);
 
 /* arc_f: F of a solution. */
-double arc_f(const struct arc_solution *solution);
+double arc_f(const struct unit_solution *solution);
 
 /* arc_is_minimum: whether it is certified to be one. */
-bool arc_is_minimum(const struct arc_solution *solution);
+bool arc_is_minimum(const struct unit_solution *solution);
 
 /* arc_point: control point i of segment k. */
-ph_vec3 arc_point(const struct arc_solution *solution, size_t k, size_t i);
+ph_vec3 arc_point(const struct unit_solution *solution, size_t k, size_t i);
 
 /* arc_length: of data interval i, by quadrature. */
-double arc_length(const struct arc_solution *solution, size_t n, size_t i);
-
-/* Fails with the seed, the number of the case and what its data are. */
-#define arc_assert(condition, which, data, ...)       \
-  do {                                                \
-    if (!(condition)) {                               \
-      arc_fail(which, data, #condition, __VA_ARGS__); \
-    }                                                 \
-  } while (0)
-
-void arc_fail(size_t which, const struct arc_data *data, const char *condition,
-              const char *format, ...) PH_PRINTF(4, 5);
+double arc_length(const struct unit_solution *solution, size_t n, size_t i);
 
 #endif

@@ -3,9 +3,6 @@
 #include "planar_data.h"
 #include "unit.h"
 
-#include <stdarg.h>
-#include <stdio.h>
-
 static const double PI = 3.14159265358979323846;
 
 /* Sides of closed polygons are not shortened below this. */
@@ -140,9 +137,15 @@ size_t prop_segments(const struct prop_data *data) {
   return data->closed ? data->n : data->n - 1;
 }
 
-struct unit_planar prop_problem(const struct prop_data *data) {
+struct unit_planar prop_problem(const struct prop_data *data, size_t which) {
   static double v[2 * PROP_POINTS_MAX];
   struct unit_planar u;
+  unit_case("PH_SEED=%lu, case %zu (%zu points, %s, knots %s, ends %s)",
+            unit_seed(), which, data->n, data->closed ? "closed" : "open",
+            data->has_knots ? "given"
+            : data->rule    ? data->rule
+                            : "by default",
+            data->has_ends ? "given" : "by default");
   for (size_t k = 0; k < data->n; k++) {
     v[2 * k] = data->point[k].re;
     v[2 * k + 1] = data->point[k].im;
@@ -160,20 +163,4 @@ struct unit_planar prop_problem(const struct prop_data *data) {
     unit_planar_ends(&u, ends);
   }
   return u;
-}
-
-void prop_fail(size_t which, const struct prop_data *data,
-               const char *condition, const char *format, ...) {
-  char text[256];
-  va_list args;
-  va_start(args, format);
-  vsnprintf(text, sizeof text, format, args);
-  va_end(args);
-  ck_abort_msg("PH_SEED=%lu, case %zu (%zu points, %s, knots %s, ends %s): "
-               "not %s: %s",
-               unit_seed(), which, data->n, data->closed ? "closed" : "open",
-               data->has_knots ? "given"
-               : data->rule    ? data->rule
-                               : "by default",
-               data->has_ends ? "given" : "by default", condition, text);
 }

@@ -51,18 +51,7 @@ void prop_any(struct unit_random *r, size_t segments_max,
 /* prop_segments: the number of segments. */
 size_t prop_segments(const struct prop_data *data);
 
-/* prop_problem: the problem, for unit_planar_solve. */
-struct unit_planar prop_problem(const struct prop_data *data);
-
-/* Fails with the seed, the number of the case and what its data are. */
-#define prop_assert(condition, which, data, ...)       \
-  do {                                                 \
-    if (!(condition)) {                                \
-      prop_fail(which, data, #condition, __VA_ARGS__); \
-    }                                                  \
-  } while (0)
-
-void prop_fail(size_t which, const struct prop_data *data,
-               const char *condition, const char *format, ...) PH_PRINTF(4, 5);
+/* prop_problem: the problem, for unit_planar_solve; failures name it. */
+struct unit_planar prop_problem(const struct prop_data *data, size_t which);
 
 #endif

@@ -8,7 +8,6 @@
 #include "solve/method.h"
 
 #include <float.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -198,83 +197,67 @@ void spatial_any(struct unit_random *r, size_t points_max,
 
 /* ---- solutions ------------------------------------------------------- */
 
-static struct ph_value numbers(struct ph_arena *arena, const double *v,
-                               size_t n) {
-  struct ph_value value = {.kind = PH_NUMBERS, .n = n, .dimension = 1};
-  value.v = ph_arena_array(arena, n, sizeof *v);
-  ck_assert_ptr_nonnull(value.v);
-  memcpy(value.v, v, n * sizeof *v);
-  return value;
-}
-
-static struct ph_value vectors(struct ph_arena *arena, const ph_vec3 *v,
-                               size_t n) {
-  struct ph_value value = {.kind = PH_VECTORS, .n = n, .dimension = 3};
-  value.v = ph_arena_array(arena, n, 3 * sizeof *value.v);
-  ck_assert_ptr_nonnull(value.v);
+static void set_vectors(struct unit_solution *s, enum ph_field_id id,
+                        const ph_vec3 *v, size_t n) {
+  double *to = unit_numbers(s, 3 * n);
   for (size_t k = 0; k < n; k++) {
-    ph_vec3_put(v[k], 3, value.v + 3 * k);
+    ph_vec3_put(v[k], 3, to + 3 * k);
   }
-  return value;
+  unit_set_array(&s->problem, id, to, n, 3);
 }
 
-static struct ph_value word_of(const char *word) {
-  return (struct ph_value){.kind = word ? PH_WORD : PH_ABSENT, .word = word};
-}
-
-static void set_problem(const struct spatial_data *d,
-                        struct spatial_solution *s) {
-  struct ph_value *field = s->problem.field;
+static void set_problem(const struct spatial_data *d, struct unit_solution *s) {
+  struct ph_problem *p = &s->problem;
   size_t n = spatial_segments(d);
-  field[PH_F_POINTS] = vectors(&s->arena, d->point, d->n);
-  field[PH_F_CLOSED] = (struct ph_value){.kind = PH_BOOL, .flag = d->closed};
+  set_vectors(s, PH_F_POINTS, d->point, d->n);
+  unit_set_flag(p, PH_F_CLOSED, d->closed);
   if (d->given != SPATIAL_POINTS) {
-    field[d->given == SPATIAL_TANGENTS ? PH_F_TANGENTS : PH_F_DERIVATIVES] =
-        vectors(&s->arena, d->vector, d->n);
+    set_vectors(s,
+                d->given == SPATIAL_TANGENTS ? PH_F_TANGENTS : PH_F_DERIVATIVES,
+                d->vector, d->n);
   }
-  field[PH_F_CRITERION] = word_of(d->criterion);
-  field[PH_F_AXIS] = word_of(d->axis);
+  unit_set_word(p, PH_F_CRITERION, d->criterion);
+  unit_set_word(p, PH_F_AXIS, d->axis);
   if (d->has_angles) {
-    field[PH_F_ANGLES] = numbers(&s->arena, d->angles, 2 * n);
-    field[PH_F_ANGLES].kind = PH_VECTORS;
-    field[PH_F_ANGLES].n = n;
-    field[PH_F_ANGLES].dimension = 2;
+    unit_set_copy(s, PH_F_ANGLES, d->angles, n, 2);
   }
   if (d->atph) {
-    field[PH_F_BASIS] = word_of("atph");
-    field[PH_F_ALPHA] = numbers(&s->arena, d->alpha, n);
+    unit_set_word(p, PH_F_BASIS, "atph");
+    unit_set_copy(s, PH_F_ALPHA, d->alpha, n, 1);
   }
   if (d->has_knots) {
-    field[PH_F_KNOTS] = numbers(&s->arena, d->knots, n + 1);
+    unit_set_copy(s, PH_F_KNOTS, d->knots, n + 1, 1);
   }
   if (d->has_tension) {
-    field[PH_F_TENSION] = numbers(&s->arena, d->tension, n);
+    unit_set_copy(s, PH_F_TENSION, d->tension, n, 1);
   }
   if (d->shape) {
-    field[PH_F_SHAPE] = (struct ph_value){
-        .kind = PH_BOOL, .flag = strcmp(d->shape, "true") == 0};
+    unit_set_flag(p, PH_F_SHAPE, strcmp(d->shape, "true") == 0);
   }
 }
 
-enum ph_status spatial_solve(const struct spatial_data *data,
-                             struct spatial_solution *s) {
-  struct ph_mark before, after;
+enum ph_status spatial_solve(const struct spatial_data *d, size_t which,
+                             struct unit_solution *s) {
+  static const char *const given[] = {"points", "tangents", "derivatives"};
   enum ph_status status;
-  spatial_free(s);
-  *s = (struct spatial_solution){.certified = true};
-  set_problem(data, s);
-  before = ph_arena_mark(&s->scratch);
-  status = ph_method_spatial_hermite.solve(&s->problem, &s->arena, &s->scratch,
-                                           &s->result, &s->diag);
-  after = ph_arena_mark(&s->scratch); /* a first chunk may be kept, empty */
-  ck_assert(!before.chunk || before.chunk == after.chunk);
-  ck_assert_uint_eq(before.used, after.used);
+  unit_case(
+      "PH_SEED=%lu, case %zu (%s, %zu points, %s, %s, %s, %s, axis "
+      "%s, shape %s%s%s)",
+      unit_seed(), which, spatial_name(d->family), d->n,
+      d->closed ? "closed" : "open", given[d->given], d->atph ? "atph" : "ph",
+      d->has_angles  ? "angles"
+      : d->criterion ? d->criterion
+                     : "by default",
+      d->axis ? d->axis : "by default", d->shape ? d->shape : "by default",
+      d->has_knots ? ", knots" : "", d->has_tension ? ", tension" : "");
+  unit_solution_free(s);
+  set_problem(d, s);
+  status = unit_solve(&ph_method_spatial_hermite, s);
   if (status == PH_OK) {
     status = ph_cert_spatial_hermite(&s->problem, &s->result.curve, &s->scratch,
                                      &s->result.diagnostics, &s->diag);
-    s->certified = status == PH_OK;
+    s->refused = status != PH_OK;
   }
-  ck_assert(status == PH_OK || s->diag.status == status);
   return status;
 }
 
@@ -293,17 +276,11 @@ static enum ph_status possible_error(const struct spatial_data *d) {
 }
 
 bool spatial_answer(const struct spatial_data *d, size_t which,
-                    struct spatial_solution *s) {
-  enum ph_status status = spatial_solve(d, s);
+                    struct unit_solution *s) {
+  enum ph_status status = spatial_solve(d, which, s);
   bool expected = status == PH_OK || status == possible_error(d);
-  spatial_assert(expected && s->certified, which, d, "%s %s", s->diag.field,
-                 s->diag.message);
+  ck_that(expected && !s->refused, "%s %s", s->diag.field, s->diag.message);
   return status == PH_OK;
-}
-
-void spatial_free(struct spatial_solution *s) {
-  ph_arena_free(&s->arena);
-  ph_arena_free(&s->scratch);
 }
 
 ph_vec3 spatial_point(const struct ph_curve *curve, size_t k, size_t i) {
@@ -325,25 +302,4 @@ double spatial_rounding(const struct ph_curve *curve, size_t k) {
     largest = unit_larger(largest, fabs(curve->control_points[18 * k + i]));
   }
   return DBL_EPSILON * largest;
-}
-
-void spatial_fail(size_t which, const struct spatial_data *d,
-                  const char *condition, const char *format, ...) {
-  static const char *const given[] = {"points", "tangents", "derivatives"};
-  char text[256];
-  va_list args;
-  va_start(args, format);
-  vsnprintf(text, sizeof text, format, args);
-  va_end(args);
-  ck_abort_msg(
-      "PH_SEED=%lu, case %zu (%s, %zu points, %s, %s, %s, %s, axis "
-      "%s, shape %s%s%s): not %s: %s",
-      unit_seed(), which, spatial_name(d->family), d->n,
-      d->closed ? "closed" : "open", given[d->given], d->atph ? "atph" : "ph",
-      d->has_angles  ? "angles"
-      : d->criterion ? d->criterion
-                     : "by default",
-      d->axis ? d->axis : "by default", d->shape ? d->shape : "by default",
-      d->has_knots ? ", knots" : "", d->has_tension ? ", tension" : "",
-      condition, text);
 }

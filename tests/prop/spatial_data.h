@@ -6,11 +6,9 @@
 #ifndef PH_TESTS_PROP_SPATIAL_DATA_H
 #define PH_TESTS_PROP_SPATIAL_DATA_H
 
+#include "problem_unit.h"
 #include "random_unit.h"
 
-#include "base/mem.h"
-#include "curve/problem.h"
-#include "curve/result.h"
 #include "kernel/vec3.h"
 
 #include <stdbool.h>
@@ -81,23 +79,14 @@ size_t spatial_segments(const struct spatial_data *data);
 /* spatial_chord: from point k to the next. */
 ph_vec3 spatial_chord(const struct spatial_data *data, size_t k);
 
-/* A problem and what became of it.  {0} is none. */
-struct spatial_solution {
-  struct ph_problem problem;
-  struct ph_result result; /* after a solution */
-  struct ph_diag diag;     /* after a failure */
-  bool certified;          /* false: the certificate refused the curve */
-  struct ph_arena arena, scratch;
-};
-
 /*
  * spatial_solve: solves, then certifies; the memory of the solver that is to
  * be given back is checked.
  *
  * inout solution  what it held is given back
  */
-enum ph_status spatial_solve(const struct spatial_data *data,
-                             struct spatial_solution *solution);
+enum ph_status spatial_solve(const struct spatial_data *data, size_t which,
+                             struct unit_solution *solution);
 
 /* spatial_is_chosen: whether the problem names this criterion. */
 bool spatial_is_chosen(const struct spatial_data *data, const char *criterion);
@@ -105,9 +94,7 @@ bool spatial_is_chosen(const struct spatial_data *data, const char *criterion);
 /* spatial_answer: the same; fails unless the curve passes its certificate, or
  * is refused for a reason that the data have: then false. */
 bool spatial_answer(const struct spatial_data *data, size_t which,
-                    struct spatial_solution *solution);
-
-void spatial_free(struct spatial_solution *solution);
+                    struct unit_solution *solution);
 
 /* spatial_point: control point i of segment k. */
 ph_vec3 spatial_point(const struct ph_curve *curve, size_t k, size_t i);
@@ -117,17 +104,5 @@ double spatial_segment_size(const struct ph_curve *curve, size_t k);
 
 /* spatial_rounding: of coordinates of the control points of segment k. */
 double spatial_rounding(const struct ph_curve *curve, size_t k);
-
-/* Fails with the seed, the number of the case and what its data are. */
-#define spatial_assert(condition, which, data, ...)       \
-  do {                                                    \
-    if (!(condition)) {                                   \
-      spatial_fail(which, data, #condition, __VA_ARGS__); \
-    }                                                     \
-  } while (0)
-
-void spatial_fail(size_t which, const struct spatial_data *data,
-                  const char *condition, const char *format, ...)
-    PH_PRINTF(4, 5);
 
 #endif

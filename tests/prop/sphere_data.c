@@ -10,7 +10,6 @@
 #include "solve/method.h"
 
 #include <float.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -148,35 +147,8 @@ size_t sphere_steps(const struct sphere_data *d, double *step) {
 
 /* ---- problems ------------------------------------------------------------ */
 
-static void set_word(struct sphere_solution *s, enum ph_field_id id,
-                     const char *word) {
-  if (word) {
-    s->problem.field[id] = (struct ph_value){.kind = PH_WORD, .word = word};
-  }
-}
-
-static void set_array(struct sphere_solution *s, enum ph_field_id id, double *v,
-                      size_t n, size_t dimension) {
-  s->problem.field[id] =
-      (struct ph_value){.kind = dimension == 1 ? PH_NUMBERS : PH_VECTORS,
-                        .v = v,
-                        .n = n,
-                        .dimension = dimension};
-}
-
-static void set_number(struct sphere_solution *s, enum ph_field_id id,
-                       double number) {
-  s->problem.field[id] = (struct ph_value){.kind = PH_NUMBER, .number = number};
-}
-
-static double *numbers(struct sphere_solution *s, size_t n) {
-  double *v = ph_arena_array(&s->arena, n, sizeof *v);
-  ck_assert_ptr_nonnull(v);
-  return v;
-}
-
-static void set_points(const struct sphere_data *d, struct sphere_solution *s) {
-  double *v = numbers(s, 3 * d->n + 9), *center = v + 3 * d->n;
+static void set_points(const struct sphere_data *d, struct unit_solution *s) {
+  double *v = unit_numbers(s, 3 * d->n + 9), *center = v + 3 * d->n;
   for (size_t i = 0; i < d->n; i++) {
     ph_vec3 p = d->point[i];
     if (d->lonlat) {
@@ -187,37 +159,36 @@ static void set_points(const struct sphere_data *d, struct sphere_solution *s) {
     }
   }
   ph_vec3_put(d->center, 3, center);
-  set_array(s, PH_F_CENTER, center, 3, 1);
-  set_number(s, PH_F_RADIUS, d->radius);
-  set_array(s, d->lonlat ? PH_F_LONLAT : PH_F_POINTS, v, d->n,
-            d->lonlat ? 2 : 3);
+  unit_set_array(&s->problem, PH_F_CENTER, center, 3, 1);
+  unit_set_number(&s->problem, PH_F_RADIUS, d->radius);
+  unit_set_array(&s->problem, d->lonlat ? PH_F_LONLAT : PH_F_POINTS, v, d->n,
+                 d->lonlat ? 2 : 3);
   if (d->ends && strcmp(d->ends, "clamped") == 0) {
     ph_vec3_put(d->end_tangent[0], 3, center + 3);
     ph_vec3_put(d->end_tangent[1], 3, center + 6);
-    set_array(s, PH_F_END_TANGENTS, center + 3, 2, 3);
+    unit_set_array(&s->problem, PH_F_END_TANGENTS, center + 3, 2, 3);
   }
 }
 
-static void set_problem(const struct sphere_data *d,
-                        struct sphere_solution *s) {
-  struct ph_value *field = s->problem.field;
+static void set_problem(const struct sphere_data *d, struct unit_solution *s) {
+  struct ph_problem *p = &s->problem;
   set_points(d, s);
-  set_word(s, PH_F_MODEL, d->model);
-  set_word(s, PH_F_ENDS, d->ends);
-  set_word(s, PH_F_KNOTS, d->knots);
-  set_word(s, PH_F_CRITERION, d->criterion);
-  set_word(s, PH_F_INCREASE, d->increase);
-  field[PH_F_INCREASE].number = d->by;
-  field[PH_F_CLOSED] = (struct ph_value){.kind = PH_BOOL, .flag = d->closed};
-  field[PH_F_SHAPE] = (struct ph_value){.kind = PH_BOOL, .flag = d->shape};
+  unit_set_word(p, PH_F_MODEL, d->model);
+  unit_set_word(p, PH_F_ENDS, d->ends);
+  unit_set_word(p, PH_F_KNOTS, d->knots);
+  unit_set_word(p, PH_F_CRITERION, d->criterion);
+  unit_set_word(p, PH_F_INCREASE, d->increase);
+  p->field[PH_F_INCREASE].number = d->by;
+  unit_set_flag(p, PH_F_CLOSED, d->closed);
+  unit_set_flag(p, PH_F_SHAPE, d->shape);
   if (d->tension > 0) {
-    set_number(s, PH_F_TENSION, d->tension);
+    unit_set_number(p, PH_F_TENSION, d->tension);
   }
 }
 
 /* ---- solutions ----------------------------------------------------------- */
 
-ph_vec3 sphere_point(const struct sphere_solution *s, size_t k, size_t i) {
+ph_vec3 sphere_point(const struct unit_solution *s, size_t k, size_t i) {
   return ph_spherical_of(&s->result.curve, k).p[i];
 }
 
@@ -227,85 +198,61 @@ static double rounding(const struct sphere_data *d) {
 }
 
 /* Points, and no segment shorter than the way between its ends. */
-static void ck_curve(const struct sphere_data *d, size_t which,
-                     const struct sphere_solution *s) {
+static void ck_curve(const struct sphere_data *d,
+                     const struct unit_solution *s) {
   const struct ph_curve *c = &s->result.curve;
   double step[SPHERE_MAX], sum = 0;
-  sphere_assert(c->n == sphere_steps(d, step), which, d, "%zu segments", c->n);
+  ck_that(c->n == sphere_steps(d, step), "%zu segments", c->n);
   for (size_t k = 0; k < c->n; k++) {
     ph_vec3 to = d->point[k + 1 < d->n ? k + 1 : 0];
     double away = ph_s2_angle(sphere_point(s, k, 0), d->point[k]);
     double length = c->lengths[k] / d->radius;
     away = unit_larger(away, ph_s2_angle(sphere_point(s, k, 3), to));
-    sphere_assert(away <= rounding(d), which, d, "point %zu is missed by %.3g",
-                  k, away);
-    sphere_assert(length >= step[k] * (1 - 1e-12) - rounding(d), which, d,
-                  "segment %zu has length %.17g < %.17g", k, length, step[k]);
+    ck_that(away <= rounding(d), "point %zu is missed by %.3g", k, away);
+    ck_that(length >= step[k] * (1 - 1e-12) - rounding(d),
+            "segment %zu has length %.17g < %.17g", k, length, step[k]);
     sum += c->lengths[k];
   }
-  sphere_assert(unit_near_rel(sum, c->length, 1e-14), which, d,
-                "length %.17g, the sum is %.17g", c->length, sum);
-}
-
-bool sphere_solve(const struct sphere_data *d, size_t which,
-                  struct sphere_solution *s) {
-  struct ph_mark before, after;
-  enum ph_status status;
-  sphere_free(s);
-  *s = (struct sphere_solution){.result = {.start = 0}};
-  set_problem(d, s);
-  before = ph_arena_mark(&s->scratch);
-  status = ph_method_sphere.solve(&s->problem, &s->arena, &s->scratch,
-                                  &s->result, &s->diag);
-  after = ph_arena_mark(&s->scratch); /* a first chunk may be kept, empty */
-  ck_assert(!before.chunk || before.chunk == after.chunk);
-  ck_assert_uint_eq(before.used, after.used);
-  if (status != PH_OK) {
-    sphere_assert(s->diag.status == status &&
-                      (status == PH_NO_CONVERGENCE ||
-                       (status == PH_INFEASIBLE && d->shape)),
-                  which, d, "%s %s", s->diag.field, s->diag.message);
-    return false;
-  }
-  status = ph_cert_sphere(&s->problem, &s->result.curve, &s->scratch,
-                          &s->result.diagnostics, &s->diag);
-  s->refused = status != PH_OK;
-  if (!s->refused) {
-    ck_curve(d, which, s);
-  }
-  return !s->refused;
-}
-
-void sphere_must(const struct sphere_data *d, size_t which,
-                 struct sphere_solution *s) {
-  bool solved = sphere_solve(d, which, s);
-  sphere_assert(solved, which, d, "%s %s", s->diag.field, s->diag.message);
-}
-
-void sphere_free(struct sphere_solution *s) {
-  ph_arena_free(&s->arena);
-  ph_arena_free(&s->scratch);
+  ck_that(unit_near_rel(sum, c->length, 1e-14),
+          "length %.17g, the sum is %.17g", c->length, sum);
 }
 
 static const char *word(const char *text) {
   return text ? text : "by default";
 }
 
-void sphere_fail(size_t which, const struct sphere_data *d,
-                 const char *condition, const char *format, ...) {
+bool sphere_solve(const struct sphere_data *d, size_t which,
+                  struct unit_solution *s) {
   static const char *const families[] = {"smooth",   "walk",   "far",
                                          "farthest", "circle", "runs",
                                          "nearly",   "dense",  "ring"};
-  char text[512];
-  va_list args;
-  va_start(args, format);
-  vsnprintf(text, sizeof text, format, args);
-  va_end(args);
-  ck_abort_msg("PH_SEED=%lu, case %zu (%s, %zu points, model %s, ends %s, "
-               "knots %s, tension %.17g, shape %d, radius %.17g, center at "
-               "%.3g, %s): not %s: %s",
-               unit_seed(), which, families[d->family], d->n, word(d->model),
-               word(d->ends), word(d->knots), d->tension, d->shape, d->radius,
-               ph_vec3_abs(d->center), d->lonlat ? "lonlat" : "points",
-               condition, text);
+  enum ph_status status;
+  unit_case("PH_SEED=%lu, case %zu (%s, %zu points, model %s, ends %s, "
+            "knots %s, tension %.17g, shape %d, radius %.17g, center at "
+            "%.3g, %s)",
+            unit_seed(), which, families[d->family], d->n, word(d->model),
+            word(d->ends), word(d->knots), d->tension, d->shape, d->radius,
+            ph_vec3_abs(d->center), d->lonlat ? "lonlat" : "points");
+  unit_solution_free(s);
+  set_problem(d, s);
+  status = unit_solve(&ph_method_sphere, s);
+  if (status != PH_OK) {
+    ck_that(status == PH_NO_CONVERGENCE ||
+                (status == PH_INFEASIBLE && d->shape),
+            "%s %s", s->diag.field, s->diag.message);
+    return false;
+  }
+  status = ph_cert_sphere(&s->problem, &s->result.curve, &s->scratch,
+                          &s->result.diagnostics, &s->diag);
+  s->refused = status != PH_OK;
+  if (!s->refused) {
+    ck_curve(d, s);
+  }
+  return !s->refused;
+}
+
+void sphere_must(const struct sphere_data *d, size_t which,
+                 struct unit_solution *s) {
+  bool solved = sphere_solve(d, which, s);
+  ck_that(solved, "%s %s", s->diag.field, s->diag.message);
 }

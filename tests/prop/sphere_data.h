@@ -6,11 +6,9 @@
 #ifndef PH_TESTS_PROP_SPHERE_DATA_H
 #define PH_TESTS_PROP_SPHERE_DATA_H
 
+#include "problem_unit.h"
 #include "random_unit.h"
 
-#include "base/mem.h"
-#include "curve/problem.h"
-#include "curve/result.h"
 #include "curve/spherical.h"
 
 #include <stdbool.h>
@@ -61,15 +59,6 @@ void sphere_any(struct unit_random *r, struct sphere_data *data);
  * ret  how many */
 size_t sphere_steps(const struct sphere_data *data, double *step);
 
-/* A problem and what became of it.  {0} is none. */
-struct sphere_solution {
-  struct ph_problem problem;
-  struct ph_result result; /* after a solution */
-  struct ph_diag diag;     /* after a failure */
-  bool refused;            /* it is the certificate that failed */
-  struct ph_arena arena, scratch;
-};
-
 /*
  * sphere_solve: solves, then certifies, and looks at points and lengths by
  * itself: fails unless the curve is right, or there is none for a reason that
@@ -80,28 +69,13 @@ struct sphere_solution {
  * ret   whether there is a curve
  */
 bool sphere_solve(const struct sphere_data *data, size_t which,
-                  struct sphere_solution *solution);
+                  struct unit_solution *solution);
 
 /* sphere_must: the same; fails unless there is a curve. */
 void sphere_must(const struct sphere_data *data, size_t which,
-                 struct sphere_solution *solution);
-
-void sphere_free(struct sphere_solution *solution);
+                 struct unit_solution *solution);
 
 /* sphere_point: control point i of segment k, on the unit sphere. */
-ph_vec3 sphere_point(const struct sphere_solution *solution, size_t k,
-                     size_t i);
-
-/* Fails with the seed, the number of the case and what its data are. */
-#define sphere_assert(condition, which, data, ...)       \
-  do {                                                   \
-    if (!(condition)) {                                  \
-      sphere_fail(which, data, #condition, __VA_ARGS__); \
-    }                                                    \
-  } while (0)
-
-void sphere_fail(size_t which, const struct sphere_data *data,
-                 const char *condition, const char *format, ...)
-    PH_PRINTF(4, 5);
+ph_vec3 sphere_point(const struct unit_solution *solution, size_t k, size_t i);
 
 #endif

@@ -8,52 +8,20 @@
  * The seed is 1, or PH_SEED; PH_LONG=1 takes ten times as many data.
  */
 #include "arclength_data.h"
-#include "spatial_unit.h"
+#include "motion.h"
 #include "unit.h"
 
 #include <string.h>
 
-static struct arc_solution one, other;
+static struct unit_solution one, other;
 static struct arc_data data, image;
 
 static void finish(void) {
-  arc_free(&one);
-  arc_free(&other);
-}
-
-static size_t cases(int n) {
-  return (size_t)(unit_long() ? 10 * n : unit_count(n));
-}
-
-static double apart(ph_vec3 a, ph_vec3 b) {
-  return ph_vec3_abs(ph_vec3_sub(a, b));
+  unit_solution_free(&one);
+  unit_solution_free(&other);
 }
 
 /* ---- motions --------------------------------------------------------- */
-
-/* v -> scale times the turn of v, or of its mirror image in z = 0, plus
- * shift. */
-struct motion {
-  ph_quat turn;
-  double scale;
-  ph_vec3 shift;
-  bool mirror, reverse;
-};
-
-static const struct motion REST = {{1, 0, 0, 0}, 1, {0, 0, 0}, false, false};
-
-static ph_vec3 turned(const struct motion *m, ph_vec3 v) {
-  ph_quat q = m->turn;
-  ph_vec3 w;
-  v.z = m->mirror ? -v.z : v.z;
-  w = ph_vec3_scale(v.x, ph_quat_i(q, q));
-  w = ph_vec3_along(w, v.y, ph_quat_j(q, q));
-  return ph_vec3_scale(m->scale, ph_vec3_along(w, v.z, ph_quat_k(q, q)));
-}
-
-static ph_vec3 moved(const struct motion *m, ph_vec3 v) {
-  return ph_vec3_add(turned(m, v), m->shift);
-}
 
 /* Where data k and interval k of the image are from.  Closed curves keep their
  * first point. */
@@ -96,25 +64,24 @@ static bool is_near_f(double a, double b, double tol) {
 
 /* `other` is `one`, moved: control points to tol times the mean length, F to
  * tol. */
-static void ck_moved(const struct motion *m, size_t which, double tol) {
+static void ck_moved(const struct motion *m, double tol) {
   const struct ph_curve *a = &one.result.curve, *b = &other.result.curve;
   double unit = b->length / (double)data.n, worst = 0;
-  arc_assert(is_near_f(arc_f(&one) * m->scale, arc_f(&other), tol), which,
-             &data, "F %.17g, %.17g", arc_f(&one) * m->scale, arc_f(&other));
-  arc_assert(a->n == b->n, which, &data, "%zu and %zu segments", a->n, b->n);
+  ck_that(is_near_f(arc_f(&one) * m->scale, arc_f(&other), tol),
+          "F %.17g, %.17g", arc_f(&one) * m->scale, arc_f(&other));
+  ck_that(a->n == b->n, "%zu and %zu segments", a->n, b->n);
   for (size_t k = 0; k < a->n; k++) {
     size_t j = m->reverse ? a->n - 1 - k : k;
     for (size_t i = 0; i < 6; i++) {
       ph_vec3 wanted = moved(m, arc_point(&one, k, i));
       size_t at = m->reverse ? 5 - i : i;
-      worst = unit_larger(worst, apart(wanted, arc_point(&other, j, at)));
+      worst = unit_larger(worst, unit_apart(wanted, arc_point(&other, j, at)));
     }
-    arc_assert(fabs(a->lengths[k] * m->scale - b->lengths[j]) <= tol * unit,
-               which, &data, "segment %zu: lengths %.17g, %.17g", k,
-               a->lengths[k] * m->scale, b->lengths[j]);
+    ck_that(fabs(a->lengths[k] * m->scale - b->lengths[j]) <= tol * unit,
+            "segment %zu: lengths %.17g, %.17g", k, a->lengths[k] * m->scale,
+            b->lengths[j]);
   }
-  arc_assert(worst <= tol * unit, which, &data, "it is %.3g lengths away",
-             worst / unit);
+  ck_that(worst <= tol * unit, "it is %.3g lengths away", worst / unit);
 }
 
 /* What the invariance is tried on: smooth and rough data with one minimum
@@ -137,79 +104,47 @@ static void invariant(struct unit_random *r) {
 /* What two solutions of one problem may differ by. */
 static const double SAME = 1e-8;
 
-static void ck_invariant(uint64_t stream, void (*change)(struct unit_random *,
-                                                         struct motion *)) {
-  struct unit_random r = unit_random_of(stream);
-  size_t solved = 0, n = cases(80);
-  for (size_t i = 0; i < n; i++) {
-    struct motion m = REST;
-    bool again;
-    invariant(&r);
-    change(&r, &m);
-    if (!arc_solve(&data, i, &one)) {
-      continue;
-    }
-    solved++;
-    move_data(&m);
-    again = arc_solve(&image, i, &other);
-    arc_assert(again, i, &data, "%s", other.diag.message);
-    ck_moved(&m, i, SAME);
-  }
-  ck_assert_msg(10 * solved >= 9 * n, "PH_SEED=%lu: only %zu of %zu are solved",
-                unit_seed(), solved, n);
-}
-
-static void turn(struct unit_random *r, struct motion *m) {
-  m->turn = unit_random_turn(r);
-}
-
-START_TEST(test_turn) {
-  ck_invariant(1, turn);
-}
-END_TEST
-
 static void shift(struct unit_random *r, struct motion *m) {
   m->shift = ph_vec3_scale(unit_random_in(r, 0, 100), unit_random_direction(r));
 }
-
-START_TEST(test_translate) {
-  ck_invariant(2, shift);
-}
-END_TEST
-
-static void mirror(struct unit_random *r, struct motion *m) {
-  m->turn = unit_random_turn(r);
-  m->mirror = true;
-}
-
-START_TEST(test_mirror) {
-  ck_invariant(3, mirror);
-}
-END_TEST
 
 static void reverse(struct unit_random *r, struct motion *m) {
   (void)r;
   m->reverse = true;
 }
 
-START_TEST(test_reverse) {
-  ck_invariant(4, reverse);
-}
-END_TEST
-
 static void scale(struct unit_random *r, struct motion *m) {
   m->scale = pow(10, (double)unit_random_below(r, 19) - 9);
 }
 
-START_TEST(test_scale) {
-  ck_invariant(5, scale);
+static void (*const changes[])(struct unit_random *, struct motion *) = {
+    turn, shift, mirror, reverse, scale};
+
+PH_TEST_EACH(test_motion, sizeof changes / sizeof *changes) {
+  struct unit_random r = unit_random_of(1 + (uint64_t)_i);
+  size_t solved = 0, n = unit_cases(80);
+  for (size_t i = 0; i < n; i++) {
+    struct motion m = REST;
+    bool again;
+    invariant(&r);
+    changes[_i](&r, &m);
+    if (!arc_solve(&data, i, &one)) {
+      continue;
+    }
+    solved++;
+    move_data(&m);
+    again = arc_solve(&image, i, &other);
+    ck_that(again, "%s", other.diag.message);
+    ck_moved(&m, SAME);
+  }
+  ck_assert_msg(10 * solved >= 9 * n, "PH_SEED=%lu: only %zu of %zu are solved",
+                unit_seed(), solved, n);
 }
-END_TEST
 
 /* Whatever was solved before, in the same memory: not a digit differs. */
-START_TEST(test_neighbours) {
+PH_TEST(test_neighbours) {
   struct unit_random r = unit_random_of(6);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     struct motion m = REST;
     bool a, b;
     arc_any(&r, &image);
@@ -217,15 +152,14 @@ START_TEST(test_neighbours) {
     a = arc_solve(&data, i, &one);
     arc_solve(&image, i, &other);
     b = arc_solve(&data, i, &other);
-    arc_assert(a == b, i, &data, "%s", b ? "once" : "not again");
+    ck_that(a == b, "%s", b ? "once" : "not again");
     if (a) {
-      ck_moved(&m, i, 0);
+      ck_moved(&m, 0);
     } else {
       ck_assert_str_eq(one.diag.message, other.diag.message);
     }
   }
 }
-END_TEST
 
 /* ---- lengths that count less ------------------------------------------ */
 
@@ -236,7 +170,7 @@ static double distance(void) {
   ck_assert_uint_eq(a->n, b->n);
   for (size_t k = 0; k < a->n; k++) {
     for (size_t i = 0; i < 6; i++) {
-      double d = apart(arc_point(&one, k, i), arc_point(&other, k, i));
+      double d = unit_apart(arc_point(&one, k, i), arc_point(&other, k, i));
       worst = unit_larger(worst, d);
     }
   }
@@ -245,9 +179,9 @@ static double distance(void) {
 
 /* Soft lengths are missed by the square of a deviation that is small enough;
  * with a large one they are free. */
-START_TEST(test_soft_limits) {
+PH_TEST(test_soft_limits) {
   struct unit_random r = unit_random_of(7);
-  size_t solved = 0, count = cases(20);
+  size_t solved = 0, count = unit_cases(20);
   for (size_t i = 0; i < count; i++) {
     size_t n = 3 + unit_random_below(&r, 6);
     double small, smaller, away;
@@ -262,8 +196,8 @@ START_TEST(test_soft_limits) {
     if (arc_solve(&data, i, &other)) {
       solved++;
       smaller = distance();
-      arc_assert(small > 1e-3 || smaller <= 0.5 * small + 1e-8, i, &data,
-                 "%.3g and %.3g away", small, smaller);
+      ck_that(small > 1e-3 || smaller <= 0.5 * small + 1e-8,
+              "%.3g and %.3g away", small, smaller);
     }
     data.sigma = 1000;
     data.knots = "chordal";
@@ -271,36 +205,34 @@ START_TEST(test_soft_limits) {
     data.given = ARC_RELAXED;
     arc_must(&data, i, &other);
     away = distance();
-    arc_assert(away <= 1e-6, i, &data, "large: %.3g away", away);
+    ck_that(away <= 1e-6, "large: %.3g away", away);
   }
   ck_assert_msg(100 * solved >= 95 * count,
                 "PH_SEED=%lu: only %zu of %zu are solved", unit_seed(), solved,
                 count);
 }
-END_TEST
 
 /* The deviation grows: lengths go from the exact to the natural ones, and F
  * from the one to the other. */
-START_TEST(test_soft_is_monotone) {
+PH_TEST(test_soft_is_monotone) {
   struct unit_random r = unit_random_of(8);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     double before = HUGE_VAL;
     arc_of(&r, ARC_PERTURBED, ARC_SOFT, 5, &data);
     for (int k = -3; k <= 1; k++) {
       data.sigma = pow(10, k);
       arc_must(&data, i, &one);
-      arc_assert(arc_f(&one) <= before * (1 + 1e-8), i, &data,
-                 "F %.17g > %.17g", arc_f(&one), before);
+      ck_that(arc_f(&one) <= before * (1 + 1e-8), "F %.17g > %.17g",
+              arc_f(&one), before);
       before = arc_f(&one);
     }
   }
 }
-END_TEST
 
 /* Lengths that are asked for, and are natural, change nothing. */
-START_TEST(test_natural_lengths) {
+PH_TEST(test_natural_lengths) {
   struct unit_random r = unit_random_of(9);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     double away;
     arc_of(&r, ARC_SMOOTH, ARC_RELAXED, 2 + unit_random_below(&r, 7), &data);
     data.refine = 1 + (int)unit_random_below(&r, 2);
@@ -312,12 +244,10 @@ START_TEST(test_natural_lengths) {
     }
     arc_must(&data, i, &other);
     away = distance();
-    arc_assert(away <= 1e-5 && is_near_f(arc_f(&one), arc_f(&other), 1e-6), i,
-               &data, "%.3g away, F %.17g, %.17g", away, arc_f(&one),
-               arc_f(&other));
+    ck_that(away <= 1e-5 && is_near_f(arc_f(&one), arc_f(&other), 1e-6),
+            "%.3g away, F %.17g, %.17g", away, arc_f(&one), arc_f(&other));
   }
 }
-END_TEST
 
 /* ---- segments, intervals ---------------------------------------------- */
 
@@ -328,9 +258,9 @@ static bool is_at_most(double a, double b) {
 
 /* The splines of one segment in each interval are among those of two; lengths
  * that are prescribed cost. */
-START_TEST(test_nested) {
+PH_TEST(test_nested) {
   struct unit_random r = unit_random_of(10);
-  for (size_t i = 0; i < cases(50); i++) {
+  for (size_t i = 0; i < unit_cases(50); i++) {
     enum arc_given given = (enum arc_given)unit_random_below(&r, ARC_GIVEN_N);
     size_t n = 3 + unit_random_below(&r, 3);
     double fine;
@@ -341,8 +271,8 @@ START_TEST(test_nested) {
     fine = arc_f(&one);
     data.refine = 1;
     if (arc_solve(&data, i, &other)) {
-      arc_assert(is_at_most(fine, arc_f(&other)), i, &data, "F %.17g > %.17g",
-                 fine, arc_f(&other));
+      ck_that(is_at_most(fine, arc_f(&other)), "F %.17g > %.17g", fine,
+              arc_f(&other));
     }
     if (given == ARC_POINTS) {
       data.refine = 2;
@@ -350,71 +280,65 @@ START_TEST(test_nested) {
       arc_must(&data, i, &one);
       data.given = ARC_RELAXED;
       arc_must(&data, i, &other);
-      arc_assert(is_at_most(arc_f(&other), arc_f(&one)), i, &data,
-                 "F %.17g > %.17g", arc_f(&other), arc_f(&one));
+      ck_that(is_at_most(arc_f(&other), arc_f(&one)), "F %.17g > %.17g",
+              arc_f(&other), arc_f(&one));
     }
   }
 }
-END_TEST
 
 /* A single interval has a curve that does not bend its preimage at all: F = 0,
  * but for a plane loop. */
-START_TEST(test_one_interval) {
+PH_TEST(test_one_interval) {
   struct unit_random r = unit_random_of(11);
-  for (size_t i = 0; i < cases(50); i++) {
+  for (size_t i = 0; i < unit_cases(50); i++) {
     arc_of(&r, i % 2 ? ARC_SMOOTH : ARC_WALK, ARC_POINTS, 1, &data);
     data.refine = 1 + (int)unit_random_below(&r, 3);
     arc_must(&data, i, &one);
-    arc_assert(arc_f(&one) <= 1e-12 * data.length[0], i, &data, "F %.3g",
-               arc_f(&one));
+    ck_that(arc_f(&one) <= 1e-12 * data.length[0], "F %.3g", arc_f(&one));
   }
 }
-END_TEST
 
 /* Few intervals, anything given, anything smooth: there is a curve. */
-START_TEST(test_few_intervals) {
+PH_TEST(test_few_intervals) {
   struct unit_random r = unit_random_of(12);
-  for (size_t i = 0; i < cases(100); i++) {
+  for (size_t i = 0; i < unit_cases(100); i++) {
     enum arc_given given = (enum arc_given)unit_random_below(&r, ARC_GIVEN_N);
     enum arc_family family = i % 2 ? ARC_SMOOTH : ARC_PLANE;
     arc_of(&r, family, given, 1 + unit_random_below(&r, 3), &data);
     arc_must(&data, i, &one);
   }
 }
-END_TEST
 
 /* ---- lines ------------------------------------------------------------ */
 
 /* Data of a line, lengths equal to the chords: the line, at every point of it.
  * Knots by length are met with constant speed: F = 0. */
-START_TEST(test_line) {
+PH_TEST(test_line) {
   struct unit_random r = unit_random_of(13);
-  for (size_t i = 0; i < cases(50); i++) {
+  for (size_t i = 0; i < unit_cases(50); i++) {
     static const enum arc_given given[] = {ARC_POINTS, ARC_RELAXED, ARC_SOFT,
                                            ARC_TANGENTS};
     ph_vec3 from, way;
     arc_of(&r, ARC_LINE, given[i % 4], 1 + unit_random_below(&r, 6), &data);
     arc_must(&data, i, &one);
-    arc_assert(arc_f(&one) <= 1e-12 * data.length[0], i, &data, "F %.3g",
-               arc_f(&one));
+    ck_that(arc_f(&one) <= 1e-12 * data.length[0], "F %.3g", arc_f(&one));
     from = data.point[0];
     way = ph_vec3_unit(ph_vec3_sub(data.point[1], from));
     for (size_t k = 0; k < one.result.curve.n; k++) {
       for (size_t j = 0; j < 6; j++) {
         ph_vec3 v = ph_vec3_sub(arc_point(&one, k, j), from);
         double off = ph_vec3_abs(ph_vec3_cross(v, way));
-        arc_assert(off <= 1e-12 * (1 + ph_vec3_abs(v)), i, &data,
-                   "segment %zu is %.3g off the line", k, off);
+        ck_that(off <= 1e-12 * (1 + ph_vec3_abs(v)),
+                "segment %zu is %.3g off the line", k, off);
       }
     }
   }
 }
-END_TEST
 
 /* Data of a line with longer lengths: a curve, or none; never a wrong one. */
-START_TEST(test_line_with_slack) {
+PH_TEST(test_line_with_slack) {
   struct unit_random r = unit_random_of(14);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     arc_of(&r, ARC_LINE, ARC_POINTS, 1 + unit_random_below(&r, 4), &data);
     for (size_t k = 0; k < data.n; k++) {
       data.length[k] *= unit_random_in(&r, 1.001, 2);
@@ -422,14 +346,13 @@ START_TEST(test_line_with_slack) {
     arc_solve(&data, i, &one);
   }
 }
-END_TEST
 
 /* ---- anything --------------------------------------------------------- */
 
 /* A curve that is right, or none: arc_solve looks.  Most have one. */
-START_TEST(test_any) {
+PH_TEST(test_any) {
   struct unit_random r = unit_random_of(15);
-  size_t solved = 0, n = cases(100);
+  size_t solved = 0, n = unit_cases(100);
   for (size_t i = 0; i < n; i++) {
     arc_any(&r, &data);
     solved += arc_solve(&data, i, &one);
@@ -437,7 +360,6 @@ START_TEST(test_any) {
   ck_assert_msg(2 * solved >= n, "PH_SEED=%lu: only %zu of %zu are solved",
                 unit_seed(), solved, n);
 }
-END_TEST
 
 /* The same closed data, from another of their points on. */
 static void start_at(size_t first) {
@@ -454,16 +376,16 @@ static double distance_from(size_t first) {
   double worst = 0;
   for (size_t k = 0; k < 6 * segments; k++) {
     size_t from = (k / 6 + first * segments / data.n) % segments;
-    worst = unit_larger(worst, apart(arc_point(&one, from, k % 6),
-                                     arc_point(&other, k / 6, k % 6)));
+    worst = unit_larger(worst, unit_apart(arc_point(&one, from, k % 6),
+                                          arc_point(&other, k / 6, k % 6)));
   }
   return worst * (double)data.n / one.result.curve.length;
 }
 
 /* Closed curves are the same wherever they begin. */
-START_TEST(test_closed_start) {
+PH_TEST(test_closed_start) {
   struct unit_random r = unit_random_of(16);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     enum arc_given given = (enum arc_given)unit_random_below(&r, ARC_SOFT + 1);
     size_t first;
     double away;
@@ -472,37 +394,14 @@ START_TEST(test_closed_start) {
     start_at(first);
     arc_must(&data, i, &one);
     arc_must(&image, i, &other);
-    arc_assert(is_near_f(arc_f(&one), arc_f(&other), SAME), i, &data,
-               "F is %.15g and %.15g", arc_f(&one), arc_f(&other));
+    ck_that(is_near_f(arc_f(&one), arc_f(&other), SAME), "F is %.15g and %.15g",
+            arc_f(&one), arc_f(&other));
     away = distance_from(first);
-    arc_assert(away <= 1e-6, i, &data, "it is %.3g away", away);
+    ck_that(away <= 1e-6, "it is %.3g away", away);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("arclength properties");
-  TCase *tc = tcase_create("arclength properties");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_set_timeout(tc, 600);
-  tcase_add_test(tc, test_turn);
-  tcase_add_test(tc, test_translate);
-  tcase_add_test(tc, test_mirror);
-  tcase_add_test(tc, test_reverse);
-  tcase_add_test(tc, test_scale);
-  tcase_add_test(tc, test_neighbours);
-  tcase_add_test(tc, test_soft_limits);
-  tcase_add_test(tc, test_soft_is_monotone);
-  tcase_add_test(tc, test_natural_lengths);
-  tcase_add_test(tc, test_nested);
-  tcase_add_test(tc, test_one_interval);
-  tcase_add_test(tc, test_few_intervals);
-  tcase_add_test(tc, test_line);
-  tcase_add_test(tc, test_line_with_slack);
-  tcase_add_test(tc, test_any);
-  tcase_add_test(tc, test_closed_start);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_motion, test_neighbours, test_soft_limits,
+              test_soft_is_monotone, test_natural_lengths, test_nested,
+              test_one_interval, test_few_intervals, test_line,
+              test_line_with_slack, test_any, test_closed_start)

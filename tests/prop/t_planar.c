@@ -17,7 +17,7 @@
 
 /* What two solutions of one problem may differ by.  Newton stops at 1e-13 of
  * each chord; over 12000 problems the largest difference was 2e-13. */
-static const double SAME = 1e-11;
+#define SAME 1e-11
 
 static struct unit_planar one, other;
 static struct prop_data data, image;
@@ -27,18 +27,13 @@ static void finish(void) {
   unit_planar_free(&other);
 }
 
-static size_t cases(size_t n) {
-  return unit_long() ? 10 * n : (size_t)unit_count((int)n);
-}
-
 static void solve(struct unit_planar *u, const struct prop_data *d,
                   size_t which) {
   enum ph_status status;
   unit_planar_free(u);
-  *u = prop_problem(d);
+  *u = prop_problem(d, which);
   status = unit_planar_solve(u);
-  prop_assert(status == PH_OK, which, d, "%s %s", u->diag.field,
-              u->diag.message);
+  ck_that(status == PH_OK, "%s %s", u->diag.field, u->diag.message);
 }
 
 static void solve_both(size_t which) {
@@ -90,7 +85,7 @@ static ph_cplx control_point(const struct ph_curve *curve, size_t i) {
 }
 
 /* The control points of `other` are those of `one`, moved. */
-static void ck_moved(const struct motion *m, double tol, size_t which) {
+static void ck_moved(const struct motion *m, double tol) {
   const struct ph_curve *a = &one.result.curve, *b = &other.result.curve;
   double apart = 0, size = unit_planar_size(&other);
   ck_assert_uint_eq(a->n, b->n);
@@ -98,33 +93,12 @@ static void ck_moved(const struct motion *m, double tol, size_t which) {
     ph_cplx wanted = moved(m, control_point(a, i));
     apart = unit_larger(apart, unit_distance(wanted, control_point(b, i)));
   }
-  prop_assert(apart <= tol * size, which, &data, "apart by %.3g of the size",
-              apart / size);
-}
-
-/* Moves the data of many problems, and compares. */
-static void ck_motion(uint64_t stream, size_t n,
-                      void (*choose)(struct unit_random *, struct motion *),
-                      double tol) {
-  struct unit_random r = unit_random_of(stream);
-  for (size_t i = 0; i < cases(n); i++) {
-    struct motion m = REST;
-    prop_any(&r, 50, &data);
-    choose(&r, &m);
-    move_data(&m);
-    solve_both(i);
-    ck_moved(&m, tol, i);
-  }
+  ck_that(apart <= tol * size, "apart by %.3g of the size", apart / size);
 }
 
 static void choose_shift(struct unit_random *r, struct motion *m) {
   m->shift = unit_random_cplx(r, 100);
 }
-
-START_TEST(test_translate) {
-  ck_motion(1, 400, choose_shift, SAME);
-}
-END_TEST
 
 static void choose_far(struct unit_random *r, struct motion *m) {
   double size = unit_planar_size(&one), angle = unit_random_in(r, -4, 4);
@@ -134,39 +108,27 @@ static void choose_far(struct unit_random *r, struct motion *m) {
 /* A million times their size away the data have ten digits left, and the curve
  * loses one more at most: 17 times the rounding of a coordinate over 6000
  * problems. */
-START_TEST(test_translate_far) {
+PH_TEST(test_translate_far) {
   struct unit_random r = unit_random_of(12);
-  for (size_t i = 0; i < cases(200); i++) {
+  for (size_t i = 0; i < unit_cases(200); i++) {
     struct motion m = REST;
     prop_any(&r, 50, &data);
     solve(&one, &data, i);
     choose_far(&r, &m);
     move_data(&m);
     solve(&other, &image, i);
-    ck_moved(&m, 128 * 1e6 * DBL_EPSILON, i);
+    ck_moved(&m, 128 * 1e6 * DBL_EPSILON);
   }
 }
-END_TEST
 
 static void choose_turn(struct unit_random *r, struct motion *m) {
   m->turn = ph_cplx_polar(unit_random_in(r, -4, 4));
 }
 
-START_TEST(test_rotate) {
-  ck_motion(2, 400, choose_turn, SAME);
-}
-END_TEST
-
 static void choose_half_turn(struct unit_random *r, struct motion *m) {
   (void)r;
   m->turn = ph_cplx_of(-1, 0);
 }
-
-/* A half turn only changes signs: not a digit differs. */
-START_TEST(test_half_turn) {
-  ck_motion(3, 200, choose_half_turn, 0);
-}
-END_TEST
 
 static void choose_power_of_ten(struct unit_random *r, struct motion *m) {
   double s = pow(10, (double)unit_random_below(r, 19) - 9);
@@ -174,21 +136,11 @@ static void choose_power_of_ten(struct unit_random *r, struct motion *m) {
   m->parameter = stretch_of(s);
 }
 
-START_TEST(test_scale_ten) {
-  ck_motion(4, 400, choose_power_of_ten, SAME);
-}
-END_TEST
-
 static void choose_power_of_two(struct unit_random *r, struct motion *m) {
   double s = ldexp(1, (int)unit_random_below(r, 61) - 30);
   m->turn = ph_cplx_of(s, 0);
   m->parameter = stretch_of(s);
 }
-
-START_TEST(test_scale_two) {
-  ck_motion(5, 400, choose_power_of_two, SAME);
-}
-END_TEST
 
 static void choose_power_of_four(struct unit_random *r, struct motion *m) {
   double s = ldexp(1, 2 * ((int)unit_random_below(r, 401) - 200));
@@ -196,37 +148,49 @@ static void choose_power_of_four(struct unit_random *r, struct motion *m) {
   m->parameter = stretch_of(s);
 }
 
-/* A power of four has a root: not a digit differs. */
-START_TEST(test_scale_four) {
-  ck_motion(6, 200, choose_power_of_four, 0);
-}
-END_TEST
-
 static void choose_mirror(struct unit_random *r, struct motion *m) {
   (void)r;
   m->mirror = true;
 }
 
-/* Only signs change. */
-START_TEST(test_mirror) {
-  ck_motion(7, 200, choose_mirror, 0);
-}
-END_TEST
-
 static void choose_parameter(struct unit_random *r, struct motion *m) {
   m->parameter = data.has_knots ? pow(10, unit_random_in(r, -9, 9)) : 1;
 }
 
-/* The unit of the parameter does not matter. */
-START_TEST(test_parameter) {
-  ck_motion(8, 400, choose_parameter, SAME);
+static const struct {
+  const char *name;
+  void (*choose)(struct unit_random *, struct motion *);
+  size_t n;
+  double tol;
+} changes[] = {
+    {"moved", choose_shift, 400, SAME},
+    {"turned", choose_turn, 400, SAME},
+    /* only signs change: not a digit differs */
+    {"turned by half a turn", choose_half_turn, 200, 0},
+    {"scaled by a power of ten", choose_power_of_ten, 400, SAME},
+    {"scaled by a power of two", choose_power_of_two, 400, SAME},
+    /* a power of four has a root: not a digit differs */
+    {"scaled by a power of four", choose_power_of_four, 200, 0},
+    {"mirrored", choose_mirror, 200, 0}, /* only signs change */
+    {"in another unit of the parameter", choose_parameter, 400, SAME}};
+
+/* Moves the data of many problems, and compares. */
+PH_TEST_EACH(test_motion, sizeof changes / sizeof *changes) {
+  struct unit_random r = unit_random_of(1 + (uint64_t)_i);
+  for (size_t i = 0; i < unit_cases(changes[_i].n); i++) {
+    struct motion m = REST;
+    prop_any(&r, 50, &data);
+    changes[_i].choose(&r, &m);
+    move_data(&m);
+    solve_both(i);
+    ck_moved(&m, changes[_i].tol);
+  }
 }
-END_TEST
 
 /* Run through backwards. */
-START_TEST(test_reverse) {
+PH_TEST(test_reverse) {
   struct unit_random r = unit_random_of(9);
-  for (size_t i = 0; i < cases(400); i++) {
+  for (size_t i = 0; i < unit_cases(400); i++) {
     const struct ph_curve *a = &one.result.curve, *b = &other.result.curve;
     double apart = 0;
     size_t n, segments;
@@ -250,18 +214,16 @@ START_TEST(test_reverse) {
               q = control_point(b, 6 * segments - 1 - k);
       apart = unit_larger(apart, unit_distance(p, q));
     }
-    prop_assert(apart <= SAME * unit_planar_size(&one), i, &data,
-                "apart by %.3g", apart);
-    prop_assert(unit_near_rel(a->length, b->length, SAME), i, &data,
-                "lengths %.17g, %.17g", a->length, b->length);
+    ck_that(apart <= SAME * unit_planar_size(&one), "apart by %.3g", apart);
+    ck_that(unit_near_rel(a->length, b->length, SAME), "lengths %.17g, %.17g",
+            a->length, b->length);
   }
 }
-END_TEST
 
 /* A closed curve that begins at another of its points. */
-START_TEST(test_other_start) {
+PH_TEST(test_other_start) {
   struct unit_random r = unit_random_of(10);
-  for (size_t i = 0; i < cases(400); i++) {
+  for (size_t i = 0; i < unit_cases(400); i++) {
     const struct ph_curve *a = &one.result.curve, *b = &other.result.curve;
     double apart = 0;
     size_t n, first;
@@ -283,17 +245,16 @@ START_TEST(test_other_start) {
       ph_cplx p = control_point(a, (6 * first + k) % (6 * n));
       apart = unit_larger(apart, unit_distance(p, control_point(b, k)));
     }
-    prop_assert(apart <= SAME * unit_planar_size(&one), i, &data,
-                "apart by %.3g, begun at %zu", apart, first);
+    ck_that(apart <= SAME * unit_planar_size(&one),
+            "apart by %.3g, begun at %zu", apart, first);
   }
 }
-END_TEST
 
 /* Points of the curve, added to the data, change nothing: the curve is a C2 PH
  * spline on the finer knots, too. */
-START_TEST(test_refine) {
+PH_TEST(test_refine) {
   struct unit_random r = unit_random_of(11);
-  for (size_t i = 0; i < cases(200); i++) {
+  for (size_t i = 0; i < unit_cases(200); i++) {
     const struct ph_curve *a = &one.result.curve;
     double apart = 0, size;
     prop_points(&r, PROP_ROUGH, 8 + unit_random_below(&r, 30), i % 2, &data);
@@ -327,33 +288,11 @@ START_TEST(test_refine) {
       ph_cplx q = unit_curve(&other.result.curve, k, 0, 0.5);
       apart = unit_larger(apart, unit_distance(p, q));
     }
-    prop_assert(apart <= SAME * size, i, &data, "apart by %.3g", apart);
-    prop_assert(unit_near_rel(a->length, other.result.curve.length, SAME), i,
-                &data, "lengths %.17g, %.17g", a->length,
-                other.result.curve.length);
+    ck_that(apart <= SAME * size, "apart by %.3g", apart);
+    ck_that(unit_near_rel(a->length, other.result.curve.length, SAME),
+            "lengths %.17g, %.17g", a->length, other.result.curve.length);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("planar properties");
-  TCase *tc = tcase_create("planar properties");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_set_timeout(tc, 600);
-  tcase_add_test(tc, test_translate);
-  tcase_add_test(tc, test_translate_far);
-  tcase_add_test(tc, test_rotate);
-  tcase_add_test(tc, test_half_turn);
-  tcase_add_test(tc, test_scale_ten);
-  tcase_add_test(tc, test_scale_two);
-  tcase_add_test(tc, test_scale_four);
-  tcase_add_test(tc, test_mirror);
-  tcase_add_test(tc, test_parameter);
-  tcase_add_test(tc, test_reverse);
-  tcase_add_test(tc, test_other_start);
-  tcase_add_test(tc, test_refine);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_motion, test_translate_far, test_reverse,
+              test_other_start, test_refine)

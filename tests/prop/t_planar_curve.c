@@ -31,17 +31,12 @@ static void finish(void) {
   unit_planar_free(&u);
 }
 
-static size_t cases(size_t n) {
-  return unit_long() ? 10 * n : (size_t)unit_count((int)n);
-}
-
 static void solve(size_t which) {
   enum ph_status status;
   unit_planar_free(&u);
-  u = prop_problem(&data);
+  u = prop_problem(&data, which);
   status = unit_planar_solve(&u);
-  prop_assert(status == PH_OK, which, &data, "%s %s", u.diag.field,
-              u.diag.message);
+  ck_that(status == PH_OK, "%s %s", u.diag.field, u.diag.message);
 }
 
 /* One class of the families of the method's measurements: `sets` problems of
@@ -56,11 +51,10 @@ static void ck_class(struct unit_random *r, enum prop_family family, size_t n,
       data.rule = rules[k];
       solve(*solved);
       steps = u.result.diagnostics.value[PH_D_ITERATIONS];
-      prop_assert(steps <= (k < 2 ? 6 : 12), *solved, &data, "%s: %g steps",
-                  prop_name(family), steps);
-      prop_assert(family > PROP_ROUGH || k == 2 ||
-                      !unit_planar_warned(&u, PH_LOOP),
-                  *solved, &data, "%s: a loop", prop_name(family));
+      ck_that(steps <= (k < 2 ? 6 : 12), "%s: %g steps", prop_name(family),
+              steps);
+      ck_that(family > PROP_ROUGH || k == 2 || !unit_planar_warned(&u, PH_LOOP),
+              "%s: a loop", prop_name(family));
       ++*solved;
     }
   }
@@ -69,7 +63,7 @@ static void ck_class(struct unit_random *r, enum prop_family family, size_t n,
 /* 60, 20 and 4 sets of 10, 100 and 1000 segments in each family, open and
  * closed, with knots of three kinds: every one has a solution, after a number
  * of steps that does not depend on the size. */
-START_TEST(test_families) {
+PH_TEST(test_families) {
   static const struct {
     size_t n;
     int sets;
@@ -85,29 +79,27 @@ START_TEST(test_families) {
   }
   ck_assert_uint_eq(solved, tried);
 }
-END_TEST
 
 /* r' = w^2 inside of segment k, and its length is the integral of |r'|. */
-static void ck_segment(struct unit_random *r, size_t k, size_t which) {
+static void ck_segment(struct unit_random *r, size_t k) {
   const struct ph_curve *c = &u.result.curve;
   double length = 0, size = unit_planar_size(&u), error;
   double at = unit_random_in(r, 0, 1);
   ph_cplx w = unit_preimage(c, k, 0, at);
   error = unit_distance(unit_curve(c, k, 1, at), ph_cplx_mul(w, w));
-  prop_assert(error <= 1e-11 * size, which, &data,
-              "segment %zu is no PH curve by %.3g", k, error / size);
+  ck_that(error <= 1e-11 * size, "segment %zu is no PH curve by %.3g", k,
+          error / size);
   for (size_t i = 0; i < rule.n; i++) {
     ph_cplx speed = unit_curve(c, k, 1, rule.node[i]);
     length += rule.weight[i] * ph_cplx_abs(speed);
   }
-  prop_assert(unit_near(c->lengths[k], length, 1e-11 * size), which, &data,
-              "segment %zu has length %.17g, not %.17g", k, length,
-              c->lengths[k]);
+  ck_that(unit_near(c->lengths[k], length, 1e-11 * size),
+          "segment %zu has length %.17g, not %.17g", k, length, c->lengths[k]);
 }
 
 /* Position, and first and second derivative with respect to the knots, agree
  * between segment k and the one after it. */
-static void ck_knot(size_t k, size_t which) {
+static void ck_knot(size_t k) {
   const struct ph_curve *c = &u.result.curve;
   size_t next = k + 1 < c->n ? k + 1 : 0;
   double h0 = c->knots[k + 1] - c->knots[k];
@@ -119,16 +111,16 @@ static void ck_knot(size_t k, size_t which) {
     a = ph_cplx_scale(pow(h / h0, (double)order), a);
     b = ph_cplx_scale(pow(h / h1, (double)order), b);
     apart = unit_distance(a, b);
-    prop_assert(apart <= (order ? 1e-9 * speed : 0), which, &data,
-                "derivative %zu jumps by %.3g of the speed at the end of "
-                "segment %zu",
-                order, apart / speed, k);
+    ck_that(apart <= (order ? 1e-9 * speed : 0),
+            "derivative %zu jumps by %.3g of the speed at the end of "
+            "segment %zu",
+            order, apart / speed, k);
   }
 }
 
-START_TEST(test_promises) {
+PH_TEST(test_promises) {
   struct unit_random r = unit_random_of(2);
-  for (size_t i = 0; i < cases(300); i++) {
+  for (size_t i = 0; i < unit_cases(300); i++) {
     const struct ph_curve *c = &u.result.curve;
     double total = 0;
     prop_any(&r, 60, &data);
@@ -136,20 +128,19 @@ START_TEST(test_promises) {
     ck_assert_uint_eq(c->n, prop_segments(&data));
     for (size_t k = 0; k < c->n; k++) {
       ph_cplx p = unit_curve(c, k, 0, 0), q = unit_curve(c, k, 0, 1);
-      prop_assert(unit_distance(p, data.point[k]) <= 0 &&
-                      unit_distance(q, data.point[(k + 1) % data.n]) <= 0,
-                  i, &data, "segment %zu misses its points", k);
-      ck_segment(&r, k, i);
+      ck_that(unit_distance(p, data.point[k]) <= 0 &&
+                  unit_distance(q, data.point[(k + 1) % data.n]) <= 0,
+              "segment %zu misses its points", k);
+      ck_segment(&r, k);
       if (k + 1 < c->n || c->closed) {
-        ck_knot(k, i);
+        ck_knot(k);
       }
       total += c->lengths[k];
     }
-    prop_assert(unit_near_rel(c->length, total, 1e-14), i, &data,
-                "the length is %.17g, not %.17g", c->length, total);
+    ck_that(unit_near_rel(c->length, total, 1e-14),
+            "the length is %.17g, not %.17g", c->length, total);
   }
 }
-END_TEST
 
 /* Data as no one should have them: points that coincide, or nearly, or lie on
  * a line, or far apart, knots that have nothing to do with them. */
@@ -183,41 +174,39 @@ static void wild_data(struct unit_random *r, struct prop_data *d) {
 }
 
 /* Each has a curve that keeps its promises, or an error that says why not. */
-START_TEST(test_wild) {
+PH_TEST(test_wild) {
   struct unit_random r = unit_random_of(3);
   size_t solved = 0;
-  for (size_t i = 0; i < cases(800); i++) {
+  for (size_t i = 0; i < unit_cases(800); i++) {
     enum ph_status status;
     unit_planar_free(&u);
     wild_data(&r, &data);
-    u = prop_problem(&data);
+    u = prop_problem(&data, i);
     status = unit_planar_solve(&u);
     if (status != PH_OK) {
-      prop_assert(status == PH_COINCIDENT_POINTS ||
-                      status == PH_NO_CONVERGENCE || status == PH_TOO_LARGE ||
-                      status == PH_BAD_VALUE || status == PH_BAD_SHAPE ||
-                      status == PH_TOO_FEW_POINTS,
-                  i, &data, "%s", ph_status_code(status));
-      prop_assert(u.diag.message[0] != '\0', i, &data, "no message");
+      ck_that(status == PH_COINCIDENT_POINTS || status == PH_NO_CONVERGENCE ||
+                  status == PH_TOO_LARGE || status == PH_BAD_VALUE ||
+                  status == PH_BAD_SHAPE || status == PH_TOO_FEW_POINTS,
+              "%s", ph_status_code(status));
+      ck_that(u.diag.message[0] != '\0', "no message");
       continue;
     }
     solved++;
     for (size_t k = 0; k < 12 * u.result.curve.n; k++) {
       double x = u.result.curve.control_points[k];
-      prop_assert(isfinite(x), i, &data, "%g", x);
+      ck_that(isfinite(x), "%g", x);
     }
-    prop_assert(isfinite(u.result.curve.length) && u.result.curve.length > 0, i,
-                &data, "length %g", u.result.curve.length);
+    ck_that(isfinite(u.result.curve.length) && u.result.curve.length > 0,
+            "length %g", u.result.curve.length);
   }
-  ck_assert_uint_ge(solved, cases(800) / 2);
+  ck_assert_uint_ge(solved, unit_cases(800) / 2);
 }
-END_TEST
 
 /* Both halves of a segment are PH curves with halves of the preimage, turned
  * by 1/sqrt(2) for the shorter parameter, and their lengths add up. */
-START_TEST(test_halves) {
+PH_TEST(test_halves) {
   struct unit_random r = unit_random_of(4);
-  for (size_t i = 0; i < cases(100); i++) {
+  for (size_t i = 0; i < unit_cases(100); i++) {
     const struct ph_curve *c = &u.result.curve;
     prop_any(&r, 20, &data);
     solve(i);
@@ -236,18 +225,17 @@ START_TEST(test_halves) {
         for (int j = 0; j < 5; j++) {
           ph_cplx leg = ph_cplx_sub(half[side][j + 1], half[side][j]);
           double error = unit_distance(ph_cplx_scale(5, leg), square[j]);
-          prop_assert(error <= 1e-11 * size, i, &data,
-                      "half %d of segment %zu: leg %d is off by %.3g", side, k,
-                      j, error / size);
+          ck_that(error <= 1e-11 * size,
+                  "half %d of segment %zu: leg %d is off by %.3g", side, k, j,
+                  error / size);
         }
         length += ph_length(root[side]);
       }
-      prop_assert(unit_near_rel(length, c->lengths[k], 1e-13), i, &data,
-                  "segment %zu: %.17g, not %.17g", k, length, c->lengths[k]);
+      ck_that(unit_near_rel(length, c->lengths[k], 1e-13),
+              "segment %zu: %.17g, not %.17g", k, length, c->lengths[k]);
     }
   }
 }
-END_TEST
 
 /* Half the radius of the narrowest bend, roughly, to either side. */
 static double some_distance(struct unit_random *r) {
@@ -291,9 +279,9 @@ static double piece_length(const struct ph_offset *o, size_t piece) {
 
 /* Before the first cusp the offset at d is shorter than the curve by d times
  * the angle that the tangent turns by (Steiner). */
-START_TEST(test_offset_length) {
+PH_TEST(test_offset_length) {
   struct unit_random r = unit_random_of(5);
-  for (size_t i = 0; i < cases(60); i++) {
+  for (size_t i = 0; i < unit_cases(60); i++) {
     const struct ph_curve *c = &u.result.curve;
     struct ph_offset o;
     double length = 0, turned = 0, d;
@@ -311,35 +299,34 @@ START_TEST(test_offset_length) {
       memcpy(w, c->preimage.v + 6 * k, sizeof w);
       turned += ph_rotation(w);
     }
-    prop_assert(unit_near_rel(length, c->length - d * turned, 1e-10), i, &data,
-                "at %g: length %.17g, not %.17g", d, length,
-                c->length - d * turned);
+    ck_that(unit_near_rel(length, c->length - d * turned, 1e-10),
+            "at %g: length %.17g, not %.17g", d, length,
+            c->length - d * turned);
   }
 }
-END_TEST
 
 /* Control points k of o and l of p, as far as they matter: those of small
  * weight beside the largest of their piece are as uncertain as they are far
  * away. */
 static void ck_same_point(const struct ph_offset *o, size_t k,
-                          const struct ph_offset *p, size_t l, size_t which) {
+                          const struct ph_offset *p, size_t l) {
   const double *a = o->control_points + 2 * k, *b = p->control_points + 2 * l;
   double size = unit_planar_size(&u) + fabs(o->distance), largest = 0, apart;
   for (size_t i = k / 10 * 10; i < k / 10 * 10 + 10; i++) {
     largest = fmax(largest, o->weights[i]);
   }
   apart = hypot(a[0] - b[0], a[1] - b[1]) * (o->weights[k] / largest);
-  prop_assert(apart <= 1e-13 * size, which, &data, "at %g: apart by %.3g",
-              o->distance, apart / size);
-  prop_assert(unit_near(o->weights[k], p->weights[l], 1e-13 * largest), which,
-              &data, "at %g: weights %.17g, %.17g", o->distance, o->weights[k],
-              p->weights[l]);
+  ck_that(apart <= 1e-13 * size, "at %g: apart by %.3g", o->distance,
+          apart / size);
+  ck_that(unit_near(o->weights[k], p->weights[l], 1e-13 * largest),
+          "at %g: weights %.17g, %.17g", o->distance, o->weights[k],
+          p->weights[l]);
 }
 
 /* The offset of the curve run through backwards, to the other side. */
-START_TEST(test_offset_reverse) {
+PH_TEST(test_offset_reverse) {
   struct unit_random r = unit_random_of(6);
-  for (size_t i = 0; i < cases(60); i++) {
+  for (size_t i = 0; i < unit_cases(60); i++) {
     struct ph_curve back;
     struct ph_offset o, p;
     double *points, *w, d = unit_random_in(&r, -2, 2);
@@ -368,25 +355,10 @@ START_TEST(test_offset_reverse) {
         ph_offset_planar(&back, -d, &within, &u.arena, &p, &u.diag), PH_OK);
     ck_assert_uint_eq(o.n, p.n);
     for (size_t k = 0; k < 10 * o.n; k++) {
-      ck_same_point(&o, k, &p, 10 * o.n - 1 - k, i);
+      ck_same_point(&o, k, &p, 10 * o.n - 1 - k);
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("planar promises");
-  TCase *tc = tcase_create("planar promises");
-  tcase_add_checked_fixture(tc, start, finish);
-  tcase_set_timeout(tc, 600);
-  tcase_add_test(tc, test_families);
-  tcase_add_test(tc, test_promises);
-  tcase_add_test(tc, test_wild);
-  tcase_add_test(tc, test_halves);
-  tcase_add_test(tc, test_offset_length);
-  tcase_add_test(tc, test_offset_reverse);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(start, finish, test_families, test_promises, test_wild,
+              test_halves, test_offset_length, test_offset_reverse)

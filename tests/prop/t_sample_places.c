@@ -14,11 +14,9 @@
 #include <stdint.h>
 
 static struct places_data data;
-static struct ph_arena arena;
 
 static void finish(void) {
   places_free(&data);
-  ph_arena_free(&arena);
 }
 
 static const struct ph_offset *offset_of_data(void) {
@@ -29,17 +27,17 @@ static const struct ph_offset *offset_of_data(void) {
 static struct ph_samples samples_of(struct ph_sample_rules rules) {
   struct ph_diag diag;
   if (!data.has_offset) {
-    return unit_samples(&data.curve, rules, &arena);
+    return unit_samples(&data.curve, rules, &unit_arena);
   }
   ck_assert_int_eq(
-      ph_sample_offset(&data.curve, &rules, &arena, &data.offset, &diag),
+      ph_sample_offset(&data.curve, &rules, &unit_arena, &data.offset, &diag),
       PH_OK);
   return data.offset.samples;
 }
 
 /* A curve of this kind, every other one with an offset. */
 static void next_curve(int i, enum places_kind kind, struct unit_random *r) {
-  ph_arena_reset(&arena);
+  ph_arena_reset(&unit_arena);
   places_random(&data, kind, r);
   if (i % 2) {
     places_offset(&data, r);
@@ -95,7 +93,7 @@ static void ck_chords(const struct ph_samples *s, double error, int n) {
   size_t i = 0;
   for (size_t k = 0; k < data.curve.n; k++) {
     struct ph_sampler sampler =
-        unit_sampler(&data.curve, offset_of_data(), k, &arena);
+        unit_sampler(&data.curve, offset_of_data(), k, &unit_arena);
     double before = 0;
     i += k == 0;
     while (i < s->n && s->segment[i] == k) {
@@ -112,7 +110,7 @@ static void ck_chords(const struct ph_samples *s, double error, int n) {
   ck_assert_uint_eq(i, s->n);
 }
 
-START_TEST(test_chords) {
+PH_TEST_EACH(test_chords, PLACES_KINDS) {
   struct unit_random r = unit_random_of(1400 + (uint64_t)_i);
   for (int n = 0; n < unit_count(1000); n++) {
     struct ph_sample_rules rules = {
@@ -123,7 +121,6 @@ START_TEST(test_chords) {
     ck_chords(&s, rules.chord_error, n);
   }
 }
-END_TEST
 
 /* The fewest chords of a segment between places of a grid. */
 static size_t fewest(const struct ph_sampler *sampler, double error) {
@@ -148,7 +145,7 @@ static size_t fewest(const struct ph_sampler *sampler, double error) {
   return chords;
 }
 
-START_TEST(test_counts) {
+PH_TEST_EACH(test_counts, PLACES_KINDS) {
   struct unit_random r = unit_random_of(1410 + (uint64_t)_i);
   size_t all = 0, least = 0;
   for (int n = 0; n < unit_count(30); n++) {
@@ -160,7 +157,7 @@ START_TEST(test_counts) {
     s = samples_of(rules);
     for (size_t k = 0; k < data.curve.n; k++) {
       struct ph_sampler sampler =
-          unit_sampler(&data.curve, offset_of_data(), k, &arena);
+          unit_sampler(&data.curve, offset_of_data(), k, &unit_arena);
       sum += fewest(&sampler, rules.chord_error);
     }
     all += s.n - 1;
@@ -171,7 +168,6 @@ START_TEST(test_counts) {
   /* 1.09 to 1.32, by kind and seed */
   ck_assert_msg((double)all <= 1.4 * (double)least, "%zu, not %zu", all, least);
 }
-END_TEST
 
 /* ---- spacing ------------------------------------------------------------- */
 
@@ -212,7 +208,7 @@ static double travelled(const struct ph_samples *s, size_t i,
   double sum = 0;
   for (size_t k = s->segment[i - 1]; k <= s->segment[i]; k++) {
     struct ph_sampler sampler =
-        unit_sampler(&data.curve, offset_of_data(), k, &arena);
+        unit_sampler(&data.curve, offset_of_data(), k, &unit_arena);
     double from = k == s->segment[i - 1] ? u_of(s, i - 1) : 0;
     double to = k == s->segment[i] ? u_of(s, i) : 1;
     sum += length_between(&sampler, rule, from, to);
@@ -223,12 +219,12 @@ static double travelled(const struct ph_samples *s, size_t i,
 static double length_of_data(void) {
   double sum = 0;
   for (size_t k = 0; k < data.curve.n; k++) {
-    sum += unit_sampler(&data.curve, offset_of_data(), k, &arena).length;
+    sum += unit_sampler(&data.curve, offset_of_data(), k, &unit_arena).length;
   }
   return sum;
 }
 
-START_TEST(test_spacing) {
+PH_TEST_EACH(test_spacing, PLACES_KINDS) {
   struct unit_random r = unit_random_of(1420 + (uint64_t)_i);
   struct ph_quad rule;
   ck_assert(ph_quad_gauss(&rule, 20));
@@ -254,7 +250,6 @@ START_TEST(test_spacing) {
     }
   }
 }
-END_TEST
 
 /* The length up to u is s, as well as u can tell: a step of it is some length
  * where the speed is great. */
@@ -264,7 +259,7 @@ static void ck_place(const struct ph_sampler *sampler, double u, double s) {
 }
 
 /* Where the length is s, with how many steps, from anywhere. */
-START_TEST(test_places) {
+PH_TEST_EACH(test_places, PLACES_KINDS) {
   enum { TRIES = 20 };
   struct unit_random r = unit_random_of(1430 + (uint64_t)_i);
   size_t all = 0, calls = 0;
@@ -272,7 +267,7 @@ START_TEST(test_places) {
     struct ph_sampler sampler;
     double before = 0;
     next_curve(n, (enum places_kind)_i, &r);
-    sampler = unit_sampler(&data.curve, offset_of_data(), 1, &arena);
+    sampler = unit_sampler(&data.curve, offset_of_data(), 1, &unit_arena);
     for (int i = 1; i <= TRIES; i++) {
       double s = (i - 0.5) / TRIES * sampler.length;
       size_t steps;
@@ -290,7 +285,6 @@ START_TEST(test_places) {
   }
   ck_assert_uint_le(2 * calls, 9 * all);
 }
-END_TEST
 
 /* ---- unit and direction -------------------------------------------------- */
 
@@ -306,7 +300,7 @@ static struct ph_sample_rules rules_for(int which, double length) {
 }
 
 /* In a unit that is a power of 2 every number is the same. */
-START_TEST(test_units) {
+PH_TEST_EACH(test_units, PLACES_KINDS) {
   static const int exponents[] = {-30, 30, -200, 200};
   struct unit_random r = unit_random_of(1440 + (uint64_t)_i);
   for (int n = 0; n < unit_count(100); n++) {
@@ -329,16 +323,15 @@ START_TEST(test_units) {
     }
   }
 }
-END_TEST
 
 /* From the end of a curve to its start the places are the same. */
-START_TEST(test_reversal) {
+PH_TEST_EACH(test_reversal, PLACES_KINDS) {
   struct unit_random r = unit_random_of(1450 + (uint64_t)_i);
   for (int n = 0; n < unit_count(100); n++) {
     struct ph_sample_rules rules;
     struct ph_samples s, t;
     double length;
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
     places_random(&data, (enum places_kind)_i, &r);
     length = length_of_data();
     rules = rules_for(n % 2, length);
@@ -355,21 +348,6 @@ START_TEST(test_reversal) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sample_places");
-  TCase *tc = tcase_create("sample_places");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_set_timeout(tc, 600);
-  tcase_add_loop_test(tc, test_chords, 0, PLACES_KINDS);
-  tcase_add_loop_test(tc, test_counts, 0, PLACES_KINDS);
-  tcase_add_loop_test(tc, test_spacing, 0, PLACES_KINDS);
-  tcase_add_loop_test(tc, test_places, 0, PLACES_KINDS);
-  tcase_add_loop_test(tc, test_units, 0, PLACES_KINDS);
-  tcase_add_loop_test(tc, test_reversal, 0, PLACES_KINDS);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_chords, test_counts, test_spacing, test_places,
+              test_units, test_reversal)

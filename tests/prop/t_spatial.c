@@ -9,65 +9,55 @@
  * polygon.
  */
 #include "spatial_data.h"
-#include "spatial_unit.h"
+#include "motion.h"
 #include "unit.h"
 
 #include <float.h>
 #include <string.h>
 
-static struct spatial_solution one, other;
+static struct unit_solution one, other;
 static struct spatial_data data, image;
 
 static void finish(void) {
-  spatial_free(&one);
-  spatial_free(&other);
-}
-
-static size_t cases(int n) {
-  return (size_t)(unit_long() ? 10 * n : unit_count(n));
-}
-
-static double apart(ph_vec3 a, ph_vec3 b) {
-  return ph_vec3_abs(ph_vec3_sub(a, b));
+  unit_solution_free(&one);
+  unit_solution_free(&other);
 }
 
 /* ---- motions --------------------------------------------------------- */
 
-/* v -> scale times the turn of v, or of its mirror image in z = 0, plus
- * shift. */
-struct motion {
-  ph_quat turn;
-  double scale;
-  ph_vec3 shift;
-  bool mirror;
-};
-
-static const struct motion REST = {{1, 0, 0, 0}, 1, {0, 0, 0}, false};
-
-static ph_vec3 turned(const struct motion *m, ph_vec3 v) {
-  ph_quat q = m->turn;
-  ph_vec3 w;
-  v.z = m->mirror ? -v.z : v.z;
-  w = ph_vec3_scale(v.x, ph_quat_i(q, q));
-  w = ph_vec3_along(w, v.y, ph_quat_j(q, q));
-  return ph_vec3_scale(m->scale, ph_vec3_along(w, v.z, ph_quat_k(q, q)));
+/* Where datum and segment k of the image are from: closed curves keep their
+ * first point. */
+static size_t datum_from(const struct motion *m, size_t k) {
+  size_t n = data.n;
+  return !m->reverse ? k : data.closed ? (n - k) % n : n - 1 - k;
 }
 
-static ph_vec3 moved(const struct motion *m, ph_vec3 v) {
-  return ph_vec3_add(turned(m, v), m->shift);
+static size_t segment_from(const struct motion *m, size_t k) {
+  return m->reverse ? spatial_segments(&data) - 1 - k : k;
 }
 
+/* Backwards, tangents are negated, and theta is, about the chord as about the
+ * bisector; mirrored, all angles are. */
 static void move_data(const struct motion *m) {
+  size_t segments = spatial_segments(&data);
   image = data;
   for (size_t k = 0; k < data.n; k++) {
-    image.point[k] = moved(m, data.point[k]);
-    image.vector[k] = turned(m, data.vector[k]);
+    size_t from = datum_from(m, k);
+    image.point[k] = moved(m, data.point[from]);
+    image.vector[k] =
+        turned(m, ph_vec3_scale(m->reverse ? -1 : 1, data.vector[from]));
   }
-  for (size_t k = 0; k <= spatial_segments(&data); k++) {
-    image.knots[k] = m->scale * data.knots[k];
+  for (size_t k = 0; k < segments; k++) {
+    size_t from = segment_from(m, k);
+    double sign = m->mirror ? -1 : 1;
+    image.angles[2 * k] = (m->reverse ? -sign : sign) * data.angles[2 * from];
+    image.angles[2 * k + 1] = sign * data.angles[2 * from + 1];
+    image.alpha[k] = data.alpha[from];
+    image.tension[k] = data.tension[from];
   }
-  for (size_t k = 0; k < 2 * spatial_segments(&data) && m->mirror; k++) {
-    image.angles[k] = -data.angles[k];
+  for (size_t k = 0; k <= segments; k++) {
+    image.knots[k] =
+        m->reverse ? -data.knots[segments - k] : m->scale * data.knots[k];
   }
 }
 
@@ -75,42 +65,36 @@ static void move_data(const struct motion *m) {
 static bool solve_both(size_t which) {
   bool a = spatial_answer(&data, which, &one),
        b = spatial_answer(&image, which, &other);
-  spatial_assert(a == b, which, &data, "%s %s",
-                 a ? other.diag.message : one.diag.message,
-                 a ? "the second time" : "the first time");
+  ck_that(a == b, "%s %s", a ? other.diag.message : one.diag.message,
+          a ? "the second time" : "the first time");
   return a;
 }
 
 /* By how much control points of segment j of `other` are not those of segment
- * k of `one`, moved; relative to their control polygon.  Backwards: in the
- * opposite order. */
-static double segments_apart(const struct motion *m, size_t k, size_t j,
-                             bool backwards) {
+ * k of `one`, moved; relative to their control polygon. */
+static double segments_apart(const struct motion *m, size_t k, size_t j) {
   const struct ph_curve *a = &one.result.curve, *b = &other.result.curve;
   double away = 0;
   for (size_t i = 0; i < 6; i++) {
     ph_vec3 wanted = moved(m, spatial_point(a, k, i));
-    size_t at = backwards ? 5 - i : i;
-    away = unit_larger(away, apart(wanted, spatial_point(b, j, at)));
+    size_t at = m->reverse ? 5 - i : i;
+    away = unit_larger(away, unit_apart(wanted, spatial_point(b, j, at)));
   }
   return away / spatial_segment_size(b, j);
 }
 
 /* Segment j of `other` is segment k of `one`, moved. */
-static void ck_segment(const struct motion *m, size_t which, size_t k, size_t j,
-                       bool backwards, double tol) {
+static void ck_segment(const struct motion *m, size_t k, size_t j, double tol) {
   const struct ph_curve *a = &one.result.curve, *b = &other.result.curve;
-  double away = segments_apart(m, k, j, backwards);
-  spatial_assert(away <= tol, which, &data, "segment %zu is %.3g away", k,
-                 away);
-  spatial_assert(unit_near_rel(a->lengths[k] * m->scale, b->lengths[j], tol),
-                 which, &data, "segment %zu: lengths %.17g, %.17g", k,
-                 a->lengths[k], b->lengths[j]);
-  spatial_assert(unit_near_rel(a->choice.tension[k], b->choice.tension[j], tol),
-                 which, &data, "segment %zu: tension %.17g, %.17g", k,
-                 a->choice.tension[k], b->choice.tension[j]);
-  spatial_assert(a->choice.shape_ok[k] == b->choice.shape_ok[j], which, &data,
-                 "segment %zu: its shape is kept once", k);
+  double away = segments_apart(m, k, j);
+  ck_that(away <= tol, "segment %zu is %.3g away", k, away);
+  ck_that(unit_near_rel(a->lengths[k] * m->scale, b->lengths[j], tol),
+          "segment %zu: lengths %.17g, %.17g", k, a->lengths[k], b->lengths[j]);
+  ck_that(unit_near_rel(a->choice.tension[k], b->choice.tension[j], tol),
+          "segment %zu: tension %.17g, %.17g", k, a->choice.tension[k],
+          b->choice.tension[j]);
+  ck_that(a->choice.shape_ok[k] == b->choice.shape_ok[j],
+          "segment %zu: its shape is kept once", k);
 }
 
 /* ---- the criterion CC to 1e-14 --------------------------------------- */
@@ -140,7 +124,7 @@ static bool is_steady(void) {
   const struct ph_curve *curve = &one.result.curve;
   ph_vec3 ti = ph_vec3_unit(data.vector[0]), tf = ph_vec3_unit(data.vector[1]);
   ph_vec3 dp = data.point[1], plus = ph_vec3_add(ti, tf), di, df, w;
-  double c = 0.5 * ph_vec3_abs(plus), s = 0.5 * apart(ti, tf), x, y;
+  double c = 0.5 * ph_vec3_abs(plus), s = 0.5 * unit_apart(ti, tf), x, y;
   struct ph_atph space = ph_atph_of(data.atph ? data.alpha[0] : 0);
   double per_u = data.atph ? data.alpha[0] : 1, size;
   ph_quat a[3], q, d;
@@ -162,91 +146,49 @@ static bool is_steady(void) {
          ph_quat_abs(d) > NEAR * space.q[2] * ph_quat_abs(q);
 }
 
-/* Data and image of many segments; returns how many were compared. */
-static size_t ck_steady(uint64_t stream,
-                        void (*change)(struct unit_random *, struct motion *),
-                        bool backwards) {
-  struct unit_random r = unit_random_of(stream);
-  size_t steady = 0, n = cases(4000);
+static void scale(struct unit_random *r, struct motion *m) {
+  m->scale = pow(10, unit_random_in(r, -9, 9));
+}
+
+static void power_of_ten(struct unit_random *r, struct motion *m) {
+  m->scale = pow(10, (double)unit_random_below(r, 19) - 9);
+}
+
+static void power_of_four(struct unit_random *r, struct motion *m) {
+  m->scale = ldexp(1, 2 * ((int)unit_random_below(r, 401) - 200));
+}
+
+static void reverse(struct unit_random *r, struct motion *m) {
+  (void)r;
+  m->reverse = true;
+}
+
+static const struct {
+  const char *name;
+  void (*choose)(struct unit_random *, struct motion *);
+} steady[] = {{"turned", turn},
+              {"scaled", scale},
+              {"mirrored", mirror},
+              {"reversed", reverse}};
+
+/* Data and image of many segments. */
+PH_TEST_EACH(test_cc, sizeof steady / sizeof *steady) {
+  struct unit_random r = unit_random_of(3 + (uint64_t)_i);
+  size_t compared = 0, n = unit_cases(4000);
   for (size_t i = 0; i < n; i++) {
     struct motion m = REST;
     one_segment(&r);
-    change(&r, &m);
+    steady[_i].choose(&r, &m);
+    move_data(&m);
     if (solve_both(i) && is_steady()) {
-      steady++;
-      ck_segment(&m, i, 0, 0, backwards, 1e-14);
+      compared++;
+      ck_segment(&m, 0, 0, 1e-14);
     }
   }
-  return steady;
+  ck_assert_msg((double)compared >= 0.9 * (double)n,
+                "PH_SEED=%lu, %s: only %zu segments were compared", unit_seed(),
+                steady[_i].name, compared);
 }
-
-/* Of this share at least. */
-static void ck_share(size_t steady) {
-  ck_assert_msg((double)steady >= 0.9 * (double)cases(4000),
-                "PH_SEED=%lu: only %zu segments were compared", unit_seed(),
-                steady);
-}
-
-static void turn(struct unit_random *r, struct motion *m) {
-  m->turn = unit_random_turn(r);
-  move_data(m);
-}
-
-START_TEST(test_cc_turn) {
-  ck_share(ck_steady(3, turn, false));
-}
-END_TEST
-
-static void scale(struct unit_random *r, struct motion *m) {
-  m->scale = pow(10, unit_random_in(r, -9, 9));
-  move_data(m);
-}
-
-START_TEST(test_cc_scale) {
-  ck_share(ck_steady(4, scale, false));
-}
-END_TEST
-
-static void mirror(struct unit_random *r, struct motion *m) {
-  m->turn = unit_random_turn(r);
-  m->mirror = true;
-  move_data(m);
-}
-
-START_TEST(test_cc_mirror) {
-  ck_share(ck_steady(5, mirror, false));
-}
-END_TEST
-
-/* Run through backwards: tangents are negated, and theta is, about the chord as
- * about the bisector. */
-static void reverse(struct unit_random *r, struct motion *m) {
-  size_t n = data.n, segments = spatial_segments(&data);
-  (void)r;
-  (void)m;
-  image = data;
-  for (size_t k = 0; k < n; k++) {
-    /* closed curves keep their first point */
-    size_t from = data.closed ? (n - k) % n : n - 1 - k;
-    image.point[k] = data.point[from];
-    image.vector[k] = ph_vec3_scale(-1, data.vector[from]);
-  }
-  for (size_t k = 0; k < segments; k++) {
-    size_t from = segments - 1 - k;
-    image.angles[2 * k] = -data.angles[2 * from];
-    image.angles[2 * k + 1] = data.angles[2 * from + 1];
-    image.alpha[k] = data.alpha[from];
-    image.tension[k] = data.tension[from];
-  }
-  for (size_t k = 0; k <= segments; k++) {
-    image.knots[k] = -data.knots[segments - k];
-  }
-}
-
-START_TEST(test_cc_reverse) {
-  ck_share(ck_steady(6, reverse, true));
-}
-END_TEST
 
 /* ---- any problem ----------------------------------------------------- */
 
@@ -279,81 +221,52 @@ static void invariant(struct unit_random *r, struct spatial_data *d) {
 
 /* What two solutions of one problem may differ by, for whatever criterion:
  * 6e-13 in 100000 problems. */
-static const double SAME = 1e-10;
+#define SAME 1e-10
 
 /* Every segment of `other` is that of `one`, moved. */
-static void ck_moved(const struct motion *m, size_t which, double tol) {
+static void ck_moved(const struct motion *m, double tol) {
   size_t n = one.result.curve.n;
   for (size_t k = 0; k < n; k++) {
-    ck_segment(m, which, k, k, false, tol);
+    ck_segment(m, segment_from(m, k), k, tol);
   }
 }
 
-static void power_of_four(struct unit_random *r, struct motion *m) {
-  m->scale = ldexp(1, 2 * ((int)unit_random_below(r, 401) - 200));
-}
+static const struct {
+  const char *name;
+  void (*choose)(struct unit_random *, struct motion *);
+  uint64_t stream;
+  double tol;
+} changes[] = {
+    /* a power of four has a root: not a digit differs, of no family */
+    {"scaled by a power of four", power_of_four, 7, 0},
+    {"scaled by a power of ten", power_of_ten, 8, SAME},
+    {"turned", turn, 9, SAME},
+    {"mirrored", mirror, 10, SAME},
+    {"reversed", reverse, 12, SAME}};
 
-/* A power of four has a root: not a digit differs, of no family. */
-START_TEST(test_scale_four) {
-  struct unit_random r = unit_random_of(7);
-  for (size_t i = 0; i < cases(600); i++) {
+PH_TEST_EACH(test_motion, sizeof changes / sizeof *changes) {
+  struct unit_random r = unit_random_of(changes[_i].stream);
+  for (size_t i = 0; i < unit_cases(600); i++) {
     struct motion m = REST;
-    spatial_any(&r, 6, &data);
-    power_of_four(&r, &m);
+    if (changes[_i].tol > 0) {
+      invariant(&r, &data);
+    } else {
+      spatial_any(&r, 6, &data);
+    }
+    changes[_i].choose(&r, &m);
     move_data(&m);
     if (solve_both(i)) {
-      ck_moved(&m, i, 0);
+      ck_moved(&m, changes[_i].tol);
     }
   }
 }
-END_TEST
-
-START_TEST(test_scale_ten) {
-  struct unit_random r = unit_random_of(8);
-  for (size_t i = 0; i < cases(600); i++) {
-    struct motion m = REST;
-    invariant(&r, &data);
-    m.scale = pow(10, (double)unit_random_below(&r, 19) - 9);
-    move_data(&m);
-    if (solve_both(i)) {
-      ck_moved(&m, i, SAME);
-    }
-  }
-}
-END_TEST
-
-START_TEST(test_turn) {
-  struct unit_random r = unit_random_of(9);
-  for (size_t i = 0; i < cases(600); i++) {
-    struct motion m = REST;
-    invariant(&r, &data);
-    turn(&r, &m);
-    if (solve_both(i)) {
-      ck_moved(&m, i, SAME);
-    }
-  }
-}
-END_TEST
-
-START_TEST(test_mirror) {
-  struct unit_random r = unit_random_of(10);
-  for (size_t i = 0; i < cases(600); i++) {
-    struct motion m = REST;
-    invariant(&r, &data);
-    mirror(&r, &m);
-    if (solve_both(i)) {
-      ck_moved(&m, i, SAME);
-    }
-  }
-}
-END_TEST
 
 /* Points of 20 binary digits after the point, moved by as many before it: the
  * chords do not change, and so do lengths and tensions; control points are
  * rounded elsewhere. */
-START_TEST(test_translate) {
+PH_TEST(test_translate) {
   struct unit_random r = unit_random_of(11);
-  for (size_t i = 0; i < cases(600); i++) {
+  for (size_t i = 0; i < unit_cases(600); i++) {
     struct motion m = REST;
     const double unit = 0x1p-20, far = 0x1p20;
     spatial_of(&r, SPATIAL_RANDOM, 6, &data);
@@ -369,39 +282,22 @@ START_TEST(test_translate) {
     move_data(&m);
     for (size_t k = 0; solve_both(i) && k < one.result.curve.n; k++) {
       const struct ph_curve *a = &one.result.curve, *b = &other.result.curve;
-      double away = segments_apart(&m, k, k, false) *
+      double away = segments_apart(&m, k, k) *
                     spatial_segment_size(&other.result.curve, k);
-      spatial_assert(away <= 2 * spatial_rounding(b, k), i, &data,
-                     "segment %zu is %.3g away", k, away);
-      spatial_assert(unit_same(a->lengths[k], b->lengths[k]) &&
-                         unit_same(a->choice.tension[k], b->choice.tension[k]),
-                     i, &data, "segment %zu: lengths %.17g, %.17g", k,
-                     a->lengths[k], b->lengths[k]);
+      ck_that(away <= 2 * spatial_rounding(b, k), "segment %zu is %.3g away", k,
+              away);
+      ck_that(unit_same(a->lengths[k], b->lengths[k]) &&
+                  unit_same(a->choice.tension[k], b->choice.tension[k]),
+              "segment %zu: lengths %.17g, %.17g", k, a->lengths[k],
+              b->lengths[k]);
     }
   }
 }
-END_TEST
-
-START_TEST(test_reverse) {
-  struct unit_random r = unit_random_of(12);
-  for (size_t i = 0; i < cases(600); i++) {
-    struct motion m = REST;
-    invariant(&r, &data);
-    reverse(&r, &m);
-    if (solve_both(i)) {
-      size_t n = one.result.curve.n;
-      for (size_t k = 0; k < n; k++) {
-        ck_segment(&m, i, k, n - 1 - k, true, SAME);
-      }
-    }
-  }
-}
-END_TEST
 
 /* A closed curve that begins at another of its points: not a digit differs. */
-START_TEST(test_other_start) {
+PH_TEST(test_other_start) {
   struct unit_random r = unit_random_of(13);
-  for (size_t i = 0; i < cases(600); i++) {
+  for (size_t i = 0; i < unit_cases(600); i++) {
     size_t first;
     do {
       spatial_any(&r, 8, &data);
@@ -420,12 +316,11 @@ START_TEST(test_other_start) {
     }
     if (solve_both(i)) {
       for (size_t k = 0; k < data.n; k++) {
-        ck_segment(&REST, i, (first + k) % data.n, k, false, 0);
+        ck_segment(&REST, (first + k) % data.n, k, 0);
       }
     }
   }
 }
-END_TEST
 
 /* Whether segment k has point j, or a tangent that was found from it. */
 static bool depends_on(const struct spatial_data *d, size_t k, size_t j) {
@@ -451,10 +346,10 @@ static bool is_near_line(const struct ph_curve *c, size_t k) {
 
 /* Where a point and its vector change, the curve changes nearby: of all other
  * segments not a digit. */
-START_TEST(test_neighbours) {
+PH_TEST(test_neighbours) {
   struct unit_random r = unit_random_of(14);
   size_t compared = 0;
-  for (size_t i = 0; i < cases(600); i++) {
+  for (size_t i = 0; i < unit_cases(600); i++) {
     size_t j;
     do {
       spatial_any(&r, 12, &data);
@@ -464,40 +359,19 @@ START_TEST(test_neighbours) {
     image.point[j] = ph_vec3_add(data.point[j], unit_random_direction(&r));
     image.vector[j] =
         ph_vec3_scale(ph_vec3_abs(data.vector[j]), unit_random_direction(&r));
-    if (spatial_solve(&data, &one) != PH_OK ||
-        spatial_solve(&image, &other) != PH_OK) {
+    if (spatial_solve(&data, i, &one) != PH_OK ||
+        spatial_solve(&image, i, &other) != PH_OK) {
       continue;
     }
     for (size_t k = 0; k < one.result.curve.n; k++) {
       if (!depends_on(&data, k, j) && !is_near_line(&one.result.curve, k)) {
         compared++;
-        ck_segment(&REST, i, k, k, false, 0);
+        ck_segment(&REST, k, k, 0);
       }
     }
   }
-  ck_assert_uint_ge(compared, cases(600));
-}
-END_TEST
-
-static Suite *suite(void) {
-  Suite *s = suite_create("spatial properties");
-  TCase *tc = tcase_create("spatial properties");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_set_timeout(tc, 600);
-  tcase_add_test(tc, test_cc_turn);
-  tcase_add_test(tc, test_cc_scale);
-  tcase_add_test(tc, test_cc_mirror);
-  tcase_add_test(tc, test_cc_reverse);
-  tcase_add_test(tc, test_scale_four);
-  tcase_add_test(tc, test_scale_ten);
-  tcase_add_test(tc, test_turn);
-  tcase_add_test(tc, test_mirror);
-  tcase_add_test(tc, test_translate);
-  tcase_add_test(tc, test_reverse);
-  tcase_add_test(tc, test_other_start);
-  tcase_add_test(tc, test_neighbours);
-  suite_add_tcase(s, tc);
-  return s;
+  ck_assert_uint_ge(compared, unit_cases(600));
 }
 
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_cc, test_motion, test_translate,
+              test_other_start, test_neighbours)

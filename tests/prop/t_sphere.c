@@ -8,7 +8,7 @@
  *
  * The seed is 1, or PH_SEED; PH_LONG=1 takes ten times as many data.
  */
-#include "spatial_unit.h"
+#include "motion.h"
 #include "sphere_data.h"
 #include "unit.h"
 
@@ -18,16 +18,12 @@
 
 #include <float.h>
 
-static struct sphere_solution one, other;
+static struct unit_solution one, other;
 static struct sphere_data data, image;
 
 static void finish(void) {
-  sphere_free(&one);
-  sphere_free(&other);
-}
-
-static size_t cases(int n) {
-  return (size_t)(unit_long() ? 10 * n : unit_count(n));
+  unit_solution_free(&one);
+  unit_solution_free(&other);
 }
 
 static void ck_share(size_t solved, size_t n, double share) {
@@ -38,25 +34,6 @@ static void ck_share(size_t solved, size_t n, double share) {
 }
 
 /* ---- motions ------------------------------------------------------------- */
-
-/* The turn of v, or of its mirror image in z = 0; closed data begin with point
- * `first`, all data end with the first if reversed. */
-struct motion {
-  ph_quat turn;
-  bool mirror, reverse;
-  size_t first;
-};
-
-static const struct motion REST = {{1, 0, 0, 0}, false, false, 0};
-
-static ph_vec3 moved(const struct motion *m, ph_vec3 v) {
-  ph_quat q = m->turn;
-  ph_vec3 w;
-  v.z = m->mirror ? -v.z : v.z;
-  w = ph_vec3_scale(v.x, ph_quat_i(q, q));
-  w = ph_vec3_along(w, v.y, ph_quat_j(q, q));
-  return ph_vec3_along(w, v.z, ph_quat_k(q, q));
-}
 
 /* Where node i and segment k of the image are from. */
 static size_t node_from(const struct motion *m, size_t i) {
@@ -97,15 +74,6 @@ static double away(const struct motion *m) {
   return worst;
 }
 
-static void turn(struct unit_random *r, struct motion *m) {
-  m->turn = unit_random_turn(r);
-}
-
-static void mirror(struct unit_random *r, struct motion *m) {
-  m->turn = unit_random_turn(r);
-  m->mirror = true;
-}
-
 static void reverse(struct unit_random *r, struct motion *m) {
   m->first = data.closed ? unit_random_below(r, data.n) : 0;
   m->reverse = true;
@@ -131,8 +99,8 @@ static void invariant(struct unit_random *r, size_t change) {
 
 /* Control points agree to rounding: at tensions that are given the equations
  * have one solution nearby, and Newton's iteration ends at rounding. */
-START_TEST(test_motion) {
-  size_t change = (size_t)_i, solved = 0, n = cases(100);
+PH_TEST_EACH(test_motion, CHANGES) {
+  size_t change = (size_t)_i, solved = 0, n = unit_cases(100);
   struct unit_random r = unit_random_of(1 + change);
   for (size_t i = 0; i < n; i++) {
     struct motion m = REST;
@@ -143,20 +111,19 @@ START_TEST(test_motion) {
       move_data(&m);
       sphere_must(&image, i, &other);
       worst = away(&m);
-      sphere_assert(worst <= 1e-12, i, &data, "it is %.3g away", worst);
+      ck_that(worst <= 1e-12, "it is %.3g away", worst);
       solved++;
     }
   }
   ck_share(solved, n, 0.9);
 }
-END_TEST
 
 /* Tensions are a local minimum that a sequence of linear programs comes to, and
  * it ends where a step gains next to nothing: rounding may end it a step
  * earlier.  So it is the sum, not each of them, that must agree, and not to the
  * last digit. */
-START_TEST(test_motion_of_shape) {
-  size_t change = (size_t)_i, solved = 0, n = cases(20);
+PH_TEST_EACH(test_motion_of_shape, CHANGES) {
+  size_t change = (size_t)_i, solved = 0, n = unit_cases(20);
   struct unit_random r = unit_random_of(11 + change);
   for (size_t i = 0; i < n; i++) {
     struct motion m = REST;
@@ -169,19 +136,17 @@ START_TEST(test_motion_of_shape) {
       sphere_must(&image, i, &other);
       a = one.result.diagnostics.value[PH_D_TENSION_SUM];
       b = other.result.diagnostics.value[PH_D_TENSION_SUM];
-      sphere_assert(unit_near_rel(a, b, 0.01), i, &data, "%.17g and %.17g", a,
-                    b);
+      ck_that(unit_near_rel(a, b, 0.01), "%.17g and %.17g", a, b);
       solved++;
     }
   }
   ck_share(solved, n, 0.6);
 }
-END_TEST
 
 /* Raised in steps they are the same, to the last digit; of a tension that is
  * just enough rounding could make another, but none of these data has one. */
-START_TEST(test_motion_of_steps) {
-  size_t change = (size_t)_i, solved = 0, n = cases(20);
+PH_TEST_EACH(test_motion_of_steps, CHANGES) {
+  size_t change = (size_t)_i, solved = 0, n = unit_cases(20);
   struct unit_random r = unit_random_of(21 + change);
   for (size_t i = 0; i < n; i++) {
     struct motion m = REST;
@@ -196,28 +161,27 @@ START_TEST(test_motion_of_steps) {
       for (size_t k = 0; k < data.n; k++) {
         double a = one.result.curve.sphere.tensions[node_from(&m, k)];
         double b = other.result.curve.sphere.tensions[k];
-        sphere_assert(unit_near_rel(a, b, 1e-12), i, &data,
-                      "tensions[%zu]: %.17g and %.17g", k, a, b);
+        ck_that(unit_near_rel(a, b, 1e-12), "tensions[%zu]: %.17g and %.17g", k,
+                a, b);
       }
-      sphere_assert(away(&m) <= 1e-9, i, &data, "it is %.3g away", away(&m));
+      ck_that(away(&m) <= 1e-9, "it is %.3g away", away(&m));
       solved++;
     }
   }
   ck_share(solved, n, 0.6);
 }
-END_TEST
 
 /* Whatever was solved before, in the same memory: not a digit differs. */
-START_TEST(test_neighbours) {
+PH_TEST(test_neighbours) {
   struct unit_random r = unit_random_of(31);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     bool a, b;
     sphere_any(&r, &image);
     sphere_any(&r, &data);
     a = sphere_solve(&data, i, &one);
     sphere_solve(&image, i, &other);
     b = sphere_solve(&data, i, &other);
-    sphere_assert(a == b, i, &data, "%s", b ? "once" : "not again");
+    ck_that(a == b, "%s", b ? "once" : "not again");
     if (a) {
       const struct ph_curve *x = &one.result.curve, *y = &other.result.curve;
       ck_assert_mem_eq(x->control_points, y->control_points,
@@ -229,14 +193,13 @@ START_TEST(test_neighbours) {
     }
   }
 }
-END_TEST
 
 /* ---- other spheres, other words ------------------------------------------ */
 
 /* Another sphere: the same curve, as far as its coordinates have the digits. */
-START_TEST(test_sphere) {
+PH_TEST(test_sphere) {
   struct unit_random r = unit_random_of(32);
-  for (size_t i = 0; i < cases(100); i++) {
+  for (size_t i = 0; i < unit_cases(100); i++) {
     double worst, far;
     sphere_of(&r, (enum sphere_family)unit_random_below(&r, SPHERE_FARTHEST),
               3 + unit_random_below(&r, 8), &data);
@@ -250,17 +213,15 @@ START_TEST(test_sphere) {
     image.center = ph_vec3_scale(far * image.radius, unit_random_direction(&r));
     sphere_must(&image, i, &other);
     worst = away(&REST);
-    sphere_assert(worst <= 1e-12 * (1 + far), i, &image, "it is %.3g away",
-                  worst);
+    ck_that(worst <= 1e-12 * (1 + far), "it is %.3g away", worst);
     ck_rel(one.result.curve.length * image.radius, other.result.curve.length,
            1e-11 * (1 + far));
   }
 }
-END_TEST
 
-START_TEST(test_lonlat) {
+PH_TEST(test_lonlat) {
   struct unit_random r = unit_random_of(33);
-  for (size_t i = 0; i < cases(50); i++) {
+  for (size_t i = 0; i < unit_cases(50); i++) {
     double worst;
     sphere_of(&r, i % 2 ? SPHERE_WALK : SPHERE_RING, 8, &data);
     sphere_must(&data, i, &one);
@@ -268,16 +229,15 @@ START_TEST(test_lonlat) {
     image.lonlat = true;
     sphere_must(&image, i, &other);
     worst = away(&REST);
-    sphere_assert(worst <= 1e-12, i, &data, "it is %.3g away", worst);
+    ck_that(worst <= 1e-12, "it is %.3g away", worst);
   }
 }
-END_TEST
 
 /* Tensions that grow: the curve comes nearer to the great circles between the
  * points, as 1 / tension. */
-START_TEST(test_large_tension) {
+PH_TEST(test_large_tension) {
   struct unit_random r = unit_random_of(34);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     double step[SPHERE_MAX], sum = 0, before = HUGE_VAL;
     sphere_of(&r, (enum sphere_family)(i % SPHERE_CIRCLE), 8, &data);
     data.model = i % 2 ? "nielson" : "exact";
@@ -289,20 +249,18 @@ START_TEST(test_large_tension) {
       data.tension = pow(10, e);
       sphere_must(&data, i, &one);
       more = one.result.curve.length / sum - 1;
-      sphere_assert(more <= 0.2 * before, i, &data, "%.3g longer, before %.3g",
-                    more, before);
+      ck_that(more <= 0.2 * before, "%.3g longer, before %.3g", more, before);
       before = more;
     }
   }
 }
-END_TEST
 
 /* ---- great circles ------------------------------------------------------- */
 
 /* Points on a great circle, one after the other: the great circle. */
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   struct unit_random r = unit_random_of(35);
-  for (size_t i = 0; i < cases(50); i++) {
+  for (size_t i = 0; i < unit_cases(50); i++) {
     double step[SPHERE_MAX], sum = 0;
     ph_vec3 pole;
     sphere_of(&r, SPHERE_CIRCLE, 2 + unit_random_below(&r, 10), &data);
@@ -317,19 +275,17 @@ START_TEST(test_circle) {
     sphere_must(&data, i, &one);
     for (size_t k = 0; k < 4 * one.result.curve.n; k++) {
       double off = ph_vec3_dot(pole, sphere_point(&one, k / 4, k % 4));
-      sphere_assert(fabs(off) <= 1e-12, i, &data, "%.3g off", off);
+      ck_that(fabs(off) <= 1e-12, "%.3g off", off);
     }
     for (size_t k = 1; k + 1 < data.n; k++) {
       ck_assert_int_eq(one.result.curve.sphere.indicators[k], 0);
-      sphere_assert(
-          unit_same(one.result.curve.sphere.tensions[k], data.tension), i,
-          &data, "tensions[%zu] is raised", k);
+      ck_that(unit_same(one.result.curve.sphere.tensions[k], data.tension),
+              "tensions[%zu] is raised", k);
     }
-    sphere_assert(unit_near_rel(one.result.curve.length, sum, 1e-12), i, &data,
-                  "length %.17g, not %.17g", one.result.curve.length, sum);
+    ck_that(unit_near_rel(one.result.curve.length, sum, 1e-12),
+            "length %.17g, not %.17g", one.result.curve.length, sum);
   }
 }
-END_TEST
 
 /* ---- shape --------------------------------------------------------------- */
 
@@ -360,7 +316,7 @@ static double least_bend(size_t k, int q) {
   return least / most;
 }
 
-static void ck_shape(size_t which) {
+static void ck_shape(void) {
   const struct ph_curve *c = &one.result.curve;
   for (size_t k = 0; k < c->n; k++) {
     size_t next = k + 1 < data.n ? k + 1 : 0;
@@ -368,25 +324,25 @@ static void ck_shape(size_t which) {
     struct ph_spherical s = ph_spherical_of(c, k);
     double ends[2] = {ph_spherical_curvature(&s, 0),
                       ph_spherical_curvature(&s, 1)};
-    sphere_assert(from == 0 || from == c->sphere.indicators[k], which, &data,
-                  "indicators[%zu] is %d", k, c->sphere.indicators[k]);
+    ck_that(from == 0 || from == c->sphere.indicators[k],
+            "indicators[%zu] is %d", k, c->sphere.indicators[k]);
     if (from * to > 0) {
       double least = least_bend(k, from);
-      sphere_assert(least >= -1e-9, which, &data,
-                    "segment %zu bends by %.3g of its curvature", k, least);
+      ck_that(least >= -1e-9, "segment %zu bends by %.3g of its curvature", k,
+              least);
     }
-    sphere_assert(from == 0 || from * ends[0] >= -1e-9, which, &data,
-                  "node %zu bends by %.3g", k, ends[0]);
-    sphere_assert(to == 0 || to * ends[1] >= -1e-9, which, &data,
-                  "node %zu bends by %.3g", next, ends[1]);
+    ck_that(from == 0 || from * ends[0] >= -1e-9, "node %zu bends by %.3g", k,
+            ends[0]);
+    ck_that(to == 0 || to * ends[1] >= -1e-9, "node %zu bends by %.3g", next,
+            ends[1]);
   }
 }
 
 /* With shape the criteria hold wherever the curve is looked at.  Only clamped
  * ends, not among these, can ask for what no tension gives. */
-START_TEST(test_shape) {
+PH_TEST(test_shape) {
   struct unit_random r = unit_random_of(36);
-  size_t n = cases(60), solved = 0;
+  size_t n = unit_cases(60), solved = 0;
   for (size_t i = 0; i < n; i++) {
     sphere_of(&r, (enum sphere_family)(i % SPHERE_FAMILY_N),
               4 + unit_random_below(&r, 9), &data);
@@ -395,17 +351,16 @@ START_TEST(test_shape) {
     data.shape = true;
     if (sphere_solve(&data, i, &one)) {
       solved++;
-      ck_shape(i);
+      ck_shape();
     }
   }
   ck_share(solved, n, 0.9);
 }
-END_TEST
 
 /* Nodes amid a great circle: it is not left by more than epsilon allows. */
-START_TEST(test_runs) {
+PH_TEST(test_runs) {
   struct unit_random r = unit_random_of(37);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     sphere_of(&r, SPHERE_RUNS, 10, &data);
     data.shape = true;
     sphere_must(&data, i, &one);
@@ -414,21 +369,20 @@ START_TEST(test_runs) {
       double kappa = ph_spherical_curvature(&s, 0);
       ph_vec3 way = ph_vec3_cross(data.point[k - 1], data.point[k]);
       double turned = ph_vec3_dot(way, data.point[k + 1]);
-      sphere_assert(fabs(turned) > 1e-12 || fabs(kappa) <= 0.01, i, &data,
-                    "curvature %.3g at node %zu", kappa, k);
+      ck_that(fabs(turned) > 1e-12 || fabs(kappa) <= 0.01,
+              "curvature %.3g at node %zu", kappa, k);
     }
   }
 }
-END_TEST
 
 /* ---- lengths, offsets ---------------------------------------------------- */
 
 /* Samples: arc length grows, and is that of the distances between them. */
-START_TEST(test_samples) {
+PH_TEST(test_samples) {
   static const struct ph_sample_rules rules = {.how = PH_SAMPLE_PARAMETER,
                                                .n = 50};
   struct unit_random r = unit_random_of(38);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     struct ph_samples s = {0};
     struct ph_diag diag;
     sphere_any(&r, &data);
@@ -444,23 +398,21 @@ START_TEST(test_samples) {
       double ds = s.s[k] - s.s[k - 1], chord = ph_vec3_abs(ph_vec3_sub(b, a));
       double noise = 16 * DBL_EPSILON *
                      (ph_vec3_abs(a) + ph_vec3_abs(data.center) + s.s[k]);
-      sphere_assert(ds >= -noise && ds >= chord - noise - 1e-11 * s.s[k], i,
-                    &data, "s grows by %.17g along a chord of %.17g", ds,
-                    chord);
+      ck_that(ds >= -noise && ds >= chord - noise - 1e-11 * s.s[k],
+              "s grows by %.17g along a chord of %.17g", ds, chord);
     }
-    sphere_assert(unit_same(s.s[s.n - 1], one.result.curve.length), i, &data,
-                  "s ends at %.17g, not %.17g", s.s[s.n - 1],
-                  one.result.curve.length);
+    ck_that(unit_same(s.s[s.n - 1], one.result.curve.length),
+            "s ends at %.17g, not %.17g", s.s[s.n - 1],
+            one.result.curve.length);
   }
 }
-END_TEST
 
 /* From an offset by its own samples back to the curve. */
-START_TEST(test_offset_and_back) {
+PH_TEST(test_offset_and_back) {
   static const struct ph_offset_rules rules = {
       .samples = {.how = PH_SAMPLE_PARAMETER, .n = 20}};
   struct unit_random r = unit_random_of(39);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     double d = unit_random_in(&r, -1.5, 1.5), c = cos(d), s = sin(d);
     struct ph_samples on = {0};
     struct ph_offset offset = {0};
@@ -485,41 +437,38 @@ START_TEST(test_offset_and_back) {
       ph_vec3 back =
           ph_vec3_along(ph_vec3_scale(c, o), -forward * s, ph_vec3_cross(o, v));
       apart = ph_vec3_abs(ph_vec3_sub(back, p));
-      sphere_assert(apart <= 1e-13, i, &data, "%.3g away", apart);
-      sphere_assert(unit_near(fabs(d), ph_s2_angle(p, o), 1e-14), i, &data,
-                    "distance %.17g, not %.17g", ph_s2_angle(p, o), d);
+      ck_that(apart <= 1e-13, "%.3g away", apart);
+      ck_that(unit_near(fabs(d), ph_s2_angle(p, o), 1e-14),
+              "distance %.17g, not %.17g", ph_s2_angle(p, o), d);
       /* kappa is cot of the angle to the center of curvature */
       turned = atan2(1, forward * turned) + d;
-      sphere_assert(fabs(sin(turned - atan2(1, kappa))) <= 1e-9, i, &data,
-                    "curvatures %.17g and %.17g", kappa,
-                    offset.samples.curvature[k]);
+      ck_that(fabs(sin(turned - atan2(1, kappa))) <= 1e-9,
+              "curvatures %.17g and %.17g", kappa, offset.samples.curvature[k]);
     }
   }
 }
-END_TEST
 
 /* ---- anything ------------------------------------------------------------ */
 
 /* Random paths of 8 points without tension: the exact model has a spline
  * through all of them up to 2.2, and through nearly all up to 3. */
-START_TEST(test_paths) {
+PH_TEST_EACH(test_paths, 3) {
   static const enum sphere_family families[] = {SPHERE_WALK, SPHERE_FAR,
                                                 SPHERE_FARTHEST};
   struct unit_random r = unit_random_of(40 + (uint64_t)_i);
   bool few = unit_count(10) < 10;
-  size_t solved = 0, n = cases(_i == 1 && !few ? 1000 : 200);
+  size_t solved = 0, n = unit_cases(_i == 1 && !few ? 1000 : 200);
   for (size_t i = 0; i < n; i++) {
     sphere_of(&r, families[_i], 8, &data);
     solved += sphere_solve(&data, i, &one);
   }
   ck_share(solved, n, _i < 2 ? 1 : 0.95);
 }
-END_TEST
 
 /* A curve that is right, or none: sphere_solve looks.  Most have one. */
-START_TEST(test_any) {
+PH_TEST(test_any) {
   struct unit_random r = unit_random_of(50);
-  size_t solved = 0, refused = 0, n = cases(300);
+  size_t solved = 0, refused = 0, n = unit_cases(300);
   for (size_t i = 0; i < n; i++) {
     sphere_any(&r, &data);
     solved += sphere_solve(&data, i, &one);
@@ -528,29 +477,8 @@ START_TEST(test_any) {
   ck_share(solved, n, 0.75);
   ck_share(n - refused, n, 0.98);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sphere properties");
-  TCase *tc = tcase_create("sphere properties");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_set_timeout(tc, 600);
-  tcase_add_loop_test(tc, test_motion, 0, CHANGES);
-  tcase_add_loop_test(tc, test_motion_of_shape, 0, CHANGES);
-  tcase_add_loop_test(tc, test_motion_of_steps, 0, CHANGES);
-  tcase_add_test(tc, test_neighbours);
-  tcase_add_test(tc, test_sphere);
-  tcase_add_test(tc, test_lonlat);
-  tcase_add_test(tc, test_large_tension);
-  tcase_add_test(tc, test_circle);
-  tcase_add_test(tc, test_shape);
-  tcase_add_test(tc, test_runs);
-  tcase_add_test(tc, test_samples);
-  tcase_add_test(tc, test_offset_and_back);
-  tcase_add_loop_test(tc, test_paths, 0, 3);
-  tcase_add_test(tc, test_any);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_motion, test_motion_of_shape,
+              test_motion_of_steps, test_neighbours, test_sphere, test_lonlat,
+              test_large_tension, test_circle, test_shape, test_runs,
+              test_samples, test_offset_and_back, test_paths, test_any)

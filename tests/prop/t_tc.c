@@ -13,16 +13,12 @@
 #include "kernel/pi.h"
 #include "solve/tc/tc.h"
 
-static struct tc_solution one, other;
+static struct unit_solution one, other;
 static struct tc_data data, image;
 
 static void finish(void) {
-  tc_free(&one);
-  tc_free(&other);
-}
-
-static size_t cases(size_t n) {
-  return unit_long() ? 10 * n : (size_t)unit_count((int)n);
+  unit_solution_free(&one);
+  unit_solution_free(&other);
 }
 
 /* ---- motions ------------------------------------------------------------- */
@@ -93,8 +89,8 @@ static double interval_away(const struct motion *m, size_t k) {
   const struct ph_interval *a = &one.result.intervals[interval_from(m, k)];
   const struct ph_interval *b = &other.result.intervals[k];
   double worst = 0;
-  tc_assert(b->root == root_from(m, a->root), k, &data, "roots %d and %d",
-            (int)a->root, (int)b->root);
+  ck_that(b->root == root_from(m, a->root), "roots %d and %d", (int)a->root,
+          (int)b->root);
   ck_assert_uint_eq(a->last - a->first, b->last - b->first);
   for (size_t i = 0; i < 4 * (b->last - b->first + 1); i++) {
     size_t j = m->reverse ? 4 * (a->last + 1) - 1 - i : 4 * a->first + i;
@@ -105,9 +101,9 @@ static double interval_away(const struct motion *m, size_t k) {
   return worst / b->length;
 }
 
-static double diagnostic(const struct tc_solution *s,
+static double diagnostic(const struct unit_solution *s,
                          enum ph_diagnostic which) {
-  return tc_diagnostic(&s->result.diagnostics, which);
+  return unit_diagnostic(&s->result.diagnostics, which);
 }
 
 /* The image has the curve of the data, moved. */
@@ -118,10 +114,9 @@ static void ck_moved(const struct motion *m, double tol, size_t which) {
   for (size_t k = 0; k < tc_intervals(&data); k++) {
     away = unit_larger(away, interval_away(m, k));
   }
-  tc_assert(away <= tol, which, &data, "it is %.3g away", away);
-  tc_assert(unit_near_rel(other.result.curve.length, scale * length, tol),
-            which, &data, "length %.17g, not %.17g", other.result.curve.length,
-            scale * length);
+  ck_that(away <= tol, "it is %.3g away", away);
+  ck_that(unit_near_rel(other.result.curve.length, scale * length, tol),
+          "length %.17g, not %.17g", other.result.curve.length, scale * length);
   /* far away a loop may be no larger than what coordinates are rounded by */
   if (ph_cplx_abs(m->shift) < 100) {
     ck_abs(diagnostic(&other, PH_D_LOOPS), diagnostic(&one, PH_D_LOOPS), 0);
@@ -132,8 +127,8 @@ static void ck_moved(const struct motion *m, double tol, size_t which) {
   bend = diagnostic(&one, PH_D_MAX_CURVATURE) * length;
   /* it is computed at the scale of the curve, a straight line's to rounding */
   tol = unit_larger(tol, 1e-11);
-  tc_assert(unit_near(found, energy, tol * (1 + bend) * (1e-12 + energy)),
-            which, &data, "energy * length %.17g, not %.17g", found, energy);
+  ck_that(unit_near(found, energy, tol * (1 + bend) * (1e-12 + energy)),
+          "energy * length %.17g, not %.17g", found, energy);
 }
 
 /* What two solutions of one problem may differ by: they are closed formulas,
@@ -191,10 +186,10 @@ static const struct {
                {scale_exactly, true}};
 enum { CHANGES = sizeof changes / sizeof *changes };
 
-START_TEST(test_motion) {
+PH_TEST_EACH(test_motion, CHANGES) {
   struct unit_random r = unit_random_of(1 + (uint64_t)_i);
   size_t solved = 0;
-  for (size_t i = 0; i < cases(15 * TC_FAMILY_N); i++) {
+  for (size_t i = 0; i < unit_cases(15 * TC_FAMILY_N); i++) {
     struct motion m = REST;
     double tol;
     tc_of(&r, (enum tc_family)(i % TC_FAMILY_N), &data);
@@ -207,18 +202,16 @@ START_TEST(test_motion) {
       ck_moved(&m, tol, i);
       solved++;
     } else {
-      tc_assert(!tc_solve(&image, i, &other), i, &data, "%s",
-                "the image has a solution");
+      ck_that(!tc_solve(&image, i, &other), "the image has a solution");
     }
   }
-  ck_assert_uint_gt(solved, cases(10 * TC_FAMILY_N));
+  ck_assert_uint_gt(solved, unit_cases(10 * TC_FAMILY_N));
 }
-END_TEST
 
 /* Far away the control points are rounded, but nothing else is. */
-START_TEST(test_far_lengths) {
+PH_TEST(test_far_lengths) {
   struct unit_random r = unit_random_of(21);
-  for (size_t i = 0; i < cases(60); i++) {
+  for (size_t i = 0; i < unit_cases(60); i++) {
     struct motion m = REST;
     tc_of(&r, i % 2 ? TC_SPLINE : TC_C1, &data);
     far(&r, &m);
@@ -228,19 +221,18 @@ START_TEST(test_far_lengths) {
     ck_rel(one.result.curve.length, other.result.curve.length, 0);
   }
 }
-END_TEST
 
 /* Whatever was solved before, in the same memory: not a digit differs. */
-START_TEST(test_neighbours) {
+PH_TEST(test_neighbours) {
   struct unit_random r = unit_random_of(22);
-  for (size_t i = 0; i < cases(4 * TC_FAMILY_N); i++) {
+  for (size_t i = 0; i < unit_cases(4 * TC_FAMILY_N); i++) {
     bool a, b;
     tc_of(&r, (enum tc_family)unit_random_below(&r, TC_FAMILY_N), &image);
     tc_of(&r, (enum tc_family)(i % TC_FAMILY_N), &data);
     a = tc_solve(&data, i, &one);
     tc_solve(&image, i, &other);
     b = tc_solve(&data, i, &other);
-    tc_assert(a == b, i, &data, "%s", b ? "once" : "not again");
+    ck_that(a == b, "%s", b ? "once" : "not again");
     if (a) {
       const struct ph_curve *x = &one.result.curve, *y = &other.result.curve;
       ck_assert_uint_eq(x->n, y->n);
@@ -251,7 +243,6 @@ START_TEST(test_neighbours) {
     }
   }
 }
-END_TEST
 
 /* ---- one cubic -------------------------------------------------------------
  */
@@ -264,10 +255,10 @@ static double angle_to_chord(size_t i) {
 
 /* As many solutions as the angles allow, and the best one first.  (Near the
  * chord loops are as small as rounding.) */
-START_TEST(test_one) {
+PH_TEST(test_one) {
   struct unit_random r = unit_random_of(23);
   size_t found[3] = {0, 0, 0};
-  for (size_t i = 0; i < cases(300); i++) {
+  for (size_t i = 0; i < unit_cases(300); i++) {
     struct ph_tc_count count;
     size_t n, loops = 0;
     do {
@@ -277,14 +268,12 @@ START_TEST(test_one) {
     count = ph_tc_g1_count(angle_to_chord(0), angle_to_chord(1));
     data.solutions = "all";
     n = tc_solve(&data, i, &one) ? one.result.solutions_n : 0;
-    tc_assert(n == count.without_loop + count.with_loop, i, &data,
-              "%zu solutions", n);
+    ck_that(n == count.without_loop + count.with_loop, "%zu solutions", n);
     for (size_t k = 0; k < n; k++) {
       const struct ph_diagnostics *d = &one.result.solutions[k].diagnostics;
-      bool loop = tc_diagnostic(d, PH_D_LOOPS) > 0;
+      bool loop = unit_diagnostic(d, PH_D_LOOPS) > 0;
       loops += loop;
-      tc_assert(loop == (k >= count.without_loop), i, &data,
-                "a loop in solution %zu", k);
+      ck_that(loop == (k >= count.without_loop), "a loop in solution %zu", k);
     }
     ck_assert_uint_eq(loops, count.with_loop);
     found[n]++;
@@ -293,7 +282,6 @@ START_TEST(test_one) {
     ck_assert_uint_gt(found[n], 0);
   }
 }
-END_TEST
 
 /* ---- two cubics ------------------------------------------------------------
  */
@@ -309,10 +297,10 @@ static double special(struct unit_random *r) {
 /* There is always a curve of two, regular, without a loop or a crossing; and
  * so one of one or two, though one cubic that all but has a cusp may not be
  * told from one that touches itself. */
-START_TEST(test_all_angles) {
+PH_TEST(test_all_angles) {
   static const enum tc_family families[] = {TC_PAIR, TC_AUTO, TC_FAIR};
   struct unit_random r = unit_random_of(24);
-  for (size_t i = 0; i < cases(300); i++) {
+  for (size_t i = 0; i < unit_cases(300); i++) {
     tc_of(&r, families[i % 3], &data);
     data.n = 2;
     data.closed = false;
@@ -325,18 +313,17 @@ START_TEST(test_all_angles) {
           ph_cplx_scale(i % 8 ? -2 : 4, tc_chord(&data, 0));
     }
     tc_must(&data, i, &one);
-    tc_assert(data.family == TC_AUTO || (diagnostic(&one, PH_D_SIMPLE) > 0 &&
-                                         diagnostic(&one, PH_D_LOOPS) <= 0),
-              i, &data, "angles %.17g, %.17g: %g loops", angle_to_chord(0),
-              angle_to_chord(1), diagnostic(&one, PH_D_LOOPS));
+    ck_that(data.family == TC_AUTO || (diagnostic(&one, PH_D_SIMPLE) > 0 &&
+                                       diagnostic(&one, PH_D_LOOPS) <= 0),
+            "angles %.17g, %.17g: %g loops", angle_to_chord(0),
+            angle_to_chord(1), diagnostic(&one, PH_D_LOOPS));
   }
 }
-END_TEST
 
 /* F of the fairer mode is the smaller one, and no worse than either. */
-START_TEST(test_fair) {
+PH_TEST(test_fair) {
   struct unit_random r = unit_random_of(25);
-  for (size_t i = 0; i < cases(100); i++) {
+  for (size_t i = 0; i < unit_cases(100); i++) {
     double f[3];
     tc_of(&r, TC_FAIR, &data);
     data.n = 2;
@@ -347,25 +334,24 @@ START_TEST(test_fair) {
       tc_must(&data, i, &one);
       f[k] = diagnostic(&one, PH_D_ENERGY) * one.result.curve.length;
     }
-    tc_assert(unit_near_rel(f[0], fmin(f[1], f[2]), 1e-11), i, &data,
-              "F is %.17g, of auto %.17g, of pair %.17g", f[0], f[1], f[2]);
+    ck_that(unit_near_rel(f[0], fmin(f[1], f[2]), 1e-11),
+            "F is %.17g, of auto %.17g, of pair %.17g", f[0], f[1], f[2]);
   }
 }
-END_TEST
 
 /* ---- pairs with derivatives ---------------------------------------------- */
 
 static double kind_of(const struct ph_diagnostics *d) {
-  return tc_diagnostic(d, PH_D_SIMPLE) > 0    ? 0
-         : tc_diagnostic(d, PH_D_REGULAR) > 0 ? 1
-                                              : 2;
+  return unit_diagnostic(d, PH_D_SIMPLE) > 0    ? 0
+         : unit_diagnostic(d, PH_D_REGULAR) > 0 ? 1
+                                                : 2;
 }
 
 /* All four: simple ones first, then regular ones, by energy; the best one is
  * the first, and the standard one among them. */
-START_TEST(test_four) {
+PH_TEST(test_four) {
   struct unit_random r = unit_random_of(26);
-  for (size_t i = 0; i < cases(200); i++) {
+  for (size_t i = 0; i < unit_cases(200); i++) {
     const struct ph_solution *all;
     double first;
     size_t standard = 0;
@@ -379,12 +365,12 @@ START_TEST(test_four) {
     for (size_t k = 0; k + 1 < 4; k++) {
       double a = kind_of(&all[k].diagnostics);
       double b = kind_of(&all[k + 1].diagnostics);
-      tc_assert(a <= b, i, &data, "kinds %g, %g of %zu", a, b, k);
-      tc_assert(a < b || a > 1 ||
-                    tc_diagnostic(&all[k].diagnostics, PH_D_ENERGY) <=
-                        (1 + 1e-8) *
-                            tc_diagnostic(&all[k + 1].diagnostics, PH_D_ENERGY),
-                i, &data, "energies of %zu", k);
+      ck_that(a <= b, "kinds %g, %g of %zu", a, b, k);
+      ck_that(a < b || a > 1 ||
+                  unit_diagnostic(&all[k].diagnostics, PH_D_ENERGY) <=
+                      (1 + 1e-8) *
+                          unit_diagnostic(&all[k + 1].diagnostics, PH_D_ENERGY),
+              "energies of %zu", k);
     }
     while (standard < 4 &&
            all[standard].intervals[0].root != PH_ROOT_PLUS_PLUS) {
@@ -401,40 +387,22 @@ START_TEST(test_four) {
     ck_rel(other.result.curve.length, all[0].curve.length, 1e-12);
   }
 }
-END_TEST
 
 /* With derivatives up to 1.4 chords the standard pair is simple; a conjecture
  * that no data are known to break [BYR11, conj. 22]. */
-START_TEST(test_standard) {
+PH_TEST(test_standard) {
   struct unit_random r = unit_random_of(27);
-  for (size_t i = 0; i < cases(200); i++) {
+  for (size_t i = 0; i < unit_cases(200); i++) {
     tc_of(&r, TC_LAMBDA, &data);
     data.solutions = "standard";
     data.n = 2;
     data.closed = false;
     tc_must(&data, i, &one);
     ck_abs(one.result.intervals[0].root, PH_ROOT_PLUS_PLUS, 0);
-    tc_assert(diagnostic(&one, PH_D_SIMPLE) > 0, i, &data, "%g loops",
-              diagnostic(&one, PH_D_LOOPS));
+    ck_that(diagnostic(&one, PH_D_SIMPLE) > 0, "%g loops",
+            diagnostic(&one, PH_D_LOOPS));
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("properties of tc");
-  TCase *tc = tcase_create("properties of tc");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_set_timeout(tc, 600);
-  tcase_add_loop_test(tc, test_motion, 0, CHANGES);
-  tcase_add_test(tc, test_far_lengths);
-  tcase_add_test(tc, test_neighbours);
-  tcase_add_test(tc, test_one);
-  tcase_add_test(tc, test_all_angles);
-  tcase_add_test(tc, test_fair);
-  tcase_add_test(tc, test_four);
-  tcase_add_test(tc, test_standard);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_motion, test_far_lengths, test_neighbours,
+              test_one, test_all_angles, test_fair, test_four, test_standard)

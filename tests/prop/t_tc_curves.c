@@ -11,20 +11,16 @@
 
 #include <string.h>
 
-static struct tc_solution one, other;
+static struct unit_solution one, other;
 static struct tc_data data;
 
 static void finish(void) {
-  tc_free(&one);
-  tc_free(&other);
+  unit_solution_free(&one);
+  unit_solution_free(&other);
 }
 
-static size_t cases(size_t n) {
-  return unit_long() ? 10 * n : (size_t)unit_count((int)n);
-}
-
-static double distance_of(const struct tc_solution *s) {
-  return tc_diagnostic(&s->result.diagnostics, PH_D_DISTANCE);
+static double distance_of(const struct unit_solution *s) {
+  return unit_diagnostic(&s->result.diagnostics, PH_D_DISTANCE);
 }
 
 /* ---- splines ---------------------------------------------------------------
@@ -35,7 +31,7 @@ static ph_cplx unit_of(ph_cplx z) {
 }
 
 /* The derivative at a point between two intervals. */
-static void ck_bisector(size_t which, size_t k, double lambda) {
+static void ck_bisector(size_t k, double lambda) {
   size_t n = tc_intervals(&data), before = k > 0 ? k - 1 : n - 1;
   const struct ph_interval *interval = &one.result.intervals[k];
   ph_cplx a = tc_chord(&data, before), b = tc_chord(&data, k);
@@ -44,14 +40,14 @@ static void ck_bisector(size_t which, size_t k, double lambda) {
   wanted = ph_cplx_scale(size, unit_of(wanted));
   found = tc_derivative(&one.result.curve, interval->first, 0);
   last = tc_derivative(&one.result.curve, one.result.intervals[before].last, 3);
-  tc_assert(unit_distance(found, wanted) <= 1e-12 * size &&
-                unit_distance(last, wanted) <= 1e-12 * size,
-            which, &data, "derivative (%g, %g) at point %zu, not (%g, %g)",
-            found.re, found.im, k, wanted.re, wanted.im);
+  ck_that(unit_distance(found, wanted) <= 1e-12 * size &&
+              unit_distance(last, wanted) <= 1e-12 * size,
+          "derivative (%g, %g) at point %zu, not (%g, %g)", found.re, found.im,
+          k, wanted.re, wanted.im);
 }
 
 /* The derivative at an end, by the rule of ends. */
-static void ck_end_rule(size_t which, size_t end, double lambda) {
+static void ck_end_rule(size_t end, double lambda) {
   size_t n = tc_intervals(&data), k = end ? n - 1 : 0;
   const struct ph_interval *interval = &one.result.intervals[k];
   const struct ph_curve *c = &one.result.curve;
@@ -67,16 +63,16 @@ static void ck_end_rule(size_t which, size_t end, double lambda) {
     ph_cplx inner = unit_of(ph_cplx_mul(ph_cplx_conj(chord), at[1 - end]));
     wanted = ph_cplx_mul(wanted, ph_cplx_conj(inner));
   }
-  tc_assert(unit_distance(at[end], wanted) <= 1e-11 * size, which, &data,
-            "derivative (%g, %g) at end %zu, not (%g, %g)", at[end].re,
-            at[end].im, end, wanted.re, wanted.im);
+  ck_that(unit_distance(at[end], wanted) <= 1e-11 * size,
+          "derivative (%g, %g) at end %zu, not (%g, %g)", at[end].re,
+          at[end].im, end, wanted.re, wanted.im);
 }
 
-START_TEST(test_spline) {
+PH_TEST(test_spline) {
   static const char *const ends[] = {NULL, "chord", "circle", "given"};
   struct unit_random r = unit_random_of(28);
   size_t closed = 0;
-  for (size_t i = 0; i < cases(200); i++) {
+  for (size_t i = 0; i < unit_cases(200); i++) {
     double lambda = 0.5;
     tc_of(&r, TC_SPLINE, &data);
     closed += data.closed;
@@ -90,15 +86,14 @@ START_TEST(test_spline) {
     }
     tc_must(&data, i, &one);
     for (size_t k = data.closed ? 0 : 1; k < tc_intervals(&data); k++) {
-      ck_bisector(i, k, lambda);
+      ck_bisector(k, lambda);
     }
     for (size_t end = 0; !data.closed && end < 2; end++) {
-      ck_end_rule(i, end, lambda);
+      ck_end_rule(end, lambda);
     }
   }
-  ck_assert_uint_gt(closed, cases(200) / 10);
+  ck_assert_uint_gt(closed, unit_cases(200) / 10);
 }
-END_TEST
 
 /* ---- approximation ------------------------------------------------------- */
 
@@ -191,33 +186,32 @@ static double apart(const struct ph_curve *c, size_t k) {
   return worst;
 }
 
-static void ck_near(size_t which, double distance) {
+static void ck_near(double distance) {
   const struct ph_curve *c = &one.result.curve;
   for (size_t k = 0; k < c->n; k++) {
     double d = apart(c, k);
-    tc_assert(d <= (1 + 1e-6) * distance + 1e-10, which, &data,
-              "cubic %zu of %zu is off by %.3g", k, c->n, d);
+    ck_that(d <= (1 + 1e-6) * distance + 1e-10,
+            "cubic %zu of %zu is off by %.3g", k, c->n, d);
   }
 }
 
-START_TEST(test_approximate) {
+PH_TEST(test_approximate) {
   struct unit_random r = unit_random_of(29);
-  for (size_t i = 0; i < cases(20); i++) {
+  for (size_t i = 0; i < unit_cases(20); i++) {
     double distance;
     tc_of(&r, TC_APPROXIMATE, &data);
     tc_must(&data, i, &one);
     distance = distance_of(&one);
-    tc_assert(distance <= data.tolerance, i, &data, "distance %.17g of %.17g",
-              distance, data.tolerance);
-    ck_near(i, distance);
+    ck_that(distance <= data.tolerance, "distance %.17g of %.17g", distance,
+            data.tolerance);
+    ck_near(distance);
   }
 }
-END_TEST
 
 /* So many cubics at most; four times as many are nearer by far. */
-START_TEST(test_pieces) {
+PH_TEST(test_pieces) {
   struct unit_random r = unit_random_of(30);
-  for (size_t i = 0; i < cases(8); i++) {
+  for (size_t i = 0; i < unit_cases(8); i++) {
     double distance;
     do { /* straight lines are met at once */
       tc_of(&r, TC_APPROXIMATE, &data);
@@ -226,28 +220,15 @@ START_TEST(test_pieces) {
     data.pieces = 6 + (double)unit_random_below(&r, 10);
     tc_must(&data, i, &one);
     distance = distance_of(&one);
-    tc_assert((double)one.result.curve.n <= data.pieces, i, &data,
-              "%zu of %g pieces", one.result.curve.n, data.pieces);
-    ck_near(i, distance);
+    ck_that((double)one.result.curve.n <= data.pieces, "%zu of %g pieces",
+            one.result.curve.n, data.pieces);
+    ck_near(distance);
     data.pieces *= 4;
     tc_must(&data, i, &other);
-    tc_assert(distance_of(&other) <= 0.25 * distance, i, &data,
-              "distance %.3g, of four times as many %.3g", distance,
-              distance_of(&other));
+    ck_that(distance_of(&other) <= 0.25 * distance,
+            "distance %.3g, of four times as many %.3g", distance,
+            distance_of(&other));
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("splines and approximations of tc");
-  TCase *tc = tcase_create("splines and approximations of tc");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_set_timeout(tc, 600);
-  tcase_add_test(tc, test_spline);
-  tcase_add_test(tc, test_approximate);
-  tcase_add_test(tc, test_pieces);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_spline, test_approximate, test_pieces)

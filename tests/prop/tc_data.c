@@ -9,7 +9,6 @@
 #include "solve/tc/tc.h"
 
 #include <float.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -111,32 +110,18 @@ void tc_of(struct unit_random *r, enum tc_family family, struct tc_data *d) {
 
 /* ---- problems ------------------------------------------------------------ */
 
-static void set_word(struct tc_solution *s, enum ph_field_id id,
-                     const char *word) {
-  if (word) {
-    s->problem.field[id] = (struct ph_value){.kind = PH_WORD, .word = word};
-  }
-}
-
-static void set_number(struct tc_solution *s, enum ph_field_id id, double x) {
-  if (!isnan(x)) {
-    s->problem.field[id] = (struct ph_value){.kind = PH_NUMBER, .number = x};
-  }
-}
-
-static void set_vectors(struct tc_solution *s, enum ph_field_id id,
+static void set_vectors(struct unit_solution *s, enum ph_field_id id,
                         const ph_cplx *z, size_t n) {
-  double *v = ph_arena_array(&s->arena, 2 * n, sizeof *v);
-  ck_assert_ptr_nonnull(v);
+  double *v = unit_numbers(s, 2 * n);
   for (size_t i = 0; i < n; i++) {
     v[2 * i] = z[i].re;
     v[2 * i + 1] = z[i].im;
   }
-  s->problem.field[id] =
-      (struct ph_value){.kind = PH_VECTORS, .v = v, .n = n, .dimension = 2};
+  unit_set_array(&s->problem, id, v, n, 2);
 }
 
-static void set_problem(const struct tc_data *d, struct tc_solution *s) {
+static void set_problem(const struct tc_data *d, struct unit_solution *s) {
+  struct ph_problem *p = &s->problem;
   bool given = d->ends && strcmp(d->ends, "given") == 0;
   set_vectors(s, d->family == TC_APPROXIMATE ? PH_F_CURVE : PH_F_POINTS,
               d->point, d->n);
@@ -147,17 +132,16 @@ static void set_problem(const struct tc_data *d, struct tc_solution *s) {
   if (given) {
     set_vectors(s, PH_F_END_DERIVATIVES, d->end, 2);
   }
-  set_word(s, PH_F_ENDS, given ? NULL : d->ends);
-  set_word(s, PH_F_MODE, modes[d->family]);
-  set_word(s, PH_F_SOLUTIONS, d->solutions);
-  set_word(s, PH_F_JOINT, d->family == TC_CHORD ? "chord" : NULL);
-  set_number(s, PH_F_LAMBDA, d->lambda);
-  set_number(s, PH_F_JOINT_ANGLE, d->joint_angle);
-  set_number(s, PH_F_JOINT_POSITION, d->joint_position);
-  set_number(s, PH_F_TOLERANCE, d->tolerance);
-  set_number(s, PH_F_PIECES, d->pieces);
-  s->problem.field[PH_F_CLOSED] =
-      (struct ph_value){.kind = PH_BOOL, .flag = d->closed};
+  unit_set_word(p, PH_F_ENDS, given ? NULL : d->ends);
+  unit_set_word(p, PH_F_MODE, modes[d->family]);
+  unit_set_word(p, PH_F_SOLUTIONS, d->solutions);
+  unit_set_word(p, PH_F_JOINT, d->family == TC_CHORD ? "chord" : NULL);
+  unit_set_number(p, PH_F_LAMBDA, d->lambda);
+  unit_set_number(p, PH_F_JOINT_ANGLE, d->joint_angle);
+  unit_set_number(p, PH_F_JOINT_POSITION, d->joint_position);
+  unit_set_number(p, PH_F_TOLERANCE, d->tolerance);
+  unit_set_number(p, PH_F_PIECES, d->pieces);
+  unit_set_flag(p, PH_F_CLOSED, d->closed);
 }
 
 /* ---- curves -------------------------------------------------------------- */
@@ -173,11 +157,6 @@ ph_cplx tc_derivative(const struct ph_curve *c, size_t k, size_t i) {
   return ph_cplx_scale(3, leg);
 }
 
-double tc_diagnostic(const struct ph_diagnostics *d, enum ph_diagnostic which) {
-  ck_assert_msg(d->known >> which & 1, "no %s", ph_diagnostic_name(which));
-  return d->value[which];
-}
-
 /* What rounding of coordinates can make of a difference of two. */
 static double rounding(const struct ph_curve *c) {
   double most = 0;
@@ -188,35 +167,32 @@ static double rounding(const struct ph_curve *c) {
 }
 
 /* r' at one end of a cubic against what is given: its direction, or all. */
-static void ck_end(const struct tc_data *d, size_t which,
-                   const struct ph_curve *c, size_t k, size_t i,
-                   ph_cplx vector) {
+static void ck_end(const struct tc_data *d, const struct ph_curve *c, size_t k,
+                   size_t i, ph_cplx vector) {
   ph_cplx found = tc_derivative(c, k, i);
   double size = ph_cplx_abs(found), noise = rounding(c), off;
   if (has_tangents(d)) {
     vector = ph_cplx_scale(size / ph_cplx_abs(vector), vector);
   }
   off = unit_distance(found, vector);
-  tc_assert(off <= noise + 1e-11 * size, which, d,
-            "end %zu of cubic %zu is off by %.3g of %.3g", i, k, off, size);
+  ck_that(off <= noise + 1e-11 * size,
+          "end %zu of cubic %zu is off by %.3g of %.3g", i, k, off, size);
 }
 
 /* A cubic begins where the one before ends, in the same direction. */
-static void ck_joint(const struct tc_data *d, size_t which,
-                     const struct ph_curve *c, size_t k, size_t next) {
+static void ck_joint(const struct ph_curve *c, size_t k, size_t next) {
   ph_cplx p = tc_point(c, k, 3), q = tc_point(c, next, 0);
   ph_cplx u = tc_derivative(c, k, 3), v = tc_derivative(c, next, 0);
   double size = ph_cplx_abs(u) + ph_cplx_abs(v), noise = rounding(c) * size;
-  tc_assert(unit_same(p.re, q.re) && unit_same(p.im, q.im), which, d,
-            "a gap of %.3g before cubic %zu", unit_distance(p, q), next);
-  tc_assert(ph_cplx_dot(u, v) > -noise &&
-                fabs(ph_cplx_cross(u, v)) <= noise + 1e-11 * size * size,
-            which, d, "a corner of %.3g before cubic %zu",
-            ph_cplx_cross(u, v) / size / size, next);
+  ck_that(unit_same(p.re, q.re) && unit_same(p.im, q.im),
+          "a gap of %.3g before cubic %zu", unit_distance(p, q), next);
+  ck_that(ph_cplx_dot(u, v) > -noise &&
+              fabs(ph_cplx_cross(u, v)) <= noise + 1e-11 * size * size,
+          "a corner of %.3g before cubic %zu",
+          ph_cplx_cross(u, v) / size / size, next);
 }
 
-static void ck_lengths(const struct tc_data *d, size_t which,
-                       const struct ph_curve *c) {
+static void ck_lengths(const struct ph_curve *c) {
   double sum = 0;
   for (size_t k = 0; k < c->n; k++) {
     double chord = unit_distance(tc_point(c, k, 0), tc_point(c, k, 3));
@@ -224,117 +200,88 @@ static void ck_lengths(const struct tc_data *d, size_t which,
     for (size_t i = 0; i < 3; i++) {
       polygon += unit_distance(tc_point(c, k, i), tc_point(c, k, i + 1));
     }
-    tc_assert(c->lengths[k] >= chord - rounding(c) &&
-                  c->lengths[k] <= polygon + rounding(c),
-              which, d, "cubic %zu has length %.17g, not %.17g to %.17g", k,
-              c->lengths[k], chord, polygon);
+    ck_that(c->lengths[k] >= chord - rounding(c) &&
+                c->lengths[k] <= polygon + rounding(c),
+            "cubic %zu has length %.17g, not %.17g to %.17g", k, c->lengths[k],
+            chord, polygon);
     sum += c->lengths[k];
   }
-  tc_assert(unit_near_rel(sum, c->length, 1e-14), which, d,
-            "length %.17g, the sum is %.17g", c->length, sum);
+  ck_that(unit_near_rel(sum, c->length, 1e-14),
+          "length %.17g, the sum is %.17g", c->length, sum);
 }
 
 /* Each interval goes from its point to the next, with what is given there. */
-static void ck_interval(const struct tc_data *d, size_t which,
-                        const struct ph_curve *c,
+static void ck_interval(const struct tc_data *d, const struct ph_curve *c,
                         const struct ph_interval *interval, size_t i) {
   size_t next = i + 1 < d->n ? i + 1 : 0;
   ph_cplx from = tc_point(c, interval->first, 0);
   ph_cplx to = tc_point(c, interval->last, 3);
-  tc_assert(unit_distance(from, d->point[i]) <= 0 &&
-                unit_distance(to, d->point[next]) <= 0,
-            which, d, "interval %zu misses its points", i);
+  ck_that(unit_distance(from, d->point[i]) <= 0 &&
+              unit_distance(to, d->point[next]) <= 0,
+          "interval %zu misses its points", i);
   if (has_tangents(d) || d->family == TC_C1) {
-    ck_end(d, which, c, interval->first, 0, d->vector[i]);
-    ck_end(d, which, c, interval->last, 3, d->vector[next]);
+    ck_end(d, c, interval->first, 0, d->vector[i]);
+    ck_end(d, c, interval->last, 3, d->vector[next]);
   }
 }
 
-static void ck_curve(const struct tc_data *d, size_t which,
-                     const struct tc_solution *s, const struct ph_curve *c,
+static void ck_curve(const struct tc_data *d, const struct unit_solution *s,
+                     const struct ph_curve *c,
                      const struct ph_interval *intervals) {
-  tc_assert(s->result.intervals_n == tc_intervals(d), which, d, "%zu intervals",
-            s->result.intervals_n);
-  ck_lengths(d, which, c);
+  ck_that(s->result.intervals_n == tc_intervals(d), "%zu intervals",
+          s->result.intervals_n);
+  ck_lengths(c);
   for (size_t k = 0; k + 1 < c->n; k++) {
-    ck_joint(d, which, c, k, k + 1);
+    ck_joint(c, k, k + 1);
   }
   if (d->closed) {
-    ck_joint(d, which, c, c->n - 1, 0);
+    ck_joint(c, c->n - 1, 0);
   }
   for (size_t i = 0; d->family != TC_APPROXIMATE && i < tc_intervals(d); i++) {
-    ck_interval(d, which, c, &intervals[i], i);
+    ck_interval(d, c, &intervals[i], i);
   }
 }
 
 /* ---- solutions ----------------------------------------------------------- */
 
-static enum ph_status solve(struct tc_solution *s) {
-  struct ph_mark before = ph_arena_mark(&s->scratch), after;
-  enum ph_status status = ph_method_tc.solve(&s->problem, &s->arena,
-                                             &s->scratch, &s->result, &s->diag);
-  after = ph_arena_mark(&s->scratch); /* a first chunk may be kept, empty */
-  ck_assert(!before.chunk || before.chunk == after.chunk);
-  ck_assert_uint_eq(before.used, after.used);
-  return status;
-}
-
 /* The curve, or one of its solutions; irregular ones are among these. */
-static void certify(const struct tc_data *d, size_t which,
-                    struct tc_solution *s, const struct ph_curve *c,
+static void certify(const struct tc_data *d, struct unit_solution *s,
+                    const struct ph_curve *c,
                     struct ph_diagnostics *diagnostics,
                     const struct ph_interval *intervals) {
   enum ph_status status =
       ph_cert_tc(&s->problem, c, &s->scratch, diagnostics, &s->diag);
-  tc_assert(status == PH_OK, which, d, "certificate: %s %s", s->diag.field,
-            s->diag.message);
-  if (tc_diagnostic(diagnostics, PH_D_REGULAR) > 0) {
-    ck_curve(d, which, s, c, intervals);
+  ck_that(status == PH_OK, "certificate: %s %s", s->diag.field,
+          s->diag.message);
+  if (unit_diagnostic(diagnostics, PH_D_REGULAR) > 0) {
+    ck_curve(d, s, c, intervals);
   }
 }
 
-bool tc_solve(const struct tc_data *d, size_t which, struct tc_solution *s) {
+bool tc_solve(const struct tc_data *d, size_t which, struct unit_solution *s) {
   enum ph_status status;
-  tc_free(s);
-  *s = (struct tc_solution){.result = {.start = 0}};
+  unit_case("PH_SEED=%lu, case %zu (%s, %zu points%s, lambda %.17g)",
+            unit_seed(), which, names[d->family], d->n,
+            d->closed ? ", closed" : "", d->lambda);
+  unit_solution_free(s);
   set_problem(d, s);
-  status = solve(s);
+  status = unit_solve(&ph_method_tc, s);
   if (status != PH_OK) {
-    tc_assert(s->diag.status == status && status == PH_INFEASIBLE &&
-                  d->family == TC_ONE,
-              which, d, "%s %s", s->diag.field, s->diag.message);
+    ck_that(status == PH_INFEASIBLE && d->family == TC_ONE, "%s %s",
+            s->diag.field, s->diag.message);
     return false;
   }
-  certify(d, which, s, &s->result.curve, &s->result.diagnostics,
-          s->result.intervals);
-  tc_assert(s->result.diagnostics.value[PH_D_REGULAR] > 0, which, d,
-            "a cusp of %zu cubics", s->result.curve.n);
+  certify(d, s, &s->result.curve, &s->result.diagnostics, s->result.intervals);
+  ck_that(s->result.diagnostics.value[PH_D_REGULAR] > 0, "a cusp of %zu cubics",
+          s->result.curve.n);
   for (size_t i = 0; i < s->result.solutions_n; i++) {
     struct ph_solution *one = &s->result.solutions[i];
-    certify(d, which, s, &one->curve, &one->diagnostics, one->intervals);
+    certify(d, s, &one->curve, &one->diagnostics, one->intervals);
   }
   return true;
 }
 
-void tc_must(const struct tc_data *d, size_t which, struct tc_solution *s) {
+void tc_must(const struct tc_data *d, size_t which, struct unit_solution *s) {
   bool solved = tc_solve(d, which, s);
-  tc_assert(solved, which, d, "%s %s", s->diag.field, s->diag.message);
-}
-
-void tc_free(struct tc_solution *s) {
-  ph_arena_free(&s->arena);
-  ph_arena_free(&s->scratch);
-}
-
-void tc_fail(size_t which, const struct tc_data *d, const char *condition,
-             const char *format, ...) {
-  char text[512];
-  va_list args;
-  va_start(args, format);
-  vsnprintf(text, sizeof text, format, args);
-  va_end(args);
-  ck_abort_msg("PH_SEED=%lu, case %zu (%s, %zu points%s, lambda %.17g): not "
-               "%s: %s",
-               unit_seed(), which, names[d->family], d->n,
-               d->closed ? ", closed" : "", d->lambda, condition, text);
+  ck_that(solved, "%s %s", s->diag.field, s->diag.message);
 }

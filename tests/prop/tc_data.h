@@ -6,11 +6,9 @@
 #ifndef PH_TESTS_PROP_TC_DATA_H
 #define PH_TESTS_PROP_TC_DATA_H
 
+#include "problem_unit.h"
 #include "random_unit.h"
 
-#include "base/mem.h"
-#include "curve/problem.h"
-#include "curve/result.h"
 #include "kernel/cplx.h"
 
 #include <stdbool.h>
@@ -55,14 +53,6 @@ size_t tc_intervals(const struct tc_data *data);
 /* tc_chord: from the start of interval i to its end. */
 ph_cplx tc_chord(const struct tc_data *data, size_t i);
 
-/* A problem and what became of it.  {0} is none. */
-struct tc_solution {
-  struct ph_problem problem;
-  struct ph_result result; /* after a solution */
-  struct ph_diag diag;     /* after a failure */
-  struct ph_arena arena, scratch;
-};
-
 /*
  * tc_solve: solves, certifies all curves, and looks by itself at points,
  * tangents and lengths: fails unless the curve is right, or is infeasible in a
@@ -72,31 +62,14 @@ struct tc_solution {
  * ret   whether there is a curve
  */
 bool tc_solve(const struct tc_data *data, size_t which,
-              struct tc_solution *solution);
+              struct unit_solution *solution);
 
 /* tc_must: the same; fails unless there is a curve. */
 void tc_must(const struct tc_data *data, size_t which,
-             struct tc_solution *solution);
-
-void tc_free(struct tc_solution *solution);
+             struct unit_solution *solution);
 
 /* tc_point: control point i of cubic k, and r' there for i = 0 and 3. */
 ph_cplx tc_point(const struct ph_curve *curve, size_t k, size_t i);
 ph_cplx tc_derivative(const struct ph_curve *curve, size_t k, size_t i);
-
-/* tc_diagnostic: a number that must be known. */
-double tc_diagnostic(const struct ph_diagnostics *diagnostics,
-                     enum ph_diagnostic which);
-
-/* Fails with the seed, the number of the case and what its data are. */
-#define tc_assert(condition, which, data, ...)       \
-  do {                                               \
-    if (!(condition)) {                              \
-      tc_fail(which, data, #condition, __VA_ARGS__); \
-    }                                                \
-  } while (0)
-
-void tc_fail(size_t which, const struct tc_data *data, const char *condition,
-             const char *format, ...) PH_PRINTF(4, 5);
 
 #endif

@@ -8,6 +8,10 @@
 #include "curve/ph3.h"
 #include "solve/spatial/spatial.h"
 
+static inline double unit_apart(ph_vec3 a, ph_vec3 b) {
+  return ph_vec3_abs(ph_vec3_sub(a, b));
+}
+
 /* A random unit vector. */
 static inline ph_vec3 unit_random_direction(struct unit_random *r) {
   ph_vec3 v;

@@ -116,6 +116,14 @@ static inline double unit_rel_error(double a, double b) {
     }                                                                          \
   } while (0)
 
+/* Fails, saying why, unless the condition holds. */
+#define ck_that(condition, ...)  \
+  do {                           \
+    if (!(condition)) {          \
+      ck_abort_msg(__VA_ARGS__); \
+    }                            \
+  } while (0)
+
 /* True when the long form of a test is wanted: PH_LONG=1. */
 static inline int unit_long(void) {
   const char *s = getenv("PH_LONG");
@@ -129,6 +137,11 @@ static inline int unit_count(int n) {
   const char *s = getenv("PH_SHORT");
 
   return s != NULL && s[0] == '1' ? (n + 9) / 10 : n;
+}
+
+/* How many random cases: n, ten times as many, or a tenth of them. */
+static inline size_t unit_cases(size_t n) {
+  return unit_long() ? 10 * n : (size_t)unit_count((int)n);
 }
 
 /* Runs a suite made by hand. */

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Problems and their solutions (see problem_unit.h). */
+#include "problem_unit.h"
+#include "unit.h"
+
+#include <string.h>
+
+void unit_set_word(struct ph_problem *problem, enum ph_field_id id,
+                   const char *word) {
+  problem->field[id] =
+      (struct ph_value){.kind = word ? PH_WORD : PH_ABSENT, .word = word};
+}
+
+void unit_set_number(struct ph_problem *problem, enum ph_field_id id,
+                     double x) {
+  problem->field[id] =
+      (struct ph_value){.kind = isnan(x) ? PH_ABSENT : PH_NUMBER, .number = x};
+}
+
+void unit_set_flag(struct ph_problem *problem, enum ph_field_id id, bool flag) {
+  problem->field[id] = (struct ph_value){.kind = PH_BOOL, .flag = flag};
+}
+
+void unit_set_array(struct ph_problem *problem, enum ph_field_id id, double *v,
+                    size_t n, size_t dimension) {
+  problem->field[id] =
+      (struct ph_value){.kind = dimension == 1 ? PH_NUMBERS : PH_VECTORS,
+                        .v = v,
+                        .n = n,
+                        .dimension = dimension};
+}
+
+double *unit_numbers(struct unit_solution *s, size_t n) {
+  double *v = ph_arena_array(&s->arena, n, sizeof *v);
+  ck_assert_ptr_nonnull(v);
+  return v;
+}
+
+void unit_set_copy(struct unit_solution *s, enum ph_field_id id,
+                   const double *v, size_t n, size_t dimension) {
+  double *copy = unit_numbers(s, n * dimension);
+  if (n > 0) {
+    memcpy(copy, v, n * dimension * sizeof *v);
+  }
+  unit_set_array(&s->problem, id, copy, n, dimension);
+}
+
+enum ph_status unit_solve(const struct ph_method *method,
+                          struct unit_solution *s) {
+  struct ph_mark before = ph_arena_mark(&s->scratch), after;
+  enum ph_status status;
+  memset(&s->result, 0, sizeof s->result);
+  memset(&s->diag, 0, sizeof s->diag);
+  s->refused = false;
+  status =
+      method->solve(&s->problem, &s->arena, &s->scratch, &s->result, &s->diag);
+  after = ph_arena_mark(&s->scratch); /* a first chunk may be kept, empty */
+  ck_assert(!before.chunk || before.chunk == after.chunk);
+  ck_assert_uint_eq(before.used, after.used);
+  ck_assert(status == PH_OK || s->diag.status == status);
+  return status;
+}
+
+void unit_solution_free(struct unit_solution *s) {
+  ph_arena_free(&s->arena);
+  ph_arena_free(&s->scratch);
+  memset(s, 0, sizeof *s);
+}
+
+double unit_diagnostic(const struct ph_diagnostics *d,
+                       enum ph_diagnostic which) {
+  ck_assert_msg(d->known >> which & 1, "no %s", ph_diagnostic_name(which));
+  return d->value[which];
+}
