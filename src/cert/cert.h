@@ -161,11 +161,12 @@ ph_cert_fn ph_cert_sphere;
  *                         distance, in the unit of the data (tc_distance.h)
  *
  * Beside these, which nothing is compared with, how fair the curve is and
- * whether it crosses itself; of an irregular one no energy.  That is refused
- * unless all solutions are asked for.  An approximation is refused, too, when
- * its distance exceeds the tolerance and when it has too many cubics.  The
- * distance that is told is the bound found here, or the claim where this bound
- * confirms it but for rounding; no claim is refused.
+ * whether it crosses itself; of one that stands still (seg2.h), as irregular
+ * ones do, no energy, no largest curvature, no turns.  An irregular one is
+ * refused unless all solutions are asked for.  An approximation is refused,
+ * too, when its distance exceeds the tolerance and when it has too many cubics.
+ * The distance that is told is the bound found here, or the claim where this
+ * bound confirms it but for rounding; no claim is refused.
  *
  * in   diagnostics  distance as claimed, or unknown: what is looked for
  * ret  as above; PH_INTERNAL when segments, knots and problem do not fit

@@ -3,6 +3,7 @@
 #include "cert/tc_check.h"
 
 #include "curve/cross.h"
+#include "curve/seg2.h"
 #include "curve/tc.h"
 #include "kernel/pi.h"
 
@@ -158,14 +159,19 @@ static bool has_loop(const struct ph_tc_cubic *s) {
   return half > 0 && middle - half >= 0 && middle + half <= 1;
 }
 
-/* How fair it is, and whether it meets itself. */
-static void describe_cubic(struct ph_tc_check *c, const struct ph_tc_cubic *s) {
+/* How fair it is, and whether it meets itself: a loop that has shrunk to a
+ * point counts. */
+static void describe_cubic(struct ph_tc_check *c, const struct ph_tc_cubic *s,
+                           size_t k) {
   const struct ph_tc tc = {{s->w[0], s->w[1]}};
+  const struct ph_seg2 seg = ph_seg2_of(c->curve, k);
+  bool still = ph_seg2_stands_still(&seg, NULL);
   double turning = ph_tc_turning(&tc);
+  c->stands_still = c->stands_still || still;
   ph_sum_add(&c->energy, ph_tc_energy(&tc));
   ph_sum_add(&c->rotation, turning);
   ph_sum_add(&c->absolute, fabs(turning));
-  c->loops += has_loop(s);
+  c->loops += still || has_loop(s);
 }
 
 void ph_tc_check_cubic(struct ph_tc_check *c, const struct ph_tc_cubic *s,
@@ -173,7 +179,7 @@ void ph_tc_check_cubic(struct ph_tc_check *c, const struct ph_tc_cubic *s,
   check_square(c, s, k);
   check_length(c, s, k);
   check_stop(c, s, k);
-  describe_cubic(c, s);
+  describe_cubic(c, s, k);
 }
 
 /* ---- ends and joints ---------------------------------------------------- */
@@ -248,18 +254,18 @@ static enum ph_status describe(const struct ph_tc_check *c,
   ph_diagnostics_set(diagnostics, PH_D_REGULAR, c->regular);
   ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)c->loops);
   ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple && c->regular);
-  if (c->regular) {
+  if (!c->stands_still) {
     /* Both are inverses of a length. */
     ph_diagnostics_set_finite(
         diagnostics, PH_D_ENERGY,
         ph_pow2_apply(c->scale.to_unit, ph_sum_value(&c->energy)));
     ph_diagnostics_set_finite(diagnostics, PH_D_MAX_CURVATURE,
                               ph_pow2_apply(c->scale.to_unit, c->flattening));
+    ph_diagnostics_set_finite(diagnostics, PH_D_ROTATION_INDEX,
+                              ph_sum_value(&c->rotation) / turn);
+    ph_diagnostics_set_finite(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
+                              ph_sum_value(&c->absolute) / turn);
   }
-  ph_diagnostics_set_finite(diagnostics, PH_D_ROTATION_INDEX,
-                            ph_sum_value(&c->rotation) / turn);
-  ph_diagnostics_set_finite(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
-                            ph_sum_value(&c->absolute) / turn);
   return PH_OK;
 }
 

@@ -30,6 +30,8 @@ struct ph_tc_check {
   struct ph_sum total;              /* of the lengths */
   double allowance;                 /* for rounding, of their sum */
   bool regular;
+  bool stands_still; /* a cubic does to rounding of its control points; those
+                        that are not regular are among them */
   size_t irregular;  /* the first cubic that is not */
   double flattening; /* the largest 2 |K| / |w|^4: curvature at unit scale */
   struct ph_sum energy, rotation, absolute; /* at unit scale, of the preimage */

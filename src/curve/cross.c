@@ -262,14 +262,18 @@ static size_t loops(struct tree *t) {
     ph_cplx w[3];
     struct ph_piece piece;
     preimage(t, k, w);
-    if (ph_piece_tame(w)) {
+    if (ph_seg2_moves_on(w)) {
       continue;
     }
     seg = seg_of(t, k);
-    piece = ph_piece_of(&seg, k);
-    meet.found = false;
+    meet.found = ph_seg2_stands_still(&seg, &meet.u[0]);
+    meet.u[1] = meet.u[0];
+    meet.segment[0] = meet.segment[1] = k;
     meet.steps = LOOP_STEPS;
-    ph_meet_self(&meet, &piece, &outer);
+    if (!meet.found && !ph_seg2_is_tame(seg.w)) {
+      piece = ph_piece_of(&seg, k);
+      ph_meet_self(&meet, &piece, &outer);
+    }
     if (meet.found && found++ == 0) {
       t->meet = meet;
     }

@@ -10,7 +10,8 @@
  * Both are smooth unless w nearly vanishes.  Rules of 4, 8 and 16 nodes are
  * compared in turn; a million gently bending segments need the first two.
  * Where not even the last two agree, 16 nodes on an interval are compared with
- * 16 on either half.  The finer value is kept, which is far better than the
+ * 16 on either half; so they are in parts that grow from where w nearly
+ * vanishes.  The finer value is kept, which is far better than the
  * difference says.
  */
 #include "curve/energy.h"
@@ -27,6 +28,10 @@ enum { DEPTH_MAX = 50, PARTS_MAX = 4096 };
 static const double AGREE = 1e-12;
 /* Error of a curvature or slope in units of its terms. */
 static const double ROUNDING = 16 * DBL_EPSILON;
+
+/* A segment nearly stands still where w changes by as much as it is within
+ * this; parts that begin there grow by a factor, from no less than this. */
+static const double SLOW = 1.0 / 32, GROW = 4, SHORTEST = 1e-15;
 
 /* An integral of squares, and the same integral of their terms. */
 struct square {
@@ -103,6 +108,51 @@ static void refine(struct ph_energy_sum *c, const struct ph_seg2 *seg,
   refine(c, seg, middle, u1, &right, depth + 1);
 }
 
+/* How far from u the preimage has changed by as much as it is. */
+static double reach_at(const struct ph_seg2 *seg, double u) {
+  ph_cplx w[3];
+  double size;
+  ph_atph_jet(&seg->space, seg->w, u, w, 3);
+  size = ph_cplx_abs(w[0]);
+  return fmin(size / ph_cplx_abs(w[1]), sqrt(size / ph_cplx_abs(w[2])));
+}
+
+/* Adds the interval from `slow` to `end`, on either side, in parts that grow
+ * from there. */
+static void add_growing(struct ph_energy_sum *c, const struct ph_seg2 *seg,
+                        double slow, double end) {
+  double whole = fabs(end - slow), part = reach_at(seg, slow), to;
+  part = fmax(part, SHORTEST * whole);
+  for (double from = 0; from < whole; from = to, part *= GROW) {
+    double a, b;
+    struct pair sum;
+    to = fmin(from + part, whole);
+    a = end > slow ? slow + from : to < whole ? slow - to : end;
+    b = end < slow ? slow - from : to < whole ? slow + to : end;
+    sum = integrate(seg, &c->rule[PH_ENERGY_RULES - 1], a, b);
+    refine(c, seg, a, b, &sum, 0);
+  }
+}
+
+/* Whether it nearly stands still; then it is added.  A peak there may be
+ * narrower than nodes are apart: halving would miss it, least beside another.
+ */
+static bool add_slow(struct ph_energy_sum *c, const struct ph_seg2 *seg) {
+  double at[2], cut[4] = {0, 0, 0, 1};
+  ph_seg2_slow(seg, at);
+  if (!(reach_at(seg, at[0]) < SLOW) && !(reach_at(seg, at[1]) < SLOW)) {
+    return false;
+  }
+  cut[1] = fmin(at[0], at[1]);
+  cut[2] = fmax(at[0], at[1]);
+  for (size_t i = 0; i < 3; i++) {
+    double middle = 0.5 * (cut[i] + cut[i + 1]);
+    add_growing(c, seg, cut[i], middle);
+    add_growing(c, seg, cut[i + 1], middle);
+  }
+  return true;
+}
+
 bool ph_energy_begin(struct ph_energy_sum *sum) {
   ph_energy_clear(sum);
   for (size_t i = 0; i < PH_ENERGY_RULES; i++) {
@@ -118,18 +168,28 @@ void ph_energy_clear(struct ph_energy_sum *sum) {
   sum->parts = 0;
 }
 
-void ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
-  struct pair coarse = integrate(seg, &sum->rule[0], 0, 1);
+bool ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
+  struct pair coarse;
   sum->parts = 0;
+  if (ph_seg2_stands_still(seg, NULL)) {
+    ph_sum_add(&sum->bending, (double)NAN);
+    ph_sum_add(&sum->varying, (double)NAN);
+    return false;
+  }
+  if (!ph_seg2_moves_on(seg->w) && add_slow(sum, seg)) {
+    return true;
+  }
+  coarse = integrate(seg, &sum->rule[0], 0, 1);
   for (size_t i = 1; i < PH_ENERGY_RULES; i++) {
     struct pair fine = integrate(seg, &sum->rule[i], 0, 1);
     if (both_agree(sum, &coarse, &fine)) {
       accept(sum, &fine);
-      return;
+      return true;
     }
     coarse = fine;
   }
   refine(sum, seg, 0, 1, &coarse, 0);
+  return true;
 }
 
 /* Half the exponent of the power of two that brings r' = w^2 to unit scale. */
@@ -158,9 +218,13 @@ bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {
     for (size_t i = 0; i < 3; i++) {
       seg.w[i] = ph_cplx_scale(scale, seg.w[i]);
     }
+    if (!ph_energy_add(&sum, &seg)) {
+      double none = (double)NAN;
+      *energy = (struct ph_energy){none, none, none, none, none, none};
+      return true;
+    }
     ph_sum_add(&rotation, ph_seg2_rotation(&seg, &turned));
     ph_sum_add(&absolute, turned);
-    ph_energy_add(&sum, &seg);
   }
   energy->bending = ph_pow2_positive(ph_sum_value(&sum.bending), 2 * exponent);
   energy->varying = ph_pow2_positive(ph_sum_value(&sum.varying), 6 * exponent);

@@ -42,8 +42,9 @@ bool ph_energy_begin(struct ph_energy_sum *sum);
 /* ph_energy_clear: no segments again. */
 void ph_energy_clear(struct ph_energy_sum *sum);
 
-/* ph_energy_add: one more segment, in its unit, to 1e-12 relative. */
-void ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg);
+/* ph_energy_add: one more segment, in its unit, to 1e-12 relative; false, and
+ * NaN, if it stands still (seg2.h). */
+bool ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg);
 
 /*
  * ph_energy_planar: the energies of a curve, in its unit, to 1e-12 relative.
@@ -51,9 +52,9 @@ void ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg);
  * Adaptive Gauss quadrature at unit scale; the rotations are in closed form.
  * O(n), with more nodes where a segment bends more.
  *
- * ret  false when memory is exhausted; an energy is not finite where the
- *      curve stands still, or where E or MV leave the range of a double:
- *      either end of it, as less than DBL_MIN is not known to 1e-12
+ * ret  false when memory is exhausted; all are NaN where the curve stands still
+ *      (seg2.h), and E and MV not finite where they leave the range of a
+ * double: either end of it, as less than DBL_MIN is not known to 1e-12
  */
 bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy);
 

@@ -38,7 +38,7 @@ static const double COS_MAX = 0.5;
 
 struct ph_cone ph_piece_cone(const ph_cplx w[3]) {
   ph_cplx low = w[0], high = w[0];
-  if (!ph_piece_tame(w)) {
+  if (!ph_seg2_is_tame(w)) {
     return PH_CONE_ALL;
   }
   for (size_t i = 1; i < 3; i++) {

@@ -29,13 +29,6 @@ struct ph_piece ph_piece_of(const struct ph_seg2 *seg, size_t segment);
 /* ph_piece_halves: the halves of a piece by its parameter. */
 void ph_piece_halves(const struct ph_piece *piece, struct ph_piece half[2]);
 
-/* ph_piece_tame: whether the preimage stays within a quarter turn, and so the
- * tangent within a half turn, by sight of its coefficients. */
-static inline bool ph_piece_tame(const ph_cplx w[3]) {
-  return ph_cplx_dot(w[0], w[1]) > 0 && ph_cplx_dot(w[1], w[2]) > 0 &&
-         ph_cplx_dot(w[0], w[2]) > 0;
-}
-
 /* ph_piece_cone: the cone of the directions w^2. */
 struct ph_cone ph_piece_cone(const ph_cplx w[3]);
 

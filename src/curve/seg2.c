@@ -149,21 +149,79 @@ static void at_unit_scale(const ph_cplx w[3], ph_cplx out[3]) {
   }
 }
 
-double ph_seg2_rotation(const struct ph_seg2 *seg, double *absolute) {
-  /*
-   * (1) w ~ w0 (1-v)^2 + 2 m (1-v) v + w2 v^2,  m = c w1.
-   * (2) With d = sqrt(m^2 - w0 w2), signed so that q = m + d does not cancel:
-   *     q w ~ (q (1-v) + w2 v) (w0 (1-v) + q v),  as w0 w2 + q^2 = 2 m q.
-   *     Tested by t_seg2.c: factorisation.
-   */
-  ph_cplx w[3], m;
-  at_unit_scale(seg->w, w);
-  m = ph_cplx_scale(seg->space.c, w[1]);
+/*
+ * The two linear forms whose product w is, up to a positive factor.
+ *
+ * (1) w ~ w0 (1-v)^2 + 2 m (1-v) v + w2 v^2,  m = c w1.
+ * (2) With d = sqrt(m^2 - w0 w2), signed so that q = m + d does not cancel:
+ *     q w ~ (q (1-v) + w2 v) (w0 (1-v) + q v),  as w0 w2 + q^2 = 2 m q.
+ *     Tested by t_seg2.c: factorisation.
+ */
+static void split(const ph_cplx w[3], ph_cplx m, struct form forms[2]) {
   const ph_cplx d =
       ph_cplx_sqrt(ph_cplx_sub(ph_cplx_mul(m, m), ph_cplx_mul(w[0], w[2])));
   const ph_cplx q =
       ph_cplx_dot(m, d) >= 0 ? ph_cplx_add(m, d) : ph_cplx_sub(m, d);
-  const struct form forms[2] = {{q, w[2]}, {w[0], q}};
+  forms[0] = (struct form){q, w[2]};
+  forms[1] = (struct form){w[0], q};
+}
+
+/* ---- standing still ----------------------------------------------------- */
+
+/* Where in [0,1] a form is nearest to 0. */
+static double nearest(const struct form *form) {
+  ph_cplx step = ph_cplx_sub(form->r, form->p);
+  double foot = -ph_cplx_dot(form->p, step), whole = ph_cplx_norm2(step);
+  return foot > 0 ? (foot < whole ? foot / whole : 1) : 0;
+}
+
+/* u for v = S1 / (S0 + S1). */
+static double parameter_of(const struct ph_atph *space, double v) {
+  double half = 0.5 * space->angle;
+  return half > 0 ? atan2(v * sin(half), 1 - v + v * space->c) / half : v;
+}
+
+void ph_seg2_slow(const struct ph_seg2 *seg, double u[2]) {
+  struct form forms[2];
+  ph_cplx w[3];
+  at_unit_scale(seg->w, w);
+  split(w, ph_cplx_scale(seg->space.c, w[1]), forms);
+  for (size_t i = 0; i < 2; i++) {
+    u[i] = parameter_of(&seg->space, nearest(&forms[i]));
+  }
+}
+
+bool ph_seg2_stands_still(const struct ph_seg2 *seg, double *u) {
+  ph_cplx w[3];
+  double most, at[4] = {0, 1};
+  if (ph_seg2_moves_on(seg->w)) {
+    return false;
+  }
+  ph_seg2_slow(seg, at + 2);
+  at_unit_scale(seg->w, w);
+  most = ph_cplx_norm2(ph_cplx_scale(seg->space.c, w[1]));
+  most = fmax(most, fmax(ph_cplx_norm2(w[0]), ph_cplx_norm2(w[2])));
+  for (size_t i = 0; i < 4; i++) {
+    ph_cplx here;
+    ph_atph_jet(&seg->space, w, at[i], &here, 1);
+    if (!(ph_cplx_norm2(here) > PH_SEG2_STILL * most)) {
+      if (u) {
+        *u = at[i];
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+/* ---- rotation ----------------------------------------------------------- */
+
+double ph_seg2_rotation(const struct ph_seg2 *seg, double *absolute) {
+  struct form forms[2];
+  ph_cplx w[3], m;
+  at_unit_scale(seg->w, w);
+  m = ph_cplx_scale(seg->space.c, w[1]);
+  split(w, m, forms);
   if (absolute) {
     double v[4] = {0};
     size_t n = inflections(w, m, v + 1);

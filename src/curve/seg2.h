@@ -15,6 +15,9 @@
 #include "kernel/cplx.h"
 #include "kernel/quad.h"
 
+#include <float.h>
+#include <stdbool.h>
+
 struct ph_seg2 {
   struct ph_atph space;
   ph_cplx w[3];
@@ -55,6 +58,45 @@ struct ph_bend ph_seg2_bend(const struct ph_seg2 *seg, double u);
  */
 struct ph_seg2 ph_seg2_part(const struct ph_seg2 *seg,
                             const struct ph_quad *rule, double u0, double u1);
+
+/* ph_seg2_is_tame: whether the preimage stays within a quarter turn, and so the
+ * tangent within a half turn, by sight of its coefficients. */
+static inline bool ph_seg2_is_tame(const ph_cplx w[3]) {
+  return ph_cplx_dot(w[0], w[1]) > 0 && ph_cplx_dot(w[1], w[2]) > 0 &&
+         ph_cplx_dot(w[0], w[2]) > 0;
+}
+
+/* PH_SEG2_STILL: the speed that rounding leaves, relative. */
+#define PH_SEG2_STILL (16 * DBL_EPSILON)
+
+/*
+ * ph_seg2_moves_on: whether it is tame and stands still nowhere, by sight of
+ * its coefficients at unit scale, or near it.
+ *
+ * In |w|^2 no term of w, within a quarter turn, takes from the others: it is at
+ * least |w0|^2 (1-v)^4 + |w2|^2 v^4, an eighth of the smaller.
+ */
+static inline bool ph_seg2_moves_on(const ph_cplx w[3]) {
+  double first = ph_cplx_norm2(w[0]), last = ph_cplx_norm2(w[2]);
+  double middle = ph_cplx_norm2(w[1]), sum = first + middle + last;
+  return ph_seg2_is_tame(w) && first > 8 * PH_SEG2_STILL * sum &&
+         last > 8 * PH_SEG2_STILL * sum;
+}
+
+/* ph_seg2_slow: the places in [0,1] that are nearest to the two zeros of w;
+ * where the speed nearly vanishes, it is least there. */
+void ph_seg2_slow(const struct ph_seg2 *seg, double u[2]);
+
+/*
+ * ph_seg2_stands_still: whether the speed |w|^2 falls somewhere, at the ends
+ * too, to what rounding of the control points leaves of it: PH_SEG2_STILL of
+ * its largest coefficient.  Rounding then decides on which side w passes 0, and
+ * whether the tangent turns by +2 pi or -2 pi there: energies and rotations are
+ * not defined.  So of what is not a number.
+ *
+ * out  u  NULL, or where, if so
+ */
+bool ph_seg2_stands_still(const struct ph_seg2 *seg, double *u);
 
 /*
  * ph_seg2_rotation: the angle by which the tangent turns, signed and not

@@ -68,3 +68,66 @@ for points in '[[0,0],[1,0],[0.5,0],[2,0]]' '[[0,0],[0,3],[0,1.5],[0,6]]' \
       holds "$basis $points: to the left" '(x[1] - x[2]) ^ 2 < 1e-18'
   done
 done
+
+# ---- curves that stand still -------------------------------------------------
+
+# told PATH: how many members of a record's solutions match
+told() {
+  json get solutions out | awk -v path="$1" '{ print gsub(path, "") }' |
+    sort -u | tr '\n' ' ' | sed 's/ $//'
+}
+
+# Along a line all solutions but the straight one do, where rounding would decide
+# on which side the preimage passes 0.  In many directions, near and far:
+for along in '1 0' '0 -1' '-1 1' '0.3 0.1' '1e-40 2e-40' '-7e30 3e29' \
+  '0.8775825618903728 0.479425538604203'; do
+  for step in '0 1 2' '0 1 2 4' '0 1 1.5 5'; do
+    echo "$along $step" | awk '{ printf "{\"points\":["
+      for (i = 3; i <= NF; i++) {
+        printf "%s[%.17g,%.17g]", (i > 3 ? "," : ""), $1 * $i, $2 * $i
+      }
+      print "],\"solutions\":\"all\"" }'
+  done
+done >lines
+for fields in '' ',"basis":"atph"'; do
+  sed "s/\$/$fields}/" lines >p
+  run planar p
+  expect "a line$fields" 0
+  equal "a line$fields: one that does not stop" 1 "$(told '"simple":true')"
+  equal "a line$fields: the first" true \
+    "$(json get 'solutions[0].good' out | sort -u)"
+  for name in energy IES rotation_index absolute_rotation_index 'loops":0'; do
+    equal "a line$fields: $name of that alone" 1 "$(told "\"$name")"
+  done
+  for name in MV IMV; do
+    equal "a line$fields: $name of no other" 1 "$(told "\"$name\"")"
+  done
+  equal "a line$fields: straight" '21 0' \
+    "$(floats diagnostics.absolute_rotation_index |
+      awk '{ far += !($1 < 1e-12) } END { print NR, far + 0 }')"
+  mv out r
+  run verify --problems=p r
+  expect "a line$fields: verified" 0
+done
+
+# So do Tschirnhausen cubics.
+sed 's/$/}/' lines >p
+run tc p
+expect 'cubics on a line' 0
+equal 'cubics on a line: told of those that are regular' \
+  "$(json get solutions out | awk '{ print gsub(/"regular":true/, "") }')" \
+  "$(json get solutions out | awk '{ print gsub(/"rotation_index"/, "") }')"
+mv out r
+run verify --problems=p r
+expect 'cubics on a line: verified' 0
+
+# Near to a line what they are is known, and as far from it as that.
+for off in 1e-3 1e-2; do
+  echo "{\"points\":[[0,0],[0.4,$off],[1,0]],\"solutions\":\"all\"}"
+done >p
+run planar p
+expect 'near a line' 0
+equal 'near a line: told of all' 8 "$(told '"rotation_index"')"
+mv out r
+run verify --problems=p r
+expect 'near a line: verified' 0

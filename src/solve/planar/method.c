@@ -19,6 +19,7 @@
 #include "solve/common/fields.h"
 #include "solve/planar/planar.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,7 +43,12 @@ enum { KANTOROVICH_MAX = 100 };
 
 static void warn_loops(const struct ph_planar_loops *loops,
                        struct ph_result *result) {
-  if (loops->n) {
+  if (loops->n && isnan(loops->angle)) {
+    ph_fail(ph_warning_add(result, loops->first), PH_LOOP, NULL,
+            "segment %zu stands still somewhere, or turns on the spot (with "
+            "loops, such segments: %zu)",
+            loops->first, loops->n);
+  } else if (loops->n) {
     ph_fail(ph_warning_add(result, loops->first), PH_LOOP, NULL,
             "segment %zu turns by %.4g radians, more than half a turn (such "
             "segments: %zu)",
@@ -109,10 +115,13 @@ static bool turns_sharply(const struct ph_planar_c2 *c2) {
                           ph_cplx_dot(c2->direction[n - 1], c2->end[1]) < 0;
 }
 
-/* E L, which is the same for every scale. */
+/* E L, which is the same for every scale; of a curve that stands still, which
+ * has none, more than of any other. */
 static double fairness(const struct ph_curve *curve) {
   struct ph_energy energy;
-  return ph_energy_planar(curve, &energy) ? energy.ies : (double)NAN;
+  return !ph_energy_planar(curve, &energy) ? (double)NAN
+         : isfinite(energy.ies)            ? energy.ies
+                                           : DBL_MAX;
 }
 
 /*
@@ -278,7 +287,8 @@ static int compare_sides(const struct ph_curve *x, const struct ph_curve *y) {
   return 0;
 }
 
-/* Those that bend least first; where they bend alike, the shorter, then the one
+/* Those that bend least first, and those that stand still, of which that is not
+ * known, last; where they bend alike, the shorter, then the one
  * that is found alone, then the one that turns less: of straight lines, the one
  * that goes straight.  Mirror images are alike in all that; the one to the left
  * comes first.  None of that depends on rounding. */
@@ -295,7 +305,7 @@ static int compare_solutions(const void *a, const void *b) {
   if (x->good != y->good) {
     return x->good ? -1 : 1;
   }
-  if (!(fabs(turns[0] - turns[1]) <= SAME_LENGTH)) {
+  if (fabs(turns[0] - turns[1]) > SAME_LENGTH) {
     return order(turns[0], turns[1]);
   }
   return compare_sides(&x->curve, &y->curve);
@@ -320,11 +330,9 @@ static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
   }
   /* for comparing; the certificate says what is known */
   solution->diagnostics.value[PH_D_ENERGY] =
-      isfinite(energy.ies)
-          ? energy.ies * (good->length / solution->curve.length)
-          : HUGE_VAL;
+      fmin(energy.ies * (good->length / solution->curve.length), DBL_MAX);
   solution->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX] =
-      energy.absolute_rotation;
+      isfinite(energy.ies) ? energy.absolute_rotation : HUGE_VAL;
   solution->good = is_same_length(solution->curve.length, good->length) &&
                    compare_sides(good, &solution->curve) == 0;
   return PH_OK;
@@ -456,16 +464,12 @@ enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *d,
   return ph_curve_alloc(curve, arena, diag);
 }
 
-/* The tangent stays within a half turn if w stays within a quarter turn. */
-static bool is_tame(const ph_cplx w[3]) {
-  return ph_cplx_dot(w[0], w[1]) > 0 && ph_cplx_dot(w[1], w[2]) > 0 &&
-         ph_cplx_dot(w[0], w[2]) > 0;
-}
-
 static void loops_add(struct ph_planar_loops *loops, size_t k,
                       const struct ph_atph *space, const ph_cplx w[3]) {
   struct ph_seg2 seg = {*space, {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
-  double angle = is_tame(w) ? 0 : ph_seg2_rotation(&seg, NULL);
+  double angle = ph_seg2_stands_still(&seg, NULL) ? (double)NAN
+                 : ph_seg2_is_tame(w)             ? 0
+                                      : ph_seg2_rotation(&seg, NULL);
   if (!(fabs(angle) <= PH_PI) && loops->n++ == 0) {
     loops->first = k;
     loops->angle = angle;

@@ -333,10 +333,10 @@ static inline ph_cplx ph_planar_point(const struct ph_planar_data *d,
 
 /* From the unknowns of the C2 equations to a curve in the user's unit. */
 
-/* Segments that turn by more than half a turn. */
+/* Segments that turn by more than half a turn, or stand still. */
 struct ph_planar_loops {
   size_t n, first;
-  double angle; /* of the first */
+  double angle; /* of the first; NaN where it stands still */
 };
 
 /* ph_planar_curve_alloc: a curve for these data, without its numbers.

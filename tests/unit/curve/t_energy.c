@@ -197,6 +197,171 @@ START_TEST(test_cubics) {
 }
 END_TEST
 
+/* ---- curves that nearly stand still -------------------------------------- */
+
+/* The sum of what energy.c integrates, in long double. */
+struct sums {
+  long double bending, varying, turned, absolute;
+};
+
+/* w and two derivatives, straight from the definition (1), (2) of atph.h. */
+static void exact_jet(const struct ph_seg2 *seg, long double u,
+                      long double re[3], long double im[3]) {
+  long double h = seg->space.angle / 2.0L, v = 1 - u, b[3][3];
+  long double s[3] = {v, -1, 0}, t[3] = {u, 1, 0}, c = 1;
+  if (h > 0) {
+    c = cosl(h);
+    s[0] = sinl(h * v) / sinl(h), s[1] = -h * cosl(h * v) / sinl(h);
+    t[0] = sinl(h * u) / sinl(h), t[1] = h * cosl(h * u) / sinl(h);
+    s[2] = -h * h * s[0], t[2] = -h * h * t[0];
+  }
+  b[0][0] = s[0] * s[0], b[0][1] = 2 * c * s[0] * t[0], b[0][2] = t[0] * t[0];
+  b[1][0] = 2 * s[0] * s[1], b[1][2] = 2 * t[0] * t[1];
+  b[1][1] = 2 * c * (s[1] * t[0] + s[0] * t[1]);
+  b[2][0] = 2 * (s[1] * s[1] + s[0] * s[2]);
+  b[2][1] = 2 * c * (s[2] * t[0] + 2 * s[1] * t[1] + s[0] * t[2]);
+  b[2][2] = 2 * (t[1] * t[1] + t[0] * t[2]);
+  for (size_t i = 0; i < 3; i++) {
+    re[i] = im[i] = 0;
+    for (size_t j = 0; j < 3; j++) {
+      re[i] += b[i][j] * seg->w[j].re;
+      im[i] += b[i][j] * seg->w[j].im;
+    }
+  }
+}
+
+static void add_exact(const struct ph_seg2 *seg, long double u,
+                      long double weight, struct sums *sums) {
+  long double x[3], y[3], speed, turn, slope;
+  exact_jet(seg, u, x, y);
+  speed = x[0] * x[0] + y[0] * y[0];
+  turn = 2 * (x[0] * y[1] - y[0] * x[1]) / speed;
+  slope = 2 * (x[0] * y[2] - y[0] * x[2]) / (speed * speed) -
+          4 * turn * (x[0] * x[1] + y[0] * y[1]) / (speed * speed);
+  sums->bending += weight * turn * turn / speed;
+  sums->varying += weight * slope * slope / speed;
+  sums->turned += weight * turn;
+  sums->absolute += weight * fabsl(turn);
+}
+
+/* By panels that grow from 1/8 of the distance of a zero of w from [0,1], to
+ * either side of it. */
+static struct sums exact(const struct ph_seg2 *seg, double at, double near) {
+  struct sums sums = {0, 0, 0, 0};
+  for (int side = -1; side <= 1; side += 2) {
+    long double room = side < 0 ? at : 1 - (long double)at, from = 0;
+    while (from < room) {
+      long double to = from + fmaxl(near, from) / 8;
+      to = to < room ? to : room;
+      for (size_t i = 0; i < rule.n; i++) {
+        long double away = from + (to - from) * rule.node[i];
+        add_exact(seg, at + side * away, (to - from) * rule.weight[i], &sums);
+      }
+      from = to;
+    }
+  }
+  return sums;
+}
+
+/*
+ * A segment whose preimage is 0 beside u = at, at a distance of about near:
+ * along a line but for that, or, if it bends, with another zero off the line.
+ */
+static struct ph_seg2 near_stop(int kind, double at, double near, bool bends,
+                                ph_cplx factor) {
+  double half = kind == 1 ? 0.7 : 0, c = cos(half);
+  double v =
+      kind == 1 ? sin(half * at) / (sin(half * (1 - at)) + sin(half * at)) : at;
+  ph_cplx p = {-v, near}, r = {1 - v, near};
+  ph_cplx other[2] = {{1, 0}, {kind == 2 ? 1 : 0.4, bends ? 0.8 : 0}};
+  ph_cplx w[3] = {
+      ph_cplx_mul(p, other[0]),
+      ph_cplx_add(ph_cplx_mul(p, other[1]), ph_cplx_mul(r, other[0])),
+      ph_cplx_mul(r, other[1])};
+  w[1] = ph_cplx_scale(0.5 / c, w[1]);
+  for (size_t i = 0; i < 3; i++) {
+    w[i] = ph_cplx_mul(factor, w[i]);
+  }
+  return unit_seg2(2 * half, w);
+}
+
+static void check_stop(int kind, double at, double near, bool bends,
+                       ph_cplx factor) {
+  struct ph_seg2 seg = near_stop(kind, at, near, bends, factor);
+  struct ph_energy found = energy_of(&seg, 1);
+  double place = -1, tolerance = 1e-12 + 200 * DBL_EPSILON / fabs(near);
+  struct sums wanted;
+  if (fabs(near) < 1e-8) {
+    ck_assert(ph_seg2_stands_still(&seg, &place));
+    ck_abs(place, at, 1e-8);
+    ck_assert(isnan(found.bending) && isnan(found.varying));
+    ck_assert(isnan(found.ies) && isnan(found.imv));
+    ck_assert(isnan(found.rotation) && isnan(found.absolute_rotation));
+    return;
+  }
+  ck_assert(!ph_seg2_stands_still(&seg, NULL));
+  wanted = exact(&seg, at, fabs(near));
+  ck_rel(found.bending, (double)wanted.bending, tolerance);
+  ck_rel(found.varying, (double)wanted.varying, tolerance);
+  ck_abs(found.rotation, (double)wanted.turned / (2 * PI), tolerance);
+  /* what is integrated has kinks where the segment bends the other way */
+  ck_abs(found.absolute_rotation, (double)wanted.absolute / (2 * PI),
+         bends ? 1e-5 : tolerance);
+}
+
+/* Near to a stop, within and at the ends, everything is right or, where it is
+ * rounding, is not told: in every direction, at every scale. */
+START_TEST(test_stops) {
+  const double nears[] = {0,    1e-17, -1e-16, 1e-12, -1e-10, 1e-9,
+                          1e-6, -1e-5, 1e-4,   -1e-3, 1e-2};
+  const double places[] = {0, 1e-3, 0.25, 0.5, 0.71, 1};
+  const double scales[] = {1, 0x1p-40, 0x1p40};
+  for (int kind = 0; kind < 3; kind++) {
+    for (size_t i = 0; i < sizeof nears / sizeof nears[0]; i++) {
+      for (size_t j = 0; j < sizeof places / sizeof places[0]; j++) {
+        for (int direction = 0; direction < 4; direction++) {
+          ph_cplx factor = ph_cplx_scale(scales[(i + j) % 3],
+                                         ph_cplx_polar(0.8 * direction));
+          check_stop(kind, places[j], nears[i], kind < 2 && direction % 2,
+                     factor);
+        }
+      }
+    }
+  }
+}
+END_TEST
+
+/* The square of a linear form: two zeros in one place, or nearly so. */
+START_TEST(test_double_stops) {
+  for (int kind = 0; kind < 2; kind++) {
+    for (double apart = 1e-1; apart > 1e-12; apart *= 0.1) {
+      for (int direction = 0; direction < 4; direction++) {
+        ph_cplx f = ph_cplx_polar(0.8 * direction);
+        ph_cplx w[3] = {
+            ph_cplx_scale(0.3 * (0.3 + apart), f),
+            ph_cplx_scale(-0.5 * (0.42 + 0.4 * apart) / cos(kind * 0.7), f),
+            ph_cplx_scale(0.7 * (0.7 - apart), f)};
+        struct ph_seg2 seg = unit_seg2(kind * 1.4, w);
+        ck_assert(ph_seg2_stands_still(&seg, NULL));
+        ck_assert(isnan(energy_of(&seg, 1).rotation));
+      }
+    }
+  }
+}
+END_TEST
+
+/* Nothing is told of what is not a number. */
+START_TEST(test_not_numbers) {
+  for (size_t i = 0; i < 6; i++) {
+    ph_cplx w[3] = {{1, 0.1}, {1, 0.2}, {1, 0.3}};
+    struct ph_seg2 seg;
+    *(i % 2 ? &w[i / 2].re : &w[i / 2].im) = (double)NAN;
+    seg = unit_seg2(0, w);
+    ck_assert(ph_seg2_stands_still(&seg, NULL));
+  }
+}
+END_TEST
+
 static Suite *suite(void) {
   Suite *s = suite_create("energy");
   TCase *t = tcase_create("energy");
@@ -208,6 +373,9 @@ static Suite *suite(void) {
   tcase_add_test(t, test_line);
   tcase_add_test(t, test_bound);
   tcase_add_test(t, test_cubics);
+  tcase_add_test(t, test_stops);
+  tcase_add_test(t, test_double_stops);
+  tcase_add_test(t, test_not_numbers);
   suite_add_tcase(s, t);
   return s;
 }

@@ -125,7 +125,7 @@ static double off_hull(const struct ph_piece *piece, ph_cplx z) {
 /* All bounds at points of a piece; returns how wide that of the curvature is,
  * or infinity where there is none. */
 static double ck_bounds(const struct ph_piece *piece) {
-  bool tame = ph_piece_tame(piece->seg.w);
+  bool tame = ph_seg2_is_tame(piece->seg.w);
   double curvature[2] = {-HUGE_VAL, HUGE_VAL}, off = 0;
   int bad = 0;
   if (tame) {
