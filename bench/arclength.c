@@ -16,7 +16,7 @@
 #include "curves.h"
 
 #include "base/mem.h"
-#include "cert/cert.h"
+#include "check/certify.h"
 #include "io/json_in.h"
 #include "kernel/bern.h"
 #include "solve/method.h"
@@ -47,8 +47,8 @@ static void solve(void *data) {
 
 static void certify(struct run *run) {
   run->certificate =
-      ph_cert_arclength(&run->problem, &run->result.curve, &run->scratch,
-                        &run->result.diagnostics, &run->diag);
+      ph_certify_arclength(&run->problem, &run->result.curve, &run->scratch,
+                           &run->result.diagnostics, &run->diag);
   ph_arena_reset(&run->scratch);
 }
 

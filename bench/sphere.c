@@ -13,7 +13,7 @@
 #include "spatial.h"
 
 #include "base/mem.h"
-#include "cert/cert.h"
+#include "check/certify.h"
 #include "curve/spherical.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"
@@ -60,8 +60,8 @@ static void certify(void *data) {
   struct run *run = data;
   if (run->status == PH_OK) {
     run->status =
-        ph_cert_sphere(&run->problem, &run->result.curve, &run->scratch,
-                       &run->result.diagnostics, &run->diag);
+        ph_certify_sphere(&run->problem, &run->result.curve, &run->scratch,
+                          &run->result.diagnostics, &run->diag);
   }
 }
 

@@ -11,7 +11,7 @@
 #include "io/json_read.h"
 #include "io/number.h"
 #include "io/value.h"
-#include "verify/promise.h"
+#include "check/promise.h"
 
 #include <stdlib.h>
 #include <string.h>

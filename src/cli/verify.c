@@ -17,7 +17,7 @@
 #include "io/json_result.h"
 #include "io/json_write.h"
 #include "io/value.h"
-#include "verify/verify.h"
+#include "check/verify.h"
 
 #include <float.h>
 #include <stdio.h>
@@ -220,18 +220,18 @@ static enum ph_status judge(struct task *t) {
   const double tolerance =
       t->options->tolerance > 0 ? t->options->tolerance : TOLERANCE;
   const struct ph_verdict *v = &t->verdict;
-  const struct ph_verify_error *worst;
+  const struct ph_check_finding *worst;
   t->judged = true;
-  if (v->worst == PH_V_N || v->check[v->worst].error <= tolerance) {
+  if (v->worst == PH_CHECK_N || v->check[v->worst].error <= tolerance) {
     return PH_OK;
   }
   worst = &v->check[v->worst];
   if (worst->error > DBL_MAX) {
     return ph_fail(&t->diag, PH_NOT_VERIFIED, worst->where.field, "%s (%s)",
-                   worst->where.message, ph_verify_name(v->worst));
+                   worst->where.message, ph_check_name(v->worst));
   }
   return ph_fail(&t->diag, PH_NOT_VERIFIED, worst->where.field, "%s (%s %.3g)",
-                 worst->where.message, ph_verify_name(v->worst), worst->error);
+                 worst->where.message, ph_check_name(v->worst), worst->error);
 }
 
 static enum ph_status verify(struct task *t) {
@@ -256,9 +256,9 @@ static enum ph_status verify(struct task *t) {
     status = read_problem(t);
   }
   if (status == PH_OK && claim->solved) {
-    status = ph_verify_result(&claim->result, t->posed ? &t->problem : NULL,
-                              t->promise, &t->worker->scratch, &t->verdict,
-                              &t->diag);
+    status =
+        ph_check_result(&claim->result, t->posed ? &t->problem : NULL,
+                        t->promise, &t->worker->scratch, &t->verdict, &t->diag);
     if (status == PH_OK) {
       status = judge(t);
     }
@@ -279,19 +279,18 @@ static void write_verdict(struct ph_json_writer *w, const struct task *t) {
   const struct ph_verdict *v = &t->verdict;
   ph_write_key_string(w, "curve", ph_curve_name(curve->kind));
   ph_write_key_number(w, "segments", (double)curve->n);
-  if (v->worst != PH_V_N) {
+  if (v->worst != PH_CHECK_N) {
     ph_write_key(w, "worst");
     ph_write_begin(w, '{');
-    ph_write_key_string(w, "check", ph_verify_name(v->worst));
+    ph_write_key_string(w, "check", ph_check_name(v->worst));
     write_error(w, "error", v->check[v->worst].error);
     ph_write_end(w, '}');
   }
   ph_write_key(w, "checks");
   ph_write_begin(w, '{');
-  for (int i = 0; i < PH_V_N; i++) {
+  for (int i = 0; i < PH_CHECK_N; i++) {
     if (v->check[i].done) {
-      write_error(w, ph_verify_name((enum ph_verify_check)i),
-                  v->check[i].error);
+      write_error(w, ph_check_name((enum ph_check_id)i), v->check[i].error);
     }
   }
   ph_write_end(w, '}');
@@ -339,8 +338,8 @@ static void report(const struct task *t, const struct ph_subject *subject,
   ms = 1e3 * (double)(now.tv_sec - start->tv_sec) +
        1e-6 * (double)(now.tv_nsec - start->tv_nsec);
   ph_message_subject(err, subject);
-  if (t->judged && v->worst != PH_V_N) {
-    ph_message_printf(err, "%s %.2g, %.3g ms\n", ph_verify_name(v->worst),
+  if (t->judged && v->worst != PH_CHECK_N) {
+    ph_message_printf(err, "%s %.2g, %.3g ms\n", ph_check_name(v->worst),
                       v->check[v->worst].error, ms);
   } else {
     ph_message_printf(err, "nothing to verify, %.3g ms\n", ms);

@@ -15,7 +15,7 @@
  */
 #include "problem.h"
 
-#include "cert/cert.h"
+#include "check/certify.h"
 #include "curve/offset.h"
 #include "solve/method.h"
 
@@ -162,8 +162,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   if (status == PH_OK) {
     double steps = result.diagnostics.value[PH_D_ITERATIONS];
     FUZZ_REQUIRE(steps >= 0 && steps <= PLANAR_STEPS_MAX);
-    status = ph_cert_planar(&in.problem, &result.curve, &scratch,
-                            &result.diagnostics, &diag);
+    status = ph_certify_planar(&in.problem, &result.curve, &scratch,
+                               &result.diagnostics, &diag);
   }
   if (status == PH_OK) {
     planar_check_result(&in, &result, &out);

@@ -21,7 +21,7 @@
  */
 #include "problem.h"
 
-#include "cert/cert.h"
+#include "check/certify.h"
 #include "curve/bezier.h"
 #include "curve/offset.h"
 #include "solve/method.h"
@@ -363,8 +363,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
   if (status == PH_OK) {
     spatial_check_steps(&in, &result);
-    status = ph_cert_spatial_hermite(&in.problem, &result.curve, &scratch,
-                                     &result.diagnostics, &diag);
+    status = ph_certify_spatial_hermite(&in.problem, &result.curve, &scratch,
+                                        &result.diagnostics, &diag);
   }
   if (status == PH_OK) {
     spatial_check_result(&in, &result, &out);

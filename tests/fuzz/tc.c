@@ -25,7 +25,7 @@
  */
 #include "problem.h"
 
-#include "cert/cert.h"
+#include "check/certify.h"
 #include "curve/blaschke.h"
 #include "curve/offset.h"
 #include "curve/sample.h"
@@ -389,12 +389,12 @@ static enum ph_status tc_certify(const struct tc_input *in,
                                  struct ph_result *result,
                                  struct ph_arena *scratch,
                                  struct ph_diag *diag) {
-  enum ph_status status = ph_cert_tc(&in->problem, &result->curve, scratch,
-                                     &result->diagnostics, diag);
+  enum ph_status status = ph_certify_tc(&in->problem, &result->curve, scratch,
+                                        &result->diagnostics, diag);
   for (size_t i = 0; status == PH_OK && i < result->solutions_n; i++) {
     struct ph_solution *solution = &result->solutions[i];
-    status = ph_cert_tc(&in->problem, &solution->curve, scratch,
-                        &solution->diagnostics, diag);
+    status = ph_certify_tc(&in->problem, &solution->curve, scratch,
+                           &solution->diagnostics, diag);
   }
   return status;
 }

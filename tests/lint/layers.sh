@@ -26,19 +26,20 @@ while read -r file; do
   sed -n "s|^[ 	]*#[ 	]*include[ 	]*\([\"<][^\">]*[\">]\).*|$file \1|p" "$file"
 done <"$tmp/files" >"$tmp/includes"
 
-# room: the rooms, or headers, it may include from.  cert never includes solve,
-# else it would certify its own mistakes; verify stands by itself.
+# room: the rooms, or headers, it may include from.  check never includes solve,
+# else it would certify its own mistakes, and of curve the structs, and what
+# describes a curve.
 awk '
   BEGIN {
     may["base"] = " base "
     may["kernel"] = " kernel base "
     may["curve"] = " curve kernel base "
     may["solve"] = " solve curve kernel base "
-    may["cert"] = " cert curve kernel base "
-    may["verify"] = " verify kernel base curve/result.h curve/problem.h "
+    may["check"] = " check kernel base curve/result.h curve/problem.h " \
+      "curve/cross.h curve/energy.h curve/fair3.h curve/ph3.h curve/tc.h "
     may["plot"] = " plot curve kernel base "
     may["io"] = " io curve base "
-    may["cli"] = " cli io plot verify solve cert curve kernel base "
+    may["cli"] = " cli io plot check solve curve kernel base "
   }
   {
     split($1, from, "/")

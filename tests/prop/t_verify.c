@@ -18,7 +18,7 @@
 /* What the command accepts by default. */
 static const double TOLERANCE = 1e-9;
 
-static double worst[PH_V_N];
+static double worst[PH_CHECK_N];
 static struct ph_arena arena, scratch;
 
 /* Verifies a result, with the problem and, every fourth one, without. */
@@ -33,13 +33,13 @@ static void accept(const char *command, const struct ph_problem *problem,
     ph_arena_reset(&arena);
     return;
   }
-  status = ph_verify_result(result, which % 4 ? problem : NULL,
-                            ph_promise_of(command), &scratch, &verdict, &diag);
+  status = ph_check_result(result, which % 4 ? problem : NULL,
+                           ph_promise_of(command), &scratch, &verdict, &diag);
   ck_assert_int_eq(status, PH_OK);
-  for (int i = 0; i < PH_V_N; i++) {
-    const struct ph_verify_error *e = &verdict.check[i];
+  for (int i = 0; i < PH_CHECK_N; i++) {
+    const struct ph_check_finding *e = &verdict.check[i];
     ck_assert_msg(e->error <= TOLERANCE, "seed %lu, %s %zu: %s %.3g: %s %s",
-                  unit_seed(), command, which, ph_verify_name(i), e->error,
+                  unit_seed(), command, which, ph_check_name(i), e->error,
                   e->where.field, e->where.message);
     worst[i] = unit_larger(worst[i], e->error);
   }
@@ -48,9 +48,9 @@ static void accept(const char *command, const struct ph_problem *problem,
 
 static void report(const char *command) {
   printf("%s:", command);
-  for (int i = 0; i < PH_V_N; i++) {
+  for (int i = 0; i < PH_CHECK_N; i++) {
     if (worst[i] > 0) {
-      printf(" %s %.2g", ph_verify_name(i), worst[i]);
+      printf(" %s %.2g", ph_check_name(i), worst[i]);
     }
     worst[i] = 0;
   }

@@ -3,7 +3,7 @@
 #include "tc_data.h"
 #include "unit.h"
 
-#include "cert/cert.h"
+#include "check/certify.h"
 #include "kernel/pi.h"
 #include "solve/method.h"
 #include "solve/tc/tc.h"
@@ -250,7 +250,7 @@ static void certify(const struct tc_data *d, struct unit_solution *s,
                     struct ph_diagnostics *diagnostics,
                     const struct ph_interval *intervals) {
   enum ph_status status =
-      ph_cert_tc(&s->problem, c, &s->scratch, diagnostics, &s->diag);
+      ph_certify_tc(&s->problem, c, &s->scratch, diagnostics, &s->diag);
   ck_that(status == PH_OK, "certificate: %s %s", s->diag.field,
           s->diag.message);
   if (unit_diagnostic(diagnostics, PH_D_REGULAR) > 0) {

@@ -32,8 +32,8 @@ struct ph_value unit_vectors(double *v, size_t n) {
 enum ph_status unit_certify(void) {
   unit_tc.diagnostics = unit_tc.claims;
   memset(&unit_tc.diag, 0, sizeof unit_tc.diag);
-  return ph_cert_tc(&unit_tc.problem, &unit_tc.c.curve, &unit_tc.scratch,
-                    &unit_tc.diagnostics, &unit_tc.diag);
+  return ph_certify_tc(&unit_tc.problem, &unit_tc.c.curve, &unit_tc.scratch,
+                       &unit_tc.diagnostics, &unit_tc.diag);
 }
 
 double unit_said(enum ph_diagnostic what) {

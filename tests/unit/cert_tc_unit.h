@@ -6,7 +6,7 @@
 
 #include "tc_curve_unit.h"
 
-#include "cert/cert.h"
+#include "check/certify.h"
 
 enum { UNIT_TC_POINTS = 5 };
 

@@ -4,7 +4,7 @@
 #include "random_unit.h"
 #include "unit.h"
 
-#include "cert/cert.h"
+#include "check/certify.h"
 #include "solve/method.h"
 
 #include <string.h>
@@ -67,8 +67,8 @@ enum ph_status unit_planar_solve(struct unit_planar *u) {
   ck_assert(!before.chunk || before.chunk == after.chunk);
   ck_assert_uint_eq(before.used, after.used);
   if (status == PH_OK) {
-    status = ph_cert_planar(&u->problem, &u->result.curve, &u->scratch,
-                            &u->result.diagnostics, &u->diag);
+    status = ph_certify_planar(&u->problem, &u->result.curve, &u->scratch,
+                               &u->result.diagnostics, &u->diag);
   }
   ck_assert_int_eq(u->diag.status, status);
   return status;

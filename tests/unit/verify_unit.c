@@ -99,14 +99,15 @@ void unit_claim_make(struct unit_claim *c, const char *command,
 
 void unit_claim_verify(struct unit_claim *c, bool with_problem) {
   enum ph_status status =
-      ph_verify_result(&c->result, with_problem ? &c->problem : NULL,
-                       ph_promise_of(c->command->schema->command), &c->scratch,
-                       &c->verdict, &c->diag);
+      ph_check_result(&c->result, with_problem ? &c->problem : NULL,
+                      ph_promise_of(c->command->schema->command), &c->scratch,
+                      &c->verdict, &c->diag);
   ck_assert_int_eq(status, PH_OK);
 }
 
 double unit_worst(const struct ph_verdict *verdict) {
-  return verdict->worst == PH_V_N ? 0 : verdict->check[verdict->worst].error;
+  return verdict->worst == PH_CHECK_N ? 0
+                                      : verdict->check[verdict->worst].error;
 }
 
 void unit_claim_free(struct unit_claim *c) {

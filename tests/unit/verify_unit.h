@@ -7,7 +7,7 @@
 #define PH_TESTS_VERIFY_UNIT_H
 
 #include "cli/command.h"
-#include "verify/verify.h"
+#include "check/verify.h"
 
 #include <stdbool.h>
 

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Certificates: what a curve promises, recomputed from its control points by
+ * code that does not know how it was found (verify.h says what it shares).
+ *
+ * Errors are reported relative to the size of the data (half the diagonal of
+ * the bounding box) or as each one says.  A curve is accepted when every error
+ * is within its tolerance plus what rounding of the control points to doubles
+ * can make of it; the latter matters where segments are tiny beside the whole
+ * (a second derivative is a second difference of control points).
+ */
+#ifndef PH_CHECK_CERTIFY_H
+#define PH_CHECK_CERTIFY_H
+
+#include "base/diag.h"
+#include "base/mem.h"
+#include "curve/problem.h"
+#include "curve/result.h"
+
+/* A certificate: PH_OK, or why the curve must not be printed. */
+typedef enum ph_status ph_certify_fn(const struct ph_problem *problem,
+                                     const struct ph_curve *curve,
+                                     struct ph_arena *scratch,
+                                     struct ph_diagnostics *diagnostics,
+                                     struct ph_diag *diag);
+
+/*
+ * ph_certify_planar: a C2 planar PH quintic spline through the problem's
+ * points.
+ *
+ *   interpolation_error   distance of segment ends from the points / size
+ *   end_derivative_error  |r' - d| / |d| at the ends, where d is given
+ *   pythagorean_error     |r' - w^2| / size: the hodograph is a square
+ *   continuity_error      jumps at the knots, with respect to the global
+ *                         parameter: of r' over |r'|, and of r'' over |r'| per
+ *                         shorter neighbouring interval
+ *   length_error          lengths against Gauss quadrature of |r'| / length
+ *
+ * Beside these, how fair the curve is (curve/energy.h) and whether it crosses
+ * itself (curve/cross.h).
+ *
+ * ret  PH_OK | PH_TOO_LARGE (something is not finite) | PH_NO_CONVERGENCE
+ *      (an error exceeds its tolerance; says which and where) | PH_NO_MEMORY
+ */
+ph_certify_fn ph_certify_planar;
+
+/*
+ * ph_certify_spatial_hermite: a PH quintic or ATPH curve through the problem's
+ * points, with its tangents or derivatives, whichever are given.
+ *
+ *   interpolation_error   distance of segment ends from the points / size
+ *   tangent_error         |t - given| of unit tangents, or |r' - s^2 d| / s^2
+ *                         |d| with the tension s; unknown if neither is given
+ *   pythagorean_error     |r' - A i A*| / largest coefficient of r', of each
+ *                         segment by itself
+ *   continuity_error      jump of the unit tangent at the joints; of r' too,
+ *                         relative, where derivatives are given and both
+ *                         tensions are the same
+ *   length_error          lengths against Gauss quadrature of |r'|, relative
+ *   shape_ok              whether all segments claim to keep the shape of the
+ *                         data; where one does not keep what it claims, the
+ *                         curve is refused (check/shape_spatial.h)
+ *
+ * Beside these, how fair an accepted curve of at most 1000 segments is
+ * (curve/fair3.h): energy is the integral of kappa^2 ds, F1, F2 and F3 are sums
+ * of those of the segments.
+ *
+ * ret  as above, and PH_INTERNAL when there is not a segment for every pair of
+ *      neighbouring points
+ */
+ph_certify_fn ph_certify_spatial_hermite;
+
+/*
+ * ph_certify_arclength: a C2 spatial PH quintic spline, one to three segments
+ * for each interval of the data, with the problem's points, derivatives or
+ * tangents, and with its lengths unless they are free or have a length_sigma.
+ * "mean" is the mean length of an interval.
+ *
+ *   interpolation_error   distance of the joints from the points, or of the
+ *                         start, / half the diagonal of the control points
+ *   tangent_error         |r' - d| / |d|, or |t - given| of unit tangents;
+ *                         unknown where points are given
+ *   pythagorean_error     |r' - A i A*| by the local parameter / mean
+ *   continuity_error      jumps at the joints: of r / mean, of r' and r'' with
+ *                         respect to the global parameter as in the plane
+ *   length_error          of segments against Gauss quadrature of |r'|, of
+ *                         intervals against what is prescribed, / mean
+ *   min_speed             the smallest |A|^2 by the global parameter, relative
+ *                         to the mean speed, to 1e-13
+ *   F, kkt_error          anew, in place of those of the solver
+ *                         (check/stationary.h)
+ *
+ * A curve is refused, too, when F is not what it was said to be, when it is
+ * not stationary, or when it is claimed to be a minimiser and F can fall; that
+ * it is a saddle is believed.
+ *
+ * in   diagnostics  F and second_order as claimed, or unknown; F_relaxed, which
+ *                   soft lengths are weighed by
+ * ret  as above; PH_INTERNAL when segments and data do not fit together
+ */
+ph_certify_fn ph_certify_arclength;
+
+/*
+ * ph_certify_sphere: a spherical nu-spline through the problem's points, of the
+ * model, the ends, the knots, the tensions and the shape that it claims.  All
+ * is brought to the unit sphere first.
+ *
+ *   sphere_error          | |p - center| / radius - 1 | of control points
+ *   interpolation_error   distance of the joints from the points, these
+ *                         projected onto the sphere / half the diagonal of the
+ *                         control points, or the radius if that is smaller;
+ *                         how far points were moved is bounded, too
+ *   continuity_error      jump of the velocity with respect to the knots /
+ *                         the larger speed, where it is not 0
+ *   curvature_jump        jump of kappa_g / max(1, |kappa_g| on both sides);
+ *                         1e-10 is allowed of the model `exact', beside what
+ *                         rounding of control points makes of it; of `nielson'
+ *                         it is a number and no promise
+ *   max_curvature         the largest |kappa_g| at a node between two segments,
+ *                         1/unit
+ *   end_derivative_error  of open curves: distance of the second control point
+ *                         from where the ends put it / angle of the segment
+ *   length_error          lengths against sums of distances of points,
+ *                         extrapolated, / total
+ *   tension_sum           of the nodes where a tension has an effect
+ *   shape_ok              whether all criteria of shape hold
+ *                         (check/shape_sphere.h); where the problem asks for
+ *                         that and one does not, the curve is refused
+ *
+ * A curve is refused, too, when its knots are not those of the problem, when
+ * it is not the curve of its tensions, or with shape=false when these are not
+ * those of the problem, and when an indicator is not the turn of the data.
+ *
+ * ret  as above; PH_INTERNAL when segments, sphere and problem do not fit
+ *      together
+ */
+ph_certify_fn ph_certify_sphere;
+
+/*
+ * ph_certify_tc: planar Tschirnhausen cubics, one or two for each interval of
+ * the data as the mode of the problem says, or for a chain of Bezier curves.
+ *
+ *   interpolation_error   distance of the ends of intervals from the points,
+ *                         and of joints that are to be on the chord from it /
+ *                         size; of approximations: of ends of cubics, but for
+ *                         inner joints of pairs, from the curve at their knots
+ *   tangent_error         |t - wanted| of unit tangents: given ones, those of
+ *                         [BYR11, (5.24)] anew, or of the curve
+ *   end_derivative_error  |r' - wanted| / |wanted| at the ends of pairs, where
+ *                         derivatives or lambda are given, and of splines
+ *   pythagorean_error     |r' - w^2|, and of h0, h1, h2, the coefficients of r'
+ *                         from the control points alone, |h1^2 - h0 h2| / |r'|;
+ *                         / largest coefficient of r', each cubic by itself
+ *   continuity_error      gaps at the joints / size; jumps of the unit tangent;
+ *                         |jump of r'| / |r'| within pairs whose joint is free,
+ *                         and between intervals where derivatives are wanted;
+ *                         of chains, gaps alone where two given curves meet
+ *   length_error          lengths against Gauss quadrature of |r'| / length
+ *   regular               |w| is nowhere below 1e-12 of its larger end
+ *   max_curvature         the largest |curvature|, 1/unit
+ *   distance              of approximations: an upper bound of the Hausdorff
+ *                         distance, in the unit of the data (tc_distance.h)
+ *
+ * Beside these, which nothing is compared with, how fair the curve is and
+ * whether it crosses itself; of one that stands still (seg2.h), as irregular
+ * ones do, no energy, no largest curvature, no turns.  An irregular one is
+ * refused unless all solutions are asked for.  An approximation is refused,
+ * too, when its distance exceeds the tolerance and when it has too many cubics.
+ * The distance that is told is the bound found here, or the claim where this
+ * bound confirms it but for rounding; no claim is refused.
+ *
+ * in   diagnostics  distance as claimed, or unknown: what is looked for
+ * ret  as above; PH_INTERNAL when segments, knots and problem do not fit
+ *      together
+ */
+ph_certify_fn ph_certify_tc;
+
+#endif

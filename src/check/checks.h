@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The checks that verify.c runs, each in a file of its own.  All note what they
+ * find (note.h); a curve has the right shape before the others look at it.
+ */
+#ifndef PH_CHECK_CHECKS_H
+#define PH_CHECK_CHECKS_H
+
+#include "check/place.h"
+
+/* ph_check_arrays: whether arrays, numbers and knots are such that there is a
+ * curve to look at. */
+bool ph_check_arrays(struct ph_check *v);
+
+/* ph_check_square: whether |r'| of a segment is a polynomial in its space, and
+ * r' that of the claimed preimage; sets noise[k]. */
+void ph_check_square(struct ph_check *v, struct ph_check_segment *s);
+
+/* ph_check_joint: between two segments, the second being b. */
+void ph_check_joint(struct ph_check *v, const struct ph_check_segment *a,
+                    const struct ph_check_segment *b);
+
+/* ph_check_lengths: of all segments, intervals and the whole. */
+void ph_check_lengths(struct ph_check *v);
+
+/* ph_check_tensions: what joins segments on a sphere. */
+void ph_check_tensions(struct ph_check *v);
+
+/* ph_check_fairness: energies and turns that the diagnostics claim. */
+void ph_check_fairness(struct ph_check *v);
+
+/* ph_check_conversion: by how much a Bezier curve may be longer or shorter
+ * than the curve that it stands for; 0 of other curves. */
+double ph_check_conversion(const struct ph_check *v);
+
+/*
+ * ph_check_samples: samples of the curve.
+ *
+ * in   beside  NULL, or the offset that they are of
+ * out  length  of what they are of
+ * out  error   how uncertain that is
+ */
+void ph_check_samples(struct ph_check *v, const struct ph_samples *samples,
+                      const struct ph_check_path *beside, double *length,
+                      double *error);
+
+/* ph_check_on_sphere: points of a curve on a sphere; with the problem, how it
+ * ends. */
+void ph_check_on_sphere(struct ph_check *v);
+
+/* ph_check_blaschke: images on the Blaschke cylinder. */
+void ph_check_blaschke(struct ph_check *v);
+
+/* ph_check_solves: the problem, if there is one.
+ * ret  PH_OK | PH_NO_MEMORY */
+enum ph_status ph_check_solves(struct ph_check *v);
+
+/* ph_check_is_approximation: whether the curve approximates another one: as
+ * the problem says, or, without one, as the result says it. */
+bool ph_check_is_approximation(const struct ph_check *v);
+
+/* ph_check_approximation: of cubics from the curve of the problem.
+ * ret  PH_OK | PH_NO_MEMORY */
+enum ph_status ph_check_approximation(struct ph_check *v);
+
+/*
+ * ph_check_gaps: where an offset jumps: the gaps that are listed, no others,
+ * and of samples those at both ends of each.
+ *
+ * in   path  the offset; it goes from segment to segment by `segment`
+ */
+void ph_check_gaps(struct ph_check *v, const struct ph_offset *offset,
+                   struct ph_check_path *path,
+                   struct ph_check_segment *segment);
+
+/* ph_check_offset: an offset curve. */
+void ph_check_offset(struct ph_check *v, const struct ph_offset *offset);
+
+#endif

@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Data and their intervals (see data.h). */
+#include "check/data.h"
+
+#include "kernel/degree.h"
+#include "check/checks.h"
+
+#include <string.h>
+
+/* A joint is at a datum, where others are possible, within this of the size. */
+static const double AT_DATUM = 1e-9;
+
+/* A last point that repeats the first one, in units of rounding. */
+enum { ROUND_REPEATED = 64 };
+
+/* Rounding of a given vector and its products. */
+static const double ROUND_GIVEN = 8 * DBL_EPSILON;
+
+bool ph_check_is_word(const struct ph_check *v, enum ph_field_id id,
+                      const char *word) {
+  const struct ph_value *value = &v->problem->field[id];
+  return value->kind == PH_WORD && strcmp(value->word, word) == 0;
+}
+
+/* ---- which data ---------------------------------------------------------- */
+
+static const struct ph_value *vectors(const struct ph_check *v,
+                                      enum ph_field_id id) {
+  const struct ph_value *value = &v->problem->field[id];
+  return value->kind == PH_VECTORS && value->n > 1 ? value : NULL;
+}
+
+static void set_fields(const struct ph_check *v, struct ph_check_data *data) {
+  const struct ph_value *lonlat = vectors(v, PH_F_LONLAT);
+  data->lonlat = lonlat != NULL;
+  data->points = lonlat ? lonlat : vectors(v, PH_F_POINTS);
+  data->vectors = vectors(v, PH_F_DERIVATIVES);
+  data->derivatives = data->vectors != NULL;
+  if (!data->vectors) {
+    data->vectors = vectors(v, PH_F_TANGENTS);
+  }
+}
+
+ph_vec3 ph_check_datum(const struct ph_check *v,
+                       const struct ph_check_data *data, size_t j,
+                       double *off) {
+  const struct ph_curve *c = v->curve;
+  size_t i = j < data->points->n ? j : 0;
+  const double *x = data->points->v + data->points->dimension * i;
+  ph_vec3 point, center, from;
+  double radius = ph_check_scaled(v, c->sphere.radius);
+  *off = 0;
+  if (c->kind != PH_CURVE_SPHERICAL_NU) {
+    return ph_check_vector(v, x, data->points->dimension);
+  }
+  center = ph_check_vector(v, c->sphere.center, 3);
+  if (data->lonlat) {
+    return ph_vec3_along(center, radius, ph_degree_to_unit(x[0], x[1]));
+  }
+  point = ph_check_vector(v, x, data->points->dimension);
+  from = ph_vec3_sub(point, center);
+  *off = fabs(ph_vec3_abs(from) / radius - 1);
+  return ph_vec3_along(center, radius, ph_vec3_unit(from));
+}
+
+/* ---- intervals ------------------------------------------------------------
+ */
+
+static ph_vec3 end_of(const struct ph_check *v, size_t k) {
+  const struct ph_curve *c = v->curve;
+  return ph_check_vector(v, ph_curve_points(c, k) + c->degree * c->dimension,
+                         c->dimension);
+}
+
+/* How many intervals the data of closed Bezier curves have, of which the curve
+ * does not say it. */
+static size_t closed_intervals(const struct ph_check *v,
+                               const struct ph_check_data *data) {
+  size_t n = data->points->n;
+  double off;
+  ph_vec3 first = ph_check_datum(v, data, 0, &off);
+  ph_vec3 last = ph_check_datum(v, data, n - 1, &off);
+  return ph_check_apart(first, last) <= ROUND_REPEATED * v->rounding ? n - 1
+                                                                     : n;
+}
+
+static size_t count(const struct ph_check *v,
+                    const struct ph_check_data *data) {
+  const struct ph_curve *c = v->curve;
+  if (v->intervals_n > 0) {
+    return v->intervals_n;
+  }
+  if (c->kind == PH_CURVE_BEZIER && data->points) {
+    return c->closed ? closed_intervals(v, data) : data->points->n - 1;
+  }
+  return c->n;
+}
+
+/* Whether an array has one element for each datum. */
+static bool fits(const struct ph_check *v, const struct ph_value *value,
+                 size_t n) {
+  return !value || value->n == n + 1 || (v->curve->closed && value->n == n);
+}
+
+/* The segments of each interval.  Those of a Bezier curve in place of another
+ * are cut: an interval ends with the first that ends at its datum, or, where
+ * none does, so that all others have one. */
+static void set_segments(const struct ph_check *v, struct ph_check_data *data) {
+  const struct ph_curve *c = v->curve;
+  size_t next = 0;
+  for (size_t i = 0; i < data->n; i++) {
+    size_t most = c->n - (data->n - i), last = next;
+    if (v->intervals_n > 0) {
+      last = v->intervals[i].last;
+    } else if (i + 1 == data->n) {
+      last = c->n - 1;
+    } else if (c->n > data->n) {
+      double off;
+      ph_vec3 datum = ph_check_datum(v, data, i + 1, &off);
+      while (last < most &&
+             !(ph_check_apart(end_of(v, last), datum) <= AT_DATUM * v->size)) {
+        last++;
+      }
+    }
+    data->first[i] = next;
+    data->last[i] = last;
+    next = last + 1;
+  }
+}
+
+bool ph_check_data_of(struct ph_check *v, struct ph_check_data *data,
+                      enum ph_status *status) {
+  set_fields(v, data);
+  data->n = count(v, data);
+  if (!(data->points || data->vectors) || !fits(v, data->points, data->n) ||
+      !fits(v, data->vectors, data->n) || data->n > v->curve->n) {
+    ph_check_wrong(v, PH_CHECK_SHAPE,
+                   ph_check_of("segments", PH_CHECK_ONE, NULL),
+                   "are not as many as the data of the problem want");
+    return false;
+  }
+  data->first = ph_arena_array(v->scratch, data->n, sizeof *data->first);
+  data->last = ph_arena_array(v->scratch, data->n, sizeof *data->last);
+  if (!data->first || !data->last) {
+    *status = ph_fail_memory(v->diag);
+    return false;
+  }
+  set_segments(v, data);
+  return true;
+}
+
+/* ---- ends of segments ------------------------------------------------------
+ */
+
+ph_vec3 ph_check_direction(const double *x, size_t dimension) {
+  ph_vec3 a = ph_vec3_get(x, dimension);
+  double largest = ph_check_larger(fabs(a.x), fabs(a.y));
+  struct ph_pow2 scale;
+  largest = ph_check_larger(largest, fabs(a.z));
+  scale = ph_pow2_of(largest > 0 ? -ph_pow2_exponent(largest) : 0);
+  return ph_vec3_unit(ph_vec3_of(ph_pow2_apply(scale, a.x),
+                                 ph_pow2_apply(scale, a.y),
+                                 ph_pow2_apply(scale, a.z)));
+}
+
+void ph_check_heading(struct ph_check *v, enum ph_check_id check,
+                      const struct ph_check_segment *s, double u,
+                      ph_vec3 wanted) {
+  ph_vec3 first;
+  double speed, error;
+  ph_check_jet(s, u, &first, 1);
+  speed = ph_vec3_abs(first);
+  error = s->noise / speed;
+  if (error < PH_CHECK_NO_DIRECTION) {
+    ph_check_miss(v, check, ph_check_in(s->k, "control_points"),
+                  ph_check_apart(ph_vec3_scale(1 / speed, first), wanted), 1,
+                  error + ROUND_GIVEN, "miss the given direction");
+  } else {
+    ph_check_done(v, check);
+  }
+}
+
+void ph_check_derivative(struct ph_check *v, enum ph_check_id check,
+                         const struct ph_check_segment *s, double u,
+                         double factor, ph_vec3 wanted, bool knots) {
+  double size = factor * ph_vec3_abs(wanted);
+  double error = ROUND_GIVEN + (knots ? v->knot / s->spacing : 0);
+  ph_vec3 first;
+  ph_check_jet(s, u, &first, 1);
+  ph_check_miss(v, check, ph_check_in(s->k, "control_points"),
+                ph_check_apart(first, ph_vec3_scale(factor, wanted)),
+                ph_check_larger(size, v->mean), s->noise + error * size,
+                "miss the given derivative");
+}

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Which segments of a curve belong to which interval of the data, and what the
+ * checks with a problem share.
+ */
+#ifndef PH_CHECK_DATA_H
+#define PH_CHECK_DATA_H
+
+#include "check/segment.h"
+
+struct ph_check_data {
+  const struct ph_value *points;  /* what is given at the data: points */
+  const struct ph_value *vectors; /* or tangents or derivatives, which may stand
+                                     beside points; NULL: none */
+  bool derivatives;               /* these */
+  bool lonlat;                    /* points are longitudes and latitudes */
+  size_t n;                       /* intervals */
+  size_t *first, *last;           /* [n] their segments */
+};
+
+/* ph_check_field: a field of the problem, or NULL. */
+static inline const struct ph_value *ph_check_field(const struct ph_check *v,
+                                                    enum ph_field_id id) {
+  const struct ph_value *value = &v->problem->field[id];
+  return value->kind == PH_ABSENT ? NULL : value;
+}
+
+/* ph_check_is_word: whether a field is a word. */
+bool ph_check_is_word(const struct ph_check *v, enum ph_field_id id,
+                      const char *word);
+
+/*
+ * ph_check_data_of: the intervals of the data.
+ *
+ * ret  false where the curve has other ones, which is noted, and where there
+ *      was no memory, which v->diag tells (*status)
+ */
+bool ph_check_data_of(struct ph_check *v, struct ph_check_data *data,
+                      enum ph_status *status);
+
+/* ph_check_datum: a point of the data at unit scale, after the last one the
+ * first again; those of a sphere are
+ * brought onto it.
+ * out  off  by how much of the radius they were off; else 0 */
+ph_vec3 ph_check_datum(const struct ph_check *v,
+                       const struct ph_check_data *data, size_t j, double *off);
+
+/* ph_check_direction: the unit vector of one of any size. */
+ph_vec3 ph_check_direction(const double *x, size_t dimension);
+
+/* ph_check_heading: the direction of a segment at u = 0 or 1 against a unit
+ * vector; where rounding leaves it none, nothing is said. */
+void ph_check_heading(struct ph_check *v, enum ph_check_id check,
+                      const struct ph_check_segment *s, double u,
+                      ph_vec3 wanted);
+
+/* ph_check_derivative: r' by u at u = 0 or 1 against a factor times a vector
+ * at unit scale, relative to the latter and the mean length of a segment.
+ * in  knots  whether the factor is the spacing of knots, which are rounded */
+void ph_check_derivative(struct ph_check *v, enum ph_check_id check,
+                         const struct ph_check_segment *s, double u,
+                         double factor, ph_vec3 wanted, bool knots);
+
+#endif

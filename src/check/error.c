@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the certificates share (see error.h). */
+#include "check/error.h"
+
+#include <float.h>
+
+/* The spacing of subnormal numbers. */
+static const double SMALLEST = 4.9406564584124654e-324;
+
+/* No more rounding is allowed for: the hodograph would be a claim of no
+ * digit. */
+static const double ROUNDING_OF_SIZE = 1e-3 / PH_CHECK_ROUND_FIRST;
+
+enum ph_status ph_check_conclude(const struct ph_check_error *check,
+                                 struct ph_diagnostics *diagnostics,
+                                 struct ph_diag *diag) {
+  ph_diagnostics_set(diagnostics, check->what, check->reported);
+  if (check->excess <= 1 && isfinite(check->reported)) {
+    return PH_OK;
+  }
+  return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", check->where,
+                    "is refused by its certificate: %s is %.3g, at most %.3g "
+                    "is allowed",
+                    ph_diagnostic_name(check->what), check->value,
+                    check->allowed);
+}
+
+static bool all_finite(const double *v, size_t n) {
+  for (size_t i = 0; i < n; i++) {
+    if (!isfinite(v[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+enum ph_status ph_check_finite(const struct ph_curve *curve,
+                               struct ph_diag *diag) {
+  size_t n = curve->n, points = n * (curve->degree + 1) * curve->dimension;
+  size_t preimage = n * curve->preimage.n * curve->preimage.dimension;
+  if (all_finite(curve->control_points, points) &&
+      all_finite(curve->preimage.v, preimage) &&
+      all_finite(curve->knots, n + 1) && all_finite(curve->lengths, n) &&
+      isfinite(curve->length) &&
+      (!curve->preimage.alpha || all_finite(curve->preimage.alpha, n)) &&
+      (!curve->choice.tension || all_finite(curve->choice.tension, n))) {
+    return PH_OK;
+  }
+  return ph_fail(diag, PH_TOO_LARGE, NULL,
+                 "the curve exceeds the range of a double");
+}
+
+bool ph_check_scale_of(const double *points, size_t n, size_t dimension,
+                       struct ph_check_scale *scale) {
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, extent[3], largest = 0;
+  int exponent;
+  for (size_t i = 0; i < dimension; i++) {
+    low[i] = high[i] = points[i];
+    for (size_t k = 1; k < n; k++) {
+      low[i] = ph_check_smaller(low[i], points[dimension * k + i]);
+      high[i] = ph_check_larger(high[i], points[dimension * k + i]);
+    }
+    largest = ph_check_larger(largest, ph_check_larger(-low[i], high[i]));
+  }
+  if (!(largest > 0)) {
+    return false;
+  }
+  exponent = -ph_pow2_exponent(largest) - 2;
+  exponent -= exponent & 1;
+  scale->to_unit = ph_pow2_of(exponent);
+  scale->root = ldexp(1, exponent / 2);
+  for (size_t i = 0; i < 3; i++) {
+    extent[i] = ph_pow2_apply(scale->to_unit, high[i]) -
+                ph_pow2_apply(scale->to_unit, low[i]);
+  }
+  scale->size = 0.5 * hypot(hypot(extent[0], extent[1]), extent[2]);
+  scale->spacing = ph_pow2_apply(scale->to_unit, SMALLEST);
+  scale->rounding = ph_check_smaller(
+      DBL_EPSILON * ph_pow2_apply(scale->to_unit, largest) + scale->spacing,
+      ROUNDING_OF_SIZE * scale->size);
+  return scale->size > 0;
+}
+
+/* Powers S0^(4-j) S1^j at a node. */
+static void powers_at(const double base[2], double power[5]) {
+  double p = base[0] * base[0], q = base[1] * base[1], pq = base[0] * base[1];
+  power[0] = p * p;
+  power[1] = p * pq;
+  power[2] = p * q;
+  power[3] = q * pq;
+  power[4] = q * q;
+}
+
+struct ph_check_space ph_check_space_of(const struct ph_quad *rule,
+                                        double angle) {
+  struct ph_check_space space = {.of = ph_atph_of(angle)};
+  for (size_t i = 0; i < rule->n; i++) {
+    double base[2];
+    ph_atph_basis(&space.of, rule->node[i], base);
+    powers_at(base, space.leg[i]);
+    for (size_t j = 0; j < 5; j++) {
+      space.mu[j] += rule->weight[i] * space.leg[i][j];
+    }
+    space.square[i][0] = base[0] * base[0];
+    space.square[i][1] = 2 * space.of.c * base[0] * base[1];
+    space.square[i][2] = base[1] * base[1];
+  }
+  for (size_t i = 0; i < rule->n; i++) {
+    for (size_t j = 0; j < 5; j++) {
+      space.leg[i][j] /= space.mu[j];
+    }
+  }
+  return space;
+}
+
+void ph_check_space_for(struct ph_check_space *space,
+                        const struct ph_quad *rule,
+                        const struct ph_curve *curve, size_t k) {
+  double angle = curve->preimage.alpha ? curve->preimage.alpha[k] : 0;
+  if (!(angle <= space->of.angle && angle >= space->of.angle)) {
+    *space = ph_check_space_of(rule, angle);
+  }
+}

@@ -1,0 +1,406 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * How fair a curve is, against quadrature of what follows from its control
+ * points.  With sigma = |r'|, C = r' x r'' and primes by u,
+ *
+ *   kappa = |C| / sigma^3,  kappa' = |C|' / sigma^3 - 3 kappa sigma' / sigma,
+ *   tau = C . r''' / |C|^2,
+ *   tau' = C . r'''' / |C|^2 - 2 tau C . C' / |C|^2,  C' = r' x r'''     (1)
+ *
+ *   energy   E   = integral of kappa^2 sigma
+ *            MV  = integral of kappa'^2 / sigma
+ *   IES = E L,  IMV = MV L^3
+ *   F1, F2   sums of IES and IMV of the segments; F3 = F2 + L^3 times the
+ *            integral of tau'^2 / sigma, summed
+ *   rotation_index, absolute   integrals of kappa sigma, |kappa| sigma / 2 pi
+ *
+ * Where a curve nearly stops, these are large, and rounding of control points
+ * changes them: by how much is integrated, too.
+ */
+#include "check/checks.h"
+
+#include "base/sum.h"
+#include "kernel/pi.h"
+
+/* Integrals, relative. */
+static const double INTEGRAL = 1e-11;
+
+/* Claims that were integrated to less are not looked at closer. */
+static const double CLAIMED = 1e-10;
+
+/* Derivatives are as uncertain as (note.h) and change as fast as that. */
+static const double NEXT = PH_CHECK_ROUND_NEXT;
+
+/* A torsion that comes and goes with changes of r' by this, relative, is that
+ * of a plane curve. */
+static const double PLANE = 1e-10;
+
+/* Where |C| / sigma^2 of a space curve falls to this part of its largest, it is
+ * near to an inflection: within as good as nothing kappa' changes its sign, and
+ * tau' has a peak that is as high as the inflection is near.  What is claimed
+ * of one is looked at less closely, of the other not at all; elsewhere as
+ * closely as two orders of smoothness less allow. */
+static const double INFLECTION = 1e-2, INFLECTED = 1e-5, SMOOTH = 1e-8;
+
+/* Places among which dips are searched, steps that find one, and how many there
+ * are at most in a quintic. */
+enum { PLACES = 32, STEPS = 40, DIPS = 4 };
+static const double GOLDEN = 0.61803398874989485;
+
+enum integral { BENDING, VARYING, TWISTING, TURNING, ABSOLUTE, INTEGRALS };
+
+/* A segment, and what is integrated: the value of each, then its error. */
+struct integrand {
+  const struct ph_check_segment *s;
+  bool plane;
+  enum integral what[INTEGRALS];
+  size_t n;
+  bool twists; /* TWISTING is among them */
+};
+
+/* (1) at a place, with errors. */
+struct bend {
+  double speed, kappa, slope, twist;
+  double kappa_error, slope_error, twist_error;
+};
+
+static void twist(const struct ph_check_segment *s, const ph_vec3 jet[4],
+                  ph_vec3 turn, struct bend *b) {
+  double noise = s->noise + PLANE * s->speed;
+  double error = noise * (NEXT * b->speed + ph_vec3_abs(jet[1]));
+  double square = ph_vec3_dot(turn, turn), size = sqrt(square);
+  ph_vec3 change = ph_vec3_cross(jet[0], jet[2]);
+  double tau = ph_vec3_dot(turn, jet[2]) / square;
+  double rate = ph_vec3_dot(turn, change) / square;
+  double part = error / size, third = ph_vec3_abs(jet[2]);
+  b->twist = ph_vec3_dot(turn, jet[3]) / square - 2 * tau * rate;
+  b->twist_error =
+      (NEXT * NEXT * NEXT * noise + ph_vec3_abs(jet[3]) * part) / size +
+      2 * fabs(rate) * (NEXT * NEXT * noise + 2 * third * part) / size +
+      2 * fabs(tau) * (NEXT * error + 3 * ph_vec3_abs(change) * part) / size;
+}
+
+static struct bend bend_at(const struct integrand *in, double u) {
+  const struct ph_check_segment *s = in->s;
+  struct bend b = {.twist = 0};
+  ph_vec3 jet[4], turn, change;
+  double size, cube, rate, fast, second;
+  ph_check_jet(s, u, jet, in->twists ? 4 : 3);
+  b.speed = ph_vec3_abs(jet[0]);
+  second = ph_vec3_abs(jet[1]);
+  cube = b.speed * b.speed * b.speed;
+  turn = ph_vec3_cross(jet[0], jet[1]);
+  change = ph_vec3_cross(jet[0], jet[2]);
+  size = in->plane ? turn.z : ph_vec3_abs(turn);
+  rate = ph_vec3_dot(jet[0], jet[1]) / (b.speed * b.speed);
+  b.kappa = size / cube;
+  b.slope = (in->plane  ? change.z
+             : size > 0 ? ph_vec3_dot(turn, change) / size
+                        : ph_vec3_abs(change)) /
+                cube -
+            3 * b.kappa * rate;
+  fast = NEXT + 4 * second / b.speed + sqrt(ph_vec3_abs(jet[2]) / b.speed);
+  b.kappa_error = (ph_check_uncertain(s, 2) + 4 * second * s->noise / b.speed) /
+                  (b.speed * b.speed);
+  b.slope_error =
+      fast * b.kappa_error + fast * fabs(b.slope) * s->noise / b.speed;
+  if (in->twists) {
+    twist(s, jet, turn, &b);
+  }
+  return b;
+}
+
+/* x^2 and by how much it may be off, times a factor. */
+static void put_square(double x, double error, double factor, double *value,
+                       double *uncertain) {
+  *value = x * x * factor;
+  *uncertain = (2 * fabs(x) + error) * error * factor;
+}
+
+static void values_at(const void *context, double u, double *value) {
+  const struct integrand *in = context;
+  struct bend b = bend_at(in, u);
+  for (size_t i = 0; i < in->n; i++) {
+    double *x = &value[i], *error = &value[in->n + i];
+    switch (in->what[i]) {
+    case BENDING:
+      put_square(b.kappa, b.kappa_error, b.speed, x, error);
+      break;
+    case VARYING:
+      put_square(b.slope, b.slope_error, 1 / b.speed, x, error);
+      break;
+    case TWISTING:
+      put_square(b.twist, b.twist_error, 1 / b.speed, x, error);
+      break;
+    default:
+      *x = (in->what[i] == TURNING ? b.kappa : fabs(b.kappa)) * b.speed;
+      *error = b.kappa_error * b.speed;
+    }
+  }
+}
+
+/* ---- sums over the segments --------------------------------------------- */
+
+/* A sum, and by how much it may be off. */
+struct total {
+  struct ph_sum sum;
+  double error;
+};
+
+struct fair {
+  struct ph_check *v;
+  struct total of[INTEGRALS]; /* integrals over the curve */
+  struct total f[3];          /* F1, F2, F3 */
+  bool wanted[INTEGRALS];
+};
+
+static void add(struct total *total, double x, double error) {
+  ph_sum_add(&total->sum, x);
+  total->error += error;
+}
+
+/* (|C| / sigma^2)^2 */
+static double bending_at(const struct ph_check_segment *s, double u) {
+  ph_vec3 jet[2], turn;
+  double square;
+  ph_check_jet(s, u, jet, 2);
+  turn = ph_vec3_cross(jet[0], jet[1]);
+  square = ph_vec3_dot(jet[0], jet[0]);
+  return ph_vec3_dot(turn, turn) / (square * square);
+}
+
+/* The lowest place between two. */
+static double dip_between(const struct ph_check_segment *s, double from,
+                          double to) {
+  for (size_t i = 0; i < STEPS; i++) {
+    double a = to - GOLDEN * (to - from), b = from + GOLDEN * (to - from);
+    if (bending_at(s, a) < bending_at(s, b)) {
+      to = b;
+    } else {
+      from = a;
+    }
+  }
+  return 0.5 * (from + to);
+}
+
+/* Dips of |C| / sigma^2, where integrals are cut.
+ *
+ * out  cut[DIPS + 2]  0, dips, 1
+ * out  depth          of the deepest, relative to the largest
+ * ret  how many cuts
+ */
+static size_t cuts_of(const struct ph_check_segment *s, double *cut,
+                      double *depth) {
+  double g[PLACES + 1], high = 0, low = HUGE_VAL;
+  size_t n = 1;
+  for (size_t i = 0; i <= PLACES; i++) {
+    g[i] = bending_at(s, (double)i / PLACES);
+    high = ph_check_larger(high, g[i]);
+    low = ph_check_smaller(low, g[i]);
+  }
+  cut[0] = 0;
+  for (size_t i = 1; i < PLACES && n <= DIPS; i++) {
+    if (g[i] < g[i - 1] && g[i] <= g[i + 1]) {
+      cut[n] =
+          dip_between(s, (double)(i - 1) / PLACES, (double)(i + 1) / PLACES);
+      low = ph_check_smaller(low, bending_at(s, cut[n]));
+      n++;
+    }
+  }
+  cut[n++] = 1;
+  *depth = sqrt(low / high);
+  return n;
+}
+
+/* The integrals over a segment, of which the curve is cut in space. */
+static void integrate(const struct fair *fair, const struct ph_check_segment *s,
+                      double *value, double *error) {
+  struct integrand in = {.s = s,
+                         .plane = fair->v->curve->dimension == 2,
+                         .twists = fair->wanted[TWISTING]};
+  struct ph_check_integrands of = {values_at, &in, 0, 0, 0, INTEGRAL};
+  double cut[DIPS + 2] = {0, 1}, sum[PH_CHECK_TOGETHER], depth = 1;
+  size_t n = in.plane ? 2 : cuts_of(s, cut, &depth);
+  for (size_t i = 0; i < INTEGRALS; i++) {
+    value[i] = error[i] = 0;
+    if (fair->wanted[i]) {
+      in.what[in.n++] = (enum integral)i;
+    }
+  }
+  of.n = 2 * in.n;
+  of.uncertain = in.n;
+  for (size_t k = 0; k + 1 < n; k++) {
+    ph_check_integral(&fair->v->rule, &of, cut[k], cut[k + 1], sum);
+    for (size_t i = 0; i < in.n; i++) {
+      value[in.what[i]] += sum[i];
+      error[in.what[i]] += sum[in.n + i] + 4 * INTEGRAL * fabs(sum[i]);
+    }
+  }
+  if (!in.plane) {
+    bool near = !(depth > INFLECTION);
+    error[BENDING] += SMOOTH * value[BENDING];
+    error[VARYING] += (near ? INFLECTED : SMOOTH) * value[VARYING];
+    error[TWISTING] += near ? HUGE_VAL : SMOOTH * value[TWISTING];
+  }
+}
+
+static void add_segment(struct fair *fair, const struct ph_check_segment *s) {
+  double value[INTEGRALS], error[INTEGRALS], l = fair->v->length[s->k];
+  double cube = l * l * l;
+  integrate(fair, s, value, error);
+  for (size_t i = 0; i < INTEGRALS; i++) {
+    add(&fair->of[i], value[i], error[i]);
+  }
+  add(&fair->f[0], l * value[BENDING], l * error[BENDING]);
+  add(&fair->f[1], cube * value[VARYING], cube * error[VARYING]);
+  add(&fair->f[2], cube * (value[VARYING] + value[TWISTING]),
+      cube * (error[VARYING] + error[TWISTING]));
+}
+
+/* ---- claims ------------------------------------------------------------- */
+
+/* What a number is: a sum times a power of the length and of the scale. */
+struct claim {
+  enum ph_diagnostic which;
+  const struct total *total;
+  double factor; /* of the sum, at unit scale */
+  int power;     /* of the scale, to the unit of the record */
+};
+
+/* The claims that can be found; at most these. */
+enum { CLAIMS = 9 };
+
+static size_t claims_of(const struct fair *fair, struct claim *claim) {
+  const struct ph_check *v = fair->v;
+  bool plane = v->curve->dimension == 2;
+  double l = 0;
+  const double turn = 1 / (2 * PH_PI);
+  const struct claim all[CLAIMS] = {
+      {PH_D_ENERGY, &fair->of[BENDING], 1, 1},
+      {PH_D_F1, &fair->f[0], 1, 0},
+      {PH_D_F2, &fair->f[1], 1, 0},
+      {PH_D_F3, &fair->f[2], 1, 0},
+      {PH_D_ROTATION_INDEX, &fair->of[TURNING], turn, 0},
+      {PH_D_ABSOLUTE_ROTATION_INDEX, &fair->of[ABSOLUTE], turn, 0},
+      {PH_D_MV, &fair->of[VARYING], 1, 3},
+      {PH_D_IES, &fair->of[BENDING], 1, 0},
+      {PH_D_IMV, &fair->of[VARYING], 1, 0}};
+  size_t n = plane ? CLAIMS : 4;
+  for (size_t k = 0; k < v->curve->n; k++) {
+    l += v->length[k];
+  }
+  for (size_t i = 0; i < n; i++) {
+    claim[i] = all[i];
+  }
+  if (plane) {
+    claim[7].factor = l;
+    claim[8].factor = l * l * l;
+  }
+  return n;
+}
+
+/* A sum at unit scale, in the unit of the record.  One power after another: out
+ * of range only where the whole is. */
+static double claimed_of(const struct ph_check *v, const struct claim *claim,
+                         double sum) {
+  double x = claim->factor * sum;
+  for (int i = 0; i < claim->power; i++) {
+    x = ph_check_scaled(v, x);
+  }
+  return x;
+}
+
+static double excess_of(const struct ph_check *v, const struct claim *claim,
+                        double claimed) {
+  double found = claimed_of(v, claim, ph_sum_value(&claim->total->sum));
+  double error = claimed_of(v, claim, claim->total->error);
+  return ph_check_excess(fabs(claimed - found), fabs(found),
+                         error + CLAIMED * fabs(found));
+}
+
+static void check_claim(struct ph_check *v, const struct claim *claim,
+                        enum ph_diagnostic which) {
+  double claimed = v->diagnostics->value[which];
+  double found = claimed_of(v, claim, ph_sum_value(&claim->total->sum));
+  double error = claimed_of(v, claim, claim->total->error);
+  double unit = fabs(found);
+  if (claim->which == PH_D_ROTATION_INDEX ||
+      claim->which == PH_D_ABSOLUTE_ROTATION_INDEX) {
+    unit = ph_check_larger(unit, 1);
+  }
+  if (isfinite(found) && isfinite(error)) {
+    ph_check_number(
+        v, PH_CHECK_DIAGNOSTIC,
+        ph_check_of("diagnostics", PH_CHECK_ONE, ph_diagnostic_name(which)),
+        claimed, found, unit, error + CLAIMED * unit);
+  }
+}
+
+/* The minimised functional is one of those that a curve of its kind has. */
+static void check_functional(struct ph_check *v, const struct claim *claim,
+                             size_t n) {
+  double claimed = v->diagnostics->value[PH_D_FUNCTIONAL];
+  size_t best = n;
+  for (size_t i = 0; i < n; i++) {
+    enum ph_diagnostic which = claim[i].which;
+    bool is_one = v->curve->dimension == 2
+                      ? which == PH_D_ENERGY || which >= PH_D_MV
+                      : which != PH_D_ENERGY;
+    if (is_one && which != PH_D_ROTATION_INDEX &&
+        which != PH_D_ABSOLUTE_ROTATION_INDEX &&
+        !(which >= PH_D_F1 && which <= PH_D_F3 && v->curve->dimension == 2) &&
+        (best == n || !(excess_of(v, &claim[i], claimed) >=
+                        excess_of(v, &claim[best], claimed)))) {
+      best = i;
+    }
+  }
+  if (best < n) {
+    check_claim(v, &claim[best], PH_D_FUNCTIONAL);
+  }
+}
+
+static void set_wanted(struct fair *fair) {
+  const struct ph_check *v = fair->v;
+  bool plane = v->curve->dimension == 2;
+  bool functional = ph_check_known(v, PH_D_FUNCTIONAL);
+  bool f3 = ph_check_known(v, PH_D_F3) || functional;
+  fair->wanted[BENDING] = functional || ph_check_known(v, PH_D_ENERGY) ||
+                          ph_check_known(v, PH_D_IES) ||
+                          ph_check_known(v, PH_D_F1);
+  fair->wanted[VARYING] = functional || ph_check_known(v, PH_D_MV) ||
+                          ph_check_known(v, PH_D_IMV) ||
+                          ph_check_known(v, PH_D_F2) || f3;
+  fair->wanted[TWISTING] = !plane && f3;
+  fair->wanted[TURNING] = plane && ph_check_known(v, PH_D_ROTATION_INDEX);
+  fair->wanted[ABSOLUTE] =
+      plane && ph_check_known(v, PH_D_ABSOLUTE_ROTATION_INDEX);
+}
+
+void ph_check_fairness(struct ph_check *v) {
+  struct fair fair = {.v = v};
+  struct claim claim[CLAIMS];
+  bool any = false;
+  size_t n;
+  set_wanted(&fair);
+  for (size_t i = 0; i < INTEGRALS; i++) {
+    any = any || fair.wanted[i];
+  }
+  if (!any || v->curve->kind == PH_CURVE_BEZIER ||
+      v->curve->sphere.radius > 0) {
+    return; /* Bezier curves stand for another */
+  }
+  for (size_t k = 0; k < v->curve->n; k++) {
+    struct ph_check_segment s;
+    ph_check_load(v, k, &s);
+    add_segment(&fair, &s);
+  }
+  n = claims_of(&fair, claim);
+  for (size_t i = 0; i < n; i++) {
+    if (ph_check_known(v, claim[i].which)) {
+      check_claim(v, &claim[i], claim[i].which);
+    }
+  }
+  if (ph_check_known(v, PH_D_FUNCTIONAL)) {
+    check_functional(v, claim, n);
+  }
+}

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Frames of samples (see frame.h). */
+#include "check/frame.h"
+
+/* Steps from one sample to the next, then twice as many and so on, until no
+ * more than this changes; where a tangent turns by more than that in one of
+ * them, what the normal does is not known. */
+enum { STEPS = 4, STEPS_MAX = 512 };
+static const double ENOUGH = 1e-8, TURN = 0.5;
+
+/* What is carried along: a place and a normal. */
+struct carried {
+  ph_vec3 point, tangent, normal;
+};
+
+static ph_vec3 reflect(ph_vec3 v, ph_vec3 across) {
+  double square = ph_vec3_dot(across, across);
+  return square > 0
+             ? ph_vec3_along(v, -2 * ph_vec3_dot(across, v) / square, across)
+             : v;
+}
+
+/* Reflects in the plane between two points, then in that which takes the
+ * tangent along. */
+static void step_to(struct carried *c, ph_vec3 point, ph_vec3 tangent) {
+  ph_vec3 chord = ph_vec3_sub(point, c->point);
+  ph_vec3 normal = reflect(c->normal, chord);
+  ph_vec3 there = reflect(c->tangent, chord);
+  c->normal = reflect(normal, ph_vec3_sub(tangent, there));
+  c->point = point;
+  c->tangent = tangent;
+}
+
+/* The normal at `to`, in some steps from f->u; adds what its tangents may be
+ * off by to the error. */
+static ph_vec3 carry(const struct ph_check_framing *f,
+                     const struct ph_check_path *path, double to, size_t steps,
+                     double *error) {
+  struct ph_check_place place = ph_check_place_at(path, f->u);
+  struct carried c = {place.point, place.tangent, f->normal};
+  *error += place.tangent_error;
+  for (size_t i = 1; i <= steps; i++) {
+    double part = (double)i / (double)steps;
+    place = ph_check_place_at(path, f->u + part * (to - f->u));
+    if (!(ph_check_apart(place.tangent, c.tangent) <= TURN)) {
+      *error = HUGE_VAL;
+    }
+    *error += place.tangent_error;
+    step_to(&c, place.point, place.tangent);
+  }
+  return c.normal;
+}
+
+/* Their error falls by 16 where steps are twice as many. */
+static ph_vec3 transport(const struct ph_check_framing *f,
+                         const struct ph_check_path *path, double to,
+                         double *error) {
+  double tangents = 0;
+  ph_vec3 fine = carry(f, path, to, STEPS, &tangents), coarse, change;
+  size_t steps = STEPS;
+  do {
+    coarse = fine;
+    steps *= 2;
+    tangents = 0;
+    fine = carry(f, path, to, steps, &tangents);
+    change = ph_vec3_sub(fine, coarse);
+  } while (steps < STEPS_MAX && !(ph_vec3_abs(change) <= ENOUGH + tangents));
+  *error = f->error + ph_vec3_abs(change) + tangents;
+  return ph_vec3_unit(ph_vec3_along(fine, 1.0 / 15, change));
+}
+
+void ph_check_frame_leave(struct ph_check_framing *f,
+                          const struct ph_check_path *path) {
+  double error;
+  if (f->begun) {
+    f->normal = transport(f, path, 1, &error);
+    f->error = error;
+    f->begun = error < 1;
+  }
+  f->k++;
+  f->u = 0;
+}
+
+/* Of r'' across r'. */
+static ph_vec3 principal(const struct ph_check_path *path, double u) {
+  ph_vec3 jet[2];
+  ph_check_jet(path->s, u, jet, 2);
+  return ph_vec3_unit(ph_vec3_normal(jet[1], ph_vec3_unit(jet[0])));
+}
+
+ph_vec3 ph_check_frame_at(const struct ph_check_framing *f,
+                          const struct ph_check_path *path,
+                          const struct ph_check_place *place, double u,
+                          double *error) {
+  const bool sphere = path->s->radius > 0;
+  ph_vec3 none = {(double)NAN, (double)NAN, (double)NAN};
+  *error = (double)INFINITY;
+  switch (f->frame) {
+  case PH_FRAME_FRENET:
+    *error = place->tangent_error + place->flat;
+    return principal(path, u);
+  case PH_FRAME_ERF:
+    *error = path->v->curve->preimage.v ? place->tangent_error : *error;
+    return path->v->curve->preimage.v ? ph_check_across(path, u) : none;
+  case PH_FRAME_RMF:
+    if (sphere) {
+      ph_vec3 out = ph_vec3_sub(place->point, path->s->center);
+      *error = place->tangent_error + place->point_error / path->s->radius;
+      return ph_vec3_cross(ph_vec3_unit(out), place->tangent);
+    }
+    return f->begun ? transport(f, path, u, error) : none;
+  default:
+    return none;
+  }
+}

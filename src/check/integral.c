@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Adaptive Gauss quadrature (see integral.h). */
+#include "check/integral.h"
+
+#include "kernel/quad.h"
+
+#include <float.h>
+#include <math.h>
+
+enum { N = PH_CHECK_NODES, HALVINGS_MAX = 50, PARTS_MAX = 2048 };
+static const double ROUNDING = 16 * DBL_EPSILON;
+
+/* A kink beyond the nodes takes less than this part of an interval, so that the
+ * integral is wrong by no more than that of the step at the end; and what
+ * rounding makes of the extrapolated value. */
+static const double BLIND = 0.02, EXTRAPOLATED = 64 * DBL_EPSILON;
+
+bool ph_check_rule_of(struct ph_check_rule *rule) {
+  struct ph_quad quad;
+  if (!ph_quad_gauss(&quad, N)) {
+    return false;
+  }
+  for (size_t i = 0; i < N; i++) {
+    rule->node[i] = quad.node[i];
+    rule->weight[i] = quad.weight[i];
+    rule->end[i] = 1;
+    for (size_t j = 0; j < N; j++) {
+      if (j != i) { /* Lagrange's polynomial at 0 */
+        rule->end[i] *= quad.node[j] / (quad.node[j] - quad.node[i]);
+      }
+    }
+  }
+  return true;
+}
+
+struct task {
+  const struct ph_check_rule *rule;
+  const struct ph_check_integrands *of;
+  double near[PH_CHECK_TOGETHER]; /* absolute tolerance, per unit of x */
+  bool failed[PH_CHECK_TOGETHER]; /* not finite, or not found */
+  double *sum;
+  int parts;
+};
+
+/* What is known of one function on an interval. */
+struct look {
+  double end[2];   /* f there, and */
+  double guess[2]; /* by the nodes */
+  double sum;      /* the integral */
+  double size;     /* the largest |f| */
+};
+
+struct part {
+  double from, to;
+  struct look of[PH_CHECK_TOGETHER];
+};
+
+static void evaluate(const struct task *task, double x, double *value) {
+  task->of->f(task->of->context, x, value);
+}
+
+static void set_end(const struct task *task, struct part *part, size_t end,
+                    const double *value) {
+  for (size_t j = 0; j < task->of->n; j++) {
+    part->of[j].end[end] = value[j];
+  }
+}
+
+/* Fills what follows from from, to and end. */
+static void look(const struct task *task, struct part *part) {
+  const struct ph_check_rule *rule = task->rule;
+  double h = part->to - part->from, value[PH_CHECK_TOGETHER];
+  for (size_t j = 0; j < task->of->n; j++) {
+    struct look *of = &part->of[j];
+    of->sum = of->guess[0] = of->guess[1] = of->size = 0;
+  }
+  for (size_t i = 0; i < N; i++) {
+    evaluate(task, part->from + h * rule->node[i], value);
+    for (size_t j = 0; j < task->of->n; j++) {
+      struct look *of = &part->of[j];
+      double x = fabs(value[j]);
+      of->sum += h * rule->weight[i] * value[j];
+      of->guess[0] += rule->end[i] * value[j];
+      of->guess[1] += rule->end[N - 1 - i] * value[j];
+      of->size = x > of->size ? x : of->size;
+    }
+  }
+}
+
+/* Whether the ends are as the nodes say, to what the integral may be off by.
+ * An end where f is not finite is left alone. */
+static bool is_seen(const struct look *of, double h, double near) {
+  for (size_t i = 0; i < 2; i++) {
+    double step = fabs(of->end[i] - of->guess[i]);
+    if (isfinite(of->end[i]) &&
+        !(BLIND * h * step <= near + EXTRAPOLATED * h * of->size)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Part of an uncertainty that its integral, and that of the function, may be
+ * off by. */
+static const double UNCERTAIN = 0.1;
+
+/* Whether the halves of an interval agree with the whole. */
+static bool is_enough(struct task *task, const struct part *whole,
+                      const struct part *left, const struct part *right) {
+  double h = fabs(whole->to - whole->from);
+  size_t uncertain = task->of->uncertain;
+  bool enough = true;
+  for (size_t j = 0; j < (uncertain ? uncertain : task->of->n); j++) {
+    const struct look *a = &left->of[j], *b = &right->of[j];
+    double near = task->near[j] * h + (task->of->relative + ROUNDING) *
+                                          (fabs(a->sum) + fabs(b->sum));
+    if (uncertain) {
+      double error = left->of[uncertain + j].sum + right->of[uncertain + j].sum;
+      near += isfinite(error) ? UNCERTAIN * fabs(error) : 0;
+    }
+    task->failed[j] = task->failed[j] || !isfinite(a->sum + b->sum);
+    enough = enough && (task->failed[j] ||
+                        (fabs(a->sum + b->sum - whole->of[j].sum) <= near &&
+                         is_seen(a, h / 2, near) && is_seen(b, h / 2, near)));
+  }
+  return enough;
+}
+
+static void refine(struct task *task, const struct part *whole, int depth) {
+  double middle = 0.5 * (whole->from + whole->to), at[PH_CHECK_TOGETHER];
+  struct part left, right;
+  left.from = whole->from;
+  left.to = right.from = middle;
+  right.to = whole->to;
+  evaluate(task, middle, at);
+  for (size_t j = 0; j < task->of->n; j++) {
+    left.of[j].end[0] = whole->of[j].end[0];
+    right.of[j].end[1] = whole->of[j].end[1];
+  }
+  set_end(task, &left, 1, at);
+  set_end(task, &right, 0, at);
+  look(task, &left);
+  look(task, &right);
+  if (depth == HALVINGS_MAX || is_enough(task, whole, &left, &right)) {
+    for (size_t j = 0; j < task->of->n; j++) {
+      task->sum[j] += left.of[j].sum + right.of[j].sum;
+    }
+  } else if (++task->parts <= PARTS_MAX) {
+    refine(task, &left, depth + 1);
+    refine(task, &right, depth + 1);
+  }
+}
+
+void ph_check_integral(const struct ph_check_rule *rule,
+                       const struct ph_check_integrands *of, double from,
+                       double to, double *sum) {
+  struct task task = {.rule = rule, .of = of, .sum = sum};
+  struct part whole = {.from = from, .to = to};
+  double at[2][PH_CHECK_TOGETHER], h = fabs(to - from);
+  evaluate(&task, from, at[0]);
+  evaluate(&task, to, at[1]);
+  set_end(&task, &whole, 0, at[0]);
+  set_end(&task, &whole, 1, at[1]);
+  look(&task, &whole);
+  for (size_t j = 0; j < of->n; j++) {
+    double total = fabs(whole.of[j].sum);
+    sum[j] = 0;
+    task.near[j] = of->tolerance +
+                   (h > 0 && isfinite(total) ? of->relative * total / h : 0);
+  }
+  refine(&task, &whole, 0);
+  for (size_t j = 0; j < of->n; j++) {
+    if (task.parts > PARTS_MAX || task.failed[j]) {
+      sum[j] = (double)NAN;
+    }
+  }
+}

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Adaptive Gauss quadrature that sees the ends of its intervals.
+ *
+ * The speed of a curve that nearly stops has a kink.  Where that is nearer to
+ * the end of an interval than all nodes of a rule, the rule and those on both
+ * halves agree, and are wrong; so the values at the ends are compared with what
+ * the nodes say by extrapolation.
+ */
+#ifndef PH_CHECK_INTEGRAL_H
+#define PH_CHECK_INTEGRAL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { PH_CHECK_NODES = 8 };
+
+struct ph_check_rule {
+  double node[PH_CHECK_NODES], weight[PH_CHECK_NODES];
+  double end[PH_CHECK_NODES]; /* f(0) = sum end[i] f(node[i]) */
+};
+
+/* ph_check_rule_of: false when memory is exhausted. */
+bool ph_check_rule_of(struct ph_check_rule *rule);
+
+/* At most so many functions at once. */
+enum { PH_CHECK_TOGETHER = 10 };
+
+/* Functions of one variable: out  value[n]. */
+typedef void ph_check_integrand(const void *context, double x, double *value);
+
+/* What is integrated together. */
+struct ph_check_integrands {
+  ph_check_integrand *f;
+  const void *context;
+  size_t n;         /* functions */
+  size_t uncertain; /* 0; or n = 2 uncertain, and the second half are errors of
+                       the first, which need not be found better than that */
+  double tolerance; /* absolute, per unit of x */
+  double relative;  /* of the integral */
+};
+
+/*
+ * ph_check_integral: the integrals over [from,to].
+ *
+ * out  sum[n]  NaN when the number of intervals does not suffice, or where a
+ *              function is not finite; the others do not suffer from that
+ */
+void ph_check_integral(const struct ph_check_rule *rule,
+                       const struct ph_check_integrands *of, double from,
+                       double to, double *sum);
+
+#endif

@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What the checks share: the curve that is looked at, its scale, what is known
+ * of its segments, and the worst error of each check so far.
+ */
+#ifndef PH_CHECK_NOTE_H
+#define PH_CHECK_NOTE_H
+
+#include "base/mem.h"
+#include "kernel/pow2.h"
+#include "kernel/quad.h"
+#include "kernel/vec3.h"
+#include "check/integral.h"
+#include "check/verify.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+
+/* Polynomials of more than this degree are not looked at. */
+enum { PH_CHECK_DEGREE_MAX = 15 };
+
+/* Allowances for rounding, in units of that of a coordinate: a first difference
+ * of control points times the degree, with a margin of 3; each further
+ * derivative may be off by 8 times as much. */
+enum { PH_CHECK_ROUND_FIRST = 32, PH_CHECK_ROUND_NEXT = 8 };
+
+/* Of knots, whose difference counts. */
+enum { PH_CHECK_ROUND_KNOT = 4 };
+
+/* A direction that rounding may have turned by more than this is none. */
+#define PH_CHECK_NO_DIRECTION 0.5
+
+/* The room for prefixes of fields. */
+enum { PH_CHECK_PREFIX = 48 };
+
+struct ph_check {
+  struct ph_verdict *verdict;
+  struct ph_arena *scratch;
+  struct ph_diag *diag;             /* of what stops verification: no memory */
+  const struct ph_promise *promise; /* of the command */
+  const struct ph_problem *problem;
+  char prefix[PH_CHECK_PREFIX]; /* of fields: "solutions[1]." */
+
+  /* what is looked at */
+  const struct ph_result *claim;
+  const struct ph_curve *curve;
+  const struct ph_diagnostics *diagnostics;
+  const struct ph_interval *intervals;
+  size_t intervals_n;
+
+  /* its scale; all that follows is at unit scale, where the largest coordinate
+   * is near 1/2 */
+  struct ph_pow2 to_unit, from_unit;
+  double root;     /* the same for preimages */
+  double size;     /* half the diagonal of the control points */
+  double mean;     /* length of a segment, as claimed */
+  double rounding; /* of the largest coordinate */
+  double spacing;  /* of the smallest numbers */
+  double knot;     /* rounding of the largest knot, with its margin */
+
+  /* what was found of its segments */
+  double *length; /* [n] by quadrature; NaN where that failed */
+  double *noise;  /* [n] by how much r' by u in [0,1] is uncertain */
+
+  struct ph_check_rule rule;
+  struct ph_quad fine; /* of 16 nodes */
+};
+
+/* ---- the worst errors --------------------------------------------------- */
+
+/* Where something was claimed: LIST[index].MEMBER, LIST.MEMBER if index is
+ * PH_CHECK_ONE, LIST or MEMBER alone if the other is NULL. */
+#define PH_CHECK_ONE SIZE_MAX
+struct ph_check_where {
+  const char *list;
+  size_t index;
+  const char *member;
+};
+
+static inline struct ph_check_where ph_check_of(const char *list, size_t index,
+                                                const char *member) {
+  struct ph_check_where where = {list, index, member};
+  return where;
+}
+
+/* ph_check_segment_of: a member of segment k. */
+static inline struct ph_check_where ph_check_in(size_t k, const char *member) {
+  return ph_check_of("segments", k, member);
+}
+
+/* ph_check_excess: an error less what rounding explains, in some unit;
+ * infinite where anything is NaN. */
+static inline double ph_check_excess(double miss, double unit,
+                                     double allowance) {
+  double rest = miss - allowance;
+  return rest <= 0 ? 0 : rest / unit < HUGE_VAL ? rest / unit : HUGE_VAL;
+}
+
+/* ph_check_put: an error that is the worst so far; for those below. */
+void ph_check_put(struct ph_check *v, enum ph_check_id check, double error,
+                  struct ph_check_where where, const char *what, double claimed,
+                  double found);
+
+/*
+ * ph_check_number: a number as it was claimed and as it was found, both in the
+ * unit that the record has it in.
+ *
+ * in   unit       what the error is relative to
+ * in   allowance  what rounding can make of the difference
+ */
+static inline void ph_check_number(struct ph_check *v, enum ph_check_id check,
+                                   struct ph_check_where where, double claimed,
+                                   double found, double unit,
+                                   double allowance) {
+  double error = ph_check_excess(fabs(claimed - found), unit, allowance);
+  struct ph_check_finding *worst = &v->verdict->check[check];
+  if (!worst->done || error > worst->error) {
+    ph_check_put(v, check, error, where, NULL, claimed, found);
+  }
+}
+
+/*
+ * ph_check_miss: something that should be 0.
+ *
+ * in   what  "leaves the sphere": a message, to which the error is added
+ */
+static inline void ph_check_miss(struct ph_check *v, enum ph_check_id check,
+                                 struct ph_check_where where, double miss,
+                                 double unit, double allowance,
+                                 const char *what) {
+  double error = ph_check_excess(miss, unit, allowance);
+  struct ph_check_finding *worst = &v->verdict->check[check];
+  if (!worst->done || error > worst->error) {
+    ph_check_put(v, check, error, where, what, error, 0);
+  }
+}
+
+/* ph_check_wrong: something that cannot be: an infinite error. */
+void ph_check_wrong(struct ph_check *v, enum ph_check_id check,
+                    struct ph_check_where where, const char *what);
+
+/* ph_check_done: a check that found nothing to complain of. */
+void ph_check_done(struct ph_check *v, enum ph_check_id check);
+
+/* ph_check_prefix: "LIST[index]." before the fields of what follows; NULL:
+ * none. */
+void ph_check_prefix(struct ph_check *v, const char *list, size_t index);
+
+/* ---- scale -------------------------------------------------------------- */
+
+static inline double ph_check_scaled(const struct ph_check *v, double x) {
+  return ph_pow2_apply(v->to_unit, x);
+}
+
+static inline double ph_check_unscaled(const struct ph_check *v, double x) {
+  return ph_pow2_apply(v->from_unit, x);
+}
+
+/* ph_check_vector: of 2 or 3 coordinates, at unit scale. */
+static inline ph_vec3 ph_check_vector(const struct ph_check *v, const double *x,
+                                      size_t dimension) {
+  ph_vec3 a = ph_vec3_get(x, dimension);
+  return ph_vec3_of(ph_check_scaled(v, a.x), ph_check_scaled(v, a.y),
+                    ph_check_scaled(v, a.z));
+}
+
+static inline double ph_check_larger(double a, double b) {
+  return a > b ? a : b;
+}
+
+static inline double ph_check_smaller(double a, double b) {
+  return a < b ? a : b;
+}
+
+/* ph_check_apart: |a - b|, also where the squares leave the range of a double:
+ * between points of far offsets. */
+static inline double ph_check_apart(ph_vec3 a, ph_vec3 b) {
+  ph_vec3 d = ph_vec3_sub(a, b);
+  double apart = ph_vec3_abs(d);
+  return apart <= DBL_MAX ? apart : hypot(hypot(d.x, d.y), d.z);
+}
+
+/* ph_check_reach: the rounding of a vector's coordinates. */
+static inline double ph_check_reach(const struct ph_check *v, ph_vec3 a) {
+  double x = ph_check_larger(fabs(a.x), fabs(a.y));
+  return DBL_EPSILON * ph_check_larger(x, fabs(a.z)) + v->spacing;
+}
+
+static inline bool ph_check_known(const struct ph_check *v,
+                                  enum ph_diagnostic which) {
+  return v->diagnostics->known >> which & 1;
+}
+
+#endif

@@ -1,0 +1,397 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Offsets: at places of every piece they are at the distance, to the side that
+ * they say (place.h), and where they turn back there is a cusp.
+ *
+ * Rational and trigonometric pieces are compared with the offset at equal
+ * parameters; polynomial ones may be as far from it as they claim, which was
+ * measured at some places of each.
+ */
+#include "check/checks.h"
+
+#include <string.h>
+
+/* Places of a piece, more than a quotient of degree 9 has coefficients, and of
+ * a segment, between which a cusp is missed. */
+enum { PLACES = 20, DEGREE_MAX = 15, SEARCH = 32 };
+
+/* A piece may be farther away between the places where that was measured. */
+static const double BETWEEN = 1.25;
+
+/* A cusp is printed to rounding of its parameter; slower changes of 1 - d kappa
+ * are found less exactly. */
+static const double CUSP = 1e-9;
+
+struct context {
+  struct ph_check *v;
+  const struct ph_offset *o;
+  double distance; /* at unit scale; on a sphere the angle */
+  struct ph_check_segment segment;
+  struct ph_check_path path;
+};
+
+static void enter(struct context *c, size_t k) {
+  ph_check_load(c->v, k, &c->segment);
+  c->path.v = c->v;
+  c->path.s = &c->segment;
+}
+
+static bool wrong(struct context *c, const char *list, size_t i,
+                  const char *member, const char *what) {
+  ph_check_wrong(c->v, PH_CHECK_OFFSET, ph_check_of(list, i, member), what);
+  return false;
+}
+
+/* ---- pieces ------------------------------------------------------------- */
+
+/* binomial(n, j) (1-x)^(n-j) x^j */
+static void bernstein(size_t n, double x, double *b) {
+  b[0] = 1;
+  for (size_t i = 1; i <= n; i++) {
+    b[i] = x * b[i - 1];
+    for (size_t j = i - 1; j > 0; j--) {
+      b[j] = (1 - x) * b[j] + x * b[j - 1];
+    }
+    b[0] *= 1 - x;
+  }
+}
+
+/* The normalised B-basis of <1, sin t, cos t, sin 2t, cos 2t>. */
+static void trigonometric(double angle, double u, double *b) {
+  double series[2][PH_CHECK_JET], c = cos(angle / 2);
+  const double factor[] = {1, 4 * c, 4 * c * c + 2, 4 * c, 1};
+  double p, q;
+  ph_check_basis(angle, u, 1, series);
+  p = series[0][0];
+  q = series[1][0];
+  b[0] = p * p * p * p;
+  b[1] = factor[1] * p * p * p * q;
+  b[2] = factor[2] * p * p * q * q;
+  b[3] = factor[3] * p * q * q * q;
+  b[4] = q * q * q * q;
+}
+
+/* sum b_j w_j p_j over sum b_j w_j; w NULL: 1.  The weights may be far from 1,
+ * in products with the points out of range: they are taken over the largest. */
+static ph_vec3 combine(const double *b, size_t n, size_t dimension,
+                       const double *p, const double *w) {
+  ph_vec3 sum = {0, 0, 0};
+  double bottom = 0, largest = 0;
+  for (size_t j = 0; w && j < n; j++) {
+    largest = ph_check_larger(largest, fabs(w[j]));
+  }
+  for (size_t j = 0; j < n; j++) {
+    double weight = w ? b[j] * (w[j] / largest) : b[j];
+    sum = ph_vec3_along(sum, weight, ph_vec3_get(p + dimension * j, dimension));
+    bottom += weight;
+  }
+  return ph_vec3_scale(1 / bottom, sum);
+}
+
+static ph_vec3 quotient(const double *b, size_t dimension, const double *top,
+                        const double *bottom) {
+  ph_vec3 sum = {0, 0, 0};
+  double below = 0;
+  for (size_t j = 0; j < 5; j++) {
+    sum = ph_vec3_along(sum, b[j], ph_vec3_get(top + dimension * j, dimension));
+    below += b[j] * bottom[j];
+  }
+  return ph_vec3_scale(1 / below, sum);
+}
+
+static ph_vec3 scaled(const struct ph_check *v, ph_vec3 a) {
+  const double x[3] = {a.x, a.y, a.z};
+  return ph_check_vector(v, x, 3);
+}
+
+/* Piece i at places of its interval. */
+static void check_rational(struct context *c, size_t i) {
+  struct ph_check *v = c->v;
+  const struct ph_offset *o = c->o;
+  const double *in = o->interval + 2 * i;
+  size_t n = o->degree + 1;
+  const double *p = o->control_points + n * o->dimension * i;
+  const double *w = o->weights + n * i;
+  for (size_t j = 0; j < n; j++) {
+    if (!(w[j] > 0) || !isfinite(w[j])) {
+      wrong(c, "segments", i, "weights", "are not all positive");
+      return;
+    }
+  }
+  for (size_t place = 0; place <= PLACES; place++) {
+    double x = (double)place / PLACES, u = in[0] + x * (in[1] - in[0]);
+    double b[DEGREE_MAX + 1];
+    struct ph_check_place at = ph_check_place_at(&c->path, u);
+    ph_vec3 found;
+    bernstein(o->degree, x, b);
+    found = scaled(v, combine(b, n, o->dimension, p, w));
+    ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "control_points"),
+                  ph_check_apart(found, at.point), v->size,
+                  at.point_error + ph_check_reach(v, found),
+                  "are not at the distance");
+  }
+}
+
+/* The quotient of an ATPH segment. */
+static void check_quotient(struct context *c, size_t i) {
+  struct ph_check *v = c->v;
+  const struct ph_offset *o = c->o;
+  const double *top = o->numerator + 5 * o->dimension * i;
+  const double *bottom = o->denominator + 5 * i;
+  for (size_t place = 0; place <= PLACES; place++) {
+    double u = (double)place / PLACES, b[5];
+    ph_vec3 point = ph_check_point(v, &c->segment, u), found;
+    struct ph_check_place at = ph_check_place_at(&c->path, u);
+    trigonometric(c->segment.angle, u, b);
+    found = scaled(v, quotient(b, o->dimension, top, bottom));
+    ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "numerator"),
+                  ph_check_apart(ph_vec3_add(point, found), at.point), v->size,
+                  at.point_error, "and denominator are not at the distance");
+  }
+}
+
+/* Whether pieces follow each other along the segments, each of them covered. */
+static bool are_whole(struct context *c, const char *list, size_t n,
+                      const size_t *segment, const double *interval) {
+  size_t k = 0;
+  double from = 0;
+  for (size_t i = 0; i < n; i++) {
+    const double *in = interval + 2 * i;
+    if (segment[i] != k || !(fabs(in[0] - from) <= 0) || !(in[1] > in[0]) ||
+        !(in[1] <= 1)) {
+      return wrong(c, list, i, "interval", "does not follow the one before");
+    }
+    from = in[1] < 1 ? in[1] : 0;
+    k += !(in[1] < 1);
+  }
+  return k == c->v->curve->n ||
+         wrong(c, list, PH_CHECK_ONE, NULL, "are not for the whole curve");
+}
+
+static void check_pieces(struct context *c) {
+  const struct ph_offset *o = c->o;
+  bool rational = o->control_points && o->weights;
+  bool atph = o->numerator && o->denominator;
+  if ((!rational && !atph) || o->degree > DEGREE_MAX ||
+      o->dimension != c->v->curve->dimension || (atph && o->degree != 4) ||
+      atph != (c->v->curve->kind == PH_CURVE_ATPH)) {
+    wrong(c, "segments", PH_CHECK_ONE, NULL, "are none of such an offset");
+    return;
+  }
+  if (!are_whole(c, "segments", o->n, o->segment, o->interval)) {
+    return;
+  }
+  for (size_t i = 0; i < o->n; i++) {
+    if (i == 0 || o->segment[i] != o->segment[i - 1]) {
+      enter(c, o->segment[i]);
+    }
+    if (atph) {
+      check_quotient(c, i);
+    } else {
+      check_rational(c, i);
+    }
+  }
+}
+
+/* Bezier pieces against the offset, within their error. */
+static void check_beziers(struct context *c) {
+  struct ph_check *v = c->v;
+  const struct ph_pieces *of = &c->o->pieces;
+  double error = BETWEEN * ph_check_scaled(v, of->error);
+  size_t n = of->degree + 1, d = of->dimension;
+  if (of->degree > DEGREE_MAX || d != v->curve->dimension ||
+      !are_whole(c, "beziers", of->n, of->segment, of->interval)) {
+    return;
+  }
+  for (size_t i = 0; i < of->n; i++) {
+    const double *in = of->interval + 2 * i;
+    if (i == 0 || of->segment[i] != of->segment[i - 1]) {
+      enter(c, of->segment[i]);
+    }
+    for (size_t place = 0; place <= PLACES; place++) {
+      double x = (double)place / PLACES, u = in[0] + x * (in[1] - in[0]);
+      double b[DEGREE_MAX + 1];
+      struct ph_check_place at = ph_check_place_at(&c->path, u);
+      ph_vec3 found;
+      bernstein(of->degree, x, b);
+      found = scaled(v, combine(b, n, d, of->control_points + n * d * i, NULL));
+      ph_check_miss(v, PH_CHECK_OFFSET,
+                    ph_check_of("beziers", i, "control_points"),
+                    ph_check_apart(found, at.point), v->size,
+                    at.point_error + error, "are farther than they say");
+    }
+  }
+}
+
+/* ---- cusps -------------------------------------------------------------- */
+
+/* A place along the curve, and which way the offset moves there, 0: it is not
+ * certain. */
+struct turn {
+  size_t k;
+  double u, along;
+};
+
+static struct turn turn_at(struct context *c, size_t k, double u) {
+  struct ph_check_place at = ph_check_place_at(&c->path, u);
+  struct turn turn = {k, u, at.along};
+  if (!(fabs(at.along) > 4 * at.along_error)) {
+    turn.along = 0;
+  }
+  return turn;
+}
+
+/* Whether a place is before another one along the curve. */
+static bool is_before(size_t k, double u, size_t l, double w) {
+  return k < l || (k == l && u < w);
+}
+
+/* Whether a cusp is listed from one place to the other; round the joint of a
+ * closed curve if the latter is the first. */
+static bool has_cusp(const struct context *c, const struct turn *from,
+                     const struct turn *to) {
+  const struct ph_cusps *cusps = &c->o->cusps;
+  const double *alpha = c->v->curve->preimage.alpha;
+  bool round = is_before(to->k, to->u, from->k, from->u);
+  for (size_t i = 0; i < cusps->n; i++) {
+    size_t k = cusps->at[i].segment;
+    double t = cusps->at[i].t, u;
+    bool begun, over;
+    u = alpha && k < c->v->curve->n ? t / alpha[k] : t;
+    begun = !is_before(k, u, from->k, from->u);
+    over = is_before(to->k, to->u, k, u);
+    if (round ? begun || !over : begun && !over) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static void check_turn(struct context *c, const struct turn *from,
+                       const struct turn *to) {
+  if (from->along * to->along < 0 && !has_cusp(c, from, to)) {
+    ph_check_wrong(c->v, PH_CHECK_OFFSET,
+                   ph_check_of("cusps", PH_CHECK_ONE, NULL),
+                   "do not list one where the offset turns back");
+  }
+}
+
+/* Changes of direction between places where it is certain.  In space frames
+ * need not be those of the segment before, nor need offsets meet. */
+static void search(struct context *c) {
+  const struct turn none = {0, 0, 0};
+  struct turn first = none, before = none;
+  bool space = c->o->vector != NULL;
+  for (size_t k = 0; k < c->v->curve->n; k++) {
+    enter(c, k);
+    before = space ? none : before;
+    for (size_t i = 0; i <= SEARCH; i++) {
+      struct turn now = turn_at(c, k, (double)i / SEARCH);
+      check_turn(c, &before, &now);
+      before = fabs(now.along) > 0 ? now : before;
+      first = fabs(first.along) > 0 ? first : now;
+    }
+  }
+  if (c->v->curve->closed && !space) {
+    check_turn(c, &before, &first);
+  }
+}
+
+/* Whether the offset turns back at a joint, seen from one side, where the
+ * curvature jumps; or may do so, as the other side is not certain. */
+static bool turns_at_joint(struct context *c, size_t k, double u,
+                           double along) {
+  const struct ph_curve *curve = c->v->curve;
+  bool back = u <= 0;
+  size_t n = curve->n, beside = back ? (k + n - 1) % n : (k + 1) % n;
+  if ((u > 0 && u < 1) || (beside == (back ? n - 1 : 0) && !curve->closed)) {
+    return false;
+  }
+  enter(c, beside);
+  return turn_at(c, beside, back ? 1 : 0).along * along <= 0;
+}
+
+/* A listed cusp: how far the offset is from turning back there. */
+static void check_cusp(struct context *c, size_t i) {
+  struct ph_check *v = c->v;
+  const struct ph_place *at = &c->o->cusps.at[i];
+  struct ph_check_place place;
+  double u, speed;
+  if (at->segment >= v->curve->n) {
+    wrong(c, "cusps", i, "segment", "is not there");
+    return;
+  }
+  enter(c, at->segment);
+  u = at->t / c->segment.unit;
+  if (!(u >= 0 && u <= 1)) {
+    wrong(c, "cusps", i, "t", "is not in the segment");
+    return;
+  }
+  place = ph_check_place_at(&c->path, u);
+  speed = ph_check_larger(c->segment.speed, place.speed);
+  if (isfinite(place.along) &&
+      !turns_at_joint(c, at->segment, u, place.along)) {
+    ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("cusps", i, "t"),
+                  fabs(place.along), speed, CUSP * speed + place.along_error,
+                  "is where the offset moves on");
+  }
+}
+
+static void check_cusps(struct context *c) {
+  for (size_t i = 0; i < c->o->cusps.n; i++) {
+    check_cusp(c, i);
+  }
+  search(c);
+}
+
+/* ---- all ---------------------------------------------------------------- */
+
+/* Its distance and its side. */
+static bool begin(struct context *c) {
+  struct ph_check *v = c->v;
+  const struct ph_curve *curve = v->curve;
+  const char *vector = c->o->vector;
+  bool space = curve->dimension == 3 && !(curve->sphere.radius > 0);
+  if (!isfinite(c->o->distance)) {
+    return wrong(c, NULL, PH_CHECK_ONE, "distance", "is not finite");
+  }
+  if (!space && vector) {
+    return wrong(c, NULL, PH_CHECK_ONE, "vector", "is of curves in space");
+  }
+  if (space &&
+      !(vector && (strcmp(vector, "e2") == 0 || strcmp(vector, "e3") == 0))) {
+    return wrong(c, NULL, PH_CHECK_ONE, "vector", "is neither e2 nor e3");
+  }
+  c->path.binormal = space && vector[1] == '3';
+  c->path.cusps = &c->o->cusps;
+  c->path.distance = curve->sphere.radius > 0
+                         ? c->o->distance / curve->sphere.radius
+                         : ph_check_scaled(v, c->o->distance);
+  return true;
+}
+
+void ph_check_offset(struct ph_check *v, const struct ph_offset *o) {
+  struct context c = {.v = v, .o = o};
+  double length = (double)NAN, error = 0, unit = ph_check_unscaled(v, v->size);
+  ph_check_done(v, PH_CHECK_OFFSET);
+  if (v->curve->kind == PH_CURVE_BEZIER || !begin(&c)) {
+    return; /* of the curve before it was converted */
+  }
+  if (o->n > 0 || !(v->curve->sphere.radius > 0)) {
+    check_pieces(&c);
+  }
+  if (o->pieces.n > 0) {
+    check_beziers(&c);
+  }
+  check_cusps(&c);
+  ph_check_gaps(v, o, &c.path, &c.segment);
+  if (o->samples.n > 0) {
+    ph_check_samples(v, &o->samples, &c.path, &length, &error);
+    if (!isnan(length)) { /* else beside a point at rest */
+      ph_check_number(v, PH_CHECK_OFFSET,
+                      ph_check_of(NULL, PH_CHECK_ONE, "length"), o->length,
+                      ph_check_unscaled(v, length), unit,
+                      ph_check_unscaled(v, error));
+    }
+  }
+}

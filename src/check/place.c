@@ -1,0 +1,347 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Places on curves and their offsets (see place.h). */
+#include "check/place.h"
+
+#include "kernel/quat.h"
+#include "check/spherical.h"
+
+enum { N = PH_CHECK_JET };
+
+/* Lengths, relative. */
+static const double LENGTH = 1e-13;
+
+/* Roundings of a parameter and of the few operations that follow. */
+static const double PARAMETER = 4 * DBL_EPSILON;
+
+/* A direction that changes by its curvature over its speed does so for its
+ * derivatives again, and they are polynomials of some degree. */
+static const double NEXT = 8;
+
+/* ---- power series ------------------------------------------------------- */
+
+/* Coefficients of a power series from derivatives. */
+static void to_series(ph_vec3 *x) {
+  x[2] = ph_vec3_scale(1.0 / 2, x[2]);
+  x[3] = ph_vec3_scale(1.0 / 6, x[3]);
+}
+
+/* The root of a series with positive start. */
+static void root_of(const double *x, double *root) {
+  root[0] = sqrt(x[0]);
+  for (size_t i = 1; i < N; i++) {
+    double sum = x[i];
+    for (size_t j = 1; j < i; j++) {
+      sum -= root[j] * root[i - j];
+    }
+    root[i] = sum / (2 * root[0]);
+  }
+}
+
+/* x / y, in place. */
+static void divide(ph_vec3 *x, const double *y) {
+  for (size_t i = 0; i < N; i++) {
+    for (size_t j = 1; j <= i; j++) {
+      x[i] = ph_vec3_along(x[i], -y[j], x[i - j]);
+    }
+    x[i] = ph_vec3_scale(1 / y[0], x[i]);
+  }
+}
+
+/* The left normal of a plane curve, from r' as a series. */
+static void left_normal(const ph_vec3 *first, ph_vec3 *e) {
+  double square[N], speed[N];
+  for (size_t i = 0; i < N; i++) {
+    square[i] = 0;
+    for (size_t j = 0; j <= i; j++) {
+      square[i] += ph_vec3_dot(first[j], first[i - j]);
+    }
+    e[i] = ph_vec3_of(-first[i].y, first[i].x, 0);
+  }
+  root_of(square, speed);
+  divide(e, speed);
+}
+
+/* The claimed preimage as a series. */
+static void preimage_at(const struct ph_check_path *path, double u,
+                        ph_quat *a) {
+  const struct ph_check_segment *s = path->s;
+  const struct ph_curve *c = path->v->curve;
+  const double *w = ph_curve_preimage(c, s->k);
+  double series[2][N], factor = 1;
+  ph_check_basis(s->angle, u, N, series);
+  for (size_t i = 0; i < N; i++) {
+    a[i] = ph_quat_of(0, 0, 0, 0);
+  }
+  for (size_t i = 0; i < c->preimage.n; i++, w += 4) {
+    double b[N] = {s->angle > 0 && i == 1 ? 2 * cos(s->angle / 2) : factor};
+    for (size_t j = 0; j + 1 < c->preimage.n; j++) {
+      const double *by = series[j < i];
+      for (size_t l = N; l-- > 0;) {
+        double sum = 0;
+        for (size_t m = 0; m <= l; m++) {
+          sum += b[m] * by[l - m];
+        }
+        b[l] = sum;
+      }
+    }
+    for (size_t l = 0; l < N; l++) {
+      a[l] = ph_quat_add(
+          a[l], ph_quat_scale(b[l], ph_quat_of(w[0], w[1], w[2], w[3])));
+    }
+    factor *= (double)(c->preimage.n - 1 - i) / (double)(i + 1);
+  }
+}
+
+/* e2 or e3 of the frame of the preimage; NaN where there is none. */
+static void frame_normal(const struct ph_check_path *path, double u,
+                         ph_vec3 *e) {
+  ph_quat a[N];
+  double square[N];
+  if (!path->v->curve->preimage.v) {
+    const double none = (double)NAN;
+    for (size_t i = 0; i < N; i++) {
+      e[i] = ph_vec3_of(none, none, none);
+    }
+    return;
+  }
+  preimage_at(path, u, a);
+  for (size_t i = 0; i < N; i++) {
+    square[i] = 0;
+    e[i] = ph_vec3_of(0, 0, 0);
+    for (size_t j = 0; j <= i; j++) {
+      square[i] += ph_quat_dot(a[j], a[i - j]);
+      e[i] = ph_vec3_add(e[i], path->binormal ? ph_quat_k(a[j], a[i - j])
+                                              : ph_quat_j(a[j], a[i - j]));
+    }
+  }
+  divide(e, square);
+}
+
+static void across(const struct ph_check_path *path, double u,
+                   const ph_vec3 *first, ph_vec3 *e) {
+  if (path->v->curve->dimension == 2) {
+    left_normal(first, e);
+  } else {
+    frame_normal(path, u, e);
+  }
+}
+
+/* ---- what moves --------------------------------------------------------- */
+
+/* Derivatives of o, and by how much they may be off. */
+struct motion {
+  ph_vec3 jet[N - 1];
+  double error[N - 1];
+};
+
+/* Adds d e; derivatives of e are as uncertain as the direction of r', more so
+ * where it changes fast. */
+static void displace(const struct ph_check_path *path, double u,
+                     const ph_vec3 *r, struct motion *m,
+                     struct ph_check_place *place) {
+  double d = path->distance, speed = ph_vec3_abs(r[0]), factorial = 1;
+  double error = fabs(d) * (m->error[0] / speed + PARAMETER);
+  double fast =
+      NEXT + 2 * ph_vec3_abs(r[1]) / speed + sqrt(ph_vec3_abs(r[2]) / speed);
+  ph_vec3 e[N];
+  across(path, u, r, e);
+  place->point = ph_vec3_along(place->point, d, e[0]);
+  place->point_error += error;
+  for (size_t i = 0; i + 1 < N; i++) {
+    factorial *= (double)(i + 1);
+    m->jet[i] = ph_vec3_along(m->jet[i], d * factorial, e[i + 1]);
+    error *= fast;
+    m->error[i] += error;
+  }
+}
+
+/* Brings the derivatives of a far offset near 1, as their products would leave
+ * the range of a double.  ret  what they were multiplied by */
+static double bring_near(struct motion *m) {
+  double largest = ph_check_larger(fabs(m->jet[0].x), fabs(m->jet[0].y));
+  double scale;
+  largest = ph_check_larger(largest, fabs(m->jet[0].z));
+  if (!(largest > 1) || !isfinite(largest)) {
+    return 1;
+  }
+  scale = ldexp(1, -ph_pow2_exponent(largest));
+  for (size_t i = 0; i + 1 < N; i++) {
+    m->jet[i] = ph_vec3_scale(scale, m->jet[i]);
+    m->error[i] *= scale;
+  }
+  return scale;
+}
+
+/* Speed, tangent, curvature and torsion of what moves so. */
+static void bend(const struct ph_check_path *path, struct motion *m,
+                 struct ph_check_place *place) {
+  double scale = bring_near(m);
+  double speed = ph_vec3_abs(m->jet[0]), square = speed * speed;
+  double second = ph_vec3_abs(m->jet[1]);
+  ph_vec3 turn = ph_vec3_cross(m->jet[0], m->jet[1]);
+  double area = ph_vec3_abs(turn);
+  double error = speed * m->error[1] + second * m->error[0];
+  place->speed = speed / scale;
+  place->tangent = ph_vec3_scale(1 / speed, m->jet[0]);
+  place->tangent_error = m->error[0] / speed;
+  place->curvature =
+      (path->v->curve->dimension == 2 ? turn.z : area) / (square * speed);
+  place->curvature_error =
+      (m->error[1] + 4 * second * place->tangent_error) / square;
+  place->flat = error / area;
+  place->torsion = ph_vec3_dot(turn, m->jet[2]) / (area * area);
+  place->torsion_error =
+      (area * m->error[2] + ph_vec3_abs(m->jet[2]) * error) / (area * area) +
+      2 * fabs(place->torsion) * place->flat;
+  place->curvature *= scale;
+  place->curvature_error *= scale;
+  place->torsion *= scale;
+  place->torsion_error *= scale;
+}
+
+static struct ph_check_place curve_place(const struct ph_check_path *path,
+                                         double u) {
+  const struct ph_check_segment *s = path->s;
+  struct ph_check_place place;
+  struct motion m;
+  ph_vec3 r[N], direction;
+  ph_check_jet(s, u, r, N);
+  for (size_t i = 0; i + 1 < N; i++) {
+    m.jet[i] = r[i];
+    m.error[i] = ph_check_uncertain(s, i + 1) +
+                 PARAMETER * (ph_vec3_abs(r[i]) + ph_vec3_abs(r[i + 1]));
+  }
+  direction = ph_vec3_unit(r[0]);
+  place.point = ph_check_point(path->v, s, u);
+  place.point_error = s->noise + PARAMETER * s->speed;
+  if (fabs(path->distance) > 0) {
+    to_series(r);
+    displace(path, u, r, &m, &place);
+  }
+  place.speed_error = m.error[0];
+  place.along = ph_vec3_dot(m.jet[0], direction);
+  place.along_error = m.error[0];
+  bend(path, &m, &place);
+  return place;
+}
+
+/* (1); the curve itself is at some point also where it is at rest. */
+static void parallel(const struct ph_check_path *path, const ph_vec3 jet[3],
+                     double turn, struct ph_check_place *place) {
+  const struct ph_check_segment *s = path->s;
+  double d = path->distance;
+  ph_vec3 on = jet[0];
+  place->point_error = s->noise + PARAMETER * s->speed;
+  place->along = s->radius * ph_vec3_abs(jet[1]);
+  if (fabs(d) > 0) {
+    ph_vec3 left = ph_vec3_cross(jet[0], place->tangent);
+    on = ph_vec3_along(ph_vec3_scale(cos(d), jet[0]), sin(d), left);
+    place->point_error += s->radius * fabs(sin(d)) * place->tangent_error;
+    place->along = cos(d) * place->along - s->radius * sin(d) * turn;
+  }
+  place->point = ph_vec3_along(s->center, s->radius, on);
+}
+
+static struct ph_check_place sphere_place(const struct ph_check_path *path,
+                                          double u) {
+  const struct ph_check_segment *s = path->s;
+  struct ph_check_place place = {.torsion = 0};
+  double d = path->distance, speed, turn, error, next, top, bottom, down;
+  ph_vec3 jet[3];
+  ph_check_great(s->p, u, jet);
+  speed = ph_vec3_abs(jet[1]);
+  error = s->noise / s->radius + PARAMETER * ph_vec3_abs(jet[2]);
+  next = PH_CHECK_ROUND_NEXT * s->noise / s->radius;
+  turn = ph_vec3_dot(jet[0], ph_vec3_cross(jet[1], jet[2])) / (speed * speed);
+  place.flat = (next + 2 * ph_vec3_abs(jet[2]) * error / speed) * speed /
+               ph_vec3_abs(ph_vec3_cross(jet[1], jet[2]));
+  next = next / speed + 4 * ph_vec3_abs(jet[2]) * error / (speed * speed);
+  place.tangent = ph_vec3_scale(1 / speed, jet[1]);
+  place.tangent_error = error / speed;
+  parallel(path, jet, turn, &place);
+  down = fabs(d) > 0 ? error + fabs(sin(d)) * next : error;
+  place.along_error = place.speed_error = s->radius * down;
+  place.speed = fabs(place.along);
+  if (place.along < 0) {
+    place.tangent = ph_vec3_scale(-1, place.tangent);
+  }
+  /* kappa = turn / speed; cot(rho - d) = (cos d kappa + sin d) /
+   * (cos d - sin d kappa) */
+  top = cos(d) * turn + sin(d) * speed;
+  bottom = place.speed / s->radius;
+  place.curvature = top / (bottom * s->radius);
+  place.curvature_error =
+      (error + next + fabs(top) * down / bottom) / (bottom * s->radius);
+  return place;
+}
+
+/* Errors are those of the first order: where a speed may vanish they say
+ * nothing. */
+struct ph_check_place ph_check_place_at(const struct ph_check_path *path,
+                                        double u) {
+  struct ph_check_place place =
+      path->s->radius > 0 ? sphere_place(path, u) : curve_place(path, u);
+  if (!(place.speed_error < PH_CHECK_NO_DIRECTION * place.speed)) {
+    place.curvature_error = place.torsion_error = HUGE_VAL;
+  }
+  return place;
+}
+
+ph_vec3 ph_check_across(const struct ph_check_path *path, double u) {
+  ph_vec3 r[N], e[N];
+  ph_check_jet(path->s, u, r, N);
+  to_series(r);
+  across(path, u, r, e);
+  return e[0];
+}
+
+/* ---- length ------------------------------------------------------------- */
+
+static void speed_at(const void *context, double u, double *value) {
+  struct ph_check_place place = ph_check_place_at(context, u);
+  value[0] = place.speed;
+  value[1] = place.speed_error;
+}
+
+/* The first cusp after a place. */
+static size_t cusp_after(const struct ph_check_path *path, double u) {
+  const struct ph_cusps *cusps = path->cusps;
+  size_t low = 0, high = cusps ? cusps->n : 0;
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    const struct ph_place *at = &cusps->at[middle];
+    if (at->segment < path->s->k ||
+        (at->segment == path->s->k && at->t <= u * path->s->unit)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+double ph_check_path_length(const struct ph_check_path *path, double from,
+                            double to, double *error) {
+  const struct ph_check_integrands of = {speed_at, path,           2,
+                                         1,        path->s->noise, LENGTH};
+  const struct ph_cusps *cusps = path->cusps;
+  double sum[2], length = 0;
+  if (!(fabs(path->distance) > 0)) {
+    return ph_check_length_of(path->v, path->s, from, to);
+  }
+  for (size_t i = cusp_after(path, from);
+       cusps && i < cusps->n && cusps->at[i].segment == path->s->k &&
+       cusps->at[i].t < to * path->s->unit;
+       i++) {
+    double u = cusps->at[i].t / path->s->unit;
+    if (u > from) { /* in order, as they should be */
+      ph_check_integral(&path->v->rule, &of, from, u, sum);
+      *error += isfinite(sum[1]) ? sum[1] : path->v->size;
+      length += sum[0];
+      from = u;
+    }
+  }
+  ph_check_integral(&path->v->rule, &of, from, to, sum);
+  *error += isfinite(sum[1]) ? sum[1] : path->v->size;
+  return length + sum[0];
+}

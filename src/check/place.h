@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A place on a curve or on an offset of it: point, direction, curvature,
+ * torsion, and by how much each may be off because control points are rounded.
+ *
+ * With o = r + d e, e a unit vector across the curve,
+ *
+ *   plane    e = i r' / |r'|, from the control points
+ *   space    e = A j A* / |A|^2 or A k A* / |A|^2, A the claimed preimage
+ *
+ * derivatives of o are those of power series, and what bends follows from them.
+ * On the unit sphere O = cos d S + sin d S x T, with T the unit tangent of S:
+ *
+ *   O' = g T,  g = cos d |S'| - sin d K / |S'|^2,  K = S . (S' x S'')   (1)
+ *
+ * and a curve that bends as a circle of radius rho, kappa = cot rho, has a
+ * parallel that bends as one of radius rho - d.
+ */
+#ifndef PH_CHECK_PLACE_H
+#define PH_CHECK_PLACE_H
+
+#include "check/segment.h"
+
+/* What is looked at: a segment, or the offset of it.  The length of an offset
+ * is integrated from cusp to cusp: two of them may be nearer to each other than
+ * the places where the speed is looked at, which has a kink at each. */
+struct ph_check_path {
+  const struct ph_check *v;
+  const struct ph_check_segment *s;
+  double distance; /* at unit scale; on a sphere the angle; 0: the curve */
+  bool binormal;   /* in space: along e3 */
+  const struct ph_cusps *cusps; /* of an offset, as listed; or NULL */
+};
+
+struct ph_check_place {
+  ph_vec3 point, tangent;
+  double point_error, tangent_error; /* the latter is not finite where the
+                                        curve stands still */
+  double speed, speed_error;         /* |o'| by u */
+  double along; /* o' in the direction of the curve: < 0 where the offset
+                   turned back */
+  double along_error;
+  double curvature, curvature_error; /* signed in the plane, geodesic on the
+                                        sphere */
+  double torsion, torsion_error;     /* in space */
+  double flat; /* in space: the relative error of r' x r'' */
+};
+
+/* ph_check_place_at: the place at u in [0,1]. */
+struct ph_check_place ph_check_place_at(const struct ph_check_path *path,
+                                        double u);
+
+/* ph_check_across: e. */
+ph_vec3 ph_check_across(const struct ph_check_path *path, double u);
+
+/*
+ * ph_check_path_length: the length of the path between two places, NaN where
+ * it is not found; as ph_check_length_of.
+ *
+ * inout error  grows by how much that of an offset is uncertain
+ */
+double ph_check_path_length(const struct ph_check_path *path, double from,
+                            double to, double *error);
+
+#endif

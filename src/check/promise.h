@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What the commands promise of their curves: a result does not say it, so its
+ * command does.  Adding a command is adding a row (promise.c).
+ */
+#ifndef PH_CHECK_PROMISE_H
+#define PH_CHECK_PROMISE_H
+
+#include "curve/result.h"
+
+/* How segments join, but of Bezier curves in place of others, which share the
+ * unit tangent. */
+enum ph_join {
+  PH_JOIN_TANGENT, /* the unit tangent */
+  PH_JOIN_FIRST,   /* r' by the knots */
+  PH_JOIN_SECOND   /* r' and r'' by the knots */
+};
+
+/* By which parameter derivatives are given. */
+enum ph_given {
+  PH_GIVEN_NONE,
+  PH_GIVEN_KNOTS,   /* that of the knots */
+  PH_GIVEN_TENSION, /* the local one, times the square of the tension */
+  PH_GIVEN_CUBIC    /* that of each cubic, in [0,1], of two in an interval */
+};
+
+struct ph_promise {
+  const char *command;
+  unsigned kinds; /* of curves: PH_KIND(symbol) | ... */
+  size_t dimension, degree;
+  enum ph_join join;
+  enum ph_given given;
+  bool ends;        /* end derivatives or tangents that are given are kept */
+  bool lengths;     /* and lengths from datum to datum */
+  bool tension;     /* segments have one, but those of Bezier curves */
+  bool intervals;   /* the record has them */
+  bool approximate; /* there are approximations, which may have corners and
+                       miss points, by the distance in their diagnostics */
+};
+
+#define PH_KIND(symbol) (1u << PH_CURVE_##symbol)
+
+/* ph_promises: the rows, [ph_promises_n]. */
+extern const struct ph_promise ph_promises[];
+extern const size_t ph_promises_n;
+
+/* ph_promise_of: the row of a command, or NULL. */
+const struct ph_promise *ph_promise_of(const char *command);
+
+#endif

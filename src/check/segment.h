@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One segment as its control points say it is, for u in [0,1], at unit scale:
+ * points and derivatives.
+ *
+ * Of a polynomial or an ATPH segment the derivative is a form
+ *
+ *   r'(u) = sum_j h_j S0^(m-j) S1^j,  h_j = (p_(j+1) - p_j) / mu_j,     (1)
+ *   mu_j = integral of S0^(m-j) S1^j over [0,1],
+ *
+ * with m the degree less 1 and S0 = 1 - u, S1 = u; ATPH: S0 = sin(a (1-u)/2) /
+ * sin(a/2), S1 = sin(a u/2) / sin(a/2), whose products of degree m = 4 span
+ * <1, sin t, cos t, sin 2t, cos 2t>, t = a u.  The B-basis of the control
+ * points is that whose derivatives are these products, each of integral 1.
+ *
+ * A spherical segment is de Casteljau's algorithm by great circles
+ * (spherical.h); its m is 0.
+ */
+#ifndef PH_CHECK_SEGMENT_H
+#define PH_CHECK_SEGMENT_H
+
+#include "check/note.h"
+
+enum { PH_CHECK_FORM_MAX = PH_CHECK_DEGREE_MAX };
+
+/* Terms of power series: a value and up to 3 derivatives. */
+enum { PH_CHECK_JET = 4 };
+
+struct ph_check_segment {
+  size_t k;
+  size_t m;                           /* degree of r' */
+  double angle;                       /* ATPH: a; else 0 */
+  double unit;                        /* u to the local parameter: a; else 1 */
+  ph_vec3 p[PH_CHECK_DEGREE_MAX + 1]; /* control points; of spherical
+                                          segments on the unit sphere */
+  ph_vec3 h[PH_CHECK_FORM_MAX];       /* of (1) */
+  double normal[PH_CHECK_FORM_MAX];   /* binomial(m, j): h_j / normal[j] is of
+                                          the size of r' */
+  double speed;                       /* the largest |h_j| / normal[j] */
+  double noise;   /* by how much r' may be off, by rounding and because the
+                     preimage that was meant is another */
+  double spacing; /* of its knots */
+  ph_vec3 center; /* of the sphere */
+  double radius;  /* of the sphere; else 0 */
+};
+
+/* ph_check_load: segment k of the curve; all arrays are there (arrays.c). */
+void ph_check_load(const struct ph_check *v, size_t k,
+                   struct ph_check_segment *s);
+
+/* ph_check_basis: S0 and S1 at u with their first n - 1 derivatives over
+ * factorials, n <= PH_CHECK_JET.
+ * out  series[2][PH_CHECK_JET] */
+void ph_check_basis(double angle, double u, size_t n,
+                    double series[2][PH_CHECK_JET]);
+
+/* ph_check_jet: r', r'', ... by u.
+ * out  jet[n]  n <= PH_CHECK_JET; of spherical segments n <= 2 */
+void ph_check_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
+                  size_t n);
+
+/* ph_check_point: r(u), from the nearer end: exact at u = 0 and u = 1. */
+ph_vec3 ph_check_point(const struct ph_check *v,
+                       const struct ph_check_segment *s, double u);
+
+/* ph_check_uncertain: by how much derivative d >= 1 may be off. */
+static inline double ph_check_uncertain(const struct ph_check_segment *s,
+                                        size_t d) {
+  double noise = s->noise;
+  while (d-- > 1) {
+    noise *= PH_CHECK_ROUND_NEXT;
+  }
+  return noise;
+}
+
+/*
+ * ph_check_length_of: the length of the part [from,to] of a segment, by
+ * adaptive quadrature to 1e-13 relative and what r' is uncertain by.
+ *
+ * ret  NaN where that is not reached
+ */
+double ph_check_length_of(const struct ph_check *v,
+                          const struct ph_check_segment *s, double from,
+                          double to);
+
+#endif

@@ -1,0 +1,442 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A segment of a spherical spline (see sphere_segment.h).
+ *
+ * At an end P with the next control points B and C, a = Log_P B of length th,
+ * and W = Log_B C moved in parallel along the great circle from B to P,
+ *
+ *   W~ = W - (W.P) / (1 + P.B) (P + B),
+ *
+ * the velocity is 3 a and the covariant acceleration is
+ *
+ *   A = 6 (W~ - a + (th / sin th - 1) (W~ - the part of it along a)),      (1)
+ *
+ * because what is normal to the great circle grows as a Jacobi field does.  No
+ * direction of a is needed where a is short: with long tensions it has few
+ * digits.  The geodesic curvature is P . (a x A) / (9 th^3), which is
+ * (2/3) (W.N) / (th sin th) with N normal to P and B.
+ *
+ * Between the ends, K by de Casteljau's algorithm on the value and two
+ * derivatives: for Z = w(1-t,X) u + w(t,X) v, with w(s,X) = sin(s th) / sin th
+ * and X = th^2, by the partial derivatives of w.
+ */
+#include "check/sphere_segment.h"
+
+#include "check/error.h"
+
+#include <string.h>
+
+/* Margins of the errors, over what was met with random control points. */
+static const double ROUND_LEG = 4;
+static const double ROUND_FIRST = 16, ROUND_SECOND = 64;
+
+/* ---- the ends -------------------------------------------------------- */
+
+/* A velocity at B, moved in parallel to P. */
+static ph_vec3 transported(ph_vec3 w, ph_vec3 b, ph_vec3 p) {
+  double factor = ph_vec3_dot(w, p) / (1 + ph_vec3_dot(p, b));
+  return ph_vec3_along(w, -factor, ph_vec3_add(p, b));
+}
+
+/* The end P with b = B, the velocity w = Log_B C, both by the squares of their
+ * angles. */
+static void set_end(ph_vec3 p, ph_vec3 b, double xb, ph_vec3 w, double xw,
+                    double rounding, struct ph_check_nu_end *e) {
+  double growth = 1 / ph_s2_f0(xb), aa, size = sqrt(xw), w_error;
+  ph_vec3 d = ph_vec3_sub(b, p), moved = transported(w, b, p), normal;
+  e->at = p;
+  e->leg = ph_vec3_scale(growth, ph_vec3_along(d, ph_vec3_dot(d, d) / 2, p));
+  e->angle = sqrt(xb);
+  aa = ph_vec3_dot(e->leg, e->leg);
+  normal = aa > 0
+               ? ph_vec3_along(moved, -ph_vec3_dot(moved, e->leg) / aa, e->leg)
+               : moved;
+  e->acceleration = ph_vec3_scale(
+      6, ph_vec3_along(ph_vec3_sub(moved, e->leg), growth - 1, normal));
+  e->curvature = ph_vec3_triple(p, e->leg, e->acceleration) /
+                 (9 * e->angle * e->angle * e->angle);
+  e->leg_error = ROUND_LEG * rounding * growth;
+  w_error = ROUND_LEG * rounding * (1 / ph_s2_f0(xw) + size);
+  e->acceleration_error = 6 * growth * (w_error + e->leg_error);
+  e->curvature_error = growth * (w_error + 2 * size * e->leg_error / e->angle) /
+                       (e->angle * e->angle);
+}
+
+static double square_of_angle(ph_vec3 p, ph_vec3 q) {
+  double angle = ph_s2_angle(p, q);
+  return angle * angle;
+}
+
+void ph_check_nu_segment_of(const ph_vec3 p[4], double rounding,
+                            struct ph_check_nu_segment *s) {
+  ph_vec3 d = ph_vec3_sub(p[2], p[1]), w[2];
+  double growth;
+  memcpy(s->p, p, sizeof s->p);
+  s->rounding = rounding;
+  s->angle = ph_s2_angle(p[0], p[3]);
+  for (size_t i = 0; i < 3; i++) {
+    s->x[i] = square_of_angle(p[i], p[i + 1]);
+  }
+  growth = 1 / ph_s2_f0(s->x[1]);
+  w[0] = ph_vec3_scale(growth, ph_vec3_along(d, ph_vec3_dot(d, d) / 2, p[1]));
+  w[1] = ph_vec3_scale(-growth, ph_vec3_along(d, -ph_vec3_dot(d, d) / 2, p[2]));
+  set_end(p[0], p[1], s->x[0], w[0], s->x[1], rounding, &s->end[0]);
+  set_end(p[3], p[2], s->x[2], w[1], s->x[1], rounding, &s->end[1]);
+}
+
+double ph_check_nu_numerator_end(const struct ph_check_nu_segment *s,
+                                 size_t end, double *error) {
+  const struct ph_check_nu_end *e = &s->end[end];
+  *error = 3 * (e->angle * e->acceleration_error +
+                ph_vec3_abs(e->acceleration) * e->leg_error);
+  return (end == 0 ? 3 : -3) * ph_vec3_triple(e->at, e->leg, e->acceleration);
+}
+
+/* ---- between the ends ------------------------------------------------ */
+
+/* A value and two derivatives. */
+struct jet {
+  ph_vec3 v[3];
+};
+
+/* w(s,X) with its derivative and second derivative by t, s' = slope, 1 or -1;
+ * f are f_0, f_1, f_2 of X, x its value and derivatives. */
+static void weight_jet(double s, double slope, const double f[4],
+                       const double x[3], double w[3]) {
+  double g[4], y = s * s * x[0], d = f[0], dx = -f[1] / 2, dxx = f[2] / 4;
+  double by_s, by_x, by_sx, by_xx;
+  ph_s2_bessel(y, g);
+  w[0] = s * g[0] / d;
+  by_s = (g[0] - y * g[1]) / d;
+  by_x = (-s * s * s * g[1] / 2 - w[0] * dx) / d;
+  by_sx = (-s * s * g[0] / 2 - by_s * dx) / d;
+  by_xx = (s * s * s * s * s * g[2] / 4 - 2 * by_x * dx - w[0] * dxx) / d;
+  w[1] = slope * by_s + by_x * x[1];
+  w[2] = -x[0] * w[0] + 2 * slope * by_sx * x[1] + by_xx * x[1] * x[1] +
+         by_x * x[2];
+}
+
+/* The first step: t on the great circle of a leg. */
+static struct jet leg_jet(ph_vec3 p, ph_vec3 q, double x, double t) {
+  struct jet z;
+  double f = ph_s2_f0(x), angle = sqrt(x), s = 1 - t;
+  z.v[0] = ph_vec3_along(ph_vec3_scale(s * ph_s2_f0(s * s * x) / f, p),
+                         t * ph_s2_f0(t * t * x) / f, q);
+  z.v[1] = ph_vec3_along(ph_vec3_scale(-cos(s * angle) / f, p),
+                         cos(t * angle) / f, q);
+  z.v[2] = ph_vec3_scale(-x, z.v[0]);
+  return z;
+}
+
+/* A step between two moving points. */
+static struct jet step_jet(const struct jet *a, const struct jet *b, double t,
+                           double *growth) {
+  struct jet z;
+  ph_vec3 d[3];
+  double f[4], x[3], e[2], u[3], v[3];
+  for (size_t i = 0; i < 3; i++) {
+    d[i] = ph_vec3_sub(a->v[i], b->v[i]);
+  }
+  x[0] = square_of_angle(a->v[0], b->v[0]);
+  ph_s2_bessel(x[0], f);
+  *growth /= f[0];
+  /* |d|^2 = 2 - 2 cos th, so that its derivative by X is f_0 */
+  e[0] = 2 * ph_vec3_dot(d[0], d[1]);
+  e[1] = 2 * (ph_vec3_dot(d[0], d[2]) + ph_vec3_dot(d[1], d[1]));
+  x[1] = e[0] / f[0];
+  x[2] = (e[1] + f[1] / 2 * x[1] * x[1]) / f[0];
+  weight_jet(1 - t, -1, f, x, u);
+  weight_jet(t, 1, f, x, v);
+  z.v[0] = ph_vec3_along(ph_vec3_scale(u[0], a->v[0]), v[0], b->v[0]);
+  z.v[1] = ph_vec3_along(ph_vec3_scale(u[1], a->v[0]), v[1], b->v[0]);
+  z.v[1] = ph_vec3_along(z.v[1], u[0], a->v[1]);
+  z.v[1] = ph_vec3_along(z.v[1], v[0], b->v[1]);
+  z.v[2] = ph_vec3_along(ph_vec3_scale(u[2], a->v[0]), v[2], b->v[0]);
+  z.v[2] = ph_vec3_along(z.v[2], 2 * u[1], a->v[1]);
+  z.v[2] = ph_vec3_along(z.v[2], 2 * v[1], b->v[1]);
+  z.v[2] = ph_vec3_along(z.v[2], u[0], a->v[2]);
+  z.v[2] = ph_vec3_along(z.v[2], v[0], b->v[2]);
+  return z;
+}
+
+double ph_check_nu_numerator(const struct ph_check_nu_segment *s, double t,
+                             double *error) {
+  struct jet z[3];
+  double growth = 1; /* of errors, where points are nearly antipodal */
+  for (size_t i = 0; i < 3; i++) {
+    z[i] = leg_jet(s->p[i], s->p[i + 1], s->x[i], t);
+  }
+  z[0] = step_jet(&z[0], &z[1], t, &growth);
+  z[1] = step_jet(&z[1], &z[2], t, &growth);
+  z[0] = step_jet(&z[0], &z[1], t, &growth);
+  *error = s->rounding * growth *
+           (ROUND_SECOND * ph_vec3_abs(z[0].v[1]) +
+            ROUND_FIRST * ph_vec3_abs(z[0].v[2]));
+  return ph_vec3_triple(z[0].v[0], z[0].v[1], z[0].v[2]);
+}
+
+/* ---- the sign of K --------------------------------------------------- */
+
+/* K is nearly quadratic on a short segment, as it is in the plane.  One with
+ * longer legs is looked at in PARTS from the beginning; a part is halved, at
+ * most to 1/256, unless the quadratic through its ends and its middle stays
+ * away from 0. */
+static const double SHORT = 0.5;
+enum { PARTS = 4, HALVINGS = 6, STACK = PARTS + HALVINGS + 1 };
+
+/* q K at both ends of a part. */
+struct part {
+  double from, to, at_from, at_to;
+  int halvings;
+};
+
+static size_t first_parts(const struct ph_check_nu_segment *s, int q,
+                          struct part stack[STACK], int *fine) {
+  double error[2], k[2];
+  size_t n;
+  for (size_t i = 0; i < 2; i++) {
+    k[i] = q * ph_check_nu_numerator_end(s, i, &error[i]);
+    *fine = *fine && k[i] >= -error[i];
+  }
+  n = sqrt(s->x[0]) + sqrt(s->x[1]) + sqrt(s->x[2]) <= SHORT ? 1 : PARTS;
+  for (size_t i = 0; i < n; i++) {
+    double to = (double)(i + 1) / (double)n, at_to = k[1];
+    if (i + 1 < n) {
+      at_to = q * ph_check_nu_numerator(s, to, &error[0]);
+      *fine = *fine && at_to >= -error[0];
+    }
+    stack[i] = (struct part){(double)i / (double)n, to,
+                             i > 0 ? stack[i - 1].at_to : k[0], at_to, 0};
+  }
+  return n;
+}
+
+int ph_check_nu_turns(const struct ph_check_nu_segment *s, int q) {
+  struct part stack[STACK];
+  int fine = 1;
+  size_t n = first_parts(s, q, stack, &fine);
+  while (n > 0 && fine) {
+    struct part a = stack[--n], b;
+    double error, middle = (a.from + a.to) / 2;
+    double k = q * ph_check_nu_numerator(s, middle, &error);
+    double least = ph_check_smaller(k, ph_check_smaller(a.at_from, a.at_to));
+    fine = k >= -error;
+    if (!(least > fabs(a.at_from - 2 * k + a.at_to)) && a.halvings < HALVINGS) {
+      b = a;
+      a.to = b.from = middle;
+      a.at_to = b.at_from = k;
+      a.halvings = ++b.halvings;
+      stack[n++] = a;
+      stack[n++] = b;
+    }
+  }
+  return fine;
+}
+
+/* ---- the length ------------------------------------------------------ */
+
+/* Points of an interval, equally spaced; an interval is 2^-DEPTH of the segment
+ * at least, and there are INTERVALS at most: a segment of which both ends are
+ * at rest takes 80. */
+enum { POINTS = 17, ROWS = 5, DEPTH = 40, INTERVALS = 2000 };
+
+/* An interval is done when the extrapolations of 8 and of 16 distances agree to
+ * this, relative to what is claimed: the latter is nearer to the truth by far,
+ * but near a cusp it is not safe to say by how much. */
+static const double ENOUGH = 1e-13;
+
+/* Where an extrapolation agrees with the claim, its last step was at most
+ * this. */
+static const double NEAR = 1e-5;
+
+/* Where it agrees with the one before, the step before was at most this many
+ * times as large: two alone may agree by chance. */
+static const double CALM = 1000;
+
+/* The widest interval at an end, in units of the r below. */
+static const double COARSE = 4;
+
+/* In units of the rounding of a point. */
+static const double ROUND_SUM = 4;
+
+struct interval {
+  ph_vec3 s[POINTS];
+  double from, to;
+};
+
+static ph_vec3 weighted(double t, double x, ph_vec3 p, ph_vec3 q) {
+  return ph_vec3_along(ph_vec3_scale(ph_s2_weight(1 - t, x), p),
+                       ph_s2_weight(t, x), q);
+}
+
+static ph_vec3 point_at(const struct ph_check_nu_segment *s, double t) {
+  ph_vec3 z[3];
+  for (size_t i = 0; i < 3; i++) {
+    z[i] = weighted(t, s->x[i], s->p[i], s->p[i + 1]);
+  }
+  z[0] = ph_s2_slerp(z[0], z[1], t);
+  z[1] = ph_s2_slerp(z[1], z[2], t);
+  return ph_s2_slerp(z[0], z[1], t);
+}
+
+static ph_vec3 between(ph_vec3 p, ph_vec3 q) {
+  return ph_vec3_unit(ph_vec3_add(p, q));
+}
+
+/* The point at j/4 of a great circle, by halves: no angle is needed. */
+static ph_vec3 quarter(ph_vec3 p, ph_vec3 q, size_t j) {
+  ph_vec3 half = between(p, q);
+  return j == 1 ? between(p, half) : j == 3 ? between(half, q) : half;
+}
+
+/* The first five points, which are all on a short segment. */
+static void first_points(const struct ph_check_nu_segment *s,
+                         struct interval *v) {
+  v->from = 0;
+  v->to = 1;
+  v->s[0] = s->p[0];
+  v->s[POINTS - 1] = s->p[3];
+  for (size_t j = 1; j < 4; j++) {
+    ph_vec3 z[3];
+    for (size_t i = 0; i < 3; i++) {
+      z[i] = quarter(s->p[i], s->p[i + 1], j);
+    }
+    z[0] = quarter(z[0], z[1], j);
+    z[1] = quarter(z[1], z[2], j);
+    v->s[(POINTS - 1) / 4 * j] = quarter(z[0], z[1], j);
+  }
+}
+
+/* The points between those that there are, every second `step'. */
+static void more_points(const struct ph_check_nu_segment *s, struct interval *v,
+                        size_t step) {
+  for (size_t i = step; i < POINTS; i += 2 * step) {
+    double u = (double)i / (POINTS - 1);
+    v->s[i] = point_at(s, v->from + (v->to - v->from) * u);
+  }
+}
+
+static double distance(ph_vec3 a, ph_vec3 b) {
+  ph_vec3 d = ph_vec3_sub(a, b);
+  double square = ph_vec3_dot(d, d);
+  return square <= 2 ? 2 * asin(sqrt(square) / 2) : ph_s2_angle(a, b);
+}
+
+/* The sum of distances from each point to the next. */
+static double sum_of(const struct interval *v, size_t step) {
+  double sum = 0;
+  for (size_t i = 0; i + step < POINTS; i += step) {
+    sum += distance(v->s[i], v->s[i + step]);
+  }
+  return sum;
+}
+
+/* One more row of Romberg's table, after rows of 1, 2, ..., 2^(k-1) distances:
+ * the extrapolation from all. */
+static double extrapolate(double table[ROWS], size_t k, double sum) {
+  double power = 1, next;
+  for (size_t i = 0; i < k; i++) {
+    power *= 4;
+    next = sum + (sum - table[i]) / (power - 1);
+    table[i] = sum;
+    sum = next;
+  }
+  table[k] = sum;
+  return sum;
+}
+
+/* The halves of an interval with all its points. */
+static void halve(const struct interval *v, struct interval *a,
+                  struct interval *b) {
+  struct interval whole = *v;
+  a->from = whole.from;
+  a->to = b->from = (whole.from + whole.to) / 2;
+  b->to = whole.to;
+  for (size_t i = 0; i < POINTS; i += 2) {
+    a->s[i] = whole.s[i / 2];
+    b->s[i] = whole.s[(POINTS - 1 + i) / 2];
+  }
+}
+
+/* Whether an interval is narrow enough for its points to show what the curve
+ * does.  Where the first leg is short, r of the middle one, the curve turns
+ * within t = r and may turn back, on a length of about r^2: no point farther
+ * away would tell. */
+static int is_narrow(const struct ph_check_nu_segment *s,
+                     const struct interval *v) {
+  double width = v->to - v->from, r[2];
+  for (size_t end = 0; end < 2; end++) {
+    r[end] = s->end[end].angle / sqrt(s->x[1]);
+    if (!(r[end] * r[end] > ENOUGH)) {
+      r[end] = 1;
+    }
+  }
+  return (v->from > 0 || !(width > COARSE * r[0])) &&
+         (v->to < 1 || !(width > COARSE * r[1]));
+}
+
+/* Whether a curve through these equally spaced points, near the first one,
+ * leaves it in the direction of the second.  If not, it turns back in between,
+ * and on a great circle all sums of distances may agree for all that. */
+static int goes_on(ph_vec3 a, ph_vec3 b, ph_vec3 c) {
+  ph_vec3 first = ph_vec3_sub(b, a), second = ph_vec3_sub(c, b);
+  return !(3 * ph_vec3_dot(first, first) <= ph_vec3_dot(first, second));
+}
+
+/* Whether the points of an interval, or every step-th one, can be trusted. */
+static int is_fine(const struct ph_check_nu_segment *s,
+                   const struct interval *v, size_t step) {
+  const ph_vec3 *last = v->s + POINTS - 1;
+  return is_narrow(s, v) && goes_on(v->s[0], v->s[step], v->s[2 * step]) &&
+         goes_on(*last, *(last - step), *(last - 2 * step));
+}
+
+/*
+ * The length of an interval of which the first `rows' rows of points are there.
+ *
+ * out  done  whether it is good enough, or agrees with the claim of the whole
+ */
+static double extrapolated(const struct ph_check_nu_segment *s,
+                           struct interval *v, size_t rows, double claimed,
+                           double allowed, int *done) {
+  double enough = ENOUGH * claimed + ROUND_SUM * s->rounding;
+  double table[ROWS], length = 0, step = 0, before = 0, sum = 0;
+  int whole = v->to - v->from >= 1;
+  *done = 0;
+  for (size_t k = 0; k < ROWS && !*done; k++) {
+    size_t stride = (size_t)(POINTS - 1) >> k;
+    double last = length;
+    if (k >= rows) {
+      more_points(s, v, stride);
+    }
+    sum = sum_of(v, stride);
+    length = extrapolate(table, k, sum);
+    before = step;
+    step = fabs(length - last);
+    *done = whole && k > 1 && fabs(length - claimed) <= allowed &&
+            step <= NEAR * claimed && is_fine(s, v, stride);
+  }
+  *done = *done || sum <= enough / 4 ||
+          (!(step > enough) && !(before > CALM * enough) && is_fine(s, v, 1));
+  return length;
+}
+
+double ph_check_nu_length(const struct ph_check_nu_segment *s, double claimed,
+                          double allowed) {
+  struct interval stack[DEPTH + 1];
+  double length = 0;
+  size_t n = 1, rows = 3;
+  first_points(s, &stack[0]);
+  for (size_t seen = 0; n > 0; seen++) {
+    int done;
+    double part = extrapolated(s, &stack[--n], rows, claimed, allowed, &done);
+    rows = ROWS - 1;
+    if (done || n + 2 > DEPTH || seen > INTERVALS) {
+      length += part;
+    } else {
+      halve(&stack[n], &stack[n], &stack[n + 1]);
+      n += 2;
+    }
+  }
+  return length;
+}

@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The certificate of planar Tschirnhausen cubics (see certify.h): those that
+ * interpolate points.  Approximations are in tc_approx.c.
+ *
+ * The cubics are gone through in order: each interval of the data has one or
+ * two, and which is seen from where they end.
+ */
+#include "check/certify.h"
+
+#include "check/tc_approx.h"
+#include "check/tc_check.h"
+#include "check/tc_wanted.h"
+
+#include <math.h>
+
+static const double INTERPOLATION = 1e-13;
+
+/* The joint on the chord is a product of a direction and a length. */
+static const double ON_CHORD = 1e-12;
+
+/* The cubics of one interval of the data. */
+struct interval {
+  size_t k;     /* of the data */
+  size_t first; /* cubic */
+  size_t n;     /* 1 or 2 */
+  struct ph_tc_cubic cubic[2];
+};
+
+static double apart(ph_cplx a, ph_cplx b) {
+  return ph_cplx_abs(ph_cplx_sub(a, b));
+}
+
+/* How many cubics an interval has whose first one is number `first`: where the
+ * mode leaves a choice, and those that are left over do, the one of two whose
+ * end is nearer to the point. */
+static size_t count(const struct ph_tc_wanted *w, const struct ph_tc_check *c,
+                    size_t k, size_t first) {
+  size_t left = c->curve->n - first, to_come = w->n - k - 1;
+  ph_cplx end = ph_tc_wanted_point(w, c, k + 1);
+  if (w->mode != PH_TC_WANTED_EITHER) {
+    return w->mode == PH_TC_WANTED_ONE ? 1 : 2;
+  }
+  if (left == to_come + 1 || left == 2 * to_come + 2) {
+    return left == to_come + 1 ? 1 : 2;
+  }
+  return apart(ph_tc_check_load(c, first).p[3], end) <=
+                 apart(ph_tc_check_load(c, first + 1).p[3], end)
+             ? 1
+             : 2;
+}
+
+static void check_points(struct ph_tc_check *c, const struct ph_tc_wanted *w,
+                         const struct interval *in) {
+  const struct ph_tc_cubic *last = &in->cubic[in->n - 1];
+  double size = c->scale.size;
+  ph_check_add(&c->point, in->first,
+               apart(in->cubic[0].p[0], ph_tc_wanted_point(w, c, in->k)), size,
+               INTERPOLATION * size);
+  ph_check_add(&c->point, in->first + in->n - 1,
+               apart(last->p[3], ph_tc_wanted_point(w, c, in->k + 1)), size,
+               INTERPOLATION * size);
+}
+
+/* The joint of two cubics on the chord, the part of it before the joint, and
+ * the direction there. */
+static void check_on_chord(struct ph_tc_check *c, const struct ph_tc_wanted *w,
+                           const struct interval *in) {
+  ph_cplx from = ph_tc_wanted_point(w, c, in->k);
+  ph_cplx along = ph_cplx_sub(ph_tc_wanted_point(w, c, in->k + 1), from);
+  ph_cplx joint = ph_cplx_sub(in->cubic[0].p[3], from);
+  double length = ph_cplx_abs(along), part = w->joint_position;
+  if (isnan(part)) {
+    part = ph_cplx_dot(joint, along) / (length * length);
+    part = ph_check_larger(0, ph_check_smaller(part, 1));
+  }
+  ph_check_add(&c->point, in->first, apart(joint, ph_cplx_scale(part, along)),
+               c->scale.size, ON_CHORD * length + in->cubic[0].allowance);
+  if (!isnan(w->joint_angle)) {
+    ph_cplx turned = ph_cplx_mul(ph_cplx_polar(w->joint_angle),
+                                 ph_tc_check_direction(along));
+    ph_tc_check_tangent(c, &in->cubic[0], in->first, 1, turned, 0);
+  }
+}
+
+/* What is wanted at both ends of the interval; lengths of derivatives are of
+ * pairs alone. */
+static void check_ends(struct ph_tc_check *c, const struct ph_tc_wanted *w,
+                       const struct interval *in) {
+  for (size_t end = 0; end < 2; end++) {
+    struct ph_tc_wanted_end wanted = ph_tc_wanted_end_of(w, c, in->k + end);
+    size_t i = end == 0 ? 0 : in->n - 1;
+    if (wanted.has_direction) {
+      ph_tc_check_tangent(c, &in->cubic[i], in->first + i, end,
+                          wanted.direction, wanted.error);
+    }
+    if (wanted.has_length && in->n == 2 && !w->on_chord) {
+      ph_tc_check_derivative(c, &in->cubic[i], in->first + i, end,
+                             ph_cplx_scale(wanted.length, wanted.direction),
+                             wanted.error);
+    }
+  }
+}
+
+static void check_interval(struct ph_tc_check *c, const struct ph_tc_wanted *w,
+                           const struct interval *in) {
+  for (size_t i = 0; i < in->n; i++) {
+    ph_tc_check_cubic(c, &in->cubic[i], in->first + i);
+  }
+  check_points(c, w, in);
+  check_ends(c, w, in);
+  if (in->n == 2) {
+    ph_tc_check_joint(c, &in->cubic[0], &in->cubic[1], in->first + 1);
+  }
+  if (in->n == 2 && !w->on_chord) {
+    ph_tc_check_c1(c, &in->cubic[0], &in->cubic[1], in->first + 1, 1, 0);
+  }
+  if (in->n == 2 && w->on_chord) {
+    check_on_chord(c, w, in);
+  }
+}
+
+/* Two intervals: one direction, and one derivative where both have the one that
+ * is wanted. */
+static void check_between(struct ph_tc_check *c, const struct ph_tc_wanted *w,
+                          const struct interval *a, const struct interval *b) {
+  const struct ph_tc_cubic *end = &a->cubic[a->n - 1], *start = &b->cubic[0];
+  ph_tc_check_joint(c, end, start, b->first);
+  if (a->n == 2 && b->n == 2 && !w->on_chord &&
+      (w->derivatives || !isnan(w->lambda))) {
+    ph_tc_check_c1(c, end, start, b->first, 1, 0);
+  }
+}
+
+static void check_intervals(struct ph_tc_check *c,
+                            const struct ph_tc_wanted *w) {
+  struct interval start, before, now = {.k = 0};
+  for (size_t k = 0; k < w->n; k++) {
+    now.k = k;
+    now.n = count(w, c, k, now.first);
+    for (size_t i = 0; i < now.n; i++) {
+      now.cubic[i] = ph_tc_check_load(c, now.first + i);
+    }
+    check_interval(c, w, &now);
+    if (k > 0) {
+      check_between(c, w, &before, &now);
+    } else {
+      start = now;
+    }
+    before = now;
+    now.first += now.n;
+  }
+  if (w->closed) {
+    check_between(c, w, &before, &start);
+  }
+}
+
+/* Whether there are as many cubics as the mode wants, and their knots are 0, 1,
+ * 2, ... */
+static enum ph_status check_number(const struct ph_tc_check *c,
+                                   const struct ph_tc_wanted *w,
+                                   struct ph_diag *diag) {
+  size_t n = c->curve->n;
+  size_t least = w->mode == PH_TC_WANTED_TWO ? 2 * w->n : w->n;
+  size_t most = w->mode == PH_TC_WANTED_ONE ? w->n : 2 * w->n;
+  if (n < least || n > most) {
+    return ph_fail(diag, PH_INTERNAL, "segments",
+                   "are %zu for %zu intervals of the data", n, w->n);
+  }
+  for (size_t k = 0; k <= n; k++) {
+    if (!(fabs(c->curve->knots[k] - (double)k) <= 0)) {
+      return ph_fail_at(diag, PH_INTERNAL, "knots", k,
+                        "is %.17g, and not its number", c->curve->knots[k]);
+    }
+  }
+  return PH_OK;
+}
+
+/* Whether numbers that are told of the only interval are those of its curve: D
+ * of one cubic, whose square is the ratio of its outer legs, and lambda of a
+ * pair, the length of its derivatives over the chord. */
+static enum ph_status check_claims(const struct ph_tc_check *c,
+                                   const struct ph_tc_wanted *w,
+                                   const struct ph_diagnostics *diagnostics,
+                                   struct ph_diag *diag) {
+  const double slack = 1e-9;
+  const double *value = diagnostics->value;
+  size_t last = c->curve->n - 1;
+  struct ph_tc_cubic a = ph_tc_check_load(c, 0);
+  struct ph_tc_cubic b = ph_tc_check_load(c, last);
+  double first = ph_cplx_abs(a.h[0]), end = ph_cplx_abs(b.h[2]);
+  double rounding = a.allowance + b.allowance;
+  double square = value[PH_D_RATIO] * value[PH_D_RATIO];
+  double chord = apart(b.p[3], a.p[0]), lambda = value[PH_D_LAMBDA];
+  if (w->n == 1 && diagnostics->known >> PH_D_RATIO & 1 &&
+      !(last == 0 &&
+        fabs(end - square * first) <= slack * end + (1 + square) * rounding)) {
+    return ph_fail(diag, PH_INTERNAL, "diagnostics",
+                   "D is %.17g, which its legs do not have", value[PH_D_RATIO]);
+  }
+  if (w->n == 1 && diagnostics->known >> PH_D_LAMBDA & 1 && last > 0 &&
+      isnan(w->lambda) &&
+      !(fabs(first - lambda * chord) <= slack * first + rounding)) {
+    return ph_fail(diag, PH_INTERNAL, "diagnostics",
+                   "lambda is %.17g, which its derivatives do not have",
+                   lambda);
+  }
+  return PH_OK;
+}
+
+enum ph_status ph_certify_tc(const struct ph_problem *problem,
+                             const struct ph_curve *curve,
+                             struct ph_arena *scratch,
+                             struct ph_diagnostics *diagnostics,
+                             struct ph_diag *diag) {
+  const struct ph_value *points = &problem->field[PH_F_POINTS];
+  struct ph_tc_wanted wanted;
+  struct ph_tc_check c;
+  enum ph_status status;
+  if (ph_tc_wanted_mode_of(problem) == PH_TC_WANTED_APPROXIMATE) {
+    return ph_check_tc_approximation(problem, curve, scratch, diagnostics,
+                                     diag);
+  }
+  if (points->kind != PH_VECTORS || points->dimension != 2 || points->n < 2) {
+    return ph_fail(diag, PH_INTERNAL, "points", "are not in the plane");
+  }
+  status = ph_tc_check_begin(&c, curve, points->v, points->n, diag);
+  if (status == PH_OK) {
+    status = ph_tc_wanted_of(problem, &c, &wanted, diag);
+  }
+  if (status == PH_OK) {
+    status = check_number(&c, &wanted, diag);
+  }
+  if (status != PH_OK) {
+    return status;
+  }
+  check_intervals(&c, &wanted);
+  status = ph_tc_check_conclude(&c, wanted.all, scratch, diagnostics, diag);
+  return status == PH_OK ? check_claims(&c, &wanted, diagnostics, diag)
+                         : status;
+}

@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Verification of a result: what is looked at, in which order (see verify.h).
+ */
+#include "check/verify.h"
+
+#include "check/checks.h"
+
+/* Numbers that were written with fewer digits may be the same to this. */
+static const double SAME = 1e-12;
+
+static const double SMALLEST = 4.9406564584124654e-324;
+
+/* No more rounding is allowed for: control points would be claims of no digit.
+ */
+static const double ROUNDING_OF_SIZE = 1e-3 / PH_CHECK_ROUND_FIRST;
+
+/* ---- scale -------------------------------------------------------------- */
+
+/* The largest coordinate of all control points, and the size of their box. */
+static bool set_scale(struct ph_check *v) {
+  const struct ph_curve *c = v->curve;
+  size_t n = c->n * (c->degree + 1);
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, largest = 0, square = 0;
+  int exponent;
+  for (size_t i = 0; i < c->dimension; i++) {
+    low[i] = high[i] = c->control_points[i];
+    for (size_t k = 1; k < n; k++) {
+      double x = c->control_points[c->dimension * k + i];
+      low[i] = ph_check_smaller(low[i], x);
+      high[i] = ph_check_larger(high[i], x);
+    }
+    largest = ph_check_larger(largest, ph_check_larger(-low[i], high[i]));
+  }
+  if (!(largest > 0)) {
+    return false;
+  }
+  exponent = -ph_pow2_exponent(largest) - 2;
+  exponent -= exponent & 1;
+  v->to_unit = ph_pow2_of(exponent);
+  v->from_unit = ph_pow2_of(-exponent);
+  v->root = ldexp(1, exponent / 2);
+  for (size_t i = 0; i < 3; i++) {
+    double extent = ph_check_scaled(v, high[i]) - ph_check_scaled(v, low[i]);
+    square += extent * extent;
+  }
+  v->size = sqrt(square) / 2;
+  v->spacing = ph_check_scaled(v, SMALLEST);
+  v->rounding =
+      ph_check_smaller(DBL_EPSILON * ph_check_scaled(v, largest) + v->spacing,
+                       ROUNDING_OF_SIZE * v->size);
+  return v->size > 0;
+}
+
+static bool begin_curve(struct ph_check *v) {
+  const struct ph_curve *c = v->curve;
+  double mean;
+  if (!set_scale(v)) {
+    ph_check_wrong(v, PH_CHECK_SHAPE,
+                   ph_check_of("segments", PH_CHECK_ONE, NULL),
+                   "have no extent");
+    return false;
+  }
+  mean = ph_check_scaled(v, c->length) / (double)c->n;
+  /* a false claim would make all errors small */
+  v->mean = mean < 4 * v->size ? mean : 0;
+  v->knot = PH_CHECK_ROUND_KNOT * DBL_EPSILON *
+            ph_check_larger(fabs(c->knots[0]), fabs(c->knots[c->n]));
+  return true;
+}
+
+/* ---- a curve ------------------------------------------------------------ */
+
+static void check_segments(struct ph_check *v) {
+  const struct ph_curve *c = v->curve;
+  struct ph_check_segment first, s[2];
+  for (size_t k = 0; k < c->n; k++) {
+    struct ph_check_segment *now = &s[k & 1];
+    v->noise[k] = 0;
+    ph_check_load(v, k, now);
+    ph_check_square(v, now);
+    v->length[k] = ph_check_length_of(v, now, 0, 1);
+    if (k > 0) {
+      ph_check_joint(v, &s[~k & 1], now);
+    } else {
+      first = *now;
+    }
+  }
+  if (c->closed) {
+    ph_check_joint(v, &s[~c->n & 1], &first);
+  }
+}
+
+/* What was made of the curve of the record. */
+static void check_derived(struct ph_check *v) {
+  const struct ph_result *claim = v->claim;
+  double length, error;
+  if (claim->samples.n > 0) {
+    ph_check_samples(v, &claim->samples, NULL, &length, &error);
+  }
+  for (size_t i = 0; i < claim->offsets_n; i++) {
+    ph_check_prefix(v, "offsets", i);
+    ph_check_offset(v, &claim->offsets[i]);
+  }
+  ph_check_prefix(v, NULL, 0);
+}
+
+/* A curve, alone or one of several solutions. */
+static enum ph_status check_curve(struct ph_check *v) {
+  size_t n = v->curve->n;
+  if (!ph_check_arrays(v) || !begin_curve(v)) {
+    return PH_OK;
+  }
+  v->length = ph_arena_array(v->scratch, n, sizeof *v->length);
+  v->noise = ph_arena_array(v->scratch, n, sizeof *v->noise);
+  if (!v->length || !v->noise) {
+    return ph_fail_memory(v->diag);
+  }
+  check_segments(v);
+  ph_check_lengths(v);
+  ph_check_fairness(v);
+  ph_check_on_sphere(v);
+  ph_check_tensions(v);
+  ph_check_blaschke(v);
+  if (v->curve == &v->claim->curve) {
+    check_derived(v);
+  }
+  return ph_check_solves(v);
+}
+
+/* Whether two curves have the same control points, but for rounding of them to
+ * text. */
+static bool is_same(const struct ph_curve *a, const struct ph_curve *b) {
+  size_t n = a->n * (a->degree + 1) * a->dimension;
+  bool same = a->kind == b->kind && a->n == b->n && a->degree == b->degree &&
+              a->dimension == b->dimension && a->control_points &&
+              b->control_points;
+  for (size_t i = 0; same && i < n; i++) {
+    double x = a->control_points[i], y = b->control_points[i];
+    same = fabs(x - y) <= SAME * fabs(x);
+  }
+  return same;
+}
+
+static enum ph_status check_solutions(struct ph_check *v) {
+  const struct ph_result *claim = v->claim;
+  enum ph_status status = PH_OK;
+  if (claim->solutions_n > 0 &&
+      !is_same(&claim->solutions[0].curve, &claim->curve)) {
+    ph_check_wrong(v, PH_CHECK_SHAPE, ph_check_of("solutions", 0, NULL),
+                   "is not the curve of the record");
+  }
+  for (size_t i = 0; i < claim->solutions_n && status == PH_OK; i++) {
+    const struct ph_solution *solution = &claim->solutions[i];
+    struct ph_mark mark = ph_arena_mark(v->scratch);
+    ph_check_prefix(v, "solutions", i);
+    v->curve = &solution->curve;
+    v->diagnostics = &solution->diagnostics;
+    v->intervals = solution->intervals;
+    v->intervals_n = solution->intervals ? claim->intervals_n : 0;
+    status = check_curve(v);
+    ph_arena_release(v->scratch, mark);
+  }
+  return status;
+}
+
+static void conclude(struct ph_verdict *verdict) {
+  verdict->worst = PH_CHECK_N;
+  for (int i = 0; i < PH_CHECK_N; i++) {
+    const struct ph_check_finding *e = &verdict->check[i];
+    if (e->done && (verdict->worst == PH_CHECK_N ||
+                    e->error > verdict->check[verdict->worst].error)) {
+      verdict->worst = (enum ph_check_id)i;
+    }
+  }
+}
+
+enum ph_status
+ph_check_result(const struct ph_result *claim, const struct ph_problem *problem,
+                const struct ph_promise *promise, struct ph_arena *scratch,
+                struct ph_verdict *verdict, struct ph_diag *diag) {
+  struct ph_check v = {.verdict = verdict,
+                       .scratch = scratch,
+                       .diag = diag,
+                       .promise = promise,
+                       .problem = problem,
+                       .claim = claim,
+                       .curve = &claim->curve,
+                       .diagnostics = &claim->diagnostics,
+                       .intervals = claim->intervals,
+                       .intervals_n = claim->intervals_n};
+  struct ph_mark mark = ph_arena_mark(scratch);
+  enum ph_status status;
+  *verdict = (struct ph_verdict){.worst = PH_CHECK_N};
+  if (!ph_check_rule_of(&v.rule) || !ph_quad_gauss(&v.fine, 16)) {
+    return ph_fail_memory(diag);
+  }
+  status = check_curve(&v);
+  if (status == PH_OK) {
+    status = check_solutions(&v);
+  }
+  ph_arena_release(scratch, mark);
+  conclude(verdict);
+  return status;
+}

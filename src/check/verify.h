@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Verification: everything that a result says, recomputed from its control
+ * points alone, by whomever it was written.
+ *
+ * It evaluates control points by de Casteljau's algorithm, in the B-basis of
+ * ATPH curves and by great circles, and integrates by quadrature; neither
+ * solvers nor the closed forms of curve/ are included, but for what
+ * certificates describe and nothing is compared with: tests/lint/layers.sh
+ * lists it.
+ *
+ * Errors are relative: of points and lengths to the size of the curve (half the
+ * diagonal of the bounding box of its control points), of vectors and numbers
+ * to what is claimed; and less what rounding of the control points to doubles
+ * can make of them.
+ */
+#ifndef PH_CHECK_VERIFY_H
+#define PH_CHECK_VERIFY_H
+
+#include "base/diag.h"
+#include "base/mem.h"
+#include "curve/problem.h"
+#include "curve/result.h"
+#include "check/promise.h"
+
+/* What is checked: X(SYMBOL, "name in records"). */
+#define PH_CHECKS(X)                       \
+  X(SHAPE, "shape")                        \
+  X(PYTHAGOREAN, "pythagorean_error")      \
+  X(PREIMAGE, "preimage_error")            \
+  X(SPHERE, "sphere_error")                \
+  X(TENSION, "tension_error")              \
+  X(CONTINUITY, "continuity_error")        \
+  X(LENGTH, "length_error")                \
+  X(INTERPOLATION, "interpolation_error")  \
+  X(TANGENT, "tangent_error")              \
+  X(END, "end_derivative_error")           \
+  X(PRESCRIBED, "prescribed_length_error") \
+  X(DIAGNOSTIC, "diagnostic_error")        \
+  X(OFFSET, "offset_error")                \
+  X(SAMPLE, "sample_error")                \
+  X(BLASCHKE, "blaschke_error")            \
+  X(DISTANCE, "distance_error")
+
+enum ph_check_id {
+#define X(symbol, name) PH_CHECK_##symbol,
+  PH_CHECKS(X)
+#undef X
+      PH_CHECK_N
+};
+
+/* The worst error of one check. */
+struct ph_check_finding {
+  bool done;            /* whether there was anything to check */
+  double error;         /* not NaN: what is not finite is infinite */
+  struct ph_diag where; /* field: as in "segments[2].length"; message: what was
+                           found and what was expected */
+};
+
+struct ph_verdict {
+  struct ph_check_finding check[PH_CHECK_N];
+  enum ph_check_id worst; /* PH_CHECK_N: nothing was checked */
+};
+
+/* ph_check_name: the name of a check, as in records. */
+const char *ph_check_name(enum ph_check_id check);
+
+/*
+ * ph_check_result: checks a result.
+ *
+ * in   claim    as it was read (io/json_result.h): arrays have the lengths that
+ *               its struct says, numbers need not be finite
+ * in   problem  NULL, or the problem that it is said to solve
+ * in   promise  of the command that the result is of
+ * ret  PH_OK (also where errors are large) | PH_NO_MEMORY
+ */
+enum ph_status
+ph_check_result(const struct ph_result *claim, const struct ph_problem *problem,
+                const struct ph_promise *promise, struct ph_arena *scratch,
+                struct ph_verdict *verdict, struct ph_diag *diag);
+
+#endif

@@ -1,0 +1,446 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The certificate: it accepts what is right, and whatever is changed in a
+ * curve that it has accepted, it notices, names and measures.
+ */
+#include "unit.h"
+#include "planar_unit.h"
+
+#include "check/certify.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Half the diagonal is 2.7. */
+static const double SOME[] = {0, 0, 2, 1, 3, 0, 5, 2};
+static const double SIZE = 2.692582403567252;
+
+/* Moved by this part of the size. */
+static const double MOVED = 1e-9;
+
+static struct unit_planar u;
+
+static void finish(void) {
+  unit_planar_free(&u);
+}
+
+static void solve(bool closed) {
+  enum ph_status status;
+  u = unit_planar_of(SOME, 4, closed);
+  status = unit_planar_solve(&u);
+  ck_assert_msg(status == PH_OK, "%s %s", u.diag.field, u.diag.message);
+}
+
+static enum ph_status certify(void) {
+  memset(&u.result.diagnostics, 0, sizeof u.result.diagnostics);
+  memset(&u.diag, 0, sizeof u.diag);
+  return ph_certify_planar(&u.problem, &u.result.curve, &u.scratch,
+                           &u.result.diagnostics, &u.diag);
+}
+
+static double value_of(enum ph_diagnostic what) {
+  ck_assert(u.result.diagnostics.known >> what & 1);
+  return u.result.diagnostics.value[what];
+}
+
+/* Refused for this reason, in this segment. */
+static void ck_refused(enum ph_diagnostic what, size_t segment) {
+  char text[PH_DIAG_MESSAGE_MAX], name[32];
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  snprintf(text, sizeof text, "is refused by its certificate: %s is ",
+           ph_diagnostic_name(what));
+  snprintf(name, sizeof name, "segments[%zu]", segment);
+  ck_assert_msg(strncmp(u.diag.message, text, strlen(text)) == 0, "%s",
+                u.diag.message);
+  ck_assert_str_eq(u.diag.field, name);
+}
+
+/* Everything is checked, and everything but rounding is zero. */
+START_TEST(test_accepts) {
+  for (int closed = 0; closed < 2; closed++) {
+    solve(closed);
+    ck_assert_int_eq(certify(), PH_OK);
+    ck_abs(value_of(PH_D_INTERPOLATION_ERROR), 0, 0);
+    ck_assert_double_le(value_of(PH_D_PYTHAGOREAN_ERROR), 1e-12);
+    ck_assert_double_le(value_of(PH_D_CONTINUITY_ERROR), 1e-13);
+    ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 1e-15);
+    ck_assert(!(u.result.diagnostics.known >> PH_D_END_DERIVATIVE_ERROR & 1));
+    ck_assert(!(u.result.diagnostics.known >> PH_D_RESIDUAL & 1));
+    unit_planar_free(&u);
+  }
+}
+END_TEST
+
+/* The sign of a preimage has no meaning. */
+START_TEST(test_accepts_other_sign) {
+  solve(false);
+  for (size_t i = 6; i < 12; i++) {
+    u.result.curve.preimage.v[i] *= -1;
+  }
+  ck_assert_int_eq(certify(), PH_OK);
+}
+END_TEST
+
+/* Each coordinate of each control point, one after the other. */
+START_TEST(test_control_points) {
+  for (int closed = 0; closed < 2; closed++) {
+    solve(closed);
+    for (size_t i = 0; i < 12 * u.result.curve.n; i++) {
+      double *x = &u.result.curve.control_points[i], keep = *x;
+      bool end = i % 12 < 2 || i % 12 >= 10;
+      *x += MOVED * SIZE;
+      ck_refused(end ? PH_D_INTERPOLATION_ERROR : PH_D_PYTHAGOREAN_ERROR,
+                 i / 12);
+      if (end) {
+        ck_rel(value_of(PH_D_INTERPOLATION_ERROR), MOVED, 1e-5);
+      } else {
+        ck_assert_double_ge(value_of(PH_D_PYTHAGOREAN_ERROR), MOVED);
+        ck_assert_double_le(value_of(PH_D_PYTHAGOREAN_ERROR), 5 * MOVED);
+      }
+      *x = keep;
+    }
+    ck_assert_int_eq(certify(), PH_OK);
+    unit_planar_free(&u);
+  }
+}
+END_TEST
+
+START_TEST(test_preimage) {
+  solve(true);
+  for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
+    double *w = &u.result.curve.preimage.v[i], keep = *w;
+    *w += MOVED;
+    ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 6);
+    *w = keep;
+  }
+  ck_assert_int_eq(certify(), PH_OK);
+}
+END_TEST
+
+START_TEST(test_points) {
+  solve(false);
+  for (size_t i = 0; i < 8; i++) {
+    double *x = &u.problem.field[PH_F_POINTS].v[i], keep = *x;
+    *x += MOVED * SIZE;
+    ck_refused(PH_D_INTERPOLATION_ERROR, i < 2 ? 0 : i / 2 - 1);
+    *x = keep;
+  }
+  ck_assert_int_eq(certify(), PH_OK);
+}
+END_TEST
+
+START_TEST(test_lengths) {
+  solve(true);
+  for (size_t k = 0; k < u.result.curve.n; k++) {
+    double *length = &u.result.curve.lengths[k], keep = *length;
+    *length *= 1 + MOVED;
+    ck_refused(PH_D_LENGTH_ERROR, k);
+    *length = keep;
+  }
+  ck_assert_int_eq(certify(), PH_OK);
+}
+END_TEST
+
+START_TEST(test_total_length) {
+  solve(false);
+  u.result.curve.length *= 1 + MOVED;
+  ck_refused(PH_D_LENGTH_ERROR, 2);
+  ck_rel(value_of(PH_D_LENGTH_ERROR), MOVED, 1e-5);
+  u.result.curve.length = 0;
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+}
+END_TEST
+
+/* Other knots: the same arcs, but not C1 with respect to them. */
+START_TEST(test_knots) {
+  for (int closed = 0; closed < 2; closed++) {
+    solve(closed);
+    for (size_t k = 0; k <= u.result.curve.n; k++) {
+      double *t = &u.result.curve.knots[k], keep = *t;
+      *t += 1e-8;
+      ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+      ck_assert_ptr_nonnull(strstr(u.diag.message, "continuity_error"));
+      *t = keep;
+    }
+    ck_assert_int_eq(certify(), PH_OK);
+    unit_planar_free(&u);
+  }
+}
+END_TEST
+
+/* An interval without length, whose jump is not a number, and one of negative
+ * length: seen although all that follows is right. */
+START_TEST(test_knots_not_increasing) {
+  double *t;
+  solve(false);
+  t = u.result.curve.knots;
+  t[0] = t[1];
+  ck_refused(PH_D_CONTINUITY_ERROR, 1);
+  t[0] = t[1] + 1;
+  ck_refused(PH_D_CONTINUITY_ERROR, 1);
+}
+END_TEST
+
+/* Two arcs, solved apart, in one curve through three points: they meet with
+ * the derivatives left and right. */
+static void join(const double left[2], const double right[2]) {
+  const double points[] = {0, 0, 1, 0, 2, 1};
+  const double ends[2][4] = {{1, -0.5, left[0], left[1]},
+                             {right[0], right[1], 0.5, 1}};
+  const double knots[] = {0, 1};
+  struct unit_planar part[2];
+  struct ph_curve *curve = &u.result.curve;
+  u = unit_planar_of(points, 3, false);
+  unit_planar_rule(&u, "uniform");
+  ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+  for (int i = 0; i < 2; i++) {
+    const struct ph_curve *arc = &part[i].result.curve;
+    part[i] = unit_planar_of(points + 2 * i, 2, false);
+    unit_planar_knots(&part[i], knots, 2);
+    unit_planar_ends(&part[i], ends[i]);
+    ck_assert_int_eq(unit_planar_solve(&part[i]), PH_OK);
+    memcpy(curve->control_points + 12 * i, arc->control_points,
+           12 * sizeof(double));
+    memcpy(curve->preimage.v + 6 * i, arc->preimage.v, 6 * sizeof(double));
+    curve->lengths[i] = arc->length;
+    unit_planar_free(&part[i]);
+  }
+  curve->length = curve->lengths[0] + curve->lengths[1];
+}
+
+START_TEST(test_not_c1) {
+  const double left[] = {1, 0.5}, right[] = {1, 0.5 + 1e-8};
+  join(left, right);
+  ck_refused(PH_D_CONTINUITY_ERROR, 1);
+}
+END_TEST
+
+START_TEST(test_not_c2) {
+  const double slope[] = {1, 0.5};
+  join(slope, slope);
+  ck_refused(PH_D_CONTINUITY_ERROR, 1);
+  ck_assert_double_ge(value_of(PH_D_CONTINUITY_ERROR), 0.1);
+}
+END_TEST
+
+/* An open curve that comes back to its start is not closed for that. */
+START_TEST(test_not_closed) {
+  const double points[] = {0, 0, 2, 1, 3, 0, 5, 2, 0, 0};
+  u = unit_planar_of(points, 5, false);
+  ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+  u.result.curve.closed = true;
+  u.problem.field[PH_F_CLOSED].flag = true;
+  ck_refused(PH_D_CONTINUITY_ERROR, 0);
+}
+END_TEST
+
+START_TEST(test_end_derivatives) {
+  const double ends[] = {1, 0.5, 0.25, -2};
+  u = unit_planar_of(SOME, 4, false);
+  unit_planar_ends(&u, ends);
+  ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+  ck_assert_double_le(value_of(PH_D_END_DERIVATIVE_ERROR), 1e-13);
+  for (size_t i = 0; i < 4; i++) {
+    double *d = &u.problem.field[PH_F_END_DERIVATIVES].v[i], keep = *d;
+    *d += 1e-7;
+    ck_refused(PH_D_END_DERIVATIVE_ERROR, i < 2 ? 0 : 2);
+    ck_rel(value_of(PH_D_END_DERIVATIVE_ERROR),
+           1e-7 / hypot(ends[i / 2 * 2], ends[i / 2 * 2 + 1]), 1e-5);
+    *d = keep;
+  }
+  ck_assert_int_eq(certify(), PH_OK);
+}
+END_TEST
+
+static void ck_not_finite(double *x) {
+  const double bad[] = {nan(""), HUGE_VAL, -HUGE_VAL};
+  double keep = *x;
+  for (size_t i = 0; i < 3; i++) {
+    *x = bad[i];
+    ck_assert_int_eq(certify(), PH_TOO_LARGE);
+    ck_assert_str_eq(u.diag.message, "the curve exceeds the range of a double");
+    ck_assert_str_eq(u.diag.field, "");
+  }
+  *x = keep;
+}
+
+START_TEST(test_not_finite) {
+  solve(false);
+  for (size_t i = 0; i < 12 * u.result.curve.n; i++) {
+    ck_not_finite(&u.result.curve.control_points[i]);
+  }
+  for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
+    ck_not_finite(&u.result.curve.preimage.v[i]);
+  }
+  for (size_t k = 0; k < u.result.curve.n; k++) {
+    ck_not_finite(&u.result.curve.lengths[k]);
+    ck_not_finite(&u.result.curve.knots[k]);
+  }
+  ck_not_finite(&u.result.curve.knots[u.result.curve.n]);
+  ck_not_finite(&u.result.curve.length);
+  ck_assert_int_eq(certify(), PH_OK);
+}
+END_TEST
+
+START_TEST(test_no_extent) {
+  double *v;
+  solve(false);
+  v = u.problem.field[PH_F_POINTS].v;
+  for (size_t i = 0; i < 8; i++) {
+    v[i] = 0;
+  }
+  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_str_eq(u.diag.field, "points");
+  for (size_t i = 0; i < 8; i++) {
+    v[i] = 7;
+  }
+  ck_assert_int_eq(certify(), PH_INTERNAL);
+}
+END_TEST
+
+/* Everything is relative: by powers of four not a digit changes. */
+START_TEST(test_scales) {
+  struct ph_diagnostics unit;
+  solve(true);
+  ck_assert_int_eq(certify(), PH_OK);
+  unit = u.result.diagnostics;
+  for (int e = -900; e <= 900; e += 300) {
+    struct ph_curve *curve = &u.result.curve;
+    double v[8];
+    for (size_t i = 0; i < 8; i++) {
+      v[i] = ldexp(SOME[i], e);
+    }
+    unit_planar_free(&u);
+    u = unit_planar_of(v, 4, true);
+    ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+    ck_assert_int_eq(certify(), PH_OK);
+    for (int i = PH_D_INTERPOLATION_ERROR; i <= PH_D_LENGTH_ERROR; i++) {
+      ck_abs(u.result.diagnostics.value[i], unit.value[i], 0);
+    }
+    curve->control_points[14] += ldexp(MOVED * SIZE, e);
+    ck_refused(PH_D_PYTHAGOREAN_ERROR, 1);
+    curve->control_points[14] -= ldexp(MOVED * SIZE, e);
+    curve->lengths[2] *= 1 + MOVED;
+    ck_refused(PH_D_LENGTH_ERROR, 2);
+  }
+}
+END_TEST
+
+/* Points so far from the origin that their rounding is felt: a length may be
+ * off by what that makes of it, and no more. */
+START_TEST(test_far_away) {
+  double v[8];
+  for (size_t i = 0; i < 8; i++) {
+    v[i] = SOME[i] + 1e4;
+  }
+  u = unit_planar_of(v, 4, false);
+  ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+  for (size_t k = 0; k < 3; k++) {
+    u.result.curve.lengths[k] += 1e-8;
+    ck_refused(PH_D_LENGTH_ERROR, k);
+    u.result.curve.lengths[k] -= 1e-8;
+  }
+  u.result.curve.length += 1e-8;
+  ck_refused(PH_D_LENGTH_ERROR, 2);
+}
+END_TEST
+
+/* Of several errors the worst is reported, with its place. */
+START_TEST(test_worst) {
+  solve(false);
+  u.result.curve.control_points[12 + 4] += 10 * MOVED * SIZE;
+  u.result.curve.control_points[24 + 4] += 100 * MOVED * SIZE;
+  u.result.curve.control_points[4] += MOVED * SIZE;
+  ck_refused(PH_D_PYTHAGOREAN_ERROR, 2);
+}
+END_TEST
+
+static void solve_atph(bool closed) {
+  static const double alpha[] = {0.3, 1, 2.5, 1.2};
+  enum ph_status status;
+  u = unit_planar_of(SOME, 4, closed);
+  unit_planar_atph(&u, alpha, closed ? 4 : 3);
+  status = unit_planar_solve(&u);
+  ck_assert_msg(status == PH_OK, "%s %s", u.diag.field, u.diag.message);
+}
+
+/* The same for ATPH curves. */
+START_TEST(test_atph) {
+  solve_atph(_i);
+  ck_assert_int_eq(certify(), PH_OK);
+  ck_abs(value_of(PH_D_INTERPOLATION_ERROR), 0, 0);
+  ck_assert_double_le(value_of(PH_D_PYTHAGOREAN_ERROR), 1e-12);
+  ck_assert_double_le(value_of(PH_D_CONTINUITY_ERROR), 1e-13);
+  ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 2e-14);
+  for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
+    double *w = &u.result.curve.preimage.v[i], keep = *w;
+    *w += MOVED;
+    ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 6);
+    *w = keep;
+  }
+  for (size_t i = 0; i < 12 * u.result.curve.n; i++) {
+    double *x = &u.result.curve.control_points[i], keep = *x;
+    bool end = i % 12 < 2 || i % 12 >= 10;
+    *x += MOVED * SIZE;
+    ck_refused(end ? PH_D_INTERPOLATION_ERROR : PH_D_PYTHAGOREAN_ERROR, i / 12);
+    *x = keep;
+  }
+  for (size_t k = 0; k < u.result.curve.n; k++) {
+    double *length = &u.result.curve.lengths[k], keep = *length;
+    *length *= 1 + MOVED;
+    ck_refused(PH_D_LENGTH_ERROR, k);
+    *length = keep;
+  }
+  ck_assert_int_eq(certify(), PH_OK);
+}
+END_TEST
+
+/* Another angle: the hodograph is that of another space.  Also angles that no
+ * segment can have. */
+START_TEST(test_alpha) {
+  static const double none[] = {0, -1,          3.1415926535897931,
+                                4, (double)NAN, HUGE_VAL};
+  solve_atph(_i);
+  for (size_t k = 0; k < u.result.curve.n; k++) {
+    double *alpha = &u.result.curve.preimage.alpha[k], keep = *alpha;
+    *alpha = keep * (1 + 10 * MOVED);
+    ck_refused(PH_D_PYTHAGOREAN_ERROR, k);
+    for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
+      *alpha = none[i];
+      ck_assert_int_ne(certify(), PH_OK);
+    }
+    *alpha = keep;
+  }
+  ck_assert_int_eq(certify(), PH_OK);
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("cert");
+  TCase *tc = tcase_create("cert");
+  tcase_add_checked_fixture(tc, NULL, finish);
+  tcase_add_test(tc, test_accepts);
+  tcase_add_test(tc, test_accepts_other_sign);
+  tcase_add_test(tc, test_control_points);
+  tcase_add_test(tc, test_preimage);
+  tcase_add_test(tc, test_points);
+  tcase_add_test(tc, test_lengths);
+  tcase_add_test(tc, test_total_length);
+  tcase_add_test(tc, test_knots);
+  tcase_add_test(tc, test_knots_not_increasing);
+  tcase_add_test(tc, test_not_c1);
+  tcase_add_test(tc, test_not_c2);
+  tcase_add_test(tc, test_not_closed);
+  tcase_add_test(tc, test_end_derivatives);
+  tcase_add_test(tc, test_not_finite);
+  tcase_add_test(tc, test_no_extent);
+  tcase_add_test(tc, test_scales);
+  tcase_add_test(tc, test_far_away);
+  tcase_add_test(tc, test_worst);
+  tcase_add_loop_test(tc, test_atph, 0, 2);
+  tcase_add_loop_test(tc, test_alpha, 0, 2);
+  suite_add_tcase(s, tc);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

@@ -1,0 +1,552 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The certificate of spherical splines: it accepts what is right, and whatever
+ * is changed in a curve that it has accepted, it notices and names.
+ *
+ * Four splines were solved by another program (sphere_table.h); circles of
+ * latitude are splines for some tension, whatever their speed is.
+ */
+#include "cert_sphere_unit.h"
+#include "unit.h"
+
+#include "check/certify.h"
+#include "check/sphere_segment.h"
+#include "kernel/pi.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Moved by this. */
+static const double MOVED = 1e-9;
+
+enum { THESIS = 2 /* the spline with the tensions of the thesis */ };
+
+/* Of that spline: the largest jump of its curvature, relative to 1, and the
+ * thesis's measure of co-circularity. */
+static const double THESIS_JUMP = 1.526675e-2, THESIS_MEASURE = 7.3202e-4;
+
+static struct unit_sphere u;
+
+static const struct unit_ball UNIT = {{0, 0, 0}, 1};
+static const struct unit_ball SPHERES[] = {
+    {{0, 0, 0}, 1},           {{1, -2, 0.5}, 3},
+    {{1e5, -1e6, 0}, 2},      {{0, 0, 6378137}, 6378137},
+    {{0, 1e-301, 0}, 1e-300}, {{-1e300, 0, 0}, 1e300}};
+enum { SPHERES_N = sizeof SPHERES / sizeof SPHERES[0] };
+
+static struct ph_arena scratch;
+static struct ph_diagnostics diagnostics;
+static struct ph_diag diag;
+
+static void finish(void) {
+  ph_arena_free(&scratch);
+}
+
+/* ---- verdicts -------------------------------------------------------- */
+
+static enum ph_status certify(void) {
+  memset(&diagnostics, 0, sizeof diagnostics);
+  memset(&diag, 0, sizeof diag);
+  return ph_certify_sphere(&u.problem, &u.curve, &scratch, &diagnostics, &diag);
+}
+
+static void ck_accepted(void) {
+  enum ph_status status = certify();
+  ck_assert_msg(status == PH_OK, "%s %s", diag.field, diag.message);
+}
+
+static bool is_known(enum ph_diagnostic what) {
+  return diagnostics.known >> what & 1;
+}
+
+static double value_of(enum ph_diagnostic what) {
+  ck_assert(is_known(what));
+  return diagnostics.value[what];
+}
+
+/* Refused at field[at], in words that begin so. */
+static void ck_refused_as(const char *field, size_t at, const char *words) {
+  char name[64];
+  snprintf(name, sizeof name, "%s[%zu]", field, at);
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_msg(strcmp(diag.field, name) == 0 &&
+                    strncmp(diag.message, words, strlen(words)) == 0,
+                "%s %s", diag.field, diag.message);
+}
+
+/* Refused for this error, of a segment. */
+static void ck_refused(enum ph_diagnostic what, size_t segment) {
+  char text[PH_DIAG_MESSAGE_MAX];
+  snprintf(text, sizeof text, "is refused by its certificate: %s is ",
+           ph_diagnostic_name(what));
+  ck_refused_as("segments", segment, text);
+}
+
+/* ---- what is right --------------------------------------------------- */
+
+START_TEST(test_accepts) {
+  for (size_t i = 0; i < SPHERES_N; i++) {
+    const struct unit_spline *s = &UNIT_SPLINES[_i];
+    const double *center = SPHERES[i].center;
+    double digits = 2e-13, sum = 0;
+    unit_cert_sphere_of(&u, s, &SPHERES[i]);
+    ck_accepted();
+    if (fabs(center[1]) > 100 * SPHERES[i].radius) {
+      digits = 1e-7;
+    }
+    ck_assert_double_le(value_of(PH_D_SPHERE_ERROR), digits);
+    ck_assert_double_le(value_of(PH_D_INTERPOLATION_ERROR), digits);
+    ck_assert_double_le(value_of(PH_D_CONTINUITY_ERROR), digits);
+    ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 1e-12 + digits);
+    ck_assert(is_known(PH_D_END_DERIVATIVE_ERROR) == !s->closed);
+    if (s->nielson) {
+      ck_abs(value_of(PH_D_CURVATURE_JUMP), THESIS_JUMP, 1e-6);
+    } else {
+      ck_assert_double_le(value_of(PH_D_CURVATURE_JUMP), 1000 * digits);
+    }
+    for (size_t k = 0; k < s->n; k++) {
+      sum += s->closed || (k > 0 && k + 1 < s->n) ? s->tensions[k] : 0;
+    }
+    ck_abs(value_of(PH_D_TENSION_SUM), sum, 0);
+    ck_abs(value_of(PH_D_SHAPE_OK), s->shape, 0);
+  }
+}
+END_TEST
+
+enum { LATITUDES = 4 * 4 * 5 };
+
+/* The factor and LATITUDES have no common divisor: all are taken, in an order
+ * in which a tenth has each latitude, each number of points, each speed. */
+START_TEST(test_latitude) {
+  int which = 11 * _i % LATITUDES;
+  static const double lat[] = {0.3, -1.2, 0.01, 0};
+  static const size_t n[] = {3, 4, 20, UNIT_SPHERE_MAX};
+  static const double speed[] = {1, 0.7, 0.1, 1e-3, 1e-6};
+  double at = lat[which % 4];
+  size_t points = n[which / 4 % 4];
+  double leg = cos(at) * 2 / 3 * PH_PI / (double)points;
+  if (points == 3 && !(at < -1)) {
+    leg *= 0.9;
+  }
+  unit_sphere_latitude(&u, points, at, leg * speed[which / 16], &UNIT);
+  unit_sphere_flag(&u, PH_F_SHAPE, true);
+  ck_accepted();
+  ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 1e-12);
+  ck_abs(value_of(PH_D_SHAPE_OK), 1, 0);
+  ck_rel(value_of(PH_D_TENSION_SUM), (double)u.curve.n * u.tensions[0], 1e-12);
+}
+END_TEST
+
+/* Data so small that they are flat. */
+START_TEST(test_small) {
+  const struct unit_ball large = {{0, 0, 0}, 1e6};
+  double away = 1e-5;
+  for (size_t i = 0; i < 3; i++) {
+    unit_sphere_arc(&u, away, 0.4, -0.3, &large);
+    unit_sphere_word(&u, PH_F_ENDS, "clamped");
+    unit_sphere_vectors(&u, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+    ck_accepted();
+    u.points[1] += 1e-4 * away * large.radius;
+    ck_refused(PH_D_INTERPOLATION_ERROR, 0);
+    ck_rel(value_of(PH_D_INTERPOLATION_ERROR), 2e-4, 0.1);
+    away /= 10;
+  }
+}
+END_TEST
+
+START_TEST(test_ends) {
+  for (size_t i = 0; i < SPHERES_N; i++) {
+    unit_sphere_arc(&u, 1.3, 0, 0, &SPHERES[i]);
+    ck_accepted();
+    unit_sphere_word(&u, PH_F_ENDS, "rest");
+    ck_refused(PH_D_END_DERIVATIVE_ERROR, 0);
+    unit_sphere_word(&u, PH_F_ENDS, "clamped");
+    unit_sphere_vectors(&u, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+    ck_accepted();
+    unit_sphere_arc(&u, 2.9, 0.7, -0.2, &SPHERES[i]);
+    unit_sphere_word(&u, PH_F_ENDS, "clamped");
+    unit_sphere_vectors(&u, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+    ck_accepted();
+    u.end_tangents[2] *= 1.001;
+    ck_refused(PH_D_END_DERIVATIVE_ERROR, 0);
+    u.end_tangents[2] /= 1.001;
+    u.end_tangents[5] *= 1.001;
+    ck_refused(PH_D_END_DERIVATIVE_ERROR, 0);
+    unit_sphere_word(&u, PH_F_ENDS, "natural");
+    ck_refused(PH_D_END_DERIVATIVE_ERROR, 0);
+  }
+}
+END_TEST
+
+START_TEST(test_lonlat) {
+  size_t n = 12;
+  unit_sphere_latitude(&u, n, PH_PI / 6, 0.12, &SPHERES[1]);
+  for (size_t i = 0; i <= n; i++) {
+    u.lonlat[2 * i] = 30 * (double)i;
+    u.lonlat[2 * i + 1] = 30;
+  }
+  u.problem.field[PH_F_POINTS].kind = PH_ABSENT;
+  unit_sphere_vectors(&u, PH_F_LONLAT, u.lonlat, n, 2);
+  ck_accepted();
+  /* a repeated last point */
+  u.problem.field[PH_F_LONLAT].n = n + 1;
+  ck_accepted();
+  u.lonlat[2 * 5] += 1e-6;
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_ptr_nonnull(strstr(diag.message, "interpolation_error"));
+}
+END_TEST
+
+/* Equal angles are uniform knots; in another unit of the parameter tensions
+ * have another unit. */
+START_TEST(test_knots) {
+  size_t n = 9;
+  unit_sphere_latitude(&u, n, 0.5, 0.15, &UNIT);
+  unit_sphere_word(&u, PH_F_KNOTS, "uniform");
+  ck_accepted();
+  for (size_t k = 0; k <= n; k++) {
+    u.given_knots[k] = u.knots[k] = 4 * u.knots[k] - 3;
+  }
+  ck_refused_as("segments", 0, "is refused by its certificate: its knots are");
+  unit_sphere_numbers(&u, PH_F_KNOTS, u.given_knots, n + 1);
+  ck_refused_as("tensions", 0, "is refused by its certificate: the curve is");
+  for (size_t i = 0; i < n; i++) {
+    u.tensions[i] /= 4;
+  }
+  ck_accepted();
+  u.given_knots[4] += MOVED;
+  ck_refused_as("segments", 3, "is refused by its certificate: its knots are");
+  u.knots[4] += MOVED;
+  ck_refused(PH_D_CONTINUITY_ERROR, 4);
+}
+END_TEST
+
+/* On a great circle the angle is a cubic polynomial, which may turn back
+ * anywhere: b_i are the differences of control points. */
+static double angle_at(const double b[3], double t) {
+  double two = t * t * (3 - 2 * t);
+  return b[0] * t * (3 - 3 * t + t * t) + b[1] * two + b[2] * t * t * t;
+}
+
+static double length_on_circle(const double b[3]) {
+  double c2 = b[0] - 2 * b[1] + b[2], c1 = b[1] - b[0], c0 = b[0];
+  double root = c1 * c1 - c2 * c0, from = 0, length = 0;
+  double turn[3] = {1, 1, 1};
+  if (root > 0) {
+    double q = -(c1 + copysign(sqrt(root), c1)), x = q / c2, y = c0 / q;
+    turn[0] = x > 0 && x < 1 ? x : 1;
+    turn[1] = y > 0 && y < 1 ? y : 1;
+    if (turn[1] < turn[0]) {
+      double swap = turn[0];
+      turn[0] = turn[1];
+      turn[1] = swap;
+    }
+  }
+  for (size_t i = 0; i < 3; i++) {
+    length += fabs(angle_at(b, turn[i]) - angle_at(b, from));
+    from = turn[i];
+  }
+  return length;
+}
+
+START_TEST(test_turning_back) {
+  static const double scale[] = {1, 1e-2, 1e-6};
+  for (int i = -20; i <= unit_count(40) - 20; i++) {
+    for (int j = -8; j <= 8; j++) {
+      double tail = j == 0 ? 0 : copysign(pow(10, -fabs((double)j)), j);
+      double b[3] = {0.9 + 0.0137 * i, 0.7, tail}, at = 0, length, found;
+      struct ph_check_nu_segment s;
+      ph_vec3 p[4];
+      for (size_t k = 0; k < 4; k++) {
+        p[k] = ph_vec3_of(cos(at), 0.6 * sin(at), 0.8 * sin(at));
+        at += k < 3 ? b[k] *= scale[_i] : 0;
+      }
+      length = length_on_circle(b);
+      ph_check_nu_segment_of(p, 4.4e-16, &s);
+      found = ph_check_nu_length(&s, length, 0);
+      ck_abs(found, length, 1e-11 * length + 1.4e-14);
+    }
+  }
+}
+END_TEST
+
+/* ---- what is not ----------------------------------------------------- */
+
+/* Each coordinate of each control point, one after the other; on the sphere
+ * and away from it. */
+START_TEST(test_control_points) {
+  size_t step = unit_count(10) < 10 ? 11 : 1;
+  for (size_t j = 0; j < 2; j++) {
+    unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[j]);
+    for (size_t i = 0; i < 12 * u.curve.n; i += step) {
+      double *x = u.control_points + i, *p = x - i % 3, keep[3];
+      ph_vec3 v, center = ph_vec3_get(SPHERES[j].center, 3);
+      memcpy(keep, p, sizeof keep);
+      *x += MOVED;
+      ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+      v = ph_vec3_sub(ph_vec3_get(p, 3), center);
+      unit_sphere_put(&SPHERES[j], ph_vec3_unit(v), p);
+      v = ph_vec3_sub(ph_vec3_get(p, 3), ph_vec3_get(keep, 3));
+      if (ph_vec3_abs(v) > MOVED / 10) {
+        ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+      }
+      memcpy(p, keep, sizeof keep);
+    }
+    ck_accepted();
+  }
+}
+END_TEST
+
+START_TEST(test_off_sphere) {
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  for (size_t i = 0; i < 3; i++) {
+    u.control_points[12 + 3 + i] *= 1 + 1e-13;
+  }
+  ck_refused(PH_D_SPHERE_ERROR, 1);
+  ck_rel(value_of(PH_D_SPHERE_ERROR), 1e-13, 0.01);
+}
+END_TEST
+
+START_TEST(test_tensions) {
+  const struct unit_spline *s = &UNIT_SPLINES[_i];
+  unit_cert_sphere_of(&u, s, &UNIT);
+  for (size_t i = 0; i < s->n; i++) {
+    double keep = u.tensions[i];
+    u.tensions[i] += 1e-6;
+    if (!s->closed && (i == 0 || i + 1 == s->n)) {
+      ck_accepted();
+    } else {
+      ck_refused_as("tensions", i, "is refused by its certificate: the curve");
+    }
+    u.tensions[i] = keep;
+  }
+  ck_accepted();
+}
+END_TEST
+
+/* Without shape, tensions are those that were given. */
+START_TEST(test_given_tensions) {
+  const struct unit_spline *s = &UNIT_SPLINES[_i];
+  size_t inner = 0;
+  unit_cert_sphere_of(&u, s, &UNIT);
+  memcpy(u.given_tensions, u.tensions, sizeof u.tensions);
+  unit_sphere_flag(&u, PH_F_SHAPE, false);
+  unit_sphere_numbers(&u, PH_F_TENSION, u.given_tensions, s->n);
+  ck_accepted();
+  ck_abs(value_of(PH_D_SHAPE_OK), s->shape, 0);
+  u.given_tensions[2] += 1;
+  ck_refused_as("tensions", 2, "is refused by its certificate: ");
+  u.problem.field[PH_F_TENSION].kind = PH_ABSENT;
+  for (size_t i = s->closed ? 0 : 1; i < s->n - (s->closed ? 0 : 1); i++) {
+    inner += s->tensions[i] > 0;
+  }
+  ck_assert_int_eq(certify(), inner > 0 ? PH_NO_CONVERGENCE : PH_OK);
+  unit_sphere_word(&u, PH_F_SHAPE, "warn");
+  ck_accepted();
+}
+END_TEST
+
+START_TEST(test_lengths) {
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
+  for (size_t k = 0; k < u.curve.n; k++) {
+    u.lengths[k] += MOVED;
+    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    u.curve.length += MOVED;
+    ck_refused(PH_D_LENGTH_ERROR, k);
+    ck_rel(value_of(PH_D_LENGTH_ERROR), MOVED / u.curve.length, 1e-4);
+    u.lengths[k] -= MOVED;
+    u.curve.length -= MOVED;
+  }
+  u.curve.length += MOVED;
+  ck_refused(PH_D_LENGTH_ERROR, u.curve.n - 1);
+}
+END_TEST
+
+START_TEST(test_indicators) {
+  const struct unit_spline *s = &UNIT_SPLINES[_i];
+  unit_cert_sphere_of(&u, s, &UNIT);
+  for (size_t i = s->closed ? 0 : 1; i < s->n - (s->closed ? 0 : 1); i++) {
+    for (int q = -1; q <= 1; q++) {
+      u.indicators[i] = (signed char)q;
+      if (q == s->indicators[i]) {
+        ck_accepted();
+      } else {
+        ck_refused_as("indicators", i, "is refused by its certificate: ");
+      }
+    }
+    u.indicators[i] = s->indicators[i];
+  }
+}
+END_TEST
+
+START_TEST(test_swapped) {
+  double keep[6], *p = u.control_points;
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  memcpy(keep, p + 3, sizeof keep);
+  memcpy(p + 3, p + 12 + 3, sizeof keep);
+  memcpy(p + 12 + 3, keep, sizeof keep);
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  for (size_t i = 0; i < 12; i++) {
+    double x = p[i];
+    p[i] = p[12 + i];
+    p[12 + i] = x;
+  }
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+}
+END_TEST
+
+START_TEST(test_radius) {
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
+  u.curve.sphere.radius *= 1 + MOVED;
+  ck_assert_int_eq(certify(), PH_INTERNAL);
+  unit_sphere_number(&u, PH_F_RADIUS, u.curve.sphere.radius);
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_ptr_nonnull(strstr(diag.message, "sphere_error"));
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
+  u.center[2] += MOVED;
+  ck_assert_int_eq(certify(), PH_INTERNAL);
+}
+END_TEST
+
+/* Data off the sphere are compared with their projection; how far off they may
+ * be is said. */
+START_TEST(test_moved) {
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  for (size_t i = 0; i < 3; i++) {
+    u.points[6 + i] *= 1.0009;
+  }
+  ck_accepted();
+  unit_sphere_number(&u, PH_F_RADIUS_TOLERANCE, 1e-4);
+  ck_refused_as("points", 2, "is not on the sphere");
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  u.points[6] += MOVED;
+  ck_refused(PH_D_INTERPOLATION_ERROR, 1);
+}
+END_TEST
+
+START_TEST(test_model) {
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_sphere_word(&u, PH_F_MODEL,
+                   UNIT_SPLINES[_i].nielson ? "exact" : "nielson");
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  if (UNIT_SPLINES[_i].nielson) {
+    ck_assert_ptr_nonnull(strstr(diag.message, "curvature_jump"));
+  }
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  unit_sphere_word(&u, PH_F_ENDS, UNIT_SPLINES[_i].rest ? "natural" : "rest");
+  ck_assert_int_eq(certify(),
+                   UNIT_SPLINES[_i].closed ? PH_OK : PH_NO_CONVERGENCE);
+}
+END_TEST
+
+START_TEST(test_fits) {
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  u.curve.n -= 2;
+  ck_assert_int_eq(certify(), PH_INTERNAL);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  u.curve.sphere.tensions = NULL;
+  ck_assert_int_eq(certify(), PH_INTERNAL);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  u.control_points[20] = (double)NAN;
+  ck_assert_int_eq(certify(), PH_TOO_LARGE);
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  u.tensions[1] = (double)INFINITY;
+  ck_assert_int_eq(certify(), PH_TOO_LARGE);
+}
+END_TEST
+
+/* ---- shape ----------------------------------------------------------- */
+
+START_TEST(test_shape) {
+  static const char *const field[] = {"", "segments", "points", "points"};
+  static const size_t at[] = {0, 2, 1, 5};
+  static const char *const words[] = {"", "segment convexity", "co-circularity",
+                                      "nodal convexity"};
+  for (size_t i = 0; i < 2; i++) {
+    unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[i]);
+    if (i == 0) {
+      unit_sphere_flag(&u, PH_F_SHAPE, true);
+    } else {
+      u.problem.field[PH_F_SHAPE].kind = PH_ABSENT;
+    }
+    if (UNIT_SPLINES[_i].shape) {
+      ck_accepted();
+    } else {
+      ck_refused_as(field[_i], at[_i], "is refused by its certificate: shape");
+      ck_assert_ptr_nonnull(strstr(diag.message, words[_i]));
+    }
+  }
+}
+END_TEST
+
+/* The tensions are those of [IOR15, sec. 5.4]. */
+START_TEST(test_legacy) {
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[THESIS], &SPHERES[_i]);
+  unit_sphere_flag(&u, PH_F_SHAPE, true);
+  unit_sphere_word(&u, PH_F_CRITERION, "legacy");
+  unit_sphere_number(&u, PH_F_EPSILON, 1e-3);
+  ck_accepted();
+  unit_sphere_number(&u, PH_F_EPSILON, THESIS_MEASURE * 1.0001);
+  ck_accepted();
+  unit_sphere_number(&u, PH_F_EPSILON, THESIS_MEASURE * 0.9999);
+  ck_refused_as("points", 1, "is refused by its certificate: shape");
+}
+END_TEST
+
+/* The same curve, seen as convex where it is not: a segment that bends to both
+ * sides between nodes where it bends to one. */
+START_TEST(test_segment) {
+  unit_sphere_arc(&u, 1, 0.5, 0.5, &UNIT);
+  u.indicators[0] = u.indicators[1] = 1;
+  unit_sphere_word(&u, PH_F_ENDS, "clamped");
+  unit_sphere_vectors(&u, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+  ck_accepted();
+  ck_abs(value_of(PH_D_SHAPE_OK), 0, 0);
+  unit_sphere_arc(&u, 1, -0.5, 0.5, &UNIT);
+  u.indicators[0] = u.indicators[1] = 1;
+  unit_sphere_word(&u, PH_F_ENDS, "clamped");
+  unit_sphere_vectors(&u, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+  ck_accepted();
+  ck_abs(value_of(PH_D_SHAPE_OK), 1, 0);
+  u.indicators[0] = u.indicators[1] = -1;
+  ck_accepted();
+  ck_abs(value_of(PH_D_SHAPE_OK), 0, 0);
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("cert_sphere");
+  TCase *right = tcase_create("right"), *wrong = tcase_create("wrong"),
+        *shape = tcase_create("shape");
+  tcase_add_checked_fixture(right, NULL, finish);
+  tcase_add_loop_test(right, test_accepts, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(right, test_latitude, 0, unit_count(LATITUDES));
+  tcase_add_test(right, test_small);
+  tcase_add_test(right, test_ends);
+  tcase_add_test(right, test_lonlat);
+  tcase_add_test(right, test_knots);
+  tcase_add_loop_test(right, test_turning_back, 0, 3);
+  suite_add_tcase(s, right);
+  tcase_add_checked_fixture(wrong, NULL, finish);
+  tcase_add_loop_test(wrong, test_control_points, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(wrong, test_off_sphere, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(wrong, test_tensions, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(wrong, test_given_tensions, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(wrong, test_lengths, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(wrong, test_indicators, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(wrong, test_swapped, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(wrong, test_radius, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(wrong, test_moved, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(wrong, test_model, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(wrong, test_fits, 0, UNIT_SPLINES_N);
+  suite_add_tcase(s, wrong);
+  tcase_add_checked_fixture(shape, NULL, finish);
+  tcase_add_loop_test(shape, test_shape, 0, UNIT_SPLINES_N);
+  tcase_add_loop_test(shape, test_legacy, 0, 2);
+  tcase_add_test(shape, test_segment);
+  suite_add_tcase(s, shape);
+  return s;
+}
+
+PH_TEST_MAIN(suite)

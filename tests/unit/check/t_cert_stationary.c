@@ -1,0 +1,338 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The certificate of arclength curves knows a stationary curve and a minimum
+ * when it sees one: solutions pass, also as solutions of every problem that
+ * they solve, and those of other problems do not.
+ */
+#include "unit.h"
+
+#include "check/certify.h"
+#include "kernel/quat.h"
+#include "solve/method.h"
+
+#include <string.h>
+
+enum { N = 8, MODES = 4 };
+
+enum mode { EXACT, RELAXED, DERIVATIVES, TANGENTS };
+
+/* A problem, its data and its result. */
+static struct {
+  struct ph_problem problem;
+  double data[3 * (N + 1)], lengths[N];
+  struct ph_result result;
+} u;
+
+static struct ph_arena out, scratch;
+static struct ph_diagnostics diagnostics;
+static struct ph_diag diag;
+
+static void finish(void) {
+  ph_arena_free(&out);
+  ph_arena_free(&scratch);
+}
+
+static void set_vectors(enum ph_field_id id, size_t n) {
+  u.problem.field[id] = (struct ph_value){
+      .kind = PH_VECTORS, .v = u.data, .n = n, .dimension = 3};
+}
+
+static void set_number(enum ph_field_id id, double number) {
+  u.problem.field[id] = (struct ph_value){.kind = PH_NUMBER, .number = number};
+}
+
+static void set_lengths(void) {
+  u.problem.field[PH_F_LENGTHS] = (struct ph_value){
+      .kind = PH_NUMBERS, .v = u.lengths, .n = N, .dimension = 1};
+}
+
+static void set_closed(void) {
+  u.problem.field[PH_F_CLOSED] =
+      (struct ph_value){.kind = PH_BOOL, .flag = true};
+}
+
+static void solve(void) {
+  enum ph_status status =
+      ph_method_arclength.solve(&u.problem, &out, &scratch, &u.result, &diag);
+  ck_assert_msg(status == PH_OK, "%s %s", diag.field, diag.message);
+  diagnostics = u.result.diagnostics;
+}
+
+static enum ph_status certify(void) {
+  memset(&diag, 0, sizeof diag);
+  return ph_certify_arclength(&u.problem, &u.result.curve, &scratch,
+                              &diagnostics, &diag);
+}
+
+static void ck_accepted(void) {
+  enum ph_status status = certify();
+  ck_assert_msg(status == PH_OK, "%s %s", diag.field, diag.message);
+}
+
+static void ck_refused(const char *why) {
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_msg(strstr(diag.message, why) != NULL, "%s", diag.message);
+}
+
+/* The problem is another one now, of which nothing is claimed. */
+static void claim_nothing(void) {
+  memset(&diagnostics, 0, sizeof diagnostics);
+}
+
+/* ---- data ------------------------------------------------------------- */
+
+/* A helix of one turn, its lengths 1 % too long. */
+static void helix(enum mode mode, double refine) {
+  double turn = 2 * acos(-1) / N;
+  memset(&u, 0, sizeof u);
+  for (size_t j = 0; j <= N; j++) {
+    double t = (double)j * turn, *v = u.data + 3 * j;
+    bool at = mode == EXACT || mode == RELAXED;
+    v[0] = at ? cos(t) : -sin(t);
+    v[1] = at ? sin(t) : cos(t);
+    v[2] = at ? 0.3 * t : 0.3;
+  }
+  for (size_t i = 0; i < N; i++) {
+    u.lengths[i] = 1.01 * turn * sqrt(1.09);
+  }
+  if (mode == DERIVATIVES) {
+    for (size_t i = 0; i < 3 * (N + 1); i++) {
+      u.data[i] *= turn;
+    }
+  }
+  set_vectors(mode == DERIVATIVES ? PH_F_DERIVATIVES
+              : mode == TANGENTS  ? PH_F_TANGENTS
+                                  : PH_F_POINTS,
+              N + 1);
+  if (mode != RELAXED) {
+    set_lengths();
+  }
+  set_number(PH_F_REFINE, refine);
+}
+
+/* A closed curve that is not in a plane. */
+static void ring(bool exact, double refine) {
+  memset(&u, 0, sizeof u);
+  for (size_t j = 0; j < N; j++) {
+    double t = (double)j * 2 * acos(-1) / N, *v = u.data + 3 * j;
+    v[0] = 2 * cos(t);
+    v[1] = sin(t);
+    v[2] = 0.3 * sin(2 * t);
+  }
+  for (size_t j = 0; j < N; j++) {
+    ph_vec3 from = ph_vec3_get(u.data + 3 * j, 3);
+    ph_vec3 to = ph_vec3_get(u.data + 3 * ((j + 1) % N), 3);
+    u.lengths[j] = 1.05 * ph_vec3_abs(ph_vec3_sub(to, from));
+  }
+  set_vectors(PH_F_POINTS, N);
+  set_closed();
+  if (exact) {
+    set_lengths();
+  }
+  set_number(PH_F_REFINE, refine);
+}
+
+/* ---- solutions -------------------------------------------------------- */
+
+/* Points with exact lengths and one segment each have next to no freedom, and
+ * so large multipliers that the rest of the gradient is what these leave. */
+START_TEST(test_solutions) {
+  enum mode mode = (enum mode)(_i % MODES);
+  double f;
+  helix(mode, 1 + _i / MODES);
+  solve();
+  f = diagnostics.value[PH_D_F];
+  ck_accepted();
+  ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-10);
+  ck_rel(diagnostics.value[PH_D_F], f, 1e-10);
+  ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
+}
+END_TEST
+
+START_TEST(test_closed) {
+  ring(_i % 2, 1 + _i / 2);
+  solve();
+  ck_accepted();
+  ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-10);
+  ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
+}
+END_TEST
+
+/* A is as good as A exp(x i), if it is one x for all segments: then the phase
+ * at the seam is another, and that is all. */
+START_TEST(test_phase) {
+  ring(true, 2);
+  solve();
+  for (int each = 0; each < 2; each++) {
+    double *a = u.result.curve.preimage.v;
+    for (size_t i = 0; i < 3 * u.result.curve.n; i++, a += 4) {
+      ph_cplx e = ph_cplx_polar(each ? (double)(i / 3) : 0.7);
+      ph_quat turned = ph_quat_turn(ph_quat_of(a[0], a[1], a[2], a[3]), e);
+      memcpy(a, &turned, sizeof turned);
+    }
+    if (each) {
+      ck_refused("F is");
+      claim_nothing();
+      ck_refused("kkt_error");
+    } else {
+      ck_accepted();
+      ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-10);
+    }
+  }
+}
+END_TEST
+
+/* A circle in its plane, all nodes alike: leading minors must not vanish. */
+START_TEST(test_circle) {
+  enum { POINTS = 200 };
+  static double points[2 * POINTS];
+  memset(&u, 0, sizeof u);
+  for (size_t j = 0; j < POINTS; j++) {
+    double t = (double)j * 2 * acos(-1) / POINTS;
+    points[2 * j] = cos(t);
+    points[2 * j + 1] = sin(t);
+  }
+  u.problem.field[PH_F_POINTS] = (struct ph_value){
+      .kind = PH_VECTORS, .v = points, .n = POINTS, .dimension = 2};
+  set_closed();
+  set_number(PH_F_REFINE, 1 + _i);
+  solve();
+  ck_accepted();
+  ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
+}
+END_TEST
+
+/* ---- of which problem? ------------------------------------------------ */
+
+/* With free lengths F would be smaller; a curve whose lengths were free is a
+ * solution also when they are prescribed. */
+START_TEST(test_lengths_matter) {
+  helix(EXACT, 2);
+  solve();
+  u.problem.field[PH_F_LENGTHS].kind = PH_ABSENT;
+  claim_nothing();
+  ck_refused("kkt_error");
+  ck_assert_double_gt(diagnostics.value[PH_D_KKT_ERROR], 1e-3);
+  helix(RELAXED, 2);
+  solve();
+  for (size_t i = 0; i < N; i++) {
+    u.lengths[i] =
+        u.result.curve.lengths[2 * i] + u.result.curve.lengths[2 * i + 1];
+  }
+  set_lengths();
+  ck_accepted();
+}
+END_TEST
+
+/* The same for the magnitudes of tangents. */
+START_TEST(test_magnitudes_matter) {
+  helix(DERIVATIVES, 2);
+  solve();
+  set_vectors(PH_F_TANGENTS, N + 1);
+  u.problem.field[PH_F_DERIVATIVES].kind = PH_ABSENT;
+  claim_nothing();
+  ck_refused("kkt_error");
+  helix(TANGENTS, 2);
+  solve();
+  for (size_t j = 0; j <= N; j++) {
+    size_t last = j == N;
+    const double *p = u.result.curve.control_points + 18 * (2 * j - last);
+    ph_vec3 leg = ph_vec3_sub(ph_vec3_get(p + (last ? 15 : 3), 3),
+                              ph_vec3_get(p + (last ? 12 : 0), 3));
+    double h = u.result.curve.knots[1] - u.result.curve.knots[0];
+    ph_vec3_put(ph_vec3_scale(5 / h, leg), 3, u.data + 3 * j);
+  }
+  set_vectors(PH_F_DERIVATIVES, N + 1);
+  u.problem.field[PH_F_TANGENTS].kind = PH_ABSENT;
+  ck_accepted();
+}
+END_TEST
+
+/* So do the deviation of lengths and what they are weighed by, unless there is
+ * one segment in each, where the points all but settle the lengths. */
+START_TEST(test_sigma_matters) {
+  const double sigma = _i % 2 ? 1e-2 : 1e-3;
+  helix(EXACT, 1 + _i / 2);
+  set_number(PH_F_LENGTH_SIGMA, sigma);
+  solve();
+  ck_accepted();
+  ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-10);
+  set_number(PH_F_LENGTH_SIGMA, sigma * 1.5);
+  ck_refused("kkt_error");
+  set_number(PH_F_LENGTH_SIGMA, sigma);
+  diagnostics.value[PH_D_F_RELAXED] *= 2;
+  ck_refused("kkt_error");
+}
+END_TEST
+
+/* Lengths that are all but exact are taken as exact. */
+START_TEST(test_tiny_sigma) {
+  helix(EXACT, 1 + _i);
+  set_number(PH_F_LENGTH_SIGMA, 1e-9);
+  solve();
+  ck_accepted();
+  ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-9);
+}
+END_TEST
+
+/* ---- claims ----------------------------------------------------------- */
+
+/* A sine whose lengths keep it in its plane only as a saddle
+ * [HUA14, fig. 3]. */
+START_TEST(test_saddle) {
+  memset(&u, 0, sizeof u);
+  for (size_t j = 0; j <= 3; j++) {
+    double t = (double)j * acos(-1) / 3;
+    u.data[3 * j] = t;
+    u.data[3 * j + 1] = sin(t);
+  }
+  u.lengths[0] = u.lengths[2] = 1.3646439;
+  u.lengths[1] = 1.0909097;
+  set_vectors(PH_F_POINTS, 4);
+  set_lengths();
+  u.problem.field[PH_F_LENGTHS].n = 3;
+  u.problem.field[PH_F_KNOTS] =
+      (struct ph_value){.kind = PH_WORD, .word = "uniform"};
+  set_number(PH_F_REFINE, 1);
+  solve();
+  ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_SADDLE, 0);
+  ck_accepted();
+  ph_diagnostics_set(&diagnostics, PH_D_SECOND_ORDER, PH_OUTCOME_MINIMISER);
+  ck_refused("claimed to be a minimiser");
+}
+END_TEST
+
+START_TEST(test_functional) {
+  double f;
+  helix(EXACT, 2);
+  solve();
+  f = diagnostics.value[PH_D_F];
+  diagnostics.value[PH_D_F] *= 1 + 1e-9;
+  ck_refused("F is");
+  diagnostics.value[PH_D_F] = (double)NAN;
+  ck_refused("F is");
+  claim_nothing();
+  ck_accepted();
+  ck_rel(diagnostics.value[PH_D_F], f, 1e-11);
+}
+END_TEST
+
+static Suite *suite(void) {
+  Suite *s = suite_create("cert_stationary");
+  TCase *t = tcase_create("solutions");
+  tcase_add_checked_fixture(t, NULL, finish);
+  tcase_add_loop_test(t, test_solutions, 0, 3 * MODES);
+  tcase_add_loop_test(t, test_closed, 2, 6);
+  tcase_add_test(t, test_phase);
+  tcase_add_loop_test(t, test_circle, 0, 3);
+  tcase_add_test(t, test_lengths_matter);
+  tcase_add_test(t, test_magnitudes_matter);
+  tcase_add_loop_test(t, test_sigma_matters, 2, 6);
+  tcase_add_loop_test(t, test_tiny_sigma, 1, 3);
+  tcase_add_test(t, test_saddle);
+  tcase_add_test(t, test_functional);
+  suite_add_tcase(s, t);
+  return s;
+}
+
+PH_TEST_MAIN(suite)
