@@ -83,7 +83,7 @@ static enum ph_status derive_offsets(const struct ph_options *o,
   struct ph_offset_rules rules = {tolerance, o->samples};
   size_t each = o->command->offsets_n, n = o->offsets_n * each;
   enum ph_status status = PH_OK;
-  if (o->format == PH_FORMAT_SVG_PATH) {
+  if (ph_formats[o->format].is_cubics) {
     rules.samples.how = PH_SAMPLE_NONE;
   }
   if (o->command->method->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
@@ -166,7 +166,7 @@ enum ph_status ph_derive(const struct ph_options *options,
                          : TOLERANCE * ph_curve_size(&result->curve);
   enum ph_status status = derive_offsets(o, tolerance, arena, result, diag);
   derived->exact = result->curve;
-  if (status == PH_OK && o->format == PH_FORMAT_SVG_PATH) {
+  if (status == PH_OK && ph_formats[o->format].is_cubics) {
     return derive_paths(o, arena, result, derived, diag);
   }
   if (status == PH_OK && o->convert) {

@@ -9,7 +9,7 @@
 /* What is no part of the result. */
 struct ph_derived {
   struct ph_curve exact;   /* what offsets are of: as it was before --convert */
-  struct ph_pieces *paths; /* --format=svg-path: the curve, then its offsets */
+  struct ph_pieces *paths; /* formats of cubics: the curve, then its offsets */
   size_t paths_n;          /* 0: not asked for */
 };
 

@@ -220,26 +220,28 @@ static enum ph_status check_problems(struct ph_option_parser *p) {
 static enum ph_status check_together(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
   const struct ph_method *method = o->command->method;
+  const struct ph_format_row *format;
   if (p->table && !p->format) {
     o->format = PH_FORMAT_CSV;
   }
-  if (p->table && o->format != PH_FORMAT_CSV && o->format != PH_FORMAT_TEXT) {
+  format = &ph_formats[o->format];
+  if (p->table && !format->is_table) {
     return ph_fail(p->diag, PH_USAGE, NULL,
                    "--table needs --format=csv or --format=text");
   }
-  if (o->format == PH_FORMAT_SVG_PATH &&
-      (o->samples.how == PH_SAMPLE_PARAMETER ||
-       o->samples.how == PH_SAMPLE_SPACING)) {
+  if (format->is_cubics && (o->samples.how == PH_SAMPLE_PARAMETER ||
+                            o->samples.how == PH_SAMPLE_SPACING)) {
     return ph_fail(p->diag, PH_USAGE, NULL,
-                   "--format=svg-path has no samples; --chord-error says how "
-                   "near paths are to the curve");
+                   "--format=%s has no samples; --chord-error says how near "
+                   "paths are to the curve",
+                   ph_format_name(o->format));
   }
-  if (o->format == PH_FORMAT_SVG_PATH && o->convert) {
+  if (format->is_cubics && o->convert) {
     return ph_fail(p->diag, PH_USAGE, NULL,
-                   "--format=svg-path is of cubics; --convert does nothing "
-                   "there");
+                   "--format=%s is of cubics; --convert does nothing there",
+                   ph_format_name(o->format));
   }
-  if (o->pretty && o->format != PH_FORMAT_JSON) {
+  if (o->pretty && !format->is_objects) {
     return ph_fail(p->diag, PH_USAGE, NULL, "--pretty needs --format=json");
   }
   if (o->table == PH_TABLE_OFFSETS && !o->offsets_n) {
@@ -330,12 +332,13 @@ enum ph_status ph_options_read(int argc, char **argv,
                                                 : check_together(&p);
 }
 
-struct ph_csv_shape ph_options_shape(const struct ph_options *options) {
+struct ph_print ph_options_print(const struct ph_options *options) {
   const struct ph_method *method = options->command->method;
-  return (struct ph_csv_shape){
-      options->table,     options->format == PH_FORMAT_TEXT,
-      method->dimension,  method->on_sphere,
-      options->offsets_n, options->samples.frame != PH_FRAME_NONE};
+  return (struct ph_print){{options->table, ph_formats[options->format].is_text,
+                            method->dimension, method->on_sphere,
+                            options->offsets_n,
+                            options->samples.frame != PH_FRAME_NONE},
+                           options->pretty};
 }
 
 void ph_options_free(struct ph_options *options) {

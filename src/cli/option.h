@@ -13,7 +13,7 @@
 #include "cli/command.h"
 #include "cli/sweep.h"
 #include "curve/sample.h"
-#include "io/csv_out.h"
+#include "io/format.h"
 #include "io/split.h"
 
 #include <stdbool.h>
@@ -36,7 +36,7 @@
     "what the columns of CSV input are, in order (-: skip)")                  \
   X(DELIMITER, ALL, 0, "delimiter", "C",                                      \
     "separator of CSV input (default: a comma; a tab in .tsv files)")         \
-  X(FORMAT, SOLVE, 'f', "format", "json|csv|text|svg-path",                   \
+  X(FORMAT, SOLVE, 'f', "format", &PH_FORMAT_WORDS[1],                        \
     "json (default): one object a line; csv (with --table the default): one " \
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths " \
     "of cubic Bezier curves")                                                 \
@@ -114,14 +114,6 @@ struct ph_option {
 
 extern const struct ph_option ph_option_table[PH_OPTION_N];
 
-/* What is printed; in the order of the words of --format. */
-enum ph_format {
-  PH_FORMAT_JSON,
-  PH_FORMAT_CSV,
-  PH_FORMAT_TEXT,
-  PH_FORMAT_SVG_PATH
-};
-
 /* --set, --override and the field options.  Which field is meant, verify knows
  * of each result only: ph_option_assign. */
 struct ph_assignment {
@@ -175,8 +167,8 @@ enum ph_status ph_options_read(int argc, char **argv,
                                struct ph_options *options,
                                struct ph_diag *diag);
 
-/* ph_options_shape: of the table that is printed. */
-struct ph_csv_shape ph_options_shape(const struct ph_options *options);
+/* ph_options_print: how results are printed. */
+struct ph_print ph_options_print(const struct ph_options *options);
 
 /* ph_option_assign: reads the FIELD=VALUE of --set or --override as of one
  * command.  ret PH_OK | PH_USAGE | PH_NO_MEMORY */

@@ -422,13 +422,14 @@ static void release(struct run *r) {
   ph_output_discard(&r->output);
 }
 
-/* The header row of a CSV table, before all rows. */
+/* What the format has before all records. */
 static enum ph_status write_header(struct run *r, struct ph_diag *diag) {
   const struct ph_options *o = r->options;
+  const struct ph_format_row *format = &ph_formats[o->format];
   struct ph_buf buf = {0};
   enum ph_status status;
   struct ph_swept *swept;
-  if (o->format == PH_FORMAT_JSON || o->format == PH_FORMAT_SVG_PATH) {
+  if (!format->header) {
     return PH_OK;
   }
   swept = ph_malloc((o->sweeps_n + 1) * sizeof *swept);
@@ -437,8 +438,8 @@ static enum ph_status write_header(struct run *r, struct ph_diag *diag) {
     swept[i].value = NULL;
   }
   if (swept) {
-    const struct ph_csv_shape shape = ph_options_shape(o);
-    ph_csv_header(&buf, &shape, swept, o->sweeps_n);
+    const struct ph_print print = ph_options_print(o);
+    format->header(&buf, &print, swept, o->sweeps_n);
   }
   status = swept && !buf.failed
                ? ph_output_write(&r->output, buf.data, buf.n, diag)

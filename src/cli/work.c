@@ -7,8 +7,6 @@
 #include "cli/plot.h"
 #include "io/csv_in.h"
 #include "io/json_in.h"
-#include "io/json_out.h"
-#include "io/svg_out.h"
 #include "io/value.h"
 
 #include <stdio.h>
@@ -188,32 +186,17 @@ const char *ph_work_id(const struct ph_echo *echo, struct ph_arena *arena) {
                             : ph_arena_copy(arena, echo->id, echo->id_n);
 }
 
-/* One line, also where there is no path: lines are those of the problems. */
-static void write_path(const struct task *t, struct ph_buf *out) {
-  for (size_t i = 0; i < t->derived.paths_n; i++) {
-    ph_svg_path(out, &t->derived.paths[i], t->result.curve.closed);
-  }
-  ph_buf_puts(out, "\n");
-}
-
 static void write_result(struct task *t, const struct ph_heading *heading,
                          const char *id, struct ph_buf *out) {
+  const struct ph_print print = ph_options_print(t->options);
+  struct ph_solved solved = {id, heading, &t->result, t->derived.paths,
+                             t->derived.paths_n};
   char number[32];
-  const struct ph_csv_shape shape = ph_options_shape(t->options);
-  struct ph_csv_heading csv = {id, t->swept, t->swept_n};
-  if (t->options->format == PH_FORMAT_JSON) {
-    ph_json_result(out, heading, &t->result, t->options->pretty);
-    return;
-  }
-  if (t->options->format == PH_FORMAT_SVG_PATH) {
-    write_path(t, out);
-    return;
-  }
   if (!id) {
     snprintf(number, sizeof number, "%zu", t->item->record.number);
-    csv.id = number;
+    solved.id = number;
   }
-  ph_csv_result(out, &shape, &csv, &t->result);
+  ph_formats[t->options->format].solved(out, &print, &solved);
 }
 
 /* Writes the result where there is memory for it; else none of it is left. */
@@ -245,16 +228,16 @@ static enum ph_status try_write(struct task *t,
 /* The record of a failure. */
 static void write_failure(struct task *t, const struct ph_heading *heading,
                           struct ph_buf *out) {
+  const struct ph_format_row *format = &ph_formats[t->options->format];
+  const struct ph_print print = ph_options_print(t->options);
   const struct ph_record *record = &t->item->record;
   if (!t->diag.line) {
     t->diag.line = record->status == PH_OK
                        ? ph_record_line(record, t->diag.field)
                        : record->line;
   }
-  if (t->options->format == PH_FORMAT_SVG_PATH) {
-    ph_buf_puts(out, "\n");
-  } else if (t->options->format == PH_FORMAT_JSON) {
-    ph_json_error(out, heading, &t->diag, record->file, t->options->pretty);
+  if (format->failed) {
+    format->failed(out, &print, heading, &t->diag, record->file);
   }
 }
 

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table of formats (see format.h). */
+#include "io/format.h"
+
+#include "io/svg_out.h"
+
+static void json_solved(struct ph_buf *buf, const struct ph_print *print,
+                        const struct ph_solved *s) {
+  ph_json_result(buf, s->heading, s->result, print->pretty);
+}
+
+static void json_failed(struct ph_buf *buf, const struct ph_print *print,
+                        const struct ph_heading *heading,
+                        const struct ph_diag *diag, const char *file) {
+  ph_json_error(buf, heading, diag, file, print->pretty);
+}
+
+static void table_header(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_swept *swept, size_t swept_n) {
+  ph_csv_header(buf, &print->shape, swept, swept_n);
+}
+
+static void table_solved(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_solved *s) {
+  const struct ph_csv_heading heading = {s->id, s->heading->swept,
+                                         s->heading->swept_n};
+  ph_csv_result(buf, &print->shape, &heading, s->result);
+}
+
+/* One line, also where there is no path: lines are those of the problems. */
+static void path_solved(struct ph_buf *buf, const struct ph_print *print,
+                        const struct ph_solved *s) {
+  (void)print;
+  for (size_t i = 0; i < s->paths_n; i++) {
+    ph_svg_path(buf, &s->paths[i], s->result->curve.closed);
+  }
+  ph_buf_puts(buf, "\n");
+}
+
+static void path_failed(struct ph_buf *buf, const struct ph_print *print,
+                        const struct ph_heading *heading,
+                        const struct ph_diag *diag, const char *file) {
+  (void)print, (void)heading, (void)diag, (void)file;
+  ph_buf_puts(buf, "\n");
+}
+
+const struct ph_format_row ph_formats[PH_FORMAT_N] = {
+    [PH_FORMAT_JSON] = {.is_objects = true,
+                        .solved = json_solved,
+                        .failed = json_failed},
+    [PH_FORMAT_CSV] = {.is_table = true,
+                       .header = table_header,
+                       .solved = table_solved},
+    [PH_FORMAT_TEXT] = {.is_table = true,
+                        .is_text = true,
+                        .header = table_header,
+                        .solved = table_solved},
+    [PH_FORMAT_SVG_PATH] = {.is_cubics = true,
+                            .solved = path_solved,
+                            .failed = path_failed},
+};
+
+const char *ph_format_name(enum ph_format format) {
+  static const char *const names[PH_FORMAT_N] = {
+#define X(symbol, name) name,
+      PH_FORMATS(X)
+#undef X
+  };
+  return names[format];
+}

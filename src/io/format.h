@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The formats that results are printed in, as one table.  A new format is a row
+ * of PH_FORMATS, a row of ph_formats and the file of its functions.
+ */
+#ifndef PH_IO_FORMAT_H
+#define PH_IO_FORMAT_H
+
+#include "io/csv_out.h"
+#include "io/json_out.h"
+
+/* X(SYMBOL, "name"); the first is the default. */
+#define PH_FORMATS(X) \
+  X(JSON, "json")     \
+  X(CSV, "csv")       \
+  X(TEXT, "text")     \
+  X(SVG_PATH, "svg-path")
+
+enum ph_format {
+#define X(symbol, name) PH_FORMAT_##symbol,
+  PH_FORMATS(X)
+#undef X
+      PH_FORMAT_N
+};
+
+/* "|json|csv|...": their names. */
+#define PH_FORMAT_WORD(symbol, name) "|" name
+#define PH_FORMAT_WORDS PH_FORMATS(PH_FORMAT_WORD)
+
+/* How a run prints its results. */
+struct ph_print {
+  struct ph_csv_shape shape; /* of formats that are tables */
+  bool pretty;               /* of formats that are objects */
+};
+
+/* A solved problem. */
+struct ph_solved {
+  const char *id; /* plain text: the id, or the number of the record */
+  const struct ph_heading *heading;
+  const struct ph_result *result;
+  const struct ph_pieces *paths; /* of formats that are cubics: the curve, then
+                                    its offsets; else NULL */
+  size_t paths_n;
+};
+
+struct ph_format_row {
+  bool is_objects; /* takes --pretty */
+  bool is_table;   /* takes --table */
+  bool is_text;    /* a table in the second form (csv_out.h) */
+  bool is_cubics;  /* has neither samples nor --convert; --chord-error is how
+                      near the cubics are to the curve */
+  /* before all records; NULL: nothing */
+  void (*header)(struct ph_buf *buf, const struct ph_print *print,
+                 const struct ph_swept *swept, size_t swept_n);
+  void (*solved)(struct ph_buf *buf, const struct ph_print *print,
+                 const struct ph_solved *solved);
+  /* NULL: the message on standard error is all; file may be NULL */
+  void (*failed)(struct ph_buf *buf, const struct ph_print *print,
+                 const struct ph_heading *heading, const struct ph_diag *diag,
+                 const char *file);
+};
+
+extern const struct ph_format_row ph_formats[PH_FORMAT_N];
+
+/* ph_format_name: as in --format. */
+const char *ph_format_name(enum ph_format format);
+
+#endif
