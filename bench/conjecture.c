@@ -11,7 +11,7 @@
  */
 #include "bench.h"
 
-#include "curve/tc_simple.h"
+#include "curve/cross/tc_simple.h"
 #include "kernel/pi.h"
 #include "solve/tc/tc.h"
 

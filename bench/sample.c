@@ -8,9 +8,9 @@
 #include "bench.h"
 
 #include "base/mem.h"
-#include "curve/bezier.h"
-#include "curve/cusp.h"
-#include "curve/sample.h"
+#include "curve/bezier/convert.h"
+#include "curve/offset/cusp.h"
+#include "curve/sample/sample.h"
 #include "kernel/pi.h"
 #include "solve/method.h"
 

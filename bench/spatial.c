@@ -11,7 +11,7 @@
 
 #include "base/mem.h"
 #include "check/certify.h"
-#include "curve/ph3.h"
+#include "curve/segment/ph3.h"
 #include "solve/spatial/spatial.h"
 #include "solve/method.h"
 

@@ -14,7 +14,7 @@
 
 #include "base/mem.h"
 #include "check/certify.h"
-#include "curve/spherical.h"
+#include "curve/segment/spherical.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"
 #include "solve/method.h"

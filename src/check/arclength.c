@@ -12,7 +12,7 @@
 #include "base/sum.h"
 #include "check/segment3.h"
 #include "check/stationary.h"
-#include "curve/ph3.h"
+#include "curve/segment/ph3.h"
 #include "kernel/form.h"
 
 #include <float.h>

@@ -36,8 +36,8 @@ typedef enum ph_status ph_certify_fn(const struct ph_problem *problem,
  *                         shorter neighbouring interval
  *   length_error          lengths against Gauss quadrature of |r'| / length
  *
- * Beside these, how fair the curve is (curve/energy.h) and whether it crosses
- * itself (curve/cross.h).
+ * Beside these, how fair the curve is (curve/fair/energy.h) and whether it
+ * crosses itself (curve/cross/cross.h).
  *
  * ret  PH_OK | PH_TOO_LARGE (something is not finite) | PH_NO_CONVERGENCE
  *      (an error exceeds its tolerance; says which and where) | PH_NO_MEMORY
@@ -62,8 +62,8 @@ ph_certify_fn ph_certify_planar;
  *                         curve is refused (check/shape_spatial.h)
  *
  * Beside these, how fair an accepted curve of at most 1000 segments is
- * (curve/fair3.h): energy is the integral of kappa^2 ds, F1, F2 and F3 are sums
- * of those of the segments.
+ * (curve/fair/fair3.h): energy is the integral of kappa^2 ds, F1, F2 and F3 are
+ * sums of those of the segments.
  *
  * ret  as above, and PH_INTERNAL when there is not a segment for every pair of
  *      neighbouring points

@@ -11,8 +11,8 @@
 
 #include "base/sum.h"
 #include "check/error.h"
-#include "curve/cross.h"
-#include "curve/energy.h"
+#include "curve/cross/cross.h"
+#include "curve/fair/energy.h"
 #include "kernel/cplx.h"
 
 #include <float.h>

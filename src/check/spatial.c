@@ -9,7 +9,7 @@
 #include "base/sum.h"
 #include "check/segment3.h"
 #include "check/shape_spatial.h"
-#include "curve/fair3.h"
+#include "curve/fair/fair3.h"
 
 /* Tolerances.  Beside the rounding of control points, the solver leaves that of
  * a few operations. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A segment of a spherical spline as its certificate sees it: from four control
- * points, by formulas other than those of curve/spherical.c.
+ * points, by formulas other than those of curve/segment/spherical.c.
  */
 #ifndef PH_CHECK_SPHERE_SEGMENT_H
 #define PH_CHECK_SPHERE_SEGMENT_H

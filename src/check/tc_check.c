@@ -2,9 +2,9 @@
 /* Checks of Tschirnhausen cubics (see tc_check.h). */
 #include "check/tc_check.h"
 
-#include "curve/cross.h"
-#include "curve/seg2.h"
-#include "curve/tc.h"
+#include "curve/cross/cross.h"
+#include "curve/segment/seg2.h"
+#include "curve/segment/tc.h"
 #include "kernel/pi.h"
 
 #include <float.h>

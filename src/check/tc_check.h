@@ -113,7 +113,7 @@ void ph_tc_check_derivative(struct ph_tc_check *c, const struct ph_tc_cubic *s,
 /*
  * ph_tc_check_conclude: what the checks came to, the worst place of the first
  * that fails; regular, max_curvature, energy and turning by the closed forms of
- * curve/tc.h, loops, and what ph_cross_planar finds of the curve.
+ * curve/segment/tc.h, loops, and what ph_cross_planar finds of the curve.
  *
  * in   may_stop  an irregular curve is none to be refused
  */

@@ -4,9 +4,9 @@
 
 #include "cli/verify.h"
 #include "cli/work.h"
-#include "curve/bezier.h"
-#include "curve/offset.h"
-#include "curve/parallel.h"
+#include "curve/bezier/convert.h"
+#include "curve/offset/offset.h"
+#include "curve/offset/parallel.h"
 #include "solve/method.h"
 
 #include <string.h>

@@ -9,7 +9,7 @@
 
 #include "base/buf.h"
 #include "check/certify.h"
-#include "curve/offset.h"
+#include "curve/offset/offset.h"
 #include "solve/method.h"
 
 struct ph_options;

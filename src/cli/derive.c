@@ -2,8 +2,8 @@
 /* What is derived from a curve (see derive.h). */
 #include "cli/derive.h"
 
-#include "curve/cubics.h"
-#include "curve/sample.h"
+#include "curve/bezier/cubics.h"
+#include "curve/sample/sample.h"
 
 #include <stdio.h>
 

@@ -12,7 +12,7 @@
 #include "base/mem.h"
 #include "cli/command.h"
 #include "cli/sweep.h"
-#include "curve/sample.h"
+#include "curve/sample/sample.h"
 #include "io/format.h"
 #include "io/split.h"
 

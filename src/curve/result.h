@@ -62,7 +62,7 @@ struct ph_choice {
 
 /*
  * Of spherical nu-splines: control points of de Casteljau's algorithm by great
- * circles (curve/spherical.h), on the sphere, degree 3.
+ * circles (curve/segment/spherical.h), on the sphere, degree 3.
  *
  * tensions    nu at the nodes, as many as the data have: curve.n, and one more
  *             unless it is closed
@@ -78,7 +78,7 @@ struct ph_sphere {
 
 /*
  * A piece of the image of a plane curve on the Blaschke cylinder, a rational
- * Bezier curve of degree 5 (curve/blaschke.h).
+ * Bezier curve of degree 5 (curve/offset/blaschke.h).
  */
 struct ph_blaschke {
   size_t segment;     /* of the curve; pieces are in its order */
@@ -100,9 +100,9 @@ struct ph_images {
  * control_points[n][degree + 1][dimension]   Bernstein-Bezier, on [0,1];
  *      atph: the normalised B-basis of <1, t, sin t, cos t, sin 2t, cos 2t>
  *      bezier: plain Bezier points, no preimage
- *      tc: Tschirnhausen cubics, degree 3, preimages of degree 1 (curve/tc.h)
- * knots[n + 1]    global parameter at the joints, increasing
- * lengths[n]      exact arc lengths; length is their sum
+ *      tc: Tschirnhausen cubics, degree 3, preimages of degree 1
+ * (curve/segment/tc.h) knots[n + 1]    global parameter at the joints,
+ * increasing lengths[n]      exact arc lengths; length is their sum
  */
 struct ph_curve {
   enum ph_curve_kind kind;
@@ -187,13 +187,14 @@ struct ph_place {
   double t; /* its local parameter: in [0,1], atph: [0, alpha] */
 };
 
-/* Where an offset turns back along its curve (curve/cusp.h), in order. */
+/* Where an offset turns back along its curve (curve/offset/cusp.h), in order.
+ */
 struct ph_cusps {
   size_t n;
   struct ph_place *at; /* [n]; NULL if n = 0 */
 };
 
-/* Where an offset jumps from one segment to the next (curve/gap.h). */
+/* Where an offset jumps from one segment to the next (curve/offset/gap.h). */
 struct ph_gaps {
   size_t n;
   size_t *before; /* [n] the segments that follow, increasing; NULL if n = 0 */
@@ -201,8 +202,9 @@ struct ph_gaps {
 
 /*
  * One offset curve: n rational Bezier pieces of a PH curve, or n quotients of
- * an ATPH curve and its approximation by polynomial pieces (curve/offset.h); on
- * a sphere, samples alone (curve/parallel.h).
+ * an ATPH curve and its approximation by polynomial pieces
+ * (curve/offset/offset.h); on a sphere, samples alone
+ * (curve/offset/parallel.h).
  *
  * segment[n]       the curve segment that the piece belongs to
  * interval[n][2]   the part of that segment, in its local parameter [0,1]

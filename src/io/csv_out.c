@@ -3,7 +3,7 @@
 #include "io/csv_out.h"
 
 #include "base/sum.h"
-#include "curve/gap.h"
+#include "curve/offset/gap.h"
 #include "io/number.h"
 
 #include <math.h>

@@ -8,8 +8,8 @@
 #include "plot/drawing.h"
 
 #include "base/sum.h"
-#include "curve/gap.h"
-#include "curve/sample.h"
+#include "curve/offset/gap.h"
+#include "curve/sample/sample.h"
 #include "kernel/s2.h"
 
 #include <string.h>

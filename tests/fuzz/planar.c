@@ -16,7 +16,7 @@
 #include "problem.h"
 
 #include "check/certify.h"
-#include "curve/offset.h"
+#include "curve/offset/offset.h"
 #include "solve/method.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);

@@ -22,8 +22,8 @@
 #include "problem.h"
 
 #include "check/certify.h"
-#include "curve/bezier.h"
-#include "curve/offset.h"
+#include "curve/bezier/convert.h"
+#include "curve/offset/offset.h"
 #include "solve/method.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);

@@ -23,8 +23,8 @@
 #include "problem.h"
 
 #include "check/certify.h"
-#include "curve/parallel.h"
-#include "curve/sample.h"
+#include "curve/offset/parallel.h"
+#include "curve/sample/sample.h"
 #include "solve/method.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);

@@ -26,9 +26,9 @@
 #include "problem.h"
 
 #include "check/certify.h"
-#include "curve/blaschke.h"
-#include "curve/offset.h"
-#include "curve/sample.h"
+#include "curve/offset/blaschke.h"
+#include "curve/offset/offset.h"
+#include "curve/sample/sample.h"
 #include "kernel/cplx.h"
 #include "kernel/pi.h"
 #include "solve/method.h"

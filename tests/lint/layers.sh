@@ -36,7 +36,7 @@ awk '
     may["curve"] = " curve kernel base "
     may["solve"] = " solve curve kernel base "
     may["check"] = " check kernel base curve/result.h curve/problem.h " \
-      "curve/cross.h curve/energy.h curve/fair3.h curve/ph3.h curve/tc.h "
+      "curve/cross/cross.h curve/fair/energy.h curve/fair/fair3.h curve/segment/ph3.h curve/segment/tc.h "
     may["plot"] = " plot curve kernel base "
     may["io"] = " io curve base "
     may["cli"] = " cli io plot check solve curve kernel base "

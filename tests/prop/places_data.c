@@ -3,9 +3,9 @@
 #include "places_data.h"
 #include "../unit/unit.h"
 
-#include "curve/bezier.h"
-#include "curve/cusp.h"
-#include "curve/parallel.h"
+#include "curve/bezier/convert.h"
+#include "curve/offset/cusp.h"
+#include "curve/offset/parallel.h"
 
 #include <string.h>
 

@@ -9,7 +9,7 @@
 #include "problem_unit.h"
 #include "random_unit.h"
 
-#include "curve/spherical.h"
+#include "curve/segment/spherical.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -12,7 +12,7 @@
 #include "random_unit.h"
 #include "unit.h"
 
-#include "curve/offset.h"
+#include "curve/offset/offset.h"
 #include "kernel/bern.h"
 #include "kernel/quad.h"
 

@@ -12,8 +12,8 @@
 #include "sphere_data.h"
 #include "unit.h"
 
-#include "curve/parallel.h"
-#include "curve/sample.h"
+#include "curve/offset/parallel.h"
+#include "curve/sample/sample.h"
 #include "kernel/s2.h"
 
 #include <float.h>

@@ -101,8 +101,8 @@ PH_TEST(planar_curves) {
   report("planar");
 }
 
-/* Energies of a curve that nearly stands still are beyond what curve/fair3.c
- * takes the time for: the claims are withdrawn. */
+/* Energies of a curve that nearly stands still are beyond what
+ * curve/fair/fair3.c takes the time for: the claims are withdrawn. */
 static void forget_extremes(struct ph_diagnostics *d) {
   static const enum ph_diagnostic which[] = {PH_D_ENERGY, PH_D_F1, PH_D_F2,
                                              PH_D_F3, PH_D_FUNCTIONAL};

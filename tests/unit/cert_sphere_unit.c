@@ -4,7 +4,7 @@
 
 #include "unit.h"
 
-#include "curve/spherical.h"
+#include "curve/segment/spherical.h"
 #include "kernel/pi.h"
 #include "kernel/quad.h"
 #include "kernel/s2.h"

@@ -4,8 +4,8 @@
 #include "ph_unit.h"
 #include "unit.h"
 
-#include "curve/ph2.h"
-#include "curve/seg2.h"
+#include "curve/segment/ph2.h"
+#include "curve/segment/seg2.h"
 
 #include <string.h>
 

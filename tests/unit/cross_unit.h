@@ -8,7 +8,7 @@
 #include "planar_unit.h"
 #include "random_unit.h"
 
-#include "curve/cross.h"
+#include "curve/cross/cross.h"
 
 /* unit_cross: what cross.h says of a curve of about this size; a crossing that
  * it tells of is one, and its memory is given back. */

@@ -3,7 +3,7 @@
 #include "curve3_unit.h"
 #include "unit.h"
 
-#include "curve/ph3.h"
+#include "curve/segment/ph3.h"
 
 #include <string.h>
 

@@ -7,7 +7,7 @@
 #define PH_TESTS_CURVE3_UNIT_H
 
 #include "curve/result.h"
-#include "curve/seg3.h"
+#include "curve/segment/seg3.h"
 #include "kernel/quat.h"
 #include "random_unit.h"
 

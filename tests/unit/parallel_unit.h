@@ -5,7 +5,7 @@
 
 #include "unit.h"
 
-#include "curve/spherical.h"
+#include "curve/segment/spherical.h"
 
 /* Vector i of an array. */
 static inline ph_vec3 unit_vector(const double *v, size_t i) {

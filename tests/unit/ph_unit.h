@@ -4,8 +4,8 @@
 #ifndef PH_TESTS_PH_UNIT_H
 #define PH_TESTS_PH_UNIT_H
 
-#include "curve/ph2.h"
-#include "curve/seg2.h"
+#include "curve/segment/ph2.h"
+#include "curve/segment/seg2.h"
 
 /* The space of PH quintics. */
 static const struct ph_atph ph_quintic = {

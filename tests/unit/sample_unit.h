@@ -5,7 +5,7 @@
 
 #include "unit.h"
 
-#include "curve/sample.h"
+#include "curve/sample/sample.h"
 
 /* A sampler of a curve, or of an offset of it, at segment k. */
 static inline struct ph_sampler unit_sampler(const struct ph_curve *curve,

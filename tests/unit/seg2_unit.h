@@ -4,7 +4,7 @@
 #define PH_TESTS_SEG2_UNIT_H
 
 #include "curve/result.h"
-#include "curve/seg2.h"
+#include "curve/segment/seg2.h"
 #include "random_unit.h"
 
 /* A curve with room for a few segments. */

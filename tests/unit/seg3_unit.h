@@ -4,8 +4,8 @@
 #ifndef PH_TESTS_SEG3_UNIT_H
 #define PH_TESTS_SEG3_UNIT_H
 
-#include "curve/ph3.h"
-#include "curve/seg3.h"
+#include "curve/segment/ph3.h"
+#include "curve/segment/seg3.h"
 #include "random_unit.h"
 
 /* Uniform in the cube |x|, |y|, |z| < size. */

@@ -5,7 +5,7 @@
 
 #include "random_unit.h"
 
-#include "curve/ph3.h"
+#include "curve/segment/ph3.h"
 #include "solve/spatial/spatial.h"
 
 static inline double unit_apart(ph_vec3 a, ph_vec3 b) {

@@ -6,7 +6,7 @@
 #include "random_unit.h"
 #include "vectors_unit.h"
 
-#include "curve/spherical.h"
+#include "curve/segment/spherical.h"
 #include "solve/sphere/sphere.h"
 
 enum { UNIT_SPHERE_MAX = 32 }; /* nodes */

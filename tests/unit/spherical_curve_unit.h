@@ -4,7 +4,7 @@
 #define PH_TESTS_SPHERICAL_CURVE_UNIT_H
 
 #include "curve/result.h"
-#include "curve/spherical.h"
+#include "curve/segment/spherical.h"
 #include "kernel/s2.h"
 #include "random_unit.h"
 

@@ -8,7 +8,7 @@
 #define PH_TESTS_TC_CURVE_UNIT_H
 
 #include "curve/result.h"
-#include "curve/tc.h"
+#include "curve/segment/tc.h"
 #include "kernel/cplx.h"
 #include "random_unit.h"
 

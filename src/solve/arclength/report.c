@@ -3,7 +3,7 @@
 #include "solve/arclength/arclength.h"
 
 #include "base/sum.h"
-#include "curve/ph3.h"
+#include "curve/segment/ph3.h"
 #include "solve/arclength/system.h"
 #include "solve/common/frame.h"
 

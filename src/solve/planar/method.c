@@ -12,9 +12,9 @@
 #include "solve/method.h"
 
 #include "base/sum.h"
-#include "curve/energy.h"
-#include "curve/ph2.h"
-#include "curve/seg2.h"
+#include "curve/fair/energy.h"
+#include "curve/segment/ph2.h"
+#include "curve/segment/seg2.h"
 #include "kernel/pi.h"
 #include "solve/common/fields.h"
 #include "solve/planar/planar.h"

@@ -13,8 +13,8 @@
  */
 #include "solve/planar/planar.h"
 
-#include "curve/energy.h"
-#include "curve/ph2.h"
+#include "curve/fair/energy.h"
+#include "curve/segment/ph2.h"
 #include "kernel/box.h"
 #include "kernel/pow2.h"
 

@@ -396,7 +396,7 @@ void ph_planar_gradient_of(struct ph_planar_gradient *g,
  * quintics, that minimise a functional of its curvature [GON18, sec. 2.5].
  */
 
-/* See curve/energy.h. */
+/* See curve/fair/energy.h. */
 enum ph_planar_functional {
   PH_PLANAR_E,
   PH_PLANAR_MV,

@@ -2,8 +2,8 @@
 /*
  * Functionals by a fixed quadrature (see spatial.h).
  *
- * The integrands are (4), (5) and (6) of curve/fair3.c.  Their derivatives are
- * taken backwards: at a node, by what they are made of; summed up over the
+ * The integrands are (4), (5) and (6) of curve/fair/fair3.c.  Their derivatives
+ * are taken backwards: at a node, by what they are made of; summed up over the
  * nodes, by the coefficients of the polynomials; then by the preimage, and then
  * by the variables.  The name of the derivative by `x` is `x_`.
  */

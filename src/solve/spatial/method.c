@@ -10,7 +10,7 @@
 #include "solve/method.h"
 
 #include "base/sum.h"
-#include "curve/ph3.h"
+#include "curve/segment/ph3.h"
 #include "solve/common/fields.h"
 #include "solve/common/frame.h"
 #include "solve/spatial/spatial.h"

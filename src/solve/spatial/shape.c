@@ -7,9 +7,9 @@
  *
  *   W = vect(A* A') = (2/sinc) vect(w01 S0^2 + w02 S0 S1 + w12 S1^2)      (4)
  *
- * because S0 S1' - S0' S1 = 1/sinc, as in curve/cusp.c.  Let x and z be the
- * parts of (4) by i and by j, without the factor 2/sinc.  The Wronskian of the
- * two coordinates of z is, again for that reason,
+ * because S0 S1' - S0' S1 = 1/sinc, as in curve/offset/cusp.c.  Let x and z be
+ * the parts of (4) by i and by j, without the factor 2/sinc.  The Wronskian of
+ * the two coordinates of z is, again for that reason,
  *
  *   Im(conj(z) z') = (1/sinc) (Im(conj(z0) z1) S0^2 + 2 Im(conj(z0) z2) S0 S1
  *                              + Im(conj(z1) z2) S1^2)                    (5)

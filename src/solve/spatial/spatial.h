@@ -6,7 +6,7 @@
 #include "base/diag.h"
 #include "base/mem.h"
 #include "base/status.h"
-#include "curve/fair3.h"
+#include "curve/fair/fair3.h"
 #include "curve/problem.h"
 #include "curve/result.h"
 #include "kernel/atph.h"
@@ -204,8 +204,8 @@ struct ph_spatial_member ph_spatial_cc(const struct ph_spatial_family *family);
  *
  *   N = sigma Im(conj(z) z') + 2 x |z|^2                                  (3)
  *
- * of curve/seg3.h, a form of degree 6 in S0 and S1 (kernel/form.h), which is
- * written out in shape.c.
+ * of curve/segment/seg3.h, a form of degree 6 in S0 and S1 (kernel/form.h),
+ * which is written out in shape.c.
  *
  * A constraint is void where the data give no sign: (1) at an end whose tangent
  * is parallel to dp, (2) where they are planar.  In the place of (2), the curve
@@ -458,7 +458,7 @@ double ph_spatial_curve_put(const struct ph_spatial_points *points, size_t k,
 
 /*
  * F1, F2 and F3 of members of a family by a fixed quadrature, with gradients:
- * what a minimisation evaluates over and over.  curve/fair3.h has the
+ * what a minimisation evaluates over and over.  curve/fair/fair3.h has the
  * functions, and the values that count.
  */
 
@@ -500,7 +500,7 @@ double ph_spatial_fair(const struct ph_spatial_target *target, size_t panels,
 /*
  * The fairest members of a family of spatial Hermite interpolants: the angles
  * (b, phi), and the angle of the space unless it is given, that minimise F1, F2
- * or F3 of curve/fair3.h [GON18, sec. 3.6].
+ * or F3 of curve/fair/fair3.h [GON18, sec. 3.6].
  *
  * The functions have many local minima.  The global search evaluates them on a
  * grid and descends from the best of its local minima; it is deterministic, and

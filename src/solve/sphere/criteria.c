@@ -45,7 +45,7 @@
  */
 #include "solve/sphere/sphere.h"
 
-#include "curve/spherical.h"
+#include "curve/segment/spherical.h"
 #include "kernel/s2.h"
 
 #include <math.h>

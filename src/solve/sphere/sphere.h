@@ -7,7 +7,7 @@
 #include "base/mem.h"
 #include "curve/problem.h"
 #include "curve/result.h"
-#include "curve/spherical.h"
+#include "curve/segment/spherical.h"
 #include "kernel/block2.h"
 #include "kernel/vec3.h"
 

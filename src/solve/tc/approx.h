@@ -5,7 +5,7 @@
 
 #include "base/diag.h"
 #include "base/mem.h"
-#include "curve/tc.h"
+#include "curve/segment/tc.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -8,7 +8,7 @@
  */
 #include "solve/tc/tc.h"
 
-#include "curve/tc_simple.h"
+#include "curve/cross/tc_simple.h"
 #include "kernel/pi.h"
 
 #include <float.h>

@@ -2,7 +2,7 @@
 /* Solutions of one interval by the mode of the problem (see tc.h). */
 #include "solve/tc/tc.h"
 
-#include "curve/cross.h"
+#include "curve/cross/cross.h"
 #include "kernel/pi.h"
 
 #include <math.h>

@@ -10,7 +10,7 @@
  */
 #include "solve/method.h"
 
-#include "curve/blaschke.h"
+#include "curve/offset/blaschke.h"
 #include "solve/tc/tc.h"
 
 #include <math.h>

@@ -8,7 +8,7 @@
 #include "base/sum.h"
 #include "curve/problem.h"
 #include "curve/result.h"
-#include "curve/tc.h"
+#include "curve/segment/tc.h"
 #include "kernel/pow2.h"
 
 #include <stddef.h>
@@ -96,7 +96,7 @@ static inline struct ph_tc_fit ph_tc_fit_of(size_t n, enum ph_root root) {
  */
 void ph_tc_fit_measure(struct ph_tc_fit *fit);
 
-/* ph_tc_fit_test: sets simple by curve/tc_simple.h; returns it. */
+/* ph_tc_fit_test: sets simple by curve/cross/tc_simple.h; returns it. */
 bool ph_tc_fit_test(struct ph_tc_fit *fit);
 
 /*

@@ -11,7 +11,7 @@
 #include "unit.h"
 
 #include "check/certify.h"
-#include "curve/ph3.h"
+#include "curve/segment/ph3.h"
 
 #include <stdio.h>
 #include <string.h>

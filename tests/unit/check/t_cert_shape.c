@@ -376,8 +376,8 @@ START_TEST(test_fairness) {
 }
 END_TEST
 
-/* A segment whose z (curve/seg3.h) vanishes at u = 1/2, out of a plane: the
- * torsion is finite on either side. */
+/* A segment whose z (curve/segment/seg3.h) vanishes at u = 1/2, out of a plane:
+ * the torsion is finite on either side. */
 START_TEST(test_inflection) {
   const ph_quat a[3] = {{1, 0, 0, 0}, {-1, 0, 0.2, 0.9}, {1, 0, 0.7, -0.4}};
   struct ph_seg3 seg = unit_seg3(0, a, ph_vec3_of(0, 0, 0));

@@ -6,7 +6,7 @@
 #include "cli/help.h"
 #include "cli/option.h"
 #include "cli/work.h"
-#include "curve/bezier.h"
+#include "curve/bezier/convert.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -4,7 +4,7 @@
  * chords, nor chords the curve, by more than the bound; for short intervals it
  * is near the truth, and of circles and helices it is the truth.
  */
-#include "curve/bend.h"
+#include "curve/sample/bend.h"
 
 #include "unit.h"
 #include "seg3_unit.h"

@@ -4,7 +4,7 @@
 #include "random_unit.h"
 #include "unit.h"
 
-#include "curve/bend.h"
+#include "curve/sample/bend.h"
 #include "kernel/degree.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"

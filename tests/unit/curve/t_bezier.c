@@ -5,7 +5,7 @@
 #include "random_unit.h"
 #include "tc_curve_unit.h"
 
-#include "curve/bezier.h"
+#include "curve/bezier/convert.h"
 #include "solve/spatial/spatial.h"
 
 #include <string.h>

@@ -4,8 +4,8 @@
 #include "planar_unit.h"
 #include "tc_curve_unit.h"
 
-#include "curve/blaschke.h"
-#include "curve/offset.h"
+#include "curve/offset/blaschke.h"
+#include "curve/offset/offset.h"
 #include "kernel/vec3.h"
 
 static struct ph_arena arena;

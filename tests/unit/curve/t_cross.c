@@ -5,7 +5,7 @@
 #include "cross_unit.h"
 #include "tc_curve_unit.h"
 
-#include "curve/tc.h"
+#include "curve/segment/tc.h"
 
 static const double PI = 3.14159265358979323846;
 

@@ -3,7 +3,7 @@
 #include "unit.h"
 #include "cross_unit.h"
 
-#include "curve/seg2.h"
+#include "curve/segment/seg2.h"
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@
  * Curves as cubics: near enough in both directions, by nearest points; joined
  * and in order; and not many more than are needed.
  */
-#include "curve/cubics.h"
+#include "curve/bezier/cubics.h"
 
 #include "curve3_unit.h"
 #include "sample_unit.h"
@@ -12,10 +12,10 @@
 #include "spherical_curve_unit.h"
 #include "tc_curve_unit.h"
 
-#include "curve/cusp.h"
-#include "curve/gap.h"
-#include "curve/parallel.h"
-#include "curve/ph2.h"
+#include "curve/offset/cusp.h"
+#include "curve/offset/gap.h"
+#include "curve/offset/parallel.h"
+#include "curve/segment/ph2.h"
 #include "kernel/pi.h"
 
 enum { PLACES = 8, STEPS = 60, ROUNDS = 9, NARROW = 8, CURVES = 10 };

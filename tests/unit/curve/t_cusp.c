@@ -3,7 +3,7 @@
  * Cusps of offsets: none is missed and none is counted twice.  This test
  * includes the source, for the form whose roots they are.
  */
-#include "curve/cusp.c" /* NOLINT */
+#include "curve/offset/cusp.c" /* NOLINT */
 
 #include "kernel/bern.h"
 #include "unit.h"

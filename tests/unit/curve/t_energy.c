@@ -4,8 +4,8 @@
 #include "seg2_unit.h"
 #include "tc_curve_unit.h"
 
-#include "curve/energy.h"
-#include "curve/tc.h"
+#include "curve/fair/energy.h"
+#include "curve/segment/tc.h"
 
 #include <float.h>
 

@@ -4,8 +4,8 @@
 #include "unit.h"
 #include "spatial_unit.h"
 
-#include "curve/fair3.h"
-#include "curve/seg3.h"
+#include "curve/fair/fair3.h"
+#include "curve/segment/seg3.h"
 
 enum { SEGMENTS = 60, PANELS = 1000 };
 

@@ -7,8 +7,8 @@
 #include "sample_unit.h"
 #include "tc_curve_unit.h"
 
-#include "curve/cusp.h"
-#include "curve/gap.h"
+#include "curve/offset/cusp.h"
+#include "curve/offset/gap.h"
 #include "kernel/pi.h"
 
 static struct ph_arena arena;

@@ -5,8 +5,8 @@
 #include "planar_unit.h"
 #include "random_unit.h"
 
-#include "curve/hermite.h"
-#include "curve/seg2.h"
+#include "curve/bezier/hermite.h"
+#include "curve/segment/seg2.h"
 
 /* Turns both ways, by up to a right angle; kappa stays below 4. */
 static const double SOME[] = {0, 0, 2, 1, 3, 0, 5, 2};

@@ -3,8 +3,8 @@
 #include "unit.h"
 #include "random_unit.h"
 
-#include "curve/meet.h"
-#include "curve/ph2.h"
+#include "curve/cross/meet.h"
+#include "curve/segment/ph2.h"
 
 enum { SEGMENTS = 150, POINTS = 20 };
 

@@ -6,7 +6,7 @@
 #include "random_unit.h"
 #include "tc_curve_unit.h"
 
-#include "curve/offset.h"
+#include "curve/offset/offset.h"
 
 #include <string.h>
 

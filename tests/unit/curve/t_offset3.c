@@ -4,7 +4,7 @@
 #include "curve3_unit.h"
 #include "random_unit.h"
 
-#include "curve/offset.h"
+#include "curve/offset/offset.h"
 
 #include <string.h>
 

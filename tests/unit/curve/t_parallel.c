@@ -5,7 +5,7 @@
 #include "kernel/quad.h"
 #include "unit.h"
 
-#include "curve/parallel.h"
+#include "curve/offset/parallel.h"
 #include "kernel/degree.h"
 #include "kernel/pi.h"
 

@@ -11,8 +11,8 @@
 #include "tc_curve_unit.h"
 #include "unit.h"
 
-#include "curve/bezier.h"
-#include "curve/seg3.h"
+#include "curve/bezier/convert.h"
+#include "curve/segment/seg3.h"
 
 #include <stdint.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 #include "sample_unit.h"
 #include "spherical_curve_unit.h"
 
-#include "curve/bezier.h"
-#include "curve/sample_frame.h"
+#include "curve/bezier/convert.h"
+#include "curve/sample/frame.h"
 
 enum { SEGMENTS = 3 };
 

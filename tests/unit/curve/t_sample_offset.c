@@ -12,8 +12,8 @@
 #include "tc_curve_unit.h"
 #include "unit.h"
 
-#include "curve/cusp.h"
-#include "curve/ph2.h"
+#include "curve/offset/cusp.h"
+#include "curve/segment/ph2.h"
 
 enum { STEPS = 24, CURVES = 200 };
 

@@ -4,7 +4,7 @@
 #include "spherical_curve_unit.h"
 #include "unit.h"
 
-#include "curve/parallel.h"
+#include "curve/offset/parallel.h"
 #include "kernel/degree.h"
 #include "kernel/pi.h"
 #include "kernel/quad.h"

@@ -10,7 +10,7 @@
 #include "tc_curve_unit.h"
 #include "unit.h"
 
-#include "curve/tc.h"
+#include "curve/segment/tc.h"
 
 enum { STEPS = 32, CURVES = 100 };
 
@@ -99,7 +99,7 @@ START_TEST(test_line) {
 }
 END_TEST
 
-/* Cubics by the formulas of curve/tc.h, for the part up to u. */
+/* Cubics by the formulas of curve/segment/tc.h, for the part up to u. */
 START_TEST(test_cubics) {
   struct unit_random r = unit_random_of(1380);
   for (int n = 0; n < unit_count(CURVES); n++) {

@@ -4,7 +4,7 @@
 #include "sample_unit.h"
 #include "tc_curve_unit.h"
 
-#include "curve/cusp.h"
+#include "curve/offset/cusp.h"
 #include "kernel/pi.h"
 
 static struct ph_arena arena;

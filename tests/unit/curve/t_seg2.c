@@ -5,7 +5,7 @@
 #include "seg2_unit.h"
 #include "tc_curve_unit.h"
 
-#include "curve/seg2.h"
+#include "curve/segment/seg2.h"
 
 enum { SEGMENTS = 200, PANELS = 16 };
 

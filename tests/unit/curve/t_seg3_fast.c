@@ -3,7 +3,7 @@
 #include "seg3_unit.h"
 #include "unit.h"
 
-#include "curve/seg3_fast.h"
+#include "curve/segment/seg3_fast.h"
 #include "curve3_unit.h"
 
 static const double ANGLES[] = {0,   1e-9, 1e-4, 0.01, 0.1,

@@ -7,7 +7,7 @@
 #include "spatial_unit.h"
 #include "spherical_known_unit.h"
 
-#include "curve/spherical.h"
+#include "curve/segment/spherical.h"
 #include "kernel/pi.h"
 #include "kernel/quad.h"
 #include "kernel/s2.h"

@@ -5,7 +5,7 @@
 #include "spherical_known_unit.h"
 #include "unit.h"
 
-#include "curve/spherical_fast.h"
+#include "curve/segment/spherical_fast.h"
 #include "kernel/degree.h"
 #include "kernel/s2.h"
 

@@ -4,7 +4,7 @@
 #include "random_unit.h"
 #include "tc_curve_unit.h"
 
-#include "curve/tc.h"
+#include "curve/segment/tc.h"
 #include "kernel/pi.h"
 
 #include <float.h>

@@ -13,7 +13,7 @@
 #include "unit.h"
 #include "cross_unit.h"
 
-#include "curve/tc_simple.h"
+#include "curve/cross/tc_simple.h"
 #include "kernel/pi.h"
 
 enum { PAIRS = 2000, EVEN = 24, CHORDS = 2 * EVEN - 1, NEWTON = 20 };

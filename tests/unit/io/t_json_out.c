@@ -5,7 +5,7 @@
 #include "planar_unit.h"
 #include "random_unit.h"
 
-#include "curve/offset.h"
+#include "curve/offset/offset.h"
 #include "io/json_out.h"
 
 #include <cjson/cJSON.h>

@@ -7,9 +7,9 @@
 #include "tc_curve_unit.h"
 #include "unit.h"
 
-#include "curve/cusp.h"
-#include "curve/gap.h"
-#include "curve/ph2.h"
+#include "curve/offset/cusp.h"
+#include "curve/offset/gap.h"
+#include "curve/segment/ph2.h"
 #include "kernel/pi.h"
 #include "plot/drawing.h"
 

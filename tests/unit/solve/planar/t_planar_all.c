@@ -13,7 +13,7 @@
 #include "random_unit.h"
 
 #include "check/certify.h"
-#include "curve/energy.h"
+#include "curve/fair/energy.h"
 #include "solve/planar/planar.h"
 
 enum { N_MAX = PH_PLANAR_ALL_MAX, SETS = 200 };

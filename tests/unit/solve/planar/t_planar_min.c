@@ -4,7 +4,7 @@
 #include "planar_unit.h"
 #include "random_unit.h"
 
-#include "curve/energy.h"
+#include "curve/fair/energy.h"
 #include "solve/planar/planar.h"
 
 #include <string.h>

@@ -9,8 +9,8 @@
 #include "unit.h"
 #include "planar_unit.h"
 
-#include "curve/energy.h"
-#include "curve/seg2.h"
+#include "curve/fair/energy.h"
+#include "curve/segment/seg2.h"
 #include "kernel/atph.h"
 
 #include <string.h>

@@ -8,7 +8,7 @@
 #include "planar_unit.h"
 #include "unit.h"
 
-#include "curve/seg2.h"
+#include "curve/segment/seg2.h"
 #include "kernel/quad.h"
 
 #include <gsl/gsl_multimin.h>

@@ -8,8 +8,8 @@
 #include "spatial_unit.h"
 #include "vectors_unit.h"
 
-#include "curve/fair3.h"
-#include "curve/seg3.h"
+#include "curve/fair/fair3.h"
+#include "curve/segment/seg3.h"
 #include "solve/spatial/spatial.h"
 
 #include <string.h>

@@ -5,8 +5,8 @@
  */
 #include "solve/spatial/spatial.h"
 
-#include "curve/ph3.h"
-#include "curve/seg3.h"
+#include "curve/segment/ph3.h"
+#include "curve/segment/seg3.h"
 #include "unit.h"
 #include "random_unit.h"
 

@@ -9,7 +9,7 @@
 #include "random_unit.h"
 #include "criteria_unit.h"
 
-#include "curve/spherical.h"
+#include "curve/segment/spherical.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"
 #include "solve/sphere/sphere.h"

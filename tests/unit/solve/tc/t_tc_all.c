@@ -4,8 +4,8 @@
 #include "tc_solve_unit.h"
 #include "random_unit.h"
 
-#include "curve/cross.h"
-#include "curve/energy.h"
+#include "curve/cross/cross.h"
+#include "curve/fair/energy.h"
 #include "solve/tc/tc.h"
 
 enum { ROOM = 20 };

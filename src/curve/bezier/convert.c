@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* ATPH curves as polynomial Bezier curves (see curve/bezier/convert.h). */
+#include "curve/bezier/convert.h"
+
+#include "curve/bezier/hermite.h"
+#include "curve/segment/ph2.h"
+#include "curve/segment/seg2.h"
+
+/* The exact length of the part [u[0],u[1]] of a segment with preimage w. */
+static double part_length(const struct ph_atph *space, const ph_cplx w[3],
+                          const double *u) {
+  struct ph_atph part;
+  ph_cplx v[3];
+  ph_atph_part(space, w, u[0], u[1], &part, v);
+  return (u[1] - u[0]) * ph_ph2_length(&part, v);
+}
+
+/* The exact length of the part of the curve that a piece stands for; in space
+ * |A|^2 is the sum of two planar speeds. */
+static double length_of(const struct ph_curve *curve,
+                        const struct ph_pieces *pieces, size_t i) {
+  const double *u = pieces->interval + 2 * i;
+  if (curve->dimension == 2) {
+    struct ph_seg2 seg = ph_seg2_of(curve, pieces->segment[i]);
+    return part_length(&seg.space, seg.w, u);
+  } else {
+    struct ph_seg3 seg = ph_seg3_of(curve, pieces->segment[i]);
+    ph_cplx pair[2][3];
+    ph_seg3_pair(&seg, pair);
+    return part_length(&seg.space, pair[0], u) +
+           part_length(&seg.space, pair[1], u);
+  }
+}
+
+enum ph_status ph_bezier_curve(const struct ph_curve *curve, double tolerance,
+                               struct ph_arena *arena, struct ph_curve *bezier,
+                               double *error, struct ph_diag *diag) {
+  struct ph_pieces pieces;
+  enum ph_status status;
+  *bezier = *curve;
+  *error = 0;
+  if (!curve->preimage.alpha) {
+    return PH_OK;
+  }
+  status = ph_hermite_pieces(curve, 0, PH_E2, tolerance, arena, &pieces, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  *error = pieces.error;
+  *bezier = (struct ph_curve){
+      .kind = PH_CURVE_BEZIER,
+      .closed = curve->closed,
+      .dimension = curve->dimension,
+      .degree = pieces.degree,
+      .n = pieces.n,
+      .knots = ph_arena_array(arena, pieces.n + 1, sizeof(double)),
+      .control_points = pieces.control_points,
+      .lengths = ph_arena_array(arena, pieces.n, sizeof(double)),
+      .length = curve->length};
+  if (!bezier->knots || !bezier->lengths) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; i < pieces.n; i++) {
+    const double *knot = curve->knots + pieces.segment[i];
+    double u = pieces.interval[2 * i];
+    bezier->knots[i] = u > 0 ? knot[0] + u * (knot[1] - knot[0]) : knot[0];
+    bezier->lengths[i] = length_of(curve, &pieces, i);
+  }
+  bezier->knots[pieces.n] = curve->knots[curve->n];
+  return PH_OK;
+}

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * ATPH curves, and offsets of PH and ATPH curves, in the plane and in space, as
+ * polynomial quintic Bezier pieces within a tolerance.
+ *
+ * A piece takes position, first and second derivative over from the exact
+ * curve at both ends, so that the pieces join with C2 continuity where the
+ * curve has it; a segment is halved until its pieces are near enough.  The
+ * distance falls by about 2^6 with each halving.
+ */
+#ifndef PH_CURVE_BEZIER_HERMITE_H
+#define PH_CURVE_BEZIER_HERMITE_H
+
+#include "base/diag.h"
+#include "base/mem.h"
+#include "curve/result.h"
+#include "curve/segment/seg3.h"
+
+/*
+ * ph_hermite_pieces: a curve (distance 0) or its offset as Bezier pieces.
+ *
+ * in   distance   signed, along the normal
+ * in   normal     of the Euler-Rodrigues frame; of a planar curve E2, which is
+ *                 to the left of travel
+ * in   tolerance  greatest distance from the exact curve, in its unit
+ * out  pieces     error is the greatest distance found, at seven points of each
+ *                 piece, between points of equal parameter
+ * ret  PH_OK | PH_NO_CONVERGENCE (names the segment) | PH_NO_MEMORY
+ */
+enum ph_status ph_hermite_pieces(const struct ph_curve *curve, double distance,
+                                 enum ph_normal normal, double tolerance,
+                                 struct ph_arena *arena,
+                                 struct ph_pieces *pieces,
+                                 struct ph_diag *diag);
+
+#endif

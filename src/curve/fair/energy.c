@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Fairness of planar splines (see energy.h).
+ *
+ * With derivatives by u and w the preimage,
+ *
+ *   E  = integral of kappa^2 |w|^2 du
+ *   MV = integral of (dkappa/du)^2 / |w|^2 du
+ *
+ * Both are smooth unless w nearly vanishes.  Rules of 4, 8 and 16 nodes are
+ * compared in turn; a million gently bending segments need the first two.
+ * Where not even the last two agree, 16 nodes on an interval are compared with
+ * 16 on either half; so they are in parts that grow from where w nearly
+ * vanishes.  The finer value is kept, which is far better than the
+ * difference says.
+ */
+#include "curve/fair/energy.h"
+
+#include "kernel/pi.h"
+#include "kernel/pow2.h"
+
+#include <float.h>
+#include <math.h>
+
+/* Intervals of one segment, at most; 2^-50 of it is at the rounding of u. */
+enum { DEPTH_MAX = 50, PARTS_MAX = 4096 };
+
+static const double AGREE = 1e-12;
+/* Error of a curvature or slope in units of its terms. */
+static const double ROUNDING = 16 * DBL_EPSILON;
+
+/* A segment nearly stands still where w changes by as much as it is within
+ * this; parts that begin there grow by a factor, from no less than this. */
+static const double SLOW = 1.0 / 32, GROW = 4, SHORTEST = 1e-15;
+
+/* An integral of squares, and the same integral of their terms. */
+struct square {
+  double value, terms;
+};
+
+struct pair {
+  struct square bending, varying;
+};
+
+static void add_square(struct square *sum, double weight, double x,
+                       double terms) {
+  sum->value += weight * x * x;
+  sum->terms += weight * terms;
+}
+
+static struct pair integrate(const struct ph_seg2 *seg,
+                             const struct ph_quad *rule, double u0, double u1) {
+  struct pair sum = {{0, 0}, {0, 0}};
+  for (size_t i = 0; i < rule->n; i++) {
+    double u = u0 + (u1 - u0) * rule->node[i];
+    struct ph_bend bend = ph_seg2_bend(seg, u);
+    double weight = (u1 - u0) * rule->weight[i];
+    add_square(&sum.bending, weight * bend.speed, bend.curvature,
+               bend.terms[0]);
+    add_square(&sum.varying, weight / bend.speed, bend.slope, bend.terms[1]);
+  }
+  return sum;
+}
+
+/* Whether two values agree, or what they differ by is rounding (of a square
+ * that is nearly nothing), or is lost in the sum so far. */
+static bool agree(const struct square *a, const struct square *b,
+                  const struct ph_sum *sum) {
+  double difference = fabs(a->value - b->value);
+  double noise = ROUNDING * sqrt(b->terms);
+  return difference <= AGREE * b->value + 2 * noise * sqrt(b->value) +
+                           noise * noise + 0.1 * AGREE * ph_sum_value(sum);
+}
+
+static void accept(struct ph_energy_sum *c, const struct pair *part) {
+  ph_sum_add(&c->bending, part->bending.value);
+  ph_sum_add(&c->varying, part->varying.value);
+}
+
+static bool both_agree(const struct ph_energy_sum *c, const struct pair *a,
+                       const struct pair *b) {
+  return agree(&a->bending, &b->bending, &c->bending) &&
+         agree(&a->varying, &b->varying, &c->varying);
+}
+
+static struct square add_squares(struct square a, struct square b) {
+  struct square sum = {a.value + b.value, a.terms + b.terms};
+  return sum;
+}
+
+/* Halves an interval until the halves agree with the whole. */
+static void refine(struct ph_energy_sum *c, const struct ph_seg2 *seg,
+                   double u0, double u1, const struct pair *whole, int depth) {
+  const struct ph_quad *rule = &c->rule[PH_ENERGY_RULES - 1];
+  double middle = 0.5 * (u0 + u1);
+  struct pair left = integrate(seg, rule, u0, middle);
+  struct pair right = integrate(seg, rule, middle, u1);
+  struct pair sum = {add_squares(left.bending, right.bending),
+                     add_squares(left.varying, right.varying)};
+  c->parts++;
+  if (depth == DEPTH_MAX || c->parts >= PARTS_MAX ||
+      !isfinite(sum.bending.value + sum.varying.value) ||
+      both_agree(c, whole, &sum)) {
+    accept(c, &sum);
+    return;
+  }
+  refine(c, seg, u0, middle, &left, depth + 1);
+  refine(c, seg, middle, u1, &right, depth + 1);
+}
+
+/* How far from u the preimage has changed by as much as it is. */
+static double reach_at(const struct ph_seg2 *seg, double u) {
+  ph_cplx w[3];
+  double size;
+  ph_atph_jet(&seg->space, seg->w, u, w, 3);
+  size = ph_cplx_abs(w[0]);
+  return fmin(size / ph_cplx_abs(w[1]), sqrt(size / ph_cplx_abs(w[2])));
+}
+
+/* Adds the interval from `slow` to `end`, on either side, in parts that grow
+ * from there. */
+static void add_growing(struct ph_energy_sum *c, const struct ph_seg2 *seg,
+                        double slow, double end) {
+  double whole = fabs(end - slow), part = reach_at(seg, slow), to;
+  part = fmax(part, SHORTEST * whole);
+  for (double from = 0; from < whole; from = to, part *= GROW) {
+    double a, b;
+    struct pair sum;
+    to = fmin(from + part, whole);
+    a = end > slow ? slow + from : to < whole ? slow - to : end;
+    b = end < slow ? slow - from : to < whole ? slow + to : end;
+    sum = integrate(seg, &c->rule[PH_ENERGY_RULES - 1], a, b);
+    refine(c, seg, a, b, &sum, 0);
+  }
+}
+
+/* Whether it nearly stands still; then it is added.  A peak there may be
+ * narrower than nodes are apart: halving would miss it, least beside another.
+ */
+static bool add_slow(struct ph_energy_sum *c, const struct ph_seg2 *seg) {
+  double at[2], cut[4] = {0, 0, 0, 1};
+  ph_seg2_slow(seg, at);
+  if (!(reach_at(seg, at[0]) < SLOW) && !(reach_at(seg, at[1]) < SLOW)) {
+    return false;
+  }
+  cut[1] = fmin(at[0], at[1]);
+  cut[2] = fmax(at[0], at[1]);
+  for (size_t i = 0; i < 3; i++) {
+    double middle = 0.5 * (cut[i] + cut[i + 1]);
+    add_growing(c, seg, cut[i], middle);
+    add_growing(c, seg, cut[i + 1], middle);
+  }
+  return true;
+}
+
+bool ph_energy_begin(struct ph_energy_sum *sum) {
+  ph_energy_clear(sum);
+  for (size_t i = 0; i < PH_ENERGY_RULES; i++) {
+    if (!ph_quad_gauss(&sum->rule[i], (size_t)4 << i)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void ph_energy_clear(struct ph_energy_sum *sum) {
+  sum->bending = sum->varying = (struct ph_sum){0, 0};
+  sum->parts = 0;
+}
+
+bool ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
+  struct pair coarse;
+  sum->parts = 0;
+  if (ph_seg2_stands_still(seg, NULL)) {
+    ph_sum_add(&sum->bending, (double)NAN);
+    ph_sum_add(&sum->varying, (double)NAN);
+    return false;
+  }
+  if (!ph_seg2_moves_on(seg->w) && add_slow(sum, seg)) {
+    return true;
+  }
+  coarse = integrate(seg, &sum->rule[0], 0, 1);
+  for (size_t i = 1; i < PH_ENERGY_RULES; i++) {
+    struct pair fine = integrate(seg, &sum->rule[i], 0, 1);
+    if (both_agree(sum, &coarse, &fine)) {
+      accept(sum, &fine);
+      return true;
+    }
+    coarse = fine;
+  }
+  refine(sum, seg, 0, 1, &coarse, 0);
+  return true;
+}
+
+/* Half the exponent of the power of two that brings r' = w^2 to unit scale. */
+static int unit_exponent(const struct ph_curve *curve) {
+  size_t n = curve->n * curve->preimage.n * 2;
+  double largest = 0;
+  for (size_t i = 0; i < n; i++) {
+    largest = fmax(largest, fabs(curve->preimage.v[i]));
+  }
+  return largest > 0 ? -ilogb(largest) : 0;
+}
+
+bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {
+  const double turn = 2 * PH_PI;
+  const int exponent = unit_exponent(curve);
+  const double scale = ldexp(1, exponent);
+  const double length = ldexp(curve->length, 2 * exponent);
+  struct ph_energy_sum sum;
+  struct ph_sum rotation = {0, 0}, absolute = {0, 0};
+  if (!ph_energy_begin(&sum)) {
+    return false;
+  }
+  for (size_t k = 0; k < curve->n; k++) {
+    struct ph_seg2 seg = ph_seg2_of(curve, k);
+    double turned;
+    for (size_t i = 0; i < 3; i++) {
+      seg.w[i] = ph_cplx_scale(scale, seg.w[i]);
+    }
+    if (!ph_energy_add(&sum, &seg)) {
+      double none = (double)NAN;
+      *energy = (struct ph_energy){none, none, none, none, none, none};
+      return true;
+    }
+    ph_sum_add(&rotation, ph_seg2_rotation(&seg, &turned));
+    ph_sum_add(&absolute, turned);
+  }
+  energy->bending = ph_pow2_positive(ph_sum_value(&sum.bending), 2 * exponent);
+  energy->varying = ph_pow2_positive(ph_sum_value(&sum.varying), 6 * exponent);
+  energy->ies = ph_sum_value(&sum.bending) * length;
+  energy->imv = ph_sum_value(&sum.varying) * length * length * length;
+  energy->rotation = ph_sum_value(&rotation) / turn;
+  energy->absolute_rotation = ph_sum_value(&absolute) / turn;
+  return true;
+}

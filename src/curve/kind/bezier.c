@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A place on a Bezier segment (see sample.h), by derivatives of its control
+ * points (curve/kind/bezier.h).
+ */
+#include "curve/kind/bezier.h"
+
+#include "curve/sample/bend.h"
+#include "curve/kind/kind.h"
+#include "kernel/pow2.h"
+#include "kernel/primitive.h"
+
+#include <assert.h>
+#include <float.h>
+
+enum { DEGREE_MAX = PH_BEZIER_DEGREE_MAX, ORDERS = PH_BEZIER_ORDERS };
+
+/* Lengths are found to this. */
+static const double TOLERANCE = 1e-14;
+/* What is less than this of its terms is their rounding. */
+static const double ROUNDING = 64 * DBL_EPSILON;
+
+/* ---- derivatives --------------------------------------------------------- */
+
+/* The coefficients by x from p[0], which is at u = 0, or at u = 1 of the points
+ * in reverse order: binomial(n, k) times the k-th difference. */
+static void expand(const struct ph_bezier *b, bool end, ph_vec3 *taylor) {
+  const size_t n = b->degree;
+  double binomial = 1;
+  for (size_t i = 0; i <= n; i++) {
+    taylor[i] = b->p[end ? n - i : i];
+  }
+  for (size_t k = 0; k <= n; k++) {
+    for (size_t i = n; i > k; i--) {
+      taylor[i] = ph_vec3_sub(taylor[i], taylor[i - 1]);
+    }
+    taylor[k] = ph_vec3_scale(end && k % 2 ? -binomial : binomial, taylor[k]);
+    binomial *= (double)(n - k) / (double)(k + 1);
+  }
+}
+
+struct ph_bezier ph_bezier_of(const struct ph_curve *curve, size_t k) {
+  const size_t dimension = curve->dimension, degree = curve->degree;
+  const double *v = ph_curve_points(curve, k);
+  struct ph_bezier b = {.degree = degree};
+  struct ph_pow2 shrink;
+  double largest = 0;
+  assert(degree <= DEGREE_MAX);
+  for (size_t i = 0; i < (degree + 1) * dimension; i++) {
+    largest = fmax(largest, fabs(v[i]));
+  }
+  b.exponent = largest > 0 ? ph_pow2_exponent(largest) : 0;
+  shrink = ph_pow2_of(-b.exponent);
+  for (size_t i = 0; i <= degree; i++) {
+    ph_vec3 p = ph_vec3_get(v + dimension * i, dimension);
+    b.p[i] = ph_vec3_of(ph_pow2_apply(shrink, p.x), ph_pow2_apply(shrink, p.y),
+                        ph_pow2_apply(shrink, p.z));
+    b.polygon += i > 0 ? ph_vec3_abs(ph_vec3_sub(b.p[i], b.p[i - 1])) : 0;
+  }
+  expand(&b, false, b.taylor[0]);
+  expand(&b, true, b.taylor[1]);
+  return b;
+}
+
+void ph_bezier_jet(const struct ph_bezier *b, double u, ph_vec3 *jet) {
+  const bool end = u > 0.5;
+  const double x = end ? u - 1 : u;
+  const ph_vec3 *c = b->taylor[end];
+  ph_vec3 j[ORDERS] = {c[b->degree]};
+  for (size_t k = b->degree; k-- > 0;) {
+    j[3] = ph_vec3_along(j[2], x, j[3]);
+    j[2] = ph_vec3_along(j[1], x, j[2]);
+    j[1] = ph_vec3_along(j[0], x, j[1]);
+    j[0] = ph_vec3_along(c[k], x, j[0]);
+  }
+  jet[0] = j[0];
+  jet[1] = j[1];
+  jet[2] = ph_vec3_scale(2, j[2]);
+  jet[3] = ph_vec3_scale(6, j[3]);
+}
+
+static double speed_at(const void *context, double u) {
+  ph_vec3 jet[ORDERS];
+  ph_bezier_jet(context, u, jet);
+  return ph_vec3_abs(jet[1]);
+}
+
+/* The direction of r', of r'' or r''' where r' is 0; against r'' at the end of
+ * the segment, where r' = -(1 - u) r''. */
+static ph_vec3 direction_of(const ph_vec3 jet[ORDERS], double least, double u) {
+  size_t i = 1;
+  double sign;
+  while (i < ORDERS - 1 && !(ph_vec3_abs(jet[i]) > least)) {
+    i++;
+  }
+  sign = i == 2 && !(u < 1) ? -1 : 1;
+  return ph_vec3_scale(sign / ph_vec3_abs(jet[i]), jet[i]);
+}
+
+ph_vec3 ph_bezier_tangent(const struct ph_bezier *b, double u) {
+  ph_vec3 jet[ORDERS];
+  ph_bezier_jet(b, u, jet);
+  return direction_of(jet, ROUNDING * b->polygon, u);
+}
+
+/* ---- the sampler --------------------------------------------------------- */
+
+struct state {
+  struct ph_bezier b;
+  struct ph_pow2 grow, shrink;
+  struct ph_primitive table; /* of the speed */
+  double scale;              /* of what the curve stands for to that */
+};
+
+static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
+  const struct state none = {.scale = 0};
+  struct state *state = ph_arena_array(sampler->arena, 1, sizeof *state);
+  if (!state) {
+    return ph_fail_memory(diag);
+  }
+  *state = none;
+  sampler->state = state;
+  return PH_OK;
+}
+
+static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
+  struct state *state = sampler->state;
+  enum ph_status status;
+  state->b = ph_bezier_of(sampler->curve, sampler->k);
+  state->grow = ph_pow2_of(state->b.exponent);
+  state->shrink = ph_pow2_of(-state->b.exponent);
+  sampler->length = sampler->curve->lengths[sampler->k];
+  status = ph_primitive_make(&state->table, speed_at, &state->b, NULL, 0,
+                             TOLERANCE, sampler->arena);
+  state->scale =
+      state->table.total > 0 ? sampler->length / state->table.total : 0;
+  if (status == PH_NO_CONVERGENCE) {
+    sampler->length = (double)NAN;
+    status = PH_OK;
+  }
+  return status == PH_OK ? PH_OK : ph_fail_memory(diag);
+}
+
+static double length(const struct ph_sampler *sampler, double u,
+                     double *speed) {
+  const struct state *state = sampler->state;
+  double s = state->scale * ph_primitive_at(&state->table, u, speed);
+  *speed *= state->scale;
+  return u < 1 ? s : sampler->length;
+}
+
+static double bend(const struct ph_sampler *sampler, double u0, double u1) {
+  const struct state *state = sampler->state;
+  const struct ph_bezier *b = &state->b;
+  return ph_pow2_apply(state->grow, ph_bend_bezier(b->p, b->degree, u0, u1));
+}
+
+static struct ph_sample at(const struct ph_sampler *sampler, double u) {
+  const struct state *state = sampler->state;
+  const double least = ROUNDING * state->b.polygon;
+  struct ph_sample sample = {.lonlat = {0, 0}};
+  ph_vec3 jet[ORDERS], cross;
+  double speed, bent;
+  ph_bezier_jet(&state->b, u, jet);
+  sample.point = ph_vec3_of(ph_pow2_apply(state->grow, jet[0].x),
+                            ph_pow2_apply(state->grow, jet[0].y),
+                            ph_pow2_apply(state->grow, jet[0].z));
+  sample.tangent = direction_of(jet, least, u);
+  sample.curvature = sample.torsion = (double)NAN;
+  speed = ph_vec3_abs(jet[1]);
+  if (speed > least) {
+    cross = ph_vec3_cross(jet[1], jet[2]);
+    bent = sampler->curve->dimension == 2 ? cross.z : ph_vec3_abs(cross);
+    sample.curvature =
+        ph_pow2_apply(state->shrink, bent / (speed * speed * speed));
+    if (fabs(bent) > least * speed) {
+      sample.torsion =
+          ph_pow2_apply(state->shrink,
+                        ph_vec3_dot(cross, jet[3]) / ph_vec3_dot(cross, cross));
+    }
+  }
+  return sample;
+}
+
+const struct ph_sample_kind ph_sample_kind_bezier = {begin, enter, at, length,
+                                                     bend};

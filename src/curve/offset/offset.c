@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Offsets of PH and ATPH splines and of cubics (see offset.h).  Planar ones are
+ * moved along e2 in space, where z = 0: one path serves both.
+ */
+#include "curve/offset/offset.h"
+
+#include "curve/offset/cusp.h"
+#include "curve/offset/gap.h"
+#include "curve/bezier/hermite.h"
+#include "curve/offset/rational.h"
+
+/* What a walk over the pieces of a curve does with each. */
+struct walk {
+  struct ph_offset *offset; /* n counts the pieces */
+  enum ph_normal normal;
+  bool fill; /* false: only count */
+};
+
+/* Numerators over weights, relative to the first point so that coordinates far
+ * from the origin keep their digits. */
+static void fill_piece(const struct walk *walk,
+                       const struct ph_rational *piece) {
+  struct ph_offset *offset = walk->offset;
+  const size_t degree = piece->degree, points = 2 * degree;
+  size_t at = offset->n, dimension = offset->dimension;
+  ph_vec3 move[5], sum[10] = {{0, 0, 0}};
+  ph_rational_turned(walk->normal, piece->a, (degree + 1) / 2, 1, move);
+  for (size_t j = 0; j < degree; j++) {
+    ph_vec3 g = ph_vec3_scale(offset->distance / piece->unit, move[j]);
+    for (size_t i = 0; i <= degree; i++) {
+      ph_vec3 leg = ph_vec3_sub(piece->p[i], piece->p[0]);
+      ph_vec3 term = ph_vec3_along(g, piece->speed[j], leg);
+      sum[j + i] =
+          ph_vec3_along(sum[j + i], piece->product[(degree + 1) * j + i], term);
+    }
+  }
+  for (size_t k = 0; k < points; k++) {
+    double w = piece->weight[k];
+    ph_vec3 from_p0 = ph_vec3_of(sum[k].x / w, sum[k].y / w, sum[k].z / w);
+    ph_vec3_put(ph_vec3_add(piece->p[0], from_p0), dimension,
+                offset->control_points + dimension * (points * at + k));
+    offset->weights[points * at + k] = w * piece->unit;
+  }
+  offset->segment[at] = piece->segment;
+  offset->interval[2 * at] = piece->from;
+  offset->interval[2 * at + 1] = piece->to;
+}
+
+static void visit(void *context, const struct ph_rational *piece) {
+  struct walk *walk = context;
+  if (walk->fill) {
+    fill_piece(walk, piece);
+  }
+  walk->offset->n++;
+}
+
+/* The quotient of segment k: d A j A* or d A k A* over |A|^2. */
+static void fill_quotient(struct ph_offset *offset, size_t k,
+                          const struct ph_seg3 *seg, enum ph_normal normal) {
+  double c = seg->space.c, middle = 1 / (2 * c * c + 1);
+  const ph_quat *a = seg->a;
+  double *out = offset->numerator + 5 * offset->dimension * k;
+  double *below = offset->denominator + 5 * k;
+  const ph_quat m = ph_quat_scale(c, a[1]);
+  const ph_vec3 zero = {0, 0, 0};
+  ph_vec3 move[5];
+  ph_rational_turned(normal, a, 3, c, move);
+  below[0] = ph_quat_dot(a[0], a[0]);
+  below[1] = ph_quat_dot(a[0], a[1]);
+  below[2] = middle * (2 * ph_quat_dot(m, m) + ph_quat_dot(a[0], a[2]));
+  below[3] = ph_quat_dot(a[1], a[2]);
+  below[4] = ph_quat_dot(a[2], a[2]);
+  for (size_t j = 0; j < 5; j++) { /* from 0, so that no -0 is written */
+    ph_vec3_put(ph_vec3_along(zero, offset->distance, move[j]),
+                offset->dimension, out + offset->dimension * j);
+  }
+  offset->segment[k] = k;
+  offset->interval[2 * k] = 0;
+  offset->interval[2 * k + 1] = 1;
+}
+
+static enum ph_status offset_atph(const struct ph_curve *curve,
+                                  enum ph_normal normal, double tolerance,
+                                  struct ph_arena *arena,
+                                  struct ph_offset *offset,
+                                  struct ph_diag *diag) {
+  size_t n = curve->n, stride = 5 * curve->dimension;
+  offset->degree = 4;
+  offset->n = n;
+  offset->segment = ph_arena_array(arena, n, sizeof *offset->segment);
+  offset->interval = ph_arena_array(arena, n, 2 * sizeof(double));
+  offset->numerator = ph_arena_array(arena, n, stride * sizeof(double));
+  offset->denominator = ph_arena_array(arena, n, 5 * sizeof(double));
+  if (!offset->segment || !offset->interval || !offset->numerator ||
+      !offset->denominator) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t k = 0; k < n; k++) {
+    struct ph_seg3 seg = ph_seg3_of(curve, k);
+    fill_quotient(offset, k, &seg, normal);
+  }
+  return ph_hermite_pieces(curve, offset->distance, normal, tolerance, arena,
+                           &offset->pieces, diag);
+}
+
+static enum ph_status offset_ph(const struct ph_curve *curve,
+                                enum ph_normal normal, struct ph_arena *arena,
+                                struct ph_offset *offset,
+                                struct ph_diag *diag) {
+  struct walk walk = {offset, normal, false};
+  size_t n, points = 2 * curve->degree, number = sizeof(double);
+  enum ph_status status = ph_rational_walk(curve, "offset", visit, &walk, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  n = offset->n;
+  offset->degree = points - 1;
+  offset->segment = ph_arena_array(arena, n, sizeof *offset->segment);
+  offset->interval = ph_arena_array(arena, n, 2 * number);
+  offset->control_points =
+      ph_arena_array(arena, n, points * curve->dimension * number);
+  offset->weights = ph_arena_array(arena, n, points * number);
+  if (!offset->segment || !offset->interval || !offset->control_points ||
+      !offset->weights) {
+    return ph_fail_memory(diag);
+  }
+  offset->n = 0;
+  walk.fill = true;
+  return ph_rational_walk(curve, "offset", visit, &walk, diag);
+}
+
+static bool all_finite(const double *v, size_t n) {
+  for (size_t i = 0; i < n; i++) {
+    if (!isfinite(v[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Whether every number of an offset is one. */
+static bool is_finite(const struct ph_offset *offset) {
+  const struct ph_pieces *pieces = &offset->pieces;
+  size_t points = (offset->degree + 1) * offset->n;
+  size_t n = offset->dimension * points;
+  return offset->control_points
+             ? all_finite(offset->control_points, n) &&
+                   all_finite(offset->weights, points)
+             : all_finite(offset->numerator, n) &&
+                   all_finite(offset->denominator, points) &&
+                   all_finite(pieces->control_points,
+                              6 * offset->dimension * pieces->n);
+}
+
+/* The offset along a normal, which has no name in the plane. */
+static enum ph_status
+offset_along(const struct ph_curve *curve, double distance,
+             enum ph_normal normal, const char *name,
+             const struct ph_offset_rules *rules, struct ph_arena *arena,
+             struct ph_offset *offset, struct ph_diag *diag) {
+  enum ph_status status;
+  *offset = (struct ph_offset){.distance = distance,
+                               .vector = name,
+                               .dimension = curve->dimension,
+                               .length = (double)NAN};
+  status =
+      curve->preimage.alpha
+          ? offset_atph(curve, normal, rules->tolerance, arena, offset, diag)
+          : offset_ph(curve, normal, arena, offset, diag);
+  if (status == PH_OK && !is_finite(offset)) {
+    status = ph_fail(diag, PH_TOO_LARGE, NULL,
+                     "the offset at distance %g exceeds the range of a double",
+                     distance);
+  }
+  if (status == PH_OK) {
+    status = ph_cusps_of(curve, distance, normal, arena, &offset->cusps, diag);
+  }
+  if (status == PH_OK) {
+    status = ph_gaps_of(curve, distance, normal, arena, &offset->gaps, diag);
+  }
+  if (status == PH_OK && rules->samples.how != PH_SAMPLE_NONE) {
+    status = ph_sample_offset(curve, &rules->samples, arena, offset, diag);
+  }
+  return status;
+}
+
+enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
+                                const struct ph_offset_rules *rules,
+                                struct ph_arena *arena,
+                                struct ph_offset *offset,
+                                struct ph_diag *diag) {
+  return offset_along(curve, distance, PH_E2, NULL, rules, arena, offset, diag);
+}
+
+enum ph_status ph_offset_spatial(const struct ph_curve *curve, double distance,
+                                 const struct ph_offset_rules *rules,
+                                 struct ph_arena *arena,
+                                 struct ph_offset *offsets,
+                                 struct ph_diag *diag) {
+  static const char *const names[] = {[PH_E2] = "e2", [PH_E3] = "e3"};
+  enum ph_status status = PH_OK;
+  for (size_t i = 0; status == PH_OK && i < PH_OFFSETS_SPATIAL; i++) {
+    enum ph_normal normal = i < 2 ? PH_E2 : PH_E3;
+    /* The other side of 0 is no -0. */
+    status = offset_along(curve, i % 2 ? 0 - distance : distance, normal,
+                          names[normal], rules, arena, &offsets[i], diag);
+  }
+  return status;
+}

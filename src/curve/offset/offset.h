@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Offset curves of PH splines: exact rational Bezier curves of degree 9 [FAR90;
+ * GON18, sec. 2.2 with the left normal], of Tschirnhausen cubics of degree 5;
+ * of ATPH splines, the exact displacement as a quotient, and Bezier pieces
+ * within a tolerance.
+ *
+ *   o(u) = r(u) + d e(u),  e = A j A* / sigma or A k A* / sigma
+ *        = (sigma(u) r(u) + d A(u) j A(u)*) / sigma(u)
+ *
+ * for the vectors e2 and e3 of the Euler-Rodrigues frame.  In the plane e2 is
+ * the left normal i w^2 / sigma, and d is positive to the left of travel.  The
+ * weights are the Bernstein coefficients of the parametric speed sigma, raised
+ * to that degree.
+ *
+ * An ATPH segment holds t beside sin t and cos t, so that its offset is no
+ * NURBS.  o - r is a quotient in <1, sin t, cos t, sin 2t, cos 2t>, given by
+ * coefficients in the normalised B-basis of that space,
+ *   (1, 4c, 4c^2 + 2, 4c, 1) S0^(4-j) S1^j,  j = 0..4,
+ * with c, S0 and S1 of kernel/atph.h.
+ */
+#ifndef PH_CURVE_OFFSET_OFFSET_H
+#define PH_CURVE_OFFSET_OFFSET_H
+
+#include "base/diag.h"
+#include "base/mem.h"
+#include "curve/result.h"
+#include "curve/sample/sample.h"
+
+/* How offsets are made. */
+struct ph_offset_rules {
+  double tolerance; /* of Bezier pieces of ATPH offsets, in the curve's unit */
+  struct ph_sample_rules samples; /* how they are sampled, or not at all; on a
+                                     sphere they must be */
+};
+
+/*
+ * ph_offset_planar: the offset of a planar spline at one distance.
+ *
+ * A PH segment whose weights are not all positive (it turns by more than about
+ * a half turn) is cut until they are: halved, or, a cubic, cut once at its
+ * vertex (rational.h).
+ *
+ * in   curve   PH_CURVE_PH, PH_CURVE_TC or PH_CURVE_ATPH
+ *
+ * out  offset  arrays from the arena
+ *
+ * ret  PH_OK | PH_INFEASIBLE (the curve stands still somewhere: no normal
+ *      there; names the segment) | PH_TOO_LARGE | PH_NO_CONVERGENCE (no Bezier
+ *      piece is near enough) | PH_NO_MEMORY
+ */
+enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
+                                const struct ph_offset_rules *rules,
+                                struct ph_arena *arena,
+                                struct ph_offset *offset, struct ph_diag *diag);
+
+enum { PH_OFFSETS_SPATIAL = 4 };
+
+/*
+ * ph_offset_spatial: the same for a spline in space, in four directions.
+ *
+ * out  offsets[PH_OFFSETS_SPATIAL]  along e2, -e2, e3, -e3; the distance of
+ *                                   the second and the fourth is the negative
+ */
+enum ph_status ph_offset_spatial(const struct ph_curve *curve, double distance,
+                                 const struct ph_offset_rules *rules,
+                                 struct ph_arena *arena,
+                                 struct ph_offset *offsets,
+                                 struct ph_diag *diag);
+
+#endif

@@ -1,0 +1,368 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Samples: the sampler by kind, the arrays, and the walk along a whole curve
+ * (see sample.h).
+ */
+#include "curve/sample/sample.h"
+
+#include "base/sum.h"
+#include "curve/offset/gap.h"
+#include "curve/sample/chord.h"
+#include "curve/sample/frame.h"
+#include "curve/kind/kind.h"
+#include "curve/sample/place.h"
+
+#include <float.h>
+#include <string.h>
+
+/* Places that are nearer to a joint than this of the length so far are at it:
+ * whether they are before or after must not be left to rounding. */
+static const double AT_JOINT = 4 * DBL_EPSILON;
+/* Arrays grow to this times what is needed, at most. */
+static const double GROWTH = 8;
+/* A last interval is no shorter than this, of the spacing. */
+static const double LAST = 1e-9;
+
+/* ---- the sampler --------------------------------------------------------- */
+
+static const struct ph_sample_kind *kind_of(const struct ph_curve *curve,
+                                            const struct ph_offset *offset) {
+  switch (curve->kind) {
+  case PH_CURVE_SPHERICAL_NU:
+    return &ph_sample_kind_spherical;
+  case PH_CURVE_BEZIER:
+    return &ph_sample_kind_bezier;
+  default:
+    return offset ? &ph_sample_kind_offset : &ph_sample_kind_ph;
+  }
+}
+
+enum ph_status ph_sampler_begin(struct ph_sampler *sampler,
+                                const struct ph_curve *curve,
+                                const struct ph_offset *offset,
+                                struct ph_arena *arena, struct ph_diag *diag) {
+  *sampler = (struct ph_sampler){curve, offset, arena, kind_of(curve, offset),
+                                 NULL,  0,      0};
+  return sampler->kind->begin(sampler, diag);
+}
+
+enum ph_status ph_sampler_enter(struct ph_sampler *sampler, size_t k,
+                                struct ph_diag *diag) {
+  sampler->k = k;
+  return sampler->kind->enter(sampler, diag);
+}
+
+struct ph_sample ph_sampler_at(const struct ph_sampler *sampler, double u) {
+  return sampler->kind->at(sampler, u);
+}
+
+double ph_sampler_length(const struct ph_sampler *sampler, double u,
+                         double *speed) {
+  return sampler->kind->length(sampler, u, speed);
+}
+
+double ph_sampler_bend(const struct ph_sampler *sampler, double u0, double u1) {
+  return sampler->kind->bend(sampler, u0, u1);
+}
+
+/* ---- the walk ------------------------------------------------------------ */
+
+/* Along a curve, one segment after the other. */
+struct walk {
+  const struct ph_sample_rules *rules;
+  struct ph_sampler sampler;
+  struct ph_framing framing;
+  struct ph_chords chords;
+  size_t cusp, gap; /* the next ones of the offset */
+  size_t first;     /* sample of the connected part */
+  bool begins;      /* the segment begins it */
+  size_t step;      /* the next place is at so many times the spacing */
+  struct ph_samples *samples;
+  size_t most, room;
+  struct ph_sum start; /* length before the segment */
+  double range;        /* of t */
+  struct ph_diag *diag;
+};
+
+static enum ph_status too_many(const struct walk *walk, double wanted) {
+  const struct ph_sample_rules *rules = walk->rules;
+  return rules->how == PH_SAMPLE_SPACING
+             ? ph_fail(walk->diag, PH_LIMIT, NULL,
+                       "samples %g apart would be %.6g or more, above the %zu "
+                       "of --max-samples",
+                       rules->spacing, wanted, walk->most)
+             : ph_fail(walk->diag, PH_LIMIT, NULL,
+                       "the samples would be %.6g, above the %zu of "
+                       "--max-samples",
+                       wanted, walk->most);
+}
+
+/* Room for more samples. */
+struct growth {
+  struct ph_arena *arena;
+  size_t n, room;
+  bool memory; /* is exhausted */
+};
+
+static void *grown(struct growth *growth, bool wanted, const void *column,
+                   size_t size) {
+  void *larger =
+      wanted ? ph_arena_array(growth->arena, growth->room, size) : NULL;
+  growth->memory |= wanted && !larger;
+  if (larger && growth->n > 0) {
+    memcpy(larger, column, growth->n * size);
+  }
+  return larger;
+}
+
+/* Arrays for so many samples; those that there are stay. */
+static enum ph_status move_to(struct walk *walk, size_t room) {
+  const struct ph_curve *curve = walk->sampler.curve;
+  const size_t number = sizeof(double), vector = curve->dimension * number;
+  const bool sphere = curve->kind == PH_CURVE_SPHERICAL_NU;
+  const bool frame = walk->framing.frame != PH_FRAME_NONE;
+  struct ph_samples *s = walk->samples;
+  struct growth g = {walk->sampler.arena, s->n, room, false};
+  s->segment = grown(&g, true, s->segment, sizeof *s->segment);
+  s->t = grown(&g, true, s->t, number);
+  s->s = grown(&g, true, s->s, number);
+  s->point = grown(&g, true, s->point, vector);
+  s->tangent = grown(&g, true, s->tangent, vector);
+  s->curvature = grown(&g, true, s->curvature, number);
+  s->torsion = grown(&g, curve->dimension == 3 && !sphere, s->torsion, number);
+  s->lonlat = grown(&g, sphere, s->lonlat, 2 * number);
+  s->normal = grown(&g, frame, s->normal, 3 * number);
+  s->binormal = grown(&g, frame, s->binormal, 3 * number);
+  walk->room = room;
+  return g.memory ? ph_fail_memory(walk->diag) : PH_OK;
+}
+
+/* Room for n samples more; if more is taken, for so many in all. */
+static enum ph_status reserve(struct walk *walk, double n, double all) {
+  const double needed = (double)walk->samples->n + n;
+  if (!(needed <= (double)walk->most)) {
+    return too_many(walk, needed);
+  }
+  return needed <= (double)walk->room
+             ? PH_OK
+             : move_to(walk,
+                       (size_t)fmin(fmax(all, needed), (double)walk->most));
+}
+
+/* The same; if more is taken, it is for all segments, as if those to come were
+ * as those before, but for no more than GROWTH times what is needed, and no
+ * less than twice what there was. */
+static enum ph_status reserve_more(struct walk *walk, double n) {
+  const double needed = (double)walk->samples->n + n;
+  const double segments = (double)walk->sampler.curve->n;
+  double all = segments / (double)(walk->sampler.k + 1) * needed;
+  all = fmax(fmin(all, GROWTH * needed), 2 * (double)walk->room);
+  return reserve(walk, n, all);
+}
+
+/* Appends the sample at u of the segment, where there is room for it. */
+static void put(struct walk *walk, double u, double s) {
+  const struct ph_sample sample = ph_sampler_at(&walk->sampler, u);
+  struct ph_samples *to = walk->samples;
+  const size_t dimension = to->dimension, i = to->n++;
+  ph_vec3 normal, binormal;
+  to->segment[i] = walk->sampler.k;
+  to->t[i] = u * walk->range;
+  to->s[i] = s;
+  ph_vec3_put(sample.point, dimension, to->point + dimension * i);
+  ph_vec3_put(sample.tangent, dimension, to->tangent + dimension * i);
+  to->curvature[i] = sample.curvature;
+  if (to->torsion) {
+    to->torsion[i] = sample.torsion;
+  }
+  if (to->lonlat) {
+    to->lonlat[2 * i] = sample.lonlat[0];
+    to->lonlat[2 * i + 1] = sample.lonlat[1];
+  }
+  if (to->normal) {
+    ph_framing_at(&walk->framing, u, &sample, &normal, &binormal);
+    ph_vec3_put(normal, 3, to->normal + 3 * i);
+    ph_vec3_put(binormal, 3, to->binormal + 3 * i);
+  }
+}
+
+/* The same, s being what is there. */
+static void put_at(struct walk *walk, double u) {
+  struct ph_sum s = walk->start;
+  double speed;
+  ph_sum_add(&s, ph_sampler_length(&walk->sampler, u, &speed));
+  put(walk, u, ph_sum_value(&s));
+}
+
+/* ---- where --------------------------------------------------------------- */
+
+static enum ph_status by_parameter(struct walk *walk) {
+  const size_t n = walk->rules->n;
+  for (size_t i = 0; i <= n; i++) {
+    put_at(walk, (double)i / (double)n);
+  }
+  return PH_OK;
+}
+
+/* At the start of a part, and at multiples of the spacing that are not all but
+ * there. */
+static enum ph_status by_spacing(struct walk *walk) {
+  const struct ph_sampler *sampler = &walk->sampler;
+  const double spacing = walk->rules->spacing;
+  struct ph_sum after = walk->start;
+  struct ph_trail trail = {.n = 0};
+  enum ph_status status;
+  double joint, s;
+  ph_sum_add(&after, sampler->length);
+  joint = AT_JOINT * ph_sum_value(&after);
+  s = (double)walk->step * spacing;
+  status = /* with both ends of a part */
+      reserve_more(walk, fmax((ph_sum_value(&after) - s) / spacing, 0) + 3);
+  if (status == PH_OK && walk->begins) {
+    const double start = ph_sum_value(&walk->start);
+    put(walk, 0, start);
+    while (s <= start + fmax(LAST * spacing, joint)) {
+      s = (double)++walk->step * spacing;
+    }
+  }
+  while (status == PH_OK && s < ph_sum_value(&after) - joint) {
+    double local = (s - walk->start.high) - walk->start.low;
+    put(walk, ph_trail_next(&trail, sampler, local > joint ? local : 0, NULL),
+        s);
+    s = (double)++walk->step * spacing;
+  }
+  return status;
+}
+
+static enum ph_status by_chords(struct walk *walk) {
+  const struct ph_offset *offset = walk->sampler.offset;
+  const size_t n = offset ? offset->cusps.n : 0, first = walk->cusp;
+  enum ph_status status;
+  while (walk->cusp < n &&
+         offset->cusps.at[walk->cusp].segment == walk->sampler.k) {
+    walk->cusp++;
+  }
+  status =
+      ph_chords_plan(&walk->chords, &walk->sampler, walk->rules->chord_error,
+                     n ? offset->cusps.at + first : NULL, walk->cusp - first,
+                     walk->most, walk->diag);
+  if (status == PH_OK) {
+    status = reserve_more(walk, (double)walk->chords.n + 1);
+  }
+  if (status == PH_OK && walk->begins) {
+    put(walk, 0, ph_sum_value(&walk->start));
+  }
+  for (size_t i = 0; status == PH_OK && i < walk->chords.n; i++) {
+    put_at(walk, walk->chords.u[i]);
+  }
+  return status;
+}
+
+/* The end of a part, instead of places that are all but there. */
+static void end(struct walk *walk) {
+  const double spacing = walk->rules->spacing;
+  const double length = ph_sum_value(&walk->start);
+  struct ph_samples *s = walk->samples;
+  while (s->n > walk->first + 1 && s->s[s->n - 1] > length - LAST * spacing) {
+    s->n--;
+  }
+  put(walk, 1, length);
+}
+
+static enum ph_status enter(struct walk *walk, size_t k) {
+  const struct ph_curve *curve = walk->sampler.curve;
+  const struct ph_offset *offset = walk->sampler.offset;
+  enum ph_status status = ph_sampler_enter(&walk->sampler, k, walk->diag);
+  walk->begins =
+      (offset && ph_gaps_pass(&offset->gaps, k, &walk->gap)) || k == 0;
+  walk->first = walk->begins ? walk->samples->n : walk->first;
+  walk->range = curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
+  if (status == PH_OK && !isfinite(walk->sampler.length)) {
+    status = ph_fail_at(walk->diag, PH_NO_CONVERGENCE, "segments", k,
+                        "%s a length that was not found",
+                        walk->sampler.offset ? "has an offset with" : "has");
+  }
+  return status == PH_OK ? ph_framing_enter(&walk->framing, k, walk->diag)
+                         : status;
+}
+
+/* Whether the segment ends a part. */
+static bool ends(const struct walk *walk) {
+  const struct ph_offset *offset = walk->sampler.offset;
+  size_t next = walk->gap;
+  return walk->sampler.k + 1 == walk->sampler.curve->n ||
+         (offset && ph_gaps_pass(&offset->gaps, walk->sampler.k + 1, &next));
+}
+
+static enum ph_status (*const places[])(struct walk *) = {
+    [PH_SAMPLE_PARAMETER] = by_parameter,
+    [PH_SAMPLE_SPACING] = by_spacing,
+    [PH_SAMPLE_CHORD] = by_chords,
+};
+
+static enum ph_status go(struct walk *walk) {
+  const struct ph_sample_rules *rules = walk->rules;
+  const struct ph_curve *curve = walk->sampler.curve;
+  enum ph_status status =
+      rules->how == PH_SAMPLE_PARAMETER
+          ? reserve(walk, (double)curve->n * ((double)rules->n + 1), 0)
+      : rules->how == PH_SAMPLE_SPACING && !walk->sampler.offset
+          ? reserve(walk, curve->length / rules->spacing + 4, 0)
+          : PH_OK;
+  for (size_t k = 0; status == PH_OK && k < curve->n; k++) {
+    status = ph_arena_late(walk->sampler.arena) ? ph_fail_memory(walk->diag)
+                                                : enter(walk, k);
+    if (status == PH_OK) {
+      status = places[rules->how](walk);
+      ph_sum_add(&walk->start, walk->sampler.length);
+    }
+    if (status == PH_OK && rules->how == PH_SAMPLE_SPACING && ends(walk)) {
+      end(walk);
+    }
+  }
+  return status;
+}
+
+/* out  length  of what is sampled */
+static enum ph_status sample(const struct ph_curve *curve,
+                             const struct ph_offset *offset,
+                             const struct ph_sample_rules *rules,
+                             enum ph_frame frame, struct ph_arena *arena,
+                             struct ph_samples *samples, double *length,
+                             struct ph_diag *diag) {
+  struct walk walk = {.rules = rules,
+                      .chords = {.arena = arena},
+                      .samples = samples,
+                      .most = rules->most ? rules->most : PH_SAMPLES_MAX,
+                      .diag = diag};
+  enum ph_status status =
+      ph_sampler_begin(&walk.sampler, curve, offset, arena, diag);
+  *samples = (struct ph_samples){.frame = frame, .dimension = curve->dimension};
+  if (status == PH_OK) {
+    status = ph_framing_begin(&walk.framing, curve, frame, arena, diag);
+  }
+  if (status == PH_OK) {
+    status = go(&walk);
+  }
+  *length = ph_sum_value(&walk.start);
+  return status;
+}
+
+enum ph_status ph_sample_curve(const struct ph_curve *curve,
+                               const struct ph_sample_rules *rules,
+                               struct ph_arena *arena,
+                               struct ph_samples *samples,
+                               struct ph_diag *diag) {
+  double length;
+  return sample(curve, NULL, rules, rules->frame, arena, samples, &length,
+                diag);
+}
+
+enum ph_status ph_sample_offset(const struct ph_curve *curve,
+                                const struct ph_sample_rules *rules,
+                                struct ph_arena *arena,
+                                struct ph_offset *offset,
+                                struct ph_diag *diag) {
+  return sample(curve, offset, rules, PH_FRAME_NONE, arena, &offset->samples,
+                &offset->length, diag);
+}

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One segment of a spatial PH or ATPH spline, or of a planar one taken in
+ * space, by itself: points, derivatives, curvature and torsion, frames, parts.
+ *
+ * The preimage is with respect to u in [0,1], whatever the curve writes:
+ * r'(u) = A(u) i A(u)*.  All invariants come from W = vect(A* A'), which lies
+ * in the space of A again: with W = x i + p j + q k and z = p + i q,
+ *
+ *   kappa = 2 |z| / sigma^2                                             (1)
+ *   tau = (Im(conj(z) z') / |z|^2 + 2 x / sigma) / sigma                (2)
+ *   e2' = 2 (x e3 - q e1) / sigma,  e3' = 2 (p e1 - x e2) / sigma       (3)
+ *
+ * for the Euler-Rodrigues frame e1 = A i A* / sigma, e2 = A j A* / sigma,
+ * e3 = A k A* / sigma.  [FAR15, sec. 3; (1)-(3) derived from r' = A i A*,
+ * tested by t_seg3.c]
+ */
+#ifndef PH_CURVE_SEGMENT_SEG3_H
+#define PH_CURVE_SEGMENT_SEG3_H
+
+#include "curve/result.h"
+#include "kernel/atph.h"
+#include "kernel/quad.h"
+#include "kernel/quat.h"
+
+struct ph_seg3 {
+  struct ph_atph space;
+  ph_quat a[3];
+  ph_vec3 start, end;
+};
+
+/*
+ * ph_seg3_of: segment k of a curve in space, or in the plane z = 0: with
+ * A = Re w + Im w k, r' = w^2 there and e2 is the left normal.  The preimage of
+ * a Tschirnhausen cubic is raised to degree 2, as in seg2.h.
+ */
+struct ph_seg3 ph_seg3_of(const struct ph_curve *curve, size_t k);
+
+/* ph_seg3_pair: the preimage as two complex ones, A = pair[0] + pair[1] j. */
+void ph_seg3_pair(const struct ph_seg3 *seg, ph_cplx pair[2][3]);
+
+/* The normals of the Euler-Rodrigues frame. */
+enum ph_normal { PH_E2, PH_E3 };
+
+/* ph_normal_between: vect(a j b*) for e2, vect(a k b*) for e3. */
+static inline ph_vec3 ph_normal_between(enum ph_normal normal, ph_quat a,
+                                        ph_quat b) {
+  return normal == PH_E2 ? ph_quat_j(a, b) : ph_quat_k(a, b);
+}
+
+/* ph_seg3_jet: A and its derivatives with respect to u.
+ * out  jet[n]  A, A', ..., n <= 4 */
+void ph_seg3_jet(const struct ph_seg3 *seg, double u, ph_quat *jet, size_t n);
+
+/*
+ * ph_seg3_point: r(u), by quadrature of the hodograph from the nearer end, so
+ * that the ends are met exactly and nothing cancels.
+ *
+ * in   rule  12 Gauss nodes reach rounding for every angle below pi
+ */
+ph_vec3 ph_seg3_point(const struct ph_seg3 *seg, const struct ph_quad *rule,
+                      double u);
+
+/* What bends and twists at u.  Where the curvature vanishes, torsion and slopes
+ * are not finite. */
+struct ph_bend3 {
+  double speed;         /* |r'| = |A|^2, per u */
+  double curvature;     /* (1), not negative */
+  double torsion;       /* (2) */
+  double slope;         /* d curvature / du */
+  double torsion_slope; /* d torsion / du */
+  ph_cplx z;            /* curvature vector: 2 (q e2 - p e3) / sigma^2 */
+  double turn;          /* 2 x / sigma: of e2 towards e3 about the tangent,
+                           relative to a rotation-minimising frame, per u */
+};
+
+/* ph_seg3_bend: the speed is positive unless A(u) = 0; there the rest is not
+ * finite. */
+struct ph_bend3 ph_seg3_bend(const struct ph_seg3 *seg, double u);
+
+/* ph_seg3_frame: the Euler-Rodrigues frame at u.
+ * out  e[3]  unit vectors, right-handed; e[0] is the tangent */
+void ph_seg3_frame(const struct ph_seg3 *seg, double u, ph_vec3 e[3]);
+
+/*
+ * ph_seg3_twist: the angle by which the Euler-Rodrigues frame turns about the
+ * tangent from 0 to u, relative to a rotation-minimising frame: that one is
+ * e2, e3 turned back by it.
+ *
+ * Adaptive Gauss quadrature of `turn` to 1e-12; not finite where the curve
+ * stands still.
+ */
+double ph_seg3_twist(const struct ph_seg3 *seg, const struct ph_quad *rule,
+                     double u);
+
+/* ph_seg3_part: the part [u0,u1] on [0,1] again; points as for ph_seg3_point.
+ */
+struct ph_seg3 ph_seg3_part(const struct ph_seg3 *seg,
+                            const struct ph_quad *rule, double u0, double u1);
+
+#endif

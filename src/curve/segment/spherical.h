@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A cubic spherical Bezier segment: de Casteljau's algorithm with great-circle
+ * interpolation in place of straight lines [IOR15, sec. 2.4], on the unit
+ * sphere, t in [0,1].  Derivatives are exact, by jets: products and quotients
+ * of (value, ', '', '''), no differences.
+ *
+ * K = S . (S' x S'') is the numerator of the geodesic curvature
+ *   kappa_g = K / |S'|^3,   K' = S . (S' x S'''),
+ * positive where the curve turns to the left seen from outside.
+ */
+#ifndef PH_CURVE_SEGMENT_SPHERICAL_H
+#define PH_CURVE_SEGMENT_SPHERICAL_H
+
+#include "curve/result.h"
+#include "kernel/vec3.h"
+
+/* Control points, unit vectors; no two neighbours antipodal. */
+struct ph_spherical {
+  ph_vec3 p[4];
+};
+
+/* ph_spherical_of: segment k of a PH_CURVE_SPHERICAL_NU curve, brought to the
+ * unit sphere. */
+struct ph_spherical ph_spherical_of(const struct ph_curve *curve, size_t k);
+
+/* ph_spherical_point: S(t), of unit length to rounding. */
+ph_vec3 ph_spherical_point(const struct ph_spherical *s, double t);
+
+/* ph_spherical_first: S and S' at t; out  jet[2] */
+void ph_spherical_first(const struct ph_spherical *s, double t, ph_vec3 jet[2]);
+
+/* ph_spherical_jet: S, S', S'', S''' at t; out  jet[4] */
+void ph_spherical_jet(const struct ph_spherical *s, double t, ph_vec3 jet[4]);
+
+/* ph_spherical_numerator: K and K' at t, for control points taken as exact to a
+ * few roundings of |S'| (|S'| + |S''|) and |S'| (|S'| + |S'''|); out  k[2] */
+void ph_spherical_numerator(const struct ph_spherical *s, double t,
+                            double k[2]);
+
+/* ph_spherical_numerator_start: K at t = 0, in closed form: with the angles th
+ * from p0 to p1 and om from p1 to p2, and f_0 of s2.h,
+ *   K = 18 [p0, p1, p2] / (f_0(th^2)^2 f_0(om^2));
+ * 0 where p1 = p0.  Of t = 1: ph_spherical_numerator_end. */
+double ph_spherical_numerator_start(const struct ph_spherical *s);
+double ph_spherical_numerator_end(const struct ph_spherical *s);
+
+/* ph_spherical_curvature: kappa_g at t; not finite where S' = 0.  At 0 and 1 it
+ * is that of the closed forms. */
+double ph_spherical_curvature(const struct ph_spherical *s, double t);
+
+/* kappa_g at t = 0 and t = 1 in closed form, K / (27 th^3); not
+ * finite where p1 = p0 or p2 = p3. */
+double ph_spherical_curvature_start(const struct ph_spherical *s);
+double ph_spherical_curvature_end(const struct ph_spherical *s);
+
+/*
+ * ph_spherical_length: the arc length from t = 0 to t = to, in (0, 1], to 1e-13
+ * relative, also where control points nearly coincide.  A segment that hardly
+ * bends, with little change of speed, takes 5 values of S'.
+ *
+ * ret  NaN when the depth of halving does not suffice
+ */
+double ph_spherical_length(const struct ph_spherical *s, double to);
+
+#endif

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A spherical Bezier segment prepared for many evaluations: what does not
+ * depend on the parameter (spherical.c, where m, d, E, phi, Q are explained).
+ */
+#ifndef PH_CURVE_SEGMENT_SPHERICAL_NET_H
+#define PH_CURVE_SEGMENT_SPHERICAL_NET_H
+
+#include "curve/segment/spherical.h"
+
+/* Two neighbouring control points. */
+struct ph_spherical_arc {
+  ph_vec3 mu, m, d; /* m as a displacement from p[0], and in full */
+  double e;
+  double square;    /* theta^2 */
+  double a, b;      /* theta tan(phi), theta / tan(phi) */
+  double q, ic, ig; /* far: Q, 1 / cos(phi), 1 / f_0(Q) */
+};
+
+struct ph_spherical_net {
+  ph_vec3 base; /* p[0] */
+  double e;     /* the greatest of the arcs */
+  size_t terms; /* of the power series in E that suffice; 0: far */
+  struct ph_spherical_arc arc[3];
+};
+
+void ph_spherical_net_of(const struct ph_spherical *s,
+                         struct ph_spherical_net *net);
+
+/* ph_spherical_net_speed: |S'(t)| */
+double ph_spherical_net_speed(const struct ph_spherical_net *net, double t);
+
+#endif
