@@ -36,7 +36,7 @@
     "what the columns of CSV input are, in order (-: skip)")                  \
   X(DELIMITER, ALL, 0, "delimiter", "C",                                      \
     "separator of CSV input (default: a comma; a tab in .tsv files)")         \
-  X(FORMAT, SOLVE, 'f', "format", &PH_FORMAT_WORDS[1],                        \
+  X(FORMAT, SOLVE, 'f', "format", PH_FORMAT_WORDS,                            \
     "json (default): one object a line; csv (with --table the default): one " \
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths " \
     "of cubic Bezier curves")                                                 \

@@ -63,7 +63,7 @@ const struct ph_format_row ph_formats[PH_FORMAT_N] = {
 const char *ph_format_name(enum ph_format format) {
   static const char *const names[PH_FORMAT_N] = {
 #define X(symbol, name) name,
-      PH_FORMATS(X)
+      PH_FORMATS(X, X)
 #undef X
   };
   return names[format];

@@ -9,23 +9,24 @@
 #include "io/csv_out.h"
 #include "io/json_out.h"
 
-/* X(SYMBOL, "name"); the first is the default. */
-#define PH_FORMATS(X) \
-  X(JSON, "json")     \
-  X(CSV, "csv")       \
-  X(TEXT, "text")     \
+/* X(SYMBOL, "name"), FIRST(SYMBOL, "name") of the default. */
+#define PH_FORMATS(FIRST, X) \
+  FIRST(JSON, "json")        \
+  X(CSV, "csv")              \
+  X(TEXT, "text")            \
   X(SVG_PATH, "svg-path")
 
 enum ph_format {
 #define X(symbol, name) PH_FORMAT_##symbol,
-  PH_FORMATS(X)
+  PH_FORMATS(X, X)
 #undef X
       PH_FORMAT_N
 };
 
-/* "|json|csv|...": their names. */
+/* "json|csv|...": their names. */
+#define PH_FORMAT_FIRST_WORD(symbol, name) name
 #define PH_FORMAT_WORD(symbol, name) "|" name
-#define PH_FORMAT_WORDS PH_FORMATS(PH_FORMAT_WORD)
+#define PH_FORMAT_WORDS PH_FORMATS(PH_FORMAT_FIRST_WORD, PH_FORMAT_WORD)
 
 /* How a run prints its results. */
 struct ph_print {
