@@ -2,7 +2,6 @@
 /* Formats the one failure of a record into its struct ph_diag; no output. */
 #include "base/diag.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -23,15 +22,20 @@ static void trim_partial_utf8(char *text) {
   }
 }
 
-static enum ph_status set(struct ph_diag *diag, enum ph_status status,
-                          const char *format, va_list args) {
+static void set(struct ph_diag *diag, enum ph_status status, const char *format,
+                va_list args) {
   diag->status = status;
   diag->line = 0;
   diag->column = 0;
   vsnprintf(diag->message, sizeof diag->message, format, args);
   trim_partial_utf8(diag->message);
   trim_partial_utf8(diag->field);
-  return status;
+}
+
+void ph_diag_set(struct ph_diag *diag, enum ph_status status,
+                 const char *format, va_list args) {
+  diag->field[0] = '\0';
+  set(diag, status, format, args);
 }
 
 enum ph_status ph_fail(struct ph_diag *diag, enum ph_status status,

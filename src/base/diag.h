@@ -13,6 +13,7 @@
 
 #include "base/status.h"
 
+#include <stdarg.h>
 #include <stddef.h>
 
 enum { PH_DIAG_FIELD_MAX = 96, PH_DIAG_MESSAGE_MAX = 320 };
@@ -41,6 +42,10 @@ struct ph_diag {
 enum ph_status ph_fail(struct ph_diag *diag, enum ph_status status,
                        const char *field, const char *format, ...)
     PH_PRINTF(4, 5);
+
+/* ph_diag_set: the same without a field, from a list of arguments. */
+void ph_diag_set(struct ph_diag *diag, enum ph_status status,
+                 const char *format, va_list args) PH_PRINTF(3, 0);
 
 /* ph_fail_at: the same for element `index` of an array field. */
 enum ph_status ph_fail_at(struct ph_diag *diag, enum ph_status status,

@@ -22,7 +22,6 @@ enum { OFFSET_SAMPLES = 16 };
 static void warn_cusps(struct ph_result *result) {
   const struct ph_offset *o = result->offsets, *end = o + result->offsets_n;
   const struct ph_place *at;
-  struct ph_diag *diag;
   while (o < end && !o->cusps.n) {
     o++;
   }
@@ -30,21 +29,20 @@ static void warn_cusps(struct ph_result *result) {
     return;
   }
   at = &o->cusps.at[0];
-  diag = ph_warning_add(result, at->segment);
   if (o->vector) {
-    ph_fail(diag, PH_OFFSET_CUSP, NULL,
+    ph_warn(result, at->segment, PH_OFFSET_CUSP,
             "the offset at distance %g along %s turns back, where the radius "
             "of curvature towards it is smaller: %zu times, first in "
             "segment %zu at %.6g of its interval",
             o->distance, o->vector, o->cusps.n, at->segment, at->u);
   } else if (result->curve.sphere.radius > 0) {
-    ph_fail(diag, PH_OFFSET_CUSP, NULL,
+    ph_warn(result, at->segment, PH_OFFSET_CUSP,
             "the offset at distance %g has cusps, where the curve bends as a "
             "circle of that radius on the sphere: %zu, the first in segment "
             "%zu at %.6g of its interval",
             o->distance, o->cusps.n, at->segment, at->u);
   } else {
-    ph_fail(diag, PH_OFFSET_CUSP, NULL,
+    ph_warn(result, at->segment, PH_OFFSET_CUSP,
             "the offset at distance %g has cusps, where the radius of "
             "curvature equals it: %zu, the first in segment %zu at %.6g of "
             "its interval",
@@ -67,7 +65,7 @@ static void warn_gaps(struct ph_result *result) {
     n += (size_t)snprintf(joints + n, sizeof joints - n, "%s%zu",
                           i > 0 ? ", " : "", o->gaps.before[i]);
   }
-  ph_fail(ph_warning_add(result, o->gaps.before[0]), PH_OFFSET_GAP, NULL,
+  ph_warn(result, o->gaps.before[0], PH_OFFSET_GAP,
           "the offset at distance %g%s%s has gaps, where the %s: %zu, before "
           "%s %s%s",
           o->distance, o->vector ? " along " : "", o->vector ? o->vector : "",

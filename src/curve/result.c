@@ -95,10 +95,14 @@ double ph_curve_size(const struct ph_curve *curve) {
   return sum;
 }
 
-struct ph_diag *ph_warning_add(struct ph_result *result, size_t segment) {
+void ph_warn(struct ph_result *result, size_t segment, enum ph_status status,
+             const char *format, ...) {
   struct ph_warning *warning = &result->warnings[result->warnings_n];
+  va_list args;
   assert(result->warnings_n < PH_WARNINGS_MAX);
   result->warnings_n++;
   warning->segment = segment;
-  return &warning->diag;
+  va_start(args, format);
+  ph_diag_set(&warning->diag, status, format, args);
+  va_end(args);
 }

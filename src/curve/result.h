@@ -420,11 +420,10 @@ const char *ph_frame_name(enum ph_frame frame);
 /* ph_outcome_name: the name of an outcome, as in records. */
 const char *ph_outcome_name(enum ph_outcome outcome);
 
-/*
- * ph_warning_add: a new warning about a segment, for the caller to fill with
- * ph_fail.
- */
-struct ph_diag *ph_warning_add(struct ph_result *result, size_t segment);
+/* ph_warn: adds a warning about a segment, or PH_NO_SEGMENT; the message is a
+ * sentence without a field. */
+void ph_warn(struct ph_result *result, size_t segment, enum ph_status status,
+             const char *format, ...) PH_PRINTF(4, 5);
 
 /*
  * ph_curve_alloc: the arrays of a curve that all kinds have, and alpha of atph.

@@ -292,8 +292,7 @@ static void warn_wiggle(const struct ph_arc_search *search,
   }
   if (found > 0) {
     size_t shown = ph_arc_data_user(d, worst);
-    ph_fail(ph_warning_add(result, shown * search->system.refine), PH_WIGGLE,
-            NULL,
+    ph_warn(result, shown * search->system.refine, PH_WIGGLE,
             "lengths[%zu] is %.6g, naturally %.6g: the curve wiggles by about "
             "%.2g (such intervals: %zu)",
             shown, d->length[worst] * unit(search),
@@ -305,8 +304,7 @@ static void warn_wiggle(const struct ph_arc_search *search,
 static void warn_misses(struct ph_result *result) {
   double rms = result->diagnostics.value[PH_D_LENGTH_RMS];
   if (rms > DEVIATIONS) {
-    ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_INCONSISTENT_LENGTHS,
-            NULL,
+    ph_warn(result, PH_NO_SEGMENT, PH_INCONSISTENT_LENGTHS,
             "the lengths are missed by %.3g standard deviations: points that "
             "a curve hardly bends through outweigh them",
             rms);
@@ -318,12 +316,12 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
   const struct ph_arc_data *d = search->system.data;
   const struct ph_arc_point *p = &search->found[0].point;
   if (left_plane) {
-    ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_LEAVES_PLANE, NULL,
+    ph_warn(result, PH_NO_SEGMENT, PH_LEAVES_PLANE,
             "the data lie in a plane, in which no curve was found: this one "
             "leaves it");
   }
   if (!p->minimiser) {
-    ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_SADDLE, NULL,
+    ph_warn(result, PH_NO_SEGMENT, PH_SADDLE,
             "the curve bends least in the plane of the data, but not in "
             "space: \"planar\":\"free\" lets it leave the plane");
   }
@@ -338,8 +336,7 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
   if (p->f > CONSISTENT * search->natural.f + F_ROUNDING &&
       !(d->sigma > 0 &&
         result->diagnostics.value[PH_D_LENGTH_RMS] > DEVIATIONS)) {
-    ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_INCONSISTENT_LENGTHS,
-            NULL,
+    ph_warn(result, PH_NO_SEGMENT, PH_INCONSISTENT_LENGTHS,
             "the lengths fit no smooth curve through the data: F is %.6g, with "
             "free lengths %.6g",
             p->f * unit(search), result->diagnostics.value[PH_D_F_RELAXED]);

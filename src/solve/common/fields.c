@@ -121,7 +121,7 @@ void ph_warn_alpha(const struct ph_curve *curve, struct ph_result *result) {
     }
   }
   if (found) {
-    ph_fail(ph_warning_add(result, first), PH_LARGE_ALPHA, NULL,
+    ph_warn(result, first, PH_LARGE_ALPHA,
             "alpha[%zu] is above 2 pi/3 (such segments: %zu)", first, found);
   }
 }

@@ -44,12 +44,12 @@ enum { KANTOROVICH_MAX = 100 };
 static void warn_loops(const struct ph_planar_loops *loops,
                        struct ph_result *result) {
   if (loops->n && isnan(loops->angle)) {
-    ph_fail(ph_warning_add(result, loops->first), PH_LOOP, NULL,
+    ph_warn(result, loops->first, PH_LOOP,
             "segment %zu stands still somewhere, or turns on the spot (with "
             "loops, such segments: %zu)",
             loops->first, loops->n);
   } else if (loops->n) {
-    ph_fail(ph_warning_add(result, loops->first), PH_LOOP, NULL,
+    ph_warn(result, loops->first, PH_LOOP,
             "segment %zu turns by %.4g radians, more than half a turn (such "
             "segments: %zu)",
             loops->first, loops->angle, loops->n);
@@ -77,7 +77,7 @@ static void warn_reversals(const struct ph_planar_data *d,
     }
   }
   if (found) {
-    ph_fail(ph_warning_add(result, first), PH_REVERSAL, NULL,
+    ph_warn(result, first, PH_REVERSAL,
             "the data turn back by 180 degrees at points[%zu] (such points: "
             "%zu): of two mirror images the left turn was taken",
             first, found);
@@ -171,7 +171,7 @@ static enum ph_status compare_starts(struct ph_planar_data *d,
   } else {
     d->c2.twist.re = twist;
   }
-  ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_AMBIGUOUS, NULL,
+  ph_warn(result, PH_NO_SEGMENT, PH_AMBIGUOUS,
           "another good curve exists, of length %.6g: of the two the one that "
           "bends less was taken; \"solutions\":\"all\" shows all",
           other);

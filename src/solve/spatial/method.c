@@ -327,8 +327,7 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
 
 static void warn_shape(const struct task *t) {
   if (t->unsatisfied) {
-    ph_fail(ph_warning_add(t->result, t->first_unsatisfied),
-            PH_SHAPE_UNSATISFIABLE, NULL,
+    ph_warn(t->result, t->first_unsatisfied, PH_SHAPE_UNSATISFIABLE,
             "segment %zu does not keep the shape of its data at any tension: "
             "%s (such segments: %zu)",
             t->first_unsatisfied, t->why, t->unsatisfied);
@@ -352,7 +351,7 @@ static void warn_reversals(const struct task *t) {
     }
   }
   if (found) {
-    ph_fail(ph_warning_add(t->result, first), PH_REVERSAL, NULL,
+    ph_warn(t->result, first, PH_REVERSAL,
             "the data turn back by 180 degrees at points[%zu] (such points: "
             "%zu): of many tangents one was taken",
             first, found);

@@ -167,7 +167,7 @@ static void warn_reversal(const struct task *t, struct ph_result *result) {
     }
   }
   if (n > 0) {
-    ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_REVERSAL, NULL,
+    ph_warn(result, PH_NO_SEGMENT, PH_REVERSAL,
             "the data turn back on a great circle at %zu point%s, first at "
             "node %zu",
             n, n == 1 ? "" : "s", first);
@@ -177,16 +177,15 @@ static void warn_reversal(const struct task *t, struct ph_result *result) {
 static void warn(const struct task *t, struct ph_result *result) {
   const struct ph_sphere_raise *raise = &t->raise;
   if (t->data.tell_moved) {
-    ph_fail(ph_warning_add(result, PH_NO_SEGMENT), PH_MOVED_POINTS, NULL,
+    ph_warn(result, PH_NO_SEGMENT, PH_MOVED_POINTS,
             "points are not on the sphere and were moved onto it, "
             "points[%zu] farthest, by %.2g of the radius",
             t->data.moved_at, t->data.moved);
   }
   if (t->keep_shape && raise->waived > 0) {
-    ph_fail(ph_warning_add(result, raise->criterion == PH_SPHERE_SEGMENT
-                                       ? raise->at
-                                       : PH_NO_SEGMENT),
-            PH_SHAPE_UNSATISFIABLE, NULL,
+    ph_warn(result,
+            raise->criterion == PH_SPHERE_SEGMENT ? raise->at : PH_NO_SEGMENT,
+            PH_SHAPE_UNSATISFIABLE,
             "%zu %s of shape %s %s, the first is %s at %s %zu", raise->waived,
             raise->waived == 1 ? "criterion" : "criteria",
             raise->waived == 1 ? "fails" : "fail",

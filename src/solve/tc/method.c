@@ -19,7 +19,7 @@ static void warn_crossings(const struct ph_tc_crossings *crossings,
                            struct ph_result *result) {
   if (crossings->n > 0) {
     const struct ph_interval *at = &result->intervals[crossings->first];
-    ph_fail(ph_warning_add(result, at->first), PH_LOOP, NULL,
+    ph_warn(result, at->first, PH_LOOP,
             "the curve of interval %zu has a loop or crosses itself (such "
             "intervals: %zu)",
             crossings->first, crossings->n);

@@ -93,8 +93,8 @@ PH_TEST(test_heading) {
 PH_TEST(test_warnings) {
   const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
   struct ph_result result = by_hand();
-  ph_fail(ph_warning_add(&result, 3), PH_LOOP, NULL, "it turns");
-  ph_fail(ph_warning_add(&result, PH_NO_SEGMENT), PH_REVERSAL, NULL, "so");
+  ph_warn(&result, 3, PH_LOOP, "it turns");
+  ph_warn(&result, PH_NO_SEGMENT, PH_REVERSAL, "so");
   ph_json_result(&buf, &heading, &result, false);
   ck_assert_ptr_nonnull(
       strstr(written(), "},\"warnings\":[{\"code\":\"loop\",\"segment\":3,"
