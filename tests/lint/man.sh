@@ -39,7 +39,7 @@ table() {
   printf '#include "%s"\n#undef NULL\n#define X(%s) @ %s\n%s(X)\n' \
     "$1" "$3" "$4" "$2" |
     ${CC:-cc} -E -P -Isrc -x c - | tr '\n@' ' \n' |
-    awk 'NR > 1 { gsub(/" "\|/, "|"); gsub(/"/, ""); $1 = $1; print }'
+    awk 'NR > 1 { gsub(/"/, ""); gsub(/ *\| */, "|"); $1 = $1; print }'
 }
 
 # items PAGE SECTION MACRO: what the lists of a section name with the macro

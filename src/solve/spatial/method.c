@@ -151,11 +151,12 @@ static struct ph_spatial_member
 choose_of(const struct criterion *criterion,
           const struct ph_spatial_family *family) {
   struct ph_spatial_member member = criterion->choose(family);
+  struct ph_spatial_family plane;
   ph_quat a[3];
   if (family->has_plane && !family->planar) {
     ph_spatial_preimage(family, member, a);
     if (!ph_spatial_is_plane(family, a)) {
-      struct ph_spatial_family plane = *family;
+      plane = *family;
       plane.planar = true;
       member = criterion->choose(&plane);
     }
