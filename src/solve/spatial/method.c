@@ -147,21 +147,19 @@ static const double *fixed_angles(const struct task *t, size_t k) {
 
 /* The member that a criterion chooses, of plane data from those in their plane.
  * Where it lies in the plane as the data do, it is that of any data. */
-static struct ph_spatial_member
-choose_of(const struct criterion *criterion,
-          const struct ph_spatial_family *family) {
-  struct ph_spatial_member member = criterion->choose(family);
-  struct ph_spatial_family plane;
+static void choose_of(const struct criterion *criterion,
+                      const struct ph_spatial_family *family,
+                      struct ph_spatial_member *member) {
+  struct ph_spatial_family plane = *family;
   ph_quat a[3];
+  *member = criterion->choose(family);
   if (family->has_plane && !family->planar) {
-    ph_spatial_preimage(family, member, a);
+    ph_spatial_preimage(family, *member, a);
     if (!ph_spatial_is_plane(family, a)) {
-      plane = *family;
       plane.planar = true;
-      member = criterion->choose(&plane);
+      *member = criterion->choose(&plane);
     }
   }
-  return member;
 }
 
 /* A criterion that is a function of the family, or given angles. */
@@ -172,7 +170,7 @@ static enum ph_status choose_member(struct ph_spatial_family *family,
   const struct task *t = c->task;
   const double *angles = fixed_angles(t, c->segment);
   if (!angles) {
-    *member = choose_of(t->criterion, family);
+    choose_of(t->criterion, family, member);
     return PH_OK;
   }
   return ph_spatial_member_of(family, angles, t->axis, member) ? PH_OK
