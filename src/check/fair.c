@@ -42,6 +42,11 @@ static const double PLANE = 1e-10;
  * closely as two orders of smoothness less allow. */
 static const double INFLECTION = 1e-2, INFLECTED = 1e-5, SMOOTH = 1e-8;
 
+/* Where rounding may change r' by more than this part of it, the curve may as
+ * well stand still or turn back there: energies are anything, and the tangent
+ * turns by half a turn to either side. */
+static const double STILL = 0x1p-6;
+
 /* Places among which dips are searched, steps that find one, and how many there
  * are at most in a quintic. */
 enum { PLACES = 32, STEPS = 40, DIPS = 4 };
@@ -169,12 +174,20 @@ static double bending_at(const struct ph_check_segment *s, double u) {
   return ph_vec3_dot(turn, turn) / (square * square);
 }
 
+/* |r'|^2 */
+static double speed_at(const struct ph_check_segment *s, double u) {
+  ph_vec3 jet[1];
+  ph_check_jet(s, u, jet, 1);
+  return ph_vec3_dot(jet[0], jet[0]);
+}
+
 /* The lowest place between two. */
-static double dip_between(const struct ph_check_segment *s, double from,
+static double dip_between(double (*f)(const struct ph_check_segment *, double),
+                          const struct ph_check_segment *s, double from,
                           double to) {
   for (size_t i = 0; i < STEPS; i++) {
     double a = to - GOLDEN * (to - from), b = from + GOLDEN * (to - from);
-    if (bending_at(s, a) < bending_at(s, b)) {
+    if (f(s, a) < f(s, b)) {
       to = b;
     } else {
       from = a;
@@ -201,8 +214,8 @@ static size_t cuts_of(const struct ph_check_segment *s, double *cut,
   cut[0] = 0;
   for (size_t i = 1; i < PLACES && n <= DIPS; i++) {
     if (g[i] < g[i - 1] && g[i] <= g[i + 1]) {
-      cut[n] =
-          dip_between(s, (double)(i - 1) / PLACES, (double)(i + 1) / PLACES);
+      cut[n] = dip_between(bending_at, s, (double)(i - 1) / PLACES,
+                           (double)(i + 1) / PLACES);
       low = ph_check_smaller(low, bending_at(s, cut[n]));
       n++;
     }
@@ -210,6 +223,27 @@ static size_t cuts_of(const struct ph_check_segment *s, double *cut,
   cut[n++] = 1;
   *depth = sqrt(low / high);
   return n;
+}
+
+/* Whether a segment nearly stands still somewhere. */
+static bool stands_still(const struct ph_check_segment *s) {
+  double least = s->noise / STILL, g[PLACES + 1];
+  for (size_t i = 0; i <= PLACES; i++) {
+    g[i] = speed_at(s, (double)i / PLACES);
+    if (!(g[i] > least * least)) {
+      return true;
+    }
+  }
+  for (size_t i = 1; i < PLACES; i++) {
+    if (g[i] <= g[i - 1] && g[i] <= g[i + 1]) {
+      double u = dip_between(speed_at, s, (double)(i - 1) / PLACES,
+                             (double)(i + 1) / PLACES);
+      if (!(speed_at(s, u) > least * least)) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 /* The integrals over a segment, of which the curve is cut in space. */
@@ -234,6 +268,11 @@ static void integrate(const struct fair *fair, const struct ph_check_segment *s,
     for (size_t i = 0; i < in.n; i++) {
       value[in.what[i]] += sum[i];
       error[in.what[i]] += sum[in.n + i] + 4 * INTEGRAL * fabs(sum[i]);
+    }
+  }
+  if (stands_still(s)) {
+    for (size_t i = 0; i < INTEGRALS; i++) {
+      error[i] = HUGE_VAL;
     }
   }
   if (!in.plane) {

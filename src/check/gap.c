@@ -51,8 +51,8 @@ static struct ph_check_place at_end(struct context *c, size_t k, double u) {
   return ph_check_place_at(c->path, u);
 }
 
-/* The jump before segment k against whether it is listed; whether it is.  On a
- * sphere there may be no direction at rest, and so no place beside it. */
+/* The jump before segment k against whether it is listed; whether it is.  At
+ * rest there may be no direction, and so no place beside it. */
 static bool check_jump(struct context *c, size_t k) {
   struct ph_check *v = c->v;
   const size_t n = v->curve->n;
@@ -62,7 +62,7 @@ static bool check_jump(struct context *c, size_t k) {
   const double jump = ph_check_apart(a.point, b.point);
   const double error = a.point_error + b.point_error;
   const bool listed = c->gap < c->o->gaps.n && c->o->gaps.before[c->gap] == k;
-  if (v->curve->sphere.radius > 0 && !isfinite(error)) {
+  if (!isfinite(error)) {
     return listed;
   }
   if (!listed) {

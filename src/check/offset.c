@@ -104,6 +104,21 @@ static ph_vec3 scaled(const struct ph_check *v, ph_vec3 a) {
   return ph_check_vector(v, x, 3);
 }
 
+/* Where the offset is that was found somewhere; where the curve stands still
+ * and has no direction, at the distance in any. */
+static struct ph_check_place place_of(const struct context *c, double u,
+                                      ph_vec3 found) {
+  struct ph_check_place at = ph_check_place_at(&c->path, u);
+  if (isnan(at.point.x)) {
+    ph_vec3 on = ph_check_point(c->v, &c->segment, u);
+    ph_vec3 away = ph_vec3_sub(found, on);
+    at.point = ph_vec3_along(
+        on, fabs(c->path.distance) / ph_check_apart(found, on), away);
+    at.point_error = c->segment.noise;
+  }
+  return at;
+}
+
 /* Piece i at places of its interval. */
 static void check_rational(struct context *c, size_t i) {
   struct ph_check *v = c->v;
@@ -121,10 +136,11 @@ static void check_rational(struct context *c, size_t i) {
   for (size_t place = 0; place <= PLACES; place++) {
     double x = (double)place / PLACES, u = in[0] + x * (in[1] - in[0]);
     double b[DEGREE_MAX + 1];
-    struct ph_check_place at = ph_check_place_at(&c->path, u);
+    struct ph_check_place at;
     ph_vec3 found;
     bernstein(o->degree, x, b);
     found = scaled(v, combine(b, n, o->dimension, p, w));
+    at = place_of(c, u, found);
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "control_points"),
                   ph_check_apart(found, at.point), v->size,
                   at.point_error + ph_check_reach(v, found),
@@ -141,12 +157,14 @@ static void check_quotient(struct context *c, size_t i) {
   for (size_t place = 0; place <= PLACES; place++) {
     double u = (double)place / PLACES, b[5];
     ph_vec3 point = ph_check_point(v, &c->segment, u), found;
-    struct ph_check_place at = ph_check_place_at(&c->path, u);
+    struct ph_check_place at;
     trigonometric(c->segment.angle, u, b);
-    found = scaled(v, quotient(b, o->dimension, top, bottom));
+    found =
+        ph_vec3_add(point, scaled(v, quotient(b, o->dimension, top, bottom)));
+    at = place_of(c, u, found);
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "numerator"),
-                  ph_check_apart(ph_vec3_add(point, found), at.point), v->size,
-                  at.point_error, "and denominator are not at the distance");
+                  ph_check_apart(found, at.point), v->size, at.point_error,
+                  "and denominator are not at the distance");
   }
 }
 

@@ -111,6 +111,22 @@ derived tc '{"points":[[0,1],[6,1]],"tangents":[[1,-1],[1,1]]}' --mode=g1 \
   --solutions=all --blaschke
 derived tc '{"curve":[[0,0],[1,2],[3,2],[4,-1],[6,0]]}' --tolerance=0.01
 
+# rounding hides where curves nearly stand still, and which way they go there
+echo '{"points":[[-22730000,-51834000],[-22730000,-51834400]],
+  "derivatives":[[0,-2e-9],[0,20000]]}' >still
+made tc <still
+verified 'a derivative below rounding' 1 --problems=still
+echo '{"points":[[2229065.45617269,16031338.93436713],
+  [2229078.934760216,16031336.216885017],[0,0]],
+  "tangents":[[0.98027509,-0.19763792137],[0.9803,-0.1977],[0,-0.2]]}' >still
+made tc --offset=9 <still
+verified 'an offset beside a point at rest' 1 --problems=still
+for command in planar tc; do
+  echo '{"points":[[0,0],[-0.2,-4e-9],[-0.2,0]],"solutions":"all"}' >still
+  made "$command" <still
+  verified "$command: solutions that turn back" 1 --problems=still
+done
+
 # an offset that turns back in a segment too short for rounding, with its cusp
 for command in planar 'planar --basis=atph' tc; do
   echo '{"points":[[-71.429795,-53.856455],[-72.557943,-53.53141],
