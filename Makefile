@@ -364,11 +364,18 @@ fuzz-run: $(call pick,$(FUZZ))
 	@FUZZ_TIME=$(FUZZ_TIME) PH_TIMEOUT=$$(($(FUZZ_TIME) + 600)) \
 	  PH_WRAP='sh tests/fuzz/run' $(RUN) $(call pick,$(FUZZ))
 
-check-long: ## a million trials of a conjecture (TRIALS=1000000)
+# Problems are solved and verified by tests/prop/t_verify.c, in TEST_JOBS
+# threads; what fails is printed as a command line, counts as it goes.
+TRIALS = 1000000
+SEED = 1
+check-long: ## a million random problems verified, and trials of a conjecture
 	$(need)
+	$(call may_need,test)
 	$(SUBMAKE) check-long-run
-check-long-run: $(B)/bench/conjecture
-	@$(B)/bench/conjecture $(TRIALS)
+check-long-run: $(B)/bench/conjecture $(B)/tests/prop/t_verify
+	@$(B)/bench/conjecture $(TRIALS) $(SEED)
+	@PH_TRIALS=$(TRIALS) PH_SEED=$(SEED) PH_JOBS=$(TEST_JOBS) CK_FORK=no \
+	  $(B)/tests/prop/t_verify
 
 bench: ## build and run the benchmarks of bench/
 	$(need)

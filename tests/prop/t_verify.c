@@ -1,174 +1,253 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Whatever the program answers, verification accepts it: random problems of all
- * commands, with everything that can be derived from their curves.
+ * commands, with all their fields and what can be derived from their curves
+ * (gate.h).
  *
- * The seed is 1, or PH_SEED; PH_LONG=1 takes ten times as many data.
+ * The seed is 1, or PH_SEED.  `make check-long' takes many, PH_TRIALS=N in
+ * PH_JOBS threads, and tells while it goes what became of them, by commands,
+ * fields and options.  PH_TRIAL=I takes problem I alone, and prints it.
  */
-#include "arclength_data.h"
-#include "planar_data.h"
-#include "spatial_data.h"
-#include "sphere_data.h"
-#include "tc_data.h"
+#include "gate.h"
 #include "unit.h"
-#include "verify_unit.h"
 
+#include <pthread.h>
 #include <stdio.h>
+#include <time.h>
 
-/* What the command accepts by default. */
-static const double TOLERANCE = 1e-9;
+enum { TRIALS = 800, JOBS = 64, WAYS = 100, OPTIONS = 24, TELL = 20000 };
 
-static double worst[PH_CHECK_N];
-static struct ph_arena arena, scratch;
+/* One in so many is looked at closely. */
+enum { CLOSELY = 8 };
 
-/* Verifies a result, with the problem and, every fourth one, without. */
-static void accept(const char *command, const struct ph_problem *problem,
-                   struct ph_result *result, const struct unit_wanted *wanted,
-                   size_t which) {
-  struct ph_verdict verdict;
-  struct ph_diag diag;
-  enum ph_status status =
-      unit_derive(ph_command_find(command), wanted, &arena, result, &diag);
-  if (status != PH_OK) { /* an offset that there is not */
-    ph_arena_reset(&arena);
+struct count {
+  const char *name;
+  size_t trials, fate[GATE_WRONG + 1], disputed, refused[PH_STATUS_N];
+  double seconds, slowest;
+  size_t slowest_at;
+};
+
+/* Wrong in one way. */
+struct way {
+  char way[112];
+  size_t n, first;
+};
+
+/* All that has been found, shared by the threads. */
+struct gate {
+  pthread_mutex_t lock;
+  size_t next, done, trials, only;
+  bool tell;
+  struct count command[GATE_COMMANDS], field[PH_FIELD_N], option[OPTIONS];
+  struct way ways[WAYS];
+  size_t ways_n;
+};
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* ---- counts ---------------------------------------------------------------
+ */
+
+static void add(struct count *count, const char *name,
+                const struct gate_outcome *outcome, size_t which,
+                double seconds) {
+  count->name = name;
+  count->trials++;
+  count->fate[outcome->fate]++;
+  count->disputed += outcome->fate == GATE_WRONG && outcome->disputed;
+  if (outcome->fate == GATE_REFUSED) {
+    count->refused[outcome->code]++;
+  }
+  count->seconds += seconds;
+  if (seconds > count->slowest) {
+    count->slowest = seconds;
+    count->slowest_at = which;
+  }
+}
+
+static void add_all(struct gate *gate, const struct gate_case *c,
+                    const struct gate_outcome *outcome, size_t which,
+                    double seconds) {
+  add(&gate->command[which % GATE_COMMANDS], gate_schema(c)->command, outcome,
+      which, seconds);
+  for (size_t i = 0; i < PH_FIELD_N; i++) {
+    if (gate_has(c, (enum ph_field_id)i)) {
+      add(&gate->field[i], ph_field_name((enum ph_field_id)i), outcome, which,
+          seconds);
+    }
+  }
+  for (size_t i = 0; i < c->options_n; i++) {
+    struct count *o = gate->option, *end = o + OPTIONS - 1;
+    while (o < end && o->name && strcmp(o->name, c->option[i].text) != 0) {
+      o++;
+    }
+    add(o, c->option[i].text, outcome, which, seconds);
+  }
+}
+
+static void tell_count(const struct count *n) {
+  if (!n->name) {
     return;
   }
-  status = ph_check_result(result, which % 4 ? problem : NULL,
-                           ph_promise_of(command), &scratch, &verdict, &diag);
-  ck_assert_int_eq(status, PH_OK);
-  for (int i = 0; i < PH_CHECK_N; i++) {
-    const struct ph_check_finding *e = &verdict.check[i];
-    ck_assert_msg(e->error <= TOLERANCE, "seed %lu, %s %zu: %s %.3g: %s %s",
-                  unit_seed(), command, which, ph_check_name(i), e->error,
-                  e->where.field, e->where.message);
-    worst[i] = unit_larger(worst[i], e->error);
-  }
-  ph_arena_reset(&arena);
-}
-
-static void report(const char *command) {
-  printf("%s:", command);
-  for (int i = 0; i < PH_CHECK_N; i++) {
-    if (worst[i] > 0) {
-      printf(" %s %.2g", ph_check_name(i), worst[i]);
+  printf("%-16s %8zu %8zu %6zu %6zu %8.1f %6.2f %8zu", n->name, n->trials,
+         n->fate[GATE_SOLVED], n->fate[GATE_WRONG], n->disputed, n->seconds,
+         n->slowest, n->slowest_at);
+  for (size_t k = 0; k < PH_STATUS_N; k++) {
+    if (n->refused[k]) {
+      printf(" %s %zu", ph_status_code((enum ph_status)k), n->refused[k]);
     }
-    worst[i] = 0;
   }
   printf("\n");
-  ph_arena_free(&arena);
-  ph_arena_free(&scratch);
 }
 
-/* Samples of every kind, and an offset. */
-static struct unit_wanted wanted_of(struct unit_random *r, double length,
-                                    bool space) {
-  struct unit_wanted w = {.samples.how = unit_random_below(r, 4)};
-  w.samples.n = 1 + unit_random_below(r, 5);
-  w.samples.spacing = length * unit_random_in(r, 0.03, 0.3);
-  w.samples.chord_error = length * unit_random_in(r, 1e-4, 1e-2);
-  if (space && w.samples.how) {
-    w.samples.frame = unit_random_below(r, 4);
+static void tell(const struct gate *gate) {
+  printf("\n%-16s %8s %8s %6s %6s %8s %6s %8s refused\n", "", "problems",
+         "solved", "wrong", "though", "seconds", "most", "of");
+  for (size_t i = 0; i < GATE_COMMANDS; i++) {
+    tell_count(&gate->command[i]);
   }
-  w.offset =
-      unit_random_below(r, 2) ? length * unit_random_in(r, -0.3, 0.3) : 0;
-  w.bezier = unit_random_below(r, 4) == 0;
-  return w;
-}
-
-PH_TEST(planar_curves) {
-  static struct prop_data data;
-  struct unit_random r = unit_random_of(501);
-  size_t n = unit_cases(60);
-  for (size_t i = 0; i < n; i++) {
-    struct unit_planar u;
-    prop_any(&r, 12, &data);
-    u = prop_problem(&data, i);
-    if (unit_random_below(&r, 2)) {
-      double alpha[PROP_POINTS_MAX];
-      for (size_t k = 0; k < prop_segments(&data); k++) {
-        alpha[k] = unit_random_in(&r, 0.1, 2);
-      }
-      if (!data.has_knots && !data.rule) {
-        unit_planar_atph(&u, alpha, prop_segments(&data));
-      }
-    }
-    if (unit_planar_solve(&u) == PH_OK) {
-      struct unit_wanted w = wanted_of(&r, u.result.curve.length, false);
-      accept("planar", &u.problem, &u.result, &w, i);
-    }
-    unit_planar_free(&u);
+  for (size_t i = 0; i < PH_FIELD_N; i++) {
+    tell_count(&gate->field[i]);
   }
-  report("planar");
+  for (size_t i = 0; i < OPTIONS; i++) {
+    tell_count(&gate->option[i]);
+  }
+  for (size_t i = 0; i < gate->ways_n; i++) {
+    printf("%6zu times, first problem %zu: %s\n", gate->ways[i].n,
+           gate->ways[i].first, gate->ways[i].way);
+  }
+  fflush(stdout);
 }
 
-/* Energies of a curve that nearly stands still are beyond what
- * curve/fair/fair3.c takes the time for: the claims are withdrawn. */
-static void forget_extremes(struct ph_diagnostics *d) {
-  static const enum ph_diagnostic which[] = {PH_D_ENERGY, PH_D_F1, PH_D_F2,
-                                             PH_D_F3, PH_D_FUNCTIONAL};
-  const double extreme = 1e4;
-  if (!(d->value[PH_D_F1] <= extreme)) {
-    for (size_t i = 0; i < sizeof which / sizeof which[0]; i++) {
-      d->known &= ~((uint64_t)1 << which[i]);
+/* ---- what is wrong --------------------------------------------------------
+ */
+
+/* Whether nothing was wrong in this way before. */
+static bool is_new(struct gate *gate, const char *command,
+                   const struct gate_outcome *outcome, size_t which) {
+  char way[112];
+  snprintf(way, sizeof way, "%s: %s", command, outcome->way);
+  for (size_t i = 0; i < gate->ways_n; i++) {
+    if (strcmp(gate->ways[i].way, way) == 0) {
+      gate->ways[i].n++;
+      return false;
     }
   }
-}
-
-static bool spatial(struct unit_random *r, size_t i, struct unit_solution *s) {
-  static struct spatial_data data;
-  bool solved;
-  spatial_any(r, 8, &data);
-  solved = spatial_answer(&data, i, s);
-  forget_extremes(&s->result.diagnostics);
-  return solved;
-}
-
-static bool arclength(struct unit_random *r, size_t i,
-                      struct unit_solution *s) {
-  static struct arc_data data;
-  arc_any(r, &data);
-  return arc_solve(&data, i, s);
-}
-
-static bool sphere(struct unit_random *r, size_t i, struct unit_solution *s) {
-  static struct sphere_data data;
-  sphere_any(r, &data);
-  return sphere_solve(&data, i, s);
-}
-
-static bool tc(struct unit_random *r, size_t i, struct unit_solution *s) {
-  static struct tc_data data;
-  tc_of(r, (enum tc_family)(i % TC_FAMILY_N), &data);
-  return tc_solve(&data, i, s);
-}
-
-static const struct {
-  const char *command;
-  bool (*solve)(struct unit_random *, size_t, struct unit_solution *);
-  bool space, on_sphere;
-} commands[] = {{"spatial-hermite", spatial, true, false},
-                {"arclength", arclength, true, false},
-                {"sphere", sphere, true, true},
-                {"tc", tc, false, false}};
-
-PH_TEST_EACH(curves, sizeof commands / sizeof *commands) {
-  struct unit_random r = unit_random_of(502 + (uint64_t)_i);
-  size_t n = unit_cases(60);
-  for (size_t i = 0; i < n; i++) {
-    struct unit_solution s = {0};
-    if (commands[_i].solve(&r, i, &s)) {
-      struct unit_wanted w =
-          wanted_of(&r, s.result.curve.length, commands[_i].space);
-      if (commands[_i].on_sphere) {
-        w.bezier = false;
-        w.samples.frame =
-            w.samples.frame == PH_FRAME_ERF ? PH_FRAME_NONE : w.samples.frame;
-      }
-      accept(commands[_i].command, &s.problem, &s.result, &w, i);
-    }
-    unit_solution_free(&s);
+  if (gate->ways_n < WAYS) {
+    struct way *w = &gate->ways[gate->ways_n++];
+    *w = (struct way){.n = 1, .first = which};
+    memcpy(w->way, way, sizeof way);
   }
-  report(commands[_i].command);
+  return true;
 }
 
-PH_TESTS(planar_curves, curves)
+static void print_case(const struct gate_case *c) {
+  struct ph_buf line = {0};
+  gate_command_line(&line, c);
+  ph_buf_put(&line, "", 1);
+  printf("  %s\n", line.data);
+  fflush(stdout);
+  ph_buf_free(&line);
+}
+
+static void explain(struct gate_lab *lab, const struct gate_case *c,
+                    const struct gate_outcome *outcome, size_t which) {
+  static _Thread_local struct gate_case smaller;
+  struct gate_outcome end = *outcome;
+  printf("PH_SEED=%lu, problem %zu: %s\n", unit_seed(), which, end.way);
+  fflush(stdout);
+  gate_copy(&smaller, c);
+  gate_shrink(lab, &smaller, &end);
+  printf("PH_SEED=%lu, problem %zu: %s: %s\n", unit_seed(), which, end.way,
+         end.message);
+  print_case(&smaller);
+}
+
+/* ---- trials ---------------------------------------------------------------
+ */
+
+static void trial(struct gate *gate, struct gate_lab *lab, size_t which) {
+  static _Thread_local struct gate_case c;
+  struct unit_random r = unit_random_of(1000 + 7919 * which);
+  struct gate_outcome outcome;
+  bool closely = which / GATE_COMMANDS % CLOSELY == 0, new = false;
+  double start = now(), seconds;
+  gate_random(&r, which % GATE_COMMANDS, &c);
+  if (gate->only == which) {
+    print_case(&c);
+  }
+  gate_run(lab, &c, closely, &outcome);
+  if (closely) {
+    gate_moved(lab, &c, &outcome);
+  }
+  seconds = now() - start;
+  pthread_mutex_lock(&gate->lock);
+  add_all(gate, &c, &outcome, which, seconds);
+  new = outcome.fate ==
+        GATE_WRONG &&is_new(gate, gate_schema(&c)->command, &outcome, which);
+  if (++gate->done % TELL == 0 && gate->tell) {
+    tell(gate);
+  }
+  pthread_mutex_unlock(&gate->lock);
+  if (gate->only == which) {
+    printf("problem %zu: %s, %.3g s\n", which,
+           outcome.fate == GATE_WRONG     ? outcome.way
+           : outcome.fate == GATE_REFUSED ? ph_status_code(outcome.code)
+                                          : "solved",
+           seconds);
+  } else if (new) {
+    explain(lab, &c, &outcome, which);
+  }
+}
+
+static void *work(void *context) {
+  struct gate *gate = context;
+  struct gate_lab lab = {0};
+  for (;;) {
+    size_t which;
+    pthread_mutex_lock(&gate->lock);
+    which = gate->next++;
+    pthread_mutex_unlock(&gate->lock);
+    if (which >= gate->trials) {
+      break;
+    }
+    trial(gate, &lab, which);
+  }
+  gate_lab_free(&lab);
+  return NULL;
+}
+
+static size_t number(const char *name, size_t otherwise) {
+  const char *text = getenv(name);
+  return text && *text ? (size_t)strtoul(text, NULL, 10) : otherwise;
+}
+
+PH_TEST(whatever_is_solved_is_right) {
+  static struct gate gate = {.lock = PTHREAD_MUTEX_INITIALIZER};
+  pthread_t thread[JOBS];
+  size_t jobs = number("PH_JOBS", 1);
+  gate.trials = number("PH_TRIALS", (size_t)unit_count(TRIALS));
+  gate.only = number("PH_TRIAL", SIZE_MAX);
+  gate.tell = getenv("PH_TRIALS") != NULL;
+  if (gate.only != SIZE_MAX) {
+    gate.next = gate.only;
+    gate.trials = gate.only + 1;
+  }
+  jobs = jobs < JOBS ? jobs : JOBS;
+  for (size_t i = 0; i < jobs; i++) {
+    ck_assert_int_eq(pthread_create(&thread[i], NULL, work, &gate), 0);
+  }
+  for (size_t i = 0; i < jobs; i++) {
+    pthread_join(thread[i], NULL);
+  }
+  if (gate.tell) {
+    tell(&gate);
+  }
+  ck_assert_uint_eq(gate.ways_n, 0);
+}
+
+PH_TESTS(whatever_is_solved_is_right)

@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The same problem, larger by a power of two, turned by a quarter, mirrored, or
+ * run through from its end, has the same solution there (see gate.h).  All of
+ * that is exact, so that no digit of the data changes.
+ */
+#include "gate.h"
+
+#include <math.h>
+#include <string.h>
+
+enum motion { LARGER, TURNED, MIRRORED, REVERSED, MOTION_N };
+
+static const char *const ways[] = {"moved larger", "moved turned",
+                                   "moved mirrored", "moved reversed"};
+
+/* Lengths of segments may differ by this part of that of the curve. */
+static const double SAME = 1e-7;
+
+/* Scales beyond which rounding of small numbers may be another. */
+static const double HIGH = 1e100, LOW = 1e-100;
+
+enum nature { SCALAR, LENGTH, POSITION, DIRECTION, DERIVATIVE, OTHER };
+
+static enum nature nature_of(size_t field) {
+  switch (field) {
+  case PH_F_POINTS:
+  case PH_F_CURVE:
+  case PH_F_CENTER:
+  case PH_F_START:
+    return POSITION;
+  case PH_F_TANGENTS:
+  case PH_F_END_TANGENTS:
+    return DIRECTION;
+  case PH_F_DERIVATIVES:
+  case PH_F_END_DERIVATIVES:
+    return DERIVATIVE;
+  case PH_F_LENGTHS:
+  case PH_F_RADIUS:
+  case PH_F_TOLERANCE:
+    return LENGTH;
+  case PH_F_LONLAT:
+  case PH_F_ANGLES:
+    return OTHER;
+  default:
+    return SCALAR;
+  }
+}
+
+static bool in_range(const struct gate_case *c) {
+  const struct ph_value *data = &c->problem.field[gate_data(c)];
+  double largest = 0;
+  for (size_t i = 0; i < data->n * data->dimension; i++) {
+    double x = fabs(data->v[i]);
+    largest = x > largest ? x : largest;
+  }
+  return largest > LOW && largest < HIGH;
+}
+
+/* Whether the motion takes solutions to solutions, and the solver has no choice
+ * between several. */
+static bool applies(const struct gate_case *c, enum motion motion) {
+  const char *command = gate_schema(c)->command;
+  bool planar = strcmp(command, "planar") == 0;
+  bool sphere = strcmp(command, "sphere") == 0;
+  bool space = strcmp(command, "spatial-hermite") == 0;
+  bool closed = gate_has(c, PH_F_CLOSED);
+  bool raised = sphere && !(c->problem.field[PH_F_SHAPE].kind == PH_BOOL &&
+                            !c->problem.field[PH_F_SHAPE].flag);
+  bool searched = raised || gate_has(c, PH_F_MINIMIZE) ||
+                  gate_has(c, PH_F_LENGTHS) || gate_has(c, PH_F_ALL_MINIMA) ||
+                  gate_has(c, PH_F_STARTS);
+  if (searched || !in_range(c) || gate_has(c, PH_F_LONLAT)) {
+    return false;
+  }
+  if (motion == LARGER) { /* by which parameter, is said by the knots */
+    return !(planar && gate_has(c, PH_F_END_DERIVATIVES)) &&
+           !(space && gate_has(c, PH_F_KNOTS)) &&
+           !(sphere && !gate_has(c, PH_F_RADIUS));
+  }
+  if (gate_has(c, PH_F_ANGLES) || gate_has(c, PH_F_AXIS) ||
+      gate_is(c, PH_F_CRITERION, "zero")) {
+    return false;
+  }
+  return motion != REVERSED ||
+         !(closed || gate_has(c, PH_F_CURVE) || gate_has(c, PH_F_KNOTS) ||
+           gate_has(c, PH_F_JOINT_ANGLE) || gate_has(c, PH_F_JOINT_POSITION));
+}
+
+static void move_vector(double *x, size_t n, enum motion motion) {
+  double first = x[0];
+  if (motion == MIRRORED) {
+    x[1] = -x[1];
+  } else if (motion == TURNED && n == 2) {
+    x[0] = -x[1];
+    x[1] = first;
+  } else if (motion == TURNED) {
+    x[0] = x[1];
+    x[1] = x[2];
+    x[2] = first;
+  }
+}
+
+static void reverse(struct ph_value *value, bool negate) {
+  size_t d = value->dimension;
+  for (size_t i = 0, j = value->n - 1; i < j; i++, j--) {
+    for (size_t k = 0; k < d; k++) {
+      double x = value->v[d * i + k];
+      value->v[d * i + k] = value->v[d * j + k];
+      value->v[d * j + k] = x;
+    }
+  }
+  for (size_t i = 0; i < value->n * d && negate; i++) {
+    value->v[i] = -value->v[i];
+  }
+}
+
+static void move_field(struct gate_case *c, size_t field, enum motion motion) {
+  struct ph_value *value = &c->problem.field[field];
+  enum nature nature = nature_of(field);
+  bool vectors =
+      nature == POSITION || nature == DIRECTION || nature == DERIVATIVE;
+  bool array = value->kind == PH_NUMBERS || value->kind == PH_VECTORS;
+  size_t d = field == PH_F_CENTER || field == PH_F_START ? 3 : value->dimension;
+  if (motion == LARGER &&
+      (nature == LENGTH || nature == POSITION || nature == DERIVATIVE)) {
+    value->number = ldexp(value->number, 5);
+    for (size_t i = 0; array && i < value->n * value->dimension; i++) {
+      value->v[i] = ldexp(value->v[i], 5);
+    }
+  }
+  for (size_t i = 0; array && vectors && i < value->n * value->dimension;
+       i += d) {
+    move_vector(value->v + i, d, motion);
+  }
+  if (motion == REVERSED && array && d == value->dimension) {
+    reverse(value, nature == DIRECTION || nature == DERIVATIVE);
+  }
+}
+
+static void compare(const struct gate_outcome *a, const struct gate_outcome *b,
+                    enum motion motion, struct gate_outcome *outcome) {
+  double scale = motion == LARGER ? ldexp(1, -5) : 1;
+  size_t n = a->segments;
+  if (a->fate != b->fate) {
+    gate_wrong(outcome, ways[motion], "%s becomes %s",
+               a->fate == GATE_SOLVED ? "solved" : ph_status_code(a->code),
+               b->fate == GATE_SOLVED ? "solved" : ph_status_code(b->code));
+    return;
+  }
+  if (a->fate != GATE_SOLVED || a->ambiguous || b->ambiguous) {
+    return;
+  }
+  if (!(fabs(a->length - scale * b->length) <= SAME * a->length)) {
+    gate_wrong(outcome, ways[motion], "the length %.17g becomes %.17g",
+               a->length, scale * b->length);
+  }
+  for (size_t i = 0; n == b->segments && n <= GATE_POINTS && i < n; i++) {
+    double other = scale * b->lengths[motion == REVERSED ? n - 1 - i : i];
+    if (!(fabs(a->lengths[i] - other) <= SAME * a->length)) {
+      gate_wrong(outcome, ways[motion],
+                 "the length %.17g of segment %zu becomes %.17g", a->lengths[i],
+                 i, other);
+    }
+  }
+}
+
+void gate_moved(struct gate_lab *lab, const struct gate_case *c,
+                struct gate_outcome *outcome) {
+  static _Thread_local struct gate_case here, moved;
+  struct gate_outcome plain, there;
+  bool run = false;
+  gate_copy(&here, c);
+  here.options_n = 0;
+  for (int motion = 0; motion < MOTION_N; motion++) {
+    if (outcome->fate == GATE_WRONG || !applies(c, (enum motion)motion)) {
+      continue;
+    }
+    if (!run) {
+      gate_run(lab, &here, false, &plain);
+      run = true;
+    }
+    gate_copy(&moved, &here);
+    for (size_t i = 0; i < PH_FIELD_N; i++) {
+      if (gate_has(c, (enum ph_field_id)i)) {
+        move_field(&moved, i, (enum motion)motion);
+      }
+    }
+    gate_run(lab, &moved, false, &there);
+    if (plain.fate != GATE_WRONG && there.fate != GATE_WRONG) {
+      compare(&plain, &there, (enum motion)motion, outcome);
+    }
+  }
+}
