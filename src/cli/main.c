@@ -20,10 +20,12 @@
 /* Reports a failure; the exit status. */
 static int report(const struct ph_diag *diag, const char *command) {
   struct ph_buf message = {0};
+  enum ph_class class = ph_status_class(diag->status);
   ph_message_failure(&message, diag, command);
+  class = message.failed ? PH_CLASS_INTERNAL : class;
   ph_message_send(&message);
   ph_buf_free(&message);
-  return (int)ph_status_class(diag->status);
+  return (int)class;
 }
 
 /* Writes a text that was asked for; the exit status. */

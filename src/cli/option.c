@@ -322,6 +322,10 @@ enum ph_status ph_options_read(int argc, char **argv,
       (const char *const *)(optind < argc ? argv + optind : standard_input);
   options->files_n = optind < argc ? (size_t)(argc - optind) : 1;
   options->files_given = optind < argc;
+  if (!options->input.most) {
+    options->input.most = options->max_memory;
+  }
+  options->problems_input.most = options->input.most;
   if (status == PH_OK) {
     status = assign_tolerance(&p);
   }

@@ -84,6 +84,8 @@
   X(MAX_MEMORY, ALL, 0, "max-memory", "BYTES",                                \
     "the most memory that a record may take: a number, or one with K, M or "  \
     "G (default: a quarter of the machine's)")                                \
+  X(MAX_RECORD_BYTES, ALL, 0, "max-record-bytes", "BYTES",                    \
+    "the longest text that a record may have (default: as --max-memory)")     \
   X(TIME_LIMIT, ALL, 0, "time-limit", "SECONDS",                              \
     "the longest time that a record may take (default: any)")                 \
   X(STRICT, SOLVE, 0, "strict", NULL, "a warning is an error")                \

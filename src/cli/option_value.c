@@ -379,6 +379,8 @@ static enum ph_status read_argument(struct ph_option_parser *p,
     return read_count(p, id, SAMPLES_LIMIT_MAX, &o->samples.most);
   case PH_O_MAX_MEMORY:
     return read_bytes(p, id, &o->max_memory);
+  case PH_O_MAX_RECORD_BYTES:
+    return read_bytes(p, id, &o->input.most);
   case PH_O_TIME_LIMIT:
     return read_positive(p, id, &o->time_limit);
   case PH_O_SAMPLE:

@@ -80,7 +80,8 @@ static enum ph_status find_key(struct ph_pairing *p,
   struct ph_diag ignored;
   struct ph_mark mark = ph_arena_mark(&p->scratch);
   enum ph_status status = PH_OK;
-  if (record->status == PH_OK) {
+  if (record->n > 0 &&
+      (record->status == PH_OK || record->status == PH_LIMIT)) {
     status =
         record->columns
             ? ph_csv_in(record, schema, &p->scratch, &problem, &echo, &ignored)
@@ -192,7 +193,8 @@ static enum ph_status read_head(const struct ph_record *result,
   struct ph_json_item items[3];
   const char *command;
   *head = (struct head){.key = NULL};
-  if (result->status != PH_OK) {
+  if (result->n == 0 ||
+      (result->status != PH_OK && result->status != PH_LIMIT)) {
     return PH_OK;
   }
   ph_read_members(&r, &whole, names, 3, items);

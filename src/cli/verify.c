@@ -238,6 +238,11 @@ static enum ph_status verify(struct task *t) {
   const struct ph_item *item = t->item;
   struct ph_claim *claim = &t->claim;
   enum ph_status status = item->record.status;
+  if (status == PH_LIMIT && item->record.n > 0 && /* its id */
+      ph_json_result_in(&item->record, &t->worker->arena, claim, &t->diag) ==
+          PH_NO_MEMORY) {
+    return PH_NO_MEMORY;
+  }
   if (status != PH_OK) {
     t->diag = item->diag;
     return status;

@@ -113,6 +113,29 @@ void ph_split_give(struct ph_split *split, size_t n, size_t taken,
   split->done = taken;
 }
 
+void ph_split_over(struct ph_split *split) {
+  struct ph_buf kept = split->over.kept;
+  ph_buf_clear(&kept, KEEP_CAPACITY);
+  split->over = (struct ph_split_over){
+      .on = true, .place = split->place, .kept = kept, .one_line = true};
+}
+
+void ph_split_give_over(struct ph_split *split, size_t taken,
+                        struct ph_record *record, struct ph_diag *diag) {
+  ph_split_give(split, 0, taken, record);
+  record->text = split->over.kept.data;
+  record->n = split->over.kept.n;
+  record->line = split->over.place.line;
+  record->status = split->over.kept.failed
+                       ? ph_fail_memory(diag)
+                       : ph_fail(diag, PH_LIMIT, NULL,
+                                 "the record is longer than the %zu bytes of "
+                                 "--max-record-bytes",
+                                 split->options.most);
+  diag->line = record->line;
+  split->over.on = false;
+}
+
 void ph_split_locate(const struct ph_split *split, size_t offset,
                      struct ph_diag *diag) {
   struct ph_split_place place = split->place;
@@ -391,6 +414,7 @@ void ph_split_free(struct ph_split *split) {
     ph_free(columns);
   }
   ph_buf_free(&split->csv.id);
+  ph_buf_free(&split->over.kept);
   ph_free(split->data);
   split->data = NULL;
 }

@@ -2,9 +2,13 @@
 /*
  * The splitter: a sequence of input files, JSON or CSV, cut into records.
  *
- * Memory is proportional to the largest record, time to the bytes read.  A
- * record is handed out as soon as its last byte is there, so that a program
- * at the other end of a pipe can wait for the answer to each problem.
+ * Memory is proportional to the largest record, or to the largest that there
+ * may be, time to the bytes read.  A record is handed out as soon as its last
+ * byte is there, so that a program at the other end of a pipe can wait for the
+ * answer to each problem.
+ *
+ * A record that is longer than it may be is read to its end, but not kept: it
+ * has the status PH_LIMIT.  One that is broken is that in the first place.
  */
 #ifndef PH_IO_SPLIT_H
 #define PH_IO_SPLIT_H
@@ -23,6 +27,7 @@ struct ph_split_options {
   enum ph_split_format format; /* AUTO: by suffix, else by the first byte */
   char delimiter;              /* of CSV; 0: tab for .tsv, else comma */
   const char *columns;         /* names of the CSV columns, or NULL */
+  size_t most;                 /* bytes of a record; 0: any number */
 };
 
 enum ph_split_state {
@@ -36,6 +41,23 @@ enum ph_split_state {
 struct ph_split_place {
   size_t line;   /* from 1 */
   size_t column; /* in bytes, from 1 */
+};
+
+/* A record that is longer than it may be. */
+struct ph_split_over {
+  bool on;
+  struct ph_split_place place; /* where it begins */
+  struct ph_buf kept;          /* of its text, see ph_split_next */
+  /* JSON */
+  enum { PH_OVER_VALUE, PH_OVER_LINE, PH_OVER_FOLLOWING } part; /* is read */
+  bool one_line;                                                /* so far */
+  bool blank;                   /* only blanks stand before the window in its
+                                   line, which the record did not begin in */
+  struct ph_split_place broken; /* where it is */
+  /* CSV */
+  bool inside;                 /* a row, of which some is gone */
+  bool nameless;               /* its id was too long to be read */
+  struct ph_split_place quote; /* of that row, if it is gone */
 };
 
 /* How far the JSON of a file is split. */
@@ -92,6 +114,7 @@ struct ph_split {
   bool ended;
   struct ph_split_json json;
   struct ph_split_csv csv;
+  struct ph_split_over over;
   struct ph_csv_columns *all_columns;
 };
 
@@ -117,8 +140,10 @@ enum ph_status ph_split_init(struct ph_split *split, const char *const *files,
  * in   may_wait  false: PH_SPLIT_WAIT rather than block in a read
  * out  record    on PH_SPLIT_RECORD; its text is valid until the next call, its
  *                columns until ph_split_free.  When its status is not PH_OK,
- *                the text is what was broken, and diag has message, line and
- *                column.
+ *                diag has message, line and, if it is broken, column; the text
+ *                is what was broken, but with PH_LIMIT what reads as a record
+ *                with nothing but the id and, of JSON, the command, or empty if
+ *                neither is known.
  */
 enum ph_split_state ph_split_next(struct ph_split *split, bool may_wait,
                                   struct ph_record *record,
@@ -147,6 +172,15 @@ void ph_split_drop(struct ph_split *split, size_t n);
 void ph_split_give(struct ph_split *split, size_t n, size_t taken,
                    struct ph_record *record);
 
+/* ph_split_over: the record that begins at the window turns out to be longer
+ * than it may be. */
+void ph_split_over(struct ph_split *split);
+
+/* ph_split_give_over: the same for that record, of which nothing is left in
+ * the window. */
+void ph_split_give_over(struct ph_split *split, size_t taken,
+                        struct ph_record *record, struct ph_diag *diag);
+
 /* ph_split_locate: puts the place of a byte of the window into diag, so many
  * bytes after the window's first one. */
 void ph_split_locate(const struct ph_split *split, size_t offset,
@@ -174,5 +208,17 @@ enum ph_status ph_split_columns(struct ph_split *split, const char *names,
                                 size_t n, char separator, bool option,
                                 struct ph_csv_columns **columns,
                                 struct ph_diag *diag);
+
+/* ph_split_find_columns: the window has a whole row, the first one of the file
+ * that is no comment; finds split->csv.columns.
+ * out  data  the row is to be read as data
+ * ret  PH_OK; what is wrong, and where in the row */
+enum ph_status ph_split_find_columns(struct ph_split *split, bool *data,
+                                     struct ph_diag *diag);
+
+/* ph_split_is_header: whether a comment [p,end), without its #, is a header:
+ * all of its words are names of columns. */
+bool ph_split_is_header(const struct ph_split *split, const char *p,
+                        const char *end);
 
 #endif

@@ -1,334 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The splitter's way through CSV (see split.h): finds out what the columns
- * mean, then cuts the rows into records.
+ * The splitter's way through CSV (see split.h): cuts the rows into records.
  *
  * A record is a run of rows with the same id, ended by another id, a blank line
  * or the end of the file; without an id column the blank line and the end are
  * what is left.  Rows stay in the window until their record is complete; the
  * window begins with the first row of the open record, or with the row that is
- * being read.
+ * being read.  Of a record that is too long no more than a row is kept, and of
+ * a row that is too long nothing but what is read at once.
  *
- * What the cells hold is not looked at here, but for the first row, which may
- * be the header (header_kind), and for the ids.
+ * What the cells hold is not looked at here, but for the ids.
  */
 #include "io/split.h"
 
-#include "base/mem.h"
-#include "base/suggest.h"
-
 #include <stdint.h>
 #include <string.h>
-
-/* ---- the names of columns ------------------------------------------- */
-
-/* The one list of column names: what a column fills.  The first name of a
- * component is the one that messages use. */
-static const struct {
-  const char *name;
-  int field;
-  size_t component;
-  bool vector; /* the field holds vectors */
-} names[] = {
-    {"id", PH_CSV_ID, 0, false},        {"x", PH_F_POINTS, 0, true},
-    {"y", PH_F_POINTS, 1, true},        {"z", PH_F_POINTS, 2, true},
-    {"x_m", PH_F_POINTS, 0, true},      {"y_m", PH_F_POINTS, 1, true},
-    {"z_m", PH_F_POINTS, 2, true},      {"knot", PH_F_KNOTS, 0, false},
-    {"alpha", PH_F_ALPHA, 0, false},    {"tension", PH_F_TENSION, 0, false},
-    {"length", PH_F_LENGTHS, 0, false}, {"tx", PH_F_TANGENTS, 0, true},
-    {"ty", PH_F_TANGENTS, 1, true},     {"tz", PH_F_TANGENTS, 2, true},
-    {"dx", PH_F_DERIVATIVES, 0, true},  {"dy", PH_F_DERIVATIVES, 1, true},
-    {"dz", PH_F_DERIVATIVES, 2, true},  {"lon", PH_F_LONLAT, 0, true},
-    {"lat", PH_F_LONLAT, 1, true},      {"longitude", PH_F_LONLAT, 0, true},
-    {"latitude", PH_F_LONLAT, 1, true},
-};
-
-enum { NAMES = sizeof names / sizeof *names };
-
-static const struct ph_field *row_of(const struct ph_schema *schema,
-                                     int field) {
-  for (size_t i = 0; i < schema->fields_n; i++) {
-    if ((int)schema->fields[i].id == field) {
-      return &schema->fields[i];
-    }
-  }
-  return NULL;
-}
-
-/* Whether the command has a use for columns of names[i]. */
-static bool is_used(const struct ph_schema *schema, size_t i) {
-  const struct ph_field *row = row_of(schema, names[i].field);
-  if (names[i].field == PH_CSV_ID) {
-    return true;
-  }
-  if (!row) {
-    return false;
-  }
-  return names[i].vector ? row->kinds & PH_VECTORS &&
-                               row->dimensions >> (names[i].component + 1) != 0
-                         : row->kinds & PH_NUMBERS;
-}
-
-/* The index of a name that the command knows, or NAMES. */
-static size_t find_name(const struct ph_schema *schema, const char *text,
-                        size_t n) {
-  size_t i = 0;
-  while (i < NAMES &&
-         !(ph_word_is(text, n, names[i].name) && is_used(schema, i))) {
-    i++;
-  }
-  return i;
-}
-
-/* ---- lists of names ------------------------------------------------- */
-
-/* A list of names being read. */
-struct list {
-  struct ph_split *split;
-  bool option; /* of --columns */
-  struct ph_diag *diag;
-};
-
-/* The field of the failures of a list, and what its reader can do. */
-static const char *where(const struct list *list) {
-  return list->option ? "--columns" : NULL;
-}
-
-static const char *advice(const struct list *list) {
-  return list->option ? "" : " (--columns can skip it)";
-}
-
-static enum ph_status unknown_column(const struct list *list, size_t i,
-                                     const struct ph_csv_cell *cell) {
-  const struct ph_schema *schema = list->split->schema;
-  struct ph_suggest suggest;
-  char clause[PH_DID_YOU_MEAN_MAX];
-  char excerpt[PH_EXCERPT_MAX];
-  if (cell->n == 0) {
-    return ph_fail(list->diag, PH_UNKNOWN_FIELD, where(list),
-                   "column %zu has no name%s", i + 1, advice(list));
-  }
-  ph_suggest_init(&suggest, cell->text, cell->n);
-  for (size_t k = 0; k < NAMES; k++) {
-    if (is_used(schema, k)) {
-      ph_suggest_try(&suggest, names[k].name, strlen(names[k].name));
-    }
-  }
-  ph_did_you_mean(&suggest, clause);
-  return ph_fail(list->diag, PH_UNKNOWN_FIELD, where(list),
-                 "column \"%s\" is unknown to %s%s%s",
-                 ph_excerpt(cell->text, cell->n, excerpt), schema->command,
-                 clause, advice(list));
-}
-
-/* Whether the numbers of columns of names[k] belong to segments. */
-static bool is_of_segments(const struct ph_schema *schema, size_t k) {
-  const struct ph_field *row = row_of(schema, names[k].field);
-  return row && row->kinds & PH_SEGMENTS;
-}
-
-/* Column i, which is named by a cell. */
-static enum ph_status read_column(const struct list *list, size_t i,
-                                  const struct ph_csv_cell *cell,
-                                  struct ph_csv_columns *columns) {
-  size_t k = find_name(list->split->schema, cell->text, cell->n);
-  struct ph_csv_column *column = &columns->column[i];
-  char excerpt[PH_EXCERPT_MAX];
-  if (list->option && cell->n == 1 && *cell->text == '-') {
-    *column = (struct ph_csv_column){PH_CSV_SKIP, 0, "-", false};
-    return PH_OK;
-  }
-  if (k == NAMES) {
-    return unknown_column(list, i, cell);
-  }
-  *column =
-      (struct ph_csv_column){names[k].field, names[k].component, names[k].name,
-                             is_of_segments(list->split->schema, k)};
-  for (size_t j = 0; j < i; j++) {
-    if (columns->column[j].field == column->field &&
-        columns->column[j].component == column->component) {
-      return ph_fail(list->diag, PH_BAD_VALUE, where(list),
-                     "columns %zu and %zu (\"%s\") are the same%s", j + 1,
-                     i + 1, ph_excerpt(cell->text, cell->n, excerpt),
-                     advice(list));
-    }
-  }
-  return PH_OK;
-}
-
-/* Whether each vector has all its components. */
-static enum ph_status check_vectors(const struct list *list,
-                                    const struct ph_csv_columns *columns) {
-  unsigned have[PH_FIELD_N] = {0}; /* bit c: component c */
-  for (size_t i = 0; i < columns->n; i++) {
-    if (columns->column[i].field < PH_FIELD_N) {
-      have[columns->column[i].field] |= 1u << columns->column[i].component;
-    }
-  }
-  for (size_t k = 0; k < NAMES; k++) {
-    const struct ph_field *row = row_of(list->split->schema, names[k].field);
-    unsigned set = row && names[k].vector ? have[row->id] : 0;
-    unsigned dimension = 0;
-    while (set >> dimension) {
-      dimension++;
-    }
-    /* The component is missing when a later one, or too little, is there. */
-    if (set && !(set >> names[k].component & 1) &&
-        (names[k].component < dimension ||
-         (names[k].component == dimension &&
-          !(row->dimensions >> dimension & 1)))) {
-      return ph_fail(list->diag, PH_MISSING_FIELD, where(list),
-                     "column \"%s\" is missing: %s needs it for %s",
-                     names[k].name, list->split->schema->command,
-                     ph_field_name(row->id));
-    }
-  }
-  return PH_OK;
-}
-
-static size_t count_cells(const char *p, const char *end, char separator) {
-  struct ph_csv_cell cell;
-  size_t n = 1;
-  p = ph_csv_cell(p, end, separator, &cell);
-  while (p < end) {
-    p = ph_csv_cell(p + 1, end, separator, &cell);
-    n++;
-  }
-  return n;
-}
-
-enum ph_status ph_split_columns(struct ph_split *split, const char *text,
-                                size_t n, char separator, bool option,
-                                struct ph_csv_columns **columns,
-                                struct ph_diag *diag) {
-  struct list list = {split, option, diag};
-  const char *p = text;
-  const char *end = ph_csv_row_end(text, text + n);
-  size_t cells = count_cells(p, end, separator);
-  enum ph_status status = PH_OK;
-  if (cells > (SIZE_MAX - sizeof **columns) / sizeof *(*columns)->column) {
-    return ph_fail_memory(diag);
-  }
-  *columns = ph_malloc(sizeof **columns + cells * sizeof *(*columns)->column);
-  if (!*columns) {
-    return ph_fail_memory(diag);
-  }
-  (*columns)->older = split->all_columns;
-  (*columns)->delimiter = split->delimiter;
-  (*columns)->n = cells;
-  split->all_columns = *columns;
-  for (size_t i = 0; i < cells && status == PH_OK; i++) {
-    struct ph_csv_cell cell;
-    const char *after = ph_csv_cell(p, end, separator, &cell);
-    status = read_column(&list, i, &cell, *columns);
-    if (status != PH_OK) {
-      diag->column = (size_t)(cell.text - cell.quoted - text) + 1;
-    }
-    p = after + 1;
-  }
-  return status == PH_OK ? check_vectors(&list, *columns) : status;
-}
-
-/* ---- the first row -------------------------------------------------- */
-
-/* What the cells of a row look like. */
-struct census {
-  size_t cells;
-  size_t numbers;
-  size_t names;
-  size_t blanks;
-};
-
-/* Counts the cells of a row; with columns, those of fields only. */
-static struct census take_census(const struct ph_split *split, const char *p,
-                                 const char *end,
-                                 const struct ph_csv_columns *columns) {
-  struct census census = {0, 0, 0, 0};
-  end = ph_csv_row_end(p, end);
-  for (;; p++) {
-    struct ph_csv_cell cell;
-    size_t i = census.cells++;
-    double x;
-    p = ph_csv_cell(p, end, split->delimiter, &cell);
-    if (!columns || (i < columns->n && columns->column[i].field < PH_FIELD_N)) {
-      census.blanks += cell.n == 0;
-      census.numbers += ph_csv_number(cell.text, cell.n, &x);
-      census.names += find_name(split->schema, cell.text, cell.n) < NAMES;
-    } else {
-      census.blanks++;
-    }
-    if (p == end) {
-      return census;
-    }
-  }
-}
-
-/* The columns by --columns; *data: the first row is no header. */
-static enum ph_status columns_by_option(struct ph_split *split, const char *row,
-                                        const char *end, bool *data,
-                                        struct ph_diag *diag) {
-  const char *text = split->options.columns;
-  struct census census;
-  enum ph_status status = ph_split_columns(split, text, strlen(text), ',', true,
-                                           &split->csv.columns, diag);
-  if (status != PH_OK) {
-    return status;
-  }
-  census = take_census(split, row, end, split->csv.columns);
-  *data = census.numbers > 0 || census.blanks == census.cells;
-  if (census.cells > split->csv.columns->n) {
-    return ph_fail(diag, PH_BAD_SHAPE, NULL,
-                   "the row has %zu cells, but --columns names %zu "
-                   "(- skips a column)",
-                   census.cells, split->csv.columns->n);
-  }
-  return PH_OK;
-}
-
-/* The columns by the first row of a file: its header, or data. */
-static enum ph_status columns_by_row(struct ph_split *split, const char *row,
-                                     const char *end, bool *data,
-                                     struct ph_diag *diag) {
-  struct census census = take_census(split, row, end, NULL);
-  bool numeric =
-      census.numbers > 0 && census.numbers + census.blanks == census.cells;
-  char excerpt[PH_EXCERPT_MAX];
-  enum ph_status status;
-  *data = census.numbers > 0 && census.names == 0;
-  if (!*data && census.cells == 1 && census.names == 0 && split->guessed) {
-    const char *text_end = ph_csv_row_end(row, end);
-    return ph_fail(diag, PH_SYNTAX, NULL,
-                   "expected JSON, or CSV with a header row, found \"%s\"",
-                   ph_excerpt(row, (size_t)(text_end - row), excerpt));
-  }
-  if (!*data) {
-    return ph_split_columns(split, row, (size_t)(end - row), split->delimiter,
-                            false, &split->csv.columns, diag);
-  }
-  if (numeric && census.cells == 2 && row_of(split->schema, PH_F_LONLAT)) {
-    return ph_fail(
-        diag, PH_SYNTAX, NULL,
-        "the file has no header row: --columns=lon,lat or "
-        "--columns=lat,lon must say which of its 2 columns is which");
-  }
-  if (numeric && (census.cells == 2 || census.cells == 3)) {
-    status = ph_split_columns(split, "x,y,z", 2 * census.cells - 1, ',', false,
-                              &split->csv.columns, diag);
-    diag->column = 0; /* the name does not stand in the file */
-    return status;
-  }
-  return ph_fail(diag, PH_SYNTAX, NULL,
-                 "the file has no header row: --columns must name its %zu "
-                 "column%s",
-                 census.cells, census.cells == 1 ? "" : "s");
-}
-
-/* Whether a comment is a header: all of its words are names of columns. */
-static bool is_header_comment(const struct ph_split *split, const char *p,
-                              const char *end) {
-  struct census census = take_census(split, p, end, NULL);
-  return census.names == census.cells;
-}
 
 /* ---- records -------------------------------------------------------- */
 
@@ -347,28 +33,22 @@ static enum ph_split_state stop(struct ph_split *split, size_t offset,
   ph_split_locate(split, offset, diag);
   diag->column += column;
   split->stopped = true;
-  ph_split_give(split, split->csv.scan.at, 0, record);
+  ph_split_give(split, status == PH_LIMIT ? 0 : split->csv.scan.at, 0, record);
+  record->line = split->over.on ? split->over.place.line : record->line;
   record->status = status;
   record->columns = split->csv.columns;
   return PH_SPLIT_RECORD;
 }
 
-/* Goes on with the next row; this one belongs to the open record, or else to
- * none. */
-static void next_row(struct ph_split *split) {
-  struct ph_split_csv *csv = &split->csv;
-  size_t row_end = csv->scan.at;
-  csv->row = csv->open ? row_end : 0;
-  csv->scan = (struct ph_csv_scan){.at = csv->row};
-  if (!csv->open) {
-    ph_split_drop(split, row_end);
-  }
-}
-
 /* Hands out the open record, and with it `taken` bytes of the window. */
 static enum ph_split_state give(struct ph_split *split, size_t taken,
-                                struct ph_record *record) {
-  ph_split_give(split, split->csv.row, taken, record);
+                                struct ph_record *record,
+                                struct ph_diag *diag) {
+  if (split->over.on) {
+    ph_split_give_over(split, taken, record, diag);
+  } else {
+    ph_split_give(split, split->csv.row, taken, record);
+  }
   record->columns = split->csv.columns;
   split->csv.open = false;
   split->csv.row = 0;
@@ -376,11 +56,14 @@ static enum ph_split_state give(struct ph_split *split, size_t taken,
   return PH_SPLIT_RECORD;
 }
 
-/* The cell of the id in a row; empty when there is none. */
+/* The cell of the id in a row, empty when there is none; `after` is the first
+ * byte that does not matter for it. */
 static struct ph_csv_cell id_cell(const struct ph_csv_columns *columns,
-                                  const char *p, const char *end) {
+                                  const char *p, const char *end,
+                                  const char **after) {
   struct ph_csv_cell cell = {p, 0, false};
   size_t id = 0;
+  *after = p;
   end = ph_csv_row_end(p, end);
   while (id < columns->n && columns->column[id].field != PH_CSV_ID) {
     id++;
@@ -393,16 +76,23 @@ static struct ph_csv_cell id_cell(const struct ph_csv_columns *columns,
     p = ph_csv_cell(p + 1, end, columns->delimiter, &cell);
   }
   cell.n = id > 0 ? 0 : cell.n;
+  *after = p;
   return cell;
 }
 
 /* Takes the row [p,end) into the open record, or opens one with it; false
  * when it belongs to the next record, or when (id.failed) memory is short. */
-static bool take_row(struct ph_split_csv *csv, const char *p, const char *end) {
-  struct ph_csv_cell cell = id_cell(csv->columns, p, end);
+static bool take_row(struct ph_split *split, const char *p, const char *end) {
+  struct ph_split_csv *csv = &split->csv;
+  const bool nameless = split->over.on && split->over.nameless;
+  const char *after;
+  struct ph_csv_cell cell = id_cell(csv->columns, p, end, &after);
   size_t old_n = csv->open ? csv->id.n : 0;
   char *content;
   size_t n;
+  if (csv->open && nameless) {
+    return false;
+  }
   csv->id.n = old_n;
   content = ph_buf_reserve(&csv->id, cell.n + 1);
   if (!content) {
@@ -417,14 +107,126 @@ static bool take_row(struct ph_split_csv *csv, const char *p, const char *end) {
   return true;
 }
 
-/* The window has a whole row, the first one of the file that is no comment;
- * *data: it is to be read as data. */
-static enum ph_status find_columns(struct ph_split *split, bool *data,
-                                   struct ph_diag *diag) {
-  const char *row = split->data + split->start;
-  const char *end = row + split->csv.scan.at;
-  return split->options.columns ? columns_by_option(split, row, end, data, diag)
-                                : columns_by_row(split, row, end, data, diag);
+/* ---- records that are too long ---------------------------------------- */
+
+/* The end of what says the id in a row [p,end), of which there may be more:
+ * NULL if it is not all there. */
+static const char *id_end(const struct ph_csv_columns *columns, const char *p,
+                          const char *end, bool more) {
+  const char *after;
+  id_cell(columns, p, end, &after);
+  return after < ph_csv_row_end(p, end) || !more ? after : NULL;
+}
+
+/* The record that begins at the window is too long: keeps what says its id, if
+ * it is in as much of the first row as a record may have. */
+static void begin_over(struct ph_split *split) {
+  const struct ph_csv_columns *columns = split->csv.columns;
+  const char *p = split->data + split->start;
+  struct ph_csv_scan scan = {.at = 0};
+  bool more = ph_csv_scan(&scan, p, split->options.most, columns->delimiter,
+                          false) != PH_CSV_ROW;
+  const char *end = id_end(columns, p, p + scan.at, more);
+  const char *after;
+  ph_split_over(split);
+  split->over.nameless = !end;
+  if (end && id_cell(columns, p, end, &after).n > 0) {
+    ph_buf_put(&split->over.kept, p, (size_t)(end - p));
+  }
+}
+
+/* Drops what was read, up to the end of the row or inside it. */
+static void drop_row(struct ph_split *split, bool inside) {
+  struct ph_split_csv *csv = &split->csv;
+  struct ph_diag place;
+  if (csv->scan.quote < csv->scan.at) {
+    ph_split_locate(split, csv->scan.quote, &place);
+    split->over.quote = (struct ph_split_place){place.line, place.column};
+    csv->scan.quote = SIZE_MAX;
+  }
+  ph_split_drop(split, csv->scan.at);
+  split->over.inside = inside;
+  csv->row = 0;
+  csv->scan.at = 0;
+  if (!inside) {
+    csv->scan = (struct ph_csv_scan){.at = 0};
+  }
+}
+
+/* Goes on with the next row; this one belongs to the open record, or else to
+ * none. */
+static void next_row(struct ph_split *split) {
+  struct ph_split_csv *csv = &split->csv;
+  const size_t most = split->options.most, row_end = csv->scan.at;
+  if (csv->open && !split->over.on && most && row_end > most) {
+    begin_over(split);
+  }
+  if (!csv->open || split->over.on) {
+    drop_row(split, false);
+  } else {
+    csv->row = row_end;
+    csv->scan = (struct ph_csv_scan){.at = row_end};
+  }
+}
+
+/* Whether a row that is read is longer than a record may be; its blanks at the
+ * beginning are none, as it may be a blank line. */
+static bool is_long(const struct ph_split *split, enum ph_csv_state row) {
+  const struct ph_split_csv *csv = &split->csv;
+  const char *p = split->data + split->start + csv->row;
+  const size_t most = split->options.most;
+  /* a quote that is never closed: the row was read to its end */
+  bool open_quote = row == PH_CSV_ERROR && csv->scan.at == csv->scan.quote;
+  size_t end = open_quote ? split->fill - split->start : csv->scan.at;
+  size_t blanks = 0;
+  if (!most || row == PH_CSV_BLANK || end - csv->row <= most) {
+    return false;
+  }
+  while (blanks < most && memchr(" \t\r", p[blanks], 3)) {
+    blanks++;
+  }
+  return blanks < most;
+}
+
+/* It is.  PH_SPLIT_END: go on. */
+static enum ph_split_state handle_long(struct ph_split *split,
+                                       enum ph_csv_state row,
+                                       struct ph_record *record,
+                                       struct ph_diag *diag) {
+  struct ph_split_csv *csv = &split->csv;
+  const size_t most = split->options.most;
+  const char *p = split->data + split->start + csv->row;
+  if (*p != '#' && !csv->columns) {
+    ph_fail(diag, PH_LIMIT, NULL,
+            "the first row is longer than the %zu bytes of --max-record-bytes",
+            most);
+    return stop(split, 0, record, diag);
+  }
+  if (*p != '#') {
+    const char *end = id_end(csv->columns, p, p + most, true);
+    bool open = csv->open;
+    bool taken = end && take_row(split, p, end);
+    if (csv->id.failed) {
+      ph_fail_memory(diag);
+      return stop(split, 0, record, diag);
+    }
+    if (open && !taken) {
+      return give(split, csv->row, record, diag);
+    }
+    csv->open = true;
+  }
+  if (csv->open && !split->over.on) {
+    begin_over(split);
+  }
+  if (row == PH_CSV_ERROR && csv->scan.at == csv->scan.quote) {
+    csv->scan.at = split->fill - split->start;
+  }
+  if (row == PH_CSV_ERROR) {
+    split->over.inside = true; /* and met again */
+  } else {
+    drop_row(split, row == PH_CSV_MORE);
+  }
+  return PH_SPLIT_END;
 }
 
 /* A row of cells is complete.  PH_SPLIT_END: go on with the next one. */
@@ -434,15 +236,15 @@ static enum ph_split_state handle_row(struct ph_split *split,
   struct ph_split_csv *csv = &split->csv;
   const char *window = split->data + split->start;
   bool data = true;
-  if (!csv->columns && find_columns(split, &data, diag) != PH_OK) {
+  if (!csv->columns && ph_split_find_columns(split, &data, diag) != PH_OK) {
     return stop(split, 0, record, diag);
   }
-  if (data && !take_row(csv, window + csv->row, window + csv->scan.at)) {
+  if (data && !take_row(split, window + csv->row, window + csv->scan.at)) {
     if (csv->id.failed) {
       ph_fail_memory(diag);
       return stop(split, 0, record, diag);
     }
-    return give(split, csv->row, record);
+    return give(split, csv->row, record, diag);
   }
   next_row(split);
   return PH_SPLIT_END;
@@ -455,7 +257,7 @@ static enum ph_split_state handle_comment(struct ph_split *split,
   const char *p = split->data + split->start + 1;
   const char *end = split->data + split->start + split->csv.scan.at;
   bool first = split->place.line == 1 && split->csv.row == 0;
-  if (first && !split->options.columns && is_header_comment(split, p, end) &&
+  if (first && !split->options.columns && ph_split_is_header(split, p, end) &&
       ph_split_columns(split, p, (size_t)(end - p), split->delimiter, false,
                        &split->csv.columns, diag) != PH_OK) {
     return stop(split, 1, record, diag);
@@ -471,14 +273,31 @@ static enum ph_split_state handle_broken(struct ph_split *split,
                                          struct ph_diag *diag) {
   struct ph_split_csv *csv = &split->csv;
   const char *window = split->data + split->start;
-  if (!csv->open || take_row(csv, window + csv->row, window + csv->scan.at)) {
+  if (!csv->open || take_row(split, window + csv->row, window + csv->scan.at)) {
     ph_fail(diag, PH_SYNTAX, NULL, "%s", csv->scan.message);
   } else if (csv->id.failed) {
     ph_fail_memory(diag);
   } else {
-    return give(split, csv->row, record);
+    return give(split, csv->row, record, diag);
   }
   return stop(split, csv->scan.at, record, diag);
+}
+
+/* A row is broken, of which some is gone. */
+static enum ph_split_state handle_inside_broken(struct ph_split *split,
+                                                struct ph_record *record,
+                                                struct ph_diag *diag) {
+  struct ph_csv_scan *scan = &split->csv.scan;
+  const bool gone = scan->at == SIZE_MAX;
+  enum ph_split_state state;
+  scan->at = gone ? 0 : scan->at;
+  ph_fail(diag, PH_SYNTAX, NULL, "%s", scan->message);
+  state = stop(split, scan->at, record, diag);
+  if (gone) {
+    diag->line = split->over.quote.line;
+    diag->column = split->over.quote.column;
+  }
+  return state;
 }
 
 /* More bytes, or the end of the file.  PH_SPLIT_END: go on. */
@@ -490,6 +309,40 @@ static enum ph_split_state handle_more(struct ph_split *split, bool may_wait,
   return state == PH_SPLIT_RECORD ? PH_SPLIT_END : state;
 }
 
+/* What the scan of a row has found.  PH_SPLIT_END: go on. */
+static enum ph_split_state handle(struct ph_split *split, enum ph_csv_state row,
+                                  struct ph_record *record,
+                                  struct ph_diag *diag) {
+  struct ph_split_csv *csv = &split->csv;
+  if (split->over.inside && row == PH_CSV_ERROR) {
+    return handle_inside_broken(split, record, diag);
+  }
+  if (split->over.inside) {
+    drop_row(split, row == PH_CSV_MORE);
+    return PH_SPLIT_END;
+  }
+  if (is_long(split, row)) {
+    return handle_long(split, row, record, diag);
+  }
+  switch (row) {
+  case PH_CSV_ROW:
+    return handle_row(split, record, diag);
+  case PH_CSV_COMMENT:
+    return handle_comment(split, record, diag);
+  case PH_CSV_ERROR:
+    return handle_broken(split, record, diag);
+  case PH_CSV_BLANK:
+    if (csv->open) {
+      return give(split, csv->scan.at, record, diag);
+    }
+    next_row(split);
+    break;
+  case PH_CSV_MORE:
+    break;
+  }
+  return PH_SPLIT_END;
+}
+
 enum ph_split_state ph_split_csv(struct ph_split *split, bool may_wait,
                                  struct ph_record *record,
                                  struct ph_diag *diag) {
@@ -499,30 +352,15 @@ enum ph_split_state ph_split_csv(struct ph_split *split, bool may_wait,
   while (state == PH_SPLIT_END) {
     size_t n = split->fill - split->start;
     enum ph_csv_state row = PH_CSV_MORE;
-    if (csv->row < n) {
+    if (csv->row < n || split->over.inside) {
       row = ph_csv_scan(&csv->scan, split->data + split->start, n,
                         split->delimiter, split->end_of_file);
+      state = handle(split, row, record, diag);
     } else if (end_of_file) {
-      return csv->open ? give(split, csv->row, record) : PH_SPLIT_END;
+      return csv->open ? give(split, csv->row, record, diag) : PH_SPLIT_END;
     }
-    switch (row) {
-    case PH_CSV_ROW:
-      state = handle_row(split, record, diag);
-      break;
-    case PH_CSV_COMMENT:
-      state = handle_comment(split, record, diag);
-      break;
-    case PH_CSV_BLANK:
-      if (csv->open) {
-        return give(split, csv->scan.at, record);
-      }
-      next_row(split);
-      break;
-    case PH_CSV_MORE:
+    if (row == PH_CSV_MORE && state == PH_SPLIT_END) {
       state = handle_more(split, may_wait, &end_of_file, diag);
-      break;
-    case PH_CSV_ERROR:
-      return handle_broken(split, record, diag);
     }
   }
   return state;

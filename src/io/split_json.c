@@ -13,6 +13,10 @@
  * Splitting then goes on behind the line where the text began, and the text is
  * judged as that line alone: a truncated line ends too early, whatever the
  * lines after it happen to be.
+ *
+ * Of a text that is longer than it may be, the scan goes on, and what it has
+ * passed is dropped.  If it is broken, splitting goes on, where it may, behind
+ * the line that is, or there if an object begins that line.
  */
 #include "io/split.h"
 
@@ -33,7 +37,8 @@ static bool skip_blanks(struct ph_split *split) {
 /* ---- broken texts --------------------------------------------------- */
 
 /* Finds the end of the line at the start of the window.
- * ret  PH_SPLIT_RECORD, PH_SPLIT_WAIT or PH_SPLIT_FAILED */
+ * ret  PH_SPLIT_RECORD; PH_SPLIT_END: it is longer than a record may be;
+ *      PH_SPLIT_WAIT or PH_SPLIT_FAILED */
 static enum ph_split_state find_line(struct ph_split *split, bool may_wait,
                                      struct ph_diag *diag) {
   struct ph_split_json *json = &split->json;
@@ -46,6 +51,9 @@ static enum ph_split_state find_line(struct ph_split *split, bool may_wait,
     if (end) {
       json->line_n = json->look;
       break;
+    }
+    if (split->options.most && n > split->options.most) {
+      return PH_SPLIT_END;
     }
     state = ph_split_fill(split, may_wait, diag);
     if (state == PH_SPLIT_END) {
@@ -98,14 +106,198 @@ stop(struct ph_split *split, struct ph_record *record, struct ph_diag *diag) {
                      diag);
 }
 
+/* Whether the texts so far count as lines of JSON Lines, whatever follows. */
+static bool are_lines(const struct ph_split *split) {
+  const struct ph_split_json *json = &split->json;
+  size_t on_this_line = json->line_start ? 0 : 1;
+  return split->lines_suffix || (json->lines && json->values > on_this_line);
+}
+
+/* The next text begins a line. */
+static void begin_line(struct ph_split_json *json) {
+  json->scan = (struct ph_json_scan){0};
+  json->broken = false;
+  json->line_start = true;
+  json->line_n = 0;
+  json->look = 0;
+}
+
+/* A value was handed out, which stood on one line or on more. */
+static void finish_value(struct ph_split *split, bool one_line) {
+  struct ph_split_json *json = &split->json;
+  if (json->array == PH_ARRAY_NONE) {
+    json->lines &= json->line_start && one_line;
+    json->values++;
+  } else {
+    json->array = PH_ARRAY_COMMA;
+  }
+  json->line_start = false;
+  json->scan = (struct ph_json_scan){0};
+}
+
+/* ---- texts that are too long ------------------------------------------ */
+
+/* Keeps what says to whom the text belongs, as far as it is in what a record
+ * may have. */
+static void keep_names(struct ph_split *split) {
+  static const char *const names[] = {"id", "command"};
+  const char *text = split->data + split->start;
+  const char *end = text + split->options.most;
+  struct ph_buf *kept = &split->over.kept;
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  ph_json_walk_init(&walk, text, split->options.most);
+  while (ph_json_walk_next(&walk, &item) && item.value + item.value_n < end) {
+    for (size_t i = 0; item.key && i < sizeof names / sizeof *names; i++) {
+      if (item.key_n == strlen(names[i]) &&
+          memcmp(item.key, names[i], item.key_n) == 0) {
+        ph_buf_puts(kept, kept->n ? ",\"" : "{\"");
+        ph_buf_put(kept, item.key, item.key_n);
+        ph_buf_puts(kept, "\":");
+        ph_buf_put(kept, item.value, item.value_n);
+      }
+    }
+  }
+  if (kept->n) {
+    ph_buf_puts(kept, "}");
+  }
+}
+
+/* Drops n bytes of the text. */
+static void pass(struct ph_split *split, size_t n) {
+  struct ph_split_over *over = &split->over;
+  const char *text = split->data + split->start;
+  size_t i = n;
+  while (i > 0 && memchr(" \t\r", text[i - 1], 3)) {
+    i--;
+  }
+  over->blank = i > 0 ? text[i - 1] == '\n' : over->blank;
+  over->one_line &= !memchr(text, '\n', n);
+  ph_split_drop(split, n);
+}
+
+/* The text is broken where its scan is. */
+static void break_over(struct ph_split *split) {
+  struct ph_split_over *over = &split->over;
+  struct ph_diag place;
+  if (!over->on) {
+    ph_split_over(split);
+  }
+  ph_split_locate(split, split->json.scan.at, &place);
+  over->broken = (struct ph_split_place){place.line, place.column};
+  over->part = PH_OVER_LINE;
+  over->on = true;
+}
+
+/* Hands it out. */
+static enum ph_split_state give_over(struct ph_split *split, bool stopped,
+                                     struct ph_record *record,
+                                     struct ph_diag *diag) {
+  struct ph_split_json *json = &split->json;
+  struct ph_split_over *over = &split->over;
+  const bool broken = over->part != PH_OVER_VALUE;
+  ph_split_give_over(split, 0, record, diag);
+  if (broken) {
+    record->n = 0;
+    record->status = ph_fail(diag, PH_SYNTAX, NULL, "%s", json->scan.message);
+    diag->line = over->broken.line;
+    diag->column = over->broken.column;
+    split->stopped = stopped;
+    begin_line(json);
+    return PH_SPLIT_RECORD;
+  }
+  finish_value(split, over->one_line);
+  return PH_SPLIT_RECORD;
+}
+
+/* Goes on with the text itself.
+ * ret  PH_SPLIT_RECORD: it is over, or broken; else as ph_split_fill */
+static enum ph_split_state pass_value(struct ph_split *split, bool may_wait,
+                                      struct ph_diag *diag) {
+  struct ph_json_scan *scan = &split->json.scan;
+  for (;;) {
+    enum ph_json_state state =
+        ph_json_scan(scan, split->data + split->start,
+                     split->fill - split->start, split->end_of_file);
+    enum ph_split_state filled;
+    pass(split, scan->at);
+    scan->at = 0;
+    if (state == PH_JSON_ERROR) {
+      break_over(split);
+    }
+    if (state != PH_JSON_MORE) {
+      return PH_SPLIT_RECORD;
+    }
+    filled = ph_split_fill(split, may_wait, diag);
+    if (filled == PH_SPLIT_WAIT || filled == PH_SPLIT_FAILED) {
+      return filled;
+    }
+  }
+}
+
+/* Goes on to the end of the line; ret  as pass_value, or PH_SPLIT_END */
+static enum ph_split_state pass_line(struct ph_split *split, bool may_wait,
+                                     struct ph_diag *diag) {
+  for (;;) {
+    const char *data = split->data + split->start;
+    size_t n = split->fill - split->start;
+    const char *end = n ? memchr(data, '\n', n) : NULL;
+    enum ph_split_state state;
+    ph_split_drop(split, end ? (size_t)(end - data) : n);
+    state = end ? PH_SPLIT_RECORD : ph_split_fill(split, may_wait, diag);
+    if (end || state != PH_SPLIT_RECORD) {
+      return state;
+    }
+  }
+}
+
+/* A text that is too long. */
+static enum ph_split_state pass_over(struct ph_split *split, bool may_wait,
+                                     struct ph_record *record,
+                                     struct ph_diag *diag) {
+  struct ph_split_json *json = &split->json;
+  struct ph_split_over *over = &split->over;
+  const bool lines = are_lines(split);
+  enum ph_split_state state = PH_SPLIT_RECORD;
+  if (over->part == PH_OVER_VALUE) {
+    state = pass_value(split, may_wait, diag);
+    if (state != PH_SPLIT_RECORD || over->part == PH_OVER_VALUE) {
+      return state == PH_SPLIT_RECORD ? give_over(split, false, record, diag)
+                                      : state;
+    }
+    if (json->array != PH_ARRAY_NONE || !(lines || json->line_start)) {
+      return give_over(split, true, record, diag);
+    }
+    if (over->blank && split->start < split->fill &&
+        split->data[split->start] == '{') {
+      return give_over(split, false, record, diag);
+    }
+  }
+  if (over->part == PH_OVER_LINE) {
+    state = pass_line(split, may_wait, diag);
+    if (state == PH_SPLIT_WAIT || state == PH_SPLIT_FAILED) {
+      return state;
+    }
+    if (lines || state == PH_SPLIT_END) {
+      return give_over(split, !lines, record, diag);
+    }
+    over->part = PH_OVER_FOLLOWING;
+    json->look = 1;
+  }
+  state = object_follows(split, may_wait, diag);
+  return state == PH_SPLIT_WAIT || state == PH_SPLIT_FAILED
+             ? state
+             : give_over(split, state == PH_SPLIT_END, record, diag);
+}
+
+/* ---- broken texts, further -------------------------------------------- */
+
 /* Decides whether reading can go on behind a broken text, and hands it out. */
 static enum ph_split_state broken(struct ph_split *split, bool may_wait,
                                   struct ph_record *record,
                                   struct ph_diag *diag) {
   struct ph_split_json *json = &split->json;
-  size_t on_this_line = json->line_start ? 0 : 1;
-  bool lines =
-      split->lines_suffix || (json->lines && json->values > on_this_line);
+  bool lines = are_lines(split);
   struct ph_json_scan line = {0};
   enum ph_split_state state;
   const char *text;
@@ -115,6 +307,10 @@ static enum ph_split_state broken(struct ph_split *split, bool may_wait,
     return stop(split, record, diag);
   }
   state = find_line(split, may_wait, diag);
+  if (state == PH_SPLIT_END) {
+    break_over(split);
+    return pass_over(split, may_wait, record, diag);
+  }
   if (state == PH_SPLIT_RECORD && !lines) {
     state = object_follows(split, may_wait, diag);
   }
@@ -130,11 +326,7 @@ static enum ph_split_state broken(struct ph_split *split, bool may_wait,
   if (ph_json_scan(&line, text, n, true) != PH_JSON_ERROR) {
     line = json->scan; /* cannot be: what has a good beginning is good */
   }
-  json->scan = (struct ph_json_scan){0};
-  json->broken = false;
-  json->line_start = true;
-  json->line_n = 0;
-  json->look = 0;
+  begin_line(json);
   return give_broken(split, n, line_n, &line, record, diag);
 }
 
@@ -143,17 +335,9 @@ static enum ph_split_state broken(struct ph_split *split, bool may_wait,
 /* Hands out the value at the start of the window. */
 static enum ph_split_state give_value(struct ph_split *split,
                                       struct ph_record *record) {
-  struct ph_split_json *json = &split->json;
-  size_t n = json->scan.at;
+  size_t n = split->json.scan.at;
   ph_split_give(split, n, n, record);
-  if (json->array == PH_ARRAY_NONE) {
-    json->lines &= json->line_start && !memchr(record->text, '\n', n);
-    json->values++;
-  } else {
-    json->array = PH_ARRAY_COMMA;
-  }
-  json->line_start = false;
-  json->scan = (struct ph_json_scan){0};
+  finish_value(split, !memchr(record->text, '\n', n));
   return PH_SPLIT_RECORD;
 }
 
@@ -206,6 +390,9 @@ enum ph_split_state ph_split_json(struct ph_split *split, bool may_wait,
   for (;;) {
     enum ph_json_state state = PH_JSON_MORE;
     enum ph_split_state filled;
+    if (split->over.on) {
+      return pass_over(split, may_wait, record, diag);
+    }
     if (json->broken) {
       return broken(split, may_wait, record, diag);
     }
@@ -216,6 +403,11 @@ enum ph_split_state ph_split_json(struct ph_split *split, bool may_wait,
       if (state == PH_JSON_DONE) {
         state = ph_json_scan(&json->scan, split->data + split->start,
                              split->fill - split->start, split->end_of_file);
+      }
+      if (split->options.most && json->scan.at > split->options.most) {
+        ph_split_over(split);
+        keep_names(split);
+        continue;
       }
       if (state == PH_JSON_DONE) {
         return give_value(split, record);

@@ -107,6 +107,80 @@ expect '--fail-fast ends at a limit' 1 \
 with its result as text, than the 1048576 of --max-memory [limit]
 $(failed 1 2)"
 
+# ---- text --------------------------------------------------------------------
+
+# A record whose text is too long is none that anybody keeps: those beside it
+# are what they would have been, in every format.
+over='the record is longer than the 60 bytes of --max-record-bytes'
+# one ID LENGTH: a problem of so many bytes
+one() {
+  printf '{"id":"%s","points":[[0,0],[1,1]],"meta":"%0*d"}' "$1" \
+    $(($2 - 42 - ${#1})) 0
+}
+# texts FORMAT LENGTH...: a stream of problems of so many bytes
+texts() {
+  format=$1 n=0
+  shift
+  for length; do
+    n=$((n + 1))
+    case $format,$n in
+    array,1) printf '[' ;;
+    array,* | csv,1) printf '%s' "${separator-,}" ;;
+    esac
+    one "k$n" "$length"
+    test "$format" != lines || echo
+  done
+  test "$format" != array || printf ']'
+}
+for format in lines array joined; do
+  for lengths in '61 59 60' '59 61 60' '59 60 61' '61 61 61'; do
+    # shellcheck disable=SC2086  # several lengths
+    texts $format $lengths >texts.json
+    # shellcheck disable=SC2086
+    set -- $lengths
+    run planar -j 1 --max-record-bytes=60 texts.json
+    equal "$format of $lengths: status" 1 "$status"
+    mv out one.out
+    mv err one.err
+    for k in 1 2 3; do
+      length=$1 line=1
+      shift
+      test "$format" != lines || line=$k
+      if [ "$length" -gt 60 ]; then
+        printf '{"id":"k%s","command":"planar","status":"error","error":{"code":' $k
+        printf '"limit","message":"%s","file":"texts.json","line":%s}}\n' \
+          "$over" $line
+        echo "phspline: texts.json:$line: record k$k: $over [limit]" >&3
+      else
+        one k$k "$length" | "$PHSPLINE" planar
+      fi
+    done >want 3>want.err
+    {
+      failed "$(grep -c . want.err)" 3
+      echo
+    } >count.err
+    cat count.err >>want.err
+    equal_files "$format of $lengths: the records" want one.out
+    equal_files "$format of $lengths: the messages" want.err one.err
+    run planar -j 3 --max-record-bytes=60 texts.json
+    equal_files "$format of $lengths: with three threads" one.out out
+  done
+done
+printf 'id,x,y\na,0,0\na,1,1\nb,0,0\nb,1,1\nb,2,0\nc,0,0\nc,1,1\n' >rows.csv
+run planar --max-record-bytes=12 rows.csv
+equal 'CSV: the records' '"ok" "error" "ok"' "$(get status)"
+equal 'CSV: the ids' '"a" "b" "c"' "$(get id)"
+equal 'CSV: the message' "phspline: rows.csv:4: record b: the record is longer \
+than the 12 bytes of --max-record-bytes [limit]
+$(failed 1 3)" "$(cat err)"
+run planar --fail-fast --max-record-bytes=12 rows.csv
+equal 'CSV: --fail-fast' '"ok" "error"' "$(get status)"
+run planar --max-record-bytes=18 rows.csv
+expect 'CSV: as long as they may be' 0 ''
+run planar --max-memory=60 texts.json
+equal 'what --max-memory says counts for text' '"limit" "limit" "limit"' \
+  "$(get error.code)"
+
 # ---- time --------------------------------------------------------------------
 
 beside '--time-limit' \
@@ -147,6 +221,28 @@ run verify --time-limit=1e-9 result.jsonl
 expect 'verify --time-limit' 1 "phspline: result.jsonl:1: record 1: the record \
 takes longer than the 1e-09 seconds of --time-limit [limit]
 $(failed 1 1)"
+printf '{"id":2,"points":[[0,0],[1,1]]}\n' >two.jsonl
+sed 's/{/{"id":1,/' good.jsonl >one.jsonl
+cat one.jsonl two.jsonl >both.jsonl
+{
+  run planar -n 1000 one.jsonl
+  cat out
+  run planar two.jsonl
+  cat out
+} >results.jsonl
+run verify --max-record-bytes=2K results.jsonl
+equal 'verify --max-record-bytes' '"error" "ok"' "$(get status)"
+equal 'verify --max-record-bytes: id, code' '1 2 "limit" absent' \
+  "$(get id) $(get error.code)"
+run verify --max-record-bytes=2K --problems=both.jsonl results.jsonl
+equal 'verify --max-record-bytes: the problem of the next one' '"error" "ok"' \
+  "$(get status)"
+equal 'verify --max-record-bytes: its own' \
+  "phspline: results.jsonl:1: record 1: the record is longer than the 2048 bytes \
+of --max-record-bytes [limit]
+$(failed 1 2)" "$(cat err)"
+run verify --max-record-bytes=1M --problems=both.jsonl results.jsonl
+expect 'verify --max-record-bytes: enough' 0 ''
 run verify --max-memory=1G --time-limit=1000 result.jsonl
 expect 'verify within its limits' 0 ''
 
@@ -168,6 +264,8 @@ bad_value max-samples 'a whole number from 1 to 1000000000' \
 bad_value max-memory \
   'a whole number of bytes from 1 to 1e+15, or one of K, M or G' \
   0 -1 nan inf 0.5 1e16 1e400 1.0001K 1k 1KK K 1MB '' x
+bad_value max-record-bytes \
+  'a whole number of bytes from 1 to 1e+15, or one of K, M or G' 0 -1 1.0001K x
 bad_value time-limit 'a number greater than 0' 0 -1 nan inf 1e400 1s '' x
 for value in 1000000 1e6 1000K 1.5M 1G 0.5G; do
   run planar --max-memory=$value good.jsonl

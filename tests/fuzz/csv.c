@@ -9,9 +9,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   static const struct ph_split_options options[] = {
-      {PH_SPLIT_AUTO, 0, NULL},
-      {PH_SPLIT_CSV, 0, "id,x,-,y,knot"},
-      {PH_SPLIT_CSV, ';', NULL}};
+      {PH_SPLIT_AUTO, 0, NULL, 0},
+      {PH_SPLIT_CSV, 0, "id,x,-,y,knot", 0},
+      {PH_SPLIT_CSV, ';', NULL, 0}};
   for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
     stream_check(data, n, &options[i]);
   }

@@ -5,7 +5,7 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
-  const struct ph_split_options options = {PH_SPLIT_JSON, 0, NULL};
+  const struct ph_split_options options = {PH_SPLIT_JSON, 0, NULL, 0};
   stream_check(data, n, &options);
   return 0;
 }

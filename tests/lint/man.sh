@@ -216,7 +216,7 @@ sed -n '/^\.Sh CSV OUTPUT/,/^\.El/s/^\.Li \(id,.*\)/\1/p' man/phspline.5 \
 same "columns of tables" "$tmp/list" "$tmp/page"
 
 # names of CSV columns that at least one command takes
-sed -n '/^} names\[\]/,/^};/p' src/io/split_csv.c | tr '{' '\n' |
+sed -n '/^} names\[\]/,/^};/p' src/io/split_columns.c | tr '{' '\n' |
   sed -n 's/^"\([a-z_]*\)".*/\1/p' >"$tmp/names"
 while read -r name; do
   while read -r command; do

@@ -5,7 +5,8 @@
  *
  * A transcript is what a stream gives, one line a record:
  *   NUMBER LINE TEXT              a good record (\n in it as $)
- *   NUMBER LINE code L:C MESSAGE  a broken one, and where
+ *   NUMBER LINE code L:C MESSAGE  a broken one, and where; of one that is too
+ *                                 long, also what was kept
  * and at the end "stopped", "end" or "failed: MESSAGE".
  */
 #ifndef PH_TESTS_SPLIT_UNIT_H
@@ -40,8 +41,8 @@ static const struct ph_field sphere_rows[] = {
     {PH_F_LONLAT, PH_VECTORS, PLANE, false, "", "", ""}};
 static const struct ph_schema sphere = {"sphere", sphere_rows, 2};
 
-static const struct ph_split_options automatic = {PH_SPLIT_AUTO, 0, NULL};
-static const struct ph_split_options csv = {PH_SPLIT_CSV, 0, NULL};
+static const struct ph_split_options automatic = {PH_SPLIT_AUTO, 0, NULL, 0};
+static const struct ph_split_options csv = {PH_SPLIT_CSV, 0, NULL, 0};
 
 /* ---- transcripts ---------------------------------------------------- */
 
@@ -103,6 +104,10 @@ static inline void note_record(const struct ph_record *record,
     ph_buf_puts(&transcript, " ");
     note_place(diag->line, diag->column);
     ph_buf_puts(&transcript, diag->message);
+  }
+  if (record->status == PH_LIMIT) {
+    ph_buf_puts(&transcript, " ");
+    note(record->text, record->n);
   }
   ph_buf_puts(&transcript, "\n");
   if (problems && record->status == PH_OK) {
@@ -219,6 +224,53 @@ static inline void gives_with(const struct ph_split_options *options,
   const char *name = "a.txt";
   put_file(name, text);
   ck_files(&name, 1, options, fields, expected);
+}
+
+/* ---- portions ------------------------------------------------------------ */
+
+/* A pipe as standard input; its other end. */
+static inline int open_pipe(void) {
+  int ends[2];
+  ck_assert_int_eq(pipe(ends), 0);
+  ck_assert_int_eq(dup2(ends[0], 0), 0);
+  close(ends[0]);
+  return ends[1];
+}
+
+/* The transcript of a text that comes through a pipe in portions. */
+static inline void by_portions(const struct ph_split_options *options,
+                               const char *text, size_t n, size_t step) {
+  int fd = open_pipe();
+  struct ph_split split;
+  begin(&split, NULL, 0, options, &schema);
+  for (size_t i = 0; i < n; i += step) {
+    write_all(fd, text + i, step < n - i ? step : n - i);
+    if (i + step < n && !note_records(&split, false, true)) {
+      break; /* it has stopped */
+    }
+  }
+  close(fd);
+  if (transcript.n == 0 || transcript.data[transcript.n - 1] != '\0') {
+    ck_assert(!note_records(&split, true, true));
+  }
+  ph_split_free(&split);
+}
+
+static inline void ck_portions(const struct ph_split_options *options,
+                               const char *text, size_t n) {
+  static const size_t steps[] = {1, 2, 7};
+  char *whole;
+  by_portions(options, text, n, n + 1);
+  whole = malloc(transcript.n);
+  ck_assert_ptr_nonnull(whole);
+  memcpy(whole, transcript.data, transcript.n);
+  for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+    by_portions(options, text, n, steps[i]);
+    ck_assert_msg(strcmp(transcript.data, whole) == 0,
+                  "%.*s\nby %zu gives\n%s\ninstead of\n%s", (int)n, text,
+                  steps[i], transcript.data, whole);
+  }
+  free(whole);
 }
 
 #endif

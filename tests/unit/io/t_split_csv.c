@@ -104,7 +104,7 @@ PH_TEST(test_csv_bad_headers) {
 
 /* Vectors of the plane have no third column. */
 PH_TEST(test_csv_plane) {
-  struct ph_split_options named = {PH_SPLIT_CSV, 0, "x,y,tx,ty"};
+  struct ph_split_options named = {PH_SPLIT_CSV, 0, "x,y,tx,ty", 0};
   gives_with(&csv, &plane, "0,1\n2,3\n", "1 1 0,1$2,3$\nend");
   gives_with(&csv, &plane, "x,y,tx,ty\n0,1,2,3\n", "1 2 0,1,2,3$\nend");
   gives_with(&csv, &plane, "# dy,dx,y_m,x_m\n0,1,2,3\n", "1 2 0,1,2,3$\nend");
@@ -163,7 +163,7 @@ PH_TEST(test_csv_broken) {
 }
 
 PH_TEST(test_csv_options) {
-  struct ph_split_options options = {PH_SPLIT_AUTO, 0, "x,y,-,-"};
+  struct ph_split_options options = {PH_SPLIT_AUTO, 0, "x,y,-,-", 0};
   gives_with(&options, &schema, "0,1,2,3\n", "1 1 0,1,2,3$\nend");
   /* A header is skipped when it is one. */
   gives_with(&options, &schema, "a,b,c,d\n0,1,2,3\n", "1 2 0,1,2,3$\nend");
@@ -202,7 +202,7 @@ static void ck_usage(const struct ph_split_options *options, const char *field,
 }
 
 PH_TEST(test_usage) {
-  struct ph_split_options options = {PH_SPLIT_AUTO, 0, "x,yy"};
+  struct ph_split_options options = {PH_SPLIT_AUTO, 0, "x,yy", 0};
   ck_usage(&options, "--columns",
            "column \"yy\" is unknown to planar; did you mean \"y\"?");
   options.columns = "x,y,x";

@@ -1,0 +1,332 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What the columns of CSV mean (see split.h): by --columns, by the header of
+ * the file, or by the number of columns.
+ *
+ * Of what the cells hold, the first row's is looked at, which may be the
+ * header.
+ */
+#include "io/split.h"
+
+#include "base/mem.h"
+#include "base/suggest.h"
+
+#include <stdint.h>
+#include <string.h>
+
+/* ---- the names of columns ------------------------------------------- */
+
+/* The one list of column names: what a column fills.  The first name of a
+ * component is the one that messages use. */
+static const struct {
+  const char *name;
+  int field;
+  size_t component;
+  bool vector; /* the field holds vectors */
+} names[] = {
+    {"id", PH_CSV_ID, 0, false},        {"x", PH_F_POINTS, 0, true},
+    {"y", PH_F_POINTS, 1, true},        {"z", PH_F_POINTS, 2, true},
+    {"x_m", PH_F_POINTS, 0, true},      {"y_m", PH_F_POINTS, 1, true},
+    {"z_m", PH_F_POINTS, 2, true},      {"knot", PH_F_KNOTS, 0, false},
+    {"alpha", PH_F_ALPHA, 0, false},    {"tension", PH_F_TENSION, 0, false},
+    {"length", PH_F_LENGTHS, 0, false}, {"tx", PH_F_TANGENTS, 0, true},
+    {"ty", PH_F_TANGENTS, 1, true},     {"tz", PH_F_TANGENTS, 2, true},
+    {"dx", PH_F_DERIVATIVES, 0, true},  {"dy", PH_F_DERIVATIVES, 1, true},
+    {"dz", PH_F_DERIVATIVES, 2, true},  {"lon", PH_F_LONLAT, 0, true},
+    {"lat", PH_F_LONLAT, 1, true},      {"longitude", PH_F_LONLAT, 0, true},
+    {"latitude", PH_F_LONLAT, 1, true},
+};
+
+enum { NAMES = sizeof names / sizeof *names };
+
+static const struct ph_field *row_of(const struct ph_schema *schema,
+                                     int field) {
+  for (size_t i = 0; i < schema->fields_n; i++) {
+    if ((int)schema->fields[i].id == field) {
+      return &schema->fields[i];
+    }
+  }
+  return NULL;
+}
+
+/* Whether the command has a use for columns of names[i]. */
+static bool is_used(const struct ph_schema *schema, size_t i) {
+  const struct ph_field *row = row_of(schema, names[i].field);
+  if (names[i].field == PH_CSV_ID) {
+    return true;
+  }
+  if (!row) {
+    return false;
+  }
+  return names[i].vector ? row->kinds & PH_VECTORS &&
+                               row->dimensions >> (names[i].component + 1) != 0
+                         : row->kinds & PH_NUMBERS;
+}
+
+/* The index of a name that the command knows, or NAMES. */
+static size_t find_name(const struct ph_schema *schema, const char *text,
+                        size_t n) {
+  size_t i = 0;
+  while (i < NAMES &&
+         !(ph_word_is(text, n, names[i].name) && is_used(schema, i))) {
+    i++;
+  }
+  return i;
+}
+
+/* ---- lists of names ------------------------------------------------- */
+
+/* A list of names being read. */
+struct list {
+  struct ph_split *split;
+  bool option; /* of --columns */
+  struct ph_diag *diag;
+};
+
+/* The field of the failures of a list, and what its reader can do. */
+static const char *where(const struct list *list) {
+  return list->option ? "--columns" : NULL;
+}
+
+static const char *advice(const struct list *list) {
+  return list->option ? "" : " (--columns can skip it)";
+}
+
+static enum ph_status unknown_column(const struct list *list, size_t i,
+                                     const struct ph_csv_cell *cell) {
+  const struct ph_schema *schema = list->split->schema;
+  struct ph_suggest suggest;
+  char clause[PH_DID_YOU_MEAN_MAX];
+  char excerpt[PH_EXCERPT_MAX];
+  if (cell->n == 0) {
+    return ph_fail(list->diag, PH_UNKNOWN_FIELD, where(list),
+                   "column %zu has no name%s", i + 1, advice(list));
+  }
+  ph_suggest_init(&suggest, cell->text, cell->n);
+  for (size_t k = 0; k < NAMES; k++) {
+    if (is_used(schema, k)) {
+      ph_suggest_try(&suggest, names[k].name, strlen(names[k].name));
+    }
+  }
+  ph_did_you_mean(&suggest, clause);
+  return ph_fail(list->diag, PH_UNKNOWN_FIELD, where(list),
+                 "column \"%s\" is unknown to %s%s%s",
+                 ph_excerpt(cell->text, cell->n, excerpt), schema->command,
+                 clause, advice(list));
+}
+
+/* Whether the numbers of columns of names[k] belong to segments. */
+static bool is_of_segments(const struct ph_schema *schema, size_t k) {
+  const struct ph_field *row = row_of(schema, names[k].field);
+  return row && row->kinds & PH_SEGMENTS;
+}
+
+/* Column i, which is named by a cell. */
+static enum ph_status read_column(const struct list *list, size_t i,
+                                  const struct ph_csv_cell *cell,
+                                  struct ph_csv_columns *columns) {
+  size_t k = find_name(list->split->schema, cell->text, cell->n);
+  struct ph_csv_column *column = &columns->column[i];
+  char excerpt[PH_EXCERPT_MAX];
+  if (list->option && cell->n == 1 && *cell->text == '-') {
+    *column = (struct ph_csv_column){PH_CSV_SKIP, 0, "-", false};
+    return PH_OK;
+  }
+  if (k == NAMES) {
+    return unknown_column(list, i, cell);
+  }
+  *column =
+      (struct ph_csv_column){names[k].field, names[k].component, names[k].name,
+                             is_of_segments(list->split->schema, k)};
+  for (size_t j = 0; j < i; j++) {
+    if (columns->column[j].field == column->field &&
+        columns->column[j].component == column->component) {
+      return ph_fail(list->diag, PH_BAD_VALUE, where(list),
+                     "columns %zu and %zu (\"%s\") are the same%s", j + 1,
+                     i + 1, ph_excerpt(cell->text, cell->n, excerpt),
+                     advice(list));
+    }
+  }
+  return PH_OK;
+}
+
+/* Whether each vector has all its components. */
+static enum ph_status check_vectors(const struct list *list,
+                                    const struct ph_csv_columns *columns) {
+  unsigned have[PH_FIELD_N] = {0}; /* bit c: component c */
+  for (size_t i = 0; i < columns->n; i++) {
+    if (columns->column[i].field < PH_FIELD_N) {
+      have[columns->column[i].field] |= 1u << columns->column[i].component;
+    }
+  }
+  for (size_t k = 0; k < NAMES; k++) {
+    const struct ph_field *row = row_of(list->split->schema, names[k].field);
+    unsigned set = row && names[k].vector ? have[row->id] : 0;
+    unsigned dimension = 0;
+    while (set >> dimension) {
+      dimension++;
+    }
+    /* The component is missing when a later one, or too little, is there. */
+    if (set && !(set >> names[k].component & 1) &&
+        (names[k].component < dimension ||
+         (names[k].component == dimension &&
+          !(row->dimensions >> dimension & 1)))) {
+      return ph_fail(list->diag, PH_MISSING_FIELD, where(list),
+                     "column \"%s\" is missing: %s needs it for %s",
+                     names[k].name, list->split->schema->command,
+                     ph_field_name(row->id));
+    }
+  }
+  return PH_OK;
+}
+
+static size_t count_cells(const char *p, const char *end, char separator) {
+  struct ph_csv_cell cell;
+  size_t n = 1;
+  p = ph_csv_cell(p, end, separator, &cell);
+  while (p < end) {
+    p = ph_csv_cell(p + 1, end, separator, &cell);
+    n++;
+  }
+  return n;
+}
+
+enum ph_status ph_split_columns(struct ph_split *split, const char *text,
+                                size_t n, char separator, bool option,
+                                struct ph_csv_columns **columns,
+                                struct ph_diag *diag) {
+  struct list list = {split, option, diag};
+  const char *p = text;
+  const char *end = ph_csv_row_end(text, text + n);
+  size_t cells = count_cells(p, end, separator);
+  enum ph_status status = PH_OK;
+  if (cells > (SIZE_MAX - sizeof **columns) / sizeof *(*columns)->column) {
+    return ph_fail_memory(diag);
+  }
+  *columns = ph_malloc(sizeof **columns + cells * sizeof *(*columns)->column);
+  if (!*columns) {
+    return ph_fail_memory(diag);
+  }
+  (*columns)->older = split->all_columns;
+  (*columns)->delimiter = split->delimiter;
+  (*columns)->n = cells;
+  split->all_columns = *columns;
+  for (size_t i = 0; i < cells && status == PH_OK; i++) {
+    struct ph_csv_cell cell;
+    const char *after = ph_csv_cell(p, end, separator, &cell);
+    status = read_column(&list, i, &cell, *columns);
+    if (status != PH_OK) {
+      diag->column = (size_t)(cell.text - cell.quoted - text) + 1;
+    }
+    p = after + 1;
+  }
+  return status == PH_OK ? check_vectors(&list, *columns) : status;
+}
+
+/* ---- the first row -------------------------------------------------- */
+
+/* What the cells of a row look like. */
+struct census {
+  size_t cells;
+  size_t numbers;
+  size_t names;
+  size_t blanks;
+};
+
+/* Counts the cells of a row; with columns, those of fields only. */
+static struct census take_census(const struct ph_split *split, const char *p,
+                                 const char *end,
+                                 const struct ph_csv_columns *columns) {
+  struct census census = {0, 0, 0, 0};
+  end = ph_csv_row_end(p, end);
+  for (;; p++) {
+    struct ph_csv_cell cell;
+    size_t i = census.cells++;
+    double x;
+    p = ph_csv_cell(p, end, split->delimiter, &cell);
+    if (!columns || (i < columns->n && columns->column[i].field < PH_FIELD_N)) {
+      census.blanks += cell.n == 0;
+      census.numbers += ph_csv_number(cell.text, cell.n, &x);
+      census.names += find_name(split->schema, cell.text, cell.n) < NAMES;
+    } else {
+      census.blanks++;
+    }
+    if (p == end) {
+      return census;
+    }
+  }
+}
+
+/* The columns by --columns; *data: the first row is no header. */
+static enum ph_status columns_by_option(struct ph_split *split, const char *row,
+                                        const char *end, bool *data,
+                                        struct ph_diag *diag) {
+  const char *text = split->options.columns;
+  struct census census;
+  enum ph_status status = ph_split_columns(split, text, strlen(text), ',', true,
+                                           &split->csv.columns, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  census = take_census(split, row, end, split->csv.columns);
+  *data = census.numbers > 0 || census.blanks == census.cells;
+  if (census.cells > split->csv.columns->n) {
+    return ph_fail(diag, PH_BAD_SHAPE, NULL,
+                   "the row has %zu cells, but --columns names %zu "
+                   "(- skips a column)",
+                   census.cells, split->csv.columns->n);
+  }
+  return PH_OK;
+}
+
+/* The columns by the first row of a file: its header, or data. */
+static enum ph_status columns_by_row(struct ph_split *split, const char *row,
+                                     const char *end, bool *data,
+                                     struct ph_diag *diag) {
+  struct census census = take_census(split, row, end, NULL);
+  bool numeric =
+      census.numbers > 0 && census.numbers + census.blanks == census.cells;
+  char excerpt[PH_EXCERPT_MAX];
+  enum ph_status status;
+  *data = census.numbers > 0 && census.names == 0;
+  if (!*data && census.cells == 1 && census.names == 0 && split->guessed) {
+    const char *text_end = ph_csv_row_end(row, end);
+    return ph_fail(diag, PH_SYNTAX, NULL,
+                   "expected JSON, or CSV with a header row, found \"%s\"",
+                   ph_excerpt(row, (size_t)(text_end - row), excerpt));
+  }
+  if (!*data) {
+    return ph_split_columns(split, row, (size_t)(end - row), split->delimiter,
+                            false, &split->csv.columns, diag);
+  }
+  if (numeric && census.cells == 2 && row_of(split->schema, PH_F_LONLAT)) {
+    return ph_fail(
+        diag, PH_SYNTAX, NULL,
+        "the file has no header row: --columns=lon,lat or "
+        "--columns=lat,lon must say which of its 2 columns is which");
+  }
+  if (numeric && (census.cells == 2 || census.cells == 3)) {
+    status = ph_split_columns(split, "x,y,z", 2 * census.cells - 1, ',', false,
+                              &split->csv.columns, diag);
+    diag->column = 0; /* the name does not stand in the file */
+    return status;
+  }
+  return ph_fail(diag, PH_SYNTAX, NULL,
+                 "the file has no header row: --columns must name its %zu "
+                 "column%s",
+                 census.cells, census.cells == 1 ? "" : "s");
+}
+
+enum ph_status ph_split_find_columns(struct ph_split *split, bool *data,
+                                     struct ph_diag *diag) {
+  const char *row = split->data + split->start;
+  const char *end = row + split->csv.scan.at;
+  return split->options.columns ? columns_by_option(split, row, end, data, diag)
+                                : columns_by_row(split, row, end, data, diag);
+}
+
+bool ph_split_is_header(const struct ph_split *split, const char *p,
+                        const char *end) {
+  struct census census = take_census(split, p, end, NULL);
+  return census.names == census.cells;
+}
