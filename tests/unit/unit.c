@@ -28,23 +28,14 @@ static void clean(void) {
   current[0] = '\0';
 }
 
-/* GSL's handler is off, as in the program: by default it aborts. */
-int unit_run(Suite *suite) {
-  SRunner *runner = srunner_create(suite);
-  int failed;
-
-  gsl_set_error_handler_off();
-  srunner_run_all(runner, CK_ENV);
-  failed = srunner_ntests_failed(runner);
-  srunner_free(runner);
-  return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
-
-/* No test has a time of its own: tests/run limits that of the file. */
+/* No test has a time of its own: tests/run limits that of the file.  GSL's
+ * handler is off, as in the program: by default it aborts. */
 int unit_main(const char *file, const struct unit_test *const *tests, size_t n,
               void (*begin)(void), void (*finish)(void)) {
   Suite *suite = suite_create(file);
   TCase *all = tcase_create(file);
+  SRunner *runner = srunner_create(suite);
+  int failed;
 
   tcase_set_timeout(all, 0);
   tcase_add_checked_fixture(all, begin, finish);
@@ -53,5 +44,9 @@ int unit_main(const char *file, const struct unit_test *const *tests, size_t n,
     tcase_add_loop_test(all, &tests[i]->check, 0, tests[i]->n);
   }
   suite_add_tcase(suite, all);
-  return unit_run(suite);
+  gsl_set_error_handler_off();
+  srunner_run_all(runner, CK_ENV);
+  failed = srunner_ntests_failed(runner);
+  srunner_free(runner);
+  return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

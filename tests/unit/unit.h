@@ -144,11 +144,4 @@ static inline size_t unit_cases(size_t n) {
   return unit_long() ? 10 * n : (size_t)unit_count((int)n);
 }
 
-/* Runs a suite made by hand. */
-int unit_run(Suite *suite);
-#define PH_TEST_MAIN(suite_fn)   \
-  int main(void) {               \
-    return unit_run(suite_fn()); \
-  }
-
 #endif

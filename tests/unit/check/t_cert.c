@@ -56,7 +56,7 @@ static void ck_refused(enum ph_diagnostic what, size_t segment) {
 }
 
 /* Everything is checked, and everything but rounding is zero. */
-START_TEST(test_accepts) {
+PH_TEST(test_accepts) {
   for (int closed = 0; closed < 2; closed++) {
     solve(closed);
     ck_assert_int_eq(certify(), PH_OK);
@@ -69,20 +69,18 @@ START_TEST(test_accepts) {
     unit_planar_free(&u);
   }
 }
-END_TEST
 
 /* The sign of a preimage has no meaning. */
-START_TEST(test_accepts_other_sign) {
+PH_TEST(test_accepts_other_sign) {
   solve(false);
   for (size_t i = 6; i < 12; i++) {
     u.result.curve.preimage.v[i] *= -1;
   }
   ck_assert_int_eq(certify(), PH_OK);
 }
-END_TEST
 
 /* Each coordinate of each control point, one after the other. */
-START_TEST(test_control_points) {
+PH_TEST(test_control_points) {
   for (int closed = 0; closed < 2; closed++) {
     solve(closed);
     for (size_t i = 0; i < 12 * u.result.curve.n; i++) {
@@ -103,9 +101,8 @@ START_TEST(test_control_points) {
     unit_planar_free(&u);
   }
 }
-END_TEST
 
-START_TEST(test_preimage) {
+PH_TEST(test_preimage) {
   solve(true);
   for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
     double *w = &u.result.curve.preimage.v[i], keep = *w;
@@ -115,9 +112,8 @@ START_TEST(test_preimage) {
   }
   ck_assert_int_eq(certify(), PH_OK);
 }
-END_TEST
 
-START_TEST(test_points) {
+PH_TEST(test_points) {
   solve(false);
   for (size_t i = 0; i < 8; i++) {
     double *x = &u.problem.field[PH_F_POINTS].v[i], keep = *x;
@@ -127,9 +123,8 @@ START_TEST(test_points) {
   }
   ck_assert_int_eq(certify(), PH_OK);
 }
-END_TEST
 
-START_TEST(test_lengths) {
+PH_TEST(test_lengths) {
   solve(true);
   for (size_t k = 0; k < u.result.curve.n; k++) {
     double *length = &u.result.curve.lengths[k], keep = *length;
@@ -139,9 +134,8 @@ START_TEST(test_lengths) {
   }
   ck_assert_int_eq(certify(), PH_OK);
 }
-END_TEST
 
-START_TEST(test_total_length) {
+PH_TEST(test_total_length) {
   solve(false);
   u.result.curve.length *= 1 + MOVED;
   ck_refused(PH_D_LENGTH_ERROR, 2);
@@ -149,10 +143,9 @@ START_TEST(test_total_length) {
   u.result.curve.length = 0;
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
 }
-END_TEST
 
 /* Other knots: the same arcs, but not C1 with respect to them. */
-START_TEST(test_knots) {
+PH_TEST(test_knots) {
   for (int closed = 0; closed < 2; closed++) {
     solve(closed);
     for (size_t k = 0; k <= u.result.curve.n; k++) {
@@ -166,11 +159,10 @@ START_TEST(test_knots) {
     unit_planar_free(&u);
   }
 }
-END_TEST
 
 /* An interval without length, whose jump is not a number, and one of negative
  * length: seen although all that follows is right. */
-START_TEST(test_knots_not_increasing) {
+PH_TEST(test_knots_not_increasing) {
   double *t;
   solve(false);
   t = u.result.curve.knots;
@@ -179,7 +171,6 @@ START_TEST(test_knots_not_increasing) {
   t[0] = t[1] + 1;
   ck_refused(PH_D_CONTINUITY_ERROR, 1);
 }
-END_TEST
 
 /* Two arcs, solved apart, in one curve through three points: they meet with
  * the derivatives left and right. */
@@ -208,23 +199,21 @@ static void join(const double left[2], const double right[2]) {
   curve->length = curve->lengths[0] + curve->lengths[1];
 }
 
-START_TEST(test_not_c1) {
+PH_TEST(test_not_c1) {
   const double left[] = {1, 0.5}, right[] = {1, 0.5 + 1e-8};
   join(left, right);
   ck_refused(PH_D_CONTINUITY_ERROR, 1);
 }
-END_TEST
 
-START_TEST(test_not_c2) {
+PH_TEST(test_not_c2) {
   const double slope[] = {1, 0.5};
   join(slope, slope);
   ck_refused(PH_D_CONTINUITY_ERROR, 1);
   ck_assert_double_ge(value_of(PH_D_CONTINUITY_ERROR), 0.1);
 }
-END_TEST
 
 /* An open curve that comes back to its start is not closed for that. */
-START_TEST(test_not_closed) {
+PH_TEST(test_not_closed) {
   const double points[] = {0, 0, 2, 1, 3, 0, 5, 2, 0, 0};
   u = unit_planar_of(points, 5, false);
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
@@ -232,9 +221,8 @@ START_TEST(test_not_closed) {
   u.problem.field[PH_F_CLOSED].flag = true;
   ck_refused(PH_D_CONTINUITY_ERROR, 0);
 }
-END_TEST
 
-START_TEST(test_end_derivatives) {
+PH_TEST(test_end_derivatives) {
   const double ends[] = {1, 0.5, 0.25, -2};
   u = unit_planar_of(SOME, 4, false);
   unit_planar_ends(&u, ends);
@@ -250,7 +238,6 @@ START_TEST(test_end_derivatives) {
   }
   ck_assert_int_eq(certify(), PH_OK);
 }
-END_TEST
 
 static void ck_not_finite(double *x) {
   const double bad[] = {nan(""), HUGE_VAL, -HUGE_VAL};
@@ -264,7 +251,7 @@ static void ck_not_finite(double *x) {
   *x = keep;
 }
 
-START_TEST(test_not_finite) {
+PH_TEST(test_not_finite) {
   solve(false);
   for (size_t i = 0; i < 12 * u.result.curve.n; i++) {
     ck_not_finite(&u.result.curve.control_points[i]);
@@ -280,9 +267,8 @@ START_TEST(test_not_finite) {
   ck_not_finite(&u.result.curve.length);
   ck_assert_int_eq(certify(), PH_OK);
 }
-END_TEST
 
-START_TEST(test_no_extent) {
+PH_TEST(test_no_extent) {
   double *v;
   solve(false);
   v = u.problem.field[PH_F_POINTS].v;
@@ -296,10 +282,9 @@ START_TEST(test_no_extent) {
   }
   ck_assert_int_eq(certify(), PH_INTERNAL);
 }
-END_TEST
 
 /* Everything is relative: by powers of four not a digit changes. */
-START_TEST(test_scales) {
+PH_TEST(test_scales) {
   struct ph_diagnostics unit;
   solve(true);
   ck_assert_int_eq(certify(), PH_OK);
@@ -324,11 +309,10 @@ START_TEST(test_scales) {
     ck_refused(PH_D_LENGTH_ERROR, 2);
   }
 }
-END_TEST
 
 /* Points so far from the origin that their rounding is felt: a length may be
  * off by what that makes of it, and no more. */
-START_TEST(test_far_away) {
+PH_TEST(test_far_away) {
   double v[8];
   for (size_t i = 0; i < 8; i++) {
     v[i] = SOME[i] + 1e4;
@@ -343,17 +327,15 @@ START_TEST(test_far_away) {
   u.result.curve.length += 1e-8;
   ck_refused(PH_D_LENGTH_ERROR, 2);
 }
-END_TEST
 
 /* Of several errors the worst is reported, with its place. */
-START_TEST(test_worst) {
+PH_TEST(test_worst) {
   solve(false);
   u.result.curve.control_points[12 + 4] += 10 * MOVED * SIZE;
   u.result.curve.control_points[24 + 4] += 100 * MOVED * SIZE;
   u.result.curve.control_points[4] += MOVED * SIZE;
   ck_refused(PH_D_PYTHAGOREAN_ERROR, 2);
 }
-END_TEST
 
 static void solve_atph(bool closed) {
   static const double alpha[] = {0.3, 1, 2.5, 1.2};
@@ -365,7 +347,7 @@ static void solve_atph(bool closed) {
 }
 
 /* The same for ATPH curves. */
-START_TEST(test_atph) {
+PH_TEST_EACH(test_atph, 2) {
   solve_atph(_i);
   ck_assert_int_eq(certify(), PH_OK);
   ck_abs(value_of(PH_D_INTERPOLATION_ERROR), 0, 0);
@@ -393,11 +375,10 @@ START_TEST(test_atph) {
   }
   ck_assert_int_eq(certify(), PH_OK);
 }
-END_TEST
 
 /* Another angle: the hodograph is that of another space.  Also angles that no
  * segment can have. */
-START_TEST(test_alpha) {
+PH_TEST_EACH(test_alpha, 2) {
   static const double none[] = {0, -1,          3.1415926535897931,
                                 4, (double)NAN, HUGE_VAL};
   solve_atph(_i);
@@ -413,34 +394,10 @@ START_TEST(test_alpha) {
   }
   ck_assert_int_eq(certify(), PH_OK);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cert");
-  TCase *tc = tcase_create("cert");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_accepts);
-  tcase_add_test(tc, test_accepts_other_sign);
-  tcase_add_test(tc, test_control_points);
-  tcase_add_test(tc, test_preimage);
-  tcase_add_test(tc, test_points);
-  tcase_add_test(tc, test_lengths);
-  tcase_add_test(tc, test_total_length);
-  tcase_add_test(tc, test_knots);
-  tcase_add_test(tc, test_knots_not_increasing);
-  tcase_add_test(tc, test_not_c1);
-  tcase_add_test(tc, test_not_c2);
-  tcase_add_test(tc, test_not_closed);
-  tcase_add_test(tc, test_end_derivatives);
-  tcase_add_test(tc, test_not_finite);
-  tcase_add_test(tc, test_no_extent);
-  tcase_add_test(tc, test_scales);
-  tcase_add_test(tc, test_far_away);
-  tcase_add_test(tc, test_worst);
-  tcase_add_loop_test(tc, test_atph, 0, 2);
-  tcase_add_loop_test(tc, test_alpha, 0, 2);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_accepts, test_accepts_other_sign,
+              test_control_points, test_preimage, test_points, test_lengths,
+              test_total_length, test_knots, test_knots_not_increasing,
+              test_not_c1, test_not_c2, test_not_closed, test_end_derivatives,
+              test_not_finite, test_no_extent, test_scales, test_far_away,
+              test_worst, test_atph, test_alpha)

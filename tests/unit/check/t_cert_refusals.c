@@ -112,7 +112,7 @@ static enum ph_outcome claim(void) {
 }
 
 /* F to ten digits. */
-START_TEST(test_functional) {
+PH_TEST_EACH(test_functional, KINDS) {
   double *f = &u.result.diagnostics.value[PH_D_F], keep;
   begin((enum kind)_i);
   solve();
@@ -126,20 +126,18 @@ START_TEST(test_functional) {
   *f = keep;
   ck_accepted();
 }
-END_TEST
 
 /* Where the lengths are free the curve has more room than it has used. */
-START_TEST(test_first_order) {
+PH_TEST_EACH(test_first_order, KINDS) {
   begin((enum kind)_i);
   solve();
   ck_accepted();
   u.problem.field[PH_F_LENGTHS].kind = PH_ABSENT;
   ck_refused("kkt_error");
 }
-END_TEST
 
 /* Soft lengths have multipliers that follow from how soft they are. */
-START_TEST(test_soft) {
+PH_TEST_EACH(test_soft, 2) {
   begin(_i ? CLOSED : OPEN);
   u.problem.field[PH_F_LENGTH_SIGMA] = number(0.01);
   solve();
@@ -150,10 +148,9 @@ START_TEST(test_soft) {
   u.lengths[2] *= 1.001;
   ck_refused("kkt_error");
 }
-END_TEST
 
 /* That it is a saddle is believed, and nothing else. */
-START_TEST(test_second_order) {
+PH_TEST(test_second_order) {
   begin_sine();
   solve();
   ck_assert_int_eq(claim(), PH_OUTCOME_SADDLE);
@@ -167,18 +164,6 @@ START_TEST(test_second_order) {
   ck_assert_int_eq(claim(), PH_OUTCOME_MINIMISER);
   ck_accepted();
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cert_refusals");
-  TCase *c = tcase_create("order");
-  tcase_add_checked_fixture(c, NULL, finish);
-  tcase_add_loop_test(c, test_functional, 0, KINDS);
-  tcase_add_loop_test(c, test_first_order, 0, KINDS);
-  tcase_add_loop_test(c, test_soft, 0, 2);
-  tcase_add_test(c, test_second_order);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_functional, test_first_order, test_soft,
+              test_second_order)

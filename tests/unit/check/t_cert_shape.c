@@ -69,7 +69,7 @@ static struct ph_spatial_data random_data(struct unit_random *r, int i) {
 
 /* Tension is bisected until a constraint holds by the last digit: the
  * certificate is not stricter than that, wherever the curve is. */
-START_TEST(test_kept) {
+PH_TEST(test_kept) {
   struct unit_random r = unit_random_of(910);
   int n = unit_count(3000), reduced = 0;
   for (int i = 0; i < n; i++) {
@@ -87,11 +87,10 @@ START_TEST(test_kept) {
   }
   ck_assert_int_ge(reduced, n / 10);
 }
-END_TEST
 
 /* Points in a plane but for some units in the last place, a thousand away: what
  * counts as planar has no torsion to keep. */
-START_TEST(test_kept_in_plane) {
+PH_TEST(test_kept_in_plane) {
   struct unit_random r = unit_random_of(914);
   int n = unit_count(3000), planar = 0;
   for (int i = 0; i < n; i++) {
@@ -116,7 +115,6 @@ START_TEST(test_kept_in_plane) {
   }
   ck_assert_int_ge(planar, n / 10);
 }
-END_TEST
 
 /* The least of the torsion's sign times that of the data, per its largest. */
 static double least_torsion(const struct ph_spatial_fit *fit) {
@@ -138,7 +136,7 @@ static double least_torsion(const struct ph_spatial_fit *fit) {
 
 /* Members that wind the wrong way somewhere, and not by a hair: the torsion is
  * that of the preimage, by another formula. */
-START_TEST(test_torsion) {
+PH_TEST(test_torsion) {
   struct unit_random r = unit_random_of(911);
   int n = unit_count(3000), caught = 0, kept = 0;
   for (int i = 0; i < n; i++) {
@@ -166,11 +164,10 @@ START_TEST(test_torsion) {
   ck_assert_int_ge(caught, n / 20);
   ck_assert_int_ge(kept, n / 20);
 }
-END_TEST
 
 /* Where only an end is wrong, that is said; the mirror image says the same, the
  * reversed curve that of the other end. */
-START_TEST(test_ends) {
+PH_TEST(test_ends) {
   struct unit_random r = unit_random_of(912);
   int n = unit_count(3000), caught = 0;
   for (int i = 0; i < n; i++) {
@@ -205,11 +202,10 @@ START_TEST(test_ends) {
   }
   ck_assert_int_ge(caught, n / 50);
 }
-END_TEST
 
 /* (1) of shape.c for quintics that need not be PH: the determinant straight
  * from the differences of control points. */
-START_TEST(test_any_quintic) {
+PH_TEST(test_any_quintic) {
   static const double mu[5] = {1. / 5, 1. / 20, 1. / 30, 1. / 20, 1. / 5};
   struct unit_random r = unit_random_of(913);
   int n = unit_count(3000), caught = 0, kept = 0;
@@ -251,10 +247,9 @@ START_TEST(test_any_quintic) {
   ck_assert_int_ge(caught, n / 20);
   ck_assert_int_ge(kept, n / 20);
 }
-END_TEST
 
 /* Plane data have no torsion to keep, straight ones no side to bend to. */
-START_TEST(test_void) {
+PH_TEST(test_void) {
   static const double mu[5] = {1. / 5, 1. / 20, 1. / 30, 1. / 20, 1. / 5};
   ph_vec3 leg[5], none[5];
   for (size_t k = 0; k < 5; k++) {
@@ -274,7 +269,6 @@ START_TEST(test_void) {
   ck_assert_int_ne(ph_check_shape_of(leg, mu, RELATIVE, ROUNDING, 0),
                    PH_CHECK_SHAPE_KEPT);
 }
-END_TEST
 
 /* ---- as part of the certificate ------------------------------------- */
 
@@ -312,7 +306,7 @@ static void claim(bool shape_ok) {
   }
 }
 
-START_TEST(test_claimed) {
+PH_TEST_EACH(test_claimed, 2) {
   helix(0.8, _i ? 0.8 : 0);
   claim(true);
   ck_assert_int_eq(certify(), PH_OK);
@@ -321,10 +315,9 @@ START_TEST(test_claimed) {
   ck_assert_int_eq(certify(), PH_OK);
   ck_abs(diagnostics.value[PH_D_SHAPE_OK], 0, 0);
 }
-END_TEST
 
 /* Another member of the family has the same ends, and the wrong shape. */
-START_TEST(test_wrongly_claimed) {
+PH_TEST_EACH(test_wrongly_claimed, 2) {
   helix(0.8, _i ? 0.8 : 0);
   unit_hermite3_build(&u, 2);
   ck_assert_int_eq(certify(), PH_OK);
@@ -340,7 +333,6 @@ START_TEST(test_wrongly_claimed) {
   claim(false);
   ck_assert_int_eq(certify(), PH_OK);
 }
-END_TEST
 
 /* ---- fairness ------------------------------------------------------- */
 
@@ -350,7 +342,7 @@ static double value_of(enum ph_diagnostic what) {
 }
 
 /* A helix (cos x, sin x, x) as an ATPH curve has curvature and torsion 1/2. */
-START_TEST(test_fairness) {
+PH_TEST(test_fairness) {
   const double step = 1.2, length = sqrt(2) * step, n = POINTS - 1;
   double points[3 * POINTS], vectors[3 * POINTS];
   for (int e = -400; e <= 400; e += 200) {
@@ -374,11 +366,10 @@ START_TEST(test_fairness) {
     ck_assert_double_le(value_of(PH_D_F3), 0.2);
   }
 }
-END_TEST
 
 /* A segment whose z (curve/segment/seg3.h) vanishes at u = 1/2, out of a plane:
  * the torsion is finite on either side. */
-START_TEST(test_inflection) {
+PH_TEST(test_inflection) {
   const ph_quat a[3] = {{1, 0, 0, 0}, {-1, 0, 0.2, 0.9}, {1, 0, 0.7, -0.4}};
   struct ph_seg3 seg = unit_seg3(0, a, ph_vec3_of(0, 0, 0));
   const double points[] = {0, 0, 0, seg.end.x, seg.end.y, seg.end.z};
@@ -396,34 +387,16 @@ START_TEST(test_inflection) {
   ck_assert_double_ge(value_of(PH_D_F2), 1);
   ck_assert_double_gt(value_of(PH_D_F3), value_of(PH_D_F2));
 }
-END_TEST
 
 /* A curve that is refused is not described. */
-START_TEST(test_no_fairness) {
+PH_TEST(test_no_fairness) {
   helix(0.8, 0);
   u.curve.lengths[1] *= 1.1;
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   ck_assert(!(diagnostics.known >> PH_D_ENERGY & 1));
   ck_assert(!(diagnostics.known >> PH_D_F1 & 1));
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cert_shape");
-  TCase *tc = tcase_create("cert_shape");
-  tcase_add_test(tc, test_kept);
-  tcase_add_test(tc, test_kept_in_plane);
-  tcase_add_test(tc, test_torsion);
-  tcase_add_test(tc, test_ends);
-  tcase_add_test(tc, test_any_quintic);
-  tcase_add_test(tc, test_void);
-  tcase_add_loop_test(tc, test_claimed, 0, 2);
-  tcase_add_loop_test(tc, test_wrongly_claimed, 0, 2);
-  tcase_add_test(tc, test_fairness);
-  tcase_add_test(tc, test_inflection);
-  tcase_add_test(tc, test_no_fairness);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_kept, test_kept_in_plane, test_torsion, test_ends,
+         test_any_quintic, test_void, test_claimed, test_wrongly_claimed,
+         test_fairness, test_inflection, test_no_fairness)

@@ -93,7 +93,7 @@ static void begin(int variant) {
 
 /* ---- what is right -------------------------------------------------- */
 
-START_TEST(test_accepts) {
+PH_TEST_EACH(test_accepts, VARIANTS) {
   begin(_i);
   ck_accepted();
   ck_abs(value_of(PH_D_INTERPOLATION_ERROR), 0, 0);
@@ -107,10 +107,9 @@ START_TEST(test_accepts) {
   ck_accepted();
   ck_assert(!is_known(PH_D_SHAPE_OK));
 }
-END_TEST
 
 /* Any tension, any member of the family, any angle, many data. */
-START_TEST(test_accepts_random) {
+PH_TEST(test_accepts_random) {
   struct unit_random r = unit_random_of(900);
   int n = unit_count(500);
   for (int i = 0; i < n; i++) {
@@ -133,10 +132,9 @@ START_TEST(test_accepts_random) {
     ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 5e-15);
   }
 }
-END_TEST
 
 /* A A exp(x i) gives the same curve, also with another x for each segment. */
-START_TEST(test_accepts_other_phase) {
+PH_TEST_EACH(test_accepts_other_phase, VARIANTS) {
   begin(_i);
   for (size_t k = 0; k < u.curve.n; k++) {
     ph_cplx e = ph_cplx_polar((double)k + 1);
@@ -148,10 +146,9 @@ START_TEST(test_accepts_other_phase) {
   }
   ck_accepted();
 }
-END_TEST
 
 /* Points and vectors in the plane z = 0. */
-START_TEST(test_accepts_plane) {
+PH_TEST_EACH(test_accepts_plane, 2) {
   const double points[] = {0, 0, 2, 1, 3, 0, 5, 2};
   const double vectors[] = {1, 1, 2, -0.5, 1, 0.3, 0.2, 1};
   unit_hermite3_of(&u, points, PH_F_DERIVATIVES, vectors, 4, 2, _i, 0);
@@ -163,10 +160,9 @@ START_TEST(test_accepts_plane) {
   u.control_points[18 + 3 * 2 + 2] += MOVED;
   ck_refused(PH_D_PYTHAGOREAN_ERROR, 1);
 }
-END_TEST
 
 /* Without vectors only the joints are looked at. */
-START_TEST(test_without_vectors) {
+PH_TEST_EACH(test_without_vectors, VARIANTS) {
   begin(_i);
   u.problem.field[PH_F_TANGENTS].kind = PH_ABSENT;
   u.problem.field[PH_F_DERIVATIVES].kind = PH_ABSENT;
@@ -174,10 +170,9 @@ START_TEST(test_without_vectors) {
   ck_assert(!is_known(PH_D_TANGENT_ERROR));
   ck_assert_double_le(value_of(PH_D_CONTINUITY_ERROR), 4e-15);
 }
-END_TEST
 
 /* The method drops a repeated last point of closed data, not the problem. */
-START_TEST(test_repeated_point) {
+PH_TEST(test_repeated_point) {
   begin(CLOSED);
   memcpy(u.points + 3 * POINTS, u.points, 3 * sizeof *u.points);
   memcpy(u.vectors + 3 * POINTS, u.vectors, 3 * sizeof *u.vectors);
@@ -185,10 +180,9 @@ START_TEST(test_repeated_point) {
   u.problem.field[PH_F_TANGENTS].n++;
   ck_accepted();
 }
-END_TEST
 
 /* Tangents count by their direction alone, whatever their length. */
-START_TEST(test_tangents_of_any_length) {
+PH_TEST(test_tangents_of_any_length) {
   const double factor[] = {1e-300, 1e300, 1e-320, 3, 1e-5};
   begin(CLOSED);
   for (size_t i = 0; i < 3 * POINTS; i++) {
@@ -202,10 +196,9 @@ START_TEST(test_tangents_of_any_length) {
   ck_accepted();
   ck_assert_double_le(value_of(PH_D_TANGENT_ERROR), 4e-15);
 }
-END_TEST
 
 /* Everything is relative: by powers of four not a digit changes. */
-START_TEST(test_scales) {
+PH_TEST_EACH(test_scales, VARIANTS) {
   struct ph_diagnostics unit;
   begin(_i);
   ck_accepted();
@@ -227,11 +220,10 @@ START_TEST(test_scales) {
     ck_refused(PH_D_LENGTH_ERROR, 2);
   }
 }
-END_TEST
 
 /* Far from the origin control points have fewer digits: what that makes of a
  * curve is allowed for, and no more. */
-START_TEST(test_far_away) {
+PH_TEST_EACH(test_far_away, VARIANTS) {
   static const double away[] = {1e3, 1e6, 1e9};
   begin(_i);
   for (size_t k = 0; k < 3; k++) {
@@ -251,11 +243,10 @@ START_TEST(test_far_away) {
     ck_refused(PH_D_LENGTH_ERROR, 3);
   }
 }
-END_TEST
 
 /* A segment a million times smaller than the rest has to be as right by its
  * own size, where its coordinates have the digits for that. */
-START_TEST(test_small_segment) {
+PH_TEST(test_small_segment) {
   const double points[] = {1, 2, 3, 0, 0, 0, 1e-6, 2e-6, -1e-6, -2, 1, 2};
   unit_hermite3_of(&u, points, PH_F_TANGENTS, VECTORS, 4, 3, false, 0);
   ck_accepted();
@@ -263,12 +254,11 @@ START_TEST(test_small_segment) {
   u.control_points[18 + 3 * 2] += 1e-6 * 1e-11;
   ck_refused(PH_D_PYTHAGOREAN_ERROR, 1);
 }
-END_TEST
 
 /* ---- what is not ---------------------------------------------------- */
 
 /* Each coordinate of each control point, one after the other. */
-START_TEST(test_control_points) {
+PH_TEST_EACH(test_control_points, VARIANTS) {
   static const enum ph_diagnostic what[] = {
       PH_D_INTERPOLATION_ERROR, PH_D_TANGENT_ERROR, PH_D_PYTHAGOREAN_ERROR,
       PH_D_PYTHAGOREAN_ERROR,   PH_D_TANGENT_ERROR, PH_D_INTERPOLATION_ERROR};
@@ -284,9 +274,8 @@ START_TEST(test_control_points) {
   }
   ck_accepted();
 }
-END_TEST
 
-START_TEST(test_preimage) {
+PH_TEST_EACH(test_preimage, VARIANTS) {
   begin(_i);
   for (size_t i = 0; i < 12 * u.curve.n; i++) {
     double *a = &u.preimage[i], keep = *a;
@@ -296,10 +285,9 @@ START_TEST(test_preimage) {
   }
   ck_accepted();
 }
-END_TEST
 
 /* Preimage and control points of two segments that changed places. */
-START_TEST(test_swapped) {
+PH_TEST_EACH(test_swapped, VARIANTS) {
   double *p = u.control_points, *a = u.preimage;
   begin(_i);
   for (size_t i = 0; i < 18; i++) {
@@ -318,9 +306,8 @@ START_TEST(test_swapped) {
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(diag.message, "pythagorean_error"));
 }
-END_TEST
 
-START_TEST(test_points) {
+PH_TEST(test_points) {
   begin(0);
   for (size_t i = 0; i < 3 * POINTS; i++) {
     double *x = &u.points[i], keep = *x;
@@ -330,10 +317,9 @@ START_TEST(test_points) {
   }
   ck_accepted();
 }
-END_TEST
 
 /* A tangent turned by an angle, in its plane with the next axis. */
-START_TEST(test_tangent_turned) {
+PH_TEST_EACH(test_tangent_turned, 2) {
   begin(_i);
   for (size_t k = 0; k < POINTS; k++) {
     double *v = &u.vectors[3 * k];
@@ -346,10 +332,9 @@ START_TEST(test_tangent_turned) {
   }
   ck_accepted();
 }
-END_TEST
 
 /* A derivative of another length, and tangents against the way. */
-START_TEST(test_vectors) {
+PH_TEST_EACH(test_vectors, 2) {
   begin(DERIVATIVES | _i);
   for (size_t i = 0; i < 3; i++) {
     u.vectors[6 + i] *= 1 + 1e-6;
@@ -368,10 +353,9 @@ START_TEST(test_vectors) {
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(diag.message, "tangent_error"));
 }
-END_TEST
 
 /* The tension says what became of derivatives. */
-START_TEST(test_tension) {
+PH_TEST_EACH(test_tension, 2) {
   begin(DERIVATIVES | _i);
   u.tension[1] = 0.7;
   u.tension[2] = 1.5;
@@ -389,9 +373,8 @@ START_TEST(test_tension) {
   u.curve.choice.tension = NULL;
   ck_refused(PH_D_TANGENT_ERROR, 2);
 }
-END_TEST
 
-START_TEST(test_lengths) {
+PH_TEST_EACH(test_lengths, VARIANTS) {
   begin(_i);
   for (size_t k = 0; k < u.curve.n; k++) {
     double *length = &u.lengths[k], keep = *length;
@@ -406,10 +389,9 @@ START_TEST(test_lengths) {
   u.curve.length = 0;
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
 }
-END_TEST
 
 /* Another angle is another space; and angles that no segment can have. */
-START_TEST(test_alpha) {
+PH_TEST_EACH(test_alpha, ATPH) {
   static const double none[] = {0, -1, 3.1415926535897931, 4};
   begin(ATPH | _i);
   for (size_t k = 0; k < u.curve.n; k++) {
@@ -424,21 +406,19 @@ START_TEST(test_alpha) {
   }
   ck_accepted();
 }
-END_TEST
 
 /* A quintic with the right ends and tangents that is not PH: its middle is
  * another one. */
-START_TEST(test_not_ph) {
+PH_TEST_EACH(test_not_ph, VARIANTS) {
   begin(_i);
   u.control_points[3 * 2] += 0.3;
   u.control_points[3 * 3 + 1] -= 0.2;
   ck_refused(PH_D_PYTHAGOREAN_ERROR, 0);
   ck_assert_double_ge(value_of(PH_D_PYTHAGOREAN_ERROR), 0.01);
 }
-END_TEST
 
 /* Segment 2 with another tangent at its start. */
-START_TEST(test_joint) {
+PH_TEST_EACH(test_joint, VARIANTS) {
   double control_points[18], preimage[12], length;
   begin(_i);
   u.vectors[6] += 1e-6;
@@ -457,10 +437,9 @@ START_TEST(test_joint) {
   ck_refused(PH_D_CONTINUITY_ERROR, 2);
   ck_assert_double_ge(value_of(PH_D_CONTINUITY_ERROR), 1e-7);
 }
-END_TEST
 
 /* An open curve that comes back to its start is not closed for that. */
-START_TEST(test_not_closed) {
+PH_TEST_EACH(test_not_closed, VARIANTS / 2) {
   begin(_i * DERIVATIVES);
   memcpy(u.points + 3 * (POINTS - 1), u.points, 3 * sizeof *u.points);
   unit_hermite3_build(&u, 0);
@@ -471,10 +450,9 @@ START_TEST(test_not_closed) {
   u.problem.field[PH_F_DERIVATIVES].kind = PH_ABSENT;
   ck_refused(PH_D_CONTINUITY_ERROR, 0);
 }
-END_TEST
 
 /* As many segments as the points need, no fewer and no more. */
-START_TEST(test_count) {
+PH_TEST(test_count) {
   for (int closed = 0; closed < 2; closed++) {
     begin(closed);
     u.curve.n--;
@@ -486,7 +464,6 @@ START_TEST(test_count) {
     ck_assert_int_eq(certify(), PH_INTERNAL);
   }
 }
-END_TEST
 
 static void ck_not_finite(double *x) {
   const double bad[] = {nan(""), HUGE_VAL, -HUGE_VAL};
@@ -500,7 +477,7 @@ static void ck_not_finite(double *x) {
   *x = keep;
 }
 
-START_TEST(test_not_finite) {
+PH_TEST_EACH(test_not_finite, VARIANTS) {
   begin(_i);
   for (size_t i = 0; i < 18 * u.curve.n; i++) {
     ck_not_finite(&u.control_points[i]);
@@ -519,9 +496,8 @@ START_TEST(test_not_finite) {
   ck_not_finite(&u.curve.length);
   ck_accepted();
 }
-END_TEST
 
-START_TEST(test_no_extent) {
+PH_TEST(test_no_extent) {
   begin(0);
   for (size_t i = 0; i < 3 * POINTS; i++) {
     u.points[i] = 0;
@@ -533,53 +509,22 @@ START_TEST(test_no_extent) {
   }
   ck_assert_int_eq(certify(), PH_INTERNAL);
 }
-END_TEST
 
 /* Of several errors the worst is reported, with its place. */
-START_TEST(test_worst) {
+PH_TEST(test_worst) {
   begin(CLOSED);
   u.control_points[3 * 2] += MOVED;
   u.control_points[36 + 3 * 2] += 100 * MOVED;
   u.control_points[54 + 3 * 2] += 10 * MOVED;
   ck_refused(PH_D_PYTHAGOREAN_ERROR, 2);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cert_spatial");
-  TCase *tc = tcase_create("right");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_loop_test(tc, test_accepts, 0, VARIANTS);
-  tcase_add_test(tc, test_accepts_random);
-  tcase_add_loop_test(tc, test_accepts_other_phase, 0, VARIANTS);
-  tcase_add_loop_test(tc, test_accepts_plane, 0, 2);
-  tcase_add_loop_test(tc, test_without_vectors, 0, VARIANTS);
-  tcase_add_test(tc, test_repeated_point);
-  tcase_add_test(tc, test_tangents_of_any_length);
-  tcase_add_loop_test(tc, test_scales, 0, VARIANTS);
-  tcase_add_loop_test(tc, test_far_away, 0, VARIANTS);
-  tcase_add_test(tc, test_small_segment);
-  suite_add_tcase(s, tc);
-  tc = tcase_create("wrong");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_loop_test(tc, test_control_points, 0, VARIANTS);
-  tcase_add_loop_test(tc, test_preimage, 0, VARIANTS);
-  tcase_add_loop_test(tc, test_swapped, 0, VARIANTS);
-  tcase_add_test(tc, test_points);
-  tcase_add_loop_test(tc, test_tangent_turned, 0, 2);
-  tcase_add_loop_test(tc, test_vectors, 0, 2);
-  tcase_add_loop_test(tc, test_tension, 0, 2);
-  tcase_add_loop_test(tc, test_lengths, 0, VARIANTS);
-  tcase_add_loop_test(tc, test_alpha, 0, ATPH);
-  tcase_add_loop_test(tc, test_not_ph, 0, VARIANTS);
-  tcase_add_loop_test(tc, test_joint, 0, VARIANTS);
-  tcase_add_loop_test(tc, test_not_closed, 0, VARIANTS / 2);
-  tcase_add_test(tc, test_count);
-  tcase_add_loop_test(tc, test_not_finite, 0, VARIANTS);
-  tcase_add_test(tc, test_no_extent);
-  tcase_add_test(tc, test_worst);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_accepts, test_accepts_random,
+              test_accepts_other_phase, test_accepts_plane,
+              test_without_vectors, test_repeated_point,
+              test_tangents_of_any_length, test_scales, test_far_away,
+              test_small_segment, test_control_points, test_preimage,
+              test_swapped, test_points, test_tangent_turned, test_vectors,
+              test_tension, test_lengths, test_alpha, test_not_ph, test_joint,
+              test_not_closed, test_count, test_not_finite, test_no_extent,
+              test_worst)

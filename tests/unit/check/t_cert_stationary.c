@@ -136,7 +136,7 @@ static void ring(bool exact, double refine) {
 
 /* Points with exact lengths and one segment each have next to no freedom, and
  * so large multipliers that the rest of the gradient is what these leave. */
-START_TEST(test_solutions) {
+PH_TEST_EACH(test_solutions, 3 * MODES) {
   enum mode mode = (enum mode)(_i % MODES);
   double f;
   helix(mode, 1 + _i / MODES);
@@ -147,20 +147,18 @@ START_TEST(test_solutions) {
   ck_rel(diagnostics.value[PH_D_F], f, 1e-10);
   ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
 }
-END_TEST
 
-START_TEST(test_closed) {
-  ring(_i % 2, 1 + _i / 2);
+PH_TEST_EACH(test_closed, 4) {
+  ring(_i % 2, 2 + _i / 2);
   solve();
   ck_accepted();
   ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-10);
   ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
 }
-END_TEST
 
 /* A is as good as A exp(x i), if it is one x for all segments: then the phase
  * at the seam is another, and that is all. */
-START_TEST(test_phase) {
+PH_TEST(test_phase) {
   ring(true, 2);
   solve();
   for (int each = 0; each < 2; each++) {
@@ -180,10 +178,9 @@ START_TEST(test_phase) {
     }
   }
 }
-END_TEST
 
 /* A circle in its plane, all nodes alike: leading minors must not vanish. */
-START_TEST(test_circle) {
+PH_TEST_EACH(test_circle, 3) {
   enum { POINTS = 200 };
   static double points[2 * POINTS];
   memset(&u, 0, sizeof u);
@@ -200,13 +197,12 @@ START_TEST(test_circle) {
   ck_accepted();
   ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
 }
-END_TEST
 
 /* ---- of which problem? ------------------------------------------------ */
 
 /* With free lengths F would be smaller; a curve whose lengths were free is a
  * solution also when they are prescribed. */
-START_TEST(test_lengths_matter) {
+PH_TEST(test_lengths_matter) {
   helix(EXACT, 2);
   solve();
   u.problem.field[PH_F_LENGTHS].kind = PH_ABSENT;
@@ -222,10 +218,9 @@ START_TEST(test_lengths_matter) {
   set_lengths();
   ck_accepted();
 }
-END_TEST
 
 /* The same for the magnitudes of tangents. */
-START_TEST(test_magnitudes_matter) {
+PH_TEST(test_magnitudes_matter) {
   helix(DERIVATIVES, 2);
   solve();
   set_vectors(PH_F_TANGENTS, N + 1);
@@ -246,13 +241,12 @@ START_TEST(test_magnitudes_matter) {
   u.problem.field[PH_F_TANGENTS].kind = PH_ABSENT;
   ck_accepted();
 }
-END_TEST
 
 /* So do the deviation of lengths and what they are weighed by, unless there is
  * one segment in each, where the points all but settle the lengths. */
-START_TEST(test_sigma_matters) {
+PH_TEST_EACH(test_sigma_matters, 4) {
   const double sigma = _i % 2 ? 1e-2 : 1e-3;
-  helix(EXACT, 1 + _i / 2);
+  helix(EXACT, 2 + _i / 2);
   set_number(PH_F_LENGTH_SIGMA, sigma);
   solve();
   ck_accepted();
@@ -263,23 +257,21 @@ START_TEST(test_sigma_matters) {
   diagnostics.value[PH_D_F_RELAXED] *= 2;
   ck_refused("kkt_error");
 }
-END_TEST
 
 /* Lengths that are all but exact are taken as exact. */
-START_TEST(test_tiny_sigma) {
-  helix(EXACT, 1 + _i);
+PH_TEST_EACH(test_tiny_sigma, 2) {
+  helix(EXACT, 2 + _i);
   set_number(PH_F_LENGTH_SIGMA, 1e-9);
   solve();
   ck_accepted();
   ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-9);
 }
-END_TEST
 
 /* ---- claims ----------------------------------------------------------- */
 
 /* A sine whose lengths keep it in its plane only as a saddle
  * [HUA14, fig. 3]. */
-START_TEST(test_saddle) {
+PH_TEST(test_saddle) {
   memset(&u, 0, sizeof u);
   for (size_t j = 0; j <= 3; j++) {
     double t = (double)j * acos(-1) / 3;
@@ -300,9 +292,8 @@ START_TEST(test_saddle) {
   ph_diagnostics_set(&diagnostics, PH_D_SECOND_ORDER, PH_OUTCOME_MINIMISER);
   ck_refused("claimed to be a minimiser");
 }
-END_TEST
 
-START_TEST(test_functional) {
+PH_TEST(test_functional) {
   double f;
   helix(EXACT, 2);
   solve();
@@ -315,24 +306,7 @@ START_TEST(test_functional) {
   ck_accepted();
   ck_rel(diagnostics.value[PH_D_F], f, 1e-11);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cert_stationary");
-  TCase *t = tcase_create("solutions");
-  tcase_add_checked_fixture(t, NULL, finish);
-  tcase_add_loop_test(t, test_solutions, 0, 3 * MODES);
-  tcase_add_loop_test(t, test_closed, 2, 6);
-  tcase_add_test(t, test_phase);
-  tcase_add_loop_test(t, test_circle, 0, 3);
-  tcase_add_test(t, test_lengths_matter);
-  tcase_add_test(t, test_magnitudes_matter);
-  tcase_add_loop_test(t, test_sigma_matters, 2, 6);
-  tcase_add_loop_test(t, test_tiny_sigma, 1, 3);
-  tcase_add_test(t, test_saddle);
-  tcase_add_test(t, test_functional);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_solutions, test_closed, test_phase,
+              test_circle, test_lengths_matter, test_magnitudes_matter,
+              test_sigma_matters, test_tiny_sigma, test_saddle, test_functional)

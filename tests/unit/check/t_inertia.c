@@ -20,7 +20,7 @@ static void clear(void) {
 
 /* The second difference minus x has the eigenvalues 2 - 2 cos(k pi / (n + 1))
  * - x, k = 1, ..., n. */
-START_TEST(test_second_difference) {
+PH_TEST(test_second_difference) {
   for (size_t n = 1; n <= N_MAX; n++) {
     for (double x = -0.99; x < 5; x += 0.0625) {
       size_t negative = 0;
@@ -37,10 +37,9 @@ START_TEST(test_second_difference) {
     }
   }
 }
-END_TEST
 
 /* L D L^T has as many as D: whatever L is, also where pivots are tiny. */
-START_TEST(test_congruence) {
+PH_TEST(test_congruence) {
   struct unit_random r = unit_random_of(910);
   int count = unit_count(2000);
   for (int c = 0; c < count; c++) {
@@ -69,21 +68,19 @@ START_TEST(test_congruence) {
     ck_assert_uint_eq(ph_inertia_negative(a, n, k, work), negative);
   }
 }
-END_TEST
 
 /* [0 x; x 0] many times: no leading pivot is any good. */
-START_TEST(test_zero_pivots) {
+PH_TEST(test_zero_pivots) {
   clear();
   for (size_t i = 0; i < 20; i += 2) {
     *ph_sym_at(a, 2, i + 1, i) = i % 4 ? 3 : -1e-5;
   }
   ck_assert_uint_eq(ph_inertia_negative(a, 20, 2, work), 10);
 }
-END_TEST
 
 /* A minimum under constraints has one for each of them, however nearly they
  * depend on each other: here two that differ by 1e-9. */
-START_TEST(test_constraints) {
+PH_TEST(test_constraints) {
   const double h[3] = {1, -0.5, 2};
   clear();
   for (size_t i = 0; i < 3; i++) {
@@ -97,9 +94,8 @@ START_TEST(test_constraints) {
   *ph_sym_at(a, 4, 2, 2) = -2;
   ck_assert_uint_eq(ph_inertia_negative(a, 5, 4, work), 3);
 }
-END_TEST
 
-START_TEST(test_unchanged_and_not_finite) {
+PH_TEST(test_unchanged_and_not_finite) {
   double keep[N_MAX * (BAND_MAX + 1)];
   clear();
   for (size_t i = 0; i < 10; i++) {
@@ -118,18 +114,6 @@ START_TEST(test_unchanged_and_not_finite) {
     *ph_sym_at(a, 1, i, 4) = keep_one;
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("inertia");
-  TCase *t = tcase_create("count");
-  tcase_add_test(t, test_second_difference);
-  tcase_add_test(t, test_congruence);
-  tcase_add_test(t, test_zero_pivots);
-  tcase_add_test(t, test_constraints);
-  tcase_add_test(t, test_unchanged_and_not_finite);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_second_difference, test_congruence, test_zero_pivots,
+         test_constraints, test_unchanged_and_not_finite)

@@ -55,7 +55,7 @@ static void changed(enum ph_field_id id, size_t i, double by,
 /* ---- points ----------------------------------------------------------------
  */
 
-START_TEST(points) {
+PH_TEST(points) {
   static const struct {
     const char *command, *json;
     enum ph_field_id id;
@@ -91,10 +91,9 @@ START_TEST(points) {
             0.3 * by / cases[i].size, 3 * by / cases[i].size);
   }
 }
-END_TEST
 
 /* Points of a sphere may be off it, but not by more than is allowed. */
-START_TEST(degrees) {
+PH_TEST(degrees) {
   make("sphere", "{\"lonlat\":[[0,0],[40,10],[80,-20]],\"radius\":3,"
                  "\"center\":[1,2,3]}");
   changed(PH_F_LONLAT, 2, 1e-5, PH_CHECK_INTERPOLATION, 1e-8, 1e-6);
@@ -102,10 +101,9 @@ START_TEST(degrees) {
   expect_pass(PH_CHECK_INTERPOLATION);
   changed(PH_F_POINTS, 4, 1e-3, PH_CHECK_INTERPOLATION, 4e-4, 6e-4);
 }
-END_TEST
 
 /* Coordinates from 1e-9 to 1e9, and 1e6 from the origin. */
-START_TEST(scales) {
+PH_TEST(scales) {
   static const char *const commands[] = {"planar", "spatial-hermite",
                                          "arclength", "tc"};
   static const double scale[] = {1e-9, 1, 1e9}, away[] = {0, 1e6};
@@ -119,12 +117,11 @@ START_TEST(scales) {
     expect_pass(PH_CHECK_INTERPOLATION);
   }
 }
-END_TEST
 
 /* ---- tangents and derivatives ----------------------------------------------
  */
 
-START_TEST(vectors) {
+PH_TEST(vectors) {
   static const struct {
     const char *command, *json;
     enum ph_field_id id;
@@ -177,10 +174,9 @@ START_TEST(vectors) {
     changed(cases[i].id, 1, by, cases[i].check, 0.1 * by, 2 * by);
   }
 }
-END_TEST
 
 /* A Bezier curve in place of a trigonometric one. */
-START_TEST(bezier) {
+PH_TEST(bezier) {
   const struct unit_wanted wanted = {.bezier = true};
   unit_claim_make(&claim, "planar",
                   "{\"points\":[[0,0],[2,1],[3,0],[1,-1],[0,0]],"
@@ -190,12 +186,11 @@ START_TEST(bezier) {
   ck_assert_uint_gt(claim.result.curve.n, 4);
   changed(PH_F_POINTS, 4, 1e-3, PH_CHECK_INTERPOLATION, 1e-4, 10);
 }
-END_TEST
 
 /* ---- the rest --------------------------------------------------------------
  */
 
-START_TEST(lengths) {
+PH_TEST(lengths) {
   make("arclength",
        "{\"points\":[[0,0,0],[1,1,0],[2,0,1]],\"lengths\":[1.6,1.9]}");
   changed(PH_F_LENGTHS, 1, 1e-6, PH_CHECK_PRESCRIBED, 4e-7, 7e-7);
@@ -204,9 +199,8 @@ START_TEST(lengths) {
   unit_claim_verify(&claim, true);
   ck_assert(!claim.verdict.check[PH_CHECK_PRESCRIBED].done);
 }
-END_TEST
 
-START_TEST(shape) {
+PH_TEST(shape) {
   const double never = (double)INFINITY;
   make("planar", "{\"points\":[[0,0],[2,1],[3,0]]}");
   claim.problem.field[PH_F_CLOSED] =
@@ -229,9 +223,8 @@ START_TEST(shape) {
   claim.result.solutions[0] = claim.result.solutions[1];
   expect_fail(PH_CHECK_SHAPE, never, never);
 }
-END_TEST
 
-START_TEST(sphere) {
+PH_TEST(sphere) {
   const char *const json = "{\"lonlat\":[[0,0],[40,10],[80,-20],[120,50]],"
                            "\"tension\":[0,3,1,0],\"shape\":false}";
   make("sphere", json);
@@ -250,9 +243,8 @@ START_TEST(sphere) {
   claim.problem.field[PH_F_ENDS].word = "rest";
   expect_fail(PH_CHECK_END, 1e-2, 10);
 }
-END_TEST
 
-START_TEST(blaschke) {
+PH_TEST(blaschke) {
   const char *const json =
       "{\"points\":[[0,1],[6,1]],\"tangents\":[[1,-1],[1,1]],"
       "\"mode\":\"g1\",\"solutions\":\"all\",\"blaschke\":true}";
@@ -272,9 +264,8 @@ START_TEST(blaschke) {
   b[0].interval[0] = 0.1;
   expect_fail(PH_CHECK_BLASCHKE, (double)INFINITY, (double)INFINITY);
 }
-END_TEST
 
-START_TEST(distance) {
+PH_TEST(distance) {
   static const char *const curves[] = {
       "{\"curve\":[[0,0],[1,2],[3,2],[4,-1],[6,0]],\"tolerance\":0.01}",
       "{\"curve\":[[[0,0],[1,2],[3,2]],[[3,2],[5,2],[6,0],[7,1]]],"
@@ -304,10 +295,9 @@ START_TEST(distance) {
   claim.problem.field[PH_F_PIECES].number = 1;
   expect_fail(PH_CHECK_SHAPE, (double)INFINITY, (double)INFINITY);
 }
-END_TEST
 
 /* Problems that nobody could have solved. */
-START_TEST(nonsense) {
+PH_TEST(nonsense) {
   const double never = (double)INFINITY;
   make("tc", "{\"curve\":[[[0,0],[1,2],[3,2]]],\"tolerance\":0.01}");
   claim.problem.field[PH_F_CURVE].sizes[0] = 1;
@@ -326,10 +316,9 @@ START_TEST(nonsense) {
   claim.problem.field[PH_F_POINTS].v[2] = (double)NAN;
   expect_fail(PH_CHECK_INTERPOLATION, never, never);
 }
-END_TEST
 
 /* Samples in another order, each by itself right. */
-START_TEST(order) {
+PH_TEST(order) {
   const struct unit_wanted wanted = {
       .samples = {.how = PH_SAMPLE_PARAMETER, .n = 4}};
   struct ph_samples *s;
@@ -343,30 +332,10 @@ START_TEST(order) {
   s->t[2] = t;
   expect_fail(PH_CHECK_SAMPLE, (double)INFINITY, (double)INFINITY);
 }
-END_TEST
 
 static void finish(void) {
   unit_claim_free(&claim);
 }
 
-static Suite *suite(void) {
-  Suite *s = suite_create("verify_problem");
-  TCase *tc = tcase_create("problem");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, points);
-  tcase_add_test(tc, degrees);
-  tcase_add_test(tc, scales);
-  tcase_add_test(tc, vectors);
-  tcase_add_test(tc, bezier);
-  tcase_add_test(tc, lengths);
-  tcase_add_test(tc, shape);
-  tcase_add_test(tc, sphere);
-  tcase_add_test(tc, blaschke);
-  tcase_add_test(tc, distance);
-  tcase_add_test(tc, nonsense);
-  tcase_add_test(tc, order);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, points, degrees, scales, vectors, bezier, lengths,
+              shape, sphere, blaschke, distance, nonsense, order)

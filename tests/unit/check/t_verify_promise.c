@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-START_TEST(every_command_has_one) {
+PH_TEST(every_command_has_one) {
   size_t solve = 0;
   for (size_t i = 0; i < ph_commands_n; i++) {
     const char *name = ph_commands[i].schema->command;
@@ -28,14 +28,5 @@ START_TEST(every_command_has_one) {
   ck_assert_ptr_null(ph_promise_of("plana"));
   ck_assert_ptr_null(ph_promise_of("planar "));
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("verify_promise");
-  TCase *tc = tcase_create("table");
-  tcase_add_test(tc, every_command_has_one);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(every_command_has_one)

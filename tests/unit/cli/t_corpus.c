@@ -84,72 +84,45 @@ static void replay_all(const char *name, target_fn *target) {
   ck_assert_uint_ge(count, INPUTS_MIN);
 }
 
-START_TEST(json) {
+PH_TEST(json) {
   replay_all("json", corpus_json);
 }
-END_TEST
 
-START_TEST(csv) {
+PH_TEST(csv) {
   replay_all("csv", corpus_csv);
 }
-END_TEST
 
-START_TEST(number) {
+PH_TEST(number) {
   replay_all("number", corpus_number);
 }
-END_TEST
 
-START_TEST(options) {
+PH_TEST(options) {
   replay_all("options", corpus_options);
 }
-END_TEST
 
-START_TEST(planar) {
+PH_TEST(planar) {
   replay_all("planar", corpus_planar);
 }
-END_TEST
 
-START_TEST(spatial) {
+PH_TEST(spatial) {
   replay_all("spatial", corpus_spatial);
 }
-END_TEST
 
-START_TEST(arclength) {
+PH_TEST(arclength) {
   replay_all("arclength", corpus_arclength);
 }
-END_TEST
 
-START_TEST(sphere) {
+PH_TEST(sphere) {
   replay_all("sphere", corpus_sphere);
 }
-END_TEST
 
-START_TEST(tc) {
+PH_TEST(tc) {
   replay_all("tc", corpus_tc);
 }
-END_TEST
 
-START_TEST(result) {
+PH_TEST(result) {
   replay_all("result", corpus_result);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("corpus");
-  TCase *c = tcase_create("corpus");
-  tcase_set_timeout(c, 60);
-  tcase_add_test(c, json);
-  tcase_add_test(c, csv);
-  tcase_add_test(c, number);
-  tcase_add_test(c, options);
-  tcase_add_test(c, planar);
-  tcase_add_test(c, spatial);
-  tcase_add_test(c, arclength);
-  tcase_add_test(c, sphere);
-  tcase_add_test(c, tc);
-  tcase_add_test(c, result);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(json, csv, number, options, planar, spatial, arclength, sphere, tc,
+         result)

@@ -66,7 +66,7 @@ static void ck_assigned(size_t i, double x, bool override) {
 }
 
 /* The option of a field's name is the option, and sets the field. */
-START_TEST(test_namesake) {
+PH_TEST(test_namesake) {
   ck_assert_int_eq(get(&of_named, "--tolerance=.5", NULL, NULL), PH_OK);
   ck_abs(options.tolerance, 0.5, 0);
   ck_assert_uint_eq(options.assignments_n, 1);
@@ -78,11 +78,10 @@ START_TEST(test_namesake) {
   ck_assert_uint_eq(options.files_n, 1);
   ck_assert_str_eq(options.files[0], "file");
 }
-END_TEST
 
 /* The last one that is given sets the field, after all other assignments, which
  * are about the field alone; beside --convert it is not the field's. */
-START_TEST(test_namesakes) {
+PH_TEST(test_namesakes) {
   ck_assert_int_eq(get(&of_named, "--tolerance=1", "--override=tolerance=3",
                        "--tolerance=2"),
                    PH_OK);
@@ -102,19 +101,17 @@ START_TEST(test_namesakes) {
   ck_abs(options.tolerance, 0, 0);
   ck_assert_uint_eq(options.sweep_count, 2);
 }
-END_TEST
 
 /* Without a field of that name there is the option alone. */
-START_TEST(test_no_namesake) {
+PH_TEST(test_no_namesake) {
   ck_assert_int_eq(get(&of_other, "--tolerance=.5", NULL, NULL), PH_OK);
   ck_abs(options.tolerance, 0.5, 0);
   ck_assert_uint_eq(options.assignments_n, 0);
   ck_refused(get(&of_other, "--set=tolerance=1", NULL, NULL),
              "--set: other has no field 'tolerance'");
 }
-END_TEST
 
-START_TEST(test_bad_namesake) {
+PH_TEST(test_bad_namesake) {
   static const char message[] =
       "--tolerance must be a number greater than 0, found '0'";
   ck_refused(get(&of_named, "--tolerance=0", NULL, NULL), message);
@@ -124,10 +121,9 @@ START_TEST(test_bad_namesake) {
   ck_refused(get(&of_named, "--toleranc=1", NULL, NULL),
              "unknown option '--toleranc'; did you mean \"tolerance\"?");
 }
-END_TEST
 
 /* Control points as an option, of one curve or several. */
-START_TEST(test_curve) {
+PH_TEST(test_curve) {
   const struct ph_value *value;
   ck_assert_int_eq(get(&of_named, "--curve=[[0,0],[1,1],[2,0]]", NULL, NULL),
                    PH_OK);
@@ -148,7 +144,6 @@ START_TEST(test_curve) {
              "--curve: curve must be an array of points [x,y] or an array of "
              "such arrays, found a number");
 }
-END_TEST
 
 /* How often the help of a command has a text. */
 static size_t in_help(const struct ph_command *command, const char *text) {
@@ -164,7 +159,7 @@ static size_t in_help(const struct ph_command *command, const char *text) {
 }
 
 /* The help tells of it once: as the field, if it is one. */
-START_TEST(test_help) {
+PH_TEST(test_help) {
   unsetenv("COLUMNS");
   ck_assert_uint_eq(in_help(&of_named, "tolerance"), 1);
   ck_assert_uint_eq(in_help(&of_named, "\n  tolerance                 how near "
@@ -183,20 +178,6 @@ START_TEST(test_help) {
               "(default: none)\n"),
       1);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("option");
-  TCase *tc = tcase_create("option");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_namesake);
-  tcase_add_test(tc, test_namesakes);
-  tcase_add_test(tc, test_no_namesake);
-  tcase_add_test(tc, test_bad_namesake);
-  tcase_add_test(tc, test_curve);
-  tcase_add_test(tc, test_help);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_namesake, test_namesakes, test_no_namesake,
+              test_bad_namesake, test_curve, test_help)

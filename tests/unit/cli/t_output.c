@@ -100,7 +100,7 @@ static void ck_replaced(const char *name, bool sync, const char *wanted) {
   ck_assert_str_eq(content(), "new");
 }
 
-START_TEST(test_order) {
+PH_TEST(test_order) {
   char path[PATH_MAX];
   ck_replaced("file", true, "frd");
   ck_replaced("./file", true, "frd");
@@ -108,14 +108,12 @@ START_TEST(test_order) {
   ck_replaced(strcat(path, "/file"), true, "frd");
   ck_replaced("file", false, "r");
 }
-END_TEST
 
-START_TEST(test_no_file) {
+PH_TEST(test_no_file) {
   ck_assert_int_eq(replace("/dev/null", true, '\0', 0), PH_OK);
   ck_assert_str_eq(calls, "");
   ck_assert_str_eq(content(), "old");
 }
-END_TEST
 
 static void ck_failed(char what, int why, const char *wanted, const char *left,
                       const char *message) {
@@ -125,7 +123,7 @@ static void ck_failed(char what, int why, const char *wanted, const char *left,
   ck_assert_str_eq(diag.message, message);
 }
 
-START_TEST(test_failure) {
+PH_TEST(test_failure) {
   ck_failed('f', EIO, "f", "old", "cannot write file: Input/output error");
   ck_failed('f', ENOSPC, "f", "old",
             "cannot write file: No space left on device");
@@ -133,10 +131,9 @@ START_TEST(test_failure) {
   ck_failed('d', EIO, "frd", "new",
             "cannot write the directory of file: Input/output error");
 }
-END_TEST
 
 /* What cannot be waited for is not. */
-START_TEST(test_no_sync_there) {
+PH_TEST(test_no_sync_there) {
   static const int why[] = {EINVAL, ENOTSUP, EROFS};
   for (size_t i = 0; i < sizeof why / sizeof why[0]; i++) {
     ck_assert_int_eq(replace("file", true, 'f', why[i]), PH_OK);
@@ -147,18 +144,6 @@ START_TEST(test_no_sync_there) {
   ck_assert_int_eq(replace("file", true, 'f', EINTR), PH_OK);
   ck_assert_str_eq(calls, "ffrd");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("output");
-  TCase *c = tcase_create("output");
-  tcase_add_checked_fixture(c, start, finish);
-  tcase_add_test(c, test_order);
-  tcase_add_test(c, test_no_file);
-  tcase_add_test(c, test_failure);
-  tcase_add_test(c, test_no_sync_there);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(start, finish, test_order, test_no_file, test_failure,
+              test_no_sync_there)

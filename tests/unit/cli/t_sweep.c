@@ -16,16 +16,12 @@ static const struct ph_field rows[] = {
 };
 static const struct ph_schema schema = {"planar", rows, 5};
 
-static struct ph_arena arena;
 static struct ph_diag diag;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 static struct ph_sweep read_sweep(const char *text) {
   struct ph_sweep sweep;
-  enum ph_status status = ph_sweep_read(text, &schema, &arena, &sweep, &diag);
+  enum ph_status status =
+      ph_sweep_read(text, &schema, &unit_arena, &sweep, &diag);
   ck_assert_msg(status == PH_OK, "%s: %s", text, diag.message);
   return sweep;
 }
@@ -33,7 +29,8 @@ static struct ph_sweep read_sweep(const char *text) {
 /* Value i of a sweep, set in an empty problem. */
 static struct ph_value value_at(const struct ph_sweep *sweep, size_t i) {
   struct ph_problem problem = {0};
-  ck_assert_int_eq(ph_sweep_apply(sweep, 1, i, &arena, &problem, &diag), PH_OK);
+  ck_assert_int_eq(ph_sweep_apply(sweep, 1, i, &unit_arena, &problem, &diag),
+                   PH_OK);
   return problem.field[sweep->field->id];
 }
 
@@ -42,13 +39,14 @@ static void ck_texts(const char *text, size_t n, const char *const *expected) {
   ck_assert_uint_eq(sweep.n, n);
   for (size_t i = 0; i < n; i++) {
     struct ph_swept swept;
-    ck_assert_int_eq(ph_sweep_name(&sweep, 1, i, &arena, &swept, &diag), PH_OK);
+    ck_assert_int_eq(ph_sweep_name(&sweep, 1, i, &unit_arena, &swept, &diag),
+                     PH_OK);
     ck_assert_str_eq(swept.name, sweep.name);
     ck_assert_str_eq(swept.value, expected[i]);
   }
 }
 
-START_TEST(test_range) {
+PH_TEST(test_range) {
   const char *const five[] = {"0", "0.25", "0.5", "0.75", "1"};
   const char *const down[] = {"3", "1", "-1"};
   const char *const one[] = {"7"};
@@ -58,10 +56,9 @@ START_TEST(test_range) {
   ck_texts("basis=7:9:1", 1, one);
   ck_texts("basis=-.1:+.3:2", 2, two);
 }
-END_TEST
 
 /* Both ends are exact, and no value is beyond them. */
-START_TEST(test_range_ends) {
+PH_TEST(test_range_ends) {
   struct ph_sweep sweep = read_sweep("basis=0.1:0.7:1001");
   ck_assert_uint_eq(sweep.n, 1001);
   ck_abs(value_at(&sweep, 0).number, 0.1, 0);
@@ -73,27 +70,24 @@ START_TEST(test_range_ends) {
     ck_abs(x, 0.1 + 0.0006 * (double)i, 1e-15);
   }
 }
-END_TEST
 
 /* The width of a range may overflow, its values may not. */
-START_TEST(test_range_wide) {
+PH_TEST(test_range_wide) {
   struct ph_sweep sweep = read_sweep("basis=-1.5e308:1.5e308:5");
   ck_rel(value_at(&sweep, 1).number, -7.5e307, 1e-15);
   ck_abs(value_at(&sweep, 2).number, 0, 0);
   ck_rel(value_at(&sweep, 3).number, 7.5e307, 1e-15);
 }
-END_TEST
 
 /* A long range takes no memory for its values. */
-START_TEST(test_range_long) {
+PH_TEST(test_range_long) {
   struct ph_sweep sweep = read_sweep("basis=0:1:1e9");
   ck_assert_uint_eq(sweep.n, 1000000000);
   ck_abs(value_at(&sweep, 999999999).number, 1, 0);
   ck_rel(value_at(&sweep, 500000000).number, 0.5, 1e-8);
 }
-END_TEST
 
-START_TEST(test_list) {
+PH_TEST(test_list) {
   const char *const numbers[] = {"1", "-2.5", "100"};
   const char *const words[] = {"\"uniform\"", "\"chordal\""};
   ck_texts("basis=1,-2.5,1e2", 3, numbers);
@@ -101,11 +95,10 @@ START_TEST(test_list) {
   struct ph_sweep sweep = read_sweep("knots=uniform");
   ck_assert_str_eq(value_at(&sweep, 0).word, "uniform");
 }
-END_TEST
 
 /* Commas inside of brackets belong to the value, which is written on one line
  * whatever blanks it had. */
-START_TEST(test_list_of_arrays) {
+PH_TEST(test_list_of_arrays) {
   const char *const arrays[] = {"[0,1,2]", "[0,2.5,3]", "\"uniform\""};
   const char *const vectors[] = {"[[0,1],[2,3]]", "[[4,5],[6,7]]"};
   const char *const curves[] = {"[[[0,1],[2,3]],[[2,3]]]", "[[4,5],[6,7]]",
@@ -118,18 +111,16 @@ START_TEST(test_list_of_arrays) {
   ck_assert_uint_eq(value_at(&sweep, 1).n, 3);
   ck_abs(value_at(&sweep, 1).v[1], 2.5, 0);
 }
-END_TEST
 
-START_TEST(test_truth_values) {
+PH_TEST(test_truth_values) {
   const char *const both[] = {"true", "false"};
   struct ph_sweep sweep = read_sweep("closed=true,false");
   ck_texts("closed=true,false", 2, both);
   ck_assert(value_at(&sweep, 0).flag);
   ck_assert(!value_at(&sweep, 1).flag);
 }
-END_TEST
 
-START_TEST(test_same) {
+PH_TEST(test_same) {
   const char *const texts[] = {"knots=uniform",  "knots[1]=1",
                                "knots[2]=1",     "points[1][2]=1",
                                "points[1][3]=1", "basis=0:1:2"};
@@ -145,9 +136,8 @@ START_TEST(test_same) {
     ck_assert(ph_sweep_same(&sweeps[i], &again) == (i == 3));
   }
 }
-END_TEST
 
-START_TEST(test_element) {
+PH_TEST(test_element) {
   struct ph_sweep sweep = read_sweep("knots[2]=0.5,1");
   ck_assert_str_eq(sweep.name, "knots[2]");
   ck_assert_ptr_eq(sweep.field, &rows[3]);
@@ -158,11 +148,10 @@ START_TEST(test_element) {
   ck_assert_uint_eq(sweep.index[0], 10);
   ck_assert_uint_eq(sweep.index[1], 1);
 }
-END_TEST
 
 static void ck_refused(const char *text, const char *message) {
   struct ph_sweep sweep;
-  ck_assert_int_eq(ph_sweep_read(text, &schema, &arena, &sweep, &diag),
+  ck_assert_int_eq(ph_sweep_read(text, &schema, &unit_arena, &sweep, &diag),
                    PH_USAGE);
   ck_assert_str_eq(diag.field, "");
   ck_assert_str_eq(diag.message, message);
@@ -173,7 +162,7 @@ static void ck_refused(const char *text, const char *message) {
   "' is not START:STOP:COUNT[:log] with a COUNT from 1 to 1000000000"
 #define ELEMENT "' is not a field or an element like knots[2] or points[0][1]"
 
-START_TEST(test_refused_form) {
+PH_TEST(test_refused_form) {
   ck_refused("", "--sweep: '" FORM);
   ck_refused("knots", "--sweep: 'knots" FORM);
   ck_refused("=1", "--sweep: '=1" FORM);
@@ -191,9 +180,8 @@ START_TEST(test_refused_form) {
   ck_refused("knots[12345678901234567890]=1",
              "--sweep: 'knots[12345678901234567890]" ELEMENT);
 }
-END_TEST
 
-START_TEST(test_refused_range) {
+PH_TEST(test_refused_range) {
   ck_refused("basis=0:1:0", "--sweep: '0:1:0" RANGE);
   ck_refused("basis=0:1:-1", "--sweep: '0:1:-1" RANGE);
   ck_refused("basis=0:1:2.5", "--sweep: '0:1:2.5" RANGE);
@@ -211,9 +199,8 @@ START_TEST(test_refused_range) {
   ck_refused("basis=1:-2:3:log", "--sweep: '1:-2:3:log' has no logarithms: "
                                  "START and STOP must be greater than 0");
 }
-END_TEST
 
-START_TEST(test_refused_value) {
+PH_TEST(test_refused_value) {
   ck_refused("knots[0]=a", "--sweep: knots[0] takes numbers, found 'a'");
   ck_refused("knots[0]=1,,2", "--sweep: knots[0] takes numbers, found ''");
   ck_refused("knots[0]=", "--sweep: knots[0] takes numbers, found ''");
@@ -223,15 +210,14 @@ START_TEST(test_refused_value) {
                             "or an array of numbers, found a number");
   ck_refused("knots[0]=1e999", "--sweep: knots[0] takes numbers, found "
                                "'1e999'");
-  ck_assert_int_eq(ph_sweep_read("knots=unifrom", &schema, &arena,
+  ck_assert_int_eq(ph_sweep_read("knots=unifrom", &schema, &unit_arena,
                                  &(struct ph_sweep){0}, &diag),
                    PH_USAGE);
   ck_assert_ptr_nonnull(strstr(diag.message, "did you mean \"uniform\"?"));
   ck_assert_int_eq(strncmp(diag.message, "--sweep: knots ", 15), 0);
 }
-END_TEST
 
-START_TEST(test_count) {
+PH_TEST(test_count) {
   struct ph_sweep sweeps[] = {{.n = 3}, {.n = 4}, {.n = 5}};
   ck_assert_uint_eq(ph_sweep_count(sweeps, 3), 60);
   ck_assert_uint_eq(ph_sweep_count(sweeps, 0), 1);
@@ -241,18 +227,18 @@ START_TEST(test_count) {
   sweeps[1].n = SIZE_MAX / 3;
   ck_assert_uint_eq(ph_sweep_count(sweeps, 2), SIZE_MAX / 3 * 3);
 }
-END_TEST
 
 /* The last sweep varies fastest. */
-START_TEST(test_order) {
+PH_TEST(test_order) {
   struct ph_sweep sweeps[] = {read_sweep("closed=true,false"),
                               read_sweep("basis=1,2,3")};
   for (size_t i = 0; i < 6; i++) {
     struct ph_problem problem = {0};
     struct ph_swept swept[2];
-    ck_assert_int_eq(ph_sweep_apply(sweeps, 2, i, &arena, &problem, &diag),
+    ck_assert_int_eq(ph_sweep_apply(sweeps, 2, i, &unit_arena, &problem, &diag),
                      PH_OK);
-    ck_assert_int_eq(ph_sweep_name(sweeps, 2, i, &arena, swept, &diag), PH_OK);
+    ck_assert_int_eq(ph_sweep_name(sweeps, 2, i, &unit_arena, swept, &diag),
+                     PH_OK);
     ck_assert(problem.field[PH_F_CLOSED].flag == (i < 3));
     ck_abs(problem.field[PH_F_BASIS].number, 1.0 + (double)(i % 3), 0);
     ck_assert_str_eq(swept[0].name, "closed");
@@ -261,10 +247,9 @@ START_TEST(test_order) {
     ck_assert_int_eq(swept[1].value[0], '1' + (int)(i % 3));
   }
 }
-END_TEST
 
 /* An element is set in a copy: the problem is solved for other values, too. */
-START_TEST(test_set_element) {
+PH_TEST(test_set_element) {
   double knots[] = {0, 1, 2}, points[] = {0, 1, 2, 3, 4, 5};
   struct ph_sweep sweeps[] = {read_sweep("knots[1]=0.5,1.5"),
                               read_sweep("points[2][0]=9")};
@@ -278,7 +263,7 @@ START_TEST(test_set_element) {
     const struct ph_value *p = &problem.field[PH_F_POINTS];
     problem.field[PH_F_KNOTS] = knots_value;
     problem.field[PH_F_POINTS] = points_value;
-    ck_assert_int_eq(ph_sweep_apply(sweeps, 2, i, &arena, &problem, &diag),
+    ck_assert_int_eq(ph_sweep_apply(sweeps, 2, i, &unit_arena, &problem, &diag),
                      PH_OK);
     ck_abs(k->v[0], 0, 0);
     ck_abs(k->v[1], 0.5 + (double)i, 0);
@@ -290,10 +275,9 @@ START_TEST(test_set_element) {
   ck_abs(knots[1], 1, 0);
   ck_abs(points[4], 4, 0);
 }
-END_TEST
 
 /* One curve, or several: elements of each. */
-START_TEST(test_set_polyline) {
+PH_TEST(test_set_polyline) {
   double v[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   size_t sizes[] = {2, 1, 3};
   struct ph_sweep of_one = read_sweep("curve[0][1]=-1,-2");
@@ -305,8 +289,8 @@ START_TEST(test_set_polyline) {
     const struct ph_value *c = &problem.field[PH_F_CURVE];
     double first = i ? -2 : -1;
     problem.field[PH_F_CURVE] = value;
-    ck_assert_int_eq(ph_sweep_apply(&of_one, 1, i, &arena, &problem, &diag),
-                     PH_OK);
+    ck_assert_int_eq(
+        ph_sweep_apply(&of_one, 1, i, &unit_arena, &problem, &diag), PH_OK);
     for (size_t k = 0; k < 12; k++) {
       ck_abs(c->v[k], k == 1 ? first : (double)k, 0);
     }
@@ -314,8 +298,8 @@ START_TEST(test_set_polyline) {
     problem.field[PH_F_CURVE].kind = PH_POLYLINE;
     problem.field[PH_F_CURVE].sizes = sizes;
     problem.field[PH_F_CURVE].sizes_n = 3;
-    ck_assert_int_eq(ph_sweep_apply(of_three, 2, i, &arena, &problem, &diag),
-                     PH_OK);
+    ck_assert_int_eq(
+        ph_sweep_apply(of_three, 2, i, &unit_arena, &problem, &diag), PH_OK);
     for (size_t k = 0; k < 12; k++) {
       ck_abs(c->v[k], k == 2 ? first : k == 11 ? -3 : (double)k, 0);
     }
@@ -324,14 +308,13 @@ START_TEST(test_set_polyline) {
   ck_abs(v[1], 1, 0);
   ck_abs(v[2], 2, 0);
 }
-END_TEST
 
 static void ck_no_element(const char *text, struct ph_value value) {
   struct ph_sweep sweep = read_sweep(text);
   struct ph_problem problem = {0};
   char message[96];
   problem.field[sweep.field->id] = value;
-  ck_assert_int_eq(ph_sweep_apply(&sweep, 1, 0, &arena, &problem, &diag),
+  ck_assert_int_eq(ph_sweep_apply(&sweep, 1, 0, &unit_arena, &problem, &diag),
                    PH_BAD_SHAPE);
   ck_assert_str_eq(diag.field, ph_field_name(sweep.field->id));
   snprintf(message, sizeof message, "has no element %s for --sweep to set",
@@ -339,7 +322,7 @@ static void ck_no_element(const char *text, struct ph_value value) {
   ck_assert_str_eq(diag.message, message);
 }
 
-START_TEST(test_no_element) {
+PH_TEST(test_no_element) {
   double v[] = {0, 1, 2, 3};
   struct ph_value numbers = {
       .kind = PH_NUMBERS, .v = v, .n = 4, .dimension = 1};
@@ -365,10 +348,9 @@ START_TEST(test_no_element) {
   ck_no_element("curve[1]=1", polyline);
   ck_no_element("curve[1][0][1]=1", vectors);
 }
-END_TEST
 
 /* Each value is the same multiple of the one before. */
-START_TEST(test_range_log) {
+PH_TEST(test_range_log) {
   struct ph_sweep sweep = read_sweep("basis=2:2.08120802:5:log");
   struct ph_sweep down = read_sweep("basis=1e300:1e-300:3:log");
   double x = 2;
@@ -379,10 +361,9 @@ START_TEST(test_range_log) {
   ck_abs(value_at(&sweep, 4).number, 2.08120802, 0);
   ck_rel(value_at(&down, 1).number, 1, 1e-12);
 }
-END_TEST
 
 /* What a problem has, times the values of the sweep. */
-START_TEST(test_factors) {
+PH_TEST(test_factors) {
   const char *const texts[] = {"0.5", "2"};
   double knots[] = {1, 2, 4};
   struct ph_sweep all = read_sweep("knots*=0.5,2");
@@ -398,7 +379,7 @@ START_TEST(test_factors) {
   ck_assert(ph_sweep_same(&all, &both[0]));
   for (size_t i = 0; i < 2; i++) {
     problem.field[PH_F_KNOTS] = value;
-    ck_assert_int_eq(ph_sweep_apply(&all, 1, i, &arena, &problem, &diag),
+    ck_assert_int_eq(ph_sweep_apply(&all, 1, i, &unit_arena, &problem, &diag),
                      PH_OK);
     v = problem.field[PH_F_KNOTS].v;
     for (size_t k = 0; k < 3; k++) {
@@ -406,56 +387,32 @@ START_TEST(test_factors) {
     }
   }
   problem.field[PH_F_KNOTS] = value;
-  ck_assert_int_eq(ph_sweep_apply(both, 2, 0, &arena, &problem, &diag), PH_OK);
+  ck_assert_int_eq(ph_sweep_apply(both, 2, 0, &unit_arena, &problem, &diag),
+                   PH_OK);
   v = problem.field[PH_F_KNOTS].v;
   ck_abs(v[0], 3, 0);
   ck_abs(v[1], 30, 0);
   ck_abs(knots[1], 2, 0);
   problem.field[PH_F_BASIS] = (struct ph_value){.kind = PH_NUMBER, .number = 7};
-  ck_assert_int_eq(ph_sweep_apply(&number, 1, 1, &arena, &problem, &diag),
+  ck_assert_int_eq(ph_sweep_apply(&number, 1, 1, &unit_arena, &problem, &diag),
                    PH_OK);
   ck_abs(problem.field[PH_F_BASIS].number, 28, 0);
 }
-END_TEST
 
-START_TEST(test_no_factor) {
+PH_TEST(test_no_factor) {
   struct ph_sweep sweep = read_sweep("knots*=2");
   struct ph_problem problem = {0};
-  ck_assert_int_eq(ph_sweep_apply(&sweep, 1, 0, &arena, &problem, &diag),
+  ck_assert_int_eq(ph_sweep_apply(&sweep, 1, 0, &unit_arena, &problem, &diag),
                    PH_BAD_SHAPE);
   ck_assert_str_eq(diag.field, "knots");
   ck_assert_str_eq(diag.message, "has no numbers for --sweep to multiply");
   ck_refused("knots*=a", "--sweep: knots* takes numbers, found 'a'");
   ck_refused("*=1", "--sweep: planar has no field ''");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sweep");
-  TCase *tc = tcase_create("sweep");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_range);
-  tcase_add_test(tc, test_range_ends);
-  tcase_add_test(tc, test_range_wide);
-  tcase_add_test(tc, test_range_long);
-  tcase_add_test(tc, test_list);
-  tcase_add_test(tc, test_list_of_arrays);
-  tcase_add_test(tc, test_truth_values);
-  tcase_add_test(tc, test_same);
-  tcase_add_test(tc, test_element);
-  tcase_add_test(tc, test_refused_form);
-  tcase_add_test(tc, test_refused_range);
-  tcase_add_test(tc, test_refused_value);
-  tcase_add_test(tc, test_count);
-  tcase_add_test(tc, test_order);
-  tcase_add_test(tc, test_set_element);
-  tcase_add_test(tc, test_set_polyline);
-  tcase_add_test(tc, test_no_element);
-  tcase_add_test(tc, test_range_log);
-  tcase_add_test(tc, test_factors);
-  tcase_add_test(tc, test_no_factor);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_range, test_range_ends, test_range_wide, test_range_long,
+         test_list, test_list_of_arrays, test_truth_values, test_same,
+         test_element, test_refused_form, test_refused_range,
+         test_refused_value, test_count, test_order, test_set_element,
+         test_set_polyline, test_no_element, test_range_log, test_factors,
+         test_no_factor)

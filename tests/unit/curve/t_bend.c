@@ -148,7 +148,7 @@ static void check_bounds(enum kind kind, double h, struct unit_random *r,
   *ratio = distance > 0 ? m * h * h / 8 / distance : 1;
 }
 
-START_TEST(test_holds) {
+PH_TEST_EACH(test_holds, KINDS) {
   static const double lengths[] = {1, 0.5, 0.25, 0.0625, 1. / 64, 1. / 512};
   struct unit_random r = unit_random_of(100 + (uint64_t)_i);
   for (size_t k = 0; k < sizeof lengths / sizeof lengths[0]; k++) {
@@ -158,11 +158,10 @@ START_TEST(test_holds) {
     }
   }
 }
-END_TEST
 
 /* Half of all bounds are within a tenth (of offsets, a fifth) of the truth
  * for intervals of 1/64. */
-START_TEST(test_tight) {
+PH_TEST_EACH(test_tight, KINDS) {
   struct unit_random r = unit_random_of(200 + (uint64_t)_i);
   bool offset = _i == OFFSET_PLANE || _i == OFFSET_SPACE;
   double ratio[2 * CURVES];
@@ -172,7 +171,6 @@ START_TEST(test_tight) {
   qsort(ratio, 2 * CURVES, sizeof ratio[0], compare);
   ck_assert_double_le(ratio[CURVES], offset ? 1.2 : 1.1);
 }
-END_TEST
 
 /* g / sigma of a planar offset: 0 at cusps. */
 static double speed_along(const struct path *path, double u) {
@@ -182,7 +180,7 @@ static double speed_along(const struct path *path, double u) {
 
 /* From a cusp on there is more than (1), which is that of the speed's slope:
  * chords leave the curve by the third power of their length alone. */
-START_TEST(test_cusp) {
+PH_TEST(test_cusp) {
   struct unit_random r = unit_random_of(250);
   size_t cusps = 0;
   for (int n = 0; n < 5 * unit_count(CURVES); n++) {
@@ -207,11 +205,10 @@ START_TEST(test_cusp) {
   }
   ck_assert_uint_ge(cusps, 1);
 }
-END_TEST
 
 /* In the limit it is |r''| across the curve, of offsets from the curve's
  * geometry: kappa / |1 - d kappa| times the square of sigma (1 - d kappa). */
-START_TEST(test_limit) {
+PH_TEST(test_limit) {
   const double h = 1e-6;
   struct unit_random r = unit_random_of(300);
   for (int n = 0; n < 10 * unit_count(CURVES); n++) {
@@ -229,7 +226,6 @@ START_TEST(test_limit) {
     }
   }
 }
-END_TEST
 
 /* A circle of radius 3, x from 0 to `end`, A = exp(k x / 2). */
 static struct ph_seg3 circle(double end) {
@@ -244,7 +240,7 @@ static struct ph_seg3 circle(double end) {
 
 /* Of a circle M is the radius times the square of the angle, and so is that of
  * its offsets; the tangent turns by less than a quarter. */
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   static const double ends[] = {0.1, 1, 1.5};
   for (size_t i = 0; i < 3; i++) {
     struct ph_seg3 seg = circle(ends[i]);
@@ -258,9 +254,8 @@ START_TEST(test_circle) {
     ck_abs(ph_bend_offset(&seg, PH_E3, 5, 0, 0.5), 3 * square, 1e-10);
   }
 }
-END_TEST
 
-START_TEST(test_line) {
+PH_TEST(test_line) {
   static const ph_vec3 p[4] = {
       {0, 0, 0}, {0.1, 0.2, 0.3}, {0.3, 0.6, 0.9}, {1, 2, 3}};
   const ph_quat a = {1, 2, -1, 0.5};
@@ -271,20 +266,18 @@ START_TEST(test_line) {
   ck_abs(ph_bend_bezier(p, 3, 0, 0.75), 0, 1e-11);
   ck_abs(ph_bend_bezier(p, 1, 0, 1), 0, 0);
 }
-END_TEST
 
 /* y = x^2 has r'' = (0, 2) everywhere. */
-START_TEST(test_parabola) {
+PH_TEST(test_parabola) {
   static const ph_vec3 p[3] = {{-1, 1, 0}, {0, -1, 0}, {1, 1, 0}};
   ck_rel(ph_bend_bezier(p, 2, 0, 1), 8, 1e-13);
   ck_rel(ph_bend_bezier(p, 2, 0.25, 0.75), 8, 1e-13);
   ck_rel(ph_bend_bezier(p, 2, 0.5, 0.5), 8, 1e-13);
 }
-END_TEST
 
 /* The curve stands still at 1/2, where there is a bound of its chords and no
  * offset. */
-START_TEST(test_standing) {
+PH_TEST(test_standing) {
   const ph_quat still[3] = {{-1, 0, 0, 0}, {0, 0, 0, -0.25}, {1, 0, 0, 0.5}};
   struct path path = {.kind = PLANE};
   path.seg = unit_seg3(0, still, ph_vec3_of(0, 0, 0));
@@ -294,10 +287,9 @@ START_TEST(test_standing) {
   ck_abs(ph_bend_offset(&path.seg, PH_E2, 1, 0.4, 0.6), (double)INFINITY, 0);
   ck_assert(isfinite(ph_bend_offset(&path.seg, PH_E2, 1, 0.6, 0.7)));
 }
-END_TEST
 
 /* What is no number has no bound. */
-START_TEST(test_not_a_number) {
+PH_TEST(test_not_a_number) {
   const double nan = (double)NAN;
   struct ph_seg3 seg = circle(1), bad = seg;
   ph_vec3 p[4] = {{0, 0, 0}, {1, 0, 0}, {nan, 1, 0}, {3, 0, 0}};
@@ -308,23 +300,7 @@ START_TEST(test_not_a_number) {
   ck_abs(ph_bend_offset(&seg, PH_E2, nan, 0, 1), (double)INFINITY, 0);
   ck_abs(ph_bend_bezier(p, 3, 0, 1), (double)INFINITY, 0);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("bend");
-  TCase *t = tcase_create("bend");
-  tcase_add_checked_fixture(t, begin, NULL);
-  tcase_add_loop_test(t, test_holds, 0, KINDS);
-  tcase_add_loop_test(t, test_tight, 0, KINDS);
-  tcase_add_test(t, test_cusp);
-  tcase_add_test(t, test_limit);
-  tcase_add_test(t, test_circle);
-  tcase_add_test(t, test_line);
-  tcase_add_test(t, test_parabola);
-  tcase_add_test(t, test_standing);
-  tcase_add_test(t, test_not_a_number);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_holds, test_tight, test_cusp, test_limit,
+              test_circle, test_line, test_parabola, test_standing,
+              test_not_a_number)

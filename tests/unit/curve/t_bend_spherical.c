@@ -75,7 +75,7 @@ static double random_distance(struct unit_random *r) {
   return unit_random_below(r, 3) ? unit_random_in(r, -3, 3) : 0;
 }
 
-START_TEST(test_random) {
+PH_TEST(test_random) {
   struct unit_random r = unit_random_of(1330);
   const double angles[] = {1e-6, 1e-3, 0.1, 0.5, 1, 2, 3.12};
   for (int i = 0; i < unit_count(2000); i++) {
@@ -92,7 +92,6 @@ START_TEST(test_random) {
     ck_holds(&s, d, u0, u0 + h);
   }
 }
-END_TEST
 
 /* Halvings find a bound, whatever the segment and the distance. */
 static void ck_halves(const struct ph_spherical *s, double d, double u0,
@@ -105,7 +104,7 @@ static void ck_halves(const struct ph_spherical *s, double d, double u0,
   }
 }
 
-START_TEST(test_rest) {
+PH_TEST(test_rest) {
   struct unit_random r = unit_random_of(1331);
   for (int i = 0; i < unit_count(60); i++) {
     struct ph_spherical s = random_segment(&r, unit_random_in(&r, 0.01, 1),
@@ -124,10 +123,9 @@ START_TEST(test_rest) {
     ck_assert(isfinite(ph_bend_spherical(&s, d, 1 - 0x1p-20, 1)));
   }
 }
-END_TEST
 
 /* From rest with three points in one place: a great circle. */
-START_TEST(test_thrice) {
+PH_TEST(test_thrice) {
   const ph_vec3 a = ph_degree_to_unit(0, 0), b = ph_degree_to_unit(40, 30);
   const struct ph_spherical start = {{a, a, a, b}}, end = {{a, b, b, b}};
   for (size_t i = 0; i < 8; i++) {
@@ -136,10 +134,9 @@ START_TEST(test_thrice) {
     ck_assert(ck_holds(&end, -1.2, u0, u1));
   }
 }
-END_TEST
 
 /* Great circles at one speed, their parallels: theta^2 cos d. */
-START_TEST(test_great_circle) {
+PH_TEST(test_great_circle) {
   const double step = 20 * (PH_PI / 180), speed = 3 * step;
   struct ph_spherical s;
   for (size_t i = 0; i < 4; i++) {
@@ -154,11 +151,10 @@ START_TEST(test_great_circle) {
     }
   }
 }
-END_TEST
 
 /* The shorter the block, the nearer the bound is to |g| times the rate at which
  * T turns: what chords leave the curve by. */
-START_TEST(test_tight) {
+PH_TEST(test_tight) {
   struct unit_random r = unit_random_of(1332);
   const double h = 0x1p-12;
   for (int i = 0; i < unit_count(200); i++) {
@@ -179,18 +175,5 @@ START_TEST(test_tight) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("bend_spherical");
-  TCase *tc = tcase_create("bend_spherical");
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_rest);
-  tcase_add_test(tc, test_thrice);
-  tcase_add_test(tc, test_great_circle);
-  tcase_add_test(tc, test_tight);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_random, test_rest, test_thrice, test_great_circle, test_tight)

@@ -10,23 +10,18 @@
 
 #include <string.h>
 
-static struct ph_arena arena;
 static struct ph_diag diag;
 static struct unit_curve3 c;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 static struct ph_curve convert(double tolerance, double *error) {
   struct ph_curve bezier;
   ck_assert_int_eq(
-      ph_bezier_curve(&c.curve, tolerance, &arena, &bezier, error, &diag),
+      ph_bezier_curve(&c.curve, tolerance, &unit_arena, &bezier, error, &diag),
       PH_OK);
   return bezier;
 }
 
-START_TEST(test_ph) {
+PH_TEST(test_ph) {
   struct unit_random r = unit_random_of(540);
   struct ph_curve bezier;
   double error;
@@ -35,25 +30,23 @@ START_TEST(test_ph) {
   ck_assert_int_eq(memcmp(&bezier, &c.curve, sizeof bezier), 0);
   ck_abs(error, 0, 0);
 }
-END_TEST
 
-START_TEST(test_cubics) {
+PH_TEST(test_cubics) {
   struct unit_random r = unit_random_of(545);
   struct unit_cubics cubics;
   struct ph_curve bezier;
   double error;
   unit_cubics_random(&cubics, &r, 3, 1, ph_cplx_of(1, 2));
   ck_assert_int_eq(
-      ph_bezier_curve(&cubics.curve, 1e-9, &arena, &bezier, &error, &diag),
+      ph_bezier_curve(&cubics.curve, 1e-9, &unit_arena, &bezier, &error, &diag),
       PH_OK);
   ck_assert_int_eq(memcmp(&bezier, &cubics.curve, sizeof bezier), 0);
   ck_abs(error, 0, 0);
 }
-END_TEST
 
 /* Knots cut the curve where the pieces do; what is said of each segment no
  * longer belongs to anything. */
-START_TEST(test_atph) {
+PH_TEST(test_atph) {
   struct unit_random r = unit_random_of(541);
   struct ph_curve bezier;
   double error, numbers[2 * UNIT_CURVE3_MAX] = {0}, sum = 0;
@@ -89,10 +82,9 @@ START_TEST(test_atph) {
   }
   ck_rel(sum, c.curve.length, 1e-14);
 }
-END_TEST
 
 /* The length of a piece by quadrature of its speed, which is near. */
-START_TEST(test_lengths) {
+PH_TEST(test_lengths) {
   struct unit_random r = unit_random_of(542);
   struct ph_curve bezier;
   struct ph_quad rule;
@@ -110,11 +102,10 @@ START_TEST(test_lengths) {
     ck_abs(bezier.lengths[i], sum, 1e-8);
   }
 }
-END_TEST
 
 /* One piece for a unit segment with unit end derivatives: the error is that of
  * the reference implementation for such data, and grows as alpha^2. */
-START_TEST(test_one_piece) {
+PH_TEST_EACH(test_one_piece, 4) {
   static const struct {
     double alpha, error;
   } known[] = {{0.1, 1.8e-5}, {0.5, 4.4e-4}, {1, 1.8e-3}, {2.0943951, 9.2e-3}};
@@ -132,10 +123,9 @@ START_TEST(test_one_piece) {
   ck_assert_uint_eq(bezier.n, 1);
   ck_rel(error, known[_i].error, 0.2);
 }
-END_TEST
 
 /* Parts of one segment: 2^-6 of the error for each halving. */
-START_TEST(test_order) {
+PH_TEST(test_order) {
   const ph_quat a[3] = {{1, 0.1, 0, 0.2}, {0.9, 0, 0.5, 0}, {1, 0.2, 0, -0.4}};
   const double alpha = 2;
   struct ph_seg3 seg;
@@ -155,33 +145,17 @@ START_TEST(test_order) {
     before = error;
   }
 }
-END_TEST
 
-START_TEST(test_refused) {
+PH_TEST(test_refused) {
   struct unit_random r = unit_random_of(543);
   struct ph_curve bezier;
   double error;
   unit_curve3_random(&c, 1, true, 0.6, &r);
   ck_assert_int_eq(
-      ph_bezier_curve(&c.curve, 1e-30, &arena, &bezier, &error, &diag),
+      ph_bezier_curve(&c.curve, 1e-30, &unit_arena, &bezier, &error, &diag),
       PH_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("bezier");
-  TCase *t = tcase_create("bezier");
-  tcase_add_checked_fixture(t, NULL, finish);
-  tcase_add_test(t, test_ph);
-  tcase_add_test(t, test_cubics);
-  tcase_add_test(t, test_atph);
-  tcase_add_test(t, test_lengths);
-  tcase_add_loop_test(t, test_one_piece, 0, 4);
-  tcase_add_test(t, test_order);
-  tcase_add_test(t, test_refused);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_ph, test_cubics, test_atph, test_lengths, test_one_piece,
+         test_order, test_refused)

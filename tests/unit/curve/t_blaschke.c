@@ -8,12 +8,7 @@
 #include "curve/offset/offset.h"
 #include "kernel/vec3.h"
 
-static struct ph_arena arena;
 static struct ph_diag diag;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 /* The point at t of a rational Bezier piece. */
 static ph_vec3 rational(const struct ph_blaschke *piece, double t) {
@@ -72,7 +67,7 @@ static struct noise noise_of(const struct unit_cubics *c, double scale,
 }
 
 /* The same pieces and weights as those of an offset, and its points. */
-START_TEST(test_definition) {
+PH_TEST(test_definition) {
   const double scales[] = {1, 1e-9, 1e9, 1e-150, 1e150};
   const struct ph_offset_rules rules = {.tolerance = 1e-9};
   const int curves = unit_count(300);
@@ -85,9 +80,9 @@ START_TEST(test_definition) {
     struct noise noise;
     unit_cubics_random(&c, &r, 4, scale, unit_random_cplx(&r, far * scale));
     noise = noise_of(&c, scale, far);
-    ck_assert_int_eq(ph_blaschke_curve(&c.curve, &arena, &diag), PH_OK);
-    ck_assert_int_eq(ph_offset_planar(&c.curve, 0, &rules, &arena, &o, &diag),
-                     PH_OK);
+    ck_assert_int_eq(ph_blaschke_curve(&c.curve, &unit_arena, &diag), PH_OK);
+    ck_assert_int_eq(
+        ph_offset_planar(&c.curve, 0, &rules, &unit_arena, &o, &diag), PH_OK);
     ck_assert_uint_eq(c.curve.blaschke.n, o.n);
     for (size_t j = 0; j < o.n; j++) {
       const struct ph_blaschke *b = &c.curve.blaschke.v[j];
@@ -107,21 +102,20 @@ START_TEST(test_definition) {
       }
     }
     cuts += o.n - 4;
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_int_ge((int)cuts, curves / 5);
 }
-END_TEST
 
 /* c' = -kappa sigma (t, -<t, r>) at both ends of a segment, kappa sigma =
  * 2 K / |w|^2: two that join smoothly have one tangent there [BYR11, thm 19].
  */
-START_TEST(test_ends) {
+PH_TEST(test_ends) {
   struct unit_random r = unit_random_of(901);
   for (int i = 0; i < 200; i++) {
     struct unit_cubics c;
     unit_cubics_random(&c, &r, 3, 1, unit_random_cplx(&r, 1));
-    ck_assert_int_eq(ph_blaschke_curve(&c.curve, &arena, &diag), PH_OK);
+    ck_assert_int_eq(ph_blaschke_curve(&c.curve, &unit_arena, &diag), PH_OK);
     for (size_t j = 0; j < c.curve.blaschke.n; j++) {
       const struct ph_blaschke *b = &c.curve.blaschke.v[j];
       const double width = b->interval[1] - b->interval[0];
@@ -143,17 +137,16 @@ START_TEST(test_ends) {
             tol * (1 + g * g), 10 * tol * (1 + g * g));
       }
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* All tangents of a line are the line. */
-START_TEST(test_line) {
+PH_TEST(test_line) {
   struct unit_cubics c;
   unit_cubics_begin(&c, ph_cplx_of(1, 7));
   unit_cubics_add(&c, ph_cplx_of(2, 0), ph_cplx_of(3, 0));
-  ck_assert_int_eq(ph_blaschke_curve(&c.curve, &arena, &diag), PH_OK);
+  ck_assert_int_eq(ph_blaschke_curve(&c.curve, &unit_arena, &diag), PH_OK);
   ck_assert_uint_eq(c.curve.blaschke.n, 1);
   for (size_t k = 0; k < 6; k++) {
     const double *p = c.curve.blaschke.v[0].control_points[k];
@@ -163,44 +156,30 @@ START_TEST(test_line) {
     ck_assert(!signbit(p[0]));
   }
 }
-END_TEST
 
-START_TEST(test_standstill) {
+PH_TEST(test_standstill) {
   struct unit_cubics c;
   unit_cubics_begin(&c, ph_cplx_of(0, 0));
   unit_cubics_add(&c, ph_cplx_of(1, 0), ph_cplx_of(1, 1));
   unit_cubics_add(&c, ph_cplx_of(1, 1), ph_cplx_of(-2, -2));
-  ck_assert_int_eq(ph_blaschke_curve(&c.curve, &arena, &diag), PH_INFEASIBLE);
+  ck_assert_int_eq(ph_blaschke_curve(&c.curve, &unit_arena, &diag),
+                   PH_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[1]");
   ck_assert_str_eq(diag.message,
                    "has no image on the Blaschke cylinder: the curve stands "
                    "still in it and has no normal there");
 }
-END_TEST
 
-START_TEST(test_too_large) {
+PH_TEST(test_too_large) {
   struct unit_cubics c;
   unit_cubics_begin(&c, ph_cplx_of(1.7e308, 1.7e308));
   unit_cubics_add(&c, ph_cplx_of(1e150, 1e150), ph_cplx_of(1e150, 1e150));
   unit_cubics_add(&c, ph_cplx_of(1, -0.4), ph_cplx_of(1, -0.4));
-  ck_assert_int_eq(ph_blaschke_curve(&c.curve, &arena, &diag), PH_TOO_LARGE);
+  ck_assert_int_eq(ph_blaschke_curve(&c.curve, &unit_arena, &diag),
+                   PH_TOO_LARGE);
   ck_assert_str_eq(diag.field, "segments[1]");
   ck_assert_str_eq(diag.message, "its image on the Blaschke cylinder exceeds "
                                  "the range of a double");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("blaschke");
-  TCase *tc = tcase_create("blaschke");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_definition);
-  tcase_add_test(tc, test_ends);
-  tcase_add_test(tc, test_line);
-  tcase_add_test(tc, test_standstill);
-  tcase_add_test(tc, test_too_large);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_definition, test_ends, test_line, test_standstill, test_too_large)

@@ -9,11 +9,6 @@
 
 static const double PI = 3.14159265358979323846;
 
-static struct ph_arena scratch;
-static void finish(void) {
-  ph_arena_free(&scratch);
-}
-
 /* The spline through n points, and what cross.h says of it. */
 static struct ph_cross cross_through(const double *v, size_t n, bool closed,
                                      const char *basis) {
@@ -47,7 +42,7 @@ static void chain_arc(struct unit_chain *chain, double speed, double from,
   unit_chain_add(chain, w);
 }
 
-START_TEST(test_strokes) {
+PH_TEST(test_strokes) {
   /* Out, a short step aside, and back. */
   const double gaps[] = {1e-3, 1e-9, 1e-11, 1e-13, 1e-15};
   struct unit_chain chain;
@@ -70,9 +65,8 @@ START_TEST(test_strokes) {
     ck_assert(unit_cross(&chain.curve, 10).simple == !i);
   }
 }
-END_TEST
 
-START_TEST(test_corner) {
+PH_TEST(test_corner) {
   /* Over a hump, and from its foot back through it: the corner turns the
    * shorter way, to the right. */
   const double degree = PI / 180;
@@ -86,9 +80,8 @@ START_TEST(test_corner) {
     ck_assert(unit_cross(&chain.curve, 1).simple == !far);
   }
 }
-END_TEST
 
-START_TEST(test_arcs) {
+PH_TEST(test_arcs) {
   /* Out along an arc, a step outward, and back beside it. */
   const double gaps[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-13};
   struct unit_chain chain;
@@ -101,9 +94,8 @@ START_TEST(test_arcs) {
                   gaps[i]);
   }
 }
-END_TEST
 
-START_TEST(test_rings) {
+PH_TEST(test_rings) {
   /* A ring of one segment, whose tangent turns once: the real part of the
    * integral of w^2 is 1/3 - 2 f^2 / 15, the imaginary one 0. */
   const ph_cplx w[3] = {{1, 0}, {0, sqrt(2.5)}, {-1, 0}};
@@ -125,9 +117,8 @@ START_TEST(test_rings) {
     ck_assert_uint_eq(cross.loops, open);
   }
 }
-END_TEST
 
-START_TEST(test_loops) {
+PH_TEST(test_loops) {
   /* Segments that go by a near stop: loops however small, until none. */
   const double sizes[] = {0.2, 1e-3, 1e-7, 0, 0.29};
   struct unit_chain chain;
@@ -144,9 +135,8 @@ START_TEST(test_loops) {
     ck_abs(cross.u[0], 0.5 - sqrt(3) * sizes[0], 1e-6);
   }
 }
-END_TEST
 
-START_TEST(test_not_finite) {
+PH_TEST(test_not_finite) {
   const double bad[] = {(double)NAN, HUGE_VAL, -HUGE_VAL};
   struct unit_chain chain;
   struct ph_cross cross;
@@ -156,16 +146,15 @@ START_TEST(test_not_finite) {
     chain_stroke(&chain, 1, 0);
     chain_arc(&chain, 1, 0, 3);
     *(i % 2 ? &chain.p[17] : &chain.w[9]) = bad[i / 2];
-    ck_assert_int_eq(ph_cross_planar(&chain.curve, &scratch, &cross, &diag),
+    ck_assert_int_eq(ph_cross_planar(&chain.curve, &unit_arena, &cross, &diag),
                      PH_NOT_FINITE);
     ck_assert_int_eq(diag.status, PH_NOT_FINITE);
   }
 }
-END_TEST
 
 /* ---- splines ------------------------------------------------------------ */
 
-START_TEST(test_retraced) {
+PH_TEST(test_retraced) {
   const double there[] = {0, 0, 1, 0, 0, 0};
   const double further[] = {0, 0, 1, 0, 2, 0, 1, 0, 0, 0};
   const double line[] = {0, 0, 1, 2, 3, 6, 3.5, 7, 100, 200};
@@ -175,11 +164,10 @@ START_TEST(test_retraced) {
   ck_assert(cross_through(line, 5, false, "ph").simple);
   ck_assert(cross_through(line, 5, false, "atph").simple);
 }
-END_TEST
 
 enum { RING = 240 };
 
-START_TEST(test_circles) {
+PH_TEST(test_circles) {
   double v[2 * RING];
   for (int times = 1; times <= 3; times++) {
     struct ph_cross cross;
@@ -194,9 +182,8 @@ START_TEST(test_circles) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_eight) {
+PH_TEST(test_eight) {
   /* Crossing at a data point, and between data points. */
   double v[2 * RING];
   for (int i = 0; i < 2; i++) {
@@ -218,9 +205,8 @@ START_TEST(test_eight) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_spirals) {
+PH_TEST(test_spirals) {
   /* About as far from turn to turn as from point to point, and one chord more
    * across all of it. */
   const size_t N = (size_t)unit_count(100000);
@@ -239,9 +225,8 @@ START_TEST(test_spirals) {
   ck_assert(!cross_through(v, N + 1, false, "ph").simple);
   free(v);
 }
-END_TEST
 
-START_TEST(test_scribble) {
+PH_TEST(test_scribble) {
   enum { N = 2000 };
   struct unit_random r = unit_random_of(2);
   double v[2 * N];
@@ -254,13 +239,12 @@ START_TEST(test_scribble) {
   ck_assert(!unit_cross(&u.result.curve, unit_planar_size(&u)).simple);
   unit_planar_free(&u);
 }
-END_TEST
 
 /* ---- Tschirnhausen cubics ----------------------------------------------- */
 
 /* One cubic has a loop where it turns by more than 4 pi/3 and far enough to
  * either side of its vertex, at every scale and far from the origin. */
-START_TEST(test_cubic_loops) {
+PH_TEST(test_cubic_loops) {
   const double scales[] = {1, 1e-9, 1e9, 1e-150, 1e150};
   const int cubics = unit_count(2000);
   struct unit_random r = unit_random_of(5);
@@ -284,10 +268,9 @@ START_TEST(test_cubic_loops) {
   }
   ck_assert_int_ge((int)loops, cubics / 10);
 }
-END_TEST
 
 /* Several, as the quintics that they are too: the same but for rounding. */
-START_TEST(test_cubic_chains) {
+PH_TEST(test_cubic_chains) {
   const int chains = unit_count(300);
   static struct unit_chain chain;
   struct unit_random r = unit_random_of(6);
@@ -320,7 +303,6 @@ START_TEST(test_cubic_chains) {
   }
   ck_assert_int_ge((int)crossed, chains / 20);
 }
-END_TEST
 
 /* ---- other frames ------------------------------------------------------- */
 
@@ -362,7 +344,7 @@ static void reverse_curve(struct ph_curve *curve) {
   }
 }
 
-START_TEST(test_frames) {
+PH_TEST(test_frames) {
   const int splines = unit_count(120);
   const double scales[] = {1e-9, 1, 1e9, 1e-200, 1e140};
   struct unit_random r = unit_random_of(3);
@@ -383,9 +365,8 @@ START_TEST(test_frames) {
     unit_planar_free(&u);
   }
 }
-END_TEST
 
-START_TEST(test_again) {
+PH_TEST(test_again) {
   /* The same to the last bit, and for curves of any small number. */
   struct unit_random r = unit_random_of(4);
   for (size_t n = 2; n < 20; n++) {
@@ -405,30 +386,8 @@ START_TEST(test_again) {
     unit_planar_free(&u);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cross");
-  TCase *tc = tcase_create("cross");
-  tcase_set_timeout(tc, 60); /* under valgrind */
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_strokes);
-  tcase_add_test(tc, test_corner);
-  tcase_add_test(tc, test_arcs);
-  tcase_add_test(tc, test_rings);
-  tcase_add_test(tc, test_loops);
-  tcase_add_test(tc, test_not_finite);
-  tcase_add_test(tc, test_retraced);
-  tcase_add_test(tc, test_circles);
-  tcase_add_test(tc, test_eight);
-  tcase_add_test(tc, test_spirals);
-  tcase_add_test(tc, test_scribble);
-  tcase_add_test(tc, test_cubic_loops);
-  tcase_add_test(tc, test_cubic_chains);
-  tcase_add_test(tc, test_frames);
-  tcase_add_test(tc, test_again);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_strokes, test_corner, test_arcs, test_rings, test_loops,
+         test_not_finite, test_retraced, test_circles, test_eight, test_spirals,
+         test_scribble, test_cubic_loops, test_cubic_chains, test_frames,
+         test_again)

@@ -152,7 +152,7 @@ static void ck_polygons(const struct ph_curve *curve, double size, int i,
   tally->loops += cross.loops ? 1 : 0;
 }
 
-START_TEST(test_polygons) {
+PH_TEST(test_polygons) {
   const int splines = unit_count(200);
   struct unit_random r = unit_random_of(1);
   struct tally tally = {0, 0, 0};
@@ -164,9 +164,8 @@ START_TEST(test_polygons) {
   ck_assert_uint_le(tally.unclear, splines / 20);
   ck_assert_uint_ge(tally.simple, splines / 5);
 }
-END_TEST
 
-START_TEST(test_polygons_of_loops) {
+PH_TEST(test_polygons_of_loops) {
   const int chains = unit_count(300);
   struct unit_random r = unit_random_of(5);
   struct tally tally = {0, 0, 0};
@@ -179,9 +178,8 @@ START_TEST(test_polygons_of_loops) {
   ck_assert_uint_ge(tally.simple, chains / 10);
   ck_assert_uint_ge(tally.loops, chains / 10);
 }
-END_TEST
 
-START_TEST(test_all_loops) {
+PH_TEST(test_all_loops) {
   /* They are all counted, wherever the first crossing is. */
   struct unit_random r = unit_random_of(6);
   struct tally tally = {0, 0, 0};
@@ -201,18 +199,6 @@ START_TEST(test_all_loops) {
   ck_assert_uint_ge(cross.loops, UNIT_PIECES / 20);
   ck_assert_uint_le(tally.unclear, UNIT_PIECES / 20);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cross_polygon");
-  TCase *tc = tcase_create("cross_polygon");
-  tcase_set_timeout(tc, 100); /* under valgrind */
-  tcase_add_checked_fixture(tc, start, NULL);
-  tcase_add_test(tc, test_polygons);
-  tcase_add_test(tc, test_polygons_of_loops);
-  tcase_add_test(tc, test_all_loops);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(start, NULL, test_polygons, test_polygons_of_loops,
+              test_all_loops)

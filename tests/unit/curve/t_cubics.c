@@ -22,12 +22,6 @@ enum { PLACES = 8, STEPS = 60, ROUNDS = 9, NARROW = 8, CURVES = 10 };
 
 static const double PI = 3.141592653589793;
 
-static struct ph_arena arena;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 /* ---- curves -------------------------------------------------------------- */
 
 enum kind { PLANE, SPACE, CUBICS, SPHERE, BEZIER, KINDS };
@@ -169,7 +163,7 @@ static struct ph_pieces cubics_of(const struct ph_curve *curve,
   struct ph_pieces cubics;
   struct ph_diag diag;
   enum ph_status status =
-      ph_cubics_of(curve, offset, tolerance, &arena, &cubics, &diag);
+      ph_cubics_of(curve, offset, tolerance, &unit_arena, &cubics, &diag);
   ck_assert_msg(status == PH_OK, "%s", diag.message);
   ck_assert_uint_eq(cubics.degree, 3);
   ck_assert_uint_eq(cubics.dimension, 2);
@@ -206,7 +200,7 @@ static void check_near(const struct ph_curve *curve,
                        const struct ph_offset *offset,
                        const struct ph_pieces *cubics, double tolerance) {
   size_t k = 0, stride = 1 + cubics->n / 12;
-  struct ph_sampler sampler = unit_sampler(curve, offset, 0, &arena);
+  struct ph_sampler sampler = unit_sampler(curve, offset, 0, &unit_arena);
   for (size_t i = 0; i < cubics->n; i += stride) {
     struct ph_diag diag;
     struct pair pair = pair_of(&sampler, cubics, i);
@@ -241,7 +235,7 @@ static int curves_of(enum kind kind) {
   return unit_count(kind == SPHERE ? CURVES / 3 : CURVES);
 }
 
-START_TEST(test_curves) {
+PH_TEST_EACH(test_curves, KINDS) {
   struct unit_random r = unit_random_of(700 + (uint64_t)_i);
   size_t pieces[TOLERANCES] = {0};
   for (int n = 0; n < curves_of((enum kind)_i); n++) {
@@ -249,13 +243,12 @@ START_TEST(test_curves) {
     any_random(&any, (enum kind)_i, &r);
     for (size_t j = 0; j < TOLERANCES; j++) {
       pieces[j] += check(any.curve, NULL, tolerances[j]);
-      ph_arena_reset(&arena);
+      ph_arena_reset(&unit_arena);
     }
   }
   /* of the sixth order: 1e-4 of the distance takes 4.6 times as many */
   ck_assert_uint_le(pieces[4], 7 * pieces[2]);
 }
-END_TEST
 
 /* The offset of one of the curves, with its cusps. */
 static struct ph_offset offset_of(const struct any *any, enum kind kind,
@@ -266,18 +259,18 @@ static struct ph_offset offset_of(const struct any *any, enum kind kind,
   struct ph_diag diag;
   enum ph_status status;
   if (kind == SPHERE) {
-    status = ph_offset_spherical(any->curve, distance, &rules, &arena, &offset,
-                                 &diag);
+    status = ph_offset_spherical(any->curve, distance, &rules, &unit_arena,
+                                 &offset, &diag);
   } else {
     offset.vector = kind == PLANE || kind == CUBICS ? NULL
                     : normal == PH_E2               ? "e2"
                                                     : "e3";
-    status =
-        ph_cusps_of(any->curve, distance, normal, &arena, &offset.cusps, &diag);
+    status = ph_cusps_of(any->curve, distance, normal, &unit_arena,
+                         &offset.cusps, &diag);
   }
   if (status == PH_OK && kind != SPHERE) {
-    status =
-        ph_gaps_of(any->curve, distance, normal, &arena, &offset.gaps, &diag);
+    status = ph_gaps_of(any->curve, distance, normal, &unit_arena, &offset.gaps,
+                        &diag);
   }
   ck_assert_int_eq(status, PH_OK);
   return offset;
@@ -286,8 +279,8 @@ static struct ph_offset offset_of(const struct any *any, enum kind kind,
 /* It is an offset that is sampled: at its distance from the curve. */
 static void check_aside(const struct ph_curve *curve,
                         const struct ph_offset *offset) {
-  struct ph_sampler on = unit_sampler(curve, NULL, 0, &arena);
-  struct ph_sampler beside = unit_sampler(curve, offset, 0, &arena);
+  struct ph_sampler on = unit_sampler(curve, NULL, 0, &unit_arena);
+  struct ph_sampler beside = unit_sampler(curve, offset, 0, &unit_arena);
   double distance = unit_distance3(ph_sampler_at(&on, 0.4).point,
                                    ph_sampler_at(&beside, 0.4).point);
   double wanted = fabs(offset->distance);
@@ -299,7 +292,7 @@ static void check_aside(const struct ph_curve *curve,
 }
 
 /* Offsets to either side, with cusps and without. */
-START_TEST(test_offsets) {
+PH_TEST_EACH(test_offsets, BEZIER) {
   struct unit_random r = unit_random_of(800 + (uint64_t)_i);
   size_t cusps = 0;
   for (int n = 0; n < curves_of((enum kind)_i); n++) {
@@ -312,16 +305,15 @@ START_TEST(test_offsets) {
       cusps += offset.cusps.n;
       check_aside(any.curve, &offset);
       check(any.curve, &offset, tolerances[j]);
-      ph_arena_reset(&arena);
+      ph_arena_reset(&unit_arena);
     }
   }
   /* of three curves there may be none */
   ck_assert(cusps > 0 || curves_of((enum kind)_i) < CURVES);
 }
-END_TEST
 
 /* Offsets of a square: its sides do not meet, nor does the last the first. */
-START_TEST(test_gaps) {
+PH_TEST(test_gaps) {
   struct ph_offset offset = {.distance = 0.25};
   struct ph_pieces cubics;
   struct unit_cubics c;
@@ -332,9 +324,9 @@ START_TEST(test_gaps) {
     unit_cubics_add(&c, w, w);
   }
   c.curve.closed = true;
-  ck_assert_int_eq(
-      ph_gaps_of(&c.curve, offset.distance, PH_E2, &arena, &offset.gaps, &diag),
-      PH_OK);
+  ck_assert_int_eq(ph_gaps_of(&c.curve, offset.distance, PH_E2, &unit_arena,
+                              &offset.gaps, &diag),
+                   PH_OK);
   cubics = cubics_of(&c.curve, &offset, 1e-3);
   ck_assert_uint_eq(cubics.n, 4);
   for (size_t i = 0; i < 4; i++) {
@@ -343,7 +335,6 @@ START_TEST(test_gaps) {
     ck_abs(hypot(p[0] - q[0], p[1] - q[1]), sqrt(2) / 4, 1e-14);
   }
 }
-END_TEST
 
 /* ---- known curves -------------------------------------------------------- */
 
@@ -366,7 +357,7 @@ static void circle(struct any *any, double end, double tilt) {
 
 /* A quarter of a circle: one cubic is within 2.8e-4 of the radius, and the
  * difference goes with the sixth power of the angle. */
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   static const double wanted[][2] = {{1e-3, 1}, {1e-4, 2}, {1e-5, 2},
                                      {1e-6, 3}, {1e-8, 6}, {1e-9, 9}};
   struct any any;
@@ -376,10 +367,9 @@ START_TEST(test_circle) {
                         wanted[i][1]);
   }
 }
-END_TEST
 
 /* Two halves of a circle: where they meet there is one control point. */
-START_TEST(test_closed) {
+PH_TEST(test_closed) {
   const double angle = PI / 2, alpha[2] = {angle, angle}, root = sqrt(PI);
   const double handle = root * angle / (2 * ph_atph_of(angle).slope);
   const ph_quat a[5] = {{root, 0, 0, 0},
@@ -404,11 +394,10 @@ START_TEST(test_closed) {
   }
   ck_assert_uint_eq(joints, 2);
 }
-END_TEST
 
 /* Seen along z it goes to and fro on a line, and along z where it turns back:
  * there are straight pieces there. */
-START_TEST(test_edge_on) {
+PH_TEST(test_edge_on) {
   struct any any;
   for (size_t j = 0; j < TOLERANCES; j++) {
     circle(&any, 1.7 * PI, PI / 2);
@@ -417,10 +406,9 @@ START_TEST(test_edge_on) {
     check(any.curve, NULL, tolerances[j]);
   }
 }
-END_TEST
 
 /* A line along z is a point. */
-START_TEST(test_upright) {
+PH_TEST(test_upright) {
   const ph_quat a = {sqrt(0.5), 0, -sqrt(0.5), 0}; /* a i a* = k */
   const ph_quat line[3] = {a, a, a};
   struct any any;
@@ -433,10 +421,9 @@ START_TEST(test_upright) {
     ck_abs(cubics.control_points[2 * i + 1], 2, 1e-15);
   }
 }
-END_TEST
 
 /* Cubics are themselves, to the last bit. */
-START_TEST(test_exact) {
+PH_TEST(test_exact) {
   struct unit_random r = unit_random_of(900);
   struct unit_cubics c;
   struct ph_pieces cubics;
@@ -448,10 +435,9 @@ START_TEST(test_exact) {
     ck_abs(cubics.control_points[i], c.control_points[i], 0);
   }
 }
-END_TEST
 
 /* In any unit the same. */
-START_TEST(test_scales) {
+PH_TEST_EACH(test_scales, 4) {
   static const int exponents[] = {-900, -300, 300, 900};
   const int e = exponents[_i];
   struct unit_random r = unit_random_of(901);
@@ -471,38 +457,19 @@ START_TEST(test_scales) {
     ck_abs(ldexp(scaled.control_points[i], -e), plain.control_points[i], 0);
   }
 }
-END_TEST
 
 /* What cannot be had is refused, with the segment. */
-START_TEST(test_tolerance) {
+PH_TEST(test_tolerance) {
   struct unit_random r = unit_random_of(902);
   struct any any;
   struct ph_pieces cubics;
   struct ph_diag diag;
   plane_random(&any, &r);
   ck_assert_int_eq(
-      ph_cubics_of(any.curve, NULL, 1e-300, &arena, &cubics, &diag),
+      ph_cubics_of(any.curve, NULL, 1e-300, &unit_arena, &cubics, &diag),
       PH_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cubics");
-  TCase *t = tcase_create("cubics");
-  tcase_add_checked_fixture(t, NULL, finish);
-  tcase_add_loop_test(t, test_curves, 0, KINDS);
-  tcase_add_loop_test(t, test_offsets, 0, BEZIER);
-  tcase_add_test(t, test_gaps);
-  tcase_add_test(t, test_circle);
-  tcase_add_test(t, test_closed);
-  tcase_add_test(t, test_edge_on);
-  tcase_add_test(t, test_upright);
-  tcase_add_test(t, test_exact);
-  tcase_add_loop_test(t, test_scales, 0, 4);
-  tcase_add_test(t, test_tolerance);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_curves, test_offsets, test_gaps, test_circle, test_closed,
+         test_edge_on, test_upright, test_exact, test_scales, test_tolerance)

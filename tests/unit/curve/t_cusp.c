@@ -13,18 +13,12 @@
 
 enum { SEGMENTS = 200 };
 
-static struct ph_arena arena;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 static struct ph_cusps cusps_of(const struct ph_curve *curve, double distance,
                                 enum ph_normal normal) {
   struct ph_cusps cusps;
   struct ph_diag diag;
-  ck_assert_int_eq(ph_cusps_of(curve, distance, normal, &arena, &cusps, &diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_cusps_of(curve, distance, normal, &unit_arena, &cusps, &diag), PH_OK);
   ck_assert((cusps.at != NULL) == (cusps.n > 0));
   return cusps;
 }
@@ -73,7 +67,7 @@ static double value_of(const struct ph_seg3 *seg, const struct form *form,
 }
 
 /* The form is |w|^4 (1 - d kappa). */
-START_TEST(test_form) {
+PH_TEST(test_form) {
   struct unit_random r = unit_random_of(510);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r);
@@ -94,11 +88,10 @@ START_TEST(test_form) {
     }
   }
 }
-END_TEST
 
 /* As many as 1 - d kappa has changes of sign at many points, where it is not
  * nearly zero without one. */
-START_TEST(test_count) {
+PH_TEST(test_count) {
   enum { STEPS = 4000 };
   struct unit_random r = unit_random_of(511);
   size_t some = 0;
@@ -126,7 +119,6 @@ START_TEST(test_count) {
   }
   ck_assert_uint_ge(some, SEGMENTS / 5);
 }
-END_TEST
 
 /* w = 1 + p t has kappa = 2 Im p / |w|^4 by t; that is 2 Im p at t = 0, and in
  * [-1,1] nowhere else.  All of these numbers are exact. */
@@ -139,7 +131,7 @@ static struct ph_seg2 linear(double from, double to) {
   return unit_seg2(0, w);
 }
 
-START_TEST(test_at_knot) {
+PH_TEST(test_at_knot) {
   struct ph_seg2 seg[2] = {linear(-1, 0), linear(0, 1)};
   struct unit_segments s;
   struct ph_cusps cusps;
@@ -150,9 +142,8 @@ START_TEST(test_at_knot) {
   ck_assert_uint_eq(cusps_of(&s.curve, -1, PH_E2).n, 0);
   ck_assert_uint_eq(cusps_of(&s.curve, 0, PH_E2).n, 0);
 }
-END_TEST
 
-START_TEST(test_at_half) {
+PH_TEST(test_at_half) {
   struct ph_seg2 seg = linear(-1, 1);
   struct unit_segments s;
   struct ph_cusps cusps;
@@ -161,11 +152,10 @@ START_TEST(test_at_half) {
   ck_assert_uint_eq(cusps.n, 1);
   ck_abs(cusps.at[0].u, 0.5, 1e-12);
 }
-END_TEST
 
 /* With one change of sign within, there is another at the joint of a closed
  * curve: the last one, on the first segment. */
-START_TEST(test_closed) {
+PH_TEST(test_closed) {
   struct ph_seg2 seg[2] = {linear(-1, -0.25), linear(-0.25, 0.5)};
   struct wanted wanted = {.n = 2, .at = {1 + 1.0 / 3, 0}};
   struct unit_segments s;
@@ -177,7 +167,6 @@ START_TEST(test_closed) {
   cusps = cusps_of(&s.curve, 4.0 / 3, PH_E2);
   ck_cusps(&s.curve, &cusps, &wanted, 1e-12);
 }
-END_TEST
 
 /* ---- in space ---- */
 
@@ -196,7 +185,7 @@ static double along(const struct ph_seg3 *seg, double u, double d,
          d * ph_vec3_dot(ph_quat_vector(n1), ph_quat_i(a[0], a[0])) / speed;
 }
 
-START_TEST(test_form_in_space) {
+PH_TEST(test_form_in_space) {
   struct unit_random r = unit_random_of(512);
   struct unit_curve3 c;
   for (size_t n = 0; n < SEGMENTS; n++) {
@@ -215,11 +204,10 @@ START_TEST(test_form_in_space) {
     }
   }
 }
-END_TEST
 
 /* As many as the speed along the curve has changes of sign at many points; also
  * at knots, where the curvature jumps. */
-START_TEST(test_count_in_space) {
+PH_TEST(test_count_in_space) {
   enum { STEPS = 2000, CURVES = 100 };
   struct unit_random r = unit_random_of(513);
   struct unit_curve3 c;
@@ -245,10 +233,9 @@ START_TEST(test_count_in_space) {
   }
   ck_assert_uint_ge(some, (size_t)unit_count(CURVES) / 5);
 }
-END_TEST
 
 /* Any unit: the numbers go with the fourth power of A. */
-START_TEST(test_scales) {
+PH_TEST_EACH(test_scales, 4) {
   static const int exponents[] = {-500, -300, 300, 500};
   static const ph_quat a[3] = {{1, 0, 0, -1}, {1, 0.1, 0.1, 0}, {1, 0, 0, 1}};
   struct unit_curve3 c;
@@ -265,7 +252,6 @@ START_TEST(test_scales) {
   ck_assert_uint_eq(scaled.at[0].segment, unscaled.at[0].segment);
   ck_rel(scaled.at[0].u, unscaled.at[0].u, 0);
 }
-END_TEST
 
 /* The parameters in [0,1], sorted, at which 2 K d = |w|^4 on a cubic:
  * |w|^2 = A + 2 (R - A) u + M u^2 is sqrt(2 K d). */
@@ -285,7 +271,7 @@ static size_t cubic_cusps(const double w[4], double d, double u[2]) {
   return n;
 }
 
-START_TEST(test_cubics) {
+PH_TEST(test_cubics) {
   struct unit_random r = unit_random_of(514);
   size_t some = 0;
   for (size_t n = 0; n < SEGMENTS; n++) {
@@ -316,23 +302,6 @@ START_TEST(test_cubics) {
   }
   ck_assert_uint_ge(some, SEGMENTS / 5);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("cusp");
-  TCase *t = tcase_create("cusp");
-  tcase_add_checked_fixture(t, NULL, finish);
-  tcase_add_test(t, test_form);
-  tcase_add_test(t, test_count);
-  tcase_add_test(t, test_at_knot);
-  tcase_add_test(t, test_at_half);
-  tcase_add_test(t, test_closed);
-  tcase_add_test(t, test_form_in_space);
-  tcase_add_test(t, test_count_in_space);
-  tcase_add_loop_test(t, test_scales, 0, 4);
-  tcase_add_test(t, test_cubics);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_form, test_count, test_at_knot, test_at_half, test_closed,
+         test_form_in_space, test_count_in_space, test_scales, test_cubics)

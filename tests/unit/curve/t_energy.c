@@ -60,7 +60,7 @@ static struct ph_energy energy_of(const struct ph_seg2 *seg, size_t n) {
   return energy;
 }
 
-START_TEST(test_quadrature) {
+PH_TEST(test_quadrature) {
   struct unit_random r = unit_random_of(520);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = random_segment(&r);
@@ -72,10 +72,9 @@ START_TEST(test_quadrature) {
     ck_abs(found.absolute_rotation, absolute / (2 * PI), 1e-14);
   }
 }
-END_TEST
 
 /* Segments add up, and so do parts. */
-START_TEST(test_sum) {
+PH_TEST(test_sum) {
   struct unit_random r = unit_random_of(521);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = random_segment(&r), part[3];
@@ -92,7 +91,6 @@ START_TEST(test_sum) {
     ck_abs(parts.absolute_rotation, whole.absolute_rotation, 1e-12);
   }
 }
-END_TEST
 
 /* A number, or none where it is out of range. */
 static void check_scaled(double found, double one, int exponent) {
@@ -106,7 +104,7 @@ static void check_scaled(double found, double one, int exponent) {
 
 /* A curve s times as large has E / s and MV / s^3, and the same IES and IMV; s
  * is a power of two, and its root too. */
-START_TEST(test_scale) {
+PH_TEST(test_scale) {
   struct unit_random r = unit_random_of(522);
   for (int exponent = -504; exponent <= 504; exponent += 8) {
     struct ph_seg2 seg = random_segment(&r);
@@ -124,10 +122,9 @@ START_TEST(test_scale) {
     ck_rel(other.rotation, one.rotation, 1e-14);
   }
 }
-END_TEST
 
 /* w = e^(it), t in [-a/2,a/2]: an arc of radius 1/2 by t, that turns by 2 a. */
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   for (double a = 0.125; a < 3; a += 0.25) {
     const double root = sqrt(a);
     ph_cplx w[3] = {ph_cplx_scale(root, ph_cplx_polar(-a / 2)),
@@ -141,10 +138,9 @@ START_TEST(test_circle) {
     ck_rel(e.absolute_rotation, a / PI, 1e-14);
   }
 }
-END_TEST
 
 /* A line bends nowhere. */
-START_TEST(test_line) {
+PH_TEST(test_line) {
   for (int atph = 0; atph < 2; atph++) {
     const ph_cplx w[3] = {{1, 2}, {2, 4}, {0.5, 1}};
     struct ph_seg2 seg = unit_seg2(atph, w);
@@ -154,10 +150,9 @@ START_TEST(test_line) {
     ck_abs(e.absolute_rotation, 0, 1e-15);
   }
 }
-END_TEST
 
 /* (integral of |kappa|)^2 <= E L, by Cauchy and Schwarz. */
-START_TEST(test_bound) {
+PH_TEST(test_bound) {
   struct unit_random r = unit_random_of(523);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = random_segment(&r);
@@ -170,10 +165,9 @@ START_TEST(test_bound) {
                         pow(2 * PI * e.absolute_rotation, 2));
   }
 }
-END_TEST
 
 /* Of cubics both are known in closed form. */
-START_TEST(test_cubics) {
+PH_TEST(test_cubics) {
   const double scales[] = {1, 1e-9, 1e9};
   struct unit_random r = unit_random_of(524);
   for (size_t n = 0; n < SEGMENTS; n++) {
@@ -195,7 +189,6 @@ START_TEST(test_cubics) {
     ck_abs(2 * PI * found.absolute_rotation, absolute, 1e-14);
   }
 }
-END_TEST
 
 /* ---- curves that nearly stand still -------------------------------------- */
 
@@ -311,7 +304,7 @@ static void check_stop(int kind, double at, double near, bool bends,
 
 /* Near to a stop, within and at the ends, everything is right or, where it is
  * rounding, is not told: in every direction, at every scale. */
-START_TEST(test_stops) {
+PH_TEST(test_stops) {
   const double nears[] = {0,    1e-17, -1e-16, 1e-12, -1e-10, 1e-9,
                           1e-6, -1e-5, 1e-4,   -1e-3, 1e-2};
   const double places[] = {0, 1e-3, 0.25, 0.5, 0.71, 1};
@@ -329,10 +322,9 @@ START_TEST(test_stops) {
     }
   }
 }
-END_TEST
 
 /* The square of a linear form: two zeros in one place, or nearly so. */
-START_TEST(test_double_stops) {
+PH_TEST(test_double_stops) {
   for (int kind = 0; kind < 2; kind++) {
     for (double apart = 1e-1; apart > 1e-12; apart *= 0.1) {
       for (int direction = 0; direction < 4; direction++) {
@@ -348,10 +340,9 @@ START_TEST(test_double_stops) {
     }
   }
 }
-END_TEST
 
 /* Nothing is told of what is not a number. */
-START_TEST(test_not_numbers) {
+PH_TEST(test_not_numbers) {
   for (size_t i = 0; i < 6; i++) {
     ph_cplx w[3] = {{1, 0.1}, {1, 0.2}, {1, 0.3}};
     struct ph_seg2 seg;
@@ -360,24 +351,7 @@ START_TEST(test_not_numbers) {
     ck_assert(ph_seg2_stands_still(&seg, NULL));
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("energy");
-  TCase *t = tcase_create("energy");
-  tcase_add_checked_fixture(t, begin, NULL);
-  tcase_add_test(t, test_quadrature);
-  tcase_add_test(t, test_sum);
-  tcase_add_test(t, test_scale);
-  tcase_add_test(t, test_circle);
-  tcase_add_test(t, test_line);
-  tcase_add_test(t, test_bound);
-  tcase_add_test(t, test_cubics);
-  tcase_add_test(t, test_stops);
-  tcase_add_test(t, test_double_stops);
-  tcase_add_test(t, test_not_numbers);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_quadrature, test_sum, test_scale, test_circle,
+              test_line, test_bound, test_cubics, test_stops, test_double_stops,
+              test_not_numbers)

@@ -56,7 +56,7 @@ static struct ph_fair3 direct(const struct ph_seg3 *seg) {
   return sum;
 }
 
-START_TEST(test_quadrature) {
+PH_TEST(test_quadrature) {
   struct unit_random r = unit_random_of(1100);
   for (int n = 0; n < unit_count(SEGMENTS); n++) {
     struct ph_seg3 seg = random_segment(&r);
@@ -67,11 +67,10 @@ START_TEST(test_quadrature) {
     ck_rel(found.twisting, wanted.twisting, 1e-10);
   }
 }
-END_TEST
 
 /* The whole is the sum of its parts, also where it nearly stands still or
  * nearly does not bend, and the parts need other nodes. */
-START_TEST(test_parts) {
+PH_TEST(test_parts) {
   struct unit_random r = unit_random_of(1101);
   for (int n = 0; n < unit_count(10 * SEGMENTS); n++) {
     struct ph_seg3 seg = {.space = unit_random_space(&r)};
@@ -93,11 +92,10 @@ START_TEST(test_parts) {
     ck_rel(whole.twisting, sum.twisting, 1e-8);
   }
 }
-END_TEST
 
 /* A curve s times as large has E / s, MV / s^3 and so on: F1 to F3 are the
  * same.  s is a power of two, and its root too. */
-START_TEST(test_scale) {
+PH_TEST(test_scale) {
   struct unit_random r = unit_random_of(1102);
   for (int exponent = -20; exponent <= 20; exponent += 4) {
     struct ph_seg3 seg = random_segment(&r);
@@ -116,7 +114,6 @@ START_TEST(test_scale) {
     }
   }
 }
-END_TEST
 
 /*
  * The helix (cos t, sin t, p t), t in [0,a], is an ATPH segment: with A(0) i
@@ -147,7 +144,7 @@ static struct ph_seg3 helix(double a, double p) {
 
 /* Curvature 1 / (1 + p^2), torsion p / (1 + p^2), length a sqrt(1 + p^2); a
  * circle for p = 0. */
-START_TEST(test_helix) {
+PH_TEST(test_helix) {
   for (double a = 0.125; a < 3; a += 0.25) {
     for (double p = 0; p < 3; p += 0.5) {
       struct ph_seg3 seg = helix(a, p);
@@ -160,7 +157,6 @@ START_TEST(test_helix) {
     }
   }
 }
-END_TEST
 
 /* The curve r' = (u + q i)^2 of the plane of i and j, turned in space. */
 static struct ph_seg3 plane(const double w[3][2], ph_quat turn, double angle) {
@@ -173,7 +169,7 @@ static struct ph_seg3 plane(const double w[3][2], ph_quat turn, double angle) {
 
 /* An S in a tilted plane has no torsion, and the `varying` of its signed
  * curvature; the same S, bent out of the plane at its end, has some. */
-START_TEST(test_plane) {
+PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(1103);
   const double w[3][2] = {{1, -0.4}, {0.9, 0.5}, {1, -0.5}};
   for (int n = 0; n < unit_count(100); n++) {
@@ -191,11 +187,10 @@ START_TEST(test_plane) {
     ck_assert(fair.twisting > 1e-3);
   }
 }
-END_TEST
 
 /* A* A' = i in the middle of a curve that is not plane: it does not bend
  * there, and its torsion is finite on either side; those nearby have a peak. */
-START_TEST(test_inflection) {
+PH_TEST(test_inflection) {
   struct ph_seg3 seg = {.space = ph_atph_of(0)};
   ph_quat middle = {1, 0, 0, 0}, slope = {0, 1, 0, 0}, bend = {0, 0, 1, 0.5};
   struct ph_fair3 fair;
@@ -214,9 +209,8 @@ START_TEST(test_inflection) {
   fair = ph_fair3_of(&rules, &seg.space, seg.a);
   ck_assert(!fair.inflected && fair.twisting > 100);
 }
-END_TEST
 
-START_TEST(test_straight) {
+PH_TEST(test_straight) {
   struct unit_random r = unit_random_of(1104);
   for (int n = 0; n < 20; n++) {
     ph_quat turn = unit_random_turn(&r);
@@ -229,16 +223,14 @@ START_TEST(test_straight) {
     ck_abs(fair.twisting, 0, 0);
   }
 }
-END_TEST
 
 /* A curve that stands still at its start, turning. */
-START_TEST(test_cusp) {
+PH_TEST(test_cusp) {
   const ph_quat a[3] = {{0, 0, 0, 0}, {1, 0, 0.5, 0}, {1, 0.5, 0, 1}};
   struct ph_atph space = ph_atph_of(0);
   struct ph_fair3 fair = ph_fair3_of(&rules, &space, a);
   ck_assert(fair.bending > 1e6);
 }
-END_TEST
 
 /* ---- poles ----------------------------------------------------------------
  */
@@ -268,7 +260,7 @@ static struct ph_fair3 towards(const struct ph_seg3 *seg, double place) {
 
 /* Near-cusps of any sharpness anywhere: A nearly vanishes at a place, where the
  * speed and all integrands have peaks that no node need see. */
-START_TEST(test_near_cusps) {
+PH_TEST(test_near_cusps) {
   struct unit_random r = unit_random_of(1105);
   for (int n = 0; n < unit_count(2000); n++) {
     struct ph_seg3 seg = {.space = ph_atph_of(0)};
@@ -294,24 +286,7 @@ START_TEST(test_near_cusps) {
     ck_rel(found.bending, wanted.bending, 1e-9);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("fair3");
-  TCase *c = tcase_create("fair3");
-  tcase_add_checked_fixture(c, begin, NULL);
-  tcase_set_timeout(c, 60);
-  tcase_add_test(c, test_quadrature);
-  tcase_add_test(c, test_parts);
-  tcase_add_test(c, test_scale);
-  tcase_add_test(c, test_helix);
-  tcase_add_test(c, test_plane);
-  tcase_add_test(c, test_inflection);
-  tcase_add_test(c, test_straight);
-  tcase_add_test(c, test_cusp);
-  tcase_add_test(c, test_near_cusps);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_quadrature, test_parts, test_scale, test_helix,
+              test_plane, test_inflection, test_straight, test_cusp,
+              test_near_cusps)

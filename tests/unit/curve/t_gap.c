@@ -11,18 +11,13 @@
 #include "curve/offset/gap.h"
 #include "kernel/pi.h"
 
-static struct ph_arena arena;
 static struct ph_diag diag;
 static struct unit_cubics c;
 
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 static struct ph_gaps gaps_of(const struct ph_curve *curve, double distance) {
   struct ph_gaps gaps;
-  ck_assert_int_eq(ph_gaps_of(curve, distance, PH_E2, &arena, &gaps, &diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_gaps_of(curve, distance, PH_E2, &unit_arena, &gaps, &diag), PH_OK);
   ck_assert((gaps.before != NULL) == (gaps.n > 0));
   return gaps;
 }
@@ -42,7 +37,7 @@ static void bent(double angle, double scale) {
   add_line(0.3 + angle, scale);
 }
 
-START_TEST(test_corners) {
+PH_TEST(test_corners) {
   static const double angles[] = {1e-6, 0.1, 1, 3, PH_PI, -PH_PI, -2};
   static const double scales[] = {1e-150, 1e-9, 1, 1e9, 1e150};
   for (size_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
@@ -59,14 +54,13 @@ START_TEST(test_corners) {
     bent(0, scale);
     ck_assert_uint_eq(gaps_of(&c.curve, scale).n, 0);
     ck_assert_uint_eq(gaps_of(&c.curve, 1e6 * scale).n, 0);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* It is the jump that counts, |d| times the angle, and the whole size: of lines
  * that turn by next to nothing, 1 + |d|. */
-START_TEST(test_threshold) {
+PH_TEST(test_threshold) {
   static const double distances[] = {1e-3, 1, 1e3, 1e6};
   for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
     const double d = distances[i], angle = 1e-9 * (1 + d) / d;
@@ -76,25 +70,22 @@ START_TEST(test_threshold) {
     ck_assert_uint_eq(gaps_of(&c.curve, -d).n, 1);
   }
 }
-END_TEST
 
 /* What is not known is a gap. */
-START_TEST(test_not_known) {
+PH_TEST(test_not_known) {
   bent(0, 1);
   c.preimage[5] = (double)NAN;
   ck_assert_uint_eq(gaps_of(&c.curve, 1).n, 1);
 }
-END_TEST
 
 /* The preimage of a tangent has two signs. */
-START_TEST(test_signs) {
+PH_TEST(test_signs) {
   bent(0, 1);
   for (size_t i = 4; i < 8; i++) {
     c.preimage[i] = -c.preimage[i];
   }
   ck_assert_uint_eq(gaps_of(&c.curve, 1).n, 0);
 }
-END_TEST
 
 /* A triangle, whose last corner is at the closing joint. */
 static void triangle(void) {
@@ -105,7 +96,7 @@ static void triangle(void) {
   c.curve.closed = true;
 }
 
-START_TEST(test_closed) {
+PH_TEST(test_closed) {
   struct ph_gaps gaps;
   size_t next = 0;
   triangle();
@@ -126,7 +117,6 @@ START_TEST(test_closed) {
   ck_assert(ph_gaps_pass(&gaps, 2, &next)); /* both at once */
   ck_assert(!ph_gaps_pass(&gaps, 2, &next));
 }
-END_TEST
 
 /* ---- samples of a known offset ------------------------------------------- */
 
@@ -138,7 +128,7 @@ struct row {
 static struct ph_offset sampled(double distance, struct ph_sample_rules rules) {
   struct ph_offset o = {.distance = distance, .dimension = 2};
   o.gaps = gaps_of(&c.curve, distance);
-  ck_assert_int_eq(ph_sample_offset(&c.curve, &rules, &arena, &o, &diag),
+  ck_assert_int_eq(ph_sample_offset(&c.curve, &rules, &unit_arena, &o, &diag),
                    PH_OK);
   return o;
 }
@@ -156,7 +146,7 @@ static void ck_rows(const struct ph_samples *s, const struct row *rows,
 }
 
 /* A right angle, offset to its outer side: (10,-3) and (13,0). */
-START_TEST(test_right_angle) {
+PH_TEST(test_right_angle) {
   static const struct row ends[] = {{0, 0, 0, 0, -3},
                                     {0, 1, 10, 10, -3},
                                     {1, 0, 10, 13, 0},
@@ -189,10 +179,9 @@ START_TEST(test_right_angle) {
       -3, (struct ph_sample_rules){.how = PH_SAMPLE_SPACING, .spacing = 1e300});
   ck_rows(&o.samples, ends, 4);
 }
-END_TEST
 
 /* A part that is shorter than what is left out has two ends none the less. */
-START_TEST(test_short_part) {
+PH_TEST(test_short_part) {
   static const struct row rows[] = {{0, 0, 0, 0, 1}, {0, 1, 1, 1, 1},
                                     {1, 0, 1, 0, 0}, {1, 1, 1, 0, 0},
                                     {2, 0, 1, 1, 1}, {2, 1, 2, 2, 1}};
@@ -205,9 +194,8 @@ START_TEST(test_short_part) {
               (struct ph_sample_rules){.how = PH_SAMPLE_SPACING, .spacing = 1});
   ck_rows(&o.samples, rows, 6);
 }
-END_TEST
 
-START_TEST(test_triangle) {
+PH_TEST(test_triangle) {
   for (int how = PH_SAMPLE_PARAMETER; how <= PH_SAMPLE_CHORD; how++) {
     const struct ph_sample_rules rules = {
         .how = (enum ph_sampling)how, .n = 1, .spacing = 2, .chord_error = 0.1};
@@ -222,7 +210,6 @@ START_TEST(test_triangle) {
     }
   }
 }
-END_TEST
 
 /* ---- random chains ------------------------------------------------------- */
 
@@ -334,12 +321,12 @@ static void ck_chain(const struct ph_offset *o, const bool corner[],
   ck_assert_uint_eq(parts, o->gaps.n + 1);
 }
 
-START_TEST(test_chains) {
-  struct unit_random r = unit_random_of(1700 + (uint64_t)_i);
+PH_TEST_EACH(test_chains, PH_SAMPLE_CHORD) {
+  struct unit_random r = unit_random_of(1701 + (uint64_t)_i);
   for (int n = 0; n < unit_count(200); n++) {
     const double scale = pow(10, unit_random_in(&r, -9, 9));
     const struct ph_sample_rules rules = {
-        .how = (enum ph_sampling)_i,
+        .how = (enum ph_sampling)(PH_SAMPLE_PARAMETER + _i),
         .n = 1 + unit_random_below(&r, 4),
         .spacing = scale * pow(10, unit_random_in(&r, -2, 1)),
         .chord_error = scale * pow(10, unit_random_in(&r, -4, 1))};
@@ -348,36 +335,19 @@ START_TEST(test_chains) {
     const double distance = scale * unit_random_in(&r, -2, 2);
     struct ph_offset o = {.distance = distance, .dimension = 2};
     ck_assert_int_eq(
-        ph_cusps_of(&c.curve, distance, PH_E2, &arena, &o.cusps, &diag), PH_OK);
+        ph_cusps_of(&c.curve, distance, PH_E2, &unit_arena, &o.cusps, &diag),
+        PH_OK);
     o.gaps = gaps_of(&c.curve, distance);
     ck_assert_uint_eq(o.gaps.n, corners);
     for (size_t i = 0; i < o.gaps.n; i++) {
       ck_assert(corner[o.gaps.before[i]]);
     }
-    ck_assert_int_eq(ph_sample_offset(&c.curve, &rules, &arena, &o, &diag),
+    ck_assert_int_eq(ph_sample_offset(&c.curve, &rules, &unit_arena, &o, &diag),
                      PH_OK);
     ck_chain(&o, corner, &rules, scale);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("gap");
-  TCase *tc = tcase_create("gap");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_corners);
-  tcase_add_test(tc, test_threshold);
-  tcase_add_test(tc, test_not_known);
-  tcase_add_test(tc, test_signs);
-  tcase_add_test(tc, test_closed);
-  tcase_add_test(tc, test_right_angle);
-  tcase_add_test(tc, test_short_part);
-  tcase_add_test(tc, test_triangle);
-  tcase_add_loop_test(tc, test_chains, PH_SAMPLE_PARAMETER,
-                      PH_SAMPLE_CHORD + 1);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_corners, test_threshold, test_not_known, test_signs, test_closed,
+         test_right_angle, test_short_part, test_triangle, test_chains)

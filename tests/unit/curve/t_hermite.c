@@ -55,7 +55,7 @@ static double apart(double distance) {
   return worst;
 }
 
-START_TEST(test_near) {
+PH_TEST_EACH(test_near, 3) {
   static const double distances[] = {0, 0.2, -0.2};
   const double distance = distances[_i];
   size_t before = 0;
@@ -74,7 +74,6 @@ START_TEST(test_near) {
   }
   ck_assert_uint_ge(before, 20);
 }
-END_TEST
 
 /* Every segment from 0 to 1 without gaps. */
 static void ck_order(size_t segments) {
@@ -92,16 +91,15 @@ static void ck_order(size_t segments) {
   ck_rel(pieces.interval[2 * pieces.n - 1], 1, 0);
 }
 
-START_TEST(test_order) {
+PH_TEST(test_order) {
   ck_assert_int_eq(convert(0.1, 1e-8), PH_OK);
   ck_order(4);
 }
-END_TEST
 
 /* Where two pieces meet, and where the curve closes: the same point, and the
  * same derivatives by the knots.  Pieces of an offset take their second
  * derivative from the third of the curve, which jumps at knots: C1 there. */
-START_TEST(test_joints) {
+PH_TEST_EACH(test_joints, 2) {
   const double *alpha = u.result.curve.preimage.alpha;
   const bool offset = _i;
   ck_assert_int_eq(convert(offset ? 0.2 : 0, 1e-6), PH_OK);
@@ -125,14 +123,12 @@ START_TEST(test_joints) {
     }
   }
 }
-END_TEST
 
 /* What no halving can reach is refused, and the segment is named. */
-START_TEST(test_refused) {
+PH_TEST(test_refused) {
   ck_assert_int_eq(convert(0, 1e-30), PH_NO_CONVERGENCE);
   ck_assert_str_eq(u.diag.field, "segments[0]");
 }
-END_TEST
 
 /* ---- in space ---- */
 
@@ -141,6 +137,7 @@ static struct unit_curve3 c;
 static void begin_space(void) {
   struct unit_random r = unit_random_of(530);
   unit_curve3_random(&c, 3, true, 0.6, &r);
+  unit_planar_free(&u);
   u = (struct unit_planar){0};
 }
 
@@ -173,9 +170,10 @@ static double apart_in_space(size_t which) {
   return worst;
 }
 
-START_TEST(test_near_in_space) {
+PH_TEST_EACH(test_near_in_space, MOVES) {
   bool few = unit_count(100) < 100;
   size_t before = 0;
+  begin_space();
   for (double tolerance = 1e-2; tolerance > (few ? 1e-9 : 1e-11);
        tolerance /= few ? 1e3 : 100) {
     double away;
@@ -192,11 +190,11 @@ START_TEST(test_near_in_space) {
   }
   ck_assert_uint_ge(before, 20);
 }
-END_TEST
 
 /* Pieces of a segment join with two derivatives; of offsets of segments whose
  * frames join, the points do. */
-START_TEST(test_joints_in_space) {
+PH_TEST_EACH(test_joints_in_space, MOVES) {
+  begin_space();
   ck_assert_int_eq(move((size_t)_i, 1e-6), PH_OK);
   for (size_t i = 0; i + 1 < pieces.n; i++) {
     const double *a = pieces.interval + 2 * i, *p = pieces.control_points;
@@ -213,12 +211,12 @@ START_TEST(test_joints_in_space) {
     }
   }
 }
-END_TEST
 
 /* Where a curve stands still it has no normal, but Bezier pieces. */
-START_TEST(test_standstill) {
+PH_TEST(test_standstill) {
   const ph_quat a[3] = {{0, 0, 0, 0}, {1, 0.2, 0, 0.1}, {1, 0, 0.3, 0}};
   const double alpha = 1;
+  begin_space();
   unit_curve3_of(&c, 1, &alpha, a, ph_vec3_of(0, 0, 0));
   ck_assert_int_eq(move(0, 1e-6), PH_OK);
   ck_assert_double_le(apart_in_space(0), 1e-6);
@@ -227,24 +225,6 @@ START_TEST(test_standstill) {
     ck_assert_str_eq(u.diag.field, "segments[0]");
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("hermite");
-  TCase *t = tcase_create("hermite");
-  tcase_add_checked_fixture(t, begin, finish);
-  tcase_add_loop_test(t, test_near, 0, 3);
-  tcase_add_test(t, test_order);
-  tcase_add_loop_test(t, test_joints, 0, 2);
-  tcase_add_test(t, test_refused);
-  suite_add_tcase(s, t);
-  t = tcase_create("space");
-  tcase_add_checked_fixture(t, begin_space, finish);
-  tcase_add_loop_test(t, test_near_in_space, 0, MOVES);
-  tcase_add_loop_test(t, test_joints_in_space, 0, MOVES);
-  tcase_add_test(t, test_standstill);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, finish, test_near, test_order, test_joints, test_refused,
+              test_near_in_space, test_joints_in_space, test_standstill)

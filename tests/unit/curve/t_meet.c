@@ -41,7 +41,7 @@ static struct ph_seg2 random_seg(struct unit_random *r, int i) {
   return seg_of(angle, w, from);
 }
 
-START_TEST(test_cones) {
+PH_TEST(test_cones) {
   const ph_cplx east = {1, 0}, north = {0, 2}, west = {-3, 0}, south = {0, -1};
   const ph_cplx almost_west = {-1, 1e-6}, past_west = {-1, -1e-6};
   struct ph_cone right = ph_cone_of(east, north), up = ph_cone_of(north, west);
@@ -76,9 +76,8 @@ START_TEST(test_cones) {
   ck_assert_int_eq(ph_cone_turn(east, ph_cplx_of((double)NAN, 0)).kind,
                    PH_CONE_WIDE);
 }
-END_TEST
 
-START_TEST(test_halves) {
+PH_TEST(test_halves) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < unit_count(SEGMENTS); i++) {
     struct ph_seg2 seg = random_seg(&r, i);
@@ -98,7 +97,6 @@ START_TEST(test_halves) {
     }
   }
 }
-END_TEST
 
 /* How far v lies outside of the cone, as a sine. */
 static double outside(const struct ph_cone *cone, ph_cplx v) {
@@ -151,7 +149,7 @@ static double ck_bounds(const struct ph_piece *piece) {
   return curvature[1] - curvature[0];
 }
 
-START_TEST(test_bounds) {
+PH_TEST(test_bounds) {
   struct unit_random r = unit_random_of(2);
   size_t tame = 0;
   for (int i = 0; i < unit_count(SEGMENTS); i++) {
@@ -169,7 +167,6 @@ START_TEST(test_bounds) {
   }
   ck_assert_uint_ge(tame, unit_count(SEGMENTS) * 8);
 }
-END_TEST
 
 static const struct ph_between FAR = {{{0, 0}, {0, 0}, PH_CONE_WIDE},
                                       {{0, 0}, {0, 0}, PH_CONE_WIDE}};
@@ -191,7 +188,7 @@ static bool meets(const struct ph_seg2 *a, const struct ph_seg2 *b,
   return meet->found;
 }
 
-START_TEST(test_crossing) {
+PH_TEST(test_crossing) {
   /* (1 + u) from 0 upwards, and a stroke across it at height 1. */
   const ph_cplx line[3] = {{1, 0}, {1, 0}, {1, 0}};
   const ph_cplx arc[3] = {{1, 1}, {1.1, 1}, {1, 1.1}};
@@ -208,7 +205,6 @@ START_TEST(test_crossing) {
   c = seg_of(0, arc, ph_cplx_of(0.3, 1 + 1e-11));
   ck_assert(!meets(&a, &c, &meet));
 }
-END_TEST
 
 /* An arc nearly of a circle, its lowest or (up = -1) highest point at gap / 2
  * above or below 0. */
@@ -226,7 +222,7 @@ static struct ph_seg2 cap(double up, double gap, double turn) {
   return seg;
 }
 
-START_TEST(test_dip) {
+PH_TEST(test_dip) {
   /* A steep arc dips through a stroke: its ends are high above. */
   const double turn = 0.5; /* of w, both ways */
   for (int reach = 0; reach < 2; reach++) {
@@ -239,9 +235,8 @@ START_TEST(test_dip) {
     ck_assert(meets(&arc, &stroke, &meet) == (reach != 0));
   }
 }
-END_TEST
 
-START_TEST(test_touching) {
+PH_TEST(test_touching) {
   const double gaps[] = {1e-3, 1e-6, 1e-9, 1e-11, 1e-13, 0, -1e-13, -1e-6};
   struct ph_meet meet;
   for (size_t i = 0; i < 8; i++) {
@@ -250,7 +245,6 @@ START_TEST(test_touching) {
     ck_assert_uint_ge(meet.steps, 100000 - 300);
   }
 }
-END_TEST
 
 /* A segment that turns by less than a half turn. */
 static struct ph_seg2 random_arc(struct unit_random *r, int i) {
@@ -264,7 +258,7 @@ static struct ph_seg2 random_arc(struct unit_random *r, int i) {
   return seg_of(angle, w, ph_cplx_of(0, 0));
 }
 
-START_TEST(test_tangent) {
+PH_TEST(test_tangent) {
   /* A point of one laid on a point of the other, with nearly one tangent. */
   struct unit_random r = unit_random_of(3);
   for (int i = 0; i < 1500; i++) {
@@ -288,9 +282,8 @@ START_TEST(test_tangent) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_side_by_side) {
+PH_TEST(test_side_by_side) {
   /* Arcs with the same centre: no line comes between them. */
   const double gaps[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-13};
   const double angles[] = {0, 1.2};
@@ -315,7 +308,6 @@ START_TEST(test_side_by_side) {
                   100000 - meet.steps);
   }
 }
-END_TEST
 
 /* The preimage t - 1/2 + i e goes by the origin: a loop of size e^3. */
 static struct ph_meet by_origin(double e, double turn) {
@@ -331,7 +323,7 @@ static struct ph_meet by_origin(double e, double turn) {
   return meet;
 }
 
-START_TEST(test_self) {
+PH_TEST(test_self) {
   /* The loop's parameters are 1/2 +- sqrt(3) e: it must fit in. */
   const double sizes[] = {0.27, 0.2, 1e-2, 1e-4, 1e-6, 1e-12, 0};
   for (size_t i = 0; i < 7; i++) {
@@ -347,9 +339,8 @@ START_TEST(test_self) {
   ck_assert(!by_origin(0.29, 0.3).found);
   ck_assert(!by_origin(1, 0.3).found);
 }
-END_TEST
 
-START_TEST(test_no_numbers) {
+PH_TEST(test_no_numbers) {
   struct ph_seg2 seg = {
       ph_atph_of(0), {{1, 0}, {1, 0}, {1, 0}}, {0, 0}, {1, 0}};
   struct ph_meet meet = {.rule = &rule, .tolerance = 1e-12, .steps = 1000};
@@ -361,24 +352,7 @@ START_TEST(test_no_numbers) {
   ph_meet_self(&meet, &piece, &outer);
   ck_assert(meet.found); /* it ends, and does not vouch for anything */
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("meet");
-  TCase *tc = tcase_create("meet");
-  tcase_add_checked_fixture(tc, start, NULL);
-  tcase_add_test(tc, test_cones);
-  tcase_add_test(tc, test_halves);
-  tcase_add_test(tc, test_bounds);
-  tcase_add_test(tc, test_crossing);
-  tcase_add_test(tc, test_dip);
-  tcase_add_test(tc, test_touching);
-  tcase_add_test(tc, test_tangent);
-  tcase_add_test(tc, test_side_by_side);
-  tcase_add_test(tc, test_self);
-  tcase_add_test(tc, test_no_numbers);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(start, NULL, test_cones, test_halves, test_bounds, test_crossing,
+              test_dip, test_touching, test_tangent, test_side_by_side,
+              test_self, test_no_numbers)

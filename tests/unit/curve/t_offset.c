@@ -12,13 +12,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-static struct ph_arena arena;
 static struct ph_diag diag;
 static const struct ph_offset_rules rules = {.tolerance = 1e-9};
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 /* A curve of one segment from its preimage. */
 struct single {
@@ -107,7 +102,8 @@ static void ck_pieces(const struct ph_curve *curve, const struct ph_offset *o) {
 static struct ph_offset ck_offset(const struct ph_curve *curve, double d,
                                   double tol, struct unit_random *r) {
   struct ph_offset o;
-  enum ph_status status = ph_offset_planar(curve, d, &rules, &arena, &o, &diag);
+  enum ph_status status =
+      ph_offset_planar(curve, d, &rules, &unit_arena, &o, &diag);
   ck_assert_msg(status == PH_OK, "seed %lu: %s", unit_seed(), diag.message);
   ck_abs(o.distance, d, 0);
   ck_pieces(curve, &o);
@@ -128,7 +124,7 @@ static struct ph_offset ck_offset(const struct ph_curve *curve, double d,
 }
 
 /* Both sides, and no distance at all, of a curve with curvature both ways. */
-START_TEST(test_spline) {
+PH_TEST(test_spline) {
   const double points[] = {0, 0, 2, 1, 3, 0, 5, 2, 4, 4, 1, 3};
   const double distances[] = {0.25, -0.25, 1, -3, 100, 1e-6, -1e-12, 0};
   struct unit_random r = unit_random_of(1);
@@ -142,16 +138,16 @@ START_TEST(test_spline) {
   }
   unit_planar_free(&u);
 }
-END_TEST
 
 /* Left is left: a line to the east moves to the north. */
-START_TEST(test_side) {
+PH_TEST(test_side) {
   const double points[] = {1, 1, 2, 1};
   struct unit_planar u = unit_planar_of(points, 2, false);
   struct ph_offset o;
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   ck_assert_int_eq(
-      ph_offset_planar(&u.result.curve, 3, &rules, &arena, &o, &diag), PH_OK);
+      ph_offset_planar(&u.result.curve, 3, &rules, &unit_arena, &o, &diag),
+      PH_OK);
   ck_assert_uint_eq(o.n, 1);
   for (size_t i = 0; i < 10; i++) {
     ck_abs(o.control_points[2 * i], 1 + (double)i / 9, 1e-15);
@@ -160,9 +156,8 @@ START_TEST(test_side) {
   }
   unit_planar_free(&u);
 }
-END_TEST
 
-START_TEST(test_random) {
+PH_TEST(test_random) {
   struct unit_random r = unit_random_of(2);
   size_t halved = 0;
   for (int i = 0; i < 300; i++) {
@@ -179,14 +174,13 @@ START_TEST(test_random) {
     /* The normal is uncertain by the rounding of w over |w|. */
     halved +=
         ck_offset(&s.curve, d, 1e-15 * (10 + 50 * fabs(d) / slow), &r).n - 1;
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_uint_ge(halved, 50);
 }
-END_TEST
 
 /* The more a segment turns, the more it is halved: nearly a cusp here. */
-START_TEST(test_high_curvature) {
+PH_TEST(test_high_curvature) {
   struct unit_random r = unit_random_of(3);
   size_t before = 1;
   for (int e = 0; e <= 16; e++) {
@@ -203,10 +197,9 @@ START_TEST(test_high_curvature) {
   }
   ck_assert_uint_ge(before, 8);
 }
-END_TEST
 
 /* At distance 0 a segment that needs no halving gives the curve itself. */
-START_TEST(test_zero_distance) {
+PH_TEST(test_zero_distance) {
   struct unit_random r = unit_random_of(4);
   const ph_cplx w[3] = {{1, 0}, {1, 0.3}, {0.8, 0.9}};
   struct single s;
@@ -217,18 +210,17 @@ START_TEST(test_zero_distance) {
   ck_abs(o.control_points[0], 7, 0);
   ck_abs(o.control_points[1], -3, 0);
 }
-END_TEST
 
 /* Weights are in the unit of the speed, which is that of the data. */
-START_TEST(test_weights) {
+PH_TEST(test_weights) {
   const ph_cplx w[3] = {{3, 0}, {2, 1}, {1, 2}};
   const ph_cplx zero = {0, 0};
   struct single s;
   struct ph_offset o;
   double sum = 0;
   single_of(w, zero, &s);
-  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, &rules, &arena, &o, &diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_offset_planar(&s.curve, 1, &rules, &unit_arena, &o, &diag), PH_OK);
   ck_rel(o.weights[0], ph_cplx_norm2(w[0]), 1e-15);
   ck_rel(o.weights[9], ph_cplx_norm2(w[2]), 1e-15);
   for (size_t i = 0; i < 10; i++) {
@@ -236,10 +228,9 @@ START_TEST(test_weights) {
   }
   ck_rel(sum / 10, s.length, 1e-15); /* both are the integral of the speed */
 }
-END_TEST
 
 /* Units as small and as large as there are. */
-START_TEST(test_scales) {
+PH_TEST(test_scales) {
   const double points[] = {0, 0, 2, 1, 3, 0, 5, 2};
   const int exponents[] = {-1000, -300, 300, 1000};
   struct unit_random r = unit_random_of(5);
@@ -255,7 +246,6 @@ START_TEST(test_scales) {
     unit_planar_free(&u);
   }
 }
-END_TEST
 
 static void ck_standstill(double w0, double w1, double w2) {
   const ph_cplx w[3] = {{w0, 0}, {w1, 0}, {w2, 0}};
@@ -263,41 +253,40 @@ static void ck_standstill(double w0, double w1, double w2) {
   struct single s;
   struct ph_offset o;
   single_of(w, zero, &s);
-  ck_assert_int_eq(ph_offset_planar(&s.curve, 1, &rules, &arena, &o, &diag),
-                   PH_INFEASIBLE);
+  ck_assert_int_eq(
+      ph_offset_planar(&s.curve, 1, &rules, &unit_arena, &o, &diag),
+      PH_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[0]");
   ck_assert_str_eq(diag.message, "has no offset: the curve stands still in it "
                                  "and has no normal there");
 }
 
-START_TEST(test_standstill) {
+PH_TEST(test_standstill) {
   ck_standstill(1, 0, -1);         /* in the middle, a node of the halving */
   ck_standstill(1, -0.25, -0.875); /* elsewhere */
   ck_standstill(0, 1, 1);          /* at an end */
   ck_standstill(1, 1, 0);
   ck_standstill(0, 0, 0);
 }
-END_TEST
 
-START_TEST(test_too_large) {
+PH_TEST(test_too_large) {
   const double points[] = {0, 1.5e308, 1e307, 1.5e308};
   struct unit_planar u = unit_planar_of(points, 2, false);
   struct ph_offset o;
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   ck_assert_int_eq(
-      ph_offset_planar(&u.result.curve, 1e308, &rules, &arena, &o, &diag),
+      ph_offset_planar(&u.result.curve, 1e308, &rules, &unit_arena, &o, &diag),
       PH_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");
   unit_planar_free(&u);
 }
-END_TEST
 
 /* ---- Tschirnhausen cubics ----------------------------------------------- */
 
 /* The offset is at d along the normal from the curve, to rounding: of w over
  * |w|, and of the points. */
-START_TEST(test_cubics) {
+PH_TEST(test_cubics) {
   const double scales[] = {1, 1e-9, 1e9, 1e-150, 1e150};
   const int curves = unit_count(300);
   struct unit_random r = unit_random_of(6);
@@ -317,15 +306,14 @@ START_TEST(test_cubics) {
                   &r);
     ck_assert_uint_le(o.n, 8);
     cuts += o.n - 4;
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_int_ge((int)cuts, curves / 5);
 }
-END_TEST
 
 /* Cut at the foot of the origin on the line of w, which is where |w| is least,
  * however near: there the weights are least and equal. */
-START_TEST(test_vertex) {
+PH_TEST(test_vertex) {
   struct unit_random r = unit_random_of(7);
   for (int e = 0; e <= 36; e += 4) {
     const double near = ldexp(1, -e); /* w = u - 0.3 + i near */
@@ -344,12 +332,11 @@ START_TEST(test_vertex) {
     }
   }
 }
-END_TEST
 
 /* One cut is enough for every cubic that does not stand still: lengths of w far
  * apart, turns as near to a whole one as there are.  However sharp it turns,
  * the offset keeps its distance. */
-START_TEST(test_one_cut) {
+PH_TEST(test_one_cut) {
   const int cubics = unit_count(2000);
   struct unit_random r = unit_random_of(8);
   size_t cuts = 0;
@@ -365,7 +352,7 @@ START_TEST(test_one_cut) {
     unit_cubics_add(&c, ph_cplx_scale(lengths[i % 2], ph_cplx_polar(direction)),
                     ph_cplx_scale(lengths[1 - i % 2],
                                   ph_cplx_polar(direction + side * sweep)));
-    status = ph_offset_planar(&c.curve, 1, &rules, &arena, &o, &diag);
+    status = ph_offset_planar(&c.curve, 1, &rules, &unit_arena, &o, &diag);
     ck_assert_msg(status == PH_OK, "seed %lu, cubic %d: %s", unit_seed(), i,
                   diag.message);
     ck_pieces(&c.curve, &o);
@@ -379,14 +366,13 @@ START_TEST(test_one_cut) {
       ck_abs(unit_distance(found, on), 1, 4e-15);
     }
     cuts += o.n - 1;
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_int_ge((int)cuts, cubics / 2);
 }
-END_TEST
 
 /* A stop in the middle or at an end. */
-START_TEST(test_cubic_standstill) {
+PH_TEST(test_cubic_standstill) {
   /* w0 and w1 in units of a direction */
   const double ends[][2] = {{-1, 1}, {-0.3, 0.7}, {0.1, -3},
                             {0, 1},  {1, 0},      {0, 0}};
@@ -398,23 +384,23 @@ START_TEST(test_cubic_standstill) {
     unit_cubics_begin(&c, ph_cplx_of(0, 0));
     unit_cubics_add(&c, ph_cplx_of(1, 0), ph_cplx_of(1, 1));
     unit_cubics_add(&c, ph_cplx_scale(w[0], along), ph_cplx_scale(w[1], along));
-    ck_assert_int_eq(ph_offset_planar(&c.curve, 1, &rules, &arena, &o, &diag),
-                     PH_INFEASIBLE);
+    ck_assert_int_eq(
+        ph_offset_planar(&c.curve, 1, &rules, &unit_arena, &o, &diag),
+        PH_INFEASIBLE);
     ck_assert_str_eq(diag.field, "segments[1]");
     ck_assert_str_eq(diag.message, "has no offset: the curve stands still in "
                                    "it and has no normal there");
   }
 }
-END_TEST
 
 /* A line moves aside, its weights are its speed. */
-START_TEST(test_cubic_line) {
+PH_TEST(test_cubic_line) {
   struct unit_cubics c;
   struct ph_offset o;
   unit_cubics_begin(&c, ph_cplx_of(1, 1));
   unit_cubics_add(&c, ph_cplx_of(2, 0), ph_cplx_of(2, 0));
-  ck_assert_int_eq(ph_offset_planar(&c.curve, 3, &rules, &arena, &o, &diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_offset_planar(&c.curve, 3, &rules, &unit_arena, &o, &diag), PH_OK);
   ck_assert_uint_eq(o.n, 1);
   for (size_t i = 0; i < 6; i++) {
     ck_abs(o.control_points[2 * i], 1 + 0.8 * (double)i, 1e-15);
@@ -422,28 +408,8 @@ START_TEST(test_cubic_line) {
     ck_abs(o.weights[i], 4, 1e-15);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("offset");
-  TCase *tc = tcase_create("offset");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_spline);
-  tcase_add_test(tc, test_side);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_high_curvature);
-  tcase_add_test(tc, test_zero_distance);
-  tcase_add_test(tc, test_weights);
-  tcase_add_test(tc, test_scales);
-  tcase_add_test(tc, test_standstill);
-  tcase_add_test(tc, test_too_large);
-  tcase_add_test(tc, test_cubics);
-  tcase_add_test(tc, test_vertex);
-  tcase_add_test(tc, test_one_cut);
-  tcase_add_test(tc, test_cubic_standstill);
-  tcase_add_test(tc, test_cubic_line);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_spline, test_side, test_random, test_high_curvature,
+         test_zero_distance, test_weights, test_scales, test_standstill,
+         test_too_large, test_cubics, test_vertex, test_one_cut,
+         test_cubic_standstill, test_cubic_line)

@@ -10,21 +10,16 @@
 
 enum { ALL = PH_OFFSETS_SPATIAL };
 
-static struct ph_arena arena;
 static struct ph_diag diag;
 static struct unit_curve3 c;
 static const struct ph_offset_rules rules = {.tolerance = 1e-9};
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 /* The four offsets, with what they say of themselves. */
 static void offsets_of(double distance, double tolerance,
                        struct ph_offset offsets[ALL]) {
   const struct ph_offset_rules within = {.tolerance = tolerance};
-  enum ph_status status =
-      ph_offset_spatial(&c.curve, distance, &within, &arena, offsets, &diag);
+  enum ph_status status = ph_offset_spatial(&c.curve, distance, &within,
+                                            &unit_arena, offsets, &diag);
   ck_assert_msg(status == PH_OK, "seed %lu: %s", unit_seed(), diag.message);
   for (size_t i = 0; i < ALL; i++) {
     ck_abs(offsets[i].distance, i % 2 ? -distance : distance, 0);
@@ -101,21 +96,20 @@ static size_t ck_rational(double distance, double tol) {
 }
 
 /* Segments whose frames join, both sides of both normals; no distance. */
-START_TEST(test_spline) {
+PH_TEST(test_spline) {
   const double distances[] = {0.25, -1, 100, 1e-6, 0};
   struct unit_random r = unit_random_of(550);
   for (int i = 0; i < unit_count(20); i++) {
     double d = distances[i % 5];
     unit_curve3_random(&c, 3, false, 0.5, &r);
     ck_assert_uint_ge(ck_rational(d, 1e-14 * (20 + fabs(d))), 12);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Segments that turn by any angle: the normals are as uncertain as A over |A|.
  */
-START_TEST(test_wild) {
+PH_TEST(test_wild) {
   struct unit_random r = unit_random_of(551);
   for (int i = 0; i < unit_count(100); i++) {
     double d = unit_random_in(&r, 0.1, 2), slow = HUGE_VAL;
@@ -125,13 +119,12 @@ START_TEST(test_wild) {
       slow = fmin(slow, ph_quat_dot(a, a));
     }
     ck_rational(d, 1e-14 * (200 + 200 * fabs(d) / slow));
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* The slower a segment is somewhere, the more it is halved. */
-START_TEST(test_halved) {
+PH_TEST(test_halved) {
   size_t before = 4;
   for (int e = 0; e <= 16; e++) {
     double near = ldexp(1, -e); /* A = u - 0.3 + near (j + k) */
@@ -143,14 +136,13 @@ START_TEST(test_halved) {
     ck_assert_uint_ge(n, before);
     ck_assert_uint_le(n, 4 * (size_t)(8 + 4 * e));
     before = n;
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_uint_ge(before, 32);
 }
-END_TEST
 
 /* The weights are the speed, in the unit of the data. */
-START_TEST(test_weights) {
+PH_TEST(test_weights) {
   struct unit_random r = unit_random_of(552);
   struct ph_offset offsets[ALL];
   unit_curve3_random(&c, 1, false, 0.5, &r);
@@ -163,10 +155,9 @@ START_TEST(test_weights) {
     ck_rel(sum, c.lengths[0], 1e-14);
   }
 }
-END_TEST
 
 /* Where pieces and segments meet, the offset does not jump. */
-START_TEST(test_joints) {
+PH_TEST(test_joints) {
   struct unit_random r = unit_random_of(553);
   for (int i = 0; i < unit_count(20); i++) {
     struct ph_offset offsets[ALL];
@@ -180,14 +171,13 @@ START_TEST(test_joints) {
                             1e-13);
       }
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* A curve in the plane z = 0 is offset there along e2 as ph_offset_planar does
  * it, and straight up along e3. */
-START_TEST(test_plane) {
+PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(554);
   ph_quat a[5];
   double preimage[12], control_points[24];
@@ -212,8 +202,8 @@ START_TEST(test_plane) {
            2 * sizeof(double));
   }
   offsets_of(0.4, 1e-9, offsets);
-  ck_assert_int_eq(ph_offset_planar(&flat, 0.4, &rules, &arena, &planar, &diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_offset_planar(&flat, 0.4, &rules, &unit_arena, &planar, &diag), PH_OK);
   ck_assert_ptr_null(planar.vector);
   ck_assert_uint_eq(planar.n, offsets[0].n);
   for (size_t i = 0; i < 10 * planar.n; i++) {
@@ -225,7 +215,6 @@ START_TEST(test_plane) {
     ck_abs(offsets[2].control_points[3 * i + 2], 0.4, 1e-15);
   }
 }
-END_TEST
 
 /* ---- ATPH ---- */
 
@@ -264,7 +253,7 @@ static void ck_beziers(const struct ph_offset *o, double tolerance) {
   }
 }
 
-START_TEST(test_atph) {
+PH_TEST(test_atph) {
   struct unit_random r = unit_random_of(560);
   for (int i = 0; i < unit_count(10); i++) {
     struct ph_offset offsets[ALL];
@@ -291,14 +280,13 @@ START_TEST(test_atph) {
       }
       ck_beziers(o, tolerance);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* ---- what has no offset ---- */
 
-START_TEST(test_standstill) {
+PH_TEST_EACH(test_standstill, 3) {
   static const ph_quat a[][3] = {
       {{1, 0, 2, 0}, {0, 0, 0, 0}, {-1, 0, -2, 0}}, /* in the middle */
       {{0, 0, 0, 0}, {1, 0, 0, 1}, {1, 1, 0, 0}},   /* at an end */
@@ -306,39 +294,21 @@ START_TEST(test_standstill) {
   struct ph_offset offsets[ALL];
   unit_curve3_of(&c, 1, NULL, a[_i], ph_vec3_of(0, 0, 0));
   ck_assert_int_eq(
-      ph_offset_spatial(&c.curve, 1, &rules, &arena, offsets, &diag),
+      ph_offset_spatial(&c.curve, 1, &rules, &unit_arena, offsets, &diag),
       PH_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }
-END_TEST
 
-START_TEST(test_too_large) {
+PH_TEST(test_too_large) {
   const ph_quat a[3] = {{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}};
   struct ph_offset offsets[ALL];
   unit_curve3_of(&c, 1, NULL, a, ph_vec3_of(0, 1.5e308, 0));
   ck_assert_int_eq(
-      ph_offset_spatial(&c.curve, 1e308, &rules, &arena, offsets, &diag),
+      ph_offset_spatial(&c.curve, 1e308, &rules, &unit_arena, offsets, &diag),
       PH_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("offset3");
-  TCase *t = tcase_create("offset3");
-  tcase_add_checked_fixture(t, NULL, finish);
-  tcase_add_test(t, test_spline);
-  tcase_add_test(t, test_wild);
-  tcase_add_test(t, test_halved);
-  tcase_add_test(t, test_weights);
-  tcase_add_test(t, test_joints);
-  tcase_add_test(t, test_plane);
-  tcase_add_test(t, test_atph);
-  tcase_add_loop_test(t, test_standstill, 0, 3);
-  tcase_add_test(t, test_too_large);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_spline, test_wild, test_halved, test_weights, test_joints,
+         test_plane, test_atph, test_standstill, test_too_large)

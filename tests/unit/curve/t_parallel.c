@@ -16,20 +16,16 @@ enum { N = 10 };
 
 static const double DEGREE = PH_PI / 180;
 
-static struct ph_arena arena;
 static struct ph_diag diag;
 static const struct ph_offset_rules rules = {
     .tolerance = 1e-9, .samples = {.how = PH_SAMPLE_PARAMETER, .n = N}};
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 static struct ph_offset offset_of(const struct ph_curve *curve,
                                   double distance) {
   struct ph_offset o;
   ck_assert_int_eq(
-      ph_offset_spherical(curve, distance, &rules, &arena, &o, &diag), PH_OK);
+      ph_offset_spherical(curve, distance, &rules, &unit_arena, &o, &diag),
+      PH_OK);
   ck_assert_uint_eq(o.n, 0);
   ck_assert_uint_eq(o.dimension, 3);
   ck_assert_uint_eq(o.samples.n, curve->n * (N + 1));
@@ -97,13 +93,12 @@ static void ck_latitude(double lat) {
   }
 }
 
-START_TEST(test_latitude) {
+PH_TEST(test_latitude) {
   const double latitudes[] = {0, 1e-3, 30, 60, 89, 100, 170, -30, -89, -120};
   for (size_t i = 0; i < sizeof latitudes / sizeof latitudes[0]; i++) {
     ck_latitude(latitudes[i]);
   }
 }
-END_TEST
 
 /* A ring of n segments around the north pole, at this latitude. */
 static void ring_of(struct unit_spherical *c, size_t n, double lat,
@@ -125,7 +120,7 @@ static void ring_of(struct unit_spherical *c, size_t n, double lat,
 }
 
 /* The offset of a small circle, which the segments are but nearly. */
-START_TEST(test_small_circle) {
+PH_TEST(test_small_circle) {
   struct unit_spherical c;
   struct ph_offset o;
   ring_of(&c, UNIT_SPHERICAL_MAX, 40, 0);
@@ -141,10 +136,9 @@ START_TEST(test_small_circle) {
   ck_rel(o.length, 2 * PH_PI * cos(60 * DEGREE), 1e-5);
   ck_rel(o.samples.curvature[5], tan(-60 * DEGREE), 1e-2);
 }
-END_TEST
 
 /* L_d = L cos d - sin d (total kappa), without cusps. */
-START_TEST(test_closed_length) {
+PH_TEST(test_closed_length) {
   const double distances[] = {0, 0.01, 0.1, -0.1, -0.3, -0.6};
   struct unit_spherical c;
   struct ph_quad rule;
@@ -166,7 +160,6 @@ START_TEST(test_closed_length) {
     ck_rel(o.length, c.curve.length * cos(d) - sin(d) * total, 1e-12);
   }
 }
-END_TEST
 
 /* ---- curves by chance --------------------------------------------------- */
 
@@ -198,7 +191,7 @@ static void ck_travel(const struct ph_curve *curve, const struct ph_offset *o,
   }
 }
 
-START_TEST(test_random) {
+PH_TEST(test_random) {
   struct unit_random r = unit_random_of(1320);
   for (int n = 0; n < unit_count(60); n++) {
     const double radius = exp(unit_random_in(&r, -3, 3));
@@ -228,10 +221,9 @@ START_TEST(test_random) {
         ck_travel(&c.curve, &o, i, d);
       }
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* ---- cusps -------------------------------------------------------------- */
 
@@ -300,7 +292,7 @@ static void closed_random(struct unit_spherical *c, size_t n,
   unit_spherical_through(c, n, true, points, velocities);
 }
 
-START_TEST(test_cusps) {
+PH_TEST(test_cusps) {
   struct unit_random r = unit_random_of(1321);
   for (int i = 0; i < unit_count(20); i++) {
     struct unit_spherical c;
@@ -310,10 +302,9 @@ START_TEST(test_cusps) {
       closed_random(&c, 5, &r);
     }
     ck_cusps(&c.curve, unit_random_in(&r, -2.5, 2.5));
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Where the curvature of a segment is greatest. */
 static double peak_of(const struct ph_curve *curve, double *peak) {
@@ -332,7 +323,7 @@ static double peak_of(const struct ph_curve *curve, double *peak) {
 
 /* Two cusps about the place where a bend is sharpest, the nearer to each other
  * the nearer the distance is to the radius of curvature there. */
-START_TEST(test_pairs) {
+PH_TEST(test_pairs) {
   const double apart[] = {1e-1, 1e-2, 1e-4, 1e-6, 1e-8};
   const ph_vec3 p[4] = {ph_degree_to_unit(-20, 22), ph_degree_to_unit(-8, -5),
                         ph_degree_to_unit(9, -4), ph_degree_to_unit(20, 20)};
@@ -357,10 +348,9 @@ START_TEST(test_pairs) {
     ck_assert_uint_eq(o.cusps.n, 0);
   }
 }
-END_TEST
 
 /* Where the curvature jumps at a joint, the offset may turn back there. */
-START_TEST(test_joint) {
+PH_TEST(test_joint) {
   const ph_vec3 p[8] = {ph_degree_to_unit(-30, 10), ph_degree_to_unit(-20, 3),
                         ph_degree_to_unit(-10, 0),  ph_degree_to_unit(0, 0),
                         ph_degree_to_unit(0, 0),    ph_degree_to_unit(10, 0),
@@ -384,13 +374,12 @@ START_TEST(test_joint) {
   }
   ck_abort_msg("no cusp at the joint");
 }
-END_TEST
 
 /* ---- ends at rest ------------------------------------------------------- */
 
 /* The offset goes round the point at rest on a circle of radius d, of curvature
  * cot d, and turns back where the curve's curvature has come down to that. */
-START_TEST(test_rest) {
+PH_TEST(test_rest) {
   const ph_vec3 a = ph_degree_to_unit(0, 0);
   const ph_vec3 p[4] = {a, a, ph_degree_to_unit(20, 0),
                         ph_degree_to_unit(30, 20)};
@@ -414,10 +403,9 @@ START_TEST(test_rest) {
   ck_assert(isnan(o.samples.curvature[0]));
   ck_rel(o.length, c.curve.length, 1e-12);
 }
-END_TEST
 
 /* From rest to rest on a great circle: no curvature at the ends, no cusps. */
-START_TEST(test_rest_great_circle) {
+PH_TEST(test_rest_great_circle) {
   const ph_vec3 a = ph_degree_to_unit(0, 0), b = ph_degree_to_unit(40, 0);
   const ph_vec3 p[4] = {a, a, b, b};
   struct unit_spherical c;
@@ -433,11 +421,10 @@ START_TEST(test_rest_great_circle) {
                     : isnan(o.samples.curvature[i]));
   }
 }
-END_TEST
 
 /* ---- refusals ----------------------------------------------------------- */
 
-START_TEST(test_refusals) {
+PH_TEST(test_refusals) {
   const struct ph_offset_rules many = {
       .samples = {.how = PH_SAMPLE_PARAMETER, .n = SIZE_MAX}};
   const double refused[] = {8 * PH_PI, -8 * PH_PI, 100, (double)INFINITY,
@@ -449,22 +436,23 @@ START_TEST(test_refusals) {
   unit_spherical_random(&c, 2, 0.4, &r);
   unit_spherical_place(&c, zero, 8);
   for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
-    ck_assert_int_eq(
-        ph_offset_spherical(&c.curve, refused[i], &rules, &arena, &o, &diag),
-        PH_BAD_VALUE);
+    ck_assert_int_eq(ph_offset_spherical(&c.curve, refused[i], &rules,
+                                         &unit_arena, &o, &diag),
+                     PH_BAD_VALUE);
   }
-  ck_assert_int_eq(ph_offset_spherical(&c.curve, 26, &rules, &arena, &o, &diag),
-                   PH_BAD_VALUE);
+  ck_assert_int_eq(
+      ph_offset_spherical(&c.curve, 26, &rules, &unit_arena, &o, &diag),
+      PH_BAD_VALUE);
   ck_assert_str_eq(diag.message, "the offset distance 26 is not less than half "
                                  "the circumference of the sphere, 25.1327");
   ck_assert_uint_eq(offset_of(&c.curve, 25).samples.n, 2 * (N + 1));
-  ck_assert_int_eq(ph_offset_spherical(&c.curve, 1, &many, &arena, &o, &diag),
-                   PH_LIMIT);
+  ck_assert_int_eq(
+      ph_offset_spherical(&c.curve, 1, &many, &unit_arena, &o, &diag),
+      PH_LIMIT);
 }
-END_TEST
 
 /* A curve to the north, whose offset is to the west, out of range. */
-START_TEST(test_too_large) {
+PH_TEST(test_too_large) {
   const ph_vec3 p[4] = {ph_degree_to_unit(0, 0), ph_degree_to_unit(0, 10),
                         ph_degree_to_unit(0, 20), ph_degree_to_unit(0, 30)};
   const ph_vec3 far = {0, -1.7e308, 0};
@@ -473,32 +461,14 @@ START_TEST(test_too_large) {
   unit_spherical_of(&c, 1, false, p);
   unit_spherical_place(&c, far, 1e307);
   ck_assert_int_eq(
-      ph_offset_spherical(&c.curve, 1.5e307, &rules, &arena, &o, &diag),
+      ph_offset_spherical(&c.curve, 1.5e307, &rules, &unit_arena, &o, &diag),
       PH_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1.5e+307 exceeds the "
                                  "range of a double");
   o = offset_of(&c.curve, 1e306);
   ck_rel(o.length, 1e307 * (30 * DEGREE * cos(0.1)), 1e-13);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("parallel");
-  TCase *tc = tcase_create("parallel");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_latitude);
-  tcase_add_test(tc, test_small_circle);
-  tcase_add_test(tc, test_closed_length);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_cusps);
-  tcase_add_test(tc, test_pairs);
-  tcase_add_test(tc, test_joint);
-  tcase_add_test(tc, test_rest);
-  tcase_add_test(tc, test_rest_great_circle);
-  tcase_add_test(tc, test_refusals);
-  tcase_add_test(tc, test_too_large);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_latitude, test_small_circle, test_closed_length, test_random,
+         test_cusps, test_pairs, test_joint, test_rest, test_rest_great_circle,
+         test_refusals, test_too_large)

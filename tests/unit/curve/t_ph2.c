@@ -29,7 +29,7 @@ static ph_cplx preimage_at(const ph_cplx w[3], double u) {
   return sum;
 }
 
-START_TEST(test_length) {
+PH_TEST(test_length) {
   struct unit_random r = unit_random_of(3);
   struct ph_quad rule;
   ck_assert(ph_quad_gauss(&rule, 8));
@@ -43,11 +43,10 @@ START_TEST(test_length) {
     ck_rel(ph_length(w), length, 1e-14);
   }
 }
-END_TEST
 
 /* Where the preimage does end at `end`, the control points are the integral of
  * its square: the derivative of their Bezier curve. */
-START_TEST(test_control_points) {
+PH_TEST(test_control_points) {
   struct unit_random r = unit_random_of(4);
   for (int i = 0; i < SEGMENTS; i++) {
     ph_cplx w[3], hodograph[5], p[6], start = unit_random_cplx(&r, 1), end;
@@ -68,10 +67,9 @@ START_TEST(test_control_points) {
         2e-14);
   }
 }
-END_TEST
 
 /* What the integral misses the end by goes into the middle leg, all of it. */
-START_TEST(test_defect) {
+PH_TEST(test_defect) {
   struct unit_random r = unit_random_of(5);
   for (int i = 0; i < SEGMENTS; i++) {
     const ph_cplx zero = {0, 0};
@@ -91,10 +89,9 @@ START_TEST(test_defect) {
     }
   }
 }
-END_TEST
 
 /* Run backwards, with i w in reverse order, the points are the same ones. */
-START_TEST(test_reversal) {
+PH_TEST(test_reversal) {
   struct unit_random r = unit_random_of(6);
   for (int i = 0; i < SEGMENTS; i++) {
     ph_cplx w[3], back[3], p[6], q[6];
@@ -112,10 +109,9 @@ START_TEST(test_reversal) {
     ck_abs(ph_rotation(back), -ph_rotation(w), 1e-13);
   }
 }
-END_TEST
 
 /* Step (2) in ph_seg2_rotation. */
-START_TEST(test_factorisation) {
+PH_TEST(test_factorisation) {
   struct unit_random r = unit_random_of(7);
   for (int i = 0; i < SEGMENTS; i++) {
     double u = unit_random_in(&r, -1, 2);
@@ -132,7 +128,6 @@ START_TEST(test_factorisation) {
     ck_assert_double_ge(ph_cplx_abs(q), ph_cplx_abs(w[1]) * (1 - 1e-15));
   }
 }
-END_TEST
 
 /* The turn of the tangent, added up in steps so small that none is ambiguous;
  * false where the curve comes too near to standing still for that. */
@@ -152,7 +147,7 @@ static bool rotation_in_steps(const ph_cplx w[3], double *rotation) {
   return true;
 }
 
-START_TEST(test_rotation) {
+PH_TEST(test_rotation) {
   struct unit_random r = unit_random_of(8);
   int loops = 0, compared = 0;
   for (int i = 0; i < SEGMENTS; i++) {
@@ -168,9 +163,8 @@ START_TEST(test_rotation) {
   ck_assert_int_ge(compared, SEGMENTS * 9 / 10);
   ck_assert_int_ge(loops, 10);
 }
-END_TEST
 
-START_TEST(test_rotation_special) {
+PH_TEST(test_rotation_special) {
   const ph_cplx straight[3] = {{1, 0}, {2, 0}, {0.5, 0}};
   const ph_cplx arc[3] = {{1, 0}, {1, 0.5}, {1, 1}};
   const ph_cplx no_middle[3] = {{1, 0}, {0, 0}, {0, 1}};
@@ -185,10 +179,9 @@ START_TEST(test_rotation_special) {
   ck_abs(ph_rotation(from_rest), PI, 1e-14);
   ck_abs(ph_rotation(to_rest), PI, 1e-14);
 }
-END_TEST
 
 /* A mirror image turns the other way, and a turned one likewise. */
-START_TEST(test_rotation_symmetry) {
+PH_TEST(test_rotation_symmetry) {
   struct unit_random r = unit_random_of(9);
   for (int i = 0; i < SEGMENTS; i++) {
     ph_cplx w[3], mirror[3], turned[3], f = unit_random_cplx(&r, 1);
@@ -203,21 +196,7 @@ START_TEST(test_rotation_symmetry) {
     ck_abs(ph_rotation(turned), rotation, 1e-10);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("ph2");
-  TCase *tc = tcase_create("ph2");
-  tcase_add_test(tc, test_length);
-  tcase_add_test(tc, test_control_points);
-  tcase_add_test(tc, test_defect);
-  tcase_add_test(tc, test_reversal);
-  tcase_add_test(tc, test_factorisation);
-  tcase_add_test(tc, test_rotation);
-  tcase_add_test(tc, test_rotation_special);
-  tcase_add_test(tc, test_rotation_symmetry);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_length, test_control_points, test_defect, test_reversal,
+         test_factorisation, test_rotation, test_rotation_special,
+         test_rotation_symmetry)

@@ -24,7 +24,7 @@ static double power_at(double angle, double u, size_t j) {
 }
 
 /* |A|^2 of PH quintics, from its Bernstein coefficients. */
-START_TEST(test_speed) {
+PH_TEST(test_speed) {
   struct unit_random r = unit_random_of(920);
   for (size_t i = 0; i < SEGMENTS; i++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
@@ -40,9 +40,8 @@ START_TEST(test_speed) {
     ck_abs(sum, ph_vec3_abs(unit_seg3_hodograph(&seg, u)), 1e-13);
   }
 }
-END_TEST
 
-START_TEST(test_length) {
+PH_TEST(test_length) {
   struct unit_random r = unit_random_of(921);
   for (size_t i = 0; i < SEGMENTS; i++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
@@ -54,11 +53,10 @@ START_TEST(test_length) {
     ck_rel(ph_ph3_length(&seg.space, seg.a), sum, 1e-14);
   }
 }
-END_TEST
 
 /* The integrals of the products of basis functions, one by one: lengths of
  * preimages with one coefficient, or two. */
-START_TEST(test_length_simple) {
+PH_TEST(test_length_simple) {
   struct ph_atph quintic = ph_atph_of(0);
   const ph_quat zero = {0, 0, 0, 0}, one = {1, 0, 0, 0}, other = {0, 0, 3, 0};
   const ph_quat first[3] = {one, zero, zero}, middle[3] = {zero, one, zero};
@@ -70,11 +68,10 @@ START_TEST(test_length_simple) {
   ck_rel(ph_ph3_length(&quintic, line), 1, 1e-15);
   ck_rel(ph_ph3_length(&quintic, apart), 1. / 5 + 9 * 2. / 15, 1e-15);
 }
-END_TEST
 
 /* Control points are those of the integral of A i A*: their legs in the basis
  * of the space are the hodograph. */
-START_TEST(test_control_points) {
+PH_TEST(test_control_points) {
   struct unit_random r = unit_random_of(922);
   for (size_t i = 0; i < SEGMENTS; i++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
@@ -95,10 +92,9 @@ START_TEST(test_control_points) {
                         2e-13);
   }
 }
-END_TEST
 
 /* What the integral misses the end by goes into the middle leg, all of it. */
-START_TEST(test_defect) {
+PH_TEST(test_defect) {
   struct unit_random r = unit_random_of(923);
   for (size_t i = 0; i < SEGMENTS; i++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
@@ -113,10 +109,9 @@ START_TEST(test_defect) {
     }
   }
 }
-END_TEST
 
 /* Run backwards, with A(1-u) j, the points are the same ones: j i j* = -i. */
-START_TEST(test_reversal) {
+PH_TEST(test_reversal) {
   struct unit_random r = unit_random_of(924);
   const ph_quat j = {0, 0, 1, 0};
   for (size_t i = 0; i < SEGMENTS; i++) {
@@ -135,10 +130,9 @@ START_TEST(test_reversal) {
            1e-15);
   }
 }
-END_TEST
 
 /* The phase of a preimage is free: A exp(x i) gives the same curve. */
-START_TEST(test_phase) {
+PH_TEST(test_phase) {
   struct unit_random r = unit_random_of(925);
   for (size_t i = 0; i < SEGMENTS; i++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
@@ -155,11 +149,10 @@ START_TEST(test_phase) {
     }
   }
 }
-END_TEST
 
 /* A plane curve is the planar one: with A = Re w + Im w k the hodograph is that
  * of w^2, in the plane z = 0. */
-START_TEST(test_plane) {
+PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(926);
   for (size_t i = 0; i < SEGMENTS; i++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
@@ -178,22 +171,7 @@ START_TEST(test_plane) {
         unit_distance3(hodograph, ph_vec3_of(square.re, square.im, 0)), 1e-14);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("ph3");
-  TCase *tc = tcase_create("ph3");
-  tcase_add_checked_fixture(tc, begin, NULL);
-  tcase_add_test(tc, test_speed);
-  tcase_add_test(tc, test_length);
-  tcase_add_test(tc, test_length_simple);
-  tcase_add_test(tc, test_control_points);
-  tcase_add_test(tc, test_defect);
-  tcase_add_test(tc, test_reversal);
-  tcase_add_test(tc, test_phase);
-  tcase_add_test(tc, test_plane);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_speed, test_length, test_length_simple,
+              test_control_points, test_defect, test_reversal, test_phase,
+              test_plane)

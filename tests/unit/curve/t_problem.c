@@ -22,7 +22,7 @@ static const struct ph_field alike_rows[] = {
 };
 static const struct ph_schema alike = {"alike", alike_rows, 6};
 
-START_TEST(test_names) {
+PH_TEST(test_names) {
   ck_assert_str_eq(ph_field_name(PH_F_POINTS), "points");
   ck_assert_str_eq(ph_field_name(PH_F_END_DERIVATIVES), "end_derivatives");
   ck_assert_str_eq(ph_field_name(PH_F_LENGTHS), "lengths");
@@ -34,9 +34,8 @@ START_TEST(test_names) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_find) {
+PH_TEST(test_find) {
   ck_assert_ptr_eq(ph_field_find(&schema, "knots", 5), &rows[0]);
   ck_assert_ptr_eq(ph_field_find(&schema, "points", 6), &rows[1]);
   ck_assert_ptr_eq(ph_field_find(&schema, "points[3]", 6), &rows[1]);
@@ -46,9 +45,8 @@ START_TEST(test_find) {
   ck_assert_ptr_null(ph_field_find(&schema, "", 0));
   ck_assert_ptr_null(ph_field_find(&schema, "closed", 6)); /* not in it */
 }
-END_TEST
 
-START_TEST(test_alike) {
+PH_TEST(test_alike) {
   static const char *const names[] = {"starts", "planarity", "length_sigma",
                                       "start",  "planar",    "lengths"};
   for (size_t i = 0; i < 6; i++) {
@@ -57,16 +55,5 @@ START_TEST(test_alike) {
   }
   ck_assert_ptr_null(ph_field_find(&alike, "length", 6));
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("problem");
-  TCase *tc = tcase_create("problem");
-  tcase_add_test(tc, test_names);
-  tcase_add_test(tc, test_find);
-  tcase_add_test(tc, test_alike);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_names, test_find, test_alike)

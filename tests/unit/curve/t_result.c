@@ -5,7 +5,7 @@
 
 #include "curve/result.h"
 
-START_TEST(test_names) {
+PH_TEST(test_names) {
   ck_assert_str_eq(ph_curve_name(PH_CURVE_PH), "ph");
   ck_assert_str_eq(ph_diagnostic_name(PH_D_ITERATIONS), "iterations");
   ck_assert_str_eq(ph_diagnostic_name(PH_D_LENGTH_ERROR), "length_error");
@@ -18,19 +18,17 @@ START_TEST(test_names) {
     }
   }
 }
-END_TEST
 
 /* What scripts rely on, written down a second time. */
-START_TEST(test_outcomes) {
+PH_TEST(test_outcomes) {
   ck_assert_int_eq(PH_OUTCOME_N, 3);
   ck_assert_str_eq(ph_outcome_name(PH_OUTCOME_MINIMISER), "minimiser");
   ck_assert_str_eq(ph_outcome_name(PH_OUTCOME_SADDLE), "saddle");
   ck_assert_str_eq(ph_outcome_name(PH_OUTCOME_NO_SOLUTION), "no-convergence");
 }
-END_TEST
 
 /* A diagnostic is a number, a flag or an outcome. */
-START_TEST(test_kinds) {
+PH_TEST(test_kinds) {
   for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
     enum ph_diagnostic which = (enum ph_diagnostic)i;
     bool flag = i == PH_D_SIMPLE || i == PH_D_AT_BOUND || i == PH_D_SHAPE_OK ||
@@ -40,10 +38,9 @@ START_TEST(test_kinds) {
     ck_assert_int_eq(ph_diagnostic_word(which, 0) != NULL, word);
   }
 }
-END_TEST
 
 /* Each has a bit of its own among those that are known. */
-START_TEST(test_all_known) {
+PH_TEST(test_all_known) {
   struct ph_diagnostics d = {0};
   ck_assert_int_le(PH_DIAGNOSTIC_N, 64);
   for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
@@ -55,9 +52,8 @@ START_TEST(test_all_known) {
     ck_abs(d.value[i], i, 0);
   }
 }
-END_TEST
 
-START_TEST(test_diagnostics) {
+PH_TEST(test_diagnostics) {
   struct ph_diagnostics d = {0};
   ph_diagnostics_set(&d, PH_D_LENGTH_ERROR, 0.5);
   ph_diagnostics_set(&d, PH_D_ITERATIONS, 3);
@@ -68,9 +64,8 @@ START_TEST(test_diagnostics) {
   ck_abs(d.value[PH_D_LENGTH_ERROR], 0.5, 0);
   ck_abs(d.value[PH_D_ITERATIONS], 3, 0);
 }
-END_TEST
 
-START_TEST(test_warnings) {
+PH_TEST(test_warnings) {
   struct ph_result result = {0};
   for (size_t i = 0; i < PH_WARNINGS_MAX; i++) {
     size_t segment = i ? i : PH_NO_SEGMENT;
@@ -83,19 +78,6 @@ START_TEST(test_warnings) {
   ck_assert_str_eq(result.warnings[5].diag.field, "");
   ck_assert_int_eq(result.warnings[5].diag.status, PH_LOOP);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("result");
-  TCase *tc = tcase_create("result");
-  tcase_add_test(tc, test_names);
-  tcase_add_test(tc, test_outcomes);
-  tcase_add_test(tc, test_kinds);
-  tcase_add_test(tc, test_all_known);
-  tcase_add_test(tc, test_diagnostics);
-  tcase_add_test(tc, test_warnings);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_names, test_outcomes, test_kinds, test_all_known,
+         test_diagnostics, test_warnings)

@@ -19,15 +19,10 @@
 
 enum { N = 8 };
 
-static struct ph_arena arena;
 static struct ph_diag diag;
 
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 static struct ph_samples samples_of(const struct ph_curve *curve, size_t n) {
-  struct ph_samples s = unit_samples_even(curve, n, &arena);
+  struct ph_samples s = unit_samples_even(curve, n, &unit_arena);
   ck_assert((s.torsion != NULL) == (curve->dimension == 3));
   ck_assert_ptr_null(s.lonlat);
   return s;
@@ -53,7 +48,7 @@ static void planar_of(double angle, const ph_cplx w[3], double length,
 
 /* ---- known curves ------------------------------------------------------- */
 
-START_TEST(test_line) {
+PH_TEST(test_line) {
   const ph_cplx w[3] = {{2, 0}, {2, 0}, {2, 0}};
   struct unit_segments c;
   struct ph_samples s;
@@ -68,10 +63,9 @@ START_TEST(test_line) {
     ck_abs(s.curvature[i], 0, 0);
   }
 }
-END_TEST
 
 /* w = e^(it): a circle of radius 1/2, t its arc length. */
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   const double angles[] = {0.1, 1, 2, 3};
   for (size_t k = 0; k < sizeof angles / sizeof angles[0]; k++) {
     double angle = angles[k], root = sqrt(angle);
@@ -98,11 +92,10 @@ START_TEST(test_circle) {
     ck_abs(s.t[N], angle, 0);
   }
 }
-END_TEST
 
 /* A = (cos t + sin t k) A0: r' is A0 i A0* turned about z by 2 t, a helix of
  * curvature 2 a and torsion 2 b where A0 i A0* = (a, 0, b), of length 1. */
-START_TEST(test_helix) {
+PH_TEST(test_helix) {
   const double alpha = 1.7, a = cos(0.4), b = sin(0.4), root = sqrt(alpha);
   const struct ph_atph space = ph_atph_of(alpha);
   const ph_quat k = {0, 0, 0, 1}, turn = {cos(alpha), 0, 0, sin(alpha)};
@@ -126,12 +119,11 @@ START_TEST(test_helix) {
     ck_abs(s.torsion[i], 2 * b, 1e-13);
   }
 }
-END_TEST
 
 /* ---- what is not defined ------------------------------------------------ */
 
 /* A line in space has curvature 0 and no torsion, a plane curve torsion 0. */
-START_TEST(test_torsion) {
+PH_TEST(test_torsion) {
   const ph_quat line[3] = {
       {1, 0.5, 0.25, 2}, {1, 0.5, 0.25, 2}, {1, 0.5, 0.25, 2}};
   const ph_quat plane[3] = {{1, 0, 0, 0}, {1, 0, 0, 0.5}, {0.5, 0, 0, 1}};
@@ -150,7 +142,6 @@ START_TEST(test_torsion) {
     ck_abs(s.torsion[i], 0, 1e-14);
   }
 }
-END_TEST
 
 /* A cusp at `u`, w = (x - u) (1 + i x): the tangent goes on, as r' = w^2. */
 static void ck_standstill(double u) {
@@ -172,15 +163,14 @@ static void ck_standstill(double u) {
   }
 }
 
-START_TEST(test_standstill) {
+PH_TEST(test_standstill) {
   ck_standstill(0);
   ck_standstill(0.5);
   ck_standstill(1);
 }
-END_TEST
 
 /* More than are allowed are refused before there is memory for them. */
-START_TEST(test_too_many) {
+PH_TEST(test_too_many) {
   const size_t refused[] = {PH_SAMPLES_MAX, SIZE_MAX / 4, SIZE_MAX};
   const ph_cplx w[3] = {{2, 0}, {2, 0}, {2, 0}};
   struct unit_segments c;
@@ -189,11 +179,10 @@ START_TEST(test_too_many) {
   for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
     struct ph_sample_rules rules = {.how = PH_SAMPLE_PARAMETER,
                                     .n = refused[i]};
-    ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &arena, &s, &diag),
+    ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &unit_arena, &s, &diag),
                      PH_LIMIT);
   }
 }
-END_TEST
 
 /* ---- curves by chance --------------------------------------------------- */
 
@@ -230,7 +219,7 @@ static void ck_random(const struct ph_curve *curve, struct unit_random *r) {
   for (size_t k = 0; k < curve->n; k++) {
     double range = curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
     size_t first = (N + 1) * k, last = first + N;
-    struct ph_sampler sampler = unit_sampler(curve, NULL, k, &arena);
+    struct ph_sampler sampler = unit_sampler(curve, NULL, k, &unit_arena);
     ck_bend(&sampler, unit_random_in(r, 0.01, 0.99), 1e-6);
     for (size_t i = first; i <= last; i++) {
       double v = (double)(i - first) / N;
@@ -253,19 +242,18 @@ static void ck_random(const struct ph_curve *curve, struct unit_random *r) {
   ck_rel(s.s[s.n - 1], curve->length, 1e-15);
 }
 
-START_TEST(test_random) {
+PH_TEST(test_random) {
   struct unit_random r = unit_random_of(1300);
   for (int i = 0; i < unit_count(100); i++) {
     struct unit_curve3 c;
     unit_curve3_random(&c, 3, i % 2, 0.5, &r);
     ck_random(&c.curve, &r);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* The length to u is the integral of the speed. */
-START_TEST(test_length) {
+PH_TEST(test_length) {
   struct unit_random r = unit_random_of(1301);
   struct ph_quad rule;
   ck_assert(ph_quad_gauss(&rule, 20));
@@ -274,7 +262,7 @@ START_TEST(test_length) {
     struct ph_sampler sampler;
     struct unit_curve3 c;
     unit_curve3_random(&c, 1, i % 2, 1, &r);
-    sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
     for (size_t j = 0; j < rule.n; j++) {
       ph_quat a = unit_curve3_preimage(&c.curve, 0, u * rule.node[j]);
       sum += u * rule.weight[j] * ph_quat_dot(a, a);
@@ -282,10 +270,9 @@ START_TEST(test_length) {
     ck_abs(unit_length(&sampler, u), sum, 4e-15 * c.curve.length);
   }
 }
-END_TEST
 
 /* Powers of 2 scale every number without touching a digit. */
-START_TEST(test_scales) {
+PH_TEST(test_scales) {
   struct unit_random r = unit_random_of(1302);
   const int exponents[] = {-498, -200, 200, 498};
   struct unit_curve3 c, big;
@@ -318,7 +305,6 @@ START_TEST(test_scales) {
     }
   }
 }
-END_TEST
 
 /* ---- Bezier curves ------------------------------------------------------ */
 
@@ -338,7 +324,7 @@ static struct ph_curve bezier_of(double *p, size_t degree, size_t dimension,
 }
 
 /* (u, u^2): known in closed form. */
-START_TEST(test_parabola) {
+PH_TEST(test_parabola) {
   const int exponents[] = {0, -1000, 1000};
   for (size_t k = 0; k < sizeof exponents / sizeof exponents[0]; k++) {
     double unit = ldexp(1, exponents[k]);
@@ -358,10 +344,9 @@ START_TEST(test_parabola) {
     ck_abs(s.s[N], length, 0);
   }
 }
-END_TEST
 
 /* (u, u^2, u^3): curvature and torsion of the twisted cubic. */
-START_TEST(test_twisted_cubic) {
+PH_TEST(test_twisted_cubic) {
   double p[12] = {0, 0, 0, 1.0 / 3, 0, 0, 2.0 / 3, 1.0 / 3, 0, 1, 1, 1};
   double length = 1.8633;
   struct ph_curve c = bezier_of(p, 3, 3, &length);
@@ -373,10 +358,9 @@ START_TEST(test_twisted_cubic) {
     ck_rel(s.torsion[i], 3 / q, 1e-14);
   }
 }
-END_TEST
 
 /* Equal points at the ends: the curve starts and stops with speed 0. */
-START_TEST(test_bezier_rest) {
+PH_TEST(test_bezier_rest) {
   double p[8] = {0, 0, 0, 0, 3, 4, 3, 4}, q[8] = {1, 1, 1, 1, 1, 1, 5, 4};
   double length = 5;
   struct ph_curve c = bezier_of(p, 3, 2, &length);
@@ -392,10 +376,9 @@ START_TEST(test_bezier_rest) {
   ck_assert(isnan(s.curvature[0]));
   ck_abs(s.s[1], 5.0 / 64, 1e-14);
 }
-END_TEST
 
 /* The Bezier curve of an ATPH curve is sampled as that is. */
-START_TEST(test_bezier_curve) {
+PH_TEST(test_bezier_curve) {
   struct unit_random r = unit_random_of(1303);
   const double tolerance = 1e-8;
   for (int i = 0; i < unit_count(20); i++) {
@@ -404,9 +387,9 @@ START_TEST(test_bezier_curve) {
     struct ph_samples s;
     double error;
     unit_curve3_random(&c, 2, true, 0.3, &r);
-    ck_assert_int_eq(
-        ph_bezier_curve(&c.curve, tolerance, &arena, &bezier, &error, &diag),
-        PH_OK);
+    ck_assert_int_eq(ph_bezier_curve(&c.curve, tolerance, &unit_arena, &bezier,
+                                     &error, &diag),
+                     PH_OK);
     ck_assert_int_eq(bezier.kind, PH_CURVE_BEZIER);
     s = samples_of(&bezier, N);
     ck_rel(s.s[s.n - 1], c.curve.length, 1e-14);
@@ -421,20 +404,19 @@ START_TEST(test_bezier_curve) {
         before += c.curve.lengths[j];
       }
       u = (knot - c.curve.knots[k]) / (c.curve.knots[k + 1] - c.curve.knots[k]);
-      sampler = unit_sampler(&c.curve, NULL, k, &arena);
+      sampler = unit_sampler(&c.curve, NULL, k, &unit_arena);
       at = ph_sampler_at(&sampler, u);
       ck_vec3(vector(s.point, &s, (N + 1) * piece), at.point, tolerance);
       ck_vec3(vector(s.tangent, &s, (N + 1) * piece), at.tangent, 1e-12);
       ck_abs(s.s[(N + 1) * piece], before + unit_length(&sampler, u), 1e-12);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Tschirnhausen cubics: s = A t + (R - A) t^2 + M t^3/3, and the curvature is
  * 2 K/|w|^4. */
-START_TEST(test_cubics) {
+PH_TEST(test_cubics) {
   const double scales[] = {1, 1e-9, 1e9, 1e-150, 1e150};
   struct unit_random r = unit_random_of(556);
   for (size_t n = 0; n < 50; n++) {
@@ -475,28 +457,7 @@ START_TEST(test_cubics) {
     ck_rel(s.s[s.n - 1], c.curve.length, 4e-16);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sample");
-  TCase *tc = tcase_create("sample");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_line);
-  tcase_add_test(tc, test_circle);
-  tcase_add_test(tc, test_helix);
-  tcase_add_test(tc, test_torsion);
-  tcase_add_test(tc, test_standstill);
-  tcase_add_test(tc, test_too_many);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_length);
-  tcase_add_test(tc, test_scales);
-  tcase_add_test(tc, test_parabola);
-  tcase_add_test(tc, test_twisted_cubic);
-  tcase_add_test(tc, test_bezier_rest);
-  tcase_add_test(tc, test_bezier_curve);
-  tcase_add_test(tc, test_cubics);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_line, test_circle, test_helix, test_torsion, test_standstill,
+         test_too_many, test_random, test_length, test_scales, test_parabola,
+         test_twisted_cubic, test_bezier_rest, test_bezier_curve, test_cubics)

@@ -9,18 +9,13 @@
 
 enum { SEGMENTS = 3 };
 
-static struct ph_arena arena;
 static struct ph_diag diag;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 static struct ph_samples framed(const struct ph_curve *curve,
                                 enum ph_frame frame, size_t n) {
   const struct ph_sample_rules rules = {
       .how = PH_SAMPLE_PARAMETER, .n = n, .frame = frame};
-  struct ph_samples s = unit_samples(curve, rules, &arena);
+  struct ph_samples s = unit_samples(curve, rules, &unit_arena);
   ck_assert(s.normal && s.binormal);
   return s;
 }
@@ -61,14 +56,15 @@ static struct ph_curve any_curve(int i, struct unit_curve3 *c,
     return c->curve;
   }
   ck_assert_int_eq(
-      ph_bezier_curve(&c->curve, 1e-4, &arena, &bezier, &error, &diag), PH_OK);
+      ph_bezier_curve(&c->curve, 1e-4, &unit_arena, &bezier, &error, &diag),
+      PH_OK);
   return bezier;
 }
 
 /* ---- Frenet frames ------------------------------------------------------- */
 
 /* T' is along the normal: [T, T'] = kappa B. */
-START_TEST(test_frenet) {
+PH_TEST(test_frenet) {
   struct unit_random r = unit_random_of(1470);
   for (int i = 0; i < unit_count(30); i++) {
     enum { N = 1000 };
@@ -90,13 +86,12 @@ START_TEST(test_frenet) {
                2e-3 * (1 + s.curvature[at]));
       }
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Of a helix the normal is towards the axis. */
-START_TEST(test_helix) {
+PH_TEST(test_helix) {
   const struct unit_helix h = {1.3, 2, 0.7};
   struct unit_curve3 c;
   struct ph_samples s;
@@ -109,10 +104,9 @@ START_TEST(test_helix) {
             ph_vec3_of(-p[0] / h.a, -p[1] / h.a, 0), 1e-13);
   }
 }
-END_TEST
 
 /* A line has none. */
-START_TEST(test_line) {
+PH_TEST(test_line) {
   const ph_quat a = {1, 0.5, 0.25, 2}, line[3] = {a, a, a};
   struct unit_curve3 c;
   struct ph_samples s;
@@ -127,11 +121,10 @@ START_TEST(test_line) {
     ck_abs(s.normal[i], s.normal[i - 3], 1e-15);
   }
 }
-END_TEST
 
 /* ---- Euler-Rodrigues frames ---------------------------------------------- */
 
-START_TEST(test_erf) {
+PH_TEST(test_erf) {
   struct unit_random r = unit_random_of(1471);
   for (int i = 0; i < unit_count(60); i++) {
     enum { N = 20 };
@@ -149,10 +142,9 @@ START_TEST(test_erf) {
       ck_vec3(f[1], e[1], 1e-14);
       ck_vec3(f[2], e[2], 1e-14);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* ---- rotation-minimising frames ------------------------------------------ */
 
@@ -175,7 +167,7 @@ static double rotation(const struct ph_samples *s) {
   return most;
 }
 
-START_TEST(test_rmf) {
+PH_TEST(test_rmf) {
   struct unit_random r = unit_random_of(1472);
   for (int i = 0; i < unit_count(30); i++) {
     enum { N = 600 };
@@ -200,13 +192,12 @@ START_TEST(test_rmf) {
       ck_vec3(ph_vec3_get(s.normal, 3),
               ph_vec3_any_normal(ph_vec3_get(s.tangent, 3)), 1e-14);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* The frame does not depend on where samples are taken. */
-START_TEST(test_rmf_anywhere) {
+PH_TEST(test_rmf_anywhere) {
   struct unit_random r = unit_random_of(1473);
   for (int i = 0; i < unit_count(30); i++) {
     struct unit_curve3 c;
@@ -217,17 +208,16 @@ START_TEST(test_rmf_anywhere) {
     unit_curve3_random(&c, SEGMENTS, i % 2, 0.8, &r);
     s = framed(&c.curve, PH_FRAME_RMF, 7);
     rules.spacing = 0.7 * c.curve.length; /* segments without samples */
-    t = unit_samples(&c.curve, rules, &arena);
+    t = unit_samples(&c.curve, rules, &unit_arena);
     frame_of(&s, s.n - 1, f);
     frame_of(&t, t.n - 1, g);
     ck_vec3(f[1], g[1], 1e-15);
   }
 }
-END_TEST
 
 /* A = (u - 1/2) a + (u - 1/2)^2 b stands still, and goes on as it came; how it
  * turns there is not known to any digit. */
-START_TEST(test_standstill) {
+PH_TEST(test_standstill) {
   enum { N = 2000 };
   const struct ph_sample_rules rules = {
       .how = PH_SAMPLE_PARAMETER, .n = N, .frame = PH_FRAME_RMF};
@@ -242,14 +232,13 @@ START_TEST(test_standstill) {
     ck_vec3(ph_vec3_get(s.normal + 3 * j, 3),
             ph_vec3_get(s.normal + 3 * j - 3, 3), 1e-2);
   }
-  ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &arena, &s, &diag),
+  ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &unit_arena, &s, &diag),
                    PH_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }
-END_TEST
 
 /* ph_seg3_twist is the same by other means. */
-START_TEST(test_twist) {
+PH_TEST(test_twist) {
   struct unit_random r = unit_random_of(1474);
   struct ph_quad rule;
   ck_assert(ph_quad_gauss(&rule, 12));
@@ -268,11 +257,10 @@ START_TEST(test_twist) {
     ck_vec3(ph_vec3_get(s.normal + 3, 3), normal, 1e-11);
   }
 }
-END_TEST
 
 /* ---- on a sphere --------------------------------------------------------- */
 
-START_TEST(test_sphere) {
+PH_TEST(test_sphere) {
   const ph_vec3 center = {1e6, -3, 2};
   struct unit_random r = unit_random_of(1475);
   for (int i = 0; i < unit_count(30); i++) {
@@ -294,10 +282,9 @@ START_TEST(test_sphere) {
       ck_abs(ph_vec3_dot(g[1], f[1]), kappa / hypot(kappa, 0.25), 1e-14);
       ck_abs(ph_vec3_dot(g[1], f[2]), -0.25 / hypot(kappa, 0.25), 1e-14);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* ---- refusals ------------------------------------------------------------ */
 
@@ -306,11 +293,12 @@ static void ck_refused(const struct ph_curve *curve, enum ph_frame frame,
   const struct ph_sample_rules rules = {
       .how = PH_SAMPLE_PARAMETER, .n = 3, .frame = frame};
   struct ph_samples s;
-  ck_assert_int_eq(ph_sample_curve(curve, &rules, &arena, &s, &diag), status);
+  ck_assert_int_eq(ph_sample_curve(curve, &rules, &unit_arena, &s, &diag),
+                   status);
   ck_assert_str_eq(diag.message, message);
 }
 
-START_TEST(test_refusals) {
+PH_TEST(test_refusals) {
   struct unit_random r = unit_random_of(1476);
   struct unit_curve3 c;
   struct ph_curve curve;
@@ -327,24 +315,7 @@ START_TEST(test_refusals) {
              "Bezier curves have no preimage and no Euler-Rodrigues frame: ask "
              "for the frame without the conversion");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sample_frame");
-  TCase *tc = tcase_create("sample_frame");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_frenet);
-  tcase_add_test(tc, test_helix);
-  tcase_add_test(tc, test_line);
-  tcase_add_test(tc, test_erf);
-  tcase_add_test(tc, test_rmf);
-  tcase_add_test(tc, test_rmf_anywhere);
-  tcase_add_test(tc, test_standstill);
-  tcase_add_test(tc, test_twist);
-  tcase_add_test(tc, test_sphere);
-  tcase_add_test(tc, test_refusals);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_frenet, test_helix, test_line, test_erf, test_rmf,
+         test_rmf_anywhere, test_standstill, test_twist, test_sphere,
+         test_refusals)

@@ -17,12 +17,6 @@
 
 enum { STEPS = 24, CURVES = 200 };
 
-static struct ph_arena arena;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 /* The offset with its cusps, for samplers. */
 static struct ph_offset offset_of(const struct ph_curve *curve, double distance,
                                   enum ph_normal normal) {
@@ -31,7 +25,7 @@ static struct ph_offset offset_of(const struct ph_curve *curve, double distance,
   offset.dimension = curve->dimension;
   offset.vector = curve->dimension == 2 ? NULL : normal == PH_E2 ? "e2" : "e3";
   ck_assert_int_eq(
-      ph_cusps_of(curve, distance, normal, &arena, &offset.cusps, &diag),
+      ph_cusps_of(curve, distance, normal, &unit_arena, &offset.cusps, &diag),
       PH_OK);
   return offset;
 }
@@ -45,7 +39,7 @@ static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
 /* ---- known offsets ------------------------------------------------------- */
 
 /* Circles about the center (0, radius): of radius - d, beyond it reversed. */
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   static const double angles[] = {0.1, 1, 2, 3, 3.1};
   static const double distances[] = {-20, -1, -1e-6, 0.3, 2.9, 3.1, 50};
   const double radius = 3;
@@ -58,7 +52,7 @@ START_TEST(test_circle) {
     unit_circle(angle, radius, &c);
     offset = offset_of(&c.curve, d, PH_E2);
     ck_assert_uint_eq(offset.cusps.n, 0);
-    sampler = unit_sampler(&c.curve, &offset, 0, &arena);
+    sampler = unit_sampler(&c.curve, &offset, 0, &unit_arena);
     ck_abs(sampler.length, 2 * angle * fabs(rest), 4e-15 * angle * size);
     for (int i = 0; i <= STEPS; i++) {
       double u = (double)i / STEPS, turn = 2 * angle * u, speed;
@@ -73,12 +67,11 @@ START_TEST(test_circle) {
       ck_vec3(at.tangent, ph_vec3_scale(rest > 0 ? 1 : -1, t), 4e-15);
       ck_rel(at.curvature, 1 / fabs(rest), 4e-13 * size / fabs(rest));
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
-START_TEST(test_line) {
+PH_TEST(test_line) {
   const ph_cplx w[3] = {{2, 0}, {3, 0}, {2, 0}};
   struct ph_seg2 seg = unit_seg2(0, w);
   struct unit_segments c;
@@ -87,8 +80,8 @@ START_TEST(test_line) {
   unit_seg2_curve(&seg, 1, &c);
   c.lengths[0] = seg.end.re;
   offset = offset_of(&c.curve, -0.75, PH_E2);
-  curve = unit_sampler(&c.curve, NULL, 0, &arena);
-  moved = unit_sampler(&c.curve, &offset, 0, &arena);
+  curve = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+  moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
   ck_rel(moved.length, seg.end.re, 4e-16);
   for (int i = 0; i <= STEPS; i++) {
     double u = (double)i / STEPS;
@@ -100,11 +93,10 @@ START_TEST(test_line) {
     ck_abs(at.curvature, 0, 0);
   }
 }
-END_TEST
 
 /* The frame turns about z as the helix does: so do e2 and e3, and the offsets
  * are helices of other radii that climb as much. */
-START_TEST(test_helix) {
+PH_TEST(test_helix) {
   static const double angles[] = {0.3, 1, 2, 3};
   for (size_t n = 0; n < 16; n++) {
     const struct unit_helix h = {angles[n % 4], 0.7, 0.4};
@@ -120,7 +112,7 @@ START_TEST(test_helix) {
     struct ph_sampler sampler;
     unit_helix_curve(&h, &c);
     offset = offset_of(&c.curve, d, normal);
-    sampler = unit_sampler(&c.curve, &offset, 0, &arena);
+    sampler = unit_sampler(&c.curve, &offset, 0, &unit_arena);
     for (int i = 0; i <= STEPS; i++) {
       double u = (double)i / STEPS, turn = 2 * h.alpha * u + before;
       struct ph_sample at = ph_sampler_at(&sampler, u);
@@ -135,7 +127,6 @@ START_TEST(test_helix) {
     }
   }
 }
-END_TEST
 
 /* ---- by definition ------------------------------------------------------- */
 
@@ -243,7 +234,7 @@ static bool slow(const struct ph_curve *curve, size_t k) {
   return least < 1e-3 * most;
 }
 
-START_TEST(test_plane) {
+PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(1400);
   size_t several = 0, turning = 0;
   for (int n = 0; n < unit_count(CURVES); n++) {
@@ -254,8 +245,8 @@ START_TEST(test_plane) {
     unit_seg2_curve(&seg, 1, &c);
     c.lengths[0] = ph_ph2_length(&seg.space, seg.w);
     offset = offset_of(&c.curve, unit_random_in(&r, -2, 2), PH_E2);
-    curve = unit_sampler(&c.curve, NULL, 0, &arena);
-    moved = unit_sampler(&c.curve, &offset, 0, &arena);
+    curve = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+    moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
     for (int i = 0; i <= STEPS; i++) {
       ck_place(&curve, &moved, (double)i / STEPS);
     }
@@ -264,16 +255,15 @@ START_TEST(test_plane) {
       several += offset.cusps.n > 1;
       turning += fabs(ph_seg2_rotation(&seg, NULL)) > 3.5;
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_uint_ge(several, (size_t)unit_count(CURVES) / 20);
   ck_assert_uint_ge(turning, (size_t)unit_count(CURVES) / 20);
 }
-END_TEST
 
 /* Cubics with a loop turn by nearly a whole turn next to their vertex, others
  * by more than half of one in each half. */
-START_TEST(test_turns) {
+PH_TEST(test_turns) {
   static const double gaps[] = {0.3, 0.05, 0.01};
   static const double places[] = {0.1, 0.25, 0.5, 0.8};
   for (size_t n = 0; n < 24; n++) {
@@ -298,20 +288,19 @@ START_TEST(test_turns) {
     c.lengths[0] = ph_ph2_length(&seg.space, seg.w);
     ck_assert(fabs(ph_seg2_rotation(&seg, NULL)) > 4);
     offset = offset_of(&c.curve, d, PH_E2);
-    moved = unit_sampler(&c.curve, &offset, 0, &arena);
+    moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
     for (int i = 1; i <= STEPS; i++) {
       double u = (double)i / STEPS;
       length = quadrature(&m, &offset.cusps, 0, u, 1e-15);
       ck_rel(unit_length(&moved, u), length, 1e-13);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* At a cusp there is no curvature, and the tangent is that of what follows. The
  * curve w = 1 + v i, v in [-1,1], has the curvature 4 / |w|^4. */
-START_TEST(test_at_cusp) {
+PH_TEST(test_at_cusp) {
   const ph_cplx w[3] = {{1, -1}, {1, 0}, {1, 1}};
   struct ph_seg2 seg = unit_seg2(0, w);
   struct unit_segments c;
@@ -321,8 +310,8 @@ START_TEST(test_at_cusp) {
   c.lengths[0] = ph_ph2_length(&seg.space, seg.w);
   offset = offset_of(&c.curve, 0.5, PH_E2);
   ck_assert_uint_eq(offset.cusps.n, 2);
-  curve = unit_sampler(&c.curve, NULL, 0, &arena);
-  moved = unit_sampler(&c.curve, &offset, 0, &arena);
+  curve = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+  moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
   for (size_t i = 0; i < 2; i++) {
     const double u = offset.cusps.at[i].u, way = i == 0 ? -1 : 1;
     ph_vec3 t = ph_sampler_at(&curve, u).tangent;
@@ -336,11 +325,10 @@ START_TEST(test_at_cusp) {
     ck_assert(near.curvature > 1e6);
   }
 }
-END_TEST
 
 /* Cubics at any size, entered in any order, and where one cusp is at a joint.
  */
-START_TEST(test_cubics) {
+PH_TEST(test_cubics) {
   static const double scales[] = {1, 1e-150, 1e150};
   struct unit_random r = unit_random_of(1401);
   for (int n = 0; n < unit_count(CURVES) / 2; n++) {
@@ -351,8 +339,8 @@ START_TEST(test_cubics) {
     offset = offset_of(&c.curve, scale * unit_random_in(&r, -2, 2), PH_E2);
     for (size_t i = 0; i < 3; i++) {
       const size_t k = 2 - i;
-      struct ph_sampler curve = unit_sampler(&c.curve, NULL, k, &arena);
-      struct ph_sampler moved = unit_sampler(&c.curve, &offset, k, &arena);
+      struct ph_sampler curve = unit_sampler(&c.curve, NULL, k, &unit_arena);
+      struct ph_sampler moved = unit_sampler(&c.curve, &offset, k, &unit_arena);
       struct ph_sampler single;
       const double *w = c.preimage + 4 * k;
       for (int j = 0; scale < 2 && scale > 0.5 && j <= STEPS; j++) {
@@ -361,18 +349,17 @@ START_TEST(test_cubics) {
       unit_cubics_begin(&one, ph_cplx_of(0, 0));
       unit_cubics_add(&one, ph_cplx_of(w[0], w[1]), ph_cplx_of(w[2], w[3]));
       alone = offset_of(&one.curve, offset.distance, PH_E2);
-      single = unit_sampler(&one.curve, &alone, 0, &arena);
+      single = unit_sampler(&one.curve, &alone, 0, &unit_arena);
       ck_rel(moved.length, single.length, 0);
       ck_assert(isfinite(moved.length));
       ck_abs(unit_length(&moved, 0.3), unit_length(&single, 0.3), 0);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* A cusp at the joint of a closed curve is the last of them, on segment 0. */
-START_TEST(test_closed) {
+PH_TEST(test_closed) {
   const ph_cplx w[3] = {{1, -1}, {1, 0}, {1, 1}};
   struct ph_seg2 seg[2] = {unit_seg2(0, w), unit_seg2(0, w)};
   struct unit_segments c;
@@ -390,13 +377,12 @@ START_TEST(test_closed) {
   offset.cusps.at = at;
   offset.cusps.n = 5;
   for (size_t k = 0; k < 2; k++) {
-    moved = unit_sampler(&c.curve, &offset, k, &arena);
-    plain = unit_sampler(&c.curve, &without, k, &arena);
+    moved = unit_sampler(&c.curve, &offset, k, &unit_arena);
+    plain = unit_sampler(&c.curve, &without, k, &unit_arena);
     ck_abs(moved.length, plain.length, 0);
     ck_abs(unit_length(&moved, 0.6), unit_length(&plain, 0.6), 0);
   }
 }
-END_TEST
 
 /* ---- in space ------------------------------------------------------------ */
 
@@ -429,7 +415,7 @@ static void ck_bend(const struct ph_sampler *sampler, double u, double tol) {
          tol * (1 + fabs(at.torsion * square)));
 }
 
-START_TEST(test_space) {
+PH_TEST(test_space) {
   struct unit_random r = unit_random_of(1402);
   for (int n = 0; n < unit_count(CURVES) / 2; n++) {
     const enum ph_normal normal = n % 2 ? PH_E2 : PH_E3;
@@ -439,8 +425,8 @@ START_TEST(test_space) {
     unit_curve3_random(&c, 2, n % 3 != 0, 0.5, &r);
     offset = offset_of(&c.curve, unit_random_in(&r, -0.3, 0.3), normal);
     for (size_t k = 0; k < 2; k++) {
-      curve = unit_sampler(&c.curve, NULL, k, &arena);
-      moved = unit_sampler(&c.curve, &offset, k, &arena);
+      curve = unit_sampler(&c.curve, NULL, k, &unit_arena);
+      moved = unit_sampler(&c.curve, &offset, k, &unit_arena);
       for (int i = 0; i <= STEPS; i++) {
         double u = (double)i / STEPS;
         ck_place(&curve, &moved, u);
@@ -451,14 +437,13 @@ START_TEST(test_space) {
       ck_lengths(&moved, normal);
       ck_bend(&moved, unit_random_in(&r, 0.01, 0.99), 1e-5);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Near to where a curve nearly stands still, and at distances at which the
  * offset nearly does. */
-START_TEST(test_wild) {
+PH_TEST(test_wild) {
   struct unit_random r = unit_random_of(1403);
   size_t some = 0;
   for (int n = 0; n < unit_count(CURVES) / 4; n++) {
@@ -468,20 +453,19 @@ START_TEST(test_wild) {
     struct ph_sampler moved;
     unit_curve3_random(&c, 1, n % 3 != 0, 1.5, &r);
     offset = offset_of(&c.curve, unit_random_in(&r, -2, 2), normal);
-    moved = unit_sampler(&c.curve, &offset, 0, &arena);
+    moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
     if (!slow(&c.curve, 0)) {
       ck_lengths(&moved, normal);
       some += offset.cusps.n > 0;
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_uint_ge(some, (size_t)unit_count(CURVES) / 4 / 10);
 }
-END_TEST
 
 /* A plane curve that is taken in space has the same offset along e2, cusps and
  * all; its curvature is without a sign. */
-START_TEST(test_plane_in_space) {
+PH_TEST(test_plane_in_space) {
   struct unit_random r = unit_random_of(1404);
   for (int n = 0; n < unit_count(CURVES) / 4; n++) {
     const double alpha = unit_random_in(&r, 0.1, 3);
@@ -503,8 +487,8 @@ START_TEST(test_plane_in_space) {
     unit_curve3_of(&c3, 1, &alpha, a, ph_vec3_of(0, 0, 0));
     offset = offset_of(&c.curve, unit_random_in(&r, -2, 2), PH_E2);
     offset3 = offset_of(&c3.curve, offset.distance, PH_E2);
-    plane = unit_sampler(&c.curve, &offset, 0, &arena);
-    space = unit_sampler(&c3.curve, &offset3, 0, &arena);
+    plane = unit_sampler(&c.curve, &offset, 0, &unit_arena);
+    space = unit_sampler(&c3.curve, &offset3, 0, &unit_arena);
     ck_rel(space.length, plane.length,
            1e-13 * (1 + c.lengths[0] / plane.length));
     for (int i = 0; i <= STEPS; i++) {
@@ -524,14 +508,13 @@ START_TEST(test_plane_in_space) {
       ck_vec3(s.tangent, ph_sampler_at(&plane, u).tangent, 1e-12);
       ck_assert(isnan(s.curvature) && isnan(s.torsion));
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* A line in space, its frame turning or not, has a straight offset or one that
  * winds about it. */
-START_TEST(test_line_in_space) {
+PH_TEST(test_line_in_space) {
   const ph_quat a[3] = {
       {1, 0.5, 0.25, 2}, {1, 0.5, 0.25, 2}, {1, 0.5, 0.25, 2}};
   struct unit_curve3 c;
@@ -539,7 +522,7 @@ START_TEST(test_line_in_space) {
   struct ph_sampler moved;
   unit_curve3_of(&c, 1, NULL, a, ph_vec3_of(0, 0, 0));
   offset = offset_of(&c.curve, 0.5, PH_E3);
-  moved = unit_sampler(&c.curve, &offset, 0, &arena);
+  moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
   ck_rel(moved.length, c.lengths[0], 4e-16);
   for (int i = 0; i <= STEPS; i++) {
     struct ph_sample at = ph_sampler_at(&moved, (double)i / STEPS);
@@ -547,26 +530,7 @@ START_TEST(test_line_in_space) {
     ck_assert(isnan(at.torsion));
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sample_offset");
-  TCase *tc = tcase_create("sample_offset");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_circle);
-  tcase_add_test(tc, test_line);
-  tcase_add_test(tc, test_helix);
-  tcase_add_test(tc, test_plane);
-  tcase_add_test(tc, test_turns);
-  tcase_add_test(tc, test_at_cusp);
-  tcase_add_test(tc, test_cubics);
-  tcase_add_test(tc, test_closed);
-  tcase_add_test(tc, test_space);
-  tcase_add_test(tc, test_wild);
-  tcase_add_test(tc, test_plane_in_space);
-  tcase_add_test(tc, test_line_in_space);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_circle, test_line, test_helix, test_plane, test_turns,
+         test_at_cusp, test_cubics, test_closed, test_space, test_wild,
+         test_plane_in_space, test_line_in_space)

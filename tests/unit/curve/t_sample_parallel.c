@@ -13,20 +13,15 @@ enum { N = 10 };
 
 static const double DEGREE = PH_PI / 180;
 
-static struct ph_arena arena;
 static struct ph_diag diag;
 static const struct ph_sample_rules even = {.how = PH_SAMPLE_PARAMETER, .n = N};
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 static struct ph_offset offset_by(const struct ph_curve *curve, double distance,
                                   struct ph_sample_rules samples) {
   const struct ph_offset_rules by = {.tolerance = 1e-9, .samples = samples};
   struct ph_offset o;
-  ck_assert_int_eq(ph_offset_spherical(curve, distance, &by, &arena, &o, &diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_offset_spherical(curve, distance, &by, &unit_arena, &o, &diag), PH_OK);
   ck_rel(o.samples.s[o.samples.n - 1], o.length, 0);
   return o;
 }
@@ -52,7 +47,7 @@ static double integral(const struct ph_quad *rule, const struct ph_curve *curve,
   return sum;
 }
 
-START_TEST(test_length) {
+PH_TEST(test_length) {
   struct unit_random r = unit_random_of(1323);
   struct ph_quad rule;
   ck_assert(ph_quad_gauss(&rule, 20));
@@ -72,10 +67,9 @@ START_TEST(test_length) {
       sum += integral(&rule, &c.curve, k, from, 1, d);
       ck_abs(o.samples.s[(N + 1) * k + N], sum, 1e-13 * (c.curve.length + sum));
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* A sample is at the distance from its place on the curve. */
 static void ck_beside(const struct ph_curve *curve, const struct ph_offset *o,
@@ -86,7 +80,7 @@ static void ck_beside(const struct ph_curve *curve, const struct ph_offset *o,
 }
 
 /* Equally spaced along the offset, which is not longer than its chords say. */
-START_TEST(test_spacing) {
+PH_TEST(test_spacing) {
   struct unit_random r = unit_random_of(1324);
   for (int i = 0; i < unit_count(20); i++) {
     const double d = unit_random_in(&r, -2, 2);
@@ -109,14 +103,13 @@ START_TEST(test_spacing) {
                   by.spacing * (1 + 1e-12));
       }
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Parallels of a great circle at one speed: equal spacing is that of longitude.
  */
-START_TEST(test_spacing_latitude) {
+PH_TEST(test_spacing_latitude) {
   const double d = 50 * DEGREE, length = 60 * DEGREE * cos(d);
   const struct ph_sample_rules by = {.how = PH_SAMPLE_SPACING,
                                      .spacing = length / 12};
@@ -135,11 +128,10 @@ START_TEST(test_spacing_latitude) {
     ck_abs(o.samples.curvature[i], tan(d), 1e-13);
   }
 }
-END_TEST
 
 /* No place of the offset is farther from the chord over it than asked for, and
  * cusps are samples. */
-START_TEST(test_chords) {
+PH_TEST(test_chords) {
   enum { LOOKS = 16 };
   struct unit_random r = unit_random_of(1325);
   for (int i = 0; i < unit_count(20); i++) {
@@ -172,21 +164,8 @@ START_TEST(test_chords) {
       }
     }
     ck_assert_uint_eq(cusps, o.cusps.n);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sample_parallel");
-  TCase *tc = tcase_create("sample_parallel");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_length);
-  tcase_add_test(tc, test_spacing);
-  tcase_add_test(tc, test_spacing_latitude);
-  tcase_add_test(tc, test_chords);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_length, test_spacing, test_spacing_latitude, test_chords)

@@ -14,15 +14,9 @@
 
 enum { STEPS = 32, CURVES = 100 };
 
-static struct ph_arena arena;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 /* ---- known curves -------------------------------------------------------- */
 
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   static const double angles[] = {1e-6, 0.1, 1, 2, 3, 3.1};
   static const double radii[] = {1e-150, 0.37, 1, 5, 1e150};
   for (size_t n = 0; n < 30; n++) {
@@ -30,7 +24,7 @@ START_TEST(test_circle) {
     struct unit_segments c;
     struct ph_sampler sampler;
     unit_circle(angle, radius, &c);
-    sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
     ck_rel(sampler.length, 2 * radius * angle, 4e-16);
     for (int i = 0; i <= STEPS; i++) {
       double u = (double)i / STEPS, turn = 2 * angle * u, speed;
@@ -44,13 +38,12 @@ START_TEST(test_circle) {
       ck_abs(at.tangent.y, sin(turn), 4e-15);
       ck_rel(at.curvature * radius, 1, angle < 0.01 ? 1e-9 : 1e-13);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* (cos t + sin t k) A0 turns A0 i A0* about z: a helix. */
-START_TEST(test_helix) {
+PH_TEST(test_helix) {
   static const double angles[] = {0.1, 1, 2, 3, 3.1};
   for (size_t n = 0; n < 5; n++) {
     const struct unit_helix h = {angles[n], 0.7, 0.4};
@@ -58,7 +51,7 @@ START_TEST(test_helix) {
     struct unit_curve3 c;
     struct ph_sampler sampler;
     unit_helix_curve(&h, &c);
-    sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
     for (int i = 0; i <= STEPS; i++) {
       double u = (double)i / STEPS, speed;
       double s = ph_sampler_length(&sampler, u, &speed);
@@ -72,10 +65,9 @@ START_TEST(test_helix) {
     }
   }
 }
-END_TEST
 
 /* A line that is run through with changing speed, w = (1 + u)^2 e^(i angle). */
-START_TEST(test_line) {
+PH_TEST(test_line) {
   const ph_cplx e = ph_cplx_polar(0.3), e2 = ph_cplx_polar(0.6);
   const ph_cplx w[3] = {e, ph_cplx_scale(2, e), ph_cplx_scale(4, e)};
   struct ph_seg2 seg = unit_seg2(0, w);
@@ -83,7 +75,7 @@ START_TEST(test_line) {
   struct ph_sampler sampler;
   unit_seg2_curve(&seg, 1, &c);
   c.lengths[0] = 31.0 / 5;
-  sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+  sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
   for (int i = 0; i <= STEPS; i++) {
     double u = (double)i / STEPS, v = 1 + u, speed;
     double s = ph_sampler_length(&sampler, u, &speed);
@@ -97,17 +89,16 @@ START_TEST(test_line) {
     ck_abs(at.curvature, 0, 1e-15);
   }
 }
-END_TEST
 
 /* Cubics by the formulas of curve/segment/tc.h, for the part up to u. */
-START_TEST(test_cubics) {
+PH_TEST(test_cubics) {
   struct unit_random r = unit_random_of(1380);
   for (int n = 0; n < unit_count(CURVES); n++) {
     struct unit_cubics c;
     struct ph_sampler sampler;
     struct ph_tc tc;
     unit_cubics_random(&c, &r, 1, 1, ph_cplx_of(0, 0));
-    sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
     tc.w[0] = ph_cplx_of(c.preimage[0], c.preimage[1]);
     tc.w[1] = ph_cplx_of(c.preimage[2], c.preimage[3]);
     for (int i = 1; i <= STEPS; i++) {
@@ -128,7 +119,6 @@ START_TEST(test_cubics) {
     }
   }
 }
-END_TEST
 
 /* ---- curves by chance ---------------------------------------------------- */
 
@@ -174,21 +164,20 @@ static void ck_lengths(const struct ph_sampler *sampler) {
   ck_rel(unit_length(sampler, 1e-9), quadrature(curve, 0, 1e-9), 4e-15);
 }
 
-START_TEST(test_lengths) {
+PH_TEST(test_lengths) {
   struct unit_random r = unit_random_of(1381);
   for (int i = 0; i < unit_count(CURVES); i++) {
     struct unit_curve3 c;
     struct ph_sampler sampler;
     unit_curve3_random(&c, 1, i % 2, i % 3 ? 1 : 3, &r);
-    sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
     ck_lengths(&sampler);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Near-cusps: A passes at `gap` from 0 at u0, for angles up to nearly pi. */
-START_TEST(test_near_cusps) {
+PH_TEST_EACH(test_near_cusps, 5) {
   static const double angles[] = {0, 0.5, 2, 3.1, 3.14159};
   static const double gaps[] = {1e-2, 1e-4, 1e-8, 1e-12, 0};
   struct unit_random r = unit_random_of(1382);
@@ -217,45 +206,29 @@ START_TEST(test_near_cusps) {
     a[most] = ph_quat_scale(1 / b[most], a[most]);
     a[1] = ph_quat_scale(1 / cos(angle / 2), a[1]);
     unit_curve3_of(&c, 1, angle > 0 ? &angle : NULL, a, ph_vec3_of(0, 0, 0));
-    sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
     ck_lengths(&sampler);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Points are good to some eps of what they are sums of. */
-START_TEST(test_points) {
+PH_TEST(test_points) {
   struct unit_random r = unit_random_of(1383);
   for (int i = 0; i < unit_count(CURVES); i++) {
     struct unit_curve3 c;
     struct ph_sampler sampler;
     unit_curve3_random(&c, 1, false, 2, &r);
-    sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
     for (int k = 0; k <= STEPS; k++) {
       double u = (double)k / STEPS;
       ph_vec3 at = unit_bezier3(c.control_points, 5, 0, u);
       ck_abs(unit_apart3(ph_sampler_at(&sampler, u).point, at), 0,
              8e-16 * (4 + c.curve.length));
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sample_ph");
-  TCase *tc = tcase_create("sample_ph");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_circle);
-  tcase_add_test(tc, test_helix);
-  tcase_add_test(tc, test_line);
-  tcase_add_test(tc, test_cubics);
-  tcase_add_test(tc, test_lengths);
-  tcase_add_loop_test(tc, test_near_cusps, 0, 5);
-  tcase_add_test(tc, test_points);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_circle, test_helix, test_line, test_cubics, test_lengths,
+         test_near_cusps, test_points)

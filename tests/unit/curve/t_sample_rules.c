@@ -7,23 +7,18 @@
 #include "curve/offset/cusp.h"
 #include "kernel/pi.h"
 
-static struct ph_arena arena;
 static struct ph_diag diag;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 static struct ph_samples spaced(const struct ph_curve *curve, double spacing) {
   const struct ph_sample_rules rules = {.how = PH_SAMPLE_SPACING,
                                         .spacing = spacing};
-  return unit_samples(curve, rules, &arena);
+  return unit_samples(curve, rules, &unit_arena);
 }
 
 static struct ph_samples chords(const struct ph_curve *curve, double error) {
   const struct ph_sample_rules rules = {.how = PH_SAMPLE_CHORD,
                                         .chord_error = error};
-  return unit_samples(curve, rules, &arena);
+  return unit_samples(curve, rules, &unit_arena);
 }
 
 /* A line along x, of length 4, in n <= 3 segments. */
@@ -83,7 +78,7 @@ static void ck_line(const struct ph_samples *s, double spacing, size_t n) {
   }
 }
 
-START_TEST(test_line_spacing) {
+PH_TEST(test_line_spacing) {
   static const struct {
     double spacing;
     size_t n;
@@ -111,14 +106,13 @@ START_TEST(test_line_spacing) {
       ck_line(&s, cases[i].spacing, cases[i].n);
       ck_assert_uint_eq(s.segment[s.n - 1], segments - 1);
       ck_abs(s.t[s.n - 1], 1, 0);
-      ph_arena_reset(&arena);
+      ph_arena_reset(&unit_arena);
     }
   }
 }
-END_TEST
 
 /* A place at a joint is the start of what follows, rounding or not. */
-START_TEST(test_joint_spacing) {
+PH_TEST(test_joint_spacing) {
   struct unit_segments c;
   struct ph_samples s;
   line_of(2, &c);
@@ -135,10 +129,9 @@ START_TEST(test_joint_spacing) {
     ck_assert(i % 4 || unit_same(s.t[i], 0));
   }
 }
-END_TEST
 
 /* Around a circle; the start is there again as the end. */
-START_TEST(test_circle_spacing) {
+PH_TEST(test_circle_spacing) {
   const double radii[] = {1, 1e-9, 1e9};
   for (size_t k = 0; k < sizeof radii / sizeof radii[0]; k++) {
     const double radius = radii[k], step = radius / 7;
@@ -156,10 +149,9 @@ START_TEST(test_circle_spacing) {
     }
   }
 }
-END_TEST
 
 /* As long as a cusp, where the speed is 0: s - s_0 goes as (u - u_0)^3. */
-START_TEST(test_cusp_spacing) {
+PH_TEST(test_cusp_spacing) {
   struct unit_cubics c;
   struct ph_samples s;
   unit_cubics_begin(&c, ph_cplx_of(0, 0));
@@ -171,11 +163,10 @@ START_TEST(test_cusp_spacing) {
     ck_abs(s.t[i], 0.5 + w / 2, i == 32 ? 3e-5 : 1e-13);
   }
 }
-END_TEST
 
 /* ---- chords -------------------------------------------------------------- */
 
-START_TEST(test_line_chords) {
+PH_TEST(test_line_chords) {
   const double errors[] = {1e-12, 1e-9, 1, 1e300};
   for (size_t segments = 1; segments <= 3; segments++) {
     for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++) {
@@ -192,10 +183,9 @@ START_TEST(test_line_chords) {
     }
   }
 }
-END_TEST
 
 /* Chords of a circle are equal, and nearly the longest ones that may be. */
-START_TEST(test_circle_chords) {
+PH_TEST(test_circle_chords) {
   struct unit_segments c;
   circle_of(2, &c);
   for (double error = 1e-2; error > 1e-9; error /= 3) {
@@ -208,22 +198,20 @@ START_TEST(test_circle_chords) {
     for (size_t i = 0; i < s.n; i++) {
       ck_abs(s.s[i], (double)i * step, 1e-9 * c.curve.length);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* All of a short curve is as near to its ends as may be. */
-START_TEST(test_short) {
+PH_TEST(test_short) {
   struct unit_segments c;
   circle_of(1, &c);
   ck_assert_uint_eq(chords(&c.curve, 1.1).n, 4);
 }
-END_TEST
 
 /* ---- offsets ------------------------------------------------------------- */
 
-START_TEST(test_circle_offset) {
+PH_TEST(test_circle_offset) {
   const double distances[] = {0.5, -3, 2.5};
   for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
     const double d = distances[i], radius = fabs(2 - d);
@@ -231,13 +219,13 @@ START_TEST(test_circle_offset) {
     struct ph_offset o = {.distance = d, .dimension = 2};
     struct unit_segments c;
     circle_of(2, &c);
-    ck_assert_int_eq(ph_sample_offset(&c.curve, &rules, &arena, &o, &diag),
+    ck_assert_int_eq(ph_sample_offset(&c.curve, &rules, &unit_arena, &o, &diag),
                      PH_OK);
     ck_rel(o.length, 2 * PH_PI * radius, 1e-14);
     ck_assert_uint_eq(o.samples.n, (size_t)ceil(o.length / 0.01) + 1);
     rules.how = PH_SAMPLE_CHORD;
     rules.chord_error = 1e-4;
-    ck_assert_int_eq(ph_sample_offset(&c.curve, &rules, &arena, &o, &diag),
+    ck_assert_int_eq(ph_sample_offset(&c.curve, &rules, &unit_arena, &o, &diag),
                      PH_OK);
     for (size_t k = 0; k < o.samples.n; k++) {
       const double *p = o.samples.point + 2 * k;
@@ -245,10 +233,9 @@ START_TEST(test_circle_offset) {
     }
   }
 }
-END_TEST
 
 /* Cusps of an offset are among its chords. */
-START_TEST(test_offset_cusps) {
+PH_TEST(test_offset_cusps) {
   struct unit_random r = unit_random_of(1460);
   size_t some = 0;
   for (int n = 0; n < unit_count(50); n++) {
@@ -260,9 +247,9 @@ START_TEST(test_offset_cusps) {
     size_t found = 0;
     unit_cubics_random(&c, &r, 4, 1, ph_cplx_of(0, 0));
     ck_assert_int_eq(
-        ph_cusps_of(&c.curve, o.distance, PH_E2, &arena, &o.cusps, &diag),
+        ph_cusps_of(&c.curve, o.distance, PH_E2, &unit_arena, &o.cusps, &diag),
         PH_OK);
-    ck_assert_int_eq(ph_sample_offset(&c.curve, &rules, &arena, &o, &diag),
+    ck_assert_int_eq(ph_sample_offset(&c.curve, &rules, &unit_arena, &o, &diag),
                      PH_OK);
     for (size_t i = 0; i < o.samples.n && found < o.cusps.n; i++) {
       const struct ph_place *at = &o.cusps.at[found]; /* a joint is an end */
@@ -274,11 +261,10 @@ START_TEST(test_offset_cusps) {
   }
   ck_assert_uint_ge(some, 10);
 }
-END_TEST
 
 /* ---- refusals ------------------------------------------------------------ */
 
-START_TEST(test_too_many) {
+PH_TEST(test_too_many) {
   const struct ph_sample_rules refused[] = {
       {.how = PH_SAMPLE_SPACING, .spacing = 1e-9},
       {.how = PH_SAMPLE_SPACING, .spacing = 1e-300},
@@ -305,45 +291,28 @@ START_TEST(test_too_many) {
     struct ph_samples s;
     struct unit_segments c;
     circle_of(1, &c);
-    ck_assert_int_eq(ph_sample_curve(&c.curve, &refused[i], &arena, &s, &diag),
-                     PH_LIMIT);
+    ck_assert_int_eq(
+        ph_sample_curve(&c.curve, &refused[i], &unit_arena, &s, &diag),
+        PH_LIMIT);
     ck_assert_str_eq(diag.message, messages[i]);
-    ck_assert_int_eq(ph_sample_offset(&c.curve, &refused[i], &arena, &o, &diag),
-                     PH_LIMIT);
+    ck_assert_int_eq(
+        ph_sample_offset(&c.curve, &refused[i], &unit_arena, &o, &diag),
+        PH_LIMIT);
   }
 }
-END_TEST
 
 /* A length that is not known. */
-START_TEST(test_no_length) {
+PH_TEST(test_no_length) {
   const struct ph_sample_rules rules = {.how = PH_SAMPLE_SPACING, .spacing = 1};
   struct ph_samples s;
   struct unit_segments c;
   circle_of(1, &c);
   c.lengths[1] = (double)NAN;
-  ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &arena, &s, &diag),
+  ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &unit_arena, &s, &diag),
                    PH_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[1]");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sample_rules");
-  TCase *tc = tcase_create("sample_rules");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_line_spacing);
-  tcase_add_test(tc, test_joint_spacing);
-  tcase_add_test(tc, test_circle_spacing);
-  tcase_add_test(tc, test_cusp_spacing);
-  tcase_add_test(tc, test_line_chords);
-  tcase_add_test(tc, test_circle_chords);
-  tcase_add_test(tc, test_short);
-  tcase_add_test(tc, test_circle_offset);
-  tcase_add_test(tc, test_offset_cusps);
-  tcase_add_test(tc, test_too_many);
-  tcase_add_test(tc, test_no_length);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_line_spacing, test_joint_spacing, test_circle_spacing,
+         test_cusp_spacing, test_line_chords, test_circle_chords, test_short,
+         test_circle_offset, test_offset_cusps, test_too_many, test_no_length)

@@ -10,14 +10,8 @@
 
 enum { N = 8 };
 
-static struct ph_arena arena;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 static struct ph_samples samples_of(const struct ph_curve *curve, size_t n) {
-  struct ph_samples s = unit_samples_even(curve, n, &arena);
+  struct ph_samples s = unit_samples_even(curve, n, &unit_arena);
   ck_assert_ptr_null(s.torsion);
   ck_assert_ptr_nonnull(s.lonlat);
   return s;
@@ -30,7 +24,7 @@ static void ck_vec3(const double *a, ph_vec3 b, double tol) {
 }
 
 /* Evenly spaced control points on a great circle are run through evenly. */
-START_TEST(test_great_circle) {
+PH_TEST(test_great_circle) {
   const ph_vec3 center = {10, -20, 30};
   const double radius = 4;
   struct unit_spherical c;
@@ -55,7 +49,6 @@ START_TEST(test_great_circle) {
     ck_abs(s.lonlat[2 * i + 1], 0, 1e-14);
   }
 }
-END_TEST
 
 /* Bending by definition: from differences of the tangents along the curve. */
 static void ck_curvature(const struct ph_sampler *sampler, double u) {
@@ -76,7 +69,7 @@ static void ck_curvature(const struct ph_sampler *sampler, double u) {
   ck_abs(at.curvature * size, ph_vec3_dot(turn, left) / length, 1e-6);
 }
 
-START_TEST(test_random) {
+PH_TEST(test_random) {
   struct unit_random r = unit_random_of(1310);
   for (int i = 0; i < unit_count(60); i++) {
     const double radius = exp(unit_random_in(&r, -5, 5));
@@ -88,7 +81,7 @@ START_TEST(test_random) {
     unit_spherical_place(&c, center, radius);
     s = samples_of(&c.curve, N);
     for (size_t k = 0; k < 3; k++) {
-      struct ph_sampler sampler = unit_sampler(&c.curve, NULL, k, &arena);
+      struct ph_sampler sampler = unit_sampler(&c.curve, NULL, k, &unit_arena);
       struct ph_spherical segment = ph_spherical_of(&c.curve, k);
       size_t first = (N + 1) * k, last = first + N;
       for (size_t j = first; j <= last; j++) {
@@ -114,13 +107,12 @@ START_TEST(test_random) {
       ck_abs(s.s[last], start, 1e-15 * c.curve.length);
       ck_curvature(&sampler, unit_random_in(&r, 0.01, 0.99));
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* s is the integral of the speed. */
-START_TEST(test_length) {
+PH_TEST(test_length) {
   struct unit_random r = unit_random_of(1311);
   struct ph_quad rule;
   ck_assert(ph_quad_gauss(&rule, 20));
@@ -140,13 +132,12 @@ START_TEST(test_length) {
       }
       ck_rel(s.s[j], sum, 1e-13);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* At rest ends the tangent is the limit, and there is no curvature. */
-START_TEST(test_rest) {
+PH_TEST(test_rest) {
   const ph_vec3 a = ph_degree_to_unit(0, 0), b = ph_degree_to_unit(50, 30);
   const ph_vec3 half[4] = {a, a, ph_degree_to_unit(40, -10), b};
   const ph_vec3 both[4] = {a, a, b, b};
@@ -156,7 +147,7 @@ START_TEST(test_rest) {
   ph_vec3 limit;
   unit_spherical_of(&c, 1, false, half);
   s = samples_of(&c.curve, N);
-  sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+  sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
   limit = ph_vec3_unit(ph_s2_log(a, half[2]));
   ck_vec3(s.tangent, limit, 1e-14);
   ck_assert(isnan(s.curvature[0]));
@@ -173,7 +164,6 @@ START_TEST(test_rest) {
     ck_assert(i % N ? fabs(s.curvature[i]) <= 1e-13 : isnan(s.curvature[i]));
   }
 }
-END_TEST
 
 /* ---- lengths and places -------------------------------------------------- */
 
@@ -182,7 +172,7 @@ END_TEST
 static void ck_lengths(const struct ph_curve *curve, size_t k) {
   enum { LOOKS = 200 };
   const struct ph_spherical segment = ph_spherical_of(curve, k);
-  const struct ph_sampler sampler = unit_sampler(curve, NULL, k, &arena);
+  const struct ph_sampler sampler = unit_sampler(curve, NULL, k, &unit_arena);
   const double whole = curve->lengths[k];
   double before = 0;
   ck_abs(sampler.length, whole, 0);
@@ -203,7 +193,7 @@ static void ck_lengths(const struct ph_curve *curve, size_t k) {
 
 /* The place of a length, from the ends on, where the curve may be at rest. */
 static void ck_places(const struct ph_curve *curve, size_t k) {
-  const struct ph_sampler sampler = unit_sampler(curve, NULL, k, &arena);
+  const struct ph_sampler sampler = unit_sampler(curve, NULL, k, &unit_arena);
   const double whole = sampler.length;
   for (int i = 0; i <= 60; i++) {
     double part = ldexp(1, -i / 2), s = (i % 2 ? part : 1 - part) * whole;
@@ -213,7 +203,7 @@ static void ck_places(const struct ph_curve *curve, size_t k) {
   }
 }
 
-START_TEST(test_places) {
+PH_TEST(test_places) {
   struct unit_random r = unit_random_of(1312);
   for (int i = 0; i < unit_count(40); i++) {
     struct unit_spherical c;
@@ -223,13 +213,12 @@ START_TEST(test_places) {
       ck_lengths(&c.curve, k);
       ck_places(&c.curve, k);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* At rest at both ends, at one, and nearly. */
-START_TEST(test_places_rest) {
+PH_TEST(test_places_rest) {
   const ph_vec3 a = ph_degree_to_unit(0, 0), b = ph_degree_to_unit(40, -10);
   const ph_vec3 e = ph_degree_to_unit(50, 30);
   const ph_vec3 p[][4] = {{a, a, b, e},
@@ -244,10 +233,9 @@ START_TEST(test_places_rest) {
     ck_places(&c.curve, 0);
   }
 }
-END_TEST
 
 /* The same with three points in one place, where s goes with u^3. */
-START_TEST(test_places_thrice) {
+PH_TEST(test_places_thrice) {
   const ph_vec3 a = ph_degree_to_unit(0, 0), e = ph_degree_to_unit(50, 30);
   const ph_vec3 p[4] = {a, a, a, e};
   struct unit_spherical c;
@@ -255,16 +243,15 @@ START_TEST(test_places_thrice) {
   unit_spherical_of(&c, 1, false, p);
   c.lengths[0] = ph_s2_angle(a, e);
   ck_places(&c.curve, 0);
-  sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+  sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
   for (size_t i = 0; i <= 100; i++) {
     double u = (double)i / 100;
     ck_abs(unit_length(&sampler, u), c.lengths[0] * u * u * u, 1e-14);
   }
 }
-END_TEST
 
 /* From rest, s = |S''(0)| u^2 / 2 to first order. */
-START_TEST(test_start) {
+PH_TEST(test_start) {
   const ph_vec3 a = ph_degree_to_unit(0, 0);
   const ph_vec3 p[4] = {a, a, ph_degree_to_unit(40, -10),
                         ph_degree_to_unit(50, 30)};
@@ -273,7 +260,7 @@ START_TEST(test_start) {
   struct ph_sampler sampler;
   ph_vec3 jet[4];
   unit_spherical_of(&c, 1, false, p);
-  sampler = unit_sampler(&c.curve, NULL, 0, &arena);
+  sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
   ph_spherical_jet(&segment, 0, jet);
   for (double u = 1e-2; u > 1e-6; u /= 10) {
     double s = ph_vec3_abs(jet[2]) * u * u / 2;
@@ -281,22 +268,6 @@ START_TEST(test_start) {
            3 * u + 1e-14 / (u * u));
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("sample_spherical");
-  TCase *tc = tcase_create("sample_spherical");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_great_circle);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_length);
-  tcase_add_test(tc, test_rest);
-  tcase_add_test(tc, test_places);
-  tcase_add_test(tc, test_places_rest);
-  tcase_add_test(tc, test_places_thrice);
-  tcase_add_test(tc, test_start);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_great_circle, test_random, test_length, test_rest, test_places,
+         test_places_rest, test_places_thrice, test_start)

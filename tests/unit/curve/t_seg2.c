@@ -34,7 +34,7 @@ static ph_cplx integral(const struct ph_seg2 *seg, double u) {
   return sum;
 }
 
-START_TEST(test_point) {
+PH_TEST(test_point) {
   struct unit_random r = unit_random_of(500);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r);
@@ -44,11 +44,10 @@ START_TEST(test_point) {
     ck_cplx(ph_seg2_point(&seg, &rule, 1), seg.end, 0);
   }
 }
-END_TEST
 
 /* Speed and tangent from w itself, curvature and its slope from differences of
  * the tangent's direction and of the curvature. */
-START_TEST(test_bend) {
+PH_TEST(test_bend) {
   struct unit_random r = unit_random_of(501);
   const double step = 1e-4;
   for (size_t n = 0; n < SEGMENTS; n++) {
@@ -74,10 +73,9 @@ START_TEST(test_bend) {
     ck_assert_double_le(pow(bend.slope, 2), bend.terms[1] * (1 + 1e-14));
   }
 }
-END_TEST
 
 /* A part is the same curve: points, curvature, and speed times its share. */
-START_TEST(test_part) {
+PH_TEST(test_part) {
   struct unit_random r = unit_random_of(502);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r);
@@ -94,7 +92,6 @@ START_TEST(test_part) {
     }
   }
 }
-END_TEST
 
 /* The turn of w^2 between neighbours of many points: exact for the whole but
  * for rounding, and for the absolute turn but for the pieces that hold an
@@ -114,7 +111,7 @@ static double turn(const struct ph_seg2 *seg, double *absolute) {
   return sum;
 }
 
-START_TEST(test_rotation) {
+PH_TEST(test_rotation) {
   struct unit_random r = unit_random_of(503);
   size_t loops = 0, inflected = 0, segments = (size_t)unit_count(SEGMENTS);
   for (size_t n = 0; n < segments; n++) {
@@ -131,10 +128,9 @@ START_TEST(test_rotation) {
   ck_assert_uint_ge(loops, segments / 20);
   ck_assert_uint_ge(inflected, segments / 20);
 }
-END_TEST
 
 /* A curve writes its preimage by t, the segment has it by u. */
-START_TEST(test_of_curve) {
+PH_TEST(test_of_curve) {
   struct unit_random r = unit_random_of(504);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r), again;
@@ -149,11 +145,10 @@ START_TEST(test_of_curve) {
     ck_cplx(again.end, seg.end, 0);
   }
 }
-END_TEST
 
 /* Of a cubic the preimage has three coefficients too: speed, curvature and
  * rotation are those of the linear one. */
-START_TEST(test_of_cubics) {
+PH_TEST(test_of_cubics) {
   struct unit_random r = unit_random_of(505);
   for (size_t n = 0; n < SEGMENTS; n++) {
     const double scale = n % 4 ? 1 : 1e150;
@@ -184,20 +179,6 @@ START_TEST(test_of_cubics) {
     ck_abs(absolute, fabs(turned), 2e-15);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("seg2");
-  TCase *t = tcase_create("seg2");
-  tcase_add_checked_fixture(t, begin, NULL);
-  tcase_add_test(t, test_point);
-  tcase_add_test(t, test_bend);
-  tcase_add_test(t, test_part);
-  tcase_add_test(t, test_rotation);
-  tcase_add_test(t, test_of_curve);
-  tcase_add_test(t, test_of_cubics);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_point, test_bend, test_part, test_rotation,
+              test_of_curve, test_of_cubics)

@@ -33,7 +33,7 @@ static double difference(const double f[4], double h) {
 static const double STEPS[4] = {-2, -1, 1, 2};
 
 /* Each derivative of A is the slope of the one before, and the first is A. */
-START_TEST(test_jet) {
+PH_TEST(test_jet) {
   struct unit_random r = unit_random_of(930);
   const double h = 1e-3;
   for (size_t n = 0; n < SEGMENTS; n++) {
@@ -61,7 +61,6 @@ START_TEST(test_jet) {
     }
   }
 }
-END_TEST
 
 /* vect(a i b*), by quaternion products alone. */
 static ph_vec3 product(ph_quat a, ph_quat b) {
@@ -82,7 +81,7 @@ static void derivatives(const struct ph_seg3 *seg, double u, ph_vec3 d[4]) {
 }
 
 /* The same for PH quintics from their control points. */
-START_TEST(test_derivatives) {
+PH_TEST(test_derivatives) {
   struct unit_random r = unit_random_of(931);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
@@ -112,7 +111,6 @@ START_TEST(test_derivatives) {
     }
   }
 }
-END_TEST
 
 /* Curvature, torsion and their slopes by the formulas for any curve, tau' by
  * the quotient rule. */
@@ -135,7 +133,7 @@ static struct bend bend_of(const ph_vec3 d[4]) {
   return bend;
 }
 
-START_TEST(test_bend) {
+PH_TEST(test_bend) {
   struct unit_random r = unit_random_of(932);
   size_t compared = 0;
   for (size_t n = 0; n < SEGMENTS; n++) {
@@ -158,10 +156,9 @@ START_TEST(test_bend) {
   }
   ck_assert_uint_ge(compared, SEGMENTS / 2);
 }
-END_TEST
 
 /* The slopes once more, as what they are called. */
-START_TEST(test_slopes) {
+PH_TEST(test_slopes) {
   struct unit_random r = unit_random_of(933);
   const double h = 1e-4;
   size_t compared = 0;
@@ -183,11 +180,10 @@ START_TEST(test_slopes) {
   }
   ck_assert_uint_ge(compared, SEGMENTS / 4);
 }
-END_TEST
 
 /* ---- points and parts ----------------------------------------------- */
 
-START_TEST(test_point) {
+PH_TEST(test_point) {
   struct unit_random r = unit_random_of(934);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
@@ -199,10 +195,9 @@ START_TEST(test_point) {
     ck_abs(unit_distance3(ph_seg3_point(&seg, &rule, 1), seg.end), 0, 0);
   }
 }
-END_TEST
 
 /* A part is the same curve: points, speed times its share, what bends it. */
-START_TEST(test_part) {
+PH_TEST(test_part) {
   struct unit_random r = unit_random_of(935);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
@@ -228,10 +223,9 @@ START_TEST(test_part) {
     }
   }
 }
-END_TEST
 
 /* Both ends of a part that is all of the segment. */
-START_TEST(test_part_whole) {
+PH_TEST(test_part_whole) {
   struct unit_random r = unit_random_of(936);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
@@ -243,10 +237,9 @@ START_TEST(test_part_whole) {
     ck_abs(unit_distance3(part.end, seg.end), 0, 0);
   }
 }
-END_TEST
 
 /* A curve writes its preimage by t, the segment has it by u. */
-START_TEST(test_of_curve) {
+PH_TEST(test_of_curve) {
   struct unit_random r = unit_random_of(937);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r), again;
@@ -283,10 +276,9 @@ START_TEST(test_of_curve) {
     ck_abs(unit_distance3(again.end, ph_vec3_of(4, 5, 6)), 0, 0);
   }
 }
-END_TEST
 
 /* A cubic, taken in space: A = w with k for i, and e2 to its left. */
-START_TEST(test_of_cubics) {
+PH_TEST(test_of_cubics) {
   struct unit_random r = unit_random_of(944);
   for (size_t n = 0; n < SEGMENTS; n++) {
     const size_t k = n % 3;
@@ -321,12 +313,11 @@ START_TEST(test_of_cubics) {
     }
   }
 }
-END_TEST
 
 /* ---- frames --------------------------------------------------------- */
 
 /* Orthonormal, right-handed, along r', and what A makes of i, j, k. */
-START_TEST(test_frame) {
+PH_TEST(test_frame) {
   struct unit_random r = unit_random_of(938);
   const ph_quat axes[3] = {{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
   for (size_t n = 0; n < SEGMENTS; n++) {
@@ -347,11 +338,10 @@ START_TEST(test_frame) {
     ck_assert_double_le(unit_distance3(e[0], ph_vec3_unit(d)), 1e-13);
   }
 }
-END_TEST
 
 /* e1', e2', e3' from differences: (3) of seg3.h with its z and turn, and the
  * curvature vector. */
-START_TEST(test_frame_slopes) {
+PH_TEST(test_frame_slopes) {
   struct unit_random r = unit_random_of(939);
   const double h = 1e-4;
   size_t compared = 0;
@@ -382,11 +372,10 @@ START_TEST(test_frame_slopes) {
   }
   ck_assert_uint_ge(compared, SEGMENTS / 2);
 }
-END_TEST
 
 /* The frame turned back by the twist minimises rotation: its normals turn about
  * the tangent no more. */
-START_TEST(test_rmf) {
+PH_TEST(test_rmf) {
   struct unit_random r = unit_random_of(940);
   const double h = 1e-4;
   size_t compared = 0;
@@ -415,10 +404,9 @@ START_TEST(test_rmf) {
   }
   ck_assert_uint_ge(compared, SEGMENTS / 2);
 }
-END_TEST
 
 /* The integral of the torsion by length is the turn of z and the twist. */
-START_TEST(test_twist) {
+PH_TEST(test_twist) {
   struct unit_random r = unit_random_of(941);
   enum { PANELS = 400 };
   size_t compared = 0, segments = (size_t)unit_count(SEGMENTS);
@@ -445,7 +433,6 @@ START_TEST(test_twist) {
   }
   ck_assert_uint_ge(compared, segments / 10);
 }
-END_TEST
 
 /* ---- curves that are known ------------------------------------------ */
 
@@ -465,7 +452,7 @@ static struct ph_seg3 helix(double end) {
   return seg;
 }
 
-START_TEST(test_helix) {
+PH_TEST(test_helix) {
   static const double ends[] = {0.1, 1, 1.5707963267948966, 3, 6};
   for (size_t n = 0; n < sizeof ends / sizeof ends[0]; n++) {
     struct ph_seg3 seg = helix(ends[n]);
@@ -486,10 +473,9 @@ START_TEST(test_helix) {
     }
   }
 }
-END_TEST
 
 /* A circle of radius 3 in its plane, which never twists; half of one. */
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   double root = sqrt(3 * PI);
   struct ph_seg3 seg = {.space = ph_atph_of(PI / 2), .end = {0, 6, 0}};
   seg.a[0] = ph_quat_of(root, 0, 0, 0);
@@ -507,10 +493,9 @@ START_TEST(test_circle) {
     ck_abs(ph_seg3_twist(&seg, &rule, u), 0, 0);
   }
 }
-END_TEST
 
 /* A straight line has no curvature, and no torsion that could be told. */
-START_TEST(test_line) {
+PH_TEST(test_line) {
   const ph_quat a = {1, 2, -1, 0.5};
   const ph_quat line[3] = {a, ph_quat_scale(2, a), ph_quat_scale(0.5, a)};
   struct ph_seg3 seg = unit_seg3(0, line, ph_vec3_of(0, 0, 0));
@@ -519,10 +504,9 @@ START_TEST(test_line) {
   ck_assert(!isfinite(b.torsion));
   ck_abs(ph_seg3_twist(&seg, &rule, 1), 0, 0);
 }
-END_TEST
 
 /* A(u) = 0: it stands still, and that is said. */
-START_TEST(test_standing) {
+PH_TEST(test_standing) {
   const ph_quat a = {1, 0, 0, 0}, b = {0, 1, 0, 0}, zero = {0, 0, 0, 0};
   const ph_quat still[3] = {zero, a, b};
   struct ph_seg3 seg = unit_seg3(0, still, ph_vec3_of(0, 0, 0));
@@ -531,10 +515,9 @@ START_TEST(test_standing) {
   ck_assert(!isfinite(bend.curvature));
   ck_assert(!isfinite(bend.torsion));
 }
-END_TEST
 
 /* Small angles lead to PH quintics: all changes by their square. */
-START_TEST(test_small_angles) {
+PH_TEST(test_small_angles) {
   struct unit_random r = unit_random_of(942);
   size_t compared = 0;
   for (size_t n = 0; n < SEGMENTS; n++) {
@@ -563,32 +546,9 @@ START_TEST(test_small_angles) {
   }
   ck_assert_uint_ge(compared, SEGMENTS / 4);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("seg3");
-  TCase *tc = tcase_create("seg3");
-  tcase_add_checked_fixture(tc, begin, NULL);
-  tcase_add_test(tc, test_jet);
-  tcase_add_test(tc, test_derivatives);
-  tcase_add_test(tc, test_bend);
-  tcase_add_test(tc, test_slopes);
-  tcase_add_test(tc, test_point);
-  tcase_add_test(tc, test_part);
-  tcase_add_test(tc, test_part_whole);
-  tcase_add_test(tc, test_of_curve);
-  tcase_add_test(tc, test_of_cubics);
-  tcase_add_test(tc, test_frame);
-  tcase_add_test(tc, test_frame_slopes);
-  tcase_add_test(tc, test_rmf);
-  tcase_add_test(tc, test_twist);
-  tcase_add_test(tc, test_helix);
-  tcase_add_test(tc, test_circle);
-  tcase_add_test(tc, test_line);
-  tcase_add_test(tc, test_standing);
-  tcase_add_test(tc, test_small_angles);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_jet, test_derivatives, test_bend, test_slopes,
+              test_point, test_part, test_part_whole, test_of_curve,
+              test_of_cubics, test_frame, test_frame_slopes, test_rmf,
+              test_twist, test_helix, test_circle, test_line, test_standing,
+              test_small_angles)

@@ -54,7 +54,7 @@ static void prepare(struct prepared *s, double angle, double wild,
 }
 
 /* (1), (5) and (6) */
-START_TEST(test_functions) {
+PH_TEST_EACH(test_functions, ANGLES_N) {
   struct unit_random r = unit_random_of(1320);
   const double a = ANGLES[_i];
   struct prepared s;
@@ -74,7 +74,6 @@ START_TEST(test_functions) {
     }
   }
 }
-END_TEST
 
 static void ck_quat(ph_quat a, ph_quat b, double tol) {
   ck_abs(a.u, b.u, tol);
@@ -84,7 +83,7 @@ static void ck_quat(ph_quat a, ph_quat b, double tol) {
 }
 
 /* (2) and (3), against the segment's own jet. */
-START_TEST(test_preimage) {
+PH_TEST_EACH(test_preimage, ANGLES_N) {
   struct unit_random r = unit_random_of(1321 + (uint64_t)_i);
   for (int n = 0; n < 20; n++) {
     struct prepared s;
@@ -101,7 +100,6 @@ START_TEST(test_preimage) {
     }
   }
 }
-END_TEST
 
 static double form_at(const struct ph_fast3_place *at, const double c[5]) {
   return c[0] + c[1] * at->p + c[2] * at->q + c[3] * at->p * at->q +
@@ -109,7 +107,7 @@ static double form_at(const struct ph_fast3_place *at, const double c[5]) {
 }
 
 /* (4): the speed and the hodograph from either end. */
-START_TEST(test_forms) {
+PH_TEST_EACH(test_forms, ANGLES_N) {
   struct unit_random r = unit_random_of(1340 + (uint64_t)_i);
   for (int n = 0; n < 20; n++) {
     struct prepared s;
@@ -127,10 +125,9 @@ START_TEST(test_forms) {
     }
   }
 }
-END_TEST
 
 /* (5), against quadrature from the end. */
-START_TEST(test_integrals) {
+PH_TEST_EACH(test_integrals, ANGLES_N) {
   struct unit_random r = unit_random_of(1360 + (uint64_t)_i);
   struct ph_quad rule;
   ck_assert(ph_quad_gauss(&rule, 20));
@@ -155,17 +152,5 @@ START_TEST(test_integrals) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("seg3_fast");
-  TCase *tc = tcase_create("seg3_fast");
-  tcase_add_loop_test(tc, test_functions, 0, ANGLES_N);
-  tcase_add_loop_test(tc, test_preimage, 0, ANGLES_N);
-  tcase_add_loop_test(tc, test_forms, 0, ANGLES_N);
-  tcase_add_loop_test(tc, test_integrals, 0, ANGLES_N);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_functions, test_preimage, test_forms, test_integrals)

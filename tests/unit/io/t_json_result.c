@@ -13,13 +13,11 @@
 
 enum { ARGUMENTS_MAX = 12 };
 
-static struct ph_arena arena;
 static struct ph_claim claim;
 static struct ph_diag diag;
 static struct ph_buf made, again;
 
 static void finish(void) {
-  ph_arena_free(&arena);
   ph_buf_free(&made);
   ph_buf_free(&again);
 }
@@ -62,9 +60,9 @@ static void make(const char *line, const char *problem) {
 
 static enum ph_status read_text(const char *text, size_t n) {
   struct ph_record record = {text, n, "-", 1, 1, NULL, PH_OK};
-  ph_arena_reset(&arena);
+  ph_arena_reset(&unit_arena);
   memset(&diag, 0, sizeof diag);
-  return ph_json_result_in(&record, &arena, &claim, &diag);
+  return ph_json_result_in(&record, &unit_arena, &claim, &diag);
 }
 
 /* Reads what was made and writes it again. */
@@ -123,13 +121,12 @@ static const struct {
     {"tc --tolerance=0.01", "{\"curve\":[[0,0],[1,2],[3,2],[4,-1],[6,0]]}"},
 };
 
-START_TEST(test_round_trip) {
+PH_TEST_EACH(test_round_trip, sizeof cases / sizeof cases[0]) {
   ck_round_trip(cases[_i].line, cases[_i].problem);
 }
-END_TEST
 
 /* What is only passed on. */
-START_TEST(test_heading) {
+PH_TEST(test_heading) {
   const char sweep[] = "{\"knots\":\"uniform\",\n \"lengths[1]\":2}";
   char text[512];
   int n;
@@ -159,10 +156,9 @@ START_TEST(test_heading) {
   ck_assert(strncmp(claim.echo.id, "7", claim.echo.id_n) == 0);
   ck_assert_uint_eq(claim.echo.meta_n, 5);
 }
-END_TEST
 
 /* What a record need not have is missing in the struct. */
-START_TEST(test_missing) {
+PH_TEST(test_missing) {
   static const char text[] =
       "{\"curve\":\"ph\",\"dimension\":2,\"degree\":1,\"closed\":false,"
       "\"segments\":[{\"control_points\":[[0,0],[1,0]]},"
@@ -183,7 +179,6 @@ START_TEST(test_missing) {
   ck_assert_uint_eq(claim.result.offsets_n, 0);
   ck_assert_uint_eq(claim.result.samples.n, 0);
 }
-END_TEST
 
 /* ---- what is refused --------------------------------------------------- */
 
@@ -304,7 +299,7 @@ static const struct {
      PH_BAD_SHAPE, "segments[0].blaschke[0].weights"},
 };
 
-START_TEST(test_refused) {
+PH_TEST_EACH(test_refused, sizeof refused / sizeof refused[0]) {
   make(refused[_i].line, "{\"points\":[[0,0],[2,1],[3,0]]}");
   ck_assert_msg(changed(refused[_i].after, refused[_i].from, refused[_i].to) ==
                     refused[_i].status,
@@ -314,10 +309,9 @@ START_TEST(test_refused) {
   ck_assert_int_eq(diag.status, refused[_i].status);
   ck_assert_int_gt((int)strlen(diag.message), 0);
 }
-END_TEST
 
 /* Of records on a sphere, and in space. */
-START_TEST(test_refused_elsewhere) {
+PH_TEST(test_refused_elsewhere) {
   make("sphere", "{\"points\":[[1,0,0],[0,1,0],[0,0,1]]}");
   ck_assert_int_eq(changed("", "\"radius\":1", "\"radius\":0"), PH_BAD_VALUE);
   ck_assert_str_eq(diag.field, "radius");
@@ -335,21 +329,6 @@ START_TEST(test_refused_elsewhere) {
   ck_assert_int_eq(read_text("[]", 2), PH_BAD_TYPE);
   ck_assert_str_eq(diag.field, "");
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("json_result");
-  TCase *tc = tcase_create("json_result");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_loop_test(tc, test_round_trip, 0,
-                      (int)(sizeof cases / sizeof cases[0]));
-  tcase_add_test(tc, test_heading);
-  tcase_add_test(tc, test_missing);
-  tcase_add_loop_test(tc, test_refused, 0,
-                      (int)(sizeof refused / sizeof refused[0]));
-  tcase_add_test(tc, test_refused_elsewhere);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_round_trip, test_heading, test_missing,
+              test_refused, test_refused_elsewhere)

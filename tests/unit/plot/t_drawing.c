@@ -17,12 +17,10 @@
 
 static const struct ph_drawing_names names = {"a title", "a = 1", 7};
 
-static struct ph_arena arena;
 static struct ph_drawing *drawing;
 static struct ph_diag diag;
 
 static void finish(void) {
-  ph_arena_free(&arena);
   ph_drawing_free(drawing);
   drawing = NULL;
 }
@@ -111,7 +109,7 @@ static void ck_segments(const struct ph_curve *curve) {
     const struct ph_stroke *s = stroke_of(d, PH_STROKE_CURVE, k);
     const struct ph_stroke *polygon = stroke_of(d, PH_STROKE_POLYGON, k);
     const struct ph_profile *p = &d->profiles[k];
-    struct ph_sampler sampler = unit_sampler(curve, NULL, k, &arena);
+    struct ph_sampler sampler = unit_sampler(curve, NULL, k, &unit_arena);
     ck_assert_uint_eq(s->index, k);
     ck_assert_uint_ge(s->n, 2);
     ck_vec3(s->points[0], control_of(curve, k, 0), 0);
@@ -154,7 +152,7 @@ static void circle(struct unit_segments *c) {
   c->lengths[0] = c->curve.length = angle;
 }
 
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   const struct ph_drawing *d;
   const struct ph_stroke *s;
   struct unit_segments c;
@@ -178,9 +176,8 @@ START_TEST(test_circle) {
     ck_abs(d->profiles[0].curvature[i], 2, 1e-13);
   }
 }
-END_TEST
 
-START_TEST(test_planar) {
+PH_TEST(test_planar) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < unit_count(50); i++) {
     struct unit_segments c;
@@ -190,9 +187,8 @@ START_TEST(test_planar) {
     ck_segments(&c.curve);
   }
 }
-END_TEST
 
-START_TEST(test_cubics) {
+PH_TEST(test_cubics) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < unit_count(50); i++) {
     struct unit_cubics c;
@@ -200,9 +196,8 @@ START_TEST(test_cubics) {
     ck_segments(&c.curve);
   }
 }
-END_TEST
 
-START_TEST(test_space) {
+PH_TEST(test_space) {
   struct unit_random r = unit_random_of(3);
   for (int i = 0; i < unit_count(50); i++) {
     struct unit_curve3 c;
@@ -211,10 +206,9 @@ START_TEST(test_space) {
     ck_assert_int_eq(drawing->space, PH_DRAWING_SPACE);
   }
 }
-END_TEST
 
 /* On a sphere, polygons are on it too, and data. */
-START_TEST(test_sphere) {
+PH_TEST(test_sphere) {
   const ph_vec3 center = {1, -2, 3};
   struct unit_random r = unit_random_of(4);
   for (int i = 0; i < unit_count(50); i++) {
@@ -234,10 +228,9 @@ START_TEST(test_sphere) {
     }
   }
 }
-END_TEST
 
 /* A curve that stands still at its start has no curvature there. */
-START_TEST(test_rest) {
+PH_TEST(test_rest) {
   const ph_vec3 p[4] = {{1, 0, 0}, {1, 0, 0}, {0.8, 0.6, 0}, {0, 0, 1}};
   const struct ph_drawing *d;
   struct unit_spherical c;
@@ -248,11 +241,10 @@ START_TEST(test_rest) {
     ck_assert(isfinite(d->profiles[0].curvature[i]));
   }
 }
-END_TEST
 
 /* ---- data and vectors ---------------------------------------------------- */
 
-START_TEST(test_intervals) {
+PH_TEST(test_intervals) {
   struct ph_interval intervals[2] = {PH_INTERVAL_NONE, PH_INTERVAL_NONE};
   const struct ph_problem nothing = {.field = {{.kind = PH_ABSENT}}};
   struct unit_random r = unit_random_of(5);
@@ -271,10 +263,9 @@ START_TEST(test_intervals) {
   result.curve.closed = true;
   ck_assert_uint_eq(draw(&nothing, &result)->data_n, 2);
 }
-END_TEST
 
 /* Derivatives keep their proportions, directions do not. */
-START_TEST(test_vectors) {
+PH_TEST(test_vectors) {
   static const enum ph_field_id fields[] = {
       PH_F_TANGENTS, PH_F_DERIVATIVES, PH_F_END_TANGENTS, PH_F_END_DERIVATIVES};
   double v[] = {1, 0, 0, 2, 0, 0, -3, -4};
@@ -316,10 +307,9 @@ START_TEST(test_vectors) {
     result.curve.closed = false;
   }
 }
-END_TEST
 
 /* On a sphere vectors are bent to it. */
-START_TEST(test_vectors_sphere) {
+PH_TEST(test_vectors_sphere) {
   double v[] = {0, 3, 0, 1, 2, 3};
   const ph_vec3 center = {1, -2, 3};
   struct ph_problem problem = {.field = {{.kind = PH_ABSENT}}};
@@ -349,13 +339,12 @@ START_TEST(test_vectors_sphere) {
     }
   }
 }
-END_TEST
 
 /* ---- offsets ------------------------------------------------------------- */
 
 /* Within the circle, far outside of it, and one that is a point: it is drawn
  * too.  What is far away makes the box larger and the chords coarser. */
-START_TEST(test_offsets) {
+PH_TEST(test_offsets) {
   const struct ph_problem nothing = {.field = {{.kind = PH_ABSENT}}};
   struct ph_offset offsets[] = {
       {.distance = 0.2}, {.distance = -9.5}, {.distance = 0.5}};
@@ -380,10 +369,9 @@ START_TEST(test_offsets) {
   ck_vec3(d->low, ph_vec3_of(-10, -9.5, 0), 0.01);
   ck_vec3(d->high, ph_vec3_of(10, 10.5, 0), 0.01);
 }
-END_TEST
 
 /* The tips of cusps are drawn. */
-START_TEST(test_cusps) {
+PH_TEST(test_cusps) {
   const struct ph_problem nothing = {.field = {{.kind = PH_ABSENT}}};
   struct unit_random r = unit_random_of(8);
   size_t cusps = 0;
@@ -395,7 +383,7 @@ START_TEST(test_cusps) {
     const struct ph_stroke *s;
     unit_cubics_random(&c, &r, 3, 1, ph_cplx_of(0, 0));
     result.curve = c.curve;
-    ck_assert_int_eq(ph_cusps_of(&c.curve, offset.distance, PH_E2, &arena,
+    ck_assert_int_eq(ph_cusps_of(&c.curve, offset.distance, PH_E2, &unit_arena,
                                  &offset.cusps, &diag),
                      PH_OK);
     s = stroke_of(draw(&nothing, &result), PH_STROKE_OFFSET, 0);
@@ -403,7 +391,7 @@ START_TEST(test_cusps) {
       const struct ph_place *at = &offset.cusps.at[k];
       double least = (double)INFINITY;
       ph_vec3 tip;
-      sampler = unit_sampler(&c.curve, &offset, at->segment, &arena);
+      sampler = unit_sampler(&c.curve, &offset, at->segment, &unit_arena);
       tip = ph_sampler_at(&sampler, at->u).point;
       for (size_t j = 0; j < s->n; j++) {
         least = fmin(least, apart(tip, s->points[j]));
@@ -414,10 +402,9 @@ START_TEST(test_cusps) {
   }
   ck_assert_uint_ge(cusps, 10);
 }
-END_TEST
 
 /* Parts of an offset from gap to gap are strokes of their own. */
-START_TEST(test_gaps) {
+PH_TEST(test_gaps) {
   const struct ph_problem nothing = {.field = {{.kind = PH_ABSENT}}};
   struct ph_offset offsets[] = {{.distance = -1}, {.distance = 1}};
   struct ph_result result = {.offsets = offsets, .offsets_n = 2};
@@ -431,8 +418,8 @@ START_TEST(test_gaps) {
   c.curve.closed = true;
   result.curve = c.curve;
   for (size_t i = 0; i < 2; i++) {
-    ck_assert_int_eq(ph_gaps_of(&c.curve, offsets[i].distance, PH_E2, &arena,
-                                &offsets[i].gaps, &diag),
+    ck_assert_int_eq(ph_gaps_of(&c.curve, offsets[i].distance, PH_E2,
+                                &unit_arena, &offsets[i].gaps, &diag),
                      PH_OK);
   }
   d = draw(&nothing, &result);
@@ -444,7 +431,6 @@ START_TEST(test_gaps) {
     ck_abs(apart(s->points[0], s->points[1]), 1, 1e-14);
   }
 }
-END_TEST
 
 /* ---- bounds -------------------------------------------------------------- */
 
@@ -456,7 +442,7 @@ static struct ph_curve straight(size_t n) {
                            .n = n,
                            .preimage.n = 3,
                            .preimage.dimension = 2};
-  ck_assert_int_eq(ph_curve_alloc(&curve, &arena, &diag), PH_OK);
+  ck_assert_int_eq(ph_curve_alloc(&curve, &unit_arena, &diag), PH_OK);
   for (size_t k = 0; k < n; k++) {
     for (size_t i = 0; i < 6; i++) {
       curve.control_points[12 * k + 2 * i] = (double)k + (double)i / 5;
@@ -472,7 +458,7 @@ static struct ph_curve straight(size_t n) {
   return curve;
 }
 
-START_TEST(test_many) {
+PH_TEST(test_many) {
   static const size_t numbers[] = {1000, 1001, 2500, 10001, 100001, 250000};
   const size_t count = unit_count(50) < 50 ? 4 : 6; /* the large take long */
   for (size_t i = 0; i < count; i++) {
@@ -510,27 +496,8 @@ START_TEST(test_many) {
     ck_abs(d->high.x, (double)n, 0);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("drawing");
-  TCase *tc = tcase_create("drawing");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_circle);
-  tcase_add_test(tc, test_planar);
-  tcase_add_test(tc, test_cubics);
-  tcase_add_test(tc, test_space);
-  tcase_add_test(tc, test_sphere);
-  tcase_add_test(tc, test_rest);
-  tcase_add_test(tc, test_intervals);
-  tcase_add_test(tc, test_vectors);
-  tcase_add_test(tc, test_vectors_sphere);
-  tcase_add_test(tc, test_offsets);
-  tcase_add_test(tc, test_cusps);
-  tcase_add_test(tc, test_gaps);
-  tcase_add_test(tc, test_many);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_circle, test_planar, test_cubics, test_space,
+              test_sphere, test_rest, test_intervals, test_vectors,
+              test_vectors_sphere, test_offsets, test_cusps, test_gaps,
+              test_many)

@@ -94,7 +94,7 @@ static size_t fills(enum ph_ink ink) {
 
 /* ---- what there is ------------------------------------------------------- */
 
-START_TEST(plane) {
+PH_TEST(plane) {
   SKIP_WITHOUT_CAIRO();
   of.polygon = of.tangents = true;
   of.offsets = 3;
@@ -111,9 +111,8 @@ START_TEST(plane) {
   ck_assert_uint_eq(strokes(PH_INK_FRAME), 2);
   ck_assert_uint_gt(strokes(PH_INK_TICK), 10);
 }
-END_TEST
 
-START_TEST(closed) {
+PH_TEST(closed) {
   SKIP_WITHOUT_CAIRO();
   of.closed = true;
   of.turn = 2 * acos(-1);
@@ -124,9 +123,8 @@ START_TEST(closed) {
   ck_assert_uint_eq(strokes(PH_INK_LAST), 2);
   ck_assert_uint_eq(fills(PH_INK_POINT), 5);
 }
-END_TEST
 
-START_TEST(space) {
+PH_TEST(space) {
   SKIP_WITHOUT_CAIRO();
   of.space = PH_DRAWING_SPACE;
   of.polygon = true;
@@ -139,10 +137,9 @@ START_TEST(space) {
   ck_assert_uint_eq(strokes(PH_INK_FRAME), 3 + 2);
   ck_assert_uint_eq(strokes(PH_INK_BOX), 12);
 }
-END_TEST
 
 /* A parallel is seen from its middle, all of it if it is short. */
-START_TEST(sphere) {
+PH_TEST(sphere) {
   SKIP_WITHOUT_CAIRO();
   of.space = PH_DRAWING_SPHERE;
   of.turn = 2;
@@ -160,10 +157,9 @@ START_TEST(sphere) {
   ck_assert_uint_gt(fills(PH_INK_OUTLINE), 0);
   ck_assert_uint_eq(fills(PH_INK_OUTLINE) + fills(PH_INK_POINT), 2 * 5);
 }
-END_TEST
 
 /* Curves of a sweep share a panel, and what is the same is drawn once. */
-START_TEST(sweep) {
+PH_TEST(sweep) {
   struct ph_drawing *d[3];
   SKIP_WITHOUT_CAIRO();
   of.polygon = of.tangents = true;
@@ -180,9 +176,8 @@ START_TEST(sweep) {
   ck_assert_uint_eq(strokes(PH_INK_JOINT), 0);
   ck_assert_uint_eq(strokes(PH_INK_FRAME), 2);
 }
-END_TEST
 
-START_TEST(grid) {
+PH_TEST(grid) {
   struct ph_drawing *d[12];
   SKIP_WITHOUT_CAIRO();
   for (size_t i = 0; i < 12; i++) {
@@ -196,11 +191,10 @@ START_TEST(grid) {
   write_free(d, 12, PH_FIGURE_SVG);
   ck_assert_uint_eq(strokes(PH_INK_EVEN), 4 * 2 * (2 + 6 + 2));
 }
-END_TEST
 
 /* ---- files --------------------------------------------------------------- */
 
-START_TEST(formats) {
+PH_TEST(formats) {
   ck_assert_int_eq(ph_figure_format_of("a.svg"), PH_FIGURE_SVG);
   ck_assert_int_eq(ph_figure_format_of("a.b/c.pdf"), PH_FIGURE_PDF);
   ck_assert_int_eq(ph_figure_format_of("a.svg.png"), PH_FIGURE_PNG);
@@ -209,9 +203,8 @@ START_TEST(formats) {
   ck_assert_int_eq(ph_figure_format_of(""), PH_FIGURE_FORMAT_N);
   ck_assert_int_eq(ph_figure_format_of("a.jpg"), PH_FIGURE_FORMAT_N);
 }
-END_TEST
 
-START_TEST(same_bytes) {
+PH_TEST(same_bytes) {
   SKIP_WITHOUT_CAIRO();
   of.tangents = true;
   of.space = PH_DRAWING_SPACE;
@@ -226,7 +219,6 @@ START_TEST(same_bytes) {
     ph_buf_free(&first);
   }
 }
-END_TEST
 
 static unsigned long big_endian(const char *bytes) {
   const unsigned char *b = (const unsigned char *)bytes;
@@ -240,7 +232,7 @@ static bool has(const char *text) {
   return strstr(out.data, text) != NULL;
 }
 
-START_TEST(sizes) {
+PH_TEST(sizes) {
   struct ph_drawing *d = unit_drawing(&of);
   SKIP_WITHOUT_CAIRO();
   ck_assert_int_eq(write_all(&d, 1, PH_FIGURE_PNG, 321, 654), PH_OK);
@@ -257,10 +249,9 @@ START_TEST(sizes) {
   ck_assert_uint_eq(big_endian(out.data + 16), 640);
   ph_drawing_free(d);
 }
-END_TEST
 
 /* What is appended to is kept. */
-START_TEST(appended) {
+PH_TEST(appended) {
   struct ph_drawing *d = unit_drawing(&of);
   const struct ph_figure_rules rules = {PH_FIGURE_SVG, 0, 0};
   const struct ph_drawing *const one = d;
@@ -271,18 +262,16 @@ START_TEST(appended) {
   ck_assert_int_eq(memcmp(out.data, "before<?xml", 11), 0);
   ph_drawing_free(d);
 }
-END_TEST
 
 /* ---- what may go wrong --------------------------------------------------- */
 
-START_TEST(empty) {
+PH_TEST(empty) {
   SKIP_WITHOUT_CAIRO();
   ck_assert_int_eq(write_all(NULL, 0, PH_FIGURE_PNG, 0, 0), PH_OK);
   ck_assert_uint_eq(big_endian(out.data + 16), 640);
 }
-END_TEST
 
-START_TEST(cannot) {
+PH_TEST(cannot) {
   struct ph_drawing *d = unit_drawing(&of);
   if (ph_figure_can()) { /* beyond what cairo can */
     ck_assert_int_eq(write_all(&d, 1, PH_FIGURE_PNG, 40000, 40000),
@@ -293,10 +282,9 @@ START_TEST(cannot) {
   ck_assert_ptr_nonnull(strstr(diag.message, "cairo"));
   ph_drawing_free(d);
 }
-END_TEST
 
 /* Numbers of any size: the figure has all its parts. */
-START_TEST(any_size) {
+PH_TEST(any_size) {
   static const double all[] = {1e300, 1e-300, 1e-9, 4e-320, 1};
   static const double places[] = {0, 0, 0, 0, 4e6};
   SKIP_WITHOUT_CAIRO();
@@ -314,10 +302,9 @@ START_TEST(any_size) {
     }
   }
 }
-END_TEST
 
 /* A point, a curve of no length, and numbers that are none. */
-START_TEST(degenerate) {
+PH_TEST(degenerate) {
   struct ph_drawing *d;
   SKIP_WITHOUT_CAIRO();
   for (int in = PH_DRAWING_PLANE; in <= PH_DRAWING_SPHERE; in++) {
@@ -348,10 +335,9 @@ START_TEST(degenerate) {
     ck_assert_uint_ge(fills(PH_INK_POINT), 1);
   }
 }
-END_TEST
 
 /* Titles and labels are bytes. */
-START_TEST(any_text) {
+PH_TEST(any_text) {
   static const char *const texts[] = {"",
                                       "plain",
                                       "a\xFF\xFE b",
@@ -371,9 +357,8 @@ START_TEST(any_text) {
     ck_assert_uint_eq(strokes(PH_INK_FRAME), 2);
   }
 }
-END_TEST
 
-START_TEST(too_many) {
+PH_TEST(too_many) {
   enum { MANY = PH_FIGURE_PANELS_MAX + 20 };
   struct ph_drawing *d[MANY];
   SKIP_WITHOUT_CAIRO();
@@ -386,37 +371,7 @@ START_TEST(too_many) {
   write_free(d, MANY, PH_FIGURE_SVG);
   ck_assert_uint_eq(strokes(PH_INK_EVEN), 2 * PH_FIGURE_PANELS_MAX);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("figure");
-  TCase *c = tcase_create("content");
-  tcase_add_checked_fixture(c, set_up, NULL);
-  tcase_add_test(c, plane);
-  tcase_add_test(c, closed);
-  tcase_add_test(c, space);
-  tcase_add_test(c, sphere);
-  tcase_add_test(c, sweep);
-  tcase_add_test(c, grid);
-  suite_add_tcase(s, c);
-  c = tcase_create("files");
-  tcase_add_checked_fixture(c, set_up, NULL);
-  tcase_add_test(c, formats);
-  tcase_add_test(c, same_bytes);
-  tcase_add_test(c, sizes);
-  tcase_add_test(c, appended);
-  suite_add_tcase(s, c);
-  c = tcase_create("odd");
-  tcase_add_checked_fixture(c, set_up, NULL);
-  tcase_set_timeout(c, 60);
-  tcase_add_test(c, empty);
-  tcase_add_test(c, cannot);
-  tcase_add_test(c, any_size);
-  tcase_add_test(c, degenerate);
-  tcase_add_test(c, any_text);
-  tcase_add_test(c, too_many);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(set_up, NULL, plane, closed, space, sphere, sweep, grid, formats,
+              same_bytes, sizes, appended, empty, cannot, any_size, degenerate,
+              any_text, too_many)

@@ -16,7 +16,6 @@
 enum { PANELS = 100 };
 
 static struct ph_panel panels[PANELS];
-static struct ph_arena arena;
 static struct ph_layout layout;
 
 /* A grid of n panels of one drawing. */
@@ -26,13 +25,15 @@ static void lay_out(size_t n, double width, double height, bool note) {
   static const struct ph_drawing *d;
   const struct ph_figure_rules rules = {PH_FIGURE_SVG, width, height};
   struct ph_diag diag;
-  ph_arena_reset(&arena);
+  ph_arena_reset(&unit_arena);
   d = unit_drawing(&of);
   for (size_t i = 0; i < n; i++) {
-    ck_assert_int_eq(ph_panel_make(&d, 1, &arena, &panels[i], &diag), PH_OK);
+    ck_assert_int_eq(ph_panel_make(&d, 1, &unit_arena, &panels[i], &diag),
+                     PH_OK);
   }
   ck_assert_int_eq(
-      ph_layout_make(panels, n, &rules, note, &arena, &layout, &diag), PH_OK);
+      ph_layout_make(panels, n, &rules, note, &unit_arena, &layout, &diag),
+      PH_OK);
   ph_drawing_free((struct ph_drawing *)d);
 }
 
@@ -56,7 +57,7 @@ static void check_cells(size_t n) {
   }
 }
 
-START_TEST(grids) {
+PH_TEST(grids) {
   double em = 100;
   for (size_t n = 1; n <= PANELS; n++) {
     lay_out(n, 0, 0, false);
@@ -69,9 +70,8 @@ START_TEST(grids) {
   lay_out(4, 0, 0, false);
   ck_assert_uint_eq(layout.columns, 2);
 }
-END_TEST
 
-START_TEST(page_sizes) {
+PH_TEST(page_sizes) {
   double em, height;
   lay_out(1, 0, 0, false);
   ck_abs(layout.width, 640, 0);
@@ -95,7 +95,6 @@ START_TEST(page_sizes) {
   lay_out(0, 0, 0, false);
   ck_abs(layout.width, 640, 0);
 }
-END_TEST
 
 /* ---- texts --------------------------------------------------------------- */
 
@@ -106,7 +105,7 @@ static const char *clean(const char *raw) {
   return text;
 }
 
-START_TEST(texts) {
+PH_TEST(texts) {
   char longest[1000];
   ck_assert_str_eq(clean(""), "");
   ck_assert_str_eq(clean("a\xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80"),
@@ -126,7 +125,6 @@ START_TEST(texts) {
   clean(longest);
   ck_assert_str_eq(text + strlen(text) - 5, "\xC3\xA4...");
 }
-END_TEST
 
 static const char *rounded(const char *raw) {
   ph_plot_text(raw, text);
@@ -134,7 +132,7 @@ static const char *rounded(const char *raw) {
   return text;
 }
 
-START_TEST(numbers) {
+PH_TEST(numbers) {
   ck_assert_str_eq(rounded("5.342857142857143"), "5.34286");
   ck_assert_str_eq(rounded("-0.00123456789"), "-0.00123457");
   ck_assert_str_eq(rounded("0.1000000000001"), "0.1");
@@ -151,9 +149,8 @@ START_TEST(numbers) {
   ck_assert_str_eq(rounded("cc"), "cc");
   ck_assert_str_eq(rounded(""), "");
 }
-END_TEST
 
-START_TEST(legends) {
+PH_TEST(legends) {
   struct ph_drawing d[2] = {{.label = "lengths[1] = 2.5"},
                             {.label = "lengths[1] = 3"}};
   const struct ph_drawing *const both[2] = {&d[0], &d[1]};
@@ -168,7 +165,6 @@ START_TEST(legends) {
   d[0].label = NULL;
   ck_assert_uint_eq(ph_legend_common(&panel), 0);
 }
-END_TEST
 
 /* ---- colours ------------------------------------------------------------- */
 
@@ -177,17 +173,16 @@ static bool same(struct ph_colour a, struct ph_colour b) {
 }
 
 /* Tests tell things by them. */
-START_TEST(inks) {
+PH_TEST(inks) {
   for (int i = 0; i < PH_INK_N; i++) {
     for (int k = 0; k < i; k++) {
       ck_assert(!same(ph_ink((enum ph_ink)i), ph_ink((enum ph_ink)k)));
     }
   }
 }
-END_TEST
 
 /* No segment has the colour of the one after it. */
-START_TEST(segments) {
+PH_TEST(segments) {
   for (size_t n = 2; n < 12; n++) {
     for (size_t k = 0; k < n; k++) {
       ck_assert(k + 1 == n || !same(ph_colour_segment(k, n, false),
@@ -197,10 +192,9 @@ START_TEST(segments) {
     }
   }
 }
-END_TEST
 
 /* Lighter from step to step, and never too light. */
-START_TEST(ramp) {
+PH_TEST(ramp) {
   double last = 0;
   for (size_t i = 0; i < 100; i++) {
     struct ph_colour c = ph_colour_ramp(i, 100);
@@ -212,21 +206,5 @@ START_TEST(ramp) {
   ck_assert(ph_colour_thin(1) > ph_colour_thin(2));
   ck_assert(ph_colour_thin(1000) > 0);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("plot_layout");
-  TCase *c = tcase_create("pages");
-  tcase_add_test(c, grids);
-  tcase_add_test(c, page_sizes);
-  tcase_add_test(c, texts);
-  tcase_add_test(c, numbers);
-  tcase_add_test(c, legends);
-  tcase_add_test(c, inks);
-  tcase_add_test(c, segments);
-  tcase_add_test(c, ramp);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(grids, page_sizes, texts, numbers, legends, inks, segments, ramp)

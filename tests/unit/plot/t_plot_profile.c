@@ -34,7 +34,7 @@ static void set_up(void) {
   }
 }
 
-START_TEST(ordinary) {
+PH_TEST(ordinary) {
   for (int i = 0; i < N; i++) {
     values[i] = sin(s[i]);
   }
@@ -43,10 +43,9 @@ START_TEST(ordinary) {
   ck_assert(range.low < -1 && range.low > -1.3);
   ck_assert(range.high > 1 && range.high < 1.3);
 }
-END_TEST
 
 /* From 0, unless that is far below. */
-START_TEST(origin) {
+PH_TEST(origin) {
   for (int i = 0; i < N; i++) {
     values[i] = 1 + s[i];
   }
@@ -63,10 +62,9 @@ START_TEST(origin) {
   range_of();
   ck_assert(range.low > 990);
 }
-END_TEST
 
 /* Rounding is not drawn. */
-START_TEST(constant) {
+PH_TEST(constant) {
   for (int i = 0; i < N; i++) {
     values[i] = 1e-15 * (i % 7);
   }
@@ -83,11 +81,10 @@ START_TEST(constant) {
   range_of();
   ck_assert(range.low < -4 && range.high > 0);
 }
-END_TEST
 
 /* A cusp, of infinite curvature, leaves the rest to be seen; a peak that is not
  * much higher than the rest is shown as it is. */
-START_TEST(peaks) {
+PH_TEST(peaks) {
   for (int i = 0; i < N; i++) {
     values[i] = sin(s[i]) + 0.1 / fabs(s[i] - 5);
   }
@@ -100,10 +97,9 @@ START_TEST(peaks) {
   range_of();
   ck_assert(range.high > 3);
 }
-END_TEST
 
 /* The same, whether many samples or few are near the peak. */
-START_TEST(weights) {
+PH_TEST(weights) {
   double high;
   for (int i = 0; i < N; i++) {
     values[i] = 1 / (0.001 + fabs(s[i] - 5));
@@ -116,9 +112,8 @@ START_TEST(weights) {
   }
   ck_rel(range_of().high, high, 0.1);
 }
-END_TEST
 
-START_TEST(none) {
+PH_TEST(none) {
   for (int i = 0; i < N; i++) {
     values[i] = (double)NAN;
   }
@@ -129,20 +124,5 @@ START_TEST(none) {
   values[6] = -1e308;
   ck_assert(range_of().any);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *suite = suite_create("plot_profile");
-  TCase *c = tcase_create("ranges");
-  tcase_add_checked_fixture(c, set_up, NULL);
-  tcase_add_test(c, ordinary);
-  tcase_add_test(c, origin);
-  tcase_add_test(c, constant);
-  tcase_add_test(c, peaks);
-  tcase_add_test(c, weights);
-  tcase_add_test(c, none);
-  suite_add_tcase(suite, c);
-  return suite;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(set_up, NULL, ordinary, origin, constant, peaks, weights, none)

@@ -24,7 +24,7 @@ static const char *all(double low, double high, size_t wanted) {
 
 #define MINUS "\xE2\x88\x92"
 
-START_TEST(plain) {
+PH_TEST(plain) {
   ck_assert_str_eq(all(0, 1, 5), "0,0.2,0.4,0.6,0.8,1.0");
   ck_assert_str_eq(all(-0.1, 10.1, 6), "0,2,4,6,8,10");
   ck_assert_str_eq(all(-1, 1, 4), MINUS "1.0," MINUS "0.5,0,0.5,1.0");
@@ -34,9 +34,8 @@ START_TEST(plain) {
   ck_assert_int_eq(ticks.power, 0);
   ck_assert_str_eq(ticks.base, "");
 }
-END_TEST
 
-START_TEST(powers) {
+PH_TEST(powers) {
   ck_assert_str_eq(all(0, 2.1e-9, 4), "0,1,2");
   ck_assert_int_eq(ticks.power, -9);
   ck_assert_str_eq(all(-1e12, 2e12, 6),
@@ -47,9 +46,8 @@ START_TEST(powers) {
   ck_assert_str_eq(all(0, 2.5e-310, 3), "0,1,2");
   ck_assert_int_eq(ticks.power, -310);
 }
-END_TEST
 
-START_TEST(bases) {
+PH_TEST(bases) {
   ck_assert_str_eq(all(4e6 - 1, 4e6 + 1, 4),
                    MINUS "1.0," MINUS "0.5,0,0.5,1.0");
   ck_assert_str_eq(ticks.base, "4000000");
@@ -63,9 +61,8 @@ START_TEST(bases) {
   ck_assert_str_eq(all(123456.1, 123456.4, 3), "0.1,0.2,0.3,0.4");
   ck_assert_str_eq(ticks.base, "123456");
 }
-END_TEST
 
-START_TEST(none) {
+PH_TEST(none) {
   all(1, 1, 5);
   ck_assert_uint_eq(ticks.n, 0);
   all(2, 1, 5);
@@ -77,7 +74,6 @@ START_TEST(none) {
   all(1, nextafter(1, 2), 5); /* more digits than there are */
   ck_assert_uint_eq(ticks.n, 0);
 }
-END_TEST
 
 /* The number that a label stands for. */
 static double read(const char *label) {
@@ -87,7 +83,7 @@ static double read(const char *label) {
   return (minus ? -x : x) + (ticks.base_negative ? -base : base);
 }
 
-START_TEST(any) {
+PH_TEST(any) {
   struct unit_random random = unit_random_of(81);
   for (int i = unit_count(5000); i-- > 0;) {
     double size = pow(10, unit_random_in(&random, -12, 12));
@@ -106,18 +102,5 @@ START_TEST(any) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("plot_tick");
-  TCase *c = tcase_create("ticks");
-  tcase_add_test(c, plain);
-  tcase_add_test(c, powers);
-  tcase_add_test(c, bases);
-  tcase_add_test(c, none);
-  tcase_add_test(c, any);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(plain, powers, bases, none, any)

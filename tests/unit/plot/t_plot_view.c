@@ -26,7 +26,7 @@ static void check_unit(ph_vec3 low, ph_vec3 high) {
   ck_rel(ph_unit_out(unit.center.y, unit.size, a.y), low.y, 1e-12);
 }
 
-START_TEST(units) {
+PH_TEST(units) {
   struct ph_unit unit;
   check_unit(ph_vec3_of(1, 2, 3), ph_vec3_of(2, 5, 3));
   check_unit(ph_vec3_of(-DBL_MAX, -1, 0), ph_vec3_of(DBL_MAX, 1, 0));
@@ -39,7 +39,6 @@ START_TEST(units) {
   ck_abs(unit.center.x, 0, 0);
   ck_abs(unit.center.y, 2, 0);
 }
-END_TEST
 
 /* ---- directions ---------------------------------------------------------- */
 
@@ -51,7 +50,7 @@ static void check_view(const struct ph_view *v) {
   ck_abs(ph_vec3_abs(ph_vec3_sub(cross, v->toward)), 0, 1e-14);
 }
 
-START_TEST(directions) {
+PH_TEST(directions) {
   struct unit_random random = unit_random_of(82);
   struct ph_view v = ph_view_axes(0, 2);
   struct ph_seen seen = ph_view_see(&v, ph_vec3_of(1, 2, 3));
@@ -71,9 +70,8 @@ START_TEST(directions) {
     ck_assert(v.up.z >= 0 || fabs(v.toward.z) > 0.99);
   }
 }
-END_TEST
 
-START_TEST(windows) {
+PH_TEST(windows) {
   struct ph_window w = {{10, 20, 100, 50}, 1, 2, 8};
   struct ph_seen seen = {1, 2, 0};
   struct ph_spot spot = ph_window_spot(&w, seen);
@@ -85,9 +83,8 @@ START_TEST(windows) {
   ck_abs(spot.x, 68, 0);
   ck_abs(spot.y, 37, 0); /* up is up */
 }
-END_TEST
 
-START_TEST(hidden) {
+PH_TEST(hidden) {
   struct ph_seen front = {0.3, 0.1, 0.9}, behind = {0.3, 0.1, -0.9};
   struct ph_seen beside = {1.2, 0.1, -0.9}, near = {0.9, 0, 0.3};
   struct ph_seen far = {0.9, 0, -0.1};
@@ -97,7 +94,6 @@ START_TEST(hidden) {
   ck_abs(ph_view_horizon(near, far), 0.75, 1e-15);
   ck_abs(ph_view_horizon(far, near), 0.25, 1e-15);
 }
-END_TEST
 
 /* ---- globes -------------------------------------------------------------- */
 
@@ -121,7 +117,7 @@ static size_t views_of(const struct unit_drawing *of, struct ph_view views[2],
   return n;
 }
 
-START_TEST(globes) {
+PH_TEST(globes) {
   struct unit_drawing of = {.space = PH_DRAWING_SPHERE,
                             .segments = 2,
                             .turn = 2,
@@ -146,13 +142,12 @@ START_TEST(globes) {
   ck_abs(ph_globe_step(reach), 0.2, 0);
   ck_assert(ph_globe_step(0.3) < 30);
 }
-END_TEST
 
 /* ---- lines in a frame ---------------------------------------------------- */
 
 static const struct ph_rect frame = {0, 0, 10, 5};
 
-START_TEST(clipped) {
+PH_TEST(clipped) {
   struct ph_spot a = {1, 1}, b = {9, 4};
   ck_assert(ph_clip(&frame, &a, &b));
   ck_assert(unit_same(a.x, 1) && unit_same(b.y, 4));
@@ -172,10 +167,9 @@ START_TEST(clipped) {
   a = (struct ph_spot){1, (double)INFINITY};
   ck_assert(!ph_clip(&frame, &a, &b));
 }
-END_TEST
 
 /* What is left is in the frame and on the line. */
-START_TEST(clipped_any) {
+PH_TEST(clipped_any) {
   struct unit_random random = unit_random_of(83);
   int inside = 0;
   for (int i = unit_count(20000); i-- > 0;) {
@@ -198,20 +192,5 @@ START_TEST(clipped_any) {
   }
   ck_assert_int_gt(inside, unit_count(1000));
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("plot_view");
-  TCase *c = tcase_create("views");
-  tcase_add_test(c, units);
-  tcase_add_test(c, directions);
-  tcase_add_test(c, windows);
-  tcase_add_test(c, hidden);
-  tcase_add_test(c, globes);
-  tcase_add_test(c, clipped);
-  tcase_add_test(c, clipped_any);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(units, directions, windows, hidden, globes, clipped, clipped_any)

@@ -29,16 +29,15 @@ static double pole(const void *context, double x) {
   return 1 / (x - *at);
 }
 
-START_TEST(test_peak) {
+PH_TEST(test_peak) {
   for (int e = 0; e <= 30; e++) {
     double width = ldexp(1, -e);
     ck_rel(unit_adapt(&rule, peak, &width, -0.3, 1, 1e-13, 0),
            atan(0.3 / width) + atan(1 / width), 4e-13);
   }
 }
-END_TEST
 
-START_TEST(test_kink) {
+PH_TEST(test_kink) {
   const double places[] = {0, 0.5, 1.0 / 3, 0.9, 1};
   for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
     double a = places[i];
@@ -48,33 +47,19 @@ START_TEST(test_kink) {
   ck_rel(unit_adapt(&rule, root, NULL, 0, 4, 1e-13, 0), 16.0 / 3, 1e-13);
   ck_abs(unit_adapt(&rule, root, NULL, 2, 2, 1e-13, 0), 0, 0);
 }
-END_TEST
 
 /* Nothing is asked of rounding: a tolerance of 0 ends, too. */
-START_TEST(test_no_tolerance) {
+PH_TEST(test_no_tolerance) {
   double width = 0.5;
   ck_rel(unit_adapt(&rule, peak, &width, 0, 1, 0, 0), atan(2), 1e-15);
 }
-END_TEST
 
-START_TEST(test_not_finite) {
+PH_TEST(test_not_finite) {
   double at = (double)NAN;
   ck_assert(isnan(unit_adapt(&rule, kink, &at, 0, 1, 1e-13, 0)));
   at = rule.node[3]; /* the rule hits the pole */
   ck_assert(!isfinite(unit_adapt(&rule, pole, &at, 0, 1, 1e-13, 0)));
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("adapt");
-  TCase *tc = tcase_create("adapt");
-  tcase_add_checked_fixture(tc, begin, NULL);
-  tcase_add_test(tc, test_peak);
-  tcase_add_test(tc, test_kink);
-  tcase_add_test(tc, test_no_tolerance);
-  tcase_add_test(tc, test_not_finite);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_peak, test_kink, test_no_tolerance,
+              test_not_finite)

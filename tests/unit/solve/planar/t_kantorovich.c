@@ -27,12 +27,6 @@ struct system {
   ph_cplx b[N_MAX + 2];
 };
 
-static struct ph_arena arena;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
-
 static void system_init(struct system *s, size_t n, bool closed) {
   memset(s, 0, sizeof *s);
   s->c2 = (struct ph_planar_c2){.n = n,
@@ -89,8 +83,8 @@ static void solved_system(struct unit_random *r, size_t n, bool closed,
     s->c2.end[side] = s->direction[side ? n - 1 : 0];
     s->c2.end_size[side] = 1;
   }
-  ck_assert_int_eq(ph_planar_c2_solve(&s->c2, &arena, s->b, &report, &diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_planar_c2_solve(&s->c2, &unit_arena, s->b, &report, &diag), PH_OK);
 }
 
 /* The unknown over an end of a closed curve comes with its twist. */
@@ -132,7 +126,7 @@ static struct ph_tri_row row_of_form(const struct system *s, size_t i) {
 
 /* Forms and rows are the same equations, and those of Newton: their measure
  * is, and the Newton step solves them. */
-START_TEST(test_rows) {
+PH_TEST(test_rows) {
   struct unit_random r = unit_random_of(1);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -143,7 +137,7 @@ START_TEST(test_rows) {
     size_t n;
     random_system(&r, 3 + unit_random_below(&r, 20), i % 2, &s);
     n = ph_planar_unknowns(&s.c2);
-    ck_assert(ph_tri_alloc(&tri, &arena, n));
+    ck_assert(ph_tri_alloc(&tri, &unit_arena, n));
     m = ph_planar_newton_step(&s.c2, s.b, &tri, step);
     for (size_t k = 0; k < n; k++) {
       size = fmax(size, ph_cplx_abs(step[k]));
@@ -162,10 +156,9 @@ START_TEST(test_rows) {
       sum2 += ph_cplx_norm2(row.f);
     }
     ck_rel(m.sum2, sum2, 1e-13);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* ||J^-1|| of the full matrix. */
 static double full_norm(const struct system *s) {
@@ -208,17 +201,17 @@ static double full_norm(const struct system *s) {
 static struct ph_kantorovich kantorovich_of(const struct system *s) {
   struct ph_kantorovich k;
   struct ph_mark before, after;
-  ck_assert_ptr_nonnull(ph_arena_array(&arena, 1, 1)); /* it has a chunk */
-  before = ph_arena_mark(&arena);
-  ck_assert(ph_planar_kantorovich(&s->c2, s->b, &arena, &k));
-  after = ph_arena_mark(&arena);
+  ck_assert_ptr_nonnull(ph_arena_array(&unit_arena, 1, 1)); /* it has a chunk */
+  before = ph_arena_mark(&unit_arena);
+  ck_assert(ph_planar_kantorovich(&s->c2, s->b, &unit_arena, &k));
+  after = ph_arena_mark(&unit_arena);
   ck_assert_ptr_eq(before.chunk, after.chunk);
   ck_assert_uint_eq(before.used, after.used);
   return k;
 }
 
 /* Up to 64 unknowns, at any b. */
-START_TEST(test_norm_few) {
+PH_TEST(test_norm_few) {
   struct unit_random r = unit_random_of(2);
   struct system s;
   for (int i = 0; i < 60; i++) {
@@ -226,26 +219,24 @@ START_TEST(test_norm_few) {
     size_t n = i < 2 ? (closed ? 64 : 62) : 3 + unit_random_below(&r, 20);
     random_system(&r, n, closed, &s);
     ck_rel(kantorovich_of(&s).b, full_norm(&s), 1e-9);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* With more unknowns: the same of open curves, at any b and at solutions. */
-START_TEST(test_norm_open) {
+PH_TEST(test_norm_open) {
   struct unit_random r = unit_random_of(3);
   struct system s;
   for (int i = 0; i < 20; i++) {
     size_t n = 63 + unit_random_below(&r, N_MAX - 63);
     (i % 2 ? random_system : solved_system)(&r, n, false, &s);
     ck_rel(kantorovich_of(&s).b, full_norm(&s), 1e-9);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Of closed curves it is a bound, at solutions a close one. */
-START_TEST(test_norm_closed) {
+PH_TEST(test_norm_closed) {
   struct unit_random r = unit_random_of(4);
   struct system s;
   for (int i = 0; i < 20; i++) {
@@ -258,15 +249,14 @@ START_TEST(test_norm_closed) {
     if (i % 2 == 0) {
       ck_assert_double_le(bound, norm * 1.01);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* A regular J of which elimination without interchanges loses a pivot: di[1] -
  * lo[1] up[0] / di[0] = 0, where row 0 has two equal entries.  There is no
  * bound rather than a wrong one. */
-START_TEST(test_norm_lost_pivot) {
+PH_TEST(test_norm_lost_pivot) {
   struct unit_random r = unit_random_of(5);
   struct system s;
   struct ph_kantorovich k;
@@ -284,7 +274,6 @@ START_TEST(test_norm_lost_pivot) {
   ck_abs(k.h, HUGE_VAL, 0);
   ck_assert(!k.certified);
 }
-END_TEST
 
 /* [GON18, table 2.5]: pi/18 times 5 ... 17, the printed values, and those of
  * the formula. */
@@ -304,7 +293,7 @@ static const double table[][3] = {
  * w^2 - d at open ends.  So K is ours if h/|c| is alpha epsilon and |d| is 1.
  * The 2 that is printed for small angles is the K of open ends.
  */
-START_TEST(test_table_2_5) {
+PH_TEST(test_table_2_5) {
   for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
     double alpha = table[i][0] * PI / 18;
     double x = 2 * sin(alpha) * (cos(alpha) - 1);
@@ -328,10 +317,9 @@ START_TEST(test_table_2_5) {
     }
   }
 }
-END_TEST
 
 /* ||F'(x) - F'(y)|| <= K ||x - y||, and some difference comes near. */
-START_TEST(test_lipschitz) {
+PH_TEST(test_lipschitz) {
   struct unit_random r = unit_random_of(7);
   double sharpest = 0;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -351,11 +339,10 @@ START_TEST(test_lipschitz) {
     }
     ck_assert_double_le(norm, k * distance * (1 + 1e-14));
     sharpest = fmax(sharpest, norm / (k * distance));
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_double_gt(sharpest, 0.7);
 }
-END_TEST
 
 /* h and the radius are what they are called. */
 static void check_formulas(const struct ph_kantorovich *k) {
@@ -372,7 +359,7 @@ static void check_formulas(const struct ph_kantorovich *k) {
 }
 
 /* Newton from where the theorem holds goes no further than it says. */
-START_TEST(test_theorem) {
+PH_TEST(test_theorem) {
   struct unit_random r = unit_random_of(8);
   int certified = 0, refused = 0;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -392,7 +379,7 @@ START_TEST(test_theorem) {
     check_formulas(&k);
     refused += !k.certified;
     certified += k.certified;
-    ck_assert(ph_tri_alloc(&tri, &arena, n));
+    ck_assert(ph_tri_alloc(&tri, &unit_arena, n));
     for (int t = 0; t < 60 && k.certified; t++) {
       ph_planar_newton_step(&s.c2, s.b, &tri, step);
       for (size_t j = 0; j < n; j++) {
@@ -407,15 +394,14 @@ START_TEST(test_theorem) {
       ck_assert_double_le(moved, k.radius + 1e-13);
       ck_assert_double_ge(moved, 0.5 * k.c);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_int_ge(certified, SYSTEMS / 4);
   ck_assert_int_ge(refused, SYSTEMS / 20);
 }
-END_TEST
 
 /* Solutions are certified, of any number of points. */
-START_TEST(test_solutions) {
+PH_TEST(test_solutions) {
   struct unit_random r = unit_random_of(9);
   for (int i = 0; i < 40; i++) {
     struct system s;
@@ -426,13 +412,12 @@ START_TEST(test_solutions) {
     ck_assert(k.certified);
     ck_assert_double_lt(k.h, 1e-9);
     ck_assert_double_lt(k.radius, 1e-11);
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Nothing is certified where J is singular or anything is not a number. */
-START_TEST(test_nothing) {
+PH_TEST(test_nothing) {
   struct unit_random r = unit_random_of(10);
   for (int i = 0; i < 4; i++) {
     size_t n = i / 2 ? 80 : i % 2 ? 4 : 2;
@@ -454,24 +439,7 @@ START_TEST(test_nothing) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("kantorovich");
-  TCase *tc = tcase_create("kantorovich");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_rows);
-  tcase_add_test(tc, test_norm_few);
-  tcase_add_test(tc, test_norm_open);
-  tcase_add_test(tc, test_norm_closed);
-  tcase_add_test(tc, test_norm_lost_pivot);
-  tcase_add_test(tc, test_table_2_5);
-  tcase_add_test(tc, test_lipschitz);
-  tcase_add_test(tc, test_theorem);
-  tcase_add_test(tc, test_solutions);
-  tcase_add_test(tc, test_nothing);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_rows, test_norm_few, test_norm_open, test_norm_closed,
+         test_norm_lost_pivot, test_table_2_5, test_lipschitz, test_theorem,
+         test_solutions, test_nothing)

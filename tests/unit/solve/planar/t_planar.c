@@ -45,7 +45,7 @@ static void ck_refused(enum ph_status status, const char *field,
   ck_assert_str_eq(u.diag.message, message);
 }
 
-START_TEST(test_method) {
+PH_TEST(test_method) {
   ck_assert_str_eq(ph_method_planar.schema.command, "planar");
   ck_assert_uint_eq(ph_method_planar.dimension, 2);
   for (size_t i = 0; i < ph_method_planar.schema.fields_n; i++) {
@@ -54,9 +54,8 @@ START_TEST(test_method) {
     ck_assert(row->required == (row->standard == NULL));
   }
 }
-END_TEST
 
-START_TEST(test_too_few_points) {
+PH_TEST(test_too_few_points) {
   POINTS(false, 1, 2);
   ck_refused(PH_TOO_FEW_POINTS, "points", "must be at least 2, found 1");
   POINTS(true, 0, 0, 3, 4);
@@ -71,9 +70,8 @@ START_TEST(test_too_few_points) {
   ck_refused(PH_TOO_FEW_POINTS, "points",
              "must be at least 3 different points for a closed curve, found 0");
 }
-END_TEST
 
-START_TEST(test_coincident_points) {
+PH_TEST(test_coincident_points) {
   POINTS(false, 0, 0, 1, 1, 1, 1, 2, 0);
   ck_refused(PH_COINCIDENT_POINTS, "points[2]", "coincides with points[1]");
   POINTS(false, 0, 0, 0, 0);
@@ -89,17 +87,15 @@ START_TEST(test_coincident_points) {
   POINTS(true, 0, 0, 0, 0, 1, 1, 2, 0);
   ck_refused(PH_COINCIDENT_POINTS, "points[1]", "coincides with points[0]");
 }
-END_TEST
 
-START_TEST(test_points_not_consecutive_may_coincide) {
+PH_TEST(test_points_not_consecutive_may_coincide) {
   POINTS(false, 0, 0, 1, 1, 0, 0, 1, 1);
   ck_solved();
   POINTS(true, 0, 0, 1, 0, 0, 1, 1, 0, 1, 1);
   ck_solved();
 }
-END_TEST
 
-START_TEST(test_knots_refused) {
+PH_TEST(test_knots_refused) {
   const char *count3 = "must have 3 numbers, one for each point, found 2";
   POINTS(false, 0, 0, 1, 1, 2, 0);
   KNOTS(0, 1);
@@ -124,9 +120,8 @@ START_TEST(test_knots_refused) {
   POINTS(false, -1.7e308, 0, 1.7e308, 1);
   ck_refused(PH_TOO_LARGE, "knots", "span more than a double can hold");
 }
-END_TEST
 
-START_TEST(test_ends_refused) {
+PH_TEST(test_ends_refused) {
   POINTS(false, 0, 0, 1, 1, 2, 0);
   ENDS(0, 0, 0, 1);
   ck_refused(PH_ZERO_TANGENT, "end_derivatives[0]", "must not be zero");
@@ -145,9 +140,8 @@ START_TEST(test_ends_refused) {
   ck_refused(PH_BAD_VALUE, "end_derivatives",
              "is for open curves: a closed curve has no ends");
 }
-END_TEST
 
-START_TEST(test_no_convergence) {
+PH_TEST(test_no_convergence) {
   POINTS(false, 0, 0, 1, 1, 2, 0);
   ENDS(1e150, 0, 0, 1);
   ck_assert_int_eq(unit_planar_solve(&u), PH_NO_CONVERGENCE);
@@ -155,10 +149,9 @@ START_TEST(test_no_convergence) {
   ck_assert_ptr_nonnull(strstr(u.diag.message, "does not close: the best "
                                                "relative residual reached is"));
 }
-END_TEST
 
 /* What a solution is made of. */
-START_TEST(test_shape) {
+PH_TEST(test_shape) {
   const struct ph_curve *curve = &u.result.curve;
   double sum = 0;
   begin(SOME, 4, true);
@@ -188,7 +181,6 @@ START_TEST(test_shape) {
   ck_assert(!curve->closed);
   ck_assert_uint_eq(curve->n, 3);
 }
-END_TEST
 
 /* The curve of a problem, to be compared after another was solved. */
 static struct ph_curve kept(double p[60]) {
@@ -199,7 +191,7 @@ static struct ph_curve kept(double p[60]) {
   return curve;
 }
 
-START_TEST(test_repeated_last_point) {
+PH_TEST(test_repeated_last_point) {
   double p[60];
   struct ph_curve curve;
   begin(SOME, 4, true);
@@ -213,7 +205,6 @@ START_TEST(test_repeated_last_point) {
   ck_solved();
   ck_abs(unit_curves_apart(&curve, &u.result.curve), 0, 0);
 }
-END_TEST
 
 /* Knots by rule, and the same ones as numbers. */
 static void ck_rule(const char *rule, bool closed,
@@ -258,7 +249,7 @@ static double uniform(double chord) {
   return 1;
 }
 
-START_TEST(test_knot_rules) {
+PH_TEST(test_knot_rules) {
   for (int closed = 0; closed < 2; closed++) {
     ck_rule(NULL, closed, chordal);
     ck_rule("chordal", closed, chordal);
@@ -266,7 +257,6 @@ START_TEST(test_knot_rules) {
     ck_rule("uniform", closed, uniform);
   }
 }
-END_TEST
 
 /* Derivative at t[0] of the parabola through three points. */
 static ph_cplx parabola(const double *q0, const double *q1, const double *q2,
@@ -277,7 +267,7 @@ static ph_cplx parabola(const double *q0, const double *q1, const double *q2,
   return ph_cplx_add(s1, bend);
 }
 
-START_TEST(test_default_ends) {
+PH_TEST(test_default_ends) {
   const double knots[] = {0, 1, 4, 6};
   ph_cplx d0 = parabola(SOME, SOME + 2, SOME + 4, 1, 3);
   ph_cplx d1 = parabola(SOME + 6, SOME + 4, SOME + 2, -2, -3);
@@ -292,10 +282,9 @@ START_TEST(test_default_ends) {
   ck_assert_double_le(unit_curves_apart(&curve, &u.result.curve), 1e-14);
   ck_assert(u.result.diagnostics.known >> PH_D_END_DERIVATIVE_ERROR & 1);
 }
-END_TEST
 
 /* [GON18, Table 2.2] prints the parabolic rule's values for uniform knots. */
-START_TEST(test_default_ends_published) {
+PH_TEST(test_default_ends_published) {
   ph_cplx end;
   POINTS(false, -2.1, 1.8, -0.8333, -0.1, 0.9833, 1.4167, 2.5667, 0.6);
   unit_planar_rule(&u, "uniform");
@@ -305,12 +294,11 @@ START_TEST(test_default_ends_published) {
   end = unit_curve(&u.result.curve, 2, 1, 1);
   ck_assert_double_le(unit_distance(end, ph_cplx_of(1.4668, -1.9834)), 1e-4);
 }
-END_TEST
 
 /* Where the parabola stands still at the end, the chord is taken: on a line
  * with spacings 1, 3 and knots 0, 1, 2 its derivative there is 1 - 3/2 + 1/2 =
  * 0 at the start. */
-START_TEST(test_default_ends_standstill) {
+PH_TEST(test_default_ends_standstill) {
   POINTS(false, 0, 0, 1, 0, 4, 0, 5, 1);
   unit_planar_rule(&u, "uniform");
   ck_solved();
@@ -322,9 +310,8 @@ START_TEST(test_default_ends_standstill) {
   ck_solved();
   ck_abs(unit_curve(&u.result.curve, 0, 1, 0).re, 0.1, 1e-14);
 }
-END_TEST
 
-START_TEST(test_given_ends) {
+PH_TEST(test_given_ends) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < 200; i++) {
     const double knots[] = {3, 4, 4.5, 6};
@@ -345,7 +332,6 @@ START_TEST(test_given_ends) {
                         1e-13);
   }
 }
-END_TEST
 
 static const struct ph_diag *warning(enum ph_status status, size_t segment) {
   const struct ph_warning *found = NULL;
@@ -360,7 +346,7 @@ static const struct ph_diag *warning(enum ph_status status, size_t segment) {
   return &found->diag;
 }
 
-START_TEST(test_reversal) {
+PH_TEST(test_reversal) {
   POINTS(false, 0, 0, 2, 0, 1, 0, 3, 0);
   ck_solved();
   ck_assert_str_eq(
@@ -381,9 +367,8 @@ START_TEST(test_reversal) {
   ck_solved();
   ck_assert(!unit_planar_warned(&u, PH_REVERSAL));
 }
-END_TEST
 
-START_TEST(test_reversal_closed) {
+PH_TEST(test_reversal_closed) {
   POINTS(true, 0, 0, 1, 0, 2, 0, 1, 1);
   ck_solved();
   ck_assert(!unit_planar_warned(&u, PH_REVERSAL));
@@ -396,9 +381,8 @@ START_TEST(test_reversal_closed) {
   ck_assert_ptr_nonnull(
       strstr(warning(PH_REVERSAL, 0)->message, "points[0] (such points: 1)"));
 }
-END_TEST
 
-START_TEST(test_loop) {
+PH_TEST(test_loop) {
   ph_cplx w[3];
   POINTS(false, 0, 0, 1, 0, 2, 0);
   ENDS(-1, 0, 1, 0);
@@ -414,10 +398,9 @@ START_TEST(test_loop) {
   ck_solved();
   ck_assert(!unit_planar_warned(&u, PH_LOOP));
 }
-END_TEST
 
 /* As small and as large as the numbers go: the same curve. */
-START_TEST(test_range) {
+PH_TEST(test_range) {
   const int exponents[] = {-996, -500, 500, 1000, 1019};
   double p[60];
   struct ph_curve curve;
@@ -439,10 +422,9 @@ START_TEST(test_range) {
     ck_rel(ldexp(u.result.curve.length, -exponents[i]), curve.length, 1e-14);
   }
 }
-END_TEST
 
 /* Below 2^-1022 digits are missing, and the certificate knows. */
-START_TEST(test_subnormal) {
+PH_TEST(test_subnormal) {
   POINTS(false, 0, 0, 1e-310, 1e-310, 2e-310, 0, 3e-310, 1e-310);
   ck_solved();
   ck_rel(u.result.curve.length / 1e-310, 4.5049834920518458, 1e-12);
@@ -450,33 +432,11 @@ START_TEST(test_subnormal) {
   ck_assert_int_eq(unit_planar_solve(&u), PH_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(u.diag.message, "refused by its certificate"));
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("planar");
-  TCase *tc = tcase_create("planar");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_method);
-  tcase_add_test(tc, test_too_few_points);
-  tcase_add_test(tc, test_coincident_points);
-  tcase_add_test(tc, test_points_not_consecutive_may_coincide);
-  tcase_add_test(tc, test_knots_refused);
-  tcase_add_test(tc, test_ends_refused);
-  tcase_add_test(tc, test_no_convergence);
-  tcase_add_test(tc, test_shape);
-  tcase_add_test(tc, test_repeated_last_point);
-  tcase_add_test(tc, test_knot_rules);
-  tcase_add_test(tc, test_default_ends);
-  tcase_add_test(tc, test_default_ends_published);
-  tcase_add_test(tc, test_default_ends_standstill);
-  tcase_add_test(tc, test_given_ends);
-  tcase_add_test(tc, test_reversal);
-  tcase_add_test(tc, test_reversal_closed);
-  tcase_add_test(tc, test_loop);
-  tcase_add_test(tc, test_range);
-  tcase_add_test(tc, test_subnormal);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_method, test_too_few_points,
+              test_coincident_points, test_points_not_consecutive_may_coincide,
+              test_knots_refused, test_ends_refused, test_no_convergence,
+              test_shape, test_repeated_last_point, test_knot_rules,
+              test_default_ends, test_default_ends_published,
+              test_default_ends_standstill, test_given_ends, test_reversal,
+              test_reversal_closed, test_loop, test_range, test_subnormal)

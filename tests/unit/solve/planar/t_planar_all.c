@@ -154,7 +154,7 @@ static void check_curves(struct set *f, int set) {
 }
 
 /* As many different curves as there should be, of random data. */
-START_TEST(test_random) {
+PH_TEST(test_random) {
   struct unit_random r = unit_random_of(1);
   for (int set = 0; set < unit_count(SETS); set++) {
     bool closed = set % 2;
@@ -185,11 +185,10 @@ START_TEST(test_random) {
     unit_planar_free(&f.u);
   }
 }
-END_TEST
 
 /* Chords of very different lengths on uniform knots: the unknowns have very
  * different sizes, too. */
-START_TEST(test_uneven) {
+PH_TEST(test_uneven) {
   struct unit_random r = unit_random_of(2);
   for (int set = 0; set < unit_count(20); set++) {
     bool closed = set % 2;
@@ -213,7 +212,6 @@ START_TEST(test_uneven) {
     unit_planar_free(&f.u);
   }
 }
-END_TEST
 
 /* [GON18, table 2.1]: the points, for angles and ends that are not printed. */
 static const double table_points[] = {1, 2, 3, 5, 6, 4, 7, 3, 9, 4};
@@ -224,7 +222,7 @@ static int by_rotation(const void *a, const void *b) {
   return (x[0] > y[0]) - (x[0] < y[0]);
 }
 
-START_TEST(test_table_2_1) {
+PH_TEST(test_table_2_1) {
   struct set f;
   struct ph_curve curve;
   double found[32][2], energy[32];
@@ -264,10 +262,9 @@ START_TEST(test_table_2_1) {
   }
   unit_planar_free(&f.u);
 }
-END_TEST
 
 /* Ten segments have 2048 curves, or seven 256; the same every time. */
-START_TEST(test_ten) {
+PH_TEST(test_ten) {
   struct unit_random r = unit_random_of(3);
   size_t n = unit_count(10) < 10 ? 7 : 10, curves = (size_t)2 << n;
   double v[22];
@@ -289,10 +286,9 @@ START_TEST(test_ten) {
   ck_assert_int_eq(memcmp(first, f.all.b, curves * (n + 2) * sizeof *first), 0);
   unit_planar_free(&f.u);
 }
-END_TEST
 
 /* The most segments, and one more. */
-START_TEST(test_most) {
+PH_TEST(test_most) {
   double v[2 * (PH_PLANAR_ALL_MAX + 2)];
   struct set f;
   for (size_t i = 0; i < PH_PLANAR_ALL_MAX + 2; i++) {
@@ -313,7 +309,6 @@ START_TEST(test_most) {
     unit_planar_free(&f.u);
   }
 }
-END_TEST
 
 /* Whether the solutions have the mirror image of solution i at the x axis. */
 static bool has_mirror(const struct set *f, size_t i) {
@@ -333,7 +328,7 @@ static bool has_mirror(const struct set *f, size_t i) {
 
 /* Points on a line, at which roots do meet on the way without a gamma: every
  * curve has its mirror image among the others. */
-START_TEST(test_line) {
+PH_TEST(test_line) {
   const double x[][6] = {{0, 1, 2, 3, 4, 5},
                          {0, 1, 0, 1, 0, 2},
                          {0, 3, 1, 2, 7, 4},
@@ -356,10 +351,9 @@ START_TEST(test_line) {
     }
   }
 }
-END_TEST
 
 /* The most symmetric data: regular polygons. */
-START_TEST(test_polygon) {
+PH_TEST(test_polygon) {
   for (size_t n = 3; n <= 6; n++) {
     double v[12];
     struct set f;
@@ -375,7 +369,6 @@ START_TEST(test_polygon) {
     unit_planar_free(&f.u);
   }
 }
-END_TEST
 
 /*
  * One PH segment from 0 to c with end derivatives 1, on a knot interval of 1:
@@ -392,7 +385,7 @@ static void set_of_segment(struct set *f, double c) {
   unit_planar_knots(&f->u, knots, 2);
 }
 
-START_TEST(test_double_root) {
+PH_TEST(test_double_root) {
   struct set f;
   struct ph_curve curve;
   size_t doubles = 0;
@@ -420,11 +413,10 @@ START_TEST(test_double_root) {
   ck_assert_uint_eq(doubles, 1);
   unit_planar_free(&f.u);
 }
-END_TEST
 
 /* Two roots that are nearly one, sqrt(5 |part|) apart, are two as long as
  * doubles tell them apart. */
-START_TEST(test_near_double_root) {
+PH_TEST(test_near_double_root) {
   for (int side = -1; side <= 1; side += 2) {
     for (double part = 1e-2; part > 1e-11; part /= 10) {
       struct set f;
@@ -438,12 +430,11 @@ START_TEST(test_near_double_root) {
     }
   }
 }
-END_TEST
 
 /* With a gamma of 1 the real roots of a segment from 0 to less than 1/6 would
  * have to meet on their way to become complex: all paths are lost, and followed
  * again with another gamma. */
-START_TEST(test_again) {
+PH_TEST(test_again) {
   const struct attempt tries[ATTEMPTS] = {{0, 1e-3}, {0.7, 1e-3}};
   struct set f;
   struct family family;
@@ -469,10 +460,9 @@ START_TEST(test_again) {
   check_curves(&f, 0);
   unit_planar_free(&f.u);
 }
-END_TEST
 
 /* A path that went astray: its end is another's, up to the sign. */
-START_TEST(test_astray) {
+PH_TEST(test_astray) {
   struct set f;
   struct family family;
   struct ends ends = {0};
@@ -496,10 +486,9 @@ START_TEST(test_astray) {
   }
   unit_planar_free(&f.u);
 }
-END_TEST
 
 /* Data without solutions, which the checks of data never let through. */
-START_TEST(test_none) {
+PH_TEST(test_none) {
   const double bad[] = {0, HUGE_VAL, nan("")};
   for (int closed = 0; closed < 2; closed++) {
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
@@ -522,26 +511,7 @@ START_TEST(test_none) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("planar_all");
-  TCase *tc = tcase_create("planar_all");
-  tcase_set_timeout(tc, 60);
-  tcase_add_test(tc, test_random);
-  tcase_add_test(tc, test_uneven);
-  tcase_add_test(tc, test_table_2_1);
-  tcase_add_test(tc, test_ten);
-  tcase_add_test(tc, test_most);
-  tcase_add_test(tc, test_line);
-  tcase_add_test(tc, test_polygon);
-  tcase_add_test(tc, test_double_root);
-  tcase_add_test(tc, test_near_double_root);
-  tcase_add_test(tc, test_again);
-  tcase_add_test(tc, test_astray);
-  tcase_add_test(tc, test_none);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_random, test_uneven, test_table_2_1, test_ten, test_most,
+         test_line, test_polygon, test_double_root, test_near_double_root,
+         test_again, test_astray, test_none)

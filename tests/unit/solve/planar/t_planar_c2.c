@@ -24,15 +24,10 @@ struct system {
   ph_cplx b[N_MAX + 2];
 };
 
-static struct ph_arena arena;
 static struct ph_quad rule;
 
 static void start(void) {
   ck_assert(ph_quad_gauss(&rule, 6));
-}
-
-static void finish(void) {
-  ph_arena_free(&arena);
 }
 
 /* Weights (1) of the spacings h. */
@@ -102,16 +97,15 @@ static void residual_by_quadrature(const struct ph_planar_c2 *c2,
   }
 }
 
-START_TEST(test_unknowns) {
+PH_TEST(test_unknowns) {
   struct ph_planar_c2 c2 = {.n = 7, .closed = true};
   ck_assert_uint_eq(ph_planar_unknowns(&c2), 7);
   c2.closed = false;
   ck_assert_uint_eq(ph_planar_unknowns(&c2), 9);
 }
-END_TEST
 
 /* Equation (1): w and dw/dt are continuous at every knot, up to the twist. */
-START_TEST(test_knots) {
+PH_TEST(test_knots) {
   struct unit_random r = unit_random_of(1);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -133,10 +127,9 @@ START_TEST(test_knots) {
     }
   }
 }
-END_TEST
 
 /* At open ends the end value is the mean of two unknowns. */
-START_TEST(test_open_ends) {
+PH_TEST(test_open_ends) {
   struct unit_random r = unit_random_of(2);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -151,10 +144,9 @@ START_TEST(test_open_ends) {
     ck_assert_double_le(unit_distance(w[2], mean), 1e-15);
   }
 }
-END_TEST
 
 /* Equations (2) and (3): the coefficients are those of the integral. */
-START_TEST(test_residual) {
+PH_TEST(test_residual) {
   struct unit_random r = unit_random_of(3);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -173,9 +165,8 @@ START_TEST(test_residual) {
     ck_assert_uint_lt(m.worst, s.c2.n);
   }
 }
-END_TEST
 
-START_TEST(test_worst_segment) {
+PH_TEST(test_worst_segment) {
   struct unit_random r = unit_random_of(4);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -190,10 +181,9 @@ START_TEST(test_worst_segment) {
     ck_assert(isnan(m.sum2));
   }
 }
-END_TEST
 
 /* Rounding is measured in the terms of each equation. */
-START_TEST(test_rounding) {
+PH_TEST(test_rounding) {
   struct unit_random r = unit_random_of(10);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -220,11 +210,10 @@ START_TEST(test_rounding) {
     ck_rel(ph_planar_rounding(&s.c2, s.b), largest, 1e-13);
   }
 }
-END_TEST
 
 /* F is quadratic: F(b + s) - F(b - s) = 2 F'(b) s, exactly, which for the
  * Newton step s is 2 F(b). */
-START_TEST(test_newton_step) {
+PH_TEST(test_newton_step) {
   struct unit_random r = unit_random_of(5);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -235,7 +224,7 @@ START_TEST(test_newton_step) {
     double size = 0;
     random_system(&r, i % 2, &s);
     unknowns = ph_planar_unknowns(&s.c2);
-    ck_assert(ph_tri_alloc(&tri, &arena, unknowns));
+    ck_assert(ph_tri_alloc(&tri, &unit_arena, unknowns));
     found = ph_planar_newton_step(&s.c2, s.b, &tri, step);
     wanted = ph_planar_residual(&s.c2, s.b);
     ck_rel(found.sum2, wanted.sum2, 1e-13);
@@ -254,12 +243,11 @@ START_TEST(test_newton_step) {
                     "seed %lu, system %d, equation %zu: %.3g, step^2 %.3g",
                     unit_seed(), i, k, unit_distance(slope, f[2][k]), size);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
-START_TEST(test_chord_middles) {
+PH_TEST(test_chord_middles) {
   struct unit_random r = unit_random_of(6);
   ph_cplx middle[N_MAX];
   struct system s;
@@ -274,11 +262,10 @@ START_TEST(test_chord_middles) {
     }
   }
 }
-END_TEST
 
 /* Starting values have the middles that were asked for, and at open ends the
  * end derivatives; w never turns by more than a quarter between them. */
-START_TEST(test_start) {
+PH_TEST(test_start) {
   struct unit_random r = unit_random_of(7);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -286,7 +273,7 @@ START_TEST(test_start) {
     ph_cplx first = {0, 0};
     struct ph_tri tri;
     random_system(&r, i % 2, &s);
-    ck_assert(ph_tri_alloc(&tri, &arena, ph_planar_unknowns(&s.c2)));
+    ck_assert(ph_tri_alloc(&tri, &unit_arena, ph_planar_unknowns(&s.c2)));
     ph_planar_chord_middles(&s.c2, middle);
     ph_planar_chord_middles(&s.c2, ph_planar_middles(&s.c2, root));
     ph_planar_start(&s.c2, &tri, root, s.b);
@@ -316,14 +303,13 @@ START_TEST(test_start) {
       ck_assert_double_le(unit_distance(end, wanted), 1e-14);
       ck_assert(ph_cplx_dot(w[2], before) >= 0);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* Of two opposite directions the turn is taken to the left, for rounding that
  * goes either way. */
-START_TEST(test_start_reversal) {
+PH_TEST(test_start_reversal) {
   const double wobble[] = {0, 1e-16, -1e-16};
   for (size_t i = 0; i < 3; i++) {
     ph_cplx root[4], at[2], w[3];
@@ -339,7 +325,7 @@ START_TEST(test_start_reversal) {
                        .h = {1, 1}};
     struct ph_tri tri;
     set_weights(&s);
-    ck_assert(ph_tri_alloc(&tri, &arena, 4));
+    ck_assert(ph_tri_alloc(&tri, &unit_arena, 4));
     ph_planar_chord_middles(&s.c2, ph_planar_middles(&s.c2, root));
     ph_planar_start(&s.c2, &tri, root, s.b);
     for (size_t k = 0; k < 2; k++) {
@@ -349,7 +335,6 @@ START_TEST(test_start_reversal) {
     ck_assert(ph_cplx_cross(at[0], at[1]) > 0);
   }
 }
-END_TEST
 
 /* c[0] + c[1] t + c[2] t^2 + c[3] t^3 */
 static ph_cplx cubic(const ph_cplx c[4], double t) {
@@ -369,7 +354,7 @@ static ph_cplx cubic_slope(const ph_cplx c[4], double t) {
 }
 
 /* An open cubic spline, clamped, is any cubic polynomial itself. */
-START_TEST(test_spline_middles_open) {
+PH_TEST(test_spline_middles_open) {
   struct unit_random r = unit_random_of(8);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -377,7 +362,7 @@ START_TEST(test_spline_middles_open) {
     struct ph_tri tri;
     double t = unit_random_in(&r, -3, 0), from = t;
     random_system(&r, false, &s);
-    ck_assert(ph_tri_alloc(&tri, &arena, ph_planar_unknowns(&s.c2)));
+    ck_assert(ph_tri_alloc(&tri, &unit_arena, ph_planar_unknowns(&s.c2)));
     for (int k = 0; k < 4; k++) {
       c[k] = unit_random_cplx(&r, 1);
     }
@@ -399,10 +384,9 @@ START_TEST(test_spline_middles_open) {
       ck_assert_double_le(unit_distance(middle[k], wanted), 1e-8);
       t += s.h[k];
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* One coordinate of a periodic spline of GSL's: slopes at the middles. */
 static void gsl_middles(const double *knots, const double *value, size_t n,
@@ -417,7 +401,7 @@ static void gsl_middles(const double *knots, const double *value, size_t n,
   gsl_spline_free(spline);
 }
 
-START_TEST(test_spline_middles_closed) {
+PH_TEST(test_spline_middles_closed) {
   struct unit_random r = unit_random_of(9);
   struct system s;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -428,7 +412,7 @@ START_TEST(test_spline_middles_closed) {
     size_t n;
     random_system(&r, true, &s);
     n = s.c2.n;
-    ck_assert(ph_tri_alloc(&tri, &arena, n));
+    ck_assert(ph_tri_alloc(&tri, &unit_arena, n));
     for (size_t k = 0; k < n; k++) {
       x[k] = unit_random_in(&r, -1, 1);
       y[k] = unit_random_in(&r, -1, 1);
@@ -450,29 +434,12 @@ START_TEST(test_spline_middles_closed) {
                     "seed %lu, spline %d, segment %zu of %zu: %.3g",
                     unit_seed(), i, k, n, unit_distance(middle[k], wanted));
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("planar_c2");
-  TCase *tc = tcase_create("planar_c2");
-  tcase_add_checked_fixture(tc, start, finish);
-  tcase_add_test(tc, test_unknowns);
-  tcase_add_test(tc, test_knots);
-  tcase_add_test(tc, test_open_ends);
-  tcase_add_test(tc, test_residual);
-  tcase_add_test(tc, test_worst_segment);
-  tcase_add_test(tc, test_rounding);
-  tcase_add_test(tc, test_newton_step);
-  tcase_add_test(tc, test_chord_middles);
-  tcase_add_test(tc, test_start);
-  tcase_add_test(tc, test_start_reversal);
-  tcase_add_test(tc, test_spline_middles_open);
-  tcase_add_test(tc, test_spline_middles_closed);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(start, NULL, test_unknowns, test_knots, test_open_ends,
+              test_residual, test_worst_segment, test_rounding,
+              test_newton_step, test_chord_middles, test_start,
+              test_start_reversal, test_spline_middles_open,
+              test_spline_middles_closed)

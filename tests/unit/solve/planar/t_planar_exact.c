@@ -25,7 +25,7 @@ static void ck_solved(void) {
 }
 
 /* Two points without end derivatives: their chord. */
-START_TEST(test_line_segment) {
+PH_TEST(test_line_segment) {
   const double points[] = {1, 1, 4, 5};
   begin(points, 2);
   ck_solved();
@@ -35,10 +35,9 @@ START_TEST(test_line_segment) {
     ck_abs(u.result.curve.control_points[2 * i + 1], 1 + 0.8 * i, 2e-15);
   }
 }
-END_TEST
 
 /* Points on a line, at any spacing: the line, with unit speed. */
-START_TEST(test_collinear) {
+PH_TEST(test_collinear) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < 100; i++) {
     ph_cplx direction = ph_cplx_polar(unit_random_in(&r, -3, 3));
@@ -62,7 +61,6 @@ START_TEST(test_collinear) {
     }
   }
 }
-END_TEST
 
 /*
  * One segment with end derivatives: the first-order Hermite interpolant of
@@ -83,7 +81,7 @@ static void hermite(const double d[4], ph_cplx w[3]) {
   w[1] = ph_cplx_scale(0.25, ph_cplx_add(sum, root));
 }
 
-START_TEST(test_hermite) {
+PH_TEST(test_hermite) {
   const double points[] = {0, 0, 1, 0};
   struct unit_random r = unit_random_of(3);
   for (int i = 0; i < 300; i++) {
@@ -107,11 +105,10 @@ START_TEST(test_hermite) {
     }
   }
 }
-END_TEST
 
 /* A PH quintic cut into pieces, given its derivatives at the ends, is found
  * again: it is C2 and PH, and turns too little for another solution. */
-START_TEST(test_reproduction) {
+PH_TEST(test_reproduction) {
   const double knots[] = {0, 0.15, 0.4, 0.5, 0.8, 1};
   struct unit_random r = unit_random_of(4);
   for (int i = 0; i < 200; i++) {
@@ -151,18 +148,6 @@ START_TEST(test_reproduction) {
     }
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("planar_exact");
-  TCase *tc = tcase_create("planar_exact");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_line_segment);
-  tcase_add_test(tc, test_collinear);
-  tcase_add_test(tc, test_hermite);
-  tcase_add_test(tc, test_reproduction);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_line_segment, test_collinear, test_hermite,
+              test_reproduction)

@@ -85,7 +85,7 @@ static const double TABLE[] = {-2.1,   1.8,    -0.8333, -0.1,
 static const double TABLE_ENDS[] = {0.9918, -3.6084, 1.4668, -1.9834};
 
 /* [GON18, fig. 2.17], open: IES = 25.0506. */
-START_TEST(test_published) {
+PH_TEST(test_published) {
   begin(TABLE, 4, false, true);
   unit_planar_ends(&u, TABLE_ENDS);
   ck_minimize(PH_PLANAR_IES, false);
@@ -96,11 +96,10 @@ START_TEST(test_published) {
   ck_abs(angle(2), 0.1311, 0.002);
   ck_assert(!report.at_bound);
 }
-END_TEST
 
 /* The angles of the same table do not minimise MV as it is defined; its
  * minimum has an angle at the bound. */
-START_TEST(test_at_bound) {
+PH_TEST(test_at_bound) {
   static const double mv[] = {0.3539, 2 / 3.0, 0.3760};
   static const double imv[] = {0.3566, 2 / 3.0, 0.3737};
   begin(TABLE, 4, false, true);
@@ -117,7 +116,6 @@ START_TEST(test_at_bound) {
     ck_abs(angle(k), imv[k], 1e-4);
   }
 }
-END_TEST
 
 /* A bent ring or arc of n points, none of them too near to the next. */
 static void random_ring(struct unit_random *r, size_t n, double *v) {
@@ -155,7 +153,7 @@ static double difference(enum ph_planar_functional functional,
 
 /* The gradient of E and MV against differences: open and closed, angles and
  * knots, end derivatives given and by rule. */
-START_TEST(test_gradient) {
+PH_TEST_EACH(test_gradient, 16) {
   struct unit_random r = unit_random_of(30);
   const bool closed = _i & 1, atph = _i & 2, ends = _i & 4, knots = _i & 8;
   const double given_ends[] = {0.1, 2, 0.2, 2}, own[] = {0, 1, 1.5, 3, 4, 5, 7};
@@ -196,11 +194,10 @@ START_TEST(test_gradient) {
     }
   }
 }
-END_TEST
 
 /* Never worse than the start, inside the bounds, and the curve is what the
  * report says; for a second time (some of them), bit for bit the same. */
-START_TEST(test_improves) {
+PH_TEST(test_improves) {
   for (uint64_t i = 0; i < (uint64_t)unit_count(20); i++) {
     struct unit_random r = unit_random_of(100 + i);
     size_t n = 4 + unit_random_below(&r, 4);
@@ -230,10 +227,9 @@ START_TEST(test_improves) {
     }
   }
 }
-END_TEST
 
 /* A minimum: no angle or knot can be moved a little to any profit. */
-START_TEST(test_stationary) {
+PH_TEST_EACH(test_stationary, 2) {
   struct unit_random r = unit_random_of(31);
   double v[12], spacing[6];
   const bool atph = _i;
@@ -255,10 +251,9 @@ START_TEST(test_stationary) {
     spacing[k] = keep;
   }
 }
-END_TEST
 
 /* Curves scale and turn with their points; IES stays. */
-START_TEST(test_invariant) {
+PH_TEST_EACH(test_invariant, 2) {
   struct unit_random r = unit_random_of(32);
   const double scale = 3e-7, turn = 0.7;
   double v[14], first[7], minimum;
@@ -281,11 +276,10 @@ START_TEST(test_invariant) {
     ck_rel(_i ? angle(k) : data.h[k], first[k], 1e-3);
   }
 }
-END_TEST
 
 /* One factor on chordal angles: they stay chordal, and every angle by itself
  * does as well or better. */
-START_TEST(test_scale) {
+PH_TEST(test_scale) {
   double minimum;
   begin(TABLE, 4, false, true);
   unit_planar_ends(&u, TABLE_ENDS);
@@ -300,11 +294,10 @@ START_TEST(test_scale) {
   ck_assert_int_eq(minimize(PH_PLANAR_IES, true), PH_BAD_VALUE);
   ck_assert_str_eq(u.diag.field, "free");
 }
-END_TEST
 
 /* Knots of PH quintics keep their first and last; knots that were given beside
  * angles stay. */
-START_TEST(test_knots) {
+PH_TEST_EACH(test_knots, 2) {
   const double knots[] = {10, 11, 13, 14};
   begin(TABLE, 4, false, _i);
   unit_planar_knots(&u, knots, 4);
@@ -317,33 +310,15 @@ START_TEST(test_knots) {
     }
   }
 }
-END_TEST
 
 /* A straight line can not be improved, nor does it do harm. */
-START_TEST(test_straight) {
+PH_TEST_EACH(test_straight, 2) {
   const double v[] = {0, 0, 1, 2, 3, 6, 4, 8};
   begin(v, 4, false, _i);
   ck_minimize(PH_PLANAR_IES, false);
   ck_assert_double_le(report.minimum, 1e-16);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("planar_min");
-  TCase *t = tcase_create("planar_min");
-  tcase_add_unchecked_fixture(t, NULL, finish);
-  tcase_add_test(t, test_published);
-  tcase_add_test(t, test_at_bound);
-  tcase_add_loop_test(t, test_gradient, 0, 16);
-  tcase_add_test(t, test_improves);
-  tcase_add_loop_test(t, test_stationary, 0, 2);
-  tcase_add_loop_test(t, test_invariant, 0, 2);
-  tcase_add_test(t, test_scale);
-  tcase_add_loop_test(t, test_knots, 0, 2);
-  tcase_add_loop_test(t, test_straight, 0, 2);
-  tcase_set_timeout(t, 120);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_published, test_at_bound, test_gradient,
+              test_improves, test_stationary, test_invariant, test_scale,
+              test_knots, test_straight)

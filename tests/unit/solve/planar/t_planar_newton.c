@@ -24,12 +24,7 @@ struct system {
   double ratio[N_MAX], y[N_MAX + 1], chord[N_MAX];
 };
 
-static struct ph_arena arena;
 static struct ph_diag diag;
-
-static void finish(void) {
-  ph_arena_free(&arena);
-}
 
 /* The equations of points at unit scale with spacings h, h NULL: chordal. */
 static void set_points(struct system *s, const ph_cplx *point, size_t n,
@@ -85,11 +80,11 @@ static void random_points(struct unit_random *r, bool closed, double sharp,
 }
 
 static struct work work_of(size_t n) {
-  struct work w = {.arena = &arena};
-  w.b = ph_arena_array(&arena, n, sizeof *w.b);
-  w.step = ph_arena_array(&arena, n + 1, sizeof *w.step);
+  struct work w = {.arena = &unit_arena};
+  w.b = ph_arena_array(&unit_arena, n, sizeof *w.b);
+  w.step = ph_arena_array(&unit_arena, n + 1, sizeof *w.step);
   ck_assert(w.b && w.step);
-  ck_assert(ph_tri_alloc(&w.tri, &arena, n));
+  ck_assert(ph_tri_alloc(&w.tri, &unit_arena, n));
   return w;
 }
 
@@ -108,7 +103,8 @@ static bool from_straight(struct system *s, struct work *w, size_t *iterations,
   bool solved = false;
   *iterations = 0;
   ck_assert_int_eq(
-      continuation(&s->c2, w, &arena, &solved, iterations, m, &diag), PH_OK);
+      continuation(&s->c2, w, &unit_arena, &solved, iterations, m, &diag),
+      PH_OK);
   return solved;
 }
 
@@ -125,7 +121,7 @@ static double apart(const ph_cplx *a, const ph_cplx *b, size_t n) {
 }
 
 /* On data that turn gently all three lead to the same curve. */
-START_TEST(test_starts_agree) {
+PH_TEST(test_starts_agree) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < SYSTEMS; i++) {
     ph_cplx point[N_MAX + 1];
@@ -149,14 +145,13 @@ START_TEST(test_starts_agree) {
                       apart(a.b, c.b, unknowns) <= 1e-10,
                   "seed %lu, system %d of %zu: %.3g, %.3g", unit_seed(), i, n,
                   apart(a.b, b.b, unknowns), apart(a.b, c.b, unknowns));
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
 }
-END_TEST
 
 /* On data that turn sharply, too, the continuation arrives at a solution of
  * the equations as they were given, if it says that it arrived. */
-START_TEST(test_continuation) {
+PH_TEST(test_continuation) {
   struct unit_random r = unit_random_of(2);
   int arrived = 0;
   for (int i = 0; i < SYSTEMS; i++) {
@@ -183,15 +178,14 @@ START_TEST(test_continuation) {
       ck_abs(fabs(s.c2.twist.re), 1, 0);
       ck_abs(s.c2.twist.im, 0, 0);
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_int_ge(arrived, SYSTEMS * 9 / 10);
 }
-END_TEST
 
 /* Closed data with sides from 1 to 10000 in equal intervals can have no path
  * from the straight polygon: then it gives up, and has the data restored. */
-START_TEST(test_continuation_fails) {
+PH_TEST(test_continuation_fails) {
   struct unit_random r = unit_random_of(4);
   int failed = 0;
   for (int i = 0; i < SYSTEMS && failed < 3; i++) {
@@ -215,14 +209,13 @@ START_TEST(test_continuation_fails) {
           0);
       failed++;
     }
-    ph_arena_reset(&arena);
+    ph_arena_reset(&unit_arena);
   }
   ck_assert_int_eq(failed, 3);
 }
-END_TEST
 
 /* The number of steps does not depend on the number of points. */
-START_TEST(test_long) {
+PH_TEST(test_long) {
   enum { N = 20000 };
   ph_cplx *direction = malloc(N * sizeof *direction);
   ph_cplx *b = malloc(N * sizeof *b);
@@ -245,7 +238,8 @@ START_TEST(test_long) {
     y[k] = 0.5;
   }
   y[N] = 0.5;
-  ck_assert_int_eq(ph_planar_c2_solve(&c2, &arena, b, &report, &diag), PH_OK);
+  ck_assert_int_eq(ph_planar_c2_solve(&c2, &unit_arena, b, &report, &diag),
+                   PH_OK);
   ck_assert_uint_le(report.iterations, 6);
   ck_assert_double_le(report.residual, 1e-13);
   ck_assert_uint_lt(report.worst, N);
@@ -254,11 +248,10 @@ START_TEST(test_long) {
   free(ratio);
   free(y);
 }
-END_TEST
 
 /* Knots that have nothing to do with the points: Newton from the chord start
  * gives up, the midpoint start goes through. */
-START_TEST(test_midpoint_start) {
+PH_TEST(test_midpoint_start) {
   const ph_cplx point[4] = {{4, -5}, {3, -4}, {-3, 2}, {-4, 3}};
   const double h[4] = {1e-5, 1e-3, 1e-5, 0.1};
   struct system s;
@@ -270,14 +263,14 @@ START_TEST(test_midpoint_start) {
   w = work_of(4);
   ck_assert(!from_start(&s, &w, false, &chord));
   ck_assert(from_start(&s, &w, true, &spline));
-  ck_assert_int_eq(ph_planar_c2_solve(&s.c2, &arena, b, &report, &diag), PH_OK);
+  ck_assert_int_eq(ph_planar_c2_solve(&s.c2, &unit_arena, b, &report, &diag),
+                   PH_OK);
   ck_assert_uint_eq(report.iterations, chord + spline);
   ck_assert_double_le(report.residual, 1e-6);
 }
-END_TEST
 
 /* No solution at all: a chord in an interval of length zero. */
-START_TEST(test_no_convergence) {
+PH_TEST(test_no_convergence) {
   const ph_cplx point[4] = {{0, 0}, {1, 0}, {2, 1}, {3, 0}};
   for (int closed = 0; closed < 2; closed++) {
     struct ph_planar_report report;
@@ -285,7 +278,7 @@ START_TEST(test_no_convergence) {
     ph_cplx b[6];
     set_points(&s, point, 3, closed, NULL);
     s.ratio[1] = 0;
-    ck_assert_int_eq(ph_planar_c2_solve(&s.c2, &arena, b, &report, &diag),
+    ck_assert_int_eq(ph_planar_c2_solve(&s.c2, &unit_arena, b, &report, &diag),
                      PH_NO_CONVERGENCE);
     ck_assert_int_eq(diag.status, PH_NO_CONVERGENCE);
     ck_assert_str_eq(diag.message,
@@ -293,20 +286,6 @@ START_TEST(test_no_convergence) {
     ck_assert_str_eq(diag.field, "");
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("planar_newton");
-  TCase *tc = tcase_create("planar_newton");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_starts_agree);
-  tcase_add_test(tc, test_continuation);
-  tcase_add_test(tc, test_continuation_fails);
-  tcase_add_test(tc, test_long);
-  tcase_add_test(tc, test_midpoint_start);
-  tcase_add_test(tc, test_no_convergence);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_starts_agree, test_continuation, test_continuation_fails,
+         test_long, test_midpoint_start, test_no_convergence)

@@ -51,24 +51,12 @@ static void ck_file(const char *path, size_t expected) {
   ck_assert_uint_eq(n, expected);
 }
 
-START_TEST(test_gonzalez) {
+PH_TEST(test_gonzalez) {
   ck_file("tests/vectors/planar-gonzalez.phv", 13);
 }
-END_TEST
 
-START_TEST(test_shapes) {
+PH_TEST(test_shapes) {
   ck_file("tests/vectors/planar-shapes.phv", 38);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("planar_vectors");
-  TCase *tc = tcase_create("planar_vectors");
-  tcase_add_checked_fixture(tc, NULL, finish);
-  tcase_add_test(tc, test_gonzalez);
-  tcase_add_test(tc, test_shapes);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(NULL, finish, test_gonzalez, test_shapes)

@@ -220,7 +220,7 @@ static void ck_basis(double alpha, const double b5[6], const double mu[3]) {
   }
 }
 
-START_TEST(test_basis) {
+PH_TEST(test_basis) {
   static const double third[] = {0.19720431899603022, 0.3697811010690974,
                                  0.2887996148805795,  0.11728023116196691,
                                  0.02475915095359091, 0.0021755829387350733};
@@ -234,7 +234,6 @@ START_TEST(test_basis) {
   ck_basis(1.0471975511965976, third, third_mu);
   ck_basis(1, one, one_mu);
 }
-END_TEST
 
 /* ---- splines ------------------------------------------------------------ */
 
@@ -256,7 +255,7 @@ static void ck_ends(const struct reference *r) {
   }
 }
 
-START_TEST(test_spline) {
+PH_TEST_EACH(test_spline, SPLINES_N) {
   const struct reference *r = &SPLINES[_i];
   const struct ph_diagnostics *d = &u.result.diagnostics;
   struct ph_energy energy;
@@ -282,12 +281,11 @@ START_TEST(test_spline) {
   ck_assert_double_le(known(d, PH_D_RESIDUAL), TOL_RESIDUAL);
   ck_assert_double_le(known(d, PH_D_ITERATIONS), NEWTON_MAX);
 }
-END_TEST
 
 /* ---- circle and limacon ------------------------------------------------- */
 
 /* Angles that are half the turn of the tangent: the circle itself. */
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   const struct reference *r = named("circle-alpha=dtheta/2");
   problem_of(r);
   solve(r->name);
@@ -300,7 +298,6 @@ START_TEST(test_circle) {
     }
   }
 }
-END_TEST
 
 static ph_cplx limacon(double theta) {
   double radius = 0.5 + cos(theta);
@@ -328,7 +325,7 @@ static double distance2(ph_cplx p, double theta) {
 
 /* Printed: 1.1151 <= kappa <= 2.3102, and the mean square distance of the
  * segments' middles from the limacon, 1.0347e-10. */
-START_TEST(test_limacon) {
+PH_TEST(test_limacon) {
   const struct reference *r = named("limacon");
   double least = HUGE_VAL, greatest = 0, sum = 0;
   double theta = PI / 18; /* of the first point */
@@ -348,7 +345,6 @@ START_TEST(test_limacon) {
   ck_abs(greatest, 2.3102, 0.5e-4);
   ck_abs(sum / 4, 1.0347e-10, 0.5e-14);
 }
-END_TEST
 
 /* ---- all solutions ------------------------------------------------------ */
 
@@ -358,7 +354,7 @@ static int by_turns(const void *a, const void *b) {
 }
 
 /* table2.1-all-solutions */
-START_TEST(test_all) {
+PH_TEST(test_all) {
   double found[32][2];
   problem_of(named("table2.1-points-uniform-pi/3"));
   unit_planar_word(&u, PH_F_SOLUTIONS, "all");
@@ -380,7 +376,6 @@ START_TEST(test_all) {
     ck_rel(found[i][1], table21_unit[i][1], 1e-9);
   }
 }
-END_TEST
 
 /* ---- minima ------------------------------------------------------------- */
 
@@ -394,7 +389,7 @@ static void minimize(const char *functional) {
 }
 
 /* fig2.17-open-IES */
-START_TEST(test_ies) {
+PH_TEST(test_ies) {
   static const double alpha[] = {0.1440, 0.1277, 0.1311};
   minimize("IES");
   ck_abs(known(&u.result.diagnostics, PH_D_FUNCTIONAL), 25.0506578, 2e-6);
@@ -402,12 +397,11 @@ START_TEST(test_ies) {
     ck_abs(u.result.curve.preimage.alpha[k] / PI, alpha[k], 0.002);
   }
 }
-END_TEST
 
 /* table2.2-alpha-origin: the angles of Table 2.2 minimise the integral of
  * (dkappa/dt)^2 |r'| dt, where MV has dkappa/ds: no functional of ours leads to
  * them.  So MV has to be less at its own minimum than at theirs. */
-START_TEST(test_mv) {
+PH_TEST(test_mv) {
   static const double printed[] = {0.3671, 0.6667, 0.3766};
   const struct reference *r = named("table2.2-open");
   double alpha[3], ours;
@@ -423,7 +417,6 @@ START_TEST(test_mv) {
   solve("table2.2-alpha-origin");
   ck_assert_double_lt(ours, known(&u.result.diagnostics, PH_D_MV));
 }
-END_TEST
 
 /* ---- small angles ------------------------------------------------------- */
 
@@ -448,7 +441,7 @@ static double length_of(double alpha) {
 }
 
 /* L(a) = L(0) + a^2 times a constant + O(a^4), and no digit is lost. */
-START_TEST(test_small_angles) {
+PH_TEST(test_small_angles) {
   const double ph = length_of(0), slope = (length_of(0.01) - ph) / 1e-4;
   double alpha = 1;
   ck_assert_double_gt(fabs(slope), 1e-3);
@@ -458,22 +451,6 @@ START_TEST(test_small_angles) {
   }
   ck_rel(length_of(1e-6), ph, 1e-11);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("reference");
-  TCase *t = tcase_create("reference");
-  tcase_add_checked_fixture(t, begin, finish);
-  tcase_add_test(t, test_basis);
-  tcase_add_loop_test(t, test_spline, 0, SPLINES_N);
-  tcase_add_test(t, test_circle);
-  tcase_add_test(t, test_limacon);
-  tcase_add_test(t, test_all);
-  tcase_add_test(t, test_ies);
-  tcase_add_test(t, test_mv);
-  tcase_add_test(t, test_small_angles);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, finish, test_basis, test_spline, test_circle, test_limacon,
+              test_all, test_ies, test_mv, test_small_angles)

@@ -58,7 +58,7 @@ static double objective(const gsl_vector *x, void *unused) {
   return alpha[0] < 3.1 && alpha[2] < 3.1 ? log(thesis_mv(alpha)) : 1e3;
 }
 
-START_TEST(test_angles) {
+PH_TEST(test_angles) {
   gsl_multimin_function f = {objective, 2, NULL};
   gsl_multimin_fminimizer *s =
       gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, 2);
@@ -86,14 +86,5 @@ START_TEST(test_angles) {
   gsl_vector_free(x);
   gsl_vector_free(step);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("thesis_mv");
-  TCase *tc = tcase_create("thesis_mv");
-  tcase_add_test(tc, test_angles);
-  suite_add_tcase(s, tc);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_angles)

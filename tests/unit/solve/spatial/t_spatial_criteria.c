@@ -231,7 +231,7 @@ static void printed_points(const struct ph_spatial_data *data, ph_vec3 axis,
 enum { PRINTED = 10000, DATA = 2000 };
 
 /* With the axis (34), and others: the criterion does not depend on it. */
-START_TEST(test_printed) {
+PH_TEST(test_printed) {
   struct unit_random r = unit_random_of(501);
   const struct ph_atph space = ph_atph_of(0);
   struct spread spread = {0, 0};
@@ -245,7 +245,6 @@ START_TEST(test_printed) {
   }
   ck_spread(&spread);
 }
-END_TEST
 
 /* ---- transformed data ----------------------------------------------- */
 
@@ -306,7 +305,7 @@ static double moved_error(const struct motion *m,
   return unit_spatial_error(found, wanted);
 }
 
-START_TEST(test_moved) {
+PH_TEST(test_moved) {
   struct unit_random r = unit_random_of(502);
   struct spread spread[CRITERIA] = {{0, 0}};
   for (int i = 0; i < unit_count(DATA); i++) {
@@ -331,13 +330,12 @@ START_TEST(test_moved) {
     ck_spread(&spread[j]);
   }
 }
-END_TEST
 
 /* ---- cubics --------------------------------------------------------- */
 
 /* The data of a PH cubic, and its control points, raised to degree 5: CC and BV
  * find it. */
-START_TEST(test_cubic) {
+PH_TEST(test_cubic) {
   struct unit_random r = unit_random_of(503);
   const struct ph_atph space = ph_atph_of(0);
   struct spread spread[2] = {{0, 0}};
@@ -365,7 +363,6 @@ START_TEST(test_cubic) {
   ck_spread(&spread[0]);
   ck_spread(&spread[1]);
 }
-END_TEST
 
 /* ---- extrema -------------------------------------------------------- */
 
@@ -411,7 +408,7 @@ static void ck_extrema(const struct ph_spatial_family *f) {
   ck_abs(length_slope(f, hc.b), 0, 1e-8);
 }
 
-START_TEST(test_extrema) {
+PH_TEST(test_extrema) {
   struct unit_random r = unit_random_of(504);
   for (int i = 0; i < unit_count(DATA); i++) {
     struct ph_spatial_data data = near_singular(&r, i);
@@ -420,11 +417,10 @@ START_TEST(test_extrema) {
     ck_extrema(&f);
   }
 }
-END_TEST
 
 /* Next to plane data the lengths at two roots of the quartic are the same, and
  * rounding chooses the one that is refined. */
-START_TEST(test_nearly_plane) {
+PH_TEST(test_nearly_plane) {
   struct unit_random r = unit_random_of(507);
   for (int i = 0; i < unit_count(DATA); i++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -439,12 +435,11 @@ START_TEST(test_nearly_plane) {
     ck_abs(moved_error(&m, &data, &space, 1), 0, 1e-11);
   }
 }
-END_TEST
 
 /* ---- plane and straight data ---------------------------------------- */
 
 /* All are plane, and their reversals are the same. */
-START_TEST(test_plane) {
+PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(505);
   const struct motion reversal = {.kind = REVERSAL};
   int opposite = 0;
@@ -475,10 +470,9 @@ START_TEST(test_plane) {
   }
   ck_assert_int_gt(opposite, 0); /* or this has tested nothing */
 }
-END_TEST
 
 /* A line is found by all, although all members are as long as it. */
-START_TEST(test_straight) {
+PH_TEST(test_straight) {
   struct unit_random r = unit_random_of(506);
   for (int i = 0; i < unit_count(DATA); i++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -494,20 +488,6 @@ START_TEST(test_straight) {
     ck_rel(ph_spatial_length(&f, ph_cplx_of(1, 0)), f.h, 1e-14);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("spatial_criteria");
-  TCase *t = tcase_create("spatial_criteria");
-  tcase_add_test(t, test_printed);
-  tcase_add_test(t, test_moved);
-  tcase_add_test(t, test_cubic);
-  tcase_add_test(t, test_extrema);
-  tcase_add_test(t, test_nearly_plane);
-  tcase_add_test(t, test_plane);
-  tcase_add_test(t, test_straight);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_printed, test_moved, test_cubic, test_extrema, test_nearly_plane,
+         test_plane, test_straight)

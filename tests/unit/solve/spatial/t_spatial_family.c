@@ -146,7 +146,7 @@ static void ck_family(const struct ph_spatial_data *data,
   ck_nearest(&f, member.b);
 }
 
-START_TEST(test_identities) {
+PH_TEST(test_identities) {
   struct unit_random r = unit_random_of(401);
   for (int i = 0; i < unit_count(DATA); i++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -154,10 +154,9 @@ START_TEST(test_identities) {
     ck_family(&data, &space, &r, 1e-14);
   }
 }
-END_TEST
 
 /* Another space is another family. */
-START_TEST(test_space) {
+PH_TEST(test_space) {
   struct unit_random r = unit_random_of(402);
   for (int i = 0; i < unit_count(200); i++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -172,7 +171,6 @@ START_TEST(test_space) {
     ck_abs(unit_spatial_error(p[0], p[1]), 0, 0);
   }
 }
-END_TEST
 
 /* ---- singular and nearly singular data ------------------------------ */
 
@@ -189,7 +187,7 @@ static void set_tangents(struct ph_spatial_data *data, struct unit_random *r,
 
 /* psi = 10^-3, ..., 10^-15 from parallel or opposite.  Below 1e-12 the tangents
  * count as parallel, and are moved by as much. */
-START_TEST(test_near) {
+PH_TEST(test_near) {
   struct unit_random r = unit_random_of(403);
   double psi = 1e-3;
   for (int k = 3; k <= 15; k++, psi /= 10) {
@@ -201,10 +199,9 @@ START_TEST(test_near) {
     }
   }
 }
-END_TEST
 
 /* ti = tf and ti = -tf, exactly. */
-START_TEST(test_parallel) {
+PH_TEST(test_parallel) {
   struct unit_random r = unit_random_of(404);
   for (int i = 0; i < unit_count(500); i++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -219,10 +216,9 @@ START_TEST(test_parallel) {
     ck_assert(f.planar);
   }
 }
-END_TEST
 
 /* ti = tf or -tf, and dp at a small angle of them. */
-START_TEST(test_parallel_near) {
+PH_TEST(test_parallel_near) {
   struct unit_random r = unit_random_of(410);
   for (int i = 0; i < unit_count(800); i++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -234,11 +230,10 @@ START_TEST(test_parallel_near) {
     ck_family(&data, &space, &r, 1e-14);
   }
 }
-END_TEST
 
 /* Tangents along the chord, to either side.  Only where both agree with it is
  * there no need to leave the line. */
-START_TEST(test_straight) {
+PH_TEST(test_straight) {
   struct unit_random r = unit_random_of(405);
   for (int i = 0; i < unit_count(400); i++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -255,7 +250,6 @@ START_TEST(test_straight) {
     }
   }
 }
-END_TEST
 
 /* A random unit vector of the plane of two others. */
 static ph_vec3 random_in_plane(struct unit_random *r, const ph_vec3 e[2]) {
@@ -264,7 +258,7 @@ static ph_vec3 random_in_plane(struct unit_random *r, const ph_vec3 e[2]) {
 }
 
 /* Plane data: the members b = 0 and pi, phi = 0 are plane. */
-START_TEST(test_plane) {
+PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(406);
   for (int i = 0; i < unit_count(DATA); i++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -286,10 +280,9 @@ START_TEST(test_plane) {
     }
   }
 }
-END_TEST
 
 /* dp such that d(b) = 0 but for rounding, and d = 0 exactly. */
-START_TEST(test_no_d) {
+PH_TEST(test_no_d) {
   struct unit_random r = unit_random_of(407);
   for (int i = 0; i < unit_count(1000); i++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -312,7 +305,6 @@ START_TEST(test_no_d) {
     ck_assert(isfinite(ph_quat_abs(a[1])));
   }
 }
-END_TEST
 
 /* ---- angles --------------------------------------------------------- */
 
@@ -395,17 +387,16 @@ static void ck_angles(struct unit_random *r, enum ph_spatial_axis axis) {
   ck_abs(angle_apart(back[0], angles[0]), 0, 1e-14 / gap);
 }
 
-START_TEST(test_angles) {
+PH_TEST(test_angles) {
   struct unit_random r = unit_random_of(408);
   for (int i = 0; i < unit_count(DATA); i++) {
     ck_angles(&r, PH_SPATIAL_CHORD);
     ck_angles(&r, PH_SPATIAL_X);
   }
 }
-END_TEST
 
 /* Of any member, for any axis, and back. */
-START_TEST(test_round_trip) {
+PH_TEST(test_round_trip) {
   static const enum ph_spatial_axis all[] = {PH_SPATIAL_CHORD, PH_SPATIAL_X,
                                              PH_SPATIAL_BISECTOR};
   struct unit_random r = unit_random_of(409);
@@ -423,7 +414,6 @@ START_TEST(test_round_trip) {
     }
   }
 }
-END_TEST
 
 /* Angles about the first axis of the member b = 1, phi = 1, and a member of
  * angles. */
@@ -443,7 +433,7 @@ static void ck_refused(const struct ph_spatial_data *data, bool angles_refused,
 
 /* A tangent opposite to the axis, or nearer to that than to be useful, has no
  * angle; d neither. */
-START_TEST(test_refused) {
+PH_TEST(test_refused) {
   struct ph_spatial_data data = {{0, 1, 0}, {-1, 0, 0}, {0, 1, 0}, 1,
                                  1,         0,          0,         {0, 0, 0}};
   const ph_vec3 y = {0, 1, 0}, z = {0, 0, 1}, minus = {-1, 0, 0};
@@ -462,25 +452,7 @@ START_TEST(test_refused) {
   data.dp = z;
   ck_refused(&data, false, false);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("spatial_family");
-  TCase *t = tcase_create("spatial_family");
-  tcase_add_unchecked_fixture(t, begin, NULL);
-  tcase_add_test(t, test_identities);
-  tcase_add_test(t, test_space);
-  tcase_add_test(t, test_near);
-  tcase_add_test(t, test_parallel);
-  tcase_add_test(t, test_parallel_near);
-  tcase_add_test(t, test_straight);
-  tcase_add_test(t, test_plane);
-  tcase_add_test(t, test_no_d);
-  tcase_add_test(t, test_angles);
-  tcase_add_test(t, test_round_trip);
-  tcase_add_test(t, test_refused);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_identities, test_space, test_near,
+              test_parallel, test_parallel_near, test_straight, test_plane,
+              test_no_d, test_angles, test_round_trip, test_refused)

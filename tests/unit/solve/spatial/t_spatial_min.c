@@ -9,14 +9,9 @@
 static const double TURN = 6.283185307179586;
 
 static struct ph_fair3_rules rules;
-static struct ph_arena scratch;
 
 static void begin(void) {
   ck_assert(ph_fair3_begin(&rules));
-}
-
-static void finish(void) {
-  ph_arena_free(&scratch);
 }
 
 static struct ph_spatial_search search_of(const struct ph_spatial_data *data,
@@ -32,7 +27,7 @@ static struct ph_spatial_search search_of(const struct ph_spatial_data *data,
 static struct ph_spatial_minimum
 minimize(const struct ph_spatial_search *search) {
   struct ph_spatial_minimum found;
-  ck_assert_int_eq(ph_spatial_minimize(search, &rules, &scratch, &found),
+  ck_assert_int_eq(ph_spatial_minimize(search, &rules, &unit_arena, &found),
                    PH_OK);
   return found;
 }
@@ -62,7 +57,7 @@ static double value_of(const struct ph_spatial_search *search,
 
 /* ---- the functional and its gradient ---------------------------------- */
 
-START_TEST(test_gradient) {
+PH_TEST(test_gradient) {
   const double h = 1e-5;
   struct unit_random r = unit_random_of(1110);
   int smooth = 0;
@@ -97,10 +92,9 @@ START_TEST(test_gradient) {
   }
   ck_assert_int_ge(smooth, unit_count(300) / 2);
 }
-END_TEST
 
 /* The fixed quadrature tends to the adaptive one. */
-START_TEST(test_value) {
+PH_TEST(test_value) {
   struct unit_random r = unit_random_of(1111);
   for (int n = 0; n < 60; n++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -119,7 +113,6 @@ START_TEST(test_value) {
     }
   }
 }
-END_TEST
 
 /* ---- known minima ----------------------------------------------------- */
 
@@ -211,7 +204,7 @@ static struct ph_spatial_data row_data(const struct row *row, double scale) {
   return data;
 }
 
-START_TEST(test_reference) {
+PH_TEST(test_reference) {
   for (size_t i = 0; i < ROW_N * 6; i++) {
     const struct row *row = &ROWS[i / 6];
     const size_t atph = i / 3 % 2, k = i % 3;
@@ -230,7 +223,6 @@ START_TEST(test_reference) {
     }
   }
 }
-END_TEST
 
 static void ck_same(const struct ph_spatial_minimum *a,
                     const struct ph_spatial_minimum *b) {
@@ -249,7 +241,7 @@ static ph_vec3 turned(ph_quat turn, ph_vec3 v) {
 }
 
 /* Scale and position do not matter, and the same call gives the same bits. */
-START_TEST(test_invariance) {
+PH_TEST(test_invariance) {
   struct unit_random r = unit_random_of(1112);
   for (size_t i = 0; i < ROW_N * 6; i += 5) {
     const struct row *row = &ROWS[i / 6];
@@ -270,10 +262,9 @@ START_TEST(test_invariance) {
     ck_abs(other.value, one.value, 1e-8 * one.value + 1e-12);
   }
 }
-END_TEST
 
 /* The circular helix itself: pi/4 of radius 1 and pitch 2 pi. */
-START_TEST(test_helix) {
+PH_TEST(test_helix) {
   struct ph_spatial_data data = row_data(&ROWS[6], 1);
   struct ph_spatial_search search = search_of(&data, true, 3);
   struct ph_spatial_minimum found = minimize(&search);
@@ -282,10 +273,9 @@ START_TEST(test_helix) {
   ck_rel(found.alpha, TURN / 8, 1e-6);
   ck_rel(ph_spatial_length(&family, found.member.b), sqrt(2) * TURN / 8, 1e-6);
 }
-END_TEST
 
 /* alpha: given, and on a bound. */
-START_TEST(test_alpha) {
+PH_TEST(test_alpha) {
   struct ph_spatial_data data = row_data(&ROWS[0], 1);
   struct ph_spatial_search search = search_of(&data, true, 1);
   struct ph_spatial_minimum least = minimize(&search), found;
@@ -302,10 +292,9 @@ START_TEST(test_alpha) {
   ck_abs(found.alpha, search.alpha_upper, 0);
   ck_assert(found.value > least.value);
 }
-END_TEST
 
 /* A start is descended from to a minimum that is one, and is kept there. */
-START_TEST(test_descend) {
+PH_TEST(test_descend) {
   struct unit_random r = unit_random_of(1113);
   for (int n = 0; n < unit_count(60); n++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -318,11 +307,11 @@ START_TEST(test_descend) {
         0,
         false};
     double before = value_of(&search, &start);
-    ck_assert_int_eq(ph_spatial_descend(&search, &rules, &scratch, &found),
+    ck_assert_int_eq(ph_spatial_descend(&search, &rules, &unit_arena, &found),
                      PH_OK);
     ck_rel(found.value, least.value, 1e-9);
     found = start;
-    ck_assert_int_eq(ph_spatial_descend(&search, &rules, &scratch, &found),
+    ck_assert_int_eq(ph_spatial_descend(&search, &rules, &unit_arena, &found),
                      PH_OK);
     ck_assert(found.value <= before * (1 + 1e-9));
     ck_assert_msg(found.value >= least.value * (1 - 1e-6),
@@ -330,16 +319,15 @@ START_TEST(test_descend) {
                   found.value, least.value);
     data.ni *= 0.99; /* the next step of a tension */
     found = least;
-    ck_assert_int_eq(ph_spatial_descend(&search, &rules, &scratch, &found),
+    ck_assert_int_eq(ph_spatial_descend(&search, &rules, &unit_arena, &found),
                      PH_OK);
     ck_assert(found.value <= value_of(&search, &least) * (1 + 1e-9));
   }
 }
-END_TEST
 
 /* ---- data in a plane --------------------------------------------------- */
 
-START_TEST(test_straight) {
+PH_TEST(test_straight) {
   const ph_vec3 x = {1, 0, 0};
   for (int k = 1; k <= 3; k++) {
     for (int atph = 0; atph < 2; atph++) {
@@ -350,11 +338,10 @@ START_TEST(test_straight) {
     }
   }
 }
-END_TEST
 
 /* Half a circle, of which F1 is pi^2: for opposite tangents, too, the frame has
  * an answer. */
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   struct ph_spatial_data data = {{2, 0, 0}, {0, 1, 0}, {0, -1, 0}, 2,
                                  2,         0,         0,          {0, 0, 0}};
   struct ph_spatial_search search = search_of(&data, true, 1);
@@ -367,11 +354,10 @@ START_TEST(test_circle) {
     ck_abs(found.alpha, TURN / 4, 1e-6);
   }
 }
-END_TEST
 
 /* An S: F3 of the plane members is finite, and that of their neighbours is not,
  * so that no descent could find them.  Turned, it is the same. */
-START_TEST(test_plane) {
+PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(1114);
   for (int n = 0; n < unit_count(20); n++) {
     ph_quat turn = n == 0 ? ph_quat_of(1, 0, 0, 0) : unit_random_turn(&r);
@@ -389,12 +375,11 @@ START_TEST(test_plane) {
     ck_rel(found.value, 276.5791974, 1e-8);
     ck_abs(found.member.b.im, 0, 1e-12);
     ck_abs(found.member.phi.im, 0, 1e-12);
-    ck_assert_int_eq(ph_spatial_descend(&search, &rules, &scratch, &found),
+    ck_assert_int_eq(ph_spatial_descend(&search, &rules, &unit_arena, &found),
                      PH_OK);
     ck_rel(found.value, 276.5791974, 1e-8);
   }
 }
-END_TEST
 
 /* ---- against a dense grid ---------------------------------------------- */
 
@@ -434,7 +419,7 @@ static double grid_least(const struct ph_spatial_search *search) {
         0,
         0,
         false};
-    ck_assert_int_eq(ph_spatial_descend(search, &rules, &scratch, &found),
+    ck_assert_int_eq(ph_spatial_descend(search, &rules, &unit_arena, &found),
                      PH_OK);
     least = found.value < least ? found.value : least;
   }
@@ -443,7 +428,7 @@ static double grid_least(const struct ph_spatial_search *search) {
 
 /* F1 and F2 on every one; of F3, with its needles, bench/spatial_min.c tells.
  */
-START_TEST(test_grid) {
+PH_TEST(test_grid) {
   struct unit_random r = unit_random_of(1115);
   for (int n = 0; n < unit_count(80); n++) {
     struct ph_spatial_data data = unit_random_spatial(&r);
@@ -454,26 +439,7 @@ START_TEST(test_grid) {
                   least);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("spatial_min");
-  TCase *c = tcase_create("spatial_min");
-  tcase_add_checked_fixture(c, begin, finish);
-  tcase_set_timeout(c, 120);
-  tcase_add_test(c, test_gradient);
-  tcase_add_test(c, test_value);
-  tcase_add_test(c, test_reference);
-  tcase_add_test(c, test_invariance);
-  tcase_add_test(c, test_helix);
-  tcase_add_test(c, test_alpha);
-  tcase_add_test(c, test_descend);
-  tcase_add_test(c, test_straight);
-  tcase_add_test(c, test_circle);
-  tcase_add_test(c, test_plane);
-  tcase_add_test(c, test_grid);
-  suite_add_tcase(s, c);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, NULL, test_gradient, test_value, test_reference,
+              test_invariance, test_helix, test_alpha, test_descend,
+              test_straight, test_circle, test_plane, test_grid)

@@ -244,7 +244,7 @@ static void ck_segment(void) {
   }
 }
 
-START_TEST(test_segments) {
+PH_TEST(test_segments) {
   int seen[HOWS] = {0};
   while (read_segment()) {
     ck_segment();
@@ -257,15 +257,5 @@ START_TEST(test_segments) {
   ck_assert_int_eq(seen[X], 18);
   ck_assert_int_eq(functionals, 19);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("spatial_reference");
-  TCase *t = tcase_create("spatial_reference");
-  tcase_add_checked_fixture(t, begin, finish);
-  tcase_add_test(t, test_segments);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS_WITH(begin, finish, test_segments)

@@ -73,7 +73,7 @@ static struct ph_spatial_tension tension_cc(const struct ph_spatial_data *data,
 /* ---- constraints ---------------------------------------------------- */
 
 /* N of (3) is torsion sigma^2 |z|^2. */
-START_TEST(test_torsion_form) {
+PH_TEST(test_torsion_form) {
   struct unit_random r = unit_random_of(530);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = {.space = random_space(&r)};
@@ -99,7 +99,6 @@ START_TEST(test_torsion_form) {
     }
   }
 }
-END_TEST
 
 /* What `sign` times the torsion is at least, of many u, and at most. */
 static void torsion_range(const struct ph_spatial_family *f, const ph_quat a[3],
@@ -134,7 +133,7 @@ static void convexities(const struct ph_spatial_data *data,
 
 /* Violations of random members agree with what is seen in space, where that
  * leaves no doubt. */
-START_TEST(test_violations) {
+PH_TEST(test_violations) {
   struct unit_random r = unit_random_of(531);
   int members = unit_count(SEGMENTS);
   size_t seen[3][2] = {{0}};
@@ -169,7 +168,6 @@ START_TEST(test_violations) {
     ck_assert_uint_ge(seen[i][1], (size_t)members / 30);
   }
 }
-END_TEST
 
 static struct ph_spatial_data data_of(ph_vec3 dp, ph_vec3 ti, ph_vec3 tf) {
   struct ph_spatial_data data = {
@@ -185,7 +183,7 @@ static unsigned constraints_of(ph_vec3 dp, ph_vec3 ti, ph_vec3 tf) {
 }
 
 /* Data that give no sign void a constraint. */
-START_TEST(test_void) {
+PH_TEST(test_void) {
   const ph_vec3 x = {1, 0, 0}, up = {1, 1, 0}, down = {1, -1, 0};
   const ph_vec3 out = {1, 0, 1}, back = {-1, 0, 0};
   const unsigned ends = PH_SHAPE_START | PH_SHAPE_END;
@@ -199,11 +197,10 @@ START_TEST(test_void) {
   ck_assert_uint_eq(constraints_of(x, x, x), 0);
   ck_assert_uint_eq(constraints_of(x, x, back), 0);
 }
-END_TEST
 
 /* CC keeps the convexity of plane arcs and s-shapes; straight data have nothing
  * to break; the loop of the same arc to the other side breaks an end. */
-START_TEST(test_planar) {
+PH_TEST(test_planar) {
   struct unit_random r = unit_random_of(532);
   struct ph_atph space = ph_atph_of(0);
   for (size_t n = 0; n < SEGMENTS; n++) {
@@ -228,9 +225,8 @@ START_TEST(test_planar) {
     ck_assert_uint_eq(ph_spatial_violations(&f, a), 0);
   }
 }
-END_TEST
 
-START_TEST(test_predicates) {
+PH_TEST(test_predicates) {
   const ph_vec3 x = {1, 0, 0}, y = {0, 1, 0}, up = {1, 2, 0}, left = {-1, 1, 0};
   struct ph_spatial_data data = data_of(x, up, up);
   ck_assert(ph_spatial_is_forward(&data) && ph_spatial_is_acute(&data));
@@ -243,7 +239,6 @@ START_TEST(test_predicates) {
   data = data_of(x, x, y);
   ck_assert(!ph_spatial_is_acute(&data));
 }
-END_TEST
 
 /* ---- tension -------------------------------------------------------- */
 
@@ -264,7 +259,7 @@ static struct ph_spatial_data example3(double size) {
 /* CC breaks the torsion at the end, and is cured; alpha = beta = 0 is not.  The
  * largest tension and the lengths come from a computation with numpy, not from
  * the paper, which says that 5/6 will do. */
-START_TEST(test_example3) {
+PH_TEST(test_example3) {
   struct ph_spatial_data data = example3(sqrt(3));
   struct ph_atph space = ph_atph_of(0);
   struct ph_spatial_tension tension = tension_cc(&data, &space);
@@ -294,11 +289,10 @@ START_TEST(test_example3) {
   ck_rel(ph_spatial_length(&fit->family, fit->member.b), 2.3361457326710435,
          1e-12);
 }
-END_TEST
 
 /* An arc of a helix that is too long for alpha = beta = 0 (example 1 of
  * [FAR15]): of 3.016 rad. */
-START_TEST(test_example1) {
+PH_TEST(test_example1) {
   struct ph_spatial_data data = {
       {-1.9921147013144777, 0.12533323356430454, 1.5079644737231006},
       {0, 0.8944271909999159, 0.4472135954999579},
@@ -321,7 +315,6 @@ START_TEST(test_example1) {
   tension = tension_cc(&data, &space);
   ck_assert_uint_eq(tension.without, 0);
 }
-END_TEST
 
 /* What CC violates at a factor. */
 static unsigned violated_at(const struct ph_spatial_data *data,
@@ -335,7 +328,7 @@ static unsigned violated_at(const struct ph_spatial_data *data,
 }
 
 /* Results are what their definition says; (52) and (59) are sufficient. */
-START_TEST(test_definition) {
+PH_TEST(test_definition) {
   struct unit_random r = unit_random_of(533);
   int segments = unit_count(10 * SEGMENTS);
   size_t reduced = 0, hopeless = 0;
@@ -373,7 +366,6 @@ START_TEST(test_definition) {
   ck_assert_uint_ge(reduced, (size_t)segments / 20);
   ck_assert_uint_ge(hopeless, (size_t)segments / 300);
 }
-END_TEST
 
 static struct ph_spatial_data turned(const struct ph_spatial_data *data,
                                      ph_quat q) {
@@ -412,7 +404,7 @@ static unsigned exchanged(unsigned set) {
 }
 
 /* Tensions do not depend on where and how the data are looked at. */
-START_TEST(test_invariance) {
+PH_TEST(test_invariance) {
   struct unit_random r = unit_random_of(534);
   int segments = unit_count(SEGMENTS);
   size_t reduced = 0;
@@ -436,7 +428,6 @@ START_TEST(test_invariance) {
   }
   ck_assert_uint_ge(reduced, (size_t)segments / 30);
 }
-END_TEST
 
 /* CC in a space that shrinks with the derivatives; fails when `left` is 0. */
 struct shrinking {
@@ -457,7 +448,7 @@ static enum ph_status choose_shrinking(struct ph_spatial_family *family,
 }
 
 /* A choice may change the space, and may fail, at any time. */
-START_TEST(test_choice) {
+PH_TEST(test_choice) {
   struct ph_spatial_data data = example3(sqrt(3));
   struct ph_atph space = ph_atph_of(0);
   struct shrinking shrinking = {1000};
@@ -478,25 +469,7 @@ START_TEST(test_choice) {
     ck_assert_uint_eq(again.tried, n + 1);
   }
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("spatial_shape");
-  TCase *t = tcase_create("constraints");
-  tcase_add_test(t, test_torsion_form);
-  tcase_add_test(t, test_violations);
-  tcase_add_test(t, test_void);
-  tcase_add_test(t, test_planar);
-  tcase_add_test(t, test_predicates);
-  suite_add_tcase(s, t);
-  t = tcase_create("tension");
-  tcase_add_test(t, test_example3);
-  tcase_add_test(t, test_example1);
-  tcase_add_test(t, test_definition);
-  tcase_add_test(t, test_invariance);
-  tcase_add_test(t, test_choice);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_torsion_form, test_violations, test_void, test_planar,
+         test_predicates, test_example3, test_example1, test_definition,
+         test_invariance, test_choice)

@@ -110,7 +110,7 @@ static void ck_shape(const struct polygon *p, size_t seen[2][3]) {
   }
 }
 
-START_TEST(test_shape) {
+PH_TEST(test_shape) {
   struct unit_random r = unit_random_of(540);
   size_t seen[2][3] = {{0}};
   for (size_t n = 0; n < POLYGONS; n++) {
@@ -122,11 +122,10 @@ START_TEST(test_shape) {
     ck_assert_uint_ge(seen[i][2], POLYGONS);
   }
 }
-END_TEST
 
 /* A polygon with right angles and plane quadruples, such as a chair: signs are
  * zero too. */
-START_TEST(test_chair) {
+PH_TEST(test_chair) {
   const double points[] = {0, 0, 0, 0, 0, 2, 0, 0, 4, 2, 0, 4, 2,  0, 2,
                            2, 2, 2, 2, 2, 0, 0, 2, 0, 0, 2, 2, -1, 1, 2};
   size_t seen[2][3] = {{0}};
@@ -137,10 +136,9 @@ START_TEST(test_chair) {
   }
   ck_assert_uint_ge(seen[1][2], 1);
 }
-END_TEST
 
 /* Points of a circle at any spacing, in any plane: its tangents. */
-START_TEST(test_circle) {
+PH_TEST(test_circle) {
   struct unit_random r = unit_random_of(541);
   for (size_t n = 0; n < POLYGONS; n++) {
     ph_vec3 u = ph_vec3_unit(
@@ -166,11 +164,10 @@ START_TEST(test_circle) {
     }
   }
 }
-END_TEST
 
 /* The ends of an open polygon are those of plane arcs: the first tangent is the
  * mirror image of the second. */
-START_TEST(test_ends) {
+PH_TEST(test_ends) {
   struct unit_random r = unit_random_of(542);
   for (size_t n = 0; n < POLYGONS; n++) {
     struct polygon p = random_polygon(&r, 3, false);
@@ -184,16 +181,14 @@ START_TEST(test_ends) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_two_points) {
+PH_TEST(test_two_points) {
   const double points[] = {1, 2, 3, 3, 3, 5};
   struct polygon p = polygon_of(2, false, points);
   for (size_t j = 0; j < 2; j++) {
     ck_vec3(p.tangents[j], ph_vec3_of(2.0 / 3, 1.0 / 3, 2.0 / 3), 1e-15);
   }
 }
-END_TEST
 
 /* ---- invariance ----------------------------------------------------- */
 
@@ -252,7 +247,7 @@ static ph_quat random_rotation(struct unit_random *r) {
   return ph_quat_scale(1 / ph_quat_abs(q), q);
 }
 
-START_TEST(test_invariance) {
+PH_TEST(test_invariance) {
   struct unit_random r = unit_random_of(543);
   const int exponents[] = {-960, -101, -3, 1, 64, 1023};
   for (size_t n = 0; n < POLYGONS; n++) {
@@ -272,9 +267,8 @@ START_TEST(test_invariance) {
     }
   }
 }
-END_TEST
 
-START_TEST(test_planar) {
+PH_TEST(test_planar) {
   struct unit_random r = unit_random_of(544);
   for (size_t n = 0; n < POLYGONS; n++) {
     struct polygon p = random_polygon(&r, 2 + n % 2, n % 2);
@@ -298,7 +292,6 @@ START_TEST(test_planar) {
     }
   }
 }
-END_TEST
 
 /* ---- where the polygon turns back ----------------------------------- */
 
@@ -309,7 +302,7 @@ static struct polygon hairpin(ph_vec3 from, ph_vec3 to) {
   return polygon_of(5, false, points);
 }
 
-START_TEST(test_hairpin) {
+PH_TEST(test_hairpin) {
   const ph_vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
   const ph_vec3 down = {0.5, -2, 0}, up = {-1, 3, 0};
   const ph_vec3 middle = {0, sqrt(0.5), sqrt(0.5)};
@@ -335,11 +328,10 @@ START_TEST(test_hairpin) {
     ck_scaled(&p, 900);
   }
 }
-END_TEST
 
 /* Back and forth on a line: the sides of what lies before and after are found
  * at any distance, also around a closed polygon. */
-START_TEST(test_zigzag) {
+PH_TEST(test_zigzag) {
   const double points[] = {0, 0, 0, 3, 0, 0, 0, 0, 0, 3, 0, 0,
                            0, 0, 0, 0, 2, 5, 0, 4, 5, 0, 4, 4};
   const ph_vec3 side = ph_vec3_unit(ph_vec3_of(0, 2, 5));
@@ -357,11 +349,10 @@ START_TEST(test_zigzag) {
   }
   ck_reversed(&p);
 }
-END_TEST
 
 /* Only back and forth, along any line: round and round, normal to it, and in
  * the plane z = 0 where the line is. */
-START_TEST(test_line) {
+PH_TEST(test_line) {
   const ph_vec3 lines[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, -4, 0},
                            {1, 1, 1}, {0, 2, 5}, {5, 0, 2}};
   for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
@@ -383,11 +374,10 @@ START_TEST(test_line) {
     }
   }
 }
-END_TEST
 
 /* Points that differ in less than the others have digits for: an edge keeps its
  * direction. */
-START_TEST(test_short_edge) {
+PH_TEST(test_short_edge) {
   const double huge[] = {0, 0, 0, 0, 4e-320, 3e-320, 1e284, 4e-320, 3e-320};
   struct polygon p = polygon_of(3, false, huge);
   ck_vec3(p.tangents[0], ph_vec3_of(0, 0.8, 0.6), 1e-4);
@@ -395,28 +385,7 @@ START_TEST(test_short_edge) {
   /* the last one is that of a circle through three points */
   ck_vec3(p.tangents[2], ph_vec3_scale(-1, p.tangents[0]), 1e-15);
 }
-END_TEST
 
-static Suite *suite(void) {
-  Suite *s = suite_create("spatial_tangents");
-  TCase *t = tcase_create("shape");
-  tcase_add_test(t, test_shape);
-  tcase_add_test(t, test_chair);
-  tcase_add_test(t, test_circle);
-  tcase_add_test(t, test_ends);
-  tcase_add_test(t, test_two_points);
-  tcase_add_test(t, test_short_edge);
-  suite_add_tcase(s, t);
-  t = tcase_create("invariance");
-  tcase_add_test(t, test_invariance);
-  tcase_add_test(t, test_planar);
-  suite_add_tcase(s, t);
-  t = tcase_create("reversal");
-  tcase_add_test(t, test_hairpin);
-  tcase_add_test(t, test_zigzag);
-  tcase_add_test(t, test_line);
-  suite_add_tcase(s, t);
-  return s;
-}
-
-PH_TEST_MAIN(suite)
+PH_TESTS(test_shape, test_chair, test_circle, test_ends, test_two_points,
+         test_short_edge, test_invariance, test_planar, test_hairpin,
+         test_zigzag, test_line)
