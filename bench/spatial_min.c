@@ -38,7 +38,7 @@ static struct ph_spatial_point point_of(struct place at) {
 static void fill(struct judge *judge, const struct ph_spatial_search *search) {
   struct ph_atph space = ph_atph_of(1);
   struct ph_spatial_family family = ph_spatial_family_of(search->data, &space);
-  struct ph_spatial_target target = {&judge->rules.fine, &family, true,
+  struct ph_spatial_target target = {&judge->rules.rule, &family, true,
                                      search->functional};
   struct place at = {0};
   for (at.k = 0; at.k < GRID_ALPHA; at.k++) {

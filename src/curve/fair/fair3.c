@@ -21,10 +21,10 @@
  *   4 q^9 |z|^2 / sigma^5 (3 q'/q + (log |z|)' - 2 sigma'/sigma)^2      (5)
  *   q^9 / sigma^3 ((3 q'/q - sigma'/sigma) T + T')^2                    (6)
  *
- * Polynomials are written in y = v - 1/2.  z is of degree 2, and the interval
+ * Places are written as y = v - 1/2.  z is of degree 2, and the interval
  * is cut at its zeros, near to which (5) and (6) change fast.  The poles of all
  * integrands are known: the zeros of sigma, z and its conjugate.  One that is
- * nearer to an interval than its nodes are to each other may be seen by none:
+ * nearer to a node than a few times the next node may be seen by none:
  * such an interval is halved whatever the rules say.  At a distance d from a
  * node, however complex, sigma is not 0 as long as
  *
@@ -33,9 +33,11 @@
  * since its terms besides |B|^2 are at most 2 |B| times that and its square,
  * and z is not 0 as long as |z'| d + |z''/2| d^2 < |z|.  At a zero that
  * is real, an inflection, z changes its sign and arg z jumps, while (arg z)' is
- * that of the other factor of z.  Rules of 8 and
- * 16 nodes are compared, then 16 nodes on an interval with 16 on either half.
- * The finer value is kept, which is better than the difference says.
+ * that of the other factor of z.  16 nodes on an interval are compared with 16
+ * on either half, which are kept.
+ *
+ * Every interval has polynomials of its own, in the distance from its middle:
+ * where B is small, those of the whole are small differences.
  */
 #include "curve/fair/fair3.h"
 
@@ -45,13 +47,12 @@
 /* Halvings, and intervals of one segment, at most. */
 enum { DEPTH_MAX = 50, PARTS_MAX = 1024, SUMS = 3 };
 
-/*
- * How far two values may differ.  The integrands are rational: where m nodes
- * err by e, 2 m nodes err by about e^2 (a power of r^-2m, the ellipse of
- * regularity having semi-axes that add up to r), and halves by much less
- * than e.
- */
-static const double AGREE = 1e-8, HALVES_AGREE = 1e-12;
+/* How far the two values may differ: the halves, which are kept, are nearer to
+ * the integral by an order or more. */
+static const double AGREE = 3e-10;
+/* Poles are looked for up to so many times the distance of nodes: beyond that,
+ * values do not agree by accident. */
+static const double AWAY = 3;
 /* Error of what is squared in units of its terms. */
 static const double ROUNDING = 16 * DBL_EPSILON;
 /* Out of the plane, or off the line: less than this is rounding. */
@@ -62,20 +63,28 @@ static const double NEAR = 0.3, INFLECTION = 1e-6;
 /* Half the square of sqrt 2 - 1, and of 1: (x + y)^2 <= 2 (x^2 + y^2). */
 static const double CLEAR_SIGMA = 0.0857, CLEAR_Z = 0.5;
 
-/* The polynomials in y: of B, of W, of Im(conj(z) z'). */
+/* A segment: B at either end, with its derivative, and half the second one. */
 struct form {
-  ph_quat b[3];
-  ph_quat w[3];
-  double nu[3];
+  ph_quat end[2], slope[2], bend;
   double q0, q2;      /* q = q0 + q2 y^2 */
-  double a2_size;     /* of the terms of B, squared */
-  double z2_size;     /* of the terms of z, squared */
   bool twists;        /* the torsion counts */
-  double b2, z2;      /* |B''/2|^2, |z''/2|^2 */
   bool inflected;     /* z has a real zero on the interval */
   ph_cplx zero;       /* then: the other one */
   size_t parts;       /* intervals so far */
   double total[SUMS]; /* of what is done */
+};
+
+/* An interval, and the polynomials in x = y - middle: of B, of W, and of
+ * Im(conj(z) z'). */
+struct part {
+  double middle, length;
+  ph_quat b[3];
+  ph_quat w[3];
+  double nu[3];
+  double b2, z2;  /* |B''/2|^2, |z''/2|^2 */
+  double b2_size; /* of the terms of B, and of what
+                   * it is found from, squared */
+  double z2_size; /* of the products that z is made of, squared */
 };
 
 /* An integral of squares, and the same integral of their terms. */
@@ -85,42 +94,56 @@ struct square {
 
 struct squares {
   struct square of[SUMS];
-  bool clear; /* no pole is nearer than the nodes are to each other */
+  bool clear; /* no pole is near to a node */
 };
 
 static ph_cplx z_of(ph_quat w) {
   return ph_cplx_of(w.p, w.q);
 }
 
-static void set_form(struct form *f, const struct ph_atph *space,
-                     const ph_quat a[3]) {
-  ph_quat middle = ph_quat_scale(2 * space->c, a[1]);
-  ph_quat ends = ph_quat_add(a[0], a[2]);
+static struct form form_of(const struct ph_atph *space, const ph_quat a[3]) {
+  ph_quat middle = ph_quat_scale(space->c, a[1]);
+  ph_quat first = ph_quat_sub(middle, a[0]), last = ph_quat_sub(a[2], middle);
+  struct form f = {.end = {a[0], a[2]},
+                   .slope = {ph_quat_scale(2, first), ph_quat_scale(2, last)},
+                   .bend = ph_quat_sub(last, first),
+                   .q0 = 0.5 * (1 + space->c),
+                   .q2 = 2 * (1 - space->c)};
+  return f;
+}
+
+/* From the nearer end on, so that next to an end at which B is small it is as
+ * exact as it is there. */
+static void set_part(struct part *p, const struct form *f, double y0,
+                     double y1) {
+  double middle = 0.5 * (y0 + y1), length = y1 - y0,
+         h2 = 0.25 * length * length;
+  size_t end = middle > 0;
+  double x = end ? middle - 0.5 : middle + 0.5, size[3], slope;
   ph_cplx z[3];
-  f->b[0] = ph_quat_scale(0.25, ph_quat_add(ends, middle));
-  f->b[1] = ph_quat_sub(a[2], a[0]);
-  f->b[2] = ph_quat_sub(ends, middle);
-  f->w[0] = ph_quat_between(f->b[0], f->b[1]);
-  f->w[1] = ph_quat_scale(2, ph_quat_between(f->b[0], f->b[2]));
-  f->w[2] = ph_quat_between(f->b[1], f->b[2]);
+  p->middle = middle;
+  p->length = length;
+  p->b[2] = f->bend;
+  p->b[1] = ph_quat_add(f->slope[end], ph_quat_scale(2 * x, f->bend));
+  p->b[0] = ph_quat_add(
+      f->end[end],
+      ph_quat_scale(x, ph_quat_add(f->slope[end], ph_quat_scale(x, f->bend))));
+  p->w[0] = ph_quat_between(p->b[0], p->b[1]);
+  p->w[1] = ph_quat_scale(2, ph_quat_between(p->b[0], p->b[2]));
+  p->w[2] = ph_quat_between(p->b[1], p->b[2]);
   for (size_t i = 0; i < 3; i++) {
-    z[i] = z_of(f->w[i]);
+    z[i] = z_of(p->w[i]);
+    size[i] = ph_quat_dot(p->b[i], p->b[i]);
   }
-  f->nu[0] = ph_cplx_cross(z[0], z[1]);
-  f->nu[1] = 2 * ph_cplx_cross(z[0], z[2]);
-  f->nu[2] = ph_cplx_cross(z[1], z[2]);
-  f->q0 = 0.5 * (1 + space->c);
-  f->q2 = 2 * (1 - space->c);
-  f->a2_size = ph_quat_dot(a[0], a[0]) + ph_quat_dot(middle, middle) +
-               ph_quat_dot(a[2], a[2]);
-  f->z2_size = ph_cplx_norm2(z[0]) + ph_cplx_norm2(z[1]) + ph_cplx_norm2(z[2]);
-  f->parts = 0;
-  f->inflected = false;
-  f->b2 = ph_quat_dot(f->b[2], f->b[2]);
-  f->z2 = ph_cplx_norm2(z[2]);
-  for (size_t i = 0; i < SUMS; i++) {
-    f->total[i] = 0;
-  }
+  p->nu[0] = ph_cplx_cross(z[0], z[1]);
+  p->nu[1] = 2 * ph_cplx_cross(z[0], z[2]);
+  p->nu[2] = ph_cplx_cross(z[1], z[2]);
+  p->b2 = size[2];
+  p->z2 = ph_cplx_norm2(z[2]);
+  slope = ph_quat_dot(f->slope[end], f->slope[end]) + 4 * x * x * size[2];
+  p->b2_size = ph_quat_dot(f->end[end], f->end[end]) + x * x * slope +
+               h2 * (size[1] + h2 * size[2]);
+  p->z2_size = p->b2_size * (slope + 4 * h2 * size[2]);
 }
 
 /* The values at one node that the integrands are made of. */
@@ -141,16 +164,17 @@ static inline double at(double c0, double c1, double c2, double y) {
   return c0 + y * (c1 + y * c2);
 }
 
-static inline struct node node_at(const struct form *f, double y) {
-  const ph_quat *b = f->b, *w = f->w;
-  double u = at(b[0].u, b[1].u, b[2].u, y), v = at(b[0].v, b[1].v, b[2].v, y);
-  double p = at(b[0].p, b[1].p, b[2].p, y), r = at(b[0].q, b[1].q, b[2].q, y);
-  double re = at(w[0].p, w[1].p, w[2].p, y), im = at(w[0].q, w[1].q, w[2].q, y);
-  double y2 = 2 * y, q = f->q0 + f->q2 * y * y;
+static inline struct node node_at(const struct form *f, const struct part *on,
+                                  double x) {
+  const ph_quat *b = on->b, *w = on->w;
+  double u = at(b[0].u, b[1].u, b[2].u, x), v = at(b[0].v, b[1].v, b[2].v, x);
+  double p = at(b[0].p, b[1].p, b[2].p, x), r = at(b[0].q, b[1].q, b[2].q, x);
+  double re = at(w[0].p, w[1].p, w[2].p, x), im = at(w[0].q, w[1].q, w[2].q, x);
+  double y = on->middle + x, x2 = 2 * x, q = f->q0 + f->q2 * y * y;
   double sigma = u * u + v * v + p * p + r * r;
-  double u1 = b[1].u + y2 * b[2].u, v1 = b[1].v + y2 * b[2].v;
-  double p1 = b[1].p + y2 * b[2].p, r1 = b[1].q + y2 * b[2].q;
-  double re1 = w[1].p + y2 * w[2].p, im1 = w[1].q + y2 * w[2].q;
+  double u1 = b[1].u + x2 * b[2].u, v1 = b[1].v + x2 * b[2].v;
+  double p1 = b[1].p + x2 * b[2].p, r1 = b[1].q + x2 * b[2].q;
+  double re1 = w[1].p + x2 * w[2].p, im1 = w[1].q + x2 * w[2].q;
   double half = u * u1 + v * v1 + p * p1 + r * r1;
   struct node n;
   n.per_sigma = 1 / sigma;
@@ -162,8 +186,8 @@ static inline struct node node_at(const struct form *f, double y) {
   n.b1 = u1 * u1 + v1 * v1 + p1 * p1 + r1 * r1;
   n.z1 = re1 * re1 + im1 * im1;
   n.other2 = 0;
-  n.x = at(w[0].v, w[1].v, w[2].v, y);
-  n.x1 = w[1].v + y2 * w[2].v;
+  n.x = at(w[0].v, w[1].v, w[2].v, x);
+  n.x1 = w[1].v + x2 * w[2].v;
   if (f->inflected) {
     double away = y - f->zero.re;
     double per;
@@ -173,24 +197,24 @@ static inline struct node node_at(const struct form *f, double y) {
     n.turn1 = -2 * away * n.turn * per;
     n.turn1_terms = fabs(n.turn1);
   } else {
-    double part = (f->nu[1] + y2 * f->nu[2]) * n.per_z2;
-    n.turn = at(f->nu[0], f->nu[1], f->nu[2], y) * n.per_z2;
+    double part = (on->nu[1] + x2 * on->nu[2]) * n.per_z2;
+    n.turn = at(on->nu[0], on->nu[1], on->nu[2], x) * n.per_z2;
     n.turn1 = part - 2 * n.turn * n.dz;
     n.turn1_terms = fabs(part) + fabs(2 * n.turn * n.dz);
   }
   n.q3 = q * q * q;
   n.dq = 2 * f->q2 * y / q;
-  n.noise = f->a2_size * n.per_sigma + f->z2_size * n.per_z2;
+  n.noise = on->b2_size * n.per_sigma + on->z2_size * n.per_z2;
   return n;
 }
 
 /* (7) */
-static inline bool is_clear(const struct form *f, const struct node *n,
-                            double d) {
+static inline bool is_clear(const struct form *f, const struct part *on,
+                            const struct node *n, double d) {
   double d2 = d * d;
-  return d2 * (n->b1 + d2 * f->b2) < CLEAR_SIGMA * n->sigma &&
+  return d2 * (n->b1 + d2 * on->b2) < CLEAR_SIGMA * n->sigma &&
          (f->inflected ? d2 < n->other2
-                       : d2 * (n->z1 + d2 * f->z2) < CLEAR_Z * n->z2);
+                       : d2 * (n->z1 + d2 * on->z2) < CLEAR_Z * n->z2);
 }
 
 /* Up to where node i is the nearest one, in [0,1]. */
@@ -219,18 +243,20 @@ static inline void add_twisting(struct square *sum, const struct node *n,
              n->noise * terms * terms);
 }
 
-static struct squares integrate(const struct form *f,
-                                const struct ph_quad *rule, double y0,
-                                double y1) {
+/* looks: whether poles are looked for, up to the first that is found. */
+static struct squares integrate(const struct form *f, const struct part *on,
+                                const struct ph_quad *rule, bool looks) {
   struct squares sum = {{{0, 0}, {0, 0}, {0, 0}}, true};
   for (size_t i = 0; i < rule->n; i++) {
-    struct node n = node_at(f, y0 + (y1 - y0) * rule->node[i]);
-    double weight = (y1 - y0) * rule->weight[i] * n.q3;
+    struct node n = node_at(f, on, on->length * (rule->node[i] - 0.5));
+    double weight = on->length * rule->weight[i] * n.q3;
     double per3 = n.per_sigma * n.per_sigma * n.per_sigma;
     double slope = 3 * n.dq + n.dz - 2 * n.ds;
     double terms = fabs(3 * n.dq) + fabs(n.dz) + fabs(2 * n.ds);
     double bend = 4 * weight * per3 * n.z2;
-    sum.clear = sum.clear && is_clear(f, &n, (y1 - y0) * reach_of(rule, i));
+    if (looks && sum.clear) {
+      sum.clear = is_clear(f, on, &n, AWAY * on->length * reach_of(rule, i));
+    }
     add_square(&sum.of[0], bend, 1, n.noise);
     weight *= n.q3 * n.q3 * per3;
     bend = 4 * weight * n.z2 * n.per_sigma * n.per_sigma;
@@ -244,43 +270,41 @@ static struct squares integrate(const struct form *f,
 
 /* Whether two values agree, or what they differ by is rounding (of a square
  * that is nearly nothing), or is lost in the sum so far. */
-static bool agree(const struct square *a, const struct square *b, double total,
-                  double tolerance) {
+static bool agree(const struct square *a, const struct square *b,
+                  double total) {
   double difference = fabs(a->value - b->value);
   double noise = ROUNDING * sqrt(b->terms);
-  return difference <= tolerance * (b->value + total) +
-                           2 * noise * sqrt(b->value) + noise * noise;
+  return difference <= AGREE * (b->value + total) + 2 * noise * sqrt(b->value) +
+                           noise * noise;
 }
 
-static bool all_agree(const struct form *f, const struct squares *a,
-                      const struct squares *b, double tolerance) {
-  return agree(&a->of[0], &b->of[0], f->total[0], tolerance) &&
-         agree(&a->of[1], &b->of[1], f->total[1], tolerance) &&
-         agree(&a->of[2], &b->of[2], f->total[2], tolerance);
-}
-
-static void accept(struct form *f, const struct squares *part) {
-  for (size_t i = 0; i < SUMS; i++) {
-    f->total[i] += part->of[i].value;
-  }
-}
-
-/* Halves an interval until the halves agree with the whole. */
+/* Halves an interval until the halves agree with the whole.  What still does
+ * not when it cannot be halved any more has no value. */
 static void refine(struct form *f, const struct ph_quad *rule, double y0,
                    double y1, const struct squares *whole, int depth) {
   double middle = 0.5 * (y0 + y1);
-  struct squares left = integrate(f, rule, y0, middle);
-  struct squares right = integrate(f, rule, middle, y1), sum;
-  bool finite = true;
-  for (size_t i = 0; i < SUMS; i++) {
-    sum.of[i].value = left.of[i].value + right.of[i].value;
-    sum.of[i].terms = left.of[i].terms + right.of[i].terms;
-    finite = finite && isfinite(sum.of[i].value);
-  }
+  struct part half;
+  struct squares left, right, sum;
+  bool last = depth == DEPTH_MAX || f->parts >= PARTS_MAX, done = true;
+  set_part(&half, f, y0, middle);
+  left = integrate(f, &half, rule, !whole->clear);
+  set_part(&half, f, middle, y1);
+  right = integrate(f, &half, rule, !whole->clear);
+  sum.clear = left.clear && right.clear;
   f->parts++;
-  if (depth == DEPTH_MAX || f->parts >= PARTS_MAX || !finite ||
-      (left.clear && right.clear && all_agree(f, whole, &sum, HALVES_AGREE))) {
-    accept(f, &sum);
+  for (size_t i = 0; i < SUMS; i++) {
+    struct square *of = &sum.of[i];
+    of->value = left.of[i].value + right.of[i].value;
+    of->terms = left.of[i].terms + right.of[i].terms;
+    if (!(sum.clear && agree(&whole->of[i], of, f->total[i]))) {
+      of->value = last || !isfinite(of->value) ? HUGE_VAL : of->value;
+      done = false;
+    }
+  }
+  if (done || last) {
+    for (size_t i = 0; i < SUMS; i++) {
+      f->total[i] += sum.of[i].value;
+    }
     return;
   }
   refine(f, rule, y0, middle, &left, depth + 1);
@@ -289,19 +313,17 @@ static void refine(struct form *f, const struct ph_quad *rule, double y0,
 
 static void add_interval(struct form *f, const struct ph_fair3_rules *rules,
                          double y0, double y1) {
-  struct squares coarse = integrate(f, &rules->coarse, y0, y1);
-  struct squares fine = integrate(f, &rules->fine, y0, y1);
-  if (fine.clear && all_agree(f, &coarse, &fine, AGREE)) {
-    accept(f, &fine);
-  } else {
-    refine(f, &rules->fine, y0, y1, &fine, 0);
-  }
+  struct part on;
+  struct squares whole;
+  set_part(&on, f, y0, y1);
+  whole = integrate(f, &on, &rules->rule, true);
+  refine(f, &rules->rule, y0, y1, &whole, 0);
 }
 
 /* The zeros of z, those of largest modulus first; 1e300 is as good as none. */
-static void zeros_of(const struct form *f, ph_cplx zero[2]) {
-  ph_cplx z0 = z_of(f->w[0]), z2 = z_of(f->w[2]);
-  ph_cplx half = ph_cplx_scale(-0.5, z_of(f->w[1])), root, sum;
+static void zeros_of(const struct part *whole, ph_cplx zero[2]) {
+  ph_cplx z0 = z_of(whole->w[0]), z2 = z_of(whole->w[2]);
+  ph_cplx half = ph_cplx_scale(-0.5, z_of(whole->w[1])), root, sum;
   root =
       ph_cplx_sqrt(ph_cplx_sub(ph_cplx_mul(half, half), ph_cplx_mul(z0, z2)));
   if (ph_cplx_dot(half, root) < 0) {
@@ -312,20 +334,30 @@ static void zeros_of(const struct form *f, ph_cplx zero[2]) {
   zero[1] = ph_cplx_mul(z0, ph_cplx_inverse(sum));
 }
 
-/* Whether a zero of z is real and on the interval: z is rounding there. */
-static bool is_inflection(const struct form *f, ph_cplx zero) {
+/* Whether the curve is a line: z is rounding. */
+static bool is_straight(const struct part *whole) {
+  double size = 0;
+  for (size_t i = 0; i < 3; i++) {
+    size += ph_cplx_norm2(z_of(whole->w[i]));
+  }
+  return sqrt(size) <= FLAT * whole->b2_size;
+}
+
+/* Whether a zero of z is real and on the segment: z is rounding there. */
+static bool is_inflection(const struct part *whole, ph_cplx zero) {
   double y = zero.re;
-  double re = at(f->w[0].p, f->w[1].p, f->w[2].p, y);
-  double im = at(f->w[0].q, f->w[1].q, f->w[2].q, y);
+  double re = at(whole->w[0].p, whole->w[1].p, whole->w[2].p, y);
+  double im = at(whole->w[0].q, whole->w[1].q, whole->w[2].q, y);
   return fabs(y) < 0.5 && fabs(zero.im) <= INFLECTION &&
-         hypot(re, im) <= FLAT * f->a2_size;
+         hypot(re, im) <= FLAT * whole->b2_size;
 }
 
 /* Zero i of z is real and on the interval.  Where the other one is real, too,
  * or there is none, arg z only jumps. */
-static void set_inflection(struct form *f, const ph_cplx zero[2], size_t i) {
+static void set_inflection(struct form *f, const struct part *whole,
+                           const ph_cplx zero[2], size_t i) {
   ph_cplx other = zero[1 - i];
-  bool turns = !is_inflection(f, other) && fabs(other.im) > 0 &&
+  bool turns = !is_inflection(whole, other) && fabs(other.im) > 0 &&
                isfinite(ph_cplx_norm2(other));
   f->zero = turns ? other : ph_cplx_of(1, 0);
   f->inflected = true;
@@ -361,26 +393,27 @@ static bool is_plane(const ph_quat b[3]) {
 }
 
 bool ph_fair3_begin(struct ph_fair3_rules *rules) {
-  return ph_quad_gauss(&rules->coarse, 8) && ph_quad_gauss(&rules->fine, 16);
+  return ph_quad_gauss(&rules->rule, 16);
 }
 
 struct ph_fair3 ph_fair3_of(const struct ph_fair3_rules *rules,
                             const struct ph_atph *space, const ph_quat a[3]) {
   struct ph_fair3 fair = {0, 0, 0, false};
-  struct form f;
+  struct form f = form_of(space, a);
+  struct part whole;
   ph_cplx zero[2];
   double cut[4] = {-0.5, 0, 0, 0.5}, per = 1 / space->sinc;
   size_t n = 1;
-  set_form(&f, space, a);
-  if (sqrt(f.z2_size) <= FLAT * f.a2_size) {
+  set_part(&whole, &f, -0.5, 0.5);
+  if (is_straight(&whole)) {
     return fair;
   }
-  f.twists = !is_plane(f.b);
-  zeros_of(&f, zero);
+  f.twists = !is_plane(whole.b);
+  zeros_of(&whole, zero);
   for (size_t i = 0; i < 2; i++) {
     if (fabs(zero[i].re) < 0.5 && fabs(zero[i].im) < NEAR) {
-      if (is_inflection(&f, zero[i])) {
-        set_inflection(&f, zero, i);
+      if (is_inflection(&whole, zero[i])) {
+        set_inflection(&f, &whole, zero, i);
       }
       cut[n++] = zero[i].re;
     }

@@ -73,7 +73,7 @@ static void begin(struct search *s, const struct ph_spatial_search *wanted,
   s->rules = rules;
   s->scratch = scratch;
   s->family = ph_spatial_family_of(wanted->data, &space);
-  s->target = (struct ph_spatial_target){&rules->fine, &s->family,
+  s->target = (struct ph_spatial_target){&rules->rule, &s->family,
                                          wanted->scaled, wanted->functional};
   s->panels = GRID_PANELS;
   s->evaluations = 0;

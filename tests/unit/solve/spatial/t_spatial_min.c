@@ -65,7 +65,7 @@ PH_TEST(test_gradient) {
     struct ph_spatial_data data = unit_random_spatial(&r);
     struct ph_atph space = ph_atph_of(1);
     struct ph_spatial_family family = ph_spatial_family_of(&data, &space);
-    struct ph_spatial_target target = {&rules.fine, &family, n % 2,
+    struct ph_spatial_target target = {&rules.rule, &family, n % 2,
                                        1 + n / 2 % 3};
     double gradient[3], size = 0;
     const double x[3] = {unit_random_in(&r, -3, 3), unit_random_in(&r, -3, 3),
@@ -101,7 +101,7 @@ PH_TEST(test_value) {
     struct ph_spatial_search search = search_of(&data, n % 2, 1 + n / 2 % 3);
     struct ph_atph space = ph_atph_of(1);
     struct ph_spatial_family family = ph_spatial_family_of(&data, &space);
-    struct ph_spatial_target target = {&rules.fine, &family, search.scaled,
+    struct ph_spatial_target target = {&rules.rule, &family, search.scaled,
                                        search.functional};
     struct ph_spatial_point at = {unit_random_in(&r, -3, 3), 0.3,
                                   unit_random_in(&r, 0.01, 2)};
@@ -389,7 +389,7 @@ enum { GRID = 24, GRID_ALPHA = 8, DESCENTS = 12 };
 static double grid_least(const struct ph_spatial_search *search) {
   struct ph_atph space = ph_atph_of(1);
   struct ph_spatial_family family = ph_spatial_family_of(search->data, &space);
-  struct ph_spatial_target target = {&rules.fine, &family, search->scaled,
+  struct ph_spatial_target target = {&rules.rule, &family, search->scaled,
                                      search->functional};
   struct ph_spatial_point best[DESCENTS];
   double value[DESCENTS], least = (double)HUGE_VAL;
