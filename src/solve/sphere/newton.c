@@ -223,7 +223,8 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
       next = evaluate(s, range, 0, work);
       fraction /= 2;
     } while (!(next.rms < (1 - 0.2 * fraction) * miss.rms) &&
-             fraction > FRACTION_MIN && !(miss.rms <= NEARLY));
+             fraction > FRACTION_MIN && !(miss.rms <= NEARLY) &&
+             !ph_arena_late(work->arena));
     if (!(next.rms < miss.rms)) {
       move(s, range, work->before, NULL, 0);
       miss = evaluate(s, range, 0, work);
@@ -308,7 +309,7 @@ static void set_tensions(struct ph_sphere_spline *s, double sigma,
 static bool descend(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
   struct ph_sphere_range all = ph_sphere_all(s->data);
   double sigma = SIGMA_MAX, factor = FACTOR;
-  for (size_t i = 0; i < DESCENTS_MAX; i++) {
+  for (size_t i = 0; i < DESCENTS_MAX && !ph_arena_late(work->arena); i++) {
     double next = sigma > SIGMA_MIN ? sigma * factor : 0;
     set_tensions(s, next, work->tension);
     if (ph_sphere_newton(s, all, work)) {

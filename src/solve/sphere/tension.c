@@ -312,7 +312,7 @@ enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
   raise->ranges[0] = ph_sphere_all(d);
   raise->ranges_n = raise->ranges[0].count > 0;
   while (status == PH_OK && raise->ranges_n > 0) {
-    if (raise->rounds == ROUNDS_MAX) {
+    if (raise->rounds == ROUNDS_MAX || ph_arena_late(scratch)) {
       status = raise->waive ? PH_OK : PH_NO_CONVERGENCE;
       break;
     }
