@@ -3,18 +3,16 @@
 #include "cert_tc_unit.h"
 #include "unit.h"
 
-#include <stdio.h>
 #include <string.h>
 
 struct unit_cert_tc unit_tc;
 
 void unit_cert_begin(void) {
-  unit_cert_finish();
   memset(&unit_tc, 0, sizeof unit_tc);
-}
-
-void unit_cert_finish(void) {
-  ph_arena_free(&unit_tc.scratch);
+  memset(&checked, 0, sizeof checked);
+  checked.certify = ph_certify_tc;
+  checked.problem = &unit_tc.problem;
+  checked.curve = &unit_tc.c.curve;
 }
 
 struct ph_value unit_word(const char *word) {
@@ -27,45 +25,6 @@ struct ph_value unit_number(double x) {
 
 struct ph_value unit_vectors(double *v, size_t n) {
   return (struct ph_value){.kind = PH_VECTORS, .v = v, .n = n, .dimension = 2};
-}
-
-enum ph_status unit_certify(void) {
-  unit_tc.diagnostics = unit_tc.claims;
-  memset(&unit_tc.diag, 0, sizeof unit_tc.diag);
-  return ph_certify_tc(&unit_tc.problem, &unit_tc.c.curve, &unit_tc.scratch,
-                       &unit_tc.diagnostics, &unit_tc.diag);
-}
-
-double unit_said(enum ph_diagnostic what) {
-  ck_assert_msg(unit_is_known(what), "%s is unknown", ph_diagnostic_name(what));
-  return unit_tc.diagnostics.value[what];
-}
-
-bool unit_is_known(enum ph_diagnostic what) {
-  return unit_tc.diagnostics.known >> what & 1;
-}
-
-void ck_accepted(void) {
-  enum ph_status status = unit_certify();
-  ck_assert_msg(status == PH_OK, "%s %s", unit_tc.diag.field,
-                unit_tc.diag.message);
-}
-
-void ck_refused_somewhere(enum ph_diagnostic what) {
-  char text[PH_DIAG_MESSAGE_MAX];
-  ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
-  snprintf(text, sizeof text, "is refused by its certificate: %s is ",
-           ph_diagnostic_name(what));
-  ck_assert_msg(strncmp(unit_tc.diag.message, text, strlen(text)) == 0,
-                "%s instead of %s", unit_tc.diag.message,
-                ph_diagnostic_name(what));
-}
-
-void ck_refused(enum ph_diagnostic what, size_t segment) {
-  char name[32];
-  ck_refused_somewhere(what);
-  snprintf(name, sizeof name, "segments[%zu]", segment);
-  ck_assert_str_eq(unit_tc.diag.field, name);
 }
 
 void unit_add_pair(ph_cplx a, ph_cplx b, ph_cplx along, const double *end) {

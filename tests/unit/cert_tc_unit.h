@@ -4,28 +4,23 @@
 #ifndef PH_TESTS_CERT_TC_UNIT_H
 #define PH_TESTS_CERT_TC_UNIT_H
 
+#include "check_unit.h"
+#include "problem_unit.h"
 #include "tc_curve_unit.h"
-
-#include "check/certify.h"
 
 enum { UNIT_TC_POINTS = 5 };
 
 struct unit_cert_tc {
   struct unit_cubics c;
   struct ph_problem problem;
-  struct ph_diagnostics claims, diagnostics;
-  struct ph_diag diag;
-  struct ph_arena scratch;
   double points[2 * UNIT_TC_POINTS], vectors[2 * UNIT_TC_POINTS], ends[4];
 };
 
 /* The one that the functions are about. */
 extern struct unit_cert_tc unit_tc;
 
-/* unit_cert_begin: nothing in it; unit_cert_finish: gives its memory back, of a
- * checked fixture. */
+/* unit_cert_begin: nothing in it; it is what the certificate is asked of. */
 void unit_cert_begin(void);
-void unit_cert_finish(void);
 
 /* Values of fields. */
 struct ph_value unit_word(const char *word);
@@ -40,18 +35,6 @@ static inline void unit_put(double *v, ph_cplx z) {
 static inline ph_cplx unit_get(const double *v) {
   return ph_cplx_of(v[0], v[1]);
 }
-
-/* unit_certify: the certificate, which gets the claims. */
-enum ph_status unit_certify(void);
-
-/* unit_said: a diagnostic, which must be known. */
-double unit_said(enum ph_diagnostic what);
-bool unit_is_known(enum ph_diagnostic what);
-
-/* Accepted; refused for this reason, in this segment or in any. */
-void ck_accepted(void);
-void ck_refused(enum ph_diagnostic what, size_t segment);
-void ck_refused_somewhere(enum ph_diagnostic what);
 
 /* unit_unit: v/|v|. */
 static inline ph_cplx unit_unit(ph_cplx v) {

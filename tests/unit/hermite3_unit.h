@@ -16,7 +16,6 @@ enum { UNIT_HERMITE3_MAX = 12 };
 struct unit_hermite3 {
   struct ph_problem problem;
   struct ph_curve curve;
-  struct ph_arena scratch;
   double points[3 * UNIT_HERMITE3_MAX];
   double vectors[3 * UNIT_HERMITE3_MAX]; /* tangents or derivatives */
   double knots[UNIT_HERMITE3_MAX + 1];

@@ -4,9 +4,8 @@
  * curve that it has accepted, it notices, names and measures.
  */
 #include "unit.h"
+#include "check_unit.h"
 #include "planar_unit.h"
-
-#include "check/certify.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -31,30 +30,6 @@ static void solve(bool closed) {
   ck_assert_msg(status == PH_OK, "%s %s", u.diag.field, u.diag.message);
 }
 
-static enum ph_status certify(void) {
-  memset(&u.result.diagnostics, 0, sizeof u.result.diagnostics);
-  memset(&u.diag, 0, sizeof u.diag);
-  return ph_certify_planar(&u.problem, &u.result.curve, &u.scratch,
-                           &u.result.diagnostics, &u.diag);
-}
-
-static double value_of(enum ph_diagnostic what) {
-  ck_assert(u.result.diagnostics.known >> what & 1);
-  return u.result.diagnostics.value[what];
-}
-
-/* Refused for this reason, in this segment. */
-static void ck_refused(enum ph_diagnostic what, size_t segment) {
-  char text[PH_DIAG_MESSAGE_MAX], name[32];
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  snprintf(text, sizeof text, "is refused by its certificate: %s is ",
-           ph_diagnostic_name(what));
-  snprintf(name, sizeof name, "segments[%zu]", segment);
-  ck_assert_msg(strncmp(u.diag.message, text, strlen(text)) == 0, "%s",
-                u.diag.message);
-  ck_assert_str_eq(u.diag.field, name);
-}
-
 /* Everything is checked, and everything but rounding is zero. */
 PH_TEST(test_accepts) {
   for (int closed = 0; closed < 2; closed++) {
@@ -64,8 +39,8 @@ PH_TEST(test_accepts) {
     ck_assert_double_le(value_of(PH_D_PYTHAGOREAN_ERROR), 1e-12);
     ck_assert_double_le(value_of(PH_D_CONTINUITY_ERROR), 1e-13);
     ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 1e-15);
-    ck_assert(!(u.result.diagnostics.known >> PH_D_END_DERIVATIVE_ERROR & 1));
-    ck_assert(!(u.result.diagnostics.known >> PH_D_RESIDUAL & 1));
+    ck_assert(!(checked.diagnostics.known >> PH_D_END_DERIVATIVE_ERROR & 1));
+    ck_assert(!(checked.diagnostics.known >> PH_D_RESIDUAL & 1));
     unit_planar_free(&u);
   }
 }
@@ -152,7 +127,7 @@ PH_TEST(test_knots) {
       double *t = &u.result.curve.knots[k], keep = *t;
       *t += 1e-8;
       ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-      ck_assert_ptr_nonnull(strstr(u.diag.message, "continuity_error"));
+      ck_assert_ptr_nonnull(strstr(checked.diag.message, "continuity_error"));
       *t = keep;
     }
     ck_assert_int_eq(certify(), PH_OK);
@@ -227,6 +202,7 @@ PH_TEST(test_end_derivatives) {
   u = unit_planar_of(SOME, 4, false);
   unit_planar_ends(&u, ends);
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+  ck_assert_int_eq(certify(), PH_OK);
   ck_assert_double_le(value_of(PH_D_END_DERIVATIVE_ERROR), 1e-13);
   for (size_t i = 0; i < 4; i++) {
     double *d = &u.problem.field[PH_F_END_DERIVATIVES].v[i], keep = *d;
@@ -237,18 +213,6 @@ PH_TEST(test_end_derivatives) {
     *d = keep;
   }
   ck_assert_int_eq(certify(), PH_OK);
-}
-
-static void ck_not_finite(double *x) {
-  const double bad[] = {nan(""), HUGE_VAL, -HUGE_VAL};
-  double keep = *x;
-  for (size_t i = 0; i < 3; i++) {
-    *x = bad[i];
-    ck_assert_int_eq(certify(), PH_TOO_LARGE);
-    ck_assert_str_eq(u.diag.message, "the curve exceeds the range of a double");
-    ck_assert_str_eq(u.diag.field, "");
-  }
-  *x = keep;
 }
 
 PH_TEST(test_not_finite) {
@@ -276,7 +240,7 @@ PH_TEST(test_no_extent) {
     v[i] = 0;
   }
   ck_assert_int_eq(certify(), PH_INTERNAL);
-  ck_assert_str_eq(u.diag.field, "points");
+  ck_assert_str_eq(checked.diag.field, "points");
   for (size_t i = 0; i < 8; i++) {
     v[i] = 7;
   }
@@ -288,7 +252,7 @@ PH_TEST(test_scales) {
   struct ph_diagnostics unit;
   solve(true);
   ck_assert_int_eq(certify(), PH_OK);
-  unit = u.result.diagnostics;
+  unit = checked.diagnostics;
   for (int e = -900; e <= 900; e += 300) {
     struct ph_curve *curve = &u.result.curve;
     double v[8];
@@ -300,7 +264,7 @@ PH_TEST(test_scales) {
     ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
     ck_assert_int_eq(certify(), PH_OK);
     for (int i = PH_D_INTERPOLATION_ERROR; i <= PH_D_LENGTH_ERROR; i++) {
-      ck_abs(u.result.diagnostics.value[i], unit.value[i], 0);
+      ck_abs(checked.diagnostics.value[i], unit.value[i], 0);
     }
     curve->control_points[14] += ldexp(MOVED * SIZE, e);
     ck_refused(PH_D_PYTHAGOREAN_ERROR, 1);
@@ -395,7 +359,13 @@ PH_TEST_EACH(test_alpha, 2) {
   ck_assert_int_eq(certify(), PH_OK);
 }
 
-PH_TESTS_WITH(NULL, finish, test_accepts, test_accepts_other_sign,
+static void start(void) {
+  checked.certify = ph_certify_planar;
+  checked.problem = &u.problem;
+  checked.curve = &u.result.curve;
+}
+
+PH_TESTS_WITH(start, finish, test_accepts, test_accepts_other_sign,
               test_control_points, test_preimage, test_points, test_lengths,
               test_total_length, test_knots, test_knots_not_increasing,
               test_not_c1, test_not_c2, test_not_closed, test_end_derivatives,

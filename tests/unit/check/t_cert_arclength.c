@@ -9,8 +9,8 @@
  * segments for each interval are.
  */
 #include "unit.h"
+#include "check_unit.h"
 
-#include "check/certify.h"
 #include "curve/segment/ph3.h"
 
 #include <stdio.h>
@@ -40,9 +40,6 @@ static struct {
   double knots[SEGMENTS + 1], control_points[18 * SEGMENTS];
   double preimage[12 * SEGMENTS], segment_lengths[SEGMENTS];
 } u;
-
-static struct ph_diagnostics diagnostics;
-static struct ph_diag diag;
 
 /* ---- curves ---------------------------------------------------------- */
 
@@ -135,46 +132,6 @@ static void build(enum mode mode, size_t refine, ph_quat a, ph_quat b,
 
 /* ---- verdicts --------------------------------------------------------- */
 
-static enum ph_status certify(void) {
-  memset(&diagnostics, 0, sizeof diagnostics);
-  memset(&diag, 0, sizeof diag);
-  return ph_certify_arclength(&u.problem, &u.curve, &unit_arena, &diagnostics,
-                              &diag);
-}
-
-static void ck_accepted(void) {
-  enum ph_status status = certify();
-  ck_assert_msg(status == PH_OK, "%s %s", diag.field, diag.message);
-}
-
-static bool is_known(enum ph_diagnostic what) {
-  return diagnostics.known >> what & 1;
-}
-
-static double value_of(enum ph_diagnostic what) {
-  ck_assert(is_known(what));
-  return diagnostics.value[what];
-}
-
-/* Refused for this reason, in segment a or b. */
-static void ck_refused_in(enum ph_diagnostic what, size_t a, size_t b) {
-  char text[PH_DIAG_MESSAGE_MAX], name[2][32];
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  snprintf(text, sizeof text, "is refused by its certificate: %s is ",
-           ph_diagnostic_name(what));
-  snprintf(name[0], sizeof name[0], "segments[%zu]", a);
-  snprintf(name[1], sizeof name[1], "segments[%zu]", b);
-  ck_assert_msg(strncmp(diag.message, text, strlen(text)) == 0, "%s %s",
-                diag.field, diag.message);
-  ck_assert_msg(strcmp(diag.field, name[0]) == 0 ||
-                    strcmp(diag.field, name[1]) == 0,
-                "%s, not %s or %s", diag.field, name[0], name[1]);
-}
-
-static void ck_refused(enum ph_diagnostic what, size_t segment) {
-  ck_refused_in(what, segment, segment);
-}
-
 static void begin(enum mode mode, size_t refine) {
   build(mode, refine, A, B, ph_vec3_get(START, 3));
 }
@@ -234,7 +191,7 @@ PH_TEST_EACH(test_scales, VARIANTS) {
   struct ph_diagnostics unit;
   begin_variant(_i);
   ck_accepted();
-  unit = diagnostics;
+  unit = checked.diagnostics;
   for (int e = -1000; e <= 1000; e += 250) {
     ph_vec3 start = ph_vec3_scale(ldexp(1, e), ph_vec3_get(START, 3));
     double root = ldexp(1, e / 2);
@@ -397,7 +354,7 @@ PH_TEST_EACH(test_magnitudes, VARIANTS) {
   begin(TANGENTS, refine_of(_i));
   field[PH_F_MAGNITUDES] = (struct ph_value){.kind = PH_WORD, .word = "mean"};
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  ck_assert_ptr_nonnull(strstr(diag.message, "tangent_error"));
+  ck_assert_ptr_nonnull(strstr(checked.diag.message, "tangent_error"));
   field[PH_F_MAGNITUDES].word = "free";
   ck_accepted();
 }
@@ -422,7 +379,14 @@ PH_TEST_EACH(test_not_finite, VARIANTS) {
   ck_assert_int_eq(certify(), PH_TOO_LARGE);
 }
 
-PH_TESTS(test_accepts, test_min_speed, test_min_speed_of_cusp, test_scales,
-         test_far_away, test_soft_lengths, test_plane, test_control_points,
-         test_preimage, test_data, test_start, test_lengths, test_knots,
-         test_magnitudes, test_refine, test_not_finite)
+static void start(void) {
+  checked.certify = ph_certify_arclength;
+  checked.problem = &u.problem;
+  checked.curve = &u.curve;
+}
+
+PH_TESTS_WITH(start, NULL, test_accepts, test_min_speed, test_min_speed_of_cusp,
+              test_scales, test_far_away, test_soft_lengths, test_plane,
+              test_control_points, test_preimage, test_data, test_start,
+              test_lengths, test_knots, test_magnitudes, test_refine,
+              test_not_finite)

@@ -4,11 +4,11 @@
  * it is refused, and what does not keep it is.
  */
 #include "unit.h"
+#include "check_unit.h"
 #include "hermite3_unit.h"
 #include "seg3_unit.h"
 #include "spatial_unit.h"
 
-#include "check/certify.h"
 #include "check/shape_spatial.h"
 #include "solve/spatial/spatial.h"
 
@@ -20,8 +20,6 @@ static const double RELATIVE = 1e-13;
 static const double ROUNDING = 2.2204460492503131e-16;
 
 static struct unit_hermite3 u;
-static struct ph_diagnostics diagnostics;
-static struct ph_diag diag;
 
 static void set_mu(const struct ph_atph *space, double mu[5]) {
   const double *q = space->q;
@@ -293,13 +291,6 @@ static void helix(double step, double alpha) {
                    alpha);
 }
 
-static enum ph_status certify(void) {
-  memset(&diagnostics, 0, sizeof diagnostics);
-  memset(&diag, 0, sizeof diag);
-  return ph_certify_spatial_hermite(&u.problem, &u.curve, &u.scratch,
-                                    &diagnostics, &diag);
-}
-
 static void claim(bool shape_ok) {
   for (size_t k = 0; k < u.curve.n; k++) {
     u.shape_ok[k] = shape_ok;
@@ -310,10 +301,10 @@ PH_TEST_EACH(test_claimed, 2) {
   helix(0.8, _i ? 0.8 : 0);
   claim(true);
   ck_assert_int_eq(certify(), PH_OK);
-  ck_abs(diagnostics.value[PH_D_SHAPE_OK], 1, 0);
+  ck_abs(checked.diagnostics.value[PH_D_SHAPE_OK], 1, 0);
   u.shape_ok[2] = false;
   ck_assert_int_eq(certify(), PH_OK);
-  ck_abs(diagnostics.value[PH_D_SHAPE_OK], 0, 0);
+  ck_abs(checked.diagnostics.value[PH_D_SHAPE_OK], 0, 0);
 }
 
 /* Another member of the family has the same ends, and the wrong shape. */
@@ -327,19 +318,15 @@ PH_TEST_EACH(test_wrongly_claimed, 2) {
     claim(false);
     u.shape_ok[k] = true;
     ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-    ck_assert_str_eq(diag.field, wanted);
-    ck_assert_ptr_nonnull(strstr(diag.message, "shape_ok is claimed, but"));
+    ck_assert_str_eq(checked.diag.field, wanted);
+    ck_assert_ptr_nonnull(
+        strstr(checked.diag.message, "shape_ok is claimed, but"));
   }
   claim(false);
   ck_assert_int_eq(certify(), PH_OK);
 }
 
 /* ---- fairness ------------------------------------------------------- */
-
-static double value_of(enum ph_diagnostic what) {
-  ck_assert(diagnostics.known >> what & 1);
-  return diagnostics.value[what];
-}
 
 /* A helix (cos x, sin x, x) as an ATPH curve has curvature and torsion 1/2. */
 PH_TEST(test_fairness) {
@@ -393,10 +380,17 @@ PH_TEST(test_no_fairness) {
   helix(0.8, 0);
   u.curve.lengths[1] *= 1.1;
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  ck_assert(!(diagnostics.known >> PH_D_ENERGY & 1));
-  ck_assert(!(diagnostics.known >> PH_D_F1 & 1));
+  ck_assert(!(checked.diagnostics.known >> PH_D_ENERGY & 1));
+  ck_assert(!(checked.diagnostics.known >> PH_D_F1 & 1));
 }
 
-PH_TESTS(test_kept, test_kept_in_plane, test_torsion, test_ends,
-         test_any_quintic, test_void, test_claimed, test_wrongly_claimed,
-         test_fairness, test_inflection, test_no_fairness)
+static void start(void) {
+  checked.certify = ph_certify_spatial_hermite;
+  checked.problem = &u.problem;
+  checked.curve = &u.curve;
+}
+
+PH_TESTS_WITH(start, NULL, test_kept, test_kept_in_plane, test_torsion,
+              test_ends, test_any_quintic, test_void, test_claimed,
+              test_wrongly_claimed, test_fairness, test_inflection,
+              test_no_fairness)

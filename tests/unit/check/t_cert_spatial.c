@@ -5,11 +5,10 @@
  * measures.
  */
 #include "unit.h"
+#include "check_unit.h"
 #include "hermite3_unit.h"
 #include "seg3_unit.h"
 #include "spatial_unit.h"
-
-#include "check/certify.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -32,52 +31,6 @@ static const enum ph_diagnostic ERRORS[] = {
 enum { ERRORS_N = sizeof ERRORS / sizeof ERRORS[0] };
 
 static struct unit_hermite3 u;
-static struct ph_diagnostics diagnostics;
-static struct ph_diag diag;
-
-static void finish(void) {
-  ph_arena_free(&u.scratch);
-}
-
-static enum ph_status certify(void) {
-  memset(&diagnostics, 0, sizeof diagnostics);
-  memset(&diag, 0, sizeof diag);
-  return ph_certify_spatial_hermite(&u.problem, &u.curve, &u.scratch,
-                                    &diagnostics, &diag);
-}
-
-static void ck_accepted(void) {
-  enum ph_status status = certify();
-  ck_assert_msg(status == PH_OK, "%s %s", diag.field, diag.message);
-}
-
-static bool is_known(enum ph_diagnostic what) {
-  return diagnostics.known >> what & 1;
-}
-
-static double value_of(enum ph_diagnostic what) {
-  ck_assert(is_known(what));
-  return diagnostics.value[what];
-}
-
-/* Refused for this reason, in segment a or b. */
-static void ck_refused_in(enum ph_diagnostic what, size_t a, size_t b) {
-  char text[PH_DIAG_MESSAGE_MAX], name[2][32];
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  snprintf(text, sizeof text, "is refused by its certificate: %s is ",
-           ph_diagnostic_name(what));
-  snprintf(name[0], sizeof name[0], "segments[%zu]", a);
-  snprintf(name[1], sizeof name[1], "segments[%zu]", b);
-  ck_assert_msg(strncmp(diag.message, text, strlen(text)) == 0, "%s %s",
-                diag.field, diag.message);
-  ck_assert_msg(strcmp(diag.field, name[0]) == 0 ||
-                    strcmp(diag.field, name[1]) == 0,
-                "%s, not %s or %s", diag.field, name[0], name[1]);
-}
-
-static void ck_refused(enum ph_diagnostic what, size_t segment) {
-  ck_refused_in(what, segment, segment);
-}
 
 /* The variants of a problem: bit 0 closed, bit 1 derivatives, bit 2 ATPH. */
 enum { CLOSED = 1, DERIVATIVES = 2, ATPH = 4, VARIANTS = 8 };
@@ -85,7 +38,6 @@ enum { CLOSED = 1, DERIVATIVES = 2, ATPH = 4, VARIANTS = 8 };
 static void begin(int variant) {
   bool closed = variant & CLOSED;
   double alpha = variant & ATPH ? 1.2 : 0;
-  ph_arena_free(&u.scratch);
   unit_hermite3_of(&u, SOME,
                    variant & DERIVATIVES ? PH_F_DERIVATIVES : PH_F_TANGENTS,
                    VECTORS, POINTS, 3, closed, alpha);
@@ -189,7 +141,7 @@ PH_TEST(test_tangents_of_any_length) {
     u.vectors[i] *= factor[i / 3];
   }
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE); /* 1e-320: digits lost */
-  ck_assert_str_eq(diag.field, "segments[1]");
+  ck_assert_str_eq(checked.diag.field, "segments[1]");
   for (size_t i = 6; i < 9; i++) {
     u.vectors[i] = VECTORS[i];
   }
@@ -202,7 +154,7 @@ PH_TEST_EACH(test_scales, VARIANTS) {
   struct ph_diagnostics unit;
   begin(_i);
   ck_accepted();
-  unit = diagnostics;
+  unit = checked.diagnostics;
   for (int e = -1000; e <= 1000; e += 250) {
     for (size_t i = 0; i < 3 * POINTS; i++) {
       u.points[i] = ldexp(SOME[i], e);
@@ -296,7 +248,7 @@ PH_TEST_EACH(test_swapped, VARIANTS) {
     p[18 + i] = keep;
   }
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  ck_assert_ptr_nonnull(strstr(diag.message, "interpolation_error"));
+  ck_assert_ptr_nonnull(strstr(checked.diag.message, "interpolation_error"));
   begin(_i);
   for (size_t i = 0; i < 12; i++) {
     double keep = a[i];
@@ -304,7 +256,7 @@ PH_TEST_EACH(test_swapped, VARIANTS) {
     a[12 + i] = keep;
   }
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  ck_assert_ptr_nonnull(strstr(diag.message, "pythagorean_error"));
+  ck_assert_ptr_nonnull(strstr(checked.diag.message, "pythagorean_error"));
 }
 
 PH_TEST(test_points) {
@@ -351,7 +303,7 @@ PH_TEST_EACH(test_vectors, 2) {
     u.vectors[6 + i] = 0;
   }
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  ck_assert_ptr_nonnull(strstr(diag.message, "tangent_error"));
+  ck_assert_ptr_nonnull(strstr(checked.diag.message, "tangent_error"));
 }
 
 /* The tension says what became of derivatives. */
@@ -459,22 +411,10 @@ PH_TEST(test_count) {
     ck_assert_int_eq(certify(), closed ? PH_NO_CONVERGENCE : PH_INTERNAL);
     u.curve.n--;
     ck_assert_int_eq(certify(), PH_INTERNAL);
-    ck_assert_str_eq(diag.field, "points");
+    ck_assert_str_eq(checked.diag.field, "points");
     u.curve.n = 0;
     ck_assert_int_eq(certify(), PH_INTERNAL);
   }
-}
-
-static void ck_not_finite(double *x) {
-  const double bad[] = {nan(""), HUGE_VAL, -HUGE_VAL};
-  double keep = *x;
-  for (size_t i = 0; i < 3; i++) {
-    *x = bad[i];
-    ck_assert_int_eq(certify(), PH_TOO_LARGE);
-    ck_assert_str_eq(diag.message, "the curve exceeds the range of a double");
-    ck_assert_str_eq(diag.field, "");
-  }
-  *x = keep;
 }
 
 PH_TEST_EACH(test_not_finite, VARIANTS) {
@@ -503,7 +443,7 @@ PH_TEST(test_no_extent) {
     u.points[i] = 0;
   }
   ck_assert_int_eq(certify(), PH_INTERNAL);
-  ck_assert_str_eq(diag.field, "points");
+  ck_assert_str_eq(checked.diag.field, "points");
   for (size_t i = 0; i < 3 * POINTS; i++) {
     u.points[i] = 7;
   }
@@ -519,7 +459,13 @@ PH_TEST(test_worst) {
   ck_refused(PH_D_PYTHAGOREAN_ERROR, 2);
 }
 
-PH_TESTS_WITH(NULL, finish, test_accepts, test_accepts_random,
+static void start(void) {
+  checked.certify = ph_certify_spatial_hermite;
+  checked.problem = &u.problem;
+  checked.curve = &u.curve;
+}
+
+PH_TESTS_WITH(start, NULL, test_accepts, test_accepts_random,
               test_accepts_other_phase, test_accepts_plane,
               test_without_vectors, test_repeated_point,
               test_tangents_of_any_length, test_scales, test_far_away,

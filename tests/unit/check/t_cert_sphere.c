@@ -7,9 +7,9 @@
  * latitude are splines for some tension, whatever their speed is.
  */
 #include "cert_sphere_unit.h"
+#include "check_unit.h"
 #include "unit.h"
 
-#include "check/certify.h"
 #include "check/sphere_segment.h"
 #include "kernel/pi.h"
 
@@ -34,48 +34,16 @@ static const struct unit_ball SPHERES[] = {
     {{0, 1e-301, 0}, 1e-300}, {{-1e300, 0, 0}, 1e300}};
 enum { SPHERES_N = sizeof SPHERES / sizeof SPHERES[0] };
 
-static struct ph_diagnostics diagnostics;
-static struct ph_diag diag;
-
 /* ---- verdicts -------------------------------------------------------- */
-
-static enum ph_status certify(void) {
-  memset(&diagnostics, 0, sizeof diagnostics);
-  memset(&diag, 0, sizeof diag);
-  return ph_certify_sphere(&u.problem, &u.curve, &unit_arena, &diagnostics,
-                           &diag);
-}
-
-static void ck_accepted(void) {
-  enum ph_status status = certify();
-  ck_assert_msg(status == PH_OK, "%s %s", diag.field, diag.message);
-}
-
-static bool is_known(enum ph_diagnostic what) {
-  return diagnostics.known >> what & 1;
-}
-
-static double value_of(enum ph_diagnostic what) {
-  ck_assert(is_known(what));
-  return diagnostics.value[what];
-}
 
 /* Refused at field[at], in words that begin so. */
 static void ck_refused_as(const char *field, size_t at, const char *words) {
   char name[64];
   snprintf(name, sizeof name, "%s[%zu]", field, at);
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  ck_assert_msg(strcmp(diag.field, name) == 0 &&
-                    strncmp(diag.message, words, strlen(words)) == 0,
-                "%s %s", diag.field, diag.message);
-}
-
-/* Refused for this error, of a segment. */
-static void ck_refused(enum ph_diagnostic what, size_t segment) {
-  char text[PH_DIAG_MESSAGE_MAX];
-  snprintf(text, sizeof text, "is refused by its certificate: %s is ",
-           ph_diagnostic_name(what));
-  ck_refused_as("segments", segment, text);
+  ck_assert_msg(strcmp(checked.diag.field, name) == 0 &&
+                    strncmp(checked.diag.message, words, strlen(words)) == 0,
+                "%s %s", checked.diag.field, checked.diag.message);
 }
 
 /* ---- what is right --------------------------------------------------- */
@@ -188,7 +156,7 @@ PH_TEST(test_lonlat) {
   ck_accepted();
   u.lonlat[2 * 5] += 1e-6;
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  ck_assert_ptr_nonnull(strstr(diag.message, "interpolation_error"));
+  ck_assert_ptr_nonnull(strstr(checked.diag.message, "interpolation_error"));
 }
 
 /* Equal angles are uniform knots; in another unit of the parameter tensions
@@ -387,7 +355,7 @@ PH_TEST_EACH(test_radius, UNIT_SPLINES_N) {
   ck_assert_int_eq(certify(), PH_INTERNAL);
   unit_sphere_number(&u, PH_F_RADIUS, u.curve.sphere.radius);
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  ck_assert_ptr_nonnull(strstr(diag.message, "sphere_error"));
+  ck_assert_ptr_nonnull(strstr(checked.diag.message, "sphere_error"));
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
   u.center[2] += MOVED;
   ck_assert_int_eq(certify(), PH_INTERNAL);
@@ -414,7 +382,7 @@ PH_TEST_EACH(test_model, UNIT_SPLINES_N) {
                    UNIT_SPLINES[_i].nielson ? "exact" : "nielson");
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   if (UNIT_SPLINES[_i].nielson) {
-    ck_assert_ptr_nonnull(strstr(diag.message, "curvature_jump"));
+    ck_assert_ptr_nonnull(strstr(checked.diag.message, "curvature_jump"));
   }
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   unit_sphere_word(&u, PH_F_ENDS, UNIT_SPLINES[_i].rest ? "natural" : "rest");
@@ -455,7 +423,7 @@ PH_TEST_EACH(test_shape, UNIT_SPLINES_N) {
       ck_accepted();
     } else {
       ck_refused_as(field[_i], at[_i], "is refused by its certificate: shape");
-      ck_assert_ptr_nonnull(strstr(diag.message, words[_i]));
+      ck_assert_ptr_nonnull(strstr(checked.diag.message, words[_i]));
     }
   }
 }
@@ -493,8 +461,14 @@ PH_TEST(test_segment) {
   ck_abs(value_of(PH_D_SHAPE_OK), 0, 0);
 }
 
-PH_TESTS(test_accepts, test_latitude, test_small, test_ends, test_lonlat,
-         test_knots, test_turning_back, test_control_points, test_off_sphere,
-         test_tensions, test_given_tensions, test_lengths, test_indicators,
-         test_swapped, test_radius, test_moved, test_model, test_fits,
-         test_shape, test_legacy, test_segment)
+static void start(void) {
+  checked.certify = ph_certify_sphere;
+  checked.problem = &u.problem;
+  checked.curve = &u.curve;
+}
+
+PH_TESTS_WITH(start, NULL, test_accepts, test_latitude, test_small, test_ends,
+              test_lonlat, test_knots, test_turning_back, test_control_points,
+              test_off_sphere, test_tensions, test_given_tensions, test_lengths,
+              test_indicators, test_swapped, test_radius, test_moved,
+              test_model, test_fits, test_shape, test_legacy, test_segment)

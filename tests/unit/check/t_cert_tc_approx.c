@@ -109,14 +109,14 @@ PH_TEST(test_pairs) {
       double tiny = far ? 1e-7 : 1e-13, found;
       approximate(scales[i], far ? 1e6 * scales[i] : 0, 0, 0);
       ck_accepted();
-      ck_assert_double_le(unit_said(PH_D_INTERPOLATION_ERROR), tiny);
-      ck_assert_double_le(unit_said(PH_D_TANGENT_ERROR), tiny);
-      ck_assert_double_le(unit_said(PH_D_PYTHAGOREAN_ERROR), tiny);
-      ck_assert_double_le(unit_said(PH_D_CONTINUITY_ERROR), tiny);
-      ck_assert_double_le(unit_said(PH_D_LENGTH_ERROR), tiny);
-      ck_assert(!unit_is_known(PH_D_END_DERIVATIVE_ERROR));
-      ck_abs(unit_said(PH_D_REGULAR), 1, 0);
-      found = unit_said(PH_D_DISTANCE) / scales[i];
+      ck_assert_double_le(value_of(PH_D_INTERPOLATION_ERROR), tiny);
+      ck_assert_double_le(value_of(PH_D_TANGENT_ERROR), tiny);
+      ck_assert_double_le(value_of(PH_D_PYTHAGOREAN_ERROR), tiny);
+      ck_assert_double_le(value_of(PH_D_CONTINUITY_ERROR), tiny);
+      ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), tiny);
+      ck_assert(!is_known(PH_D_END_DERIVATIVE_ERROR));
+      ck_abs(value_of(PH_D_REGULAR), 1, 0);
+      found = value_of(PH_D_DISTANCE) / scales[i];
       distance = distance > 0 ? distance : found;
       ck_rel(found, distance, 1e-4);
     }
@@ -144,8 +144,8 @@ PH_TEST(test_points) {
 }
 
 static void claim(double distance) {
-  unit_tc.claims.known = 0;
-  ph_diagnostics_set(&unit_tc.claims, PH_D_DISTANCE, distance);
+  checked.claims.known = 0;
+  ph_diagnostics_set(&checked.claims, PH_D_DISTANCE, distance);
 }
 
 /* A claim is kept if it is confirmed, and else corrected; the tolerance is what
@@ -155,22 +155,22 @@ PH_TEST(test_distance) {
   double found;
   start();
   ck_accepted();
-  found = unit_said(PH_D_DISTANCE);
+  found = value_of(PH_D_DISTANCE);
   claim(found);
   ck_accepted();
-  ck_rel(unit_said(PH_D_DISTANCE), found, 0.05);
-  ck_assert_double_le(unit_said(PH_D_DISTANCE), found);
+  ck_rel(value_of(PH_D_DISTANCE), found, 0.05);
+  ck_assert_double_le(value_of(PH_D_DISTANCE), found);
   for (size_t i = 0; i < 3; i++) {
     claim(claims[i] * found);
     unit_tc.problem.field[PH_F_TOLERANCE].kind = PH_ABSENT;
     ck_accepted();
-    ck_assert_double_ge(unit_said(PH_D_DISTANCE), 0.94 * found);
+    ck_assert_double_ge(value_of(PH_D_DISTANCE), 0.94 * found);
     unit_tc.problem.field[PH_F_TOLERANCE] = unit_number(found);
     ck_accepted();
     unit_tc.problem.field[PH_F_TOLERANCE] = unit_number(0.9 * found);
     ck_refused_somewhere(PH_D_DISTANCE);
   }
-  unit_tc.claims.known = 0;
+  checked.claims.known = 0;
   ck_refused_somewhere(PH_D_DISTANCE);
 }
 
@@ -179,13 +179,13 @@ PH_TEST(test_number) {
   unit_tc.problem.field[PH_F_PIECES] = unit_number(2 * PIECES * PAIRS);
   ck_accepted();
   unit_tc.problem.field[PH_F_PIECES] = unit_number(2 * PIECES * PAIRS - 1);
-  ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
-  ck_assert_str_eq(unit_tc.diag.field, "segments");
-  ck_assert_str_eq(unit_tc.diag.message,
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_str_eq(checked.diag.field, "segments");
+  ck_assert_str_eq(checked.diag.message,
                    "is refused by its certificate: there are 24, at most 23 "
                    "are allowed");
   sizes[0] = 1; /* no curve */
-  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_INTERNAL);
   sizes[0] = DEGREE + 1;
 }
 
@@ -206,15 +206,15 @@ PH_TEST(test_knots) {
   for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
     start();
     unit_tc.c.knots[wrong[i].k] = wrong[i].knot;
-    ck_assert_int_eq(unit_certify(),
+    ck_assert_int_eq(certify(),
                      isnan(wrong[i].knot) ? PH_TOO_LARGE : PH_INTERNAL);
   }
   start();
   say_chain(1);
-  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_INTERNAL);
   start();
   unit_tc.c.knots[2] += 1e-6; /* the end of the first pair */
-  ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
 }
 
 /* Every control point of the curve, and of what is given, matters. */
@@ -223,12 +223,12 @@ PH_TEST(test_control_points) {
   for (size_t i = 0; i < 8 * 2 * PIECES * PAIRS; i++) {
     double *x = &unit_tc.c.control_points[i], keep = *x;
     *x += 10 * MOVED;
-    ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
     *x = keep;
   }
   for (size_t i = 0; i < 2 * GIVEN; i++) {
     given[i] += 1000 * MOVED;
-    ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
     given[i] -= 1000 * MOVED;
   }
   ck_accepted();
@@ -256,7 +256,7 @@ PH_TEST(test_joints) {
   memmove(given + 8, given + 2 * (DEGREE + 1),
           2 * (DEGREE + 1) * sizeof(double));
   unit_tc.problem.field[PH_F_CURVE].n -= DEGREE + 1 - 4;
-  ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   sizes[0] = DEGREE + 1;
 }
 
@@ -270,7 +270,7 @@ PH_TEST(test_parts_of_a_cubic) {
   memcpy(given, unit_tc.c.control_points, 8 * sizeof(double));
   unit_tc.problem.field[PH_F_CURVE] = unit_vectors(given, 4);
   ck_accepted();
-  ck_assert_double_le(unit_said(PH_D_DISTANCE), 1e-13);
+  ck_assert_double_le(value_of(PH_D_DISTANCE), 1e-13);
   unit_cubics_begin(&unit_tc.c, ph_cplx_of(2, 1));
   for (size_t k = 0; k < 3; k++) {
     double u = cuts[k], v = cuts[k + 1], root = sqrt(v - u);
@@ -280,12 +280,12 @@ PH_TEST(test_parts_of_a_cubic) {
     unit_tc.c.knots[k + 1] = v;
   }
   ck_accepted();
-  ck_assert_double_le(unit_said(PH_D_DISTANCE), 1e-13);
+  ck_assert_double_le(value_of(PH_D_DISTANCE), 1e-13);
   claim(1e-15); /* no more than rounding is amiss */
   ck_accepted();
-  ck_assert_double_le(unit_said(PH_D_DISTANCE), 1e-15);
+  ck_assert_double_le(value_of(PH_D_DISTANCE), 1e-15);
   unit_tc.c.knots[1] += 1e-4;
-  ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
 }
 
 /* A line on which a cubic is so slow at its end that its last leg is lost to
@@ -306,9 +306,9 @@ PH_TEST(test_no_direction) {
   unit_tc.c.knots[2] = 1;
   ck_abs(unit_tc.c.control_points[4], unit_tc.c.control_points[6], 0);
   ck_accepted();
-  ck_assert_double_le(unit_said(PH_D_DISTANCE), 1e-9);
+  ck_assert_double_le(value_of(PH_D_DISTANCE), 1e-9);
 }
 
-PH_TESTS_WITH(NULL, unit_cert_finish, test_pairs, test_points, test_distance,
-              test_number, test_knots, test_control_points, test_tangents,
-              test_joints, test_parts_of_a_cubic, test_no_direction)
+PH_TESTS(test_pairs, test_points, test_distance, test_number, test_knots,
+         test_control_points, test_tangents, test_joints, test_parts_of_a_cubic,
+         test_no_direction)

@@ -74,9 +74,9 @@ PH_TEST_EACH(test_splines, 2) {
     for (int far = 0; far < 2; far++) {
       spline(_i, 0.5, scales[i], far ? 1e6 * scales[i] : 0);
       ck_accepted();
-      ck_abs(unit_said(PH_D_INTERPOLATION_ERROR), 0, 0);
+      ck_abs(value_of(PH_D_INTERPOLATION_ERROR), 0, 0);
       for (int d = PH_D_END_DERIVATIVE_ERROR; d <= PH_D_LENGTH_ERROR; d++) {
-        ck_assert_double_le(unit_said((enum ph_diagnostic)d),
+        ck_assert_double_le(value_of((enum ph_diagnostic)d),
                             far ? 3e-8 : 1e-14);
       }
     }
@@ -92,7 +92,7 @@ PH_TEST(test_repeated) {
   unit_tc.problem.field[PH_F_POINTS] = unit_vectors(again, UNIT_TC_POINTS + 1);
   ck_accepted();
   again[2 * UNIT_TC_POINTS] += 1e-6;
-  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_INTERNAL);
 }
 
 PH_TEST_EACH(test_lambda, 2) {
@@ -115,10 +115,10 @@ PH_TEST_EACH(test_tangents_with_lambda, 2) {
       unit_vectors(unit_tc.vectors, UNIT_TC_POINTS);
   unit_tc.problem.field[PH_F_MODE] = unit_word("g1-pair");
   ck_accepted();
-  ck_assert(!unit_is_known(PH_D_END_DERIVATIVE_ERROR));
+  ck_assert(!is_known(PH_D_END_DERIVATIVE_ERROR));
   unit_tc.problem.field[PH_F_LAMBDA] = unit_number(0.7);
   ck_accepted();
-  ck_assert_double_le(unit_said(PH_D_END_DERIVATIVE_ERROR), 1e-14);
+  ck_assert_double_le(value_of(PH_D_END_DERIVATIVE_ERROR), 1e-14);
   unit_tc.problem.field[PH_F_LAMBDA] = unit_number(0.7 * (1 + MOVED));
   ck_refused_somewhere(PH_D_END_DERIVATIVE_ERROR);
 }
@@ -140,9 +140,9 @@ PH_TEST_EACH(test_bisectors, 2) {
 PH_TEST(test_not_closed) {
   spline(true, 0.5, 1, 0);
   unit_tc.c.curve.closed = false;
-  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_INTERNAL);
   unit_tc.problem.field[PH_F_CLOSED].flag = false;
-  ck_assert_int_eq(unit_certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_INTERNAL);
 }
 
 enum { CHORD, CIRCLE, END_TANGENTS, END_DERIVATIVES, END_RULES };
@@ -195,9 +195,9 @@ PH_TEST_EACH(test_ends, END_RULES) {
     if (rule == _i) {
       ck_accepted();
     } else {
-      ck_assert_int_eq(unit_certify(), PH_NO_CONVERGENCE);
-      ck_assert(strstr(unit_tc.diag.message, "tangent_error") != NULL ||
-                strstr(unit_tc.diag.message, "end_derivative_error") != NULL);
+      ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+      ck_assert(strstr(checked.diag.message, "tangent_error") != NULL ||
+                strstr(checked.diag.message, "end_derivative_error") != NULL);
     }
   }
 }
@@ -252,6 +252,5 @@ PH_TEST(test_chord) {
   ck_refused_somewhere(PH_D_INTERPOLATION_ERROR);
 }
 
-PH_TESTS_WITH(NULL, unit_cert_finish, test_splines, test_repeated, test_lambda,
-              test_tangents_with_lambda, test_bisectors, test_not_closed,
-              test_ends, test_chord)
+PH_TESTS(test_splines, test_repeated, test_lambda, test_tangents_with_lambda,
+         test_bisectors, test_not_closed, test_ends, test_chord)

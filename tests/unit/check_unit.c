@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Certificates and their verdicts (see check_unit.h). */
+#include "check_unit.h"
+#include "unit.h"
+
+#include <stdio.h>
+#include <string.h>
+
+struct unit_checked checked;
+
+enum ph_status certify(void) {
+  checked.diagnostics = checked.claims;
+  memset(&checked.diag, 0, sizeof checked.diag);
+  return checked.certify(checked.problem, checked.curve, &unit_arena,
+                         &checked.diagnostics, &checked.diag);
+}
+
+bool is_known(enum ph_diagnostic what) {
+  return checked.diagnostics.known >> what & 1;
+}
+
+double value_of(enum ph_diagnostic what) {
+  ck_assert_msg(is_known(what), "%s is unknown", ph_diagnostic_name(what));
+  return checked.diagnostics.value[what];
+}
+
+void ck_accepted(void) {
+  enum ph_status status = certify();
+  ck_assert_msg(status == PH_OK, "%s %s", checked.diag.field,
+                checked.diag.message);
+}
+
+void ck_refused_somewhere(enum ph_diagnostic what) {
+  char text[PH_DIAG_MESSAGE_MAX];
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  snprintf(text, sizeof text, "is refused by its certificate: %s is ",
+           ph_diagnostic_name(what));
+  ck_assert_msg(strncmp(checked.diag.message, text, strlen(text)) == 0,
+                "%s %s, not %s", checked.diag.field, checked.diag.message,
+                ph_diagnostic_name(what));
+}
+
+void ck_refused_in(enum ph_diagnostic what, size_t a, size_t b) {
+  char name[2][32];
+  ck_refused_somewhere(what);
+  snprintf(name[0], sizeof name[0], "segments[%zu]", a);
+  snprintf(name[1], sizeof name[1], "segments[%zu]", b);
+  ck_assert_msg(strcmp(checked.diag.field, name[0]) == 0 ||
+                    strcmp(checked.diag.field, name[1]) == 0,
+                "%s, not %s or %s", checked.diag.field, name[0], name[1]);
+}
+
+void ck_refused(enum ph_diagnostic what, size_t segment) {
+  ck_refused_in(what, segment, segment);
+}
+
+void ck_not_finite(double *x) {
+  const double bad[] = {(double)NAN, HUGE_VAL, -HUGE_VAL};
+  double keep = *x;
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    *x = bad[i];
+    ck_assert_int_eq(certify(), PH_TOO_LARGE);
+    ck_assert_str_eq(checked.diag.message,
+                     "the curve exceeds the range of a double");
+    ck_assert_str_eq(checked.diag.field, "");
+  }
+  *x = keep;
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What tests of certificates share: one that is asked, and its verdict. */
+#ifndef PH_TESTS_CHECK_UNIT_H
+#define PH_TESTS_CHECK_UNIT_H
+
+#include "check/certify.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A certificate: what it is asked of, which a test sets once, and what it
+ * says. */
+struct unit_checked {
+  ph_certify_fn *certify;
+  const struct ph_problem *problem;
+  const struct ph_curve *curve;
+  struct ph_diagnostics claims; /* known before */
+  struct ph_diagnostics diagnostics;
+  struct ph_diag diag;
+};
+
+/* The one that the functions are about. */
+extern struct unit_checked checked;
+
+/* certify: asks it, with the claims. */
+enum ph_status certify(void);
+
+/* value_of: a diagnostic, which must be known. */
+bool is_known(enum ph_diagnostic what);
+double value_of(enum ph_diagnostic what);
+
+/* Accepted; refused for this reason, in any segment, in a or b, in this one. */
+void ck_accepted(void);
+void ck_refused_somewhere(enum ph_diagnostic what);
+void ck_refused_in(enum ph_diagnostic what, size_t a, size_t b);
+void ck_refused(enum ph_diagnostic what, size_t segment);
+
+/* ck_not_finite: a number of the curve that is none is refused as such. */
+void ck_not_finite(double *x);
+
+#endif
