@@ -47,8 +47,8 @@ static void solve(void *data) {
 
 static void certify(struct run *run) {
   run->certificate =
-      ph_certify_arclength(&run->problem, &run->result.curve, &run->scratch,
-                           &run->result.diagnostics, &run->diag);
+      ph_certify("arclength", &run->problem, &run->result.curve, &run->scratch,
+                 &run->result.diagnostics, &run->diag);
   ph_arena_reset(&run->scratch);
 }
 

@@ -245,8 +245,8 @@ static void solve(void *data) {
 static void certify(void *data) {
   struct whole *w = data;
   struct ph_diag diag;
-  if (ph_certify_spatial_hermite(&w->problem, &w->result.curve, &w->scratch,
-                                 &w->result.diagnostics, &diag) != PH_OK) {
+  if (ph_certify("spatial-hermite", &w->problem, &w->result.curve, &w->scratch,
+                 &w->result.diagnostics, &diag) != PH_OK) {
     bench_die(diag.message);
   }
   ph_arena_free(&w->scratch);
@@ -427,9 +427,8 @@ static int million(size_t n, uint64_t seed) {
     status = ph_method_spatial_hermite.solve(&w.problem, &w.out, &w.scratch,
                                              &w.result, &diag);
     if (status == PH_OK) {
-      status =
-          ph_certify_spatial_hermite(&w.problem, &w.result.curve, &w.scratch,
-                                     &w.result.diagnostics, &diag);
+      status = ph_certify("spatial-hermite", &w.problem, &w.result.curve,
+                          &w.scratch, &w.result.diagnostics, &diag);
     }
     if (status == PH_OK) {
       check(&d, &w, &t);

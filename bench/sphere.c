@@ -60,8 +60,8 @@ static void certify(void *data) {
   struct run *run = data;
   if (run->status == PH_OK) {
     run->status =
-        ph_certify_sphere(&run->problem, &run->result.curve, &run->scratch,
-                          &run->result.diagnostics, &run->diag);
+        ph_certify("sphere", &run->problem, &run->result.curve, &run->scratch,
+                   &run->result.diagnostics, &run->diag);
   }
 }
 

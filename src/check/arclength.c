@@ -12,7 +12,6 @@
 #include "base/sum.h"
 #include "check/segment3.h"
 #include "check/stationary.h"
-#include "curve/segment/ph3.h"
 #include "kernel/form.h"
 
 #include <float.h>
@@ -189,6 +188,16 @@ static void check_joint(const struct context *c,
                (CONTINUITY + 8 * knot) * speed + ROUND_SECOND * rounding);
 }
 
+/* The Bernstein coefficients of |A|^2.
+ * out  speed[5] */
+static void speed_of(const ph_quat a[3], double speed[5]) {
+  speed[0] = ph_quat_dot(a[0], a[0]);
+  speed[1] = ph_quat_dot(a[0], a[1]);
+  speed[2] = (2 * ph_quat_dot(a[1], a[1]) + ph_quat_dot(a[0], a[2])) / 3;
+  speed[3] = ph_quat_dot(a[1], a[2]);
+  speed[4] = ph_quat_dot(a[2], a[2]);
+}
+
 /* The smallest speed so far and in segment k: |A|^2 has its Bernstein
  * coefficients for bounds, from which halves that cannot hold less are left
  * out. */
@@ -198,7 +207,7 @@ static double smallest_speed(const struct context *c,
   double stack[HALVINGS_MAX + 1][5], rest[5];
   size_t depth[HALVINGS_MAX + 1], n = 1;
   double unit = c->spacing / (spacing_of(c, k) * c->length);
-  ph_ph3_speed(s->a, stack[0]);
+  speed_of(s->a, stack[0]);
   depth[0] = 0;
   while (n > 0) {
     const double *b = stack[--n];
@@ -426,11 +435,11 @@ static enum ph_status check_stationary(const struct context *c,
   return PH_OK;
 }
 
-enum ph_status ph_certify_arclength(const struct ph_problem *problem,
-                                    const struct ph_curve *curve,
-                                    struct ph_arena *scratch,
-                                    struct ph_diagnostics *diagnostics,
-                                    struct ph_diag *diag) {
+enum ph_status ph_check_arclength(const struct ph_problem *problem,
+                                  const struct ph_curve *curve,
+                                  struct ph_arena *scratch,
+                                  struct ph_diagnostics *diagnostics,
+                                  struct ph_diag *diag) {
   struct checks checks = {
       {.what = PH_D_INTERPOLATION_ERROR}, {.what = PH_D_TANGENT_ERROR},
       {.what = PH_D_PYTHAGOREAN_ERROR},   {.what = PH_D_CONTINUITY_ERROR},

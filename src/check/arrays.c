@@ -4,8 +4,6 @@
 
 #include "kernel/pi.h"
 
-static const struct ph_check_where SEGMENTS = {"segments", PH_CHECK_ONE, NULL};
-
 static bool wrong(struct ph_check *v, struct ph_check_where where,
                   const char *what) {
   ph_check_wrong(v, PH_CHECK_SHAPE, where, what);
@@ -38,15 +36,10 @@ static bool wrong_in(struct ph_check *v, const char *member, const char *what) {
 static bool is_of_command(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   const struct ph_promise *promise = v->promise;
+  const char *member, *breach = ph_promise_breach(promise, c, &member);
   bool exact = c->kind != PH_CURVE_BEZIER;
-  if (!(promise->kinds >> c->kind & 1)) {
-    return wrong_in(v, "curve", "is of no kind that the command makes");
-  }
-  if (c->dimension != promise->dimension) {
-    return wrong_in(v, "dimension", "is not that of curves of the command");
-  }
-  if (c->degree != promise->degree) {
-    return wrong_in(v, "degree", "is not that of curves of the command");
+  if (breach) {
+    return wrong_in(v, member, breach);
   }
   if (promise->intervals != (v->intervals_n > 0)) {
     return wrong_in(v, "intervals",
@@ -140,9 +133,6 @@ static bool is_sphere(struct ph_check *v) {
 bool ph_check_arrays(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   ph_check_done(v, PH_CHECK_SHAPE);
-  if (c->n == 0 || !c->control_points) {
-    return wrong(v, SEGMENTS, "are missing");
-  }
   return is_of_command(v) && is_divided(v) &&
          are_finite(v, c->control_points, (c->degree + 1) * c->dimension,
                     "control_points") &&

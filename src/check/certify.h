@@ -12,20 +12,29 @@
 #ifndef PH_CHECK_CERTIFY_H
 #define PH_CHECK_CERTIFY_H
 
-#include "base/diag.h"
-#include "base/mem.h"
-#include "curve/problem.h"
-#include "curve/result.h"
-
-/* A certificate: PH_OK, or why the curve must not be printed. */
-typedef enum ph_status ph_certify_fn(const struct ph_problem *problem,
-                                     const struct ph_curve *curve,
-                                     struct ph_arena *scratch,
-                                     struct ph_diagnostics *diagnostics,
-                                     struct ph_diag *diag);
+#include "check/promise.h"
 
 /*
- * ph_certify_planar: a C2 planar PH quintic spline through the problem's
+ * ph_certify: whether a curve is what its command promises (promise.h), by the
+ * fixed rules of its row below.
+ *
+ * in   diagnostics  claims that a row below says it looks at
+ * out  diagnostics  what was found
+ * ret  PH_OK | PH_INTERNAL (the command promises nothing, or the curve is of no
+ *      kind, dimension or degree that it makes) | PH_TOO_LARGE (something is
+ * not finite) | PH_NO_CONVERGENCE (an error exceeds its tolerance; says which
+ *      and where) | PH_NO_MEMORY
+ */
+enum ph_status ph_certify(const char *command, const struct ph_problem *problem,
+                          const struct ph_curve *curve,
+                          struct ph_arena *scratch,
+                          struct ph_diagnostics *diagnostics,
+                          struct ph_diag *diag);
+
+/* ---- the rows of the table: of curves that are what ph_certify says ------ */
+
+/*
+ * ph_check_planar: a C2 planar PH quintic spline through the problem's
  * points.
  *
  *   interpolation_error   distance of segment ends from the points / size
@@ -42,10 +51,10 @@ typedef enum ph_status ph_certify_fn(const struct ph_problem *problem,
  * ret  PH_OK | PH_TOO_LARGE (something is not finite) | PH_NO_CONVERGENCE
  *      (an error exceeds its tolerance; says which and where) | PH_NO_MEMORY
  */
-ph_certify_fn ph_certify_planar;
+ph_promise_fn ph_check_planar;
 
 /*
- * ph_certify_spatial_hermite: a PH quintic or ATPH curve through the problem's
+ * ph_check_spatial_hermite: a PH quintic or ATPH curve through the problem's
  * points, with its tangents or derivatives, whichever are given.
  *
  *   interpolation_error   distance of segment ends from the points / size
@@ -68,10 +77,10 @@ ph_certify_fn ph_certify_planar;
  * ret  as above, and PH_INTERNAL when there is not a segment for every pair of
  *      neighbouring points
  */
-ph_certify_fn ph_certify_spatial_hermite;
+ph_promise_fn ph_check_spatial_hermite;
 
 /*
- * ph_certify_arclength: a C2 spatial PH quintic spline, one to three segments
+ * ph_check_arclength: a C2 spatial PH quintic spline, one to three segments
  * for each interval of the data, with the problem's points, derivatives or
  * tangents, and with its lengths unless they are free or have a length_sigma.
  * "mean" is the mean length of an interval.
@@ -98,10 +107,10 @@ ph_certify_fn ph_certify_spatial_hermite;
  *                   soft lengths are weighed by
  * ret  as above; PH_INTERNAL when segments and data do not fit together
  */
-ph_certify_fn ph_certify_arclength;
+ph_promise_fn ph_check_arclength;
 
 /*
- * ph_certify_sphere: a spherical nu-spline through the problem's points, of the
+ * ph_check_sphere: a spherical nu-spline through the problem's points, of the
  * model, the ends, the knots, the tensions and the shape that it claims.  All
  * is brought to the unit sphere first.
  *
@@ -134,10 +143,10 @@ ph_certify_fn ph_certify_arclength;
  * ret  as above; PH_INTERNAL when segments, sphere and problem do not fit
  *      together
  */
-ph_certify_fn ph_certify_sphere;
+ph_promise_fn ph_check_sphere;
 
 /*
- * ph_certify_tc: planar Tschirnhausen cubics, one or two for each interval of
+ * ph_check_tc: planar Tschirnhausen cubics, one or two for each interval of
  * the data as the mode of the problem says, or for a chain of Bezier curves.
  *
  *   interpolation_error   distance of the ends of intervals from the points,
@@ -173,6 +182,6 @@ ph_certify_fn ph_certify_sphere;
  * ret  as above; PH_INTERNAL when segments, knots and problem do not fit
  *      together
  */
-ph_certify_fn ph_certify_tc;
+ph_promise_fn ph_check_tc;
 
 #endif

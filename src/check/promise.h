@@ -6,6 +6,9 @@
 #ifndef PH_CHECK_PROMISE_H
 #define PH_CHECK_PROMISE_H
 
+#include "base/diag.h"
+#include "base/mem.h"
+#include "curve/problem.h"
 #include "curve/result.h"
 
 /* How segments join, but of Bezier curves in place of others, which share the
@@ -24,16 +27,24 @@ enum ph_given {
   PH_GIVEN_CUBIC    /* that of each cubic, in [0,1], of two in an interval */
 };
 
+/* Fixed rules: PH_OK, or why the curve must not be printed (certify.h). */
+typedef enum ph_status ph_promise_fn(const struct ph_problem *problem,
+                                     const struct ph_curve *curve,
+                                     struct ph_arena *scratch,
+                                     struct ph_diagnostics *diagnostics,
+                                     struct ph_diag *diag);
+
 struct ph_promise {
   const char *command;
   unsigned kinds; /* of curves: PH_KIND(symbol) | ... */
   size_t dimension, degree;
   enum ph_join join;
   enum ph_given given;
-  bool ends;        /* end derivatives or tangents that are given are kept */
-  bool lengths;     /* and lengths from datum to datum */
-  bool tension;     /* segments have one, but those of Bezier curves */
-  bool intervals;   /* the record has them */
+  bool ends;      /* end derivatives or tangents that are given are kept */
+  bool lengths;   /* and lengths from datum to datum */
+  bool tension;   /* segments have one, but those of Bezier curves */
+  bool intervals; /* the record has them */
+  ph_promise_fn *certify; /* before such a curve is printed */
   bool approximate; /* there are approximations, which may have corners and
                        miss points, by the distance in their diagnostics */
 };
@@ -43,6 +54,17 @@ struct ph_promise {
 /* ph_promises: the rows, [ph_promises_n]. */
 extern const struct ph_promise ph_promises[];
 extern const size_t ph_promises_n;
+
+/*
+ * ph_promise_breach: what is wrong with a curve, "is of no kind that the
+ * command makes", or NULL where it has segments, and its kind, dimension and
+ * degree are those of the command.
+ *
+ * out  member  "curve": where, if so
+ */
+const char *ph_promise_breach(const struct ph_promise *promise,
+                              const struct ph_curve *curve,
+                              const char **member);
 
 /* ph_promise_of: the row of a command, or NULL. */
 const struct ph_promise *ph_promise_of(const char *command);

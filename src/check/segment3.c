@@ -16,10 +16,6 @@ enum ph_status ph_check3_begin(struct ph_check3 *c,
                                const struct ph_curve *curve,
                                const double *points, size_t n, size_t dimension,
                                struct ph_diag *diag) {
-  enum ph_status status = ph_check_finite(curve, diag);
-  if (status != PH_OK) {
-    return status;
-  }
   c->curve = curve;
   if (!ph_quad_gauss(&c->rule, curve->preimage.alpha ? PH_CHECK_NODES_ATPH
                                                      : PH_CHECK_NODES_PH)) {
@@ -63,12 +59,12 @@ static void set_legs(const struct ph_check3 *c, const double *p,
       PH_CHECK_ROUND_FIRST * ph_check_smaller(s->rounding, c->scale.rounding);
 }
 
-void ph_check3_preimage(const struct ph_check3 *c, size_t k, ph_quat a[3]) {
+static void set_preimage(const struct ph_check3 *c, size_t k,
+                         struct ph_check3_segment *s) {
   const double *v = c->curve->preimage.v + 12 * k;
-  double unit = c->curve->preimage.alpha ? c->curve->preimage.alpha[k] : 1;
-  double root = c->scale.root * sqrt(unit);
+  double root = c->scale.root * sqrt(s->unit);
   for (size_t i = 0; i < 3; i++, v += 4) {
-    a[i] = ph_quat_of(root * v[0], root * v[1], root * v[2], root * v[3]);
+    s->a[i] = ph_quat_of(root * v[0], root * v[1], root * v[2], root * v[3]);
   }
 }
 
@@ -77,8 +73,8 @@ struct ph_check3_segment ph_check3_segment_of(struct ph_check3 *c, size_t k) {
   struct ph_check3_segment s;
   ph_check_space_for(&c->space, &c->rule, curve, k);
   set_legs(c, curve->control_points + 18 * k, &s);
-  ph_check3_preimage(c, k, s.a);
   s.unit = curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
+  set_preimage(c, k, &s);
   s.tension = curve->choice.tension ? curve->choice.tension[k] : 1;
   for (size_t i = 0; i < 2; i++) {
     double size;

@@ -69,10 +69,6 @@ struct ph_check3_segment {
 /* ph_check3_segment_of: segment k of the curve, whose space becomes c's. */
 struct ph_check3_segment ph_check3_segment_of(struct ph_check3 *c, size_t k);
 
-/* ph_check3_preimage: its preimage by u alone.
- * out  a[3] */
-void ph_check3_preimage(const struct ph_check3 *c, size_t k, ph_quat a[3]);
-
 /*
  * ph_check3_hodograph: how far r' is from A i A*.
  *

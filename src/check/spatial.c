@@ -9,7 +9,6 @@
 #include "base/sum.h"
 #include "check/segment3.h"
 #include "check/shape_spatial.h"
-#include "curve/fair/fair3.h"
 
 /* Tolerances.  Beside the rounding of control points, the solver leaves that of
  * a few operations. */
@@ -21,9 +20,6 @@ static const double DIRECTION = 1e-12;
 /* A direction that rounding may have turned by more than this is none: a first
  * leg that is far shorter than its coordinates may vanish. */
 static const double NO_DIRECTION = 1;
-
-/* On more segments the sums say little, and take as long as the solution. */
-enum { FAIR_MAX = 1000 };
 
 struct context {
   struct ph_check3 at;
@@ -189,45 +185,9 @@ static enum ph_status conclude(const struct context *c,
   return PH_OK;
 }
 
-/* How fair the curve is, no number where it stands still or has no torsion. */
-static enum ph_status describe_fairness(const struct context *c,
-                                        struct ph_diagnostics *diagnostics,
-                                        struct ph_diag *diag) {
-  static const enum ph_diagnostic name[3] = {PH_D_F1, PH_D_F2, PH_D_F3};
-  const struct ph_curve *curve = c->at.curve;
-  struct ph_fair3_rules rules;
-  double bending = 0, functional[3] = {0, 0, 0};
-  if (!ph_fair3_begin(&rules)) {
-    return ph_fail_memory(diag);
-  }
-  for (size_t k = 0; k < curve->n; k++) {
-    struct ph_atph space =
-        ph_atph_of(curve->preimage.alpha ? curve->preimage.alpha[k] : 0);
-    double length = ph_pow2_apply(c->at.scale.to_unit, curve->lengths[k]);
-    struct ph_fair3 fair;
-    ph_quat a[3];
-    ph_check3_preimage(&c->at, k, a);
-    fair = ph_fair3_of(&rules, &space, a);
-    bending += fair.bending;
-    for (size_t i = 0; i < 3; i++) {
-      functional[i] += ph_fair3_functional(&fair, length, (int)i + 1);
-    }
-  }
-  /* The bending is the inverse of a length. */
-  ph_diagnostics_set_finite(diagnostics, PH_D_ENERGY,
-                            ph_pow2_apply(c->at.scale.to_unit, bending));
-  for (size_t i = 0; i < 3; i++) {
-    ph_diagnostics_set_finite(diagnostics, name[i], functional[i]);
-  }
-  return PH_OK;
-}
-
-/* Whether all segments keep the shape of the data; and of curves that are not
- * too long, how fair they are. */
-static enum ph_status describe(const struct context *c,
-                               struct ph_diagnostics *diagnostics,
-                               struct ph_diag *diag) {
-  const struct ph_curve *curve = c->at.curve;
+/* Whether all segments keep the shape of the data. */
+static void describe_shape(const struct ph_curve *curve,
+                           struct ph_diagnostics *diagnostics) {
   bool shape_ok = true;
   for (size_t k = 0; curve->choice.shape_ok && k < curve->n; k++) {
     shape_ok = shape_ok && curve->choice.shape_ok[k];
@@ -235,7 +195,6 @@ static enum ph_status describe(const struct context *c,
   if (curve->choice.shape_ok) {
     ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK, shape_ok);
   }
-  return curve->n <= FAIR_MAX ? describe_fairness(c, diagnostics, diag) : PH_OK;
 }
 
 /* Whether there is a segment for every pair of points; a repeated last point of
@@ -247,11 +206,11 @@ static bool all_joined(struct context *c) {
          (given == c->points.n || (c->at.curve->closed && given == n + 1));
 }
 
-enum ph_status ph_certify_spatial_hermite(const struct ph_problem *problem,
-                                          const struct ph_curve *curve,
-                                          struct ph_arena *scratch,
-                                          struct ph_diagnostics *diagnostics,
-                                          struct ph_diag *diag) {
+enum ph_status ph_check_spatial_hermite(const struct ph_problem *problem,
+                                        const struct ph_curve *curve,
+                                        struct ph_arena *scratch,
+                                        struct ph_diagnostics *diagnostics,
+                                        struct ph_diag *diag) {
   struct checks checks = {{.what = PH_D_INTERPOLATION_ERROR},
                           {.what = PH_D_TANGENT_ERROR},
                           {.what = PH_D_PYTHAGOREAN_ERROR},
@@ -280,5 +239,8 @@ enum ph_status ph_certify_spatial_hermite(const struct ph_problem *problem,
   }
   check_segments(&c, &checks);
   status = conclude(&c, &checks, diagnostics, diag);
-  return status == PH_OK ? describe(&c, diagnostics, diag) : status;
+  if (status == PH_OK) {
+    describe_shape(curve, diagnostics);
+  }
+  return status;
 }

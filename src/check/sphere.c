@@ -498,9 +498,7 @@ static bool read_problem(struct context *c) {
                     (ends->kind == PH_ABSENT && tangents->kind == PH_VECTORS)
                 ? CLAMPED
                 : NATURAL;
-  return curve->n > 0 && curve->kind == PH_CURVE_SPHERICAL_NU &&
-         curve->closed == field[PH_F_CLOSED].flag && curve->dimension == 3 &&
-         curve->degree == 3 && curve->sphere.tensions &&
+  return curve->closed == field[PH_F_CLOSED].flag && curve->sphere.tensions &&
          curve->sphere.indicators && c->points->kind == PH_VECTORS &&
          c->points->dimension == (c->lonlat ? 2u : 3u) &&
          (c->points->n == n || (curve->closed && c->points->n == n + 1)) &&
@@ -563,11 +561,11 @@ static bool set_scale(struct context *c) {
   return true;
 }
 
-enum ph_status ph_certify_sphere(const struct ph_problem *problem,
-                                 const struct ph_curve *curve,
-                                 struct ph_arena *scratch,
-                                 struct ph_diagnostics *diagnostics,
-                                 struct ph_diag *diag) {
+enum ph_status ph_check_sphere(const struct ph_problem *problem,
+                               const struct ph_curve *curve,
+                               struct ph_arena *scratch,
+                               struct ph_diagnostics *diagnostics,
+                               struct ph_diag *diag) {
   struct context c = {.problem = problem, .curve = curve};
   struct checks checks = {.sphere = {.what = PH_D_SPHERE_ERROR},
                           .point = {.what = PH_D_INTERPOLATION_ERROR},
@@ -585,16 +583,13 @@ enum ph_status ph_certify_sphere(const struct ph_problem *problem,
     return ph_fail(diag, PH_INTERNAL, "radius",
                    "or center is not that of the problem");
   }
-  status = ph_check_finite(curve, diag);
-  if (status == PH_OK && !is_finite(curve)) {
-    status =
-        ph_fail(diag, PH_TOO_LARGE, "tensions", "exceed the range of a double");
+  if (!is_finite(curve)) {
+    return ph_fail(diag, PH_TOO_LARGE, "tensions",
+                   "exceed the range of a double");
   }
-  if (status == PH_OK && !set_scale(&c)) {
-    status = ph_fail(diag, PH_INTERNAL, "points", "have no extent");
+  if (!set_scale(&c)) {
+    return ph_fail(diag, PH_INTERNAL, "points", "have no extent");
   }
-  if (status == PH_OK) {
-    status = check_curve(&c, &checks, diag);
-  }
+  status = check_curve(&c, &checks, diag);
   return status == PH_OK ? conclude(&c, &checks, diagnostics, diag) : status;
 }

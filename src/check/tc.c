@@ -208,11 +208,11 @@ static enum ph_status check_claims(const struct ph_tc_check *c,
   return PH_OK;
 }
 
-enum ph_status ph_certify_tc(const struct ph_problem *problem,
-                             const struct ph_curve *curve,
-                             struct ph_arena *scratch,
-                             struct ph_diagnostics *diagnostics,
-                             struct ph_diag *diag) {
+enum ph_status ph_check_tc(const struct ph_problem *problem,
+                           const struct ph_curve *curve,
+                           struct ph_arena *scratch,
+                           struct ph_diagnostics *diagnostics,
+                           struct ph_diag *diag) {
   const struct ph_value *points = &problem->field[PH_F_POINTS];
   struct ph_tc_wanted wanted;
   struct ph_tc_check c;
@@ -235,7 +235,7 @@ enum ph_status ph_certify_tc(const struct ph_problem *problem,
     return status;
   }
   check_intervals(&c, &wanted);
-  status = ph_tc_check_conclude(&c, wanted.all, scratch, diagnostics, diag);
+  status = ph_tc_check_conclude(&c, wanted.all, diagnostics, diag);
   return status == PH_OK ? check_claims(&c, &wanted, diagnostics, diag)
                          : status;
 }

@@ -370,7 +370,6 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
 
 static enum ph_status certify(struct context *x,
                               const struct ph_problem *problem,
-                              struct ph_arena *scratch,
                               struct ph_diagnostics *diagnostics,
                               struct ph_diag *diag) {
   const struct ph_value *pieces = &problem->field[PH_F_PIECES];
@@ -387,7 +386,7 @@ static enum ph_status certify(struct context *x,
         n, pieces->number);
   }
   check_cubics(x);
-  status = ph_tc_check_conclude(&x->c, false, scratch, diagnostics, diag);
+  status = ph_tc_check_conclude(&x->c, false, diagnostics, diag);
   return status == PH_OK ? check_distance(x, problem, diagnostics, diag)
                          : status;
 }
@@ -402,7 +401,7 @@ enum ph_status ph_check_tc_approximation(const struct ph_problem *problem,
   struct context x = {.next = 0};
   enum ph_status status = begin(&x, problem, curve, scratch, allowed, diag);
   if (status == PH_OK) {
-    status = certify(&x, problem, scratch, diagnostics, diag);
+    status = certify(&x, problem, diagnostics, diag);
   }
   ph_arena_release(scratch, mark);
   return status;

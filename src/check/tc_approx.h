@@ -5,7 +5,7 @@
 
 #include "check/certify.h"
 
-/* ph_check_tc_approximation: ph_certify_tc of the mode approximate. */
-ph_certify_fn ph_check_tc_approximation;
+/* ph_check_tc_approximation: ph_check_tc of the mode approximate. */
+ph_promise_fn ph_check_tc_approximation;
 
 #endif

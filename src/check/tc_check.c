@@ -2,11 +2,6 @@
 /* Checks of Tschirnhausen cubics (see tc_check.h). */
 #include "check/tc_check.h"
 
-#include "curve/cross/cross.h"
-#include "curve/segment/seg2.h"
-#include "curve/segment/tc.h"
-#include "kernel/pi.h"
-
 #include <float.h>
 #include <math.h>
 
@@ -33,7 +28,6 @@ enum ph_status ph_tc_check_begin(struct ph_tc_check *c,
                                  const struct ph_curve *curve,
                                  const double *points, size_t n,
                                  struct ph_diag *diag) {
-  enum ph_status status;
   *c = (struct ph_tc_check){.curve = curve,
                             .point = {.what = PH_D_INTERPOLATION_ERROR},
                             .tangent = {.what = PH_D_TANGENT_ERROR},
@@ -42,15 +36,9 @@ enum ph_status ph_tc_check_begin(struct ph_tc_check *c,
                             .joint = {.what = PH_D_CONTINUITY_ERROR},
                             .length = {.what = PH_D_LENGTH_ERROR},
                             .regular = true};
-  if (curve->kind != PH_CURVE_TC || curve->n == 0 || curve->degree != 3 ||
-      curve->dimension != 2 || curve->preimage.n != 2 ||
-      curve->preimage.dimension != 2) {
+  if (curve->preimage.n != 2 || curve->preimage.dimension != 2) {
     return ph_fail(diag, PH_INTERNAL, "segments",
                    "are no Tschirnhausen cubics");
-  }
-  status = ph_check_finite(curve, diag);
-  if (status != PH_OK) {
-    return status;
   }
   if (!ph_quad_gauss(&c->rule, PH_CHECK_NODES_PH)) {
     return ph_fail_memory(diag);
@@ -127,14 +115,13 @@ static void check_length(struct ph_tc_check *c, const struct ph_tc_cubic *s,
 }
 
 /* How near w comes to 0: its distance from the line of w, or from the nearer
- * end of it; the largest curvature is there. */
+ * end of it. */
 static void check_stop(struct ph_tc_check *c, const struct ph_tc_cubic *s,
                        size_t k) {
   ph_cplx step = ph_cplx_sub(s->w[1], s->w[0]);
   double a = ph_cplx_abs(s->w[0]), b = ph_cplx_abs(s->w[1]);
   double turn = fabs(ph_cplx_cross(s->w[0], step));
   double nearest = ph_check_smaller(a, b);
-  double curvature;
   if (ph_cplx_dot(s->w[0], step) < 0 && ph_cplx_dot(s->w[1], step) > 0) {
     nearest = turn / ph_cplx_abs(step);
   }
@@ -142,36 +129,6 @@ static void check_stop(struct ph_tc_check *c, const struct ph_tc_cubic *s,
     c->regular = false;
     c->irregular = k;
   }
-  curvature = 2 * turn / (nearest * nearest * nearest * nearest);
-  if (ph_check_is_larger(curvature, c->flattening)) {
-    c->flattening = curvature;
-  }
-}
-
-/* Whether r(s) = r(t) for s, t in [0,1]: with w = w0 + (w1 - w0) t and z its
- * parameter where it is 0, (s - z)^3 = (t - z)^3, so that s - z and t - z are
- * conjugate and of angles +-pi/3. */
-static bool has_loop(const struct ph_tc_cubic *s) {
-  ph_cplx step = ph_cplx_sub(s->w[1], s->w[0]);
-  double square = ph_cplx_norm2(step);
-  double middle = -ph_cplx_dot(s->w[0], step) / square;
-  double half = sqrt(3) * fabs(ph_cplx_cross(s->w[0], step)) / square;
-  return half > 0 && middle - half >= 0 && middle + half <= 1;
-}
-
-/* How fair it is, and whether it meets itself: a loop that has shrunk to a
- * point counts. */
-static void describe_cubic(struct ph_tc_check *c, const struct ph_tc_cubic *s,
-                           size_t k) {
-  const struct ph_tc tc = {{s->w[0], s->w[1]}};
-  const struct ph_seg2 seg = ph_seg2_of(c->curve, k);
-  bool still = ph_seg2_stands_still(&seg, NULL);
-  double turning = ph_tc_turning(&tc);
-  c->stands_still = c->stands_still || still;
-  ph_sum_add(&c->energy, ph_tc_energy(&tc));
-  ph_sum_add(&c->rotation, turning);
-  ph_sum_add(&c->absolute, fabs(turning));
-  c->loops += still || has_loop(s);
 }
 
 void ph_tc_check_cubic(struct ph_tc_check *c, const struct ph_tc_cubic *s,
@@ -179,7 +136,6 @@ void ph_tc_check_cubic(struct ph_tc_check *c, const struct ph_tc_cubic *s,
   check_square(c, s, k);
   check_length(c, s, k);
   check_stop(c, s, k);
-  describe_cubic(c, s, k);
 }
 
 /* ---- ends and joints ---------------------------------------------------- */
@@ -239,38 +195,7 @@ void ph_tc_check_derivative(struct ph_tc_check *c, const struct ph_tc_cubic *s,
 
 /* ---- the whole curve ---------------------------------------------------- */
 
-/* How fair the curve is, no number where it stands still, and whether it
- * crosses itself. */
-static enum ph_status describe(const struct ph_tc_check *c,
-                               struct ph_arena *scratch,
-                               struct ph_diagnostics *diagnostics,
-                               struct ph_diag *diag) {
-  const double turn = 2 * PH_PI;
-  struct ph_cross cross;
-  enum ph_status status = ph_cross_planar(c->curve, scratch, &cross, diag);
-  if (status != PH_OK) {
-    return status;
-  }
-  ph_diagnostics_set(diagnostics, PH_D_REGULAR, c->regular);
-  ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)c->loops);
-  ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple && c->regular);
-  if (!c->stands_still) {
-    /* Both are inverses of a length. */
-    ph_diagnostics_set_finite(
-        diagnostics, PH_D_ENERGY,
-        ph_pow2_apply(c->scale.to_unit, ph_sum_value(&c->energy)));
-    ph_diagnostics_set_finite(diagnostics, PH_D_MAX_CURVATURE,
-                              ph_pow2_apply(c->scale.to_unit, c->flattening));
-    ph_diagnostics_set_finite(diagnostics, PH_D_ROTATION_INDEX,
-                              ph_sum_value(&c->rotation) / turn);
-    ph_diagnostics_set_finite(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
-                              ph_sum_value(&c->absolute) / turn);
-  }
-  return PH_OK;
-}
-
 enum ph_status ph_tc_check_conclude(struct ph_tc_check *c, bool may_stop,
-                                    struct ph_arena *scratch,
                                     struct ph_diagnostics *diagnostics,
                                     struct ph_diag *diag) {
   const struct ph_check_error *const list[] = {&c->point,      &c->tangent,
@@ -296,5 +221,6 @@ enum ph_status ph_tc_check_conclude(struct ph_tc_check *c, bool may_stop,
                       "still",
                       ph_diagnostic_name(PH_D_REGULAR));
   }
-  return describe(c, scratch, diagnostics, diag);
+  ph_diagnostics_set(diagnostics, PH_D_REGULAR, c->regular);
+  return PH_OK;
 }

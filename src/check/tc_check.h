@@ -30,12 +30,7 @@ struct ph_tc_check {
   struct ph_sum total;              /* of the lengths */
   double allowance;                 /* for rounding, of their sum */
   bool regular;
-  bool stands_still; /* a cubic does to rounding of its control points; those
-                        that are not regular are among them */
-  size_t irregular;  /* the first cubic that is not */
-  double flattening; /* the largest 2 |K| / |w|^4: curvature at unit scale */
-  struct ph_sum energy, rotation, absolute; /* at unit scale, of the preimage */
-  size_t loops;                             /* cubics that have one */
+  size_t irregular; /* the first cubic that is not */
 };
 
 /* A cubic at unit scale, with respect to u in [0,1]. */
@@ -112,13 +107,11 @@ void ph_tc_check_derivative(struct ph_tc_check *c, const struct ph_tc_cubic *s,
 
 /*
  * ph_tc_check_conclude: what the checks came to, the worst place of the first
- * that fails; regular, max_curvature, energy and turning by the closed forms of
- * curve/segment/tc.h, loops, and what ph_cross_planar finds of the curve.
+ * that fails; and regular.
  *
  * in   may_stop  an irregular curve is none to be refused
  */
 enum ph_status ph_tc_check_conclude(struct ph_tc_check *c, bool may_stop,
-                                    struct ph_arena *scratch,
                                     struct ph_diagnostics *diagnostics,
                                     struct ph_diag *diag);
 

@@ -3,11 +3,11 @@
  * Verification: everything that a result says, recomputed from its control
  * points alone, by whomever it was written.
  *
- * It evaluates control points by de Casteljau's algorithm, in the B-basis of
- * ATPH curves and by great circles, and integrates by quadrature; neither
- * solvers nor the closed forms of curve/ are included, but for what
- * certificates describe and nothing is compared with: tests/lint/layers.sh
- * lists it.
+ * This room stands by itself.  Of the others it includes base, kernel, and the
+ * plain structs of curve/result.h and curve/problem.h; neither solvers nor the
+ * closed forms of curve/: it evaluates control points by de Casteljau's
+ * algorithm, in the B-basis of ATPH curves and by great circles, and integrates
+ * by quadrature.  tests/lint/layers.sh sees to that.
  *
  * Errors are relative: of points and lengths to the size of the curve (half the
  * diagonal of the bounding box of its control points), of vectors and numbers

@@ -8,7 +8,7 @@
 #define PH_CLI_COMMAND_H
 
 #include "base/buf.h"
-#include "check/certify.h"
+#include "curve/fair/describe.h"
 #include "curve/offset/offset.h"
 #include "solve/method.h"
 
@@ -29,7 +29,7 @@ struct ph_command {
 
   /* What follows belongs to commands that solve. */
   const struct ph_method *method;
-  ph_certify_fn *certify;
+  ph_describe_fn *describe; /* NULL: all is in the solution and certificate */
   /* offset: the offsets_n offset curves at a distance */
   enum ph_status (*offset)(const struct ph_curve *curve, double distance,
                            const struct ph_offset_rules *rules,

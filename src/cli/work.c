@@ -2,6 +2,7 @@
 /* One record, bytes to bytes (see work.h). */
 #include "cli/work.h"
 
+#include "check/certify.h"
 #include "cli/derive.h"
 #include "cli/message.h"
 #include "cli/plot.h"
@@ -92,16 +93,26 @@ static enum ph_status refuse_warnings(struct task *t) {
   return t->diag.status;
 }
 
-/* Every curve that will be written. */
-static enum ph_status certify(struct task *t) {
+/* That a curve is what the command promises, and what else is said of it. */
+static enum ph_status certify_curve(struct task *t,
+                                    const struct ph_curve *curve,
+                                    struct ph_diagnostics *diagnostics) {
   const struct ph_command *command = t->options->command;
   struct ph_arena *scratch = &t->worker->scratch;
+  enum ph_status status = ph_certify(command->schema->command, &t->problem,
+                                     curve, scratch, diagnostics, &t->diag);
+  return status == PH_OK && command->describe
+             ? command->describe(curve, scratch, diagnostics, &t->diag)
+             : status;
+}
+
+/* Every curve that will be written. */
+static enum ph_status certify(struct task *t) {
   struct ph_result *r = &t->result;
-  enum ph_status status = command->certify(&t->problem, &r->curve, scratch,
-                                           &r->diagnostics, &t->diag);
+  enum ph_status status = certify_curve(t, &r->curve, &r->diagnostics);
   for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
-    status = command->certify(&t->problem, &r->solutions[i].curve, scratch,
-                              &r->solutions[i].diagnostics, &t->diag);
+    status =
+        certify_curve(t, &r->solutions[i].curve, &r->solutions[i].diagnostics);
   }
   return status;
 }

@@ -355,8 +355,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   if (status == PH_OK) {
     FUZZ_REQUIRE(result.diagnostics.value[PH_D_ITERATIONS] <=
                  ARCLENGTH_STEPS_MAX);
-    status = ph_certify_arclength(&in.problem, &result.curve, &scratch,
-                                  &result.diagnostics, &diag);
+    status = ph_certify("arclength", &in.problem, &result.curve, &scratch,
+                        &result.diagnostics, &diag);
   }
   if (status == PH_OK) {
     arclength_check_result(&in, &result, &out);

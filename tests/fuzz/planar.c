@@ -16,6 +16,7 @@
 #include "problem.h"
 
 #include "check/certify.h"
+#include "curve/fair/describe.h"
 #include "curve/offset/offset.h"
 #include "solve/method.h"
 
@@ -162,8 +163,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   if (status == PH_OK) {
     double steps = result.diagnostics.value[PH_D_ITERATIONS];
     FUZZ_REQUIRE(steps >= 0 && steps <= PLANAR_STEPS_MAX);
-    status = ph_certify_planar(&in.problem, &result.curve, &scratch,
-                               &result.diagnostics, &diag);
+    status = ph_certify("planar", &in.problem, &result.curve, &scratch,
+                        &result.diagnostics, &diag);
+  }
+  if (status == PH_OK) {
+    status =
+        ph_describe_planar(&result.curve, &scratch, &result.diagnostics, &diag);
   }
   if (status == PH_OK) {
     planar_check_result(&in, &result, &out);

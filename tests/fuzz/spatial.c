@@ -22,6 +22,7 @@
 #include "problem.h"
 
 #include "check/certify.h"
+#include "curve/fair/describe.h"
 #include "curve/bezier/convert.h"
 #include "curve/offset/offset.h"
 #include "solve/method.h"
@@ -363,8 +364,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
   if (status == PH_OK) {
     spatial_check_steps(&in, &result);
-    status = ph_certify_spatial_hermite(&in.problem, &result.curve, &scratch,
-                                        &result.diagnostics, &diag);
+    status = ph_certify("spatial-hermite", &in.problem, &result.curve, &scratch,
+                        &result.diagnostics, &diag);
+  }
+  if (status == PH_OK) {
+    status = ph_describe_spatial(&result.curve, &scratch, &result.diagnostics,
+                                 &diag);
   }
   if (status == PH_OK) {
     spatial_check_result(&in, &result, &out);

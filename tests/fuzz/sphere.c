@@ -387,8 +387,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
   if (status == PH_OK) {
     FUZZ_REQUIRE(result.diagnostics.value[PH_D_ITERATIONS] <= SPHERE_STEPS_MAX);
-    status = ph_certify_sphere(&in.problem, &result.curve, &scratch,
-                               &result.diagnostics, &diag);
+    status = ph_certify("sphere", &in.problem, &result.curve, &scratch,
+                        &result.diagnostics, &diag);
   }
   if (status == PH_OK) {
     sphere_check_result(&in, &result, &out);

@@ -26,6 +26,7 @@
 #include "problem.h"
 
 #include "check/certify.h"
+#include "curve/fair/describe.h"
 #include "curve/offset/blaschke.h"
 #include "curve/offset/offset.h"
 #include "curve/sample/sample.h"
@@ -389,12 +390,16 @@ static enum ph_status tc_certify(const struct tc_input *in,
                                  struct ph_result *result,
                                  struct ph_arena *scratch,
                                  struct ph_diag *diag) {
-  enum ph_status status = ph_certify_tc(&in->problem, &result->curve, scratch,
-                                        &result->diagnostics, diag);
+  enum ph_status status = ph_certify("tc", &in->problem, &result->curve,
+                                     scratch, &result->diagnostics, diag);
+  if (status == PH_OK) {
+    status =
+        ph_describe_cubics(&result->curve, scratch, &result->diagnostics, diag);
+  }
   for (size_t i = 0; status == PH_OK && i < result->solutions_n; i++) {
     struct ph_solution *solution = &result->solutions[i];
-    status = ph_certify_tc(&in->problem, &solution->curve, scratch,
-                           &solution->diagnostics, diag);
+    status = ph_certify("tc", &in->problem, &solution->curve, scratch,
+                        &solution->diagnostics, diag);
   }
   return status;
 }

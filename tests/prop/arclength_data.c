@@ -279,8 +279,8 @@ bool arc_solve(const struct arc_data *d, size_t which,
             s->diag.field, s->diag.message);
     return false;
   }
-  status = ph_certify_arclength(&s->problem, &s->result.curve, &s->scratch,
-                                &s->result.diagnostics, &s->diag);
+  status = ph_certify("arclength", &s->problem, &s->result.curve, &s->scratch,
+                      &s->result.diagnostics, &s->diag);
   s->refused = status != PH_OK;
   ck_that(!s->refused || d->family == ARC_WILD, "%s %s", s->diag.field,
           s->diag.message);

@@ -254,9 +254,8 @@ enum ph_status spatial_solve(const struct spatial_data *d, size_t which,
   set_problem(d, s);
   status = unit_solve(&ph_method_spatial_hermite, s);
   if (status == PH_OK) {
-    status =
-        ph_certify_spatial_hermite(&s->problem, &s->result.curve, &s->scratch,
-                                   &s->result.diagnostics, &s->diag);
+    status = ph_certify("spatial-hermite", &s->problem, &s->result.curve,
+                        &s->scratch, &s->result.diagnostics, &s->diag);
     s->refused = status != PH_OK;
   }
   return status;

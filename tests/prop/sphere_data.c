@@ -242,8 +242,8 @@ bool sphere_solve(const struct sphere_data *d, size_t which,
             "%s %s", s->diag.field, s->diag.message);
     return false;
   }
-  status = ph_certify_sphere(&s->problem, &s->result.curve, &s->scratch,
-                             &s->result.diagnostics, &s->diag);
+  status = ph_certify("sphere", &s->problem, &s->result.curve, &s->scratch,
+                      &s->result.diagnostics, &s->diag);
   s->refused = status != PH_OK;
   if (!s->refused) {
     ck_curve(d, s);

@@ -4,6 +4,7 @@
 #include "unit.h"
 
 #include "check/certify.h"
+#include "curve/fair/describe.h"
 #include "kernel/pi.h"
 #include "solve/method.h"
 #include "solve/tc/tc.h"
@@ -250,7 +251,10 @@ static void certify(const struct tc_data *d, struct unit_solution *s,
                     struct ph_diagnostics *diagnostics,
                     const struct ph_interval *intervals) {
   enum ph_status status =
-      ph_certify_tc(&s->problem, c, &s->scratch, diagnostics, &s->diag);
+      ph_certify("tc", &s->problem, c, &s->scratch, diagnostics, &s->diag);
+  if (status == PH_OK) {
+    status = ph_describe_cubics(c, &s->scratch, diagnostics, &s->diag);
+  }
   ck_that(status == PH_OK, "certificate: %s %s", s->diag.field,
           s->diag.message);
   if (unit_diagnostic(diagnostics, PH_D_REGULAR) > 0) {

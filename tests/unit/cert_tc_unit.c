@@ -10,7 +10,7 @@ struct unit_cert_tc unit_tc;
 void unit_cert_begin(void) {
   memset(&unit_tc, 0, sizeof unit_tc);
   memset(&checked, 0, sizeof checked);
-  checked.certify = ph_certify_tc;
+  checked.command = "tc";
   checked.problem = &unit_tc.problem;
   checked.curve = &unit_tc.c.curve;
 }

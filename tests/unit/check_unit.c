@@ -3,16 +3,24 @@
 #include "check_unit.h"
 #include "unit.h"
 
+#include "cli/command.h"
+
 #include <stdio.h>
 #include <string.h>
 
 struct unit_checked checked;
 
 enum ph_status certify(void) {
+  const struct ph_command *command = ph_command_find(checked.command);
+  enum ph_status status;
   checked.diagnostics = checked.claims;
   memset(&checked.diag, 0, sizeof checked.diag);
-  return checked.certify(checked.problem, checked.curve, &unit_arena,
-                         &checked.diagnostics, &checked.diag);
+  status = ph_certify(checked.command, checked.problem, checked.curve,
+                      &unit_arena, &checked.diagnostics, &checked.diag);
+  return status == PH_OK && command->describe
+             ? command->describe(checked.curve, &unit_arena,
+                                 &checked.diagnostics, &checked.diag)
+             : status;
 }
 
 bool is_known(enum ph_diagnostic what) {

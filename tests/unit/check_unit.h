@@ -8,10 +8,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A certificate: what it is asked of, which a test sets once, and what it
- * says. */
+/* A certificate: of which command and what it is asked, which a test sets
+ * once, and what it says. */
 struct unit_checked {
-  ph_certify_fn *certify;
+  const char *command;
   const struct ph_problem *problem;
   const struct ph_curve *curve;
   struct ph_diagnostics claims; /* known before */
@@ -22,7 +22,7 @@ struct unit_checked {
 /* The one that the functions are about. */
 extern struct unit_checked checked;
 
-/* certify: asks it, with the claims. */
+/* certify: asks it, with the claims; a curve that it accepts is described. */
 enum ph_status certify(void);
 
 /* value_of: a diagnostic, which must be known. */

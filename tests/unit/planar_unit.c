@@ -5,6 +5,7 @@
 #include "unit.h"
 
 #include "check/certify.h"
+#include "curve/fair/describe.h"
 #include "solve/method.h"
 
 #include <string.h>
@@ -67,8 +68,12 @@ enum ph_status unit_planar_solve(struct unit_planar *u) {
   ck_assert(!before.chunk || before.chunk == after.chunk);
   ck_assert_uint_eq(before.used, after.used);
   if (status == PH_OK) {
-    status = ph_certify_planar(&u->problem, &u->result.curve, &u->scratch,
-                               &u->result.diagnostics, &u->diag);
+    status = ph_certify("planar", &u->problem, &u->result.curve, &u->scratch,
+                        &u->result.diagnostics, &u->diag);
+  }
+  if (status == PH_OK) {
+    status = ph_describe_planar(&u->result.curve, &u->scratch,
+                                &u->result.diagnostics, &u->diag);
   }
   ck_assert_int_eq(u->diag.status, status);
   return status;

@@ -2,6 +2,7 @@
 /* Results to be verified (see verify_unit.h). */
 #include "verify_unit.h"
 
+#include "check/certify.h"
 #include "io/json_in.h"
 #include "unit.h"
 
@@ -61,14 +62,22 @@ enum ph_status unit_derive(const struct ph_command *command,
   return status;
 }
 
+static enum ph_status certify_curve(struct unit_claim *c,
+                                    const struct ph_curve *curve,
+                                    struct ph_diagnostics *d) {
+  enum ph_status status = ph_certify(c->command->schema->command, &c->problem,
+                                     curve, &c->scratch, d, &c->diag);
+  return status == PH_OK && c->command->describe
+             ? c->command->describe(curve, &c->scratch, d, &c->diag)
+             : status;
+}
+
 static enum ph_status certify(struct unit_claim *c) {
   struct ph_result *r = &c->result;
-  enum ph_status status = c->command->certify(
-      &c->problem, &r->curve, &c->scratch, &r->diagnostics, &c->diag);
+  enum ph_status status = certify_curve(c, &r->curve, &r->diagnostics);
   for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
     status =
-        c->command->certify(&c->problem, &r->solutions[i].curve, &c->scratch,
-                            &r->solutions[i].diagnostics, &c->diag);
+        certify_curve(c, &r->solutions[i].curve, &r->solutions[i].diagnostics);
   }
   return status;
 }

@@ -360,7 +360,7 @@ PH_TEST_EACH(test_alpha, 2) {
 }
 
 static void start(void) {
-  checked.certify = ph_certify_planar;
+  checked.command = "planar";
   checked.problem = &u.problem;
   checked.curve = &u.result.curve;
 }

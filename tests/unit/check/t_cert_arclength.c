@@ -380,7 +380,7 @@ PH_TEST_EACH(test_not_finite, VARIANTS) {
 }
 
 static void start(void) {
-  checked.certify = ph_certify_arclength;
+  checked.command = "arclength";
   checked.problem = &u.problem;
   checked.curve = &u.curve;
 }

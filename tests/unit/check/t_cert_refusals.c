@@ -93,8 +93,8 @@ static void solve(void) {
 static enum ph_status certify(void) {
   struct ph_diagnostics diagnostics = u.result.diagnostics; /* stay claims */
   memset(&u.diag, 0, sizeof u.diag);
-  return ph_certify_arclength(&u.problem, &u.result.curve, &u.scratch,
-                              &diagnostics, &u.diag);
+  return ph_certify("arclength", &u.problem, &u.result.curve, &u.scratch,
+                    &diagnostics, &u.diag);
 }
 
 static void ck_accepted(void) {

@@ -385,7 +385,7 @@ PH_TEST(test_no_fairness) {
 }
 
 static void start(void) {
-  checked.certify = ph_certify_spatial_hermite;
+  checked.command = "spatial-hermite";
   checked.problem = &u.problem;
   checked.curve = &u.curve;
 }

@@ -460,7 +460,7 @@ PH_TEST(test_worst) {
 }
 
 static void start(void) {
-  checked.certify = ph_certify_spatial_hermite;
+  checked.command = "spatial-hermite";
   checked.problem = &u.problem;
   checked.curve = &u.curve;
 }

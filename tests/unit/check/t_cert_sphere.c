@@ -462,7 +462,7 @@ PH_TEST(test_segment) {
 }
 
 static void start(void) {
-  checked.certify = ph_certify_sphere;
+  checked.command = "sphere";
   checked.problem = &u.problem;
   checked.curve = &u.curve;
 }

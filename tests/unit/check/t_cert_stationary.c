@@ -60,8 +60,8 @@ static void solve(void) {
 
 static enum ph_status certify(void) {
   memset(&diag, 0, sizeof diag);
-  return ph_certify_arclength(&u.problem, &u.result.curve, &scratch,
-                              &diagnostics, &diag);
+  return ph_certify("arclength", &u.problem, &u.result.curve, &scratch,
+                    &diagnostics, &diag);
 }
 
 static void ck_accepted(void) {

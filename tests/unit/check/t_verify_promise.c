@@ -2,8 +2,8 @@
 /* The table of promises: a row for each command that solves, and no other. */
 #include "unit.h"
 
+#include "check/certify.h"
 #include "cli/command.h"
-#include "check/promise.h"
 
 #include <string.h>
 
@@ -29,4 +29,41 @@ PH_TEST(every_command_has_one) {
   ck_assert_ptr_null(ph_promise_of("planar "));
 }
 
-PH_TESTS(every_command_has_one)
+/* What is of another command is refused before any rule looks at it. */
+PH_TEST(others_are_refused) {
+  double points[18] = {0};
+  const struct ph_curve quintic = {.kind = PH_CURVE_PH,
+                                   .dimension = 2,
+                                   .degree = 5,
+                                   .n = 1,
+                                   .control_points = points};
+  static const struct {
+    const char *command, *field;
+    enum ph_curve_kind kind;
+    size_t dimension, degree, n;
+  } rows[] = {{"planer", "command", PH_CURVE_PH, 2, 5, 1},
+              {"planar", "curve", PH_CURVE_TC, 2, 5, 1},
+              {"planar", "dimension", PH_CURVE_PH, 3, 5, 1},
+              {"planar", "degree", PH_CURVE_PH, 2, 3, 1},
+              {"planar", "segments", PH_CURVE_PH, 2, 5, 0},
+              {"arclength", "curve", PH_CURVE_ATPH, 3, 5, 1},
+              {"sphere", "curve", PH_CURVE_PH, 3, 3, 1},
+              {"tc", "curve", PH_CURVE_PH, 2, 3, 1}};
+  for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+    const struct ph_problem none = {.field = {{.kind = PH_ABSENT}}};
+    struct ph_diagnostics diagnostics = {.known = 0};
+    struct ph_arena scratch = {0};
+    struct ph_curve curve = quintic;
+    struct ph_diag diag = {.status = PH_OK};
+    curve.kind = rows[i].kind;
+    curve.dimension = rows[i].dimension;
+    curve.degree = rows[i].degree;
+    curve.n = rows[i].n;
+    ck_assert_int_eq(ph_certify(rows[i].command, &none, &curve, &scratch,
+                                &diagnostics, &diag),
+                     PH_INTERNAL);
+    ck_assert_str_eq(diag.field, rows[i].field);
+  }
+}
+
+PH_TESTS(every_command_has_one, others_are_refused)

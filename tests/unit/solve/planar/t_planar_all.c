@@ -13,6 +13,7 @@
 #include "random_unit.h"
 
 #include "check/certify.h"
+#include "curve/fair/describe.h"
 #include "curve/fair/energy.h"
 #include "solve/planar/planar.h"
 
@@ -137,7 +138,11 @@ static void check_curves(struct set *f, int set) {
     struct ph_diagnostics d = {.known = 0};
     enum ph_status status;
     curve_of(f, i, &curve);
-    status = ph_certify_planar(&f->u.problem, &curve, &f->u.scratch, &d, diag);
+    status =
+        ph_certify("planar", &f->u.problem, &curve, &f->u.scratch, &d, diag);
+    if (status == PH_OK) {
+      status = ph_describe_planar(&curve, &f->u.scratch, &d, diag);
+    }
     ck_assert_msg(status == PH_OK,
                   "seed %lu, set %d, %zu segments, curve %zu: %s %s",
                   unit_seed(), set, curve.n, i, diag->field, diag->message);

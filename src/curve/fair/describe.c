@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a record says of a curve (see describe.h). */
+#include "curve/fair/describe.h"
+
+#include "base/sum.h"
+#include "curve/cross/cross.h"
+#include "curve/fair/energy.h"
+#include "curve/fair/fair3.h"
+#include "curve/segment/seg2.h"
+#include "curve/segment/tc.h"
+#include "kernel/pi.h"
+#include "kernel/pow2.h"
+
+#include <math.h>
+
+/* On more segments, fairness in space is not described. */
+enum { FAIR_MAX = 1000 };
+
+/* The scale at which the length is near 1, an even power of 2 so that preimages
+ * have one, too. */
+struct unit {
+  struct ph_pow2 to_unit;
+  double root;
+};
+
+static struct unit unit_of(const struct ph_curve *curve) {
+  int exponent = curve->length > 0 ? -ph_pow2_exponent(curve->length) : 0;
+  struct unit unit;
+  exponent -= exponent & 1;
+  unit.to_unit = ph_pow2_of(exponent);
+  unit.root = ldexp(1, exponent / 2);
+  return unit;
+}
+
+enum ph_status ph_describe_planar(const struct ph_curve *curve,
+                                  struct ph_arena *scratch,
+                                  struct ph_diagnostics *diagnostics,
+                                  struct ph_diag *diag) {
+  struct ph_energy energy;
+  struct ph_cross cross;
+  enum ph_status status = ph_cross_planar(curve, scratch, &cross, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  if (!ph_energy_planar(curve, &energy)) {
+    return ph_fail_memory(diag);
+  }
+  ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)cross.loops);
+  ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple);
+  ph_diagnostics_set_finite(diagnostics, PH_D_ENERGY, energy.bending);
+  ph_diagnostics_set_finite(diagnostics, PH_D_MV, energy.varying);
+  ph_diagnostics_set_finite(diagnostics, PH_D_IES, energy.ies);
+  ph_diagnostics_set_finite(diagnostics, PH_D_IMV, energy.imv);
+  ph_diagnostics_set_finite(diagnostics, PH_D_ROTATION_INDEX, energy.rotation);
+  ph_diagnostics_set_finite(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
+                            energy.absolute_rotation);
+  return PH_OK;
+}
+
+/* ---- in space ------------------------------------------------------------ */
+
+/* The preimage of segment k at unit scale, by u in [0,1]. */
+static void load_preimage(const struct ph_curve *curve, const struct unit *unit,
+                          size_t k, ph_quat a[3]) {
+  const double *v = curve->preimage.v + 12 * k;
+  const double *alpha = curve->preimage.alpha;
+  double root = unit->root * sqrt(alpha ? alpha[k] : 1);
+  for (size_t i = 0; i < 3; i++, v += 4) {
+    a[i] = ph_quat_of(root * v[0], root * v[1], root * v[2], root * v[3]);
+  }
+}
+
+enum ph_status ph_describe_spatial(const struct ph_curve *curve,
+                                   struct ph_arena *scratch,
+                                   struct ph_diagnostics *diagnostics,
+                                   struct ph_diag *diag) {
+  static const enum ph_diagnostic name[3] = {PH_D_F1, PH_D_F2, PH_D_F3};
+  const struct unit unit = unit_of(curve);
+  struct ph_fair3_rules rules;
+  double bending = 0, functional[3] = {0, 0, 0};
+  (void)scratch;
+  if (curve->n > FAIR_MAX) {
+    return PH_OK;
+  }
+  if (!ph_fair3_begin(&rules)) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t k = 0; k < curve->n; k++) {
+    struct ph_atph space =
+        ph_atph_of(curve->preimage.alpha ? curve->preimage.alpha[k] : 0);
+    double length = ph_pow2_apply(unit.to_unit, curve->lengths[k]);
+    struct ph_fair3 fair;
+    ph_quat a[3];
+    load_preimage(curve, &unit, k, a);
+    fair = ph_fair3_of(&rules, &space, a);
+    bending += fair.bending;
+    for (size_t i = 0; i < 3; i++) {
+      functional[i] += ph_fair3_functional(&fair, length, (int)i + 1);
+    }
+  }
+  /* The bending is the inverse of a length. */
+  ph_diagnostics_set_finite(diagnostics, PH_D_ENERGY,
+                            ph_pow2_apply(unit.to_unit, bending));
+  for (size_t i = 0; i < 3; i++) {
+    ph_diagnostics_set_finite(diagnostics, name[i], functional[i]);
+  }
+  return PH_OK;
+}
+
+/* ---- Tschirnhausen cubics ------------------------------------------------ */
+
+/* Sums over the cubics, at unit scale. */
+struct cubics {
+  struct ph_sum energy, rotation, absolute;
+  double curvature; /* the largest */
+  size_t loops;
+  bool stands_still;
+};
+
+/* The largest |curvature|, 2 |K| / |w|^4: where w is nearest to 0, that is at
+ * its distance from the line of w, or at the nearer end. */
+static double largest_curvature(const struct ph_tc *tc) {
+  ph_cplx step = ph_cplx_sub(tc->w[1], tc->w[0]);
+  double turn = fabs(ph_cplx_cross(tc->w[0], step));
+  double nearest = fmin(ph_cplx_abs(tc->w[0]), ph_cplx_abs(tc->w[1]));
+  if (ph_cplx_dot(tc->w[0], step) < 0 && ph_cplx_dot(tc->w[1], step) > 0) {
+    nearest = turn / ph_cplx_abs(step);
+  }
+  return 2 * turn / (nearest * nearest * nearest * nearest);
+}
+
+static void add_cubic(struct cubics *sum, const struct ph_curve *curve,
+                      double root, size_t k) {
+  const double *w = curve->preimage.v + 4 * k;
+  const struct ph_tc tc = {{ph_cplx_of(root * w[0], root * w[1]),
+                            ph_cplx_of(root * w[2], root * w[3])}};
+  const struct ph_seg2 seg = ph_seg2_of(curve, k);
+  bool still = ph_seg2_stands_still(&seg, NULL);
+  double turning = ph_tc_turning(&tc), curvature = largest_curvature(&tc);
+  sum->stands_still = sum->stands_still || still;
+  sum->loops += still || ph_tc_has_loop(&tc);
+  sum->curvature = curvature <= sum->curvature ? sum->curvature : curvature;
+  ph_sum_add(&sum->energy, ph_tc_energy(&tc));
+  ph_sum_add(&sum->rotation, turning);
+  ph_sum_add(&sum->absolute, fabs(turning));
+}
+
+enum ph_status ph_describe_cubics(const struct ph_curve *curve,
+                                  struct ph_arena *scratch,
+                                  struct ph_diagnostics *diagnostics,
+                                  struct ph_diag *diag) {
+  const double turn = 2 * PH_PI;
+  const struct unit unit = unit_of(curve);
+  struct cubics sum = {.loops = 0};
+  struct ph_cross cross;
+  enum ph_status status = ph_cross_planar(curve, scratch, &cross, diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  for (size_t k = 0; k < curve->n; k++) {
+    add_cubic(&sum, curve, unit.root, k);
+  }
+  ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)sum.loops);
+  ph_diagnostics_set(diagnostics, PH_D_SIMPLE,
+                     cross.simple && diagnostics->value[PH_D_REGULAR] > 0);
+  if (!sum.stands_still) {
+    /* Both are inverses of a length. */
+    ph_diagnostics_set_finite(
+        diagnostics, PH_D_ENERGY,
+        ph_pow2_apply(unit.to_unit, ph_sum_value(&sum.energy)));
+    ph_diagnostics_set_finite(diagnostics, PH_D_MAX_CURVATURE,
+                              ph_pow2_apply(unit.to_unit, sum.curvature));
+    ph_diagnostics_set_finite(diagnostics, PH_D_ROTATION_INDEX,
+                              ph_sum_value(&sum.rotation) / turn);
+    ph_diagnostics_set_finite(diagnostics, PH_D_ABSOLUTE_ROTATION_INDEX,
+                              ph_sum_value(&sum.absolute) / turn);
+  }
+  return PH_OK;
+}
