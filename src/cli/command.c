@@ -4,16 +4,12 @@
 
 #include "cli/verify.h"
 #include "cli/work.h"
-#include "curve/bezier/convert.h"
-#include "curve/offset/offset.h"
-#include "curve/offset/parallel.h"
 #include "solve/method.h"
 
 #include <string.h>
 
 const struct ph_command ph_commands[] = {
-    {PH_SOLVES_BY(ph_method_planar), ph_describe_planar, ph_offset_planar, 1,
-     ph_bezier_curve,
+    {PH_SOLVES_BY(ph_method_planar), ph_describe_planar,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline planar\t"
      "Four points, the curve as JSON\n"
      "phspline planar --closed -q --offset=-10 coast.csv -o coast.json\t"
@@ -36,7 +32,6 @@ const struct ph_command ph_commands[] = {
      "phspline planar --format=svg-path --chord-error=0.01 points.csv\t"
      "A path of cubics for a drawing, within a hundredth\n"},
     {PH_SOLVES_BY(ph_method_spatial_hermite), ph_describe_spatial,
-     ph_offset_spatial, PH_OFFSETS_SPATIAL, ph_bezier_curve,
      "printf '0,0,0\\n1,1,0\\n2,0,1\\n' | phspline spatial-hermite\t"
      "Three points, the curve as JSON\n"
      "phspline spatial-hermite --columns=x,y,z,tx,ty,tz -f csv sensors.csv\t"
@@ -54,8 +49,7 @@ const struct ph_command ph_commands[] = {
      "A polygon within 1e-3, with frames that do not spin\n"
      "phspline spatial-hermite --sweep=tension=0.7,1,1.4 -p path.pdf path.csv "
      "-o path.json\tThree tensions in one figure\n"},
-    {PH_SOLVES_BY(ph_method_arclength), NULL, ph_offset_spatial,
-     PH_OFFSETS_SPATIAL, ph_bezier_curve,
+    {PH_SOLVES_BY(ph_method_arclength), NULL,
      "phspline arclength --columns=x,y,z,length survey.csv\t"
      "Points, each with the distance from the one before, as JSON\n"
      "phspline arclength --length_sigma=0.001 survey.csv\t"
@@ -70,7 +64,7 @@ const struct ph_command ph_commands[] = {
      "Where 5 cm of cable end, for gnuplot and awk\n"
      "phspline arclength -q --sweep='lengths*=0.99,1,1.01' -p lengths.svg "
      "problem.json -o lengths.json\tA hundredth too short and too long\n"},
-    {PH_SOLVES_BY(ph_method_sphere), NULL, ph_offset_spherical, 1, NULL,
+    {PH_SOLVES_BY(ph_method_sphere), NULL,
      "printf 'lon,lat\\n-9,39\\n-25,38\\n-64,32\\n-74,40\\n' | "
      "phspline sphere\tA voyage, the curve as JSON\n"
      "phspline sphere --columns=lon,lat --radius=6371 --sample=20 -f csv "
@@ -87,8 +81,7 @@ const struct ph_command ph_commands[] = {
      "phspline sphere --columns=lon,lat --offset=-0.05,0.05 -p track.png "
      "--plot-size=1200x900 track.csv -o track.json\t"
      "The globe with track and corridor\n"},
-    {PH_SOLVES_BY(ph_method_tc), ph_describe_cubics, ph_offset_planar, 1,
-     ph_bezier_curve,
+    {PH_SOLVES_BY(ph_method_tc), ph_describe_cubics,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline tc\t"
      "A spline of two cubics for each two points, as JSON\n"
      "phspline tc --columns=x,y,tx,ty --mode=g1-fair -f csv outline.csv\t"

@@ -9,7 +9,7 @@
 
 #include "base/buf.h"
 #include "curve/fair/describe.h"
-#include "curve/offset/offset.h"
+#include "curve/kind/kind.h"
 #include "solve/method.h"
 
 struct ph_options;
@@ -30,19 +30,14 @@ struct ph_command {
   /* What follows belongs to commands that solve. */
   const struct ph_method *method;
   ph_describe_fn *describe; /* NULL: all is in the solution and certificate */
-  /* offset: the offsets_n offset curves at a distance */
-  enum ph_status (*offset)(const struct ph_curve *curve, double distance,
-                           const struct ph_offset_rules *rules,
-                           struct ph_arena *arena, struct ph_offset *offsets,
-                           struct ph_diag *diag);
-  size_t offsets_n;
-  /* convert: to polynomial Bezier curves; NULL if they cannot be */
-  enum ph_status (*convert)(const struct ph_curve *curve, double tolerance,
-                            struct ph_arena *arena, struct ph_curve *bezier,
-                            double *error, struct ph_diag *diag);
-
-  const char *examples; /* lines for the help: command, tab, what it does */
+  const char *examples;     /* lines for the help: command, tab, what it does */
 };
+
+/* ph_command_kind: the kind of its curves, or one that they may have. */
+static inline const struct ph_kind *
+ph_command_kind(const struct ph_command *command) {
+  return ph_kinds[command->method->kind];
+}
 
 /* The members of a command that solves by a method, up to that one. */
 #define PH_SOLVES_BY(by) &(by).schema, (by).title, PH_USE_SOLVE, ph_work, &(by)

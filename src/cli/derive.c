@@ -3,7 +3,7 @@
 #include "cli/derive.h"
 
 #include "curve/bezier/cubics.h"
-#include "curve/sample/sample.h"
+#include "curve/kind/kind.h"
 
 #include <stdio.h>
 
@@ -35,7 +35,7 @@ static void warn_cusps(struct ph_result *result) {
             "of curvature towards it is smaller: %zu times, first in "
             "segment %zu at %.6g of its interval",
             o->distance, o->vector, o->cusps.n, at->segment, at->u);
-  } else if (result->curve.sphere.radius > 0) {
+  } else if (ph_kind_of(&result->curve)->on_sphere) {
     ph_warn(result, at->segment, PH_OFFSET_CUSP,
             "the offset at distance %g has cusps, where the curve bends as a "
             "circle of that radius on the sphere: %zu, the first in segment "
@@ -79,12 +79,14 @@ static enum ph_status derive_offsets(const struct ph_options *o,
                                      struct ph_result *r,
                                      struct ph_diag *diag) {
   struct ph_offset_rules rules = {tolerance, o->samples};
-  size_t each = o->command->offsets_n, n = o->offsets_n * each;
+  const size_t each =
+      ph_kind_offsets(ph_kind_of(&r->curve), r->curve.dimension);
+  const size_t n = o->offsets_n * each;
   enum ph_status status = PH_OK;
   if (ph_formats[o->format].is_cubics) {
     rules.samples.how = PH_SAMPLE_NONE;
   }
-  if (o->command->method->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
+  if (ph_kind_of(&r->curve)->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
     rules.samples.how = PH_SAMPLE_PARAMETER;
     rules.samples.n = OFFSET_SAMPLES;
   }
@@ -93,8 +95,8 @@ static enum ph_status derive_offsets(const struct ph_options *o,
     return ph_fail_memory(diag);
   }
   for (size_t i = 0; status == PH_OK && i < o->offsets_n; i++) {
-    status = o->command->offset(&r->curve, o->offsets[i], &rules, arena,
-                                r->offsets + i * each, diag);
+    status = ph_offset(&r->curve, o->offsets[i], &rules, arena,
+                       r->offsets + i * each, diag);
   }
   r->offsets_n = n;
   if (status == PH_OK) {
@@ -128,14 +130,14 @@ static enum ph_status derive_paths(const struct ph_options *o,
 }
 
 /* Replaces a curve by Bezier curves. */
-static enum ph_status convert(const struct ph_options *o, double tolerance,
-                              struct ph_arena *arena, struct ph_curve *curve,
+static enum ph_status convert(double tolerance, struct ph_arena *arena,
+                              struct ph_curve *curve,
                               struct ph_diagnostics *diagnostics,
                               struct ph_diag *diag) {
   struct ph_curve bezier;
   double error;
   enum ph_status status =
-      o->command->convert(curve, tolerance, arena, &bezier, &error, diag);
+      ph_bezier_curve(curve, tolerance, arena, &bezier, &error, diag);
   if (status == PH_OK) {
     *curve = bezier;
     ph_diagnostics_set(diagnostics, PH_D_CONVERSION_ERROR, error);
@@ -143,13 +145,12 @@ static enum ph_status convert(const struct ph_options *o, double tolerance,
   return status;
 }
 
-static enum ph_status convert_all(const struct ph_options *o, double tolerance,
-                                  struct ph_arena *arena, struct ph_result *r,
-                                  struct ph_diag *diag) {
+static enum ph_status convert_all(double tolerance, struct ph_arena *arena,
+                                  struct ph_result *r, struct ph_diag *diag) {
   enum ph_status status =
-      convert(o, tolerance, arena, &r->curve, &r->diagnostics, diag);
+      convert(tolerance, arena, &r->curve, &r->diagnostics, diag);
   for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
-    status = convert(o, tolerance, arena, &r->solutions[i].curve,
+    status = convert(tolerance, arena, &r->solutions[i].curve,
                      &r->solutions[i].diagnostics, diag);
   }
   return status;
@@ -168,7 +169,7 @@ enum ph_status ph_derive(const struct ph_options *options,
     return derive_paths(o, arena, result, derived, diag);
   }
   if (status == PH_OK && o->convert) {
-    status = convert_all(o, tolerance, arena, result, diag);
+    status = convert_all(tolerance, arena, result, diag);
   }
   if (status == PH_OK && o->samples.how) { /* of the segments in the record */
     status = ph_sample_curve(&result->curve, &o->samples, arena,

@@ -262,13 +262,13 @@ static enum ph_status check_together(struct ph_option_parser *p) {
                    "normal is (-ty,tx)",
                    o->command->schema->command);
   }
-  if (o->samples.frame == PH_FRAME_ERF && method->on_sphere) {
+  if (o->samples.frame == PH_FRAME_ERF && !ph_command_kind(o->command)->erf) {
     return ph_fail(p->diag, PH_USAGE, NULL,
                    "--frame: the curves of %s have no Euler-Rodrigues frame; "
                    "take rmf or frenet",
                    o->command->schema->command);
   }
-  if (o->convert && !o->command->convert) {
+  if (o->convert && !ph_command_kind(o->command)->bezier) {
     return ph_fail(p->diag, PH_USAGE, NULL,
                    "--convert: the curves of %s are no Bezier curves",
                    o->command->schema->command);
@@ -337,10 +337,11 @@ enum ph_status ph_options_read(int argc, char **argv,
 }
 
 struct ph_print ph_options_print(const struct ph_options *options) {
-  const struct ph_method *method = options->command->method;
+  const struct ph_command *command = options->command;
+  const enum ph_space space =
+      ph_kind_space(ph_command_kind(command), command->method->dimension);
   return (struct ph_print){{options->table, ph_formats[options->format].is_text,
-                            method->dimension, method->on_sphere,
-                            options->offsets_n,
+                            space, options->offsets_n,
                             options->samples.frame != PH_FRAME_NONE},
                            options->pretty};
 }

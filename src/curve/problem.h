@@ -66,7 +66,7 @@ enum ph_field_id {
 };
 
 /* Kinds of values; a row allows several (bits). */
-enum ph_kind {
+enum ph_value_kind {
   PH_ABSENT = 0,
   PH_BOOL = 1,
   PH_NUMBER = 2,
@@ -79,7 +79,7 @@ enum ph_kind {
 };
 
 struct ph_value {
-  enum ph_kind kind;
+  enum ph_value_kind kind;
   bool flag;        /* PH_BOOL */
   double number;    /* PH_NUMBER; PH_WORD: V of a word "name:V", else 0 */
   const char *word; /* PH_WORD, NUL-terminated */

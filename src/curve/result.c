@@ -2,11 +2,13 @@
 /* Names of curve kinds and diagnostics; the list of warnings (see result.h). */
 #include "curve/result.h"
 
+#include "curve/kind/kind.h"
+
 #include <assert.h>
 #include <math.h>
 
 static const char *const curve_names[] = {
-#define X(symbol, name) name,
+#define X(symbol, kind, name) name,
     PH_CURVES(X)
 #undef X
 };
@@ -65,16 +67,16 @@ enum ph_status ph_curve_alloc(struct ph_curve *c, struct ph_arena *arena,
                               struct ph_diag *diag) {
   size_t number = sizeof(double);
   size_t preimage = c->preimage.n * c->preimage.dimension;
-  bool atph = c->kind == PH_CURVE_ATPH;
+  bool angles = ph_kinds[c->kind]->angles;
   c->knots = ph_arena_array(arena, c->n + 1, number);
   c->control_points =
       ph_arena_array(arena, c->n, (c->degree + 1) * c->dimension * number);
   c->preimage.v =
       preimage ? ph_arena_array(arena, c->n, preimage * number) : NULL;
   c->lengths = ph_arena_array(arena, c->n, number);
-  c->preimage.alpha = atph ? ph_arena_array(arena, c->n, number) : NULL;
+  c->preimage.alpha = angles ? ph_arena_array(arena, c->n, number) : NULL;
   return c->knots && c->control_points && (c->preimage.v || !preimage) &&
-                 c->lengths && (c->preimage.alpha || !atph)
+                 c->lengths && (c->preimage.alpha || !angles)
              ? PH_OK
              : ph_fail_memory(diag);
 }

@@ -15,16 +15,17 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Curve kinds: X(SYMBOL, "name in records"). */
-#define PH_CURVES(X)  \
-  X(PH, "ph")         \
-  X(ATPH, "atph")     \
-  X(BEZIER, "bezier") \
-  X(TC, "tc")         \
-  X(SPHERICAL_NU, "spherical-nu")
+/* Curve kinds: X(SYMBOL, its ph_kind_..., "name in records"); a kind is a row
+ * here and a file in curve/kind (curve/kind/kind.h). */
+#define PH_CURVES(X)          \
+  X(PH, ph, "ph")             \
+  X(ATPH, atph, "atph")       \
+  X(BEZIER, bezier, "bezier") \
+  X(TC, tc, "tc")             \
+  X(SPHERICAL_NU, spherical_nu, "spherical-nu")
 
 enum ph_curve_kind {
-#define X(symbol, name) PH_CURVE_##symbol,
+#define X(symbol, kind, name) PH_CURVE_##symbol,
   PH_CURVES(X)
 #undef X
       PH_CURVE_N
@@ -120,6 +121,11 @@ struct ph_curve {
   struct ph_sphere sphere;
 };
 
+/* Where a curve lies. */
+enum ph_space { PH_PLANE, PH_SPACE, PH_SPHERE };
+
+enum { PH_SPACES = PH_SPHERE + 1 };
+
 /* Frames: X(SYMBOL, "name"). */
 #define PH_FRAMES(X)  \
   X(FRENET, "frenet") \
@@ -204,7 +210,7 @@ struct ph_gaps {
  * One offset curve: n rational Bezier pieces of a PH curve, or n quotients of
  * an ATPH curve and its approximation by polynomial pieces
  * (curve/offset/offset.h); on a sphere, samples alone
- * (curve/offset/parallel.h).
+ * (curve/kind/spherical.c).
  *
  * segment[n]       the curve segment that the piece belongs to
  * interval[n][2]   the part of that segment, in its local parameter [0,1]
@@ -426,13 +432,23 @@ void ph_warn(struct ph_result *result, size_t segment, enum ph_status status,
              const char *format, ...) PH_PRINTF(4, 5);
 
 /*
- * ph_curve_alloc: the arrays of a curve that all kinds have, and alpha of atph.
+ * ph_curve_alloc: the arrays of a curve that all kinds have, and its preimage.
  *
  * inout curve  kind, n and dimensions are given
  * ret   PH_OK | PH_NO_MEMORY
  */
 enum ph_status ph_curve_alloc(struct ph_curve *curve, struct ph_arena *arena,
                               struct ph_diag *diag);
+
+/* ph_curve_angle: the angle of the space of segment k: alpha, else 0. */
+static inline double ph_curve_angle(const struct ph_curve *curve, size_t k) {
+  return curve->preimage.alpha ? curve->preimage.alpha[k] : 0;
+}
+
+/* ph_curve_range: the local parameter of segment k has t in [0, that]. */
+static inline double ph_curve_range(const struct ph_curve *curve, size_t k) {
+  return curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
+}
 
 /* ph_curve_points: the control points of segment k, (degree + 1) of them. */
 static inline const double *ph_curve_points(const struct ph_curve *curve,

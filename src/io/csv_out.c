@@ -10,10 +10,8 @@
 #include <string.h>
 
 /* Curves differ in what is known of a place on them. */
-enum space { PLANE, SPACE, SPHERE, SPACES };
-
 /* Columns between `id` and the swept fields. */
-static const char *const columns[PH_TABLE_N][SPACES] = {
+static const char *const columns[PH_TABLE_N][PH_SPACES] = {
     [PH_TABLE_CONTROL_POINTS] = {",segment,index,x,y", ",segment,index,x,y,z",
                                  ",segment,index,x,y,z"},
     [PH_TABLE_LENGTHS] = {",segment,t0,t1,length,cumulative",
@@ -122,10 +120,6 @@ static void end_part(const struct row *row, const struct ph_offset *o,
   }
 }
 
-static enum space space_of(const struct ph_csv_shape *shape) {
-  return shape->on_sphere ? SPHERE : shape->dimension == 3 ? SPACE : PLANE;
-}
-
 static struct row row_of(struct ph_buf *buf, const struct ph_csv_shape *shape,
                          const struct ph_csv_heading *heading) {
   return (struct row){buf, shape, heading, shape->text ? ' ' : ','};
@@ -145,15 +139,14 @@ static void names(const struct row *row, const char *list) {
 void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
                    const struct ph_swept *swept, size_t swept_n) {
   const struct row row = row_of(buf, shape, NULL);
-  const enum space space = space_of(shape);
   const bool samples = shape->table == PH_TABLE_SAMPLES;
   ph_buf_puts(buf, shape->text ? "# id" : "id");
-  names(&row, columns[shape->table][space]);
+  names(&row, columns[shape->table][shape->space]);
   if (samples && shape->frame) {
     names(&row, ",nx,ny,nz,bx,by,bz");
   }
   if (samples && shape->offsets) {
-    names(&row, space == SPACE ? ",distance,vector" : ",distance");
+    names(&row, shape->space == PH_SPACE ? ",distance,vector" : ",distance");
   }
   for (size_t i = 0; i < swept_n; i++) {
     between(&row);
@@ -228,7 +221,7 @@ static void samples(const struct row *row, const struct ph_samples *s,
     }
     if (row->shape->offsets) {
       number_cell(row, o ? o->distance : 0);
-      if (space_of(row->shape) == SPACE) {
+      if (row->shape->space == PH_SPACE) {
         vector_cell(row, o ? o->vector : NULL);
       }
     }
@@ -280,7 +273,7 @@ static void offset_pieces(const struct row *row, const struct ph_offset *o,
 static void offset(const struct row *row, const struct ph_offset *o) {
   struct ph_pieces rational = {o->degree,   o->dimension,      o->n, o->segment,
                                o->interval, o->control_points, 0};
-  if (row->shape->on_sphere) {
+  if (row->shape->space == PH_SPHERE) {
     offset_samples(row, o);
   } else {
     offset_pieces(row, o, o->weights ? &rational : &o->pieces, o->weights);

@@ -37,11 +37,10 @@ enum ph_table {
 /* What decides about the columns. */
 struct ph_csv_shape {
   enum ph_table table;
-  bool text;        /* the second form */
-  size_t dimension; /* of the curves */
-  bool on_sphere;
-  bool offsets; /* there are some */
-  bool frame;   /* of samples */
+  bool text;           /* the second form */
+  enum ph_space space; /* of the curves */
+  bool offsets;        /* there are some */
+  bool frame;          /* of samples */
 };
 
 /* The first cells of every row. */

@@ -2,6 +2,8 @@
 /* The two shapes of record (see json_out.h). */
 #include "io/json_out.h"
 
+#include "curve/kind/kind.h"
+
 #include "io/json_curve.h"
 #include "io/json_write.h"
 
@@ -220,7 +222,7 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
   ph_write_key_number(&w, "degree", (double)curve->degree);
   ph_write_key_flag(&w, "closed", curve->closed);
   ph_write_segments(&w, curve);
-  if (curve->sphere.radius > 0) {
+  if (ph_kind_of(curve)->on_sphere) {
     ph_write_sphere(&w, curve);
   }
   if (result->intervals_n) {

@@ -330,8 +330,7 @@ static void read_cusps(struct ph_json_reader *r,
     at->segment = read_place(r, &items[0], curve);
     ph_read_required(r, &items[1], names[1]);
     at->t = ph_read_number(r, &items[1], names[1], 0);
-    at->u = curve->preimage.alpha ? at->t / curve->preimage.alpha[at->segment]
-                                  : at->t;
+    at->u = at->t / ph_curve_range(curve, at->segment);
     ph_read_leave(r, inner);
   }
   ph_read_leave(r, mark);

@@ -85,4 +85,11 @@ static inline ph_vec3 ph_vec3_any_normal(ph_vec3 u) {
                                                    : ph_vec3_of(0, u.z, -u.y));
 }
 
+/* ph_vec3_carried: v, normal to the unit vector a, by the shortest rotation
+ * from a to the unit vector t: v - (t . v) / (1 + a . t) (a + t). */
+static inline ph_vec3 ph_vec3_carried(ph_vec3 v, ph_vec3 a, ph_vec3 t) {
+  const double factor = -ph_vec3_dot(v, t) / (1 + ph_vec3_dot(a, t));
+  return ph_vec3_along(v, factor, ph_vec3_add(a, t));
+}
+
 #endif

@@ -9,7 +9,7 @@
 
 #include "base/sum.h"
 #include "curve/offset/gap.h"
-#include "curve/sample/sample.h"
+#include "curve/kind/kind.h"
 #include "kernel/s2.h"
 
 #include <string.h>
@@ -232,7 +232,7 @@ static void draw_polygons(struct pen *pen) {
     ph_vec3 p, last = {0, 0, 0};
     for (size_t i = 0; i <= curve->degree; i++, last = p) {
       p = ph_vec3_get(v + curve->dimension * i, curve->dimension);
-      if (i > 0 && curve->sphere.radius > 0) {
+      if (i > 0 && ph_kind_of(curve)->on_sphere) {
         draw_arc(pen, curve, last, p);
       } else {
         draw_to(pen, p);
@@ -312,7 +312,7 @@ static ph_vec3 vector_at(const struct ph_drawing *d, const struct vectors *v,
 static void draw_vector(struct pen *pen, ph_vec3 from, ph_vec3 vector) {
   const struct ph_curve *curve = &pen->result->curve;
   draw_to(pen, from);
-  if (curve->sphere.radius > 0) {
+  if (ph_kind_of(curve)->on_sphere) {
     ph_vec3 p = to_unit(curve, from), v = ph_vec3_normal(vector, p);
     double angle = ph_vec3_abs(vector) / curve->sphere.radius;
     size_t steps = 1 + (size_t)(angle / ARC_STEP);
@@ -375,7 +375,7 @@ static void profile_segment(const struct ph_sampler *sampler, double s,
 static struct ph_profile *new_profile(struct pen *pen, size_t room) {
   struct ph_drawing *d = pen->drawing;
   struct ph_profile *p = &d->profiles[d->segments_n++];
-  const bool space = d->space == PH_DRAWING_SPACE;
+  const bool space = d->space == PH_SPACE;
   p->n = 0;
   p->s = ph_arena_array(&d->arena, room, sizeof *p->s);
   p->curvature = ph_arena_array(&d->arena, room, sizeof *p->curvature);
@@ -454,9 +454,7 @@ static void prepare(struct pen *pen, const struct ph_drawing_names *names) {
   d->title = copy(pen, names->title);
   d->label = copy(pen, names->label);
   d->record = names->record;
-  d->space = curve->dimension == 2      ? PH_DRAWING_PLANE
-             : curve->sphere.radius > 0 ? PH_DRAWING_SPHERE
-                                        : PH_DRAWING_SPACE;
+  d->space = ph_kind_space(ph_kind_of(curve), curve->dimension);
   d->closed = curve->closed;
   memcpy(d->center, curve->sphere.center, sizeof d->center);
   d->radius = curve->sphere.radius;

@@ -33,8 +33,6 @@ enum {
   PH_DRAWING_INTERVALS = 64
 };
 
-enum ph_drawing_space { PH_DRAWING_PLANE, PH_DRAWING_SPACE, PH_DRAWING_SPHERE };
-
 /* What a stroke is. */
 enum ph_stroke_role {
   PH_STROKE_CURVE,   /* one segment of the curve, or more */
@@ -65,7 +63,7 @@ struct ph_drawing {
   const char *title;     /* id of the problem, or NULL */
   const char *label;     /* "lengths[1] = 2.5", or NULL: no sweep */
   size_t record;         /* number of the problem: its sweep is one panel */
-  enum ph_drawing_space space;
+  enum ph_space space;
   bool closed;
   double center[3], radius;  /* of the sphere; radius 0: there is none */
   ph_vec3 low, high;         /* bounding box of all but control polygons */

@@ -40,7 +40,7 @@ static void find_unit(struct ph_panel *panel) {
     low = high = ph_vec3_of(0, 0, 0);
   }
   panel->unit = ph_unit_of(low, high);
-  if (first->space == PH_DRAWING_SPHERE) {
+  if (first->space == PH_SPHERE) {
     panel->unit.center = ph_vec3_get(first->center, 3);
     panel->unit.size = first->radius > 0 ? first->radius : 1;
   }
@@ -72,18 +72,18 @@ static void include_polygons(struct ph_panel *panel) {
 
 static void find_views(struct ph_panel *panel) {
   switch (panel->drawings[0]->space) {
-  case PH_DRAWING_PLANE:
+  case PH_PLANE:
     panel->views[0] = ph_view_axes(0, 1);
     panel->views_n = 1;
     break;
-  case PH_DRAWING_SPACE:
+  case PH_SPACE:
     panel->views[0] = ph_view_axes(0, 1);
     panel->views[1] = ph_view_axes(0, 2);
     panel->views[2] = ph_view_axes(1, 2);
     panel->views[3] = ph_view_from(ph_vec3_of(0.5, -0.76, 0.42));
     panel->views_n = 4;
     break;
-  case PH_DRAWING_SPHERE:
+  case PH_SPHERE:
     panel->views_n = ph_globe_views(panel, panel->views);
     break;
   }

@@ -72,9 +72,9 @@ static double views_height(const struct ph_panel *panel, double width,
   double extent[3], inner = width - (LEFT + RIGHT) * em;
   extents(panel, extent);
   switch (panel->drawings[0]->space) {
-  case PH_DRAWING_PLANE:
+  case PH_PLANE:
     return fmin(inner * extent[1] / extent[0], 1.1 * inner) + ph_axes_below(em);
-  case PH_DRAWING_SPACE:
+  case PH_SPACE:
     inner *= (extent[1] + extent[2]) / (extent[0] + extent[1]);
     return fmin(inner, 1.25 * width) + ph_axes_below(em) + VIEW_GAP * em;
   default:
@@ -312,7 +312,7 @@ static struct ph_axes profile_axes(const struct place *place, size_t which) {
   const struct ph_range *range = &panel->ranges[which];
   double n = (double)panel->profiles_n, gap = PROFILE_GAP * place->em;
   double h = (place->profiles.h - (n - 1) * gap) / n;
-  bool sphere = panel->drawings[0]->space == PH_DRAWING_SPHERE;
+  bool sphere = panel->drawings[0]->space == PH_SPHERE;
   struct ph_axes axes = {{place->profiles.x,
                           place->profiles.y + (double)which * (h + gap),
                           place->profiles.w, h},
@@ -356,12 +356,12 @@ static double left_of(const struct place *place) {
     ph_axes_ticks(&axes, place->page, place->em);
     most = fmax(most, ph_axes_left(&axes, place->page, place->em));
   }
-  if (place->panel->drawings[0]->space == PH_DRAWING_PLANE) {
+  if (place->panel->drawings[0]->space == PH_PLANE) {
     struct ph_window window;
     struct ph_axes axes = plane_axes(place, &window);
     ph_axes_ticks(&axes, place->page, place->em);
     most = fmax(most, ph_axes_left(&axes, place->page, place->em));
-  } else if (place->panel->drawings[0]->space == PH_DRAWING_SPACE) {
+  } else if (place->panel->drawings[0]->space == PH_SPACE) {
     struct space space;
     space_layout(place, &space);
     for (int i = 0; i < 2; i++) {
@@ -376,7 +376,7 @@ static double left_of(const struct place *place) {
 static struct place place_in(const struct ph_panel *panel, struct ph_page *page,
                              const struct ph_rect *body, double em) {
   struct place place = {.panel = panel, .page = page, .em = em};
-  bool sphere = panel->drawings[0]->space == PH_DRAWING_SPHERE;
+  bool sphere = panel->drawings[0]->space == PH_SPHERE;
   double below = ph_axes_below(em), left = LEFT * em;
   double profiles = fmin(profiles_height(panel, em), 0.45 * body->h);
   for (int pass = 0; pass < 2; pass++) {
@@ -425,13 +425,13 @@ void ph_panel_draw(const struct ph_panel *panel, struct ph_page *page,
   }
   place = place_in(panel, page, &body, em);
   switch (panel->drawings[0]->space) {
-  case PH_DRAWING_PLANE:
+  case PH_PLANE:
     draw_plane(&place);
     break;
-  case PH_DRAWING_SPACE:
+  case PH_SPACE:
     draw_space(&place);
     break;
-  case PH_DRAWING_SPHERE:
+  case PH_SPHERE:
     draw_sphere(&place);
     break;
   }

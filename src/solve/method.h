@@ -20,7 +20,7 @@ struct ph_method {
   struct ph_schema schema; /* name of the command, fields of its problems */
   char title[72];          /* one line for the help */
   size_t dimension;        /* of its curves */
-  bool on_sphere;          /* they are, and in 3 dimensions */
+  enum ph_curve_kind kind; /* that they may have */
   /*
    * solve: fills result->curve, the solver's own diagnostics (iterations,
    * residual) and warnings.

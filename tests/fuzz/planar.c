@@ -132,7 +132,7 @@ static void planar_check_result(const struct planar_input *in,
   const struct ph_offset_rules rules = {.tolerance = 1e-9};
   double size = fabs(in->points[1][0] - in->points[0][0]);
   enum ph_status status =
-      ph_offset_planar(&result->curve, size, &rules, arena, &offset, &diag);
+      ph_offset(&result->curve, size, &rules, arena, &offset, &diag);
   planar_check_curve(in, &result->curve);
   fuzz_check_diagnostics(&result->diagnostics);
   if (status == PH_OK) {

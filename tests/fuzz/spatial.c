@@ -289,7 +289,7 @@ static void spatial_check_offsets(const struct spatial_input *in,
   double size = result->curve.length;
   const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
   enum ph_status status =
-      ph_offset_spatial(&result->curve, size, &rules, arena, offsets, &diag);
+      ph_offset(&result->curve, size, &rules, arena, offsets, &diag);
   if (status != PH_OK) {
     fuzz_check_failure(&diag, status);
     return;

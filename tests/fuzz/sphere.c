@@ -23,7 +23,7 @@
 #include "problem.h"
 
 #include "check/certify.h"
-#include "curve/offset/parallel.h"
+#include "curve/offset/offset.h"
 #include "curve/sample/sample.h"
 #include "solve/method.h"
 
@@ -335,8 +335,8 @@ static void sphere_check_offset(const struct sphere_input *in,
   struct ph_offset offset;
   struct ph_diag diag;
   enum ph_status status =
-      ph_offset_spherical(&result->curve, 0.125 * result->curve.sphere.radius,
-                          &rules, arena, &offset, &diag);
+      ph_offset(&result->curve, 0.125 * result->curve.sphere.radius, &rules,
+                arena, &offset, &diag);
   if (status != PH_OK) {
     fuzz_check_failure(&diag, status);
     return;

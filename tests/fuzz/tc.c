@@ -317,8 +317,8 @@ static void tc_check_offset(const struct tc_input *in, struct ph_result *result,
   const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
   struct ph_offset offset;
   struct ph_diag diag;
-  enum ph_status status = ph_offset_planar(&result->curve, 0.125 * size, &rules,
-                                           arena, &offset, &diag);
+  enum ph_status status =
+      ph_offset(&result->curve, 0.125 * size, &rules, arena, &offset, &diag);
   if (status != PH_OK) {
     fuzz_check_failure(&diag, status);
     return;

@@ -5,7 +5,7 @@
 
 #include "curve/bezier/convert.h"
 #include "curve/offset/cusp.h"
-#include "curve/offset/parallel.h"
+#include "curve/offset/offset.h"
 
 #include <string.h>
 
@@ -109,8 +109,8 @@ void places_offset(struct places_data *data, struct unit_random *r) {
   *o = none;
   data->has_offset = true;
   if (data->kind == PLACES_SPHERE) {
-    status = ph_offset_spherical(&data->curve, none.distance, &rules,
-                                 &data->arena, o, &diag);
+    status =
+        ph_offset(&data->curve, none.distance, &rules, &data->arena, o, &diag);
   } else {
     o->vector = data->curve.dimension == 2 ? NULL : e3 ? "e3" : "e2";
     o->dimension = data->curve.dimension;

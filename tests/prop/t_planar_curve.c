@@ -289,8 +289,7 @@ PH_TEST(test_offset_length) {
                 8 + unit_random_below(&r, 20), i / 2 % 2, &data);
     solve(i);
     d = some_distance(&r);
-    ck_assert_int_eq(ph_offset_planar(c, d, &within, &u.arena, &o, &u.diag),
-                     PH_OK);
+    ck_assert_int_eq(ph_offset(c, d, &within, &u.arena, &o, &u.diag), PH_OK);
     for (size_t k = 0; k < o.n; k++) {
       length += piece_length(&o, k);
     }
@@ -349,10 +348,9 @@ PH_TEST(test_offset_reverse) {
     back.control_points = points;
     back.preimage.v = w;
     ck_assert_int_eq(
-        ph_offset_planar(&u.result.curve, d, &within, &u.arena, &o, &u.diag),
-        PH_OK);
-    ck_assert_int_eq(
-        ph_offset_planar(&back, -d, &within, &u.arena, &p, &u.diag), PH_OK);
+        ph_offset(&u.result.curve, d, &within, &u.arena, &o, &u.diag), PH_OK);
+    ck_assert_int_eq(ph_offset(&back, -d, &within, &u.arena, &p, &u.diag),
+                     PH_OK);
     ck_assert_uint_eq(o.n, p.n);
     for (size_t k = 0; k < 10 * o.n; k++) {
       ck_same_point(&o, k, &p, 10 * o.n - 1 - k);

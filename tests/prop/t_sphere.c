@@ -12,7 +12,7 @@
 #include "sphere_data.h"
 #include "unit.h"
 
-#include "curve/offset/parallel.h"
+#include "curve/offset/offset.h"
 #include "curve/sample/sample.h"
 #include "kernel/s2.h"
 
@@ -420,9 +420,9 @@ PH_TEST(test_offset_and_back) {
               &data);
     data.shape = i % 2;
     sphere_must(&data, i, &one);
-    ck_assert_int_eq(ph_offset_spherical(&one.result.curve, d, &rules,
-                                         &one.arena, &offset, &one.diag),
-                     PH_OK);
+    ck_assert_int_eq(
+        ph_offset(&one.result.curve, d, &rules, &one.arena, &offset, &one.diag),
+        PH_OK);
     ck_assert_int_eq(ph_sample_curve(&one.result.curve, &rules.samples,
                                      &one.arena, &on, &one.diag),
                      PH_OK);

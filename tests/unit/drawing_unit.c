@@ -17,10 +17,10 @@ static void *array(struct ph_drawing *d, size_t n, size_t size) {
 /* Angle a of the arc, of a circle so much larger. */
 static ph_vec3 place(const struct unit_drawing *of, double a, double larger) {
   double r = of->size * larger, z = 0;
-  if (of->space == PH_DRAWING_SPHERE) {
+  if (of->space == PH_SPHERE) {
     z = 0.2 * of->size;
     r *= sqrt(0.96);
-  } else if (of->space == PH_DRAWING_SPACE) {
+  } else if (of->space == PH_SPACE) {
     z = 0.2 * a * of->size;
   }
   return ph_vec3_add(of->place, ph_vec3_of(r * cos(a), r * sin(a), z));
@@ -54,7 +54,7 @@ static void profile(struct ph_drawing *d, const struct unit_drawing *of,
                     size_t k) {
   struct ph_profile *p = &d->profiles[k];
   double each = d->length / (double)of->segments;
-  bool space = of->space == PH_DRAWING_SPACE;
+  bool space = of->space == PH_SPACE;
   p->n = STEPS;
   p->s = array(d, STEPS, sizeof *p->s);
   p->curvature = array(d, STEPS, sizeof *p->curvature);
@@ -91,7 +91,7 @@ struct ph_drawing *unit_drawing(const struct unit_drawing *of) {
   d->space = of->space;
   d->closed = of->closed;
   ph_vec3_put(of->place, 3, d->center);
-  d->radius = of->space == PH_DRAWING_SPHERE ? of->size : 0;
+  d->radius = of->space == PH_SPHERE ? of->size : 0;
   d->segments_n = of->segments;
   d->length = of->turn * of->size;
   d->data_n = of->segments + !of->closed;

@@ -7,7 +7,7 @@
 
 /* What a drawing is of. */
 struct unit_drawing {
-  enum ph_drawing_space space;
+  enum ph_space space;
   size_t segments;
   bool closed;
   bool polygon, tangents; /* one for each segment, point */

@@ -8,14 +8,13 @@
 
 #include <string.h>
 
-static enum ph_status convert(const struct ph_command *command,
-                              struct ph_arena *arena, struct ph_curve *curve,
+static enum ph_status convert(struct ph_arena *arena, struct ph_curve *curve,
                               struct ph_diagnostics *diagnostics,
                               struct ph_diag *diag) {
   struct ph_curve bezier;
   double error;
-  enum ph_status status = command->convert(curve, 1e-9 * ph_curve_size(curve),
-                                           arena, &bezier, &error, diag);
+  enum ph_status status = ph_bezier_curve(curve, 1e-9 * ph_curve_size(curve),
+                                          arena, &bezier, &error, diag);
   if (status == PH_OK) {
     *curve = bezier;
     ph_diagnostics_set(diagnostics, PH_D_CONVERSION_ERROR, error);
@@ -23,36 +22,33 @@ static enum ph_status convert(const struct ph_command *command,
   return status;
 }
 
-static enum ph_status offset(const struct ph_command *command,
-                             const struct unit_wanted *wanted,
+static enum ph_status offset(const struct unit_wanted *wanted,
                              struct ph_arena *arena, struct ph_result *r,
                              struct ph_diag *diag) {
   struct ph_offset_rules rules = {1e-9 * ph_curve_size(&r->curve),
                                   wanted->samples};
-  if (command->method->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
+  if (ph_kind_of(&r->curve)->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
     rules.samples.how = PH_SAMPLE_PARAMETER;
     rules.samples.n = 16;
   }
-  r->offsets_n = command->offsets_n;
+  r->offsets_n = ph_kind_offsets(ph_kind_of(&r->curve), r->curve.dimension);
   r->offsets = ph_arena_array(arena, r->offsets_n, sizeof *r->offsets);
-  return command->offset(&r->curve, wanted->offset, &rules, arena, r->offsets,
-                         diag);
+  return ph_offset(&r->curve, wanted->offset, &rules, arena, r->offsets, diag);
 }
 
-enum ph_status unit_derive(const struct ph_command *command,
-                           const struct unit_wanted *wanted,
+enum ph_status unit_derive(const struct unit_wanted *wanted,
                            struct ph_arena *arena, struct ph_result *r,
                            struct ph_diag *diag) {
   enum ph_status status = PH_OK;
   if (fabs(wanted->offset) > 0) {
-    status = offset(command, wanted, arena, r, diag);
+    status = offset(wanted, arena, r, diag);
   }
   if (status == PH_OK && wanted->bezier) {
-    status = convert(command, arena, &r->curve, &r->diagnostics, diag);
+    status = convert(arena, &r->curve, &r->diagnostics, diag);
   }
   for (size_t i = 0; status == PH_OK && wanted->bezier && i < r->solutions_n;
        i++) {
-    status = convert(command, arena, &r->solutions[i].curve,
+    status = convert(arena, &r->solutions[i].curve,
                      &r->solutions[i].diagnostics, diag);
   }
   if (status == PH_OK && wanted->samples.how) {
@@ -100,7 +96,7 @@ void unit_claim_make(struct unit_claim *c, const char *command,
     status = certify(c);
   }
   if (status == PH_OK && wanted) {
-    status = unit_derive(c->command, wanted, &c->arena, &c->result, &c->diag);
+    status = unit_derive(wanted, &c->arena, &c->result, &c->diag);
   }
   ck_assert_msg(status == PH_OK, "%s: %s %s", json, c->diag.field,
                 c->diag.message);

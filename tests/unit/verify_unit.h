@@ -29,8 +29,7 @@ struct unit_claim {
 };
 
 /* unit_derive: offsets, Bezier curves and samples of a curve that is there. */
-enum ph_status unit_derive(const struct ph_command *command,
-                           const struct unit_wanted *wanted,
+enum ph_status unit_derive(const struct unit_wanted *wanted,
                            struct ph_arena *arena, struct ph_result *result,
                            struct ph_diag *diag);
 

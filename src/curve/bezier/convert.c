@@ -3,6 +3,7 @@
 #include "curve/bezier/convert.h"
 
 #include "curve/bezier/hermite.h"
+#include "curve/kind/kind.h"
 #include "curve/segment/ph2.h"
 #include "curve/segment/seg2.h"
 
@@ -32,17 +33,13 @@ static double length_of(const struct ph_curve *curve,
   }
 }
 
-enum ph_status ph_bezier_curve(const struct ph_curve *curve, double tolerance,
-                               struct ph_arena *arena, struct ph_curve *bezier,
-                               double *error, struct ph_diag *diag) {
+enum ph_status ph_bezier_quintics(const struct ph_curve *curve,
+                                  double tolerance, struct ph_arena *arena,
+                                  struct ph_curve *bezier, double *error,
+                                  struct ph_diag *diag) {
   struct ph_pieces pieces;
-  enum ph_status status;
-  *bezier = *curve;
-  *error = 0;
-  if (!curve->preimage.alpha) {
-    return PH_OK;
-  }
-  status = ph_hermite_pieces(curve, 0, PH_E2, tolerance, arena, &pieces, diag);
+  enum ph_status status =
+      ph_hermite_pieces(curve, 0, PH_E2, tolerance, arena, &pieces, diag);
   if (status != PH_OK) {
     return status;
   }
@@ -68,4 +65,22 @@ enum ph_status ph_bezier_curve(const struct ph_curve *curve, double tolerance,
   }
   bezier->knots[pieces.n] = curve->knots[curve->n];
   return PH_OK;
+}
+
+enum ph_status ph_bezier_itself(const struct ph_curve *curve, double tolerance,
+                                struct ph_arena *arena, struct ph_curve *bezier,
+                                double *error, struct ph_diag *diag) {
+  (void)tolerance;
+  (void)arena;
+  (void)diag;
+  *bezier = *curve;
+  *error = 0;
+  return PH_OK;
+}
+
+enum ph_status ph_bezier_curve(const struct ph_curve *curve, double tolerance,
+                               struct ph_arena *arena, struct ph_curve *bezier,
+                               double *error, struct ph_diag *diag) {
+  return ph_kind_of(curve)->bezier(curve, tolerance, arena, bezier, error,
+                                   diag);
 }

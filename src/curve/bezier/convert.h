@@ -7,19 +7,27 @@
 #include "base/mem.h"
 #include "curve/result.h"
 
+typedef enum ph_status ph_bezier_fn(const struct ph_curve *curve,
+                                    double tolerance, struct ph_arena *arena,
+                                    struct ph_curve *bezier, double *error,
+                                    struct ph_diag *diag);
+
 /*
- * ph_bezier_curve: quintic Bezier segments within a tolerance of an ATPH curve,
- * in the plane or in space (see hermite.h), with the knots and the exact
- * lengths of the parts of the curve that they stand for.  A PH curve is its own
- * Bezier curve, and so is one of Tschirnhausen cubics.
+ * ph_bezier_curve: a curve as Bezier segments within a tolerance.  A PH curve
+ * is its own Bezier curve, and so is one of Tschirnhausen cubics; of an ATPH
+ * curve these are quintic (see hermite.h), with the knots and the exact lengths
+ * of the parts of the curve that they stand for.
  *
- * out  bezier  kind PH_CURVE_BEZIER, without preimage and whatever else is said
- *              of each segment; or the curve itself
+ * in   curve   of a kind that has Bezier curves (curve/kind/kind.h)
+ * out  bezier  the curve itself; or of the kind PH_CURVE_BEZIER, without
+ *              preimage and whatever else is said of each segment
  * out  error   greatest distance found, 0 for such a curve
  * ret  PH_OK | PH_NO_CONVERGENCE | PH_NO_MEMORY
  */
-enum ph_status ph_bezier_curve(const struct ph_curve *curve, double tolerance,
-                               struct ph_arena *arena, struct ph_curve *bezier,
-                               double *error, struct ph_diag *diag);
+ph_bezier_fn ph_bezier_curve;
+
+/* The same of curves that are their own, and of ATPH curves. */
+ph_bezier_fn ph_bezier_itself;
+ph_bezier_fn ph_bezier_quintics;
 
 #endif

@@ -9,8 +9,8 @@
 #include "curve/bezier/cubics.h"
 
 #include "curve/bezier/fit.h"
+#include "curve/kind/kind.h"
 #include "curve/offset/gap.h"
-#include "curve/sample/sample.h"
 #include "kernel/pow2.h"
 
 /* Of a segment; parts that an arc is cut into, by the sixth root of what its
@@ -241,7 +241,7 @@ enum ph_status ph_cubics_of(const struct ph_curve *curve,
                             struct ph_diag *diag) {
   const int exponent = exponent_of(curve);
   const bool exact =
-      !offset && curve->degree == 3 && curve->kind != PH_CURVE_SPHERICAL_NU;
+      !offset && curve->degree == 3 && ph_kind_of(curve)->bernstein;
   struct work work = {.arena = arena,
                       .diag = diag,
                       .grow = ph_pow2_of(exponent),

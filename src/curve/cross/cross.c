@@ -87,7 +87,7 @@ static bool measure(const struct ph_curve *curve, struct ph_box2 *box) {
     for (size_t i = 0; i < roots; i++) {
       test += 0 * w[i];
     }
-    test += curve->preimage.alpha ? 0 * curve->preimage.alpha[k] : 0;
+    test += 0 * ph_curve_range(curve, k);
   }
   return isfinite(test);
 }

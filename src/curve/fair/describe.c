@@ -63,8 +63,7 @@ enum ph_status ph_describe_planar(const struct ph_curve *curve,
 static void load_preimage(const struct ph_curve *curve, const struct unit *unit,
                           size_t k, ph_quat a[3]) {
   const double *v = curve->preimage.v + 12 * k;
-  const double *alpha = curve->preimage.alpha;
-  double root = unit->root * sqrt(alpha ? alpha[k] : 1);
+  double root = unit->root * sqrt(ph_curve_range(curve, k));
   for (size_t i = 0; i < 3; i++, v += 4) {
     a[i] = ph_quat_of(root * v[0], root * v[1], root * v[2], root * v[3]);
   }
@@ -86,8 +85,7 @@ enum ph_status ph_describe_spatial(const struct ph_curve *curve,
     return ph_fail_memory(diag);
   }
   for (size_t k = 0; k < curve->n; k++) {
-    struct ph_atph space =
-        ph_atph_of(curve->preimage.alpha ? curve->preimage.alpha[k] : 0);
+    struct ph_atph space = ph_atph_of(ph_curve_angle(curve, k));
     double length = ph_pow2_apply(unit.to_unit, curve->lengths[k]);
     struct ph_fair3 fair;
     ph_quat a[3];

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A place on a PH or ATPH segment, or a cubic (see sample.h), by way of the
- * preimage, in closed form (curve/segment/seg3_fast.h).
+ * The kinds with a preimage (see kind.h): PH and ATPH curves and Tschirnhausen
+ * cubics.  A place is found in closed form (curve/segment/seg3_fast.h).
  *
  * Planar curves are taken in space, where z = 0 (curve/segment/seg3.h).
  */
-#include "curve/sample/bend.h"
+#include "curve/kind/ph.h"
+
 #include "curve/kind/kind.h"
+#include "curve/sample/bend.h"
 #include "curve/segment/seg3_fast.h"
 
 /* A at unit scale that is less than this has no curvature but its rounding;
@@ -77,5 +79,58 @@ static struct ph_sample at(const struct ph_sampler *sampler, double u) {
   return sample;
 }
 
-const struct ph_sample_kind ph_sample_kind_ph = {begin, enter, at, length,
-                                                 bend};
+/* ---- frames -------------------------------------------------------------- */
+
+/* The Euler-Rodrigues frame. */
+static void reference(const struct ph_sampler *sampler, double u,
+                      ph_vec3 e[3]) {
+  const struct ph_fast3 *fast = sampler->state;
+  const struct ph_fast3_place place = ph_fast3_at(fast, u);
+  const ph_quat a = ph_fast3_direction(fast, &place);
+  const double per = 1 / ph_quat_dot(a, a);
+  e[0] = ph_vec3_scale(per, ph_quat_i(a, a));
+  e[1] = ph_vec3_scale(per, ph_quat_j(a, a));
+  e[2] = ph_vec3_scale(per, ph_quat_k(a, a));
+}
+
+/* 2x / sigma of curve/segment/seg3.h */
+static double turn(const void *context, double u) {
+  const struct ph_sampler *sampler = context;
+  const struct ph_fast3_place place = ph_fast3_at(sampler->state, u);
+  const ph_quat a = ph_fast3_preimage(&place);
+  const ph_quat w = ph_quat_between(a, ph_fast3_slope(&place));
+  return 1 + 2 * w.v / ph_quat_dot(a, a);
+}
+
+/* q e2 - p e3 */
+static ph_vec3 principal(const struct ph_sampler *sampler, double u,
+                         const struct ph_sample *sample) {
+  const struct ph_fast3_place place = ph_fast3_at(sampler->state, u);
+  const ph_quat a = ph_fast3_preimage(&place);
+  const ph_quat w = ph_quat_between(a, ph_fast3_slope(&place));
+  const ph_vec3 normal =
+      ph_vec3_along(ph_vec3_scale(w.q, ph_quat_j(a, a)), -w.p, ph_quat_k(a, a));
+  return ph_sample_principal(sample, normal);
+}
+
+/* ---- the kinds ----------------------------------------------------------- */
+
+/* What they have in common. */
+#define WITH_PREIMAGE                                                          \
+  .erf = true, .curve = {begin, enter, at, length, bend},                      \
+  .beside = {ph_beside_begin, ph_beside_enter, ph_beside_at, ph_beside_length, \
+             ph_beside_bend},                                                  \
+  .reference = reference, .turn = turn, .principal = principal,                \
+  .offsets_n = {1, PH_OFFSETS_SPATIAL}
+
+const struct ph_kind ph_kind_ph = {WITH_PREIMAGE, .bernstein = true,
+                                   .offset = ph_offset_rational,
+                                   .bezier = ph_bezier_itself};
+
+const struct ph_kind ph_kind_tc = {WITH_PREIMAGE, .bernstein = true,
+                                   .offset = ph_offset_rational,
+                                   .bezier = ph_bezier_itself};
+
+const struct ph_kind ph_kind_atph = {WITH_PREIMAGE, .angles = true,
+                                     .offset = ph_offset_quotient,
+                                     .bezier = ph_bezier_quintics};

@@ -1,8 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A place on a spherical segment (see sample.h), on the unit sphere first. */
-#include "curve/sample/bend.h"
+/*
+ * Spherical nu-splines (see kind.h), on the unit sphere first, and offsets on
+ * the sphere: parallel curves at a geodesic distance.
+ *
+ * On the unit sphere, with d the distance over the radius, T the unit tangent
+ * and kappa the geodesic curvature of the curve S, and primes by its parameter,
+ *
+ *   O = cos d S + sin d (S x T)                                         (1)
+ *   O' = g T,  g = cos d |S'| - sin d kappa |S'|                        (2)
+ *   kappa of O = (cos d kappa + sin d) / |cos d - kappa sin d|          (3)
+ *
+ * O moves against T where g < 0; its tangent is -T there, and (3) is its
+ * curvature to the left of its own travel.  Where g changes its sign, at
+ * cot d = kappa, O has a cusp and no curvature.
+ *
+ * Where the curve rests (S' = 0, as at rest ends) kappa is not finite, but
+ * kappa |S'| is: O goes round the point at rest as a circle of radius d, until
+ * it meets the curve's parallel at a cusp, or without one.  Nothing of this
+ * needs an exception in (2) and (3).
+ */
 #include "curve/kind/kind.h"
+#include "curve/sample/bend.h"
+#include "curve/segment/spherical_fast.h"
 #include "kernel/degree.h"
+#include "kernel/pi.h"
 #include "kernel/primitive.h"
 
 #include <float.h>
@@ -10,10 +31,22 @@
 /* What is less than this of its terms is their rounding. */
 static const double ROUNDING = 64 * DBL_EPSILON;
 
+/*
+ * How a point moves on the unit sphere, also where it is at rest: with S' = t V
+ * next to rest at t = 0, K = S . (S' x S'') = t^2 K'' / 2, so that K / |S'|^2 =
+ * S . (S'' x S''') / (2 |S''|^2) in the limit, whatever the curvature does.
+ */
+struct motion {
+  ph_vec3 s;       /* S */
+  ph_vec3 tangent; /* unit; NaN where the segment is a point */
+  double speed;    /* |S'|, 0 at rest */
+  double turn;     /* K / |S'|^2: geodesic curvature times speed */
+  double noise;    /* error of turn: some eps times this */
+};
+
 /* The motion at or next to rest, where S'' and S''' say what S' does not. */
-static struct ph_motion motion_slow(const struct ph_spherical *segment,
-                                    double u) {
-  struct ph_motion motion = {.speed = 0};
+static struct motion motion_slow(const struct ph_spherical *segment, double u) {
+  struct motion motion = {.speed = 0};
   ph_vec3 jet[4], along;
   double first, second, third;
   ph_spherical_jet(segment, u, jet);
@@ -38,8 +71,8 @@ static struct ph_motion motion_slow(const struct ph_spherical *segment,
   return motion;
 }
 
-struct ph_motion ph_motion_at(const struct ph_spherical_fast *fast, double u) {
-  struct ph_motion motion;
+static struct motion motion_at(const struct ph_spherical_fast *fast, double u) {
+  struct motion motion;
   ph_vec3 jet[3];
   double square, bend;
   ph_spherical_fast_jet(fast, u, jet);
@@ -71,8 +104,10 @@ static ph_vec3 point_at(const struct ph_curve *curve, size_t k, double u,
                     : placed(curve, s);
 }
 
-double ph_motion_pace(const struct ph_motion *motion, double cosine,
-                      double sine) {
+/* g of (2), how fast the parallel at the distance of this cosine and sine goes
+ * along the tangent; 0 where g is nothing but rounding: at a cusp, or
+ * everywhere in the center of a circle. */
+static double pace_of(const struct motion *motion, double cosine, double sine) {
   double pace = cosine * motion->speed - sine * motion->turn;
   double terms = fabs(cosine) * motion->speed +
                  fabs(sine) * (motion->noise + motion->speed);
@@ -84,7 +119,7 @@ double ph_motion_pace(const struct ph_motion *motion, double cosine,
 /* A segment of a curve, or of its parallel. */
 struct state {
   struct ph_spherical_fast segment;
-  double angle, cosine, sine; /* d of parallel.h; 0 of the curve itself */
+  double angle, cosine, sine; /* d; 0 of the curve itself */
   struct ph_primitive length; /* by u, on the unit sphere */
   double scale;               /* to the unit of the data */
   double *breaks;             /* u of cusps, those of the segment at next */
@@ -134,8 +169,8 @@ static void find_breaks(struct state *state, const struct ph_offset *offset,
 /* |g| */
 static double pace_at(const void *context, double u) {
   const struct state *state = context;
-  struct ph_motion motion = ph_motion_at(&state->segment, u);
-  return fabs(ph_motion_pace(&motion, state->cosine, state->sine));
+  struct motion motion = motion_at(&state->segment, u);
+  return fabs(pace_of(&motion, state->cosine, state->sine));
 }
 
 /* How well the length of a segment can be known: as |g|, which is a difference
@@ -145,8 +180,8 @@ static double precision_of(const struct state *state) {
   static const double least = 1e-14, rounding = 4 * DBL_EPSILON;
   double terms = 0, pace = 0;
   for (int i = 0; i < PLACES; i++) {
-    struct ph_motion motion = ph_motion_at(&state->segment, (i + 0.5) / PLACES);
-    pace += fabs(ph_motion_pace(&motion, state->cosine, state->sine));
+    struct motion motion = motion_at(&state->segment, (i + 0.5) / PLACES);
+    pace += fabs(pace_of(&motion, state->cosine, state->sine));
     terms += fabs(state->cosine) * motion.speed +
              fabs(state->sine) * (motion.noise + motion.speed);
   }
@@ -220,7 +255,7 @@ static double bend(const struct ph_sampler *sampler, double u0, double u1) {
 /* ---- one place ----------------------------------------------------------- */
 
 static struct ph_sample at_curve(const struct ph_sampler *sampler, double u,
-                                 const struct ph_motion *motion) {
+                                 const struct motion *motion) {
   const struct ph_curve *curve = sampler->curve;
   struct ph_sample sample = {.torsion = (double)NAN};
   sample.point = point_at(curve, sampler->k, u, motion->s);
@@ -232,13 +267,13 @@ static struct ph_sample at_curve(const struct ph_sampler *sampler, double u,
   return sample;
 }
 
-/* (1) to (3) of parallel.h */
+/* (1) to (3) */
 static struct ph_sample at_parallel(const struct ph_sampler *sampler,
-                                    const struct ph_motion *m) {
+                                    const struct motion *m) {
   const struct ph_curve *curve = sampler->curve;
   const struct state *state = sampler->state;
   const double cosine = state->cosine, sine = state->sine;
-  const double g = ph_motion_pace(m, cosine, sine);
+  const double g = pace_of(m, cosine, sine);
   const double bend = cosine * m->turn + sine * m->speed;
   ph_vec3 left = ph_vec3_cross(m->s, m->tangent);
   ph_vec3 o = ph_vec3_along(ph_vec3_scale(cosine, m->s), sine, left);
@@ -253,10 +288,248 @@ static struct ph_sample at_parallel(const struct ph_sampler *sampler,
 
 static struct ph_sample at(const struct ph_sampler *sampler, double u) {
   const struct state *state = sampler->state;
-  struct ph_motion motion = ph_motion_at(&state->segment, u);
+  struct motion motion = motion_at(&state->segment, u);
   return sampler->offset ? at_parallel(sampler, &motion)
                          : at_curve(sampler, u, &motion);
 }
 
-const struct ph_sample_kind ph_sample_kind_spherical = {begin, enter, at,
-                                                        length, bend};
+/* ---- frames -------------------------------------------------------------- */
+
+/* The normal to the left, the binormal outward: rotation-minimising. */
+static void reference(const struct ph_sampler *sampler, double u,
+                      ph_vec3 e[3]) {
+  const struct state *state = sampler->state;
+  const struct motion motion = motion_at(&state->segment, u);
+  e[0] = motion.tangent;
+  e[1] = ph_vec3_cross(motion.s, motion.tangent);
+  e[2] = motion.s;
+}
+
+/* kappa left - outward / radius; NaN where kappa is. */
+static ph_vec3 principal(const struct ph_sampler *sampler, double u,
+                         const struct ph_sample *sample) {
+  const double radius = sampler->curve->sphere.radius;
+  ph_vec3 e[3];
+  reference(sampler, u, e);
+  return ph_vec3_unit(
+      ph_vec3_sub(ph_vec3_scale(sample->curvature * radius, e[1]), e[2]));
+}
+
+/* ---- cusps of parallels -------------------------------------------------- */
+
+/*
+ * CELLS of a segment in which a cusp is looked for; steps of the search for the
+ * bottom of a dip (0.618^40 < 1e-8, the root of rounding) and of a bisection;
+ * places that there is room for at first.
+ */
+enum { CELLS = 64, STEPS_DIP = 40, STEPS_ROOT = 64, ROOM = 16 };
+
+static const double GOLDEN = 0.6180339887498949;
+
+struct walk {
+  const struct ph_curve *curve;
+  struct ph_arena *arena;
+  struct ph_offset *offset;
+  struct ph_spherical_fast segment; /* number k */
+  size_t k;
+  double cosine, sine; /* of d */
+  size_t room;         /* of offset->cusp */
+  int sign;            /* the last one of g that was seen, 0 before any */
+  bool memory;         /* is exhausted */
+};
+
+static void enter_segment(struct walk *walk, size_t k) {
+  struct ph_spherical segment;
+  walk->k = k;
+  segment = ph_spherical_of(walk->curve, k);
+  ph_spherical_fast_of(&segment, &walk->segment);
+}
+
+/* g at u, 0 if it is rounding only. */
+static double signed_pace(const struct walk *walk, double u) {
+  struct motion m = motion_at(&walk->segment, u);
+  return pace_of(&m, walk->cosine, walk->sine);
+}
+
+static int sign_of(double x) {
+  return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
+static void add_cusp(struct walk *walk, double u) {
+  struct ph_offset *offset = walk->offset;
+  size_t n = offset->cusps.n;
+  struct ph_place *cusp = ph_arena_grow(walk->arena, offset->cusps.at, n,
+                                        sizeof *cusp, ROOM, &walk->room);
+  if (!cusp) {
+    walk->memory = true;
+    return;
+  }
+  offset->cusps.at = cusp;
+  cusp[n].segment = walk->k;
+  cusp[n].u = u;
+  cusp[n].t = u;
+  offset->cusps.n++;
+}
+
+/* The change of sign between two places; g has `sign` at the first one. */
+static double root_between(const struct walk *walk, double from, double to,
+                           int sign) {
+  for (int i = 0; i < STEPS_ROOT; i++) {
+    double middle = 0.5 * (from + to);
+    if (!(middle > from && middle < to)) {
+      break;
+    }
+    if (sign_of(signed_pace(walk, middle)) == sign) {
+      from = middle;
+    } else {
+      to = middle;
+    }
+  }
+  return 0.5 * (from + to);
+}
+
+/* Searches for the least of sign * g between two places; true, and where, if it
+ * is below 0. */
+static bool is_dip(const struct walk *walk, double from, double to, int sign,
+                   double *where) {
+  double u[2] = {to - GOLDEN * (to - from), from + GOLDEN * (to - from)};
+  double g[2] = {sign * signed_pace(walk, u[0]),
+                 sign * signed_pace(walk, u[1])};
+  for (int i = 0; i < STEPS_DIP && g[0] >= 0 && g[1] >= 0; i++) {
+    if (g[0] < g[1]) {
+      to = u[1];
+      u[1] = u[0];
+      g[1] = g[0];
+      u[0] = to - GOLDEN * (to - from);
+      g[0] = sign * signed_pace(walk, u[0]);
+    } else {
+      from = u[0];
+      u[0] = u[1];
+      g[0] = g[1];
+      u[1] = from + GOLDEN * (to - from);
+      g[1] = sign * signed_pace(walk, u[1]);
+    }
+  }
+  *where = g[0] < 0 ? u[0] : u[1];
+  return g[0] < 0 || g[1] < 0;
+}
+
+/* g at the places of a segment. */
+struct scan {
+  double u[CELLS + 1], g[CELLS + 1];
+};
+
+static void scan_segment(const struct walk *walk, struct scan *scan) {
+  for (size_t i = 0; i <= CELLS; i++) {
+    double v = (double)i / CELLS, u = v * v * (3 - 2 * v);
+    scan->u[i] = u;
+    scan->g[i] = signed_pace(walk, u);
+  }
+}
+
+/* Whether place i is so much lower than its neighbours that the parabola
+ * through them, eight times as deep as it is, reaches 0. */
+static bool is_low(const struct scan *scan, size_t i) {
+  const double *g = scan->g + i;
+  return i > 0 && i < CELLS && g[-1] * g[0] > 0 && g[0] * g[1] > 0 &&
+         fabs(g[0]) < fabs(g[-1]) && fabs(g[0]) <= fabs(g[1]) &&
+         3 * fabs(g[0]) <= fabs(g[-1]) + fabs(g[1]);
+}
+
+static void find_cusps(struct walk *walk) {
+  struct scan scan;
+  double from = 0, dip;
+  scan_segment(walk, &scan);
+  for (size_t i = 0; i <= CELLS; i++) {
+    int sign = sign_of(scan.g[i]);
+    if (sign * walk->sign < 0) {
+      add_cusp(walk,
+               i == 0 ? 0 : root_between(walk, from, scan.u[i], walk->sign));
+    }
+    if (is_low(&scan, i) &&
+        is_dip(walk, scan.u[i - 1], scan.u[i + 1], sign, &dip)) {
+      add_cusp(walk, root_between(walk, scan.u[i - 1], dip, sign));
+      add_cusp(walk, root_between(walk, dip, scan.u[i + 1], -sign));
+    }
+    if (sign) {
+      walk->sign = sign;
+      from = scan.u[i];
+    }
+  }
+}
+
+static void find_all_cusps(struct walk *walk) {
+  size_t n = walk->curve->n;
+  if (walk->curve->closed) { /* the sign before the first joint */
+    enter_segment(walk, n - 1);
+    walk->sign = sign_of(signed_pace(walk, 1));
+  }
+  for (size_t k = 0; k < n && !walk->memory; k++) {
+    enter_segment(walk, k);
+    find_cusps(walk);
+  }
+}
+
+/* ---- parallels ----------------------------------------------------------- */
+
+/* Whether all points are in range. */
+static bool is_finite(const struct ph_samples *samples) {
+  bool finite = true;
+  for (size_t i = 0; i < samples->n * samples->dimension; i++) {
+    finite = finite && isfinite(samples->point[i]);
+  }
+  return finite;
+}
+
+/*
+ * Samples and length are those of ph_sample_offset (curve/sample/sample.h).  At
+ * a cusp that is hit exactly the tangent is that of the curve, and the
+ * curvature NaN.
+ *
+ * Cusps are looked for between 64 places of each segment, which are denser
+ * towards its ends, and at the joints (where a curve that is no more than G1
+ * may have one); a dip of |g| among these places is searched for two.  Two that
+ * are nearer to each other than these places, without such a dip, are missed.
+ * Each is found to rounding.  The length is the integral of |g|, split at the
+ * cusps, as well as |g| is known to rounding.
+ */
+static enum ph_status offset(const struct ph_curve *curve, double distance,
+                             const struct ph_offset_rules *rules,
+                             struct ph_arena *arena, struct ph_offset *to,
+                             struct ph_diag *diag) {
+  const double angle = distance / curve->sphere.radius;
+  struct walk walk = {.curve = curve,
+                      .arena = arena,
+                      .offset = to,
+                      .cosine = cos(angle),
+                      .sine = sin(angle)};
+  enum ph_status status;
+  *to = (struct ph_offset){.distance = distance, .dimension = 3};
+  if (!(fabs(angle) < PH_PI)) {
+    return ph_fail(diag, PH_BAD_VALUE, NULL,
+                   "the offset distance %g is not less than half the "
+                   "circumference of the sphere, %g",
+                   distance, PH_PI * curve->sphere.radius);
+  }
+  find_all_cusps(&walk);
+  if (walk.memory) {
+    return ph_fail_memory(diag);
+  }
+  status = ph_sample_offset(curve, &rules->samples, arena, to, diag);
+  if (status == PH_OK && !is_finite(&to->samples)) {
+    return ph_fail(diag, PH_TOO_LARGE, NULL,
+                   "the offset at distance %g exceeds the range of a double",
+                   distance);
+  }
+  return status;
+}
+
+const struct ph_kind ph_kind_spherical_nu = {
+    .on_sphere = true,
+    .no_erf = "a curve on a sphere has no Euler-Rodrigues frame",
+    .curve = {begin, enter, at, length, bend},
+    .beside = {begin, enter, at, length, bend},
+    .reference = reference,
+    .principal = principal,
+    .offsets_n = {0, 1},
+    .offset = offset};

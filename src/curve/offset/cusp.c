@@ -142,7 +142,7 @@ enum ph_status ph_cusps_of(const struct ph_curve *curve, double distance,
     struct form form = form_of(&seg, distance, normal);
     first = k == 0 ? sign_of(form.b[0]) : first;
     walk.segment = k;
-    walk.range = curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
+    walk.range = ph_curve_range(curve, k);
     walk.angle = seg.space.angle;
     visit(&walk, &form, 0, 1, 0);
   }

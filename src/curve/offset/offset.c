@@ -5,9 +5,10 @@
  */
 #include "curve/offset/offset.h"
 
+#include "curve/bezier/hermite.h"
+#include "curve/kind/kind.h"
 #include "curve/offset/cusp.h"
 #include "curve/offset/gap.h"
-#include "curve/bezier/hermite.h"
 #include "curve/offset/rational.h"
 
 /* What a walk over the pieces of a curve does with each. */
@@ -80,11 +81,17 @@ static void fill_quotient(struct ph_offset *offset, size_t k,
   offset->interval[2 * k + 1] = 1;
 }
 
-static enum ph_status offset_atph(const struct ph_curve *curve,
-                                  enum ph_normal normal, double tolerance,
-                                  struct ph_arena *arena,
-                                  struct ph_offset *offset,
-                                  struct ph_diag *diag) {
+/* The geometry of an offset along a normal. */
+typedef enum ph_status making(const struct ph_curve *curve,
+                              enum ph_normal normal, double tolerance,
+                              struct ph_arena *arena, struct ph_offset *offset,
+                              struct ph_diag *diag);
+
+static enum ph_status quotients(const struct ph_curve *curve,
+                                enum ph_normal normal, double tolerance,
+                                struct ph_arena *arena,
+                                struct ph_offset *offset,
+                                struct ph_diag *diag) {
   size_t n = curve->n, stride = 5 * curve->dimension;
   offset->degree = 4;
   offset->n = n;
@@ -104,13 +111,15 @@ static enum ph_status offset_atph(const struct ph_curve *curve,
                            &offset->pieces, diag);
 }
 
-static enum ph_status offset_ph(const struct ph_curve *curve,
-                                enum ph_normal normal, struct ph_arena *arena,
+static enum ph_status rationals(const struct ph_curve *curve,
+                                enum ph_normal normal, double tolerance,
+                                struct ph_arena *arena,
                                 struct ph_offset *offset,
                                 struct ph_diag *diag) {
   struct walk walk = {offset, normal, false};
   size_t n, points = 2 * curve->degree, number = sizeof(double);
   enum ph_status status = ph_rational_walk(curve, "offset", visit, &walk, diag);
+  (void)tolerance;
   if (status != PH_OK) {
     return status;
   }
@@ -155,7 +164,7 @@ static bool is_finite(const struct ph_offset *offset) {
 
 /* The offset along a normal, which has no name in the plane. */
 static enum ph_status
-offset_along(const struct ph_curve *curve, double distance,
+offset_along(making *make, const struct ph_curve *curve, double distance,
              enum ph_normal normal, const char *name,
              const struct ph_offset_rules *rules, struct ph_arena *arena,
              struct ph_offset *offset, struct ph_diag *diag) {
@@ -164,10 +173,7 @@ offset_along(const struct ph_curve *curve, double distance,
                                .vector = name,
                                .dimension = curve->dimension,
                                .length = (double)NAN};
-  status =
-      curve->preimage.alpha
-          ? offset_atph(curve, normal, rules->tolerance, arena, offset, diag)
-          : offset_ph(curve, normal, arena, offset, diag);
+  status = make(curve, normal, rules->tolerance, arena, offset, diag);
   if (status == PH_OK && !is_finite(offset)) {
     status = ph_fail(diag, PH_TOO_LARGE, NULL,
                      "the offset at distance %g exceeds the range of a double",
@@ -185,26 +191,43 @@ offset_along(const struct ph_curve *curve, double distance,
   return status;
 }
 
-enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
-                                const struct ph_offset_rules *rules,
-                                struct ph_arena *arena,
-                                struct ph_offset *offset,
-                                struct ph_diag *diag) {
-  return offset_along(curve, distance, PH_E2, NULL, rules, arena, offset, diag);
-}
-
-enum ph_status ph_offset_spatial(const struct ph_curve *curve, double distance,
-                                 const struct ph_offset_rules *rules,
-                                 struct ph_arena *arena,
-                                 struct ph_offset *offsets,
-                                 struct ph_diag *diag) {
+static enum ph_status
+offset_all(making *make, const struct ph_curve *curve, double distance,
+           const struct ph_offset_rules *rules, struct ph_arena *arena,
+           struct ph_offset *offsets, struct ph_diag *diag) {
   static const char *const names[] = {[PH_E2] = "e2", [PH_E3] = "e3"};
+  const size_t n = ph_kind_offsets(ph_kind_of(curve), curve->dimension);
   enum ph_status status = PH_OK;
-  for (size_t i = 0; status == PH_OK && i < PH_OFFSETS_SPATIAL; i++) {
+  for (size_t i = 0; status == PH_OK && i < n; i++) {
     enum ph_normal normal = i < 2 ? PH_E2 : PH_E3;
     /* The other side of 0 is no -0. */
-    status = offset_along(curve, i % 2 ? 0 - distance : distance, normal,
-                          names[normal], rules, arena, &offsets[i], diag);
+    status = offset_along(make, curve, i % 2 ? 0 - distance : distance, normal,
+                          n > 1 ? names[normal] : NULL, rules, arena,
+                          &offsets[i], diag);
   }
   return status;
+}
+
+enum ph_status ph_offset_rational(const struct ph_curve *curve, double distance,
+                                  const struct ph_offset_rules *rules,
+                                  struct ph_arena *arena,
+                                  struct ph_offset *offsets,
+                                  struct ph_diag *diag) {
+  return offset_all(rationals, curve, distance, rules, arena, offsets, diag);
+}
+
+enum ph_status ph_offset_quotient(const struct ph_curve *curve, double distance,
+                                  const struct ph_offset_rules *rules,
+                                  struct ph_arena *arena,
+                                  struct ph_offset *offsets,
+                                  struct ph_diag *diag) {
+  return offset_all(quotients, curve, distance, rules, arena, offsets, diag);
+}
+
+enum ph_status ph_offset(const struct ph_curve *curve, double distance,
+                         const struct ph_offset_rules *rules,
+                         struct ph_arena *arena, struct ph_offset *offsets,
+                         struct ph_diag *diag) {
+  return ph_kind_of(curve)->offset(curve, distance, rules, arena, offsets,
+                                   diag);
 }

@@ -34,38 +34,36 @@ struct ph_offset_rules {
                                      sphere they must be */
 };
 
+/* A distance gives so many offsets of a curve in space. */
+enum { PH_OFFSETS_SPATIAL = 4 };
+
+typedef enum ph_status
+ph_offset_fn(const struct ph_curve *curve, double distance,
+             const struct ph_offset_rules *rules, struct ph_arena *arena,
+             struct ph_offset *offsets, struct ph_diag *diag);
+
 /*
- * ph_offset_planar: the offset of a planar spline at one distance.
+ * ph_offset: the offsets of a curve at one distance, as many as
+ * ph_kind_offsets (curve/kind/kind.h) says.
  *
- * A PH segment whose weights are not all positive (it turns by more than about
- * a half turn) is cut until they are: halved, or, a cubic, cut once at its
- * vertex (rational.h).
+ * Of PH curves and cubics, a segment whose weights are not all positive (it
+ * turns by more than about a half turn) is cut until they are: halved, or, a
+ * cubic, cut once at its vertex (rational.h).  On a sphere: see
+ * curve/kind/spherical.c.
  *
- * in   curve   PH_CURVE_PH, PH_CURVE_TC or PH_CURVE_ATPH
- *
- * out  offset  arrays from the arena
+ * out  offsets  arrays from the arena; in space four, along e2, -e2, e3, -e3:
+ *               the distance of the second and the fourth is the negative
  *
  * ret  PH_OK | PH_INFEASIBLE (the curve stands still somewhere: no normal
  *      there; names the segment) | PH_TOO_LARGE | PH_NO_CONVERGENCE (no Bezier
- *      piece is near enough) | PH_NO_MEMORY
+ *      piece is near enough; on a sphere, of the length) | PH_BAD_VALUE (on a
+ *      sphere, the distance is not less than half the circumference) |
+ *      PH_NO_MEMORY
  */
-enum ph_status ph_offset_planar(const struct ph_curve *curve, double distance,
-                                const struct ph_offset_rules *rules,
-                                struct ph_arena *arena,
-                                struct ph_offset *offset, struct ph_diag *diag);
+ph_offset_fn ph_offset;
 
-enum { PH_OFFSETS_SPATIAL = 4 };
-
-/*
- * ph_offset_spatial: the same for a spline in space, in four directions.
- *
- * out  offsets[PH_OFFSETS_SPATIAL]  along e2, -e2, e3, -e3; the distance of
- *                                   the second and the fourth is the negative
- */
-enum ph_status ph_offset_spatial(const struct ph_curve *curve, double distance,
-                                 const struct ph_offset_rules *rules,
-                                 struct ph_arena *arena,
-                                 struct ph_offset *offsets,
-                                 struct ph_diag *diag);
+/* The same of PH curves and cubics, and of ATPH curves. */
+ph_offset_fn ph_offset_rational;
+ph_offset_fn ph_offset_quotient;
 
 #endif

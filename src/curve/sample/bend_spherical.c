@@ -23,7 +23,7 @@
  * Between two control points |Z^(k)| = theta^k.
  *
  * O' = g T and T' = turn N - v S, where v = |S'|, turn = K / v^2, N = S x T,
- * and g = v cos d - turn sin d (parallel.h), so that
+ * and g = v cos d - turn sin d (curve/kind/spherical.c), so that
  *   |O''|^2 = g'^2 + g^2 (v^2 + turn^2),                                (5)
  * and O has the curvature sqrt(v^2 + turn^2) / |g| in space.            (6)
  * At an end at rest S' = t V: the Taylor coefficients of V over a block from

@@ -7,41 +7,36 @@
 #define PH_CURVE_SAMPLE_FRAME_H
 
 #include "curve/sample/sample.h"
-#include "curve/kind/bezier.h"
-#include "curve/segment/seg3_fast.h"
-#include "curve/segment/spherical_fast.h"
 #include "kernel/primitive.h"
 
 struct ph_framing {
   enum ph_frame frame;
-  const struct ph_curve *curve;
-  struct ph_arena *arena;
-  struct ph_fast3 fast; /* the segment, of the kind that it is */
-  struct ph_bezier bezier;
-  struct ph_spherical_fast sphere;
-  ph_vec3 axes[3]; /* the reference frame of a Bezier curve */
-  struct ph_primitive
-      turn;     /* of the reference frame, see curve/sample/frame.c */
-  double angle; /* the same, at the start of the segment */
+  const struct ph_sampler *sampler;
+  struct ph_primitive turn; /* of the reference frame, see frame.c */
+  double angle;             /* the same, at the start of the segment */
+  ph_vec3 before[3];        /* the frame at the end of the last segment */
 };
 
 /*
  * ph_framing_begin: prepares for a curve in space or on a sphere.
  *
+ * in   sampler  of the curve itself, not of an offset
  * ret  PH_OK | PH_INFEASIBLE (it has no such frame)
  */
 enum ph_status ph_framing_begin(struct ph_framing *framing,
-                                const struct ph_curve *curve,
-                                enum ph_frame frame, struct ph_arena *arena,
-                                struct ph_diag *diag);
+                                const struct ph_sampler *sampler,
+                                enum ph_frame frame, struct ph_diag *diag);
+
+/* ph_framing_leave: before the sampler leaves its segment for the next one. */
+void ph_framing_leave(struct ph_framing *framing);
 
 /*
- * ph_framing_enter: goes to segment k, after k - 1.
+ * ph_framing_enter: after the sampler has entered a segment.
  *
  * ret  PH_OK | PH_NO_CONVERGENCE (the curve stands still there, and the
  *      rotation-minimising frame was not found) | PH_NO_MEMORY
  */
-enum ph_status ph_framing_enter(struct ph_framing *framing, size_t k,
+enum ph_status ph_framing_enter(struct ph_framing *framing,
                                 struct ph_diag *diag);
 
 /* ph_framing_at: the frame at u of a sample.  out  normal, binormal */

@@ -6,10 +6,10 @@
 #include "curve/sample/sample.h"
 
 #include "base/sum.h"
+#include "curve/kind/kind.h"
 #include "curve/offset/gap.h"
 #include "curve/sample/chord.h"
 #include "curve/sample/frame.h"
-#include "curve/kind/kind.h"
 #include "curve/sample/place.h"
 
 #include <float.h>
@@ -25,44 +25,35 @@ static const double LAST = 1e-9;
 
 /* ---- the sampler --------------------------------------------------------- */
 
-static const struct ph_sample_kind *kind_of(const struct ph_curve *curve,
-                                            const struct ph_offset *offset) {
-  switch (curve->kind) {
-  case PH_CURVE_SPHERICAL_NU:
-    return &ph_sample_kind_spherical;
-  case PH_CURVE_BEZIER:
-    return &ph_sample_kind_bezier;
-  default:
-    return offset ? &ph_sample_kind_offset : &ph_sample_kind_ph;
-  }
-}
-
 enum ph_status ph_sampler_begin(struct ph_sampler *sampler,
                                 const struct ph_curve *curve,
                                 const struct ph_offset *offset,
                                 struct ph_arena *arena, struct ph_diag *diag) {
-  *sampler = (struct ph_sampler){curve, offset, arena, kind_of(curve, offset),
-                                 NULL,  0,      0};
-  return sampler->kind->begin(sampler, diag);
+  const struct ph_kind *kind = ph_kind_of(curve);
+  *sampler = (struct ph_sampler){.curve = curve,
+                                 .offset = offset,
+                                 .arena = arena,
+                                 .ops = offset ? &kind->beside : &kind->curve};
+  return sampler->ops->begin(sampler, diag);
 }
 
 enum ph_status ph_sampler_enter(struct ph_sampler *sampler, size_t k,
                                 struct ph_diag *diag) {
   sampler->k = k;
-  return sampler->kind->enter(sampler, diag);
+  return sampler->ops->enter(sampler, diag);
 }
 
 struct ph_sample ph_sampler_at(const struct ph_sampler *sampler, double u) {
-  return sampler->kind->at(sampler, u);
+  return sampler->ops->at(sampler, u);
 }
 
 double ph_sampler_length(const struct ph_sampler *sampler, double u,
                          double *speed) {
-  return sampler->kind->length(sampler, u, speed);
+  return sampler->ops->length(sampler, u, speed);
 }
 
 double ph_sampler_bend(const struct ph_sampler *sampler, double u0, double u1) {
-  return sampler->kind->bend(sampler, u0, u1);
+  return sampler->ops->bend(sampler, u0, u1);
 }
 
 /* ---- the walk ------------------------------------------------------------ */
@@ -119,7 +110,7 @@ static void *grown(struct growth *growth, bool wanted, const void *column,
 static enum ph_status move_to(struct walk *walk, size_t room) {
   const struct ph_curve *curve = walk->sampler.curve;
   const size_t number = sizeof(double), vector = curve->dimension * number;
-  const bool sphere = curve->kind == PH_CURVE_SPHERICAL_NU;
+  const bool sphere = ph_kind_of(curve)->on_sphere;
   const bool frame = walk->framing.frame != PH_FRAME_NONE;
   struct ph_samples *s = walk->samples;
   struct growth g = {walk->sampler.arena, s->n, room, false};
@@ -272,17 +263,21 @@ static void end(struct walk *walk) {
 static enum ph_status enter(struct walk *walk, size_t k) {
   const struct ph_curve *curve = walk->sampler.curve;
   const struct ph_offset *offset = walk->sampler.offset;
-  enum ph_status status = ph_sampler_enter(&walk->sampler, k, walk->diag);
+  enum ph_status status;
+  if (k > 0) {
+    ph_framing_leave(&walk->framing);
+  }
+  status = ph_sampler_enter(&walk->sampler, k, walk->diag);
   walk->begins =
       (offset && ph_gaps_pass(&offset->gaps, k, &walk->gap)) || k == 0;
   walk->first = walk->begins ? walk->samples->n : walk->first;
-  walk->range = curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
+  walk->range = ph_curve_range(curve, k);
   if (status == PH_OK && !isfinite(walk->sampler.length)) {
     status = ph_fail_at(walk->diag, PH_NO_CONVERGENCE, "segments", k,
                         "%s a length that was not found",
                         walk->sampler.offset ? "has an offset with" : "has");
   }
-  return status == PH_OK ? ph_framing_enter(&walk->framing, k, walk->diag)
+  return status == PH_OK ? ph_framing_enter(&walk->framing, walk->diag)
                          : status;
 }
 
@@ -338,8 +333,9 @@ static enum ph_status sample(const struct ph_curve *curve,
   enum ph_status status =
       ph_sampler_begin(&walk.sampler, curve, offset, arena, diag);
   *samples = (struct ph_samples){.frame = frame, .dimension = curve->dimension};
+  walk.sampler.framed = frame != PH_FRAME_NONE;
   if (status == PH_OK) {
-    status = ph_framing_begin(&walk.framing, curve, frame, arena, diag);
+    status = ph_framing_begin(&walk.framing, &walk.sampler, frame, diag);
   }
   if (status == PH_OK) {
     status = go(&walk);

@@ -28,7 +28,7 @@
 
 /* ---- one place ----------------------------------------------------------- */
 
-struct ph_sample_kind;
+struct ph_sampler_ops;
 
 /*
  * A curve, or an offset of it, prepared for samples of one segment after the
@@ -38,9 +38,10 @@ struct ph_sampler {
   const struct ph_curve *curve;
   const struct ph_offset *offset; /* NULL: the curve itself */
   struct ph_arena *arena;
-  const struct ph_sample_kind *kind;
-  void *state;   /* of the kind, about the segment */
-  size_t k;      /* the segment */
+  const struct ph_sampler_ops *ops; /* of the kind (curve/kind/kind.h) */
+  bool framed;                      /* frames are asked for, too */
+  void *state;                      /* of the kind, about the segment */
+  size_t k;                         /* the segment */
   double length; /* of it, in the unit of the data; NaN if it was not found */
 };
 
@@ -69,6 +70,10 @@ enum ph_status ph_sampler_begin(struct ph_sampler *sampler,
 /* ph_sampler_enter: goes to segment k. */
 enum ph_status ph_sampler_enter(struct ph_sampler *sampler, size_t k,
                                 struct ph_diag *diag);
+
+/* ph_sample_principal: the unit vector along a normal, NaN where the sample has
+ * no torsion. */
+ph_vec3 ph_sample_principal(const struct ph_sample *sample, ph_vec3 normal);
 
 /* ph_sampler_at: the place at u in [0,1] of the segment.  Of curves, points at
  * u = 0 and u = 1 are control points, to the last bit. */

@@ -17,8 +17,8 @@ void ph_seg2_preimage(const struct ph_curve *curve, size_t k, ph_cplx w[3]) {
 }
 
 struct ph_seg2 ph_seg2_of(const struct ph_curve *curve, size_t k) {
-  double angle = curve->preimage.alpha ? curve->preimage.alpha[k] : 0;
-  double root = curve->preimage.alpha ? sqrt(angle) : 1;
+  double angle = ph_curve_angle(curve, k),
+         root = sqrt(ph_curve_range(curve, k));
   const double *p = ph_curve_points(curve, k);
   struct ph_seg2 seg;
   seg.space = ph_atph_of(angle);

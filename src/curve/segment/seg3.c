@@ -25,8 +25,8 @@ struct ph_seg3 ph_seg3_of(const struct ph_curve *curve, size_t k) {
   size_t last = curve->preimage.n - 1;
   const double *a = ph_curve_preimage(curve, k);
   const double *p = ph_curve_points(curve, k);
-  double angle = curve->preimage.alpha ? curve->preimage.alpha[k] : 0;
-  double root = curve->preimage.alpha ? sqrt(angle) : 1;
+  double angle = ph_curve_angle(curve, k),
+         root = sqrt(ph_curve_range(curve, k));
   struct ph_seg3 seg;
   seg.space = ph_atph_of(angle);
   seg.a[0] = quaternion(a, size);

@@ -261,7 +261,7 @@ const struct ph_method ph_method_sphere = {
     .schema = {"sphere", fields, sizeof fields / sizeof fields[0]},
     .title = "shape-preserving G2 curves on the sphere",
     .dimension = 3,
-    .on_sphere = true,
+    .kind = PH_CURVE_SPHERICAL_NU,
     .solve = solve,
 };
 

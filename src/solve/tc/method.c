@@ -144,6 +144,7 @@ const struct ph_method ph_method_tc = {
     .schema = {"tc", fields, sizeof fields / sizeof fields[0]},
     .title = "Tschirnhausen cubics: one, two, or a spline of them",
     .dimension = 2,
+    .kind = PH_CURVE_TC,
     .solve = solve,
 };
 

@@ -17,13 +17,11 @@ static const struct ph_field rows[] = {
     {PH_F_TOLERANCE, PH_NUMBER, 0, false, NULL, "none", "how near to come"},
 };
 static const struct ph_method named = {
-    {"named", rows, 2}, "A title", 2, false, NULL};
+    {"named", rows, 2}, "A title", 2, PH_CURVE_PH, NULL};
 static const struct ph_method other = {
-    {"other", rows, 1}, "A title", 2, false, NULL};
-static const struct ph_command of_named = {PH_SOLVES_BY(named), NULL, NULL, 1,
-                                           ph_bezier_curve,     ""};
-static const struct ph_command of_other = {
-    PH_SOLVES_BY(other), NULL, NULL, 1, NULL, ""};
+    {"other", rows, 1}, "A title", 2, PH_CURVE_SPHERICAL_NU, NULL};
+static const struct ph_command of_named = {PH_SOLVES_BY(named), NULL, ""};
+static const struct ph_command of_other = {PH_SOLVES_BY(other), NULL, ""};
 
 static struct ph_options options;
 static struct ph_diag diag;

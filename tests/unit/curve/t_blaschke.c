@@ -81,8 +81,8 @@ PH_TEST(test_definition) {
     unit_cubics_random(&c, &r, 4, scale, unit_random_cplx(&r, far * scale));
     noise = noise_of(&c, scale, far);
     ck_assert_int_eq(ph_blaschke_curve(&c.curve, &unit_arena, &diag), PH_OK);
-    ck_assert_int_eq(
-        ph_offset_planar(&c.curve, 0, &rules, &unit_arena, &o, &diag), PH_OK);
+    ck_assert_int_eq(ph_offset(&c.curve, 0, &rules, &unit_arena, &o, &diag),
+                     PH_OK);
     ck_assert_uint_eq(c.curve.blaschke.n, o.n);
     for (size_t j = 0; j < o.n; j++) {
       const struct ph_blaschke *b = &c.curve.blaschke.v[j];

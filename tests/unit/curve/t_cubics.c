@@ -14,7 +14,7 @@
 
 #include "curve/offset/cusp.h"
 #include "curve/offset/gap.h"
-#include "curve/offset/parallel.h"
+#include "curve/offset/offset.h"
 #include "curve/segment/ph2.h"
 #include "kernel/pi.h"
 
@@ -259,8 +259,8 @@ static struct ph_offset offset_of(const struct any *any, enum kind kind,
   struct ph_diag diag;
   enum ph_status status;
   if (kind == SPHERE) {
-    status = ph_offset_spherical(any->curve, distance, &rules, &unit_arena,
-                                 &offset, &diag);
+    status =
+        ph_offset(any->curve, distance, &rules, &unit_arena, &offset, &diag);
   } else {
     offset.vector = kind == PLANE || kind == CUBICS ? NULL
                     : normal == PH_E2               ? "e2"

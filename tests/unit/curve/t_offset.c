@@ -102,8 +102,7 @@ static void ck_pieces(const struct ph_curve *curve, const struct ph_offset *o) {
 static struct ph_offset ck_offset(const struct ph_curve *curve, double d,
                                   double tol, struct unit_random *r) {
   struct ph_offset o;
-  enum ph_status status =
-      ph_offset_planar(curve, d, &rules, &unit_arena, &o, &diag);
+  enum ph_status status = ph_offset(curve, d, &rules, &unit_arena, &o, &diag);
   ck_assert_msg(status == PH_OK, "seed %lu: %s", unit_seed(), diag.message);
   ck_abs(o.distance, d, 0);
   ck_pieces(curve, &o);
@@ -146,8 +145,7 @@ PH_TEST(test_side) {
   struct ph_offset o;
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   ck_assert_int_eq(
-      ph_offset_planar(&u.result.curve, 3, &rules, &unit_arena, &o, &diag),
-      PH_OK);
+      ph_offset(&u.result.curve, 3, &rules, &unit_arena, &o, &diag), PH_OK);
   ck_assert_uint_eq(o.n, 1);
   for (size_t i = 0; i < 10; i++) {
     ck_abs(o.control_points[2 * i], 1 + (double)i / 9, 1e-15);
@@ -219,8 +217,8 @@ PH_TEST(test_weights) {
   struct ph_offset o;
   double sum = 0;
   single_of(w, zero, &s);
-  ck_assert_int_eq(
-      ph_offset_planar(&s.curve, 1, &rules, &unit_arena, &o, &diag), PH_OK);
+  ck_assert_int_eq(ph_offset(&s.curve, 1, &rules, &unit_arena, &o, &diag),
+                   PH_OK);
   ck_rel(o.weights[0], ph_cplx_norm2(w[0]), 1e-15);
   ck_rel(o.weights[9], ph_cplx_norm2(w[2]), 1e-15);
   for (size_t i = 0; i < 10; i++) {
@@ -253,9 +251,8 @@ static void ck_standstill(double w0, double w1, double w2) {
   struct single s;
   struct ph_offset o;
   single_of(w, zero, &s);
-  ck_assert_int_eq(
-      ph_offset_planar(&s.curve, 1, &rules, &unit_arena, &o, &diag),
-      PH_INFEASIBLE);
+  ck_assert_int_eq(ph_offset(&s.curve, 1, &rules, &unit_arena, &o, &diag),
+                   PH_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[0]");
   ck_assert_str_eq(diag.message, "has no offset: the curve stands still in it "
                                  "and has no normal there");
@@ -275,7 +272,7 @@ PH_TEST(test_too_large) {
   struct ph_offset o;
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   ck_assert_int_eq(
-      ph_offset_planar(&u.result.curve, 1e308, &rules, &unit_arena, &o, &diag),
+      ph_offset(&u.result.curve, 1e308, &rules, &unit_arena, &o, &diag),
       PH_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");
@@ -352,7 +349,7 @@ PH_TEST(test_one_cut) {
     unit_cubics_add(&c, ph_cplx_scale(lengths[i % 2], ph_cplx_polar(direction)),
                     ph_cplx_scale(lengths[1 - i % 2],
                                   ph_cplx_polar(direction + side * sweep)));
-    status = ph_offset_planar(&c.curve, 1, &rules, &unit_arena, &o, &diag);
+    status = ph_offset(&c.curve, 1, &rules, &unit_arena, &o, &diag);
     ck_assert_msg(status == PH_OK, "seed %lu, cubic %d: %s", unit_seed(), i,
                   diag.message);
     ck_pieces(&c.curve, &o);
@@ -384,9 +381,8 @@ PH_TEST(test_cubic_standstill) {
     unit_cubics_begin(&c, ph_cplx_of(0, 0));
     unit_cubics_add(&c, ph_cplx_of(1, 0), ph_cplx_of(1, 1));
     unit_cubics_add(&c, ph_cplx_scale(w[0], along), ph_cplx_scale(w[1], along));
-    ck_assert_int_eq(
-        ph_offset_planar(&c.curve, 1, &rules, &unit_arena, &o, &diag),
-        PH_INFEASIBLE);
+    ck_assert_int_eq(ph_offset(&c.curve, 1, &rules, &unit_arena, &o, &diag),
+                     PH_INFEASIBLE);
     ck_assert_str_eq(diag.field, "segments[1]");
     ck_assert_str_eq(diag.message, "has no offset: the curve stands still in "
                                    "it and has no normal there");
@@ -399,8 +395,8 @@ PH_TEST(test_cubic_line) {
   struct ph_offset o;
   unit_cubics_begin(&c, ph_cplx_of(1, 1));
   unit_cubics_add(&c, ph_cplx_of(2, 0), ph_cplx_of(2, 0));
-  ck_assert_int_eq(
-      ph_offset_planar(&c.curve, 3, &rules, &unit_arena, &o, &diag), PH_OK);
+  ck_assert_int_eq(ph_offset(&c.curve, 3, &rules, &unit_arena, &o, &diag),
+                   PH_OK);
   ck_assert_uint_eq(o.n, 1);
   for (size_t i = 0; i < 6; i++) {
     ck_abs(o.control_points[2 * i], 1 + 0.8 * (double)i, 1e-15);

@@ -18,8 +18,8 @@ static const struct ph_offset_rules rules = {.tolerance = 1e-9};
 static void offsets_of(double distance, double tolerance,
                        struct ph_offset offsets[ALL]) {
   const struct ph_offset_rules within = {.tolerance = tolerance};
-  enum ph_status status = ph_offset_spatial(&c.curve, distance, &within,
-                                            &unit_arena, offsets, &diag);
+  enum ph_status status =
+      ph_offset(&c.curve, distance, &within, &unit_arena, offsets, &diag);
   ck_assert_msg(status == PH_OK, "seed %lu: %s", unit_seed(), diag.message);
   for (size_t i = 0; i < ALL; i++) {
     ck_abs(offsets[i].distance, i % 2 ? -distance : distance, 0);
@@ -175,7 +175,7 @@ PH_TEST(test_joints) {
   }
 }
 
-/* A curve in the plane z = 0 is offset there along e2 as ph_offset_planar does
+/* A curve in the plane z = 0 is offset there along e2 as ph_offset does
  * it, and straight up along e3. */
 PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(554);
@@ -202,8 +202,8 @@ PH_TEST(test_plane) {
            2 * sizeof(double));
   }
   offsets_of(0.4, 1e-9, offsets);
-  ck_assert_int_eq(
-      ph_offset_planar(&flat, 0.4, &rules, &unit_arena, &planar, &diag), PH_OK);
+  ck_assert_int_eq(ph_offset(&flat, 0.4, &rules, &unit_arena, &planar, &diag),
+                   PH_OK);
   ck_assert_ptr_null(planar.vector);
   ck_assert_uint_eq(planar.n, offsets[0].n);
   for (size_t i = 0; i < 10 * planar.n; i++) {
@@ -293,9 +293,8 @@ PH_TEST_EACH(test_standstill, 3) {
       {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}};
   struct ph_offset offsets[ALL];
   unit_curve3_of(&c, 1, NULL, a[_i], ph_vec3_of(0, 0, 0));
-  ck_assert_int_eq(
-      ph_offset_spatial(&c.curve, 1, &rules, &unit_arena, offsets, &diag),
-      PH_INFEASIBLE);
+  ck_assert_int_eq(ph_offset(&c.curve, 1, &rules, &unit_arena, offsets, &diag),
+                   PH_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }
 
@@ -304,7 +303,7 @@ PH_TEST(test_too_large) {
   struct ph_offset offsets[ALL];
   unit_curve3_of(&c, 1, NULL, a, ph_vec3_of(0, 1.5e308, 0));
   ck_assert_int_eq(
-      ph_offset_spatial(&c.curve, 1e308, &rules, &unit_arena, offsets, &diag),
+      ph_offset(&c.curve, 1e308, &rules, &unit_arena, offsets, &diag),
       PH_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");

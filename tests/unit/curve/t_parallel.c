@@ -5,7 +5,7 @@
 #include "kernel/quad.h"
 #include "unit.h"
 
-#include "curve/offset/parallel.h"
+#include "curve/offset/offset.h"
 #include "kernel/degree.h"
 #include "kernel/pi.h"
 
@@ -23,9 +23,8 @@ static const struct ph_offset_rules rules = {
 static struct ph_offset offset_of(const struct ph_curve *curve,
                                   double distance) {
   struct ph_offset o;
-  ck_assert_int_eq(
-      ph_offset_spherical(curve, distance, &rules, &unit_arena, &o, &diag),
-      PH_OK);
+  ck_assert_int_eq(ph_offset(curve, distance, &rules, &unit_arena, &o, &diag),
+                   PH_OK);
   ck_assert_uint_eq(o.n, 0);
   ck_assert_uint_eq(o.dimension, 3);
   ck_assert_uint_eq(o.samples.n, curve->n * (N + 1));
@@ -436,19 +435,17 @@ PH_TEST(test_refusals) {
   unit_spherical_random(&c, 2, 0.4, &r);
   unit_spherical_place(&c, zero, 8);
   for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
-    ck_assert_int_eq(ph_offset_spherical(&c.curve, refused[i], &rules,
-                                         &unit_arena, &o, &diag),
-                     PH_BAD_VALUE);
+    ck_assert_int_eq(
+        ph_offset(&c.curve, refused[i], &rules, &unit_arena, &o, &diag),
+        PH_BAD_VALUE);
   }
-  ck_assert_int_eq(
-      ph_offset_spherical(&c.curve, 26, &rules, &unit_arena, &o, &diag),
-      PH_BAD_VALUE);
+  ck_assert_int_eq(ph_offset(&c.curve, 26, &rules, &unit_arena, &o, &diag),
+                   PH_BAD_VALUE);
   ck_assert_str_eq(diag.message, "the offset distance 26 is not less than half "
                                  "the circumference of the sphere, 25.1327");
   ck_assert_uint_eq(offset_of(&c.curve, 25).samples.n, 2 * (N + 1));
-  ck_assert_int_eq(
-      ph_offset_spherical(&c.curve, 1, &many, &unit_arena, &o, &diag),
-      PH_LIMIT);
+  ck_assert_int_eq(ph_offset(&c.curve, 1, &many, &unit_arena, &o, &diag),
+                   PH_LIMIT);
 }
 
 /* A curve to the north, whose offset is to the west, out of range. */
@@ -460,9 +457,8 @@ PH_TEST(test_too_large) {
   struct ph_offset o;
   unit_spherical_of(&c, 1, false, p);
   unit_spherical_place(&c, far, 1e307);
-  ck_assert_int_eq(
-      ph_offset_spherical(&c.curve, 1.5e307, &rules, &unit_arena, &o, &diag),
-      PH_TOO_LARGE);
+  ck_assert_int_eq(ph_offset(&c.curve, 1.5e307, &rules, &unit_arena, &o, &diag),
+                   PH_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1.5e+307 exceeds the "
                                  "range of a double");
   o = offset_of(&c.curve, 1e306);

@@ -4,7 +4,7 @@
 #include "spherical_curve_unit.h"
 #include "unit.h"
 
-#include "curve/offset/parallel.h"
+#include "curve/offset/offset.h"
 #include "kernel/degree.h"
 #include "kernel/pi.h"
 #include "kernel/quad.h"
@@ -20,8 +20,8 @@ static struct ph_offset offset_by(const struct ph_curve *curve, double distance,
                                   struct ph_sample_rules samples) {
   const struct ph_offset_rules by = {.tolerance = 1e-9, .samples = samples};
   struct ph_offset o;
-  ck_assert_int_eq(
-      ph_offset_spherical(curve, distance, &by, &unit_arena, &o, &diag), PH_OK);
+  ck_assert_int_eq(ph_offset(curve, distance, &by, &unit_arena, &o, &diag),
+                   PH_OK);
   ck_rel(o.samples.s[o.samples.n - 1], o.length, 0);
   return o;
 }

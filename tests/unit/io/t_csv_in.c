@@ -230,7 +230,7 @@ static enum ph_status get(const char *letters, const char *text) {
   return get_by(&schema, letters, text);
 }
 
-static void ck_array(enum ph_field_id id, enum ph_kind kind, size_t n,
+static void ck_array(enum ph_field_id id, enum ph_value_kind kind, size_t n,
                      size_t dimension, const double *v) {
   const struct ph_value *value = &problem.field[id];
   ck_assert_msg(diag.message[0] == '\0', "%s %s", diag.field, diag.message);

@@ -31,58 +31,51 @@ static void header(struct ph_csv_shape shape, const struct ph_swept *names,
 /* Rows of CSV, in the plane. */
 static void rows(enum ph_table table, const struct ph_csv_heading *heading,
                  const struct ph_result *result) {
-  const struct ph_csv_shape shape = {.table = table, .dimension = 2};
+  const struct ph_csv_shape shape = {.table = table, .space = PH_PLANE};
   ph_csv_result(&buf, &shape, heading, result);
 }
 
 PH_TEST(test_headers) {
-  header(
-      (struct ph_csv_shape){.table = PH_TABLE_CONTROL_POINTS, .dimension = 2},
-      NULL, 0);
+  header((struct ph_csv_shape){.table = PH_TABLE_CONTROL_POINTS,
+                               .space = PH_PLANE},
+         NULL, 0);
   ck_written("id,segment,index,x,y\n");
-  header(
-      (struct ph_csv_shape){.table = PH_TABLE_CONTROL_POINTS, .dimension = 3},
-      NULL, 0);
+  header((struct ph_csv_shape){.table = PH_TABLE_CONTROL_POINTS,
+                               .space = PH_SPACE},
+         NULL, 0);
   ck_written("id,segment,index,x,y,z\n");
-  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .dimension = 2},
+  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .space = PH_PLANE},
          swept, 1);
   ck_written("id,segment,t0,t1,length,cumulative,knots[1]\n");
-  header((struct ph_csv_shape){.table = PH_TABLE_OFFSETS, .dimension = 2},
+  header((struct ph_csv_shape){.table = PH_TABLE_OFFSETS, .space = PH_PLANE},
          swept, 2);
   ck_written("id,distance,segment,index,x,y,weight,knots[1],\"odd,name\"\n");
-  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .dimension = 3}, NULL,
-         0);
+  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .space = PH_SPACE},
+         NULL, 0);
   ck_written("id,segment,t0,t1,length,cumulative\n");
-  header((struct ph_csv_shape){.table = PH_TABLE_OFFSETS, .dimension = 3},
+  header((struct ph_csv_shape){.table = PH_TABLE_OFFSETS, .space = PH_SPACE},
          swept, 1);
   ck_written("id,distance,segment,index,x,y,z,weight,vector,knots[1]\n");
-  header((struct ph_csv_shape){.table = PH_TABLE_SAMPLES, .dimension = 2}, NULL,
-         0);
+  header((struct ph_csv_shape){.table = PH_TABLE_SAMPLES, .space = PH_PLANE},
+         NULL, 0);
   ck_written("id,segment,t,s,x,y,tx,ty,curvature\n");
-  header((struct ph_csv_shape){.table = PH_TABLE_SAMPLES, .dimension = 3}, NULL,
-         0);
+  header((struct ph_csv_shape){.table = PH_TABLE_SAMPLES, .space = PH_SPACE},
+         NULL, 0);
   ck_written("id,segment,t,s,x,y,z,tx,ty,tz,curvature,torsion\n");
 }
 
 PH_TEST(test_headers_on_sphere) {
   header((struct ph_csv_shape){.table = PH_TABLE_CONTROL_POINTS,
-                               .dimension = 3,
-                               .on_sphere = true},
+                               .space = PH_SPHERE},
          NULL, 0);
   ck_written("id,segment,index,x,y,z\n");
-  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS,
-                               .dimension = 3,
-                               .on_sphere = true},
+  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .space = PH_SPHERE},
          NULL, 0);
   ck_written("id,segment,t0,t1,length,cumulative\n");
-  header((struct ph_csv_shape){.table = PH_TABLE_SAMPLES,
-                               .dimension = 3,
-                               .on_sphere = true},
+  header((struct ph_csv_shape){.table = PH_TABLE_SAMPLES, .space = PH_SPHERE},
          swept, 1);
   ck_written("id,segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat,knots[1]\n");
-  header((struct ph_csv_shape){.table = PH_TABLE_OFFSETS,
-                               .dimension = 3,
-                               .on_sphere = true},
+  header((struct ph_csv_shape){.table = PH_TABLE_OFFSETS, .space = PH_SPHERE},
          NULL, 0);
   ck_written("id,distance,segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat\n");
 }
@@ -204,8 +197,7 @@ PH_TEST(test_samples) {
 /* Of a curve on a sphere, and of its offset. */
 PH_TEST(test_samples_on_sphere) {
   const struct ph_csv_heading heading = {"7", NULL, 0};
-  struct ph_csv_shape shape = {
-      .table = PH_TABLE_SAMPLES, .dimension = 3, .on_sphere = true};
+  struct ph_csv_shape shape = {.table = PH_TABLE_SAMPLES, .space = PH_SPHERE};
   struct ph_offset offset = {.distance = -0.5};
   struct ph_result result = by_hand();
   result.samples = samples_of(3);
@@ -234,7 +226,7 @@ PH_TEST(test_text) {
   static double binormal[] = {0, 0, 1, (double)NAN, (double)NAN, (double)NAN};
   const struct ph_swept word = {"knots", "\"uniform\""};
   const struct ph_csv_heading heading = {"no 7", &word, 1};
-  struct ph_csv_shape shape = {PH_TABLE_SAMPLES, true, 3, false, true, true};
+  struct ph_csv_shape shape = {PH_TABLE_SAMPLES, true, PH_SPACE, true, true};
   struct ph_offset offset = {.distance = -0.5, .vector = "e2"};
   struct ph_result result = by_hand();
   result.samples = samples_of(3);
@@ -262,8 +254,10 @@ PH_TEST(test_parts) {
   size_t before[] = {0, 1}, segment[] = {0, 1};
   double weights[] = {1, 1};
   const struct ph_csv_heading heading = {"7", NULL, 0};
-  struct ph_csv_shape shape = {
-      .table = PH_TABLE_SAMPLES, .text = true, .dimension = 2, .offsets = true};
+  struct ph_csv_shape shape = {.table = PH_TABLE_SAMPLES,
+                               .text = true,
+                               .space = PH_PLANE,
+                               .offsets = true};
   struct ph_offset offset = {
       .distance = 2, .dimension = 2, .gaps = {2, before}};
   struct ph_result result = by_hand();
@@ -317,7 +311,7 @@ PH_TEST(test_failed_buffer) {
   const struct ph_csv_heading heading = {"a,b", swept, 2};
   struct ph_result result = by_hand();
   ck_assert_ptr_null(ph_buf_reserve(&buf, (size_t)-1 - 10));
-  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .dimension = 2},
+  header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .space = PH_PLANE},
          swept, 2);
   rows(PH_TABLE_LENGTHS, &heading, &result);
   ck_assert(buf.failed);

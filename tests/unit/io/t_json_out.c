@@ -339,9 +339,9 @@ PH_TEST(test_read_back) {
   u = unit_planar_of(v, 20, true);
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   for (int k = 0; k < 2; k++) {
-    ck_assert_int_eq(ph_offset_planar(c, k ? -1e-4 : 2e-5, &rules, &u.arena,
-                                      &offsets[k], &u.diag),
-                     PH_OK);
+    ck_assert_int_eq(
+        ph_offset(c, k ? -1e-4 : 2e-5, &rules, &u.arena, &offsets[k], &u.diag),
+        PH_OK);
   }
   u.result.offsets = offsets;
   u.result.offsets_n = 2;
@@ -456,6 +456,7 @@ PH_TEST(test_on_sphere) {
   offsets[0].samples = offsets[1].samples = samples_of(3);
   offsets[0].samples.n = 1;
   offsets[0].samples.lonlat = offsets[1].samples.lonlat = lonlat;
+  result.curve.kind = PH_CURVE_SPHERICAL_NU;
   result.curve.sphere.radius = 2;
   result.curve.sphere.center[1] = 1;
   result.curve.sphere.tensions = tensions;

@@ -111,7 +111,7 @@ static void ck_number(enum ph_status status, double x) {
   ck_rel(value.number, x, 0);
 }
 
-static void ck_array(enum ph_status status, enum ph_kind kind, size_t n,
+static void ck_array(enum ph_status status, enum ph_value_kind kind, size_t n,
                      size_t dimension, const double *v) {
   ck_assert_msg(status == PH_OK, "%s %s", diag.field, diag.message);
   ck_assert_int_eq(value.kind, kind);

@@ -119,7 +119,7 @@ static void ck_segments(const struct ph_curve *curve) {
     ck_vec3(polygon->points[polygon->n - 1],
             control_of(curve, k, curve->degree), 0);
     ck_assert_uint_eq(p->n, 65);
-    ck_assert((p->torsion != NULL) == (d->space == PH_DRAWING_SPACE));
+    ck_assert((p->torsion != NULL) == (d->space == PH_SPACE));
     for (size_t i = 0; i <= 256; i++) {
       double u = (double)i / 256;
       struct ph_sample at = ph_sampler_at(&sampler, u);
@@ -158,7 +158,7 @@ PH_TEST(test_circle) {
   struct unit_segments c;
   circle(&c);
   d = draw_curve(&c.curve);
-  ck_assert_int_eq(d->space, PH_DRAWING_PLANE);
+  ck_assert_int_eq(d->space, PH_PLANE);
   ck_assert_uint_eq(d->data_n, 2);
   ck_vec3(d->data[0], ph_vec3_of(0, 0, 0), 0);
   ck_vec3(d->data[1], ph_vec3_of(sin(6) / 2, (1 - cos(6)) / 2, 0), 1e-15);
@@ -203,7 +203,7 @@ PH_TEST(test_space) {
     struct unit_curve3 c;
     unit_curve3_random(&c, 3, i % 2, 0.5, &r);
     ck_segments(&c.curve);
-    ck_assert_int_eq(drawing->space, PH_DRAWING_SPACE);
+    ck_assert_int_eq(drawing->space, PH_SPACE);
   }
 }
 
@@ -216,7 +216,7 @@ PH_TEST(test_sphere) {
     unit_spherical_random(&c, 3, 0.4, &r);
     unit_spherical_place(&c, center, 10);
     ck_segments(&c.curve);
-    ck_assert_int_eq(drawing->space, PH_DRAWING_SPHERE);
+    ck_assert_int_eq(drawing->space, PH_SPHERE);
     ck_abs(drawing->radius, 10, 0);
     ck_vec3(ph_vec3_get(drawing->center, 3), center, 0);
     for (size_t k = 0; k < 3; k++) {

@@ -18,7 +18,7 @@ static struct ph_diag diag;
 static struct unit_drawing of;
 
 static void set_up(void) {
-  of = (struct unit_drawing){.space = PH_DRAWING_PLANE,
+  of = (struct unit_drawing){.space = PH_PLANE,
                              .segments = 4,
                              .turn = 4.5,
                              .size = 1,
@@ -126,7 +126,7 @@ PH_TEST(closed) {
 
 PH_TEST(space) {
   SKIP_WITHOUT_CAIRO();
-  of.space = PH_DRAWING_SPACE;
+  of.space = PH_SPACE;
   of.polygon = true;
   write_one(PH_FIGURE_SVG);
   ck_assert_uint_eq(strokes(PH_INK_EVEN), 2 * (4 + 2));
@@ -141,7 +141,7 @@ PH_TEST(space) {
 /* A parallel is seen from its middle, all of it if it is short. */
 PH_TEST(sphere) {
   SKIP_WITHOUT_CAIRO();
-  of.space = PH_DRAWING_SPHERE;
+  of.space = PH_SPHERE;
   of.turn = 2;
   write_one(PH_FIGURE_SVG);
   ck_assert_uint_eq(strokes(PH_INK_OUTLINE), 1);
@@ -181,9 +181,7 @@ PH_TEST(grid) {
   struct ph_drawing *d[12];
   SKIP_WITHOUT_CAIRO();
   for (size_t i = 0; i < 12; i++) {
-    of.space = i % 3 == 0   ? PH_DRAWING_PLANE
-               : i % 3 == 1 ? PH_DRAWING_SPACE
-                            : PH_DRAWING_SPHERE;
+    of.space = i % 3 == 0 ? PH_PLANE : i % 3 == 1 ? PH_SPACE : PH_SPHERE;
     of.turn = 1;
     d[i] = unit_drawing(&of);
     d[i]->record = i + 1;
@@ -207,7 +205,7 @@ PH_TEST(formats) {
 PH_TEST(same_bytes) {
   SKIP_WITHOUT_CAIRO();
   of.tangents = true;
-  of.space = PH_DRAWING_SPACE;
+  of.space = PH_SPACE;
   for (int f = 0; f < PH_FIGURE_FORMAT_N; f++) {
     struct ph_buf first;
     write_one((enum ph_figure_format)f);
@@ -292,9 +290,9 @@ PH_TEST(any_size) {
   for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
     of.size = all[i];
     of.place = ph_vec3_of(places[i], -places[i], 0);
-    for (int in = PH_DRAWING_PLANE; in <= PH_DRAWING_SPACE; in++) {
-      size_t views = in == PH_DRAWING_PLANE ? 1 : 4;
-      of.space = (enum ph_drawing_space)in;
+    for (int in = PH_PLANE; in <= PH_SPACE; in++) {
+      size_t views = in == PH_PLANE ? 1 : 4;
+      of.space = (enum ph_space)in;
       write_one(PH_FIGURE_SVG);
       ck_assert_uint_eq(fills(PH_INK_POINT), 5 * views);
       ck_assert_uint_ge(strokes(PH_INK_EVEN), 2 * views);
@@ -307,9 +305,9 @@ PH_TEST(any_size) {
 PH_TEST(degenerate) {
   struct ph_drawing *d;
   SKIP_WITHOUT_CAIRO();
-  for (int in = PH_DRAWING_PLANE; in <= PH_DRAWING_SPHERE; in++) {
+  for (int in = PH_PLANE; in <= PH_SPHERE; in++) {
     const double odd[] = {0, (double)NAN, (double)INFINITY, -1e308};
-    of.space = (enum ph_drawing_space)in;
+    of.space = (enum ph_space)in;
     for (size_t i = 0; i < sizeof odd / sizeof odd[0]; i++) {
       d = unit_drawing(&of);
       d->length = odd[i];

@@ -21,7 +21,7 @@ static struct ph_layout layout;
 /* A grid of n panels of one drawing. */
 static void lay_out(size_t n, double width, double height, bool note) {
   const struct unit_drawing of = {
-      .space = PH_DRAWING_PLANE, .segments = 2, .turn = 3, .size = 1};
+      .space = PH_PLANE, .segments = 2, .turn = 3, .size = 1};
   static const struct ph_drawing *d;
   const struct ph_figure_rules rules = {PH_FIGURE_SVG, width, height};
   struct ph_diag diag;

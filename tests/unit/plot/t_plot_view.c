@@ -118,7 +118,7 @@ static size_t views_of(const struct unit_drawing *of, struct ph_view views[2],
 }
 
 PH_TEST(globes) {
-  struct unit_drawing of = {.space = PH_DRAWING_SPHERE,
+  struct unit_drawing of = {.space = PH_SPHERE,
                             .segments = 2,
                             .turn = 2,
                             .size = 3,

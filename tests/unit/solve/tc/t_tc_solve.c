@@ -19,7 +19,7 @@ PH_TEST(test_schema) {
   ck_assert_str_eq(schema->command, "tc");
   ck_assert_uint_gt(strlen(ph_method_tc.title), 0);
   ck_assert_uint_eq(ph_method_tc.dimension, 2);
-  ck_assert(!ph_method_tc.on_sphere);
+  ck_assert_int_eq(ph_method_tc.kind, PH_CURVE_TC);
   for (size_t i = 0; i < schema->fields_n; i++) {
     const struct ph_field *f = &schema->fields[i];
     const char *name = ph_field_name(f->id);

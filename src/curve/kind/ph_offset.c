@@ -30,8 +30,9 @@
  * Derived here; tested by t_sample_offset.c.  All of it is at the unit scale of
  * seg3_fast.h.  What stands still has no offset, and is not asked for.
  */
+#include "curve/kind/ph.h"
+
 #include "curve/sample/bend.h"
-#include "curve/kind/kind.h"
 #include "curve/segment/seg3_fast.h"
 #include "kernel/pi.h"
 #include "kernel/primitive.h"
@@ -399,9 +400,10 @@ static enum ph_status enter_space(struct state *state,
   return status == PH_NO_MEMORY ? status : PH_OK;
 }
 
-/* ---- the kind ------------------------------------------------------------ */
+/* ---- the interface ------------------------------------------------------- */
 
-static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
+enum ph_status ph_beside_begin(struct ph_sampler *sampler,
+                               struct ph_diag *diag) {
   const char *vector = sampler->offset->vector;
   struct state *state = ph_arena_array(sampler->arena, 1, sizeof *state);
   sampler->state = state;
@@ -413,7 +415,8 @@ static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
   return PH_OK;
 }
 
-static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
+enum ph_status ph_beside_enter(struct ph_sampler *sampler,
+                               struct ph_diag *diag) {
   struct state *state = sampler->state;
   const struct ph_offset *offset = sampler->offset;
   enum ph_status status = PH_OK;
@@ -429,8 +432,8 @@ static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
   return status == PH_OK ? PH_OK : ph_fail_memory(diag);
 }
 
-static double length(const struct ph_sampler *sampler, double u,
-                     double *speed) {
+double ph_beside_length(const struct ph_sampler *sampler, double u,
+                        double *speed) {
   const struct state *state = sampler->state;
   double s = (double)NAN;
   *speed = (double)NAN;
@@ -443,19 +446,16 @@ static double length(const struct ph_sampler *sampler, double u,
   return ph_pow2_apply(state->fast.grow, s);
 }
 
-static struct ph_sample at(const struct ph_sampler *sampler, double u) {
+struct ph_sample ph_beside_at(const struct ph_sampler *sampler, double u) {
   const struct state *state = sampler->state;
   const double distance = sampler->offset->distance;
   return sampler->curve->dimension == 2 ? at_plane(state, distance, u)
                                         : at_space(state, distance, u);
 }
 
-static double bend(const struct ph_sampler *sampler, double u0, double u1) {
+double ph_beside_bend(const struct ph_sampler *sampler, double u0, double u1) {
   const struct state *state = sampler->state;
   return ph_pow2_apply(
       state->fast.grow,
       ph_bend_offset(&state->fast.seg, state->normal, state->distance, u0, u1));
 }
-
-const struct ph_sample_kind ph_sample_kind_offset = {begin, enter, at, length,
-                                                     bend};
