@@ -4,6 +4,7 @@
 #include "spherical_curve_unit.h"
 #include "kernel/quad.h"
 #include "unit.h"
+#include "vec_unit.h"
 
 #include "curve/offset/offset.h"
 #include "kernel/degree.h"
@@ -34,12 +35,6 @@ static struct ph_offset offset_of(const struct ph_curve *curve,
   ck_abs(o.distance, distance, 0);
   ck_rel(o.samples.s[o.samples.n - 1], o.length, 0);
   return o;
-}
-
-static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
-  ck_abs(a.x, b.x, tol);
-  ck_abs(a.y, b.y, tol);
-  ck_abs(a.z, b.z, tol);
 }
 
 /* ---- definitions, for tests --------------------------------------------- */

@@ -10,6 +10,7 @@
 #include "seg2_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
+#include "vec_unit.h"
 
 #include "curve/bezier/convert.h"
 #include "curve/segment/seg3.h"
@@ -30,12 +31,6 @@ static struct ph_samples samples_of(const struct ph_curve *curve, size_t n) {
 
 static ph_vec3 vector(const double *v, const struct ph_samples *s, size_t i) {
   return ph_vec3_get(v + s->dimension * i, s->dimension);
-}
-
-static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
-  ck_abs(a.x, b.x, tol);
-  ck_abs(a.y, b.y, tol);
-  ck_abs(a.z, b.z, tol);
 }
 
 /* One planar segment with its length. */

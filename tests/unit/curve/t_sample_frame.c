@@ -3,6 +3,7 @@
 #include "known_unit.h"
 #include "sample_unit.h"
 #include "spherical_curve_unit.h"
+#include "vec_unit.h"
 
 #include "curve/bezier/convert.h"
 #include "curve/sample/frame.h"
@@ -25,12 +26,6 @@ static void frame_of(const struct ph_samples *s, size_t i, ph_vec3 f[3]) {
   f[0] = ph_vec3_get(s->tangent + 3 * i, 3);
   f[1] = ph_vec3_get(s->normal + 3 * i, 3);
   f[2] = ph_vec3_get(s->binormal + 3 * i, 3);
-}
-
-static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
-  ck_abs(a.x, b.x, tol);
-  ck_abs(a.y, b.y, tol);
-  ck_abs(a.z, b.z, tol);
 }
 
 /* Unit vectors, at right angles to each other, right-handed. */

@@ -11,6 +11,7 @@
 #include "seg3_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
+#include "vec_unit.h"
 
 #include "curve/offset/cusp.h"
 #include "curve/segment/ph2.h"
@@ -28,12 +29,6 @@ static struct ph_offset offset_of(const struct ph_curve *curve, double distance,
       ph_cusps_of(curve, distance, normal, &unit_arena, &offset.cusps, &diag),
       PH_OK);
   return offset;
-}
-
-static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
-  ck_abs(a.x, b.x, tol);
-  ck_abs(a.y, b.y, tol);
-  ck_abs(a.z, b.z, tol);
 }
 
 /* ---- known offsets ------------------------------------------------------- */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Points, curvature, parts and rotation of planar segments. */
 #include "unit.h"
+#include "vec_unit.h"
 #include "planar_unit.h"
 #include "seg2_unit.h"
 #include "tc_curve_unit.h"
@@ -14,11 +15,6 @@ static struct ph_quad rule, fine;
 static void begin(void) {
   ck_assert(ph_quad_gauss(&rule, 12));
   ck_assert(ph_quad_gauss(&fine, 20));
-}
-
-static void ck_cplx(ph_cplx a, ph_cplx b, double tol) {
-  ck_abs(a.re, b.re, tol);
-  ck_abs(a.im, b.im, tol);
 }
 
 /* The integral of w^2 over [0,u], in panels. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spaces of preimages: against quadrature, direct formulas, differences. */
 #include "unit.h"
+#include "vec_unit.h"
 #include "seg2_unit.h"
 
 #include "kernel/atph.h"
@@ -14,11 +15,6 @@ static struct ph_quad rule;
 
 static void begin(void) {
   ck_assert(ph_quad_gauss(&rule, 20));
-}
-
-static void ck_cplx(ph_cplx a, ph_cplx b, double tol) {
-  ck_abs(a.re, b.re, tol);
-  ck_abs(a.im, b.im, tol);
 }
 
 /* 1/5, 1/20, 1/30 for PH quintics; positive integrands, no digit is lost. */

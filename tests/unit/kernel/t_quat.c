@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Vectors and quaternions: the multiplication table is the reference. */
 #include "unit.h"
+#include "vec_unit.h"
 #include "spatial_unit.h"
 
 #include <float.h>
@@ -13,15 +14,6 @@ static ph_vec3 random_vec3(struct unit_random *r) {
 
 static ph_quat random_quat(struct unit_random *r) {
   return ph_quat_scale(unit_random_in(r, 0.1, 3), unit_random_turn(r));
-}
-
-static void ck_vec3(ph_vec3 found, ph_vec3 wanted, double tol) {
-  double error = ph_vec3_abs(ph_vec3_sub(found, wanted));
-  ck_assert_msg(error <= tol,
-                "seed %lu: (%.17g, %.17g, %.17g), not (%.17g, %.17g, %.17g): "
-                "%.3g > %.3g",
-                unit_seed(), found.x, found.y, found.z, wanted.x, wanted.y,
-                wanted.z, error, tol);
 }
 
 static void ck_quat(ph_quat found, ph_quat wanted, double tol) {

@@ -2,6 +2,7 @@
 /* The unit sphere: the f_n against numbers of 40 digits, the rest against what
  * they mean. */
 #include "unit.h"
+#include "vec_unit.h"
 #include "spatial_unit.h"
 
 #include "kernel/pi.h"
@@ -60,15 +61,6 @@ static const struct {
               {9.8,
                {0.003544888814891374783, 0.1023962563631819018,
                 0.03098406941578105189, 0.005359601093441158559}}};
-
-static void ck_vec3(ph_vec3 found, ph_vec3 wanted, double tol) {
-  double error = ph_vec3_abs(ph_vec3_sub(found, wanted));
-  ck_assert_msg(error <= tol,
-                "seed %lu: (%.17g, %.17g, %.17g), not (%.17g, %.17g, %.17g): "
-                "%.3g > %.3g",
-                unit_seed(), found.x, found.y, found.z, wanted.x, wanted.y,
-                wanted.z, error, tol);
-}
 
 /* An angle in (0, 3.1), as often in one decade as in another, from 1e-12. */
 static double random_angle(struct unit_random *r) {

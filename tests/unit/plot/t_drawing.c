@@ -6,6 +6,7 @@
 #include "spherical_curve_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
+#include "vec_unit.h"
 
 #include "curve/offset/cusp.h"
 #include "curve/offset/gap.h"
@@ -67,11 +68,6 @@ static size_t strokes_of(const struct ph_drawing *d, enum ph_stroke_role role) {
 
 static double apart(ph_vec3 a, ph_vec3 b) {
   return ph_vec3_abs(ph_vec3_sub(a, b));
-}
-
-static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
-  ck_assert_msg(apart(a, b) <= tol, "(%g, %g, %g) is not (%g, %g, %g)", a.x,
-                a.y, a.z, b.x, b.y, b.z);
 }
 
 /* Control point i of segment k. */

@@ -4,6 +4,7 @@
  * that is refused, and the vectors at the points, at any scale.
  */
 #include "tc_data_unit.h"
+#include "vec_unit.h"
 
 #include "kernel/pi.h"
 
@@ -32,11 +33,6 @@
   { PH_F_END_TANGENTS, VECTORS(2, __VA_ARGS__) }
 #define END_DERIVATIVES(...) \
   { PH_F_END_DERIVATIVES, VECTORS(2, __VA_ARGS__) }
-
-static void ck_cplx(ph_cplx a, ph_cplx b, double tol) {
-  ck_abs(a.re, b.re, tol);
-  ck_abs(a.im, b.im, tol);
-}
 
 /* ---- modes --------------------------------------------------------------- */
 
