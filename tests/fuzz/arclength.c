@@ -21,10 +21,6 @@
  */
 #include "problem.h"
 
-#include "check/certify.h"
-#include "curve/offset/offset.h"
-#include "solve/method.h"
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
 enum {
@@ -150,22 +146,6 @@ static bool arclength_take_vector(struct arclength_input *in, size_t k) {
   return true;
 }
 
-static struct ph_value arclength_word(const char *word) {
-  return (struct ph_value){.kind = PH_WORD, .word = word};
-}
-
-static struct ph_value arclength_number(double x) {
-  return (struct ph_value){.kind = PH_NUMBER, .number = x};
-}
-
-static struct ph_value arclength_numbers(double *v, size_t n) {
-  return (struct ph_value){.kind = PH_NUMBERS, .v = v, .n = n, .dimension = 1};
-}
-
-static struct ph_value arclength_flag(bool flag) {
-  return (struct ph_value){.kind = PH_BOOL, .flag = flag};
-}
-
 static size_t arclength_intervals(const struct arclength_input *in) {
   return in->flags.mode == ARCLENGTH_CLOSED ? in->points : in->points - 1;
 }
@@ -175,18 +155,15 @@ static void arclength_set_data(struct arclength_input *in) {
                                          PH_F_DERIVATIVES, PH_F_TANGENTS};
   const struct arclength_flags *f = &in->flags;
   struct ph_value *field = in->problem.field;
-  field[ids[f->mode]] = (struct ph_value){.kind = PH_VECTORS,
-                                          .v = in->vectors,
-                                          .n = in->points,
-                                          .dimension = f->flat ? 2 : 3};
+  field[ids[f->mode]] = fuzz_array(in->vectors, in->points, f->flat ? 2 : 3);
   if (f->mode == ARCLENGTH_CLOSED) {
-    field[PH_F_CLOSED] = arclength_flag(true);
+    field[PH_F_CLOSED] = fuzz_flag(true);
   }
   if (f->lengths) {
     in->lengths[in->points] =
         arclength_length(in, in->points - 1, 0, in->more[0]);
     field[PH_F_LENGTHS] =
-        arclength_numbers(in->lengths + 1, arclength_intervals(in));
+        fuzz_array(in->lengths + 1, arclength_intervals(in), 1);
   }
 }
 
@@ -195,34 +172,33 @@ static void arclength_set_fields(struct arclength_input *in) {
   const struct arclength_flags *f = &in->flags;
   struct ph_value *field = in->problem.field;
   if (f->refine >= 1 && f->refine <= 3) {
-    field[PH_F_REFINE] = arclength_number(f->refine);
+    field[PH_F_REFINE] = fuzz_number(f->refine);
   } else if (f->refine == 4) {
-    field[PH_F_REFINE] = arclength_word("auto");
+    field[PH_F_REFINE] = fuzz_word("auto");
   }
   if (f->knots == 3) {
-    field[PH_F_KNOTS] =
-        arclength_numbers(in->knots, arclength_intervals(in) + 1);
+    field[PH_F_KNOTS] = fuzz_array(in->knots, arclength_intervals(in) + 1, 1);
   } else if (f->knots) {
-    field[PH_F_KNOTS] = arclength_word(knots[f->knots]);
+    field[PH_F_KNOTS] = fuzz_word(knots[f->knots]);
   }
   if (f->sigma) {
-    field[PH_F_LENGTH_SIGMA] = arclength_number(ldexp(1, -7));
+    field[PH_F_LENGTH_SIGMA] = fuzz_number(ldexp(1, -7));
   }
   if (f->mean) {
-    field[PH_F_MAGNITUDES] = arclength_word("mean");
+    field[PH_F_MAGNITUDES] = fuzz_word("mean");
   }
   if (f->leave) {
-    field[PH_F_PLANAR] = arclength_word("free");
+    field[PH_F_PLANAR] = fuzz_word("free");
   }
   if (f->starts) {
-    field[PH_F_STARTS] = arclength_number(f->starts);
+    field[PH_F_STARTS] = fuzz_number(f->starts);
   }
   if (f->all) {
-    field[PH_F_ALL_MINIMA] = arclength_flag(true);
+    field[PH_F_ALL_MINIMA] = fuzz_flag(true);
   }
   if (f->start) {
     in->start[0] = in->start[2] = in->scale;
-    field[PH_F_START] = arclength_numbers(in->start, f->flat ? 2 : 3);
+    field[PH_F_START] = fuzz_array(in->start, f->flat ? 2 : 3, 1);
   }
 }
 
@@ -291,28 +267,6 @@ static void arclength_check_curve(const struct arclength_input *in,
   FUZZ_REQUIRE(intervals > 0 && curve->n % intervals == 0);
 }
 
-static void arclength_check_offsets(const struct arclength_input *in,
-                                    struct ph_result *result,
-                                    struct ph_arena *arena) {
-  struct ph_offset offsets[PH_OFFSETS_SPATIAL];
-  struct ph_diag diag;
-  double size = result->curve.length;
-  const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
-  enum ph_status status =
-      ph_offset(&result->curve, size, &rules, arena, offsets, &diag);
-  if (status != PH_OK) {
-    fuzz_check_failure(&diag, status);
-    return;
-  }
-  for (size_t i = 0; i < PH_OFFSETS_SPATIAL; i++) {
-    fuzz_check_offset(&offsets[i]);
-  }
-  result->offsets = offsets;
-  result->offsets_n = PH_OFFSETS_SPATIAL;
-  fuzz_check_output(result, "arclength", in->flags.pretty);
-  result->offsets_n = 0;
-}
-
 /* A curve that its certificate accepts. */
 static void arclength_check_result(const struct arclength_input *in,
                                    struct ph_result *result,
@@ -331,39 +285,26 @@ static void arclength_check_result(const struct arclength_input *in,
   fuzz_check_diagnostics(&result->diagnostics);
   fuzz_check_output(result, "arclength", in->flags.pretty);
   if (in->flags.offsets) {
-    arclength_check_offsets(in, result, arena);
+    fuzz_check_offsets3(result, arena, "arclength", in->flags.pretty);
   }
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   static struct arclength_input in;
-  struct ph_arena out = {0}, scratch = {0};
-  struct ph_mark mark, after;
-  struct ph_result result = {0};
-  struct ph_diag diag;
-  enum ph_status status;
+  struct fuzz_run run = {0};
   in = (struct arclength_input){.bytes = {data, n, 0}};
   if (!arclength_set(&in)) {
     return 0;
   }
-  FUZZ_REQUIRE(ph_arena_array(&scratch, 1, 1) != NULL);
-  mark = ph_arena_mark(&scratch);
-  status =
-      ph_method_arclength.solve(&in.problem, &out, &scratch, &result, &diag);
-  after = ph_arena_mark(&scratch);
-  FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
-  if (status == PH_OK) {
-    FUZZ_REQUIRE(result.diagnostics.value[PH_D_ITERATIONS] <=
+  fuzz_solve(&run, &ph_method_arclength, &in.problem);
+  if (run.status == PH_OK) {
+    FUZZ_REQUIRE(run.result.diagnostics.value[PH_D_ITERATIONS] <=
                  ARCLENGTH_STEPS_MAX);
-    status = ph_certify("arclength", &in.problem, &result.curve, &scratch,
-                        &result.diagnostics, &diag);
+    fuzz_certify(&run, "arclength", &in.problem, NULL);
   }
-  if (status == PH_OK) {
-    arclength_check_result(&in, &result, &out);
-  } else {
-    fuzz_check_failure(&diag, status);
+  if (run.status == PH_OK) {
+    arclength_check_result(&in, &run.result, &run.out);
   }
-  ph_arena_free(&out);
-  ph_arena_free(&scratch);
+  fuzz_end(&run);
   return 0;
 }

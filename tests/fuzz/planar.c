@@ -15,11 +15,6 @@
  */
 #include "problem.h"
 
-#include "check/certify.h"
-#include "curve/fair/describe.h"
-#include "curve/offset/offset.h"
-#include "solve/method.h"
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
 /* Two runs of at most 60 Newton steps, then a continuation.  The most that any
@@ -85,21 +80,15 @@ static bool planar_set(struct planar_input *in) {
   for (size_t i = 0; i < 4; i++) {
     in->ends[i / 2][i % 2] = ldexp(ends[i] / 16.0, unit * exponent);
   }
-  field[PH_F_POINTS] = (struct ph_value){
-      .kind = PH_VECTORS, .v = in->points[0], .n = n, .dimension = 2};
-  field[PH_F_CLOSED] = (struct ph_value){.kind = PH_BOOL, .flag = flags & 1};
+  field[PH_F_POINTS] = fuzz_array(in->points[0], n, 2);
+  field[PH_F_CLOSED] = fuzz_flag(flags & 1);
   if ((flags >> 1 & 3) == 3) {
-    field[PH_F_KNOTS] = (struct ph_value){.kind = PH_NUMBERS,
-                                          .v = in->knots,
-                                          .n = n + (flags & 1),
-                                          .dimension = 1};
+    field[PH_F_KNOTS] = fuzz_array(in->knots, n + (flags & 1), 1);
   } else if (flags >> 1 & 3) {
-    field[PH_F_KNOTS] =
-        (struct ph_value){.kind = PH_WORD, .word = rules[flags >> 1 & 3]};
+    field[PH_F_KNOTS] = fuzz_word(rules[flags >> 1 & 3]);
   }
   if (flags >> 3 & 1) {
-    field[PH_F_END_DERIVATIVES] = (struct ph_value){
-        .kind = PH_VECTORS, .v = in->ends[0], .n = 2, .dimension = 2};
+    field[PH_F_END_DERIVATIVES] = fuzz_array(in->ends[0], 2, 2);
   }
   return true;
 }
@@ -147,35 +136,19 @@ static void planar_check_result(const struct planar_input *in,
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   struct planar_input in = {.bytes = {data, n, 0}};
-  struct ph_arena out = {0}, scratch = {0};
-  struct ph_mark mark, after;
-  struct ph_result result = {0};
-  struct ph_diag diag;
-  enum ph_status status;
+  struct fuzz_run run = {0};
   if (!planar_set(&in)) {
     return 0;
   }
-  FUZZ_REQUIRE(ph_arena_array(&scratch, 1, 1) != NULL);
-  mark = ph_arena_mark(&scratch);
-  status = ph_method_planar.solve(&in.problem, &out, &scratch, &result, &diag);
-  after = ph_arena_mark(&scratch);
-  FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
-  if (status == PH_OK) {
-    double steps = result.diagnostics.value[PH_D_ITERATIONS];
+  fuzz_solve(&run, &ph_method_planar, &in.problem);
+  if (run.status == PH_OK) {
+    double steps = run.result.diagnostics.value[PH_D_ITERATIONS];
     FUZZ_REQUIRE(steps >= 0 && steps <= PLANAR_STEPS_MAX);
-    status = ph_certify("planar", &in.problem, &result.curve, &scratch,
-                        &result.diagnostics, &diag);
+    fuzz_certify(&run, "planar", &in.problem, ph_describe_planar);
   }
-  if (status == PH_OK) {
-    status =
-        ph_describe_planar(&result.curve, &scratch, &result.diagnostics, &diag);
+  if (run.status == PH_OK) {
+    planar_check_result(&in, &run.result, &run.out);
   }
-  if (status == PH_OK) {
-    planar_check_result(&in, &result, &out);
-  } else {
-    fuzz_check_failure(&diag, status);
-  }
-  ph_arena_free(&out);
-  ph_arena_free(&scratch);
+  fuzz_end(&run);
   return 0;
 }

@@ -8,8 +8,12 @@
 
 #include "fuzz.h"
 
+#include "check/certify.h"
+#include "curve/fair/describe.h"
+#include "curve/offset/offset.h"
 #include "io/json_out.h"
 #include "io/json_scan.h"
+#include "solve/method.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -53,6 +57,27 @@ static inline bool fuzz_is_finite(const double *v, size_t n) {
     i++;
   }
   return i == n;
+}
+
+/* Values of fields; an array of numbers where the dimension is 1. */
+static inline struct ph_value fuzz_word(const char *word) {
+  return (struct ph_value){.kind = PH_WORD, .word = word};
+}
+
+static inline struct ph_value fuzz_number(double x) {
+  return (struct ph_value){.kind = PH_NUMBER, .number = x};
+}
+
+static inline struct ph_value fuzz_flag(bool flag) {
+  return (struct ph_value){.kind = PH_BOOL, .flag = flag};
+}
+
+static inline struct ph_value fuzz_array(double *v, size_t n,
+                                         size_t dimension) {
+  return (struct ph_value){.kind = dimension > 1 ? PH_VECTORS : PH_NUMBERS,
+                           .v = v,
+                           .n = n,
+                           .dimension = dimension};
 }
 
 static inline void fuzz_check_failure(const struct ph_diag *diag,
@@ -131,6 +156,72 @@ static inline void fuzz_check_output(const struct ph_result *result,
   FUZZ_REQUIRE(ph_json_scan(&scan, out.data, out.n, true) == PH_JSON_DONE);
   FUZZ_REQUIRE(scan.at == out.n - 1 && out.data[scan.at] == '\n');
   ph_buf_free(&out);
+}
+
+/* The offsets of a curve in space: a failure, or printed with it. */
+static inline void fuzz_check_offsets3(struct ph_result *result,
+                                       struct ph_arena *arena,
+                                       const char *command, bool pretty) {
+  struct ph_offset offsets[PH_OFFSETS_SPATIAL];
+  struct ph_diag diag;
+  double size = result->curve.length;
+  const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
+  enum ph_status status =
+      ph_offset(&result->curve, size, &rules, arena, offsets, &diag);
+  if (status != PH_OK) {
+    fuzz_check_failure(&diag, status);
+    return;
+  }
+  for (size_t i = 0; i < PH_OFFSETS_SPATIAL; i++) {
+    fuzz_check_offset(&offsets[i]);
+  }
+  result->offsets = offsets;
+  result->offsets_n = PH_OFFSETS_SPATIAL;
+  fuzz_check_output(result, command, pretty);
+  result->offsets_n = 0;
+}
+
+/* What becomes of a problem.  {0} is nothing. */
+struct fuzz_run {
+  struct ph_arena out, scratch;
+  struct ph_result result;
+  struct ph_diag diag;
+  enum ph_status status;
+};
+
+/* Solves; the method gives its scratch memory back. */
+static inline void fuzz_solve(struct fuzz_run *run,
+                              const struct ph_method *method,
+                              const struct ph_problem *problem) {
+  struct ph_mark mark, after;
+  FUZZ_REQUIRE(ph_arena_array(&run->scratch, 1, 1) != NULL);
+  mark = ph_arena_mark(&run->scratch);
+  run->status = method->solve(problem, &run->out, &run->scratch, &run->result,
+                              &run->diag);
+  after = ph_arena_mark(&run->scratch);
+  FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
+}
+
+/* Certifies what was solved, then describes it where the kind has something
+ * to say. */
+static inline void fuzz_certify(struct fuzz_run *run, const char *command,
+                                const struct ph_problem *problem,
+                                ph_describe_fn *describe) {
+  run->status = ph_certify(command, problem, &run->result.curve, &run->scratch,
+                           &run->result.diagnostics, &run->diag);
+  if (run->status == PH_OK && describe) {
+    run->status = describe(&run->result.curve, &run->scratch,
+                           &run->result.diagnostics, &run->diag);
+  }
+}
+
+/* Looks at a failure, and gives all memory back. */
+static inline void fuzz_end(struct fuzz_run *run) {
+  if (run->status != PH_OK) {
+    fuzz_check_failure(&run->diag, run->status);
+  }
+  ph_arena_free(&run->out);
+  ph_arena_free(&run->scratch);
 }
 
 #endif

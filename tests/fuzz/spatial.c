@@ -21,11 +21,7 @@
  */
 #include "problem.h"
 
-#include "check/certify.h"
-#include "curve/fair/describe.h"
 #include "curve/bezier/convert.h"
-#include "curve/offset/offset.h"
-#include "solve/method.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
@@ -138,14 +134,10 @@ static bool spatial_take_point(struct spatial_input *in, size_t k) {
   return true;
 }
 
-static struct ph_value spatial_word(const char *word) {
-  return (struct ph_value){.kind = PH_WORD, .word = word};
-}
-
 /* A number for all segments, or one each. */
 static struct ph_value spatial_each(int how, double *v, size_t n) {
   if (how == 1) {
-    return (struct ph_value){.kind = PH_NUMBER, .number = v[0]};
+    return fuzz_number(v[0]);
   }
   return (struct ph_value){.kind = how == 2 ? PH_NUMBERS : PH_ABSENT,
                            .v = v,
@@ -175,14 +167,13 @@ static void spatial_set_fields(struct spatial_input *in, size_t points) {
   const struct spatial_flags *f = &in->flags;
   struct ph_value *field = in->problem.field;
   size_t segments = f->closed ? points : points - 1;
-  field[PH_F_CLOSED] = (struct ph_value){.kind = PH_BOOL, .flag = f->closed};
-  field[PH_F_BASIS] = spatial_word(f->atph ? "atph" : "ph");
+  field[PH_F_CLOSED] = fuzz_flag(f->closed);
+  field[PH_F_BASIS] = fuzz_word(f->atph ? "atph" : "ph");
   if (f->axis) {
-    field[PH_F_AXIS] = spatial_word(axes[f->axis]);
+    field[PH_F_AXIS] = fuzz_word(axes[f->axis]);
   }
   if (f->shape) {
-    field[PH_F_SHAPE] =
-        (struct ph_value){.kind = PH_BOOL, .flag = f->shape == 2};
+    field[PH_F_SHAPE] = fuzz_flag(f->shape == 2);
   }
   field[PH_F_ALPHA] = spatial_each(f->alpha, in->alpha, segments);
   field[PH_F_TENSION] = spatial_each(f->tension, in->tension, segments);
@@ -190,7 +181,7 @@ static void spatial_set_fields(struct spatial_input *in, size_t points) {
     field[PH_F_KNOTS] = spatial_each(2, in->knots, segments + 1);
   }
   if (f->criterion < 7) {
-    field[PH_F_CRITERION] = spatial_word(criteria[f->criterion]);
+    field[PH_F_CRITERION] = fuzz_word(criteria[f->criterion]);
   } else {
     bool pair = f->angles == 0;
     field[PH_F_ANGLES] =
@@ -281,28 +272,6 @@ static void spatial_check_curve(const struct spatial_input *in,
   }
 }
 
-static void spatial_check_offsets(const struct spatial_input *in,
-                                  struct ph_result *result,
-                                  struct ph_arena *arena) {
-  struct ph_offset offsets[PH_OFFSETS_SPATIAL];
-  struct ph_diag diag;
-  double size = result->curve.length;
-  const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
-  enum ph_status status =
-      ph_offset(&result->curve, size, &rules, arena, offsets, &diag);
-  if (status != PH_OK) {
-    fuzz_check_failure(&diag, status);
-    return;
-  }
-  for (size_t i = 0; i < PH_OFFSETS_SPATIAL; i++) {
-    fuzz_check_offset(&offsets[i]);
-  }
-  result->offsets = offsets;
-  result->offsets_n = PH_OFFSETS_SPATIAL;
-  fuzz_check_output(result, "spatial-hermite", in->flags.pretty);
-  result->offsets_n = 0;
-}
-
 static void spatial_check_pieces(const struct spatial_input *in,
                                  struct ph_result *result,
                                  struct ph_arena *arena) {
@@ -338,7 +307,7 @@ static void spatial_check_result(const struct spatial_input *in,
   fuzz_check_diagnostics(&result->diagnostics);
   fuzz_check_output(result, "spatial-hermite", in->flags.pretty);
   if (in->flags.offsets) {
-    spatial_check_offsets(in, result, arena);
+    fuzz_check_offsets3(result, arena, "spatial-hermite", in->flags.pretty);
   }
   if (in->flags.pieces) {
     spatial_check_pieces(in, result, arena);
@@ -347,36 +316,19 @@ static void spatial_check_result(const struct spatial_input *in,
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   static struct spatial_input in;
-  struct ph_arena out = {0}, scratch = {0};
-  struct ph_mark mark, after;
-  struct ph_result result = {0};
-  struct ph_diag diag;
-  enum ph_status status;
+  struct fuzz_run run = {0};
   in = (struct spatial_input){.bytes = {data, n, 0}};
   if (!spatial_set(&in)) {
     return 0;
   }
-  FUZZ_REQUIRE(ph_arena_array(&scratch, 1, 1) != NULL);
-  mark = ph_arena_mark(&scratch);
-  status = ph_method_spatial_hermite.solve(&in.problem, &out, &scratch, &result,
-                                           &diag);
-  after = ph_arena_mark(&scratch);
-  FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
-  if (status == PH_OK) {
-    spatial_check_steps(&in, &result);
-    status = ph_certify("spatial-hermite", &in.problem, &result.curve, &scratch,
-                        &result.diagnostics, &diag);
+  fuzz_solve(&run, &ph_method_spatial_hermite, &in.problem);
+  if (run.status == PH_OK) {
+    spatial_check_steps(&in, &run.result);
+    fuzz_certify(&run, "spatial-hermite", &in.problem, ph_describe_spatial);
   }
-  if (status == PH_OK) {
-    status = ph_describe_spatial(&result.curve, &scratch, &result.diagnostics,
-                                 &diag);
+  if (run.status == PH_OK) {
+    spatial_check_result(&in, &run.result, &run.out);
   }
-  if (status == PH_OK) {
-    spatial_check_result(&in, &result, &out);
-  } else {
-    fuzz_check_failure(&diag, status);
-  }
-  ph_arena_free(&out);
-  ph_arena_free(&scratch);
+  fuzz_end(&run);
   return 0;
 }

@@ -22,10 +22,7 @@
  */
 #include "problem.h"
 
-#include "check/certify.h"
-#include "curve/offset/offset.h"
 #include "curve/sample/sample.h"
-#include "solve/method.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
@@ -160,44 +157,25 @@ static bool sphere_take_point(struct sphere_input *in, size_t k) {
   return true;
 }
 
-static struct ph_value sphere_word(const char *word, double number) {
-  return (struct ph_value){.kind = PH_WORD, .word = word, .number = number};
-}
-
-static struct ph_value sphere_number(double x) {
-  return (struct ph_value){.kind = PH_NUMBER, .number = x};
-}
-
-static struct ph_value sphere_flag(bool flag) {
-  return (struct ph_value){.kind = PH_BOOL, .flag = flag};
-}
-
-static struct ph_value sphere_array(double *v, size_t n, size_t dimension) {
-  return (struct ph_value){.kind = dimension > 1 ? PH_VECTORS : PH_NUMBERS,
-                           .v = v,
-                           .n = n,
-                           .dimension = dimension};
-}
-
 static void sphere_set_data(struct sphere_input *in) {
   const struct sphere_flags *f = &in->flags;
   struct ph_value *field = in->problem.field;
   field[f->lonlat ? PH_F_LONLAT : PH_F_POINTS] =
-      sphere_array(in->vectors, in->points, f->lonlat ? 2 : 3);
+      fuzz_array(in->vectors, in->points, f->lonlat ? 2 : 3);
   if (f->closed) {
-    field[PH_F_CLOSED] = sphere_flag(true);
+    field[PH_F_CLOSED] = fuzz_flag(true);
   }
   if (!isnan(in->radius)) {
-    field[PH_F_RADIUS] = sphere_number(in->radius);
-    field[PH_F_CENTER] = sphere_array(in->center, 3, 1);
+    field[PH_F_RADIUS] = fuzz_number(in->radius);
+    field[PH_F_CENTER] = fuzz_array(in->center, 3, 1);
   }
   if (!isnan(in->tension)) {
     field[PH_F_TENSION] = f->tension_each
-                              ? sphere_array(in->tensions, in->points, 1)
-                              : sphere_number(in->tension);
+                              ? fuzz_array(in->tensions, in->points, 1)
+                              : fuzz_number(in->tension);
   }
   if (!isnan(in->epsilon)) {
-    field[PH_F_EPSILON] = sphere_number(in->epsilon);
+    field[PH_F_EPSILON] = fuzz_number(in->epsilon);
   }
 }
 
@@ -205,29 +183,30 @@ static void sphere_set_choices(struct sphere_input *in) {
   const struct sphere_flags *f = &in->flags;
   struct ph_value *field = in->problem.field;
   if (f->knots == 3) {
-    field[PH_F_KNOTS] = sphere_array(in->knots, in->points + f->closed, 1);
+    field[PH_F_KNOTS] = fuzz_array(in->knots, in->points + f->closed, 1);
   } else if (f->knots) {
-    field[PH_F_KNOTS] = sphere_word(f->knots == 1 ? "uniform" : "geodesic", 0);
+    field[PH_F_KNOTS] = fuzz_word(f->knots == 1 ? "uniform" : "geodesic");
   }
   if (f->ends == 3) {
-    field[PH_F_END_TANGENTS] = sphere_array(in->ends, 2, 3);
+    field[PH_F_END_TANGENTS] = fuzz_array(in->ends, 2, 3);
   } else if (f->ends) {
-    field[PH_F_ENDS] = sphere_word(f->ends == 1 ? "natural" : "rest", 0);
+    field[PH_F_ENDS] = fuzz_word(f->ends == 1 ? "natural" : "rest");
   }
   if (f->nielson) {
-    field[PH_F_MODEL] = sphere_word("nielson", 0);
+    field[PH_F_MODEL] = fuzz_word("nielson");
   }
   if (f->legacy) {
-    field[PH_F_CRITERION] = sphere_word("legacy", 0);
+    field[PH_F_CRITERION] = fuzz_word("legacy");
   }
   if (f->shape) {
     field[PH_F_SHAPE] =
-        f->shape == 1 ? sphere_word("warn", 0) : sphere_flag(f->shape == 3);
+        f->shape == 1 ? fuzz_word("warn") : fuzz_flag(f->shape == 3);
   }
   if (f->increase) {
-    field[PH_F_INCREASE] = f->increase == 1   ? sphere_word("minimal", 0)
-                           : f->increase == 2 ? sphere_word("plus:10", 10)
-                                              : sphere_word("times:2", 2);
+    static const char *const words[] = {NULL, "minimal", "plus:10", "times:2"};
+    static const double by[] = {0, 0, 10, 2};
+    field[PH_F_INCREASE] = fuzz_word(words[f->increase]);
+    field[PH_F_INCREASE].number = by[f->increase];
   }
 }
 
@@ -371,31 +350,20 @@ static void sphere_check_result(const struct sphere_input *in,
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   static struct sphere_input in;
-  struct ph_arena out = {0}, scratch = {0};
-  struct ph_mark mark, after;
-  struct ph_result result = {0};
-  struct ph_diag diag;
-  enum ph_status status;
+  struct fuzz_run run = {0};
   in = (struct sphere_input){.bytes = {data, n, 0}};
   if (!sphere_set(&in)) {
     return 0;
   }
-  FUZZ_REQUIRE(ph_arena_array(&scratch, 1, 1) != NULL);
-  mark = ph_arena_mark(&scratch);
-  status = ph_method_sphere.solve(&in.problem, &out, &scratch, &result, &diag);
-  after = ph_arena_mark(&scratch);
-  FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
-  if (status == PH_OK) {
-    FUZZ_REQUIRE(result.diagnostics.value[PH_D_ITERATIONS] <= SPHERE_STEPS_MAX);
-    status = ph_certify("sphere", &in.problem, &result.curve, &scratch,
-                        &result.diagnostics, &diag);
+  fuzz_solve(&run, &ph_method_sphere, &in.problem);
+  if (run.status == PH_OK) {
+    FUZZ_REQUIRE(run.result.diagnostics.value[PH_D_ITERATIONS] <=
+                 SPHERE_STEPS_MAX);
+    fuzz_certify(&run, "sphere", &in.problem, NULL);
   }
-  if (status == PH_OK) {
-    sphere_check_result(&in, &result, &out);
-  } else {
-    fuzz_check_failure(&diag, status);
+  if (run.status == PH_OK) {
+    sphere_check_result(&in, &run.result, &run.out);
   }
-  ph_arena_free(&out);
-  ph_arena_free(&scratch);
+  fuzz_end(&run);
   return 0;
 }

@@ -25,14 +25,10 @@
  */
 #include "problem.h"
 
-#include "check/certify.h"
-#include "curve/fair/describe.h"
 #include "curve/offset/blaschke.h"
-#include "curve/offset/offset.h"
 #include "curve/sample/sample.h"
 #include "kernel/cplx.h"
 #include "kernel/pi.h"
-#include "solve/method.h"
 
 #include <float.h>
 
@@ -130,10 +126,6 @@ static bool tc_take_point(struct tc_input *in, size_t k) {
   return true;
 }
 
-static struct ph_value tc_word(const char *word) {
-  return (struct ph_value){.kind = PH_WORD, .word = word};
-}
-
 static void tc_set_number(struct tc_input *in, enum ph_field_id id, double x) {
   if (!isnan(x)) {
     in->problem.field[id] = (struct ph_value){.kind = PH_NUMBER, .number = x};
@@ -144,10 +136,6 @@ static void tc_set_flag(struct tc_input *in, enum ph_field_id id, bool flag) {
   if (flag) {
     in->problem.field[id] = (struct ph_value){.kind = PH_BOOL, .flag = true};
   }
-}
-
-static struct ph_value tc_array(double *v, size_t n) {
-  return (struct ph_value){.kind = PH_VECTORS, .v = v, .n = n, .dimension = 2};
 }
 
 /* The points as cubics, each from the last point of the one before; the last
@@ -162,7 +150,7 @@ static void tc_set_chain(struct tc_input *in) {
     in->sizes[pieces++] = size;
     n += size;
   }
-  *value = tc_array(in->chain, n);
+  *value = fuzz_array(in->chain, n, 2);
   value->kind = PH_POLYLINE;
   value->sizes = in->sizes;
   value->sizes_n = pieces;
@@ -175,19 +163,19 @@ static void tc_set_data(struct tc_input *in) {
     tc_set_chain(in);
   } else {
     field[f->curve ? PH_F_CURVE : PH_F_POINTS] =
-        tc_array(in->point, in->points);
+        fuzz_array(in->point, in->points, 2);
   }
   if (f->tangents) {
-    field[PH_F_TANGENTS] = tc_array(in->vector, in->points);
+    field[PH_F_TANGENTS] = fuzz_array(in->vector, in->points, 2);
   }
   if (f->derivatives) {
-    field[PH_F_DERIVATIVES] = tc_array(in->vector, in->points);
+    field[PH_F_DERIVATIVES] = fuzz_array(in->vector, in->points, 2);
   }
   if (f->ends > 1) {
     field[f->ends == 2 ? PH_F_END_TANGENTS : PH_F_END_DERIVATIVES] =
-        tc_array(in->vector, 2);
+        fuzz_array(in->vector, 2, 2);
   } else if (f->ends) {
-    field[PH_F_ENDS] = tc_word("circle");
+    field[PH_F_ENDS] = fuzz_word("circle");
   }
   if (f->curve || f->chain || f->mode == TC_APPROXIMATE) {
     tc_set_number(in, f->pieces ? PH_F_PIECES : PH_F_TOLERANCE,
@@ -200,13 +188,13 @@ static void tc_set_choices(struct tc_input *in) {
   const struct tc_flags *f = &in->flags;
   struct ph_value *field = in->problem.field;
   if (f->mode) {
-    field[PH_F_MODE] = tc_word(tc_modes[f->mode]);
+    field[PH_F_MODE] = fuzz_word(tc_modes[f->mode]);
   }
   if (f->solutions) {
-    field[PH_F_SOLUTIONS] = tc_word(solutions[f->solutions]);
+    field[PH_F_SOLUTIONS] = fuzz_word(solutions[f->solutions]);
   }
   if (f->chord) {
-    field[PH_F_JOINT] = tc_word("chord");
+    field[PH_F_JOINT] = fuzz_word("chord");
   }
   tc_set_number(in, PH_F_LAMBDA, in->lambda);
   tc_set_number(in, PH_F_JOINT_ANGLE, in->joint_angle);
@@ -386,50 +374,30 @@ static bool tc_is_moderate(const struct tc_input *in) {
          field[PH_F_PIECES].kind == PH_ABSENT;
 }
 
-static enum ph_status tc_certify(const struct tc_input *in,
-                                 struct ph_result *result,
-                                 struct ph_arena *scratch,
-                                 struct ph_diag *diag) {
-  enum ph_status status = ph_certify("tc", &in->problem, &result->curve,
-                                     scratch, &result->diagnostics, diag);
-  if (status == PH_OK) {
-    status =
-        ph_describe_cubics(&result->curve, scratch, &result->diagnostics, diag);
+static void tc_certify(const struct tc_input *in, struct fuzz_run *run) {
+  fuzz_certify(run, "tc", &in->problem, ph_describe_cubics);
+  for (size_t i = 0; run->status == PH_OK && i < run->result.solutions_n; i++) {
+    struct ph_solution *solution = &run->result.solutions[i];
+    run->status = ph_certify("tc", &in->problem, &solution->curve,
+                             &run->scratch, &solution->diagnostics, &run->diag);
   }
-  for (size_t i = 0; status == PH_OK && i < result->solutions_n; i++) {
-    struct ph_solution *solution = &result->solutions[i];
-    status = ph_certify("tc", &in->problem, &solution->curve, scratch,
-                        &solution->diagnostics, diag);
-  }
-  return status;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   static struct tc_input in;
-  struct ph_arena out = {0}, scratch = {0};
-  struct ph_mark mark, after;
-  struct ph_result result = {0};
-  struct ph_diag diag;
-  enum ph_status status;
+  struct fuzz_run run = {0};
   in = (struct tc_input){.bytes = {data, n, 0}};
   if (!tc_set(&in)) {
     return 0;
   }
-  FUZZ_REQUIRE(ph_arena_array(&scratch, 1, 1) != NULL);
-  mark = ph_arena_mark(&scratch);
-  status = ph_method_tc.solve(&in.problem, &out, &scratch, &result, &diag);
-  after = ph_arena_mark(&scratch);
-  FUZZ_REQUIRE(after.chunk == mark.chunk && after.used == mark.used);
-  if (status == PH_OK) {
-    status = tc_certify(&in, &result, &scratch, &diag);
-    FUZZ_REQUIRE(status != PH_NO_CONVERGENCE || !tc_is_moderate(&in));
+  fuzz_solve(&run, &ph_method_tc, &in.problem);
+  if (run.status == PH_OK) {
+    tc_certify(&in, &run);
+    FUZZ_REQUIRE(run.status != PH_NO_CONVERGENCE || !tc_is_moderate(&in));
   }
-  if (status == PH_OK) {
-    tc_check_result(&in, &result, &out);
-  } else {
-    fuzz_check_failure(&diag, status);
+  if (run.status == PH_OK) {
+    tc_check_result(&in, &run.result, &run.out);
   }
-  ph_arena_free(&out);
-  ph_arena_free(&scratch);
+  fuzz_end(&run);
   return 0;
 }
