@@ -33,6 +33,10 @@ enum {
 /* What the values are not known better than. */
 static const double ROUNDING = 4 * DBL_EPSILON;
 
+/* Beyond the last node there is less than this part of a panel, in which a kink
+ * is seen by nothing but the value at the end. */
+static const double BLIND = 0.01;
+
 /* cos(k pi / 32) */
 #define C1 0.99518472667219688624
 #define C2 0.98078528040323044913
@@ -105,6 +109,22 @@ static double interpolate(const struct task *task,
   return mean;
 }
 
+/* What the values at the ends say of f beyond the nodes.  An end where f is not
+ * finite is left alone. */
+static double miss_at_ends(const struct ph_primitive_panel *panel,
+                           const double end[2]) {
+  const double *c = panel->value;
+  double even = 0, odd = 0, left, right;
+  for (size_t k = 0; k < NODES; k += 2) {
+    even += c[k];
+    odd += c[k + 1];
+  }
+  left = fabs(even - odd - end[0]);
+  right = fabs(even + odd - end[1]);
+  return BLIND *
+         ((isfinite(end[0]) ? left : 0) + (isfinite(end[1]) ? right : 0));
+}
+
 /* The coefficients of the integral by (2); the integral over the panel. */
 static double integrate(struct ph_primitive_panel *panel) {
   const double half = 0.5 * (panel->to - panel->from), *c = panel->value;
@@ -141,13 +161,19 @@ keep(struct task *task, const struct ph_primitive_panel *panel, double mean) {
   return PH_OK;
 }
 
-/* Tabulates [from,to], halved as often as needed. */
+static double value_at(const struct task *task, double u) {
+  return task->f(task->context, u);
+}
+
+/* Tabulates [from,to], halved as often as needed, from f at its ends on. */
 static enum ph_status tabulate(struct task *task, double from, double to,
-                               int depth) {
+                               const double end[2], int depth) {
   struct ph_primitive_panel panel = {.from = from, .to = to};
   const double middle = 0.5 * (from + to), width = to - from;
   const double mean = interpolate(task, &panel), *c = panel.value;
-  const double tail = fabs(c[NODES - 2]) + fabs(c[NODES - 1]);
+  const double tail =
+      fmax(fabs(c[NODES - 2]) + fabs(c[NODES - 1]), miss_at_ends(&panel, end));
+  double left[2] = {end[0]}, right[2] = {0, end[1]};
   enum ph_status status;
   if (!isfinite(mean)) {
     return PH_NO_CONVERGENCE;
@@ -159,25 +185,30 @@ static enum ph_status tabulate(struct task *task, double from, double to,
       depth == HALVINGS_MAX) {
     return keep(task, &panel, mean);
   }
-  status = tabulate(task, from, middle, depth + 1);
-  return status == PH_OK ? tabulate(task, middle, to, depth + 1) : status;
+  left[1] = right[0] = value_at(task, middle);
+  status = tabulate(task, from, middle, left, depth + 1);
+  return status == PH_OK ? tabulate(task, middle, to, right, depth + 1)
+                         : status;
 }
 
 /* ---- the table ----------------------------------------------------------- */
 
-/* One pass over [0,1].  The mean is known after it: if it was thought to be
- * larger, by values at a few places, the table is not as good as it must be. */
+/* One pass over [0,1]; at a break f may jump.  The mean is known after it: if
+ * it was thought to be larger, by values at a few places, the table is not as
+ * good as it must be. */
 static enum ph_status pass(struct task *task, const double *breaks,
                            size_t breaks_n) {
   const struct ph_sum none = {0, 0};
   enum ph_status status = PH_OK;
-  double from = 0;
+  double from = 0, end[2];
   task->primitive->n = 0;
   task->before = task->size = none;
   for (size_t i = 0; status == PH_OK && i <= breaks_n; i++) {
     double to = i < breaks_n ? breaks[i] : 1;
     if (to > from) {
-      status = tabulate(task, from, to, 0);
+      end[0] = value_at(task, from > 0 ? nextafter(from, to) : from);
+      end[1] = value_at(task, to < 1 ? nextafter(to, from) : to);
+      status = tabulate(task, from, to, end, 0);
       from = to;
     }
   }

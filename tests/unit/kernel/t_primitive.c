@@ -150,7 +150,9 @@ PH_TEST(test_wave) {
 PH_TEST(test_kinks) {
   const struct known kinked = {kink, kink_integral};
   const struct known stepped = {step, step_integral};
-  const double places[] = {0, 1e-9, 0.3, 0.5, 0.9, 1};
+  /* also where no node is beyond, of a panel or of its half */
+  const double places[] = {0,   1e-9,   3e-4, 0.3,    0.4995, 0.4999,
+                           0.5, 0.5004, 0.9,  0.9995, 1};
   for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
     ck_known(kinked, places[i], 4e-15);
   }
