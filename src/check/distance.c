@@ -5,17 +5,18 @@
  *
  * Knots say which part of the chain a cubic stands for.  Both are sampled, and
  * for each sample the nearest point of the other is looked for in the cubics
- * beside it; where that is farther than what was claimed, everywhere.  What is
- * found can only be too large by a bad match, and only what is larger than the
- * claim counts; so those are looked at again.
+ * beside it; where that is farther than what was claimed, more closely, and
+ * everywhere.  What is found can only be too large by a bad match, and only
+ * what is larger than the claim counts; so those are looked at again.
  */
 #include "check/checks.h"
 #include "check/data.h"
 
 #include "kernel/bern.h"
 
-/* Samples of each cubic, steps to a nearest point, and searches everywhere. */
-enum { GRID = 16, STEPS = 12, SEARCHES = 64 };
+/* Samples of each cubic, steps to a nearest point, searches everywhere, and
+ * grids one within the other. */
+enum { GRID = 16, STEPS = 12, SEARCHES = 64, GRIDS = 8 };
 
 /* Rounding of points, for each degree too. */
 enum { ROUND_POINT = 32, ROUND_DEGREE = 4 };
@@ -150,6 +151,48 @@ static double nearest(const struct context *x, size_t side, ph_vec3 p,
   return away;
 }
 
+/* The smallest distance to [from,to] of what belongs to cubic k, on grids
+ * within two cells of the one before: no step fails where the curve turns back.
+ */
+static double zoom(const struct context *x, size_t side, ph_vec3 p, size_t k,
+                   double from, double to) {
+  double away = HUGE_VAL, best = from;
+  for (int n = 0; n < GRIDS; n++) {
+    double cell = (to - from) / GRID;
+    for (int i = 0; i <= GRID; i++) {
+      double u = ph_check_smaller(from + i * cell, 1);
+      ph_vec3 slope;
+      double next = ph_check_apart(p, point_of(x, side, k, u, &slope));
+      if (next < away) {
+        away = next;
+        best = u;
+      }
+    }
+    from = ph_check_larger(best - cell, 0);
+    to = ph_check_smaller(best + cell, 1);
+  }
+  return away;
+}
+
+/* nearest_of, beside each point of the grid that is nearer than the next ones:
+ * a point may be between two strands. */
+static double nearest_closely(const struct context *x, size_t side, ph_vec3 p,
+                              size_t k) {
+  double away = HUGE_VAL, grid[GRID + 1];
+  for (size_t i = 0; i <= GRID; i++) {
+    grid[i] = ph_check_apart(p, grid_at(x, side, k, i));
+  }
+  for (size_t i = 0; i <= GRID; i++) {
+    size_t before = i > 0 ? i - 1 : 0, after = i < GRID ? i + 1 : GRID;
+    if (!(grid[before] < grid[i]) && !(grid[after] < grid[i])) {
+      double next =
+          zoom(x, side, p, k, (double)before / GRID, (double)after / GRID);
+      away = ph_check_smaller(away, next);
+    }
+  }
+  return away;
+}
+
 static void check_sample(struct context *x, size_t side, size_t k, size_t i) {
   ph_vec3 p = grid_at(x, side, k, i);
   size_t last = x->v->curve->n - 1;
@@ -157,7 +200,10 @@ static void check_sample(struct context *x, size_t side, size_t k, size_t i) {
   double away = nearest(x, 1 - side, p, from, to);
   if (!(away <= x->worst) && x->searches < SEARCHES) {
     x->searches++;
-    away = nearest(x, 1 - side, p, 0, last);
+    for (size_t j = from; j <= to && !(away <= x->limit); j++) {
+      away = ph_check_smaller(away, nearest_closely(x, 1 - side, p, j));
+    }
+    away = ph_check_smaller(away, nearest(x, 1 - side, p, 0, last));
     if (!(away <= x->worst)) {
       x->worst = away;
       x->worst_at = k;

@@ -137,6 +137,26 @@ for command in planar 'planar --basis=atph' tc; do
   verified "$command: a short segment" 1 --problems=short
 done
 
+# the offset moves farther than the curve, where the curve is all but at rest
+echo '{"points":[[55.6928477284,-132.09986533,-123.81445894337],
+  [55.6928478189,-132.09986524,-123.81445896585]],"criterion":"hc",
+  "derivatives":[[4.7e-13,5e-13,-1.167e-13],[0,8e-11,0]]}' >still
+made spatial-hermite --offset=-8e-7 --sample=2 <still
+verified 'an offset that turns at once' 1 --problems=still
+
+# a hairpin, as narrow as the tolerance
+echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
+  "tolerance":7e-5}' >hairpin
+made tc <hairpin
+verified 'a hairpin approximated' 1 --problems=hairpin
+
+# on a great circle, where the curve turns back and forth again
+echo '{"points":[[1,0,0],[0.95,0.312,0],[0.796,0.605,0],[0.26,0.965,0],
+  [-0.396,0.918,0],[-0.923,0.386,0],[-1,-0.02,0]],"closed":true,
+  "knots":"uniform"}' >circle
+made sphere --offset=0 --sample=16 <circle
+verified 'a sphere, standing still within a segment' 1 --problems=circle
+
 # offsets whose distance and the size of the curve have a ratio without a square
 for ratio in '-300 5e-1' '-200 1e+100' '-300 1e-160' '+100 1e-200' '-1 1e+300'; do
   size=${ratio% *}
