@@ -10,19 +10,17 @@
 #include <string.h>
 
 struct ph_cross unit_cross(const struct ph_curve *curve, double size) {
-  struct ph_arena scratch = {0};
   struct ph_quad rule;
   struct ph_mark mark, after;
   struct ph_cross cross;
   struct ph_diag diag;
   ck_assert(ph_quad_gauss(&rule, 12));
-  ck_assert_ptr_nonnull(ph_arena_array(&scratch, 1, 1));
-  mark = ph_arena_mark(&scratch);
-  ck_assert_int_eq(ph_cross_planar(curve, &scratch, &cross, &diag), PH_OK);
-  after = ph_arena_mark(&scratch);
+  ck_assert_ptr_nonnull(ph_arena_array(&unit_arena, 1, 1));
+  mark = ph_arena_mark(&unit_arena);
+  ck_assert_int_eq(ph_cross_planar(curve, &unit_arena, &cross, &diag), PH_OK);
+  after = ph_arena_mark(&unit_arena);
   ck_assert_ptr_eq(after.chunk, mark.chunk);
   ck_assert_uint_eq(after.used, mark.used);
-  ph_arena_free(&scratch);
   ck_assert(cross.loops == 0 || !cross.simple);
   if (!cross.simple) {
     ph_cplx at[2];

@@ -48,7 +48,6 @@ static double x[N];
 
 static enum ph_status run(double upper, size_t steps) {
   double low[N], high[N];
-  struct ph_arena scratch = {0};
   struct ph_box box = {.n = N,
                        .lower = low,
                        .upper = high,
@@ -65,8 +64,7 @@ static enum ph_status run(double upper, size_t steps) {
     x[i] = -1.2;
   }
   valley.values = valley.accepted = 0;
-  status = ph_box_minimize(&box, &scratch, x, &report);
-  ph_arena_free(&scratch);
+  status = ph_box_minimize(&box, &unit_arena, x, &report);
   return status;
 }
 

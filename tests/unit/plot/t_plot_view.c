@@ -101,18 +101,16 @@ static size_t views_of(const struct unit_drawing *of, struct ph_view views[2],
                        double *reach) {
   const struct ph_drawing *d = unit_drawing(of);
   struct ph_panel panel;
-  struct ph_arena scratch = {0};
   struct ph_diag diag;
   struct ph_seen middle;
   size_t n;
-  ck_assert_int_eq(ph_panel_make(&d, 1, &scratch, &panel, &diag), PH_OK);
+  ck_assert_int_eq(ph_panel_make(&d, 1, &unit_arena, &panel, &diag), PH_OK);
   n = panel.views_n;
   for (size_t i = 0; i < n; i++) {
     views[i] = panel.views[i];
     check_view(&views[i]);
   }
   *reach = ph_globe_reach(&panel, &views[0], &middle);
-  ph_arena_free(&scratch);
   ph_drawing_free((struct ph_drawing *)d);
   return n;
 }

@@ -15,7 +15,6 @@
 enum { N = 6, X_MAX = 4 * (2 * N + 2) };
 
 struct setting {
-  struct ph_arena arena;
   struct ph_problem problem;
   struct ph_arc_data data;
   double vectors[3 * (N + 1)], lengths[N];
@@ -70,7 +69,7 @@ static enum ph_status set_up(struct setting *t, enum ph_field_id what,
       .kind = PH_VECTORS, .v = t->vectors, .n = N + 1, .dimension = 3};
   t->problem.field[PH_F_LENGTHS] = (struct ph_value){
       .kind = PH_NUMBERS, .v = t->lengths, .n = N, .dimension = 1};
-  return ph_arc_data_read(&t->problem, &t->arena, &t->data, &t->diag);
+  return ph_arc_data_read(&t->problem, &unit_arena, &t->data, &t->diag);
 }
 
 static const struct motion still = {{1, 0, 0, 0}, false, false, 1, {0, 0, 0}};
@@ -121,8 +120,6 @@ PH_TEST_EACH(test_pose, 8) {
            1e-13);
     ck_assert_int_eq(b.data.reversed ^ a.data.reversed, m.reverse);
     ck_assert_int_eq(b.data.mirrored ^ a.data.mirrored, m.mirror);
-    ph_arena_free(&a.arena);
-    ph_arena_free(&b.arena);
   }
 }
 
@@ -145,9 +142,9 @@ PH_TEST_EACH(test_curve_moves_along, 8) {
     ck_assert_int_eq(
         set_up(&t[k], PH_F_DERIVATIVES, v, length, k == 0 ? &still : &m),
         PH_OK);
-    ck_assert(ph_arc_system_of(&t[k].data, 2, 4, true, &t[k].arena, &s));
+    ck_assert(ph_arc_system_of(&t[k].data, 2, 4, true, &unit_arena, &s));
     ck_assert_int_eq(
-        ph_arc_curve(&s, x, &t[k].arena, &curve[k], &turn, &t[k].diag), PH_OK);
+        ph_arc_curve(&s, x, &unit_arena, &curve[k], &turn, &t[k].diag), PH_OK);
   }
   ck_rel(curve[1].length, m.scale * curve[0].length, 1e-13);
   from = ph_vec3_get(curve[1].control_points, 3);
@@ -163,8 +160,6 @@ PH_TEST_EACH(test_curve_moves_along, 8) {
     ck_abs(ph_vec3_abs(ph_vec3_sub(got, want)), 0,
            1e-13 * m.scale * curve[0].length);
   }
-  ph_arena_free(&t[0].arena);
-  ph_arena_free(&t[1].arena);
 }
 
 /* Our vectors turned back are the user's, also of data that hardly leave a
@@ -195,7 +190,6 @@ PH_TEST_EACH(test_turn_of_slender_data, 14) {
     step = ph_vec3_scale(t.data.root * t.data.root, ph_quat_vector(q));
     ck_abs(ph_vec3_abs(ph_vec3_sub(step, want)), 0, 1e-14 * 30);
   }
-  ph_arena_free(&t.arena);
 }
 
 /* Data in a plane and on a line are known as such, also in a tilted one. */
@@ -210,7 +204,6 @@ PH_TEST_EACH(test_plane_and_line, 4) {
   random_data(&r, v, length);
   ck_assert_int_eq(set_up(&t, PH_F_POINTS, v, length, &m), PH_OK);
   ck_assert(!t.data.plane && !t.data.line && !t.data.straight);
-  ph_arena_free(&t.arena);
   for (size_t i = 0; i <= N; i++) {
     v[i].z = 0;
   }
@@ -219,14 +212,12 @@ PH_TEST_EACH(test_plane_and_line, 4) {
   for (size_t i = 0; i < N; i++) {
     ck_abs(t.data.step[i].z, 0, 0);
   }
-  ph_arena_free(&t.arena);
   for (size_t i = 0; i <= N; i++) {
     v[i] = ph_vec3_of((double)i, 0, 0);
     length[i < N ? i : 0] = 1;
   }
   ck_assert_int_eq(set_up(&t, PH_F_POINTS, v, length, &m), PH_OK);
   ck_assert(t.data.plane && t.data.line && t.data.straight);
-  ph_arena_free(&t.arena);
 }
 
 /* A plane curve stays exactly in the plane z = 0 of its data. */
@@ -246,13 +237,12 @@ PH_TEST_EACH(test_plane_is_kept, 4) {
     x[k] = unit_random_in(&r, -1, 1);
   }
   ck_assert_int_eq(set_up(&t, PH_F_DERIVATIVES, v, length, &still), PH_OK);
-  ck_assert(ph_arc_system_of(&t.data, 2, 2, true, &t.arena, &s));
-  ck_assert_int_eq(ph_arc_curve(&s, x, &t.arena, &curve, &turn, &t.diag),
+  ck_assert(ph_arc_system_of(&t.data, 2, 2, true, &unit_arena, &s));
+  ck_assert_int_eq(ph_arc_curve(&s, x, &unit_arena, &curve, &turn, &t.diag),
                    PH_OK);
   for (size_t i = 0; i < 6 * curve.n; i++) {
     ck_abs(curve.control_points[3 * i + 2], 0, 0);
   }
-  ph_arena_free(&t.arena);
 }
 
 /* ---- closed data --------------------------------------------------------- */
@@ -270,8 +260,8 @@ static void set_up_closed(struct setting *t, const ph_vec3 *v, size_t from,
       .kind = PH_VECTORS, .v = t->vectors, .n = N, .dimension = 3};
   t->problem.field[PH_F_CLOSED] =
       (struct ph_value){.kind = PH_BOOL, .flag = true};
-  ck_assert_int_eq(ph_arc_data_read(&t->problem, &t->arena, &t->data, &t->diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_arc_data_read(&t->problem, &unit_arena, &t->data, &t->diag), PH_OK);
 }
 
 /* Wherever they begin and whichever way they go, they are the same. */
@@ -291,8 +281,6 @@ PH_TEST_EACH(test_closed_pose, 2 * N) {
     ck_assert_uint_eq(ph_arc_data_ours(&b.data, ph_arc_data_user(&b.data, i)),
                       i);
   }
-  ph_arena_free(&a.arena);
-  ph_arena_free(&b.arena);
 }
 
 /* Any nodes and any chi: the preimage is continuous from segment to segment,
@@ -310,8 +298,8 @@ PH_TEST_EACH(test_closed_curve, 2 * N) {
     x[k] = unit_random_in(&r, -1, 1);
   }
   set_up_closed(&t, v, (size_t)_i / 2, _i % 2 == 1);
-  ck_assert(ph_arc_system_of(&t.data, 2, 4, true, &t.arena, &s));
-  ck_assert_int_eq(ph_arc_curve(&s, x, &t.arena, &curve, &turn, &t.diag),
+  ck_assert(ph_arc_system_of(&t.data, 2, 4, true, &unit_arena, &s));
+  ck_assert_int_eq(ph_arc_curve(&s, x, &unit_arena, &curve, &turn, &t.diag),
                    PH_OK);
   ph_arc_lengths(&s, x, length);
   for (size_t i = 0; i < N; i++) {
@@ -329,7 +317,6 @@ PH_TEST_EACH(test_closed_curve, 2 * N) {
       ck_abs(a[k] / sqrt(before), b[k] / sqrt(after), 1e-13);
     }
   }
-  ph_arena_free(&t.arena);
 }
 
 PH_TESTS(test_pose, test_curve_moves_along, test_turn_of_slender_data,

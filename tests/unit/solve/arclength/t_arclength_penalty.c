@@ -17,7 +17,6 @@ enum { N_MAX = 20 };
 
 /* Data, a system, and the same with whitened rows. */
 struct setting {
-  struct ph_arena arena;
   struct ph_arc_data data;
   double h[N_MAX], length[N_MAX], chord[N_MAX];
   ph_vec3 step[N_MAX], given[N_MAX + 1];
@@ -49,18 +48,14 @@ static void set_system(struct setting *t, size_t refine, size_t dim) {
     t->chord[i] = ph_vec3_abs(t->step[i]);
   }
   ck_assert(
-      ph_arc_system_of(&t->data, refine, dim, true, &t->arena, &t->plain));
-  t->x = ph_arena_array(&t->arena, t->plain.x_n, sizeof *t->x);
-  t->y = ph_arena_array(&t->arena, t->plain.y_n, sizeof *t->y);
-  ck_assert(t->x && t->y && ph_arc_start(&t->plain, &t->arena, t->x));
+      ph_arc_system_of(&t->data, refine, dim, true, &unit_arena, &t->plain));
+  t->x = ph_arena_array(&unit_arena, t->plain.x_n, sizeof *t->x);
+  t->y = ph_arena_array(&unit_arena, t->plain.y_n, sizeof *t->y);
+  ck_assert(t->x && t->y && ph_arc_start(&t->plain, &unit_arena, t->x));
   memset(t->y, 0, t->plain.y_n * sizeof *t->y);
   t->white = t->plain;
-  ck_assert(ph_arc_whiten(&t->white, &t->arena));
-  ck_assert(ph_arc_work_alloc(&t->white, &t->arena, &t->work));
-}
-
-static void done(struct setting *t) {
-  ph_arena_free(&t->arena);
+  ck_assert(ph_arc_whiten(&t->white, &unit_arena));
+  ck_assert(ph_arc_work_alloc(&t->white, &unit_arena, &t->work));
 }
 
 /* Points of a helix, with its lengths, in the unit in which they are 1. */
@@ -137,7 +132,6 @@ PH_TEST(test_white_targets) {
         ck_abs(sum, k < 2 ? 1 : 0, 1e-12);
       }
     }
-    done(&t);
   }
 }
 
@@ -151,8 +145,8 @@ PH_TEST(test_plain) {
   r = unit_random_of(2);
   set_helix(&t, 6);
   set_system(&t, 1, 4);
-  ck_assert(ph_arc_linear_alloc(&t.white, &t.arena, &white));
-  ck_assert(ph_arc_linear_alloc(&t.plain, &t.arena, &plain));
+  ck_assert(ph_arc_linear_alloc(&t.white, &unit_arena, &white));
+  ck_assert(ph_arc_linear_alloc(&t.plain, &unit_arena, &plain));
   for (size_t k = 0; k < t.white.y_n; k++) {
     t.y[k] = unit_random_in(&r, -1, 1);
   }
@@ -170,7 +164,6 @@ PH_TEST(test_plain) {
   for (size_t k = 0; k < t.white.y_n; k++) {
     ck_abs(y[k], t.y[k], 1e-12);
   }
-  done(&t);
 }
 
 /* Only exact lengths of points have what it takes. */
@@ -186,7 +179,6 @@ PH_TEST(test_not_whitened) {
   t.y[3] = 7;
   ph_arc_plain(&t.white, t.y, t.x);
   ck_abs(t.x[3], 7, 0);
-  done(&t);
 }
 
 /* ---- steps within a radius ---------------------------------------------- */
@@ -327,7 +319,6 @@ PH_TEST(test_not_feasible) {
   ck_assert(!ph_arc_penalty(&t.plain, &options, &t.work, t.x, t.y, &report));
   ck_assert(report.rows > 1e-2);
   ck_assert_uint_le(report.iterations, 60);
-  done(&t);
 }
 
 /* The rows hold, F is a known one, in the user's unit, and the multipliers
@@ -361,7 +352,6 @@ PH_TEST(test_penalty_helix) {
     set_helix(&t, cases[k].n);
     set_system(&t, 1, 4);
     check_penalty(&t, cases[k].rho, sqrt(4.09) / 2, cases[k].f);
-    done(&t);
   }
 }
 
@@ -376,7 +366,6 @@ PH_TEST(test_penalty_screw) {
     set_screw(&t, cases[k].n, &unit);
     set_system(&t, 1, 4);
     check_penalty(&t, 1e4, unit, cases[k].f);
-    done(&t);
   }
 }
 
@@ -390,7 +379,6 @@ PH_TEST(test_penalty_given) {
   t.length[0] = t.length[1] = t.length[2] = 1;
   set_system(&t, 1, 4);
   check_penalty(&t, 100, 1, 3.0767995711);
-  done(&t);
 
   set_data(&t, PH_ARC_TANGENTS, 5);
   for (size_t j = 0; j <= 5; j++) {
@@ -400,7 +388,6 @@ PH_TEST(test_penalty_given) {
   }
   set_system(&t, 1, 4);
   check_penalty(&t, 100, sqrt(4.09) / 2, 0.252645188);
-  done(&t);
 }
 
 /* Data of the sine, in their plane: the curve there is the paper's fig. 3. */
@@ -417,7 +404,6 @@ PH_TEST(test_penalty_plane) {
   }
   set_system(&t, 1, 2);
   check_penalty(&t, 100, unit, 2.2463116060159027);
-  done(&t);
 }
 
 /* A circle with two segments in each interval. */
@@ -439,7 +425,6 @@ PH_TEST(test_penalty_closed) {
   ck_assert(ph_arc_penalty(&t.white, &options, &t.work, t.x, t.y, &report));
   ph_arc_residual(&t.plain, t.x, t.work.c);
   ck_assert(largest(t.work.c, t.plain.y_n) <= 1e-8);
-  done(&t);
 }
 
 /* Nodes keep their lengths and directions; a turn back undoes it. */
@@ -463,7 +448,6 @@ PH_TEST(test_twist) {
   for (size_t k = 0; k < t.plain.x_n; k++) {
     ck_abs(t.x[k], x[k], 1e-15);
   }
-  done(&t);
 }
 
 /* What the search finds is where Newton's method begins: few steps are left. */
@@ -475,8 +459,8 @@ PH_TEST(test_penalty_newton) {
   struct setting t;
   set_helix(&t, 6);
   set_system(&t, 1, 4);
-  ck_assert(ph_arc_newton_alloc(&t.plain, &t.arena, &newton));
-  ck_assert(ph_arc_point_alloc(&t.plain, &t.arena, &point));
+  ck_assert(ph_arc_newton_alloc(&t.plain, &unit_arena, &newton));
+  ck_assert(ph_arc_point_alloc(&t.plain, &unit_arena, &point));
   ck_assert(ph_arc_penalty(&t.white, &options, &t.work, t.x, t.y, &report));
   memcpy(point.x, t.x, t.plain.x_n * sizeof *t.x);
   ph_arc_plain(&t.white, t.y, point.y);
@@ -484,7 +468,6 @@ PH_TEST(test_penalty_newton) {
   ck_assert(point.minimiser);
   ck_assert_uint_le(point.iterations, 4);
   ck_rel(point.f * sqrt(4.09) / 2, 0.704614496874, 1e-9);
-  done(&t);
 }
 
 PH_TESTS(test_white_targets, test_plain, test_not_whitened, test_region,

@@ -28,7 +28,6 @@ struct sort {
 
 /* Random data of a sort, in the pose that the equations expect. */
 struct setting {
-  struct ph_arena arena;
   struct ph_arc_data data;
   double h[N], length[N], chord[N];
   ph_vec3 step[N], given[N + 1];
@@ -69,9 +68,9 @@ static void set_up(struct unit_random *r, const struct sort *sort,
       t->given[j] = ph_vec3_unit(t->given[j]);
     }
   }
-  ck_assert(ph_arc_system_of(d, sort->refine, sort->dim, true, &t->arena,
+  ck_assert(ph_arc_system_of(d, sort->refine, sort->dim, true, &unit_arena,
                              &t->system));
-  ck_assert(ph_arc_linear_alloc(&t->system, &t->arena, &t->linear));
+  ck_assert(ph_arc_linear_alloc(&t->system, &unit_arena, &t->linear));
   ck_assert_uint_le(t->system.x_n, X_MAX);
   ck_assert_uint_le(t->system.y_n, Y_MAX);
   t->system.sign = sort->closed && sort->dim == 2 ? -1 : 1;
@@ -200,7 +199,6 @@ PH_TEST_EACH(test_rows_are_integrals, SORTS) {
     }
   }
   ck_rel(ph_arc_functional(&t.system, t.x), f, 1e-12);
-  ph_arena_free(&t.arena);
 }
 
 /* Rows of knots: H(w) - d, or the part of H(w) that is not along d. */
@@ -235,7 +233,6 @@ PH_TEST_EACH(test_rows_of_knots, SORTS) {
       ck_abs(sum, (size - ph_vec3_dot(h, d)) / 2, 1e-13);
     }
   }
-  ph_arena_free(&t.arena);
 }
 
 /* ---- derivatives by differences ------------------------------------------ */
@@ -279,7 +276,6 @@ PH_TEST_EACH(test_gradient, SORTS) {
     ph_arc_linearise(&t.system, t.x, t.y, &t.linear);
     ck_abs(t.linear.l_x[k], difference, 1e-8 * scale);
   }
-  ph_arena_free(&t.arena);
 }
 
 /* The dense form of a band matrix of the unknowns and rows. */
@@ -297,9 +293,9 @@ PH_TEST_EACH(test_kkt_matrix, SORTS) {
   double *matrix, plus[X_MAX], minus[X_MAX];
 
   set_up(&r, &sorts[_i], &t);
-  matrix =
-      ph_arena_array(&t.arena, ph_band_size(t.system.kkt_n, t.system.kkt_band),
-                     sizeof *matrix);
+  matrix = ph_arena_array(&unit_arena,
+                          ph_band_size(t.system.kkt_n, t.system.kkt_band),
+                          sizeof *matrix);
   ph_arc_linearise(&t.system, t.x, t.y, &t.linear);
   ph_arc_kkt(&t.system, t.x, t.y, &t.linear, &weights, matrix);
   for (size_t k = 0; k < t.system.x_n; k++) {
@@ -325,7 +321,6 @@ PH_TEST_EACH(test_kkt_matrix, SORTS) {
       ck_abs(kkt_at(&t, matrix, at, row), column[l], 0);
     }
   }
-  ph_arena_free(&t.arena);
 }
 
 /* v . (A + rho J^T J) v in one way and the other. */
@@ -339,9 +334,11 @@ PH_TEST_EACH(test_penalised_matrix, SORTS) {
 
   set_up(&r, &sorts[_i], &t);
   band = t.system.order_band;
-  kkt = ph_arena_array(
-      &t.arena, ph_band_size(t.system.kkt_n, t.system.kkt_band), sizeof *kkt);
-  sym = ph_arena_array(&t.arena, ph_sym_size(t.system.x_n, band), sizeof *sym);
+  kkt = ph_arena_array(&unit_arena,
+                       ph_band_size(t.system.kkt_n, t.system.kkt_band),
+                       sizeof *kkt);
+  sym =
+      ph_arena_array(&unit_arena, ph_sym_size(t.system.x_n, band), sizeof *sym);
   ph_arc_linearise(&t.system, t.x, t.y, &t.linear);
   ph_arc_kkt(&t.system, t.x, t.y, &t.linear, &weights, kkt);
   ph_arc_penalised(&t.system, t.x, t.y, &t.linear, &weights, rho, sym);
@@ -365,7 +362,6 @@ PH_TEST_EACH(test_penalised_matrix, SORTS) {
     want += rho * jv[row] * jv[row];
   }
   ck_rel(got, want, 1e-12);
-  ph_arena_free(&t.arena);
 }
 
 /* ---- bands, steps -------------------------------------------------------- */
@@ -386,7 +382,6 @@ PH_TEST(test_bands) {
     set_up(&r, &sort, &t);
     ck_assert_uint_eq(t.system.kkt_band, want[k].kkt);
     ck_assert_uint_eq(t.system.order_band, want[k].order);
-    ph_arena_free(&t.arena);
   }
 }
 
@@ -412,7 +407,6 @@ PH_TEST(test_retract_turns_phases) {
   for (size_t k = 0; k < t.system.y_n; k++) {
     ck_abs(after[k], before[k], 1e-13);
   }
-  ph_arena_free(&t.arena);
 }
 
 /* A step of any kind is x + dx to first order. */
@@ -430,7 +424,6 @@ PH_TEST_EACH(test_retract_is_a_step, SORTS) {
   for (size_t k = 0; k < t.system.x_n; k++) {
     ck_abs((to[k] - t.x[k]) / small, dx[k], 1e-5);
   }
-  ph_arena_free(&t.arena);
 }
 
 /* H of the spinor of a direction is the direction, near both poles too. */

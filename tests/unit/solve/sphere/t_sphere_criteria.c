@@ -23,7 +23,6 @@ enum { N_MAX = 64 };
 
 /* Data, a spline of them that a test may fill, and their shape. */
 struct setting {
-  struct ph_arena arena;
   struct ph_sphere_data data;
   struct ph_sphere_spline spline;
   struct ph_sphere_shape shape;
@@ -41,15 +40,14 @@ static void set_up(struct setting *t, const double *v, size_t n, bool closed,
     memcpy(t->v, v, 3 * n * sizeof *v);
   }
   memset(&problem, 0, sizeof problem);
-  memset(&t->arena, 0, sizeof t->arena);
   problem.field[PH_F_POINTS] =
       (struct ph_value){.kind = PH_VECTORS, .v = t->v, .n = n, .dimension = 3};
   problem.field[PH_F_CLOSED] =
       (struct ph_value){.kind = PH_BOOL, .flag = closed};
-  ck_assert_int_eq(ph_sphere_data_read(&problem, &t->arena, &t->data, &diag),
+  ck_assert_int_eq(ph_sphere_data_read(&problem, &unit_arena, &t->data, &diag),
                    PH_OK);
   ck_assert(
-      ph_sphere_shape_of(&t->data, epsilon, legacy, &t->arena, &t->shape));
+      ph_sphere_shape_of(&t->data, epsilon, legacy, &unit_arena, &t->shape));
   t->spline = (struct ph_sphere_spline){
       .data = &t->data, .nu = t->data.nu, .r = t->r, .l = t->l};
 }
@@ -111,7 +109,6 @@ PH_TEST_EACH(test_case,
   violations(&t, text);
   ck_assert_str_eq(text, legacy ? unit_sphere_cases[which].legacy
                                 : unit_sphere_cases[which].geodesic);
-  ph_arena_free(&t.arena);
 }
 
 /* ---- random segments ----------------------------------------------------- */
@@ -313,7 +310,6 @@ PH_TEST_EACH(test_dense, 4) {
       ck_assert_int_eq(t.shape.q[i], order ? 0 : 1);
       ck_assert_int_eq(t.shape.inorder[i], order);
     }
-    ph_arena_free(&t.arena);
   }
 }
 
@@ -330,7 +326,6 @@ PH_TEST(test_rounding) {
     ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, i),
                      PH_SPHERE_FINE);
   }
-  ph_arena_free(&t.arena);
 }
 
 /* Back and forth on a great circle: the turn has no sign, and the data do not
@@ -351,7 +346,6 @@ PH_TEST_EACH(test_reversal, 2) {
   for (size_t i = 0; i < 7; i++) {
     ck_assert_int_eq(t.shape.inorder[i], inorder[i]);
   }
-  ph_arena_free(&t.arena);
 }
 
 /* The great circle itself satisfies all there is. */
@@ -373,7 +367,6 @@ PH_TEST_EACH(test_great_circle, 2) {
           ph_sphere_touched(&t.shape, PH_SPHERE_COCIRCULARITY, i, node), 0);
     }
   }
-  ph_arena_free(&t.arena);
 }
 
 /* The thesis looks at the side after a node only. */
@@ -400,7 +393,6 @@ PH_TEST_EACH(test_sides, 2) {
                      legacy ? PH_SPHERE_FINE : bad);
     t.l[1] = ph_s2_exp(t.l[1], ph_vec3_of(0, 0, 0.2 * lift));
     ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, 1), bad);
-    ph_arena_free(&t.arena);
   }
 }
 
@@ -416,7 +408,6 @@ PH_TEST(test_standstill) {
   t.r[1] = t.data.p[1];
   ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, 1),
                    PH_SPHERE_COCIRCULARITY);
-  ph_arena_free(&t.arena);
 }
 
 /* ---- tensions ------------------------------------------------------------ */
@@ -477,7 +468,6 @@ PH_TEST_EACH(test_touched_open, 2) {
     ck_touched(&t, PH_SPHERE_NODAL, 6, "3 6 7");
     ck_touched(&t, PH_SPHERE_SEGMENT, 6, "3 6 7");
   }
-  ph_arena_free(&t.arena);
 }
 
 PH_TEST(test_touched_closed) {
@@ -495,7 +485,6 @@ PH_TEST(test_touched_closed) {
   ck_touched(&t, PH_SPHERE_NODAL, 5, "4 5 6");
   ck_touched(&t, PH_SPHERE_NODAL, 6, "5 6 4");
   ck_touched(&t, PH_SPHERE_SEGMENT, 4, "6 4 5");
-  ph_arena_free(&t.arena);
 }
 
 /* Of three nodes, a segment touches each once. */
@@ -506,7 +495,6 @@ PH_TEST(test_touched_triangle) {
   set_up(&t, v, 3, true, 1e-2, false);
   ck_touched(&t, PH_SPHERE_SEGMENT, 1, "0 1 2");
   ck_touched(&t, PH_SPHERE_NODAL, 2, "1 2 0");
-  ph_arena_free(&t.arena);
 }
 
 PH_TEST(test_names) {

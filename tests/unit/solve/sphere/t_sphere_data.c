@@ -20,20 +20,18 @@
   { PH_F_POINTS, VECTORS(3, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0) }
 
 static enum ph_status read_fields(const struct given given[GIVEN_MAX],
-                                  struct ph_arena *arena,
                                   struct ph_sphere_data *data,
                                   struct ph_diag *diag) {
   const struct ph_problem problem = unit_problem_of(given);
 
-  return ph_sphere_data_read(&problem, arena, data, diag);
+  return ph_sphere_data_read(&problem, &unit_arena, data, diag);
 }
 
 /* Reads what must be right. */
-static struct ph_sphere_data data_of(const struct given given[GIVEN_MAX],
-                                     struct ph_arena *arena) {
+static struct ph_sphere_data data_of(const struct given given[GIVEN_MAX]) {
   struct ph_sphere_data data;
   struct ph_diag diag;
-  enum ph_status status = read_fields(given, arena, &data, &diag);
+  enum ph_status status = read_fields(given, &data, &diag);
 
   ck_assert_msg(status == PH_OK, "%s: %s", diag.field, diag.message);
   return data;
@@ -228,7 +226,7 @@ PH_TEST_EACH(test_failure, sizeof failures / sizeof *failures) {
   struct ph_sphere_data data;
   struct ph_diag diag;
 
-  ck_assert_int_eq(read_fields(failures[_i].given, &unit_arena, &data, &diag),
+  ck_assert_int_eq(read_fields(failures[_i].given, &data, &diag),
                    failures[_i].status);
   ck_assert_int_eq(diag.status, failures[_i].status);
   ck_assert_str_eq(diag.field, failures[_i].field);
@@ -238,8 +236,7 @@ PH_TEST_EACH(test_failure, sizeof failures / sizeof *failures) {
 /* ---- points -------------------------------------------------------------- */
 
 PH_TEST(test_open) {
-  struct ph_sphere_data d =
-      data_of((struct given[GIVEN_MAX]){OCTANT}, &unit_arena);
+  struct ph_sphere_data d = data_of((struct given[GIVEN_MAX]){OCTANT});
 
   ck_assert(!d.closed);
   ck_assert_int_eq(d.ends, PH_SPHERE_NATURAL);
@@ -269,7 +266,7 @@ PH_TEST_EACH(test_closed, 4) {
       {CLOSED,
        {PH_F_LONLAT, VECTORS(2, 180, 0, -90, 0, 55, 90, -180, 0)},
        {PH_F_TENSION, NUMBERS(1, 2, 3, 1)}}};
-  struct ph_sphere_data d = data_of(given[_i], &unit_arena);
+  struct ph_sphere_data d = data_of(given[_i]);
 
   ck_assert(d.closed);
   ck_assert_uint_eq(d.n, 3);
@@ -283,8 +280,7 @@ PH_TEST_EACH(test_closed, 4) {
 
 /* A repeated last point of open data is a point like others. */
 PH_TEST(test_open_ring) {
-  struct ph_sphere_data d =
-      data_of((struct given[GIVEN_MAX]){RING}, &unit_arena);
+  struct ph_sphere_data d = data_of((struct given[GIVEN_MAX]){RING});
 
   ck_assert_uint_eq(d.n, 4);
   ck_assert_uint_eq(d.m, 3);
@@ -295,7 +291,7 @@ PH_TEST(test_lonlat) {
       {PH_F_LONLAT, VECTORS(2, 0, 0, 90, 0, -360, 60, 0, -90)},
       {PH_F_RADIUS, NUMBER(6371)},
       {PH_F_CENTER, NUMBERS(1, 2, 3)}};
-  struct ph_sphere_data d = data_of(given, &unit_arena);
+  struct ph_sphere_data d = data_of(given);
 
   ck_vector(d.p[0], ph_vec3_of(1, 0, 0), 0);
   ck_vector(d.p[1], ph_vec3_of(0, 1, 0), 0);
@@ -332,7 +328,7 @@ PH_TEST_EACH(test_sphere, 12) {
       {PH_F_CENTER, {.kind = PH_NUMBERS, .v = center, .n = 3, .dimension = 1}},
       {PH_F_RADIUS, NUMBER(radius)},
       {PH_F_RADIUS_TOLERANCE, NUMBER(tol > 1e-3 ? 0.5 : 1e-3)}};
-  struct ph_sphere_data d = data_of(given, &unit_arena);
+  struct ph_sphere_data d = data_of(given);
 
   ck_vector(d.p[0], ph_vec3_of(0.6, 0.8, 0), tol);
   ck_vector(d.p[1], ph_vec3_of(-0.48, 0.64, 0.6), tol);
@@ -372,7 +368,7 @@ PH_TEST_EACH(test_scales, 50) {
       v[3 * i + j] = center[j] + radius * v[3 * i + j];
     }
   }
-  d = data_of(given, &unit_arena);
+  d = data_of(given);
   for (size_t i = 0; i < N; i++) {
     ck_vector(d.p[i], u[i], 4e-15);
   }
@@ -393,19 +389,19 @@ PH_TEST(test_knots) {
       {PH_F_KNOTS, NUMBERS(-1, 6, 106)}};
   const struct given period[GIVEN_MAX] = {
       CLOSED, RING, {PH_F_KNOTS, NUMBERS(5, 6, 8, 11)}};
-  struct ph_sphere_data d = data_of(uniform, &unit_arena);
+  struct ph_sphere_data d = data_of(uniform);
 
   ck_rel(d.theta[0], PH_PI / 6, DBL_EPSILON);
   ck_rel(d.h[0], PH_PI / 4, DBL_EPSILON);
   ck_rel(d.h[1], d.h[0], 0);
   ck_rel(d.knots[1], d.h[0], 0);
   ck_rel(d.knots[2], PH_PI / 2, DBL_EPSILON);
-  d = data_of(numbers, &unit_arena);
+  d = data_of(numbers);
   ck_rel(d.h[0], 7, 0);
   ck_rel(d.h[1], 100, 0);
   ck_rel(d.knots[0], -1, 0);
   ck_rel(d.knots[2], 106, 0);
-  d = data_of(period, &unit_arena);
+  d = data_of(period);
   ck_rel(d.h[2], 3, 0);
   ck_rel(d.knots[3], 11, 0);
 }
@@ -418,7 +414,7 @@ PH_TEST_EACH(test_tensions, 3) {
   } cases[] = {{{OCTANT, {PH_F_TENSION, NUMBER(7)}}, {0, 7, 0}},
                {{RING, CLOSED, {PH_F_TENSION, NUMBER(7)}}, {7, 7, 7}},
                {{OCTANT, {PH_F_TENSION, NUMBERS(1, 0, 1e8)}}, {1, 0, 1e8}}};
-  struct ph_sphere_data d = data_of(cases[_i].given, &unit_arena);
+  struct ph_sphere_data d = data_of(cases[_i].given);
 
   for (size_t i = 0; i < 3; i++) {
     ck_rel(d.nu[i], cases[_i].nu[i], 0);
@@ -439,16 +435,16 @@ PH_TEST(test_ends) {
       OCTANT,
       {PH_F_KNOTS, NUMBERS(0, 1, 5)},
       {PH_F_END_TANGENTS, VECTORS(3, 3, 3, 4, 0, -2, 9)}};
-  struct ph_sphere_data d = data_of(rest, &unit_arena);
+  struct ph_sphere_data d = data_of(rest);
 
   ck_assert_int_eq(d.ends, PH_SPHERE_REST);
-  d = data_of(natural, &unit_arena);
+  d = data_of(natural);
   ck_assert_int_eq(d.ends, PH_SPHERE_NATURAL);
-  d = data_of(clamped, &unit_arena);
+  d = data_of(clamped);
   ck_assert_int_eq(d.ends, PH_SPHERE_CLAMPED);
   ck_vector(d.end[0], ph_vec3_of(0, 0, -1), DBL_EPSILON);
   ck_vector(d.end[1], ph_vec3_of(1, 0, 0), DBL_EPSILON);
-  d = data_of(knots, &unit_arena);
+  d = data_of(knots);
   ck_assert_int_eq(d.ends, PH_SPHERE_CLAMPED);
   ck_vector(d.end[0], ph_vec3_scale(PH_PI / 2, ph_vec3_of(0, 0.6, 0.8)), 1e-15);
   ck_vector(d.end[1], ph_vec3_of(0, -PH_PI / 8, 0), 1e-15);

@@ -39,11 +39,9 @@ static bool is_regular(const struct ph_curve *curve) {
 }
 
 static bool is_simple(const struct ph_curve *curve) {
-  struct ph_arena scratch = {NULL};
   struct ph_cross cross;
   struct ph_diag diag;
-  ck_assert_int_eq(ph_cross_planar(curve, &scratch, &cross, &diag), PH_OK);
-  ph_arena_free(&scratch);
+  ck_assert_int_eq(ph_cross_planar(curve, &unit_arena, &cross, &diag), PH_OK);
   return cross.simple;
 }
 

@@ -121,8 +121,7 @@ static void approximate(const char *name, const struct ph_tc_bezier *curve,
 }
 
 static void check_known(const struct known *k, double tolerance, size_t most) {
-  struct ph_arena arena = {NULL};
-  struct ph_tc_arcs arcs = {.arena = &arena};
+  struct ph_tc_arcs arcs = {.arena = &unit_arena};
   struct ph_tc_bezier curve = bezier(k);
   double sampled;
   approximate(k->name, &curve, tolerance, &arcs);
@@ -131,7 +130,6 @@ static void check_known(const struct known *k, double tolerance, size_t most) {
                 sampled, arcs.distance);
   ck_assert_msg(arcs.n <= most, "%s to %g: %zu cubics, expected %zu at most",
                 k->name, tolerance, arcs.n, most);
-  ph_arena_free(&arena);
 }
 
 /* Half of what bisection takes, and a fraction of 200 pairs. */
@@ -162,12 +160,10 @@ PH_TEST(test_turning) {
 /* The bound is near the distance where curves run side by side. */
 PH_TEST(test_tight) {
   for (size_t i = 0; i < COUNT(waves); i++) {
-    struct ph_arena arena = {NULL};
-    struct ph_tc_arcs arcs = {.arena = &arena};
+    struct ph_tc_arcs arcs = {.arena = &unit_arena};
     struct ph_tc_bezier curve = bezier(&waves[i]);
     approximate(waves[i].name, &curve, 1e-4, &arcs);
     ck_assert(arcs.distance <= 1.06 * unit_arcs_distance(&curve, &arcs));
-    ph_arena_free(&arena);
   }
 }
 
@@ -210,8 +206,7 @@ PH_TEST(test_own) {
 /* The tangents at the ends, also of a curve that stands still there. */
 PH_TEST(test_end_tangents) {
   for (size_t i = 0; i < COUNT(smooth); i++) {
-    struct ph_arena arena = {NULL};
-    struct ph_tc_arcs arcs = {.arena = &arena};
+    struct ph_tc_arcs arcs = {.arena = &unit_arena};
     struct ph_tc_bezier c = bezier(&smooth[i]);
     size_t a = 1, b = 1;
     ph_cplx w, v;
@@ -228,7 +223,6 @@ PH_TEST(test_end_tangents) {
     ck_abs(
         angle(ph_cplx_mul(v, v), ph_cplx_sub(c.p[c.degree], c.p[c.degree - b])),
         0, 3e-14);
-    ph_arena_free(&arena);
   }
 }
 
@@ -254,8 +248,7 @@ static void random_curve(struct unit_random *r, size_t degree, ph_cplx *p) {
 PH_TEST(test_random) {
   struct unit_random r = unit_random_of(2);
   for (int i = 0; i < unit_count(60); i++) {
-    struct ph_arena arena = {NULL};
-    struct ph_tc_arcs arcs = {.arena = &arena};
+    struct ph_tc_arcs arcs = {.arena = &unit_arena};
     ph_cplx p[16];
     struct ph_tc_bezier curve = {p, 1 + unit_random_below(&r, 15), 0};
     double sampled;
@@ -265,7 +258,6 @@ PH_TEST(test_random) {
     ck_assert_msg(sampled <= arcs.distance,
                   "curve %d of degree %zu: sampled %.9g, claimed %.9g", i,
                   curve.degree, sampled, arcs.distance);
-    ph_arena_free(&arena);
   }
 }
 
@@ -283,8 +275,7 @@ static void move(const struct ph_tc_bezier *curve, ph_cplx by, bool mirror,
  * to one halving more or less, which in hairpins makes some difference. */
 static void check_moved(const struct known *k, double tolerance, ph_cplx by,
                         bool mirror, bool backward) {
-  struct ph_arena arena = {NULL};
-  struct ph_tc_arcs a = {.arena = &arena}, b = {.arena = &arena};
+  struct ph_tc_arcs a = {.arena = &unit_arena}, b = {.arena = &unit_arena};
   struct ph_tc_bezier curve = bezier(k), moved;
   double size = ph_cplx_abs(by);
   ph_cplx p[POINTS_MAX];
@@ -304,7 +295,6 @@ static void check_moved(const struct known *k, double tolerance, ph_cplx by,
     ck_abs(unit_distance(start, backward ? y->end : y->start), 0, same * size);
     ck_abs(ph_tc_length(&y->tc), size * ph_tc_length(&x->tc), same * size);
   }
-  ph_arena_free(&arena);
 }
 
 PH_TEST(test_symmetry) {
@@ -327,8 +317,7 @@ PH_TEST(test_pieces) {
   const struct ph_tc_bezier chain[2] = {bezier(&waves[0]), bezier(&quarter)};
   double before = 1e9;
   for (size_t pieces = 2; pieces <= 128; pieces *= 2) {
-    struct ph_arena arena = {NULL};
-    struct ph_tc_arcs arcs = {.arena = &arena};
+    struct ph_tc_arcs arcs = {.arena = &unit_arena};
     struct ph_diag diag;
     size_t first[3];
     ck_assert_int_eq(
@@ -346,7 +335,6 @@ PH_TEST(test_pieces) {
                                 .n = first[k + 1] - first[k]};
       check_chain("piece", &chain[k], &part);
     }
-    ph_arena_free(&arena);
   }
   ck_assert(before < 1e-7);
 }
@@ -379,13 +367,11 @@ PH_TEST(test_too_few_pieces) {
 
 static void check_refused(const struct ph_tc_bezier *curve, double tolerance,
                           const char *text) {
-  struct ph_arena arena = {NULL};
-  struct ph_tc_arcs arcs = {.arena = &arena};
+  struct ph_tc_arcs arcs = {.arena = &unit_arena};
   struct ph_diag diag;
   ck_assert_int_eq(ph_tc_approximate(curve, tolerance, &arcs, &diag),
                    PH_NO_CONVERGENCE);
   ck_assert_msg(strstr(diag.message, text) != NULL, "%s", diag.message);
-  ph_arena_free(&arena);
 }
 
 PH_TEST(test_refused) {

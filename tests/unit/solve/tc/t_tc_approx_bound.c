@@ -10,14 +10,12 @@
 enum { DEGREE_MAX = 24 };
 
 static double bound_of(const ph_cplx *q, size_t degree, const ph_cplx c[4]) {
-  struct ph_arena arena = {NULL};
   struct ph_tc_match m = {q, {c[0], c[1], c[2], c[3]}};
   ph_cplx *pool =
-      ph_arena_array(&arena, ph_tc_match_room(degree), sizeof *pool);
+      ph_arena_array(&unit_arena, ph_tc_match_room(degree), sizeof *pool);
   double bound;
   ck_assert_ptr_nonnull(pool);
   bound = ph_tc_match_distance(&m, degree, 1e-15, (double)INFINITY, pool);
-  ph_arena_free(&arena);
   return bound;
 }
 
@@ -90,12 +88,10 @@ PH_TEST(test_random) {
 /* ---- inflections -------------------------------------------------------- */
 
 static size_t inflections(const ph_cplx *p, size_t degree, double *u) {
-  struct ph_arena arena = {NULL};
   struct ph_tc_bezier curve = {p, degree, 0};
   struct ph_diag diag;
   size_t n;
-  ck_assert_int_eq(ph_tc_inflections(&curve, &arena, u, &n, &diag), PH_OK);
-  ph_arena_free(&arena);
+  ck_assert_int_eq(ph_tc_inflections(&curve, &unit_arena, u, &n, &diag), PH_OK);
   return n;
 }
 

@@ -13,7 +13,6 @@
 enum { POINTS_MAX = 3 };
 
 struct built {
-  struct ph_arena arena;
   struct ph_tc_data data;
   struct ph_curve curve;
   struct ph_tc_builder builder;
@@ -38,9 +37,9 @@ static void begin(struct built *b, const char *mode, size_t n, double scale) {
   for (size_t i = 0; i < 2 * n; i++) {
     b->points[i] = scale * POINT[i];
   }
-  b->data = unit_tc_given(given, &b->arena);
+  b->data = unit_tc_given(given);
   ck_assert_int_eq(
-      ph_tc_build_begin(&b->builder, &b->data, &b->arena, &b->curve, &diag),
+      ph_tc_build_begin(&b->builder, &b->data, &unit_arena, &b->curve, &diag),
       PH_OK);
 }
 
@@ -122,7 +121,6 @@ PH_TEST_EACH(test_one, 3) {
   ck_rel(b.curve.knots[1], 1, 0);
   ck_rel(b.curve.lengths[0] / scale, 5, 4 * DBL_EPSILON);
   ck_rel(b.curve.length, b.curve.lengths[0], 0);
-  ph_arena_free(&b.arena);
 }
 
 PH_TEST_EACH(test_two, 3) {
@@ -158,7 +156,6 @@ PH_TEST_EACH(test_two, 3) {
   ck_rel(b.curve.length / scale, 20, 4 * DBL_EPSILON);
   ck_rel(b.builder.intervals[0].length, b.curve.length, 0);
   ck_rel(b.builder.residual, BENT_MISS, 4 * DBL_EPSILON);
-  ph_arena_free(&b.arena);
 }
 
 /* ---- diagnostics --------------------------------------------------------- */
@@ -189,7 +186,6 @@ PH_TEST_EACH(test_diagnostics_one, 3) {
   ck_rel(value[PH_D_ROOT], _i == 0 ? PH_ROOT_MINUS : PH_ROOT_PLUS_MINUS, 0);
   ck_rel(value[PH_D_RATIO], _i == 0 ? -0.5 : 0, 0);
   ck_rel(value[PH_D_LAMBDA], _i == 1 ? 0.75 : 0, 0);
-  ph_arena_free(&b.arena);
 }
 
 /* A lambda of the whole problem is told of any number of intervals. */
@@ -205,7 +201,6 @@ PH_TEST_EACH(test_diagnostics_spline, 2) {
   ck_assert(b.diagnostics.known ==
             (ALWAYS | bit(PH_D_LAMBDA) | (_i == 0 ? bit(PH_D_ROOT) : 0)));
   ck_rel(b.diagnostics.value[PH_D_LAMBDA], 0.5, 0);
-  ph_arena_free(&b.arena);
 }
 
 /* ---- several intervals --------------------------------------------------- */
@@ -256,7 +251,6 @@ PH_TEST_EACH(test_several, 2) {
   ck_rel(b.curve.length, _i == 0 ? 53 : 32, 4 * DBL_EPSILON);
   ck_rel(b.diagnostics.value[PH_D_RESIDUAL], BENT_MISS, 4 * DBL_EPSILON);
   ck_assert(b.diagnostics.known == ALWAYS);
-  ph_arena_free(&b.arena);
 }
 
 /* The last interval of closed data ends in the first point, to the last bit,
@@ -268,9 +262,10 @@ PH_TEST(test_closed) {
   struct ph_tc_fit fit = bent();
   struct built b = {0};
   struct ph_diag diag;
-  b.data = unit_tc_given(given, &b.arena);
+  b.data = unit_tc_given(given);
   ck_assert_int_eq(
-      ph_tc_build_begin(&b.builder, &b.data, &b.arena, &b.curve, &diag), PH_OK);
+      ph_tc_build_begin(&b.builder, &b.data, &unit_arena, &b.curve, &diag),
+      PH_OK);
   for (size_t k = 0; k < 3; k++) {
     ph_tc_build_add(&b.builder, &fit);
   }
@@ -278,7 +273,6 @@ PH_TEST(test_closed) {
   ck_assert_uint_eq(b.curve.n, 6);
   ck_rel(b.curve.control_points[46], 0.1, 0);
   ck_rel(b.curve.control_points[47], 0.7, 0);
-  ph_arena_free(&b.arena);
 }
 
 PH_TESTS(test_one, test_two, test_diagnostics_one, test_diagnostics_spline,

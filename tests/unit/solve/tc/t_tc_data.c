@@ -310,7 +310,7 @@ static const struct {
 PH_TEST_EACH(test_failure, sizeof FAILURES / sizeof FAILURES[0]) {
   struct ph_tc_data data;
   struct ph_diag diag;
-  ck_assert_int_eq(unit_tc_read(FAILURES[_i].given, &unit_arena, &data, &diag),
+  ck_assert_int_eq(unit_tc_read(FAILURES[_i].given, &data, &diag),
                    FAILURES[_i].status);
   ck_assert_int_eq(diag.status, FAILURES[_i].status);
   ck_assert_str_eq(diag.field, FAILURES[_i].field);
@@ -363,7 +363,7 @@ static const struct {
 };
 
 PH_TEST_EACH(test_spline, sizeof SPLINES / sizeof SPLINES[0]) {
-  struct ph_tc_data d = unit_tc_given(SPLINES[_i].given, &unit_arena);
+  struct ph_tc_data d = unit_tc_given(SPLINES[_i].given);
   ck_assert_uint_eq(d.points_n, 4);
   ck_assert_uint_eq(d.n, d.closed ? 4 : 3);
   ck_assert(d.c1);
@@ -388,7 +388,7 @@ PH_TEST_EACH(test_circle, 2) {
       {PH_F_POINTS, {.kind = PH_VECTORS, .v = v, .n = 5, .dimension = 2}},
       ENDS(_i ? "circle" : "chord")};
   const double length = 0.5 * 6 * sin(0.25), turned = _i ? 0 : 0.25;
-  struct ph_tc_data d = unit_tc_given(given, &unit_arena);
+  struct ph_tc_data d = unit_tc_given(given);
   for (size_t k = 0; k < 5; k++) {
     double end = k == 0 ? turned : k == 4 ? -turned : 0;
     double angle = PH_PI / 2 + 0.3 + 0.5 * (double)k + end;
@@ -400,10 +400,8 @@ PH_TEST_EACH(test_circle, 2) {
 
 /* Two points have no circle: the chord. */
 PH_TEST(test_circle_of_two) {
-  struct ph_tc_data d = unit_tc_given(
-      (struct given[GIVEN_MAX]){{PH_F_POINTS, VECTORS(2, 1, 1, 4, 5)},
-                                ENDS("circle")},
-      &unit_arena);
+  struct ph_tc_data d = unit_tc_given((struct given[GIVEN_MAX]){
+      {PH_F_POINTS, VECTORS(2, 1, 1, 4, 5)}, ENDS("circle")});
   for (size_t k = 0; k < 2; k++) {
     ck_cplx(d.vector[k],
             ph_cplx_of(ldexp(1.5, d.exponent), ldexp(2, d.exponent)),
@@ -423,7 +421,7 @@ PH_TEST_EACH(test_closed, 5) {
        {PH_F_DERIVATIVES, VECTORS(2, .6, .8, 0, 1, -1, 0, .6, .8)}},
   };
   static const ph_cplx VECTOR[] = {{0.6, 0.8}, {0, 1}, {-1, 0}};
-  struct ph_tc_data d = unit_tc_given(GIVEN[_i], &unit_arena);
+  struct ph_tc_data d = unit_tc_given(GIVEN[_i]);
   const int scale = d.c1 ? d.exponent : 0;
   ck_assert(d.c1 == (_i >= 3));
   ck_assert(d.closed && isnan(d.lambda));
@@ -445,22 +443,19 @@ PH_TEST(test_choices) {
   struct ph_tc_data d;
   for (size_t i = 0; i < 3; i++) {
     d = unit_tc_given(
-        (struct given[GIVEN_MAX]){POINTS, {PH_F_SOLUTIONS, WORD(WORDS[i])}},
-        &unit_arena);
+        (struct given[GIVEN_MAX]){POINTS, {PH_F_SOLUTIONS, WORD(WORDS[i])}});
     ck_assert_int_eq(d.choice, CHOICES[i]);
   }
-  d = unit_tc_given((struct given[GIVEN_MAX]){POINTS, TANGENTS}, &unit_arena);
+  d = unit_tc_given((struct given[GIVEN_MAX]){POINTS, TANGENTS});
   ck_assert_int_eq(d.choice, PH_TC_BEST);
   ck_assert(!d.on_chord && !d.c1 && isnan(d.joint_angle) &&
             isnan(d.joint_position));
   d = unit_tc_given(
-      (struct given[GIVEN_MAX]){ON_CHORD, {PH_F_JOINT_ANGLE, NUMBER(-6)}},
-      &unit_arena);
+      (struct given[GIVEN_MAX]){ON_CHORD, {PH_F_JOINT_ANGLE, NUMBER(-6)}});
   ck_assert(d.on_chord && isnan(d.joint_position));
   ck_rel(d.joint_angle, -6, 0);
-  d = unit_tc_given(
-      (struct given[GIVEN_MAX]){ON_CHORD, {PH_F_JOINT_POSITION, NUMBER(0.125)}},
-      &unit_arena);
+  d = unit_tc_given((struct given[GIVEN_MAX]){
+      ON_CHORD, {PH_F_JOINT_POSITION, NUMBER(0.125)}});
   ck_assert(d.on_chord && isnan(d.joint_angle));
   ck_rel(d.joint_position, 0.125, 0);
 }
@@ -473,7 +468,7 @@ PH_TEST_EACH(test_near, 3) {
        {PH_F_TANGENTS, VECTORS(2, 1, 0, 1, 0, 1, 0)}},
       {{PH_F_POINTS, VECTORS(2, 0, 0, 4e-12, 0, 1, 0)}}};
   static const double CHORD[] = {5 * DBL_EPSILON, 1e-139, 4e-12};
-  struct ph_tc_data d = unit_tc_given(GIVEN[_i], &unit_arena);
+  struct ph_tc_data d = unit_tc_given(GIVEN[_i]);
   ck_rel(ldexp(d.chord[0], -d.exponent), CHORD[_i], DBL_EPSILON);
 }
 
@@ -500,7 +495,7 @@ PH_TEST_EACH(test_scale, 3) {
       {PH_F_DERIVATIVES,
        {.kind = PH_VECTORS, .v = vectors, .n = 4, .dimension = 2}},
       CLOSED};
-  struct ph_tc_data d = unit_tc_given(given, &unit_arena);
+  struct ph_tc_data d = unit_tc_given(given);
   double largest = ph_pow2_apply(d.to_unit, points[5]);
   ck_assert_int_eq(d.exponent % 2, 0);
   ck_assert(largest >= 0.125 && largest < 0.5);
@@ -521,11 +516,9 @@ PH_TEST_EACH(test_scale, 3) {
 
 /* Tangents are of length 1 over every chord, whatever their own length. */
 PH_TEST(test_tangent_length) {
-  struct ph_tc_data d = unit_tc_given(
-      (struct given[GIVEN_MAX]){
-          {PH_F_POINTS, VECTORS(2, 0, 0, 3, 4, 3, 16)},
-          {PH_F_TANGENTS, VECTORS(2, 4e-320, 0, -1.2e308, 1.6e308, -30, -40)}},
-      &unit_arena);
+  struct ph_tc_data d = unit_tc_given((struct given[GIVEN_MAX]){
+      {PH_F_POINTS, VECTORS(2, 0, 0, 3, 4, 3, 16)},
+      {PH_F_TANGENTS, VECTORS(2, 4e-320, 0, -1.2e308, 1.6e308, -30, -40)}});
   struct ph_tc_hermite h = ph_tc_hermite_of(&d, 0);
   ck_cplx(h.t[0], ph_cplx_of(0.6, -0.8), 4 * DBL_EPSILON);
   ck_cplx(h.t[1], ph_cplx_of(0.28, 0.96), 4 * DBL_EPSILON);

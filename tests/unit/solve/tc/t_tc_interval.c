@@ -19,15 +19,14 @@ static double chord[] = {0, 0, 1, 0};
   }
 
 /* Data of one interval, over the chord from 0 to 1 as they are. */
-static struct ph_tc_data data_of(enum ph_tc_mode mode, double a, double b,
-                                 struct ph_arena *arena) {
+static struct ph_tc_data data_of(enum ph_tc_mode mode, double a, double b) {
   static const char *const NAMES[] = {"g1", "g1-pair", "g1-auto", "g1-fair"};
   double v[] = {cos(a), sin(a), cos(b), sin(b)};
   const struct given given[GIVEN_MAX] = {
       {PH_F_MODE, WORD(NAMES[mode])},
       CHORD,
       {PH_F_TANGENTS, {.kind = PH_VECTORS, .v = v, .n = 2, .dimension = 2}}};
-  return unit_tc_given(given, arena);
+  return unit_tc_given(given);
 }
 
 /* Solves what has a solution. */
@@ -75,7 +74,7 @@ static const struct {
 
 PH_TEST_EACH(test_modes, sizeof CASES / sizeof CASES[0]) {
   const double a = CASES[_i].a, b = CASES[_i].b;
-  struct ph_tc_data d = data_of(PH_TC_G1, a, b, &unit_arena);
+  struct ph_tc_data d = data_of(PH_TC_G1, a, b);
   const struct ph_tc_hermite h = ph_tc_hermite_of(&d, 0);
   struct ph_tc_fit fits[2], fit, pair;
   struct ph_diag diag;
@@ -104,7 +103,7 @@ PH_TEST(test_fair) {
   size_t singles = 0, pairs = 0;
   for (int i = 0; i < unit_count(200); i++) {
     double a = unit_random_in(&r, -2, 2), b = unit_random_in(&r, -2, 2);
-    struct ph_tc_data d = data_of(PH_TC_G1_PAIR, a, b, &unit_arena);
+    struct ph_tc_data d = data_of(PH_TC_G1_PAIR, a, b);
     const struct ph_tc_hermite h = ph_tc_hermite_of(&d, 0);
     struct ph_tc_fit fits[2], pair = solved(&d), fair, either;
     bool one = ph_tc_g1(&h, fits) > 0 && fits[0].loops == 0;
@@ -130,7 +129,7 @@ PH_TEST_EACH(test_lambda, 2) {
       CHORD,
       {PH_F_TANGENTS, VECTORS(2, 3, 4, 3, -4)},
       {PH_F_LAMBDA, NUMBER(0.75)}};
-  struct ph_tc_data d = unit_tc_given(given, &unit_arena);
+  struct ph_tc_data d = unit_tc_given(given);
   struct ph_tc_fit fit = solved(&d);
   ck_assert_uint_eq(fit.n, _i == 0 ? 2 : 1);
   for (size_t k = 0; k < 2; k++) {
@@ -158,17 +157,16 @@ static const struct {
      false},
 };
 
-static struct ph_tc_data c1_of(const double v[4], const char *solutions,
-                               struct ph_arena *arena) {
+static struct ph_tc_data c1_of(const double v[4], const char *solutions) {
   const struct given given[GIVEN_MAX] = {
       CHORD,
       {PH_F_DERIVATIVES, VECTORS(2, v[0], v[1], v[2], v[3])},
       {PH_F_SOLUTIONS, WORD(solutions)}};
-  return unit_tc_given(given, arena);
+  return unit_tc_given(given);
 }
 
 PH_TEST_EACH(test_standard, sizeof CHOICES / sizeof CHOICES[0]) {
-  struct ph_tc_data d = c1_of(CHOICES[_i].v, "best", &unit_arena);
+  struct ph_tc_data d = c1_of(CHOICES[_i].v, "best");
   struct ph_tc_fit fit = solved(&d);
   ck_assert_int_eq(fit.root, CHOICES[_i].best);
   ck_assert(fit.simple);
@@ -181,7 +179,7 @@ PH_TEST_EACH(test_standard, sizeof CHOICES / sizeof CHOICES[0]) {
 /* Where a derivative is backward the standard pair is the best. */
 PH_TEST(test_standard_backward) {
   static const double V[4] = {-2, 0, 1, 1};
-  struct ph_tc_data d = c1_of(V, "best", &unit_arena);
+  struct ph_tc_data d = c1_of(V, "best");
   struct ph_tc_fit best = solved(&d), fit;
   d.choice = PH_TC_STANDARD;
   fit = solved(&d);
@@ -191,7 +189,7 @@ PH_TEST(test_standard_backward) {
 /* Of tangents the standard pair has lambda 1/2, and the best a lambda of which
  * F is no larger. */
 PH_TEST(test_standard_tangents) {
-  struct ph_tc_data d = data_of(PH_TC_G1_PAIR, 1.5, 0.25, &unit_arena);
+  struct ph_tc_data d = data_of(PH_TC_G1_PAIR, 1.5, 0.25);
   struct ph_tc_fit best = solved(&d), fit;
   d.choice = PH_TC_STANDARD;
   fit = solved(&d);
@@ -204,18 +202,18 @@ PH_TEST(test_standard_tangents) {
 
 /* ---- on the chord -------------------------------------------------------- */
 
-static struct ph_tc_data on_chord(double angle, struct ph_arena *arena) {
+static struct ph_tc_data on_chord(double angle) {
   const struct given given[GIVEN_MAX] = {
       {PH_F_MODE, WORD("g1-pair")},
       CHORD,
       {PH_F_TANGENTS, VECTORS(2, 3, 4, 4, 3)},
       {PH_F_JOINT, WORD("chord")},
       {PH_F_JOINT_ANGLE, NUMBER(angle)}};
-  return unit_tc_given(given, arena);
+  return unit_tc_given(given);
 }
 
 PH_TEST(test_on_chord) {
-  struct ph_tc_data d = on_chord(-0.75, &unit_arena);
+  struct ph_tc_data d = on_chord(-0.75);
   struct ph_tc_fit fit, fits[PH_TC_FITS_MAX];
   struct ph_diag diag;
   size_t n = 0;
@@ -244,8 +242,7 @@ PH_TEST(test_all) {
     for (size_t j = 0; j < 4; j++) {
       v[j] = unit_random_in(&r, -2, 2);
     }
-    d = i % 2 == 0 ? c1_of(v, "all", &unit_arena)
-                   : data_of(PH_TC_G1_AUTO, v[0], v[1], &unit_arena);
+    d = i % 2 == 0 ? c1_of(v, "all") : data_of(PH_TC_G1_AUTO, v[0], v[1]);
     alone = solved(&d);
     ck_assert_int_eq(ph_tc_interval_all(&d, 0, fits, &n, &diag), PH_OK);
     ck_assert_int_eq(fits[0].root, alone.root);
@@ -305,8 +302,7 @@ static const struct {
 };
 
 PH_TEST_EACH(test_no_g1, sizeof NO_G1 / sizeof NO_G1[0]) {
-  struct ph_tc_data d =
-      data_of(PH_TC_G1, NO_G1[_i].a, NO_G1[_i].b, &unit_arena);
+  struct ph_tc_data d = data_of(PH_TC_G1, NO_G1[_i].a, NO_G1[_i].b);
   ck_fails(&d, NO_G1[_i].message);
 }
 
@@ -314,21 +310,21 @@ PH_TEST_EACH(test_no_g1, sizeof NO_G1 / sizeof NO_G1[0]) {
  * standard one has. */
 PH_TEST(test_no_pair) {
   static const double CUSPS[4] = {1.5, 0, 1.5, 0}, ONE[4] = {1.5, 1, 1.5, -1};
-  struct ph_tc_data d = c1_of(CUSPS, "best", &unit_arena);
+  struct ph_tc_data d = c1_of(CUSPS, "best");
   struct ph_tc_fit fit;
   ck_fails(&d, "all four pairs of cubics have a cusp with these derivatives; "
                "other lengths of them do not");
   d.mode = PH_TC_G1_PAIR;
   ck_fails(&d, "all four pairs of cubics have a cusp with this lambda; others "
                "do not");
-  d = c1_of(ONE, "standard", &unit_arena);
+  d = c1_of(ONE, "standard");
   ck_fails(&d, "the standard pair has a cusp; \"solutions\":\"best\" may have "
                "none");
   d.choice = PH_TC_BEST;
   fit = solved(&d);
   ck_assert(fit.root != PH_ROOT_PLUS_PLUS);
   /* g1-fair has the straight line where the pair fails */
-  d = c1_of(CUSPS, "best", &unit_arena);
+  d = c1_of(CUSPS, "best");
   d.mode = PH_TC_G1_FAIR;
   fit = solved(&d);
   ck_assert_int_eq(fit.root, PH_ROOT_STRAIGHT);
@@ -336,7 +332,7 @@ PH_TEST(test_no_pair) {
 
 /* Angles to the chord .927295 and .643501. */
 PH_TEST(test_no_joint) {
-  struct ph_tc_data d = on_chord(1, &unit_arena);
+  struct ph_tc_data d = on_chord(1);
   ck_fails(&d, "no two cubics meet on the chord at the angle 1: it must be "
                "between -3.26149 and 0.071766 modulo 2 pi and between -3.54529 "
                "and 0.0478554 modulo 2 pi, and not 0");
