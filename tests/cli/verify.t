@@ -170,6 +170,13 @@ for ratio in '-300 5e-1' '-200 1e+100' '-300 1e-160' '+100 1e-200' '-1 1e+300'; 
   verified "spatial-hermite: size 1e$size, offset ${ratio#* }" 1
 done
 
+# a quotient whose numerator alone is out of range
+for size in e-300 e160; do
+  echo '{"points":[[1eX,0],[2eX,1eX],[3eX,0]]}' | sed "s/eX/$size/g" |
+    made planar --basis=atph --offset="1$size"
+  verified "atph: size and offset 1$size" 1
+done
+
 # all minima have their intervals
 printf '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],"lengths":[1.8,1.9,1.6]}\n' \
   >minima

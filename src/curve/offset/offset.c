@@ -11,6 +11,9 @@
 #include "curve/offset/gap.h"
 #include "curve/offset/rational.h"
 
+/* Numbers of a quotient are about 2^-RANGE to 2^RANGE. */
+enum { RANGE = 960 };
+
 /* What a walk over the pieces of a curve does with each. */
 struct walk {
   struct ph_offset *offset; /* n counts the pieces */
@@ -56,11 +59,22 @@ static void visit(void *context, const struct ph_rational *piece) {
   walk->offset->n++;
 }
 
+/* The power of 2 by which numerator and denominator are larger than those of A
+ * at unit scale: that of |A|^2, unless |A|^2 or d |A|^2 is next to an end of
+ * the range of doubles. */
+static int scale_of(double distance, int norm2) {
+  const int d = distance < 0 || distance > 0 ? ilogb(distance) : 0;
+  const int least = -RANGE - (d < 0 ? d : 0), most = RANGE - (d > 0 ? d : 0);
+  return norm2 < least ? least : norm2 > most ? most : norm2;
+}
+
 /* The quotient of segment k: d A j A* or d A k A* over |A|^2. */
 static void fill_quotient(struct ph_offset *offset, size_t k,
-                          const struct ph_seg3 *seg, enum ph_normal normal) {
-  double c = seg->space.c, middle = 1 / (2 * c * c + 1);
+                          struct ph_seg3 *seg, enum ph_normal normal) {
+  const int norm2 = 2 * ph_seg3_rescale(seg);
+  const double scale = ldexp(1, scale_of(offset->distance, norm2));
   const ph_quat *a = seg->a;
+  double c = seg->space.c, middle = 1 / (2 * c * c + 1);
   double *out = offset->numerator + 5 * offset->dimension * k;
   double *below = offset->denominator + 5 * k;
   const ph_quat m = ph_quat_scale(c, a[1]);
@@ -73,8 +87,10 @@ static void fill_quotient(struct ph_offset *offset, size_t k,
   below[3] = ph_quat_dot(a[1], a[2]);
   below[4] = ph_quat_dot(a[2], a[2]);
   for (size_t j = 0; j < 5; j++) { /* from 0, so that no -0 is written */
-    ph_vec3_put(ph_vec3_along(zero, offset->distance, move[j]),
-                offset->dimension, out + offset->dimension * j);
+    ph_vec3 part = ph_vec3_scale(scale, move[j]);
+    ph_vec3_put(ph_vec3_along(zero, offset->distance, part), offset->dimension,
+                out + offset->dimension * j);
+    below[j] *= scale;
   }
   offset->segment[k] = k;
   offset->interval[2 * k] = 0;

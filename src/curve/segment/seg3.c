@@ -7,6 +7,8 @@
  */
 #include "curve/segment/seg3.h"
 
+#include "kernel/pow2.h"
+
 #include <math.h>
 
 /* Halvings of an interval of the twist and of all, and its tolerance in radians
@@ -39,6 +41,28 @@ struct ph_seg3 ph_seg3_of(const struct ph_curve *curve, size_t k) {
   seg.start = ph_vec3_get(p, dimension);
   seg.end = ph_vec3_get(p + curve->degree * dimension, dimension);
   return seg;
+}
+
+/* The largest component of what A is a sum of. */
+static double size_of(const struct ph_seg3 *seg) {
+  double largest = 0;
+  for (size_t i = 0; i < 3; i++) {
+    double weight = i == 1 ? seg->space.c : 1;
+    ph_quat a = seg->a[i];
+    largest = fmax(largest, weight * fmax(fmax(fabs(a.u), fabs(a.v)),
+                                          fmax(fabs(a.p), fabs(a.q))));
+  }
+  return largest;
+}
+
+int ph_seg3_rescale(struct ph_seg3 *seg) {
+  double largest = size_of(seg);
+  int exponent = largest > 0 ? ph_pow2_exponent(largest) : 0;
+  double scale = ldexp(1, -exponent);
+  for (size_t i = 0; i < 3; i++) {
+    seg->a[i] = ph_quat_scale(scale, seg->a[i]);
+  }
+  return exponent;
 }
 
 void ph_seg3_pair(const struct ph_seg3 *seg, ph_cplx pair[2][3]) {

@@ -36,6 +36,10 @@ struct ph_seg3 {
  */
 struct ph_seg3 ph_seg3_of(const struct ph_curve *curve, size_t k);
 
+/* ph_seg3_rescale: brings A to unit scale, by a power of 2; the points stay.
+ * ret  by which power of 2 A was larger */
+int ph_seg3_rescale(struct ph_seg3 *seg);
+
 /* ph_seg3_pair: the preimage as two complex ones, A = pair[0] + pair[1] j. */
 void ph_seg3_pair(const struct ph_seg3 *seg, ph_cplx pair[2][3]);
 

@@ -38,29 +38,6 @@ static size_t rows_for(double angle2) {
   return rows;
 }
 
-/* The largest component of what A is a sum of. */
-static double size_of(const struct ph_seg3 *seg) {
-  double largest = 0;
-  for (size_t i = 0; i < 3; i++) {
-    double weight = i == 1 ? seg->space.c : 1;
-    ph_quat a = seg->a[i];
-    largest = fmax(largest, weight * fmax(fmax(fabs(a.u), fabs(a.v)),
-                                          fmax(fabs(a.p), fabs(a.q))));
-  }
-  return largest;
-}
-
-/* Brings A to unit scale; the exponent. */
-static int rescale(struct ph_seg3 *seg) {
-  double largest = size_of(seg);
-  int exponent = largest > 0 ? ph_pow2_exponent(largest) : 0;
-  double scale = ldexp(1, -exponent);
-  for (size_t i = 0; i < 3; i++) {
-    seg->a[i] = ph_quat_scale(scale, seg->a[i]);
-  }
-  return exponent;
-}
-
 /*
  * A0'' by (3), in the one of two forms that cancels less: differences next to
  * a = 0, where A1 is near A0 and A2; without a difference of A1 next to a = pi,
@@ -112,11 +89,10 @@ void ph_fast3_of(const struct ph_curve *curve, size_t k,
   struct ph_fast3_end *end = fast->end;
   const struct ph_atph *space = &fast->seg.space;
   const ph_quat *a = fast->seg.a;
-  int exponent;
   fast->seg = ph_seg3_of(curve, k);
-  exponent = 2 * rescale(&fast->seg);
-  fast->grow = ph_pow2_of(exponent);
-  fast->shrink = ph_pow2_of(-exponent);
+  fast->exponent = 2 * ph_seg3_rescale(&fast->seg);
+  fast->grow = ph_pow2_of(fast->exponent);
+  fast->shrink = ph_pow2_of(-fast->exponent);
   fast->angle2 = space->angle * space->angle;
   fast->rows = rows_for(fast->angle2);
   end[0].point = fast->seg.start;

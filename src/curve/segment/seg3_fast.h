@@ -65,6 +65,7 @@ struct ph_fast3_end {
  * they are by what `grow` grows, curvatures larger by what `shrink` shrinks. */
 struct ph_fast3 {
   struct ph_seg3 seg; /* A at unit scale */
+  int exponent;       /* of `grow` */
   struct ph_pow2 grow, shrink;
   double angle2; /* a^2 */
   size_t rows;   /* that the angle needs */

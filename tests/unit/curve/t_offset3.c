@@ -284,6 +284,39 @@ PH_TEST(test_atph) {
   }
 }
 
+/* The quotient of a curve and of a distance of any size: both have terms that
+ * alone are out of range. */
+PH_TEST_EACH(test_atph_range, 5) {
+  static const struct {
+    int size, distance;
+  } by[] = {
+      {-1000, -1000}, {-900, -300}, {1000, 1000}, {-900, 900}, {-200, -900}};
+  struct unit_random r = unit_random_of(561 + (unsigned long)_i);
+  struct ph_offset offsets[ALL];
+  ph_vec3 e[3];
+  double d;
+  unit_curve3_random(&c, 1, true, 0.3, &r);
+  for (size_t i = 0; i < 12; i++) {
+    c.preimage[i] = ldexp(c.preimage[i], by[_i].size / 2);
+  }
+  for (size_t i = 0; i < 18; i++) {
+    c.control_points[i] = ldexp(c.control_points[i], by[_i].size);
+  }
+  d = ldexp(1, by[_i].distance);
+  offsets_of(d, fmax(d, ldexp(1, by[_i].size)), offsets);
+  for (size_t j = 0; j < ALL; j++) {
+    const struct ph_offset *o = &offsets[j];
+    for (size_t m = 0; m <= 20; m++) {
+      double u = (double)m / 20;
+      unit_curve3_frame(&c.curve, 0, u, e);
+      ck_assert_double_le(
+          unit_apart3(ph_vec3_scale(1 / o->distance, quotient(o, 0, u)),
+                      normal_of(o) == PH_E2 ? e[1] : e[2]),
+          1e-14);
+    }
+  }
+}
+
 /* ---- what has no offset ---- */
 
 PH_TEST_EACH(test_standstill, 3) {
@@ -310,4 +343,5 @@ PH_TEST(test_too_large) {
 }
 
 PH_TESTS(test_spline, test_wild, test_halved, test_weights, test_joints,
-         test_plane, test_atph, test_standstill, test_too_large)
+         test_plane, test_atph, test_atph_range, test_standstill,
+         test_too_large)
