@@ -166,7 +166,7 @@ for ratio in '-300 5e-1' '-200 1e+100' '-300 1e-160' '+100 1e-200' '-1 1e+300'; 
     verified "$command: size 1e$size, offset ${ratio#* }" 1
   done
   echo '{"points":[[0,0,0],[2eX,1eX,3eX],[3eX,0,1eX]]}' | sed "s/eX/e$size/g" |
-    made spatial-hermite --offset="${ratio#* }"
+    made spatial-hermite --offset="${ratio#* }" --sample=2
   verified "spatial-hermite: size 1e$size, offset ${ratio#* }" 1
 done
 

@@ -28,7 +28,8 @@
  * (7) The length is the integral of |V|, as a table (kernel/primitive.h).
  *
  * Derived here; tested by t_sample_offset.c.  All of it is at the unit scale of
- * seg3_fast.h.  What stands still has no offset, and is not asked for.
+ * seg3_fast.h, but V, which is of the size of d where that is larger.  What
+ * stands still has no offset, and is not asked for.
  */
 #include "curve/kind/ph.h"
 
@@ -67,7 +68,9 @@ struct part {
 struct state {
   struct ph_fast3 fast;
   enum ph_normal normal;
-  double distance; /* at unit scale */
+  struct ph_pow2 grow, shrink; /* of lengths, of curvatures */
+  double distance;             /* at this scale */
+  double unit;                 /* that of `fast`, at this scale */
   struct turn turn[2];
   double whole; /* F over the segment */
   struct part part[CUSPS_MAX + 1];
@@ -254,8 +257,7 @@ static struct ph_sample at_plane(const struct state *state, double distance,
   sample.tangent = part->sign > 0 ? e1 : ph_vec3_sub(none, e1); /* no -0 */
   sample.curvature = sample.torsion = (double)NAN;
   if (!cusp && rate > travel_noise(state, a, slope)) {
-    sample.curvature =
-        ph_pow2_apply(state->fast.shrink, turning(a, slope) / rate);
+    sample.curvature = ph_pow2_apply(state->shrink, turning(a, slope) / rate);
   }
   return sample;
 }
@@ -272,7 +274,7 @@ static ph_vec3 side(enum ph_normal normal, ph_vec3 omega) {
 static ph_vec3 velocity(const struct state *state, double speed,
                         ph_vec3 omega) {
   ph_vec3 v = ph_vec3_scale(state->distance, side(state->normal, omega));
-  v.x += speed;
+  v.x += state->unit * speed;
   return v;
 }
 
@@ -305,7 +307,8 @@ static double size(ph_quat a) {
 
 static struct motion motion_of(const struct state *state, const ph_quat a[3],
                                double per) {
-  const double speed = ph_quat_dot(a[0], a[0]), d = fabs(state->distance);
+  const double speed = ph_quat_dot(a[0], a[0]), unit = state->unit;
+  const double d = fabs(state->distance);
   const double a0 = size(a[0]), a1 = size(a[1]), a2 = size(a[2]);
   const ph_quat w = ph_quat_between(a[0], a[1]);
   const ph_quat w1 = ph_quat_between(a[0], a[2]);
@@ -327,8 +330,8 @@ static struct motion motion_of(const struct state *state, const ph_quat a[3],
       ph_vec3_add(velocity(state, s2, turn2), ph_vec3_cross(turn1, v)),
       ph_vec3_cross(turn, ph_vec3_add(v1, m.o[1])));
   m.speed = ph_vec3_abs(v);
-  m.noise[0] = ROUNDING * (speed + d * per * (a0 * a1));
-  m.noise[1] = ROUNDING * (a0 * a1 + d * per * (a0 * a2)) +
+  m.noise[0] = ROUNDING * (unit * speed + d * per * (a0 * a1));
+  m.noise[1] = ROUNDING * (unit * a0 * a1 + d * per * (a0 * a2)) +
                m.noise[0] * (per * (a0 * a1));
   return m;
 }
@@ -373,8 +376,8 @@ static struct ph_sample at_space(const struct state *state, double distance,
   sample.curvature = sample.torsion = (double)NAN;
   if (m.speed > m.noise[0]) {
     bend_at(&m, &sample);
-    sample.curvature = ph_pow2_apply(fast->shrink, sample.curvature);
-    sample.torsion = ph_pow2_apply(fast->shrink, sample.torsion);
+    sample.curvature = ph_pow2_apply(state->shrink, sample.curvature);
+    sample.torsion = ph_pow2_apply(state->shrink, sample.torsion);
   }
   return sample;
 }
@@ -415,6 +418,20 @@ enum ph_status ph_beside_begin(struct ph_sampler *sampler,
   return PH_OK;
 }
 
+/* The scale: in space V is as large as the larger of sigma and d, which is its
+ * unit, so that products of its derivatives are in range. */
+static void set_scale(struct state *state, double distance, bool space) {
+  const int unit = state->fast.exponent;
+  int larger = unit;
+  if (space && (distance < 0 || distance > 0)) {
+    larger = ilogb(distance) > unit ? ilogb(distance) : unit;
+  }
+  state->grow = ph_pow2_of(larger);
+  state->shrink = ph_pow2_of(-larger);
+  state->distance = ph_pow2_apply(state->shrink, distance);
+  state->unit = ldexp(1, unit - larger);
+}
+
 enum ph_status ph_beside_enter(struct ph_sampler *sampler,
                                struct ph_diag *diag) {
   struct state *state = sampler->state;
@@ -422,13 +439,13 @@ enum ph_status ph_beside_enter(struct ph_sampler *sampler,
   enum ph_status status = PH_OK;
   double length;
   ph_fast3_of(sampler->curve, sampler->k, &state->fast);
-  state->distance = ph_pow2_apply(state->fast.shrink, offset->distance);
+  set_scale(state, offset->distance, sampler->curve->dimension == 3);
   if (sampler->curve->dimension == 2) {
     length = enter_plane(state, offset, sampler->k);
   } else {
     status = enter_space(state, offset, sampler->k, sampler->arena, &length);
   }
-  sampler->length = ph_pow2_apply(state->fast.grow, length);
+  sampler->length = ph_pow2_apply(state->grow, length);
   return status == PH_OK ? PH_OK : ph_fail_memory(diag);
 }
 
@@ -442,8 +459,8 @@ double ph_beside_length(const struct ph_sampler *sampler, double u,
   } else if (!isnan(sampler->length)) {
     s = ph_primitive_at(&state->table, u, speed);
   }
-  *speed = ph_pow2_apply(state->fast.grow, *speed);
-  return ph_pow2_apply(state->fast.grow, s);
+  *speed = ph_pow2_apply(state->grow, *speed);
+  return ph_pow2_apply(state->grow, s);
 }
 
 struct ph_sample ph_beside_at(const struct ph_sampler *sampler, double u) {
@@ -455,7 +472,9 @@ struct ph_sample ph_beside_at(const struct ph_sampler *sampler, double u) {
 
 double ph_beside_bend(const struct ph_sampler *sampler, double u0, double u1) {
   const struct state *state = sampler->state;
+  const double distance =
+      ph_pow2_apply(state->fast.shrink, sampler->offset->distance);
   return ph_pow2_apply(
       state->fast.grow,
-      ph_bend_offset(&state->fast.seg, state->normal, state->distance, u0, u1));
+      ph_bend_offset(&state->fast.seg, state->normal, distance, u0, u1));
 }

@@ -436,6 +436,43 @@ PH_TEST(test_space) {
   }
 }
 
+/* From some distance on, the offset is that of the vector alone, times the
+ * distance: at any that is written, and beside curves of any size. */
+PH_TEST(test_far) {
+  static const int far[] = {400, 600, 1000};
+  struct unit_random r = unit_random_of(1407);
+  for (size_t n = 0; n < 24; n++) {
+    const enum ph_normal normal = n % 2 ? PH_E2 : PH_E3;
+    const int size = n % 3 == 2 ? 0 : -60 * (int)(n / 3);
+    const double near_by = ldexp(1, 70), away = ldexp(1, far[n % 3] + size);
+    const double grow = away / near_by;
+    struct unit_curve3 c;
+    struct ph_offset offset[2];
+    struct ph_sampler moved[2];
+    unit_curve3_random(&c, 1, n % 4 != 0, 0.5, &r);
+    for (size_t i = 0; i < 2; i++) {
+      offset[i] = offset_of(&c.curve, i ? away : near_by, normal);
+      moved[i] = unit_sampler(&c.curve, &offset[i], 0, &unit_arena);
+      for (size_t j = 0; i == 0 && j < 12; j++) { /* now a smaller curve */
+        c.preimage[j] = ldexp(c.preimage[j], size / 2);
+      }
+    }
+    ck_rel(moved[1].length, grow * moved[0].length, 1e-13);
+    for (int i = 0; i <= STEPS; i++) {
+      const double u = (double)i / STEPS;
+      struct ph_sample a = ph_sampler_at(&moved[0], u);
+      struct ph_sample b = ph_sampler_at(&moved[1], u);
+      ck_vec3(b.tangent, a.tangent, 1e-12);
+      ck_rel(grow * b.curvature, a.curvature, 1e-12);
+      ck_abs(grow * b.torsion, a.torsion,
+             1e-10 * (fabs(a.torsion) + a.curvature));
+      ck_rel(unit_length(&moved[1], u), grow * unit_length(&moved[0], u),
+             1e-13);
+    }
+    ph_arena_reset(&unit_arena);
+  }
+}
+
 /* Near to where a curve nearly stands still, and at distances at which the
  * offset nearly does. */
 PH_TEST(test_wild) {
@@ -527,5 +564,5 @@ PH_TEST(test_line_in_space) {
 }
 
 PH_TESTS(test_circle, test_line, test_helix, test_plane, test_turns,
-         test_at_cusp, test_cubics, test_closed, test_space, test_wild,
-         test_plane_in_space, test_line_in_space)
+         test_at_cusp, test_cubics, test_closed, test_space, test_far,
+         test_wild, test_plane_in_space, test_line_in_space)
