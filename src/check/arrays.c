@@ -37,7 +37,6 @@ static bool is_of_command(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   const struct ph_promise *promise = v->promise;
   const char *member, *breach = ph_promise_breach(promise, c, &member);
-  bool exact = c->kind != PH_CURVE_BEZIER;
   if (breach) {
     return wrong_in(v, member, breach);
   }
@@ -46,7 +45,8 @@ static bool is_of_command(struct ph_check *v) {
                     promise->intervals ? "are missing"
                                        : "are not what the command makes");
   }
-  if ((promise->tension && exact) != (c->choice.tension != NULL)) {
+  if ((promise->tension && !v->kind->converted) !=
+      (c->choice.tension != NULL)) {
     return wrong(v, ph_check_in(0, "tension"),
                  c->choice.tension ? "is not of such a curve" : "is missing");
   }
@@ -80,7 +80,7 @@ static bool is_parametrised(struct ph_check *v) {
       return wrong(v, ph_check_in(k, "interval"), "is no interval");
     }
   }
-  if ((c->kind == PH_CURVE_ATPH) != (c->preimage.alpha != NULL)) {
+  if (v->kind->angles != (c->preimage.alpha != NULL)) {
     return wrong(v, ph_check_in(0, "alpha"),
                  c->preimage.alpha ? "is of ATPH curves alone" : "is missing");
   }
@@ -98,8 +98,7 @@ static bool is_preimage(struct ph_check *v) {
     return true;
   }
   if (c->preimage.n != (c->degree + 1) / 2 || c->degree % 2 == 0 ||
-      c->preimage.dimension != 2 * (c->dimension - 1) ||
-      c->kind == PH_CURVE_SPHERICAL_NU || c->kind == PH_CURVE_BEZIER) {
+      c->preimage.dimension != 2 * (c->dimension - 1) || !v->kind->square) {
     return wrong(v, ph_check_in(0, "preimage"),
                  "is none of such control points");
   }
@@ -110,7 +109,7 @@ static bool is_preimage(struct ph_check *v) {
 static bool is_sphere(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   size_t nodes = c->closed ? c->n : c->n + 1;
-  if (c->kind != PH_CURVE_SPHERICAL_NU) {
+  if (!v->kind->sphere) {
     return !(c->sphere.radius > 0) ||
            wrong(v, ph_check_of("radius", PH_CHECK_ONE, NULL),
                  "is not of such a curve");

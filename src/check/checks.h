@@ -6,7 +6,7 @@
 #ifndef PH_CHECK_CHECKS_H
 #define PH_CHECK_CHECKS_H
 
-#include "check/place.h"
+#include "check/kind.h"
 
 /* ph_check_arrays: whether arrays, numbers and knots are such that there is a
  * curve to look at. */

@@ -50,7 +50,7 @@ ph_vec3 ph_check_datum(const struct ph_check *v,
   ph_vec3 point, center, from;
   double radius = ph_check_scaled(v, c->sphere.radius);
   *off = 0;
-  if (c->kind != PH_CURVE_SPHERICAL_NU) {
+  if (!v->kind->sphere) {
     return ph_check_vector(v, x, data->points->dimension);
   }
   center = ph_check_vector(v, c->sphere.center, 3);
@@ -90,7 +90,7 @@ static size_t count(const struct ph_check *v,
   if (v->intervals_n > 0) {
     return v->intervals_n;
   }
-  if (c->kind == PH_CURVE_BEZIER && data->points) {
+  if (v->kind->converted && data->points) {
     return c->closed ? closed_intervals(v, data) : data->points->n - 1;
   }
   return c->n;

@@ -424,8 +424,7 @@ void ph_check_fairness(struct ph_check *v) {
   for (size_t i = 0; i < INTEGRALS; i++) {
     any = any || fair.wanted[i];
   }
-  if (!any || v->curve->kind == PH_CURVE_BEZIER ||
-      v->curve->sphere.radius > 0) {
+  if (!any || !v->kind->square) {
     return; /* Bezier curves stand for another */
   }
   for (size_t k = 0; k < v->curve->n; k++) {

@@ -2,6 +2,8 @@
 /* Frames of samples (see frame.h). */
 #include "check/frame.h"
 
+#include "check/kind.h"
+
 /* Steps from one sample to the next, then twice as many and so on, until no
  * more than this changes; where a tangent turns by more than that in one of
  * them, what the normal does is not known. */
@@ -92,7 +94,7 @@ ph_vec3 ph_check_frame_at(const struct ph_check_framing *f,
                           const struct ph_check_path *path,
                           const struct ph_check_place *place, double u,
                           double *error) {
-  const bool sphere = path->s->radius > 0;
+  const bool sphere = path->s->kind->sphere;
   ph_vec3 none = {(double)NAN, (double)NAN, (double)NAN};
   *error = (double)INFINITY;
   switch (f->frame) {

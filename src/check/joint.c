@@ -64,8 +64,7 @@ static void check_tangent(struct ph_check *v, size_t k,
 
 void ph_check_joint(struct ph_check *v, const struct ph_check_segment *a,
                     const struct ph_check_segment *b) {
-  bool exact = v->curve->kind != PH_CURVE_BEZIER;
-  enum ph_join join = exact ? v->promise->join : PH_JOIN_TANGENT;
+  enum ph_join join = v->kind->converted ? PH_JOIN_TANGENT : v->promise->join;
   struct end before = end_of(v, a, 1), after = end_of(v, b, 0);
   ph_check_miss(v, PH_CHECK_CONTINUITY, ph_check_in(b->k, "control_points"),
                 ph_check_apart(before.at, after.at), v->size,

@@ -17,7 +17,7 @@ double ph_check_conversion(const struct ph_check *v) {
   double error = ph_check_known(v, PH_D_CONVERSION_ERROR)
                      ? ph_check_scaled(v, value[PH_D_CONVERSION_ERROR])
                      : CONVERSION * v->size;
-  return v->curve->kind == PH_CURVE_BEZIER ? TURN * error : 0;
+  return v->kind->converted ? TURN * error : 0;
 }
 
 /* A length that is claimed, in the unit of the record. */

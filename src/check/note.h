@@ -34,6 +34,8 @@ enum { PH_CHECK_ROUND_KNOT = 4 };
 /* The room for prefixes of fields. */
 enum { PH_CHECK_PREFIX = 48 };
 
+struct ph_check_kind;
+
 struct ph_check {
   struct ph_verdict *verdict;
   struct ph_arena *scratch;
@@ -45,6 +47,7 @@ struct ph_check {
   /* what is looked at */
   const struct ph_result *claim;
   const struct ph_curve *curve;
+  const struct ph_check_kind *kind; /* of the curve */
   const struct ph_diagnostics *diagnostics;
   const struct ph_interval *intervals;
   size_t intervals_n;

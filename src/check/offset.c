@@ -192,7 +192,7 @@ static void check_pieces(struct context *c) {
   bool atph = o->numerator && o->denominator;
   if ((!rational && !atph) || o->degree > DEGREE_MAX ||
       o->dimension != c->v->curve->dimension || (atph && o->degree != 4) ||
-      atph != (c->v->curve->kind == PH_CURVE_ATPH)) {
+      atph != c->v->kind->angles) {
     wrong(c, "segments", PH_CHECK_ONE, NULL, "are none of such an offset");
     return;
   }
@@ -369,7 +369,7 @@ static bool begin(struct context *c) {
   struct ph_check *v = c->v;
   const struct ph_curve *curve = v->curve;
   const char *vector = c->o->vector;
-  bool space = curve->dimension == 3 && !(curve->sphere.radius > 0);
+  bool space = curve->dimension == 3 && !v->kind->sphere;
   if (!isfinite(c->o->distance)) {
     return wrong(c, NULL, PH_CHECK_ONE, "distance", "is not finite");
   }
@@ -382,9 +382,8 @@ static bool begin(struct context *c) {
   }
   c->path.binormal = space && vector[1] == '3';
   c->path.cusps = &c->o->cusps;
-  c->path.distance = curve->sphere.radius > 0
-                         ? c->o->distance / curve->sphere.radius
-                         : ph_check_scaled(v, c->o->distance);
+  c->path.distance = v->kind->sphere ? c->o->distance / curve->sphere.radius
+                                     : ph_check_scaled(v, c->o->distance);
   return true;
 }
 
@@ -392,10 +391,10 @@ void ph_check_offset(struct ph_check *v, const struct ph_offset *o) {
   struct context c = {.v = v, .o = o};
   double length = (double)NAN, error = 0, unit = ph_check_unscaled(v, v->size);
   ph_check_done(v, PH_CHECK_OFFSET);
-  if (v->curve->kind == PH_CURVE_BEZIER || !begin(&c)) {
+  if (v->kind->converted || !begin(&c)) {
     return; /* of the curve before it was converted */
   }
-  if (o->n > 0 || !(v->curve->sphere.radius > 0)) {
+  if (o->n > 0 || !v->kind->sphere) {
     check_pieces(&c);
   }
   if (o->pieces.n > 0) {

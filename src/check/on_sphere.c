@@ -72,9 +72,6 @@ static void check_end(struct ph_check *v, const struct ph_check_segment *s,
 
 void ph_check_on_sphere(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
-  if (c->kind != PH_CURVE_SPHERICAL_NU) {
-    return;
-  }
   for (size_t k = 0; k < c->n; k++) {
     struct ph_check_segment s;
     ph_check_load(v, k, &s);

@@ -2,6 +2,7 @@
 /* Places on curves and their offsets (see place.h). */
 #include "check/place.h"
 
+#include "check/kind.h"
 #include "kernel/quat.h"
 #include "check/spherical.h"
 
@@ -199,8 +200,8 @@ static void bend(const struct ph_check_path *path, struct motion *m,
   place->torsion_error *= scale;
 }
 
-static struct ph_check_place curve_place(const struct ph_check_path *path,
-                                         double u) {
+struct ph_check_place ph_check_form_place(const struct ph_check_path *path,
+                                          double u) {
   const struct ph_check_segment *s = path->s;
   struct ph_check_place place;
   struct motion m;
@@ -242,8 +243,8 @@ static void parallel(const struct ph_check_path *path, const ph_vec3 jet[3],
   place->point = ph_vec3_along(s->center, s->radius, on);
 }
 
-static struct ph_check_place sphere_place(const struct ph_check_path *path,
-                                          double u) {
+struct ph_check_place ph_check_great_place(const struct ph_check_path *path,
+                                           double u) {
   const struct ph_check_segment *s = path->s;
   struct ph_check_place place = {.torsion = 0};
   double d = path->distance, speed, turn, error, next, top, bottom, down;
@@ -279,8 +280,7 @@ static struct ph_check_place sphere_place(const struct ph_check_path *path,
  * nothing. */
 struct ph_check_place ph_check_place_at(const struct ph_check_path *path,
                                         double u) {
-  struct ph_check_place place =
-      path->s->radius > 0 ? sphere_place(path, u) : curve_place(path, u);
+  struct ph_check_place place = path->s->kind->place(path, u);
   if (!(place.speed_error < PH_CHECK_NO_DIRECTION * place.speed)) {
     place.curvature_error = place.torsion_error = HUGE_VAL;
   }

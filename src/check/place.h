@@ -50,6 +50,12 @@ struct ph_check_place {
 struct ph_check_place ph_check_place_at(const struct ph_check_path *path,
                                         double u);
 
+/* The same of forms and of segments on a sphere, for the rows of kind.c. */
+struct ph_check_place ph_check_form_place(const struct ph_check_path *path,
+                                          double u);
+struct ph_check_place ph_check_great_place(const struct ph_check_path *path,
+                                           double u);
+
 /* ph_check_across: e. */
 ph_vec3 ph_check_across(const struct ph_check_path *path, double u);
 

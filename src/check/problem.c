@@ -43,7 +43,7 @@ static bool is_asked_for(struct ph_check *v) {
     return false;
   }
   if ((v->promise->kinds & PH_KIND(ATPH)) &&
-      ph_check_is_word(v, PH_F_BASIS, "atph") != (c->kind != PH_CURVE_PH)) {
+      ph_check_is_word(v, PH_F_BASIS, "atph") != v->kind->trigonometric) {
     ph_check_wrong(v, PH_CHECK_SHAPE, ph_check_of(NULL, PH_CHECK_ONE, "curve"),
                    "is not of the basis of the problem");
     return false;
@@ -71,7 +71,7 @@ static void check_point(const struct context *x, const struct end *e) {
   double off, reach;
   ph_vec3 datum = ph_check_datum(v, &x->data, e->datum, &off);
   reach = v->rounding;
-  if (e->s->radius > 0) {
+  if (e->s->kind->sphere) {
     reach += ph_check_reach(v, e->s->center) + DBL_EPSILON * e->s->radius;
     ph_check_miss(v, PH_CHECK_INTERPOLATION,
                   ph_check_in(e->s->k, "control_points"), off - x->moved, 1,
@@ -107,8 +107,7 @@ static void check_derivative(const struct context *x, const struct end *e,
                              size_t dimension) {
   struct ph_check *v = x->v;
   const struct ph_curve *c = v->curve;
-  enum ph_given given =
-      c->kind == PH_CURVE_BEZIER ? PH_GIVEN_NONE : v->promise->given;
+  enum ph_given given = v->kind->converted ? PH_GIVEN_NONE : v->promise->given;
   double factor = 1;
   if (given == PH_GIVEN_TENSION) {
     factor =

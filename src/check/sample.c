@@ -212,7 +212,7 @@ static void check_sample(struct walk *w, size_t i) {
   if (of->normal && of->binormal) {
     check_frame(w, i, u, &place);
   }
-  if (of->lonlat && w->segment.radius > 0) {
+  if (of->lonlat && w->v->kind->sphere) {
     check_degrees(w, i, point);
   }
 }

@@ -2,7 +2,7 @@
 /* Segments from their control points (see segment.h). */
 #include "check/segment.h"
 
-#include "check/spherical.h"
+#include "check/kind.h"
 
 /* Lengths, relative. */
 static const double LENGTH = 1e-13;
@@ -66,20 +66,9 @@ static double leg_weight(const struct ph_check *v, double angle, size_t m,
 
 /* ---- loading ------------------------------------------------------------ */
 
-static void load_sphere(const struct ph_check *v, struct ph_check_segment *s) {
-  s->center = ph_check_vector(v, v->curve->sphere.center, 3);
-  s->radius = ph_check_scaled(v, v->curve->sphere.radius);
-  for (size_t i = 0; i < 4; i++) {
-    s->p[i] = ph_vec3_unit(ph_vec3_sub(s->p[i], s->center));
-  }
-  for (size_t i = 0; i < 3; i++) {
-    s->speed = ph_check_larger(
-        s->speed, 3 * s->radius * ph_check_apart(s->p[i + 1], s->p[i]));
-  }
-}
-
-static void load_form(const struct ph_check *v, struct ph_check_segment *s) {
+void ph_check_form_load(const struct ph_check *v, struct ph_check_segment *s) {
   double mu[PH_CHECK_FORM_MAX] = {0}, binomial = 1;
+  s->m = v->curve->degree - 1;
   for (size_t j = 0; j <= s->m; j++) {
     s->normal[j] = binomial;
     binomial *= (double)(s->m - j) / (double)(j + 1);
@@ -94,22 +83,16 @@ void ph_check_load(const struct ph_check *v, size_t k,
                    struct ph_check_segment *s) {
   const struct ph_curve *c = v->curve;
   const double *p = ph_curve_points(c, k);
+  s->kind = v->kind;
   s->k = k;
   s->angle = c->preimage.alpha ? c->preimage.alpha[k] : 0;
   s->unit = c->preimage.alpha ? c->preimage.alpha[k] : 1;
   s->spacing = c->knots[k + 1] - c->knots[k];
   s->speed = 0;
-  s->radius = 0;
   for (size_t i = 0; i <= c->degree; i++) {
     s->p[i] = ph_check_vector(v, p + c->dimension * i, c->dimension);
   }
-  if (c->kind == PH_CURVE_SPHERICAL_NU) {
-    s->m = 0;
-    load_sphere(v, s);
-  } else {
-    s->m = c->degree - 1;
-    load_form(v, s);
-  }
+  s->kind->load(v, s);
   s->noise = v->noise[k];
 }
 
@@ -137,8 +120,8 @@ static void multiply_vector(size_t n, const double *a, ph_vec3 *b) {
 }
 
 /* (1) by Horner's rule, as power series. */
-static void form_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
-                     size_t n) {
+void ph_check_form_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
+                       size_t n) {
   double series[2][PH_CHECK_JET], p[PH_CHECK_JET] = {1, 0, 0, 0};
   double factorial = 1;
   ph_check_basis(s->angle, u, n, series);
@@ -160,15 +143,7 @@ static void form_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
 
 void ph_check_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
                   size_t n) {
-  if (s->radius > 0) {
-    ph_vec3 all[3];
-    ph_check_great(s->p, u, all);
-    for (size_t i = 0; i < n; i++) {
-      jet[i] = ph_vec3_scale(s->radius, all[i + 1]);
-    }
-  } else {
-    form_jet(s, u, jet, n);
-  }
+  s->kind->jet(s, u, jet, n);
 }
 
 /* The integral of r' over [from,to]; exact for polynomials of degree 31, to
@@ -178,21 +153,30 @@ static ph_vec3 chord(const struct ph_check *v, const struct ph_check_segment *s,
   ph_vec3 sum = {0, 0, 0};
   for (size_t i = 0; i < v->fine.n; i++) {
     ph_vec3 first;
-    form_jet(s, from + (to - from) * v->fine.node[i], &first, 1);
+    ph_check_form_jet(s, from + (to - from) * v->fine.node[i], &first, 1);
     sum = ph_vec3_along(sum, v->fine.weight[i], first);
   }
   return ph_vec3_scale(to - from, sum);
 }
 
-ph_vec3 ph_check_point(const struct ph_check *v,
-                       const struct ph_check_segment *s, double u) {
-  if (s->radius > 0) {
-    ph_vec3 all[3];
-    ph_check_great(s->p, u, all);
-    return ph_vec3_along(s->center, s->radius, all[0]);
-  }
+ph_vec3 ph_check_form_point(const struct ph_check *v,
+                            const struct ph_check_segment *s, double u) {
   return u < 0.5 ? ph_vec3_add(s->p[0], chord(v, s, 0, u))
                  : ph_vec3_sub(s->p[s->m + 1], chord(v, s, u, 1));
+}
+
+ph_vec3 ph_check_point(const struct ph_check *v,
+                       const struct ph_check_segment *s, double u) {
+  return s->kind->point(v, s, u);
+}
+
+double ph_check_form_reach(const struct ph_check *v,
+                           const struct ph_check_segment *s) {
+  double reach = 0;
+  for (size_t i = 0; i <= s->m + 1; i++) {
+    reach = ph_check_larger(reach, ph_check_reach(v, s->p[i]));
+  }
+  return reach;
 }
 
 static void speed_at(const void *context, double u, double *value) {

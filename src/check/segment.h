@@ -21,12 +21,15 @@
 
 #include "check/note.h"
 
+struct ph_check_kind;
+
 enum { PH_CHECK_FORM_MAX = PH_CHECK_DEGREE_MAX };
 
 /* Terms of power series: a value and up to 3 derivatives. */
 enum { PH_CHECK_JET = 4 };
 
 struct ph_check_segment {
+  const struct ph_check_kind *kind;
   size_t k;
   size_t m;                           /* degree of r' */
   double angle;                       /* ATPH: a; else 0 */
@@ -41,7 +44,7 @@ struct ph_check_segment {
                      preimage that was meant is another */
   double spacing; /* of its knots */
   ph_vec3 center; /* of the sphere */
-  double radius;  /* of the sphere; else 0 */
+  double radius;
 };
 
 /* ph_check_load: segment k of the curve; all arrays are there (arrays.c). */
@@ -62,6 +65,15 @@ void ph_check_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
 /* ph_check_point: r(u), from the nearer end: exact at u = 0 and u = 1. */
 ph_vec3 ph_check_point(const struct ph_check *v,
                        const struct ph_check_segment *s, double u);
+
+/* The same of forms (1), for their rows in kind.c. */
+void ph_check_form_load(const struct ph_check *v, struct ph_check_segment *s);
+void ph_check_form_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
+                       size_t n);
+ph_vec3 ph_check_form_point(const struct ph_check *v,
+                            const struct ph_check_segment *s, double u);
+double ph_check_form_reach(const struct ph_check *v,
+                           const struct ph_check_segment *s);
 
 /* ph_check_uncertain: by how much derivative d >= 1 may be off. */
 static inline double ph_check_uncertain(const struct ph_check_segment *s,

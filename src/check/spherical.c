@@ -89,3 +89,40 @@ void ph_check_great(const ph_vec3 p[4], double t, ph_vec3 jet[3]) {
   jet[1] = s[3][1];
   jet[2] = ph_vec3_scale(2, s[3][2]);
 }
+
+/* ---- a segment ----------------------------------------------------------- */
+
+void ph_check_great_load(const struct ph_check *v, struct ph_check_segment *s) {
+  s->m = 0;
+  s->center = ph_check_vector(v, v->curve->sphere.center, 3);
+  s->radius = ph_check_scaled(v, v->curve->sphere.radius);
+  for (size_t i = 0; i < 4; i++) {
+    s->p[i] = ph_vec3_unit(ph_vec3_sub(s->p[i], s->center));
+  }
+  for (size_t i = 0; i < 3; i++) {
+    s->speed = ph_check_larger(
+        s->speed, 3 * s->radius * ph_check_apart(s->p[i + 1], s->p[i]));
+  }
+}
+
+void ph_check_great_jet(const struct ph_check_segment *s, double u,
+                        ph_vec3 *jet, size_t n) {
+  ph_vec3 all[3];
+  ph_check_great(s->p, u, all);
+  for (size_t i = 0; i < n; i++) {
+    jet[i] = ph_vec3_scale(s->radius, all[i + 1]);
+  }
+}
+
+ph_vec3 ph_check_great_point(const struct ph_check *v,
+                             const struct ph_check_segment *s, double u) {
+  ph_vec3 all[3];
+  (void)v;
+  ph_check_great(s->p, u, all);
+  return ph_vec3_along(s->center, s->radius, all[0]);
+}
+
+double ph_check_great_reach(const struct ph_check *v,
+                            const struct ph_check_segment *s) {
+  return ph_check_reach(v, s->center) + DBL_EPSILON * s->radius;
+}

@@ -11,7 +11,7 @@
 #ifndef PH_CHECK_SPHERICAL_H
 #define PH_CHECK_SPHERICAL_H
 
-#include "kernel/vec3.h"
+#include "check/place.h"
 
 /* ph_check_great: S, S' and S'' at t in [0,1].
  *
@@ -19,5 +19,14 @@
  * out  jet[3]
  */
 void ph_check_great(const ph_vec3 p[4], double t, ph_vec3 jet[3]);
+
+/* What a row of kind.c has of such segments (kind.h). */
+void ph_check_great_load(const struct ph_check *v, struct ph_check_segment *s);
+void ph_check_great_jet(const struct ph_check_segment *s, double u,
+                        ph_vec3 *jet, size_t n);
+ph_vec3 ph_check_great_point(const struct ph_check *v,
+                             const struct ph_check_segment *s, double u);
+double ph_check_great_reach(const struct ph_check *v,
+                            const struct ph_check_segment *s);
 
 #endif

@@ -146,15 +146,10 @@ static double preimage_miss(const struct ph_check *v,
 void ph_check_square(struct ph_check *v, struct ph_check_segment *s) {
   const struct ph_curve *c = v->curve;
   double unit = ph_check_larger(s->speed, v->mean), miss = 0;
-  double reach = c->kind == PH_CURVE_SPHERICAL_NU
-                     ? ph_check_reach(v, s->center) + DBL_EPSILON * s->radius
-                     : 0;
-  for (size_t i = 0; c->kind != PH_CURVE_SPHERICAL_NU && i <= c->degree; i++) {
-    reach = ph_check_larger(reach, ph_check_reach(v, s->p[i]));
-  }
-  s->noise = PH_CHECK_ROUND_FIRST * ph_check_smaller(reach, v->rounding);
+  s->noise = PH_CHECK_ROUND_FIRST *
+             ph_check_smaller(v->kind->reach(v, s), v->rounding);
   v->noise[s->k] = s->noise;
-  if (c->kind == PH_CURVE_SPHERICAL_NU || c->kind == PH_CURVE_BEZIER) {
+  if (!v->kind->square) {
     return;
   }
   if (c->preimage.v) {

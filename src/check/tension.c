@@ -182,9 +182,6 @@ void ph_check_tensions(struct ph_check *v) {
   struct context c = {.v = v};
   struct ph_check_segment first, s[2];
   size_t n = v->curve->n;
-  if (v->curve->kind != PH_CURVE_SPHERICAL_NU) {
-    return;
-  }
   for (size_t k = 0; k < n; k++) {
     struct ph_check_segment *now = &s[k & 1];
     ph_check_load(v, k, now);

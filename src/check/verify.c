@@ -107,6 +107,7 @@ static void check_derived(struct ph_check *v) {
 /* A curve, alone or one of several solutions. */
 static enum ph_status check_curve(struct ph_check *v) {
   size_t n = v->curve->n;
+  v->kind = &ph_check_kinds[v->curve->kind];
   if (!ph_check_arrays(v) || !begin_curve(v)) {
     return PH_OK;
   }
@@ -118,8 +119,9 @@ static enum ph_status check_curve(struct ph_check *v) {
   check_segments(v);
   ph_check_lengths(v);
   ph_check_fairness(v);
-  ph_check_on_sphere(v);
-  ph_check_tensions(v);
+  if (v->kind->whole) {
+    v->kind->whole(v);
+  }
   ph_check_blaschke(v);
   if (v->curve == &v->claim->curve) {
     check_derived(v);

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of promises: a row for each command that solves, and no other. */
+/* The tables of promises and of kinds: a row for each command that solves, and
+ * no other; and for each kind. */
 #include "unit.h"
 
 #include "check/certify.h"
+#include "check/kind.h"
 #include "cli/command.h"
 
 #include <string.h>
@@ -66,4 +68,18 @@ PH_TEST(others_are_refused) {
   }
 }
 
-PH_TESTS(every_command_has_one, others_are_refused)
+/* A kind that has no row, or none of its functions, would be a crash. */
+PH_TEST(every_kind_has_one) {
+  for (size_t kind = 0; kind < PH_CURVE_N; kind++) {
+    const struct ph_check_kind *row = &ph_check_kinds[kind];
+    unsigned made = 0;
+    for (size_t i = 0; i < ph_promises_n; i++) {
+      made |= ph_promises[i].kinds;
+    }
+    ck_assert(row->load && row->jet && row->point && row->reach && row->place);
+    ck_assert(!row->sphere || !row->square);
+    ck_assert(made >> kind & 1);
+  }
+}
+
+PH_TESTS(every_command_has_one, every_kind_has_one, others_are_refused)

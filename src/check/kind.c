@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table of kinds (see kind.h). */
+#include "check/kind.h"
+
+#include "check/checks.h"
+#include "check/spherical.h"
+
+/* Points and tensions of a spline on a sphere. */
+static void check_spline(struct ph_check *v) {
+  ph_check_on_sphere(v);
+  ph_check_tensions(v);
+}
+
+/* Products of S0 and S1, and great circles. */
+#define FORM                                                  \
+  .load = ph_check_form_load, .jet = ph_check_form_jet,       \
+  .point = ph_check_form_point, .reach = ph_check_form_reach, \
+  .place = ph_check_form_place
+#define GREAT                                                   \
+  .load = ph_check_great_load, .jet = ph_check_great_jet,       \
+  .point = ph_check_great_point, .reach = ph_check_great_reach, \
+  .place = ph_check_great_place
+
+const struct ph_check_kind ph_check_kinds[PH_CURVE_N] = {
+    [PH_CURVE_PH] = {FORM, .square = true},
+    [PH_CURVE_ATPH] = {FORM, .square = true, .angles = true,
+                       .trigonometric = true},
+    [PH_CURVE_BEZIER] = {FORM, .trigonometric = true, .converted = true},
+    [PH_CURVE_TC] = {FORM, .square = true},
+    [PH_CURVE_SPHERICAL_NU] = {GREAT, .sphere = true, .whole = check_spline}};
