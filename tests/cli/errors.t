@@ -168,7 +168,9 @@ expect 'infeasible: the offset of a curve that stands still' 1 \
 $(failed 1 1)" \
   "$(error_record infeasible 'segments[0]' "$still" a.json 1)"
 run planar a.json
-expect 'that curve without its offset' 0
+expect 'that curve without its offset' 0 \
+  "phspline: a.json:1: record 1: warning: segment 0 stands still somewhere, \
+or turns on the spot (with loops, such segments: 1) [loop]"
 
 # ---- what a record is called -------------------------------------------------
 
