@@ -8,6 +8,7 @@
  * The seed is 1, or PH_SEED; PH_LONG=1 takes ten times as many data.
  */
 #include "tc_data.h"
+#include "tc_hermite_unit.h"
 #include "unit.h"
 
 #include "kernel/pi.h"
@@ -259,13 +260,13 @@ PH_TEST(test_one) {
   struct unit_random r = unit_random_of(23);
   size_t found[3] = {0, 0, 0};
   for (size_t i = 0; i < unit_cases(300); i++) {
-    struct ph_tc_count count;
+    struct unit_tc_count count;
     size_t n, loops = 0;
     do {
       tc_of(&r, TC_ONE, &data);
     } while (fabs(sin(angle_to_chord(0))) < 1e-3 ||
              fabs(sin(angle_to_chord(1))) < 1e-3);
-    count = ph_tc_g1_count(angle_to_chord(0), angle_to_chord(1));
+    count = unit_tc_count_by_angles(angle_to_chord(0), angle_to_chord(1));
     data.solutions = "all";
     n = tc_solve(&data, i, &one) ? one.result.solutions_n : 0;
     ck_that(n == count.without_loop + count.with_loop, "%zu solutions", n);

@@ -67,4 +67,61 @@ static inline double unit_tc_apart(const struct ph_tc_fit *x, bool reversed,
   return (plus < minus ? plus : minus) / size;
 }
 
+/* How many cubics there are for two angles. */
+struct unit_tc_count {
+  unsigned without_loop, with_loop;
+};
+
+static inline struct unit_tc_count unit_tc_count_of(unsigned without_loop,
+                                                    unsigned with_loop) {
+  return (struct unit_tc_count){without_loop, with_loop};
+}
+
+/* d < p, d < pi/3: both turn by 2 pi - 2 d, or there is none. */
+static inline struct unit_tc_count unit_tc_count_large(double p, double d) {
+  double m, closes;
+  if (p >= PH_PI / 2 || PH_SQRT3 * sin(p) > 2 * sin(d)) {
+    return unit_tc_count_of(0, 0);
+  }
+  if (d <= PH_PI / 6) {
+    return unit_tc_count_of(0, 2);
+  }
+  /* the p at which the loop of the cubic with |D| = m begins at its end */
+  m = 2 * sin(d - PH_PI / 6);
+  closes = atan2((1 / m - m) * sin(d), (1 / m + m) * cos(d) - 1);
+  if (p <= closes) {
+    return unit_tc_count_of(1, 1);
+  }
+  return 2 * tan(d) < PH_SQRT3 ? unit_tc_count_of(0, 2)
+                               : unit_tc_count_of(2, 0);
+}
+
+/*
+ * The number of solutions of ph_tc_g1 from the angles alone, in closed form:
+ * what borders the regions of existence [BYR11, fig. 4.5, table 4.1].  Of
+ * angles on a border to rounding either side may be answered.
+ *
+ * in   a, b  angles from the chord to the tangents, in [-pi, pi]
+ */
+static inline struct unit_tc_count unit_tc_count_by_angles(double a, double b) {
+  double from = fabs(a) <= PH_TC_COLLINEAR ? 0 : a,
+         to = fabs(b) <= PH_TC_COLLINEAR ? 0 : b;
+  double p = fabs(from + to) / 2, d = fabs(to - from) / 2;
+  if (d > PH_PI / 2) { /* the same tangents with b a turn further */
+    d = PH_PI - d;
+    p = PH_PI - p;
+  }
+  if (d > PH_PI / 3) {
+    return p < d || p > d ? unit_tc_count_of(1, 0) : unit_tc_count_of(0, 0);
+  }
+  if (p < d) {
+    return unit_tc_count_of(1, 1);
+  }
+  if (p > d) {
+    return unit_tc_count_large(p, d);
+  }
+  return d > 0 ? unit_tc_count_of(0, 1)
+               : unit_tc_count_of(1, 0); /* the straight line */
+}
+
 #endif

@@ -133,9 +133,9 @@ void ph_tc_fit_order(struct ph_tc_fit *fits, size_t n) {
  * G1 Hermite interpolation by one Tschirnhausen cubic [BYR11, ch. 4], see
  * tc.h.
  *
- * The solutions come from the quadratic (4.5) with square roots only.  Their
- * number comes from the angles: dividing 3 (r(1) - r(0)) = w0^2 + w0 w1 + w1^2
- * by w0 w1 leaves, with D = +-exp(tau),
+ * The solutions come from the quadratic (4.5) with square roots only.  Where
+ * there are any comes from the angles: dividing 3 (r(1) - r(0)) = w0^2 + w0 w1
+ * + w1^2 by w0 w1 leaves, with D = +-exp(tau),
  *
  *   1 + 2 (+-cosh tau cos delta + i (+-sinh tau) sin delta),
  *
@@ -254,54 +254,7 @@ size_t ph_tc_g1(const struct ph_tc_hermite *h, struct ph_tc_fit fits[2]) {
   return n;
 }
 
-/* ---- their number -------------------------------------------------------- */
-
-/* The angle of a snapped tangent (ph_tc_snap); backward ones are on no border
- * and stay as they are. */
-static double snapped(double angle) {
-  return fabs(angle) <= PH_TC_COLLINEAR ? 0 : angle;
-}
-
-static struct ph_tc_count count_of(unsigned without_loop, unsigned with_loop) {
-  return (struct ph_tc_count){without_loop, with_loop};
-}
-
-/* d < p, d < pi/3: both turn by 2 pi - 2 d, or there is none. */
-static struct ph_tc_count count_large_turns(double p, double d) {
-  double m, closes;
-  if (p >= PH_PI / 2 || PH_SQRT3 * sin(p) > 2 * sin(d)) {
-    return count_of(0, 0);
-  }
-  if (d <= PH_PI / 6) {
-    return count_of(0, 2);
-  }
-  /* the p at which the loop of the cubic with |D| = m begins at its end */
-  m = 2 * sin(d - PH_PI / 6);
-  closes = atan2((1 / m - m) * sin(d), (1 / m + m) * cos(d) - 1);
-  if (p <= closes) {
-    return count_of(1, 1);
-  }
-  return 2 * tan(d) < PH_SQRT3 ? count_of(0, 2) : count_of(2, 0);
-}
-
-struct ph_tc_count ph_tc_g1_count(double a, double b) {
-  double from = snapped(a), to = snapped(b);
-  double p = fabs(from + to) / 2, d = fabs(to - from) / 2;
-  if (d > PH_PI / 2) { /* the same tangents with b a turn further */
-    d = PH_PI - d;
-    p = PH_PI - p;
-  }
-  if (d > PH_PI / 3) {
-    return p < d || p > d ? count_of(1, 0) : count_of(0, 0);
-  }
-  if (p < d) {
-    return count_of(1, 1);
-  }
-  if (p > d) {
-    return count_large_turns(p, d);
-  }
-  return d > 0 ? count_of(0, 1) : count_of(1, 0); /* the straight line */
-}
+/* ---- where there are any ------------------------------------------------- */
 
 /* For a in [-pi, 0). */
 static void range_right(double a, double range[2]) {
@@ -312,7 +265,7 @@ static void range_right(double a, double range[2]) {
 }
 
 void ph_tc_g1_range(double a, double range[2]) {
-  double from = snapped(a), low;
+  double from = fabs(a) <= PH_TC_COLLINEAR ? 0 : a, low;
   range_right(-fabs(from), range);
   if (!(fabs(from) > 0)) {
     range[0] = -2 * PH_PI / 3;

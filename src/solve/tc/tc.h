@@ -147,21 +147,6 @@ struct ph_tc_fit *ph_tc_fit_best(struct ph_tc_fit *fits, size_t n);
  */
 size_t ph_tc_g1(const struct ph_tc_hermite *h, struct ph_tc_fit fits[2]);
 
-/* How many cubics there are for two angles. */
-struct ph_tc_count {
-  unsigned without_loop, with_loop;
-};
-
-/*
- * ph_tc_g1_count: the same from the angles alone, in closed form: what borders
- * the regions of existence [BYR11, fig. 4.5, table 4.1].  It solves nothing,
- * and no curve is made with it: it is a check of ph_tc_g1.  Of angles on a
- * border to rounding either side may be answered.
- *
- * in   a, b  angles from the chord to the tangents, in [-pi, pi]
- */
-struct ph_tc_count ph_tc_g1_count(double a, double b);
-
 /*
  * ph_tc_g1_range: the open interval of angles at one end for which there is a
  * cubic, given the angle at the other; it holds 0, and is less than a turn

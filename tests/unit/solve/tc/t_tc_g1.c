@@ -16,8 +16,8 @@ static size_t solve(double a, double b, struct ph_tc_fit fits[2]) {
   return ph_tc_g1(&h, fits);
 }
 
-static struct ph_tc_count count_fits(const struct ph_tc_fit *fits, size_t n) {
-  struct ph_tc_count count = {0, 0};
+static struct unit_tc_count count_fits(const struct ph_tc_fit *fits, size_t n) {
+  struct unit_tc_count count = {0, 0};
   for (size_t i = 0; i < n; i++) {
     count.with_loop += fits[i].loops;
     count.without_loop += 1 - fits[i].loops;
@@ -25,8 +25,8 @@ static struct ph_tc_count count_fits(const struct ph_tc_fit *fits, size_t n) {
   return count;
 }
 
-static void ck_count(double a, double b, struct ph_tc_count found,
-                     struct ph_tc_count wanted) {
+static void ck_count(double a, double b, struct unit_tc_count found,
+                     struct unit_tc_count wanted) {
   ck_assert_msg(found.without_loop == wanted.without_loop &&
                     found.with_loop == wanted.with_loop,
                 "angles %.17g, %.17g: %u without and %u with a loop, not %u "
@@ -114,12 +114,12 @@ static const struct {
 PH_TEST_EACH(test_known, sizeof KNOWN / sizeof KNOWN[0]) {
   struct ph_tc_fit fits[2];
   double a = KNOWN[_i].a, b = KNOWN[_i].b, chord = KNOWN[_i].chord;
-  struct ph_tc_count wanted = {(unsigned)(KNOWN[_i].n - KNOWN[_i].loops),
-                               (unsigned)KNOWN[_i].loops};
+  struct unit_tc_count wanted = {(unsigned)(KNOWN[_i].n - KNOWN[_i].loops),
+                                 (unsigned)KNOWN[_i].loops};
   size_t n = solve(a, b, fits);
   ck_assert_uint_eq(n, KNOWN[_i].n);
   ck_count(a, b, count_fits(fits, n), wanted);
-  ck_count(a, b, ph_tc_g1_count(a, b), wanted);
+  ck_count(a, b, unit_tc_count_by_angles(a, b), wanted);
   for (size_t i = 0; i < n; i++) {
     const struct known_fit *k = &KNOWN[_i].fits[i];
     ck_rel(fabs(fits[i].ratio), k->size, 1e-12);
@@ -140,18 +140,18 @@ PH_TEST(test_straight) {
   ck_abs(fits[0].ratio, 1, 0);
   ck_rel(fits[0].length, 1, DBL_EPSILON);
   ck_abs(fits[0].energy, 0, 0);
-  ck_assert_uint_eq(ph_tc_g1_count(0, 0).without_loop, 1);
-  ck_assert_uint_eq(ph_tc_g1_count(0, 0).with_loop, 0);
+  ck_assert_uint_eq(unit_tc_count_by_angles(0, 0).without_loop, 1);
+  ck_assert_uint_eq(unit_tc_count_by_angles(0, 0).with_loop, 0);
   for (int i = 1; i < 9; i++) {
     double a = (i % 3 - 1) * PH_PI, b = (i / 3 - 1) * PH_PI;
-    struct ph_tc_count none = {0, 0};
+    struct unit_tc_count none = {0, 0};
     if (fabs(a) > 0 || fabs(b) > 0) {
       ck_assert_uint_eq(solve(a, b, fits), 0);
-      ck_count(a, b, ph_tc_g1_count(a, b), none);
+      ck_count(a, b, unit_tc_count_by_angles(a, b), none);
       a -= copysign(1e-15, a);
       b -= copysign(1e-15, b);
       ck_assert_uint_eq(solve(a, b, fits), 0);
-      ck_count(a, b, ph_tc_g1_count(a, b), none);
+      ck_count(a, b, unit_tc_count_by_angles(a, b), none);
     }
   }
 }
@@ -172,12 +172,12 @@ PH_TEST_EACH(test_along, 4) {
     size_t n = solve(a, b, fits);
     double size = 2 * fabs(backward ? sin(angle / 2) : cos(angle / 2));
     double legs = 2 * cos(angle) + (backward ? -1 : 1); /* G, or G/D^2 */
-    struct ph_tc_count wanted = {backward, !backward};
+    struct unit_tc_count wanted = {backward, !backward};
     if (near[i % 6] > 0) {
       wanted.with_loop = wanted.without_loop = 0;
     }
     ck_count(a, b, count_fits(fits, n), wanted);
-    ck_count(a, b, ph_tc_g1_count(a, b), wanted);
+    ck_count(a, b, unit_tc_count_by_angles(a, b), wanted);
     if (n > 0) {
       ph_cplx end = unit_tc_end(&fits[0], first);
       ck_rel(fabs(fits[0].ratio), first ? 1 / size : size, 1e-14);
@@ -199,8 +199,10 @@ PH_TEST(test_snap) {
     ck_assert_uint_eq(solve(a, 0.5, snapped), solve(along, 0.5, fits));
     ck_assert_uint_eq(count_fits(fits, 1).with_loop, along > 0 ? 0 : 1);
     ck_abs(unit_tc_apart(&snapped[0], false, false, &fits[0]), 0, 0);
-    ck_count(a, 0.5, ph_tc_g1_count(a, 0.5), ph_tc_g1_count(along, 0.5));
-    ck_count(0.5, a, ph_tc_g1_count(0.5, a), ph_tc_g1_count(0.5, along));
+    ck_count(a, 0.5, unit_tc_count_by_angles(a, 0.5),
+             unit_tc_count_by_angles(along, 0.5));
+    ck_count(0.5, a, unit_tc_count_by_angles(0.5, a),
+             unit_tc_count_by_angles(0.5, along));
   }
   ck_assert_uint_eq(solve(-1e-13, 0.5, fits), 2);
   ck_assert(!fits[1].regular && !fits[1].simple);
@@ -219,7 +221,8 @@ PH_TEST(test_double_root) {
     ck_assert_uint_eq(solve(p - d + 1e-6 * d, p + d + 1e-6 * d, fits), 0);
     p *= 1 - 1e-8;
     ck_assert_uint_eq(solve(p - d, p + d, fits), 2);
-    ck_count(p - d, p + d, ph_tc_g1_count(p - d, p + d), count_fits(fits, 2));
+    ck_count(p - d, p + d, unit_tc_count_by_angles(p - d, p + d),
+             count_fits(fits, 2));
   }
 }
 
@@ -229,7 +232,7 @@ PH_TEST(test_sixty_degrees) {
   for (int i = -60; i < 60; i++) {
     double p = (i + 0.5) * PH_PI / 60, d = PH_PI / 3;
     size_t n = solve(p - d, p + d, fits);
-    struct ph_tc_count wanted = {fabs(p) < PH_PI / 2, 0};
+    struct unit_tc_count wanted = {fabs(p) < PH_PI / 2, 0};
     ck_count(p - d, p + d, count_fits(fits, n), wanted);
     ck_assert(n == 0 || unit_tc_miss(&fits[0]) <= 1e-15);
   }
@@ -276,8 +279,8 @@ static ph_cplx leg_of(ph_cplx w0, ph_cplx unit, double root) {
 
 /* All D at which that is along the chord and forward, by its sign beside the
  * chord at |D| = e^-9 to e^9; whether they cross themselves, by a polygon. */
-static struct ph_tc_count search(double a, double b, int steps) {
-  struct ph_tc_count count = {0, 0};
+static struct unit_tc_count search(double a, double b, int steps) {
+  struct unit_tc_count count = {0, 0};
   ph_cplx u = ph_cplx_polar(a / 2), v = ph_cplx_polar(b / 2);
   const double factor = exp(18.0 / steps);
   for (int sign = -1; sign <= 1; sign += 2) {
@@ -305,7 +308,7 @@ PH_TEST(test_search) {
     for (int j = 0; j < n; j++) {
       double a = ((i + 0.51) / n * 2 - 1) * PH_PI;
       double b = ((j + 0.53) / n * 2 - 1) * PH_PI;
-      ck_count(a, b, ph_tc_g1_count(a, b), search(a, b, steps));
+      ck_count(a, b, unit_tc_count_by_angles(a, b), search(a, b, steps));
     }
   }
 }
@@ -319,7 +322,8 @@ PH_TEST(test_count) {
     double a = i * PH_PI / n;
     for (int j = -n; j <= n; j++) {
       double b = j * PH_PI / n;
-      ck_count(a, b, count_fits(fits, solve(a, b, fits)), ph_tc_g1_count(a, b));
+      ck_count(a, b, count_fits(fits, solve(a, b, fits)),
+               unit_tc_count_by_angles(a, b));
     }
   }
 }
@@ -331,8 +335,10 @@ PH_TEST(test_count_near_chord) {
     double a = k & 2 ? copysign(PH_PI, off) - off : off;
     for (int j = -50; j <= 50; j++) {
       double b = (j + 0.3) * PH_PI / 51;
-      ck_count(a, b, count_fits(fits, solve(a, b, fits)), ph_tc_g1_count(a, b));
-      ck_count(b, a, count_fits(fits, solve(b, a, fits)), ph_tc_g1_count(b, a));
+      ck_count(a, b, count_fits(fits, solve(a, b, fits)),
+               unit_tc_count_by_angles(a, b));
+      ck_count(b, a, count_fits(fits, solve(b, a, fits)),
+               unit_tc_count_by_angles(b, a));
     }
   }
 }
@@ -352,7 +358,7 @@ PH_TEST(test_range) {
     ck_assert(range[0] < 0 && range[1] > 0 && range[1] - range[0] < 2 * PH_PI);
     for (int j = -n; j < n; j++) {
       double b = (j + 0.37) * PH_PI / n;
-      struct ph_tc_count count = ph_tc_g1_count(a, b);
+      struct unit_tc_count count = unit_tc_count_by_angles(a, b);
       ck_assert_msg(is_in(b, range) ==
                         (count.with_loop + count.without_loop > 0),
                     "angles %.17g, %.17g", a, b);
@@ -368,7 +374,7 @@ PH_TEST(test_range_ends) {
     ph_tc_g1_range(a, range);
     for (int k = 0; k < 4; k++) {
       double b = remainder(range[k / 2] + (k & 1 ? 1e-9 : -1e-9), 2 * PH_PI);
-      struct ph_tc_count count = ph_tc_g1_count(a, b);
+      struct unit_tc_count count = unit_tc_count_by_angles(a, b);
       ck_assert_msg((k == 1 || k == 2) ==
                         (count.with_loop + count.without_loop > 0),
                     "angles %.17g, %.17g", a, b);

@@ -249,7 +249,7 @@ PH_TEST(test_all) {
     ck_abs(unit_tc_apart(&fits[0], false, false, &alone), 0, 1e-14);
     ck_assert(fits[0].simple == alone.simple);
     if (alone.n == 1) {
-      struct ph_tc_count count = ph_tc_g1_count(v[0], v[1]);
+      struct unit_tc_count count = unit_tc_count_by_angles(v[0], v[1]);
       ck_assert_uint_eq(n, count.without_loop + count.with_loop);
     } else {
       ck_assert_uint_eq(n, PH_TC_PAIRS);
