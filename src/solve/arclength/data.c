@@ -41,10 +41,6 @@ static const struct ph_value *field(const struct reading *r,
   return &r->problem->field[id];
 }
 
-static bool is_given(const struct reading *r, enum ph_field_id id) {
-  return field(r, id)->kind != PH_ABSENT;
-}
-
 /* ---- what is given ------------------------------------------------------- */
 
 static enum ph_status find_vectors(struct reading *r) {
@@ -56,7 +52,7 @@ static enum ph_status find_vectors(struct reading *r) {
                {PH_F_TANGENTS, PH_ARC_TANGENTS}};
   for (size_t i = 0; i < 3; i++) {
     const char *name = ph_field_name(modes[i].id);
-    if (!is_given(r, modes[i].id)) {
+    if (!ph_fields_given(r->problem, modes[i].id)) {
       continue;
     }
     if (r->vectors) {
@@ -75,17 +71,18 @@ static enum ph_status find_vectors(struct reading *r) {
 /* Fields that have a meaning only beside another. */
 static enum ph_status check_company(const struct reading *r) {
   bool points = r->data->mode == PH_ARC_POINTS;
-  bool lengths = is_given(r, PH_F_LENGTHS);
+  bool lengths = ph_fields_given(r->problem, PH_F_LENGTHS);
   if (field(r, PH_F_CLOSED)->flag && !points) {
     return ph_fail(r->diag, PH_BAD_VALUE, "closed",
                    "needs points: %s do not say where the curve comes back",
                    r->name);
   }
-  if (is_given(r, PH_F_START) && points) {
+  if (ph_fields_given(r->problem, PH_F_START) && points) {
     return ph_fail(r->diag, PH_BAD_VALUE, "start",
                    "is the first of the points");
   }
-  if (is_given(r, PH_F_MAGNITUDES) && r->data->mode != PH_ARC_TANGENTS) {
+  if (ph_fields_given(r->problem, PH_F_MAGNITUDES) &&
+      r->data->mode != PH_ARC_TANGENTS) {
     return ph_fail(r->diag, PH_BAD_VALUE, "magnitudes",
                    "needs tangents: %s have theirs", r->name);
   }
@@ -93,11 +90,12 @@ static enum ph_status check_company(const struct reading *r) {
     return ph_fail(r->diag, PH_MISSING_FIELD, "lengths",
                    "must be given with %s", r->name);
   }
-  if (is_given(r, PH_F_LENGTH_SIGMA) && !lengths) {
+  if (ph_fields_given(r->problem, PH_F_LENGTH_SIGMA) && !lengths) {
     return ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
                    "needs lengths: without them they are free");
   }
-  if (is_given(r, PH_F_LENGTH_SIGMA) && r->data->mode == PH_ARC_TANGENTS &&
+  if (ph_fields_given(r->problem, PH_F_LENGTH_SIGMA) &&
+      r->data->mode == PH_ARC_TANGENTS &&
       !ph_field_is(field(r, PH_F_MAGNITUDES), "mean")) {
     return ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
                    "needs points or derivatives: tangents contradict no "
@@ -124,7 +122,7 @@ static bool allocate(struct reading *r) {
   bool points = d->mode == PH_ARC_POINTS;
   d->h = ph_arena_array(r->arena, d->n, sizeof *d->h);
   d->knots = ph_arena_array(r->arena, d->n + 1, sizeof *d->knots);
-  if (is_given(r, PH_F_LENGTHS)) {
+  if (ph_fields_given(r->problem, PH_F_LENGTHS)) {
     d->length = ph_arena_array(r->arena, d->n, sizeof *d->length);
     if (!d->length) {
       return false;
@@ -211,8 +209,7 @@ static enum ph_status read_given(struct reading *r) {
                         "must not be zero");
     }
     if (d->mode == PH_ARC_TANGENTS) {
-      r->scale = ph_pow2_of(-ph_pow2_exponent(most));
-      d->given[j] = ph_vec3_unit(vector(r, j));
+      d->given[j] = ph_fields_unit(ph_fields_vector(r->vectors, j));
     } else {
       d->given[j] = vector(r, j);
       if (!(ph_vec3_abs(d->given[j]) > COINCIDENT)) {
@@ -295,24 +292,10 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
 
 /* Spacings in proportion to v, their mean 1. */
 static void set_spacings(struct ph_arc_data *d, const double *v) {
-  struct ph_sum sum = {0, 0};
-  double mean;
-  for (size_t i = 0; i < d->n; i++) {
-    ph_sum_add(&sum, v[i]);
-  }
-  mean = ph_sum_value(&sum) / (double)d->n;
+  double mean = ph_fields_sum(v, d->n) / (double)d->n;
   for (size_t i = 0; i < d->n; i++) {
     d->h[i] = v[i] / mean;
   }
-}
-
-static void knots_from_spacings(struct ph_arc_data *d) {
-  struct ph_sum t = {0, 0};
-  for (size_t i = 0; i < d->n; i++) {
-    d->knots[i] = ph_sum_value(&t);
-    ph_sum_add(&t, d->h[i]);
-  }
-  d->knots[d->n] = (double)d->n;
 }
 
 /* Knots given as numbers: derivatives are by them. */
@@ -368,7 +351,8 @@ static enum ph_status read_knots(struct reading *r) {
   } else {
     set_spacings(d, d->length);
   }
-  knots_from_spacings(d);
+  ph_fields_sums(d->h, d->n, d->knots);
+  d->knots[d->n] = (double)d->n;
   return PH_OK;
 }
 
@@ -378,13 +362,7 @@ static enum ph_status read_knots(struct reading *r) {
 static void normalise(struct reading *r) {
   struct ph_arc_data *d = r->data;
   const double *v = d->length ? d->length : d->chord;
-  struct ph_sum sum = {0, 0};
-  double mean, per;
-  for (size_t i = 0; i < d->n; i++) {
-    ph_sum_add(&sum, v[i]);
-  }
-  mean = ph_sum_value(&sum) / (double)d->n;
-  per = 1 / mean;
+  double mean = ph_fields_sum(v, d->n) / (double)d->n, per = 1 / mean;
   d->root *= sqrt(mean);
   r->largest *= per;
   for (size_t i = 0; i < d->n; i++) {

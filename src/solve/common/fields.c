@@ -2,7 +2,9 @@
 /* Fields that several methods have (see fields.h). */
 #include "solve/common/fields.h"
 
+#include "base/sum.h"
 #include "kernel/pi.h"
+#include "kernel/pow2.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,6 +12,9 @@
 /* A last point within this of the first, relative to the largest coordinate,
  * repeats it. */
 static const double REPEATED = 1e-14;
+
+/* ... and a last vector within this of the first, relative to the longer. */
+static const double REPEATED_VECTOR = 1e-9;
 
 bool ph_field_is(const struct ph_value *value, const char *word) {
   return value->kind == PH_WORD && strcmp(value->word, word) == 0;
@@ -23,6 +28,71 @@ double ph_fields_largest(const double *v, size_t n) {
   }
   return largest;
 }
+
+int ph_fields_exponent(double size) {
+  int exponent = size > 0 ? -ph_pow2_exponent(size) - 2 : 0;
+  return exponent - (exponent & 1);
+}
+
+/* ---- vectors ------------------------------------------------------------- */
+
+ph_vec3 ph_fields_vector(const struct ph_value *value, size_t i) {
+  const double *v = value->v + value->dimension * i;
+  return ph_vec3_of(v[0], v[1], value->dimension > 2 ? v[2] : 0);
+}
+
+static double largest_of(ph_vec3 v) {
+  return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z));
+}
+
+ph_vec3 ph_fields_unit(ph_vec3 v) {
+  struct ph_pow2 scale = ph_pow2_of(-ph_pow2_exponent(largest_of(v)));
+  return ph_vec3_unit(ph_vec3_of(ph_pow2_apply(scale, v.x),
+                                 ph_pow2_apply(scale, v.y),
+                                 ph_pow2_apply(scale, v.z)));
+}
+
+/* Whether the last vector is the first, or has its direction. */
+static bool repeats_vector(const struct ph_value *value, bool direction) {
+  ph_vec3 first = ph_fields_vector(value, 0);
+  ph_vec3 last = ph_fields_vector(value, value->n - 1);
+  double size = fmax(largest_of(first), largest_of(last));
+  if (direction && largest_of(first) > 0 && largest_of(last) > 0) {
+    first = ph_fields_unit(first);
+    last = ph_fields_unit(last);
+    size = 1;
+  }
+  return largest_of(ph_vec3_sub(last, first)) <= REPEATED_VECTOR * size;
+}
+
+enum ph_status ph_fields_vectors(const struct ph_problem *problem,
+                                 enum ph_field_id id, size_t points_n,
+                                 struct ph_diag *diag) {
+  const struct ph_value *points = &problem->field[PH_F_POINTS];
+  const struct ph_value *value = &problem->field[id];
+  const char *name = ph_field_name(id);
+  if (value->n != points->n && value->n != points_n) {
+    return ph_fail(diag, PH_BAD_SHAPE, name,
+                   "must have %zu vectors, one for each point, found %zu",
+                   points->n, value->n);
+  }
+  if (value->dimension < points->dimension) {
+    return ph_fail(diag, PH_BAD_SHAPE, name,
+                   "must have vectors of 3 numbers, as the points have");
+  }
+  if (value->n > points_n && !repeats_vector(value, id == PH_F_TANGENTS)) {
+    return ph_fail_at(diag, PH_BAD_VALUE, name, value->n - 1,
+                      "must equal %s[0], as the point does", name);
+  }
+  for (size_t k = 0; k < points_n; k++) {
+    if (!(largest_of(ph_fields_vector(value, k)) > 0)) {
+      return ph_fail_at(diag, PH_ZERO_TANGENT, name, k, "must not be zero");
+    }
+  }
+  return PH_OK;
+}
+
+/* ---- points, knots and angles -------------------------------------------- */
 
 static bool repeats_first(const struct ph_value *points) {
   size_t n = points->n, dimension = points->dimension;
@@ -78,6 +148,23 @@ enum ph_status ph_fields_knots(const struct ph_value *knots, size_t n,
     }
   }
   return PH_OK;
+}
+
+void ph_fields_sums(const double *h, size_t n, double *knots) {
+  struct ph_sum sum = {0, 0};
+  knots[0] = 0;
+  for (size_t k = 0; k < n; k++) {
+    ph_sum_add(&sum, h[k]);
+    knots[k + 1] = ph_sum_value(&sum);
+  }
+}
+
+double ph_fields_sum(const double *h, size_t n) {
+  struct ph_sum sum = {0, 0};
+  for (size_t k = 0; k < n; k++) {
+    ph_sum_add(&sum, h[k]);
+  }
+  return ph_sum_value(&sum);
 }
 
 static enum ph_status out_of_range(const char *what, bool one, size_t k,

@@ -7,12 +7,47 @@
 #include "base/diag.h"
 #include "curve/problem.h"
 #include "curve/result.h"
+#include "kernel/vec3.h"
 
 /* ph_field_is: whether a value is this word. */
 bool ph_field_is(const struct ph_value *value, const char *word);
 
 /* ph_fields_largest: the largest |v[i]| of n numbers. */
 double ph_fields_largest(const double *v, size_t n);
+
+/* ph_fields_order: -1, 0 or 1, for qsort. */
+static inline int ph_fields_order(double a, double b) {
+  return (a > b) - (a < b);
+}
+
+/* ph_fields_given: whether a problem has a field. */
+static inline bool ph_fields_given(const struct ph_problem *problem,
+                                   enum ph_field_id id) {
+  return problem->field[id].kind != PH_ABSENT;
+}
+
+/* ph_fields_exponent: of the power of two, an even one, that brings numbers up
+ * to size below 1/2, so that neither sums nor squares reach 1; 0 if all are 0.
+ */
+int ph_fields_exponent(double size);
+
+/* ph_fields_vector: vector i of a field, of two or three numbers. */
+ph_vec3 ph_fields_vector(const struct ph_value *value, size_t i);
+
+/* ph_fields_unit: v / |v|, at a scale of its own; v is finite and not 0. */
+ph_vec3 ph_fields_unit(ph_vec3 v);
+
+/*
+ * ph_fields_vectors: checks a field that has one vector for each point, none of
+ * them 0.  Closed data whose last point repeats the first may repeat the vector
+ * as well, or of tangents its direction.
+ *
+ * in   points_n  points of the curve (ph_fields_segments)
+ * ret  PH_OK | PH_BAD_SHAPE | PH_BAD_VALUE | PH_ZERO_TANGENT
+ */
+enum ph_status ph_fields_vectors(const struct ph_problem *problem,
+                                 enum ph_field_id id, size_t points_n,
+                                 struct ph_diag *diag);
 
 /*
  * ph_fields_segments: how many segments interpolate the points of a problem,
@@ -32,6 +67,12 @@ enum ph_status ph_fields_segments(const struct ph_problem *problem, size_t *n,
  */
 enum ph_status ph_fields_knots(const struct ph_value *knots, size_t n,
                                bool closed, double *h, struct ph_diag *diag);
+
+/* ph_fields_sums: knots from 0 on whose spacings are h[n].  out knots[n + 1] */
+void ph_fields_sums(const double *h, size_t n, double *knots);
+
+/* ph_fields_sum: h[0] + ... + h[n - 1]. */
+double ph_fields_sum(const double *h, size_t n);
 
 /*
  * ph_fields_each: a field that is one number for all segments or one for each.

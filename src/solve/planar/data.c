@@ -52,9 +52,7 @@ static enum ph_status set_chords(struct ph_planar_data *d,
   double size = ph_fields_largest(d->points, 2 * points_n);
   struct ph_pow2 scale;
   ph_cplx from, to;
-  /* Two more: neither sums nor squares of coordinates reach 1. */
-  d->exponent = size > 0 ? -ph_pow2_exponent(size) - 2 : 0;
-  d->exponent -= d->exponent & 1;
+  d->exponent = ph_fields_exponent(size);
   scale = ph_pow2_of(d->exponent);
   size = ph_pow2_apply(scale, size);
   from = ph_planar_point(d, 0);
@@ -87,16 +85,6 @@ static enum ph_status set_given_knots(struct ph_planar_data *d,
   return status;
 }
 
-/* Knots that are sums of the spacings, from 0. */
-static void add_up_knots(struct ph_planar_data *d) {
-  struct ph_sum knot = {0, 0};
-  d->knots[0] = 0;
-  for (size_t k = 0; k < d->n; k++) {
-    ph_sum_add(&knot, d->h[k]);
-    d->knots[k + 1] = ph_sum_value(&knot);
-  }
-}
-
 /* Spacings by rule: |c|, sqrt |c| or 1, in the user's unit. */
 static void set_knots_by_rule(struct ph_planar_data *d, const char *rule) {
   struct ph_pow2 back = ph_pow2_of(-d->exponent);
@@ -106,7 +94,7 @@ static void set_knots_by_rule(struct ph_planar_data *d, const char *rule) {
     double chord = ph_pow2_apply(back, d->chord[k]);
     d->h[k] = uniform ? 1 : centripetal ? sqrt(chord) : chord;
   }
-  add_up_knots(d);
+  ph_fields_sums(d->h, d->n, d->knots);
 }
 
 void ph_planar_data_chordal(const struct ph_planar_data *d, double power,
@@ -135,7 +123,7 @@ static enum ph_status set_angles(struct ph_planar_data *d,
   for (size_t k = 0; status == PH_OK && k < d->n; k++) {
     d->space[k] = ph_atph_of(d->h[k]);
   }
-  add_up_knots(d);
+  ph_fields_sums(d->h, d->n, d->knots);
   return status;
 }
 
@@ -311,14 +299,11 @@ enum ph_status ph_planar_data_of(const struct ph_problem *problem,
 /* Knots in new proportions between the first and the last that there were. */
 static void respace_knots(struct ph_planar_data *d, const double *spacing) {
   double first = d->knots[0], last = d->knots[d->n];
-  struct ph_sum sum = {0, 0}, part = {0, 0};
-  for (size_t k = 0; k < d->n; k++) {
-    ph_sum_add(&sum, spacing[k]);
-  }
+  double sum = ph_fields_sum(spacing, d->n);
+  struct ph_sum part = {0, 0};
   for (size_t k = 0; k + 1 < d->n; k++) {
     ph_sum_add(&part, spacing[k]);
-    d->knots[k + 1] =
-        first + (last - first) * (ph_sum_value(&part) / ph_sum_value(&sum));
+    d->knots[k + 1] = first + (last - first) * (ph_sum_value(&part) / sum);
   }
 }
 
@@ -333,7 +318,7 @@ enum ph_status ph_planar_data_space(struct ph_planar_data *d,
     d->h[k] = spacing[k];
   }
   if (d->atph && !d->own_knots) {
-    add_up_knots(d);
+    ph_fields_sums(d->h, d->n, d->knots);
   } else {
     if (!d->atph) {
       respace_knots(d, spacing);

@@ -56,10 +56,6 @@ static void warn_loops(const struct ph_planar_loops *loops,
   }
 }
 
-static int order(double a, double b) {
-  return (a > b) - (a < b);
-}
-
 static bool is_same_length(double a, double b) {
   return fabs(a - b) <= SAME_LENGTH * b;
 }
@@ -281,7 +277,8 @@ static int compare_sides(const struct ph_curve *x, const struct ph_curve *y) {
     left = ph_cplx_cross(c, off);
     on = ph_cplx_dot(c, off);
     if (fabs(left) > apart || fabs(on) > apart) {
-      return fabs(left) > apart ? order(0, left) : order(0, on);
+      return fabs(left) > apart ? ph_fields_order(0, left)
+                                : ph_fields_order(0, on);
     }
   }
   return 0;
@@ -297,16 +294,16 @@ static int compare_solutions(const void *a, const void *b) {
   double turns[2] = {x->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX],
                      y->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX]};
   if (!is_same(fairness_of(x), fairness_of(y))) {
-    return order(fairness_of(x), fairness_of(y));
+    return ph_fields_order(fairness_of(x), fairness_of(y));
   }
   if (!is_same_length(x->curve.length, y->curve.length)) {
-    return order(x->curve.length, y->curve.length);
+    return ph_fields_order(x->curve.length, y->curve.length);
   }
   if (x->good != y->good) {
     return x->good ? -1 : 1;
   }
   if (fabs(turns[0] - turns[1]) > SAME_LENGTH) {
-    return order(turns[0], turns[1]);
+    return ph_fields_order(turns[0], turns[1]);
   }
   return compare_sides(&x->curve, &y->curve);
 }

@@ -24,9 +24,6 @@ static const double STANDSTILL = 1e-14;
  * flatness of a segment, so that what three of them span is within 2 of it. */
 static const double ONE_PLANE = 2.0 / 3;
 
-/* Vectors of a point that closes the curve agree with the first to this. */
-static const double REPEATED = 1e-9;
-
 static double largest_of(ph_vec3 v) {
   double x = fabs(v.x), y = fabs(v.y), z = fabs(v.z);
   double largest = x > y ? x : y;
@@ -46,12 +43,6 @@ static double root_for(double x) {
 
 static ph_vec3 scaled(double root, ph_vec3 v) {
   return ph_vec3_scale(root, ph_vec3_scale(root, v));
-}
-
-/* Vector i of two or three numbers. */
-static ph_vec3 in_space(const struct ph_value *value, size_t i) {
-  const double *v = value->v + value->dimension * i;
-  return ph_vec3_of(v[0], v[1], value->dimension > 2 ? v[2] : 0);
 }
 
 /* ---- points --------------------------------------------------------- */
@@ -88,54 +79,13 @@ static enum ph_status check_chords(const struct ph_spatial_points *p,
 
 /* ---- tangents and derivatives --------------------------------------- */
 
-/* v at a size at which its length can be taken. */
-static ph_vec3 sized(ph_vec3 v) {
-  return scaled(root_for(largest_of(v)), v);
-}
-
-/* Whether the last vector is the first, or has its direction. */
-static bool is_repeated(const struct ph_value *value, bool direction) {
-  ph_vec3 first = in_space(value, 0), last = in_space(value, value->n - 1);
-  double size = fmax(largest_of(first), largest_of(last));
-  if (direction && largest_of(first) > 0 && largest_of(last) > 0) {
-    first = ph_vec3_unit(sized(first));
-    last = ph_vec3_unit(sized(last));
-    size = 1;
-  }
-  return largest_of(ph_vec3_sub(last, first)) <= REPEATED * size;
-}
-
-/* One vector for each point; closed data whose last point repeats the first
- * may repeat the vector as well. */
-static enum ph_status check_count(const struct ph_problem *problem,
-                                  const struct ph_spatial_points *p,
-                                  enum ph_field_id id, struct ph_diag *diag) {
-  const struct ph_value *points = &problem->field[PH_F_POINTS];
-  const struct ph_value *value = &problem->field[id];
-  const char *name = ph_field_name(id);
-  if (value->n != points->n && value->n != p->points_n) {
-    return ph_fail(diag, PH_BAD_SHAPE, name,
-                   "must have %zu vectors, one for each point, found %zu",
-                   points->n, value->n);
-  }
-  if (value->dimension < points->dimension) {
-    return ph_fail(diag, PH_BAD_SHAPE, name,
-                   "must have vectors of 3 numbers, as the points have");
-  }
-  if (value->n > p->points_n && !is_repeated(value, id == PH_F_TANGENTS)) {
-    return ph_fail_at(diag, PH_BAD_VALUE, name, value->n - 1,
-                      "must equal %s[0], as the point does", name);
-  }
-  return PH_OK;
-}
-
 /* Divides vectors by their lengths. */
 static enum ph_status set_vectors(const struct ph_problem *problem,
                                   enum ph_field_id id, struct ph_arena *arena,
                                   struct ph_spatial_points *p,
                                   struct ph_diag *diag) {
   const struct ph_value *value = &problem->field[id];
-  enum ph_status status = check_count(problem, p, id, diag);
+  enum ph_status status = ph_fields_vectors(problem, id, p->points_n, diag);
   if (status != PH_OK) {
     return status;
   }
@@ -146,12 +96,8 @@ static enum ph_status set_vectors(const struct ph_problem *problem,
     }
   }
   for (size_t k = 0; k < p->points_n; k++) {
-    ph_vec3 v = in_space(value, k);
-    double largest = largest_of(v), root = root_for(largest), size;
-    if (!(largest > 0)) {
-      return ph_fail_at(diag, PH_ZERO_TANGENT, ph_field_name(id), k,
-                        "must not be zero");
-    }
+    ph_vec3 v = ph_fields_vector(value, k);
+    double root = root_for(largest_of(v)), size;
     v = scaled(root, v);
     size = ph_vec3_abs(v);
     p->tangents[k] = ph_vec3_scale(1 / size, v);
@@ -420,7 +366,7 @@ enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
     return ph_fail_memory(diag);
   }
   for (size_t k = 0; k < p->points_n; k++) {
-    ph_vec3 v = in_space(points, k);
+    ph_vec3 v = ph_fields_vector(points, k);
     memcpy(p->points + 3 * k, &v, sizeof v);
   }
   status = check_chords(p, diag);

@@ -53,10 +53,6 @@ static const struct ph_value *field(const struct reading *r,
   return &r->problem->field[id];
 }
 
-static bool is_given(const struct reading *r, enum ph_field_id id) {
-  return field(r, id)->kind != PH_ABSENT;
-}
-
 /* ---- the sphere ---------------------------------------------------------- */
 
 static enum ph_status read_sphere(struct reading *r) {
@@ -88,12 +84,12 @@ static enum ph_status read_sphere(struct reading *r) {
 /* ---- points -------------------------------------------------------------- */
 
 static enum ph_status find_points(struct reading *r) {
-  bool points = is_given(r, PH_F_POINTS);
-  if (points && is_given(r, PH_F_LONLAT)) {
+  bool points = ph_fields_given(r->problem, PH_F_POINTS);
+  if (points && ph_fields_given(r->problem, PH_F_LONLAT)) {
     return ph_fail(r->diag, PH_BAD_VALUE, "lonlat",
                    "excludes points: give one of them");
   }
-  if (!points && !is_given(r, PH_F_LONLAT)) {
+  if (!points && !ph_fields_given(r->problem, PH_F_LONLAT)) {
     return ph_fail(r->diag, PH_MISSING_FIELD, "points",
                    "or lonlat must be given");
   }
@@ -116,17 +112,6 @@ static struct ph_pow2 scale_of(const double *v, const struct ph_sphere_data *d,
   return ph_pow2_of(-*exponent);
 }
 
-/* A unit vector, from one that may be as small as a double can be. */
-static ph_vec3 direction(ph_vec3 v, double size) {
-  struct ph_pow2 s = ph_pow2_of(-ph_pow2_exponent(size));
-  return ph_vec3_unit(ph_vec3_of(ph_pow2_apply(s, v.x), ph_pow2_apply(s, v.y),
-                                 ph_pow2_apply(s, v.z)));
-}
-
-static double size_of(ph_vec3 v) {
-  return hypot(hypot(v.x, v.y), v.z);
-}
-
 static enum ph_status read_point(struct reading *r, size_t i) {
   struct ph_sphere_data *d = r->data;
   const double *v = r->points->v + 3 * i, *c = d->center;
@@ -135,7 +120,8 @@ static enum ph_status read_point(struct reading *r, size_t i) {
   ph_vec3 u = ph_vec3_of(ph_pow2_apply(s, v[0]) - ph_pow2_apply(s, c[0]),
                          ph_pow2_apply(s, v[1]) - ph_pow2_apply(s, c[1]),
                          ph_pow2_apply(s, v[2]) - ph_pow2_apply(s, c[2]));
-  double size = size_of(u), radius = ph_pow2_apply(s, d->radius);
+  double size = hypot(hypot(u.x, u.y), u.z),
+         radius = ph_pow2_apply(s, d->radius);
   double off = fabs(size - radius) / radius;
   if (!(off <= r->tolerance)) {
     return ph_fail_at(r->diag, PH_NOT_ON_SPHERE, r->name, i,
@@ -149,7 +135,7 @@ static enum ph_status read_point(struct reading *r, size_t i) {
     d->moved_at = i;
   }
   d->rounding = fmax(d->rounding, 4 * DBL_EPSILON / radius);
-  d->p[i] = direction(u, size);
+  d->p[i] = ph_fields_unit(u);
   return PH_OK;
 }
 
@@ -186,8 +172,9 @@ static enum ph_status read_points(struct reading *r) {
   }
   d->rounding = 4 * DBL_EPSILON;
   for (size_t i = 0; i < n; i++) {
-    enum ph_status status =
-        is_given(r, PH_F_POINTS) ? read_point(r, i) : read_lonlat(r, i);
+    enum ph_status status = ph_fields_given(r->problem, PH_F_POINTS)
+                                ? read_point(r, i)
+                                : read_lonlat(r, i);
     if (status != PH_OK) {
       return status;
     }
@@ -269,19 +256,14 @@ static enum ph_status read_knot_numbers(struct reading *r) {
 static enum ph_status read_knots(struct reading *r) {
   struct ph_sphere_data *d = r->data;
   bool uniform = ph_field_is(field(r, PH_F_KNOTS), "uniform");
-  struct ph_sum whole = {0, 0}, knot = {0, 0};
+  double mean = ph_fields_sum(d->theta, d->m) / (double)d->m;
   if (field(r, PH_F_KNOTS)->kind == PH_NUMBERS) {
     return read_knot_numbers(r);
   }
   for (size_t k = 0; k < d->m; k++) {
-    ph_sum_add(&whole, d->theta[k]);
+    d->h[k] = uniform ? mean : d->theta[k];
   }
-  d->knots[0] = 0;
-  for (size_t k = 0; k < d->m; k++) {
-    d->h[k] = uniform ? ph_sum_value(&whole) / (double)d->m : d->theta[k];
-    ph_sum_add(&knot, d->h[k]);
-    d->knots[k + 1] = ph_sum_value(&knot);
-  }
+  ph_fields_sums(d->h, d->m, d->knots);
   return PH_OK;
 }
 
@@ -362,7 +344,7 @@ static enum ph_status read_end(struct reading *r, size_t side) {
     return ph_fail_at(r->diag, PH_ZERO_TANGENT, "end_tangents", side,
                       "must not be zero");
   }
-  along = direction(ph_vec3_get(v, 3), most);
+  along = ph_fields_unit(ph_vec3_get(v, 3));
   along = ph_vec3_normal(along, d->p[node]);
   if (!(ph_vec3_abs(along) > NOTHING_LEFT)) {
     return ph_fail_at(r->diag, PH_ZERO_TANGENT, "end_tangents", side,

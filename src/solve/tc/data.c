@@ -20,9 +20,6 @@ static const double NOTHING = 1e-140;
 /* Directions whose sum is less than this are opposite. */
 static const double REVERSAL = 1e-12;
 
-/* Vectors of a point that closes the curve agree with the first to this. */
-static const double REPEATED = 1e-9;
-
 /* Derivatives beyond this part or multiple of a chord beside them leave no
  * digits to the curve. */
 static const double RATIO_MAX = 1e12;
@@ -43,21 +40,18 @@ static const struct {
     {"approximate", PH_TC_APPROXIMATE, PH_F_POINTS},
 };
 
-static bool has(const struct ph_problem *p, enum ph_field_id id) {
-  return p->field[id].kind != PH_ABSENT;
-}
-
 static enum ph_status exclude(const struct ph_problem *p, enum ph_field_id id,
                               const char *why, struct ph_diag *diag) {
-  return has(p, id) ? ph_fail(diag, PH_BAD_VALUE, ph_field_name(id), "%s", why)
-                    : PH_OK;
+  return ph_fields_given(p, id)
+             ? ph_fail(diag, PH_BAD_VALUE, ph_field_name(id), "%s", why)
+             : PH_OK;
 }
 
 static enum ph_tc_mode implied(const struct ph_problem *p) {
-  return has(p, PH_F_CURVE)         ? PH_TC_APPROXIMATE
-         : has(p, PH_F_TANGENTS)    ? PH_TC_G1_AUTO
-         : has(p, PH_F_DERIVATIVES) ? PH_TC_C1
-                                    : PH_TC_SPLINE;
+  return ph_fields_given(p, PH_F_CURVE)         ? PH_TC_APPROXIMATE
+         : ph_fields_given(p, PH_F_TANGENTS)    ? PH_TC_G1_AUTO
+         : ph_fields_given(p, PH_F_DERIVATIVES) ? PH_TC_C1
+                                                : PH_TC_SPLINE;
 }
 
 /* Fields that say something in some modes alone: where they would be ignored
@@ -86,11 +80,12 @@ static enum ph_status check_fields(const struct ph_problem *p,
        "are for the mode spline of open curves"},
       {PH_F_END_DERIVATIVES,
        mode == PH_TC_SPLINE && !p->field[PH_F_CLOSED].flag &&
-           !has(p, PH_F_END_TANGENTS),
+           !ph_fields_given(p, PH_F_END_TANGENTS),
        "are for the mode spline of open curves, without end_tangents"},
       {PH_F_ENDS,
        mode == PH_TC_SPLINE && !p->field[PH_F_CLOSED].flag &&
-           !has(p, PH_F_END_TANGENTS) && !has(p, PH_F_END_DERIVATIVES),
+           !ph_fields_given(p, PH_F_END_TANGENTS) &&
+           !ph_fields_given(p, PH_F_END_DERIVATIVES),
        "is for the mode spline of open curves whose ends are not given"},
       {PH_F_JOINT, mode == PH_TC_G1_PAIR, "is for the mode g1-pair"},
       {PH_F_JOINT_ANGLE, chord, "is for \"joint\":\"chord\""},
@@ -108,7 +103,8 @@ enum ph_status ph_tc_mode_of(const struct ph_problem *p, enum ph_tc_mode *mode,
                              struct ph_diag *diag) {
   const struct ph_value *said = &p->field[PH_F_MODE];
   enum ph_status status;
-  if (has(p, PH_F_TANGENTS) && has(p, PH_F_DERIVATIVES)) {
+  if (ph_fields_given(p, PH_F_TANGENTS) &&
+      ph_fields_given(p, PH_F_DERIVATIVES)) {
     return ph_fail(diag, PH_BAD_VALUE, "tangents",
                    "excludes derivatives: give one of them");
   }
@@ -117,14 +113,15 @@ enum ph_status ph_tc_mode_of(const struct ph_problem *p, enum ph_tc_mode *mode,
     if (ph_field_is(said, modes[i].name)) {
       enum ph_field_id needs = modes[i].vectors;
       *mode = modes[i].mode;
-      if (needs != PH_F_POINTS && !has(p, needs)) {
+      if (needs != PH_F_POINTS && !ph_fields_given(p, needs)) {
         return ph_fail(diag, PH_MISSING_FIELD, ph_field_name(needs),
                        "is required by the mode %s", modes[i].name);
       }
     }
   }
   status = check_fields(p, *mode, diag);
-  if (status == PH_OK && *mode != PH_TC_APPROXIMATE && !has(p, PH_F_POINTS)) {
+  if (status == PH_OK && *mode != PH_TC_APPROXIMATE &&
+      !ph_fields_given(p, PH_F_POINTS)) {
     status = ph_fail(diag, PH_MISSING_FIELD, "points", "is required");
   }
   return status;
@@ -135,8 +132,8 @@ static enum ph_status read_number(const struct ph_problem *p,
                                   enum ph_field_id id, double above,
                                   double below, const char *range, double none,
                                   double *x, struct ph_diag *diag) {
-  *x = has(p, id) ? p->field[id].number : none;
-  return !has(p, id) || (*x > above && *x < below)
+  *x = ph_fields_given(p, id) ? p->field[id].number : none;
+  return !ph_fields_given(p, id) || (*x > above && *x < below)
              ? PH_OK
              : ph_fail(diag, PH_BAD_VALUE, ph_field_name(id),
                        "must be %s, found %.17g", range, *x);
@@ -184,10 +181,8 @@ ph_cplx ph_tc_root(const struct ph_tc_data *d, size_t k) {
 }
 
 static enum ph_status set_chords(struct ph_tc_data *d, struct ph_diag *diag) {
-  double size = ph_fields_largest(d->points, 2 * d->points_n);
-  /* Two more: no difference of coordinates reaches 1. */
-  d->exponent = size > 0 ? -ph_pow2_exponent(size) - 2 : 0;
-  d->exponent -= d->exponent & 1;
+  d->exponent =
+      ph_fields_exponent(ph_fields_largest(d->points, 2 * d->points_n));
   d->to_unit = ph_pow2_of(d->exponent);
   for (size_t k = 0; k < d->n; k++) {
     size_t to = k + 1 < d->points_n ? k + 1 : 0;
@@ -205,60 +200,10 @@ static enum ph_status set_chords(struct ph_tc_data *d, struct ph_diag *diag) {
 
 /* ---- vectors ------------------------------------------------------------ */
 
-/* v / |v|, at a size at which its length can be taken. */
+/* v / |v| */
 static ph_cplx unit_of(const double *v) {
-  int exponent = ph_pow2_exponent(fmax(fabs(v[0]), fabs(v[1])));
-  struct ph_pow2 scale = ph_pow2_of(-exponent);
-  ph_cplx z =
-      ph_cplx_of(ph_pow2_apply(scale, v[0]), ph_pow2_apply(scale, v[1]));
-  return ph_cplx_scale(1 / ph_cplx_abs(z), z);
-}
-
-static bool is_zero(const double *v) {
-  return !(fabs(v[0]) > 0) && !(fabs(v[1]) > 0);
-}
-
-static bool is_repeated(const struct ph_value *value, bool c1) {
-  const double *first = value->v, *last = value->v + 2 * (value->n - 1);
-  double size = ph_fields_largest(first, 2), near = REPEATED;
-  ph_cplx a = ph_cplx_of(first[0], first[1]), b = ph_cplx_of(last[0], last[1]);
-  if (c1) {
-    near *= size;
-  } else if (!is_zero(first) && !is_zero(last)) {
-    a = unit_of(first);
-    b = unit_of(last);
-  }
-  return hypot(b.re - a.re, b.im - a.im) <= near;
-}
-
-static enum ph_status zero(const char *field, size_t k, struct ph_diag *diag) {
-  return ph_fail_at(diag, PH_ZERO_TANGENT, field, k, "must not be zero");
-}
-
-/* One vector for each point; closed data whose last point repeats the first
- * may repeat the vector as well. */
-static enum ph_status read_vectors(const struct ph_problem *p,
-                                   struct ph_tc_data *d, struct ph_diag *diag) {
-  enum ph_field_id id = d->c1 ? PH_F_DERIVATIVES : PH_F_TANGENTS;
-  const struct ph_value *value = &p->field[id];
-  const char *name = ph_field_name(id);
-  if (value->n != p->field[PH_F_POINTS].n && value->n != d->points_n) {
-    return ph_fail(diag, PH_BAD_SHAPE, name,
-                   "must have %zu vectors, one for each point, found %zu",
-                   p->field[PH_F_POINTS].n, value->n);
-  }
-  if (value->n > d->points_n && !is_repeated(value, d->c1)) {
-    return ph_fail_at(diag, PH_BAD_VALUE, name, value->n - 1,
-                      "must equal %s[0], as the point does", name);
-  }
-  for (size_t k = 0; k < d->points_n; k++) {
-    const double *v = value->v + 2 * k;
-    if (is_zero(v)) {
-      return zero(name, k, diag);
-    }
-    d->vector[k] = d->c1 ? scaled(d, v) : unit_of(v);
-  }
-  return PH_OK;
+  ph_vec3 unit = ph_fields_unit(ph_vec3_of(v[0], v[1], 0));
+  return ph_cplx_of(unit.x, unit.y);
 }
 
 /* The end tangent of an open spline by its rule: along the chord, or that of
@@ -278,7 +223,7 @@ static ph_cplx end_direction(const struct ph_problem *p,
 static enum ph_status check_ends(const struct ph_problem *p,
                                  enum ph_field_id id, struct ph_diag *diag) {
   const struct ph_value *value = &p->field[id];
-  if (!has(p, id)) {
+  if (!ph_fields_given(p, id)) {
     return PH_OK;
   }
   if (value->n != 2) {
@@ -287,8 +232,9 @@ static enum ph_status check_ends(const struct ph_problem *p,
                    value->n);
   }
   for (size_t i = 0; i < 2; i++) {
-    if (is_zero(value->v + 2 * i)) {
-      return zero(ph_field_name(id), i, diag);
+    if (!(ph_fields_largest(value->v + 2 * i, 2) > 0)) {
+      return ph_fail_at(diag, PH_ZERO_TANGENT, ph_field_name(id), i,
+                        "must not be zero");
     }
   }
   return PH_OK;
@@ -373,7 +319,12 @@ static enum ph_status set_vectors(const struct ph_problem *p,
       status = set_directions(p, d, diag);
     }
   } else {
-    status = read_vectors(p, d, diag);
+    enum ph_field_id id = d->c1 ? PH_F_DERIVATIVES : PH_F_TANGENTS;
+    status = ph_fields_vectors(p, id, d->points_n, diag);
+    for (size_t k = 0; status == PH_OK && k < d->points_n; k++) {
+      const double *v = p->field[id].v + 2 * k;
+      d->vector[k] = d->c1 ? scaled(d, v) : unit_of(v);
+    }
   }
   if (status == PH_OK && !isnan(d->lambda)) {
     set_lengths(p, d);

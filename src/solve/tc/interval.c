@@ -4,6 +4,7 @@
 
 #include "curve/cross/cross.h"
 #include "kernel/pi.h"
+#include "solve/common/fields.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -237,17 +238,13 @@ struct candidate {
   struct ph_solution solution;
 };
 
-static int order(double a, double b) {
-  return (a > b) - (a < b);
-}
-
 static int compare(const void *left, const void *right) {
   const struct candidate *a = left, *b = right;
   int by_kind = (int)b->regular - (int)a->regular;
   by_kind = by_kind ? by_kind : (int)b->simple - (int)a->simple;
   if (by_kind == 0 && a->regular) {
-    by_kind = order(a->level, b->level);
-    by_kind = by_kind ? by_kind : order(a->length, b->length);
+    by_kind = ph_fields_order(a->level, b->level);
+    by_kind = by_kind ? by_kind : ph_fields_order(a->length, b->length);
   }
   return by_kind ? by_kind : (a->index > b->index) - (a->index < b->index);
 }

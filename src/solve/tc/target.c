@@ -9,6 +9,7 @@
 
 #include "base/sum.h"
 #include "kernel/pow2.h"
+#include "solve/common/fields.h"
 #include "solve/tc/approx.h"
 
 #include <float.h>
@@ -158,8 +159,7 @@ static enum ph_status measure(struct target *t, struct ph_diag *diag) {
     return ph_fail(diag, PH_COINCIDENT_POINTS, t->field,
                    "has control points that are all the same");
   }
-  t->exponent = -ph_pow2_exponent(half) - 2;
-  t->exponent -= t->exponent & 1;
+  t->exponent = ph_fields_exponent(half);
   return PH_OK;
 }
 
