@@ -41,6 +41,19 @@ static const double STRAIGHT = 1e-12;
 /* On more segments the theorem would take as long as the solution. */
 enum { KANTOROVICH_MAX = 100 };
 
+/* A problem on its way. */
+struct task {
+  const struct ph_problem *problem;
+  struct ph_arena *out, *scratch;
+  struct ph_result *result;
+  struct ph_diag *diag;
+  struct ph_planar_data data;
+  ph_cplx *b; /* [unknowns] a solution */
+  size_t iterations;
+  double residual;
+  struct ph_planar_loops loops; /* of the curve */
+};
+
 static void warn_loops(const struct ph_planar_loops *loops,
                        struct ph_result *result) {
   if (loops->n && isnan(loops->angle)) {
@@ -125,131 +138,98 @@ static double fairness(const struct ph_curve *curve) {
  * the fairer curve of two that differ.  On random data the two starts differ
  * often, and neither is always the better one.
  */
-static enum ph_status compare_starts(struct ph_planar_data *d,
-                                     struct ph_arena *scratch,
-                                     struct ph_result *result,
-                                     struct ph_planar_loops *loops,
-                                     struct ph_planar_report *report,
-                                     ph_cplx *first, struct ph_diag *diag) {
+static enum ph_status compare_starts(struct task *t) {
+  struct ph_planar_data *d = &t->data;
+  struct ph_curve curve, *first = &t->result->curve;
   double twist = d->c2.twist.re, other;
-  struct ph_planar_report second;
-  struct ph_planar_loops second_loops;
-  struct ph_curve curve;
-  ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
+  struct ph_planar_report report;
+  struct ph_planar_loops loops;
+  ph_cplx *b =
+      ph_arena_array(t->scratch, ph_planar_unknowns(&d->c2), sizeof *b);
   struct ph_diag why;
   enum ph_status status =
-      b ? ph_planar_c2_second(&d->c2, scratch, b, &second, &why)
+      b ? ph_planar_c2_second(&d->c2, t->scratch, b, &report, &why)
         : ph_fail_memory(&why);
   if (status == PH_NO_CONVERGENCE) {
     d->c2.twist.re = twist;
     return PH_OK; /* there is nothing to compare with */
   }
   if (status != PH_OK) {
-    *diag = why;
+    *t->diag = why;
+    return status;
   }
-  if (status == PH_OK) {
-    status = ph_planar_curve_alloc(d, scratch, &curve, diag);
-  }
+  status = ph_planar_curve_alloc(d, t->scratch, &curve, t->diag);
   if (status != PH_OK) {
     return status;
   }
-  ph_planar_curve_fill(d, b, &curve, &second_loops);
-  if (is_same_length(curve.length, result->curve.length)) {
+  ph_planar_curve_fill(d, b, &curve, &loops);
+  if (is_same_length(curve.length, first->length)) {
     d->c2.twist.re = twist;
     return PH_OK;
   }
   other = curve.length;
-  if (fairness(&curve) < fairness(&result->curve)) {
-    other = result->curve.length;
-    ph_planar_curve_fill(d, b, &result->curve, loops);
-    memcpy(first, b, ph_planar_unknowns(&d->c2) * sizeof *b);
-    *report = second;
+  if (fairness(&curve) < fairness(first)) {
+    other = first->length;
+    ph_planar_curve_fill(d, b, first, &t->loops);
+    t->b = b;
+    t->iterations = report.iterations;
+    t->residual = report.residual;
   } else {
     d->c2.twist.re = twist;
   }
-  ph_warn(result, PH_NO_SEGMENT, PH_AMBIGUOUS,
+  ph_warn(t->result, PH_NO_SEGMENT, PH_AMBIGUOUS,
           "another good curve exists, of length %.6g: of the two the one that "
           "bends less was taken; \"solutions\":\"all\" shows all",
           other);
   return PH_OK;
 }
 
-/* What is said of a solution, and of the equations there. */
-static enum ph_status report_solution(const struct ph_planar_data *d,
-                                      const ph_cplx *b, size_t iterations,
-                                      double residual, struct ph_arena *scratch,
-                                      struct ph_result *result,
-                                      struct ph_diag *diag) {
-  ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS, (double)iterations);
-  ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, residual);
-  result->has_kantorovich = d->n <= KANTOROVICH_MAX;
-  if (result->has_kantorovich &&
-      !ph_planar_kantorovich(&d->c2, b, scratch, &result->kantorovich)) {
-    return ph_fail_memory(diag);
-  }
-  return PH_OK;
-}
-
-static enum ph_status solve_good(struct ph_planar_data *d, struct ph_arena *out,
-                                 struct ph_arena *scratch,
-                                 struct ph_result *result,
-                                 struct ph_planar_loops *loops,
-                                 struct ph_diag *diag) {
+/* The good solution, and the curve. */
+static enum ph_status solve_good(struct task *t) {
   struct ph_planar_report report;
-  ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
   enum ph_status status =
-      b ? ph_planar_c2_solve(&d->c2, scratch, b, &report, diag)
-        : ph_fail_memory(diag);
+      ph_planar_c2_solve(&t->data.c2, t->scratch, t->b, &report, t->diag);
   if (status == PH_OK) {
-    status = ph_planar_curve_alloc(d, out, &result->curve, diag);
+    status =
+        ph_planar_curve_alloc(&t->data, t->out, &t->result->curve, t->diag);
   }
   if (status != PH_OK) {
     return status;
   }
-  ph_planar_curve_fill(d, b, &result->curve, loops);
-  if (turns_sharply(&d->c2)) {
-    status = compare_starts(d, scratch, result, loops, &report, b, diag);
-  }
-  return status == PH_OK
-             ? report_solution(d, b, report.iterations, report.residual,
-                               scratch, result, diag)
-             : status;
+  ph_planar_curve_fill(&t->data, t->b, &t->result->curve, &t->loops);
+  t->iterations = report.iterations;
+  t->residual = report.residual;
+  return turns_sharply(&t->data.c2) ? compare_starts(t) : PH_OK;
 }
 
-/* The solution of the fairest angles or knots. */
-static enum ph_status
-solve_fairest(const struct ph_problem *problem, struct ph_planar_data *d,
-              struct ph_arena *out, struct ph_arena *scratch,
-              struct ph_result *result, struct ph_planar_loops *loops,
-              struct ph_diag *diag) {
+/* The solution of the fairest angles or knots, and the curve. */
+static enum ph_status solve_fairest(struct task *t) {
   static const char *const names[] = {"E", "MV", "IES", "IMV"};
-  const char *name = problem->field[PH_F_MINIMIZE].word;
-  const struct ph_value *free = &problem->field[PH_F_FREE];
+  const char *name = t->problem->field[PH_F_MINIMIZE].word;
+  struct ph_diagnostics *diagnostics = &t->result->diagnostics;
   enum ph_planar_functional functional = PH_PLANAR_E;
   struct ph_planar_min report;
-  ph_cplx *b = ph_arena_array(scratch, ph_planar_unknowns(&d->c2), sizeof *b);
   enum ph_status status;
   while (functional < PH_PLANAR_IMV && strcmp(name, names[functional]) != 0) {
     functional++;
   }
-  status = b ? ph_planar_minimize(d, functional, ph_field_is(free, "scale"),
-                                  scratch, b, &report, diag)
-             : ph_fail_memory(diag);
+  status = ph_planar_minimize(
+      &t->data, functional, ph_field_is(&t->problem->field[PH_F_FREE], "scale"),
+      t->scratch, t->b, &report, t->diag);
   if (status == PH_OK) {
-    status = ph_planar_curve_alloc(d, out, &result->curve, diag);
+    status =
+        ph_planar_curve_alloc(&t->data, t->out, &t->result->curve, t->diag);
   }
   if (status != PH_OK) {
     return status;
   }
-  ph_planar_curve_fill(d, b, &result->curve, loops);
-  ph_diagnostics_set_finite(&result->diagnostics, PH_D_FUNCTIONAL,
-                            report.minimum);
-  ph_diagnostics_set(&result->diagnostics, PH_D_AT_BOUND, report.at_bound);
-  ph_diagnostics_set_finite(&result->diagnostics, PH_D_FUNCTIONAL_START,
-                            report.start);
-  return report_solution(d, b, report.evaluations,
-                         sqrt(ph_planar_residual(&d->c2, b).max2), scratch,
-                         result, diag);
+  ph_planar_curve_fill(&t->data, t->b, &t->result->curve, &t->loops);
+  ph_diagnostics_set_finite(diagnostics, PH_D_FUNCTIONAL, report.minimum);
+  ph_diagnostics_set(diagnostics, PH_D_AT_BOUND, report.at_bound);
+  ph_diagnostics_set_finite(diagnostics, PH_D_FUNCTIONAL_START, report.start);
+  t->iterations = report.evaluations;
+  t->residual = sqrt(ph_planar_residual(&t->data.c2, t->b).max2);
+  return PH_OK;
 }
 
 /* Whether two values are the same, but for rounding. */
@@ -308,22 +288,20 @@ static int compare_solutions(const void *a, const void *b) {
   return compare_sides(&x->curve, &y->curve);
 }
 
-static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
-                                    const struct ph_curve *good,
-                                    struct ph_arena *out,
-                                    struct ph_solution *solution,
-                                    struct ph_diag *diag) {
+static enum ph_status fill_solution(struct task *t, const ph_cplx *b,
+                                    struct ph_solution *solution) {
+  const struct ph_curve *good = &t->result->curve;
   struct ph_planar_loops loops;
   struct ph_energy energy;
   enum ph_status status;
   *solution = (struct ph_solution){.good = false};
-  status = ph_planar_curve_alloc(d, out, &solution->curve, diag);
+  status = ph_planar_curve_alloc(&t->data, t->out, &solution->curve, t->diag);
   if (status != PH_OK) {
     return status;
   }
-  ph_planar_curve_fill(d, b, &solution->curve, &loops);
+  ph_planar_curve_fill(&t->data, b, &solution->curve, &loops);
   if (!ph_energy_planar(&solution->curve, &energy)) {
-    return ph_fail_memory(diag);
+    return ph_fail_memory(t->diag);
   }
   /* for comparing; the certificate says what is known */
   solution->diagnostics.value[PH_D_ENERGY] =
@@ -336,79 +314,103 @@ static enum ph_status fill_solution(struct ph_planar_data *d, const ph_cplx *b,
 }
 
 /* Makes the best of all solutions the curve, and sorts them. */
-static enum ph_status
-choose_best(struct ph_planar_data *d, const struct ph_planar_all *all,
-            struct ph_arena *scratch, struct ph_result *result,
-            struct ph_planar_loops *loops, struct ph_diag *diag) {
-  const struct ph_diagnostics *known = &result->diagnostics;
-  size_t iterations = (size_t)known->value[PH_D_ITERATIONS], best = 0;
-  const ph_cplx *b;
+static void choose_best(struct task *t, const struct ph_planar_all *all) {
+  struct ph_planar_data *d = &t->data;
+  struct ph_solution *solutions = t->result->solutions;
+  size_t best = 0;
   for (size_t i = 1; i < all->n; i++) {
-    if (compare_solutions(&result->solutions[i], &result->solutions[best]) <
-        0) {
+    if (compare_solutions(&solutions[i], &solutions[best]) < 0) {
       best = i;
     }
   }
-  b = all->b + best * ph_planar_unknowns(&d->c2);
+  t->b = all->b + best * ph_planar_unknowns(&d->c2);
   d->c2.twist = ph_cplx_of(all->twist[best], 0);
-  ph_planar_curve_fill(d, b, &result->curve, loops);
-  qsort(result->solutions, all->n, sizeof *result->solutions,
-        compare_solutions);
-  result->solutions_n = all->n;
+  ph_planar_curve_fill(d, t->b, &t->result->curve, &t->loops);
+  t->residual = sqrt(ph_planar_residual(&d->c2, t->b).max2);
+  qsort(solutions, all->n, sizeof *solutions, compare_solutions);
+  t->result->solutions_n = all->n;
   for (size_t i = 0, good = 0; i < all->n; i++) { /* one of equal length */
-    result->solutions[i].good = result->solutions[i].good && good++ == 0;
+    solutions[i].good = solutions[i].good && good++ == 0;
   }
-  return report_solution(d, b, iterations,
-                         sqrt(ph_planar_residual(&d->c2, b).max2), scratch,
-                         result, diag);
 }
 
 /* Adds every solution to the good one. */
-static enum ph_status
-add_solutions(struct ph_planar_data *d, struct ph_arena *out,
-              struct ph_arena *scratch, struct ph_result *result,
-              struct ph_planar_loops *loops, struct ph_diag *diag) {
+static enum ph_status add_solutions(struct task *t) {
+  struct ph_planar_data *d = &t->data;
   struct ph_planar_all all;
-  enum ph_status status = ph_planar_all(&d->c2, out, scratch, &all, diag);
+  enum ph_status status =
+      ph_planar_all(&d->c2, t->out, t->scratch, &all, t->diag);
   if (status != PH_OK) {
     return status;
   }
-  result->solutions = ph_arena_array(out, all.n, sizeof *result->solutions);
-  if (!result->solutions) {
-    return ph_fail_memory(diag);
+  t->result->solutions =
+      ph_arena_array(t->out, all.n, sizeof *t->result->solutions);
+  if (!t->result->solutions) {
+    return ph_fail_memory(t->diag);
   }
-  for (size_t i = 0; status == PH_OK && i < all.n; i++) {
+  for (size_t i = 0; i < all.n; i++) {
     d->c2.twist = ph_cplx_of(all.twist[i], 0);
-    status = fill_solution(d, all.b + i * ph_planar_unknowns(&d->c2),
-                           &result->curve, out, &result->solutions[i], diag);
+    status = fill_solution(t, all.b + i * ph_planar_unknowns(&d->c2),
+                           &t->result->solutions[i]);
+    if (status != PH_OK) {
+      return status;
+    }
   }
-  return status == PH_OK ? choose_best(d, &all, scratch, result, loops, diag)
-                         : status;
+  choose_best(t, &all);
+  return PH_OK;
+}
+
+/* What is said of a solution, and of the equations there. */
+static enum ph_status report(struct task *t) {
+  struct ph_result *result = t->result;
+  ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS,
+                     (double)t->iterations);
+  ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, t->residual);
+  result->has_kantorovich = t->data.n <= KANTOROVICH_MAX;
+  if (result->has_kantorovich &&
+      !ph_planar_kantorovich(&t->data.c2, t->b, t->scratch,
+                             &result->kantorovich)) {
+    return ph_fail_memory(t->diag);
+  }
+  ph_warn_alpha(&result->curve, result);
+  warn_reversals(&t->data, result);
+  warn_loops(&t->loops, result);
+  return PH_OK;
+}
+
+static enum ph_status solve_task(struct task *t) {
+  const struct ph_value *field = t->problem->field;
+  enum ph_status status =
+      ph_planar_data_of(t->problem, t->scratch, &t->data, t->diag);
+  if (status != PH_OK) {
+    return status;
+  }
+  t->b =
+      ph_arena_array(t->scratch, ph_planar_unknowns(&t->data.c2), sizeof *t->b);
+  if (!t->b) {
+    return ph_fail_memory(t->diag);
+  }
+  status =
+      field[PH_F_MINIMIZE].kind == PH_WORD ? solve_fairest(t) : solve_good(t);
+  if (status == PH_NO_CONVERGENCE) {
+    return advise(t->problem, t->diag);
+  }
+  if (status == PH_OK && ph_field_is(&field[PH_F_SOLUTIONS], "all")) {
+    status = add_solutions(t);
+  }
+  return status == PH_OK ? report(t) : status;
 }
 
 static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,
                             struct ph_result *result, struct ph_diag *diag) {
   struct ph_mark mark = ph_arena_mark(scratch);
-  struct ph_planar_loops loops;
-  struct ph_planar_data d;
-  enum ph_status status = ph_planar_data_of(problem, scratch, &d, diag);
-  if (status == PH_OK && problem->field[PH_F_MINIMIZE].kind == PH_WORD) {
-    status = solve_fairest(problem, &d, out, scratch, result, &loops, diag);
-  } else if (status == PH_OK) {
-    status = solve_good(&d, out, scratch, result, &loops, diag);
-  }
-  if (status == PH_NO_CONVERGENCE) {
-    status = advise(problem, diag);
-  }
-  if (status == PH_OK && ph_field_is(&problem->field[PH_F_SOLUTIONS], "all")) {
-    status = add_solutions(&d, out, scratch, result, &loops, diag);
-  }
-  if (status == PH_OK) {
-    ph_warn_alpha(&result->curve, result);
-    warn_reversals(&d, result);
-    warn_loops(&loops, result);
-  }
+  struct task t = {.problem = problem,
+                   .out = out,
+                   .scratch = scratch,
+                   .result = result,
+                   .diag = diag};
+  enum ph_status status = solve_task(&t);
   ph_arena_release(scratch, mark);
   return status;
 }
