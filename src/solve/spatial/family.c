@@ -148,12 +148,13 @@ void ph_spatial_family_space(struct ph_spatial_family *f,
   f->d0 = ph_vec3_along(ph_vec3_scale(f->m11, f->dp), k1, f->sum);
 }
 
-double ph_spatial_noise(const struct ph_spatial_data *data) {
+/* What is no direction of dp, beyond doubt. */
+static double noise_of(const struct ph_spatial_data *data) {
   return PLANAR * ph_vec3_abs(data->dp) + PLANAR_NOISE * data->noise;
 }
 
 double ph_spatial_flatness(const struct ph_spatial_data *data) {
-  return ph_spatial_noise(data) + data->planarity * ph_vec3_abs(data->dp);
+  return noise_of(data) + data->planarity * ph_vec3_abs(data->dp);
 }
 
 struct ph_spatial_family
@@ -173,7 +174,7 @@ ph_spatial_family_of(const struct ph_spatial_data *data,
                     ph_vec3_dot(data->dp, f.axis[1]),
                     ph_vec3_dot(data->dp, f.axis[2]));
   f.sum = ph_vec3_of(f.c * (f.ni + f.nf), f.s * (f.nf - f.ni), 0);
-  f.noise = ph_spatial_noise(data);
+  f.noise = noise_of(data);
   f.flatness = ph_spatial_flatness(data);
   f.planar = f.s * fabs(f.dp.z) <= f.noise;
   set_plane(&f, data);
