@@ -251,8 +251,15 @@ void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
   evaluate(s, range, 0, work);
 }
 
-bool ph_sphere_relax(struct ph_sphere_spline *s, struct ph_sphere_range range,
-                     double tau, struct ph_sphere_work *work) {
+/*
+ * Newton's iteration after relaxation, from farther away.
+ *
+ * in    tau  what is added to the diagonal in the first step, where it is about
+ *            1: small tau means long steps
+ * inout s    x, which is anything afterwards if no solution was found
+ */
+static bool relax_from(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                       double tau, struct ph_sphere_work *work) {
   struct miss miss = evaluate(s, range, tau, work);
   for (size_t step = 0;
        step < RELAX_MAX && !(miss.rms <= NEAR) && !ph_arena_late(work->arena);
@@ -347,7 +354,7 @@ static bool follow(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
 static bool relax(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
   for (size_t t = 0; t < sizeof TAU / sizeof TAU[0]; t++) {
     for (size_t which = 0; s->model->start(s, which, work); which++) {
-      if (ph_sphere_relax(s, ph_sphere_all(s->data), TAU[t], work)) {
+      if (relax_from(s, ph_sphere_all(s->data), TAU[t], work)) {
         return true;
       }
     }

@@ -251,17 +251,6 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
 void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
                     struct ph_sphere_work *work);
 
-/*
- * ph_sphere_relax: the same from farther away, by relaxation and then Newton's
- * iteration.
- *
- * in    tau  what is added to the diagonal in the first step, where it is about
- *            1: small tau means long steps
- * inout s    x, which is anything afterwards if no solution was found
- */
-bool ph_sphere_relax(struct ph_sphere_spline *s, struct ph_sphere_range range,
-                     double tau, struct ph_sphere_work *work);
-
 /* ---- from nothing -------------------------------------------------------- */
 
 /* A spherical nu-spline at given tensions, from nothing. */

@@ -209,12 +209,6 @@ struct ph_tc_plan {
   size_t limit; /* of parts */
 };
 
-/* ph_tc_plan_add: ret  PH_OK | PH_NO_CONVERGENCE beyond the limit | NO_MEMORY
- */
-enum ph_status ph_tc_plan_add(struct ph_tc_plan *plan,
-                              const struct ph_tc_part *part,
-                              struct ph_diag *diag);
-
 /*
  * ph_tc_plan_curve: parts of a curve within a tolerance, as few cubics as are
  * found; appended.
@@ -225,14 +219,5 @@ enum ph_status ph_tc_plan_add(struct ph_tc_plan *plan,
 enum ph_status ph_tc_plan_curve(const struct ph_tc_target *target,
                                 const double *u, size_t n, double tolerance,
                                 struct ph_tc_plan *plan, struct ph_diag *diag);
-
-/*
- * ph_tc_plan_even: replaces the parts from `first` on, all of one cubic or
- * without choice, by fewer of them with distances that are even, where it
- * finds them.
- */
-enum ph_status ph_tc_plan_even(const struct ph_tc_target *target, size_t first,
-                               double tolerance, struct ph_tc_plan *plan,
-                               struct ph_diag *diag);
 
 #endif
