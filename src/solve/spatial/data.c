@@ -8,7 +8,6 @@
  */
 #include "solve/spatial/spatial.h"
 
-#include "base/sum.h"
 #include "kernel/pow2.h"
 #include "solve/common/fields.h"
 
@@ -23,6 +22,13 @@ static const double STANDSTILL = 1e-14;
 /* All data are in one plane where they are each within this part of the
  * flatness of a segment, so that what three of them span is within 2 of it. */
 static const double ONE_PLANE = 2.0 / 3;
+
+struct reading {
+  const struct ph_problem *problem;
+  struct ph_spatial_points *points;
+  struct ph_arena *arena;
+  struct ph_diag *diag;
+};
 
 static double largest_of(ph_vec3 v) {
   double x = fabs(v.x), y = fabs(v.y), z = fabs(v.z);
@@ -56,19 +62,19 @@ static ph_vec3 chord(const struct ph_spatial_points *p, size_t k,
   return scaled(*root, difference);
 }
 
-static enum ph_status check_chords(const struct ph_spatial_points *p,
-                                   struct ph_diag *diag) {
+static enum ph_status check_chords(struct reading *r) {
+  const struct ph_spatial_points *p = r->points;
   for (size_t k = 0; k < p->n; k++) {
     size_t to = k + 1 < p->points_n ? k + 1 : 0;
     ph_vec3 a = point(p, k), b = point(p, to);
     double size = fmax(largest_of(a), largest_of(b));
     double away = largest_of(ph_vec3_sub(b, a));
     if (!(away > 4 * DBL_EPSILON * size)) {
-      return ph_fail_at(diag, PH_COINCIDENT_POINTS, "points", to,
+      return ph_fail_at(r->diag, PH_COINCIDENT_POINTS, "points", to,
                         "coincides with points[%zu]", k);
     }
     if (!isfinite(away)) {
-      return ph_fail_at(diag, PH_TOO_LARGE, "points", to,
+      return ph_fail_at(r->diag, PH_TOO_LARGE, "points", to,
                         "differs from points[%zu] by more than a double can "
                         "hold",
                         k);
@@ -80,23 +86,21 @@ static enum ph_status check_chords(const struct ph_spatial_points *p,
 /* ---- tangents and derivatives --------------------------------------- */
 
 /* Divides vectors by their lengths. */
-static enum ph_status set_vectors(const struct ph_problem *problem,
-                                  enum ph_field_id id, struct ph_arena *arena,
-                                  struct ph_spatial_points *p,
-                                  struct ph_diag *diag) {
-  const struct ph_value *value = &problem->field[id];
-  enum ph_status status = ph_fields_vectors(problem, id, p->points_n, diag);
+static enum ph_status set_vectors(struct reading *r, enum ph_field_id id) {
+  struct ph_spatial_points *p = r->points;
+  enum ph_status status =
+      ph_fields_vectors(r->problem, id, p->points_n, r->diag);
   if (status != PH_OK) {
     return status;
   }
   if (id == PH_F_DERIVATIVES) {
-    p->speeds = ph_arena_array(arena, p->points_n, sizeof *p->speeds);
+    p->speeds = ph_arena_array(r->arena, p->points_n, sizeof *p->speeds);
     if (!p->speeds) {
-      return ph_fail_memory(diag);
+      return ph_fail_memory(r->diag);
     }
   }
   for (size_t k = 0; k < p->points_n; k++) {
-    ph_vec3 v = ph_fields_vector(value, k);
+    ph_vec3 v = ph_fields_vector(&r->problem->field[id], k);
     double root = root_for(largest_of(v)), size;
     v = scaled(root, v);
     size = ph_vec3_abs(v);
@@ -108,52 +112,48 @@ static enum ph_status set_vectors(const struct ph_problem *problem,
   return PH_OK;
 }
 
-static enum ph_status set_tangents(const struct ph_problem *problem,
-                                   struct ph_arena *arena,
-                                   struct ph_spatial_points *p,
-                                   struct ph_diag *diag) {
-  bool tangents = problem->field[PH_F_TANGENTS].kind != PH_ABSENT;
-  p->derivatives = problem->field[PH_F_DERIVATIVES].kind != PH_ABSENT;
+static enum ph_status set_tangents(struct reading *r) {
+  struct ph_spatial_points *p = r->points;
+  bool tangents = ph_fields_given(r->problem, PH_F_TANGENTS);
+  p->derivatives = ph_fields_given(r->problem, PH_F_DERIVATIVES);
   if (tangents && p->derivatives) {
-    return ph_fail(diag, PH_BAD_VALUE, "tangents",
+    return ph_fail(r->diag, PH_BAD_VALUE, "tangents",
                    "excludes derivatives: give one of them");
   }
-  p->tangents = ph_arena_array(arena, p->points_n, sizeof *p->tangents);
+  p->tangents = ph_arena_array(r->arena, p->points_n, sizeof *p->tangents);
   if (!p->tangents) {
-    return ph_fail_memory(diag);
+    return ph_fail_memory(r->diag);
   }
-  if (tangents || p->derivatives) {
-    return set_vectors(problem, tangents ? PH_F_TANGENTS : PH_F_DERIVATIVES,
-                       arena, p, diag);
+  p->estimated = !tangents && !p->derivatives;
+  if (!p->estimated) {
+    return set_vectors(r, tangents ? PH_F_TANGENTS : PH_F_DERIVATIVES);
   }
-  p->estimated = true;
   ph_spatial_tangents(p->points, p->points_n, p->closed, p->tangents);
   return PH_OK;
 }
 
 /* ---- knots, tensions, alpha ----------------------------------------- */
 
-static enum ph_status set_knots(const struct ph_value *knots,
-                                struct ph_spatial_points *p,
-                                struct ph_diag *diag) {
-  struct ph_sum sum = {0, 0};
+static enum ph_status set_knots(struct reading *r) {
+  const struct ph_value *knots = &r->problem->field[PH_F_KNOTS];
+  struct ph_spatial_points *p = r->points;
   enum ph_status status;
   if (knots->kind == PH_NUMBERS) {
-    status = ph_fields_knots(knots, p->n, p->closed, p->lambda, diag);
+    status = ph_fields_knots(knots, p->n, p->closed, p->lambda, r->diag);
     if (status == PH_OK) {
       memcpy(p->knots, knots->v, (p->n + 1) * sizeof *p->knots);
     }
     return status;
   }
-  p->knots[0] = 0;
   for (size_t k = 0; k < p->n; k++) {
     double root;
     ph_vec3 c = chord(p, k, &root);
     p->lambda[k] = ph_vec3_abs(c) / root / root;
-    ph_sum_add(&sum, p->lambda[k]);
-    p->knots[k + 1] = ph_sum_value(&sum);
+  }
+  ph_fields_sums(p->lambda, p->n, p->knots);
+  for (size_t k = 0; k < p->n; k++) {
     if (p->knots[k + 1] <= p->knots[k]) {
-      return ph_fail_at(diag, PH_COINCIDENT_POINTS, "points",
+      return ph_fail_at(r->diag, PH_COINCIDENT_POINTS, "points",
                         k + 1 < p->points_n ? k + 1 : 0,
                         "is so near to points[%zu] that their chordal knots "
                         "are the same; \"knots\" can be given",
@@ -161,43 +161,40 @@ static enum ph_status set_knots(const struct ph_value *knots,
     }
   }
   return isfinite(p->knots[p->n]) ? PH_OK
-                                  : ph_fail(diag, PH_TOO_LARGE, "knots",
+                                  : ph_fail(r->diag, PH_TOO_LARGE, "knots",
                                             "span more than a double can hold");
 }
 
-static enum ph_status set_planarity(const struct ph_value *planarity,
-                                    struct ph_spatial_points *p,
-                                    struct ph_diag *diag) {
-  p->planarity =
-      planarity->kind == PH_NUMBER ? planarity->number : PH_PLANARITY;
-  return p->planarity >= 0 && p->planarity < 1
+static enum ph_status set_planarity(struct reading *r) {
+  const struct ph_value *planarity = &r->problem->field[PH_F_PLANARITY];
+  double x = planarity->kind == PH_NUMBER ? planarity->number : PH_PLANARITY;
+  r->points->planarity = x;
+  return x >= 0 && x < 1
              ? PH_OK
-             : ph_fail(diag, PH_BAD_VALUE, "planarity",
-                       "must be at least 0 and below 1, found %.17g",
-                       p->planarity);
+             : ph_fail(r->diag, PH_BAD_VALUE, "planarity",
+                       "must be at least 0 and below 1, found %.17g", x);
 }
 
-static enum ph_status set_tension(const struct ph_value *tension,
-                                  struct ph_spatial_points *p,
-                                  struct ph_diag *diag) {
+static enum ph_status set_tension(struct reading *r) {
+  const struct ph_value *tension = &r->problem->field[PH_F_TENSION];
   struct ph_value one = {.kind = PH_NUMBER, .number = 1};
   return ph_fields_each(tension->kind == PH_ABSENT ? &one : tension, "tension",
-                        p->n, HUGE_VAL, "greater than 0", p->tension, diag);
+                        r->points->n, HUGE_VAL, "greater than 0",
+                        r->points->tension, r->diag);
 }
 
-static enum ph_status set_alpha(const struct ph_value *alpha,
-                                struct ph_arena *arena,
-                                struct ph_spatial_points *p,
-                                struct ph_diag *diag) {
+static enum ph_status set_alpha(struct reading *r) {
+  const struct ph_value *alpha = &r->problem->field[PH_F_ALPHA];
+  struct ph_spatial_points *p = r->points;
   if (alpha->kind == PH_ABSENT) {
     return PH_OK;
   }
   if (!p->atph) {
-    return ph_fail(diag, PH_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
+    return ph_fail(r->diag, PH_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
   }
-  p->alpha = ph_arena_array(arena, p->n, sizeof *p->alpha);
-  return p->alpha ? ph_fields_angles(alpha, p->n, p->alpha, diag)
-                  : ph_fail_memory(diag);
+  p->alpha = ph_arena_array(r->arena, p->n, sizeof *p->alpha);
+  return p->alpha ? ph_fields_angles(alpha, p->n, p->alpha, r->diag)
+                  : ph_fail_memory(r->diag);
 }
 
 double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
@@ -278,12 +275,13 @@ static ph_vec3 normal_to(const struct ph_spatial_points *p, ph_vec3 direction) {
 }
 
 /* The plane that all data are in, if there is one. */
-static void set_normal(struct ph_spatial_points *p) {
+static enum ph_status set_normal(struct reading *r) {
+  struct ph_spatial_points *p = r->points;
   ph_vec3 normal;
   for (size_t k = 0; k < p->n; k++) { /* most data end here */
     struct directions d = directions_of(p, k);
     if (fabs(ph_vec3_triple(d.v[0], d.v[1], d.v[2])) > 3 * d.away) {
-      return;
+      return PH_OK;
     }
   }
   normal = normal_to(p, last_direction(p));
@@ -291,11 +289,12 @@ static void set_normal(struct ph_spatial_points *p) {
     struct directions d = directions_of(p, k);
     for (size_t i = 0; i < 3; i++) {
       if (fabs(ph_vec3_dot(normal, d.v[i])) > d.away) {
-        return;
+        return PH_OK;
       }
     }
   }
   p->normal = normal;
+  return PH_OK;
 }
 
 /* A speed beside a chord: -1 too small, 1 too large. */
@@ -318,8 +317,9 @@ static enum ph_status wrong_speed(const struct ph_spatial_points *p, size_t k,
 
 /* Derivatives that are nothing beside their chord, or all but everything; they
  * are so by themselves, by the knots, or by the tension. */
-static enum ph_status check_speeds(const struct ph_spatial_points *p,
-                                   struct ph_diag *diag) {
+static enum ph_status check_speeds(struct reading *r) {
+  const struct ph_spatial_points *p = r->points;
+  struct ph_diag *diag = r->diag;
   for (size_t k = 0; k < p->n; k++) {
     size_t to = k + 1 < p->points_n ? k + 1 : 0;
     struct ph_spatial_data data;
@@ -345,51 +345,41 @@ static enum ph_status check_speeds(const struct ph_spatial_points *p,
   return PH_OK;
 }
 
-enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
-                                    struct ph_arena *arena,
-                                    struct ph_spatial_points *p,
-                                    struct ph_diag *diag) {
-  const struct ph_value *points = &problem->field[PH_F_POINTS];
-  enum ph_status status;
-  *p = (struct ph_spatial_points){.closed = problem->field[PH_F_CLOSED].flag};
-  p->atph = ph_field_is(&problem->field[PH_F_BASIS], "atph");
-  status = ph_fields_segments(problem, &p->n, diag);
+static enum ph_status read_points(struct reading *r) {
+  struct ph_spatial_points *p = r->points;
+  enum ph_status status = ph_fields_segments(r->problem, &p->n, r->diag);
   if (status != PH_OK) {
     return status;
   }
   p->points_n = p->closed ? p->n : p->n + 1;
-  p->points = ph_arena_array(arena, p->points_n, 3 * sizeof *p->points);
-  p->knots = ph_arena_array(arena, p->n + 1, sizeof *p->knots);
-  p->lambda = ph_arena_array(arena, p->n, sizeof *p->lambda);
-  p->tension = ph_arena_array(arena, p->n, sizeof *p->tension);
+  p->points = ph_arena_array(r->arena, p->points_n, 3 * sizeof *p->points);
+  p->knots = ph_arena_array(r->arena, p->n + 1, sizeof *p->knots);
+  p->lambda = ph_arena_array(r->arena, p->n, sizeof *p->lambda);
+  p->tension = ph_arena_array(r->arena, p->n, sizeof *p->tension);
   if (!p->points || !p->knots || !p->lambda || !p->tension) {
-    return ph_fail_memory(diag);
+    return ph_fail_memory(r->diag);
   }
   for (size_t k = 0; k < p->points_n; k++) {
-    ph_vec3 v = ph_fields_vector(points, k);
+    ph_vec3 v = ph_fields_vector(&r->problem->field[PH_F_POINTS], k);
     memcpy(p->points + 3 * k, &v, sizeof v);
   }
-  status = check_chords(p, diag);
-  if (status == PH_OK) {
-    status = set_knots(&problem->field[PH_F_KNOTS], p, diag);
-  }
-  if (status == PH_OK) {
-    status = set_tangents(problem, arena, p, diag);
-  }
-  if (status == PH_OK) {
-    status = set_alpha(&problem->field[PH_F_ALPHA], arena, p, diag);
-  }
-  if (status == PH_OK) {
-    status = set_planarity(&problem->field[PH_F_PLANARITY], p, diag);
-  }
-  if (status == PH_OK) {
-    status = set_tension(&problem->field[PH_F_TENSION], p, diag);
-  }
-  if (status == PH_OK) {
-    status = check_speeds(p, diag);
-  }
-  if (status == PH_OK) {
-    set_normal(p);
+  return PH_OK;
+}
+
+enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
+                                    struct ph_arena *arena,
+                                    struct ph_spatial_points *points,
+                                    struct ph_diag *diag) {
+  static enum ph_status (*const steps[])(struct reading *) = {
+      read_points,   check_chords, set_knots,    set_tangents, set_alpha,
+      set_planarity, set_tension,  check_speeds, set_normal};
+  struct reading r = {problem, points, arena, diag};
+  enum ph_status status = PH_OK;
+  *points = (struct ph_spatial_points){
+      .closed = problem->field[PH_F_CLOSED].flag,
+      .atph = ph_field_is(&problem->field[PH_F_BASIS], "atph")};
+  for (size_t i = 0; status == PH_OK && i < sizeof steps / sizeof *steps; i++) {
+    status = steps[i](&r);
   }
   return status;
 }

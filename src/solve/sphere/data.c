@@ -195,14 +195,16 @@ static enum ph_status read_points(struct reading *r) {
   return PH_OK;
 }
 
-static bool allocate(struct reading *r) {
+static enum ph_status allocate(struct reading *r) {
   struct ph_sphere_data *d = r->data;
   d->e = ph_arena_array(r->arena, d->n, sizeof *d->e);
   d->theta = ph_arena_array(r->arena, d->m, sizeof *d->theta);
   d->h = ph_arena_array(r->arena, d->m, sizeof *d->h);
   d->nu = ph_arena_array(r->arena, d->n, sizeof *d->nu);
   d->knots = ph_arena_array(r->arena, d->m + 1, sizeof *d->knots);
-  return d->e && d->theta && d->h && d->nu && d->knots;
+  return d->e && d->theta && d->h && d->nu && d->knots
+             ? PH_OK
+             : ph_fail_memory(r->diag);
 }
 
 static enum ph_status measure(struct reading *r) {
@@ -308,7 +310,7 @@ static enum ph_status read_tensions(struct reading *r) {
 
 /* ---- ends ---------------------------------------------------------------- */
 
-static enum ph_status check_ends(const struct reading *r) {
+static enum ph_status check_ends(struct reading *r) {
   const struct ph_value *ends = field(r, PH_F_ENDS);
   const struct ph_value *tangents = field(r, PH_F_END_TANGENTS);
   bool given = tangents->kind != PH_ABSENT;
@@ -375,19 +377,15 @@ enum ph_status ph_sphere_data_read(const struct ph_problem *problem,
                                    struct ph_arena *arena,
                                    struct ph_sphere_data *d,
                                    struct ph_diag *diag) {
+  static enum ph_status (*const steps[])(struct reading *) = {
+      find_points, check_ends, read_sphere,   read_points, allocate,
+      measure,     read_knots, read_tensions, read_ends};
   struct reading r = {
       .problem = problem, .data = d, .arena = arena, .diag = diag};
-  enum ph_status status;
+  enum ph_status status = PH_OK;
   *d = (struct ph_sphere_data){.closed = problem->field[PH_F_CLOSED].flag};
-  status = find_points(&r);
-  status = status == PH_OK ? check_ends(&r) : status;
-  status = status == PH_OK ? read_sphere(&r) : status;
-  status = status == PH_OK ? read_points(&r) : status;
-  if (status == PH_OK && !allocate(&r)) {
-    status = ph_fail_memory(diag);
+  for (size_t i = 0; status == PH_OK && i < sizeof steps / sizeof *steps; i++) {
+    status = steps[i](&r);
   }
-  status = status == PH_OK ? measure(&r) : status;
-  status = status == PH_OK ? read_knots(&r) : status;
-  status = status == PH_OK ? read_tensions(&r) : status;
-  return status == PH_OK ? read_ends(&r) : status;
+  return status;
 }
