@@ -27,7 +27,7 @@ static const struct ph_offset *offset_of_data(void) {
 static struct ph_samples samples_of(struct ph_sample_rules rules) {
   struct ph_diag diag;
   if (!data.has_offset) {
-    return unit_samples(&data.curve, rules, &unit_arena);
+    return unit_samples(&data.curve, rules);
   }
   ck_assert_int_eq(
       ph_sample_offset(&data.curve, &rules, &unit_arena, &data.offset, &diag),
@@ -92,8 +92,7 @@ static double u_of(const struct ph_samples *s, size_t i) {
 static void ck_chords(const struct ph_samples *s, double error, int n) {
   size_t i = 0;
   for (size_t k = 0; k < data.curve.n; k++) {
-    struct ph_sampler sampler =
-        unit_sampler(&data.curve, offset_of_data(), k, &unit_arena);
+    struct ph_sampler sampler = unit_sampler(&data.curve, offset_of_data(), k);
     double before = 0;
     i += k == 0;
     while (i < s->n && s->segment[i] == k) {
@@ -157,7 +156,7 @@ PH_TEST_EACH(test_counts, PLACES_KINDS) {
     s = samples_of(rules);
     for (size_t k = 0; k < data.curve.n; k++) {
       struct ph_sampler sampler =
-          unit_sampler(&data.curve, offset_of_data(), k, &unit_arena);
+          unit_sampler(&data.curve, offset_of_data(), k);
       sum += fewest(&sampler, rules.chord_error);
     }
     all += s.n - 1;
@@ -207,8 +206,7 @@ static double travelled(const struct ph_samples *s, size_t i,
                         const struct ph_quad *rule) {
   double sum = 0;
   for (size_t k = s->segment[i - 1]; k <= s->segment[i]; k++) {
-    struct ph_sampler sampler =
-        unit_sampler(&data.curve, offset_of_data(), k, &unit_arena);
+    struct ph_sampler sampler = unit_sampler(&data.curve, offset_of_data(), k);
     double from = k == s->segment[i - 1] ? u_of(s, i - 1) : 0;
     double to = k == s->segment[i] ? u_of(s, i) : 1;
     sum += length_between(&sampler, rule, from, to);
@@ -219,7 +217,7 @@ static double travelled(const struct ph_samples *s, size_t i,
 static double length_of_data(void) {
   double sum = 0;
   for (size_t k = 0; k < data.curve.n; k++) {
-    sum += unit_sampler(&data.curve, offset_of_data(), k, &unit_arena).length;
+    sum += unit_sampler(&data.curve, offset_of_data(), k).length;
   }
   return sum;
 }
@@ -267,7 +265,7 @@ PH_TEST_EACH(test_places, PLACES_KINDS) {
     struct ph_sampler sampler;
     double before = 0;
     next_curve(n, (enum places_kind)_i, &r);
-    sampler = unit_sampler(&data.curve, offset_of_data(), 1, &unit_arena);
+    sampler = unit_sampler(&data.curve, offset_of_data(), 1);
     for (int i = 1; i <= TRIES; i++) {
       double s = (i - 0.5) / TRIES * sampler.length;
       size_t steps;

@@ -62,6 +62,12 @@ void ck_refused(enum ph_diagnostic what, size_t segment) {
   ck_refused_in(what, segment, segment);
 }
 
+void ck_refused_for(const char *words) {
+  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_msg(strstr(checked.diag.message, words) != NULL, "%s",
+                checked.diag.message);
+}
+
 void ck_not_finite(double *x) {
   const double bad[] = {(double)NAN, HUGE_VAL, -HUGE_VAL};
   double keep = *x;

@@ -35,6 +35,9 @@ void ck_refused_somewhere(enum ph_diagnostic what);
 void ck_refused_in(enum ph_diagnostic what, size_t a, size_t b);
 void ck_refused(enum ph_diagnostic what, size_t segment);
 
+/* Refused in words that have these. */
+void ck_refused_for(const char *words);
+
 /* ck_not_finite: a number of the curve that is none is refused as such. */
 void ck_not_finite(double *x);
 

@@ -10,11 +10,11 @@
 /* A sampler of a curve, or of an offset of it, at segment k. */
 static inline struct ph_sampler unit_sampler(const struct ph_curve *curve,
                                              const struct ph_offset *offset,
-                                             size_t k, struct ph_arena *arena) {
+                                             size_t k) {
   struct ph_sampler sampler;
   struct ph_diag diag;
-  ck_assert_int_eq(ph_sampler_begin(&sampler, curve, offset, arena, &diag),
-                   PH_OK);
+  ck_assert_int_eq(
+      ph_sampler_begin(&sampler, curve, offset, &unit_arena, &diag), PH_OK);
   ck_assert_int_eq(ph_sampler_enter(&sampler, k, &diag), PH_OK);
   return sampler;
 }
@@ -26,21 +26,20 @@ static inline double unit_length(const struct ph_sampler *sampler, double u) {
 }
 
 static inline struct ph_samples unit_samples(const struct ph_curve *curve,
-                                             struct ph_sample_rules rules,
-                                             struct ph_arena *arena) {
+                                             struct ph_sample_rules rules) {
   struct ph_samples s;
   struct ph_diag diag;
-  ck_assert_int_eq(ph_sample_curve(curve, &rules, arena, &s, &diag), PH_OK);
+  ck_assert_int_eq(ph_sample_curve(curve, &rules, &unit_arena, &s, &diag),
+                   PH_OK);
   ck_assert_uint_eq(s.dimension, curve->dimension);
   return s;
 }
 
 /* n + 1 samples of every segment, equally spaced in its parameter. */
 static inline struct ph_samples unit_samples_even(const struct ph_curve *curve,
-                                                  size_t n,
-                                                  struct ph_arena *arena) {
+                                                  size_t n) {
   const struct ph_sample_rules rules = {.how = PH_SAMPLE_PARAMETER, .n = n};
-  struct ph_samples s = unit_samples(curve, rules, arena);
+  struct ph_samples s = unit_samples(curve, rules);
   ck_assert_uint_eq(s.n, curve->n * (n + 1));
   return s;
 }

@@ -4,9 +4,10 @@
  * when it sees one: solutions pass, also as solutions of every problem that
  * they solve, and those of other problems do not.
  */
+#include "check_unit.h"
+#include "problem_unit.h"
 #include "unit.h"
 
-#include "check/certify.h"
 #include "kernel/quat.h"
 #include "solve/method.h"
 
@@ -16,67 +17,44 @@ enum { N = 8, MODES = 4 };
 
 enum mode { EXACT, RELAXED, DERIVATIVES, TANGENTS };
 
-/* A problem, its data and its result. */
-static struct {
-  struct ph_problem problem;
-  double data[3 * (N + 1)], lengths[N];
-  struct ph_result result;
-} u;
+/* A problem with its data, and its result. */
+static struct unit_solution u;
+static double data[3 * (N + 1)], lengths[N];
 
-static struct ph_arena out, scratch;
-static struct ph_diagnostics diagnostics;
-static struct ph_diag diag;
+static void begin(void) {
+  unit_solution_free(&u);
+  memset(data, 0, sizeof data);
+  memset(lengths, 0, sizeof lengths);
+  checked.command = "arclength";
+  checked.problem = &u.problem;
+  checked.curve = &u.result.curve;
+}
 
 static void finish(void) {
-  ph_arena_free(&out);
-  ph_arena_free(&scratch);
+  unit_solution_free(&u);
 }
 
 static void set_vectors(enum ph_field_id id, size_t n) {
-  u.problem.field[id] = (struct ph_value){
-      .kind = PH_VECTORS, .v = u.data, .n = n, .dimension = 3};
+  unit_set_array(&u.problem, id, data, n, 3);
 }
 
 static void set_number(enum ph_field_id id, double number) {
-  u.problem.field[id] = (struct ph_value){.kind = PH_NUMBER, .number = number};
+  unit_set_number(&u.problem, id, number);
 }
 
 static void set_lengths(void) {
-  u.problem.field[PH_F_LENGTHS] = (struct ph_value){
-      .kind = PH_NUMBERS, .v = u.lengths, .n = N, .dimension = 1};
-}
-
-static void set_closed(void) {
-  u.problem.field[PH_F_CLOSED] =
-      (struct ph_value){.kind = PH_BOOL, .flag = true};
+  unit_set_array(&u.problem, PH_F_LENGTHS, lengths, N, 1);
 }
 
 static void solve(void) {
-  enum ph_status status =
-      ph_method_arclength.solve(&u.problem, &out, &scratch, &u.result, &diag);
-  ck_assert_msg(status == PH_OK, "%s %s", diag.field, diag.message);
-  diagnostics = u.result.diagnostics;
-}
-
-static enum ph_status certify(void) {
-  memset(&diag, 0, sizeof diag);
-  return ph_certify("arclength", &u.problem, &u.result.curve, &scratch,
-                    &diagnostics, &diag);
-}
-
-static void ck_accepted(void) {
-  enum ph_status status = certify();
-  ck_assert_msg(status == PH_OK, "%s %s", diag.field, diag.message);
-}
-
-static void ck_refused(const char *why) {
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-  ck_assert_msg(strstr(diag.message, why) != NULL, "%s", diag.message);
+  enum ph_status status = unit_solve(&ph_method_arclength, &u);
+  ck_assert_msg(status == PH_OK, "%s %s", u.diag.field, u.diag.message);
+  checked.claims = u.result.diagnostics;
 }
 
 /* The problem is another one now, of which nothing is claimed. */
 static void claim_nothing(void) {
-  memset(&diagnostics, 0, sizeof diagnostics);
+  memset(&checked.claims, 0, sizeof checked.claims);
 }
 
 /* ---- data ------------------------------------------------------------- */
@@ -84,20 +62,20 @@ static void claim_nothing(void) {
 /* A helix of one turn, its lengths 1 % too long. */
 static void helix(enum mode mode, double refine) {
   double turn = 2 * acos(-1) / N;
-  memset(&u, 0, sizeof u);
+  begin();
   for (size_t j = 0; j <= N; j++) {
-    double t = (double)j * turn, *v = u.data + 3 * j;
+    double t = (double)j * turn, *v = data + 3 * j;
     bool at = mode == EXACT || mode == RELAXED;
     v[0] = at ? cos(t) : -sin(t);
     v[1] = at ? sin(t) : cos(t);
     v[2] = at ? 0.3 * t : 0.3;
   }
   for (size_t i = 0; i < N; i++) {
-    u.lengths[i] = 1.01 * turn * sqrt(1.09);
+    lengths[i] = 1.01 * turn * sqrt(1.09);
   }
   if (mode == DERIVATIVES) {
     for (size_t i = 0; i < 3 * (N + 1); i++) {
-      u.data[i] *= turn;
+      data[i] *= turn;
     }
   }
   set_vectors(mode == DERIVATIVES ? PH_F_DERIVATIVES
@@ -112,20 +90,20 @@ static void helix(enum mode mode, double refine) {
 
 /* A closed curve that is not in a plane. */
 static void ring(bool exact, double refine) {
-  memset(&u, 0, sizeof u);
+  begin();
   for (size_t j = 0; j < N; j++) {
-    double t = (double)j * 2 * acos(-1) / N, *v = u.data + 3 * j;
+    double t = (double)j * 2 * acos(-1) / N, *v = data + 3 * j;
     v[0] = 2 * cos(t);
     v[1] = sin(t);
     v[2] = 0.3 * sin(2 * t);
   }
   for (size_t j = 0; j < N; j++) {
-    ph_vec3 from = ph_vec3_get(u.data + 3 * j, 3);
-    ph_vec3 to = ph_vec3_get(u.data + 3 * ((j + 1) % N), 3);
-    u.lengths[j] = 1.05 * ph_vec3_abs(ph_vec3_sub(to, from));
+    ph_vec3 from = ph_vec3_get(data + 3 * j, 3);
+    ph_vec3 to = ph_vec3_get(data + 3 * ((j + 1) % N), 3);
+    lengths[j] = 1.05 * ph_vec3_abs(ph_vec3_sub(to, from));
   }
   set_vectors(PH_F_POINTS, N);
-  set_closed();
+  unit_set_flag(&u.problem, PH_F_CLOSED, true);
   if (exact) {
     set_lengths();
   }
@@ -141,19 +119,19 @@ PH_TEST_EACH(test_solutions, 3 * MODES) {
   double f;
   helix(mode, 1 + _i / MODES);
   solve();
-  f = diagnostics.value[PH_D_F];
+  f = checked.claims.value[PH_D_F];
   ck_accepted();
-  ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-10);
-  ck_rel(diagnostics.value[PH_D_F], f, 1e-10);
-  ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
+  ck_assert_double_le(checked.diagnostics.value[PH_D_KKT_ERROR], 1e-10);
+  ck_rel(checked.diagnostics.value[PH_D_F], f, 1e-10);
+  ck_abs(checked.diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
 }
 
 PH_TEST_EACH(test_closed, 4) {
   ring(_i % 2, 2 + _i / 2);
   solve();
   ck_accepted();
-  ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-10);
-  ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
+  ck_assert_double_le(checked.diagnostics.value[PH_D_KKT_ERROR], 1e-10);
+  ck_abs(checked.diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
 }
 
 /* A is as good as A exp(x i), if it is one x for all segments: then the phase
@@ -169,12 +147,12 @@ PH_TEST(test_phase) {
       memcpy(a, &turned, sizeof turned);
     }
     if (each) {
-      ck_refused("F is");
+      ck_refused_for("F is");
       claim_nothing();
-      ck_refused("kkt_error");
+      ck_refused_for("kkt_error");
     } else {
       ck_accepted();
-      ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-10);
+      ck_assert_double_le(checked.diagnostics.value[PH_D_KKT_ERROR], 1e-10);
     }
   }
 }
@@ -183,19 +161,18 @@ PH_TEST(test_phase) {
 PH_TEST_EACH(test_circle, 3) {
   enum { POINTS = 200 };
   static double points[2 * POINTS];
-  memset(&u, 0, sizeof u);
+  begin();
   for (size_t j = 0; j < POINTS; j++) {
     double t = (double)j * 2 * acos(-1) / POINTS;
     points[2 * j] = cos(t);
     points[2 * j + 1] = sin(t);
   }
-  u.problem.field[PH_F_POINTS] = (struct ph_value){
-      .kind = PH_VECTORS, .v = points, .n = POINTS, .dimension = 2};
-  set_closed();
+  unit_set_array(&u.problem, PH_F_POINTS, points, POINTS, 2);
+  unit_set_flag(&u.problem, PH_F_CLOSED, true);
   set_number(PH_F_REFINE, 1 + _i);
   solve();
   ck_accepted();
-  ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
+  ck_abs(checked.diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_MINIMISER, 0);
 }
 
 /* ---- of which problem? ------------------------------------------------ */
@@ -207,12 +184,12 @@ PH_TEST(test_lengths_matter) {
   solve();
   u.problem.field[PH_F_LENGTHS].kind = PH_ABSENT;
   claim_nothing();
-  ck_refused("kkt_error");
-  ck_assert_double_gt(diagnostics.value[PH_D_KKT_ERROR], 1e-3);
+  ck_refused_for("kkt_error");
+  ck_assert_double_gt(checked.diagnostics.value[PH_D_KKT_ERROR], 1e-3);
   helix(RELAXED, 2);
   solve();
   for (size_t i = 0; i < N; i++) {
-    u.lengths[i] =
+    lengths[i] =
         u.result.curve.lengths[2 * i] + u.result.curve.lengths[2 * i + 1];
   }
   set_lengths();
@@ -226,7 +203,7 @@ PH_TEST(test_magnitudes_matter) {
   set_vectors(PH_F_TANGENTS, N + 1);
   u.problem.field[PH_F_DERIVATIVES].kind = PH_ABSENT;
   claim_nothing();
-  ck_refused("kkt_error");
+  ck_refused_for("kkt_error");
   helix(TANGENTS, 2);
   solve();
   for (size_t j = 0; j <= N; j++) {
@@ -235,7 +212,7 @@ PH_TEST(test_magnitudes_matter) {
     ph_vec3 leg = ph_vec3_sub(ph_vec3_get(p + (last ? 15 : 3), 3),
                               ph_vec3_get(p + (last ? 12 : 0), 3));
     double h = u.result.curve.knots[1] - u.result.curve.knots[0];
-    ph_vec3_put(ph_vec3_scale(5 / h, leg), 3, u.data + 3 * j);
+    ph_vec3_put(ph_vec3_scale(5 / h, leg), 3, data + 3 * j);
   }
   set_vectors(PH_F_DERIVATIVES, N + 1);
   u.problem.field[PH_F_TANGENTS].kind = PH_ABSENT;
@@ -250,12 +227,12 @@ PH_TEST_EACH(test_sigma_matters, 4) {
   set_number(PH_F_LENGTH_SIGMA, sigma);
   solve();
   ck_accepted();
-  ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-10);
+  ck_assert_double_le(checked.diagnostics.value[PH_D_KKT_ERROR], 1e-10);
   set_number(PH_F_LENGTH_SIGMA, sigma * 1.5);
-  ck_refused("kkt_error");
+  ck_refused_for("kkt_error");
   set_number(PH_F_LENGTH_SIGMA, sigma);
-  diagnostics.value[PH_D_F_RELAXED] *= 2;
-  ck_refused("kkt_error");
+  checked.claims.value[PH_D_F_RELAXED] *= 2;
+  ck_refused_for("kkt_error");
 }
 
 /* Lengths that are all but exact are taken as exact. */
@@ -264,7 +241,7 @@ PH_TEST_EACH(test_tiny_sigma, 2) {
   set_number(PH_F_LENGTH_SIGMA, 1e-9);
   solve();
   ck_accepted();
-  ck_assert_double_le(diagnostics.value[PH_D_KKT_ERROR], 1e-9);
+  ck_assert_double_le(checked.diagnostics.value[PH_D_KKT_ERROR], 1e-9);
 }
 
 /* ---- claims ----------------------------------------------------------- */
@@ -272,39 +249,38 @@ PH_TEST_EACH(test_tiny_sigma, 2) {
 /* A sine whose lengths keep it in its plane only as a saddle
  * [HUA14, fig. 3]. */
 PH_TEST(test_saddle) {
-  memset(&u, 0, sizeof u);
+  begin();
   for (size_t j = 0; j <= 3; j++) {
     double t = (double)j * acos(-1) / 3;
-    u.data[3 * j] = t;
-    u.data[3 * j + 1] = sin(t);
+    data[3 * j] = t;
+    data[3 * j + 1] = sin(t);
   }
-  u.lengths[0] = u.lengths[2] = 1.3646439;
-  u.lengths[1] = 1.0909097;
+  lengths[0] = lengths[2] = 1.3646439;
+  lengths[1] = 1.0909097;
   set_vectors(PH_F_POINTS, 4);
   set_lengths();
   u.problem.field[PH_F_LENGTHS].n = 3;
-  u.problem.field[PH_F_KNOTS] =
-      (struct ph_value){.kind = PH_WORD, .word = "uniform"};
+  unit_set_word(&u.problem, PH_F_KNOTS, "uniform");
   set_number(PH_F_REFINE, 1);
   solve();
-  ck_abs(diagnostics.value[PH_D_SECOND_ORDER], PH_OUTCOME_SADDLE, 0);
+  ck_abs(checked.claims.value[PH_D_SECOND_ORDER], PH_OUTCOME_SADDLE, 0);
   ck_accepted();
-  ph_diagnostics_set(&diagnostics, PH_D_SECOND_ORDER, PH_OUTCOME_MINIMISER);
-  ck_refused("claimed to be a minimiser");
+  ph_diagnostics_set(&checked.claims, PH_D_SECOND_ORDER, PH_OUTCOME_MINIMISER);
+  ck_refused_for("claimed to be a minimiser");
 }
 
 PH_TEST(test_functional) {
   double f;
   helix(EXACT, 2);
   solve();
-  f = diagnostics.value[PH_D_F];
-  diagnostics.value[PH_D_F] *= 1 + 1e-9;
-  ck_refused("F is");
-  diagnostics.value[PH_D_F] = (double)NAN;
-  ck_refused("F is");
+  f = checked.claims.value[PH_D_F];
+  checked.claims.value[PH_D_F] *= 1 + 1e-9;
+  ck_refused_for("F is");
+  checked.claims.value[PH_D_F] = (double)NAN;
+  ck_refused_for("F is");
   claim_nothing();
   ck_accepted();
-  ck_rel(diagnostics.value[PH_D_F], f, 1e-11);
+  ck_rel(checked.diagnostics.value[PH_D_F], f, 1e-11);
 }
 
 PH_TESTS_WITH(NULL, finish, test_solutions, test_closed, test_phase,

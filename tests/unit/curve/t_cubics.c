@@ -200,7 +200,7 @@ static void check_near(const struct ph_curve *curve,
                        const struct ph_offset *offset,
                        const struct ph_pieces *cubics, double tolerance) {
   size_t k = 0, stride = 1 + cubics->n / 12;
-  struct ph_sampler sampler = unit_sampler(curve, offset, 0, &unit_arena);
+  struct ph_sampler sampler = unit_sampler(curve, offset, 0);
   for (size_t i = 0; i < cubics->n; i += stride) {
     struct ph_diag diag;
     struct pair pair = pair_of(&sampler, cubics, i);
@@ -279,8 +279,8 @@ static struct ph_offset offset_of(const struct any *any, enum kind kind,
 /* It is an offset that is sampled: at its distance from the curve. */
 static void check_aside(const struct ph_curve *curve,
                         const struct ph_offset *offset) {
-  struct ph_sampler on = unit_sampler(curve, NULL, 0, &unit_arena);
-  struct ph_sampler beside = unit_sampler(curve, offset, 0, &unit_arena);
+  struct ph_sampler on = unit_sampler(curve, NULL, 0);
+  struct ph_sampler beside = unit_sampler(curve, offset, 0);
   double distance = unit_distance3(ph_sampler_at(&on, 0.4).point,
                                    ph_sampler_at(&beside, 0.4).point);
   double wanted = fabs(offset->distance);

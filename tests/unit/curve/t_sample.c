@@ -23,7 +23,7 @@ enum { N = 8 };
 static struct ph_diag diag;
 
 static struct ph_samples samples_of(const struct ph_curve *curve, size_t n) {
-  struct ph_samples s = unit_samples_even(curve, n, &unit_arena);
+  struct ph_samples s = unit_samples_even(curve, n);
   ck_assert((s.torsion != NULL) == (curve->dimension == 3));
   ck_assert_ptr_null(s.lonlat);
   return s;
@@ -214,7 +214,7 @@ static void ck_random(const struct ph_curve *curve, struct unit_random *r) {
   for (size_t k = 0; k < curve->n; k++) {
     double range = curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
     size_t first = (N + 1) * k, last = first + N;
-    struct ph_sampler sampler = unit_sampler(curve, NULL, k, &unit_arena);
+    struct ph_sampler sampler = unit_sampler(curve, NULL, k);
     ck_bend(&sampler, unit_random_in(r, 0.01, 0.99), 1e-6);
     for (size_t i = first; i <= last; i++) {
       double v = (double)(i - first) / N;
@@ -257,7 +257,7 @@ PH_TEST(test_length) {
     struct ph_sampler sampler;
     struct unit_curve3 c;
     unit_curve3_random(&c, 1, i % 2, 1, &r);
-    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+    sampler = unit_sampler(&c.curve, NULL, 0);
     for (size_t j = 0; j < rule.n; j++) {
       ph_quat a = unit_curve3_preimage(&c.curve, 0, u * rule.node[j]);
       sum += u * rule.weight[j] * ph_quat_dot(a, a);
@@ -399,7 +399,7 @@ PH_TEST(test_bezier_curve) {
         before += c.curve.lengths[j];
       }
       u = (knot - c.curve.knots[k]) / (c.curve.knots[k + 1] - c.curve.knots[k]);
-      sampler = unit_sampler(&c.curve, NULL, k, &unit_arena);
+      sampler = unit_sampler(&c.curve, NULL, k);
       at = ph_sampler_at(&sampler, u);
       ck_vec3(vector(s.point, &s, (N + 1) * piece), at.point, tolerance);
       ck_vec3(vector(s.tangent, &s, (N + 1) * piece), at.tangent, 1e-12);

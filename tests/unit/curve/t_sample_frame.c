@@ -16,7 +16,7 @@ static struct ph_samples framed(const struct ph_curve *curve,
                                 enum ph_frame frame, size_t n) {
   const struct ph_sample_rules rules = {
       .how = PH_SAMPLE_PARAMETER, .n = n, .frame = frame};
-  struct ph_samples s = unit_samples(curve, rules, &unit_arena);
+  struct ph_samples s = unit_samples(curve, rules);
   ck_assert(s.normal && s.binormal);
   return s;
 }
@@ -203,7 +203,7 @@ PH_TEST(test_rmf_anywhere) {
     unit_curve3_random(&c, SEGMENTS, i % 2, 0.8, &r);
     s = framed(&c.curve, PH_FRAME_RMF, 7);
     rules.spacing = 0.7 * c.curve.length; /* segments without samples */
-    t = unit_samples(&c.curve, rules, &unit_arena);
+    t = unit_samples(&c.curve, rules);
     frame_of(&s, s.n - 1, f);
     frame_of(&t, t.n - 1, g);
     ck_vec3(f[1], g[1], 1e-15);

@@ -47,7 +47,7 @@ PH_TEST(test_circle) {
     unit_circle(angle, radius, &c);
     offset = offset_of(&c.curve, d, PH_E2);
     ck_assert_uint_eq(offset.cusps.n, 0);
-    sampler = unit_sampler(&c.curve, &offset, 0, &unit_arena);
+    sampler = unit_sampler(&c.curve, &offset, 0);
     ck_abs(sampler.length, 2 * angle * fabs(rest), 4e-15 * angle * size);
     for (int i = 0; i <= STEPS; i++) {
       double u = (double)i / STEPS, turn = 2 * angle * u, speed;
@@ -75,8 +75,8 @@ PH_TEST(test_line) {
   unit_seg2_curve(&seg, 1, &c);
   c.lengths[0] = seg.end.re;
   offset = offset_of(&c.curve, -0.75, PH_E2);
-  curve = unit_sampler(&c.curve, NULL, 0, &unit_arena);
-  moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
+  curve = unit_sampler(&c.curve, NULL, 0);
+  moved = unit_sampler(&c.curve, &offset, 0);
   ck_rel(moved.length, seg.end.re, 4e-16);
   for (int i = 0; i <= STEPS; i++) {
     double u = (double)i / STEPS;
@@ -107,7 +107,7 @@ PH_TEST(test_helix) {
     struct ph_sampler sampler;
     unit_helix_curve(&h, &c);
     offset = offset_of(&c.curve, d, normal);
-    sampler = unit_sampler(&c.curve, &offset, 0, &unit_arena);
+    sampler = unit_sampler(&c.curve, &offset, 0);
     for (int i = 0; i <= STEPS; i++) {
       double u = (double)i / STEPS, turn = 2 * h.alpha * u + before;
       struct ph_sample at = ph_sampler_at(&sampler, u);
@@ -240,8 +240,8 @@ PH_TEST(test_plane) {
     unit_seg2_curve(&seg, 1, &c);
     c.lengths[0] = ph_ph2_length(&seg.space, seg.w);
     offset = offset_of(&c.curve, unit_random_in(&r, -2, 2), PH_E2);
-    curve = unit_sampler(&c.curve, NULL, 0, &unit_arena);
-    moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
+    curve = unit_sampler(&c.curve, NULL, 0);
+    moved = unit_sampler(&c.curve, &offset, 0);
     for (int i = 0; i <= STEPS; i++) {
       ck_place(&curve, &moved, (double)i / STEPS);
     }
@@ -283,7 +283,7 @@ PH_TEST(test_turns) {
     c.lengths[0] = ph_ph2_length(&seg.space, seg.w);
     ck_assert(fabs(ph_seg2_rotation(&seg, NULL)) > 4);
     offset = offset_of(&c.curve, d, PH_E2);
-    moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
+    moved = unit_sampler(&c.curve, &offset, 0);
     for (int i = 1; i <= STEPS; i++) {
       double u = (double)i / STEPS;
       length = quadrature(&m, &offset.cusps, 0, u, 1e-15);
@@ -305,8 +305,8 @@ PH_TEST(test_at_cusp) {
   c.lengths[0] = ph_ph2_length(&seg.space, seg.w);
   offset = offset_of(&c.curve, 0.5, PH_E2);
   ck_assert_uint_eq(offset.cusps.n, 2);
-  curve = unit_sampler(&c.curve, NULL, 0, &unit_arena);
-  moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
+  curve = unit_sampler(&c.curve, NULL, 0);
+  moved = unit_sampler(&c.curve, &offset, 0);
   for (size_t i = 0; i < 2; i++) {
     const double u = offset.cusps.at[i].u, way = i == 0 ? -1 : 1;
     ph_vec3 t = ph_sampler_at(&curve, u).tangent;
@@ -334,8 +334,8 @@ PH_TEST(test_cubics) {
     offset = offset_of(&c.curve, scale * unit_random_in(&r, -2, 2), PH_E2);
     for (size_t i = 0; i < 3; i++) {
       const size_t k = 2 - i;
-      struct ph_sampler curve = unit_sampler(&c.curve, NULL, k, &unit_arena);
-      struct ph_sampler moved = unit_sampler(&c.curve, &offset, k, &unit_arena);
+      struct ph_sampler curve = unit_sampler(&c.curve, NULL, k);
+      struct ph_sampler moved = unit_sampler(&c.curve, &offset, k);
       struct ph_sampler single;
       const double *w = c.preimage + 4 * k;
       for (int j = 0; scale < 2 && scale > 0.5 && j <= STEPS; j++) {
@@ -344,7 +344,7 @@ PH_TEST(test_cubics) {
       unit_cubics_begin(&one, ph_cplx_of(0, 0));
       unit_cubics_add(&one, ph_cplx_of(w[0], w[1]), ph_cplx_of(w[2], w[3]));
       alone = offset_of(&one.curve, offset.distance, PH_E2);
-      single = unit_sampler(&one.curve, &alone, 0, &unit_arena);
+      single = unit_sampler(&one.curve, &alone, 0);
       ck_rel(moved.length, single.length, 0);
       ck_assert(isfinite(moved.length));
       ck_abs(unit_length(&moved, 0.3), unit_length(&single, 0.3), 0);
@@ -372,8 +372,8 @@ PH_TEST(test_closed) {
   offset.cusps.at = at;
   offset.cusps.n = 5;
   for (size_t k = 0; k < 2; k++) {
-    moved = unit_sampler(&c.curve, &offset, k, &unit_arena);
-    plain = unit_sampler(&c.curve, &without, k, &unit_arena);
+    moved = unit_sampler(&c.curve, &offset, k);
+    plain = unit_sampler(&c.curve, &without, k);
     ck_abs(moved.length, plain.length, 0);
     ck_abs(unit_length(&moved, 0.6), unit_length(&plain, 0.6), 0);
   }
@@ -420,8 +420,8 @@ PH_TEST(test_space) {
     unit_curve3_random(&c, 2, n % 3 != 0, 0.5, &r);
     offset = offset_of(&c.curve, unit_random_in(&r, -0.3, 0.3), normal);
     for (size_t k = 0; k < 2; k++) {
-      curve = unit_sampler(&c.curve, NULL, k, &unit_arena);
-      moved = unit_sampler(&c.curve, &offset, k, &unit_arena);
+      curve = unit_sampler(&c.curve, NULL, k);
+      moved = unit_sampler(&c.curve, &offset, k);
       for (int i = 0; i <= STEPS; i++) {
         double u = (double)i / STEPS;
         ck_place(&curve, &moved, u);
@@ -485,7 +485,7 @@ PH_TEST(test_wild) {
     struct ph_sampler moved;
     unit_curve3_random(&c, 1, n % 3 != 0, 1.5, &r);
     offset = offset_of(&c.curve, unit_random_in(&r, -2, 2), normal);
-    moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
+    moved = unit_sampler(&c.curve, &offset, 0);
     if (!slow(&c.curve, 0)) {
       ck_lengths(&moved, normal);
       some += offset.cusps.n > 0;
@@ -519,8 +519,8 @@ PH_TEST(test_plane_in_space) {
     unit_curve3_of(&c3, 1, &alpha, a, ph_vec3_of(0, 0, 0));
     offset = offset_of(&c.curve, unit_random_in(&r, -2, 2), PH_E2);
     offset3 = offset_of(&c3.curve, offset.distance, PH_E2);
-    plane = unit_sampler(&c.curve, &offset, 0, &unit_arena);
-    space = unit_sampler(&c3.curve, &offset3, 0, &unit_arena);
+    plane = unit_sampler(&c.curve, &offset, 0);
+    space = unit_sampler(&c3.curve, &offset3, 0);
     ck_rel(space.length, plane.length,
            1e-13 * (1 + c.lengths[0] / plane.length));
     for (int i = 0; i <= STEPS; i++) {
@@ -554,7 +554,7 @@ PH_TEST(test_line_in_space) {
   struct ph_sampler moved;
   unit_curve3_of(&c, 1, NULL, a, ph_vec3_of(0, 0, 0));
   offset = offset_of(&c.curve, 0.5, PH_E3);
-  moved = unit_sampler(&c.curve, &offset, 0, &unit_arena);
+  moved = unit_sampler(&c.curve, &offset, 0);
   ck_rel(moved.length, c.lengths[0], 4e-16);
   for (int i = 0; i <= STEPS; i++) {
     struct ph_sample at = ph_sampler_at(&moved, (double)i / STEPS);

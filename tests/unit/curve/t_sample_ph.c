@@ -24,7 +24,7 @@ PH_TEST(test_circle) {
     struct unit_segments c;
     struct ph_sampler sampler;
     unit_circle(angle, radius, &c);
-    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+    sampler = unit_sampler(&c.curve, NULL, 0);
     ck_rel(sampler.length, 2 * radius * angle, 4e-16);
     for (int i = 0; i <= STEPS; i++) {
       double u = (double)i / STEPS, turn = 2 * angle * u, speed;
@@ -51,7 +51,7 @@ PH_TEST(test_helix) {
     struct unit_curve3 c;
     struct ph_sampler sampler;
     unit_helix_curve(&h, &c);
-    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+    sampler = unit_sampler(&c.curve, NULL, 0);
     for (int i = 0; i <= STEPS; i++) {
       double u = (double)i / STEPS, speed;
       double s = ph_sampler_length(&sampler, u, &speed);
@@ -75,7 +75,7 @@ PH_TEST(test_line) {
   struct ph_sampler sampler;
   unit_seg2_curve(&seg, 1, &c);
   c.lengths[0] = 31.0 / 5;
-  sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+  sampler = unit_sampler(&c.curve, NULL, 0);
   for (int i = 0; i <= STEPS; i++) {
     double u = (double)i / STEPS, v = 1 + u, speed;
     double s = ph_sampler_length(&sampler, u, &speed);
@@ -98,7 +98,7 @@ PH_TEST(test_cubics) {
     struct ph_sampler sampler;
     struct ph_tc tc;
     unit_cubics_random(&c, &r, 1, 1, ph_cplx_of(0, 0));
-    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+    sampler = unit_sampler(&c.curve, NULL, 0);
     tc.w[0] = ph_cplx_of(c.preimage[0], c.preimage[1]);
     tc.w[1] = ph_cplx_of(c.preimage[2], c.preimage[3]);
     for (int i = 1; i <= STEPS; i++) {
@@ -170,7 +170,7 @@ PH_TEST(test_lengths) {
     struct unit_curve3 c;
     struct ph_sampler sampler;
     unit_curve3_random(&c, 1, i % 2, i % 3 ? 1 : 3, &r);
-    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+    sampler = unit_sampler(&c.curve, NULL, 0);
     ck_lengths(&sampler);
     ph_arena_reset(&unit_arena);
   }
@@ -206,7 +206,7 @@ PH_TEST_EACH(test_near_cusps, 5) {
     a[most] = ph_quat_scale(1 / b[most], a[most]);
     a[1] = ph_quat_scale(1 / cos(angle / 2), a[1]);
     unit_curve3_of(&c, 1, angle > 0 ? &angle : NULL, a, ph_vec3_of(0, 0, 0));
-    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+    sampler = unit_sampler(&c.curve, NULL, 0);
     ck_lengths(&sampler);
     ph_arena_reset(&unit_arena);
   }
@@ -219,7 +219,7 @@ PH_TEST(test_points) {
     struct unit_curve3 c;
     struct ph_sampler sampler;
     unit_curve3_random(&c, 1, false, 2, &r);
-    sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+    sampler = unit_sampler(&c.curve, NULL, 0);
     for (int k = 0; k <= STEPS; k++) {
       double u = (double)k / STEPS;
       ph_vec3 at = unit_bezier3(c.control_points, 5, 0, u);

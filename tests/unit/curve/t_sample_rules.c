@@ -12,13 +12,13 @@ static struct ph_diag diag;
 static struct ph_samples spaced(const struct ph_curve *curve, double spacing) {
   const struct ph_sample_rules rules = {.how = PH_SAMPLE_SPACING,
                                         .spacing = spacing};
-  return unit_samples(curve, rules, &unit_arena);
+  return unit_samples(curve, rules);
 }
 
 static struct ph_samples chords(const struct ph_curve *curve, double error) {
   const struct ph_sample_rules rules = {.how = PH_SAMPLE_CHORD,
                                         .chord_error = error};
-  return unit_samples(curve, rules, &unit_arena);
+  return unit_samples(curve, rules);
 }
 
 /* A line along x, of length 4, in n <= 3 segments. */

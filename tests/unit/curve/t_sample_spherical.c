@@ -12,7 +12,7 @@
 enum { N = 8 };
 
 static struct ph_samples samples_of(const struct ph_curve *curve, size_t n) {
-  struct ph_samples s = unit_samples_even(curve, n, &unit_arena);
+  struct ph_samples s = unit_samples_even(curve, n);
   ck_assert_ptr_null(s.torsion);
   ck_assert_ptr_nonnull(s.lonlat);
   return s;
@@ -78,7 +78,7 @@ PH_TEST(test_random) {
     unit_spherical_place(&c, center, radius);
     s = samples_of(&c.curve, N);
     for (size_t k = 0; k < 3; k++) {
-      struct ph_sampler sampler = unit_sampler(&c.curve, NULL, k, &unit_arena);
+      struct ph_sampler sampler = unit_sampler(&c.curve, NULL, k);
       struct ph_spherical segment = ph_spherical_of(&c.curve, k);
       size_t first = (N + 1) * k, last = first + N;
       for (size_t j = first; j <= last; j++) {
@@ -144,7 +144,7 @@ PH_TEST(test_rest) {
   ph_vec3 limit;
   unit_spherical_of(&c, 1, false, half);
   s = samples_of(&c.curve, N);
-  sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+  sampler = unit_sampler(&c.curve, NULL, 0);
   limit = ph_vec3_unit(ph_s2_log(a, half[2]));
   ck_vec3(ph_vec3_get(s.tangent, 3), limit, 1e-14);
   ck_assert(isnan(s.curvature[0]));
@@ -169,7 +169,7 @@ PH_TEST(test_rest) {
 static void ck_lengths(const struct ph_curve *curve, size_t k) {
   enum { LOOKS = 200 };
   const struct ph_spherical segment = ph_spherical_of(curve, k);
-  const struct ph_sampler sampler = unit_sampler(curve, NULL, k, &unit_arena);
+  const struct ph_sampler sampler = unit_sampler(curve, NULL, k);
   const double whole = curve->lengths[k];
   double before = 0;
   ck_abs(sampler.length, whole, 0);
@@ -190,7 +190,7 @@ static void ck_lengths(const struct ph_curve *curve, size_t k) {
 
 /* The place of a length, from the ends on, where the curve may be at rest. */
 static void ck_places(const struct ph_curve *curve, size_t k) {
-  const struct ph_sampler sampler = unit_sampler(curve, NULL, k, &unit_arena);
+  const struct ph_sampler sampler = unit_sampler(curve, NULL, k);
   const double whole = sampler.length;
   for (int i = 0; i <= 60; i++) {
     double part = ldexp(1, -i / 2), s = (i % 2 ? part : 1 - part) * whole;
@@ -240,7 +240,7 @@ PH_TEST(test_places_thrice) {
   unit_spherical_of(&c, 1, false, p);
   c.lengths[0] = ph_s2_angle(a, e);
   ck_places(&c.curve, 0);
-  sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+  sampler = unit_sampler(&c.curve, NULL, 0);
   for (size_t i = 0; i <= 100; i++) {
     double u = (double)i / 100;
     ck_abs(unit_length(&sampler, u), c.lengths[0] * u * u * u, 1e-14);
@@ -257,7 +257,7 @@ PH_TEST(test_start) {
   struct ph_sampler sampler;
   ph_vec3 jet[4];
   unit_spherical_of(&c, 1, false, p);
-  sampler = unit_sampler(&c.curve, NULL, 0, &unit_arena);
+  sampler = unit_sampler(&c.curve, NULL, 0);
   ph_spherical_jet(&segment, 0, jet);
   for (double u = 1e-2; u > 1e-6; u /= 10) {
     double s = ph_vec3_abs(jet[2]) * u * u / 2;

@@ -105,7 +105,7 @@ static void ck_segments(const struct ph_curve *curve) {
     const struct ph_stroke *s = stroke_of(d, PH_STROKE_CURVE, k);
     const struct ph_stroke *polygon = stroke_of(d, PH_STROKE_POLYGON, k);
     const struct ph_profile *p = &d->profiles[k];
-    struct ph_sampler sampler = unit_sampler(curve, NULL, k, &unit_arena);
+    struct ph_sampler sampler = unit_sampler(curve, NULL, k);
     ck_assert_uint_eq(s->index, k);
     ck_assert_uint_ge(s->n, 2);
     ck_vec3(s->points[0], control_of(curve, k, 0), 0);
@@ -387,7 +387,7 @@ PH_TEST(test_cusps) {
       const struct ph_place *at = &offset.cusps.at[k];
       double least = (double)INFINITY;
       ph_vec3 tip;
-      sampler = unit_sampler(&c.curve, &offset, at->segment, &unit_arena);
+      sampler = unit_sampler(&c.curve, &offset, at->segment);
       tip = ph_sampler_at(&sampler, at->u).point;
       for (size_t j = 0; j < s->n; j++) {
         least = fmin(least, apart(tip, s->points[j]));
