@@ -55,6 +55,21 @@ awk '
     }
   }' "$tmp/includes" | report layers-arrows
 
+# src/README names every room, and tables that are where it says.
+{
+  find src -mindepth 1 -maxdepth 1 -type d | sed 's|src/||' | sort |
+    while read -r room; do
+      grep -qw "$room" src/README || echo "src/README: no room $room"
+    done
+  grep -oE '(PH|ph)_[A-Za-z]+, [a-z]+/[a-z_]+\.[ch]' src/README |
+    tr -d ',' >"$tmp/tables"
+  while read -r name file; do
+    grep -qE "(#define |[ *])$name(\(|\[)" "src/$file" ||
+      echo "src/README: $name is not in src/$file"
+  done <"$tmp/tables"
+  test -s "$tmp/tables" || echo 'src/README: no tables'
+} | report layers-readme
+
 # GSL and cJSON stay behind few doors and out of all headers.
 awk '
   $2 ~ /gsl\// && $1 !~ /^src\/(kernel|solve)\/.*\.c$/ &&
