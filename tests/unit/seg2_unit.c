@@ -69,3 +69,17 @@ ph_cplx unit_seg2_w(const struct ph_seg2 *seg, double u) {
   w = ph_cplx_add(w, ph_cplx_scale(2 * c * s0 * s1, seg->w[1]));
   return ph_cplx_add(w, ph_cplx_scale(s1 * s1, seg->w[2]));
 }
+
+struct ph_seg2 unit_seg2_part(const struct ph_seg2 *seg,
+                              const struct ph_quad *rule, double u0,
+                              double u1) {
+  struct ph_seg2 part;
+  double root = sqrt(u1 - u0);
+  ph_atph_part(&seg->space, seg->w, u0, u1, &part.space, part.w);
+  for (size_t i = 0; i < 3; i++) {
+    part.w[i] = ph_cplx_scale(root, part.w[i]);
+  }
+  part.start = ph_seg2_point(seg, rule, u0);
+  part.end = ph_seg2_point(seg, rule, u1);
+  return part;
+}

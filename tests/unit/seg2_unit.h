@@ -27,4 +27,9 @@ void unit_seg2_curve(const struct ph_seg2 *seg, size_t n,
 /* unit_seg2_w: w at u, straight from its definition. */
 ph_cplx unit_seg2_w(const struct ph_seg2 *seg, double u);
 
+/* unit_seg2_part: the part [u0,u1] on [0,1] again; points as for ph_seg2_point.
+ */
+struct ph_seg2 unit_seg2_part(const struct ph_seg2 *seg,
+                              const struct ph_quad *rule, double u0, double u1);
+
 #endif

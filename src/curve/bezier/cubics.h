@@ -5,7 +5,7 @@
  *
  * Cubics are given as they are.  A piece of any other curve is replaced by the
  * cubic with its end points and end tangents that meets it at a third and two
- * thirds (curve/bezier/fit.h); pieces are cut at cusps of offsets, and until
+ * thirds; pieces are cut at cusps of offsets, and until
  * each is within the tolerance.  About other cusps, of the curve or of the view
  * of it, they are straight.
  *

@@ -71,19 +71,6 @@ struct ph_bend ph_seg2_bend(const struct ph_seg2 *seg, double u) {
   return bend;
 }
 
-struct ph_seg2 ph_seg2_part(const struct ph_seg2 *seg,
-                            const struct ph_quad *rule, double u0, double u1) {
-  struct ph_seg2 part;
-  double root = sqrt(u1 - u0);
-  ph_atph_part(&seg->space, seg->w, u0, u1, &part.space, part.w);
-  for (size_t i = 0; i < 3; i++) {
-    part.w[i] = ph_cplx_scale(root, part.w[i]);
-  }
-  part.start = ph_seg2_point(seg, rule, u0);
-  part.end = ph_seg2_point(seg, rule, u1);
-  return part;
-}
-
 static double angle_between(ph_cplx a, ph_cplx b) {
   return atan2(ph_cplx_cross(a, b), ph_cplx_dot(a, b));
 }

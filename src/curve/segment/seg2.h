@@ -54,11 +54,6 @@ struct ph_bend {
  * finite. */
 struct ph_bend ph_seg2_bend(const struct ph_seg2 *seg, double u);
 
-/* ph_seg2_part: the part [u0,u1] on [0,1] again; points as for ph_seg2_point.
- */
-struct ph_seg2 ph_seg2_part(const struct ph_seg2 *seg,
-                            const struct ph_quad *rule, double u0, double u1);
-
 /* ph_seg2_is_tame: whether the preimage stays within a quarter turn, and so the
  * tangent within a half turn, by sight of its coefficients. */
 static inline bool ph_seg2_is_tame(const ph_cplx w[3]) {

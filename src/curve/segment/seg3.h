@@ -65,41 +65,4 @@ void ph_seg3_jet(const struct ph_seg3 *seg, double u, ph_quat *jet, size_t n);
 ph_vec3 ph_seg3_point(const struct ph_seg3 *seg, const struct ph_quad *rule,
                       double u);
 
-/* What bends and twists at u.  Where the curvature vanishes, torsion and slopes
- * are not finite. */
-struct ph_bend3 {
-  double speed;         /* |r'| = |A|^2, per u */
-  double curvature;     /* (1), not negative */
-  double torsion;       /* (2) */
-  double slope;         /* d curvature / du */
-  double torsion_slope; /* d torsion / du */
-  ph_cplx z;            /* curvature vector: 2 (q e2 - p e3) / sigma^2 */
-  double turn;          /* 2 x / sigma: of e2 towards e3 about the tangent,
-                           relative to a rotation-minimising frame, per u */
-};
-
-/* ph_seg3_bend: the speed is positive unless A(u) = 0; there the rest is not
- * finite. */
-struct ph_bend3 ph_seg3_bend(const struct ph_seg3 *seg, double u);
-
-/* ph_seg3_frame: the Euler-Rodrigues frame at u.
- * out  e[3]  unit vectors, right-handed; e[0] is the tangent */
-void ph_seg3_frame(const struct ph_seg3 *seg, double u, ph_vec3 e[3]);
-
-/*
- * ph_seg3_twist: the angle by which the Euler-Rodrigues frame turns about the
- * tangent from 0 to u, relative to a rotation-minimising frame: that one is
- * e2, e3 turned back by it.
- *
- * Adaptive Gauss quadrature of `turn` to 1e-12; not finite where the curve
- * stands still.
- */
-double ph_seg3_twist(const struct ph_seg3 *seg, const struct ph_quad *rule,
-                     double u);
-
-/* ph_seg3_part: the part [u0,u1] on [0,1] again; points as for ph_seg3_point.
- */
-struct ph_seg3 ph_seg3_part(const struct ph_seg3 *seg,
-                            const struct ph_quad *rule, double u0, double u1);
-
 #endif

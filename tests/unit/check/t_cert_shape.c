@@ -122,7 +122,7 @@ static double least_torsion(const struct ph_spatial_fit *fit) {
   double least = HUGE_VAL, largest = 0;
   enum { STEPS = 100 };
   for (int k = 0; k <= STEPS; k++) {
-    struct ph_bend3 bend = ph_seg3_bend(&seg, (double)k / STEPS);
+    struct unit_bend3 bend = unit_seg3_bend(&seg, (double)k / STEPS);
     /* [r', r'', r'''] = torsion |r' x r''|^2, |r' x r''| = curvature speed^3 */
     double value = bend.torsion * pow(bend.curvature * pow(bend.speed, 3), 2);
     value *= f->dp.z > 0 ? -1 : 1;
@@ -362,7 +362,7 @@ PH_TEST(test_inflection) {
   const double points[] = {0, 0, 0, seg.end.x, seg.end.y, seg.end.z};
   const double any[] = {1, 0, 0, 1, 0, 0};
   ph_vec3 p[6];
-  ck_abs(ph_seg3_bend(&seg, 0.5).curvature, 0, 1e-15);
+  ck_abs(unit_seg3_bend(&seg, 0.5).curvature, 0, 1e-15);
   unit_hermite3_of(&u, points, PH_F_TANGENTS, any, 2, 3, false, 0);
   u.problem.field[PH_F_TANGENTS].kind = PH_ABSENT;
   ph_ph3_control_points(&seg.space, a, seg.start, seg.end, p);

@@ -78,7 +78,7 @@ static ph_vec3 path_at(const struct path *path, double u) {
   if (path->kind != OFFSET_PLANE && path->kind != OFFSET_SPACE) {
     return point;
   }
-  ph_seg3_frame(&path->seg, u, e);
+  unit_seg3_frame(&path->seg, u, e);
   return ph_vec3_along(point, path->distance, e[path->normal == PH_E2 ? 1 : 2]);
 }
 
@@ -174,7 +174,7 @@ PH_TEST_EACH(test_tight, KINDS) {
 
 /* g / sigma of a planar offset: 0 at cusps. */
 static double speed_along(const struct path *path, double u) {
-  struct ph_bend3 b = ph_seg3_bend(&path->seg, u);
+  struct unit_bend3 b = unit_seg3_bend(&path->seg, u);
   return 1 - path->distance * 2 * b.z.im / (b.speed * b.speed);
 }
 
@@ -214,7 +214,7 @@ PH_TEST(test_limit) {
   for (int n = 0; n < 10 * unit_count(CURVES); n++) {
     struct path path = path_random(n % 2 ? PLANE : SPACE, &r);
     double u = unit_random_in(&r, 0, 1 - h);
-    struct ph_bend3 b = ph_seg3_bend(&path.seg, u);
+    struct unit_bend3 b = unit_seg3_bend(&path.seg, u);
     double across = b.curvature * b.speed * b.speed;
     double kappa = 2 * b.z.im / (b.speed * b.speed);
     ck_abs(ph_bend_ph(&path.seg, u, u + h), across, 1e-3 * (1 + across));

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* ATPH curves in space as Bezier curves: how near, which parts, how long. */
+#include "seg3_unit.h"
 #include "unit.h"
 #include "curve3_unit.h"
 #include "random_unit.h"
@@ -135,7 +136,7 @@ PH_TEST(test_order) {
   unit_curve3_of(&c, 1, &alpha, a, ph_vec3_of(0, 0, 0));
   seg = ph_seg3_of(&c.curve, 0);
   for (int i = 1; i <= 4; i++) {
-    struct ph_seg3 part = ph_seg3_part(&seg, &rule, 0.3, 0.3 + ldexp(1, -i));
+    struct ph_seg3 part = unit_seg3_part(&seg, &rule, 0.3, 0.3 + ldexp(1, -i));
     double error;
     unit_curve3_of(&c, 1, &part.space.angle, part.a, part.start);
     ck_assert_uint_eq(convert(1, &error).n, 1);

@@ -81,7 +81,7 @@ PH_TEST(test_sum) {
     struct ph_energy whole, parts;
     for (size_t i = 0; i < 3; i++) {
       const double at[] = {0, 0.3, 0.55, 1};
-      part[i] = ph_seg2_part(&seg, &rule, at[i], at[i + 1]);
+      part[i] = unit_seg2_part(&seg, &rule, at[i], at[i + 1]);
     }
     whole = energy_of(&seg, 1);
     parts = energy_of(part, 3);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fairness of spatial segments: in closed form, and against quadrature that
  * spares no node. */
+#include "seg3_unit.h"
 #include "unit.h"
 #include "spatial_unit.h"
 
@@ -20,7 +21,7 @@ static void begin(void) {
 /* Not so slow, and not so straight, that the panels are too few. */
 static bool is_gentle(const struct ph_seg3 *seg) {
   for (size_t i = 0; i <= 100; i++) {
-    struct ph_bend3 bend = ph_seg3_bend(seg, (double)i / 100);
+    struct unit_bend3 bend = unit_seg3_bend(seg, (double)i / 100);
     if (bend.speed < 0.05 || ph_cplx_abs(bend.z) < 0.02) {
       return false;
     }
@@ -45,8 +46,8 @@ static struct ph_fair3 direct(const struct ph_seg3 *seg) {
   struct ph_fair3 sum = {0, 0, 0, false};
   for (size_t i = 0; i < PANELS; i++) {
     for (size_t j = 0; j < rule.n; j++) {
-      struct ph_bend3 bend =
-          ph_seg3_bend(seg, ((double)i + rule.node[j]) / PANELS);
+      struct unit_bend3 bend =
+          unit_seg3_bend(seg, ((double)i + rule.node[j]) / PANELS);
       double weight = rule.weight[j] / PANELS;
       sum.bending += weight * pow(bend.curvature, 2) * bend.speed;
       sum.varying += weight * pow(bend.slope, 2) / bend.speed;
@@ -81,7 +82,7 @@ PH_TEST(test_parts) {
     }
     whole = ph_fair3_of(&rules, &seg.space, seg.a);
     for (size_t i = 0; i < 3; i++) {
-      struct ph_seg3 part = ph_seg3_part(&seg, &rule, at[i], at[i + 1]);
+      struct ph_seg3 part = unit_seg3_part(&seg, &rule, at[i], at[i + 1]);
       struct ph_fair3 fair = ph_fair3_of(&rules, &part.space, part.a);
       sum.bending += fair.bending;
       sum.varying += fair.varying;

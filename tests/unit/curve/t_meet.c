@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pieces of planar segments: their bounds, and where two of them meet. */
+#include "seg2_unit.h"
 #include "unit.h"
 #include "random_unit.h"
 
@@ -84,7 +85,7 @@ PH_TEST(test_halves) {
     struct ph_piece piece = ph_piece_of(&seg, 7), half[2];
     ph_piece_halves(&piece, half);
     for (int k = 0; k < 2; k++) {
-      struct ph_seg2 part = ph_seg2_part(&seg, &rule, 0.5 * k, 0.5 * k + 0.5);
+      struct ph_seg2 part = unit_seg2_part(&seg, &rule, 0.5 * k, 0.5 * k + 0.5);
       ck_assert_uint_eq(half[k].segment, 7);
       ck_abs(half[k].from, 0.5 * k, 0);
       ck_abs(half[k].to, 0.5 * k + 0.5, 0);

@@ -4,6 +4,7 @@
  * closed form, and curves by chance against definitions.  Those of spherical
  * curves are in t_sample_spherical.c.
  */
+#include "seg3_unit.h"
 #include "curve3_unit.h"
 #include "planar_unit.h"
 #include "sample_unit.h"
@@ -187,13 +188,14 @@ static void ck_bend(const struct ph_sampler *sampler, double u, double tol) {
   const double h = 1e-3;
   const struct ph_sample at = ph_sampler_at(sampler, u);
   const struct ph_seg3 seg = ph_seg3_of(sampler->curve, sampler->k);
-  double speed = ph_seg3_bend(&seg, u).speed, speed1, length;
+  double speed = unit_seg3_bend(&seg, u).speed, speed1, length;
   ph_vec3 t[5], d1, d2;
   for (size_t i = 0; i < 5; i++) {
     t[i] = ph_sampler_at(sampler, u + ((double)i - 2) * h).tangent;
   }
-  speed1 = (ph_seg3_bend(&seg, u + h).speed - ph_seg3_bend(&seg, u - h).speed) /
-           (2 * h);
+  speed1 =
+      (unit_seg3_bend(&seg, u + h).speed - unit_seg3_bend(&seg, u - h).speed) /
+      (2 * h);
   d1 = ph_vec3_sub(ph_vec3_scale(8, ph_vec3_sub(t[3], t[1])),
                    ph_vec3_sub(t[4], t[0]));
   d1 = ph_vec3_scale(1 / (12 * h * speed), d1);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frames of samples, against their definitions. */
+#include "seg3_unit.h"
 #include "known_unit.h"
 #include "sample_unit.h"
 #include "spherical_curve_unit.h"
@@ -131,7 +132,7 @@ PH_TEST(test_erf) {
     for (size_t j = 0; j < s.n; j++) {
       const struct ph_seg3 seg = ph_seg3_of(&c.curve, s.segment[j]);
       ph_vec3 e[3], f[3];
-      ph_seg3_frame(&seg, (double)(j % (N + 1)) / N, e);
+      unit_seg3_frame(&seg, (double)(j % (N + 1)) / N, e);
       frame_of(&s, j, f);
       ck_vec3(f[0], e[0], 1e-14);
       ck_vec3(f[1], e[1], 1e-14);
@@ -181,7 +182,7 @@ PH_TEST(test_rmf) {
     }
     if (i % 3 < 2) {
       const struct ph_seg3 seg = ph_seg3_of(&curve, 0);
-      ph_seg3_frame(&seg, 0, e);
+      unit_seg3_frame(&seg, 0, e);
       ck_vec3(ph_vec3_get(s.normal, 3), e[1], 1e-14);
     } else {
       ck_vec3(ph_vec3_get(s.normal, 3),
@@ -232,7 +233,7 @@ PH_TEST(test_standstill) {
   ck_assert_str_eq(diag.field, "segments[0]");
 }
 
-/* ph_seg3_twist is the same by other means. */
+/* unit_seg3_twist is the same by other means. */
 PH_TEST(test_twist) {
   struct unit_random r = unit_random_of(1474);
   struct ph_quad rule;
@@ -246,8 +247,8 @@ PH_TEST(test_twist) {
     unit_curve3_random(&c, 1, i % 2, 0.8, &r);
     s = framed(&c.curve, PH_FRAME_RMF, 1);
     seg = ph_seg3_of(&c.curve, 0);
-    twist = ph_seg3_twist(&seg, &rule, 1);
-    ph_seg3_frame(&seg, 1, e);
+    twist = unit_seg3_twist(&seg, &rule, 1);
+    unit_seg3_frame(&seg, 1, e);
     normal = ph_vec3_along(ph_vec3_scale(cos(twist), e[1]), -sin(twist), e[2]);
     ck_vec3(ph_vec3_get(s.normal + 3, 3), normal, 1e-11);
   }

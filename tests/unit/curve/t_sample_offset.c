@@ -222,7 +222,7 @@ static bool slow(const struct ph_curve *curve, size_t k) {
   const struct ph_seg3 seg = ph_seg3_of(curve, k);
   double least = (double)INFINITY, most = 0;
   for (int i = 0; i <= 200; i++) {
-    double speed = ph_seg3_bend(&seg, i / 200.0).speed;
+    double speed = unit_seg3_bend(&seg, i / 200.0).speed;
     least = fmin(least, speed);
     most = fmax(most, speed);
   }

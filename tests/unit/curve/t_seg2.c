@@ -76,7 +76,7 @@ PH_TEST(test_part) {
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r);
     double u0 = unit_random_in(&r, 0, 0.5), u1 = unit_random_in(&r, 0.6, 1);
-    struct ph_seg2 part = ph_seg2_part(&seg, &rule, u0, u1);
+    struct ph_seg2 part = unit_seg2_part(&seg, &rule, u0, u1);
     ck_rel(part.space.angle, seg.space.angle * (u1 - u0), 1e-14);
     for (size_t i = 0; i <= 8; i++) {
       double x = (double)i / 8, u = u0 + x * (u1 - u0);

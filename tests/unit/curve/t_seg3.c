@@ -139,7 +139,7 @@ PH_TEST(test_bend) {
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double u = unit_random_in(&r, 0, 1);
-    struct ph_bend3 bend = ph_seg3_bend(&seg, u);
+    struct unit_bend3 bend = unit_seg3_bend(&seg, u);
     struct bend wanted;
     ph_vec3 d[4];
     derivatives(&seg, u, d);
@@ -165,9 +165,9 @@ PH_TEST(test_slopes) {
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double u = unit_random_in(&r, 0.1, 0.9), f[4], g[4];
-    struct ph_bend3 bend = ph_seg3_bend(&seg, u);
+    struct unit_bend3 bend = unit_seg3_bend(&seg, u);
     for (size_t k = 0; k < 4; k++) {
-      struct ph_bend3 near = ph_seg3_bend(&seg, u + STEPS[k] * h);
+      struct unit_bend3 near = unit_seg3_bend(&seg, u + STEPS[k] * h);
       f[k] = near.curvature;
       g[k] = near.torsion;
     }
@@ -202,11 +202,12 @@ PH_TEST(test_part) {
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double u0 = unit_random_in(&r, 0, 0.5), u1 = unit_random_in(&r, 0.6, 1);
-    struct ph_seg3 part = ph_seg3_part(&seg, &rule, u0, u1);
+    struct ph_seg3 part = unit_seg3_part(&seg, &rule, u0, u1);
     ck_rel(part.space.angle, seg.space.angle * (u1 - u0), 1e-14);
     for (size_t i = 0; i <= 8; i++) {
       double x = (double)i / 8, u = u0 + x * (u1 - u0);
-      struct ph_bend3 a = ph_seg3_bend(&part, x), b = ph_seg3_bend(&seg, u);
+      struct unit_bend3 a = unit_seg3_bend(&part, x),
+                        b = unit_seg3_bend(&seg, u);
       ph_quat miss = ph_quat_sub(
           unit_seg3_preimage(&part, x),
           ph_quat_scale(sqrt(u1 - u0), unit_seg3_preimage(&seg, u)));
@@ -229,7 +230,7 @@ PH_TEST(test_part_whole) {
   struct unit_random r = unit_random_of(936);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
-    struct ph_seg3 part = ph_seg3_part(&seg, &rule, 0, 1);
+    struct ph_seg3 part = unit_seg3_part(&seg, &rule, 0, 1);
     for (size_t i = 0; i < 3; i++) {
       ck_assert_double_le(ph_quat_abs(ph_quat_sub(part.a[i], seg.a[i])), 2e-14);
     }
@@ -284,7 +285,7 @@ PH_TEST(test_of_cubics) {
     const size_t k = n % 3;
     struct unit_cubics c;
     struct ph_seg3 seg;
-    struct ph_bend3 bend;
+    struct unit_bend3 bend;
     double u = unit_random_in(&r, 0, 1), speed;
     ph_cplx w, p;
     ph_vec3 e[3];
@@ -296,12 +297,12 @@ PH_TEST(test_of_cubics) {
     ph_seg3_jet(&seg, u, &a, 1);
     ck_assert_double_le(
         ph_quat_abs(ph_quat_sub(a, ph_quat_of(w.re, 0, 0, w.im))), 2e-15);
-    bend = ph_seg3_bend(&seg, u);
+    bend = unit_seg3_bend(&seg, u);
     ck_abs(bend.speed, speed, 4e-15);
     ck_abs(bend.curvature * bend.speed * bend.speed,
            2 * fabs(unit_cubic_bend(&c, k)), 2e-14);
     ck_abs(bend.turn, 0, 0);
-    ph_seg3_frame(&seg, u, e);
+    unit_seg3_frame(&seg, u, e);
     p = ph_cplx_scale(1 / speed, ph_cplx_mul(w, w));
     ck_abs(unit_distance3(e[1], ph_vec3_of(-p.im, p.re, 0)), 0,
            4e-15 / sqrt(speed));
@@ -325,7 +326,7 @@ PH_TEST(test_frame) {
     double u = unit_random_in(&r, 0, 1);
     ph_quat a = unit_seg3_preimage(&seg, u);
     ph_vec3 e[3], d = unit_seg3_hodograph(&seg, u);
-    ph_seg3_frame(&seg, u, e);
+    unit_seg3_frame(&seg, u, e);
     for (size_t i = 0; i < 3; i++) {
       ph_vec3 turned =
           ph_vec3_scale(1 / ph_quat_dot(a, a), unit_turned(a, axes[i]));
@@ -348,15 +349,15 @@ PH_TEST(test_frame_slopes) {
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double u = unit_random_in(&r, 0.1, 0.9);
-    struct ph_bend3 b = ph_seg3_bend(&seg, u);
+    struct unit_bend3 b = unit_seg3_bend(&seg, u);
     ph_vec3 e[3], near[4][3], wanted[3], found;
     double p = 2 * b.z.re / b.speed, q = 2 * b.z.im / b.speed;
     if (b.speed < 0.3) {
       continue; /* differences would be rough there */
     }
-    ph_seg3_frame(&seg, u, e);
+    unit_seg3_frame(&seg, u, e);
     for (size_t k = 0; k < 4; k++) {
-      ph_seg3_frame(&seg, u + STEPS[k] * h, near[k]);
+      unit_seg3_frame(&seg, u + STEPS[k] * h, near[k]);
     }
     wanted[0] = ph_vec3_along(ph_vec3_scale(q, e[1]), -p, e[2]);
     wanted[1] = ph_vec3_along(ph_vec3_scale(b.turn, e[2]), -q, e[0]);
@@ -383,14 +384,14 @@ PH_TEST(test_rmf) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double u = unit_random_in(&r, 0.1, 0.9);
     ph_vec3 f2[4], f3 = {0, 0, 0}, slope;
-    if (ph_seg3_bend(&seg, u).speed < 0.3) {
+    if (unit_seg3_bend(&seg, u).speed < 0.3) {
       continue;
     }
     for (size_t k = 0; k < 5; k++) {
       double at = u + (k < 4 ? STEPS[k] * h : 0);
-      ph_cplx t = ph_cplx_polar(ph_seg3_twist(&seg, &rule, at));
+      ph_cplx t = ph_cplx_polar(unit_seg3_twist(&seg, &rule, at));
       ph_vec3 e[3];
-      ph_seg3_frame(&seg, at, e);
+      unit_seg3_frame(&seg, at, e);
       if (k < 4) {
         f2[k] = ph_vec3_along(ph_vec3_scale(t.re, e[1]), -t.im, e[2]);
       } else {
@@ -413,12 +414,12 @@ PH_TEST(test_twist) {
   for (size_t n = 0; n < segments; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double u = unit_random_in(&r, 0.5, 1), torsion = 0, turn = 0, least = 9;
-    ph_cplx z = ph_seg3_bend(&seg, 0).z;
+    ph_cplx z = unit_seg3_bend(&seg, 0).z;
     for (size_t i = 0; i < PANELS; i++) {
-      ph_cplx next = ph_seg3_bend(&seg, u * (double)(i + 1) / PANELS).z;
+      ph_cplx next = unit_seg3_bend(&seg, u * (double)(i + 1) / PANELS).z;
       for (size_t j = 0; j < rule.n; j++) {
-        struct ph_bend3 b =
-            ph_seg3_bend(&seg, u * ((double)i + rule.node[j]) / PANELS);
+        struct unit_bend3 b =
+            unit_seg3_bend(&seg, u * ((double)i + rule.node[j]) / PANELS);
         torsion += rule.weight[j] * u / PANELS * b.torsion * b.speed;
         least = fmin(least, fmin(b.speed, ph_cplx_abs(b.z)));
       }
@@ -426,10 +427,10 @@ PH_TEST(test_twist) {
       z = next;
     }
     if (least > 0.05) {
-      ck_abs(turn + ph_seg3_twist(&seg, &rule, u), torsion, 1e-10);
+      ck_abs(turn + unit_seg3_twist(&seg, &rule, u), torsion, 1e-10);
       compared++;
     }
-    ck_abs(ph_seg3_twist(&seg, &rule, 0), 0, 0);
+    ck_abs(unit_seg3_twist(&seg, &rule, 0), 0, 0);
   }
   ck_assert_uint_ge(compared, segments / 10);
 }
@@ -459,7 +460,7 @@ PH_TEST(test_helix) {
     ck_rel(ph_ph3_length(&seg.space, seg.a), sqrt(2) * ends[n], 1e-14);
     for (size_t i = 0; i <= 16; i++) {
       double u = (double)i / 16, x = ends[n] * u;
-      struct ph_bend3 b = ph_seg3_bend(&seg, u);
+      struct unit_bend3 b = unit_seg3_bend(&seg, u);
       ph_vec3 p = ph_seg3_point(&seg, &rule, u);
       ck_assert_double_le(unit_distance3(p, ph_vec3_of(cos(x), sin(x), x)),
                           1e-14);
@@ -469,7 +470,7 @@ PH_TEST(test_helix) {
       ck_abs(b.slope, 0, 1e-13);
       ck_abs(b.torsion_slope, 0, 1e-11);
       /* z does not turn: all of the torsion is the frame's */
-      ck_abs(ph_seg3_twist(&seg, &rule, u), 0.5 * b.speed * u, 1e-13);
+      ck_abs(unit_seg3_twist(&seg, &rule, u), 0.5 * b.speed * u, 1e-13);
     }
   }
 }
@@ -483,14 +484,14 @@ PH_TEST(test_circle) {
   seg.a[1] = ph_quat_of(root, 0, 0, root * PI / (4 * seg.space.slope));
   for (size_t i = 0; i <= 16; i++) {
     double u = (double)i / 16, x = PI * u;
-    struct ph_bend3 b = ph_seg3_bend(&seg, u);
+    struct unit_bend3 b = unit_seg3_bend(&seg, u);
     ph_vec3 p = ph_seg3_point(&seg, &rule, u);
     ck_assert_double_le(
         unit_distance3(p, ph_vec3_of(3 * sin(x), 3 - 3 * cos(x), 0)), 1e-14);
     ck_rel(b.curvature, 1. / 3, 1e-14);
     ck_abs(b.torsion, 0, 0);
     ck_abs(b.turn, 0, 0);
-    ck_abs(ph_seg3_twist(&seg, &rule, u), 0, 0);
+    ck_abs(unit_seg3_twist(&seg, &rule, u), 0, 0);
   }
 }
 
@@ -499,10 +500,10 @@ PH_TEST(test_line) {
   const ph_quat a = {1, 2, -1, 0.5};
   const ph_quat line[3] = {a, ph_quat_scale(2, a), ph_quat_scale(0.5, a)};
   struct ph_seg3 seg = unit_seg3(0, line, ph_vec3_of(0, 0, 0));
-  struct ph_bend3 b = ph_seg3_bend(&seg, 0.5);
+  struct unit_bend3 b = unit_seg3_bend(&seg, 0.5);
   ck_abs(b.curvature, 0, 0);
   ck_assert(!isfinite(b.torsion));
-  ck_abs(ph_seg3_twist(&seg, &rule, 1), 0, 0);
+  ck_abs(unit_seg3_twist(&seg, &rule, 1), 0, 0);
 }
 
 /* A(u) = 0: it stands still, and that is said. */
@@ -510,7 +511,7 @@ PH_TEST(test_standing) {
   const ph_quat a = {1, 0, 0, 0}, b = {0, 1, 0, 0}, zero = {0, 0, 0, 0};
   const ph_quat still[3] = {zero, a, b};
   struct ph_seg3 seg = unit_seg3(0, still, ph_vec3_of(0, 0, 0));
-  struct ph_bend3 bend = ph_seg3_bend(&seg, 0);
+  struct unit_bend3 bend = unit_seg3_bend(&seg, 0);
   ck_abs(bend.speed, 0, 0);
   ck_assert(!isfinite(bend.curvature));
   ck_assert(!isfinite(bend.torsion));
@@ -524,14 +525,14 @@ PH_TEST(test_small_angles) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     struct ph_seg3 quintic = unit_seg3(0, seg.a, seg.start);
     double u = unit_random_in(&r, 0, 1);
-    struct ph_bend3 wanted = ph_seg3_bend(&quintic, u);
+    struct unit_bend3 wanted = unit_seg3_bend(&quintic, u);
     if (wanted.speed < 0.5 || wanted.curvature < 0.5) {
       continue;
     }
     for (int e = 2; e <= 12; e += 2) {
       double angle = pow(10, -e), tol = 50 * angle * angle + 1e-12;
       struct ph_seg3 small = unit_seg3(angle, seg.a, seg.start);
-      struct ph_bend3 b = ph_seg3_bend(&small, u);
+      struct unit_bend3 b = unit_seg3_bend(&small, u);
       ck_assert_double_le(unit_distance3(ph_seg3_point(&small, &rule, u),
                                          ph_seg3_point(&quintic, &rule, u)),
                           tol);

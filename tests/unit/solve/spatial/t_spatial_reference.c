@@ -4,6 +4,7 @@
  * that the method of splines is made of: the family, a member by a criterion or
  * by angles, its preimage, and the segment's points and invariants.
  */
+#include "seg3_unit.h"
 #include "unit.h"
 #include "spatial_unit.h"
 #include "vectors_unit.h"
@@ -183,7 +184,7 @@ static void ck_bends(const struct ph_seg3 *seg, double tolerance) {
         isnan(torsion[i]) ? most_twisted : fmax(fabs(torsion[i]), most_twisted);
   }
   for (size_t i = 0; i < 3; i++) {
-    struct ph_bend3 bend = ph_seg3_bend(seg, 0.5 * (double)i);
+    struct unit_bend3 bend = unit_seg3_bend(seg, 0.5 * (double)i);
     ck_value("curvature", i, bend.curvature, curvature[i],
              tolerance * most_curved);
     if (!isnan(torsion[i])) { /* where there is curvature */

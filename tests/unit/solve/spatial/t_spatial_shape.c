@@ -3,6 +3,7 @@
  * The shape of spatial segments: constraints against sampled torsion and
  * control polygons, tensions against published data and by their definition.
  */
+#include "seg3_unit.h"
 #include "solve/spatial/spatial.h"
 
 #include "curve/segment/ph3.h"
@@ -86,7 +87,7 @@ PH_TEST(test_torsion_form) {
     ph_spatial_torsion_form(&seg.space, seg.a, form);
     for (size_t i = 0; i <= 20; i++) {
       double s[2], value = 0, size = 0, u = (double)i / 20;
-      struct ph_bend3 bend = ph_seg3_bend(&seg, u);
+      struct unit_bend3 bend = unit_seg3_bend(&seg, u);
       double scale = bend.speed * bend.speed * ph_cplx_norm2(bend.z);
       ph_atph_basis(&seg.space, u, s);
       for (size_t k = 0; k < 7; k++) {
@@ -108,7 +109,7 @@ static void torsion_range(const struct ph_spatial_family *f, const ph_quat a[3],
   range[0] = HUGE_VAL;
   range[1] = -HUGE_VAL;
   for (size_t i = 0; i <= STEPS; i++) {
-    double torsion = sign * ph_seg3_bend(&seg, (double)i / STEPS).torsion;
+    double torsion = sign * unit_seg3_bend(&seg, (double)i / STEPS).torsion;
     range[0] = fmin(range[0], torsion);
     range[1] = fmax(range[1], torsion);
   }
