@@ -452,7 +452,7 @@ PH_TEST(test_far) {
     unit_curve3_random(&c, 1, n % 4 != 0, 0.5, &r);
     for (size_t i = 0; i < 2; i++) {
       offset[i] = offset_of(&c.curve, i ? away : near_by, normal);
-      moved[i] = unit_sampler(&c.curve, &offset[i], 0, &unit_arena);
+      moved[i] = unit_sampler(&c.curve, &offset[i], 0);
       for (size_t j = 0; i == 0 && j < 12; j++) { /* now a smaller curve */
         c.preimage[j] = ldexp(c.preimage[j], size / 2);
       }
