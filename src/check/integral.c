@@ -106,7 +106,7 @@ static const double UNCERTAIN = 0.1;
 
 /* Its integral is known to this part of itself, or it counts for nothing: where
  * it has a peak that no node is on, so may the function. */
-static const double KNOWN = 0.5;
+static const double KNOWN = 0.01;
 
 /* The integral of an uncertainty, as far as it is known. */
 static double uncertainty(const struct look *whole, const struct look *left,

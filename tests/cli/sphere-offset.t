@@ -186,6 +186,16 @@ equal 'cusps: one warning for all offsets, of the first that has any' \
   '1 2' "$(grep -c offset-cusp err) $(get 'offsets[1].cusps' | grep -o '"t"' |
     wc -l | tr -d ' ')"
 
+# a hairpin within rounding of the points: half a circle around its tip
+feed '{"points":[[6370,0,0],[6370,0.0002,0],[5810,600,2530]],"radius":6370,
+  "end_tangents":[[0,-1,0],[-1,0,0]]}' sphere -q --offset=600 --sample=16
+floats 'offsets[0].samples[3].s' >s
+holds 'a hairpin: half a circle' \
+  "(x[1] / ($pi * 6370 * sin(600 / 6370)) - 1) ^ 2 < 1e-10" <s
+mv out r
+run verify r
+equal 'a hairpin: verified' 0 "$status"
+
 # ---- too far -----------------------------------------------------------------
 
 for radius in 1 2; do

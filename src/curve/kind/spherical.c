@@ -50,6 +50,7 @@ static struct motion motion_slow(const struct ph_spherical *segment, double u) {
   ph_vec3 jet[4], along;
   double first, second, third;
   ph_spherical_jet(segment, u, jet);
+  jet[1] = ph_vec3_normal(jet[1], jet[0]);
   first = ph_vec3_abs(jet[1]);
   second = ph_vec3_abs(jet[2]);
   third = ph_vec3_abs(jet[3]);
@@ -76,6 +77,7 @@ static struct motion motion_at(const struct ph_spherical_fast *fast, double u) {
   ph_vec3 jet[3];
   double square, bend;
   ph_spherical_fast_jet(fast, u, jet);
+  jet[1] = ph_vec3_normal(jet[1], jet[0]);
   square = ph_vec3_dot(jet[1], jet[1]);
   bend = ph_vec3_dot(jet[2], jet[2]);
   if (!(square > ROUNDING * ROUNDING * bend)) {
@@ -85,7 +87,7 @@ static struct motion motion_at(const struct ph_spherical_fast *fast, double u) {
   motion.speed = sqrt(square);
   motion.turn = ph_vec3_triple(jet[0], jet[1], jet[2]) / square;
   motion.noise = sqrt(bend / square);
-  motion.tangent = ph_vec3_unit(ph_vec3_normal(jet[1], jet[0]));
+  motion.tangent = ph_vec3_unit(jet[1]);
   return motion;
 }
 
