@@ -34,7 +34,7 @@ static struct image image_at(const struct ph_check *v,
     double z = ph_check_scaled(v, p[2]), weight = basis[k] * b->weights[k];
     image.at = ph_vec3_along(image.at, weight, ph_vec3_of(p[0], p[1], z));
     image.flat += basis[k] * (1 + fabs(p[0]) + fabs(p[1]));
-    image.height += basis[k] * (v->size + fabs(z));
+    image.height += basis[k] * (v->scale.size + fabs(z));
     heaviest = ph_check_larger(heaviest, b->weights[k]);
     sum += weight;
   }
@@ -57,9 +57,10 @@ static void check_place(struct ph_check *v, const struct ph_blaschke *b,
     ph_check_miss(v, PH_CHECK_BLASCHKE, in(b), ph_check_apart(flat, normal), 1,
                   place.tangent_error + image.flat, "is away from the normals");
     ph_check_miss(v, PH_CHECK_BLASCHKE, in(b),
-                  fabs(image.at.z + ph_vec3_dot(flat, place.point)), v->size,
+                  fabs(image.at.z + ph_vec3_dot(flat, place.point)),
+                  v->scale.size,
                   place.point_error + image.height + image.flat * reach +
-                      ROUND * v->rounding,
+                      ROUND * v->scale.rounding,
                   "is away from the tangent lines");
   }
 }

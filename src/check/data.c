@@ -80,8 +80,9 @@ static size_t closed_intervals(const struct ph_check *v,
   double off;
   ph_vec3 first = ph_check_datum(v, data, 0, &off);
   ph_vec3 last = ph_check_datum(v, data, n - 1, &off);
-  return ph_check_apart(first, last) <= ROUND_REPEATED * v->rounding ? n - 1
-                                                                     : n;
+  return ph_check_apart(first, last) <= ROUND_REPEATED * v->scale.rounding
+             ? n - 1
+             : n;
 }
 
 static size_t count(const struct ph_check *v,
@@ -117,8 +118,8 @@ static void set_segments(const struct ph_check *v, struct ph_check_data *data) {
     } else if (c->n > data->n) {
       double off;
       ph_vec3 datum = ph_check_datum(v, data, i + 1, &off);
-      while (last < most &&
-             !(ph_check_apart(end_of(v, last), datum) <= AT_DATUM * v->size)) {
+      while (last < most && !(ph_check_apart(end_of(v, last), datum) <=
+                              AT_DATUM * v->scale.size)) {
         last++;
       }
     }

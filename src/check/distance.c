@@ -249,7 +249,7 @@ static void check_ends(const struct context *x) {
                       ph_check_in(k, "control_points"),
                       ph_check_apart(grid_at(x, 0, k, GRID * end),
                                      grid_at(x, 1, k, GRID * end)),
-                      v->size, x->rounding, "miss an end of the curve");
+                      v->scale.size, x->rounding, "miss an end of the curve");
       }
     }
   }
@@ -268,7 +268,7 @@ static bool is_chain(const struct context *x) {
 static bool begin(struct context *x) {
   struct ph_check *v = x->v;
   size_t n = v->curve->n, most = 4;
-  double reach = v->rounding;
+  double reach = v->scale.rounding;
   for (size_t i = 0; i < x->pieces; i++) {
     most = x->sizes[i] > most ? x->sizes[i] : most;
   }

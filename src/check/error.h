@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What the certificates share: errors against their tolerances, the scale of
- * the data and what rounding of it can do, and the basis of control points at
- * the nodes of a Gauss rule.
+ * What the certificates share: errors against their tolerances, and the basis
+ * of control points at the nodes of a Gauss rule.
  *
  * The derivative of the basis of control points p0, ..., p5 is
  *   r'(u) = sum_j (p[j+1] - p[j]) S0^(4-j) S1^j / mu_j                 (1)
@@ -13,9 +12,9 @@
 #define PH_CHECK_ERROR_H
 
 #include "base/diag.h"
+#include "check/scale.h"
 #include "curve/result.h"
 #include "kernel/atph.h"
-#include "kernel/pow2.h"
 #include "kernel/quad.h"
 
 #include <math.h>
@@ -24,10 +23,6 @@
 /* Nodes: exact for degree 11, as |r'| has 4 and mu_j has 4; for angles below pi
  * 12 nodes reach rounding. */
 enum { PH_CHECK_NODES_PH = 6, PH_CHECK_NODES_ATPH = 12 };
-
-/* Allowance for a first difference of control points times 5, in units of the
- * rounding of a coordinate, with a margin of 3. */
-enum { PH_CHECK_ROUND_FIRST = 32 };
 
 /* One error: the largest so far, whether all were within their tolerance, and
  * by how much the worst was not. */
@@ -39,20 +34,6 @@ struct ph_check_error {
   double allowed;  /* its tolerance at the largest excess */
   size_t where;
 };
-
-/* Not fmax and fmin, which are calls of the library. */
-static inline double ph_check_larger(double a, double b) {
-  return a > b ? a : b;
-}
-
-static inline double ph_check_smaller(double a, double b) {
-  return a < b ? a : b;
-}
-
-/* Whether x is larger than the largest so far; NaN is, and stays. */
-static inline bool ph_check_is_larger(double x, double largest) {
-  return !(x <= largest) && !isnan(largest);
-}
 
 /* ph_check_add: one more error, in the segment `where`; NaN is never allowed.
  *
@@ -82,20 +63,6 @@ enum ph_status ph_check_conclude(const struct ph_check_error *check,
  * angles[] some may be none. */
 enum ph_status ph_check_finite(const struct ph_curve *curve,
                                struct ph_diag *diag);
-
-/* The scale of the data, and what depends on it. */
-struct ph_check_scale {
-  struct ph_pow2 to_unit;
-  double root;     /* the same for the preimage */
-  double size;     /* half the diagonal, at unit scale */
-  double rounding; /* of the largest coordinate, and */
-  double spacing;  /* of the smallest, at unit scale */
-};
-
-/* ph_check_scale_of: of points[n][dimension], all finite; false when they have
- * no extent. */
-bool ph_check_scale_of(const double *points, size_t n, size_t dimension,
-                       struct ph_check_scale *scale);
 
 /* A space of preimages, at the nodes. */
 struct ph_check_space {

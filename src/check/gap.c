@@ -56,7 +56,7 @@ static struct ph_check_place at_end(struct context *c, size_t k, double u) {
 static bool check_jump(struct context *c, size_t k) {
   struct ph_check *v = c->v;
   const size_t n = v->curve->n;
-  const double size = v->size + fabs(ph_check_scaled(v, c->o->distance));
+  const double size = v->scale.size + fabs(ph_check_scaled(v, c->o->distance));
   const struct ph_check_place a = at_end(c, (k + n - 1) % n, 1);
   const struct ph_check_place b = at_end(c, k, 0);
   const double jump = ph_check_apart(a.point, b.point);

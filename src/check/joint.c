@@ -67,8 +67,9 @@ void ph_check_joint(struct ph_check *v, const struct ph_check_segment *a,
   enum ph_join join = v->kind->converted ? PH_JOIN_TANGENT : v->promise->join;
   struct end before = end_of(v, a, 1), after = end_of(v, b, 0);
   ph_check_miss(v, PH_CHECK_CONTINUITY, ph_check_in(b->k, "control_points"),
-                ph_check_apart(before.at, after.at), v->size,
-                ROUND_POINT * v->rounding, "are away from the end before");
+                ph_check_apart(before.at, after.at), v->scale.size,
+                ROUND_POINT * v->scale.rounding,
+                "are away from the end before");
   if (join != PH_JOIN_TANGENT) {
     check_derivatives(v, a, b, &before, &after, join == PH_JOIN_SECOND);
   } else if (!ph_check_is_approximation(v)) {

@@ -16,7 +16,7 @@ double ph_check_conversion(const struct ph_check *v) {
   const double *value = v->diagnostics->value;
   double error = ph_check_known(v, PH_D_CONVERSION_ERROR)
                      ? ph_check_scaled(v, value[PH_D_CONVERSION_ERROR])
-                     : CONVERSION * v->size;
+                     : CONVERSION * v->scale.size;
   return v->kind->converted ? TURN * error : 0;
 }
 

@@ -7,10 +7,10 @@
 #define PH_CHECK_NOTE_H
 
 #include "base/mem.h"
-#include "kernel/pow2.h"
 #include "kernel/quad.h"
 #include "kernel/vec3.h"
 #include "check/integral.h"
+#include "check/scale.h"
 #include "check/verify.h"
 
 #include <float.h>
@@ -20,10 +20,9 @@
 /* Polynomials of more than this degree are not looked at. */
 enum { PH_CHECK_DEGREE_MAX = 15 };
 
-/* Allowances for rounding, in units of that of a coordinate: a first difference
- * of control points times the degree, with a margin of 3; each further
- * derivative may be off by 8 times as much. */
-enum { PH_CHECK_ROUND_FIRST = 32, PH_CHECK_ROUND_NEXT = 8 };
+/* Each derivative after the first may be off by 8 times as much as
+ * PH_CHECK_ROUND_FIRST (scale.h). */
+enum { PH_CHECK_ROUND_NEXT = 8 };
 
 /* Of knots, whose difference counts. */
 enum { PH_CHECK_ROUND_KNOT = 4 };
@@ -52,15 +51,10 @@ struct ph_check {
   const struct ph_interval *intervals;
   size_t intervals_n;
 
-  /* its scale; all that follows is at unit scale, where the largest coordinate
-   * is near 1/2 */
-  struct ph_pow2 to_unit, from_unit;
-  double root;     /* the same for preimages */
-  double size;     /* half the diagonal of the control points */
-  double mean;     /* length of a segment, as claimed */
-  double rounding; /* of the largest coordinate */
-  double spacing;  /* of the smallest numbers */
-  double knot;     /* rounding of the largest knot, with its margin */
+  /* its scale, by the control points: size is half the diagonal of these */
+  struct ph_check_scale scale;
+  double mean; /* length of a segment, as claimed */
+  double knot; /* rounding of the largest knot, with its margin */
 
   /* what was found of its segments */
   double *length; /* [n] by quadrature; NaN where that failed */
@@ -153,11 +147,11 @@ void ph_check_prefix(struct ph_check *v, const char *list, size_t index);
 /* ---- scale -------------------------------------------------------------- */
 
 static inline double ph_check_scaled(const struct ph_check *v, double x) {
-  return ph_pow2_apply(v->to_unit, x);
+  return ph_pow2_apply(v->scale.to_unit, x);
 }
 
 static inline double ph_check_unscaled(const struct ph_check *v, double x) {
-  return ph_pow2_apply(v->from_unit, x);
+  return ph_pow2_apply(v->scale.from_unit, x);
 }
 
 /* ph_check_vector: of 2 or 3 coordinates, at unit scale. */
@@ -166,14 +160,6 @@ static inline ph_vec3 ph_check_vector(const struct ph_check *v, const double *x,
   ph_vec3 a = ph_vec3_get(x, dimension);
   return ph_vec3_of(ph_check_scaled(v, a.x), ph_check_scaled(v, a.y),
                     ph_check_scaled(v, a.z));
-}
-
-static inline double ph_check_larger(double a, double b) {
-  return a > b ? a : b;
-}
-
-static inline double ph_check_smaller(double a, double b) {
-  return a < b ? a : b;
 }
 
 /* ph_check_apart: |a - b|, also where the squares leave the range of a double:
@@ -187,7 +173,7 @@ static inline double ph_check_apart(ph_vec3 a, ph_vec3 b) {
 /* ph_check_reach: the rounding of a vector's coordinates. */
 static inline double ph_check_reach(const struct ph_check *v, ph_vec3 a) {
   double x = ph_check_larger(fabs(a.x), fabs(a.y));
-  return DBL_EPSILON * ph_check_larger(x, fabs(a.z)) + v->spacing;
+  return DBL_EPSILON * ph_check_larger(x, fabs(a.z)) + v->scale.spacing;
 }
 
 static inline bool ph_check_known(const struct ph_check *v,

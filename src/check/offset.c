@@ -142,7 +142,7 @@ static void check_rational(struct context *c, size_t i) {
     found = scaled(v, combine(b, n, o->dimension, p, w));
     at = place_of(c, u, found);
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "control_points"),
-                  ph_check_apart(found, at.point), v->size,
+                  ph_check_apart(found, at.point), v->scale.size,
                   at.point_error + ph_check_reach(v, found),
                   "are not at the distance");
   }
@@ -163,8 +163,8 @@ static void check_quotient(struct context *c, size_t i) {
         ph_vec3_add(point, scaled(v, quotient(b, o->dimension, top, bottom)));
     at = place_of(c, u, found);
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "numerator"),
-                  ph_check_apart(found, at.point), v->size, at.point_error,
-                  "and denominator are not at the distance");
+                  ph_check_apart(found, at.point), v->scale.size,
+                  at.point_error, "and denominator are not at the distance");
   }
 }
 
@@ -235,7 +235,7 @@ static void check_beziers(struct context *c) {
       found = scaled(v, combine(b, n, d, of->control_points + n * d * i, NULL));
       ph_check_miss(v, PH_CHECK_OFFSET,
                     ph_check_of("beziers", i, "control_points"),
-                    ph_check_apart(found, at.point), v->size,
+                    ph_check_apart(found, at.point), v->scale.size,
                     at.point_error + error, "are farther than they say");
     }
   }
@@ -389,7 +389,8 @@ static bool begin(struct context *c) {
 
 void ph_check_offset(struct ph_check *v, const struct ph_offset *o) {
   struct context c = {.v = v, .o = o};
-  double length = (double)NAN, error = 0, unit = ph_check_unscaled(v, v->size);
+  double length = (double)NAN, error = 0,
+         unit = ph_check_unscaled(v, v->scale.size);
   ph_check_done(v, PH_CHECK_OFFSET);
   if (v->kind->converted || !begin(&c)) {
     return; /* of the curve before it was converted */

@@ -11,7 +11,8 @@ enum { ROUND_POINT = 8 };
 /* By how much points of the unit sphere are off because numbers are rounded. */
 static double rounding_of(const struct ph_check *v,
                           const struct ph_check_segment *s) {
-  return (v->rounding + ph_check_reach(v, s->center)) / s->radius + DBL_EPSILON;
+  return (v->scale.rounding + ph_check_reach(v, s->center)) / s->radius +
+         DBL_EPSILON;
 }
 
 static void check_points(struct ph_check *v, const struct ph_check_segment *s) {

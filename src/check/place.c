@@ -249,7 +249,7 @@ struct ph_check_place ph_check_great_place(const struct ph_check_path *path,
   struct ph_check_place place = {.torsion = 0};
   double d = path->distance, speed, turn, error, next, top, bottom, down;
   ph_vec3 jet[3];
-  ph_check_great(s->p, u, jet);
+  ph_check_great(s->p, s->x, u, jet);
   speed = ph_vec3_abs(jet[1]);
   error = s->noise / s->radius + PARAMETER * ph_vec3_abs(jet[2]);
   next = PH_CHECK_ROUND_NEXT * s->noise / s->radius;
@@ -336,12 +336,12 @@ double ph_check_path_length(const struct ph_check_path *path, double from,
     double u = cusps->at[i].t / path->s->unit;
     if (u > from) { /* in order, as they should be */
       ph_check_integral(&path->v->rule, &of, from, u, sum);
-      *error += isfinite(sum[1]) ? sum[1] : path->v->size;
+      *error += isfinite(sum[1]) ? sum[1] : path->v->scale.size;
       length += sum[0];
       from = u;
     }
   }
   ph_check_integral(&path->v->rule, &of, from, to, sum);
-  *error += isfinite(sum[1]) ? sum[1] : path->v->size;
+  *error += isfinite(sum[1]) ? sum[1] : path->v->scale.size;
   return length + sum[0];
 }

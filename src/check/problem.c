@@ -70,7 +70,7 @@ static void check_point(const struct context *x, const struct end *e) {
   struct ph_check *v = x->v;
   double off, reach;
   ph_vec3 datum = ph_check_datum(v, &x->data, e->datum, &off);
-  reach = v->rounding;
+  reach = v->scale.rounding;
   if (e->s->kind->sphere) {
     reach += ph_check_reach(v, e->s->center) + DBL_EPSILON * e->s->radius;
     ph_check_miss(v, PH_CHECK_INTERPOLATION,
@@ -80,8 +80,8 @@ static void check_point(const struct context *x, const struct end *e) {
   }
   ph_check_miss(v, PH_CHECK_INTERPOLATION,
                 ph_check_in(e->s->k, "control_points"),
-                ph_check_apart(ph_check_point(v, e->s, e->u), datum), v->size,
-                ROUND_POINT * reach, "miss the point");
+                ph_check_apart(ph_check_point(v, e->s, e->u), datum),
+                v->scale.size, ROUND_POINT * reach, "miss the point");
 }
 
 /* Without points the curve begins at the start. */
@@ -91,10 +91,10 @@ static void check_start(const struct context *x, const struct end *e) {
   bool fits = given && (given->n == 2 || given->n == 3);
   ph_vec3 start =
       fits ? ph_check_vector(v, given->v, given->n) : ph_vec3_of(0, 0, 0);
-  ph_check_miss(v, PH_CHECK_INTERPOLATION,
-                ph_check_in(e->s->k, "control_points"),
-                ph_check_apart(ph_check_point(v, e->s, e->u), start), v->size,
-                ROUND_POINT * v->rounding, "miss the start");
+  ph_check_miss(
+      v, PH_CHECK_INTERPOLATION, ph_check_in(e->s->k, "control_points"),
+      ph_check_apart(ph_check_point(v, e->s, e->u), start), v->scale.size,
+      ROUND_POINT * v->scale.rounding, "miss the start");
 }
 
 /* ---- tangents and derivatives ----------------------------------------------

@@ -81,7 +81,7 @@ static bool bends(const struct ph_check *v,
                   const struct ph_check_place *place) {
   return place->tangent_error < FLAT &&
          place->curvature_error <
-             FLAT * ph_check_larger(fabs(place->curvature), 1 / v->size);
+             FLAT * ph_check_larger(fabs(place->curvature), 1 / v->scale.size);
 }
 
 /* At a cusp, the direction is that of either side. */
@@ -119,7 +119,7 @@ static void check_bend(struct walk *w, struct ph_check_where where,
     }
   } else if (isfinite(error)) {
     /* at unit scale as 1/x is */
-    double unit = ph_check_larger(fabs(found), 1 / v->size);
+    double unit = ph_check_larger(fabs(found), 1 / v->scale.size);
     ph_check_number(v, PH_CHECK_SAMPLE, where, claimed,
                     ph_check_scaled(v, found), ph_check_scaled(v, unit),
                     ph_check_scaled(v, 2 * error));
@@ -170,7 +170,7 @@ static void check_degrees(struct walk *w, size_t i, ph_vec3 point) {
   ph_check_miss(w->v, PH_CHECK_SAMPLE, in(i, "lonlat"),
                 ph_check_apart(ph_degree_to_unit(claimed[0], claimed[1]),
                                ph_vec3_unit(from)),
-                1, ROUND_UNIT + 4 * v->rounding / w->segment.radius,
+                1, ROUND_UNIT + 4 * v->scale.rounding / w->segment.radius,
                 "are not those of the point");
 }
 
@@ -192,15 +192,16 @@ static void check_sample(struct walk *w, size_t i) {
   }
   if (!isfinite(place.point_error)) {
     /* beside a point at rest; the curve is there itself */
-    place.point_error = v->size;
+    place.point_error = v->scale.size;
   }
   ph_check_miss(v, PH_CHECK_SAMPLE, in(i, "point"),
-                ph_check_apart(point, place.point), v->size, place.point_error,
-                "is away from the curve");
+                ph_check_apart(point, place.point), v->scale.size,
+                place.point_error, "is away from the curve");
   if (!isnan(s)) { /* else beside a point at rest, where it is not found */
-    ph_check_number(v, PH_CHECK_SAMPLE, in(i, "s"), of->s[i], s,
-                    ph_check_larger(fabs(s), ph_check_unscaled(v, v->size)),
-                    ph_check_unscaled(v, w->error + v->noise[w->k] + w->each));
+    ph_check_number(
+        v, PH_CHECK_SAMPLE, in(i, "s"), of->s[i], s,
+        ph_check_larger(fabs(s), ph_check_unscaled(v, v->scale.size)),
+        ph_check_unscaled(v, w->error + v->noise[w->k] + w->each));
   }
   check_tangent(w, i, &place);
   check_bend(w, in(i, "curvature"), of->curvature[i], place.curvature,

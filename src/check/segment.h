@@ -44,6 +44,7 @@ struct ph_check_segment {
                      preimage that was meant is another */
   double spacing; /* of its knots */
   ph_vec3 center; /* of the sphere */
+  double x[3];    /* of spherical.h */
   double radius;
 };
 

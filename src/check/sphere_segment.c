@@ -15,14 +15,11 @@
  * direction of a is needed where a is short: with long tensions it has few
  * digits.  The geodesic curvature is P . (a x A) / (9 th^3), which is
  * (2/3) (W.N) / (th sin th) with N normal to P and B.
- *
- * Between the ends, K by de Casteljau's algorithm on the value and two
- * derivatives: for Z = w(1-t,X) u + w(t,X) v, with w(s,X) = sin(s th) / sin th
- * and X = th^2, by the partial derivatives of w.
  */
 #include "check/sphere_segment.h"
 
 #include "check/error.h"
+#include "check/spherical.h"
 
 #include <string.h>
 
@@ -62,11 +59,6 @@ static void set_end(ph_vec3 p, ph_vec3 b, double xb, ph_vec3 w, double xw,
                        (e->angle * e->angle);
 }
 
-static double square_of_angle(ph_vec3 p, ph_vec3 q) {
-  double angle = ph_s2_angle(p, q);
-  return angle * angle;
-}
-
 void ph_check_nu_segment_of(const ph_vec3 p[4], double rounding,
                             struct ph_check_nu_segment *s) {
   ph_vec3 d = ph_vec3_sub(p[2], p[1]), w[2];
@@ -74,9 +66,7 @@ void ph_check_nu_segment_of(const ph_vec3 p[4], double rounding,
   memcpy(s->p, p, sizeof s->p);
   s->rounding = rounding;
   s->angle = ph_s2_angle(p[0], p[3]);
-  for (size_t i = 0; i < 3; i++) {
-    s->x[i] = square_of_angle(p[i], p[i + 1]);
-  }
+  ph_check_great_angles(p, s->x);
   growth = 1 / ph_s2_f0(s->x[1]);
   w[0] = ph_vec3_scale(growth, ph_vec3_along(d, ph_vec3_dot(d, d) / 2, p[1]));
   w[1] = ph_vec3_scale(-growth, ph_vec3_along(d, -ph_vec3_dot(d, d) / 2, p[2]));
@@ -94,85 +84,14 @@ double ph_check_nu_numerator_end(const struct ph_check_nu_segment *s,
 
 /* ---- between the ends ------------------------------------------------ */
 
-/* A value and two derivatives. */
-struct jet {
-  ph_vec3 v[3];
-};
-
-/* w(s,X) with its derivative and second derivative by t, s' = slope, 1 or -1;
- * f are f_0, f_1, f_2 of X, x its value and derivatives. */
-static void weight_jet(double s, double slope, const double f[4],
-                       const double x[3], double w[3]) {
-  double g[4], y = s * s * x[0], d = f[0], dx = -f[1] / 2, dxx = f[2] / 4;
-  double by_s, by_x, by_sx, by_xx;
-  ph_s2_bessel(y, g);
-  w[0] = s * g[0] / d;
-  by_s = (g[0] - y * g[1]) / d;
-  by_x = (-s * s * s * g[1] / 2 - w[0] * dx) / d;
-  by_sx = (-s * s * g[0] / 2 - by_s * dx) / d;
-  by_xx = (s * s * s * s * s * g[2] / 4 - 2 * by_x * dx - w[0] * dxx) / d;
-  w[1] = slope * by_s + by_x * x[1];
-  w[2] = -x[0] * w[0] + 2 * slope * by_sx * x[1] + by_xx * x[1] * x[1] +
-         by_x * x[2];
-}
-
-/* The first step: t on the great circle of a leg. */
-static struct jet leg_jet(ph_vec3 p, ph_vec3 q, double x, double t) {
-  struct jet z;
-  double f = ph_s2_f0(x), angle = sqrt(x), s = 1 - t;
-  z.v[0] = ph_vec3_along(ph_vec3_scale(s * ph_s2_f0(s * s * x) / f, p),
-                         t * ph_s2_f0(t * t * x) / f, q);
-  z.v[1] = ph_vec3_along(ph_vec3_scale(-cos(s * angle) / f, p),
-                         cos(t * angle) / f, q);
-  z.v[2] = ph_vec3_scale(-x, z.v[0]);
-  return z;
-}
-
-/* A step between two moving points. */
-static struct jet step_jet(const struct jet *a, const struct jet *b, double t,
-                           double *growth) {
-  struct jet z;
-  ph_vec3 d[3];
-  double f[4], x[3], e[2], u[3], v[3];
-  for (size_t i = 0; i < 3; i++) {
-    d[i] = ph_vec3_sub(a->v[i], b->v[i]);
-  }
-  x[0] = square_of_angle(a->v[0], b->v[0]);
-  ph_s2_bessel(x[0], f);
-  *growth /= f[0];
-  /* |d|^2 = 2 - 2 cos th, so that its derivative by X is f_0 */
-  e[0] = 2 * ph_vec3_dot(d[0], d[1]);
-  e[1] = 2 * (ph_vec3_dot(d[0], d[2]) + ph_vec3_dot(d[1], d[1]));
-  x[1] = e[0] / f[0];
-  x[2] = (e[1] + f[1] / 2 * x[1] * x[1]) / f[0];
-  weight_jet(1 - t, -1, f, x, u);
-  weight_jet(t, 1, f, x, v);
-  z.v[0] = ph_vec3_along(ph_vec3_scale(u[0], a->v[0]), v[0], b->v[0]);
-  z.v[1] = ph_vec3_along(ph_vec3_scale(u[1], a->v[0]), v[1], b->v[0]);
-  z.v[1] = ph_vec3_along(z.v[1], u[0], a->v[1]);
-  z.v[1] = ph_vec3_along(z.v[1], v[0], b->v[1]);
-  z.v[2] = ph_vec3_along(ph_vec3_scale(u[2], a->v[0]), v[2], b->v[0]);
-  z.v[2] = ph_vec3_along(z.v[2], 2 * u[1], a->v[1]);
-  z.v[2] = ph_vec3_along(z.v[2], 2 * v[1], b->v[1]);
-  z.v[2] = ph_vec3_along(z.v[2], u[0], a->v[2]);
-  z.v[2] = ph_vec3_along(z.v[2], v[0], b->v[2]);
-  return z;
-}
-
 double ph_check_nu_numerator(const struct ph_check_nu_segment *s, double t,
                              double *error) {
-  struct jet z[3];
-  double growth = 1; /* of errors, where points are nearly antipodal */
-  for (size_t i = 0; i < 3; i++) {
-    z[i] = leg_jet(s->p[i], s->p[i + 1], s->x[i], t);
-  }
-  z[0] = step_jet(&z[0], &z[1], t, &growth);
-  z[1] = step_jet(&z[1], &z[2], t, &growth);
-  z[0] = step_jet(&z[0], &z[1], t, &growth);
-  *error = s->rounding * growth *
-           (ROUND_SECOND * ph_vec3_abs(z[0].v[1]) +
-            ROUND_FIRST * ph_vec3_abs(z[0].v[2]));
-  return ph_vec3_triple(z[0].v[0], z[0].v[1], z[0].v[2]);
+  ph_vec3 jet[3];
+  double growth = ph_check_great(s->p, s->x, t, jet);
+  *error =
+      s->rounding * growth *
+      (ROUND_SECOND * ph_vec3_abs(jet[1]) + ROUND_FIRST * ph_vec3_abs(jet[2]));
+  return ph_vec3_triple(jet[0], jet[1], jet[2]);
 }
 
 /* ---- the sign of K --------------------------------------------------- */

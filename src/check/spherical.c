@@ -4,90 +4,96 @@
 
 #include "kernel/s2.h"
 
-/* A power series: x0 + x1 h + x2 h^2. */
-struct series {
-  double x[3];
+#include <string.h>
+
+static double square_of_angle(ph_vec3 p, ph_vec3 q) {
+  double angle = ph_s2_angle(p, q);
+  return angle * angle;
+}
+
+/* A value and two derivatives. */
+struct jet {
+  ph_vec3 v[3];
 };
 
-static struct series multiply(struct series a, struct series b) {
-  struct series c = {{a.x[0] * b.x[0], a.x[0] * b.x[1] + a.x[1] * b.x[0],
-                      a.x[0] * b.x[2] + a.x[1] * b.x[1] + a.x[2] * b.x[0]}};
-  return c;
+/* w(s,X) with its derivative and second derivative by t, s' = slope, 1 or -1;
+ * f are f_0, f_1, f_2 of X, x its value and derivatives. */
+static void weight_jet(double s, double slope, const double f[4],
+                       const double x[3], double w[3]) {
+  double g[4], y = s * s * x[0], d = f[0], dx = -f[1] / 2, dxx = f[2] / 4;
+  double by_s, by_x, by_sx, by_xx;
+  ph_s2_bessel(y, g);
+  w[0] = s * g[0] / d;
+  by_s = (g[0] - y * g[1]) / d;
+  by_x = (-s * s * s * g[1] / 2 - w[0] * dx) / d;
+  by_sx = (-s * s * g[0] / 2 - by_s * dx) / d;
+  by_xx = (s * s * s * s * s * g[2] / 4 - 2 * by_x * dx - w[0] * dxx) / d;
+  w[1] = slope * by_s + by_x * x[1];
+  w[2] = -x[0] * w[0] + 2 * slope * by_sx * x[1] + by_xx * x[1] * x[1] +
+         by_x * x[2];
 }
 
-static struct series divide(struct series a, struct series b) {
-  struct series c;
-  c.x[0] = a.x[0] / b.x[0];
-  c.x[1] = (a.x[1] - c.x[0] * b.x[1]) / b.x[0];
-  c.x[2] = (a.x[2] - c.x[0] * b.x[2] - c.x[1] * b.x[1]) / b.x[0];
-  return c;
+/* The first step: t on the great circle of a leg. */
+static struct jet leg_jet(ph_vec3 p, ph_vec3 q, double x, double t) {
+  struct jet z;
+  double f = ph_s2_f0(x), angle = sqrt(x), s = 1 - t;
+  z.v[0] = ph_vec3_along(ph_vec3_scale(s * ph_s2_f0(s * s * x) / f, p),
+                         t * ph_s2_f0(t * t * x) / f, q);
+  z.v[1] = ph_vec3_along(ph_vec3_scale(-cos(s * angle) / f, p),
+                         cos(t * angle) / f, q);
+  z.v[2] = ph_vec3_scale(-x, z.v[0]);
+  return z;
 }
 
-/* f0 of a series, with f0' = -f1/2 and f0'' = f2/4. */
-static struct series f0_of(struct series x) {
-  double f[4];
-  struct series y;
-  ph_s2_bessel(x.x[0], f);
-  y.x[0] = f[0];
-  y.x[1] = -f[1] / 2 * x.x[1];
-  y.x[2] = -f[1] / 2 * x.x[2] + f[2] / 8 * x.x[1] * x.x[1];
-  return y;
-}
-
-/* The square of the angle between two moving points. */
-static struct series square_of(const ph_vec3 p[3], const ph_vec3 q[3]) {
-  struct series x;
+/* A step between two moving points. */
+static struct jet step_jet(const struct jet *a, const struct jet *b, double t,
+                           double *growth) {
+  struct jet z;
   ph_vec3 d[3];
-  double angle = ph_s2_angle(p[0], q[0]), f[4], first, second;
+  double f[4], x[3], e[2], u[3], v[3];
   for (size_t i = 0; i < 3; i++) {
-    d[i] = ph_vec3_sub(q[i], p[i]);
+    d[i] = ph_vec3_sub(a->v[i], b->v[i]);
   }
-  first = 2 * ph_vec3_dot(d[0], d[1]);
-  second = 2 * ph_vec3_dot(d[0], d[2]) + ph_vec3_dot(d[1], d[1]);
-  x.x[0] = angle * angle;
-  ph_s2_bessel(x.x[0], f);
-  x.x[1] = first / f[0];
-  /* X'' = D'' / f0 + D' (f1 / (2 f0^2)) X' */
-  x.x[2] = (second + first * f[1] / (4 * f[0]) * x.x[1]) / f[0];
-  return x;
+  x[0] = square_of_angle(a->v[0], b->v[0]);
+  ph_s2_bessel(x[0], f);
+  *growth /= f[0];
+  /* |d|^2 = 2 - 2 cos th, so that its derivative by X is f_0 */
+  e[0] = 2 * ph_vec3_dot(d[0], d[1]);
+  e[1] = 2 * (ph_vec3_dot(d[0], d[2]) + ph_vec3_dot(d[1], d[1]));
+  x[1] = e[0] / f[0];
+  x[2] = (e[1] + f[1] / 2 * x[1] * x[1]) / f[0];
+  weight_jet(1 - t, -1, f, x, u);
+  weight_jet(t, 1, f, x, v);
+  z.v[0] = ph_vec3_along(ph_vec3_scale(u[0], a->v[0]), v[0], b->v[0]);
+  z.v[1] = ph_vec3_along(ph_vec3_scale(u[1], a->v[0]), v[1], b->v[0]);
+  z.v[1] = ph_vec3_along(z.v[1], u[0], a->v[1]);
+  z.v[1] = ph_vec3_along(z.v[1], v[0], b->v[1]);
+  z.v[2] = ph_vec3_along(ph_vec3_scale(u[2], a->v[0]), v[2], b->v[0]);
+  z.v[2] = ph_vec3_along(z.v[2], 2 * u[1], a->v[1]);
+  z.v[2] = ph_vec3_along(z.v[2], 2 * v[1], b->v[1]);
+  z.v[2] = ph_vec3_along(z.v[2], u[0], a->v[2]);
+  z.v[2] = ph_vec3_along(z.v[2], v[0], b->v[2]);
+  return z;
 }
 
-/* W of (1). */
-static struct series weight(struct series t, struct series x,
-                            struct series bottom) {
-  struct series top = f0_of(multiply(multiply(t, t), x));
-  return divide(multiply(t, top), bottom);
-}
-
-/* G of (1); q is replaced. */
-static void between(const ph_vec3 p[3], ph_vec3 q[3], double t) {
-  const struct series from = {{1 - t, -1, 0}}, to = {{t, 1, 0}};
-  struct series x = square_of(p, q), bottom = f0_of(x);
-  struct series a = weight(from, x, bottom), b = weight(to, x, bottom);
-  for (size_t i = 3; i-- > 0;) {
-    ph_vec3 sum = {0, 0, 0};
-    for (size_t j = 0; j <= i; j++) {
-      sum = ph_vec3_along(sum, a.x[j], p[i - j]);
-      sum = ph_vec3_along(sum, b.x[j], q[i - j]);
-    }
-    q[i] = sum;
+void ph_check_great_angles(const ph_vec3 p[4], double x[3]) {
+  for (size_t i = 0; i < 3; i++) {
+    x[i] = square_of_angle(p[i], p[i + 1]);
   }
 }
 
-void ph_check_great(const ph_vec3 p[4], double t, ph_vec3 jet[3]) {
-  ph_vec3 s[4][3];
-  for (size_t i = 0; i < 4; i++) {
-    s[i][0] = p[i];
-    s[i][1] = s[i][2] = ph_vec3_of(0, 0, 0);
+double ph_check_great(const ph_vec3 p[4], const double x[3], double t,
+                      ph_vec3 jet[3]) {
+  struct jet z[3];
+  double growth = 1;
+  for (size_t i = 0; i < 3; i++) {
+    z[i] = leg_jet(p[i], p[i + 1], x[i], t);
   }
-  for (size_t level = 1; level < 4; level++) {
-    for (size_t i = 3; i >= level; i--) {
-      between(s[i - 1], s[i], t);
-    }
-  }
-  jet[0] = s[3][0];
-  jet[1] = s[3][1];
-  jet[2] = ph_vec3_scale(2, s[3][2]);
+  z[0] = step_jet(&z[0], &z[1], t, &growth);
+  z[1] = step_jet(&z[1], &z[2], t, &growth);
+  z[0] = step_jet(&z[0], &z[1], t, &growth);
+  memcpy(jet, z[0].v, sizeof z[0].v);
+  return growth;
 }
 
 /* ---- a segment ----------------------------------------------------------- */
@@ -99,6 +105,7 @@ void ph_check_great_load(const struct ph_check *v, struct ph_check_segment *s) {
   for (size_t i = 0; i < 4; i++) {
     s->p[i] = ph_vec3_unit(ph_vec3_sub(s->p[i], s->center));
   }
+  ph_check_great_angles(s->p, s->x);
   for (size_t i = 0; i < 3; i++) {
     s->speed = ph_check_larger(
         s->speed, 3 * s->radius * ph_check_apart(s->p[i + 1], s->p[i]));
@@ -108,7 +115,7 @@ void ph_check_great_load(const struct ph_check *v, struct ph_check_segment *s) {
 void ph_check_great_jet(const struct ph_check_segment *s, double u,
                         ph_vec3 *jet, size_t n) {
   ph_vec3 all[3];
-  ph_check_great(s->p, u, all);
+  ph_check_great(s->p, s->x, u, all);
   for (size_t i = 0; i < n; i++) {
     jet[i] = ph_vec3_scale(s->radius, all[i + 1]);
   }
@@ -118,7 +125,7 @@ ph_vec3 ph_check_great_point(const struct ph_check *v,
                              const struct ph_check_segment *s, double u) {
   ph_vec3 all[3];
   (void)v;
-  ph_check_great(s->p, u, all);
+  ph_check_great(s->p, s->x, u, all);
   return ph_vec3_along(s->center, s->radius, all[0]);
 }
 

@@ -1,24 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A cubic spherical Bezier segment on the unit sphere: de Casteljau's algorithm
- * with great-circle interpolation [IOR15, sec. 2.4], by power series.
+ * with great-circle interpolation [IOR15, sec. 2.4], on the value and two
+ * derivatives:
  *
- *   G(p, q, t) = W(1 - t) p + W(t) q,  W(x) = x f0(x^2 X) / f0(X)         (1)
+ *   Z = w(1 - t, X) u + w(t, X) v,  w(s, X) = sin(s th) / sin th,  X = th^2
  *
- * with X the square of the angle between p and q and f0 of kernel/s2.h; for
- * moving p and q, D = |q - p|^2 gives X' = D' / f0(X).
+ * with th the angle between u and v, by the partial derivatives of w; for
+ * moving u and v, D = |v - u|^2 gives X' = D' / f0(X), f0 of kernel/s2.h.
+ * Certificates and verification share it; curve/ and solve/ have their own.
  */
 #ifndef PH_CHECK_SPHERICAL_H
 #define PH_CHECK_SPHERICAL_H
 
 #include "check/place.h"
 
+/* ph_check_great_angles: the squares of the angles between neighbours. */
+void ph_check_great_angles(const ph_vec3 p[4], double x[3]);
+
 /* ph_check_great: S, S' and S'' at t in [0,1].
  *
  * in   p[4]    unit vectors, no two neighbours antipodal
+ * in   x[3]    of ph_check_great_angles
  * out  jet[3]
+ * ret  how much errors grow, where points are nearly antipodal
  */
-void ph_check_great(const ph_vec3 p[4], double t, ph_vec3 jet[3]);
+double ph_check_great(const ph_vec3 p[4], const double x[3], double t,
+                      ph_vec3 jet[3]);
 
 /* What a row of kind.c has of such segments (kind.h). */
 void ph_check_great_load(const struct ph_check *v, struct ph_check_segment *s);

@@ -111,7 +111,7 @@ static void square_of(const struct ph_check *v,
   const struct ph_curve *c = v->curve;
   const double *w = ph_curve_preimage(c, s->k);
   ph_quat a[PH_CHECK_FORM_MAX];
-  double root = v->root * sqrt(s->unit);
+  double root = v->scale.root * sqrt(s->unit);
   size_t n = c->preimage.n;
   for (size_t i = 0; i < n; i++, w += c->preimage.dimension) {
     double f = root * factor_of(s, i, n);
@@ -147,7 +147,7 @@ void ph_check_square(struct ph_check *v, struct ph_check_segment *s) {
   const struct ph_curve *c = v->curve;
   double unit = ph_check_larger(s->speed, v->mean), miss = 0;
   s->noise = PH_CHECK_ROUND_FIRST *
-             ph_check_smaller(v->kind->reach(v, s), v->rounding);
+             ph_check_smaller(v->kind->reach(v, s), v->scale.rounding);
   v->noise[s->k] = s->noise;
   if (!v->kind->square) {
     return;

@@ -56,7 +56,7 @@ static struct side side_of(const struct context *c,
   double h = s->spacing, speed, noise = s->noise / s->radius;
   double next = PH_CHECK_ROUND_NEXT * noise, second;
   ph_vec3 jet[3], across;
-  ph_check_great(s->p, u, jet);
+  ph_check_great(s->p, s->x, u, jet);
   speed = ph_vec3_abs(jet[1]);
   second = ph_vec3_abs(jet[2]);
   across = ph_vec3_along(jet[2], speed * speed, jet[0]);
@@ -185,7 +185,7 @@ void ph_check_tensions(struct ph_check *v) {
   for (size_t k = 0; k < n; k++) {
     struct ph_check_segment *now = &s[k & 1];
     ph_check_load(v, k, now);
-    c.rounding = 3 * DBL_EPSILON + v->rounding / now->radius;
+    c.rounding = 3 * DBL_EPSILON + v->scale.rounding / now->radius;
     if (k > 0) {
       check_node(&c, k, &s[~k & 1], now);
     } else {

@@ -8,53 +8,13 @@
 /* Numbers that were written with fewer digits may be the same to this. */
 static const double SAME = 1e-12;
 
-static const double SMALLEST = 4.9406564584124654e-324;
-
-/* No more rounding is allowed for: control points would be claims of no digit.
- */
-static const double ROUNDING_OF_SIZE = 1e-3 / PH_CHECK_ROUND_FIRST;
-
-/* ---- scale -------------------------------------------------------------- */
-
-/* The largest coordinate of all control points, and the size of their box. */
-static bool set_scale(struct ph_check *v) {
-  const struct ph_curve *c = v->curve;
-  size_t n = c->n * (c->degree + 1);
-  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, largest = 0, square = 0;
-  int exponent;
-  for (size_t i = 0; i < c->dimension; i++) {
-    low[i] = high[i] = c->control_points[i];
-    for (size_t k = 1; k < n; k++) {
-      double x = c->control_points[c->dimension * k + i];
-      low[i] = ph_check_smaller(low[i], x);
-      high[i] = ph_check_larger(high[i], x);
-    }
-    largest = ph_check_larger(largest, ph_check_larger(-low[i], high[i]));
-  }
-  if (!(largest > 0)) {
-    return false;
-  }
-  exponent = -ph_pow2_exponent(largest) - 2;
-  exponent -= exponent & 1;
-  v->to_unit = ph_pow2_of(exponent);
-  v->from_unit = ph_pow2_of(-exponent);
-  v->root = ldexp(1, exponent / 2);
-  for (size_t i = 0; i < 3; i++) {
-    double extent = ph_check_scaled(v, high[i]) - ph_check_scaled(v, low[i]);
-    square += extent * extent;
-  }
-  v->size = sqrt(square) / 2;
-  v->spacing = ph_check_scaled(v, SMALLEST);
-  v->rounding =
-      ph_check_smaller(DBL_EPSILON * ph_check_scaled(v, largest) + v->spacing,
-                       ROUNDING_OF_SIZE * v->size);
-  return v->size > 0;
-}
+/* ---- a curve ------------------------------------------------------------ */
 
 static bool begin_curve(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   double mean;
-  if (!set_scale(v)) {
+  if (!ph_check_scale_of(c->control_points, c->n * (c->degree + 1),
+                         c->dimension, &v->scale)) {
     ph_check_wrong(v, PH_CHECK_SHAPE,
                    ph_check_of("segments", PH_CHECK_ONE, NULL),
                    "have no extent");
@@ -62,13 +22,11 @@ static bool begin_curve(struct ph_check *v) {
   }
   mean = ph_check_scaled(v, c->length) / (double)c->n;
   /* a false claim would make all errors small */
-  v->mean = mean < 4 * v->size ? mean : 0;
+  v->mean = mean < 4 * v->scale.size ? mean : 0;
   v->knot = PH_CHECK_ROUND_KNOT * DBL_EPSILON *
             ph_check_larger(fabs(c->knots[0]), fabs(c->knots[c->n]));
   return true;
 }
-
-/* ---- a curve ------------------------------------------------------------ */
 
 static void check_segments(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
