@@ -11,42 +11,22 @@
 #include "io/json_in.h"
 #include "io/json_read.h"
 #include "io/json_result_curve.h"
+#include "io/members.h"
 #include "io/value.h"
 
 #include <math.h>
 #include <string.h>
 
 enum member {
-  ID,
-  META,
-  COMMAND,
-  STATUS,
-  SWEEP,
-  SET,
-  CURVE,
-  DIMENSION,
-  DEGREE,
-  CLOSED,
-  SEGMENTS,
-  CENTER, /* ... to INDICATORS as ph_read_sphere has them */
-  RADIUS,
-  TENSIONS,
-  INDICATORS,
-  INTERVALS,
-  LENGTH,
-  OFFSETS,
-  FRAME,
-  SAMPLES,
-  DIAGNOSTICS,
-  SOLUTIONS,
-  MEMBERS
+#define X(symbol, ...) symbol,
+  PH_HEADING_MEMBERS(X) PH_RESULT_MEMBERS(X)
+#undef X
+      MEMBERS
 };
 
-static const char *const member_names[MEMBERS] = {
-    "id",     "meta",      "command",     "status",    "sweep",    "set",
-    "curve",  "dimension", "degree",      "closed",    "segments", "center",
-    "radius", "tensions",  "indicators",  "intervals", "length",   "offsets",
-    "frame",  "samples",   "diagnostics", "solutions"};
+#define NAME(symbol, name, ...) name,
+static const char *const member_names[MEMBERS] = {PH_HEADING_MEMBERS(NAME)
+                                                      PH_RESULT_MEMBERS(NAME)};
 
 /* A list of names to choose from. */
 struct words {
@@ -104,7 +84,13 @@ static size_t read_word(struct ph_json_reader *r,
 
 /* ---- diagnostics ------------------------------------------------------- */
 
-enum { KANTOROVICH = PH_DIAGNOSTIC_N, START, STARTS, DIAGNOSTIC_MEMBERS };
+enum {
+  BEFORE = PH_DIAGNOSTIC_N - 1,
+#define X(symbol, ...) symbol,
+  PH_CERTIFICATE_MEMBERS(X)
+#undef X
+      DIAGNOSTIC_MEMBERS
+};
 
 /* The value of one of the numbers, flags and words. */
 static double read_value(struct ph_json_reader *r,
@@ -124,8 +110,7 @@ static double read_value(struct ph_json_reader *r,
 static void read_kantorovich(struct ph_json_reader *r,
                              const struct ph_json_item *from,
                              struct ph_result *result) {
-  static const char *const names[] = {"B", "C",      "K",
-                                      "h", "radius", "certified"};
+  static const char *const names[] = {PH_KANTOROVICH_MEMBERS(NAME)};
   struct ph_kantorovich *k = &result->kantorovich;
   double *const values[] = {&k->b, &k->c, &k->k, &k->h, &k->radius};
   struct ph_json_item items[6];
@@ -147,7 +132,7 @@ static void read_kantorovich(struct ph_json_reader *r,
 static void read_start(struct ph_json_reader *r,
                        const struct ph_json_item *from,
                        struct ph_start *start) {
-  static const char *const names[] = {"start", "outcome", "F", "iterations"};
+  static const char *const names[] = {PH_START_MEMBERS(NAME)};
   struct ph_json_item items[4];
   ph_read_members(r, from, names, 4, items);
   ph_read_required(r, &items[0], names[0]);
@@ -194,6 +179,7 @@ static void read_diagnostics(struct ph_json_reader *r,
                              const struct ph_json_item *from,
                              struct ph_diagnostics *diagnostics,
                              struct ph_result *result) {
+  static const char *const others[] = {PH_CERTIFICATE_MEMBERS(NAME)};
   const char *names[DIAGNOSTIC_MEMBERS];
   struct ph_json_item items[DIAGNOSTIC_MEMBERS];
   size_t mark;
@@ -203,9 +189,7 @@ static void read_diagnostics(struct ph_json_reader *r,
   for (size_t i = 0; i < PH_DIAGNOSTIC_N; i++) {
     names[i] = ph_diagnostic_name((enum ph_diagnostic)i);
   }
-  names[KANTOROVICH] = "kantorovich";
-  names[START] = "start";
-  names[STARTS] = "starts";
+  memcpy(names + PH_DIAGNOSTIC_N, others, sizeof others);
   mark = ph_read_enter(r, member_names[DIAGNOSTICS]);
   ph_read_members(r, from, names, DIAGNOSTIC_MEMBERS, items);
   for (size_t i = 0; r->status == PH_OK && i < PH_DIAGNOSTIC_N; i++) {
@@ -226,9 +210,7 @@ static void read_diagnostics(struct ph_json_reader *r,
 static void read_interval(struct ph_json_reader *r,
                           const struct ph_json_item *from, size_t segments,
                           struct ph_interval *interval) {
-  static const char *const names[] = {
-      "length", "natural_length", "segments",    "root",
-      "D",      "lambda",         "joint_angle", "joint_position"};
+  static const char *const names[] = {PH_INTERVAL_MEMBERS(NAME)};
   struct ph_json_item items[8];
   double *const values[] = {&interval->ratio, &interval->lambda,
                             &interval->joint_angle, &interval->joint_position};
@@ -287,8 +269,7 @@ static void read_solution(struct ph_json_reader *r,
                           const struct ph_json_item *from,
                           const struct ph_result *result,
                           struct ph_solution *solution) {
-  static const char *const names[] = {"good", "segments", "intervals", "length",
-                                      "diagnostics"};
+  static const char *const names[] = {PH_SOLUTION_MEMBERS(NAME)};
   struct ph_json_item items[5];
   size_t intervals_n = result->intervals_n, mark;
   const struct ph_curve *c = &result->curve;

@@ -2,27 +2,22 @@
 /* Segments and spheres of a result record (see json_result_curve.h). */
 #include "io/json_result_curve.h"
 
+#include "io/members.h"
+
 #include <math.h>
 #include <string.h>
 
 /* ---- members of segments ----------------------------------------------- */
 
 enum segment_member {
-  INTERVAL,
-  ALPHA,
-  CONTROL_POINTS,
-  PREIMAGE,
-  LENGTH,
-  TENSION,
-  ANGLES,
-  SHAPE_OK,
-  BLASCHKE,
-  SEGMENT_MEMBERS
+#define X(symbol, ...) symbol,
+  PH_SEGMENT_MEMBERS(X)
+#undef X
+      SEGMENT_MEMBERS
 };
 
-static const char *const segment_names[SEGMENT_MEMBERS] = {
-    "interval", "alpha",  "control_points", "preimage", "length",
-    "tension",  "angles", "shape_ok",       "blaschke"};
+#define NAME(symbol, name, ...) name,
+static const char *const segment_names[] = {PH_SEGMENT_MEMBERS(NAME)};
 
 /* Segments being read. */
 struct walk {
@@ -109,7 +104,7 @@ static void read_interval(struct walk *w, const struct ph_json_item *item,
 
 static void read_piece(struct walk *w, const struct ph_json_item *from,
                        size_t k) {
-  static const char *const names[] = {"interval", "control_points", "weights"};
+  static const char *const names[] = {PH_IMAGE_MEMBERS(NAME)};
   struct ph_json_item items[3];
   struct ph_curve *c = w->curve;
   struct ph_blaschke *piece;

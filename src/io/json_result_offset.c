@@ -2,6 +2,8 @@
 /* Offsets and samples of a result record (see json_result_curve.h). */
 #include "io/json_result_curve.h"
 
+#include "io/members.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -15,22 +17,14 @@ static size_t read_place(struct ph_json_reader *r,
 /* ---- samples ----------------------------------------------------------- */
 
 enum sample_member {
-  SEGMENT,
-  T,
-  S,
-  POINT,
-  TANGENT,
-  CURVATURE,
-  TORSION,
-  LONLAT,
-  NORMAL,
-  BINORMAL,
-  SAMPLE_MEMBERS
+#define X(symbol, ...) symbol,
+  PH_SAMPLE_MEMBERS(X)
+#undef X
+      SAMPLE_MEMBERS
 };
 
-static const char *const sample_names[SAMPLE_MEMBERS] = {
-    "segment",   "t",       "s",      "point",  "tangent",
-    "curvature", "torsion", "lonlat", "normal", "binormal"};
+#define NAME(symbol, name, ...) name,
+static const char *const sample_names[] = {PH_SAMPLE_MEMBERS(NAME)};
 
 /* Memory for samples, with what any of them has. */
 static void allocate_samples(struct ph_json_reader *r,
@@ -138,18 +132,13 @@ void ph_read_samples(struct ph_json_reader *r, const struct ph_json_item *item,
 /* ---- pieces of offsets --------------------------------------------------- */
 
 enum piece_member {
-  PIECE_SEGMENT,
-  INTERVAL,
-  CONTROL_POINTS,
-  WEIGHTS,
-  NUMERATOR,
-  DENOMINATOR,
-  PIECE_MEMBERS
+#define X(symbol, ...) symbol,
+  PH_PIECE_MEMBERS(X)
+#undef X
+      PIECE_MEMBERS
 };
 
-static const char *const piece_names[PIECE_MEMBERS] = {
-    "segment", "interval",  "control_points",
-    "weights", "numerator", "denominator"};
+static const char *const piece_names[] = {PH_PIECE_MEMBERS(NAME)};
 
 /* A list of pieces, rational or quotients; polynomial ones are the former
  * without weights. */
@@ -218,22 +207,13 @@ static bool has_quotients(struct ph_json_reader *r,
 /* ---- offsets ------------------------------------------------------------- */
 
 enum offset_member {
-  DISTANCE,
-  VECTOR,
-  DEGREE,
-  SEGMENTS,
-  BEZIERS,
-  ERROR,
-  LENGTH,
-  CUSPS,
-  GAPS,
-  SAMPLES,
-  OFFSET_MEMBERS
+#define X(symbol, ...) symbol,
+  PH_OFFSET_MEMBERS(X)
+#undef X
+      OFFSET_MEMBERS
 };
 
-static const char *const offset_names[OFFSET_MEMBERS] = {
-    "distance", "vector", "degree", "segments", "beziers",
-    "error",    "length", "cusps",  "gaps",     "samples"};
+static const char *const offset_names[] = {PH_OFFSET_MEMBERS(NAME)};
 
 /* The exact pieces. */
 static void read_offset_pieces(struct ph_json_reader *r,
@@ -310,7 +290,7 @@ static void read_beziers(struct ph_json_reader *r,
 static void read_cusps(struct ph_json_reader *r,
                        const struct ph_json_item *item,
                        const struct ph_curve *curve, struct ph_cusps *cusps) {
-  static const char *const names[] = {"segment", "t"};
+  static const char *const names[] = {PH_CUSP_MEMBERS(NAME)};
   struct ph_json_item items[2], cusp;
   struct ph_json_walk walk;
   size_t mark;
