@@ -108,8 +108,8 @@ export LC_ALL=C COLUMNS=80
     print "    option=${COMP_WORDS[COMP_CWORD - 1]}"
     print "  fi"
     print "  case $COMP_CWORD,${COMP_WORDS[1]} in"
-    print "  1,*) list=" quote(all() " help --help --version") " ;;"
-    print "  *,help) list=" quote(all()) " ;;"
+    print "  1,*) list=" quote(all() " help schema --help --version") " ;;"
+    print "  *,help | *,schema) list=" quote(all()) " ;;"
     for (j = 1; j <= c; j++) {
       print "  *," commands[j] ")"
       print "    case $option in"
@@ -168,6 +168,7 @@ export LC_ALL=C COLUMNS=80
       print "  " quote(commands[j] ":" titles[commands[j]])
     }
     print "  \047help:the fields and options of a command\047"
+    print "  \047schema:a JSON Schema of problems and results\047"
     print ")"
     print "if (( CURRENT == 2 )); then"
     print "  _describe -t commands command commands"
@@ -175,7 +176,7 @@ export LC_ALL=C COLUMNS=80
     print "  return"
     print "fi"
     print "case $words[2] in"
-    print "help) compadd -- " all() " ;;"
+    print "help | schema) compadd -- " all() " ;;"
     for (j = 1; j <= c; j++) {
       print commands[j] ")"
       print "  shift words"
@@ -210,8 +211,10 @@ export LC_ALL=C COLUMNS=80
     }
     print "complete -c phspline -n __fish_use_subcommand -f -a help" \
       " -d \047the fields and options of a command\047"
+    print "complete -c phspline -n __fish_use_subcommand -f -a schema" \
+      " -d \047a JSON Schema of problems and results\047"
     print "complete -c phspline -n __fish_use_subcommand -l help -l version"
-    print "complete -c phspline -n \047__fish_seen_subcommand_from help\047" \
+    print "complete -c phspline -n \047__fish_seen_subcommand_from help schema\047" \
       " -f -a " quote(all())
     for (i = 1; i <= n; i++) {
       s = "complete -c phspline -n \047__fish_seen_subcommand_from " of[i] "\047"

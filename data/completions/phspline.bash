@@ -11,8 +11,8 @@ _phspline() {
     option=${COMP_WORDS[COMP_CWORD - 1]}
   fi
   case $COMP_CWORD,${COMP_WORDS[1]} in
-  1,*) list='planar spatial-hermite arclength sphere tc verify help --help --version' ;;
-  *,help) list='planar spatial-hermite arclength sphere tc verify' ;;
+  1,*) list='planar spatial-hermite arclength sphere tc verify help schema --help --version' ;;
+  *,help | *,schema) list='planar spatial-hermite arclength sphere tc verify' ;;
   *,planar)
     case $option in
     --points | --points=) kind=nothing ;;

@@ -7,8 +7,9 @@ complete -c phspline -n __fish_use_subcommand -f -a sphere -d 'shape-preserving 
 complete -c phspline -n __fish_use_subcommand -f -a tc -d 'Tschirnhausen cubics: one, two, or a spline of them'
 complete -c phspline -n __fish_use_subcommand -f -a verify -d 'checks of results, from their control points alone'
 complete -c phspline -n __fish_use_subcommand -f -a help -d 'the fields and options of a command'
+complete -c phspline -n __fish_use_subcommand -f -a schema -d 'a JSON Schema of problems and results'
 complete -c phspline -n __fish_use_subcommand -l help -l version
-complete -c phspline -n '__fish_seen_subcommand_from help' -f -a 'planar spatial-hermite arclength sphere tc verify'
+complete -c phspline -n '__fish_seen_subcommand_from help schema' -f -a 'planar spatial-hermite arclength sphere tc verify'
 complete -c phspline -n '__fish_seen_subcommand_from planar' -l points -x -d 'the points to interpolate, 2 or more, 3 or more if closed'
 complete -c phspline -n '__fish_seen_subcommand_from planar' -l closed -d 'close the curve, a repeated last point is dropped'
 complete -c phspline -n '__fish_seen_subcommand_from planar' -l basis -x -a 'ph atph' -d 'PH quintic segments, polynomial, or algebraic-trigonometric ones'

@@ -223,6 +223,8 @@ void ph_help_program(struct ph_buf *buf) {
     entry(&page, 2, ph_commands[i].schema->command, ph_commands[i].title);
   }
   entry(&page, 2, "help COMMAND", "the fields and options of a command");
+  entry(&page, 2, "schema [COMMAND]",
+        "a JSON Schema of the problems and results of a command, or of all");
   options(&page, "Options of all commands but verify:", PH_USE_SOLVE,
           &no_fields);
   heading(&page,

@@ -11,6 +11,7 @@
 #include "cli/message.h"
 #include "cli/output.h"
 #include "cli/run.h"
+#include "cli/schema.h"
 
 #include <cjson/cJSON.h>
 #include <gsl/gsl_errno.h>
@@ -53,6 +54,12 @@ static int print_help(const struct ph_command *command) {
   } else {
     ph_help_program(&text);
   }
+  return print(&text);
+}
+
+static int print_schema(const struct ph_command *command) {
+  struct ph_buf text = {0};
+  ph_schema_text(&text, command);
   return print(&text);
 }
 
@@ -112,6 +119,9 @@ static int unknown_word(const char *word) {
     const char *candidate = ph_commands[i].schema->command;
     ph_suggest_try(&suggest, candidate, strlen(candidate));
   }
+  if (!option) {
+    ph_suggest_list(&suggest, "help|schema");
+  }
   ph_did_you_mean(&suggest, clause);
   ph_fail(&diag, PH_USAGE, NULL, "unknown %s '%s'%s",
           option ? "option" : "command", ph_excerpt(word, n, excerpt), clause);
@@ -122,8 +132,22 @@ static int unknown_word(const char *word) {
 static int help_on(const char *word) {
   const struct ph_command *command = word ? ph_command_find(word) : NULL;
   bool itself = !word || strcmp(word, "help") == 0 ||
-                strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
+                strcmp(word, "schema") == 0 || strcmp(word, "--help") == 0 ||
+                strcmp(word, "-h") == 0;
   return command || itself ? print_help(command) : unknown_word(word);
+}
+
+/* phspline schema [COMMAND] */
+static int schema_of(int argc, char **argv) {
+  const char *word = argc > 2 ? argv[2] : NULL;
+  const struct ph_command *command = word ? ph_command_find(word) : NULL;
+  if (argc > 3) {
+    return refuse("schema takes one command", NULL);
+  }
+  return word && (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0)
+             ? print_help(NULL)
+         : command || !word ? print_schema(command)
+                            : unknown_word(word);
 }
 
 int main(int argc, char **argv) {
@@ -144,6 +168,9 @@ int main(int argc, char **argv) {
   }
   if (strcmp(name, "help") == 0) {
     return help_on(argc > 2 ? argv[2] : NULL);
+  }
+  if (strcmp(name, "schema") == 0) {
+    return schema_of(argc, argv);
   }
   command = ph_command_find(name);
   return command ? run_command(command, argc - 1, argv + 1)

@@ -95,7 +95,7 @@ sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z-]*\)  .*/\1/p' "$tmp/help" \
   >"$tmp/commands"
 {
   cat "$tmp/commands"
-  echo help
+  printf 'help\nschema\n'
 } >"$tmp/list"
 items man/phspline.1 DESCRIPTION Cm >"$tmp/page"
 same commands "$tmp/list" "$tmp/page"
@@ -196,7 +196,7 @@ cat man/*.[1-9] | grep -oE '[a-z_]+_error' | sort -u >"$tmp/page"
 cat "$tmp/list" "$tmp/checks" | grep '_error$' | sort -u >"$tmp/errors"
 same "errors of the certificate" "$tmp/errors" "$tmp/page"
 
-table curve/result.h PH_CURVES 'symbol, name' 'name' >"$tmp/list"
+table curve/result.h PH_CURVES 'symbol, kind, name' 'name' >"$tmp/list"
 items man/phspline.5 RESULTS Cm >"$tmp/page"
 same "curves" "$tmp/list" "$tmp/page"
 
