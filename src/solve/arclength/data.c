@@ -69,7 +69,7 @@ static enum ph_status find_vectors(struct reading *r) {
 }
 
 /* Fields that have a meaning only beside another. */
-static enum ph_status check_company(const struct reading *r) {
+static enum ph_status check_company(struct reading *r) {
   bool points = r->data->mode == PH_ARC_POINTS;
   bool lengths = ph_fields_given(r->problem, PH_F_LENGTHS);
   if (field(r, PH_F_CLOSED)->flag && !points) {
@@ -117,7 +117,7 @@ static enum ph_status count(struct reading *r) {
   return PH_OK;
 }
 
-static bool allocate(struct reading *r) {
+static enum ph_status allocate(struct reading *r) {
   struct ph_arc_data *d = r->data;
   bool points = d->mode == PH_ARC_POINTS;
   d->h = ph_arena_array(r->arena, d->n, sizeof *d->h);
@@ -125,7 +125,7 @@ static bool allocate(struct reading *r) {
   if (ph_fields_given(r->problem, PH_F_LENGTHS)) {
     d->length = ph_arena_array(r->arena, d->n, sizeof *d->length);
     if (!d->length) {
-      return false;
+      return ph_fail_memory(r->diag);
     }
   }
   if (points) {
@@ -134,7 +134,9 @@ static bool allocate(struct reading *r) {
   } else {
     d->given = ph_arena_array(r->arena, d->n + 1, sizeof *d->given);
   }
-  return d->h && d->knots && (points ? d->chord && d->step : !!d->given);
+  return d->h && d->knots && (points ? d->chord && d->step : !!d->given)
+             ? PH_OK
+             : ph_fail_memory(r->diag);
 }
 
 /* ---- lengths and vectors ------------------------------------------------- */
@@ -229,7 +231,6 @@ static enum ph_status read_numbers(struct reading *r) {
   double most = directions ? 0 : ph_fields_largest(r->vectors->v, n);
   double longest = d->length ? ph_fields_largest(d->length, d->n) : 0;
   int exponent;
-  enum ph_status status;
   if (d->mode == PH_ARC_POINTS && longest > FAR * most && most > 0) {
     return ph_fail(r->diag, PH_TOO_LARGE, "lengths",
                    "must be within %g of the coordinates", FAR);
@@ -251,8 +252,7 @@ static enum ph_status read_numbers(struct reading *r) {
   for (size_t i = 0; d->length && i < d->n; i++) {
     d->length[i] = ph_pow2_apply(r->scale, d->length[i]);
   }
-  status = d->mode == PH_ARC_POINTS ? read_points(r) : read_given(r);
-  return status;
+  return d->mode == PH_ARC_POINTS ? read_points(r) : read_given(r);
 }
 
 /* A length is at least its chord; one that is the chord leaves its interval so
@@ -418,7 +418,7 @@ static enum ph_status check_distance(const struct reading *r) {
   return PH_OK;
 }
 
-static enum ph_status check_start(const struct reading *r) {
+static enum ph_status check_start(struct reading *r) {
   const struct ph_value *start = field(r, PH_F_START);
   return start->kind != PH_ABSENT && start->n != 2 && start->n != 3
              ? ph_fail(r->diag, PH_BAD_SHAPE, "start",
@@ -448,20 +448,16 @@ static bool lengths_are_chords(const struct ph_arc_data *d) {
 enum ph_status ph_arc_data_read(const struct ph_problem *problem,
                                 struct ph_arena *arena, struct ph_arc_data *d,
                                 struct ph_diag *diag) {
+  static enum ph_status (*const steps[])(struct reading *) = {
+      find_vectors, check_company, check_start,  count,
+      allocate,     read_lengths,  read_numbers, read_knots};
   struct reading r = {
       .problem = problem, .data = d, .arena = arena, .diag = diag};
-  enum ph_status status;
+  enum ph_status status = PH_OK;
   memset(d, 0, sizeof *d);
-  status = find_vectors(&r);
-  status = status == PH_OK ? check_company(&r) : status;
-  status = status == PH_OK ? check_start(&r) : status;
-  status = status == PH_OK ? count(&r) : status;
-  if (status == PH_OK && !allocate(&r)) {
-    status = ph_fail_memory(diag);
+  for (size_t i = 0; status == PH_OK && i < sizeof steps / sizeof *steps; i++) {
+    status = steps[i](&r);
   }
-  status = status == PH_OK ? read_lengths(&r) : status;
-  status = status == PH_OK ? read_numbers(&r) : status;
-  status = status == PH_OK ? read_knots(&r) : status;
   if (status != PH_OK) {
     return status;
   }

@@ -41,11 +41,6 @@ static bool is_soft(const struct task *t) {
   return t->data.sigma > 0;
 }
 
-/* The lengths are to be reached exactly. */
-static bool is_hard(const struct task *t) {
-  return t->data.length && !is_soft(t);
-}
-
 static enum ph_status read_refine(struct task *t) {
   const struct ph_value *refine = &t->problem->field[PH_F_REFINE];
   bool dense = t->data.mode == PH_ARC_TANGENTS && t->data.n >= MANY;
@@ -58,7 +53,8 @@ static enum ph_status read_refine(struct task *t) {
     }
     t->request.refine = (size_t)r;
   }
-  if (t->data.closed && is_hard(t) && t->request.refine == 1) {
+  if (t->data.closed && t->data.length && !is_soft(t) &&
+      t->request.refine == 1) {
     return ph_fail(t->diag, PH_BAD_VALUE, "refine",
                    "must be 2 or 3 for a closed curve with exact lengths: "
                    "with 1 it has as many equations as unknowns");

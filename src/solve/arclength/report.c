@@ -300,21 +300,11 @@ static void warn_wiggle(const struct ph_arc_search *search,
   }
 }
 
-/* Fitted lengths that are missed. */
-static void warn_misses(struct ph_result *result) {
-  double rms = result->diagnostics.value[PH_D_LENGTH_RMS];
-  if (rms > DEVIATIONS) {
-    ph_warn(result, PH_NO_SEGMENT, PH_INCONSISTENT_LENGTHS,
-            "the lengths are missed by %.3g standard deviations: points that "
-            "a curve hardly bends through outweigh them",
-            rms);
-  }
-}
-
 static void warn(const struct ph_arc_search *search, bool left_plane,
                  struct ph_result *result) {
   const struct ph_arc_data *d = search->system.data;
   const struct ph_arc_point *p = &search->found[0].point;
+  double rms = result->diagnostics.value[PH_D_LENGTH_RMS];
   if (left_plane) {
     ph_warn(result, PH_NO_SEGMENT, PH_LEAVES_PLANE,
             "the data lie in a plane, in which no curve was found: this one "
@@ -328,14 +318,16 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
   if (!d->length || !search->natural.known || d->n < 2) {
     return;
   }
-  if (d->sigma > 0) {
-    warn_misses(result);
-  } else {
+  if (!(d->sigma > 0)) {
     warn_wiggle(search, result);
+  } else if (rms > DEVIATIONS) {
+    ph_warn(result, PH_NO_SEGMENT, PH_INCONSISTENT_LENGTHS,
+            "the lengths are missed by %.3g standard deviations: points that "
+            "a curve hardly bends through outweigh them",
+            rms);
+    return;
   }
-  if (p->f > CONSISTENT * search->natural.f + F_ROUNDING &&
-      !(d->sigma > 0 &&
-        result->diagnostics.value[PH_D_LENGTH_RMS] > DEVIATIONS)) {
+  if (p->f > CONSISTENT * search->natural.f + F_ROUNDING) {
     ph_warn(result, PH_NO_SEGMENT, PH_INCONSISTENT_LENGTHS,
             "the lengths fit no smooth curve through the data: F is %.6g, with "
             "free lengths %.6g",

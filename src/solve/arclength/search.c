@@ -98,11 +98,6 @@ static size_t steps_for(const struct ph_arc_data *d) {
 
 /* ---- the natural lengths ------------------------------------------------- */
 
-/* Tangents have none: the curve would shrink to a point. */
-static bool has_natural(const struct ph_arc_data *d) {
-  return d->length && d->mode != PH_ARC_TANGENTS;
-}
-
 /* From where the rows begin; from a saddle, or nowhere, random waves lead away.
  * false: no memory. */
 static bool solve_natural(struct ph_arc_system *s, struct ph_arc_newton *work,
@@ -360,8 +355,12 @@ bool ph_arc_search_run(const struct ph_arc_request *request,
   struct ph_arc_system *s = &search->system;
   memset(search, 0, sizeof *search);
   search->all = request->all;
-  if (!ph_arc_system_of(d, request->refine, request->dim, true, arena, s) ||
-      (has_natural(d) && !find_natural(request, arena, &search->natural))) {
+  if (!ph_arc_system_of(d, request->refine, request->dim, true, arena, s)) {
+    return false;
+  }
+  /* tangents have no natural lengths: the curve would shrink to a point */
+  if (d->length && d->mode != PH_ARC_TANGENTS &&
+      !find_natural(request, arena, &search->natural)) {
     return false;
   }
   if (d->sigma > 0 && !search->natural.known) {

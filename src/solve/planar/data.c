@@ -75,16 +75,6 @@ static enum ph_status set_chords(struct ph_planar_data *d,
   return PH_OK;
 }
 
-static enum ph_status set_given_knots(struct ph_planar_data *d,
-                                      const struct ph_value *given,
-                                      struct ph_diag *diag) {
-  enum ph_status status = ph_fields_knots(given, d->n, d->closed, d->h, diag);
-  if (status == PH_OK) {
-    memcpy(d->knots, given->v, (d->n + 1) * sizeof *d->knots);
-  }
-  return status;
-}
-
 /* Spacings by rule: |c|, sqrt |c| or 1, in the user's unit. */
 static void set_knots_by_rule(struct ph_planar_data *d, const char *rule) {
   struct ph_pow2 back = ph_pow2_of(-d->exponent);
@@ -220,24 +210,25 @@ static enum ph_status set_ends(struct ph_planar_data *d, struct ph_diag *diag) {
 static enum ph_status check_together(const struct ph_problem *problem,
                                      const struct ph_planar_data *d,
                                      struct ph_diag *diag) {
-  if (d->closed && problem->field[PH_F_END_DERIVATIVES].kind != PH_ABSENT) {
+  if (d->closed && ph_fields_given(problem, PH_F_END_DERIVATIVES)) {
     return ph_fail(diag, PH_BAD_VALUE, "end_derivatives",
                    "is for open curves: a closed curve has no ends");
   }
-  if (!d->atph && problem->field[PH_F_ALPHA].kind != PH_ABSENT) {
+  if (!d->atph && ph_fields_given(problem, PH_F_ALPHA)) {
     return ph_fail(diag, PH_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
   }
-  if (problem->field[PH_F_FREE].kind != PH_ABSENT &&
-      problem->field[PH_F_MINIMIZE].kind == PH_ABSENT) {
+  if (ph_fields_given(problem, PH_F_FREE) &&
+      !ph_fields_given(problem, PH_F_MINIMIZE)) {
     return ph_fail(diag, PH_BAD_VALUE, "free", "is for \"minimize\"");
   }
   return PH_OK;
 }
 
 /* The end derivatives are checked last: all else about the data comes first. */
-static enum ph_status read_ends(struct ph_planar_data *d,
-                                const struct ph_value *given,
+static enum ph_status read_ends(const struct ph_problem *problem,
+                                struct ph_planar_data *d,
                                 struct ph_diag *diag) {
+  const struct ph_value *given = &problem->field[PH_F_END_DERIVATIVES];
   if (given->kind != PH_ABSENT && given->n != 2) {
     return ph_fail(diag, PH_BAD_SHAPE, "end_derivatives",
                    "must be two vectors, found %zu", given->n);
@@ -256,7 +247,11 @@ static enum ph_status set_knots(const struct ph_problem *problem,
     status = set_angles(d, &problem->field[PH_F_ALPHA], diag);
   }
   if (status == PH_OK && knots->kind == PH_NUMBERS) {
-    return set_given_knots(d, knots, diag);
+    status = ph_fields_knots(knots, d->n, d->closed, d->h, diag);
+    if (status == PH_OK) {
+      memcpy(d->knots, knots->v, (d->n + 1) * sizeof *d->knots);
+    }
+    return status;
   }
   if (status == PH_OK && (knots->kind == PH_WORD || !d->atph)) {
     set_knots_by_rule(d, knots->kind == PH_WORD ? knots->word : "chordal");
@@ -275,25 +270,12 @@ enum ph_status ph_planar_data_of(const struct ph_problem *problem,
   d->points = problem->field[PH_F_POINTS].v;
   d->closed = problem->field[PH_F_CLOSED].flag;
   status = ph_fields_segments(problem, &d->n, diag);
-  if (status == PH_OK) {
-    status = check_together(problem, d, diag);
-  }
-  if (status == PH_OK) {
-    status = allocate(d, arena, diag);
-  }
-  if (status == PH_OK) {
-    status = set_chords(d, diag);
-  }
-  if (status == PH_OK) {
-    status = set_knots(problem, d, diag);
-  }
-  if (status == PH_OK) {
-    status = set_spacing(d, diag);
-  }
-  if (status == PH_OK && !d->closed) {
-    status = read_ends(d, &problem->field[PH_F_END_DERIVATIVES], diag);
-  }
-  return status;
+  status = status == PH_OK ? check_together(problem, d, diag) : status;
+  status = status == PH_OK ? allocate(d, arena, diag) : status;
+  status = status == PH_OK ? set_chords(d, diag) : status;
+  status = status == PH_OK ? set_knots(problem, d, diag) : status;
+  status = status == PH_OK ? set_spacing(d, diag) : status;
+  return status == PH_OK && !d->closed ? read_ends(problem, d, diag) : status;
 }
 
 /* Knots in new proportions between the first and the last that there were. */

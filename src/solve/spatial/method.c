@@ -309,12 +309,6 @@ static enum ph_status choose_member(struct ph_spatial_family *family,
                                                                : no_angles(c);
 }
 
-static enum ph_status no_functional(const struct choice *c) {
-  return ph_fail_at(c->diag, PH_NO_CONVERGENCE, "segments", c->segment,
-                    "has no finite %s, as far as was found",
-                    c->task->criterion->name);
-}
-
 /* The fairest member, and alpha where it is free.  Always the whole search, so
  * that what is found at a tension does not depend on how it was come to. */
 static enum ph_status choose_fairest(struct ph_spatial_family *family,
@@ -338,7 +332,9 @@ static enum ph_status choose_fairest(struct ph_spatial_family *family,
     return ph_fail_memory(c->diag);
   }
   if (!isfinite(found.value)) {
-    return no_functional(c);
+    return ph_fail_at(c->diag, PH_NO_CONVERGENCE, "segments", c->segment,
+                      "has no finite %s, as far as was found",
+                      t->criterion->name);
   }
   t->evaluations += found.evaluations;
   *member = found.member;
@@ -456,15 +452,6 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
 
 /* ---- the whole ------------------------------------------------------ */
 
-static void warn_shape(const struct task *t) {
-  if (t->unsatisfied) {
-    ph_warn(t->result, t->first_unsatisfied, PH_SHAPE_UNSATISFIABLE,
-            "segment %zu does not keep the shape of its data at any tension: "
-            "%s (such segments: %zu)",
-            t->first_unsatisfied, t->why, t->unsatisfied);
-  }
-}
-
 /* Tangents found where the data turn back: others are as good. */
 static void warn_reversals(const struct task *t) {
   const struct ph_spatial_points *p = &t->points;
@@ -501,7 +488,12 @@ static void report(const struct task *t) {
     }
   }
   ph_warn_alpha(&t->result->curve, t->result);
-  warn_shape(t);
+  if (t->unsatisfied) {
+    ph_warn(t->result, t->first_unsatisfied, PH_SHAPE_UNSATISFIABLE,
+            "segment %zu does not keep the shape of its data at any tension: "
+            "%s (such segments: %zu)",
+            t->first_unsatisfied, t->why, t->unsatisfied);
+  }
   if (t->points.estimated) {
     warn_reversals(t);
   }

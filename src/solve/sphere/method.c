@@ -267,12 +267,6 @@ const struct ph_method ph_method_sphere = {
 
 /* ---- the curve ----------------------------------------------------------- */
 
-static void put(const struct ph_sphere_data *d, ph_vec3 p, double *to) {
-  to[0] = d->center[0] + d->radius * p.x;
-  to[1] = d->center[1] + d->radius * p.y;
-  to[2] = d->center[2] + d->radius * p.z;
-}
-
 static enum ph_status set_segments(const struct ph_sphere_spline *s,
                                    struct ph_curve *curve,
                                    struct ph_diag *diag) {
@@ -286,7 +280,10 @@ static enum ph_status set_segments(const struct ph_sphere_spline *s,
                         "has no length to 1e-12, as far as was found");
     }
     for (size_t j = 0; j < 4; j++) {
-      put(d, segment.p[j], curve->control_points + (4 * k + j) * 3);
+      double *to = curve->control_points + (4 * k + j) * 3;
+      to[0] = d->center[0] + d->radius * segment.p[j].x;
+      to[1] = d->center[1] + d->radius * segment.p[j].y;
+      to[2] = d->center[2] + d->radius * segment.p[j].z;
     }
     curve->lengths[k] = d->radius * length;
     ph_sum_add(&sum, curve->lengths[k]);

@@ -40,13 +40,6 @@ static const struct {
     {"approximate", PH_TC_APPROXIMATE, PH_F_POINTS},
 };
 
-static enum ph_status exclude(const struct ph_problem *p, enum ph_field_id id,
-                              const char *why, struct ph_diag *diag) {
-  return ph_fields_given(p, id)
-             ? ph_fail(diag, PH_BAD_VALUE, ph_field_name(id), "%s", why)
-             : PH_OK;
-}
-
 static enum ph_tc_mode implied(const struct ph_problem *p) {
   return ph_fields_given(p, PH_F_CURVE)         ? PH_TC_APPROXIMATE
          : ph_fields_given(p, PH_F_TANGENTS)    ? PH_TC_G1_AUTO
@@ -91,12 +84,13 @@ static enum ph_status check_fields(const struct ph_problem *p,
       {PH_F_JOINT_ANGLE, chord, "is for \"joint\":\"chord\""},
       {PH_F_JOINT_POSITION, chord, "is for \"joint\":\"chord\""},
   };
-  enum ph_status status = PH_OK;
-  for (size_t i = 0; status == PH_OK && i < sizeof rules / sizeof *rules; i++) {
-    status =
-        rules[i].allowed ? PH_OK : exclude(p, rules[i].id, rules[i].why, diag);
+  for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
+    if (!rules[i].allowed && ph_fields_given(p, rules[i].id)) {
+      return ph_fail(diag, PH_BAD_VALUE, ph_field_name(rules[i].id), "%s",
+                     rules[i].why);
+    }
   }
-  return status;
+  return PH_OK;
 }
 
 enum ph_status ph_tc_mode_of(const struct ph_problem *p, enum ph_tc_mode *mode,
