@@ -42,11 +42,11 @@ static inline void node_square(const struct ph_arc_system *s, size_t i,
                                size_t a, size_t b, double functional,
                                const double *lambda, size_t dim,
                                double *square) {
-  const double *bend = s->bend + 3 * i * s->refine;
+  const double *second = s->second + 3 * i * s->refine;
   double f = 0, g = 2 * s->gram[(i * s->span + a) * s->span + b];
   for (size_t q = 0; q < s->refine; q++) {
     bool has = q <= a && a <= q + 2 && q <= b && b <= q + 2;
-    f += has ? bend[3 * q + a - q] * bend[3 * q + b - q] : 0;
+    f += has ? second[3 * q + a - q] * second[3 * q + b - q] : 0;
   }
   for (size_t d = 0; d < dim; d++) {
     for (size_t e = 0; e < dim; e++) {

@@ -207,7 +207,7 @@ static double merit(struct state *t, const double *x) {
 }
 
 /* The derivative of the merit function along the step, at most 0. */
-static double slope(struct state *t) {
+static double merit_derivative(struct state *t) {
   const struct ph_arc_system *s = t->s;
   const struct ph_arc_linear *l = &t->w->linear;
   double sum = 0, hard = 0;
@@ -274,7 +274,8 @@ static double change(struct state *t) {
 static double search(struct state *t) {
   const struct ph_arc_system *s = t->s;
   struct ph_arc_newton *w = t->w;
-  double before = merit(t, t->p->x), down = slope(t), far = change(t);
+  double before = merit(t, t->p->x), down = merit_derivative(t),
+         far = change(t);
   double step = far < STEP_MAX ? 1 : STEP_MAX / far;
   double noise = t->noise + 1e-14 * before;
   while (step > STEP_MIN) {

@@ -164,8 +164,8 @@ bool ph_arc_is_flat(const struct ph_arc_system *s, const double *x) {
 /* A length that differs from the natural one by eps makes the curve wiggle by
  * this times the length times sqrt(|eps|). */
 static const double WIGGLE = 0.64;
-/* An amplitude is told when it exceeds this part of an interval. */
-static const double WIGGLE_TOLD = 0.01;
+/* There is a warning where an amplitude exceeds this part of an interval. */
+static const double WIGGLE_WARNED = 0.01;
 /* F of lengths that agree with the points is at most this times F of free
  * ones. */
 static const double CONSISTENT = 3;
@@ -284,8 +284,8 @@ static void warn_wiggle(const struct ph_arc_search *search,
   for (size_t i = 0; i < d->n; i++) {
     double part = WIGGLE * sqrt(fabs(d->length[i] / natural[i] - 1));
     double amplitude = part * d->length[i];
-    found += part > WIGGLE_TOLD;
-    if (part > WIGGLE_TOLD && amplitude > most) {
+    found += part > WIGGLE_WARNED;
+    if (part > WIGGLE_WARNED && amplitude > most) {
       most = amplitude;
       worst = i;
     }

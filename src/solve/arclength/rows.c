@@ -195,7 +195,7 @@ static double interval_functional(const struct ph_arc_system *s,
     memset(gradient, 0, ph_arc_local(s) * sizeof *gradient);
   }
   for (size_t q = 0; q < s->refine; q++) {
-    const double *e = s->bend + 3 * (p->interval * s->refine + q);
+    const double *e = s->second + 3 * (p->interval * s->refine + q);
     const double *w = p->w + q * dim;
     for (size_t k = 0; k < dim; k++) {
       double z = e[0] * w[k] + e[1] * w[dim + k] + e[2] * w[2 * dim + k];

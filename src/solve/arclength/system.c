@@ -41,12 +41,12 @@ void ph_arc_coefficients(const struct ph_arc_system *s, size_t q,
 }
 
 static void set_segment(struct ph_arc_system *s, size_t q) {
-  double c[3][3], h = spacing(s, q, 0), *bend = s->bend + 3 * q;
+  double c[3][3], h = spacing(s, q, 0), *second = s->second + 3 * q;
   size_t i = q / s->refine, at = q % s->refine, span = s->span;
   double *gram = s->gram + i * span * span;
   ph_arc_coefficients(s, q, c);
   for (size_t a = 0; a < 3; a++) {
-    bend[a] = 2 * (c[0][a] - 2 * c[1][a] + c[2][a]) / (h * sqrt(h));
+    second[a] = 2 * (c[0][a] - 2 * c[1][a] + c[2][a]) / (h * sqrt(h));
     for (size_t b = 0; b < 3; b++) {
       double sum = 0;
       for (size_t j = 0; j < 3; j++) {
@@ -216,7 +216,7 @@ static bool allocate(struct ph_arc_system *s, struct ph_arena *arena) {
   size_t n = s->data->n, span = s->span;
   bool directed = s->data->mode == PH_ARC_TANGENTS;
   s->gram = ph_arena_array(arena, n * span * span, sizeof(double));
-  s->bend = ph_arena_array(arena, 3 * s->segments, sizeof(double));
+  s->second = ph_arena_array(arena, 3 * s->segments, sizeof(double));
   s->knot = ph_arena_array(arena, 2 * (n + 1), sizeof(double));
   s->target = ph_arena_array(arena, n * s->forms_n, sizeof(double));
   s->direction = directed
@@ -226,7 +226,7 @@ static bool allocate(struct ph_arc_system *s, struct ph_arena *arena) {
   s->place_x = ph_arena_array(arena, s->x_n, sizeof(uint32_t));
   s->order = ph_arena_array(arena, s->x_n, sizeof(uint32_t));
   s->place_y = ph_arena_array(arena, s->y_n, sizeof(uint32_t));
-  return s->gram && s->bend && s->knot && s->target &&
+  return s->gram && s->second && s->knot && s->target &&
          (s->direction || !directed) && s->place_x && s->order && s->place_y;
 }
 

@@ -247,7 +247,7 @@ struct ph_arc_system {
   size_t knot_rows;
 
   double *gram;       /* [n][span][span] G of (1), 0 for |a - b| > 2 */
-  double *bend;       /* [M][3] e_q of (4) */
+  double *second;     /* [M][3] e_q of (4) */
   double *knot;       /* [n + 1][2] mu and nu of (2) */
   double *target;     /* [n][forms_n] */
   double *direction;  /* [n + 1][knot_rows][dim] of (3), or NULL */

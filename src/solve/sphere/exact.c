@@ -46,8 +46,8 @@ struct stretch {
   double f0, f1, c, k, dk;
 };
 
-/* A leg of this square or longer would go round the sphere: there is no such
- * control point. */
+/* A velocity of this square or larger would go round the sphere: there is no
+ * such control point. */
 static const double AROUND = 9;
 
 static struct stretch stretch_of(double x) {
@@ -161,7 +161,7 @@ static ph_vec3 move_of(const struct end *e, int j) {
 }
 
 /* A/6 of (5) at an end, and what it depends on. */
-struct bend {
+struct acceleration {
   const struct end *end;
   const struct span *span;
   double w;       /* of (5) */
@@ -172,9 +172,10 @@ struct bend {
   double wide[2]; /* A / (6 w g) but for the last z */
 };
 
-static struct bend bend_of(const struct end *e, const struct span *span,
-                           double sign, double w) {
-  struct bend b = {.end = e, .span = span, .w = w};
+static struct acceleration acceleration_of(const struct end *e,
+                                           const struct span *span, double sign,
+                                           double w) {
+  struct acceleration b = {.end = e, .span = span, .w = w};
   const double *z = e->z;
   double k;
   b.d = local(e, ph_vec3_scale(sign, span->d));
@@ -188,7 +189,7 @@ static struct bend bend_of(const struct end *e, const struct span *span,
 }
 
 /* A/6. */
-static ph_vec3 bend_value(const struct bend *b) {
+static ph_vec3 acceleration_value(const struct acceleration *b) {
   double wg = b->w * b->span->g;
   return ph_vec3_of(wg * b->wide[0] - b->end->z[0],
                     wg * b->wide[1] - b->end->z[1], 0);
@@ -196,7 +197,8 @@ static ph_vec3 bend_value(const struct bend *b) {
 
 /* The derivative of A/6 when d moves by dd, in the end's frame: s moves by
  * 2 d.dd. */
-static inline ph_vec3 bend_moved(const struct bend *b, ph_vec3 dd) {
+static inline ph_vec3 acceleration_moved(const struct acceleration *b,
+                                         ph_vec3 dd) {
   const double *z = b->end->z;
   double half = ph_vec3_dot(b->d, dd), wg = b->w * b->span->g;
   double wdg = 2 * b->w * b->span->dg * half;
@@ -208,7 +210,7 @@ static inline ph_vec3 bend_moved(const struct bend *b, ph_vec3 dd) {
 }
 
 /* The same when z[j] moves and d does not: f0' = -f1 / 2, c' = f0 / 2. */
-static inline ph_vec3 bend_turned(const struct bend *b, int j) {
+static inline ph_vec3 acceleration_turned(const struct acceleration *b, int j) {
   const struct stretch *by = &b->end->by;
   const double *z = b->end->z;
   double wg = b->w * b->span->g, dx = 2 * z[j], rest = 2 - by->c;
@@ -243,7 +245,7 @@ static inline ph_vec3 turned(const struct turn *turn, ph_vec3 v) {
 }
 
 /* The derivatives of both ends' A/6 by both ends' z. */
-static void derive(const struct end e[2], const struct bend bend[2],
+static void derive(const struct end e[2], const struct acceleration a6[2],
                    struct ph_sphere_part *part, const double scale[2],
                    double by) {
   for (int w = 0; w < 2; w++) {
@@ -252,9 +254,9 @@ static void derive(const struct end e[2], const struct bend bend[2],
     for (int j = 0; j < 2; j++) {
       /* d leads away from this end's B, and towards it seen from the other */
       ph_vec3 move = move_of(&e[w], j);
-      ph_vec3 own = bend_moved(&bend[w], ph_vec3_scale(-1, move));
-      ph_vec3 far = bend_moved(&bend[other], turned(&turn, move));
-      own = ph_vec3_add(own, bend_turned(&bend[w], j));
+      ph_vec3 own = acceleration_moved(&a6[w], ph_vec3_scale(-1, move));
+      ph_vec3 far = acceleration_moved(&a6[other], turned(&turn, move));
+      own = ph_vec3_add(own, acceleration_turned(&a6[w], j));
       part->d[w][w][j] = ph_vec3_scale(by * scale[w], own);
       part->d[other][w][j] = ph_vec3_scale(by * scale[w], far);
     }
@@ -269,7 +271,7 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
   bool natural[2];
   struct end e[2];
   struct span span;
-  struct bend bend[2];
+  struct acceleration a6[2];
   double scale[2] = {h / 3, -h / 3};
   for (int w = 0; w < 2; w++) {
     natural[w] = d->ends == PH_SPHERE_NATURAL && ph_sphere_is_end(d, node[w]);
@@ -290,11 +292,12 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
     s->l[k] = ph_vec3_unit(ph_vec3_add(e[1].p, s->r[k]));
   }
   for (int w = 0; w < 2; w++) {
-    bend[w] = bend_of(&e[w], &span, w == 0 ? 1 : -1, natural[1 - w] ? 0.5 : 1);
-    part->f[w] = ph_vec3_scale(by, bend_value(&bend[w]));
+    a6[w] = acceleration_of(&e[w], &span, w == 0 ? 1 : -1,
+                            natural[1 - w] ? 0.5 : 1);
+    part->f[w] = ph_vec3_scale(by, acceleration_value(&a6[w]));
   }
   if (derivatives) {
-    derive(e, bend, part, scale, by);
+    derive(e, a6, part, scale, by);
   }
 }
 

@@ -357,13 +357,13 @@ static size_t origin_of(const struct ph_sphere_spline *s) {
   return origin;
 }
 
-/* The places of raised nodes in a range, in order; how many. */
+/* The raised nodes of a range, by their numbers in it, in order; how many. */
 static size_t list_raised(const struct ph_sphere_spline *s,
-                          struct ph_sphere_range range, size_t *place) {
+                          struct ph_sphere_range range, size_t *raised) {
   size_t n = 0;
   for (size_t j = 0; j < range.count; j++) {
     if (is_raised(s, ph_sphere_node(s->data, range, j))) {
-      place[n++] = j;
+      raised[n++] = j;
     }
   }
   return n;
@@ -372,12 +372,12 @@ static size_t list_raised(const struct ph_sphere_spline *s,
 /* Whether the tensions of a run lean to its end: a sense that data read
  * backwards do not share. */
 static bool leans_back(const struct ph_sphere_spline *s,
-                       struct ph_sphere_range range, const size_t *place,
+                       struct ph_sphere_range range, const size_t *raised,
                        size_t n) {
   double moment = 0;
   for (size_t j = 0; j < n / 2; j++) {
-    moment += s->nu[ph_sphere_node(s->data, range, place[j])] -
-              s->nu[ph_sphere_node(s->data, range, place[n - 1 - j])];
+    moment += s->nu[ph_sphere_node(s->data, range, raised[j])] -
+              s->nu[ph_sphere_node(s->data, range, raised[n - 1 - j])];
   }
   return moment < 0;
 }
@@ -385,20 +385,20 @@ static bool leans_back(const struct ph_sphere_spline *s,
 /* The blocks of a run of raised nodes, of equal size, on odd sweeps half a
  * block further. */
 static void minimise_run(struct block *b, struct ph_sphere_range range,
-                         const size_t *place, size_t n, size_t sweep) {
+                         const size_t *raised, size_t n, size_t sweep) {
   const struct ph_sphere_spline *s = b->raise->spline;
   size_t blocks = (n + BLOCK_MAX - 1) / BLOCK_MAX;
-  bool back = leans_back(s, range, place, n);
+  bool back = leans_back(s, range, raised, n);
   size_t end = sweep % 2 == 1 ? n / (2 * blocks) : n / blocks;
   for (size_t i = 1, begin = 0; begin < n; i++) {
     size_t first, last;
     b->q = end - begin;
     for (size_t j = 0; j < b->q; j++) {
       size_t at = back ? n - end + j : begin + j;
-      b->node[j] = ph_sphere_node(s->data, range, place[at]);
+      b->node[j] = ph_sphere_node(s->data, range, raised[at]);
     }
-    first = place[back ? n - end : begin];
-    last = place[back ? n - 1 - begin : end - 1];
+    first = raised[back ? n - end : begin];
+    last = raised[back ? n - 1 - begin : end - 1];
     b->judged = ph_sphere_widen(s->data, b->node[0], last - first + 1, AROUND);
     b->solved = ph_sphere_widen(s->data, b->node[0], last - first + 1, REACH);
     if (b->q > 0) {
@@ -420,20 +420,20 @@ static double total(const struct ph_sphere_spline *s) {
 }
 
 /* Every run once, and again while there is progress those of several blocks. */
-static void sweep_all(struct block *b, size_t *place) {
+static void sweep_all(struct block *b, size_t *raised) {
   const struct ph_sphere_spline *s = b->raise->spline;
   struct ph_sphere_range range = {origin_of(s), ph_sphere_all(s->data).count};
-  size_t n = list_raised(s, range, place);
+  size_t n = list_raised(s, range, raised);
   bool again = true;
   for (size_t sweep = 0; again && sweep < SWEEPS_MAX; sweep++) {
     double before = total(s);
     again = false;
     for (size_t begin = 0, end = 1; begin < n; begin = end, end++) {
-      while (end < n && place[end] - place[end - 1] <= GAP_MAX + 1) {
+      while (end < n && raised[end] - raised[end - 1] <= GAP_MAX + 1) {
         end++;
       }
       if (sweep == 0 || end - begin > BLOCK_MAX) {
-        minimise_run(b, range, place + begin, end - begin, sweep);
+        minimise_run(b, range, raised + begin, end - begin, sweep);
         again = again || end - begin > BLOCK_MAX;
       }
     }
@@ -459,11 +459,11 @@ static bool alloc(struct block *b, struct ph_arena *scratch) {
 bool ph_sphere_minimise(struct ph_sphere_raise *raise,
                         struct ph_arena *scratch) {
   struct block b = {.raise = raise};
-  size_t *place =
-      ph_arena_array(scratch, raise->spline->data->n, sizeof *place);
-  if (!place || !alloc(&b, scratch)) {
+  size_t *raised =
+      ph_arena_array(scratch, raise->spline->data->n, sizeof *raised);
+  if (!raised || !alloc(&b, scratch)) {
     return false;
   }
-  sweep_all(&b, place);
+  sweep_all(&b, raised);
   return true;
 }

@@ -38,6 +38,7 @@ static const double RISE = 1e-13;
  * does not show; its error, of the fourth order, moves lambda by some 1e-9. */
 static const double STEP = 1.0 / 32;
 
+/* GSL's minimisers end where F is infinite, as it is next to every loop. */
 static void golden(const struct fairness *fair, struct bracket *b) {
   const double part = 0.3819660112501051; /* (3 - sqrt 5)/2 */
   for (int i = 0; i < GOLDEN_STEPS; i++) {
@@ -63,14 +64,14 @@ static void golden(const struct fairness *fair, struct bracket *b) {
 static void polish(const struct fairness *fair, double step,
                    struct bracket *b) {
   for (int i = 0; i < POLISH_STEPS; i++) {
-    double f[5], slope, bend, x;
+    double f[5], first, second, x; /* derivatives, by step */
     for (int k = 0; k < 5; k++) {
       f[k] = k == 2 ? b->value : fair->f(fair, b->x + (k - 2) * step);
     }
-    slope = (8 * (f[3] - f[1]) - (f[4] - f[0])) / 12;
-    bend = (16 * (f[3] + f[1]) - (f[4] + f[0]) - 30 * f[2]) / 12;
-    x = b->x - step * slope / bend;
-    if (!(bend > 0 && fabs(slope) <= bend)) {
+    first = (8 * (f[3] - f[1]) - (f[4] - f[0])) / 12;
+    second = (16 * (f[3] + f[1]) - (f[4] + f[0]) - 30 * f[2]) / 12;
+    x = b->x - step * first / second;
+    if (!(second > 0 && fabs(first) <= second)) {
       return;
     }
     f[2] = fair->f(fair, x);
