@@ -9,6 +9,13 @@
  * algorithm, in the B-basis of ATPH curves and by great circles, and integrates
  * by quadrature.  tests/lint/layers.sh sees to that.
  *
+ * With solve/ and curve/ it shares kernel: algebra, Bernstein forms, s2.h,
+ * Gauss nodes, pow2.h; certificates also the basis of kernel/atph.h and the
+ * layout of band matrices.  One derivation stands in both, in code of its own:
+ * the bound of the distance of cubics (tc_distance.h, solve/tc/approx.h), which
+ * verify does not use: distance.c looks for far points.  Certificates and
+ * verification share promise.h, scale.h and spherical.h.
+ *
  * Errors are relative: of points and lengths to the size of the curve (half the
  * diagonal of the bounding box of its control points), of vectors and numbers
  * to what is claimed; and less what rounding of the control points to doubles
