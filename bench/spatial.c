@@ -11,7 +11,7 @@
 
 #include "base/mem.h"
 #include "check/certify.h"
-#include "curve/segment/ph3.h"
+#include "curve/segment/seg3.h"
 #include "solve/spatial/spatial.h"
 #include "solve/method.h"
 
@@ -53,11 +53,11 @@ static ph_vec3 world(const struct ph_spatial_family *f, ph_vec3 v) {
 static void put(const struct ph_spatial_family *f, const ph_quat a[3],
                 struct segment *out) {
   const ph_vec3 start = {0, 0, 0};
-  ph_ph3_control_points(&f->space, a, start, f->dp, out->p);
+  ph_seg3_control_points(&f->space, a, start, f->dp, out->p);
   for (size_t i = 1; i < 6; i++) {
     out->p[i] = world(f, out->p[i]);
   }
-  out->length = ph_ph3_length(&f->space, a);
+  out->length = ph_seg3_length(&f->space, a);
 }
 
 /* Family, member, preimage, control points, length. */

@@ -4,7 +4,6 @@
 #include "ph_unit.h"
 #include "unit.h"
 
-#include "curve/segment/ph2.h"
 #include "curve/segment/seg2.h"
 
 #include <string.h>
@@ -63,7 +62,7 @@ void unit_chain_add(struct unit_chain *chain, const ph_cplx w[3]) {
   for (int i = 0; i < 5; i++) {
     to = ph_cplx_add(to, ph_cplx_scale(0.2, hodograph[i]));
   }
-  ph_ph2_control_points(&space, w, from, to, p);
+  ph_seg2_control_points(&space, w, from, to, p);
   memcpy(chain->p + 12 * n, p, sizeof p);
   memcpy(chain->w + 6 * n, w, 3 * sizeof *w);
 }

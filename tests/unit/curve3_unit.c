@@ -3,7 +3,7 @@
 #include "curve3_unit.h"
 #include "unit.h"
 
-#include "curve/segment/ph3.h"
+#include "curve/segment/seg3.h"
 
 #include <string.h>
 
@@ -89,11 +89,11 @@ void unit_curve3_of(struct unit_curve3 *c, size_t n, const double *alpha,
     }
     ph_vec3_put(start, 3, out);
     end = unit_curve3_point(&c->curve, k, 1);
-    ph_ph3_control_points(&space, a + 2 * k, start, end, p);
+    ph_seg3_control_points(&space, a + 2 * k, start, end, p);
     for (size_t i = 0; i < 6; i++) {
       ph_vec3_put(p[i], 3, out + 3 * i);
     }
-    c->lengths[k] = ph_ph3_length(&space, a + 2 * k);
+    c->lengths[k] = ph_seg3_length(&space, a + 2 * k);
     c->curve.length += c->lengths[k];
     start = end;
   }

@@ -58,12 +58,12 @@ static void build_segment(struct unit_hermite3 *s, size_t k, double phi) {
   member = ph_spatial_cc(&family);
   member.phi = ph_cplx_polar(phi);
   unit_spatial_preimage(&family, member, a);
-  ph_ph3_control_points(&space, a, scaled(down, from), scaled(down, to), p);
+  ph_seg3_control_points(&space, a, scaled(down, from), scaled(down, to), p);
   for (size_t i = 0; i < 6; i++) {
     ph_vec3 q = scaled(up, p[i]);
     memcpy(s->control_points + 18 * k + 3 * i, &q, sizeof q);
   }
-  s->lengths[k] = ph_pow2_apply(up, ph_ph3_length(&space, a));
+  s->lengths[k] = ph_pow2_apply(up, ph_seg3_length(&space, a));
   for (size_t i = 0; i < 3; i++) {
     a[i] = ph_quat_scale(ldexp(1, exponent / 2) / sqrt(unit), a[i]);
     memcpy(s->preimage + 12 * k + 4 * i, &a[i], sizeof a[i]);

@@ -4,7 +4,6 @@
 #ifndef PH_TESTS_PH_UNIT_H
 #define PH_TESTS_PH_UNIT_H
 
-#include "curve/segment/ph2.h"
 #include "curve/segment/seg2.h"
 
 /* The space of PH quintics. */
@@ -24,12 +23,12 @@ static inline void ph_hodograph(const ph_cplx w[3], ph_cplx hodograph[5]) {
 }
 
 static inline double ph_length(const ph_cplx w[3]) {
-  return ph_ph2_length(&ph_quintic, w);
+  return ph_seg2_length(&ph_quintic, w);
 }
 
 static inline void ph_control_points(const ph_cplx w[3], ph_cplx start,
                                      ph_cplx end, ph_cplx p[6]) {
-  ph_ph2_control_points(&ph_quintic, w, start, end, p);
+  ph_seg2_control_points(&ph_quintic, w, start, end, p);
 }
 
 static inline double ph_rotation(const ph_cplx w[3]) {

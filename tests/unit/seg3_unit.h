@@ -4,7 +4,6 @@
 #ifndef PH_TESTS_SEG3_UNIT_H
 #define PH_TESTS_SEG3_UNIT_H
 
-#include "curve/segment/ph3.h"
 #include "curve/segment/seg3.h"
 #include "random_unit.h"
 

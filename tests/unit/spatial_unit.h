@@ -5,7 +5,7 @@
 
 #include "random_unit.h"
 
-#include "curve/segment/ph3.h"
+#include "curve/segment/seg3.h"
 #include "solve/spatial/spatial.h"
 
 static inline double unit_apart(ph_vec3 a, ph_vec3 b) {
@@ -107,7 +107,7 @@ static inline void unit_spatial_points(const struct ph_spatial_family *f,
   ph_quat a[3];
 
   unit_spatial_preimage(f, member, a);
-  ph_ph3_control_points(&f->space, a, start, unit_spatial_world(f, f->dp), p);
+  ph_seg3_control_points(&f->space, a, start, unit_spatial_world(f, f->dp), p);
 }
 
 /* The largest distance of two of the points. */

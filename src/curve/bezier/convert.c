@@ -4,7 +4,6 @@
 
 #include "curve/bezier/hermite.h"
 #include "curve/kind/kind.h"
-#include "curve/segment/ph2.h"
 #include "curve/segment/seg2.h"
 
 /* The exact length of the part [u[0],u[1]] of a segment with preimage w. */
@@ -13,7 +12,7 @@ static double part_length(const struct ph_atph *space, const ph_cplx w[3],
   struct ph_atph part;
   ph_cplx v[3];
   ph_atph_part(space, w, u[0], u[1], &part, v);
-  return (u[1] - u[0]) * ph_ph2_length(&part, v);
+  return (u[1] - u[0]) * ph_seg2_length(&part, v);
 }
 
 /* The exact length of the part of the curve that a piece stands for; in space

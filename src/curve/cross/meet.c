@@ -21,7 +21,7 @@
  */
 #include "curve/cross/meet.h"
 
-#include "curve/segment/ph2.h"
+#include "curve/segment/seg2.h"
 
 #include <math.h>
 
@@ -52,7 +52,7 @@ static struct ph_piece piece_of(const struct ph_seg2 *seg, size_t segment,
                                 double from, double to) {
   struct ph_piece piece = {.segment = segment, .from = from, .to = to};
   piece.seg = *seg;
-  ph_ph2_control_points(&seg->space, seg->w, seg->start, seg->end, piece.p);
+  ph_seg2_control_points(&seg->space, seg->w, seg->start, seg->end, piece.p);
   piece.box = ph_box2_of(piece.p, 6);
   piece.cone = ph_piece_cone(seg->w);
   return piece;

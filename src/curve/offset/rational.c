@@ -2,7 +2,7 @@
 /* Pieces of PH curves with positive weights (see rational.h). */
 #include "curve/offset/rational.h"
 
-#include "curve/segment/ph3.h"
+#include "curve/segment/seg3.h"
 #include "curve/segment/tc.h"
 #include "kernel/bern.h"
 #include "kernel/pow2.h"
@@ -83,7 +83,7 @@ static bool set_weights(struct ph_rational *r) {
 static void set_speed(struct ph_rational *r, bool whole) {
   const ph_quat *a = r->a;
   if (r->degree == 5) {
-    ph_ph3_speed(a, r->speed);
+    ph_seg3_speed(a, r->speed);
   } else {
     r->speed[0] = ph_quat_dot(a[0], a[0]);
     r->speed[2] = ph_quat_dot(a[1], a[1]);

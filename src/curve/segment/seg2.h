@@ -4,8 +4,10 @@
  * itself: points, derivatives, curvature, parts, rotation.
  *
  * The preimage is with respect to u in [0,1], whatever the curve writes:
- * r'(u) = w(u)^2.  [GON18, ch. 2]  That of a cubic is raised to degree 2: w0,
- * (w0 + w1)/2, w1.
+ * r'(u) = w(u)^2, with the parametric speed sigma(u) = |w(u)|^2.  It lies in
+ * the segment's space (kernel/atph.h), by coefficients w0, w1, w2: for PH
+ * quintics, Bernstein coefficients of degree 2.  [GON18, ch. 2]  That of a
+ * cubic is raised to degree 2: w0, (w0 + w1)/2, w1.
  */
 #ifndef PH_CURVE_SEGMENT_SEG2_H
 #define PH_CURVE_SEGMENT_SEG2_H
@@ -23,6 +25,24 @@ struct ph_seg2 {
   ph_cplx w[3];
   ph_cplx start, end;
 };
+
+/* ph_seg2_length: the exact arc length, integral of |w|^2 over [0,1]. */
+double ph_seg2_length(const struct ph_atph *space, const ph_cplx w[3]);
+
+/*
+ * ph_seg2_control_points: control points of the segment from `start` to `end`,
+ * in the basis of its space: Bezier points of a PH quintic [GON18, (2.12)].
+ *
+ * The first three are summed up from the start and the last three from the
+ * end: the end points are reproduced exactly, the construction is symmetric
+ * under reversal, and what the integral of w^2 misses `end - start` by (the
+ * solver's residual) shows up in the middle leg, where the certificate looks.
+ *
+ * in   w[3]         preimage, in the root of the unit of the points
+ * out  p[6]
+ */
+void ph_seg2_control_points(const struct ph_atph *space, const ph_cplx w[3],
+                            ph_cplx start, ph_cplx end, ph_cplx p[6]);
 
 /* ph_seg2_preimage: the preimage of segment k as the curve has it, but of three
  * coefficients always. */

@@ -29,6 +29,27 @@ struct ph_seg3 {
   ph_vec3 start, end;
 };
 
+/* ph_seg3_speed: of a PH quintic, the Bernstein coefficients of |A|^2.
+ * out speed[5] */
+void ph_seg3_speed(const ph_quat a[3], double speed[5]);
+
+/* ph_seg3_length: the exact arc length, integral of |A|^2 over [0,1]. */
+double ph_seg3_length(const struct ph_atph *space, const ph_quat a[3]);
+
+/*
+ * ph_seg3_control_points: control points of the segment from `start` to `end`,
+ * in the basis of its space [FAR15, (6)].
+ *
+ * As in the plane (seg2.h), the first three are summed up from the start and
+ * the last three from the end: what the preimage misses `end - start` by shows
+ * up in the middle leg, where the certificate looks.
+ *
+ * in   a[3]  preimage, in the root of the unit of the points
+ * out  p[6]
+ */
+void ph_seg3_control_points(const struct ph_atph *space, const ph_quat a[3],
+                            ph_vec3 start, ph_vec3 end, ph_vec3 p[6]);
+
 /*
  * ph_seg3_of: segment k of a curve in space, or in the plane z = 0: with
  * A = Re w + Im w k, r' = w^2 there and e2 is the left normal.  The preimage of

@@ -3,7 +3,7 @@
 #include "solve/arclength/arclength.h"
 
 #include "base/sum.h"
-#include "curve/segment/ph3.h"
+#include "curve/segment/seg3.h"
 #include "solve/arclength/system.h"
 #include "solve/common/frame.h"
 
@@ -134,9 +134,9 @@ enum ph_status ph_arc_curve(const struct ph_arc_system *s, const double *x,
       a[k] = ph_quat_turn(a[k], phase);
     }
     end = end_of(s, q, start, a);
-    ph_ph3_control_points(&space, a, start, end, p);
+    ph_seg3_control_points(&space, a, start, end, p);
     put_segment(q, a, p, curve);
-    curve->lengths[q] = ph_ph3_length(&space, a);
+    curve->lengths[q] = ph_seg3_length(&space, a);
     ph_sum_add(&length, curve->lengths[q]);
     start = end;
   }

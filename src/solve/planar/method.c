@@ -13,7 +13,6 @@
 
 #include "base/sum.h"
 #include "curve/fair/energy.h"
-#include "curve/segment/ph2.h"
 #include "curve/segment/seg2.h"
 #include "kernel/pi.h"
 #include "solve/common/fields.h"
@@ -493,10 +492,10 @@ void ph_planar_curve_fill(const struct ph_planar_data *d, const ph_cplx *b,
     for (int i = 0; i < 3; i++) {
       w[i] = ph_cplx_scale(size, w[i]);
     }
-    ph_ph2_control_points(space, w, ph_planar_point(d, k),
-                          ph_planar_point(d, k + 1),
-                          (ph_cplx *)(curve->control_points + 12 * k));
-    curve->lengths[k] = ph_ph2_length(space, w);
+    ph_seg2_control_points(space, w, ph_planar_point(d, k),
+                           ph_planar_point(d, k + 1),
+                           (ph_cplx *)(curve->control_points + 12 * k));
+    curve->lengths[k] = ph_seg2_length(space, w);
     ph_sum_add(&length, curve->lengths[k]);
     for (int i = 0; d->atph && i < 3; i++) {
       w[i] = ph_cplx_scale(1 / sqrt(space->angle), w[i]);

@@ -14,7 +14,7 @@
 #include "solve/planar/planar.h"
 
 #include "curve/fair/energy.h"
-#include "curve/segment/ph2.h"
+#include "curve/segment/seg2.h"
 #include "kernel/box.h"
 #include "kernel/pow2.h"
 
@@ -126,7 +126,7 @@ static void measure(struct work *w) {
     }
     ph_energy_add(&w->sum, &seg);
     w->parts[k] = w->sum.parts;
-    ph_sum_add(&length, ph_ph2_length(&seg.space, seg.w));
+    ph_sum_add(&length, ph_seg2_length(&seg.space, seg.w));
   }
   t->energy[0] = ph_sum_value(&w->sum.bending);
   t->energy[1] = ph_sum_value(&w->sum.varying);

@@ -10,7 +10,7 @@
 #include "solve/method.h"
 
 #include "base/sum.h"
-#include "curve/segment/ph3.h"
+#include "curve/segment/seg3.h"
 #include "solve/common/fields.h"
 #include "solve/common/frame.h"
 #include "solve/spatial/spatial.h"
@@ -171,10 +171,10 @@ static double curve_put(const struct ph_spatial_points *p, size_t k,
   ph_quat a[3];
   ph_vec3 leg[6]; /* from the start, from the end */
   memcpy(a, chosen->fit->a, sizeof a);
-  ph_ph3_control_points(&f->space, a, zero, zero, leg);
+  ph_seg3_control_points(&f->space, a, zero, zero, leg);
   missed = miss(f, a, leg);
   put_control_points(p, k, chosen, leg, curve->control_points + 18 * k);
-  length = ph_ph3_length(&f->space, a); /* not below the chord by rounding */
+  length = ph_seg3_length(&f->space, a); /* not below the chord by rounding */
   curve->lengths[k] = (length > f->h ? length : f->h) * unit * unit;
   put_preimage(p, k, chosen, a, end, curve->preimage.v + 12 * k);
   if (p->atph) {
@@ -375,7 +375,7 @@ static double functional_of(const struct task *t,
                             const struct ph_spatial_fit *fit) {
   const struct ph_atph *space = &fit->family.space;
   struct ph_fair3 fair = ph_fair3_of(&t->rules, space, fit->a);
-  return ph_fair3_functional(&fair, ph_ph3_length(space, fit->a),
+  return ph_fair3_functional(&fair, ph_seg3_length(space, fit->a),
                              t->criterion->functional);
 }
 

@@ -11,7 +11,7 @@
 #include "unit.h"
 #include "check_unit.h"
 
-#include "curve/segment/ph3.h"
+#include "curve/segment/seg3.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -62,15 +62,15 @@ static ph_vec3 build_segment(size_t k, ph_quat a, ph_quat b, double t0,
                          preimage_at(a, b, t0 + (double)i * (t1 - t0) / 2));
     memcpy(u.preimage + 12 * k + 4 * i, &w[i], sizeof w[i]);
   }
-  ph_ph3_control_points(&space, w, start, start, p);
+  ph_seg3_control_points(&space, w, start, start, p);
   end = ph_vec3_add(p[2], ph_vec3_sub(start, p[3]));
   end = ph_vec3_along(end, 1.0 / 15, ph_quat_i(w[0], w[2]));
   end = ph_vec3_along(end, 2.0 / 15, ph_quat_i(w[1], w[1]));
-  ph_ph3_control_points(&space, w, start, end, p);
+  ph_seg3_control_points(&space, w, start, end, p);
   for (size_t i = 0; i < 6; i++) {
     put(p[i], u.control_points + 18 * k + 3 * i);
   }
-  u.segment_lengths[k] = ph_ph3_length(&space, w);
+  u.segment_lengths[k] = ph_seg3_length(&space, w);
   u.knots[k] = t0;
   u.knots[k + 1] = t1;
   return end;

@@ -35,7 +35,8 @@ static enum ph_check_shape shape_at(const struct ph_spatial_fit *fit,
   const struct ph_spatial_family *f = &fit->family;
   double mu[5], away = ph_vec3_abs(start);
   ph_vec3 p[6], leg[5];
-  ph_ph3_control_points(&f->space, fit->a, start, ph_vec3_add(start, f->dp), p);
+  ph_seg3_control_points(&f->space, fit->a, start, ph_vec3_add(start, f->dp),
+                         p);
   for (size_t i = 0; i < 5; i++) {
     leg[i] = ph_vec3_sub(p[i + 1], p[i]);
   }
@@ -365,10 +366,10 @@ PH_TEST(test_inflection) {
   ck_abs(unit_seg3_bend(&seg, 0.5).curvature, 0, 1e-15);
   unit_hermite3_of(&u, points, PH_F_TANGENTS, any, 2, 3, false, 0);
   u.problem.field[PH_F_TANGENTS].kind = PH_ABSENT;
-  ph_ph3_control_points(&seg.space, a, seg.start, seg.end, p);
+  ph_seg3_control_points(&seg.space, a, seg.start, seg.end, p);
   memcpy(u.control_points, p, sizeof p);
   memcpy(u.preimage, a, sizeof a);
-  u.curve.length = u.lengths[0] = ph_ph3_length(&seg.space, a);
+  u.curve.length = u.lengths[0] = ph_seg3_length(&seg.space, a);
   ck_assert_int_eq(certify(), PH_OK);
   ck_assert_double_ge(value_of(PH_D_F1), 1);
   ck_assert_double_ge(value_of(PH_D_F2), 1);

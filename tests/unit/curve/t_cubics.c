@@ -15,7 +15,7 @@
 #include "curve/offset/cusp.h"
 #include "curve/offset/gap.h"
 #include "curve/offset/offset.h"
-#include "curve/segment/ph2.h"
+#include "curve/segment/seg2.h"
 #include "kernel/pi.h"
 
 enum { PLACES = 8, STEPS = 60, ROUNDS = 9, NARROW = 8, CURVES = 10 };
@@ -38,7 +38,7 @@ struct any {
 static void plane_random(struct any *any, struct unit_random *r) {
   struct ph_seg2 seg = unit_seg2_random(r);
   unit_seg2_curve(&seg, 1, &any->plane);
-  any->plane.lengths[0] = ph_ph2_length(&seg.space, seg.w);
+  any->plane.lengths[0] = ph_seg2_length(&seg.space, seg.w);
   any->curve = &any->plane.curve;
 }
 

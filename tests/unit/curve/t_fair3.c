@@ -101,12 +101,12 @@ PH_TEST(test_scale) {
   for (int exponent = -20; exponent <= 20; exponent += 4) {
     struct ph_seg3 seg = random_segment(&r);
     struct ph_fair3 one = ph_fair3_of(&rules, &seg.space, seg.a), other;
-    double length = ph_ph3_length(&seg.space, seg.a), scaled;
+    double length = ph_seg3_length(&seg.space, seg.a), scaled;
     for (size_t i = 0; i < 3; i++) {
       seg.a[i] = ph_quat_scale(ldexp(1, exponent), seg.a[i]);
     }
     other = ph_fair3_of(&rules, &seg.space, seg.a);
-    scaled = ph_ph3_length(&seg.space, seg.a);
+    scaled = ph_seg3_length(&seg.space, seg.a);
     ck_rel(other.bending, ldexp(one.bending, -2 * exponent), 1e-14);
     ck_rel(other.twisting, ldexp(one.twisting, -6 * exponent), 1e-14);
     for (int k = 1; k <= 3; k++) {
@@ -150,7 +150,7 @@ PH_TEST(test_helix) {
     for (double p = 0; p < 3; p += 0.5) {
       struct ph_seg3 seg = helix(a, p);
       struct ph_fair3 fair = ph_fair3_of(&rules, &seg.space, seg.a);
-      double length = ph_ph3_length(&seg.space, seg.a), l3 = pow(length, 3);
+      double length = ph_seg3_length(&seg.space, seg.a), l3 = pow(length, 3);
       ck_rel(length, a * sqrt(1 + p * p), 1e-13);
       ck_rel(fair.bending, length / pow(1 + p * p, 2), 1e-12);
       ck_abs(l3 * fair.varying, 0, 1e-20);

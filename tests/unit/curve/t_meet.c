@@ -5,7 +5,7 @@
 #include "random_unit.h"
 
 #include "curve/cross/meet.h"
-#include "curve/segment/ph2.h"
+#include "curve/segment/seg2.h"
 
 enum { SEGMENTS = 150, POINTS = 20 };
 

@@ -32,7 +32,7 @@ PH_TEST(test_speed) {
     ph_quat a;
     seg.space = ph_atph_of(0);
     a = unit_seg3_preimage(&seg, u);
-    ph_ph3_speed(seg.a, speed);
+    ph_seg3_speed(seg.a, speed);
     for (size_t j = 0; j < 5; j++) {
       sum += binomial4(j) * speed[j] * power_at(0, u, j);
     }
@@ -50,7 +50,7 @@ PH_TEST(test_length) {
       sum +=
           rule.weight[k] * ph_vec3_abs(unit_seg3_hodograph(&seg, rule.node[k]));
     }
-    ck_rel(ph_ph3_length(&seg.space, seg.a), sum, 1e-14);
+    ck_rel(ph_seg3_length(&seg.space, seg.a), sum, 1e-14);
   }
 }
 
@@ -62,11 +62,11 @@ PH_TEST(test_length_simple) {
   const ph_quat first[3] = {one, zero, zero}, middle[3] = {zero, one, zero};
   const ph_quat both[3] = {one, zero, one}, line[3] = {one, one, one};
   const ph_quat apart[3] = {one, other, zero};
-  ck_rel(ph_ph3_length(&quintic, first), 1. / 5, 1e-15);
-  ck_rel(ph_ph3_length(&quintic, middle), 2. / 15, 1e-15);
-  ck_rel(ph_ph3_length(&quintic, both), 2. / 5 + 1. / 15, 1e-15);
-  ck_rel(ph_ph3_length(&quintic, line), 1, 1e-15);
-  ck_rel(ph_ph3_length(&quintic, apart), 1. / 5 + 9 * 2. / 15, 1e-15);
+  ck_rel(ph_seg3_length(&quintic, first), 1. / 5, 1e-15);
+  ck_rel(ph_seg3_length(&quintic, middle), 2. / 15, 1e-15);
+  ck_rel(ph_seg3_length(&quintic, both), 2. / 5 + 1. / 15, 1e-15);
+  ck_rel(ph_seg3_length(&quintic, line), 1, 1e-15);
+  ck_rel(ph_seg3_length(&quintic, apart), 1. / 5 + 9 * 2. / 15, 1e-15);
 }
 
 /* Control points are those of the integral of A i A*: their legs in the basis
@@ -77,7 +77,7 @@ PH_TEST(test_control_points) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double u = unit_random_in(&r, 0, 1), angle = seg.space.angle;
     ph_vec3 p[6], sum = {0, 0, 0};
-    ph_ph3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
+    ph_seg3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
     ck_abs(unit_distance3(p[0], seg.start), 0, 0);
     ck_abs(unit_distance3(p[5], seg.end), 0, 0);
     for (size_t j = 0; j < 5; j++) {
@@ -99,9 +99,9 @@ PH_TEST(test_defect) {
   for (size_t i = 0; i < SEGMENTS; i++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     ph_vec3 defect = unit_random_vec3(&r, 1), p[6], q[6];
-    ph_ph3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
-    ph_ph3_control_points(&seg.space, seg.a, seg.start,
-                          ph_vec3_add(seg.end, defect), q);
+    ph_seg3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
+    ph_seg3_control_points(&seg.space, seg.a, seg.start,
+                           ph_vec3_add(seg.end, defect), q);
     for (size_t k = 0; k < 6; k++) {
       ph_vec3 moved = ph_vec3_sub(q[k], p[k]);
       ck_assert_double_le(
@@ -121,12 +121,12 @@ PH_TEST(test_reversal) {
     for (size_t k = 0; k < 3; k++) {
       back[k] = ph_quat_mul(seg.a[2 - k], j);
     }
-    ph_ph3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
-    ph_ph3_control_points(&seg.space, back, seg.end, seg.start, q);
+    ph_seg3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
+    ph_seg3_control_points(&seg.space, back, seg.end, seg.start, q);
     for (size_t k = 0; k < 6; k++) {
       ck_assert_double_le(unit_distance3(p[k], q[5 - k]), 1e-14);
     }
-    ck_rel(ph_ph3_length(&seg.space, back), ph_ph3_length(&seg.space, seg.a),
+    ck_rel(ph_seg3_length(&seg.space, back), ph_seg3_length(&seg.space, seg.a),
            1e-15);
   }
 }
@@ -142,8 +142,8 @@ PH_TEST(test_phase) {
     for (size_t k = 0; k < 3; k++) {
       turned[k] = ph_quat_turn(seg.a[k], e);
     }
-    ph_ph3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
-    ph_ph3_control_points(&seg.space, turned, seg.start, seg.end, q);
+    ph_seg3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
+    ph_seg3_control_points(&seg.space, turned, seg.start, seg.end, q);
     for (size_t k = 0; k < 6; k++) {
       ck_assert_double_le(unit_distance3(p[k], q[k]), 2e-14);
     }

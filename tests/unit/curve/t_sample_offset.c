@@ -14,7 +14,7 @@
 #include "vec_unit.h"
 
 #include "curve/offset/cusp.h"
-#include "curve/segment/ph2.h"
+#include "curve/segment/seg2.h"
 
 enum { STEPS = 24, CURVES = 200 };
 
@@ -238,7 +238,7 @@ PH_TEST(test_plane) {
     struct ph_offset offset;
     struct ph_sampler curve, moved;
     unit_seg2_curve(&seg, 1, &c);
-    c.lengths[0] = ph_ph2_length(&seg.space, seg.w);
+    c.lengths[0] = ph_seg2_length(&seg.space, seg.w);
     offset = offset_of(&c.curve, unit_random_in(&r, -2, 2), PH_E2);
     curve = unit_sampler(&c.curve, NULL, 0);
     moved = unit_sampler(&c.curve, &offset, 0);
@@ -280,7 +280,7 @@ PH_TEST(test_turns) {
     struct moved m = {&c.curve, 0, d, PH_E2};
     double length;
     unit_seg2_curve(&seg, 1, &c);
-    c.lengths[0] = ph_ph2_length(&seg.space, seg.w);
+    c.lengths[0] = ph_seg2_length(&seg.space, seg.w);
     ck_assert(fabs(ph_seg2_rotation(&seg, NULL)) > 4);
     offset = offset_of(&c.curve, d, PH_E2);
     moved = unit_sampler(&c.curve, &offset, 0);
@@ -302,7 +302,7 @@ PH_TEST(test_at_cusp) {
   struct ph_offset offset;
   struct ph_sampler curve, moved;
   unit_seg2_curve(&seg, 1, &c);
-  c.lengths[0] = ph_ph2_length(&seg.space, seg.w);
+  c.lengths[0] = ph_seg2_length(&seg.space, seg.w);
   offset = offset_of(&c.curve, 0.5, PH_E2);
   ck_assert_uint_eq(offset.cusps.n, 2);
   curve = unit_sampler(&c.curve, NULL, 0);
@@ -362,7 +362,7 @@ PH_TEST(test_closed) {
   struct ph_sampler moved, plain;
   struct ph_place at[5];
   unit_seg2_curve(seg, 2, &c);
-  c.lengths[0] = c.lengths[1] = ph_ph2_length(&seg[0].space, seg[0].w);
+  c.lengths[0] = c.lengths[1] = ph_seg2_length(&seg[0].space, seg[0].w);
   without = offset = offset_of(&c.curve, 0.5, PH_E2);
   ck_assert_uint_eq(offset.cusps.n, 4);
   for (size_t i = 0; i < 4; i++) {
@@ -515,7 +515,7 @@ PH_TEST(test_plane_in_space) {
     }
     seg = unit_seg2(alpha, w);
     unit_seg2_curve(&seg, 1, &c);
-    c.lengths[0] = ph_ph2_length(&seg.space, seg.w);
+    c.lengths[0] = ph_seg2_length(&seg.space, seg.w);
     unit_curve3_of(&c3, 1, &alpha, a, ph_vec3_of(0, 0, 0));
     offset = offset_of(&c.curve, unit_random_in(&r, -2, 2), PH_E2);
     offset3 = offset_of(&c3.curve, offset.distance, PH_E2);

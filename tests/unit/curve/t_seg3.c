@@ -88,7 +88,7 @@ PH_TEST(test_derivatives) {
     double u = unit_random_in(&r, 0, 1);
     ph_vec3 p[6], q[6], d[4];
     seg = unit_seg3(0, seg.a, seg.start);
-    ph_ph3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
+    ph_seg3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
     derivatives(&seg, u, d);
     for (size_t order = 0; order <= 4; order++) {
       ph_vec3 wanted = order > 0 ? d[order - 1] : ph_seg3_point(&seg, &rule, u);
@@ -457,7 +457,7 @@ PH_TEST(test_helix) {
   static const double ends[] = {0.1, 1, 1.5707963267948966, 3, 6};
   for (size_t n = 0; n < sizeof ends / sizeof ends[0]; n++) {
     struct ph_seg3 seg = helix(ends[n]);
-    ck_rel(ph_ph3_length(&seg.space, seg.a), sqrt(2) * ends[n], 1e-14);
+    ck_rel(ph_seg3_length(&seg.space, seg.a), sqrt(2) * ends[n], 1e-14);
     for (size_t i = 0; i <= 16; i++) {
       double u = (double)i / 16, x = ends[n] * u;
       struct unit_bend3 b = unit_seg3_bend(&seg, u);
@@ -536,8 +536,8 @@ PH_TEST(test_small_angles) {
       ck_assert_double_le(unit_distance3(ph_seg3_point(&small, &rule, u),
                                          ph_seg3_point(&quintic, &rule, u)),
                           tol);
-      ck_rel(ph_ph3_length(&small.space, small.a),
-             ph_ph3_length(&quintic.space, quintic.a), tol);
+      ck_rel(ph_seg3_length(&small.space, small.a),
+             ph_seg3_length(&quintic.space, quintic.a), tol);
       ck_rel(b.speed, wanted.speed, tol);
       ck_rel(b.curvature, wanted.curvature, tol);
       ck_abs(b.torsion, wanted.torsion, 10 * tol * (1 + fabs(wanted.torsion)));

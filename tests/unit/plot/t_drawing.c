@@ -10,7 +10,7 @@
 
 #include "curve/offset/cusp.h"
 #include "curve/offset/gap.h"
-#include "curve/segment/ph2.h"
+#include "curve/segment/seg2.h"
 #include "kernel/pi.h"
 #include "plot/drawing.h"
 
@@ -179,7 +179,7 @@ PH_TEST(test_planar) {
     struct unit_segments c;
     struct ph_seg2 seg = unit_seg2_random(&r);
     unit_seg2_curve(&seg, 1, &c);
-    c.lengths[0] = c.curve.length = ph_ph2_length(&seg.space, seg.w);
+    c.lengths[0] = c.curve.length = ph_seg2_length(&seg.space, seg.w);
     ck_segments(&c.curve);
   }
 }

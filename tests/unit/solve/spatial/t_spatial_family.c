@@ -108,7 +108,7 @@ static double segment_error(const struct ph_spatial_family *f,
   }
   error = unit_larger(apart(sum, data->dp), apart(integral, data->dp));
   error = unit_larger(error, fabs(ph_spatial_length(f, member.b) -
-                                  ph_ph3_length(&f->space, a)));
+                                  ph_seg3_length(&f->space, a)));
   return error / size;
 }
 

@@ -51,7 +51,7 @@ static double value_of(const struct ph_spatial_search *search,
   ph_quat a[3];
   ph_spatial_preimage(&family, found->member, a);
   fair = ph_fair3_of(&rules, &family.space, a);
-  return ph_fair3_functional(&fair, ph_ph3_length(&family.space, a),
+  return ph_fair3_functional(&fair, ph_seg3_length(&family.space, a),
                              search->functional);
 }
 

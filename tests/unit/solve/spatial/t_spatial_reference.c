@@ -203,7 +203,7 @@ static void ck_gap(const ph_quat a[3], double tolerance) {
 static void ck_functionals(const struct ph_seg3 *seg) {
   const double *wanted = reference.field[FUNCTIONALS].v;
   struct ph_fair3 fair = ph_fair3_of(&fair_rules, &seg->space, seg->a);
-  double length = ph_ph3_length(&seg->space, seg->a);
+  double length = ph_seg3_length(&seg->space, seg->a);
   for (int k = 1; k <= 3; k++) {
     ck_value("functional", (size_t)k, ph_fair3_functional(&fair, length, k),
              wanted[k], wanted[0] * wanted[k]);
@@ -221,7 +221,7 @@ static void ck_segment(void) {
   ph_vec3 p[6], wanted[6];
   double allowed;
   unit_spatial_preimage(&family, member, seg.a);
-  ph_ph3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
+  ph_seg3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
   for (size_t i = 0; i < 6; i++) {
     wanted[i] = triple(CONTROL, i);
   }
@@ -233,7 +233,7 @@ static void ck_segment(void) {
            allowed);
   ck_value("length", 0, ph_spatial_length(&family, member.b), length,
            tolerance[1] * length);
-  ck_value("length", 1, ph_ph3_length(&seg.space, seg.a), length,
+  ck_value("length", 1, ph_seg3_length(&seg.space, seg.a), length,
            tolerance[1] * length);
   ck_bends(&seg, tolerance[0]);
   if (reference.field[GAP].n) {

@@ -6,7 +6,6 @@
 #include "seg3_unit.h"
 #include "solve/spatial/spatial.h"
 
-#include "curve/segment/ph3.h"
 #include "curve/segment/seg3.h"
 #include "unit.h"
 #include "random_unit.h"
@@ -121,7 +120,7 @@ static void convexities(const struct ph_spatial_data *data,
                         double convexity[2]) {
   ph_vec3 p[6], leg[5], ni = ph_vec3_cross(data->ti, data->dp);
   ph_vec3 nf = ph_vec3_cross(data->dp, data->tf);
-  ph_ph3_control_points(&f->space, a, ORIGIN, f->dp, p);
+  ph_seg3_control_points(&f->space, a, ORIGIN, f->dp, p);
   for (size_t k = 0; k < 5; k++) {
     ph_vec3 in_frame = ph_vec3_sub(p[k + 1], p[k]);
     leg[k] = ph_vec3_scale(in_frame.x, f->axis[0]);
