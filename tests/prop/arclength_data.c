@@ -4,7 +4,6 @@
 #include "spatial_unit.h"
 #include "unit.h"
 
-#include "check/certify.h"
 #include "kernel/bern.h"
 #include "kernel/quad.h"
 #include "solve/method.h"
@@ -279,9 +278,7 @@ bool arc_solve(const struct arc_data *d, size_t which,
             s->diag.field, s->diag.message);
     return false;
   }
-  status = ph_certify("arclength", &s->problem, &s->result.curve, &s->scratch,
-                      &s->result.diagnostics, &s->diag);
-  s->refused = status != PH_OK;
+  status = unit_certify("arclength", s);
   ck_that(!s->refused || d->family == ARC_WILD, "%s %s", s->diag.field,
           s->diag.message);
   if (!s->refused) {

@@ -137,9 +137,9 @@ size_t prop_segments(const struct prop_data *data) {
   return data->closed ? data->n : data->n - 1;
 }
 
-struct unit_planar prop_problem(const struct prop_data *data, size_t which) {
+struct unit_solution prop_problem(const struct prop_data *data, size_t which) {
   static double v[2 * PROP_POINTS_MAX];
-  struct unit_planar u;
+  struct unit_solution u;
   unit_case("PH_SEED=%lu, case %zu (%zu points, %s, knots %s, ends %s)",
             unit_seed(), which, data->n, data->closed ? "closed" : "open",
             data->has_knots ? "given"

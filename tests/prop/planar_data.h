@@ -52,6 +52,6 @@ void prop_any(struct unit_random *r, size_t segments_max,
 size_t prop_segments(const struct prop_data *data);
 
 /* prop_problem: the problem, for unit_planar_solve; failures name it. */
-struct unit_planar prop_problem(const struct prop_data *data, size_t which);
+struct unit_solution prop_problem(const struct prop_data *data, size_t which);
 
 #endif

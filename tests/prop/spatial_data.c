@@ -4,7 +4,6 @@
 #include "spatial_unit.h"
 #include "unit.h"
 
-#include "check/certify.h"
 #include "solve/method.h"
 
 #include <float.h>
@@ -254,9 +253,7 @@ enum ph_status spatial_solve(const struct spatial_data *d, size_t which,
   set_problem(d, s);
   status = unit_solve(&ph_method_spatial_hermite, s);
   if (status == PH_OK) {
-    status = ph_certify("spatial-hermite", &s->problem, &s->result.curve,
-                        &s->scratch, &s->result.diagnostics, &s->diag);
-    s->refused = status != PH_OK;
+    status = unit_certify("spatial-hermite", s);
   }
   return status;
 }

@@ -4,7 +4,6 @@
 #include "spatial_unit.h"
 #include "unit.h"
 
-#include "check/certify.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"
 #include "solve/method.h"
@@ -242,9 +241,7 @@ bool sphere_solve(const struct sphere_data *d, size_t which,
             "%s %s", s->diag.field, s->diag.message);
     return false;
   }
-  status = ph_certify("sphere", &s->problem, &s->result.curve, &s->scratch,
-                      &s->result.diagnostics, &s->diag);
-  s->refused = status != PH_OK;
+  status = unit_certify("sphere", s);
   if (!s->refused) {
     ck_curve(d, s);
   }

@@ -19,18 +19,18 @@
  * each chord; over 12000 problems the largest difference was 2e-13. */
 #define SAME 1e-11
 
-static struct unit_planar one, other;
+static struct unit_solution one, other;
 static struct prop_data data, image;
 
 static void finish(void) {
-  unit_planar_free(&one);
-  unit_planar_free(&other);
+  unit_solution_free(&one);
+  unit_solution_free(&other);
 }
 
-static void solve(struct unit_planar *u, const struct prop_data *d,
+static void solve(struct unit_solution *u, const struct prop_data *d,
                   size_t which) {
   enum ph_status status;
-  unit_planar_free(u);
+  unit_solution_free(u);
   *u = prop_problem(d, which);
   status = unit_planar_solve(u);
   ck_that(status == PH_OK, "%s %s", u->diag.field, u->diag.message);

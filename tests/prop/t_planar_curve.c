@@ -18,7 +18,7 @@
 
 #include <string.h>
 
-static struct unit_planar u;
+static struct unit_solution u;
 static struct prop_data data;
 static struct ph_quad rule;
 static const struct ph_offset_rules within = {.tolerance = 1e-9};
@@ -28,12 +28,12 @@ static void start(void) {
 }
 
 static void finish(void) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 static void solve(size_t which) {
   enum ph_status status;
-  unit_planar_free(&u);
+  unit_solution_free(&u);
   u = prop_problem(&data, which);
   status = unit_planar_solve(&u);
   ck_that(status == PH_OK, "%s %s", u.diag.field, u.diag.message);
@@ -179,7 +179,7 @@ PH_TEST(test_wild) {
   size_t solved = 0;
   for (size_t i = 0; i < unit_cases(800); i++) {
     enum ph_status status;
-    unit_planar_free(&u);
+    unit_solution_free(&u);
     wild_data(&r, &data);
     u = prop_problem(&data, i);
     status = unit_planar_solve(&u);

@@ -98,11 +98,11 @@ static size_t random_walk(struct unit_random *r, double turn, double *v) {
   return n;
 }
 
-struct unit_planar unit_planar_random(struct unit_random *r, int i) {
+struct unit_solution unit_planar_random(struct unit_random *r, int i) {
   const double turns[] = {0.8, 1.3, 2, 3.1};
   double v[2 * 20];
   size_t n = random_walk(r, turns[i % 4], v);
-  struct unit_planar u = unit_planar_of(v, n, i / 4 % 2 != 0);
+  struct unit_solution u = unit_planar_of(v, n, i / 4 % 2 != 0);
   u.problem.field[PH_F_BASIS] =
       (struct ph_value){.kind = PH_WORD, .word = i % 3 ? "ph" : "atph"};
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);

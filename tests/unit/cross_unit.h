@@ -35,6 +35,6 @@ void unit_chain_random(struct unit_chain *chain, struct unit_random *r,
 
 /* unit_planar_random: a spline through 5 to 20 points, PH or ATPH, open or
  * closed, gently or sharply turning as i goes from 0 on. */
-struct unit_planar unit_planar_random(struct unit_random *r, int i);
+struct unit_solution unit_planar_random(struct unit_random *r, int i);
 
 #endif

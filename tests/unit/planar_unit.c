@@ -4,72 +4,39 @@
 #include "random_unit.h"
 #include "unit.h"
 
-#include "check/certify.h"
 #include "curve/fair/describe.h"
 #include "solve/method.h"
 
-#include <string.h>
-
 enum { DEGREE_MAX = 9 };
 
-static double *copy_of(struct unit_planar *u, const double *v, size_t n) {
-  double *copy = ph_arena_array(&u->arena, n, sizeof *copy);
-  ck_assert_ptr_nonnull(copy);
-  if (n) {
-    memcpy(copy, v, n * sizeof *copy);
-  }
-  return copy;
-}
-
-struct unit_planar unit_planar_of(const double *v, size_t n, bool closed) {
-  struct unit_planar u = {0};
-  struct ph_value *points = &u.problem.field[PH_F_POINTS];
-  points->kind = PH_VECTORS;
-  points->dimension = 2;
-  points->n = n;
-  points->v = copy_of(&u, v, 2 * n);
-  u.problem.field[PH_F_CLOSED].kind = PH_BOOL;
-  u.problem.field[PH_F_CLOSED].flag = closed;
+struct unit_solution unit_planar_of(const double *v, size_t n, bool closed) {
+  struct unit_solution u = {0};
+  unit_set_copy(&u, PH_F_POINTS, v, n, 2);
+  unit_set_flag(&u.problem, PH_F_CLOSED, closed);
   return u;
 }
 
-void unit_planar_word(struct unit_planar *u, size_t field, const char *word) {
-  u->problem.field[field] = (struct ph_value){.kind = PH_WORD, .word = word};
+void unit_planar_rule(struct unit_solution *u, const char *rule) {
+  unit_set_word(&u->problem, PH_F_KNOTS, rule);
 }
 
-void unit_planar_rule(struct unit_planar *u, const char *rule) {
-  unit_planar_word(u, PH_F_KNOTS, rule);
+void unit_planar_atph(struct unit_solution *u, const double *alpha, size_t n) {
+  unit_set_word(&u->problem, PH_F_BASIS, "atph");
+  unit_set_copy(u, PH_F_ALPHA, alpha, n, 1);
 }
 
-void unit_planar_atph(struct unit_planar *u, const double *alpha, size_t n) {
-  unit_planar_word(u, PH_F_BASIS, "atph");
-  u->problem.field[PH_F_ALPHA] = (struct ph_value){
-      .kind = PH_NUMBERS, .v = copy_of(u, alpha, n), .n = n, .dimension = 1};
+void unit_planar_knots(struct unit_solution *u, const double *v, size_t n) {
+  unit_set_copy(u, PH_F_KNOTS, v, n, 1);
 }
 
-void unit_planar_knots(struct unit_planar *u, const double *v, size_t n) {
-  u->problem.field[PH_F_KNOTS] = (struct ph_value){
-      .kind = PH_NUMBERS, .v = copy_of(u, v, n), .n = n, .dimension = 1};
+void unit_planar_ends(struct unit_solution *u, const double v[4]) {
+  unit_set_copy(u, PH_F_END_DERIVATIVES, v, 2, 2);
 }
 
-void unit_planar_ends(struct unit_planar *u, const double v[4]) {
-  u->problem.field[PH_F_END_DERIVATIVES] = (struct ph_value){
-      .kind = PH_VECTORS, .v = copy_of(u, v, 4), .n = 2, .dimension = 2};
-}
-
-enum ph_status unit_planar_solve(struct unit_planar *u) {
-  struct ph_mark before = ph_arena_mark(&u->scratch), after;
-  enum ph_status status;
-  memset(&u->result, 0, sizeof u->result);
-  memset(&u->diag, 0, sizeof u->diag);
-  status = ph_method_planar.solve(&u->problem, &u->arena, &u->scratch,
-                                  &u->result, &u->diag);
-  after = ph_arena_mark(&u->scratch); /* a first chunk may be kept, empty */
-  ck_assert(!before.chunk || before.chunk == after.chunk);
-  ck_assert_uint_eq(before.used, after.used);
+enum ph_status unit_planar_solve(struct unit_solution *u) {
+  enum ph_status status = unit_solve(&ph_method_planar, u);
   if (status == PH_OK) {
-    status = ph_certify("planar", &u->problem, &u->result.curve, &u->scratch,
-                        &u->result.diagnostics, &u->diag);
+    status = unit_certify("planar", u);
   }
   if (status == PH_OK) {
     status = ph_describe_planar(&u->result.curve, &u->scratch,
@@ -79,12 +46,7 @@ enum ph_status unit_planar_solve(struct unit_planar *u) {
   return status;
 }
 
-void unit_planar_free(struct unit_planar *u) {
-  ph_arena_free(&u->arena);
-  ph_arena_free(&u->scratch);
-}
-
-double unit_planar_size(const struct unit_planar *u) {
+double unit_planar_size(const struct unit_solution *u) {
   const struct ph_value *points = &u->problem.field[PH_F_POINTS];
   double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
   for (size_t i = 0; i < 2 * points->n; i++) {
@@ -94,7 +56,7 @@ double unit_planar_size(const struct unit_planar *u) {
   return hypot(high[0] / 2 - low[0] / 2, high[1] / 2 - low[1] / 2);
 }
 
-bool unit_planar_warned(const struct unit_planar *u, enum ph_status status) {
+bool unit_planar_warned(const struct unit_solution *u, enum ph_status status) {
   for (size_t i = 0; i < u->result.warnings_n; i++) {
     if (u->result.warnings[i].diag.status == status) {
       return true;

@@ -7,48 +7,33 @@
 #ifndef PH_TESTS_PLANAR_UNIT_H
 #define PH_TESTS_PLANAR_UNIT_H
 
-#include "base/mem.h"
-#include "curve/problem.h"
-#include "curve/result.h"
+#include "problem_unit.h"
+
 #include "kernel/cplx.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A problem and what became of it.  {0} is a problem without points. */
-struct unit_planar {
-  struct ph_problem problem;
-  struct ph_result result; /* after a solution */
-  struct ph_diag diag;     /* after a failure */
-  struct ph_arena arena;   /* of both, and of the fields' values */
-  struct ph_arena scratch;
-};
-
 /* unit_planar_of: a problem through n points v[2 n], which are copied. */
-struct unit_planar unit_planar_of(const double *v, size_t n, bool closed);
+struct unit_solution unit_planar_of(const double *v, size_t n, bool closed);
 
 /* The optional fields; arrays are copied. */
-void unit_planar_rule(struct unit_planar *u, const char *rule);
-void unit_planar_knots(struct unit_planar *u, const double *v, size_t n);
-void unit_planar_ends(struct unit_planar *u, const double v[4]);
-
-/* A field that is a word. */
-void unit_planar_word(struct unit_planar *u, size_t field, const char *word);
+void unit_planar_rule(struct unit_solution *u, const char *rule);
+void unit_planar_knots(struct unit_solution *u, const double *v, size_t n);
+void unit_planar_ends(struct unit_solution *u, const double v[4]);
 
 /* Basis atph with these angles, one a segment. */
-void unit_planar_atph(struct unit_planar *u, const double *alpha, size_t n);
+void unit_planar_atph(struct unit_solution *u, const double *alpha, size_t n);
 
 /* unit_planar_solve: solves, then certifies; the memory of the solver that is
  * to be given back is checked.  May be called again. */
-enum ph_status unit_planar_solve(struct unit_planar *u);
-
-void unit_planar_free(struct unit_planar *u);
+enum ph_status unit_planar_solve(struct unit_solution *u);
 
 /* unit_planar_size: half the diagonal of the points' bounding box. */
-double unit_planar_size(const struct unit_planar *u);
+double unit_planar_size(const struct unit_solution *u);
 
 /* unit_planar_warned: whether the result has a warning of this status. */
-bool unit_planar_warned(const struct unit_planar *u, enum ph_status status);
+bool unit_planar_warned(const struct unit_solution *u, enum ph_status status);
 
 /* unit_bezier: value at t, and derivative `order` (0, 1 or 2) with respect to
  * t, of the Bezier curve of `degree` with points p[degree + 1][2]. */

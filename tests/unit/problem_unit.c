@@ -3,6 +3,8 @@
 #include "problem_unit.h"
 #include "unit.h"
 
+#include "check/certify.h"
+
 #include <string.h>
 
 void unit_set_word(struct ph_problem *problem, enum ph_field_id id,
@@ -58,6 +60,14 @@ enum ph_status unit_solve(const struct ph_method *method,
   ck_assert(!before.chunk || before.chunk == after.chunk);
   ck_assert_uint_eq(before.used, after.used);
   ck_assert(status == PH_OK || s->diag.status == status);
+  return status;
+}
+
+enum ph_status unit_certify(const char *command, struct unit_solution *s) {
+  enum ph_status status =
+      ph_certify(command, &s->problem, &s->result.curve, &s->scratch,
+                 &s->result.diagnostics, &s->diag);
+  s->refused = status != PH_OK;
   return status;
 }
 

@@ -43,6 +43,9 @@ void unit_set_copy(struct unit_solution *s, enum ph_field_id id,
 enum ph_status unit_solve(const struct ph_method *method,
                           struct unit_solution *s);
 
+/* unit_certify: then, whether the command may print it. */
+enum ph_status unit_certify(const char *command, struct unit_solution *s);
+
 /* unit_solution_free: gives its memory back; {0} remains. */
 void unit_solution_free(struct unit_solution *s);
 

@@ -144,8 +144,8 @@ void unit_vectors_close(struct unit_vectors *vectors, struct unit_vector *v) {
   *v = (struct unit_vector){0};
 }
 
-struct unit_planar unit_vector_problem(const struct unit_vector *v) {
-  struct unit_planar u =
+struct unit_solution unit_vector_problem(const struct unit_vector *v) {
+  struct unit_solution u =
       unit_planar_of(v->points.v, v->points.n / 2, v->closed);
   if (v->rule[0]) {
     unit_planar_rule(&u, v->rule);

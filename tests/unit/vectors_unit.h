@@ -67,6 +67,6 @@ void unit_vectors_close(struct unit_vectors *vectors,
                         struct unit_vector *vector);
 
 /* unit_vector_problem: the problem of a vector, for unit_planar_solve. */
-struct unit_planar unit_vector_problem(const struct unit_vector *vector);
+struct unit_solution unit_vector_problem(const struct unit_vector *vector);
 
 #endif

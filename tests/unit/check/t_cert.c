@@ -17,10 +17,10 @@ static const double SIZE = 2.692582403567252;
 /* Moved by this part of the size. */
 static const double MOVED = 1e-9;
 
-static struct unit_planar u;
+static struct unit_solution u;
 
 static void finish(void) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 static void solve(bool closed) {
@@ -41,7 +41,7 @@ PH_TEST(test_accepts) {
     ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 1e-15);
     ck_assert(!(checked.diagnostics.known >> PH_D_END_DERIVATIVE_ERROR & 1));
     ck_assert(!(checked.diagnostics.known >> PH_D_RESIDUAL & 1));
-    unit_planar_free(&u);
+    unit_solution_free(&u);
   }
 }
 
@@ -73,7 +73,7 @@ PH_TEST(test_control_points) {
       *x = keep;
     }
     ck_assert_int_eq(certify(), PH_OK);
-    unit_planar_free(&u);
+    unit_solution_free(&u);
   }
 }
 
@@ -131,7 +131,7 @@ PH_TEST(test_knots) {
       *t = keep;
     }
     ck_assert_int_eq(certify(), PH_OK);
-    unit_planar_free(&u);
+    unit_solution_free(&u);
   }
 }
 
@@ -154,7 +154,7 @@ static void join(const double left[2], const double right[2]) {
   const double ends[2][4] = {{1, -0.5, left[0], left[1]},
                              {right[0], right[1], 0.5, 1}};
   const double knots[] = {0, 1};
-  struct unit_planar part[2];
+  struct unit_solution part[2];
   struct ph_curve *curve = &u.result.curve;
   u = unit_planar_of(points, 3, false);
   unit_planar_rule(&u, "uniform");
@@ -169,7 +169,7 @@ static void join(const double left[2], const double right[2]) {
            12 * sizeof(double));
     memcpy(curve->preimage.v + 6 * i, arc->preimage.v, 6 * sizeof(double));
     curve->lengths[i] = arc->length;
-    unit_planar_free(&part[i]);
+    unit_solution_free(&part[i]);
   }
   curve->length = curve->lengths[0] + curve->lengths[1];
 }
@@ -259,7 +259,7 @@ PH_TEST(test_scales) {
     for (size_t i = 0; i < 8; i++) {
       v[i] = ldexp(SOME[i], e);
     }
-    unit_planar_free(&u);
+    unit_solution_free(&u);
     u = unit_planar_of(v, 4, true);
     ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
     ck_assert_int_eq(certify(), PH_OK);

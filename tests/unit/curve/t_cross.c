@@ -12,13 +12,13 @@ static const double PI = 3.14159265358979323846;
 /* The spline through n points, and what cross.h says of it. */
 static struct ph_cross cross_through(const double *v, size_t n, bool closed,
                                      const char *basis) {
-  struct unit_planar u = unit_planar_of(v, n, closed);
+  struct unit_solution u = unit_planar_of(v, n, closed);
   struct ph_cross cross;
   u.problem.field[PH_F_BASIS] =
       (struct ph_value){.kind = PH_WORD, .word = basis};
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   cross = unit_cross(&u.result.curve, unit_planar_size(&u));
-  unit_planar_free(&u);
+  unit_solution_free(&u);
   return cross;
 }
 
@@ -230,14 +230,14 @@ PH_TEST(test_scribble) {
   enum { N = 2000 };
   struct unit_random r = unit_random_of(2);
   double v[2 * N];
-  struct unit_planar u;
+  struct unit_solution u;
   for (int i = 0; i < 2 * N; i++) {
     v[i] = unit_random_in(&r, -1, 1);
   }
   u = unit_planar_of(v, N, true);
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   ck_assert(!unit_cross(&u.result.curve, unit_planar_size(&u)).simple);
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 /* ---- Tschirnhausen cubics ----------------------------------------------- */
@@ -349,7 +349,7 @@ PH_TEST(test_frames) {
   const double scales[] = {1e-9, 1, 1e9, 1e-200, 1e140};
   struct unit_random r = unit_random_of(3);
   for (int i = 0; i < splines; i++) {
-    struct unit_planar u = unit_planar_random(&r, i);
+    struct unit_solution u = unit_planar_random(&r, i);
     struct ph_curve *curve = &u.result.curve;
     double size = unit_planar_size(&u), scale = scales[i % 5];
     struct ph_cross first = unit_cross(curve, size), moved, back;
@@ -362,7 +362,7 @@ PH_TEST(test_frames) {
     back = unit_cross(curve, 10 * scale * size);
     ck_assert_uint_eq(back.loops, first.loops);
     ck_assert(back.simple == first.simple);
-    unit_planar_free(&u);
+    unit_solution_free(&u);
   }
 }
 
@@ -371,7 +371,7 @@ PH_TEST(test_again) {
   struct unit_random r = unit_random_of(4);
   for (size_t n = 2; n < 20; n++) {
     double v[40];
-    struct unit_planar u;
+    struct unit_solution u;
     struct ph_cross first, second;
     for (size_t i = 0; i < 2 * n; i++) {
       v[i] = unit_random_in(&r, -1, 1);
@@ -383,7 +383,7 @@ PH_TEST(test_again) {
     ck_assert_mem_eq(first.segment, second.segment, sizeof first.segment);
     ck_assert_mem_eq(first.u, second.u, sizeof first.u);
     ck_assert_mem_eq(&first.point, &second.point, sizeof first.point);
-    unit_planar_free(&u);
+    unit_solution_free(&u);
   }
 }
 

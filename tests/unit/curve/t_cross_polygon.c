@@ -157,9 +157,9 @@ PH_TEST(test_polygons) {
   struct unit_random r = unit_random_of(1);
   struct tally tally = {0, 0, 0};
   for (int i = 0; i < splines; i++) {
-    struct unit_planar u = unit_planar_random(&r, i);
+    struct unit_solution u = unit_planar_random(&r, i);
     ck_polygons(&u.result.curve, unit_planar_size(&u), i, &tally);
-    unit_planar_free(&u);
+    unit_solution_free(&u);
   }
   ck_assert_uint_le(tally.unclear, splines / 20);
   ck_assert_uint_ge(tally.simple, splines / 5);

@@ -11,12 +11,12 @@
 /* Turns both ways, by up to a right angle; kappa stays below 4. */
 static const double SOME[] = {0, 0, 2, 1, 3, 0, 5, 2};
 
-static struct unit_planar u;
+static struct unit_solution u;
 static struct ph_quad rule;
 static struct ph_pieces pieces;
 
 static void finish(void) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 static void begin(void) {
@@ -137,8 +137,8 @@ static struct unit_curve3 c;
 static void begin_space(void) {
   struct unit_random r = unit_random_of(530);
   unit_curve3_random(&c, 3, true, 0.6, &r);
-  unit_planar_free(&u);
-  u = (struct unit_planar){0};
+  unit_solution_free(&u);
+  u = (struct unit_solution){0};
 }
 
 static const struct {

@@ -127,7 +127,7 @@ PH_TEST(test_spline) {
   const double points[] = {0, 0, 2, 1, 3, 0, 5, 2, 4, 4, 1, 3};
   const double distances[] = {0.25, -0.25, 1, -3, 100, 1e-6, -1e-12, 0};
   struct unit_random r = unit_random_of(1);
-  struct unit_planar u = unit_planar_of(points, 6, true);
+  struct unit_solution u = unit_planar_of(points, 6, true);
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
     double d = distances[i];
@@ -135,13 +135,13 @@ PH_TEST(test_spline) {
         ck_offset(&u.result.curve, d, 1e-14 * (5 + fabs(d)), &r);
     ck_assert_uint_eq(o.n, 6);
   }
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 /* Left is left: a line to the east moves to the north. */
 PH_TEST(test_side) {
   const double points[] = {1, 1, 2, 1};
-  struct unit_planar u = unit_planar_of(points, 2, false);
+  struct unit_solution u = unit_planar_of(points, 2, false);
   struct ph_offset o;
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   ck_assert_int_eq(
@@ -152,7 +152,7 @@ PH_TEST(test_side) {
     ck_abs(o.control_points[2 * i + 1], 4, 1e-15);
     ck_abs(o.weights[i], 1, 1e-15);
   }
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 PH_TEST(test_random) {
@@ -234,14 +234,14 @@ PH_TEST(test_scales) {
   struct unit_random r = unit_random_of(5);
   for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++) {
     double s = ldexp(1, exponents[i]), scaled[8];
-    struct unit_planar u;
+    struct unit_solution u;
     for (size_t k = 0; k < 8; k++) {
       scaled[k] = s * points[k];
     }
     u = unit_planar_of(scaled, 4, false);
     ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
     ck_offset(&u.result.curve, 0.5 * s, 1e-14 * s, &r);
-    unit_planar_free(&u);
+    unit_solution_free(&u);
   }
 }
 
@@ -268,7 +268,7 @@ PH_TEST(test_standstill) {
 
 PH_TEST(test_too_large) {
   const double points[] = {0, 1.5e308, 1e307, 1.5e308};
-  struct unit_planar u = unit_planar_of(points, 2, false);
+  struct unit_solution u = unit_planar_of(points, 2, false);
   struct ph_offset o;
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   ck_assert_int_eq(
@@ -276,7 +276,7 @@ PH_TEST(test_too_large) {
       PH_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 /* ---- Tschirnhausen cubics ----------------------------------------------- */

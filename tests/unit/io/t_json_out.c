@@ -13,12 +13,12 @@
 #include <string.h>
 
 static struct ph_buf buf;
-static struct unit_planar u;
+static struct unit_solution u;
 static const struct ph_offset_rules rules = {.tolerance = 1e-9};
 
 static void finish(void) {
   ph_buf_free(&buf);
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 static const struct ph_echo nothing = {0};

@@ -15,14 +15,14 @@ static const double PI = 3.14159265358979323846;
 /* Four points with nothing special about them. */
 static const double SOME[] = {0, 0, 2, 1, 3, 0, 5, 2};
 
-static struct unit_planar u;
+static struct unit_solution u;
 
 static void finish(void) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 static void begin(const double *v, size_t n, bool closed) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
   u = unit_planar_of(v, n, closed);
 }
 

@@ -23,12 +23,12 @@ static const double PI = 3.14159265358979323846;
 
 /* A problem, its equations, and all solutions. */
 struct set {
-  struct unit_planar u;
+  struct unit_solution u;
   struct ph_planar_data data;
   struct ph_planar_all all;
 };
 
-static void set_word(struct unit_planar *u, size_t field, const char *word) {
+static void set_word(struct unit_solution *u, size_t field, const char *word) {
   u->problem.field[field] = (struct ph_value){.kind = PH_WORD, .word = word};
 }
 
@@ -44,7 +44,7 @@ static void atph(struct set *f, double alpha) {
 }
 
 static enum ph_status solve_all(struct set *f) {
-  struct unit_planar *u = &f->u;
+  struct unit_solution *u = &f->u;
   struct ph_mark before, after;
   enum ph_status status;
   ck_assert_int_eq(
@@ -187,7 +187,7 @@ PH_TEST(test_random) {
     if (set % 16 < 4) { /* of each kind some: this takes time */
       check_curves(&f, set);
     }
-    unit_planar_free(&f.u);
+    unit_solution_free(&f.u);
   }
 }
 
@@ -214,7 +214,7 @@ PH_TEST(test_uneven) {
     check_counts(&f);
     ck_assert_uint_eq(f.all.n, bezout(&f));
     check_equations(&f, set);
-    unit_planar_free(&f.u);
+    unit_solution_free(&f.u);
   }
 }
 
@@ -265,7 +265,7 @@ PH_TEST(test_table_2_1) {
     ck_abs(found[i][0], table21_unit[i][0], 1e-8);
     ck_abs(found[i][1], table21_unit[i][1], 1e-9);
   }
-  unit_planar_free(&f.u);
+  unit_solution_free(&f.u);
 }
 
 /* Ten segments have 2048 curves, or seven 256; the same every time. */
@@ -289,7 +289,7 @@ PH_TEST(test_ten) {
   ck_assert_int_eq(solve_all(&f), PH_OK);
   ck_assert_uint_eq(f.all.n, curves);
   ck_assert_int_eq(memcmp(first, f.all.b, curves * (n + 2) * sizeof *first), 0);
-  unit_planar_free(&f.u);
+  unit_solution_free(&f.u);
 }
 
 /* The most segments, and one more. */
@@ -304,14 +304,14 @@ PH_TEST(test_most) {
   ck_assert_int_eq(solve_all(&f), PH_OK);
   check_counts(&f);
   ck_assert_uint_eq(f.all.n, 4096);
-  unit_planar_free(&f.u);
+  unit_solution_free(&f.u);
   for (int closed = 0; closed < 2; closed++) {
     set_of(&f, v, PH_PLANAR_ALL_MAX + (closed ? 1 : 2), closed);
     ck_assert_int_eq(solve_all(&f), PH_BAD_VALUE);
     ck_assert_uint_eq(f.all.n, 0);
     ck_assert_str_eq(f.u.diag.field, "solutions");
     ck_assert_ptr_nonnull(strstr(f.u.diag.message, "than 12"));
-    unit_planar_free(&f.u);
+    unit_solution_free(&f.u);
   }
 }
 
@@ -352,7 +352,7 @@ PH_TEST(test_line) {
       for (size_t k = 0; k < f.all.n; k++) {
         ck_assert(has_mirror(&f, k));
       }
-      unit_planar_free(&f.u);
+      unit_solution_free(&f.u);
     }
   }
 }
@@ -371,7 +371,7 @@ PH_TEST(test_polygon) {
     check_counts(&f);
     ck_assert_uint_eq(f.all.n, bezout(&f));
     check_curves(&f, (int)n);
-    unit_planar_free(&f.u);
+    unit_solution_free(&f.u);
   }
 }
 
@@ -416,7 +416,7 @@ PH_TEST(test_double_root) {
     }
   }
   ck_assert_uint_eq(doubles, 1);
-  unit_planar_free(&f.u);
+  unit_solution_free(&f.u);
 }
 
 /* Two roots that are nearly one, sqrt(5 |part|) apart, are two as long as
@@ -431,7 +431,7 @@ PH_TEST(test_near_double_root) {
       ck_assert_msg(f.all.n == 4, "c = (1 %+g) / 6: %zu", side * part, f.all.n);
       ck_assert_uint_eq(f.all.lost, 0);
       ck_rel(nearest(&f), ldexp(sqrt(5 * part), f.data.exponent / 2), 0.01);
-      unit_planar_free(&f.u);
+      unit_solution_free(&f.u);
     }
   }
 }
@@ -463,7 +463,7 @@ PH_TEST(test_again) {
   ck_assert_uint_eq(f.all.paths, 8);
   check_counts(&f);
   check_curves(&f, 0);
-  unit_planar_free(&f.u);
+  unit_solution_free(&f.u);
 }
 
 /* A path that went astray: its end is another's, up to the sign. */
@@ -489,7 +489,7 @@ PH_TEST(test_astray) {
   for (size_t i = 0; i < 32; i++) {
     ck_assert_uint_eq(ends.copies[i], i == 7 ? 2 : i == 31 ? 0 : 1);
   }
-  unit_planar_free(&f.u);
+  unit_solution_free(&f.u);
 }
 
 /* Data without solutions, which the checks of data never let through. */
@@ -498,7 +498,7 @@ PH_TEST(test_none) {
   for (int closed = 0; closed < 2; closed++) {
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
       const double v[6] = {0, 0, 1, 0, 1, 2};
-      struct unit_planar u = unit_planar_of(v, 3, closed);
+      struct unit_solution u = unit_planar_of(v, 3, closed);
       struct ph_planar_data d;
       struct ph_planar_all all;
       ck_assert_int_eq(ph_planar_data_of(&u.problem, &u.scratch, &d, &u.diag),
@@ -512,7 +512,7 @@ PH_TEST(test_none) {
       ck_assert_uint_eq(all.lost, all.paths);
       ck_assert_str_eq(u.diag.message, "of 8 solutions only 0 were found");
       ck_abs(d.c2.twist.re, -1, 0);
-      unit_planar_free(&u);
+      unit_solution_free(&u);
     }
   }
 }

@@ -7,14 +7,14 @@
 
 #include <string.h>
 
-static struct unit_planar u;
+static struct unit_solution u;
 
 static void finish(void) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 static void begin(const double *v, size_t n) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
   u = unit_planar_of(v, n, false);
 }
 

@@ -17,20 +17,20 @@ static const enum ph_planar_functional ALL[] = {PH_PLANAR_E, PH_PLANAR_MV,
                                                 PH_PLANAR_IES, PH_PLANAR_IMV};
 
 /* A problem, its data, and where they are least. */
-static struct unit_planar u;
+static struct unit_solution u;
 static struct ph_planar_data data;
 static struct ph_planar_min report;
 static ph_cplx b[UNKNOWNS_MAX];
 
 static void begin(const double *v, size_t n, bool closed, bool atph) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
   u = unit_planar_of(v, n, closed);
   u.problem.field[PH_F_BASIS] =
       (struct ph_value){.kind = PH_WORD, .word = atph ? "atph" : "ph"};
 }
 
 static void finish(void) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 static void read_data(void) {

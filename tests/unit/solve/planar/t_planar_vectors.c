@@ -3,12 +3,12 @@
 #include "unit.h"
 #include "vectors_unit.h"
 
-static struct unit_planar u;
+static struct unit_solution u;
 static struct unit_vectors vectors;
 static struct unit_vector vector;
 
 static void finish(void) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
   unit_vectors_close(&vectors, &vector);
 }
 
@@ -38,7 +38,7 @@ static void ck_vector(void) {
     ck_value("lengths", i, curve->lengths[i], vector.lengths.v[i], allowed);
   }
   ck_value("length", 0, curve->length, vector.length.v[0], allowed);
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 static void ck_file(const char *path, size_t expected) {

@@ -147,7 +147,7 @@ static const struct reference SPLINES[] = {
 
 enum { SPLINES_N = sizeof SPLINES / sizeof SPLINES[0] };
 
-static struct unit_planar u;
+static struct unit_solution u;
 static struct ph_quad rule;
 
 static void begin(void) {
@@ -155,7 +155,7 @@ static void begin(void) {
 }
 
 static void finish(void) {
-  unit_planar_free(&u);
+  unit_solution_free(&u);
 }
 
 static void problem_of(const struct reference *r) {
@@ -357,7 +357,7 @@ static int by_turns(const void *a, const void *b) {
 PH_TEST(test_all) {
   double found[32][2];
   problem_of(named("table2.1-points-uniform-pi/3"));
-  unit_planar_word(&u, PH_F_SOLUTIONS, "all");
+  unit_set_word(&u.problem, PH_F_SOLUTIONS, "all");
   solve("table2.1-all-solutions");
   ck_assert_uint_eq(u.result.solutions_n, 32);
   for (size_t i = 0; i < 32; i++) {
@@ -382,8 +382,8 @@ PH_TEST(test_all) {
 static void minimize(const char *functional) {
   const struct reference *r = named("table2.2-open");
   u = unit_planar_of(r->points, r->points_n, false);
-  unit_planar_word(&u, PH_F_BASIS, "atph");
-  unit_planar_word(&u, PH_F_MINIMIZE, functional);
+  unit_set_word(&u.problem, PH_F_BASIS, "atph");
+  unit_set_word(&u.problem, PH_F_MINIMIZE, functional);
   unit_planar_ends(&u, r->ends);
   solve(functional);
 }
@@ -407,7 +407,7 @@ PH_TEST(test_mv) {
   double alpha[3], ours;
   minimize("MV");
   ours = known(&u.result.diagnostics, PH_D_FUNCTIONAL);
-  unit_planar_free(&u);
+  unit_solution_free(&u);
   for (size_t k = 0; k < 3; k++) {
     alpha[k] = printed[k] * PI;
   }
@@ -436,7 +436,7 @@ static double length_of(double alpha) {
   unit_planar_ends(&u, ends);
   solve("small angle");
   length = u.result.curve.length;
-  unit_planar_free(&u);
+  unit_solution_free(&u);
   return length;
 }
 

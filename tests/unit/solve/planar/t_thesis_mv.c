@@ -33,7 +33,7 @@ static double integral(const struct ph_curve *curve, size_t k,
 }
 
 static double thesis_mv(double *alpha) {
-  struct unit_planar u = unit_planar_of(POINTS, N + 1, false);
+  struct unit_solution u = unit_planar_of(POINTS, N + 1, false);
   struct ph_quad rule;
   double sum = 0;
   unit_planar_ends(&u, ENDS);
@@ -46,7 +46,7 @@ static double thesis_mv(double *alpha) {
   for (size_t k = 0; k < N; k++) {
     sum += integral(&u.result.curve, k, &rule);
   }
-  unit_planar_free(&u);
+  unit_solution_free(&u);
   return sum;
 }
 

@@ -13,8 +13,8 @@ enum { ROOM = 20 };
 /* Points that go right and up and down. */
 static double zigzag[2 * ROOM];
 
-static struct unit_tc_solved spline_of(double *v, size_t n, const char *which) {
-  struct unit_tc_solved s = {.result = {.offsets_n = 0}};
+static struct unit_solution spline_of(double *v, size_t n, const char *which) {
+  struct unit_solution s = {.result = {.offsets_n = 0}};
   *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(v, n);
   *unit_tc_field(&s, PH_F_SOLUTIONS) = unit_word(which);
   return s;
@@ -94,8 +94,8 @@ static void check_solutions(const struct ph_result *r) {
 }
 
 /* One is good: that which is given alone.  Returns its place. */
-static size_t check_good(struct unit_tc_solved *all) {
-  struct unit_tc_solved best = {.problem = all->problem};
+static size_t check_good(struct unit_solution *all) {
+  struct unit_solution best = {.problem = all->problem};
   size_t good = 0, n = 0;
   *unit_tc_field(&best, PH_F_SOLUTIONS) = unit_word("best");
   unit_tc_solve_ok(&best);
@@ -110,7 +110,7 @@ static size_t check_good(struct unit_tc_solved *all) {
   ck_abs(
       unit_curves_apart(&best.result.curve, &all->result.solutions[good].curve),
       0, 1e-14);
-  unit_tc_free(&best);
+  unit_solution_free(&best);
   return good;
 }
 
@@ -132,7 +132,7 @@ PH_TEST(test_splines) {
     bool closed = i % 2;
     size_t n = 3 + (size_t)i % 2;
     double v[2 * 4];
-    struct unit_tc_solved s;
+    struct unit_solution s;
     for (size_t k = 0; k < 2 * n; k++) {
       v[k] = unit_random_in(&r, -1, 1);
     }
@@ -148,14 +148,14 @@ PH_TEST(test_splines) {
     check_order(&s.result);
     check_first(&s.result);
     check_good(&s);
-    unit_tc_free(&s);
+    unit_solution_free(&s);
   }
 }
 
 /* One cubic has two, of which one has a loop [BYR11, example 1]. */
 PH_TEST(test_one_interval) {
   double v[] = {0, 1, 6, 1}, tangents[] = {1, -1, 1, 1};
-  struct unit_tc_solved s = spline_of(v, 2, "all");
+  struct unit_solution s = spline_of(v, 2, "all");
   const struct ph_result *r = &s.result;
   *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(tangents, 2);
   unit_tc_solve_ok(&s);
@@ -172,14 +172,14 @@ PH_TEST(test_one_interval) {
     ck_abs(one->diagnostics.value[PH_D_RATIO], one->intervals[0].ratio, 0);
     ck_abs(fabs(one->intervals[0].ratio), 1, 1e-14);
   }
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 /* Each interval the same: all curves of the second are those of the first,
  * moved. */
 PH_TEST(test_combinations) {
   double v[] = {0, 1, 6, 1, 12, 1}, tangents[] = {1, -1, 1, 1, 1, -1};
-  struct unit_tc_solved s = spline_of(v, 3, "all");
+  struct unit_solution s = spline_of(v, 3, "all");
   size_t seen[2][2] = {{0, 0}, {0, 0}};
   *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(tangents, 3);
   *unit_tc_field(&s, PH_F_MODE) = unit_word("g1");
@@ -196,7 +196,7 @@ PH_TEST(test_combinations) {
   }
   check_order(&s.result);
   ck_assert_uint_eq(check_good(&s), 0);
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 /* The best curves of the intervals may cross each other: then good is not
@@ -206,7 +206,7 @@ PH_TEST(test_good_is_not_first) {
   size_t later = 0;
   for (int i = 0; i < 40; i++) {
     double v[6];
-    struct unit_tc_solved s = spline_of(v, 3, "all");
+    struct unit_solution s = spline_of(v, 3, "all");
     size_t good;
     for (size_t k = 0; k < 6; k++) {
       v[k] = unit_random_in(&r, -1, 1);
@@ -217,28 +217,28 @@ PH_TEST(test_good_is_not_first) {
     check_order(&s.result);
     later += good > 0;
     ck_assert(good == 0 || !is_simple(&s.result.solutions[good].curve));
-    unit_tc_free(&s);
+    unit_solution_free(&s);
   }
   ck_assert_uint_gt(later, 0);
 }
 
 /* ---- limits -------------------------------------------------------------- */
 
-static void too_many(struct unit_tc_solved *s) {
+static void too_many(struct unit_solution *s) {
   unit_tc_refused(s, PH_BAD_VALUE, "solutions",
                   "must not be all with more than 4096 curves, or 65536 "
                   "intervals in all of them");
-  unit_tc_free(s);
+  unit_solution_free(s);
 }
 
 /* 4^6 curves, and 4^7. */
 PH_TEST(test_most_curves) {
-  struct unit_tc_solved s = spline_of(zigzag, 7, "all");
+  struct unit_solution s = spline_of(zigzag, 7, "all");
   set_zigzag();
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.solutions_n, PH_TC_ALL_MAX);
   check_first(&s.result);
-  unit_tc_free(&s);
+  unit_solution_free(&s);
   s = spline_of(zigzag, 8, "all");
   too_many(&s);
 }
@@ -249,7 +249,7 @@ PH_TEST(test_most_intervals) {
   for (size_t lines = 4; lines <= 5; lines++) {
     double tangents[2 * ROOM], v[2 * ROOM];
     size_t n = 12 + lines;
-    struct unit_tc_solved s = spline_of(v, n + 1, "all");
+    struct unit_solution s = spline_of(v, n + 1, "all");
     for (size_t i = 0; i <= n; i++) {
       v[2 * i] = (double)i;
       v[2 * i + 1] = 0;
@@ -262,7 +262,7 @@ PH_TEST(test_most_intervals) {
       unit_tc_solve_ok(&s);
       ck_assert_uint_eq(s.result.solutions_n, PH_TC_ALL_MAX);
       ck_assert_uint_eq(s.result.intervals_n, n);
-      unit_tc_free(&s);
+      unit_solution_free(&s);
     } else {
       too_many(&s);
     }
@@ -273,7 +273,7 @@ PH_TEST(test_most_intervals) {
 PH_TEST(test_long_line) {
   size_t n = PH_TC_ALL_INTERVALS + 2;
   double *v = calloc(2 * n, sizeof *v);
-  struct unit_tc_solved s = spline_of(v, n, "all");
+  struct unit_solution s = spline_of(v, n, "all");
   ck_assert_ptr_nonnull(v);
   for (size_t i = 0; i < n; i++) {
     v[2 * i] = (double)i;
@@ -287,12 +287,12 @@ PH_TEST(test_long_line) {
 /* An interval without a curve. */
 PH_TEST(test_none) {
   double v[] = {0, 1, 6, 1, 12, 1}, tangents[] = {1, -1, 1, 1, 1, 1};
-  struct unit_tc_solved s = spline_of(v, 3, "all");
+  struct unit_solution s = spline_of(v, 3, "all");
   *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(tangents, 3);
   *unit_tc_field(&s, PH_F_MODE) = unit_word("g1");
   unit_tc_refused(&s, PH_INFEASIBLE, "segments[1]",
                   "no Tschirnhausen cubic has angles");
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 /* The curve of one interval by itself. */
@@ -315,7 +315,7 @@ PH_TEST(test_crossings) {
   size_t seen[3] = {0, 0, 0};
   for (int i = 0; i < 40; i++) {
     double v[] = {0, 0, 1, 0, 2, 0}, vectors[6];
-    struct unit_tc_solved s = spline_of(v, 3, "all");
+    struct unit_solution s = spline_of(v, 3, "all");
     struct ph_tc_crossings crossings = {0, 0};
     struct ph_tc_data data;
     size_t n = 0, first = 0;
@@ -326,7 +326,7 @@ PH_TEST(test_crossings) {
     ck_assert_int_eq(
         ph_tc_data_of(&s.problem, PH_TC_C1, &s.scratch, &data, &s.diag), PH_OK);
     ck_assert_int_eq(
-        ph_tc_all(&data, &s.out, &s.scratch, &s.result, &crossings, &s.diag),
+        ph_tc_all(&data, &s.arena, &s.scratch, &s.result, &crossings, &s.diag),
         PH_OK);
     for (size_t k = 0; k < 2; k++) {
       struct ph_curve part = part_of(&s.result, k);
@@ -338,7 +338,7 @@ PH_TEST(test_crossings) {
     ck_assert_uint_eq(crossings.n, n);
     ck_assert_uint_eq(crossings.first, first);
     seen[n]++;
-    unit_tc_free(&s);
+    unit_solution_free(&s);
   }
   for (size_t n = 0; n < 2; n++) {
     ck_assert_uint_gt(seen[n], 0);

@@ -5,8 +5,8 @@
 
 static double points[] = {0, 0, 1, 0, 2, 1, 3, 1};
 
-static struct unit_tc_solved spline(void) {
-  struct unit_tc_solved s = {.result = {.offsets_n = 0}};
+static struct unit_solution spline(void) {
+  struct unit_solution s = {.result = {.offsets_n = 0}};
   *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(points, 4);
   return s;
 }
@@ -61,7 +61,7 @@ static void check_images(const struct ph_curve *curve) {
 
 PH_TEST(test_images) {
   double tangents[] = {1, -1, 1, 1};
-  struct unit_tc_solved s = spline();
+  struct unit_solution s = spline();
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.curve.blaschke.n, 0);
   ck_assert_ptr_null(s.result.curve.blaschke.v);
@@ -81,12 +81,12 @@ PH_TEST(test_images) {
   check_images(&s.result.solutions[0].curve);
   check_images(&s.result.solutions[1].curve);
   ck_assert_uint_gt(s.result.solutions[1].curve.blaschke.n, 1);
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 /* ---- the warning --------------------------------------------------------- */
 
-static void check_warning(const struct unit_tc_solved *s, size_t segment,
+static void check_warning(const struct unit_solution *s, size_t segment,
                           const char *message) {
   const struct ph_warning *w = &s->result.warnings[0];
   ck_assert_uint_eq(s->result.warnings_n, 1);
@@ -101,7 +101,7 @@ PH_TEST(test_loop) {
   double a = 1.3, b = 0.1, v[] = {0, 0, 1, 0, 2, 0};
   double one[] = {cos(a), sin(a), cos(b), sin(b)};
   double two[] = {cos(a), sin(a), cos(b), sin(b), cos(a), sin(a)};
-  struct unit_tc_solved s = spline();
+  struct unit_solution s = spline();
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.warnings_n, 0);
   *unit_tc_field(&s, PH_F_MODE) = unit_word("g1");
@@ -120,7 +120,7 @@ PH_TEST(test_loop) {
   *unit_tc_field(&s, PH_F_MODE) = unit_word("g1-pair");
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.warnings_n, 0);
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 /* The segment is the first of the interval: two are before it. */
@@ -130,7 +130,7 @@ PH_TEST(test_loop_later) {
                 3 * cos(0.1), 3 * sin(0.1)};
   const char *const choices[] = {"best", "all"};
   for (size_t i = 0; i < 2; i++) {
-    struct unit_tc_solved s = spline();
+    struct unit_solution s = spline();
     *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(v, 3);
     *unit_tc_field(&s, PH_F_DERIVATIVES) = unit_vectors(d, 3);
     *unit_tc_field(&s, PH_F_SOLUTIONS) = unit_word(choices[i]);
@@ -138,7 +138,7 @@ PH_TEST(test_loop_later) {
     check_warning(&s, 2,
                   "the curve of interval 1 has a loop or crosses itself (such "
                   "intervals: 1)");
-    unit_tc_free(&s);
+    unit_solution_free(&s);
   }
 }
 
@@ -147,7 +147,7 @@ PH_TEST(test_loop_later) {
 /* Every failure gives scratch memory back, which unit_tc_solve checks. */
 PH_TEST(test_failures) {
   double tangents[] = {1, 1, 1, 1};
-  struct unit_tc_solved s = spline(), none = {.result = {.offsets_n = 0}};
+  struct unit_solution s = spline(), none = {.result = {.offsets_n = 0}};
   unit_tc_refused(&none, PH_MISSING_FIELD, "points", "is required");
   *unit_tc_field(&s, PH_F_TOLERANCE) = unit_number(1);
   unit_tc_refused(&s, PH_BAD_VALUE, "tolerance", "is for the mode approximate");
@@ -160,8 +160,8 @@ PH_TEST(test_failures) {
   *unit_tc_field(&s, PH_F_MODE) = unit_word("g1");
   unit_tc_refused(&s, PH_INFEASIBLE, "segments[0]",
                   "no Tschirnhausen cubic has angles");
-  unit_tc_free(&s);
-  unit_tc_free(&none);
+  unit_solution_free(&s);
+  unit_solution_free(&none);
 }
 
 /* One cubic, two, or as many as an approximation takes; intervals of each. */
@@ -171,7 +171,7 @@ PH_TEST(test_modes) {
     const char *mode;
     size_t cubics;
   } modes[] = {{"g1", 1}, {"g1-auto", 1}, {"g1-pair", 2}};
-  struct unit_tc_solved s = spline();
+  struct unit_solution s = spline();
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.intervals_n, 3);
   ck_assert_uint_eq(s.result.curve.n, 6);
@@ -184,7 +184,7 @@ PH_TEST(test_modes) {
     ck_assert_uint_eq(s.result.intervals_n, 1);
     ck_assert_uint_eq(s.result.curve.n, modes[i].cubics);
   }
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 PH_TESTS(test_schema, test_images, test_loop, test_loop_later, test_failures,

@@ -27,21 +27,21 @@ static struct ph_value polyline(double *v, size_t *sizes, size_t n) {
   return value;
 }
 
-static struct unit_tc_solved chain_to(double tolerance) {
-  struct unit_tc_solved s = {.result = {.offsets_n = 0}};
+static struct unit_solution chain_to(double tolerance) {
+  struct unit_solution s = {.result = {.offsets_n = 0}};
   *unit_tc_field(&s, PH_F_CURVE) = polyline(chain, chain_sizes, 3);
   *unit_tc_field(&s, PH_F_TOLERANCE) = unit_number(tolerance);
   return s;
 }
 
-static struct unit_tc_solved curve_to(double *v, size_t n, double tolerance) {
-  struct unit_tc_solved s = {.result = {.offsets_n = 0}};
+static struct unit_solution curve_to(double *v, size_t n, double tolerance) {
+  struct unit_solution s = {.result = {.offsets_n = 0}};
   *unit_tc_field(&s, PH_F_CURVE) = unit_vectors(v, n);
   *unit_tc_field(&s, PH_F_TOLERANCE) = unit_number(tolerance);
   return s;
 }
 
-static double distance_of(const struct unit_tc_solved *s) {
+static double distance_of(const struct unit_solution *s) {
   ck_assert(s->result.diagnostics.known >> PH_D_DISTANCE & 1);
   return s->result.diagnostics.value[PH_D_DISTANCE];
 }
@@ -49,7 +49,7 @@ static double distance_of(const struct unit_tc_solved *s) {
 /* The cubics of one Bezier curve p: they begin and end at its own points, no
  * point of them is further away than claimed, and they meet on it at their
  * knots, but in the middle of a pair. */
-static void check_piece(const struct unit_tc_solved *s, size_t k,
+static void check_piece(const struct unit_solution *s, size_t k,
                         const double *v, size_t n, double rounding) {
   const struct ph_curve *curve = &s->result.curve;
   const struct ph_interval *at = &s->result.intervals[k];
@@ -83,7 +83,7 @@ static void check_piece(const struct unit_tc_solved *s, size_t k,
   ck_rel(at->length, length, 1e-14);
 }
 
-static void check_chain(const struct unit_tc_solved *s) {
+static void check_chain(const struct unit_solution *s) {
   const struct ph_value *value = &s->problem.field[PH_F_CURVE];
   const struct ph_result *r = &s->result;
   size_t pieces = value->kind == PH_POLYLINE ? value->sizes_n : 1, at = 0;
@@ -112,7 +112,7 @@ static void check_chain(const struct unit_tc_solved *s) {
 
 PH_TEST(test_chain) {
   for (double tolerance = 1e-1; tolerance > 1e-6; tolerance /= 100) {
-    struct unit_tc_solved s = chain_to(tolerance);
+    struct unit_solution s = chain_to(tolerance);
     unit_tc_solve_ok(&s);
     check_chain(&s);
     ck_assert(!s.result.curve.closed);
@@ -123,14 +123,14 @@ PH_TEST(test_chain) {
     unit_tc_solve_ok(&s);
     check_chain(&s);
     ck_assert(s.result.curve.closed);
-    unit_tc_free(&s);
+    unit_solution_free(&s);
   }
 }
 
 /* One curve by itself, in a list of one, and as points. */
 PH_TEST(test_one_curve) {
-  struct unit_tc_solved s = curve_to(chain, 4, 1e-3);
-  struct unit_tc_solved t = {.problem = s.problem}, u = {.problem = s.problem};
+  struct unit_solution s = curve_to(chain, 4, 1e-3);
+  struct unit_solution t = {.problem = s.problem}, u = {.problem = s.problem};
   *unit_tc_field(&t, PH_F_CURVE) = polyline(chain, chain_sizes, 1);
   *unit_tc_field(&u, PH_F_CURVE) = (struct ph_value){.kind = PH_ABSENT};
   *unit_tc_field(&u, PH_F_POINTS) = unit_vectors(chain, 4);
@@ -144,16 +144,16 @@ PH_TEST(test_one_curve) {
   ck_assert_uint_eq(u.result.curve.n, s.result.curve.n);
   ck_abs(unit_curves_apart(&s.result.curve, &t.result.curve), 0, 0);
   ck_abs(unit_curves_apart(&s.result.curve, &u.result.curve), 0, 0);
-  unit_tc_free(&s);
-  unit_tc_free(&t);
-  unit_tc_free(&u);
+  unit_solution_free(&s);
+  unit_solution_free(&t);
+  unit_solution_free(&u);
 }
 
 /* As many cubics as asked for, at most, and the more the nearer. */
 PH_TEST(test_pieces) {
   double before = HUGE_VAL;
   for (int pieces = 3; pieces <= 24; pieces *= 2) {
-    struct unit_tc_solved s = chain_to(1);
+    struct unit_solution s = chain_to(1);
     *unit_tc_field(&s, PH_F_TOLERANCE) = (struct ph_value){.kind = PH_ABSENT};
     *unit_tc_field(&s, PH_F_PIECES) = unit_number(pieces > 3 ? pieces : 2);
     if (pieces == 3) {
@@ -166,7 +166,7 @@ PH_TEST(test_pieces) {
       ck_assert_double_lt(distance_of(&s), before);
       before = distance_of(&s);
     }
-    unit_tc_free(&s);
+    unit_solution_free(&s);
   }
 }
 
@@ -175,7 +175,7 @@ PH_TEST(test_own_cubic) {
   struct unit_random r = unit_random_of(1);
   for (int i = 0; i < unit_count(20); i++) {
     struct unit_cubics c;
-    struct unit_tc_solved s;
+    struct unit_solution s;
     double turn = unit_random_in(&r, -0.7, 0.7);
     double grow = unit_random_in(&r, 0.7, 1.5);
     ph_cplx w0 = ph_cplx_polar(unit_random_in(&r, -3, 3));
@@ -188,7 +188,7 @@ PH_TEST(test_own_cubic) {
     ck_assert_uint_eq(s.result.curve.n, 1);
     ck_assert_double_le(unit_curves_apart(&s.result.curve, &c.curve), 1e-13);
     ck_rel(s.result.curve.length, c.curve.length, 1e-13);
-    unit_tc_free(&s);
+    unit_solution_free(&s);
   }
 }
 
@@ -197,7 +197,7 @@ PH_TEST(test_own_cubic) {
 PH_TEST(test_goal) {
   const double bad_tolerance[] = {0, -1, (double)NAN};
   const double bad_pieces[] = {0, -1, 2.5, 1000001, (double)NAN};
-  struct unit_tc_solved s = chain_to(1);
+  struct unit_solution s = chain_to(1);
   *unit_tc_field(&s, PH_F_PIECES) = unit_number(5);
   unit_tc_refused(&s, PH_BAD_VALUE, "pieces", "excludes tolerance");
   *unit_tc_field(&s, PH_F_TOLERANCE) = (struct ph_value){.kind = PH_ABSENT};
@@ -213,11 +213,11 @@ PH_TEST(test_goal) {
     unit_tc_refused(&s, PH_BAD_VALUE, "tolerance",
                     "must be greater than 0, found ");
   }
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 PH_TEST(test_fields) {
-  struct unit_tc_solved s = chain_to(1);
+  struct unit_solution s = chain_to(1);
   *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(chain, 4);
   unit_tc_refused(&s, PH_BAD_VALUE, "points", "excludes curve");
   *unit_tc_field(&s, PH_F_POINTS) = (struct ph_value){.kind = PH_ABSENT};
@@ -227,7 +227,7 @@ PH_TEST(test_fields) {
                   "is required by the mode approximate");
   *unit_tc_field(&s, PH_F_CURVE) = polyline(chain, chain_sizes, 0);
   unit_tc_refused(&s, PH_TOO_FEW_POINTS, "curve", "has no curves");
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 /* Curves of too few points, of none but one place, and of too many. */
@@ -235,7 +235,7 @@ PH_TEST(test_points) {
   static double many[2 * 2 * ROOM];
   double same[] = {0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
   size_t one[] = {4, 1}, three[] = {2, 3}, most[] = {2, PH_TC_DEGREE_MAX + 2};
-  struct unit_tc_solved s = curve_to(chain, 1, 1);
+  struct unit_solution s = curve_to(chain, 1, 1);
   unit_tc_refused(&s, PH_TOO_FEW_POINTS, "curve",
                   "must have at least 2 control points");
   *unit_tc_field(&s, PH_F_CURVE) = polyline(chain, one, 2);
@@ -259,14 +259,14 @@ PH_TEST(test_points) {
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.curve.n, 1);
   ck_rel(s.result.curve.length, PH_TC_DEGREE_MAX, 1e-14);
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 /* Ends that do not meet; where they differ by rounding alone the later start
  * is taken. */
 PH_TEST(test_joints) {
   double v[COUNT(chain)];
-  struct unit_tc_solved s = chain_to(1e-3);
+  struct unit_solution s = chain_to(1e-3);
   unit_tc_field(&s, PH_F_CURVE)->v = v;
   memcpy(v, chain, sizeof v);
   v[8] = 4 * (1 + DBL_EPSILON);
@@ -289,7 +289,7 @@ PH_TEST(test_joints) {
   unit_tc_flag(&s, PH_F_CLOSED);
   unit_tc_refused(&s, PH_BAD_VALUE, "curve",
                   "must end where it begins if closed");
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 /* ---- place and scale ----------------------------------------------------- */
@@ -299,7 +299,7 @@ PH_TEST(test_joints) {
 PH_TEST(test_far) {
   const double far = 1e6, rounding = 4 * DBL_EPSILON * far;
   double v[COUNT(chain)];
-  struct unit_tc_solved s = chain_to(1e-6);
+  struct unit_solution s = chain_to(1e-6);
   unit_tc_field(&s, PH_F_CURVE)->v = v;
   for (size_t i = 0; i < COUNT(v); i++) {
     v[i] = chain[i] + (i % 2 ? -far : far);
@@ -316,17 +316,17 @@ PH_TEST(test_far) {
   unit_tc_solve_ok(&s);
   check_chain(&s);
   ck_assert_uint_le(s.result.curve.n, 10);
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 /* The same cubics near the ends of the range of doubles. */
 PH_TEST(test_scale) {
   const int exponents[] = {-996, 996};
-  struct unit_tc_solved s = chain_to(1e-3);
+  struct unit_solution s = chain_to(1e-3);
   unit_tc_solve_ok(&s);
   for (size_t k = 0; k < COUNT(exponents); k++) {
     const int e = exponents[k];
-    struct unit_tc_solved t = chain_to(ldexp(1e-3, e));
+    struct unit_solution t = chain_to(ldexp(1e-3, e));
     const struct ph_curve *a = &s.result.curve, *b = &t.result.curve;
     double v[COUNT(chain)];
     for (size_t i = 0; i < COUNT(v); i++) {
@@ -343,9 +343,9 @@ PH_TEST(test_scale) {
     }
     ck_rel(ldexp(b->length, -e), a->length, 1e-15);
     ck_rel(ldexp(distance_of(&t), -e), distance_of(&s), 1e-15);
-    unit_tc_free(&t);
+    unit_solution_free(&t);
   }
-  unit_tc_free(&s);
+  unit_solution_free(&s);
 }
 
 PH_TESTS(test_chain, test_one_curve, test_pieces, test_own_cubic, test_goal,
