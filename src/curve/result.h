@@ -320,7 +320,7 @@ struct ph_warning {
 enum { PH_WARNINGS_MAX = 8 };
 
 /* The theorem of Kantorovich at a solution of nonlinear equations: solve/ says
- * of which (solve/planar/kantorovich.h). */
+ * of which (solve/planar/planar.h). */
 struct ph_kantorovich {
   double b, c, k, h;
   double radius;  /* infinite unless certified */
@@ -337,8 +337,8 @@ struct ph_solution {
 
 /*
  * Roots of the equations of Tschirnhausen cubics: X(SYMBOL, "name in records").
- * Of one cubic, the sign of D (solve/tc/g1.h); of a pair, the sign of w2 and
- * that of rho (solve/tc/pair.h), of which "++" is the standard pair.
+ * Of one cubic, the sign of D (solve/tc/tc.h); of a pair, the sign of w2 and
+ * that of rho (solve/tc/tc.h), of which "++" is the standard pair.
  */
 #define PH_ROOTS(X)    \
   X(PLUS, "+")         \

@@ -114,7 +114,7 @@ static inline double ph_sphere_stiffness(const struct ph_sphere_data *d,
  */
 
 struct ph_sphere_model;
-struct ph_sphere_work; /* solve/sphere/newton.h */
+struct ph_sphere_work; /* below */
 
 struct ph_sphere_spline {
   const struct ph_sphere_data *data;
