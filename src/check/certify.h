@@ -70,9 +70,9 @@ ph_promise_fn ph_check_planar;
  *                         data; where one does not keep what it claims, the
  *                         curve is refused (check/shape_spatial.h)
  *
- * Beside these, how fair an accepted curve of at most 1000 segments is
- * (curve/fair/fair3.h): energy is the integral of kappa^2 ds, F1, F2 and F3 are
- * sums of those of the segments.
+ * Not checked here: energy, F1, F2, F3, which curve/fair/describe.h tells, and
+ * functional, which the solver does, all by curve/fair/fair3.h.  `phspline
+ * verify' finds them by a quadrature of its own (check/fair.c).
  *
  * ret  as above, and PH_INTERNAL when there is not a segment for every pair of
  *      neighbouring points

@@ -22,6 +22,8 @@
 #include "base/sum.h"
 #include "kernel/pi.h"
 
+#include <string.h>
+
 /* Integrals, relative. */
 static const double INTEGRAL = 1e-11;
 
@@ -35,12 +37,10 @@ static const double NEXT = PH_CHECK_ROUND_NEXT;
  * of a plane curve. */
 static const double PLANE = 1e-10;
 
-/* Where |C| / sigma^2 of a space curve falls to this part of its largest, it is
- * near to an inflection: within as good as nothing kappa' changes its sign, and
- * tau' has a peak that is as high as the inflection is near.  What is claimed
- * of one is looked at less closely, of the other not at all; elsewhere as
- * closely as two orders of smoothness less allow. */
-static const double INFLECTION = 1e-2, INFLECTED = 1e-5, SMOOTH = 1e-8;
+/* To how much claims of space curves are integrated (curve/fair/fair3.h), and
+ * the torsion where |C| / sigma^2 falls to this part of its largest: near to an
+ * inflection, where tau' has a peak that is as high as that is near. */
+static const double CLOSED = 1e-9, PEAKED = 1e-8, INFLECTION = 1e-2;
 
 /* Where rounding may change r' by more than this part of it, the curve may as
  * well stand still or turn back there: energies are anything, and the tangent
@@ -246,40 +246,51 @@ static bool stands_still(const struct ph_check_segment *s) {
   return false;
 }
 
-/* The integrals over a segment, of which the curve is cut in space. */
-static void integrate(const struct fair *fair, const struct ph_check_segment *s,
-                      double *value, double *error) {
-  struct integrand in = {.s = s,
-                         .plane = fair->v->curve->dimension == 2,
-                         .twists = fair->wanted[TWISTING]};
-  struct ph_check_integrands of = {values_at, &in, 0, 0, 0, INTEGRAL};
-  double cut[DIPS + 2] = {0, 1}, sum[PH_CHECK_TOGETHER], depth = 1;
-  size_t n = in.plane ? 2 : cuts_of(s, cut, &depth);
-  for (size_t i = 0; i < INTEGRALS; i++) {
+/* The integrals from..to over a segment, between cuts, that are wanted. */
+static void integrate_some(const struct fair *fair, struct integrand *in,
+                           enum integral from, enum integral to,
+                           const double *cut, size_t n, double *value,
+                           double *error) {
+  struct ph_check_integrands of = {values_at, in, 0, 0, 0, INTEGRAL};
+  double sum[PH_CHECK_TOGETHER];
+  in->n = 0;
+  for (size_t i = from; i <= to; i++) {
     value[i] = error[i] = 0;
     if (fair->wanted[i]) {
-      in.what[in.n++] = (enum integral)i;
+      in->what[in->n++] = (enum integral)i;
     }
   }
-  of.n = 2 * in.n;
-  of.uncertain = in.n;
-  for (size_t k = 0; k + 1 < n; k++) {
+  in->twists = in->n > 0 && in->what[0] == TWISTING;
+  of.n = 2 * in->n;
+  of.uncertain = in->n;
+  for (size_t k = 0; in->n > 0 && k + 1 < n; k++) {
     ph_check_integral(&fair->v->rule, &of, cut[k], cut[k + 1], sum);
-    for (size_t i = 0; i < in.n; i++) {
-      value[in.what[i]] += sum[i];
-      error[in.what[i]] += sum[in.n + i] + 4 * INTEGRAL * fabs(sum[i]);
+    for (size_t i = 0; i < in->n; i++) {
+      value[in->what[i]] += sum[i];
+      error[in->what[i]] += sum[in->n + i] + 4 * INTEGRAL * fabs(sum[i]);
     }
   }
+}
+
+/* The integrals over a segment, of which the curve is cut in space; that of
+ * the torsion by itself, as it may take more intervals than there are. */
+static void integrate(const struct fair *fair, const struct ph_check_segment *s,
+                      double *value, double *error) {
+  struct integrand in = {.s = s, .plane = fair->v->curve->dimension == 2};
+  double cut[DIPS + 2] = {0, 1}, depth = 1;
+  size_t n = in.plane ? 2 : cuts_of(s, cut, &depth);
+  integrate_some(fair, &in, BENDING, VARYING, cut, n, value, error);
+  integrate_some(fair, &in, TWISTING, TWISTING, cut, n, value, error);
+  integrate_some(fair, &in, TURNING, ABSOLUTE, cut, n, value, error);
   if (stands_still(s)) {
     for (size_t i = 0; i < INTEGRALS; i++) {
       error[i] = HUGE_VAL;
     }
   }
   if (!in.plane) {
-    bool near = !(depth > INFLECTION);
-    error[BENDING] += SMOOTH * value[BENDING];
-    error[VARYING] += (near ? INFLECTED : SMOOTH) * value[VARYING];
-    error[TWISTING] += near ? HUGE_VAL : SMOOTH * value[TWISTING];
+    error[BENDING] += CLOSED * value[BENDING];
+    error[VARYING] += CLOSED * value[VARYING];
+    error[TWISTING] += (depth > INFLECTION ? CLOSED : PEAKED) * value[TWISTING];
   }
 }
 
@@ -375,19 +386,46 @@ static void check_claim(struct ph_check *v, const struct claim *claim,
   }
 }
 
-/* The minimised functional is one of those that a curve of its kind has. */
+/* Whether this may be what was minimised: in the plane an energy, in space one
+ * of F1 to F3, that of the problem if there is one. */
+static bool is_minimised(const struct ph_check *v, enum ph_diagnostic which) {
+  const struct ph_value *criterion;
+  if (v->curve->dimension == 2) {
+    return which == PH_D_ENERGY || which == PH_D_MV || which == PH_D_IES ||
+           which == PH_D_IMV;
+  }
+  if (which != PH_D_F1 && which != PH_D_F2 && which != PH_D_F3) {
+    return false;
+  }
+  if (!v->problem) {
+    return true;
+  }
+  criterion = &v->problem->field[PH_F_CRITERION];
+  return strcmp(ph_diagnostic_name(which),
+                criterion->kind == PH_WORD ? criterion->word : "F3") == 0;
+}
+
+/* The same number twice: as far apart as either may be from what is found. */
+static void check_same(struct ph_check *v, const struct claim *claim,
+                       double claimed) {
+  double same = v->diagnostics->value[claim->which];
+  double error = claimed_of(v, claim, claim->total->error);
+  if (isfinite(error)) {
+    ph_check_number(v, PH_CHECK_DIAGNOSTIC,
+                    ph_check_of("diagnostics", PH_CHECK_ONE,
+                                ph_diagnostic_name(PH_D_FUNCTIONAL)),
+                    claimed, same, fabs(same), error + CLAIMED * fabs(same));
+  }
+}
+
+/* The minimised functional is one of those that a curve of its kind has, and
+ * that which is claimed of it. */
 static void check_functional(struct ph_check *v, const struct claim *claim,
                              size_t n) {
   double claimed = v->diagnostics->value[PH_D_FUNCTIONAL];
   size_t best = n;
   for (size_t i = 0; i < n; i++) {
-    enum ph_diagnostic which = claim[i].which;
-    bool is_one = v->curve->dimension == 2
-                      ? which == PH_D_ENERGY || which >= PH_D_MV
-                      : which != PH_D_ENERGY;
-    if (is_one && which != PH_D_ROTATION_INDEX &&
-        which != PH_D_ABSOLUTE_ROTATION_INDEX &&
-        !(which >= PH_D_F1 && which <= PH_D_F3 && v->curve->dimension == 2) &&
+    if (is_minimised(v, claim[i].which) &&
         (best == n || !(excess_of(v, &claim[i], claimed) >=
                         excess_of(v, &claim[best], claimed)))) {
       best = i;
@@ -395,6 +433,9 @@ static void check_functional(struct ph_check *v, const struct claim *claim,
   }
   if (best < n) {
     check_claim(v, &claim[best], PH_D_FUNCTIONAL);
+    if (ph_check_known(v, claim[best].which)) {
+      check_same(v, &claim[best], claimed);
+    }
   }
 }
 

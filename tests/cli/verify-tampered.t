@@ -171,6 +171,23 @@ printf '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],
   "tangents":[[1,0,0],[0,1,0],[1,0,1],[1,1,1e-5]]}' >other
 tampered '.meta = 1' tangent_error --problems=other
 
+for criterion in F1 F2 F3; do
+  good "fair$criterion" '{"points":[[0,0,0],[1,1,0],[2,0,1],[4,1,2]]}' \
+    spatial-hermite --criterion="$criterion"
+  tampered '.diagnostics.energy *= 1.000001' diagnostic_error
+  tampered '.diagnostics.F1 *= 1.000001' diagnostic_error
+  tampered '.diagnostics.F2 *= 1.00000001' diagnostic_error
+  tampered '.diagnostics.F3 *= 1.000001' diagnostic_error
+  tampered '.diagnostics.functional *= 1.000001' diagnostic_error
+done
+good inflected '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]]}' \
+  spatial-hermite --criterion=F2
+tampered '.diagnostics.F1 *= 1.000001' diagnostic_error
+base=fairF3
+echo '{"points":[[0,0,0],[1,1,0],[2,0,1],[4,1,2]],"criterion":"F3"}' >other
+tampered '.diagnostics.functional = .diagnostics.F1 | del(.set)' \
+  diagnostic_error --problems=other
+
 good lengths '{"points":[[0,0,0],[1,1,0],[2,0,1]],"lengths":[1.6,1.9]}' \
   arclength
 tampered '.intervals[0].length += 1e-6' length_error
