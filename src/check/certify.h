@@ -45,8 +45,8 @@ enum ph_status ph_certify(const char *command, const struct ph_problem *problem,
  *                         shorter neighbouring interval
  *   length_error          lengths against Gauss quadrature of |r'| / length
  *
- * Beside these, how fair the curve is (curve/fair/energy.h) and whether it
- * crosses itself (curve/cross/cross.h).
+ * Not checked here: how fair the curve is and whether it crosses itself, which
+ * curve/fair/describe.h tells.
  *
  * ret  PH_OK | PH_TOO_LARGE (something is not finite) | PH_NO_CONVERGENCE
  *      (an error exceeds its tolerance; says which and where) | PH_NO_MEMORY
@@ -166,13 +166,11 @@ ph_promise_fn ph_check_sphere;
  *                         of chains, gaps alone where two given curves meet
  *   length_error          lengths against Gauss quadrature of |r'| / length
  *   regular               |w| is nowhere below 1e-12 of its larger end
- *   max_curvature         the largest |curvature|, 1/unit
  *   distance              of approximations: an upper bound of the Hausdorff
  *                         distance, in the unit of the data (tc_distance.h)
  *
- * Beside these, which nothing is compared with, how fair the curve is and
- * whether it crosses itself; of one that stands still (seg2.h), as irregular
- * ones do, no energy, no largest curvature, no turns.  An irregular one is
+ * Not checked here: how fair the curve is, its largest curvature and whether it
+ * crosses itself, which curve/fair/describe.h tells.  An irregular curve is
  * refused unless all solutions are asked for.  An approximation is refused,
  * too, when its distance exceeds the tolerance and when it has too many cubics.
  * The distance that is told is the bound found here, or the claim where this

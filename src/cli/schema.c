@@ -247,7 +247,7 @@ static void fill(struct builder *b, cJSON *node, const struct ph_form *f,
     node = items;
   }
   if (!fill_scalar(b, node, type) && !fill_words(b, node, type) &&
-      !fill_constant(b, node, f, type)) {
+      !(f && fill_constant(b, node, f, type))) {
     fill_object(b, node, f, type);
   }
 }

@@ -27,12 +27,12 @@ enum of {
 
 #define MAY false
 #define MUST true
-#define END \
+#define LAST \
   { NULL, MAY, ANY, NULL, NULL }
 #define ROW(symbol, name, must, of, type, what) {name, must, of, type, what},
 #define CHECK(symbol, name) {name, MAY, ANY, "number", NULL},
 #define DIAGNOSTIC(symbol, name) {name, MAY, ANY, NULL, NULL},
-#define ROWS(...) ((const struct ph_member[]){__VA_ARGS__ END})
+#define ROWS(...) ((const struct ph_member[]){__VA_ARGS__ LAST})
 #define RECORD(...) ROWS(PH_HEADING_MEMBERS(ROW) __VA_ARGS__)
 
 static const struct ph_members objects[] = {

@@ -222,7 +222,7 @@ done
 
 # ---- help: its examples take the user's files for granted ----
 
-"$PHSPLINE" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z-]*\)  .*/\1/p' \
+"$PHSPLINE" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z-]*\)  .*/\1/p' \
   >commands
 test -s commands || fail '--help: no commands'
 while read -r command; do
