@@ -134,6 +134,15 @@ static void add_growing(struct ph_energy_sum *c, const struct ph_seg2 *seg,
   }
 }
 
+/* Whether it nearly stands still nowhere, by sight: within a quarter turn |w|
+ * is least at an end, or above an eighth of the smaller (ph_seg2_moves_on);
+ * from ends like these w changes by as much as it is in 1/34 of the segment. */
+static bool is_brisk(const ph_cplx w[3]) {
+  double first = ph_cplx_norm2(w[0]), last = ph_cplx_norm2(w[2]);
+  double sum = first + ph_cplx_norm2(w[1]) + last;
+  return ph_seg2_is_tame(w) && 256 * first > sum && 256 * last > sum;
+}
+
 /* Whether it nearly stands still; then it is added.  A peak there may be
  * narrower than nodes are apart: halving would miss it, least beside another.
  */
@@ -176,7 +185,7 @@ bool ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
     ph_sum_add(&sum->varying, (double)NAN);
     return false;
   }
-  if (!ph_seg2_moves_on(seg->w) && add_slow(sum, seg)) {
+  if (!is_brisk(seg->w) && add_slow(sum, seg)) {
     return true;
   }
   coarse = integrate(seg, &sum->rule[0], 0, 1);
