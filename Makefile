@@ -177,7 +177,9 @@ $(OBJ): $(B)/%.o: $(S)%.c $(B)/flags $(B)/libraries
 	@mkdir -p $(@D)
 	$(Q)$(COMPILE) $(EXTRA_CFLAGS) -MMD -MP -c -o $@ $<
 
-$(call obj,$(UNIT_SRC)): EXTRA_CFLAGS = -I$(S)tests/unit $(CHECK_CFLAGS)
+# their references are in long double, to which doubles are promoted on purpose
+$(call obj,$(UNIT_SRC)): EXTRA_CFLAGS = -I$(S)tests/unit -Wno-double-promotion \
+	$(CHECK_CFLAGS)
 $(UNIT): EXTRA_LIBS = $(CHECK_LIBS)
 $(UNIT): $(UNIT_AUX)
 $(FUZZ): EXTRA_LIBS = -fsanitize=fuzzer
