@@ -35,7 +35,8 @@ static enum ph_status result_verify(const struct ph_record *record,
                                     struct ph_buf *out) {
   const struct ph_options options = {.command = ph_command_find("verify"),
                                      .problems = posed ? "-" : NULL};
-  struct ph_worker worker = {.arena = {NULL}, .budget = {0}};
+  static const struct ph_worker none;
+  struct ph_worker worker = none;
   struct ph_item item = {.record = *record, .posed = posed};
   struct ph_buf err = {0};
   struct ph_json_scan scan = {0};

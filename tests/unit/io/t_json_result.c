@@ -29,7 +29,8 @@ static void make(const char *line, const char *problem) {
   static char text[256];
   static char *argv[ARGUMENTS_MAX + 1];
   struct ph_options options = {.command = NULL};
-  struct ph_worker worker = {.arena = {NULL}, .budget = {0}};
+  static const struct ph_worker none;
+  struct ph_worker worker = none;
   struct ph_buf err = {0};
   struct ph_item item = {
       .record = {problem, strlen(problem), "-", 1, 1, NULL, PH_OK}};
