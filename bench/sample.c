@@ -176,7 +176,7 @@ static void inverses(void *data) {
     step = sampler.length / MANY;
     for (int i = 0; i < MANY; i++) {
       size_t steps;
-      u = ph_sampler_place(&sampler, step * i, u, &steps);
+      u = ph_sampler_parameter(&sampler, step * i, u, &steps);
       w->sum += u;
       w->steps += steps;
     }

@@ -48,18 +48,18 @@ static struct image image_at(const struct ph_check *v,
 static void check_place(struct ph_check *v, const struct ph_blaschke *b,
                         const struct ph_check_path *path, double u) {
   double t = b->interval[0] + (b->interval[1] - b->interval[0]) * u;
-  struct ph_check_place place = ph_check_place_at(path, t);
+  struct ph_check_local local = ph_check_local_at(path, t);
   struct image image = image_at(v, b, u);
   ph_vec3 flat = ph_vec3_of(image.at.x, image.at.y, 0);
-  ph_vec3 normal = ph_vec3_of(-place.tangent.y, place.tangent.x, 0);
-  double reach = ph_vec3_abs(place.point);
-  if (place.tangent_error < PH_CHECK_NO_DIRECTION) {
+  ph_vec3 normal = ph_vec3_of(-local.tangent.y, local.tangent.x, 0);
+  double reach = ph_vec3_abs(local.point);
+  if (local.tangent_error < PH_CHECK_NO_DIRECTION) {
     ph_check_miss(v, PH_CHECK_BLASCHKE, in(b), ph_check_apart(flat, normal), 1,
-                  place.tangent_error + image.flat, "is away from the normals");
+                  local.tangent_error + image.flat, "is away from the normals");
     ph_check_miss(v, PH_CHECK_BLASCHKE, in(b),
-                  fabs(image.at.z + ph_vec3_dot(flat, place.point)),
+                  fabs(image.at.z + ph_vec3_dot(flat, local.point)),
                   v->scale.size,
-                  place.point_error + image.height + image.flat * reach +
+                  local.point_error + image.height + image.flat * reach +
                       ROUND * v->scale.rounding,
                   "is away from the tangent lines");
   }

@@ -64,13 +64,13 @@ struct integrand {
 };
 
 /* (1) at a place, with errors. */
-struct bend {
-  double speed, kappa, slope, twist;
-  double kappa_error, slope_error, twist_error;
+struct local {
+  double speed, kappa, rate, twist;
+  double kappa_error, rate_error, twist_error;
 };
 
 static void twist(const struct ph_check_segment *s, const ph_vec3 jet[4],
-                  ph_vec3 turn, struct bend *b) {
+                  ph_vec3 turn, struct local *b) {
   double noise = s->noise + PLANE * s->speed;
   double error = noise * (NEXT * b->speed + ph_vec3_abs(jet[1]));
   double square = ph_vec3_dot(turn, turn), size = sqrt(square);
@@ -85,9 +85,9 @@ static void twist(const struct ph_check_segment *s, const ph_vec3 jet[4],
       2 * fabs(tau) * (NEXT * error + 3 * ph_vec3_abs(change) * part) / size;
 }
 
-static struct bend bend_at(const struct integrand *in, double u) {
+static struct local local_at(const struct integrand *in, double u) {
   const struct ph_check_segment *s = in->s;
-  struct bend b = {.twist = 0};
+  struct local b = {.twist = 0};
   ph_vec3 jet[4], turn, change;
   double size, cube, rate, fast, second;
   ph_check_jet(s, u, jet, in->twists ? 4 : 3);
@@ -99,16 +99,16 @@ static struct bend bend_at(const struct integrand *in, double u) {
   size = in->plane ? turn.z : ph_vec3_abs(turn);
   rate = ph_vec3_dot(jet[0], jet[1]) / (b.speed * b.speed);
   b.kappa = size / cube;
-  b.slope = (in->plane  ? change.z
-             : size > 0 ? ph_vec3_dot(turn, change) / size
-                        : ph_vec3_abs(change)) /
-                cube -
-            3 * b.kappa * rate;
+  b.rate = (in->plane  ? change.z
+            : size > 0 ? ph_vec3_dot(turn, change) / size
+                       : ph_vec3_abs(change)) /
+               cube -
+           3 * b.kappa * rate;
   fast = NEXT + 4 * second / b.speed + sqrt(ph_vec3_abs(jet[2]) / b.speed);
   b.kappa_error = (ph_check_uncertain(s, 2) + 4 * second * s->noise / b.speed) /
                   (b.speed * b.speed);
-  b.slope_error =
-      fast * b.kappa_error + fast * fabs(b.slope) * s->noise / b.speed;
+  b.rate_error =
+      fast * b.kappa_error + fast * fabs(b.rate) * s->noise / b.speed;
   if (in->twists) {
     twist(s, jet, turn, &b);
   }
@@ -124,7 +124,7 @@ static void put_square(double x, double error, double factor, double *value,
 
 static void values_at(const void *context, double u, double *value) {
   const struct integrand *in = context;
-  struct bend b = bend_at(in, u);
+  struct local b = local_at(in, u);
   for (size_t i = 0; i < in->n; i++) {
     double *x = &value[i], *error = &value[in->n + i];
     switch (in->what[i]) {
@@ -132,7 +132,7 @@ static void values_at(const void *context, double u, double *value) {
       put_square(b.kappa, b.kappa_error, b.speed, x, error);
       break;
     case VARYING:
-      put_square(b.slope, b.slope_error, 1 / b.speed, x, error);
+      put_square(b.rate, b.rate_error, 1 / b.speed, x, error);
       break;
     case TWISTING:
       put_square(b.twist, b.twist_error, 1 / b.speed, x, error);

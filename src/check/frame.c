@@ -38,17 +38,17 @@ static void step_to(struct carried *c, ph_vec3 point, ph_vec3 tangent) {
 static ph_vec3 carry(const struct ph_check_framing *f,
                      const struct ph_check_path *path, double to, size_t steps,
                      double *error) {
-  struct ph_check_place place = ph_check_place_at(path, f->u);
-  struct carried c = {place.point, place.tangent, f->normal};
-  *error += place.tangent_error;
+  struct ph_check_local local = ph_check_local_at(path, f->u);
+  struct carried c = {local.point, local.tangent, f->normal};
+  *error += local.tangent_error;
   for (size_t i = 1; i <= steps; i++) {
     double part = (double)i / (double)steps;
-    place = ph_check_place_at(path, f->u + part * (to - f->u));
-    if (!(ph_check_apart(place.tangent, c.tangent) <= TURN)) {
+    local = ph_check_local_at(path, f->u + part * (to - f->u));
+    if (!(ph_check_apart(local.tangent, c.tangent) <= TURN)) {
       *error = HUGE_VAL;
     }
-    *error += place.tangent_error;
-    step_to(&c, place.point, place.tangent);
+    *error += local.tangent_error;
+    step_to(&c, local.point, local.tangent);
   }
   return c.normal;
 }
@@ -92,23 +92,23 @@ static ph_vec3 principal(const struct ph_check_path *path, double u) {
 
 ph_vec3 ph_check_frame_at(const struct ph_check_framing *f,
                           const struct ph_check_path *path,
-                          const struct ph_check_place *place, double u,
+                          const struct ph_check_local *local, double u,
                           double *error) {
   const bool sphere = path->s->kind->sphere;
   ph_vec3 none = {(double)NAN, (double)NAN, (double)NAN};
   *error = (double)INFINITY;
   switch (f->frame) {
   case PH_FRAME_FRENET:
-    *error = place->tangent_error + place->flat;
+    *error = local->tangent_error + local->flat;
     return principal(path, u);
   case PH_FRAME_ERF:
-    *error = path->v->curve->preimage.v ? place->tangent_error : *error;
+    *error = path->v->curve->preimage.v ? local->tangent_error : *error;
     return path->v->curve->preimage.v ? ph_check_across(path, u) : none;
   case PH_FRAME_RMF:
     if (sphere) {
-      ph_vec3 out = ph_vec3_sub(place->point, path->s->center);
-      *error = place->tangent_error + place->point_error / path->s->radius;
-      return ph_vec3_cross(ph_vec3_unit(out), place->tangent);
+      ph_vec3 out = ph_vec3_sub(local->point, path->s->center);
+      *error = local->tangent_error + local->point_error / path->s->radius;
+      return ph_vec3_cross(ph_vec3_unit(out), local->tangent);
     }
     return f->begun ? transport(f, path, u, error) : none;
   default:

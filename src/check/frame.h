@@ -14,7 +14,7 @@
 #ifndef PH_CHECK_FRAME_H
 #define PH_CHECK_FRAME_H
 
-#include "check/place.h"
+#include "check/local.h"
 
 /* A frame on its way along a curve. */
 struct ph_check_framing {
@@ -34,12 +34,12 @@ void ph_check_frame_leave(struct ph_check_framing *f,
 /*
  * ph_check_frame_at: the normal at u of the path's segment.
  *
- * in   place  of the curve there
+ * in   local  of the curve there
  * out  error  of it; not finite: it is not known
  */
 ph_vec3 ph_check_frame_at(const struct ph_check_framing *f,
                           const struct ph_check_path *path,
-                          const struct ph_check_place *place, double u,
+                          const struct ph_check_local *local, double u,
                           double *error);
 
 #endif

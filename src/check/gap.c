@@ -46,9 +46,9 @@ static bool is_list(const struct context *c) {
   return true;
 }
 
-static struct ph_check_place at_end(struct context *c, size_t k, double u) {
+static struct ph_check_local at_end(struct context *c, size_t k, double u) {
   ph_check_load(c->v, k, c->segment);
-  return ph_check_place_at(c->path, u);
+  return ph_check_local_at(c->path, u);
 }
 
 /* The jump before segment k against whether it is listed; whether it is.  At
@@ -57,8 +57,8 @@ static bool check_jump(struct context *c, size_t k) {
   struct ph_check *v = c->v;
   const size_t n = v->curve->n;
   const double size = v->scale.size + fabs(ph_check_scaled(v, c->o->distance));
-  const struct ph_check_place a = at_end(c, (k + n - 1) % n, 1);
-  const struct ph_check_place b = at_end(c, k, 0);
+  const struct ph_check_local a = at_end(c, (k + n - 1) % n, 1);
+  const struct ph_check_local b = at_end(c, k, 0);
   const double jump = ph_check_apart(a.point, b.point);
   const double error = a.point_error + b.point_error;
   const bool listed = c->gap < c->o->gaps.n && c->o->gaps.before[c->gap] == k;

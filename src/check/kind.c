@@ -15,11 +15,11 @@ static void check_spline(struct ph_check *v) {
 #define FORM                                                  \
   .load = ph_check_form_load, .jet = ph_check_form_jet,       \
   .point = ph_check_form_point, .reach = ph_check_form_reach, \
-  .place = ph_check_form_place
+  .local = ph_check_form_local
 #define GREAT                                                   \
   .load = ph_check_great_load, .jet = ph_check_great_jet,       \
   .point = ph_check_great_point, .reach = ph_check_great_reach, \
-  .place = ph_check_great_place
+  .local = ph_check_great_local
 
 const struct ph_check_kind ph_check_kinds[PH_CURVE_N] = {
     [PH_CURVE_PH] = {FORM, .square = true},

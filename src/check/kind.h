@@ -8,7 +8,7 @@
 #ifndef PH_CHECK_KIND_H
 #define PH_CHECK_KIND_H
 
-#include "check/place.h"
+#include "check/local.h"
 
 struct ph_check_kind {
   /* of a segment that has its control points, at unit scale (segment.h):
@@ -16,14 +16,14 @@ struct ph_check_kind {
    * jet    r', r'', ... by u
    * point  r(u), exact at u = 0 and u = 1
    * reach  the rounding that may be in one of its coordinates
-   * place  what can be said of a place, or of the offset there (place.h) */
+   * local  what can be said of a place, or of the offset there (local.h) */
   void (*load)(const struct ph_check *v, struct ph_check_segment *s);
   void (*jet)(const struct ph_check_segment *s, double u, ph_vec3 *jet,
               size_t n);
   ph_vec3 (*point)(const struct ph_check *v, const struct ph_check_segment *s,
                    double u);
   double (*reach)(const struct ph_check *v, const struct ph_check_segment *s);
-  struct ph_check_place (*place)(const struct ph_check_path *path, double u);
+  struct ph_check_local (*local)(const struct ph_check_path *path, double u);
 
   /* of the whole curve, beside what all have; or NULL */
   void (*whole)(struct ph_check *v);

@@ -165,9 +165,9 @@ struct ph_spinor_form ph_kkt_weighted(const struct ph_kkt *kkt,
 static void gradient_of_f(const struct ph_spinor *s,
                           const struct ph_spinor_element *e,
                           ph_quat gradient[3]) {
-  ph_quat bend = ph_spinor_bend(s, e);
+  ph_quat second = ph_spinor_second(s, e);
   for (size_t a = 0; a < e->nodes; a++) {
-    gradient[a] = ph_quat_scale(2 * e->bend[a], bend);
+    gradient[a] = ph_quat_scale(2 * e->second[a], second);
   }
 }
 
@@ -253,7 +253,7 @@ static ph_quat block(const struct ph_spinor_element *e,
                      ph_quat change) {
   return ph_quat_add(
       ph_quat_scale(2 * e->gram[a][b], ph_spinor_gradient(form, change)),
-      ph_quat_scale(2 * e->bend[a] * e->bend[b], change));
+      ph_quat_scale(2 * e->second[a] * e->second[b], change));
 }
 
 /* The Hessian by chi and everything else of an element.  Nodes beyond the seam

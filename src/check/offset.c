@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Offsets: at places of every piece they are at the distance, to the side that
- * they say (place.h), and where they turn back there is a cusp.
+ * they say (local.h), and where they turn back there is a cusp.
  *
  * Rational and trigonometric pieces are compared with the offset at equal
  * parameters; polynomial ones may be as far from it as they claim, which was
@@ -106,9 +106,9 @@ static ph_vec3 scaled(const struct ph_check *v, ph_vec3 a) {
 
 /* Where the offset is that was found somewhere; where the curve stands still
  * and has no direction, at the distance in any. */
-static struct ph_check_place place_of(const struct context *c, double u,
+static struct ph_check_local local_of(const struct context *c, double u,
                                       ph_vec3 found) {
-  struct ph_check_place at = ph_check_place_at(&c->path, u);
+  struct ph_check_local at = ph_check_local_at(&c->path, u);
   if (isnan(at.point.x)) {
     ph_vec3 on = ph_check_point(c->v, &c->segment, u);
     ph_vec3 away = ph_vec3_sub(found, on);
@@ -136,11 +136,11 @@ static void check_rational(struct context *c, size_t i) {
   for (size_t place = 0; place <= PLACES; place++) {
     double x = (double)place / PLACES, u = in[0] + x * (in[1] - in[0]);
     double b[DEGREE_MAX + 1];
-    struct ph_check_place at;
+    struct ph_check_local at;
     ph_vec3 found;
     bernstein(o->degree, x, b);
     found = scaled(v, combine(b, n, o->dimension, p, w));
-    at = place_of(c, u, found);
+    at = local_of(c, u, found);
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "control_points"),
                   ph_check_apart(found, at.point), v->scale.size,
                   at.point_error + ph_check_reach(v, found),
@@ -157,11 +157,11 @@ static void check_quotient(struct context *c, size_t i) {
   for (size_t place = 0; place <= PLACES; place++) {
     double u = (double)place / PLACES, b[5];
     ph_vec3 point = ph_check_point(v, &c->segment, u), found;
-    struct ph_check_place at;
+    struct ph_check_local at;
     trigonometric(c->segment.angle, u, b);
     found =
         ph_vec3_add(point, scaled(v, quotient(b, o->dimension, top, bottom)));
-    at = place_of(c, u, found);
+    at = local_of(c, u, found);
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "numerator"),
                   ph_check_apart(found, at.point), v->scale.size,
                   at.point_error, "and denominator are not at the distance");
@@ -229,7 +229,7 @@ static void check_beziers(struct context *c) {
     for (size_t place = 0; place <= PLACES; place++) {
       double x = (double)place / PLACES, u = in[0] + x * (in[1] - in[0]);
       double b[DEGREE_MAX + 1];
-      struct ph_check_place at = ph_check_place_at(&c->path, u);
+      struct ph_check_local at = ph_check_local_at(&c->path, u);
       ph_vec3 found;
       bernstein(of->degree, x, b);
       found = scaled(v, combine(b, n, d, of->control_points + n * d * i, NULL));
@@ -251,7 +251,7 @@ struct turn {
 };
 
 static struct turn turn_at(struct context *c, size_t k, double u) {
-  struct ph_check_place at = ph_check_place_at(&c->path, u);
+  struct ph_check_local at = ph_check_local_at(&c->path, u);
   struct turn turn = {k, u, at.along};
   if (!(fabs(at.along) > 4 * at.along_error)) {
     turn.along = 0;
@@ -333,7 +333,7 @@ static bool turns_at_joint(struct context *c, size_t k, double u,
 static void check_cusp(struct context *c, size_t i) {
   struct ph_check *v = c->v;
   const struct ph_place *at = &c->o->cusps.at[i];
-  struct ph_check_place place;
+  struct ph_check_local local;
   double u, speed;
   if (at->segment >= v->curve->n) {
     wrong(c, "cusps", i, "segment", "is not there");
@@ -345,12 +345,12 @@ static void check_cusp(struct context *c, size_t i) {
     wrong(c, "cusps", i, "t", "is not in the segment");
     return;
   }
-  place = ph_check_place_at(&c->path, u);
-  speed = ph_check_larger(c->segment.speed, place.speed);
-  if (isfinite(place.along) &&
-      !turns_at_joint(c, at->segment, u, place.along)) {
+  local = ph_check_local_at(&c->path, u);
+  speed = ph_check_larger(c->segment.speed, local.speed);
+  if (isfinite(local.along) &&
+      !turns_at_joint(c, at->segment, u, local.along)) {
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("cusps", i, "t"),
-                  fabs(place.along), speed, CUSP * speed + place.along_error,
+                  fabs(local.along), speed, CUSP * speed + local.along_error,
                   "is where the offset moves on");
   }
 }

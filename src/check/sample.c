@@ -11,7 +11,7 @@
 #include "base/sum.h"
 #include "kernel/degree.h"
 #include "check/frame.h"
-#include "check/place.h"
+#include "check/local.h"
 
 /* What is said of unit vectors and angles is rounded a few times. */
 static const double ROUND_UNIT = 16 * DBL_EPSILON;
@@ -77,41 +77,41 @@ static void check_unit(struct walk *w, const double *x, double to,
 
 /* Whether there must be a curvature: not at a cusp or beside a point at rest.
  */
-static bool bends(const struct ph_check *v,
-                  const struct ph_check_place *place) {
-  return place->tangent_error < FLAT &&
-         place->curvature_error <
-             FLAT * ph_check_larger(fabs(place->curvature), 1 / v->scale.size);
+static bool has_curvature(const struct ph_check *v,
+                          const struct ph_check_local *local) {
+  return local->tangent_error < FLAT &&
+         local->curvature_error <
+             FLAT * ph_check_larger(fabs(local->curvature), 1 / v->scale.size);
 }
 
 /* At a cusp, the direction is that of either side. */
 static void check_tangent(struct walk *w, size_t i,
-                          const struct ph_check_place *place) {
+                          const struct ph_check_local *local) {
   size_t d = w->of->dimension;
   const double *claimed = w->of->tangent + d * i;
   ph_vec3 tangent;
-  if (isnan(claimed[0]) || !(place->tangent_error < PH_CHECK_NO_DIRECTION)) {
+  if (isnan(claimed[0]) || !(local->tangent_error < PH_CHECK_NO_DIRECTION)) {
     /* left out, which a point alone may do */
-    if (place->tangent_error < FLAT) {
+    if (local->tangent_error < FLAT) {
       ph_check_wrong(w->v, PH_CHECK_SAMPLE, in(i, "tangent"), "is missing");
     }
     return;
   }
   check_unit(w, claimed, 1, d, in(i, "tangent"));
   tangent = ph_vec3_get(claimed, d);
-  if (!bends(w->v, place) && ph_vec3_dot(tangent, place->tangent) < 0) {
+  if (!has_curvature(w->v, local) && ph_vec3_dot(tangent, local->tangent) < 0) {
     tangent = ph_vec3_scale(-1, tangent);
   }
   ph_check_miss(w->v, PH_CHECK_SAMPLE, in(i, "tangent"),
-                ph_check_apart(tangent, place->tangent), 1,
-                ROUND_UNIT + 2 * place->tangent_error,
+                ph_check_apart(tangent, local->tangent), 1,
+                ROUND_UNIT + 2 * local->tangent_error,
                 "is not the direction of the curve");
 }
 
 /* A number that is the inverse of a length; not finite: left out. */
-static void check_bend(struct walk *w, struct ph_check_where where,
-                       double claimed, double found, double error,
-                       bool certain) {
+static void check_curvature(struct walk *w, struct ph_check_where where,
+                            double claimed, double found, double error,
+                            bool certain) {
   struct ph_check *v = w->v;
   if (isnan(claimed)) {
     if (certain) {
@@ -128,11 +128,11 @@ static void check_bend(struct walk *w, struct ph_check_where where,
 
 /* That the normal is that of the frame; goes on from there. */
 static void check_kind(struct walk *w, size_t i, double u,
-                       const struct ph_check_place *place) {
+                       const struct ph_check_local *local) {
   struct ph_check_framing *f = &w->framing;
   ph_vec3 normal = ph_vec3_get(w->of->normal + 3 * i, 3);
   double error;
-  ph_vec3 found = ph_check_frame_at(f, &w->path, place, u, &error);
+  ph_vec3 found = ph_check_frame_at(f, &w->path, local, u, &error);
   if (isfinite(error)) {
     ph_check_miss(w->v, PH_CHECK_SAMPLE, in(i, "normal"),
                   ph_check_apart(normal, found), 1, ROUND_UNIT + 2 * error,
@@ -145,7 +145,7 @@ static void check_kind(struct walk *w, size_t i, double u,
 }
 
 static void check_frame(struct walk *w, size_t i, double u,
-                        const struct ph_check_place *place) {
+                        const struct ph_check_local *local) {
   const double *n = w->of->normal + 3 * i, *b = w->of->binormal + 3 * i;
   ph_vec3 tangent = ph_vec3_get(w->of->tangent + 3 * i, 3);
   ph_vec3 right = ph_vec3_cross(tangent, ph_vec3_get(n, 3));
@@ -159,7 +159,7 @@ static void check_frame(struct walk *w, size_t i, double u,
   ph_check_miss(w->v, PH_CHECK_SAMPLE, in(i, "binormal"),
                 ph_check_apart(ph_vec3_get(b, 3), right), 1, ROUND_UNIT,
                 "makes no right-handed frame");
-  check_kind(w, i, u, place);
+  check_kind(w, i, u, local);
 }
 
 /* Longitude and latitude against the claimed point. */
@@ -178,7 +178,7 @@ static void check_sample(struct walk *w, size_t i) {
   struct ph_check *v = w->v;
   const struct ph_samples *of = w->of;
   double u = of->t[i] / w->segment.unit, s;
-  struct ph_check_place place;
+  struct ph_check_local local;
   ph_vec3 point =
       ph_check_vector(v, of->point + of->dimension * i, of->dimension);
   if (!(u >= 0 && u <= 1 + 2 * DBL_EPSILON)) {
@@ -186,32 +186,32 @@ static void check_sample(struct walk *w, size_t i) {
     return;
   }
   s = ph_check_unscaled(v, length_at(w, u));
-  place = ph_check_place_at(&w->path, u);
-  if (isnan(place.point.x)) {
+  local = ph_check_local_at(&w->path, u);
+  if (isnan(local.point.x)) {
     return; /* beside a point at rest, where there is no direction */
   }
-  if (!isfinite(place.point_error)) {
+  if (!isfinite(local.point_error)) {
     /* beside a point at rest; the curve is there itself */
-    place.point_error = v->scale.size;
+    local.point_error = v->scale.size;
   }
   ph_check_miss(v, PH_CHECK_SAMPLE, in(i, "point"),
-                ph_check_apart(point, place.point), v->scale.size,
-                place.point_error, "is away from the curve");
+                ph_check_apart(point, local.point), v->scale.size,
+                local.point_error, "is away from the curve");
   if (!isnan(s)) { /* else beside a point at rest, where it is not found */
     ph_check_number(
         v, PH_CHECK_SAMPLE, in(i, "s"), of->s[i], s,
         ph_check_larger(fabs(s), ph_check_unscaled(v, v->scale.size)),
         ph_check_unscaled(v, w->error + v->noise[w->k] + w->each));
   }
-  check_tangent(w, i, &place);
-  check_bend(w, in(i, "curvature"), of->curvature[i], place.curvature,
-             place.curvature_error, bends(v, &place));
+  check_tangent(w, i, &local);
+  check_curvature(w, in(i, "curvature"), of->curvature[i], local.curvature,
+                  local.curvature_error, has_curvature(v, &local));
   if (of->torsion) {
-    check_bend(w, in(i, "torsion"), of->torsion[i], place.torsion,
-               place.torsion_error, place.flat < FLAT);
+    check_curvature(w, in(i, "torsion"), of->torsion[i], local.torsion,
+                    local.torsion_error, local.flat < FLAT);
   }
   if (of->normal && of->binormal) {
-    check_frame(w, i, u, &place);
+    check_frame(w, i, u, &local);
   }
   if (of->lonlat && w->v->kind->sphere) {
     check_degrees(w, i, point);

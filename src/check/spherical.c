@@ -16,9 +16,9 @@ struct jet {
   ph_vec3 v[3];
 };
 
-/* w(s,X) with its derivative and second derivative by t, s' = slope, 1 or -1;
+/* w(s,X) with its derivative and second derivative by t, s' = first, 1 or -1;
  * f are f_0, f_1, f_2 of X, x its value and derivatives. */
-static void weight_jet(double s, double slope, const double f[4],
+static void weight_jet(double s, double first, const double f[4],
                        const double x[3], double w[3]) {
   double g[4], y = s * s * x[0], d = f[0], dx = -f[1] / 2, dxx = f[2] / 4;
   double by_s, by_x, by_sx, by_xx;
@@ -28,8 +28,8 @@ static void weight_jet(double s, double slope, const double f[4],
   by_x = (-s * s * s * g[1] / 2 - w[0] * dx) / d;
   by_sx = (-s * s * g[0] / 2 - by_s * dx) / d;
   by_xx = (s * s * s * s * s * g[2] / 4 - 2 * by_x * dx - w[0] * dxx) / d;
-  w[1] = slope * by_s + by_x * x[1];
-  w[2] = -x[0] * w[0] + 2 * slope * by_sx * x[1] + by_xx * x[1] * x[1] +
+  w[1] = first * by_s + by_x * x[1];
+  w[2] = -x[0] * w[0] + 2 * first * by_sx * x[1] + by_xx * x[1] * x[1] +
          by_x * x[2];
 }
 

@@ -13,7 +13,7 @@
 #ifndef PH_CHECK_SPHERICAL_H
 #define PH_CHECK_SPHERICAL_H
 
-#include "check/place.h"
+#include "check/local.h"
 
 /* ph_check_great_angles: the squares of the angles between neighbours. */
 void ph_check_great_angles(const ph_vec3 p[4], double x[3]);

@@ -168,7 +168,7 @@ static struct ph_spinor_element segment_of(const struct ph_spinor *s,
     }
   }
   for (size_t a = 0; a < 3; a++) {
-    e.bend[a] = power * (c[0][a] - 2 * c[1][a] + c[2][a]);
+    e.second[a] = power * (c[0][a] - 2 * c[1][a] + c[2][a]);
   }
   e.row = k / s->rows.refine * ph_spinor_interval_rows(s);
   if (s->rows.lengths) {

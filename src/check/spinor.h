@@ -52,11 +52,11 @@ struct ph_spinor_form {
 /* Forms of the nodes w_first, ...: with X_a = w_(first + a)
  *   the integral of (or the value at the knot of) A i A* is
  *   sum gram[a][b] X_a i X_b*, and so on
- *   the integral of |A''|^2 is |sum bend[a] X_a|^2 */
+ *   the integral of |A''|^2 is |sum second[a] X_a|^2 */
 struct ph_spinor_element {
   size_t first, nodes;
   double gram[3][3];
-  double bend[3];
+  double second[3];
   size_t row, rows; /* which rows it is a part of, and their forms */
   struct ph_spinor_form form[4];
 };
@@ -107,12 +107,12 @@ static inline ph_quat ph_spinor_product(const struct ph_spinor *s,
   return sum;
 }
 
-/* ph_spinor_bend: sum_a bend[a] X_a. */
-static inline ph_quat ph_spinor_bend(const struct ph_spinor *s,
-                                     const struct ph_spinor_element *e) {
+/* ph_spinor_second: sum_a second[a] X_a. */
+static inline ph_quat ph_spinor_second(const struct ph_spinor *s,
+                                       const struct ph_spinor_element *e) {
   ph_quat sum = {0, 0, 0, 0};
   for (size_t a = 0; a < e->nodes; a++) {
-    sum = ph_quat_add(sum, ph_quat_scale(e->bend[a], s->w[e->first + a]));
+    sum = ph_quat_add(sum, ph_quat_scale(e->second[a], s->w[e->first + a]));
   }
   return sum;
 }

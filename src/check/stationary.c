@@ -228,12 +228,12 @@ static void measure_f(const struct ph_spinor *s, struct ph_stationary *out) {
   double rounding = 0, f;
   for (size_t k = 0; k < s->segments; k++) {
     struct ph_spinor_element e = ph_spinor_element_of(s, k);
-    ph_quat bend = ph_spinor_bend(s, &e);
+    ph_quat second = ph_spinor_second(s, &e);
     double size = 0;
     for (size_t a = 0; a < 3; a++) {
-      size += 4 * DBL_EPSILON * fabs(e.bend[a]) * ph_quat_abs(s->w[k + a]);
+      size += 4 * DBL_EPSILON * fabs(e.second[a]) * ph_quat_abs(s->w[k + a]);
     }
-    ph_sum_add(&sum, ph_quat_dot(bend, bend));
+    ph_sum_add(&sum, ph_quat_dot(second, second));
     rounding += size * size;
   }
   f = ph_sum_value(&sum);
@@ -259,14 +259,15 @@ static void sizes_of(const struct context *c, const struct ph_spinor_element *e,
 static void add_terms(const struct context *c,
                       const struct ph_spinor_element *e, double *terms) {
   const struct ph_spinor *s = &c->kkt.spline;
-  double bend = ph_quat_abs(ph_spinor_bend(s, e)), small = sqrt(DBL_EPSILON);
+  double second = ph_quat_abs(ph_spinor_second(s, e)),
+         small = sqrt(DBL_EPSILON);
   double size = 0, soft, hard;
   sizes_of(c, e, &soft, &hard);
   for (size_t a = 0; a < e->nodes; a++) {
-    size += fabs(e->bend[a]) * ph_quat_abs(s->w[e->first + a]);
+    size += fabs(e->second[a]) * ph_quat_abs(s->w[e->first + a]);
   }
   for (size_t a = 0; a < e->nodes; a++) {
-    double sum = fabs(e->bend[a]) * (bend + small * size);
+    double sum = fabs(e->second[a]) * (second + small * size);
     for (size_t b = 0; b < e->nodes; b++) {
       sum += (soft + small * hard) * fabs(e->gram[a][b]) *
              ph_quat_abs(s->w[e->first + b]);

@@ -34,7 +34,7 @@ struct piece {
   ph_cplx origin;
   ph_cplx *p, *leg; /* [degree + 1], [degree]: of the hodograph */
   size_t degree;
-  double reach, speed, bend; /* largest |p|, |r'|, |r''|, not underrated */
+  double reach, speed, second; /* largest |p|, |r'|, |r''|, not underrated */
 };
 
 struct context {
@@ -71,7 +71,7 @@ static void next_piece(struct context *x) {
   size_t n = x->sizes[x->at] - 1;
   piece->degree = n;
   piece->origin = ph_tc_check_scaled(&x->c, p);
-  piece->reach = piece->speed = piece->bend = 0;
+  piece->reach = piece->speed = piece->second = 0;
   for (size_t i = 0; i <= n; i++) {
     piece->p[i] =
         ph_cplx_sub(ph_tc_check_scaled(&x->c, p + 2 * i), piece->origin);
@@ -84,8 +84,8 @@ static void next_piece(struct context *x) {
   }
   for (size_t i = 0; i + 1 < n; i++) {
     ph_cplx second = ph_cplx_sub(piece->leg[i + 1], piece->leg[i]);
-    piece->bend =
-        ph_check_larger(piece->bend, (double)(n - 1) * ph_cplx_abs(second));
+    piece->second =
+        ph_check_larger(piece->second, (double)(n - 1) * ph_cplx_abs(second));
   }
   x->next += n + 1;
 }
@@ -111,7 +111,7 @@ static struct place place_of(const struct context *x, double t) {
   place.derivative = value(x, piece->leg, piece->degree - 1, t);
   place.error = knot * piece->speed + rounding * piece->reach;
   speed = ph_cplx_abs(place.derivative);
-  place.turned = (knot * piece->bend + rounding * piece->speed) / speed;
+  place.turned = (knot * piece->second + rounding * piece->speed) / speed;
   return place;
 }
 

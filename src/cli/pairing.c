@@ -41,16 +41,16 @@ static int compare_keys(const char *a, const char *b) {
   return !a || !b ? (a != NULL) - (b != NULL) : strcmp(a, b);
 }
 
-static int compare_posed(const void *a, const void *b) {
-  const struct ph_posed *x = *(struct ph_posed *const *)a;
-  const struct ph_posed *y = *(struct ph_posed *const *)b;
+static int compare_paired(const void *a, const void *b) {
+  const struct ph_paired *x = *(struct ph_paired *const *)a;
+  const struct ph_paired *y = *(struct ph_paired *const *)b;
   int order = compare_keys(x->key, y->key);
   return order ? order : x->index < y->index ? -1 : 1;
 }
 
 static int compare_group(const void *key, const void *group) {
-  const struct ph_posed_group *g = group;
-  return compare_keys(*(const char *const *)key, g->posed[0]->key);
+  const struct ph_paired_group *g = group;
+  return compare_keys(*(const char *const *)key, g->paired[0]->key);
 }
 
 /* ---- problems ------------------------------------------------------------ */
@@ -73,8 +73,8 @@ static enum ph_status read_json_id(const struct ph_record *record,
  * read. */
 static enum ph_status find_key(struct ph_pairing *p,
                                const struct ph_schema *schema,
-                               struct ph_posed *posed, struct ph_diag *diag) {
-  const struct ph_record *record = &posed->record;
+                               struct ph_paired *paired, struct ph_diag *diag) {
+  const struct ph_record *record = &paired->record;
   struct ph_echo echo = {0};
   struct ph_problem problem;
   struct ph_diag ignored;
@@ -88,8 +88,8 @@ static enum ph_status find_key(struct ph_pairing *p,
             : read_json_id(record, &p->scratch, &echo, &ignored);
   }
   if (status != PH_NO_MEMORY && echo.id) {
-    posed->key = key_of(&echo, &p->arena);
-    status = posed->key ? PH_OK : PH_NO_MEMORY;
+    paired->key = key_of(&echo, &p->arena);
+    status = paired->key ? PH_OK : PH_NO_MEMORY;
   }
   ph_arena_release(&p->scratch, mark);
   return status == PH_NO_MEMORY ? ph_fail_memory(diag) : PH_OK;
@@ -99,42 +99,42 @@ static enum ph_status keep(struct ph_pairing *p, const struct ph_schema *schema,
                            const struct ph_record *record,
                            const struct ph_diag *why, size_t *room,
                            struct ph_diag *diag) {
-  struct ph_posed *posed = ph_arena_array(&p->arena, 1, sizeof *posed);
+  struct ph_paired *paired = ph_arena_array(&p->arena, 1, sizeof *paired);
   const char *text = ph_arena_copy(&p->arena, record->text, record->n);
-  p->posed = ph_arena_grow(&p->arena, p->posed, p->posed_n, sizeof *p->posed,
-                           64, room);
-  if (!posed || !text || !p->posed) {
+  p->paired = ph_arena_grow(&p->arena, p->paired, p->paired_n,
+                            sizeof *p->paired, 64, room);
+  if (!paired || !text || !p->paired) {
     return ph_fail_memory(diag);
   }
-  *posed = (struct ph_posed){
-      .record = *record, .schema = schema, .index = p->posed_n};
-  posed->record.text = text;
+  *paired = (struct ph_paired){
+      .record = *record, .schema = schema, .index = p->paired_n};
+  paired->record.text = text;
   if (record->status != PH_OK) {
-    posed->diag = *why;
+    paired->diag = *why;
   }
-  p->posed[p->posed_n++] = posed;
-  return find_key(p, schema, posed, diag);
+  p->paired[p->paired_n++] = paired;
+  return find_key(p, schema, paired, diag);
 }
 
 /* Groups of those that have one key. */
 static enum ph_status make_groups(struct ph_pairing *p, struct ph_diag *diag) {
-  size_t n = p->posed_n;
-  p->by_key = ph_arena_array(&p->arena, n, sizeof(struct ph_posed *));
+  size_t n = p->paired_n;
+  p->by_key = ph_arena_array(&p->arena, n, sizeof(struct ph_paired *));
   p->groups = ph_arena_array(&p->arena, n, sizeof *p->groups);
   if (!p->by_key || !p->groups) {
     return ph_fail_memory(diag);
   }
-  p->all = (struct ph_posed_group){p->posed, n, 0, NULL};
+  p->all = (struct ph_paired_group){p->paired, n, 0, NULL};
   if (n > 0) {
-    memcpy(p->by_key, p->posed, n * sizeof(struct ph_posed *));
-    qsort(p->by_key, n, sizeof(struct ph_posed *), compare_posed);
+    memcpy(p->by_key, p->paired, n * sizeof(struct ph_paired *));
+    qsort(p->by_key, n, sizeof(struct ph_paired *), compare_paired);
   }
   for (size_t i = 0; i < n; i++) {
-    struct ph_posed_group *group = p->groups + p->groups_n;
+    struct ph_paired_group *group = p->groups + p->groups_n;
     if (i > 0 && compare_keys(p->by_key[i - 1]->key, p->by_key[i]->key) == 0) {
       group[-1].n++;
     } else {
-      *group = (struct ph_posed_group){p->by_key + i, 1, 0, NULL};
+      *group = (struct ph_paired_group){p->by_key + i, 1, 0, NULL};
       p->groups_n++;
     }
   }
@@ -162,7 +162,7 @@ static enum ph_status load(struct ph_pairing *p, const struct ph_options *o,
       return why.status;
     default:
       status = make_groups(p, diag);
-      if (p->groups_n && !p->groups[0].posed[0]->key) {
+      if (p->groups_n && !p->groups[0].paired[0]->key) {
         p->groups[0].next = p->before;
       }
       return status;
@@ -216,8 +216,8 @@ static enum ph_status read_head(const struct ph_record *result,
 }
 
 /* The problems that a result may be of; NULL: there are none. */
-static struct ph_posed_group *group_of(struct ph_pairing *p, const char *key) {
-  bool without = p->groups_n && !p->groups[0].posed[0]->key;
+static struct ph_paired_group *group_of(struct ph_pairing *p, const char *key) {
+  bool without = p->groups_n && !p->groups[0].paired[0]->key;
   bool no_keys = p->groups_n == 1 && without;
   if (no_keys || (!key && !without)) {
     return &p->all;
@@ -227,11 +227,11 @@ static struct ph_posed_group *group_of(struct ph_pairing *p, const char *key) {
 }
 
 /* Takes the next problem of a group, or, in a sweep, the last one again. */
-static enum ph_status take(struct ph_pairing *p, struct ph_posed_group *group,
-                           const char *sweep, const struct ph_posed **posed,
+static enum ph_status take(struct ph_pairing *p, struct ph_paired_group *group,
+                           const char *sweep, const struct ph_paired **paired,
                            struct ph_diag *diag) {
   bool again = sweep && group->sweep && strcmp(sweep, group->sweep) != 0;
-  *posed = NULL;
+  *paired = NULL;
   if (!again) {
     group->next++;
     group->sweep = NULL;
@@ -239,8 +239,8 @@ static enum ph_status take(struct ph_pairing *p, struct ph_posed_group *group,
   if (group->next > group->n) {
     return PH_OK;
   }
-  group->posed[group->next - 1]->used = true;
-  *posed = group->posed[group->next - 1];
+  group->paired[group->next - 1]->used = true;
+  *paired = group->paired[group->next - 1];
   if (sweep && !again) {
     group->sweep = ph_arena_copy(&p->arena, sweep, strlen(sweep));
     return group->sweep ? PH_OK : ph_fail_memory(diag);
@@ -251,9 +251,9 @@ static enum ph_status take(struct ph_pairing *p, struct ph_posed_group *group,
 static enum ph_status find(struct ph_pairing *p, const struct ph_options *o,
                            const struct ph_record *result,
                            const struct head *head,
-                           const struct ph_posed **posed,
+                           const struct ph_paired **paired,
                            struct ph_diag *diag) {
-  struct ph_posed_group *group;
+  struct ph_paired_group *group;
   enum ph_status status = PH_OK;
   if (!p->loaded && !head->command) {
     p->before += head->key ? 0 : 1;
@@ -268,12 +268,12 @@ static enum ph_status find(struct ph_pairing *p, const struct ph_options *o,
     return status;
   }
   group = group_of(p, head->key);
-  if (result->status != PH_OK && group == &p->all && p->posed_n &&
-      p->groups[0].posed[0]->key) {
+  if (result->status != PH_OK && group == &p->all && p->paired_n &&
+      p->groups[0].paired[0]->key) {
     return PH_OK; /* it may be of any */
   }
-  status = group ? take(p, group, head->sweep, posed, diag) : PH_OK;
-  if (status == PH_OK && !*posed) {
+  status = group ? take(p, group, head->sweep, paired, diag) : PH_OK;
+  if (status == PH_OK && !*paired) {
     if (group) {
       ph_fail(diag, PH_NOT_VERIFIED, NULL,
               "%s has only %zu problem%s%s, and this is a further result",
@@ -292,13 +292,13 @@ static enum ph_status find(struct ph_pairing *p, const struct ph_options *o,
 enum ph_status ph_pairing_find(struct ph_pairing *pairing,
                                const struct ph_options *options,
                                const struct ph_record *result,
-                               const struct ph_posed **posed,
+                               const struct ph_paired **paired,
                                struct ph_diag *diag) {
   struct head head;
   enum ph_status status = read_head(result, &pairing->scratch, &head, diag);
-  *posed = NULL;
+  *paired = NULL;
   if (status == PH_OK) {
-    status = find(pairing, options, result, &head, posed, diag);
+    status = find(pairing, options, result, &head, paired, diag);
   }
   ph_arena_reset(&pairing->scratch);
   return status;
@@ -316,16 +316,16 @@ enum ph_status ph_pairing_finish(const struct ph_pairing *p,
                    "%s was not read: no result says what it solves",
                    o->problems);
   }
-  for (size_t i = p->posed_n; i-- > 0;) {
-    if (!p->posed[i]->used) {
+  for (size_t i = p->paired_n; i-- > 0;) {
+    if (!p->paired[i]->used) {
       unused++;
-      line = p->posed[i]->record.line;
+      line = p->paired[i]->record.line;
     }
   }
   if (unused) {
     return ph_fail(diag, PH_NOT_VERIFIED, NULL,
                    "%s:%zu: %zu of %zu problems have no result, this one first",
-                   o->problems, line, unused, p->posed_n);
+                   o->problems, line, unused, p->paired_n);
   }
   return p->cut_off ? ph_fail(diag, PH_INPUT, NULL,
                               "%s is cut off by a syntax error", o->problems)

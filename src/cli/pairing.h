@@ -22,7 +22,7 @@
 #include <stdbool.h>
 
 /* A problem as it stands in its file. */
-struct ph_posed {
+struct ph_paired {
   struct ph_record record;
   struct ph_diag diag;            /* of a record whose text is broken */
   const struct ph_schema *schema; /* by which its columns were understood */
@@ -32,8 +32,8 @@ struct ph_posed {
 };
 
 /* Problems with one id, or all that have none, or simply all. */
-struct ph_posed_group {
-  struct ph_posed *const *posed; /* [n] */
+struct ph_paired_group {
+  struct ph_paired *const *paired; /* [n] */
   size_t n;
   size_t next;       /* the one that the next result takes */
   const char *sweep; /* of the first result of the one before; or NULL */
@@ -45,12 +45,12 @@ struct ph_pairing {
   struct ph_arena scratch; /* of one record */
   struct ph_split split;
   bool split_begun, loaded, cut_off;
-  struct ph_posed **posed; /* in their order */
-  size_t posed_n;
-  struct ph_posed **by_key; /* the same, by key */
-  struct ph_posed_group *groups;
+  struct ph_paired **paired; /* in their order */
+  size_t paired_n;
+  struct ph_paired **by_key; /* the same, by key */
+  struct ph_paired_group *groups;
   size_t groups_n; /* by key; the first is of those without, if any */
-  struct ph_posed_group all;
+  struct ph_paired_group all;
   size_t before; /* results before the first one that named its command */
 };
 
@@ -58,14 +58,14 @@ struct ph_pairing {
  * ph_pairing_find: the problem of the next result.
  *
  * in   result  JSON; its status may be that of a broken text
- * out  posed   NULL: there is none, and diag says why; or the result is
+ * out  paired   NULL: there is none, and diag says why; or the result is
  *              broken
  * ret  PH_OK | PH_NO_MEMORY; PH_INPUT | PH_USAGE: the problems cannot be read
  */
 enum ph_status ph_pairing_find(struct ph_pairing *pairing,
                                const struct ph_options *options,
                                const struct ph_record *result,
-                               const struct ph_posed **posed,
+                               const struct ph_paired **paired,
                                struct ph_diag *diag);
 
 /* ph_pairing_finish: whether all problems had results.

@@ -105,7 +105,7 @@ static bool find_problem(struct run *r) {
   struct ph_diag *why =
       r->current.record.status == PH_OK ? &r->current.diag : &diag;
   enum ph_status status = ph_pairing_find(
-      &r->pairing, r->options, &r->current.record, &r->current.posed, why);
+      &r->pairing, r->options, &r->current.record, &r->current.paired, why);
   if (status != PH_OK) {
     fail_input(r, why);
   }

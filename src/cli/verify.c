@@ -38,7 +38,7 @@ struct task {
   bool read; /* the claim was, as a whole */
   const struct ph_promise *promise;
   struct ph_problem problem;
-  bool posed;         /* there is a problem, and it could be read */
+  bool paired;        /* there is a problem, and it could be read */
   bool about_problem; /* that it could not is the failure */
   struct ph_verdict verdict;
   bool judged; /* there is a verdict */
@@ -167,20 +167,21 @@ static enum ph_status assign(struct task *t, const struct ph_schema *schema) {
   return PH_OK;
 }
 
-static enum ph_status read_record(struct task *t, const struct ph_posed *posed,
+static enum ph_status read_record(struct task *t,
+                                  const struct ph_paired *paired,
                                   const struct ph_schema *schema) {
-  const struct ph_record *record = &posed->record;
+  const struct ph_record *record = &paired->record;
   struct ph_arena *arena = &t->worker->arena;
   struct ph_echo echo;
   if (record->status != PH_OK) {
-    t->diag = posed->diag;
+    t->diag = paired->diag;
     return record->status;
   }
-  if (record->columns && posed->schema != schema) {
+  if (record->columns && paired->schema != schema) {
     return ph_fail(&t->diag, PH_BAD_VALUE, "command",
                    "is %s, but the columns of %s were read as those of %s, "
                    "which the first result is of",
-                   schema->command, record->file, posed->schema->command);
+                   schema->command, record->file, paired->schema->command);
   }
   return record->columns
              ? ph_csv_in(record, schema, arena, &t->problem, &echo, &t->diag)
@@ -190,11 +191,11 @@ static enum ph_status read_record(struct task *t, const struct ph_posed *posed,
 /* The problem that the result solves, with what the options and the sweep make
  * of it. */
 static enum ph_status read_problem(struct task *t) {
-  const struct ph_posed *posed = t->item->posed;
+  const struct ph_paired *paired = t->item->paired;
   const struct ph_command *command = ph_command_find(t->claim.command);
   enum ph_status status;
   t->about_problem = true;
-  status = read_record(t, posed, command->schema);
+  status = read_record(t, paired, command->schema);
   if (status == PH_OK) {
     status = assign(t, command->schema);
   }
@@ -209,7 +210,7 @@ static enum ph_status read_problem(struct task *t) {
   }
   t->about_problem = status != PH_OK && strcmp(t->diag.field, "sweep") != 0 &&
                      strncmp(t->diag.field, "set.", 4) != 0;
-  t->posed = status == PH_OK;
+  t->paired = status == PH_OK;
   return status;
 }
 
@@ -253,16 +254,16 @@ static enum ph_status verify(struct task *t) {
   }
   t->read = true;
   status = read_command(t);
-  if (status == PH_OK && t->options->problems && !item->posed) {
+  if (status == PH_OK && t->options->problems && !item->paired) {
     t->diag = item->diag;
     status = item->diag.status;
   }
-  if (status == PH_OK && item->posed && claim->solved) {
+  if (status == PH_OK && item->paired && claim->solved) {
     status = read_problem(t);
   }
   if (status == PH_OK && claim->solved) {
     status =
-        ph_check_result(&claim->result, t->posed ? &t->problem : NULL,
+        ph_check_result(&claim->result, t->paired ? &t->problem : NULL,
                         t->promise, &t->worker->scratch, &t->verdict, &t->diag);
     if (status == PH_OK) {
       status = judge(t);
@@ -354,7 +355,7 @@ static void report(const struct task *t, const struct ph_subject *subject,
 /* Where the failure is: in the result, or in the problem. */
 static void locate(struct task *t, struct ph_subject *subject) {
   const struct ph_record *record =
-      t->about_problem ? &t->item->posed->record : &t->item->record;
+      t->about_problem ? &t->item->paired->record : &t->item->record;
   subject->file = record->file;
   if (!t->diag.line) {
     t->diag.line = record->status == PH_OK

@@ -9,7 +9,7 @@
 #include "io/record.h"
 #include "plot/drawing.h"
 
-struct ph_posed;
+struct ph_paired;
 
 /* What a worker keeps from record to record. */
 struct ph_worker {
@@ -25,10 +25,10 @@ struct ph_item {
                           solves no problem */
   bool cut_off;        /* ... so that nothing behind it could be read */
   size_t sweep;
-  const struct ph_posed *posed; /* the problem of a result (cli/pairing.h) */
-  bool draw;                    /* for the figure */
-  struct ph_drawing *drawing;   /* out: to be freed; NULL: there is none */
-  enum ph_status status;        /* the outcome */
+  const struct ph_paired *paired; /* the problem of a result (cli/pairing.h) */
+  bool draw;                      /* for the figure */
+  struct ph_drawing *drawing;     /* out: to be freed; NULL: there is none */
+  enum ph_status status;          /* the outcome */
 };
 
 /*

@@ -89,13 +89,13 @@ void ph_atph_basis(const struct ph_atph *space, double u, double s[2]) {
 
 /* S0, S1 and their derivatives. */
 static void basis_jet(const struct ph_atph *space, double u, double s[4][2]) {
-  double bend = -space->angle * space->angle / 4; /* S'' = bend S */
+  double factor = -space->angle * space->angle / 4; /* S'' = factor S */
   ph_atph_basis(space, u, s[0]);
   s[1][0] = -cos(space->angle * (1 - u) / 2) / space->sinc;
   s[1][1] = cos(space->angle * u / 2) / space->sinc;
   for (size_t i = 0; i < 2; i++) {
-    s[2][i] = bend * s[0][i];
-    s[3][i] = bend * s[1][i];
+    s[2][i] = factor * s[0][i];
+    s[3][i] = factor * s[1][i];
   }
 }
 

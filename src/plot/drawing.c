@@ -128,8 +128,8 @@ static void lift(struct pen *pen, enum ph_stroke_role role, size_t index) {
 static void draw_part(struct pen *pen, const struct ph_sampler *sampler,
                       double u0, double u1, int depth) {
   double middle = (u0 + u1) / 2, h = u1 - u0;
-  if (depth > 0 &&
-      !(ph_sampler_bend(sampler, u0, u1) * h * h / 8 <= pen->tolerance)) {
+  if (depth > 0 && !(ph_sampler_chord_bound(sampler, u0, u1) * h * h / 8 <=
+                     pen->tolerance)) {
     draw_part(pen, sampler, u0, middle, depth - 1);
     draw_part(pen, sampler, middle, u1, depth - 1);
   } else {

@@ -31,13 +31,13 @@ static struct ph_record result_record(const char *text, size_t n) {
 }
 
 static enum ph_status result_verify(const struct ph_record *record,
-                                    const struct ph_posed *posed,
+                                    const struct ph_paired *paired,
                                     struct ph_buf *out) {
   const struct ph_options options = {.command = ph_command_find("verify"),
-                                     .problems = posed ? "-" : NULL};
+                                     .problems = paired ? "-" : NULL};
   static const struct ph_worker none;
   struct ph_worker worker = none;
-  struct ph_item item = {.record = *record, .posed = posed};
+  struct ph_item item = {.record = *record, .paired = paired};
   struct ph_buf err = {0};
   struct ph_json_scan scan = {0};
   ph_verify_work(&options, &worker, &item, out, &err);
@@ -57,8 +57,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   const char *line = n ? memchr(text, '\n', n) : NULL;
   size_t first = line ? (size_t)(line - text) : n, rest = n - first;
   struct ph_record record;
-  struct ph_posed posed = {.index = 0};
-  const struct ph_posed *problem = NULL;
+  struct ph_paired paired = {.index = 0};
+  const struct ph_paired *problem = NULL;
   struct ph_buf one = {0}, two = {0};
   enum ph_status status;
   if (!n || !result_is_json(text, first)) {
@@ -66,8 +66,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
   }
   record = result_record(text, first);
   if (rest && result_is_json(line, rest)) {
-    posed.record = result_record(line, rest);
-    problem = &posed;
+    paired.record = result_record(line, rest);
+    problem = &paired;
   }
   status = result_verify(&record, problem, &one);
   FUZZ_REQUIRE(result_verify(&record, problem, &two) == status);

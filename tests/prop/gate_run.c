@@ -119,19 +119,19 @@ static void refuted(struct gate_lab *lab, const char *with,
 }
 
 static void verify(struct gate_lab *lab, const struct ph_options *options,
-                   bool posed, struct gate_outcome *outcome) {
-  struct ph_posed problem = {.schema = NULL};
-  struct ph_item item = {.posed = posed ? &problem : NULL};
+                   bool paired, struct gate_outcome *outcome) {
+  struct ph_paired problem = {.schema = NULL};
+  struct ph_item item = {.paired = paired ? &problem : NULL};
   struct ph_options blind = *options;
   record_of(&lab->problem, "p.json", &problem.record);
   record_of(&lab->out, "-", &item.record);
-  blind.problems = posed ? options->problems : NULL;
+  blind.problems = paired ? options->problems : NULL;
   ph_buf_clear(&lab->verdict, SIZE_MAX);
   ph_buf_clear(&lab->complaints, SIZE_MAX);
   ph_verify_work(&blind, &lab->verifier, &item, &lab->verdict,
                  &lab->complaints);
   if (item.status != PH_OK) {
-    refuted(lab, posed ? "" : " alone", outcome);
+    refuted(lab, paired ? "" : " alone", outcome);
   }
 }
 

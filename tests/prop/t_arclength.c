@@ -87,7 +87,7 @@ static void ck_moved(const struct motion *m, double tol) {
 /* What the invariance is tried on: smooth and rough data with one minimum
  * nearby, so many that a preimage that does not bend (F = 0) cannot meet them
  * in several ways.  With one segment in each interval exact lengths are ill
- * posed: only of few intervals. */
+ * paired: only of few intervals. */
 static void invariant(struct unit_random *r) {
   static const enum arc_family families[] = {ARC_SMOOTH, ARC_PERTURBED,
                                              ARC_WALK};

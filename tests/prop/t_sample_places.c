@@ -269,17 +269,17 @@ PH_TEST_EACH(test_places, PLACES_KINDS) {
     for (int i = 1; i <= TRIES; i++) {
       double s = (i - 0.5) / TRIES * sampler.length;
       size_t steps;
-      double u = ph_sampler_place(&sampler, s, before, &steps);
+      double u = ph_sampler_parameter(&sampler, s, before, &steps);
       ck_place(&sampler, u, s);
       calls += steps;
       all++;
       before = u;
-      u = ph_sampler_place(&sampler, s, unit_random_in(&r, -1, 2), &steps);
+      u = ph_sampler_parameter(&sampler, s, unit_random_in(&r, -1, 2), &steps);
       ck_place(&sampler, u, s);
       ck_assert_uint_le(steps, 60);
     }
-    ck_abs(ph_sampler_place(&sampler, 0, 0.5, NULL), 0, 0);
-    ck_abs(ph_sampler_place(&sampler, sampler.length, 0.5, NULL), 1, 0);
+    ck_abs(ph_sampler_parameter(&sampler, 0, 0.5, NULL), 0, 0);
+    ck_abs(ph_sampler_parameter(&sampler, sampler.length, 0.5, NULL), 1, 0);
   }
   ck_assert_uint_le(2 * calls, 9 * all);
 }

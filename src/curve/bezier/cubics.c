@@ -378,7 +378,7 @@ static double fit(const struct work *work, double u0, double u1, ph_cplx c[4]) {
  * point of it is farther from both ends than half its length. */
 static double straight_error(const struct work *work, double u0, double u1) {
   double h = u1 - u0, speed;
-  double bend = ph_sampler_bend(&work->sampler, u0, u1);
+  double bend = ph_sampler_chord_bound(&work->sampler, u0, u1);
   double length = ph_sampler_length(&work->sampler, u1, &speed) -
                   ph_sampler_length(&work->sampler, u0, &speed);
   double error = ph_pow2_apply(work->shrink, bend * h * h / 8);

@@ -9,9 +9,9 @@
  * each is within the tolerance.  About other cusps, of the curve or of the view
  * of it, they are straight.
  *
- * Of straight pieces the distance is bounded (ph_sampler_bend).  Of others it
- * is the greatest found at 22 places, and a tenth more: differences have three
- * extrema where the curve is regular.  That is not proven.
+ * Of straight pieces the distance is bounded (ph_sampler_chord_bound).  Of
+ * others it is the greatest found at 22 places, and a tenth more: differences
+ * have three extrema where the curve is regular.  That is not proven.
  */
 #ifndef PH_CURVE_BEZIER_CUBICS_H
 #define PH_CURVE_BEZIER_CUBICS_H

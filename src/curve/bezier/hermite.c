@@ -47,19 +47,19 @@ static ph_vec3 in_space(ph_cplx z) {
 /* With left normal n = i t:  r_d = r + d n,  r_d' = (1 - d kappa) r'. */
 static struct jet planar_jet(const struct walk *walk, double u) {
   const struct ph_seg2 *seg = &walk->seg2;
-  struct ph_bend bend = ph_seg2_bend(seg, u);
-  double d = walk->distance, shrink = 1 - d * bend.curvature;
-  ph_cplx w[2], square, slope, r = ph_seg2_point(seg, &walk->rule, u);
+  struct ph_curvature at = ph_seg2_curvature(seg, u);
+  double d = walk->distance, shrink = 1 - d * at.curvature;
+  ph_cplx w[2], square, second, r = ph_seg2_point(seg, &walk->rule, u);
   struct jet jet;
   ph_atph_jet(&seg->space, seg->w, u, w, 2);
   square = ph_cplx_mul(w[0], w[0]);
-  slope = ph_cplx_scale(2 * shrink, ph_cplx_mul(w[0], w[1]));
-  r.re -= d * bend.tangent.im;
-  r.im += d * bend.tangent.re;
+  second = ph_cplx_scale(2 * shrink, ph_cplx_mul(w[0], w[1]));
+  r.re -= d * at.tangent.im;
+  r.im += d * at.tangent.re;
   jet.r = in_space(r);
   jet.first = in_space(ph_cplx_scale(shrink, square));
   jet.second =
-      in_space(ph_cplx_sub(slope, ph_cplx_scale(d * bend.slope, square)));
+      in_space(ph_cplx_sub(second, ph_cplx_scale(d * at.rate, square)));
   return jet;
 }
 

@@ -270,7 +270,7 @@ static size_t loops(struct tree *t) {
     meet.u[1] = meet.u[0];
     meet.segment[0] = meet.segment[1] = k;
     meet.steps = LOOP_STEPS;
-    if (!meet.found && !ph_seg2_is_tame(seg.w)) {
+    if (!meet.found && !ph_seg2_is_monotone(seg.w)) {
       piece = ph_piece_of(&seg, k);
       ph_meet_self(&meet, &piece, &outer);
     }

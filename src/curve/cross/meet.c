@@ -38,7 +38,7 @@ static const double COS_MAX = 0.5;
 
 struct ph_cone ph_piece_cone(const ph_cplx w[3]) {
   ph_cplx low = w[0], high = w[0];
-  if (!ph_seg2_is_tame(w)) {
+  if (!ph_seg2_is_monotone(w)) {
     return PH_CONE_ALL;
   }
   for (size_t i = 1; i < 3; i++) {
@@ -193,10 +193,10 @@ static enum verdict strip(const struct ph_piece *about,
 /* A piece as the graph of a function y(x) over an axis. */
 struct graph {
   double x[2], y[2]; /* of the ends */
-  double bend[2];    /* bounds of y'' */
+  double second[2];  /* bounds of y'' */
 };
 
-/* False where the piece is not tame or too steep. */
+/* False where the piece is not monotone or too steep. */
 static bool graph_of(const struct ph_piece *piece, ph_cplx origin, ph_cplx axis,
                      struct graph *graph) {
   const ph_cplx edge[2] = {piece->cone.low, piece->cone.high};
@@ -219,15 +219,15 @@ static bool graph_of(const struct ph_piece *piece, ph_cplx origin, ph_cplx axis,
     graph->y[i] = ph_cplx_cross(axis, end);
   }
   /* y'' = curvature (1 + y'^2)^(3/2), of the direction of the axis */
-  ph_piece_curvature(piece, graph->bend);
+  ph_piece_curvature(piece, graph->second);
   if (back) {
-    x = graph->bend[0];
-    graph->bend[0] = -graph->bend[1];
-    graph->bend[1] = -x;
+    x = graph->second[0];
+    graph->second[0] = -graph->second[1];
+    graph->second[1] = -x;
   }
   stretch = (1 + slope2) * sqrt(1 + slope2);
-  graph->bend[0] *= graph->bend[0] < 0 ? stretch : 1;
-  graph->bend[1] *= graph->bend[1] > 0 ? stretch : 1;
+  graph->second[0] *= graph->second[0] < 0 ? stretch : 1;
+  graph->second[1] *= graph->second[1] > 0 ? stretch : 1;
   return true;
 }
 
@@ -246,13 +246,13 @@ static bool parabola(const struct ph_piece *about, const struct ph_piece *other,
     return false;
   }
   l = own.x[1];
-  k = 0.5 * (own.bend[0] + own.bend[1]);
-  own_error = (own.bend[1] - own.bend[0]) / 16 * l * l;
+  k = 0.5 * (own.second[0] + own.second[1]);
+  own_error = (own.second[1] - own.second[0]) / 16 * l * l;
   for (size_t i = 0; i < 2; i++) {
     rest[i] = far.y[i] - 0.5 * k * far.x[i] * (far.x[i] - l);
   }
   width = far.x[1] - far.x[0];
-  e = fmax(k - far.bend[0], far.bend[1] - k);
+  e = fmax(k - far.second[0], far.second[1] - k);
   error = e / 8 * width * width + own_error + tolerance;
   low = fmin(rest[0], rest[1]);
   high = fmax(rest[0], rest[1]);

@@ -33,7 +33,7 @@ void ph_piece_halves(const struct ph_piece *piece, struct ph_piece half[2]);
 struct ph_cone ph_piece_cone(const ph_cplx w[3]);
 
 /*
- * ph_piece_curvature: bounds of the signed curvature of a tame piece, which
+ * ph_piece_curvature: bounds of the signed curvature of a monotone piece, which
  * come together as the piece shrinks.
  *
  * out  range[2]

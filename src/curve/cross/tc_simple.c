@@ -43,7 +43,7 @@ struct piece {
   ph_cplx z;    /* of its outer end */
   ph_cplx p[4]; /* control points; the joint is the origin */
   struct ph_box2 box;
-  double bend; /* if tame, it is no further than this from its chord */
+  double sagitta; /* if monotone, it is no further than this from its chord */
 };
 
 struct search {
@@ -122,7 +122,7 @@ static void complete(struct piece *piece) {
   piece->p[2] = ph_cplx_sub(piece->p[3], last);
   piece->z = ph_cplx_mul(ph_cplx_conj(piece->arc->v), w[1]);
   piece->box = ph_box2_of(piece->p, 4);
-  piece->bend = fabs(ph_cplx_cross(w[0], w[1])) * h;
+  piece->sagitta = fabs(ph_cplx_cross(w[0], w[1])) * h;
 }
 
 static struct piece whole(const struct arc *arc) {
@@ -136,17 +136,17 @@ static struct piece whole(const struct arc *arc) {
 }
 
 /* Whether the preimage turns by less than an eighth turn. */
-static bool is_tame(const struct piece *piece) {
+static bool is_monotone(const struct piece *piece) {
   double cross = ph_cplx_cross(piece->w[0], piece->w[1]);
   return ph_cplx_dot(piece->w[0], piece->w[1]) > fabs(cross);
 }
 
 /* Halves: by the angle of w, where it is at a/(a + b) with a = |w0|, b = |w1|,
- * until the piece is tame; then by the parameter. */
+ * until the piece is monotone; then by the parameter. */
 static void cut(const struct piece *piece, struct piece half[2]) {
   double at = 0.5, t;
   ph_cplx w;
-  if (!is_tame(piece)) {
+  if (!is_monotone(piece)) {
     double a = ph_cplx_abs(piece->w[0]);
     at = a / (a + ph_cplx_abs(piece->w[1]));
   }
@@ -227,17 +227,18 @@ static enum verdict judge(const struct piece *a, const struct piece *b,
   if (second == APART || (first == MEET && second == MEET)) {
     return second;
   }
-  if (fmax(a->bend, b->bend) <= STRAIGHT * tolerance && is_tame(a) &&
-      is_tame(b)) {
+  if (fmax(a->sagitta, b->sagitta) <= STRAIGHT * tolerance && is_monotone(a) &&
+      is_monotone(b)) {
     return is_near(a, b, tolerance) ? MEET : APART;
   }
   return UNKNOWN;
 }
 
-/* Whether to cut the first of two: the one that is not tame, or bends more. */
+/* Whether to cut the first of two: the one that is not monotone, or bends more.
+ */
 static bool cut_first(const struct piece *a, const struct piece *b) {
-  bool tame[2] = {is_tame(a), is_tame(b)};
-  return tame[0] == tame[1] ? a->bend >= b->bend : tame[1];
+  bool monotone[2] = {is_monotone(a), is_monotone(b)};
+  return monotone[0] == monotone[1] ? a->sagitta >= b->sagitta : monotone[1];
 }
 
 static void search(struct search *s, const struct piece *a,

@@ -26,7 +26,7 @@
 enum { DEPTH_MAX = 50, PARTS_MAX = 4096 };
 
 static const double AGREE = 1e-12;
-/* Error of a curvature or slope in units of its terms. */
+/* Error of a curvature or its rate in units of its terms. */
 static const double ROUNDING = 16 * DBL_EPSILON;
 
 /* A segment nearly stands still where w changes by as much as it is within
@@ -53,11 +53,10 @@ static struct pair integrate(const struct ph_seg2 *seg,
   struct pair sum = {{0, 0}, {0, 0}};
   for (size_t i = 0; i < rule->n; i++) {
     double u = u0 + (u1 - u0) * rule->node[i];
-    struct ph_bend bend = ph_seg2_bend(seg, u);
+    struct ph_curvature at = ph_seg2_curvature(seg, u);
     double weight = (u1 - u0) * rule->weight[i];
-    add_square(&sum.bending, weight * bend.speed, bend.curvature,
-               bend.terms[0]);
-    add_square(&sum.varying, weight / bend.speed, bend.slope, bend.terms[1]);
+    add_square(&sum.bending, weight * at.speed, at.curvature, at.terms[0]);
+    add_square(&sum.varying, weight / at.speed, at.rate, at.terms[1]);
   }
   return sum;
 }
@@ -140,7 +139,7 @@ static void add_growing(struct ph_energy_sum *c, const struct ph_seg2 *seg,
 static bool is_brisk(const ph_cplx w[3]) {
   double first = ph_cplx_norm2(w[0]), last = ph_cplx_norm2(w[2]);
   double sum = first + ph_cplx_norm2(w[1]) + last;
-  return ph_seg2_is_tame(w) && 256 * first > sum && 256 * last > sum;
+  return ph_seg2_is_monotone(w) && 256 * first > sum && 256 * last > sum;
 }
 
 /* Whether it nearly stands still; then it is added.  A peak there may be

@@ -65,7 +65,7 @@ static const double CLEAR_SIGMA = 0.0857, CLEAR_Z = 0.5;
 
 /* A segment: B at either end, with its derivative, and half the second one. */
 struct form {
-  ph_quat end[2], slope[2], bend;
+  ph_quat end[2], first[2], second;
   double q0, q2;      /* q = q0 + q2 y^2 */
   bool twists;        /* the torsion counts */
   bool inflected;     /* z has a real zero on the interval */
@@ -105,8 +105,8 @@ static struct form form_of(const struct ph_atph *space, const ph_quat a[3]) {
   ph_quat middle = ph_quat_scale(space->c, a[1]);
   ph_quat first = ph_quat_sub(middle, a[0]), last = ph_quat_sub(a[2], middle);
   struct form f = {.end = {a[0], a[2]},
-                   .slope = {ph_quat_scale(2, first), ph_quat_scale(2, last)},
-                   .bend = ph_quat_sub(last, first),
+                   .first = {ph_quat_scale(2, first), ph_quat_scale(2, last)},
+                   .second = ph_quat_sub(last, first),
                    .q0 = 0.5 * (1 + space->c),
                    .q2 = 2 * (1 - space->c)};
   return f;
@@ -123,11 +123,11 @@ static void set_part(struct part *p, const struct form *f, double y0,
   ph_cplx z[3];
   p->middle = middle;
   p->length = length;
-  p->b[2] = f->bend;
-  p->b[1] = ph_quat_add(f->slope[end], ph_quat_scale(2 * x, f->bend));
+  p->b[2] = f->second;
+  p->b[1] = ph_quat_add(f->first[end], ph_quat_scale(2 * x, f->second));
   p->b[0] = ph_quat_add(
-      f->end[end],
-      ph_quat_scale(x, ph_quat_add(f->slope[end], ph_quat_scale(x, f->bend))));
+      f->end[end], ph_quat_scale(x, ph_quat_add(f->first[end],
+                                                ph_quat_scale(x, f->second))));
   p->w[0] = ph_quat_between(p->b[0], p->b[1]);
   p->w[1] = ph_quat_scale(2, ph_quat_between(p->b[0], p->b[2]));
   p->w[2] = ph_quat_between(p->b[1], p->b[2]);
@@ -140,7 +140,7 @@ static void set_part(struct part *p, const struct form *f, double y0,
   p->nu[2] = ph_cplx_cross(z[1], z[2]);
   p->b2 = size[2];
   p->z2 = ph_cplx_norm2(z[2]);
-  slope = ph_quat_dot(f->slope[end], f->slope[end]) + 4 * x * x * size[2];
+  slope = ph_quat_dot(f->first[end], f->first[end]) + 4 * x * x * size[2];
   p->b2_size = ph_quat_dot(f->end[end], f->end[end]) + x * x * slope +
                h2 * (size[1] + h2 * size[2]);
   p->z2_size = p->b2_size * (slope + 4 * h2 * size[2]);
@@ -253,14 +253,14 @@ static struct squares integrate(const struct form *f, const struct part *on,
     double per3 = n.per_sigma * n.per_sigma * n.per_sigma;
     double slope = 3 * n.dq + n.dz - 2 * n.ds;
     double terms = fabs(3 * n.dq) + fabs(n.dz) + fabs(2 * n.ds);
-    double bend = 4 * weight * per3 * n.z2;
+    double factor = 4 * weight * per3 * n.z2;
     if (looks && sum.clear) {
       sum.clear = is_clear(f, on, &n, AWAY * on->length * reach_of(rule, i));
     }
-    add_square(&sum.of[0], bend, 1, n.noise);
+    add_square(&sum.of[0], factor, 1, n.noise);
     weight *= n.q3 * n.q3 * per3;
-    bend = 4 * weight * n.z2 * n.per_sigma * n.per_sigma;
-    add_square(&sum.of[1], bend, slope, n.noise * terms * terms);
+    factor = 4 * weight * n.z2 * n.per_sigma * n.per_sigma;
+    add_square(&sum.of[1], factor, slope, n.noise * terms * terms);
     if (f->twists) {
       add_twisting(&sum.of[2], &n, weight);
     }

@@ -13,7 +13,7 @@
  * (2) derived here from (1); tested by t_sample_frame.c.
  */
 #include "curve/kind/kind.h"
-#include "curve/sample/bend.h"
+#include "curve/sample/chord_bound.h"
 #include "kernel/pow2.h"
 #include "kernel/primitive.h"
 
@@ -204,10 +204,12 @@ static double length(const struct ph_sampler *sampler, double u,
   return u < 1 ? s : sampler->length;
 }
 
-static double bend(const struct ph_sampler *sampler, double u0, double u1) {
+static double chord_bound(const struct ph_sampler *sampler, double u0,
+                          double u1) {
   const struct state *state = sampler->state;
   const struct bezier *b = &state->b;
-  return ph_pow2_apply(state->grow, ph_bend_bezier(b->p, b->degree, u0, u1));
+  return ph_pow2_apply(state->grow,
+                       ph_chord_bound_bezier(b->p, b->degree, u0, u1));
 }
 
 static struct ph_sample at(const struct ph_sampler *sampler, double u) {
@@ -273,8 +275,8 @@ const struct ph_kind ph_kind_bezier = {
     .bernstein = true,
     .no_erf = "Bezier curves have no preimage and no Euler-Rodrigues frame: "
               "ask for the frame without the conversion",
-    .curve = {begin, enter, at, length, bend},
-    .beside = {begin, enter, at, length, bend},
+    .curve = {begin, enter, at, length, chord_bound},
+    .beside = {begin, enter, at, length, chord_bound},
     .reference = reference,
     .turn = turn,
     .principal = principal,

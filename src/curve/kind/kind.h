@@ -36,7 +36,7 @@ struct ph_sampler_ops {
   enum ph_status (*enter)(struct ph_sampler *sampler, struct ph_diag *diag);
   struct ph_sample (*at)(const struct ph_sampler *sampler, double u);
   double (*length)(const struct ph_sampler *sampler, double u, double *speed);
-  double (*bend)(const struct ph_sampler *sampler, double u0, double u1);
+  double (*chord_bound)(const struct ph_sampler *sampler, double u0, double u1);
 };
 
 struct ph_kind {

@@ -8,7 +8,7 @@
 #include "curve/kind/ph.h"
 
 #include "curve/kind/kind.h"
-#include "curve/sample/bend.h"
+#include "curve/sample/chord_bound.h"
 #include "curve/segment/seg3_fast.h"
 
 /* A at unit scale that is less than this has no curvature but its rounding;
@@ -37,18 +37,19 @@ static double length(const struct ph_sampler *sampler, double u,
   return u > 0.5 ? sampler->length + s : s;
 }
 
-static double bend(const struct ph_sampler *sampler, double u0, double u1) {
+static double chord_bound(const struct ph_sampler *sampler, double u0,
+                          double u1) {
   const struct ph_fast3 *fast = sampler->state;
-  return ph_pow2_apply(fast->grow, ph_bend_ph(&fast->seg, u0, u1));
+  return ph_pow2_apply(fast->grow, ph_chord_bound_ph(&fast->seg, u0, u1));
 }
 
 /* Curvature and torsion at unit scale, by (1) and (2) of curve/segment/seg3.h.
  */
-static void bend_at(ph_quat a, ph_quat slope, ph_quat bending, bool planar,
-                    struct ph_sample *sample) {
+static void curvature_at(ph_quat a, ph_quat first, ph_quat second, bool planar,
+                         struct ph_sample *sample) {
   const double per = 1 / ph_quat_dot(a, a);
-  const ph_quat w = ph_quat_between(a, slope);
-  const ph_quat w1 = ph_quat_between(a, bending);
+  const ph_quat w = ph_quat_between(a, first);
+  const ph_quat w1 = ph_quat_between(a, second);
   const double z2 = w.p * w.p + w.q * w.q;
   const double turn = w.p * w1.q - w.q * w1.p;
   sample->curvature = 2 * (planar ? w.q : sqrt(z2)) * (per * per);
@@ -60,8 +61,8 @@ static void bend_at(ph_quat a, ph_quat slope, ph_quat bending, bool planar,
 static struct ph_sample at(const struct ph_sampler *sampler, double u) {
   const struct ph_fast3 *fast = sampler->state;
   const struct ph_fast3_place place = ph_fast3_at(fast, u);
-  const ph_quat a = ph_fast3_preimage(&place), slope = ph_fast3_slope(&place);
-  const ph_quat bending = ph_fast3_bend(fast, &place);
+  const ph_quat a = ph_fast3_preimage(&place), first = ph_fast3_first(&place);
+  const ph_quat second = ph_fast3_second(fast, &place);
   const double speed = ph_quat_dot(a, a);
   struct ph_sample sample;
   ph_quat e = a;
@@ -69,7 +70,7 @@ static struct ph_sample at(const struct ph_sampler *sampler, double u) {
   sample.curvature = sample.torsion = (double)NAN;
   sample.point = ph_fast3_point(fast, &place);
   if (speed > ROUNDING * ROUNDING) {
-    bend_at(a, slope, bending, sampler->curve->dimension == 2, &sample);
+    curvature_at(a, first, second, sampler->curve->dimension == 2, &sample);
     sample.curvature = ph_pow2_apply(fast->shrink, sample.curvature);
     sample.torsion = ph_pow2_apply(fast->shrink, sample.torsion);
   } else {
@@ -98,7 +99,7 @@ static double turn(const void *context, double u) {
   const struct ph_sampler *sampler = context;
   const struct ph_fast3_place place = ph_fast3_at(sampler->state, u);
   const ph_quat a = ph_fast3_preimage(&place);
-  const ph_quat w = ph_quat_between(a, ph_fast3_slope(&place));
+  const ph_quat w = ph_quat_between(a, ph_fast3_first(&place));
   return 1 + 2 * w.v / ph_quat_dot(a, a);
 }
 
@@ -107,7 +108,7 @@ static ph_vec3 principal(const struct ph_sampler *sampler, double u,
                          const struct ph_sample *sample) {
   const struct ph_fast3_place place = ph_fast3_at(sampler->state, u);
   const ph_quat a = ph_fast3_preimage(&place);
-  const ph_quat w = ph_quat_between(a, ph_fast3_slope(&place));
+  const ph_quat w = ph_quat_between(a, ph_fast3_first(&place));
   const ph_vec3 normal =
       ph_vec3_along(ph_vec3_scale(w.q, ph_quat_j(a, a)), -w.p, ph_quat_k(a, a));
   return ph_sample_principal(sample, normal);
@@ -117,9 +118,9 @@ static ph_vec3 principal(const struct ph_sampler *sampler, double u,
 
 /* What they have in common. */
 #define WITH_PREIMAGE                                                          \
-  .erf = true, .curve = {begin, enter, at, length, bend},                      \
+  .erf = true, .curve = {begin, enter, at, length, chord_bound},               \
   .beside = {ph_beside_begin, ph_beside_enter, ph_beside_at, ph_beside_length, \
-             ph_beside_bend},                                                  \
+             ph_beside_chord_bound},                                           \
   .reference = reference, .turn = turn, .principal = principal,                \
   .offsets_n = {1, PH_OFFSETS_SPATIAL}
 

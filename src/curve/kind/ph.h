@@ -13,6 +13,7 @@ enum ph_status ph_beside_enter(struct ph_sampler *sampler,
 struct ph_sample ph_beside_at(const struct ph_sampler *sampler, double u);
 double ph_beside_length(const struct ph_sampler *sampler, double u,
                         double *speed);
-double ph_beside_bend(const struct ph_sampler *sampler, double u0, double u1);
+double ph_beside_chord_bound(const struct ph_sampler *sampler, double u0,
+                             double u1);
 
 #endif

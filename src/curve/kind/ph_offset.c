@@ -33,7 +33,7 @@
  */
 #include "curve/kind/ph.h"
 
-#include "curve/sample/bend.h"
+#include "curve/sample/chord_bound.h"
 #include "curve/segment/seg3_fast.h"
 #include "kernel/pi.h"
 #include "kernel/primitive.h"
@@ -127,21 +127,21 @@ static double travel_at(const struct state *state, double u,
 }
 
 /* theta' */
-static double turning(ph_quat a, ph_quat slope) {
-  return 2 * cross(a, slope) / dot(a, a);
+static double turning(ph_quat a, ph_quat first) {
+  return 2 * cross(a, first) / dot(a, a);
 }
 
 /* F' = sigma (1 - d kappa) */
-static double travel_rate(const struct state *state, ph_quat a, ph_quat slope) {
-  return dot(a, a) - state->distance * turning(a, slope);
+static double travel_rate(const struct state *state, ph_quat a, ph_quat first) {
+  return dot(a, a) - state->distance * turning(a, first);
 }
 
 /* What of F' is rounding. */
 static double travel_noise(const struct state *state, ph_quat a,
-                           ph_quat slope) {
+                           ph_quat first) {
   const double speed = dot(a, a);
   return ROUNDING *
-         (speed + 2 * fabs(state->distance) * sqrt(dot(slope, slope) / speed));
+         (speed + 2 * fabs(state->distance) * sqrt(dot(first, first) / speed));
 }
 
 static const struct part *part_at(const struct state *state, double u) {
@@ -187,7 +187,7 @@ static void set_signs(struct state *state) {
   }
   at = ph_fast3_at(&state->fast, middle);
   sign = copysign(
-      1, travel_rate(state, ph_fast3_preimage(&at), ph_fast3_slope(&at)));
+      1, travel_rate(state, ph_fast3_preimage(&at), ph_fast3_first(&at)));
   for (size_t i = 0; i < state->parts; i++) {
     state->part[i].sign = (i + longest) % 2 == 0 ? sign : -sign;
   }
@@ -235,7 +235,7 @@ static double enter_plane(struct state *state, const struct ph_offset *offset,
 static double length_plane(const struct state *state, double u, double *speed) {
   const struct ph_fast3_place at = ph_fast3_at(&state->fast, u);
   *speed =
-      fabs(travel_rate(state, ph_fast3_preimage(&at), ph_fast3_slope(&at)));
+      fabs(travel_rate(state, ph_fast3_preimage(&at), ph_fast3_first(&at)));
   return length_in(part_at(state, u), travel_at(state, u, &at));
 }
 
@@ -246,8 +246,8 @@ static struct ph_sample at_plane(const struct state *state, double distance,
   const struct part *part = part_at(state, u);
   const bool cusp = part > state->part && !(u > part->from);
   const ph_quat a = ph_fast3_preimage(&place);
-  const ph_quat slope = ph_fast3_slope(&place);
-  const double rate = fabs(travel_rate(state, a, slope));
+  const ph_quat first = ph_fast3_first(&place);
+  const double rate = fabs(travel_rate(state, a, first));
   const double per = 1 / dot(a, a);
   const ph_vec3 e1 = ph_vec3_scale(per, ph_quat_i(a, a));
   const ph_vec3 left = ph_vec3_of(-e1.y, e1.x, 0), none = {0, 0, 0};
@@ -256,8 +256,8 @@ static struct ph_sample at_plane(const struct state *state, double distance,
       ph_vec3_along(ph_fast3_point(&state->fast, &place), distance, left);
   sample.tangent = part->sign > 0 ? e1 : ph_vec3_sub(none, e1); /* no -0 */
   sample.curvature = sample.torsion = (double)NAN;
-  if (!cusp && rate > travel_noise(state, a, slope)) {
-    sample.curvature = ph_pow2_apply(state->shrink, turning(a, slope) / rate);
+  if (!cusp && rate > travel_noise(state, a, first)) {
+    sample.curvature = ph_pow2_apply(state->shrink, turning(a, first) / rate);
   }
   return sample;
 }
@@ -279,9 +279,9 @@ static ph_vec3 velocity(const struct state *state, double speed,
 }
 
 static ph_vec3 velocity_at(const struct state *state, ph_quat a,
-                           ph_quat slope) {
+                           ph_quat first) {
   const double speed = ph_quat_dot(a, a);
-  const ph_vec3 w = ph_quat_vector(ph_quat_between(a, slope));
+  const ph_vec3 w = ph_quat_vector(ph_quat_between(a, first));
   return velocity(state, speed, ph_vec3_scale(2 / speed, w));
 }
 
@@ -289,7 +289,7 @@ static double speed_at(const void *context, double u) {
   const struct state *state = context;
   const struct ph_fast3_place at = ph_fast3_at(&state->fast, u);
   return ph_vec3_abs(
-      velocity_at(state, ph_fast3_preimage(&at), ph_fast3_slope(&at)));
+      velocity_at(state, ph_fast3_preimage(&at), ph_fast3_first(&at)));
 }
 
 /* Three derivatives of the offset (6), in the frame; |o'|, and what of it and
@@ -338,7 +338,7 @@ static struct motion motion_of(const struct state *state, const ph_quat a[3],
 
 /* Curvature and torsion at unit scale, by their definitions, where the offset
  * moves. */
-static void bend_at(const struct motion *m, struct ph_sample *sample) {
+static void curvature_at(const struct motion *m, struct ph_sample *sample) {
   const ph_vec3 across = ph_vec3_cross(m->o[0], m->o[1]);
   const double square = ph_vec3_dot(across, across), c = sqrt(square);
   sample->curvature = c / (m->speed * m->speed * m->speed);
@@ -359,8 +359,8 @@ static struct ph_sample at_space(const struct state *state, double distance,
                                  double u) {
   const struct ph_fast3 *fast = &state->fast;
   const struct ph_fast3_place place = ph_fast3_at(fast, u);
-  const ph_quat a[3] = {ph_fast3_preimage(&place), ph_fast3_slope(&place),
-                        ph_fast3_bend(fast, &place)};
+  const ph_quat a[3] = {ph_fast3_preimage(&place), ph_fast3_first(&place),
+                        ph_fast3_second(fast, &place)};
   const double per = 1 / ph_quat_dot(a[0], a[0]);
   const ph_vec3 e[3] = {ph_vec3_scale(per, ph_quat_i(a[0], a[0])),
                         ph_vec3_scale(per, ph_quat_j(a[0], a[0])),
@@ -375,7 +375,7 @@ static struct ph_sample at_space(const struct state *state, double distance,
       ph_vec3_along(ph_vec3_scale(t.x, e[0]), t.y, e[1]), t.z, e[2]);
   sample.curvature = sample.torsion = (double)NAN;
   if (m.speed > m.noise[0]) {
-    bend_at(&m, &sample);
+    curvature_at(&m, &sample);
     sample.curvature = ph_pow2_apply(state->shrink, sample.curvature);
     sample.torsion = ph_pow2_apply(state->shrink, sample.torsion);
   }
@@ -470,11 +470,12 @@ struct ph_sample ph_beside_at(const struct ph_sampler *sampler, double u) {
                                         : at_space(state, distance, u);
 }
 
-double ph_beside_bend(const struct ph_sampler *sampler, double u0, double u1) {
+double ph_beside_chord_bound(const struct ph_sampler *sampler, double u0,
+                             double u1) {
   const struct state *state = sampler->state;
   const double distance =
       ph_pow2_apply(state->fast.shrink, sampler->offset->distance);
   return ph_pow2_apply(
       state->fast.grow,
-      ph_bend_offset(&state->fast.seg, state->normal, distance, u0, u1));
+      ph_chord_bound_offset(&state->fast.seg, state->normal, distance, u0, u1));
 }

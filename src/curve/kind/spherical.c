@@ -20,7 +20,7 @@
  * needs an exception in (2) and (3).
  */
 #include "curve/kind/kind.h"
-#include "curve/sample/bend.h"
+#include "curve/sample/chord_bound.h"
 #include "curve/segment/spherical_fast.h"
 #include "kernel/degree.h"
 #include "kernel/pi.h"
@@ -75,18 +75,18 @@ static struct motion motion_slow(const struct ph_spherical *segment, double u) {
 static struct motion motion_at(const struct ph_spherical_fast *fast, double u) {
   struct motion motion;
   ph_vec3 jet[3];
-  double square, bend;
+  double square, second;
   ph_spherical_fast_jet(fast, u, jet);
   jet[1] = ph_vec3_normal(jet[1], jet[0]);
   square = ph_vec3_dot(jet[1], jet[1]);
-  bend = ph_vec3_dot(jet[2], jet[2]);
-  if (!(square > ROUNDING * ROUNDING * bend)) {
+  second = ph_vec3_dot(jet[2], jet[2]);
+  if (!(square > ROUNDING * ROUNDING * second)) {
     return motion_slow(&fast->segment, u);
   }
   motion.s = jet[0];
   motion.speed = sqrt(square);
   motion.turn = ph_vec3_triple(jet[0], jet[1], jet[2]) / square;
-  motion.noise = sqrt(bend / square);
+  motion.noise = sqrt(second / square);
   motion.tangent = ph_vec3_unit(jet[1]);
   return motion;
 }
@@ -109,11 +109,12 @@ static ph_vec3 point_at(const struct ph_curve *curve, size_t k, double u,
 /* g of (2), how fast the parallel at the distance of this cosine and sine goes
  * along the tangent; 0 where g is nothing but rounding: at a cusp, or
  * everywhere in the center of a circle. */
-static double pace_of(const struct motion *motion, double cosine, double sine) {
-  double pace = cosine * motion->speed - sine * motion->turn;
+static double parallel_speed(const struct motion *motion, double cosine,
+                             double sine) {
+  double speed = cosine * motion->speed - sine * motion->turn;
   double terms = fabs(cosine) * motion->speed +
                  fabs(sine) * (motion->noise + motion->speed);
-  return fabs(pace) > ROUNDING * terms ? pace : 0;
+  return fabs(speed) > ROUNDING * terms ? speed : 0;
 }
 
 /* ---- one segment --------------------------------------------------------- */
@@ -169,10 +170,10 @@ static void find_breaks(struct state *state, const struct ph_offset *offset,
 }
 
 /* |g| */
-static double pace_at(const void *context, double u) {
+static double speed_at(const void *context, double u) {
   const struct state *state = context;
   struct motion motion = motion_at(&state->segment, u);
-  return fabs(pace_of(&motion, state->cosine, state->sine));
+  return fabs(parallel_speed(&motion, state->cosine, state->sine));
 }
 
 /* How well the length of a segment can be known: as |g|, which is a difference
@@ -180,14 +181,14 @@ static double pace_at(const void *context, double u) {
 static double precision_of(const struct state *state) {
   enum { PLACES = 8 };
   static const double least = 1e-14, rounding = 4 * DBL_EPSILON;
-  double terms = 0, pace = 0;
+  double terms = 0, speed = 0;
   for (int i = 0; i < PLACES; i++) {
     struct motion motion = motion_at(&state->segment, (i + 0.5) / PLACES);
-    pace += fabs(pace_of(&motion, state->cosine, state->sine));
+    speed += fabs(parallel_speed(&motion, state->cosine, state->sine));
     terms += fabs(state->cosine) * motion.speed +
              fabs(state->sine) * (motion.noise + motion.speed);
   }
-  return fmax(least, rounding * terms / fmax(pace, DBL_MIN));
+  return fmax(least, rounding * terms / fmax(speed, DBL_MIN));
 }
 
 /* Beside a turn that is nearly a cusp |g| is known to much less; a length to
@@ -198,7 +199,7 @@ static enum ph_status tabulate(struct ph_sampler *sampler) {
   double precision = precision_of(state);
   enum ph_status status = PH_NO_CONVERGENCE;
   for (int i = 0; i < TRIES && status == PH_NO_CONVERGENCE; i++) {
-    status = ph_primitive_make(&state->length, pace_at, state,
+    status = ph_primitive_make(&state->length, speed_at, state,
                                state->breaks + state->next, state->breaks_n,
                                precision, sampler->arena);
     precision *= 10;
@@ -248,10 +249,12 @@ static double length(const struct ph_sampler *sampler, double u,
   return !(u < 1) ? sampler->length : s < sampler->length ? s : sampler->length;
 }
 
-static double bend(const struct ph_sampler *sampler, double u0, double u1) {
+static double chord_bound(const struct ph_sampler *sampler, double u0,
+                          double u1) {
   const struct state *state = sampler->state;
   return sampler->curve->sphere.radius *
-         ph_bend_spherical(&state->segment.segment, state->angle, u0, u1);
+         ph_chord_bound_spherical(&state->segment.segment, state->angle, u0,
+                                  u1);
 }
 
 /* ---- one place ----------------------------------------------------------- */
@@ -275,7 +278,7 @@ static struct ph_sample at_parallel(const struct ph_sampler *sampler,
   const struct ph_curve *curve = sampler->curve;
   const struct state *state = sampler->state;
   const double cosine = state->cosine, sine = state->sine;
-  const double g = pace_of(m, cosine, sine);
+  const double g = parallel_speed(m, cosine, sine);
   const double bend = cosine * m->turn + sine * m->speed;
   ph_vec3 left = ph_vec3_cross(m->s, m->tangent);
   ph_vec3 o = ph_vec3_along(ph_vec3_scale(cosine, m->s), sine, left);
@@ -348,9 +351,9 @@ static void enter_segment(struct walk *walk, size_t k) {
 }
 
 /* g at u, 0 if it is rounding only. */
-static double signed_pace(const struct walk *walk, double u) {
+static double signed_speed(const struct walk *walk, double u) {
   struct motion m = motion_at(&walk->segment, u);
-  return pace_of(&m, walk->cosine, walk->sine);
+  return parallel_speed(&m, walk->cosine, walk->sine);
 }
 
 static int sign_of(double x) {
@@ -381,7 +384,7 @@ static double root_between(const struct walk *walk, double from, double to,
     if (!(middle > from && middle < to)) {
       break;
     }
-    if (sign_of(signed_pace(walk, middle)) == sign) {
+    if (sign_of(signed_speed(walk, middle)) == sign) {
       from = middle;
     } else {
       to = middle;
@@ -395,21 +398,21 @@ static double root_between(const struct walk *walk, double from, double to,
 static bool is_dip(const struct walk *walk, double from, double to, int sign,
                    double *where) {
   double u[2] = {to - GOLDEN * (to - from), from + GOLDEN * (to - from)};
-  double g[2] = {sign * signed_pace(walk, u[0]),
-                 sign * signed_pace(walk, u[1])};
+  double g[2] = {sign * signed_speed(walk, u[0]),
+                 sign * signed_speed(walk, u[1])};
   for (int i = 0; i < STEPS_DIP && g[0] >= 0 && g[1] >= 0; i++) {
     if (g[0] < g[1]) {
       to = u[1];
       u[1] = u[0];
       g[1] = g[0];
       u[0] = to - GOLDEN * (to - from);
-      g[0] = sign * signed_pace(walk, u[0]);
+      g[0] = sign * signed_speed(walk, u[0]);
     } else {
       from = u[0];
       u[0] = u[1];
       g[0] = g[1];
       u[1] = from + GOLDEN * (to - from);
-      g[1] = sign * signed_pace(walk, u[1]);
+      g[1] = sign * signed_speed(walk, u[1]);
     }
   }
   *where = g[0] < 0 ? u[0] : u[1];
@@ -425,7 +428,7 @@ static void scan_segment(const struct walk *walk, struct scan *scan) {
   for (size_t i = 0; i <= CELLS; i++) {
     double v = (double)i / CELLS, u = v * v * (3 - 2 * v);
     scan->u[i] = u;
-    scan->g[i] = signed_pace(walk, u);
+    scan->g[i] = signed_speed(walk, u);
   }
 }
 
@@ -464,7 +467,7 @@ static void find_all_cusps(struct walk *walk) {
   size_t n = walk->curve->n;
   if (walk->curve->closed) { /* the sign before the first joint */
     enter_segment(walk, n - 1);
-    walk->sign = sign_of(signed_pace(walk, 1));
+    walk->sign = sign_of(signed_speed(walk, 1));
   }
   for (size_t k = 0; k < n && !walk->memory; k++) {
     enter_segment(walk, k);
@@ -529,8 +532,8 @@ static enum ph_status offset(const struct ph_curve *curve, double distance,
 const struct ph_kind ph_kind_spherical_nu = {
     .on_sphere = true,
     .no_erf = "a curve on a sphere has no Euler-Rodrigues frame",
-    .curve = {begin, enter, at, length, bend},
-    .beside = {begin, enter, at, length, bend},
+    .curve = {begin, enter, at, length, chord_bound},
+    .beside = {begin, enter, at, length, chord_bound},
     .reference = reference,
     .principal = principal,
     .offsets_n = {0, 1},

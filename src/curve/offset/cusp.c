@@ -29,7 +29,7 @@ struct form {
 };
 
 /* Of conj(a) b, what stands in (3) beside -2 d. */
-static double bend(enum ph_normal normal, ph_quat a, ph_quat b) {
+static double turning(enum ph_normal normal, ph_quat a, ph_quat b) {
   ph_quat w = ph_quat_between(a, b);
   return normal == PH_E2 ? w.q : -w.p;
 }
@@ -55,8 +55,8 @@ static struct form form_of(const struct ph_seg3 *seg, double distance,
   const double speed[5] = {ph_quat_dot(a0, a0), 4 * ph_quat_dot(a0, m),
                            4 * ph_quat_dot(m, m) + 2 * ph_quat_dot(a0, a2),
                            4 * ph_quat_dot(m, a2), ph_quat_dot(a2, a2)};
-  const double cross[3] = {bend(normal, a0, m), bend(normal, a0, a2),
-                           bend(normal, m, a2)};
+  const double cross[3] = {turning(normal, a0, m), turning(normal, a0, a2),
+                           turning(normal, m, a2)};
   const double one[3] = {1, 2 * seg->space.c, 1};
   const double factor = 4 * ldexp(distance, -2 * exponent) / seg->space.sinc;
   double raised4[5], raised6[7], raised8[DEGREE + 1];

@@ -42,7 +42,7 @@ static struct end end_at(const struct task *task, double u) {
 }
 
 static double count_of(const struct task *task, double from, double to) {
-  double m = ph_sampler_bend(task->sampler, from, to);
+  double m = ph_sampler_chord_bound(task->sampler, from, to);
   double count = (to - from) * sqrt(m / task->error / 8);
   return count >= 0 ? count : (double)INFINITY;
 }

@@ -2,12 +2,12 @@
 /*
  * Places on a segment such that no chord leaves it by more than an error E.
  *
- * The segment is halved while the bound M of its bending differs much over it.
+ * The segment is halved while its chord bound M differs much over it.
  * A block of length h in u takes x = h sqrt(M / 8E) chords of equal steps (see
- * ph_sampler_bend); x need not be whole, as the steps go on through the next
- * block with its own length: the places are equally spaced by the sum of x.  A
- * chord across a joint of blocks is checked by itself, and ends there if it
- * must.
+ * ph_sampler_chord_bound); x need not be whole, as the steps go on through the
+ * next block with its own length: the places are equally spaced by the sum of
+ * x.  A chord across a joint of blocks is checked by itself, and ends there if
+ * it must.
  *
  * A block or chord of length 2E or less needs no bound: no place of it is
  * farther than E from one of its ends, and so is none of its chord.

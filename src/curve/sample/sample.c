@@ -10,7 +10,7 @@
 #include "curve/offset/gap.h"
 #include "curve/sample/chord.h"
 #include "curve/sample/frame.h"
-#include "curve/sample/place.h"
+#include "curve/sample/inversion.h"
 
 #include <float.h>
 #include <string.h>
@@ -52,8 +52,9 @@ double ph_sampler_length(const struct ph_sampler *sampler, double u,
   return sampler->ops->length(sampler, u, speed);
 }
 
-double ph_sampler_bend(const struct ph_sampler *sampler, double u0, double u1) {
-  return sampler->ops->bend(sampler, u0, u1);
+double ph_sampler_chord_bound(const struct ph_sampler *sampler, double u0,
+                              double u1) {
+  return sampler->ops->chord_bound(sampler, u0, u1);
 }
 
 /* ---- the walk ------------------------------------------------------------ */
@@ -201,7 +202,7 @@ static enum ph_status by_spacing(struct walk *walk) {
   const struct ph_sampler *sampler = &walk->sampler;
   const double spacing = walk->rules->spacing;
   struct ph_sum after = walk->start;
-  struct ph_trail trail = {.n = 0};
+  struct ph_inversion past = {.n = 0};
   enum ph_status status;
   double joint, s;
   ph_sum_add(&after, sampler->length);
@@ -218,8 +219,8 @@ static enum ph_status by_spacing(struct walk *walk) {
   }
   while (status == PH_OK && s < ph_sum_value(&after) - joint) {
     double local = (s - walk->start.high) - walk->start.low;
-    put(walk, ph_trail_next(&trail, sampler, local > joint ? local : 0, NULL),
-        s);
+    put(walk,
+        ph_inversion_next(&past, sampler, local > joint ? local : 0, NULL), s);
     s = (double)++walk->step * spacing;
   }
   return status;

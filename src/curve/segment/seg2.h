@@ -60,23 +60,24 @@ struct ph_seg2 ph_seg2_of(const struct ph_curve *curve, size_t k);
 ph_cplx ph_seg2_point(const struct ph_seg2 *seg, const struct ph_quad *rule,
                       double u);
 
-/* What bends at u: derivatives of the curve by way of its preimage. */
-struct ph_bend {
+/* Curvature at u: derivatives of the curve by way of its preimage. */
+struct ph_curvature {
   double speed;     /* |r'| = |w|^2, per u */
   ph_cplx tangent;  /* unit */
   double curvature; /* signed, positive to the left */
-  double slope;     /* d curvature / du; divide by speed for d/ds */
-  double terms[2];  /* bounds of the squares of what curvature and slope are
+  double rate;      /* d curvature / du; divide by speed for d/ds */
+  double terms[2];  /* bounds of the squares of what curvature and rate are
                        differences of: their errors are some eps times that */
 };
 
-/* ph_seg2_bend: the speed is positive unless w(u) = 0; there the rest is not
- * finite. */
-struct ph_bend ph_seg2_bend(const struct ph_seg2 *seg, double u);
+/* ph_seg2_curvature: the speed is positive unless w(u) = 0; there the rest is
+ * not finite. */
+struct ph_curvature ph_seg2_curvature(const struct ph_seg2 *seg, double u);
 
-/* ph_seg2_is_tame: whether the preimage stays within a quarter turn, and so the
- * tangent within a half turn, by sight of its coefficients. */
-static inline bool ph_seg2_is_tame(const ph_cplx w[3]) {
+/* ph_seg2_is_monotone: whether the preimage stays within a quarter turn, so
+ * that the tangent stays within a half turn and the curve is monotone along an
+ * axis, by sight of its coefficients. */
+static inline bool ph_seg2_is_monotone(const ph_cplx w[3]) {
   return ph_cplx_dot(w[0], w[1]) > 0 && ph_cplx_dot(w[1], w[2]) > 0 &&
          ph_cplx_dot(w[0], w[2]) > 0;
 }
@@ -85,8 +86,8 @@ static inline bool ph_seg2_is_tame(const ph_cplx w[3]) {
 #define PH_SEG2_STILL (16 * DBL_EPSILON)
 
 /*
- * ph_seg2_moves_on: whether it is tame and stands still nowhere, by sight of
- * its coefficients at unit scale, or near it.
+ * ph_seg2_moves_on: whether it is monotone and stands still nowhere, by sight
+ * of its coefficients at unit scale, or near it.
  *
  * In |w|^2 no term of w, within a quarter turn, takes from the others: it is at
  * least |w0|^2 (1-v)^4 + |w2|^2 v^4, an eighth of the smaller.
@@ -94,7 +95,7 @@ static inline bool ph_seg2_is_tame(const ph_cplx w[3]) {
 static inline bool ph_seg2_moves_on(const ph_cplx w[3]) {
   double first = ph_cplx_norm2(w[0]), last = ph_cplx_norm2(w[2]);
   double middle = ph_cplx_norm2(w[1]), sum = first + middle + last;
-  return ph_seg2_is_tame(w) && first > 8 * PH_SEG2_STILL * sum &&
+  return ph_seg2_is_monotone(w) && first > 8 * PH_SEG2_STILL * sum &&
          last > 8 * PH_SEG2_STILL * sum;
 }
 

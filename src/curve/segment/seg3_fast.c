@@ -43,8 +43,8 @@ static size_t rows_for(double angle2) {
  * a = 0, where A1 is near A0 and A2; without a difference of A1 next to a = pi,
  * where A1 is large.
  */
-static ph_quat bend_of(const struct ph_atph *space, ph_quat a0, ph_quat a1,
-                       ph_quat a2) {
+static ph_quat second_of(const struct ph_atph *space, ph_quat a0, ph_quat a1,
+                         ph_quat a2) {
   const ph_quat d = ph_quat_sub(a1, a0);
   const double half = 0.5 * space->angle * space->sinc; /* sin(a/2) */
   const double c2 = space->c * space->c;
@@ -98,11 +98,11 @@ void ph_fast3_of(const struct ph_curve *curve, size_t k,
   end[0].point = fast->seg.start;
   end[0].a[0] = a[0];
   end[0].a[1] = ph_quat_scale(2 * space->slope, ph_quat_sub(a[1], a[0]));
-  end[0].a[2] = bend_of(space, a[0], a[1], a[2]);
+  end[0].a[2] = second_of(space, a[0], a[1], a[2]);
   end[1].point = fast->seg.end;
   end[1].a[0] = a[2];
   end[1].a[1] = ph_quat_scale(2 * space->slope, ph_quat_sub(a[2], a[1]));
-  end[1].a[2] = bend_of(space, a[2], a[1], a[0]);
+  end[1].a[2] = second_of(space, a[2], a[1], a[0]);
   fill(&end[0], fast->angle2);
   fill(&end[1], fast->angle2);
 }

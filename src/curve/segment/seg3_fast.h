@@ -79,7 +79,7 @@ void ph_fast3_of(const struct ph_curve *curve, size_t k, struct ph_fast3 *fast);
 struct ph_fast3_place {
   const struct ph_fast3_end *end;
   double x, p, q, i, k;
-  double slope; /* p' */
+  double dp; /* p' */
 };
 
 /* Coefficients of (6), two of each series in a row. */
@@ -114,7 +114,7 @@ static inline struct ph_fast3_place ph_fast3_from(const struct ph_fast3 *fast,
   at.q = x2 * sum[1];
   at.k = x2 * x2 * x * sum[2];
   at.p = x - fast->angle2 * at.i;
-  at.slope = 1 - fast->angle2 * at.q;
+  at.dp = 1 - fast->angle2 * at.q;
   return at;
 }
 
@@ -143,17 +143,17 @@ static inline ph_quat ph_fast3_preimage(const struct ph_fast3_place *at) {
   return ph_fast3_sum(a[0], at->p, a[1], at->q, a[2]);
 }
 
-/* ph_fast3_slope: A' there. */
-static inline ph_quat ph_fast3_slope(const struct ph_fast3_place *at) {
+/* ph_fast3_first: A' there. */
+static inline ph_quat ph_fast3_first(const struct ph_fast3_place *at) {
   const ph_quat *a = at->end->a;
-  return ph_fast3_mix(at->slope, a[1], at->p, a[2]);
+  return ph_fast3_mix(at->dp, a[1], at->p, a[2]);
 }
 
-/* ph_fast3_bend: A'' there. */
-static inline ph_quat ph_fast3_bend(const struct ph_fast3 *fast,
-                                    const struct ph_fast3_place *at) {
+/* ph_fast3_second: A'' there. */
+static inline ph_quat ph_fast3_second(const struct ph_fast3 *fast,
+                                      const struct ph_fast3_place *at) {
   const ph_quat *a = at->end->a;
-  return ph_fast3_mix(at->slope, a[2], -fast->angle2 * at->p, a[1]);
+  return ph_fast3_mix(at->dp, a[2], -fast->angle2 * at->p, a[1]);
 }
 
 /* A at unit scale that is less than this has no direction but its rounding. */
@@ -163,10 +163,10 @@ static inline ph_quat ph_fast3_bend(const struct ph_fast3 *fast,
  * not: its square has the direction that r' has on either side. */
 static inline ph_quat ph_fast3_direction(const struct ph_fast3 *fast,
                                          const struct ph_fast3_place *at) {
-  const ph_quat a = ph_fast3_preimage(at), slope = ph_fast3_slope(at);
+  const ph_quat a = ph_fast3_preimage(at), first = ph_fast3_first(at);
   return ph_quat_abs(a) > PH_FAST3_ROUNDING       ? a
-         : ph_quat_abs(slope) > PH_FAST3_ROUNDING ? slope
-                                                  : ph_fast3_bend(fast, at);
+         : ph_quat_abs(first) > PH_FAST3_ROUNDING ? first
+                                                  : ph_fast3_second(fast, at);
 }
 
 /* ph_fast3_integral: (5), from the end to the place: negative next to u = 1, of

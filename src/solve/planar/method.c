@@ -466,8 +466,8 @@ static void loops_add(struct ph_planar_loops *loops, size_t k,
                       const struct ph_atph *space, const ph_cplx w[3]) {
   struct ph_seg2 seg = {*space, {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
   double angle = ph_seg2_stands_still(&seg, NULL) ? (double)NAN
-                 : ph_seg2_is_tame(w)             ? 0
-                                      : ph_seg2_rotation(&seg, NULL);
+                 : ph_seg2_is_monotone(w)         ? 0
+                                          : ph_seg2_rotation(&seg, NULL);
   if (!(fabs(angle) <= PH_PI) && loops->n++ == 0) {
     loops->first = k;
     loops->angle = angle;

@@ -113,7 +113,7 @@ static void start_from_chords(struct ph_planar_c2 *c2, struct work *w) {
 
 /* Angles of the straightened polygon: chord k points to
  * exp(i (heading + s turned[k])); likewise the ends. */
-struct bending {
+struct homotopy {
   double heading;
   double *turned; /* [n] */
   double end[2];  /* open */
@@ -126,7 +126,7 @@ static double angle_between(ph_cplx a, ph_cplx b) {
   return atan2(ph_cplx_cross(a, b), ph_cplx_dot(a, b));
 }
 
-static void bend(struct ph_planar_c2 *c2, const struct bending *g, double s) {
+static void turn(struct ph_planar_c2 *c2, const struct homotopy *g, double s) {
   if (s >= 1) { /* the data themselves, to the last digit */
     for (size_t k = 0; k < c2->n; k++) {
       c2->direction[k] = g->data[k];
@@ -144,7 +144,7 @@ static void bend(struct ph_planar_c2 *c2, const struct bending *g, double s) {
   c2->twist = ph_cplx_polar(s * g->total / 2);
 }
 
-static void bending_init(const struct ph_planar_c2 *c2, struct bending *g) {
+static void homotopy_init(const struct ph_planar_c2 *c2, struct homotopy *g) {
   size_t n = c2->n;
   const ph_cplx *u = g->data;
   g->heading = atan2(u[0].im, u[0].re);
@@ -161,7 +161,7 @@ static void bending_init(const struct ph_planar_c2 *c2, struct bending *g) {
 
 /* Predictor: the solution turns with the data, by half their angles. */
 static void turn_solution(const struct ph_planar_c2 *c2,
-                          const struct bending *g, double ds, ph_cplx *b) {
+                          const struct homotopy *g, double ds, ph_cplx *b) {
   size_t shift = c2->closed ? 0 : 1;
   for (size_t k = 0; k < c2->n; k++) {
     ph_cplx *z = &b[k + shift];
@@ -185,11 +185,11 @@ static double largest(const ph_cplx *a, const ph_cplx *b, size_t n) {
 
 /* Follows the solution from the straight polygon (s = 0) to the data. */
 static bool follow(struct ph_planar_c2 *c2, struct work *w,
-                   const struct bending *g, ph_cplx *from, ph_cplx *guess,
+                   const struct homotopy *g, ph_cplx *from, ph_cplx *guess,
                    size_t *iterations, struct ph_planar_measure *m) {
   size_t n = ph_planar_unknowns(c2);
   double s = 0, ds = FOLLOW_FIRST;
-  bend(c2, g, 0);
+  turn(c2, g, 0);
   start_from_chords(c2, w);
   c2->twist = ph_cplx_of(1, 0);
   if (!newton(c2, w, true, NEWTON_CAP, iterations, m)) {
@@ -205,7 +205,7 @@ static bool follow(struct ph_planar_c2 *c2, struct work *w,
     for (size_t i = 0; i < n; i++) {
       guess[i] = w->b[i];
     }
-    bend(c2, g, target);
+    turn(c2, g, target);
     if (newton(c2, w, false, FOLLOW_CAP, iterations, m) &&
         largest(w->b, guess, n) < FOLLOW_NEAR * largest(guess, NULL, n)) {
       s = target;
@@ -229,7 +229,7 @@ static enum ph_status continuation(struct ph_planar_c2 *c2, struct work *w,
                                    struct ph_planar_measure *m,
                                    struct ph_diag *diag) {
   size_t n = ph_planar_unknowns(c2);
-  struct bending g = {0};
+  struct homotopy g = {0};
   ph_cplx *from = ph_arena_array(scratch, n, sizeof *from);
   ph_cplx *guess = ph_arena_array(scratch, n, sizeof *guess);
   g.turned = ph_arena_array(scratch, c2->n, sizeof *g.turned);
@@ -240,9 +240,9 @@ static enum ph_status continuation(struct ph_planar_c2 *c2, struct work *w,
   for (size_t k = 0; k < c2->n; k++) {
     g.data[k] = c2->direction[k];
   }
-  bending_init(c2, &g);
+  homotopy_init(c2, &g);
   *solved = follow(c2, w, &g, from, guess, iterations, m);
-  bend(c2, &g, 1);
+  turn(c2, &g, 1);
   return PH_OK;
 }
 

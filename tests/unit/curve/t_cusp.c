@@ -80,7 +80,7 @@ PH_TEST(test_form) {
     form = form_of(&in_space, d, PH_E2);
     for (size_t i = 0; i <= 20; i++) {
       double u = (double)i / 20, size;
-      struct ph_bend bending = ph_seg2_bend(&seg, u);
+      struct ph_curvature bending = ph_seg2_curvature(&seg, u);
       double speed2 = bending.speed * bending.speed;
       double value = value_of(&in_space, &form, u, &size);
       size += speed2 * (1 + fabs(d) * sqrt(bending.terms[0]));
@@ -102,7 +102,7 @@ PH_TEST(test_count) {
     struct ph_cusps cusps;
     struct wanted wanted = {.n = 0};
     for (size_t i = 0; i <= STEPS; i++) {
-      double at = 1 - d * ph_seg2_bend(&seg, (double)i / STEPS).curvature;
+      double at = 1 - d * ph_seg2_curvature(&seg, (double)i / STEPS).curvature;
       if (i && (at > 0) != (before > 0)) {
         want(&wanted, ((double)i - 0.5) / STEPS);
       }
@@ -112,8 +112,8 @@ PH_TEST(test_count) {
     cusps = cusps_of(&s.curve, d, PH_E2);
     ck_cusps(&s.curve, &cusps, &wanted, 0.51 / STEPS);
     for (size_t i = 0; i < cusps.n; i++) {
-      struct ph_bend there = ph_seg2_bend(&seg, cusps.at[i].u);
-      ck_abs(d * there.curvature, 1, 1e-12 * (1 + fabs(d * there.slope)));
+      struct ph_curvature there = ph_seg2_curvature(&seg, cusps.at[i].u);
+      ck_abs(d * there.curvature, 1, 1e-12 * (1 + fabs(d * there.rate)));
     }
     some += cusps.n > 0;
   }

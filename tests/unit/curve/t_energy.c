@@ -22,7 +22,7 @@ static void begin(void) {
 /* Curves that do not nearly stand still: their panels are enough. */
 static bool is_slow(const struct ph_seg2 *seg) {
   for (size_t i = 0; i <= 50; i++) {
-    if (ph_seg2_bend(seg, (double)i / 50).speed < 0.05) {
+    if (ph_seg2_curvature(seg, (double)i / 50).speed < 0.05) {
       return true;
     }
   }
@@ -42,11 +42,11 @@ static struct ph_energy direct(const struct ph_seg2 *seg) {
   struct ph_energy e = {0};
   for (size_t i = 0; i < PANELS; i++) {
     for (size_t j = 0; j < rule.n; j++) {
-      struct ph_bend bend =
-          ph_seg2_bend(seg, ((double)i + rule.node[j]) / PANELS);
+      struct ph_curvature bend =
+          ph_seg2_curvature(seg, ((double)i + rule.node[j]) / PANELS);
       double weight = rule.weight[j] / PANELS;
       e.bending += weight * pow(bend.curvature, 2) * bend.speed;
-      e.varying += weight * pow(bend.slope, 2) / bend.speed;
+      e.varying += weight * pow(bend.rate, 2) / bend.speed;
     }
   }
   return e;
@@ -159,7 +159,7 @@ PH_TEST(test_bound) {
     struct ph_energy e = energy_of(&seg, 1);
     double length = 0;
     for (size_t j = 0; j < rule.n; j++) {
-      length += rule.weight[j] * ph_seg2_bend(&seg, rule.node[j]).speed;
+      length += rule.weight[j] * ph_seg2_curvature(&seg, rule.node[j]).speed;
     }
     ck_assert_double_ge(e.bending * length * (1 + 1e-12),
                         pow(2 * PI * e.absolute_rotation, 2));

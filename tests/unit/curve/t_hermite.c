@@ -33,7 +33,7 @@ static enum ph_status convert(double distance, double tolerance) {
 }
 
 static ph_cplx exact(const struct ph_seg2 *seg, double at, double distance) {
-  ph_cplx tangent = ph_seg2_bend(seg, at).tangent;
+  ph_cplx tangent = ph_seg2_curvature(seg, at).tangent;
   ph_cplx normal = ph_cplx_of(-tangent.im, tangent.re);
   return ph_cplx_add(ph_seg2_point(seg, &rule, at),
                      ph_cplx_scale(distance, normal));

@@ -5,7 +5,8 @@
 #include "curve/kind/kind.h"
 
 static void ck_sampler(const struct ph_sampler_ops *ops) {
-  ck_assert(ops->begin && ops->enter && ops->at && ops->length && ops->bend);
+  ck_assert(ops->begin && ops->enter && ops->at && ops->length &&
+            ops->chord_bound);
 }
 
 PH_TEST_EACH(test_complete, PH_CURVE_N) {

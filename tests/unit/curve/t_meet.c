@@ -124,24 +124,24 @@ static double off_hull(const struct ph_piece *piece, ph_cplx z) {
 /* All bounds at points of a piece; returns how wide that of the curvature is,
  * or infinity where there is none. */
 static double ck_bounds(const struct ph_piece *piece) {
-  bool tame = ph_seg2_is_tame(piece->seg.w);
+  bool monotone = ph_seg2_is_monotone(piece->seg.w);
   double curvature[2] = {-HUGE_VAL, HUGE_VAL}, off = 0;
   int bad = 0;
-  if (tame) {
+  if (monotone) {
     ph_piece_curvature(piece, curvature);
   }
-  ck_assert_int_eq(piece->cone.kind, tame ? PH_CONE_NARROW : PH_CONE_WIDE);
+  ck_assert_int_eq(piece->cone.kind, monotone ? PH_CONE_NARROW : PH_CONE_WIDE);
   for (int i = 0; i <= POINTS; i++) {
     double u = (double)i / POINTS;
-    struct ph_bend bend = ph_seg2_bend(&piece->seg, u);
+    struct ph_curvature local = ph_seg2_curvature(&piece->seg, u);
     ph_cplx at = ph_seg2_point(&piece->seg, &rule, u);
-    double slack = 1e-14 / bend.speed; /* rounding of Im(conj(w) w') */
+    double slack = 1e-14 / local.speed; /* rounding of Im(conj(w) w') */
     struct ph_box2 point = ph_box2_of(&at, 1);
     off = fmax(off, off_hull(piece, at));
     bad += ph_box2_apart(&point, &piece->box, 1e-14) ? 1 : 0;
-    bad += tame && !(outside(&piece->cone, bend.tangent) <= 1e-13) ? 1 : 0;
-    bad += tame && !(curvature[0] <= bend.curvature + slack &&
-                     bend.curvature <= curvature[1] + slack)
+    bad += monotone && !(outside(&piece->cone, local.tangent) <= 1e-13) ? 1 : 0;
+    bad += monotone && !(curvature[0] <= local.curvature + slack &&
+                         local.curvature <= curvature[1] + slack)
                ? 1
                : 0;
   }
@@ -152,7 +152,7 @@ static double ck_bounds(const struct ph_piece *piece) {
 
 PH_TEST(test_bounds) {
   struct unit_random r = unit_random_of(2);
-  size_t tame = 0;
+  size_t monotone = 0;
   for (int i = 0; i < unit_count(SEGMENTS); i++) {
     struct ph_seg2 seg = random_seg(&r, i);
     struct ph_piece piece = ph_piece_of(&seg, 0), half[2];
@@ -163,10 +163,10 @@ PH_TEST(test_bounds) {
       next = ck_bounds(&piece);
       /* From here on the width goes down with the length. */
       ck_assert(depth < 9 || isinf(width) || next <= 0.55 * width);
-      tame += isfinite(next) ? 1 : 0;
+      monotone += isfinite(next) ? 1 : 0;
     }
   }
-  ck_assert_uint_ge(tame, unit_count(SEGMENTS) * 8);
+  ck_assert_uint_ge(monotone, unit_count(SEGMENTS) * 8);
 }
 
 static const struct ph_between FAR = {{{0, 0}, {0, 0}, PH_CONE_WIDE},
@@ -268,8 +268,8 @@ PH_TEST(test_tangent) {
     double off = i % 3 ? pow(10, unit_random_in(&r, -9, -1)) : 0;
     ph_cplx at = ph_seg2_point(&a, &rule, u), turn;
     struct ph_meet meet;
-    turn = ph_cplx_mul(ph_seg2_bend(&a, u).tangent,
-                       ph_cplx_conj(ph_seg2_bend(&b, v).tangent));
+    turn = ph_cplx_mul(ph_seg2_curvature(&a, u).tangent,
+                       ph_cplx_conj(ph_seg2_curvature(&b, v).tangent));
     turn = ph_cplx_sqrt(ph_cplx_mul(turn, ph_cplx_polar(i % 2 * PI + off)));
     for (int k = 0; k < 3; k++) {
       b.w[k] = ph_cplx_mul(b.w[k], turn);

@@ -194,7 +194,7 @@ static void ck_places(const struct ph_curve *curve, size_t k) {
   const double whole = sampler.length;
   for (int i = 0; i <= 60; i++) {
     double part = ldexp(1, -i / 2), s = (i % 2 ? part : 1 - part) * whole;
-    double u = ph_sampler_place(&sampler, s, 0.5, NULL);
+    double u = ph_sampler_parameter(&sampler, s, 0.5, NULL);
     ck_assert(u >= 0 && u <= 1);
     ck_abs(unit_length(&sampler, u), s, 1e-14 * whole);
   }
@@ -261,7 +261,7 @@ PH_TEST(test_start) {
   ph_spherical_jet(&segment, 0, jet);
   for (double u = 1e-2; u > 1e-6; u /= 10) {
     double s = ph_vec3_abs(jet[2]) * u * u / 2;
-    ck_rel(ph_sampler_place(&sampler, s, 0.5, NULL), u,
+    ck_rel(ph_sampler_parameter(&sampler, s, 0.5, NULL), u,
            3 * u + 1e-14 / (u * u));
   }
 }

@@ -49,9 +49,9 @@ PH_TEST(test_bend) {
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r);
     double u = unit_random_in(&r, 0.1, 0.9);
-    struct ph_bend bend = ph_seg2_bend(&seg, u);
-    struct ph_bend left = ph_seg2_bend(&seg, u - step);
-    struct ph_bend right = ph_seg2_bend(&seg, u + step);
+    struct ph_curvature bend = ph_seg2_curvature(&seg, u);
+    struct ph_curvature left = ph_seg2_curvature(&seg, u - step);
+    struct ph_curvature right = ph_seg2_curvature(&seg, u + step);
     ph_cplx w = unit_seg2_w(&seg, u);
     double turn = atan2(ph_cplx_cross(left.tangent, right.tangent),
                         ph_cplx_dot(left.tangent, right.tangent));
@@ -63,10 +63,10 @@ PH_TEST(test_bend) {
     ck_abs(ph_cplx_norm2(bend.tangent), 1, 1e-14);
     ck_abs(turn / (2 * step * bend.speed), bend.curvature,
            1e-4 * (1 + sqrt(bend.terms[0])));
-    ck_abs((right.curvature - left.curvature) / (2 * step), bend.slope,
+    ck_abs((right.curvature - left.curvature) / (2 * step), bend.rate,
            1e-3 * (1 + sqrt(bend.terms[1])));
     ck_assert_double_le(pow(bend.curvature, 2), bend.terms[0] * (1 + 1e-14));
-    ck_assert_double_le(pow(bend.slope, 2), bend.terms[1] * (1 + 1e-14));
+    ck_assert_double_le(pow(bend.rate, 2), bend.terms[1] * (1 + 1e-14));
   }
 }
 
@@ -80,7 +80,8 @@ PH_TEST(test_part) {
     ck_rel(part.space.angle, seg.space.angle * (u1 - u0), 1e-14);
     for (size_t i = 0; i <= 8; i++) {
       double x = (double)i / 8, u = u0 + x * (u1 - u0);
-      struct ph_bend a = ph_seg2_bend(&part, x), b = ph_seg2_bend(&seg, u);
+      struct ph_curvature a = ph_seg2_curvature(&part, x),
+                          b = ph_seg2_curvature(&seg, u);
       ck_cplx(ph_seg2_point(&part, &rule, x), ph_seg2_point(&seg, &rule, u),
               1e-13);
       ck_abs(a.speed, b.speed * (u1 - u0), 1e-12);
@@ -151,7 +152,7 @@ PH_TEST(test_of_cubics) {
     const size_t k = n % 3;
     struct unit_cubics c;
     struct ph_seg2 seg;
-    struct ph_bend bend;
+    struct ph_curvature bend;
     double u = unit_random_in(&r, 0, 1), absolute, turned;
     ph_cplx w, w0, w1;
     unit_cubics_random(&c, &r, 3, scale, unit_random_cplx(&r, scale));
@@ -166,7 +167,7 @@ PH_TEST(test_of_cubics) {
     ck_cplx(seg.end, unit_curve(&c.curve, k, 0, 1), 0);
     ck_cplx(ph_seg2_point(&seg, &rule, u), unit_curve(&c.curve, k, 0, u),
             4e-15 * scale);
-    bend = ph_seg2_bend(&seg, u);
+    bend = ph_seg2_curvature(&seg, u);
     ck_abs(bend.speed, ph_cplx_norm2(w), 4e-15 * scale);
     ck_abs(bend.curvature * bend.speed * bend.speed / scale,
            2 * unit_cubic_bend(&c, k) / scale, 2e-14);

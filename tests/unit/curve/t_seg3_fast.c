@@ -66,7 +66,7 @@ PH_TEST_EACH(test_functions, ANGLES_N) {
       struct ph_fast3_place at = ph_fast3_from(&s.fast, end, signed_x);
       ck_rel(at.p, p_of(a, signed_x), 4e-16);
       ck_rel(at.q, q_of(a, signed_x), 1e-15);
-      ck_abs(at.slope, cos(a * x), 4e-16);
+      ck_abs(at.dp, cos(a * x), 4e-16);
       ck_rel(at.i, integral_of_q(a, signed_x, 1), 2e-15);
       ck_rel(at.k, integral_of_q(a, signed_x, 2), 2e-15);
       ck_abs(at.p * at.p, 2 * at.q - a * a * at.q * at.q, 1e-15);
@@ -95,8 +95,8 @@ PH_TEST_EACH(test_preimage, ANGLES_N) {
       double noise = 1e-14 / s.fast.seg.space.c;
       ck_quat(ph_quat_scale(root, ph_fast3_preimage(&at)), a, 4e-15);
       ph_seg3_jet(&s.fast.seg, u, jet, 3);
-      ck_quat(ph_fast3_slope(&at), jet[1], noise);
-      ck_quat(ph_fast3_bend(&s.fast, &at), jet[2], 4 * noise);
+      ck_quat(ph_fast3_first(&at), jet[1], noise);
+      ck_quat(ph_fast3_second(&s.fast, &at), jet[2], 4 * noise);
     }
   }
 }

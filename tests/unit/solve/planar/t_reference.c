@@ -251,7 +251,8 @@ static void ck_ends(const struct reference *r) {
     ph_cplx d = derivative(curve, k, 2 * i);
     ck_abs(d.re, r->derivatives[2 * i], 1e-11);
     ck_abs(d.im, r->derivatives[2 * i + 1], 1e-11);
-    ck_abs(ph_seg2_bend(&seg, (double)i).curvature, r->kappa[i], TOL_KAPPA);
+    ck_abs(ph_seg2_curvature(&seg, (double)i).curvature, r->kappa[i],
+           TOL_KAPPA);
   }
 }
 
@@ -294,7 +295,7 @@ PH_TEST(test_circle) {
     for (size_t i = 0; i <= 1000; i++) {
       const double at = (double)i / 1000;
       ck_abs(ph_cplx_abs(ph_seg2_point(&seg, &rule, at)), 1, 1e-14);
-      ck_abs(ph_seg2_bend(&seg, at).curvature, 1, 1e-12);
+      ck_abs(ph_seg2_curvature(&seg, at).curvature, 1, 1e-12);
     }
   }
 }
@@ -334,7 +335,7 @@ PH_TEST(test_limacon) {
   for (size_t k = 0; k < 4; k++) {
     struct ph_seg2 seg = ph_seg2_of(&u.result.curve, k);
     for (size_t i = 0; i <= 1000; i++) {
-      double kappa = ph_seg2_bend(&seg, (double)i / 1000).curvature;
+      double kappa = ph_seg2_curvature(&seg, (double)i / 1000).curvature;
       least = fmin(least, kappa);
       greatest = fmax(greatest, kappa);
     }

@@ -25,8 +25,9 @@ static double integral(const struct ph_curve *curve, size_t k,
   double sum = 0, angle = seg.space.angle;
   for (int part = 0; part < PARTS; part++) {
     for (size_t i = 0; i < rule->n; i++) {
-      struct ph_bend bend = ph_seg2_bend(&seg, (part + rule->node[i]) / PARTS);
-      sum += rule->weight[i] / PARTS * bend.slope * bend.slope * bend.speed;
+      struct ph_curvature bend =
+          ph_seg2_curvature(&seg, (part + rule->node[i]) / PARTS);
+      sum += rule->weight[i] / PARTS * bend.rate * bend.rate * bend.speed;
     }
   }
   return sum / (angle * angle);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How far chords are from a curve (see bend.h).
+ * How far chords are from a curve (see chord_bound.h).
  *
  * The bounds (1)-(4):
  * Let s = |r'|, and let r'' = s' T + (a vector normal to T), of length b.
@@ -54,7 +54,7 @@
  *     and b are no more than |r' . r''| and |r' x r''| over that: quotients
  *     of polynomials of the same degree.
  */
-#include "curve/sample/bend.h"
+#include "curve/sample/chord_bound.h"
 
 #include "kernel/form.h"
 #include "kernel/interval.h"
@@ -77,7 +77,7 @@ enum { DEGREE_FORM = 10 };
 struct motion {
   double h;
   double second;           /* greatest |r''| */
-  double bend;             /* greatest normal part of it */
+  double normal_acc;       /* greatest normal part of it */
   double slope;            /* greatest |s'| */
   double slowest, fastest; /* of s */
   bool forward;            /* T does not jump where s = 0, if that is anywhere
@@ -94,13 +94,13 @@ static double bound_of(const struct motion *m) {
   double qh = m->h * m->slope / m->slowest, bound = m->second;
   double ratio = m->fastest / m->slowest;
   if (m->slowest > 0) {
-    bound = lesser(m->bend * ratio * ratio, bound);
+    bound = lesser(m->normal_acc * ratio * ratio, bound);
   }
   if (m->slowest > 0 && m->turn <= QUARTER && qh < 2) {
-    bound = lesser(m->bend * (1 + 7 * qh / (24 - 12 * qh)), bound);
+    bound = lesser(m->normal_acc * (1 + 7 * qh / (24 - 12 * qh)), bound);
   }
   if (m->forward && m->turn <= QUARTER) {
-    bound = lesser(m->bend + m->slope * m->turn, bound);
+    bound = lesser(m->normal_acc + m->slope * m->turn, bound);
   }
   return bound >= 0 ? bound * (1 + ROUNDING) : (double)INFINITY;
 }
@@ -182,30 +182,30 @@ static double across(ph_quat w) {
   return sqrt(w.p * w.p + w.q * w.q);
 }
 
-double ph_bend_ph(const struct ph_seg3 *seg, double u0, double u1) {
+double ph_chord_bound_ph(const struct ph_seg3 *seg, double u0, double u1) {
   ph_quat first[2], last[2];
   struct part part = part_of(seg, u0, u1, first, last, 2);
   struct product speed = product_of(part.a, part.a, part.c);
   struct product second = product_of(part.a, part.b, part.c);
   struct ph_range sigma = ph_range_of(speed.number, 5, part.error);
   struct ph_range slope = ph_range_of(second.number, 5, part.error);
-  double bend, longest = 0;
+  double normal_acc, longest = 0;
   struct motion m;
   for (size_t k = 0; k < 5; k++) {
     longest = ph_range_greatest(longest, ph_vec3_abs(second.vector[k]));
   }
-  bend = ph_range_greatest(
+  normal_acc = ph_range_greatest(
       across(ph_quat_between(part.a[0], part.b[0])),
       ph_range_greatest(across(ph_quat_between(part.a[0], part.b[1])),
                         across(ph_quat_between(part.a[2], part.b[2]))));
   m = (struct motion){.h = part.h,
                       .second = 2 * (longest + part.error),
-                      .bend = 2 * (bend + part.error),
+                      .normal_acc = 2 * (normal_acc + part.error),
                       .slope = 2 * ph_range_farthest(slope),
                       .slowest = sigma.low,
                       .fastest = sigma.high,
                       .forward = sigma.low > 0};
-  m.turn = m.h * m.bend / m.slowest;
+  m.turn = m.h * m.normal_acc / m.slowest;
   return bound_of(&m);
 }
 
@@ -351,11 +351,11 @@ static struct motion offset_motion(const struct aside *aside, double d,
   normal = ph_range_farthest(
       ph_range_add(ph_range_mul(speed, t.p), ph_range_div(turned, speed)));
   m.second = sqrt(a * a + b * b + c * c);
-  m.bend = sqrt(b * b + normal * normal);
+  m.normal_acc = sqrt(b * b + normal * normal);
   m.slope =
       ph_range_least(plane, ph_range_farthest(ph_range_div(slope, speed)));
   m.forward = m.slowest > 0;
-  m.turn = h * m.bend / m.slowest;
+  m.turn = h * m.normal_acc / m.slowest;
   return m;
 }
 
@@ -366,13 +366,13 @@ static struct motion offset_motion2(const struct aside *aside, double d,
   struct ph_range g1 = ph_range_sub(sigma1, ph_range_scale(d, t1.q));
   double none = 2 * aside->error;
   struct motion m = {.h = h,
-                     .bend = ph_range_farthest(aside->beside),
+                     .normal_acc = ph_range_farthest(aside->beside),
                      .slope = ph_range_farthest(g1),
                      .slowest = ph_range_nearest(aside->g),
                      .fastest = ph_range_farthest(aside->g),
                      .forward = aside->g.low >= -none || aside->g.high <= none,
                      .turn = h * ph_range_farthest(t.q)};
-  m.second = sqrt(m.bend * m.bend + m.slope * m.slope);
+  m.second = sqrt(m.normal_acc * m.normal_acc + m.slope * m.slope);
   return m;
 }
 
@@ -398,8 +398,8 @@ static bool bends_of(const struct part *part, const ph_quat *first,
   return planar;
 }
 
-double ph_bend_offset(const struct ph_seg3 *seg, enum ph_normal normal,
-                      double distance, double u0, double u1) {
+double ph_chord_bound_offset(const struct ph_seg3 *seg, enum ph_normal normal,
+                             double distance, double u0, double u1) {
   ph_quat first[3], last[3], w[3], w1[3];
   struct part part = part_of(seg, u0, u1, first, last, 3);
   struct product speed = product_of(part.a, part.a, part.c);
@@ -501,15 +501,16 @@ static struct motion bezier_motion(const ph_vec3 *first, const ph_vec3 *second,
   }
   for (size_t k = 0; k + 2 < 2 * degree; k++) {
     double along = products.along[k] - error, wide = error * m.fastest;
-    double bend = (ph_vec3_abs(products.cross[k]) + wide) / along;
+    double normal_acc = (ph_vec3_abs(products.cross[k]) + wide) / along;
     double slope = (fabs(products.dot[k]) + wide) / along;
-    m.bend = ph_range_greatest(m.bend, bend);
+    m.normal_acc = ph_range_greatest(m.normal_acc, normal_acc);
     m.slope = ph_range_greatest(m.slope, slope);
   }
   return m;
 }
 
-double ph_bend_bezier(const ph_vec3 *p, size_t degree, double u0, double u1) {
+double ph_chord_bound_bezier(const ph_vec3 *p, size_t degree, double u0,
+                             double u1) {
   ph_vec3 first[DEGREE_MAX], second[DEGREE_MAX];
   double size = 0;
   struct motion m;
@@ -530,6 +531,6 @@ double ph_bend_bezier(const ph_vec3 *p, size_t degree, double u0, double u1) {
   m = bezier_motion(first, second, degree, 4 * ROUNDING * size);
   m.h = u1 - u0;
   m.forward = m.slowest > 0;
-  m.turn = m.h * m.bend / m.slowest;
+  m.turn = m.h * m.normal_acc / m.slowest;
   return bound_of(&m);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How far chords are from a spherical curve and its parallels (see bend.h).
+ * How far chords are from a spherical curve and its parallels (see
+ * chord_bound.h).
  *
  * Over a block [u0,u1] the points of de Casteljau's algorithm and all that is
  * made of them are Taylor coefficients f_k = f^(k) / k!, k <= 4: what they are
@@ -30,7 +31,7 @@
  * there on are in those of S' of the next order, as V = mean of S'' over [0,t];
  *   v = t |V|,   turn = [S,V,V'] / V^2.                                 (7)
  */
-#include "curve/sample/bend.h"
+#include "curve/sample/chord_bound.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"
 
@@ -441,8 +442,8 @@ static double bound_of(double a, double b) {
 }
 
 /* Of the curve: |S''|, and by its speed and curvature. */
-static double bend_curve(const struct ph_spherical *segment, double u0,
-                         double u1) {
+static double bound_curve(const struct ph_spherical *segment, double u0,
+                          double u1) {
   const struct block block = block_of(segment, u0, u1);
   struct vector s, first, second;
   struct series w, k;
@@ -460,8 +461,9 @@ static double bend_curve(const struct ph_spherical *segment, double u0,
 }
 
 /* (5) and (6) */
-static double bend_parallel(double radius, double distance,
-                            const struct series *v, const struct series *turn) {
+static double bound_parallel(double radius, double distance,
+                             const struct series *v,
+                             const struct series *turn) {
   const double cosine = cos(distance), sine = sin(distance);
   const double rate = hypot(v->most[0], turn->most[0]);
   struct series g = {.n = common(v->n, turn->n)};
@@ -478,8 +480,8 @@ static double bend_parallel(double radius, double distance,
 }
 
 /* Away from rest. */
-static double bend_moving(const struct ph_spherical *segment, double distance,
-                          double u0, double u1) {
+static double bound_moving(const struct ph_spherical *segment, double distance,
+                           double u0, double u1) {
   const struct block block = block_of(segment, u0, u1);
   struct vector s, first, second;
   struct series w, v, k, turn;
@@ -492,12 +494,12 @@ static double bend_moving(const struct ph_spherical *segment, double distance,
   v = root(block.radius, &w);
   k = triple(block.radius, &s, &first, &second);
   turn = quotient(block.radius, &k, &w);
-  return bend_parallel(block.radius, distance, &v, &turn);
+  return bound_parallel(block.radius, distance, &v, &turn);
 }
 
 /* (7), on the least block up to an end at rest that has u in it. */
-static double bend_rest(const struct ph_spherical *segment, bool start,
-                        double distance, double u) {
+static double bound_rest(const struct ph_spherical *segment, bool start,
+                         double distance, double u) {
   const struct block block =
       start ? block_of(segment, 0, u) : block_of(segment, u, 1);
   const double t = start ? block.middle : block.middle - 1;
@@ -520,33 +522,33 @@ static double bend_rest(const struct ph_spherical *segment, bool start,
   turn = quotient(block.radius, &k, &w);
   speed = root(block.radius, &w);
   speed = times(block.radius, &block.tau[start ? 1 : 0], &speed);
-  return bend_parallel(block.radius, distance, &speed, &turn);
+  return bound_parallel(block.radius, distance, &speed, &turn);
 }
 
 static bool is_same(ph_vec3 a, ph_vec3 b) {
   return ph_s2_angle(a, b) <= 0;
 }
 
-double ph_bend_spherical(const struct ph_spherical *segment, double distance,
-                         double u0, double u1) {
+double ph_chord_bound_spherical(const struct ph_spherical *segment,
+                                double distance, double u0, double u1) {
   const ph_vec3 *p = segment->p;
   const bool start = is_same(p[0], p[1]), end = is_same(p[2], p[3]);
-  double bend;
+  double bound;
   if (!(fabs(distance) > 0)) {
-    return bend_curve(segment, u0, u1);
+    return bound_curve(segment, u0, u1);
   }
   if (is_same(p[1], p[2]) && (start || end)) {
     /* on a great circle: its parallel is S cos d but for a constant */
-    return fabs(cos(distance)) * bend_curve(segment, u0, u1);
+    return fabs(cos(distance)) * bound_curve(segment, u0, u1);
   }
-  bend = (start && u0 <= 0) || (end && u1 >= 1)
-             ? (double)INFINITY
-             : bend_moving(segment, distance, u0, u1);
+  bound = (start && u0 <= 0) || (end && u1 >= 1)
+              ? (double)INFINITY
+              : bound_moving(segment, distance, u0, u1);
   if (start && u1 <= 0.5) {
-    bend = fmin(bend, bend_rest(segment, true, distance, u1));
+    bound = fmin(bound, bound_rest(segment, true, distance, u1));
   }
   if (end && u0 >= 0.5) {
-    bend = fmin(bend, bend_rest(segment, false, distance, u0));
+    bound = fmin(bound, bound_rest(segment, false, distance, u0));
   }
-  return bend;
+  return bound;
 }

@@ -4,7 +4,7 @@
  * chords, nor chords the curve, by more than the bound; for short intervals it
  * is near the truth, and of circles and helices it is the truth.
  */
-#include "curve/sample/bend.h"
+#include "curve/sample/chord_bound.h"
 
 #include "unit.h"
 #include "seg3_unit.h"
@@ -86,11 +86,12 @@ static double bend_of(const struct path *path, double u0, double u1) {
   switch (path->kind) {
   case OFFSET_PLANE:
   case OFFSET_SPACE:
-    return ph_bend_offset(&path->seg, path->normal, path->distance, u0, u1);
+    return ph_chord_bound_offset(&path->seg, path->normal, path->distance, u0,
+                                 u1);
   case BEZIER:
-    return ph_bend_bezier(path->p, path->degree, u0, u1);
+    return ph_chord_bound_bezier(path->p, path->degree, u0, u1);
   default:
-    return ph_bend_ph(&path->seg, u0, u1);
+    return ph_chord_bound_ph(&path->seg, u0, u1);
   }
 }
 
@@ -217,10 +218,11 @@ PH_TEST(test_limit) {
     struct unit_bend3 b = unit_seg3_bend(&path.seg, u);
     double across = b.curvature * b.speed * b.speed;
     double kappa = 2 * b.z.im / (b.speed * b.speed);
-    ck_abs(ph_bend_ph(&path.seg, u, u + h), across, 1e-3 * (1 + across));
+    ck_abs(ph_chord_bound_ph(&path.seg, u, u + h), across, 1e-3 * (1 + across));
     if (path.kind == PLANE && b.speed > 0.1) {
       double x = 1 - path.distance * kappa;
-      double m = ph_bend_offset(&path.seg, PH_E2, path.distance, u, u + h);
+      double m =
+          ph_chord_bound_offset(&path.seg, PH_E2, path.distance, u, u + h);
       double wanted = fabs(kappa * x) * b.speed * b.speed;
       ck_abs(m, wanted, 1e-3 * (1 + wanted) * (1 + kappa * kappa));
     }
@@ -245,13 +247,13 @@ PH_TEST(test_circle) {
   for (size_t i = 0; i < 3; i++) {
     struct ph_seg3 seg = circle(ends[i]);
     double square = ends[i] * ends[i];
-    ck_abs(ph_bend_ph(&seg, 0, 1), 3 * square, 1e-10);
-    ck_abs(ph_bend_ph(&seg, 0.25, 0.75), 3 * square, 1e-10);
-    ck_abs(ph_bend_offset(&seg, PH_E2, 1, 0, 1), 2 * square, 1e-10);
-    ck_abs(ph_bend_offset(&seg, PH_E2, -1, 0, 1), 4 * square, 1e-10);
-    ck_abs(ph_bend_offset(&seg, PH_E2, 5, 0.25, 0.5), 2 * square, 1e-10);
+    ck_abs(ph_chord_bound_ph(&seg, 0, 1), 3 * square, 1e-10);
+    ck_abs(ph_chord_bound_ph(&seg, 0.25, 0.75), 3 * square, 1e-10);
+    ck_abs(ph_chord_bound_offset(&seg, PH_E2, 1, 0, 1), 2 * square, 1e-10);
+    ck_abs(ph_chord_bound_offset(&seg, PH_E2, -1, 0, 1), 4 * square, 1e-10);
+    ck_abs(ph_chord_bound_offset(&seg, PH_E2, 5, 0.25, 0.5), 2 * square, 1e-10);
     /* e3 is upright: the offset is the circle, above */
-    ck_abs(ph_bend_offset(&seg, PH_E3, 5, 0, 0.5), 3 * square, 1e-10);
+    ck_abs(ph_chord_bound_offset(&seg, PH_E3, 5, 0, 0.5), 3 * square, 1e-10);
   }
 }
 
@@ -261,18 +263,18 @@ PH_TEST(test_line) {
   const ph_quat a = {1, 2, -1, 0.5};
   const ph_quat even[3] = {a, a, a};
   struct ph_seg3 seg = unit_seg3(0, even, ph_vec3_of(0, 0, 0));
-  ck_abs(ph_bend_ph(&seg, 0.25, 1), 0, 1e-11);
-  ck_abs(ph_bend_offset(&seg, PH_E3, 3, 0, 1), 0, 1e-11);
-  ck_abs(ph_bend_bezier(p, 3, 0, 0.75), 0, 1e-11);
-  ck_abs(ph_bend_bezier(p, 1, 0, 1), 0, 0);
+  ck_abs(ph_chord_bound_ph(&seg, 0.25, 1), 0, 1e-11);
+  ck_abs(ph_chord_bound_offset(&seg, PH_E3, 3, 0, 1), 0, 1e-11);
+  ck_abs(ph_chord_bound_bezier(p, 3, 0, 0.75), 0, 1e-11);
+  ck_abs(ph_chord_bound_bezier(p, 1, 0, 1), 0, 0);
 }
 
 /* y = x^2 has r'' = (0, 2) everywhere. */
 PH_TEST(test_parabola) {
   static const ph_vec3 p[3] = {{-1, 1, 0}, {0, -1, 0}, {1, 1, 0}};
-  ck_rel(ph_bend_bezier(p, 2, 0, 1), 8, 1e-13);
-  ck_rel(ph_bend_bezier(p, 2, 0.25, 0.75), 8, 1e-13);
-  ck_rel(ph_bend_bezier(p, 2, 0.5, 0.5), 8, 1e-13);
+  ck_rel(ph_chord_bound_bezier(p, 2, 0, 1), 8, 1e-13);
+  ck_rel(ph_chord_bound_bezier(p, 2, 0.25, 0.75), 8, 1e-13);
+  ck_rel(ph_chord_bound_bezier(p, 2, 0.5, 0.5), 8, 1e-13);
 }
 
 /* The curve stands still at 1/2, where there is a bound of its chords and no
@@ -281,11 +283,12 @@ PH_TEST(test_standing) {
   const ph_quat still[3] = {{-1, 0, 0, 0}, {0, 0, 0, -0.25}, {1, 0, 0, 0.5}};
   struct path path = {.kind = PLANE};
   path.seg = unit_seg3(0, still, ph_vec3_of(0, 0, 0));
-  ck_assert(isfinite(ph_bend_ph(&path.seg, 0, 1)));
+  ck_assert(isfinite(ph_chord_bound_ph(&path.seg, 0, 1)));
   ck_assert_double_le(distance_of(&path, 0.3, 0.6),
-                      ph_bend_ph(&path.seg, 0.3, 0.6) * 0.09 / 8);
-  ck_abs(ph_bend_offset(&path.seg, PH_E2, 1, 0.4, 0.6), (double)INFINITY, 0);
-  ck_assert(isfinite(ph_bend_offset(&path.seg, PH_E2, 1, 0.6, 0.7)));
+                      ph_chord_bound_ph(&path.seg, 0.3, 0.6) * 0.09 / 8);
+  ck_abs(ph_chord_bound_offset(&path.seg, PH_E2, 1, 0.4, 0.6), (double)INFINITY,
+         0);
+  ck_assert(isfinite(ph_chord_bound_offset(&path.seg, PH_E2, 1, 0.6, 0.7)));
 }
 
 /* What is no number has no bound. */
@@ -295,10 +298,10 @@ PH_TEST(test_not_a_number) {
   ph_vec3 p[4] = {{0, 0, 0}, {1, 0, 0}, {nan, 1, 0}, {3, 0, 0}};
   bad.a[1].q = nan;
   bad.a[2].q = nan;
-  ck_abs(ph_bend_ph(&bad, 0, 1), (double)INFINITY, 0);
-  ck_abs(ph_bend_offset(&bad, PH_E2, 1, 0, 1), (double)INFINITY, 0);
-  ck_abs(ph_bend_offset(&seg, PH_E2, nan, 0, 1), (double)INFINITY, 0);
-  ck_abs(ph_bend_bezier(p, 3, 0, 1), (double)INFINITY, 0);
+  ck_abs(ph_chord_bound_ph(&bad, 0, 1), (double)INFINITY, 0);
+  ck_abs(ph_chord_bound_offset(&bad, PH_E2, 1, 0, 1), (double)INFINITY, 0);
+  ck_abs(ph_chord_bound_offset(&seg, PH_E2, nan, 0, 1), (double)INFINITY, 0);
+  ck_abs(ph_chord_bound_bezier(p, 3, 0, 1), (double)INFINITY, 0);
 }
 
 PH_TESTS_WITH(begin, NULL, test_holds, test_tight, test_cusp, test_limit,

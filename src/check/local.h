@@ -16,8 +16,8 @@
  * and a curve that bends as a circle of radius rho, kappa = cot rho, has a
  * parallel that bends as one of radius rho - d.
  */
-#ifndef PH_CHECK_PLACE_H
-#define PH_CHECK_PLACE_H
+#ifndef PH_CHECK_LOCAL_H
+#define PH_CHECK_LOCAL_H
 
 #include "check/segment.h"
 
@@ -32,7 +32,7 @@ struct ph_check_path {
   const struct ph_cusps *cusps; /* of an offset, as listed; or NULL */
 };
 
-struct ph_check_place {
+struct ph_check_local {
   ph_vec3 point, tangent;
   double point_error, tangent_error; /* the latter is not finite where the
                                         curve stands still */
@@ -46,14 +46,14 @@ struct ph_check_place {
   double flat; /* in space: the relative error of r' x r'' */
 };
 
-/* ph_check_place_at: the place at u in [0,1]. */
-struct ph_check_place ph_check_place_at(const struct ph_check_path *path,
+/* ph_check_local_at: the place at u in [0,1]. */
+struct ph_check_local ph_check_local_at(const struct ph_check_path *path,
                                         double u);
 
 /* The same of forms and of segments on a sphere, for the rows of kind.c. */
-struct ph_check_place ph_check_form_place(const struct ph_check_path *path,
+struct ph_check_local ph_check_form_local(const struct ph_check_path *path,
                                           double u);
-struct ph_check_place ph_check_great_place(const struct ph_check_path *path,
+struct ph_check_local ph_check_great_local(const struct ph_check_path *path,
                                            double u);
 
 /* ph_check_across: e. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Places on curves and their offsets (see place.h). */
-#include "check/place.h"
+/* Places on curves and their offsets (see local.h). */
+#include "check/local.h"
 
 #include "check/kind.h"
 #include "kernel/quat.h"
@@ -38,7 +38,7 @@ static void root_of(const double *x, double *root) {
   }
 }
 
-/* x / y, in place. */
+/* x / y, in local. */
 static void divide(ph_vec3 *x, const double *y) {
   for (size_t i = 0; i < N; i++) {
     for (size_t j = 1; j <= i; j++) {
@@ -139,15 +139,15 @@ struct motion {
  * where it changes fast. */
 static void displace(const struct ph_check_path *path, double u,
                      const ph_vec3 *r, struct motion *m,
-                     struct ph_check_place *place) {
+                     struct ph_check_local *local) {
   double d = path->distance, speed = ph_vec3_abs(r[0]), factorial = 1;
   double error = fabs(d) * (m->error[0] / speed + PARAMETER);
   double fast =
       NEXT + 2 * ph_vec3_abs(r[1]) / speed + sqrt(ph_vec3_abs(r[2]) / speed);
   ph_vec3 e[N];
   across(path, u, r, e);
-  place->point = ph_vec3_along(place->point, d, e[0]);
-  place->point_error += error;
+  local->point = ph_vec3_along(local->point, d, e[0]);
+  local->point_error += error;
   for (size_t i = 0; i + 1 < N; i++) {
     factorial *= (double)(i + 1);
     m->jet[i] = ph_vec3_along(m->jet[i], d * factorial, e[i + 1]);
@@ -174,36 +174,36 @@ static double bring_near(struct motion *m) {
 }
 
 /* Speed, tangent, curvature and torsion of what moves so. */
-static void bend(const struct ph_check_path *path, struct motion *m,
-                 struct ph_check_place *place) {
+static void curvatures(const struct ph_check_path *path, struct motion *m,
+                       struct ph_check_local *local) {
   double scale = bring_near(m);
   double speed = ph_vec3_abs(m->jet[0]), square = speed * speed;
   double second = ph_vec3_abs(m->jet[1]);
   ph_vec3 turn = ph_vec3_cross(m->jet[0], m->jet[1]);
   double area = ph_vec3_abs(turn);
   double error = speed * m->error[1] + second * m->error[0];
-  place->speed = speed / scale;
-  place->tangent = ph_vec3_scale(1 / speed, m->jet[0]);
-  place->tangent_error = m->error[0] / speed;
-  place->curvature =
+  local->speed = speed / scale;
+  local->tangent = ph_vec3_scale(1 / speed, m->jet[0]);
+  local->tangent_error = m->error[0] / speed;
+  local->curvature =
       (path->v->curve->dimension == 2 ? turn.z : area) / (square * speed);
-  place->curvature_error =
-      (m->error[1] + 4 * second * place->tangent_error) / square;
-  place->flat = error / area;
-  place->torsion = ph_vec3_dot(turn, m->jet[2]) / (area * area);
-  place->torsion_error =
+  local->curvature_error =
+      (m->error[1] + 4 * second * local->tangent_error) / square;
+  local->flat = error / area;
+  local->torsion = ph_vec3_dot(turn, m->jet[2]) / (area * area);
+  local->torsion_error =
       (area * m->error[2] + ph_vec3_abs(m->jet[2]) * error) / (area * area) +
-      2 * fabs(place->torsion) * place->flat;
-  place->curvature *= scale;
-  place->curvature_error *= scale;
-  place->torsion *= scale;
-  place->torsion_error *= scale;
+      2 * fabs(local->torsion) * local->flat;
+  local->curvature *= scale;
+  local->curvature_error *= scale;
+  local->torsion *= scale;
+  local->torsion_error *= scale;
 }
 
-struct ph_check_place ph_check_form_place(const struct ph_check_path *path,
+struct ph_check_local ph_check_form_local(const struct ph_check_path *path,
                                           double u) {
   const struct ph_check_segment *s = path->s;
-  struct ph_check_place place;
+  struct ph_check_local local;
   struct motion m;
   ph_vec3 r[N], direction;
   ph_check_jet(s, u, r, N);
@@ -213,40 +213,40 @@ struct ph_check_place ph_check_form_place(const struct ph_check_path *path,
                  PARAMETER * (ph_vec3_abs(r[i]) + ph_vec3_abs(r[i + 1]));
   }
   direction = ph_vec3_unit(r[0]);
-  place.point = ph_check_point(path->v, s, u);
-  place.point_error = s->noise + PARAMETER * s->speed;
+  local.point = ph_check_point(path->v, s, u);
+  local.point_error = s->noise + PARAMETER * s->speed;
   if (fabs(path->distance) > 0) {
     to_series(r);
-    displace(path, u, r, &m, &place);
+    displace(path, u, r, &m, &local);
   }
-  place.speed_error = m.error[0];
-  place.along = ph_vec3_dot(m.jet[0], direction);
-  place.along_error = m.error[0];
-  bend(path, &m, &place);
-  return place;
+  local.speed_error = m.error[0];
+  local.along = ph_vec3_dot(m.jet[0], direction);
+  local.along_error = m.error[0];
+  curvatures(path, &m, &local);
+  return local;
 }
 
 /* (1); the curve itself is at some point also where it is at rest. */
 static void parallel(const struct ph_check_path *path, const ph_vec3 jet[3],
-                     double turn, struct ph_check_place *place) {
+                     double turn, struct ph_check_local *local) {
   const struct ph_check_segment *s = path->s;
   double d = path->distance;
   ph_vec3 on = jet[0];
-  place->point_error = s->noise + PARAMETER * s->speed;
-  place->along = s->radius * ph_vec3_abs(jet[1]);
+  local->point_error = s->noise + PARAMETER * s->speed;
+  local->along = s->radius * ph_vec3_abs(jet[1]);
   if (fabs(d) > 0) {
-    ph_vec3 left = ph_vec3_cross(jet[0], place->tangent);
+    ph_vec3 left = ph_vec3_cross(jet[0], local->tangent);
     on = ph_vec3_along(ph_vec3_scale(cos(d), jet[0]), sin(d), left);
-    place->point_error += s->radius * fabs(sin(d)) * place->tangent_error;
-    place->along = cos(d) * place->along - s->radius * sin(d) * turn;
+    local->point_error += s->radius * fabs(sin(d)) * local->tangent_error;
+    local->along = cos(d) * local->along - s->radius * sin(d) * turn;
   }
-  place->point = ph_vec3_along(s->center, s->radius, on);
+  local->point = ph_vec3_along(s->center, s->radius, on);
 }
 
-struct ph_check_place ph_check_great_place(const struct ph_check_path *path,
+struct ph_check_local ph_check_great_local(const struct ph_check_path *path,
                                            double u) {
   const struct ph_check_segment *s = path->s;
-  struct ph_check_place place = {.torsion = 0};
+  struct ph_check_local local = {.torsion = 0};
   double d = path->distance, speed, turn, error, next, top, bottom, down;
   ph_vec3 jet[3];
   ph_check_great(s->p, s->x, u, jet);
@@ -254,37 +254,37 @@ struct ph_check_place ph_check_great_place(const struct ph_check_path *path,
   error = s->noise / s->radius + PARAMETER * ph_vec3_abs(jet[2]);
   next = PH_CHECK_ROUND_NEXT * s->noise / s->radius;
   turn = ph_vec3_dot(jet[0], ph_vec3_cross(jet[1], jet[2])) / (speed * speed);
-  place.flat = (next + 2 * ph_vec3_abs(jet[2]) * error / speed) * speed /
+  local.flat = (next + 2 * ph_vec3_abs(jet[2]) * error / speed) * speed /
                ph_vec3_abs(ph_vec3_cross(jet[1], jet[2]));
   next = next / speed + 4 * ph_vec3_abs(jet[2]) * error / (speed * speed);
-  place.tangent = ph_vec3_scale(1 / speed, jet[1]);
-  place.tangent_error = error / speed;
-  parallel(path, jet, turn, &place);
+  local.tangent = ph_vec3_scale(1 / speed, jet[1]);
+  local.tangent_error = error / speed;
+  parallel(path, jet, turn, &local);
   down = fabs(d) > 0 ? error + fabs(sin(d)) * next : error;
-  place.along_error = place.speed_error = s->radius * down;
-  place.speed = fabs(place.along);
-  if (place.along < 0) {
-    place.tangent = ph_vec3_scale(-1, place.tangent);
+  local.along_error = local.speed_error = s->radius * down;
+  local.speed = fabs(local.along);
+  if (local.along < 0) {
+    local.tangent = ph_vec3_scale(-1, local.tangent);
   }
   /* kappa = turn / speed; cot(rho - d) = (cos d kappa + sin d) /
    * (cos d - sin d kappa) */
   top = cos(d) * turn + sin(d) * speed;
-  bottom = place.speed / s->radius;
-  place.curvature = top / (bottom * s->radius);
-  place.curvature_error =
+  bottom = local.speed / s->radius;
+  local.curvature = top / (bottom * s->radius);
+  local.curvature_error =
       (error + next + fabs(top) * down / bottom) / (bottom * s->radius);
-  return place;
+  return local;
 }
 
 /* Errors are those of the first order: where a speed may vanish they say
  * nothing. */
-struct ph_check_place ph_check_place_at(const struct ph_check_path *path,
+struct ph_check_local ph_check_local_at(const struct ph_check_path *path,
                                         double u) {
-  struct ph_check_place place = path->s->kind->place(path, u);
-  if (!(place.speed_error < PH_CHECK_NO_DIRECTION * place.speed)) {
-    place.curvature_error = place.torsion_error = HUGE_VAL;
+  struct ph_check_local local = path->s->kind->local(path, u);
+  if (!(local.speed_error < PH_CHECK_NO_DIRECTION * local.speed)) {
+    local.curvature_error = local.torsion_error = HUGE_VAL;
   }
-  return place;
+  return local;
 }
 
 ph_vec3 ph_check_across(const struct ph_check_path *path, double u) {
@@ -298,12 +298,12 @@ ph_vec3 ph_check_across(const struct ph_check_path *path, double u) {
 /* ---- length ------------------------------------------------------------- */
 
 static void speed_at(const void *context, double u, double *value) {
-  struct ph_check_place place = ph_check_place_at(context, u);
-  value[0] = place.speed;
-  value[1] = place.speed_error;
+  struct ph_check_local local = ph_check_local_at(context, u);
+  value[0] = local.speed;
+  value[1] = local.speed_error;
 }
 
-/* The first cusp after a place. */
+/* The first cusp after a local. */
 static size_t cusp_after(const struct ph_check_path *path, double u) {
   const struct ph_cusps *cusps = path->cusps;
   size_t low = 0, high = cusps ? cusps->n : 0;

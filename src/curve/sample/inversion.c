@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Where the arc length of a segment is s (see sample.h, curve/sample/place.h).
+ * Where the arc length of a segment is s (see sample.h,
+ * curve/sample/inversion.h).
  *
  * With f(u) = length(u) - s, f' the speed, Newton's method is kept in a bracket
  * of the root, which is halved where a step leaves it, or where two of them did
@@ -10,7 +11,7 @@
  * f'' from the speeds at u and at the place before, or 8 lengths if that is
  * more, is less than what is asked for, the step is taken without another look.
  */
-#include "curve/sample/place.h"
+#include "curve/sample/inversion.h"
 
 enum { STEPS_MAX = 200 };
 
@@ -89,8 +90,8 @@ static double between(const struct search *search, double s_low) {
              : 0.5 * (search->low + search->high);
 }
 
-double ph_sampler_place(const struct ph_sampler *sampler, double s, double u,
-                        size_t *steps) {
+double ph_sampler_parameter(const struct ph_sampler *sampler, double s,
+                            double u, size_t *steps) {
   struct search search = {sampler, s, 0, 1, 0};
   struct look at = {s > 0 ? 1 : 0, 0};
   if (s > 0 && s < sampler->length) {
@@ -105,50 +106,51 @@ double ph_sampler_place(const struct ph_sampler *sampler, double s, double u,
 
 /* ---- one after the other ------------------------------------------------- */
 
-/* The guess for s: by Hermite's cubic through two places and their paces, or by
- * the pace of one; any number where a speed is 0. */
-static double guess(const struct ph_trail *trail, double s) {
-  const double first = trail->u[0] + (s - trail->s[0]) / trail->speed[0];
-  const double step = trail->s[0] - trail->s[1];
+/* The guess for s: by Hermite's cubic through two places and du/ds there, or by
+ * du/ds of one; any number where a speed is 0. */
+static double guess(const struct ph_inversion *past, double s) {
+  const double first = past->u[0] + (s - past->s[0]) / past->speed[0];
+  const double step = past->s[0] - past->s[1];
   double t, m0, m1;
-  if (trail->n < 2) {
+  if (past->n < 2) {
     return first;
   }
-  t = 1 + (s - trail->s[0]) / step; /* 0 at the older, 1 at the newer */
-  m0 = step / trail->speed[0];
-  m1 = step / trail->speed[1];
-  return trail->u[0] +
+  t = 1 + (s - past->s[0]) / step; /* 0 at the older, 1 at the newer */
+  m0 = step / past->speed[0];
+  m1 = step / past->speed[1];
+  return past->u[0] +
          (t - 1) *
              (t * t * m0 +
-              (t - 1) * (t * m1 - (2 * t + 1) * (trail->u[0] - trail->u[1])));
+              (t - 1) * (t * m1 - (2 * t + 1) * (past->u[0] - past->u[1])));
 }
 
 /* The place found is the newest. */
-static void remember(struct ph_trail *trail, double s, struct look at) {
-  trail->s[1] = trail->s[0];
-  trail->u[1] = trail->u[0];
-  trail->speed[1] = trail->speed[0];
-  trail->s[0] = s;
-  trail->u[0] = at.u;
-  trail->speed[0] = at.speed;
-  trail->n = trail->n ? 2 : 1;
+static void remember(struct ph_inversion *past, double s, struct look at) {
+  past->s[1] = past->s[0];
+  past->u[1] = past->u[0];
+  past->speed[1] = past->speed[0];
+  past->s[0] = s;
+  past->u[0] = at.u;
+  past->speed[0] = at.speed;
+  past->n = past->n ? 2 : 1;
 }
 
-double ph_trail_next(struct ph_trail *trail, const struct ph_sampler *sampler,
-                     double s, size_t *steps) {
+double ph_inversion_next(struct ph_inversion *past,
+                         const struct ph_sampler *sampler, double s,
+                         size_t *steps) {
   struct search search = {sampler, s, 0, 1, 0};
   struct look before = {0, 0}, at = {s > 0 ? 1 : 0, 0};
   if (s > 0 && s < sampler->length) {
-    if (trail->n) {
-      before.u = search.low = trail->u[0];
-      before.speed = trail->speed[0];
-      at.u = guess(trail, s);
+    if (past->n) {
+      before.u = search.low = past->u[0];
+      before.speed = past->speed[0];
+      at.u = guess(past, s);
     }
-    if (!trail->n || !(at.u > search.low && at.u < 1)) {
-      at.u = between(&search, trail->n ? trail->s[0] : 0);
+    if (!past->n || !(at.u > search.low && at.u < 1)) {
+      at.u = between(&search, past->n ? past->s[0] : 0);
     }
-    at = find(&search, trail->n ? before : at, at.u);
-    remember(trail, s, at);
+    at = find(&search, past->n ? before : at, at.u);
+    remember(past, s, at);
   }
   if (steps) {
     *steps = search.steps;

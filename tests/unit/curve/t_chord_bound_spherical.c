@@ -4,7 +4,7 @@
 #include "random_unit.h"
 #include "unit.h"
 
-#include "curve/sample/bend.h"
+#include "curve/sample/chord_bound.h"
 #include "kernel/degree.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"
@@ -60,7 +60,7 @@ static struct ph_spherical random_segment(struct unit_random *r, double angle,
 /* The bound over a block holds; true if there is one. */
 static bool ck_holds(const struct ph_spherical *s, double d, double u0,
                      double u1) {
-  double bound = ph_bend_spherical(s, d, u0, u1);
+  double bound = ph_chord_bound_spherical(s, d, u0, u1);
   ck_assert(bound >= 0);
   if (isfinite(bound)) {
     double seen = bend_of(s, d, u0, u1);
@@ -119,8 +119,8 @@ PH_TEST(test_rest) {
     ck_halves(&s, d, 0, 1, 0);
     ck_assert(ck_holds(&s, 0, 0, 0x1p-10));
     ck_assert(ck_holds(&s, 0, 1 - 0x1p-10, 1));
-    ck_assert(isfinite(ph_bend_spherical(&s, d, 0, 0x1p-20)));
-    ck_assert(isfinite(ph_bend_spherical(&s, d, 1 - 0x1p-20, 1)));
+    ck_assert(isfinite(ph_chord_bound_spherical(&s, d, 0, 0x1p-20)));
+    ck_assert(isfinite(ph_chord_bound_spherical(&s, d, 1 - 0x1p-20, 1)));
   }
 }
 
@@ -144,7 +144,7 @@ PH_TEST(test_great_circle) {
   }
   for (double d = -1.5; d <= 1.5; d += 0.25) {
     for (double h = 0x1p-6; h > 0x1p-14; h /= 4) {
-      double bound = ph_bend_spherical(&s, d, 0.3, 0.3 + h);
+      double bound = ph_chord_bound_spherical(&s, d, 0.3, 0.3 + h);
       double exact = speed * speed * cos(d);
       ck_assert(bound >= exact * (1 - 1e-12));
       ck_rel(bound, exact, 3 * h + 1e-12);
@@ -169,7 +169,7 @@ PH_TEST(test_tight) {
     g = sqrt(square) * cos(d) - turn * sin(d);
     exact = fabs(g) * hypot(sqrt(square), turn);
     if (fabs(g) > 0.1 * sqrt(square)) {
-      double bound = ph_bend_spherical(&s, d, u - h / 2, u + h / 2);
+      double bound = ph_chord_bound_spherical(&s, d, u - h / 2, u + h / 2);
       ck_assert(bound >= exact * (1 - 1e-9));
       ck_rel(bound, exact, 0.05);
     }
