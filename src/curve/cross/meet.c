@@ -270,12 +270,10 @@ static void tell(struct ph_meet *meet, const struct ph_piece *a,
   meet->u[1] = b->from + y * (b->to - b->from);
 }
 
-/* Newton's method for a crossing of two nearly straight pieces; false where it
- * leaves them. */
+/* Newton's method, from `at` on, for a crossing of two nearly straight pieces;
+ * false where it leaves them. */
 static bool locate(const struct ph_meet *meet, const struct ph_piece *a,
                    const struct ph_piece *b, double at[2]) {
-  at[0] = 0.5;
-  at[1] = 0.5;
   for (int i = 0; i < NEWTON_MAX; i++) {
     ph_cplx d = ph_cplx_sub(ph_seg2_point(&a->seg, meet->rule, at[0]),
                             ph_seg2_point(&b->seg, meet->rule, at[1]));
@@ -340,7 +338,7 @@ void ph_meet_pair(struct ph_meet *meet, const struct ph_piece *a,
   struct ph_piece half[2];
   struct ph_between beside = *between;
   enum verdict verdict;
-  double at[2];
+  double at[2] = {0.5, 0.5};
   if (meet->found || ph_box2_apart(&a->box, &b->box, meet->tolerance) ||
       ph_between_narrow(between, &a->cone, &b->cone) ||
       !take_step(meet, a, b)) {
@@ -351,7 +349,7 @@ void ph_meet_pair(struct ph_meet *meet, const struct ph_piece *a,
     return;
   }
   verdict = judge(meet, a, b);
-  if (verdict == CROSSING && locate(meet, a, b, at)) {
+  if (verdict == CROSSING && (!meet->rule || locate(meet, a, b, at))) {
     tell(meet, a, b, at[0], at[1]);
   } else if (verdict == APART) {
     return;

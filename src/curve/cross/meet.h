@@ -55,7 +55,7 @@ bool ph_between_narrow(const struct ph_between *between,
 
 /* A search for one meeting. */
 struct ph_meet {
-  const struct ph_quad *rule; /* 12 nodes */
+  const struct ph_quad *rule; /* 12 nodes; NULL: no matter where */
   double tolerance;           /* distance that counts as none */
   size_t steps;               /* that are left; without them all meet */
   bool found;
