@@ -8,9 +8,6 @@
 #include "kernel/quad.h"
 #include "solve/method.h"
 
-#include <stdio.h>
-#include <string.h>
-
 /* ---- smooth curves ---------------------------------------------------- */
 
 /* Three waves of each coordinate: amplitude[k] cos(k t + phase[k]), k from 1;

@@ -7,12 +7,9 @@
 #define PH_TESTS_PROP_ARCLENGTH_DATA_H
 
 #include "problem_unit.h"
-#include "random_unit.h"
+#include "unit.h"
 
 #include "kernel/vec3.h"
-
-#include <stdbool.h>
-#include <stddef.h>
 
 enum { ARC_MAX = 16 }; /* intervals */
 

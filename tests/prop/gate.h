@@ -17,15 +17,11 @@
 #ifndef PH_TESTS_PROP_GATE_H
 #define PH_TESTS_PROP_GATE_H
 
-#include "random_unit.h"
+#include "unit.h"
 
 #include "base/buf.h"
 #include "cli/option.h"
 #include "cli/work.h"
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <string.h>
 
 enum {
   GATE_POINTS = 48,   /* points, at most */

@@ -11,11 +11,6 @@
  */
 #include "gate.h"
 
-#include <float.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 typedef long double real;
 
 /* Numbers that agree to this, relative, are the same. */

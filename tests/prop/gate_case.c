@@ -4,9 +4,6 @@
 
 #include "io/json_write.h"
 
-#include <stdio.h>
-#include <string.h>
-
 const struct ph_schema *gate_schema(const struct gate_case *c) {
   return ph_commands[c->command].schema;
 }

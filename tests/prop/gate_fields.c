@@ -7,9 +7,6 @@
  */
 #include "gate.h"
 
-#include <math.h>
-#include <string.h>
-
 /* The data of a case, that its fields are made for. */
 struct data {
   struct unit_random *r;

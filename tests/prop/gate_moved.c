@@ -8,9 +8,6 @@
  */
 #include "gate.h"
 
-#include <math.h>
-#include <string.h>
-
 enum motion { LARGER, TURNED, MIRRORED, REVERSED, MOTION_N };
 
 static const char *const ways[] = {"moved larger", "moved turned",

@@ -6,9 +6,6 @@
  */
 #include "gate.h"
 
-#include <math.h>
-#include <string.h>
-
 static const double PI = 3.14159265358979323846;
 
 enum family {

@@ -14,8 +14,6 @@
 
 #include <pthread.h>
 #include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
 void gate_wrong(struct gate_outcome *outcome, const char *way,
                 const char *format, ...) {

@@ -5,10 +5,6 @@
  */
 #include "gate.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 /* Runs, at most. */
 enum { RUNS = 4000 };
 

@@ -5,9 +5,6 @@
 
 #include "spatial_unit.h"
 
-#include <stdbool.h>
-#include <stddef.h>
-
 /* v -> scale times the turn of v, or of its mirror image in z = 0, plus shift;
  * then backwards from datum `first`, or on from it. */
 struct motion {

@@ -11,10 +11,7 @@
 #define PH_TESTS_PROP_PLANAR_DATA_H
 
 #include "planar_unit.h"
-#include "random_unit.h"
-
-#include <stdbool.h>
-#include <stddef.h>
+#include "unit.h"
 
 enum { PROP_POINTS_MAX = 1001 };
 

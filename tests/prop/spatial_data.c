@@ -6,10 +6,6 @@
 
 #include "solve/method.h"
 
-#include <float.h>
-#include <stdio.h>
-#include <string.h>
-
 const char *spatial_name(enum spatial_family family) {
   static const char *const names[] = {
       "random",   "walk",     "helix",    "flat",     "tilted",

@@ -7,12 +7,9 @@
 #define PH_TESTS_PROP_SPATIAL_DATA_H
 
 #include "problem_unit.h"
-#include "random_unit.h"
+#include "unit.h"
 
 #include "kernel/vec3.h"
-
-#include <stdbool.h>
-#include <stddef.h>
 
 enum { SPATIAL_POINTS_MAX = 40 };
 

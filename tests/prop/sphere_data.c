@@ -8,10 +8,6 @@
 #include "kernel/s2.h"
 #include "solve/method.h"
 
-#include <float.h>
-#include <stdio.h>
-#include <string.h>
-
 /* ---- families ------------------------------------------------------------ */
 
 static double power(struct unit_random *r, double low, double high) {

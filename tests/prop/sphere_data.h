@@ -7,12 +7,9 @@
 #define PH_TESTS_PROP_SPHERE_DATA_H
 
 #include "problem_unit.h"
-#include "random_unit.h"
+#include "unit.h"
 
 #include "curve/segment/spherical.h"
-
-#include <stdbool.h>
-#include <stddef.h>
 
 enum { SPHERE_MAX = 40 }; /* points */
 

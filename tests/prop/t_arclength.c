@@ -11,8 +11,6 @@
 #include "motion.h"
 #include "unit.h"
 
-#include <string.h>
-
 static struct unit_solution one, other;
 static struct arc_data data, image;
 
@@ -401,7 +399,4 @@ PH_TEST(test_closed_start) {
   }
 }
 
-PH_TESTS_WITH(NULL, finish, test_motion, test_neighbours, test_soft_limits,
-              test_soft_is_monotone, test_natural_lengths, test_nested,
-              test_one_interval, test_few_intervals, test_line,
-              test_line_with_slack, test_any, test_closed_start)
+PH_FIXTURE(NULL, finish)

@@ -9,11 +9,7 @@
  */
 #include "planar_data.h"
 #include "planar_unit.h"
-#include "random_unit.h"
 #include "unit.h"
-
-#include <float.h>
-#include <string.h>
 
 /* What two solutions of one problem may differ by.  Newton stops at 1e-13 of
  * each chord; over 12000 problems the largest difference was 2e-13. */
@@ -294,5 +290,4 @@ PH_TEST(test_refine) {
   }
 }
 
-PH_TESTS_WITH(NULL, finish, test_motion, test_translate_far, test_reverse,
-              test_other_start, test_refine)
+PH_FIXTURE(NULL, finish)

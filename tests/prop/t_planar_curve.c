@@ -9,14 +9,11 @@
 #include "planar_data.h"
 #include "planar_unit.h"
 #include "../unit/ph_unit.h"
-#include "random_unit.h"
 #include "unit.h"
 
 #include "curve/offset/offset.h"
 #include "kernel/bern.h"
 #include "kernel/quad.h"
-
-#include <string.h>
 
 static struct unit_solution u;
 static struct prop_data data;
@@ -358,5 +355,4 @@ PH_TEST(test_offset_reverse) {
   }
 }
 
-PH_TESTS_WITH(start, finish, test_families, test_promises, test_wild,
-              test_halves, test_offset_length, test_offset_reverse)
+PH_FIXTURE(start, finish)

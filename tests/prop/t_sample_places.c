@@ -347,5 +347,4 @@ PH_TEST_EACH(test_reversal, PLACES_KINDS) {
   }
 }
 
-PH_TESTS_WITH(NULL, finish, test_chords, test_counts, test_spacing, test_places,
-              test_units, test_reversal)
+PH_FIXTURE(NULL, finish)

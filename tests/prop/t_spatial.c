@@ -12,9 +12,6 @@
 #include "motion.h"
 #include "unit.h"
 
-#include <float.h>
-#include <string.h>
-
 static struct unit_solution one, other;
 static struct spatial_data data, image;
 
@@ -373,5 +370,4 @@ PH_TEST(test_neighbours) {
   ck_assert_uint_ge(compared, unit_cases(600));
 }
 
-PH_TESTS_WITH(NULL, finish, test_cc, test_motion, test_translate,
-              test_other_start, test_neighbours)
+PH_FIXTURE(NULL, finish)

@@ -13,8 +13,6 @@
 #include "kernel/atph.h"
 #include "kernel/quat.h"
 
-#include <string.h>
-
 static struct unit_solution one;
 static struct spatial_data data;
 
@@ -167,5 +165,4 @@ PH_TEST(test_flat) {
   }
 }
 
-PH_TESTS_WITH(NULL, finish, test_answers, test_tight, test_functionals,
-              test_flat)
+PH_FIXTURE(NULL, finish)

@@ -16,8 +16,6 @@
 #include "curve/sample/sample.h"
 #include "kernel/s2.h"
 
-#include <float.h>
-
 static struct unit_solution one, other;
 static struct sphere_data data, image;
 
@@ -478,7 +476,4 @@ PH_TEST(test_any) {
   ck_share(n - refused, n, 0.98);
 }
 
-PH_TESTS_WITH(NULL, finish, test_motion, test_motion_of_shape,
-              test_motion_of_steps, test_neighbours, test_sphere, test_lonlat,
-              test_large_tension, test_circle, test_shape, test_runs,
-              test_samples, test_offset_and_back, test_paths, test_any)
+PH_FIXTURE(NULL, finish)

@@ -405,5 +405,4 @@ PH_TEST(test_standard) {
   }
 }
 
-PH_TESTS_WITH(NULL, finish, test_motion, test_far_lengths, test_neighbours,
-              test_one, test_all_angles, test_fair, test_four, test_standard)
+PH_FIXTURE(NULL, finish)

@@ -9,8 +9,6 @@
 #include "tc_data.h"
 #include "unit.h"
 
-#include <string.h>
-
 static struct unit_solution one, other;
 static struct tc_data data;
 
@@ -231,4 +229,4 @@ PH_TEST(test_pieces) {
   }
 }
 
-PH_TESTS_WITH(NULL, finish, test_spline, test_approximate, test_pieces)
+PH_FIXTURE(NULL, finish)

@@ -12,7 +12,6 @@
 #include "unit.h"
 
 #include <pthread.h>
-#include <stdio.h>
 #include <time.h>
 
 enum { TRIALS = 800, JOBS = 64, WAYS = 100, OPTIONS = 24, TELL = 20000 };
@@ -249,5 +248,3 @@ PH_TEST(whatever_is_solved_is_right) {
   }
   ck_assert_uint_eq(gate.ways_n, 0);
 }
-
-PH_TESTS(whatever_is_solved_is_right)

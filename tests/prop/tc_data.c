@@ -9,10 +9,6 @@
 #include "solve/method.h"
 #include "solve/tc/tc.h"
 
-#include <float.h>
-#include <stdio.h>
-#include <string.h>
-
 static const char *const names[] = {"one",  "auto",   "fair",
                                     "pair", "lambda", "chord",
                                     "c1",   "spline", "approximate"};

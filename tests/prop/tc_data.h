@@ -7,12 +7,9 @@
 #define PH_TESTS_PROP_TC_DATA_H
 
 #include "problem_unit.h"
-#include "random_unit.h"
+#include "unit.h"
 
 #include "kernel/cplx.h"
-
-#include <stdbool.h>
-#include <stddef.h>
 
 enum { TC_MAX = 24 }; /* points */
 

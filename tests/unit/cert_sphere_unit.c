@@ -9,8 +9,6 @@
 #include "kernel/quad.h"
 #include "kernel/s2.h"
 
-#include <string.h>
-
 void unit_sphere_word(struct unit_sphere *u, enum ph_field_id id,
                       const char *word) {
   u->problem.field[id] = (struct ph_value){.kind = PH_WORD, .word = word};

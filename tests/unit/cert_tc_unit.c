@@ -3,8 +3,6 @@
 #include "cert_tc_unit.h"
 #include "unit.h"
 
-#include <string.h>
-
 struct unit_cert_tc unit_tc;
 
 void unit_cert_begin(void) {

@@ -5,9 +5,6 @@
 
 #include "cli/command.h"
 
-#include <stdio.h>
-#include <string.h>
-
 struct unit_checked checked;
 
 enum ph_status certify(void) {

@@ -6,8 +6,6 @@
 
 #include "curve/segment/seg2.h"
 
-#include <string.h>
-
 struct ph_cross unit_cross(const struct ph_curve *curve, double size) {
   struct ph_quad rule;
   struct ph_mark mark, after;

@@ -6,7 +6,7 @@
 #define PH_TESTS_CROSS_UNIT_H
 
 #include "planar_unit.h"
-#include "random_unit.h"
+#include "unit.h"
 
 #include "curve/cross/cross.h"
 

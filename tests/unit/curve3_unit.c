@@ -5,8 +5,6 @@
 
 #include "curve/segment/seg3.h"
 
-#include <string.h>
-
 enum { DEGREE_MAX = 9, PANELS = 16, NODES = 5 };
 
 static const ph_quat UNIT[3] = {{0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};

@@ -9,7 +9,7 @@
 #include "curve/result.h"
 #include "curve/segment/seg3.h"
 #include "kernel/quat.h"
-#include "random_unit.h"
+#include "unit.h"
 
 enum { UNIT_CURVE3_MAX = 4 };
 

@@ -4,8 +4,6 @@
 
 #include "unit.h"
 
-#include <string.h>
-
 enum { STEPS = 20 };
 
 static void *array(struct ph_drawing *d, size_t n, size_t size) {

@@ -6,8 +6,6 @@
 
 #include "kernel/pow2.h"
 
-#include <string.h>
-
 static ph_vec3 vector_at(const double *v, size_t dimension, size_t k) {
   const double *x = v + dimension * k;
   return ph_vec3_of(x[0], x[1], dimension > 2 ? x[2] : 0);

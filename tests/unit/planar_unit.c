@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Problems of planar splines and their solutions (see planar_unit.h). */
 #include "planar_unit.h"
-#include "random_unit.h"
 #include "unit.h"
 
 #include "curve/fair/describe.h"

@@ -5,8 +5,6 @@
 
 #include "check/certify.h"
 
-#include <string.h>
-
 void unit_set_word(struct ph_problem *problem, enum ph_field_id id,
                    const char *word) {
   problem->field[id] =

@@ -5,8 +5,6 @@
 
 #include "kernel/pi.h"
 
-#include <string.h>
-
 void unit_raise_of(struct unit_raise *t, size_t n, const ph_vec3 *p,
                    const struct unit_raise_kind *kind) {
   unit_sphere_of(&t->u, n, p, kind->closed, kind->ends, kind->model);

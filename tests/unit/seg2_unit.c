@@ -3,8 +3,6 @@
 #include "seg2_unit.h"
 #include "unit.h"
 
-#include <string.h>
-
 struct ph_seg2 unit_seg2(double angle, const ph_cplx w[3]) {
   struct ph_seg2 seg = {.space = ph_atph_of(angle)};
   const double *q = seg.space.q;

@@ -5,7 +5,7 @@
 
 #include "curve/result.h"
 #include "curve/segment/seg2.h"
-#include "random_unit.h"
+#include "unit.h"
 
 /* A curve with room for a few segments. */
 struct unit_segments {

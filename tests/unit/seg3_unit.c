@@ -2,8 +2,6 @@
 /* Curvature, frames and parts of spatial segments (see seg3_unit.h). */
 #include "seg3_unit.h"
 
-#include <math.h>
-
 /* Halvings of an interval of the twist and of all, and its tolerance in radians
  * and relative. */
 enum { HALVINGS_MAX = 30, PARTS_MAX = 4096 };

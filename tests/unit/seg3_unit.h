@@ -5,7 +5,7 @@
 #define PH_TESTS_SEG3_UNIT_H
 
 #include "curve/segment/seg3.h"
-#include "random_unit.h"
+#include "unit.h"
 
 /* Uniform in the cube |x|, |y|, |z| < size. */
 static inline ph_vec3 unit_random_vec3(struct unit_random *r, double size) {

@@ -3,7 +3,7 @@
 #ifndef PH_TESTS_SPATIAL_UNIT_H
 #define PH_TESTS_SPATIAL_UNIT_H
 
-#include "random_unit.h"
+#include "unit.h"
 
 #include "curve/segment/seg3.h"
 #include "solve/spatial/spatial.h"

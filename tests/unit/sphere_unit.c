@@ -6,8 +6,6 @@
 #include "kernel/pi.h"
 #include "kernel/s2.h"
 
-#include <string.h>
-
 const struct unit_sphere_kind unit_sphere_kinds[UNIT_SPHERE_KINDS] = {
     {false, PH_SPHERE_NATURAL},
     {false, PH_SPHERE_REST},

@@ -3,7 +3,7 @@
 #ifndef PH_TESTS_SPHERE_UNIT_H
 #define PH_TESTS_SPHERE_UNIT_H
 
-#include "random_unit.h"
+#include "unit.h"
 #include "vectors_unit.h"
 
 #include "curve/segment/spherical.h"

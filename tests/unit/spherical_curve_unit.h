@@ -6,7 +6,7 @@
 #include "curve/result.h"
 #include "curve/segment/spherical.h"
 #include "kernel/s2.h"
-#include "random_unit.h"
+#include "unit.h"
 
 enum { UNIT_SPHERICAL_MAX = 64 };
 

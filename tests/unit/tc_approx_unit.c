@@ -3,11 +3,8 @@
 #include "tc_approx_unit.h"
 
 #include "kernel/bern.h"
-#include "random_unit.h"
-#include "tc_curve_unit.h"
 #include "unit.h"
-
-#include <math.h>
+#include "tc_curve_unit.h"
 
 enum { DEGREE_MAX = 128, STARTS = 400, SAMPLES = 13 };
 

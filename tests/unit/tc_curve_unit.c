@@ -3,8 +3,6 @@
 #include "tc_curve_unit.h"
 #include "unit.h"
 
-#include <string.h>
-
 /* t (w0^2 + t (w0 d + t/3 d^2)), d = w1 - w0 */
 ph_cplx unit_tc_at(const struct ph_tc *tc, double t) {
   const long double a = (long double)tc->w[0].re, b = (long double)tc->w[0].im;

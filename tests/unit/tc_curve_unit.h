@@ -10,7 +10,7 @@
 #include "curve/result.h"
 #include "curve/segment/tc.h"
 #include "kernel/cplx.h"
-#include "random_unit.h"
+#include "unit.h"
 
 /* unit_tc_at: the point r(t) - r(0) of a cubic, t of any size. */
 ph_cplx unit_tc_at(const struct ph_tc *tc, double t);

@@ -5,7 +5,7 @@
 #define PH_TESTS_TC_HERMITE_UNIT_H
 
 #include "kernel/pi.h"
-#include "random_unit.h"
+#include "unit.h"
 #include "solve/tc/tc.h"
 
 /* Tangents at the angles a and b to the chord, of the lengths from and to. */

@@ -9,8 +9,6 @@
 
 #include "solve/method.h"
 
-#include <string.h>
-
 /* unit_tc_field: the value of a field, to be set. */
 static inline struct ph_value *unit_tc_field(struct unit_solution *s,
                                              enum ph_field_id id) {

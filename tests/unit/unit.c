@@ -4,11 +4,18 @@
 
 #include <gsl/gsl_errno.h>
 #include <stdarg.h>
-#include <stdio.h>
 
 struct ph_arena unit_arena;
 
+void (*unit_begin)(void), (*unit_finish)(void);
+
 static char current[200];
+static struct unit_test *first, **last = &first;
+
+void unit_add(struct unit_test *test) {
+  *last = test;
+  last = &test->next;
+}
 
 void unit_case(const char *format, ...) {
   va_list arguments;
@@ -30,23 +37,23 @@ static void clean(void) {
 
 /* No test has a time of its own: tests/run limits that of the file.  GSL's
  * handler is off, as in the program: by default it aborts. */
-int unit_main(const char *file, const struct unit_test *const *tests, size_t n,
-              void (*begin)(void), void (*finish)(void)) {
-  Suite *suite = suite_create(file);
-  TCase *all = tcase_create(file);
+int main(int argc, char **argv) {
+  const char *name = argc > 0 ? argv[0] : "";
+  Suite *suite = suite_create(name);
+  TCase *all = tcase_create(name);
   SRunner *runner = srunner_create(suite);
   int failed;
 
   tcase_set_timeout(all, 0);
-  tcase_add_checked_fixture(all, begin, finish);
+  tcase_add_checked_fixture(all, unit_begin, unit_finish);
   tcase_add_checked_fixture(all, NULL, clean);
-  for (size_t i = 0; i < n; i++) {
-    tcase_add_loop_test(all, &tests[i]->check, 0, tests[i]->n);
+  for (const struct unit_test *t = first; t; t = t->next) {
+    tcase_add_loop_test(all, t->check, 0, t->n);
   }
   suite_add_tcase(suite, all);
   gsl_set_error_handler_off();
   srunner_run_all(runner, CK_ENV);
   failed = srunner_ntests_failed(runner);
   srunner_free(runner);
-  return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return failed == 0 && first ? EXIT_SUCCESS : EXIT_FAILURE;
 }

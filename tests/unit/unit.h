@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What every unit test needs: Check, two comparisons of doubles, and main.
+ * What every unit test needs: Check, comparisons of numbers and points, random
+ * numbers, and main.
  *
- * A file of tests is t_NAME.c, an executable of its own:
+ * A file of tests is t_NAME.c, an executable of its own, which runs what it
+ * defines, in that order:
  *
  *     #include "unit.h"
  *     PH_TEST(test_this) {...}
  *     PH_TEST_EACH(test_that, 3) {... _i ...}
- *     PH_TESTS(test_this, test_that)
  *
  * Tests of many cases are tables: one loop over an array of structs, whose
  * names unit_case takes down for the message of a failure.
@@ -19,10 +20,17 @@
 #define PH_TESTS_UNIT_H
 
 #include "base/mem.h"
+#include "kernel/cplx.h"
+#include "kernel/vec3.h"
 
 #include <check.h>
+#include <float.h>
 #include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* For whatever a test needs memory for; freed after each test. */
 extern struct ph_arena unit_arena;
@@ -40,31 +48,35 @@ void unit_case_print(void);
 
 /* A test, and how often it runs: _i counts from 0. */
 struct unit_test {
-  TTest check;
+  const TTest *check;
   int n;
+  struct unit_test *next;
 };
 
+/* Adds a test to those that main runs. */
+void unit_add(struct unit_test *test);
+
+/* Run before and after each test, unless NULL. */
+extern void (*unit_begin)(void), (*unit_finish)(void);
+
 /* Begins a test that runs n times. */
-#define PH_TEST_EACH(name, n)                               \
-  static void name##_run(int _i);                           \
-  static const struct unit_test name[] = {                  \
-      {{#name, name##_run, __FILE__, __LINE__}, (int)(n)}}; \
+#define PH_TEST_EACH(name, n)                                           \
+  static void name##_run(int _i);                                       \
+  static __attribute__((constructor)) void name(void) {                 \
+    static const TTest check = {#name, name##_run, __FILE__, __LINE__}; \
+    static struct unit_test test = {&check, (int)(n), NULL};            \
+    unit_add(&test);                                                    \
+  }                                                                     \
   static void name##_run(int _i CK_ATTRIBUTE_UNUSED)
 
 /* Begins a test. */
 #define PH_TEST(name) PH_TEST_EACH(name, 1)
 
-/* Runs n tests; begin and finish, unless NULL, before and after each. */
-int unit_main(const char *file, const struct unit_test *const *tests, size_t n,
-              void (*begin)(void), void (*finish)(void));
-
-/* Ends a file: its tests, in the order in which they run. */
-#define PH_TESTS(...) PH_TESTS_WITH(NULL, NULL, __VA_ARGS__)
-#define PH_TESTS_WITH(begin, finish, ...)                                    \
-  int main(void) {                                                           \
-    static const struct unit_test *const tests[] = {__VA_ARGS__};            \
-    return unit_main(__FILE__, tests, sizeof tests / sizeof tests[0], begin, \
-                     finish);                                                \
+/* What runs before and after each test of a file; NULL: nothing. */
+#define PH_FIXTURE(begin, finish)                      \
+  static __attribute__((constructor)) void fix(void) { \
+    unit_begin = (begin);                              \
+    unit_finish = (finish);                            \
   }
 
 /* The same number: NaN is none, infinities are, and -0 is +0. */
@@ -123,6 +135,93 @@ static inline double unit_rel_error(double a, double b) {
       ck_abort_msg(__VA_ARGS__); \
     }                            \
   } while (0)
+
+/* ---- random numbers ---------------------------------------------------- */
+
+/* The same on every machine: splitmix64 (Steele, Lea, Flood 2014).  The seed is
+ * 1, or PH_SEED; messages of failures name it. */
+struct unit_random {
+  uint64_t state;
+};
+
+/* The seed of this run. */
+static inline unsigned long unit_seed(void) {
+  const char *text = getenv("PH_SEED");
+
+  return text != NULL ? strtoul(text, NULL, 10) : 1;
+}
+
+/* Generator number `stream` of this run: tests do not share their numbers. */
+static inline struct unit_random unit_random_of(uint64_t stream) {
+  struct unit_random r = {unit_seed() * 0xD1B54A32D192ED03u + stream};
+
+  return r;
+}
+
+static inline uint64_t unit_random_bits(struct unit_random *r) {
+  uint64_t z = r->state += 0x9E3779B97F4A7C15u;
+
+  z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ z >> 27) * 0x94D049BB133111EBu;
+  return z ^ z >> 31;
+}
+
+/* Uniform in [low, high). */
+static inline double unit_random_in(struct unit_random *r, double low,
+                                    double high) {
+  double u = (double)(unit_random_bits(r) >> 11) * 0x1p-53;
+
+  return low + u * (high - low);
+}
+
+/* 0, 1, ..., n - 1; n is so small that the bias does not matter. */
+static inline size_t unit_random_below(struct unit_random *r, size_t n) {
+  return (size_t)(unit_random_bits(r) % n);
+}
+
+/* Uniform in the square |re|, |im| < size. */
+static inline ph_cplx unit_random_cplx(struct unit_random *r, double size) {
+  double re = unit_random_in(r, -size, size);
+
+  return ph_cplx_of(re, unit_random_in(r, -size, size));
+}
+
+/* |a - b|, without overflow. */
+static inline double unit_distance(ph_cplx a, ph_cplx b) {
+  return hypot(a.re - b.re, a.im - b.im);
+}
+
+/* The larger; NaN if either is, where fmax would take the other. */
+static inline double unit_larger(double a, double b) {
+  return b <= a || isnan(a) ? a : b;
+}
+
+/* ---- comparisons of points: their distance is at most tol -------------- */
+
+#define ck_cplx(found, wanted, tol)                                           \
+  do {                                                                        \
+    const ph_cplx ck_p_ = (found), ck_q_ = (wanted);                          \
+    const double ck_d_ = unit_distance(ck_p_, ck_q_), ck_most_ = (tol);       \
+    ck_assert_msg(ck_d_ <= ck_most_,                                          \
+                  "seed %lu: (%.17g, %.17g), not (%.17g, %.17g): %.3g > "     \
+                  "%.3g",                                                     \
+                  unit_seed(), ck_p_.re, ck_p_.im, ck_q_.re, ck_q_.im, ck_d_, \
+                  ck_most_);                                                  \
+  } while (0)
+
+#define ck_vec3(found, wanted, tol)                                         \
+  do {                                                                      \
+    const ph_vec3 ck_p_ = (found), ck_q_ = (wanted);                        \
+    const double ck_d_ = ph_vec3_abs(ph_vec3_sub(ck_p_, ck_q_));            \
+    const double ck_most_ = (tol);                                          \
+    ck_assert_msg(ck_d_ <= ck_most_,                                        \
+                  "seed %lu: (%.17g, %.17g, %.17g), not (%.17g, %.17g, "    \
+                  "%.17g): %.3g > %.3g",                                    \
+                  unit_seed(), ck_p_.x, ck_p_.y, ck_p_.z, ck_q_.x, ck_q_.y, \
+                  ck_q_.z, ck_d_, ck_most_);                                \
+  } while (0)
+
+/* ---- how much is tested ------------------------------------------------ */
 
 /* True when the long form of a test is wanted: PH_LONG=1. */
 static inline int unit_long(void) {

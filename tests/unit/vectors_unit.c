@@ -3,9 +3,6 @@
 #include "vectors_unit.h"
 #include "unit.h"
 
-#include <stdio.h>
-#include <string.h>
-
 static const char BLANKS[] = " \t\r\n";
 
 static void number_add(struct unit_numbers *numbers, double x) {

@@ -6,8 +6,6 @@
 #include "io/json_in.h"
 #include "unit.h"
 
-#include <string.h>
-
 static enum ph_status convert(struct ph_arena *arena, struct ph_curve *curve,
                               struct ph_diagnostics *diagnostics,
                               struct ph_diag *diag) {

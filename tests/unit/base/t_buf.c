@@ -4,9 +4,6 @@
 
 #include "base/buf.h"
 
-#include <stdint.h>
-#include <string.h>
-
 static struct ph_buf buf;
 
 static void finish(void) {
@@ -86,5 +83,4 @@ PH_TEST(test_clear) {
   ck_assert_ptr_null(buf.data);
 }
 
-PH_TESTS_WITH(NULL, finish, test_append, test_growth, test_reserve,
-              test_failure, test_clear)
+PH_FIXTURE(NULL, finish)

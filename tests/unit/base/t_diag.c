@@ -4,8 +4,6 @@
 
 #include "base/diag.h"
 
-#include <string.h>
-
 static struct ph_diag diag;
 
 /* Nothing may be left over from the diagnosis before. */
@@ -103,5 +101,4 @@ PH_TEST(test_exact_fit) {
   ck_assert_str_eq(diag.message, text);
 }
 
-PH_TESTS_WITH(start, NULL, test_fail, test_fail_without_field, test_fail_at,
-              test_fail_memory, test_sentence, test_cut, test_exact_fit)
+PH_FIXTURE(start, NULL)

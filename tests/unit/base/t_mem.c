@@ -2,11 +2,8 @@
 /* The arena: alignment, overflow, marks, and what a reset keeps.  Every byte
  * handed out is written, so that a sanitizer sees a chunk that is too small. */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "base/mem.h"
-
-#include <string.h>
 
 static void finish(void) {
   ck_assert_ptr_null(unit_arena.chunks);
@@ -225,7 +222,4 @@ PH_TEST(test_budget_of_time) {
   ph_arena_free(&a);
 }
 
-PH_TESTS_WITH(NULL, finish, test_malloc_of_nothing, test_alignment, test_pieces,
-              test_large, test_overflow, test_grow, test_copy, test_mark,
-              test_mark_of_nothing, test_reset_keeps, test_reset_keeps_largest,
-              test_reset_gives_back, test_budget_of_bytes, test_budget_of_time)
+PH_FIXTURE(NULL, finish)

@@ -4,9 +4,6 @@
 
 #include "base/status.h"
 
-#include <stdbool.h>
-#include <string.h>
-
 /* What scripts rely on, written down a second time. */
 static const struct {
   enum ph_status status;
@@ -89,5 +86,3 @@ PH_TEST(test_warnings) {
     ck_assert_int_eq(strncmp(meaning, "warning: ", 9) == 0, warning);
   }
 }
-
-PH_TESTS(test_codes, test_form, test_warnings)

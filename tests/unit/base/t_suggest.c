@@ -4,9 +4,6 @@
 
 #include "base/suggest.h"
 
-#include <stdint.h>
-#include <string.h>
-
 /* A copy of its own size on the heap: a read beyond it shows. */
 static char *heap(const char *text, size_t n) {
   char *copy = malloc(n ? n : 1);
@@ -159,6 +156,3 @@ PH_TEST(test_did_you_mean) {
                    "; did you mean \"knots\"?");
   ck_assert_str_eq(meant("pointspointspointspointspointspoints", names), "");
 }
-
-PH_TESTS(test_utf8_against_definition, test_utf8, test_shown, test_excerpt,
-         test_word_is, test_did_you_mean)

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Compensated summation: sums whose exact value is known. */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "base/sum.h"
-
-#include <float.h>
 
 static double sum_of(const double *x, size_t n) {
   struct ph_sum sum = {0, 0};
@@ -57,5 +54,3 @@ PH_TEST(test_pairs) {
                   sum_of(x, 2 * PAIRS + 1), extra);
   }
 }
-
-PH_TESTS(test_nothing, test_cancellation, test_many, test_pairs)

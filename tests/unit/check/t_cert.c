@@ -7,9 +7,6 @@
 #include "check_unit.h"
 #include "planar_unit.h"
 
-#include <stdio.h>
-#include <string.h>
-
 /* Half the diagonal is 2.7. */
 static const double SOME[] = {0, 0, 2, 1, 3, 0, 5, 2};
 static const double SIZE = 2.692582403567252;
@@ -365,9 +362,4 @@ static void start(void) {
   checked.curve = &u.result.curve;
 }
 
-PH_TESTS_WITH(start, finish, test_accepts, test_accepts_other_sign,
-              test_control_points, test_preimage, test_points, test_lengths,
-              test_total_length, test_knots, test_knots_not_increasing,
-              test_not_c1, test_not_c2, test_not_closed, test_end_derivatives,
-              test_not_finite, test_no_extent, test_scales, test_far_away,
-              test_worst, test_atph, test_alpha)
+PH_FIXTURE(start, finish)

@@ -13,9 +13,6 @@
 
 #include "curve/segment/seg3.h"
 
-#include <stdio.h>
-#include <string.h>
-
 enum { INTERVALS = 4, REFINE_MAX = 3, SEGMENTS = INTERVALS * REFINE_MAX };
 
 static const double KNOTS[INTERVALS + 1] = {0, 0.75, 2.25, 3, 4};
@@ -385,8 +382,4 @@ static void start(void) {
   checked.curve = &u.curve;
 }
 
-PH_TESTS_WITH(start, NULL, test_accepts, test_min_speed, test_min_speed_of_cusp,
-              test_scales, test_far_away, test_soft_lengths, test_plane,
-              test_control_points, test_preimage, test_data, test_start,
-              test_lengths, test_knots, test_magnitudes, test_refine,
-              test_not_finite)
+PH_FIXTURE(start, NULL)

@@ -11,8 +11,6 @@
 
 #include "solve/method.h"
 
-#include <string.h>
-
 enum { N = 6 };
 
 enum kind { OPEN, CLOSED, DERIVATIVES, TANGENTS, KINDS };
@@ -136,5 +134,4 @@ PH_TEST(test_second_order) {
   ck_accepted();
 }
 
-PH_TESTS_WITH(NULL, finish, test_functional, test_first_order, test_soft,
-              test_second_order)
+PH_FIXTURE(NULL, finish)

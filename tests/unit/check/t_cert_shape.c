@@ -12,8 +12,6 @@
 #include "check/shape_spatial.h"
 #include "solve/spatial/spatial.h"
 
-#include <string.h>
-
 /* The certificate's own tolerance of a hodograph, and the rounding of a
  * coordinate of size 1. */
 static const double RELATIVE = 1e-13;
@@ -391,7 +389,4 @@ static void start(void) {
   checked.curve = &u.curve;
 }
 
-PH_TESTS_WITH(start, NULL, test_kept, test_kept_in_plane, test_torsion,
-              test_ends, test_any_quintic, test_void, test_claimed,
-              test_wrongly_claimed, test_fairness, test_inflection,
-              test_no_fairness)
+PH_FIXTURE(start, NULL)

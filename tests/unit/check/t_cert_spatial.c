@@ -10,9 +10,6 @@
 #include "seg3_unit.h"
 #include "spatial_unit.h"
 
-#include <stdio.h>
-#include <string.h>
-
 enum { POINTS = 5 };
 
 /* Its bounding box is 3 x 3 x 2. */
@@ -465,12 +462,4 @@ static void start(void) {
   checked.curve = &u.curve;
 }
 
-PH_TESTS_WITH(start, NULL, test_accepts, test_accepts_random,
-              test_accepts_other_phase, test_accepts_plane,
-              test_without_vectors, test_repeated_point,
-              test_tangents_of_any_length, test_scales, test_far_away,
-              test_small_segment, test_control_points, test_preimage,
-              test_swapped, test_points, test_tangent_turned, test_vectors,
-              test_tension, test_lengths, test_alpha, test_not_ph, test_joint,
-              test_not_closed, test_count, test_not_finite, test_no_extent,
-              test_worst)
+PH_FIXTURE(start, NULL)

@@ -13,9 +13,6 @@
 #include "check/sphere_segment.h"
 #include "kernel/pi.h"
 
-#include <stdio.h>
-#include <string.h>
-
 /* Moved by this. */
 static const double MOVED = 1e-9;
 
@@ -467,8 +464,4 @@ static void start(void) {
   checked.curve = &u.curve;
 }
 
-PH_TESTS_WITH(start, NULL, test_accepts, test_latitude, test_small, test_ends,
-              test_lonlat, test_knots, test_turning_back, test_control_points,
-              test_off_sphere, test_tensions, test_given_tensions, test_lengths,
-              test_indicators, test_swapped, test_radius, test_moved,
-              test_model, test_fits, test_shape, test_legacy, test_segment)
+PH_FIXTURE(start, NULL)

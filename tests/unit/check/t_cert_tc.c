@@ -7,8 +7,6 @@
 #include "cert_tc_unit.h"
 #include "unit.h"
 
-#include <string.h>
-
 /* By so much something is changed; the size of all curves here is some 1 to
  * 3. */
 static const double MOVED = 1e-9;
@@ -395,8 +393,3 @@ PH_TEST(test_turns_back) {
     }
   }
 }
-
-PH_TESTS(test_chains, test_modes, test_shape, test_control_points,
-         test_preimage, test_not_ph, test_lengths, test_data, test_joints,
-         test_knots, test_number, test_claims, test_not_finite, test_irregular,
-         test_turns_back)

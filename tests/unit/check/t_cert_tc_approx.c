@@ -8,8 +8,6 @@
 #include "planar_unit.h"
 #include "unit.h"
 
-#include <string.h>
-
 static const double MOVED = 1e-9;
 
 enum { DEGREE = 7, PIECES = 2, PAIRS = 6, GIVEN = PIECES * (DEGREE + 1) };
@@ -308,7 +306,3 @@ PH_TEST(test_no_direction) {
   ck_accepted();
   ck_assert_double_le(value_of(PH_D_DISTANCE), 1e-9);
 }
-
-PH_TESTS(test_pairs, test_points, test_distance, test_number, test_knots,
-         test_control_points, test_tangents, test_joints, test_parts_of_a_cubic,
-         test_no_direction)

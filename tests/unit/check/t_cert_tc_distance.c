@@ -4,11 +4,8 @@
  * both show, and hardly above it.
  */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "check/tc_distance.h"
-
-#include <string.h>
 
 enum { DEGREE_MAX = 40, SAMPLES = 150 };
 
@@ -249,6 +246,3 @@ PH_TEST(test_allowed) {
   ph_check_distance_add(&d, curve, 5, 0, 1, cubic);
   ck_assert_double_ge(d.bound, 0.3456e-3);
 }
-
-PH_TESTS(test_same, test_line, test_known, test_random, test_standing_still,
-         test_parts, test_backward, test_allowed)

@@ -7,8 +7,6 @@
 #include "cert_tc_unit.h"
 #include "unit.h"
 
-#include <string.h>
-
 /* By so much something is changed; the size of all curves here is some 1 to
  * 3. */
 static const double MOVED = 1e-9;
@@ -251,6 +249,3 @@ PH_TEST(test_chord) {
   unit_tc.problem.field[PH_F_JOINT] = unit_word("chord");
   ck_refused_somewhere(PH_D_INTERPOLATION_ERROR);
 }
-
-PH_TESTS(test_splines, test_repeated, test_lambda, test_tangents_with_lambda,
-         test_bisectors, test_not_closed, test_ends, test_chord)

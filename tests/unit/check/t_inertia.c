@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Negative eigenvalues of band matrices, where they are known. */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "check/inertia.h"
 #include "kernel/band.h"
-
-#include <stdint.h>
-#include <string.h>
 
 enum { N_MAX = 60, BAND_MAX = 7 };
 
@@ -114,6 +110,3 @@ PH_TEST(test_unchanged_and_not_finite) {
     *ph_sym_at(a, 1, i, 4) = keep_one;
   }
 }
-
-PH_TESTS(test_second_difference, test_congruence, test_zero_pivots,
-         test_constraints, test_unchanged_and_not_finite)

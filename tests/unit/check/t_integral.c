@@ -4,8 +4,6 @@
 
 #include "check/integral.h"
 
-#include <float.h>
-
 static struct ph_check_rule rule;
 
 /* A peak of area about pi at `at', `width' wide, on a level; uncertain by some
@@ -67,5 +65,3 @@ PH_TEST(no_number) {
   ck_assert(isnan(sum[0]));
   ck_rel(sum[1], 1.0 / 3, 4 * DBL_EPSILON);
 }
-
-PH_TESTS(peaks, uncertain_peaks, no_number)

@@ -7,8 +7,6 @@
 #include "unit.h"
 #include "verify_unit.h"
 
-#include <stdio.h>
-
 static const double TOLERANCE = 1e-9;
 
 static struct unit_claim claim;
@@ -337,5 +335,4 @@ static void finish(void) {
   unit_claim_free(&claim);
 }
 
-PH_TESTS_WITH(NULL, finish, points, degrees, scales, vectors, bezier, lengths,
-              shape, sphere, blaschke, distance, nonsense, order)
+PH_FIXTURE(NULL, finish)

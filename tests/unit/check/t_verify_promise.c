@@ -7,8 +7,6 @@
 #include "check/kind.h"
 #include "cli/command.h"
 
-#include <string.h>
-
 PH_TEST(every_command_has_one) {
   size_t solve = 0;
   for (size_t i = 0; i < ph_commands_n; i++) {
@@ -81,5 +79,3 @@ PH_TEST(every_kind_has_one) {
     ck_assert(made >> kind & 1);
   }
 }
-
-PH_TESTS(every_command_has_one, every_kind_has_one, others_are_refused)

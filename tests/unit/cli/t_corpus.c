@@ -6,8 +6,6 @@
 #include "unit.h"
 
 #include <dirent.h>
-#include <stdint.h>
-#include <stdio.h>
 
 #define LLVMFuzzerTestOneInput corpus_json
 #include "../../fuzz/json.c"
@@ -123,6 +121,3 @@ PH_TEST(tc) {
 PH_TEST(result) {
   replay_all("result", corpus_result);
 }
-
-PH_TESTS(json, csv, number, options, planar, spatial, arclength, sphere, tc,
-         result)

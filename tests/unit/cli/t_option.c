@@ -8,9 +8,6 @@
 #include "cli/work.h"
 #include "curve/bezier/convert.h"
 
-#include <stdio.h>
-#include <string.h>
-
 static const struct ph_field rows[] = {
     {PH_F_CURVE, PH_VECTORS | PH_POLYLINE, 1u << 2, false, NULL, "none",
      "control points of a Bezier curve, or of several"},
@@ -177,5 +174,4 @@ PH_TEST(test_help) {
       1);
 }
 
-PH_TESTS_WITH(NULL, finish, test_namesake, test_namesakes, test_no_namesake,
-              test_bad_namesake, test_curve, test_help)
+PH_FIXTURE(NULL, finish)

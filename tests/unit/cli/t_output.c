@@ -11,8 +11,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
-#include <stdio.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -145,5 +143,4 @@ PH_TEST(test_no_sync_there) {
   ck_assert_str_eq(calls, "ffrd");
 }
 
-PH_TESTS_WITH(start, finish, test_order, test_no_file, test_failure,
-              test_no_sync_there)
+PH_FIXTURE(start, finish)

@@ -4,9 +4,6 @@
 
 #include "cli/sweep.h"
 
-#include <stdio.h>
-#include <string.h>
-
 static const struct ph_field rows[] = {
     {PH_F_POINTS, PH_VECTORS, 1u << 2, true, NULL, NULL, ""},
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false", ""},
@@ -409,10 +406,3 @@ PH_TEST(test_no_factor) {
   ck_refused("knots*=a", "--sweep: knots* takes numbers, found 'a'");
   ck_refused("*=1", "--sweep: planar has no field ''");
 }
-
-PH_TESTS(test_range, test_range_ends, test_range_wide, test_range_long,
-         test_list, test_list_of_arrays, test_truth_values, test_same,
-         test_element, test_refused_form, test_refused_range,
-         test_refused_value, test_count, test_order, test_set_element,
-         test_set_polyline, test_no_element, test_range_log, test_factors,
-         test_no_factor)

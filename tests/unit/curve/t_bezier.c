@@ -3,13 +3,10 @@
 #include "seg3_unit.h"
 #include "unit.h"
 #include "curve3_unit.h"
-#include "random_unit.h"
 #include "tc_curve_unit.h"
 
 #include "curve/bezier/convert.h"
 #include "solve/spatial/spatial.h"
-
-#include <string.h>
 
 static struct ph_diag diag;
 static struct unit_curve3 c;
@@ -157,6 +154,3 @@ PH_TEST(test_refused) {
       PH_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }
-
-PH_TESTS(test_ph, test_cubics, test_atph, test_lengths, test_one_piece,
-         test_order, test_refused)

@@ -181,5 +181,3 @@ PH_TEST(test_too_large) {
   ck_assert_str_eq(diag.message, "its image on the Blaschke cylinder exceeds "
                                  "the range of a double");
 }
-
-PH_TESTS(test_definition, test_ends, test_line, test_standstill, test_too_large)

@@ -304,6 +304,4 @@ PH_TEST(test_not_a_number) {
   ck_abs(ph_chord_bound_bezier(p, 3, 0, 1), (double)INFINITY, 0);
 }
 
-PH_TESTS_WITH(begin, NULL, test_holds, test_tight, test_cusp, test_limit,
-              test_circle, test_line, test_parabola, test_standing,
-              test_not_a_number)
+PH_FIXTURE(begin, NULL)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bounds of chords of spherical curves and parallels, against dense samples. */
 #include "parallel_unit.h"
-#include "random_unit.h"
 #include "unit.h"
 
 #include "curve/sample/chord_bound.h"
@@ -175,5 +174,3 @@ PH_TEST(test_tight) {
     }
   }
 }
-
-PH_TESTS(test_random, test_rest, test_thrice, test_great_circle, test_tight)

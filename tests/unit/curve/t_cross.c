@@ -386,8 +386,3 @@ PH_TEST(test_again) {
     unit_solution_free(&u);
   }
 }
-
-PH_TESTS(test_strokes, test_corner, test_arcs, test_rings, test_loops,
-         test_not_finite, test_retraced, test_circles, test_eight, test_spirals,
-         test_scribble, test_cubic_loops, test_cubic_chains, test_frames,
-         test_again)

@@ -470,6 +470,3 @@ PH_TEST(test_tolerance) {
       PH_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }
-
-PH_TESTS(test_curves, test_offsets, test_gaps, test_circle, test_closed,
-         test_edge_on, test_upright, test_exact, test_scales, test_tolerance)

@@ -302,6 +302,3 @@ PH_TEST(test_cubics) {
   }
   ck_assert_uint_ge(some, SEGMENTS / 5);
 }
-
-PH_TESTS(test_form, test_count, test_at_knot, test_at_half, test_closed,
-         test_form_in_space, test_count_in_space, test_scales, test_cubics)

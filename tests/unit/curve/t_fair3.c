@@ -233,5 +233,4 @@ PH_TEST(test_cusp) {
   ck_assert(fair.bending > 1e6);
 }
 
-PH_TESTS_WITH(begin, NULL, test_quadrature, test_parts, test_scale, test_helix,
-              test_plane, test_inflection, test_straight, test_cusp)
+PH_FIXTURE(begin, NULL)

@@ -19,7 +19,6 @@
 #include "curve/segment/seg3.h"
 
 #include <complex.h>
-#include <float.h>
 
 typedef long double real;
 typedef long double complex number;
@@ -244,4 +243,4 @@ PH_TEST(test_near_cusps) {
   }
 }
 
-PH_TESTS_WITH(begin, NULL, test_derivatives, test_near_cusps)
+PH_FIXTURE(begin, NULL)

@@ -348,6 +348,3 @@ PH_TEST_EACH(test_chains, PH_SAMPLE_CHORD) {
     ph_arena_reset(&unit_arena);
   }
 }
-
-PH_TESTS(test_corners, test_threshold, test_not_known, test_signs, test_closed,
-         test_right_angle, test_short_part, test_triangle, test_chains)

@@ -3,7 +3,6 @@
 #include "unit.h"
 #include "curve3_unit.h"
 #include "planar_unit.h"
-#include "random_unit.h"
 
 #include "curve/bezier/hermite.h"
 #include "curve/segment/seg2.h"
@@ -226,5 +225,4 @@ PH_TEST(test_standstill) {
   }
 }
 
-PH_TESTS_WITH(begin, finish, test_near, test_order, test_joints, test_refused,
-              test_near_in_space, test_joints_in_space, test_standstill)
+PH_FIXTURE(begin, finish)

@@ -38,5 +38,3 @@ PH_TEST(test_questions) {
   ck_assert_uint_eq(ph_kind_offsets(ph, 3), PH_OFFSETS_SPATIAL);
   ck_assert_uint_eq(ph_kind_offsets(sphere, 3), 1);
 }
-
-PH_TESTS(test_complete, test_frames, test_questions)

@@ -2,7 +2,6 @@
 /* Pieces of planar segments: their bounds, and where two of them meet. */
 #include "seg2_unit.h"
 #include "unit.h"
-#include "random_unit.h"
 
 #include "curve/cross/meet.h"
 #include "curve/segment/seg2.h"
@@ -354,6 +353,4 @@ PH_TEST(test_no_numbers) {
   ck_assert(meet.found); /* it ends, and does not vouch for anything */
 }
 
-PH_TESTS_WITH(start, NULL, test_cones, test_halves, test_bounds, test_crossing,
-              test_dip, test_touching, test_tangent, test_side_by_side,
-              test_self, test_no_numbers)
+PH_FIXTURE(start, NULL)

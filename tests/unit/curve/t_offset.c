@@ -3,12 +3,9 @@
 #include "unit.h"
 #include "ph_unit.h"
 #include "planar_unit.h"
-#include "random_unit.h"
 #include "tc_curve_unit.h"
 
 #include "curve/offset/offset.h"
-
-#include <string.h>
 
 static const double PI = 3.14159265358979323846;
 
@@ -404,8 +401,3 @@ PH_TEST(test_cubic_line) {
     ck_abs(o.weights[i], 4, 1e-15);
   }
 }
-
-PH_TESTS(test_spline, test_side, test_random, test_high_curvature,
-         test_zero_distance, test_weights, test_scales, test_standstill,
-         test_too_large, test_cubics, test_vertex, test_one_cut,
-         test_cubic_standstill, test_cubic_line)

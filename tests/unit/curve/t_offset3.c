@@ -2,11 +2,8 @@
 /* Offsets in space: the definition o = r + d e, point by point. */
 #include "unit.h"
 #include "curve3_unit.h"
-#include "random_unit.h"
 
 #include "curve/offset/offset.h"
-
-#include <string.h>
 
 enum { ALL = PH_OFFSETS_SPATIAL };
 
@@ -341,7 +338,3 @@ PH_TEST(test_too_large) {
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");
 }
-
-PH_TESTS(test_spline, test_wild, test_halved, test_weights, test_joints,
-         test_plane, test_atph, test_atph_range, test_standstill,
-         test_too_large)

@@ -4,14 +4,10 @@
 #include "spherical_curve_unit.h"
 #include "kernel/quad.h"
 #include "unit.h"
-#include "vec_unit.h"
 
 #include "curve/offset/offset.h"
 #include "kernel/degree.h"
 #include "kernel/pi.h"
-
-#include <stdint.h>
-#include <string.h>
 
 enum { N = 10 };
 
@@ -459,7 +455,3 @@ PH_TEST(test_too_large) {
   o = offset_of(&c.curve, 1e306);
   ck_rel(o.length, 1e307 * (30 * DEGREE * cos(0.1)), 1e-13);
 }
-
-PH_TESTS(test_latitude, test_small_circle, test_closed_length, test_random,
-         test_cusps, test_pairs, test_joint, test_rest, test_rest_great_circle,
-         test_refusals, test_too_large)

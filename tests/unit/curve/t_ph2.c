@@ -3,11 +3,8 @@
 #include "unit.h"
 #include "ph_unit.h"
 #include "planar_unit.h"
-#include "random_unit.h"
 
 #include "kernel/quad.h"
-
-#include <string.h>
 
 enum { SEGMENTS = 500 };
 
@@ -196,7 +193,3 @@ PH_TEST(test_rotation_symmetry) {
     ck_abs(ph_rotation(turned), rotation, 1e-10);
   }
 }
-
-PH_TESTS(test_length, test_control_points, test_defect, test_reversal,
-         test_factorisation, test_rotation, test_rotation_special,
-         test_rotation_symmetry)

@@ -172,6 +172,4 @@ PH_TEST(test_plane) {
   }
 }
 
-PH_TESTS_WITH(begin, NULL, test_speed, test_length, test_length_simple,
-              test_control_points, test_defect, test_reversal, test_phase,
-              test_plane)
+PH_FIXTURE(begin, NULL)

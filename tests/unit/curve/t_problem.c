@@ -4,8 +4,6 @@
 
 #include "curve/problem.h"
 
-#include <string.h>
-
 static const struct ph_field rows[] = {
     {PH_F_KNOTS, PH_NUMBERS, 0, false, NULL, "", ""},
     {PH_F_POINTS, PH_VECTORS, 1u << 2, true, NULL, NULL, ""},
@@ -55,5 +53,3 @@ PH_TEST(test_alike) {
   }
   ck_assert_ptr_null(ph_field_find(&alike, "length", 6));
 }
-
-PH_TESTS(test_names, test_find, test_alike)

@@ -78,6 +78,3 @@ PH_TEST(test_warnings) {
   ck_assert_str_eq(result.warnings[5].diag.field, "");
   ck_assert_int_eq(result.warnings[5].diag.status, PH_LOOP);
 }
-
-PH_TESTS(test_names, test_outcomes, test_kinds, test_all_known,
-         test_diagnostics, test_warnings)

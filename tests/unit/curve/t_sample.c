@@ -11,13 +11,9 @@
 #include "seg2_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
-#include "vec_unit.h"
 
 #include "curve/bezier/convert.h"
 #include "curve/segment/seg3.h"
-
-#include <stdint.h>
-#include <string.h>
 
 enum { N = 8 };
 
@@ -454,7 +450,3 @@ PH_TEST(test_cubics) {
     ck_rel(s.s[s.n - 1], c.curve.length, 4e-16);
   }
 }
-
-PH_TESTS(test_line, test_circle, test_helix, test_torsion, test_standstill,
-         test_too_many, test_random, test_length, test_scales, test_parabola,
-         test_twisted_cubic, test_bezier_rest, test_bezier_curve, test_cubics)

@@ -4,7 +4,7 @@
 #include "known_unit.h"
 #include "sample_unit.h"
 #include "spherical_curve_unit.h"
-#include "vec_unit.h"
+#include "unit.h"
 
 #include "curve/bezier/convert.h"
 #include "curve/sample/frame.h"
@@ -311,7 +311,3 @@ PH_TEST(test_refusals) {
              "Bezier curves have no preimage and no Euler-Rodrigues frame: ask "
              "for the frame without the conversion");
 }
-
-PH_TESTS(test_frenet, test_helix, test_line, test_erf, test_rmf,
-         test_rmf_anywhere, test_standstill, test_twist, test_sphere,
-         test_refusals)

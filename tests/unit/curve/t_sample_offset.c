@@ -11,7 +11,6 @@
 #include "seg3_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
-#include "vec_unit.h"
 
 #include "curve/offset/cusp.h"
 #include "curve/segment/seg2.h"
@@ -562,7 +561,3 @@ PH_TEST(test_line_in_space) {
     ck_assert(isnan(at.torsion));
   }
 }
-
-PH_TESTS(test_circle, test_line, test_helix, test_plane, test_turns,
-         test_at_cusp, test_cubics, test_closed, test_space, test_far,
-         test_wild, test_plane_in_space, test_line_in_space)

@@ -167,5 +167,3 @@ PH_TEST(test_chords) {
     ph_arena_reset(&unit_arena);
   }
 }
-
-PH_TESTS(test_length, test_spacing, test_spacing_latitude, test_chords)

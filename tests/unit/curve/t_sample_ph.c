@@ -229,6 +229,3 @@ PH_TEST(test_points) {
     ph_arena_reset(&unit_arena);
   }
 }
-
-PH_TESTS(test_circle, test_helix, test_line, test_cubics, test_lengths,
-         test_near_cusps, test_points)

@@ -312,7 +312,3 @@ PH_TEST(test_no_length) {
                    PH_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[1]");
 }
-
-PH_TESTS(test_line_spacing, test_joint_spacing, test_circle_spacing,
-         test_cusp_spacing, test_line_chords, test_circle_chords, test_short,
-         test_circle_offset, test_offset_cusps, test_too_many, test_no_length)

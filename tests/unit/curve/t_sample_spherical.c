@@ -3,7 +3,6 @@
 #include "sample_unit.h"
 #include "spherical_curve_unit.h"
 #include "unit.h"
-#include "vec_unit.h"
 
 #include "kernel/degree.h"
 #include "kernel/pi.h"
@@ -265,6 +264,3 @@ PH_TEST(test_start) {
            3 * u + 1e-14 / (u * u));
   }
 }
-
-PH_TESTS(test_great_circle, test_random, test_length, test_rest, test_places,
-         test_places_rest, test_places_thrice, test_start)

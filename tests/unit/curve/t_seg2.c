@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Points, curvature, parts and rotation of planar segments. */
 #include "unit.h"
-#include "vec_unit.h"
 #include "planar_unit.h"
 #include "seg2_unit.h"
 #include "tc_curve_unit.h"
@@ -177,5 +176,4 @@ PH_TEST(test_of_cubics) {
   }
 }
 
-PH_TESTS_WITH(begin, NULL, test_point, test_bend, test_part, test_rotation,
-              test_of_curve, test_of_cubics)
+PH_FIXTURE(begin, NULL)

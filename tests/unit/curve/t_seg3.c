@@ -548,8 +548,4 @@ PH_TEST(test_small_angles) {
   ck_assert_uint_ge(compared, SEGMENTS / 4);
 }
 
-PH_TESTS_WITH(begin, NULL, test_jet, test_derivatives, test_bend, test_slopes,
-              test_point, test_part, test_part_whole, test_of_curve,
-              test_of_cubics, test_frame, test_frame_slopes, test_rmf,
-              test_twist, test_helix, test_circle, test_line, test_standing,
-              test_small_angles)
+PH_FIXTURE(begin, NULL)

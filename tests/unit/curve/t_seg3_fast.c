@@ -152,5 +152,3 @@ PH_TEST_EACH(test_integrals, ANGLES_N) {
     }
   }
 }
-
-PH_TESTS(test_functions, test_preimage, test_forms, test_integrals)

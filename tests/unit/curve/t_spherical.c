@@ -12,8 +12,6 @@
 #include "kernel/quad.h"
 #include "kernel/s2.h"
 
-#include <float.h>
-
 static struct ph_spherical segment(const double p[4][3]) {
   struct ph_spherical s;
   for (size_t i = 0; i < 4; i++) {
@@ -54,16 +52,6 @@ static struct ph_spherical random_segment(struct unit_random *r, double angle,
   return s;
 }
 
-static void ck_vec3(ph_vec3 found, ph_vec3 wanted, double tol,
-                    const char *what) {
-  double error = ph_vec3_abs(ph_vec3_sub(found, wanted));
-  ck_assert_msg(error <= tol,
-                "seed %lu: %s: (%.17g, %.17g, %.17g), not (%.17g, %.17g, "
-                "%.17g): %.3g > %.3g",
-                unit_seed(), what, found.x, found.y, found.z, wanted.x,
-                wanted.y, wanted.z, error, tol);
-}
-
 /* ---- values --------------------------------------------------------- */
 
 /* What rounding does: more where neighbours are nearly antipodal. */
@@ -80,19 +68,19 @@ static double rounding(const struct ph_spherical *s) {
 PH_TEST_EACH(test_known_jets, KNOWN) {
   struct ph_spherical s = segment(known[_i].p);
   double t = known[_i].t, scale = 1, eps = rounding(&s);
-  const char *name = known[_i].name;
   ph_vec3 jet[4], first[2];
+  unit_case("%s", known[_i].name);
   ph_spherical_jet(&s, t, jet);
   ph_spherical_first(&s, t, first);
   for (size_t n = 0; n < 4; n++) {
     ph_vec3 wanted = ph_vec3_get(known[_i].jet[n], 3);
     scale += ph_vec3_abs(wanted);
-    ck_vec3(jet[n], wanted, 4 * eps * scale, name);
+    ck_vec3(jet[n], wanted, 4 * eps * scale);
     if (n < 2) {
-      ck_vec3(first[n], wanted, 4 * eps * scale, name);
+      ck_vec3(first[n], wanted, 4 * eps * scale);
     }
   }
-  ck_vec3(ph_spherical_point(&s, t), jet[0], 2 * eps, name);
+  ck_vec3(ph_spherical_point(&s, t), jet[0], 2 * eps);
 }
 
 /* The part of S' along the sphere, and K, are right relative to their size, or
@@ -165,7 +153,7 @@ PH_TEST(test_differences) {
     ph_spherical_jet(&s, t, j);
     for (size_t n = 0; n < 3; n++) {
       ph_vec3 difference = ph_vec3_scale(0.5 / h, ph_vec3_sub(w[n], u[n]));
-      ck_vec3(difference, j[n + 1], 1e-5 * angle + 1e-11, "difference");
+      ck_vec3(difference, j[n + 1], 1e-5 * angle + 1e-11);
     }
     ph_spherical_numerator(&s, t - h, a);
     ph_spherical_numerator(&s, t + h, b);
@@ -186,7 +174,7 @@ PH_TEST(test_symmetries) {
     double tol = 1e-13 * angle * angle;
     t = unit_random_in(&r, 0, 1);
     ck_vec3(ph_spherical_point(&back, 1 - t), ph_spherical_point(&s, t),
-            8 * DBL_EPSILON, "reversed");
+            8 * DBL_EPSILON);
     ph_spherical_numerator(&s, t, k);
     ph_spherical_numerator(&back, 1 - t, other);
     ck_abs(other[0], -k[0], tol);
@@ -219,7 +207,7 @@ PH_TEST(test_ends) {
     ph_spherical_first(&s, 0, j);
     speed = ph_vec3_abs(j[1]);
     ck_rel(speed, 3 * ph_s2_angle(s.p[0], s.p[1]), 16 * DBL_EPSILON);
-    ck_vec3(j[0], s.p[0], 8 * DBL_EPSILON, "start");
+    ck_vec3(j[0], s.p[0], 8 * DBL_EPSILON);
     ck_rel(ph_spherical_curvature_start(&s),
            ph_spherical_numerator_start(&s) / (speed * speed * speed),
            64 * DBL_EPSILON);
@@ -228,7 +216,7 @@ PH_TEST(test_ends) {
     ph_spherical_first(&s, 1, j);
     ck_rel(ph_vec3_abs(j[1]), 3 * ph_s2_angle(s.p[2], s.p[3]),
            16 * DBL_EPSILON);
-    ck_vec3(j[0], s.p[3], 8 * DBL_EPSILON, "end");
+    ck_vec3(j[0], s.p[3], 8 * DBL_EPSILON);
   }
 }
 
@@ -261,7 +249,7 @@ PH_TEST(test_point) {
   double k[2];
   for (int i = 0; i <= 4; i++) {
     ph_spherical_jet(&s, 0.25 * i, j);
-    ck_vec3(j[0], p, 0, "point");
+    ck_vec3(j[0], p, 0);
     for (size_t n = 1; n < 4; n++) {
       ck_abs(ph_vec3_abs(j[n]), 0, 0);
     }
@@ -297,7 +285,7 @@ PH_TEST(test_great_circle) {
     ck_rel(ph_spherical_length(&s, t), b, 1e-14 + 4e-15 / size);
     ck_rel(ph_spherical_length(&s, 1), a[3], 1e-14 + 4e-15 / size);
     ck_vec3(ph_spherical_point(&s, t), ph_s2_exp(e, ph_vec3_scale(b, f)),
-            8 * DBL_EPSILON, "great circle");
+            8 * DBL_EPSILON);
     ph_spherical_jet(&s, t, j);
     ck_abs(ph_vec3_triple(j[0], j[1], j[2]), 0, 64 * DBL_EPSILON * size);
   }
@@ -381,12 +369,7 @@ PH_TEST(test_of_curve) {
   }
   for (size_t i = 0; i < 8; i++) {
     struct ph_spherical s = ph_spherical_of(&curve, i / 4);
-    ck_vec3(s.p[i % 4], p[i], 4 * DBL_EPSILON, "of");
+    ck_vec3(s.p[i % 4], p[i], 4 * DBL_EPSILON);
     ck_abs(ph_vec3_abs(s.p[i % 4]), 1, DBL_EPSILON);
   }
 }
-
-PH_TESTS(test_known_jets, test_known_numerators, test_known_lengths,
-         test_on_sphere, test_differences, test_symmetries, test_ends,
-         test_rest, test_point, test_not_a_segment, test_great_circle,
-         test_parallel, test_length, test_of_curve)

@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One Tschirnhausen cubic: leg, length, turning, loops, bending, parts. */
 #include "unit.h"
-#include "random_unit.h"
 #include "tc_curve_unit.h"
 
 #include "curve/segment/tc.h"
 #include "kernel/pi.h"
-
-#include <float.h>
 
 enum { CUBICS = 2000, STEPS = 16 };
 
@@ -342,8 +339,3 @@ PH_TEST(test_energy_adds) {
                         turning * turning);
   }
 }
-
-PH_TESTS(test_leg, test_control_points, test_control_points_missed_end,
-         test_parts, test_known, test_curvature, test_vertex, test_vertex_known,
-         test_regular, test_has_loop, test_no_loop, test_energy_table,
-         test_energy_small, test_energy_adds)

@@ -403,6 +403,3 @@ PH_TEST(test_cut) {
   }
   ck_assert_int_gt(looped, n / 50);
 }
-
-PH_TESTS(test_slow, test_cross, test_drop, test_closed, test_known,
-         test_example_5, test_same, test_cut)

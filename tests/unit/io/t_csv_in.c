@@ -5,10 +5,6 @@
 #include "io/csv_in.h"
 #include "io/json_in.h"
 
-#include <math.h>
-#include <stdbool.h>
-#include <string.h>
-
 enum { PLANE = 1u << 2, SPACE = 1u << 3 };
 
 static const struct ph_field rows[] = {
@@ -443,7 +439,4 @@ PH_TEST(test_segment_lines) {
   ck_assert_uint_eq(ph_record_line(&record, "lengths[2]"), 10);
 }
 
-PH_TESTS_WITH(NULL, finish, test_rows, test_broken_rows, test_cells,
-              test_numbers, test_good, test_empty_columns, test_segments,
-              test_segment_gaps, test_gaps, test_bad_rows, test_ids,
-              test_ids_on_failure, test_lines, test_segment_lines)
+PH_FIXTURE(NULL, finish)

@@ -4,9 +4,6 @@
 
 #include "io/csv_out.h"
 
-#include <math.h>
-#include <string.h>
-
 static struct ph_buf buf;
 
 static void finish(void) {
@@ -318,8 +315,4 @@ PH_TEST(test_failed_buffer) {
   ck_assert_uint_eq(buf.n, 0);
 }
 
-PH_TESTS_WITH(NULL, finish, test_headers, test_headers_on_sphere,
-              test_control_points, test_lengths, test_offsets,
-              test_offsets_in_space, test_samples, test_samples_on_sphere,
-              test_text, test_parts, test_no_offsets, test_quoting,
-              test_failed_buffer)
+PH_FIXTURE(NULL, finish)

@@ -6,8 +6,6 @@
 #include "io/json_in.h"
 #include "io/json_scan.h"
 
-#include <string.h>
-
 enum { PLANE = 1u << 2 };
 
 static const struct ph_field rows[] = {
@@ -202,6 +200,4 @@ PH_TEST(test_lines) {
   ck_assert_uint_eq(ph_record_line(&record, "points[1]"), 10);
 }
 
-PH_TESTS_WITH(NULL, finish, test_good, test_names, test_not_an_object,
-              test_echo, test_bad_echo, test_echo_on_failure, test_values,
-              test_lines)
+PH_FIXTURE(NULL, finish)

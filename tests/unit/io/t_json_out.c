@@ -3,14 +3,11 @@
  * where numbers are many. */
 #include "unit.h"
 #include "planar_unit.h"
-#include "random_unit.h"
 
 #include "curve/offset/offset.h"
 #include "io/json_out.h"
 
 #include <cjson/cJSON.h>
-#include <math.h>
-#include <string.h>
 
 static struct ph_buf buf;
 static struct unit_solution u;
@@ -492,8 +489,4 @@ PH_TEST(test_failed_buffer) {
   ck_assert_uint_eq(buf.n, 0);
 }
 
-PH_TESTS_WITH(NULL, finish, test_compact, test_heading, test_warnings,
-              test_intervals, test_starts, test_outcomes, test_pretty,
-              test_pretty_intervals, test_error, test_strings, test_read_back,
-              test_offset_in_space, test_samples, test_on_sphere,
-              test_failed_buffer)
+PH_FIXTURE(NULL, finish)

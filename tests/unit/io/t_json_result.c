@@ -8,9 +8,6 @@
 #include "io/json_out.h"
 #include "io/json_result.h"
 
-#include <stdio.h>
-#include <string.h>
-
 enum { ARGUMENTS_MAX = 12 };
 
 static struct ph_claim claim;
@@ -331,5 +328,4 @@ PH_TEST(test_refused_elsewhere) {
   ck_assert_str_eq(diag.field, "");
 }
 
-PH_TESTS_WITH(NULL, finish, test_round_trip, test_heading, test_missing,
-              test_refused, test_refused_elsewhere)
+PH_FIXTURE(NULL, finish)

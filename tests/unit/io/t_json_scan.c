@@ -5,10 +5,6 @@
 
 #include "io/json_scan.h"
 
-#include <stdbool.h>
-#include <stdio.h>
-#include <string.h>
-
 /* A copy of its own size on the heap: a read beyond it shows. */
 static char *heap(const char *text, size_t n) {
   char *copy = malloc(n ? n : 1);
@@ -306,7 +302,3 @@ PH_TEST(test_mutations) {
     }
   }
 }
-
-PH_TESTS(test_good, test_end, test_bad_structure, test_bad_words,
-         test_bad_numbers, test_bad_strings, test_cut_off, test_depth,
-         test_prefixes, test_walk, test_walk_nothing, test_mutations)

@@ -6,8 +6,6 @@
 #include "io/json_out.h"
 
 #include <cjson/cJSON.h>
-#include <math.h>
-#include <string.h>
 
 static struct ph_buf buf;
 static const struct ph_echo nothing = {0};
@@ -202,5 +200,4 @@ PH_TEST(test_pretty) {
   cJSON_Delete(compact);
 }
 
-PH_TESTS_WITH(NULL, finish, test_curve, test_intervals, test_diagnostics,
-              test_blaschke, test_solutions, test_pretty)
+PH_FIXTURE(NULL, finish)

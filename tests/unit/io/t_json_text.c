@@ -4,8 +4,6 @@
 
 #include "io/json_text.h"
 
-#include <string.h>
-
 /* Text and result in memory of their own sizes: what is beyond shows. */
 static void ck_quoted(const char *text, size_t n, const char *expected) {
   char *copy = malloc(n ? n : 1), *quoted = malloc(PH_JSON_QUOTED_MAX(n));
@@ -39,5 +37,3 @@ PH_TEST(test_not_utf8) {
   ck_quoted("\xC0\x80", 2, "\"\\ufffd\\ufffd\"");
   ck_quoted("\xED\xA0\x80", 3, "\"\\ufffd\\ufffd\\ufffd\"");
 }
-
-PH_TESTS(test_plain, test_escapes, test_not_utf8)

@@ -10,13 +10,8 @@
 
 #include "io/number.h"
 
-#include <float.h>
 #include <inttypes.h>
 #include <locale.h>
-#include <stdbool.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
 
 #define INFINITY_BITS (UINT64_C(0x7ff) << 52)
 
@@ -518,7 +513,3 @@ PH_TEST(test_locale) {
   }
   check_text(middle, 0.1); /* the locale "C" gives the same */
 }
-
-PH_TESTS(test_known_values, test_middles, test_many_digits, test_random_digits,
-         test_grammar, test_ends, test_form, test_powers, test_random,
-         test_locale)

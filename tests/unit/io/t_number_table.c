@@ -8,10 +8,7 @@
 
 #include "io/number_table.h"
 
-#include <float.h>
 #include <inttypes.h>
-#include <stdbool.h>
-#include <stdint.h>
 
 /* splitmix64 (Steele, Lea and Flood 2014) */
 static uint64_t next_random(uint64_t *state) {
@@ -249,6 +246,3 @@ PH_TEST(test_gap_writer) {
   }
   ck_assert_uint_eq(quotient & 1, 1);
 }
-
-PH_TESTS(test_table, test_multiply, test_apart, test_gap_reader,
-         test_gap_writer)

@@ -324,8 +324,4 @@ PH_TEST_EACH(test_mutations, sizeof documents / sizeof *documents) {
   }
 }
 
-PH_TESTS_WITH(setup, finish, test_json_streams, test_json_stops,
-              test_json_resumes, test_json_truncated_line, test_formats,
-              test_several_files, test_failures, test_record_parts,
-              test_interactive, test_nonblocking_input, test_sizes,
-              test_prefixes, test_mutations)
+PH_FIXTURE(setup, finish)

@@ -217,6 +217,4 @@ PH_TEST(test_usage) {
   ck_usage(&options, "--delimiter", "must be neither a quote nor a line break");
 }
 
-PH_TESTS_WITH(setup, finish, test_csv_records, test_csv_comments,
-              test_csv_headers, test_csv_bad_headers, test_csv_plane,
-              test_csv_lonlat, test_csv_broken, test_csv_options, test_usage)
+PH_FIXTURE(setup, finish)

@@ -160,6 +160,4 @@ PH_TEST(test_memory) {
   }
 }
 
-PH_TESTS_WITH(setup, finish, test_json_sizes, test_json_strings, test_json_ids,
-              test_json_broken, test_csv_sizes, test_csv_rows, test_csv_broken,
-              test_memory)
+PH_FIXTURE(setup, finish)

@@ -5,10 +5,6 @@
 #include "io/json_scan.h"
 #include "io/value.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 enum { PLANE = 1u << 2, SPACE = 1u << 3 };
 
 static const struct ph_field points = {PH_F_POINTS, PH_VECTORS, PLANE, true,
@@ -500,9 +496,3 @@ PH_TEST(test_required) {
   problem.field[PH_F_POINTS].kind = PH_VECTORS;
   ck_assert_int_eq(ph_problem_check_required(&problem, &schema, &diag), PH_OK);
 }
-
-PH_TESTS(test_scalars, test_flag_or_word, test_words_with_numbers, test_arrays,
-         test_polyline, test_polyline_long, test_bad_polyline, test_bad_types,
-         test_bad_elements, test_bad_shapes, test_not_finite, test_bad_words,
-         test_string, test_options, test_bad_options, test_describe,
-         test_required)

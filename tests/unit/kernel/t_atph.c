@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spaces of preimages: against quadrature, direct formulas, differences. */
 #include "unit.h"
-#include "vec_unit.h"
 #include "seg2_unit.h"
 
 #include "kernel/atph.h"
@@ -168,5 +167,4 @@ PH_TEST(test_part) {
   }
 }
 
-PH_TESTS_WITH(begin, NULL, test_integrals, test_constants, test_basis, test_jet,
-              test_ends, test_table, test_part)
+PH_FIXTURE(begin, NULL)

@@ -4,13 +4,10 @@
  * solutions, and GSL's dense Cholesky factor.
  */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "kernel/band.h"
 
-#include <float.h>
 #include <gsl/gsl_linalg.h>
-#include <stdbool.h>
 
 enum { N_MAX = 40, K_MAX = N_MAX + 5 };
 
@@ -351,6 +348,3 @@ PH_TEST(many_rows) {
   free(y);
   free(exchanged);
 }
-
-PH_TESTS(cholesky, indefinite, lu, kkt, permutation, no_fill, singular, one_row,
-         not_finite, many_rows)

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bernstein form: the basis by its definition, and the two parts. */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "kernel/bern.h"
 
-#include <float.h>
 #include <gsl/gsl_sf_gamma.h>
 
 enum { DEGREE_MAX = 12 };
@@ -107,5 +105,3 @@ PH_TEST(test_raise) {
     }
   }
 }
-
-PH_TESTS(test_basis, test_basis_ends, test_cut, test_cut_ends, test_raise)

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cyclic block tridiagonal solver against GSL's dense LU decomposition. */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "kernel/block2.h"
 
-#include <float.h>
 #include <gsl/gsl_linalg.h>
 
 enum { N_MAX = 40 };
@@ -328,6 +326,3 @@ PH_TEST(test_no_memory) {
   struct ph_block2 t;
   ck_assert(!ph_block2_alloc(&t, &unit_arena, SIZE_MAX / 2));
 }
-
-PH_TESTS(test_dense, test_last_row_scale, test_long, test_decay, test_reuse,
-         test_not_finite, test_empty_column, test_no_memory)

@@ -120,5 +120,3 @@ PH_TEST(test_ends) {
   ck_assert_int_eq(run(3, 1000), PH_NO_CONVERGENCE);
   ck_assert_uint_eq(valley.values, 5);
 }
-
-PH_TESTS(test_inside, test_bounds, test_refused, test_ends)

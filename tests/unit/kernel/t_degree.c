@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Degrees: exact where they can be, symmetric, and back. */
-#include "random_unit.h"
 #include "unit.h"
 
 #include "kernel/degree.h"
@@ -102,6 +101,3 @@ PH_TEST(test_ends) {
   ck_lonlat(-0.0, -0.0, -1, 0, -90);
   ck_lonlat(0, 0, 7, 0, 90);
 }
-
-PH_TESTS(test_multiples, test_zeros, test_symmetry, test_back, test_pole,
-         test_ends)

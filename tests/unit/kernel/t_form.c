@@ -5,7 +5,6 @@
 #include "kernel/atph.h"
 #include "kernel/bern.h"
 #include "unit.h"
-#include "random_unit.h"
 
 enum { FORMS = 300, POINTS = 20, DEGREE = 8 };
 
@@ -182,6 +181,3 @@ PH_TEST(test_ends) {
   ck_assert_int_eq(ph_form_sign(infinite, 2, ZERO), 0);
   ck_assert_int_eq(ph_form_sign(constant, 0, ZERO), -1);
 }
-
-PH_TESTS(test_multiply, test_bernstein, test_halve, test_mixed, test_sign,
-         test_touching, test_ends)

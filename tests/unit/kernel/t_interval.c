@@ -3,7 +3,6 @@
  * few roundings are put in. */
 #include "kernel/interval.h"
 
-#include "random_unit.h"
 #include "unit.h"
 
 enum { CASES = 20000 };
@@ -167,6 +166,3 @@ PH_TEST(test_not_a_number) {
   ck_assert(isnan(ph_range_farthest(nan)));
   ck_assert(isinf(ph_range_div(one, nan).low));
 }
-
-PH_TESTS(test_sums, test_products, test_quotients, test_roots, test_distances,
-         test_of, test_not_a_number)

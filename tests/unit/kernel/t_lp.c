@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Small linear programs: against all vertices, and by their multipliers. */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "kernel/lp.h"
-
-#include <string.h>
 
 enum { N_MAX = 16, M_MAX = 400 };
 
@@ -450,7 +447,3 @@ PH_TEST(test_no_memory) {
   struct ph_lp_work w;
   ck_assert(!ph_lp_alloc(&w, &unit_arena, SIZE_MAX / 2, 4));
 }
-
-PH_TESTS(test_vertices, test_degenerate_vertices, test_random, test_degenerate,
-         test_infeasible, test_one, test_empty_row, test_many_steps, test_scale,
-         test_not_finite, test_no_memory)

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scaling by powers of two: nothing but the exponent changes. */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "kernel/pow2.h"
-
-#include <float.h>
 
 PH_TEST(test_exponent) {
   ck_assert_int_eq(ph_pow2_exponent(1), 0);
@@ -52,5 +49,3 @@ PH_TEST(test_range) {
   ck_abs(ph_pow2_apply(ph_pow2_of(-2000), DBL_MIN), 0, 0);
   ck_abs(ph_pow2_apply(ph_pow2_of(2000), 0), 0, 0);
 }
-
-PH_TESTS(test_exponent, test_round_trip, test_exact, test_range)

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Integrals as tables, against closed forms. */
-#include "random_unit.h"
 #include "unit.h"
 
 #include "kernel/primitive.h"
-
-#include <float.h>
 
 enum { PLACES = 1000 };
 
@@ -232,5 +229,4 @@ PH_TEST(test_refusals) {
       PH_NO_CONVERGENCE);
 }
 
-PH_TESTS_WITH(begin, NULL, test_powers, test_dip, test_peak, test_wave,
-              test_kinks, test_breaks, test_reuse, test_zero, test_refusals)
+PH_FIXTURE(begin, NULL)

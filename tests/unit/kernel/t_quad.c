@@ -4,8 +4,6 @@
 
 #include "kernel/quad.h"
 
-#include <float.h>
-
 static double moment(const struct ph_quad *rule, double power) {
   double sum = 0;
   for (size_t i = 0; i < rule->n; i++) {
@@ -53,5 +51,3 @@ PH_TEST(test_nodes) {
     }
   }
 }
-
-PH_TESTS(test_moments, test_next_moment, test_nodes)

@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Vectors and quaternions: the multiplication table is the reference. */
 #include "unit.h"
-#include "vec_unit.h"
 #include "spatial_unit.h"
-
-#include <float.h>
 
 static const ph_quat I = {0, 1, 0, 0}, J = {0, 0, 1, 0}, K = {0, 0, 0, 1};
 
@@ -168,6 +165,3 @@ PH_TEST(test_of_frame_even) {
     }
   }
 }
-
-PH_TESTS(test_vec3, test_normal, test_table, test_product, test_maps,
-         test_of_frame, test_of_frame_even)

@@ -2,13 +2,10 @@
 /* The unit sphere: the f_n against numbers of 40 digits, the rest against what
  * they mean. */
 #include "unit.h"
-#include "vec_unit.h"
 #include "spatial_unit.h"
 
 #include "kernel/pi.h"
 #include "kernel/s2.h"
-
-#include <float.h>
 
 /* f_0, ..., f_3 by mpmath: besselj, and the series (2) below X = 1. */
 static const struct {
@@ -159,6 +156,3 @@ PH_TEST(test_exp_log) {
   ck_vec3(ph_s2_log(ph_vec3_of(0, 0, 1), ph_vec3_of(0, 0, 1)),
           ph_vec3_of(0, 0, 0), 0);
 }
-
-PH_TESTS(test_bessel, test_recurrence, test_angle, test_weight, test_slerp,
-         test_exp_log)

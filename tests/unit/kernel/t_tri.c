@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cyclic tridiagonal solver against GSL's dense LU decomposition. */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "kernel/tri.h"
 
-#include <float.h>
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_linalg.h>
 
@@ -291,9 +289,3 @@ PH_TEST(test_no_memory) {
   struct ph_tri tri;
   ck_assert(!ph_tri_alloc(&tri, &unit_arena, SIZE_MAX / 2));
 }
-
-PH_TESTS(test_open, test_open_zero_entries, test_open_zero_diagonal,
-         test_open_small_diagonal, test_cyclic_small_diagonal, test_cyclic,
-         test_cyclic_zero_entries, test_cyclic_zero_diagonal,
-         test_cyclic_dominant, test_last_row_scale, test_long, test_reuse,
-         test_singular, test_no_memory)

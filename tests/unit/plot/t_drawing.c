@@ -6,15 +6,12 @@
 #include "spherical_curve_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
-#include "vec_unit.h"
 
 #include "curve/offset/cusp.h"
 #include "curve/offset/gap.h"
 #include "curve/segment/seg2.h"
 #include "kernel/pi.h"
 #include "plot/drawing.h"
-
-#include <string.h>
 
 static const struct ph_drawing_names names = {"a title", "a = 1", 7};
 
@@ -493,7 +490,4 @@ PH_TEST(test_many) {
   }
 }
 
-PH_TESTS_WITH(NULL, finish, test_circle, test_planar, test_cubics, test_space,
-              test_sphere, test_rest, test_intervals, test_vectors,
-              test_vectors_sphere, test_offsets, test_cusps, test_gaps,
-              test_many)
+PH_FIXTURE(NULL, finish)

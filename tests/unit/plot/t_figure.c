@@ -9,8 +9,6 @@
 #include "plot/colour.h"
 #include "plot/figure.h"
 
-#include <string.h>
-
 static struct ph_buf out;
 static struct ph_diag diag;
 
@@ -370,6 +368,4 @@ PH_TEST(too_many) {
   ck_assert_uint_eq(strokes(PH_INK_EVEN), 2 * PH_FIGURE_PANELS_MAX);
 }
 
-PH_TESTS_WITH(set_up, NULL, plane, closed, space, sphere, sweep, grid, formats,
-              same_bytes, sizes, appended, empty, cannot, any_size, degenerate,
-              any_text, too_many)
+PH_FIXTURE(set_up, NULL)

@@ -9,8 +9,6 @@
 #include "plot/legend.h"
 #include "plot/text.h"
 
-#include <string.h>
-
 /* ---- grids --------------------------------------------------------------- */
 
 enum { PANELS = 100 };
@@ -206,5 +204,3 @@ PH_TEST(ramp) {
   ck_assert(ph_colour_thin(1) > ph_colour_thin(2));
   ck_assert(ph_colour_thin(1000) > 0);
 }
-
-PH_TESTS(grids, page_sizes, texts, numbers, legends, inks, segments, ramp)

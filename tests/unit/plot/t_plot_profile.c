@@ -125,4 +125,4 @@ PH_TEST(none) {
   ck_assert(range_of().any);
 }
 
-PH_TESTS_WITH(set_up, NULL, ordinary, origin, constant, peaks, weights, none)
+PH_FIXTURE(set_up, NULL)

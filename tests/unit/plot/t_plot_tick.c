@@ -3,10 +3,6 @@
 #include "unit.h"
 
 #include "plot/tick.h"
-#include "random_unit.h"
-
-#include <stdbool.h>
-#include <string.h>
 
 static struct ph_ticks ticks;
 
@@ -102,5 +98,3 @@ PH_TEST(any) {
     }
   }
 }
-
-PH_TESTS(plain, powers, bases, none, any)

@@ -5,9 +5,6 @@
 #include "drawing_unit.h"
 #include "plot/globe.h"
 #include "plot/view.h"
-#include "random_unit.h"
-
-#include <float.h>
 
 static ph_vec3 random_vec3(struct unit_random *r, double size) {
   double x = unit_random_in(r, -size, size), y = unit_random_in(r, -size, size);
@@ -190,5 +187,3 @@ PH_TEST(clipped_any) {
   }
   ck_assert_int_gt(inside, unit_count(1000));
 }
-
-PH_TESTS(units, directions, windows, hidden, globes, clipped, clipped_any)

@@ -61,5 +61,4 @@ PH_TEST(test_not_finite) {
   ck_assert(!isfinite(unit_adapt(&rule, pole, &at, 0, 1, 1e-13, 0)));
 }
 
-PH_TESTS_WITH(begin, NULL, test_peak, test_kink, test_no_tolerance,
-              test_not_finite)
+PH_FIXTURE(begin, NULL)

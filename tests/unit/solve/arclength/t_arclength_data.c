@@ -10,8 +10,6 @@
 
 #include "solve/arclength/arclength.h"
 
-#include <string.h>
-
 enum { N = 6, X_MAX = 4 * (2 * N + 2) };
 
 struct setting {
@@ -318,7 +316,3 @@ PH_TEST_EACH(test_closed_curve, 2 * N) {
     }
   }
 }
-
-PH_TESTS(test_pose, test_curve_moves_along, test_turn_of_slender_data,
-         test_plane_and_line, test_plane_is_kept, test_closed_pose,
-         test_closed_curve)

@@ -6,12 +6,8 @@
  */
 #include "unit.h"
 
-#include "random_unit.h"
-
 #include "kernel/band.h"
 #include "solve/arclength/arclength.h"
-
-#include <string.h>
 
 enum { N_MAX = 20 };
 
@@ -469,9 +465,3 @@ PH_TEST(test_penalty_newton) {
   ck_assert_uint_le(point.iterations, 4);
   ck_rel(point.f * sqrt(4.09) / 2, 0.704614496874, 1e-9);
 }
-
-PH_TESTS(test_white_targets, test_plain, test_not_whitened, test_region,
-         test_region_above, test_region_saddle, test_region_not_finite,
-         test_not_feasible, test_penalty_helix, test_penalty_screw,
-         test_penalty_given, test_penalty_plane, test_penalty_closed,
-         test_twist, test_penalty_newton)

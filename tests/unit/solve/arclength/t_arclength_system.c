@@ -6,14 +6,10 @@
  */
 #include "unit.h"
 
-#include "random_unit.h"
-
 #include "kernel/band.h"
 #include "kernel/quad.h"
 #include "solve/arclength/system.h"
 #include "solve/arclength/arclength.h"
-
-#include <string.h>
 
 enum { N = 5, X_MAX = 4 * (3 * N + 2) + 1, Y_MAX = 4 * N + 3 * (N + 1) };
 
@@ -457,7 +453,3 @@ PH_TEST(test_largest) {
     v[i] = keep;
   }
 }
-
-PH_TESTS(test_rows_are_integrals, test_rows_of_knots, test_gradient,
-         test_kkt_matrix, test_penalised_matrix, test_spinor, test_largest,
-         test_bands, test_retract_turns_phases, test_retract_is_a_step)

@@ -5,14 +5,12 @@
  * theorem against Newton.  Also the forms of the equations, from which K comes.
  */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "solve/planar/planar.h"
 
 #include <gsl/gsl_complex.h>
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_linalg.h>
-#include <string.h>
 
 enum { N_MAX = 100, SYSTEMS = 200 };
 
@@ -439,7 +437,3 @@ PH_TEST(test_nothing) {
     }
   }
 }
-
-PH_TESTS(test_rows, test_norm_few, test_norm_open, test_norm_closed,
-         test_norm_lost_pivot, test_table_2_5, test_lipschitz, test_theorem,
-         test_solutions, test_nothing)

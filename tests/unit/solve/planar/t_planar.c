@@ -4,11 +4,8 @@
 #include "unit.h"
 #include "ph_unit.h"
 #include "planar_unit.h"
-#include "random_unit.h"
 
 #include "solve/method.h"
-
-#include <string.h>
 
 static const double PI = 3.14159265358979323846;
 
@@ -433,10 +430,4 @@ PH_TEST(test_subnormal) {
   ck_assert_ptr_nonnull(strstr(u.diag.message, "refused by its certificate"));
 }
 
-PH_TESTS_WITH(NULL, finish, test_method, test_too_few_points,
-              test_coincident_points, test_points_not_consecutive_may_coincide,
-              test_knots_refused, test_ends_refused, test_no_convergence,
-              test_shape, test_repeated_last_point, test_knot_rules,
-              test_default_ends, test_default_ends_published,
-              test_default_ends_standstill, test_given_ends, test_reversal,
-              test_reversal_closed, test_loop, test_range, test_subnormal)
+PH_FIXTURE(NULL, finish)

@@ -10,7 +10,6 @@
 #include "table21_unit.h"
 #include "planar_unit.h"
 #include "unit.h"
-#include "random_unit.h"
 
 #include "check/certify.h"
 #include "curve/fair/describe.h"
@@ -516,7 +515,3 @@ PH_TEST(test_none) {
     }
   }
 }
-
-PH_TESTS(test_random, test_uneven, test_table_2_1, test_ten, test_most,
-         test_line, test_polygon, test_double_root, test_near_double_root,
-         test_again, test_astray, test_none)

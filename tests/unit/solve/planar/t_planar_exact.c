@@ -3,9 +3,6 @@
 #include "unit.h"
 #include "ph_unit.h"
 #include "planar_unit.h"
-#include "random_unit.h"
-
-#include <string.h>
 
 static struct unit_solution u;
 
@@ -149,5 +146,4 @@ PH_TEST(test_reproduction) {
   }
 }
 
-PH_TESTS_WITH(NULL, finish, test_line_segment, test_collinear, test_hermite,
-              test_reproduction)
+PH_FIXTURE(NULL, finish)

@@ -2,12 +2,9 @@
 /* The fairest planar splines over their angles and knots. */
 #include "unit.h"
 #include "planar_unit.h"
-#include "random_unit.h"
 
 #include "curve/fair/energy.h"
 #include "solve/planar/planar.h"
-
-#include <string.h>
 
 static const double PI = 3.14159265358979323846;
 
@@ -319,6 +316,4 @@ PH_TEST_EACH(test_straight, 2) {
   ck_assert_double_le(report.minimum, 1e-16);
 }
 
-PH_TESTS_WITH(NULL, finish, test_published, test_at_bound, test_gradient,
-              test_improves, test_stationary, test_invariant, test_scale,
-              test_knots, test_straight)
+PH_FIXTURE(NULL, finish)

@@ -9,9 +9,6 @@
 
 #include "ph_unit.h"
 #include "unit.h"
-#include "random_unit.h"
-
-#include <string.h>
 
 enum { N_MAX = 60, SYSTEMS = 150 };
 
@@ -286,6 +283,3 @@ PH_TEST(test_no_convergence) {
     ck_assert_str_eq(diag.field, "");
   }
 }
-
-PH_TESTS(test_starts_agree, test_continuation, test_continuation_fails,
-         test_long, test_midpoint_start, test_no_convergence)

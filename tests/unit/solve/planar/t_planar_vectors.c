@@ -59,4 +59,4 @@ PH_TEST(test_shapes) {
   ck_file("tests/vectors/planar-shapes.phv", 38);
 }
 
-PH_TESTS_WITH(NULL, finish, test_gonzalez, test_shapes)
+PH_FIXTURE(NULL, finish)

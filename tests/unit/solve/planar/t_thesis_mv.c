@@ -87,5 +87,3 @@ PH_TEST(test_angles) {
   gsl_vector_free(x);
   gsl_vector_free(step);
 }
-
-PH_TESTS(test_angles)

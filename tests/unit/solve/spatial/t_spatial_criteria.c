@@ -488,6 +488,3 @@ PH_TEST(test_straight) {
     ck_rel(ph_spatial_length(&f, ph_cplx_of(1, 0)), f.h, 1e-14);
   }
 }
-
-PH_TESTS(test_printed, test_moved, test_cubic, test_extrema, test_nearly_plane,
-         test_plane, test_straight)

@@ -440,6 +440,4 @@ PH_TEST(test_grid) {
   }
 }
 
-PH_TESTS_WITH(begin, NULL, test_gradient, test_value, test_reference,
-              test_invariance, test_helix, test_alpha, test_descend,
-              test_straight, test_circle, test_plane, test_grid)
+PH_FIXTURE(begin, NULL)

@@ -13,8 +13,6 @@
 #include "curve/segment/seg3.h"
 #include "solve/spatial/spatial.h"
 
-#include <string.h>
-
 enum how { CC, HC, BV, CHORD, X, HOWS };
 static const char *const HOW[HOWS] = {"cc", "hc", "bv", "chord", "x"};
 
@@ -259,4 +257,4 @@ PH_TEST(test_segments) {
   ck_assert_int_eq(functionals, 19);
 }
 
-PH_TESTS_WITH(begin, finish, test_segments)
+PH_FIXTURE(begin, finish)

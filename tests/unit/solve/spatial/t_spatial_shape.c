@@ -8,7 +8,6 @@
 
 #include "curve/segment/seg3.h"
 #include "unit.h"
-#include "random_unit.h"
 
 enum { SEGMENTS = 300 };
 
@@ -469,7 +468,3 @@ PH_TEST(test_choice) {
     ck_assert_uint_eq(again.tried, n + 1);
   }
 }
-
-PH_TESTS(test_torsion_form, test_violations, test_void, test_planar,
-         test_predicates, test_example3, test_example1, test_definition,
-         test_invariance, test_choice)

@@ -7,9 +7,6 @@
 
 #include "kernel/quat.h"
 #include "unit.h"
-#include "random_unit.h"
-
-#include <string.h>
 
 enum { POLYGONS = 300, POINTS_MAX = 12 };
 
@@ -67,12 +64,6 @@ static ph_vec3 edge(const struct polygon *p, size_t k) {
                   : ph_vec3_sub(d, point(p, end));
   }
   return ph_vec3_sub(point(p, k), point(p, k - 1));
-}
-
-static void ck_vec3(ph_vec3 a, ph_vec3 b, double tol) {
-  ck_abs(a.x, b.x, tol);
-  ck_abs(a.y, b.y, tol);
-  ck_abs(a.z, b.z, tol);
 }
 
 static ph_vec3 unit_or_zero(ph_vec3 v) {
@@ -385,7 +376,3 @@ PH_TEST(test_short_edge) {
   /* the last one is that of a circle through three points */
   ck_vec3(p.tangents[2], ph_vec3_scale(-1, p.tangents[0]), 1e-15);
 }
-
-PH_TESTS(test_shape, test_chair, test_circle, test_ends, test_two_points,
-         test_short_edge, test_invariance, test_planar, test_hairpin,
-         test_zigzag, test_line)

@@ -6,18 +6,12 @@
  */
 #include "unit.h"
 
-#include "random_unit.h"
 #include "criteria_unit.h"
 
 #include "curve/segment/spherical.h"
 #include "kernel/pi.h"
 #include "kernel/s2.h"
 #include "solve/sphere/sphere.h"
-
-#include <float.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { N_MAX = 64 };
 
@@ -506,8 +500,3 @@ PH_TEST(test_names) {
   ck_assert_str_eq(ph_sphere_criterion_name(PH_SPHERE_SEGMENT),
                    "segment convexity");
 }
-
-PH_TESTS(test_case, test_segment, test_threshold, test_plane, test_dense,
-         test_rounding, test_reversal, test_great_circle, test_sides,
-         test_standstill, test_touched_open, test_touched_closed,
-         test_touched_triangle, test_names)

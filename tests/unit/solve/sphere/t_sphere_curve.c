@@ -5,8 +5,6 @@
 
 #include "solve/sphere/sphere.h"
 
-#include <string.h>
-
 enum { N = 6 };
 
 static const double center[3] = {-3, 0.5, 20}, radius = 7;
@@ -109,5 +107,3 @@ PH_TEST(test_no_length) {
   ck_assert_str_eq(diag.field, "segments[3]");
   unit_raise_free(&t);
 }
-
-PH_TESTS(test_curve, test_no_length)

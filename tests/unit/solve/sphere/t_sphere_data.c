@@ -6,13 +6,10 @@
 #include "unit.h"
 
 #include "fields_unit.h"
-#include "random_unit.h"
 
 #include "kernel/pi.h"
 #include "kernel/s2.h"
 #include "solve/sphere/sphere.h"
-
-#include <float.h>
 
 #define OCTANT \
   { PH_F_POINTS, VECTORS(3, 1, 0, 0, 0, 1, 0, 0, 0, 1) }
@@ -449,6 +446,3 @@ PH_TEST(test_ends) {
   ck_vector(d.end[0], ph_vec3_scale(PH_PI / 2, ph_vec3_of(0, 0.6, 0.8)), 1e-15);
   ck_vector(d.end[1], ph_vec3_of(0, -PH_PI / 8, 0), 1e-15);
 }
-
-PH_TESTS(test_failure, test_open, test_closed, test_open_ring, test_lonlat,
-         test_sphere, test_scales, test_knots, test_tensions, test_ends)

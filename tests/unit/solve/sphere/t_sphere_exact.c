@@ -85,5 +85,3 @@ PH_TEST(test_g2) {
     unit_sphere_free(&u);
   }
 }
-
-PH_TESTS(test_acceleration, test_reference, test_g2)

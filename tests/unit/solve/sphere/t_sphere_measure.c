@@ -133,5 +133,3 @@ PH_TEST(test_bound) {
   ck_abs(g[3], bound + kappa, 1e-15);
   unit_raise_free(&t);
 }
-
-PH_TESTS(test_signs, test_bound)

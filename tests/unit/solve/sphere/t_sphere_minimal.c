@@ -9,8 +9,6 @@
 
 #include "kernel/pi.h"
 
-#include <string.h>
-
 enum { MOST = 60, SMALL = 8 };
 
 /* Against a search: the worst ratio, beside tensions that hardly do anything.
@@ -290,5 +288,3 @@ PH_TEST(test_given) {
   ck_assert_uint_ge(kept, 1);
   ck_assert_uint_ge(above, 1);
 }
-
-PH_TESTS(test_search, test_motions, test_blocks, test_back, test_given)

@@ -8,8 +8,6 @@
 #include "kernel/pi.h"
 #include "kernel/s2.h"
 
-#include <string.h>
-
 enum { N = UNIT_SPHERE_ANY, TRIALS = 50, MODELS = 2 };
 
 static const struct ph_sphere_model *const models[MODELS] = {
@@ -421,7 +419,3 @@ PH_TEST(test_random) {
   ck_assert_int_eq(solved(734, few, 0.1, 0.8, models[1]), few);
   ck_assert_int_ge(solved(735, few, 0.1, PH_PI / 2, models[1]), few * 3 / 4);
 }
-
-PH_TESTS(test_derivatives, test_natural, test_clamped, test_two_points,
-         test_equator, test_start_index, test_rotation, test_reversal,
-         test_range, test_tiny, test_none, test_random)

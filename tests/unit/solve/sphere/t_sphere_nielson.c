@@ -7,8 +7,6 @@
 #include "kernel/pi.h"
 #include "kernel/s2.h"
 
-#include <string.h>
-
 enum { N = UNIT_SPHERE_ANY, TRIALS = 100 };
 
 /* x, anything near the data. */
@@ -192,6 +190,3 @@ PH_TEST(test_antipode) {
   ck_assert(hypot(row.f[0], row.f[1]) > 10);
   unit_sphere_free(&u);
 }
-
-PH_TESTS(test_formulas, test_reference, test_picard, test_last_resort,
-         test_antipode)

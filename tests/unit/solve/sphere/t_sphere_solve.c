@@ -4,8 +4,6 @@
 #include "raise_unit.h"
 #include "unit.h"
 
-#include <string.h>
-
 /* Data of N nodes far apart; of 60 from this generator about 25 are beyond
  * Newton's iteration, whatever PH_SEED is. */
 enum { N = 6, DATA = 60, STREAM = 1031 };
@@ -185,6 +183,3 @@ PH_TEST(test_none) {
   }
   ck_assert_uint_ge(failed, 1);
 }
-
-PH_TESTS(test_easy, test_continuation, test_relaxation, test_all, test_legs,
-         test_none)

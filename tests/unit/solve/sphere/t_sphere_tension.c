@@ -6,8 +6,6 @@
 #include "raise_unit.h"
 #include "unit.h"
 
-#include <string.h>
-
 enum { LONG = 140, ROUNDS = 400 };
 
 static const struct unit_raise_kind open_kind = {false, PH_SPHERE_NATURAL,
@@ -274,6 +272,3 @@ PH_TEST_EACH(test_ends, 3) {
   ck_rel(nu[4], nu[0], 0);
   unit_raise_free(&t);
 }
-
-PH_TESTS(test_plain, test_small, test_largest, test_waive, test_waive_reversed,
-         test_ends)

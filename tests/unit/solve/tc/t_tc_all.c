@@ -2,7 +2,7 @@
 /* Every curve of Tschirnhausen cubics: the product of what the intervals have,
  * its order and its limits. */
 #include "tc_solve_unit.h"
-#include "random_unit.h"
+#include "unit.h"
 
 #include "curve/cross/cross.h"
 #include "curve/fair/energy.h"
@@ -344,7 +344,3 @@ PH_TEST(test_crossings) {
     ck_assert_uint_gt(seen[n], 0);
   }
 }
-
-PH_TESTS(test_splines, test_one_interval, test_combinations,
-         test_good_is_not_first, test_most_curves, test_most_intervals,
-         test_long_line, test_none, test_crossings)

@@ -2,13 +2,10 @@
 /* Approximation of Bezier curves: distances against samples, numbers of cubics,
  * symmetry, and the curves that are difficult. */
 #include "unit.h"
-#include "random_unit.h"
 #include "tc_approx_unit.h"
 
 #include "kernel/pi.h"
 #include "solve/tc/approx.h"
-
-#include <string.h>
 
 enum { POINTS_MAX = 128 };
 
@@ -404,8 +401,3 @@ PH_TEST(test_high_degree) {
   ck_assert_uint_le(arcs.n, 8);
   ck_assert(unit_arcs_distance(&curve, &arcs) <= arcs.distance);
 }
-
-PH_TESTS(test_counts, test_smooth, test_turning, test_tight, test_straight,
-         test_own, test_end_tangents, test_huge_tolerance, test_random,
-         test_symmetry, test_pieces, test_pieces_of_line, test_too_few_pieces,
-         test_refused, test_near_rounding, test_high_degree)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bound of the distance of one cubic, and the inflections of a curve. */
 #include "unit.h"
-#include "random_unit.h"
 #include "tc_approx_unit.h"
 #include "tc_curve_unit.h"
 
@@ -130,6 +129,3 @@ PH_TEST(test_inflections_of_graph) {
   ck_abs(u[0], a, 0x1p-31);
   ck_abs(u[1], b, 0x1p-31);
 }
-
-PH_TESTS(test_line, test_known, test_speed, test_random, test_inflections,
-         test_inflections_of_graph)

@@ -7,8 +7,6 @@
 
 #include "solve/tc/tc.h"
 
-#include <float.h>
-
 /* The chords are 3 + 4i and 12i, and of the lengths 5 and 12. */
 enum { POINTS_MAX = 3 };
 
@@ -274,6 +272,3 @@ PH_TEST(test_closed) {
   ck_rel(b.curve.control_points[46], 0.1, 0);
   ck_rel(b.curve.control_points[47], 0.7, 0);
 }
-
-PH_TESTS(test_one, test_two, test_diagnostics_one, test_diagnostics_spline,
-         test_several, test_closed)

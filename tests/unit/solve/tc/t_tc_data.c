@@ -4,11 +4,9 @@
  * that is refused, and the vectors at the points, at any scale.
  */
 #include "tc_data_unit.h"
-#include "vec_unit.h"
+#include "unit.h"
 
 #include "kernel/pi.h"
-
-#include <float.h>
 
 #define POINTS \
   { PH_F_POINTS, VECTORS(2, 0, 0, 1, 0, 1, 1) }
@@ -526,6 +524,3 @@ PH_TEST(test_tangent_length) {
   ck_cplx(h.t[0], ph_cplx_of(0.8, 0.6), 4 * DBL_EPSILON);
   ck_cplx(h.t[1], ph_cplx_of(-0.8, 0.6), 4 * DBL_EPSILON);
 }
-
-PH_TESTS(test_mode, test_failure, test_spline, test_circle, test_circle_of_two,
-         test_closed, test_choices, test_near, test_scale, test_tangent_length)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measures of fits of Tschirnhausen cubics, their order, and the best. */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "solve/tc/tc.h"
 
@@ -197,7 +196,3 @@ PH_TEST(test_best_is_first) {
     }
   }
 }
-
-PH_TESTS(test_measure, test_measure_irregular, test_order_classes,
-         test_best_without_simple, test_best_behind, test_order_ties,
-         test_order_chain, test_best_chain_with_loop, test_best_is_first)

@@ -9,8 +9,6 @@
 
 #include "solve/tc/tc.h"
 
-#include <float.h>
-
 static size_t solve(double a, double b, struct ph_tc_fit fits[2]) {
   struct ph_tc_hermite h = unit_tc_data(a, 1, b, 1);
   return ph_tc_g1(&h, fits);
@@ -507,8 +505,3 @@ PH_TEST(test_order) {
   }
   ck_assert_int_gt(alike, 0);
 }
-
-PH_TESTS(test_known, test_straight, test_along, test_snap, test_double_root,
-         test_sixty_degrees, test_search, test_count, test_count_near_chord,
-         test_range, test_range_ends, test_range_zero, test_residual, test_own,
-         test_seen, test_order)

@@ -350,7 +350,3 @@ PH_TEST(test_crossings) {
   ck_assert_uint_eq(crossings.n, 3);
   ck_assert_uint_eq(crossings.first, 3);
 }
-
-PH_TESTS(test_modes, test_fair, test_lambda, test_standard,
-         test_standard_backward, test_standard_tangents, test_on_chord,
-         test_all, test_no_g1, test_no_pair, test_no_joint, test_crossings)

@@ -403,7 +403,3 @@ PH_TEST(test_best) {
   ck_assert_int_gt(standard, 0);
   ck_assert_int_lt(standard, unit_count(3000));
 }
-
-PH_TESTS(test_known, test_residual, test_cut, test_joint_zero,
-         test_all_irregular, test_rho_zero, test_seen, test_is_safe, test_safe,
-         test_best)

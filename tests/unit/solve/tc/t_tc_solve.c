@@ -186,6 +186,3 @@ PH_TEST(test_modes) {
   }
   unit_solution_free(&s);
 }
-
-PH_TESTS(test_schema, test_images, test_loop, test_loop_later, test_failures,
-         test_modes)

@@ -2,10 +2,8 @@
 /* Approximation of chains of Bezier curves: what is read, what is refused, and
  * what the result says, at any place and scale. */
 #include "tc_solve_unit.h"
-#include "random_unit.h"
+#include "unit.h"
 #include "tc_approx_unit.h"
-
-#include <float.h>
 
 enum { ROOM = 512 };
 
@@ -347,6 +345,3 @@ PH_TEST(test_scale) {
   }
   unit_solution_free(&s);
 }
-
-PH_TESTS(test_chain, test_one_curve, test_pieces, test_own_cubic, test_goal,
-         test_fields, test_points, test_joints, test_far, test_scale)

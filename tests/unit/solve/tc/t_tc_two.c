@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two Tschirnhausen cubics for G1 data, with a free joint and on the chord. */
 #include "unit.h"
-#include "random_unit.h"
 
 #include "kernel/pi.h"
 #include "solve/tc/tc.h"
@@ -435,9 +434,3 @@ PH_TEST(test_chord_not_finite) {
   ck_assert(!ph_tc_two_chord(&h, (double)NAN, (double)NAN, &fit));
   ck_assert(!ph_tc_two_chord(&h, 1, 0.5, &fit));
 }
-
-PH_TESTS(test_free_known, test_free_random, test_free_special,
-         test_free_straight, test_free_not_finite, test_free_invariant,
-         test_chord_intervals, test_chord_known, test_chord_random,
-         test_chord_invariant, test_chord_straight, test_chord_special,
-         test_chord_not_finite)
