@@ -29,28 +29,6 @@ struct builder {
   bool failed; /* memory ran out */
 };
 
-/* Lists of words. */
-#define NAME(symbol, name) name,
-#define CURVE(symbol, kind, name) name,
-static const struct words {
-  const char *name;
-  const char *const *words;
-} word_lists[] = {
-    {"kind", (const char *const[]){PH_CURVES(CURVE) NULL}},
-    {"frame", (const char *const[]){PH_FRAMES(NAME) NULL}},
-    {"root", (const char *const[]){PH_ROOTS(NAME) NULL}},
-    {"outcome", (const char *const[]){PH_OUTCOMES(NAME) NULL}},
-    {"check", (const char *const[]){PH_CHECKS(NAME) NULL}},
-};
-
-/* A diagnostic's type, as the writer has it. */
-static const char *diagnostic_type(enum ph_diagnostic which) {
-  return ph_diagnostic_is_flag(which)    ? "flag"
-         : !ph_diagnostic_word(which, 0) ? "number"
-         : which == PH_D_ROOT            ? "root"
-                                         : "outcome";
-}
-
 /* ---- items ----------------------------------------------------------------
  */
 
@@ -174,28 +152,28 @@ static bool fill_constant(struct builder *b, cJSON *node,
 }
 
 static bool fill_words(struct builder *b, cJSON *node, const char *type) {
+#define NAME(symbol, name) name,
+  static const char *const checks[] = {PH_CHECKS(NAME) NULL};
+#undef NAME
+  const char *const *words =
+      strcmp(type, "check") == 0 ? checks : ph_words(type);
+  bool method = strcmp(type, "method") == 0;
   cJSON *list;
   if (strcmp(type, "code") == 0 || strcmp(type, "warning-code") == 0) {
     fill_codes(b, node, *type == 'w');
     return true;
   }
-  if (strcmp(type, "method") == 0) {
-    list = add_array(b, node, "enum");
-    for (size_t i = 0; i < ph_promises_n; i++) {
-      add_text(b, list, NULL, ph_promises[i].command);
-    }
-    return true;
+  if (!method && !words) {
+    return false;
   }
-  for (size_t i = 0; i < sizeof word_lists / sizeof word_lists[0]; i++) {
-    if (strcmp(type, word_lists[i].name) == 0) {
-      list = add_array(b, node, "enum");
-      for (const char *const *w = word_lists[i].words; *w; w++) {
-        add_text(b, list, NULL, *w);
-      }
-      return true;
-    }
+  list = add_array(b, node, "enum");
+  for (size_t i = 0; method && i < ph_promises_n; i++) {
+    add_text(b, list, NULL, ph_promises[i].command);
   }
-  return false;
+  for (; words && *words; words++) {
+    add_text(b, list, NULL, *words);
+  }
+  return true;
 }
 
 /* Types that are the same everywhere. */
@@ -386,8 +364,7 @@ static void fill_members(struct builder *b, cJSON *node,
     if (row->what) {
       add_text(b, member, "description", row->what);
     }
-    fill(b, member, f,
-         row->type ? row->type : diagnostic_type((enum ph_diagnostic)i));
+    fill(b, member, f, row->type);
     if (row->must) {
       add_text(b, required, NULL, row->name);
     }

@@ -31,7 +31,7 @@ enum of {
   { NULL, MAY, ANY, NULL, NULL }
 #define ROW(symbol, name, must, of, type, what) {name, must, of, type, what},
 #define CHECK(symbol, name) {name, MAY, ANY, "number", NULL},
-#define DIAGNOSTIC(symbol, name) {name, MAY, ANY, NULL, NULL},
+#define DIAGNOSTIC(symbol, name, type, what) {name, MAY, ANY, type, what},
 #define ROWS(...) ((const struct ph_member[]){__VA_ARGS__ LAST})
 #define RECORD(...) ROWS(PH_HEADING_MEMBERS(ROW) __VA_ARGS__)
 

@@ -18,7 +18,7 @@ struct ph_member {
   const char *name; /* NULL ends a list */
   bool must;
   int of;           /* for ph_form_has */
-  const char *type; /* io/members.h; NULL: of the diagnostic of this index */
+  const char *type; /* io/members.h */
   const char *what;
 };
 

@@ -6,33 +6,19 @@
 
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
-static const char *const curve_names[] = {
-#define X(symbol, kind, name) name,
-    PH_CURVES(X)
-#undef X
-};
+#define NAME(symbol, name) name,
+#define CURVE(symbol, kind, name) name,
+static const char *const curve_names[] = {PH_CURVES(CURVE) NULL};
+static const char *const frame_names[] = {PH_FRAMES(NAME) NULL};
+static const char *const outcome_names[] = {PH_OUTCOMES(NAME) NULL};
+static const char *const root_names[] = {PH_ROOTS(NAME) NULL};
 
-static const char *const frame_names[] = {NULL,
-#define X(symbol, name) name,
-                                          PH_FRAMES(X)
-#undef X
-};
-
-static const char *const outcome_names[] = {
-#define X(symbol, name) name,
-    PH_OUTCOMES(X)
-#undef X
-};
-
-static const char *const root_names[] = {
-#define X(symbol, name) name,
-    PH_ROOTS(X)
-#undef X
-};
-
-static const char *const diagnostic_names[] = {
-#define X(symbol, name) name,
+static const struct {
+  const char *name, *type, *what;
+} diagnostics[] = {
+#define X(symbol, name, type, what) {name, type, what},
     PH_DIAGNOSTICS(X)
 #undef X
 };
@@ -42,7 +28,7 @@ const char *ph_curve_name(enum ph_curve_kind kind) {
 }
 
 const char *ph_frame_name(enum ph_frame frame) {
-  return frame_names[frame];
+  return frame_names[frame - 1];
 }
 
 const char *ph_outcome_name(enum ph_outcome outcome) {
@@ -53,14 +39,32 @@ const char *ph_root_name(enum ph_root root) {
   return root_names[root];
 }
 
-const char *ph_diagnostic_name(enum ph_diagnostic which) {
-  return diagnostic_names[which];
+const char *const *ph_words(const char *type) {
+  static const struct {
+    const char *type;
+    const char *const *words;
+  } lists[] = {{"kind", curve_names},
+               {"frame", frame_names},
+               {"root", root_names},
+               {"outcome", outcome_names}};
+  for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
+    if (strcmp(lists[i].type, type) == 0) {
+      return lists[i].words;
+    }
+  }
+  return NULL;
 }
 
-const char *ph_diagnostic_word(enum ph_diagnostic which, double value) {
-  return which == PH_D_SECOND_ORDER ? outcome_names[(enum ph_outcome)value]
-         : which == PH_D_ROOT       ? root_names[(enum ph_root)value]
-                                    : NULL;
+const char *ph_diagnostic_name(enum ph_diagnostic which) {
+  return diagnostics[which].name;
+}
+
+const char *ph_diagnostic_type(enum ph_diagnostic which) {
+  return diagnostics[which].type;
+}
+
+const char *ph_diagnostic_meaning(enum ph_diagnostic which) {
+  return diagnostics[which].what;
 }
 
 enum ph_status ph_curve_alloc(struct ph_curve *c, struct ph_arena *arena,

@@ -235,53 +235,88 @@ struct ph_offset {
   double length;             /* NaN unless there are samples */
 };
 
-/* Diagnostics: X(SYMBOL, "name in records"). */
-#define PH_DIAGNOSTICS(X)                         \
-  X(ITERATIONS, "iterations")                     \
-  X(RESIDUAL, "residual")                         \
-  X(INTERPOLATION_ERROR, "interpolation_error")   \
-  X(END_DERIVATIVE_ERROR, "end_derivative_error") \
-  X(TANGENT_ERROR, "tangent_error")               \
-  X(PYTHAGOREAN_ERROR, "pythagorean_error")       \
-  X(CONTINUITY_ERROR, "continuity_error")         \
-  X(LENGTH_ERROR, "length_error")                 \
-  X(DISTANCE, "distance")                         \
-  X(CONVERSION_ERROR, "conversion_error")         \
-  X(F, "F")                                       \
-  X(F_RELAXED, "F_relaxed")                       \
-  X(KKT_ERROR, "kkt_error")                       \
-  X(SECOND_ORDER, "second_order")                 \
-  X(PLANAR, "planar")                             \
-  X(LENGTH_RMS, "length_rms")                     \
-  X(MIN_SPEED, "min_speed")                       \
-  X(FUNCTIONAL, "functional")                     \
-  X(FUNCTIONAL_START, "functional_start")         \
-  X(AT_BOUND, "at_bound")                         \
-  X(SPHERE_ERROR, "sphere_error")                 \
-  X(CURVATURE_JUMP, "curvature_jump")             \
-  X(MAX_CURVATURE, "max_curvature")               \
-  X(TENSION_SUM, "tension_sum")                   \
-  X(SHAPE_OK, "shape_ok")                         \
-  X(REDUCED, "reduced")                           \
-  X(FRAME_TURN, "frame_turn")                     \
-  X(REGULAR, "regular")                           \
-  X(ROOT, "root")                                 \
-  X(RATIO, "D")                                   \
-  X(LAMBDA, "lambda")                             \
-  X(LOOPS, "loops")                               \
-  X(SIMPLE, "simple")                             \
-  X(ENERGY, "energy")                             \
-  X(MV, "MV")                                     \
-  X(IES, "IES")                                   \
-  X(IMV, "IMV")                                   \
-  X(F1, "F1")                                     \
-  X(F2, "F2")                                     \
-  X(F3, "F3")                                     \
-  X(ROTATION_INDEX, "rotation_index")             \
-  X(ABSOLUTE_ROTATION_INDEX, "absolute_rotation_index")
+/*
+ * Diagnostics: X(SYMBOL, "name in records", "type", "what it is"); a type is
+ * number, flag (1 or 0) or a list of words (ph_words), one by its index.
+ */
+#define PH_DIAGNOSTICS(X)                                                      \
+  X(ITERATIONS, "iterations", "number",                                        \
+    "steps of the iteration of the solver, or how often it evaluated")         \
+  X(RESIDUAL, "residual", "number",                                            \
+    "what remains of the equations of the solver, relative to the data")       \
+  X(INTERPOLATION_ERROR, "interpolation_error", "number",                      \
+    "the largest distance of a joint from its point, relative")                \
+  X(END_DERIVATIVE_ERROR, "end_derivative_error", "number",                    \
+    "the largest difference of the end derivatives from those asked for")      \
+  X(TANGENT_ERROR, "tangent_error", "number",                                  \
+    "the largest difference of a tangent from that asked for")                 \
+  X(PYTHAGOREAN_ERROR, "pythagorean_error", "number",                          \
+    "the largest difference of the derivative from that of the preimage")      \
+  X(CONTINUITY_ERROR, "continuity_error", "number",                            \
+    "the largest jump of the derivatives at a knot, relative")                 \
+  X(LENGTH_ERROR, "length_error", "number",                                    \
+    "the largest difference of a length from quadrature, relative")            \
+  X(DISTANCE, "distance", "number",                                            \
+    "a bound of the Hausdorff distance from what is approximated")             \
+  X(CONVERSION_ERROR, "conversion_error", "number",                            \
+    "the greatest distance of a Bezier segment from the exact curve")          \
+  X(F, "F", "number", "the functional that is minimised")                      \
+  X(F_RELAXED, "F_relaxed", "number",                                          \
+    "the same of the curve whose lengths are free")                            \
+  X(KKT_ERROR, "kkt_error", "number",                                          \
+    "what is left of the gradient at the minimum, relative")                   \
+  X(SECOND_ORDER, "second_order", "outcome",                                   \
+    "what the curve was proved to be: a minimum, or a saddle")                 \
+  X(PLANAR, "planar", "flag",                                                  \
+    "whether the curve lies in the plane of its data")                         \
+  X(LENGTH_RMS, "length_rms", "number",                                        \
+    "root mean square of the differences of lengths, in deviations")           \
+  X(MIN_SPEED, "min_speed", "number",                                          \
+    "the smallest speed, relative to the mean")                                \
+  X(FUNCTIONAL, "functional", "number",                                        \
+    "the least value of the functional that was found")                        \
+  X(FUNCTIONAL_START, "functional_start", "number",                            \
+    "its value where the search began")                                        \
+  X(AT_BOUND, "at_bound", "flag",                                              \
+    "whether an angle or knot is at a bound of what is allowed")               \
+  X(SPHERE_ERROR, "sphere_error", "number",                                    \
+    "the largest distance of a control point from the sphere, relative")       \
+  X(CURVATURE_JUMP, "curvature_jump", "number",                                \
+    "the largest jump of the curvature at a point, relative")                  \
+  X(MAX_CURVATURE, "max_curvature", "number",                                  \
+    "the largest size of the curvature")                                       \
+  X(TENSION_SUM, "tension_sum", "number", "the sum of the tensions")           \
+  X(SHAPE_OK, "shape_ok", "flag",                                              \
+    "whether the curve keeps the shape of its data")                           \
+  X(REDUCED, "reduced", "number",                                              \
+    "how many segments had their tension reduced for the shape")               \
+  X(FRAME_TURN, "frame_turn", "number",                                        \
+    "the angle by which the frame of a closed curve comes back turned")        \
+  X(REGULAR, "regular", "flag", "whether the curve stands still nowhere")      \
+  X(ROOT, "root", "root",                                                      \
+    "which solution it is, if there is one interval only")                     \
+  X(RATIO, "D", "number", "of the one cubic, if there is one interval only")   \
+  X(LAMBDA, "lambda", "number",                                                \
+    "length of the derivatives over that of the chord")                        \
+  X(LOOPS, "loops", "number",                                                  \
+    "how many segments meet themselves, or stand still")                       \
+  X(SIMPLE, "simple", "flag", "whether the curve has no two points that meet") \
+  X(ENERGY, "energy", "number",                                                \
+    "the integral of the squared curvature by arc length")                     \
+  X(MV, "MV", "number",                                                        \
+    "the integral of the squared derivative of the curvature")                 \
+  X(IES, "IES", "number", "the energy times the length")                       \
+  X(IMV, "IMV", "number", "MV times the cube of the length")                   \
+  X(F1, "F1", "number", "the sum of the functional F1 over all segments")      \
+  X(F2, "F2", "number", "the sum of the functional F2 over all segments")      \
+  X(F3, "F3", "number", "the sum of the functional F3 over all segments")      \
+  X(ROTATION_INDEX, "rotation_index", "number",                                \
+    "by how many turns the tangent rotates, to the left")                      \
+  X(ABSOLUTE_ROTATION_INDEX, "absolute_rotation_index", "number",              \
+    "the same, with turns to the right counted like those to the left")
 
 enum ph_diagnostic {
-#define X(symbol, name) PH_D_##symbol,
+#define X(symbol, name, type, what) PH_D_##symbol,
   PH_DIAGNOSTICS(X)
 #undef X
       PH_DIAGNOSTIC_N
@@ -417,6 +452,11 @@ struct ph_result {
   ((struct ph_interval){(double)NAN, (double)NAN, 0, 0, PH_ROOT_N, \
                         (double)NAN, (double)NAN, (double)NAN, (double)NAN})
 
+/* ph_words: the words of a type in records, "kind" of curves, "frame" from
+ * PH_FRAME_FRENET on, "root" or "outcome", in the order of the enum and ended
+ * by NULL; NULL: the type is no list of words. */
+const char *const *ph_words(const char *type);
+
 /* ph_root_name: the name of a root, as in records. */
 const char *ph_root_name(enum ph_root root);
 
@@ -468,16 +508,9 @@ double ph_curve_size(const struct ph_curve *curve);
 /* ph_curve_name: the name of a curve kind, as in records. */
 const char *ph_curve_name(enum ph_curve_kind kind);
 
-/* ph_diagnostic_is_flag: whether a diagnostic is true or false, 1 or 0. */
-static inline bool ph_diagnostic_is_flag(enum ph_diagnostic which) {
-  return which == PH_D_SIMPLE || which == PH_D_AT_BOUND ||
-         which == PH_D_SHAPE_OK || which == PH_D_PLANAR ||
-         which == PH_D_REGULAR;
-}
-
-/* ph_diagnostic_word: the word that a value of a diagnostic stands for; NULL if
- * it is a number. */
-const char *ph_diagnostic_word(enum ph_diagnostic which, double value);
+/* ph_diagnostic_type, ph_diagnostic_meaning: of its row. */
+const char *ph_diagnostic_type(enum ph_diagnostic which);
+const char *ph_diagnostic_meaning(enum ph_diagnostic which);
 
 /* ph_diagnostic_name: the name of a diagnostic, as in records. */
 const char *ph_diagnostic_name(enum ph_diagnostic which);

@@ -73,16 +73,19 @@ static void write_diagnostics(struct ph_json_writer *w,
                               const struct ph_diagnostics *diagnostics) {
   for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
     enum ph_diagnostic which = (enum ph_diagnostic)i;
+    const char *name = ph_diagnostic_name(which);
+    const char *type = ph_diagnostic_type(which);
+    const char *const *words = ph_words(type);
     double value = diagnostics->value[i];
-    if (diagnostics->known >> i & 1) {
-      if (ph_diagnostic_is_flag(which)) {
-        ph_write_key_flag(w, ph_diagnostic_name(which), value > 0);
-      } else if (ph_diagnostic_word(which, value)) {
-        ph_write_key_string(w, ph_diagnostic_name(which),
-                            ph_diagnostic_word(which, value));
-      } else {
-        ph_write_key_number(w, ph_diagnostic_name(which), value);
-      }
+    if (!(diagnostics->known >> i & 1)) {
+      continue;
+    }
+    if (words) {
+      ph_write_key_string(w, name, words[(size_t)value]);
+    } else if (strcmp(type, "flag") == 0) {
+      ph_write_key_flag(w, name, value > 0);
+    } else {
+      ph_write_key_number(w, name, value);
     }
   }
 }

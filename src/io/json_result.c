@@ -28,38 +28,12 @@ enum member {
 static const char *const member_names[MEMBERS] = {PH_HEADING_MEMBERS(NAME)
                                                       PH_RESULT_MEMBERS(NAME)};
 
-/* A list of names to choose from. */
-struct words {
-  const char *(*name)(size_t i);
-  size_t n;
-};
-
-static const char *curve_word(size_t i) {
-  return ph_curve_name((enum ph_curve_kind)i);
-}
-
-static const char *root_word(size_t i) {
-  return ph_root_name((enum ph_root)i);
-}
-
-static const char *frame_word(size_t i) {
-  return ph_frame_name((enum ph_frame)(i + 1));
-}
-
-static const char *outcome_word(size_t i) {
-  return ph_outcome_name((enum ph_outcome)i);
-}
-
-static const struct words curves = {curve_word, PH_CURVE_N};
-static const struct words roots = {root_word, PH_ROOT_N};
-static const struct words frames = {frame_word, PH_FRAME_N - 1};
-static const struct words outcomes = {outcome_word, PH_OUTCOME_N};
-
 /* Which of the words a member is; `absent' where there is none, and after a
  * failure. */
 static size_t read_word(struct ph_json_reader *r,
                         const struct ph_json_item *item, const char *name,
-                        const struct words *words, size_t absent) {
+                        const char *type, size_t absent) {
+  const char *const *words = ph_words(type);
   const char *text = ph_read_string(r, item, name, NULL);
   struct ph_suggest suggest;
   char clause[PH_DID_YOU_MEAN_MAX], excerpt[PH_EXCERPT_MAX];
@@ -68,11 +42,11 @@ static size_t read_word(struct ph_json_reader *r,
     return absent;
   }
   ph_suggest_init(&suggest, text, strlen(text));
-  for (size_t i = 0; i < words->n; i++) {
-    if (strcmp(text, words->name(i)) == 0) {
+  for (size_t i = 0; words[i]; i++) {
+    if (strcmp(text, words[i]) == 0) {
       return i;
     }
-    ph_suggest_try(&suggest, words->name(i), strlen(words->name(i)));
+    ph_suggest_try(&suggest, words[i], strlen(words[i]));
   }
   ph_did_you_mean(&suggest, clause);
   mark = ph_read_enter(r, name);
@@ -97,14 +71,12 @@ static double read_value(struct ph_json_reader *r,
                          const struct ph_json_item *item,
                          enum ph_diagnostic which) {
   const char *name = ph_diagnostic_name(which);
-  if (ph_diagnostic_is_flag(which)) {
-    return ph_read_flag(r, item, name, false);
+  const char *type = ph_diagnostic_type(which);
+  if (ph_words(type)) {
+    return (double)read_word(r, item, name, type, 0);
   }
-  if (ph_diagnostic_word(which, 0)) {
-    return (double)read_word(r, item, name,
-                             which == PH_D_ROOT ? &roots : &outcomes, 0);
-  }
-  return ph_read_number(r, item, name, 0);
+  return strcmp(type, "flag") == 0 ? ph_read_flag(r, item, name, false)
+                                   : ph_read_number(r, item, name, 0);
 }
 
 static void read_kantorovich(struct ph_json_reader *r,
@@ -139,7 +111,7 @@ static void read_start(struct ph_json_reader *r,
   ph_read_required(r, &items[1], names[1]);
   start->name = ph_read_string(r, &items[0], names[0], "");
   start->outcome =
-      (enum ph_outcome)read_word(r, &items[1], names[1], &outcomes, 0);
+      (enum ph_outcome)read_word(r, &items[1], names[1], "outcome", 0);
   start->f = ph_read_number(r, &items[2], names[2], (double)NAN);
   start->iterations = ph_read_whole(r, &items[3], names[3], 0, INT32_MAX);
 }
@@ -235,7 +207,7 @@ static void read_interval(struct ph_json_reader *r,
   interval->first = (size_t)range[0];
   interval->last = (size_t)range[1];
   interval->root =
-      (enum ph_root)read_word(r, &items[3], names[3], &roots, PH_ROOT_N);
+      (enum ph_root)read_word(r, &items[3], names[3], "root", PH_ROOT_N);
   for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
     *values[i] = ph_read_number(r, &items[4 + i], names[4 + i], (double)NAN);
   }
@@ -338,7 +310,7 @@ static void read_kind(struct ph_json_reader *r,
     ph_read_required(r, &items[required[i]], member_names[required[i]]);
   }
   c->kind = (enum ph_curve_kind)read_word(r, &items[CURVE], member_names[CURVE],
-                                          &curves, 0);
+                                          "kind", 0);
   c->dimension =
       ph_read_whole(r, &items[DIMENSION], member_names[DIMENSION], 2, 3);
   c->degree = ph_read_whole(r, &items[DEGREE], member_names[DEGREE], 1,
@@ -364,7 +336,7 @@ static void read_result(struct ph_json_reader *r,
   ph_read_samples(r, &items[SAMPLES], c, &result->samples);
   if (items[FRAME].value) {
     result->samples.frame = (enum ph_frame)(
-        1 + read_word(r, &items[FRAME], member_names[FRAME], &frames, 0));
+        1 + read_word(r, &items[FRAME], member_names[FRAME], "frame", 0));
   }
   read_diagnostics(r, &items[DIAGNOSTICS], &result->diagnostics, result);
   read_solutions(r, &items[SOLUTIONS], result);

@@ -60,6 +60,12 @@ for command in planar spatial-hermite arclength sphere tc verify; do
       sed -n '/^Fields/,/^$/s/^  \([a-z][a-z_]*\) .*/\1/p' | sort)" \
     "$(jq -r --arg d "$command-problem" '.["$defs"][$d].properties // {} |
       keys[] | select(. != "id" and . != "meta")' "$command.schema" | sort)"
+  equal "what is told of each member of $command" '[]' \
+    "$(jq -c '[.["$defs"] | to_entries[] |
+      select(.key | test("^checks$|-(set|sweep)$") | not) |
+      .value.properties // {} | to_entries[] |
+      select((.value.description // "") == "") | .key] - ["id", "meta"]' \
+      "$command.schema")"
 done
 equal 'a problem of any command, a result of one' \
   '["planar","spatial-hermite","arclength","sphere","tc","verify"]' \

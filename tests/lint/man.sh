@@ -186,7 +186,7 @@ table base/status.h PH_STATUS 'symbol, code, class, meaning' 'class code' |
 items man/phspline.1 DIAGNOSTICS Sy >"$tmp/page"
 same "codes" "$tmp/list" "$tmp/page"
 
-table curve/result.h PH_DIAGNOSTICS 'symbol, name' 'name' >"$tmp/list"
+table curve/result.h PH_DIAGNOSTICS 'symbol, name, type, what' 'name' >"$tmp/list"
 items man/phspline.5 CERTIFICATE Cm >"$tmp/page"
 same "diagnostics" "$tmp/list" "$tmp/page"
 table check/verify.h PH_CHECKS 'symbol, name' 'name' >"$tmp/checks"

@@ -27,15 +27,20 @@ PH_TEST(test_outcomes) {
   ck_assert_str_eq(ph_outcome_name(PH_OUTCOME_NO_SOLUTION), "no-convergence");
 }
 
-/* A diagnostic is a number, a flag or an outcome. */
+/* A diagnostic is a number, a flag or a word; scripts rely on which. */
 PH_TEST(test_kinds) {
   for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
-    enum ph_diagnostic which = (enum ph_diagnostic)i;
+    const char *type = ph_diagnostic_type((enum ph_diagnostic)i);
     bool flag = i == PH_D_SIMPLE || i == PH_D_AT_BOUND || i == PH_D_SHAPE_OK ||
                 i == PH_D_PLANAR || i == PH_D_REGULAR;
-    bool word = i == PH_D_SECOND_ORDER || i == PH_D_ROOT;
-    ck_assert_int_eq(ph_diagnostic_is_flag(which), flag);
-    ck_assert_int_eq(ph_diagnostic_word(which, 0) != NULL, word);
+    ck_assert_str_eq(type, flag                     ? "flag"
+                           : i == PH_D_SECOND_ORDER ? "outcome"
+                           : i == PH_D_ROOT         ? "root"
+                                                    : "number");
+    ck_assert_int_eq(ph_words(type) != NULL,
+                     i == PH_D_SECOND_ORDER || i == PH_D_ROOT);
+    ck_assert_int_gt((int)strlen(ph_diagnostic_meaning((enum ph_diagnostic)i)),
+                     0);
   }
 }
 
