@@ -10,7 +10,7 @@
 #include "base/mem.h"
 #include "curve/bezier/convert.h"
 #include "curve/offset/cusp.h"
-#include "curve/sample/sample.h"
+#include "curve/sample/inversion.h"
 #include "kernel/pi.h"
 #include "solve/method.h"
 
@@ -171,13 +171,13 @@ static void inverses(void *data) {
   struct ph_sampler sampler = sampler_of(w);
   w->steps = 0;
   for (size_t k = 0; k < w->curve.n; k++) {
-    double u = 0, step;
+    struct ph_inversion past = {.n = 0};
+    double step;
     enter(&sampler, k);
     step = sampler.length / MANY;
     for (int i = 0; i < MANY; i++) {
       size_t steps;
-      u = ph_sampler_parameter(&sampler, step * i, u, &steps);
-      w->sum += u;
+      w->sum += ph_inversion_next(&past, &sampler, step * i, &steps);
       w->steps += steps;
     }
   }

@@ -271,13 +271,6 @@ static void numerators_start(void *data) {
   }
 }
 
-static void points(void *data) {
-  struct batch *b = data;
-  for (size_t i = 0; i < BATCH; i++) {
-    b->out[i] = ph_spherical_point(&b->segment[i], ((double)i + 0.5) / BATCH).x;
-  }
-}
-
 static void lengths(void *data) {
   struct batch *b = data;
   for (size_t i = 0; i < BATCH; i++) {
@@ -308,23 +301,21 @@ static void batch_of(double step, struct batch *b) {
 
 static void segment_table(void) {
   static const double steps[] = {0.01, 0.1, 1};
-  static const char *const names[] = {"point", "K, K'", "K at t = 0", "length"};
+  static const char *const names[] = {"K, K'", "K at t = 0", "length"};
   struct batch *b = bench_malloc(1, sizeof *b);
-  struct bench_contender c[] = {{points, b, 0},
-                                {numerators, b, 0},
-                                {numerators_start, b, 0},
-                                {lengths, b, 0}};
-  double ns[4][3];
+  struct bench_contender c[] = {
+      {numerators, b, 0}, {numerators_start, b, 0}, {lengths, b, 0}};
+  double ns[3][3];
   for (size_t j = 0; j < 3; j++) {
     batch_of(steps[j], b);
-    bench_alternate(c, 4, 9, 4);
-    for (size_t i = 0; i < 4; i++) {
+    bench_alternate(c, 3, 9, 4);
+    for (size_t i = 0; i < 3; i++) {
       ns[i][j] = 1e9 * c[i].best / BATCH;
     }
   }
   puts("\nA segment of so long a step, processor ns, the best of many runs\n\n"
        "                   0.01      0.1        1");
-  for (size_t i = 0; i < 4; i++) {
+  for (size_t i = 0; i < 3; i++) {
     printf("  %-12s %8.0f %8.0f %8.0f\n", names[i], ns[i][0], ns[i][1],
            ns[i][2]);
   }

@@ -256,30 +256,31 @@ static void ck_place(const struct ph_sampler *sampler, double u, double s) {
   ck_abs(length, s, 1e-14 * sampler->length + DBL_EPSILON * speed);
 }
 
-/* Where the length is s, with how many steps, from anywhere. */
+/* Where the length is s, with how many steps: one after another, and each by
+ * itself. */
 PH_TEST_EACH(test_places, PLACES_KINDS) {
   enum { TRIES = 20 };
   struct unit_random r = unit_random_of(1430 + (uint64_t)_i);
   size_t all = 0, calls = 0;
   for (int n = 0; n < unit_count(500); n++) {
     struct ph_sampler sampler;
-    double before = 0;
+    struct ph_inversion past = {.n = 0};
     next_curve(n, (enum places_kind)_i, &r);
     sampler = unit_sampler(&data.curve, offset_of_data(), 1);
     for (int i = 1; i <= TRIES; i++) {
       double s = (i - 0.5) / TRIES * sampler.length;
+      struct ph_inversion none = {.n = 0};
       size_t steps;
-      double u = ph_sampler_parameter(&sampler, s, before, &steps);
+      double u = ph_inversion_next(&past, &sampler, s, &steps);
       ck_place(&sampler, u, s);
       calls += steps;
       all++;
-      before = u;
-      u = ph_sampler_parameter(&sampler, s, unit_random_in(&r, -1, 2), &steps);
+      u = ph_inversion_next(&none, &sampler, s, &steps);
       ck_place(&sampler, u, s);
       ck_assert_uint_le(steps, 60);
     }
-    ck_abs(ph_sampler_parameter(&sampler, 0, 0.5, NULL), 0, 0);
-    ck_abs(ph_sampler_parameter(&sampler, sampler.length, 0.5, NULL), 1, 0);
+    ck_abs(unit_parameter(&sampler, 0), 0, 0);
+    ck_abs(unit_parameter(&sampler, sampler.length), 1, 0);
   }
   ck_assert_uint_le(2 * calls, 9 * all);
 }

@@ -10,6 +10,7 @@
  */
 #include "motion.h"
 #include "sphere_data.h"
+#include "spherical_curve_unit.h"
 #include "unit.h"
 
 #include "curve/offset/offset.h"
@@ -307,7 +308,7 @@ static double least_bend(size_t k, int q) {
   struct ph_spherical s = ph_spherical_of(&one.result.curve, k);
   double least = HUGE_VAL, most = 0;
   for (int j = 0; j <= PLACES; j++) {
-    double kappa = q * ph_spherical_curvature(&s, (double)j / PLACES);
+    double kappa = q * unit_curvature(&s, (double)j / PLACES);
     least = kappa < least || isnan(kappa) ? kappa : least;
     most = unit_larger(most, fabs(kappa));
   }
@@ -320,8 +321,7 @@ static void ck_shape(void) {
     size_t next = k + 1 < data.n ? k + 1 : 0;
     int from = bend_at(k), to = bend_at(next);
     struct ph_spherical s = ph_spherical_of(c, k);
-    double ends[2] = {ph_spherical_curvature(&s, 0),
-                      ph_spherical_curvature(&s, 1)};
+    double ends[2] = {unit_curvature(&s, 0), unit_curvature(&s, 1)};
     ck_that(from == 0 || from == c->sphere.indicators[k],
             "indicators[%zu] is %d", k, c->sphere.indicators[k]);
     if (from * to > 0) {
@@ -364,7 +364,7 @@ PH_TEST(test_runs) {
     sphere_must(&data, i, &one);
     for (size_t k = 1; k < one.result.curve.n; k++) {
       struct ph_spherical s = ph_spherical_of(&one.result.curve, k);
-      double kappa = ph_spherical_curvature(&s, 0);
+      double kappa = unit_curvature(&s, 0);
       ph_vec3 way = ph_vec3_cross(data.point[k - 1], data.point[k]);
       double turned = ph_vec3_dot(way, data.point[k + 1]);
       ck_that(fabs(turned) > 1e-12 || fabs(kappa) <= 0.01,

@@ -5,7 +5,7 @@
 
 #include "unit.h"
 
-#include "curve/sample/sample.h"
+#include "curve/sample/inversion.h"
 
 /* A sampler of a curve, or of an offset of it, at segment k. */
 static inline struct ph_sampler unit_sampler(const struct ph_curve *curve,
@@ -23,6 +23,13 @@ static inline struct ph_sampler unit_sampler(const struct ph_curve *curve,
 static inline double unit_length(const struct ph_sampler *sampler, double u) {
   double speed;
   return ph_sampler_length(sampler, u, &speed);
+}
+
+/* Where the length is s, found from nothing. */
+static inline double unit_parameter(const struct ph_sampler *sampler,
+                                    double s) {
+  struct ph_inversion past = {.n = 0};
+  return ph_inversion_next(&past, sampler, s, NULL);
 }
 
 static inline struct ph_samples unit_samples(const struct ph_curve *curve,

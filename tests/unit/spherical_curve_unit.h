@@ -18,6 +18,15 @@ struct unit_spherical {
   double lengths[UNIT_SPHERICAL_MAX];
 };
 
+/* The geodesic curvature at t; not finite where S' = 0. */
+static inline double unit_curvature(const struct ph_spherical *s, double t) {
+  ph_vec3 jet[4];
+  double speed;
+  ph_spherical_jet(s, t, jet);
+  speed = ph_vec3_abs(jet[1]);
+  return ph_vec3_triple(jet[0], jet[1], jet[2]) / (speed * speed * speed);
+}
+
 /* unit_spherical_of: n segments of the unit sphere with p[4 n]; lengths by
  * ph_spherical_length. */
 static inline void unit_spherical_of(struct unit_spherical *c, size_t n,

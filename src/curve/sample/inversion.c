@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Where the arc length of a segment is s (see sample.h,
- * curve/sample/inversion.h).
+ * Where the arc length of a segment is s (see inversion.h).
  *
  * With f(u) = length(u) - s, f' the speed, Newton's method is kept in a bracket
  * of the root, which is halved where a step leaves it, or where two of them did
@@ -88,20 +87,6 @@ static double between(const struct search *search, double s_low) {
   return u > search->low && u < search->high
              ? u
              : 0.5 * (search->low + search->high);
-}
-
-double ph_sampler_parameter(const struct ph_sampler *sampler, double s,
-                            double u, size_t *steps) {
-  struct search search = {sampler, s, 0, 1, 0};
-  struct look at = {s > 0 ? 1 : 0, 0};
-  if (s > 0 && s < sampler->length) {
-    at.u = u > 0 && u < 1 ? u : between(&search, 0);
-    at = find(&search, at, at.u);
-  }
-  if (steps) {
-    *steps = search.steps;
-  }
-  return at.u;
 }
 
 /* ---- one after the other ------------------------------------------------- */

@@ -17,7 +17,10 @@ struct ph_inversion {
 };
 
 /*
- * ph_inversion_next: the place at s, as ph_sampler_parameter.
+ * ph_inversion_next: where on the segment its arc length from the start is s.
+ *
+ * Newton's method, kept in a bracket, to 1e-14 of the length of the segment, or
+ * to the last digit of u where the speed is great.
  *
  * in   s      not less than the one before
  * out  steps  NULL, or how many evaluations it took

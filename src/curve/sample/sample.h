@@ -95,19 +95,6 @@ double ph_sampler_length(const struct ph_sampler *sampler, double u,
                          double *speed);
 
 /*
- * ph_sampler_parameter: where on the segment its arc length from the start is
- * s.
- *
- * Newton's method, kept in a bracket, to 1e-14 of the length of the segment, or
- * to the last digit of u where the speed is great.
- *
- * in   u    a place near by, to begin with
- * out  steps  NULL, or how many evaluations of the length it took
- */
-double ph_sampler_parameter(const struct ph_sampler *sampler, double s,
-                            double u, size_t *steps);
-
-/*
  * ph_sampler_chord_bound: M, such that every chord between places v and v + h
  * of [u0,u1] leaves the curve between them by no more than M h^2 / 8, and the
  * curve the chord.  A bound that holds, not an estimate

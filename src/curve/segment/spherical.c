@@ -428,24 +428,6 @@ struct ph_spherical ph_spherical_of(const struct ph_curve *curve, size_t k) {
   return s;
 }
 
-ph_vec3 ph_spherical_point(const struct ph_spherical *s, double t) {
-  struct ph_spherical_net net;
-  struct jet z;
-  ph_spherical_net_of(s, &net);
-  net_jet(&net, t, 0, &z);
-  return ph_vec3_add(net.base, z.d[0]);
-}
-
-void ph_spherical_first(const struct ph_spherical *s, double t,
-                        ph_vec3 jet[2]) {
-  struct ph_spherical_net net;
-  struct jet z;
-  ph_spherical_net_of(s, &net);
-  net_jet(&net, t, 1, &z);
-  jet[0] = ph_vec3_add(net.base, z.d[0]);
-  jet[1] = z.d[1];
-}
-
 void ph_spherical_jet(const struct ph_spherical *s, double t, ph_vec3 jet[4]) {
   struct ph_spherical_net net;
   struct jet z;
@@ -493,15 +475,4 @@ double ph_spherical_curvature_start(const struct ph_spherical *s) {
 double ph_spherical_curvature_end(const struct ph_spherical *s) {
   double theta, k = start(s->p[3], s->p[2], s->p[1], &theta);
   return -k / (27 * theta * theta * theta);
-}
-
-double ph_spherical_curvature(const struct ph_spherical *s, double t) {
-  ph_vec3 jet[4];
-  if (t <= 0 || t >= 1) {
-    return t <= 0 ? ph_spherical_curvature_start(s)
-                  : ph_spherical_curvature_end(s);
-  }
-  ph_spherical_jet(s, t, jet);
-  return ph_vec3_triple(jet[0], jet[1], jet[2]) /
-         pow(ph_vec3_dot(jet[1], jet[1]), 1.5);
 }

@@ -24,13 +24,8 @@ struct ph_spherical {
  * unit sphere. */
 struct ph_spherical ph_spherical_of(const struct ph_curve *curve, size_t k);
 
-/* ph_spherical_point: S(t), of unit length to rounding. */
-ph_vec3 ph_spherical_point(const struct ph_spherical *s, double t);
-
-/* ph_spherical_first: S and S' at t; out  jet[2] */
-void ph_spherical_first(const struct ph_spherical *s, double t, ph_vec3 jet[2]);
-
-/* ph_spherical_jet: S, S', S'', S''' at t; out  jet[4] */
+/* ph_spherical_jet: S, of unit length to rounding, S', S'', S''' at t.
+ * out  jet[4] */
 void ph_spherical_jet(const struct ph_spherical *s, double t, ph_vec3 jet[4]);
 
 /* ph_spherical_numerator: K and K' at t, for control points taken as exact to a
@@ -44,10 +39,6 @@ void ph_spherical_numerator(const struct ph_spherical *s, double t,
  * 0 where p1 = p0.  Of t = 1: ph_spherical_numerator_end. */
 double ph_spherical_numerator_start(const struct ph_spherical *s);
 double ph_spherical_numerator_end(const struct ph_spherical *s);
-
-/* ph_spherical_curvature: kappa_g at t; not finite where S' = 0.  At 0 and 1 it
- * is that of the closed forms. */
-double ph_spherical_curvature(const struct ph_spherical *s, double t);
 
 /* kappa_g at t = 0 and t = 1 in closed form, K / (27 th^3); not
  * finite where p1 = p0 or p2 = p3. */

@@ -195,9 +195,9 @@ PH_TEST(test_random) {
     for (size_t i = 0; i < o.samples.n; i++) {
       struct ph_spherical segment =
           ph_spherical_of(&c.curve, o.samples.segment[i]);
-      ph_vec3 at = ph_vec3_sub(unit_vector(o.samples.point, i), center), jet[2];
+      ph_vec3 at = ph_vec3_sub(unit_vector(o.samples.point, i), center), jet[4];
       ph_vec3 tangent = unit_vector(o.samples.tangent, i);
-      ph_spherical_first(&segment, o.samples.t[i], jet);
+      ph_spherical_jet(&segment, o.samples.t[i], jet);
       at = ph_vec3_scale(1 / radius, at);
       ck_abs(ph_vec3_abs(at), 1, 4e-15);
       ck_abs(ph_s2_angle(at, jet[0]), fabs(d), 1e-12);

@@ -75,8 +75,9 @@ PH_TEST(test_length) {
 static void ck_beside(const struct ph_curve *curve, const struct ph_offset *o,
                       size_t i, double d) {
   struct ph_spherical segment = ph_spherical_of(curve, o->samples.segment[i]);
-  ph_vec3 on = ph_spherical_point(&segment, o->samples.t[i]);
-  ck_abs(ph_s2_angle(on, unit_vector(o->samples.point, i)), fabs(d), 1e-12);
+  ph_vec3 on[4];
+  ph_spherical_jet(&segment, o->samples.t[i], on);
+  ck_abs(ph_s2_angle(on[0], unit_vector(o->samples.point, i)), fabs(d), 1e-12);
 }
 
 /* Equally spaced along the offset, which is not longer than its chords say. */

@@ -5,6 +5,7 @@
  */
 #include "unit.h"
 #include "spatial_unit.h"
+#include "spherical_curve_unit.h"
 #include "spherical_known_unit.h"
 
 #include "curve/segment/spherical.h"
@@ -68,19 +69,14 @@ static double rounding(const struct ph_spherical *s) {
 PH_TEST_EACH(test_known_jets, KNOWN) {
   struct ph_spherical s = segment(known[_i].p);
   double t = known[_i].t, scale = 1, eps = rounding(&s);
-  ph_vec3 jet[4], first[2];
+  ph_vec3 jet[4];
   unit_case("%s", known[_i].name);
   ph_spherical_jet(&s, t, jet);
-  ph_spherical_first(&s, t, first);
   for (size_t n = 0; n < 4; n++) {
     ph_vec3 wanted = ph_vec3_get(known[_i].jet[n], 3);
     scale += ph_vec3_abs(wanted);
     ck_vec3(jet[n], wanted, 4 * eps * scale);
-    if (n < 2) {
-      ck_vec3(first[n], wanted, 4 * eps * scale);
-    }
   }
-  ck_vec3(ph_spherical_point(&s, t), jet[0], 2 * eps);
 }
 
 /* The part of S' along the sphere, and K, are right relative to their size, or
@@ -88,14 +84,14 @@ PH_TEST_EACH(test_known_jets, KNOWN) {
 PH_TEST_EACH(test_known_numerators, KNOWN) {
   struct ph_spherical s = segment(known[_i].p);
   double t = known[_i].t, eps = rounding(&s), k[2], size[4], speed3;
-  ph_vec3 first[2], wanted = ph_vec3_get(known[_i].jet[1], 3);
+  ph_vec3 jet[4], wanted = ph_vec3_get(known[_i].jet[1], 3);
   ph_vec3 at = ph_vec3_get(known[_i].jet[0], 3);
   for (size_t n = 0; n < 4; n++) {
     size[n] = ph_vec3_abs(ph_vec3_get(known[_i].jet[n], 3));
   }
   speed3 = size[1] * size[1] * size[1];
-  ph_spherical_first(&s, t, first);
-  ck_abs(ph_vec3_abs(ph_vec3_normal(ph_vec3_sub(first[1], wanted), at)), 0,
+  ph_spherical_jet(&s, t, jet);
+  ck_abs(ph_vec3_abs(ph_vec3_normal(ph_vec3_sub(jet[1], wanted), at)), 0,
          4 * eps * (size[1] + size[2]));
   ph_spherical_numerator(&s, t, k);
   ck_abs(k[0], known[_i].k[0],
@@ -103,11 +99,11 @@ PH_TEST_EACH(test_known_numerators, KNOWN) {
   ck_abs(k[1], known[_i].k[1],
          8 * eps * (size[1] + size[2]) * (size[1] + size[3]));
   if (t > 0) {
-    ck_abs(ph_spherical_curvature(&s, t) * speed3, k[0],
+    ck_abs(unit_curvature(&s, t) * speed3, k[0],
            16 * eps * (fabs(k[0]) + size[1] * (size[1] + size[2])));
   } else {
     ck_rel(ph_spherical_numerator_start(&s), known[_i].k[0], 8 * eps);
-    ck_rel(ph_spherical_curvature(&s, t) * speed3, known[_i].k[0], 8 * eps);
+    ck_rel(ph_spherical_curvature_start(&s) * speed3, known[_i].k[0], 8 * eps);
   }
 }
 
@@ -130,7 +126,6 @@ PH_TEST(test_on_sphere) {
     t = unit_random_in(&r, 0, 1);
     tol = 64 * DBL_EPSILON * (1 + 10 * angle);
     ph_spherical_jet(&s, t, j);
-    ck_abs(ph_vec3_abs(ph_spherical_point(&s, t)), 1, 8 * DBL_EPSILON);
     ck_abs(ph_vec3_abs(j[0]), 1, 8 * DBL_EPSILON);
     ck_abs(ph_vec3_dot(j[0], j[1]), 0, tol);
     ck_abs(ph_vec3_dot(j[0], j[2]), -ph_vec3_dot(j[1], j[1]), 4 * tol);
@@ -171,10 +166,12 @@ PH_TEST(test_symmetries) {
     double angle = pow(10, unit_random_in(&r, -6, 0)), t, k[2], other[2];
     struct ph_spherical s = random_segment(&r, angle, 1);
     struct ph_spherical back = reversed(&s), m = mirrored(&s);
+    ph_vec3 jet[4], jet_back[4];
     double tol = 1e-13 * angle * angle;
     t = unit_random_in(&r, 0, 1);
-    ck_vec3(ph_spherical_point(&back, 1 - t), ph_spherical_point(&s, t),
-            8 * DBL_EPSILON);
+    ph_spherical_jet(&s, t, jet);
+    ph_spherical_jet(&back, 1 - t, jet_back);
+    ck_vec3(jet_back[0], jet[0], 8 * DBL_EPSILON);
     ph_spherical_numerator(&s, t, k);
     ph_spherical_numerator(&back, 1 - t, other);
     ck_abs(other[0], -k[0], tol);
@@ -199,21 +196,19 @@ PH_TEST(test_ends) {
     double angle = pow(10, unit_random_in(&r, -6, 0)), k[2], speed;
     double tol = 1e-13 * angle * angle;
     struct ph_spherical s = random_segment(&r, angle, 1);
-    ph_vec3 j[2];
+    ph_vec3 j[4];
     ph_spherical_numerator(&s, 0, k);
     ck_abs(ph_spherical_numerator_start(&s), k[0], tol);
     ph_spherical_numerator(&s, 1, k);
     ck_abs(ph_spherical_numerator_end(&s), k[0], tol);
-    ph_spherical_first(&s, 0, j);
+    ph_spherical_jet(&s, 0, j);
     speed = ph_vec3_abs(j[1]);
     ck_rel(speed, 3 * ph_s2_angle(s.p[0], s.p[1]), 16 * DBL_EPSILON);
     ck_vec3(j[0], s.p[0], 8 * DBL_EPSILON);
     ck_rel(ph_spherical_curvature_start(&s),
            ph_spherical_numerator_start(&s) / (speed * speed * speed),
            64 * DBL_EPSILON);
-    ck_rel(ph_spherical_curvature(&s, 0), ph_spherical_curvature_start(&s), 0);
-    ck_rel(ph_spherical_curvature(&s, 1), ph_spherical_curvature_end(&s), 0);
-    ph_spherical_first(&s, 1, j);
+    ph_spherical_jet(&s, 1, j);
     ck_rel(ph_vec3_abs(j[1]), 3 * ph_s2_angle(s.p[2], s.p[3]),
            16 * DBL_EPSILON);
     ck_vec3(j[0], s.p[3], 8 * DBL_EPSILON);
@@ -232,8 +227,8 @@ PH_TEST(test_rest) {
     s.p[2] = s.p[3];
     ck_abs(ph_spherical_numerator_start(&s), 0, 0);
     ck_abs(ph_spherical_numerator_end(&s), 0, 0);
-    ck_assert(!isfinite(ph_spherical_curvature(&s, 0)));
-    ck_assert(!isfinite(ph_spherical_curvature(&s, 1)));
+    ck_assert(!isfinite(ph_spherical_curvature_start(&s)));
+    ck_assert(!isfinite(ph_spherical_curvature_end(&s)));
     ph_spherical_jet(&s, 0, j);
     ck_abs(ph_vec3_abs(j[1]), 0, 16 * DBL_EPSILON);
     ck_rel(ph_vec3_abs(ph_vec3_normal(j[2], j[0])), 6 * angle, 1e-14);
@@ -258,7 +253,6 @@ PH_TEST(test_point) {
     ck_abs(k[1], 0, 0);
   }
   ck_abs(ph_spherical_length(&s, 1), 0, 0);
-  ck_assert(isnan(ph_spherical_curvature(&s, 0.5)));
 }
 
 PH_TEST(test_not_a_segment) {
@@ -284,9 +278,8 @@ PH_TEST(test_great_circle) {
     b = 3 * t * (1 - t) * ((1 - t) * a[1] + t * a[2]) + t * t * t * a[3];
     ck_rel(ph_spherical_length(&s, t), b, 1e-14 + 4e-15 / size);
     ck_rel(ph_spherical_length(&s, 1), a[3], 1e-14 + 4e-15 / size);
-    ck_vec3(ph_spherical_point(&s, t), ph_s2_exp(e, ph_vec3_scale(b, f)),
-            8 * DBL_EPSILON);
     ph_spherical_jet(&s, t, j);
+    ck_vec3(j[0], ph_s2_exp(e, ph_vec3_scale(b, f)), 8 * DBL_EPSILON);
     ck_abs(ph_vec3_triple(j[0], j[1], j[2]), 0, 64 * DBL_EPSILON * size);
   }
 }
@@ -306,7 +299,7 @@ PH_TEST(test_parallel) {
     s.p[1] = ph_s2_exp(s.p[0], ph_vec3_scale(c * step / 3, east));
     s.p[2] = ph_s2_exp(s.p[3], ph_vec3_scale(-c * step / 3, later));
     length += ph_spherical_length(&s, 1);
-    ck_rel(ph_spherical_curvature(&s, 0.5), 1, 1e-4);
+    ck_rel(unit_curvature(&s, 0.5), 1, 1e-4);
     ck_rel(ph_spherical_curvature_start(&s), 1, 1e-4);
     ck_rel(ph_spherical_curvature_end(&s), 1, 1e-4);
   }
@@ -322,8 +315,8 @@ static double graded_length(const struct ph_spherical *s,
   for (int k = 0; k < PARTS; k++) {
     for (size_t i = 0; i < rule->n; i++) {
       double u = (k + rule->node[i]) / PARTS, v = u * (1 - u);
-      ph_vec3 j[2];
-      ph_spherical_first(s, u * u * u * (10 - 15 * u + 6 * u * u), j);
+      ph_vec3 j[4];
+      ph_spherical_jet(s, u * u * u * (10 - 15 * u + 6 * u * u), j);
       sum += rule->weight[i] / PARTS * 30 * v * v * ph_vec3_abs(j[1]);
     }
   }

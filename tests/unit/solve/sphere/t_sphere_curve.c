@@ -39,9 +39,10 @@ static double length_of(const struct ph_spherical *s) {
     int sides = SIDES >> half;
     ph_vec3 before = s->p[0];
     for (int j = 1; j <= sides; j++) {
-      ph_vec3 now = ph_spherical_point(s, (double)j / sides);
-      length[half] += ph_vec3_abs(ph_vec3_sub(now, before));
-      before = now;
+      ph_vec3 now[4];
+      ph_spherical_jet(s, (double)j / sides, now);
+      length[half] += ph_vec3_abs(ph_vec3_sub(now[0], before));
+      before = now[0];
     }
   }
   return (4 * length[0] - length[1]) / 3;

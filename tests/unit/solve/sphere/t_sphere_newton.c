@@ -135,8 +135,8 @@ PH_TEST(test_clamped) {
     for (int w = 0; w < 2; w++) {
       size_t k = w == 0 ? 0 : N - 2;
       struct ph_spherical s = unit_sphere_segment(&u, k);
-      ph_vec3 jet[2];
-      ph_spherical_first(&s, w, jet);
+      ph_vec3 jet[4];
+      ph_spherical_jet(&s, w, jet);
       ck_point(jet[1], ph_vec3_scale(u.data.h[k], u.data.end[w]), 1e-13);
     }
     unit_sphere_free(&u);
