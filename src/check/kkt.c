@@ -150,7 +150,8 @@ static double along(const struct local *l, size_t q,
   return sum;
 }
 
-struct ph_spinor_form ph_kkt_weighted(const struct ph_kkt *kkt,
+/* The sum of the forms of an element, times their y. */
+static struct ph_spinor_form weighted(const struct ph_kkt *kkt,
                                       const struct ph_spinor_element *e) {
   struct ph_spinor_form sum = {0, {0, 0, 0}};
   for (size_t i = 0; i < e->rows; i++) {
@@ -289,7 +290,7 @@ void ph_kkt_add_hessian(struct ph_kkt *kkt) {
     struct local l;
     struct ph_spinor_form form;
     local_of(kkt, k, &l);
-    form = ph_kkt_weighted(kkt, &l.e);
+    form = weighted(kkt, &l.e);
     for (size_t q = 0; q < 4 * l.e.nodes; q++) {
       for (size_t a = 0; a <= q / 4; a++) {
         ph_quat column = block(&l.e, form, a, q / 4, l.by[q]);

@@ -53,10 +53,6 @@ static inline size_t ph_kkt_stored(const struct ph_kkt *kkt, size_t node) {
   return node < kkt->spline.stored ? node : node - kkt->spline.segments;
 }
 
-/* ph_kkt_weighted: the sum of the forms of an element, times their y. */
-struct ph_spinor_form ph_kkt_weighted(const struct ph_kkt *kkt,
-                                      const struct ph_spinor_element *e);
-
 /* ph_kkt_of: g, and the matrix with J alone; y = 0.  The spline is given.
  * ret  false when memory is exhausted */
 bool ph_kkt_of(struct ph_kkt *kkt, struct ph_arena *arena);

@@ -84,8 +84,9 @@ double ph_check_nu_numerator_end(const struct ph_check_nu_segment *s,
 
 /* ---- between the ends ------------------------------------------------ */
 
-double ph_check_nu_numerator(const struct ph_check_nu_segment *s, double t,
-                             double *error) {
+/* K at t, and what rounding can make of it. */
+static double numerator(const struct ph_check_nu_segment *s, double t,
+                        double *error) {
   ph_vec3 jet[3];
   double growth = ph_check_great(s->p, s->x, t, jet);
   *error =
@@ -121,7 +122,7 @@ static size_t first_parts(const struct ph_check_nu_segment *s, int q,
   for (size_t i = 0; i < n; i++) {
     double to = (double)(i + 1) / (double)n, at_to = k[1];
     if (i + 1 < n) {
-      at_to = q * ph_check_nu_numerator(s, to, &error[0]);
+      at_to = q * numerator(s, to, &error[0]);
       *fine = *fine && at_to >= -error[0];
     }
     stack[i] = (struct part){(double)i / (double)n, to,
@@ -137,7 +138,7 @@ int ph_check_nu_turns(const struct ph_check_nu_segment *s, int q) {
   while (n > 0 && fine) {
     struct part a = stack[--n], b;
     double error, middle = (a.from + a.to) / 2;
-    double k = q * ph_check_nu_numerator(s, middle, &error);
+    double k = q * numerator(s, middle, &error);
     double least = ph_check_smaller(k, ph_check_smaller(a.at_from, a.at_to));
     fine = k >= -error;
     if (!(least > fabs(a.at_from - 2 * k + a.at_to)) && a.halvings < HALVINGS) {

@@ -37,14 +37,9 @@ struct ph_check_nu_segment {
 void ph_check_nu_segment_of(const ph_vec3 p[4], double rounding,
                             struct ph_check_nu_segment *s);
 
-/* ph_check_nu_numerator: K = S . (S' x S'') at t in [0,1].
- *
- * out  error  what rounding can make of it
- */
-double ph_check_nu_numerator(const struct ph_check_nu_segment *s, double t,
-                             double *error);
-
-/* ph_check_nu_numerator_end: K at t = 0 or, end = 1, t = 1, in closed form. */
+/* ph_check_nu_numerator_end: K = S . (S' x S'') at t = 0 or, end = 1, t = 1, in
+ * closed form.
+ * out  error  what rounding can make of it */
 double ph_check_nu_numerator_end(const struct ph_check_nu_segment *s,
                                  size_t end, double *error);
 

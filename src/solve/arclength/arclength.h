@@ -125,9 +125,6 @@ bool ph_arc_region_alloc(size_t n, size_t band, struct ph_arena *arena,
 bool ph_arc_region_step(struct ph_arc_region *region, double radius,
                         double above);
 
-/* ph_arc_region_solve: v = -(A + shift)^-1 v, after a step. */
-void ph_arc_region_solve(const struct ph_arc_region *region, double *v);
-
 /* ---- penalties ----------------------------------------------------------- */
 
 /*

@@ -200,6 +200,14 @@ static void set_model(struct search *g) {
                    w->region.matrix);
 }
 
+/* v = -(A + shift)^-1 v, after a step. */
+static void solve_region(const struct ph_arc_region *r, double *v) {
+  for (size_t k = 0; k < r->n; k++) {
+    v[k] = -v[k];
+  }
+  ph_sym_solve(r->factor, r->n, r->band, v);
+}
+
 /*
  * The rows at `to' = x + step differ from c + J step by their curvature, which
  * the same matrix takes back: better = x + step + second step.
@@ -217,7 +225,7 @@ static void correct(const struct search *g) {
   for (size_t k = 0; k < s->x_n; k++) {
     w->ordered[s->order[k]] = second[k];
   }
-  ph_arc_region_solve(&w->region, w->ordered);
+  solve_region(&w->region, w->ordered);
   for (size_t k = 0; k < s->x_n; k++) {
     w->step[k] += w->ordered[s->order[k]];
   }
@@ -370,13 +378,6 @@ bool ph_arc_region_alloc(size_t n, size_t band, struct ph_arena *arena,
   return r->matrix && r->factor && r->g && r->step && r->other;
 }
 
-void ph_arc_region_solve(const struct ph_arc_region *r, double *v) {
-  for (size_t k = 0; k < r->n; k++) {
-    v[k] = -v[k];
-  }
-  ph_sym_solve(r->factor, r->n, r->band, v);
-}
-
 static bool factor(struct ph_arc_region *r, double shift) {
   memcpy(r->factor, r->matrix, ph_sym_size(r->n, r->band) * sizeof *r->factor);
   for (size_t k = 0; k < r->n; k++) {
@@ -393,7 +394,7 @@ static double norm(const struct ph_arc_region *r, const double *v) {
 /* The step of this factor. */
 static void set_step(struct ph_arc_region *r, double shift) {
   memcpy(r->step, r->g, r->n * sizeof *r->g);
-  ph_arc_region_solve(r, r->step);
+  solve_region(r, r->step);
   r->shift = shift;
   r->length = norm(r, r->step);
 }

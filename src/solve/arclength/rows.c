@@ -52,7 +52,7 @@ void ph_arc_piece_of(const struct ph_arc_system *s, const double *x, size_t i,
   set_gram_times(s, p);
 }
 
-/* ph_arc_piece_row of dim components, a constant to the compiler. */
+/* piece_row() of dim components, a constant to the compiler. */
 static inline double row_of(size_t dim, size_t span,
                             const struct ph_arc_piece *p, int form,
                             double *gradient) {
@@ -68,7 +68,9 @@ static inline double row_of(size_t dim, size_t span,
   return sum;
 }
 
-double ph_arc_piece_row(const struct ph_arc_system *s,
+/* w . S_k G w.
+ * out gradient  [span][dim] its derivative by the nodes; or NULL */
+static double piece_row(const struct ph_arc_system *s,
                         const struct ph_arc_piece *p, int form,
                         double *gradient) {
   if (s->dim != 4) {
@@ -133,7 +135,7 @@ static void interval_rows(const struct ph_arc_system *s,
   size_t n = s->forms_n, local = ph_arc_local(s), i = p->interval;
   for (size_t k = 0; k < n; k++) {
     double *row = rows ? rows + k * local : NULL;
-    c[k] = ph_arc_piece_row(s, p, s->form[k], row) - s->target[i * n + k];
+    c[k] = piece_row(s, p, s->form[k], row) - s->target[i * n + k];
     if (row) {
       row[local - 1] = s->turn ? 0 : row[local - 1];
       ph_arc_piece_back(s, p, row);
@@ -238,7 +240,7 @@ void ph_arc_lengths(const struct ph_arc_system *s, const double *x,
   for (size_t i = 0; i < s->data->n; i++) {
     struct ph_arc_piece p;
     ph_arc_piece_of(s, x, i, &p);
-    length[i] = ph_arc_piece_row(s, &p, 0, NULL);
+    length[i] = piece_row(s, &p, 0, NULL);
   }
 }
 

@@ -409,12 +409,6 @@ struct ph_arc_piece {
 void ph_arc_piece_of(const struct ph_arc_system *system, const double *x,
                      size_t interval, struct ph_arc_piece *piece);
 
-/* ph_arc_piece_row: w . S_k G w.
- * out gradient  [span][dim] its derivative by the nodes; or NULL */
-double ph_arc_piece_row(const struct ph_arc_system *system,
-                        const struct ph_arc_piece *piece, int form,
-                        double *gradient);
-
 /* ph_arc_piece_back: derivatives by the nodes become derivatives by the
  * unknowns.  inout v[local] */
 void ph_arc_piece_back(const struct ph_arc_system *system,
