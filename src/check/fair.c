@@ -20,6 +20,7 @@
 #include "check/checks.h"
 
 #include "base/sum.h"
+#include "kernel/golden.h"
 #include "kernel/pi.h"
 
 #include <string.h>
@@ -50,7 +51,6 @@ static const double STILL = 0x1p-6;
 /* Places among which dips are searched, steps that find one, and how many there
  * are at most in a quintic. */
 enum { PLACES = 32, STEPS = 40, DIPS = 4 };
-static const double GOLDEN = 0.61803398874989485;
 
 enum integral { BENDING, VARYING, TWISTING, TURNING, ABSOLUTE, INTEGRALS };
 
@@ -165,7 +165,7 @@ static void add(struct total *total, double x, double error) {
 }
 
 /* (|C| / sigma^2)^2 */
-static double bending_at(const struct ph_check_segment *s, double u) {
+static double bending_at(const void *s, double u) {
   ph_vec3 jet[2], turn;
   double square;
   ph_check_jet(s, u, jet, 2);
@@ -175,25 +175,20 @@ static double bending_at(const struct ph_check_segment *s, double u) {
 }
 
 /* |r'|^2 */
-static double speed_at(const struct ph_check_segment *s, double u) {
+static double speed_at(const void *s, double u) {
   ph_vec3 jet[1];
   ph_check_jet(s, u, jet, 1);
   return ph_vec3_dot(jet[0], jet[0]);
 }
 
-/* The lowest place between two. */
-static double dip_between(double (*f)(const struct ph_check_segment *, double),
-                          const struct ph_check_segment *s, double from,
-                          double to) {
-  for (size_t i = 0; i < STEPS; i++) {
-    double a = to - GOLDEN * (to - from), b = from + GOLDEN * (to - from);
-    if (f(s, a) < f(s, b)) {
-      to = b;
-    } else {
-      from = a;
-    }
-  }
-  return 0.5 * (from + to);
+/* The lowest place about place i. */
+static struct ph_bracket dip_at(double (*f)(const void *, double),
+                                const struct ph_check_segment *s, size_t i,
+                                double value) {
+  struct ph_bracket b = {(double)(i - 1) / PLACES, (double)i / PLACES,
+                         (double)(i + 1) / PLACES, value};
+  ph_golden(f, s, STEPS, &b);
+  return b;
 }
 
 /* Dips of |C| / sigma^2, where integrals are cut.
@@ -214,10 +209,9 @@ static size_t cuts_of(const struct ph_check_segment *s, double *cut,
   cut[0] = 0;
   for (size_t i = 1; i < PLACES && n <= DIPS; i++) {
     if (g[i] < g[i - 1] && g[i] <= g[i + 1]) {
-      cut[n] = dip_between(bending_at, s, (double)(i - 1) / PLACES,
-                           (double)(i + 1) / PLACES);
-      low = ph_check_smaller(low, bending_at(s, cut[n]));
-      n++;
+      struct ph_bracket dip = dip_at(bending_at, s, i, g[i]);
+      low = ph_check_smaller(low, dip.value);
+      cut[n++] = dip.x;
     }
   }
   cut[n++] = 1;
@@ -235,12 +229,9 @@ static bool stands_still(const struct ph_check_segment *s) {
     }
   }
   for (size_t i = 1; i < PLACES; i++) {
-    if (g[i] <= g[i - 1] && g[i] <= g[i + 1]) {
-      double u = dip_between(speed_at, s, (double)(i - 1) / PLACES,
-                             (double)(i + 1) / PLACES);
-      if (!(speed_at(s, u) > least * least)) {
-        return true;
-      }
+    if (g[i] <= g[i - 1] && g[i] <= g[i + 1] &&
+        !(dip_at(speed_at, s, i, g[i]).value > least * least)) {
+      return true;
     }
   }
   return false;

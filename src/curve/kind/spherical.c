@@ -23,6 +23,7 @@
 #include "curve/sample/chord_bound.h"
 #include "curve/segment/spherical_fast.h"
 #include "kernel/degree.h"
+#include "kernel/golden.h"
 #include "kernel/pi.h"
 #include "kernel/primitive.h"
 
@@ -324,12 +325,9 @@ static ph_vec3 principal(const struct ph_sampler *sampler, double u,
 
 /*
  * CELLS of a segment in which a cusp is looked for; steps of the search for the
- * bottom of a dip (0.618^40 < 1e-8, the root of rounding) and of a bisection;
- * places that there is room for at first.
+ * bottom of a dip and of a bisection; places that there is room for at first.
  */
 enum { CELLS = 64, STEPS_DIP = 40, STEPS_ROOT = 64, ROOM = 16 };
-
-static const double GOLDEN = 0.6180339887498949;
 
 struct walk {
   const struct ph_curve *curve;
@@ -393,32 +391,6 @@ static double root_between(const struct walk *walk, double from, double to,
   return 0.5 * (from + to);
 }
 
-/* Searches for the least of sign * g between two places; true, and where, if it
- * is below 0. */
-static bool is_dip(const struct walk *walk, double from, double to, int sign,
-                   double *where) {
-  double u[2] = {to - GOLDEN * (to - from), from + GOLDEN * (to - from)};
-  double g[2] = {sign * signed_speed(walk, u[0]),
-                 sign * signed_speed(walk, u[1])};
-  for (int i = 0; i < STEPS_DIP && g[0] >= 0 && g[1] >= 0; i++) {
-    if (g[0] < g[1]) {
-      to = u[1];
-      u[1] = u[0];
-      g[1] = g[0];
-      u[0] = to - GOLDEN * (to - from);
-      g[0] = sign * signed_speed(walk, u[0]);
-    } else {
-      from = u[0];
-      u[0] = u[1];
-      g[0] = g[1];
-      u[1] = from + GOLDEN * (to - from);
-      g[1] = sign * signed_speed(walk, u[1]);
-    }
-  }
-  *where = g[0] < 0 ? u[0] : u[1];
-  return g[0] < 0 || g[1] < 0;
-}
-
 /* g at the places of a segment. */
 struct scan {
   double u[CELLS + 1], g[CELLS + 1];
@@ -430,6 +402,28 @@ static void scan_segment(const struct walk *walk, struct scan *scan) {
     scan->u[i] = u;
     scan->g[i] = signed_speed(walk, u);
   }
+}
+
+/* g, or -g, so that it is positive at the places beside a dip. */
+struct dip {
+  const struct walk *walk;
+  int sign;
+};
+
+static double depth_at(const void *context, double u) {
+  const struct dip *dip = context;
+  return dip->sign * signed_speed(dip->walk, u);
+}
+
+/* Searches for the bottom of a dip about place i; whether it is below 0. */
+static bool is_dip(const struct walk *walk, const struct scan *scan, size_t i,
+                   int sign, double *where) {
+  const struct dip dip = {walk, sign};
+  const double *u = scan->u + i;
+  struct ph_bracket b = {u[-1], u[0], u[1], sign * scan->g[i]};
+  ph_golden(depth_at, &dip, STEPS_DIP, &b);
+  *where = b.x;
+  return b.value < 0;
 }
 
 /* Whether place i is so much lower than its neighbours that the parabola
@@ -451,8 +445,7 @@ static void find_cusps(struct walk *walk) {
       add_cusp(walk,
                i == 0 ? 0 : root_between(walk, from, scan.u[i], walk->sign));
     }
-    if (is_low(&scan, i) &&
-        is_dip(walk, scan.u[i - 1], scan.u[i + 1], sign, &dip)) {
+    if (is_low(&scan, i) && is_dip(walk, &scan, i, sign, &dip)) {
       add_cusp(walk, root_between(walk, scan.u[i - 1], dip, sign));
       add_cusp(walk, root_between(walk, dip, scan.u[i + 1], -sign));
     }

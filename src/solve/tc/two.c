@@ -8,24 +8,20 @@
  */
 #include "solve/tc/tc.h"
 
+#include "kernel/golden.h"
 #include "kernel/pi.h"
 
 /* ---- a minimum of one variable ------------------------------------------- */
 
 /* F of x, infinite where there is no curve to take. */
 struct fairness {
-  double (*f)(const struct fairness *self, double x);
+  double (*f)(const void *self, double x);
   const struct ph_tc_hermite *h;
   size_t root;     /* of a pair */
   double position; /* of the joint on the chord; or NaN */
   double start;    /* of a range of angles at the joint */
   double end;
   unsigned rank; /* of curves that are looked for */
-};
-
-/* x within [low, high], where F is value and no more than at either end. */
-struct bracket {
-  double low, x, high, value;
 };
 
 /* Golden section leaves 1.2e-3 of a bracket.  Newton's method squares what is
@@ -38,31 +34,13 @@ static const double RISE = 1e-13;
  * does not show; its error, of the fourth order, moves lambda by some 1e-9. */
 static const double STEP = 1.0 / 32;
 
-/* GSL's minimisers end where F is infinite, as it is next to every loop. */
-static void golden(const struct fairness *fair, struct bracket *b) {
-  const double part = 0.3819660112501051; /* (3 - sqrt 5)/2 */
-  for (int i = 0; i < GOLDEN_STEPS; i++) {
-    bool up = b->high - b->x > b->x - b->low;
-    double x = b->x + part * (up ? b->high - b->x : b->low - b->x);
-    double value = fair->f(fair, x);
-    if (value < b->value) {
-      *(up ? &b->low : &b->high) = b->x;
-      b->x = x;
-      b->value = value;
-    } else {
-      *(up ? &b->high : &b->low) = x;
-    }
-  }
-}
-
 /*
- * Comparing values finds a minimum to the square root of their precision.
  * Newton's method on a difference quotient of fourth order gives all but the
  * last few digits, so that the same data seen from elsewhere give the same
  * curve.
  */
 static void polish(const struct fairness *fair, double step,
-                   struct bracket *b) {
+                   struct ph_bracket *b) {
   for (int i = 0; i < POLISH_STEPS; i++) {
     double f[5], first, second, x; /* derivatives, by step */
     for (int k = 0; k < 5; k++) {
@@ -84,10 +62,10 @@ static void polish(const struct fairness *fair, double step,
 }
 
 /* No step of it leads to a larger F, but for rounding. */
-static void refine(const struct fairness *fair, struct bracket *b) {
-  struct bracket fine = *b;
+static void refine(const struct fairness *fair, struct ph_bracket *b) {
+  struct ph_bracket fine = *b;
   double step = STEP * (b->high - b->low);
-  golden(fair, &fine);
+  ph_golden(fair->f, fair, GOLDEN_STEPS, &fine);
   b->x = fine.x;
   b->value = fine.value;
   if (b->x - b->low > 2 * step && b->high - b->x > 2 * step) {
@@ -129,7 +107,8 @@ static struct ph_tc_fit pair_at(const struct fairness *fair, double x) {
   return fits[fair->root];
 }
 
-static double pair_fairness(const struct fairness *fair, double x) {
+static double pair_fairness(const void *self, double x) {
+  const struct fairness *fair = self;
   struct ph_tc_fit fit = pair_at(fair, x);
   return fit.loops == 0 ? fairness_of(&fit) : (double)INFINITY;
 }
@@ -186,7 +165,7 @@ bool ph_tc_two_free(const struct ph_tc_hermite *h, struct ph_tc_fit *fit) {
   struct fairness fair = {.f = pair_fairness, .h = h};
   double value[LAMBDAS][PH_TC_PAIRS];
   struct ph_tc_fit fine;
-  struct bracket b;
+  struct ph_bracket b;
   size_t at = 0;
   if (is_straight(h)) {
     struct ph_tc_hermite half = ph_tc_hermite_scaled(h, 0.5);
@@ -277,7 +256,8 @@ static double angle_of(const struct fairness *fair, double x) {
   return fair->start + x * (fair->end - fair->start);
 }
 
-static double chord_fairness(const struct fairness *fair, double x) {
+static double chord_fairness(const void *self, double x) {
+  const struct fairness *fair = self;
   struct ph_tc_fit fit;
   bool is = x > 0 && x < 1 &&
             chord_at(fair->h, angle_of(fair, x), fair->position, &fit) &&
@@ -291,15 +271,15 @@ static double angle_at(size_t k) {
 }
 
 /* The least in a range. */
-static struct bracket least_of(const struct fairness *fair) {
-  struct bracket b = {.high = 1, .value = (double)INFINITY};
+static struct ph_bracket least_of(const struct fairness *fair) {
+  struct ph_bracket b = {.high = 1, .value = (double)INFINITY};
   for (size_t k = 1; k <= ANGLES; k++) {
     double x = angle_at(k), value = fair->f(fair, x);
     if (is_less(value, b.value)) {
-      b = (struct bracket){.low = angle_at(k - 1),
-                           .x = x,
-                           .high = angle_at(k + 1),
-                           .value = value};
+      b = (struct ph_bracket){.low = angle_at(k - 1),
+                              .x = x,
+                              .high = angle_at(k + 1),
+                              .value = value};
     }
   }
   if (b.value < (double)INFINITY) {
@@ -344,7 +324,7 @@ static double best_angle(const struct ph_tc_hermite *h, double position) {
   for (fair.rank = 0; fair.rank < RANKS; fair.rank++) {
     double angle = (double)NAN, least = (double)INFINITY;
     for (size_t i = 0; i < n; i++) {
-      struct bracket b;
+      struct ph_bracket b;
       fair.start = range[i][0];
       fair.end = range[i][1];
       b = least_of(&fair);
