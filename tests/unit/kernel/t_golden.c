@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Golden section: minima that are known. */
-#include "random_unit.h"
 #include "unit.h"
 
 #include "kernel/golden.h"
