@@ -156,7 +156,7 @@ struct fair {
   struct ph_check *v;
   struct total of[INTEGRALS]; /* integrals over the curve */
   struct total f[3];          /* F1, F2, F3 */
-  bool wanted[INTEGRALS];
+  bool wanted[INTEGRALS];     /* and found in all segments so far */
 };
 
 static void add(struct total *total, double x, double error) {
@@ -273,11 +273,6 @@ static void integrate(const struct fair *fair, const struct ph_check_segment *s,
   integrate_some(fair, &in, BENDING, VARYING, cut, n, value, error);
   integrate_some(fair, &in, TWISTING, TWISTING, cut, n, value, error);
   integrate_some(fair, &in, TURNING, ABSOLUTE, cut, n, value, error);
-  if (stands_still(s)) {
-    for (size_t i = 0; i < INTEGRALS; i++) {
-      error[i] = HUGE_VAL;
-    }
-  }
   if (!in.plane) {
     error[BENDING] += CLOSED * value[BENDING];
     error[VARYING] += CLOSED * value[VARYING];
@@ -291,6 +286,7 @@ static void add_segment(struct fair *fair, const struct ph_check_segment *s) {
   integrate(fair, s, value, error);
   for (size_t i = 0; i < INTEGRALS; i++) {
     add(&fair->of[i], value[i], error[i]);
+    fair->wanted[i] = fair->wanted[i] && isfinite(value[i] + error[i]);
   }
   add(&fair->f[0], l * value[BENDING], l * error[BENDING]);
   add(&fair->f[1], cube * value[VARYING], cube * error[VARYING]);
@@ -462,6 +458,9 @@ void ph_check_fairness(struct ph_check *v) {
   for (size_t k = 0; k < v->curve->n; k++) {
     struct ph_check_segment s;
     ph_check_load(v, k, &s);
+    if (stands_still(&s)) {
+      return;
+    }
     add_segment(&fair, &s);
   }
   n = claims_of(&fair, claim);

@@ -57,7 +57,7 @@ enum gate_fate { GATE_SOLVED, GATE_REFUSED, GATE_WRONG };
 struct gate_outcome {
   enum gate_fate fate;
   enum ph_status code; /* GATE_REFUSED: why */
-  bool ambiguous;      /* GATE_SOLVED: there is another good curve */
+  bool ambiguous;      /* GATE_MEASURED: there is another good curve */
   double length;       /* ... of the first result, and those of its segments, */
   double lengths[GATE_POINTS]; /* as far as they fit */
   size_t segments;
@@ -151,10 +151,14 @@ void gate_random(struct unit_random *r, size_t command, struct gate_case *c);
 /* ---- trials ---------------------------------------------------------------
  */
 
-/* gate_run: solves and verifies.
- * in  closely  also brute force, and the problem moved */
-void gate_run(struct gate_lab *lab, const struct gate_case *c, bool closely,
-              struct gate_outcome *outcome);
+/* What a result is for: only to be verified; also to be compared with others,
+ * so that its lengths are wanted; or all there is: the same again, verified
+ * without its problem, and brute force. */
+enum gate_look { GATE_VERIFIED, GATE_MEASURED, GATE_CLOSELY };
+
+/* gate_run: solves and verifies. */
+void gate_run(struct gate_lab *lab, const struct gate_case *c,
+              enum gate_look look, struct gate_outcome *outcome);
 
 /* gate_wrong: something is wrong, in a way; the first one counts. */
 void gate_wrong(struct gate_outcome *outcome, const char *way,

@@ -16,10 +16,19 @@ typedef long double real;
 /* Numbers that agree to this, relative, are the same. */
 static const double SAME = 1e-6;
 
+/* Rounding of the preimage turns r' by a few of these: kappa L, and kappa' L^2,
+ * are known to these numbers of them, and so is an angle. */
+static const real ROUNDING = DBL_EPSILON;
+enum { ROUND_CURVATURE = 16, ROUND_SLOPE = 256, ROUND_ANGLE = 16 };
+
 /* Panels of the quadrature, and halvings of one, at most; how well halves agree
  * with the whole. */
 enum { PANELS = 8, HALVINGS = 60, CALLS = 20000 };
 static const real AGREE = 1e-11L;
+
+/* Where the curvature changes its sign, |kappa| has a kink that nodes may miss:
+ * it is halved until its part of the angle is this of that of the segment. */
+static const real KINKED = 1e-9L;
 
 /* Places of a segment where its polygon has points. */
 enum { PLACES = 128, SEGMENTS = 6 };
@@ -31,6 +40,7 @@ struct segment {
   real end;            /* of the local parameter */
   bool atph;
   real a[3][4];
+  real angle; /* the integral of |kappa|, about */
   size_t calls;
 };
 
@@ -87,6 +97,10 @@ static void jet(const struct segment *s, real t, real w[3][4]) {
           b[d][0] * s->a[0][j] + b[d][1] * s->a[1][j] + b[d][2] * s->a[2][j];
     }
   }
+}
+
+static real square(real x) {
+  return x * x;
 }
 
 static real dot(const real *a, const real *b, size_t n) {
@@ -167,6 +181,16 @@ static void panel(struct segment *s, real from, real to, real *sum) {
   }
 }
 
+/* Whether the curvature changes its sign in a panel, or nearly: less of it is
+ * of the other sign at an end than nodes can see. */
+static bool is_kinked(const struct segment *s, real from, real to,
+                      const real *sum) {
+  real sigma, slope, kappa[2];
+  bend(s, from, &sigma, &kappa[0], &slope);
+  bend(s, to, &sigma, &kappa[1], &slope);
+  return !(kappa[0] * kappa[1] > 0 && sum[ABSOLUTE] <= fabsl(sum[TURNING]));
+}
+
 /* Adds the integrals over [from,to]; false where they are not found. */
 static bool integrate(struct segment *s, real from, real to, const real *whole,
                       int halvings, real *total) {
@@ -182,6 +206,8 @@ static bool integrate(struct segment *s, real from, real to, const real *whole,
     real scale = i == TURNING ? left[ABSOLUTE] + right[ABSOLUTE] : fabsl(sum);
     agree = agree && fabsl(sum - whole[i]) <= AGREE * scale;
   }
+  agree = agree && (left[ABSOLUTE] + right[ABSOLUTE] <= KINKED * s->angle ||
+                    !is_kinked(s, from, to, whole));
   if (agree) {
     for (int i = 0; i < INTEGRALS; i++) {
       total[i] += left[i] + right[i];
@@ -193,12 +219,16 @@ static bool integrate(struct segment *s, real from, real to, const real *whole,
 }
 
 static bool integrals(struct segment *s, real *total) {
-  real whole[INTEGRALS];
+  real whole[PANELS][INTEGRALS];
   memset(total, 0, INTEGRALS * sizeof *total);
+  s->angle = 0;
   for (int i = 0; i < PANELS; i++) {
-    real from = s->end * i / PANELS, to = s->end * (i + 1) / PANELS;
-    panel(s, from, to, whole);
-    if (!integrate(s, from, to, whole, HALVINGS, total)) {
+    panel(s, s->end * i / PANELS, s->end * (i + 1) / PANELS, whole[i]);
+    s->angle += whole[i][ABSOLUTE];
+  }
+  for (int i = 0; i < PANELS; i++) {
+    if (!integrate(s, s->end * i / PANELS, s->end * (i + 1) / PANELS, whole[i],
+                   HALVINGS, total)) {
       return false;
     }
   }
@@ -224,16 +254,20 @@ static void claim(const struct ph_diagnostics *d, enum ph_diagnostic which,
   }
 }
 
-/* F1, F2: sums over segments. */
+/* Sums over segments: of integrals, and F1, F2; and what rounding of them may
+ * make of E, MV, F1, F2, over SAME. */
 struct fair {
   real sum[INTEGRALS], f1, f2;
+  real bending, varying, f1_rounding, f2_rounding;
 };
 
 static bool fair_of(const struct ph_curve *curve, struct fair *fair) {
+  const real f1 = square(ROUND_CURVATURE * ROUNDING) / SAME;
+  const real f2 = square(ROUND_SLOPE * ROUNDING) / SAME;
   *fair = (struct fair){.f1 = 0};
   for (size_t k = 0; k < curve->n; k++) {
     struct segment s;
-    real of[INTEGRALS];
+    real of[INTEGRALS], cube;
     load(curve, k, &s);
     if (!integrals(&s, of)) {
       return false;
@@ -241,8 +275,13 @@ static bool fair_of(const struct ph_curve *curve, struct fair *fair) {
     for (int i = 0; i < INTEGRALS; i++) {
       fair->sum[i] += of[i];
     }
+    cube = of[LENGTH] * of[LENGTH] * of[LENGTH];
     fair->f1 += of[LENGTH] * of[BENDING];
-    fair->f2 += of[LENGTH] * of[LENGTH] * of[LENGTH] * of[VARYING];
+    fair->f2 += cube * of[VARYING];
+    fair->bending += f1 / of[LENGTH];
+    fair->varying += f2 / cube;
+    fair->f1_rounding += f1;
+    fair->f2_rounding += f2;
   }
   return true;
 }
@@ -250,24 +289,25 @@ static bool fair_of(const struct ph_curve *curve, struct fair *fair) {
 static void energies(const struct ph_curve *curve,
                      const struct ph_diagnostics *d,
                      struct gate_outcome *outcome) {
-  const real turns = 8 * atanl(1);
+  const real turn = 8 * atanl(1);
   struct fair f;
-  real length, *sum = f.sum;
+  real length, cube, energy, mv, angle, *sum = f.sum;
   if (!fair_of(curve, &f)) {
     return;
   }
   length = sum[LENGTH];
-  claim(d, PH_D_ENERGY, sum[BENDING], sum[BENDING], outcome);
-  claim(d, PH_D_MV, sum[VARYING], sum[VARYING], outcome);
-  claim(d, PH_D_IES, sum[BENDING] * length, sum[BENDING] * length, outcome);
-  claim(d, PH_D_IMV, sum[VARYING] * length * length * length,
-        sum[VARYING] * length * length * length, outcome);
-  claim(d, PH_D_F1, f.f1, f.f1, outcome);
-  claim(d, PH_D_F2, f.f2, f.f2, outcome);
-  claim(d, PH_D_ROTATION_INDEX, sum[TURNING] / turns, sum[ABSOLUTE] / turns,
-        outcome);
-  claim(d, PH_D_ABSOLUTE_ROTATION_INDEX, sum[ABSOLUTE] / turns,
-        sum[ABSOLUTE] / turns, outcome);
+  cube = length * length * length;
+  energy = sum[BENDING] + f.bending;
+  mv = sum[VARYING] + f.varying;
+  angle = sum[ABSOLUTE] / turn + ROUND_ANGLE * ROUNDING / SAME;
+  claim(d, PH_D_ENERGY, sum[BENDING], energy, outcome);
+  claim(d, PH_D_MV, sum[VARYING], mv, outcome);
+  claim(d, PH_D_IES, sum[BENDING] * length, energy * length, outcome);
+  claim(d, PH_D_IMV, sum[VARYING] * cube, mv * cube, outcome);
+  claim(d, PH_D_F1, f.f1, f.f1 + f.f1_rounding, outcome);
+  claim(d, PH_D_F2, f.f2, f.f2 + f.f2_rounding, outcome);
+  claim(d, PH_D_ROTATION_INDEX, sum[TURNING] / turn, angle, outcome);
+  claim(d, PH_D_ABSOLUTE_ROTATION_INDEX, sum[ABSOLUTE] / turn, angle, outcome);
 }
 
 /* The functional of arclength. */

@@ -206,7 +206,7 @@ static void planar(struct data *d) {
     if (chance(d->r, 3)) {
       word(d, PH_F_FREE);
     }
-  } else if (chance(d->r, 6) && d->n <= 8) {
+  } else if (chance(d->r, 6) && d->n <= 6) {
     word(d, PH_F_SOLUTIONS);
   }
 }
@@ -470,7 +470,7 @@ static void tc(struct data *d) {
       number(d, PH_F_LAMBDA);
     }
   }
-  if (chance(r, 4)) {
+  if (chance(r, 4) && d->n <= 4) { /* up to 4^n */
     word(d, PH_F_SOLUTIONS);
   }
   if (chance(r, 6)) {

@@ -178,7 +178,7 @@ static double allowance(struct gate_lab *lab, const struct gate_case *c,
   for (int i = 0; i < SHAKES; i++) {
     gate_copy(&shaken, c);
     shake(&shaken, &r);
-    gate_run(lab, &shaken, false, &there);
+    gate_run(lab, &shaken, GATE_MEASURED, &there);
     change = fmax(change, change_of(plain, &there));
   }
   return ROUNDINGS * change;
@@ -224,7 +224,7 @@ void gate_moved(struct gate_lab *lab, const struct gate_case *c,
       continue;
     }
     if (!run) {
-      gate_run(lab, &here, false, &plain);
+      gate_run(lab, &here, GATE_MEASURED, &plain);
       run = true;
     }
     gate_copy(&moved, &here);
@@ -233,7 +233,7 @@ void gate_moved(struct gate_lab *lab, const struct gate_case *c,
         move_field(&moved, i, (enum motion)motion);
       }
     }
-    gate_run(lab, &moved, false, &there);
+    gate_run(lab, &moved, GATE_MEASURED, &there);
     if (plain.fate != GATE_WRONG && there.fate != GATE_WRONG) {
       found = *outcome;
       compare(&plain, &there, (enum motion)motion, 0, &found);

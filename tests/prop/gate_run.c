@@ -166,8 +166,8 @@ static void look_at_text(struct gate_lab *lab, struct gate_outcome *outcome) {
   }
 }
 
-static void look_at_result(struct gate_lab *lab, bool closely, bool first,
-                           struct gate_outcome *outcome) {
+static void look_at_result(struct gate_lab *lab, enum gate_look look,
+                           bool first, struct gate_outcome *outcome) {
   struct ph_record record;
   struct ph_claim claim;
   struct ph_diag diag;
@@ -186,7 +186,7 @@ static void look_at_result(struct gate_lab *lab, bool closely, bool first,
                sizeof *curve->lengths);
     outcome->ambiguous = strstr(lab->err.data, "[ambiguous]") != NULL;
   }
-  if (closely || outcome->fate == GATE_WRONG) {
+  if (look == GATE_CLOSELY || outcome->fate == GATE_WRONG) {
     struct gate_outcome brute = {.fate = GATE_SOLVED};
     gate_brute(&claim.result, &brute);
     if (brute.fate == GATE_WRONG) {
@@ -199,12 +199,12 @@ static void look_at_result(struct gate_lab *lab, bool closely, bool first,
 
 /* One result of the case. */
 static void one(struct gate_lab *lab, const struct call *solve,
-                const struct call *check, size_t sweep, bool closely,
+                const struct call *check, size_t sweep, enum gate_look look,
                 struct gate_outcome *outcome) {
   enum ph_status status = work(&solve->options, &lab->first, &lab->problem,
                                sweep, &lab->out, &lab->err);
   look_at_text(lab, outcome);
-  if (closely) {
+  if (look == GATE_CLOSELY) {
     repeat(lab, &solve->options, sweep, outcome);
   }
   if (status != PH_OK) {
@@ -216,14 +216,16 @@ static void one(struct gate_lab *lab, const struct call *solve,
     return;
   }
   verify(lab, &check->options, true, outcome);
-  if (closely) {
+  if (look == GATE_CLOSELY) {
     verify(lab, &check->options, false, outcome);
   }
-  look_at_result(lab, closely, sweep == 0, outcome);
+  if (look != GATE_VERIFIED || outcome->fate == GATE_WRONG) {
+    look_at_result(lab, look, sweep == 0, outcome);
+  }
 }
 
-void gate_run(struct gate_lab *lab, const struct gate_case *c, bool closely,
-              struct gate_outcome *outcome) {
+void gate_run(struct gate_lab *lab, const struct gate_case *c,
+              enum gate_look look, struct gate_outcome *outcome) {
   struct call solve, check;
   memset(outcome, 0, sizeof *outcome);
   ph_arena_reset(&lab->arena);
@@ -232,7 +234,7 @@ void gate_run(struct gate_lab *lab, const struct gate_case *c, bool closely,
   if (call_of(lab, c, false, &solve, outcome)) {
     if (call_of(lab, c, true, &check, outcome)) {
       for (size_t i = 0; i < solve.options.sweep_count; i++) {
-        one(lab, &solve, &check, i, closely, outcome);
+        one(lab, &solve, &check, i, look, outcome);
       }
     }
     ph_options_free(&check.options);

@@ -22,7 +22,7 @@ static bool accept(struct shrink *s) {
   if (s->runs++ >= RUNS) {
     return false;
   }
-  gate_run(s->lab, &s->trial, true, &outcome);
+  gate_run(s->lab, &s->trial, GATE_CLOSELY, &outcome);
   gate_moved(s->lab, &s->trial, &outcome);
   if (outcome.fate != GATE_WRONG || strcmp(outcome.way, s->outcome->way) != 0) {
     return false;
