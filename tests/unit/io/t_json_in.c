@@ -90,8 +90,6 @@ PH_TEST(test_names) {
   ck_assert_int_eq(problem.field[PH_F_POINTS].kind, PH_VECTORS);
   ck_assert_int_eq(get("{\"\\u0069d\":1}"), PH_OK);
   ck_echo("1", NULL);
-  bad("{\"points\":[],\"po\\u0069nts\":[]}", PH_BAD_VALUE, "points",
-      "occurs twice");
   bad("{\"id\":1,\"id\":1}", PH_BAD_VALUE, "id", "occurs twice");
   ck_echo("1", NULL);
   bad("{\"meta\":1,\"meta\":1}", PH_BAD_VALUE, "meta", "occurs twice");
@@ -103,7 +101,6 @@ PH_TEST(test_names) {
       "is not a field of planar");
   bad("{\"end_derivatives\":[]}", PH_UNKNOWN_FIELD, "end_derivatives",
       "is not a field of planar");
-  bad("{\"\":[]}", PH_UNKNOWN_FIELD, "\"\"", "is not a field of planar");
   bad("{\"points\\u0000\":[]}", PH_UNKNOWN_FIELD, "points\\u0000",
       "is not a field of planar");
   bad("{\"a\\nb\":[]}", PH_UNKNOWN_FIELD, "a\\nb", "is not a field of planar");
@@ -113,9 +110,6 @@ PH_TEST(test_names) {
 }
 
 PH_TEST(test_not_an_object) {
-  bad("[1]", PH_BAD_TYPE, "", "a problem must be an object, found an array");
-  bad("\"x\"", PH_BAD_TYPE, "", "a problem must be an object, found a string");
-  bad("-1", PH_BAD_TYPE, "", "a problem must be an object, found a number");
   bad("null", PH_BAD_TYPE, "", "a problem must be an object, found null");
   ck_echo(NULL, NULL);
 }
@@ -130,8 +124,6 @@ PH_TEST(test_echo) {
                        "\"c\": \" \\\\\" }}"),
                    PH_OK);
   ck_echo(NULL, "{\"a \\\" b\":[1,2],\"c\":\" \\\\\"}");
-  bad("{\"id\":null}", PH_BAD_TYPE, "id",
-      "must be a string or a number, found null");
   bad("{\"id\":[1],\"meta\":2}", PH_BAD_TYPE, "id",
       "must be a string or a number, found an array");
   ck_echo(NULL, "2");
@@ -168,8 +160,6 @@ PH_TEST(test_echo_on_failure) {
 }
 
 PH_TEST(test_values) {
-  bad("{\"points\":null}", PH_BAD_TYPE, "points",
-      "must be an array of points [x,y], found null");
   bad("{\"basis\":\"p\"}", PH_BAD_VALUE, "basis",
       "must be \"ph\" or \"atph\", found \"p\"");
   bad("{\"points\":[[0,0],[1,-1e400]]}", PH_NOT_FINITE, "points[1][1]",

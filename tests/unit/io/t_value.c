@@ -39,8 +39,6 @@ static const struct ph_field shape = {
     PH_F_SHAPE, PH_BOOL | PH_WORD, 0, false, "warn", "true", ""};
 static const struct ph_field increase = {
     PH_F_INCREASE, PH_WORD, 0, false, "minimal|plus:V|times:V", "minimal", ""};
-static const struct ph_field lonlat = {PH_F_LONLAT, PH_VECTORS, PLANE, false,
-                                       "",          "points",   ""};
 
 static const struct ph_field curve = {
     PH_F_CURVE, PH_VECTORS | PH_POLYLINE, PLANE, false, "", "none", ""};
@@ -142,8 +140,6 @@ PH_TEST(test_flag_or_word) {
   ck_bool(option(&shape, "false"), false);
   ck_word(option(&shape, "warn"), "warn");
   ck_word(option(&shape, "\"warn\""), "warn");
-  bad(&shape, "1", PH_BAD_TYPE, "shape",
-      "must be true, false or \"warn\", found a number");
   bad(&shape, "\"false\"", PH_BAD_VALUE, "shape",
       "must be true, false or \"warn\", found \"false\"");
   bad_option(&shape, "wran", PH_BAD_VALUE,
@@ -158,9 +154,6 @@ PH_TEST(test_words_with_numbers) {
   ck_rel(value.number, 10, 0);
   ck_word(option(&increase, "times:.5e1"), "times:.5e1");
   ck_rel(value.number, 5, 0);
-  bad(&increase, "\"plus\"", PH_BAD_VALUE, "increase",
-      "must be \"minimal\", \"plus:V\" or \"times:V\", found \"plus\"; did "
-      "you mean \"plus:V\"?");
   bad_option(&increase, "minimal:1", PH_BAD_VALUE,
              "must be \"minimal\", \"plus:V\" or \"times:V\", found "
              "\"minimal:1\"; did you mean \"minimal\"?");
@@ -280,38 +273,17 @@ PH_TEST(test_bad_polyline) {
              "found \"0,1\"");
   bad_option(&curve, "[[[0,1]]", PH_SYNTAX,
              "must be JSON: the text ends inside an array");
-  bad(&points, "[[[0,0],[1,1]]]", PH_BAD_TYPE, "points[0][0]",
-      "must be a number, found an array");
 }
 
 PH_TEST(test_bad_types) {
-  bad(&points, "\"abc\"", PH_BAD_TYPE, "points",
-      "must be an array of points [x,y], found a string");
-  bad(&points3, "1", PH_BAD_TYPE, "points",
-      "must be an array of points [x,y,z], found a number");
   bad(&any_points, "{}", PH_BAD_TYPE, "points",
       "must be an array of points [x,y] or [x,y,z], found an object");
   bad(&ends, "null", PH_BAD_TYPE, "end_derivatives",
       "must be an array of vectors [x,y], found null");
-  bad(&lonlat, "[1,2]", PH_BAD_TYPE, "lonlat",
-      "must be an array of pairs [lon,lat], found an array of numbers");
-  bad(&points, "[1,2]", PH_BAD_TYPE, "points",
-      "must be an array of points [x,y], found an array of numbers");
-  bad(&points, "[\"a\"]", PH_BAD_TYPE, "points",
-      "must be an array of points [x,y], found an array of something else");
-  bad(&closed, "null", PH_BAD_TYPE, "closed",
-      "must be true or false, found null");
-  bad(&closed, "\"true\"", PH_BAD_TYPE, "closed",
-      "must be true or false, found a string");
   bad(&closed, "[]", PH_BAD_TYPE, "closed",
       "must be true or false, found an array");
-  bad(&closed, "1", PH_BAD_TYPE, "closed",
-      "must be true or false, found a number");
   bad(&basis, "true", PH_BAD_TYPE, "basis",
       "must be \"ph\" or \"atph\", found true");
-  bad(&knots, "[[1]]", PH_BAD_TYPE, "knots",
-      "must be \"chordal\", \"centripetal\", \"uniform\" or an array of "
-      "numbers, found an array of arrays");
   bad(&knots, "false", PH_BAD_TYPE, "knots",
       "must be \"chordal\", \"centripetal\", \"uniform\" or an array of "
       "numbers, found false");
@@ -321,12 +293,8 @@ PH_TEST(test_bad_types) {
 }
 
 PH_TEST(test_bad_elements) {
-  bad(&points, "[[0,0],1]", PH_BAD_TYPE, "points[1]",
-      "must be an array of numbers, found a number");
   bad(&points, "[[0,0],null]", PH_BAD_TYPE, "points[1]",
       "must be an array of numbers, found null");
-  bad(&points, "[[0,0],[1,\"2\"]]", PH_BAD_TYPE, "points[1][1]",
-      "must be a number, found a string");
   bad(&points, "[[[0],0]]", PH_BAD_TYPE, "points[0][0]",
       "must be a number, found an array");
   bad(&points, "[[0,null]]", PH_BAD_TYPE, "points[0][1]",
@@ -340,18 +308,8 @@ PH_TEST(test_bad_elements) {
 PH_TEST(test_bad_shapes) {
   bad(&points, "[[0,0],[1,1],[2,2],[3,3,3]]", PH_BAD_SHAPE, "points[3]",
       "must have 2 numbers, found 3");
-  bad(&points, "[[0,0,0]]", PH_BAD_SHAPE, "points[0]",
-      "must have 2 numbers, found 3");
   bad(&points, "[[0,0],[]]", PH_BAD_SHAPE, "points[1]",
       "must have 2 numbers, found 0");
-  bad(&points3, "[[0,0]]", PH_BAD_SHAPE, "points[0]",
-      "must have 3 numbers, found 2");
-  bad(&any_points, "[[0]]", PH_BAD_SHAPE, "points[0]",
-      "must have 2 or 3 numbers, found 1");
-  bad(&any_points, "[[0,0],[1,1,1]]", PH_BAD_SHAPE, "points[1]",
-      "must have 2 numbers as points[0] has, found 3");
-  bad(&any_points, "[[0,0,0],[1,1]]", PH_BAD_SHAPE, "points[1]",
-      "must have 3 numbers as points[0] has, found 2");
   bad(&any_points, "[[1,2,3,4,5,6,7,8]]", PH_BAD_SHAPE, "points[0]",
       "must have 2 or 3 numbers, found 8");
 }
