@@ -14,10 +14,6 @@ static const double TOLERANCE = 1e-9, TOLERANCE_PATH = 1e-6;
 /* Joints that a warning of gaps names. */
 enum { GAPS_NAMED = 8 };
 
-/* Samples of an offset on a sphere without --sample: so many and one for each
- * segment. */
-enum { OFFSET_SAMPLES = 16 };
-
 /* One warning for all offsets: the first one that has cusps. */
 static void warn_cusps(struct ph_result *result) {
   const struct ph_offset *o = result->offsets, *end = o + result->offsets_n;
@@ -35,18 +31,12 @@ static void warn_cusps(struct ph_result *result) {
             "of curvature towards it is smaller: %zu times, first in "
             "segment %zu at %.6g of its interval",
             o->distance, o->vector, o->cusps.n, at->segment, at->u);
-  } else if (ph_kind_of(&result->curve)->on_sphere) {
-    ph_warn(result, at->segment, PH_OFFSET_CUSP,
-            "the offset at distance %g has cusps, where the curve bends as a "
-            "circle of that radius on the sphere: %zu, the first in segment "
-            "%zu at %.6g of its interval",
-            o->distance, o->cusps.n, at->segment, at->u);
   } else {
     ph_warn(result, at->segment, PH_OFFSET_CUSP,
-            "the offset at distance %g has cusps, where the radius of "
-            "curvature equals it: %zu, the first in segment %zu at %.6g of "
-            "its interval",
-            o->distance, o->cusps.n, at->segment, at->u);
+            "the offset at distance %g has cusps, where the %s: %zu, the first "
+            "in segment %zu at %.6g of its interval",
+            o->distance, ph_kind_of(&result->curve)->cusp, o->cusps.n,
+            at->segment, at->u);
   }
 }
 
@@ -85,10 +75,6 @@ static enum ph_status derive_offsets(const struct ph_options *o,
   enum ph_status status = PH_OK;
   if (ph_formats[o->format].is_cubics) {
     rules.samples.how = PH_SAMPLE_NONE;
-  }
-  if (ph_kind_of(&r->curve)->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
-    rules.samples.how = PH_SAMPLE_PARAMETER;
-    rules.samples.n = OFFSET_SAMPLES;
   }
   r->offsets = ph_arena_array(arena, n, sizeof *r->offsets);
   if (!r->offsets) {

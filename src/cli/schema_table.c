@@ -95,9 +95,9 @@ bool ph_form_has(const struct ph_form *f, const struct ph_member *member) {
   case CUBIC:
     return promise->given == PH_GIVEN_CUBIC;
   case SPHERE:
-    return kind->on_sphere;
+    return ph_kind_space(kind, promise->dimension) == PH_SPHERE;
   case FLAT:
-    return !kind->on_sphere;
+    return ph_kind_space(kind, promise->dimension) != PH_SPHERE;
   case SPACE:
     return ph_kind_space(kind, promise->dimension) == PH_SPACE;
   case RATIONAL:

@@ -232,7 +232,7 @@ static void draw_polygons(struct pen *pen) {
     ph_vec3 p, last = {0, 0, 0};
     for (size_t i = 0; i <= curve->degree; i++, last = p) {
       p = ph_vec3_get(v + curve->dimension * i, curve->dimension);
-      if (i > 0 && ph_kind_of(curve)->on_sphere) {
+      if (i > 0 && pen->drawing->space == PH_SPHERE) {
         draw_arc(pen, curve, last, p);
       } else {
         draw_to(pen, p);
@@ -312,7 +312,7 @@ static ph_vec3 vector_at(const struct ph_drawing *d, const struct vectors *v,
 static void draw_vector(struct pen *pen, ph_vec3 from, ph_vec3 vector) {
   const struct ph_curve *curve = &pen->result->curve;
   draw_to(pen, from);
-  if (ph_kind_of(curve)->on_sphere) {
+  if (pen->drawing->space == PH_SPHERE) {
     ph_vec3 p = to_unit(curve, from), v = ph_vec3_normal(vector, p);
     double angle = ph_vec3_abs(vector) / curve->sphere.radius;
     size_t steps = 1 + (size_t)(angle / ARC_STEP);

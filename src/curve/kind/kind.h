@@ -45,6 +45,7 @@ struct ph_kind {
   bool angles;        /* the preimages have angles: alpha */
   bool erf;           /* the reference is the Euler-Rodrigues frame */
   const char *no_erf; /* else: why there is none, as a message says it */
+  const char *cusp;   /* where its offsets have cusps, as a warning says it */
 
   struct ph_sampler_ops curve, beside;
 

@@ -118,7 +118,8 @@ static ph_vec3 principal(const struct ph_sampler *sampler, double u,
 
 /* What they have in common. */
 #define WITH_PREIMAGE                                                          \
-  .erf = true, .curve = {begin, enter, at, length, chord_bound},               \
+  .erf = true, .cusp = "radius of curvature equals it",                        \
+  .curve = {begin, enter, at, length, chord_bound},                            \
   .beside = {ph_beside_begin, ph_beside_enter, ph_beside_at, ph_beside_length, \
              ph_beside_chord_bound},                                           \
   .reference = reference, .turn = turn, .principal = principal,                \

@@ -479,6 +479,9 @@ static bool is_finite(const struct ph_samples *samples) {
   return finite;
 }
 
+/* Samples where none are asked for: so many and one for each segment. */
+enum { SAMPLES = 16 };
+
 /*
  * Samples and length are those of ph_sample_offset (curve/sample/sample.h).  At
  * a cusp that is hit exactly the tangent is that of the curve, and the
@@ -496,6 +499,7 @@ static enum ph_status offset(const struct ph_curve *curve, double distance,
                              struct ph_arena *arena, struct ph_offset *to,
                              struct ph_diag *diag) {
   const double angle = distance / curve->sphere.radius;
+  struct ph_sample_rules samples = rules->samples;
   struct walk walk = {.curve = curve,
                       .arena = arena,
                       .offset = to,
@@ -513,7 +517,11 @@ static enum ph_status offset(const struct ph_curve *curve, double distance,
   if (walk.memory) {
     return ph_fail_memory(diag);
   }
-  status = ph_sample_offset(curve, &rules->samples, arena, to, diag);
+  if (samples.how == PH_SAMPLE_NONE) {
+    samples.how = PH_SAMPLE_PARAMETER;
+    samples.n = SAMPLES;
+  }
+  status = ph_sample_offset(curve, &samples, arena, to, diag);
   if (status == PH_OK && !is_finite(&to->samples)) {
     return ph_fail(diag, PH_TOO_LARGE, NULL,
                    "the offset at distance %g exceeds the range of a double",
@@ -525,6 +533,7 @@ static enum ph_status offset(const struct ph_curve *curve, double distance,
 const struct ph_kind ph_kind_spherical_nu = {
     .on_sphere = true,
     .no_erf = "a curve on a sphere has no Euler-Rodrigues frame",
+    .cusp = "curve bends as a circle of that radius on the sphere",
     .curve = {begin, enter, at, length, chord_bound},
     .beside = {begin, enter, at, length, chord_bound},
     .reference = reference,

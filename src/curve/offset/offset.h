@@ -31,7 +31,7 @@
 struct ph_offset_rules {
   double tolerance; /* of Bezier pieces of ATPH offsets, in the curve's unit */
   struct ph_sample_rules samples; /* how they are sampled, or not at all; on a
-                                     sphere they must be */
+                                     sphere always */
 };
 
 /* A distance gives so many offsets of a curve in space. */
