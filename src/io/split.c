@@ -312,9 +312,15 @@ static enum ph_split_state detect(struct ph_split *split, bool may_wait,
     }
     line = line > p + split->blanks ? line : p;
     split->blanks = (size_t)(first - line);
+    split->csv.blanks = split->csv.blanks && line == p;
     ph_split_drop(split, (size_t)(line - p));
     if (split->format != PH_SPLIT_AUTO) {
       break;
+    }
+    if (split->options.most && split->blanks > split->options.most) {
+      ph_split_drop(split, split->blanks);
+      split->blanks = 0;
+      split->csv.blanks = true;
     }
     state = ph_split_fill(split, may_wait, diag);
     if (state != PH_SPLIT_RECORD) {

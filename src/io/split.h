@@ -8,7 +8,8 @@
  * answer to each problem.
  *
  * A record that is longer than it may be is read to its end, but not kept: it
- * has the status PH_LIMIT.  One that is broken is that in the first place.
+ * has the status PH_LIMIT.  One that is broken is that in the first place.  Nor
+ * are blanks kept, wherever there are more than that.
  */
 #ifndef PH_IO_SPLIT_H
 #define PH_IO_SPLIT_H
@@ -77,6 +78,8 @@ struct ph_split_csv {
   struct ph_csv_scan scan; /* of the row at `row` */
   size_t row;              /* offset in the window of the row that is read */
   bool open;               /* rows of a record stand before that row */
+  bool blanks; /* that row begins with more blanks than a record may have, of
+                  which some are gone */
   struct ph_csv_columns *columns; /* NULL: not known yet */
   struct ph_buf id;               /* of the open record */
 };

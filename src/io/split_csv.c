@@ -31,7 +31,7 @@ static enum ph_split_state stop(struct ph_split *split, size_t offset,
     return PH_SPLIT_FAILED;
   }
   ph_split_locate(split, offset, diag);
-  diag->column += column;
+  diag->column = status == PH_LIMIT ? 0 : diag->column + column;
   split->stopped = true;
   ph_split_give(split, status == PH_LIMIT ? 0 : split->csv.scan.at, 0, record);
   record->line = split->over.on ? split->over.place.line : record->line;
@@ -124,10 +124,13 @@ static void begin_over(struct ph_split *split) {
   const struct ph_csv_columns *columns = split->csv.columns;
   const char *p = split->data + split->start;
   struct ph_csv_scan scan = {.at = 0};
-  bool more = ph_csv_scan(&scan, p, split->options.most, columns->delimiter,
-                          false) != PH_CSV_ROW;
-  const char *end = id_end(columns, p, p + scan.at, more);
+  const char *end = NULL;
   const char *after;
+  if (!split->csv.blanks) {
+    bool more = ph_csv_scan(&scan, p, split->options.most, columns->delimiter,
+                            false) != PH_CSV_ROW;
+    end = id_end(columns, p, p + scan.at, more);
+  }
   ph_split_over(split);
   split->over.nameless = !end;
   if (end && id_cell(columns, p, end, &after).n > 0) {
@@ -169,23 +172,25 @@ static void next_row(struct ph_split *split) {
   }
 }
 
-/* Whether a row that is read is longer than a record may be; its blanks at the
- * beginning are none, as it may be a blank line. */
+/* Whether a row that is read is longer than a record may be. */
 static bool is_long(const struct ph_split *split, enum ph_csv_state row) {
   const struct ph_split_csv *csv = &split->csv;
-  const char *p = split->data + split->start + csv->row;
   const size_t most = split->options.most;
   /* a quote that is never closed: the row was read to its end */
   bool open_quote = row == PH_CSV_ERROR && csv->scan.at == csv->scan.quote;
   size_t end = open_quote ? split->fill - split->start : csv->scan.at;
+  return row != PH_CSV_BLANK &&
+         (csv->blanks || (most && end - csv->row > most));
+}
+
+/* Whether the first n bytes of the row are blanks. */
+static bool is_blank(const struct ph_split *split, size_t n) {
+  const char *p = split->data + split->start + split->csv.row;
   size_t blanks = 0;
-  if (!most || row == PH_CSV_BLANK || end - csv->row <= most) {
-    return false;
-  }
-  while (blanks < most && memchr(" \t\r", p[blanks], 3)) {
+  while (blanks < n && memchr(" \t\r", p[blanks], 3)) {
     blanks++;
   }
-  return blanks < most;
+  return blanks == n;
 }
 
 /* It is.  PH_SPLIT_END: go on. */
@@ -196,14 +201,16 @@ static enum ph_split_state handle_long(struct ph_split *split,
   struct ph_split_csv *csv = &split->csv;
   const size_t most = split->options.most;
   const char *p = split->data + split->start + csv->row;
-  if (*p != '#' && !csv->columns) {
+  const bool comment = *p == '#' && !csv->blanks;
+  if (!comment && !csv->columns) {
     ph_fail(diag, PH_LIMIT, NULL,
             "the first row is longer than the %zu bytes of --max-record-bytes",
             most);
     return stop(split, 0, record, diag);
   }
-  if (*p != '#') {
-    const char *end = id_end(csv->columns, p, p + most, true);
+  if (!comment) {
+    const char *end =
+        csv->blanks ? NULL : id_end(csv->columns, p, p + most, true);
     bool open = csv->open;
     bool taken = end && take_row(split, p, end);
     if (csv->id.failed) {
@@ -218,6 +225,7 @@ static enum ph_split_state handle_long(struct ph_split *split,
   if (csv->open && !split->over.on) {
     begin_over(split);
   }
+  csv->blanks = false;
   if (row == PH_CSV_ERROR && csv->scan.at == csv->scan.quote) {
     csv->scan.at = split->fill - split->start;
   }
@@ -226,6 +234,25 @@ static enum ph_split_state handle_long(struct ph_split *split,
   } else {
     drop_row(split, row == PH_CSV_MORE);
   }
+  return PH_SPLIT_END;
+}
+
+/* A row that is too long begins with blanks, which it may consist of: these are
+ * dropped.  Either way the open record ends before it.  PH_SPLIT_END: go on. */
+static enum ph_split_state handle_blanks(struct ph_split *split,
+                                         enum ph_csv_state row,
+                                         struct ph_record *record,
+                                         struct ph_diag *diag) {
+  struct ph_split_csv *csv = &split->csv;
+  if (csv->open) {
+    return give(split, csv->row, record, diag);
+  }
+  csv->blanks = true;
+  if (row != PH_CSV_MORE || !is_blank(split, csv->scan.at)) {
+    return handle_long(split, row, record, diag);
+  }
+  ph_split_drop(split, csv->scan.at);
+  csv->scan.at = 0;
   return PH_SPLIT_END;
 }
 
@@ -322,7 +349,9 @@ static enum ph_split_state handle(struct ph_split *split, enum ph_csv_state row,
     return PH_SPLIT_END;
   }
   if (is_long(split, row)) {
-    return handle_long(split, row, record, diag);
+    return csv->blanks || is_blank(split, split->options.most)
+               ? handle_blanks(split, row, record, diag)
+               : handle_long(split, row, record, diag);
   }
   switch (row) {
   case PH_CSV_ROW:
@@ -332,6 +361,7 @@ static enum ph_split_state handle(struct ph_split *split, enum ph_csv_state row,
   case PH_CSV_ERROR:
     return handle_broken(split, record, diag);
   case PH_CSV_BLANK:
+    csv->blanks = false;
     if (csv->open) {
       return give(split, csv->scan.at, record, diag);
     }

@@ -62,23 +62,63 @@ static enum ph_split_state find_line(struct ph_split *split, bool may_wait,
       return state;
     }
   }
-  return PH_SPLIT_RECORD;
+  return split->options.most && json->line_n > split->options.most + 1
+             ? PH_SPLIT_END
+             : PH_SPLIT_RECORD;
 }
 
-/* Whether the first line after that one that is not blank begins with '{'.
+/* The text is broken where its scan is. */
+static void break_over(struct ph_split *split) {
+  struct ph_split_over *over = &split->over;
+  struct ph_diag place;
+  if (!over->on) {
+    ph_split_over(split);
+  }
+  ph_split_locate(split, split->json.scan.at, &place);
+  over->broken = (struct ph_split_place){place.line, place.column};
+  over->part = PH_OVER_LINE;
+  over->on = true;
+}
+
+/* The broken text is judged as its first line alone.  ret  its length, without
+ * the line break */
+static size_t scan_line(struct ph_split *split) {
+  struct ph_split_json *json = &split->json;
+  const char *text = split->data + split->start;
+  size_t n = (size_t)(ph_csv_row_end(text, text + json->line_n) - text);
+  struct ph_json_scan line = {0};
+  if (ph_json_scan(&line, text, n, true) == PH_JSON_ERROR) {
+    json->scan = line; /* always: what has a good beginning is good */
+  }
+  return n;
+}
+
+/* Whether the first line after that one that is not blank begins with '{'; of
+ * a text that is too long, or of many blanks, no more is kept than is needed.
  * ret  PH_SPLIT_RECORD: it does; PH_SPLIT_END: it does not; or as above */
 static enum ph_split_state object_follows(struct ph_split *split, bool may_wait,
                                           struct ph_diag *diag) {
+  struct ph_split_json *json = &split->json;
+  const size_t most = split->options.most;
   for (;;) {
     const char *data = split->data + split->start;
     const char *end = split->data + split->fill;
-    const char *first = ph_json_blanks(data + split->json.look, end);
+    const char *first = ph_json_blanks(data + json->look, end);
     enum ph_split_state state;
+    json->look = (size_t)(first - data);
+    if (most && !split->over.on && json->look - json->line_n > most) {
+      scan_line(split);
+      break_over(split);
+      split->over.part = PH_OVER_FOLLOWING;
+    }
+    if (split->over.on && json->look > 1) {
+      ph_split_drop(split, json->look - 1);
+      json->look = 1;
+    }
     if (first < end) {
       return first[-1] == '\n' && *first == '{' ? PH_SPLIT_RECORD
                                                 : PH_SPLIT_END;
     }
-    split->json.look = (size_t)(first - data);
     state = ph_split_fill(split, may_wait, diag);
     if (state != PH_SPLIT_RECORD) {
       return state;
@@ -174,19 +214,6 @@ static void pass(struct ph_split *split, size_t n) {
   over->blank = i > 0 ? text[i - 1] == '\n' : over->blank;
   over->one_line &= !memchr(text, '\n', n);
   ph_split_drop(split, n);
-}
-
-/* The text is broken where its scan is. */
-static void break_over(struct ph_split *split) {
-  struct ph_split_over *over = &split->over;
-  struct ph_diag place;
-  if (!over->on) {
-    ph_split_over(split);
-  }
-  ph_split_locate(split, split->json.scan.at, &place);
-  over->broken = (struct ph_split_place){place.line, place.column};
-  over->part = PH_OVER_LINE;
-  over->on = true;
 }
 
 /* Hands it out. */
@@ -298,11 +325,9 @@ static enum ph_split_state broken(struct ph_split *split, bool may_wait,
                                   struct ph_diag *diag) {
   struct ph_split_json *json = &split->json;
   bool lines = are_lines(split);
-  struct ph_json_scan line = {0};
+  struct ph_json_scan line;
   enum ph_split_state state;
-  const char *text;
-  size_t line_n;
-  size_t n;
+  size_t line_n, n;
   if (json->array != PH_ARRAY_NONE || !(lines || json->line_start)) {
     return stop(split, record, diag);
   }
@@ -314,18 +339,18 @@ static enum ph_split_state broken(struct ph_split *split, bool may_wait,
   if (state == PH_SPLIT_RECORD && !lines) {
     state = object_follows(split, may_wait, diag);
   }
+  if (state != PH_SPLIT_RECORD && state != PH_SPLIT_END) {
+    return state;
+  }
+  if (split->over.on) {
+    return give_over(split, state == PH_SPLIT_END, record, diag);
+  }
   if (state == PH_SPLIT_END) {
     return stop(split, record, diag);
   }
-  if (state != PH_SPLIT_RECORD) {
-    return state;
-  }
   line_n = json->line_n;
-  text = split->data + split->start;
-  n = (size_t)(ph_csv_row_end(text, text + line_n) - text);
-  if (ph_json_scan(&line, text, n, true) != PH_JSON_ERROR) {
-    line = json->scan; /* cannot be: what has a good beginning is good */
-  }
+  n = scan_line(split);
+  line = json->scan;
   begin_line(json);
   return give_broken(split, n, line_n, &line, record, diag);
 }

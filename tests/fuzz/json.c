@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fuzz target: the splitter and the reader of JSON (see stream.h). */
+/* Fuzz target: the splitter and the reader of JSON (see stream.h), also with
+ * records that may not be long. */
 #include "stream.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
-  const struct ph_split_options options = {PH_SPLIT_JSON, 0, NULL, 0};
-  stream_check(data, n, &options);
+  static const struct ph_split_options options[] = {
+      {PH_SPLIT_JSON, 0, NULL, 0}, {PH_SPLIT_AUTO, 0, NULL, 24}};
+  for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+    stream_check(data, n, &options[i]);
+  }
   return 0;
 }
