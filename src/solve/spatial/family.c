@@ -365,7 +365,8 @@ static ph_vec3 tangent(const struct ph_spatial_family *f, double side) {
 
 /* In (-pi, pi]. */
 static double wrapped(double angle) {
-  return angle - 2 * PH_PI * ceil((angle - PH_PI) / (2 * PH_PI));
+  double x = angle - 2 * PH_PI * ceil((angle - PH_PI) / (2 * PH_PI));
+  return fabs(x) >= PH_PI ? PH_PI : x; /* which rounding may have left */
 }
 
 bool ph_spatial_angles(const struct ph_spatial_family *f,
