@@ -223,11 +223,12 @@ static bool tc_set(struct tc_input *in) {
 /* ---- what holds for a curve --------------------------------------------- */
 
 /* A cubic begins where the one before ends, and is no shorter than straight
- * on, but for the rounding of its ends. */
-static void tc_check_segment(const struct ph_curve *curve, size_t k) {
+ * on, but for the rounding of its ends: by the largest coordinate given. */
+static void tc_check_segment(const struct ph_curve *curve, size_t k,
+                             double largest) {
   const double *p = curve->control_points + 8 * k;
   double chord = hypot(p[6] - p[0], p[7] - p[1]);
-  double rounding = DBL_EPSILON * (hypot(p[0], p[1]) + hypot(p[6], p[7]));
+  double rounding = 4 * DBL_EPSILON * largest;
   FUZZ_REQUIRE(curve->knots[k] < curve->knots[k + 1]);
   FUZZ_REQUIRE(curve->lengths[k] > 0);
   FUZZ_REQUIRE(curve->lengths[k] >= chord * (1 - 1e-9) - rounding);
@@ -236,6 +237,7 @@ static void tc_check_segment(const struct ph_curve *curve, size_t k) {
 
 static void tc_check_curve(const struct tc_input *in,
                            const struct ph_curve *curve) {
+  double largest = 0;
   FUZZ_REQUIRE(curve->kind == PH_CURVE_TC && curve->degree == 3);
   FUZZ_REQUIRE(curve->dimension == 2 && curve->n > 0);
   FUZZ_REQUIRE(curve->preimage.n == 2 && curve->preimage.dimension == 2);
@@ -243,8 +245,11 @@ static void tc_check_curve(const struct tc_input *in,
   FUZZ_REQUIRE(fuzz_is_finite(curve->preimage.v, 4 * curve->n));
   FUZZ_REQUIRE(isfinite(curve->length));
   FUZZ_REQUIRE(!curve->closed || in->flags.closed);
+  for (size_t i = 0; i < 2 * TC_POINTS_MAX; i++) {
+    largest = fmax(largest, fabs(in->point[i]));
+  }
   for (size_t k = 0; k < curve->n; k++) {
-    tc_check_segment(curve, k);
+    tc_check_segment(curve, k, largest);
   }
 }
 
