@@ -8,7 +8,9 @@
  * Chunks double from 16 kB up to 1 MB; a request that does not fit gets a
  * chunk of its own size.  In the fault-injection build the allocation whose
  * number is in the environment variable PH_FAIL_AT (from 0) fails, and with
- * PH_FAIL_ON=1 all after it; the product does not contain that code.
+ * PH_FAIL_ON=1 all after it; and the look at the clock whose number is in
+ * PH_LATE_AT finds that the time is over.  The product does not contain that
+ * code.
  */
 #define _DEFAULT_SOURCE /* madvise, clock_gettime */
 #include "base/mem.h"
@@ -23,17 +25,28 @@
 #ifdef PH_FAULT_INJECTION
 #include <stdatomic.h>
 
-static int fails(void) {
-  static atomic_long count;
-  const char *at = getenv("PH_FAIL_AT");
-  const char *on = getenv("PH_FAIL_ON");
-  long number = atomic_fetch_add(&count, 1);
+static bool counts_to(atomic_long *count, const char *at, const char *on) {
+  long number = atomic_fetch_add(count, 1);
   long limit = at ? atol(at) : -1;
   return limit >= 0 && (number == limit || (on && number > limit));
 }
+
+static bool fails(void) {
+  static atomic_long count;
+  return counts_to(&count, getenv("PH_FAIL_AT"), getenv("PH_FAIL_ON"));
+}
+
+static bool jumps(void) {
+  static atomic_long count;
+  return counts_to(&count, getenv("PH_LATE_AT"), NULL);
+}
 #else
-static int fails(void) {
-  return 0;
+static bool fails(void) {
+  return false;
+}
+
+static bool jumps(void) {
+  return false;
 }
 #endif
 
@@ -126,7 +139,7 @@ bool ph_arena_late(const struct ph_arena *arena) {
   if (!b || !(b->seconds > 0)) {
     return false;
   }
-  b->late = b->late || clock_now() >= b->end;
+  b->late = b->late || clock_now() >= b->end || jumps();
   return b->late;
 }
 

@@ -48,6 +48,7 @@ static const double CHORD = 1e-12;
 static const double SAME_F = 1e-10;
 
 struct context {
+  const struct ph_arena *arena; /* knows how much time there is */
   struct ph_check3 at;
   struct ph_check3_data points, tangents, derivatives;
   const double *lengths; /* of the intervals, or NULL: free */
@@ -250,10 +251,11 @@ static void check_data(const struct context *c,
 
 static void check_segments(struct context *c, struct checks *checks) {
   const struct ph_curve *curve = c->at.curve;
-  struct ph_check3_segment first, before;
+  struct ph_check3_segment first = ph_check3_segment_of(&c->at, 0);
+  struct ph_check3_segment before = first;
   struct ph_sum total = {0, 0};
   double length = 0, claimed, allowance = 0, sum = 0;
-  for (size_t k = 0; k < curve->n; k++) {
+  for (size_t k = 0; k < curve->n && !ph_arena_late(c->arena); k++) {
     struct ph_check3_segment s = ph_check3_segment_of(&c->at, k);
     double part = check_segment(c, &s, k, checks);
     length = k % c->refine == 0 ? part : length + part;
@@ -270,8 +272,6 @@ static void check_segments(struct context *c, struct checks *checks) {
                    c->at.scale.rounding);
       check_joint(c, &before, spacing_of(c, k - 1), &s, spacing_of(c, k), k,
                   &checks->joint);
-    } else {
-      first = s;
     }
     ph_sum_add(&total, part);
     sum += s.allowance;
@@ -446,7 +446,8 @@ enum ph_status ph_check_arclength(const struct ph_problem *problem,
       {.what = PH_D_LENGTH_ERROR},        .speed = HUGE_VAL};
   const struct ph_value *field = problem->field;
   const struct ph_value *start = &field[PH_F_START];
-  struct context c = {.points = ph_check3_data_of(problem, PH_F_POINTS),
+  struct context c = {.arena = scratch,
+                      .points = ph_check3_data_of(problem, PH_F_POINTS),
                       .tangents = ph_check3_data_of(problem, PH_F_TANGENTS),
                       .derivatives =
                           ph_check3_data_of(problem, PH_F_DERIVATIVES),

@@ -87,7 +87,8 @@ static ph_vec3 grid_at(const struct context *x, size_t side, size_t k,
 
 static void set_grid(struct context *x) {
   for (size_t side = 0; side < 2; side++) {
-    for (size_t k = 0; k < x->v->curve->n; k++) {
+    for (size_t k = 0; k < x->v->curve->n && !ph_arena_late(x->v->scratch);
+         k++) {
       for (size_t i = 0; i <= GRID; i++) {
         ph_vec3 slope;
         x->grid[side][(GRID + 1) * k + i] =
@@ -145,7 +146,8 @@ static double nearest_of(const struct context *x, size_t side, ph_vec3 p,
 static double nearest(const struct context *x, size_t side, ph_vec3 p,
                       size_t from, size_t to) {
   double away = HUGE_VAL;
-  for (size_t k = from; k <= to && !(away <= x->limit); k++) {
+  for (size_t k = from;
+       k <= to && !(away <= x->limit) && !ph_arena_late(x->v->scratch); k++) {
     away = ph_check_smaller(away, nearest_of(x, side, p, k));
   }
   return away;
@@ -182,7 +184,7 @@ static double nearest_closely(const struct context *x, size_t side, ph_vec3 p,
   for (size_t i = 0; i <= GRID; i++) {
     grid[i] = ph_check_apart(p, grid_at(x, side, k, i));
   }
-  for (size_t i = 0; i <= GRID; i++) {
+  for (size_t i = 0; i <= GRID && !ph_arena_late(x->v->scratch); i++) {
     size_t before = i > 0 ? i - 1 : 0, after = i < GRID ? i + 1 : GRID;
     if (!(grid[before] < grid[i]) && !(grid[after] < grid[i])) {
       double next =
@@ -306,8 +308,8 @@ static void check_distance(struct context *x) {
                        ? (1 + TOLERANCE) * ph_check_scaled(v, tolerance->number)
                        : HUGE_VAL;
   x->worst = x->limit = ph_check_smaller(claimed, allowed);
-  for (size_t k = 0; k < v->curve->n; k++) {
-    for (size_t i = 0; i <= GRID; i++) {
+  for (size_t k = 0; k < v->curve->n && !ph_arena_late(v->scratch); k++) {
+    for (size_t i = 0; i <= GRID && !ph_arena_late(v->scratch); i++) {
       check_sample(x, 0, k, i);
       check_sample(x, 1, k, i);
     }

@@ -455,7 +455,7 @@ void ph_check_fairness(struct ph_check *v) {
   if (!any || !v->kind->square) {
     return; /* Bezier curves stand for another */
   }
-  for (size_t k = 0; k < v->curve->n; k++) {
+  for (size_t k = 0; k < v->curve->n && !ph_arena_late(v->scratch); k++) {
     struct ph_check_segment s;
     ph_check_load(v, k, &s);
     if (stands_still(&s)) {

@@ -116,7 +116,8 @@ void ph_check_gaps(struct ph_check *v, const struct ph_offset *offset,
   if (!is_list(&c)) {
     return;
   }
-  for (size_t k = v->curve->closed ? 0 : 1; k < v->curve->n; k++) {
+  for (size_t k = v->curve->closed ? 0 : 1;
+       k < v->curve->n && !ph_arena_late(v->scratch); k++) {
     if (check_jump(&c, k)) {
       c.gap++;
       if (offset->samples.n > 0) {

@@ -10,18 +10,21 @@
 #ifndef PH_CHECK_INTEGRAL_H
 #define PH_CHECK_INTEGRAL_H
 
+#include "base/mem.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 
 enum { PH_CHECK_NODES = 8 };
 
 struct ph_check_rule {
+  const struct ph_arena *arena; /* knows how much time there is */
   double node[PH_CHECK_NODES], weight[PH_CHECK_NODES];
   double end[PH_CHECK_NODES]; /* f(0) = sum end[i] f(node[i]) */
 };
 
 /* ph_check_rule_of: false when memory is exhausted. */
-bool ph_check_rule_of(struct ph_check_rule *rule);
+bool ph_check_rule_of(struct ph_check_rule *rule, const struct ph_arena *arena);
 
 /* At most so many functions at once. */
 enum { PH_CHECK_TOGETHER = 10 };
@@ -43,8 +46,9 @@ struct ph_check_integrands {
 /*
  * ph_check_integral: the integrals over [from,to].
  *
- * out  sum[n]  NaN when the number of intervals does not suffice, or where a
- *              function is not finite; the others do not suffer from that
+ * out  sum[n]  NaN when the number of intervals or the time does not suffice,
+ *              or where a function is not finite; the others do not suffer from
+ *              that
  */
 void ph_check_integral(const struct ph_check_rule *rule,
                        const struct ph_check_integrands *of, double from,

@@ -300,7 +300,7 @@ static void search(struct context *c) {
   const struct turn none = {0, 0, 0};
   struct turn first = none, before = none;
   bool space = c->o->vector != NULL;
-  for (size_t k = 0; k < c->v->curve->n; k++) {
+  for (size_t k = 0; k < c->v->curve->n && !ph_arena_late(c->v->scratch); k++) {
     enter(c, k);
     before = space ? none : before;
     for (size_t i = 0; i <= SEARCH; i++) {
@@ -356,7 +356,7 @@ static void check_cusp(struct context *c, size_t i) {
 }
 
 static void check_cusps(struct context *c) {
-  for (size_t i = 0; i < c->o->cusps.n; i++) {
+  for (size_t i = 0; i < c->o->cusps.n && !ph_arena_late(c->v->scratch); i++) {
     check_cusp(c, i);
   }
   search(c);

@@ -30,6 +30,7 @@ static const double CONTINUITY = 1e-9;
 enum { ROUND_SECOND = 256, ROUND_KNOT = 4 };
 
 struct context {
+  const struct ph_arena *arena; /* knows how much time there is */
   const struct ph_curve *curve;
   const double *points;
   size_t points_n;
@@ -167,7 +168,7 @@ static void check_segments(struct context *c, const struct ph_value *ends,
   struct segment first = segment_of(c, 0), before = first;
   struct ph_sum total = {0, 0};
   double claimed = ph_pow2_apply(c->scale.to_unit, curve->length);
-  for (size_t k = 0; k < n; k++) {
+  for (size_t k = 0; k < n && !ph_arena_late(c->arena); k++) {
     struct segment s = segment_of(c, k);
     double length = check_square(c, &s, k, &checks->square);
     double wanted = ph_pow2_apply(c->scale.to_unit, curve->lengths[k]);
@@ -212,13 +213,13 @@ enum ph_status ph_check_planar(const struct ph_problem *problem,
   const struct ph_check_error *const list[] = {&checks.point, &checks.end,
                                                &checks.square, &checks.joint,
                                                &checks.length};
-  struct context c = {.curve = curve,
+  struct context c = {.arena = scratch,
+                      .curve = curve,
                       .points = problem->field[PH_F_POINTS].v,
                       .points_n = curve->closed ? curve->n : curve->n + 1,
                       .farthest_knot = ph_check_larger(
                           fabs(curve->knots[0]), fabs(curve->knots[curve->n]))};
   enum ph_status status = PH_OK;
-  (void)scratch;
   if (!ph_quad_gauss(&c.rule, curve->preimage.alpha ? PH_CHECK_NODES_ATPH
                                                     : PH_CHECK_NODES_PH)) {
     return ph_fail_memory(diag);

@@ -231,7 +231,7 @@ enum ph_status ph_check_solves(struct ph_check *v) {
   }
   moved = ph_check_field(v, PH_F_RADIUS_TOLERANCE);
   x.moved = moved ? moved->number : MOVED;
-  for (size_t i = 0; i < x.data.n; i++) {
+  for (size_t i = 0; i < x.data.n && !ph_arena_late(v->scratch); i++) {
     check_interval(&x, i);
   }
   check_lengths(&x);

@@ -100,7 +100,9 @@ enum ph_status ph_certify(const char *command, const struct ph_problem *problem,
     return ph_fail(diag, PH_INTERNAL, member, "%s", wrong);
   }
   status = ph_check_finite(curve, diag);
-  return status == PH_OK
-             ? promise->certify(problem, curve, scratch, diagnostics, diag)
-             : status;
+  if (status == PH_OK) {
+    status = promise->certify(problem, curve, scratch, diagnostics, diag);
+  }
+  /* what was broken off has found nothing */
+  return ph_arena_late(scratch) ? ph_fail_memory(diag) : status;
 }

@@ -258,7 +258,7 @@ void ph_check_samples(struct ph_check *v, const struct ph_samples *of,
     return;
   }
   next_segment(&w);
-  for (size_t i = 0; i < of->n; i++) {
+  for (size_t i = 0; i < of->n && !ph_arena_late(v->scratch); i++) {
     size_t k = of->segment[i];
     if (k >= v->curve->n || k < w.k) {
       ph_check_wrong(v, PH_CHECK_SAMPLE, in(i, "segment"),
@@ -271,7 +271,7 @@ void ph_check_samples(struct ph_check *v, const struct ph_samples *of,
     }
     check_sample(&w, i);
   }
-  while (w.k < v->curve->n) {
+  while (w.k < v->curve->n && !ph_arena_late(v->scratch)) {
     next_segment(&w);
   }
   *length = ph_sum_value(&w.before);

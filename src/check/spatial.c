@@ -22,6 +22,7 @@ static const double DIRECTION = 1e-12;
 static const double NO_DIRECTION = 1;
 
 struct context {
+  const struct ph_arena *arena; /* knows how much time there is */
   struct ph_check3 at;
   struct ph_check3_data points, tangents, derivatives;
   double planarity;
@@ -125,11 +126,12 @@ static void check_shape(const struct context *c,
 static void check_segments(struct context *c, struct checks *checks) {
   const struct ph_curve *curve = c->at.curve;
   size_t n = curve->n;
-  struct ph_check3_segment first, before;
+  struct ph_check3_segment first = ph_check3_segment_of(&c->at, 0);
+  struct ph_check3_segment before = first;
   struct ph_sum total = {0, 0};
   double claimed = ph_pow2_apply(c->at.scale.to_unit, curve->length),
          allowance = 0;
-  for (size_t k = 0; k < n; k++) {
+  for (size_t k = 0; k < n && !ph_arena_late(c->arena); k++) {
     struct ph_check3_segment s = ph_check3_segment_of(&c->at, k);
     double length = check_hodograph(c, &s, k, &checks->square);
     double wanted = ph_pow2_apply(c->at.scale.to_unit, curve->lengths[k]);
@@ -141,8 +143,6 @@ static void check_segments(struct context *c, struct checks *checks) {
     }
     if (k > 0) {
       check_joint(c, &before, &s, k, &checks->joint);
-    } else {
-      first = s;
     }
     check_shape(c, &s, k, checks);
     ph_sum_add(&total, length);
@@ -220,13 +220,13 @@ enum ph_status ph_check_spatial_hermite(const struct ph_problem *problem,
                           0};
   const struct ph_value *planarity = &problem->field[PH_F_PLANARITY];
   struct context c = {
+      .arena = scratch,
       .points = ph_check3_data_of(problem, PH_F_POINTS),
       .tangents = ph_check3_data_of(problem, PH_F_TANGENTS),
       .derivatives = ph_check3_data_of(problem, PH_F_DERIVATIVES),
       .planarity =
           planarity->kind == PH_NUMBER ? planarity->number : PH_PLANARITY};
   enum ph_status status;
-  (void)scratch;
   c.at.curve = curve;
   if (!all_joined(&c)) {
     return ph_fail(diag, PH_INTERNAL, "points",

@@ -49,6 +49,7 @@ enum knots { GEODESIC, UNIFORM, NUMBERS };
 enum ends { NATURAL, REST, CLAMPED };
 
 struct context {
+  const struct ph_arena *arena; /* knows how much time there is */
   const struct ph_problem *problem;
   const struct ph_curve *curve;
   const struct ph_value *points;
@@ -397,6 +398,9 @@ static enum ph_status check_curve(struct context *c, struct checks *checks,
     } else {
       status = check_node(c, &node, checks, diag);
     }
+    if (ph_arena_late(c->arena)) {
+      status = ph_fail_memory(diag);
+    }
     if (status == PH_OK) {
       status = check_segment(c, now, h, k, checks, diag);
     }
@@ -566,7 +570,7 @@ enum ph_status ph_check_sphere(const struct ph_problem *problem,
                                struct ph_arena *scratch,
                                struct ph_diagnostics *diagnostics,
                                struct ph_diag *diag) {
-  struct context c = {.problem = problem, .curve = curve};
+  struct context c = {.arena = scratch, .problem = problem, .curve = curve};
   struct checks checks = {.sphere = {.what = PH_D_SPHERE_ERROR},
                           .point = {.what = PH_D_INTERPOLATION_ERROR},
                           .joint = {.what = PH_D_CONTINUITY_ERROR},
@@ -574,7 +578,6 @@ enum ph_status ph_check_sphere(const struct ph_problem *problem,
                           .jump = {.what = PH_D_CURVATURE_JUMP},
                           .length = {.what = PH_D_LENGTH_ERROR}};
   enum ph_status status;
-  (void)scratch;
   if (!read_problem(&c)) {
     return ph_fail(diag, PH_INTERNAL, "segments",
                    "are not one for each pair of neighbouring points");

@@ -135,7 +135,7 @@ static void check_between(struct ph_tc_check *c, const struct ph_tc_wanted *w,
 static void check_intervals(struct ph_tc_check *c,
                             const struct ph_tc_wanted *w) {
   struct interval start, before, now = {.k = 0};
-  for (size_t k = 0; k < w->n; k++) {
+  for (size_t k = 0; k < w->n && !(k > 0 && ph_arena_late(c->arena)); k++) {
     now.k = k;
     now.n = count(w, c, k, now.first);
     for (size_t i = 0; i < now.n; i++) {
@@ -224,7 +224,7 @@ enum ph_status ph_check_tc(const struct ph_problem *problem,
   if (points->kind != PH_VECTORS || points->dimension != 2 || points->n < 2) {
     return ph_fail(diag, PH_INTERNAL, "points", "are not in the plane");
   }
-  status = ph_tc_check_begin(&c, curve, points->v, points->n, diag);
+  status = ph_tc_check_begin(&c, curve, scratch, points->v, points->n, diag);
   if (status == PH_OK) {
     status = ph_tc_wanted_of(problem, &c, &wanted, diag);
   }

@@ -233,7 +233,8 @@ static void check_cubics(struct context *x) {
   const struct ph_curve *curve = x->c.curve;
   struct ph_tc_cubic start, before, now;
   struct joint joint = {.on = true, .t = 1};
-  for (size_t k = 0; k < curve->n; k++) {
+  for (size_t k = 0; k < curve->n && !(k > 0 && ph_arena_late(x->c.arena));
+       k++) {
     struct joint end;
     now = ph_tc_check_load(&x->c, k);
     ph_tc_check_cubic(&x->c, &now, k);
@@ -354,7 +355,7 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
       chain->dimension != 2 || least < 2) {
     return ph_fail(diag, PH_INTERNAL, "curve", "is none in the plane");
   }
-  status = ph_tc_check_begin(&x->c, curve, chain->v, chain->n, diag);
+  status = ph_tc_check_begin(&x->c, curve, scratch, chain->v, chain->n, diag);
   if (status != PH_OK) {
     return status;
   }

@@ -26,9 +26,11 @@ static const double STANDING = 1e-12;
 
 enum ph_status ph_tc_check_begin(struct ph_tc_check *c,
                                  const struct ph_curve *curve,
+                                 const struct ph_arena *arena,
                                  const double *points, size_t n,
                                  struct ph_diag *diag) {
-  *c = (struct ph_tc_check){.curve = curve,
+  *c = (struct ph_tc_check){.arena = arena,
+                            .curve = curve,
                             .point = {.what = PH_D_INTERPOLATION_ERROR},
                             .tangent = {.what = PH_D_TANGENT_ERROR},
                             .derivative = {.what = PH_D_END_DERIVATIVE_ERROR},

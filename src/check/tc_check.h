@@ -22,6 +22,7 @@
 
 /* A curve and what was found of it so far. */
 struct ph_tc_check {
+  const struct ph_arena *arena; /* knows how much time there is */
   const struct ph_curve *curve;
   struct ph_check_scale scale;
   struct ph_quad rule;
@@ -45,12 +46,14 @@ struct ph_tc_cubic {
 /*
  * ph_tc_check_begin: a finite curve of cubics, by the scale of these points.
  *
+ * in   arena  knows how much time there is
  * in   points[n][2]
  * ret  PH_OK | PH_TOO_LARGE | PH_INTERNAL (it is no such curve, or they have no
  *      extent) | PH_NO_MEMORY
  */
 enum ph_status ph_tc_check_begin(struct ph_tc_check *c,
                                  const struct ph_curve *curve,
+                                 const struct ph_arena *arena,
                                  const double *points, size_t n,
                                  struct ph_diag *diag);
 

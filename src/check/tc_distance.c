@@ -60,7 +60,8 @@ bool ph_check_distance_begin(struct ph_check_distance *d,
                              struct ph_arena *arena, size_t degree,
                              double allowed) {
   size_t size = (degree > COMPOSED ? degree : COMPOSED) + 1;
-  *d = (struct ph_check_distance){.size = size, .allowed = allowed};
+  *d = (struct ph_check_distance){
+      .arena = arena, .size = size, .allowed = allowed};
   d->room = ph_arena_array(arena, ROOM, size * sizeof *d->room);
   return d->room != NULL;
 }
@@ -270,6 +271,7 @@ static void sample(struct ph_check_distance *d, const struct part *part,
 static bool is_done(const struct ph_check_distance *d, double bound,
                     double floor, size_t depth) {
   return bound <= floor || depth == DEPTH || d->parts >= PARTS ||
+         ph_arena_late(d->arena) ||
          (bound <= d->allowed + d->noise &&
           bound <= GOOD * d->sampled + 2 * d->noise);
 }

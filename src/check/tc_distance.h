@@ -33,6 +33,7 @@
 #include <stddef.h>
 
 struct ph_check_distance {
+  const struct ph_arena *arena; /* knows how much time there is */
   ph_cplx *room;
   size_t size;    /* coefficients in each part of the room */
   double allowed; /* more than that need not be told apart */

@@ -182,7 +182,7 @@ void ph_check_tensions(struct ph_check *v) {
   struct context c = {.v = v};
   struct ph_check_segment first, s[2];
   size_t n = v->curve->n;
-  for (size_t k = 0; k < n; k++) {
+  for (size_t k = 0; k < n && !(k > 0 && ph_arena_late(v->scratch)); k++) {
     struct ph_check_segment *now = &s[k & 1];
     ph_check_load(v, k, now);
     c.rounding = 3 * DBL_EPSILON + v->scale.rounding / now->radius;

@@ -33,7 +33,10 @@ static void check_segments(struct ph_check *v) {
   struct ph_check_segment first, s[2];
   for (size_t k = 0; k < c->n; k++) {
     struct ph_check_segment *now = &s[k & 1];
-    v->noise[k] = 0;
+    v->noise[k] = v->length[k] = 0;
+    if (k > 0 && ph_arena_late(v->scratch)) {
+      continue;
+    }
     ph_check_load(v, k, now);
     ph_check_square(v, now);
     v->length[k] = ph_check_length_of(v, now, 0, 1);
@@ -48,10 +51,20 @@ static void check_segments(struct ph_check *v) {
   }
 }
 
-/* What was made of the curve of the record. */
+/* What its kind asks for. */
+static void check_whole(struct ph_check *v) {
+  if (v->kind->whole) {
+    v->kind->whole(v);
+  }
+}
+
+/* What was made of it, if it is the curve of the record. */
 static void check_derived(struct ph_check *v) {
   const struct ph_result *claim = v->claim;
   double length, error;
+  if (v->curve != &claim->curve) {
+    return;
+  }
   if (claim->samples.n > 0) {
     ph_check_samples(v, &claim->samples, NULL, &length, &error);
   }
@@ -64,6 +77,9 @@ static void check_derived(struct ph_check *v) {
 
 /* A curve, alone or one of several solutions. */
 static enum ph_status check_curve(struct ph_check *v) {
+  static void (*const parts[])(struct ph_check *) = {
+      check_segments, ph_check_lengths,  ph_check_fairness,
+      check_whole,    ph_check_blaschke, check_derived};
   size_t n = v->curve->n;
   v->kind = &ph_check_kinds[v->curve->kind];
   if (!ph_check_arrays(v) || !begin_curve(v)) {
@@ -74,15 +90,11 @@ static enum ph_status check_curve(struct ph_check *v) {
   if (!v->length || !v->noise) {
     return ph_fail_memory(v->diag);
   }
-  check_segments(v);
-  ph_check_lengths(v);
-  ph_check_fairness(v);
-  if (v->kind->whole) {
-    v->kind->whole(v);
-  }
-  ph_check_blaschke(v);
-  if (v->curve == &v->claim->curve) {
-    check_derived(v);
+  for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+    parts[i](v);
+    if (ph_arena_late(v->scratch)) {
+      return ph_fail_memory(v->diag);
+    }
   }
   return ph_check_solves(v);
 }
@@ -151,7 +163,7 @@ ph_check_result(const struct ph_result *claim, const struct ph_problem *problem,
   struct ph_mark mark = ph_arena_mark(scratch);
   enum ph_status status;
   *verdict = (struct ph_verdict){.worst = PH_CHECK_N};
-  if (!ph_check_rule_of(&v.rule) || !ph_quad_gauss(&v.fine, 16)) {
+  if (!ph_check_rule_of(&v.rule, scratch) || !ph_quad_gauss(&v.fine, 16)) {
     return ph_fail_memory(diag);
   }
   status = check_curve(&v);

@@ -310,7 +310,7 @@ static size_t json_line(const struct ph_record *record, const char *path) {
   size_t line = record->line;
   const char *place = record->text;
   struct ph_json_item item;
-  bool found = find(record->text, record->n, path, name_n, 0, &item);
+  bool found = name_n && find(record->text, record->n, path, name_n, 0, &item);
   for (path += name_n; found; path = strchr(path, ']') + 1) {
     place = item.value;
     if (*path != '[' || !strchr(path, ']')) {

@@ -28,11 +28,25 @@ static size_t extend(struct ph_json_reader *r, const char *format, ...) {
   return mark;
 }
 
+static void exhausted(struct ph_json_reader *r) {
+  if (r->status == PH_OK) {
+    r->status = ph_fail_memory(r->diag);
+  }
+}
+
+/* Looks at the time. */
+static void look(struct ph_json_reader *r) {
+  if (ph_arena_late(r->arena)) {
+    exhausted(r);
+  }
+}
+
 size_t ph_read_enter(struct ph_json_reader *r, const char *name) {
   return extend(r, "%s%s", r->n ? "." : "", name);
 }
 
 size_t ph_read_enter_at(struct ph_json_reader *r, size_t index) {
+  look(r);
   return extend(r, "[%zu]", index);
 }
 
@@ -52,12 +66,6 @@ void ph_read_fail(struct ph_json_reader *r, enum ph_status status,
   vsnprintf(message, sizeof message, format, args);
   va_end(args);
   r->status = ph_fail(r->diag, status, r->n ? r->path : NULL, "%s", message);
-}
-
-static void exhausted(struct ph_json_reader *r) {
-  if (r->status == PH_OK) {
-    r->status = ph_fail_memory(r->diag);
-  }
 }
 
 void *ph_read_array_of(struct ph_json_reader *r, size_t n, size_t size) {
@@ -139,10 +147,11 @@ size_t ph_read_size(struct ph_json_reader *r, const struct ph_json_item *from) {
     return 0;
   }
   ph_json_walk_init(&walk, from->value, from->value_n);
-  while (ph_json_walk_next(&walk, &item)) {
+  while (r->status == PH_OK && ph_json_walk_next(&walk, &item)) {
+    look(r);
     n++;
   }
-  return n;
+  return r->status == PH_OK ? n : 0;
 }
 
 /* ---- single values ----------------------------------------------------- */

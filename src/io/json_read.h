@@ -4,9 +4,9 @@
  * sizes they must have.
  *
  * The reader knows where it is (segments[2].interval[1]) and says so when it
- * fails.  A failure is remembered in `status' and makes every later call a
- * no-op, so that whoever reads checks once, at the end, or before memory that
- * may not be there is touched.
+ * fails.  A failure, as that there is no more time, is remembered in `status'
+ * and makes every later call a no-op, so that whoever reads checks once, at the
+ * end, or before memory that may not be there is touched.
  */
 #ifndef PH_IO_JSON_READ_H
 #define PH_IO_JSON_READ_H

@@ -191,24 +191,75 @@ mv out late.out
 run planar good.jsonl
 equal_files 'results do not depend on the limit' out late.out
 
-# hard COMMAND FIELD: a problem that takes seconds, by points of an awk program,
-# ends soon after its time
-hard() {
-  awk -v field="$2" 'BEGIN {
-    printf "{\"%s\":[", field
-    for (i = 0; i < 3000; i++) printf "%s[%.9f,%.9f]", i ? "," : "", i / 10, \
-      20 * sin(i * i / 9)
-    print "]}"
-  }' >hard.json
-  began=$(date +%s)
-  run "$1" --time-limit=0.1 "$3" hard.json
-  expect "$1, a hard problem" 1 "phspline: hard.json:1: record 1: the record takes \
-longer than the 0.1 seconds of --time-limit [limit]
-$(failed 1 1)"
-  true_that "$1, a hard problem: it ends soon" [ $(($(date +%s) - began)) -lt 10 ]
+# used: the processor time of all runs so far, in milliseconds
+used() {
+  times >times.out
+  sed -n 2p times.out | tr 'ms' '  ' |
+    awk '{ printf "%d\n", 60000 * ($1 + $3) + 1000 * ($2 + $4) }'
 }
-hard sphere lonlat --shape=true
-hard arclength points --refine=3
+
+# hard NAME COMMAND EASY HARD ARGUMENT...: between two records that are easy one
+# that would take 2 seconds and more ends soon after its time, wherever it is
+hard() {
+  name=$1 command=$2
+  printf '%s\n' "$3" "$4" "$3" >hard.json
+  shift 4
+  began=$(used)
+  run "$command" -j 1 --time-limit=0.05 "$@" hard.json
+  took=$(($(used) - began))
+  expect "$name" 1 "phspline: hard.json:2: record 2: the record takes longer \
+than the 0.05 seconds of --time-limit [limit]
+$(failed 1 3)"
+  equal "$name: the records" '"ok" "error" "ok"' "$(get status)"
+  true_that "$name: it ends soon, after $took ms" [ $took -lt 1000 ]
+}
+
+# zigzag N DIMENSION, ball N: problems
+zigzag() {
+  awk -v n="$1" -v d="$2" 'BEGIN {
+    printf "{\"points\":["
+    for (i = 0; i < n; i++) {
+      printf "%s[%.9g,%.9f", i ? "," : "", i / 10, 20 * sin(i * i / 9)
+      printf "%s]", d == 3 ? sprintf(",%.9f", 9 * cos(i * i / 7)) : ""
+    }
+    print "]}"
+  }'
+}
+ball() {
+  awk -v n="$1" 'BEGIN {
+    printf "{\"lonlat\":["
+    for (i = 0; i < n; i++) printf "%s[%.9f,%.9f]", i ? "," : "", 300 * i / n, \
+      20 * sin(i)
+    print "]}"
+  }'
+}
+space='{"points":[[0,0,0],[1,1,0],[2,0,1]]}'
+sphere='{"lonlat":[[0,0],[20,10],[40,0]]}'
+curve='{"curve":[[0,0],[1,1],[2,0],[3,1]]}'
+hard 'planar, all solutions' planar "$good" "$(zigzag 13 2)" --solutions=all
+hard 'planar, the fairest' planar "$good" "$(zigzag 3000 2)" --minimize=IES
+line='{"points":[[0,0],[1,1]]}'
+hard 'planar, chords' planar "$line" "$(zigzag 3000 2)" --chord-error=1e-12 \
+  --max-samples=1e9
+hard 'planar, chords of offsets' planar "$line" "$(zigzag 3000 2)" -d 0.1 \
+  --chord-error=1e-12 --max-samples=1e9
+hard 'in space, F1' spatial-hermite "$space" "$(zigzag 3000 3)" --criterion=F1
+hard 'in space, F3 and alpha' spatial-hermite "$space" "$(zigzag 3000 3)" \
+  --criterion=F3 --basis=atph
+hard 'lengths' arclength "$space" "$(zigzag 6000 3)" --refine=3
+hard 'lengths, all minima' arclength "$space" "$(zigzag 300 3)" --all_minima \
+  --starts=30
+hard 'sphere' sphere "$sphere" "$(ball 3000)"
+hard 'sphere, nielson' sphere "$sphere" "$(ball 3000)" --model=nielson
+hard 'sphere, increases' sphere "$sphere" "$(ball 3000)" --increase=plus:0.01 \
+  --shape=warn
+hard 'cubics near a curve' tc "$curve" \
+  "$(zigzag 400 2 | sed 's/points/curve/')" --mode=approximate \
+  --tolerance=1e-4
+mv hard.json problems.json
+run tc --mode=approximate --tolerance=0.03 problems.json
+hard 'verify cubics near a curve' verify "$(sed -n 1p out)" "$(sed -n 2p out)" \
+  --problems=problems.json
 
 # ---- verify ------------------------------------------------------------------
 

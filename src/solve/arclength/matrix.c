@@ -283,14 +283,14 @@ static inline void add_interval(const struct ph_arc_system *s, size_t i,
 }
 
 /* The Hessian of the functional and the rows of intervals, of knots, shift and
- * pin. */
+ * pin.  This and what follows is not complete when time is over. */
 static void add_hessian(const struct ph_arc_system *s, const double *x,
                         const double *y, const struct ph_arc_weights *weights,
                         const struct target *t) {
   size_t n = s->data->n, dim = s->dim;
   bool knots = y && s->knot_rows > 0 && !s->direction;
   double f = weights->functional;
-  for (size_t i = 0; i < n; i++) {
+  for (size_t i = 0; i < n && !ph_arena_late(s->arena); i++) {
     if (ph_arc_wraps(s, i)) {
       add_wrapped(s, i, x, y, f, t);
     } else if (dim == 4) { /* a constant for the compiler */
@@ -342,7 +342,7 @@ static void add_rows(const struct ph_arc_system *s,
                      const struct ph_arc_linear *linear,
                      const struct target *t) {
   size_t n = s->data->n, local = ph_arc_local(s), dim = s->dim;
-  for (size_t i = 0; s->forms_n > 0 && i < n; i++) {
+  for (size_t i = 0; s->forms_n > 0 && i < n && !ph_arena_late(s->arena); i++) {
     uint32_t places[PH_ARC_LOCAL];
     const uint32_t *place = node_places(s, i, t, places);
     for (size_t k = 0; k < s->forms_n; k++) {
@@ -412,7 +412,7 @@ static void add_penalty(const struct ph_arc_system *s,
                         const struct target *t) {
   size_t n = s->data->n, local = ph_arc_local(s), dim = s->dim;
   double weight[4] = {rho, rho, rho, rho};
-  for (size_t i = 0; s->forms_n > 0 && i < n; i++) {
+  for (size_t i = 0; s->forms_n > 0 && i < n && !ph_arena_late(s->arena); i++) {
     uint32_t places[PH_ARC_LOCAL];
     const uint32_t *place = node_places(s, i, t, places);
     const double *row = linear->rows + i * s->forms_n * local;

@@ -145,12 +145,13 @@ static bool is_positive(const struct ph_arc_system *s, struct ph_arc_newton *w,
       *ph_sym_at(w->penalised, s->order_band, k, k) += ROUNDING * most;
     }
   }
-  return ph_sym_factor(w->penalised, s->x_n, s->order_band);
+  return !ph_arena_late(w->arena) &&
+         ph_sym_factor(w->penalised, s->x_n, s->order_band);
 }
 
 /* Whether the Hessian, shifted, is positive definite on the null space of J. */
 static bool is_convex(struct state *t) {
-  for (size_t k = 0; k < 3; k++) {
+  for (size_t k = 0; k < 3 && !ph_arena_late(t->w->arena); k++) {
     if (is_positive(t->s, t->w, t->p->x, t->p->y, t->shift,
                     PENALTY[k % 2] * (1 + t->y_size), k == 2)) {
       return true;
@@ -164,11 +165,12 @@ static bool find_step(struct state *t) {
   const struct ph_arc_system *s = t->s;
   struct ph_arc_newton *w = t->w;
   const struct ph_arc_point *p = t->p;
-  while (t->shift <= SHIFT_MAX) {
+  while (t->shift <= SHIFT_MAX && !ph_arena_late(w->arena)) {
     struct ph_arc_weights weights = {1, t->shift, PIN};
     if (t->near || is_convex(t)) {
       ph_arc_kkt(s, p->x, p->y, &w->linear, &weights, w->kkt);
-      if (ph_band_factor(w->kkt, w->pivot, s->kkt_n, s->kkt_band)) {
+      if (!ph_arena_late(w->arena) &&
+          ph_band_factor(w->kkt, w->pivot, s->kkt_n, s->kkt_band)) {
         for (size_t k = 0; k < s->x_n; k++) {
           w->step[s->place_x[k]] = -w->linear.l_x[k];
         }
@@ -278,7 +280,7 @@ static double search(struct state *t) {
          far = change(t);
   double step = far < STEP_MAX ? 1 : STEP_MAX / far;
   double noise = t->noise + 1e-14 * before;
-  while (step > STEP_MIN) {
+  while (step > STEP_MIN && !ph_arena_late(w->arena)) {
     double *swap;
     ph_arc_retract(s, t->p->x, w->dx, step, w->x[0]);
     if (merit(t, w->x[0]) <= before + ARMIJO * step * down + noise) {
@@ -414,7 +416,7 @@ bool ph_arc_is_minimum(const struct ph_arc_system *s,
                        struct ph_arc_newton *work, const double *x,
                        const double *y) {
   ph_arc_linearise(s, x, y, &work->linear);
-  for (size_t k = 0; k < 5; k++) {
+  for (size_t k = 0; k < 5 && !ph_arena_late(work->arena); k++) {
     if (is_positive(s, work, x, y, 0, PROOF[k % 4], k == 4)) {
       return true;
     }

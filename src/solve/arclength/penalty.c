@@ -268,7 +268,7 @@ static bool advance(struct search *g) {
   struct ph_arc_region *region = &g->w->region;
   double above = 0;
   set_model(g);
-  for (size_t k = 0; k < REFUSALS; k++) {
+  for (size_t k = 0; k < REFUSALS && !ph_arena_late(g->w->arena); k++) {
     double gain;
     if (!ph_arc_region_step(region, g->radius, above)) {
       return false;

@@ -243,7 +243,7 @@ static void approach(struct run *run, const struct kind *kind) {
   judge_white(run);
 }
 
-/* Tries a start; false: no memory. */
+/* Tries a start; false: no memory, or no time. */
 static bool try_start(struct run *run, const struct kind *kind) {
   struct ph_arc_search *search = run->search;
   const struct ph_arc_system *s = &search->system;
@@ -256,6 +256,9 @@ static bool try_start(struct run *run, const struct kind *kind) {
   memset(p->y, 0, s->y_n * sizeof *p->y);
   p->iterations = 0;
   p->converged = p->minimiser = false;
+  if (ph_arena_late(run->arena)) {
+    return false;
+  }
   ph_arc_twist(s, kind->twist, p->x);
   if (kind->wave > 0) {
     run->state = kind->seed > 0 ? kind->seed : run->state;

@@ -234,7 +234,8 @@ bool ph_arc_system_of(const struct ph_arc_data *data, size_t refine, size_t dim,
                       bool exact, struct ph_arena *arena,
                       struct ph_arc_system *s) {
   size_t n = data->n;
-  *s = (struct ph_arc_system){.data = data,
+  *s = (struct ph_arc_system){.arena = arena,
+                              .data = data,
                               .refine = refine,
                               .dim = dim,
                               .segments = n * refine,

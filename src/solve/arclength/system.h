@@ -231,6 +231,7 @@ enum {
 };
 
 struct ph_arc_system {
+  const struct ph_arena *arena; /* knows how much time there is */
   const struct ph_arc_data *data;
   size_t refine;
   size_t dim;

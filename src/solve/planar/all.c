@@ -90,6 +90,7 @@ struct family {
   const struct attempt *attempts; /* [ATTEMPTS] */
   ph_cplx gamma;                  /* of the present one */
   struct ph_tri tri;
+  const struct ph_arena *arena; /* knows how much time there is */
 };
 
 /* A point of a path, with its derivative. */
@@ -262,7 +263,7 @@ static bool follow(struct family *s, size_t signs, double wanted, ph_cplx *x) {
   struct point room[3], *before = NULL, *here = &room[0], *next = &room[1];
   double dt = STEP_FIRST;
   start(s, signs, here);
-  for (int i = 0; i < STEPS_MAX; i++) {
+  for (int i = 0; i < STEPS_MAX && !ph_arena_late(s->arena); i++) {
     double error, factor;
     bool good;
     next->t = here->t + dt < 1 ? here->t + dt : 1;
@@ -361,11 +362,13 @@ static bool is_near(const ph_cplx *a, const ph_cplx *b, size_t n,
 /*
  * Finds the ends that are the same.
  *
- * ret  solutions: ends, and a simple root but once
+ * in   arena  knows how much time there is
+ * ret  solutions: ends, and a simple root but once; fewer without time
  */
-static size_t ends_compare(struct ends *ends, size_t n) {
+static size_t ends_compare(struct ends *ends, size_t n,
+                           const struct ph_arena *arena) {
   size_t solutions = 0;
-  for (size_t i = 0; i < ends->n; i++) {
+  for (size_t i = 0; i < ends->n && !ph_arena_late(arena); i++) {
     bool counts = true;
     for (size_t j = 0; j < i; j++) {
       if (fabs(ends->key[i] - ends->key[j]) <= ends->key_apart &&
@@ -399,8 +402,8 @@ static enum ph_status follow_all(const struct ph_planar_c2 *c2,
     for (size_t j = 0; j < n && arrived; j++) {
       b[j] = ph_cplx_scale(family->term[j].unit, b[j]);
     }
-    if (arrived && polish(c2, &family->tri, b) &&
-        !ends_add(ends, c2, scratch)) {
+    if (ph_arena_late(scratch) || (arrived && polish(c2, &family->tri, b) &&
+                                   !ends_add(ends, c2, scratch))) {
       return ph_fail_memory(diag);
     }
   }
@@ -439,7 +442,7 @@ static enum ph_status solve_twist(const struct ph_planar_c2 *c2,
     if (status != PH_OK) {
       return status;
     }
-    solutions = ends_compare(ends, family->n);
+    solutions = ends_compare(ends, family->n, scratch);
     all->paths += paths;
     best = solutions > best ? solutions : best;
     if (solutions == paths) {
@@ -456,6 +459,7 @@ static bool allocate(size_t unknowns, size_t paths, size_t curves,
                      struct ph_arena *out, struct ph_arena *scratch,
                      struct family *family, struct ends *ends,
                      struct ph_planar_all *all) {
+  family->arena = scratch;
   ends->b = ph_arena_array(scratch, paths * unknowns, sizeof *ends->b);
   ends->key = ph_arena_array(scratch, paths, sizeof *ends->key);
   ends->apart = ph_arena_array(scratch, paths, sizeof *ends->apart);

@@ -125,11 +125,12 @@ static bool turns_sharply(const struct ph_planar_c2 *c2) {
 
 /* E L, which is the same for every scale; of a curve that stands still, which
  * has none, more than of any other. */
-static double fairness(const struct ph_curve *curve) {
+static double fairness(const struct task *t, const struct ph_curve *curve) {
   struct ph_energy energy;
-  return !ph_energy_planar(curve, &energy) ? (double)NAN
-         : isfinite(energy.ies)            ? energy.ies
-                                           : DBL_MAX;
+  return ph_arena_late(t->scratch) || !ph_energy_planar(curve, &energy)
+             ? (double)NAN
+         : isfinite(energy.ies) ? energy.ies
+                                : DBL_MAX;
 }
 
 /*
@@ -167,7 +168,7 @@ static enum ph_status compare_starts(struct task *t) {
     return PH_OK;
   }
   other = curve.length;
-  if (fairness(&curve) < fairness(first)) {
+  if (fairness(t, &curve) < fairness(t, first)) {
     other = first->length;
     ph_planar_curve_fill(d, b, first, &t->loops);
     t->b = b;

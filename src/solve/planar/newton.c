@@ -195,7 +195,7 @@ static bool follow(struct ph_planar_c2 *c2, struct work *w,
   if (!newton(c2, w, true, NEWTON_CAP, iterations, m)) {
     return false;
   }
-  while (s < 1) {
+  while (s < 1 && !ph_arena_late(w->arena)) {
     size_t before = *iterations;
     double target = s + ds < 1 ? s + ds : 1;
     for (size_t i = 0; i < n; i++) {
@@ -220,7 +220,7 @@ static bool follow(struct ph_planar_c2 *c2, struct work *w,
       }
     }
   }
-  return true;
+  return !(s < 1);
 }
 
 static enum ph_status continuation(struct ph_planar_c2 *c2, struct work *w,

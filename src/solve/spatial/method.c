@@ -430,7 +430,8 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
     struct chosen chosen;
     enum ph_status status;
     chosen.root = ph_spatial_segment(&t->points, k, tension, &data);
-    status = fit_segment(t, k, &data, &best, diag);
+    status = ph_arena_late(t->scratch) ? ph_fail_memory(diag)
+                                       : fit_segment(t, k, &data, &best, diag);
     if (status != PH_OK) {
       return status;
     }

@@ -268,6 +268,7 @@ const struct ph_method ph_method_sphere = {
 /* ---- the curve ----------------------------------------------------------- */
 
 static enum ph_status set_segments(const struct ph_sphere_spline *s,
+                                   const struct ph_arena *arena,
                                    struct ph_curve *curve,
                                    struct ph_diag *diag) {
   const struct ph_sphere_data *d = s->data;
@@ -275,6 +276,9 @@ static enum ph_status set_segments(const struct ph_sphere_spline *s,
   for (size_t k = 0; k < d->m; k++) {
     struct ph_spherical segment = ph_sphere_segment(s, k);
     double length = ph_spherical_length(&segment, 1);
+    if (ph_arena_late(arena)) {
+      return ph_fail_memory(diag);
+    }
     if (isnan(length)) {
       return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
                         "has no length to 1e-12, as far as was found");
@@ -318,5 +322,5 @@ enum ph_status ph_sphere_curve(const struct ph_sphere_spline *s,
   memcpy(curve->sphere.tensions, s->nu, d->n * sizeof *curve->sphere.tensions);
   memcpy(curve->sphere.indicators, shape->q,
          d->n * sizeof *curve->sphere.indicators);
-  return set_segments(s, curve, diag);
+  return set_segments(s, arena, curve, diag);
 }

@@ -66,6 +66,10 @@ struct block {
   struct ph_lp_work lp;
 };
 
+static bool is_late(const struct block *b) {
+  return ph_arena_late(b->raise->work->arena);
+}
+
 /* ---- one set of tensions ------------------------------------------------- */
 
 static double sum_of(const struct block *b, const double *nu) {
@@ -312,13 +316,13 @@ static void minimise_block(struct block *b) {
   double box = BOX;
   keep(b);
   halve(b);
-  for (size_t i = 0; i < STEPS_MAX && box > BOX_MIN; i++) {
+  for (size_t i = 0; i < STEPS_MAX && box > BOX_MIN && !is_late(b); i++) {
     double sum = sum_of(b, b->nu), part = 0;
     if (!(sum > 0)) {
       return;
     }
     differentiate(b);
-    while (!(part > 0) && box > BOX_MIN) {
+    while (!(part > 0) && box > BOX_MIN && !is_late(b)) {
       part = go(b, box);
       box *= part < 1 ? SHRINK : 1;
     }
@@ -390,7 +394,7 @@ static void minimise_run(struct block *b, struct ph_sphere_range range,
   size_t blocks = (n + BLOCK_MAX - 1) / BLOCK_MAX;
   bool back = leans_back(s, range, raised, n);
   size_t end = sweep % 2 == 1 ? n / (2 * blocks) : n / blocks;
-  for (size_t i = 1, begin = 0; begin < n; i++) {
+  for (size_t i = 1, begin = 0; begin < n && !is_late(b); i++) {
     size_t first, last;
     b->q = end - begin;
     for (size_t j = 0; j < b->q; j++) {

@@ -122,7 +122,8 @@ static void add_tau(struct ph_block2_row *row, double tau) {
   row->di[3] += tau;
 }
 
-/* The equations at x; pushed into the system, with tau on the diagonal. */
+/* The equations at x; pushed into the system, with tau on the diagonal.  NaN
+ * when time is over: the system is not complete. */
 static struct miss evaluate(struct ph_sphere_spline *s,
                             struct ph_sphere_range range, double tau,
                             struct ph_sphere_work *work) {
@@ -153,6 +154,9 @@ static struct miss evaluate(struct ph_sphere_spline *s,
   }
   for (size_t j = 1; j + 1 < n; j++) {
     size_t i = ph_sphere_node(d, range, j);
+    if (ph_arena_late(work->arena)) {
+      return (struct miss){(double)NAN, (double)NAN};
+    }
     s->model->segment(s, i, true, &part[j % 2]);
     s->model->node(s, i, &part[(j + 1) % 2], &part[j % 2], true, &row);
     add_tau(&row, tau);
@@ -244,7 +248,9 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
 void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
                     struct ph_sphere_work *work) {
   double fraction;
-  evaluate(s, range, 0, work);
+  if (isnan(evaluate(s, range, 0, work).rms)) {
+    return;
+  }
   fraction = step_of(s, range, work);
   keep(s, range, work->before);
   move(s, range, work->before, (const double(*)[2])work->step, fraction);
@@ -353,7 +359,9 @@ static bool follow(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
 
 static bool relax(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
   for (size_t t = 0; t < sizeof TAU / sizeof TAU[0]; t++) {
-    for (size_t which = 0; s->model->start(s, which, work); which++) {
+    for (size_t which = 0;
+         !ph_arena_late(work->arena) && s->model->start(s, which, work);
+         which++) {
       if (relax_from(s, ph_sphere_all(s->data), TAU[t], work)) {
         return true;
       }

@@ -381,7 +381,7 @@ static bool start(struct ph_sphere_spline *s, size_t which,
                   struct ph_sphere_work *work) {
   hug(s);
   if (which == 0 && ph_sphere_all(s->data).count > 0) {
-    for (int i = 0; i < PICARD_STEPS; i++) {
+    for (int i = 0; i < PICARD_STEPS && !ph_arena_late(work->arena); i++) {
       picard(s, work);
     }
   }
@@ -396,7 +396,8 @@ static bool last_resort(struct ph_sphere_spline *s,
   struct ph_sphere_range all = ph_sphere_all(s->data);
   ph_vec3 *weight = work->before, *rest = work->kept;
   hug(s);
-  for (int sweep = 0; sweep < SWEEPS_MAX; sweep++) {
+  for (int sweep = 0; sweep < SWEEPS_MAX && !ph_arena_late(work->arena);
+       sweep++) {
     if (linearise(s, weight, rest) <= SWEPT) {
       break;
     }

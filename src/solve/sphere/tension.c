@@ -43,7 +43,7 @@ enum ph_sphere_criterion ph_sphere_violated(const struct ph_sphere_raise *raise,
   /* places 2 j and 2 j + 1: the segment before node j of the range, and the
    * node; then the segment after the last, if it is another one */
   size_t end = 2 * range.count + (range.count < d->n);
-  for (; *from < end; ++*from) {
+  for (; *from < end && !ph_arena_late(raise->work->arena); ++*from) {
     size_t i = ph_sphere_node(d, range, *from / 2);
     bool segment = *from % 2 == 0;
     size_t place = segment ? ph_sphere_before(d, i) : i;
@@ -312,7 +312,10 @@ enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
   raise->ranges[0] = ph_sphere_all(d);
   raise->ranges_n = raise->ranges[0].count > 0;
   while (status == PH_OK && raise->ranges_n > 0) {
-    if (raise->rounds == ROUNDS_MAX || ph_arena_late(scratch)) {
+    if (ph_arena_late(scratch)) {
+      return PH_NO_MEMORY;
+    }
+    if (raise->rounds == ROUNDS_MAX) {
       status = raise->waive ? PH_OK : PH_NO_CONVERGENCE;
       break;
     }

@@ -84,6 +84,7 @@ struct mesh {
 };
 
 struct evener {
+  const struct ph_arena *arena; /* knows how much time there is */
   const struct ph_tc_target *target;
   double tolerance;
   struct mesh best, tried, next;
@@ -150,6 +151,7 @@ static void swap(struct mesh *a, struct mesh *b) {
 
 /* One sweep: n parts by the counts of `old`, to s->tried. */
 static void sweep(struct evener *s, const struct mesh *old, size_t n) {
+  const struct ph_tc_patch none = {.n = 1, .distance = (double)INFINITY};
   struct mesh *m = &s->next;
   struct ph_tc_knot from;
   place(old, m, n);
@@ -158,7 +160,9 @@ static void sweep(struct evener *s, const struct mesh *old, size_t n) {
   for (size_t i = 0; i < n; i++) {
     struct ph_tc_knot to = ph_tc_knot_at(s->target, m->u[i + 1]);
     struct ph_tc_patch patch =
-        ph_tc_patch_of(s->target, &from, &to, PH_TC_ONE, s->tolerance);
+        ph_arena_late(s->arena)
+            ? none
+            : ph_tc_patch_of(s->target, &from, &to, PH_TC_ONE, s->tolerance);
     m->e[i] = patch.distance;
     m->cubics[i] = (unsigned char)patch.n;
     from = to;
@@ -230,8 +234,10 @@ static enum ph_status make_even(const struct ph_tc_target *target, size_t first,
                                 double tolerance, struct ph_tc_plan *plan,
                                 struct ph_diag *diag) {
   struct ph_arena scratch = ph_arena_beside(plan->arena);
-  struct evener s = {
-      .target = target, .tolerance = tolerance, .sweeps = SWEEPS};
+  struct evener s = {.arena = &scratch,
+                     .target = target,
+                     .tolerance = tolerance,
+                     .sweeps = SWEEPS};
   size_t n = plan->n - first;
   enum ph_status status = PH_OK;
   if (n < 2) {
@@ -281,6 +287,9 @@ static enum ph_status add_if_near(struct cover *c,
                             .distance = patch.distance,
                             .kind = kind,
                             .n = (unsigned)patch.n};
+  if (ph_arena_late(c->plan->arena)) {
+    return ph_fail_memory(c->diag);
+  }
   *near = patch.distance <= c->tolerance;
   *distance = patch.distance;
   return *near ? plan_add(c->plan, &part, c->diag) : PH_OK;
@@ -396,6 +405,7 @@ enum ph_status ph_tc_plan_curve(const struct ph_tc_target *target,
 enum { LEVELS = 31, VISITS = 100 };
 
 struct search {
+  const struct ph_arena *arena; /* knows how much time there is */
   size_t degree;
   double noise;  /* coefficients up to this size have no sign */
   ph_cplx *pool; /* [2 LEVELS + 3][degree + 1], values in re */
@@ -474,7 +484,7 @@ static void look(struct search *s, const ph_cplx *c, double from, double to,
   ph_cplx *left = s->pool + (2 * (size_t)depth + 1) * (s->degree + 1);
   ph_cplx *right = left + (s->degree + 1);
   double middle = (from + to) / 2;
-  if (!has_change(s, c) || s->visits == 0) {
+  if (!has_change(s, c) || s->visits == 0 || ph_arena_late(s->arena)) {
     return;
   }
   s->visits--;
@@ -497,7 +507,8 @@ enum ph_status ph_tc_inflections(const struct ph_tc_bezier *curve,
                                  struct ph_arena *arena, double *u, size_t *n,
                                  struct ph_diag *diag) {
   size_t m = curve->degree;
-  struct search s = {.u = u, .room = 2 * m, .visits = VISITS * m};
+  struct search s = {
+      .arena = arena, .u = u, .room = 2 * m, .visits = VISITS * m};
   struct ph_mark mark = ph_arena_mark(arena);
   double *binomial;
   *n = 0;

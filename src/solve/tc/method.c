@@ -36,7 +36,8 @@ static enum ph_status solve_one(const struct ph_tc_data *d,
       ph_tc_build_begin(&builder, d, out, &result->curve, diag);
   for (size_t k = 0; status == PH_OK && k < d->n; k++) {
     struct ph_tc_fit fit;
-    status = ph_tc_interval(d, k, &fit, diag);
+    status = ph_arena_late(out) ? ph_fail_memory(diag)
+                                : ph_tc_interval(d, k, &fit, diag);
     if (status == PH_OK) {
       ph_tc_build_add(&builder, &fit);
       ph_tc_crossings_see(crossings, k, &fit);

@@ -24,7 +24,7 @@ static double peak_area(const struct peak *p, double from, double to) {
 }
 
 PH_TEST(peaks) {
-  ck_assert(ph_check_rule_of(&rule));
+  ck_assert(ph_check_rule_of(&rule, &unit_arena));
   for (int e = 0; e <= 20; e++) {
     const struct peak peak = {0.4, ldexp(1, -e), 1, 0};
     const struct ph_check_integrands of = {peak_at, &peak, 1, 0, 0, 1e-13};
@@ -37,7 +37,7 @@ PH_TEST(peaks) {
 /* At an end, where no node is near, what is as uncertain as it is large is
  * found, and so is how uncertain it is. */
 PH_TEST(uncertain_peaks) {
-  ck_assert(ph_check_rule_of(&rule));
+  ck_assert(ph_check_rule_of(&rule, &unit_arena));
   for (int e = 0; e <= 20; e++) {
     for (double uncertain = 1e-3; uncertain < 2000; uncertain *= 10) {
       const struct peak peak = {e % 2 ? 0 : 1, ldexp(1, -e), 0.01, uncertain};
@@ -60,7 +60,7 @@ static void not_finite(const void *context, double x, double *value) {
 PH_TEST(no_number) {
   const struct ph_check_integrands of = {not_finite, NULL, 2, 0, 0, 1e-13};
   double sum[2];
-  ck_assert(ph_check_rule_of(&rule));
+  ck_assert(ph_check_rule_of(&rule, &unit_arena));
   ph_check_integral(&rule, &of, 0, 1, sum);
   ck_assert(isnan(sum[0]));
   ck_rel(sum[1], 1.0 / 3, 4 * DBL_EPSILON);

@@ -484,7 +484,7 @@ PH_TEST(test_astray) {
     ck_assert(ends_add(&ends, &f.data.c2, &f.u.scratch));
     ck_assert(ends.is_simple[i]);
   }
-  ck_assert_uint_eq(ends_compare(&ends, 6), 31);
+  ck_assert_uint_eq(ends_compare(&ends, 6, &f.u.scratch), 31);
   for (size_t i = 0; i < 32; i++) {
     ck_assert_uint_eq(ends.copies[i], i == 7 ? 2 : i == 31 ? 0 : 1);
   }
