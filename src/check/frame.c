@@ -7,8 +7,13 @@
 /* Steps from one sample to the next, then twice as many and so on, until no
  * more than this changes; where a tangent turns by more than that in one of
  * them, what the normal does is not known. */
-enum { STEPS = 4, STEPS_MAX = 512 };
+enum { STEPS = 4, STEPS_MAX = 2048 };
 static const double ENOUGH = 1e-8, TURN = 0.5;
+
+/* Changes fall by 16 where steps are twice as many.  As long as they do not, by
+ * half of that at least or to rounding, steps are too long for what happens in
+ * a short part, and a small change says nothing. */
+static const double FALL = 8, ROUNDING = 16 * DBL_EPSILON;
 
 /* What is carried along: a place and a normal. */
 struct carried {
@@ -53,21 +58,25 @@ static ph_vec3 carry(const struct ph_check_framing *f,
   return c.normal;
 }
 
-/* Their error falls by 16 where steps are twice as many. */
 static ph_vec3 transport(const struct ph_check_framing *f,
                          const struct ph_check_path *path, double to,
                          double *error) {
-  double tangents = 0;
+  double tangents = 0, last, apart = 0;
   ph_vec3 fine = carry(f, path, to, STEPS, &tangents), coarse, change;
   size_t steps = STEPS;
+  bool found = false;
   do {
     coarse = fine;
     steps *= 2;
     tangents = 0;
     fine = carry(f, path, to, steps, &tangents);
     change = ph_vec3_sub(fine, coarse);
-  } while (steps < STEPS_MAX && !(ph_vec3_abs(change) <= ENOUGH + tangents));
-  *error = f->error + ph_vec3_abs(change) + tangents;
+    last = apart;
+    apart = ph_vec3_abs(change);
+    found = apart <= ENOUGH + tangents &&
+            (FALL * apart <= last || apart <= ROUNDING * (double)steps);
+  } while (steps < STEPS_MAX && !found);
+  *error = found ? f->error + apart + tangents : HUGE_VAL;
   return ph_vec3_unit(ph_vec3_along(fine, 1.0 / 15, change));
 }
 

@@ -144,6 +144,18 @@ echo '{"points":[[55.6928477284,-132.09986533,-123.81445894337],
 made spatial-hermite --offset=-8e-7 --sample=2 <still
 verified 'an offset that turns at once' 1 --problems=still
 
+# frames that minimise rotation, where the curve turns in a short part of the way
+# from sample to sample
+echo '{"points":[[0,0,0],[1.75,5.2,-3.2],[1.6,4.78,-2.9],[1.94,5.8,-3.5]],
+  "tension":0.02}' >turn
+made spatial-hermite --chord-error=0.2 --frame=rmf <turn
+verified 'a frame past a sharp turn' 1 --problems=turn
+echo '{"points":[[16100,9640,-14242],[20350,13126,-16390]],
+  "derivatives":[[2000,1000,-900],[17060,13980,-8630]],"angles":[[2,0]],
+  "tension":0.01}' >turn
+made spatial-hermite --spacing=700 --frame=rmf <turn
+verified 'a frame past a sharp turn at the end' 1 --problems=turn
+
 # a hairpin, as narrow as the tolerance
 echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
   "tolerance":7e-5}' >hairpin
