@@ -277,12 +277,15 @@ struct ph_check_local ph_check_great_local(const struct ph_check_path *path,
 }
 
 /* Errors are those of the first order: where a speed may vanish they say
- * nothing. */
+ * nothing, and where r' x r'' may, nothing of the torsion. */
 struct ph_check_local ph_check_local_at(const struct ph_check_path *path,
                                         double u) {
   struct ph_check_local local = path->s->kind->local(path, u);
   if (!(local.speed_error < PH_CHECK_NO_DIRECTION * local.speed)) {
     local.curvature_error = local.torsion_error = HUGE_VAL;
+  }
+  if (!(local.flat < PH_CHECK_NO_DIRECTION)) {
+    local.torsion_error = HUGE_VAL;
   }
   return local;
 }

@@ -156,6 +156,14 @@ echo '{"points":[[16100,9640,-14242],[20350,13126,-16390]],
 made spatial-hermite --spacing=700 --frame=rmf <turn
 verified 'a frame past a sharp turn at the end' 1 --problems=turn
 
+# the torsion of a straight line is nothing but rounding, in offsets as well
+echo '{"points":[[900000,0,0],[0,900000,-700000]]}' >straight
+made spatial-hermite --offset=0.2,0 --sample=4 <straight
+verified 'a torsion of a straight line' 1 --problems=straight
+echo '{"points":[[0,0,0],[0.2,0.2,-0.5]],"basis":"atph"}' >straight
+made spatial-hermite --offset=0 --sample=4 <straight
+verified 'a torsion of a straight ATPH segment' 1 --problems=straight
+
 # a hairpin, as narrow as the tolerance
 echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
   "tolerance":7e-5}' >hairpin
