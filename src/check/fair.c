@@ -347,10 +347,16 @@ static double claimed_of(const struct ph_check *v, const struct claim *claim,
   return x;
 }
 
+/* How far a number is from what a claim must be; where that was not found, from
+ * what is claimed. */
 static double excess_of(const struct ph_check *v, const struct claim *claim,
                         double claimed) {
   double found = claimed_of(v, claim, ph_sum_value(&claim->total->sum));
   double error = claimed_of(v, claim, claim->total->error);
+  if (!isfinite(found + error) && ph_check_known(v, claim->which)) {
+    found = v->diagnostics->value[claim->which];
+    error = 0;
+  }
   return ph_check_excess(fabs(claimed - found), fabs(found),
                          error + CLAIMED * fabs(found));
 }

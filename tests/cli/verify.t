@@ -164,6 +164,12 @@ echo '{"points":[[0,0,0],[0.2,0.2,-0.5]],"basis":"atph"}' >straight
 made spatial-hermite --offset=0 --sample=4 <straight
 verified 'a torsion of a straight ATPH segment' 1 --problems=straight
 
+# F3 was minimised, which cannot be found where a segment is in a plane
+echo '{"points":[[0,0,0],[-1,-0.664054300770604,-1],[0,-1.06,-2]],
+  "tangents":[[0,0,-1],[0,1,0],[0,1,0]],"criterion":"F3"}' |
+  made spatial-hermite
+verified 'a functional that cannot be found' 1
+
 # a hairpin, as narrow as the tolerance
 echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
   "tolerance":7e-5}' >hairpin
