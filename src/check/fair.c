@@ -191,6 +191,17 @@ static struct ph_bracket dip_at(double (*f)(const void *, double),
   return b;
 }
 
+/* Whether rounding may make a segment straight at a place: then its torsion is
+ * anything there. */
+static bool is_straight(const struct ph_check_segment *s, double u) {
+  double noise = s->noise + PLANE * s->speed, error;
+  ph_vec3 jet[2];
+  ph_check_jet(s, u, jet, 2);
+  error = noise * (NEXT * ph_vec3_abs(jet[0]) + ph_vec3_abs(jet[1]));
+  return !(error <
+           PH_CHECK_NO_DIRECTION * ph_vec3_abs(ph_vec3_cross(jet[0], jet[1])));
+}
+
 /* Dips of |C| / sigma^2, where integrals are cut.
  *
  * out  cut[DIPS + 2]  0, dips, 1
@@ -270,13 +281,20 @@ static void integrate(const struct fair *fair, const struct ph_check_segment *s,
   struct integrand in = {.s = s, .plane = fair->v->curve->dimension == 2};
   double cut[DIPS + 2] = {0, 1}, depth = 1;
   size_t n = in.plane ? 2 : cuts_of(s, cut, &depth);
+  bool straight = false;
+  for (size_t i = 0; i < n; i++) {
+    straight = straight || is_straight(s, cut[i]);
+  }
   integrate_some(fair, &in, BENDING, VARYING, cut, n, value, error);
-  integrate_some(fair, &in, TWISTING, TWISTING, cut, n, value, error);
+  integrate_some(fair, &in, TWISTING, TWISTING, cut, straight ? 0 : n, value,
+                 error);
   integrate_some(fair, &in, TURNING, ABSOLUTE, cut, n, value, error);
   if (!in.plane) {
     error[BENDING] += CLOSED * value[BENDING];
     error[VARYING] += CLOSED * value[VARYING];
-    error[TWISTING] += (depth > INFLECTION ? CLOSED : PEAKED) * value[TWISTING];
+    error[TWISTING] +=
+        straight ? HUGE_VAL
+                 : (depth > INFLECTION ? CLOSED : PEAKED) * value[TWISTING];
   }
 }
 

@@ -170,6 +170,13 @@ echo '{"points":[[0,0,0],[-1,-0.664054300770604,-1],[0,-1.06,-2]],
   made spatial-hermite
 verified 'a functional that cannot be found' 1
 
+# a preimage that leaves the plane by rounding, near an inflection
+echo '{"points":[[253474000,-20267320,-65570277.253426574],
+  [253473960,-20267300,-65570277.253426574]],
+  "derivatives":[[0,2,0],[0,0.3,8e-12]]}' >flat
+made spatial-hermite <flat
+verified 'the torsion of a plane curve' 1 --problems=flat
+
 # a hairpin, as narrow as the tolerance
 echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
   "tolerance":7e-5}' >hairpin
