@@ -155,7 +155,7 @@ static double nearest(const struct context *x, size_t side, ph_vec3 p,
 
 /* The smallest distance to [from,to] of what belongs to cubic k, on grids
  * within two cells of the one before: no step fails where the curve turns back.
- */
+ * They end where steps do not fail any more. */
 static double zoom(const struct context *x, size_t side, ph_vec3 p, size_t k,
                    double from, double to) {
   double away = HUGE_VAL, best = from;
@@ -173,7 +173,7 @@ static double zoom(const struct context *x, size_t side, ph_vec3 p, size_t k,
     from = ph_check_larger(best - cell, 0);
     to = ph_check_smaller(best + cell, 1);
   }
-  return away;
+  return refine(x, side, p, k, best);
 }
 
 /* nearest_of, beside each point of the grid that is nearer than the next ones:

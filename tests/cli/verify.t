@@ -183,6 +183,10 @@ echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
 made tc <hairpin
 verified 'a hairpin approximated' 1 --problems=hairpin
 
+echo '{"curve":[[0,0],[0,3e-20],[0.000001,0]],"tolerance":3e-11}' >hairpin
+made tc <hairpin
+verified 'a curve that starts from rest approximated' 1 --problems=hairpin
+
 # on a great circle, where the curve turns back and forth again
 echo '{"points":[[1,0,0],[0.95,0.312,0],[0.796,0.605,0],[0.26,0.965,0],
   [-0.396,0.918,0],[-0.923,0.386,0],[-1,-0.02,0]],"closed":true,
