@@ -6,8 +6,9 @@
  */
 #include "check/checks.h"
 
-/* A jump is a gap if it is more than this of the size of the curve and the
- * distance together, which both sides of the claim may see by a factor of 2. */
+/* A jump is a gap if it is more than this of the size of the curve, which is
+ * that of its joints, and the distance together, which both sides of the claim
+ * may see by a factor of 2. */
 static const double LEAST = 1e-9;
 
 /* Arc lengths on both sides of a gap, of the whole. */
@@ -56,7 +57,8 @@ static struct ph_check_local at_end(struct context *c, size_t k, double u) {
 static bool check_jump(struct context *c, size_t k) {
   struct ph_check *v = c->v;
   const size_t n = v->curve->n;
-  const double size = v->scale.size + fabs(ph_check_scaled(v, c->o->distance));
+  const double size = ph_check_scaled(v, ph_curve_size(v->curve)) +
+                      fabs(ph_check_scaled(v, c->o->distance));
   const struct ph_check_local a = at_end(c, (k + n - 1) % n, 1);
   const struct ph_check_local b = at_end(c, k, 0);
   const double jump = ph_check_apart(a.point, b.point);

@@ -177,6 +177,13 @@ echo '{"points":[[253474000,-20267320,-65570277.253426574],
 made spatial-hermite <flat
 verified 'the torsion of a plane curve' 1 --problems=flat
 
+# a gap of the offset of a curve that is much larger than its points
+echo '{"points":[[0,0,0],[0,-0.4,-1],[0.1,0,0],[0,0,1.4],[-0.2,0.1,0]],
+  "closed":true,"derivatives":[[0,0,50],[0,0,-0.000005],[0,300,0],[0,-0.1,0],
+  [14000000,0,0]],"angles":[[0,3],[0,-2.4],[0,0.6],[0,-1],[0,-1.3]]}' >loop
+made spatial-hermite --offset=-0.004 <loop
+verified 'a gap beside a large loop' 1 --problems=loop
+
 # a hairpin, as narrow as the tolerance
 echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
   "tolerance":7e-5}' >hairpin
