@@ -19,8 +19,10 @@ enum { PLACES = 20, DEGREE_MAX = 15, SEARCH = 32 };
 static const double BETWEEN = 1.25;
 
 /* A cusp is printed to rounding of its parameter; slower changes of 1 - d kappa
- * are found less exactly. */
-static const double CUSP = 1e-9;
+ * are found less exactly.  What changes its sign there is the product of two
+ * speeds, of the curve and of the offset along it, and rounded a few times: the
+ * slower the curve is, the faster may the offset be. */
+static const double CUSP = 1e-9, ROUND_CUSP = 64 * DBL_EPSILON;
 
 struct context {
   struct ph_check *v;
@@ -334,7 +336,8 @@ static void check_cusp(struct context *c, size_t i) {
   struct ph_check *v = c->v;
   const struct ph_place *at = &c->o->cusps.at[i];
   struct ph_check_local local;
-  double u, speed;
+  ph_vec3 first;
+  double u, speed, slow;
   if (at->segment >= v->curve->n) {
     wrong(c, "cusps", i, "segment", "is not there");
     return;
@@ -347,10 +350,13 @@ static void check_cusp(struct context *c, size_t i) {
   }
   local = ph_check_local_at(&c->path, u);
   speed = ph_check_larger(c->segment.speed, local.speed);
+  ph_check_jet(&c->segment, u, &first, 1);
+  slow = ph_vec3_abs(first) / c->segment.speed;
   if (isfinite(local.along) &&
       !turns_at_joint(c, at->segment, u, local.along)) {
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("cusps", i, "t"),
-                  fabs(local.along), speed, CUSP * speed + local.along_error,
+                  fabs(local.along), speed,
+                  (CUSP + ROUND_CUSP / slow) * speed + local.along_error,
                   "is where the offset moves on");
   }
 }

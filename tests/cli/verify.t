@@ -184,6 +184,13 @@ echo '{"points":[[0,0,0],[0,-0.4,-1],[0.1,0,0],[0,0,1.4],[-0.2,0.1,0]],
 made spatial-hermite --offset=-0.004 <loop
 verified 'a gap beside a large loop' 1 --problems=loop
 
+# a cusp where the curve turns back, at distance 0
+echo '{"points":[[0,-8e183,0],[-1.98e185,-5.5e183,4.4e184],
+  [-2.922e184,-7.97e182,6.4504e183],[-6.8653e184,-1.901e183,1.517e184],
+  [1.59e184,4.674e182,-3.523e183]],"criterion":"hc"}' >back
+made spatial-hermite --offset=0 <back
+verified 'a cusp where the curve all but stands still' 1 --problems=back
+
 # a hairpin, as narrow as the tolerance
 echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
   "tolerance":7e-5}' >hairpin
