@@ -130,6 +130,11 @@ static void square_of(const struct ph_check *v,
   }
 }
 
+/* Far from the origin, the certificate lets values of r' be off by no more than
+ * part of the size of the curve (scale.c): Bernstein coefficients of degree 4
+ * are off by that many times as much then. */
+static const double COEFFICIENTS = 6;
+
 /* How far r' is from that of the claimed preimage. */
 static double preimage_miss(const struct ph_check *v,
                             const struct ph_check_segment *s) {
@@ -146,8 +151,9 @@ static double preimage_miss(const struct ph_check *v,
 void ph_check_square(struct ph_check *v, struct ph_check_segment *s) {
   const struct ph_curve *c = v->curve;
   double unit = ph_check_larger(s->speed, v->mean), miss = 0;
-  s->noise = PH_CHECK_ROUND_FIRST *
-             ph_check_smaller(v->kind->reach(v, s), v->scale.rounding);
+  s->noise =
+      PH_CHECK_ROUND_FIRST *
+      ph_check_smaller(v->kind->reach(v, s), COEFFICIENTS * v->scale.rounding);
   v->noise[s->k] = s->noise;
   if (!v->kind->square) {
     return;

@@ -184,6 +184,12 @@ echo '{"points":[[0,0,0],[0,-0.4,-1],[0.1,0,0],[0,0,1.4],[-0.2,0.1,0]],
 made spatial-hermite --offset=-0.004 <loop
 verified 'a gap beside a large loop' 1 --problems=loop
 
+# far from the origin, at the limit of what the certificate lets pass
+echo '{"points":[[2495112.461302111,262810.117817,-408608.6083],
+  [2495112.4613,262810.11781,-408608.6083]]}' >far
+made arclength <far
+verified 'three digits of a chord' 1 --problems=far
+
 # a cusp where the curve turns back, at distance 0
 echo '{"points":[[0,-8e183,0],[-1.98e185,-5.5e183,4.4e184],
   [-2.922e184,-7.97e182,6.4504e183],[-6.8653e184,-1.901e183,1.517e184],
