@@ -5,8 +5,9 @@
  */
 #include "gate.h"
 
-/* Runs, at most. */
-enum { RUNS = 4000 };
+/* Runs, at most, and seconds of them: those of what is slow to solve would keep
+ * a long run from going on. */
+enum { RUNS = 4000, SECONDS = 10 };
 
 struct shrink {
   struct gate_lab *lab;
@@ -14,14 +15,20 @@ struct shrink {
   struct gate_outcome *outcome;
   struct gate_case trial;
   size_t runs;
+  clock_t start;
 };
+
+static bool is_over(const struct shrink *s) {
+  return s->runs >= RUNS || clock() - s->start > SECONDS * CLOCKS_PER_SEC;
+}
 
 /* Whether the trial is wrong in the same way; then it takes the place. */
 static bool accept(struct shrink *s) {
   struct gate_outcome outcome;
-  if (s->runs++ >= RUNS) {
+  if (is_over(s)) {
     return false;
   }
+  s->runs++;
   gate_run(s->lab, &s->trial, GATE_CLOSELY, &outcome);
   gate_moved(s->lab, &s->trial, &outcome);
   if (outcome.fate != GATE_WRONG || strcmp(outcome.way, s->outcome->way) != 0) {
@@ -156,7 +163,8 @@ void gate_shrink(struct gate_lab *lab, struct gate_case *c,
   s.c = c;
   s.outcome = outcome;
   s.runs = 0;
-  while (again && s.runs < RUNS) {
+  s.start = clock();
+  while (again && !is_over(&s)) {
     again = without_options(&s);
     again = without_fields(&s) || again;
     again = without_points(&s) || again;
