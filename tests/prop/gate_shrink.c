@@ -5,6 +5,8 @@
  */
 #include "gate.h"
 
+#include <time.h>
+
 /* Runs, at most, and seconds of them: those of what is slow to solve would keep
  * a long run from going on. */
 enum { RUNS = 4000, SECONDS = 10 };
