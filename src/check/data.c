@@ -5,8 +5,6 @@
 #include "kernel/degree.h"
 #include "check/checks.h"
 
-#include <string.h>
-
 /* A joint is at a datum, where others are possible, within this of the size. */
 static const double AT_DATUM = 1e-9;
 
@@ -15,12 +13,6 @@ enum { ROUND_REPEATED = 64 };
 
 /* Rounding of a given vector and its products. */
 static const double ROUND_GIVEN = 8 * DBL_EPSILON;
-
-bool ph_check_is_word(const struct ph_check *v, enum ph_field_id id,
-                      const char *word) {
-  const struct ph_value *value = &v->problem->field[id];
-  return value->kind == PH_WORD && strcmp(value->word, word) == 0;
-}
 
 /* ---- which data ---------------------------------------------------------- */
 

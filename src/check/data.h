@@ -26,8 +26,10 @@ static inline const struct ph_value *ph_check_field(const struct ph_check *v,
 }
 
 /* ph_check_is_word: whether a field is a word. */
-bool ph_check_is_word(const struct ph_check *v, enum ph_field_id id,
-                      const char *word);
+static inline bool ph_check_is_word(const struct ph_check *v,
+                                    enum ph_field_id id, const char *word) {
+  return ph_value_is(&v->problem->field[id], word);
+}
 
 /*
  * ph_check_data_of: the intervals of the data.

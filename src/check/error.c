@@ -16,25 +16,16 @@ enum ph_status ph_check_conclude(const struct ph_check_error *check,
                     check->allowed);
 }
 
-static bool all_finite(const double *v, size_t n) {
-  for (size_t i = 0; i < n; i++) {
-    if (!isfinite(v[i])) {
-      return false;
-    }
-  }
-  return true;
-}
-
 enum ph_status ph_check_finite(const struct ph_curve *curve,
                                struct ph_diag *diag) {
   size_t n = curve->n, points = n * (curve->degree + 1) * curve->dimension;
   size_t preimage = n * curve->preimage.n * curve->preimage.dimension;
-  if (all_finite(curve->control_points, points) &&
-      all_finite(curve->preimage.v, preimage) &&
-      all_finite(curve->knots, n + 1) && all_finite(curve->lengths, n) &&
+  if (ph_are_finite(curve->control_points, points) &&
+      ph_are_finite(curve->preimage.v, preimage) &&
+      ph_are_finite(curve->knots, n + 1) && ph_are_finite(curve->lengths, n) &&
       isfinite(curve->length) &&
-      (!curve->preimage.alpha || all_finite(curve->preimage.alpha, n)) &&
-      (!curve->choice.tension || all_finite(curve->choice.tension, n))) {
+      (!curve->preimage.alpha || ph_are_finite(curve->preimage.alpha, n)) &&
+      (!curve->choice.tension || ph_are_finite(curve->choice.tension, n))) {
     return PH_OK;
   }
   return ph_fail(diag, PH_TOO_LARGE, NULL,

@@ -9,6 +9,8 @@
  */
 #include "check/checks.h"
 
+#include "kernel/bern.h"
+
 #include <string.h>
 
 /* Places of a piece, more than a quotient of degree 9 has coefficients, and of
@@ -45,18 +47,6 @@ static bool wrong(struct context *c, const char *list, size_t i,
 }
 
 /* ---- pieces ------------------------------------------------------------- */
-
-/* binomial(n, j) (1-x)^(n-j) x^j */
-static void bernstein(size_t n, double x, double *b) {
-  b[0] = 1;
-  for (size_t i = 1; i <= n; i++) {
-    b[i] = x * b[i - 1];
-    for (size_t j = i - 1; j > 0; j--) {
-      b[j] = (1 - x) * b[j] + x * b[j - 1];
-    }
-    b[0] *= 1 - x;
-  }
-}
 
 /* The normalised B-basis of <1, sin t, cos t, sin 2t, cos 2t>. */
 static void trigonometric(double angle, double u, double *b) {
@@ -140,7 +130,7 @@ static void check_rational(struct context *c, size_t i) {
     double b[DEGREE_MAX + 1];
     struct ph_check_local at;
     ph_vec3 found;
-    bernstein(o->degree, x, b);
+    ph_bern_basis(o->degree, x, b);
     found = scaled(v, combine(b, n, o->dimension, p, w));
     at = local_of(c, u, found);
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "control_points"),
@@ -233,7 +223,7 @@ static void check_beziers(struct context *c) {
       double b[DEGREE_MAX + 1];
       struct ph_check_local at = ph_check_local_at(&c->path, u);
       ph_vec3 found;
-      bernstein(of->degree, x, b);
+      ph_bern_basis(of->degree, x, b);
       found = scaled(v, combine(b, n, d, of->control_points + n * d * i, NULL));
       ph_check_miss(v, PH_CHECK_OFFSET,
                     ph_check_of("beziers", i, "control_points"),

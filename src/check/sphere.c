@@ -22,10 +22,10 @@
 #include "base/sum.h"
 #include "check/segment3.h"
 #include "check/shape_sphere.h"
+#include "check/spherical.h"
 #include "kernel/degree.h"
 
 #include <float.h>
-#include <string.h>
 
 /* Tolerances.  Points on the sphere and at the data, in units of the rounding
  * of a point; the same for the directions and legs at the ends. */
@@ -74,10 +74,6 @@ struct checks {
   enum ph_check_nu_fault fault; /* the first */
   size_t fault_at;
 };
-
-static bool is_word(const struct ph_value *value, const char *word) {
-  return value->kind == PH_WORD && strcmp(value->word, word) == 0;
-}
 
 static bool is_false(const struct ph_value *value) {
   return value->kind == PH_BOOL && !value->flag;
@@ -279,23 +275,16 @@ static void check_exact(const struct node *n, double nu,
                    3 * fabs(nu) / n->hr * b->leg_error);
 }
 
-/* The point at t on the great circle of the inner legs of a segment, t < 0 or
- * t > 1; adds what errors of its points are multiplied by. */
-static ph_vec3 beyond(const struct ph_check_nu_segment *s, double t,
-                      double *factor) {
-  double from = ph_s2_weight(1 - t, s->x[1]), to = ph_s2_weight(t, s->x[1]);
-  *factor += fabs(from) + fabs(to);
-  return ph_vec3_along(ph_vec3_scale(from, s->p[1]), to, s->p[2]);
-}
-
 /* (3) */
 static void check_nielson(const struct context *c, const struct node *n,
                           double nu, struct ph_check_error *tension) {
   double s = 2 * (n->hl + n->hr), gamma = s / (nu * n->hl * n->hr + s);
   double factor = 0;
-  ph_vec3 d = beyond(n->left, 1 + gamma * n->hr / n->hl, &factor);
+  ph_vec3 d = ph_check_great_beyond(n->left->p, n->left->x,
+                                    1 + gamma * n->hr / n->hl, &factor);
   ph_vec3 miss =
-      ph_vec3_sub(d, beyond(n->right, -gamma * n->hl / n->hr, &factor));
+      ph_vec3_sub(d, ph_check_great_beyond(n->right->p, n->right->x,
+                                           -gamma * n->hl / n->hr, &factor));
   ph_check_add(tension, n->i, ph_vec3_abs(miss), 1,
                SOLVED * ph_check_smaller(n->left->angle, n->right->angle) +
                    ROUND_TENSION * c->rounding * factor);
@@ -431,7 +420,7 @@ static enum ph_status check_shape(const struct context *c,
                                   struct ph_diag *diag) {
   const struct ph_value *shape = &c->problem->field[PH_F_SHAPE];
   if (checks->fault == PH_CHECK_NU_NO_FAULT || is_false(shape) ||
-      is_word(shape, "warn")) {
+      ph_value_is(shape, "warn")) {
     return PH_OK;
   }
   return ph_fail_at(
@@ -490,15 +479,15 @@ static bool read_problem(struct context *c) {
   size_t n = curve->closed ? curve->n : curve->n + 1;
   c->lonlat = field[PH_F_LONLAT].kind == PH_VECTORS;
   c->points = &field[c->lonlat ? PH_F_LONLAT : PH_F_POINTS];
-  c->exact = !is_word(&field[PH_F_MODEL], "nielson");
+  c->exact = !ph_value_is(&field[PH_F_MODEL], "nielson");
   c->moved = number_or(&field[PH_F_RADIUS_TOLERANCE], 1e-3);
   c->rule.epsilon = number_or(&field[PH_F_EPSILON], 0.01);
-  c->rule.legacy = is_word(&field[PH_F_CRITERION], "legacy");
-  c->knots = knots->kind == PH_NUMBERS   ? NUMBERS
-             : is_word(knots, "uniform") ? UNIFORM
-                                         : GEODESIC;
-  c->ends = is_word(ends, "rest") ? REST
-            : is_word(ends, "clamped") ||
+  c->rule.legacy = ph_value_is(&field[PH_F_CRITERION], "legacy");
+  c->knots = knots->kind == PH_NUMBERS       ? NUMBERS
+             : ph_value_is(knots, "uniform") ? UNIFORM
+                                             : GEODESIC;
+  c->ends = ph_value_is(ends, "rest") ? REST
+            : ph_value_is(ends, "clamped") ||
                     (ends->kind == PH_ABSENT && tangents->kind == PH_VECTORS)
                 ? CLAMPED
                 : NATURAL;
@@ -526,15 +515,6 @@ static bool is_sphere(const struct context *c) {
            c->curve->sphere.center[i] >= at;
   }
   return same;
-}
-
-static bool is_finite(const struct ph_curve *curve) {
-  size_t n = curve->closed ? curve->n : curve->n + 1;
-  bool finite = true;
-  for (size_t i = 0; i < n; i++) {
-    finite = finite && isfinite(curve->sphere.tensions[i]);
-  }
-  return finite;
 }
 
 /* The scale of everything, and what rounding can do. */
@@ -586,7 +566,7 @@ enum ph_status ph_check_sphere(const struct ph_problem *problem,
     return ph_fail(diag, PH_INTERNAL, "radius",
                    "or center is not that of the problem");
   }
-  if (!is_finite(curve)) {
+  if (!ph_are_finite(curve->sphere.tensions, curve->n + !curve->closed)) {
     return ph_fail(diag, PH_TOO_LARGE, "tensions",
                    "exceed the range of a double");
   }

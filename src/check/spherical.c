@@ -82,6 +82,13 @@ void ph_check_great_angles(const ph_vec3 p[4], double x[3]) {
   }
 }
 
+ph_vec3 ph_check_great_beyond(const ph_vec3 p[4], const double x[3], double t,
+                              double *factor) {
+  double from = ph_s2_weight(1 - t, x[1]), to = ph_s2_weight(t, x[1]);
+  *factor += fabs(from) + fabs(to);
+  return ph_vec3_along(ph_vec3_scale(from, p[1]), to, p[2]);
+}
+
 double ph_check_great(const ph_vec3 p[4], const double x[3], double t,
                       ph_vec3 jet[3]) {
   struct jet z[3];

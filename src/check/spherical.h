@@ -18,6 +18,12 @@
 /* ph_check_great_angles: the squares of the angles between neighbours. */
 void ph_check_great_angles(const ph_vec3 p[4], double x[3]);
 
+/* ph_check_great_beyond: the point at t on the great circle of the inner legs,
+ * t < 0 or t > 1.
+ * io  factor  grows by what errors of the points are multiplied by */
+ph_vec3 ph_check_great_beyond(const ph_vec3 p[4], const double x[3], double t,
+                              double *factor);
+
 /* ph_check_great: S, S' and S'' at t in [0,1].
  *
  * in   p[4]    unit vectors, no two neighbours antipodal

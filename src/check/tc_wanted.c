@@ -3,7 +3,6 @@
 #include "check/tc_wanted.h"
 
 #include <float.h>
-#include <string.h>
 
 /* Where it is absent and needed. */
 static const double LAMBDA = 0.5;
@@ -17,8 +16,7 @@ static const double ROUND_BISECTOR = 8 * DBL_EPSILON;
 
 static bool is(const struct ph_problem *p, enum ph_field_id id,
                const char *word) {
-  const struct ph_value *value = &p->field[id];
-  return value->kind == PH_WORD && strcmp(value->word, word) == 0;
+  return ph_value_is(&p->field[id], word);
 }
 
 static bool has(const struct ph_problem *p, enum ph_field_id id) {

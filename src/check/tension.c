@@ -14,10 +14,7 @@
 #include "check/checks.h"
 
 #include "base/sum.h"
-#include "kernel/s2.h"
 #include "check/spherical.h"
-
-#include <string.h>
 
 /* Roundings of a point in (2), whose angles add up. */
 static const double ROUND_NIELSON = 64;
@@ -94,21 +91,14 @@ static void check_exact(struct context *c, size_t node, double nu,
           fabs(nu) * b->velocity_error);
 }
 
-/* The point at t on the great circle of the inner legs of a segment. */
-static ph_vec3 beyond(const struct ph_check_segment *s, double t,
-                      double *factor) {
-  double angle = ph_s2_angle(s->p[1], s->p[2]), x = angle * angle;
-  double from = ph_s2_weight(1 - t, x), to = ph_s2_weight(t, x);
-  *factor += fabs(from) + fabs(to);
-  return ph_vec3_along(ph_vec3_scale(from, s->p[1]), to, s->p[2]);
-}
-
 static void check_nielson(struct context *c, size_t node, double nu,
                           const struct side *a, const struct side *b) {
   double s = 2 * (a->h + b->h), gamma = s / (nu * a->h * b->h + s);
   double factor = 0;
-  ph_vec3 left = beyond(a->s, 1 + gamma * b->h / a->h, &factor);
-  ph_vec3 right = beyond(b->s, -gamma * a->h / b->h, &factor);
+  ph_vec3 left =
+      ph_check_great_beyond(a->s->p, a->s->x, 1 + gamma * b->h / a->h, &factor);
+  ph_vec3 right =
+      ph_check_great_beyond(b->s->p, b->s->x, -gamma * a->h / b->h, &factor);
   add(&c->worst[NIELSON], node, ph_check_apart(left, right), 1,
       ROUND_NIELSON * c->rounding * factor + c->v->knot / a->h +
           c->v->knot / b->h);
@@ -152,9 +142,7 @@ static enum model model_of(const struct context *c) {
   const struct ph_problem *p = c->v->problem;
   const struct ph_value *model = p ? &p->field[PH_F_MODEL] : NULL;
   if (model) {
-    return model->kind == PH_WORD && strcmp(model->word, "nielson") == 0
-               ? NIELSON
-               : EXACT;
+    return ph_value_is(model, "nielson") ? NIELSON : EXACT;
   }
   return c->worst[EXACT].error <= c->worst[NIELSON].error ? EXACT : NIELSON;
 }

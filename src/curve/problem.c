@@ -10,6 +10,10 @@ static const char *const names[] = {
 #undef X
 };
 
+bool ph_value_is(const struct ph_value *value, const char *word) {
+  return value->kind == PH_WORD && strcmp(value->word, word) == 0;
+}
+
 const char *ph_field_name(enum ph_field_id id) {
   return names[id];
 }

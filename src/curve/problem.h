@@ -119,6 +119,9 @@ struct ph_problem {
   struct ph_value field[PH_FIELD_N]; /* by enum ph_field_id */
 };
 
+/* ph_value_is: whether a value is this word. */
+bool ph_value_is(const struct ph_value *value, const char *word);
+
 /* ph_field_name: the name of a field, as in JSON. */
 const char *ph_field_name(enum ph_field_id id);
 

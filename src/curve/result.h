@@ -327,6 +327,15 @@ struct ph_diagnostics {
   uint64_t known; /* bit i: value[i] was computed */
 };
 
+/* ph_are_finite: whether n numbers are. */
+static inline bool ph_are_finite(const double *v, size_t n) {
+  bool finite = true;
+  for (size_t i = 0; i < n; i++) {
+    finite = finite && isfinite(v[i]);
+  }
+  return finite;
+}
+
 /* ph_diagnostics_set: stores one value and marks it as known. */
 static inline void ph_diagnostics_set(struct ph_diagnostics *diagnostics,
                                       enum ph_diagnostic which, double value) {

@@ -359,19 +359,14 @@ static int sign_of(double x) {
 }
 
 static void add_cusp(struct walk *walk, double u) {
-  struct ph_offset *offset = walk->offset;
-  size_t n = offset->cusps.n;
-  struct ph_place *cusp = ph_arena_grow(walk->arena, offset->cusps.at, n,
-                                        sizeof *cusp, ROOM, &walk->room);
-  if (!cusp) {
+  struct ph_cusps *cusps = &walk->offset->cusps;
+  cusps->at = ph_arena_grow(walk->arena, cusps->at, cusps->n, sizeof *cusps->at,
+                            ROOM, &walk->room);
+  if (!cusps->at) {
     walk->memory = true;
     return;
   }
-  offset->cusps.at = cusp;
-  cusp[n].segment = walk->k;
-  cusp[n].u = u;
-  cusp[n].t = u;
-  offset->cusps.n++;
+  cusps->at[cusps->n++] = (struct ph_place){walk->k, u, u};
 }
 
 /* The change of sign between two places; g has `sign` at the first one. */
@@ -470,15 +465,6 @@ static void find_all_cusps(struct walk *walk) {
 
 /* ---- parallels ----------------------------------------------------------- */
 
-/* Whether all points are in range. */
-static bool is_finite(const struct ph_samples *samples) {
-  bool finite = true;
-  for (size_t i = 0; i < samples->n * samples->dimension; i++) {
-    finite = finite && isfinite(samples->point[i]);
-  }
-  return finite;
-}
-
 /* Samples where none are asked for: so many and one for each segment. */
 enum { SAMPLES = 16 };
 
@@ -522,7 +508,7 @@ static enum ph_status offset(const struct ph_curve *curve, double distance,
     samples.n = SAMPLES;
   }
   status = ph_sample_offset(curve, &samples, arena, to, diag);
-  if (status == PH_OK && !is_finite(&to->samples)) {
+  if (status == PH_OK && !ph_are_finite(to->samples.point, 3 * to->samples.n)) {
     return ph_fail(diag, PH_TOO_LARGE, NULL,
                    "the offset at distance %g exceeds the range of a double",
                    distance);

@@ -155,27 +155,18 @@ static enum ph_status rationals(const struct ph_curve *curve,
   return ph_rational_walk(curve, "offset", visit, &walk, diag);
 }
 
-static bool all_finite(const double *v, size_t n) {
-  for (size_t i = 0; i < n; i++) {
-    if (!isfinite(v[i])) {
-      return false;
-    }
-  }
-  return true;
-}
-
 /* Whether every number of an offset is one. */
 static bool is_finite(const struct ph_offset *offset) {
   const struct ph_pieces *pieces = &offset->pieces;
   size_t points = (offset->degree + 1) * offset->n;
   size_t n = offset->dimension * points;
   return offset->control_points
-             ? all_finite(offset->control_points, n) &&
-                   all_finite(offset->weights, points)
-             : all_finite(offset->numerator, n) &&
-                   all_finite(offset->denominator, points) &&
-                   all_finite(pieces->control_points,
-                              6 * offset->dimension * pieces->n);
+             ? ph_are_finite(offset->control_points, n) &&
+                   ph_are_finite(offset->weights, points)
+             : ph_are_finite(offset->numerator, n) &&
+                   ph_are_finite(offset->denominator, points) &&
+                   ph_are_finite(pieces->control_points,
+                                 6 * offset->dimension * pieces->n);
 }
 
 /* The offset along a normal, which has no name in the plane. */

@@ -59,20 +59,15 @@ static enum ph_status too_large(const struct task *task) {
 static enum ph_status keep(struct task *task, double from, double to,
                            double count) {
   struct ph_chords *c = task->chords;
-  struct ph_chord_block *grown;
   if (c->blocks_n >= task->most) {
     return too_large(task);
   }
-  grown = ph_arena_grow(c->arena, c->blocks, c->blocks_n, sizeof *grown, ROOM,
-                        &c->blocks_room);
-  if (!grown) {
+  c->blocks = ph_arena_grow(c->arena, c->blocks, c->blocks_n, sizeof *c->blocks,
+                            ROOM, &c->blocks_room);
+  if (!c->blocks) {
     return ph_fail_memory(task->diag);
   }
-  c->blocks = grown;
-  grown[c->blocks_n].from = from;
-  grown[c->blocks_n].to = to;
-  grown[c->blocks_n].count = count;
-  c->blocks_n++;
+  c->blocks[c->blocks_n++] = (struct ph_chord_block){from, to, count};
   return PH_OK;
 }
 
@@ -107,16 +102,14 @@ static enum ph_status halve(struct task *task, struct end from, struct end to,
 
 static enum ph_status add(struct task *task, double u) {
   struct ph_chords *c = task->chords;
-  double *grown;
   if (c->n >= task->most) {
     return too_large(task);
   }
-  grown = ph_arena_grow(c->arena, c->u, c->n, sizeof *grown, ROOM, &c->room);
-  if (!grown) {
+  c->u = ph_arena_grow(c->arena, c->u, c->n, sizeof *c->u, ROOM, &c->room);
+  if (!c->u) {
     return ph_fail_memory(task->diag);
   }
-  c->u = grown;
-  grown[c->n++] = u;
+  c->u[c->n++] = u;
   return PH_OK;
 }
 

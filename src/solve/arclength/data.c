@@ -96,7 +96,7 @@ static enum ph_status check_company(struct reading *r) {
   }
   if (ph_fields_given(r->problem, PH_F_LENGTH_SIGMA) &&
       r->data->mode == PH_ARC_TANGENTS &&
-      !ph_field_is(field(r, PH_F_MAGNITUDES), "mean")) {
+      !ph_value_is(field(r, PH_F_MAGNITUDES), "mean")) {
     return ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
                    "needs points or derivatives: tangents contradict no "
                    "lengths");
@@ -334,19 +334,19 @@ static enum ph_status read_knots(struct reading *r) {
   if (knots->kind == PH_NUMBERS) {
     return read_knot_numbers(r);
   }
-  if (ph_field_is(knots, "chordal") && !d->chord) {
+  if (ph_value_is(knots, "chordal") && !d->chord) {
     return ph_fail(r->diag, PH_BAD_VALUE, "knots",
                    "chordal needs points: %s have no chords", r->name);
   }
-  if (ph_field_is(knots, "lengths") && !d->length) {
+  if (ph_value_is(knots, "lengths") && !d->length) {
     return ph_fail(r->diag, PH_BAD_VALUE, "knots",
                    "lengths needs lengths, which are not given");
   }
-  if (ph_field_is(knots, "uniform")) {
+  if (ph_value_is(knots, "uniform")) {
     for (size_t i = 0; i < d->n; i++) {
       d->h[i] = 1;
     }
-  } else if (ph_field_is(knots, "chordal") || !d->length) {
+  } else if (ph_value_is(knots, "chordal") || !d->length) {
     set_spacings(d, d->chord);
   } else {
     set_spacings(d, d->length);
@@ -388,7 +388,7 @@ double ph_arc_data_speed(const struct ph_arc_data *d, size_t j) {
 static void set_magnitudes(struct reading *r) {
   struct ph_arc_data *d = r->data;
   if (d->mode == PH_ARC_TANGENTS &&
-      ph_field_is(field(r, PH_F_MAGNITUDES), "mean")) {
+      ph_value_is(field(r, PH_F_MAGNITUDES), "mean")) {
     for (size_t j = 0; j <= d->n; j++) {
       d->given[j] = ph_vec3_scale(ph_arc_data_speed(d, j), d->given[j]);
     }

@@ -80,7 +80,7 @@ static enum ph_status read_task(struct task *t) {
       ph_arc_data_read(t->problem, t->scratch, &t->data, t->diag);
   t->request.data = &t->data;
   t->keep_plane =
-      t->data.plane && !ph_field_is(&t->problem->field[PH_F_PLANAR], "free");
+      t->data.plane && !ph_value_is(&t->problem->field[PH_F_PLANAR], "free");
   status = status == PH_OK ? read_refine(t) : status;
   return status == PH_OK ? read_starts(t) : status;
 }

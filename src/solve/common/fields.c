@@ -7,7 +7,6 @@
 #include "kernel/pow2.h"
 
 #include <math.h>
-#include <string.h>
 
 /* A last point within this of the first, relative to the largest coordinate,
  * repeats it. */
@@ -15,10 +14,6 @@ static const double REPEATED = 1e-14;
 
 /* ... and a last vector within this of the first, relative to the longer. */
 static const double REPEATED_VECTOR = 1e-9;
-
-bool ph_field_is(const struct ph_value *value, const char *word) {
-  return value->kind == PH_WORD && strcmp(value->word, word) == 0;
-}
 
 double ph_fields_largest(const double *v, size_t n) {
   double largest = 0;

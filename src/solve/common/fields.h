@@ -9,9 +9,6 @@
 #include "curve/result.h"
 #include "kernel/vec3.h"
 
-/* ph_field_is: whether a value is this word. */
-bool ph_field_is(const struct ph_value *value, const char *word);
-
 /* ph_fields_largest: the largest |v[i]| of n numbers. */
 double ph_fields_largest(const double *v, size_t n);
 

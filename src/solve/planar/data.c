@@ -102,7 +102,7 @@ static enum ph_status set_angles(struct ph_planar_data *d,
                                  struct ph_diag *diag) {
   enum ph_status status;
   if (given->kind == PH_ABSENT || given->kind == PH_WORD) {
-    bool chosen = given->kind == PH_WORD && !ph_field_is(given, "chordal");
+    bool chosen = given->kind == PH_WORD && !ph_value_is(given, "chordal");
     struct ph_value largest = {.kind = PH_NUMBER, .number = PH_PI / 2};
     largest.number = chosen ? given->number : largest.number;
     status = ph_fields_angles(&largest, d->n, d->h, diag);
@@ -143,45 +143,48 @@ static enum ph_status set_spacing(struct ph_planar_data *d,
 }
 
 /*
- * The derivative at the start of segment `near` of the parabola through three
- * points on their knots, `far` being the next segment inwards:
+ * The derivative at an end of the parabola through three points on their knots:
  * s1 + (s1 - s2) h1 / (h1 + h2), s = c/h                  [GON18, Table 2.2].
+ *
+ * out  s     of the segment at the end, and of the next one
+ * out  part  h1 / (h1 + h2); 0 where that stands still, and it is s1
  */
-static ph_cplx parabola_end(const struct ph_planar_data *d, size_t near,
-                            size_t far) {
+static ph_cplx parabola_end(const struct ph_planar_data *d, int side,
+                            ph_cplx s[2], double *part) {
   const struct ph_planar_c2 *c2 = &d->c2;
-  ph_cplx s1 = ph_cplx_scale(1 / c2->ratio[near], c2->direction[near]);
-  ph_cplx s2 = ph_cplx_scale(1 / c2->ratio[far], c2->direction[far]);
-  double part = d->h[near] / (d->h[near] + d->h[far]);
-  ph_cplx v = ph_cplx_add(s1, ph_cplx_scale(part, ph_cplx_sub(s1, s2)));
-  return ph_cplx_abs(v) > STANDSTILL * ph_cplx_abs(s1) ? v : s1;
+  size_t near = side ? d->n - 1 : 0;
+  size_t far = d->n == 1 ? near : side ? near - 1 : 1;
+  ph_cplx v;
+  s[0] = ph_cplx_scale(1 / c2->ratio[near], c2->direction[near]);
+  s[1] = ph_cplx_scale(1 / c2->ratio[far], c2->direction[far]);
+  *part = d->h[near] / (d->h[near] + d->h[far]);
+  v = ph_cplx_add(s[0], ph_cplx_scale(*part, ph_cplx_sub(s[0], s[1])));
+  if (!(ph_cplx_abs(v) > STANDSTILL * ph_cplx_abs(s[0]))) {
+    *part = 0;
+    return s[0];
+  }
+  return v;
 }
 
 void ph_planar_ends_change(const struct ph_planar_data *d, int side,
                            ph_cplx change[2]) {
-  const struct ph_planar_c2 *c2 = &d->c2;
-  size_t near = side ? d->n - 1 : 0;
-  size_t far = d->n == 1 ? near : side ? near - 1 : 1;
-  ph_cplx s1 = ph_cplx_scale(1 / c2->ratio[near], c2->direction[near]);
-  ph_cplx s2 = ph_cplx_scale(1 / c2->ratio[far], c2->direction[far]);
-  double part = d->h[near] / (d->h[near] + d->h[far]);
-  ph_cplx jump = ph_cplx_sub(s1, s2);
-  ph_cplx v = ph_cplx_add(s1, ph_cplx_scale(part, jump));
-  ph_cplx turn = ph_cplx_scale(part * (1 - part), jump);
-  if (!(ph_cplx_abs(v) > STANDSTILL * ph_cplx_abs(s1))) {
-    part = 0; /* the rule is s1 there */
-    turn = ph_cplx_of(0, 0);
-  }
-  change[0] = ph_cplx_sub(turn, ph_cplx_scale(1 + part, s1));
-  change[1] = ph_cplx_sub(ph_cplx_scale(part, s2), turn);
+  ph_cplx s[2], turn;
+  double part;
+  parabola_end(d, side, s, &part);
+  turn = ph_cplx_scale(part * (1 - part), ph_cplx_sub(s[0], s[1]));
+  change[0] = ph_cplx_sub(turn, ph_cplx_scale(1 + part, s[0]));
+  change[1] = ph_cplx_sub(ph_cplx_scale(part, s[1]), turn);
 }
 
 static enum ph_status set_ends(struct ph_planar_data *d, struct ph_diag *diag) {
   struct ph_planar_c2 *c2 = &d->c2;
   struct ph_pow2 scale = ph_pow2_of(d->exponent);
   if (!d->ends) {
-    c2->end[0] = parabola_end(d, 0, d->n > 1 ? 1 : 0);
-    c2->end[1] = parabola_end(d, d->n - 1, d->n > 1 ? d->n - 2 : 0);
+    for (int side = 0; side < 2; side++) {
+      ph_cplx s[2];
+      double part;
+      c2->end[side] = parabola_end(d, side, s, &part);
+    }
   } else {
     for (int side = 0; side < 2; side++) {
       const double *v = d->ends + 2 * side;
@@ -266,7 +269,7 @@ enum ph_status ph_planar_data_of(const struct ph_problem *problem,
   const struct ph_value *basis = &problem->field[PH_F_BASIS];
   enum ph_status status;
   memset(d, 0, sizeof *d);
-  d->atph = ph_field_is(basis, "atph");
+  d->atph = ph_value_is(basis, "atph");
   d->points = problem->field[PH_F_POINTS].v;
   d->closed = problem->field[PH_F_CLOSED].flag;
   status = ph_fields_segments(problem, &d->n, diag);

@@ -214,7 +214,7 @@ static enum ph_status solve_fairest(struct task *t) {
     functional++;
   }
   status = ph_planar_minimize(
-      &t->data, functional, ph_field_is(&t->problem->field[PH_F_FREE], "scale"),
+      &t->data, functional, ph_value_is(&t->problem->field[PH_F_FREE], "scale"),
       t->scratch, t->b, &report, t->diag);
   if (status == PH_OK) {
     status =
@@ -395,7 +395,7 @@ static enum ph_status solve_task(struct task *t) {
   if (status == PH_NO_CONVERGENCE) {
     return advise(t->problem, t->diag);
   }
-  if (status == PH_OK && ph_field_is(&field[PH_F_SOLUTIONS], "all")) {
+  if (status == PH_OK && ph_value_is(&field[PH_F_SOLUTIONS], "all")) {
     status = add_solutions(t);
   }
   return status == PH_OK ? report(t) : status;

@@ -377,7 +377,7 @@ enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
   enum ph_status status = PH_OK;
   *points = (struct ph_spatial_points){
       .closed = problem->field[PH_F_CLOSED].flag,
-      .atph = ph_field_is(&problem->field[PH_F_BASIS], "atph")};
+      .atph = ph_value_is(&problem->field[PH_F_BASIS], "atph")};
   for (size_t i = 0; status == PH_OK && i < sizeof steps / sizeof *steps; i++) {
     status = steps[i](&r);
   }

@@ -216,9 +216,9 @@ static enum ph_status set_angles(const struct ph_problem *problem,
   const struct ph_value *angles = &problem->field[PH_F_ANGLES];
   const struct ph_value *axis = &problem->field[PH_F_AXIS];
   bool pair = angles->kind == PH_NUMBERS; /* [theta,beta] */
-  t->axis = ph_field_is(axis, "x")          ? PH_SPATIAL_X
-            : ph_field_is(axis, "bisector") ? PH_SPATIAL_BISECTOR
-            : ph_field_is(axis, "chord")    ? PH_SPATIAL_CHORD
+  t->axis = ph_value_is(axis, "x")          ? PH_SPATIAL_X
+            : ph_value_is(axis, "bisector") ? PH_SPATIAL_BISECTOR
+            : ph_value_is(axis, "chord")    ? PH_SPATIAL_CHORD
             : t->points.atph                ? PH_SPATIAL_X
                                             : PH_SPATIAL_CHORD;
   if (angles->kind == PH_ABSENT) {

@@ -68,10 +68,6 @@ static size_t before(const struct ph_sphere_data *d, size_t i) {
   return i > 0 ? i - 1 : d->n - 1;
 }
 
-static size_t after(const struct ph_sphere_data *d, size_t i) {
-  return i + 1 < d->n ? i + 1 : 0;
-}
-
 /* Whether the data go on: the thesis asks it of the distances. */
 static bool goes_on(const struct ph_sphere_shape *shape, size_t i, double a,
                     double b, double cosine) {
@@ -80,7 +76,7 @@ static bool goes_on(const struct ph_sphere_shape *shape, size_t i, double a,
   if (!shape->legacy) {
     return cosine > 0;
   }
-  across = ph_s2_angle(d->p[before(d, i)], d->p[after(d, i)]);
+  across = ph_s2_angle(d->p[before(d, i)], d->p[ph_sphere_next(d, i)]);
   return across > a && across > b;
 }
 
@@ -88,7 +84,7 @@ static void set_indicator(struct ph_sphere_shape *shape, size_t i) {
   const struct ph_sphere_data *d = shape->data;
   double a = d->theta[ph_sphere_before(d, i)], b = d->theta[i];
   ph_vec3 p = d->p[i], in = ph_s2_log(p, d->p[before(d, i)]);
-  ph_vec3 out = ph_s2_log(p, d->p[after(d, i)]);
+  ph_vec3 out = ph_s2_log(p, d->p[ph_sphere_next(d, i)]);
   double sine = -ph_vec3_triple(p, in, out), cosine = -ph_vec3_dot(in, out);
   double size = hypot(sine, cosine);
   double curvature = fmin(QTOL, shape->epsilon * (a + b) / 8);
@@ -328,7 +324,7 @@ size_t ph_sphere_touched(const struct ph_sphere_shape *shape,
     if (!run || beyond[i] != SIZE_MAX) {
       n = add(shape, run ? beyond[i] : i, n, node);
     }
-    i = after(d, i);
+    i = ph_sphere_next(d, i);
   }
   return n;
 }

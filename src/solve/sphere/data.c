@@ -257,7 +257,7 @@ static enum ph_status read_knot_numbers(struct reading *r) {
 
 static enum ph_status read_knots(struct reading *r) {
   struct ph_sphere_data *d = r->data;
-  bool uniform = ph_field_is(field(r, PH_F_KNOTS), "uniform");
+  bool uniform = ph_value_is(field(r, PH_F_KNOTS), "uniform");
   double mean = ph_fields_sum(d->theta, d->m) / (double)d->m;
   if (field(r, PH_F_KNOTS)->kind == PH_NUMBERS) {
     return read_knot_numbers(r);
@@ -318,11 +318,11 @@ static enum ph_status check_ends(struct reading *r) {
     return ph_fail(r->diag, PH_BAD_VALUE, given ? "end_tangents" : "ends",
                    "is for open curves: a closed curve has no ends");
   }
-  if (ph_field_is(ends, "clamped") && !given) {
+  if (ph_value_is(ends, "clamped") && !given) {
     return ph_fail(r->diag, PH_MISSING_FIELD, "end_tangents",
                    "must be given with \"ends\":\"clamped\"");
   }
-  if (given && ends->kind != PH_ABSENT && !ph_field_is(ends, "clamped")) {
+  if (given && ends->kind != PH_ABSENT && !ph_value_is(ends, "clamped")) {
     return ph_fail(r->diag, PH_BAD_VALUE, "end_tangents",
                    "excludes \"ends\":\"%s\"", ends->word);
   }
@@ -365,7 +365,7 @@ static enum ph_status read_ends(struct reading *r) {
   enum ph_status status;
   if (field(r, PH_F_END_TANGENTS)->kind == PH_ABSENT) {
     r->data->ends =
-        ph_field_is(ends, "rest") ? PH_SPHERE_REST : PH_SPHERE_NATURAL;
+        ph_value_is(ends, "rest") ? PH_SPHERE_REST : PH_SPHERE_NATURAL;
     return PH_OK;
   }
   r->data->ends = PH_SPHERE_CLAMPED;

@@ -38,7 +38,7 @@ static enum ph_status read_increase(struct task *t) {
   const struct ph_value *increase = &t->problem->field[PH_F_INCREASE];
   struct ph_sphere_raise *raise = &t->raise;
   raise->increase = PH_SPHERE_MINIMAL;
-  if (increase->kind == PH_ABSENT || ph_field_is(increase, "minimal")) {
+  if (increase->kind == PH_ABSENT || ph_value_is(increase, "minimal")) {
     return PH_OK;
   }
   raise->increase = strncmp(increase->word, "plus", 4) == 0 ? PH_SPHERE_PLUS
@@ -62,13 +62,13 @@ static enum ph_status read_shape(struct task *t) {
   double bound =
       epsilon->kind == PH_ABSENT ? PH_SPHERE_EPSILON : epsilon->number;
   t->keep_shape = shape->kind != PH_BOOL || shape->flag;
-  t->raise.waive = ph_field_is(shape, "warn");
+  t->raise.waive = ph_value_is(shape, "warn");
   if (!(bound >= EPSILON_MIN)) {
     return ph_fail(t->diag, PH_BAD_VALUE, "epsilon",
                    "must be at least %g, found %.17g", EPSILON_MIN, bound);
   }
   return ph_sphere_shape_of(&t->data, bound,
-                            ph_field_is(&p->field[PH_F_CRITERION], "legacy"),
+                            ph_value_is(&p->field[PH_F_CRITERION], "legacy"),
                             t->scratch, &t->shape)
              ? PH_OK
              : ph_fail_memory(t->diag);
@@ -135,7 +135,7 @@ static enum ph_status find(struct task *t) {
   const struct ph_value *model = &t->problem->field[PH_F_MODEL];
   enum ph_status status;
   if (!ph_sphere_spline_alloc(&t->spline, &t->data,
-                              ph_field_is(model, "nielson") ? &ph_sphere_nielson
+                              ph_value_is(model, "nielson") ? &ph_sphere_nielson
                                                             : &ph_sphere_exact,
                               t->scratch) ||
       !ph_sphere_work_alloc(&t->work, t->scratch, t->data.n)) {

@@ -67,12 +67,11 @@ static enum ph_status item_of(const struct ph_tc_bezier *curve,
 static enum ph_status add_arc(struct ph_tc_arcs *arcs,
                               const struct ph_tc_arc *arc,
                               struct ph_diag *diag) {
-  struct ph_tc_arc *grown = ph_arena_grow(arcs->arena, arcs->arc, arcs->n,
-                                          sizeof *grown, ARCS, &arcs->room);
-  if (!grown) {
+  arcs->arc = ph_arena_grow(arcs->arena, arcs->arc, arcs->n, sizeof *arcs->arc,
+                            ARCS, &arcs->room);
+  if (!arcs->arc) {
     return ph_fail_memory(diag);
   }
-  arcs->arc = grown;
   arcs->arc[arcs->n++] = *arc;
   return PH_OK;
 }

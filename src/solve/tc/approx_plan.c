@@ -25,17 +25,15 @@ static const double BESIDE = 0.0625;
 static enum ph_status plan_add(struct ph_tc_plan *plan,
                                const struct ph_tc_part *part,
                                struct ph_diag *diag) {
-  struct ph_tc_part *grown;
   if (plan->n == plan->limit) {
     return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
                    "would need more than %zu cubics", plan->limit);
   }
-  grown = ph_arena_grow(plan->arena, plan->part, plan->n, sizeof *grown, PARTS,
-                        &plan->room);
-  if (!grown) {
+  plan->part = ph_arena_grow(plan->arena, plan->part, plan->n,
+                             sizeof *plan->part, PARTS, &plan->room);
+  if (!plan->part) {
     return ph_fail_memory(diag);
   }
-  plan->part = grown;
   plan->part[plan->n++] = *part;
   plan->cubics += part->n;
   return PH_OK;

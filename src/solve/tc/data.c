@@ -52,7 +52,7 @@ static enum ph_tc_mode implied(const struct ph_problem *p) {
 static enum ph_status check_fields(const struct ph_problem *p,
                                    enum ph_tc_mode mode, struct ph_diag *diag) {
   bool g1 = mode <= PH_TC_G1_FAIR, approximate = mode == PH_TC_APPROXIMATE;
-  bool chord = ph_field_is(&p->field[PH_F_JOINT], "chord");
+  bool chord = ph_value_is(&p->field[PH_F_JOINT], "chord");
   const struct {
     enum ph_field_id id;
     bool allowed;
@@ -64,7 +64,7 @@ static enum ph_status check_fields(const struct ph_problem *p,
       {PH_F_TOLERANCE, approximate, "is for the mode approximate"},
       {PH_F_PIECES, approximate, "is for the mode approximate"},
       {PH_F_SOLUTIONS,
-       !approximate || !ph_field_is(&p->field[PH_F_SOLUTIONS], "all"),
+       !approximate || !ph_value_is(&p->field[PH_F_SOLUTIONS], "all"),
        "must not be all in the mode approximate"},
       {PH_F_LAMBDA, (g1 && mode != PH_TC_G1 && !chord) || mode == PH_TC_SPLINE,
        chord ? "is for joints that are free"
@@ -104,7 +104,7 @@ enum ph_status ph_tc_mode_of(const struct ph_problem *p, enum ph_tc_mode *mode,
   }
   *mode = implied(p);
   for (size_t i = 0; i < sizeof modes / sizeof *modes; i++) {
-    if (ph_field_is(said, modes[i].name)) {
+    if (ph_value_is(said, modes[i].name)) {
       enum ph_field_id needs = modes[i].vectors;
       *mode = modes[i].mode;
       if (needs != PH_F_POINTS && !ph_fields_given(p, needs)) {
@@ -206,7 +206,7 @@ static ph_cplx end_direction(const struct ph_problem *p,
                              const struct ph_tc_data *d, size_t end) {
   ph_cplx chord = direction(d, end == 0 ? 0 : d->n - 1);
   ph_cplx inner;
-  if (d->n == 1 || !ph_field_is(&p->field[PH_F_ENDS], "circle")) {
+  if (d->n == 1 || !ph_value_is(&p->field[PH_F_ENDS], "circle")) {
     return chord;
   }
   inner = d->vector[end == 0 ? 1 : d->n - 1];
@@ -346,10 +346,10 @@ enum ph_status ph_tc_data_of(const struct ph_problem *p, enum ph_tc_mode mode,
   *d = (struct ph_tc_data){.mode = mode,
                            .closed = p->field[PH_F_CLOSED].flag,
                            .points = p->field[PH_F_POINTS].v};
-  d->choice = ph_field_is(solutions, "all")        ? PH_TC_ALL
-              : ph_field_is(solutions, "standard") ? PH_TC_STANDARD
+  d->choice = ph_value_is(solutions, "all")        ? PH_TC_ALL
+              : ph_value_is(solutions, "standard") ? PH_TC_STANDARD
                                                    : PH_TC_BEST;
-  d->on_chord = ph_field_is(&p->field[PH_F_JOINT], "chord");
+  d->on_chord = ph_value_is(&p->field[PH_F_JOINT], "chord");
   status = read_numbers(p, d, diag);
   if (status == PH_OK) {
     status = ph_fields_segments(p, &d->n, diag);
