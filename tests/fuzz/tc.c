@@ -49,7 +49,6 @@ enum tc_mode {
 
 static const char *const tc_modes[] = {
     NULL, "g1", "g1-pair", "g1-auto", "g1-fair", "c1", "spline", "approximate"};
-
 struct tc_flags {
   bool tangents, derivatives, closed, pretty, offset, blaschke, chord;
   bool curve, chain, pieces;

@@ -117,7 +117,6 @@ static void scale(struct unit_random *r, struct motion *m) {
 
 static void (*const changes[])(struct unit_random *, struct motion *) = {
     turn, shift, mirror, reverse, scale};
-
 PH_TEST_EACH(test_motion, sizeof changes / sizeof *changes) {
   struct unit_random r = unit_random_of(1 + (uint64_t)_i);
   size_t solved = 0, n = unit_cases(80);

@@ -193,7 +193,6 @@ PH_TEST_EACH(test_cc, sizeof steady / sizeof *steady) {
 static const enum spatial_family regular[] = {
     SPATIAL_RANDOM, SPATIAL_WALK, SPATIAL_HELIX, SPATIAL_FAST, SPATIAL_SLOW};
 enum { REGULAR_N = sizeof regular / sizeof regular[0] };
-
 /* A regular family, its fields, and a criterion that is invariant there: the
  * axis x is not turned; BV chooses a side by itself where a plane curve is not
  * the best, and loses digits where derivatives are far longer than chords.  End

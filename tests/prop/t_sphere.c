@@ -85,7 +85,6 @@ static void start(struct unit_random *r, struct motion *m) {
 static void (*const changes[])(struct unit_random *, struct motion *) = {
     turn, mirror, reverse, start};
 enum { CHANGES = 4 };
-
 /* Data whose spline is well conditioned, with any options. */
 static void invariant(struct unit_random *r, size_t change) {
   enum sphere_family family =

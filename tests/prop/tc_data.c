@@ -14,9 +14,7 @@ static const char *const names[] = {"one",  "auto",   "fair",
                                     "c1",   "spline", "approximate"};
 static const char *const modes[] = {
     "g1", NULL, "g1-fair", "g1-pair", "g1-pair", "g1-pair", NULL, NULL, NULL};
-
 /* ---- data ---------------------------------------------------------------- */
-
 static bool has_tangents(const struct tc_data *d) {
   return d->family < TC_C1;
 }

@@ -23,7 +23,6 @@ static inline void unit_circle(double alpha, double radius,
   const ph_cplx w[3] = {one, ph_cplx_of(1, rest), ph_cplx_polar(alpha)};
   const double root = sqrt(2 * radius) * sqrt(alpha);
   struct ph_seg2 seg = {.space = ph_atph_of(alpha)};
-
   for (size_t i = 0; i < 3; i++) {
     seg.w[i] = ph_cplx_scale(root, w[i]);
   }
@@ -44,7 +43,6 @@ struct unit_helix {
 
 static inline ph_quat unit_helix_preimage(const struct unit_helix *h) {
   const double f = atan2(h->b, h->a), root = sqrt(2 * hypot(h->a, h->b));
-
   return ph_quat_of(root * cos(f / 2), 0, -root * sin(f / 2), 0);
 }
 
@@ -56,7 +54,6 @@ static inline void unit_helix_curve(const struct unit_helix *h,
   const ph_quat pre[3] = {
       a0, ph_quat_add(a0, ph_quat_scale(rest, ph_quat_mul(k, a0))),
       ph_quat_mul(turn, a0)};
-
   unit_curve3_of(c, 1, &h->alpha, pre, ph_vec3_of(0, -h->a, 0));
 }
 
@@ -65,7 +62,6 @@ static inline void unit_helix_curve(const struct unit_helix *h,
 static inline ph_vec3 unit_helix_at(const struct unit_helix *h, double u,
                                     double radius, double before) {
   const double turn = 2 * h->alpha * u;
-
   return ph_vec3_of(radius * sin(turn + before), -radius * cos(turn + before),
                     h->b * turn);
 }

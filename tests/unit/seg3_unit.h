@@ -11,7 +11,6 @@
 static inline ph_vec3 unit_random_vec3(struct unit_random *r, double size) {
   double x = unit_random_in(r, -size, size);
   double y = unit_random_in(r, -size, size);
-
   return ph_vec3_of(x, y, unit_random_in(r, -size, size));
 }
 
@@ -26,7 +25,6 @@ static inline ph_quat unit_seg3_preimage(const struct ph_seg3 *seg, double u) {
   const double s0 = a > 0 ? sin(a * (1 - u) / 2) / sin(a / 2) : 1 - u;
   const double s1 = a > 0 ? sin(a * u / 2) / sin(a / 2) : u;
   ph_quat sum = ph_quat_scale(s0 * s0, seg->a[0]);
-
   sum = ph_quat_add(sum, ph_quat_scale(2 * c * s0 * s1, seg->a[1]));
   return ph_quat_add(sum, ph_quat_scale(s1 * s1, seg->a[2]));
 }
@@ -47,7 +45,6 @@ static inline ph_vec3 unit_seg3_leg(const struct ph_seg3 *seg, double u0,
   enum { PANELS = 4 };
   ph_vec3 sum = {0, 0, 0};
   struct ph_quad rule;
-
   if (ph_quad_gauss(&rule, 20)) {
     for (size_t i = 0; i < PANELS; i++) {
       for (size_t j = 0; j < rule.n; j++) {
@@ -65,7 +62,6 @@ static inline struct ph_seg3 unit_seg3(double angle, const ph_quat a[3],
                                        ph_vec3 start) {
   struct ph_seg3 seg = {
       ph_atph_of(angle), {a[0], a[1], a[2]}, {0, 0, 0}, {0, 0, 0}};
-
   seg.start = start;
   seg.end = ph_vec3_add(start, unit_seg3_leg(&seg, 0, 1));
   return seg;
@@ -75,10 +71,8 @@ static inline struct ph_seg3 unit_seg3(double angle, const ph_quat a[3],
 static inline struct ph_seg3 unit_seg3_random(struct unit_random *r) {
   double angle = unit_random_below(r, 4) ? unit_random_in(r, 1e-3, 3) : 0;
   ph_quat a[3];
-
   for (size_t i = 0; i < 3; i++) {
     ph_cplx w = unit_random_cplx(r, 2), v = unit_random_cplx(r, 2);
-
     a[i] = ph_quat_of(w.re, w.im, v.re, v.im);
   }
   return unit_seg3(angle, a, unit_random_vec3(r, 1));

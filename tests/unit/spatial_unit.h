@@ -16,10 +16,8 @@ static inline double unit_apart(ph_vec3 a, ph_vec3 b) {
 static inline ph_vec3 unit_random_direction(struct unit_random *r) {
   ph_vec3 v;
   double n2;
-
   do {
     double x = unit_random_in(r, -1, 1), y = unit_random_in(r, -1, 1);
-
     v = ph_vec3_of(x, y, unit_random_in(r, -1, 1));
     n2 = ph_vec3_dot(v, v);
   } while (n2 > 1 || n2 < 0.01);
@@ -30,7 +28,6 @@ static inline ph_vec3 unit_random_direction(struct unit_random *r) {
 static inline ph_quat unit_random_turn(struct unit_random *r) {
   ph_vec3 v = unit_random_direction(r);
   ph_cplx e = ph_cplx_polar(unit_random_in(r, -3.2, 3.2));
-
   return ph_quat_of(e.re, e.im * v.x, e.im * v.y, e.im * v.z);
 }
 
@@ -69,7 +66,6 @@ static inline ph_quat unit_spatial_turn(const struct ph_spatial_family *f) {
 static inline ph_vec3 unit_spatial_world(const struct ph_spatial_family *f,
                                          ph_vec3 v) {
   ph_vec3 sum = ph_vec3_scale(v.x, f->axis[0]);
-
   sum = ph_vec3_along(sum, v.y, f->axis[1]);
   return ph_vec3_along(sum, v.z, f->axis[2]);
 }
@@ -79,7 +75,6 @@ static inline void unit_spatial_preimage(const struct ph_spatial_family *f,
                                          struct ph_spatial_member member,
                                          ph_quat a[3]) {
   ph_quat turn = unit_spatial_turn(f);
-
   ph_spatial_preimage(f, member, a);
   for (size_t i = 0; i < 3; i++) {
     a[i] = ph_quat_mul(turn, a[i]);
@@ -90,7 +85,6 @@ static inline void unit_spatial_preimage(const struct ph_spatial_family *f,
 static inline void unit_spatial_legs(const struct ph_atph *space,
                                      const ph_quat a[3], ph_vec3 leg[5]) {
   const double *q = space->q;
-
   leg[0] = ph_vec3_scale(q[0], ph_quat_i(a[0], a[0]));
   leg[1] = ph_vec3_scale(q[1], ph_quat_i(a[0], a[1]));
   leg[2] = ph_vec3_along(ph_vec3_scale(q[2], ph_quat_i(a[1], a[1])), q[3],
@@ -105,7 +99,6 @@ static inline void unit_spatial_points(const struct ph_spatial_family *f,
                                        ph_vec3 p[6]) {
   const ph_vec3 start = {0, 0, 0};
   ph_quat a[3];
-
   unit_spatial_preimage(f, member, a);
   ph_seg3_control_points(&f->space, a, start, unit_spatial_world(f, f->dp), p);
 }
@@ -113,7 +106,6 @@ static inline void unit_spatial_points(const struct ph_spatial_family *f,
 /* The largest distance of two of the points. */
 static inline double unit_spatial_size(const ph_vec3 p[6]) {
   double size = 0;
-
   for (size_t i = 0; i < 6; i++) {
     for (size_t j = 0; j < i; j++) {
       size = unit_larger(size, ph_vec3_abs(ph_vec3_sub(p[i], p[j])));
@@ -126,7 +118,6 @@ static inline double unit_spatial_size(const ph_vec3 p[6]) {
 static inline double unit_spatial_error(const ph_vec3 found[6],
                                         const ph_vec3 wanted[6]) {
   double error = 0;
-
   for (size_t i = 0; i < 6; i++) {
     error = unit_larger(error, ph_vec3_abs(ph_vec3_sub(found[i], wanted[i])));
   }

@@ -11,9 +11,7 @@ const struct unit_sphere_kind unit_sphere_kinds[UNIT_SPHERE_KINDS] = {
     {false, PH_SPHERE_REST},
     {false, PH_SPHERE_CLAMPED},
     {true, PH_SPHERE_NATURAL}};
-
 /* ---- data and splines ---------------------------------------------------- */
-
 void unit_sphere_of(struct unit_sphere *u, size_t n, const ph_vec3 *p,
                     bool closed, enum ph_sphere_ends ends,
                     const struct ph_sphere_model *model) {

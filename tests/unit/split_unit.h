@@ -37,14 +37,10 @@ static const struct ph_field sphere_rows[] = {
     {PH_F_POINTS, PH_VECTORS, SPACE, false, "", "", ""},
     {PH_F_LONLAT, PH_VECTORS, PLANE, false, "", "", ""}};
 static const struct ph_schema sphere = {"sphere", sphere_rows, 2};
-
 static const struct ph_split_options automatic = {PH_SPLIT_AUTO, 0, NULL, 0};
 static const struct ph_split_options csv = {PH_SPLIT_CSV, 0, NULL, 0};
-
 /* ---- transcripts ---------------------------------------------------- */
-
 static struct ph_buf transcript;
-
 static inline void note(const char *text, size_t n) {
   for (size_t i = 0; i < n; i++) {
     ph_buf_put(&transcript, text[i] == '\n' ? "$" : text + i, 1);

@@ -43,7 +43,6 @@ int main(int argc, char **argv) {
   TCase *all = tcase_create(name);
   SRunner *runner = srunner_create(suite);
   int failed;
-
   tcase_set_timeout(all, 0);
   tcase_add_checked_fixture(all, unit_begin, unit_finish);
   tcase_add_checked_fixture(all, NULL, clean);

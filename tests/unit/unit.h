@@ -93,14 +93,12 @@ static inline int unit_near(double a, double b, double tol) {
  * one number for an answer where the other is NaN. */
 static inline int unit_near_rel(double a, double b, double tol) {
   double size = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
-
   return unit_near(a, b, tol * size);
 }
 
 /* How far a and b are apart, relative to the larger, for the message. */
 static inline double unit_rel_error(double a, double b) {
   double size = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
-
   return unit_same(a, b) ? 0.0 : fabs(a - b) / size;
 }
 
@@ -147,20 +145,17 @@ struct unit_random {
 /* The seed of this run. */
 static inline unsigned long unit_seed(void) {
   const char *text = getenv("PH_SEED");
-
   return text != NULL ? strtoul(text, NULL, 10) : 1;
 }
 
 /* Generator number `stream` of this run: tests do not share their numbers. */
 static inline struct unit_random unit_random_of(uint64_t stream) {
   struct unit_random r = {unit_seed() * 0xD1B54A32D192ED03u + stream};
-
   return r;
 }
 
 static inline uint64_t unit_random_bits(struct unit_random *r) {
   uint64_t z = r->state += 0x9E3779B97F4A7C15u;
-
   z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
   z = (z ^ z >> 27) * 0x94D049BB133111EBu;
   return z ^ z >> 31;
@@ -170,7 +165,6 @@ static inline uint64_t unit_random_bits(struct unit_random *r) {
 static inline double unit_random_in(struct unit_random *r, double low,
                                     double high) {
   double u = (double)(unit_random_bits(r) >> 11) * 0x1p-53;
-
   return low + u * (high - low);
 }
 
@@ -182,7 +176,6 @@ static inline size_t unit_random_below(struct unit_random *r, size_t n) {
 /* Uniform in the square |re|, |im| < size. */
 static inline ph_cplx unit_random_cplx(struct unit_random *r, double size) {
   double re = unit_random_in(r, -size, size);
-
   return ph_cplx_of(re, unit_random_in(r, -size, size));
 }
 
@@ -226,7 +219,6 @@ static inline double unit_larger(double a, double b) {
 /* True when the long form of a test is wanted: PH_LONG=1. */
 static inline int unit_long(void) {
   const char *s = getenv("PH_LONG");
-
   return s != NULL && s[0] == '1';
 }
 
@@ -234,7 +226,6 @@ static inline int unit_long(void) {
  * sanitizers, PH_SHORT=1. */
 static inline int unit_count(int n) {
   const char *s = getenv("PH_SHORT");
-
   return s != NULL && s[0] == '1' ? (n + 9) / 10 : n;
 }
 

@@ -18,20 +18,15 @@ static const double SOME[3 * POINTS] = {0, 0, 0, 1,   1, 0.5, 3, 1,
 static const double SIZE = 2.345207879911715;
 static const double VECTORS[3 * POINTS] = {
     1, 0.5, 0.2, 0.9, 0.4, 1.1, 0.3, 1.2, 0.4, -1.2, -0.3, 0.4, -0.2, -1, -0.9};
-
 /* Moved by this. */
 static const double MOVED = 1e-9;
-
 static const enum ph_diagnostic ERRORS[] = {
     PH_D_INTERPOLATION_ERROR, PH_D_TANGENT_ERROR, PH_D_PYTHAGOREAN_ERROR,
     PH_D_CONTINUITY_ERROR, PH_D_LENGTH_ERROR};
 enum { ERRORS_N = sizeof ERRORS / sizeof ERRORS[0] };
-
 static struct unit_hermite3 u;
-
 /* The variants of a problem: bit 0 closed, bit 1 derivatives, bit 2 ATPH. */
 enum { CLOSED = 1, DERIVATIVES = 2, ATPH = 4, VARIANTS = 8 };
-
 static void begin(int variant) {
   bool closed = variant & CLOSED;
   double alpha = variant & ATPH ? 1.2 : 0;

@@ -19,10 +19,8 @@ enum kind { SINGLES, PAIRS, MIXED, DERIVATIVES, KINDS };
 static const size_t INTERVALS[KINDS][4] = {
     {1, 1, 1, 1}, {2, 2}, {1, 2, 1}, {2, 2}};
 static const char *const MODES[KINDS] = {"g1", "g1-pair", "g1-auto", "c1"};
-
 static const ph_cplx NODES[] = {
     {1, 0}, {.8, .5}, {.9, .9}, {.3, 1.1}, {-.4, 1}};
-
 /* One tangent at every point, and one derivative within pairs and where
  * derivatives are given. */
 static void chain(enum kind kind, double scale, double offset) {

@@ -16,7 +16,6 @@ static const double DEGREE = PH_PI / 180;
 static struct ph_diag diag;
 static const struct ph_offset_rules rules = {
     .tolerance = 1e-9, .samples = {.how = PH_SAMPLE_PARAMETER, .n = N}};
-
 static struct ph_offset offset_of(const struct ph_curve *curve,
                                   double distance) {
   struct ph_offset o;

@@ -8,9 +8,7 @@ static const struct ph_field plane_rows[] = {
     {PH_F_DERIVATIVES, PH_VECTORS, PLANE, false, "", "", ""},
     {PH_F_CURVE, PH_VECTORS | PH_POLYLINE, PLANE, false, "", "", ""}};
 static const struct ph_schema plane = {"tc", plane_rows, 4};
-
 /* ---- CSV ------------------------------------------------------------ */
-
 PH_TEST(test_csv_records) {
   gives("a.csv", "", "end");
   gives("a.csv", "x,y\n", "end");

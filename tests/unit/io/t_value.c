@@ -34,20 +34,16 @@ static const struct ph_field everything = {PH_F_KNOTS,
                                            "warn",
                                            "",
                                            ""};
-
 static const struct ph_field shape = {
     PH_F_SHAPE, PH_BOOL | PH_WORD, 0, false, "warn", "true", ""};
 static const struct ph_field increase = {
     PH_F_INCREASE, PH_WORD, 0, false, "minimal|plus:V|times:V", "minimal", ""};
-
 static const struct ph_field curve = {
     PH_F_CURVE, PH_VECTORS | PH_POLYLINE, PLANE, false, "", "none", ""};
 static const struct ph_field any_curve = {
     PH_F_CURVE, PH_VECTORS | PH_POLYLINE, PLANE | SPACE, false, "", "none", ""};
-
 static struct ph_value value;
 static struct ph_diag diag;
-
 /* Reads a value from a copy of its own size: a read beyond it shows. */
 static enum ph_status get(const struct ph_field *row, const char *text) {
   size_t n = strlen(text);

@@ -31,13 +31,11 @@ static struct motion random_motion(struct unit_random *r, int which) {
   struct motion m = {unit_random_turn(r), (which & 1) != 0, (which & 2) != 0,
                      pow(10, unit_random_in(r, -9, 9)),
                      unit_random_direction(r)};
-
   return m;
 }
 
 static ph_vec3 moved(const struct motion *m, ph_vec3 v) {
   ph_quat q = ph_quat_pure(m->mirror ? ph_vec3_of(v.x, v.y, -v.z) : v);
-
   q = ph_quat_mul(ph_quat_mul(m->turn, q), ph_quat_conj(m->turn));
   return ph_vec3_scale(m->scale, ph_quat_vector(q));
 }
@@ -47,12 +45,10 @@ static enum ph_status set_up(struct setting *t, enum ph_field_id what,
                              const ph_vec3 *v, const double *length,
                              const struct motion *m) {
   bool points = what == PH_F_POINTS;
-
   memset(t, 0, sizeof *t);
   for (size_t i = 0; i <= N; i++) {
     size_t from = m->reverse ? N - i : i;
     ph_vec3 w = moved(m, v[from]);
-
     if (points) {
       w = ph_vec3_along(w, m->scale, m->shift);
     } else if (m->reverse) {
@@ -79,7 +75,6 @@ static void random_data(struct unit_random *r, ph_vec3 v[N + 1],
   }
   for (size_t i = 0; i < N; i++) {
     double chord = ph_vec3_abs(ph_vec3_sub(v[i + 1], v[i]));
-
     length[i] = chord * unit_random_in(r, 1.1, 1.5);
   }
 }
@@ -93,7 +88,6 @@ static void check_same(const struct ph_arc_data *a,
   for (size_t i = 0; i < (a->step ? N : N + 1); i++) {
     ph_vec3 v = a->step ? a->step[i] : a->given[i];
     ph_vec3 w = b->step ? b->step[i] : b->given[i];
-
     ck_abs(ph_vec3_abs(ph_vec3_sub(v, w)), 0, 1e-12);
   }
 }
@@ -105,12 +99,10 @@ PH_TEST_EACH(test_pose, 8) {
   struct unit_random r = unit_random_of(1200 + (uint64_t)_i);
   ph_vec3 v[N + 1];
   double length[N];
-
   random_data(&r, v, length);
   for (size_t k = 0; k < 3; k++) {
     struct motion m = random_motion(&r, _i);
     struct setting a, b;
-
     ck_assert_int_eq(set_up(&a, what[k], v, length, &still), PH_OK);
     ck_assert_int_eq(set_up(&b, what[k], v, length, &m), PH_OK);
     check_same(&a.data, &b.data);
@@ -129,14 +121,12 @@ PH_TEST_EACH(test_curve_moves_along, 8) {
   struct ph_curve curve[2];
   ph_vec3 v[N + 1], from;
   double length[N], x[X_MAX], turn;
-
   random_data(&r, v, length);
   for (size_t k = 0; k < X_MAX; k++) {
     x[k] = unit_random_in(&r, -1, 1);
   }
   for (size_t k = 0; k < 2; k++) {
     struct ph_arc_system s;
-
     ck_assert_int_eq(
         set_up(&t[k], PH_F_DERIVATIVES, v, length, k == 0 ? &still : &m),
         PH_OK);
@@ -154,7 +144,6 @@ PH_TEST_EACH(test_curve_moves_along, 8) {
     ph_vec3 p = ph_vec3_get(curve[0].control_points + 3 * i, 3);
     ph_vec3 q = ph_vec3_get(curve[1].control_points + 3 * other, 3);
     ph_vec3 want = moved(&m, p), got = ph_vec3_sub(q, from);
-
     ck_abs(ph_vec3_abs(ph_vec3_sub(got, want)), 0,
            1e-13 * m.scale * curve[0].length);
   }
@@ -167,10 +156,8 @@ PH_TEST_EACH(test_turn_of_slender_data, 14) {
   double bulge = pow(10, -_i), length[N];
   struct setting t;
   ph_vec3 v[N + 1];
-
   for (size_t i = 0; i <= N; i++) {
     ph_vec3 off = ph_vec3_scale(bulge, unit_random_direction(&r));
-
     v[i] =
         ph_vec3_add(ph_vec3_of(3 * (double)i, 4 * (double)i, (double)i), off);
     length[i < N ? i : 0] = 10;
@@ -180,7 +167,6 @@ PH_TEST_EACH(test_turn_of_slender_data, 14) {
     size_t from = ph_arc_data_user(&t.data, i);
     ph_vec3 step = t.data.step[i], want = ph_vec3_sub(v[from + 1], v[from]);
     ph_quat q;
-
     step.z = t.data.mirrored ? -step.z : step.z;
     step = ph_vec3_scale(t.data.reversed ? -1 : 1, step);
     q = ph_quat_mul(ph_quat_mul(t.data.turn, ph_quat_pure(step)),
@@ -197,7 +183,6 @@ PH_TEST_EACH(test_plane_and_line, 4) {
   struct setting t;
   ph_vec3 v[N + 1];
   double length[N];
-
   m.scale = 1;
   random_data(&r, v, length);
   ck_assert_int_eq(set_up(&t, PH_F_POINTS, v, length, &m), PH_OK);
@@ -226,7 +211,6 @@ PH_TEST_EACH(test_plane_is_kept, 4) {
   struct ph_curve curve;
   ph_vec3 v[N + 1];
   double length[N], x[X_MAX], turn;
-
   random_data(&r, v, length);
   for (size_t i = 0; i <= N; i++) {
     v[i].z = 0;
@@ -251,7 +235,6 @@ static void set_up_closed(struct setting *t, const ph_vec3 *v, size_t from,
   memset(t, 0, sizeof *t);
   for (size_t i = 0; i < N; i++) {
     size_t k = backwards ? from + N - i : from + i;
-
     ph_vec3_put(v[k % N], 3, t->vectors + 3 * i);
   }
   t->problem.field[PH_F_POINTS] = (struct ph_value){
@@ -268,7 +251,6 @@ PH_TEST_EACH(test_closed_pose, 2 * N) {
   ph_vec3 v[N + 1];
   double length[N];
   struct setting a, b;
-
   random_data(&r, v, length);
   set_up_closed(&a, v, 0, false);
   set_up_closed(&b, v, (size_t)_i / 2, _i % 2 == 1);
@@ -290,7 +272,6 @@ PH_TEST_EACH(test_closed_curve, 2 * N) {
   struct ph_curve curve;
   ph_vec3 v[N + 1];
   double length[N], x[X_MAX], turn;
-
   random_data(&r, v, length);
   for (size_t k = 0; k < X_MAX; k++) {
     x[k] = unit_random_in(&r, -1, 1);
@@ -302,7 +283,6 @@ PH_TEST_EACH(test_closed_curve, 2 * N) {
   ph_arc_lengths(&s, x, length);
   for (size_t i = 0; i < N; i++) {
     double unit = t.data.root * t.data.root;
-
     ck_rel(curve.lengths[2 * i] + curve.lengths[2 * i + 1],
            unit * length[ph_arc_data_ours(&t.data, i)], 1e-13);
   }
@@ -310,7 +290,6 @@ PH_TEST_EACH(test_closed_curve, 2 * N) {
     double before = curve.knots[q + 1] - curve.knots[q];
     double after = curve.knots[q + 2] - curve.knots[q + 1];
     const double *a = curve.preimage.v + 12 * q + 8, *b = a + 4;
-
     for (size_t k = 0; k < 4; k++) {
       ck_abs(a[k] / sqrt(before), b[k] / sqrt(after), 1e-13);
     }

@@ -375,7 +375,6 @@ PH_TEST(test_penalty_given) {
   t.length[0] = t.length[1] = t.length[2] = 1;
   set_system(&t, 1, 4);
   check_penalty(&t, 100, 1, 3.0767995711);
-
   set_data(&t, PH_ARC_TANGENTS, 5);
   for (size_t j = 0; j <= 5; j++) {
     double a = (double)j;

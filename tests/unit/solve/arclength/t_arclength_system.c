@@ -35,14 +35,12 @@ struct setting {
 static ph_vec3 random_vector(struct unit_random *r, size_t dim) {
   double x = unit_random_in(r, 0.3, 1), y = unit_random_in(r, -1, 1);
   double z = unit_random_in(r, -1, 1);
-
   return ph_vec3_of(x, dim > 1 ? y : 0, dim > 2 ? z : 0);
 }
 
 static void set_up(struct unit_random *r, const struct sort *sort,
                    struct setting *t) {
   struct ph_arc_data *d = &t->data;
-
   memset(t, 0, sizeof *t);
   d->mode = sort->mode;
   d->closed = sort->closed;
@@ -108,7 +106,6 @@ static void node(const struct setting *t, size_t j, double w[4]) {
   const struct ph_arc_system *s = &t->system;
   size_t at = j < s->nodes ? j : j - s->nodes;
   ph_cplx turn = ph_cplx_of(j < s->nodes ? 1 : s->sign, 0);
-
   memset(w, 0, 4 * sizeof *w);
   for (size_t k = 0; k < s->dim; k++) {
     w[s->dim == 2 ? 2 * k : k] = t->x[at * s->dim + k];
@@ -118,7 +115,6 @@ static void node(const struct setting *t, size_t j, double w[4]) {
   }
   for (size_t half = 0; half < 4; half += 2) {
     ph_cplx v = ph_cplx_mul(turn, ph_cplx_of(w[half], w[half + 1]));
-
     w[half] = v.re;
     w[half + 1] = v.im;
   }
@@ -130,13 +126,11 @@ static void value(const struct setting *t, size_t q, double u, double w[4],
   double c[3][3], h = t->h[q / t->system.refine] / (double)t->system.refine;
   const double b[3] = {(1 - u) * (1 - u), 2 * u * (1 - u), u * u};
   static const double second[3] = {2, -4, 2};
-
   ph_arc_coefficients(&t->system, q, c);
   memset(w, 0, 4 * sizeof *w);
   memset(bend, 0, 4 * sizeof *bend);
   for (size_t l = 0; l < 3; l++) {
     double v[4];
-
     node(t, q + l, v);
     for (size_t i = 0; i < 3; i++) {
       for (size_t k = 0; k < 4; k++) {
@@ -151,7 +145,6 @@ static void value(const struct setting *t, size_t q, double u, double w[4],
 static void image(const double w[4], double out[4]) {
   ph_cplx a = ph_cplx_of(w[0], w[1]), b = ph_cplx_of(w[2], w[3]);
   ph_cplx ab = ph_cplx_mul(a, ph_cplx_conj(b));
-
   out[0] = ph_cplx_norm2(a) + ph_cplx_norm2(b);
   out[1] = ph_cplx_norm2(a) - ph_cplx_norm2(b);
   out[2] = 2 * ab.re;
@@ -163,19 +156,16 @@ PH_TEST_EACH(test_rows_are_integrals, SORTS) {
   struct ph_quad rule;
   struct setting t;
   double c[Y_MAX], length[N], f = 0;
-
   ck_assert(ph_quad_gauss(&rule, 5));
   set_up(&r, &sorts[_i], &t);
   ph_arc_residual(&t.system, t.x, c);
   ph_arc_lengths(&t.system, t.x, length);
   for (size_t i = 0; i < N; i++) {
     double sum[4] = {0, 0, 0, 0};
-
     for (size_t q = i * t.system.refine; q < (i + 1) * t.system.refine; q++) {
       for (size_t k = 0; k < rule.n; k++) {
         double w[4], bend[4], v[4];
         double h = t.h[i] / (double)t.system.refine * rule.weight[k];
-
         value(&t, q, rule.node[k], w, bend);
         image(w, v);
         for (size_t j = 0; j < 4; j++) {
@@ -190,7 +180,6 @@ PH_TEST_EACH(test_rows_are_integrals, SORTS) {
       const double want[4] = {t.length[i], t.step[i].x, t.step[i].y,
                               t.step[i].z};
       int form = t.system.form[k];
-
       ck_abs(c[row], sum[form] - want[form], 1e-13);
     }
   }
@@ -202,7 +191,6 @@ PH_TEST_EACH(test_rows_of_knots, SORTS) {
   struct unit_random r = unit_random_of(930 + (uint64_t)_i);
   struct setting t;
   double c[Y_MAX];
-
   set_up(&r, &sorts[_i], &t);
   ph_arc_residual(&t.system, t.x, c);
   for (size_t j = 0; t.system.knot_rows > 0 && j <= N; j++) {
@@ -210,19 +198,16 @@ PH_TEST_EACH(test_rows_of_knots, SORTS) {
     const double *row = c + N * t.system.forms_n + j * t.system.knot_rows;
     double w[4], bend[4], v[4];
     ph_vec3 h, d = t.given[j];
-
     value(&t, q, j < N ? 0 : 1, w, bend);
     image(w, v);
     h = ph_vec3_of(v[1], v[2], v[3]);
     if (t.data.mode == PH_ARC_DERIVATIVES) {
       const double want[3] = {h.x - d.x, h.y - d.y, h.z - d.z};
-
       for (size_t k = 0; k < t.system.knot_rows; k++) {
         ck_abs(row[k], want[k], 1e-13);
       }
     } else { /* |s_a m_b - s_b m_a|^2 = |m|^2 sin^2 of half the angle */
       double sum = 0, size = v[0];
-
       for (size_t k = 0; k < t.system.knot_rows; k++) {
         sum += row[k] * row[k];
       }
@@ -239,7 +224,6 @@ static const double STEP = 1e-5;
 static void gradient_at(struct setting *t, size_t k, double step,
                         double out[X_MAX]) {
   double old = t->x[k];
-
   t->x[k] = old + step;
   ph_arc_linearise(&t->system, t->x, t->y, &t->linear);
   memcpy(out, t->linear.l_x, t->system.x_n * sizeof *out);
@@ -248,7 +232,6 @@ static void gradient_at(struct setting *t, size_t k, double step,
 
 static double lagrangian_at(struct setting *t, size_t k, double step) {
   double old = t->x[k], c[Y_MAX], sum;
-
   t->x[k] = old + step;
   ph_arc_residual(&t->system, t->x, c);
   sum = ph_arc_functional(&t->system, t->x);
@@ -262,13 +245,11 @@ static double lagrangian_at(struct setting *t, size_t k, double step) {
 PH_TEST_EACH(test_gradient, SORTS) {
   struct unit_random r = unit_random_of(960 + (uint64_t)_i);
   struct setting t;
-
   set_up(&r, &sorts[_i], &t);
   for (size_t k = 0; k < t.system.x_n; k++) {
     double difference =
         (lagrangian_at(&t, k, STEP) - lagrangian_at(&t, k, -STEP)) / (2 * STEP);
     double scale = fabs(lagrangian_at(&t, k, 0)) + 1;
-
     ph_arc_linearise(&t.system, t.x, t.y, &t.linear);
     ck_abs(t.linear.l_x[k], difference, 1e-8 * scale);
   }
@@ -278,7 +259,6 @@ PH_TEST_EACH(test_gradient, SORTS) {
 static double kkt_at(struct setting *t, double *matrix, uint32_t i,
                      uint32_t j) {
   size_t k = t->system.kkt_band;
-
   return i > j + k || j > i + k ? 0 : *ph_band_at(matrix, k, i, j);
 }
 
@@ -287,7 +267,6 @@ PH_TEST_EACH(test_kkt_matrix, SORTS) {
   static const struct ph_arc_weights weights = {1, 0, 0};
   struct setting t;
   double *matrix, plus[X_MAX], minus[X_MAX];
-
   set_up(&r, &sorts[_i], &t);
   matrix = ph_arena_array(&unit_arena,
                           ph_band_size(t.system.kkt_n, t.system.kkt_band),
@@ -297,13 +276,11 @@ PH_TEST_EACH(test_kkt_matrix, SORTS) {
   for (size_t k = 0; k < t.system.x_n; k++) {
     uint32_t at = t.system.place_x[k];
     double v[X_MAX] = {0}, column[Y_MAX];
-
     gradient_at(&t, k, STEP, plus);
     gradient_at(&t, k, -STEP, minus);
     for (size_t l = 0; l < t.system.x_n; l++) {
       double difference = (plus[l] - minus[l]) / (2 * STEP);
       double scale = fabs(plus[l]) + fabs(plus[k]) + 100;
-
       ck_abs(kkt_at(&t, matrix, t.system.place_x[l], at), difference,
              1e-8 * scale);
     }
@@ -312,7 +289,6 @@ PH_TEST_EACH(test_kkt_matrix, SORTS) {
     ph_arc_rows_times(&t.system, &t.linear, v, column);
     for (size_t l = 0; l < t.system.y_n; l++) {
       uint32_t row = t.system.place_y[l];
-
       ck_abs(kkt_at(&t, matrix, row, at), column[l], 0);
       ck_abs(kkt_at(&t, matrix, at, row), column[l], 0);
     }
@@ -327,7 +303,6 @@ PH_TEST_EACH(test_penalised_matrix, SORTS) {
   struct setting t;
   double *kkt, *sym, v[X_MAX], jv[Y_MAX], want = 0, got = 0;
   size_t band;
-
   set_up(&r, &sorts[_i], &t);
   band = t.system.order_band;
   kkt = ph_arena_array(&unit_arena,
@@ -346,7 +321,6 @@ PH_TEST_EACH(test_penalised_matrix, SORTS) {
     for (size_t l = 0; l < t.system.x_n; l++) {
       uint32_t i = t.system.order[k], j = t.system.order[l];
       uint32_t high = i > j ? i : j, low = i > j ? j : i;
-
       want += v[k] * v[l] *
               kkt_at(&t, kkt, t.system.place_x[k], t.system.place_x[l]);
       if (high - low <= band) {
@@ -369,12 +343,10 @@ PH_TEST(test_bands) {
     bool closed;
     size_t kkt, order;
   } want[] = {{1, false, 19, 11}, {2, false, 15, 15}, {3, false, 15, 19}};
-
   for (size_t k = 0; k < 3; k++) {
     struct unit_random r = unit_random_of(1050);
     struct sort sort = {PH_ARC_POINTS, true, false, 4, want[k].refine};
     struct setting t;
-
     set_up(&r, &sort, &t);
     ck_assert_uint_eq(t.system.kkt_band, want[k].kkt);
     ck_assert_uint_eq(t.system.order_band, want[k].order);
@@ -387,11 +359,9 @@ PH_TEST(test_retract_turns_phases) {
   struct unit_random r = unit_random_of(1080);
   struct setting t;
   double to[X_MAX], dx[X_MAX], before[Y_MAX], after[Y_MAX];
-
   set_up(&r, &sorts[1], &t);
   for (size_t j = 0; j < t.system.nodes; j++) {
     const double *w = t.x + 4 * j;
-
     dx[4 * j] = -w[1];
     dx[4 * j + 1] = w[0];
     dx[4 * j + 2] = -w[3];
@@ -411,7 +381,6 @@ PH_TEST_EACH(test_retract_is_a_step, SORTS) {
   const double small = 1e-7;
   struct setting t;
   double to[X_MAX], dx[X_MAX];
-
   set_up(&r, &sorts[_i], &t);
   for (size_t k = 0; k < t.system.x_n; k++) {
     dx[k] = unit_random_in(&r, -1, 1);
@@ -425,13 +394,11 @@ PH_TEST_EACH(test_retract_is_a_step, SORTS) {
 /* H of the spinor of a direction is the direction, near both poles too. */
 PH_TEST(test_spinor) {
   struct unit_random r = unit_random_of(1140);
-
   for (int round = 0; round < 100; round++) {
     double small = round % 2 ? 1 : pow(10, unit_random_in(&r, -20, 0));
     double x = unit_random_in(&r, -1, 1), y = small * unit_random_in(&r, -1, 1);
     ph_vec3 d = ph_vec3_unit(ph_vec3_of(x, y, small));
     double w[4], v[4];
-
     ph_arc_spinor(d, w);
     image(w, v);
     ck_abs(v[0], 1, 1e-15);
@@ -442,12 +409,10 @@ PH_TEST(test_spinor) {
 /* NaN is the largest, wherever it stands. */
 PH_TEST(test_largest) {
   double v[3] = {-2, 1, -3};
-
   ck_abs(ph_arc_largest(0, v), 0, 0);
   ck_abs(ph_arc_largest(3, v), 3, 0);
   for (size_t i = 0; i < 3; i++) {
     double keep = v[i];
-
     v[i] = (double)NAN;
     ck_assert(isnan(ph_arc_largest(3, v)));
     v[i] = keep;

@@ -269,7 +269,6 @@ PH_TEST(test_example3) {
   ck_abs(tension.factor, 0.9222810742768435, 1e-12);
   ck_rel(ph_spatial_length(&fit->family, fit->member.b), 2.6249875247094505,
          1e-12);
-
   ck_assert_int_eq(
       ph_spatial_tension(&data, &space, choose_angles, zero, 1e-13, &tension),
       PH_OK);
@@ -279,7 +278,6 @@ PH_TEST(test_example3) {
   ck_rel(ph_spatial_length(&fit->family, fit->member.b), 2.68722511982886,
          1e-12);
   ck_assert(!ph_spatial_is_forward(&data));
-
   data = example3(1);
   tension = tension_cc(&data, &space);
   ck_assert_uint_eq(tension.without, 0);

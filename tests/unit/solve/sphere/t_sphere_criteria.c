@@ -29,7 +29,6 @@ static void set_up(struct setting *t, const double *v, size_t n, bool closed,
                    double epsilon, bool legacy) {
   struct ph_problem problem;
   struct ph_diag diag;
-
   if (v != t->v) {
     memcpy(t->v, v, 3 * n * sizeof *v);
   }
@@ -56,7 +55,6 @@ static void ck_indicators(const struct setting *t, const int *q) {
 static void straighten(struct setting *t) {
   for (size_t k = 0; k < t->data.m; k++) {
     ph_vec3 p = t->data.p[k], q = t->data.p[ph_sphere_next(&t->data, k)];
-
     t->r[k] = ph_s2_slerp(p, q, 1.0 / 3);
     t->l[k] = ph_s2_slerp(p, q, 2.0 / 3);
   }
@@ -68,12 +66,10 @@ static void straighten(struct setting *t) {
 static void violations(const struct setting *t, char text[99]) {
   static const char letter[] = " CNS";
   size_t n = 0;
-
   text[0] = '\0';
   for (unsigned which = PH_SPHERE_COCIRCULARITY; which <= PH_SPHERE_SEGMENT;
        which++) {
     bool segment = which == PH_SPHERE_SEGMENT;
-
     for (size_t i = 0; i < (segment ? t->data.m : t->data.n); i++) {
       unsigned found = segment
                            ? ph_sphere_segment_fails(&t->shape, &t->spline, i)
@@ -92,7 +88,6 @@ PH_TEST_EACH(test_case,
   bool legacy = _i % 2 == 0;
   struct setting t;
   char text[99];
-
   set_up(&t, unit_sphere_points[unit_sphere_cases[which].points],
          unit_sphere_cases[which].n, false, legacy ? 1e-3 : 1e-2, legacy);
   ck_indicators(&t, unit_sphere_cases[which].q);
@@ -113,14 +108,12 @@ static struct ph_spherical polygon(struct unit_random *r, const double leg[3],
                                    const double turn[2]) {
   struct ph_spherical s;
   ph_vec3 d;
-
   s.p[0] = ph_vec3_unit(ph_vec3_of(unit_random_in(r, -1, 1),
                                    unit_random_in(r, -1, 1),
                                    unit_random_in(r, 0.01, 1)));
   d = ph_vec3_any_normal(s.p[0]);
   for (size_t j = 0; j < 3; j++) {
     ph_vec3 p = s.p[j], side;
-
     if (j > 0) {
       side = ph_vec3_cross(p, d);
       d = ph_vec3_along(ph_vec3_scale(cos(turn[j - 1]), d), sin(turn[j - 1]),
@@ -138,7 +131,6 @@ static struct ph_spherical polygon(struct unit_random *r, const double leg[3],
 static struct ph_spherical random_segment(struct unit_random *r, double sum,
                                           int kind) {
   double leg[3], turn[2], whole = 0;
-
   for (size_t j = 0; j < 3; j++) {
     leg[j] = pow(10, -unit_random_in(r, 0, kind % 2 == 0 ? 0.5 : 3));
     whole += leg[j];
@@ -163,7 +155,6 @@ static enum ph_sphere_criterion judge(const struct ph_spherical *s, int sign) {
   struct ph_sphere_data data = {.n = 4, .m = 3, .p = p};
   struct ph_sphere_spline spline = {.data = &data, .r = r, .l = l};
   struct ph_sphere_shape shape = {.data = &data, .q = q};
-
   return ph_sphere_segment_fails(&shape, &spline, 1);
 }
 
@@ -177,16 +168,13 @@ PH_TEST_EACH(test_segment, 2) {
   enum { SAMPLES = 128 };
   struct unit_random r = unit_random_of(3200 + (uint64_t)_i);
   int count = unit_count(1000), accepted = 0, rejected = 0;
-
   for (int j = 0; j < count; j++) {
     double sum = pow(10, unit_random_in(&r, _i == 0 ? -5 : -1, 0.7));
     struct ph_spherical s = random_segment(&r, sum, j), m;
     double least = HUGE_VAL, most = 0;
     enum ph_sphere_criterion found = judge(&s, 1);
-
     for (int i = 0; i <= SAMPLES; i++) {
       double k[2];
-
       ph_spherical_numerator(&s, (double)i / SAMPLES, k);
       least = fmin(least, k[0]);
       most = fmax(most, k[0]);
@@ -211,10 +199,8 @@ PH_TEST_EACH(test_segment, 2) {
 /* The least K of a segment whose K falls and rises again. */
 static double least_numerator(const struct ph_spherical *s) {
   double low = 0, high = 1, k[2];
-
   for (int i = 0; i < 60; i++) {
     double middle = (low + high) / 2;
-
     ph_spherical_numerator(s, middle, k);
     *(k[1] < 0 ? &low : &high) = middle;
   }
@@ -227,7 +213,6 @@ static double least_numerator(const struct ph_spherical *s) {
 PH_TEST(test_threshold) {
   struct unit_random r = unit_random_of(3220);
   int count = unit_count(100);
-
   for (int j = 0; j < count; j++) {
     double sum = pow(10, unit_random_in(&r, -0.5, 0.5));
     double leg[3] = {sum * unit_random_in(&r, 0.3, 0.4),
@@ -235,11 +220,9 @@ PH_TEST(test_threshold) {
                      sum * unit_random_in(&r, 0.3, 0.4)};
     double low = 1, high = 2.6, most[2];
     struct ph_spherical s;
-
     for (int i = 0; i < 48; i++) {
       double turn[2] = {(low + high) / 2, (low + high) / 2};
       struct unit_random same = r;
-
       s = polygon(&same, leg, turn);
       *(judge(&s, 1) == PH_SPHERE_FINE ? &low : &high) = turn[0];
     }
@@ -253,7 +236,6 @@ PH_TEST(test_threshold) {
 PH_TEST(test_plane) {
   struct unit_random r = unit_random_of(3210 + (uint64_t)_i);
   int count = unit_count(2000);
-
   for (int j = 0; j < count; j++) {
     double largest = j % 3 == 0 ? 1 : pow(10, unit_random_in(&r, -3, 0));
     struct ph_spherical s = random_segment(&r, largest, j);
@@ -265,10 +247,8 @@ PH_TEST(test_plane) {
     double b1 = 9 * ph_vec3_triple(middle, a, c);
     double b2 = 18 * ph_vec3_triple(s.p[3], b, c);
     double most = fmax(fmax(fabs(b0), fabs(b1)), fabs(b2));
-
     for (int i = 0; i <= 20; i++) {
       double t = i / 20.0, u = 1 - t, k[2];
-
       ph_spherical_numerator(&s, t, k);
       ck_abs(k[0], b0 * u * u + 2 * b1 * t * u + b2 * t * t,
              most * sum * sum / 2 + 1e-15 * sum * sum);
@@ -282,7 +262,6 @@ PH_TEST(test_plane) {
 static void put_circle(double *v, size_t n, double latitude, double step) {
   for (size_t i = 0; i < n; i++) {
     double lon = (double)i * step;
-
     v[3 * i] = cos(latitude) * cos(lon);
     v[3 * i + 1] = cos(latitude) * sin(lon);
     v[3 * i + 2] = sin(latitude);
@@ -294,13 +273,11 @@ static void put_circle(double *v, size_t n, double latitude, double step) {
 PH_TEST_EACH(test_dense, 4) {
   static const double steps[] = {0.3, 1e-2, 1e-4, 3e-6};
   struct setting t;
-
   for (int curved = 0; curved < 2; curved++) {
     put_circle(t.v, 20, curved ? 0.003 : 0.002, steps[_i]);
     set_up(&t, t.v, 20, false, 1e-2, false);
     for (size_t i = 1; i < 19; i++) {
       bool order = !curved && steps[_i] < 0.1;
-
       ck_assert_int_eq(t.shape.q[i], order ? 0 : 1);
       ck_assert_int_eq(t.shape.inorder[i], order);
     }
@@ -310,7 +287,6 @@ PH_TEST_EACH(test_dense, 4) {
 /* Where rounding hides a curvature of epsilon, nothing is asked. */
 PH_TEST(test_rounding) {
   struct setting t;
-
   put_circle(t.v, 20, 1e-3, 5e-8);
   set_up(&t, t.v, 20, false, 1e-2, false);
   straighten(&t);
@@ -329,7 +305,6 @@ PH_TEST_EACH(test_reversal, 2) {
   struct setting t;
   double lon[] = {0, 0.5, 1, 0.3, 0.1, 1.6, 3.1};
   const bool inorder[] = {false, true, false, true, false, true, false};
-
   for (size_t i = 0; i < 7; i++) {
     t.v[3 * i] = cos(lon[i]);
     t.v[3 * i + 1] = sin(lon[i]);
@@ -346,7 +321,6 @@ PH_TEST_EACH(test_reversal, 2) {
 PH_TEST_EACH(test_great_circle, 2) {
   struct setting t;
   char text[99];
-
   put_circle(t.v, 12, 0, PH_PI / 6);
   set_up(&t, t.v, 12, _i > 0, 1e-9, false);
   straighten(&t);
@@ -354,7 +328,6 @@ PH_TEST_EACH(test_great_circle, 2) {
   ck_assert_str_eq(text, "");
   for (size_t i = 0; i < 12; i++) {
     size_t node[4];
-
     ck_assert_int_eq(t.shape.inorder[i], _i > 0 || (i > 0 && i < 11));
     if (t.shape.inorder[i]) {
       ck_assert_uint_eq(
@@ -367,12 +340,10 @@ PH_TEST_EACH(test_great_circle, 2) {
 PH_TEST_EACH(test_sides, 2) {
   bool legacy = _i == 1;
   struct setting t;
-
   for (int curved = 0; curved < 2; curved++) {
     double lift = curved ? -1 : 1; /* against the turn, or out of line */
     enum ph_sphere_criterion bad =
         curved ? PH_SPHERE_NODAL : PH_SPHERE_COCIRCULARITY;
-
     put_circle(t.v, 3, curved ? 0.5 : 0, 0.5);
     set_up(&t, t.v, 3, false, 1e-2, legacy);
     straighten(&t);
@@ -393,7 +364,6 @@ PH_TEST_EACH(test_sides, 2) {
 /* A node whose velocity is 0 has no curvature that could be small. */
 PH_TEST(test_standstill) {
   struct setting t;
-
   put_circle(t.v, 3, 0, 0.5);
   set_up(&t, t.v, 3, false, 1e-2, false);
   straighten(&t);
@@ -411,7 +381,6 @@ static void ck_touched(const struct setting *t,
                        const char *expected) {
   size_t node[4], n = ph_sphere_touched(&t->shape, criterion, at, node);
   char text[99] = "";
-
   for (size_t j = 0, length = 0; j < n; j++) {
     length += (size_t)sprintf(text + length, j > 0 ? " %zu" : "%zu", node[j]);
   }
@@ -423,10 +392,8 @@ static void ck_touched(const struct setting *t,
 static void put_bends(double *v) {
   static const double turn[10] = {0, 0, 0, 0.5, 0, 0, -0.7, 0.4, 0, 0};
   ph_vec3 p = {1, 0, 0}, d = {0, 1, 0};
-
   for (size_t i = 0; i < 10; i++) {
     ph_vec3 q, side = ph_vec3_cross(p, d);
-
     ph_vec3_put(p, 3, v + 3 * i);
     d = ph_vec3_along(ph_vec3_scale(cos(turn[i]), d), sin(turn[i]), side);
     q = ph_s2_exp(p, ph_vec3_scale(0.2, d));
@@ -438,7 +405,6 @@ static void put_bends(double *v) {
 PH_TEST_EACH(test_touched_open, 2) {
   static const int q[10] = {0, 0, 0, 1, 0, 0, -1, 1, 0, 0};
   struct setting t;
-
   put_bends(t.v);
   set_up(&t, t.v, 10, false, 1e-2, _i == 1);
   ck_indicators(&t, q);
@@ -468,7 +434,6 @@ PH_TEST(test_touched_closed) {
   /* an equator with one bend out of it and back, from node 4 over 5 to 6 */
   static const int q[8] = {0, 0, 0, 0, 1, -1, 1, 0};
   struct setting t;
-
   put_circle(t.v, 8, 0, PH_PI / 4);
   t.v[3 * 5 + 2] = 0.02;
   set_up(&t, t.v, 8, true, 1e-2, false);
@@ -485,7 +450,6 @@ PH_TEST(test_touched_closed) {
 PH_TEST(test_touched_triangle) {
   static const double v[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   struct setting t;
-
   set_up(&t, v, 3, true, 1e-2, false);
   ck_touched(&t, PH_SPHERE_SEGMENT, 1, "0 1 2");
   ck_touched(&t, PH_SPHERE_NODAL, 2, "1 2 0");

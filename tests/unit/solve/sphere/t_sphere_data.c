@@ -20,7 +20,6 @@ static enum ph_status read_fields(const struct given given[GIVEN_MAX],
                                   struct ph_sphere_data *data,
                                   struct ph_diag *diag) {
   const struct ph_problem problem = unit_problem_of(given);
-
   return ph_sphere_data_read(&problem, &unit_arena, data, diag);
 }
 
@@ -29,7 +28,6 @@ static struct ph_sphere_data data_of(const struct given given[GIVEN_MAX]) {
   struct ph_sphere_data data;
   struct ph_diag diag;
   enum ph_status status = read_fields(given, &data, &diag);
-
   ck_assert_msg(status == PH_OK, "%s: %s", diag.field, diag.message);
   return data;
 }
@@ -114,7 +112,6 @@ static const struct {
 PH_TEST_EACH(test_failure, sizeof failures / sizeof *failures) {
   struct ph_sphere_data data;
   struct ph_diag diag;
-
   ck_assert_int_eq(read_fields(failures[_i].given, &data, &diag),
                    failures[_i].status);
   ck_assert_int_eq(diag.status, failures[_i].status);
@@ -126,7 +123,6 @@ PH_TEST_EACH(test_failure, sizeof failures / sizeof *failures) {
 
 PH_TEST(test_open) {
   struct ph_sphere_data d = data_of((struct given[GIVEN_MAX]){OCTANT});
-
   ck_assert(!d.closed);
   ck_assert_int_eq(d.ends, PH_SPHERE_NATURAL);
   ck_assert_uint_eq(d.n, 3);
@@ -156,7 +152,6 @@ PH_TEST_EACH(test_closed, 4) {
        {PH_F_LONLAT, VECTORS(2, 180, 0, -90, 0, 55, 90, -180, 0)},
        {PH_F_TENSION, NUMBERS(1, 2, 3, 1)}}};
   struct ph_sphere_data d = data_of(given[_i]);
-
   ck_assert(d.closed);
   ck_assert_uint_eq(d.n, 3);
   ck_assert_uint_eq(d.m, 3);
@@ -170,7 +165,6 @@ PH_TEST_EACH(test_closed, 4) {
 /* A repeated last point of open data is a point like others. */
 PH_TEST(test_open_ring) {
   struct ph_sphere_data d = data_of((struct given[GIVEN_MAX]){RING});
-
   ck_assert_uint_eq(d.n, 4);
   ck_assert_uint_eq(d.m, 3);
 }
@@ -181,7 +175,6 @@ PH_TEST(test_lonlat) {
       {PH_F_RADIUS, NUMBER(6371)},
       {PH_F_CENTER, NUMBERS(1, 2, 3)}};
   struct ph_sphere_data d = data_of(given);
-
   ck_vector(d.p[0], ph_vec3_of(1, 0, 0), 0);
   ck_vector(d.p[1], ph_vec3_of(0, 1, 0), 0);
   ck_vector(d.p[2], ph_vec3_of(0.5, 0, sqrt(0.75)), DBL_EPSILON);
@@ -218,7 +211,6 @@ PH_TEST_EACH(test_sphere, 12) {
       {PH_F_RADIUS, NUMBER(radius)},
       {PH_F_RADIUS_TOLERANCE, NUMBER(tol > 1e-3 ? 0.5 : 1e-3)}};
   struct ph_sphere_data d = data_of(given);
-
   ck_vector(d.p[0], ph_vec3_of(0.6, 0.8, 0), tol);
   ck_vector(d.p[1], ph_vec3_of(-0.48, 0.64, 0.6), tol);
   ck_vector(d.p[2], ph_vec3_of(0, 0, -1), tol);
@@ -244,7 +236,6 @@ PH_TEST_EACH(test_scales, 50) {
       {PH_F_CENTER, {.kind = PH_NUMBERS, .v = center, .n = 3, .dimension = 1}},
       {PH_F_RADIUS, NUMBER(radius)}};
   struct ph_sphere_data d;
-
   for (size_t j = 0; j < 3; j++) {
     center[j] = radius * unit_random_in(&r, -3, 3);
   }
@@ -279,7 +270,6 @@ PH_TEST(test_knots) {
   const struct given period[GIVEN_MAX] = {
       CLOSED, RING, {PH_F_KNOTS, NUMBERS(5, 6, 8, 11)}};
   struct ph_sphere_data d = data_of(uniform);
-
   ck_rel(d.theta[0], PH_PI / 6, DBL_EPSILON);
   ck_rel(d.h[0], PH_PI / 4, DBL_EPSILON);
   ck_rel(d.h[1], d.h[0], 0);
@@ -304,7 +294,6 @@ PH_TEST_EACH(test_tensions, 3) {
                {{RING, CLOSED, {PH_F_TENSION, NUMBER(7)}}, {7, 7, 7}},
                {{OCTANT, {PH_F_TENSION, NUMBERS(1, 0, 1e8)}}, {1, 0, 1e8}}};
   struct ph_sphere_data d = data_of(cases[_i].given);
-
   for (size_t i = 0; i < 3; i++) {
     ck_rel(d.nu[i], cases[_i].nu[i], 0);
   }
@@ -325,7 +314,6 @@ PH_TEST(test_ends) {
       {PH_F_KNOTS, NUMBERS(0, 1, 5)},
       {PH_F_END_TANGENTS, VECTORS(3, 3, 3, 4, 0, -2, 9)}};
   struct ph_sphere_data d = data_of(rest);
-
   ck_assert_int_eq(d.ends, PH_SPHERE_REST);
   d = data_of(natural);
   ck_assert_int_eq(d.ends, PH_SPHERE_NATURAL);

@@ -19,9 +19,7 @@ static const struct unit_raise_kind open_kind = {false, PH_SPHERE_NATURAL,
                                                  &ph_sphere_exact, 0.01, false};
 static const struct unit_raise_kind closed_kind = {
     true, PH_SPHERE_NATURAL, &ph_sphere_exact, 0.01, false};
-
 /* ---- a plain search ------------------------------------------------------ */
-
 /* Whether the spline with these tensions has the shape; if not, it is as it
  * was. */
 static bool try(struct unit_raise *t, const double *nu) {

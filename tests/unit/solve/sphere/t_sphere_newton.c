@@ -12,7 +12,6 @@ enum { N = UNIT_SPHERE_ANY, TRIALS = 50, MODELS = 2 };
 
 static const struct ph_sphere_model *const models[MODELS] = {
     &ph_sphere_exact, &ph_sphere_nielson};
-
 /* Every model with data of every kind, in turn. */
 static const struct ph_sphere_model *model_of(int t) {
   return models[t % MODELS];

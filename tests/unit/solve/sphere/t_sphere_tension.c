@@ -12,9 +12,7 @@ static const struct unit_raise_kind open_kind = {false, PH_SPHERE_NATURAL,
                                                  &ph_sphere_exact, 0.05, false};
 static const struct unit_raise_kind closed_kind = {
     true, PH_SPHERE_NATURAL, &ph_sphere_exact, 0.05, false};
-
 /* ---- a plain loop -------------------------------------------------------- */
-
 static void touch(const struct unit_raise *t,
                   enum ph_sphere_criterion criterion, size_t at,
                   bool *touched) {

@@ -38,7 +38,6 @@ static const struct known waves[] = {{"degree 7",
 
 static const struct known quarter = {
     "quarter circle", 3, {{1, 0}, {1, .5522847498}, {.5522847498, 1}, {0, 1}}};
-
 /* Each is within any tolerance by a few cubics. */
 static const struct known smooth[] = {
     {"parabola", 2, {{0, 0}, {.5, 1}, {1, 0}}},
@@ -59,16 +58,13 @@ static const struct known smooth[] = {
       {.6, 0},
       {.8, 1e-7},
       {1, 0}}}};
-
 /* They turn back. */
 static const struct known turning[] = {
     {"cusp", 3, {{0, 0}, {1, 1}, {0, 1}, {1, 0}}},
     {"beyond its end and back", 2, {{0, 0}, {1.5, .75}, {1, .5}}},
     {"there and back", 2, {{0, 0}, {1, 0}, {0, 0}}},
     {"back and forth", 3, {{0, 0}, {1.5, 0}, {-.5, 0}, {1, 0}}}};
-
 #define COUNT(a) (sizeof(a) / sizeof *(a))
-
 static struct ph_tc_bezier bezier(const struct known *k) {
   struct ph_tc_bezier b = {k->p, k->degree, 0};
   return b;

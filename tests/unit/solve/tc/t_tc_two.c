@@ -95,7 +95,6 @@ static const double known[] = {
     19.077345173,  9.9098758527,  29.529781615,  21.381503667,  22.418897476,
     2.609920907,   49.816063254,  44.579333695,  3.5620395004,  20.902622537,
     20.779659982,  34.069684106,  9.5731511194,  20.509183981,  14.403511336};
-
 static double spread(size_t k, double s) {
   double x = (double)k * s;
   return PH_PI * (2 * (x - floor(x)) - 1);
@@ -257,7 +256,6 @@ static const struct interval intervals[] = {
      0.030207621669132628, 0.03079992797637052},
     {-0.7 * PH_PI, -2 * PH_PI / 15, -1, 0.03051937990731603, PH_PI / 110,
      PH_PI / 85}};
-
 PH_TEST(test_chord_intervals) {
   for (size_t i = 0; i < sizeof intervals / sizeof intervals[0]; i++) {
     struct interval v = intervals[i];
@@ -294,7 +292,6 @@ static const struct curve curves[] = {
      1.07742605657, 0, true},
     {-0.7 * PH_PI, -2 * PH_PI / 15, -PH_PI / 110, (double)NAN, 0.674095882046,
      129026.467566, 1.00434478311, 1, false}};
-
 PH_TEST(test_chord_known) {
   for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++) {
     const struct curve *v = &curves[i];
