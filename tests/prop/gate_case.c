@@ -45,7 +45,7 @@ void gate_set_flag(struct gate_case *c, enum ph_field_id id, bool flag) {
 enum ph_field_id gate_data(const struct gate_case *c) {
   static const enum ph_field_id ids[] = {PH_F_POINTS, PH_F_LONLAT, PH_F_CURVE,
                                          PH_F_DERIVATIVES};
-  for (size_t i = 0; i < sizeof ids / sizeof ids[0]; i++) {
+  for (size_t i = 0; i < COUNT(ids); i++) {
     if (gate_has(c, ids[i])) {
       return ids[i];
     }

@@ -245,7 +245,7 @@ void gate_run(struct gate_lab *lab, const struct gate_case *c,
 void gate_lab_free(struct gate_lab *lab) {
   struct ph_buf *bufs[] = {&lab->problem,  &lab->out,        &lab->err,
                            &lab->repeated, &lab->complaints, &lab->verdict};
-  for (size_t i = 0; i < sizeof bufs / sizeof bufs[0]; i++) {
+  for (size_t i = 0; i < COUNT(bufs); i++) {
     ph_buf_free(bufs[i]);
   }
   ph_worker_free(&lab->first);

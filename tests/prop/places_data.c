@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves to be sampled (see places_data.h). */
 #include "places_data.h"
-#include "../unit/unit.h"
+#include "unit.h"
 
 #include "curve/bezier/convert.h"
 #include "curve/offset/cusp.h"

@@ -3,9 +3,9 @@
 #ifndef PH_TESTS_PLACES_DATA_H
 #define PH_TESTS_PLACES_DATA_H
 
-#include "../unit/curve3_unit.h"
-#include "../unit/spherical_curve_unit.h"
-#include "../unit/tc_curve_unit.h"
+#include "curve_unit.h"
+#include "spherical_unit.h"
+#include "tc_curve_unit.h"
 
 enum places_kind {
   PLACES_PH2,

@@ -117,7 +117,7 @@ static void scale(struct unit_random *r, struct motion *m) {
 
 static void (*const changes[])(struct unit_random *, struct motion *) = {
     turn, shift, mirror, reverse, scale};
-PH_TEST_EACH(test_motion, sizeof changes / sizeof *changes) {
+PH_TEST_EACH(test_motion, COUNT(changes)) {
   struct unit_random r = unit_random_of(1 + (uint64_t)_i);
   size_t solved = 0, n = unit_cases(80);
   for (size_t i = 0; i < n; i++) {

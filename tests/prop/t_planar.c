@@ -171,7 +171,7 @@ static const struct {
     {"in another unit of the parameter", choose_parameter, 400, SAME}};
 
 /* Moves the data of many problems, and compares. */
-PH_TEST_EACH(test_motion, sizeof changes / sizeof *changes) {
+PH_TEST_EACH(test_motion, COUNT(changes)) {
   struct unit_random r = unit_random_of(1 + (uint64_t)_i);
   for (size_t i = 0; i < unit_cases(changes[_i].n); i++) {
     struct motion m = REST;

@@ -8,7 +8,7 @@
  */
 #include "planar_data.h"
 #include "planar_unit.h"
-#include "../unit/ph_unit.h"
+#include "segment_unit.h"
 #include "unit.h"
 
 #include "curve/offset/offset.h"

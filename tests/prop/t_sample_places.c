@@ -5,8 +5,8 @@
  * on the unit or on the direction of travel.  Of every kind of curve and its
  * offsets.
  */
-#include "../unit/adapt_unit.h"
-#include "../unit/sample_unit.h"
+#include "adapt_unit.h"
+#include "curve_unit.h"
 #include "places_data.h"
 
 #include <float.h>

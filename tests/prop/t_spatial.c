@@ -169,7 +169,7 @@ static const struct {
               {"reversed", reverse}};
 
 /* Data and image of many segments. */
-PH_TEST_EACH(test_cc, sizeof steady / sizeof *steady) {
+PH_TEST_EACH(test_cc, COUNT(steady)) {
   struct unit_random r = unit_random_of(3 + (uint64_t)_i);
   size_t compared = 0, n = unit_cases(4000);
   for (size_t i = 0; i < n; i++) {
@@ -192,7 +192,7 @@ PH_TEST_EACH(test_cc, sizeof steady / sizeof *steady) {
 /* Families without parallel tangents, with points as good as their chords. */
 static const enum spatial_family regular[] = {
     SPATIAL_RANDOM, SPATIAL_WALK, SPATIAL_HELIX, SPATIAL_FAST, SPATIAL_SLOW};
-enum { REGULAR_N = sizeof regular / sizeof regular[0] };
+enum { REGULAR_N = COUNT(regular) };
 /* A regular family, its fields, and a criterion that is invariant there: the
  * axis x is not turned; BV chooses a side by itself where a plane curve is not
  * the best, and loses digits where derivatives are far longer than chords.  End
@@ -240,7 +240,7 @@ static const struct {
     {"mirrored", mirror, 10, SAME},
     {"reversed", reverse, 12, SAME}};
 
-PH_TEST_EACH(test_motion, sizeof changes / sizeof *changes) {
+PH_TEST_EACH(test_motion, COUNT(changes)) {
   struct unit_random r = unit_random_of(changes[_i].stream);
   for (size_t i = 0; i < unit_cases(600); i++) {
     struct motion m = REST;

@@ -10,7 +10,7 @@
  */
 #include "motion.h"
 #include "sphere_data.h"
-#include "spherical_curve_unit.h"
+#include "spherical_unit.h"
 #include "unit.h"
 
 #include "curve/offset/offset.h"

@@ -8,7 +8,7 @@
  * The seed is 1, or PH_SEED; PH_LONG=1 takes ten times as many data.
  */
 #include "tc_data.h"
-#include "tc_hermite_unit.h"
+#include "tc_unit.h"
 #include "unit.h"
 
 #include "kernel/pi.h"
@@ -185,7 +185,7 @@ static const struct {
 } changes[] = {{turn, false},        {scale, false}, {reverse, false},
                {start, false},       {far, false},   {mirror, true},
                {scale_exactly, true}};
-enum { CHANGES = sizeof changes / sizeof *changes };
+enum { CHANGES = COUNT(changes) };
 
 PH_TEST_EACH(test_motion, CHANGES) {
   struct unit_random r = unit_random_of(1 + (uint64_t)_i);

@@ -68,7 +68,7 @@ void ck_refused_for(const char *words) {
 void ck_not_finite(double *x) {
   const double bad[] = {(double)NAN, HUGE_VAL, -HUGE_VAL};
   double keep = *x;
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+  for (size_t i = 0; i < COUNT(bad); i++) {
     *x = bad[i];
     ck_assert_int_eq(certify(), PH_TOO_LARGE);
     ck_assert_str_eq(checked.diag.message,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves that cross themselves or not (see cross_unit.h). */
 #include "cross_unit.h"
-#include "ph_unit.h"
+#include "segment_unit.h"
 #include "unit.h"
 
 #include "curve/segment/seg2.h"

@@ -15,16 +15,16 @@ struct given {
   struct ph_value value;
 };
 
-#define COUNT(...) (sizeof((double[]){__VA_ARGS__}) / sizeof(double))
-#define VECTORS(size, ...)                                \
-  {                                                       \
-    .kind = PH_VECTORS, .v = (double[]){__VA_ARGS__},     \
-    .n = COUNT(__VA_ARGS__) / (size), .dimension = (size) \
+#define GIVEN_N(...) (sizeof((double[]){__VA_ARGS__}) / sizeof(double))
+#define VECTORS(size, ...)                                  \
+  {                                                         \
+    .kind = PH_VECTORS, .v = (double[]){__VA_ARGS__},       \
+    .n = GIVEN_N(__VA_ARGS__) / (size), .dimension = (size) \
   }
-#define NUMBERS(...)                                                           \
-  {                                                                            \
-    .kind = PH_NUMBERS, .v = (double[]){__VA_ARGS__}, .n = COUNT(__VA_ARGS__), \
-    .dimension = 1                                                             \
+#define NUMBERS(...)                                  \
+  {                                                   \
+    .kind = PH_NUMBERS, .v = (double[]){__VA_ARGS__}, \
+    .n = GIVEN_N(__VA_ARGS__), .dimension = 1         \
   }
 #define NUMBER(x) \
   { .kind = PH_NUMBER, .number = (x) }

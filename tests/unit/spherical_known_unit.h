@@ -9,6 +9,8 @@
 #ifndef PH_TESTS_SPHERICAL_KNOWN_UNIT_H
 #define PH_TESTS_SPHERICAL_KNOWN_UNIT_H
 
+#include "unit.h"
+
 static const struct {
   const char *name;
   double p[4][3];
@@ -198,6 +200,6 @@ static const struct {
      {0.0005642475227192937903, -0.009996344934342830608},
      0.3957957327753386924}};
 
-enum { KNOWN = sizeof known / sizeof *known };
+enum { KNOWN = COUNT(known) };
 
 #endif

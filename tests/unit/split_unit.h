@@ -167,7 +167,7 @@ static inline void setup(void) {
 static inline void finish(void) {
   static const char *const names[] = {"a.json", "a.jsonl", "a.NDJSON", "a.csv",
                                       "a.tsv",  "a.txt",   "b.json",   "b.csv"};
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+  for (size_t i = 0; i < COUNT(names); i++) {
     unlink(names[i]);
   }
   ck_assert_int_eq(chdir("/"), 0);
@@ -257,7 +257,7 @@ static inline void ck_portions(const struct ph_split_options *options,
   whole = malloc(transcript.n);
   ck_assert_ptr_nonnull(whole);
   memcpy(whole, transcript.data, transcript.n);
-  for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+  for (size_t i = 0; i < COUNT(steps); i++) {
     by_portions(options, text, n, steps[i]);
     ck_assert_msg(strcmp(transcript.data, whole) == 0,
                   "%.*s\nby %zu gives\n%s\ninstead of\n%s", (int)n, text,

@@ -2,15 +2,17 @@
 /*
  * Tschirnhausen cubics and curves of them for tests, worked out from their
  * preimages in long double and by nothing of src/ but the structs that hold
- * them.
+ * them; and how far approximations by them are from a curve.
  */
 #ifndef PH_TESTS_TC_CURVE_UNIT_H
 #define PH_TESTS_TC_CURVE_UNIT_H
 
+#include "unit.h"
+
 #include "curve/result.h"
 #include "curve/segment/tc.h"
 #include "kernel/cplx.h"
-#include "unit.h"
+#include "solve/tc/approx.h"
 
 /* unit_tc_at: the point r(t) - r(0) of a cubic, t of any size. */
 ph_cplx unit_tc_at(const struct ph_tc *tc, double t);
@@ -43,5 +45,20 @@ double unit_cubic_bend(const struct unit_cubics *c, size_t k);
 /* unit_cubic_slowest: the least |w|^2 on [0,1], that of the foot of the origin
  * on the line of w where it is within. */
 double unit_cubic_slowest(const struct unit_cubics *c, size_t k);
+
+/* ---- approximations ------------------------------------------------------ */
+
+/* The point of a Bezier curve. */
+ph_cplx unit_bezier_at(const struct ph_tc_bezier *curve, double u);
+
+/* How far p is from the curve, or from some cubics: the least distance of many
+ * points, those brought nearer that are near to it. */
+double unit_bezier_away(const struct ph_tc_bezier *curve, ph_cplx p);
+double unit_arcs_away(const struct ph_tc_arc *arcs, size_t n, ph_cplx p);
+
+/* The largest of such distances both ways: no more than the Hausdorff distance
+ * if the nearest points are found. */
+double unit_arcs_distance(const struct ph_tc_bezier *curve,
+                          const struct ph_tc_arcs *arcs);
 
 #endif

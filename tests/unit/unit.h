@@ -32,6 +32,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* How many elements an array has. */
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
 /* For whatever a test needs memory for; freed after each test. */
 extern struct ph_arena unit_arena;
 
@@ -184,6 +187,10 @@ static inline double unit_distance(ph_cplx a, ph_cplx b) {
   return hypot(a.re - b.re, a.im - b.im);
 }
 
+static inline double unit_apart(ph_vec3 a, ph_vec3 b) {
+  return ph_vec3_abs(ph_vec3_sub(a, b));
+}
+
 /* The larger; NaN if either is, where fmax would take the other. */
 static inline double unit_larger(double a, double b) {
   return b <= a || isnan(a) ? a : b;
@@ -205,7 +212,7 @@ static inline double unit_larger(double a, double b) {
 #define ck_vec3(found, wanted, tol)                                         \
   do {                                                                      \
     const ph_vec3 ck_p_ = (found), ck_q_ = (wanted);                        \
-    const double ck_d_ = ph_vec3_abs(ph_vec3_sub(ck_p_, ck_q_));            \
+    const double ck_d_ = unit_apart(ck_p_, ck_q_);                          \
     const double ck_most_ = (tol);                                          \
     ck_assert_msg(ck_d_ <= ck_most_,                                        \
                   "seed %lu: (%.17g, %.17g, %.17g), not (%.17g, %.17g, "    \

@@ -69,7 +69,7 @@ static void read_name(struct unit_vectors *vectors, char *name, size_t size) {
 static void clear(struct unit_vector *v) {
   struct unit_numbers *const list[] = {&v->points,  &v->knots,   &v->ends,
                                        &v->control, &v->lengths, &v->length};
-  for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
+  for (size_t i = 0; i < COUNT(list); i++) {
     list[i]->n = 0;
   }
   v->name[0] = v->rule[0] = '\0';
@@ -96,7 +96,7 @@ bool unit_vectors_next(struct unit_vectors *vectors, struct unit_vector *v) {
   } const fields[] = {{"points", &v->points},   {"knots", &v->knots},
                       {"ends", &v->ends},       {"control", &v->control},
                       {"lengths", &v->lengths}, {"length", &v->length}};
-  const size_t fields_n = sizeof fields / sizeof fields[0];
+  const size_t fields_n = COUNT(fields);
   const char *word = unit_vectors_word(vectors);
   if (!word) {
     return false;

@@ -48,8 +48,8 @@ static const struct {
 };
 
 PH_TEST(test_codes) {
-  ck_assert_uint_eq(sizeof expected / sizeof expected[0], PH_STATUS_N);
-  for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+  ck_assert_uint_eq(COUNT(expected), PH_STATUS_N);
+  for (size_t i = 0; i < COUNT(expected); i++) {
     enum ph_status status = expected[i].status;
     ck_assert_str_eq(ph_status_code(status), expected[i].code);
     ck_assert_int_eq((int)ph_status_class(status), expected[i].exit_status);

@@ -347,7 +347,7 @@ PH_TEST_EACH(test_alpha, 2) {
     double *alpha = &u.result.curve.preimage.alpha[k], keep = *alpha;
     *alpha = keep * (1 + 10 * MOVED);
     ck_refused(PH_D_PYTHAGOREAN_ERROR, k);
-    for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
+    for (size_t i = 0; i < COUNT(none); i++) {
       *alpha = none[i];
       ck_assert_int_ne(certify(), PH_OK);
     }

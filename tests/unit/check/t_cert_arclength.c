@@ -25,7 +25,7 @@ static const double MOVED = 1e-9;
 static const enum ph_diagnostic ERRORS[] = {
     PH_D_INTERPOLATION_ERROR, PH_D_PYTHAGOREAN_ERROR, PH_D_CONTINUITY_ERROR,
     PH_D_LENGTH_ERROR, PH_D_MIN_SPEED};
-enum { ERRORS_N = sizeof ERRORS / sizeof ERRORS[0] };
+enum { ERRORS_N = COUNT(ERRORS) };
 enum mode { POINTS, RELAXED, DERIVATIVES, TANGENTS, MODES };
 /* A problem and its curve. */
 static struct {

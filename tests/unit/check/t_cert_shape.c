@@ -5,9 +5,8 @@
  */
 #include "unit.h"
 #include "check_unit.h"
-#include "hermite3_unit.h"
-#include "seg3_unit.h"
 #include "spatial_unit.h"
+#include "segment_unit.h"
 
 #include "check/shape_spatial.h"
 #include "solve/spatial/spatial.h"

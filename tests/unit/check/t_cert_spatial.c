@@ -6,9 +6,8 @@
  */
 #include "unit.h"
 #include "check_unit.h"
-#include "hermite3_unit.h"
-#include "seg3_unit.h"
 #include "spatial_unit.h"
+#include "segment_unit.h"
 
 enum { POINTS = 5 };
 
@@ -23,7 +22,7 @@ static const double MOVED = 1e-9;
 static const enum ph_diagnostic ERRORS[] = {
     PH_D_INTERPOLATION_ERROR, PH_D_TANGENT_ERROR, PH_D_PYTHAGOREAN_ERROR,
     PH_D_CONTINUITY_ERROR, PH_D_LENGTH_ERROR};
-enum { ERRORS_N = sizeof ERRORS / sizeof ERRORS[0] };
+enum { ERRORS_N = COUNT(ERRORS) };
 static struct unit_hermite3 u;
 /* The variants of a problem: bit 0 closed, bit 1 derivatives, bit 2 ATPH. */
 enum { CLOSED = 1, DERIVATIVES = 2, ATPH = 4, VARIANTS = 8 };
@@ -342,7 +341,7 @@ PH_TEST_EACH(test_alpha, ATPH) {
     double *alpha = &u.alpha[k], keep = *alpha;
     *alpha = keep * (1 + 10 * MOVED);
     ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
-    for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
+    for (size_t i = 0; i < COUNT(none); i++) {
       *alpha = none[i];
       ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
     }

@@ -29,7 +29,7 @@ static const struct unit_ball SPHERES[] = {
     {{0, 0, 0}, 1},           {{1, -2, 0.5}, 3},
     {{1e5, -1e6, 0}, 2},      {{0, 0, 6378137}, 6378137},
     {{0, 1e-301, 0}, 1e-300}, {{-1e300, 0, 0}, 1e300}};
-enum { SPHERES_N = sizeof SPHERES / sizeof SPHERES[0] };
+enum { SPHERES_N = COUNT(SPHERES) };
 /* ---- verdicts -------------------------------------------------------- */
 /* Refused at field[at], in words that begin so. */
 static void ck_refused_as(const char *field, size_t at, const char *words) {

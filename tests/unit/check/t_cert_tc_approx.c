@@ -201,7 +201,7 @@ PH_TEST(test_knots) {
                {4 * PAIRS, 2 + 1e-9},
                {4 * PAIRS, 2 - 1e-9},
                {4 * PAIRS, (double)NAN}};
-  for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+  for (size_t i = 0; i < COUNT(wrong); i++) {
     start();
     unit_tc.c.knots[wrong[i].k] = wrong[i].knot;
     ck_assert_int_eq(certify(),

@@ -83,7 +83,7 @@ PH_TEST(points) {
       {"tc", "{\"points\":[[0,0],[2,1],[3,0],[5,2]]}", PH_F_POINTS, 3},
   };
   const double by = 1e-6;
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     make(cases[i].command, cases[i].json);
     changed(cases[i].id, 1, by, PH_CHECK_INTERPOLATION,
             0.3 * by / cases[i].size, 3 * by / cases[i].size);
@@ -167,7 +167,7 @@ PH_TEST(vectors) {
        PH_F_END_TANGENTS, PH_CHECK_END},
   };
   const double by = 1e-5;
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     make(cases[i].command, cases[i].json);
     changed(cases[i].id, 1, by, cases[i].check, 0.1 * by, 2 * by);
   }
@@ -270,7 +270,7 @@ PH_TEST(distance) {
       "\"tolerance\":1e-4}",
       "{\"points\":[[0,0],[1,2],[3,2],[4,-1],[6,0]],\"mode\":\"approximate\","
       "\"pieces\":8}"};
-  for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++) {
+  for (size_t i = 0; i < COUNT(curves); i++) {
     struct ph_diagnostics *d;
     make("tc", curves[i]);
     d = &claim.result.diagnostics;

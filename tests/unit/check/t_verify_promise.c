@@ -49,7 +49,7 @@ PH_TEST(others_are_refused) {
               {"arclength", "curve", PH_CURVE_ATPH, 3, 5, 1},
               {"sphere", "curve", PH_CURVE_PH, 3, 3, 1},
               {"tc", "curve", PH_CURVE_PH, 2, 3, 1}};
-  for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+  for (size_t i = 0; i < COUNT(rows); i++) {
     const struct ph_problem none = {.field = {{.kind = PH_ABSENT}}};
     struct ph_diagnostics diagnostics = {.known = 0};
     struct ph_arena scratch = {0};

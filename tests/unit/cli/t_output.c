@@ -133,7 +133,7 @@ PH_TEST(test_failure) {
 /* What cannot be waited for is not. */
 PH_TEST(test_no_sync_there) {
   static const int why[] = {EINVAL, ENOTSUP, EROFS};
-  for (size_t i = 0; i < sizeof why / sizeof why[0]; i++) {
+  for (size_t i = 0; i < COUNT(why); i++) {
     ck_assert_int_eq(replace("file", true, 'f', why[i]), PH_OK);
     ck_assert_str_eq(calls, "frd");
     ck_assert_int_eq(replace("file", true, 'd', why[i]), PH_OK);

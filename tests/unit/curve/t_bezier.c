@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* ATPH curves in space as Bezier curves: how near, which parts, how long. */
-#include "seg3_unit.h"
+#include "segment_unit.h"
 #include "unit.h"
-#include "curve3_unit.h"
+#include "curve_unit.h"
 #include "tc_curve_unit.h"
 
 #include "curve/bezier/convert.h"
@@ -72,7 +72,7 @@ PH_TEST(test_atph) {
     ck_assert(knot[0] < knot[1]);
     k += middle > c.knots[k + 1];
     ck_assert_double_le(
-        unit_apart3(
+        unit_apart(
             unit_bezier3(p, 5, 0, 0.5),
             unit_curve3_point(&c.curve, k, (middle - c.knots[k]) / c.alpha[k])),
         1e-8);

@@ -7,7 +7,7 @@
 #include "curve/sample/chord_bound.h"
 
 #include "unit.h"
-#include "seg3_unit.h"
+#include "segment_unit.h"
 
 enum { STEPS = 60, CURVES = 60 };
 
@@ -102,7 +102,7 @@ static double from_chord(ph_vec3 p, ph_vec3 from, ph_vec3 to) {
   double square = ph_vec3_dot(along, along);
   double t = square > 0 ? ph_vec3_dot(ph_vec3_sub(p, from), along) / square : 0;
   t = fmin(fmax(t, 0), 1);
-  return unit_distance3(p, ph_vec3_along(from, t, along));
+  return unit_apart(p, ph_vec3_along(from, t, along));
 }
 
 /* The greatest distance between [v,w] of a curve and its chord, either way. */
@@ -152,7 +152,7 @@ static void check_bounds(enum kind kind, double h, struct unit_random *r,
 PH_TEST_EACH(test_holds, KINDS) {
   static const double lengths[] = {1, 0.5, 0.25, 0.0625, 1. / 64, 1. / 512};
   struct unit_random r = unit_random_of(100 + (uint64_t)_i);
-  for (size_t k = 0; k < sizeof lengths / sizeof lengths[0]; k++) {
+  for (size_t k = 0; k < COUNT(lengths); k++) {
     for (int n = 0; n < unit_count(CURVES); n++) {
       double ratio;
       check_bounds((enum kind)_i, lengths[k], &r, &ratio);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bounds of chords of spherical curves and parallels, against dense samples. */
-#include "parallel_unit.h"
+#include "spherical_unit.h"
 #include "unit.h"
 
 #include "curve/sample/chord_bound.h"
@@ -78,7 +78,7 @@ PH_TEST(test_random) {
   struct unit_random r = unit_random_of(1330);
   const double angles[] = {1e-6, 1e-3, 0.1, 0.5, 1, 2, 3.12};
   for (int i = 0; i < unit_count(2000); i++) {
-    double angle = angles[(size_t)i % (sizeof angles / sizeof angles[0])];
+    double angle = angles[(size_t)i % (COUNT(angles))];
     struct ph_spherical s = random_segment(&r, angle, unit_random_in(&r, 0, 4));
     double d = random_distance(&r);
     double h = pow(2, -unit_random_in(&r, 0, 9));

@@ -5,11 +5,9 @@
  */
 #include "curve/bezier/cubics.h"
 
-#include "curve3_unit.h"
-#include "sample_unit.h"
-#include "seg2_unit.h"
-#include "seg3_unit.h"
-#include "spherical_curve_unit.h"
+#include "curve_unit.h"
+#include "segment_unit.h"
+#include "spherical_unit.h"
 #include "tc_curve_unit.h"
 
 #include "curve/offset/cusp.h"
@@ -281,8 +279,8 @@ static void check_aside(const struct ph_curve *curve,
                         const struct ph_offset *offset) {
   struct ph_sampler on = unit_sampler(curve, NULL, 0);
   struct ph_sampler beside = unit_sampler(curve, offset, 0);
-  double distance = unit_distance3(ph_sampler_at(&on, 0.4).point,
-                                   ph_sampler_at(&beside, 0.4).point);
+  double distance = unit_apart(ph_sampler_at(&on, 0.4).point,
+                               ph_sampler_at(&beside, 0.4).point);
   double wanted = fabs(offset->distance);
   if (curve->sphere.radius > 0) {
     wanted =
@@ -361,7 +359,7 @@ PH_TEST(test_circle) {
   static const double wanted[][2] = {{1e-3, 1}, {1e-4, 2}, {1e-5, 2},
                                      {1e-6, 3}, {1e-8, 6}, {1e-9, 9}};
   struct any any;
-  for (size_t i = 0; i < sizeof wanted / sizeof wanted[0]; i++) {
+  for (size_t i = 0; i < COUNT(wanted); i++) {
     circle(&any, PI / 2, 0);
     ck_assert_double_le((double)check(any.curve, NULL, wanted[i][0]),
                         wanted[i][1]);

@@ -7,8 +7,8 @@
 
 #include "kernel/bern.h"
 #include "unit.h"
-#include "curve3_unit.h"
-#include "seg2_unit.h"
+#include "curve_unit.h"
+#include "segment_unit.h"
 #include "tc_curve_unit.h"
 
 enum { SEGMENTS = 200 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fairness of planar splines: against quadrature that spares no node. */
 #include "unit.h"
-#include "seg2_unit.h"
+#include "segment_unit.h"
 #include "tc_curve_unit.h"
 
 #include "curve/fair/energy.h"
@@ -313,8 +313,8 @@ PH_TEST(test_stops) {
   const double places[] = {0, 1e-3, 0.25, 0.5, 0.71, 1};
   const double scales[] = {1, 0x1p-40, 0x1p40};
   for (int kind = 0; kind < 3; kind++) {
-    for (size_t i = 0; i < sizeof nears / sizeof nears[0]; i++) {
-      for (size_t j = 0; j < sizeof places / sizeof places[0]; j++) {
+    for (size_t i = 0; i < COUNT(nears); i++) {
+      for (size_t j = 0; j < COUNT(places); j++) {
         for (int direction = 0; direction < 4; direction++) {
           ph_cplx factor = ph_cplx_scale(scales[(i + j) % 3],
                                          ph_cplx_polar(0.8 * direction));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fairness of spatial segments: in closed form, and against quadrature that
  * spares no node. */
-#include "seg3_unit.h"
+#include "segment_unit.h"
 #include "unit.h"
 #include "spatial_unit.h"
 

@@ -4,7 +4,7 @@
  * from gap to gap, by every rule, against offsets worked out here: the polygon
  * of each part is as near as is said, and ends where the part does.
  */
-#include "sample_unit.h"
+#include "curve_unit.h"
 #include "tc_curve_unit.h"
 
 #include "curve/offset/cusp.h"
@@ -40,10 +40,10 @@ static void bent(double angle, double scale) {
 PH_TEST(test_corners) {
   static const double angles[] = {1e-6, 0.1, 1, 3, PH_PI, -PH_PI, -2};
   static const double scales[] = {1e-150, 1e-9, 1, 1e9, 1e150};
-  for (size_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
+  for (size_t i = 0; i < COUNT(scales); i++) {
     const double scale = scales[i];
     struct ph_gaps gaps;
-    for (size_t j = 0; j < sizeof angles / sizeof angles[0]; j++) {
+    for (size_t j = 0; j < COUNT(angles); j++) {
       bent(angles[j], scale);
       gaps = gaps_of(&c.curve, -0.3 * scale);
       ck_assert_uint_eq(gaps.n, 1);
@@ -62,7 +62,7 @@ PH_TEST(test_corners) {
  * that turn by next to nothing, 1 + |d|. */
 PH_TEST(test_threshold) {
   static const double distances[] = {1e-3, 1, 1e3, 1e6};
-  for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
+  for (size_t i = 0; i < COUNT(distances); i++) {
     const double d = distances[i], angle = 1e-9 * (1 + d) / d;
     bent(0.99 * angle, 1);
     ck_assert_uint_eq(gaps_of(&c.curve, d).n, 0);
@@ -170,7 +170,7 @@ PH_TEST(test_right_angle) {
   o = sampled(-3,
               (struct ph_sample_rules){.how = PH_SAMPLE_SPACING, .spacing = 4});
   ck_rows(&o.samples, spaced, 8);
-  for (size_t i = 0; i < sizeof at_gap / sizeof at_gap[0]; i++) {
+  for (size_t i = 0; i < COUNT(at_gap); i++) {
     o = sampled(-3, (struct ph_sample_rules){.how = PH_SAMPLE_SPACING,
                                              .spacing = at_gap[i]});
     ck_rows(&o.samples, ends, 4);

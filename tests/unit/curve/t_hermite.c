@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bezier pieces of ATPH curves and of offsets: near, joined, in order. */
 #include "unit.h"
-#include "curve3_unit.h"
+#include "curve_unit.h"
 #include "planar_unit.h"
 
 #include "curve/bezier/hermite.h"
@@ -146,7 +146,7 @@ static const struct {
 } moves[] = {
     {0, PH_E2}, {0.2, PH_E2}, {-0.2, PH_E2}, {0.2, PH_E3}, {-0.2, PH_E3}};
 
-enum { MOVES = sizeof moves / sizeof moves[0] };
+enum { MOVES = COUNT(moves) };
 
 static enum ph_status move(size_t i, double tolerance) {
   return ph_hermite_pieces(&c.curve, moves[i].distance, moves[i].normal,
@@ -163,7 +163,7 @@ static double apart_in_space(size_t which) {
       ph_vec3 wanted =
           unit_curve3_moved(&c.curve, pieces.segment[i], at,
                             moves[which].distance, moves[which].normal);
-      worst = unit_larger(worst, unit_apart3(p, wanted));
+      worst = unit_larger(worst, unit_apart(p, wanted));
     }
   }
   return worst;
@@ -204,9 +204,9 @@ PH_TEST_EACH(test_joints_in_space, MOVES) {
       ph_vec3 right = unit_bezier3(p + 18 * (i + 1), 5, order, 0);
       left = ph_vec3_scale(pow(h[0], -(double)order), left);
       right = ph_vec3_scale(pow(h[1], -(double)order), right);
-      ck_assert_double_le(unit_apart3(left, right), order == 0   ? 1e-14
-                                                    : order == 1 ? 1e-12
-                                                                 : 1e-9);
+      ck_assert_double_le(unit_apart(left, right), order == 0   ? 1e-14
+                                                   : order == 1 ? 1e-12
+                                                                : 1e-9);
     }
   }
 }

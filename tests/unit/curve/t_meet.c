@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pieces of planar segments: their bounds, and where two of them meet. */
-#include "seg2_unit.h"
+#include "segment_unit.h"
 #include "unit.h"
 
 #include "curve/cross/meet.h"

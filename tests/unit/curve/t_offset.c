@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Offset curves: the definition o = r + d i r'/|r'|, point by point. */
 #include "unit.h"
-#include "ph_unit.h"
+#include "segment_unit.h"
 #include "planar_unit.h"
 #include "tc_curve_unit.h"
 
@@ -126,7 +126,7 @@ PH_TEST(test_spline) {
   struct unit_random r = unit_random_of(1);
   struct unit_solution u = unit_planar_of(points, 6, true);
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
-  for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
+  for (size_t i = 0; i < COUNT(distances); i++) {
     double d = distances[i];
     struct ph_offset o =
         ck_offset(&u.result.curve, d, 1e-14 * (5 + fabs(d)), &r);
@@ -229,7 +229,7 @@ PH_TEST(test_scales) {
   const double points[] = {0, 0, 2, 1, 3, 0, 5, 2};
   const int exponents[] = {-1000, -300, 300, 1000};
   struct unit_random r = unit_random_of(5);
-  for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++) {
+  for (size_t i = 0; i < COUNT(exponents); i++) {
     double s = ldexp(1, exponents[i]), scaled[8];
     struct unit_solution u;
     for (size_t k = 0; k < 8; k++) {
@@ -370,7 +370,7 @@ PH_TEST(test_cubic_standstill) {
   /* w0 and w1 in units of a direction */
   const double ends[][2] = {{-1, 1}, {-0.3, 0.7}, {0.1, -3},
                             {0, 1},  {1, 0},      {0, 0}};
-  for (size_t i = 0; i < 10 * sizeof ends / sizeof ends[0]; i++) {
+  for (size_t i = 0; i < 10 * COUNT(ends); i++) {
     const ph_cplx along = ph_cplx_polar((double)i);
     const double *w = ends[i / 10];
     struct unit_cubics c;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Offsets in space: the definition o = r + d e, point by point. */
 #include "unit.h"
-#include "curve3_unit.h"
+#include "curve_unit.h"
 
 #include "curve/offset/offset.h"
 
@@ -82,7 +82,7 @@ static size_t ck_rational(double distance, double tol) {
         double t = (double)j / 8, u = part[0] + t * (part[1] - part[0]);
         ph_vec3 wanted = unit_curve3_moved(&c.curve, o->segment[piece], u,
                                            o->distance, normal_of(o));
-        double apart = unit_apart3(rational(o, piece, t), wanted);
+        double apart = unit_apart(rational(o, piece, t), wanted);
         ck_assert_msg(
             apart <= tol, "seed %lu, %s at %g, piece %zu at %g: %.3g > %.3g",
             unit_seed(), o->vector, o->distance, piece, t, apart, tol);
@@ -163,8 +163,8 @@ PH_TEST(test_joints) {
     for (size_t j = 0; j < ALL; j++) {
       const double *p = offsets[j].control_points;
       for (size_t piece = 0; piece + 1 < offsets[j].n; piece++) {
-        ck_assert_double_le(unit_apart3(ph_vec3_get(p + 30 * piece + 27, 3),
-                                        ph_vec3_get(p + 30 * piece + 30, 3)),
+        ck_assert_double_le(unit_apart(ph_vec3_get(p + 30 * piece + 27, 3),
+                                       ph_vec3_get(p + 30 * piece + 30, 3)),
                             1e-13);
       }
     }
@@ -245,7 +245,7 @@ static void ck_beziers(const struct ph_offset *o, double tolerance) {
       ph_vec3 wanted = unit_curve3_moved(&c.curve, pieces->segment[i],
                                          part[0] + t * (part[1] - part[0]),
                                          o->distance, normal_of(o));
-      ck_assert_double_le(unit_apart3(p, wanted), tolerance + 1e-13);
+      ck_assert_double_le(unit_apart(p, wanted), tolerance + 1e-13);
     }
   }
 }
@@ -269,9 +269,9 @@ PH_TEST(test_atph) {
           ph_vec3 e[3];
           unit_curve3_frame(&c.curve, k, u, e);
           ck_assert_double_le(
-              unit_apart3(quotient(o, k, u),
-                          ph_vec3_scale(o->distance,
-                                        normal_of(o) == PH_E2 ? e[1] : e[2])),
+              unit_apart(quotient(o, k, u),
+                         ph_vec3_scale(o->distance,
+                                       normal_of(o) == PH_E2 ? e[1] : e[2])),
               1e-14);
         }
       }
@@ -307,8 +307,8 @@ PH_TEST_EACH(test_atph_range, 5) {
       double u = (double)m / 20;
       unit_curve3_frame(&c.curve, 0, u, e);
       ck_assert_double_le(
-          unit_apart3(ph_vec3_scale(1 / o->distance, quotient(o, 0, u)),
-                      normal_of(o) == PH_E2 ? e[1] : e[2]),
+          unit_apart(ph_vec3_scale(1 / o->distance, quotient(o, 0, u)),
+                     normal_of(o) == PH_E2 ? e[1] : e[2]),
           1e-14);
     }
   }

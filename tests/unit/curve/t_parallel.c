@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Offsets on the sphere: distances, curvature, cusps, lengths. */
-#include "parallel_unit.h"
-#include "spherical_curve_unit.h"
+#include "spherical_unit.h"
 #include "kernel/quad.h"
 #include "unit.h"
 
@@ -84,7 +83,7 @@ static void ck_latitude(double lat) {
 
 PH_TEST(test_latitude) {
   const double latitudes[] = {0, 1e-3, 30, 60, 89, 100, 170, -30, -89, -120};
-  for (size_t i = 0; i < sizeof latitudes / sizeof latitudes[0]; i++) {
+  for (size_t i = 0; i < COUNT(latitudes); i++) {
     ck_latitude(latitudes[i]);
   }
 }
@@ -142,7 +141,7 @@ PH_TEST(test_closed_length) {
   }
   /* 2 pi less the area around the pole, which is nearly that of a circle */
   ck_abs(total, 2 * PH_PI * sin(40 * DEGREE), 0.01);
-  for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
+  for (size_t i = 0; i < COUNT(distances); i++) {
     double d = distances[i];
     struct ph_offset o = offset_of(&c.curve, d);
     ck_assert_uint_eq(o.cusps.n, 0);
@@ -321,7 +320,7 @@ PH_TEST(test_pairs) {
   unit_spherical_of(&c, 1, false, p);
   where = peak_of(&c.curve, &peak);
   ck_assert(where > 0.1 && where < 0.9);
-  for (size_t i = 0; i < sizeof apart / sizeof apart[0]; i++) {
+  for (size_t i = 0; i < COUNT(apart); i++) {
     double d = atan2(1, peak * (1 - apart[i])), width;
     struct ph_offset o = offset_of(&c.curve, d);
     ck_assert_uint_eq(o.cusps.n, 2);
@@ -424,7 +423,7 @@ PH_TEST(test_refusals) {
   struct ph_offset o;
   unit_spherical_random(&c, 2, 0.4, &r);
   unit_spherical_place(&c, zero, 8);
-  for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+  for (size_t i = 0; i < COUNT(refused); i++) {
     ck_assert_int_eq(
         ph_offset(&c.curve, refused[i], &rules, &unit_arena, &o, &diag),
         PH_BAD_VALUE);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Planar PH quintic segments: each identity of ph2.h at random points. */
 #include "unit.h"
-#include "ph_unit.h"
+#include "segment_unit.h"
 #include "planar_unit.h"
 
 #include "kernel/quad.h"

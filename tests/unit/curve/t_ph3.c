@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Speed, length and control points of spatial PH and ATPH segments. */
 #include "unit.h"
-#include "seg3_unit.h"
+#include "segment_unit.h"
 
 enum { SEGMENTS = 200 };
 
@@ -78,8 +78,8 @@ PH_TEST(test_control_points) {
     double u = unit_random_in(&r, 0, 1), angle = seg.space.angle;
     ph_vec3 p[6], sum = {0, 0, 0};
     ph_seg3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
-    ck_abs(unit_distance3(p[0], seg.start), 0, 0);
-    ck_abs(unit_distance3(p[5], seg.end), 0, 0);
+    ck_abs(unit_apart(p[0], seg.start), 0, 0);
+    ck_abs(unit_apart(p[5], seg.end), 0, 0);
     for (size_t j = 0; j < 5; j++) {
       double mu = 0;
       for (size_t k = 0; k < rule.n; k++) {
@@ -88,8 +88,7 @@ PH_TEST(test_control_points) {
       sum = ph_vec3_along(sum, power_at(angle, u, j) / mu,
                           ph_vec3_sub(p[j + 1], p[j]));
     }
-    ck_assert_double_le(unit_distance3(sum, unit_seg3_hodograph(&seg, u)),
-                        2e-13);
+    ck_assert_double_le(unit_apart(sum, unit_seg3_hodograph(&seg, u)), 2e-13);
   }
 }
 
@@ -105,7 +104,7 @@ PH_TEST(test_defect) {
     for (size_t k = 0; k < 6; k++) {
       ph_vec3 moved = ph_vec3_sub(q[k], p[k]);
       ck_assert_double_le(
-          k < 3 ? ph_vec3_abs(moved) : unit_distance3(moved, defect), 1e-14);
+          k < 3 ? ph_vec3_abs(moved) : unit_apart(moved, defect), 1e-14);
     }
   }
 }
@@ -124,7 +123,7 @@ PH_TEST(test_reversal) {
     ph_seg3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
     ph_seg3_control_points(&seg.space, back, seg.end, seg.start, q);
     for (size_t k = 0; k < 6; k++) {
-      ck_assert_double_le(unit_distance3(p[k], q[5 - k]), 1e-14);
+      ck_assert_double_le(unit_apart(p[k], q[5 - k]), 1e-14);
     }
     ck_rel(ph_seg3_length(&seg.space, back), ph_seg3_length(&seg.space, seg.a),
            1e-15);
@@ -145,7 +144,7 @@ PH_TEST(test_phase) {
     ph_seg3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
     ph_seg3_control_points(&seg.space, turned, seg.start, seg.end, q);
     for (size_t k = 0; k < 6; k++) {
-      ck_assert_double_le(unit_distance3(p[k], q[k]), 2e-14);
+      ck_assert_double_le(unit_apart(p[k], q[k]), 2e-14);
     }
   }
 }
@@ -168,7 +167,7 @@ PH_TEST(test_plane) {
     square = ph_cplx_mul(w, w);
     hodograph = ph_quat_i(a, a);
     ck_assert_double_le(
-        unit_distance3(hodograph, ph_vec3_of(square.re, square.im, 0)), 1e-14);
+        unit_apart(hodograph, ph_vec3_of(square.re, square.im, 0)), 1e-14);
   }
 }
 

@@ -4,11 +4,9 @@
  * closed form, and curves by chance against definitions.  Those of spherical
  * curves are in t_sample_spherical.c.
  */
-#include "seg3_unit.h"
-#include "curve3_unit.h"
+#include "segment_unit.h"
+#include "curve_unit.h"
 #include "planar_unit.h"
-#include "sample_unit.h"
-#include "seg2_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
 
@@ -59,7 +57,7 @@ PH_TEST(test_line) {
 /* w = e^(it): a circle of radius 1/2, t its arc length. */
 PH_TEST(test_circle) {
   const double angles[] = {0.1, 1, 2, 3};
-  for (size_t k = 0; k < sizeof angles / sizeof angles[0]; k++) {
+  for (size_t k = 0; k < COUNT(angles); k++) {
     double angle = angles[k], root = sqrt(angle);
     struct ph_atph space = ph_atph_of(angle);
     const ph_cplx w[3] = {
@@ -168,7 +166,7 @@ PH_TEST(test_too_many) {
   struct unit_segments c;
   struct ph_samples s;
   planar_of(0, w, 4, &c);
-  for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+  for (size_t i = 0; i < COUNT(refused); i++) {
     struct ph_sample_rules rules = {.how = PH_SAMPLE_PARAMETER,
                                     .n = refused[i]};
     ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &unit_arena, &s, &diag),
@@ -272,7 +270,7 @@ PH_TEST(test_scales) {
   struct ph_samples s, t;
   unit_curve3_random(&c, 3, false, 0.5, &r);
   s = samples_of(&c.curve, N);
-  for (size_t k = 0; k < sizeof exponents / sizeof exponents[0]; k++) {
+  for (size_t k = 0; k < COUNT(exponents); k++) {
     double root = ldexp(1, exponents[k]), unit = root * root;
     big = c;
     for (size_t i = 0; i < 36; i++) {
@@ -319,7 +317,7 @@ static struct ph_curve bezier_of(double *p, size_t degree, size_t dimension,
 /* (u, u^2): known in closed form. */
 PH_TEST(test_parabola) {
   const int exponents[] = {0, -1000, 1000};
-  for (size_t k = 0; k < sizeof exponents / sizeof exponents[0]; k++) {
+  for (size_t k = 0; k < COUNT(exponents); k++) {
     double unit = ldexp(1, exponents[k]);
     double p[6] = {0, 0, unit / 2, 0, unit, unit};
     double length = (sqrt(5) / 2 + asinh(2) / 4) * unit;

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frames of samples, against their definitions. */
-#include "seg3_unit.h"
-#include "known_unit.h"
-#include "sample_unit.h"
-#include "spherical_curve_unit.h"
+#include "segment_unit.h"
+#include "curve_unit.h"
+#include "spherical_unit.h"
 #include "unit.h"
 
 #include "curve/bezier/convert.h"

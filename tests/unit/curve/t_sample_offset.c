@@ -4,11 +4,8 @@
  * curves by chance against definitions and quadrature.
  */
 #include "adapt_unit.h"
-#include "curve3_unit.h"
-#include "known_unit.h"
-#include "sample_unit.h"
-#include "seg2_unit.h"
-#include "seg3_unit.h"
+#include "curve_unit.h"
+#include "segment_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Samples of parallels on the sphere: lengths, equal spacing, chords. */
-#include "parallel_unit.h"
-#include "spherical_curve_unit.h"
+#include "spherical_unit.h"
 #include "unit.h"
 
 #include "curve/offset/offset.h"

@@ -3,10 +3,8 @@
  * Places on PH and ATPH segments and cubics: curves that are known in closed
  * form at any size and angle, and curves by chance against quadrature.
  */
-#include "curve3_unit.h"
-#include "known_unit.h"
-#include "sample_unit.h"
-#include "seg2_unit.h"
+#include "curve_unit.h"
+#include "segment_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
 
@@ -57,7 +55,7 @@ PH_TEST(test_helix) {
       double s = ph_sampler_length(&sampler, u, &speed);
       struct ph_sample at = ph_sampler_at(&sampler, u);
       ck_rel(s, 2 * h.alpha * u * sqrt(squares), 4e-15);
-      ck_abs(unit_apart3(at.point, unit_helix_at(&h, u, h.a, 0)), 0, 1e-14);
+      ck_abs(unit_apart(at.point, unit_helix_at(&h, u, h.a, 0)), 0, 1e-14);
       ck_abs(ph_vec3_dot(at.tangent, at.tangent), 1, 1e-15);
       ck_abs(at.tangent.z, h.b / sqrt(squares), 4e-15);
       ck_rel(at.curvature, h.a / squares, 2e-13 / (h.alpha * h.alpha));
@@ -223,7 +221,7 @@ PH_TEST(test_points) {
     for (int k = 0; k <= STEPS; k++) {
       double u = (double)k / STEPS;
       ph_vec3 at = unit_bezier3(c.control_points, 5, 0, u);
-      ck_abs(unit_apart3(ph_sampler_at(&sampler, u).point, at), 0,
+      ck_abs(unit_apart(ph_sampler_at(&sampler, u).point, at), 0,
              8e-16 * (4 + c.curve.length));
     }
     ph_arena_reset(&unit_arena);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where samples are taken, on curves where it is known; what is refused. */
-#include "known_unit.h"
-#include "sample_unit.h"
+#include "curve_unit.h"
 #include "tc_curve_unit.h"
 
 #include "curve/offset/cusp.h"
@@ -98,7 +97,7 @@ PH_TEST(test_line_spacing) {
       {4 * (1 - 1e-6), 3},
   };
   for (size_t segments = 1; segments <= 3; segments++) {
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
       struct unit_segments c;
       struct ph_samples s;
       line_of(segments, &c);
@@ -133,7 +132,7 @@ PH_TEST(test_joint_spacing) {
 /* Around a circle; the start is there again as the end. */
 PH_TEST(test_circle_spacing) {
   const double radii[] = {1, 1e-9, 1e9};
-  for (size_t k = 0; k < sizeof radii / sizeof radii[0]; k++) {
+  for (size_t k = 0; k < COUNT(radii); k++) {
     const double radius = radii[k], step = radius / 7;
     struct unit_segments c;
     struct ph_samples s;
@@ -169,7 +168,7 @@ PH_TEST(test_cusp_spacing) {
 PH_TEST(test_line_chords) {
   const double errors[] = {1e-12, 1e-9, 1, 1e300};
   for (size_t segments = 1; segments <= 3; segments++) {
-    for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++) {
+    for (size_t i = 0; i < COUNT(errors); i++) {
       struct unit_segments c;
       struct ph_samples s;
       line_of(segments, &c);
@@ -213,7 +212,7 @@ PH_TEST(test_short) {
 
 PH_TEST(test_circle_offset) {
   const double distances[] = {0.5, -3, 2.5};
-  for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
+  for (size_t i = 0; i < COUNT(distances); i++) {
     const double d = distances[i], radius = fabs(2 - d);
     struct ph_sample_rules rules = {.how = PH_SAMPLE_SPACING, .spacing = 0.01};
     struct ph_offset o = {.distance = d, .dimension = 2};
@@ -286,7 +285,7 @@ PH_TEST(test_too_many) {
       "10000000 of --max-samples",
       "the samples would be 1e+07, above the 10000000 of --max-samples",
   };
-  for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+  for (size_t i = 0; i < COUNT(refused); i++) {
     struct ph_offset o = {.distance = 0.5, .dimension = 2};
     struct ph_samples s;
     struct unit_segments c;

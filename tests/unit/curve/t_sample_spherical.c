@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Samples of spherical curves. */
-#include "sample_unit.h"
-#include "spherical_curve_unit.h"
+#include "curve_unit.h"
+#include "spherical_unit.h"
 #include "unit.h"
 
 #include "kernel/degree.h"
@@ -221,7 +221,7 @@ PH_TEST(test_places_rest) {
                           {a, a, e, e},
                           {a, ph_degree_to_unit(1e-7, 1e-7), b, e},
                           {a, ph_degree_to_unit(0.01, -0.02), e, e}};
-  for (size_t i = 0; i < sizeof p / sizeof p[0]; i++) {
+  for (size_t i = 0; i < COUNT(p); i++) {
     struct unit_spherical c;
     unit_spherical_of(&c, 1, false, p[i]);
     ck_lengths(&c.curve, 0);

@@ -2,7 +2,7 @@
 /* Points, curvature, parts and rotation of planar segments. */
 #include "unit.h"
 #include "planar_unit.h"
-#include "seg2_unit.h"
+#include "segment_unit.h"
 #include "tc_curve_unit.h"
 
 #include "curve/segment/seg2.h"

@@ -10,7 +10,7 @@
  */
 #include "unit.h"
 #include "planar_unit.h"
-#include "seg3_unit.h"
+#include "segment_unit.h"
 #include "tc_curve_unit.h"
 
 enum { SEGMENTS = 200 };
@@ -106,7 +106,7 @@ PH_TEST(test_derivatives) {
           q[i] = ph_vec3_along(ph_vec3_scale(1 - u, q[i]), u, q[i + 1]);
         }
       }
-      ck_assert_double_le(unit_distance3(q[0], wanted),
+      ck_assert_double_le(unit_apart(q[0], wanted),
                           1e-13 * pow(10, (double)order / 2));
     }
   }
@@ -189,10 +189,10 @@ PH_TEST(test_point) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double u = unit_random_in(&r, 0, 1);
     ph_vec3 wanted = ph_vec3_add(seg.start, unit_seg3_leg(&seg, 0, u));
-    ck_assert_double_le(unit_distance3(ph_seg3_point(&seg, &rule, u), wanted),
+    ck_assert_double_le(unit_apart(ph_seg3_point(&seg, &rule, u), wanted),
                         2e-13);
-    ck_abs(unit_distance3(ph_seg3_point(&seg, &rule, 0), seg.start), 0, 0);
-    ck_abs(unit_distance3(ph_seg3_point(&seg, &rule, 1), seg.end), 0, 0);
+    ck_abs(unit_apart(ph_seg3_point(&seg, &rule, 0), seg.start), 0, 0);
+    ck_abs(unit_apart(ph_seg3_point(&seg, &rule, 1), seg.end), 0, 0);
   }
 }
 
@@ -212,8 +212,8 @@ PH_TEST(test_part) {
           unit_seg3_preimage(&part, x),
           ph_quat_scale(sqrt(u1 - u0), unit_seg3_preimage(&seg, u)));
       ck_assert_double_le(ph_quat_abs(miss), 1e-14);
-      ck_assert_double_le(unit_distance3(ph_seg3_point(&part, &rule, x),
-                                         ph_seg3_point(&seg, &rule, u)),
+      ck_assert_double_le(unit_apart(ph_seg3_point(&part, &rule, x),
+                                     ph_seg3_point(&seg, &rule, u)),
                           1e-13);
       if (b.speed > 0.1 && b.curvature > 0.1) {
         ck_abs(a.speed, b.speed * (u1 - u0), 1e-12);
@@ -234,8 +234,8 @@ PH_TEST(test_part_whole) {
     for (size_t i = 0; i < 3; i++) {
       ck_assert_double_le(ph_quat_abs(ph_quat_sub(part.a[i], seg.a[i])), 2e-14);
     }
-    ck_abs(unit_distance3(part.start, seg.start), 0, 0);
-    ck_abs(unit_distance3(part.end, seg.end), 0, 0);
+    ck_abs(unit_apart(part.start, seg.start), 0, 0);
+    ck_abs(unit_apart(part.end, seg.end), 0, 0);
   }
 }
 
@@ -273,8 +273,8 @@ PH_TEST(test_of_curve) {
       ck_assert_double_le(ph_quat_abs(ph_quat_sub(again.a[i], seg.a[i])),
                           2e-15);
     }
-    ck_abs(unit_distance3(again.start, ph_vec3_of(1, 2, 3)), 0, 0);
-    ck_abs(unit_distance3(again.end, ph_vec3_of(4, 5, 6)), 0, 0);
+    ck_abs(unit_apart(again.start, ph_vec3_of(1, 2, 3)), 0, 0);
+    ck_abs(unit_apart(again.end, ph_vec3_of(4, 5, 6)), 0, 0);
   }
 }
 
@@ -304,13 +304,12 @@ PH_TEST(test_of_cubics) {
     ck_abs(bend.turn, 0, 0);
     unit_seg3_frame(&seg, u, e);
     p = ph_cplx_scale(1 / speed, ph_cplx_mul(w, w));
-    ck_abs(unit_distance3(e[1], ph_vec3_of(-p.im, p.re, 0)), 0,
+    ck_abs(unit_apart(e[1], ph_vec3_of(-p.im, p.re, 0)), 0,
            4e-15 / sqrt(speed));
     for (int end = 0; end < 2; end++) {
       p = unit_curve(&c.curve, k, 0, end);
-      ck_abs(
-          unit_distance3(end ? seg.end : seg.start, ph_vec3_of(p.re, p.im, 0)),
-          0, 0);
+      ck_abs(unit_apart(end ? seg.end : seg.start, ph_vec3_of(p.re, p.im, 0)),
+             0, 0);
     }
   }
 }
@@ -330,13 +329,13 @@ PH_TEST(test_frame) {
     for (size_t i = 0; i < 3; i++) {
       ph_vec3 turned =
           ph_vec3_scale(1 / ph_quat_dot(a, a), unit_turned(a, axes[i]));
-      ck_assert_double_le(unit_distance3(e[i], turned), 1e-13);
+      ck_assert_double_le(unit_apart(e[i], turned), 1e-13);
       for (size_t j = 0; j <= i; j++) {
         ck_abs(ph_vec3_dot(e[i], e[j]), i == j, 1e-14);
       }
     }
     ck_abs(ph_vec3_triple(e[0], e[1], e[2]), 1, 1e-14);
-    ck_assert_double_le(unit_distance3(e[0], ph_vec3_unit(d)), 1e-13);
+    ck_assert_double_le(unit_apart(e[0], ph_vec3_unit(d)), 1e-13);
   }
 }
 
@@ -366,7 +365,7 @@ PH_TEST(test_frame_slopes) {
       found = ph_vec3_sub(near[0][i], near[3][i]);
       found = ph_vec3_along(found, 8, ph_vec3_sub(near[2][i], near[1][i]));
       found = ph_vec3_scale(1 / (12 * h), found);
-      ck_assert_double_le(unit_distance3(found, wanted[i]), 1e-8);
+      ck_assert_double_le(unit_apart(found, wanted[i]), 1e-8);
     }
     ck_rel(ph_vec3_abs(wanted[0]), b.curvature * b.speed, 1e-13);
     compared++;
@@ -455,15 +454,14 @@ static struct ph_seg3 helix(double end) {
 
 PH_TEST(test_helix) {
   static const double ends[] = {0.1, 1, 1.5707963267948966, 3, 6};
-  for (size_t n = 0; n < sizeof ends / sizeof ends[0]; n++) {
+  for (size_t n = 0; n < COUNT(ends); n++) {
     struct ph_seg3 seg = helix(ends[n]);
     ck_rel(ph_seg3_length(&seg.space, seg.a), sqrt(2) * ends[n], 1e-14);
     for (size_t i = 0; i <= 16; i++) {
       double u = (double)i / 16, x = ends[n] * u;
       struct unit_bend3 b = unit_seg3_bend(&seg, u);
       ph_vec3 p = ph_seg3_point(&seg, &rule, u);
-      ck_assert_double_le(unit_distance3(p, ph_vec3_of(cos(x), sin(x), x)),
-                          1e-14);
+      ck_assert_double_le(unit_apart(p, ph_vec3_of(cos(x), sin(x), x)), 1e-14);
       ck_rel(b.speed, sqrt(2) * ends[n], 1e-14);
       ck_abs(b.curvature, 0.5, 1e-14);
       ck_abs(b.torsion, 0.5, 2e-13);
@@ -487,7 +485,7 @@ PH_TEST(test_circle) {
     struct unit_bend3 b = unit_seg3_bend(&seg, u);
     ph_vec3 p = ph_seg3_point(&seg, &rule, u);
     ck_assert_double_le(
-        unit_distance3(p, ph_vec3_of(3 * sin(x), 3 - 3 * cos(x), 0)), 1e-14);
+        unit_apart(p, ph_vec3_of(3 * sin(x), 3 - 3 * cos(x), 0)), 1e-14);
     ck_rel(b.curvature, 1. / 3, 1e-14);
     ck_abs(b.torsion, 0, 0);
     ck_abs(b.turn, 0, 0);
@@ -533,8 +531,8 @@ PH_TEST(test_small_angles) {
       double angle = pow(10, -e), tol = 50 * angle * angle + 1e-12;
       struct ph_seg3 small = unit_seg3(angle, seg.a, seg.start);
       struct unit_bend3 b = unit_seg3_bend(&small, u);
-      ck_assert_double_le(unit_distance3(ph_seg3_point(&small, &rule, u),
-                                         ph_seg3_point(&quintic, &rule, u)),
+      ck_assert_double_le(unit_apart(ph_seg3_point(&small, &rule, u),
+                                     ph_seg3_point(&quintic, &rule, u)),
                           tol);
       ck_rel(ph_seg3_length(&small.space, small.a),
              ph_seg3_length(&quintic.space, quintic.a), tol);

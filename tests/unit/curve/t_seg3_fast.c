@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Segments prepared for many places: each formula against its definition. */
-#include "seg3_unit.h"
+#include "segment_unit.h"
 #include "unit.h"
 
 #include "curve/segment/seg3_fast.h"
-#include "curve3_unit.h"
+#include "curve_unit.h"
 
 static const double ANGLES[] = {0,   1e-9, 1e-4, 0.01, 0.1,
                                 0.5, 1,    2,    3,    3.14159};
-enum { ANGLES_N = sizeof ANGLES / sizeof ANGLES[0], STEPS = 16 };
+enum { ANGLES_N = COUNT(ANGLES), STEPS = 16 };
 
 /* p and q by their definitions, without a difference. */
 static double p_of(double a, double x) {
@@ -148,7 +148,7 @@ PH_TEST_EACH(test_integrals, ANGLES_N) {
       }
       ck_abs(s.unit * ph_fast3_integral(&at, at.end->s), length,
              2e-15 * s.c.curve.length);
-      ck_abs(unit_apart3(got, point), 0, 4e-15 * (4 + s.c.curve.length));
+      ck_abs(unit_apart(got, point), 0, 4e-15 * (4 + s.c.curve.length));
     }
   }
 }

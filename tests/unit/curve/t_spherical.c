@@ -5,7 +5,7 @@
  */
 #include "unit.h"
 #include "spatial_unit.h"
-#include "spherical_curve_unit.h"
+#include "spherical_unit.h"
 #include "spherical_known_unit.h"
 
 #include "curve/segment/spherical.h"

@@ -58,7 +58,7 @@ PH_TEST(test_random) {
                            0.5,  0.7,  0.73, 0.8,  1,    1.5,  2,    2.8};
   struct unit_random r = unit_random_of(1340);
   for (int i = 0; i < unit_count(1600); i++) {
-    double angle = angles[(size_t)i % (sizeof angles / sizeof angles[0])];
+    double angle = angles[(size_t)i % (COUNT(angles))];
     struct ph_spherical s = random_segment(&r, angle);
     struct ph_spherical_fast fast;
     double eps = 4 * rounding(&s);

@@ -197,7 +197,7 @@ PH_TEST(test_regular) {
       {{{{1, 0}, {1, nan}}}, false},   {{{{inf, 0}, {1, 0}}}, false},
       {{{{1, 0}, {0, inf}}}, false},   {{{{inf, 0}, {inf, 0}}}, false},
   };
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     const struct ph_tc *tc = &cases[i].tc;
     double energy = ph_tc_energy(tc);
     ck_assert_msg(ph_tc_is_regular(tc) == cases[i].regular, "case %zu", i);
@@ -249,7 +249,7 @@ PH_TEST(test_no_loop) {
       tc_of(-0x1.7df2afb1543ccp-2, 0x1.b535ea000e390p-4, -0x1.7df2afb1543cbp-2,
             0x1.b535ea000e392p-4),
   };
-  for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
+  for (size_t i = 0; i < COUNT(none); i++) {
     ck_assert_msg(!ph_tc_has_loop(&none[i]), "%zu", i);
   }
 }
@@ -294,7 +294,7 @@ PH_TEST(test_energy_table) {
       {1, -0x1.ffffffd50ce24p-1, 0x1.a36e2ea607ce7p-14,
        75398223686405.195}, /* 3.14149, 1 */
   };
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     const double *c = cases[i];
     struct ph_tc tc = tc_of(c[0], 0, c[1], c[2]);
     struct ph_tc mirrored = tc_of(c[0], 0, c[1], -c[2]);

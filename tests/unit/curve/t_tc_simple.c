@@ -278,7 +278,7 @@ PH_TEST(test_drop) {
       {-1e-12, false}, {-1e-9, false}, {-1e-6, false}, {-1e-3, false},
       {-0.1, false},
   };
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     struct chain c = drop(cases[i].x);
     ck_abs(ph_tc_leg(&c.tc[1]).re, cases[i].x, 1e-15);
     ck_assert_msg(ph_tc_is_simple(c.tc, 2) == cases[i].simple, "x = %g",
@@ -312,7 +312,7 @@ PH_TEST(test_known) {
   const struct ph_tc round = {{{1, 0}, {-0.4, 1.9}}};
   const struct ph_tc *all[] = {&line, &cusp, &loop, &none, &broken, &round};
   const bool simple[] = {true, false, false, false, false, true};
-  for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+  for (size_t i = 0; i < COUNT(all); i++) {
     /* with a straight line that it goes on from */
     struct ph_tc pair[2] = {line, *all[i]};
     ck_assert_msg(ph_tc_is_simple(all[i], 1) == simple[i], "%zu", i);
@@ -383,7 +383,7 @@ PH_TEST(test_same) {
     struct chain image[] = {reversed(&c), mirrored(&c), turned(&c, turn),
                             turned(&c, ph_cplx_scale(size, turn))};
     bool simple = ph_tc_is_simple(c.tc, 2);
-    for (size_t k = 0; k < sizeof image / sizeof image[0]; k++) {
+    for (size_t k = 0; k < COUNT(image); k++) {
       ck_assert_msg(ph_tc_is_simple(image[k].tc, 2) == simple,
                     "seed %lu, chain %d, image %zu", unit_seed(), i, k);
     }

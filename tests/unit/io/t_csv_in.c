@@ -176,7 +176,7 @@ PH_TEST(test_numbers) {
   ck_assert(number("-Inf", &x) && isinf(x) && x < 0);
   ck_assert(number("infinity", &x) && isinf(x) && x > 0);
   ck_assert(number("1e999", &x) && isinf(x));
-  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+  for (size_t i = 0; i < COUNT(words); i++) {
     ck_assert_msg(!number(words[i], &x), "%s", words[i]);
   }
 }
@@ -374,7 +374,7 @@ PH_TEST(test_ids) {
       {"true", "\"true\""},
       {"1e999", "\"1e999\""}};
   char text[64];
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     strcpy(text, "0,");
     strcat(text, cases[i][0]);
     strcat(text, ",1\n");

@@ -295,7 +295,7 @@ PH_TEST(test_quoting) {
                                 {"\xC3\xA4;'", "\xC3\xA4;'"}};
   struct ph_result result = by_hand();
   result.curve.n = 1;
-  for (size_t i = 0; i < sizeof ids / sizeof ids[0]; i++) {
+  for (size_t i = 0; i < COUNT(ids); i++) {
     const struct ph_csv_heading heading = {ids[i][0], NULL, 0};
     char expected[64] = "";
     strcat(strcat(expected, ids[i][1]), ",0,0,0.5,0.1,0.1\n");

@@ -119,7 +119,7 @@ static const struct {
     {"tc --tolerance=0.01", "{\"curve\":[[0,0],[1,2],[3,2],[4,-1],[6,0]]}"},
 };
 
-PH_TEST_EACH(test_round_trip, sizeof cases / sizeof cases[0]) {
+PH_TEST_EACH(test_round_trip, COUNT(cases)) {
   ck_round_trip(cases[_i].line, cases[_i].problem);
 }
 
@@ -297,7 +297,7 @@ static const struct {
      PH_BAD_SHAPE, "segments[0].blaschke[0].weights"},
 };
 
-PH_TEST_EACH(test_refused, sizeof refused / sizeof refused[0]) {
+PH_TEST_EACH(test_refused, COUNT(refused)) {
   make(refused[_i].line, "{\"points\":[[0,0],[2,1],[3,0]]}");
   ck_assert_msg(changed(refused[_i].after, refused[_i].from, refused[_i].to) ==
                     refused[_i].status,

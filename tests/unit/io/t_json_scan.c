@@ -272,7 +272,7 @@ PH_TEST(test_walk) {
 PH_TEST(test_walk_nothing) {
   static const char *const texts[] = {"[]", "{}",    " [ ] ", "{ }",
                                       "1",  "\"a\"", "null",  ""};
-  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+  for (size_t i = 0; i < COUNT(texts); i++) {
     size_t n = strlen(texts[i]);
     char *copy = heap(texts[i], n);
     struct ph_json_walk walk;

@@ -113,7 +113,7 @@ PH_TEST(test_known_values) {
                {"1.00000000000000011102230246251565404236316680908203126",
                 0x1.0000000000001p+0},
                {"6.802601037806062e215", 0x1.f92bacb3cb40cp+716}};
-  for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+  for (size_t i = 0; i < COUNT(known); i++) {
     check_text(known[i].text, known[i].x);
   }
 }
@@ -279,7 +279,7 @@ PH_TEST(test_grammar) {
                {"12 34", 2, 2},     {"1.25}", 4, 4},
                {"1e2\n", 3, 3},     {"12345678", 8, 8},
                {"123456789", 9, 9}, {"1.12345678e9", 12, 12}};
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     double x = 42;
     size_t n = strlen(cases[i].text);
     size_t json = read_exactly(ph_number_read, cases[i].text, n, &x);
@@ -372,7 +372,7 @@ PH_TEST(test_form) {
                {DBL_MAX, "1.7976931348623157e308"},
                {-DBL_MAX, "-1.7976931348623157e308"},
                {0x1.f92bacb3cb40cp+716, "6.802601037806062e215"}};
-  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+  for (size_t i = 0; i < COUNT(cases); i++) {
     char text[PH_NUMBER_MAX + 1];
     write_text(cases[i].x, text);
     ck_assert_str_eq(text, cases[i].text);
@@ -487,7 +487,7 @@ static bool set_comma_locale(void) {
   static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8",  "de_DE",
                                       "fr_FR.UTF-8", "fr_FR.utf8",  "fr_FR",
                                       "it_IT.UTF-8", "es_ES.UTF-8", "nl_NL"};
-  for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+  for (size_t i = 0; i < COUNT(names); i++) {
     if (setlocale(LC_ALL, names[i]) && *localeconv()->decimal_point == ',') {
       return true;
     }

@@ -228,7 +228,7 @@ PH_TEST(test_nonblocking_input) {
 PH_TEST(test_sizes) {
   static const size_t sizes[] = {10,    100,  70000,  3,       3000000,
                                  65535, 5000, 131072, 1000000, 2};
-  enum { N = sizeof sizes / sizeof *sizes };
+  enum { N = COUNT(sizes) };
   const size_t repeat = (size_t)unit_count(40);
   const char *name = "a.json";
   struct ph_split split;
@@ -288,7 +288,7 @@ static size_t stride(void) {
 }
 
 /* Every beginning of a document. */
-PH_TEST_EACH(test_prefixes, sizeof documents / sizeof *documents) {
+PH_TEST_EACH(test_prefixes, COUNT(documents)) {
   const char *text = documents[_i];
   for (size_t n = 0; n <= strlen(text); n += stride()) {
     ck_portions(&automatic, text, n);
@@ -298,7 +298,7 @@ PH_TEST_EACH(test_prefixes, sizeof documents / sizeof *documents) {
 
 /* Every document with one byte replaced, left out or doubled; where every step
  * takes long, replaced by one in four of the others, in turn. */
-PH_TEST_EACH(test_mutations, sizeof documents / sizeof *documents) {
+PH_TEST_EACH(test_mutations, COUNT(documents)) {
   static const char bytes[] = "\n\"{]#,0\xC3";
   const char *text = documents[_i];
   size_t n = strlen(text);

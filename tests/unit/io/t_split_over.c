@@ -135,7 +135,7 @@ PH_TEST(test_memory) {
                                         {"x,y\n1,2\n3,\"", "\"\n", "\n3,4\n"}};
   const struct ph_split_options options = {PH_SPLIT_AUTO, 0, NULL, 1 << 16};
   const char *name = "a.txt";
-  for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+  for (size_t i = 0; i < COUNT(ends); i++) {
     struct ph_split split;
     struct ph_record record;
     struct ph_diag diag;

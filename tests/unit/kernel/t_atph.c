@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spaces of preimages: against quadrature, direct formulas, differences. */
 #include "unit.h"
-#include "seg2_unit.h"
+#include "segment_unit.h"
 
 #include "kernel/atph.h"
 
 static const double ANGLES[] = {0,   1e-9, 1e-4, 1e-3, 0.01, 0.1,
                                 0.5, 1,    1.5,  2.09, 2.8,  3.1};
 
-enum { ANGLES_N = sizeof ANGLES / sizeof ANGLES[0] };
+enum { ANGLES_N = COUNT(ANGLES) };
 
 static struct ph_quad rule;
 

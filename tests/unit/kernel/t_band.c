@@ -185,7 +185,7 @@ static const struct family families[] = {
     {.corner = 50},                 /* nothing but exchanges, by k rows */
 };
 
-PH_TEST_EACH(lu, sizeof families / sizeof families[0]) {
+PH_TEST_EACH(lu, COUNT(families)) {
   struct unit_random r = unit_random_of(2 + (uint64_t)_i);
   for (int trial = 0; trial < unit_count(600); trial++) {
     size_t n, k;
@@ -291,7 +291,7 @@ PH_TEST(one_row) {
 static const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
 
 /* One element that is no number, anywhere. */
-PH_TEST_EACH(not_finite, sizeof bad / sizeof bad[0]) {
+PH_TEST_EACH(not_finite, COUNT(bad)) {
   struct unit_random r = unit_random_of(20);
   const size_t n = 9;
   for (size_t k = 0; k < 11; k++) {

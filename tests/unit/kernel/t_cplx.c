@@ -56,7 +56,7 @@ PH_TEST(test_sqrt_axes) {
                          {-4, 0, 0, 2},  {-4, -0.0, 0, -2}, {0, 2, 1, 1},
                          {0, -2, 1, -1}, {-0.0, 2, 1, 1},   {-3, 4, 1, 2},
                          {-3, -4, 1, -2}};
-  for (size_t i = 0; i < sizeof v / sizeof v[0]; i++) {
+  for (size_t i = 0; i < COUNT(v); i++) {
     ph_cplx root = ph_cplx_sqrt(ph_cplx_of(v[i][0], v[i][1]));
     ck_abs(root.re, v[i][2], 0);
     ck_abs(root.im, v[i][3], 0);

@@ -160,7 +160,7 @@ PH_TEST(test_not_a_number) {
                                      ph_range_div(nan, one),
                                      ph_range_scale(2, nan),
                                      ph_range_root(nan)};
-  for (size_t i = 0; i < sizeof results / sizeof results[0]; i++) {
+  for (size_t i = 0; i < COUNT(results); i++) {
     ck_assert(isnan(results[i].low) && isnan(results[i].high));
   }
   ck_assert(isnan(ph_range_farthest(nan)));

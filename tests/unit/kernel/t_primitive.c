@@ -150,7 +150,7 @@ PH_TEST(test_kinks) {
   /* also where no node is beyond, of a panel or of its half */
   const double places[] = {0,   1e-9,   3e-4, 0.3,    0.4995, 0.4999,
                            0.5, 0.5004, 0.9,  0.9995, 1};
-  for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+  for (size_t i = 0; i < COUNT(places); i++) {
     ck_known(kinked, places[i], 4e-15);
   }
   /* the value next to it is not known */
@@ -216,7 +216,7 @@ PH_TEST(test_zero) {
 /* What is infinite somewhere is refused, or what takes too many panels. */
 PH_TEST(test_refusals) {
   const double places[] = {0.5, 1.0 / 3}, fast = 1e6, nan = (double)NAN;
-  for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+  for (size_t i = 0; i < COUNT(places); i++) {
     ck_assert_int_eq(ph_primitive_make(&table, pole, &places[i], NULL, 0, 1e-14,
                                        &unit_arena),
                      PH_NO_CONVERGENCE);

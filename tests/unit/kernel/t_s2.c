@@ -73,7 +73,7 @@ static ph_vec3 random_tangent(struct unit_random *r, ph_vec3 p) {
 
 /* f_0 vanishes at pi^2: its error is one of the angle. */
 PH_TEST(test_bessel) {
-  for (size_t i = 0; i < sizeof bessel / sizeof *bessel; i++) {
+  for (size_t i = 0; i < COUNT(bessel); i++) {
     double f[4], x = bessel[i].x;
     ph_s2_bessel(x, f);
     ck_abs(f[0], bessel[i].f[0], 2 * DBL_EPSILON);

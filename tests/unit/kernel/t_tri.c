@@ -228,7 +228,7 @@ PH_TEST(test_long) {
   struct ph_tri_row *row = malloc(N * sizeof *row);
   ph_cplx *x = malloc(N * sizeof *x);
   ck_assert(row && x);
-  for (size_t i = 0; i < sizeof families / sizeof families[0]; i++) {
+  for (size_t i = 0; i < COUNT(families); i++) {
     double error, size = 0;
     make(&r, &families[i], N, row);
     solve(row, N, x);

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Drawings: strokes near curves, profiles, vectors, and that all is bounded. */
-#include "curve3_unit.h"
-#include "sample_unit.h"
-#include "seg2_unit.h"
-#include "spherical_curve_unit.h"
+#include "curve_unit.h"
+#include "segment_unit.h"
+#include "spherical_unit.h"
 #include "tc_curve_unit.h"
 #include "unit.h"
 
@@ -63,10 +62,6 @@ static size_t strokes_of(const struct ph_drawing *d, enum ph_stroke_role role) {
   return n;
 }
 
-static double apart(ph_vec3 a, ph_vec3 b) {
-  return ph_vec3_abs(ph_vec3_sub(a, b));
-}
-
 /* Control point i of segment k. */
 static ph_vec3 control_of(const struct ph_curve *curve, size_t k, size_t i) {
   return ph_vec3_get(ph_curve_points(curve, k) + curve->dimension * i,
@@ -77,7 +72,7 @@ static double to_segment(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
   ph_vec3 ab = ph_vec3_sub(b, a), ap = ph_vec3_sub(p, a);
   double square = ph_vec3_dot(ab, ab);
   double t = square > 0 ? ph_vec3_dot(ap, ab) / square : 0;
-  return apart(p, ph_vec3_along(a, t < 0 ? 0 : t > 1 ? 1 : t, ab));
+  return unit_apart(p, ph_vec3_along(a, t < 0 ? 0 : t > 1 ? 1 : t, ab));
 }
 
 static double to_stroke(ph_vec3 p, const struct ph_stroke *stroke) {
@@ -162,7 +157,7 @@ PH_TEST(test_circle) {
   ck_assert_uint_ge(s->n, 100);
   ck_assert_uint_le(s->n, 1025);
   for (size_t i = 0; i < s->n; i++) {
-    ck_abs(apart(s->points[i], ph_vec3_of(0, 0.5, 0)), 0.5, 1e-14);
+    ck_abs(unit_apart(s->points[i], ph_vec3_of(0, 0.5, 0)), 0.5, 1e-14);
   }
   for (size_t i = 0; i < d->profiles[0].n; i++) {
     ck_abs(d->profiles[0].s[i], 3 * (double)i / 64, 1e-14);
@@ -215,8 +210,8 @@ PH_TEST(test_sphere) {
     for (size_t k = 0; k < 3; k++) {
       const struct ph_stroke *s = stroke_of(drawing, PH_STROKE_POLYGON, k);
       for (size_t j = 0; j < s->n; j++) {
-        ck_abs(apart(s->points[j], center), 10, 1e-13);
-        ck_assert(j == 0 || apart(s->points[j - 1], s->points[j]) <= 0.4);
+        ck_abs(unit_apart(s->points[j], center), 10, 1e-13);
+        ck_assert(j == 0 || unit_apart(s->points[j - 1], s->points[j]) <= 0.4);
       }
     }
   }
@@ -328,7 +323,7 @@ PH_TEST(test_vectors_sphere) {
             ph_vec3_unit(ph_vec3_normal(ph_vec3_get(v + 3 * i, 3), out)),
             1e-12);
     for (size_t j = 0; j < s->n; j++) {
-      ck_abs(apart(s->points[j], center), 10, 1e-13);
+      ck_abs(unit_apart(s->points[j], center), 10, 1e-13);
     }
   }
 }
@@ -354,7 +349,7 @@ PH_TEST(test_offsets) {
     ck_assert_uint_eq(s->index, i);
     ck_assert_uint_ge(s->n, 2);
     for (size_t j = 0; j < s->n; j++) {
-      ck_abs(apart(s->points[j], ph_vec3_of(0, 0.5, 0)), radii[i], 1e-13);
+      ck_abs(unit_apart(s->points[j], ph_vec3_of(0, 0.5, 0)), radii[i], 1e-13);
     }
   }
   ck_assert_uint_ge(stroke_of(d, PH_STROKE_OFFSET, 1)->n, 64);
@@ -387,7 +382,7 @@ PH_TEST(test_cusps) {
       sampler = unit_sampler(&c.curve, &offset, at->segment);
       tip = ph_sampler_at(&sampler, at->u).point;
       for (size_t j = 0; j < s->n; j++) {
-        least = fmin(least, apart(tip, s->points[j]));
+        least = fmin(least, unit_apart(tip, s->points[j]));
       }
       ck_abs(least, 0, 0);
     }
@@ -421,7 +416,7 @@ PH_TEST(test_gaps) {
     const struct ph_stroke *s = stroke_of(d, PH_STROKE_OFFSET, i);
     ck_assert_uint_eq(s->index, i / 4);
     ck_assert_uint_eq(s->n, 2);
-    ck_abs(apart(s->points[0], s->points[1]), 1, 1e-14);
+    ck_abs(unit_apart(s->points[0], s->points[1]), 1, 1e-14);
   }
 }
 

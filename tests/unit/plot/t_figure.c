@@ -285,7 +285,7 @@ PH_TEST(any_size) {
   static const double places[] = {0, 0, 0, 0, 4e6};
   SKIP_WITHOUT_CAIRO();
   of.polygon = true;
-  for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+  for (size_t i = 0; i < COUNT(all); i++) {
     of.size = all[i];
     of.place = ph_vec3_of(places[i], -places[i], 0);
     for (int in = PH_PLANE; in <= PH_SPACE; in++) {
@@ -306,7 +306,7 @@ PH_TEST(degenerate) {
   for (int in = PH_PLANE; in <= PH_SPHERE; in++) {
     const double odd[] = {0, (double)NAN, (double)INFINITY, -1e308};
     of.space = (enum ph_space)in;
-    for (size_t i = 0; i < sizeof odd / sizeof odd[0]; i++) {
+    for (size_t i = 0; i < COUNT(odd); i++) {
       d = unit_drawing(&of);
       d->length = odd[i];
       for (size_t k = 0; k < d->strokes_n; k++) {
@@ -345,8 +345,8 @@ PH_TEST(any_text) {
   static char longest[100001];
   SKIP_WITHOUT_CAIRO();
   memset(longest, 'm', sizeof longest - 1);
-  for (size_t i = 0; i <= sizeof texts / sizeof texts[0]; i++) {
-    const char *text = i < sizeof texts / sizeof texts[0] ? texts[i] : longest;
+  for (size_t i = 0; i <= COUNT(texts); i++) {
+    const char *text = i < COUNT(texts) ? texts[i] : longest;
     struct ph_drawing *d[2] = {unit_drawing(&of), unit_drawing(&of)};
     d[0]->title = d[0]->label = d[1]->label = text;
     write_free(d, 2, PH_FIGURE_SVG);

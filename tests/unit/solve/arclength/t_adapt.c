@@ -39,7 +39,7 @@ PH_TEST(test_peak) {
 
 PH_TEST(test_kink) {
   const double places[] = {0, 0.5, 1.0 / 3, 0.9, 1};
-  for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+  for (size_t i = 0; i < COUNT(places); i++) {
     double a = places[i];
     ck_abs(unit_adapt(&rule, kink, &a, 0, 1, 1e-13, 0),
            a * a / 2 + (1 - a) * (1 - a) / 2, 1e-13);

@@ -97,7 +97,7 @@ static const struct sort sorts[] = {
     {PH_ARC_TANGENTS, true, false, 2, 2},
     {PH_ARC_TANGENTS, true, false, 1, 2},
 };
-enum { SORTS = sizeof sorts / sizeof sorts[0] };
+enum { SORTS = COUNT(sorts) };
 
 /* ---- rows by quadrature ------------------------------------------------ */
 

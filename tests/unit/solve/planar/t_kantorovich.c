@@ -292,7 +292,7 @@ static const double table[][3] = {
  * The 2 that is printed for small angles is the K of open ends.
  */
 PH_TEST(test_table_2_5) {
-  for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+  for (size_t i = 0; i < COUNT(table); i++) {
     double alpha = table[i][0] * PI / 18;
     double x = 2 * sin(alpha) * (cos(alpha) - 1);
     double epsilon = 16 * pow(x * sin(alpha / 2), 4);

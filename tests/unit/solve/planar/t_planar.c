@@ -2,7 +2,7 @@
 /* The method `planar`: what it refuses and how it says so, what it assumes
  * where the problem is silent, what it warns of. */
 #include "unit.h"
-#include "ph_unit.h"
+#include "segment_unit.h"
 #include "planar_unit.h"
 
 #include "solve/method.h"
@@ -373,7 +373,7 @@ PH_TEST(test_range) {
   begin(SOME, 4, false);
   ck_solved();
   curve = kept(p);
-  for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++) {
+  for (size_t i = 0; i < COUNT(exponents); i++) {
     double v[8], apart = 0;
     for (size_t k = 0; k < 8; k++) {
       v[k] = ldexp(SOME[k], exponents[i]);

@@ -337,7 +337,7 @@ PH_TEST(test_line) {
                          {0, 1, 0, 1, 0, 2},
                          {0, 3, 1, 2, 7, 4},
                          {0, 1e-3, 1, 2, 2.001, 2.002}};
-  for (size_t i = 0; i < sizeof x / sizeof x[0]; i++) {
+  for (size_t i = 0; i < COUNT(x); i++) {
     for (int closed = 0; closed < 2; closed++) {
       double v[12] = {0};
       struct set f;
@@ -495,7 +495,7 @@ PH_TEST(test_astray) {
 PH_TEST(test_none) {
   const double bad[] = {0, HUGE_VAL, nan("")};
   for (int closed = 0; closed < 2; closed++) {
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+    for (size_t i = 0; i < COUNT(bad); i++) {
       const double v[6] = {0, 0, 1, 0, 1, 2};
       struct unit_solution u = unit_planar_of(v, 3, closed);
       struct ph_planar_data d;

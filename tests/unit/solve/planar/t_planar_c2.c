@@ -4,7 +4,7 @@
  * formula against its meaning, by quadrature where an integral is meant, and
  * the starting values against splines of other makes.
  */
-#include "ph_unit.h"
+#include "segment_unit.h"
 #include "unit.h"
 
 #include "kernel/quad.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Planar splines that are known in closed form. */
 #include "unit.h"
-#include "ph_unit.h"
+#include "segment_unit.h"
 #include "planar_unit.h"
 
 static struct unit_solution u;

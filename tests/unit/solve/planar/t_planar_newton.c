@@ -7,7 +7,7 @@
  */
 #include "solve/planar/newton.c" /* NOLINT */
 
-#include "ph_unit.h"
+#include "segment_unit.h"
 #include "unit.h"
 
 enum { N_MAX = 60, SYSTEMS = 150 };

@@ -143,7 +143,7 @@ static const struct reference SPLINES[] = {
      .kappa = {1.1150522190197547, 2.3101574931300344}},
 };
 
-enum { SPLINES_N = sizeof SPLINES / sizeof SPLINES[0] };
+enum { SPLINES_N = COUNT(SPLINES) };
 
 static struct unit_solution u;
 static struct ph_quad rule;

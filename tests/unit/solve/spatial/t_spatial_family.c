@@ -19,10 +19,6 @@ static void begin(void) {
   ck_assert(ph_quad_gauss(&rule, 12));
 }
 
-static double apart(ph_vec3 a, ph_vec3 b) {
-  return ph_vec3_abs(ph_vec3_sub(a, b));
-}
-
 static struct ph_spatial_member random_member(struct unit_random *r) {
   struct ph_spatial_member member = {unit_random_phase(r),
                                      unit_random_phase(r)};
@@ -41,14 +37,15 @@ static double frame_error(const struct ph_spatial_family *f,
                           fabs(ph_vec3_dot(f->axis[i], f->axis[j]) - (i == j)));
     }
   }
-  error = unit_larger(error,
-                      apart(ph_vec3_cross(f->axis[0], f->axis[1]), f->axis[2]));
+  error = unit_larger(
+      error, unit_apart(ph_vec3_cross(f->axis[0], f->axis[1]), f->axis[2]));
   error = unit_larger(
       error,
-      apart(unit_spatial_world(f, ph_vec3_of(f->c, -f->s, 0)), data->ti));
+      unit_apart(unit_spatial_world(f, ph_vec3_of(f->c, -f->s, 0)), data->ti));
   error = unit_larger(
-      error, apart(unit_spatial_world(f, ph_vec3_of(f->c, f->s, 0)), data->tf));
-  return unit_larger(error, apart(unit_spatial_world(f, f->dp), data->dp));
+      error,
+      unit_apart(unit_spatial_world(f, ph_vec3_of(f->c, f->s, 0)), data->tf));
+  return unit_larger(error, unit_apart(unit_spatial_world(f, f->dp), data->dp));
 }
 
 /* D of (4). */
@@ -66,21 +63,22 @@ static double member_error(const struct ph_spatial_family *f,
   ph_quat a[3], big;
   double error;
   ph_spatial_preimage(f, member, a);
+  error = unit_apart(ph_quat_i(a[0], a[0]),
+                     ph_vec3_of(f->ni * f->c, -f->ni * f->s, 0));
   error =
-      apart(ph_quat_i(a[0], a[0]), ph_vec3_of(f->ni * f->c, -f->ni * f->s, 0));
-  error = unit_larger(error, apart(ph_quat_i(a[2], a[2]),
-                                   ph_vec3_of(f->nf * f->c, f->nf * f->s, 0)));
-  error =
-      unit_larger(error, apart(ph_quat_i(a[0], a[2]), ph_vec3_scale(f->m, e)));
+      unit_larger(error, unit_apart(ph_quat_i(a[2], a[2]),
+                                    ph_vec3_of(f->nf * f->c, f->nf * f->s, 0)));
+  error = unit_larger(
+      error, unit_apart(ph_quat_i(a[0], a[2]), ph_vec3_scale(f->m, e)));
   error =
       unit_larger(error, fabs(ph_quat_dot(a[0], a[2]) - f->m * f->c * b.re));
   wanted = ph_vec3_along(ph_vec3_scale(f->m11, f->dp),
                          f->m01 * f->m01 - f->m11 * f->m00, f->sum);
   wanted =
       ph_vec3_along(wanted, 2 * f->m * (f->m01 * f->m01 - f->m11 * f->m02), e);
-  error = unit_larger(error, apart(d, wanted));
+  error = unit_larger(error, unit_apart(d, wanted));
   big = d_of(f, a);
-  return unit_larger(error, apart(ph_quat_i(big, big), d));
+  return unit_larger(error, unit_apart(ph_quat_i(big, big), d));
 }
 
 /* The legs and the integral of the hodograph against dp, and the length, all
@@ -104,7 +102,8 @@ static double segment_error(const struct ph_spatial_family *f,
     at = ph_quat_add(at, ph_quat_scale(t.b[0][2], a[2]));
     integral = ph_vec3_along(integral, rule.weight[i], ph_quat_i(at, at));
   }
-  error = unit_larger(apart(sum, data->dp), apart(integral, data->dp));
+  error =
+      unit_larger(unit_apart(sum, data->dp), unit_apart(integral, data->dp));
   error = unit_larger(error, fabs(ph_spatial_length(f, member.b) -
                                   ph_seg3_length(&f->space, a)));
   return error / size;

@@ -183,7 +183,7 @@ static const struct row ROWS[] = {
      {{UNKNOWN, UNKNOWN, 0.6593181207}, {UNKNOWN, UNKNOWN, 0.6561972799}}},
 };
 
-enum { ROW_N = sizeof ROWS / sizeof ROWS[0] };
+enum { ROW_N = COUNT(ROWS) };
 
 static const double VALUE = 1e-5, NOTHING = 1e-12, LENGTH = 2e-3;
 

@@ -4,7 +4,7 @@
  * that the method of splines is made of: the family, a member by a criterion or
  * by angles, its preimage, and the segment's points and invariants.
  */
-#include "seg3_unit.h"
+#include "segment_unit.h"
 #include "unit.h"
 #include "spatial_unit.h"
 #include "vectors_unit.h"

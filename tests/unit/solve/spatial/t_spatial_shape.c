@@ -3,7 +3,7 @@
  * The shape of spatial segments: constraints against sampled torsion and
  * control polygons, tensions against published data and by their definition.
  */
-#include "seg3_unit.h"
+#include "segment_unit.h"
 #include "solve/spatial/spatial.h"
 
 #include "curve/segment/seg3.h"

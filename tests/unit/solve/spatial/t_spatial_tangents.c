@@ -245,7 +245,7 @@ PH_TEST(test_invariance) {
     struct polygon p = random_polygon(&r, 2 + n % 2, n % 2), rolled = p;
     ck_reversed(&p);
     ck_moved(&p, random_rotation(&r), 1e-11);
-    for (size_t i = 0; i < sizeof exponents / sizeof *exponents; i++) {
+    for (size_t i = 0; i < COUNT(exponents); i++) {
       ck_scaled(&p, exponents[i]);
     }
     if (p.closed) {
@@ -308,7 +308,7 @@ PH_TEST(test_hairpin) {
            {y, down, y},
            {down, up, ph_vec3_of(0, -1, 0)},
            {x, x, ph_vec3_of(0, -1, 0)}};
-  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+  for (size_t i = 0; i < COUNT(c); i++) {
     struct polygon p = hairpin(c[i].from, c[i].to);
     ck_vec3(p.tangents[2], c[i].side, 1e-15);
     if (i < 5) { /* otherwise reversal maps the hairpin to itself */
@@ -346,7 +346,7 @@ PH_TEST(test_zigzag) {
 PH_TEST(test_line) {
   const ph_vec3 lines[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {3, -4, 0},
                            {1, 1, 1}, {0, 2, 5}, {5, 0, 2}};
-  for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+  for (size_t i = 0; i < COUNT(lines); i++) {
     for (size_t n = 2; n <= 6; n++) {
       double points[18] = {0};
       struct polygon p;

@@ -82,8 +82,7 @@ static void violations(const struct setting *t, char text[99]) {
   }
 }
 
-PH_TEST_EACH(test_case,
-             2 * sizeof unit_sphere_cases / sizeof *unit_sphere_cases) {
+PH_TEST_EACH(test_case, 2 * COUNT(unit_sphere_cases)) {
   size_t which = (size_t)_i / 2, from = unit_sphere_cases[which].inner;
   bool legacy = _i % 2 == 0;
   struct setting t;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The curve of a result, from splines that are solved. */
-#include "raise_unit.h"
+#include "sphere_unit.h"
 #include "unit.h"
 
 #include "solve/sphere/sphere.h"

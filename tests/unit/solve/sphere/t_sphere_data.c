@@ -109,7 +109,7 @@ static const struct {
           {PH_F_END_TANGENTS, VECTORS(3, 0, 1, 0, 1e-14, 0, -7)}),
 };
 
-PH_TEST_EACH(test_failure, sizeof failures / sizeof *failures) {
+PH_TEST_EACH(test_failure, COUNT(failures)) {
   struct ph_sphere_data data;
   struct ph_diag diag;
   ck_assert_int_eq(read_fields(failures[_i].given, &data, &diag),

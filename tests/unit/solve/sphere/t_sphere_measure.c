@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measures of shape against the criteria that they are measures of. */
-#include "raise_unit.h"
+#include "sphere_unit.h"
 #include "unit.h"
 
 #include "solve/sphere/sphere.h"

@@ -4,7 +4,7 @@
  * programs, on small data; that the shape is kept, whatever the blocks are;
  * what data that are moved, mirrored or read backwards have.
  */
-#include "raise_unit.h"
+#include "sphere_unit.h"
 #include "unit.h"
 
 #include "kernel/pi.h"

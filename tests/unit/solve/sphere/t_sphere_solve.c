@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The ways to a spline when Newton's iteration alone does not lead there: each
  * by itself, with models that block or count the others. */
-#include "raise_unit.h"
+#include "sphere_unit.h"
 #include "unit.h"
 
 /* Data of N nodes far apart; of 60 from this generator about 25 are beyond

@@ -3,7 +3,7 @@
  * Raising tensions: against a plain loop that solves and judges the whole
  * spline in every round; what cannot be reached; ends; what is waived.
  */
-#include "raise_unit.h"
+#include "sphere_unit.h"
 #include "unit.h"
 
 enum { LONG = 140, ROUNDS = 400 };
@@ -104,7 +104,7 @@ PH_TEST_EACH(test_plain, 2) {
   static const size_t places[][3] = {
       {1, 0, 0}, {30, 31, 0}, {2, 58, 33}, {0, 64, 0}, {57, 25, 59}};
   size_t first = (size_t)_i, step = (size_t)(unit_count(10) < 10 ? 5 : 1);
-  for (size_t k = first; k < sizeof sizes / sizeof sizes[0]; k += step) {
+  for (size_t k = first; k < COUNT(sizes); k += step) {
     for (size_t j = 0; j < 5; j += step) {
       bool closed = _i == 1;
       size_t place[3], n = sizes[k];

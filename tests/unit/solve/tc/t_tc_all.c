@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every curve of Tschirnhausen cubics: the product of what the intervals have,
  * its order and its limits. */
-#include "tc_solve_unit.h"
+#include "tc_unit.h"
 #include "unit.h"
 
 #include "curve/cross/cross.h"

@@ -2,7 +2,7 @@
 /* Approximation of Bezier curves: distances against samples, numbers of cubics,
  * symmetry, and the curves that are difficult. */
 #include "unit.h"
-#include "tc_approx_unit.h"
+#include "tc_curve_unit.h"
 
 #include "kernel/pi.h"
 #include "solve/tc/approx.h"
@@ -64,7 +64,6 @@ static const struct known turning[] = {
     {"beyond its end and back", 2, {{0, 0}, {1.5, .75}, {1, .5}}},
     {"there and back", 2, {{0, 0}, {1, 0}, {0, 0}}},
     {"back and forth", 3, {{0, 0}, {1.5, 0}, {-.5, 0}, {1, 0}}}};
-#define COUNT(a) (sizeof(a) / sizeof *(a))
 static struct ph_tc_bezier bezier(const struct known *k) {
   struct ph_tc_bezier b = {k->p, k->degree, 0};
   return b;

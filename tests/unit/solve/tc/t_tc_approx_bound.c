@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The bound of the distance of one cubic, and the inflections of a curve. */
 #include "unit.h"
-#include "tc_approx_unit.h"
 #include "tc_curve_unit.h"
 
 #include "solve/tc/approx.h"

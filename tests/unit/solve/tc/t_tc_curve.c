@@ -3,7 +3,7 @@
  * Curves put together from fits of intervals: ends, joints, lengths, intervals
  * and diagnostics, by fits whose legs are known by hand.
  */
-#include "tc_data_unit.h"
+#include "tc_unit.h"
 
 #include "solve/tc/tc.h"
 

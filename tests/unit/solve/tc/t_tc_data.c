@@ -3,7 +3,7 @@
  * Reading problems of Tschirnhausen cubics: which mode they mean, every field
  * that is refused, and the vectors at the points, at any scale.
  */
-#include "tc_data_unit.h"
+#include "tc_unit.h"
 #include "unit.h"
 
 #include "kernel/pi.h"
@@ -61,7 +61,7 @@ static const struct {
     {{POINTS, END_DERIVATIVES(1, 0, 0, 1)}, PH_TC_SPLINE},
 };
 
-PH_TEST_EACH(test_mode, sizeof MODES / sizeof MODES[0]) {
+PH_TEST_EACH(test_mode, COUNT(MODES)) {
   const struct ph_problem problem = unit_problem_of(MODES[_i].given);
   enum ph_tc_mode mode;
   struct ph_diag diag;
@@ -147,7 +147,7 @@ static const struct {
           POINTS, END_DERIVATIVES(1, 0, 0, 1e13)),
 };
 
-PH_TEST_EACH(test_failure, sizeof FAILURES / sizeof FAILURES[0]) {
+PH_TEST_EACH(test_failure, COUNT(FAILURES)) {
   struct ph_tc_data data;
   struct ph_diag diag;
   ck_assert_int_eq(unit_tc_read(FAILURES[_i].given, &data, &diag),
@@ -202,7 +202,7 @@ static const struct {
      {5, 5, 12, 15}},
 };
 
-PH_TEST_EACH(test_spline, sizeof SPLINES / sizeof SPLINES[0]) {
+PH_TEST_EACH(test_spline, COUNT(SPLINES)) {
   struct ph_tc_data d = unit_tc_given(SPLINES[_i].given);
   ck_assert_uint_eq(d.points_n, 4);
   ck_assert_uint_eq(d.n, d.closed ? 4 : 3);

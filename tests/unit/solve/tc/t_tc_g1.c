@@ -5,7 +5,7 @@
  */
 #include "unit.h"
 #include "tc_curve_unit.h"
-#include "tc_hermite_unit.h"
+#include "tc_unit.h"
 
 #include "solve/tc/tc.h"
 
@@ -109,7 +109,7 @@ static const struct {
     {-11 * PH_PI / 12, 3 * PH_PI / 5, 6.0827625302982193, 0, 0, {{0, 0, 0}}},
 };
 
-PH_TEST_EACH(test_known, sizeof KNOWN / sizeof KNOWN[0]) {
+PH_TEST_EACH(test_known, COUNT(KNOWN)) {
   struct ph_tc_fit fits[2];
   double a = KNOWN[_i].a, b = KNOWN[_i].b, chord = KNOWN[_i].chord;
   struct unit_tc_count wanted = {(unsigned)(KNOWN[_i].n - KNOWN[_i].loops),

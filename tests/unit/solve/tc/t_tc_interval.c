@@ -3,8 +3,7 @@
  * Curves of one interval: what each mode gives for data that have no, one or
  * two single cubics, or one that is nearly a cusp; choices and failures.
  */
-#include "tc_data_unit.h"
-#include "tc_hermite_unit.h"
+#include "tc_unit.h"
 
 #include "solve/tc/tc.h"
 
@@ -72,7 +71,7 @@ static const struct {
              {-2.5, -0.99e-6, 1, 1, 2, 0}, /* the same from the other end */
              {-2.5, -1.01e-6, 1, 1, 1, 0}};
 
-PH_TEST_EACH(test_modes, sizeof CASES / sizeof CASES[0]) {
+PH_TEST_EACH(test_modes, COUNT(CASES)) {
   const double a = CASES[_i].a, b = CASES[_i].b;
   struct ph_tc_data d = data_of(PH_TC_G1, a, b);
   const struct ph_tc_hermite h = ph_tc_hermite_of(&d, 0);
@@ -165,7 +164,7 @@ static struct ph_tc_data c1_of(const double v[4], const char *solutions) {
   return unit_tc_given(given);
 }
 
-PH_TEST_EACH(test_standard, sizeof CHOICES / sizeof CHOICES[0]) {
+PH_TEST_EACH(test_standard, COUNT(CHOICES)) {
   struct ph_tc_data d = c1_of(CHOICES[_i].v, "best");
   struct ph_tc_fit fit = solved(&d);
   ck_assert_int_eq(fit.root, CHOICES[_i].best);
@@ -301,7 +300,7 @@ static const struct {
      "cusp" HAS_TWO},
 };
 
-PH_TEST_EACH(test_no_g1, sizeof NO_G1 / sizeof NO_G1[0]) {
+PH_TEST_EACH(test_no_g1, COUNT(NO_G1)) {
   struct ph_tc_data d = data_of(PH_TC_G1, NO_G1[_i].a, NO_G1[_i].b);
   ck_fails(&d, NO_G1[_i].message);
 }

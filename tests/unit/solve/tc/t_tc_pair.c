@@ -2,7 +2,7 @@
 /* C1 interpolation by pairs of Tschirnhausen cubics: examples of the thesis,
  * what the four pairs have in common, and which of them is chosen. */
 #include "unit.h"
-#include "tc_hermite_unit.h"
+#include "tc_unit.h"
 
 #include "solve/tc/tc.h"
 
@@ -124,7 +124,7 @@ static ph_cplx joint_of(const struct ph_tc_fit *fit) {
   return ph_tc_leg(&fit->tc[0]);
 }
 
-PH_TEST_EACH(test_known, sizeof KNOWN / sizeof KNOWN[0]) {
+PH_TEST_EACH(test_known, COUNT(KNOWN)) {
   static const enum ph_root ROOTS[] = {PH_ROOT_PLUS_PLUS, PH_ROOT_PLUS_MINUS,
                                        PH_ROOT_MINUS_PLUS, PH_ROOT_MINUS_MINUS};
   const double chord = KNOWN[_i].chord;
@@ -353,7 +353,7 @@ PH_TEST(test_is_safe) {
       {0.3, 0.0301, 0.2, 1.399, true}, {0.3, 0.0299, 0.2, 1, false},
       {0.3, 1, 0.2, 1.401, false},     {0, 1, 0, (double)NAN, false},
   };
-  for (size_t i = 0; i < sizeof sight / sizeof sight[0]; i++) {
+  for (size_t i = 0; i < COUNT(sight); i++) {
     struct ph_tc_hermite h =
         unit_tc_data(sight[i].a, sight[i].from, sight[i].b, sight[i].to);
     ck_assert(ph_tc_pair_is_safe(&h) == sight[i].safe);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The method tc: its schema, images where they are asked for, the warning of
  * loops, and scratch memory. */
-#include "tc_solve_unit.h"
+#include "tc_unit.h"
 
 static double points[] = {0, 0, 1, 0, 2, 1, 3, 1};
 
@@ -178,7 +178,7 @@ PH_TEST(test_modes) {
   ck_assert_uint_eq(s.result.solutions_n, 0);
   *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(v, 2);
   *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(t, 2);
-  for (size_t i = 0; i < sizeof modes / sizeof *modes; i++) {
+  for (size_t i = 0; i < COUNT(modes); i++) {
     *unit_tc_field(&s, PH_F_MODE) = unit_word(modes[i].mode);
     unit_tc_solve_ok(&s);
     ck_assert_uint_eq(s.result.intervals_n, 1);

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Approximation of chains of Bezier curves: what is read, what is refused, and
  * what the result says, at any place and scale. */
-#include "tc_solve_unit.h"
+#include "tc_unit.h"
 #include "unit.h"
-#include "tc_approx_unit.h"
+#include "tc_curve_unit.h"
 
 enum { ROOM = 512 };
-
-#define COUNT(a) (sizeof(a) / sizeof *(a))
 
 /* Two cubics and a line, one after another; the line ends where all began. */
 static double chain[] = {0, 0,  1, 2,  3, 2,  4, 0,  /* */

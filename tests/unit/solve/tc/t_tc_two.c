@@ -101,7 +101,7 @@ static double spread(size_t k, double s) {
 }
 
 PH_TEST(test_free_known) {
-  for (size_t k = 0; k < sizeof known / sizeof known[0]; k++) {
+  for (size_t k = 0; k < COUNT(known); k++) {
     struct ph_tc_hermite h = data_of(spread(k + 1, 0.7548776662466927),
                                      spread(k + 1, 0.5698402909980532));
     struct ph_tc_fit fit;
@@ -163,7 +163,7 @@ PH_TEST(test_free_random) {
 PH_TEST(test_free_special) {
   static const double angles[] = {0,         1e-9,         1e-3,         1,
                                   PH_PI / 2, PH_PI - 1e-3, PH_PI - 1e-9, PH_PI};
-  enum { N = sizeof angles / sizeof angles[0] };
+  enum { N = COUNT(angles) };
   for (size_t i = 0; i < N; i++) {
     for (size_t j = 0; j < 2 * (size_t)N; j++) {
       double b = j < N ? angles[j] : -angles[j - N];
@@ -257,7 +257,7 @@ static const struct interval intervals[] = {
     {-0.7 * PH_PI, -2 * PH_PI / 15, -1, 0.03051937990731603, PH_PI / 110,
      PH_PI / 85}};
 PH_TEST(test_chord_intervals) {
-  for (size_t i = 0; i < sizeof intervals / sizeof intervals[0]; i++) {
+  for (size_t i = 0; i < COUNT(intervals); i++) {
     struct interval v = intervals[i];
     struct ph_tc_hermite h = data_of(v.a, v.b);
     struct ph_tc_fit fit;
@@ -293,7 +293,7 @@ static const struct curve curves[] = {
     {-0.7 * PH_PI, -2 * PH_PI / 15, -PH_PI / 110, (double)NAN, 0.674095882046,
      129026.467566, 1.00434478311, 1, false}};
 PH_TEST(test_chord_known) {
-  for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++) {
+  for (size_t i = 0; i < COUNT(curves); i++) {
     const struct curve *v = &curves[i];
     struct ph_tc_hermite h = data_of(v->a, v->b);
     struct ph_tc_fit fit;

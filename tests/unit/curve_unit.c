@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Curves in space for tests (see curve3_unit.h). */
-#include "curve3_unit.h"
-#include "unit.h"
+/* Curves in space for tests (see curve_unit.h). */
+#include "curve_unit.h"
 
 #include "curve/segment/seg3.h"
 

@@ -1,12 +1,41 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Hermite data of Tschirnhausen cubics for the tests, and how well they are
- * met. */
-#ifndef PH_TESTS_TC_HERMITE_UNIT_H
-#define PH_TESTS_TC_HERMITE_UNIT_H
+/* Problems of Tschirnhausen cubics for tests: their data, from lists of fields
+ * or by angles, and what became of them. */
+#ifndef PH_TESTS_TC_UNIT_H
+#define PH_TESTS_TC_UNIT_H
+
+#include "cert_tc_unit.h"
+#include "fields_unit.h"
+#include "planar_unit.h"
+#include "unit.h"
 
 #include "kernel/pi.h"
-#include "unit.h"
+#include "solve/method.h"
 #include "solve/tc/tc.h"
+
+/* What becomes of a problem: its mode, then its data. */
+static inline enum ph_status unit_tc_read(const struct given given[GIVEN_MAX],
+                                          struct ph_tc_data *data,
+                                          struct ph_diag *diag) {
+  const struct ph_problem problem = unit_problem_of(given);
+  enum ph_tc_mode mode;
+  enum ph_status status = ph_tc_mode_of(&problem, &mode, diag);
+  return status == PH_OK && mode != PH_TC_APPROXIMATE
+             ? ph_tc_data_of(&problem, mode, &unit_arena, data, diag)
+             : status;
+}
+
+/* Reads what must be right. */
+static inline struct ph_tc_data
+unit_tc_given(const struct given given[GIVEN_MAX]) {
+  struct ph_tc_data data;
+  struct ph_diag diag;
+  enum ph_status status = unit_tc_read(given, &data, &diag);
+  ck_assert_msg(status == PH_OK, "%s: %s", diag.field, diag.message);
+  return data;
+}
+
+/* ---- Hermite data, and how well they are met ----------------------------- */
 
 /* Tangents at the angles a and b to the chord, of the lengths from and to. */
 static inline struct ph_tc_hermite unit_tc_data(double a, double from, double b,
@@ -122,6 +151,36 @@ static inline struct unit_tc_count unit_tc_count_by_angles(double a, double b) {
   }
   return d > 0 ? unit_tc_count_of(0, 1)
                : unit_tc_count_of(1, 0); /* the straight line */
+}
+
+/* ---- solutions ----------------------------------------------------------- */
+
+/* unit_tc_field: the value of a field, to be set. */
+static inline struct ph_value *unit_tc_field(struct unit_solution *s,
+                                             enum ph_field_id id) {
+  return &s->problem.field[id];
+}
+
+static inline void unit_tc_flag(struct unit_solution *s, enum ph_field_id id) {
+  unit_set_flag(&s->problem, id, true);
+}
+
+static inline enum ph_status unit_tc_solve(struct unit_solution *s) {
+  return unit_solve(&ph_method_tc, s);
+}
+
+static inline void unit_tc_solve_ok(struct unit_solution *s) {
+  enum ph_status status = unit_tc_solve(s);
+  ck_assert_msg(status == PH_OK, "%s: %s", s->diag.field, s->diag.message);
+}
+
+/* unit_tc_refused: a failure, its field, and a part of its message. */
+static inline void unit_tc_refused(struct unit_solution *s,
+                                   enum ph_status status, const char *field,
+                                   const char *part) {
+  ck_assert_int_eq(unit_tc_solve(s), status);
+  ck_assert_str_eq(s->diag.field, field);
+  ck_assert_msg(strstr(s->diag.message, part) != NULL, "%s", s->diag.message);
 }
 
 #endif

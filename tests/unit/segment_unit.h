@@ -1,22 +1,79 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What tests of spatial segments share: segments by chance, and what they are
- * by definition. */
-#ifndef PH_TESTS_SEG3_UNIT_H
-#define PH_TESTS_SEG3_UNIT_H
+/* What tests of segments share, in the plane and in space: segments by chance,
+ * what they are by definition, curves of a few. */
+#ifndef PH_TESTS_SEGMENT_UNIT_H
+#define PH_TESTS_SEGMENT_UNIT_H
 
-#include "curve/segment/seg3.h"
 #include "unit.h"
+
+#include "curve/result.h"
+#include "curve/segment/seg2.h"
+#include "curve/segment/seg3.h"
+
+/* ---- planar segments ----------------------------------------------------- */
+
+/* A curve with room for a few segments. */
+struct unit_segments {
+  struct ph_curve curve;
+  double knots[4], control_points[36], alpha[3], preimage[18], lengths[3];
+};
+
+/* unit_seg2: the segment with this angle and preimage, from 0. */
+struct ph_seg2 unit_seg2(double angle, const ph_cplx w[3]);
+
+/* unit_seg2_random: an angle of 0 (one in four) or in (0, 3), a preimage that
+ * turns by any angle. */
+struct ph_seg2 unit_seg2_random(struct unit_random *r);
+
+/* unit_seg2_curve: the curve of n <= 3 segments, all of angle 0 or none. */
+void unit_seg2_curve(const struct ph_seg2 *seg, size_t n,
+                     struct unit_segments *segments);
+
+/* unit_seg2_w: w at u, straight from its definition. */
+ph_cplx unit_seg2_w(const struct ph_seg2 *seg, double u);
+
+/* unit_seg2_part: the part [u0,u1] on [0,1] again; points as for ph_seg2_point.
+ */
+struct ph_seg2 unit_seg2_part(const struct ph_seg2 *seg,
+                              const struct ph_quad *rule, double u0, double u1);
+
+/* ---- PH quintics by themselves ------------------------------------------- */
+
+/* The space of PH quintics. */
+static const struct ph_atph ph_quintic = {
+    0, 1, 1, 1, {1.0 / 5, 1.0 / 5, 2.0 / 15, 1.0 / 15}};
+/* The Bernstein coefficients of w^2. */
+static inline void ph_hodograph(const ph_cplx w[3], ph_cplx hodograph[5]) {
+  ph_cplx middle = ph_cplx_add(ph_cplx_scale(2, ph_cplx_mul(w[1], w[1])),
+                               ph_cplx_mul(w[0], w[2]));
+  hodograph[0] = ph_cplx_mul(w[0], w[0]);
+  hodograph[1] = ph_cplx_mul(w[0], w[1]);
+  hodograph[2] = ph_cplx_scale(1.0 / 3, middle);
+  hodograph[3] = ph_cplx_mul(w[1], w[2]);
+  hodograph[4] = ph_cplx_mul(w[2], w[2]);
+}
+
+static inline double ph_length(const ph_cplx w[3]) {
+  return ph_seg2_length(&ph_quintic, w);
+}
+
+static inline void ph_control_points(const ph_cplx w[3], ph_cplx start,
+                                     ph_cplx end, ph_cplx p[6]) {
+  ph_seg2_control_points(&ph_quintic, w, start, end, p);
+}
+
+static inline double ph_rotation(const ph_cplx w[3]) {
+  struct ph_seg2 seg = {ph_atph_of(0), {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
+  return ph_seg2_rotation(&seg, NULL);
+}
+
+/* ---- spatial segments ---------------------------------------------------- */
 
 /* Uniform in the cube |x|, |y|, |z| < size. */
 static inline ph_vec3 unit_random_vec3(struct unit_random *r, double size) {
   double x = unit_random_in(r, -size, size);
   double y = unit_random_in(r, -size, size);
   return ph_vec3_of(x, y, unit_random_in(r, -size, size));
-}
-
-/* |a - b|. */
-static inline double unit_distance3(ph_vec3 a, ph_vec3 b) {
-  return ph_vec3_abs(ph_vec3_sub(a, b));
 }
 
 /* A at u, straight from its definition (kernel/atph.h). */

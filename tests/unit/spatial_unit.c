@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Spatial Hermite problems for tests (see hermite3_unit.h). */
-#include "hermite3_unit.h"
+/* Spatial Hermite curves for tests (see spatial_unit.h). */
 #include "spatial_unit.h"
-#include "unit.h"
 
 #include "kernel/pow2.h"
+
+/* ---- curves -------------------------------------------------------------- */
 
 static ph_vec3 vector_at(const double *v, size_t dimension, size_t k) {
   const double *x = v + dimension * k;
