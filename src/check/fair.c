@@ -43,8 +43,9 @@ static const double PLANE = 1e-10;
  * inflection, where tau' has a peak that is as high as that is near. */
 static const double CLOSED = 1e-9, PEAKED = 1e-8, INFLECTION = 1e-2;
 
-/* Rounding of r' x r'', of |r'| |r''|: at an inflection, which integrals are
- * cut at, its direction is no other than that of its derivative. */
+/* Rounding of r' x r'', of the sizes of r' and of what r'' is summed from: at
+ * an inflection, which integrals are cut at, its direction is no other than
+ * that of its derivative. */
 static const double ROUND_TURN = 16 * DBL_EPSILON;
 
 /* Where rounding may change r' by more than this part of it, the curve may as
@@ -103,12 +104,12 @@ static struct local local_at(const struct integrand *in, double u) {
   size = in->plane ? turn.z : ph_vec3_abs(turn);
   rate = ph_vec3_dot(jet[0], jet[1]) / (b.speed * b.speed);
   b.kappa = size / cube;
-  b.rate =
-      (in->plane                              ? change.z
-       : size > ROUND_TURN * b.speed * second ? ph_vec3_dot(turn, change) / size
-                                              : ph_vec3_abs(change)) /
-          cube -
-      3 * b.kappa * rate;
+  b.rate = (in->plane ? change.z
+            : size > ROUND_TURN * b.speed * (second + NEXT * s->speed)
+                ? ph_vec3_dot(turn, change) / size
+                : ph_vec3_abs(change)) /
+               cube -
+           3 * b.kappa * rate;
   fast = NEXT + 4 * second / b.speed + sqrt(ph_vec3_abs(jet[2]) / b.speed);
   b.kappa_error = (ph_check_uncertain(s, 2) + 4 * second * s->noise / b.speed) /
                   (b.speed * b.speed);
