@@ -78,14 +78,16 @@ PLOT = $(if $(WITHOUT_CAIRO),,plot)
 # ---- flags -------------------------------------------------------------------
 # Order: warnings (CFLAGS may silence one), CFLAGS, then what the results depend
 # on and nobody overrides.  No contraction into FMA: it changes last digits from
-# one processor to the next.  Nor is anything vectorised: gcc 12 fuses the
-# products of complex numbers that it vectorises, whatever -ffp-contract says.
-# -ffast-math would break NaN tests: never add it.
+# one processor to the next.  For a processor that has FMA nothing is vectorised:
+# gcc 12 fuses the products of complex numbers that it vectorises, whatever
+# -ffp-contract says.  -ffast-math would break NaN tests: never add it.
 
 WARNINGS = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes \
 	-Wvla -Wdouble-promotion -Wfloat-equal $(if $(WERROR),-Werror)
-MANDATORY = -std=c11 -ffp-contract=off -fno-tree-vectorize \
-	-fno-tree-slp-vectorize -pthread -D_POSIX_C_SOURCE=200809L -I$(S)src
+FMA := $(findstring __FP_FAST_FMA,$(shell $(CC) $(CPPFLAGS) $(CFLAGS) -dM \
+	-E -x c /dev/null 2>/dev/null))
+MANDATORY = -std=c11 -ffp-contract=off $(if $(FMA),-fno-tree-vectorize \
+	-fno-tree-slp-vectorize) -pthread -D_POSIX_C_SOURCE=200809L -I$(S)src
 
 VFLAGS_asan = -O1 -fno-omit-frame-pointer -fsanitize=address,undefined \
 	-fno-sanitize-recover=all
