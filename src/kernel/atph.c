@@ -102,34 +102,10 @@ static void basis_jet(const struct ph_atph *space, double u, double s[4][2]) {
 static const double BINOMIAL[4][4] = {
     {1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
 
-/* The same for angle 0: a polynomial of degree 2, by its differences. */
-static void polynomial_jet(const ph_cplx w[3], double u, ph_cplx *jet,
-                           size_t n) {
-  ph_cplx left = ph_cplx_sub(w[1], w[0]), right = ph_cplx_sub(w[2], w[1]);
-  ph_cplx a = ph_cplx_add(ph_cplx_scale(1 - u, w[0]), ph_cplx_scale(u, w[1]));
-  ph_cplx b = ph_cplx_add(ph_cplx_scale(1 - u, w[1]), ph_cplx_scale(u, w[2]));
-  const ph_cplx zero = {0, 0};
-  jet[0] = ph_cplx_add(ph_cplx_scale(1 - u, a), ph_cplx_scale(u, b));
-  if (n > 1) {
-    jet[1] = ph_cplx_scale(
-        2, ph_cplx_add(ph_cplx_scale(1 - u, left), ph_cplx_scale(u, right)));
-  }
-  if (n > 2) {
-    jet[2] = ph_cplx_scale(2, ph_cplx_sub(right, left));
-  }
-  if (n > 3) {
-    jet[3] = zero;
-  }
-}
-
 /* Leibniz's rule for each product of two of them. */
-void ph_atph_jet(const struct ph_atph *space, const ph_cplx w[3], double u,
-                 ph_cplx *jet, size_t n) {
+void ph_atph_jet_by_basis(const struct ph_atph *space, const ph_cplx *w,
+                          double u, ph_cplx *jet, size_t n) {
   double s[4][2];
-  if (!(space->angle > 0)) {
-    polynomial_jet(w, u, jet, n);
-    return;
-  }
   basis_jet(space, u, s);
   for (size_t d = 0; d < n; d++) {
     double b[3] = {0, 0, 0};

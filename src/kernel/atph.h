@@ -34,13 +34,35 @@ struct ph_atph ph_atph_of(double angle);
 /* ph_atph_basis: S0 and S1 at u in [0,1]. */
 void ph_atph_basis(const struct ph_atph *space, double u, double s[2]);
 
+/* ph_atph_jet_by_basis: ph_atph_jet for every angle but 0. */
+void ph_atph_jet_by_basis(const struct ph_atph *space, const ph_cplx *w,
+                          double u, ph_cplx *jet, size_t n);
+
 /*
- * ph_atph_jet: w and its derivatives with respect to u.
+ * ph_atph_jet: w and its derivatives with respect to u.  Inline: fairness is
+ * integrals of it.
  *
  * out  jet[n]  w, w', ..., n <= 4
  */
-void ph_atph_jet(const struct ph_atph *space, const ph_cplx w[3], double u,
-                 ph_cplx *jet, size_t n);
+static inline void ph_atph_jet(const struct ph_atph *space, const ph_cplx w[3],
+                               double u, ph_cplx *jet, size_t n) {
+  ph_cplx left = ph_cplx_sub(w[1], w[0]), right = ph_cplx_sub(w[2], w[1]);
+  if (space->angle > 0) {
+    ph_atph_jet_by_basis(space, w, u, jet, n);
+    return;
+  }
+  jet[0] = ph_cplx_between(ph_cplx_between(w[0], w[1], u),
+                           ph_cplx_between(w[1], w[2], u), u);
+  if (n > 1) {
+    jet[1] = ph_cplx_scale(2, ph_cplx_between(left, right, u));
+  }
+  if (n > 2) {
+    jet[2] = ph_cplx_scale(2, ph_cplx_sub(right, left));
+  }
+  if (n > 3) {
+    jet[3] = ph_cplx_of(0, 0);
+  }
+}
 
 /*
  * The functions that w0, w1, w2 multiply in (2), with two derivatives by u, and

@@ -72,7 +72,28 @@ struct ph_curvature {
 
 /* ph_seg2_curvature: the speed is positive unless w(u) = 0; there the rest is
  * not finite. */
-struct ph_curvature ph_seg2_curvature(const struct ph_seg2 *seg, double u);
+static inline struct ph_curvature ph_seg2_curvature(const struct ph_seg2 *seg,
+                                                    double u) {
+  ph_cplx w[3];
+  struct ph_curvature at;
+  double s, per_s, a, r, a1, w1, w2;
+  ph_atph_jet(&seg->space, seg->w, u, w, 3);
+  s = ph_cplx_norm2(w[0]);
+  per_s = 1 / s;
+  a = ph_cplx_cross(w[0], w[1]) * per_s;
+  r = ph_cplx_dot(w[0], w[1]) * per_s;
+  a1 = ph_cplx_cross(w[0], w[2]) * per_s;
+  w1 = ph_cplx_norm2(w[1]) * per_s;
+  w2 = ph_cplx_norm2(w[2]) * per_s;
+  at.speed = s;
+  at.tangent = ph_cplx_scale(per_s, ph_cplx_mul(w[0], w[0]));
+  at.curvature = 2 * a * per_s;
+  at.rate = (2 * a1 - 8 * a * r) * per_s;
+  /* The ones: w' and w'' are differences of coefficients as large as w. */
+  at.terms[0] = 4 * (1 + w1) * per_s * per_s;
+  at.terms[1] = (8 * (1 + w2) + 128 * (1 + w1 * w1)) * per_s * per_s;
+  return at;
+}
 
 /* ph_seg2_is_monotone: whether the preimage stays within a quarter turn, so
  * that the tangent stays within a half turn and the curve is monotone along an
