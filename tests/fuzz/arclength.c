@@ -21,8 +21,6 @@
  */
 #include "problem.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
 enum {
   ARCLENGTH_POINTS_MAX = 12, /* a start that fails takes hundreds of steps */
   ARCLENGTH_STEPS_MAX = 20000
@@ -52,7 +50,7 @@ struct arclength_input {
   double lengths[ARCLENGTH_POINTS_MAX + 1]; /* [k]: of the interval before k */
   double knots[ARCLENGTH_POINTS_MAX + 1];
   double start[3];
-  double heading, at[3];
+  struct fuzz_walk walk;
 };
 
 /* ---- the problem ------------------------------------------------------- */
@@ -78,28 +76,6 @@ static bool arclength_take_flags(struct arclength_input *in) {
                                        .start = b[3] >> 3 & 1};
   in->scale = ldexp(1, 8 * (int8_t)b[1]);
   return true;
-}
-
-/* A step from the last point: a turn about z, a rise, a length. */
-static void arclength_step(struct arclength_input *in, size_t dimension,
-                           double *p) {
-  const double unit = 3.141592653589793 / 128;
-  double rise = dimension > 2 ? unit / 2 * p[1] : 0;
-  double length = exp2(p[dimension - 1] / 8);
-  in->heading += unit * p[0];
-  in->at[0] += length * cos(rise) * cos(in->heading);
-  in->at[1] += length * cos(rise) * sin(in->heading);
-  in->at[2] += length * sin(rise);
-  memcpy(p, in->at, dimension * sizeof *p);
-}
-
-/* A byte as a number from 2^-12 to nearly 16, in steps that are exact. */
-static bool arclength_take_small(struct arclength_input *in, bool wanted,
-                                 double *x) {
-  uint8_t byte = 0;
-  bool taken = !wanted || fuzz_take(&in->bytes, &byte, 1);
-  *x = ldexp(1 + byte % 16 / 16.0, byte / 16 - 12);
-  return taken;
 }
 
 /* How far vector k is from vector `from`, or (the same) from 0. */
@@ -130,12 +106,12 @@ static bool arclength_take_vector(struct arclength_input *in, size_t k) {
   double *p = in->vectors + dimension * k;
   double knot, more;
   if (!fuzz_take_vector(&in->bytes, f->coding, dimension, p) ||
-      !arclength_take_small(in, f->knots == 3, &knot) ||
-      !arclength_take_small(in, f->lengths, &more)) {
+      !fuzz_take_small(&in->bytes, f->knots == 3, &knot) ||
+      !fuzz_take_small(&in->bytes, f->lengths, &more)) {
     return false;
   }
   if (f->coding == 3) {
-    arclength_step(in, dimension, p);
+    fuzz_step(&in->walk, dimension, p);
   }
   for (size_t i = 0; i < dimension; i++) {
     p[i] *= f->mode == ARCLENGTH_TANGENTS ? 1 : in->scale;
@@ -156,9 +132,7 @@ static void arclength_set_data(struct arclength_input *in) {
   const struct arclength_flags *f = &in->flags;
   struct ph_value *field = in->problem.field;
   field[ids[f->mode]] = fuzz_array(in->vectors, in->points, f->flat ? 2 : 3);
-  if (f->mode == ARCLENGTH_CLOSED) {
-    field[PH_F_CLOSED] = fuzz_flag(true);
-  }
+  fuzz_set_flag(&in->problem, PH_F_CLOSED, f->mode == ARCLENGTH_CLOSED);
   if (f->lengths) {
     in->lengths[in->points] =
         arclength_length(in, in->points - 1, 0, in->more[0]);
@@ -181,21 +155,13 @@ static void arclength_set_fields(struct arclength_input *in) {
   } else if (f->knots) {
     field[PH_F_KNOTS] = fuzz_word(knots[f->knots]);
   }
-  if (f->sigma) {
-    field[PH_F_LENGTH_SIGMA] = fuzz_number(ldexp(1, -7));
-  }
-  if (f->mean) {
-    field[PH_F_MAGNITUDES] = fuzz_word("mean");
-  }
-  if (f->leave) {
-    field[PH_F_PLANAR] = fuzz_word("free");
-  }
-  if (f->starts) {
-    field[PH_F_STARTS] = fuzz_number(f->starts);
-  }
-  if (f->all) {
-    field[PH_F_ALL_MINIMA] = fuzz_flag(true);
-  }
+  fuzz_set_number(&in->problem, PH_F_LENGTH_SIGMA,
+                  f->sigma ? ldexp(1, -7) : (double)NAN);
+  fuzz_set_word(&in->problem, PH_F_MAGNITUDES, f->mean ? "mean" : NULL);
+  fuzz_set_word(&in->problem, PH_F_PLANAR, f->leave ? "free" : NULL);
+  fuzz_set_number(&in->problem, PH_F_STARTS,
+                  f->starts ? f->starts : (double)NAN);
+  fuzz_set_flag(&in->problem, PH_F_ALL_MINIMA, f->all);
   if (f->start) {
     in->start[0] = in->start[2] = in->scale;
     field[PH_F_START] = fuzz_array(in->start, f->flat ? 2 : 3, 1);
@@ -289,7 +255,7 @@ static void arclength_check_result(const struct arclength_input *in,
   }
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+FUZZ_TARGET(arclength, data, n) {
   static struct arclength_input in;
   struct fuzz_run run = {0};
   in = (struct arclength_input){.bytes = {data, n, 0}};

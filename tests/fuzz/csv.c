@@ -6,9 +6,7 @@
  */
 #include "stream.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+FUZZ_TARGET(csv, data, n) {
   static const struct ph_split_options options[] = {
       {PH_SPLIT_AUTO, 0, NULL, 0},
       {PH_SPLIT_CSV, 0, "id,x,-,y,knot", 0},

@@ -2,11 +2,11 @@
 /*
  * What the fuzz targets share.
  *
- * A target is tests/fuzz/NAME.c with LLVMFuzzerTestOneInput; its inputs are in
- * tests/fuzz/corpus/NAME/.  It gives any bytes to the program's own functions
- * and requires what their headers promise.  tests/unit/cli/t_corpus.c includes
- * all targets, to run them on their corpora wherever the tests run: names of
- * file scope begin with the target's, and each declares its own entry.
+ * A target is tests/fuzz/NAME.c with FUZZ_TARGET(NAME, data, n) {...}; its
+ * inputs are in tests/fuzz/corpus/NAME/.  It gives any bytes to the program's
+ * own functions and requires what their headers promise.
+ * tests/unit/cli/t_corpus.c includes all targets, to run them on their corpora
+ * wherever the tests run: names of file scope begin with the target's.
  */
 #ifndef PH_TESTS_FUZZ_FUZZ_H
 #define PH_TESTS_FUZZ_FUZZ_H
@@ -15,6 +15,14 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+/* What the entry of a target is called. */
+#ifndef FUZZ_ENTRY
+#define FUZZ_ENTRY(name) LLVMFuzzerTestOneInput
+#endif
+#define FUZZ_TARGET(name, data, n)                     \
+  int FUZZ_ENTRY(name)(const uint8_t *data, size_t n); \
+  int FUZZ_ENTRY(name)(const uint8_t *data, size_t n)
 
 /* Not assert(): a build with NDEBUG must not be one that checks nothing. */
 #define FUZZ_REQUIRE(condition)                                       \

@@ -3,9 +3,7 @@
  * records that may not be long. */
 #include "stream.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+FUZZ_TARGET(json, data, n) {
   static const struct ph_split_options options[] = {
       {PH_SPLIT_JSON, 0, NULL, 0}, {PH_SPLIT_AUTO, 0, NULL, 24}};
   for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {

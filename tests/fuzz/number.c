@@ -12,8 +12,6 @@
 #include <stdbool.h>
 #include <string.h>
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
 static bool number_same(double a, double b) {
   return memcmp(&a, &b, sizeof a) == 0;
 }
@@ -74,7 +72,7 @@ static void number_check_write(double x) {
   }
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+FUZZ_TARGET(number, data, n) {
   double x;
   number_check_read((const char *)data, n);
   if (n >= sizeof x) {

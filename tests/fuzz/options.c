@@ -14,8 +14,6 @@
 #include <stdbool.h>
 #include <string.h>
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
 enum { OPTIONS_ARGUMENTS_MAX = 64 };
 
 /* A scan that broke off inside of -abc leaves getopt in the middle of it; 0
@@ -80,7 +78,7 @@ static void options_check(struct ph_options *o, int argc) {
   options_apply(o, o->sweep_count - 1);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+FUZZ_TARGET(options, data, n) {
   struct ph_options options = {.command = ph_command_find("planar")};
   struct ph_diag diag = {PH_OK, "", "", 0, 0};
   char *text = malloc(n + 1), *argv[OPTIONS_ARGUMENTS_MAX + 2];

@@ -15,8 +15,6 @@
  */
 #include "problem.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
 /* Two runs of at most 60 Newton steps, then a continuation.  The most that any
  * input has taken is 72: a thousand would be a loop. */
 enum { PLANAR_POINTS_MAX = 200, PLANAR_STEPS_MAX = 1000 };
@@ -134,7 +132,7 @@ static void planar_check_result(const struct planar_input *in,
   fuzz_check_output(result, "planar", in->bytes.data[0] >> 6 & 1);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+FUZZ_TARGET(planar, data, n) {
   struct planar_input in = {.bytes = {data, n, 0}};
   struct fuzz_run run = {0};
   if (!planar_set(&in)) {

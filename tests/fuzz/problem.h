@@ -59,6 +59,35 @@ static inline bool fuzz_is_finite(const double *v, size_t n) {
   return i == n;
 }
 
+/* A byte as a number from 2^-12 to nearly 16, in steps that are exact; the
+ * least where none is wanted. */
+static inline bool fuzz_take_small(struct fuzz_bytes *in, bool wanted,
+                                   double *x) {
+  uint8_t byte = 0;
+  bool taken = !wanted || fuzz_take(in, &byte, 1);
+  *x = ldexp(1 + byte % 16 / 16.0, byte / 16 - 12);
+  return taken;
+}
+
+/* Where a walk has come to. */
+struct fuzz_walk {
+  double heading, at[3];
+};
+
+/* A step (turn about z, rise in space, length) becomes the point it leads to.
+ */
+static inline void fuzz_step(struct fuzz_walk *walk, size_t dimension,
+                             double *p) {
+  const double unit = 3.141592653589793 / 128;
+  double rise = dimension > 2 ? unit / 2 * p[1] : 0;
+  double length = exp2(p[dimension - 1] / 8);
+  walk->heading += unit * p[0];
+  walk->at[0] += length * cos(rise) * cos(walk->heading);
+  walk->at[1] += length * cos(rise) * sin(walk->heading);
+  walk->at[2] += length * sin(rise);
+  memcpy(p, walk->at, dimension * sizeof *p);
+}
+
 /* Values of fields; an array of numbers where the dimension is 1. */
 static inline struct ph_value fuzz_word(const char *word) {
   return (struct ph_value){.kind = PH_WORD, .word = word};
@@ -78,6 +107,28 @@ static inline struct ph_value fuzz_array(double *v, size_t n,
                            .v = v,
                            .n = n,
                            .dimension = dimension};
+}
+
+/* Fields that are given, unless NULL, NaN or false. */
+static inline void fuzz_set_word(struct ph_problem *problem,
+                                 enum ph_field_id id, const char *word) {
+  if (word) {
+    problem->field[id] = fuzz_word(word);
+  }
+}
+
+static inline void fuzz_set_number(struct ph_problem *problem,
+                                   enum ph_field_id id, double x) {
+  if (!isnan(x)) {
+    problem->field[id] = fuzz_number(x);
+  }
+}
+
+static inline void fuzz_set_flag(struct ph_problem *problem,
+                                 enum ph_field_id id, bool flag) {
+  if (flag) {
+    problem->field[id] = fuzz_flag(true);
+  }
 }
 
 static inline void fuzz_check_failure(const struct ph_diag *diag,
@@ -158,27 +209,39 @@ static inline void fuzz_check_output(const struct ph_result *result,
   ph_buf_free(&out);
 }
 
-/* The offsets of a curve in space: a failure, or printed with it. */
-static inline void fuzz_check_offsets3(struct ph_result *result,
-                                       struct ph_arena *arena,
-                                       const char *command, bool pretty) {
-  struct ph_offset offsets[PH_OFFSETS_SPATIAL];
+/* The n offsets of a curve, at that distance by these rules: a failure, or
+ * sound and printed with it.  The first one is returned, NULL after a failure.
+ */
+static inline const struct ph_offset *
+fuzz_check_offsets(struct ph_result *result, size_t n, double distance,
+                   const struct ph_offset_rules *rules, struct ph_arena *arena,
+                   const char *command, bool pretty) {
+  static struct ph_offset offsets[PH_OFFSETS_SPATIAL];
   struct ph_diag diag;
-  double size = result->curve.length;
-  const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
   enum ph_status status =
-      ph_offset(&result->curve, size, &rules, arena, offsets, &diag);
+      ph_offset(&result->curve, distance, rules, arena, offsets, &diag);
   if (status != PH_OK) {
     fuzz_check_failure(&diag, status);
-    return;
+    return NULL;
   }
-  for (size_t i = 0; i < PH_OFFSETS_SPATIAL; i++) {
+  for (size_t i = 0; i < n; i++) {
     fuzz_check_offset(&offsets[i]);
   }
   result->offsets = offsets;
-  result->offsets_n = PH_OFFSETS_SPATIAL;
+  result->offsets_n = n;
   fuzz_check_output(result, command, pretty);
   result->offsets_n = 0;
+  return offsets;
+}
+
+/* Those of a curve in space, as far away as it is long. */
+static inline void fuzz_check_offsets3(struct ph_result *result,
+                                       struct ph_arena *arena,
+                                       const char *command, bool pretty) {
+  double size = result->curve.length;
+  const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
+  fuzz_check_offsets(result, PH_OFFSETS_SPATIAL, size, &rules, arena, command,
+                     pretty);
 }
 
 /* What becomes of a problem.  {0} is nothing. */

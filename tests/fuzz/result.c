@@ -14,8 +14,6 @@
 
 #include <string.h>
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
 /* Whether text[n] is one JSON value. */
 static bool result_is_json(const char *text, size_t n) {
   struct ph_json_scan scan = {0};
@@ -52,7 +50,7 @@ static enum ph_status result_verify(const struct ph_record *record,
   return item.status;
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+FUZZ_TARGET(result, data, n) {
   const char *text = (const char *)data;
   const char *line = n ? memchr(text, '\n', n) : NULL;
   size_t first = line ? (size_t)(line - text) : n, rest = n - first;

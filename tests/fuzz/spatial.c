@@ -23,8 +23,6 @@
 
 #include "curve/bezier/convert.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
 enum {
   SPATIAL_POINTS_MAX = 100,
   SPATIAL_SEARCHED_MAX = 3, /* where a minimum is searched: it is slow */
@@ -51,7 +49,7 @@ struct spatial_input {
   double alpha[SPATIAL_POINTS_MAX], tension[SPATIAL_POINTS_MAX];
   double angles[2 * SPATIAL_POINTS_MAX];
   double knots[SPATIAL_POINTS_MAX + 1];
-  double heading, at[3];
+  struct fuzz_walk walk;
 };
 
 /* Whether tensions are reduced for the shape; by default, where derivatives do
@@ -84,19 +82,6 @@ static bool spatial_take_flags(struct spatial_input *in) {
   return true;
 }
 
-/* A step from the last point: a turn about z, a rise, a length. */
-static void spatial_step(struct spatial_input *in, size_t dimension,
-                         double *p) {
-  const double unit = 3.141592653589793 / 128;
-  double rise = dimension > 2 ? unit / 2 * p[1] : 0;
-  double length = exp2(p[dimension - 1] / 8);
-  in->heading += unit * p[0];
-  in->at[0] += length * cos(rise) * cos(in->heading);
-  in->at[1] += length * cos(rise) * sin(in->heading);
-  in->at[2] += length * sin(rise);
-  memcpy(p, in->at, dimension * sizeof *p);
-}
-
 /* A byte as a number around 1, in steps that are exact. */
 static bool spatial_take_small(struct spatial_input *in, bool wanted,
                                double *x) {
@@ -122,7 +107,7 @@ static bool spatial_take_point(struct spatial_input *in, size_t k) {
     return false;
   }
   if (f->coding == 3) {
-    spatial_step(in, dimension, p);
+    fuzz_step(&in->walk, dimension, p);
   }
   for (size_t i = 0; i < dimension; i++) {
     p[i] *= in->scale;
@@ -149,14 +134,11 @@ static void spatial_set_vectors(struct spatial_input *in, size_t points) {
   static const enum ph_field_id ids[] = {PH_F_POINTS, PH_F_TANGENTS,
                                          PH_F_DERIVATIVES};
   const struct spatial_flags *f = &in->flags;
-  struct ph_value value = {.kind = PH_VECTORS,
-                           .v = in->points,
-                           .n = points,
-                           .dimension = f->flat ? 2 : 3};
-  in->problem.field[PH_F_POINTS] = value;
+  size_t dimension = f->flat ? 2 : 3;
+  in->problem.field[PH_F_POINTS] = fuzz_array(in->points, points, dimension);
   if (f->vectors % 3) {
-    value.v = in->vectors;
-    in->problem.field[ids[f->vectors]] = value;
+    in->problem.field[ids[f->vectors]] =
+        fuzz_array(in->vectors, points, dimension);
   }
 }
 
@@ -169,9 +151,7 @@ static void spatial_set_fields(struct spatial_input *in, size_t points) {
   size_t segments = f->closed ? points : points - 1;
   field[PH_F_CLOSED] = fuzz_flag(f->closed);
   field[PH_F_BASIS] = fuzz_word(f->atph ? "atph" : "ph");
-  if (f->axis) {
-    field[PH_F_AXIS] = fuzz_word(axes[f->axis]);
-  }
+  fuzz_set_word(&in->problem, PH_F_AXIS, axes[f->axis]);
   if (f->shape) {
     field[PH_F_SHAPE] = fuzz_flag(f->shape == 2);
   }
@@ -183,14 +163,10 @@ static void spatial_set_fields(struct spatial_input *in, size_t points) {
   if (f->criterion < 7) {
     field[PH_F_CRITERION] = fuzz_word(criteria[f->criterion]);
   } else {
-    bool pair = f->angles == 0;
     field[PH_F_ANGLES] =
-        (struct ph_value){.kind = pair ? PH_NUMBERS : PH_VECTORS,
-                          .v = in->angles,
-                          .n = pair             ? 2
-                               : f->angles == 1 ? 1
-                                                : segments,
-                          .dimension = pair ? 1 : 2};
+        f->angles == 0
+            ? fuzz_array(in->angles, 2, 1)
+            : fuzz_array(in->angles, f->angles == 1 ? 1 : segments, 2);
   }
 }
 
@@ -314,7 +290,7 @@ static void spatial_check_result(const struct spatial_input *in,
   }
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+FUZZ_TARGET(spatial, data, n) {
   static struct spatial_input in;
   struct fuzz_run run = {0};
   in = (struct spatial_input){.bytes = {data, n, 0}};

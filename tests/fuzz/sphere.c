@@ -24,8 +24,6 @@
 
 #include "curve/sample/sample.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
 enum { SPHERE_POINTS_MAX = 16, SPHERE_STEPS_MAX = 100000 };
 
 struct sphere_flags {
@@ -119,21 +117,13 @@ static void sphere_degrees(const struct sphere_input *in, double *p) {
   }
 }
 
-/* A byte as a number from 2^-12 to nearly 16; of none 1. */
-static bool sphere_take_small(struct sphere_input *in, bool wanted, double *x) {
-  uint8_t byte = 0;
-  bool taken = !wanted || fuzz_take(&in->bytes, &byte, 1);
-  *x = wanted ? ldexp(1 + byte % 16 / 16.0, byte / 16 - 12) : 1;
-  return taken;
-}
-
 static bool sphere_take_point(struct sphere_input *in, size_t k) {
   const struct sphere_flags *f = &in->flags;
   size_t dimension = f->lonlat ? 2 : 3, given = f->coding == 3 ? 2 : dimension;
   double v[3] = {0, 0, 0}, *p = in->vectors + dimension * k, knot;
   if (!fuzz_take_vector(&in->bytes, f->coding, given, v) ||
-      !sphere_take_small(in, f->knots == 3, &knot) ||
-      !sphere_take_small(in, f->tension_each, &in->tensions[k])) {
+      !fuzz_take_small(&in->bytes, f->knots == 3, &knot) ||
+      !fuzz_take_small(&in->bytes, f->tension_each, &in->tensions[k])) {
     return false;
   }
   if (f->coding == 3) {
@@ -162,20 +152,16 @@ static void sphere_set_data(struct sphere_input *in) {
   struct ph_value *field = in->problem.field;
   field[f->lonlat ? PH_F_LONLAT : PH_F_POINTS] =
       fuzz_array(in->vectors, in->points, f->lonlat ? 2 : 3);
-  if (f->closed) {
-    field[PH_F_CLOSED] = fuzz_flag(true);
-  }
+  fuzz_set_flag(&in->problem, PH_F_CLOSED, f->closed);
+  fuzz_set_number(&in->problem, PH_F_RADIUS, in->radius);
+  fuzz_set_number(&in->problem, PH_F_EPSILON, in->epsilon);
   if (!isnan(in->radius)) {
-    field[PH_F_RADIUS] = fuzz_number(in->radius);
     field[PH_F_CENTER] = fuzz_array(in->center, 3, 1);
   }
   if (!isnan(in->tension)) {
     field[PH_F_TENSION] = f->tension_each
                               ? fuzz_array(in->tensions, in->points, 1)
                               : fuzz_number(in->tension);
-  }
-  if (!isnan(in->epsilon)) {
-    field[PH_F_EPSILON] = fuzz_number(in->epsilon);
   }
 }
 
@@ -192,12 +178,8 @@ static void sphere_set_choices(struct sphere_input *in) {
   } else if (f->ends) {
     field[PH_F_ENDS] = fuzz_word(f->ends == 1 ? "natural" : "rest");
   }
-  if (f->nielson) {
-    field[PH_F_MODEL] = fuzz_word("nielson");
-  }
-  if (f->legacy) {
-    field[PH_F_CRITERION] = fuzz_word("legacy");
-  }
+  fuzz_set_word(&in->problem, PH_F_MODEL, f->nielson ? "nielson" : NULL);
+  fuzz_set_word(&in->problem, PH_F_CRITERION, f->legacy ? "legacy" : NULL);
   if (f->shape) {
     field[PH_F_SHAPE] =
         f->shape == 1 ? fuzz_word("warn") : fuzz_flag(f->shape == 3);
@@ -311,22 +293,14 @@ static void sphere_check_offset(const struct sphere_input *in,
                                 struct ph_arena *arena) {
   const struct ph_offset_rules rules = {
       .tolerance = 1e-9, .samples = {.how = PH_SAMPLE_PARAMETER, .n = 3}};
-  struct ph_offset offset;
-  struct ph_diag diag;
-  enum ph_status status =
-      ph_offset(&result->curve, 0.125 * result->curve.sphere.radius, &rules,
-                arena, &offset, &diag);
-  if (status != PH_OK) {
-    fuzz_check_failure(&diag, status);
-    return;
+  const struct ph_offset *offset =
+      fuzz_check_offsets(result, 1, 0.125 * result->curve.sphere.radius, &rules,
+                         arena, "sphere", in->flags.pretty);
+  if (offset) {
+    FUZZ_REQUIRE(offset->samples.n == 4 * result->curve.n);
+    FUZZ_REQUIRE(offset->length >= 0 && isfinite(offset->length));
+    sphere_check_samples(&result->curve, &offset->samples);
   }
-  FUZZ_REQUIRE(offset.samples.n == 4 * result->curve.n);
-  FUZZ_REQUIRE(offset.length >= 0 && isfinite(offset.length));
-  sphere_check_samples(&result->curve, &offset.samples);
-  result->offsets = &offset;
-  result->offsets_n = 1;
-  fuzz_check_output(result, "sphere", in->flags.pretty);
-  result->offsets_n = 0;
 }
 
 /* A curve that its certificate accepts. */
@@ -348,7 +322,7 @@ static void sphere_check_result(const struct sphere_input *in,
   }
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+FUZZ_TARGET(sphere, data, n) {
   static struct sphere_input in;
   struct fuzz_run run = {0};
   in = (struct sphere_input){.bytes = {data, n, 0}};

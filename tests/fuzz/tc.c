@@ -32,8 +32,6 @@
 
 #include <float.h>
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n);
-
 enum { TC_POINTS_MAX = 16 };
 
 enum tc_mode {
@@ -125,18 +123,6 @@ static bool tc_take_point(struct tc_input *in, size_t k) {
   return true;
 }
 
-static void tc_set_number(struct tc_input *in, enum ph_field_id id, double x) {
-  if (!isnan(x)) {
-    in->problem.field[id] = (struct ph_value){.kind = PH_NUMBER, .number = x};
-  }
-}
-
-static void tc_set_flag(struct tc_input *in, enum ph_field_id id, bool flag) {
-  if (flag) {
-    in->problem.field[id] = (struct ph_value){.kind = PH_BOOL, .flag = true};
-  }
-}
-
 /* The points as cubics, each from the last point of the one before; the last
  * one of what is left. */
 static void tc_set_chain(struct tc_input *in) {
@@ -177,29 +163,22 @@ static void tc_set_data(struct tc_input *in) {
     field[PH_F_ENDS] = fuzz_word("circle");
   }
   if (f->curve || f->chain || f->mode == TC_APPROXIMATE) {
-    tc_set_number(in, f->pieces ? PH_F_PIECES : PH_F_TOLERANCE,
-                  f->pieces ? 1 + f->amount : ldexp(64, -f->amount));
+    fuzz_set_number(&in->problem, f->pieces ? PH_F_PIECES : PH_F_TOLERANCE,
+                    f->pieces ? 1 + f->amount : ldexp(64, -f->amount));
   }
 }
 
 static void tc_set_choices(struct tc_input *in) {
   static const char *const solutions[] = {NULL, "best", "standard", "all"};
   const struct tc_flags *f = &in->flags;
-  struct ph_value *field = in->problem.field;
-  if (f->mode) {
-    field[PH_F_MODE] = fuzz_word(tc_modes[f->mode]);
-  }
-  if (f->solutions) {
-    field[PH_F_SOLUTIONS] = fuzz_word(solutions[f->solutions]);
-  }
-  if (f->chord) {
-    field[PH_F_JOINT] = fuzz_word("chord");
-  }
-  tc_set_number(in, PH_F_LAMBDA, in->lambda);
-  tc_set_number(in, PH_F_JOINT_ANGLE, in->joint_angle);
-  tc_set_number(in, PH_F_JOINT_POSITION, in->joint_position);
-  tc_set_flag(in, PH_F_CLOSED, f->closed);
-  tc_set_flag(in, PH_F_BLASCHKE, f->blaschke);
+  fuzz_set_word(&in->problem, PH_F_MODE, tc_modes[f->mode]);
+  fuzz_set_word(&in->problem, PH_F_SOLUTIONS, solutions[f->solutions]);
+  fuzz_set_word(&in->problem, PH_F_JOINT, f->chord ? "chord" : NULL);
+  fuzz_set_number(&in->problem, PH_F_LAMBDA, in->lambda);
+  fuzz_set_number(&in->problem, PH_F_JOINT_ANGLE, in->joint_angle);
+  fuzz_set_number(&in->problem, PH_F_JOINT_POSITION, in->joint_position);
+  fuzz_set_flag(&in->problem, PH_F_CLOSED, f->closed);
+  fuzz_set_flag(&in->problem, PH_F_BLASCHKE, f->blaschke);
 }
 
 /* Sets the problem; false when the bytes are none. */
@@ -307,20 +286,10 @@ static void tc_check_offset(const struct tc_input *in, struct ph_result *result,
                             struct ph_arena *arena) {
   double size = ph_curve_size(&result->curve);
   const struct ph_offset_rules rules = {.tolerance = 1e-3 * size};
-  struct ph_offset offset;
-  struct ph_diag diag;
-  enum ph_status status =
-      ph_offset(&result->curve, 0.125 * size, &rules, arena, &offset, &diag);
-  if (status != PH_OK) {
-    fuzz_check_failure(&diag, status);
-    return;
-  }
-  FUZZ_REQUIRE(offset.degree == 5 && offset.n >= result->curve.n);
-  fuzz_check_offset(&offset);
-  result->offsets = &offset;
-  result->offsets_n = 1;
-  fuzz_check_output(result, "tc", in->flags.pretty);
-  result->offsets_n = 0;
+  const struct ph_offset *offset = fuzz_check_offsets(
+      result, 1, 0.125 * size, &rules, arena, "tc", in->flags.pretty);
+  FUZZ_REQUIRE(!offset ||
+               (offset->degree == 5 && offset->n >= result->curve.n));
 }
 
 /* What was asked of an approximation. */
@@ -387,7 +356,7 @@ static void tc_certify(const struct tc_input *in, struct fuzz_run *run) {
   }
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n) {
+FUZZ_TARGET(tc, data, n) {
   static struct tc_input in;
   struct fuzz_run run = {0};
   in = (struct tc_input){.bytes = {data, n, 0}};

@@ -7,36 +7,17 @@
 
 #include <dirent.h>
 
-#define LLVMFuzzerTestOneInput corpus_json
+#define FUZZ_ENTRY(name) corpus_##name
 #include "../../fuzz/json.c"
-#undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput corpus_csv
 #include "../../fuzz/csv.c"
-#undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput corpus_number
 #include "../../fuzz/number.c"
-#undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput corpus_options
 #include "../../fuzz/options.c"
-#undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput corpus_planar
 #include "../../fuzz/planar.c"
-#undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput corpus_spatial
 #include "../../fuzz/spatial.c"
-#undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput corpus_arclength
 #include "../../fuzz/arclength.c"
-#undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput corpus_sphere
 #include "../../fuzz/sphere.c"
-#undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput corpus_tc
 #include "../../fuzz/tc.c"
-#undef LLVMFuzzerTestOneInput
-#define LLVMFuzzerTestOneInput corpus_result
 #include "../../fuzz/result.c"
-#undef LLVMFuzzerTestOneInput
 
 /* Inputs are small; each target has at least so many. */
 enum { INPUT_MAX = 1 << 16, INPUTS_MIN = 12 };
@@ -61,63 +42,39 @@ static void replay(const char *path, target_fn *target) {
   free(data);
 }
 
-static void replay_all(const char *name, target_fn *target) {
+static const struct {
+  const char *name;
+  target_fn *target;
+} targets[] = {
+    {"json", corpus_json},
+    {"csv", corpus_csv},
+    {"number", corpus_number},
+    {"options", corpus_options},
+    {"planar", corpus_planar},
+    {"spatial", corpus_spatial},
+    {"arclength", corpus_arclength},
+    {"sphere", corpus_sphere},
+    {"tc", corpus_tc},
+    {"result", corpus_result},
+};
+
+PH_TEST_EACH(test_corpus, COUNT(targets)) {
   const char *source = getenv("srcdir");
   char directory[1024], path[2048];
   struct dirent *entry;
   size_t count = 0;
   DIR *list;
   snprintf(directory, sizeof directory, "%s/tests/fuzz/corpus/%s",
-           source ? source : ".", name);
+           source ? source : ".", targets[_i].name);
   list = opendir(directory);
   ck_assert_msg(list != NULL, "no directory %s", directory);
   while ((entry = readdir(list))) {
     if (entry->d_name[0] != '.') {
       snprintf(path, sizeof path, "%s/%s", directory, entry->d_name);
-      replay(path, target);
+      replay(path, targets[_i].target);
       count++;
     }
   }
   closedir(list);
   ck_assert_uint_ge(count, INPUTS_MIN);
-}
-
-PH_TEST(json) {
-  replay_all("json", corpus_json);
-}
-
-PH_TEST(csv) {
-  replay_all("csv", corpus_csv);
-}
-
-PH_TEST(number) {
-  replay_all("number", corpus_number);
-}
-
-PH_TEST(options) {
-  replay_all("options", corpus_options);
-}
-
-PH_TEST(planar) {
-  replay_all("planar", corpus_planar);
-}
-
-PH_TEST(spatial) {
-  replay_all("spatial", corpus_spatial);
-}
-
-PH_TEST(arclength) {
-  replay_all("arclength", corpus_arclength);
-}
-
-PH_TEST(sphere) {
-  replay_all("sphere", corpus_sphere);
-}
-
-PH_TEST(tc) {
-  replay_all("tc", corpus_tc);
-}
-
-PH_TEST(result) {
-  replay_all("result", corpus_result);
 }
