@@ -187,14 +187,32 @@ static double speed_at(const void *s, double u) {
   return ph_vec3_dot(jet[0], jet[0]);
 }
 
-/* The lowest place about place i. */
-static struct ph_bracket dip_at(double (*f)(const void *, double),
-                                const struct ph_check_segment *s, size_t i,
-                                double value) {
-  struct ph_bracket b = {(double)(i - 1) / PLACES, (double)i / PLACES,
-                         (double)(i + 1) / PLACES, value};
-  ph_golden(f, s, STEPS, &b);
-  return b;
+/* Where a function of a segment has its dips, at most so many of them, and its
+ * least and largest value. */
+struct dips {
+  double x[DIPS], low, high;
+  size_t n;
+};
+
+static struct dips dips_of(double (*f)(const void *, double),
+                           const struct ph_check_segment *s) {
+  struct dips dips = {.low = HUGE_VAL};
+  double g[PLACES + 1];
+  for (size_t i = 0; i <= PLACES; i++) {
+    g[i] = f(s, (double)i / PLACES);
+    dips.high = ph_check_larger(dips.high, g[i]);
+    dips.low = ph_check_smaller(dips.low, g[i]);
+  }
+  for (size_t i = 1; i < PLACES && dips.n < DIPS; i++) {
+    if (g[i] < g[i - 1] && g[i] <= g[i + 1]) {
+      struct ph_bracket b = {(double)(i - 1) / PLACES, (double)i / PLACES,
+                             (double)(i + 1) / PLACES, g[i]};
+      ph_golden(f, s, STEPS, &b);
+      dips.low = ph_check_smaller(dips.low, b.value);
+      dips.x[dips.n++] = b.x;
+    }
+  }
+  return dips;
 }
 
 /* Whether rounding may make a segment straight at a place: then its torsion is
@@ -208,56 +226,30 @@ static bool is_straight(const struct ph_check_segment *s, double u) {
            PH_CHECK_NO_DIRECTION * ph_vec3_abs(ph_vec3_cross(jet[0], jet[1])));
 }
 
-/* Dips of |C| / sigma^2, where integrals are cut.
- *
- * out  cut[DIPS + 2]  0, dips, 1
- * out  depth          of the deepest, relative to the largest
- * ret  how many cuts
- */
-static size_t cuts_of(const struct ph_check_segment *s, double *cut,
-                      double *depth) {
-  double g[PLACES + 1], high = 0, low = HUGE_VAL;
-  size_t n = 1;
-  for (size_t i = 0; i <= PLACES; i++) {
-    g[i] = bending_at(s, (double)i / PLACES);
-    high = ph_check_larger(high, g[i]);
-    low = ph_check_smaller(low, g[i]);
-  }
-  cut[0] = 0;
-  for (size_t i = 1; i < PLACES && n <= DIPS; i++) {
-    if (g[i] < g[i - 1] && g[i] <= g[i + 1]) {
-      struct ph_bracket dip = dip_at(bending_at, s, i, g[i]);
-      low = ph_check_smaller(low, dip.value);
-      cut[n++] = dip.x;
-    }
-  }
-  cut[n++] = 1;
-  *depth = sqrt(low / high);
-  return n;
-}
+/* Where integrals are cut, in order: 0, dips, 1; at most so many.  At a dip of
+ * the speed energies have a peak, which is seen at an end of an interval, and
+ * at one of |C| / sigma^2 torsions. */
+enum { CUTS = 2 * DIPS + 2 };
 
-/* Whether a segment nearly stands still somewhere. */
-static bool stands_still(const struct ph_check_segment *s) {
-  double least = s->noise / STILL, g[PLACES + 1];
-  for (size_t i = 0; i <= PLACES; i++) {
-    g[i] = speed_at(s, (double)i / PLACES);
-    if (!(g[i] > least * least)) {
-      return true;
+struct cuts {
+  double x[CUTS];
+  size_t n;
+};
+
+static void cut_at(struct cuts *cuts, const double *x, size_t n) {
+  for (size_t i = 0; i < n; i++) {
+    size_t k = cuts->n++;
+    for (; k > 0 && cuts->x[k - 1] > x[i]; k--) {
+      cuts->x[k] = cuts->x[k - 1];
     }
+    cuts->x[k] = x[i];
   }
-  for (size_t i = 1; i < PLACES; i++) {
-    if (g[i] <= g[i - 1] && g[i] <= g[i + 1] &&
-        !(dip_at(speed_at, s, i, g[i]).value > least * least)) {
-      return true;
-    }
-  }
-  return false;
 }
 
 /* The integrals from..to over a segment, between cuts, that are wanted. */
 static void integrate_some(const struct fair *fair, struct integrand *in,
                            enum integral from, enum integral to,
-                           const double *cut, size_t n, double *value,
+                           const struct cuts *cuts, double *value,
                            double *error) {
   struct ph_check_integrands of = {values_at, in, 0, 0, 0, INTEGRAL};
   double sum[PH_CHECK_TOGETHER];
@@ -271,8 +263,8 @@ static void integrate_some(const struct fair *fair, struct integrand *in,
   in->twists = in->n > 0 && in->what[0] == TWISTING;
   of.n = 2 * in->n;
   of.uncertain = in->n;
-  for (size_t k = 0; in->n > 0 && k + 1 < n; k++) {
-    ph_check_integral(&fair->v->rule, &of, cut[k], cut[k + 1], sum);
+  for (size_t k = 0; in->n > 0 && k + 1 < cuts->n; k++) {
+    ph_check_integral(&fair->v->rule, &of, cuts->x[k], cuts->x[k + 1], sum);
     for (size_t i = 0; i < in->n; i++) {
       value[in->what[i]] += sum[i];
       error[in->what[i]] += sum[in->n + i] + 4 * INTEGRAL * fabs(sum[i]);
@@ -280,22 +272,28 @@ static void integrate_some(const struct fair *fair, struct integrand *in,
   }
 }
 
-/* The integrals over a segment, of which the curve is cut in space; that of
- * the torsion by itself, as it may take more intervals than there are. */
+/* The integrals over a segment; that of the torsion by itself, as it may take
+ * more intervals than there are. */
 static void integrate(const struct fair *fair, const struct ph_check_segment *s,
-                      double *value, double *error) {
+                      const struct dips *slow, double *value, double *error) {
   struct integrand in = {.s = s, .plane = fair->v->curve->dimension == 2};
-  double cut[DIPS + 2] = {0, 1}, depth = 1;
-  size_t n = in.plane ? 2 : cuts_of(s, cut, &depth);
+  struct cuts cuts = {{0, 1}, 2}, none = {.n = 0};
+  struct dips bent = {.low = 1, .high = 1};
   bool straight = false;
-  for (size_t i = 0; i < n; i++) {
-    straight = straight || is_straight(s, cut[i]);
-  }
-  integrate_some(fair, &in, BENDING, VARYING, cut, n, value, error);
-  integrate_some(fair, &in, TWISTING, TWISTING, cut, straight ? 0 : n, value,
-                 error);
-  integrate_some(fair, &in, TURNING, ABSOLUTE, cut, n, value, error);
   if (!in.plane) {
+    bent = dips_of(bending_at, s);
+    cut_at(&cuts, bent.x, bent.n);
+  }
+  for (size_t i = 0; i < cuts.n; i++) {
+    straight = straight || is_straight(s, cuts.x[i]);
+  }
+  cut_at(&cuts, slow->x, slow->n);
+  integrate_some(fair, &in, BENDING, VARYING, &cuts, value, error);
+  integrate_some(fair, &in, TWISTING, TWISTING, straight ? &none : &cuts, value,
+                 error);
+  integrate_some(fair, &in, TURNING, ABSOLUTE, &cuts, value, error);
+  if (!in.plane) {
+    double depth = sqrt(bent.low / bent.high);
     error[BENDING] += CLOSED * value[BENDING];
     error[VARYING] += CLOSED * value[VARYING];
     error[TWISTING] +=
@@ -304,10 +302,11 @@ static void integrate(const struct fair *fair, const struct ph_check_segment *s,
   }
 }
 
-static void add_segment(struct fair *fair, const struct ph_check_segment *s) {
+static void add_segment(struct fair *fair, const struct ph_check_segment *s,
+                        const struct dips *slow) {
   double value[INTEGRALS], error[INTEGRALS], l = fair->v->length[s->k];
   double cube = l * l * l;
-  integrate(fair, s, value, error);
+  integrate(fair, s, slow, value, error);
   for (size_t i = 0; i < INTEGRALS; i++) {
     add(&fair->of[i], value[i], error[i]);
     fair->wanted[i] = fair->wanted[i] && isfinite(value[i] + error[i]);
@@ -487,11 +486,13 @@ void ph_check_fairness(struct ph_check *v) {
   }
   for (size_t k = 0; k < v->curve->n && !ph_arena_late(v->scratch); k++) {
     struct ph_check_segment s;
+    struct dips slow;
     ph_check_load(v, k, &s);
-    if (stands_still(&s)) {
-      return;
+    slow = dips_of(speed_at, &s);
+    if (!(slow.low > (s.noise / STILL) * (s.noise / STILL))) {
+      return; /* nearly stands still: nothing can be said */
     }
-    add_segment(&fair, &s);
+    add_segment(&fair, &s, &slow);
   }
   n = claims_of(&fair, claim);
   for (size_t i = 0; i < n; i++) {

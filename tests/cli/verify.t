@@ -197,6 +197,13 @@ echo '{"points":[[0,-8e183,0],[-1.98e185,-5.5e183,4.4e184],
 made spatial-hermite --offset=0 <back
 verified 'a cusp where the curve all but stands still' 1 --problems=back
 
+# energies that have a peak where the curve nearly stops within a segment
+echo '{"points":[[0,0],[-0.77,0],[-2.6,0.1],[-4.48,0.1735],[-6.17,0.24],
+  [-7.473,0.2897]],"knots":"uniform","end_derivatives":[[-1.3,0.05],
+  [-4.2,0.163]],"solutions":"all"}' >slow
+made planar <slow
+verified 'solutions that nearly stop' 1 --problems=slow
+
 # a hairpin, as narrow as the tolerance
 echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
   "tolerance":7e-5}' >hairpin
