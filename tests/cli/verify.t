@@ -204,6 +204,15 @@ echo '{"points":[[0,0],[-0.77,0],[-2.6,0.1],[-4.48,0.1735],[-6.17,0.24],
 made planar <slow
 verified 'solutions that nearly stop' 1 --problems=slow
 
+# all have the same energy, nearly, that of a segment which has no length
+echo '{"points":[[0,-0.9],[-0.93,-2],[-0.9,-1.6],
+  [-1.338440493563362,-2.0502156580440056],
+  [-1.338440493528891,-2.050215658029699]],
+  "end_derivatives":[[-0.11651283418269313,-0.7246172774609538],
+  [-1.3325848266444351,-2.3080699242282603]],"solutions":"all"}' >alike
+made planar <alike
+verified 'solutions that bend alike' 1 --problems=alike
+
 # a hairpin, as narrow as the tolerance
 echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
   "tolerance":7e-5}' >hairpin

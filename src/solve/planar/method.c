@@ -313,10 +313,12 @@ static enum ph_status fill_solution(struct task *t, const ph_cplx *b,
   return PH_OK;
 }
 
-/* Makes the best of all solutions the curve, and sorts them. */
+/* Makes the best of all solutions the curve, and sorts the others after it: of
+ * three energies that are nearly the same, the first and the last may not be,
+ * and sorting might have another first. */
 static void choose_best(struct task *t, const struct ph_planar_all *all) {
   struct ph_planar_data *d = &t->data;
-  struct ph_solution *solutions = t->result->solutions;
+  struct ph_solution *solutions = t->result->solutions, first;
   size_t best = 0;
   for (size_t i = 1; i < all->n; i++) {
     if (compare_solutions(&solutions[i], &solutions[best]) < 0) {
@@ -327,7 +329,10 @@ static void choose_best(struct task *t, const struct ph_planar_all *all) {
   d->c2.twist = ph_cplx_of(all->twist[best], 0);
   ph_planar_curve_fill(d, t->b, &t->result->curve, &t->loops);
   t->residual = sqrt(ph_planar_residual(&d->c2, t->b).max2);
-  qsort(solutions, all->n, sizeof *solutions, compare_solutions);
+  first = solutions[best];
+  solutions[best] = solutions[0];
+  solutions[0] = first;
+  qsort(solutions + 1, all->n - 1, sizeof *solutions, compare_solutions);
   t->result->solutions_n = all->n;
   for (size_t i = 0, good = 0; i < all->n; i++) { /* one of equal length */
     solutions[i].good = solutions[i].good && good++ == 0;
