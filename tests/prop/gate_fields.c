@@ -73,7 +73,11 @@ static double number_of(struct data *d, enum ph_field_id id) {
   struct unit_random *r = d->r;
   switch (id) {
   case PH_F_ALPHA:
-    return chance(r, 4) ? gate_power(r, -9, 0.4) : unit_random_in(r, 0.1, 3.1);
+    if (chance(r, 4)) { /* next to a longer one */
+      d->wild = true;
+      return gate_power(r, -9, 0.4);
+    }
+    return unit_random_in(r, 0.1, 3.1);
   case PH_F_TENSION: /* of spheres to be added, else to be multiplied */
     return strcmp(gate_schema(d->c)->command, "sphere") == 0
                ? gate_power(r, -2, 3)
@@ -561,7 +565,7 @@ static void options(struct data *d) {
   }
   if (gate_is(d->c, PH_F_BASIS, "atph") && chance(r, 3)) {
     option(d->c, "--convert=bezier");
-    if (chance(r, 3)) {
+    if (chance(r, 3) && !d->wild) {
       option_number(d, "--tolerance=", length(d, -8, -2));
     }
   }
