@@ -215,12 +215,12 @@ static void planar(struct data *d) {
   }
 }
 
-/* Of segments of which a functional is minimised, each takes milliseconds. */
+/* Segments of which a functional is minimised; each takes up to a second. */
 enum { MINIMISED = 4 };
 
 static void criterion(struct data *d) {
   static const char *const quick[] = {"cc", "hc", "bv", "zero"};
-  bool few = d->n <= MINIMISED && chance(d->r, 2);
+  bool few = d->n <= MINIMISED && chance(d->r, 8);
   if (few) {
     word(d, PH_F_CRITERION);
   } else {
@@ -326,7 +326,7 @@ static void arclength(struct data *d) {
   } else if (chance(r, 8)) {
     knots(d);
   }
-  if (chance(r, 3)) {
+  if (chance(r, 8)) {
     number(d, PH_F_REFINE);
   }
   if (chance(r, 8)) {
@@ -554,7 +554,7 @@ static void options(struct data *d) {
   const char *command = gate_schema(d->c)->command;
   bool space = strcmp(command, "spatial-hermite") == 0 ||
                strcmp(command, "arclength") == 0;
-  if (chance(r, 3)) {
+  if (chance(r, 6)) { /* the costliest option */
     offsets(d);
   }
   if (chance(r, 20)) {

@@ -177,7 +177,7 @@ static void place(struct unit_random *r, size_t n, size_t dimension,
 static size_t count(struct unit_random *r) {
   return chance(r, 100) ? 2 + unit_random_below(r, GATE_POINTS - 1)
          : chance(r, 4) ? 2 + unit_random_below(r, 3)
-                        : 3 + unit_random_below(r, 6);
+                        : 3 + unit_random_below(r, 4);
 }
 
 size_t gate_points(struct unit_random *r, size_t dimension, double *v) {

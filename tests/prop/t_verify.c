@@ -6,7 +6,8 @@
  *
  * The seed is 1, or PH_SEED.  `make check-long' takes many, PH_TRIALS=N in
  * PH_JOBS threads, and tells while it goes what became of them, by commands,
- * fields and options.  PH_TRIAL=I takes problem I alone, and prints it.
+ * fields and options.  PH_FROM=I begins at problem I, to go on with a run that
+ * ended; PH_TRIAL=I takes problem I alone, and prints it.
  */
 #include "gate.h"
 #include "unit.h"
@@ -233,6 +234,7 @@ PH_TEST(whatever_is_solved_is_right) {
   pthread_t thread[JOBS];
   size_t jobs = number("PH_JOBS", 1);
   gate.trials = number("PH_TRIALS", (size_t)unit_count(TRIALS));
+  gate.next = number("PH_FROM", 0);
   gate.only = number("PH_TRIAL", SIZE_MAX);
   gate.tell = getenv("PH_TRIALS") != NULL;
   if (gate.only != SIZE_MAX) {
