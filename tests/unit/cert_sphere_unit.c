@@ -9,32 +9,6 @@
 #include "kernel/quad.h"
 #include "kernel/s2.h"
 
-void unit_sphere_word(struct unit_sphere *u, enum ph_field_id id,
-                      const char *word) {
-  u->problem.field[id] = (struct ph_value){.kind = PH_WORD, .word = word};
-}
-
-void unit_sphere_number(struct unit_sphere *u, enum ph_field_id id,
-                        double number) {
-  u->problem.field[id] = (struct ph_value){.kind = PH_NUMBER, .number = number};
-}
-
-void unit_sphere_flag(struct unit_sphere *u, enum ph_field_id id, bool flag) {
-  u->problem.field[id] = (struct ph_value){.kind = PH_BOOL, .flag = flag};
-}
-
-void unit_sphere_numbers(struct unit_sphere *u, enum ph_field_id id, double *v,
-                         size_t n) {
-  u->problem.field[id] =
-      (struct ph_value){.kind = PH_NUMBERS, .v = v, .n = n, .dimension = 1};
-}
-
-void unit_sphere_vectors(struct unit_sphere *u, enum ph_field_id id, double *v,
-                         size_t n, size_t dimension) {
-  u->problem.field[id] = (struct ph_value){
-      .kind = PH_VECTORS, .v = v, .n = n, .dimension = dimension};
-}
-
 void unit_sphere_put(const struct unit_ball *sphere, ph_vec3 p, double *v) {
   ph_vec3 at = ph_vec3_along(ph_vec3_get(sphere->center, 3), sphere->radius, p);
   ph_vec3_put(at, 3, v);
@@ -66,11 +40,11 @@ static void begin(struct unit_sphere *u, const struct unit_ball *sphere,
     unit_sphere_put(sphere, p[k], u->control_points + 12 * k);
     unit_sphere_put(sphere, p[(k + 1) % n], u->control_points + 12 * k + 9);
   }
-  unit_sphere_vectors(u, PH_F_POINTS, u->points, n, 3);
-  unit_sphere_flag(u, PH_F_CLOSED, closed);
-  unit_sphere_word(u, PH_F_SHAPE, "warn");
-  unit_sphere_numbers(u, PH_F_CENTER, u->center, 3);
-  unit_sphere_number(u, PH_F_RADIUS, sphere->radius);
+  unit_set_array(&u->problem, PH_F_POINTS, u->points, n, 3);
+  unit_set_flag(&u->problem, PH_F_CLOSED, closed);
+  unit_set_word(&u->problem, PH_F_SHAPE, "warn");
+  unit_set_array(&u->problem, PH_F_CENTER, u->center, 3, 1);
+  unit_set_number(&u->problem, PH_F_RADIUS, sphere->radius);
 }
 
 static void set_length(struct unit_sphere *u, size_t k, double length) {
@@ -85,9 +59,9 @@ void unit_cert_sphere_of(struct unit_sphere *u, const struct unit_spline *s,
     p[i] = ph_vec3_get(s->points + 3 * i, 3);
   }
   begin(u, sphere, s->closed, s->n, p);
-  unit_sphere_word(u, PH_F_MODEL, s->nielson ? "nielson" : "exact");
+  unit_set_word(&u->problem, PH_F_MODEL, s->nielson ? "nielson" : "exact");
   if (!s->closed) {
-    unit_sphere_word(u, PH_F_ENDS, s->rest ? "rest" : "natural");
+    unit_set_word(&u->problem, PH_F_ENDS, s->rest ? "rest" : "natural");
   }
   memcpy(u->tensions, s->tensions, sizeof s->tensions);
   memcpy(u->indicators, s->indicators, sizeof s->indicators);

@@ -8,6 +8,7 @@
 #ifndef PH_TESTS_CERT_SPHERE_UNIT_H
 #define PH_TESTS_CERT_SPHERE_UNIT_H
 
+#include "problem_unit.h"
 #include "unit.h"
 
 #include "curve/problem.h"
@@ -169,17 +170,6 @@ struct unit_sphere {
 struct unit_ball {
   double center[3], radius;
 };
-
-/* Fields of the problem. */
-void unit_sphere_word(struct unit_sphere *u, enum ph_field_id id,
-                      const char *word);
-void unit_sphere_number(struct unit_sphere *u, enum ph_field_id id,
-                        double number);
-void unit_sphere_flag(struct unit_sphere *u, enum ph_field_id id, bool flag);
-void unit_sphere_numbers(struct unit_sphere *u, enum ph_field_id id, double *v,
-                         size_t n);
-void unit_sphere_vectors(struct unit_sphere *u, enum ph_field_id id, double *v,
-                         size_t n, size_t dimension);
 
 /* unit_sphere_put: a point of the unit sphere, on this one.  out  v[3] */
 void unit_sphere_put(const struct unit_ball *sphere, ph_vec3 p, double *v);

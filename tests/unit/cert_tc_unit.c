@@ -13,18 +13,6 @@ void unit_cert_begin(void) {
   checked.curve = &unit_tc.c.curve;
 }
 
-struct ph_value unit_word(const char *word) {
-  return (struct ph_value){.kind = PH_WORD, .word = word};
-}
-
-struct ph_value unit_number(double x) {
-  return (struct ph_value){.kind = PH_NUMBER, .number = x};
-}
-
-struct ph_value unit_vectors(double *v, size_t n) {
-  return (struct ph_value){.kind = PH_VECTORS, .v = v, .n = n, .dimension = 2};
-}
-
 void unit_add_pair(ph_cplx a, ph_cplx b, ph_cplx along, const double *end) {
   ph_cplx root = ph_cplx_sqrt(along);
   ph_cplx w0 = ph_cplx_sqrt(ph_cplx_mul(a, ph_cplx_inverse(along)));

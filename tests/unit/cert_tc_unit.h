@@ -22,11 +22,6 @@ extern struct unit_cert_tc unit_tc;
 /* unit_cert_begin: nothing in it; it is what the certificate is asked of. */
 void unit_cert_begin(void);
 
-/* Values of fields. */
-struct ph_value unit_word(const char *word);
-struct ph_value unit_number(double x);
-struct ph_value unit_vectors(double *v, size_t n);
-
 static inline void unit_put(double *v, ph_cplx z) {
   v[0] = z.re;
   v[1] = z.im;

@@ -59,21 +59,42 @@ void ck_refused(enum ph_diagnostic what, size_t segment) {
   ck_refused_in(what, segment, segment);
 }
 
+void ck_each_moved(double *x, size_t n, size_t per, double by,
+                   enum ph_diagnostic what) {
+  for (size_t i = 0; i < n; i++) {
+    double keep = x[i];
+    x[i] += by;
+    ck_refused(what, i / per);
+    x[i] = keep;
+  }
+  ck_accepted();
+}
+
+void ck_each_scaled(double *x, size_t n, double by, enum ph_diagnostic what) {
+  for (size_t i = 0; i < n; i++) {
+    double keep = x[i];
+    x[i] *= 1 + by;
+    ck_refused(what, i);
+    x[i] = keep;
+  }
+  ck_accepted();
+}
+
 void ck_refused_for(const char *words) {
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   ck_assert_msg(strstr(checked.diag.message, words) != NULL, "%s",
                 checked.diag.message);
 }
 
-void ck_not_finite(double *x) {
+void ck_not_finite(double *x, size_t n) {
   const double bad[] = {(double)NAN, HUGE_VAL, -HUGE_VAL};
-  double keep = *x;
-  for (size_t i = 0; i < COUNT(bad); i++) {
-    *x = bad[i];
+  for (size_t i = 0; i < COUNT(bad) * n; i++) {
+    double keep = x[i / COUNT(bad)];
+    x[i / COUNT(bad)] = bad[i % COUNT(bad)];
     ck_assert_int_eq(certify(), PH_TOO_LARGE);
     ck_assert_str_eq(checked.diag.message,
                      "the curve exceeds the range of a double");
     ck_assert_str_eq(checked.diag.field, "");
+    x[i / COUNT(bad)] = keep;
   }
-  *x = keep;
 }

@@ -35,10 +35,17 @@ void ck_refused_somewhere(enum ph_diagnostic what);
 void ck_refused_in(enum ph_diagnostic what, size_t a, size_t b);
 void ck_refused(enum ph_diagnostic what, size_t segment);
 
+/* ck_each_moved, ck_each_scaled: each of x[n], of which a segment has `per`, is
+ * refused for this reason in its segment when `by` is added to it, or it is
+ * multiplied by 1 + by; as they are, they are accepted. */
+void ck_each_moved(double *x, size_t n, size_t per, double by,
+                   enum ph_diagnostic what);
+void ck_each_scaled(double *x, size_t n, double by, enum ph_diagnostic what);
+
 /* Refused in words that have these. */
 void ck_refused_for(const char *words);
 
-/* ck_not_finite: a number of the curve that is none is refused as such. */
-void ck_not_finite(double *x);
+/* ck_not_finite: n numbers of the curve that are none are refused as such. */
+void ck_not_finite(double *x, size_t n);
 
 #endif

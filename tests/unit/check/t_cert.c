@@ -76,13 +76,8 @@ PH_TEST(test_control_points) {
 
 PH_TEST(test_preimage) {
   solve(true);
-  for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
-    double *w = &u.result.curve.preimage.v[i], keep = *w;
-    *w += MOVED;
-    ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 6);
-    *w = keep;
-  }
-  ck_assert_int_eq(certify(), PH_OK);
+  ck_each_moved(u.result.curve.preimage.v, 6 * u.result.curve.n, 6, MOVED,
+                PH_D_PYTHAGOREAN_ERROR);
 }
 
 PH_TEST(test_points) {
@@ -98,13 +93,8 @@ PH_TEST(test_points) {
 
 PH_TEST(test_lengths) {
   solve(true);
-  for (size_t k = 0; k < u.result.curve.n; k++) {
-    double *length = &u.result.curve.lengths[k], keep = *length;
-    *length *= 1 + MOVED;
-    ck_refused(PH_D_LENGTH_ERROR, k);
-    *length = keep;
-  }
-  ck_assert_int_eq(certify(), PH_OK);
+  ck_each_scaled(u.result.curve.lengths, u.result.curve.n, MOVED,
+                 PH_D_LENGTH_ERROR);
 }
 
 PH_TEST(test_total_length) {
@@ -214,18 +204,11 @@ PH_TEST(test_end_derivatives) {
 
 PH_TEST(test_not_finite) {
   solve(false);
-  for (size_t i = 0; i < 12 * u.result.curve.n; i++) {
-    ck_not_finite(&u.result.curve.control_points[i]);
-  }
-  for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
-    ck_not_finite(&u.result.curve.preimage.v[i]);
-  }
-  for (size_t k = 0; k < u.result.curve.n; k++) {
-    ck_not_finite(&u.result.curve.lengths[k]);
-    ck_not_finite(&u.result.curve.knots[k]);
-  }
-  ck_not_finite(&u.result.curve.knots[u.result.curve.n]);
-  ck_not_finite(&u.result.curve.length);
+  ck_not_finite(u.result.curve.control_points, 12 * u.result.curve.n);
+  ck_not_finite(u.result.curve.preimage.v, 6 * u.result.curve.n);
+  ck_not_finite(u.result.curve.lengths, u.result.curve.n);
+  ck_not_finite(u.result.curve.knots, u.result.curve.n + 1);
+  ck_not_finite(&u.result.curve.length, 1);
   ck_assert_int_eq(certify(), PH_OK);
 }
 
@@ -315,12 +298,8 @@ PH_TEST_EACH(test_atph, 2) {
   ck_assert_double_le(value_of(PH_D_PYTHAGOREAN_ERROR), 1e-12);
   ck_assert_double_le(value_of(PH_D_CONTINUITY_ERROR), 1e-13);
   ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 2e-14);
-  for (size_t i = 0; i < 6 * u.result.curve.n; i++) {
-    double *w = &u.result.curve.preimage.v[i], keep = *w;
-    *w += MOVED;
-    ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 6);
-    *w = keep;
-  }
+  ck_each_moved(u.result.curve.preimage.v, 6 * u.result.curve.n, 6, MOVED,
+                PH_D_PYTHAGOREAN_ERROR);
   for (size_t i = 0; i < 12 * u.result.curve.n; i++) {
     double *x = &u.result.curve.control_points[i], keep = *x;
     bool end = i % 12 < 2 || i % 12 >= 10;
@@ -328,13 +307,8 @@ PH_TEST_EACH(test_atph, 2) {
     ck_refused(end ? PH_D_INTERPOLATION_ERROR : PH_D_PYTHAGOREAN_ERROR, i / 12);
     *x = keep;
   }
-  for (size_t k = 0; k < u.result.curve.n; k++) {
-    double *length = &u.result.curve.lengths[k], keep = *length;
-    *length *= 1 + MOVED;
-    ck_refused(PH_D_LENGTH_ERROR, k);
-    *length = keep;
-  }
-  ck_assert_int_eq(certify(), PH_OK);
+  ck_each_scaled(u.result.curve.lengths, u.result.curve.n, MOVED,
+                 PH_D_LENGTH_ERROR);
 }
 
 /* Another angle: the hodograph is that of another space.  Also angles that no

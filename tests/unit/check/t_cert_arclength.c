@@ -10,6 +10,7 @@
  */
 #include "unit.h"
 #include "check_unit.h"
+#include "problem_unit.h"
 
 #include "curve/segment/seg3.h"
 
@@ -71,11 +72,6 @@ static ph_vec3 build_segment(size_t k, ph_quat a, ph_quat b, double t0,
   return end;
 }
 
-static void set_vectors(enum ph_field_id id) {
-  u.problem.field[id] = (struct ph_value){
-      .kind = PH_VECTORS, .v = u.data, .n = INTERVALS + 1, .dimension = 3};
-}
-
 /* The datum j of a curve that has been built that far. */
 static void set_datum(enum mode mode, size_t j, ph_vec3 point, ph_quat a) {
   ph_vec3 derivative = ph_quat_i(a, a);
@@ -114,14 +110,12 @@ static void build(enum mode mode, size_t refine, ph_quat a, ph_quat b,
     u.curve.length += u.lengths[j];
   }
   set_datum(mode, INTERVALS, start, preimage_at(a, b, KNOTS[INTERVALS]));
-  set_vectors(field[mode]);
+  unit_set_array(&u.problem, field[mode], u.data, INTERVALS + 1, 3);
   if (mode != RELAXED) {
-    u.problem.field[PH_F_LENGTHS] = (struct ph_value){
-        .kind = PH_NUMBERS, .v = u.lengths, .n = INTERVALS, .dimension = 1};
+    unit_set_array(&u.problem, PH_F_LENGTHS, u.lengths, INTERVALS, 1);
   }
   if (mode == DERIVATIVES || mode == TANGENTS) {
-    u.problem.field[PH_F_START] = (struct ph_value){
-        .kind = PH_NUMBERS, .v = u.start, .n = 3, .dimension = 1};
+    unit_set_array(&u.problem, PH_F_START, u.start, 3, 1);
   }
 }
 
@@ -222,10 +216,8 @@ PH_TEST_EACH(test_soft_lengths, VARIANTS) {
   begin(_i % MODES == RELAXED ? POINTS : mode_of(_i), refine_of(_i));
   u.lengths[1] *= 1.01;
   ck_refused(PH_D_LENGTH_ERROR, 2 * refine_of(_i) - 1);
-  u.problem.field[PH_F_LENGTH_SIGMA] =
-      (struct ph_value){.kind = PH_NUMBER, .number = 0.01};
-  u.problem.field[PH_F_REFINE] =
-      (struct ph_value){.kind = PH_WORD, .word = "auto"};
+  unit_set_number(&u.problem, PH_F_LENGTH_SIGMA, 0.01);
+  unit_set_word(&u.problem, PH_F_REFINE, "auto");
   certify();
   ck_assert(is_known(PH_D_LENGTH_ERROR));
   ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 1e-14);
@@ -268,13 +260,7 @@ PH_TEST_EACH(test_control_points, VARIANTS) {
 
 PH_TEST_EACH(test_preimage, VARIANTS) {
   begin_variant(_i);
-  for (size_t i = 0; i < 12 * u.curve.n; i++) {
-    double *a = &u.preimage[i], keep = *a;
-    *a += MOVED;
-    ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 12);
-    *a = keep;
-  }
-  ck_accepted();
+  ck_each_moved(u.preimage, 12 * u.curve.n, 12, MOVED, PH_D_PYTHAGOREAN_ERROR);
 }
 
 PH_TEST_EACH(test_data, VARIANTS) {
@@ -340,17 +326,16 @@ PH_TEST_EACH(test_knots, VARIANTS) {
 
 /* Magnitudes by the rule of the mean are lengths by knots. */
 PH_TEST_EACH(test_magnitudes, VARIANTS) {
-  struct ph_value *field = u.problem.field;
   ph_quat still = {0, 0, 0, 0};
   build(TANGENTS, refine_of(_i), A, still, ph_vec3_of(0, 0, 0));
-  field[PH_F_MAGNITUDES] = (struct ph_value){.kind = PH_WORD, .word = "mean"};
+  unit_set_word(&u.problem, PH_F_MAGNITUDES, "mean");
   ck_accepted();
   ck_assert_double_le(value_of(PH_D_TANGENT_ERROR), 1e-14);
   begin(TANGENTS, refine_of(_i));
-  field[PH_F_MAGNITUDES] = (struct ph_value){.kind = PH_WORD, .word = "mean"};
+  unit_set_word(&u.problem, PH_F_MAGNITUDES, "mean");
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(checked.diag.message, "tangent_error"));
-  field[PH_F_MAGNITUDES].word = "free";
+  unit_set_word(&u.problem, PH_F_MAGNITUDES, "free");
   ck_accepted();
 }
 

@@ -220,13 +220,7 @@ PH_TEST_EACH(test_control_points, VARIANTS) {
 
 PH_TEST_EACH(test_preimage, VARIANTS) {
   begin(_i);
-  for (size_t i = 0; i < 12 * u.curve.n; i++) {
-    double *a = &u.preimage[i], keep = *a;
-    *a += MOVED;
-    ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 12);
-    *a = keep;
-  }
-  ck_accepted();
+  ck_each_moved(u.preimage, 12 * u.curve.n, 12, MOVED, PH_D_PYTHAGOREAN_ERROR);
 }
 
 /* Preimage and control points of two segments that changed places. */
@@ -410,21 +404,12 @@ PH_TEST(test_count) {
 
 PH_TEST_EACH(test_not_finite, VARIANTS) {
   begin(_i);
-  for (size_t i = 0; i < 18 * u.curve.n; i++) {
-    ck_not_finite(&u.control_points[i]);
-  }
-  for (size_t i = 0; i < 12 * u.curve.n; i++) {
-    ck_not_finite(&u.preimage[i]);
-  }
-  for (size_t k = 0; k < u.curve.n; k++) {
-    ck_not_finite(&u.lengths[k]);
-    ck_not_finite(&u.knots[k]);
-    if (_i & ATPH) {
-      ck_not_finite(&u.alpha[k]);
-    }
-  }
-  ck_not_finite(&u.knots[u.curve.n]);
-  ck_not_finite(&u.curve.length);
+  ck_not_finite(u.control_points, 18 * u.curve.n);
+  ck_not_finite(u.preimage, 12 * u.curve.n);
+  ck_not_finite(u.lengths, u.curve.n);
+  ck_not_finite(u.knots, u.curve.n + 1);
+  ck_not_finite(u.alpha, _i & ATPH ? u.curve.n : 0);
+  ck_not_finite(&u.curve.length, 1);
   ck_accepted();
 }
 

@@ -90,7 +90,7 @@ PH_TEST_EACH(test_latitude, LATITUDES) {
     leg *= 0.9;
   }
   unit_sphere_latitude(&u, points, at, leg * speed[which / 16], &UNIT);
-  unit_sphere_flag(&u, PH_F_SHAPE, true);
+  unit_set_flag(&u.problem, PH_F_SHAPE, true);
   ck_accepted();
   ck_assert_double_le(value_of(PH_D_LENGTH_ERROR), 1e-12);
   ck_abs(value_of(PH_D_SHAPE_OK), 1, 0);
@@ -103,8 +103,8 @@ PH_TEST(test_small) {
   double away = 1e-5;
   for (size_t i = 0; i < 3; i++) {
     unit_sphere_arc(&u, away, 0.4, -0.3, &large);
-    unit_sphere_word(&u, PH_F_ENDS, "clamped");
-    unit_sphere_vectors(&u, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+    unit_set_word(&u.problem, PH_F_ENDS, "clamped");
+    unit_set_array(&u.problem, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
     ck_accepted();
     u.points[1] += 1e-4 * away * large.radius;
     ck_refused(PH_D_INTERPOLATION_ERROR, 0);
@@ -117,21 +117,21 @@ PH_TEST(test_ends) {
   for (size_t i = 0; i < SPHERES_N; i++) {
     unit_sphere_arc(&u, 1.3, 0, 0, &SPHERES[i]);
     ck_accepted();
-    unit_sphere_word(&u, PH_F_ENDS, "rest");
+    unit_set_word(&u.problem, PH_F_ENDS, "rest");
     ck_refused(PH_D_END_DERIVATIVE_ERROR, 0);
-    unit_sphere_word(&u, PH_F_ENDS, "clamped");
-    unit_sphere_vectors(&u, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+    unit_set_word(&u.problem, PH_F_ENDS, "clamped");
+    unit_set_array(&u.problem, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
     ck_accepted();
     unit_sphere_arc(&u, 2.9, 0.7, -0.2, &SPHERES[i]);
-    unit_sphere_word(&u, PH_F_ENDS, "clamped");
-    unit_sphere_vectors(&u, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+    unit_set_word(&u.problem, PH_F_ENDS, "clamped");
+    unit_set_array(&u.problem, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
     ck_accepted();
     u.end_tangents[2] *= 1.001;
     ck_refused(PH_D_END_DERIVATIVE_ERROR, 0);
     u.end_tangents[2] /= 1.001;
     u.end_tangents[5] *= 1.001;
     ck_refused(PH_D_END_DERIVATIVE_ERROR, 0);
-    unit_sphere_word(&u, PH_F_ENDS, "natural");
+    unit_set_word(&u.problem, PH_F_ENDS, "natural");
     ck_refused(PH_D_END_DERIVATIVE_ERROR, 0);
   }
 }
@@ -144,7 +144,7 @@ PH_TEST(test_lonlat) {
     u.lonlat[2 * i + 1] = 30;
   }
   u.problem.field[PH_F_POINTS].kind = PH_ABSENT;
-  unit_sphere_vectors(&u, PH_F_LONLAT, u.lonlat, n, 2);
+  unit_set_array(&u.problem, PH_F_LONLAT, u.lonlat, n, 2);
   ck_accepted();
   /* a repeated last point */
   u.problem.field[PH_F_LONLAT].n = n + 1;
@@ -159,13 +159,13 @@ PH_TEST(test_lonlat) {
 PH_TEST(test_knots) {
   size_t n = 9;
   unit_sphere_latitude(&u, n, 0.5, 0.15, &UNIT);
-  unit_sphere_word(&u, PH_F_KNOTS, "uniform");
+  unit_set_word(&u.problem, PH_F_KNOTS, "uniform");
   ck_accepted();
   for (size_t k = 0; k <= n; k++) {
     u.given_knots[k] = u.knots[k] = 4 * u.knots[k] - 3;
   }
   ck_refused_as("segments", 0, "is refused by its certificate: its knots are");
-  unit_sphere_numbers(&u, PH_F_KNOTS, u.given_knots, n + 1);
+  unit_set_array(&u.problem, PH_F_KNOTS, u.given_knots, n + 1, 1);
   ck_refused_as("tensions", 0, "is refused by its certificate: the curve is");
   for (size_t i = 0; i < n; i++) {
     u.tensions[i] /= 4;
@@ -282,8 +282,8 @@ PH_TEST_EACH(test_given_tensions, UNIT_SPLINES_N) {
   size_t inner = 0;
   unit_cert_sphere_of(&u, s, &UNIT);
   memcpy(u.given_tensions, u.tensions, sizeof u.tensions);
-  unit_sphere_flag(&u, PH_F_SHAPE, false);
-  unit_sphere_numbers(&u, PH_F_TENSION, u.given_tensions, s->n);
+  unit_set_flag(&u.problem, PH_F_SHAPE, false);
+  unit_set_array(&u.problem, PH_F_TENSION, u.given_tensions, s->n, 1);
   ck_accepted();
   ck_abs(value_of(PH_D_SHAPE_OK), s->shape, 0);
   u.given_tensions[2] += 1;
@@ -293,7 +293,7 @@ PH_TEST_EACH(test_given_tensions, UNIT_SPLINES_N) {
     inner += s->tensions[i] > 0;
   }
   ck_assert_int_eq(certify(), inner > 0 ? PH_NO_CONVERGENCE : PH_OK);
-  unit_sphere_word(&u, PH_F_SHAPE, "warn");
+  unit_set_word(&u.problem, PH_F_SHAPE, "warn");
   ck_accepted();
 }
 
@@ -348,7 +348,7 @@ PH_TEST_EACH(test_radius, UNIT_SPLINES_N) {
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
   u.curve.sphere.radius *= 1 + MOVED;
   ck_assert_int_eq(certify(), PH_INTERNAL);
-  unit_sphere_number(&u, PH_F_RADIUS, u.curve.sphere.radius);
+  unit_set_number(&u.problem, PH_F_RADIUS, u.curve.sphere.radius);
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(checked.diag.message, "sphere_error"));
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
@@ -364,7 +364,7 @@ PH_TEST_EACH(test_moved, UNIT_SPLINES_N) {
     u.points[6 + i] *= 1.0009;
   }
   ck_accepted();
-  unit_sphere_number(&u, PH_F_RADIUS_TOLERANCE, 1e-4);
+  unit_set_number(&u.problem, PH_F_RADIUS_TOLERANCE, 1e-4);
   ck_refused_as("points", 2, "is not on the sphere");
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.points[6] += MOVED;
@@ -373,14 +373,15 @@ PH_TEST_EACH(test_moved, UNIT_SPLINES_N) {
 
 PH_TEST_EACH(test_model, UNIT_SPLINES_N) {
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
-  unit_sphere_word(&u, PH_F_MODEL,
-                   UNIT_SPLINES[_i].nielson ? "exact" : "nielson");
+  unit_set_word(&u.problem, PH_F_MODEL,
+                UNIT_SPLINES[_i].nielson ? "exact" : "nielson");
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   if (UNIT_SPLINES[_i].nielson) {
     ck_assert_ptr_nonnull(strstr(checked.diag.message, "curvature_jump"));
   }
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
-  unit_sphere_word(&u, PH_F_ENDS, UNIT_SPLINES[_i].rest ? "natural" : "rest");
+  unit_set_word(&u.problem, PH_F_ENDS,
+                UNIT_SPLINES[_i].rest ? "natural" : "rest");
   ck_assert_int_eq(certify(),
                    UNIT_SPLINES[_i].closed ? PH_OK : PH_NO_CONVERGENCE);
 }
@@ -410,7 +411,7 @@ PH_TEST_EACH(test_shape, UNIT_SPLINES_N) {
   for (size_t i = 0; i < 2; i++) {
     unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[i]);
     if (i == 0) {
-      unit_sphere_flag(&u, PH_F_SHAPE, true);
+      unit_set_flag(&u.problem, PH_F_SHAPE, true);
     } else {
       u.problem.field[PH_F_SHAPE].kind = PH_ABSENT;
     }
@@ -426,13 +427,13 @@ PH_TEST_EACH(test_shape, UNIT_SPLINES_N) {
 /* The tensions are those of [IOR15, sec. 5.4]. */
 PH_TEST_EACH(test_legacy, 2) {
   unit_cert_sphere_of(&u, &UNIT_SPLINES[THESIS], &SPHERES[_i]);
-  unit_sphere_flag(&u, PH_F_SHAPE, true);
-  unit_sphere_word(&u, PH_F_CRITERION, "legacy");
-  unit_sphere_number(&u, PH_F_EPSILON, 1e-3);
+  unit_set_flag(&u.problem, PH_F_SHAPE, true);
+  unit_set_word(&u.problem, PH_F_CRITERION, "legacy");
+  unit_set_number(&u.problem, PH_F_EPSILON, 1e-3);
   ck_accepted();
-  unit_sphere_number(&u, PH_F_EPSILON, THESIS_MEASURE * 1.0001);
+  unit_set_number(&u.problem, PH_F_EPSILON, THESIS_MEASURE * 1.0001);
   ck_accepted();
-  unit_sphere_number(&u, PH_F_EPSILON, THESIS_MEASURE * 0.9999);
+  unit_set_number(&u.problem, PH_F_EPSILON, THESIS_MEASURE * 0.9999);
   ck_refused_as("points", 1, "is refused by its certificate: shape");
 }
 
@@ -441,14 +442,14 @@ PH_TEST_EACH(test_legacy, 2) {
 PH_TEST(test_segment) {
   unit_sphere_arc(&u, 1, 0.5, 0.5, &UNIT);
   u.indicators[0] = u.indicators[1] = 1;
-  unit_sphere_word(&u, PH_F_ENDS, "clamped");
-  unit_sphere_vectors(&u, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+  unit_set_word(&u.problem, PH_F_ENDS, "clamped");
+  unit_set_array(&u.problem, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
   ck_accepted();
   ck_abs(value_of(PH_D_SHAPE_OK), 0, 0);
   unit_sphere_arc(&u, 1, -0.5, 0.5, &UNIT);
   u.indicators[0] = u.indicators[1] = 1;
-  unit_sphere_word(&u, PH_F_ENDS, "clamped");
-  unit_sphere_vectors(&u, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+  unit_set_word(&u.problem, PH_F_ENDS, "clamped");
+  unit_set_array(&u.problem, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
   ck_accepted();
   ck_abs(value_of(PH_D_SHAPE_OK), 1, 0);
   u.indicators[0] = u.indicators[1] = -1;

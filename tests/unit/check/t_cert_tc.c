@@ -43,11 +43,11 @@ static void chain(enum kind kind, double scale, double offset) {
   unit_put(unit_tc.points + 2 * point, unit_tc.c.at);
   unit_put(unit_tc.vectors + 2 * point,
            ph_cplx_scale(scale, ph_cplx_mul(NODES[4], NODES[4])));
-  unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, point + 1);
-  unit_tc.problem
-      .field[kind == DERIVATIVES ? PH_F_DERIVATIVES : PH_F_TANGENTS] =
-      unit_vectors(unit_tc.vectors, point + 1);
-  unit_tc.problem.field[PH_F_MODE] = unit_word(MODES[kind]);
+  unit_set_array(&unit_tc.problem, PH_F_POINTS, unit_tc.points, point + 1, 2);
+  unit_set_array(&unit_tc.problem,
+                 kind == DERIVATIVES ? PH_F_DERIVATIVES : PH_F_TANGENTS,
+                 unit_tc.vectors, point + 1, 2);
+  unit_set_word(&unit_tc.problem, PH_F_MODE, MODES[kind]);
 }
 
 /* Whether cubic k begins (end = 0) or ends at a point of the data. */
@@ -91,17 +91,17 @@ PH_TEST(test_modes) {
   unit_tc.problem.field[PH_F_MODE].kind = PH_ABSENT;
   ck_accepted();
   chain(MIXED, 1, 0);
-  unit_tc.problem.field[PH_F_MODE] = unit_word("g1-fair");
+  unit_set_word(&unit_tc.problem, PH_F_MODE, "g1-fair");
   ck_accepted();
   chain(DERIVATIVES, 1, 0);
   unit_tc.problem.field[PH_F_MODE].kind = PH_ABSENT;
   ck_accepted();
   for (size_t kind = SINGLES; kind <= PAIRS; kind++) {
     chain((enum kind)kind, 1, 0);
-    unit_tc.problem.field[PH_F_MODE] = unit_word("g1-auto");
+    unit_set_word(&unit_tc.problem, PH_F_MODE, "g1-auto");
     ck_accepted();
-    unit_tc.problem.field[PH_F_MODE] =
-        unit_word(MODES[kind == PAIRS ? SINGLES : PAIRS]);
+    unit_set_word(&unit_tc.problem, PH_F_MODE,
+                  MODES[kind == PAIRS ? SINGLES : PAIRS]);
     ck_assert_int_eq(certify(), PH_INTERNAL);
     ck_assert_str_eq(checked.diag.field, "segments");
   }
@@ -151,12 +151,7 @@ PH_TEST_EACH(test_control_points, KINDS) {
 
 PH_TEST_EACH(test_preimage, KINDS) {
   chain((enum kind)_i, 1, 0);
-  for (size_t i = 0; i < 16; i++) {
-    double *w = &unit_tc.c.preimage[i], keep = *w;
-    *w += MOVED;
-    ck_refused(PH_D_PYTHAGOREAN_ERROR, i / 4);
-    *w = keep;
-  }
+  ck_each_moved(unit_tc.c.preimage, 16, 4, MOVED, PH_D_PYTHAGOREAN_ERROR);
   for (size_t i = 4; i < 8; i++) {
     unit_tc.c.preimage[i] *= -1; /* its sign has no meaning */
   }
@@ -177,12 +172,7 @@ PH_TEST(test_not_ph) {
 
 PH_TEST_EACH(test_lengths, KINDS) {
   chain((enum kind)_i, 1, 0);
-  for (size_t k = 0; k < 4; k++) {
-    double *length = &unit_tc.c.lengths[k], keep = *length;
-    *length *= 1 + MOVED;
-    ck_refused(PH_D_LENGTH_ERROR, k);
-    *length = keep;
-  }
+  ck_each_scaled(unit_tc.c.lengths, 4, MOVED, PH_D_LENGTH_ERROR);
   unit_tc.c.curve.length *= 1 + MOVED;
   ck_refused(PH_D_LENGTH_ERROR, 3);
   unit_tc.c.curve.length = 0;
@@ -235,8 +225,8 @@ PH_TEST(test_joints) {
     unit_put(unit_tc.points + 2, unit_tc.c.at);
     unit_put(unit_tc.vectors, ph_cplx_mul(NODES[0], NODES[0]));
     unit_put(unit_tc.vectors + 2, ph_cplx_mul(NODES[2], NODES[2]));
-    unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, 2);
-    unit_tc.problem.field[PH_F_TANGENTS] = unit_vectors(unit_tc.vectors, 2);
+    unit_set_array(&unit_tc.problem, PH_F_POINTS, unit_tc.points, 2, 2);
+    unit_set_array(&unit_tc.problem, PH_F_TANGENTS, unit_tc.vectors, 2, 2);
     if (i < 2) {
       ck_refused(PH_D_CONTINUITY_ERROR, 1);
     } else {
@@ -311,9 +301,9 @@ PH_TEST_EACH(test_claims, 2) {
     unit_cubics_add(&unit_tc.c, w0, w1);
   }
   unit_put(unit_tc.points + 2, unit_tc.c.at);
-  unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, 2);
-  unit_tc.problem.field[PH_F_TANGENTS] = unit_vectors(unit_tc.vectors, 2);
-  unit_tc.problem.field[PH_F_MODE] = unit_word("g1-auto");
+  unit_set_array(&unit_tc.problem, PH_F_POINTS, unit_tc.points, 2, 2);
+  unit_set_array(&unit_tc.problem, PH_F_TANGENTS, unit_tc.vectors, 2, 2);
+  unit_set_word(&unit_tc.problem, PH_F_MODE, "g1-auto");
   if (_i == 1) {
     ph_cplx chord = ph_cplx_sub(unit_tc.c.at, ph_cplx_of(1, 2));
     ck_claim(PH_D_LAMBDA, ph_cplx_norm2(w0) / ph_cplx_abs(chord));
@@ -324,17 +314,11 @@ PH_TEST_EACH(test_claims, 2) {
 
 PH_TEST(test_not_finite) {
   chain(MIXED, 1, 0);
-  for (size_t i = 0; i < 32; i++) {
-    ck_not_finite(&unit_tc.c.control_points[i]);
-  }
-  for (size_t i = 0; i < 16; i++) {
-    ck_not_finite(&unit_tc.c.preimage[i]);
-  }
-  for (size_t k = 0; k < 4; k++) {
-    ck_not_finite(&unit_tc.c.lengths[k]);
-    ck_not_finite(&unit_tc.c.knots[k]);
-  }
-  ck_not_finite(&unit_tc.c.curve.length);
+  ck_not_finite(unit_tc.c.control_points, 32);
+  ck_not_finite(unit_tc.c.preimage, 16);
+  ck_not_finite(unit_tc.c.lengths, 4);
+  ck_not_finite(unit_tc.c.knots, 4);
+  ck_not_finite(&unit_tc.c.curve.length, 1);
   ck_accepted();
 }
 
@@ -350,15 +334,15 @@ static void cusp(double w) {
   unit_put(unit_tc.points + 2, unit_tc.c.at);
   unit_put(unit_tc.vectors, ph_cplx_mul(w0, w0));
   unit_put(unit_tc.vectors + 2, ph_cplx_mul(w2, w2));
-  unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, 2);
-  unit_tc.problem.field[PH_F_DERIVATIVES] = unit_vectors(unit_tc.vectors, 2);
+  unit_set_array(&unit_tc.problem, PH_F_POINTS, unit_tc.points, 2, 2);
+  unit_set_array(&unit_tc.problem, PH_F_DERIVATIVES, unit_tc.vectors, 2, 2);
 }
 
 PH_TEST(test_irregular) {
   cusp(0);
   ck_refused(PH_D_REGULAR, 0);
   ck_abs(value_of(PH_D_REGULAR), 0, 0);
-  unit_tc.problem.field[PH_F_SOLUTIONS] = unit_word("all");
+  unit_set_word(&unit_tc.problem, PH_F_SOLUTIONS, "all");
   ck_accepted();
   ck_abs(value_of(PH_D_REGULAR), 0, 0);
   ck_abs(value_of(PH_D_SIMPLE), 0, 0);
@@ -379,9 +363,9 @@ PH_TEST(test_turns_back) {
     unit_put(unit_tc.vectors, ph_cplx_of(1, i ? 2e-6 : 0));
     unit_put(unit_tc.vectors + 2, ph_cplx_of(1, 0));
     unit_tc.vectors[0] -= i ? 1e-12 : 0;
-    unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, 2);
-    unit_tc.problem.field[PH_F_TANGENTS] = unit_vectors(unit_tc.vectors, 2);
-    unit_tc.problem.field[PH_F_MODE] = unit_word("g1");
+    unit_set_array(&unit_tc.problem, PH_F_POINTS, unit_tc.points, 2, 2);
+    unit_set_array(&unit_tc.problem, PH_F_TANGENTS, unit_tc.vectors, 2, 2);
+    unit_set_word(&unit_tc.problem, PH_F_MODE, "g1");
     if (i) {
       ck_accepted();
       ck_abs(value_of(PH_D_REGULAR), 1, 0);

@@ -133,11 +133,11 @@ PH_TEST(test_points) {
     unit_tc.c.curve.length += unit_tc.c.lengths[k];
   }
   unit_tc.problem.field[PH_F_CURVE].kind = PH_ABSENT;
-  unit_tc.problem.field[PH_F_POINTS] = unit_vectors(given, DEGREE + 1);
-  unit_tc.problem.field[PH_F_MODE] = unit_word("approximate");
+  unit_set_array(&unit_tc.problem, PH_F_POINTS, given, DEGREE + 1, 2);
+  unit_set_word(&unit_tc.problem, PH_F_MODE, "approximate");
   ck_accepted();
   unit_tc.problem.field[PH_F_MODE].kind = PH_ABSENT;
-  unit_tc.problem.field[PH_F_CURVE] = unit_vectors(given, DEGREE + 1);
+  unit_set_array(&unit_tc.problem, PH_F_CURVE, given, DEGREE + 1, 2);
   ck_accepted();
 }
 
@@ -163,9 +163,9 @@ PH_TEST(test_distance) {
     unit_tc.problem.field[PH_F_TOLERANCE].kind = PH_ABSENT;
     ck_accepted();
     ck_assert_double_ge(value_of(PH_D_DISTANCE), 0.94 * found);
-    unit_tc.problem.field[PH_F_TOLERANCE] = unit_number(found);
+    unit_set_number(&unit_tc.problem, PH_F_TOLERANCE, found);
     ck_accepted();
-    unit_tc.problem.field[PH_F_TOLERANCE] = unit_number(0.9 * found);
+    unit_set_number(&unit_tc.problem, PH_F_TOLERANCE, 0.9 * found);
     ck_refused_somewhere(PH_D_DISTANCE);
   }
   checked.claims.known = 0;
@@ -174,9 +174,9 @@ PH_TEST(test_distance) {
 
 PH_TEST(test_number) {
   start();
-  unit_tc.problem.field[PH_F_PIECES] = unit_number(2 * PIECES * PAIRS);
+  unit_set_number(&unit_tc.problem, PH_F_PIECES, 2 * PIECES * PAIRS);
   ck_accepted();
-  unit_tc.problem.field[PH_F_PIECES] = unit_number(2 * PIECES * PAIRS - 1);
+  unit_set_number(&unit_tc.problem, PH_F_PIECES, 2 * PIECES * PAIRS - 1);
   ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
   ck_assert_str_eq(checked.diag.field, "segments");
   ck_assert_str_eq(checked.diag.message,
@@ -266,7 +266,7 @@ PH_TEST(test_parts_of_a_cubic) {
   unit_cubics_begin(&unit_tc.c, ph_cplx_of(2, 1));
   unit_cubics_add(&unit_tc.c, w0, w1);
   memcpy(given, unit_tc.c.control_points, 8 * sizeof(double));
-  unit_tc.problem.field[PH_F_CURVE] = unit_vectors(given, 4);
+  unit_set_array(&unit_tc.problem, PH_F_CURVE, given, 4, 2);
   ck_accepted();
   ck_assert_double_le(value_of(PH_D_DISTANCE), 1e-13);
   unit_cubics_begin(&unit_tc.c, ph_cplx_of(2, 1));
@@ -295,7 +295,7 @@ PH_TEST(test_no_direction) {
   const double root = (sqrt(18 - 3 * slow * slow) - slow) / 2;
   unit_cert_begin();
   memcpy(given, line, sizeof line);
-  unit_tc.problem.field[PH_F_CURVE] = unit_vectors(given, 4);
+  unit_set_array(&unit_tc.problem, PH_F_CURVE, given, 4, 2);
   unit_cubics_begin(&unit_tc.c, ph_cplx_of(0, 0));
   unit_cubics_add(&unit_tc.c, ph_cplx_of(root, 0), ph_cplx_of(slow, 0));
   unit_cubics_add(&unit_tc.c, ph_cplx_of(sqrt(1.5), 0),

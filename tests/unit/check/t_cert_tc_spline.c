@@ -58,8 +58,8 @@ static void spline(bool closed, double lambda, double scale, double offset) {
   for (size_t i = 0; i < 2 * UNIT_TC_POINTS; i++) {
     unit_tc.points[i] = offset + scale * SOME[i];
   }
-  unit_tc.problem.field[PH_F_POINTS] =
-      unit_vectors(unit_tc.points, UNIT_TC_POINTS);
+  unit_set_array(&unit_tc.problem, PH_F_POINTS, unit_tc.points, UNIT_TC_POINTS,
+                 2);
   unit_tc.problem.field[PH_F_CLOSED] =
       (struct ph_value){.kind = PH_BOOL, .flag = closed};
   set_derivatives(closed, lambda);
@@ -87,7 +87,7 @@ PH_TEST(test_repeated) {
   spline(true, 0.5, 1, 0);
   memcpy(again, unit_tc.points, sizeof unit_tc.points);
   memcpy(again + 2 * UNIT_TC_POINTS, unit_tc.points, 2 * sizeof(double));
-  unit_tc.problem.field[PH_F_POINTS] = unit_vectors(again, UNIT_TC_POINTS + 1);
+  unit_set_array(&unit_tc.problem, PH_F_POINTS, again, UNIT_TC_POINTS + 1, 2);
   ck_accepted();
   again[2 * UNIT_TC_POINTS] += 1e-6;
   ck_assert_int_eq(certify(), PH_INTERNAL);
@@ -95,13 +95,13 @@ PH_TEST(test_repeated) {
 
 PH_TEST_EACH(test_lambda, 2) {
   spline(_i, 0.5, 1, 0);
-  unit_tc.problem.field[PH_F_LAMBDA] = unit_number(0.5);
+  unit_set_number(&unit_tc.problem, PH_F_LAMBDA, 0.5);
   ck_accepted();
-  unit_tc.problem.field[PH_F_LAMBDA] = unit_number(0.5 * (1 + MOVED));
+  unit_set_number(&unit_tc.problem, PH_F_LAMBDA, 0.5 * (1 + MOVED));
   ck_refused_somewhere(PH_D_END_DERIVATIVE_ERROR);
   spline(_i, 0.8, 1, 0);
   ck_refused_somewhere(PH_D_END_DERIVATIVE_ERROR);
-  unit_tc.problem.field[PH_F_LAMBDA] = unit_number(0.8);
+  unit_set_number(&unit_tc.problem, PH_F_LAMBDA, 0.8);
   ck_accepted();
 }
 
@@ -109,15 +109,15 @@ PH_TEST_EACH(test_lambda, 2) {
  * given. */
 PH_TEST_EACH(test_tangents_with_lambda, 2) {
   spline(_i, 0.7, 1, 0);
-  unit_tc.problem.field[PH_F_TANGENTS] =
-      unit_vectors(unit_tc.vectors, UNIT_TC_POINTS);
-  unit_tc.problem.field[PH_F_MODE] = unit_word("g1-pair");
+  unit_set_array(&unit_tc.problem, PH_F_TANGENTS, unit_tc.vectors,
+                 UNIT_TC_POINTS, 2);
+  unit_set_word(&unit_tc.problem, PH_F_MODE, "g1-pair");
   ck_accepted();
   ck_assert(!is_known(PH_D_END_DERIVATIVE_ERROR));
-  unit_tc.problem.field[PH_F_LAMBDA] = unit_number(0.7);
+  unit_set_number(&unit_tc.problem, PH_F_LAMBDA, 0.7);
   ck_accepted();
   ck_assert_double_le(value_of(PH_D_END_DERIVATIVE_ERROR), 1e-14);
-  unit_tc.problem.field[PH_F_LAMBDA] = unit_number(0.7 * (1 + MOVED));
+  unit_set_number(&unit_tc.problem, PH_F_LAMBDA, 0.7 * (1 + MOVED));
   ck_refused_somewhere(PH_D_END_DERIVATIVE_ERROR);
 }
 
@@ -176,11 +176,11 @@ static void say_ends(int rule) {
   field[PH_F_ENDS].kind = PH_ABSENT;
   field[PH_F_END_TANGENTS].kind = field[PH_F_END_DERIVATIVES].kind = PH_ABSENT;
   if (rule == CIRCLE) {
-    field[PH_F_ENDS] = unit_word("circle");
+    unit_set_word(&unit_tc.problem, PH_F_ENDS, "circle");
   } else if (rule == END_TANGENTS) {
-    field[PH_F_END_TANGENTS] = unit_vectors(unit_tc.ends, 2);
+    unit_set_array(&unit_tc.problem, PH_F_END_TANGENTS, unit_tc.ends, 2, 2);
   } else if (rule == END_DERIVATIVES) {
-    field[PH_F_END_DERIVATIVES] = unit_vectors(unit_tc.ends, 2);
+    unit_set_array(&unit_tc.problem, PH_F_END_DERIVATIVES, unit_tc.ends, 2, 2);
   }
 }
 
@@ -219,33 +219,33 @@ static void wave(double f, double turn) {
   unit_put(unit_tc.points + 2, unit_tc.c.at);
   unit_put(unit_tc.vectors, ph_cplx_mul(back, back));
   unit_put(unit_tc.vectors + 2, ph_cplx_mul(back, back));
-  unit_tc.problem.field[PH_F_POINTS] = unit_vectors(unit_tc.points, 2);
-  unit_tc.problem.field[PH_F_TANGENTS] = unit_vectors(unit_tc.vectors, 2);
-  unit_tc.problem.field[PH_F_MODE] = unit_word("g1-pair");
-  unit_tc.problem.field[PH_F_JOINT] = unit_word("chord");
+  unit_set_array(&unit_tc.problem, PH_F_POINTS, unit_tc.points, 2, 2);
+  unit_set_array(&unit_tc.problem, PH_F_TANGENTS, unit_tc.vectors, 2, 2);
+  unit_set_word(&unit_tc.problem, PH_F_MODE, "g1-pair");
+  unit_set_word(&unit_tc.problem, PH_F_JOINT, "chord");
 }
 
 PH_TEST(test_chord) {
   wave(0.5, 0.3);
   ck_accepted();
-  unit_tc.problem.field[PH_F_JOINT_ANGLE] = unit_number(0.5);
-  unit_tc.problem.field[PH_F_JOINT_POSITION] = unit_number(1.0 / 3);
+  unit_set_number(&unit_tc.problem, PH_F_JOINT_ANGLE, 0.5);
+  unit_set_number(&unit_tc.problem, PH_F_JOINT_POSITION, 1.0 / 3);
   ck_accepted();
-  unit_tc.problem.field[PH_F_JOINT_POSITION] = unit_number(1.0 / 3 + MOVED);
+  unit_set_number(&unit_tc.problem, PH_F_JOINT_POSITION, 1.0 / 3 + MOVED);
   ck_refused(PH_D_INTERPOLATION_ERROR, 0);
   unit_tc.problem.field[PH_F_JOINT_POSITION].kind = PH_ABSENT;
-  unit_tc.problem.field[PH_F_JOINT_ANGLE] = unit_number(0.5 + MOVED);
+  unit_set_number(&unit_tc.problem, PH_F_JOINT_ANGLE, 0.5 + MOVED);
   ck_refused(PH_D_TANGENT_ERROR, 0);
-  unit_tc.problem.field[PH_F_JOINT_ANGLE] = unit_number(-0.5);
+  unit_set_number(&unit_tc.problem, PH_F_JOINT_ANGLE, -0.5);
   ck_refused(PH_D_TANGENT_ERROR, 0);
   unit_tc.problem.field[PH_F_JOINT_ANGLE].kind = PH_ABSENT;
-  unit_tc.problem.field[PH_F_JOINT] =
-      unit_word("free"); /* where it is a C1 pair */
+  unit_set_word(&unit_tc.problem, PH_F_JOINT,
+                "free"); /* where it is a C1 pair */
   ck_refused(PH_D_CONTINUITY_ERROR, 1);
   spline(false, 0.5, 1, 0);
-  unit_tc.problem.field[PH_F_TANGENTS] =
-      unit_vectors(unit_tc.vectors, UNIT_TC_POINTS);
-  unit_tc.problem.field[PH_F_MODE] = unit_word("g1-pair");
-  unit_tc.problem.field[PH_F_JOINT] = unit_word("chord");
+  unit_set_array(&unit_tc.problem, PH_F_TANGENTS, unit_tc.vectors,
+                 UNIT_TC_POINTS, 2);
+  unit_set_word(&unit_tc.problem, PH_F_MODE, "g1-pair");
+  unit_set_word(&unit_tc.problem, PH_F_JOINT, "chord");
   ck_refused_somewhere(PH_D_INTERPOLATION_ERROR);
 }

@@ -15,8 +15,8 @@ static double zigzag[2 * ROOM];
 
 static struct unit_solution spline_of(double *v, size_t n, const char *which) {
   struct unit_solution s = {.result = {.offsets_n = 0}};
-  *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(v, n);
-  *unit_tc_field(&s, PH_F_SOLUTIONS) = unit_word(which);
+  unit_set_array(&s.problem, PH_F_POINTS, v, n, 2);
+  unit_set_word(&s.problem, PH_F_SOLUTIONS, which);
   return s;
 }
 
@@ -97,7 +97,7 @@ static void check_solutions(const struct ph_result *r) {
 static size_t check_good(struct unit_solution *all) {
   struct unit_solution best = {.problem = all->problem};
   size_t good = 0, n = 0;
-  *unit_tc_field(&best, PH_F_SOLUTIONS) = unit_word("best");
+  unit_set_word(&best.problem, PH_F_SOLUTIONS, "best");
   unit_tc_solve_ok(&best);
   for (size_t i = 0; i < all->result.solutions_n; i++) {
     if (all->result.solutions[i].good) {
@@ -157,7 +157,7 @@ PH_TEST(test_one_interval) {
   double v[] = {0, 1, 6, 1}, tangents[] = {1, -1, 1, 1};
   struct unit_solution s = spline_of(v, 2, "all");
   const struct ph_result *r = &s.result;
-  *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(tangents, 2);
+  unit_set_array(&s.problem, PH_F_TANGENTS, tangents, 2, 2);
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(r->solutions_n, 2);
   check_solutions(r);
@@ -181,8 +181,8 @@ PH_TEST(test_combinations) {
   double v[] = {0, 1, 6, 1, 12, 1}, tangents[] = {1, -1, 1, 1, 1, -1};
   struct unit_solution s = spline_of(v, 3, "all");
   size_t seen[2][2] = {{0, 0}, {0, 0}};
-  *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(tangents, 3);
-  *unit_tc_field(&s, PH_F_MODE) = unit_word("g1");
+  unit_set_array(&s.problem, PH_F_TANGENTS, tangents, 3, 2);
+  unit_set_word(&s.problem, PH_F_MODE, "g1");
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.solutions_n, 4);
   for (size_t i = 0; i < 4; i++) {
@@ -211,7 +211,7 @@ PH_TEST(test_good_is_not_first) {
     for (size_t k = 0; k < 6; k++) {
       v[k] = unit_random_in(&r, -1, 1);
     }
-    *unit_tc_field(&s, PH_F_LAMBDA) = unit_number(unit_random_in(&r, 2, 6));
+    unit_set_number(&s.problem, PH_F_LAMBDA, unit_random_in(&r, 2, 6));
     unit_tc_solve_ok(&s);
     good = check_good(&s);
     check_order(&s.result);
@@ -256,8 +256,8 @@ PH_TEST(test_most_intervals) {
       tangents[2 * i] = 1;
       tangents[2 * i + 1] = i <= 12 ? (i % 2 ? 1 : -1) : 0;
     }
-    *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(tangents, n + 1);
-    *unit_tc_field(&s, PH_F_MODE) = unit_word("g1");
+    unit_set_array(&s.problem, PH_F_TANGENTS, tangents, n + 1, 2);
+    unit_set_word(&s.problem, PH_F_MODE, "g1");
     if (n <= PH_TC_ALL_INTERVALS / PH_TC_ALL_MAX) {
       unit_tc_solve_ok(&s);
       ck_assert_uint_eq(s.result.solutions_n, PH_TC_ALL_MAX);
@@ -288,8 +288,8 @@ PH_TEST(test_long_line) {
 PH_TEST(test_none) {
   double v[] = {0, 1, 6, 1, 12, 1}, tangents[] = {1, -1, 1, 1, 1, 1};
   struct unit_solution s = spline_of(v, 3, "all");
-  *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(tangents, 3);
-  *unit_tc_field(&s, PH_F_MODE) = unit_word("g1");
+  unit_set_array(&s.problem, PH_F_TANGENTS, tangents, 3, 2);
+  unit_set_word(&s.problem, PH_F_MODE, "g1");
   unit_tc_refused(&s, PH_INFEASIBLE, "segments[1]",
                   "no Tschirnhausen cubic has angles");
   unit_solution_free(&s);
@@ -322,7 +322,7 @@ PH_TEST(test_crossings) {
     for (size_t k = 0; k < 6; k++) {
       vectors[k] = unit_random_in(&r, -4, 4);
     }
-    *unit_tc_field(&s, PH_F_DERIVATIVES) = unit_vectors(vectors, 3);
+    unit_set_array(&s.problem, PH_F_DERIVATIVES, vectors, 3, 2);
     ck_assert_int_eq(
         ph_tc_data_of(&s.problem, PH_TC_C1, &s.scratch, &data, &s.diag), PH_OK);
     ck_assert_int_eq(

@@ -7,7 +7,7 @@ static double points[] = {0, 0, 1, 0, 2, 1, 3, 1};
 
 static struct unit_solution spline(void) {
   struct unit_solution s = {.result = {.offsets_n = 0}};
-  *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(points, 4);
+  unit_set_array(&s.problem, PH_F_POINTS, points, 4, 2);
   return s;
 }
 
@@ -72,9 +72,9 @@ PH_TEST(test_images) {
   unit_tc_solve_ok(&s);
   check_images(&s.result.curve);
   /* of all solutions, of which one has a loop */
-  *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(points, 2);
-  *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(tangents, 2);
-  *unit_tc_field(&s, PH_F_SOLUTIONS) = unit_word("all");
+  unit_set_array(&s.problem, PH_F_POINTS, points, 2, 2);
+  unit_set_array(&s.problem, PH_F_TANGENTS, tangents, 2, 2);
+  unit_set_word(&s.problem, PH_F_SOLUTIONS, "all");
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.solutions_n, 2);
   check_images(&s.result.curve);
@@ -104,20 +104,20 @@ PH_TEST(test_loop) {
   struct unit_solution s = spline();
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.warnings_n, 0);
-  *unit_tc_field(&s, PH_F_MODE) = unit_word("g1");
-  *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(v, 2);
-  *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(one, 2);
+  unit_set_word(&s.problem, PH_F_MODE, "g1");
+  unit_set_array(&s.problem, PH_F_POINTS, v, 2, 2);
+  unit_set_array(&s.problem, PH_F_TANGENTS, one, 2, 2);
   unit_tc_solve_ok(&s);
   check_warning(&s, 0,
                 "the curve of interval 0 has a loop or crosses itself (such "
                 "intervals: 1)");
-  *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(v, 3);
-  *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(two, 3);
+  unit_set_array(&s.problem, PH_F_POINTS, v, 3, 2);
+  unit_set_array(&s.problem, PH_F_TANGENTS, two, 3, 2);
   unit_tc_solve_ok(&s);
   check_warning(&s, 0,
                 "the curve of interval 0 has a loop or crosses itself (such "
                 "intervals: 2)");
-  *unit_tc_field(&s, PH_F_MODE) = unit_word("g1-pair");
+  unit_set_word(&s.problem, PH_F_MODE, "g1-pair");
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.warnings_n, 0);
   unit_solution_free(&s);
@@ -131,9 +131,9 @@ PH_TEST(test_loop_later) {
   const char *const choices[] = {"best", "all"};
   for (size_t i = 0; i < 2; i++) {
     struct unit_solution s = spline();
-    *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(v, 3);
-    *unit_tc_field(&s, PH_F_DERIVATIVES) = unit_vectors(d, 3);
-    *unit_tc_field(&s, PH_F_SOLUTIONS) = unit_word(choices[i]);
+    unit_set_array(&s.problem, PH_F_POINTS, v, 3, 2);
+    unit_set_array(&s.problem, PH_F_DERIVATIVES, d, 3, 2);
+    unit_set_word(&s.problem, PH_F_SOLUTIONS, choices[i]);
     unit_tc_solve_ok(&s);
     check_warning(&s, 2,
                   "the curve of interval 1 has a loop or crosses itself (such "
@@ -149,15 +149,15 @@ PH_TEST(test_failures) {
   double tangents[] = {1, 1, 1, 1};
   struct unit_solution s = spline(), none = {.result = {.offsets_n = 0}};
   unit_tc_refused(&none, PH_MISSING_FIELD, "points", "is required");
-  *unit_tc_field(&s, PH_F_TOLERANCE) = unit_number(1);
+  unit_set_number(&s.problem, PH_F_TOLERANCE, 1);
   unit_tc_refused(&s, PH_BAD_VALUE, "tolerance", "is for the mode approximate");
-  *unit_tc_field(&s, PH_F_MODE) = unit_word("approximate");
-  *unit_tc_field(&s, PH_F_TOLERANCE) = unit_number(1e-300);
+  unit_set_word(&s.problem, PH_F_MODE, "approximate");
+  unit_set_number(&s.problem, PH_F_TOLERANCE, 1e-300);
   unit_tc_refused(&s, PH_NO_CONVERGENCE, "tolerance", "is no larger than");
   *unit_tc_field(&s, PH_F_TOLERANCE) = (struct ph_value){.kind = PH_ABSENT};
-  *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(points, 2);
-  *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(tangents, 2);
-  *unit_tc_field(&s, PH_F_MODE) = unit_word("g1");
+  unit_set_array(&s.problem, PH_F_POINTS, points, 2, 2);
+  unit_set_array(&s.problem, PH_F_TANGENTS, tangents, 2, 2);
+  unit_set_word(&s.problem, PH_F_MODE, "g1");
   unit_tc_refused(&s, PH_INFEASIBLE, "segments[0]",
                   "no Tschirnhausen cubic has angles");
   unit_solution_free(&s);
@@ -176,10 +176,10 @@ PH_TEST(test_modes) {
   ck_assert_uint_eq(s.result.intervals_n, 3);
   ck_assert_uint_eq(s.result.curve.n, 6);
   ck_assert_uint_eq(s.result.solutions_n, 0);
-  *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(v, 2);
-  *unit_tc_field(&s, PH_F_TANGENTS) = unit_vectors(t, 2);
+  unit_set_array(&s.problem, PH_F_POINTS, v, 2, 2);
+  unit_set_array(&s.problem, PH_F_TANGENTS, t, 2, 2);
   for (size_t i = 0; i < COUNT(modes); i++) {
-    *unit_tc_field(&s, PH_F_MODE) = unit_word(modes[i].mode);
+    unit_set_word(&s.problem, PH_F_MODE, modes[i].mode);
     unit_tc_solve_ok(&s);
     ck_assert_uint_eq(s.result.intervals_n, 1);
     ck_assert_uint_eq(s.result.curve.n, modes[i].cubics);

@@ -26,14 +26,14 @@ static struct ph_value polyline(double *v, size_t *sizes, size_t n) {
 static struct unit_solution chain_to(double tolerance) {
   struct unit_solution s = {.result = {.offsets_n = 0}};
   *unit_tc_field(&s, PH_F_CURVE) = polyline(chain, chain_sizes, 3);
-  *unit_tc_field(&s, PH_F_TOLERANCE) = unit_number(tolerance);
+  unit_set_number(&s.problem, PH_F_TOLERANCE, tolerance);
   return s;
 }
 
 static struct unit_solution curve_to(double *v, size_t n, double tolerance) {
   struct unit_solution s = {.result = {.offsets_n = 0}};
-  *unit_tc_field(&s, PH_F_CURVE) = unit_vectors(v, n);
-  *unit_tc_field(&s, PH_F_TOLERANCE) = unit_number(tolerance);
+  unit_set_array(&s.problem, PH_F_CURVE, v, n, 2);
+  unit_set_number(&s.problem, PH_F_TOLERANCE, tolerance);
   return s;
 }
 
@@ -129,8 +129,8 @@ PH_TEST(test_one_curve) {
   struct unit_solution t = {.problem = s.problem}, u = {.problem = s.problem};
   *unit_tc_field(&t, PH_F_CURVE) = polyline(chain, chain_sizes, 1);
   *unit_tc_field(&u, PH_F_CURVE) = (struct ph_value){.kind = PH_ABSENT};
-  *unit_tc_field(&u, PH_F_POINTS) = unit_vectors(chain, 4);
-  *unit_tc_field(&u, PH_F_MODE) = unit_word("approximate");
+  unit_set_array(&u.problem, PH_F_POINTS, chain, 4, 2);
+  unit_set_word(&u.problem, PH_F_MODE, "approximate");
   unit_tc_solve_ok(&s);
   unit_tc_solve_ok(&t);
   unit_tc_solve_ok(&u);
@@ -151,7 +151,7 @@ PH_TEST(test_pieces) {
   for (int pieces = 3; pieces <= 24; pieces *= 2) {
     struct unit_solution s = chain_to(1);
     *unit_tc_field(&s, PH_F_TOLERANCE) = (struct ph_value){.kind = PH_ABSENT};
-    *unit_tc_field(&s, PH_F_PIECES) = unit_number(pieces > 3 ? pieces : 2);
+    unit_set_number(&s.problem, PH_F_PIECES, pieces > 3 ? pieces : 2);
     if (pieces == 3) {
       unit_tc_refused(&s, PH_BAD_VALUE, "pieces",
                       "must be at least 3, one for each curve, found 2");
@@ -194,18 +194,20 @@ PH_TEST(test_goal) {
   const double bad_tolerance[] = {0, -1, (double)NAN};
   const double bad_pieces[] = {0, -1, 2.5, 1000001, (double)NAN};
   struct unit_solution s = chain_to(1);
-  *unit_tc_field(&s, PH_F_PIECES) = unit_number(5);
+  unit_set_number(&s.problem, PH_F_PIECES, 5);
   unit_tc_refused(&s, PH_BAD_VALUE, "pieces", "excludes tolerance");
   *unit_tc_field(&s, PH_F_TOLERANCE) = (struct ph_value){.kind = PH_ABSENT};
   for (size_t i = 0; i < COUNT(bad_pieces); i++) {
-    *unit_tc_field(&s, PH_F_PIECES) = unit_number(bad_pieces[i]);
+    *unit_tc_field(&s, PH_F_PIECES) =
+        (struct ph_value){.kind = PH_NUMBER, .number = bad_pieces[i]};
     unit_tc_refused(&s, PH_BAD_VALUE, "pieces",
                     "must be a whole number from 1 to 1000000, found ");
   }
   *unit_tc_field(&s, PH_F_PIECES) = (struct ph_value){.kind = PH_ABSENT};
   unit_tc_refused(&s, PH_MISSING_FIELD, "tolerance", "or pieces is required");
   for (size_t i = 0; i < COUNT(bad_tolerance); i++) {
-    *unit_tc_field(&s, PH_F_TOLERANCE) = unit_number(bad_tolerance[i]);
+    *unit_tc_field(&s, PH_F_TOLERANCE) =
+        (struct ph_value){.kind = PH_NUMBER, .number = bad_tolerance[i]};
     unit_tc_refused(&s, PH_BAD_VALUE, "tolerance",
                     "must be greater than 0, found ");
   }
@@ -214,11 +216,11 @@ PH_TEST(test_goal) {
 
 PH_TEST(test_fields) {
   struct unit_solution s = chain_to(1);
-  *unit_tc_field(&s, PH_F_POINTS) = unit_vectors(chain, 4);
+  unit_set_array(&s.problem, PH_F_POINTS, chain, 4, 2);
   unit_tc_refused(&s, PH_BAD_VALUE, "points", "excludes curve");
   *unit_tc_field(&s, PH_F_POINTS) = (struct ph_value){.kind = PH_ABSENT};
   *unit_tc_field(&s, PH_F_CURVE) = (struct ph_value){.kind = PH_ABSENT};
-  *unit_tc_field(&s, PH_F_MODE) = unit_word("approximate");
+  unit_set_word(&s.problem, PH_F_MODE, "approximate");
   unit_tc_refused(&s, PH_MISSING_FIELD, "curve",
                   "is required by the mode approximate");
   *unit_tc_field(&s, PH_F_CURVE) = polyline(chain, chain_sizes, 0);
@@ -239,7 +241,7 @@ PH_TEST(test_points) {
                   "must have at least 2 control points");
   *unit_tc_field(&s, PH_F_CURVE) = polyline(same, three, 2);
   unit_tc_refused(&s, PH_COINCIDENT_POINTS, "curve[1]", "are all the same");
-  *unit_tc_field(&s, PH_F_CURVE) = unit_vectors(same + 2, 4);
+  unit_set_array(&s.problem, PH_F_CURVE, same + 2, 4, 2);
   unit_tc_refused(&s, PH_COINCIDENT_POINTS, "curve", "are all the same");
   for (size_t i = 0; i < 2 * ROOM; i++) {
     many[2 * i] = (double)i;
@@ -248,10 +250,10 @@ PH_TEST(test_points) {
   *unit_tc_field(&s, PH_F_CURVE) = polyline(many, most, 2);
   unit_tc_refused(&s, PH_BAD_VALUE, "curve[1]",
                   "has degree 501, at most 500 is allowed");
-  *unit_tc_field(&s, PH_F_CURVE) = unit_vectors(many, PH_TC_DEGREE_MAX + 2);
+  unit_set_array(&s.problem, PH_F_CURVE, many, PH_TC_DEGREE_MAX + 2, 2);
   unit_tc_refused(&s, PH_BAD_VALUE, "curve",
                   "has degree 501, at most 500 is allowed");
-  *unit_tc_field(&s, PH_F_CURVE) = unit_vectors(many, PH_TC_DEGREE_MAX + 1);
+  unit_set_array(&s.problem, PH_F_CURVE, many, PH_TC_DEGREE_MAX + 1, 2);
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.curve.n, 1);
   ck_rel(s.result.curve.length, PH_TC_DEGREE_MAX, 1e-14);
@@ -304,11 +306,11 @@ PH_TEST(test_far) {
   check_chain(&s);
   ck_assert_double_le(distance_of(&s), 1e-6);
   ck_assert_double_gt(distance_of(&s), rounding);
-  *unit_tc_field(&s, PH_F_TOLERANCE) = unit_number(0.9 * rounding);
+  unit_set_number(&s.problem, PH_F_TOLERANCE, 0.9 * rounding);
   unit_tc_refused(&s, PH_NO_CONVERGENCE, "tolerance",
                   "is no larger than the rounding of coordinates");
   *unit_tc_field(&s, PH_F_TOLERANCE) = (struct ph_value){.kind = PH_ABSENT};
-  *unit_tc_field(&s, PH_F_PIECES) = unit_number(10);
+  unit_set_number(&s.problem, PH_F_PIECES, 10);
   unit_tc_solve_ok(&s);
   check_chain(&s);
   ck_assert_uint_le(s.result.curve.n, 10);
