@@ -95,9 +95,14 @@ static bool fits(const struct ph_check *v, const struct ph_value *value,
   return !value || value->n == n + 1 || (v->curve->closed && value->n == n);
 }
 
+/* How far segment k ends from a datum. */
+static double end_away(const struct ph_check *v, size_t k, ph_vec3 datum) {
+  return ph_check_apart(end_of(v, k), datum);
+}
+
 /* The segments of each interval.  Those of a Bezier curve in place of another
- * are cut: an interval ends with the first that ends at its datum, or, where
- * none does, so that all others have one. */
+ * are cut: an interval ends with the first that ends at its datum, and the next
+ * one no nearer to it, or, where none does, so that all others have one. */
 static void set_segments(const struct ph_check *v, struct ph_check_data *data) {
   const struct ph_curve *c = v->curve;
   size_t next = 0;
@@ -110,8 +115,9 @@ static void set_segments(const struct ph_check *v, struct ph_check_data *data) {
     } else if (c->n > data->n) {
       double off;
       ph_vec3 datum = ph_check_datum(v, data, i + 1, &off);
-      while (last < most && !(ph_check_apart(end_of(v, last), datum) <=
-                              AT_DATUM * v->scale.size)) {
+      while (last < most &&
+             !(end_away(v, last, datum) <= AT_DATUM * v->scale.size &&
+               end_away(v, last, datum) <= end_away(v, last + 1, datum))) {
         last++;
       }
     }

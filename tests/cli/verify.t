@@ -213,6 +213,16 @@ echo '{"points":[[0,-0.9],[-0.93,-2],[-0.9,-1.6],
 made planar <alike
 verified 'solutions that bend alike' 1 --problems=alike
 
+# Bezier pieces that are short beside the curve, next to a datum
+echo '{"points":[[-7400000000000,1700000000000,-1300000000000],
+  [-7423540000000,1673197000000,-1314710000000],
+  [-7423540000000,1673200000000,-1314710000000],
+  [-7400000000000,1700000000000,-1300000000000]],"basis":"atph",
+  "alpha":[2,2,1],"derivatives":[[-600000000000000,0,0],[0,-0.1,0],[0,0,30000],
+  [0,2000000000000,0]],"criterion":"hc"}' >short
+made spatial-hermite --convert=bezier <short
+verified 'short pieces at a datum' 1 --problems=short
+
 # a hairpin, as narrow as the tolerance
 echo '{"curve":[[0,0],[-0.2663,1.1335],[-0.075894,0.32304]],
   "tolerance":7e-5}' >hairpin
