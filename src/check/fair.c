@@ -18,9 +18,9 @@
  * changes them: by how much is integrated, too.
  */
 #include "check/checks.h"
+#include "check/dips.h"
 
 #include "base/sum.h"
-#include "kernel/golden.h"
 #include "kernel/pi.h"
 
 #include <string.h>
@@ -52,10 +52,6 @@ static const double ROUND_TURN = 16 * DBL_EPSILON;
  * well stand still or turn back there: energies are anything, and the tangent
  * turns by half a turn to either side. */
 static const double STILL = 0x1p-6;
-
-/* Places among which dips are searched, steps that find one, and how many there
- * are at most in a quintic. */
-enum { PLACES = 32, STEPS = 40, DIPS = 4 };
 
 enum integral { BENDING, VARYING, TWISTING, TURNING, ABSOLUTE, INTEGRALS };
 
@@ -180,41 +176,6 @@ static double bending_at(const void *s, double u) {
   return ph_vec3_dot(turn, turn) / (square * square);
 }
 
-/* |r'|^2 */
-static double speed_at(const void *s, double u) {
-  ph_vec3 jet[1];
-  ph_check_jet(s, u, jet, 1);
-  return ph_vec3_dot(jet[0], jet[0]);
-}
-
-/* Where a function of a segment has its dips, at most so many of them, and its
- * least and largest value. */
-struct dips {
-  double x[DIPS], low, high;
-  size_t n;
-};
-
-static struct dips dips_of(double (*f)(const void *, double),
-                           const struct ph_check_segment *s) {
-  struct dips dips = {.low = HUGE_VAL};
-  double g[PLACES + 1];
-  for (size_t i = 0; i <= PLACES; i++) {
-    g[i] = f(s, (double)i / PLACES);
-    dips.high = ph_check_larger(dips.high, g[i]);
-    dips.low = ph_check_smaller(dips.low, g[i]);
-  }
-  for (size_t i = 1; i < PLACES && dips.n < DIPS; i++) {
-    if (g[i] < g[i - 1] && g[i] <= g[i + 1]) {
-      struct ph_bracket b = {(double)(i - 1) / PLACES, (double)i / PLACES,
-                             (double)(i + 1) / PLACES, g[i]};
-      ph_golden(f, s, STEPS, &b);
-      dips.low = ph_check_smaller(dips.low, b.value);
-      dips.x[dips.n++] = b.x;
-    }
-  }
-  return dips;
-}
-
 /* Whether rounding may make a segment straight at a place: then its torsion is
  * anything there. */
 static bool is_straight(const struct ph_check_segment *s, double u) {
@@ -229,7 +190,7 @@ static bool is_straight(const struct ph_check_segment *s, double u) {
 /* Where integrals are cut, in order: 0, dips, 1; at most so many.  At a dip of
  * the speed energies have a peak, which is seen at an end of an interval, and
  * at one of |C| / sigma^2 torsions. */
-enum { CUTS = 2 * DIPS + 2 };
+enum { CUTS = 2 * PH_CHECK_DIPS + 2 };
 
 struct cuts {
   double x[CUTS];
@@ -275,13 +236,14 @@ static void integrate_some(const struct fair *fair, struct integrand *in,
 /* The integrals over a segment; that of the torsion by itself, as it may take
  * more intervals than there are. */
 static void integrate(const struct fair *fair, const struct ph_check_segment *s,
-                      const struct dips *slow, double *value, double *error) {
+                      const struct ph_check_dips *slow, double *value,
+                      double *error) {
   struct integrand in = {.s = s, .plane = fair->v->curve->dimension == 2};
   struct cuts cuts = {{0, 1}, 2}, none = {.n = 0};
-  struct dips bent = {.low = 1, .high = 1};
+  struct ph_check_dips bent = {.low = 1, .high = 1};
   bool straight = false;
   if (!in.plane) {
-    bent = dips_of(bending_at, s);
+    bent = ph_check_dips_of(bending_at, s);
     cut_at(&cuts, bent.x, bent.n);
   }
   for (size_t i = 0; i < cuts.n; i++) {
@@ -303,7 +265,7 @@ static void integrate(const struct fair *fair, const struct ph_check_segment *s,
 }
 
 static void add_segment(struct fair *fair, const struct ph_check_segment *s,
-                        const struct dips *slow) {
+                        const struct ph_check_dips *slow) {
   double value[INTEGRALS], error[INTEGRALS], l = fair->v->length[s->k];
   double cube = l * l * l;
   integrate(fair, s, slow, value, error);
@@ -486,9 +448,9 @@ void ph_check_fairness(struct ph_check *v) {
   }
   for (size_t k = 0; k < v->curve->n && !ph_arena_late(v->scratch); k++) {
     struct ph_check_segment s;
-    struct dips slow;
+    struct ph_check_dips slow;
     ph_check_load(v, k, &s);
-    slow = dips_of(speed_at, &s);
+    slow = ph_check_dips_of(ph_check_square_speed, &s);
     if (!(slow.low > (s.noise / STILL) * (s.noise / STILL))) {
       return; /* nearly stands still: nothing can be said */
     }

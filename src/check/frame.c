@@ -2,6 +2,7 @@
 /* Frames of samples (see frame.h). */
 #include "check/frame.h"
 
+#include "check/dips.h"
 #include "check/kind.h"
 
 /* Steps from one sample to the next, then twice as many and so on, until no
@@ -38,38 +39,60 @@ static void step_to(struct carried *c, ph_vec3 point, ph_vec3 tangent) {
   c->tangent = tangent;
 }
 
-/* The normal at `to`, in some steps from f->u; adds what its tangents may be
- * off by to the error. */
-static ph_vec3 carry(const struct ph_check_framing *f,
-                     const struct ph_check_path *path, double to, size_t steps,
-                     double *error) {
-  struct ph_check_local local = ph_check_local_at(path, f->u);
-  struct carried c = {local.point, local.tangent, f->normal};
-  *error += local.tangent_error;
+/* From 0 to 1, slowly at both ends. */
+static double graded(double x) {
+  return x * x * x * (10 - x * (15 - 6 * x));
+}
+
+/* Carries the normal on to a place, in some steps; adds what the tangents may
+ * be off by to the error. */
+static void carry_on(struct carried *c, const struct ph_check_path *path,
+                     double from, double to, size_t steps, double *error) {
   for (size_t i = 1; i <= steps; i++) {
-    double part = (double)i / (double)steps;
-    local = ph_check_local_at(path, f->u + part * (to - f->u));
-    if (!(ph_check_apart(local.tangent, c.tangent) <= TURN)) {
+    double part = graded((double)i / (double)steps);
+    struct ph_check_local local =
+        ph_check_local_at(path, from + part * (to - from));
+    if (!(ph_check_apart(local.tangent, c->tangent) <= TURN)) {
       *error = HUGE_VAL;
     }
     *error += local.tangent_error;
-    step_to(&c, local.point, local.tangent);
+    step_to(c, local.point, local.tangent);
   }
+}
+
+/* The normal at `to`, from f->u and from dip to dip. */
+static ph_vec3 carry(const struct ph_check_framing *f,
+                     const struct ph_check_path *path,
+                     const struct ph_check_dips *slow, double to, size_t steps,
+                     double *error) {
+  struct ph_check_local local = ph_check_local_at(path, f->u);
+  struct carried c = {local.point, local.tangent, f->normal};
+  double from = f->u;
+  *error += local.tangent_error;
+  for (size_t i = 0; i < slow->n; i++) {
+    if (slow->x[i] > from && slow->x[i] < to) {
+      carry_on(&c, path, from, slow->x[i], steps, error);
+      from = slow->x[i];
+    }
+  }
+  carry_on(&c, path, from, to, steps, error);
   return c.normal;
 }
 
 static ph_vec3 transport(const struct ph_check_framing *f,
                          const struct ph_check_path *path, double to,
                          double *error) {
+  const struct ph_check_dips slow =
+      ph_check_dips_of(ph_check_square_speed, path->s);
   double tangents = 0, last, apart = 0;
-  ph_vec3 fine = carry(f, path, to, STEPS, &tangents), coarse, change;
+  ph_vec3 fine = carry(f, path, &slow, to, STEPS, &tangents), coarse, change;
   size_t steps = STEPS;
   bool found = false;
   do {
     coarse = fine;
     steps *= 2;
     tangents = 0;
-    fine = carry(f, path, to, steps, &tangents);
+    fine = carry(f, path, &slow, to, steps, &tangents);
     change = ph_vec3_sub(fine, coarse);
     last = apart;
     apart = ph_vec3_abs(change);

@@ -6,8 +6,8 @@
  *   erf     it is A j A* / |A|^2, A the claimed preimage
  *   rmf     the frame does not turn about the tangent: from each sample to the
  *           next the normal is carried along by double reflections (exact but
- *           for the fourth power of the step), in ever more steps; on a sphere
- *           it is S x T
+ *           for the fourth power of the step), in ever more steps, that are
+ *           short beside dips of the speed; on a sphere it is S x T
  *
  * How a rotation-minimising frame begins is nobody's claim.
  */

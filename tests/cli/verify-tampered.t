@@ -171,6 +171,10 @@ printf '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],
   "tangents":[[1,0,0],[0,1,0],[1,0,1],[1,1,1e-5]]}' >other
 tampered '.meta = 1' tangent_error --problems=other
 
+good frame '{"points":[[0,0,0],[1,1,0],[2,0,1],[4,1,2]]}' \
+  spatial-hermite --sample=4 --frame=erf
+tampered '.frame = "rmf"' sample_error
+
 for criterion in F1 F2 F3; do
   good "fair$criterion" '{"points":[[0,0,0],[1,1,0],[2,0,1],[4,1,2]]}' \
     spatial-hermite --criterion="$criterion"

@@ -156,6 +156,17 @@ echo '{"points":[[16100,9640,-14242],[20350,13126,-16390]],
 made spatial-hermite --spacing=700 --frame=rmf <turn
 verified 'a frame past a sharp turn at the end' 1 --problems=turn
 
+echo '{"points":[[0,0],[-0.8834355200853541,-0.7551059326024923],
+  [-2.212511093077798,-1.8911173643668477],
+  [-3.0896721784580876,-2.6408923469520484],
+  [-4.002632165849601,-3.421266601645524],
+  [-4.520027557981081,-3.8635226140565004],
+  [-5.364595625224037,-4.58541782617133],
+  [-6.612854919821997,-5.653073400303445]],
+  "angles":[[3.04,-0.13]],"shape":true}' >turn
+made spatial-hermite --spacing=0.5287583267606409 --frame=rmf <turn
+verified 'a frame past hairpins' 1 --problems=turn
+
 # the torsion of a straight line is nothing but rounding, in offsets as well
 echo '{"points":[[900000,0,0],[0,900000,-700000]]}' >straight
 made spatial-hermite --offset=0.2,0 --sample=4 <straight
