@@ -179,13 +179,15 @@ void ph_energy_clear(struct ph_energy_sum *sum) {
 bool ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
   struct pair coarse;
   sum->parts = 0;
-  if (ph_seg2_stands_still(seg, NULL)) {
-    ph_sum_add(&sum->bending, (double)NAN);
-    ph_sum_add(&sum->varying, (double)NAN);
-    return false;
-  }
-  if (!is_brisk(seg->w) && add_slow(sum, seg)) {
-    return true;
+  if (!is_brisk(seg->w)) {
+    if (ph_seg2_stands_still(seg, NULL)) {
+      ph_sum_add(&sum->bending, (double)NAN);
+      ph_sum_add(&sum->varying, (double)NAN);
+      return false;
+    }
+    if (add_slow(sum, seg)) {
+      return true;
+    }
   }
   coarse = integrate(seg, &sum->rule[0], 0, 1);
   for (size_t i = 1; i < PH_ENERGY_RULES; i++) {

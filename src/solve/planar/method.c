@@ -470,10 +470,15 @@ enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *d,
 
 static void loops_add(struct ph_planar_loops *loops, size_t k,
                       const struct ph_atph *space, const ph_cplx w[3]) {
-  struct ph_seg2 seg = {*space, {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
-  double angle = ph_seg2_stands_still(&seg, NULL) ? (double)NAN
-                 : ph_seg2_is_monotone(w)         ? 0
-                                          : ph_seg2_rotation(&seg, NULL);
+  struct ph_seg2 seg;
+  double angle;
+  if (ph_seg2_moves_on(w)) {
+    return;
+  }
+  seg = (struct ph_seg2){*space, {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
+  angle = ph_seg2_stands_still(&seg, NULL) ? (double)NAN
+          : ph_seg2_is_monotone(w)         ? 0
+                                           : ph_seg2_rotation(&seg, NULL);
   if (!(fabs(angle) <= PH_PI) && loops->n++ == 0) {
     loops->first = k;
     loops->angle = angle;
