@@ -23,8 +23,7 @@ with() {
 # unknown NAME [NEAR]
 unknown() {
   bad unknown-field "$1" \
-    "is not a field of arclength${2:+; did you mean \"$2\"?}" \
-    "$(with "\"$1\":1")"
+    "is not a field of arclength${2:+; did you mean \"$2\"?}" "\"$1\":1"
 }
 
 unknown length lengths
@@ -58,38 +57,31 @@ for given in derivatives tangents; do
   bad not-finite "${given}[1][2]" 'is 1e999, which overflows a double' \
     "{\"$given\":[[1,0,0],[1,0,1e999]]}"
 done
-bad bad-type closed 'must be true or false, found a number' \
-  "$(with '"closed":1')"
+bad bad-type closed 'must be true or false, found a number' '"closed":1'
 numbers='must be a number or an array of numbers, found'
-bad bad-type lengths "$numbers a string" "$(with '"lengths":"chordal"')"
-bad bad-type lengths "$numbers null" "$(with '"lengths":null')"
-bad bad-type lengths "$numbers an array of arrays" \
-  "$(with '"lengths":[[1.5],[1.8]]')"
-bad bad-type 'lengths[1]' 'must be a number, found null' \
-  "$(with '"lengths":[1.5,null]')"
+bad bad-type lengths "$numbers a string" '"lengths":"chordal"'
+bad bad-type lengths "$numbers null" '"lengths":null'
+bad bad-type lengths "$numbers an array of arrays" '"lengths":[[1.5],[1.8]]'
+bad bad-type 'lengths[1]' 'must be a number, found null' '"lengths":[1.5,null]'
 bad not-finite 'lengths[0]' 'is 1e999, which overflows a double' \
-  "$(with '"lengths":[1e999,1]')"
+  '"lengths":[1e999,1]'
 knots='must be "lengths", "chordal", "uniform" or an array of numbers, found'
 bad bad-value knots "$knots \"length\"; did you mean \"lengths\"?" \
-  "$(with '"knots":"length"')"
-bad bad-value knots "$knots \"centripetal\"" "$(with '"knots":"centripetal"')"
-bad bad-type knots "$knots a number" "$(with '"knots":1')"
-bad bad-value refine 'must be "auto" or a number, found "two"' \
-  "$(with '"refine":"two"')"
+  '"knots":"length"'
+bad bad-value knots "$knots \"centripetal\"" '"knots":"centripetal"'
+bad bad-type knots "$knots a number" '"knots":1'
+bad bad-value refine 'must be "auto" or a number, found "two"' '"refine":"two"'
 bad bad-type refine 'must be "auto" or a number, found an array' \
-  "$(with '"refine":[2,2]')"
+  '"refine":[2,2]'
 bad bad-type length_sigma 'must be a number, found a string' \
-  "$(with '"length_sigma":"1%"')"
+  '"length_sigma":"1%"'
 bad bad-value magnitudes \
   'must be "free" or "mean", found "Mean"; did you mean "mean"?' \
   '{"tangents":[[1,0,0],[0,1,0]],"lengths":[1],"magnitudes":"Mean"}'
-bad bad-type planar 'must be "keep" or "free", found true' \
-  "$(with '"planar":true')"
-bad bad-value planar 'must be "keep" or "free", found "yes"' \
-  "$(with '"planar":"yes"')"
-bad bad-type starts 'must be a number, found a string' "$(with '"starts":"5"')"
-bad bad-type all_minima 'must be true or false, found a number' \
-  "$(with '"all_minima":1')"
+bad bad-type planar 'must be "keep" or "free", found true' '"planar":true'
+bad bad-value planar 'must be "keep" or "free", found "yes"' '"planar":"yes"'
+bad bad-type starts 'must be a number, found a string' '"starts":"5"'
+bad bad-type all_minima 'must be true or false, found a number' '"all_minima":1'
 bad bad-type start 'must be an array of numbers, found a number' \
   '{"tangents":[[1,0,0],[0,1,0]],"lengths":[1],"start":0}'
 bad bad-type start 'must be an array of numbers, found an array of arrays' \
@@ -102,12 +94,9 @@ Try '\''phspline arclength --help'\''.' ''
 # ---- what is given -----------------------------------------------------------
 
 bad missing-field points 'or derivatives or tangents must be given' '{}'
-bad missing-field points 'or derivatives or tangents must be given' \
-  "{$lengths}"
-bad bad-value derivatives 'excludes points: give one of them' \
-  "$(with "$derivatives")"
-bad bad-value tangents 'excludes points: give one of them' \
-  "$(with "$tangents")"
+bad missing-field points 'or derivatives or tangents must be given' "{$lengths}"
+bad bad-value derivatives 'excludes points: give one of them' "$derivatives"
+bad bad-value tangents 'excludes points: give one of them' "$tangents"
 bad bad-value tangents 'excludes derivatives: give one of them' \
   "{$tangents,$derivatives}"
 bad bad-value closed \
@@ -116,15 +105,15 @@ bad bad-value closed \
 bad bad-value closed \
   'needs points: tangents do not say where the curve comes back' \
   "{$tangents,$lengths,\"closed\":true}"
-bad bad-value start 'is the first of the points' "$(with '"start":[0,0,0]')"
+bad bad-value start 'is the first of the points' '"start":[0,0,0]'
 bad bad-value magnitudes 'needs tangents: points have theirs' \
-  "$(with '"magnitudes":"free"')"
+  '"magnitudes":"free"'
 bad bad-value magnitudes 'needs tangents: derivatives have theirs' \
   "{$derivatives,$lengths,\"magnitudes\":\"mean\"}"
 bad missing-field lengths 'must be given with derivatives' "{$derivatives}"
 bad missing-field lengths 'must be given with tangents' "{$tangents}"
 bad bad-value length_sigma 'needs lengths: without them they are free' \
-  "$(with '"length_sigma":0.01')"
+  '"length_sigma":0.01'
 bad bad-value length_sigma \
   'needs points or derivatives: tangents contradict no lengths' \
   "{$tangents,$lengths,\"length_sigma\":0.01}"
@@ -133,7 +122,7 @@ bad bad-value knots 'chordal needs points: derivatives have no chords' \
 bad bad-value knots 'chordal needs points: tangents have no chords' \
   "{$tangents,$lengths,\"knots\":\"chordal\"}"
 bad bad-value knots 'lengths needs lengths, which are not given' \
-  "$(with '"knots":"lengths"')"
+  '"knots":"lengths"'
 feed "{$tangents,$lengths,\"length_sigma\":0.01,\"magnitudes\":\"mean\"}" \
   arclength -q
 expect 'tangents with magnitudes may contradict lengths' 0
@@ -161,7 +150,7 @@ done
 bad bad-shape lengths 'must have 3 numbers, one from datum to datum, found 2' \
   "{$triangle,$lengths}"
 bad bad-shape knots 'must have 3 numbers, one for each point, found 2' \
-  "$(with '"knots":[0,1]')"
+  '"knots":[0,1]'
 closes='one for each point and one that closes the period'
 bad bad-shape knots "must have 4 numbers, $closes, found 3" \
   "{$triangle,\"knots\":[0,1,2]}"
@@ -172,12 +161,9 @@ done
 
 # ---- values ------------------------------------------------------------------
 
-bad bad-value 'lengths[1]' 'must be greater than 0, found 0' \
-  "$(with '"lengths":[2,0]')"
-bad bad-value 'lengths[0]' 'must be greater than 0, found -2' \
-  "$(with '"lengths":[-2,2]')"
-bad bad-value lengths 'must be greater than 0, found -1' \
-  "$(with '"lengths":-1')"
+bad bad-value 'lengths[1]' 'must be greater than 0, found 0' '"lengths":[2,0]'
+bad bad-value 'lengths[0]' 'must be greater than 0, found -2' '"lengths":[-2,2]'
+bad bad-value lengths 'must be greater than 0, found -1' '"lengths":-1'
 bad too-large lengths 'must be within 1e+12 of the coordinates' \
   '{"points":[[0,0,0],[1,0,0],[2,1,0]],"lengths":1e300}'
 bad too-large 'lengths[0]' \
@@ -185,13 +171,13 @@ bad too-large 'lengths[0]' \
   "{$tangents,\"lengths\":[1e-12,2]}"
 for sigma in 0 -1 1001; do
   bad bad-value length_sigma "must be between 1e-09 and 1000, found $sigma" \
-    "$(with "$lengths,\"length_sigma\":$sigma")"
+    "$lengths,\"length_sigma\":$sigma"
 done
 for refine in 0 4 -1 1.5 1e300; do
   shown=$refine
   [ $refine != 1e300 ] || shown=1.0000000000000001e+300
   bad bad-value refine "must be 1, 2, 3 or auto, found $shown" \
-    "$(with "\"refine\":$refine")"
+    "\"refine\":$refine"
 done
 bad bad-value refine 'must be 2 or 3 for a closed curve with exact lengths: '\
 'with 1 it has as many equations as unknowns' \
@@ -202,18 +188,18 @@ for more in '' ',"lengths":[1.2,1.7,1.2],"length_sigma":0.1'; do
 done
 for starts in -1 0.5 1001; do
   bad bad-value starts "must be a whole number from 0 to 1000, found $starts" \
-    "$(with "\"starts\":$starts")"
+    "\"starts\":$starts"
 done
 bad bad-value 'knots[2]' 'must be greater than the knot before, 1, found 1' \
-  "$(with '"knots":[0,1,1]')"
+  '"knots":[0,1,1]'
 bad too-large 'knots[1]' \
   'must be more than 1e-12 of the mean spacing after the knot before' \
-  "$(with '"knots":[0,1e-13,1]')"
+  '"knots":[0,1e-13,1]'
 bad too-large 'knots[1]' \
   'differs from the knot before by more than a double can hold' \
-  "$(with '"knots":[-1.7e308,1e307,1.7e308]')"
+  '"knots":[-1.7e308,1e307,1.7e308]'
 bad too-large knots 'their range is more than a double can hold' \
-  "$(with '"knots":[-1e308,0,1e308]')"
+  '"knots":[-1e308,0,1e308]'
 for given in derivatives tangents; do
   bad zero-tangent "${given}[1]" 'must not be zero' \
     "{\"$given\":[[1,0,0],[0,-0.0,0],[0,0,1]],$lengths}"
@@ -247,8 +233,7 @@ expect 'points that are hardly two' 0
 # ---- no curve ----------------------------------------------------------------
 
 hint='length_sigma allows for lengths that were measured'
-bad infeasible 'lengths[0]' \
-  "is 4.9, below the chord 5 of interval 0; $hint" \
+bad infeasible 'lengths[0]' "is 4.9, below the chord 5 of interval 0; $hint" \
   '{"points":[[0,0,0],[3,4,0],[3,5,0]],"lengths":[4.9,2]}'
 bad infeasible 'lengths[2]' "is 0.5, below the chord 1 of interval 2; $hint" \
   '{"points":[[0,0],[0,1],[1,1],[1,0]],"lengths":[2,2,0.5]}'

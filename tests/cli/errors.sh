@@ -30,8 +30,10 @@ error_record() {
 }
 
 # bad CODE FIELD MESSAGE PROBLEM: as an object, in JSON Lines and in an array.
-# The problem is one line; FIELD may be empty.
+# The problem is one line, or members of the one that `with' makes; FIELD may be
+# empty.
 bad() {
+  case $4 in '"'*'":'*) set -- "$1" "$2" "$3" "$(with "$4")" ;; esac
   printf '%s\n' "$4" >a.json
   printf '%s\n' "$good" "$4" "$good" >b.jsonl
   printf '[%s,\n%s,\n%s]' "$good" "$4" "$good" >c.json

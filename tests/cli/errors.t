@@ -26,13 +26,12 @@ bad bad-type '' 'a problem must be an object, found true' true
 bad unknown-field point 'is not a field of planar; did you mean "points"?' \
   '{"point":[[0,0],[1,1]]}'
 bad unknown-field cloesd 'is not a field of planar; did you mean "closed"?' \
-  "$(with '"cloesd":true')"
+  '"cloesd":true'
 bad unknown-field Points 'is not a field of planar; did you mean "points"?' \
   '{"Points":[[0,0],[1,1]]}'
-bad unknown-field mta 'is not a field of planar; did you mean "meta"?' \
-  "$(with '"mta":1')"
-bad unknown-field length 'is not a field of planar' "$(with '"length":1')"
-bad unknown-field '""' 'is not a field of planar' "$(with '"":1')"
+bad unknown-field mta 'is not a field of planar; did you mean "meta"?' '"mta":1'
+bad unknown-field length 'is not a field of planar' '"length":1'
+bad unknown-field '""' 'is not a field of planar' '"":1'
 
 missing='is missing: it must be an array of points [x,y]'
 bad missing-field points "$missing" '{}'
@@ -52,44 +51,35 @@ bad bad-type 'points[0][0]' 'must be a number, found null' \
   '{"points":[[null,0],[1,1]]}'
 bad bad-type 'points[0][0]' 'must be a number, found an array' \
   '{"points":[[[0,0]],[[1,1]]]}'
-bad bad-type 'knots[1]' 'must be a number, found a string' \
-  "$(with '"knots":[0,"1",2]')"
-bad bad-type knots "$knots a number" "$(with '"knots":1')"
-bad bad-type knots "$knots an array of arrays" "$(with '"knots":[[0,1,2]]')"
-bad bad-type closed 'must be true or false, found a number' \
-  "$(with '"closed":1')"
-bad bad-type closed 'must be true or false, found a string' \
-  "$(with '"closed":"true"')"
-bad bad-type closed 'must be true or false, found null' \
-  "$(with '"closed":null')"
-bad bad-type end_derivatives "$vectors a string" \
-  "$(with '"end_derivatives":"chord"')"
+bad bad-type 'knots[1]' 'must be a number, found a string' '"knots":[0,"1",2]'
+bad bad-type knots "$knots a number" '"knots":1'
+bad bad-type knots "$knots an array of arrays" '"knots":[[0,1,2]]'
+bad bad-type closed 'must be true or false, found a number' '"closed":1'
+bad bad-type closed 'must be true or false, found a string' '"closed":"true"'
+bad bad-type closed 'must be true or false, found null' '"closed":null'
+bad bad-type end_derivatives "$vectors a string" '"end_derivatives":"chord"'
 bad bad-type end_derivatives "$vectors an array of numbers" \
-  "$(with '"end_derivatives":[1,0]')"
-bad bad-type id 'must be a string or a number, found true' "$(with '"id":true')"
-bad bad-type id 'must be a string or a number, found null' "$(with '"id":null')"
-bad bad-type id 'must be a string or a number, found an array' \
-  "$(with '"id":[1]')"
-bad bad-type id 'must be a string or a number, found an object' \
-  "$(with '"id":{}')"
+  '"end_derivatives":[1,0]'
+bad bad-type id 'must be a string or a number, found true' '"id":true'
+bad bad-type id 'must be a string or a number, found null' '"id":null'
+bad bad-type id 'must be a string or a number, found an array' '"id":[1]'
+bad bad-type id 'must be a string or a number, found an object' '"id":{}'
 
 bad bad-value knots "$knots \"unifrom\"; did you mean \"uniform\"?" \
-  "$(with '"knots":"unifrom"')"
-bad bad-value knots "$knots \"\"" "$(with '"knots":""')"
+  '"knots":"unifrom"'
+bad bad-value knots "$knots \"\"" '"knots":""'
 bad bad-value knots "$knots \"Chordal\"; did you mean \"chordal\"?" \
-  "$(with '"knots":"Chordal"')"
+  '"knots":"Chordal"'
 bad bad-value 'knots[1]' 'must be greater than the knot before, 0, found 0' \
-  "$(with '"knots":[0,0,1]')"
+  '"knots":[0,0,1]'
 bad bad-value 'knots[2]' 'must be greater than the knot before, 2, found 1.5' \
-  "$(with '"knots":[0,2,1.5]')"
-bad bad-value end_derivatives \
-  'is for open curves: a closed curve has no ends' \
-  "$(with '"closed":true,"end_derivatives":[[1,0],[1,0]]')"
-bad bad-value points 'occurs twice' "$(with '"points":[[0,0],[1,1]]')"
-bad bad-value points 'occurs twice' "$(with '"p\u006fints":[[0,0],[1,1]]')"
-bad bad-value closed 'occurs twice' "$(with '"closed":1,"closed":true')"
-bad bad-value meta 'has the name "a" twice' \
-  "$(with '"meta":[{"a":1,"b":2,"\u0061":3}]')"
+  '"knots":[0,2,1.5]'
+bad bad-value end_derivatives 'is for open curves: a closed curve has no ends' \
+  '"closed":true,"end_derivatives":[[1,0],[1,0]]'
+bad bad-value points 'occurs twice' '"points":[[0,0],[1,1]]'
+bad bad-value points 'occurs twice' '"p\u006fints":[[0,0],[1,1]]'
+bad bad-value closed 'occurs twice' '"closed":1,"closed":true'
+bad bad-value meta 'has the name "a" twice' '"meta":[{"a":1,"b":2,"\u0061":3}]'
 
 bad bad-shape 'points[1]' 'must have 2 numbers, found 1' '{"points":[[0,0],[1]]}'
 bad bad-shape 'points[0]' 'must have 2 numbers, found 3' \
@@ -98,25 +88,25 @@ bad bad-shape 'points[1]' 'must have 2 numbers, found 4' \
   '{"points":[[0,0],[1,1,1,1]]}'
 bad bad-shape 'points[0]' 'must have 2 numbers, found 0' '{"points":[[],[]]}'
 bad bad-shape knots 'must have 3 numbers, one for each point, found 2' \
-  "$(with '"knots":[0,1]')"
+  '"knots":[0,1]'
 bad bad-shape knots 'must have 3 numbers, one for each point, found 0' \
-  "$(with '"knots":[]')"
+  '"knots":[]'
 bad bad-shape knots 'must have 4 numbers, one for each point and one that closes the period, found 3' \
-  "$(with '"closed":true,"knots":[0,1,2]')"
+  '"closed":true,"knots":[0,1,2]'
 bad bad-shape end_derivatives 'must be two vectors, found 1' \
-  "$(with '"end_derivatives":[[1,0]]')"
+  '"end_derivatives":[[1,0]]'
 bad bad-shape 'end_derivatives[1]' 'must have 2 numbers, found 3' \
-  "$(with '"end_derivatives":[[1,0],[1,0,0]]')"
+  '"end_derivatives":[[1,0],[1,0,0]]'
 
 bad not-finite 'points[1][0]' 'is 1e999, which overflows a double' \
   '{"points":[[0,0],[1e999,1]]}'
 bad not-finite 'points[1][1]' 'is -1.8e308, which overflows a double' \
   '{"points":[[0,0],[1,-1.8e308]]}'
 bad not-finite 'knots[2]' 'is 1e309, which overflows a double' \
-  "$(with '"knots":[0,1,1e309]')"
-bad not-finite id 'is 1e999, which overflows a double' "$(with '"id":1e999')"
+  '"knots":[0,1,1e309]'
+bad not-finite id 'is 1e999, which overflows a double' '"id":1e999'
 bad not-finite meta 'is -1e999, which overflows a double' \
-  "$(with '"meta":{"a":[1,-1e999]}')"
+  '"meta":{"a":[1,-1e999]}'
 
 bad too-few-points points 'must be at least 2, found 0' '{"points":[]}'
 bad too-few-points points 'must be at least 2, found 1' '{"points":[[0,0]]}'
@@ -137,15 +127,15 @@ bad coincident-points 'points[2]' 'coincides with points[1]' \
   '{"points":[[1,0],[0,0],[0,0],[0,1],[1,0]],"closed":true}'
 
 bad zero-tangent 'end_derivatives[0]' 'must not be zero' \
-  "$(with '"end_derivatives":[[0,0],[1,0]]')"
+  '"end_derivatives":[[0,0],[1,0]]'
 bad zero-tangent 'end_derivatives[1]' 'must not be zero' \
-  "$(with '"end_derivatives":[[1,0],[0,-0.0]]')"
+  '"end_derivatives":[[1,0],[0,-0.0]]'
 
 bad too-large knots 'span more than a double can hold' \
   '{"points":[[-1.7e308,0],[1.7e308,0]]}'
 bad too-large 'knots[1]' \
   'differs from the knot before by more than a double can hold' \
-  "$(with '"knots":[-1.7e308,1.7e308,1.75e308]')"
+  '"knots":[-1.7e308,1.7e308,1.75e308]'
 bad too-large 'end_derivatives[0]' 'is too large for these points' \
   '{"points":[[0,0],[1e-300,0]],"end_derivatives":[[1e300,0],[1,0]]}'
 

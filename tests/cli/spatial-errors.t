@@ -18,8 +18,7 @@ with() {
 # unknown NAME [NEAR]
 unknown() {
   bad unknown-field "$1" \
-    "is not a field of spatial-hermite${2:+; did you mean \"$2\"?}" \
-    "$(with "\"$1\":1")"
+    "is not a field of spatial-hermite${2:+; did you mean \"$2\"?}" "\"$1\":1"
 }
 
 unknown tangent tangents
@@ -80,28 +79,26 @@ feed '{"points":[[0,0,0],[1,0.5,0],[1.0000000000000012,0.5,0],[2,0,0]]}' \
   spatial-hermite
 expect 'five units in the last place are two points' 0
 
-bad bad-type closed 'must be true or false, found a string' \
-  "$(with '"closed":"yes"')"
+bad bad-type closed 'must be true or false, found a string' '"closed":"yes"'
 
 for given in tangents derivatives; do
-  bad bad-type $given "$vectors a string" "$(with "\"$given\":\"auto\"")"
-  bad bad-type $given "$vectors an array of numbers" \
-    "$(with "\"$given\":[1,0,0]")"
+  bad bad-type $given "$vectors a string" "\"$given\":\"auto\""
+  bad bad-type $given "$vectors an array of numbers" "\"$given\":[1,0,0]"
   bad bad-shape $given 'must have 3 vectors, one for each point, found 0' \
-    "$(with "\"$given\":[]")"
+    "\"$given\":[]"
   bad bad-shape $given 'must have 3 vectors, one for each point, found 2' \
-    "$(with "\"$given\":[[1,0,0],[1,0,0]]")"
+    "\"$given\":[[1,0,0],[1,0,0]]"
   bad bad-shape $given 'must have 3 vectors, one for each point, found 4' \
-    "$(with "\"$given\":[[1,0,0],[1,0,0],[1,0,0],[1,0,0]]")"
+    "\"$given\":[[1,0,0],[1,0,0],[1,0,0],[1,0,0]]"
   bad bad-shape $given 'must have vectors of 3 numbers, as the points have' \
-    "$(with "\"$given\":[[1,0],[1,0],[1,0]]")"
+    "\"$given\":[[1,0],[1,0],[1,0]]"
   bad bad-shape "${given}[2]" \
     "must have 3 numbers as ${given}[0] has, found 2" \
-    "$(with "\"$given\":[[1,0,0],[1,0,0],[1,0]]")"
+    "\"$given\":[[1,0,0],[1,0,0],[1,0]]"
   bad not-finite "${given}[1][2]" 'is 1e999, which overflows a double' \
-    "$(with "\"$given\":[[1,0,0],[1,0,1e999],[1,0,0]]")"
+    "\"$given\":[[1,0,0],[1,0,1e999],[1,0,0]]"
   bad zero-tangent "${given}[2]" 'must not be zero' \
-    "$(with "\"$given\":[[1,0,0],[1,0,0],[0,-0.0,0]]")"
+    "\"$given\":[[1,0,0],[1,0,0],[0,-0.0,0]]"
   bad bad-value "${given}[3]" "must equal ${given}[0], as the point does" \
     "{\"points\":[[0,0],[1,1],[2,0],[0,0]],\"closed\":true,\
 \"$given\":[[1,0],[1,0],[0,1],[0,1]]}"
@@ -110,85 +107,80 @@ bad bad-value tangents 'excludes derivatives: give one of them' \
   "$(with '"tangents":[[1,0,0],[1,0,0],[1,0,0]],
 "derivatives":[[1,0,0],[1,0,0],[1,0,0]]' | tr -d '\n')"
 bad bad-value basis 'must be "ph" or "atph", found "ATPH"; did you mean "atph"?' \
-  "$(with '"basis":"ATPH"')"
-bad bad-type basis 'must be "ph" or "atph", found a number' "$(with '"basis":5')"
+  '"basis":"ATPH"'
+bad bad-type basis 'must be "ph" or "atph", found a number' '"basis":5'
 bad bad-value criterion "$criteria \"CC\"; did you mean \"cc\"?" \
-  "$(with '"criterion":"CC"')"
+  '"criterion":"CC"'
 bad bad-value criterion "$criteria \"F0\"; did you mean \"F1\"?" \
-  "$(with '"criterion":"F0"')"
-bad bad-value criterion "$criteria \"length\"" "$(with '"criterion":"length"')"
-bad bad-type criterion "$criteria an array" "$(with '"criterion":["cc","hc"]')"
+  '"criterion":"F0"'
+bad bad-value criterion "$criteria \"length\"" '"criterion":"length"'
+bad bad-type criterion "$criteria an array" '"criterion":["cc","hc"]'
 bad bad-value axis "$axes \"bisectr\"; did you mean \"bisector\"?" \
-  "$(with '"axis":"bisectr"')"
-bad bad-value axis "$axes \"y\"" "$(with '"axis":"y"')"
-bad bad-type axis "$axes an array" "$(with '"axis":[1,0,0]')"
+  '"axis":"bisectr"'
+bad bad-value axis "$axes \"y\"" '"axis":"y"'
+bad bad-type axis "$axes an array" '"axis":[1,0,0]'
 
 angles='must be an array of numbers or an array of pairs [theta,beta], found'
 pairs='must have 2 pairs, one for each segment, or one for all, found'
-bad bad-type angles "$angles a number" "$(with '"angles":0')"
-bad bad-type angles "$angles a string" "$(with '"angles":"zero"')"
+bad bad-type angles "$angles a number" '"angles":0'
+bad bad-type angles "$angles a string" '"angles":"zero"'
 bad bad-type 'angles[0][1]' 'must be a number, found a string' \
-  "$(with '"angles":[[0,"0"]]')"
-bad bad-shape angles "$pairs 0 vectors" "$(with '"angles":[]')"
-bad bad-shape angles "$pairs 1 numbers" "$(with '"angles":[0]')"
-bad bad-shape angles "$pairs 4 numbers" "$(with '"angles":[0,0,0,0]')"
-bad bad-shape angles "$pairs 3 vectors" "$(with '"angles":[[0,0],[0,0],[0,0]]')"
-bad bad-shape 'angles[1]' 'must have 2 numbers, found 1' \
-  "$(with '"angles":[[0,0],[0]]')"
-bad bad-shape 'angles[0]' 'must have 2 numbers, found 3' \
-  "$(with '"angles":[[0,0,0]]')"
+  '"angles":[[0,"0"]]'
+bad bad-shape angles "$pairs 0 vectors" '"angles":[]'
+bad bad-shape angles "$pairs 1 numbers" '"angles":[0]'
+bad bad-shape angles "$pairs 4 numbers" '"angles":[0,0,0,0]'
+bad bad-shape angles "$pairs 3 vectors" '"angles":[[0,0],[0,0],[0,0]]'
+bad bad-shape 'angles[1]' 'must have 2 numbers, found 1' '"angles":[[0,0],[0]]'
+bad bad-shape 'angles[0]' 'must have 2 numbers, found 3' '"angles":[[0,0,0]]'
 bad not-finite 'angles[0]' 'is 1e999, which overflows a double' \
-  "$(with '"angles":[1e999,0]')"
+  '"angles":[1e999,0]'
 bad bad-value criterion 'excludes angles, which are given in its place' \
-  "$(with '"angles":[0,0],"criterion":"cc"')"
+  '"angles":[0,0],"criterion":"cc"'
 
-bad bad-value alpha 'is for "basis":"atph"' "$(with '"alpha":1')"
+bad bad-value alpha 'is for "basis":"atph"' '"alpha":1'
 between='must be between 0 and pi, found'
-bad bad-value alpha "$between 0" "$(with '"basis":"atph","alpha":0')"
+bad bad-value alpha "$between 0" '"basis":"atph","alpha":0'
 bad bad-value alpha "$between 3.1415926535897931" \
-  "$(with '"basis":"atph","alpha":3.141592653589793')"
-bad bad-value 'alpha[1]' "$between -1" "$(with '"basis":"atph","alpha":[1,-1]')"
+  '"basis":"atph","alpha":3.141592653589793'
+bad bad-value 'alpha[1]' "$between -1" '"basis":"atph","alpha":[1,-1]'
 bad bad-shape alpha 'must have 2 numbers, one for each segment, found 3' \
-  "$(with '"basis":"atph","alpha":[1,1,1]')"
+  '"basis":"atph","alpha":[1,1,1]'
 bad bad-shape alpha 'must have 3 numbers, one for each segment, found 2' \
-  "$(with '"closed":true,"basis":"atph","alpha":[1,1]')"
+  '"closed":true,"basis":"atph","alpha":[1,1]'
 bad bad-type alpha 'must be a number or an array of numbers, found a string' \
-  "$(with '"basis":"atph","alpha":"chordal"')"
+  '"basis":"atph","alpha":"chordal"'
 for choice in '"criterion":"cc"' '"criterion":"hc"' '"criterion":"bv"' \
   '"criterion":"zero"' '"angles":[0,0]'; do
   bad missing-field alpha 'is missing: only the criteria F1, F2 and F3 choose it' \
-    "$(with "\"basis\":\"atph\",$choice")"
+    "\"basis\":\"atph\",$choice"
 done
 
 knots='must be "chordal" or an array of numbers, found'
-bad bad-value knots "$knots \"uniform\"" "$(with '"knots":"uniform"')"
+bad bad-value knots "$knots \"uniform\"" '"knots":"uniform"'
 bad bad-value knots "$knots \"chordals\"; did you mean \"chordal\"?" \
-  "$(with '"knots":"chordals"')"
-bad bad-type knots "$knots a number" "$(with '"knots":1')"
+  '"knots":"chordals"'
+bad bad-type knots "$knots a number" '"knots":1'
 bad bad-shape knots 'must have 3 numbers, one for each point, found 2' \
-  "$(with '"knots":[0,1]')"
+  '"knots":[0,1]'
 bad bad-shape knots \
   'must have 4 numbers, one for each point and one that closes the period, found 3' \
-  "$(with '"closed":true,"knots":[0,1,2]')"
+  '"closed":true,"knots":[0,1,2]'
 bad bad-value 'knots[2]' 'must be greater than the knot before, 1, found 1' \
-  "$(with '"knots":[0,1,1]')"
+  '"knots":[0,1,1]'
 bad too-large 'knots[1]' \
   'differs from the knot before by more than a double can hold' \
-  "$(with '"knots":[-1.7e308,1.7e308,1.75e308]')"
+  '"knots":[-1.7e308,1.7e308,1.75e308]'
 
-bad bad-value tension 'must be greater than 0, found 0' "$(with '"tension":0')"
-bad bad-value 'tension[1]' 'must be greater than 0, found -1' \
-  "$(with '"tension":[1,-1]')"
+bad bad-value tension 'must be greater than 0, found 0' '"tension":0'
+bad bad-value 'tension[1]' 'must be greater than 0, found -1' '"tension":[1,-1]'
 bad bad-shape tension 'must have 2 numbers, one for each segment, found 1' \
-  "$(with '"tension":[1]')"
+  '"tension":[1]'
 bad bad-type tension 'must be a number or an array of numbers, found a string' \
-  "$(with '"tension":"1"')"
-bad not-finite tension 'is 1e999, which overflows a double' \
-  "$(with '"tension":1e999')"
+  '"tension":"1"'
+bad not-finite tension 'is 1e999, which overflows a double' '"tension":1e999'
 
-bad bad-type shape 'must be true or false, found a number' "$(with '"shape":1')"
-bad bad-type shape 'must be true or false, found a string' \
-  "$(with '"shape":"false"')"
+bad bad-type shape 'must be true or false, found a number' '"shape":1'
+bad bad-type shape 'must be true or false, found a string' '"shape":"false"'
 
 # ---- angles that do not exist ------------------------------------------------
 
@@ -225,12 +217,10 @@ bad too-large 'points[1]' \
 bad too-large knots 'span more than a double can hold' \
   '{"points":[[0,0,0],[1e308,1e308,1e308],[0,1e308,0]]}'
 large='too large beside the chord between points[0] and points[1]'
-bad too-large 'tension[0]' "makes derivatives $large" \
-  "$(with '"tension":1e200')"
+bad too-large 'tension[0]' "makes derivatives $large" '"tension":1e200'
 bad too-large 'derivatives[0]' "is $large" \
-  "$(with '"derivatives":[[1e308,1e308,1e308],[1,0,1],[1,0,0]]')"
-bad too-large 'knots[1]' "makes derivatives $large" \
-  "$(with '"knots":[0,1e308,1.7e308]')"
+  '"derivatives":[[1e308,1e308,1e308],[1,0,1],[1,0,0]]'
+bad too-large 'knots[1]' "makes derivatives $large" '"knots":[0,1e308,1.7e308]'
 
 bad too-large '' 'the curve exceeds the range of a double' \
   '{"points":[[1.7e308,0,0],[1.6e308,1e307,0]],"derivatives":'\

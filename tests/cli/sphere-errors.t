@@ -19,8 +19,7 @@ with() {
 # unknown NAME [NEAR]
 unknown() {
   bad unknown-field "$1" \
-    "is not a field of sphere${2:+; did you mean \"$2\"?}" \
-    "$(with "\"$1\":1")"
+    "is not a field of sphere${2:+; did you mean \"$2\"?}" "\"$1\":1"
 }
 
 unknown point points
@@ -46,10 +45,9 @@ points='must be an array of points [x,y,z], found'
 pairs='must be an array of pairs [lon,lat], found'
 
 bad missing-field points 'or lonlat must be given' '{}'
-bad missing-field points 'or lonlat must be given' \
-  '{"radius":2,"closed":true}'
+bad missing-field points 'or lonlat must be given' '{"radius":2,"closed":true}'
 bad bad-value lonlat 'excludes points: give one of them' \
-  "$(with '"lonlat":[[0,0],[90,0],[0,90]]')"
+  '"lonlat":[[0,0],[90,0],[0,90]]'
 bad bad-type points "$points a number" '{"points":5}'
 bad bad-type points "$points an array of numbers" '{"points":[1,0,0]}'
 bad bad-type lonlat "$pairs a string" '{"lonlat":"0,0"}'
@@ -145,37 +143,32 @@ off 1 0.9 1 '[[1,0,0],[0,0.9,0]]' ',"radius_tolerance":0.0625' 0.0625
 feed '{"points":[[1,0,0],[0,0.9,0]],"radius_tolerance":0.125}' sphere -q
 expect 'a larger tolerance' 0
 
-bad bad-type center 'must be an array of numbers, found a number' \
-  "$(with '"center":5')"
+bad bad-type center 'must be an array of numbers, found a number' '"center":5'
 bad bad-type center 'must be an array of numbers, found an array of arrays' \
-  "$(with '"center":[[0,0,0]]')"
-bad bad-shape center 'must have 3 numbers, found 2' "$(with '"center":[0,0]')"
-bad bad-shape center 'must have 3 numbers, found 4' \
-  "$(with '"center":[0,0,0,0]')"
+  '"center":[[0,0,0]]'
+bad bad-shape center 'must have 3 numbers, found 2' '"center":[0,0]'
+bad bad-shape center 'must have 3 numbers, found 4' '"center":[0,0,0,0]'
 bad not-finite 'center[2]' 'is 1e999, which overflows a double' \
-  "$(with '"center":[0,0,1e999]')"
+  '"center":[0,0,1e999]'
 for value in 0 -1 -0; do
   bad bad-value radius "must be at least 1e-300, found $value" \
-    "$(with "\"radius\":$value")"
+    "\"radius\":$value"
 done
-bad bad-type radius 'must be a number, found a string' \
-  "$(with '"radius":"6371"')"
-bad not-finite radius 'is 1e999, which overflows a double' \
-  "$(with '"radius":1e999')"
+bad bad-type radius 'must be a number, found a string' '"radius":"6371"'
+bad not-finite radius 'is 1e999, which overflows a double' '"radius":1e999'
 for value in 0 1 -1 1.5; do
   bad bad-value radius_tolerance \
     "must be greater than 0 and less than 1, found $value" \
-    "$(with "\"radius_tolerance\":$value")"
+    "\"radius_tolerance\":$value"
 done
-bad bad-type closed 'must be true or false, found a string' \
-  "$(with '"closed":"yes"')"
+bad bad-type closed 'must be true or false, found a string' '"closed":"yes"'
 
 # ---- words -------------------------------------------------------------------
 
 # word FIELD CHOICE FOUND [NEAR]: of a field that is one of several words
 word() {
   bad bad-value "$1" "must be $2, found \"$3\"${4:+; did you mean \"$4\"?}" \
-    "$(with "\"$1\":\"$3\"")"
+    "\"$1\":\"$3\""
 }
 
 word model '"exact" or "nielson"' Exact exact
@@ -201,46 +194,39 @@ done
 word increase '"minimal", "plus:V" or "times:V"' minimum minimal
 for value in 0 -1; do
   bad bad-value increase "must add more than 0, found $value" \
-    "$(with "\"increase\":\"plus:$value\"")"
+    "\"increase\":\"plus:$value\""
 done
 for value in 1 0.5 -2; do
   bad bad-value increase "must multiply by more than 1, found $value" \
-    "$(with "\"increase\":\"times:$value\"")"
+    "\"increase\":\"times:$value\""
 done
 bad bad-type increase \
-  'must be "minimal", "plus:V" or "times:V", found a number' \
-  "$(with '"increase":10')"
-bad bad-type model 'must be "exact" or "nielson", found a number' \
-  "$(with '"model":1')"
-bad bad-type shape 'must be true, false or "warn", found a number' \
-  "$(with '"shape":1')"
+  'must be "minimal", "plus:V" or "times:V", found a number' '"increase":10'
+bad bad-type model 'must be "exact" or "nielson", found a number' '"model":1'
+bad bad-type shape 'must be true, false or "warn", found a number' '"shape":1'
 
 # ---- numbers -----------------------------------------------------------------
 
 for value in 0 -1 -0; do
   bad bad-value epsilon "must be at least 1e-11, found $value" \
-    "$(with "\"epsilon\":$value")"
+    "\"epsilon\":$value"
 done
-bad bad-type epsilon 'must be a number, found an array' \
-  "$(with '"epsilon":[1]')"
-bad not-finite epsilon 'is 1e999, which overflows a double' \
-  "$(with '"epsilon":1e999')"
+bad bad-type epsilon 'must be a number, found an array' '"epsilon":[1]'
+bad not-finite epsilon 'is 1e999, which overflows a double' '"epsilon":1e999'
 
-bad bad-value tension 'must be between 0 and 1e+08, found -1' \
-  "$(with '"tension":-1')"
+bad bad-value tension 'must be between 0 and 1e+08, found -1' '"tension":-1'
 bad bad-value tension 'must be between 0 and 1e+08, found 100000001' \
-  "$(with '"tension":100000001')"
+  '"tension":100000001'
 bad bad-value 'tension[1]' 'must be between 0 and 1e+08, found -2' \
-  "$(with '"tension":[1,-2,3]')"
+  '"tension":[1,-2,3]'
 bad bad-value 'tension[2]' 'must be between 0 and 1e+08, found 1000000000' \
-  "$(with '"tension":[1,2,1e9]')"
+  '"tension":[1,2,1e9]'
 bad bad-type tension 'must be a number or an array of numbers, found a string' \
-  "$(with '"tension":"1"')"
+  '"tension":"1"'
 for value in '[]' '[1,2]' '[1,2,3,4]'; do
   case $value in '[]') found=0 ;; '[1,2]') found=2 ;; *) found=4 ;; esac
   bad bad-shape tension \
-    "must have 3 numbers, one for each point, found $found" \
-    "$(with "\"tension\":$value")"
+    "must have 3 numbers, one for each point, found $found" "\"tension\":$value"
 done
 round='"points":[[1,0,0],[0,1,0],[0,0,1],[1,0,0]],"closed":true'
 bad bad-shape tension 'must have 4 numbers, one for each point, found 2' \
@@ -253,23 +239,23 @@ and by 1e-50 to 1e+50'
 knots=$(printf %s "$knots" | tr '\n' ' ')
 bad bad-type knots \
   'must be "geodesic", "uniform" or an array of numbers, found a number' \
-  "$(with '"knots":1')"
+  '"knots":1'
 bad bad-shape knots 'must have 3 numbers, one for each point, found 2' \
-  "$(with '"knots":[0,1]')"
+  '"knots":[0,1]'
 bad bad-shape knots \
   'must have 4 numbers, one for each point and one that closes the period, found 3' \
-  "$(with '"closed":true,"knots":[0,1,2]')"
+  '"closed":true,"knots":[0,1,2]'
 bad bad-value 'knots[2]' 'must be greater than the knot before, 1, found 1' \
-  "$(with '"knots":[0,1,1]')"
+  '"knots":[0,1,1]'
 bad bad-value 'knots[1]' 'must be greater than the knot before, 0, found -1' \
-  "$(with '"knots":[0,-1,1]')"
-bad too-large 'knots[1]' "$knots" "$(with '"knots":[0,1e-13,1]')"
-bad too-large 'knots[2]' "$knots" "$(with '"knots":[0,1,1.0000000000001]')"
-bad too-large 'knots[2]' "$knots" "$(with '"knots":[0,1e49,2e50]')"
-bad too-large 'knots[1]' "$knots" "$(with '"knots":[0,1e-51,1e-50]')"
+  '"knots":[0,-1,1]'
+bad too-large 'knots[1]' "$knots" '"knots":[0,1e-13,1]'
+bad too-large 'knots[2]' "$knots" '"knots":[0,1,1.0000000000001]'
+bad too-large 'knots[2]' "$knots" '"knots":[0,1e49,2e50]'
+bad too-large 'knots[1]' "$knots" '"knots":[0,1e-51,1e-50]'
 bad too-large 'knots[1]' \
   'differs from the knot before by more than a double can hold' \
-  "$(with '"knots":[-1.7e308,1.7e308,1.75e308]')"
+  '"knots":[-1.7e308,1.7e308,1.75e308]'
 
 # ---- ends --------------------------------------------------------------------
 
@@ -281,39 +267,38 @@ clamped() {
 vectors='must be an array of vectors [x,y,z], found'
 two='must be two vectors of 3 numbers, found'
 bad missing-field end_tangents 'must be given with "ends":"clamped"' \
-  "$(with '"ends":"clamped"')"
+  '"ends":"clamped"'
 for ends in natural rest; do
   bad bad-value end_tangents "excludes \"ends\":\"$ends\"" \
-    "$(with "\"ends\":\"$ends\",\"end_tangents\":[[0,1,0],[0,1,0]]")"
+    "\"ends\":\"$ends\",\"end_tangents\":[[0,1,0],[0,1,0]]"
 done
 bad bad-value end_tangents 'is for open curves: a closed curve has no ends' \
-  "$(with "\"closed\":true,$(clamped '[[0,1,0],[0,1,0]]')")"
+  "\"closed\":true,$(clamped '[[0,1,0],[0,1,0]]')"
 for ends in natural rest clamped; do
   bad bad-value ends 'is for open curves: a closed curve has no ends' \
-    "$(with "\"closed\":true,\"ends\":\"$ends\"")"
+    "\"closed\":true,\"ends\":\"$ends\""
 done
-bad bad-type end_tangents "$vectors a string" "$(with "$(clamped '"up"')")"
-bad bad-type end_tangents "$vectors an array of numbers" \
-  "$(with "$(clamped '[0,1,0]')")"
-bad bad-shape end_tangents "$two 0 of 3" "$(with "$(clamped '[]')")"
-bad bad-shape end_tangents "$two 1 of 3" "$(with "$(clamped '[[0,1,0]]')")"
+bad bad-type end_tangents "$vectors a string" "$(clamped '"up"')"
+bad bad-type end_tangents "$vectors an array of numbers" "$(clamped '[0,1,0]')"
+bad bad-shape end_tangents "$two 0 of 3" "$(clamped '[]')"
+bad bad-shape end_tangents "$two 1 of 3" "$(clamped '[[0,1,0]]')"
 bad bad-shape end_tangents "$two 3 of 3" \
-  "$(with "$(clamped '[[0,1,0],[0,1,0],[0,1,0]]')")"
+  "$(clamped '[[0,1,0],[0,1,0],[0,1,0]]')"
 bad bad-shape 'end_tangents[0]' 'must have 3 numbers, found 2' \
-  "$(with "$(clamped '[[0,1],[0,1]]')")"
+  "$(clamped '[[0,1],[0,1]]')"
 bad not-finite 'end_tangents[0][2]' 'is 1e999, which overflows a double' \
-  "$(with "$(clamped '[[0,1,1e999],[0,1,0]]')")"
+  "$(clamped '[[0,1,1e999],[0,1,0]]')"
 bad zero-tangent 'end_tangents[0]' 'must not be zero' \
-  "$(with "$(clamped '[[0,0,0],[0,1,0]]')")"
+  "$(clamped '[[0,0,0],[0,1,0]]')"
 bad zero-tangent 'end_tangents[1]' 'must not be zero' \
-  "$(with "$(clamped '[[0,1,0],[0,0,-0.0]]')")"
+  "$(clamped '[[0,1,0],[0,0,-0.0]]')"
 radial='must not be at right angles to the sphere at'
 bad zero-tangent 'end_tangents[0]' "$radial points[0]" \
-  "$(with "$(clamped '[[1,0,0],[0,1,0]]')")"
+  "$(clamped '[[1,0,0],[0,1,0]]')"
 bad zero-tangent 'end_tangents[0]' "$radial points[0]" \
-  "$(with "$(clamped '[[1,1e-13,0],[0,1,0]]')")"
+  "$(clamped '[[1,1e-13,0],[0,1,0]]')"
 bad zero-tangent 'end_tangents[1]' "$radial points[2]" \
-  "$(with "$(clamped '[[0,1,0],[0,0,-5]]')")"
+  "$(clamped '[[0,1,0],[0,0,-5]]')"
 bad zero-tangent 'end_tangents[1]' "$radial lonlat[1]" \
   "{\"lonlat\":[[0,0],[90,0]],$(clamped '[[0,1,0],[0,3,0]]')}"
 feed "$(with "$(clamped '[[1,1e-9,0],[1e-300,1e-300,-1]]')")" sphere -q
@@ -325,8 +310,7 @@ expect 'directions of any length' 0
 # ---- too large, too small ----------------------------------------------------
 
 beyond='the curve exceeds the range of a double'
-bad too-large '' "$beyond" \
-  '{"lonlat":[[0,0],[90,0],[180,1]],"radius":1.7e308}'
+bad too-large '' "$beyond" '{"lonlat":[[0,0],[90,0],[180,1]],"radius":1.7e308}'
 bad too-large '' "$beyond" \
   '{"lonlat":[[0,0],[90,1]],"radius":1e308,"center":[1.7e308,0,0]}'
 for size in 1e-300 1e300; do
