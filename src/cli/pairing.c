@@ -59,12 +59,12 @@ static int compare_group(const void *key, const void *group) {
 static enum ph_status read_json_id(const struct ph_record *record,
                                    struct ph_arena *arena, struct ph_echo *echo,
                                    struct ph_diag *diag) {
-  static const char *const names[] = {"id"};
+  static const struct ph_member rows[] = {{.name = "id"}, {.name = NULL}};
   const struct ph_json_item whole = {NULL, 0, record->text, record->n};
   const struct ph_json_item none = {NULL, 0, NULL, 0};
   struct ph_json_reader r = {.arena = arena, .diag = diag};
   struct ph_json_item id;
-  ph_read_members(&r, &whole, names, 1, &id);
+  ph_read_members(&r, &whole, rows, &id);
   return r.status == PH_OK ? ph_json_echo(&id, &none, arena, echo, diag)
                            : r.status;
 }
@@ -185,7 +185,8 @@ struct head {
 static enum ph_status read_head(const struct ph_record *result,
                                 struct ph_arena *arena, struct head *head,
                                 struct ph_diag *diag) {
-  static const char *const names[] = {"id", "command", "sweep"};
+  static const struct ph_member rows[] = {
+      {.name = "id"}, {.name = "command"}, {.name = "sweep"}, {.name = NULL}};
   const struct ph_json_item whole = {NULL, 0, result->text, result->n};
   const struct ph_json_item none = {NULL, 0, NULL, 0};
   struct ph_diag ignored;
@@ -197,8 +198,8 @@ static enum ph_status read_head(const struct ph_record *result,
       (result->status != PH_OK && result->status != PH_LIMIT)) {
     return PH_OK;
   }
-  ph_read_members(&r, &whole, names, 3, items);
-  command = ph_read_string(&r, &items[1], names[1], NULL);
+  ph_read_members(&r, &whole, rows, items);
+  command = ph_read_string(&r, &items[1], rows[1].name, NULL);
   if (r.status == PH_OK && items[2].value) {
     head->sweep = ph_arena_copy(arena, items[2].value, items[2].value_n);
     r.status = head->sweep ? PH_OK : PH_NO_MEMORY;

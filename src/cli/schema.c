@@ -3,7 +3,7 @@
  * JSON Schemas of problems and results (see schema.h).
  *
  * All is derived: problems from the fields of a command's schema; results from
- * the members of io/members.h, for each kind of curve that the command promises
+ * the members of io/members.c, for each kind of curve that the command promises
  * (check/promise.c).  Every object is a definition of its own, which the others
  * refer to: COMMAND-KIND-OBJECT, COMMAND-OBJECT, or, where it is the same for
  * all, OBJECT.
@@ -15,7 +15,8 @@
 
 #include "check/promise.h"
 #include "check/verify.h"
-#include "cli/schema_table.h"
+#include "curve/kind/kind.h"
+#include "io/members.h"
 
 #include <cjson/cJSON.h>
 
@@ -28,6 +29,56 @@ struct builder {
   cJSON *definitions;
   bool failed; /* memory ran out */
 };
+
+/* ---- the forms of records -------------------------------------------------
+ */
+
+/* A record that is described: of a command, of one kind of curve. */
+struct form {
+  const struct ph_command *command;
+  const char *status;
+  const struct ph_promise *promise; /* NULL: there is no curve */
+  enum ph_curve_kind kind;
+};
+
+/* Whether offsets are quotients, and not rational: those of atph curves, and of
+ * the Bezier curves that stand for them. */
+static bool has_quotients(const struct form *f) {
+  const struct ph_kind *kind = ph_kinds[f->kind];
+  return kind->angles || (kind->bernstein && !kind->erf);
+}
+
+/* Whether records of a form may have a member. */
+static bool has(const struct form *f, const struct ph_member *member) {
+  const struct ph_promise *promise = f->promise;
+  const struct ph_kind *kind = promise ? ph_kinds[f->kind] : NULL;
+  switch (member->of) {
+  case PH_OF_ANY:
+    return true;
+  case PH_OF_ATPH:
+    return kind->angles;
+  case PH_OF_SQUARE:
+    return kind->erf;
+  case PH_OF_CUBIC:
+    return promise->given == PH_GIVEN_CUBIC;
+  case PH_OF_SPHERE:
+    return ph_kind_space(kind, promise->dimension) == PH_SPHERE;
+  case PH_OF_FLAT:
+    return ph_kind_space(kind, promise->dimension) != PH_SPHERE;
+  case PH_OF_SPACE:
+    return ph_kind_space(kind, promise->dimension) == PH_SPACE;
+  case PH_OF_RATIONAL:
+    return kind->erf && !kind->angles;
+  case PH_OF_QUOTIENT:
+    return has_quotients(f);
+  case PH_OF_TENSION:
+    return promise->tension && kind->erf;
+  case PH_OF_INTERVALS:
+    return promise->intervals;
+  default:
+    return promise->lengths;
+  }
+}
 
 /* ---- items ----------------------------------------------------------------
  */
@@ -95,12 +146,12 @@ static cJSON *define(struct builder *b, const char *key) {
 
 /* The control points of an offset's piece: of a rational one by the degrees of
  * numerator and speed (curve/offset/offset.h), of a quotient in its B-basis. */
-static size_t offset_points(const struct ph_form *f) {
-  return ph_form_quotients(f) ? 5 : 2 * f->promise->degree;
+static size_t offset_points(const struct form *f) {
+  return has_quotients(f) ? 5 : 2 * f->promise->degree;
 }
 
-/* The number that stands between brackets. */
-static size_t size_of(const struct ph_form *f, const char *text) {
+/* The number that stands between brackets; 0: it is not known. */
+static size_t size_of(const struct form *f, const char *text) {
   switch (*text) {
   case 'D':
     return f->promise->dimension;
@@ -112,7 +163,7 @@ static size_t size_of(const struct ph_form *f, const char *text) {
     return f->promise->dimension == 2 ? 2 : 4;
   case 'O':
     return offset_points(f);
-  default:
+  default: /* also of ], +, N and I */
     return strtoul(text, NULL, 10);
   }
 }
@@ -133,15 +184,15 @@ static void fill_codes(struct builder *b, cJSON *node, bool warnings) {
 }
 
 /* A text or number that is this one. */
-static bool fill_constant(struct builder *b, cJSON *node,
-                          const struct ph_form *f, const char *type) {
+static bool fill_constant(struct builder *b, cJSON *node, const struct form *f,
+                          const char *type) {
   const char *text = strcmp(type, "command") == 0  ? f->command->schema->command
                      : strcmp(type, "status") == 0 ? f->status
                      : strcmp(type, "curve") == 0  ? ph_curve_name(f->kind)
                                                    : NULL;
   size_t number = strcmp(type, "D") == 0               ? size_of(f, "D")
                   : strcmp(type, "degree") == 0        ? size_of(f, "P") - 1
-                  : strcmp(type, "offset-degree") == 0 ? size_of(f, "O") - 1
+                  : strcmp(type, "offset_degree") == 0 ? size_of(f, "O") - 1
                                                        : 0;
   if (text) {
     add_text(b, node, "const", text);
@@ -159,7 +210,7 @@ static bool fill_words(struct builder *b, cJSON *node, const char *type) {
       strcmp(type, "check") == 0 ? checks : ph_words(type);
   bool method = strcmp(type, "method") == 0;
   cJSON *list;
-  if (strcmp(type, "code") == 0 || strcmp(type, "warning-code") == 0) {
+  if (strcmp(type, "code") == 0 || strcmp(type, "warning_code") == 0) {
     fill_codes(b, node, *type == 'w');
     return true;
   }
@@ -181,7 +232,13 @@ static bool fill_scalar(struct builder *b, cJSON *node, const char *type) {
   static const char *const scalars[][2] = {
       {"number", "{\"type\":\"number\"}"},
       {"positive", "{\"type\":\"number\",\"exclusiveMinimum\":0}"},
+      {"radius", "{\"type\":\"number\",\"exclusiveMinimum\":0}"},
       {"whole", "{\"type\":\"integer\",\"minimum\":0}"},
+      {"index", "{\"type\":\"integer\",\"minimum\":0}"},
+      {"knots", "{\"type\":\"array\",\"items\":{\"type\":\"number\"},"
+                "\"minItems\":2,\"maxItems\":2}"},
+      {"range", "{\"type\":\"array\",\"items\":{\"type\":\"integer\","
+                "\"minimum\":0},\"minItems\":2,\"maxItems\":2}"},
       {"sign", "{\"enum\":[-1,0,1]}"},
       {"flag", "{\"type\":\"boolean\"}"},
       {"text", "{\"type\":\"string\"}"},
@@ -189,7 +246,7 @@ static bool fill_scalar(struct builder *b, cJSON *node, const char *type) {
       {"any", "{}"},
       {"fields", "{\"type\":\"object\"}"},
       {"vector", "{\"enum\":[\"e2\",\"e3\"]}"},
-      {"no-claims", "{\"const\":\"error\"}"}};
+      {"no_claims", "{\"const\":\"error\"}"}};
   for (size_t i = 0; i < sizeof scalars / sizeof scalars[0]; i++) {
     if (strcmp(type, scalars[i][0]) == 0) {
       cJSON *item = cJSON_Parse(scalars[i][1]);
@@ -205,18 +262,18 @@ static bool fill_scalar(struct builder *b, cJSON *node, const char *type) {
   return false;
 }
 
-static void fill_object(struct builder *b, cJSON *node, const struct ph_form *f,
+static void fill_object(struct builder *b, cJSON *node, const struct form *f,
                         const char *name);
 
-/* What a value of a type of io/members.h must be. */
-static void fill(struct builder *b, cJSON *node, const struct ph_form *f,
+/* What a value of a type (io/members.h) must be. */
+static void fill(struct builder *b, cJSON *node, const struct form *f,
                  const char *type) {
   for (; *type == '['; type = strchr(type, ']') + 1) {
-    size_t n = type[1] == ']' || type[1] == '+' ? 0 : size_of(f, type + 1);
+    size_t n = size_of(f, type + 1);
     cJSON *items;
     add_text(b, node, "type", "array");
     items = add_object(b, node, "items");
-    if (n > 0 || type[1] == '+') {
+    if (type[1] != ']') {
       add_number(b, node, "minItems", n > 0 ? (double)n : 1);
     }
     if (n > 0) {
@@ -349,15 +406,14 @@ static void fill_fields(struct builder *b, cJSON *node,
  */
 
 /* The members that a form has. */
-static void fill_members(struct builder *b, cJSON *node,
-                         const struct ph_form *f,
+static void fill_members(struct builder *b, cJSON *node, const struct form *f,
                          const struct ph_member *rows) {
   cJSON *properties = close_object(b, node);
   cJSON *required = add_array(b, node, "required");
   for (size_t i = 0; rows[i].name; i++) {
     const struct ph_member *row = &rows[i];
     cJSON *member;
-    if (!ph_form_has(f, row)) {
+    if (!has(f, row)) {
       continue;
     }
     member = add_object(b, properties, row->name);
@@ -365,18 +421,27 @@ static void fill_members(struct builder *b, cJSON *node,
       add_text(b, member, "description", row->what);
     }
     fill(b, member, f, row->type);
-    if (row->must) {
+    if (row->need != PH_MAY) {
       add_text(b, required, NULL, row->name);
     }
   }
 }
 
+static const struct ph_members *members_of(const char *name) {
+#define CHECK(symbol, name) \
+  {name, PH_MAY, PH_OF_ANY, "number", NULL, {0}, NULL},
+  static const struct ph_member rows[] = {PH_CHECKS(CHECK){0}};
+#undef CHECK
+  static const struct ph_members checks = {"checks", true, rows, 0};
+  return strcmp(name, checks.name) == 0 ? &checks : ph_members_of(name);
+}
+
 /* An object by its name: a reference to its definition. */
-static void fill_object(struct builder *b, cJSON *node, const struct ph_form *f,
+static void fill_object(struct builder *b, cJSON *node, const struct form *f,
                         const char *name) {
   const struct ph_schema *schema = f->command->schema;
   bool fields = strcmp(name, "sweep") == 0 || strcmp(name, "set") == 0;
-  const struct ph_members *object = fields ? NULL : ph_members_of(name);
+  const struct ph_members *object = fields ? NULL : members_of(name);
   bool kind;
   char key[KEY_MAX];
   cJSON *definition;
@@ -404,7 +469,7 @@ static void fill_object(struct builder *b, cJSON *node, const struct ph_form *f,
 
 /* A record among those that a result may be. */
 static void add_form(struct builder *b, cJSON *one, const char *name,
-                     struct ph_form form) {
+                     struct form form) {
   fill_object(b, add_object(b, one, NULL), &form, name);
 }
 
@@ -426,11 +491,11 @@ static void define_verify(struct builder *b, const struct ph_command *command,
   }
   for (size_t i = 0; i < sizeof right / sizeof right[0]; i++) {
     add_form(b, results, right[i],
-             (struct ph_form){command, "ok", NULL, PH_CURVE_N});
+             (struct form){command, "ok", NULL, PH_CURVE_N});
   }
   for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
     add_form(b, results, wrong[i],
-             (struct ph_form){command, "error", NULL, PH_CURVE_N});
+             (struct form){command, "error", NULL, PH_CURVE_N});
   }
 }
 
@@ -455,13 +520,12 @@ static void define_command(struct builder *b,
   }
   for (int kind = 0; promise && kind < PH_CURVE_N; kind++) {
     if (promise->kinds >> kind & 1) {
-      add_form(
-          b, one, "result",
-          (struct ph_form){command, "ok", promise, (enum ph_curve_kind)kind});
+      add_form(b, one, "result",
+               (struct form){command, "ok", promise, (enum ph_curve_kind)kind});
     }
   }
   add_form(b, one, "failure",
-           (struct ph_form){command, "error", NULL, PH_CURVE_N});
+           (struct form){command, "error", NULL, PH_CURVE_N});
 }
 
 /* "problem" and "result": of any of the commands, which many problems are of,

@@ -4,8 +4,8 @@
 
 #include "curve/kind/kind.h"
 
-#include "io/json_curve.h"
 #include "io/json_write.h"
+#include "io/members.h"
 
 #include <math.h>
 #include <string.h>
@@ -36,80 +36,154 @@ void ph_json_heading(struct ph_json_writer *w, const struct ph_heading *heading,
   write_fields(w, "set", heading->set, heading->set_n);
 }
 
-/* What is not known is left out. */
-static void write_known(struct ph_json_writer *w, const char *name, double x) {
-  if (!isnan(x)) {
-    ph_write_key_number(w, name, x);
+/* ---- members by their rows ----------------------------------------------- */
+
+/* A result on its way out. */
+struct output {
+  struct ph_json_writer *w;
+  const struct ph_result *result;
+  struct ph_sizes sizes;
+  size_t image; /* the next one of the curve */
+};
+
+/* Where a member of object i is, NULL: nowhere; and how many there are. */
+static const void *find(const struct ph_slot *slot, const char *object,
+                        size_t i, size_t *n) {
+  const struct ph_where *where = &slot->row->where;
+  const char *at = object + where->at;
+  *n = slot->form == PH_AS_LIST ? slot->n : 1;
+  if (where->n) {
+    memcpy(n, object + where->n - 1, sizeof *n);
+  }
+  if (slot->indirect) {
+    memcpy(&at, at, sizeof at);
+  }
+  return where->how == PH_EACH && at ? at + i * slot->size : at;
+}
+
+/* Whether it is not known what is there. */
+static bool is_unknown(const struct ph_slot *slot, const void *at) {
+  const struct ph_type *type = slot->row->as;
+  const char *text;
+  unsigned word;
+  switch (slot->form) {
+  case PH_AS_DOUBLE:
+    return slot->row->need == PH_MAY && !isfinite(*(const double *)at);
+  case PH_AS_TEXT:
+  case PH_AS_VECTOR:
+    memcpy(&text, at, sizeof text);
+    return !text;
+  case PH_AS_ENUM:
+    memcpy(&word, at, sizeof word);
+    return word < type->least || !ph_words(type->name)[word - type->least];
+  default:
+    return false;
   }
 }
 
-/* Where an interval of the data lies among the segments, and what was found for
- * it. */
-static void write_intervals(struct ph_json_writer *w,
-                            const struct ph_interval *intervals, size_t n) {
-  ph_write_key(w, "intervals");
+static void write_object(struct output *out, const struct ph_slot *slots,
+                         size_t slots_n, const void *object, size_t i);
+
+/* n objects: structs, or members of arrays. */
+static void write_list(struct output *out, const struct ph_slot *slot,
+                       const char *at, size_t n) {
+  const struct ph_members *of = ph_members_of(slot->row->as->name);
+  struct ph_slot slots[PH_SLOTS_MAX];
+  size_t size = of->size, slots_n;
+  ph_sizes_enter(&out->sizes, slot->form, at);
+  slots_n = ph_slots(of, &out->sizes, slots);
+  ph_write_begin(out->w, '[');
+  for (size_t i = 0; i < n; i++) {
+    ph_write_element(out->w);
+    write_object(out, slots, slots_n, at + i * size, size ? 0 : i);
+  }
+  ph_write_end(out->w, ']');
+}
+
+/* The pieces of the image of segment k. */
+static void write_images(struct output *out, const struct ph_slot *slot,
+                         const struct ph_images *images, size_t k) {
+  size_t first = k == 0 ? 0 : out->image, next = first;
+  while (next < images->n && images->v[next].segment == k) {
+    next++;
+  }
+  out->image = next;
+  write_list(out, slot, (const char *)(images->v + first), next - first);
+}
+
+static void write_doubles(struct ph_json_writer *w, const struct ph_slot *slot,
+                          const double *v) {
+  if (slot->dimension) {
+    ph_write_vectors(w, v, slot->n, slot->dimension);
+  } else if (slot->n) {
+    ph_write_numbers(w, v, slot->n);
+  } else {
+    ph_write_number(w, *v);
+  }
+}
+
+static void write_signs(struct ph_json_writer *w, const signed char *signs,
+                        size_t n) {
+  for (size_t i = 0; i < n; i++) {
+    ph_write_put(w, i > 0 ? ',' : '[');
+    ph_write_number(w, signs[i]);
+  }
+  ph_write_put(w, ']');
+}
+
+static void write_sizes(struct ph_json_writer *w, const struct ph_slot *slot,
+                        const size_t *sizes, size_t n) {
+  if (!slot->indirect || slot->row->where.how == PH_EACH) {
+    ph_write_number(w, (double)*sizes);
+    return;
+  }
   ph_write_begin(w, '[');
   for (size_t i = 0; i < n; i++) {
-    const struct ph_interval *interval = &intervals[i];
-    const double segments[] = {(double)interval->first, (double)interval->last};
     ph_write_element(w);
-    ph_write_begin(w, '{');
-    ph_write_key_number(w, "length", interval->length);
-    write_known(w, "natural_length", interval->natural_length);
-    ph_write_key_numbers(w, "segments", segments, 2);
-    if (interval->root != PH_ROOT_N) {
-      ph_write_key_string(w, "root", ph_root_name(interval->root));
-    }
-    write_known(w, "D", interval->ratio);
-    write_known(w, "lambda", interval->lambda);
-    write_known(w, "joint_angle", interval->joint_angle);
-    write_known(w, "joint_position", interval->joint_position);
-    ph_write_end(w, '}');
+    ph_write_number(w, (double)sizes[i]);
   }
   ph_write_end(w, ']');
 }
 
+static void write_range(struct ph_json_writer *w, const size_t *ends) {
+  const double numbers[] = {(double)ends[0], (double)ends[1]};
+  ph_write_numbers(w, numbers, 2);
+}
+
+static void write_word(struct ph_json_writer *w, const struct ph_type *type,
+                       const void *at) {
+  unsigned word;
+  memcpy(&word, at, sizeof word);
+  ph_write_string(w, ph_words(type->name)[word - type->least]);
+}
+
+static void write_text(struct ph_json_writer *w, const void *at) {
+  const char *text;
+  memcpy(&text, at, sizeof text);
+  ph_write_string(w, text);
+}
+
+/* ---- diagnostics and warnings -------------------------------------------- */
+
 static void write_diagnostics(struct ph_json_writer *w,
                               const struct ph_diagnostics *diagnostics) {
-  for (int i = 0; i < PH_DIAGNOSTIC_N; i++) {
+  for (uint64_t i = 0; diagnostics->known >> i; i++) {
     enum ph_diagnostic which = (enum ph_diagnostic)i;
-    const char *name = ph_diagnostic_name(which);
-    const char *type = ph_diagnostic_type(which);
-    const char *const *words = ph_words(type);
     double value = diagnostics->value[i];
+    const char *name, *type;
     if (!(diagnostics->known >> i & 1)) {
       continue;
     }
-    if (words) {
-      ph_write_key_string(w, name, words[(size_t)value]);
+    name = ph_diagnostic_name(which);
+    type = ph_diagnostic_type(which);
+    if (strcmp(type, "number") == 0) {
+      ph_write_key_number(w, name, value);
     } else if (strcmp(type, "flag") == 0) {
       ph_write_key_flag(w, name, value > 0);
     } else {
-      ph_write_key_number(w, name, value);
+      ph_write_key_string(w, name, ph_words(type)[(size_t)value]);
     }
   }
-}
-
-/* {"b":...}: numbers that are not finite are left out. */
-static void write_kantorovich(struct ph_json_writer *w,
-                              const struct ph_kantorovich *k) {
-  const struct {
-    const char *name;
-    double value;
-  } numbers_of[] = {{"B", k->b},
-                    {"C", k->c},
-                    {"K", k->k},
-                    {"h", k->h},
-                    {"radius", k->radius}};
-  ph_write_key(w, "kantorovich");
-  ph_write_begin(w, '{');
-  for (size_t i = 0; i < sizeof numbers_of / sizeof numbers_of[0]; i++) {
-    if (isfinite(numbers_of[i].value)) {
-      ph_write_key_number(w, numbers_of[i].name, numbers_of[i].value);
-    }
-  }
-  ph_write_key_flag(w, "certified", k->certified);
-  ph_write_end(w, '}');
 }
 
 /* The lengths of the curve with free lengths, if it is known everywhere. */
@@ -121,82 +195,42 @@ static void write_natural_lengths(struct ph_json_writer *w,
     }
   }
   ph_write_key(w, "natural_lengths");
-  ph_write_put(w, '[');
   for (size_t i = 0; i < result->intervals_n; i++) {
-    if (i > 0) {
-      ph_write_put(w, ',');
-    }
+    ph_write_put(w, i > 0 ? ',' : '[');
     ph_write_number(w, result->intervals[i].natural_length);
   }
   ph_write_put(w, ']');
 }
 
-/* The starts that were tried, after the name of the one that won. */
-static void write_starts(struct ph_json_writer *w,
-                         const struct ph_result *result) {
-  ph_write_key_string(w, "start", result->starts[result->start].name);
-  ph_write_key(w, "starts");
-  ph_write_begin(w, '[');
-  for (size_t i = 0; i < result->starts_n; i++) {
-    const struct ph_start *start = &result->starts[i];
-    ph_write_element(w);
-    ph_write_begin(w, '{');
-    ph_write_key_string(w, "start", start->name);
-    ph_write_key_string(w, "outcome", ph_outcome_name(start->outcome));
-    write_known(w, "F", start->f);
-    ph_write_key_number(w, "iterations", (double)start->iterations);
-    ph_write_end(w, '}');
-  }
-  ph_write_end(w, ']');
-}
-
 /* The certificate of the curve, and how it was found. */
-static void write_certificate(struct ph_json_writer *w,
-                              const struct ph_result *result) {
-  ph_write_key(w, "diagnostics");
-  ph_write_begin(w, '{');
-  write_diagnostics(w, &result->diagnostics);
+static void write_certificate(struct output *out) {
+  const struct ph_result *result = out->result;
+  struct ph_slot slots[PH_SLOTS_MAX];
+  ph_write_begin(out->w, '{');
+  write_diagnostics(out->w, &result->diagnostics);
   if (result->intervals_n) {
-    write_natural_lengths(w, result);
+    write_natural_lengths(out->w, result);
   }
   if (result->starts_n) {
-    write_starts(w, result);
+    ph_write_key_string(out->w, "start", result->starts[result->start].name);
+    ph_write_key(out->w, "starts");
+    ph_slots(ph_members_of("certificate"), &out->sizes, slots);
+    write_list(out, slots, (const char *)result->starts, result->starts_n);
   }
   if (result->has_kantorovich) {
-    write_kantorovich(w, &result->kantorovich);
+    ph_write_key(out->w, "kantorovich");
+    write_object(out, slots,
+                 ph_slots(ph_members_of("kantorovich"), &out->sizes, slots),
+                 &result->kantorovich, 0);
   }
-  ph_write_end(w, '}');
-}
-
-static void write_solutions(struct ph_json_writer *w,
-                            const struct ph_result *result) {
-  ph_write_key(w, "solutions");
-  ph_write_begin(w, '[');
-  for (size_t i = 0; i < result->solutions_n; i++) {
-    const struct ph_solution *solution = &result->solutions[i];
-    ph_write_element(w);
-    ph_write_begin(w, '{');
-    ph_write_key_flag(w, "good", solution->good);
-    ph_write_segments(w, &solution->curve);
-    if (solution->intervals) {
-      write_intervals(w, solution->intervals, result->intervals_n);
-    }
-    ph_write_key_number(w, "length", solution->curve.length);
-    ph_write_key(w, "diagnostics");
-    ph_write_begin(w, '{');
-    write_diagnostics(w, &solution->diagnostics);
-    ph_write_end(w, '}');
-    ph_write_end(w, '}');
-  }
-  ph_write_end(w, ']');
+  ph_write_end(out->w, '}');
 }
 
 static void write_warnings(struct ph_json_writer *w,
-                           const struct ph_result *result) {
-  ph_write_key(w, "warnings");
+                           const struct ph_warning *warnings, size_t n) {
   ph_write_begin(w, '[');
-  for (size_t i = 0; i < result->warnings_n; i++) {
-    const struct ph_warning *warning = &result->warnings[i];
+  for (size_t i = 0; i < n; i++) {
+    const struct ph_warning *warning = &warnings[i];
     ph_write_element(w);
     ph_write_begin(w, '{');
     ph_write_key_string(w, "code", ph_status_code(warning->diag.status));
@@ -209,6 +243,82 @@ static void write_warnings(struct ph_json_writer *w,
   ph_write_end(w, ']');
 }
 
+/* ---- records ----------------------------------------------------------- */
+
+static void write_value(struct output *out, const struct ph_slot *slot,
+                        const void *object, size_t i, const void *at,
+                        size_t n) {
+  struct ph_json_writer *w = out->w;
+  switch (slot->form) {
+  case PH_AS_DOUBLE:
+  case PH_AS_RADIUS:
+    write_doubles(w, slot, at);
+    break;
+  case PH_AS_KNOTS:
+    ph_write_numbers(w, at, 2);
+    break;
+  case PH_AS_SIZE:
+    write_sizes(w, slot, at, n);
+    break;
+  case PH_AS_RANGE:
+    write_range(w, at);
+    break;
+  case PH_AS_SIGN:
+    write_signs(w, at, slot->n);
+    break;
+  case PH_AS_FLAG:
+    ph_write_flag(w, *(const bool *)at);
+    break;
+  case PH_AS_TEXT:
+  case PH_AS_VECTOR:
+    write_text(w, at);
+    break;
+  case PH_AS_ENUM:
+    write_word(w, slot->row->as, at);
+    break;
+  case PH_AS_IMAGES:
+    write_images(out, slot, &((const struct ph_curve *)object)->blaschke, i);
+    break;
+  case PH_AS_CERTIFICATE:
+    write_certificate(out);
+    break;
+  case PH_AS_DIAGNOSTIC_SET:
+    ph_write_begin(w, '{');
+    write_diagnostics(w, at);
+    ph_write_end(w, '}');
+    break;
+  case PH_AS_WARNING_LIST:
+    write_warnings(w, at, n);
+    break;
+  default:
+    write_list(out, slot, at, n);
+  }
+}
+
+/* The members of object i, or that this one has of arrays. */
+static void write_members(struct output *out, const struct ph_slot *slots,
+                          size_t slots_n, const void *object, size_t i) {
+  bool plain = !ph_kind_of(&out->result->curve)->on_sphere;
+  for (const struct ph_slot *slot = slots; slot < slots + slots_n; slot++) {
+    size_t n;
+    const void *at = find(slot, object, i, &n);
+    if ((n == 0 && strncmp(slot->row->type, "[]", 2) != 0) ||
+        (!at && slot->row->where.how == PH_EACH) || is_unknown(slot, at) ||
+        (plain && slot->row->of == PH_OF_SPHERE)) {
+      continue;
+    }
+    ph_write_key(out->w, slot->row->name);
+    write_value(out, slot, object, i, at, n);
+  }
+}
+
+static void write_object(struct output *out, const struct ph_slot *slots,
+                         size_t slots_n, const void *object, size_t i) {
+  ph_write_begin(out->w, '{');
+  write_members(out, slots, slots_n, object, i);
+  ph_write_end(out->w, '}');
+}
+
 static void finish(struct ph_json_writer *w) {
   ph_write_end(w, '}');
   ph_write_put(w, '\n');
@@ -217,37 +327,15 @@ static void finish(struct ph_json_writer *w) {
 void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
                     const struct ph_result *result, bool pretty) {
   struct ph_json_writer w = {.buf = buf, .pretty = pretty};
-  const struct ph_curve *curve = &result->curve;
+  struct output out = {.w = &w, .result = result};
+  struct ph_slot slots[PH_SLOTS_MAX];
+  out.sizes.of['I' - 'A'] = result->intervals_n;
+  ph_sizes_enter(&out.sizes, PH_AS_SEGMENTS, &result->curve);
   ph_write_begin(&w, '{');
   ph_json_heading(&w, heading, "ok");
-  ph_write_key_string(&w, "curve", ph_curve_name(curve->kind));
-  ph_write_key_number(&w, "dimension", (double)curve->dimension);
-  ph_write_key_number(&w, "degree", (double)curve->degree);
-  ph_write_key_flag(&w, "closed", curve->closed);
-  ph_write_segments(&w, curve);
-  if (ph_kind_of(curve)->on_sphere) {
-    ph_write_sphere(&w, curve);
-  }
-  if (result->intervals_n) {
-    write_intervals(&w, result->intervals, result->intervals_n);
-  }
-  ph_write_key_number(&w, "length", curve->length);
-  if (result->offsets_n) {
-    ph_write_offsets(&w, result->offsets, result->offsets_n);
-  }
-  if (result->samples.frame) {
-    ph_write_key_string(&w, "frame", ph_frame_name(result->samples.frame));
-  }
-  if (result->samples.n) {
-    ph_write_samples(&w, &result->samples);
-  }
-  write_certificate(&w, result);
-  if (result->solutions_n) {
-    write_solutions(&w, result);
-  }
-  if (result->warnings_n) {
-    write_warnings(&w, result);
-  }
+  write_members(&out, slots,
+                ph_slots(ph_members_of("result"), &out.sizes, slots), result,
+                0);
   finish(&w);
 }
 

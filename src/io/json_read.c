@@ -88,34 +88,34 @@ static void wrong_type(struct ph_json_reader *r, const char *wanted,
 
 /* ---- containers -------------------------------------------------------- */
 
-/* Which of the names a key is; n: none. */
-static size_t index_of(struct ph_json_reader *r,
-                       const struct ph_json_item *item,
-                       const char *const *names, size_t n) {
+/* Which of the rows a key is of; NULL: none. */
+static const struct ph_member *row_of(struct ph_json_reader *r,
+                                      const struct ph_json_item *item,
+                                      const struct ph_member *rows) {
   const char *key = item->key;
-  size_t key_n = item->key_n, i;
-  if (memchr(key, '\\', key_n)) {
-    key = ph_value_string(key - 1, key_n + 2, r->arena);
+  size_t n = item->key_n;
+  if (memchr(key, '\\', n)) {
+    key = ph_value_string(key - 1, n + 2, r->arena);
     if (!key) {
       exhausted(r);
-      return n;
+      return NULL;
     }
-    key_n = strlen(key);
+    n = strlen(key);
   }
-  for (i = 0; i < n; i++) {
-    if (strlen(names[i]) == key_n && memcmp(names[i], key, key_n) == 0) {
-      break;
-    }
+  while (rows->name &&
+         (strlen(rows->name) != n || memcmp(rows->name, key, n) != 0)) {
+    rows++;
   }
-  return i;
+  return rows->name ? rows : NULL;
 }
 
 void ph_read_members(struct ph_json_reader *r, const struct ph_json_item *from,
-                     const char *const *names, size_t n,
-                     struct ph_json_item *items) {
+                     const struct ph_member *rows, struct ph_json_item *items) {
   struct ph_json_walk walk;
   struct ph_json_item item;
-  memset(items, 0, n * sizeof *items);
+  for (size_t i = 0; rows[i].name; i++) {
+    items[i] = (struct ph_json_item){0};
+  }
   if (r->status != PH_OK) {
     return;
   }
@@ -125,12 +125,12 @@ void ph_read_members(struct ph_json_reader *r, const struct ph_json_item *from,
   }
   ph_json_walk_init(&walk, from->value, from->value_n);
   while (r->status == PH_OK && ph_json_walk_next(&walk, &item)) {
-    size_t i = index_of(r, &item, names, n);
-    if (i < n && items[i].value) {
-      ph_read_enter(r, names[i]);
+    const struct ph_member *row = row_of(r, &item, rows);
+    if (row && items[row - rows].value) {
+      ph_read_enter(r, row->name);
       ph_read_fail(r, PH_BAD_VALUE, "occurs twice");
-    } else if (i < n) {
-      items[i] = item;
+    } else if (row) {
+      items[row - rows] = item;
     }
   }
 }

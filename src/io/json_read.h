@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Reads JSON whose members are known: objects by tables of names, arrays by the
- * sizes they must have.
+ * Reads JSON whose members are known: objects by the rows of members.h, arrays
+ * by the sizes they must have.
  *
  * The reader knows where it is (segments[2].interval[1]) and says so when it
  * fails.  A failure, as that there is no more time, is remembered in `status'
@@ -14,6 +14,7 @@
 #include "base/diag.h"
 #include "base/mem.h"
 #include "io/json_scan.h"
+#include "io/members.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -44,14 +45,13 @@ void *ph_read_array_of(struct ph_json_reader *r, size_t n, size_t size);
 /* ---- containers -------------------------------------------------------- */
 
 /*
- * ph_read_members: finds the named members of an object.  A name that is asked
- * for must not occur twice; other members are passed over.
+ * ph_read_members: finds the members of an object.  One that has a row must not
+ * occur twice; others are passed over.
  *
- * out  items[n]  in the order of the names; value NULL: absent
+ * out  items  by row; value NULL: absent
  */
 void ph_read_members(struct ph_json_reader *r, const struct ph_json_item *from,
-                     const char *const *names, size_t n,
-                     struct ph_json_item *items);
+                     const struct ph_member *rows, struct ph_json_item *items);
 
 /* ph_read_size: how many elements an array has; 0 after a failure. */
 size_t ph_read_size(struct ph_json_reader *r, const struct ph_json_item *from);

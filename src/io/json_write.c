@@ -116,18 +116,6 @@ void ph_write_key_number(struct ph_json_writer *w, const char *name, double x) {
   ph_write_number(w, x);
 }
 
-void ph_write_key_numbers(struct ph_json_writer *w, const char *name,
-                          const double *v, size_t n) {
-  ph_write_key(w, name);
-  ph_write_numbers(w, v, n);
-}
-
-void ph_write_key_vectors(struct ph_json_writer *w, const char *name,
-                          const double *v, size_t n, size_t dimension) {
-  ph_write_key(w, name);
-  ph_write_vectors(w, v, n, dimension);
-}
-
 void ph_write_key_raw(struct ph_json_writer *w, const char *name,
                       const char *json, size_t n) {
   if (json) {
@@ -136,7 +124,11 @@ void ph_write_key_raw(struct ph_json_writer *w, const char *name,
   }
 }
 
+void ph_write_flag(struct ph_json_writer *w, bool flag) {
+  ph_buf_puts(w->buf, flag ? "true" : "false");
+}
+
 void ph_write_key_flag(struct ph_json_writer *w, const char *name, bool flag) {
   ph_write_key(w, name);
-  ph_buf_puts(w->buf, flag ? "true" : "false");
+  ph_write_flag(w, flag);
 }

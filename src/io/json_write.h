@@ -39,6 +39,7 @@ void ph_write_key(struct ph_json_writer *w, const char *name);
 /* ---- values ---------------------------------------------------------- */
 
 void ph_write_string(struct ph_json_writer *w, const char *text);
+void ph_write_flag(struct ph_json_writer *w, bool flag);
 
 /* ph_write_number: a finite number, as do all that follow. */
 void ph_write_number(struct ph_json_writer *w, double x);
@@ -56,10 +57,6 @@ void ph_write_key_string(struct ph_json_writer *w, const char *name,
                          const char *text);
 void ph_write_key_number(struct ph_json_writer *w, const char *name, double x);
 void ph_write_key_flag(struct ph_json_writer *w, const char *name, bool flag);
-void ph_write_key_numbers(struct ph_json_writer *w, const char *name,
-                          const double *v, size_t n);
-void ph_write_key_vectors(struct ph_json_writer *w, const char *name,
-                          const double *v, size_t n, size_t dimension);
 
 /* ph_write_key_raw: json[n] as it is; none if it is NULL */
 void ph_write_key_raw(struct ph_json_writer *w, const char *name,

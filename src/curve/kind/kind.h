@@ -18,7 +18,7 @@
  *   bezier         itself as polynomial Bezier curves
  *
  * and, of numbers that only it has, a struct in struct ph_curve, written and
- * read as members of records by io/json_curve.c and io/json_result_curve.c.
+ * read as members of records by their rows in io/members.c.
  */
 #ifndef PH_CURVE_KIND_KIND_H
 #define PH_CURVE_KIND_KIND_H

@@ -1,0 +1,466 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table of members (see members.h). */
+#include "io/members.h"
+
+#include <assert.h>
+#include <stdint.h>
+#include <string.h>
+
+#define MAY PH_MAY
+#define TOLD PH_TOLD
+#define MUST PH_MUST
+
+#define ANY PH_OF_ANY
+#define ATPH PH_OF_ATPH
+#define SQUARE PH_OF_SQUARE
+#define CUBIC PH_OF_CUBIC
+#define SPHERE PH_OF_SPHERE
+#define FLAT PH_OF_FLAT
+#define SPACE PH_OF_SPACE
+#define RATIONAL PH_OF_RATIONAL
+#define QUOTIENT PH_OF_QUOTIENT
+#define TENSION PH_OF_TENSION
+#define INTERVALS PH_OF_INTERVALS
+#define LENGTHS PH_OF_LENGTHS
+
+#define AS(sizes, type) sizes #type, &as_##type
+#define APART   \
+  NULL, {       \
+    PH_AT, 0, 0 \
+  }
+#define AT(type, member) \
+  { PH_AT, offsetof(struct type, member), 0 }
+#define EACH(type, member) \
+  { PH_EACH, offsetof(struct type, member), 0 }
+#define LIST(type, member, n) \
+  { PH_AT, offsetof(struct type, member), 1 + offsetof(struct type, n) }
+#define SELF(type, n) \
+  { PH_AT, 0, 1 + offsetof(struct type, n) }
+#define ROW(name, need, of, type, what) \
+  { name, need, of, type, APART, what }
+#define LAST \
+  { NULL, MAY, ANY, NULL, APART, NULL }
+
+/* Types; most: SIZE_MAX, the last segment. */
+#define TYPE(type, name, form, size, least, most)                           \
+  static const struct ph_type as_##type = {name, PH_AS_##form, size, least, \
+                                           most}
+TYPE(number, "number", DOUBLE, sizeof(double), 0, 0);
+TYPE(positive, "positive", DOUBLE, sizeof(double), 0, 0);
+TYPE(radius, "radius", RADIUS, sizeof(double), 0, 0);
+TYPE(knots, "knots", KNOTS, sizeof(double), 0, 0);
+TYPE(index, "index", SIZE, sizeof(size_t), 0, SIZE_MAX);
+TYPE(whole, "whole", SIZE, sizeof(size_t), 0, INT32_MAX);
+TYPE(D, "D", SIZE, sizeof(size_t), 2, 3);
+TYPE(degree, "degree", SIZE, sizeof(size_t), 1, PH_CLAIM_DEGREE_MAX);
+TYPE(offset_degree, "offset_degree", SIZE, sizeof(size_t), 1,
+     PH_CLAIM_DEGREE_MAX);
+TYPE(range, "range", RANGE, 2 * sizeof(size_t), 0, SIZE_MAX);
+TYPE(sign, "sign", SIGN, 1, 0, 0);
+TYPE(flag, "flag", FLAG, sizeof(bool), 0, 0);
+TYPE(text, "text", TEXT, sizeof(char *), 0, 0);
+TYPE(vector, "vector", VECTOR, sizeof(char *), 0, 0);
+TYPE(curve, "kind", ENUM, sizeof(enum ph_curve_kind), 0, 0);
+TYPE(root, "root", ENUM, sizeof(enum ph_root), 0, 0);
+TYPE(frame, "frame", ENUM, sizeof(enum ph_frame), PH_FRAME_NONE + 1, 0);
+TYPE(outcome, "outcome", ENUM, sizeof(enum ph_outcome), 0, 0);
+TYPE(segment, "segment", SEGMENTS, 0, 0, 0);
+TYPE(image, "image", IMAGES, 0, 0, 0);
+TYPE(piece, "piece", PIECES, 0, 0, 0);
+TYPE(bezier, "bezier", BEZIERS, 0, 0, 0);
+TYPE(sample, "sample", SAMPLES, 0, 0, 0);
+TYPE(interval, "interval", LIST, 0, 0, 0);
+TYPE(solution, "solution", LIST, 0, 0, 0);
+TYPE(offset, "offset", LIST, 0, 0, 0);
+TYPE(cusp, "cusp", LIST, 0, 0, 0);
+TYPE(start, "start", LIST, 0, 0, 0);
+TYPE(certificate, "certificate", CERTIFICATE, 0, 0, 0);
+TYPE(diagnostics, "diagnostics", DIAGNOSTIC_SET, 0, 0, 0);
+TYPE(warning, "warning", WARNING_LIST, 0, 0, 0);
+
+/* Of every record. */
+#define HEADING                                                           \
+  ROW("id", MAY, ANY, "id", "that of the problem"),                       \
+      ROW("meta", MAY, ANY, "any", "that of the problem"),                \
+      ROW("command", MUST, ANY, "command", "the command"),                \
+      ROW("status", MUST, ANY, "status", "whether it succeeded"),         \
+      ROW("sweep", MAY, ANY, "sweep",                                     \
+          "the value of each field that is swept, of FIELD* the factor"), \
+      ROW("set", MAY, ANY, "set",                                         \
+          "the value of each field that options have set")
+
+/* Of what is solved. */
+static const struct ph_member result[] = {
+    HEADING,
+    {"curve", MUST, ANY, AS("", curve), AT(ph_result, curve.kind),
+     "the kind of curve"},
+    {"dimension", MUST, ANY, AS("", D), AT(ph_result, curve.dimension),
+     "2 in the plane, 3 in space"},
+    {"degree", MUST, ANY, AS("", degree), AT(ph_result, curve.degree),
+     "of the segments: the number of their control points less one"},
+    {"closed", MUST, ANY, AS("", flag), AT(ph_result, curve.closed),
+     "whether the curve is closed"},
+    {"segments", MUST, ANY, AS("[+]", segment), LIST(ph_result, curve, curve.n),
+     "the curve"},
+    {"center", MUST, SPHERE, AS("[3]", number),
+     AT(ph_result, curve.sphere.center), "of the sphere"},
+    {"radius", MUST, SPHERE, AS("", radius), AT(ph_result, curve.sphere.radius),
+     "of the sphere"},
+    {"tensions", TOLD, SPHERE, AS("[N]", number),
+     EACH(ph_result, curve.sphere.tensions), "of each point"},
+    {"indicators", TOLD, SPHERE, AS("[N]", sign),
+     EACH(ph_result, curve.sphere.indicators),
+     "at each point: 1 where the data turn left, -1 right, else 0"},
+    {"intervals", MAY, INTERVALS, AS("[+]", interval),
+     LIST(ph_result, intervals, intervals_n),
+     "between consecutive data, or of each curve that is approximated"},
+    {"length", TOLD, ANY, AS("", number), AT(ph_result, curve.length),
+     "the arc length of the curve"},
+    {"offsets", MAY, ANY, AS("[+]", offset),
+     LIST(ph_result, offsets, offsets_n),
+     "one for each distance, in space four"},
+    {"frame", MAY, SPACE, AS("", frame), AT(ph_result, samples.frame),
+     "which frame the samples have"},
+    {"samples", MAY, ANY, AS("[+]", sample),
+     LIST(ph_result, samples, samples.n), "of the curve, in its order"},
+    {"diagnostics", TOLD, ANY, AS("", certificate), AT(ph_result, diagnostics),
+     "the certificate of the curve, and how it was found"},
+    {"solutions", MAY, ANY, AS("[+]", solution),
+     LIST(ph_result, solutions, solutions_n),
+     "all curves that were found, the first is that of the record"},
+    {"warnings", MAY, ANY, AS("[+]", warning),
+     LIST(ph_result, warnings, warnings_n), "if there are any"},
+    LAST};
+
+#define ERROR ROW("error", MUST, ANY, "error", "why there is no result")
+
+/* Of a record that failed. */
+static const struct ph_member failure[] = {HEADING, ERROR, LAST};
+
+static const struct ph_member segment[] = {
+    {"interval", TOLD, ANY, AS("", knots), EACH(ph_curve, knots),
+     "the knots between which the segment lies"},
+    {"alpha", TOLD, ATPH, AS("", positive), EACH(ph_curve, preimage.alpha),
+     "the angle of the segment"},
+    {"control_points", MUST, ANY, AS("[P][D]", number),
+     EACH(ph_curve, control_points),
+     "the Bezier points; of atph the coefficients in its B-basis"},
+    {"preimage", TOLD, SQUARE, AS("[W][Q]", number), EACH(ph_curve, preimage.v),
+     "coefficients of the function whose square is the derivative"},
+    {"length", TOLD, ANY, AS("", number), EACH(ph_curve, lengths),
+     "the arc length of the segment"},
+    {"tension", TOLD, TENSION, AS("", number), EACH(ph_curve, choice.tension),
+     "by its square the derivatives at both ends were scaled"},
+    {"angles", MAY, TENSION, AS("[2]", number), EACH(ph_curve, choice.angles),
+     "theta and beta"},
+    {"shape_ok", TOLD, TENSION, AS("", flag), EACH(ph_curve, choice.shape_ok),
+     "whether the segment keeps the shape of its data"},
+    {"blaschke", MAY, CUBIC, AS("[]", image), EACH(ph_curve, blaschke.v),
+     "the image of the segment on the Blaschke cylinder"},
+    LAST};
+
+/* Of a piece of an image on the Blaschke cylinder. */
+static const struct ph_member image[] = {
+    {"interval", MUST, ANY, AS("[2]", number), AT(ph_blaschke, interval),
+     "the part of the segment, in its local parameter"},
+    {"control_points", MUST, ANY, AS("[6][3]", number),
+     AT(ph_blaschke, control_points), "of a rational Bezier curve"},
+    {"weights", MUST, ANY, AS("[6]", positive), AT(ph_blaschke, weights),
+     "of the points"},
+    LAST};
+
+static const struct ph_member interval[] = {
+    {"length", MUST, ANY, AS("", number), AT(ph_interval, length),
+     "the arc length of the curve in this interval"},
+    {"natural_length", MAY, LENGTHS, AS("", number),
+     AT(ph_interval, natural_length),
+     "what it is on the curve whose lengths are free"},
+    {"segments", MUST, ANY, AS("", range), AT(ph_interval, first),
+     "the first and the last of its segments"},
+    {"root", MAY, CUBIC, AS("", root), AT(ph_interval, root),
+     "which solution it is"},
+    {"D", MAY, CUBIC, AS("", number), AT(ph_interval, ratio), "of one cubic"},
+    {"lambda", MAY, CUBIC, AS("", number), AT(ph_interval, lambda),
+     "length of the derivatives over that of the chord"},
+    {"joint_angle", MAY, CUBIC, AS("", number), AT(ph_interval, joint_angle),
+     "from the chord to the curve, at a joint on it"},
+    {"joint_position", MAY, CUBIC, AS("", number),
+     AT(ph_interval, joint_position),
+     "the part of the chord before a joint on it"},
+    LAST};
+
+static const struct ph_member solution[] = {
+    {"good", TOLD, ANY, AS("", flag), AT(ph_solution, good),
+     "whether it is the curve that would be given alone"},
+    {"segments", MUST, ANY, AS("[+]", segment),
+     LIST(ph_solution, curve, curve.n), "the curve"},
+    {"intervals", MAY, INTERVALS, AS("[I]", interval),
+     EACH(ph_solution, intervals), "if the record has them"},
+    {"length", TOLD, ANY, AS("", number), AT(ph_solution, curve.length),
+     "the arc length of the curve"},
+    {"diagnostics", TOLD, ANY, AS("", diagnostics),
+     AT(ph_solution, diagnostics), "of this curve"},
+    LAST};
+
+static const struct ph_member offset[] = {
+    {"distance", MUST, ANY, AS("", number), AT(ph_offset, distance),
+     "in the plane and on a sphere positive to the left of travel"},
+    {"vector", TOLD, SPACE, AS("", vector), AT(ph_offset, vector),
+     "of the frame, along which the distance is measured"},
+    {"degree", MUST, FLAT, AS("", offset_degree), LIST(ph_offset, degree, n),
+     "of its segments"},
+    {"segments", MUST, FLAT, AS("[+]", piece), SELF(ph_offset, n),
+     "the offset"},
+    {"beziers", TOLD, QUOTIENT, AS("[+]", bezier),
+     LIST(ph_offset, pieces, pieces.n),
+     "polynomial Bezier pieces of the offset, within the tolerance"},
+    {"error", TOLD, QUOTIENT, AS("", number),
+     LIST(ph_offset, pieces.error, pieces.n),
+     "the greatest distance of these from the offset that was found"},
+    {"length", MAY, ANY, AS("", number), AT(ph_offset, length),
+     "the arc length of the offset"},
+    {"cusps", TOLD, ANY, AS("[]", cusp), LIST(ph_offset, cusps.at, cusps.n),
+     "where the offset turns back"},
+    {"gaps", TOLD, ANY, AS("[]", index), LIST(ph_offset, gaps.before, gaps.n),
+     "the segments before which the offset jumps"},
+    {"samples", MAY, ANY, AS("[+]", sample),
+     LIST(ph_offset, samples, samples.n), "of the offset, in its order"},
+    LAST};
+
+/* Of a piece of an offset: rational, or a quotient. */
+static const struct ph_member piece[] = {
+    {"segment", MUST, ANY, AS("", index), EACH(ph_offset, segment),
+     "of the curve"},
+    {"interval", MUST, ANY, AS("[2]", number), EACH(ph_offset, interval),
+     "the part of the segment, in its local parameter"},
+    {"control_points", MUST, RATIONAL, AS("[O][D]", number),
+     EACH(ph_offset, control_points), "of a rational Bezier curve"},
+    {"weights", MUST, RATIONAL, AS("[O]", positive), EACH(ph_offset, weights),
+     "of the points"},
+    {"numerator", MUST, QUOTIENT, AS("[O][D]", number),
+     EACH(ph_offset, numerator),
+     "of what has to be added to the curve, in its B-basis"},
+    {"denominator", MUST, QUOTIENT, AS("[O]", number),
+     EACH(ph_offset, denominator), "of the same"},
+    LAST};
+
+/* Of a polynomial piece of an offset. */
+static const struct ph_member bezier[] = {
+    {"segment", MUST, ANY, AS("", index), EACH(ph_pieces, segment),
+     "of the curve"},
+    {"interval", MUST, ANY, AS("[2]", number), EACH(ph_pieces, interval),
+     "the part of the segment, in its local parameter"},
+    {"control_points", MUST, ANY, AS("[P][D]", number),
+     EACH(ph_pieces, control_points), "the Bezier points"},
+    LAST};
+
+static const struct ph_member cusp[] = {
+    {"segment", MUST, ANY, AS("", index), AT(ph_place, segment),
+     "of the curve beside it"},
+    {"t", MUST, ANY, AS("", number), AT(ph_place, t),
+     "the local parameter in the segment"},
+    LAST};
+
+static const struct ph_member sample[] = {
+    {"segment", MUST, ANY, AS("", index), EACH(ph_samples, segment),
+     "of the curve"},
+    {"t", MUST, ANY, AS("", number), EACH(ph_samples, t),
+     "the local parameter in the segment, from 0 to 1, for atph to alpha"},
+    {"s", MUST, ANY, AS("", number), EACH(ph_samples, s),
+     "the arc length from the beginning"},
+    {"point", MUST, ANY, AS("[D]", number), EACH(ph_samples, point),
+     "the point"},
+    {"tangent", MAY, ANY, AS("[D]", number), EACH(ph_samples, tangent),
+     "the unit tangent"},
+    {"curvature", MAY, ANY, AS("", number), EACH(ph_samples, curvature),
+     "in the plane and on a sphere positive where the curve turns left"},
+    {"torsion", MAY, SPACE, AS("", number), EACH(ph_samples, torsion),
+     "the torsion"},
+    {"lonlat", TOLD, SPHERE, AS("[2]", number), EACH(ph_samples, lonlat),
+     "longitude and latitude in degrees, as seen from the center"},
+    {"normal", MAY, SPACE, AS("[3]", number), EACH(ph_samples, normal),
+     "unit vector of the frame"},
+    {"binormal", MAY, SPACE, AS("[3]", number), EACH(ph_samples, binormal),
+     "unit vector of the frame"},
+    LAST};
+
+#define DIAGNOSTIC(symbol, name, type, what) ROW(name, MAY, ANY, type, what),
+static const struct ph_member diagnostics[] = {PH_DIAGNOSTICS(DIAGNOSTIC) LAST};
+
+/* Of the member diagnostics of a record. */
+static const struct ph_member certificate[] = {
+    PH_DIAGNOSTICS(DIAGNOSTIC)
+        ROW("kantorovich", MAY, ANY, "kantorovich",
+            "the theorem of Kantorovich for the equations of the solver"),
+    ROW("start", MAY, LENGTHS, "text", "the start that led to the curve"),
+    {"starts", MAY, LENGTHS, AS("[+]", start),
+     LIST(ph_result, starts, starts_n), "that were tried, in order"},
+    ROW("natural_lengths", MAY, LENGTHS, "[+]number",
+        "the lengths of the curve whose lengths are free"),
+    LAST};
+
+static const struct ph_member kantorovich[] = {
+    {"B", MAY, ANY, AS("", number), AT(ph_kantorovich, b),
+     "a bound of the inverse of the Jacobian"},
+    {"C", MAY, ANY, AS("", number), AT(ph_kantorovich, c),
+     "the length of the next step of Newton"},
+    {"K", MAY, ANY, AS("", number), AT(ph_kantorovich, k),
+     "a Lipschitz constant of the Jacobian"},
+    {"h", MAY, ANY, AS("", number), AT(ph_kantorovich, h),
+     "the product of these"},
+    {"radius", MAY, ANY, AS("", number), AT(ph_kantorovich, radius),
+     "of a ball around the unknowns that contains an exact solution"},
+    {"certified", MUST, ANY, AS("", flag), AT(ph_kantorovich, certified),
+     "whether h is at most 1/2"},
+    LAST};
+
+static const struct ph_member start[] = {
+    {"start", MUST, ANY, AS("", text), AT(ph_start, name), "its name"},
+    {"outcome", MUST, ANY, AS("", outcome), AT(ph_start, outcome),
+     "what became of it"},
+    {"F", MAY, ANY, AS("", number), AT(ph_start, f),
+     "the functional it led to"},
+    {"iterations", MUST, ANY, AS("", whole), AT(ph_start, iterations),
+     "the steps that it took"},
+    LAST};
+
+static const struct ph_member warning[] = {
+    ROW("code", MUST, ANY, "warning_code", "what it is about"),
+    ROW("segment", MAY, ANY, "whole", "the first one concerned"),
+    ROW("message", MUST, ANY, "text", "what was found"), LAST};
+
+static const struct ph_member error[] = {
+    ROW("code", MUST, ANY, "code", "what it is about"),
+    ROW("message", MUST, ANY, "text", "what was found and is allowed"),
+    ROW("field", MAY, ANY, "text", "which field, or element of it"),
+    ROW("file", MAY, ANY, "text", "that the problem stands in, or -"),
+    ROW("line", MAY, ANY, "whole", "in the file, from 1"),
+    ROW("column", MAY, ANY, "whole", "in the line, in bytes, from 1"),
+    LAST};
+
+/* Of what verify says of a result: what it is of, in failures as it stands
+ * there; and what was found. */
+#define OF ROW("of", MUST, ANY, "method", "the command of the result")
+#define NAMED ROW("of", MUST, ANY, "text", "what the result has as its command")
+#define CLAIMS                          \
+  ROW("claims", MUST, ANY, "no_claims", \
+      "the result is an error record, which claims no curve")
+#define VERDICT                                                      \
+  ROW("curve", MUST, ANY, "kind", "the kind of curve"),              \
+      ROW("segments", MUST, ANY, "whole", "how many the curve has"), \
+      ROW("worst", MAY, ANY, "worst", "the largest of all errors"),  \
+      ROW("checks", MUST, ANY, "checks", "the largest error of each check")
+
+/* What is right, what claims nothing; what is wrong, what should not claim
+ * nothing, what cannot be looked at. */
+static const struct ph_member verdict[] = {HEADING, OF, VERDICT, LAST};
+static const struct ph_member none[] = {HEADING, OF, CLAIMS, LAST};
+static const struct ph_member wrong[] = {HEADING, ERROR, OF, VERDICT, LAST};
+static const struct ph_member wrong_none[] = {HEADING, ERROR, NAMED, CLAIMS,
+                                              LAST};
+static const struct ph_member unknown[] = {HEADING, ERROR, NAMED, LAST};
+
+static const struct ph_member worst[] = {
+    ROW("check", MUST, ANY, "check", "its check"),
+    ROW("error", MUST, ANY, "number", "the error, relative"), LAST};
+
+static const struct ph_members objects[] = {
+    {"result", false, result, sizeof(struct ph_result)},
+    {"segment", false, segment, 0},
+    {"interval", false, interval, sizeof(struct ph_interval)},
+    {"offset", false, offset, sizeof(struct ph_offset)},
+    {"piece", false, piece, 0},
+    {"bezier", false, bezier, 0},
+    {"cusp", true, cusp, sizeof(struct ph_place)},
+    {"sample", false, sample, 0},
+    {"image", true, image, sizeof(struct ph_blaschke)},
+    {"solution", false, solution, sizeof(struct ph_solution)},
+    {"kantorovich", true, kantorovich, sizeof(struct ph_kantorovich)},
+    {"start", true, start, sizeof(struct ph_start)},
+    {"certificate", false, certificate, 0},
+    {"diagnostics", true, diagnostics, 0},
+    {"warning", true, warning, 0},
+    {"failure", false, failure, 0},
+    {"error", true, error, 0},
+    {"verdict", false, verdict, 0},
+    {"none", false, none, 0},
+    {"wrong", false, wrong, 0},
+    {"wrong-none", false, wrong_none, 0},
+    {"unknown", false, unknown, 0},
+    {"worst", true, worst, 0},
+};
+
+const struct ph_members *ph_members_of(const char *name) {
+  size_t i = 0;
+  while (*objects[i].name != *name || strcmp(objects[i].name, name) != 0) {
+    i++;
+  }
+  return &objects[i];
+}
+
+/* ---- members in memory --------------------------------------------------- */
+
+void ph_sizes_enter(struct ph_sizes *sizes, enum ph_form form,
+                    const void *from) {
+#define SIZE(letter) sizes->of[(letter) - 'A']
+  if (form == PH_AS_SEGMENTS) {
+    const struct ph_curve *curve = from;
+    SIZE('D') = curve->dimension;
+    SIZE('P') = curve->degree + 1;
+    SIZE('W') = curve->preimage.n;
+    SIZE('Q') = curve->preimage.dimension;
+    SIZE('S') = curve->n;
+    SIZE('N') = curve->n + (curve->closed ? 0 : 1);
+  } else if (form == PH_AS_PIECES) {
+    const struct ph_offset *o = from;
+    SIZE('D') = o->dimension;
+    SIZE('O') = o->degree + 1;
+  } else if (form == PH_AS_BEZIERS) {
+    const struct ph_pieces *pieces = from;
+    SIZE('D') = pieces->dimension;
+    SIZE('P') = pieces->degree + 1;
+  } else if (form == PH_AS_SAMPLES) {
+    SIZE('D') = ((const struct ph_samples *)from)->dimension;
+  }
+}
+
+/* The number between brackets that text begins with; 0: any. */
+static size_t size_of(const struct ph_sizes *sizes, const char *text) {
+  char c = text[1];
+  return c >= 'A' && c <= 'Z'   ? SIZE(c)
+         : c >= '0' && c <= '9' ? (size_t)(c - '0')
+                                : 0;
+}
+#undef SIZE
+
+/* Words are read and written as what enumerations are. */
+static_assert(sizeof(enum ph_root) == sizeof(unsigned), "enumerations");
+
+size_t ph_slots(const struct ph_members *of, const struct ph_sizes *sizes,
+                struct ph_slot slots[PH_SLOTS_MAX]) {
+  size_t n = 0;
+  for (const struct ph_member *row = of->rows; row->name; row++) {
+    struct ph_slot *slot = &slots[n];
+    const struct ph_type *type = row->as;
+    const char *text = row->type;
+    if (!type) {
+      continue;
+    }
+    assert(n < PH_SLOTS_MAX);
+    n++;
+    *slot = (struct ph_slot){.row = row, .form = type->form};
+    if (*text == '[') {
+      slot->n = size_of(sizes, text);
+      text = strchr(text, ']') + 1;
+    }
+    if (*text == '[') {
+      slot->dimension = size_of(sizes, text);
+    }
+    slot->size = type->size * (slot->n ? slot->n : 1) *
+                 (slot->dimension ? slot->dimension : 1);
+    slot->most = type->most < SIZE_MAX ? type->most : sizes->of['S' - 'A'] - 1;
+    slot->indirect = row->where.how == PH_EACH || type->form == PH_AS_LIST ||
+                     (type->form == PH_AS_SIZE && *row->type == '[');
+  }
+  return n;
+}
