@@ -111,6 +111,10 @@ static struct local local_at(const struct integrand *in, double u) {
                   (b.speed * b.speed);
   b.rate_error =
       fast * b.kappa_error + fast * fabs(b.rate) * s->noise / b.speed;
+  if (!in->plane) { /* the direction of r' x r'' */
+    double loose = s->noise * (NEXT * b.speed + second) / size;
+    b.rate_error += (loose < 1 ? loose : 1) * ph_vec3_abs(change) / cube;
+  }
   if (in->twists) {
     twist(s, jet, turn, &b);
   }

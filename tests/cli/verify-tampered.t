@@ -175,6 +175,10 @@ good frame '{"points":[[0,0,0],[1,1,0],[2,0,1],[4,1,2]]}' \
   spatial-hermite --sample=4 --frame=erf
 tampered '.frame = "rmf"' sample_error
 
+good bent '{"points":[[0,0,0],[1,1,1e-7],[2,0,0],[3,1,0]]}' spatial-hermite
+tampered '.diagnostics.energy *= 1.000001' diagnostic_error
+tampered '.diagnostics.F2 *= 1.000001' diagnostic_error
+
 for criterion in F1 F2 F3; do
   good "fair$criterion" '{"points":[[0,0,0],[1,1,0],[2,0,1],[4,1,2]]}' \
     spatial-hermite --criterion="$criterion"
