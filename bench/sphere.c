@@ -253,6 +253,7 @@ enum { BATCH = 1024 };
 struct batch {
   struct ph_spherical segment[BATCH];
   double out[BATCH];
+  struct ph_arena arena;
 };
 
 static void numerators(void *data) {
@@ -273,8 +274,13 @@ static void numerators_start(void *data) {
 
 static void lengths(void *data) {
   struct batch *b = data;
+  struct ph_primitive table = {.n = 0};
+  ph_arena_reset(&b->arena);
   for (size_t i = 0; i < BATCH; i++) {
-    b->out[i] = ph_spherical_length(&b->segment[i], 1);
+    if (ph_spherical_length(&b->segment[i], &table, &b->arena, &b->out[i]) !=
+        PH_OK) {
+      bench_die("no length");
+    }
   }
 }
 
@@ -302,10 +308,12 @@ static void batch_of(double step, struct batch *b) {
 static void segment_table(void) {
   static const double steps[] = {0.01, 0.1, 1};
   static const char *const names[] = {"K, K'", "K at t = 0", "length"};
+  static const struct ph_arena empty;
   struct batch *b = bench_malloc(1, sizeof *b);
   struct bench_contender c[] = {
       {numerators, b, 0}, {numerators_start, b, 0}, {lengths, b, 0}};
   double ns[3][3];
+  b->arena = empty;
   for (size_t j = 0; j < 3; j++) {
     batch_of(steps[j], b);
     bench_alternate(c, 3, 9, 4);
@@ -319,6 +327,7 @@ static void segment_table(void) {
     printf("  %-12s %8.0f %8.0f %8.0f\n", names[i], ns[i][0], ns[i][1],
            ns[i][2]);
   }
+  ph_arena_free(&b->arena);
   free(b);
 }
 

@@ -28,8 +28,16 @@ static inline double unit_curvature(const struct ph_spherical *s, double t) {
   return ph_vec3_triple(jet[0], jet[1], jet[2]) / (speed * speed * speed);
 }
 
+/* The length of a segment. */
+static inline double unit_spherical_length(const struct ph_spherical *s) {
+  struct ph_primitive table = {.n = 0};
+  double length;
+  ck_assert_int_eq(ph_spherical_length(s, &table, &unit_arena, &length), PH_OK);
+  return length;
+}
+
 /* unit_spherical_of: n segments of the unit sphere with p[4 n]; lengths by
- * ph_spherical_length. */
+ * unit_spherical_length. */
 static inline void unit_spherical_of(struct unit_spherical *c, size_t n,
                                      bool closed, const ph_vec3 *p) {
   c->curve = (struct ph_curve){.kind = PH_CURVE_SPHERICAL_NU,
@@ -49,7 +57,7 @@ static inline void unit_spherical_of(struct unit_spherical *c, size_t n,
     struct ph_spherical segment = {
         {p[4 * k], p[4 * k + 1], p[4 * k + 2], p[4 * k + 3]}};
     c->knots[k + 1] = (double)k + 1;
-    c->lengths[k] = ph_spherical_length(&segment, 1);
+    c->lengths[k] = unit_spherical_length(&segment);
     c->curve.length += c->lengths[k];
   }
 }

@@ -13,6 +13,7 @@
 #define PH_CURVE_SEGMENT_SPHERICAL_H
 
 #include "curve/result.h"
+#include "kernel/primitive.h"
 #include "kernel/vec3.h"
 
 /* Control points, unit vectors; no two neighbours antipodal. */
@@ -46,12 +47,15 @@ double ph_spherical_curvature_start(const struct ph_spherical *s);
 double ph_spherical_curvature_end(const struct ph_spherical *s);
 
 /*
- * ph_spherical_length: the arc length from t = 0 to t = to, in (0, 1], to 1e-13
- * relative, also where control points nearly coincide.  A segment that hardly
- * bends, with little change of speed, takes 5 values of S'.
+ * ph_spherical_length: the arc length, to 1e-13 relative, also where control
+ * points nearly coincide.  A segment that hardly bends, with little change of
+ * speed, takes 5 values of S'.
  *
- * ret  NaN when the depth of halving does not suffice
+ * io   table  workspace, zeroed at first; its memory is used again
+ * ret  PH_OK | PH_NO_MEMORY | PH_NO_CONVERGENCE (as of what is not finite)
  */
-double ph_spherical_length(const struct ph_spherical *s, double to);
+enum ph_status ph_spherical_length(const struct ph_spherical *s,
+                                   struct ph_primitive *table,
+                                   struct ph_arena *arena, double *length);
 
 #endif

@@ -268,18 +268,21 @@ const struct ph_method ph_method_sphere = {
 /* ---- the curve ----------------------------------------------------------- */
 
 static enum ph_status set_segments(const struct ph_sphere_spline *s,
-                                   const struct ph_arena *arena,
+                                   struct ph_arena *arena,
                                    struct ph_curve *curve,
                                    struct ph_diag *diag) {
   const struct ph_sphere_data *d = s->data;
+  struct ph_primitive table = {.n = 0};
   struct ph_sum sum = {0, 0};
   for (size_t k = 0; k < d->m; k++) {
     struct ph_spherical segment = ph_sphere_segment(s, k);
-    double length = ph_spherical_length(&segment, 1);
-    if (ph_arena_late(arena)) {
+    double length;
+    enum ph_status status =
+        ph_spherical_length(&segment, &table, arena, &length);
+    if (status == PH_NO_MEMORY || ph_arena_late(arena)) {
       return ph_fail_memory(diag);
     }
-    if (isnan(length)) {
+    if (status != PH_OK) {
       return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
                         "has no length to 1e-12, as far as was found");
     }

@@ -3,6 +3,7 @@
  * differences, ends, symmetries, ranges, tiny spacings, and which of random
  * data have a spline. */
 #include "sphere_unit.h"
+#include "spherical_unit.h"
 #include "unit.h"
 
 #include "kernel/pi.h"
@@ -190,7 +191,7 @@ PH_TEST(test_equator) {
       struct ph_spherical s = unit_sphere_segment(&u, k);
       ck_abs(s.p[1].z, 0, 1e-15);
       ck_abs(s.p[2].z, 0, 1e-15);
-      length += ph_spherical_length(&s, 1);
+      length += unit_spherical_length(&s);
     }
     ck_rel(length, 2 * PH_PI, 1e-14);
     unit_sphere_free(&u);
