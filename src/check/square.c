@@ -130,19 +130,24 @@ static void square_of(const struct ph_check *v,
   }
 }
 
-/* Far from the origin, the certificate lets values of r' be off by no more than
- * part of the size of the curve (scale.c): Bernstein coefficients of degree 4
- * are off by that many times as much then. */
-static const double COEFFICIENTS = 6;
-
-/* How far r' is from that of the claimed preimage. */
+/* How far r' is from that of the claimed preimage, at places: as certificates
+ * see it.  One control point that is off, as that in the middle of a curve
+ * which misses its end, counts by what it does to r'. */
 static double preimage_miss(const struct ph_check *v,
                             const struct ph_check_segment *s) {
   ph_vec3 square[PH_CHECK_FORM_MAX];
   double worst = 0;
   square_of(v, s, square);
-  for (size_t j = 0; j <= s->m; j++) {
-    double miss = ph_check_apart(square[j], s->h[j]) / s->normal[j];
+  for (size_t place = 0; place <= PLACES; place++) {
+    double series[2][PH_CHECK_JET], miss, power = 1;
+    ph_vec3 sum = {0, 0, 0};
+    ph_check_basis(s->angle, (double)place / PLACES, 1, series);
+    for (size_t j = 0; j <= s->m; j++) { /* Horner's rule */
+      sum = ph_vec3_scale(series[0][0], sum);
+      sum = ph_vec3_along(sum, power, ph_vec3_sub(square[j], s->h[j]));
+      power *= series[1][0];
+    }
+    miss = ph_vec3_abs(sum);
     worst = miss <= worst ? worst : miss;
   }
   return worst;
@@ -151,9 +156,8 @@ static double preimage_miss(const struct ph_check *v,
 void ph_check_square(struct ph_check *v, struct ph_check_segment *s) {
   const struct ph_curve *c = v->curve;
   double unit = ph_check_larger(s->speed, v->mean), miss = 0;
-  s->noise =
-      PH_CHECK_ROUND_FIRST *
-      ph_check_smaller(v->kind->reach(v, s), COEFFICIENTS * v->scale.rounding);
+  s->noise = PH_CHECK_ROUND_FIRST *
+             ph_check_smaller(v->kind->reach(v, s), v->scale.rounding);
   v->noise[s->k] = s->noise;
   if (!v->kind->square) {
     return;

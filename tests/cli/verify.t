@@ -201,6 +201,13 @@ echo '{"points":[[2495112.461302111,262810.117817,-408608.6083],
 made arclength <far
 verified 'three digits of a chord' 1 --problems=far
 
+echo '{"points":[[-956492.01389923,-511294.8169636,-987750.968295788],
+  [-956492.395295343,-511295.26818616,-987750.95221672],
+  [-956493.435820385,-511296.49921179,-987750.90834983],
+  [-956492.625,-511295.545,-987750.945]],"closed":true}' >far
+made arclength <far
+verified 'a plane but for the rounding of coordinates' 1 --problems=far
+
 # a cusp where the curve turns back, at distance 0
 echo '{"points":[[0,-8e183,0],[-1.98e185,-5.5e183,4.4e184],
   [-2.922e184,-7.97e182,6.4504e183],[-6.8653e184,-1.901e183,1.517e184],
