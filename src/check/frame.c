@@ -29,14 +29,20 @@ static ph_vec3 reflect(ph_vec3 v, ph_vec3 across) {
 }
 
 /* Reflects in the plane between two points, then in that which takes the
- * tangent along. */
-static void step_to(struct carried *c, ph_vec3 point, ph_vec3 tangent) {
-  ph_vec3 chord = ph_vec3_sub(point, c->point);
-  ph_vec3 normal = reflect(c->normal, chord);
-  ph_vec3 there = reflect(c->tangent, chord);
-  c->normal = reflect(normal, ph_vec3_sub(tangent, there));
-  c->point = point;
-  c->tangent = tangent;
+ * tangent along.  Where both points are the same but for rounding, so that the
+ * direction from one to the other is farther off than the tangents are apart,
+ * it is the tangent: that turns the normal by the shortest way. */
+static void step_to(struct carried *c, const struct ph_check_local *to) {
+  ph_vec3 chord = ph_vec3_sub(to->point, c->point), normal, there;
+  double turn = ph_check_apart(to->tangent, c->tangent);
+  if (!(2 * to->point_error <= turn * ph_vec3_abs(chord))) {
+    chord = c->tangent;
+  }
+  normal = reflect(c->normal, chord);
+  there = reflect(c->tangent, chord);
+  c->normal = reflect(normal, ph_vec3_sub(to->tangent, there));
+  c->point = to->point;
+  c->tangent = to->tangent;
 }
 
 /* From 0 to 1, slowly at both ends. */
@@ -56,7 +62,7 @@ static void carry_on(struct carried *c, const struct ph_check_path *path,
       *error = HUGE_VAL;
     }
     *error += local.tangent_error;
-    step_to(c, local.point, local.tangent);
+    step_to(c, &local);
   }
 }
 

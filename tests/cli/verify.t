@@ -167,6 +167,13 @@ echo '{"points":[[0,0],[-0.8834355200853541,-0.7551059326024923],
 made spatial-hermite --spacing=0.5287583267606409 --frame=rmf <turn
 verified 'a frame past hairpins' 1 --problems=turn
 
+echo '{"points":[[0.336617840065421,-0.386345475529631,3.0104345469],
+  [-0.066941048,0.07650405456,-0.600556828298535]],
+  "derivatives":[[-0.3041232027379,0.347565938629,-2.7283258567181],
+  [-0.51751661522599,0.593549862,-4.630669997851568]],"criterion":"hc"}' >turn
+made spatial-hermite --chord-error=0.05 --frame=rmf <turn
+verified 'a frame past a point all but at rest' 1 --problems=turn
+
 # the torsion of a straight line is nothing but rounding, in offsets as well
 echo '{"points":[[900000,0,0],[0,900000,-700000]]}' >straight
 made spatial-hermite --offset=0.2,0 --sample=4 <straight
