@@ -204,6 +204,8 @@ static void trial(struct gate *gate, struct gate_lab *lab, size_t which) {
            seconds);
   } else if (new) {
     explain(lab, &c, &outcome, which);
+  } else if (outcome.fate == GATE_WRONG) { /* as one before, or not */
+    printf("PH_SEED=%lu, problem %zu: %s\n", unit_seed(), which, outcome.way);
   }
 }
 
