@@ -16,13 +16,16 @@ struct ph_check_dips ph_check_dips_of(double (*f)(const void *, double),
     dips.high = ph_check_larger(dips.high, g[i]);
     dips.low = ph_check_smaller(dips.low, g[i]);
   }
-  for (size_t i = 1; i < PLACES && dips.n < PH_CHECK_DIPS; i++) {
-    if (g[i] < g[i - 1] && g[i] <= g[i + 1]) {
-      struct ph_bracket b = {(double)(i - 1) / PLACES, (double)i / PLACES,
-                             (double)(i + 1) / PLACES, g[i]};
+  for (size_t i = 0; i <= PLACES && dips.n < PH_CHECK_DIPS; i++) {
+    size_t before = i > 0 ? i - 1 : 0, after = i < PLACES ? i + 1 : PLACES;
+    if ((i == 0 || g[i] < g[before]) && (i == PLACES || g[i] <= g[after])) {
+      struct ph_bracket b = {(double)before / PLACES, (double)i / PLACES,
+                             (double)after / PLACES, g[i]};
       ph_golden(f, s, STEPS, &b);
       dips.low = ph_check_smaller(dips.low, b.value);
-      dips.x[dips.n++] = b.x;
+      if (b.x > 0 && b.x < 1) {
+        dips.x[dips.n++] = b.x;
+      }
     }
   }
   return dips;

@@ -229,6 +229,13 @@ echo '{"points":[[0,0],[-0.77,0],[-2.6,0.1],[-4.48,0.1735],[-6.17,0.24],
 made planar <slow
 verified 'solutions that nearly stop' 1 --problems=slow
 
+echo '{"points":[[108500709.36164,-119726663.19823],
+  [108500708.75984372,-119726663.8020266],
+  [108500708.09914371,-119726664.4649266],
+  [108500707.32964371,-119726665.2370266]],"solutions":"all"}' >slow
+made planar <slow
+verified 'solutions that nearly stop next to an end' 1 --problems=slow
+
 # all have the same energy, nearly, that of a segment which has no length
 echo '{"points":[[0,-0.9],[-0.93,-2],[-0.9,-1.6],
   [-1.338440493563362,-2.0502156580440056],
