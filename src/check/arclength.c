@@ -287,29 +287,19 @@ static void check_segments(struct context *c, struct checks *checks) {
   }
 }
 
-static bool is_known(const struct ph_diagnostics *diagnostics,
-                     enum ph_diagnostic which) {
-  return diagnostics->known >> which & 1;
-}
-
 static enum ph_status conclude(const struct context *c,
                                const struct checks *checks,
                                struct ph_diagnostics *diagnostics,
                                struct ph_diag *diag) {
-  const struct ph_check_error *const list[] = {&checks->point, &checks->tangent,
-                                               &checks->square, &checks->joint,
-                                               &checks->length};
-  for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
-    if (list[i] != &checks->tangent || c->tangents.n > 0 ||
-        c->derivatives.n > 0) {
-      enum ph_status status = ph_check_conclude(list[i], diagnostics, diag);
-      if (status != PH_OK) {
-        return status;
-      }
-    }
+  const bool vectors = c->tangents.n > 0 || c->derivatives.n > 0;
+  const struct ph_check_error *const list[] = {
+      &checks->point, vectors ? &checks->tangent : NULL, &checks->square,
+      &checks->joint, &checks->length};
+  enum ph_status status = ph_check_conclude(list, 5, diagnostics, diag);
+  if (status == PH_OK) {
+    ph_diagnostics_set_finite(diagnostics, PH_D_MIN_SPEED, checks->speed);
   }
-  ph_diagnostics_set_finite(diagnostics, PH_D_MIN_SPEED, checks->speed);
-  return PH_OK;
+  return status;
 }
 
 /* How many data intervals a problem has.  A repeated last point of closed data
@@ -411,7 +401,7 @@ static enum ph_status check_stationary(const struct context *c,
     return status;
   }
   ph_diagnostics_set(diagnostics, PH_D_KKT_ERROR, found.kkt_error);
-  if (is_known(diagnostics, PH_D_F) &&
+  if (ph_diagnostics_known(diagnostics, PH_D_F) &&
       !(fabs(claimed - found.f) <= SAME_F * found.f + found.f_rounding)) {
     return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
                    "the curve is refused by its certificate: F is %.10g, not "
@@ -424,8 +414,8 @@ static enum ph_status check_stationary(const struct context *c,
                    "%.3g, at most %.3g is allowed",
                    found.kkt_error, STATIONARY);
   }
-  if (is_known(diagnostics, PH_D_SECOND_ORDER) && !found.minimiser &&
-      !is_polygon(c) && !(found.f <= found.f_rounding) &&
+  if (ph_diagnostics_known(diagnostics, PH_D_SECOND_ORDER) &&
+      !found.minimiser && !is_polygon(c) && !(found.f <= found.f_rounding) &&
       !(diagnostics->value[PH_D_SECOND_ORDER] > PH_OUTCOME_MINIMISER)) {
     return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
                    "the curve is refused by its certificate: it is claimed to "

@@ -2,9 +2,9 @@
 /* What the certificates share (see error.h). */
 #include "check/error.h"
 
-enum ph_status ph_check_conclude(const struct ph_check_error *check,
-                                 struct ph_diagnostics *diagnostics,
-                                 struct ph_diag *diag) {
+static enum ph_status conclude(const struct ph_check_error *check,
+                               struct ph_diagnostics *diagnostics,
+                               struct ph_diag *diag) {
   ph_diagnostics_set(diagnostics, check->what, check->reported);
   if (check->excess <= 1 && isfinite(check->reported)) {
     return PH_OK;
@@ -14,6 +14,16 @@ enum ph_status ph_check_conclude(const struct ph_check_error *check,
                     "is allowed",
                     ph_diagnostic_name(check->what), check->value,
                     check->allowed);
+}
+
+enum ph_status ph_check_conclude(const struct ph_check_error *const *check,
+                                 size_t n, struct ph_diagnostics *diagnostics,
+                                 struct ph_diag *diag) {
+  enum ph_status status = PH_OK;
+  for (size_t i = 0; i < n && status == PH_OK; i++) {
+    status = check[i] ? conclude(check[i], diagnostics, diag) : PH_OK;
+  }
+  return status;
 }
 
 enum ph_status ph_check_finite(const struct ph_curve *curve,

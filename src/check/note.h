@@ -178,7 +178,7 @@ static inline double ph_check_reach(const struct ph_check *v, ph_vec3 a) {
 
 static inline bool ph_check_known(const struct ph_check *v,
                                   enum ph_diagnostic which) {
-  return v->diagnostics->known >> which & 1;
+  return ph_diagnostics_known(v->diagnostics, which);
 }
 
 #endif

@@ -210,16 +210,15 @@ enum ph_status ph_check_planar(const struct ph_problem *problem,
                           {.what = PH_D_PYTHAGOREAN_ERROR},
                           {.what = PH_D_CONTINUITY_ERROR},
                           {.what = PH_D_LENGTH_ERROR}};
-  const struct ph_check_error *const list[] = {&checks.point, &checks.end,
-                                               &checks.square, &checks.joint,
-                                               &checks.length};
+  const struct ph_check_error *const list[] = {
+      &checks.point, ends->kind == PH_VECTORS ? &checks.end : NULL,
+      &checks.square, &checks.joint, &checks.length};
   struct context c = {.arena = scratch,
                       .curve = curve,
                       .points = problem->field[PH_F_POINTS].v,
                       .points_n = curve->closed ? curve->n : curve->n + 1,
                       .farthest_knot = ph_check_larger(
                           fabs(curve->knots[0]), fabs(curve->knots[curve->n]))};
-  enum ph_status status = PH_OK;
   if (!ph_quad_gauss(&c.rule, curve->preimage.alpha ? PH_CHECK_NODES_ATPH
                                                     : PH_CHECK_NODES_PH)) {
     return ph_fail_memory(diag);
@@ -229,13 +228,5 @@ enum ph_status ph_check_planar(const struct ph_problem *problem,
     return ph_fail(diag, PH_INTERNAL, "points", "have no extent");
   }
   check_segments(&c, ends, &checks);
-  for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
-    if (list[i] != &checks.end || ends->kind == PH_VECTORS) {
-      status = ph_check_conclude(list[i], diagnostics, diag);
-    }
-    if (status != PH_OK) {
-      return status;
-    }
-  }
-  return PH_OK;
+  return ph_check_conclude(list, 5, diagnostics, diag);
 }

@@ -165,17 +165,13 @@ static enum ph_status conclude(const struct context *c,
       [PH_CHECK_SHAPE_START] = "it is not convex at its start",
       [PH_CHECK_SHAPE_END] = "it is not convex at its end",
       [PH_CHECK_SHAPE_TORSION] = "its torsion changes sign"};
-  const struct ph_check_error *const list[] = {&checks->point, &checks->tangent,
-                                               &checks->square, &checks->joint,
-                                               &checks->length};
-  for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
-    if (list[i] != &checks->tangent || c->tangents.n > 0 ||
-        c->derivatives.n > 0) {
-      enum ph_status status = ph_check_conclude(list[i], diagnostics, diag);
-      if (status != PH_OK) {
-        return status;
-      }
-    }
+  const bool vectors = c->tangents.n > 0 || c->derivatives.n > 0;
+  const struct ph_check_error *const list[] = {
+      &checks->point, vectors ? &checks->tangent : NULL, &checks->square,
+      &checks->joint, &checks->length};
+  enum ph_status status = ph_check_conclude(list, 5, diagnostics, diag);
+  if (status != PH_OK) {
+    return status;
   }
   if (checks->shape != PH_CHECK_SHAPE_KEPT) {
     return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", checks->shape_at,

@@ -435,20 +435,17 @@ static enum ph_status conclude(const struct context *c, struct checks *checks,
                                struct ph_diagnostics *diagnostics,
                                struct ph_diag *diag) {
   const struct ph_check_error *const list[] = {
-      &checks->sphere, &checks->point, &checks->joint,
-      &checks->end,    &checks->jump,  &checks->length};
+      &checks->sphere, &checks->point,
+      &checks->joint,  c->curve->closed ? NULL : &checks->end,
+      &checks->jump,   &checks->length};
   double total = on_unit(c, c->curve->length);
-  enum ph_status status = PH_OK;
+  enum ph_status status;
   ph_check_add(&checks->length, c->curve->n - 1,
                fabs(ph_sum_value(&checks->lengths) - total), total,
                SUM * total);
-  for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
-    if (list[i] != &checks->end || !c->curve->closed) {
-      status = ph_check_conclude(list[i], diagnostics, diag);
-      if (status != PH_OK) {
-        return status;
-      }
-    }
+  status = ph_check_conclude(list, 6, diagnostics, diag);
+  if (status != PH_OK) {
+    return status;
   }
   status = check_tension(c, &checks->tension, diag);
   if (status == PH_OK) {

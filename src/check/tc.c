@@ -192,13 +192,13 @@ static enum ph_status check_claims(const struct ph_tc_check *c,
   double rounding = a.allowance + b.allowance;
   double square = value[PH_D_RATIO] * value[PH_D_RATIO];
   double chord = apart(b.p[3], a.p[0]), lambda = value[PH_D_LAMBDA];
-  if (w->n == 1 && diagnostics->known >> PH_D_RATIO & 1 &&
+  if (w->n == 1 && ph_diagnostics_known(diagnostics, PH_D_RATIO) &&
       !(last == 0 &&
         fabs(end - square * first) <= slack * end + (1 + square) * rounding)) {
     return ph_fail(diag, PH_INTERNAL, "diagnostics",
                    "D is %.17g, which its legs do not have", value[PH_D_RATIO]);
   }
-  if (w->n == 1 && diagnostics->known >> PH_D_LAMBDA & 1 && last > 0 &&
+  if (w->n == 1 && ph_diagnostics_known(diagnostics, PH_D_LAMBDA) && last > 0 &&
       isnan(w->lambda) &&
       !(fabs(first - lambda * chord) <= slack * first + rounding)) {
     return ph_fail(diag, PH_INTERNAL, "diagnostics",

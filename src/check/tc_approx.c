@@ -301,7 +301,7 @@ static double distance_allowed(const struct ph_problem *problem) {
 static double distance_wanted(const struct ph_problem *problem,
                               const struct ph_diagnostics *diagnostics) {
   double allowed = distance_allowed(problem);
-  return diagnostics->known >> PH_D_DISTANCE & 1
+  return ph_diagnostics_known(diagnostics, PH_D_DISTANCE)
              ? ph_check_smaller(diagnostics->value[PH_D_DISTANCE], allowed)
              : allowed;
 }
@@ -324,13 +324,14 @@ static enum ph_status check_distance(const struct context *x,
   double wanted = distance_wanted(problem, diagnostics);
   double allowed = allowed_at_unit(&x->c, distance_allowed(problem));
   struct ph_check_error check = {.what = PH_D_DISTANCE};
+  const struct ph_check_error *const one = &check;
   allowed = (1 + TOLERANCE) * allowed + d->noise;
   ph_check_add(&check, x->farthest, ph_pow2_apply(back, d->bound), 1,
                ph_pow2_apply(back, allowed));
   if (d->bound <= (1 + TOLERANCE) * allowed_at_unit(&x->c, wanted) + d->noise) {
     check.reported = ph_check_smaller(check.reported, wanted);
   }
-  return ph_check_conclude(&check, diagnostics, diag);
+  return ph_check_conclude(&one, 1, diagnostics, diag);
 }
 
 /* The control points of the chain, and those of each curve in it. */

@@ -200,21 +200,21 @@ void ph_tc_check_derivative(struct ph_tc_check *c, const struct ph_tc_cubic *s,
 enum ph_status ph_tc_check_conclude(struct ph_tc_check *c, bool may_stop,
                                     struct ph_diagnostics *diagnostics,
                                     struct ph_diag *diag) {
-  const struct ph_check_error *const list[] = {&c->point,      &c->tangent,
-                                               &c->derivative, &c->square,
-                                               &c->joint,      &c->length};
+  const struct ph_check_error *const list[] = {
+      &c->point,
+      c->has_tangent ? &c->tangent : NULL,
+      c->has_derivative ? &c->derivative : NULL,
+      &c->square,
+      &c->joint,
+      &c->length};
+  enum ph_status status;
   double claimed = ph_pow2_apply(c->scale.to_unit, c->curve->length);
   ph_check_add(&c->length, c->curve->n - 1,
                fabs(ph_sum_value(&c->total) - claimed), claimed,
                LENGTH * claimed + c->allowance);
-  for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
-    if ((list[i] != &c->tangent || c->has_tangent) &&
-        (list[i] != &c->derivative || c->has_derivative)) {
-      enum ph_status status = ph_check_conclude(list[i], diagnostics, diag);
-      if (status != PH_OK) {
-        return status;
-      }
-    }
+  status = ph_check_conclude(list, 6, diagnostics, diag);
+  if (status != PH_OK) {
+    return status;
   }
   if (!c->regular && !may_stop) {
     ph_diagnostics_set(diagnostics, PH_D_REGULAR, 0);

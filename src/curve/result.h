@@ -343,6 +343,13 @@ static inline void ph_diagnostics_set(struct ph_diagnostics *diagnostics,
   diagnostics->known |= (uint64_t)1 << which;
 }
 
+/* ph_diagnostics_known: whether one was computed. */
+static inline bool
+ph_diagnostics_known(const struct ph_diagnostics *diagnostics,
+                     enum ph_diagnostic which) {
+  return diagnostics->known >> which & 1;
+}
+
 /* ph_diagnostics_set_finite: the same; not known where it is not finite. */
 static inline void ph_diagnostics_set_finite(struct ph_diagnostics *diagnostics,
                                              enum ph_diagnostic which,
