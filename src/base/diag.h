@@ -26,6 +26,10 @@ struct ph_diag {
   size_t column;                     /* column (bytes, from 1), 0 = unknown */
 };
 
+/* PH_TEXT: what a macro stands for, as a text. */
+#define PH_TEXT_OF(x) #x
+#define PH_TEXT(macro) PH_TEXT_OF(macro)
+
 #ifdef __GNUC__
 #define PH_PRINTF(fmt, args) __attribute__((format(printf, fmt, args)))
 #else

@@ -7,9 +7,8 @@
 
 #include <stdio.h>
 
-/* Default tolerances, relative to the size of the curve: of Bezier pieces that
- * stand for it, and of paths of drawings. */
-static const double TOLERANCE = 1e-9, TOLERANCE_PATH = 1e-6;
+/* Default tolerance of paths of drawings, relative to the size of the curve. */
+static const double TOLERANCE_PATH = 1e-6;
 
 /* Joints that a warning of gaps names. */
 enum { GAPS_NAMED = 8 };
@@ -148,7 +147,7 @@ enum ph_status ph_derive(const struct ph_options *options,
   const struct ph_options *o = options;
   double tolerance = o->tolerance > 0
                          ? o->tolerance
-                         : TOLERANCE * ph_curve_size(&result->curve);
+                         : PH_TOLERANCE * ph_curve_size(&result->curve);
   enum ph_status status = derive_offsets(o, tolerance, arena, result, diag);
   derived->exact = result->curve;
   if (status == PH_OK && ph_formats[o->format].is_cubics) {

@@ -19,24 +19,29 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* What --tolerance is where it is absent: of the size of the curve; of verify.
+ */
+#define PH_TOLERANCE 1e-9
+#define PH_TOLERANCE_VERIFY 1e-9
+
 /* X(SYMBOL, USE, 'short' or 0, "long", "ARGUMENT" or NULL, "help").  USE is the
  * commands that have the option: SOLVE, VERIFY or ALL (enum ph_use).  Help
  * texts are broken into lines where they are printed. */
 #define PH_OPTIONS(X)                                                         \
-  X(INPUT_FORMAT, SOLVE, 'i', "input-format", "auto|json|csv",                \
+  X(INPUT_FORMAT, SOLVE, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS),     \
     "what the input is; auto (default): by the suffix of the file (.json "    \
     ".ndjson .jsonl .csv .tsv), else by its first character")                 \
   X(PROBLEMS, VERIFY, 0, "problems", "FILE",                                  \
     "the problems that the results solve, to check these as well: the same "  \
     "id, or else the same order")                                             \
-  X(PROBLEMS_FORMAT, VERIFY, 'i', "input-format", "auto|json|csv",            \
+  X(PROBLEMS_FORMAT, VERIFY, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS), \
     "what the file of problems is; auto (default): by its suffix, else by "   \
     "its first character")                                                    \
   X(COLUMNS, ALL, 0, "columns", "NAME,...",                                   \
     "what the columns of CSV input are, in order (-: skip)")                  \
   X(DELIMITER, ALL, 0, "delimiter", "C",                                      \
     "separator of CSV input (default: a comma; a tab in .tsv files)")         \
-  X(FORMAT, SOLVE, 'f', "format", PH_FORMAT_WORDS,                            \
+  X(FORMAT, SOLVE, 'f', "format", PH_WORDS(PH_FORMATS),                       \
     "json (default): one object a line; csv (with --table the default): one " \
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths " \
     "of cubic Bezier curves")                                                 \
@@ -62,7 +67,7 @@
     "add samples equally spaced by arc length along the whole curve")         \
   X(CHORD_ERROR, SOLVE, 0, "chord-error", "E",                                \
     "add samples such that no chord leaves the curve by more than E")         \
-  X(FRAME, SOLVE, 0, "frame", "frenet|erf|rmf",                               \
+  X(FRAME, SOLVE, 0, "frame", PH_WORDS(PH_FRAMES),                            \
     "add normal and binormal to samples of curves in space")                  \
   X(PLOT, SOLVE, 'p', "plot", "FILE",                                         \
     "draw data, curves, offsets and curvature of the whole run: FILE.svg, "   \
@@ -72,15 +77,17 @@
   X(CONVERT, SOLVE, 0, "convert", "bezier",                                   \
     "write atph segments as polynomial quintic Bezier segments")              \
   X(TOLERANCE, SOLVE, 0, "tolerance", "E",                                    \
-    "greatest distance of Bezier pieces from the exact curve (default: 1e-9 " \
-    "of its size)")                                                           \
+    "greatest distance of Bezier pieces from the exact curve "                \
+    "(default: " PH_TEXT(PH_TOLERANCE) " of its size)")                       \
   X(LIMIT, VERIFY, 0, "tolerance", "E",                                       \
-    "greatest relative error of what is right (default: 1e-9)")               \
+    "greatest relative error of what is right (default: " PH_TEXT(            \
+        PH_TOLERANCE_VERIFY) ")")                                             \
   X(JOBS, ALL, 'j', "jobs", "N",                                              \
     "worker threads (default: the processors); for every N the results are "  \
     "the same, in the same order")                                            \
   X(MAX_SAMPLES, SOLVE, 0, "max-samples", "N",                                \
-    "the most samples that a curve may have (default: 10000000)")             \
+    "the most samples that a curve may have (default: " PH_TEXT(              \
+        PH_SAMPLES_MAX) ")")                                                  \
   X(MAX_MEMORY, ALL, 0, "max-memory", "BYTES",                                \
     "the most memory that a record may take: a number, or one with K, M or "  \
     "G (default: a quarter of the machine's)")                                \

@@ -26,9 +26,6 @@
 
 const struct ph_schema ph_verify_schema = {"verify", NULL, 0};
 
-/* Relative errors up to this are right, unless --tolerance says otherwise. */
-static const double TOLERANCE = 1e-9;
-
 /* A result on its way. */
 struct task {
   const struct ph_options *options;
@@ -219,7 +216,7 @@ static enum ph_status read_problem(struct task *t) {
 /* The worst error as a failure, if it is one. */
 static enum ph_status judge(struct task *t) {
   const double tolerance =
-      t->options->tolerance > 0 ? t->options->tolerance : TOLERANCE;
+      t->options->tolerance > 0 ? t->options->tolerance : PH_TOLERANCE_VERIFY;
   const struct ph_verdict *v = &t->verdict;
   const struct ph_check_finding *worst;
   t->judged = true;

@@ -11,7 +11,7 @@
 #define NAME(symbol, name) name,
 #define CURVE(symbol, kind, name) name,
 static const char *const curve_names[] = {PH_CURVES(CURVE) NULL};
-static const char *const frame_names[] = {PH_FRAMES(NAME) NULL};
+static const char *const frame_names[] = {PH_FRAMES(NAME, NAME) NULL};
 static const char *const outcome_names[] = {PH_OUTCOMES(NAME) NULL};
 static const char *const root_names[] = {PH_ROOTS(NAME) NULL};
 

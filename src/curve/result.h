@@ -126,16 +126,16 @@ enum ph_space { PH_PLANE, PH_SPACE, PH_SPHERE };
 
 enum { PH_SPACES = PH_SPHERE + 1 };
 
-/* Frames: X(SYMBOL, "name"). */
-#define PH_FRAMES(X)  \
-  X(FRENET, "frenet") \
-  X(ERF, "erf")       \
+/* Frames: X(SYMBOL, "name"), FIRST of the first. */
+#define PH_FRAMES(FIRST, X) \
+  FIRST(FRENET, "frenet")   \
+  X(ERF, "erf")             \
   X(RMF, "rmf")
 
 enum ph_frame {
   PH_FRAME_NONE,
 #define X(symbol, name) PH_FRAME_##symbol,
-  PH_FRAMES(X)
+  PH_FRAMES(X, X)
 #undef X
       PH_FRAME_N
 };

@@ -23,10 +23,10 @@ enum ph_format {
       PH_FORMAT_N
 };
 
-/* "json|csv|...": their names. */
-#define PH_FORMAT_FIRST_WORD(symbol, name) name
-#define PH_FORMAT_WORD(symbol, name) "|" name
-#define PH_FORMAT_WORDS PH_FORMATS(PH_FORMAT_FIRST_WORD, PH_FORMAT_WORD)
+/* PH_WORDS: "json|csv|...", the names of such a list. */
+#define PH_FIRST_WORD(symbol, name) name
+#define PH_NEXT_WORD(symbol, name) "|" name
+#define PH_WORDS(list) list(PH_FIRST_WORD, PH_NEXT_WORD)
 
 /* How a run prints its results. */
 struct ph_print {

@@ -22,7 +22,17 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum ph_split_format { PH_SPLIT_AUTO, PH_SPLIT_JSON, PH_SPLIT_CSV };
+/* What the input is: X(SYMBOL, "name"), FIRST of the first. */
+#define PH_SPLIT_FORMATS(FIRST, X) \
+  FIRST(AUTO, "auto")              \
+  X(JSON, "json")                  \
+  X(CSV, "csv")
+
+enum ph_split_format {
+#define X(symbol, name) PH_SPLIT_##symbol,
+  PH_SPLIT_FORMATS(X, X)
+#undef X
+};
 
 struct ph_split_options {
   enum ph_split_format format; /* AUTO: by suffix, else by the first byte */

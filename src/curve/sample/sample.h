@@ -123,7 +123,7 @@ struct ph_sample_rules {
 };
 
 /* More samples of one curve than this are refused, if nothing else is said. */
-enum { PH_SAMPLES_MAX = 10000000 };
+#define PH_SAMPLES_MAX 10000000
 
 /*
  * ph_sample_curve: samples of a whole curve.

@@ -550,7 +550,7 @@ static const struct ph_field fields[] = {
      "scales end derivatives by its square, one for all or one each"},
     {PH_F_SHAPE, PH_BOOL, 0, false, NULL, "true, with derivatives false",
      "reduce the tension until segments keep the shape of the data"},
-    {PH_F_PLANARITY, PH_NUMBER, 0, false, NULL, "1e-5",
+    {PH_F_PLANARITY, PH_NUMBER, 0, false, NULL, PH_TEXT(PH_PLANARITY),
      "data that leave a plane by no more of their chord are plane data"},
 };
 

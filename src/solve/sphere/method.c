@@ -252,7 +252,7 @@ static const struct ph_field fields[] = {
      "factor V"},
     {PH_F_CRITERION, PH_WORD, 0, false, "geodesic|legacy", "geodesic",
      "the curvature that is judged: the geodesic one, or as published"},
-    {PH_F_EPSILON, PH_NUMBER, 0, false, NULL, "0.01",
+    {PH_F_EPSILON, PH_NUMBER, 0, false, NULL, PH_TEXT(PH_SPHERE_EPSILON),
      "bound of the curvature where data are on a great circle, on the unit "
      "sphere"},
 };
