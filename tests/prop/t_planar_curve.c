@@ -17,12 +17,7 @@
 
 static struct unit_solution u;
 static struct prop_data data;
-static struct ph_quad rule;
 static const struct ph_offset_rules within = {.tolerance = 1e-9};
-
-static void start(void) {
-  ck_assert(ph_quad_gauss(&rule, 8));
-}
 
 static void finish(void) {
   unit_solution_free(&u);
@@ -86,9 +81,9 @@ static void ck_segment(struct unit_random *r, size_t k) {
   error = unit_distance(unit_curve(c, k, 1, at), ph_cplx_mul(w, w));
   ck_that(error <= 1e-11 * size, "segment %zu is no PH curve by %.3g", k,
           error / size);
-  for (size_t i = 0; i < rule.n; i++) {
-    ph_cplx speed = unit_curve(c, k, 1, rule.node[i]);
-    length += rule.weight[i] * ph_cplx_abs(speed);
+  for (size_t i = 0; i < unit_quad(8)->n; i++) {
+    ph_cplx speed = unit_curve(c, k, 1, unit_quad(8)->node[i]);
+    length += unit_quad(8)->weight[i] * ph_cplx_abs(speed);
   }
   ck_that(unit_near(c->lengths[k], length, 1e-11 * size),
           "segment %zu has length %.17g, not %.17g", k, length, c->lengths[k]);
@@ -355,4 +350,4 @@ PH_TEST(test_offset_reverse) {
   }
 }
 
-PH_FIXTURE(start, finish)
+PH_FIXTURE(NULL, finish)

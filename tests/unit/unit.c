@@ -17,6 +17,13 @@ void unit_add(struct unit_test *test) {
   last = &test->next;
 }
 
+const struct ph_quad *unit_quad(size_t n) {
+  static struct ph_quad rules[PH_QUAD_MAX + 1];
+  ck_assert_uint_le(n, PH_QUAD_MAX);
+  ck_assert(rules[n].n == n || ph_quad_gauss(&rules[n], n));
+  return &rules[n];
+}
+
 void unit_case(const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);

@@ -21,6 +21,7 @@
 
 #include "base/mem.h"
 #include "kernel/cplx.h"
+#include "kernel/quad.h"
 #include "kernel/vec3.h"
 
 #include <check.h>
@@ -37,6 +38,9 @@
 
 /* For whatever a test needs memory for; freed after each test. */
 extern struct ph_arena unit_arena;
+
+/* The Gauss rule of n nodes. */
+const struct ph_quad *unit_quad(size_t n);
 
 /* Takes down which case is being tested, as printf does: a failure from here
  * to the end of the test says it. */

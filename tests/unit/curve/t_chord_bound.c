@@ -13,12 +13,6 @@ enum { STEPS = 60, CURVES = 60 };
 
 static const double PI = 3.141592653589793;
 
-static struct ph_quad rule;
-
-static void begin(void) {
-  ck_assert(ph_quad_gauss(&rule, 12));
-}
-
 /* ---- curves -------------------------------------------------------------- */
 
 enum kind { PLANE, SPACE, CUBIC, OFFSET_PLANE, OFFSET_SPACE, BEZIER, KINDS };
@@ -74,7 +68,7 @@ static ph_vec3 path_at(const struct path *path, double u) {
     }
     return p[0];
   }
-  point = ph_seg3_point(&path->seg, &rule, u);
+  point = ph_seg3_point(&path->seg, unit_quad(12), u);
   if (path->kind != OFFSET_PLANE && path->kind != OFFSET_SPACE) {
     return point;
   }
@@ -303,5 +297,3 @@ PH_TEST(test_not_a_number) {
   ck_abs(ph_chord_bound_offset(&seg, PH_E2, nan, 0, 1), (double)INFINITY, 0);
   ck_abs(ph_chord_bound_bezier(p, 3, 0, 1), (double)INFINITY, 0);
 }
-
-PH_FIXTURE(begin, NULL)

@@ -5,12 +5,6 @@
 
 #include "curve/segment/seg2.h"
 
-static struct ph_quad rule;
-
-static void start(void) {
-  ck_assert(ph_quad_gauss(&rule, 12));
-}
-
 /* A polygon with vertices where the tangent has turned by some angle. */
 struct polygon {
   ph_cplx *p;
@@ -39,7 +33,7 @@ static void polygon_part(struct polygon *polygon, const struct ph_seg2 *seg,
     polygon_part(polygon, seg, k, u0, 0.5 * (u0 + u1), turn);
     polygon_part(polygon, seg, k, 0.5 * (u0 + u1), u1, turn);
   } else {
-    polygon_add(polygon, ph_seg2_point(seg, &rule, u1), k);
+    polygon_add(polygon, ph_seg2_point(seg, unit_quad(12), u1), k);
   }
 }
 
@@ -197,5 +191,3 @@ PH_TEST(test_all_loops) {
   ck_assert_uint_ge(cross.loops, UNIT_PIECES / 20);
   ck_assert_uint_le(tally.unclear, UNIT_PIECES / 20);
 }
-
-PH_FIXTURE(start, NULL)

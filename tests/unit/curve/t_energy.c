@@ -11,12 +11,6 @@ enum { SEGMENTS = 60, PANELS = 400 };
 
 static const double PI = 3.14159265358979323846;
 
-static struct ph_quad rule;
-
-static void begin(void) {
-  ck_assert(ph_quad_gauss(&rule, 20));
-}
-
 /* Curves that do not nearly stand still: their panels are enough. */
 static bool is_slow(const struct ph_seg2 *seg) {
   for (size_t i = 0; i <= 50; i++) {
@@ -39,10 +33,10 @@ static struct ph_seg2 random_segment(struct unit_random *r) {
 static struct ph_energy direct(const struct ph_seg2 *seg) {
   struct ph_energy e = {0};
   for (size_t i = 0; i < PANELS; i++) {
-    for (size_t j = 0; j < rule.n; j++) {
+    for (size_t j = 0; j < unit_quad(20)->n; j++) {
       struct ph_curvature bend =
-          ph_seg2_curvature(seg, ((double)i + rule.node[j]) / PANELS);
-      double weight = rule.weight[j] / PANELS;
+          ph_seg2_curvature(seg, ((double)i + unit_quad(20)->node[j]) / PANELS);
+      double weight = unit_quad(20)->weight[j] / PANELS;
       e.bending += weight * pow(bend.curvature, 2) * bend.speed;
       e.varying += weight * pow(bend.rate, 2) / bend.speed;
     }
@@ -79,7 +73,7 @@ PH_TEST(test_sum) {
     struct ph_energy whole, parts;
     for (size_t i = 0; i < 3; i++) {
       const double at[] = {0, 0.3, 0.55, 1};
-      part[i] = unit_seg2_part(&seg, &rule, at[i], at[i + 1]);
+      part[i] = unit_seg2_part(&seg, unit_quad(20), at[i], at[i + 1]);
     }
     whole = energy_of(&seg, 1);
     parts = energy_of(part, 3);
@@ -156,8 +150,9 @@ PH_TEST(test_bound) {
     struct ph_seg2 seg = random_segment(&r);
     struct ph_energy e = energy_of(&seg, 1);
     double length = 0;
-    for (size_t j = 0; j < rule.n; j++) {
-      length += rule.weight[j] * ph_seg2_curvature(&seg, rule.node[j]).speed;
+    for (size_t j = 0; j < unit_quad(20)->n; j++) {
+      length += unit_quad(20)->weight[j] *
+                ph_seg2_curvature(&seg, unit_quad(20)->node[j]).speed;
     }
     ck_assert_double_ge(e.bending * length * (1 + 1e-12),
                         pow(2 * PI * e.absolute_rotation, 2));
@@ -243,9 +238,10 @@ static void add_graded(const struct ph_seg2 *seg, double at, int side,
   while (from < room) {
     long double to = from + fmaxl(near, from) / 8;
     to = to < room ? to : room;
-    for (size_t i = 0; i < rule.n; i++) {
-      long double away = from + (to - from) * rule.node[i];
-      add_exact(seg, at + side * away, (to - from) * rule.weight[i], sums);
+    for (size_t i = 0; i < unit_quad(20)->n; i++) {
+      long double away = from + (to - from) * unit_quad(20)->node[i];
+      add_exact(seg, at + side * away, (to - from) * unit_quad(20)->weight[i],
+                sums);
     }
     from = to;
   }
@@ -373,5 +369,3 @@ PH_TEST(test_not_numbers) {
     ck_assert(ph_seg2_stands_still(&seg, NULL));
   }
 }
-
-PH_FIXTURE(begin, NULL)

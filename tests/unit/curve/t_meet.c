@@ -10,12 +10,6 @@ enum { SEGMENTS = 150, POINTS = 20 };
 
 static const double PI = 3.14159265358979323846;
 
-static struct ph_quad rule;
-
-static void start(void) {
-  ck_assert(ph_quad_gauss(&rule, 12));
-}
-
 /* A segment from its preimage; it ends where the preimage says. */
 static struct ph_seg2 seg_of(double angle, const ph_cplx w[3], ph_cplx from) {
   struct ph_seg2 seg = {ph_atph_of(angle), {w[0], w[1], w[2]}, from, {0, 0}};
@@ -84,7 +78,8 @@ PH_TEST(test_halves) {
     struct ph_piece piece = ph_piece_of(&seg, 7), half[2];
     ph_piece_halves(&piece, half);
     for (int k = 0; k < 2; k++) {
-      struct ph_seg2 part = unit_seg2_part(&seg, &rule, 0.5 * k, 0.5 * k + 0.5);
+      struct ph_seg2 part =
+          unit_seg2_part(&seg, unit_quad(12), 0.5 * k, 0.5 * k + 0.5);
       ck_assert_uint_eq(half[k].segment, 7);
       ck_abs(half[k].from, 0.5 * k, 0);
       ck_abs(half[k].to, 0.5 * k + 0.5, 0);
@@ -133,7 +128,7 @@ static double ck_bounds(const struct ph_piece *piece) {
   for (int i = 0; i <= POINTS; i++) {
     double u = (double)i / POINTS;
     struct ph_curvature local = ph_seg2_curvature(&piece->seg, u);
-    ph_cplx at = ph_seg2_point(&piece->seg, &rule, u);
+    ph_cplx at = ph_seg2_point(&piece->seg, unit_quad(12), u);
     double slack = 1e-14 / local.speed; /* rounding of Im(conj(w) w') */
     struct ph_box2 point = ph_box2_of(&at, 1);
     off = fmax(off, off_hull(piece, at));
@@ -175,11 +170,12 @@ static const struct ph_between FAR = {{{0, 0}, {0, 0}, PH_CONE_WIDE},
 static bool meets(const struct ph_seg2 *a, const struct ph_seg2 *b,
                   struct ph_meet *meet) {
   struct ph_piece first = ph_piece_of(a, 3), second = ph_piece_of(b, 5);
-  *meet = (struct ph_meet){.rule = &rule, .tolerance = 1e-12, .steps = 100000};
+  *meet = (struct ph_meet){
+      .rule = unit_quad(12), .tolerance = 1e-12, .steps = 100000};
   ph_meet_pair(meet, &first, &second, &FAR);
   if (meet->found) {
-    double apart = unit_distance(ph_seg2_point(a, &rule, meet->u[0]),
-                                 ph_seg2_point(b, &rule, meet->u[1]));
+    double apart = unit_distance(ph_seg2_point(a, unit_quad(12), meet->u[0]),
+                                 ph_seg2_point(b, unit_quad(12), meet->u[1]));
     ck_assert_msg(apart <= 3e-12 && meet->segment[0] == 3 &&
                       meet->segment[1] == 5,
                   "segments %zu, %zu apart by %g", meet->segment[0],
@@ -196,7 +192,7 @@ PH_TEST(test_crossing) {
   struct ph_seg2 b = seg_of(0, arc, ph_cplx_of(0.3, 0.2)), c;
   struct ph_meet meet;
   ck_assert(meets(&a, &b, &meet));
-  ck_abs(ph_seg2_point(&b, &rule, meet.u[1]).im, 1, 1e-14);
+  ck_abs(ph_seg2_point(&b, unit_quad(12), meet.u[1]).im, 1, 1e-14);
   ck_assert_uint_ge(meet.steps, 100000 - 10);
   /* From the very start of the one, and just short of it. */
   c = seg_of(0, arc, ph_cplx_of(0.3, 1));
@@ -215,7 +211,7 @@ static struct ph_seg2 cap(double up, double gap, double turn) {
     w[k] = ph_cplx_polar(up * turn * (k - 1));
   }
   seg = seg_of(0, w, ph_cplx_of(0, 0));
-  from = ph_seg2_point(&seg, &rule, 0.5);
+  from = ph_seg2_point(&seg, unit_quad(12), 0.5);
   from.im = from.im - up * gap / 2;
   seg.start = ph_cplx_sub(seg.start, from);
   seg.end = ph_cplx_sub(seg.end, from);
@@ -265,7 +261,7 @@ PH_TEST(test_tangent) {
     struct ph_seg2 a = random_arc(&r, i), b = random_arc(&r, i / 2);
     double u = unit_random_in(&r, 0, 1), v = unit_random_in(&r, 0, 1);
     double off = i % 3 ? pow(10, unit_random_in(&r, -9, -1)) : 0;
-    ph_cplx at = ph_seg2_point(&a, &rule, u), turn;
+    ph_cplx at = ph_seg2_point(&a, unit_quad(12), u), turn;
     struct ph_meet meet;
     turn = ph_cplx_mul(ph_seg2_curvature(&a, u).tangent,
                        ph_cplx_conj(ph_seg2_curvature(&b, v).tangent));
@@ -274,7 +270,7 @@ PH_TEST(test_tangent) {
       b.w[k] = ph_cplx_mul(b.w[k], turn);
     }
     b = seg_of(b.space.angle, b.w, ph_cplx_of(0, 0));
-    at = ph_cplx_sub(at, ph_seg2_point(&b, &rule, v));
+    at = ph_cplx_sub(at, ph_seg2_point(&b, unit_quad(12), v));
     b.start = ph_cplx_add(b.start, at);
     b.end = ph_cplx_add(b.end, at);
     if (!meets(&a, &b, &meet)) {
@@ -315,7 +311,8 @@ static struct ph_meet by_origin(double e, double turn) {
   const ph_cplx w[3] = {ph_cplx_mul(f, ph_cplx_of(-0.5, e)),
                         ph_cplx_mul(f, ph_cplx_of(0, e)),
                         ph_cplx_mul(f, ph_cplx_of(0.5, e))};
-  struct ph_meet meet = {.rule = &rule, .tolerance = 1e-12, .steps = 10000};
+  struct ph_meet meet = {
+      .rule = unit_quad(12), .tolerance = 1e-12, .steps = 10000};
   struct ph_seg2 seg = seg_of(0, w, ph_cplx_of(0, 0));
   struct ph_piece piece = ph_piece_of(&seg, 2);
   struct ph_cone outer = PH_CONE_ALL;
@@ -343,7 +340,8 @@ PH_TEST(test_self) {
 PH_TEST(test_no_numbers) {
   struct ph_seg2 seg = {
       ph_atph_of(0), {{1, 0}, {1, 0}, {1, 0}}, {0, 0}, {1, 0}};
-  struct ph_meet meet = {.rule = &rule, .tolerance = 1e-12, .steps = 1000};
+  struct ph_meet meet = {
+      .rule = unit_quad(12), .tolerance = 1e-12, .steps = 1000};
   struct ph_piece piece;
   struct ph_cone outer = PH_CONE_ALL;
   seg.w[1].re = (double)NAN;
@@ -352,5 +350,3 @@ PH_TEST(test_no_numbers) {
   ph_meet_self(&meet, &piece, &outer);
   ck_assert(meet.found); /* it ends, and does not vouch for anything */
 }
-
-PH_FIXTURE(start, NULL)

@@ -5,12 +5,6 @@
 
 enum { SEGMENTS = 200 };
 
-static struct ph_quad rule;
-
-static void begin(void) {
-  ck_assert(ph_quad_gauss(&rule, 20));
-}
-
 static double binomial4(size_t j) {
   static const double binomial[5] = {1, 4, 6, 4, 1};
   return binomial[j];
@@ -46,9 +40,9 @@ PH_TEST(test_length) {
   for (size_t i = 0; i < SEGMENTS; i++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double sum = 0;
-    for (size_t k = 0; k < rule.n; k++) {
-      sum +=
-          rule.weight[k] * ph_vec3_abs(unit_seg3_hodograph(&seg, rule.node[k]));
+    for (size_t k = 0; k < unit_quad(20)->n; k++) {
+      sum += unit_quad(20)->weight[k] *
+             ph_vec3_abs(unit_seg3_hodograph(&seg, unit_quad(20)->node[k]));
     }
     ck_rel(ph_seg3_length(&seg.space, seg.a), sum, 1e-14);
   }
@@ -82,8 +76,9 @@ PH_TEST(test_control_points) {
     ck_abs(unit_apart(p[5], seg.end), 0, 0);
     for (size_t j = 0; j < 5; j++) {
       double mu = 0;
-      for (size_t k = 0; k < rule.n; k++) {
-        mu += rule.weight[k] * power_at(angle, rule.node[k], j);
+      for (size_t k = 0; k < unit_quad(20)->n; k++) {
+        mu += unit_quad(20)->weight[k] *
+              power_at(angle, unit_quad(20)->node[k], j);
       }
       sum = ph_vec3_along(sum, power_at(angle, u, j) / mu,
                           ph_vec3_sub(p[j + 1], p[j]));
@@ -170,5 +165,3 @@ PH_TEST(test_plane) {
         unit_apart(hodograph, ph_vec3_of(square.re, square.im, 0)), 1e-14);
   }
 }
-
-PH_FIXTURE(begin, NULL)

@@ -9,21 +9,16 @@
 
 enum { SEGMENTS = 200, PANELS = 16 };
 
-static struct ph_quad rule, fine;
-
-static void begin(void) {
-  ck_assert(ph_quad_gauss(&rule, 12));
-  ck_assert(ph_quad_gauss(&fine, 20));
-}
-
 /* The integral of w^2 over [0,u], in panels. */
 static ph_cplx integral(const struct ph_seg2 *seg, double u) {
   ph_cplx sum = ph_cplx_of(0, 0);
   for (size_t i = 0; i < PANELS; i++) {
-    for (size_t j = 0; j < fine.n; j++) {
-      ph_cplx w = unit_seg2_w(seg, u * ((double)i + fine.node[j]) / PANELS);
-      sum = ph_cplx_add(
-          sum, ph_cplx_scale(u * fine.weight[j] / PANELS, ph_cplx_mul(w, w)));
+    for (size_t j = 0; j < unit_quad(20)->n; j++) {
+      ph_cplx w =
+          unit_seg2_w(seg, u * ((double)i + unit_quad(20)->node[j]) / PANELS);
+      sum =
+          ph_cplx_add(sum, ph_cplx_scale(u * unit_quad(20)->weight[j] / PANELS,
+                                         ph_cplx_mul(w, w)));
     }
   }
   return sum;
@@ -34,9 +29,9 @@ PH_TEST(test_point) {
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r);
     double u = unit_random_in(&r, 0, 1);
-    ck_cplx(ph_seg2_point(&seg, &rule, u), integral(&seg, u), 2e-13);
-    ck_cplx(ph_seg2_point(&seg, &rule, 0), seg.start, 0);
-    ck_cplx(ph_seg2_point(&seg, &rule, 1), seg.end, 0);
+    ck_cplx(ph_seg2_point(&seg, unit_quad(12), u), integral(&seg, u), 2e-13);
+    ck_cplx(ph_seg2_point(&seg, unit_quad(12), 0), seg.start, 0);
+    ck_cplx(ph_seg2_point(&seg, unit_quad(12), 1), seg.end, 0);
   }
 }
 
@@ -75,14 +70,14 @@ PH_TEST(test_part) {
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg2 seg = unit_seg2_random(&r);
     double u0 = unit_random_in(&r, 0, 0.5), u1 = unit_random_in(&r, 0.6, 1);
-    struct ph_seg2 part = unit_seg2_part(&seg, &rule, u0, u1);
+    struct ph_seg2 part = unit_seg2_part(&seg, unit_quad(12), u0, u1);
     ck_rel(part.space.angle, seg.space.angle * (u1 - u0), 1e-14);
     for (size_t i = 0; i <= 8; i++) {
       double x = (double)i / 8, u = u0 + x * (u1 - u0);
       struct ph_curvature a = ph_seg2_curvature(&part, x),
                           b = ph_seg2_curvature(&seg, u);
-      ck_cplx(ph_seg2_point(&part, &rule, x), ph_seg2_point(&seg, &rule, u),
-              1e-13);
+      ck_cplx(ph_seg2_point(&part, unit_quad(12), x),
+              ph_seg2_point(&seg, unit_quad(12), u), 1e-13);
       ck_abs(a.speed, b.speed * (u1 - u0), 1e-12);
       ck_abs(a.curvature, b.curvature, 1e-11 * (1 + sqrt(b.terms[0])));
     }
@@ -164,8 +159,8 @@ PH_TEST(test_of_cubics) {
     ck_cplx(seg.w[2], w1, 0);
     ck_cplx(seg.start, unit_curve(&c.curve, k, 0, 0), 0);
     ck_cplx(seg.end, unit_curve(&c.curve, k, 0, 1), 0);
-    ck_cplx(ph_seg2_point(&seg, &rule, u), unit_curve(&c.curve, k, 0, u),
-            4e-15 * scale);
+    ck_cplx(ph_seg2_point(&seg, unit_quad(12), u),
+            unit_curve(&c.curve, k, 0, u), 4e-15 * scale);
     bend = ph_seg2_curvature(&seg, u);
     ck_abs(bend.speed, ph_cplx_norm2(w), 4e-15 * scale);
     ck_abs(bend.curvature * bend.speed * bend.speed / scale,
@@ -175,5 +170,3 @@ PH_TEST(test_of_cubics) {
     ck_abs(absolute, fabs(turned), 2e-15);
   }
 }
-
-PH_FIXTURE(begin, NULL)

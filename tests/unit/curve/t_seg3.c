@@ -17,12 +17,6 @@ enum { SEGMENTS = 200 };
 
 static const double PI = 3.14159265358979323846;
 
-static struct ph_quad rule;
-
-static void begin(void) {
-  ck_assert(ph_quad_gauss(&rule, 12));
-}
-
 /* ---- derivatives ---------------------------------------------------- */
 
 /* f'(u) from f at u - 2h, u - h, u + h, u + 2h: to h^4. */
@@ -68,7 +62,7 @@ static ph_vec3 product(ph_quat a, ph_quat b) {
       ph_quat_mul(ph_quat_mul(a, ph_quat_of(0, 1, 0, 0)), ph_quat_conj(b)));
 }
 
-/* r', ..., r'''' at u, by Leibniz's rule. */
+/* r', ..., r'''' at u, by Leibniz's unit_quad(12)-> */
 static void derivatives(const struct ph_seg3 *seg, double u, ph_vec3 d[4]) {
   ph_quat a[4];
   ph_seg3_jet(seg, u, a, 4);
@@ -91,7 +85,8 @@ PH_TEST(test_derivatives) {
     ph_seg3_control_points(&seg.space, seg.a, seg.start, seg.end, p);
     derivatives(&seg, u, d);
     for (size_t order = 0; order <= 4; order++) {
-      ph_vec3 wanted = order > 0 ? d[order - 1] : ph_seg3_point(&seg, &rule, u);
+      ph_vec3 wanted =
+          order > 0 ? d[order - 1] : ph_seg3_point(&seg, unit_quad(12), u);
       size_t degree = 5;
       for (size_t i = 0; i < 6; i++) {
         q[i] = p[i];
@@ -113,7 +108,7 @@ PH_TEST(test_derivatives) {
 }
 
 /* Curvature, torsion and their slopes by the formulas for any curve, tau' by
- * the quotient rule. */
+ * the quotient unit_quad(12)-> */
 struct bend {
   double curvature, torsion, slope, torsion_slope;
 };
@@ -189,10 +184,10 @@ PH_TEST(test_point) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double u = unit_random_in(&r, 0, 1);
     ph_vec3 wanted = ph_vec3_add(seg.start, unit_seg3_leg(&seg, 0, u));
-    ck_assert_double_le(unit_apart(ph_seg3_point(&seg, &rule, u), wanted),
-                        2e-13);
-    ck_abs(unit_apart(ph_seg3_point(&seg, &rule, 0), seg.start), 0, 0);
-    ck_abs(unit_apart(ph_seg3_point(&seg, &rule, 1), seg.end), 0, 0);
+    ck_assert_double_le(
+        unit_apart(ph_seg3_point(&seg, unit_quad(12), u), wanted), 2e-13);
+    ck_abs(unit_apart(ph_seg3_point(&seg, unit_quad(12), 0), seg.start), 0, 0);
+    ck_abs(unit_apart(ph_seg3_point(&seg, unit_quad(12), 1), seg.end), 0, 0);
   }
 }
 
@@ -202,7 +197,7 @@ PH_TEST(test_part) {
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
     double u0 = unit_random_in(&r, 0, 0.5), u1 = unit_random_in(&r, 0.6, 1);
-    struct ph_seg3 part = unit_seg3_part(&seg, &rule, u0, u1);
+    struct ph_seg3 part = unit_seg3_part(&seg, unit_quad(12), u0, u1);
     ck_rel(part.space.angle, seg.space.angle * (u1 - u0), 1e-14);
     for (size_t i = 0; i <= 8; i++) {
       double x = (double)i / 8, u = u0 + x * (u1 - u0);
@@ -212,8 +207,8 @@ PH_TEST(test_part) {
           unit_seg3_preimage(&part, x),
           ph_quat_scale(sqrt(u1 - u0), unit_seg3_preimage(&seg, u)));
       ck_assert_double_le(ph_quat_abs(miss), 1e-14);
-      ck_assert_double_le(unit_apart(ph_seg3_point(&part, &rule, x),
-                                     ph_seg3_point(&seg, &rule, u)),
+      ck_assert_double_le(unit_apart(ph_seg3_point(&part, unit_quad(12), x),
+                                     ph_seg3_point(&seg, unit_quad(12), u)),
                           1e-13);
       if (b.speed > 0.1 && b.curvature > 0.1) {
         ck_abs(a.speed, b.speed * (u1 - u0), 1e-12);
@@ -230,7 +225,7 @@ PH_TEST(test_part_whole) {
   struct unit_random r = unit_random_of(936);
   for (size_t n = 0; n < SEGMENTS; n++) {
     struct ph_seg3 seg = unit_seg3_random(&r);
-    struct ph_seg3 part = unit_seg3_part(&seg, &rule, 0, 1);
+    struct ph_seg3 part = unit_seg3_part(&seg, unit_quad(12), 0, 1);
     for (size_t i = 0; i < 3; i++) {
       ck_assert_double_le(ph_quat_abs(ph_quat_sub(part.a[i], seg.a[i])), 2e-14);
     }
@@ -388,7 +383,7 @@ PH_TEST(test_rmf) {
     }
     for (size_t k = 0; k < 5; k++) {
       double at = u + (k < 4 ? STEPS[k] * h : 0);
-      ph_cplx t = ph_cplx_polar(unit_seg3_twist(&seg, &rule, at));
+      ph_cplx t = ph_cplx_polar(unit_seg3_twist(&seg, unit_quad(12), at));
       ph_vec3 e[3];
       unit_seg3_frame(&seg, at, e);
       if (k < 4) {
@@ -416,20 +411,20 @@ PH_TEST(test_twist) {
     ph_cplx z = unit_seg3_bend(&seg, 0).z;
     for (size_t i = 0; i < PANELS; i++) {
       ph_cplx next = unit_seg3_bend(&seg, u * (double)(i + 1) / PANELS).z;
-      for (size_t j = 0; j < rule.n; j++) {
-        struct unit_bend3 b =
-            unit_seg3_bend(&seg, u * ((double)i + rule.node[j]) / PANELS);
-        torsion += rule.weight[j] * u / PANELS * b.torsion * b.speed;
+      for (size_t j = 0; j < unit_quad(12)->n; j++) {
+        struct unit_bend3 b = unit_seg3_bend(
+            &seg, u * ((double)i + unit_quad(12)->node[j]) / PANELS);
+        torsion += unit_quad(12)->weight[j] * u / PANELS * b.torsion * b.speed;
         least = fmin(least, fmin(b.speed, ph_cplx_abs(b.z)));
       }
       turn += atan2(ph_cplx_cross(z, next), ph_cplx_dot(z, next));
       z = next;
     }
     if (least > 0.05) {
-      ck_abs(turn + unit_seg3_twist(&seg, &rule, u), torsion, 1e-10);
+      ck_abs(turn + unit_seg3_twist(&seg, unit_quad(12), u), torsion, 1e-10);
       compared++;
     }
-    ck_abs(unit_seg3_twist(&seg, &rule, 0), 0, 0);
+    ck_abs(unit_seg3_twist(&seg, unit_quad(12), 0), 0, 0);
   }
   ck_assert_uint_ge(compared, segments / 10);
 }
@@ -460,7 +455,7 @@ PH_TEST(test_helix) {
     for (size_t i = 0; i <= 16; i++) {
       double u = (double)i / 16, x = ends[n] * u;
       struct unit_bend3 b = unit_seg3_bend(&seg, u);
-      ph_vec3 p = ph_seg3_point(&seg, &rule, u);
+      ph_vec3 p = ph_seg3_point(&seg, unit_quad(12), u);
       ck_assert_double_le(unit_apart(p, ph_vec3_of(cos(x), sin(x), x)), 1e-14);
       ck_rel(b.speed, sqrt(2) * ends[n], 1e-14);
       ck_abs(b.curvature, 0.5, 1e-14);
@@ -468,7 +463,7 @@ PH_TEST(test_helix) {
       ck_abs(b.slope, 0, 1e-13);
       ck_abs(b.torsion_slope, 0, 1e-11);
       /* z does not turn: all of the torsion is the frame's */
-      ck_abs(unit_seg3_twist(&seg, &rule, u), 0.5 * b.speed * u, 1e-13);
+      ck_abs(unit_seg3_twist(&seg, unit_quad(12), u), 0.5 * b.speed * u, 1e-13);
     }
   }
 }
@@ -483,13 +478,13 @@ PH_TEST(test_circle) {
   for (size_t i = 0; i <= 16; i++) {
     double u = (double)i / 16, x = PI * u;
     struct unit_bend3 b = unit_seg3_bend(&seg, u);
-    ph_vec3 p = ph_seg3_point(&seg, &rule, u);
+    ph_vec3 p = ph_seg3_point(&seg, unit_quad(12), u);
     ck_assert_double_le(
         unit_apart(p, ph_vec3_of(3 * sin(x), 3 - 3 * cos(x), 0)), 1e-14);
     ck_rel(b.curvature, 1. / 3, 1e-14);
     ck_abs(b.torsion, 0, 0);
     ck_abs(b.turn, 0, 0);
-    ck_abs(unit_seg3_twist(&seg, &rule, u), 0, 0);
+    ck_abs(unit_seg3_twist(&seg, unit_quad(12), u), 0, 0);
   }
 }
 
@@ -501,7 +496,7 @@ PH_TEST(test_line) {
   struct unit_bend3 b = unit_seg3_bend(&seg, 0.5);
   ck_abs(b.curvature, 0, 0);
   ck_assert(!isfinite(b.torsion));
-  ck_abs(unit_seg3_twist(&seg, &rule, 1), 0, 0);
+  ck_abs(unit_seg3_twist(&seg, unit_quad(12), 1), 0, 0);
 }
 
 /* A(u) = 0: it stands still, and that is said. */
@@ -531,8 +526,8 @@ PH_TEST(test_small_angles) {
       double angle = pow(10, -e), tol = 50 * angle * angle + 1e-12;
       struct ph_seg3 small = unit_seg3(angle, seg.a, seg.start);
       struct unit_bend3 b = unit_seg3_bend(&small, u);
-      ck_assert_double_le(unit_apart(ph_seg3_point(&small, &rule, u),
-                                     ph_seg3_point(&quintic, &rule, u)),
+      ck_assert_double_le(unit_apart(ph_seg3_point(&small, unit_quad(12), u),
+                                     ph_seg3_point(&quintic, unit_quad(12), u)),
                           tol);
       ck_rel(ph_seg3_length(&small.space, small.a),
              ph_seg3_length(&quintic.space, quintic.a), tol);
@@ -545,5 +540,3 @@ PH_TEST(test_small_angles) {
   }
   ck_assert_uint_ge(compared, SEGMENTS / 4);
 }
-
-PH_FIXTURE(begin, NULL)

@@ -22,12 +22,6 @@ struct system {
   ph_cplx b[N_MAX + 2];
 };
 
-static struct ph_quad rule;
-
-static void start(void) {
-  ck_assert(ph_quad_gauss(&rule, 6));
-}
-
 /* Weights (1) of the spacings h. */
 static void set_weights(struct system *s) {
   size_t n = s->c2.n;
@@ -78,10 +72,10 @@ static void residual_by_quadrature(const struct ph_planar_c2 *c2,
   for (size_t k = 0; k < c2->n; k++) {
     ph_cplx w[3], chord = {0, 0};
     ph_planar_preimage(c2, b, k, w);
-    for (size_t i = 0; i < rule.n; i++) {
-      ph_cplx at = preimage_at(w, rule.node[i]);
-      chord = ph_cplx_add(chord,
-                          ph_cplx_scale(rule.weight[i], ph_cplx_mul(at, at)));
+    for (size_t i = 0; i < unit_quad(6)->n; i++) {
+      ph_cplx at = preimage_at(w, unit_quad(6)->node[i]);
+      chord = ph_cplx_add(
+          chord, ph_cplx_scale(unit_quad(6)->weight[i], ph_cplx_mul(at, at)));
     }
     f[k] = ph_cplx_sub(ph_cplx_scale(c2->ratio[k], chord), c2->direction[k]);
   }
@@ -435,5 +429,3 @@ PH_TEST(test_spline_middles_closed) {
     ph_arena_reset(&unit_arena);
   }
 }
-
-PH_FIXTURE(start, NULL)

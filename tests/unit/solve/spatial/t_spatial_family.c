@@ -13,11 +13,6 @@
 enum { DATA = 4000 };
 
 static const double PI = 3.14159265358979323846;
-static struct ph_quad rule;
-
-static void begin(void) {
-  ck_assert(ph_quad_gauss(&rule, 12));
-}
 
 static struct ph_spatial_member random_member(struct unit_random *r) {
   struct ph_spatial_member member = {unit_random_phase(r),
@@ -95,12 +90,14 @@ static double segment_error(const struct ph_spatial_family *f,
     sum = ph_vec3_add(sum, leg[i]);
     size += ph_vec3_abs(leg[i]);
   }
-  for (size_t i = 0; i < rule.n; i++) {
-    struct ph_atph_table t = ph_atph_table_of(&f->space, rule.node[i]);
+  for (size_t i = 0; i < unit_quad(12)->n; i++) {
+    struct ph_atph_table t =
+        ph_atph_table_of(&f->space, unit_quad(12)->node[i]);
     ph_quat at = ph_quat_scale(t.b[0][0], a[0]);
     at = ph_quat_add(at, ph_quat_scale(t.b[0][1], a[1]));
     at = ph_quat_add(at, ph_quat_scale(t.b[0][2], a[2]));
-    integral = ph_vec3_along(integral, rule.weight[i], ph_quat_i(at, at));
+    integral =
+        ph_vec3_along(integral, unit_quad(12)->weight[i], ph_quat_i(at, at));
   }
   error =
       unit_larger(unit_apart(sum, data->dp), unit_apart(integral, data->dp));
@@ -449,5 +446,3 @@ PH_TEST(test_refused) {
   data.dp = z;
   ck_refused(&data, false, false);
 }
-
-PH_FIXTURE(begin, NULL)
