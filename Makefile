@@ -7,8 +7,8 @@
 # (written by ./configure, never needed), and the command line.  Sources are
 # found, not listed: a new file below src/ or tests/ needs no edit here.
 #
-# Objects live in build/$(VARIANT)/ so that the plain, asan, fault, tsan, cov
-# and fuzz builds coexist; any other name, as in `make CC=clang VARIANT=clang',
+# Objects live in build/$(VARIANT)/ so that the plain, asan, tsan, cov and fuzz
+# builds coexist; any other name, as in `make CC=clang VARIANT=clang',
 # is a plain build elsewhere.  To build out of tree run configure, or `make -f
 # /there/Makefile', in the directory that gets build/ (paths without blanks).
 
@@ -90,8 +90,7 @@ MANDATORY = -std=c11 -ffp-contract=off $(if $(FMA),-fno-tree-vectorize \
 	-fno-tree-slp-vectorize) -pthread -D_POSIX_C_SOURCE=200809L -I$(S)src
 
 VFLAGS_asan = -O1 -fno-omit-frame-pointer -fsanitize=address,undefined \
-	-fno-sanitize-recover=all
-VFLAGS_fault = $(VFLAGS_asan) -DPH_FAULT_INJECTION
+	-fno-sanitize-recover=all -DPH_FAULT_INJECTION
 VFLAGS_tsan = -O1 -fno-omit-frame-pointer -fsanitize=thread
 VFLAGS_cov = -O0 --coverage
 VFLAGS_fuzz = -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
@@ -145,9 +144,10 @@ MAIN_OBJ = $(call obj,src/cli/main.c)
 LIB_OBJ = $(filter-out $(MAIN_OBJ),$(call obj,$(SRC)))
 LIB = $(B)/libph.a
 PROGRAM = $(B)/phspline
-# tests/unit/t_*.c are programs; other files there are linked into each of them
+# tests/unit/t_*.c are programs; they take what they need of the other files
 UNIT_MAIN = $(foreach f,$(UNIT_SRC),$(if $(filter t_%,$(notdir $f)),$f))
 UNIT_AUX = $(call obj,$(filter-out $(UNIT_MAIN),$(UNIT_SRC)))
+UNIT_LIB = $(B)/libunit.a
 UNIT = $(call exe,$(UNIT_MAIN))
 TOOLS = $(call exe,$(TOOL_SRC))
 BENCH = $(call exe,$(BENCH_SRC))
@@ -170,9 +170,11 @@ $(if $(word 2,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
 all: $(PROGRAM) ## build build/plain/phspline (the default)
 
 $(PROGRAM): $(MAIN_OBJ)
-$(LIB): $(LIB_OBJ) $(B)/objects
+$(LIB): $(LIB_OBJ)
+$(UNIT_LIB): $(UNIT_AUX)
+$(LIB) $(UNIT_LIB): $(B)/objects
 	$(SAY) "  AR  $@"
-	$(Q)rm -f $@ && $(AR) qcs $@ $(LIB_OBJ)
+	$(Q)rm -f $@ && $(AR) qcs $@ $(filter %.o,$^)
 
 $(OBJ): $(B)/%.o: $(S)%.c $(B)/flags $(B)/libraries
 	$(SAY) "  CC  $<"
@@ -183,19 +185,20 @@ $(OBJ): $(B)/%.o: $(S)%.c $(B)/flags $(B)/libraries
 $(call obj,$(UNIT_SRC)): EXTRA_CFLAGS = -I$(S)tests/unit -Wno-double-promotion \
 	$(CHECK_CFLAGS)
 $(UNIT): EXTRA_LIBS = $(CHECK_LIBS)
-$(UNIT): $(UNIT_AUX)
+$(UNIT): $(UNIT_LIB)
 $(FUZZ): EXTRA_LIBS = -fsanitize=fuzzer
 $(B)/bench/arclength_ipopt.o: EXTRA_CFLAGS = $(call pkg,--cflags,ipopt)
 $(B)/bench/arclength_ipopt: EXTRA_LIBS = $(IPOPT_LIBS)
 $(UNIT) $(TOOLS) $(BENCH) $(FUZZ): $(B)/%: $(B)/%.o
 $(PROGRAM) $(UNIT) $(TOOLS) $(BENCH) $(FUZZ): $(LIB)
 	$(SAY) "  LD  $@"
-	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIB) $(EXTRA_LIBS) $(LIBRARIES)
+	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(filter-out %.o $(LIB),$^) $(LIB) \
+	  $(EXTRA_LIBS) $(LIBRARIES)
 
 # Rewritten, and so newer than what depends on them, only when they change: the
 # flags, and the list of objects, which shrinks when a source file is removed.
 $(B)/flags: STAMP = $(COMPILE) : $(LDFLAGS) : $(LIBRARIES)
-$(B)/objects: STAMP = $(LIB_OBJ)
+$(B)/objects: STAMP = $(LIB_OBJ) : $(UNIT_AUX)
 $(B)/flags: $(B)/hardening
 $(B)/flags $(B)/objects: FORCE
 	@mkdir -p $(@D)
@@ -311,11 +314,9 @@ figures-run: all
 asan: ## the tests under the address and undefined sanitizers
 	$(need)
 	$(call may_need,test $(PLOT))
-	$(SUBMAKE) VARIANT=fault all
 	$(SUBMAKE) VARIANT=asan asan-run
 asan-run: tests-build
-	@CK_FORK=no PH_SHORT=1 PHSPLINE_FAULT=build/fault/phspline \
-	  LSAN_OPTIONS='suppressions=$(abspath \
+	@CK_FORK=no PH_SHORT=1 LSAN_OPTIONS='suppressions=$(abspath \
 	  $(srcdir)/tests/suppress/lsan):print_suppressions=0' $(RUN) $(call pick,\
 	  $(UNIT_WANTED) $(addprefix $(S),$(CLI_TESTS) $(FAULT_TESTS)))
 
