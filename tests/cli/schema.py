@@ -57,7 +57,8 @@ def tampered(record, path, value):
 class Judge:
     def __init__(self, path, parts):
         self.definitions = self.read(path)["$defs"]
-        self.found = {}
+        self.found = {}  # validator of each definition
+        self.first = {}  # record, and its error, of each definition and file
         for part in parts:
             for name, definition in self.read(part)["$defs"].items():
                 if name not in ("problem", "result"):
@@ -91,8 +92,10 @@ class Judge:
         return None if n else "no records"
 
     def bad(self, name, path, part, value):
-        record = next(records(path))
-        error = self.error(name, record)
+        if (name, path) not in self.first:
+            record = next(records(path))
+            self.first[name, path] = record, self.error(name, record)
+        record, error = self.first[name, path]
         if error:
             return f"before: {error}"
         if self.validator(name).is_valid(tampered(record, part, value)):

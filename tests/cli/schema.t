@@ -160,7 +160,7 @@ $common
 --override=basis=atph --offset=0.1 --sample=1
 --override=basis=atph --convert=bezier
 --override=basis=atph --convert=bezier --offset=0.1 --spacing=1
---override=basis=atph --convert=bezier --solutions=all
+--override=basis=atph --convert=bezier --solutions=all --tolerance=0.1
 --convert=bezier
 --sweep=knots=chordal,uniform
 --sweep=points[1][0]=1:2:2
@@ -228,7 +228,7 @@ END
 
 cat >sphere.json <<'END'
 {"id":1,"points":[[1,0,0],[0,1,0],[0,0,1]]}
-{"lonlat":[[-9,39],[-25,38],[-64,32],[-74,40]],"radius":6371}
+{"lonlat":[[-9,39],[-25,38],[-64,32],[-74,40]],"radius":1.5}
 {"points":[[1,0,0],[0,1,0],[0,0,1]],"closed":true}
 {"points":[[1,0,0],[0,1,0],[0,0,1]],"shape":"warn","increase":"plus:0.5"}
 {"lonlat":[[0,0],[1,1],[2,0]],"end_tangents":[[0,1,0],[0,1,1]],"center":[1,0,0]}
