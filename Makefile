@@ -101,6 +101,7 @@ VFLAGS_fuzz = -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
 HARDENING = $(if $(findstring -fsanitize,$(ALL_FLAGS)),,-D_FORTIFY_SOURCE=2 \
 	-fstack-protector-strong -Wl,-z,relro,-z,now $(if $(filter -static% \
 	-no-pie -nopie -fno-pi% -fno-PI%,$(ALL_FLAGS)),,'-fPIE -pie'))
+PLAIN = $(if $(findstring -fsanitize,$(ALL_FLAGS)),-fno-sanitize=all)
 ALL_FLAGS = $(CC) $(CPPFLAGS) $(CFLAGS) $(VFLAGS_$(VARIANT)) $(LDFLAGS)
 hardening = $(shell sed 1d $(B)/hardening 2>/dev/null)
 
@@ -190,10 +191,16 @@ $(FUZZ): EXTRA_LIBS = -fsanitize=fuzzer
 $(B)/bench/arclength_ipopt.o: EXTRA_CFLAGS = $(call pkg,--cflags,ipopt)
 $(B)/bench/arclength_ipopt: EXTRA_LIBS = $(IPOPT_LIBS)
 $(UNIT) $(TOOLS) $(BENCH) $(FUZZ): $(B)/%: $(B)/%.o
-$(PROGRAM) $(UNIT) $(TOOLS) $(BENCH) $(FUZZ): $(LIB)
+$(PROGRAM) $(UNIT) $(BENCH) $(FUZZ): $(LIB)
 	$(SAY) "  LD  $@"
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(filter-out %.o $(LIB),$^) $(LIB) \
 	  $(EXTRA_LIBS) $(LIBRARIES)
+
+# They are started by the thousand, and are not what is tested.
+$(call obj,$(TOOL_SRC)): EXTRA_CFLAGS = $(PLAIN)
+$(TOOLS):
+	$(SAY) "  LD  $@"
+	$(Q)$(LINK) $(PLAIN) -o $@ $< $(LIBS) -lm
 
 # Rewritten, and so newer than what depends on them, only when they change: the
 # flags, and the list of objects, which shrinks when a source file is removed.
