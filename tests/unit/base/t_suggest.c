@@ -19,26 +19,31 @@ static int utf8(const char *text, size_t n) {
   return length;
 }
 
-/* The definition of RFC 3629: encode every code point, and count what is
- * accepted of all sequences of three bytes, and of four with a last 0x80. */
+/* The definition of RFC 3629: count what is accepted of all pairs of bytes, and
+ * of those followed by bytes at the ends of the range 0x80 to 0xBF. */
 PH_TEST(test_utf8_against_definition) {
+  static const char next[] = {'\0', '\x7F', '\x80', '\xBF', '\xC0', '\xFF'};
   long good2 = 0;
   long good3 = 0;
   long good4 = 0;
   for (int a = 0; a < 256; a++) {
     for (int b = 0; b < 256; b++) {
-      char two[2] = {(char)a, (char)b};
-      good2 += ph_utf8_length(two, two + 2) == 2;
-      for (int c = 0; c < 256; c++) {
-        char text[4] = {(char)a, (char)b, (char)c, '\x80'};
+      char text[4] = {(char)a, (char)b};
+      good2 += ph_utf8_length(text, text + 2) == 2;
+      for (size_t c = 0; c < sizeof next; c++) {
+        text[2] = next[c];
         good3 += ph_utf8_length(text, text + 3) == 3;
-        good4 += ph_utf8_length(text, text + 4) == 4;
+        for (size_t d = 0; d < sizeof next; d++) {
+          text[3] = next[d];
+          good4 += ph_utf8_length(text, text + 4) == 4;
+        }
       }
     }
   }
+  /* two of the 64 in each place, and no surrogates */
   ck_assert_int_eq(good2, 0x800 - 0x80);
-  ck_assert_int_eq(good3, 0x10000 - 0x800 - 0x800); /* no surrogates */
-  ck_assert_int_eq(good4, 0x100000 / 64);
+  ck_assert_int_eq(good3, (0x10000 - 0x800 - 0x800) / 64 * 2);
+  ck_assert_int_eq(good4, 0x100000 / 64 / 64 * 2 * 2);
 }
 
 PH_TEST(test_utf8) {
@@ -78,13 +83,15 @@ static size_t encode(uint32_t c, char text[4]) {
   return n;
 }
 
-/* Every character: as many as the header names, all where it names them. */
+/* Every character: as many as the header names, all where it names them.  Where
+ * every step takes long, none of the planes 2 to 13. */
 PH_TEST(test_shown) {
+  int few = unit_count(10) < 10;
   size_t unseen = 0;
   for (uint32_t c = 0; c < 0x110000; c++) {
     char text[4];
     size_t n = encode(c, text), shown;
-    if (c >= 0xD800 && c < 0xE000) {
+    if ((c >= 0xD800 && c < 0xE000) || (few && c >= 0x20000 && c < 0xE0000)) {
       continue;
     }
     shown = ph_shown_length(text, text + n);
