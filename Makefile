@@ -89,11 +89,11 @@ FMA := $(findstring __FP_FAST_FMA,$(shell $(CC) $(CPPFLAGS) $(CFLAGS) -dM \
 MANDATORY = -std=c11 -ffp-contract=off $(if $(FMA),-fno-tree-vectorize \
 	-fno-tree-slp-vectorize) -pthread -D_POSIX_C_SOURCE=200809L -I$(S)src
 
-VFLAGS_asan = -O1 -fno-omit-frame-pointer -fsanitize=address,undefined \
+VFLAGS_asan = -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined \
 	-fno-sanitize-recover=all -DPH_FAULT_INJECTION
-VFLAGS_tsan = -O1 -fno-omit-frame-pointer -fsanitize=thread
+VFLAGS_tsan = -O1 -g1 -fno-omit-frame-pointer -fsanitize=thread
 VFLAGS_cov = -O0 --coverage
-VFLAGS_fuzz = -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
+VFLAGS_fuzz = -O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
 	-fsanitize=fuzzer-no-link,address,undefined
 
 # Hardening, as far as the compiler has it and CFLAGS and LDFLAGS, which come
@@ -162,8 +162,8 @@ OBJ = $(call obj,$(SRC) $(UNIT_SRC) $(TOOL_SRC) $(BENCH_SRC) $(FUZZ_SRC))
 $(if $(word 2,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: FORCE all install uninstall deps tests-build check check-run demo \
-	demo-run asan asan-run tsan tsan-run valgrind valgrind-run coverage \
+.PHONY: FORCE all install uninstall deps tests-build tests-syntax check \
+	check-run demo demo-run asan asan-run tsan tsan-run valgrind valgrind-run coverage \
 	coverage-run lint lint-run fuzz fuzz-run bench bench-run check-long \
 	check-long-run figures figures-run configure dist distcheck clean \
 	distclean help
@@ -294,13 +294,18 @@ pick = $(if $(TESTS),$(filter $(TESTS) $(addprefix %/,$(TESTS)),$1),$1)
 
 tests-build: all $(TOOLS) $(call pick,$(filter-out --%,$(UNIT_WANTED)))
 
+# what a compiler says of the tests, without its code: a tenth of the time
+tests-syntax: $(B)/libraries
+	$(Q)$(COMPILE) -I$(S)tests/unit -Wno-double-promotion $(CHECK_CFLAGS) \
+	  -fsyntax-only $(addprefix $(S),$(UNIT_SRC) $(TOOL_SRC))
+
 check: ## unit and command line tests, quick lints (or TESTS=FILE...)
 	$(need)
 	$(call may_need,test $(PLOT))
 	$(SUBMAKE) check-run
 check-run: tests-build
-	@$(RUN) $(call pick,$(UNIT_WANTED) $(addprefix $(S),$(CLI_TESTS) \
-	  $(QUICK_LINTS)))
+	@$(RUN) $(call pick,$(addprefix $(S),$(CLI_TESTS) $(QUICK_LINTS)) \
+	  $(UNIT_WANTED))
 
 demo: ## build, then run data/demo.sh
 	$(need)
@@ -325,7 +330,7 @@ asan: ## the tests under the address and undefined sanitizers
 asan-run: tests-build
 	@CK_FORK=no PH_SHORT=1 LSAN_OPTIONS='suppressions=$(abspath \
 	  $(srcdir)/tests/suppress/lsan):print_suppressions=0' $(RUN) $(call pick,\
-	  $(UNIT_WANTED) $(addprefix $(S),$(CLI_TESTS) $(FAULT_TESTS)))
+	  $(addprefix $(S),$(FAULT_TESTS) $(CLI_TESTS)) $(UNIT_WANTED))
 
 tsan: ## unit tests and tests/cli/jobs.t under the thread sanitizer
 	$(need)
@@ -337,16 +342,21 @@ tsan-run: tests-build
 	  $(RUN) $(call pick,$(UNIT_WANTED) $(addprefix $(S),$(filter \
 	  %/jobs.t,$(CLI_TESTS))))
 
-valgrind: ## unit tests, tests/cli/smoke.t and data/ under valgrind
+# Addresses and leaks are what asan is for, and of more of the tests; here it is
+# memory that is read before it is written: the program with every command, and
+# what reads and writes texts.
+VALGRIND_UNIT = $(filter-out $(addprefix $(B)/tests/,prop/% unit/kernel/% \
+	unit/curve/% unit/solve/% unit/check/%),$(UNIT_WANTED))
+valgrind: ## smoke.t, data/ and unit tests of input and output under valgrind
 	$(need)
 	$(call may_need,test valgrind $(PLOT))
 	$(SUBMAKE) valgrind-run
-valgrind-run: tests-build
+valgrind-run: all $(TOOLS) $(filter-out --%,$(VALGRIND_UNIT))
 	@printf '#!/bin/sh\nexec %s "%s" "$$@"\n' '$(VALGRIND)' \
 	  '$(CURDIR)/$(PROGRAM)' >$(PROGRAM).valgrind && chmod +x $(PROGRAM).valgrind
 	@CK_FORK=no PH_SHORT=1 PH_WRAP='$(VALGRIND)' PHSPLINE=$(PROGRAM).valgrind $(RUN) \
-	  $(UNIT_WANTED) $(addprefix $(S),$(filter %/smoke.t,$(CLI_TESTS)) \
-	  tests/valgrind/data.t)
+	  $(addprefix $(S),tests/valgrind/data.t $(filter %/smoke.t,$(CLI_TESTS))) \
+	  $(VALGRIND_UNIT)
 
 coverage: ## the tests, then the lines of each source file they executed
 	$(need)
