@@ -154,9 +154,9 @@ enum ph_status ph_split_init(struct ph_split *split, const char *const *files,
  * out  record    on PH_SPLIT_RECORD; its text is valid until the next call, its
  *                columns until ph_split_free.  When its status is not PH_OK,
  *                diag has message, line and, if it is broken, column; the text
- *                is what was broken, but with PH_LIMIT what reads as a record
- *                with nothing but the id and, of JSON, the command, or empty if
- *                neither is known.
+ *                is what was broken, or nothing if that is too long, but with
+ *                PH_LIMIT what reads as a record with nothing but the id and,
+ *                of JSON, the command, or empty if neither is known.
  */
 enum ph_split_state ph_split_next(struct ph_split *split, bool may_wait,
                                   struct ph_record *record,

@@ -33,7 +33,9 @@ static enum ph_split_state stop(struct ph_split *split, size_t offset,
   ph_split_locate(split, offset, diag);
   diag->column = status == PH_LIMIT ? 0 : diag->column + column;
   split->stopped = true;
-  ph_split_give(split, status == PH_LIMIT ? 0 : split->csv.scan.at, 0, record);
+  ph_split_give(split,
+                status == PH_LIMIT || split->over.on ? 0 : split->csv.scan.at,
+                0, record);
   record->line = split->over.on ? split->over.place.line : record->line;
   record->status = status;
   record->columns = split->csv.columns;
