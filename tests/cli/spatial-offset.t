@@ -191,6 +191,12 @@ for size in 1e-160 1e160; do
 done
 solve '"points":[[0,0,0],[1.7e308,1.7e308,0]]' --offset=1.7e308
 equal 'an offset that is too large' '1 "too-large"' "$status $(get error.code)"
+for basis in ph atph; do
+  solve '"points":[[-3e307,-3e307,-3e307],[3e307,-2e307,-1e307],[2e307,3e307,-3e307]]' \
+    --basis=$basis --offset=1
+  equal "an offset of a curve of $basis that is too fast" '1 "too-large"' \
+    "$status $(get error.code)"
+done
 for value in '' x '1,' 0x1 1e999; do
   solve "$hermite" --offset="$value"
   equal "--offset=$value" 2 "$status"

@@ -167,7 +167,11 @@ static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
   if (error <= walk->tolerance) {
     return found(walk, u0, u1, error);
   }
-  if (depth == HALVINGS_MAX || !isfinite(error)) {
+  if (!isfinite(error)) {
+    return ph_fail_at(walk->diag, PH_TOO_LARGE, "segments", walk->segment,
+                      "has no Bezier pieces in the range of a double");
+  }
+  if (depth == HALVINGS_MAX) {
     return ph_fail_at(walk->diag, PH_NO_CONVERGENCE, "segments", walk->segment,
                       "has no Bezier pieces within %.3g of the exact curve",
                       walk->tolerance);

@@ -140,9 +140,10 @@ static bool cut(const struct piece *piece, size_t degree, struct piece *left,
   return u > 0 && u < 1;
 }
 
-/* Visits the piece, or its parts; false if the speed vanishes in it. */
-static bool visit(const struct walk *walk, const struct piece *piece,
-                  int depth) {
+/* Visits the piece, or its parts; PH_INFEASIBLE if the speed vanishes in it,
+ * PH_TOO_LARGE if it leaves the range of a double. */
+static enum ph_status visit(const struct walk *walk, const struct piece *piece,
+                            int depth) {
   const bool quintic = walk->degree == 5;
   const int depth_max = quintic ? HALVINGS_MAX : 1;
   struct ph_rational r = {.degree = walk->degree,
@@ -151,13 +152,14 @@ static bool visit(const struct walk *walk, const struct piece *piece,
                           .to = piece->to,
                           .product = quintic ? QUINTIC : CUBIC};
   struct piece left = *piece, right = *piece;
+  enum ph_status status;
   for (size_t i = 0; i < 3; i++) {
     ph_cplx uv = piece->a[0][i], pq = piece->a[1][i];
     r.a[i] = ph_quat_of(uv.re, uv.im, pq.re, pq.im);
   }
   set_speed(&r, depth == 0);
-  if (!(r.unit > 0)) {
-    return false;
+  if (!(r.unit > 0) || !isfinite(r.unit)) {
+    return r.unit > 0 ? PH_TOO_LARGE : PH_INFEASIBLE;
   }
   if (set_weights(&r)) {
     for (size_t i = 0; i <= r.degree; i++) {
@@ -165,10 +167,13 @@ static bool visit(const struct walk *walk, const struct piece *piece,
       r.p[i] = ph_vec3_of(xy.re, xy.im, piece->p[1][i].re);
     }
     walk->visit(walk->context, &r);
-    return true;
+    return PH_OK;
   }
-  return depth < depth_max && cut(piece, walk->degree, &left, &right) &&
-         visit(walk, &left, depth + 1) && visit(walk, &right, depth + 1);
+  if (depth == depth_max || !cut(piece, walk->degree, &left, &right)) {
+    return PH_INFEASIBLE;
+  }
+  status = visit(walk, &left, depth + 1);
+  return status == PH_OK ? visit(walk, &right, depth + 1) : status;
 }
 
 /* Whether the curve stands still in a cubic, to rounding, that the weights of
@@ -185,11 +190,17 @@ enum ph_status ph_rational_walk(const struct ph_curve *curve, const char *what,
   struct walk walk = {curve->degree, 0, each, context};
   for (size_t k = 0; k < curve->n; k++) {
     struct piece piece = segment_of(curve, k);
+    enum ph_status status;
     walk.segment = k;
-    if ((curve->degree == 3 && rests(&piece)) || !visit(&walk, &piece, 0)) {
-      return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
-                        "has no %s: the curve stands still in it and has no "
-                        "normal there",
+    status = curve->degree == 3 && rests(&piece) ? PH_INFEASIBLE
+                                                 : visit(&walk, &piece, 0);
+    if (status != PH_OK) {
+      return ph_fail_at(diag, status, "segments", k,
+                        status == PH_TOO_LARGE
+                            ? "has no %s: its speed exceeds the range of a "
+                              "double"
+                            : "has no %s: the curve stands still in it and has "
+                              "no normal there",
                         what);
     }
   }
