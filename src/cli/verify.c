@@ -47,8 +47,8 @@ struct task {
 /* What the command of the result promises. */
 static enum ph_status read_command(struct task *t) {
   const char *name = t->claim.command;
-  struct ph_suggest suggest;
-  char clause[PH_DID_YOU_MEAN_MAX], excerpt[PH_EXCERPT_MAX];
+  char excerpt[PH_EXCERPT_MAX], list[PH_DIAG_MESSAGE_MAX / 2] = "";
+  size_t n = 0;
   if (!name) {
     return ph_fail(&t->diag, PH_MISSING_FIELD, "command", "is missing");
   }
@@ -56,14 +56,15 @@ static enum ph_status read_command(struct task *t) {
   if (t->promise) {
     return PH_OK;
   }
-  ph_suggest_init(&suggest, name, strlen(name));
   for (size_t i = 0; i < ph_promises_n; i++) {
-    const char *command = ph_promises[i].command;
-    ph_suggest_try(&suggest, command, strlen(command));
+    n += (size_t)snprintf(list + n, sizeof list - n, "%s\"%s\"",
+                          i == 0                   ? ""
+                          : i + 1 == ph_promises_n ? " or "
+                                                   : ", ",
+                          ph_promises[i].command);
   }
-  ph_did_you_mean(&suggest, clause);
-  return ph_fail(&t->diag, PH_BAD_VALUE, "command", "cannot be \"%s\"%s",
-                 ph_excerpt(name, strlen(name), excerpt), clause);
+  return ph_fail(&t->diag, PH_BAD_VALUE, "command", "must be %s, found \"%s\"",
+                 list, ph_excerpt(name, strlen(name), excerpt));
 }
 
 /* ---- what was swept and set -------------------------------------------- */
@@ -299,9 +300,22 @@ static void write_verdict(struct ph_json_writer *w, const struct task *t) {
   ph_write_end(w, '}');
 }
 
-/* file: that the failure is in */
-static void write_record(const struct task *t, enum ph_status status,
-                         const char *file, struct ph_buf *out) {
+/* Where the failure is: in the result, or in the problem. */
+static void locate(struct task *t, struct ph_subject *subject) {
+  const struct ph_record *record =
+      t->about_problem ? &t->item->paired->record : &t->item->record;
+  subject->file = record->file;
+  if (!t->diag.line) {
+    t->diag.line = record->status == PH_OK
+                       ? ph_record_line(record, t->diag.field)
+                       : record->line;
+  }
+  subject->line = t->diag.line;
+}
+
+/* The record, and where a failure is. */
+static void write_record(struct task *t, enum ph_status status,
+                         struct ph_subject *subject, struct ph_buf *out) {
   const struct ph_claim *claim = &t->claim;
   const struct ph_heading heading = {&claim->echo, ph_verify_schema.command,
                                      claim->swept, claim->swept_n,
@@ -310,7 +324,8 @@ static void write_record(const struct task *t, enum ph_status status,
   ph_write_begin(&w, '{');
   ph_json_heading(&w, &heading, status == PH_OK ? "ok" : "error");
   if (status != PH_OK) {
-    ph_json_failure(&w, &t->diag, file);
+    locate(t, subject);
+    ph_json_failure(&w, &t->diag, subject->file);
   }
   if (t->read && t->claim.command) {
     ph_write_key_string(&w, "of", t->claim.command);
@@ -349,19 +364,6 @@ static void report(const struct task *t, const struct ph_subject *subject,
   }
 }
 
-/* Where the failure is: in the result, or in the problem. */
-static void locate(struct task *t, struct ph_subject *subject) {
-  const struct ph_record *record =
-      t->about_problem ? &t->item->paired->record : &t->item->record;
-  subject->file = record->file;
-  if (!t->diag.line) {
-    t->diag.line = record->status == PH_OK
-                       ? ph_record_line(record, t->diag.field)
-                       : record->line;
-  }
-  subject->line = t->diag.line;
-}
-
 void ph_verify_work(const struct ph_options *options, struct ph_worker *worker,
                     struct ph_item *item, struct ph_buf *out,
                     struct ph_buf *err) {
@@ -370,6 +372,7 @@ void ph_verify_work(const struct ph_options *options, struct ph_worker *worker,
   struct ph_subject subject = {record->file, record->line, NULL,
                                record->number};
   struct timespec start = {0, 0};
+  const size_t before = out->n;
   if (options->verbose) {
     clock_gettime(CLOCK_MONOTONIC, &start);
   }
@@ -382,10 +385,13 @@ void ph_verify_work(const struct ph_options *options, struct ph_worker *worker,
   if (item->status == PH_OK && t.claim.echo.id && !subject.id) {
     item->status = ph_fail_memory(&t.diag);
   }
-  if (item->status != PH_OK) {
-    locate(&t, &subject);
+  write_record(&t, item->status, &subject, out);
+  if (out->failed) { /* there is nothing left of it */
+    item->status = ph_fail_memory(&t.diag);
+    t.about_problem = t.judged = false;
+    ph_buf_cut(out, before, PH_WORK_KEEP);
+    write_record(&t, item->status, &subject, out);
   }
-  write_record(&t, item->status, subject.file, out);
   report(&t, &subject, item->status, &start, err);
   ph_arena_reset(&worker->arena);
 }

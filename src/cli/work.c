@@ -14,9 +14,6 @@
 #include <string.h>
 #include <time.h>
 
-/* Output that a record has failed to write leaves no more memory than this. */
-enum { KEEP_BYTES = 1 << 20 };
-
 /* An item on its way. */
 struct task {
   const struct ph_options *options;
@@ -235,7 +232,7 @@ static enum ph_status try_write(struct task *t,
   if (status != PH_OK) {
     ph_drawing_free(t->item->drawing);
     t->item->drawing = NULL;
-    ph_buf_cut(out, start, KEEP_BYTES);
+    ph_buf_cut(out, start, PH_WORK_KEEP);
   }
   return status;
 }

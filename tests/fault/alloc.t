@@ -165,6 +165,19 @@ exhaust() {
   fi
 }
 
+# alone NAME ARGUMENT...: of three records that in the middle fails alone where
+# nothing but its own text lacks memory.
+alone() {
+  name=$1 n=0 codes=
+  shift
+  while [ "$codes" != 'ok out-of-memory ok ' ] && [ "$n" -lt "$most" ]; do
+    once "$n" "$@"
+    codes=$(sed 's/.*"code":"\([a-z-]*\)".*/\1/;s/^{.*/ok/' out | tr '\n' ' ')
+    n=$((n + 1))
+  done
+  true_that "$name" [ "$n" -lt "$most" ]
+}
+
 PH_FAIL_AT=0 "$PHSPLINE" --version >out 2>err </dev/null && {
   fail 'the build' 'no allocation fails in it'
   exit
@@ -192,6 +205,8 @@ exhaust 'an array that breaks off' lines planar -j 1 array.json
 exhaust 'a large problem' lines planar -j 1 -d 0.1 large.json
 exhaust 'CSV' lines planar -j 1 some.csv
 exhaust 'CSV, two threads' lines planar -j 2 some.csv
+exhaust 'records that are too long' lines planar -j 1 \
+  --max-record-bytes=40 some.jsonl some.csv
 exhaust 'several files' lines planar -j 1 array.json some.csv
 exhaust 'a table' lines planar -j 1 -f csv some.jsonl
 exhaust 'a table of offsets' lines planar -j 1 -f csv --table=offsets \
@@ -342,3 +357,5 @@ exhaust 'verification, with problems' lines verify -j 1 --problems=some.jsonl \
   results.jsonl
 exhaust 'verification of a sweep' lines verify -j 1 --problems=some.csv \
   --set=closed=false swept.jsonl
+sed -n '1p;1p;1p' results.jsonl >three.jsonl
+alone 'verification, of the record in the middle' verify -j 1 three.jsonl
