@@ -31,7 +31,7 @@ static enum ph_split_state stop(struct ph_split *split, size_t offset,
     return PH_SPLIT_FAILED;
   }
   ph_split_locate(split, offset, diag);
-  diag->column = status == PH_LIMIT ? 0 : diag->column + column;
+  diag->column = status == PH_LIMIT ? 1 : diag->column + column;
   split->stopped = true;
   ph_split_give(split,
                 status == PH_LIMIT || split->over.on ? 0 : split->csv.scan.at,
