@@ -7,6 +7,7 @@
 
 #include "curve/segment/seg2.h"
 
+#include <float.h>
 #include <math.h>
 
 /* A million pieces of a segment are not what anybody wants. */
@@ -155,6 +156,19 @@ static enum ph_status found(struct walk *walk, double u0, double u1,
   return PH_OK;
 }
 
+/* Whether derivatives, which are less than 64 times the speed, may leave the
+ * range of a double. */
+static bool is_too_fast(const struct walk *walk) {
+  double most = 0;
+  for (size_t i = 0; i < 3; i++) {
+    double speed = walk->curve->dimension == 2
+                       ? ph_cplx_norm2(walk->seg2.w[i])
+                       : ph_quat_dot(walk->seg3.a[i], walk->seg3.a[i]);
+    most = speed > most ? speed : most;
+  }
+  return most > DBL_MAX / 64;
+}
+
 /* Finds the parts of [u0,u1]. */
 static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
                             const struct jet *b, double u1, int depth) {
@@ -167,11 +181,11 @@ static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
   if (error <= walk->tolerance) {
     return found(walk, u0, u1, error);
   }
-  if (!isfinite(error)) {
+  if (!isfinite(error) && is_too_fast(walk)) {
     return ph_fail_at(walk->diag, PH_TOO_LARGE, "segments", walk->segment,
                       "has no Bezier pieces in the range of a double");
   }
-  if (depth == HALVINGS_MAX) {
+  if (depth == HALVINGS_MAX || !isfinite(error)) {
     return ph_fail_at(walk->diag, PH_NO_CONVERGENCE, "segments", walk->segment,
                       "has no Bezier pieces within %.3g of the exact curve",
                       walk->tolerance);
