@@ -56,7 +56,9 @@ static const void *find(const struct ph_slot *slot, const char *object,
     memcpy(n, object + where->n - 1, sizeof *n);
   }
   if (slot->indirect) {
-    memcpy(&at, at, sizeof at);
+    const char *to;
+    memcpy(&to, at, sizeof to);
+    at = to;
   }
   return where->how == PH_EACH && at ? at + i * slot->size : at;
 }

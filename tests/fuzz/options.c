@@ -29,8 +29,8 @@ static const char *const options_problems[] = {
     "{\"points\":[[0,0,0],[1,0,1],[1,1,2]],\"lengths\":[1.5,1.5]}",
     "{\"lonlat\":[[0,0],[20,10],[40,0],[60,30]],\"meta\":[1]}",
     "{\"points\":[[0,0],[1,0],[1,1],[0,2]]}",
-    "{\"command\":\"planar\",\"status\":\"error\",\"error\":{\"code\":"
-    "\"syntax\",\"message\":\"m\"}}"};
+    ("{\"command\":\"planar\",\"status\":\"error\",\"error\":{\"code\":"
+     "\"syntax\",\"message\":\"m\"}}")};
 
 /* A scan that broke off inside of -abc leaves getopt in the middle of it; 0
  * makes it begin anew. */
