@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Certificates: what a curve promises, recomputed from its control points by
- * code that does not know how it was found (verify.h says what it shares).
+ * code that does not know how it was found (verify.h says what it shares), by
+ * fixed rules.
  *
  * Errors are reported relative to the size of the data (half the diagonal of
  * the bounding box) or as each one says.  A curve is accepted when every error
@@ -31,73 +32,65 @@ enum ph_status ph_certify(const char *command, const struct ph_problem *problem,
                           struct ph_diagnostics *diagnostics,
                           struct ph_diag *diag);
 
-/* ---- the rows of the table: of curves that are what ph_certify says ------ */
-
 /*
- * ph_check_planar: a C2 planar PH quintic spline through the problem's
- * points.
+ * ---- what is promised of all curves whose hodographs are squares -----------
  *
- *   interpolation_error   distance of segment ends from the points / size
- *   end_derivative_error  |r' - d| / |d| at the ends, where d is given
- *   pythagorean_error     |r' - w^2| / size: the hodograph is a square
- *   continuity_error      jumps at the knots, with respect to the global
- *                         parameter: of r' over |r'|, and of r'' over |r'| per
- *                         shorter neighbouring interval
- *   length_error          lengths against Gauss quadrature of |r'| / length
+ * planar (C2, PH quintic or ATPH), spatial-hermite (PH quintic or ATPH) and
+ * arclength (C2, PH quintic), by the tolerances of their rows (promise.c):
+ *
+ *   interpolation_error   distance of the ends of segments, or of intervals of
+ *                         the data, from the points, or of the start, / size
+ *   tangent_error         |t - given| of unit tangents, or |r' - d| / |d| of
+ *                         derivatives, these by the knots, or s^2 d with the
+ *                         tension s; unknown if neither is given
+ *   end_derivative_error  the same at the ends, where d is given
+ *   pythagorean_error     |r' - w^2| or |r' - A i A*| at the nodes of a Gauss
+ *                         rule
+ *   continuity_error      jumps at the joints as promised: of r by the knots
+ *                         over the size; of r' over |r'|, and of r'' over |r'|
+ *                         per shorter neighbouring interval; of the unit
+ *                         tangent, and of r', relative, where derivatives are
+ *                         given and both tensions are the same
+ *   length_error          of segments and the whole against Gauss quadrature of
+ *                         |r'|, of intervals against what is prescribed
+ *
+ * pythagorean_error and length_error are relative to the size and the length of
+ * the curve (planar), to the speed and the length of the segment
+ * (spatial-hermite) or to the mean length of an interval (arclength); size is
+ * half the diagonal of the points, arclength: of the control points.
  *
  * Not checked here: how fair the curve is and whether it crosses itself, which
- * curve/fair/describe.h tells.
+ * curve/fair/describe.h tells, and functional, which the solver does, all by
+ * curve/fair/fair3.h.  `phspline verify' finds them by a quadrature of its own
+ * (check/fair.c).
  *
  * ret  PH_OK | PH_TOO_LARGE (something is not finite) | PH_NO_CONVERGENCE
- *      (an error exceeds its tolerance; says which and where) | PH_NO_MEMORY
+ *      (an error exceeds its tolerance; says which and where) | PH_INTERNAL
+ *      (segments and data do not fit together) | PH_NO_MEMORY
+ *
+ * ---- the rows of the table: what else, of curves that are what ph_certify
+ * says
  */
-ph_promise_fn ph_check_planar;
+
+/* ph_check_spatial_shape: whether a segment that claims to keep the shape of
+ * the data does (check/shape_spatial.h). */
+void ph_check_spatial_shape(struct ph_check *v,
+                            const struct ph_check_segment *s);
 
 /*
- * ph_check_spatial_hermite: a PH quintic or ATPH curve through the problem's
- * points, with its tangents or derivatives, whichever are given.
+ * ph_check_spatial_hermite:
  *
- *   interpolation_error   distance of segment ends from the points / size
- *   tangent_error         |t - given| of unit tangents, or |r' - s^2 d| / s^2
- *                         |d| with the tension s; unknown if neither is given
- *   pythagorean_error     |r' - A i A*| / largest coefficient of r', of each
- *                         segment by itself
- *   continuity_error      jump of the unit tangent at the joints; of r' too,
- *                         relative, where derivatives are given and both
- *                         tensions are the same
- *   length_error          lengths against Gauss quadrature of |r'|, relative
- *   shape_ok              whether all segments claim to keep the shape of the
- *                         data; where one does not keep what it claims, the
- *                         curve is refused (check/shape_spatial.h)
- *
- * Not checked here: energy, F1, F2, F3, which curve/fair/describe.h tells, and
- * functional, which the solver does, all by curve/fair/fair3.h.  `phspline
- * verify' finds them by a quadrature of its own (check/fair.c).
- *
- * ret  as above, and PH_INTERNAL when there is not a segment for every pair of
- *      neighbouring points
+ *   shape_ok  whether all segments claim to keep the shape of the data; where
+ *             one does not keep what it claims, the curve is refused
  */
 ph_promise_fn ph_check_spatial_hermite;
 
 /*
- * ph_check_arclength: a C2 spatial PH quintic spline, one to three segments
- * for each interval of the data, with the problem's points, derivatives or
- * tangents, and with its lengths unless they are free or have a length_sigma.
- * "mean" is the mean length of an interval.
+ * ph_check_arclength: one to three segments for each interval of the data.
  *
- *   interpolation_error   distance of the joints from the points, or of the
- *                         start, / half the diagonal of the control points
- *   tangent_error         |r' - d| / |d|, or |t - given| of unit tangents;
- *                         unknown where points are given
- *   pythagorean_error     |r' - A i A*| by the local parameter / mean
- *   continuity_error      jumps at the joints: of r / mean, of r' and r'' with
- *                         respect to the global parameter as in the plane
- *   length_error          of segments against Gauss quadrature of |r'|, of
- *                         intervals against what is prescribed, / mean
- *   min_speed             the smallest |A|^2 by the global parameter, relative
- *                         to the mean speed, to 1e-13
- *   F, kkt_error          anew, in place of those of the solver
- *                         (check/stationary.h)
+ *   min_speed     the smallest |A|^2 by the global parameter, relative to the
+ *                 mean speed, to 1e-13
+ *   F, kkt_error  anew, in place of those of the solver (check/stationary.h)
  *
  * A curve is refused, too, when F is not what it was said to be, when it is
  * not stationary, or when it is claimed to be a minimiser and F can fall; that
@@ -105,7 +98,6 @@ ph_promise_fn ph_check_spatial_hermite;
  *
  * in   diagnostics  F and second_order as claimed, or unknown; F_relaxed, which
  *                   soft lengths are weighed by
- * ret  as above; PH_INTERNAL when segments and data do not fit together
  */
 ph_promise_fn ph_check_arclength;
 

@@ -7,14 +7,34 @@
 #define PH_CHECK_CHECKS_H
 
 #include "check/kind.h"
+#include "kernel/quat.h"
 
 /* ph_check_arrays: whether arrays, numbers and knots are such that there is a
  * curve to look at. */
 bool ph_check_arrays(struct ph_check *v);
 
+/*
+ * ph_check_begin: what is known before segments are looked at: knots, rules,
+ * and what the problem gives.
+ *
+ * out  data, space  what v->data and v->space are
+ * ret  PH_OK | PH_NO_MEMORY
+ */
+enum ph_status ph_check_begin(struct ph_check *v, struct ph_check_data *data,
+                              struct ph_check_space *space);
+
+/* ph_check_segments: what is seen from segment to segment: the next three, and
+ * what is given at the data (data.h). */
+void ph_check_segments(struct ph_check *v);
+
 /* ph_check_square: whether |r'| of a segment is a polynomial in its space, and
- * r' that of the claimed preimage; sets noise[k]. */
+ * r' that of the claimed preimage; sets noise[k] and length[k]. */
 void ph_check_square(struct ph_check *v, struct ph_check_segment *s);
+
+/* ph_check_preimage: the claimed preimage of segment k as quaternions, at unit
+ * scale, of r' by u.
+ * out  a[3] */
+void ph_check_preimage(const struct ph_check *v, size_t k, ph_quat *a);
 
 /* ph_check_joint: between two segments, the second being b. */
 void ph_check_joint(struct ph_check *v, const struct ph_check_segment *a,
@@ -51,9 +71,20 @@ void ph_check_on_sphere(struct ph_check *v);
 /* ph_check_blaschke: images on the Blaschke cylinder. */
 void ph_check_blaschke(struct ph_check *v);
 
-/* ph_check_solves: the problem, if there is one.
- * ret  PH_OK | PH_NO_MEMORY */
-enum ph_status ph_check_solves(struct ph_check *v);
+/*
+ * ph_check_given_begin: what the problem gives, if there is one and its data
+ * are those of a curve like this; v->data is NULL if not.
+ *
+ * ret  PH_OK | PH_NO_MEMORY
+ */
+enum ph_status ph_check_given_begin(struct ph_check *v,
+                                    struct ph_check_data *data);
+
+/* ph_check_given: what is given at both ends of a segment, each in its turn. */
+void ph_check_given(struct ph_check *v, const struct ph_check_segment *s);
+
+/* ph_check_given_lengths: lengths of intervals. */
+void ph_check_given_lengths(struct ph_check *v);
 
 /* ph_check_is_approximation: whether the curve approximates another one: as
  * the problem says, or, without one, as the result says it. */

@@ -11,9 +11,6 @@ static const double AT_DATUM = 1e-9;
 /* A last point that repeats the first one, in units of rounding. */
 enum { ROUND_REPEATED = 64 };
 
-/* Rounding of a given vector and its products. */
-static const double ROUND_GIVEN = 8 * DBL_EPSILON;
-
 /* ---- which data ---------------------------------------------------------- */
 
 static const struct ph_value *vectors(const struct ph_check *v,
@@ -24,6 +21,7 @@ static const struct ph_value *vectors(const struct ph_check *v,
 
 static void set_fields(const struct ph_check *v, struct ph_check_data *data) {
   const struct ph_value *lonlat = vectors(v, PH_F_LONLAT);
+  data->n = 0;
   data->lonlat = lonlat != NULL;
   data->points = lonlat ? lonlat : vectors(v, PH_F_POINTS);
   data->vectors = vectors(v, PH_F_DERIVATIVES);
@@ -33,24 +31,16 @@ static void set_fields(const struct ph_check *v, struct ph_check_data *data) {
   }
 }
 
-ph_vec3 ph_check_datum(const struct ph_check *v,
-                       const struct ph_check_data *data, size_t j,
-                       double *off) {
+ph_vec3 ph_check_datum_on_sphere(const struct ph_check *v,
+                                 const struct ph_check_data *data,
+                                 const double *x, double *off) {
   const struct ph_curve *c = v->curve;
-  size_t i = j < data->points->n ? j : 0;
-  const double *x = data->points->v + data->points->dimension * i;
-  ph_vec3 point, center, from;
+  ph_vec3 center = ph_check_vector(v, c->sphere.center, 3), from;
   double radius = ph_check_scaled(v, c->sphere.radius);
-  *off = 0;
-  if (!v->kind->sphere) {
-    return ph_check_vector(v, x, data->points->dimension);
-  }
-  center = ph_check_vector(v, c->sphere.center, 3);
   if (data->lonlat) {
     return ph_vec3_along(center, radius, ph_degree_to_unit(x[0], x[1]));
   }
-  point = ph_check_vector(v, x, data->points->dimension);
-  from = ph_vec3_sub(point, center);
+  from = ph_vec3_sub(ph_check_vector(v, x, data->points->dimension), center);
   *off = fabs(ph_vec3_abs(from) / radius - 1);
   return ph_vec3_along(center, radius, ph_vec3_unit(from));
 }
@@ -77,6 +67,18 @@ static size_t closed_intervals(const struct ph_check *v,
              : n;
 }
 
+/* How many intervals there are, each with as many segments.  A repeated last
+ * point of closed data counts once: three points or more can be so in one way
+ * only. */
+static size_t equal_intervals(const struct ph_check *v,
+                              const struct ph_check_data *data) {
+  size_t n = v->curve->n;
+  size_t given = (data->points ? data->points : data->vectors)->n;
+  bool once =
+      v->curve->closed && n % given == 0 && n / given <= PH_CHECK_REFINE_MAX;
+  return once ? given : given - 1;
+}
+
 static size_t count(const struct ph_check *v,
                     const struct ph_check_data *data) {
   const struct ph_curve *c = v->curve;
@@ -86,7 +88,7 @@ static size_t count(const struct ph_check *v,
   if (v->kind->converted && data->points) {
     return c->closed ? closed_intervals(v, data) : data->points->n - 1;
   }
-  return c->n;
+  return v->promise->intervals ? equal_intervals(v, data) : c->n;
 }
 
 /* Whether an array has one element for each datum. */
@@ -100,6 +102,12 @@ static double end_away(const struct ph_check *v, size_t k, ph_vec3 datum) {
   return ph_check_apart(end_of(v, k), datum);
 }
 
+/* Whether all intervals have as many segments: of a certificate, which is told
+ * of no intervals. */
+static bool is_equal(const struct ph_check *v) {
+  return v->promise->intervals && v->intervals_n == 0;
+}
+
 /* The segments of each interval.  Those of a Bezier curve in place of another
  * are cut: an interval ends with the first that ends at its datum, and the next
  * one no nearer to it, or, where none does, so that all others have one. */
@@ -110,6 +118,8 @@ static void set_segments(const struct ph_check *v, struct ph_check_data *data) {
     size_t most = c->n - (data->n - i), last = next;
     if (v->intervals_n > 0) {
       last = v->intervals[i].last;
+    } else if (is_equal(v)) {
+      last += c->n / data->n - 1;
     } else if (i + 1 == data->n) {
       last = c->n - 1;
     } else if (c->n > data->n) {
@@ -130,14 +140,18 @@ static void set_segments(const struct ph_check *v, struct ph_check_data *data) {
 bool ph_check_data_of(struct ph_check *v, struct ph_check_data *data,
                       enum ph_status *status) {
   set_fields(v, data);
-  data->n = count(v, data);
-  if (!(data->points || data->vectors) || !fits(v, data->points, data->n) ||
-      !fits(v, data->vectors, data->n) || data->n > v->curve->n) {
+  if (data->points || data->vectors) {
+    data->n = count(v, data);
+  }
+  if (data->n == 0 || !fits(v, data->points, data->n) ||
+      !fits(v, data->vectors, data->n) || data->n > v->curve->n ||
+      (is_equal(v) && v->curve->n % data->n != 0)) {
     ph_check_wrong(v, PH_CHECK_SHAPE,
                    ph_check_of("segments", PH_CHECK_ONE, NULL),
                    "are not as many as the data of the problem want");
     return false;
   }
+  data->i = 0;
   data->first = ph_arena_array(v->scratch, data->n, sizeof *data->first);
   data->last = ph_arena_array(v->scratch, data->n, sizeof *data->last);
   if (!data->first || !data->last) {
@@ -163,31 +177,29 @@ ph_vec3 ph_check_direction(const double *x, size_t dimension) {
 }
 
 void ph_check_heading(struct ph_check *v, enum ph_check_id check,
-                      const struct ph_check_segment *s, double u,
+                      const struct ph_check_segment *s, size_t end,
                       ph_vec3 wanted) {
-  ph_vec3 first;
-  double speed, error;
-  ph_check_jet(s, u, &first, 1);
-  speed = ph_vec3_abs(first);
-  error = s->noise / speed;
+  double speed = ph_vec3_abs(s->first[end]), error = s->noise / speed;
   if (error < PH_CHECK_NO_DIRECTION) {
-    ph_check_miss(v, check, ph_check_in(s->k, "control_points"),
-                  ph_check_apart(ph_vec3_scale(1 / speed, first), wanted), 1,
-                  error + ROUND_GIVEN, "miss the given direction");
+    double miss = v->allow->miss * sqrt(s->spacing * v->mean_speed / speed);
+    ph_check_miss(
+        v, check, ph_check_in(s->k, "control_points"),
+        ph_check_apart(ph_vec3_scale(1 / speed, s->first[end]), wanted), 1,
+        error + v->allow->given + miss, "miss the given direction");
   } else {
     ph_check_done(v, check);
   }
 }
 
 void ph_check_derivative(struct ph_check *v, enum ph_check_id check,
-                         const struct ph_check_segment *s, double u,
+                         const struct ph_check_segment *s, size_t end,
                          double factor, ph_vec3 wanted, bool knots) {
-  double size = factor * ph_vec3_abs(wanted);
-  double error = ROUND_GIVEN + (knots ? v->knot / s->spacing : 0);
-  ph_vec3 first;
-  ph_check_jet(s, u, &first, 1);
-  ph_check_miss(v, check, ph_check_in(s->k, "control_points"),
-                ph_check_apart(first, ph_vec3_scale(factor, wanted)),
-                ph_check_larger(size, v->mean), s->noise + error * size,
-                "miss the given derivative");
+  ph_vec3 there = ph_vec3_scale(factor, wanted);
+  double size = ph_vec3_abs(there);
+  double error = v->allow->given + (knots ? v->knot / s->spacing : 0);
+  ph_check_miss(
+      v, check, ph_check_in(s->k, "control_points"),
+      ph_check_apart(s->first[end], there), ph_check_larger(size, v->mean),
+      s->noise + error * size + v->allow->miss * s->spacing * v->mean_speed,
+      "miss the given derivative");
 }

@@ -12,14 +12,12 @@ static void check_spline(struct ph_check *v) {
 }
 
 /* Products of S0 and S1, and great circles. */
-#define FORM                                                  \
-  .load = ph_check_form_load, .jet = ph_check_form_jet,       \
-  .point = ph_check_form_point, .reach = ph_check_form_reach, \
-  .local = ph_check_form_local
-#define GREAT                                                   \
-  .load = ph_check_great_load, .jet = ph_check_great_jet,       \
-  .point = ph_check_great_point, .reach = ph_check_great_reach, \
-  .local = ph_check_great_local
+#define FORM                                            \
+  .load = ph_check_form_load, .jet = ph_check_form_jet, \
+  .point = ph_check_form_point, .local = ph_check_form_local
+#define GREAT                                             \
+  .load = ph_check_great_load, .jet = ph_check_great_jet, \
+  .point = ph_check_great_point, .local = ph_check_great_local
 
 const struct ph_check_kind ph_check_kinds[PH_CURVE_N] = {
     [PH_CURVE_PH] = {FORM, .square = true},

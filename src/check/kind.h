@@ -15,14 +15,12 @@ struct ph_check_kind {
    * load   what else is in it
    * jet    r', r'', ... by u
    * point  r(u), exact at u = 0 and u = 1
-   * reach  the rounding that may be in one of its coordinates
    * local  what can be said of a place, or of the offset there (local.h) */
   void (*load)(const struct ph_check *v, struct ph_check_segment *s);
   void (*jet)(const struct ph_check_segment *s, double u, ph_vec3 *jet,
               size_t n);
   ph_vec3 (*point)(const struct ph_check *v, const struct ph_check_segment *s,
                    double u);
-  double (*reach)(const struct ph_check *v, const struct ph_check_segment *s);
   struct ph_check_local (*local)(const struct ph_check_path *path, double u);
 
   /* of the whole curve, beside what all have; or NULL */

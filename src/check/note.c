@@ -47,7 +47,12 @@ void ph_check_put(struct ph_check *v, enum ph_check_id check, double error,
 
 void ph_check_wrong(struct ph_check *v, enum ph_check_id check,
                     struct ph_check_where where, const char *what) {
-  struct ph_check_finding *worst = &v->verdict->check[check];
+  struct ph_check_finding *worst;
+  if (v->error) {
+    v->status = ph_fail(v->diag, PH_INTERNAL, where.list, "%s", what);
+    return;
+  }
+  worst = &v->verdict->check[check];
   if (!worst->done || worst->error < HUGE_VAL) {
     ph_fail(&worst->where, PH_OK, NULL, "%s", what);
     set_field(v, where, &worst->where);
@@ -57,7 +62,7 @@ void ph_check_wrong(struct ph_check *v, enum ph_check_id check,
 }
 
 void ph_check_done(struct ph_check *v, enum ph_check_id check) {
-  v->verdict->check[check].done = true;
+  *(v->error ? &v->error[check].done : &v->verdict->check[check].done) = true;
 }
 
 void ph_check_prefix(struct ph_check *v, const char *list, size_t index) {

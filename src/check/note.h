@@ -9,6 +9,7 @@
 #include "base/mem.h"
 #include "kernel/quad.h"
 #include "kernel/vec3.h"
+#include "check/error.h"
 #include "check/integral.h"
 #include "check/scale.h"
 #include "check/verify.h"
@@ -17,8 +18,8 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* Polynomials of more than this degree are not looked at. */
-enum { PH_CHECK_DEGREE_MAX = 15 };
+/* No command makes curves of a larger degree (promise.c). */
+enum { PH_CHECK_DEGREE_MAX = 5 };
 
 /* Each derivative after the first may be off by 8 times as much as
  * PH_CHECK_ROUND_FIRST (scale.h). */
@@ -34,12 +35,19 @@ enum { PH_CHECK_ROUND_KNOT = 4 };
 enum { PH_CHECK_PREFIX = 48 };
 
 struct ph_check_kind;
+struct ph_check_data;
+struct ph_check_space;
 
 struct ph_check {
-  struct ph_verdict *verdict;
+  struct ph_verdict *verdict;   /* of verification */
+  struct ph_check_error *error; /* [PH_CHECK_N] of a certificate; or NULL */
+  enum ph_status status;        /* of what cannot be, in a certificate; */
+  int fault;       /* not 0: what else is wrong (promise.h), in the first */
+  size_t fault_at; /* segment where something is */
   struct ph_arena *scratch;
   struct ph_diag *diag;             /* of what stops verification: no memory */
   const struct ph_promise *promise; /* of the command */
+  const struct ph_tolerance *allow; /* beside rounding of control points */
   const struct ph_problem *problem;
   char prefix[PH_CHECK_PREFIX]; /* of fields: "solutions[1]." */
 
@@ -51,17 +59,25 @@ struct ph_check {
   const struct ph_interval *intervals;
   size_t intervals_n;
 
-  /* its scale, by the control points: size is half the diagonal of these */
+  /* its scale, by the control points, or the points of the problem where a
+   * promise says so: size is half the diagonal of these */
   struct ph_check_scale scale;
-  double mean; /* length of a segment, as claimed */
-  double knot; /* rounding of the largest knot, with its margin */
+  double mean; /* length of a segment, as claimed; 0 in certificates */
+  double unit_square, unit_length; /* what errors of r' and of lengths are
+                                      relative to; 0: themselves, or the mean */
+  double interval;   /* mean length of an interval of the data, and */
+  double mean_speed; /* of r' by the knots, where a certificate needs them */
+  double knot;       /* rounding of the largest knot, with its margin */
+
+  struct ph_check_data *data; /* of the problem (data.h), or NULL */
 
   /* what was found of its segments */
   double *length; /* [n] by quadrature; NaN where that failed */
   double *noise;  /* [n] by how much r' by u in [0,1] is uncertain */
 
-  struct ph_check_rule rule;
-  struct ph_quad fine; /* of 16 nodes */
+  struct ph_check_rule rule;    /* of adaptive quadrature */
+  struct ph_quad fixed;         /* for r' and |r'| of a hodograph */
+  struct ph_check_space *space; /* of the last segment */
 };
 
 /* ---- the worst errors --------------------------------------------------- */
@@ -118,7 +134,8 @@ static inline void ph_check_number(struct ph_check *v, enum ph_check_id check,
 }
 
 /*
- * ph_check_miss: something that should be 0.
+ * ph_check_miss: something that should be 0.  A certificate allows what its
+ * promise does (promise.h), which is then part of the allowance.
  *
  * in   what  "leaves the sphere": a message, to which the error is added
  */
@@ -126,8 +143,14 @@ static inline void ph_check_miss(struct ph_check *v, enum ph_check_id check,
                                  struct ph_check_where where, double miss,
                                  double unit, double allowance,
                                  const char *what) {
-  double error = ph_check_excess(miss, unit, allowance);
-  struct ph_check_finding *worst = &v->verdict->check[check];
+  struct ph_check_finding *worst;
+  double error;
+  if (v->error) {
+    ph_check_add(&v->error[check], where.index, miss, unit, allowance);
+    return;
+  }
+  error = ph_check_excess(miss, unit, allowance);
+  worst = &v->verdict->check[check];
   if (!worst->done || error > worst->error) {
     ph_check_put(v, check, error, where, what, error, 0);
   }
@@ -143,6 +166,12 @@ void ph_check_done(struct ph_check *v, enum ph_check_id check);
 /* ph_check_prefix: "LIST[index]." before the fields of what follows; NULL:
  * none. */
 void ph_check_prefix(struct ph_check *v, const char *list, size_t index);
+
+/* ph_check_unit: what an error is relative to: a unit that there is, or the
+ * thing itself. */
+static inline double ph_check_unit(double unit, double itself, double mean) {
+  return unit > 0 ? unit : ph_check_larger(itself, mean);
+}
 
 /* ---- scale -------------------------------------------------------------- */
 

@@ -8,21 +8,13 @@
 #include "check/checks.h"
 #include "check/data.h"
 
-enum { ROUND_POINT = 8 };
-
 /* What moves points of a sphere, unless the problem says it. */
 static const double MOVED = 1e-3;
-
-struct context {
-  struct ph_check *v;
-  struct ph_check_data data;
-  double moved; /* allowed, of the radius */
-};
 
 /* An end of an interval. */
 struct end {
   const struct ph_check_segment *s;
-  double u;
+  size_t end; /* of the segment: 0 or 1 */
   size_t datum;
   bool pair; /* the interval has two segments */
 };
@@ -66,35 +58,34 @@ bool ph_check_is_approximation(const struct ph_check *v) {
 /* ---- points ----------------------------------------------------------------
  */
 
-static void check_point(const struct context *x, const struct end *e) {
-  struct ph_check *v = x->v;
-  double off, reach;
-  ph_vec3 datum = ph_check_datum(v, &x->data, e->datum, &off);
-  reach = v->scale.rounding;
-  if (e->s->kind->sphere) {
-    reach += ph_check_reach(v, e->s->center) + DBL_EPSILON * e->s->radius;
+static void check_point(struct ph_check *v, const struct end *e) {
+  const struct ph_check_segment *s = e->s;
+  double off, reach = v->scale.rounding, round = v->allow->point;
+  ph_vec3 datum = ph_check_datum(v, v->data, e->datum, &off);
+  if (s->kind->sphere) {
+    reach += s->reach;
     ph_check_miss(v, PH_CHECK_INTERPOLATION,
-                  ph_check_in(e->s->k, "control_points"), off - x->moved, 1,
-                  ROUND_POINT * reach / e->s->radius,
+                  ph_check_in(s->k, "control_points"), off - v->data->moved, 1,
+                  round * reach / s->radius,
                   "stand for a point that is off the sphere");
   }
-  ph_check_miss(v, PH_CHECK_INTERPOLATION,
-                ph_check_in(e->s->k, "control_points"),
-                ph_check_apart(ph_check_point(v, e->s, e->u), datum),
-                v->scale.size, ROUND_POINT * reach, "miss the point");
+  ph_check_miss(v, PH_CHECK_INTERPOLATION, ph_check_in(s->k, "control_points"),
+                ph_check_apart(s->end[e->end], datum), v->scale.size,
+                v->allow->of_size * v->scale.size + round * reach,
+                "miss the point");
 }
 
 /* Without points the curve begins at the start. */
-static void check_start(const struct context *x, const struct end *e) {
-  struct ph_check *v = x->v;
+static void check_start(struct ph_check *v, const struct end *e) {
   const struct ph_value *given = ph_check_field(v, PH_F_START);
   bool fits = given && (given->n == 2 || given->n == 3);
   ph_vec3 start =
       fits ? ph_check_vector(v, given->v, given->n) : ph_vec3_of(0, 0, 0);
   ph_check_miss(
       v, PH_CHECK_INTERPOLATION, ph_check_in(e->s->k, "control_points"),
-      ph_check_apart(ph_check_point(v, e->s, e->u), start), v->scale.size,
-      ROUND_POINT * v->scale.rounding, "miss the start");
+      ph_check_apart(e->s->end[e->end], start), v->scale.size,
+      v->allow->of_size * v->scale.size + v->allow->point * v->scale.rounding,
+      "miss the start");
 }
 
 /* ---- tangents and derivatives ----------------------------------------------
@@ -102,43 +93,79 @@ static void check_start(const struct context *x, const struct end *e) {
 
 /* A given derivative against r' by u, where it is known what it is by, or else
  * its direction. */
-static void check_derivative(const struct context *x, const struct end *e,
+static void check_derivative(struct ph_check *v, const struct end *e,
                              enum ph_check_id check, const double *w,
                              size_t dimension) {
-  struct ph_check *v = x->v;
-  const struct ph_curve *c = v->curve;
+  const struct ph_check_segment *s = e->s;
   enum ph_given given = v->kind->converted ? PH_GIVEN_NONE : v->promise->given;
   double factor = 1;
   if (given == PH_GIVEN_TENSION) {
-    factor =
-        c->choice.tension[e->s->k] * c->choice.tension[e->s->k] * e->s->unit;
+    const double *tension = v->curve->choice.tension;
+    factor = tension ? tension[s->k] * tension[s->k] * s->unit : s->unit;
   } else if (given == PH_GIVEN_KNOTS) {
-    factor = e->s->spacing;
+    factor = s->spacing;
   }
   if (given == PH_GIVEN_NONE || (given == PH_GIVEN_CUBIC && !e->pair)) {
-    ph_check_heading(v, check, e->s, e->u, ph_check_direction(w, dimension));
+    ph_check_heading(v, check, s, e->end, ph_check_direction(w, dimension));
   } else {
-    ph_check_derivative(v, check, e->s, e->u, factor,
+    ph_check_derivative(v, check, s, e->end, factor,
                         ph_check_vector(v, w, dimension),
                         given == PH_GIVEN_KNOTS);
   }
 }
 
-static void check_vector(const struct context *x, const struct end *e) {
-  const struct ph_value *given = x->data.vectors;
-  size_t j = e->datum < given->n ? e->datum : 0;
+/* The length of interval i that is given, at unit scale. */
+static double length_of(const struct ph_check *v, const struct ph_value *given,
+                        size_t i) {
+  return ph_check_scaled(v, given->kind == PH_NUMBERS ? given->v[i]
+                                                      : given->number);
+}
+
+/* Whether there is a length for each interval, or one for all. */
+static bool has_lengths(struct ph_check *v, const struct ph_value *given) {
+  if (given && (given->kind != PH_NUMBERS || given->n == v->data->n)) {
+    return true;
+  }
+  ph_check_wrong(v, PH_CHECK_SHAPE, ph_check_of("segments", PH_CHECK_ONE, NULL),
+                 "are not as many as the lengths of the problem");
+  return false;
+}
+
+/* The length of a derivative at datum j, from the lengths and spacings of the
+ * neighbouring intervals. [HUA14, sec. 5.3] */
+static double mean_magnitude(const struct ph_check *v, size_t j) {
+  const struct ph_check_data *data = v->data;
+  const struct ph_value *given = ph_check_field(v, PH_F_LENGTHS);
+  const double *t = v->curve->knots;
+  double sum = 0;
+  size_t first = j > 0 ? j - 1 : 0, last = j < data->n ? j : data->n - 1;
+  for (size_t i = first; i <= last; i++) {
+    double h = t[data->last[i] + 1] - t[data->first[i]];
+    sum += length_of(v, given, i) / h;
+  }
+  return sum / (double)(last - first + 1);
+}
+
+static void check_vector(struct ph_check *v, const struct end *e) {
+  const struct ph_value *given = v->data->vectors;
+  size_t j = ph_check_index(v, v->data, e->datum);
   const double *w = given->v + given->dimension * j;
-  if (x->data.derivatives) {
-    check_derivative(x, e, PH_CHECK_TANGENT, w, given->dimension);
+  ph_vec3 direction;
+  if (v->data->derivatives) {
+    check_derivative(v, e, PH_CHECK_TANGENT, w, given->dimension);
+    return;
+  }
+  direction = ph_check_direction(w, given->dimension);
+  if (v->data->magnitudes) {
+    ph_check_derivative(v, PH_CHECK_TANGENT, e->s, e->end, e->s->spacing,
+                        ph_vec3_scale(mean_magnitude(v, j), direction), true);
   } else {
-    ph_check_heading(x->v, PH_CHECK_TANGENT, e->s, e->u,
-                     ph_check_direction(w, given->dimension));
+    ph_check_heading(v, PH_CHECK_TANGENT, e->s, e->end, direction);
   }
 }
 
 /* The first and the last end of an open curve. */
-static void check_ends(const struct context *x, const struct end *e) {
-  struct ph_check *v = x->v;
+static void check_given_end(struct ph_check *v, const struct end *e) {
   const struct ph_value *derivatives = ph_check_field(v, PH_F_END_DERIVATIVES);
   const struct ph_value *tangents = ph_check_field(v, PH_F_END_TANGENTS);
   const struct ph_value *given = derivatives ? derivatives : tangents;
@@ -148,9 +175,9 @@ static void check_ends(const struct context *x, const struct end *e) {
   }
   w = given->v + (e->datum > 0 ? given->dimension : 0);
   if (derivatives) {
-    check_derivative(x, e, PH_CHECK_END, w, given->dimension);
+    check_derivative(v, e, PH_CHECK_END, w, given->dimension);
   } else {
-    ph_check_heading(v, PH_CHECK_END, e->s, e->u,
+    ph_check_heading(v, PH_CHECK_END, e->s, e->end,
                      ph_check_direction(w, given->dimension));
   }
 }
@@ -158,82 +185,85 @@ static void check_ends(const struct context *x, const struct end *e) {
 /* ---- intervals -------------------------------------------------------------
  */
 
-static void check_end(const struct context *x, const struct end *e) {
-  bool outer = !x->v->curve->closed &&
-               (e->u < 1 ? e->datum == 0 : e->datum == x->data.n);
-  if (x->data.points) {
-    check_point(x, e);
-  } else if (outer && e->datum == 0) {
-    check_start(x, e);
+/* What is given where an open curve begins or ends. */
+static void check_outer(struct ph_check *v, const struct end *e) {
+  if (v->curve->closed) {
+    return;
   }
-  if (x->data.vectors) {
-    check_vector(x, e);
+  if (!v->data->points && e->datum == 0) {
+    check_start(v, e);
   }
-  if (outer && x->v->promise->ends) {
-    check_ends(x, e);
+  if (v->promise->ends) {
+    check_given_end(v, e);
   }
 }
 
-static void check_interval(const struct context *x, size_t i) {
-  const struct ph_check_data *data = &x->data;
-  struct ph_check_segment s;
-  bool pair = data->last[i] == data->first[i] + 1;
-  struct end e = {&s, 0, i, pair};
-  ph_check_load(x->v, data->first[i], &s);
-  check_end(x, &e);
-  if (data->last[i] > data->first[i]) {
-    ph_check_load(x->v, data->last[i], &s);
+static void check_end(struct ph_check *v, const struct end *e) {
+  const struct ph_check_data *data = v->data;
+  if (data->points) {
+    check_point(v, e);
   }
-  e.u = 1;
-  e.datum = i + 1;
-  check_end(x, &e);
+  if (data->vectors) {
+    check_vector(v, e);
+  }
+  if (e->datum == (e->end == 0 ? 0 : data->n)) {
+    check_outer(v, e);
+  }
+}
+
+void ph_check_given(struct ph_check *v, const struct ph_check_segment *s) {
+  struct ph_check_data *data = v->data;
+  size_t i = data->i;
+  struct end e = {s, 0, i, data->last[i] == data->first[i] + 1};
+  if (s->k == data->first[i]) {
+    check_end(v, &e);
+  }
+  if (s->k == data->last[i]) {
+    e.end = 1;
+    e.datum = ++data->i;
+    check_end(v, &e);
+  }
 }
 
 /* Lengths that are to be reached. */
-static void check_lengths(const struct context *x) {
-  struct ph_check *v = x->v;
-  const struct ph_value *given = ph_check_field(v, PH_F_LENGTHS);
-  if (!v->promise->lengths || !given || ph_check_field(v, PH_F_LENGTH_SIGMA)) {
+void ph_check_given_lengths(struct ph_check *v) {
+  const struct ph_check_data *data = v->data;
+  const struct ph_value *given = data ? ph_check_field(v, PH_F_LENGTHS) : NULL;
+  if (!v->promise->lengths || !given || ph_check_field(v, PH_F_LENGTH_SIGMA) ||
+      !has_lengths(v, given)) {
     return;
   }
-  if (given->kind == PH_NUMBERS && given->n != x->data.n) {
-    ph_check_wrong(v, PH_CHECK_SHAPE,
-                   ph_check_of("segments", PH_CHECK_ONE, NULL),
-                   "are not as many as the lengths of the problem");
-    return;
-  }
-  for (size_t i = 0; i < x->data.n; i++) {
-    double wanted = given->kind == PH_NUMBERS ? given->v[i] : given->number;
-    double length = 0, allowance = 0;
-    for (size_t k = x->data.first[i]; k <= x->data.last[i]; k++) {
+  for (size_t i = 0; i < data->n; i++) {
+    double wanted = length_of(v, given, i), length = 0, allowance = 0;
+    for (size_t k = data->first[i]; k <= data->last[i]; k++) {
       length += v->length[k];
       allowance += v->noise[k];
     }
-    wanted = ph_check_scaled(v, wanted);
-    ph_check_miss(v, PH_CHECK_PRESCRIBED, ph_check_of("intervals", i, "length"),
-                  fabs(length - wanted), ph_check_larger(length, v->mean),
-                  allowance, "misses what was prescribed");
+    ph_check_miss(
+        v, v->error ? PH_CHECK_LENGTH : PH_CHECK_PRESCRIBED,
+        v->error ? ph_check_in(data->last[i], NULL)
+                 : ph_check_of("intervals", i, "length"),
+        fabs(length - wanted), ph_check_unit(v->unit_length, length, v->mean),
+        v->allow->length * length + v->allow->miss * v->interval + allowance,
+        "misses what was prescribed");
   }
 }
 
-enum ph_status ph_check_solves(struct ph_check *v) {
+enum ph_status ph_check_given_begin(struct ph_check *v,
+                                    struct ph_check_data *data) {
   const struct ph_value *moved;
-  struct context x = {.v = v};
   enum ph_status status = PH_OK;
-  if (!v->problem || !is_asked_for(v)) {
-    return PH_OK;
-  }
-  if (ph_check_is_approximation(v)) {
-    return ph_check_approximation(v);
-  }
-  if (!ph_check_data_of(v, &x.data, &status)) {
+  v->data = NULL;
+  if (!v->problem || (!v->error && !is_asked_for(v)) ||
+      ph_check_is_approximation(v) || !ph_check_data_of(v, data, &status)) {
     return status;
   }
   moved = ph_check_field(v, PH_F_RADIUS_TOLERANCE);
-  x.moved = moved ? moved->number : MOVED;
-  for (size_t i = 0; i < x.data.n && !ph_arena_late(v->scratch); i++) {
-    check_interval(&x, i);
-  }
-  check_lengths(&x);
+  data->moved = moved ? moved->number : MOVED;
+  v->data = data;
+  data->magnitudes = v->promise->lengths &&
+                     ph_check_is_word(v, PH_F_MAGNITUDES, "mean") &&
+                     !data->derivatives && data->vectors &&
+                     has_lengths(v, ph_check_field(v, PH_F_LENGTHS));
   return PH_OK;
 }

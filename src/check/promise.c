@@ -1,16 +1,44 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of promises (see promise.h). */
 #include "check/certify.h"
-#include "check/error.h"
 
 #include <string.h>
 
 /* curves that are found, and Bezier curves in place of atph */
 #define SMOOTH (PH_KIND(PH) | PH_KIND(ATPH) | PH_KIND(BEZIER))
 
+/* The solver stops at 1e-13 of each chord, and the middle leg of the hodograph
+ * carries 15 times that. */
+static const struct ph_tolerance PLANAR = {.of_size = 1e-13,
+                                           .square = 1e-11,
+                                           .square_of_size = 1e-9,
+                                           .length = 1e-11,
+                                           .joint = 1e-9,
+                                           .given = 1e-9};
+
+/* Beside the rounding of control points, the solver leaves that of a few
+ * operations. */
+static const struct ph_tolerance SPATIAL = {.of_size = 1e-13,
+                                            .square = 1e-13,
+                                            .length = 1e-13,
+                                            .joint = 1e-12,
+                                            .given = 1e-12};
+
+/* The solver meets each equation to 1e-12 of the mean length.  A middle leg
+ * that is off by that in each coordinate makes 1.875 sqrt(3) = 3.3 times as
+ * much in r'. */
+static const struct ph_tolerance ARCLENGTH = {.point = 1,
+                                              .gap = 1,
+                                              .square = 1e-13,
+                                              .length = 1e-13,
+                                              .joint = 1e-12,
+                                              .given = 1e-13,
+                                              .miss = 4e-12};
+
 const struct ph_promise ph_promises[] = {
     {.command = "planar",
-     .certify = ph_check_planar,
+     .allow = &PLANAR,
+     .unit = PH_UNIT_DATA,
      .kinds = SMOOTH,
      .dimension = 2,
      .degree = 5,
@@ -18,6 +46,8 @@ const struct ph_promise ph_promises[] = {
      .given = PH_GIVEN_KNOTS,
      .ends = true},
     {.command = "spatial-hermite",
+     .allow = &SPATIAL,
+     .segment = ph_check_spatial_shape,
      .certify = ph_check_spatial_hermite,
      .kinds = SMOOTH,
      .dimension = 3,
@@ -26,6 +56,8 @@ const struct ph_promise ph_promises[] = {
      .given = PH_GIVEN_TENSION,
      .tension = true},
     {.command = "arclength",
+     .allow = &ARCLENGTH,
+     .unit = PH_UNIT_INTERVAL,
      .certify = ph_check_arclength,
      .kinds = PH_KIND(PH),
      .dimension = 3,
@@ -83,26 +115,4 @@ const char *ph_promise_breach(const struct ph_promise *promise,
   return curve->degree == promise->degree
              ? NULL
              : "is not that of curves of the command";
-}
-
-enum ph_status ph_certify(const char *command, const struct ph_problem *problem,
-                          const struct ph_curve *curve,
-                          struct ph_arena *scratch,
-                          struct ph_diagnostics *diagnostics,
-                          struct ph_diag *diag) {
-  const struct ph_promise *promise = ph_promise_of(command);
-  const char *member = "command", *wrong = "is none that promises a curve";
-  enum ph_status status;
-  if (promise) {
-    wrong = ph_promise_breach(promise, curve, &member);
-  }
-  if (wrong) {
-    return ph_fail(diag, PH_INTERNAL, member, "%s", wrong);
-  }
-  status = ph_check_finite(curve, diag);
-  if (status == PH_OK) {
-    status = promise->certify(problem, curve, scratch, diagnostics, diag);
-  }
-  /* what was broken off has found nothing */
-  return ph_arena_late(scratch) ? ph_fail_memory(diag) : status;
 }

@@ -27,12 +27,38 @@ enum ph_given {
   PH_GIVEN_CUBIC    /* that of each cubic, in [0,1], of two in an interval */
 };
 
-/* Fixed rules: PH_OK, or why the curve must not be printed (certify.h). */
-typedef enum ph_status ph_promise_fn(const struct ph_problem *problem,
-                                     const struct ph_curve *curve,
-                                     struct ph_arena *scratch,
-                                     struct ph_diagnostics *diagnostics,
-                                     struct ph_diag *diag);
+/*
+ * What a check allows beside the rounding of control points.  A certificate
+ * allows what its solver leaves; `phspline verify' allows nothing, and compares
+ * what is left with its --tolerance.
+ */
+struct ph_tolerance {
+  double point;   /* of points, in their rounding, */
+  double of_size; /* and relative to the size */
+  double gap;     /* between segments, in their rounding; 0: both ends are at
+                     points of the data */
+  double square;  /* of r', relative to the speed of the segment, */
+  double square_of_size; /* but no more than this, relative to the size; or 0 */
+  double length;         /* relative */
+  double joint;          /* of derivatives and tangents between segments, */
+  double given;          /* and of those that are given; relative */
+  double miss; /* of every equation, relative to the mean length of an interval
+                  of the data */
+};
+
+/* What a certificate's errors of r' and of lengths are relative to. */
+enum ph_unit {
+  PH_UNIT_ITSELF,  /* the speed, the length of the segment */
+  PH_UNIT_DATA,    /* the size of the data, the length of the curve */
+  PH_UNIT_INTERVAL /* the mean length of an interval of the data */
+};
+
+struct ph_check;
+struct ph_check_segment;
+
+/* PH_OK, or why the curve must not be printed (certify.h). */
+typedef enum ph_status ph_promise_fn(struct ph_check *v,
+                                     struct ph_diagnostics *diagnostics);
 
 struct ph_promise {
   const char *command;
@@ -44,7 +70,13 @@ struct ph_promise {
   bool lengths;   /* and lengths from datum to datum */
   bool tension;   /* segments have one, but those of Bezier curves */
   bool intervals; /* the record has them */
-  ph_promise_fn *certify; /* before such a curve is printed */
+  const struct ph_tolerance *allow; /* of its certificate; NULL: this one has
+                                       rules of its own for all */
+  enum ph_unit unit;
+  /* what else must hold before a curve is printed; or NULL: of a segment, whose
+   * fault is noted for the second, and of the whole */
+  void (*segment)(struct ph_check *v, const struct ph_check_segment *s);
+  ph_promise_fn *certify;
   bool approximate; /* there are approximations, which may have corners and
                        miss points, by the distance in their diagnostics */
 };

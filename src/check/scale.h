@@ -12,6 +12,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* Of functions whose dimension and degree are known where they are called. */
+#ifdef __GNUC__
+#define PH_CHECK_INLINE static inline __attribute__((always_inline))
+#else
+#define PH_CHECK_INLINE static inline
+#endif
+
 /* Allowance for a first difference of control points times 5, in units of the
  * rounding of a coordinate, with a margin of 3. */
 enum { PH_CHECK_ROUND_FIRST = 32 };

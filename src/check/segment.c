@@ -3,6 +3,7 @@
 #include "check/segment.h"
 
 #include "check/kind.h"
+#include "kernel/pi.h"
 
 /* Lengths, relative. */
 static const double LENGTH = 1e-13;
@@ -40,58 +41,139 @@ void ph_check_basis(double angle, double u, size_t n,
   }
 }
 
-static double power(double x, size_t n) {
-  double y = 1;
-  for (; n > 0; n--) {
-    y *= x;
+/* Powers S0^(m-j) S1^j at a node, and the functions of the preimage. */
+static void powers_at(struct ph_check_space *space, double u, double power[5],
+                      double square[3]) {
+  double series[2][PH_CHECK_JET], p, q, pq;
+  ph_check_basis(space->angle, u, 1, series);
+  p = series[0][0] * series[0][0];
+  q = series[1][0] * series[1][0];
+  pq = series[0][0] * series[1][0];
+  if (space->m == 2) {
+    power[0] = p;
+    power[1] = pq;
+    power[2] = q;
+    square[0] = series[0][0];
+    square[1] = series[1][0];
+    return;
   }
-  return y;
+  power[0] = p * p;
+  power[1] = p * pq;
+  power[2] = p * q;
+  power[3] = q * pq;
+  power[4] = q * q;
+  square[0] = p;
+  square[1] = 2 * space->c * pq;
+  square[2] = q;
 }
 
-/* mu_j of (1): 1 / ((m + 1) binomial(m, j)), or by quadrature. */
-static double leg_weight(const struct ph_check *v, double angle, size_t m,
-                         size_t j, double normal) {
-  double sum = 0;
-  if (!(angle > 0)) {
-    return 1 / ((double)(m + 1) * normal);
+struct ph_check_space ph_check_space_of(const struct ph_quad *rule, size_t m,
+                                        double angle) {
+  double half = angle >= 0 && angle < PH_PI ? angle / 2 : (double)NAN;
+  double sinc = half > 0 ? sin(half) / half : 1 + half;
+  struct ph_check_space space = {.m = m, .angle = angle, .c = cos(half)};
+  space.normal[0] = 1;
+  for (size_t i = 0; i < rule->n; i++) {
+    powers_at(&space, rule->node[i], space.leg[i], space.square[i]);
+    for (size_t j = 0; j <= m; j++) {
+      space.mu[j] += rule->weight[i] * space.leg[i][j];
+    }
   }
-  for (size_t i = 0; i < v->fine.n; i++) {
-    double series[2][PH_CHECK_JET];
-    ph_check_basis(angle, v->fine.node[i], 1, series);
-    sum +=
-        v->fine.weight[i] * power(series[0][0], m - j) * power(series[1][0], j);
+  for (size_t j = 0; j <= m; j++) {
+    if (j > 0) {
+      space.normal[j] = space.normal[j - 1] * (double)(m + 1 - j) / (double)j;
+    }
+    /* without the rounding of the rule, which a torsion may feel */
+    space.per_mu[j] = angle > 0 ? 1 / space.mu[j < m - j ? j : m - j]
+                                : (double)(m + 1) * space.normal[j];
+    space.weight[j] = space.normal[j] * space.mu[j];
+    for (size_t i = 0; i < rule->n; i++) {
+      space.leg[i][j] /= space.mu[j];
+    }
   }
-  return sum;
+  space.outer = (double)m * (space.c / sinc) / space.mu[0];
+  space.inner = 1 / (sinc * space.mu[1]);
+  return space;
+}
+
+/* The space of a segment, if it is not that of the last one, as it often is. */
+static void set_space(const struct ph_check *v, size_t m, double angle) {
+  struct ph_check_space *space = v->space;
+  if (space->m != m || !(angle <= space->angle && angle >= space->angle)) {
+    *space = ph_check_space_of(&v->fixed, m, angle);
+  }
 }
 
 /* ---- loading ------------------------------------------------------------ */
 
-void ph_check_form_load(const struct ph_check *v, struct ph_check_segment *s) {
-  double mu[PH_CHECK_FORM_MAX] = {0}, binomial = 1;
-  s->m = v->curve->degree - 1;
-  for (size_t j = 0; j <= s->m; j++) {
-    s->normal[j] = binomial;
-    binomial *= (double)(s->m - j) / (double)(j + 1);
-    mu[j] = 2 * j <= s->m ? leg_weight(v, s->angle, s->m, j, s->normal[j])
-                          : mu[s->m - j];
-    s->h[j] = ph_vec3_scale(1 / mu[j], ph_vec3_sub(s->p[j + 1], s->p[j]));
-    s->speed = ph_check_larger(s->speed, ph_vec3_abs(s->h[j]) / s->normal[j]);
+/* r'' at an end from the legs next to it, by differentiating (1) there. */
+static ph_vec3 second_at(const struct ph_check_space *space, ph_vec3 outer,
+                         ph_vec3 inner) {
+  return ph_vec3_sub(ph_vec3_scale(space->inner, inner),
+                     ph_vec3_scale(space->outer, outer));
+}
+
+/* With z = 0, where that may be known. */
+static inline ph_vec3 flat(ph_vec3 a, bool plane) {
+  return ph_vec3_of(a.x, a.y, plane ? 0 : a.z);
+}
+
+static inline double farthest(double so_far, ph_vec3 a, bool plane) {
+  so_far = ph_check_larger(so_far, fabs(a.x));
+  so_far = ph_check_larger(so_far, fabs(a.y));
+  return plane ? so_far : ph_check_larger(so_far, fabs(a.z));
+}
+
+/* The forms (1). */
+PH_CHECK_INLINE void load_form(const struct ph_check *v,
+                               struct ph_check_segment *s, size_t m,
+                               bool plane) {
+  const struct ph_check_space *space = v->space;
+  const double *p = ph_curve_points(v->curve, s->k);
+  ph_vec3 at = flat(ph_check_vector(v, p, plane ? 2 : 3), plane);
+  double far = farthest(0, at, plane), speed = 0;
+  s->end[0] = s->p[0] = at;
+  for (size_t j = 0; j <= m; j++) {
+    ph_vec3 to, leg;
+    p += plane ? 2 : 3;
+    to = flat(ph_check_vector(v, p, plane ? 2 : 3), plane);
+    leg = flat(ph_vec3_sub(to, at), plane);
+    s->p[j + 1] = at = to;
+    s->leg[j] = leg;
+    s->h[j] = flat(ph_vec3_scale(space->per_mu[j], leg), plane);
+    speed = ph_check_larger(speed, ph_vec3_abs(leg) / space->weight[j]);
+    far = farthest(far, to, plane);
   }
+  s->end[1] = at;
+  s->speed = speed;
+  s->reach = DBL_EPSILON * far + v->scale.spacing;
+}
+
+void ph_check_form_load(const struct ph_check *v, struct ph_check_segment *s) {
+  const struct ph_check_space *space = v->space;
+  size_t m = v->curve->degree - 1;
+  set_space(v, m, s->angle);
+  s->m = m;
+  if (v->curve->dimension == 2) {
+    load_form(v, s, m, true);
+  } else {
+    load_form(v, s, m, false);
+  }
+  s->first[0] = s->h[0];
+  s->first[1] = s->h[m];
+  s->second[0] = second_at(space, s->leg[0], s->leg[1]);
+  s->second[1] = ph_vec3_scale(-1, second_at(space, s->leg[m], s->leg[m - 1]));
 }
 
 void ph_check_load(const struct ph_check *v, size_t k,
                    struct ph_check_segment *s) {
   const struct ph_curve *c = v->curve;
-  const double *p = ph_curve_points(c, k);
   s->kind = v->kind;
   s->k = k;
   s->angle = c->preimage.alpha ? c->preimage.alpha[k] : 0;
   s->unit = c->preimage.alpha ? c->preimage.alpha[k] : 1;
   s->spacing = c->knots[k + 1] - c->knots[k];
   s->speed = 0;
-  for (size_t i = 0; i <= c->degree; i++) {
-    s->p[i] = ph_check_vector(v, p + c->dimension * i, c->dimension);
-  }
   s->kind->load(v, s);
   s->noise = v->noise[k];
 }
@@ -146,15 +228,14 @@ void ph_check_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
   s->kind->jet(s, u, jet, n);
 }
 
-/* The integral of r' over [from,to]; exact for polynomials of degree 31, to
- * rounding for ATPH segments. */
+/* The integral of r' over [from,to]. */
 static ph_vec3 chord(const struct ph_check *v, const struct ph_check_segment *s,
                      double from, double to) {
   ph_vec3 sum = {0, 0, 0};
-  for (size_t i = 0; i < v->fine.n; i++) {
+  for (size_t i = 0; i < v->fixed.n; i++) {
     ph_vec3 first;
-    ph_check_form_jet(s, from + (to - from) * v->fine.node[i], &first, 1);
-    sum = ph_vec3_along(sum, v->fine.weight[i], first);
+    ph_check_form_jet(s, from + (to - from) * v->fixed.node[i], &first, 1);
+    sum = ph_vec3_along(sum, v->fixed.weight[i], first);
   }
   return ph_vec3_scale(to - from, sum);
 }
@@ -168,15 +249,6 @@ ph_vec3 ph_check_form_point(const struct ph_check *v,
 ph_vec3 ph_check_point(const struct ph_check *v,
                        const struct ph_check_segment *s, double u) {
   return s->kind->point(v, s, u);
-}
-
-double ph_check_form_reach(const struct ph_check *v,
-                           const struct ph_check_segment *s) {
-  double reach = 0;
-  for (size_t i = 0; i <= s->m + 1; i++) {
-    reach = ph_check_larger(reach, ph_check_reach(v, s->p[i]));
-  }
-  return reach;
 }
 
 static void speed_at(const void *context, double u, double *value) {

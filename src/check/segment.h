@@ -25,6 +25,28 @@ struct ph_check_kind;
 
 enum { PH_CHECK_FORM_MAX = PH_CHECK_DEGREE_MAX };
 
+/* Nodes: exact for degree 11, as |r'| has 4 and mu_j has 4; for angles below pi
+ * 12 nodes reach rounding. */
+enum { PH_CHECK_NODES_PH = 6, PH_CHECK_NODES_ATPH = 12 };
+
+/* A space of r' and of preimages, at the nodes of a Gauss rule, which
+ * integrates mu too. */
+struct ph_check_space {
+  size_t m;                /* degree of r' */
+  double angle, c;         /* and its cos(angle / 2) */
+  double normal[5];        /* binomial(m, j) */
+  double mu[5], per_mu[5]; /* of (1), and 1 / mu */
+  double weight[5];        /* normal mu: of |leg| for |r'| */
+  double outer, inner; /* r''(0) = inner (p[2] - p[1]) - outer (p[1] - p[0]) */
+  double leg[PH_CHECK_NODES_ATPH][5];    /* S0^(m-j) S1^j / mu_j */
+  double square[PH_CHECK_NODES_ATPH][3]; /* S0^2, 2 c S0 S1, S1^2, or S0, S1 */
+};
+
+/* ph_check_space_of: the space of an angle in [0, pi), m = 2 or 4; any other
+ * angle gives what no curve agrees with. */
+struct ph_check_space ph_check_space_of(const struct ph_quad *rule, size_t m,
+                                        double angle);
+
 /* Terms of power series: a value and up to 3 derivatives. */
 enum { PH_CHECK_JET = 4 };
 
@@ -36,15 +58,17 @@ struct ph_check_segment {
   double unit;                        /* u to the local parameter: a; else 1 */
   ph_vec3 p[PH_CHECK_DEGREE_MAX + 1]; /* control points; of spherical
                                           segments on the unit sphere */
+  ph_vec3 leg[PH_CHECK_FORM_MAX];     /* p_(j+1) - p_j */
   ph_vec3 h[PH_CHECK_FORM_MAX];       /* of (1) */
-  double normal[PH_CHECK_FORM_MAX];   /* binomial(m, j): h_j / normal[j] is of
-                                          the size of r' */
-  double speed;                       /* the largest |h_j| / normal[j] */
+  double speed;   /* the largest coefficient of r', of the size of r' */
+  double reach;   /* the rounding that may be in one of its coordinates */
   double noise;   /* by how much r' may be off, by rounding and because the
                      preimage that was meant is another */
   double spacing; /* of its knots */
-  ph_vec3 center; /* of the sphere */
-  double x[3];    /* of spherical.h */
+  ph_vec3 end[2]; /* the first and the last control point, and there */
+  ph_vec3 first[2], second[2]; /* r' and r'' by u */
+  ph_vec3 center;              /* of the sphere */
+  double x[3];                 /* of spherical.h */
   double radius;
 };
 
@@ -73,8 +97,6 @@ void ph_check_form_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
                        size_t n);
 ph_vec3 ph_check_form_point(const struct ph_check *v,
                             const struct ph_check_segment *s, double u);
-double ph_check_form_reach(const struct ph_check *v,
-                           const struct ph_check_segment *s);
 
 /* ph_check_uncertain: by how much derivative d >= 1 may be off. */
 static inline double ph_check_uncertain(const struct ph_check_segment *s,

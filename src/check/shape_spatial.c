@@ -15,7 +15,7 @@
  */
 #include "check/shape_spatial.h"
 
-#include "check/error.h"
+#include "check/scale.h"
 
 /* Errors of coordinates: in a leg, of the middle one, both of whose points are
  * sums of two terms; and in the chord, as far as nobody need see a direction in
@@ -26,6 +26,9 @@ enum { ROUND_LEG = 4, ROUND_CHORD = 32 };
  * an angle, and of the volume of three directions. */
 static const double NO_ANGLE = 4e-12;
 static const double NO_VOLUME = 1e-12;
+
+/* What S0^(4-j) S1^j is multiplied by for a coefficient of the size of r'. */
+static const double BINOMIAL[] = {1, 4, 6, 4, 1};
 
 /* Where the sign of (1) is looked at: in S1 / (S0 + S1), between the ends. */
 enum { SAMPLES = 31 };
@@ -118,11 +121,10 @@ enum ph_check_shape ph_check_shape_of(const ph_vec3 leg[5], const double mu[5],
   for (size_t j = 0; j < 5; j++) {
     h[j] = vector_of(ph_vec3_scale(1 / mu[j], leg[j]), 0);
     dp = ph_vec3_add(dp, leg[j]);
-    speed = ph_check_larger(speed, h[j].size / ph_check_binomial(j));
+    speed = ph_check_larger(speed, h[j].size / BINOMIAL[j]);
   }
   for (size_t j = 0; j < 5; j++) {
-    h[j].error =
-        ph_check_binomial(j) * relative * speed + ROUND_LEG * rounding / mu[j];
+    h[j].error = BINOMIAL[j] * relative * speed + ROUND_LEG * rounding / mu[j];
   }
   chord = vector_of(dp, relative * speed + ROUND_CHORD * rounding);
   if (!is_convex(&h[0], &h[1], &chord)) {

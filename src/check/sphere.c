@@ -20,7 +20,8 @@
 #include "check/certify.h"
 
 #include "base/sum.h"
-#include "check/segment3.h"
+#include "check/data.h"
+#include "check/error.h"
 #include "check/shape_sphere.h"
 #include "check/spherical.h"
 #include "kernel/degree.h"
@@ -190,7 +191,7 @@ static void check_length(const struct context *c,
 static ph_vec3 end_direction(const struct context *c, ph_vec3 p, size_t end,
                              double *error) {
   const double *v = c->problem->field[PH_F_END_TANGENTS].v + 3 * end;
-  ph_vec3 given = ph_check3_direction(ph_vec3_get(v, 3));
+  ph_vec3 given = ph_check_direction(v, 3);
   ph_vec3 along = ph_vec3_normal(given, p);
   double size = ph_vec3_abs(along);
   *error = ROUND_POINT * c->rounding / size;
@@ -542,12 +543,12 @@ static bool set_scale(struct context *c) {
   return true;
 }
 
-enum ph_status ph_check_sphere(const struct ph_problem *problem,
-                               const struct ph_curve *curve,
-                               struct ph_arena *scratch,
-                               struct ph_diagnostics *diagnostics,
-                               struct ph_diag *diag) {
-  struct context c = {.arena = scratch, .problem = problem, .curve = curve};
+enum ph_status ph_check_sphere(struct ph_check *v,
+                               struct ph_diagnostics *diagnostics) {
+  const struct ph_problem *problem = v->problem;
+  const struct ph_curve *curve = v->curve;
+  struct ph_diag *diag = v->diag;
+  struct context c = {.arena = v->scratch, .problem = problem, .curve = curve};
   struct checks checks = {.sphere = {.what = PH_D_SPHERE_ERROR},
                           .point = {.what = PH_D_INTERPOLATION_ERROR},
                           .joint = {.what = PH_D_CONTINUITY_ERROR},

@@ -109,10 +109,22 @@ void ph_check_great_load(const struct ph_check *v, struct ph_check_segment *s) {
   s->m = 0;
   s->center = ph_check_vector(v, v->curve->sphere.center, 3);
   s->radius = ph_check_scaled(v, v->curve->sphere.radius);
+  s->reach = ph_check_reach(v, s->center) + DBL_EPSILON * s->radius;
+  for (size_t i = 0; i < 4; i++) {
+    s->p[i] = ph_check_vector(v, ph_curve_points(v->curve, s->k) + 3 * i, 3);
+  }
+  s->end[0] = s->p[0];
+  s->end[1] = s->p[3];
   for (size_t i = 0; i < 4; i++) {
     s->p[i] = ph_vec3_unit(ph_vec3_sub(s->p[i], s->center));
   }
   ph_check_great_angles(s->p, s->x);
+  for (size_t i = 0; i < 2; i++) {
+    ph_vec3 jet[2];
+    ph_check_great_jet(s, (double)i, jet, 2);
+    s->first[i] = jet[0];
+    s->second[i] = jet[1];
+  }
   for (size_t i = 0; i < 3; i++) {
     s->speed = ph_check_larger(
         s->speed, 3 * s->radius * ph_check_apart(s->p[i + 1], s->p[i]));
@@ -134,9 +146,4 @@ ph_vec3 ph_check_great_point(const struct ph_check *v,
   (void)v;
   ph_check_great(s->p, s->x, u, all);
   return ph_vec3_along(s->center, s->radius, all[0]);
-}
-
-double ph_check_great_reach(const struct ph_check *v,
-                            const struct ph_check_segment *s) {
-  return ph_check_reach(v, s->center) + DBL_EPSILON * s->radius;
 }

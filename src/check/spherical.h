@@ -40,7 +40,5 @@ void ph_check_great_jet(const struct ph_check_segment *s, double u,
                         ph_vec3 *jet, size_t n);
 ph_vec3 ph_check_great_point(const struct ph_check *v,
                              const struct ph_check_segment *s, double u);
-double ph_check_great_reach(const struct ph_check *v,
-                            const struct ph_check_segment *s);
 
 #endif

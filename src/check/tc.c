@@ -8,6 +8,7 @@
  */
 #include "check/certify.h"
 
+#include "check/note.h"
 #include "check/tc_approx.h"
 #include "check/tc_check.h"
 #include "check/tc_wanted.h"
@@ -208,23 +209,22 @@ static enum ph_status check_claims(const struct ph_tc_check *c,
   return PH_OK;
 }
 
-enum ph_status ph_check_tc(const struct ph_problem *problem,
-                           const struct ph_curve *curve,
-                           struct ph_arena *scratch,
-                           struct ph_diagnostics *diagnostics,
-                           struct ph_diag *diag) {
+enum ph_status ph_check_tc(struct ph_check *v,
+                           struct ph_diagnostics *diagnostics) {
+  const struct ph_problem *problem = v->problem;
+  const struct ph_curve *curve = v->curve;
+  struct ph_diag *diag = v->diag;
   const struct ph_value *points = &problem->field[PH_F_POINTS];
   struct ph_tc_wanted wanted;
   struct ph_tc_check c;
   enum ph_status status;
   if (ph_tc_wanted_mode_of(problem) == PH_TC_WANTED_APPROXIMATE) {
-    return ph_check_tc_approximation(problem, curve, scratch, diagnostics,
-                                     diag);
+    return ph_check_tc_approximation(v, diagnostics);
   }
   if (points->kind != PH_VECTORS || points->dimension != 2 || points->n < 2) {
     return ph_fail(diag, PH_INTERNAL, "points", "are not in the plane");
   }
-  status = ph_tc_check_begin(&c, curve, scratch, points->v, points->n, diag);
+  status = ph_tc_check_begin(&c, curve, v->scratch, points->v, points->n, diag);
   if (status == PH_OK) {
     status = ph_tc_wanted_of(problem, &c, &wanted, diag);
   }

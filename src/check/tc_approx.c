@@ -9,6 +9,7 @@
  */
 #include "check/tc_approx.h"
 
+#include "check/note.h"
 #include "check/tc_check.h"
 #include "check/tc_distance.h"
 #include "kernel/bern.h"
@@ -393,18 +394,12 @@ static enum ph_status certify(struct context *x,
                          : status;
 }
 
-enum ph_status ph_check_tc_approximation(const struct ph_problem *problem,
-                                         const struct ph_curve *curve,
-                                         struct ph_arena *scratch,
-                                         struct ph_diagnostics *diagnostics,
-                                         struct ph_diag *diag) {
-  double allowed = distance_wanted(problem, diagnostics);
-  struct ph_mark mark = ph_arena_mark(scratch);
+enum ph_status ph_check_tc_approximation(struct ph_check *v,
+                                         struct ph_diagnostics *diagnostics) {
+  double allowed = distance_wanted(v->problem, diagnostics);
   struct context x = {.next = 0};
-  enum ph_status status = begin(&x, problem, curve, scratch, allowed, diag);
-  if (status == PH_OK) {
-    status = certify(&x, problem, diagnostics, diag);
-  }
-  ph_arena_release(scratch, mark);
-  return status;
+  enum ph_status status =
+      begin(&x, v->problem, v->curve, v->scratch, allowed, v->diag);
+  return status == PH_OK ? certify(&x, v->problem, diagnostics, v->diag)
+                         : status;
 }

@@ -18,6 +18,7 @@
 
 #include "base/sum.h"
 #include "check/error.h"
+#include "check/segment.h"
 #include "kernel/cplx.h"
 
 /* A curve and what was found of it so far. */

@@ -4,6 +4,14 @@
 #include "check/verify.h"
 
 #include "check/checks.h"
+#include "check/data.h"
+
+#include <string.h>
+
+/* Beside --tolerance: of points, of segments that meet, and of a given vector
+ * and its products. */
+static const struct ph_tolerance ROUNDING = {
+    .point = 8, .gap = 4, .given = 8 * DBL_EPSILON};
 
 /* Numbers that were written with fewer digits may be the same to this. */
 static const double SAME = 1e-12;
@@ -23,26 +31,48 @@ static bool begin_curve(struct ph_check *v) {
   mean = ph_check_scaled(v, c->length) / (double)c->n;
   /* a false claim would make all errors small */
   v->mean = mean < 4 * v->scale.size ? mean : 0;
-  v->knot = PH_CHECK_ROUND_KNOT * DBL_EPSILON *
-            ph_check_larger(fabs(c->knots[0]), fabs(c->knots[c->n]));
   return true;
 }
 
-static void check_segments(struct ph_check *v) {
+enum ph_status ph_check_begin(struct ph_check *v, struct ph_check_data *data,
+                              struct ph_check_space *space) {
+  const struct ph_curve *c = v->curve;
+  /* points next to a hairpin have fewer digits by fewer nodes */
+  size_t nodes =
+      v->error && !c->preimage.alpha ? PH_CHECK_NODES_PH : PH_CHECK_NODES_ATPH;
+  size_t n = c->n;
+  v->knot = PH_CHECK_ROUND_KNOT * DBL_EPSILON *
+            ph_check_larger(fabs(c->knots[0]), fabs(c->knots[n]));
+  v->length = ph_arena_array(v->scratch, n, sizeof *v->length);
+  v->noise = ph_arena_array(v->scratch, n, sizeof *v->noise);
+  if (!v->length || !v->noise || !ph_quad_gauss(&v->fixed, nodes)) {
+    return ph_fail_memory(v->diag);
+  }
+  memset(v->noise, 0, n * sizeof *v->noise);
+  *space = ph_check_space_of(&v->fixed, c->degree - 1, 0);
+  v->space = space;
+  return ph_check_given_begin(v, data);
+}
+
+void ph_check_segments(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   struct ph_check_segment first, s[2];
   for (size_t k = 0; k < c->n; k++) {
     struct ph_check_segment *now = &s[k & 1];
-    v->noise[k] = v->length[k] = 0;
     if (k > 0 && ph_arena_late(v->scratch)) {
-      continue;
+      return;
     }
     ph_check_load(v, k, now);
     ph_check_square(v, now);
-    v->length[k] = ph_check_length_of(v, now, 0, 1);
+    if (v->data) {
+      ph_check_given(v, now);
+    }
+    if (v->error && v->promise->segment) {
+      v->promise->segment(v, now);
+    }
     if (k > 0) {
       ph_check_joint(v, &s[~k & 1], now);
-    } else {
+    } else if (c->closed) {
       first = *now;
     }
   }
@@ -78,17 +108,18 @@ static void check_derived(struct ph_check *v) {
 /* A curve, alone or one of several solutions. */
 static enum ph_status check_curve(struct ph_check *v) {
   static void (*const parts[])(struct ph_check *) = {
-      check_segments, ph_check_lengths,  ph_check_fairness,
-      check_whole,    ph_check_blaschke, check_derived};
-  size_t n = v->curve->n;
+      ph_check_segments, ph_check_lengths, ph_check_fairness,     check_whole,
+      ph_check_blaschke, check_derived,    ph_check_given_lengths};
+  struct ph_check_space space;
+  struct ph_check_data data;
+  enum ph_status status;
   v->kind = &ph_check_kinds[v->curve->kind];
   if (!ph_check_arrays(v) || !begin_curve(v)) {
     return PH_OK;
   }
-  v->length = ph_arena_array(v->scratch, n, sizeof *v->length);
-  v->noise = ph_arena_array(v->scratch, n, sizeof *v->noise);
-  if (!v->length || !v->noise) {
-    return ph_fail_memory(v->diag);
+  status = ph_check_begin(v, &data, &space);
+  if (status != PH_OK) {
+    return status;
   }
   for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
     parts[i](v);
@@ -96,7 +127,8 @@ static enum ph_status check_curve(struct ph_check *v) {
       return ph_fail_memory(v->diag);
     }
   }
-  return ph_check_solves(v);
+  return v->problem && ph_check_is_approximation(v) ? ph_check_approximation(v)
+                                                    : PH_OK;
 }
 
 /* Whether two curves have the same control points, but for rounding of them to
@@ -154,6 +186,7 @@ ph_check_result(const struct ph_result *claim, const struct ph_problem *problem,
                        .scratch = scratch,
                        .diag = diag,
                        .promise = promise,
+                       .allow = &ROUNDING,
                        .problem = problem,
                        .claim = claim,
                        .curve = &claim->curve,
@@ -163,7 +196,7 @@ ph_check_result(const struct ph_result *claim, const struct ph_problem *problem,
   struct ph_mark mark = ph_arena_mark(scratch);
   enum ph_status status;
   *verdict = (struct ph_verdict){.worst = PH_CHECK_N};
-  if (!ph_check_rule_of(&v.rule, scratch) || !ph_quad_gauss(&v.fine, 16)) {
+  if (!ph_check_rule_of(&v.rule, scratch)) {
     return ph_fail_memory(diag);
   }
   status = check_curve(&v);

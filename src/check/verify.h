@@ -10,11 +10,16 @@
  * by quadrature.  tests/lint/layers.sh sees to that.
  *
  * With solve/ and curve/ it shares kernel: algebra, Bernstein forms, s2.h,
- * Gauss nodes, pow2.h; certificates also the basis of kernel/atph.h and the
- * layout of band matrices.  One derivation stands in both, in code of its own:
+ * degree.h, Gauss nodes, pow2.h; certificates also the layout of band matrices,
+ * and the halves of forms.  One derivation stands in both, in code of its own:
  * the bound of the distance of cubics (tc_distance.h, solve/tc/approx.h), which
- * verify does not use: distance.c looks for far points.  Certificates and
- * verification share promise.h, scale.h and spherical.h.
+ * verify does not use: distance.c looks for far points.
+ *
+ * Certificates and verification share promise.h and scale.h; of curves whose
+ * hodographs are squares, but for tc, segments (segment.h), what is given at
+ * the data (data.h, problem.c), joints, squares and lengths, certificates with
+ * the tolerances of their promise and by fixed rules alone; and the evaluation
+ * of curves on a sphere (spherical.h).
  *
  * Errors are relative: of points and lengths to the size of the curve (half the
  * diagonal of the bounding box of its control points), of vectors and numbers

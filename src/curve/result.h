@@ -327,13 +327,13 @@ struct ph_diagnostics {
   uint64_t known; /* bit i: value[i] was computed */
 };
 
-/* ph_are_finite: whether n numbers are. */
+/* ph_are_finite: whether n numbers are: x - x is 0, or else NaN. */
 static inline bool ph_are_finite(const double *v, size_t n) {
-  bool finite = true;
+  double sum = 0;
   for (size_t i = 0; i < n; i++) {
-    finite = finite && isfinite(v[i]);
+    sum += v[i] - v[i];
   }
-  return finite;
+  return sum >= 0;
 }
 
 /* ph_diagnostics_set: stores one value and marks it as known. */

@@ -396,7 +396,7 @@ PH_TEST(test_count) {
     ck_assert_int_eq(certify(), closed ? PH_NO_CONVERGENCE : PH_INTERNAL);
     u.curve.n--;
     ck_assert_int_eq(certify(), PH_INTERNAL);
-    ck_assert_str_eq(checked.diag.field, "points");
+    ck_assert_str_eq(checked.diag.field, "segments");
     u.curve.n = 0;
     ck_assert_int_eq(certify(), PH_INTERNAL);
   }

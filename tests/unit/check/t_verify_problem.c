@@ -143,6 +143,10 @@ PH_TEST(vectors) {
       {"arclength",
        "{\"tangents\":[[1,0,0],[1,1,0],[0,1,1]],\"lengths\":[1.2,1.5]}",
        PH_F_TANGENTS, PH_CHECK_TANGENT},
+      {"arclength",
+       "{\"tangents\":[[1,0,0],[1,1,0],[0,1,1]],\"lengths\":[1.2,1.5],"
+       "\"magnitudes\":\"mean\"}",
+       PH_F_LENGTHS, PH_CHECK_TANGENT},
       {"tc",
        "{\"points\":[[0,1],[6,1],[8,3]],\"tangents\":[[1,-1],[1,1],[1,0]]}",
        PH_F_TANGENTS, PH_CHECK_TANGENT},
