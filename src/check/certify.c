@@ -28,13 +28,13 @@ enum { TOLD_N = sizeof TOLD / sizeof TOLD[0] };
 static bool set_scale(struct ph_check *v) {
   const struct ph_promise *promise = v->promise;
   const struct ph_curve *c = v->curve;
-  const double *points = c->control_points;
+  const struct ph_value *points = v->data->points;
   size_t n = c->n * (c->degree + 1);
-  if (promise->unit != PH_UNIT_INTERVAL && v->data->points) {
-    points = v->data->points->v;
+  if (promise->unit != PH_UNIT_INTERVAL && points) {
     n = c->closed ? c->n : c->n + 1;
+    return ph_check_scale_of(points->v, n, points->dimension, &v->scale);
   }
-  return ph_check_scale_of(points, n, c->dimension, &v->scale);
+  return ph_check_scale_of(c->control_points, n, c->dimension, &v->scale);
 }
 
 /* What errors are relative to. */

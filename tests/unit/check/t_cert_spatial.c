@@ -95,8 +95,12 @@ PH_TEST_EACH(test_accepts_plane, 2) {
   const double points[] = {0, 0, 2, 1, 3, 0, 5, 2};
   const double vectors[] = {1, 1, 2, -0.5, 1, 0.3, 0.2, 1};
   unit_hermite3_of(&u, points, PH_F_DERIVATIVES, vectors, 4, 2, _i, 0);
+  u.points[2 * 4] = 1e9; /* what is after them has no say in the scale */
   ck_accepted();
   ck_assert_double_le(value_of(PH_D_TANGENT_ERROR), 2e-15);
+  u.points[3] += MOVED;
+  ck_refused(PH_D_INTERPOLATION_ERROR, 0);
+  u.points[3] -= MOVED;
   u.vectors[3] += 1e-6;
   ck_refused_in(PH_D_TANGENT_ERROR, 0, 1);
   u.vectors[3] -= 1e-6;
