@@ -221,10 +221,11 @@ static void check_beziers(struct context *c) {
     for (size_t place = 0; place <= PLACES; place++) {
       double x = (double)place / PLACES, u = in[0] + x * (in[1] - in[0]);
       double b[DEGREE_MAX + 1];
-      struct ph_check_local at = ph_check_local_at(&c->path, u);
+      struct ph_check_local at;
       ph_vec3 found;
       ph_bern_basis(of->degree, x, b);
       found = scaled(v, combine(b, n, d, of->control_points + n * d * i, NULL));
+      at = local_of(c, u, found);
       ph_check_miss(v, PH_CHECK_OFFSET,
                     ph_check_of("beziers", i, "control_points"),
                     ph_check_apart(found, at.point), v->scale.size,

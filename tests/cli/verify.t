@@ -121,6 +121,11 @@ echo '{"points":[[2229065.45617269,16031338.93436713],
   "tangents":[[0.98027509,-0.19763792137],[0.9803,-0.1977],[0,-0.2]]}' >still
 made tc --offset=9 <still
 verified 'an offset beside a point at rest' 1 --problems=still
+echo '{"points":[[0,0],[-0.02049794,0.188658646],[-0.02049794,0.18865864599]],
+  "basis":"atph","end_derivatives":[[0,0.09],[0,3e-9]]}' >still
+made planar --offset=-0.2 <still
+verified 'Bezier pieces of an offset where rounding stands still' 1 \
+  --problems=still
 for command in planar tc; do
   echo '{"points":[[0,0],[-0.2,-4e-9],[-0.2,0]],"solutions":"all"}' >still
   made "$command" <still
