@@ -155,7 +155,7 @@ static enum ph_status check_stationary(struct ph_check *v, const double *exact,
                    "the curve is refused by its certificate: it is claimed to "
                    "be a minimiser, but F can fall");
   }
-  ph_diagnostics_set(diagnostics, PH_D_F, found.f);
+  ph_diagnostics_set_finite(diagnostics, PH_D_F, found.f);
   return PH_OK;
 }
 

@@ -126,6 +126,12 @@ echo '{"points":[[0,0],[-0.02049794,0.188658646],[-0.02049794,0.18865864599]],
 made planar --offset=-0.2 <still
 verified 'Bezier pieces of an offset where rounding stands still' 1 \
   --problems=still
+echo '{"points":[[1,0,0],[0,1,0],[-1,0,0]],"closed":true,"basis":"atph",
+  "derivatives":[[0,0.027671646892577766,0],[0,241608.12285681514,0],
+  [0,0,2.0639614300918064e-8]],"criterion":"F3",
+  "tension":[0.5043872332339225,0.48,0.83]}' >still
+made spatial-hermite <still
+verified 'an F3 that is not finite is not told' 1 --problems=still
 for command in planar tc; do
   echo '{"points":[[0,0],[-0.2,-4e-9],[-0.2,0]],"solutions":"all"}' >still
   made "$command" <still

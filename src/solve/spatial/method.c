@@ -483,7 +483,7 @@ static void report(const struct task *t) {
   ph_diagnostics_set(d, PH_D_RESIDUAL, t->residual);
   ph_diagnostics_set(d, PH_D_REDUCED, (double)t->reduced);
   if (!t->angles && t->criterion->functional) {
-    ph_diagnostics_set(d, PH_D_FUNCTIONAL, t->functional);
+    ph_diagnostics_set_finite(d, PH_D_FUNCTIONAL, t->functional);
     if (t->points.atph && !t->points.alpha) {
       ph_diagnostics_set(d, PH_D_AT_BOUND, t->at_bound);
     }
