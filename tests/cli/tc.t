@@ -118,7 +118,7 @@ implied() {
 }
 
 implied spline "$some"
-implied g1-auto "$some,$tangents"
+implied g1-fair "$some,$tangents"
 implied c1 "$some,$derivatives"
 implied approximate "$bezier"
 feed '{"points":[[0,0],[1,3],[4,-2],[5,1]],"tolerance":1e-3}' tc \
@@ -140,6 +140,11 @@ for a in -2.5 -1.2 -0.3 0.4 1.5; do
     awk 'NR == 3 { printf "%.12g\n", $1 * $2 }' >>fair
 done
 numbers 'g1-fair: the smaller F of g1-auto and g1-pair' 1e-11 both fair
+# One cubic that all but stands still is not what tangents alone ask for.
+near='"points":[[0,0],[1,0]],"tangents":[[1,0.01],[-0.8,0.6]]'
+feed "{$near}" tc -S mode=g1-fair,g1-auto
+table diagnostics.max_curvature | holds 'no near cusp unless it is asked for' \
+  'n == 2 && x[1] < 10 && x[2] > 1e5'
 feed "{$some,$tangents}" tc -S mode=g1-pair,g1-auto
 equal 'g1-auto: fewer cubics than two for each interval' true "$(
   table segments | awk '{ n[NR] = gsub(/control_points/, "") }

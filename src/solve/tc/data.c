@@ -42,7 +42,7 @@ static const struct {
 
 static enum ph_tc_mode implied(const struct ph_problem *p) {
   return ph_fields_given(p, PH_F_CURVE)         ? PH_TC_APPROXIMATE
-         : ph_fields_given(p, PH_F_TANGENTS)    ? PH_TC_G1_AUTO
+         : ph_fields_given(p, PH_F_TANGENTS)    ? PH_TC_G1_FAIR
          : ph_fields_given(p, PH_F_DERIVATIVES) ? PH_TC_C1
                                                 : PH_TC_SPLINE;
 }

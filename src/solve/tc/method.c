@@ -113,7 +113,7 @@ static const struct ph_field fields[] = {
      "close the curve, a repeated last point is dropped"},
     {PH_F_MODE, PH_WORD, 0, false,
      "g1|g1-pair|g1-auto|g1-fair|c1|spline|approximate",
-     "approximate, g1-auto, c1 or spline, by what is given",
+     "approximate, g1-fair, c1 or spline, by what is given",
      "cubics in each interval: one, two, one if it has no loop, or what is "
      "fairer; two with derivatives, given or by rule; or an approximation"},
     {PH_F_LAMBDA, PH_NUMBER, 0, false, NULL,

@@ -38,9 +38,12 @@ static const double STEP = 1.0 / 32;
  * Newton's method on a difference quotient of fourth order gives all but the
  * last few digits, so that the same data seen from elsewhere give the same
  * curve.
+ *
+ * ret  whether it took a step
  */
-static void polish(const struct fairness *fair, double step,
+static bool polish(const struct fairness *fair, double step,
                    struct ph_bracket *b) {
+  bool moved = false;
   for (int i = 0; i < POLISH_STEPS; i++) {
     double f[5], first, second, x; /* derivatives, by step */
     for (int k = 0; k < 5; k++) {
@@ -50,15 +53,17 @@ static void polish(const struct fairness *fair, double step,
     second = (16 * (f[3] + f[1]) - (f[4] + f[0]) - 30 * f[2]) / 12;
     x = b->x - step * first / second;
     if (!(second > 0 && fabs(first) <= second)) {
-      return;
+      return moved;
     }
     f[2] = fair->f(fair, x);
     if (!(f[2] <= b->value * (1 + RISE))) {
-      return;
+      return moved;
     }
     b->x = x;
     b->value = f[2];
+    moved = true;
   }
+  return moved;
 }
 
 /* No step of it leads to a larger F, but for rounding. */
@@ -87,10 +92,13 @@ static double fairness_of(const struct ph_tc_fit *fit) {
 
 /* x is the logarithm of lambda over the least one. */
 #define LAMBDA_LEAST 0.15
-#define LAMBDA_MOST 1.4
+#define LAMBDA_MOST PH_TC_PAIR_LONGEST
 
 /* Half as many find the same minima of 1500 random data, a quarter misses 3. */
 enum { LAMBDAS = 25 };
+
+/* Of them that next to 1/2, which is nearly that of a shallow arc. */
+enum { LAMBDA_OF_ARC = 13 };
 
 static double lambda_of(double x) {
   return fmin(LAMBDA_LEAST * exp(x), LAMBDA_MOST);
@@ -101,7 +109,9 @@ static struct ph_tc_fit pair_at(const struct fairness *fair, double x) {
   struct ph_tc_fit fits[PH_TC_PAIRS];
   double lambda = lambda_of(x);
   struct ph_tc_hermite h = ph_tc_hermite_scaled(fair->h, lambda);
-  ph_tc_pairs(&h, fits);
+  if (!(fair->root == 0 && ph_tc_pair_standard(&h, &fits[0]))) {
+    ph_tc_pairs(&h, fits);
+  }
   ph_tc_fit_measure(&fits[fair->root]);
   fits[fair->root].lambda = lambda;
   return fits[fair->root];
@@ -117,12 +127,15 @@ static bool is_straight(const struct ph_tc_hermite *h) {
   return ph_tc_is_forward(h->t[0]) && ph_tc_is_forward(h->t[1]);
 }
 
-static void look_at_lambdas(const struct ph_tc_hermite *h, double step,
+static double grid_at(size_t k) {
+  return (double)k * log(LAMBDA_MOST / LAMBDA_LEAST) / (LAMBDAS - 1);
+}
+
+static void look_at_lambdas(const struct ph_tc_hermite *h,
                             double value[LAMBDAS][PH_TC_PAIRS]) {
   for (size_t k = 0; k < LAMBDAS; k++) {
     struct ph_tc_fit fits[PH_TC_PAIRS];
-    struct ph_tc_hermite s =
-        ph_tc_hermite_scaled(h, lambda_of((double)k * step));
+    struct ph_tc_hermite s = ph_tc_hermite_scaled(h, lambda_of(grid_at(k)));
     ph_tc_pairs(&s, fits);
     for (size_t i = 0; i < PH_TC_PAIRS; i++) {
       ph_tc_fit_measure(&fits[i]);
@@ -134,7 +147,7 @@ static void look_at_lambdas(const struct ph_tc_hermite *h, double step,
 
 /* The simple pair of the least value; those that are not simple are made
  * infinite.  False if there is none. */
-static bool least_simple(struct fairness *fair, double step,
+static bool least_simple(struct fairness *fair,
                          double value[LAMBDAS][PH_TC_PAIRS], size_t *at,
                          struct ph_tc_fit *fit) {
   for (size_t tries = 0; tries < (size_t)LAMBDAS * PH_TC_PAIRS; tries++) {
@@ -151,7 +164,7 @@ static bool least_simple(struct fairness *fair, double step,
     if (!(least < (double)INFINITY)) {
       return false;
     }
-    *fit = pair_at(fair, (double)*at * step);
+    *fit = pair_at(fair, grid_at(*at));
     if (ph_tc_fit_test(fit)) {
       return true;
     }
@@ -160,8 +173,54 @@ static bool least_simple(struct fairness *fair, double step,
   return false;
 }
 
+/* Both tangents are within a right angle of the chord: the standard pair is
+ * simple and the best for every lambda, and F has one minimum. */
+static bool is_smooth(const struct ph_tc_hermite *h) {
+  const struct ph_tc_hermite safe = ph_tc_hermite_scaled(h, 0.5);
+  return ph_tc_pair_is_safe(&safe);
+}
+
+/*
+ * The minimum of smooth F: downhill on the grid, from the lambda of a shallow
+ * arc, to a value with larger ones on either side; from the vertex of their
+ * parabola by Newton's method.
+ */
+static struct ph_bracket least_smooth(const struct fairness *fair) {
+  const double step = grid_at(1);
+  size_t at = LAMBDA_OF_ARC;
+  double below = fair->f(fair, grid_at(at - 1)), here, above;
+  struct ph_bracket b;
+  here = fair->f(fair, grid_at(at));
+  above = fair->f(fair, grid_at(at + 1));
+  while (at > 1 && is_less(below, here)) {
+    above = here;
+    here = below;
+    below = fair->f(fair, grid_at(--at - 1));
+  }
+  while (at + 2 < LAMBDAS && is_less(above, here)) {
+    below = here;
+    here = above;
+    above = fair->f(fair, grid_at(++at + 1));
+  }
+  b = (struct ph_bracket){grid_at(at - 1), grid_at(at), grid_at(at + 1), here};
+  if (is_less(below, here) || is_less(above, here)) { /* an end of the grid */
+    *(below < above ? &b.high : &b.low) = b.x;
+    b.x = below < above ? b.low : b.high;
+    b.value = fmin(below, above);
+    refine(fair, &b);
+    return b;
+  }
+  b.x += 0.5 * step * (below - above) / (below - 2 * here + above);
+  b.value = fair->f(fair, b.x);
+  if (!(b.value <= here) || !polish(fair, STEP * 2 * step, &b)) {
+    b.x = grid_at(at);
+    b.value = here;
+    refine(fair, &b);
+  }
+  return b;
+}
+
 bool ph_tc_two_free(const struct ph_tc_hermite *h, struct ph_tc_fit *fit) {
-  const double step = log(LAMBDA_MOST / LAMBDA_LEAST) / (LAMBDAS - 1);
   struct fairness fair = {.f = pair_fairness, .h = h};
   double value[LAMBDAS][PH_TC_PAIRS];
   struct ph_tc_fit fine;
@@ -174,13 +233,18 @@ bool ph_tc_two_free(const struct ph_tc_hermite *h, struct ph_tc_fit *fit) {
     fit->lambda = 0.5;
     return ph_tc_fit_test(fit);
   }
-  look_at_lambdas(h, step, value);
-  if (!least_simple(&fair, step, value, &at, fit)) {
+  if (is_smooth(h)) {
+    *fit = pair_at(&fair, least_smooth(&fair).x);
+    fit->simple = true;
+    return true;
+  }
+  look_at_lambdas(h, value);
+  if (!least_simple(&fair, value, &at, fit)) {
     return false;
   }
-  b.low = (double)(at > 0 ? at - 1 : at) * step;
-  b.x = (double)at * step;
-  b.high = (double)(at + 1 < LAMBDAS ? at + 1 : at) * step;
+  b.low = grid_at(at > 0 ? at - 1 : at);
+  b.x = grid_at(at);
+  b.high = grid_at(at + 1 < LAMBDAS ? at + 1 : at);
   b.value = value[at][fair.root];
   refine(&fair, &b);
   fine = pair_at(&fair, b.x);

@@ -158,6 +158,7 @@ PH_TEST(test_one_interval) {
   struct unit_solution s = spline_of(v, 2, "all");
   const struct ph_result *r = &s.result;
   unit_set_array(&s.problem, PH_F_TANGENTS, tangents, 2, 2);
+  unit_set_word(&s.problem, PH_F_MODE, "g1");
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(r->solutions_n, 2);
   check_solutions(r);

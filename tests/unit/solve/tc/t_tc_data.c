@@ -39,7 +39,7 @@ static const struct {
   enum ph_tc_mode mode;
 } MODES[] = {
     {{POINTS}, PH_TC_SPLINE},
-    {{POINTS, TANGENTS}, PH_TC_G1_AUTO},
+    {{POINTS, TANGENTS}, PH_TC_G1_FAIR},
     {{POINTS, DERIVATIVES}, PH_TC_C1},
     {{BEZIER}, PH_TC_APPROXIMATE},
     {{POINTS, MODE("approximate")}, PH_TC_APPROXIMATE},

@@ -74,6 +74,7 @@ PH_TEST(test_images) {
   /* of all solutions, of which one has a loop */
   unit_set_array(&s.problem, PH_F_POINTS, points, 2, 2);
   unit_set_array(&s.problem, PH_F_TANGENTS, tangents, 2, 2);
+  unit_set_word(&s.problem, PH_F_MODE, "g1");
   unit_set_word(&s.problem, PH_F_SOLUTIONS, "all");
   unit_tc_solve_ok(&s);
   ck_assert_uint_eq(s.result.solutions_n, 2);

@@ -149,9 +149,10 @@ static void ck_free(const struct ph_tc_hermite *h, struct ph_tc_fit *fit) {
 }
 
 PH_TEST(test_free_random) {
+  static const double ranges[] = {PH_PI, 0.5 * PH_PI, 0.1, 1e-3};
   struct unit_random r = unit_random_of(3501);
-  for (int i = 0; i < unit_count(400); i++) {
-    double range = i % 2 ? PH_PI : 0.5 * PH_PI;
+  for (int i = 0; i < unit_count(800); i++) {
+    double range = ranges[i % 4];
     double a = unit_random_in(&r, -range, range);
     struct ph_tc_hermite h = data_of(a, unit_random_in(&r, -range, range));
     struct ph_tc_fit fit;
