@@ -22,6 +22,7 @@
 #include "kernel/pi.h"
 
 #include <math.h>
+#include <string.h>
 
 enum {
   B_MAX = 20, /* of the grid, in every direction */
@@ -54,8 +55,7 @@ struct search {
   struct ph_spatial_family family;
   struct ph_spatial_target target;
   size_t panels;
-  struct ph_spatial_point at; /* of the last value */
-  double last;                /* F there */
+  double gradient[PH_SPATIAL_VARIABLES]; /* at the last value, of its log */
   size_t evaluations;
 };
 
@@ -79,6 +79,12 @@ static void begin(struct search *s, const struct ph_spatial_search *wanted,
   s->evaluations = 0;
 }
 
+static double section_value(struct search *s,
+                            const struct ph_spatial_section *at, double phi) {
+  s->evaluations++;
+  return ph_spatial_section_fair(&s->target, at, GRID_PANELS, phi);
+}
+
 static double value_at(struct search *s, size_t panels,
                        const struct ph_spatial_point *at) {
   s->evaluations++;
@@ -87,26 +93,27 @@ static double value_at(struct search *s, size_t panels,
 
 /* ---- descent --------------------------------------------------------- */
 
+/* The gradient beside the value: nearly all of them are wanted. */
 static enum ph_status descent_value(void *context, const double *x,
                                     double *value) {
   struct search *s = context;
-  s->at.b = x[PH_SPATIAL_B];
-  s->at.phi = x[PH_SPATIAL_PHI];
-  s->at.alpha = x[PH_SPATIAL_ALPHA];
-  s->last = value_at(s, s->panels, &s->at);
-  *value = log(s->last + SMALL);
+  struct ph_spatial_point at = {x[PH_SPATIAL_B], x[PH_SPATIAL_PHI],
+                                x[PH_SPATIAL_ALPHA]};
+  double f = ph_spatial_fair(&s->target, s->panels, &at, s->gradient);
+  s->evaluations++;
+  for (size_t i = 0; i < PH_SPATIAL_VARIABLES; i++) {
+    s->gradient[i] /= f + SMALL;
+  }
+  if (s->wanted->alpha_lower >= s->wanted->alpha_upper) {
+    s->gradient[PH_SPATIAL_ALPHA] = 0;
+  }
+  *value = log(f + SMALL);
   return PH_OK;
 }
 
 static void descent_gradient(void *context, double *gradient) {
-  struct search *s = context;
-  double value = ph_spatial_fair(&s->target, s->panels, &s->at, gradient);
-  for (size_t i = 0; i < PH_SPATIAL_VARIABLES; i++) {
-    gradient[i] /= value + SMALL;
-  }
-  if (s->wanted->alpha_lower >= s->wanted->alpha_upper) {
-    gradient[PH_SPATIAL_ALPHA] = 0;
-  }
+  const struct search *s = context;
+  memcpy(gradient, s->gradient, sizeof s->gradient);
 }
 
 static void descent_accept(void *context) {
@@ -256,38 +263,41 @@ static double vertex(const double f[3], double left, double right) {
 }
 
 /* Takes another phi if the functional is less there. */
-static double attempt(struct search *s, struct start *best, double phi) {
+static double attempt(struct search *s, const struct ph_spatial_section *on,
+                      struct start *best, double phi) {
   struct start next = *best;
   next.at.phi = phi;
-  next.value = value_at(s, GRID_PANELS, &next.at);
+  next.value = section_value(s, on, phi);
   *best = next.value < best->value ? next : *best;
   return next.value;
 }
 
 /* A few steps down in phi from the middle of three values. */
-static struct start bottom(struct search *s, const struct ph_spatial_point *at,
+static struct start bottom(struct search *s,
+                           const struct ph_spatial_section *on,
+                           const struct ph_spatial_point *at,
                            const double three[3], double left, double right) {
   const double step = 0.3 * (left < right ? left : right);
   struct start best = {*at, three[1], false}, middle;
   double f[3];
-  attempt(s, &best, at->phi + vertex(three, left, right));
+  attempt(s, on, &best, at->phi + vertex(three, left, right));
   middle = best;
-  f[0] = attempt(s, &best, middle.at.phi - step);
+  f[0] = attempt(s, on, &best, middle.at.phi - step);
   f[1] = middle.value;
-  f[2] = attempt(s, &best, middle.at.phi + step);
+  f[2] = attempt(s, on, &best, middle.at.phi + step);
   if (f[0] >= f[1] && f[2] >= f[1]) {
-    attempt(s, &best, middle.at.phi + vertex(f, step, step));
+    attempt(s, on, &best, middle.at.phi + vertex(f, step, step));
   }
   return best;
 }
 
 static void fill_valley(struct search *s, double alpha, double b,
                         struct valley *v) {
+  struct ph_spatial_section on = ph_spatial_section_of(&s->target, alpha, b);
   double f[PHI_N];
   struct ph_spatial_point at = {b, 0, alpha};
   for (size_t j = 0; j < PHI_N; j++) {
-    at.phi = PHI[j];
-    f[j] = value_at(s, GRID_PANELS, &at);
+    f[j] = section_value(s, &on, PHI[j]);
     f[j] = isfinite(f[j]) ? f[j] : HUGE_VAL;
   }
   v->n = 0;
@@ -298,7 +308,7 @@ static void fill_valley(struct search *s, double alpha, double b,
       double left = PHI[j] - PHI[before], right = PHI[after] - PHI[j];
       struct start start;
       at.phi = PHI[j];
-      start = bottom(s, &at, three, left > 0 ? left : left + TURN,
+      start = bottom(s, &on, &at, three, left > 0 ? left : left + TURN,
                      right > 0 ? right : right + TURN);
       insert(v->at, &v->n, VALLEYS, &start);
     }

@@ -449,6 +449,24 @@ struct ph_spatial_target {
 struct ph_spatial_family
 ph_spatial_fair_family(const struct ph_spatial_target *target, double alpha);
 
+/* The members of one b and one alpha, of which phi is free. */
+struct ph_spatial_section {
+  struct ph_spatial_family family;
+  ph_cplx b;
+  ph_quat ends[2], sum, nearest; /* A0 and A2, their sum, D(0) */
+  double scale;                  /* of the integrals */
+};
+
+/* ph_spatial_section_of: the section of some alpha and b. */
+struct ph_spatial_section
+ph_spatial_section_of(const struct ph_spatial_target *target, double alpha,
+                      double b);
+
+/* ph_spatial_section_fair: ph_spatial_fair of a member of a section. */
+double ph_spatial_section_fair(const struct ph_spatial_target *target,
+                               const struct ph_spatial_section *at,
+                               size_t panels, double phi);
+
 /*
  * ph_spatial_fair: the functional at a point.
  *
