@@ -27,16 +27,8 @@ const char *ph_curve_name(enum ph_curve_kind kind) {
   return curve_names[kind];
 }
 
-const char *ph_frame_name(enum ph_frame frame) {
-  return frame_names[frame - 1];
-}
-
 const char *ph_outcome_name(enum ph_outcome outcome) {
   return outcome_names[outcome];
-}
-
-const char *ph_root_name(enum ph_root root) {
-  return root_names[root];
 }
 
 const char *const *ph_words(const char *type) {

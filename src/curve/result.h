@@ -473,12 +473,6 @@ struct ph_result {
  * by NULL; NULL: the type is no list of words. */
 const char *const *ph_words(const char *type);
 
-/* ph_root_name: the name of a root, as in records. */
-const char *ph_root_name(enum ph_root root);
-
-/* ph_frame_name: the name of a frame, as in records; not of PH_FRAME_NONE. */
-const char *ph_frame_name(enum ph_frame frame);
-
 /* ph_outcome_name: the name of an outcome, as in records. */
 const char *ph_outcome_name(enum ph_outcome outcome);
 
