@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Solves the C2 equations (planar.h): Newton from two starts, damped where
- * it fails plain, then continuation.
+ * it fails plain.
  *
  * Newton from the chord start has not failed on any of the data that the
- * method was measured on; the midpoint start and the continuation are there
- * for what was not.  The number of steps does not depend on n.
- *
- * Continuation.  Straighten the polygon of chords, keeping their lengths, and
- * bend it back: the turning angles are multiplied by s = 0 ... 1.  At s = 0
- * the solution is a straight line, and the solution is followed from there.
+ * method was measured on; the midpoint start is there for what was not.  The
+ * number of steps does not depend on n.
  */
 #include "solve/planar/planar.h"
 
@@ -26,8 +22,6 @@ static const double DECREASE = 1e-4, SHORTEST = 1e-6;
 
 enum { PLAIN_CAP = 25, NEWTON_CAP = 60, FOLLOW_CAP = 12 };
 
-/* First and smallest continuation step. */
-static const double FOLLOW_FIRST = 0.25, FOLLOW_SMALLEST = 1e-4;
 /* A corrector that moves the unknowns by more than this has changed branch. */
 static const double FOLLOW_NEAR = 0.5;
 
@@ -111,69 +105,6 @@ static void start_from_chords(struct ph_planar_c2 *c2, struct work *w) {
   ph_planar_start(c2, &w->tri, w->step, w->b);
 }
 
-/* Angles of the straightened polygon: chord k points to
- * exp(i (heading + s turned[k])); likewise the ends. */
-struct homotopy {
-  double heading;
-  double *turned; /* [n] */
-  double end[2];  /* open */
-  double total;   /* closed: full turn of the chords */
-  ph_cplx *data;  /* [n] the directions at s = 1 */
-  ph_cplx data_end[2];
-};
-
-static double angle_between(ph_cplx a, ph_cplx b) {
-  return atan2(ph_cplx_cross(a, b), ph_cplx_dot(a, b));
-}
-
-static void turn(struct ph_planar_c2 *c2, const struct homotopy *g, double s) {
-  if (s >= 1) { /* the data themselves, to the last digit */
-    for (size_t k = 0; k < c2->n; k++) {
-      c2->direction[k] = g->data[k];
-    }
-    c2->end[0] = g->data_end[0];
-    c2->end[1] = g->data_end[1];
-    c2->twist = ph_cplx_of(cos(g->total / 2) >= 0 ? 1 : -1, 0);
-    return;
-  }
-  for (size_t k = 0; k < c2->n; k++) {
-    c2->direction[k] = ph_cplx_polar(g->heading + s * g->turned[k]);
-  }
-  c2->end[0] = ph_cplx_polar(g->heading + s * g->end[0]);
-  c2->end[1] = ph_cplx_polar(g->heading + s * g->end[1]);
-  c2->twist = ph_cplx_polar(s * g->total / 2);
-}
-
-static void homotopy_init(const struct ph_planar_c2 *c2, struct homotopy *g) {
-  size_t n = c2->n;
-  const ph_cplx *u = g->data;
-  g->heading = atan2(u[0].im, u[0].re);
-  g->turned[0] = 0;
-  for (size_t k = 1; k < n; k++) {
-    g->turned[k] = g->turned[k - 1] + angle_between(u[k - 1], u[k]);
-  }
-  g->total = g->turned[n - 1] + angle_between(u[n - 1], u[0]);
-  g->data_end[0] = c2->end[0];
-  g->data_end[1] = c2->end[1];
-  g->end[0] = angle_between(u[0], c2->end[0]);
-  g->end[1] = g->turned[n - 1] + angle_between(u[n - 1], c2->end[1]);
-}
-
-/* Predictor: the solution turns with the data, by half their angles. */
-static void turn_solution(const struct ph_planar_c2 *c2,
-                          const struct homotopy *g, double ds, ph_cplx *b) {
-  size_t shift = c2->closed ? 0 : 1;
-  for (size_t k = 0; k < c2->n; k++) {
-    ph_cplx *z = &b[k + shift];
-    *z = ph_cplx_mul(ph_cplx_polar(0.5 * ds * g->turned[k]), *z);
-  }
-  if (!c2->closed) {
-    ph_cplx *z = &b[c2->n + 1];
-    b[0] = ph_cplx_mul(ph_cplx_polar(0.5 * ds * g->end[0]), b[0]);
-    *z = ph_cplx_mul(ph_cplx_polar(0.5 * ds * g->end[1]), *z);
-  }
-}
-
 static double largest(const ph_cplx *a, const ph_cplx *b, size_t n) {
   double max2 = 0;
   for (size_t i = 0; i < n; i++) {
@@ -181,77 +112,6 @@ static double largest(const ph_cplx *a, const ph_cplx *b, size_t n) {
     max2 = d2 > max2 ? d2 : max2;
   }
   return sqrt(max2);
-}
-
-/* Follows the solution from the straight polygon (s = 0) to the data. */
-static bool follow(struct ph_planar_c2 *c2, struct work *w,
-                   const struct homotopy *g, ph_cplx *from, ph_cplx *guess,
-                   size_t *iterations, struct ph_planar_measure *m) {
-  size_t n = ph_planar_unknowns(c2);
-  double s = 0, ds = FOLLOW_FIRST;
-  turn(c2, g, 0);
-  start_from_chords(c2, w);
-  c2->twist = ph_cplx_of(1, 0);
-  if (!newton(c2, w, true, NEWTON_CAP, iterations, m)) {
-    return false;
-  }
-  while (s < 1 && !ph_arena_late(w->arena)) {
-    size_t before = *iterations;
-    double target = s + ds < 1 ? s + ds : 1;
-    for (size_t i = 0; i < n; i++) {
-      from[i] = w->b[i];
-    }
-    turn_solution(c2, g, target - s, w->b);
-    for (size_t i = 0; i < n; i++) {
-      guess[i] = w->b[i];
-    }
-    turn(c2, g, target);
-    if (newton(c2, w, false, FOLLOW_CAP, iterations, m) &&
-        largest(w->b, guess, n) < FOLLOW_NEAR * largest(guess, NULL, n)) {
-      s = target;
-      ds *= *iterations - before <= 5 ? 2 : 1;
-    } else {
-      for (size_t i = 0; i < n; i++) {
-        w->b[i] = from[i];
-      }
-      ds *= 0.5;
-      if (!(ds >= FOLLOW_SMALLEST)) {
-        return false;
-      }
-    }
-  }
-  return !(s < 1);
-}
-
-static enum ph_status continuation(struct ph_planar_c2 *c2, struct work *w,
-                                   struct ph_arena *scratch, bool *solved,
-                                   size_t *iterations,
-                                   struct ph_planar_measure *m,
-                                   struct ph_diag *diag) {
-  size_t n = ph_planar_unknowns(c2);
-  struct homotopy g = {0};
-  ph_cplx *from = ph_arena_array(scratch, n, sizeof *from);
-  ph_cplx *guess = ph_arena_array(scratch, n, sizeof *guess);
-  g.turned = ph_arena_array(scratch, c2->n, sizeof *g.turned);
-  g.data = ph_arena_array(scratch, c2->n, sizeof *g.data);
-  if (!from || !guess || !g.turned || !g.data) {
-    return ph_fail_memory(diag);
-  }
-  for (size_t k = 0; k < c2->n; k++) {
-    g.data[k] = c2->direction[k];
-  }
-  homotopy_init(c2, &g);
-  *solved = follow(c2, w, &g, from, guess, iterations, m);
-  turn(c2, &g, 1);
-  return PH_OK;
-}
-
-/* Keeps the better of two measures for the report. */
-static void keep_better(struct ph_planar_measure *m,
-                        const struct ph_planar_measure *last, bool solved) {
-  if (solved || (isfinite(last->sum2) && last->max2 < m->max2)) {
-    *m = *last;
-  }
 }
 
 static void start_from_spline(struct ph_planar_c2 *c2, struct work *w) {
@@ -272,26 +132,18 @@ static bool solve_from(struct ph_planar_c2 *c2, struct work *w, start_fn *start,
   return newton(c2, w, true, NEWTON_CAP, iterations, m);
 }
 
-static enum ph_status try_starts(struct ph_planar_c2 *c2, struct work *w,
-                                 struct ph_arena *scratch, bool *solved,
-                                 size_t *iterations,
-                                 struct ph_planar_measure *m,
-                                 struct ph_diag *diag) {
-  struct ph_planar_measure last = {0, HUGE_VAL, 0};
-  enum ph_status status;
-  *solved = solve_from(c2, w, start_from_chords, iterations, &last);
-  keep_better(m, &last, *solved);
-  if (*solved) {
-    return PH_OK;
+static bool try_starts(struct ph_planar_c2 *c2, struct work *w,
+                       size_t *iterations, struct ph_planar_measure *m) {
+  static start_fn *const starts[] = {start_from_chords, start_from_spline};
+  bool solved = false;
+  for (size_t i = 0; i < sizeof starts / sizeof starts[0] && !solved; i++) {
+    struct ph_planar_measure last = {0, HUGE_VAL, 0};
+    solved = solve_from(c2, w, starts[i], iterations, &last);
+    if (solved || (isfinite(last.sum2) && last.max2 < m->max2)) {
+      *m = last; /* the better of the two, for the report */
+    }
   }
-  *solved = solve_from(c2, w, start_from_spline, iterations, &last);
-  keep_better(m, &last, *solved);
-  if (*solved) {
-    return PH_OK;
-  }
-  status = continuation(c2, w, scratch, solved, iterations, &last, diag);
-  keep_better(m, &last, *solved);
-  return status;
+  return solved;
 }
 
 static enum ph_status work_init(struct work *w, const struct ph_planar_c2 *c2,
@@ -335,15 +187,14 @@ enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
                                   struct ph_diag *diag) {
   struct ph_planar_measure m = {0, HUGE_VAL, 0};
   struct work w;
-  bool solved = false;
   enum ph_status status = work_init(&w, c2, scratch, b, diag);
-  report->iterations = 0;
-  if (status == PH_OK) {
-    status =
-        try_starts(c2, &w, scratch, &solved, &report->iterations, &m, diag);
+  bool solved;
+  if (status != PH_OK) {
+    return status;
   }
-  return status == PH_OK ? conclude(c2, &w, solved, &m, b, report, diag)
-                         : status;
+  report->iterations = 0;
+  solved = try_starts(c2, &w, &report->iterations, &m);
+  return conclude(c2, &w, solved, &m, b, report, diag);
 }
 
 enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,

@@ -38,9 +38,8 @@
  * with the q of the space, and w0, w1, w2 from (1): a complex tridiagonal
  * system, cyclic for closed curves with b[0] = b[n] / twist, b[n+1] = b[1]
  * twist.  The twist is 1 or -1 (the preimage of a closed curve closes up to its
- * sign); continuation uses other unit numbers.  Open curves have y = 1/2 at
- * both ends and two more equations,  (w^2 - d)/|d| = 0  for the end derivatives
- * d.
+ * sign).  Open curves have y = 1/2 at both ends and two more equations,
+ * (w^2 - d)/|d| = 0  for the end derivatives d.
  *
  * F is dimensionless; max |F| is the largest closing error of a segment,
  * relative to its chord.  Everything is expected at unit scale: mean h 1,
@@ -82,8 +81,7 @@ void ph_planar_preimage(const struct ph_planar_c2 *c2, const ph_cplx *b,
 
 /*
  * ph_planar_c2_solve: the "good" solution: damped Newton from the chord start,
- * then from the cubic-spline midpoint start, then by continuation in the
- * turning angles.
+ * then from the cubic-spline midpoint start.
  *
  * inout c2      twist is set (closed)
  * out   b[ph_planar_unknowns(c2)]
