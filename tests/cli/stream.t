@@ -54,6 +54,11 @@ stream 'a broken line of JSON Lines' 1 '1 absent 3' "$a\\n{\"id\":2,\\n$c\\n"
 expect 'it is told' 1 \
   "phspline: -:2: record 2: the text ends inside an object [syntax]
 $(failed 1 3)"
+stream 'a problem that fails has an empty path' 1 '' \
+  "$a\\n{\"id\":2,\"points\":[[0,0]]}\\n$a\\n" -f svg-path
+equal 'an empty path between two' 'M0,0C M0,0C' \
+  "$(sed 's/C.*/C/' out | tr '\n' ' ' | sed 's/ *$//; s/  */ /')"
+equal 'a line for each' 3 "$(wc -l <out | tr -d ' ')"
 stream 'two broken lines' 1 '1 absent absent 3' "$a\\n{\\n]\\n$c\\n"
 stream 'a first line that is broken' 1 'absent 2' "{\"id\":1,]\\n$b\\n"
 stream 'a last line that is broken' 1 '1 2 absent' "$a\\n$b\\n{\"id\":3,"

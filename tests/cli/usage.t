@@ -68,6 +68,12 @@ usage "--table must be control-points|lengths|samples|offsets, found 'length'; \
 did you mean \"lengths\"?" -f csv --table=length
 usage '--table needs --format=csv or --format=text' -f json --table=lengths
 usage '--table needs --format=csv or --format=text' --table=lengths -f svg-path
+for sampling in --sample=3 --spacing=1; do
+  usage "--format=svg-path has no samples; --chord-error says how near paths \
+are to the curve" -f svg-path "$sampling"
+done
+usage '--format=svg-path is of cubics; --convert does nothing there' \
+  -f svg-path --convert=bezier
 usage '--table=samples needs --sample, --spacing or --chord-error' \
   --table=samples
 usage '--pretty needs --format=json' --pretty --table=lengths
