@@ -17,6 +17,7 @@ _phspline() {
     case $option in
     --points | --points=) kind=nothing ;;
     --closed=) list='true false' ;;
+    --merge | --merge=) kind=nothing ;;
     --basis | --basis=) list='ph atph' ;;
     --knots | --knots=) list='chordal centripetal uniform' ;;
     --alpha | --alpha=) list='chordal' ;;
@@ -30,9 +31,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
-    --override | --override=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
-    -S | --sweep | --sweep=) list='points= closed= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
+    -s | --set | --set=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
+    --override | --override=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
+    -S | --sweep | --sweep=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
@@ -50,7 +51,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -59,6 +60,7 @@ _phspline() {
     case $option in
     --points | --points=) kind=nothing ;;
     --closed=) list='true false' ;;
+    --merge | --merge=) kind=nothing ;;
     --tangents | --tangents=) kind=nothing ;;
     --derivatives | --derivatives=) kind=nothing ;;
     --basis | --basis=) list='ph atph' ;;
@@ -76,9 +78,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
-    --override | --override=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
-    -S | --sweep | --sweep=) list='points= closed= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
+    -s | --set | --set=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
+    --override | --override=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
+    -S | --sweep | --sweep=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
@@ -96,7 +98,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -107,6 +109,7 @@ _phspline() {
     --derivatives | --derivatives=) kind=nothing ;;
     --tangents | --tangents=) kind=nothing ;;
     --closed=) list='true false' ;;
+    --merge | --merge=) kind=nothing ;;
     --lengths | --lengths=) kind=nothing ;;
     --length_sigma | --length_sigma=) kind=nothing ;;
     --knots | --knots=) list='lengths chordal uniform' ;;
@@ -122,9 +125,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
-    --override | --override=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
-    -S | --sweep | --sweep=) list='points= derivatives= tangents= closed= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    -s | --set | --set=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    --override | --override=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    -S | --sweep | --sweep=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
@@ -142,7 +145,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --lengths= --length_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --merge= --lengths= --length_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -152,6 +155,7 @@ _phspline() {
     --points | --points=) kind=nothing ;;
     --lonlat | --lonlat=) kind=nothing ;;
     --closed=) list='true false' ;;
+    --merge | --merge=) kind=nothing ;;
     --center | --center=) kind=nothing ;;
     --radius | --radius=) kind=nothing ;;
     --radius_tolerance | --radius_tolerance=) kind=nothing ;;
@@ -170,9 +174,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= lonlat= closed= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
-    --override | --override=) list='points= lonlat= closed= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
-    -S | --sweep | --sweep=) list='points= lonlat= closed= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
+    -s | --set | --set=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
+    --override | --override=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
+    -S | --sweep | --sweep=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
@@ -190,7 +194,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --merge= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -202,6 +206,7 @@ _phspline() {
     --derivatives | --derivatives=) kind=nothing ;;
     --curve | --curve=) kind=nothing ;;
     --closed=) list='true false' ;;
+    --merge | --merge=) kind=nothing ;;
     --mode | --mode=) list='g1 g1-pair g1-auto g1-fair c1 spline approximate' ;;
     --lambda | --lambda=) kind=nothing ;;
     --ends | --ends=) list='chord circle' ;;
@@ -220,9 +225,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= tangents= derivatives= curve= closed= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
-    --override | --override=) list='points= tangents= derivatives= curve= closed= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
-    -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= closed= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    -s | --set | --set=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    --override | --override=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
@@ -239,7 +244,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --closed --mode= --lambda= --ends= --end_tangents= --end_derivatives= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

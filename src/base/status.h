@@ -63,6 +63,8 @@ enum ph_class {
     "warning: no plane curve was found for data in a plane")                   \
   X(MOVED_POINTS, "moved-points", RECORD,                                      \
     "warning: points were moved onto the sphere")                              \
+  X(MERGED_POINTS, "merged-points", RECORD,                                    \
+    "warning: points that are near each other were joined")                    \
   X(USAGE, "usage", USAGE, "the command line is wrong")                        \
   X(INPUT, "input", INPUT, "the input cannot be read")                         \
   X(OUTPUT, "output", OUTPUT, "the output cannot be written")                  \

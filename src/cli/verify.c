@@ -11,6 +11,7 @@
 #include "base/suggest.h"
 #include "cli/message.h"
 #include "cli/pairing.h"
+#include "curve/merge.h"
 #include "io/csv_in.h"
 #include "io/json_in.h"
 #include "io/json_out.h"
@@ -186,6 +187,21 @@ static enum ph_status read_record(struct task *t,
              : ph_json_in(record, schema, arena, &t->problem, &echo, &t->diag);
 }
 
+/* Joins points of the problem, the ones that the result says. */
+static enum ph_status merge(struct task *t, const struct ph_schema *schema) {
+  const struct ph_result *r = &t->claim.result;
+  struct ph_merge merge;
+  enum ph_status status =
+      ph_merge(schema, &t->worker->arena, &t->problem, &merge, &t->diag);
+  if (status == PH_OK && r->merged_n > 0 &&
+      (r->merged_n != merge.gone_n ||
+       memcmp(r->merged, merge.gone, r->merged_n * sizeof *r->merged) != 0)) {
+    return ph_fail(&t->diag, PH_NOT_VERIFIED, "merged",
+                   "are not the points that merge joins");
+  }
+  return status;
+}
+
 /* The problem that the result solves, with what the options and the sweep make
  * of it. */
 static enum ph_status read_problem(struct task *t) {
@@ -206,7 +222,11 @@ static enum ph_status read_problem(struct task *t) {
   if (status == PH_OK) {
     status = ph_problem_check_required(&t->problem, command->schema, &t->diag);
   }
+  if (status == PH_OK) {
+    status = merge(t, command->schema);
+  }
   t->about_problem = status != PH_OK && strcmp(t->diag.field, "sweep") != 0 &&
+                     strcmp(t->diag.field, "merged") != 0 &&
                      strncmp(t->diag.field, "set.", 4) != 0;
   t->paired = status == PH_OK;
   return status;

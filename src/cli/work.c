@@ -4,6 +4,7 @@
 
 #include "check/certify.h"
 #include "cli/derive.h"
+#include "cli/merged.h"
 #include "cli/message.h"
 #include "cli/plot.h"
 #include "io/csv_in.h"
@@ -25,6 +26,7 @@ struct task {
   struct ph_swept set[PH_FIELD_N]; /* by options, */
   size_t set_n;                    /* so many */
   struct ph_problem problem;
+  struct ph_merge merge;
   struct ph_result result;
   struct ph_derived derived;
   struct ph_diag diag;
@@ -140,6 +142,26 @@ enum ph_status ph_work_settle(const struct ph_options *options,
               : status;
 }
 
+/* The problem with what the options and the sweep make of it. */
+static enum ph_status prepare(struct task *t) {
+  const struct ph_options *o = t->options;
+  const struct ph_schema *schema = o->command->schema;
+  struct ph_arena *arena = &t->worker->arena;
+  enum ph_status status = read_problem(t);
+  if (status == PH_OK) {
+    t->set_n =
+        ph_work_assign(o->assignments, o->assignments_n, &t->problem, t->set);
+    status = ph_sweep_apply(o->sweeps, o->sweeps_n, t->item->sweep, arena,
+                            &t->problem, &t->diag);
+  }
+  if (status == PH_OK) {
+    status = ph_problem_check_required(&t->problem, schema, &t->diag);
+  }
+  return status == PH_OK
+             ? ph_merge(schema, arena, &t->problem, &t->merge, &t->diag)
+             : status;
+}
+
 static enum ph_status solve(struct task *t) {
   const struct ph_command *command = t->options->command;
   struct ph_worker *worker = t->worker;
@@ -154,21 +176,16 @@ static enum ph_status solve(struct task *t) {
   }
   status = name_sweep(t);
   if (status == PH_OK) {
-    status = read_problem(t);
-  }
-  if (status == PH_OK) {
-    const struct ph_options *o = t->options;
-    t->set_n =
-        ph_work_assign(o->assignments, o->assignments_n, &t->problem, t->set);
-    status = ph_sweep_apply(o->sweeps, o->sweeps_n, t->item->sweep,
-                            &worker->arena, &t->problem, &t->diag);
-  }
-  if (status == PH_OK) {
-    status = ph_problem_check_required(&t->problem, command->schema, &t->diag);
+    status = prepare(t);
   }
   if (status == PH_OK) {
     status = command->method->solve(&t->problem, &worker->arena,
                                     &worker->scratch, &t->result, &t->diag);
+    if (status == PH_OK) {
+      ph_merge_result(&t->merge, &t->result);
+    } else {
+      ph_merge_tell(&t->merge, &t->diag);
+    }
   }
   if (status == PH_OK) {
     status = certify(t);

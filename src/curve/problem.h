@@ -16,6 +16,7 @@
 #define PH_FIELDS(X)                      \
   X(POINTS, "points")                     \
   X(CLOSED, "closed")                     \
+  X(MERGE, "merge")                       \
   X(BASIS, "basis")                       \
   X(KNOTS, "knots")                       \
   X(ALPHA, "alpha")                       \
@@ -74,8 +75,9 @@ enum ph_value_kind {
   PH_NUMBERS = 8,   /* array of numbers */
   PH_VECTORS = 16,  /* array of arrays of 2 or 3 numbers, all of one size */
   PH_SEGMENTS = 32, /* of a row: its numbers belong to segments, not points */
-  PH_POLYLINE = 64  /* array of arrays of vectors: control points of pieces;
+  PH_POLYLINE = 64, /* array of arrays of vectors: control points of pieces;
                        of a row: beside PH_VECTORS, those of one piece */
+  PH_DATUM = 128    /* of a row: its numbers or vectors belong to points */
 };
 
 struct ph_value {

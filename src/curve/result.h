@@ -454,6 +454,8 @@ struct ph_result {
   size_t warnings_n;
   bool has_kantorovich;
   struct ph_kantorovich kantorovich;
+  const size_t *merged; /* data that were joined to others */
+  size_t merged_n;
   struct ph_solution *solutions; /* best first; the curve is the first */
   size_t solutions_n;            /* 0: they were not asked for */
   struct ph_interval *intervals; /* in the order of the data */

@@ -111,6 +111,8 @@ static const struct ph_member result[] = {
     {"indicators", TOLD, SPHERE, AS("[N]", sign),
      EACH(ph_result, curve.sphere.indicators),
      "at each point: 1 where the data turn left, -1 right, else 0"},
+    {"merged", MAY, ANY, AS("[+]", whole), LIST(ph_result, merged, merged_n),
+     "the points that merge joined to others"},
     {"intervals", MAY, INTERVALS, AS("[+]", interval),
      LIST(ph_result, intervals, intervals_n),
      "between consecutive data, or of each curve that is approximated"},

@@ -216,15 +216,15 @@ done
 
 # Points are one within 4 units in the last place of 1 times the largest number;
 # so it is at every scale.
-bad coincident-points 'points[1]' 'coincides with points[0]' \
+bad coincident-points 'points[1]' "coincides with points[0]$joins" \
   '{"points":[[1,2,3],[1,2,3]]}'
-bad coincident-points 'points[1]' 'coincides with points[0]' \
+bad coincident-points 'points[1]' "coincides with points[0]$joins" \
   '{"points":[[0,0,0],[0,0,0]]}'
-bad coincident-points 'points[2]' 'coincides with points[1]' \
+bad coincident-points 'points[2]' "coincides with points[1]$joins" \
   '{"points":[[0,0,0],[1,0.5,0],[1.0000000000000016,0.5,0],[2,0,0]]}'
-bad coincident-points 'points[2]' 'coincides with points[1]' \
+bad coincident-points 'points[2]' "coincides with points[1]$joins" \
   '{"points":[[0,0,0],[1e300,0,0],[1.0000000000000007e300,0,0],[2e300,0,0]]}'
-bad coincident-points 'points[0]' 'coincides with points[3]' \
+bad coincident-points 'points[0]' "coincides with points[3]$joins" \
   '{"closed":true,"points":[[1,2,3],[2,2,3],[5,6,7],[1,2,3],[1,2,3]]}'
 feed '{"points":[[0,0,0],[1,0.5,0],[1.000000000000002,0.5,0],[2,0,0]]}' \
   arclength -q

@@ -117,13 +117,13 @@ bad too-few-points points \
   'must be at least 3 different points for a closed curve, found 2' \
   '{"points":[[0,0],[1,1],[0,0]],"closed":true}'
 
-bad coincident-points 'points[1]' 'coincides with points[0]' \
+bad coincident-points 'points[1]' "coincides with points[0]$joins" \
   '{"points":[[3,4],[3,4]]}'
-bad coincident-points 'points[2]' 'coincides with points[1]' \
+bad coincident-points 'points[2]' "coincides with points[1]$joins" \
   '{"points":[[0,0],[1,1],[1,1.000000000000000001],[2,0]]}'
-bad coincident-points 'points[1]' 'coincides with points[0]' \
+bad coincident-points 'points[1]' "coincides with points[0]$joins" \
   '{"points":[[0,0],[0,0]]}'
-bad coincident-points 'points[2]' 'coincides with points[1]' \
+bad coincident-points 'points[2]' "coincides with points[1]$joins" \
   '{"points":[[1,0],[0,0],[0,0],[0,1],[1,0]],"closed":true}'
 
 bad zero-tangent 'end_derivatives[0]' 'must not be zero' \
@@ -367,7 +367,7 @@ bad_csv 1 3 'points[1]' not-finite \
 bad_csv 1 3 'points[1]' not-finite \
   'needs a finite number in column x, found "1e999"' 'x,y\n0,0\n1e999,1\n'
 bad_csv 1 2 points too-few-points 'must be at least 2, found 1' 'x,y\n0,0\n'
-bad_csv 1 4 'points[2]' coincident-points 'coincides with points[1]' \
+bad_csv 1 4 'points[2]' coincident-points "coincides with points[1]$joins" \
   '# x,y\n0,0\n1,1\n1,1\n'
 bad_csv 1 2 points too-few-points \
   'must be at least 3 different points for a closed curve, found 2' \

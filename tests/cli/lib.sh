@@ -168,7 +168,8 @@ holds() {
 # A problem that can be solved, one that cannot, and what is said about it.
 good='{"points":[[0,0],[1,1],[2,0]]}'
 bad='{"points":[[0,0],[0,0]]}'
-bad_says='points[1]: coincides with points[0] [coincident-points]'
+joins='; --merge=D joins points nearer than D'
+bad_says="points[1]: coincides with points[0]$joins [coincident-points]"
 
 # failed N M: the last line on standard error.
 failed() {

@@ -186,7 +186,7 @@ curves 'a chord of 1e-10 among chords of 1' \
 
 # A chord too short to make a difference to the sum of those before it.
 feed '{"points":[[1,0,0],[0,0,0],[0,1e-20,0]]}' spatial-hermite -q
-expect 'knots would not increase' 1 'phspline: -:1: record 1: points[2]: is so near to points[1] that their chordal knots are the same; "knots" can be given [coincident-points]'
+expect 'knots would not increase' 1 'phspline: -:1: record 1: points[2]: is so near to points[1] that their chordal knots are the same; "knots" can be given, and --merge=D joins points nearer than D [coincident-points]'
 
 # ---- sizes -------------------------------------------------------------------
 

@@ -65,15 +65,15 @@ done
 
 # Four units in the last place of the largest coordinate are one point, five are
 # two; so it is at every scale.
-bad coincident-points 'points[1]' 'coincides with points[0]' \
+bad coincident-points 'points[1]' "coincides with points[0]$joins" \
   '{"points":[[1,2,3],[1,2,3]]}'
-bad coincident-points 'points[1]' 'coincides with points[0]' \
+bad coincident-points 'points[1]' "coincides with points[0]$joins" \
   '{"points":[[0,0,0],[0,0,0]]}'
-bad coincident-points 'points[2]' 'coincides with points[1]' \
+bad coincident-points 'points[2]' "coincides with points[1]$joins" \
   '{"points":[[0,0,0],[1,0.5,0],[1.0000000000000009,0.5,0],[2,0,0]]}'
-bad coincident-points 'points[2]' 'coincides with points[1]' \
+bad coincident-points 'points[2]' "coincides with points[1]$joins" \
   '{"points":[[0,0,0],[1e300,0,0],[1.0000000000000007e300,0,0],[2e300,0,0]]}'
-bad coincident-points 'points[0]' 'coincides with points[3]' \
+bad coincident-points 'points[0]' "coincides with points[3]$joins" \
   '{"closed":true,"points":[[1,2,3],[2,2,3],[5,6,7],[1,2,3],[1,2,3]]}'
 feed '{"points":[[0,0,0],[1,0.5,0],[1.0000000000000012,0.5,0],[2,0,0]]}' \
   spatial-hermite
@@ -297,7 +297,7 @@ bad_csv 1 3 'tension[0]' bad-value 'must be greater than 0, found 0' \
   'x,y,tension\n0,0,\n1,1,0\n'
 bad_csv 1 4 'alpha[1]' bad-value "$between 4" \
   'x,y,alpha\n0,0,\n1,1,1\n2,0,4\n' --basis=atph
-bad_csv 1 3 'points[2]' coincident-points 'coincides with points[1]' \
+bad_csv 1 3 'points[2]' coincident-points "coincides with points[1]$joins" \
   '0,0,0\n1,1,1\n1,1,1\n'
 bad_csv 3 1:1 '' syntax \
   'the file has no header row: --columns must name its 4 columns' \

@@ -95,7 +95,7 @@ expect 'the largest longitudes and latitudes' 0
 # near FIELD I K POINTS [MEMBERS], far FIELD I K POINTS [MEMBERS]
 near() {
   bad coincident-points "$1[$2]" \
-    "coincides with $1[$3]: they are less than 1e-08 rad apart" \
+    "coincides with $1[$3]: they are less than 1e-08 rad apart$joins" \
     "{\"$1\":$4${5-}}"
 }
 

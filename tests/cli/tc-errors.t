@@ -169,13 +169,13 @@ wrong not-finite lambda 'is 1e400, which overflows a double' \
 
 # ---- points, vectors ---------------------------------------------------------
 
-wrong coincident-points 'points[1]' 'coincides with points[0]' \
+wrong coincident-points 'points[1]' "coincides with points[0]$joins" \
   '{"points":[[1,2],[1,2]]}'
-wrong coincident-points 'points[2]' 'coincides with points[1]' \
+wrong coincident-points 'points[2]' "coincides with points[1]$joins" \
   '{"points":[[0,0],[1,2],[1,2],[3,3]]}'
-wrong coincident-points 'points[1]' 'coincides with points[0]' \
+wrong coincident-points 'points[1]' "coincides with points[0]$joins" \
   '{"points":[[1e6,1e6],[1e6,1000000.0000000001]]}'
-wrong coincident-points 'points[1]' 'coincides with points[0]' \
+wrong coincident-points 'points[1]' "coincides with points[0]$joins" \
   "{\"points\":[[1,2],[1,2]],$t2}"
 wrong zero-tangent 'derivatives[0]' 'must not be zero' \
   "{$two,\"derivatives\":[[0,0],[1,1]]}"

@@ -193,8 +193,7 @@ static enum ph_status read_points(struct reading *r) {
     d->step[i] = ph_vec3_sub(vector(r, to), vector(r, i));
     d->chord[i] = ph_vec3_abs(d->step[i]);
     if (!(d->chord[i] > COINCIDENT * r->largest)) {
-      return ph_fail_at(r->diag, PH_COINCIDENT_POINTS, "points", to,
-                        "coincides with points[%zu]", i);
+      return ph_fields_coincide(r->diag, "points", i, to);
     }
   }
   return PH_OK;
@@ -237,12 +236,10 @@ static enum ph_status read_numbers(struct reading *r) {
   }
   most = most > longest ? most : longest;
   if (!(most > 0)) {
-    return ph_fail_at(r->diag,
-                      d->mode == PH_ARC_POINTS ? PH_COINCIDENT_POINTS
-                                               : PH_ZERO_TANGENT,
-                      r->name, d->mode == PH_ARC_POINTS ? 1 : 0,
-                      d->mode == PH_ARC_POINTS ? "coincides with points[0]"
-                                               : "must not be zero");
+    return d->mode == PH_ARC_POINTS
+               ? ph_fields_coincide(r->diag, r->name, 0, 1)
+               : ph_fail_at(r->diag, PH_ZERO_TANGENT, r->name, 0,
+                            "must not be zero");
   }
   exponent = ph_pow2_exponent(most);
   exponent -= exponent & 1; /* its half is the root's */

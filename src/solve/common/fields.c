@@ -118,6 +118,14 @@ enum ph_status ph_fields_segments(const struct ph_problem *problem,
   return PH_OK;
 }
 
+enum ph_status ph_fields_coincide(struct ph_diag *diag, const char *name,
+                                  size_t k, size_t to) {
+  return ph_fail_at(diag, PH_COINCIDENT_POINTS, name, to,
+                    "coincides with %s[%zu]; --merge=D joins points nearer "
+                    "than D",
+                    name, k);
+}
+
 enum ph_status ph_fields_knots(const struct ph_value *knots, size_t n,
                                bool closed, double *h, struct ph_diag *diag) {
   if (knots->n != n + 1) {

@@ -9,6 +9,13 @@
 #include "curve/result.h"
 #include "kernel/vec3.h"
 
+/* PH_FIELD_MERGE: the row of a method whose data have points. */
+#define PH_FIELD_MERGE                                \
+  {                                                   \
+    PH_F_MERGE, PH_NUMBER, 0, false, NULL, "nothing", \
+        "join consecutive points nearer than this"    \
+  }
+
 /* ph_fields_largest: the largest |v[i]| of n numbers. */
 double ph_fields_largest(const double *v, size_t n);
 
@@ -55,6 +62,10 @@ enum ph_status ph_fields_vectors(const struct ph_problem *problem,
  */
 enum ph_status ph_fields_segments(const struct ph_problem *problem, size_t *n,
                                   struct ph_diag *diag);
+
+/* ph_fields_coincide: the failure of points k and `to` of a field. */
+enum ph_status ph_fields_coincide(struct ph_diag *diag, const char *name,
+                                  size_t k, size_t to);
 
 /*
  * ph_fields_knots: knots given as numbers, n + 1 of them, increasing.

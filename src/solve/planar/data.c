@@ -66,8 +66,7 @@ static enum ph_status set_chords(struct ph_planar_data *d,
     d->chord[k] = ph_cplx_abs(c);
     if (!(d->chord[k] > COINCIDENT * size)) {
       bool wraps = d->closed && k + 1 == d->n;
-      return ph_fail_at(diag, PH_COINCIDENT_POINTS, "points", wraps ? 0 : k + 1,
-                        "coincides with points[%zu]", k);
+      return ph_fields_coincide(diag, "points", k, wraps ? 0 : k + 1);
     }
     d->c2.direction[k] = ph_cplx_scale(1 / d->chord[k], c);
     from = to;

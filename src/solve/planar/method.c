@@ -421,14 +421,15 @@ static enum ph_status solve(const struct ph_problem *problem,
 }
 
 static const struct ph_field fields[] = {
-    {PH_F_POINTS, PH_VECTORS, 1u << 2, true, NULL, NULL,
+    {PH_F_POINTS, PH_VECTORS | PH_DATUM, 1u << 2, true, NULL, NULL,
      "the points to interpolate, 2 or more, 3 or more if closed"},
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
+    PH_FIELD_MERGE,
     {PH_F_BASIS, PH_WORD, 0, false, "ph|atph", "ph",
      "PH quintic segments, polynomial, or algebraic-trigonometric ones"},
-    {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "chordal|centripetal|uniform",
-     "chordal, of atph the sums of alpha",
+    {PH_F_KNOTS, PH_WORD | PH_NUMBERS | PH_DATUM, 0, false,
+     "chordal|centripetal|uniform", "chordal, of atph the sums of alpha",
      "spacing of the knots, or the knots themselves, increasing"},
     {PH_F_ALPHA, PH_NUMBER | PH_NUMBERS | PH_WORD | PH_SEGMENTS, 0, false,
      "chordal|chordal:V", "chordal, the largest pi/2",

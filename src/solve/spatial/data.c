@@ -70,8 +70,7 @@ static enum ph_status check_chords(struct reading *r) {
     double size = fmax(largest_of(a), largest_of(b));
     double away = largest_of(ph_vec3_sub(b, a));
     if (!(away > 4 * DBL_EPSILON * size)) {
-      return ph_fail_at(r->diag, PH_COINCIDENT_POINTS, "points", to,
-                        "coincides with points[%zu]", k);
+      return ph_fields_coincide(r->diag, "points", k, to);
     }
     if (!isfinite(away)) {
       return ph_fail_at(r->diag, PH_TOO_LARGE, "points", to,
@@ -153,11 +152,13 @@ static enum ph_status set_knots(struct reading *r) {
   ph_fields_sums(p->lambda, p->n, p->knots);
   for (size_t k = 0; k < p->n; k++) {
     if (p->knots[k + 1] <= p->knots[k]) {
-      return ph_fail_at(r->diag, PH_COINCIDENT_POINTS, "points",
-                        k + 1 < p->points_n ? k + 1 : 0,
-                        "is so near to points[%zu] that their chordal knots "
-                        "are the same; \"knots\" can be given",
-                        k);
+      return ph_fail_at(
+          r->diag, PH_COINCIDENT_POINTS, "points",
+          k + 1 < p->points_n ? k + 1 : 0,
+          "is so near to points[%zu] that their chordal knots "
+          "are the same; \"knots\" can be given, and --merge=D joins "
+          "points nearer than D",
+          k);
     }
   }
   return isfinite(p->knots[p->n]) ? PH_OK

@@ -218,7 +218,7 @@ static enum ph_status measure(struct reading *r) {
     if (!(d->theta[k] >= COINCIDENT)) {
       return ph_fail_at(r->diag, PH_COINCIDENT_POINTS, r->name, to,
                         "coincides with %s[%zu]: they are less than %g rad "
-                        "apart",
+                        "apart; --merge=D joins points nearer than D",
                         r->name, k, COINCIDENT);
     }
     if (!(d->theta[k] <= PH_PI - OPPOSITE)) {

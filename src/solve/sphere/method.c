@@ -220,12 +220,13 @@ static enum ph_status solve(const struct ph_problem *problem,
 }
 
 static const struct ph_field fields[] = {
-    {PH_F_POINTS, PH_VECTORS, 1u << 3, false, NULL, "lonlat",
+    {PH_F_POINTS, PH_VECTORS | PH_DATUM, 1u << 3, false, NULL, "lonlat",
      "the points to interpolate, 2 or more, 3 or more if closed"},
-    {PH_F_LONLAT, PH_VECTORS, 1u << 2, false, NULL, "points",
+    {PH_F_LONLAT, PH_VECTORS | PH_DATUM, 1u << 2, false, NULL, "points",
      "in place of points: longitudes and latitudes, in degrees"},
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
+    PH_FIELD_MERGE,
     {PH_F_CENTER, PH_NUMBERS, 0, false, NULL, "[0,0,0]",
      "the center of the sphere"},
     {PH_F_RADIUS, PH_NUMBER, 0, false, NULL, "1", "the radius of the sphere"},
@@ -234,7 +235,8 @@ static const struct ph_field fields[] = {
      "it"},
     {PH_F_MODEL, PH_WORD, 0, false, "exact|nielson", "exact",
      "the curve: continuous in curvature, or as published"},
-    {PH_F_KNOTS, PH_WORD | PH_NUMBERS, 0, false, "geodesic|uniform", "geodesic",
+    {PH_F_KNOTS, PH_WORD | PH_NUMBERS | PH_DATUM, 0, false, "geodesic|uniform",
+     "geodesic",
      "spacing of the knots: the angles between points, or all the same; or "
      "the knots themselves, increasing"},
     {PH_F_ENDS, PH_WORD, 0, false, "natural|rest|clamped",
@@ -242,7 +244,7 @@ static const struct ph_field fields[] = {
      "ends of an open curve: no curvature, no velocity, or given tangents"},
     {PH_F_END_TANGENTS, PH_VECTORS, 1u << 3, false, NULL, "none",
      "directions of the curve at its first and its last point"},
-    {PH_F_TENSION, PH_NUMBER | PH_NUMBERS, 0, false, NULL, "0",
+    {PH_F_TENSION, PH_NUMBER | PH_NUMBERS | PH_DATUM, 0, false, NULL, "0",
      "least tensions, one for all points or one each"},
     {PH_F_SHAPE, PH_BOOL | PH_WORD, 0, false, "warn", "true",
      "raise tensions until the curve keeps the shape of the data; warn: only "

@@ -185,8 +185,7 @@ static enum ph_status set_chords(struct ph_tc_data *d, struct ph_diag *diag) {
         fmax(fmax(fabs(a.re), fabs(a.im)), fmax(fabs(b.re), fabs(b.im)));
     d->chord[k] = hypot(c.re, c.im);
     if (!(d->chord[k] > 4 * DBL_EPSILON * far) || !(d->chord[k] > NOTHING)) {
-      return ph_fail_at(diag, PH_COINCIDENT_POINTS, "points", to,
-                        "coincides with points[%zu]", k);
+      return ph_fields_coincide(diag, "points", k, to);
     }
   }
   return PH_OK;

@@ -11,6 +11,7 @@
 #include "solve/method.h"
 
 #include "curve/offset/blaschke.h"
+#include "solve/common/fields.h"
 #include "solve/tc/tc.h"
 
 #include <math.h>
@@ -100,17 +101,18 @@ static enum ph_status solve(const struct ph_problem *problem,
 }
 
 static const struct ph_field fields[] = {
-    {PH_F_POINTS, PH_VECTORS, 1u << 2, false, NULL, "none",
+    {PH_F_POINTS, PH_VECTORS | PH_DATUM, 1u << 2, false, NULL, "none",
      "the points to interpolate, 2 or more, 3 or more if closed"},
-    {PH_F_TANGENTS, PH_VECTORS, 1u << 2, false, NULL, "none",
+    {PH_F_TANGENTS, PH_VECTORS | PH_DATUM, 1u << 2, false, NULL, "none",
      "directions of the curve, one for each point"},
-    {PH_F_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL, "none",
+    {PH_F_DERIVATIVES, PH_VECTORS | PH_DATUM, 1u << 2, false, NULL, "none",
      "derivatives, one for each point, by each cubic's own parameter in [0,1]"},
     {PH_F_CURVE, PH_VECTORS | PH_POLYLINE, 1u << 2, false, NULL, "points",
      "the curve to approximate: control points of a Bezier curve, or of "
      "several, one after another"},
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
+    PH_FIELD_MERGE,
     {PH_F_MODE, PH_WORD, 0, false,
      "g1|g1-pair|g1-auto|g1-fair|c1|spline|approximate",
      "approximate, g1-fair, c1 or spline, by what is given",

@@ -60,15 +60,19 @@ PH_TEST(test_too_few_points) {
 
 PH_TEST(test_coincident_points) {
   POINTS(false, 0, 0, 1, 1, 1, 1, 2, 0);
-  ck_refused(PH_COINCIDENT_POINTS, "points[2]", "coincides with points[1]");
+  ck_refused(PH_COINCIDENT_POINTS, "points[2]",
+             "coincides with points[1]" JOINS);
   /* Equal up to rounding of the coordinates, which may be far from 0. */
   POINTS(false, 0, 0, 1, 1, 1 + 4e-16, 1, 2, 0);
-  ck_refused(PH_COINCIDENT_POINTS, "points[2]", "coincides with points[1]");
+  ck_refused(PH_COINCIDENT_POINTS, "points[2]",
+             "coincides with points[1]" JOINS);
   POINTS(false, 1e12, 0, 1e12 + 1, 0, 1e12 + 1.001, 0);
-  ck_refused(PH_COINCIDENT_POINTS, "points[2]", "coincides with points[1]");
+  ck_refused(PH_COINCIDENT_POINTS, "points[2]",
+             "coincides with points[1]" JOINS);
   /* A second repetition of the first point closes nothing. */
   POINTS(true, 0, 0, 1, 1, 2, 0, 0, 0, 0, 0);
-  ck_refused(PH_COINCIDENT_POINTS, "points[0]", "coincides with points[3]");
+  ck_refused(PH_COINCIDENT_POINTS, "points[0]",
+             "coincides with points[3]" JOINS);
 }
 
 PH_TEST(test_points_not_consecutive_may_coincide) {

@@ -103,12 +103,12 @@ static const struct {
     FAILS(PH_BAD_VALUE, "lambda", "must be between 1e-12 and 1e12, found nan",
           POINTS, LAMBDA((double)NAN)),
     /* points */
-    FAILS(PH_COINCIDENT_POINTS, "points[1]", "coincides with points[0]",
+    FAILS(PH_COINCIDENT_POINTS, "points[1]", "coincides with points[0]" JOINS,
           {PH_F_POINTS, VECTORS(2, 1, 0, 1 + 4 * DBL_EPSILON, 0)}),
-    FAILS(PH_COINCIDENT_POINTS, "points[1]", "coincides with points[0]",
+    FAILS(PH_COINCIDENT_POINTS, "points[1]", "coincides with points[0]" JOINS,
           {PH_F_POINTS, VECTORS(2, 0, 0, 1e-140, 0, 1, 0)}),
-    FAILS(PH_COINCIDENT_POINTS, "points[0]", "coincides with points[3]", CLOSED,
-          {PH_F_POINTS, VECTORS(2, 1, 1, 2, 0, 3, 3, 1, 1, 1, 1)}),
+    FAILS(PH_COINCIDENT_POINTS, "points[0]", "coincides with points[3]" JOINS,
+          CLOSED, {PH_F_POINTS, VECTORS(2, 1, 1, 2, 0, 3, 3, 1, 1, 1, 1)}),
     FAILS(PH_INFEASIBLE, "points[2]",
           "is where the data turn back by 180 degrees: the chords have no "
           "bisector there",
