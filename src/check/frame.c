@@ -5,44 +5,37 @@
 #include "check/dips.h"
 #include "check/kind.h"
 
-/* Steps from one sample to the next, then twice as many and so on, until no
- * more than this changes; where a tangent turns by more than that in one of
- * them, what the normal does is not known. */
-enum { STEPS = 4, STEPS_MAX = 2048 };
-static const double ENOUGH = 1e-8, TURN = 0.5;
+/* Integrals of the turn, relative and absolute. */
+static const double TURN = 1e-11;
 
-/* Changes fall by 16 where steps are twice as many.  As long as they do not, by
- * half of that at least or to rounding, steps are too long for what happens in
- * a short part, and a small change says nothing. */
-static const double FALL = 8, ROUNDING = 16 * DBL_EPSILON;
+/* What rounding does to r', relative. */
+static const double ROUNDING = 4 * DBL_EPSILON;
 
-/* What is carried along: a place and a normal. */
-struct carried {
-  ph_vec3 point, tangent, normal;
+/* Places between two dips among which tangents are looked at. */
+enum { PLACES = 8 };
+
+/* ---- the turn ----------------------------------------------------------- */
+
+/* Of a frame that goes with the tangent by the shortest rotation from a pole.
+ */
+struct turning {
+  const struct ph_check_segment *s;
+  ph_vec3 pole;
 };
 
-static ph_vec3 reflect(ph_vec3 v, ph_vec3 across) {
-  double square = ph_vec3_dot(across, across);
-  return square > 0
-             ? ph_vec3_along(v, -2 * ph_vec3_dot(across, v) / square, across)
-             : v;
-}
-
-/* Reflects in the plane between two points, then in that which takes the
- * tangent along.  Where both points are the same but for rounding, so that the
- * direction from one to the other is farther off than the tangents are apart,
- * it is the tangent: that turns the normal by the shortest way. */
-static void step_to(struct carried *c, const struct ph_check_local *to) {
-  ph_vec3 chord = ph_vec3_sub(to->point, c->point), normal, there;
-  double turn = ph_check_apart(to->tangent, c->tangent);
-  if (!(2 * to->point_error <= turn * ph_vec3_abs(chord))) {
-    chord = c->tangent;
-  }
-  normal = reflect(c->normal, chord);
-  there = reflect(c->tangent, chord);
-  c->normal = reflect(normal, ph_vec3_sub(to->tangent, there));
-  c->point = to->point;
-  c->tangent = to->tangent;
+/* (1), and by how much it may be off: the area between the ways of two tangents
+ * on the sphere. */
+static void turn_at(const void *context, double u, double *value) {
+  const struct turning *of = context;
+  ph_vec3 jet[2], turn;
+  double speed, error;
+  ph_check_jet(of->s, u, jet, 2);
+  speed = ph_vec3_abs(jet[0]);
+  turn = ph_vec3_scale(1 / speed, ph_vec3_cross(jet[0], jet[1]));
+  error = of->s->noise / speed + ROUNDING;
+  value[0] =
+      ph_vec3_dot(of->pole, turn) / (speed + ph_vec3_dot(of->pole, jet[0]));
+  value[1] = error * ph_vec3_abs(turn) / speed;
 }
 
 /* From 0 to 1, slowly at both ends. */
@@ -50,70 +43,94 @@ static double graded(double x) {
   return x * x * x * (10 - x * (15 - 6 * x));
 }
 
-/* Carries the normal on to a place, in some steps; adds what the tangents may
- * be off by to the error. */
-static void carry_on(struct carried *c, const struct ph_check_path *path,
-                     double from, double to, size_t steps, double *error) {
-  for (size_t i = 1; i <= steps; i++) {
-    double part = graded((double)i / (double)steps);
-    struct ph_check_local local =
-        ph_check_local_at(path, from + part * (to - from));
-    if (!(ph_check_apart(local.tangent, c->tangent) <= TURN)) {
-      *error = HUGE_VAL;
-    }
-    *error += local.tangent_error;
-    step_to(c, &local);
-  }
-}
-
-/* The normal at `to`, from f->u and from dip to dip. */
-static ph_vec3 carry(const struct ph_check_framing *f,
-                     const struct ph_check_path *path,
-                     const struct ph_check_dips *slow, double to, size_t steps,
-                     double *error) {
-  struct ph_check_local local = ph_check_local_at(path, f->u);
-  struct carried c = {local.point, local.tangent, f->normal};
-  double from = f->u;
-  *error += local.tangent_error;
-  for (size_t i = 0; i < slow->n; i++) {
-    if (slow->x[i] > from && slow->x[i] < to) {
-      carry_on(&c, path, from, slow->x[i], steps, error);
-      from = slow->x[i];
+/* The cosine of the largest angle between tangents and a pole. */
+static double nearness(const struct ph_check_segment *s, const double *cuts,
+                       size_t n, ph_vec3 pole) {
+  double least = 1;
+  for (size_t i = 0; i + 1 < n; i++) {
+    for (size_t j = 0; j <= PLACES; j++) {
+      double part = graded((double)j / PLACES);
+      ph_vec3 first;
+      ph_check_jet(s, cuts[i] + part * (cuts[i + 1] - cuts[i]), &first, 1);
+      least = ph_check_smaller(least, ph_vec3_dot(ph_vec3_unit(first), pole));
     }
   }
-  carry_on(&c, path, from, to, steps, error);
-  return c.normal;
+  return least;
 }
 
-static ph_vec3 transport(const struct ph_check_framing *f,
-                         const struct ph_check_path *path, double to,
-                         double *error) {
+/* An axis whose opposite is far from all tangents.  Where one passes nearby,
+ * (1) has a peak; on the other side it is one turn more or less. */
+static ph_vec3 pole_of(const struct ph_check_segment *s, const double *cuts,
+                       size_t n) {
+  ph_vec3 pole = {0, 0, 0};
+  double best = -HUGE_VAL;
+  for (int i = 0; i < 6; i++) {
+    double sign = i < 3 ? 1 : -1;
+    ph_vec3 axis = {i % 3 == 0 ? sign : 0, i % 3 == 1 ? sign : 0,
+                    i % 3 == 2 ? sign : 0};
+    double least = nearness(s, cuts, n, axis);
+    if (least > best) {
+      best = least;
+      pole = axis;
+    }
+  }
+  return pole;
+}
+
+/* The integral of (1) between two places, from dip to dip; adds to the error.
+ */
+static double turn_between(const struct ph_check_path *path, double from,
+                           double to, ph_vec3 *pole, double *error) {
   const struct ph_check_dips slow =
       ph_check_dips_of(ph_check_square_speed, path->s);
-  double tangents = 0, last, apart = 0;
-  ph_vec3 fine = carry(f, path, &slow, to, STEPS, &tangents), coarse, change;
-  size_t steps = STEPS;
-  bool found = false;
-  do {
-    coarse = fine;
-    steps *= 2;
-    tangents = 0;
-    fine = carry(f, path, &slow, to, steps, &tangents);
-    change = ph_vec3_sub(fine, coarse);
-    last = apart;
-    apart = ph_vec3_abs(change);
-    found = apart <= ENOUGH + tangents &&
-            (FALL * apart <= last || apart <= ROUNDING * (double)steps);
-  } while (steps < STEPS_MAX && !found);
-  *error = found ? f->error + apart + tangents : HUGE_VAL;
-  return ph_vec3_unit(ph_vec3_along(fine, 1.0 / 15, change));
+  struct turning turning = {.s = path->s};
+  const struct ph_check_integrands of = {turn_at, &turning, 2, 1, TURN, TURN};
+  double cuts[PH_CHECK_DIPS + 2] = {from}, turn = 0, sum[2];
+  size_t n = 1;
+  for (size_t i = 0; i < slow.n; i++) {
+    if (slow.x[i] > from && slow.x[i] < to) {
+      cuts[n++] = slow.x[i];
+    }
+  }
+  cuts[n++] = to;
+  *pole = turning.pole = pole_of(path->s, cuts, n);
+  for (size_t i = 0; i + 1 < n; i++) {
+    ph_check_integral(&path->v->rule, &of, cuts[i], cuts[i + 1], sum);
+    turn += sum[0];
+    *error += sum[1] + TURN;
+  }
+  return turn;
+}
+
+/* ---- the normal --------------------------------------------------------- */
+
+/* The normal at `to`, by the shortest rotations from the tangent that it was
+ * normal to, which is that of the segment before at a joint, to that at f->u,
+ * to the pole and on. */
+static ph_vec3 transport(const struct ph_check_framing *f,
+                         const struct ph_check_path *path,
+                         const struct ph_check_local *to, double u,
+                         double *error) {
+  const struct ph_check_local from = ph_check_local_at(path, f->u);
+  const ph_vec3 middle = ph_vec3_add(f->tangent, from.tangent);
+  ph_vec3 normal = ph_vec3_carried(f->normal, f->tangent, from.tangent), pole;
+  double turn;
+  *error = f->error + to->tangent_error +
+           4 * from.tangent_error / ph_vec3_abs(middle);
+  turn = turn_between(path, f->u, u, &pole, error);
+  normal = ph_vec3_carried(normal, from.tangent, pole);
+  normal = ph_vec3_along(ph_vec3_scale(cos(turn), normal), sin(turn),
+                         ph_vec3_cross(pole, normal));
+  return ph_vec3_carried(normal, pole, to->tangent);
 }
 
 void ph_check_frame_leave(struct ph_check_framing *f,
                           const struct ph_check_path *path) {
-  double error;
   if (f->begun) {
-    f->normal = transport(f, path, 1, &error);
+    const struct ph_check_local end = ph_check_local_at(path, 1);
+    double error;
+    f->normal = transport(f, path, &end, 1, &error);
+    f->tangent = end.tangent;
     f->error = error;
     f->begun = error < 1;
   }
@@ -148,7 +165,7 @@ ph_vec3 ph_check_frame_at(const struct ph_check_framing *f,
       *error = local->tangent_error + local->point_error / path->s->radius;
       return ph_vec3_cross(ph_vec3_unit(out), local->tangent);
     }
-    return f->begun ? transport(f, path, u, error) : none;
+    return f->begun ? transport(f, path, local, u, error) : none;
   default:
     return none;
   }

@@ -4,10 +4,14 @@
  *
  *   frenet  the normal is that of r'' across r'
  *   erf     it is A j A* / |A|^2, A the claimed preimage
- *   rmf     the frame does not turn about the tangent: from each sample to the
- *           next the normal is carried along by double reflections (exact but
- *           for the fourth power of the step), in ever more steps, that are
- *           short beside dips of the speed; on a sphere it is S x T
+ *   rmf     the frame does not turn about the tangent T: from each sample to
+ *           the next it turns about T, against a frame that the shortest
+ *           rotation takes from a fixed direction d to T, by the integral of
+ *
+ *             d . (T x T') / (1 + d . T)                                  (1)
+ *
+ *           (the area between the ways of T and of d to T on the unit sphere);
+ *           on a sphere it is S x T
  *
  * How a rotation-minimising frame begins is nobody's claim.
  */
@@ -22,8 +26,8 @@ struct ph_check_framing {
   bool begun; /* a rotation-minimising one is known at u of segment k */
   size_t k;
   double u;
-  ph_vec3 normal;
-  double error; /* of it */
+  ph_vec3 tangent, normal;
+  double error; /* of the normal */
 };
 
 /* ph_check_frame_leave: goes from the segment of the path, which is number

@@ -140,6 +140,7 @@ static void check_kind(struct walk *w, size_t i, double u,
   }
   f->begun = f->frame == PH_FRAME_RMF;
   f->u = u;
+  f->tangent = local->tangent;
   f->normal = normal;
   f->error = 0;
 }

@@ -175,6 +175,22 @@ good frame '{"points":[[0,0,0],[1,1,0],[2,0,1],[4,1,2]]}' \
   spatial-hermite --sample=4 --frame=erf
 tampered '.frame = "rmf"' sample_error
 
+# a frame that turns about the tangent by ANGLE at a sample
+# shellcheck disable=SC2016 # jq's variables
+turned='.normal as [$x, $y, $z] | .binormal as [$u, $v, $w] |
+  .normal = [$x + $a * $u, $y + $a * $v, $z + $a * $w] |
+  .binormal = [$u - $a * $x, $v - $a * $y, $w - $a * $z]'
+good turning '{"points":[[0,0,0],[1,1,0],[2,0,1],[4,1,2]]}' \
+  spatial-hermite --sample=4 --frame=rmf
+for i in 0 3 7 14; do
+  tampered ".samples[$i] |= (1e-8 as \$a | $turned)" sample_error
+done
+good sharp '{"points":[[0,0,0],[1.75,5.2,-3.2],[1.6,4.78,-2.9]],"tension":0.02}' \
+  spatial-hermite --sample=2 --frame=rmf
+for i in 1 2 4; do
+  tampered ".samples[$i] |= (1e-7 as \$a | $turned)" sample_error
+done
+
 good bent '{"points":[[0,0,0],[1,1,1e-7],[2,0,0],[3,1,0]]}' spatial-hermite
 tampered '.diagnostics.energy *= 1.000001' diagnostic_error
 tampered '.diagnostics.F2 *= 1.000001' diagnostic_error

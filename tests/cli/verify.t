@@ -185,6 +185,16 @@ echo '{"points":[[0.336617840065421,-0.386345475529631,3.0104345469],
 made spatial-hermite --chord-error=0.05 --frame=rmf <turn
 verified 'a frame past a point all but at rest' 1 --problems=turn
 
+# ... and of which points say less than tangents
+echo '{"points":[[0,0,0],[-100000,300000,0],[0,500000,0]],"basis":"atph",
+  "knots":[-2.1,-2.05,-2],"alpha":[2,2e-9],"angles":[[0,-2]]}' >turn
+made spatial-hermite --sample=5 --frame=rmf <turn
+verified 'a frame from one point at rest to the next' 1 --problems=turn
+echo '{"points":[[0,0,0],[0,-0.4945,0.5],[-0.7,-1.4,0]],"tension":0.00029}' \
+  >turn
+made spatial-hermite --sample=3 --frame=rmf <turn
+verified 'a frame that turns at once' 1 --problems=turn
+
 # the torsion of a straight line is nothing but rounding, in offsets as well
 echo '{"points":[[900000,0,0],[0,900000,-700000]]}' >straight
 made spatial-hermite --offset=0.2,0 --sample=4 <straight
