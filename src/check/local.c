@@ -2,6 +2,7 @@
 /* Places on curves and their offsets (see local.h). */
 #include "check/local.h"
 
+#include "check/checks.h"
 #include "check/kind.h"
 #include "kernel/quat.h"
 #include "check/spherical.h"
@@ -62,20 +63,21 @@ static void left_normal(const ph_vec3 *first, ph_vec3 *e) {
   divide(e, speed);
 }
 
-/* The claimed preimage as a series. */
+/* The claimed preimage at unit scale, as a series. */
 static void preimage_at(const struct ph_check_path *path, double u,
                         ph_quat *a) {
   const struct ph_check_segment *s = path->s;
-  const struct ph_curve *c = path->v->curve;
-  const double *w = ph_curve_preimage(c, s->k);
+  const size_t n = path->v->curve->preimage.n;
+  ph_quat w[3];
   double series[2][N], factor = 1;
+  ph_check_preimage(path->v, s->k, w);
   ph_check_basis(s->angle, u, N, series);
   for (size_t i = 0; i < N; i++) {
     a[i] = ph_quat_of(0, 0, 0, 0);
   }
-  for (size_t i = 0; i < c->preimage.n; i++, w += 4) {
+  for (size_t i = 0; i < n; i++) {
     double b[N] = {s->angle > 0 && i == 1 ? 2 * cos(s->angle / 2) : factor};
-    for (size_t j = 0; j + 1 < c->preimage.n; j++) {
+    for (size_t j = 0; j + 1 < n; j++) {
       const double *by = series[j < i];
       for (size_t l = N; l-- > 0;) {
         double sum = 0;
@@ -86,10 +88,9 @@ static void preimage_at(const struct ph_check_path *path, double u,
       }
     }
     for (size_t l = 0; l < N; l++) {
-      a[l] = ph_quat_add(
-          a[l], ph_quat_scale(b[l], ph_quat_of(w[0], w[1], w[2], w[3])));
+      a[l] = ph_quat_add(a[l], ph_quat_scale(b[l], w[i]));
     }
-    factor *= (double)(c->preimage.n - 1 - i) / (double)(i + 1);
+    factor *= (double)(n - 1 - i) / (double)(i + 1);
   }
 }
 

@@ -155,6 +155,12 @@ echo '{"points":[[55.6928477284,-132.09986533,-123.81445894337],
 made spatial-hermite --offset=-8e-7 --sample=2 <still
 verified 'an offset that turns at once' 1 --problems=still
 
+# the square of the preimage is larger than the largest double
+echo '{"points":[[0,0,0],[0,0,1e299],[-2e299,2e299,0]],"closed":true,
+  "basis":"atph","alpha":[3,2e-9,0.00002]}' >huge
+made spatial-hermite --offset=1e300 --sample=2 <huge
+verified 'an offset of a huge ATPH spline' 1 --problems=huge
+
 # frames that minimise rotation, where the curve turns in a short part of the way
 # from sample to sample
 echo '{"points":[[0,0,0],[1.75,5.2,-3.2],[1.6,4.78,-2.9],[1.94,5.8,-3.5]],
