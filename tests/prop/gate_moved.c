@@ -23,10 +23,12 @@ enum { SHAKES = 4, ROUNDINGS = 8 };
 /* Symmetric data have two curves that are as good, mirrored or reversed: the
  * solver takes the same one each time, so that rounding of the data shows
  * nothing.  Nor does it where convergence is a matter of luck.  Where data
- * shaken by this part of their size make a length jump by that part, or another
- * outcome, in one of so many trials, nothing is compared. */
+ * shaken by this part of their size make a length jump by that part, or have
+ * another outcome, or lengths that are farther than a small part from the
+ * solution and nearer to that of the moved data, in one of so many trials,
+ * nothing is compared. */
 enum { TIES = 8 };
-static const double TIED = 1e-6, JUMP = 1e-3;
+static const double TIED = 1e-6, JUMP = 1e-3, STEP = 2e-5;
 
 /* Scales beyond which rounding of small numbers may be another. */
 static const double HIGH = 1e100, LOW = 1e-100;
@@ -172,30 +174,44 @@ static void shake(struct gate_case *c, struct unit_random *r, double part) {
   }
 }
 
-/* The largest change of a length. */
+/* The length of segment i of the solution of moved data, where the data are. */
+static double length_of(const struct gate_outcome *moved, enum motion motion,
+                        size_t i) {
+  double scale = motion == LARGER ? ldexp(1, -5) : 1;
+  size_t at = motion == REVERSED ? moved->segments - 1 - i : i;
+  return scale * moved->lengths[at];
+}
+
+/* The largest change of a length, to data that are moved or, MOTION_N, not. */
 static double change_of(const struct gate_outcome *a,
-                        const struct gate_outcome *b) {
-  double change = fabs(a->length - b->length);
+                        const struct gate_outcome *b, enum motion motion) {
+  double scale = motion == LARGER ? ldexp(1, -5) : 1;
+  double change = fabs(a->length - scale * b->length);
   if (a->fate != b->fate || a->segments != b->segments) {
     return HUGE_VAL;
   }
   for (size_t i = 0; i < a->segments && a->segments <= GATE_POINTS; i++) {
-    change = fmax(change, fabs(a->lengths[i] - b->lengths[i]));
+    change = fmax(change, fabs(a->lengths[i] - length_of(b, motion, i)));
   }
   return change;
 }
 
 /* Whether there is another solution, or none, beside the data. */
 static bool is_tied(struct gate_lab *lab, const struct gate_case *c,
-                    const struct gate_outcome *plain) {
+                    const struct gate_outcome *plain,
+                    const struct gate_outcome *moved, enum motion motion) {
   static _Thread_local struct gate_case shaken;
   struct unit_random r = unit_random_of(2);
   struct gate_outcome there;
   for (int i = 0; i < TIES; i++) {
+    double change;
     gate_copy(&shaken, c);
     shake(&shaken, &r, TIED);
     gate_run(lab, &shaken, GATE_MEASURED, &there);
-    if (!(change_of(plain, &there) <= JUMP * plain->length)) {
+    change = change_of(plain, &there, MOTION_N);
+    if (!(change <= JUMP * plain->length) ||
+        (change > STEP * plain->length &&
+         change_of(&there, moved, motion) < change)) {
       return true;
     }
   }
@@ -213,7 +229,7 @@ static double allowance(struct gate_lab *lab, const struct gate_case *c,
     gate_copy(&shaken, c);
     shake(&shaken, &r, 0);
     gate_run(lab, &shaken, GATE_MEASURED, &there);
-    change = fmax(change, change_of(plain, &there));
+    change = fmax(change, change_of(plain, &there, MOTION_N));
   }
   return ROUNDINGS * change;
 }
@@ -237,7 +253,7 @@ static void compare(const struct gate_outcome *a, const struct gate_outcome *b,
                a->length, scale * b->length);
   }
   for (size_t i = 0; n == b->segments && n <= GATE_POINTS && i < n; i++) {
-    double other = scale * b->lengths[motion == REVERSED ? n - 1 - i : i];
+    double other = length_of(b, motion, i);
     if (!(fabs(a->lengths[i] - other) <= SAME * a->length + allowed)) {
       gate_wrong(outcome, ways[motion],
                  "the length %.17g of segment %zu becomes %.17g", a->lengths[i],
@@ -271,7 +287,8 @@ void gate_moved(struct gate_lab *lab, const struct gate_case *c,
     if (plain.fate != GATE_WRONG && there.fate != GATE_WRONG) {
       found = *outcome;
       compare(&plain, &there, (enum motion)motion, 0, &found);
-      if (found.fate == GATE_WRONG && !is_tied(lab, &here, &plain)) {
+      if (found.fate == GATE_WRONG &&
+          !is_tied(lab, &here, &plain, &there, (enum motion)motion)) {
         compare(&plain, &there, (enum motion)motion,
                 allowance(lab, &here, &plain), outcome);
       }
