@@ -48,6 +48,10 @@ static const double CLOSED = 1e-9, PEAKED = 1e-8, INFLECTION = 1e-2;
  * that of its derivative. */
 static const double ROUND_TURN = 16 * DBL_EPSILON;
 
+/* A segment in space whose r' leaves a line by no more than this part of it may
+ * be told to be straight (curve/fair/fair3.h), with energies that are 0. */
+static const double STRAIGHT = 1e-11;
+
 /* Where rounding may change r' by more than this part of it, the curve may as
  * well stand still or turn back there: energies are anything, and the tangent
  * turns by half a turn to either side. */
@@ -191,6 +195,22 @@ static bool is_straight(const struct ph_check_segment *s, double u) {
            PH_CHECK_NO_DIRECTION * ph_vec3_abs(ph_vec3_cross(jet[0], jet[1])));
 }
 
+/* Whether a segment may be told to be straight. */
+static bool is_line(const struct ph_check_segment *s) {
+  ph_vec3 along = {0, 0, 0};
+  double least = STRAIGHT * s->speed + s->noise;
+  for (size_t j = 0; j <= s->m; j++) {
+    along = ph_vec3_abs(s->h[j]) > ph_vec3_abs(along) ? s->h[j] : along;
+  }
+  along = ph_vec3_unit(along);
+  for (size_t j = 0; j <= s->m; j++) {
+    if (!(ph_vec3_abs(ph_vec3_cross(s->h[j], along)) <= least)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /* Where integrals are cut, in order: 0, dips, 1; at most so many.  At a dip of
  * the speed energies have a peak, which is seen at an end of an interval, and
  * at one of |C| / sigma^2 torsions. */
@@ -260,8 +280,9 @@ static void integrate(const struct fair *fair, const struct ph_check_segment *s,
   integrate_some(fair, &in, TURNING, ABSOLUTE, &cuts, value, error);
   if (!in.plane) {
     double depth = sqrt(bent.low / bent.high);
-    error[BENDING] += CLOSED * value[BENDING];
-    error[VARYING] += CLOSED * value[VARYING];
+    double part = is_line(s) ? 1 : CLOSED;
+    error[BENDING] += part * value[BENDING];
+    error[VARYING] += part * value[VARYING];
     error[TWISTING] +=
         straight ? HUGE_VAL
                  : (depth > INFLECTION ? CLOSED : PEAKED) * value[TWISTING];

@@ -209,6 +209,13 @@ echo '{"points":[[0,0,0],[0.2,0.2,-0.5]],"basis":"atph"}' >straight
 made spatial-hermite --offset=0 --sample=4 <straight
 verified 'a torsion of a straight ATPH segment' 1 --problems=straight
 
+# straight but for the last digits of the data
+echo '{"points":[[0,0],[-0.0271615966674,0.00374874198599]],"angles":[[1.2,0]],
+  "tangents":[[-0.990609698336,0.136720245623],
+    [-0.990609698336,0.1367202456227]]}' >straight
+made spatial-hermite <straight
+verified 'energies of a straight line' 1 --problems=straight
+
 # F3 was minimised, which cannot be found where a segment is in a plane
 echo '{"points":[[0,0,0],[-1,-0.664054300770604,-1],[0,-1.06,-2]],
   "tangents":[[0,0,-1],[0,1,0],[0,1,0]],"criterion":"F3"}' |
