@@ -59,6 +59,12 @@ enum ph_status ph_fail_at(struct ph_diag *diag, enum ph_status status,
   return status;
 }
 
+void ph_diag_add(struct ph_diag *diag, const char *text) {
+  size_t n = strlen(diag->message);
+  snprintf(diag->message + n, sizeof diag->message - n, "; %s", text);
+  trim_partial_utf8(diag->message);
+}
+
 enum ph_status ph_fail_memory(struct ph_diag *diag) {
   return ph_fail(diag, PH_NO_MEMORY, NULL, "memory is exhausted");
 }

@@ -56,6 +56,9 @@ enum ph_status ph_fail_at(struct ph_diag *diag, enum ph_status status,
                           const char *field, size_t index, const char *format,
                           ...) PH_PRINTF(5, 6);
 
+/* ph_diag_add: what is said after a message, "; " before it. */
+void ph_diag_add(struct ph_diag *diag, const char *text);
+
 /* ph_fail_memory: the failure of an allocation. */
 enum ph_status ph_fail_memory(struct ph_diag *diag);
 

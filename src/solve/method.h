@@ -16,6 +16,20 @@
 
 #include <stdbool.h>
 
+/*
+ * What may help where a method found no curve: an option that a problem does
+ * not have at that value.  Of those of a method the first that applies is
+ * named.
+ */
+struct ph_advice {
+  const char *about;      /* failures of this field only; NULL: all */
+  enum ph_field_id with;  /* only where this one is given, or PH_FIELD_N */
+  enum ph_field_id field; /* the option, or PH_FIELD_N: not one alone */
+  const char *value;      /* it is not if the field is this word, or a number
+                           * that is as large; NULL: if it is given */
+  const char *text;
+};
+
 struct ph_method {
   struct ph_schema schema; /* name of the command, fields of its problems */
   char title[72];          /* one line for the help */
@@ -32,6 +46,8 @@ struct ph_method {
   enum ph_status (*solve)(const struct ph_problem *problem,
                           struct ph_arena *out, struct ph_arena *scratch,
                           struct ph_result *result, struct ph_diag *diag);
+  const struct ph_advice *advice; /* [advice_n] the likeliest to help first */
+  size_t advice_n;
 };
 
 /* C2 interpolation of points in the plane by PH quintic and ATPH splines, open

@@ -267,6 +267,10 @@ warning() {
 $(failed 1 1)" "$(error_record "$2" '' "$4" a.json 1)"
 }
 
+holds_speed() {
+  get diagnostics.min_speed | awk '{ exit !($1 > 0 && $1 < 0.01) }'
+}
+
 fig5='"points":[[1,1,0],[0,4,3],[2,4,2],[3,3,3]],"knots":"uniform"'
 warning 'a wiggle' wiggle 0 'lengths[0] is 5.1, naturally 4.91877: the curve '\
 'wiggles by about 0.63 (such intervals: 3)' "$fig5,\"lengths\":[5.1,2.6,2.0]"
@@ -278,6 +282,26 @@ warning 'lengths that nothing weighs' inconsistent-lengths '' 'the lengths are '
 'missed by 549 standard deviations: points that a curve hardly bends through '\
 'outweigh them' \
   '"points":[[0,0,0],[1,0,0],[1,1,0]],"lengths":[3,2],"length_sigma":0.001'
+tight='"points":[[0,0,0],[1,0,0],[1,1,0],[1,1,1]],"refine":3,
+"lengths":[1.01,1.0001,1.01]'
+feed "{$tight}" arclength
+equal 'lengths near their chords: what is told' \
+  '"wiggle" "inconsistent-lengths" "sharp-corners" absent' \
+  "$(get 'warnings[0].code') $(get 'warnings[1].code') \
+$(get 'warnings[2].code') $(get 'warnings[3]')"
+equal 'lengths near their chords: the tightest' 3 "$(get 'warnings[1].segment')"
+true_that 'lengths near their chords: why' grep -q \
+  '; lengths\[1\] is 0.0001 above its chord, relative, where a turn of 1.57 '\
+'takes 0.103 \[inconsistent-lengths\]$' err
+equal 'lengths near their chords: corners' \
+  "phspline: -:1: record 1: warning: the curve is nearly a polygon with sharp \
+corners: its least speed is $(get diagnostics.min_speed |
+    awk '{ printf "%.2g", $1 }') of the mean [sharp-corners]" \
+  "$(sed -n 3p err)"
+true_that 'lengths near their chords: the speed' holds_speed
+feed "{$tight}" arclength --strict
+equal 'lengths near their chords: strict' 1 "$status"
+
 warning 'a saddle' saddle '' 'the curve bends least in the plane of the data, '\
 'but not in space: "planar":"free" lets it leave the plane' \
   '"points":[[0,0],[1,0],[0,1],[1,1]]'
@@ -331,19 +355,34 @@ phspline: N of N records failed" "$status $(sed 's/[0-9][0-9.e+-]*/N/g' err)"
 
 unmet="lengths[N]: is not met: N asked for, N attained in interval N by the best \
 of N starts"
-more='; a larger refine gives the curve more room'
+room='--refine=N gives the curve more room'
+measured='--length_sigma=N allows for lengths that were measured'
+again='--starts=N begins anew N times'
 lost 'lengths that hardly exceed the chords' \
-  "$unmet, naturally N; residual N of the mean length$more, $hint" \
+  "lengths[N]: is not met by N starts: it is N above its chord, relative, where \
+a turn of N takes N; residual N of the mean length; $room, $measured" \
   "$fig5,\"lengths\":[4.358903,2.2360702,1.7320525]"
+true_that 'lengths that hardly exceed the chords: the tightest' grep -q \
+  'lengths.0.: is not met by [0-9]* starts: it is 9.31e-07 above its chord, '\
+'relative, where a turn of 2.11 takes 0.185; .*; --refine=3 gives the curve more room, '\
+'--length_sigma=0.001 allows' err
 lost 'no more segments to be had' \
-  "$unmet, naturally N; residual N of the mean length; $hint" \
+  "$unmet, naturally N; residual N of the mean length; $measured" \
   '"derivatives":[[1e6,0,0],[0,1,0],[0,0,1]],"lengths":[1,1],"refine":3'
 lost 'derivatives that are too large' \
-  "$unmet, naturally N; residual N of the mean length$more, $hint" \
+  "$unmet, naturally N; residual N of the mean length; $room" \
   '"derivatives":[[1e6,0,0],[0,1,0],[0,0,1]],"lengths":[1,1]'
+tangents='"tangents":[[1,0,0],[0,1,0],[0,0,1]],"lengths":[1,1e-9]'
 lost 'tangents whose lengths differ too much' \
-  "$unmet; residual N of the mean length" \
-  '"tangents":[[1,0,0],[0,1,0],[0,0,1]],"lengths":[1,1e-9]'
-lost 'tangents that turn back' "tangents: have no curve that was found by N starts \
-but some that stand still at one of them; \"magnitudes\":\"mean\" may help" \
+  "$unmet; residual N of the mean length; $room" "$tangents"
+true_that 'tangents, more segments' grep -q -e '; --refine=3 gives' err
+lost 'tangents, more starts' "$unmet; residual N of the mean length; $again" \
+  "$tangents,\"refine\":3"
+true_that 'tangents, more starts: how many' grep -q -e '; --starts=20 begins' err
+lost 'tangents, nothing more to try' "$unmet; residual N of the mean length" \
+  "$tangents,\"refine\":3,\"starts\":20"
+still='tangents: have no curve that was found by N starts but some that stand '\
+'still at one of them'
+lost 'tangents that turn back' \
+  "$still; --magnitudes=mean gives each derivative a length" \
   '"tangents":[[1,2,3],[-1,-2,-3],[1,2,3]],"lengths":[1,2]'

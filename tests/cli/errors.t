@@ -148,6 +148,8 @@ equal 'no-convergence' '1 "no-convergence" "segments[1]" absent' \
     cut -d ' ' -f 1) $(get segments | cut -d ' ' -f 1)"
 true_that 'no-convergence, on standard error' grep -q \
   '^phspline: a.jsonl:1: record 1: segments\[1\]: .* \[no-convergence\]$' err
+true_that 'no-convergence: what may help' grep -q \
+  '; --end_derivatives nearer to the steps of the data, or none, may help \[' err
 
 # A curve that stands still, of a speed that is a fourth power, has no normal.
 printf '{"points":[[0,0],[1,0]],"end_derivatives":[[5,0],[5,0]]}' >a.json

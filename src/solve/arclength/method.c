@@ -319,9 +319,32 @@ static const struct ph_field fields[] = {
      "the first point where only derivatives or tangents are given"},
 };
 
+/* More segments first: they find a curve for lengths that are meant to be met.
+ */
+static const struct ph_advice advice[] = {
+    {"tangents", PH_F_TANGENTS, PH_F_MAGNITUDES, "mean",
+     "--magnitudes=mean gives each derivative a length"},
+    {"lengths", PH_F_POINTS, PH_F_REFINE, "3",
+     "--refine=3 gives the curve more room, --length_sigma=0.001 allows for "
+     "lengths that were measured"},
+    {"lengths", PH_FIELD_N, PH_F_REFINE, "3",
+     "--refine=3 gives the curve more room"},
+    {"lengths", PH_F_POINTS, PH_F_LENGTH_SIGMA, NULL,
+     "--length_sigma=0.001 allows for lengths that were measured"},
+    {"lengths", PH_F_DERIVATIVES, PH_F_LENGTH_SIGMA, NULL,
+     "--length_sigma=0.001 allows for lengths that were measured"},
+    {NULL, PH_FIELD_N, PH_F_REFINE, "2",
+     "--refine=2 gives the curve more room"},
+    {NULL, PH_FIELD_N, PH_F_REFINE, "3",
+     "--refine=3 gives the curve more room"},
+    {NULL, PH_FIELD_N, PH_F_STARTS, "20", "--starts=20 begins anew 20 times"},
+};
+
 const struct ph_method ph_method_arclength = {
     .schema = {"arclength", fields, sizeof fields / sizeof fields[0]},
     .title = "C2 PH splines in space with prescribed arc lengths",
     .dimension = 3,
     .solve = solve,
+    .advice = advice,
+    .advice_n = sizeof advice / sizeof advice[0],
 };

@@ -182,16 +182,9 @@ static double unit(const struct ph_arc_search *search) {
   return d->root * d->root;
 }
 
-/* What may help, after a message. */
-static const char *hint(const struct ph_arc_search *search) {
-  const struct ph_arc_system *s = &search->system;
-  return !s->data->length     ? ""
-         : s->data->sigma > 0 ? "; a larger length_sigma may help"
-         : s->refine < 3      ? "; a larger refine gives the curve more room, "
-                                "length_sigma allows for lengths that were measured"
-                              : "; length_sigma allows for lengths that were "
-                                "measured";
-}
+/* An arc that turns by the angle t is longer than its chord by t^2 over this.
+ */
+static const double ARC = 24;
 
 /* ---- failure ------------------------------------------------------------- */
 
@@ -215,31 +208,51 @@ static size_t worst_interval(const struct ph_arc_system *s, const double *c) {
   return worst;
 }
 
-enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
-                                     struct ph_arena *scratch,
-                                     struct ph_diag *diag) {
+/* An interval that is short for what its data turn by. */
+struct shortage {
+  size_t interval;
+  double turn;   /* of the chords on either side, in the mean */
+  double excess; /* length / chord - 1 */
+  double needed; /* that of an arc with this turn: turn^2 / 24 */
+};
+
+/* The angle between the chords before datum j and after it; 0 at an end. */
+static double turn_at(const struct ph_arc_data *d, size_t j) {
+  ph_vec3 a, b;
+  if (!d->closed && (j == 0 || j == d->n)) {
+    return 0;
+  }
+  a = d->step[(j + d->n - 1) % d->n];
+  b = d->step[j % d->n];
+  return atan2(ph_vec3_abs(ph_vec3_cross(a, b)), ph_vec3_dot(a, b));
+}
+
+/* Of points with lengths: the interval that lacks most, if one does. */
+static bool find_shortage(const struct ph_arc_data *d, struct shortage *most) {
+  bool found = false;
+  for (size_t i = 0; d->chord && d->length && d->n > 1 && i < d->n; i++) {
+    bool ends = !d->closed && (i == 0 || i + 1 == d->n);
+    double turn = (turn_at(d, i) + turn_at(d, i + 1)) / (ends ? 1 : 2);
+    struct shortage s = {i, turn, d->length[i] / d->chord[i] - 1,
+                         turn * turn / ARC};
+    if (s.needed - s.excess > (found ? most->needed - most->excess : 0)) {
+      *most = s;
+      found = true;
+    }
+  }
+  return found;
+}
+
+/* Lengths, or points alone, that no start met. */
+static enum ph_status fail_missed(const struct ph_arc_search *search,
+                                  struct ph_arena *scratch,
+                                  struct ph_diag *diag) {
   const struct ph_arc_system *s = &search->system;
   const struct ph_arc_data *d = s->data;
   const struct ph_arc_point *p = &search->nearest;
   double back = unit(search), *c, *attained;
   size_t worst, shown;
-  if (d->sigma > 0 && !search->natural.known) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
-                   "the curve with free lengths was not found, by which "
-                   "length_sigma is weighed");
-  }
-  if (search->stood_still) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, "tangents",
-                   "have no curve that was found by %zu starts but some that "
-                   "stand still at one of them; \"magnitudes\":\"mean\" may "
-                   "help",
-                   search->starts_n);
-  }
-  if (p->converged) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
-                   "no minimum was found by %zu starts, but a saddle, F %.6g%s",
-                   search->starts_n, p->f * back, hint(search));
-  }
+  struct shortage lacks;
   c = ph_arena_array(scratch, s->y_n, sizeof *c);
   attained = ph_arena_array(scratch, d->n, sizeof *attained);
   if (!c || !attained) {
@@ -255,6 +268,14 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
                    "most; residual %.2g of the mean chord",
                    search->starts_n, shown, p->residual);
   }
+  if (find_shortage(d, &lacks)) {
+    shown = ph_arc_data_user(d, lacks.interval);
+    return ph_fail_at(
+        diag, PH_NO_CONVERGENCE, "lengths", shown,
+        "is not met by %zu starts: it is %.3g above its chord, relative, where "
+        "a turn of %.3g takes %.3g; residual %.2g of the mean length",
+        search->starts_n, lacks.excess, lacks.turn, lacks.needed, p->residual);
+  }
   if (!search->natural.known) {
     return ph_fail_at(diag, PH_NO_CONVERGENCE, "lengths", shown,
                       "is not met: %.6g asked for, %.6g attained in interval "
@@ -266,9 +287,32 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
   return ph_fail_at(
       diag, PH_NO_CONVERGENCE, "lengths", shown,
       "is not met: %.6g asked for, %.6g attained in interval %zu by the best "
-      "of %zu starts, naturally %.6g; residual %.2g of the mean length%s",
+      "of %zu starts, naturally %.6g; residual %.2g of the mean length",
       d->length[worst] * back, attained[worst] * back, shown, search->starts_n,
-      search->natural.length[worst] * back, p->residual, hint(search));
+      search->natural.length[worst] * back, p->residual);
+}
+
+enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
+                                     struct ph_arena *scratch,
+                                     struct ph_diag *diag) {
+  const struct ph_arc_point *p = &search->nearest;
+  if (search->system.data->sigma > 0 && !search->natural.known) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+                   "the curve with free lengths was not found, by which "
+                   "length_sigma is weighed");
+  }
+  if (search->stood_still) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, "tangents",
+                   "have no curve that was found by %zu starts but some that "
+                   "stand still at one of them",
+                   search->starts_n);
+  }
+  if (p->converged) {
+    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+                   "no minimum was found by %zu starts, but a saddle, F %.6g",
+                   search->starts_n, p->f * unit(search));
+  }
+  return fail_missed(search, scratch, diag);
 }
 
 /* ---- warnings ------------------------------------------------------------ */
@@ -300,6 +344,30 @@ static void warn_wiggle(const struct ph_arc_search *search,
   }
 }
 
+/* The interval that is short where exact lengths are, is the likeliest cause.
+ */
+static void warn_inconsistent(const struct ph_arc_search *search,
+                              struct ph_result *result) {
+  const struct ph_arc_data *d = search->system.data;
+  double f = search->found[0].point.f * unit(search);
+  double relaxed = result->diagnostics.value[PH_D_F_RELAXED];
+  struct shortage s;
+  if (!(d->sigma > 0) && find_shortage(d, &s)) {
+    size_t shown = ph_arc_data_user(d, s.interval);
+    ph_warn(
+        result, shown * search->system.refine, PH_INCONSISTENT_LENGTHS,
+        "the lengths fit no smooth curve through the data: F is %.6g, with "
+        "free lengths %.6g; lengths[%zu] is %.3g above its chord, relative, "
+        "where a turn of %.3g takes %.3g",
+        f, relaxed, shown, s.excess, s.turn, s.needed);
+  } else {
+    ph_warn(result, PH_NO_SEGMENT, PH_INCONSISTENT_LENGTHS,
+            "the lengths fit no smooth curve through the data: F is %.6g, with "
+            "free lengths %.6g",
+            f, relaxed);
+  }
+}
+
 static void warn(const struct ph_arc_search *search, bool left_plane,
                  struct ph_result *result) {
   const struct ph_arc_data *d = search->system.data;
@@ -328,10 +396,7 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
     return;
   }
   if (p->f > CONSISTENT * search->natural.f + F_ROUNDING) {
-    ph_warn(result, PH_NO_SEGMENT, PH_INCONSISTENT_LENGTHS,
-            "the lengths fit no smooth curve through the data: F is %.6g, with "
-            "free lengths %.6g",
-            p->f * unit(search), result->diagnostics.value[PH_D_F_RELAXED]);
+    warn_inconsistent(search, result);
   }
 }
 

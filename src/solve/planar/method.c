@@ -446,11 +446,24 @@ static const struct ph_field fields[] = {
      "what minimize varies, each alpha or knot, or one factor on all alpha"},
 };
 
+static const struct ph_advice advice[] = {
+    {"minimize", PH_FIELD_N, PH_F_FREE, "scale",
+     "--free=scale varies one number instead of all"},
+    {NULL, PH_F_SOLUTIONS, PH_F_SOLUTIONS, "good",
+     "--solutions=good looks for one curve only"},
+    {"segments", PH_F_END_DERIVATIVES, PH_FIELD_N, NULL,
+     "--end_derivatives nearer to the steps of the data, or none, may help"},
+    {NULL, PH_FIELD_N, PH_F_KNOTS, "centripetal",
+     "--knots=centripetal may bend less"},
+};
+
 const struct ph_method ph_method_planar = {
     .schema = {"planar", fields, sizeof fields / sizeof fields[0]},
     .title = "C2 PH splines through points in the plane",
     .dimension = 2,
     .solve = solve,
+    .advice = advice,
+    .advice_n = sizeof advice / sizeof advice[0],
 };
 
 /* ---- the curve ----------------------------------------------------------- */

@@ -307,7 +307,7 @@ static enum ph_status bisect(struct cover *c, const struct ph_tc_knot *from,
   if (depth == DEPTH) {
     return ph_fail(c->diag, PH_NO_CONVERGENCE, NULL,
                    "has no cubics within the tolerance near its parameter "
-                   "%.6g: try a larger one",
+                   "%.6g",
                    middle);
   }
   if (ph_cplx_norm2(knot.tangent) > 0) {

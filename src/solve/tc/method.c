@@ -143,12 +143,21 @@ static const struct ph_field fields[] = {
      "add the image of each segment on the Blaschke cylinder"},
 };
 
+static const struct ph_advice advice[] = {
+    {"segments", PH_F_MODE, PH_F_MODE, "g1-fair",
+     "--mode=g1-fair takes one cubic where that is fairer"},
+    {NULL, PH_F_TOLERANCE, PH_FIELD_N, NULL,
+     "a larger --tolerance needs fewer cubics"},
+};
+
 const struct ph_method ph_method_tc = {
     .schema = {"tc", fields, sizeof fields / sizeof fields[0]},
     .title = "Tschirnhausen cubics: one, two, or a spline of them",
     .dimension = 2,
     .kind = PH_CURVE_TC,
     .solve = solve,
+    .advice = advice,
+    .advice_n = sizeof advice / sizeof advice[0],
 };
 
 /* ---- the curve ----------------------------------------------------------- */

@@ -38,6 +38,20 @@ PH_TEST(test_fail_at) {
   ck_assert_str_eq(diag.field, "points[4294967295]");
 }
 
+PH_TEST(test_add) {
+  char text[PH_DIAG_MESSAGE_MAX + 1];
+  ph_fail(&diag, PH_NO_CONVERGENCE, "knots", "fail");
+  ph_diag_add(&diag, "--knots=uniform may help");
+  ck_assert_str_eq(diag.message, "fail; --knots=uniform may help");
+  ck_assert_str_eq(diag.field, "knots");
+  ck_assert_int_eq(diag.status, PH_NO_CONVERGENCE);
+  memset(text, 'a', PH_DIAG_MESSAGE_MAX);
+  text[PH_DIAG_MESSAGE_MAX] = '\0';
+  ph_fail(&diag, PH_NO_CONVERGENCE, NULL, "%s", text);
+  ph_diag_add(&diag, "cut");
+  ck_assert_uint_eq(strlen(diag.message), PH_DIAG_MESSAGE_MAX - 1);
+}
+
 PH_TEST(test_fail_memory) {
   ck_assert_int_eq(ph_fail_memory(&diag), PH_NO_MEMORY);
   ck_assert_int_eq(diag.status, PH_NO_MEMORY);
