@@ -156,7 +156,7 @@ complete -c phspline -n '__fish_seen_subcommand_from sphere' -l knots -x -a 'geo
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l ends -x -a 'natural rest clamped' -d 'ends of an open curve: no curvature, no velocity, or given tangents'
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l end_tangents -x -d 'directions of the curve at its first and its last point'
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l tension -x -d 'least tensions, one for all points or one each'
-complete -c phspline -n '__fish_seen_subcommand_from sphere' -l shape -x -a 'warn' -d 'raise tensions until the curve keeps the shape of the data; warn: only warn where none does'
+complete -c phspline -n '__fish_seen_subcommand_from sphere' -l shape -x -a 'warn' -d 'raise tensions until the curve keeps the shape of the data; true: fail where none does, warn: warn of it'
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l increase -x -a 'minimal' -d 'how tensions are raised: to the smallest that do, or by a step or a factor V'
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l criterion -x -a 'geodesic legacy' -d 'the curvature that is judged: the geodesic one, or as published'
 complete -c phspline -n '__fish_seen_subcommand_from sphere' -l epsilon -x -d 'bound of the curvature where data are on a great circle, on the unit sphere'

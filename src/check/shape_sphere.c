@@ -112,6 +112,29 @@ ph_check_nu_segment_fault(const struct ph_check_nu_segment *s, int from,
                                                       : PH_CHECK_NU_CONVEXITY;
 }
 
+/* ---- what was waived ------------------------------------------------- */
+
+bool ph_check_nu_is_waived(const struct ph_sphere *sphere, size_t i) {
+  size_t from = 0, to = sphere->waived_n;
+  while (from < to) {
+    size_t middle = from + (to - from) / 2;
+    if (sphere->waived[middle] < i) {
+      from = middle + 1;
+    } else {
+      to = middle;
+    }
+  }
+  return from < sphere->waived_n && sphere->waived[from] == i;
+}
+
+bool ph_check_nu_waived_fit(const struct ph_sphere *sphere, size_t n) {
+  bool fit = sphere->waived_n == 0 || sphere->waived[sphere->waived_n - 1] < n;
+  for (size_t i = 1; fit && i < sphere->waived_n; i++) {
+    fit = sphere->waived[i - 1] < sphere->waived[i];
+  }
+  return fit;
+}
+
 const char *ph_check_nu_fault_name(enum ph_check_nu_fault fault) {
   static const char *const name[] = {
       [PH_CHECK_NU_NO_FAULT] = "nothing",

@@ -8,6 +8,7 @@
 #define PH_CHECK_SHAPE_SPHERE_H
 
 #include "check/sphere_segment.h"
+#include "curve/result.h"
 
 #include <stdbool.h>
 
@@ -52,6 +53,20 @@ ph_check_nu_node_fault(const struct ph_check_nu_node *node,
 enum ph_check_nu_fault
 ph_check_nu_segment_fault(const struct ph_check_nu_segment *s, int from,
                           int to);
+
+/* ph_check_nu_is_waived: whether the criteria of node i, and of the segment
+ * that begins there, were gone on without. */
+bool ph_check_nu_is_waived(const struct ph_sphere *sphere, size_t i);
+
+/* ph_check_nu_waived_fit: whether the nodes of a list are increasing, and below
+ * n. */
+bool ph_check_nu_waived_fit(const struct ph_sphere *sphere, size_t n);
+
+/* ph_check_nu_relative: a tension times the harmonic mean of the spacings of
+ * knots beside it. */
+static inline double ph_check_nu_relative(double nu, double hl, double hr) {
+  return nu * (2 / (1 / hl + 1 / hr));
+}
 
 /* ph_check_nu_fault_name: what is not kept, for messages. */
 const char *ph_check_nu_fault_name(enum ph_check_nu_fault fault);

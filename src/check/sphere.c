@@ -29,8 +29,9 @@
 #include <float.h>
 
 /* Tolerances.  Points on the sphere and at the data, in units of the rounding
- * of a point; the same for the directions and legs at the ends. */
-static const double ROUND_POINT = 8, ROUND_LENGTH = 32, ROUND_TENSION = 16;
+ * of a point; the same for the directions and legs at the ends.  A length is
+ * the sum of up to 80 intervals. */
+static const double ROUND_POINT = 8, ROUND_LENGTH = 96, ROUND_TENSION = 16;
 
 /* Relative: the solver leaves the rounding of a few operations. */
 static const double CONTINUITY = 1e-12, END = 1e-12, LENGTH = 1e-11;
@@ -70,9 +71,11 @@ struct context {
 
 struct checks {
   struct ph_check_error sphere, point, joint, end, jump, length, tension;
-  struct ph_sum tensions, lengths;
-  double curvature;             /* the largest at a node */
-  enum ph_check_nu_fault fault; /* the first */
+  struct ph_sum tensions, relative, lengths;
+  double tension_relative; /* the largest */
+  double curvature;        /* the largest at a node */
+  bool shape_ok;
+  enum ph_check_nu_fault fault; /* the first that was not waived */
   size_t fault_at;
 };
 
@@ -302,9 +305,15 @@ static bool is_given_tension(const struct context *c, size_t i) {
          fabs(nu - wanted) <= DBL_EPSILON * wanted;
 }
 
-static void add_fault(struct checks *checks, enum ph_check_nu_fault fault,
-                      size_t where) {
-  if (fault != PH_CHECK_NU_NO_FAULT && checks->fault == PH_CHECK_NU_NO_FAULT) {
+static void add_fault(const struct context *c, struct checks *checks,
+                      enum ph_check_nu_fault fault, size_t where) {
+  if (fault == PH_CHECK_NU_NO_FAULT) {
+    return;
+  }
+  checks->shape_ok = false;
+  if (checks->fault == PH_CHECK_NU_NO_FAULT &&
+      (c->problem->field[PH_F_SHAPE].kind == PH_BOOL ||
+       !ph_check_nu_is_waived(&c->curve->sphere, where))) {
     checks->fault = fault;
     checks->fault_at = where;
   }
@@ -312,7 +321,7 @@ static void add_fault(struct checks *checks, enum ph_check_nu_fault fault,
 
 static enum ph_status check_node(const struct context *c, const struct node *n,
                                  struct checks *checks, struct ph_diag *diag) {
-  double nu = c->curve->sphere.tensions[n->i];
+  double nu = c->curve->sphere.tensions[n->i], relative;
   struct ph_check_nu_node data = {.left = n->left,
                                   .right = n->right,
                                   .spacing = n->hr,
@@ -326,8 +335,12 @@ static enum ph_status check_node(const struct context *c, const struct node *n,
     check_nielson(c, n, nu, &checks->tension);
   }
   ph_sum_add(&checks->tensions, nu);
+  relative = ph_check_nu_relative(nu, n->hl, n->hr);
+  ph_sum_add(&checks->relative, relative);
+  checks->tension_relative =
+      ph_check_larger(checks->tension_relative, relative);
   ph_check_nu_node_turn(&data, c->rule.epsilon);
-  add_fault(checks, ph_check_nu_node_fault(&data, &c->rule), n->i);
+  add_fault(c, checks, ph_check_nu_node_fault(&data, &c->rule), n->i);
   if (!ph_check_nu_node_indicates(&data)) {
     return ph_fail_at(diag, PH_NO_CONVERGENCE, "indicators", n->i,
                       "is refused by its certificate: it is %d where the data "
@@ -356,7 +369,7 @@ static enum ph_status check_segment(const struct context *c,
     status = check_knots(c, h, k, diag);
   }
   check_length(c, s, k, checks);
-  add_fault(checks,
+  add_fault(c, checks,
             ph_check_nu_segment_fault(s, curve->sphere.indicators[k],
                                       curve->sphere.indicators[to]),
             k);
@@ -420,8 +433,7 @@ static enum ph_status check_shape(const struct context *c,
                                   const struct checks *checks,
                                   struct ph_diag *diag) {
   const struct ph_value *shape = &c->problem->field[PH_F_SHAPE];
-  if (checks->fault == PH_CHECK_NU_NO_FAULT || is_false(shape) ||
-      ph_value_is(shape, "warn")) {
+  if (checks->fault == PH_CHECK_NU_NO_FAULT || is_false(shape)) {
     return PH_OK;
   }
   return ph_fail_at(
@@ -453,9 +465,13 @@ static enum ph_status conclude(const struct context *c, struct checks *checks,
     status = check_shape(c, checks, diag);
   }
   ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK,
-                     checks->fault == PH_CHECK_NU_NO_FAULT);
+                     checks->shape_ok && c->curve->sphere.waived_n == 0);
   ph_diagnostics_set_finite(diagnostics, PH_D_TENSION_SUM,
                             ph_sum_value(&checks->tensions));
+  ph_diagnostics_set_finite(diagnostics, PH_D_TENSION_RELATIVE_SUM,
+                            ph_sum_value(&checks->relative));
+  ph_diagnostics_set_finite(diagnostics, PH_D_MAX_TENSION_RELATIVE,
+                            checks->tension_relative);
   ph_diagnostics_set_finite(diagnostics, PH_D_MAX_CURVATURE,
                             checks->curvature / c->curve->sphere.radius);
   return status;
@@ -554,7 +570,8 @@ enum ph_status ph_check_sphere(struct ph_check *v,
                           .joint = {.what = PH_D_CONTINUITY_ERROR},
                           .end = {.what = PH_D_END_DERIVATIVE_ERROR},
                           .jump = {.what = PH_D_CURVATURE_JUMP},
-                          .length = {.what = PH_D_LENGTH_ERROR}};
+                          .length = {.what = PH_D_LENGTH_ERROR},
+                          .shape_ok = true};
   enum ph_status status;
   if (!read_problem(&c)) {
     return ph_fail(diag, PH_INTERNAL, "segments",
@@ -567,6 +584,10 @@ enum ph_status ph_check_sphere(struct ph_check *v,
   if (!ph_are_finite(curve->sphere.tensions, curve->n + !curve->closed)) {
     return ph_fail(diag, PH_TOO_LARGE, "tensions",
                    "exceed the range of a double");
+  }
+  if (!ph_check_nu_waived_fit(&curve->sphere, curve->n)) {
+    return ph_fail(diag, PH_INTERNAL, "waived",
+                   "are not points in their order");
   }
   if (!set_scale(&c)) {
     return ph_fail(diag, PH_INTERNAL, "points", "have no extent");

@@ -176,8 +176,9 @@ static const double CALM = 1000;
 /* The widest interval at an end, in units of the r below. */
 static const double COARSE = 4;
 
-/* In units of the rounding of a point. */
-static const double ROUND_SUM = 4;
+/* In units of the rounding of a point; the sum of distances that is made of it,
+ * where halves would tell no more. */
+static const double ROUND_SUM = 4, NO_LENGTH = 8;
 
 struct interval {
   ph_vec3 s[POINTS];
@@ -336,7 +337,7 @@ static double extrapolated(const struct ph_check_nu_segment *s,
     *done = whole && k > 1 && fabs(length - claimed) <= allowed &&
             step <= NEAR * claimed && is_fine(s, v, stride);
   }
-  *done = *done || sum <= enough / 4 ||
+  *done = *done || sum <= enough / 4 || sum <= NO_LENGTH * s->rounding ||
           (!(step > enough) && !(before > CALM * enough) && is_fine(s, v, 1));
   return length;
 }

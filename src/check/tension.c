@@ -14,6 +14,7 @@
 #include "check/checks.h"
 
 #include "base/sum.h"
+#include "check/shape_sphere.h"
 #include "check/spherical.h"
 
 /* Roundings of a point in (2), whose angles add up. */
@@ -35,7 +36,10 @@ struct context {
   double curvature;  /* the largest at a node; 1/unit of the sphere */
   double curvature_error;
   struct ph_sum tensions;
-  double rounding; /* of a point of the unit sphere */
+  struct ph_sum relative;  /* by the spacing of knots, */
+  double tension_relative; /* the largest of these, */
+  double relative_error;   /* and what rounding of knots makes of the sum */
+  double rounding;         /* of a point of the unit sphere */
 };
 
 /* One side of a node. */
@@ -113,10 +117,14 @@ static void check_node(struct context *c, size_t node,
   double size = ph_check_larger(fabs(a.curvature), fabs(b.curvature));
   double error = a.curvature_error + b.curvature_error;
   double jump = fabs(a.curvature - b.curvature) / ph_check_larger(1, size);
-  double nu = c->v->curve->sphere.tensions[node];
+  double nu = c->v->curve->sphere.tensions[node], relative;
   check_exact(c, node, nu, &a, &b);
   check_nielson(c, node, nu, &a, &b);
   ph_sum_add(&c->tensions, nu);
+  relative = ph_check_nu_relative(nu, a.h, b.h);
+  ph_sum_add(&c->relative, relative);
+  c->tension_relative = ph_check_larger(c->tension_relative, relative);
+  c->relative_error += relative * c->v->knot * (1 / a.h + 1 / b.h);
   if (isfinite(error)) { /* it does not stand still */
     c->jump = ph_check_larger(c->jump, jump);
     c->jump_error = ph_check_larger(c->jump_error, error);
@@ -164,6 +172,28 @@ static void conclude(struct context *c) {
                c->curvature / radius, 2 * c->curvature_error / radius);
   check_number(v, PH_D_TENSION_SUM, ph_sum_value(&c->tensions),
                ph_sum_value(&c->tensions), 0);
+  check_number(v, PH_D_TENSION_RELATIVE_SUM, ph_sum_value(&c->relative),
+               ph_sum_value(&c->relative), c->relative_error);
+  check_number(v, PH_D_MAX_TENSION_RELATIVE, c->tension_relative,
+               c->tension_relative, c->relative_error);
+}
+
+/* The points where criteria were waived: where there are any, the shape is not
+ * kept. */
+static void check_waived(struct ph_check *v) {
+  const struct ph_sphere *sphere = &v->curve->sphere;
+  if (!ph_check_nu_waived_fit(sphere, v->curve->n)) {
+    ph_check_wrong(v, PH_CHECK_DIAGNOSTIC,
+                   ph_check_of("waived", PH_CHECK_ONE, NULL),
+                   "are not points in their order");
+  }
+  if (sphere->waived_n > 0 && ph_check_known(v, PH_D_SHAPE_OK) &&
+      v->diagnostics->value[PH_D_SHAPE_OK] > 0) {
+    ph_check_wrong(v, PH_CHECK_DIAGNOSTIC,
+                   ph_check_of("diagnostics", PH_CHECK_ONE,
+                               ph_diagnostic_name(PH_D_SHAPE_OK)),
+                   "is true, where there are waived points");
+  }
 }
 
 void ph_check_tensions(struct ph_check *v) {
@@ -184,4 +214,5 @@ void ph_check_tensions(struct ph_check *v) {
     check_node(&c, 0, &s[~n & 1], &first);
   }
   conclude(&c);
+  check_waived(v);
 }

@@ -69,12 +69,17 @@ struct ph_choice {
  *             unless it is closed
  * indicators  the sign of the turn of the data at the nodes, 0 where they are
  *             on a great circle (and at the ends of an open curve)
+ * waived      nodes, increasing, where the shape of the data is not kept: a
+ *             criterion of the node, or of the segment that begins there, was
+ *             gone on without
  */
 struct ph_sphere {
   double center[3];
   double radius; /* 0: the curve is on none */
   double *tensions;
   signed char *indicators;
+  size_t *waived; /* [waived_n] */
+  size_t waived_n;
 };
 
 /*
@@ -286,6 +291,10 @@ struct ph_offset {
   X(MAX_CURVATURE, "max_curvature", "number",                                  \
     "the largest size of the curvature")                                       \
   X(TENSION_SUM, "tension_sum", "number", "the sum of the tensions")           \
+  X(TENSION_RELATIVE_SUM, "tension_relative_sum", "number",                    \
+    "the sum of the tensions, each times the spacing around it")               \
+  X(MAX_TENSION_RELATIVE, "max_tension_relative", "number",                    \
+    "the largest of the tensions, each times the spacing around it")           \
   X(SHAPE_OK, "shape_ok", "flag",                                              \
     "whether the curve keeps the shape of its data")                           \
   X(REDUCED, "reduced", "number",                                              \

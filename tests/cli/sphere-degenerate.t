@@ -231,6 +231,31 @@ for model in exact nielson; do
   equal "tension 1e8, $model: tensions" \
     '[0,100000000,100000000,100000000,0]' "$(get tensions)"
 done
+# A turn by nearly pi takes a tension that is 4265 over the spacing: the curve is
+# the same at every step, and for a radius in metres.
+hook() {
+  awk -v h="$1" -v r="$2" 'BEGIN {
+    split("0 1 2e-4 -0.55 0.3 0.95 1.2 2.1", x, " ")
+    split("0 0 2.5e-4 0.83 1.35 2.1 3.07 2.6", y, " ")
+    printf "{\"radius\":%s,\"points\":[", r
+    for (i = 1; i <= 8; i++) {
+      a = sin(h * x[i]); b = sin(h * y[i]); c = (1 - a * a - b * b)^0.5
+      printf "%s[%.17g,%.17g,%.17g]", (i > 1 ? "," : ""), r * a, r * b, r * c
+    }
+    print "]}" }'
+}
+for step in 1e-3 1e-5 1e-7; do
+  for radius in 1 6371000; do
+    feed "$(hook "$step" "$radius")" sphere --strict
+    expect "steps of $step, radius $radius" 0
+    get diagnostics.tension_relative_sum |
+      holds "steps of $step, radius $radius: tension" \
+        '(x[1] - 4265.14) ^ 2 < 0.01 ^ 2'
+    get length | holds "steps of $step, radius $radius: length" \
+      "(x[1] / $step / $radius - 7.2149003) ^ 2 < 1e-6 ^ 2"
+  done
+done
+
 curve 'tensions of all sizes' "$some,\"tension\":[1,1e8,1e-8,5e-324,0]"
 equal 'tensions of all sizes: they are kept' '[1,100000000,1e-8,5e-324,0]' \
   "$(get tensions)"

@@ -214,13 +214,13 @@ done
 bad bad-type epsilon 'must be a number, found an array' '"epsilon":[1]'
 bad not-finite epsilon 'is 1e999, which overflows a double' '"epsilon":1e999'
 
-bad bad-value tension 'must be between 0 and 1e+08, found -1' '"tension":-1'
-bad bad-value tension 'must be between 0 and 1e+08, found 100000001' \
-  '"tension":100000001'
-bad bad-value 'tension[1]' 'must be between 0 and 1e+08, found -2' \
+bad bad-value tension 'must be between 0 and 1e+12, found -1' '"tension":-1'
+bad bad-value tension 'must be between 0 and 1e+12, found 1000000000001' \
+  '"tension":1000000000001'
+bad bad-value 'tension[1]' 'must be between 0 and 1e+12, found -2' \
   '"tension":[1,-2,3]'
-bad bad-value 'tension[2]' 'must be between 0 and 1e+08, found 1000000000' \
-  '"tension":[1,2,1e9]'
+bad bad-value 'tension[2]' 'must be between 0 and 1e+12, found 1000000000001' \
+  '"tension":[1,2,1000000000001]'
 bad bad-type tension 'must be a number or an array of numbers, found a string' \
   '"tension":"1"'
 for value in '[]' '[1,2]' '[1,2,3,4]'; do
@@ -320,13 +320,26 @@ done
 
 # ---- shapes that no tension has ----------------------------------------------
 
+strict='"shape":true'
 corner='"lonlat":[[0,0],[20,0],[40,0],[60,0],[60,20],[60,40],[60,60]]'
-bad infeasible 'lonlat[1]' 'no tension makes the criterion of co-circularity '\
-'hold here, a larger epsilon may; with "shape":"warn" it is done without' \
-  "{$corner,\"epsilon\":1e-10}"
-warned unsatisfiable shape-unsatisfiable '4 criteria of shape fail at any '\
-'tension, the first is co-circularity at node 1' '' \
+bad no-convergence 'lonlat[1]' 'the criterion of co-circularity asks for '\
+'tensions beyond precision here, a larger epsilon for less; with '\
+'"shape":"warn" it is done without' "{$corner,\"epsilon\":1e-10,$strict}"
+beyond='4 criteria of shape fail as they ask for tensions beyond precision, at '\
+'the nodes 1, 2, 4, 5; the first is co-circularity at node 1'
+warned unsatisfiable shape-unsatisfiable "$beyond" '' \
+  "{\"id\":\"u\",$corner,\"epsilon\":1e-10}"
+feed "{$corner,\"epsilon\":1e-10}" sphere
+equal 'the points where the shape is not kept' '[1,2,4,5]' "$(get waived)"
+warned unsatisfiable shape-unsatisfiable "$beyond" '' \
   "{\"id\":\"u\",$corner,\"epsilon\":1e-10,\"shape\":\"warn\"}"
+# Between the ends there is no tension that could make the way straight.
+straight='"lonlat":[[0,0],[20,0],[40,0]],"end_tangents":[[0,0,1],[0,0,-1]]'
+bad infeasible 'lonlat[1]' 'no tension makes the criterion of co-circularity '\
+'hold here; with "shape":"warn" it is done without' "{$straight,$strict}"
+warned unsatisfiable shape-unsatisfiable '1 criterion of shape fails at any '\
+'tension, at the nodes 1; the first is co-circularity at node 1' '' \
+  "{\"id\":\"u\",$straight}"
 feed "{$corner,\"epsilon\":1e-10,\"shape\":false}" sphere --strict
 expect 'a shape that is not asked for' 0
 equal 'a shape that is not asked for: it is told' false \
@@ -337,7 +350,7 @@ expect 'a shape that some tension has' 0
 # More steps than are taken, and fewer, but beyond the largest tension.
 bad no-convergence increase \
   'the shape was not reached by 10000 increases of tensions, try larger ones' \
-  "{$corner,\"increase\":\"plus:0.0009765625\"}"
+  "{$corner,$strict,\"increase\":\"plus:0.0009765625\"}"
 feed "{$corner,\"increase\":\"times:1e300\"}" sphere
 expect 'the largest tension is tried' 0
 

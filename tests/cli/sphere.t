@@ -30,7 +30,7 @@ equal 'a record: its members' '{id:number,command:string,status:string,'\
 'interpolation_error:number,end_derivative_error:number,'\
 'continuity_error:number,length_error:number,sphere_error:number,'\
 'curvature_jump:number,max_curvature:number,tension_sum:number,'\
-'shape_ok:bool}}' \
+'tension_relative_sum:number,max_tension_relative:number,shape_ok:bool}}' \
   "$(json shape <out)"
 equal 'a record: values' '"spherical-nu" 3 3 false' \
   "$(get curve) $(get dimension) $(get degree) $(get closed)"

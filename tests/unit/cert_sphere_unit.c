@@ -29,6 +29,7 @@ static void begin(struct unit_sphere *u, const struct unit_ball *sphere,
                                .lengths = u->lengths,
                                .sphere.tensions = u->tensions,
                                .sphere.indicators = u->indicators,
+                               .sphere.waived = u->waived,
                                .sphere.radius = sphere->radius};
   memcpy(u->curve.sphere.center, sphere->center, sizeof u->center);
   memcpy(u->center, sphere->center, sizeof u->center);
@@ -36,6 +37,7 @@ static void begin(struct unit_sphere *u, const struct unit_ball *sphere,
     unit_sphere_put(sphere, p[i], u->points + 3 * i);
   }
   for (size_t k = 0; k < m; k++) {
+    u->waived[k] = k;
     u->knots[k + 1] = u->knots[k] + ph_s2_angle(p[k], p[(k + 1) % n]);
     unit_sphere_put(sphere, p[k], u->control_points + 12 * k);
     unit_sphere_put(sphere, p[(k + 1) % n], u->control_points + 12 * k + 9);
@@ -59,6 +61,7 @@ void unit_cert_sphere_of(struct unit_sphere *u, const struct unit_spline *s,
     p[i] = ph_vec3_get(s->points + 3 * i, 3);
   }
   begin(u, sphere, s->closed, s->n, p);
+  u->curve.sphere.waived_n = s->shape ? 0 : u->curve.n;
   unit_set_word(&u->problem, PH_F_MODEL, s->nielson ? "nielson" : "exact");
   if (!s->closed) {
     unit_set_word(&u->problem, PH_F_ENDS, s->rest ? "rest" : "natural");

@@ -164,6 +164,7 @@ struct unit_sphere {
   double tensions[UNIT_SPHERE_MAX], given_tensions[UNIT_SPHERE_MAX],
       end_tangents[6];
   signed char indicators[UNIT_SPHERE_MAX];
+  size_t waived[UNIT_SPHERE_MAX];
 };
 
 /* Where the sphere is. */
@@ -174,7 +175,8 @@ struct unit_ball {
 /* unit_sphere_put: a point of the unit sphere, on this one.  out  v[3] */
 void unit_sphere_put(const struct unit_ball *sphere, ph_vec3 p, double *v);
 
-/* unit_cert_sphere_of: a spline of the table, with shape=warn. */
+/* unit_cert_sphere_of: a spline of the table, with shape=warn; all of its nodes
+ * are waived where it does not keep the shape. */
 void unit_cert_sphere_of(struct unit_sphere *u, const struct unit_spline *s,
                          const struct unit_ball *sphere);
 

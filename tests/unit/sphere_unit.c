@@ -47,9 +47,7 @@ void unit_sphere_free(struct unit_sphere *u) {
 }
 
 struct ph_spherical unit_sphere_segment(const struct unit_sphere *u, size_t k) {
-  struct ph_spherical s = {{u->data.p[k], u->spline.r[k], u->spline.l[k],
-                            u->data.p[ph_sphere_next(&u->data, k)]}};
-  return s;
+  return ph_sphere_segment(&u->spline, k);
 }
 
 double unit_sphere_apart(const struct unit_sphere *a,

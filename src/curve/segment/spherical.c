@@ -369,16 +369,16 @@ INLINE size_t terms_for(double e) {
   return e < 0x1p-17 ? 5 : e < 0x1p-11 ? 7 : e < NEAR ? TERMS : 0;
 }
 
-void ph_spherical_net_of(const struct ph_spherical *s,
-                         struct ph_spherical_net *net) {
+/* at: control points as displacements from the first. */
+static void make_net(const struct ph_spherical_legs *s, const ph_vec3 at[4],
+                     struct ph_spherical_net *net) {
   double e = 0;
-  net->base = s->p[0];
+  net->base = s->s.p[0];
   for (size_t k = 0; k < 3; k++) {
     struct ph_spherical_arc *arc = &net->arc[k];
-    ph_vec3 u = s->p[k], w = s->p[k + 1];
-    arc->mu = half_sum(ph_vec3_sub(u, net->base), ph_vec3_sub(w, net->base));
-    arc->m = half_sum(u, w);
-    arc->d = half_difference(u, w);
+    arc->mu = half_sum(at[k], at[k + 1]);
+    arc->m = half_sum(s->s.p[k], s->s.p[k + 1]);
+    arc->d = ph_vec3_scale(0.5, s->leg[k]);
     arc->e = ph_vec3_dot(arc->d, arc->d);
     e = e < arc->e ? arc->e : e;
   }
@@ -391,6 +391,25 @@ void ph_spherical_net_of(const struct ph_spherical *s,
       far_arc(&net->arc[k]);
     }
   }
+}
+
+void ph_spherical_net_of(const struct ph_spherical *s,
+                         struct ph_spherical_net *net) {
+  struct ph_spherical_legs legs = ph_spherical_legs_of(s);
+  ph_vec3 at[4];
+  for (size_t k = 0; k < 4; k++) {
+    at[k] = ph_vec3_sub(s->p[k], s->p[0]);
+  }
+  make_net(&legs, at, net);
+}
+
+static void legs_net(const struct ph_spherical_legs *s,
+                     struct ph_spherical_net *net) {
+  ph_vec3 at[4] = {{0, 0, 0}};
+  for (size_t k = 0; k < 3; k++) {
+    at[k + 1] = ph_vec3_add(at[k], s->leg[k]);
+  }
+  make_net(s, at, net);
 }
 
 /* The curve and its derivatives at t, by three steps, two, and one. */
@@ -439,40 +458,81 @@ void ph_spherical_jet(const struct ph_spherical *s, double t, ph_vec3 jet[4]) {
   jet[3] = z.d[3];
 }
 
+static void numerator(const struct ph_spherical_net *net, double t,
+                      double k[2]) {
+  struct jet z;
+  ph_vec3 side;
+  net_jet(net, t, 3, &z);
+  side = ph_vec3_cross(ph_vec3_add(net->base, z.d[0]), z.d[1]);
+  k[0] = ph_vec3_dot(side, z.d[2]);
+  k[1] = ph_vec3_dot(side, z.d[3]);
+}
+
 void ph_spherical_numerator(const struct ph_spherical *s, double t,
                             double k[2]) {
-  ph_vec3 jet[4], side;
-  ph_spherical_jet(s, t, jet);
-  side = ph_vec3_cross(jet[0], jet[1]);
-  k[0] = ph_vec3_dot(side, jet[2]);
-  k[1] = ph_vec3_dot(side, jet[3]);
+  struct ph_spherical_net net;
+  ph_spherical_net_of(s, &net);
+  numerator(&net, t, k);
 }
 
-/* K at p, the first of three control points, and the angle to the second. */
-static double start(ph_vec3 p, ph_vec3 q, ph_vec3 r, double *angle) {
-  double theta = ph_s2_angle(p, q), omega = ph_s2_angle(q, r);
+void ph_spherical_legs_numerator(const struct ph_spherical_legs *s, double t,
+                                 double k[2]) {
+  struct ph_spherical_net net;
+  legs_net(s, &net);
+  numerator(&net, t, k);
+}
+
+/* The angle of a chord of the unit sphere from p. */
+static double angle_of(ph_vec3 p, ph_vec3 chord) {
+  ph_vec3 sum = ph_vec3_along(chord, 2, p);
+  return 2 * atan2(ph_vec3_abs(chord), ph_vec3_abs(sum));
+}
+
+/* K at p, where the legs a and then b begin, and the angle of a. */
+static double start(ph_vec3 p, ph_vec3 a, ph_vec3 b, double *angle) {
+  double theta = angle_of(p, a), omega = angle_of(ph_vec3_add(p, a), b);
   double f = ph_s2_f0(theta * theta);
   *angle = theta;
-  return 18 * ph_vec3_triple(p, ph_vec3_sub(q, p), ph_vec3_sub(r, q)) /
-         (f * f * ph_s2_f0(omega * omega));
+  return 18 * ph_vec3_triple(p, a, b) / (f * f * ph_s2_f0(omega * omega));
 }
 
-double ph_spherical_numerator_start(const struct ph_spherical *s) {
+static double first(const struct ph_spherical_legs *s, double *angle) {
+  return start(s->s.p[0], s->leg[0], s->leg[1], angle);
+}
+
+static double last(const struct ph_spherical_legs *s, double *angle) {
+  return -start(s->s.p[3], ph_vec3_scale(-1, s->leg[2]),
+                ph_vec3_scale(-1, s->leg[1]), angle);
+}
+
+double ph_spherical_legs_numerator_start(const struct ph_spherical_legs *s) {
   double theta;
-  return start(s->p[0], s->p[1], s->p[2], &theta);
+  return first(s, &theta);
 }
 
-double ph_spherical_numerator_end(const struct ph_spherical *s) {
+double ph_spherical_legs_numerator_end(const struct ph_spherical_legs *s) {
   double theta;
-  return -start(s->p[3], s->p[2], s->p[1], &theta);
+  return last(s, &theta);
 }
 
-double ph_spherical_curvature_start(const struct ph_spherical *s) {
-  double theta, k = start(s->p[0], s->p[1], s->p[2], &theta);
+double ph_spherical_legs_curvature_start(const struct ph_spherical_legs *s) {
+  double theta, k = first(s, &theta);
   return k / (27 * theta * theta * theta);
 }
 
-double ph_spherical_curvature_end(const struct ph_spherical *s) {
-  double theta, k = start(s->p[3], s->p[2], s->p[1], &theta);
-  return -k / (27 * theta * theta * theta);
+double ph_spherical_legs_curvature_end(const struct ph_spherical_legs *s) {
+  double theta, k = last(s, &theta);
+  return k / (27 * theta * theta * theta);
 }
+
+/* The same by points. */
+#define BY_POINTS(what)                                      \
+  double ph_spherical_##what(const struct ph_spherical *s) { \
+    struct ph_spherical_legs legs = ph_spherical_legs_of(s); \
+    return ph_spherical_legs_##what(&legs);                  \
+  }
+BY_POINTS(numerator_start)
+BY_POINTS(numerator_end)
+BY_POINTS(curvature_start)
+BY_POINTS(curvature_end)
+#undef BY_POINTS

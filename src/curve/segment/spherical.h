@@ -21,6 +21,23 @@ struct ph_spherical {
   ph_vec3 p[4];
 };
 
+/* A segment with the differences of its control points, for when more is known
+ * of them than their rounding leaves. */
+struct ph_spherical_legs {
+  struct ph_spherical s;
+  ph_vec3 leg[3];
+};
+
+/* ph_spherical_legs_of: the differences as they are. */
+static inline struct ph_spherical_legs
+ph_spherical_legs_of(const struct ph_spherical *s) {
+  struct ph_spherical_legs legs = {.s = *s};
+  for (int i = 0; i < 3; i++) {
+    legs.leg[i] = ph_vec3_sub(s->p[i + 1], s->p[i]);
+  }
+  return legs;
+}
+
 /* ph_spherical_of: segment k of a PH_CURVE_SPHERICAL_NU curve, brought to the
  * unit sphere. */
 struct ph_spherical ph_spherical_of(const struct ph_curve *curve, size_t k);
@@ -34,6 +51,10 @@ void ph_spherical_jet(const struct ph_spherical *s, double t, ph_vec3 jet[4]);
 void ph_spherical_numerator(const struct ph_spherical *s, double t,
                             double k[2]);
 
+/* ph_spherical_legs_numerator: the same by legs. */
+void ph_spherical_legs_numerator(const struct ph_spherical_legs *s, double t,
+                                 double k[2]);
+
 /* ph_spherical_numerator_start: K at t = 0, in closed form: with the angles th
  * from p0 to p1 and om from p1 to p2, and f_0 of s2.h,
  *   K = 18 [p0, p1, p2] / (f_0(th^2)^2 f_0(om^2));
@@ -41,10 +62,15 @@ void ph_spherical_numerator(const struct ph_spherical *s, double t,
 double ph_spherical_numerator_start(const struct ph_spherical *s);
 double ph_spherical_numerator_end(const struct ph_spherical *s);
 
+double ph_spherical_legs_numerator_start(const struct ph_spherical_legs *s);
+double ph_spherical_legs_numerator_end(const struct ph_spherical_legs *s);
+
 /* kappa_g at t = 0 and t = 1 in closed form, K / (27 th^3); not
  * finite where p1 = p0 or p2 = p3. */
 double ph_spherical_curvature_start(const struct ph_spherical *s);
 double ph_spherical_curvature_end(const struct ph_spherical *s);
+double ph_spherical_legs_curvature_start(const struct ph_spherical_legs *s);
+double ph_spherical_legs_curvature_end(const struct ph_spherical_legs *s);
 
 /*
  * ph_spherical_length: the arc length, to 1e-13 relative, also where control

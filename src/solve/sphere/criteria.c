@@ -32,7 +32,8 @@
  * and that of a spherical one, with a, b, c the chords and . P_0, P_1 + P_2 and
  * P_3 in the place of "x" alone, differs from it by at most
  *   C |B| (|a| + |b| + |c|)^2,   |B| the largest of the three,           (4)
- * C = 1/3 in the limit of short segments.  This was found by experiment, not
+ * C = 1/3 in the limit of short segments: it is positive where B_0, B_2 and
+ * B_1 + sqrt(B_0 B_2) are by more than that.  This was found by experiment, not
  * proved; t_sphere_criteria.c repeats it with C = 1/2, up to a sum of 1.  B_0
  * and B_2 have the exact signs of K(0) and K(1).
  *
@@ -136,34 +137,38 @@ bool ph_sphere_shape_of(const struct ph_sphere_data *data, double epsilon,
 /* ---- nodes --------------------------------------------------------------- */
 
 static bool is_straight(const struct ph_sphere_shape *shape,
-                        const struct ph_spherical *left,
-                        const struct ph_spherical *right, size_t i) {
+                        const struct ph_spherical_legs *left,
+                        const struct ph_spherical_legs *right, size_t i) {
   const struct ph_sphere_data *d = shape->data;
   if (shape->legacy) {
-    double h = d->h[i], k = ph_spherical_numerator_start(right) / (h * h * h);
+    double h = d->h[i],
+           k = ph_spherical_legs_numerator_start(right) / (h * h * h);
     return fabs(k) * d->theta[0] * d->theta[0] <= shape->epsilon;
   }
-  return fabs(ph_spherical_curvature_end(left)) < shape->epsilon &&
-         fabs(ph_spherical_curvature_start(right)) < shape->epsilon;
+  return fabs(ph_spherical_legs_curvature_end(left)) < shape->epsilon &&
+         fabs(ph_spherical_legs_curvature_start(right)) < shape->epsilon;
 }
 
+/* By the signs of B_0 after the node and B_2 before it, of (3). */
 static bool is_convex(const struct ph_sphere_shape *shape,
-                      const struct ph_spherical *left,
-                      const struct ph_spherical *right, size_t i) {
+                      const struct ph_spherical_legs *left,
+                      const struct ph_spherical_legs *right, size_t i) {
   double q = shape->q[i];
-  return ph_spherical_numerator_start(right) * q >= 0 &&
-         (shape->legacy || ph_spherical_numerator_end(left) * q >= 0);
+  ph_vec3 p = right->s.p[0];
+  return ph_vec3_triple(p, right->leg[0], right->leg[1]) * q >= 0 &&
+         (shape->legacy ||
+          ph_vec3_triple(p, left->leg[1], left->leg[2]) * q >= 0);
 }
 
 enum ph_sphere_criterion
 ph_sphere_node_fails(const struct ph_sphere_shape *shape,
                      const struct ph_sphere_spline *s, size_t i) {
-  struct ph_spherical left, right;
+  struct ph_spherical_legs left, right;
   if (!shape->inorder[i] && shape->q[i] == 0) {
     return PH_SPHERE_FINE;
   }
-  left = ph_sphere_segment(s, ph_sphere_before(s->data, i));
-  right = ph_sphere_segment(s, i);
+  left = ph_sphere_legs(s, ph_sphere_before(s->data, i));
+  right = ph_sphere_legs(s, i);
   if (shape->inorder[i]) {
     return is_straight(shape, &left, &right, i) ? PH_SPHERE_FINE
                                                 : PH_SPHERE_COCIRCULARITY;
@@ -175,22 +180,34 @@ ph_sphere_node_fails(const struct ph_sphere_shape *shape,
 
 enum verdict { UNKNOWN, YES, NO };
 
-/* (3) and (4); sign is 1 or -1. */
-static enum verdict by_plane(const struct ph_spherical *s, double sign) {
-  ph_vec3 a = ph_vec3_sub(s->p[1], s->p[0]);
-  ph_vec3 b = ph_vec3_sub(s->p[2], s->p[1]);
-  ph_vec3 c = ph_vec3_sub(s->p[3], s->p[2]);
-  double sum = ph_vec3_abs(a) + ph_vec3_abs(b) + ph_vec3_abs(c);
-  double b0 = 18 * sign * ph_vec3_triple(s->p[0], a, b);
-  double b2 = 18 * sign * ph_vec3_triple(s->p[3], b, c);
-  ph_vec3 middle = ph_vec3_unit(ph_vec3_add(s->p[1], s->p[2]));
-  double b1 = 9 * sign * ph_vec3_triple(middle, a, c);
-  double least = fmin(fmin(b0, b1), b2);
-  if (!(b0 > 0 && b2 > 0)) {
+/* (3), times the sign, with the error (4), of a segment of so long legs. */
+struct plane {
+  double b[3], error, sum;
+};
+
+static struct plane plane_of(const struct ph_spherical_legs *s, double sign) {
+  struct plane plane = {.sum = 0};
+  ph_vec3 middle = ph_vec3_unit(ph_vec3_add(s->s.p[1], s->s.p[2]));
+  double most;
+  for (int i = 0; i < 3; i++) {
+    plane.sum += ph_vec3_abs(s->leg[i]);
+  }
+  plane.b[0] = 18 * sign * ph_vec3_triple(s->s.p[0], s->leg[0], s->leg[1]);
+  plane.b[1] = 9 * sign * ph_vec3_triple(middle, s->leg[0], s->leg[2]);
+  plane.b[2] = 18 * sign * ph_vec3_triple(s->s.p[3], s->leg[1], s->leg[2]);
+  most = fmax(fmax(fabs(plane.b[0]), fabs(plane.b[2])), fabs(plane.b[1]));
+  plane.error = FROM_PLANE * plane.sum * plane.sum * most;
+  return plane;
+}
+
+static enum verdict by_plane(const struct ph_spherical_legs *s, double sign) {
+  struct plane plane = plane_of(s, sign);
+  const double *b = plane.b, e = plane.error;
+  if (!(b[0] > 0 && b[2] > 0)) {
     return NO;
   }
-  return sum <= GENTLE &&
-                 least > FROM_PLANE * sum * sum * fmax(fmax(b0, b1), b2)
+  return plane.sum <= GENTLE && b[0] > e && b[2] > e &&
+                 b[1] - e > -sqrt((b[0] - e) * (b[2] - e))
              ? YES
              : UNKNOWN;
 }
@@ -200,10 +217,10 @@ struct knot {
   double t, k[2];
 };
 
-static struct knot knot_at(const struct ph_spherical *s, double sign,
+static struct knot knot_at(const struct ph_spherical_legs *s, double sign,
                            double t) {
   struct knot at = {t, {0, 0}};
-  ph_spherical_numerator(s, t, at.k);
+  ph_spherical_legs_numerator(s, t, at.k);
   at.k[0] *= sign;
   at.k[1] *= sign;
   return at;
@@ -221,8 +238,8 @@ static bool is_positive(const struct knot *a, const struct knot *m,
 
 /* The piece from a to b, by halving from the left: the ends on the right that
  * are yet to come are a stack, end[0] = b. */
-static bool piece_holds(const struct ph_spherical *s, double sign, double tiny,
-                        struct knot a, struct knot b) {
+static bool piece_holds(const struct ph_spherical_legs *s, double sign,
+                        double tiny, struct knot a, struct knot b) {
   struct knot end[DEPTH + 1];
   unsigned halved[DEPTH + 1]; /* how often, to come to end[n - 1] */
   size_t n = 1;
@@ -245,7 +262,7 @@ static bool piece_holds(const struct ph_spherical *s, double sign, double tiny,
   return true;
 }
 
-static bool by_pieces(const struct ph_spherical *s, double sign) {
+static bool by_pieces(const struct ph_spherical_legs *s, double sign) {
   struct knot knot[PIECES + 1];
   double most = 0;
   for (size_t j = 0; j <= PIECES; j++) {
@@ -273,11 +290,11 @@ ph_sphere_segment_fails(const struct ph_sphere_shape *shape,
                         const struct ph_sphere_spline *s, size_t k) {
   double sign = shape->q[k];
   enum verdict verdict;
-  struct ph_spherical c;
+  struct ph_spherical_legs c;
   if (shape->q[k] * shape->q[ph_sphere_next(s->data, k)] <= 0) {
     return PH_SPHERE_FINE;
   }
-  c = ph_sphere_segment(s, k);
+  c = ph_sphere_legs(s, k);
   verdict = by_plane(&c, sign);
   if (verdict == UNKNOWN) {
     verdict = by_pieces(&c, sign) ? YES : NO;
@@ -351,6 +368,11 @@ static const double MARGIN_EPSILON = 2e-3;
 static const double MARGIN_TURN = 1e-4;
 static const double MARGIN_SEGMENT = 1e-5;
 
+/* Legs that sum to no more than this have (4) so small that (3) tells what
+ * samples do: K > 0 with B_0 > 0, B_2 > 0 and B_1 > -sqrt(B_0 B_2). */
+static const double SHORT = 0.03;
+enum { PLANE = 3 };
+
 /* The sine of the turn from one vector to another at p; |.|: its size. */
 static double turn_of(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
   return ph_vec3_triple(p, a, b) / (ph_vec3_abs(a) * ph_vec3_abs(b));
@@ -363,16 +385,14 @@ static size_t measure_convexity(const struct ph_sphere_shape *shape,
                                 double *g) {
   const struct ph_sphere_data *d = s->data;
   size_t k = ph_sphere_before(d, i), n = 0;
+  struct ph_spherical_legs left = ph_sphere_legs(s, k);
+  struct ph_spherical_legs right = ph_sphere_legs(s, i);
   ph_vec3 p = d->p[i], before = ph_vec3_sub(p, d->p[k]);
   ph_vec3 after = ph_vec3_sub(d->p[ph_sphere_next(d, i)], p);
   double least = MARGIN_TURN * fabs(turn_of(p, before, after)), q = shape->q[i];
-  g[n++] =
-      q * turn_of(p, ph_vec3_sub(s->r[i], p), ph_vec3_sub(s->l[i], s->r[i])) -
-      least;
+  g[n++] = q * turn_of(p, right.leg[0], right.leg[1]) - least;
   if (!shape->legacy) {
-    g[n++] =
-        q * turn_of(p, ph_vec3_sub(s->l[k], s->r[k]), ph_vec3_sub(p, s->l[k])) -
-        least;
+    g[n++] = q * turn_of(p, left.leg[1], left.leg[2]) - least;
   }
   return n;
 }
@@ -383,20 +403,20 @@ size_t ph_sphere_measure_node(const struct ph_sphere_shape *shape,
   const struct ph_sphere_data *d = s->data;
   double left, right, h = d->h[i],
                       bound = (1 - MARGIN_EPSILON) * shape->epsilon;
-  struct ph_spherical before, after;
+  struct ph_spherical_legs before, after;
   size_t n = 0;
   if (!shape->inorder[i]) {
     return shape->q[i] == 0 ? 0 : measure_convexity(shape, s, i, g);
   }
-  before = ph_sphere_segment(s, ph_sphere_before(d, i));
-  after = ph_sphere_segment(s, i);
+  before = ph_sphere_legs(s, ph_sphere_before(d, i));
+  after = ph_sphere_legs(s, i);
   if (shape->legacy) {
-    right = ph_spherical_numerator_start(&after) / (h * h * h) * d->theta[0] *
-            d->theta[0];
+    right = ph_spherical_legs_numerator_start(&after) / (h * h * h) *
+            d->theta[0] * d->theta[0];
     left = right;
   } else {
-    right = ph_spherical_curvature_start(&after);
-    left = ph_spherical_curvature_end(&before);
+    right = ph_spherical_legs_curvature_start(&after);
+    left = ph_spherical_legs_curvature_end(&before);
   }
   g[n++] = bound - left;
   g[n++] = bound + left;
@@ -408,16 +428,25 @@ size_t ph_sphere_measure_node(const struct ph_sphere_shape *shape,
 size_t ph_sphere_measure_segment(const struct ph_sphere_shape *shape,
                                  const struct ph_sphere_spline *s, size_t k,
                                  double *g) {
-  struct ph_spherical segment;
+  struct ph_spherical_legs segment;
+  struct plane plane;
   double most = 0;
   if (shape->q[k] * shape->q[ph_sphere_next(s->data, k)] <= 0) {
     return 0;
   }
-  segment = ph_sphere_segment(s, k);
+  segment = ph_sphere_legs(s, k);
+  plane = plane_of(&segment, shape->q[k]);
+  if (plane.sum <= SHORT) {
+    most = plane.error + MARGIN_SEGMENT * fmax(plane.b[0], plane.b[2]);
+    g[0] = plane.b[0] - most;
+    g[1] = plane.b[2] - most;
+    g[2] = plane.b[1] + sqrt(fmax(plane.b[0], 0) * fmax(plane.b[2], 0)) - most;
+    return PLANE;
+  }
   for (size_t j = 0; j < PH_SPHERE_SAMPLES; j++) {
     double numerator[2];
-    ph_spherical_numerator(&segment, (double)j / (PH_SPHERE_SAMPLES - 1),
-                           numerator);
+    ph_spherical_legs_numerator(&segment, (double)j / (PH_SPHERE_SAMPLES - 1),
+                                numerator);
     g[j] = shape->q[k] * numerator[0];
     most = fmax(most, g[j]);
   }

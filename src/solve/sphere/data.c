@@ -26,7 +26,7 @@ static const double COINCIDENT = 1e-8, OPPOSITE = 1e-6;
  * with six is moved by 1e-7 or more. */
 static const double MOVED = 1e-12;
 
-static const double TOLERANCE = 1e-3, NU_MAX = 1e8;
+static const double TOLERANCE = 1e-3, NU_MAX = 1e12;
 
 /* The smallest radius: curvatures are in range. */
 static const double RADIUS_MIN = 1e-300;

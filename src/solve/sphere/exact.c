@@ -263,6 +263,13 @@ static void derive(const struct end e[2], const struct acceleration a6[2],
   }
 }
 
+/* From P to the middle of the great circle from P to P + d. */
+static ph_vec3 half_way(ph_vec3 p, ph_vec3 d) {
+  double y = ph_vec3_dot(d, d) / 4, cosine = sqrt(1 - y);
+  return ph_vec3_along(ph_vec3_scale(0.5 / cosine, d),
+                       y / (cosine * (1 + cosine)), p);
+}
+
 static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
                     struct ph_sphere_part *part) {
   const struct ph_sphere_data *d = s->data;
@@ -278,18 +285,20 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
     e[w] = end_of(s, node[w], natural[w] ? 0 : scale[w]);
   }
   span = span_of(&e[0], &e[1]);
-  s->r[k] = ph_vec3_add(e[0].p, e[0].q);
-  s->l[k] = ph_vec3_add(e[1].p, e[1].q);
+  s->r[k] = e[0].q;
+  s->l[k] = e[1].q;
   if (natural[0] && natural[1]) {
     /* both on one great circle, however well the data tell which */
     ph_vec3 v = ph_vec3_normal(ph_s2_log(e[0].p, e[1].p), e[0].p);
     v = ph_vec3_scale(d->theta[k] / ph_vec3_abs(v), v);
-    s->r[k] = ph_vec3_unit(ph_s2_exp(e[0].p, ph_vec3_scale(1 / 3.0, v)));
-    s->l[k] = ph_vec3_unit(ph_s2_exp(e[0].p, ph_vec3_scale(2 / 3.0, v)));
+    ph_vec3 r = ph_vec3_unit(ph_s2_exp(e[0].p, ph_vec3_scale(1 / 3.0, v)));
+    ph_vec3 l = ph_vec3_unit(ph_s2_exp(e[0].p, ph_vec3_scale(2 / 3.0, v)));
+    s->r[k] = ph_vec3_sub(r, e[0].p);
+    s->l[k] = ph_vec3_sub(l, e[1].p);
   } else if (natural[0]) {
-    s->r[k] = ph_vec3_unit(ph_vec3_add(e[0].p, s->l[k]));
+    s->r[k] = half_way(e[0].p, span.d);
   } else if (natural[1]) {
-    s->l[k] = ph_vec3_unit(ph_vec3_add(e[1].p, s->r[k]));
+    s->l[k] = half_way(e[1].p, ph_vec3_scale(-1, span.d));
   }
   for (int w = 0; w < 2; w++) {
     a6[w] = acceleration_of(&e[w], &span, w == 0 ? 1 : -1,

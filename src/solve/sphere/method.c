@@ -19,6 +19,9 @@
 /* Less than this of curvature cannot be told from rounding. */
 static const double EPSILON_MIN = 1e-11;
 
+/* Nodes that a warning lists. */
+enum { LIST_MAX = 8 };
+
 /* A problem on its way. */
 struct task {
   const struct ph_problem *problem;
@@ -62,7 +65,7 @@ static enum ph_status read_shape(struct task *t) {
   double bound =
       epsilon->kind == PH_ABSENT ? PH_SPHERE_EPSILON : epsilon->number;
   t->keep_shape = shape->kind != PH_BOOL || shape->flag;
-  t->raise.waive = ph_value_is(shape, "warn");
+  t->raise.waive = shape->kind != PH_BOOL;
   if (!(bound >= EPSILON_MIN)) {
     return ph_fail(t->diag, PH_BAD_VALUE, "epsilon",
                    "must be at least %g, found %.17g", EPSILON_MIN, bound);
@@ -111,15 +114,22 @@ static enum ph_status fail_shape(const struct task *t, enum ph_status status) {
   switch (status) {
   case PH_INFEASIBLE:
     return ph_fail_at(t->diag, status, field, raise->at,
-                      "no tension makes the criterion of %s hold here%s; with "
+                      "no tension makes the criterion of %s hold here; with "
                       "\"shape\":\"warn\" it is done without",
-                      ph_sphere_criterion_name(raise->criterion),
-                      raise->criterion == PH_SPHERE_COCIRCULARITY
-                          ? ", a larger epsilon may"
-                          : "");
+                      ph_sphere_criterion_name(raise->criterion));
   case PH_NO_MEMORY:
     return ph_fail_memory(t->diag);
   default:
+    if (raise->beyond) {
+      return ph_fail_at(t->diag, status, field, raise->at,
+                        "the criterion of %s asks for tensions beyond "
+                        "precision here%s; with \"shape\":\"warn\" it is done "
+                        "without",
+                        ph_sphere_criterion_name(raise->criterion),
+                        raise->criterion == PH_SPHERE_COCIRCULARITY
+                            ? ", a larger epsilon for less"
+                            : "");
+    }
     if (raise->rounds == PH_SPHERE_ROUNDS_MAX) {
       return ph_fail(t->diag, status, "increase",
                      "the shape was not reached by %zu increases of tensions, "
@@ -174,25 +184,55 @@ static void warn_reversal(const struct task *t, struct ph_result *result) {
   }
 }
 
-static void warn(const struct task *t, struct ph_result *result) {
+/* The first few points where a criterion was waived, ", ..." if there are more,
+ * made as a message is. */
+static void list_waived(const struct ph_sphere_raise *raise, size_t n,
+                        struct ph_diag *list) {
+  size_t shown = 0;
+  ph_fail(list, PH_OK, NULL, "%s", "");
+  for (size_t i = 0; i < n && shown <= LIST_MAX; i++) {
+    if (raise->ignored[i]) {
+      struct ph_diag before = *list;
+      if (shown++ < LIST_MAX) {
+        ph_fail(list, PH_OK, NULL, "%s%s %zu", before.message,
+                shown > 1 ? "," : "", i);
+      } else {
+        ph_fail(list, PH_OK, NULL, "%s, ...", before.message);
+      }
+    }
+  }
+}
+
+/* What the criteria that fail have in common. */
+static const char *why_waived(const struct ph_sphere_raise *raise) {
+  return raise->rounds == PH_SPHERE_ROUNDS_MAX ? "after all increases"
+         : raise->never == raise->waived       ? "at any tension"
+         : raise->never == 0 ? "as they ask for tensions beyond precision"
+                             : "at any tension within precision";
+}
+
+static void warn_waived(const struct task *t, struct ph_result *result) {
   const struct ph_sphere_raise *raise = &t->raise;
+  struct ph_diag list;
+  list_waived(raise, t->data.n, &list);
+  ph_warn(
+      result, raise->criterion == PH_SPHERE_SEGMENT ? raise->at : PH_NO_SEGMENT,
+      PH_SHAPE_UNSATISFIABLE,
+      "%zu %s of shape %s %s, at the nodes%s; the first is %s at %s %zu",
+      raise->waived, raise->waived == 1 ? "criterion" : "criteria",
+      raise->waived == 1 ? "fails" : "fail", why_waived(raise), list.message,
+      ph_sphere_criterion_name(raise->criterion), place_of(raise), raise->at);
+}
+
+static void warn(const struct task *t, struct ph_result *result) {
   if (t->data.tell_moved) {
     ph_warn(result, PH_NO_SEGMENT, PH_MOVED_POINTS,
             "points are not on the sphere and were moved onto it, "
             "points[%zu] farthest, by %.2g of the radius",
             t->data.moved_at, t->data.moved);
   }
-  if (t->keep_shape && raise->waived > 0) {
-    ph_warn(result,
-            raise->criterion == PH_SPHERE_SEGMENT ? raise->at : PH_NO_SEGMENT,
-            PH_SHAPE_UNSATISFIABLE,
-            "%zu %s of shape %s %s, the first is %s at %s %zu", raise->waived,
-            raise->waived == 1 ? "criterion" : "criteria",
-            raise->waived == 1 ? "fails" : "fail",
-            raise->rounds == PH_SPHERE_ROUNDS_MAX ? "after all increases"
-                                                  : "at any tension",
-            ph_sphere_criterion_name(raise->criterion), place_of(raise),
-            raise->at);
+  if (t->keep_shape && t->raise.waived > 0) {
+    warn_waived(t, result);
   }
 }
 
@@ -206,7 +246,9 @@ static enum ph_status solve(const struct ph_problem *problem,
     status = find(&t);
   }
   if (status == PH_OK) {
-    status = ph_sphere_curve(&t.spline, &t.shape, out, &result->curve, diag);
+    status = ph_sphere_curve(&t.spline, &t.shape,
+                             t.raise.waived > 0 ? t.raise.ignored : NULL, out,
+                             &result->curve, diag);
   }
   if (status == PH_OK) {
     ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS,
@@ -246,9 +288,9 @@ static const struct ph_field fields[] = {
      "directions of the curve at its first and its last point"},
     {PH_F_TENSION, PH_NUMBER | PH_NUMBERS | PH_DATUM, 0, false, NULL, "0",
      "least tensions, one for all points or one each"},
-    {PH_F_SHAPE, PH_BOOL | PH_WORD, 0, false, "warn", "true",
-     "raise tensions until the curve keeps the shape of the data; warn: only "
-     "warn where none does"},
+    {PH_F_SHAPE, PH_BOOL | PH_WORD, 0, false, "warn", "warn",
+     "raise tensions until the curve keeps the shape of the data; true: fail "
+     "where none does, warn: warn of it"},
     {PH_F_INCREASE, PH_WORD, 0, false, "minimal|plus:V|times:V", "minimal",
      "how tensions are raised: to the smallest that do, or by a step or a "
      "factor V"},
@@ -301,8 +343,32 @@ static enum ph_status set_segments(const struct ph_sphere_spline *s,
   return PH_OK;
 }
 
+static enum ph_status set_waived(const unsigned char *waived, size_t n,
+                                 struct ph_arena *arena, struct ph_curve *curve,
+                                 struct ph_diag *diag) {
+  struct ph_sphere *sphere = &curve->sphere;
+  for (size_t i = 0; waived && i < n; i++) {
+    sphere->waived_n += waived[i] != 0;
+  }
+  if (sphere->waived_n == 0) {
+    return PH_OK;
+  }
+  sphere->waived =
+      ph_arena_array(arena, sphere->waived_n, sizeof *sphere->waived);
+  if (!sphere->waived) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0, j = 0; i < n; i++) {
+    if (waived[i]) {
+      sphere->waived[j++] = i;
+    }
+  }
+  return PH_OK;
+}
+
 enum ph_status ph_sphere_curve(const struct ph_sphere_spline *s,
                                const struct ph_sphere_shape *shape,
+                               const unsigned char *waived,
                                struct ph_arena *arena, struct ph_curve *curve,
                                struct ph_diag *diag) {
   const struct ph_sphere_data *d = s->data;
@@ -327,5 +393,8 @@ enum ph_status ph_sphere_curve(const struct ph_sphere_spline *s,
   memcpy(curve->sphere.tensions, s->nu, d->n * sizeof *curve->sphere.tensions);
   memcpy(curve->sphere.indicators, shape->q,
          d->n * sizeof *curve->sphere.indicators);
+  if (set_waived(waived, d->n, arena, curve, diag) != PH_OK) {
+    return diag->status;
+  }
   return set_segments(s, arena, curve, diag);
 }

@@ -172,6 +172,11 @@ static void frame_at(const struct ph_sphere_spline *s, size_t i,
   frame[1] = ph_vec3_scale(size, ph_vec3_cross(d, e));
 }
 
+/* From P to P + x, brought to the sphere. */
+static ph_vec3 leg_of(ph_vec3 p, ph_vec3 x) {
+  return ph_vec3_sub(ph_vec3_unit(ph_vec3_add(p, x)), p);
+}
+
 /* The part is R and L, each less its node; out  mix[2]  of R and L */
 static void control(struct ph_sphere_spline *s, size_t k, bool derivatives,
                     struct ph_sphere_part *part, struct mix mix[2]) {
@@ -195,8 +200,8 @@ static void control(struct ph_sphere_spline *s, size_t k, bool derivatives,
           mixed_moved(&arc, &mix[w], sign, d[w], zero, frame[1 - w][c]);
     }
   }
-  s->r[k] = ph_vec3_unit(ph_vec3_add(s->data->p[node[0]], part->f[0]));
-  s->l[k] = ph_vec3_unit(ph_vec3_add(s->data->p[node[1]], part->f[1]));
+  s->r[k] = leg_of(s->data->p[node[0]], part->f[0]);
+  s->l[k] = leg_of(s->data->p[node[1]], part->f[1]);
 }
 
 static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,

@@ -104,8 +104,9 @@ static inline double ph_sphere_stiffness(const struct ph_sphere_data *d,
 /*
  * A spherical nu-spline at given tensions, and the two models of it: nodes
  * p[0], ..., p[n-1], one unknown x[i] with two coordinates at each, and the
- * inner control points r[k], l[k] of every segment:
- *   segment k:   p[k], r[k], l[k], p[k+1].
+ * legs r[k], l[k] of every segment, whose control
+ * points are
+ *   segment k:   p[k], p[k] + r[k], p[k+1] + l[k], p[k+1].
  *
  * A model says what a segment means for the equations at its two nodes
  * (struct ph_sphere_part), and what the equation of a node is.  The
@@ -122,17 +123,31 @@ struct ph_sphere_spline {
   double *nu; /* [n] tensions */
   ph_vec3 *x; /* [n] exact: velocities; nielson: the global control points, less
                * the nodes */
-  ph_vec3 *r; /* [m] control points after each node, and */
-  ph_vec3 *l; /* [m] before the next one */
+  ph_vec3 *r; /* [m] legs from each node to the control point after it, and */
+  ph_vec3 *l; /* [m] from the next node to the one before it */
 };
 
 /* ph_sphere_segment: segment k. */
 static inline struct ph_spherical
 ph_sphere_segment(const struct ph_sphere_spline *s, size_t k) {
   const ph_vec3 *p = s->data->p;
-  struct ph_spherical segment = {
-      {p[k], s->r[k], s->l[k], p[ph_sphere_next(s->data, k)]}};
+  size_t next = ph_sphere_next(s->data, k);
+  struct ph_spherical segment = {{p[k], ph_vec3_add(p[k], s->r[k]),
+                                  ph_vec3_add(p[next], s->l[k]), p[next]}};
   return segment;
+}
+
+/* ph_sphere_legs: the same by its legs, which are known to more digits than
+ * the control points tell, where these are close to a node. */
+static inline struct ph_spherical_legs
+ph_sphere_legs(const struct ph_sphere_spline *s, size_t k) {
+  const ph_vec3 *p = s->data->p;
+  struct ph_spherical_legs legs = {.s = ph_sphere_segment(s, k)};
+  ph_vec3 across = ph_vec3_sub(p[ph_sphere_next(s->data, k)], p[k]);
+  legs.leg[0] = s->r[k];
+  legs.leg[1] = ph_vec3_add(ph_vec3_sub(across, s->r[k]), s->l[k]);
+  legs.leg[2] = ph_vec3_scale(-1, s->l[k]);
+  return legs;
 }
 
 /*
@@ -347,10 +362,12 @@ const char *ph_sphere_criterion_name(enum ph_sphere_criterion criterion);
 /*
  * ph_sphere_curve: control points on the user's sphere, lengths in his unit.
  *
+ * in   waived  [n] not 0 where the shape is not kept; or NULL
  * ret  PH_OK | PH_NO_CONVERGENCE (a length; names the segment) | PH_NO_MEMORY
  */
 enum ph_status ph_sphere_curve(const struct ph_sphere_spline *s,
                                const struct ph_sphere_shape *shape,
+                               const unsigned char *waived,
                                struct ph_arena *arena, struct ph_curve *curve,
                                struct ph_diag *diag);
 
@@ -399,23 +416,33 @@ enum ph_sphere_increase {
 enum { PH_SPHERE_ROUNDS_MAX = 10000 };
 
 /* Bits of criteria that are gone on without, at a node and of the segment after
- * it. */
-enum { PH_SPHERE_IGNORE_NODE = 1, PH_SPHERE_IGNORE_SEGMENT = 2 };
+ * it; and, of these, that hold at no tension, not in the limit either. */
+enum {
+  PH_SPHERE_IGNORE_NODE = 1,
+  PH_SPHERE_IGNORE_SEGMENT = 2,
+  PH_SPHERE_NEVER = 2 /* to shift those bits by */
+};
 
 /* How tensions are raised, and where. */
 struct ph_sphere_raise {
   const struct ph_sphere_shape *shape;
   enum ph_sphere_increase increase;
   double by;
-  bool waive; /* go on without criteria that no tension satisfies */
+  bool waive; /* go on without criteria that no tension satisfies, as far as
+               * they are tried */
   struct ph_sphere_spline *spline;
   struct ph_sphere_work *work;
   size_t rounds; /* out: how often tensions were raised */
-  size_t waived; /* out: criteria that are violated by the spline, and */
+  size_t waived; /* out: criteria that are violated by the spline, of these */
+  size_t never;  /* out: such that hold at no tension, and */
+  bool beyond;   /* out: one may hold only beyond the largest tensions that are
+                  * tried */
   size_t at; /* the node or segment of the first, or of the one that failed */
   enum ph_sphere_criterion criterion; /* which that is */
+  unsigned char *ignored; /* out: [n] bits of those that are violated */
   /* Of the work: */
-  unsigned char *ignored;         /* [n] bits of criteria that were waived */
+  double *kept_nu;                /* [n] */
+  ph_vec3 *kept_x;                /* [n] */
   size_t *touched;                /* [n] nodes of this round */
   unsigned char *planned;         /* [n] and what it does to them */
   struct ph_sphere_range *ranges; /* [n] where to look, in order and apart */
@@ -426,9 +453,9 @@ struct ph_sphere_raise {
  * ph_sphere_keep_shape: raises the tensions of a solution.
  *
  * inout raise  the first six members are given
- * ret  PH_OK | PH_INFEASIBLE (no tension up to 1e8 satisfies the
- *      criterion) | PH_NO_CONVERGENCE (no spline, or too many
- *      rounds) | PH_NO_MEMORY
+ * ret  PH_OK | PH_INFEASIBLE (the criterion is violated at all tensions that
+ *      were tried, and in the limit) | PH_NO_CONVERGENCE (no spline, too many
+ *      rounds, or tensions beyond precision) | PH_NO_MEMORY
  */
 enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
                                     struct ph_arena *scratch);

@@ -15,9 +15,15 @@ enum {
   REPAIRS_MAX = 100 /* rounds after tensions were lowered */
 };
 
-/* The largest tension, for knots that are angles: control points are 4 / nu
- * from their node, and at 1e8 half of their digits tell the curvature.  The
- * first raise by doubling leads to FIRST stiffnesses. */
+/*
+ * The largest tension, for knots that are angles h = 1.  Control points are
+ * 4 / nu from their node, and data that turn by tau need nu h = c / sin tau.
+ * Rounding u of a point turns the control polygon by u nu / 4: it tells less
+ * than tau while nu < sqrt(4 c / (u h)).  At h = 1 half of the digits are left,
+ * and others have the square root of their stiffness in place of that of 8.
+ *
+ * The first raise by doubling leads to FIRST stiffnesses.
+ */
 static const double TENSION_MAX = 1e8;
 static const double FIRST = 0.125;
 
@@ -67,7 +73,8 @@ enum ph_sphere_criterion ph_sphere_violated(const struct ph_sphere_raise *raise,
 static double largest_tension(const struct ph_sphere_data *d, size_t i) {
   size_t k = ph_sphere_before(d, i);
   double before = d->theta[k] / d->h[k], after = d->theta[i] / d->h[i];
-  return TENSION_MAX * (before > after ? before : after);
+  double most = TENSION_MAX * sqrt(0.5 / d->theta[k] + 0.5 / d->theta[i]);
+  return most * (before > after ? before : after);
 }
 
 /* An end of open data, whose tension has no effect, has no stiffness either. */
@@ -102,22 +109,103 @@ static bool can_raise(const struct ph_sphere_raise *raise, size_t i) {
          raise->spline->nu[i] < largest_tension(d, i);
 }
 
+/* ---- the limit ----------------------------------------------------------- */
+
+/* A tension as good as infinite, in stiffnesses: the legs at its node have
+ * their directions in the limit. */
+static const double INFINITE = 1e20;
+
+static enum ph_sphere_criterion fails(const struct ph_sphere_raise *raise,
+                                      enum ph_sphere_criterion criterion,
+                                      size_t at) {
+  return criterion == PH_SPHERE_SEGMENT
+             ? ph_sphere_segment_fails(raise->shape, raise->spline, at)
+             : ph_sphere_node_fails(raise->shape, raise->spline, at);
+}
+
+/* Sets or restores the unknowns and the tensions of a range. */
+static void keep(struct ph_sphere_raise *raise, struct ph_sphere_range range) {
+  const struct ph_sphere_spline *s = raise->spline;
+  for (size_t j = 0; j < range.count; j++) {
+    size_t i = ph_sphere_node(s->data, range, j);
+    raise->kept_nu[j] = s->nu[i];
+    raise->kept_x[j] = s->x[i];
+  }
+}
+
+static void restore(struct ph_sphere_raise *raise,
+                    struct ph_sphere_range range) {
+  struct ph_sphere_spline *s = raise->spline;
+  struct ph_sphere_part part;
+  for (size_t j = 0; j < range.count; j++) {
+    size_t i = ph_sphere_node(s->data, range, j);
+    s->nu[i] = raise->kept_nu[j];
+    s->x[i] = raise->kept_x[j];
+  }
+  for (size_t j = 0; j < range.count; j++) {
+    size_t i = ph_sphere_node(s->data, range, j);
+    s->model->segment(s, ph_sphere_before(s->data, i), false, &part);
+    s->model->segment(s, i, false, &part);
+  }
+}
+
+/*
+ * Whether a criterion is violated in the limit of infinite tensions at its n
+ * nodes, whose velocities tend to 0 as w / nu.  The spline with v = 0 there is
+ * solved; one more step of the iteration makes w of it.
+ */
+static bool never_holds(struct ph_sphere_raise *raise,
+                        enum ph_sphere_criterion criterion, size_t at,
+                        const size_t *node, size_t n) {
+  struct ph_sphere_spline *s = raise->spline;
+  const struct ph_sphere_data *d = s->data;
+  struct ph_sphere_range range;
+  bool violated;
+  size_t count, most = 0, free_n = 0;
+  for (size_t j = 0; j < n; j++) {
+    free_n += !ph_sphere_is_end(d, node[j]);
+    count = node[j] >= node[0] ? node[j] - node[0] : node[j] + d->n - node[0];
+    most = count > most ? count : most;
+  }
+  if (free_n == 0) {
+    return true;
+  }
+  range = ph_sphere_widen(d, node[0], most + 1, REACH);
+  keep(raise, range);
+  for (size_t j = 0; j < n; j++) {
+    if (!ph_sphere_is_end(d, node[j])) {
+      s->nu[node[j]] = INFINITE * ph_sphere_stiffness(d, node[j]);
+      s->x[node[j]] = ph_vec3_of(0, 0, 0);
+    }
+  }
+  violated = ph_sphere_newton(s, range, raise->work);
+  if (violated) {
+    ph_sphere_step(s, range, raise->work);
+    violated = fails(raise, criterion, at) != PH_SPHERE_FINE;
+  }
+  restore(raise, range);
+  return violated;
+}
+
 /* Plans what a violated criterion asks for, all of a round at once: its nodes
  * are raised, or, where that cannot help, it is waived, and they begin anew.
- * False if that is not allowed. */
-static bool plan(struct ph_sphere_raise *raise,
-                 enum ph_sphere_criterion criterion, size_t at,
-                 size_t *touched_n) {
+ * What keeps it from that if it is not allowed. */
+static enum ph_status plan(struct ph_sphere_raise *raise,
+                           enum ph_sphere_criterion criterion, size_t at,
+                           size_t *touched_n) {
   size_t node[4];
   size_t n = ph_sphere_touched(raise->shape, criterion, at, node);
-  bool can = false;
+  bool can = false, never = false;
   for (size_t j = 0; j < n; j++) {
     can = can || can_raise(raise, node[j]);
   }
   if (!can) {
+    unsigned char bit = bit_of(criterion == PH_SPHERE_SEGMENT);
+    never = never_holds(raise, criterion, at, node, n);
     raise->criterion = criterion;
     raise->at = at;
-    raise->ignored[at] |= bit_of(criterion == PH_SPHERE_SEGMENT);
+    raise->ignored[at] |=
+        (unsigned char)(never ? bit | bit << PH_SPHERE_NEVER : bit);
   }
   for (size_t j = 0; j < n; j++) {
     if (raise->planned[node[j]] == NOTHING) {
@@ -127,7 +215,10 @@ static bool plan(struct ph_sphere_raise *raise,
       raise->planned[node[j]] = can ? RAISE : RESET;
     }
   }
-  return can || raise->waive;
+  raise->beyond = !can && !raise->waive && !never;
+  return can || raise->waive ? PH_OK
+         : never             ? PH_INFEASIBLE
+                             : PH_NO_CONVERGENCE;
 }
 
 /* Does what was planned. */
@@ -207,8 +298,9 @@ static enum ph_status go_round(struct ph_sphere_raise *raise) {
     enum ph_sphere_criterion criterion;
     while ((criterion = ph_sphere_violated(raise, raise->ranges[r], &from,
                                            &at)) != PH_SPHERE_FINE) {
-      if (!plan(raise, criterion, at, &touched_n)) {
-        return PH_INFEASIBLE;
+      enum ph_status status = plan(raise, criterion, at, &touched_n);
+      if (status != PH_OK) {
+        return status;
       }
     }
   }
@@ -220,20 +312,27 @@ static enum ph_status go_round(struct ph_sphere_raise *raise) {
   return solve_ranges(raise) ? PH_OK : PH_NO_CONVERGENCE;
 }
 
-/* What is violated after all, where that is allowed. */
+/* What is violated after all, where that is allowed: of all criteria. */
 static void count_waived(struct ph_sphere_raise *raise) {
   struct ph_sphere_range all = ph_sphere_all(raise->spline->data);
   size_t from = 0, at = 0;
   enum ph_sphere_criterion criterion;
-  memset(raise->ignored, 0, raise->spline->data->n);
-  raise->waived = 0;
+  memset(raise->planned, NOTHING, raise->spline->data->n);
+  for (size_t i = 0; i < raise->spline->data->n; i++) {
+    raise->ignored[i] &=
+        (unsigned char)~(PH_SPHERE_IGNORE_NODE | PH_SPHERE_IGNORE_SEGMENT);
+  }
   while ((criterion = ph_sphere_violated(raise, all, &from, &at)) !=
          PH_SPHERE_FINE) {
+    unsigned char bit = bit_of(criterion == PH_SPHERE_SEGMENT);
+    raise->never += raise->ignored[at] >> PH_SPHERE_NEVER & bit ? 1 : 0;
+    raise->planned[at] |= bit;
     if (raise->waived++ == 0) {
       raise->at = at;
       raise->criterion = criterion;
     }
   }
+  memcpy(raise->ignored, raise->planned, raise->spline->data->n);
 }
 
 /* ---- lowering again ------------------------------------------------------ */
@@ -291,8 +390,11 @@ static bool alloc(struct ph_sphere_raise *raise, struct ph_arena *scratch) {
   raise->ignored = ph_arena_array(scratch, n, sizeof *raise->ignored);
   raise->touched = ph_arena_array(scratch, n, sizeof *raise->touched);
   raise->planned = ph_arena_array(scratch, n, sizeof *raise->planned);
+  raise->kept_nu = ph_arena_array(scratch, n, sizeof *raise->kept_nu);
+  raise->kept_x = ph_arena_array(scratch, n, sizeof *raise->kept_x);
   raise->ranges = ph_arena_array(scratch, n, sizeof *raise->ranges);
-  if (!raise->ignored || !raise->touched || !raise->planned || !raise->ranges) {
+  if (!raise->ignored || !raise->touched || !raise->planned || !raise->ranges ||
+      !raise->kept_nu || !raise->kept_x) {
     return false;
   }
   memset(raise->ignored, 0, n * sizeof *raise->ignored);
@@ -305,7 +407,8 @@ enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
   const struct ph_sphere_data *d = raise->spline->data;
   enum ph_status status = PH_OK;
   raise->rounds = 0;
-  raise->waived = 0;
+  raise->waived = raise->never = 0;
+  raise->beyond = false;
   if (!alloc(raise, scratch)) {
     return PH_NO_MEMORY;
   }

@@ -415,6 +415,7 @@ PH_TEST_EACH(test_shape, UNIT_SPLINES_N) {
     } else {
       u.problem.field[PH_F_SHAPE].kind = PH_ABSENT;
     }
+    u.curve.sphere.waived_n = 0;
     if (UNIT_SPLINES[_i].shape) {
       ck_accepted();
     } else {
@@ -424,10 +425,34 @@ PH_TEST_EACH(test_shape, UNIT_SPLINES_N) {
   }
 }
 
+/* What was waived is not asked, unless it was asked for strictly, but is told;
+ * what was not waived is asked. */
+PH_TEST_EACH(test_waived, UNIT_SPLINES_N) {
+  bool shape = UNIT_SPLINES[_i].shape;
+  size_t n;
+  unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
+  n = u.curve.n;
+  ck_accepted();
+  u.curve.sphere.waived_n = n;
+  ck_accepted();
+  ck_abs(value_of(PH_D_SHAPE_OK), 0, 0);
+  unit_set_flag(&u.problem, PH_F_SHAPE, true);
+  ck_assert_int_eq(certify(), shape ? PH_OK : PH_NO_CONVERGENCE);
+  unit_set_word(&u.problem, PH_F_SHAPE, "warn");
+  u.curve.sphere.waived_n = 1; /* where none of these has a fault */
+  ck_assert_int_eq(certify(), shape ? PH_OK : PH_NO_CONVERGENCE);
+  u.curve.sphere.waived_n = 2;
+  u.waived[1] = 0;
+  ck_assert_int_eq(certify(), PH_INTERNAL);
+  u.waived[1] = n;
+  ck_assert_int_eq(certify(), PH_INTERNAL);
+}
+
 /* The tensions are those of [IOR15, sec. 5.4]. */
 PH_TEST_EACH(test_legacy, 2) {
   unit_cert_sphere_of(&u, &UNIT_SPLINES[THESIS], &SPHERES[_i]);
   unit_set_flag(&u.problem, PH_F_SHAPE, true);
+  u.curve.sphere.waived_n = 0;
   unit_set_word(&u.problem, PH_F_CRITERION, "legacy");
   unit_set_number(&u.problem, PH_F_EPSILON, 1e-3);
   ck_accepted();
@@ -444,6 +469,8 @@ PH_TEST(test_segment) {
   u.indicators[0] = u.indicators[1] = 1;
   unit_set_word(&u.problem, PH_F_ENDS, "clamped");
   unit_set_array(&u.problem, PH_F_END_TANGENTS, u.end_tangents, 2, 3);
+  ck_refused_as("segments", 0, "is refused by its certificate: shape");
+  u.curve.sphere.waived_n = 1;
   ck_accepted();
   ck_abs(value_of(PH_D_SHAPE_OK), 0, 0);
   unit_sphere_arc(&u, 1, -0.5, 0.5, &UNIT);
@@ -453,6 +480,7 @@ PH_TEST(test_segment) {
   ck_accepted();
   ck_abs(value_of(PH_D_SHAPE_OK), 1, 0);
   u.indicators[0] = u.indicators[1] = -1;
+  u.curve.sphere.waived_n = 1;
   ck_accepted();
   ck_abs(value_of(PH_D_SHAPE_OK), 0, 0);
 }

@@ -51,13 +51,25 @@ static void ck_indicators(const struct setting *t, const int *q) {
   }
 }
 
+/* The inner control points of segment k. */
+static void put_inner(struct setting *t, size_t k, ph_vec3 r, ph_vec3 l) {
+  t->r[k] = ph_vec3_sub(r, t->data.p[k]);
+  t->l[k] = ph_vec3_sub(l, t->data.p[ph_sphere_next(&t->data, k)]);
+}
+
 /* Segment k of the spline is the great circle. */
 static void straighten(struct setting *t) {
   for (size_t k = 0; k < t->data.m; k++) {
     ph_vec3 p = t->data.p[k], q = t->data.p[ph_sphere_next(&t->data, k)];
-    t->r[k] = ph_s2_slerp(p, q, 1.0 / 3);
-    t->l[k] = ph_s2_slerp(p, q, 2.0 / 3);
+    put_inner(t, k, ph_s2_slerp(p, q, 1.0 / 3), ph_s2_slerp(p, q, 2.0 / 3));
   }
+}
+
+/* Those of segment k move up by so much. */
+static void lift_inner(struct setting *t, size_t k, double r, double l) {
+  struct ph_spherical s = ph_sphere_segment(&t->spline, k);
+  put_inner(t, k, ph_s2_exp(s.p[1], ph_vec3_of(0, 0, r)),
+            ph_s2_exp(s.p[2], ph_vec3_of(0, 0, l)));
 }
 
 /* ---- cases of the thesis ------------------------------------------------- */
@@ -91,8 +103,8 @@ PH_TEST_EACH(test_case, 2 * COUNT(unit_sphere_cases)) {
          unit_sphere_cases[which].n, false, legacy ? 1e-3 : 1e-2, legacy);
   ck_indicators(&t, unit_sphere_cases[which].q);
   for (size_t k = 0; k < t.data.m; k++) {
-    t.r[k] = unit_sphere_inner[from + k][0];
-    t.l[k] = unit_sphere_inner[from + k][1];
+    put_inner(&t, k, unit_sphere_inner[from + k][0],
+              unit_sphere_inner[from + k][1]);
   }
   violations(&t, text);
   ck_assert_str_eq(text, legacy ? unit_sphere_cases[which].legacy
@@ -148,8 +160,8 @@ static struct ph_spherical random_segment(struct unit_random *r, double sum,
 
 static enum ph_sphere_criterion judge(const struct ph_spherical *s, int sign) {
   ph_vec3 p[4] = {s->p[0], s->p[0], s->p[3], s->p[3]};
-  ph_vec3 r[3] = {s->p[1], s->p[1], s->p[1]};
-  ph_vec3 l[3] = {s->p[2], s->p[2], s->p[2]};
+  ph_vec3 r[3] = {{0, 0, 0}, ph_vec3_sub(s->p[1], s->p[0]), {0, 0, 0}};
+  ph_vec3 l[3] = {{0, 0, 0}, ph_vec3_sub(s->p[2], s->p[3]), {0, 0, 0}};
   signed char q[4] = {0, (signed char)sign, (signed char)sign, 0};
   struct ph_sphere_data data = {.n = 4, .m = 3, .p = p};
   struct ph_sphere_spline spline = {.data = &data, .r = r, .l = l};
@@ -347,15 +359,14 @@ PH_TEST_EACH(test_sides, 2) {
     set_up(&t, t.v, 3, false, 1e-2, legacy);
     straighten(&t);
     for (size_t k = 0; curved && k < 2; k++) {
-      t.r[k] = ph_s2_exp(t.r[k], ph_vec3_of(0, 0, -0.03));
-      t.l[k] = ph_s2_exp(t.l[k], ph_vec3_of(0, 0, -0.03));
+      lift_inner(&t, k, -0.03, -0.03);
     }
     ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, 1),
                      PH_SPHERE_FINE);
-    t.r[0] = ph_s2_exp(t.r[0], ph_vec3_of(0, 0, 0.2 * lift));
+    lift_inner(&t, 0, 0.2 * lift, 0);
     ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, 1),
                      legacy ? PH_SPHERE_FINE : bad);
-    t.l[1] = ph_s2_exp(t.l[1], ph_vec3_of(0, 0, 0.2 * lift));
+    lift_inner(&t, 1, 0, 0.2 * lift);
     ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, 1), bad);
   }
 }
@@ -368,7 +379,7 @@ PH_TEST(test_standstill) {
   straighten(&t);
   ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, 1),
                    PH_SPHERE_FINE);
-  t.r[1] = t.data.p[1];
+  t.r[1] = ph_vec3_of(0, 0, 0);
   ck_assert_int_eq(ph_sphere_node_fails(&t.shape, &t.spline, 1),
                    PH_SPHERE_COCIRCULARITY);
 }

@@ -78,7 +78,7 @@ PH_TEST_EACH(test_curve, 2) {
   bool closed = _i == 1;
   set_up(&t, closed);
   ck_assert_int_eq(
-      ph_sphere_curve(&t.u.spline, &t.shape, &unit_arena, &curve, &diag),
+      ph_sphere_curve(&t.u.spline, &t.shape, NULL, &unit_arena, &curve, &diag),
       PH_OK);
   ck_assert_int_eq(curve.kind, PH_CURVE_SPHERICAL_NU);
   ck_assert_int_eq(curve.closed, closed);
@@ -101,7 +101,7 @@ PH_TEST(test_no_length) {
   set_up(&t, false);
   t.u.spline.l[3].y = (double)NAN;
   ck_assert_int_eq(
-      ph_sphere_curve(&t.u.spline, &t.shape, &unit_arena, &curve, &diag),
+      ph_sphere_curve(&t.u.spline, &t.shape, NULL, &unit_arena, &curve, &diag),
       PH_NO_CONVERGENCE);
   ck_assert_int_eq(diag.status, PH_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(diag.message, "has no length"));

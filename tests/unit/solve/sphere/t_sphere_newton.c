@@ -158,8 +158,8 @@ static void ck_two_points(enum ph_sphere_ends ends,
       inner[w] = ph_s2_slerp(p[w], p[1 - w], 1 / 3.0);
     }
   }
-  ck_point(u.spline.r[0], inner[0], 1e-15);
-  ck_point(u.spline.l[0], inner[1], 1e-15);
+  ck_point(ph_sphere_segment(&u.spline, 0).p[1], inner[0], 1e-15);
+  ck_point(ph_sphere_segment(&u.spline, 0).p[2], inner[1], 1e-15);
   unit_sphere_free(&u);
 }
 
@@ -399,7 +399,8 @@ static int solved(uint64_t stream, int count, double low, double high,
       found++;
       for (size_t i = 1; i + 1 < M; i++) {
         double a = u.data.h[i - 1], b = u.data.h[i];
-        ph_vec3 l = u.spline.l[i - 1], rr = u.spline.r[i];
+        ph_vec3 l = ph_sphere_segment(&u.spline, i - 1).p[2];
+        ph_vec3 rr = ph_sphere_segment(&u.spline, i).p[1];
         ph_vec3 in = ph_s2_log(p[i], l), out = ph_s2_log(p[i], rr);
         /* C1 through the point */
         ck_point(ph_vec3_scale(-1 / a, in), ph_vec3_scale(1 / b, out),

@@ -77,7 +77,8 @@ static void ck_node(const struct unit_sphere *u, size_t i,
   double a = d->h[before], b = d->h[i];
   double size = fmax(d->theta[before], d->theta[i]);
   ph_vec3 p = d->p[i], e = d->e[i];
-  ph_vec3 g = ph_s2_slerp(u->spline.l[before], u->spline.r[i], a / (a + b));
+  ph_vec3 g = ph_s2_slerp(ph_sphere_segment(&u->spline, before).p[2],
+                          ph_sphere_segment(&u->spline, i).p[1], a / (a + b));
   struct ph_block2_row row;
   double scale = -2 / (1 + ph_vec3_dot(g, p)) / size;
   u->spline.model->node(&u->spline, i, &part[0], &part[1], false, &row);
@@ -95,10 +96,12 @@ PH_TEST(test_formulas) {
     shake(&r, &u);
     for (size_t k = 0; k < u.data.m; k++) {
       ph_vec3 right, left;
+      struct ph_spherical segment;
       u.spline.model->segment(&u.spline, k, false, &part[k]);
       by_formula(&u, k, &right, &left);
-      ck_point(u.spline.r[k], right, 1e-13);
-      ck_point(u.spline.l[k], left, 1e-13);
+      segment = ph_sphere_segment(&u.spline, k);
+      ck_point(segment.p[1], right, 1e-13);
+      ck_point(segment.p[2], left, 1e-13);
     }
     for (size_t i = 1; i + 1 < N; i++) {
       ck_node(&u, i, &part[i - 1]);
