@@ -21,7 +21,10 @@ struct ph_check_dips {
 struct ph_check_dips ph_check_dips_of(double (*f)(const void *, double),
                                       const struct ph_check_segment *s);
 
-/* ph_check_square_speed: |r'|^2 of a segment at u. */
-double ph_check_square_speed(const void *s, double u);
+/* ph_check_slow_of: of |r'|^2, where it falls far below its largest value; else
+ * none, with a bound as low, and high is not known.  What is in the convex hull
+ * of control points is no nearer to 0 than they are to the side of a plane; of
+ * ATPH segments (S0 + S1)^m >= 1 in the place of 1. */
+struct ph_check_dips ph_check_slow_of(const struct ph_check_segment *s);
 
 #endif

@@ -475,7 +475,7 @@ void ph_check_fairness(struct ph_check *v) {
     struct ph_check_segment s;
     struct ph_check_dips slow;
     ph_check_load(v, k, &s);
-    slow = ph_check_dips_of(ph_check_square_speed, &s);
+    slow = ph_check_slow_of(&s);
     if (!(slow.low > (s.noise / STILL) * (s.noise / STILL))) {
       return; /* nearly stands still: nothing can be said */
     }

@@ -81,8 +81,7 @@ static ph_vec3 pole_of(const struct ph_check_segment *s, const double *cuts,
  */
 static double turn_between(const struct ph_check_path *path, double from,
                            double to, ph_vec3 *pole, double *error) {
-  const struct ph_check_dips slow =
-      ph_check_dips_of(ph_check_square_speed, path->s);
+  const struct ph_check_dips slow = ph_check_slow_of(path->s);
   struct turning turning = {.s = path->s};
   const struct ph_check_integrands of = {turn_at, &turning, 2, 1, TURN, TURN};
   double cuts[PH_CHECK_DIPS + 2] = {from}, turn = 0, sum[2];

@@ -147,6 +147,7 @@ PH_CHECK_INLINE void load_form(const struct ph_check *v,
   s->end[1] = at;
   s->speed = speed;
   s->reach = DBL_EPSILON * far + v->scale.spacing;
+  s->plane = plane;
 }
 
 void ph_check_form_load(const struct ph_check *v, struct ph_check_segment *s) {
@@ -202,7 +203,7 @@ static void multiply_vector(size_t n, const double *a, ph_vec3 *b) {
 }
 
 /* (1) by Horner's rule, as power series. */
-void ph_check_form_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
+static void series_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
                        size_t n) {
   double series[2][PH_CHECK_JET], p[PH_CHECK_JET] = {1, 0, 0, 0};
   double factorial = 1;
@@ -220,6 +221,61 @@ void ph_check_form_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
   for (size_t i = 2; i < n; i++) {
     factorial *= (double)i;
     jet[i] = ph_vec3_scale(factorial, jet[i]);
+  }
+}
+
+/* A step of the same for polynomials, of which S0 and S1 have two terms: terms
+ * of p S1 and, with it, jet S0 + p h. */
+PH_CHECK_INLINE void step(size_t n, double u, double *p, ph_vec3 *jet,
+                          ph_vec3 h, bool plane) {
+  for (size_t i = n - 1; i > 0; i--) {
+    p[i] = u * p[i] + p[i - 1];
+    jet[i] = ph_vec3_sub(ph_vec3_scale(1 - u, jet[i]), jet[i - 1]);
+    jet[i] = flat(ph_vec3_along(jet[i], p[i], h), plane);
+  }
+  p[0] *= u;
+  jet[0] = ph_vec3_along(ph_vec3_scale(1 - u, jet[0]), p[0], h);
+  jet[0] = flat(jet[0], plane);
+}
+
+PH_CHECK_INLINE void polynomial_jet(const struct ph_check_segment *s, double u,
+                                    ph_vec3 *out, size_t n, bool plane) {
+  double p[PH_CHECK_JET] = {1, 0, 0, 0};
+  ph_vec3 jet[PH_CHECK_JET] = {{0, 0, 0}};
+  jet[0] = flat(s->h[0], plane);
+  for (size_t j = 1; j <= s->m; j++) {
+    step(n, u, p, jet, s->h[j], plane);
+  }
+  for (size_t i = 0; i < n; i++) {
+    out[i] = i < 2 ? jet[i] : ph_vec3_scale(i < 3 ? 2 : 6, jet[i]);
+  }
+}
+
+PH_CHECK_INLINE void polynomial(const struct ph_check_segment *s, double u,
+                                ph_vec3 *jet, size_t n, bool plane) {
+  switch (n) {
+  case 1:
+    polynomial_jet(s, u, jet, 1, plane);
+    break;
+  case 2:
+    polynomial_jet(s, u, jet, 2, plane);
+    break;
+  case 3:
+    polynomial_jet(s, u, jet, 3, plane);
+    break;
+  default:
+    polynomial_jet(s, u, jet, 4, plane);
+  }
+}
+
+void ph_check_form_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
+                       size_t n) {
+  if (s->angle > 0) {
+    series_jet(s, u, jet, n);
+  } else if (s->plane) {
+    polynomial(s, u, jet, n, true);
+  } else {
+    polynomial(s, u, jet, n, false);
   }
 }
 

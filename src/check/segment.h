@@ -54,6 +54,7 @@ struct ph_check_segment {
   const struct ph_check_kind *kind;
   size_t k;
   size_t m;                           /* degree of r' */
+  bool plane;                         /* z is 0 */
   double angle;                       /* ATPH: a; else 0 */
   double unit;                        /* u to the local parameter: a; else 1 */
   ph_vec3 p[PH_CHECK_DEGREE_MAX + 1]; /* control points; of spherical
