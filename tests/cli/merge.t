@@ -107,7 +107,7 @@ for command in planar spatial-hermite arclength tc; do
     --merge=3
 done
 bad sphere '{"lonlat":[[0,0],[9,0],[9,0]]}' 1 \
-  'lonlat[2]: coincides with lonlat[1]: they are less than 1e-08 rad apart; --merge=D joins points nearer than D [coincident-points]'
+  'lonlat[2]: coincides with lonlat[1]: they are less than 1e-10 rad apart; --merge=D joins points nearer than D [coincident-points]'
 bad sphere '{"lonlat":[[0,0],[9,0],[9,0]]}' 1 \
   'merge: must be greater than 0, found -1 [bad-value]' --merge=-1
 bad arclength '{"tangents":[[1,0],[0,1]],"lengths":1}' 1 \

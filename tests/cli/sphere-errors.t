@@ -95,7 +95,7 @@ expect 'the largest longitudes and latitudes' 0
 # near FIELD I K POINTS [MEMBERS], far FIELD I K POINTS [MEMBERS]
 near() {
   bad coincident-points "$1[$2]" \
-    "coincides with $1[$3]: they are less than 1e-08 rad apart$joins" \
+    "coincides with $1[$3]: they are less than 1e-10 rad apart$joins" \
     "{\"$1\":$4${5-}}"
 }
 
@@ -105,14 +105,14 @@ far() {
 }
 
 near points 1 0 '[[1,0,0],[1,0,0],[0,0,1]]'
-near points 1 0 '[[1,0,0],[1,9e-9,0]]'
-near points 1 0 '[[1e6,0,0],[1e6,9e-3,0]]' ',"radius":1e6'
+near points 1 0 '[[1,0,0],[1,9e-11,0]]'
+near points 1 0 '[[1e6,0,0],[1e6,9e-5,0]]' ',"radius":1e6'
 near points 2 1 '[[0,0,1],[1,0,0],[1.0005,0,0]]'
 near points 0 3 '[[1,0,0],[0,1,0],[0,0,1],[1,0,0],[1,0,0]]' ',"closed":true'
 near lonlat 1 0 '[[0,0],[360,0]]'
 near lonlat 2 1 '[[0,0],[180,5],[-180,5]]'
 near lonlat 1 0 '[[0,90],[50,90]]'
-feed '{"points":[[1,0,0],[1,1.1e-8,0]]}' sphere
+feed '{"points":[[1,0,0],[1,1.1e-10,0]]}' sphere
 expect 'a little farther apart' 0
 
 far points 1 0 '[[1,0,0],[-1,0,0]]'

@@ -151,13 +151,13 @@ static bool is_straight(const struct ph_sphere_shape *shape,
 
 /* By the signs of B_0 after the node and B_2 before it, of (3). */
 static bool is_convex(const struct ph_sphere_shape *shape,
-                      const struct ph_spherical_legs *left,
-                      const struct ph_spherical_legs *right, size_t i) {
+                      const struct ph_sphere_spline *s, size_t i) {
   double q = shape->q[i];
-  ph_vec3 p = right->s.p[0];
-  return ph_vec3_triple(p, right->leg[0], right->leg[1]) * q >= 0 &&
+  size_t k = ph_sphere_before(s->data, i);
+  ph_vec3 p = s->data->p[i];
+  return ph_vec3_triple(p, s->r[i], ph_sphere_middle(s, i)) * q >= 0 &&
          (shape->legacy ||
-          ph_vec3_triple(p, left->leg[1], left->leg[2]) * q >= 0);
+          ph_vec3_triple(p, s->l[k], ph_sphere_middle(s, k)) * q >= 0);
 }
 
 enum ph_sphere_criterion
@@ -167,13 +167,13 @@ ph_sphere_node_fails(const struct ph_sphere_shape *shape,
   if (!shape->inorder[i] && shape->q[i] == 0) {
     return PH_SPHERE_FINE;
   }
+  if (!shape->inorder[i]) {
+    return is_convex(shape, s, i) ? PH_SPHERE_FINE : PH_SPHERE_NODAL;
+  }
   left = ph_sphere_legs(s, ph_sphere_before(s->data, i));
   right = ph_sphere_legs(s, i);
-  if (shape->inorder[i]) {
-    return is_straight(shape, &left, &right, i) ? PH_SPHERE_FINE
-                                                : PH_SPHERE_COCIRCULARITY;
-  }
-  return is_convex(shape, &left, &right, i) ? PH_SPHERE_FINE : PH_SPHERE_NODAL;
+  return is_straight(shape, &left, &right, i) ? PH_SPHERE_FINE
+                                              : PH_SPHERE_COCIRCULARITY;
 }
 
 /* ---- segments ------------------------------------------------------------ */
@@ -385,14 +385,12 @@ static size_t measure_convexity(const struct ph_sphere_shape *shape,
                                 double *g) {
   const struct ph_sphere_data *d = s->data;
   size_t k = ph_sphere_before(d, i), n = 0;
-  struct ph_spherical_legs left = ph_sphere_legs(s, k);
-  struct ph_spherical_legs right = ph_sphere_legs(s, i);
   ph_vec3 p = d->p[i], before = ph_vec3_sub(p, d->p[k]);
   ph_vec3 after = ph_vec3_sub(d->p[ph_sphere_next(d, i)], p);
   double least = MARGIN_TURN * fabs(turn_of(p, before, after)), q = shape->q[i];
-  g[n++] = q * turn_of(p, right.leg[0], right.leg[1]) - least;
+  g[n++] = q * turn_of(p, s->r[i], ph_sphere_middle(s, i)) - least;
   if (!shape->legacy) {
-    g[n++] = q * turn_of(p, left.leg[1], left.leg[2]) - least;
+    g[n++] = q * turn_of(p, s->l[k], ph_sphere_middle(s, k)) - least;
   }
   return n;
 }

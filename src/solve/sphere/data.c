@@ -19,7 +19,7 @@
 
 /* Angles between neighbours: below, their great circle is lost in the rounding
  * of the coordinates; above pi less this, it is as good as any other. */
-static const double COINCIDENT = 1e-8, OPPOSITE = 1e-6;
+static const double COINCIDENT = 1e-10, OPPOSITE = 1e-6;
 
 /* A point that was computed on the sphere, and printed with all its digits, is
  * moved by rounding only, and that is not worth a warning; one that was printed

@@ -270,6 +270,14 @@ static ph_vec3 half_way(ph_vec3 p, ph_vec3 d) {
                        y / (cosine * (1 + cosine)), p);
 }
 
+/* B - P of (2) at node i with u = scale x[i]. */
+static ph_vec3 leg_at(const struct ph_sphere_spline *s, size_t i,
+                      double scale) {
+  ph_vec3 u = ph_vec3_scale(scale, s->x[i]);
+  struct stretch by = stretch_of(ph_vec3_dot(u, u));
+  return ph_vec3_along(ph_vec3_scale(by.f0, u), -by.c, s->data->p[i]);
+}
+
 static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
                     struct ph_sphere_part *part) {
   const struct ph_sphere_data *d = s->data;
@@ -282,6 +290,13 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
   double scale[2] = {h / 3, -h / 3};
   for (int w = 0; w < 2; w++) {
     natural[w] = d->ends == PH_SPHERE_NATURAL && ph_sphere_is_end(d, node[w]);
+  }
+  if (!part && !natural[0] && !natural[1]) {
+    s->r[k] = leg_at(s, node[0], scale[0]);
+    s->l[k] = leg_at(s, node[1], scale[1]);
+    return;
+  }
+  for (int w = 0; w < 2; w++) {
     e[w] = end_of(s, node[w], natural[w] ? 0 : scale[w]);
   }
   span = span_of(&e[0], &e[1]);
@@ -300,6 +315,9 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
   } else if (natural[1]) {
     s->l[k] = half_way(e[1].p, ph_vec3_scale(-1, span.d));
   }
+  if (!part) {
+    return;
+  }
   for (int w = 0; w < 2; w++) {
     a6[w] = acceleration_of(&e[w], &span, w == 0 ? 1 : -1,
                             natural[1 - w] ? 0.5 : 1);
@@ -310,17 +328,23 @@ static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
   }
 }
 
-/* (1), over what v_i is multiplied by in the plane, and the speed there. */
+/* What (1) is divided by: what v_i is multiplied by in the plane, and the speed
+ * there. */
+static double scale_at(const struct ph_sphere_spline *s, size_t i, double nu) {
+  const struct ph_sphere_data *d = s->data;
+  size_t before = ph_sphere_before(d, i);
+  double speed[2] = {d->theta[before] / d->h[before], d->theta[i] / d->h[i]};
+  return 1 / ((ph_sphere_stiffness(d, i) + nu) *
+              (speed[0] > speed[1] ? speed[0] : speed[1]));
+}
+
+/* (1) */
 static void node(const struct ph_sphere_spline *s, size_t i,
                  const struct ph_sphere_part *left,
                  const struct ph_sphere_part *right, bool derivatives,
                  struct ph_block2_row *row) {
   const struct ph_sphere_data *d = s->data;
-  size_t before = ph_sphere_before(d, i);
-  double nu = s->nu[i];
-  double speed[2] = {d->theta[before] / d->h[before], d->theta[i] / d->h[i]};
-  double scale = 1 / ((ph_sphere_stiffness(d, i) + nu) *
-                      (speed[0] > speed[1] ? speed[0] : speed[1]));
+  double nu = s->nu[i], scale = scale_at(s, i, nu);
   double v[2] = {ph_vec3_dot(s->x[i], d->e[i]),
                  ph_vec3_triple(d->p[i], d->e[i], s->x[i])};
   row->f[0] = -scale * (right->f[0].x - left->f[1].x - nu * v[0]);
@@ -338,6 +362,16 @@ static void node(const struct ph_sphere_spline *s, size_t i,
     row->di[2 + j] =
         scale * (right->d[0][0][j].y - left->d[1][1][j].y - (j == 1) * nu);
   }
+}
+
+static void retension(const struct ph_sphere_spline *s, size_t i, ph_vec3 x,
+                      double from, struct ph_block2_row *row) {
+  const struct ph_sphere_data *d = s->data;
+  double by = scale_at(s, i, from) * (s->nu[i] - from);
+  row->f[0] += by * ph_vec3_dot(x, d->e[i]);
+  row->f[1] += by * ph_vec3_triple(d->p[i], d->e[i], x);
+  row->di[0] -= by;
+  row->di[3] -= by;
 }
 
 static ph_vec3 move(const struct ph_sphere_spline *s, size_t i,
@@ -389,5 +423,5 @@ static bool start(struct ph_sphere_spline *s, size_t which,
   return true;
 }
 
-const struct ph_sphere_model ph_sphere_exact = {"exact", segment, node,  move,
-                                                reach,   hug,     start, NULL};
+const struct ph_sphere_model ph_sphere_exact = {
+    "exact", segment, node, retension, move, reach, hug, start, NULL};

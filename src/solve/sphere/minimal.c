@@ -42,9 +42,18 @@ static const double BOX_MIN = 1e-3;
 static const double SHRINK = 0.3;
 static const double SMALL = 0.05;
 
+/* What gives way beside a tension, in stiffnesses: 4/h- + 4/h+ less what the
+ * neighbours add, 2 (2 - sqrt(3)) / h on both sides. */
+static const double YIELD = 0.87;
+
 /* Differences; the fall of the sum that is no progress in a box of size BOX. */
 static const double DIFFERENCE = 1e-5;
 static const double PROGRESS = 5e-4;
+
+/* Angles below which the response to a step is its solution: what is neglected
+ * is 5e-4 theta^2 of it, which is no more than rounding leaves of the criteria;
+ * all is solved once more in the end. */
+static const double LINEAR = 1e-2;
 
 /* A block on its way. */
 struct block {
@@ -64,6 +73,8 @@ struct block {
   double *norm;               /* [ROWS_MAX] what its rows were divided by */
   double *rhs;                /* [ROWS_MAX] */
   struct ph_lp_work lp;
+  bool linear; /* angles are so small that the response is the solution */
+  struct ph_sphere_response response; /* of what is solved */
 };
 
 static bool is_late(const struct block *b) {
@@ -123,6 +134,10 @@ static bool solve_at(struct block *b, const double *nu) {
   for (size_t j = 0; j < b->q; j++) {
     s->nu[b->node[j]] = nu[j];
   }
+  if (b->linear) {
+    ph_sphere_respond(s, &b->response, 0, b->solved.count, b->raise->work);
+    return true;
+  }
   if (ph_sphere_newton(s, b->solved, b->raise->work)) {
     return true;
   }
@@ -167,8 +182,9 @@ static void scale_rows(struct block *b) {
   for (size_t row = 0; row < b->rows; row++) {
     double *slope = b->jacobian + row * b->q, norm = 0;
     for (size_t j = 0; j < b->q; j++) {
-      norm = hypot(norm, slope[j]);
+      norm += slope[j] * slope[j];
     }
+    norm = sqrt(norm);
     b->norm[row] = norm > 0 && isfinite(norm) ? norm : (double)INFINITY;
     for (size_t j = 0; j < b->q; j++) {
       slope[j] = isfinite(b->norm[row]) ? slope[j] / norm : 0;
@@ -176,16 +192,34 @@ static void scale_rows(struct block *b) {
   }
 }
 
-/* The derivatives of g by the tension of node j of the block: by one step of
- * Newton's iteration around it, beyond which there is hardly an effect. */
+/* One step of Newton's iteration around node i. */
+static void step_at(struct block *b, size_t i) {
+  struct ph_sphere_spline *s = b->raise->spline;
+  const struct ph_sphere_data *d = s->data;
+  struct ph_sphere_range range = ph_sphere_widen(d, i, 1, NEAR);
+  size_t n = b->solved.count, first;
+  if (!b->linear) {
+    ph_sphere_step(s, range, b->raise->work);
+    return;
+  }
+  first = range.first + (range.first < b->solved.first ? d->n : 0) -
+          b->solved.first;
+  if (range.count >= n || first + range.count > n) {
+    ph_sphere_respond(s, &b->response, 0, n, b->raise->work);
+  } else {
+    ph_sphere_respond(s, &b->response, first, range.count, b->raise->work);
+  }
+}
+
+/* The derivatives of g by the tension of node j of the block: by one step
+ * around it, beyond which there is hardly an effect. */
 static void differentiate_by(struct block *b, size_t j) {
   const struct ph_sphere_spline *s = b->raise->spline;
   const struct ph_sphere_data *d = s->data;
   size_t i = b->node[j];
   double step = DIFFERENCE * fmax(b->nu[j], ph_sphere_stiffness(d, i) / 64);
   s->nu[i] += step;
-  ph_sphere_step(b->raise->spline, ph_sphere_widen(d, i, 1, NEAR),
-                 b->raise->work);
+  step_at(b, i);
   for (size_t at = 0; at < b->judged.count; at++) {
     size_t node = ph_sphere_node(d, b->judged, at);
     size_t far = node > i ? node - i : i - node;
@@ -203,6 +237,9 @@ static void differentiate_by(struct block *b, size_t j) {
 
 /* g and its derivatives at the tensions that are kept. */
 static void differentiate(struct block *b) {
+  if (b->linear) {
+    ph_sphere_response_of(b->raise->spline, b->solved, &b->response);
+  }
   b->row[0] = 0;
   for (size_t at = 0; at < b->judged.count; at++) {
     b->row[at + 1] = b->row[at] + measure_at(b, at, b->g + b->row[at]);
@@ -230,6 +267,25 @@ static void correct(struct block *b, const double *step) {
   }
 }
 
+/*
+ * Velocities are about w / (a + nu) with a = YIELD stiffnesses, which is linear
+ * in 1 / (a + nu): steps z of a linear program are those of -(a + nu0)^2 times
+ * that, by which nu begins to move as z does and goes on as
+ *   nu - nu0 = z / (1 - z / (a + nu0)).
+ */
+static double yield_of(const struct block *b, size_t j) {
+  const struct ph_sphere_data *d = b->raise->spline->data;
+  return YIELD * ph_sphere_stiffness(d, b->node[j]) + b->nu[j];
+}
+
+static double to_step(const struct block *b, size_t j, double change) {
+  return change / (1 + change / yield_of(b, j));
+}
+
+static double to_change(const struct block *b, size_t j, double step) {
+  return step / (1 - step / yield_of(b, j));
+}
+
 /* The step to the least sum in a box. */
 static bool find_step(struct block *b, double box, double *step) {
   const struct ph_sphere_data *d = b->raise->spline->data;
@@ -248,25 +304,33 @@ static bool find_step(struct block *b, double box, double *step) {
     double side = box * fmax(b->nu[j], SMALL * largest);
     double down = b->nu[j] - d->nu[b->node[j]];
     one[j] = 1;
-    lower[j] = down < side ? -down : -side;
-    upper[j] = side;
+    lower[j] = to_step(b, j, down < side ? -down : -side);
+    upper[j] = to_step(b, j, side);
   }
   return ph_lp_solve(&lp, &b->lp, step) == PH_LP_OPTIMAL;
 }
 
-/* Takes a part of a step if the criteria hold there; otherwise the spline is
- * left there, or as it was kept where there is none. */
-static bool take(struct block *b, const double *step, double part) {
+/* Takes other tensions if the criteria hold there; otherwise the spline is left
+ * there, or as it was kept where there is none. */
+static bool take(struct block *b, double *nu) {
   const struct ph_sphere_data *d = b->raise->spline->data;
-  double nu[BLOCK_MAX];
   for (size_t j = 0; j < b->q; j++) {
-    nu[j] = fmax(b->nu[j] + part * step[j], d->nu[b->node[j]]);
+    nu[j] = fmax(nu[j], d->nu[b->node[j]]);
   }
   if (!solve_at(b, nu) || !is_better(b)) {
     return false;
   }
   keep(b);
   return true;
+}
+
+/* The same with a part of a step. */
+static bool take_step(struct block *b, const double *step, double part) {
+  double nu[BLOCK_MAX];
+  for (size_t j = 0; j < b->q; j++) {
+    nu[j] = b->nu[j] + to_change(b, j, part * step[j]);
+  }
+  return take(b, nu);
 }
 
 /* Takes the step that a linear program finds in the box, corrected some times
@@ -282,14 +346,14 @@ static double go(struct block *b, double box) {
     if (!find_step(b, box, step)) {
       return 0;
     }
-    if (take(b, step, 1)) {
+    if (take_step(b, step, 1)) {
       return 1;
     }
     correct(b, step);
     restore(b);
   }
   for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
-    if (take(b, step, parts[i])) {
+    if (take_step(b, step, parts[i])) {
       return parts[i];
     }
     restore(b);
@@ -303,17 +367,31 @@ static void halve(struct block *b) {
   const struct ph_sphere_data *d = b->raise->spline->data;
   bool held = true;
   for (size_t i = 0; held && i < HALVINGS_MAX; i++) {
-    double step[BLOCK_MAX];
+    double nu[BLOCK_MAX];
     for (size_t j = 0; j < b->q; j++) {
-      step[j] = (d->nu[b->node[j]] - b->nu[j]) / 2;
+      nu[j] = (d->nu[b->node[j]] + b->nu[j]) / 2;
     }
-    held = take(b, step, 1);
+    held = take(b, nu);
   }
   restore(b);
 }
 
+/* Whether all angles where the spline changes are small. */
+static bool is_linear(const struct block *b) {
+  const struct ph_sphere_spline *s = b->raise->spline;
+  bool small = s->model->retension != NULL;
+  for (size_t j = 0; small && j <= b->solved.count; j++) {
+    small = s->data->theta[segment_at(b, j)] <= LINEAR;
+  }
+  return small;
+}
+
 static void minimise_block(struct block *b) {
   double box = BOX;
+  b->linear = is_linear(b);
+  if (b->linear) {
+    ph_sphere_response_of(b->raise->spline, b->solved, &b->response);
+  }
   keep(b);
   halve(b);
   for (size_t i = 0; i < STEPS_MAX && box > BOX_MIN && !is_late(b); i++) {
@@ -457,7 +535,8 @@ static bool alloc(struct block *b, struct ph_arena *scratch) {
   b->norm = ph_arena_array(scratch, ROWS_MAX, number);
   b->rhs = ph_arena_array(scratch, ROWS_MAX, number);
   return b->x && b->r && b->l && b->g && b->moved && b->jacobian && b->norm &&
-         b->rhs && ph_lp_alloc(&b->lp, scratch, BLOCK_MAX, ROWS_MAX);
+         b->rhs && ph_sphere_response_alloc(&b->response, scratch, nodes) &&
+         ph_lp_alloc(&b->lp, scratch, BLOCK_MAX, ROWS_MAX);
 }
 
 bool ph_sphere_minimise(struct ph_sphere_raise *raise,

@@ -416,4 +416,4 @@ static bool last_resort(struct ph_sphere_spline *s,
 }
 
 const struct ph_sphere_model ph_sphere_nielson = {
-    "nielson", segment, node, move, reach, hug, start, last_resort};
+    "nielson", segment, node, NULL, move, reach, hug, start, last_resort};

@@ -55,8 +55,8 @@ struct ph_sphere_data {
  *
  * out  data  arrays in the arena
  * ret  PH_OK | PH_MISSING_FIELD | PH_BAD_VALUE | PH_BAD_SHAPE |
- *      PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS (neighbours nearer than 1e-8) |
- *      PH_ANTIPODAL_POINTS (farther than pi - 1e-6) | PH_NOT_ON_SPHERE |
+ *      PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS (neighbours nearer than 1e-10)
+ * | PH_ANTIPODAL_POINTS (farther than pi - 1e-6) | PH_NOT_ON_SPHERE |
  *      PH_ZERO_TANGENT | PH_TOO_LARGE | PH_NO_MEMORY
  */
 enum ph_status ph_sphere_data_read(const struct ph_problem *problem,
@@ -137,15 +137,21 @@ ph_sphere_segment(const struct ph_sphere_spline *s, size_t k) {
   return segment;
 }
 
+/* ph_sphere_middle: its middle leg. */
+static inline ph_vec3 ph_sphere_middle(const struct ph_sphere_spline *s,
+                                       size_t k) {
+  const ph_vec3 *p = s->data->p;
+  ph_vec3 across = ph_vec3_sub(p[ph_sphere_next(s->data, k)], p[k]);
+  return ph_vec3_add(ph_vec3_sub(across, s->r[k]), s->l[k]);
+}
+
 /* ph_sphere_legs: the same by its legs, which are known to more digits than
  * the control points tell, where these are close to a node. */
 static inline struct ph_spherical_legs
 ph_sphere_legs(const struct ph_sphere_spline *s, size_t k) {
-  const ph_vec3 *p = s->data->p;
   struct ph_spherical_legs legs = {.s = ph_sphere_segment(s, k)};
-  ph_vec3 across = ph_vec3_sub(p[ph_sphere_next(s->data, k)], p[k]);
   legs.leg[0] = s->r[k];
-  legs.leg[1] = ph_vec3_add(ph_vec3_sub(across, s->r[k]), s->l[k]);
+  legs.leg[1] = ph_sphere_middle(s, k);
   legs.leg[2] = ph_vec3_scale(-1, s->l[k]);
   return legs;
 }
@@ -163,8 +169,8 @@ struct ph_sphere_part {
 
 struct ph_sphere_model {
   const char *name;
-  /* segment: sets r[k] and l[k] from x, and the part; its derivatives only if
-   * asked for */
+  /* segment: sets r[k] and l[k] from x, and the part, unless it is NULL; its
+   * derivatives only if asked for */
   void (*segment)(struct ph_sphere_spline *s, size_t k, bool derivatives,
                   struct ph_sphere_part *part);
   /* node: the equation of node i, which is no end, between two parts: its
@@ -174,6 +180,10 @@ struct ph_sphere_model {
                const struct ph_sphere_part *left,
                const struct ph_sphere_part *right, bool derivatives,
                struct ph_block2_row *row);
+  /* retension: a row that was made with the tension `from` and x[i] = x, with
+   * the tension that node i has; or NULL: x does not answer linearly */
+  void (*retension)(const struct ph_sphere_spline *s, size_t i, ph_vec3 x,
+                    double from, struct ph_block2_row *row);
   /* move: x[i] when it moves by these coordinates in the frame */
   ph_vec3 (*move)(const struct ph_sphere_spline *s, size_t i,
                   const double step[2]);
@@ -265,6 +275,34 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
  * iteration takes, for derivatives. */
 void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
                     struct ph_sphere_work *work);
+
+/* ---- linear response ----------------------------------------------------- */
+
+/* The equations of a range at a spline, to tell what other tensions make of
+ * it, of a model with retension. */
+struct ph_sphere_response {
+  struct ph_sphere_range range;
+  struct ph_block2_row *row; /* [range.count] */
+  double *nu;                /* and tensions, */
+  ph_vec3 *x;                /* and unknowns there */
+};
+
+/* ph_sphere_response_alloc: for up to n nodes; false when memory is exhausted.
+ */
+bool ph_sphere_response_alloc(struct ph_sphere_response *response,
+                              struct ph_arena *arena, size_t n);
+
+/* ph_sphere_response_of: at the spline as it is. */
+void ph_sphere_response_of(struct ph_sphere_spline *s,
+                           struct ph_sphere_range range,
+                           struct ph_sphere_response *response);
+
+/* ph_sphere_respond: sets x of nodes first, first + 1, ... of the response's
+ * range, count of them, to what the tensions of s make of it, to first order,
+ * while the rest stands still; and the legs there. */
+void ph_sphere_respond(struct ph_sphere_spline *s,
+                       const struct ph_sphere_response *response, size_t first,
+                       size_t count, struct ph_sphere_work *work);
 
 /* ---- from nothing -------------------------------------------------------- */
 

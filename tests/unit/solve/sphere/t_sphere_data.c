@@ -78,10 +78,10 @@ static const struct {
           {PH_F_POINTS, VECTORS(3, 1e300, 0, 0, 0, 1, 0)},
           {PH_F_RADIUS, NUMBER(1e-300)}),
     FAILS(PH_COINCIDENT_POINTS, "points[2]",
-          "coincides with points[1]: they are less than 1e-08 rad apart" JOINS,
-          {PH_F_POINTS, VECTORS(3, 0, 1, 0, 1, 0, 0, 1, 9e-9, 0)}),
+          "coincides with points[1]: they are less than 1e-10 rad apart" JOINS,
+          {PH_F_POINTS, VECTORS(3, 0, 1, 0, 1, 0, 0, 1, 9e-11, 0)}),
     FAILS(PH_COINCIDENT_POINTS, "lonlat[0]",
-          "coincides with lonlat[3]: they are less than 1e-08 rad apart" JOINS,
+          "coincides with lonlat[3]: they are less than 1e-10 rad apart" JOINS,
           CLOSED, {PH_F_LONLAT, VECTORS(2, 0, 90, 10, 0, 90, 0, 7, 90, 0, 90)}),
     FAILS(
         PH_ANTIPODAL_POINTS, "points[2]",
