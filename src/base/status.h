@@ -61,6 +61,8 @@ enum ph_class {
     "warning: the curve is stationary, but no minimum")                        \
   X(LEAVES_PLANE, "leaves-plane", RECORD,                                      \
     "warning: no plane curve was found for data in a plane")                   \
+  X(NATURAL_UNKNOWN, "natural-unknown", RECORD,                                \
+    "warning: the curve with free lengths was not found")                      \
   X(SHARP_CORNERS, "sharp-corners", RECORD,                                    \
     "warning: the curve is nearly a polygon with sharp corners")               \
   X(MOVED_POINTS, "moved-points", RECORD,                                      \

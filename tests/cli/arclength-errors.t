@@ -360,24 +360,23 @@ measured='--length_sigma=N allows for lengths that were measured'
 again='--starts=N begins anew N times'
 lost 'lengths that hardly exceed the chords' \
   "lengths[N]: is not met by N starts: it is N above its chord, relative, where \
-a turn of N takes N; residual N of the mean length; $room, $measured" \
-  "$fig5,\"lengths\":[4.358903,2.2360702,1.7320525]"
+a turn of N takes N; residual N of the mean length; $room" \
+  "$fig5,\"lengths\":[4.358903,2.2360702,1.7320525],\"refine\":2"
 true_that 'lengths that hardly exceed the chords: the tightest' grep -q \
   'lengths.0.: is not met by [0-9]* starts: it is 9.31e-07 above its chord, '\
-'relative, where a turn of 2.11 takes 0.185; .*; --refine=3 gives the curve more room, '\
-'--length_sigma=0.001 allows' err
+'relative, where a turn of 2.11 takes 0.185; .*; --refine=3 gives the curve more' err
 lost 'no more segments to be had' \
   "$unmet, naturally N; residual N of the mean length; $measured" \
   '"derivatives":[[1e6,0,0],[0,1,0],[0,0,1]],"lengths":[1,1],"refine":3'
 lost 'derivatives that are too large' \
-  "$unmet, naturally N; residual N of the mean length; $room" \
+  "$unmet, naturally N; residual N of the mean length; $measured" \
   '"derivatives":[[1e6,0,0],[0,1,0],[0,0,1]],"lengths":[1,1]'
 tangents='"tangents":[[1,0,0],[0,1,0],[0,0,1]],"lengths":[1,1e-9]'
 lost 'tangents whose lengths differ too much' \
-  "$unmet; residual N of the mean length; $room" "$tangents"
+  "$unmet; residual N of the mean length; $room" "$tangents,\"refine\":2"
 true_that 'tangents, more segments' grep -q -e '; --refine=3 gives' err
 lost 'tangents, more starts' "$unmet; residual N of the mean length; $again" \
-  "$tangents,\"refine\":3"
+  "$tangents"
 true_that 'tangents, more starts: how many' grep -q -e '; --starts=20 begins' err
 lost 'tangents, nothing more to try' "$unmet; residual N of the mean length" \
   "$tangents,\"refine\":3,\"starts\":20"

@@ -118,8 +118,8 @@ refused 'a length below its chord' infeasible 'lengths\[1\]: .*chord' \
   "{$steps,\"lengths\":[1.1,0.9,1.1]}"
 refused 'one length is its chord' bad-value 'lengths\[1\]: .*chord' \
   "{$steps,\"lengths\":[1.1,1,1.1]}"
-refused 'corners, 1e-4 longer than their chords' no-convergence length_sigma \
-  "{$steps,\"lengths\":[1.0001,1.0001,1.0001]}"
+refused 'corners, 1e-4 longer than their chords' no-convergence refine=3 \
+  "{$steps,\"lengths\":[1.0001,1.0001,1.0001],\"refine\":2}"
 for refine in 0 4 1.5; do
   refused "refine $refine" bad-value 'refine: ' \
     "{$steps,\"lengths\":[1.1,1.1,1.1],\"refine\":$refine}"

@@ -246,7 +246,7 @@ dense=$(awk 'BEGIN {
   }
   print "\"tangents\":[" tangents "],\"lengths\":[" lengths "]"
 }')
-same 'refine: 1 with 50 intervals of tangents' "$dense" "$dense,\"refine\":1"
+same 'refine: 2 with many tangents' "$dense" "$dense,\"refine\":2"
 for refine in 1 2 3; do
   solve "$fig5_lengths,\"refine\":$refine"
   equal "refine: $refine segments each" \

@@ -125,6 +125,9 @@ bool ph_arc_region_alloc(size_t n, size_t band, struct ph_arena *arena,
 bool ph_arc_region_step(struct ph_arc_region *region, double radius,
                         double above);
 
+/* ph_arc_region_solve: v = -(A + shift)^-1 v, after a step. */
+void ph_arc_region_solve(const struct ph_arc_region *region, double *v);
+
 /* ---- penalties ----------------------------------------------------------- */
 
 /*
@@ -172,11 +175,41 @@ void ph_arc_whitened(const struct ph_arc_system *system, const double *y,
  */
 void ph_arc_twist(const struct ph_arc_system *system, double angle, double *x);
 
+/*
+ * Windows: stretches of the nodes, each with a trusted radius of its own, so
+ * that one place where steps are short does not shorten those of all others.
+ *
+ * The nodes between two windows are held, and no interval has nodes in two of
+ * them: what they gain adds up exactly.  Two sweeps, whose windows are shifted
+ * by half of one, move all nodes; chi of a closed curve is held.
+ */
+struct ph_arc_window {
+  size_t low, high;   /* places in the order of matrices: low to high - 1 */
+  size_t first, last; /* of its intervals in `interval`: first to last - 1 */
+  double radius, hint;
+};
+
+struct ph_arc_windows {
+  size_t n;       /* 0: there are too few intervals for windows */
+  size_t part[3]; /* those of sweep k: part[k] to part[k + 1] - 1 */
+  struct ph_arc_window *window; /* [n] */
+  size_t *interval;             /* intervals that each touches */
+  uint32_t *node;               /* [nodes] by their places */
+  struct ph_arc_region region;  /* of one window */
+  double *y;                    /* [y_n] */
+};
+
+/* ph_arc_windows_alloc: those of a system.  ret false: no memory */
+bool ph_arc_windows_alloc(const struct ph_arc_system *system,
+                          struct ph_arena *arena,
+                          struct ph_arc_windows *windows);
+
 /* What the search works in, for systems of one size. */
 struct ph_arc_work {
   const struct ph_arena *arena; /* of all this; knows how much time there is */
   struct ph_arc_linear linear;
   struct ph_arc_region region;
+  struct ph_arc_windows windows;
   double *ordered;                 /* [x_n] in the order of matrices */
   double *step;                    /* [x_n] */
   double *to, *better;             /* [x_n] points tried */
@@ -187,10 +220,58 @@ struct ph_arc_work {
 bool ph_arc_work_alloc(const struct ph_arc_system *system,
                        struct ph_arena *arena, struct ph_arc_work *work);
 
+/*
+ * What is minimised: F + y . c + rho / 2 |c|^2.  A row that yields,
+ * c - compliance y = 0, has (c + y / rho)^2 / (compliance + 1 / rho) / 2 in the
+ * place of y c + rho / 2 c^2, but for a constant.
+ */
+struct ph_arc_lagrangian {
+  const struct ph_arc_system *s;
+  struct ph_arc_work *w;
+  double *x;
+  double *y;
+  double rho;
+  double f;     /* F at x; the rows there are in w->c */
+  double value; /* at x */
+  double radius, least;
+};
+
+/* ph_arc_row_weight: the second derivative by row r. */
+static inline double ph_arc_row_weight(const struct ph_arc_lagrangian *g,
+                                       size_t r) {
+  return g->rho / (1 + ph_arc_compliance(g->s, r) * g->rho);
+}
+
+/* ph_arc_multiplier: the first derivative by row r, and the next y_r. */
+static inline double ph_arc_multiplier(const struct ph_arc_lagrangian *g,
+                                       const double *c, size_t r) {
+  return (g->y[r] + g->rho * c[r]) / (1 + ph_arc_compliance(g->s, r) * g->rho);
+}
+
+/* ph_arc_row_value: what row r adds to F. */
+static inline double ph_arc_row_value(const struct ph_arc_lagrangian *g,
+                                      const double *c, size_t r) {
+  double soft = ph_arc_compliance(g->s, r), y = g->y[r];
+  return soft > 0 ? (c[r] + y / g->rho) * ph_arc_multiplier(g, c, r) / 2 -
+                        y * y / g->rho / 2
+                  : c[r] * (y + g->rho / 2 * c[r]);
+}
+
+/* ph_arc_model: gradient and matrix of the region at x. */
+void ph_arc_model(struct ph_arc_lagrangian *g);
+
+/* ph_arc_windows_begin: all radii anew. */
+void ph_arc_windows_begin(struct ph_arc_lagrangian *g);
+
+/* ph_arc_sweep: a step in each window of sweep 0 or 1.  It moves x, but w->c
+ * and the value are left as they were. */
+void ph_arc_sweep(struct ph_arc_lagrangian *g, size_t sweep);
+
 struct ph_arc_penalty_options {
   double rho;        /* first weight of the squared rows */
   double rho_max;    /* and the last */
   double tolerance;  /* of the rows */
+  double inner;      /* a step that gains less of F ends the inner iteration */
   size_t iterations; /* steps, at most */
 };
 
@@ -207,8 +288,6 @@ struct ph_arc_penalty_report {
  * inout x
  * inout y  multipliers of the rows of the system, whitened if they are
  * ret   whether the tolerance was reached
- *
- * Rows with a compliance are taken as exact.
  */
 bool ph_arc_penalty(const struct ph_arc_system *system,
                     const struct ph_arc_penalty_options *options,
@@ -239,6 +318,18 @@ bool ph_arc_start(struct ph_arc_system *system, struct ph_arena *scratch,
 void ph_arc_perturb(const struct ph_arc_system *system, double size,
                     uint64_t *state, double *x);
 
+/*
+ * ph_arc_wiggle: nodes of a curve that is about as long as it is to be, from
+ * those of the natural curve: where an interval is longer by the part e, its
+ * nodes are tilted to one side and the other, as a wave of this length is, and
+ * its speed is raised.
+ *
+ * in    natural  [n] lengths of the natural curve
+ * inout x        of a system with lengths, two segments in an interval or more
+ */
+void ph_arc_wiggle(const struct ph_arc_system *system, const double *natural,
+                   double *x);
+
 /* ---- search -------------------------------------------------------------- */
 
 /*
@@ -254,11 +345,15 @@ struct ph_arc_request {
   size_t dim;
   size_t random; /* extra starts */
   bool all;      /* try every start, keep every minimum */
+  bool rescue;   /* augmented Lagrangians where Newton's method alone leads
+                  * nowhere */
+  bool waves;    /* and random waves */
 };
 
 /* The curve whose lengths are free. */
 struct ph_arc_natural {
-  bool known;
+  bool known; /* false: all that follows is of what came nearest to it */
+  double residual;
   double f;
   double *length; /* [n] */
   double *x;      /* [x_n] */

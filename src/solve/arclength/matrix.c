@@ -282,8 +282,8 @@ static inline void add_interval(const struct ph_arc_system *s, size_t i,
   }
 }
 
-/* The Hessian of the functional and the rows of intervals, of knots, shift and
- * pin.  This and what follows is not complete when time is over. */
+/* The Hessian of the functional and the rows of intervals, of knots, and shift.
+ * This and what follows is not complete when time is over. */
 static void add_hessian(const struct ph_arc_system *s, const double *x,
                         const double *y, const struct ph_arc_weights *weights,
                         const struct target *t) {
@@ -305,7 +305,6 @@ static void add_hessian(const struct ph_arc_system *s, const double *x,
   for (size_t k = 0; weights->shift > 0 && k < s->x_n; k++) {
     add(t, t->place[k], t->place[k], weights->shift);
   }
-  add_pins(s, x, weights->pin, t);
 }
 
 /* A row of the equations and its column, over n nodes. */
@@ -417,8 +416,7 @@ static void add_penalty(const struct ph_arc_system *s,
     const uint32_t *place = node_places(s, i, t, places);
     const double *row = linear->rows + i * s->forms_n * local;
     if (s->compliance) {
-      double soft = s->compliance[i];
-      weight[0] = 1 / (soft > 1 / rho ? soft : 1 / rho);
+      weight[0] = 1 / (s->compliance[i] + 1 / rho);
     }
     if (dim == 4) { /* a constant for the compiler */
       add_products(t, place, s->span, 4, s->forms_n, row, local, weight);
@@ -443,6 +441,7 @@ void ph_arc_kkt(const struct ph_arc_system *s, const double *x, const double *y,
   struct target t = {matrix, s->kkt_band, s->place_x, false};
   memset(matrix, 0, ph_band_size(s->kkt_n, s->kkt_band) * sizeof *matrix);
   add_hessian(s, x, y, weights, &t);
+  add_pins(s, x, weights->pin, &t);
   add_rows(s, linear, &t);
 }
 
@@ -451,7 +450,16 @@ void ph_arc_penalised(const struct ph_arc_system *s, const double *x,
                       const struct ph_arc_weights *weights, double rho,
                       double *matrix) {
   struct target t = {matrix, s->order_band, s->order, true};
+  double most = 0;
   memset(matrix, 0, ph_sym_size(s->x_n, s->order_band) * sizeof *matrix);
   add_hessian(s, x, y, weights, &t);
+  for (size_t k = 0; weights->rounding > 0 && k < s->x_n; k++) {
+    double size = *ph_sym_at(matrix, s->order_band, k, k);
+    most = size > most ? size : most;
+  }
+  for (size_t k = 0; most > 0 && k < s->x_n; k++) {
+    *ph_sym_at(matrix, s->order_band, k, k) += weights->rounding * most;
+  }
+  add_pins(s, x, weights->pin, &t);
   add_penalty(s, linear, rho, &t);
 }

@@ -16,10 +16,7 @@
 #include <math.h>
 #include <string.h>
 
-enum {
-  MANY = 50, /* tangents this dense need no refinement */
-  STARTS_MAX = 1000
-};
+enum { REFINE_MAX = 3, STARTS_MAX = 1000 };
 
 /* One interval whose length is its chord to this is straight. */
 static const double STRAIGHT = 1e-12;
@@ -32,7 +29,8 @@ struct task {
   struct ph_arc_request request;
   struct ph_arc_search search;
   bool keep_plane;
-  bool left_plane; /* no curve was found there */
+  bool left_plane;    /* no curve was found there */
+  size_t refine_last; /* the largest that is tried */
 };
 
 /* ---- what is asked for --------------------------------------------------- */
@@ -43,15 +41,15 @@ static bool is_soft(const struct task *t) {
 
 static enum ph_status read_refine(struct task *t) {
   const struct ph_value *refine = &t->problem->field[PH_F_REFINE];
-  bool dense = t->data.mode == PH_ARC_TANGENTS && t->data.n >= MANY;
-  t->request.refine = t->data.length && !dense ? 2 : 1;
+  t->request.refine = t->data.length ? 2 : 1;
+  t->refine_last = REFINE_MAX;
   if (refine->kind == PH_NUMBER) {
     double r = refine->number;
     if (!(r >= 1 && r <= 3 && floor(r) >= r)) {
       return ph_fail(t->diag, PH_BAD_VALUE, "refine",
                      "must be 1, 2, 3 or auto, found %.17g", r);
     }
-    t->request.refine = (size_t)r;
+    t->request.refine = t->refine_last = (size_t)r;
   }
   if (t->data.closed && t->data.length && !is_soft(t) &&
       t->request.refine == 1) {
@@ -267,6 +265,29 @@ static enum ph_status find(struct task *t) {
   return search_in(t, 4) ? PH_OK : ph_fail_memory(t->diag);
 }
 
+/* Finds curves with as few segments in an interval as it takes: more of them
+ * promise more than random waves. */
+static enum ph_status find_refined(struct task *t) {
+  struct ph_mark mark = ph_arena_mark(t->scratch);
+  size_t first = t->request.refine;
+  bool one = first == t->refine_last;
+  enum ph_status status = PH_OK;
+  for (size_t pass = 0; pass < (one ? 1 : 2); pass++) {
+    t->request.rescue = pass == 0;
+    t->request.waves = one || pass == 1;
+    for (size_t r = first; r <= t->refine_last; r++) {
+      t->request.refine = r;
+      t->left_plane = false;
+      ph_arena_release(t->scratch, mark);
+      status = find(t);
+      if (status != PH_OK || t->search.found_n > 0) {
+        return status;
+      }
+    }
+  }
+  return status;
+}
+
 /* ---- the whole ----------------------------------------------------------- */
 
 static enum ph_status solve(const struct ph_problem *problem,
@@ -275,7 +296,7 @@ static enum ph_status solve(const struct ph_problem *problem,
   struct ph_mark mark = ph_arena_mark(scratch);
   struct task t = {.problem = problem, .scratch = scratch, .diag = diag};
   enum ph_status status = read_task(&t);
-  status = status == PH_OK ? find(&t) : status;
+  status = status == PH_OK ? find_refined(&t) : status;
   if (status == PH_OK && t.search.found_n == 0) {
     status = ph_arc_report_failure(&t.search, scratch, diag);
   } else if (status == PH_OK) {
@@ -306,7 +327,7 @@ static const struct ph_field fields[] = {
      "spacing of the knots, mean 1, or the knots themselves, increasing"},
     {PH_F_REFINE, PH_NUMBER | PH_WORD, 0, false, "auto", "auto",
      "segments from datum to datum: 1, 2 or 3, of their own accord 2 where "
-     "lengths are given (1 for tangents on 50 intervals or more), else 1"},
+     "lengths are given, else 1, and more where these do not do"},
     {PH_F_MAGNITUDES, PH_WORD, 0, false, "free|mean", "free",
      "size of derivatives with tangents: unknown, or the mean length"},
     {PH_F_PLANAR, PH_WORD, 0, false, "keep|free", "keep",
@@ -319,23 +340,20 @@ static const struct ph_field fields[] = {
      "the first point where only derivatives or tangents are given"},
 };
 
-/* More segments first: they find a curve for lengths that are meant to be met.
- */
+/* More segments first, where their number was given: they find a curve for
+ * lengths that are meant to be met. */
 static const struct ph_advice advice[] = {
     {"tangents", PH_F_TANGENTS, PH_F_MAGNITUDES, "mean",
      "--magnitudes=mean gives each derivative a length"},
-    {"lengths", PH_F_POINTS, PH_F_REFINE, "3",
-     "--refine=3 gives the curve more room, --length_sigma=0.001 allows for "
-     "lengths that were measured"},
-    {"lengths", PH_FIELD_N, PH_F_REFINE, "3",
+    {"lengths", PH_F_REFINE, PH_F_REFINE, "3",
      "--refine=3 gives the curve more room"},
     {"lengths", PH_F_POINTS, PH_F_LENGTH_SIGMA, NULL,
      "--length_sigma=0.001 allows for lengths that were measured"},
     {"lengths", PH_F_DERIVATIVES, PH_F_LENGTH_SIGMA, NULL,
      "--length_sigma=0.001 allows for lengths that were measured"},
-    {NULL, PH_FIELD_N, PH_F_REFINE, "2",
+    {NULL, PH_F_REFINE, PH_F_REFINE, "2",
      "--refine=2 gives the curve more room"},
-    {NULL, PH_FIELD_N, PH_F_REFINE, "3",
+    {NULL, PH_F_REFINE, PH_F_REFINE, "3",
      "--refine=3 gives the curve more room"},
     {NULL, PH_FIELD_N, PH_F_STARTS, "20", "--starts=20 begins anew 20 times"},
 };

@@ -25,13 +25,17 @@ static const double PIN = 1e3;
 /* Weights of J^T J in the test of A, each times 1 + |y|: with a fixed weight
  * large multipliers would give false alarms. */
 static const double PENALTY[2] = {1e4, 1e7};
-/* Where that fails, the diagonal is raised by this part of its largest element,
- * below which curvature is rounding: of many points all is. */
-static const double ROUNDING = 64 * 2.2204460492503131e-16;
+/* Where that fails, the diagonal is raised by this part of the largest element
+ * of the Hessian, below which curvature is rounding: of many points all is.  It
+ * is half of what the certificate takes for rounding (check/stationary.c). */
+static const double ROUNDING = 2048 * 2.2204460492503131e-16;
+/* For the choice of a step by more: soft modes of many points need small
+ * shifts, or none. */
+static const double ALARM = 1e-10;
 /* Weights of J^T J that prove a minimum. */
 static const double PROOF[4] = {1e2, 1e4, 1e6, 1e8};
-static const double SHIFT_FIRST = 1e-4, SHIFT_REFUSED = 1e-3, SHIFT_MAX = 1e10,
-                    SHIFT_NONE = 1e-7;
+static const double SHIFT_FIRST = 1e-7, SHIFT_REFUSED = 1e-3, SHIFT_MAX = 1e10,
+                    SHIFT_NONE = 1e-10;
 static const double STEP_MIN = 1e-5;
 static const double ARMIJO = 1e-4;
 /* A step does not change a node by more than this times the largest one. */
@@ -43,6 +47,8 @@ struct state {
   struct ph_arc_newton *w;
   struct ph_arc_point *p;
   double shift;
+  double hint;   /* the last that was not 0 */
+  double limit;  /* of residuals and gradients near the end */
   double nu;     /* weight of |c| in the merit function */
   double y_size; /* largest multiplier */
   bool near;     /* plain Newton steps */
@@ -99,19 +105,12 @@ void ph_arc_point_copy(const struct ph_arc_system *s,
 
 /* ---- the linear system --------------------------------------------------- */
 
-/* What row r yields to its multiplier. */
-static double compliance(const struct ph_arc_system *s, size_t r) {
-  bool soft =
-      s->compliance && r < s->data->n * s->forms_n && r % s->forms_n == 0;
-  return soft ? s->compliance[r / s->forms_n] : 0;
-}
-
 /* Whether all residuals are as small as asked for. */
 static bool rows_hold(const struct ph_arc_system *s, const double *c,
                       const double *y) {
   bool hold = true;
   for (size_t r = 0; r < s->y_n; r++) {
-    double soft = compliance(s, r);
+    double soft = ph_arc_compliance(s, r);
     hold = hold && fabs(c[r] - soft * y[r]) <= RESIDUAL * (1 + soft);
   }
   return hold;
@@ -131,29 +130,19 @@ static void solve(struct state *t, double *dx, double *dy) {
 
 /* Whether the Hessian with rho J^T J is positive definite. */
 static bool is_positive(const struct ph_arc_system *s, struct ph_arc_newton *w,
-                        const double *x, const double *y, double shift,
-                        double rho, bool rounded) {
-  struct ph_arc_weights weights = {1, shift, PIN};
-  ph_arc_penalised(s, x, y, &w->linear, &weights, rho, w->penalised);
-  if (rounded) {
-    double most = 0;
-    for (size_t k = 0; k < s->x_n; k++) {
-      double d = *ph_sym_at(w->penalised, s->order_band, k, k);
-      most = d > most ? d : most;
-    }
-    for (size_t k = 0; k < s->x_n; k++) {
-      *ph_sym_at(w->penalised, s->order_band, k, k) += ROUNDING * most;
-    }
-  }
+                        const double *x, const double *y, double rho,
+                        const struct ph_arc_weights *weights) {
+  ph_arc_penalised(s, x, y, &w->linear, weights, rho, w->penalised);
   return !ph_arena_late(w->arena) &&
          ph_sym_factor(w->penalised, s->x_n, s->order_band);
 }
 
 /* Whether the Hessian, shifted, is positive definite on the null space of J. */
 static bool is_convex(struct state *t) {
-  for (size_t k = 0; k < 3 && !ph_arena_late(t->w->arena); k++) {
-    if (is_positive(t->s, t->w, t->p->x, t->p->y, t->shift,
-                    PENALTY[k % 2] * (1 + t->y_size), k == 2)) {
+  for (size_t k = 0; k < 4 && !ph_arena_late(t->w->arena); k++) {
+    struct ph_arc_weights weights = {1, t->shift, PIN, k < 2 ? 0 : ALARM};
+    if (is_positive(t->s, t->w, t->p->x, t->p->y,
+                    PENALTY[k % 2] * (1 + t->y_size), &weights)) {
       return true;
     }
   }
@@ -166,7 +155,7 @@ static bool find_step(struct state *t) {
   struct ph_arc_newton *w = t->w;
   const struct ph_arc_point *p = t->p;
   while (t->shift <= SHIFT_MAX && !ph_arena_late(w->arena)) {
-    struct ph_arc_weights weights = {1, t->shift, PIN};
+    struct ph_arc_weights weights = {1, t->shift, PIN, 0};
     if (t->near || is_convex(t)) {
       ph_arc_kkt(s, p->x, p->y, &w->linear, &weights, w->kkt);
       if (!ph_arena_late(w->arena) &&
@@ -175,7 +164,8 @@ static bool find_step(struct state *t) {
           w->step[s->place_x[k]] = -w->linear.l_x[k];
         }
         for (size_t r = 0; r < s->y_n; r++) {
-          w->step[s->place_y[r]] = compliance(s, r) * p->y[r] - w->linear.c[r];
+          w->step[s->place_y[r]] =
+              ph_arc_compliance(s, r) * p->y[r] - w->linear.c[r];
         }
         solve(t, w->dx, w->dy);
         if (ph_arc_largest(s->x_n, w->dx) < STEP_SINGULAR &&
@@ -198,7 +188,7 @@ static double merit(struct state *t, const double *x) {
   double *c = t->w->c, f = ph_arc_functional(s, x), sum = 0;
   ph_arc_residual(s, x, c);
   for (size_t r = 0; r < s->y_n; r++) {
-    double soft = compliance(s, r);
+    double soft = ph_arc_compliance(s, r);
     if (soft > 0) {
       f += c[r] * c[r] / (2 * soft);
     } else {
@@ -220,7 +210,7 @@ static double merit_derivative(struct state *t) {
     ph_arc_rows_times(s, l, t->w->dx, t->w->c);
   }
   for (size_t r = 0; r < s->y_n; r++) {
-    double soft = compliance(s, r);
+    double soft = ph_arc_compliance(s, r);
     if (soft > 0) {
       sum += l->c[r] / soft * t->w->c[r];
     } else {
@@ -235,7 +225,7 @@ static double merit_derivative(struct state *t) {
 static void weigh_rows(struct state *t) {
   double most = 0;
   for (size_t r = 0; r < t->s->y_n; r++) {
-    double size = compliance(t->s, r) > 0 ? 0 : fabs(t->w->y[r]);
+    double size = ph_arc_compliance(t->s, r) > 0 ? 0 : fabs(t->w->y[r]);
     most = size > most ? size : most;
   }
   if (1.1 * most > t->nu) {
@@ -252,7 +242,7 @@ static void correct(struct state *t, const double *x) {
   ph_arc_residual(s, x, w->c);
   memset(w->step, 0, s->kkt_n * sizeof *w->step);
   for (size_t r = 0; r < s->y_n; r++) {
-    w->step[s->place_y[r]] = compliance(s, r) * w->y[r] - w->c[r];
+    w->step[s->place_y[r]] = ph_arc_compliance(s, r) * w->y[r] - w->c[r];
   }
   solve(t, w->dx2, NULL);
   for (size_t k = 0; k < s->x_n; k++) {
@@ -321,11 +311,11 @@ static void look(struct state *t) {
   p->kkt = ph_arc_largest(s->x_n, t->w->linear.l_x) / (1 + t->y_size);
   p->residual = 0;
   for (size_t r = 0; r < s->y_n && !isnan(p->residual); r++) {
-    double soft = compliance(s, r);
+    double soft = ph_arc_compliance(s, r);
     double c = fabs(t->w->linear.c[r] - soft * p->y[r]) / (1 + soft);
     p->residual = c <= p->residual || isnan(p->residual) ? p->residual : c;
   }
-  t->near = p->residual < NEAR && p->kkt < NEAR;
+  t->near = p->residual < t->limit && p->kkt < t->limit;
   t->shift = t->near ? 0 : t->shift;
   t->noise = 1e-10 * p->f + 1e-15 * (double)s->y_n * t->nu;
 }
@@ -383,9 +373,14 @@ static bool iterate(struct state *t) {
   for (size_t r = 0; r < s->y_n; r++) {
     p->y[r] += step * w->dy[r];
   }
+  if (t->near && step < 0.2) { /* not so near */
+    t->limit = fmax(p->residual, p->kkt) / 10;
+  }
+  t->hint = t->shift > 0 ? t->shift : t->hint;
   t->shift = !(step < 1)    ? t->shift / 10
              : step > 0.2   ? t->shift
              : t->shift > 0 ? 4 * t->shift
+             : t->hint > 0  ? 10 * t->hint
                             : SHIFT_REFUSED;
   t->shift = t->shift < SHIFT_NONE ? 0 : t->shift;
   return true;
@@ -394,7 +389,8 @@ static bool iterate(struct state *t) {
 bool ph_arc_newton_solve(const struct ph_arc_system *s,
                          struct ph_arc_newton *work, size_t limit,
                          struct ph_arc_point *p) {
-  struct state t = {.s = s, .w = work, .p = p, .before = (double)INFINITY};
+  struct state t = {
+      .s = s, .w = work, .p = p, .limit = NEAR, .before = (double)INFINITY};
   bool go = true;
   p->converged = p->minimiser = false;
   look(&t);
@@ -416,8 +412,9 @@ bool ph_arc_is_minimum(const struct ph_arc_system *s,
                        struct ph_arc_newton *work, const double *x,
                        const double *y) {
   ph_arc_linearise(s, x, y, &work->linear);
-  for (size_t k = 0; k < 5 && !ph_arena_late(work->arena); k++) {
-    if (is_positive(s, work, x, y, 0, PROOF[k % 4], k == 4)) {
+  for (size_t k = 0; k < 8 && !ph_arena_late(work->arena); k++) {
+    struct ph_arc_weights weights = {1, 0, PIN, k < 4 ? 0 : ROUNDING};
+    if (is_positive(s, work, x, y, PROOF[k % 4], &weights)) {
       return true;
     }
   }

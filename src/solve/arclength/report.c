@@ -296,11 +296,6 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
                                      struct ph_arena *scratch,
                                      struct ph_diag *diag) {
   const struct ph_arc_point *p = &search->nearest;
-  if (search->system.data->sigma > 0 && !search->natural.known) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
-                   "the curve with free lengths was not found, by which "
-                   "length_sigma is weighed");
-  }
   if (search->stood_still) {
     return ph_fail(diag, PH_NO_CONVERGENCE, "tangents",
                    "have no curve that was found by %zu starts but some that "
@@ -383,7 +378,14 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
             "the curve bends least in the plane of the data, but not in "
             "space: \"planar\":\"free\" lets it leave the plane");
   }
-  if (!d->length || !search->natural.known || d->n < 2) {
+  if (d->sigma > 0 && !search->natural.known) {
+    ph_warn(result, PH_NO_SEGMENT, PH_NATURAL_UNKNOWN,
+            "the curve with free lengths was not found: lengths weigh as much "
+            "as its nearest iterate bends, F %.6g, residual %.2g",
+            search->natural.f * unit(search), search->natural.residual);
+  }
+  if (!d->length || d->mode == PH_ARC_TANGENTS || d->n < 2 ||
+      !(d->sigma > 0 || search->natural.known)) {
     return;
   }
   if (!(d->sigma > 0)) {
@@ -412,7 +414,7 @@ static void set_diagnostics(const struct ph_arc_search *search,
   ph_diagnostics_set(diagnostics, PH_D_KKT_ERROR, p->kkt);
   ph_diagnostics_set(diagnostics, PH_D_SECOND_ORDER,
                      p->minimiser ? PH_OUTCOME_MINIMISER : PH_OUTCOME_SADDLE);
-  if (search->natural.known) {
+  if (search->natural.known || search->system.compliance) {
     double f = search->natural.f > F_DUST ? search->natural.f : 0;
     ph_diagnostics_set(diagnostics, PH_D_F_RELAXED, f * unit(search));
   }

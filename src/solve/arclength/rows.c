@@ -235,6 +235,20 @@ void ph_arc_residual(const struct ph_arc_system *s, const double *x,
   }
 }
 
+double ph_arc_interval(const struct ph_arc_system *s, const double *x, size_t i,
+                       double *c) {
+  size_t first = s->data->n * s->forms_n;
+  struct ph_arc_piece p;
+  ph_arc_piece_of(s, x, i, &p);
+  if (s->forms_n > 0) {
+    interval_rows(s, &p, c + i * s->forms_n, NULL);
+  }
+  for (size_t j = i; s->knot_rows > 0 && j < ph_arc_knots_end(s, i); j++) {
+    knot_rows(s, x, j, c + first + j * s->knot_rows, NULL);
+  }
+  return interval_functional(s, &p, NULL);
+}
+
 void ph_arc_lengths(const struct ph_arc_system *s, const double *x,
                     double *length) {
   for (size_t i = 0; i < s->data->n; i++) {
@@ -253,53 +267,103 @@ static void scatter(const struct ph_arc_system *s, size_t i, const double *v,
   }
 }
 
+/* out += sum_k v_k (gradient of row k), of the rows of interval i. */
+static void add_interval_rows(const struct ph_arc_system *s,
+                              const struct ph_arc_linear *linear, size_t i,
+                              const double *v, double *out) {
+  size_t local = ph_arc_local(s);
+  const double *row = linear->rows + i * s->forms_n * local;
+  double sum[PH_ARC_LOCAL] = {0};
+  for (size_t k = 0; k < s->forms_n; k++) {
+    for (size_t a = 0; a < local; a++) {
+      sum[a] += v[i * s->forms_n + k] * row[k * local + a];
+    }
+  }
+  scatter(s, i, sum, out);
+}
+
+/* The same of knot j. */
+static void add_knot_rows(const struct ph_arc_system *s,
+                          const struct ph_arc_linear *linear, size_t j,
+                          const double *v, double *out) {
+  size_t dim = s->dim, first = s->data->n * s->forms_n;
+  double *at = out + j * s->refine * dim;
+  for (size_t k = 0; k < s->knot_rows; k++) {
+    size_t r = j * s->knot_rows + k;
+    for (size_t a = 0; a < 2 * dim; a++) {
+      at[a] += v[first + r] * linear->knot_rows[r * 2 * dim + a];
+    }
+  }
+}
+
 void ph_arc_add_rows(const struct ph_arc_system *s,
                      const struct ph_arc_linear *linear, const double *v,
                      double *out) {
-  size_t n = s->data->n, local = ph_arc_local(s), dim = s->dim;
+  size_t n = s->data->n;
   for (size_t i = 0; s->forms_n > 0 && i < n; i++) {
-    const double *row = linear->rows + i * s->forms_n * local;
-    double sum[PH_ARC_LOCAL] = {0};
-    for (size_t k = 0; k < s->forms_n; k++) {
-      for (size_t a = 0; a < local; a++) {
-        sum[a] += v[i * s->forms_n + k] * row[k * local + a];
-      }
-    }
-    scatter(s, i, sum, out);
+    add_interval_rows(s, linear, i, v, out);
   }
   for (size_t j = 0; s->knot_rows > 0 && j <= n; j++) {
-    double *at = out + j * s->refine * dim;
-    for (size_t k = 0; k < s->knot_rows; k++) {
-      size_t r = j * s->knot_rows + k;
-      for (size_t a = 0; a < 2 * dim; a++) {
-        at[a] += v[n * s->forms_n + r] * linear->knot_rows[r * 2 * dim + a];
-      }
+    add_knot_rows(s, linear, j, v, out);
+  }
+}
+
+void ph_arc_add_rows_of(const struct ph_arc_system *s,
+                        const struct ph_arc_linear *linear, size_t i,
+                        const double *v, double *out) {
+  add_interval_rows(s, linear, i, v, out);
+  for (size_t j = i; j < ph_arc_knots_end(s, i); j++) {
+    add_knot_rows(s, linear, j, v, out);
+  }
+}
+
+/* out = J v, of the rows of interval i. */
+static void interval_times(const struct ph_arc_system *s,
+                           const struct ph_arc_linear *linear, size_t i,
+                           const double *v, double *out) {
+  size_t index[PH_ARC_LOCAL], touched = ph_arc_touched(s, i);
+  size_t local = ph_arc_local(s);
+  ph_arc_index(s, i, index);
+  for (size_t k = 0; k < s->forms_n; k++) {
+    const double *row = linear->rows + (i * s->forms_n + k) * local;
+    double sum = 0;
+    for (size_t a = 0; a < touched; a++) {
+      sum += row[a] * v[index[a]];
     }
+    out[i * s->forms_n + k] = sum;
+  }
+}
+
+/* The same of knot j. */
+static void knot_times(const struct ph_arc_system *s,
+                       const struct ph_arc_linear *linear, size_t j,
+                       const double *v, double *out) {
+  size_t dim = s->dim, first = s->data->n * s->forms_n;
+  for (size_t k = 0; k < s->knot_rows; k++) {
+    size_t r = j * s->knot_rows + k;
+    out[first + r] = ph_arc_dot(2 * dim, linear->knot_rows + r * 2 * dim,
+                                v + j * s->refine * dim);
   }
 }
 
 void ph_arc_rows_times(const struct ph_arc_system *s,
                        const struct ph_arc_linear *linear, const double *v,
                        double *out) {
-  size_t n = s->data->n, local = ph_arc_local(s), dim = s->dim;
+  size_t n = s->data->n;
   for (size_t i = 0; s->forms_n > 0 && i < n; i++) {
-    size_t index[PH_ARC_LOCAL], touched = ph_arc_touched(s, i);
-    ph_arc_index(s, i, index);
-    for (size_t k = 0; k < s->forms_n; k++) {
-      const double *row = linear->rows + (i * s->forms_n + k) * local;
-      double sum = 0;
-      for (size_t a = 0; a < touched; a++) {
-        sum += row[a] * v[index[a]];
-      }
-      out[i * s->forms_n + k] = sum;
-    }
+    interval_times(s, linear, i, v, out);
   }
   for (size_t j = 0; s->knot_rows > 0 && j <= n; j++) {
-    for (size_t k = 0; k < s->knot_rows; k++) {
-      size_t r = j * s->knot_rows + k;
-      out[n * s->forms_n + r] = ph_arc_dot(
-          2 * dim, linear->knot_rows + r * 2 * dim, v + j * s->refine * dim);
-    }
+    knot_times(s, linear, j, v, out);
+  }
+}
+
+void ph_arc_rows_times_of(const struct ph_arc_system *s,
+                          const struct ph_arc_linear *linear, size_t i,
+                          const double *v, double *out) {
+  interval_times(s, linear, i, v, out);
+  for (size_t j = i; j < ph_arc_knots_end(s, i); j++) {
+    knot_times(s, linear, j, v, out);
   }
 }
 
@@ -326,23 +390,29 @@ void ph_arc_linearise(const struct ph_arc_system *s, const double *x,
   ph_arc_add_rows(s, linear, y, linear->l_x);
 }
 
-void ph_arc_retract(const struct ph_arc_system *s, const double *x,
-                    const double *dx, double step, double *to) {
+void ph_arc_retract_node(const struct ph_arc_system *s, const double *x,
+                         const double *dx, double step, size_t j, double *to) {
+  const double *w = x + j * s->dim, *d = dx + j * s->dim;
+  double iw[4], v[4], p, size;
   if (s->dim != 4) {
-    for (size_t k = 0; k < s->x_n; k++) {
-      to[k] = x[k] + step * dx[k];
+    for (size_t k = 0; k < s->dim; k++) {
+      to[j * s->dim + k] = w[k] + step * d[k];
     }
     return;
   }
+  size = ph_arc_dot(4, w, w);
+  ph_arc_turned(w, iw);
+  p = size > 0 ? step * ph_arc_dot(4, iw, d) / size : 0;
+  for (size_t k = 0; k < 4; k++) {
+    v[k] = w[k] + step * d[k] - p * iw[k];
+  }
+  ph_arc_phase(cos(p), sin(p), v, to + 4 * j);
+}
+
+void ph_arc_retract(const struct ph_arc_system *s, const double *x,
+                    const double *dx, double step, double *to) {
   for (size_t j = 0; j < s->nodes; j++) {
-    const double *w = x + 4 * j, *d = dx + 4 * j;
-    double iw[4], v[4], p, size = ph_arc_dot(4, w, w);
-    ph_arc_turned(w, iw);
-    p = size > 0 ? step * ph_arc_dot(4, iw, d) / size : 0;
-    for (size_t k = 0; k < 4; k++) {
-      v[k] = w[k] + step * d[k] - p * iw[k];
-    }
-    ph_arc_phase(cos(p), sin(p), v, to + 4 * j);
+    ph_arc_retract_node(s, x, dx, step, j, to);
   }
   if (s->turn) {
     to[s->x_n - 1] = x[s->x_n - 1] + step * dx[s->x_n - 1];

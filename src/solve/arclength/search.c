@@ -5,17 +5,18 @@
 #include <math.h>
 #include <string.h>
 
-/* Steps of one start: dense data whose lengths are wrong need 35 to 123; where
- * they are very many, such data are not worth the time. */
-enum { STEPS = 150, STEPS_OF_MANY = 50, MANY = 1000 };
+/* Newton steps of a start: where something else is to be tried after it, which
+ * is better at what is far off; and of one that is near, or the last resort. */
+enum { STEPS_FIRST = 40, STEPS = 150, STEPS_AFTER = 300 };
 
-/* Those of an augmented Lagrangian, its last weight, and the residuals that
- * it ends with. */
+/* Of all starts with one number of segments, no other is begun after. */
+enum { STEPS_ALL = 1500 };
+
+/* Steps of an augmented Lagrangian, its last weight, the residuals that it ends
+ * with and what an inner step may gain of F; and these beside windows. */
 enum { ROUGH_STEPS = 250 };
-static const double RHO_MAX = 1e8, ROUGH = 1e-5;
-
-/* On more intervals a start costs more than it promises. */
-enum { FEW = 100 };
+static const double RHO_MAX = 1e8;
+static const double ROUGH[2] = {1e-5, 1e-7}, INNER_F[2] = {1e-6, 1e-8};
 
 /* Minima of F nearer than this are one. */
 static const double SAME = 1e-7;
@@ -27,8 +28,21 @@ static const double STANDSTILL = 1e-8;
 /* F of data that a curve without bending fits is rounding. */
 static const double F_FLOOR = 1e-12;
 
+/* Lengths this near to the natural ones are had from the natural curve, as
+ * those of dense data; in standard deviations, of lengths that were measured.
+ */
+static const double NATURAL = 1e-3, NATURAL_SIGMAS = 3;
+
+/* Residuals of a natural curve that is good enough to begin with. */
+static const double NEAR = 1e-3;
+
 /* Where the iteration of a start begins. */
-enum origin { ORIGIN_INIT, ORIGIN_NATURAL, ORIGIN_NEAREST };
+enum origin {
+  ORIGIN_INIT,
+  ORIGIN_NATURAL,
+  ORIGIN_WIGGLE, /* from the natural curve, see ph_arc_wiggle */
+  ORIGIN_NEAREST
+};
 
 /* When a start is tried. */
 enum use {
@@ -36,11 +50,11 @@ enum use {
                * are many: until the lowest was found twice */
   USE_GIVEN,  /* the same, of derivatives: two that agree prove less there */
   USE_FIRST,  /* until a minimum is found; also where all are wanted */
-  USE_MANY,   /* the same, of many intervals: dense data have nearly their
-               * natural lengths */
-  USE_FEW,    /* the same, of few */
-  USE_RESCUE  /* until a minimum is found; of few intervals, but where
-               * USE_SINGLE found none: then there is none as a rule */
+  USE_NEAR,   /* the same, of lengths that are nearly natural */
+  USE_FAR,    /* the same, of others */
+  USE_RESCUE, /* until a minimum is found; but not where USE_SINGLE found none:
+               * then there is none as a rule */
+  USE_LAST    /* the same, after the others of all numbers of segments */
 };
 
 static const struct kind {
@@ -56,17 +70,19 @@ static const struct kind {
     {"twist-left", USE_SINGLE, ORIGIN_INIT, 1e4, 0.2, 0, 0},
     {"twist-right", USE_SINGLE, ORIGIN_INIT, 1e4, -0.2, 0, 0},
     {"wave", USE_GIVEN, ORIGIN_INIT, 1e4, 0, 0.1, 2},
-    {"relaxed", USE_MANY, ORIGIN_NATURAL, 0, 0, 0, 0},
+    {"relaxed", USE_NEAR, ORIGIN_NATURAL, 0, 0, 0, 0},
     {"init", USE_FIRST, ORIGIN_INIT, 0, 0, 0, 0},
-    {"relaxed", USE_FEW, ORIGIN_NATURAL, 0, 0, 0, 0},
+    {"relaxed", USE_FAR, ORIGIN_NATURAL, 0, 0, 0, 0},
+    {"wiggle", USE_RESCUE, ORIGIN_WIGGLE, 0, 0, 0, 0},
+    {"wiggle-1e4", USE_RESCUE, ORIGIN_WIGGLE, 1e4, 0, 0, 0},
     {"penalty", USE_RESCUE, ORIGIN_INIT, 100, 0, 0, 0},
     {"penalty-1e4", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0, 0},
-    {"wave-2", USE_RESCUE, ORIGIN_NEAREST, 0, 0, 0.02, 0},
-    {"wave-10", USE_RESCUE, ORIGIN_NEAREST, 0, 0, 0.1, 0},
-    {"wave-30", USE_RESCUE, ORIGIN_NEAREST, 0, 0, 0.3, 0},
-    {"init-wave-2", USE_RESCUE, ORIGIN_INIT, 0, 0, 0.02, 0},
-    {"init-wave-10", USE_RESCUE, ORIGIN_INIT, 0, 0, 0.1, 0},
-    {"init-wave-30", USE_RESCUE, ORIGIN_INIT, 0, 0, 0.3, 0},
+    {"wave-2", USE_LAST, ORIGIN_NEAREST, 0, 0, 0.02, 0},
+    {"wave-10", USE_LAST, ORIGIN_NEAREST, 0, 0, 0.1, 0},
+    {"wave-30", USE_LAST, ORIGIN_NEAREST, 0, 0, 0.3, 0},
+    {"init-wave-2", USE_LAST, ORIGIN_INIT, 0, 0, 0.02, 0},
+    {"init-wave-10", USE_LAST, ORIGIN_INIT, 0, 0, 0.1, 0},
+    {"init-wave-30", USE_LAST, ORIGIN_INIT, 0, 0, 0.3, 0},
 };
 enum { FIRST_SEED = 1000 }; /* of random starts */
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
@@ -77,41 +93,131 @@ static const struct kind random_kinds[] = {
     {"random", USE_RESCUE, ORIGIN_INIT, 0, 0, 1, 0},
 };
 
+/* ---- iterations ---------------------------------------------------------- */
+
+/* What solves a system. */
+struct engine {
+  const struct ph_arc_system *s;
+  struct ph_arena *arena;
+  struct ph_arc_newton work;
+  struct ph_arc_point point;  /* of the current start */
+  struct ph_arc_system white; /* the same equations, rows whitened */
+  struct ph_arc_work rough;   /* for what comes before Newton's method */
+  double *rough_y;            /* [y_n] of the whitened rows; NULL: not yet */
+};
+
+static bool engine_of(const struct ph_arc_system *s, struct ph_arena *arena,
+                      struct engine *e) {
+  *e = (struct engine){.s = s, .arena = arena};
+  return ph_arc_newton_alloc(s, arena, &e->work) &&
+         ph_arc_point_alloc(s, arena, &e->point);
+}
+
+/* Whitened rows and an augmented Lagrangian, where they are needed. */
+static bool need_rough(struct engine *e) {
+  if (e->rough_y) {
+    return true;
+  }
+  e->white = *e->s;
+  e->rough_y = ph_arena_array(e->arena, e->s->y_n, sizeof *e->rough_y);
+  return e->rough_y && ph_arc_whiten(&e->white, e->arena) &&
+         ph_arc_work_alloc(e->s, e->arena, &e->rough);
+}
+
+/* Whitened rows prove a minimum where the plain ones are too nearly dependent.
+ */
+static void judge_white(struct engine *e) {
+  struct ph_arc_point *p = &e->point;
+  if (p->converged && !p->minimiser && e->white.white) {
+    ph_arc_whitened(&e->white, p->y, e->rough_y);
+    p->minimiser = ph_arc_is_minimum(&e->white, &e->work, p->x, e->rough_y);
+  }
+}
+
+/* From e->point, whose multipliers are set to 0: an augmented Lagrangian with
+ * this rho, if that is not 0, then Newton's method.  false: no memory */
+static bool iterate(struct engine *e, double rho, size_t steps) {
+  struct ph_arc_point *p = &e->point;
+  p->iterations = 0;
+  p->converged = p->minimiser = false;
+  memset(p->y, 0, e->s->y_n * sizeof *p->y);
+  if (rho > 0) {
+    struct ph_arc_penalty_options options = {
+        .rho = rho, .rho_max = RHO_MAX, .iterations = ROUGH_STEPS};
+    struct ph_arc_penalty_report report;
+    if (!need_rough(e)) {
+      return false;
+    }
+    options.tolerance = ROUGH[e->rough.windows.n > 0];
+    options.inner = INNER_F[e->rough.windows.n > 0];
+    memset(e->rough_y, 0, e->s->y_n * sizeof *p->y);
+    ph_arc_penalty(&e->white, &options, &e->rough, p->x, e->rough_y, &report);
+    p->iterations += report.iterations;
+    ph_arc_plain(&e->white, e->rough_y, p->y);
+  }
+  ph_arc_newton_solve(e->s, &e->work, steps, p);
+  if (rho > 0) {
+    judge_white(e);
+  }
+  return true;
+}
+
 struct run {
   const struct ph_arc_request *request;
   struct ph_arena *arena;
   struct ph_arc_search *search;
-  struct ph_arc_newton work;
-  bool single;                /* see USE_SINGLE */
-  bool twice;                 /* the lowest minimum was */
-  struct ph_arc_system white; /* the same equations, rows whitened */
-  struct ph_arc_work rough;   /* for what comes before Newton's method */
-  struct ph_arc_point point;  /* of the current start */
-  double *init;               /* [x_n] */
-  double *rough_y;            /* [y_n] of the whitened rows */
-  uint64_t state;             /* of the random numbers */
+  struct engine engine;
+  bool single;    /* see USE_SINGLE */
+  bool near;      /* see USE_NEAR */
+  bool twice;     /* the lowest minimum was */
+  double *init;   /* [x_n] */
+  uint64_t state; /* of the random numbers */
+  size_t steps;   /* of all starts */
 };
-
-static size_t steps_for(const struct ph_arc_data *d) {
-  return d->n > MANY ? STEPS_OF_MANY : STEPS;
-}
 
 /* ---- the natural lengths ------------------------------------------------- */
 
+/* What leads to the natural curve: as the starts. */
+static const struct {
+  double rho, wave;
+  size_t steps;
+} natural_kinds[] = {{0, 0, STEPS_FIRST},   {100, 0, STEPS_AFTER},
+                     {1e4, 0, STEPS_AFTER}, {0, 0.02, STEPS},
+                     {0, 0.1, STEPS},       {0, 0.3, STEPS}};
+enum { NATURAL_KINDS = sizeof natural_kinds / sizeof natural_kinds[0] };
+
+/* Keeps the curve of a system whose lengths are free. */
+static void set_natural(const struct engine *e,
+                        struct ph_arc_natural *natural) {
+  const struct ph_arc_point *p = &e->point;
+  natural->known = p->minimiser;
+  natural->residual = p->residual;
+  natural->f = p->f;
+  ph_arc_lengths(e->s, p->x, natural->length);
+  memcpy(natural->x, p->x, e->s->x_n * sizeof *p->x);
+}
+
 /* From where the rows begin; from a saddle, or nowhere, random waves lead away.
+ * Where none leads to a minimum the curve is what comes nearest to one.
  * false: no memory. */
-static bool solve_natural(struct ph_arc_system *s, struct ph_arc_newton *work,
-                          struct ph_arena *arena, struct ph_arc_point *p) {
-  static const double waves[] = {0, 0.02, 0.1, 0.3};
-  size_t tries = s->data->n < FEW ? 4 : 1;
+static bool solve_natural(struct ph_arc_system *s, struct engine *e,
+                          struct ph_arc_natural *natural) {
   uint64_t state = 0;
-  for (size_t k = 0; k < tries && !p->minimiser; k++) {
-    if (!ph_arc_start(s, arena, p->x)) {
+  size_t steps = 0;
+  natural->residual = (double)INFINITY;
+  for (size_t k = 0; k < NATURAL_KINDS && !natural->known && steps < STEPS_ALL;
+       k++) {
+    if (!ph_arc_start(s, e->arena, e->point.x)) {
       return false;
     }
-    memset(p->y, 0, s->y_n * sizeof *p->y);
-    ph_arc_perturb(s, waves[k], &state, p->x);
-    ph_arc_newton_solve(s, work, steps_for(s->data), p);
+    ph_arc_perturb(s, natural_kinds[k].wave, &state, e->point.x);
+    if (!iterate(e, natural_kinds[k].rho, natural_kinds[k].steps)) {
+      return false;
+    }
+    steps += e->point.iterations;
+    if (e->point.minimiser || e->point.residual < natural->residual) {
+      set_natural(e, natural);
+    }
   }
   return true;
 }
@@ -121,8 +227,7 @@ static bool find_natural(const struct ph_arc_request *request,
                          struct ph_arc_natural *natural) {
   const struct ph_arc_data *d = request->data;
   struct ph_arc_system s;
-  struct ph_arc_newton work;
-  struct ph_arc_point p;
+  struct engine engine;
   struct ph_mark mark;
   bool ok;
   natural->length = ph_arena_array(arena, d->n, sizeof(double));
@@ -133,16 +238,20 @@ static bool find_natural(const struct ph_arc_request *request,
   }
   mark = ph_arena_mark(arena);
   ok = ph_arc_system_of(d, request->refine, request->dim, false, arena, &s) &&
-       ph_arc_newton_alloc(&s, arena, &work) &&
-       ph_arc_point_alloc(&s, arena, &p) && solve_natural(&s, &work, arena, &p);
-  if (ok && p.minimiser) {
-    natural->known = true;
-    natural->f = p.f;
-    ph_arc_lengths(&s, p.x, natural->length);
-    memcpy(natural->x, p.x, s.x_n * sizeof *p.x);
-  }
+       engine_of(&s, arena, &engine) && solve_natural(&s, &engine, natural);
   ph_arena_release(arena, mark);
   return ok;
+}
+
+/* Whether all lengths are nearly those of the natural curve. */
+static bool is_near(const struct ph_arc_data *d,
+                    const struct ph_arc_natural *natural) {
+  double most = fmax(NATURAL, NATURAL_SIGMAS * d->sigma);
+  bool near = natural->known;
+  for (size_t i = 0; near && i < d->n; i++) {
+    near = fabs(d->length[i] / natural->length[i] - 1) <= most;
+  }
+  return near;
 }
 
 /* ---- one start ----------------------------------------------------------- */
@@ -156,12 +265,13 @@ static bool keep(struct run *run, size_t start) {
   struct ph_arc_search *search = run->search;
   struct ph_arc_found found = {.start = start};
   size_t at = 0;
-  while (at < search->found_n && search->found[at].point.f < run->point.f &&
-         !ph_arc_is_same(search->found[at].point.f, run->point.f)) {
+  while (at < search->found_n &&
+         search->found[at].point.f < run->engine.point.f &&
+         !ph_arc_is_same(search->found[at].point.f, run->engine.point.f)) {
     at++;
   }
   if (at < search->found_n &&
-      ph_arc_is_same(search->found[at].point.f, run->point.f)) {
+      ph_arc_is_same(search->found[at].point.f, run->engine.point.f)) {
     run->twice = run->twice || at == 0;
     return true;
   }
@@ -169,7 +279,7 @@ static bool keep(struct run *run, size_t start) {
   if (!ph_arc_point_alloc(&search->system, run->arena, &found.point)) {
     return false;
   }
-  ph_arc_point_copy(&search->system, &run->point, &found.point);
+  ph_arc_point_copy(&search->system, &run->engine.point, &found.point);
   memmove(search->found + at + 1, search->found + at,
           (search->found_n - at) * sizeof found);
   search->found[at] = found;
@@ -180,8 +290,8 @@ static bool keep(struct run *run, size_t start) {
 static void set_nearest(struct run *run) {
   struct ph_arc_point *nearest = &run->search->nearest;
   if (run->search->starts_n == 1 || isnan(nearest->residual) ||
-      run->point.residual < nearest->residual) {
-    ph_arc_point_copy(&run->search->system, &run->point, nearest);
+      run->engine.point.residual < nearest->residual) {
+    ph_arc_point_copy(&run->search->system, &run->engine.point, nearest);
   }
 }
 
@@ -204,71 +314,47 @@ static bool stands_still(const struct ph_arc_system *s, const double *x) {
   return false;
 }
 
-/* Newton's method from run->point. */
-static void iterate(struct run *run) {
-  const struct ph_arc_system *s = &run->search->system;
-  struct ph_arc_point *p = &run->point;
-  ph_arc_newton_solve(s, &run->work, steps_for(s->data), p);
-  if (p->converged && stands_still(s, p->x)) {
-    p->converged = p->minimiser = false;
-    run->search->stood_still = true;
+/* Where a start begins. */
+static void begin(struct run *run, const struct kind *kind) {
+  const struct ph_arc_search *search = run->search;
+  const struct ph_arc_system *s = &search->system;
+  double *x = run->engine.point.x;
+  const double *from = kind->origin == ORIGIN_INIT      ? run->init
+                       : kind->origin == ORIGIN_NEAREST ? search->nearest.x
+                                                        : search->natural.x;
+  memcpy(x, from, s->x_n * sizeof *from);
+  if (kind->origin == ORIGIN_WIGGLE) {
+    ph_arc_wiggle(s, search->natural.length, x);
   }
-}
-
-/* Whitened rows prove a minimum where the plain ones are too nearly dependent.
- */
-static void judge_white(struct run *run) {
-  struct ph_arc_point *p = &run->point;
-  if (p->converged && !p->minimiser && run->white.white) {
-    ph_arc_whitened(&run->white, p->y, run->rough_y);
-    p->minimiser =
-        ph_arc_is_minimum(&run->white, &run->work, p->x, run->rough_y);
+  ph_arc_twist(s, kind->twist, x);
+  if (kind->wave > 0) {
+    run->state = kind->seed > 0 ? kind->seed : run->state;
+    ph_arc_perturb(s, kind->wave, &run->state, x);
   }
-}
-
-/* An augmented Lagrangian brings run->point to where Newton's method takes
- * over. */
-static void approach(struct run *run, const struct kind *kind) {
-  const struct ph_arc_penalty_options options = {kind->rho, RHO_MAX, ROUGH,
-                                                 ROUGH_STEPS};
-  const struct ph_arc_system *white = &run->white;
-  struct ph_arc_point *p = &run->point;
-  struct ph_arc_penalty_report report;
-  double *y = run->rough_y;
-  memset(y, 0, white->y_n * sizeof *y);
-  ph_arc_penalty(white, &options, &run->rough, p->x, y, &report);
-  p->iterations += report.iterations;
-  ph_arc_plain(white, y, p->y);
-  iterate(run);
-  judge_white(run);
 }
 
 /* Tries a start; false: no memory, or no time. */
 static bool try_start(struct run *run, const struct kind *kind) {
   struct ph_arc_search *search = run->search;
   const struct ph_arc_system *s = &search->system;
-  struct ph_arc_point *p = &run->point;
-  struct ph_start *start = &search->starts[search->starts_n++];
-  const double *from = kind->origin == ORIGIN_INIT      ? run->init
-                       : kind->origin == ORIGIN_NATURAL ? search->natural.x
-                                                        : search->nearest.x;
-  memcpy(p->x, from, s->x_n * sizeof *from);
-  memset(p->y, 0, s->y_n * sizeof *p->y);
-  p->iterations = 0;
-  p->converged = p->minimiser = false;
+  struct ph_arc_point *p = &run->engine.point;
+  struct ph_start *start = &search->starts[search->starts_n];
+  size_t steps = kind->rho > 0                   ? STEPS_AFTER
+                 : run->single || kind->wave > 0 ? STEPS
+                                                 : STEPS_FIRST;
   if (ph_arena_late(run->arena)) {
     return false;
   }
-  ph_arc_twist(s, kind->twist, p->x);
-  if (kind->wave > 0) {
-    run->state = kind->seed > 0 ? kind->seed : run->state;
-    ph_arc_perturb(s, kind->wave, &run->state, p->x);
+  begin(run, kind);
+  search->starts_n++;
+  if (!iterate(&run->engine, kind->rho, steps)) {
+    return false;
   }
-  if (kind->rho > 0) {
-    approach(run, kind);
-  } else {
-    iterate(run);
+  if (p->converged && stands_still(s, p->x)) {
+    p->converged = p->minimiser = false;
+    search->stood_still = true;
   }
+  run->steps += p->iterations;
   *start = (struct ph_start){kind->name,
                              p->minimiser   ? PH_OUTCOME_MINIMISER
                              : p->converged ? PH_OUTCOME_SADDLE
@@ -283,15 +369,28 @@ static bool try_start(struct run *run, const struct kind *kind) {
 
 /* ---- all starts ---------------------------------------------------------- */
 
+/* Whether there is what a start begins with. */
+static bool has_origin(const struct run *run, const struct kind *kind) {
+  const struct ph_arc_search *search = run->search;
+  bool natural = search->natural.residual <= NEAR;
+  switch (kind->origin) {
+  case ORIGIN_INIT:
+    return true;
+  case ORIGIN_NATURAL:
+    return search->natural.known;
+  case ORIGIN_WIGGLE:
+    return natural && search->system.refine > 1 && search->system.dim > 1;
+  default:
+    return search->starts_n > 0;
+  }
+}
+
 /* Whether a start is to be tried now. */
 static bool is_due(const struct run *run, const struct kind *kind) {
-  const struct ph_arc_search *search = run->search;
-  bool none = search->found_n == 0, all = run->request->all;
-  bool few = run->request->data->n < FEW;
-  bool given = run->request->data->mode == PH_ARC_DERIVATIVES;
-  if ((kind->origin == ORIGIN_NATURAL && !search->natural.known) ||
-      (kind->origin == ORIGIN_NEAREST && search->starts_n == 0) ||
-      (kind->rho > 0 && search->system.compliance)) {
+  const struct ph_arc_request *request = run->request;
+  bool none = run->search->found_n == 0, all = request->all;
+  bool given = request->data->mode == PH_ARC_DERIVATIVES;
+  if (!has_origin(run, kind)) {
     return false;
   }
   switch (kind->use) {
@@ -301,12 +400,13 @@ static bool is_due(const struct run *run, const struct kind *kind) {
     return run->single && given;
   case USE_FIRST:
     return none || all;
-  case USE_MANY:
-    return (none || all) && !few;
-  case USE_FEW:
-    return (none || all) && few;
+  case USE_NEAR:
+    return (none || all) && run->near;
+  case USE_FAR:
+    return (none || all) && !run->near;
   default:
-    return none && few && !run->single;
+    return none && !run->single && run->steps < STEPS_ALL &&
+           (kind->use == USE_RESCUE ? request->rescue : request->waves);
   }
 }
 
@@ -317,25 +417,13 @@ static bool try_kinds(struct run *run) {
       return false;
     }
   }
-  for (size_t k = 0; k < request->random; k++) {
+  for (size_t k = 0; request->rescue && k < request->random; k++) {
     run->state = FIRST_SEED + k; /* whatever was tried before */
     if (!try_start(run, &random_kinds[run->single ? 0 : 1])) {
       return false;
     }
   }
   return true;
-}
-
-/* What comes before Newton's method; of many intervals nothing does. */
-static bool allocate_rough(struct run *run) {
-  const struct ph_arc_system *s = &run->search->system;
-  run->white = *s;
-  if (!run->single && s->data->n >= FEW) {
-    return true;
-  }
-  run->rough_y = ph_arena_array(run->arena, s->y_n, sizeof *run->rough_y);
-  return run->rough_y && ph_arc_whiten(&run->white, run->arena) &&
-         ph_arc_work_alloc(s, run->arena, &run->rough);
 }
 
 static bool allocate(struct run *run) {
@@ -345,9 +433,8 @@ static bool allocate(struct run *run) {
   search->starts = ph_arena_array(run->arena, most, sizeof *search->starts);
   search->found = ph_arena_array(run->arena, most, sizeof *search->found);
   run->init = ph_arena_array(run->arena, s->x_n, sizeof *run->init);
-  return search->starts && search->found && run->init && allocate_rough(run) &&
-         ph_arc_newton_alloc(s, run->arena, &run->work) &&
-         ph_arc_point_alloc(s, run->arena, &run->point) &&
+  return search->starts && search->found && run->init &&
+         engine_of(s, run->arena, &run->engine) &&
          ph_arc_point_alloc(s, run->arena, &search->nearest);
 }
 
@@ -358,16 +445,16 @@ bool ph_arc_search_run(const struct ph_arc_request *request,
   struct ph_arc_system *s = &search->system;
   memset(search, 0, sizeof *search);
   search->all = request->all;
+  search->natural.residual = (double)INFINITY;
   if (!ph_arc_system_of(d, request->refine, request->dim, true, arena, s)) {
     return false;
   }
   /* tangents have no natural lengths: the curve would shrink to a point */
-  if (d->length && d->mode != PH_ARC_TANGENTS &&
-      !find_natural(request, arena, &search->natural)) {
-    return false;
-  }
-  if (d->sigma > 0 && !search->natural.known) {
-    return true; /* without it lengths have no weight */
+  if (d->length && d->mode != PH_ARC_TANGENTS) {
+    if (!find_natural(request, arena, &search->natural)) {
+      return false;
+    }
+    run.near = is_near(d, &search->natural);
   }
   if (d->sigma > 0 &&
       !ph_arc_soften(s, fmax(search->natural.f, F_FLOOR), arena)) {
@@ -375,9 +462,5 @@ bool ph_arc_search_run(const struct ph_arc_request *request,
   }
   run.single = request->refine == 1 && d->length && !(d->sigma > 0) &&
                d->mode != PH_ARC_TANGENTS && request->dim > 1;
-  if (!allocate(&run) || !ph_arc_start(s, arena, run.init)) {
-    return false;
-  }
-  run.white.sign = s->sign;
-  return try_kinds(&run);
+  return allocate(&run) && ph_arc_start(s, arena, run.init) && try_kinds(&run);
 }

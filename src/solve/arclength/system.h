@@ -296,6 +296,14 @@ static inline size_t ph_arc_touched(const struct ph_arc_system *system,
          (system->turn && ph_arc_wraps(system, interval) ? 1 : 0);
 }
 
+/* ph_arc_compliance: what row r yields to its multiplier; 0: it is exact. */
+static inline double ph_arc_compliance(const struct ph_arc_system *system,
+                                       size_t r) {
+  bool soft = system->compliance && r < system->data->n * system->forms_n &&
+              r % system->forms_n == 0;
+  return soft ? system->compliance[r / system->forms_n] : 0;
+}
+
 /* ph_arc_index: which unknowns of x an interval has, in the order of its rows.
  * out index[PH_ARC_LOCAL] */
 void ph_arc_index(const struct ph_arc_system *system, size_t interval,
@@ -353,11 +361,34 @@ void ph_arc_rows_times(const struct ph_arc_system *system,
                        const struct ph_arc_linear *linear, const double *v,
                        double *out);
 
+/* The rows of an interval are those of it and of its first knot, of the last
+ * interval also of the last knot: ph_arc_knots_end is the knot after these. */
+static inline size_t ph_arc_knots_end(const struct ph_arc_system *system,
+                                      size_t interval) {
+  return interval + (interval + 1 == system->data->n ? 2 : 1);
+}
+
+/* ph_arc_interval: sets the rows of an interval, minus their targets, in
+ * c[y_n].  ret its part of F */
+double ph_arc_interval(const struct ph_arc_system *system, const double *x,
+                       size_t interval, double *c);
+
+/* ph_arc_add_rows_of, ph_arc_rows_times_of: the same as ph_arc_add_rows and
+ * ph_arc_rows_times, of the rows of an interval alone. */
+void ph_arc_add_rows_of(const struct ph_arc_system *system,
+                        const struct ph_arc_linear *linear, size_t interval,
+                        const double *v, double *out);
+void ph_arc_rows_times_of(const struct ph_arc_system *system,
+                          const struct ph_arc_linear *linear, size_t interval,
+                          const double *v, double *out);
+
 /* What a matrix of second derivatives is made of. */
 struct ph_arc_weights {
   double functional; /* times the Hessian of F: 1, or 0 for none */
   double shift;      /* times the unit matrix */
   double pin;        /* weight of what fixes the common phase of the spinors */
+  double rounding;   /* of penalised matrices: times the largest element on the
+                      * diagonal of the Hessian, as a further shift; or 0 */
 };
 
 /*
@@ -371,8 +402,8 @@ void ph_arc_kkt(const struct ph_arc_system *system, const double *x,
                 const struct ph_arc_weights *weights, double *matrix);
 
 /*
- * ph_arc_penalised: A + sum_k row_k row_k^T / max(compliance_k, 1 / rho), in
- * the order of `order`.
+ * ph_arc_penalised: A + sum_k row_k row_k^T / (compliance_k + 1 / rho), in the
+ * order of `order`.
  *
  * in   y       NULL: A has no part of the rows
  * out  matrix  symmetric band matrix, x_n, order_band
@@ -392,6 +423,10 @@ void ph_arc_penalised(const struct ph_arc_system *system, const double *x,
  */
 void ph_arc_retract(const struct ph_arc_system *system, const double *x,
                     const double *dx, double step, double *to);
+
+/* ph_arc_retract_node: the same of node j alone. */
+void ph_arc_retract_node(const struct ph_arc_system *system, const double *x,
+                         const double *dx, double step, size_t j, double *to);
 
 /* ---- pieces -------------------------------------------------------------- */
 

@@ -39,8 +39,10 @@ static const struct {
     {PH_INCONSISTENT_LENGTHS, "inconsistent-lengths", 1},
     {PH_SADDLE, "saddle", 1},
     {PH_LEAVES_PLANE, "leaves-plane", 1},
+    {PH_NATURAL_UNKNOWN, "natural-unknown", 1},
     {PH_SHARP_CORNERS, "sharp-corners", 1},
     {PH_MOVED_POINTS, "moved-points", 1},
+    {PH_MERGED_POINTS, "merged-points", 1},
     {PH_USAGE, "usage", 2},
     {PH_INPUT, "input", 3},
     {PH_OUTPUT, "output", 4},
@@ -83,7 +85,8 @@ PH_TEST(test_warnings) {
                    i == PH_LARGE_ALPHA || i == PH_SHAPE_UNSATISFIABLE ||
                    i == PH_WIGGLE || i == PH_INCONSISTENT_LENGTHS ||
                    i == PH_SADDLE || i == PH_LEAVES_PLANE ||
-                   i == PH_SHARP_CORNERS || i == PH_MOVED_POINTS;
+                   i == PH_NATURAL_UNKNOWN || i == PH_SHARP_CORNERS ||
+                   i == PH_MOVED_POINTS || i == PH_MERGED_POINTS;
     ck_assert_int_eq(strncmp(meaning, "warning: ", 9) == 0, warning);
   }
 }

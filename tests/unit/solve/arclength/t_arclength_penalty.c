@@ -9,7 +9,7 @@
 #include "kernel/band.h"
 #include "solve/arclength/arclength.h"
 
-enum { N_MAX = 20 };
+enum { N_MAX = 64 };
 
 /* Data, a system, and the same with whitened rows. */
 struct setting {
@@ -306,7 +306,7 @@ PH_TEST(test_region_not_finite) {
 PH_TEST(test_not_feasible) {
   struct setting t;
   struct ph_arc_penalty_report report;
-  const struct ph_arc_penalty_options options = {1e3, 1e8, 1e-6, 60};
+  const struct ph_arc_penalty_options options = {1e3, 1e8, 1e-6, 1e-6, 60};
   set_helix(&t, 5);
   for (size_t i = 0; i < 5; i++) {
     t.length[i] = 0.8;
@@ -321,7 +321,7 @@ PH_TEST(test_not_feasible) {
  * make the gradient vanish. */
 static void check_penalty(struct setting *t, double rho, double unit,
                           double f) {
-  const struct ph_arc_penalty_options options = {rho, 1e8, 1e-9, 200};
+  const struct ph_arc_penalty_options options = {rho, 1e8, 1e-9, 1e-6, 200};
   struct ph_arc_penalty_report report;
   ck_assert(ph_arc_penalty(&t->white, &options, &t->work, t->x, t->y, &report));
   ck_assert(report.rows <= 1e-9);
@@ -403,7 +403,7 @@ PH_TEST(test_penalty_plane) {
 
 /* A circle with two segments in each interval. */
 PH_TEST(test_penalty_closed) {
-  const struct ph_arc_penalty_options options = {10, 1e8, 1e-9, 200};
+  const struct ph_arc_penalty_options options = {10, 1e8, 1e-9, 1e-6, 200};
   struct ph_arc_penalty_report report;
   struct setting t;
   double angle = acos(-1) / 4;
@@ -447,7 +447,7 @@ PH_TEST(test_twist) {
 
 /* What the search finds is where Newton's method begins: few steps are left. */
 PH_TEST(test_penalty_newton) {
-  const struct ph_arc_penalty_options options = {100, 1e8, 1e-4, 200};
+  const struct ph_arc_penalty_options options = {100, 1e8, 1e-4, 1e-6, 200};
   struct ph_arc_penalty_report report;
   struct ph_arc_newton newton;
   struct ph_arc_point point;
@@ -463,4 +463,112 @@ PH_TEST(test_penalty_newton) {
   ck_assert(point.minimiser);
   ck_assert_uint_le(point.iterations, 4);
   ck_rel(point.f * sqrt(4.09) / 2, 0.704614496874, 1e-9);
+}
+
+/* ---- windows ------------------------------------------------------------ */
+
+/* Helices, open, by directions, and a closed curve. */
+static void set_long(struct setting *t, int sort) {
+  double angle = acos(-1) / 30;
+  if (sort < 3) {
+    set_helix(t, 60);
+    for (size_t i = 0; i < 60; i++) {
+      t->length[i] *= i % 7 == 0 ? 1.3 : 1.1;
+    }
+  } else if (sort == 3) {
+    set_data(t, PH_ARC_TANGENTS, 60);
+    for (size_t i = 0; i <= 60; i++) {
+      double a = 0.3 * (double)i;
+      t->given[i] = ph_vec3_unit(ph_vec3_of(-sin(a), cos(a), 0.3));
+      t->length[i % 60] = i % 2 ? 1.1 : 1;
+    }
+  } else {
+    set_data(t, PH_ARC_POINTS, 60);
+    t->data.closed = true;
+    for (size_t i = 0; i < 60; i++) {
+      double a = angle * (double)i, b = a + angle, up = i % 2 ? 0.2 : -0.2;
+      t->length[i] = 1.1;
+      t->step[i] =
+          ph_vec3_of((cos(b) - cos(a)) / angle, (sin(b) - sin(a)) / angle, up);
+    }
+  }
+  set_system(t, sort < 3 ? (size_t)sort + 1 : 2, 4);
+}
+
+/* What is minimised. */
+static double value_of(struct setting *t, double rho) {
+  double sum = 0;
+  ph_arc_residual(&t->white, t->x, t->work.c);
+  for (size_t r = 0; r < t->white.y_n; r++) {
+    sum += t->work.c[r] * (t->y[r] + rho / 2 * t->work.c[r]);
+  }
+  return ph_arc_functional(&t->white, t->x) + sum;
+}
+
+/* No interval is in two windows of a sweep, every node is in one of either. */
+PH_TEST_EACH(test_windows, 5) {
+  struct setting t;
+  const struct ph_arc_windows *w = &t.work.windows;
+  int seen[4 * (3 * N_MAX + 2) + 1] = {0};
+  set_long(&t, _i);
+  ck_assert(w->n >= 4);
+  for (size_t sweep = 0; sweep < 2; sweep++) {
+    int touched[N_MAX] = {0};
+    for (size_t k = w->part[sweep]; k < w->part[sweep + 1]; k++) {
+      for (size_t p = w->window[k].low; p < w->window[k].high; p++) {
+        seen[p]++;
+      }
+      for (size_t p = w->window[k].first; p < w->window[k].last; p++) {
+        ck_assert_int_eq(touched[w->interval[p]]++, 0);
+      }
+    }
+  }
+  for (size_t p = t.white.turn ? 1 : 0; p < t.white.x_n; p++) {
+    ck_assert_int_ge(seen[p], 1);
+  }
+}
+
+/* Sweeps lower what is minimised, and their falls are those of the windows. */
+PH_TEST_EACH(test_sweeps, 5) {
+  struct setting t;
+  struct ph_arc_lagrangian g;
+  double first, before, after = 0;
+  set_long(&t, _i);
+  g = (struct ph_arc_lagrangian){
+      .s = &t.white, .w = &t.work, .x = t.x, .y = t.y, .rho = 100};
+  first = before = value_of(&t, g.rho);
+  ph_arc_windows_begin(&g);
+  for (size_t k = 0; k < 6; k++) {
+    ph_arc_sweep(&g, k % 2);
+    after = value_of(&t, g.rho);
+    ck_assert_double_le(after, before * (1 + 1e-14));
+    before = after;
+  }
+  ck_assert_double_lt(after, 0.9 * first);
+}
+
+/* Lengths that yield: what Newton's method finds. */
+PH_TEST(test_penalty_soft) {
+  const struct ph_arc_penalty_options options = {100, 1e8, 1e-9, 1e-9, 200};
+  struct ph_arc_penalty_report report;
+  struct ph_arc_newton newton;
+  struct ph_arc_point point;
+  struct setting t;
+  set_helix(&t, 30);
+  for (size_t i = 0; i < 30; i++) {
+    t.length[i] += i % 3 ? 0.01 : -0.01;
+  }
+  t.data.sigma = 0.01;
+  set_system(&t, 2, 4);
+  ck_assert(ph_arc_soften(&t.plain, 1, &unit_arena));
+  t.white = t.plain;
+  ck_assert(ph_arc_newton_alloc(&t.plain, &unit_arena, &newton));
+  ck_assert(ph_arc_point_alloc(&t.plain, &unit_arena, &point));
+  memcpy(point.x, t.x, t.plain.x_n * sizeof *t.x);
+  ck_assert(ph_arc_newton_solve(&t.plain, &newton, 50, &point));
+  ck_assert(ph_arc_penalty(&t.white, &options, &t.work, t.x, t.y, &report));
+  ck_rel(ph_arc_functional(&t.plain, t.x), point.f, 1e-6);
+  for (size_t r = 0; r < t.plain.y_n; r++) {
+    ck_abs(t.y[r], point.y[r], 1e-4 * largest(point.y, t.plain.y_n));
+  }
 }
