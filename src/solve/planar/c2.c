@@ -335,16 +335,21 @@ static bool needs_flip(ph_cplx a, ph_cplx b) {
   return dot < 0;
 }
 
-/* Makes the roots continuous from one to the next; sets the twist. */
+static bool is_turned(const struct ph_planar_c2 *c2, size_t k) {
+  return c2->turned && c2->turned[k];
+}
+
+/* Makes the roots continuous from one to the next, but where a turn is to be
+ * the other way round; sets the twist. */
 static void choose_signs(struct ph_planar_c2 *c2, ph_cplx *root) {
   size_t n = ph_planar_unknowns(c2);
   for (size_t k = 1; k < n; k++) {
-    if (needs_flip(root[k - 1], root[k])) {
+    if (needs_flip(root[k - 1], root[k]) != is_turned(c2, k)) {
       root[k] = ph_cplx_scale(-1, root[k]);
     }
   }
   if (c2->closed) {
-    bool flip = needs_flip(root[n - 1], root[0]);
+    bool flip = needs_flip(root[n - 1], root[0]) != is_turned(c2, 0);
     c2->twist = ph_cplx_of(flip ? -1 : 1, 0);
   }
 }

@@ -29,11 +29,6 @@ static const double REVERSAL = 1e-12;
 /* Two curves whose lengths agree to this are the same curve. */
 static const double SAME_LENGTH = 1e-9;
 
-/* Control points of the same curve are within this of each other, relative to
- * its length: other solutions are far away, but a multiple one is known to the
- * root of rounding only. */
-static const double SAME_CURVE = 1e-7;
-
 /* E L below this is that of a straight line. */
 static const double STRAIGHT = 1e-12;
 
@@ -72,18 +67,28 @@ static bool is_same_length(double a, double b) {
   return fabs(a - b) <= SAME_LENGTH * b;
 }
 
-static void warn_reversals(const struct ph_planar_data *d,
-                           struct ph_result *result) {
-  size_t found = 0, first = 0;
+/* Whether two values are the same, but for rounding. */
+static bool is_same(double a, double b) {
+  return fabs(a - b) <= SAME_LENGTH * fmax(fabs(a), fabs(b));
+}
+
+/* How many points the data turn back at, and the first. */
+static size_t reversals(const struct ph_planar_data *d, size_t *first) {
+  size_t found = 0;
   for (size_t k = d->closed ? 0 : 1; k < d->n; k++) {
     ph_cplx before = d->c2.direction[k > 0 ? k - 1 : d->n - 1];
     ph_cplx after = d->c2.direction[k];
     if (ph_cplx_dot(before, after) < 0 &&
-        fabs(ph_cplx_cross(before, after)) <= REVERSAL) {
-      first = found ? first : k;
-      found++;
+        fabs(ph_cplx_cross(before, after)) <= REVERSAL && found++ == 0) {
+      *first = k;
     }
   }
+  return found;
+}
+
+static void warn_reversals(const struct ph_planar_data *d,
+                           struct ph_result *result) {
+  size_t first, found = reversals(d, &first);
   if (found) {
     ph_warn(result, first, PH_REVERSAL,
             "the data turn back by 180 degrees at points[%zu] (such points: "
@@ -109,86 +114,34 @@ static enum ph_status advise(const struct ph_problem *problem,
   return diag->status;
 }
 
-/* Whether the data turn by more than a right angle anywhere: other good curves
- * may exist then. */
-static bool turns_sharply(const struct ph_planar_c2 *c2) {
-  size_t n = c2->n;
-  for (size_t k = 0; k + 1 < n; k++) {
-    if (ph_cplx_dot(c2->direction[k], c2->direction[k + 1]) < 0) {
-      return true;
-    }
+/* Tells of another curve that is about as fair; but for the mirror image where
+ * the data turn back, of which it is told that the left turn was taken. */
+static void warn_other(const struct ph_planar_data *d,
+                       const struct ph_planar_choice *choice,
+                       struct ph_result *result) {
+  size_t first;
+  if (isnan(choice->other_ies) ||
+      (is_same(choice->other_ies, choice->ies) && reversals(d, &first) > 0)) {
+    return;
   }
-  return c2->closed ? ph_cplx_dot(c2->direction[n - 1], c2->direction[0]) < 0
-                    : ph_cplx_dot(c2->end[0], c2->direction[0]) < 0 ||
-                          ph_cplx_dot(c2->direction[n - 1], c2->end[1]) < 0;
-}
-
-/* E L, which is the same for every scale; of a curve that stands still, which
- * has none, more than of any other. */
-static double fairness(const struct task *t, const struct ph_curve *curve) {
-  struct ph_energy energy;
-  return ph_arena_late(t->scratch) || !ph_energy_planar(curve, &energy)
-             ? (double)NAN
-         : isfinite(energy.ies) ? energy.ies
-                                : DBL_MAX;
-}
-
-/*
- * Where the data turn sharply, solves once more from the other start, and keeps
- * the fairer curve of two that differ.  On random data the two starts differ
- * often, and neither is always the better one.
- */
-static enum ph_status compare_starts(struct task *t) {
-  struct ph_planar_data *d = &t->data;
-  struct ph_curve curve, *first = &t->result->curve;
-  double twist = d->c2.twist.re, other;
-  struct ph_planar_report report;
-  struct ph_planar_loops loops;
-  ph_cplx *b =
-      ph_arena_array(t->scratch, ph_planar_unknowns(&d->c2), sizeof *b);
-  struct ph_diag why;
-  enum ph_status status =
-      b ? ph_planar_c2_second(&d->c2, t->scratch, b, &report, &why)
-        : ph_fail_memory(&why);
-  if (status == PH_NO_CONVERGENCE) {
-    d->c2.twist.re = twist;
-    return PH_OK; /* there is nothing to compare with */
-  }
-  if (status != PH_OK) {
-    *t->diag = why;
-    return status;
-  }
-  status = ph_planar_curve_alloc(d, t->scratch, &curve, t->diag);
-  if (status != PH_OK) {
-    return status;
-  }
-  ph_planar_curve_fill(d, b, &curve, &loops);
-  if (is_same_length(curve.length, first->length)) {
-    d->c2.twist.re = twist;
-    return PH_OK;
-  }
-  other = curve.length;
-  if (fairness(t, &curve) < fairness(t, first)) {
-    other = first->length;
-    ph_planar_curve_fill(d, b, first, &t->loops);
-    t->b = b;
-    t->iterations = report.iterations;
-    t->residual = report.residual;
-  } else {
-    d->c2.twist.re = twist;
-  }
-  ph_warn(t->result, PH_NO_SEGMENT, PH_AMBIGUOUS,
-          "another good curve exists, of length %.6g: of the two the one that "
-          "bends less was taken; \"solutions\":\"all\" shows all",
-          other);
-  return PH_OK;
+  ph_warn(result, PH_NO_SEGMENT, PH_AMBIGUOUS,
+          "another good curve exists, of length %.6g and an IES of %.4g; that "
+          "of this one is %.4g%s",
+          ldexp(choice->other_length, -d->exponent), choice->other_ies,
+          choice->ies,
+          d->n <= PH_PLANAR_ALL_MAX ? "; \"solutions\":\"all\" shows all" : "");
 }
 
 /* The good solution, and the curve. */
 static enum ph_status solve_good(struct task *t) {
+  struct ph_planar_choice choice;
   struct ph_planar_report report;
   enum ph_status status =
       ph_planar_c2_solve(&t->data.c2, t->scratch, t->b, &report, t->diag);
+  if (status == PH_OK) {
+    status =
+        ph_planar_choose(&t->data, t->scratch, t->b, &report, &choice, t->diag);
+  }
   if (status == PH_OK) {
     status =
         ph_planar_curve_alloc(&t->data, t->out, &t->result->curve, t->diag);
@@ -199,7 +152,8 @@ static enum ph_status solve_good(struct task *t) {
   ph_planar_curve_fill(&t->data, t->b, &t->result->curve, &t->loops);
   t->iterations = report.iterations;
   t->residual = report.residual;
-  return turns_sharply(&t->data.c2) ? compare_starts(t) : PH_OK;
+  warn_other(&t->data, &choice, t->result);
+  return PH_OK;
 }
 
 /* The solution of the fairest angles or knots, and the curve. */
@@ -232,36 +186,10 @@ static enum ph_status solve_fairest(struct task *t) {
   return PH_OK;
 }
 
-/* Whether two values are the same, but for rounding. */
-static bool is_same(double a, double b) {
-  return fabs(a - b) <= SAME_LENGTH * fmax(fabs(a), fabs(b));
-}
-
 /* E, times a length that all have in common; or 0 where it is rounding. */
 static double fairness_of(const struct ph_solution *solution) {
   double energy = solution->diagnostics.value[PH_D_ENERGY];
   return energy > STRAIGHT ? energy : 0;
-}
-
-/* Which of two curves is farther to the left of its chords where they part, or
- * farther on along them; 0 where they are the same. */
-static int compare_sides(const struct ph_curve *x, const struct ph_curve *y) {
-  double apart = SAME_CURVE * x->length;
-  for (size_t i = 0; i < 6 * x->n; i++) {
-    const double *p = x->control_points + 2 * i, *q = y->control_points + 2 * i;
-    const double *chord = x->control_points + 12 * (i / 6);
-    ph_cplx off = ph_cplx_of(p[0] - q[0], p[1] - q[1]);
-    ph_cplx c = ph_cplx_of(chord[10] - chord[0], chord[11] - chord[1]);
-    double size = hypot(c.re, c.im), left, on;
-    c = ph_cplx_of(c.re / size, c.im / size);
-    left = ph_cplx_cross(c, off);
-    on = ph_cplx_dot(c, off);
-    if (fabs(left) > apart || fabs(on) > apart) {
-      return fabs(left) > apart ? ph_fields_order(0, left)
-                                : ph_fields_order(0, on);
-    }
-  }
-  return 0;
 }
 
 /* Those that bend least first, and those that stand still, of which that is not
@@ -285,7 +213,7 @@ static int compare_solutions(const void *a, const void *b) {
   if (fabs(turns[0] - turns[1]) > SAME_LENGTH) {
     return ph_fields_order(turns[0], turns[1]);
   }
-  return compare_sides(&x->curve, &y->curve);
+  return ph_planar_compare_sides(&x->curve, &y->curve);
 }
 
 static enum ph_status fill_solution(struct task *t, const ph_cplx *b,
@@ -309,7 +237,7 @@ static enum ph_status fill_solution(struct task *t, const ph_cplx *b,
   solution->diagnostics.value[PH_D_ABSOLUTE_ROTATION_INDEX] =
       isfinite(energy.ies) ? energy.absolute_rotation : HUGE_VAL;
   solution->good = is_same_length(solution->curve.length, good->length) &&
-                   compare_sides(good, &solution->curve) == 0;
+                   ph_planar_compare_sides(good, &solution->curve) == 0;
   return PH_OK;
 }
 

@@ -213,6 +213,25 @@ enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
   return conclude(c2, &w, solved, &m, b, report, diag);
 }
 
+enum ph_status ph_planar_c2_turned(struct ph_planar_c2 *c2, const bool *turned,
+                                   struct ph_arena *scratch, ph_cplx *b,
+                                   struct ph_planar_report *report,
+                                   struct ph_diag *diag) {
+  struct ph_planar_measure m = {0, HUGE_VAL, 0};
+  struct work w;
+  enum ph_status status = work_init(&w, c2, scratch, b, diag);
+  bool solved;
+  if (status != PH_OK) {
+    return status;
+  }
+  report->iterations = 0;
+  c2->turned = turned;
+  start_from_chords(c2, &w);
+  c2->turned = NULL;
+  solved = newton(c2, &w, false, PLAIN_CAP, &report->iterations, &m);
+  return conclude(c2, &w, solved, &m, b, report, diag);
+}
+
 enum ph_status ph_planar_c2_near(const struct ph_planar_c2 *c2,
                                  struct ph_arena *scratch, const ph_cplx *guess,
                                  ph_cplx *b, bool *near, struct ph_diag *diag) {

@@ -57,6 +57,7 @@ struct ph_planar_c2 {
   size_t space_stride;         /* 1, or 0 */
   ph_cplx end[2];              /* open: end derivatives d/|d| */
   double end_size[2];          /* open: |d| */
+  const bool *turned;          /* [unknowns] or NULL: see ph_planar_c2_turned */
 };
 
 /* What a solution took. */
@@ -97,6 +98,20 @@ enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
  * It differs from that of ph_planar_c2_solve only where the data turn sharply.
  */
 enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
+                                   struct ph_arena *scratch, ph_cplx *b,
+                                   struct ph_planar_report *report,
+                                   struct ph_diag *diag);
+
+/*
+ * ph_planar_c2_turned: a solution from the chord start with some of the turns
+ * between one chord and the next made the other way round, by a full turn less.
+ * Turn i is that before chord i of a closed curve; of an open one that from the
+ * end derivative to the first chord is 1, and 0 none.
+ *
+ * in   turned[unknowns]
+ * ret  PH_OK | PH_NO_CONVERGENCE | PH_NO_MEMORY
+ */
+enum ph_status ph_planar_c2_turned(struct ph_planar_c2 *c2, const bool *turned,
                                    struct ph_arena *scratch, ph_cplx *b,
                                    struct ph_planar_report *report,
                                    struct ph_diag *diag);
@@ -352,6 +367,44 @@ enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *data,
 void ph_planar_curve_fill(const struct ph_planar_data *data, const ph_cplx *b,
                           struct ph_curve *curve,
                           struct ph_planar_loops *loops);
+
+/* ---- the fairest --------------------------------------------------------- */
+
+/* The fairest of the solutions that several starts lead to. */
+
+struct ph_planar_choice {
+  double ies; /* of the choice; NaN where there was none to make */
+  /* Of the fairest other one, if it is about as fair; or NaN: */
+  double other_ies;
+  double other_length; /* at unit scale */
+};
+
+/*
+ * ph_planar_choose: where the data turn by more than a right angle, looks for
+ * fairer solutions: from the other start (ph_planar_c2_second), and with such
+ * turns made the other way round, in all combinations up to 7 segments, in some
+ * beyond, and from 151 segments on in none.  Of the two starts the solution of
+ * less IES is taken, of all others one that is still less and does not cross
+ * itself if that does not.
+ *
+ * Of curves that bend alike the shorter one is taken, of mirror images that
+ * from either start, or else the one to the left (ph_planar_compare_sides).
+ *
+ * inout data    its twist
+ * inout b[unknowns]  the solution from the first start
+ * inout report  of that
+ * ret   PH_OK | PH_NO_MEMORY
+ */
+enum ph_status ph_planar_choose(struct ph_planar_data *data,
+                                struct ph_arena *scratch, ph_cplx *b,
+                                struct ph_planar_report *report,
+                                struct ph_planar_choice *choice,
+                                struct ph_diag *diag);
+
+/* ph_planar_compare_sides: which of two curves is farther to the left of its
+ * chords where they part, or farther on along them: below 0 for x; 0 where they
+ * are the same curve. */
+int ph_planar_compare_sides(const struct ph_curve *x, const struct ph_curve *y);
 
 /* ---- gradients of energies ----------------------------------------------- */
 
