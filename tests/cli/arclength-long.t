@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Families of random data: long ones are solved as short ones are, and where
+# fewer segments in an interval lead nowhere there are more.
+. "$srcdir/tests/cli/lib.sh"
+
+# A problem of a family: N intervals, each length FACTOR to FACTOR + WIDTH
+# chords, none if FACTOR is 0.  (The generator of Park and Miller.)
+cat >family.awk <<'EOF'
+function uniform() {
+  state = (state * 16807) % 2147483647
+  return state / 2147483647
+}
+function normal(   k, sum) {
+  for (k = 0; k < 12; k++) sum += uniform()
+  return sum - 6
+}
+function vector(x, y, z) { return sprintf("[%.17g,%.17g,%.17g]", x, y, z) }
+# A point of a smooth curve at t.
+function smooth(t, c,   k, sum) {
+  for (k = 0; k < 4; k++)
+    sum += wave[c, k] / pace[c, k] * sin(pace[c, k] * t + shift[c, k])
+  return sum + 0.03 * c * t
+}
+BEGIN {
+  state = seed * 1000003 + n
+  for (i = 0; i < 10; i++) uniform()
+  for (c = 0; c < 3; c++) for (k = 0; k < 4; k++) {
+    wave[c, k] = 0.05 * normal()
+    pace[c, k] = 0.02 + 0.1 * uniform()
+    shift[c, k] = 6.28 * uniform()
+  }
+  for (i = 0; i <= n; i++) {
+    for (c = 0; c < 3; c++) {
+      old[c] = p[c]
+      p[c] = family == "walk" ? p[c] + normal() : smooth(i, c)
+    }
+    if (family == "ribbon") {
+      t = 0.02 * i
+      row = vector(cos(t) + noise * normal(), sin(2 * t) + noise * normal(),
+        1 + 0.3 * cos(3 * t) + noise * normal())
+      length_ = 1 + width * (2 * uniform() - 1)
+    } else {
+      row = vector(p[0], p[1], p[2])
+      square = (p[0] - old[0]) ^ 2 + (p[1] - old[1]) ^ 2 + (p[2] - old[2]) ^ 2
+      length_ = sqrt(square) * (factor + width * uniform())
+    }
+    data = data (i ? "," : "") row
+    if (i) lengths = lengths (i > 1 ? "," : "") sprintf("%.17g", length_)
+  }
+  printf "{\"id\":\"%s %d, %d\",\"%s\":[%s]", family, n, seed,
+    family == "ribbon" ? "tangents" : "points", data
+  print (factor ? ",\"lengths\":[" lengths "]" : "") more "}"
+}
+EOF
+
+# family NAME FAMILY N FACTOR WIDTH [MORE [NOISE]]: three of a kind, all solved
+family() {
+  for seed in 1 2 3; do
+    awk -v family="$2" -v n="$3" -v factor="$4" -v width="$5" -v more="${6-}" \
+      -v noise="${7-0}" -v seed="$seed" -f family.awk
+  done >family.jsonl
+  run arclength -q family.jsonl
+  equal "$1" '0 "minimiser" "minimiser" "minimiser"' \
+    "$status $(get diagnostics.second_order)"
+}
+
+for n in 99 100 150; do
+  family "walks, free, $n" walk "$n" 0 0
+  family "cables, $n" smooth "$n" 1.01 0.02
+done
+family 'walks, 150' walk 150 1.2 0.4
+family 'smooth, free' smooth 150 0 0
+family 'cables, measured' smooth 150 1.01 0.02 ',"length_sigma":0.01'
+family 'walks, measured' walk 150 1.2 0.4 ',"length_sigma":0.1'
+for width in 0.001 0.01 0.2; do
+  family "ribbons, lengths off by $width" ribbon 1000 1 "$width"
+done
+family 'ribbons, directions off' ribbon 1000 1 0 '' 1e-3
+equal 'ribbons have two segments from datum to datum' '[0,1] [0,1] [0,1]' \
+  "$(get 'intervals[0].segments')"
+for factor in 1.0001 1.001 1.01; do
+  family "8 points, $factor of the chords" walk 7 "$factor" 0
+done
