@@ -63,6 +63,11 @@ static const double TINY = 1e-13;
 /* Pieces of the parameter to begin with, and how often they may be halved. */
 enum { PIECES = 8, DEPTH = 12 };
 
+/* The sine of the turn from one vector to another at p; |.|: its size. */
+static double turn_of(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
+  return ph_vec3_triple(p, a, b) / (ph_vec3_abs(a) * ph_vec3_abs(b));
+}
+
 /* ---- indicators ---------------------------------------------------------- */
 
 static size_t before(const struct ph_sphere_data *d, size_t i) {
@@ -90,7 +95,10 @@ static void set_indicator(struct ph_sphere_shape *shape, size_t i) {
   double size = hypot(sine, cosine);
   double curvature = fmin(QTOL, shape->epsilon * (a + b) / 8);
   double rounding = 8 * d->rounding * (1 / a + 1 / b);
+  ph_vec3 from = ph_vec3_sub(p, d->p[before(d, i)]);
+  ph_vec3 to = ph_vec3_sub(d->p[ph_sphere_next(d, i)], p);
   bool zero = !(fabs(sine) > fmax(curvature, rounding) * size);
+  shape->turn[i] = fabs(turn_of(p, from, to));
   shape->q[i] = (signed char)(zero ? 0 : sine > 0 ? 1 : -1);
   shape->inorder[i] =
       zero && rounding <= curvature && goes_on(shape, i, a, b, cosine);
@@ -117,14 +125,17 @@ bool ph_sphere_shape_of(const struct ph_sphere_data *data, double epsilon,
   *shape = (struct ph_sphere_shape){
       .data = data, .epsilon = epsilon, .legacy = legacy};
   shape->q = ph_arena_array(arena, data->n, sizeof *shape->q);
+  shape->turn = ph_arena_array(arena, data->n, sizeof *shape->turn);
   shape->inorder = ph_arena_array(arena, data->n, sizeof *shape->inorder);
   shape->before = ph_arena_array(arena, data->n, sizeof *shape->before);
   shape->after = ph_arena_array(arena, data->n, sizeof *shape->after);
-  if (!shape->q || !shape->inorder || !shape->before || !shape->after) {
+  if (!shape->q || !shape->turn || !shape->inorder || !shape->before ||
+      !shape->after) {
     return false;
   }
   for (size_t i = 0; i < data->n; i++) {
     shape->q[i] = 0;
+    shape->turn[i] = 0;
     shape->inorder[i] = false;
     if (!ph_sphere_is_end(data, i)) {
       set_indicator(shape, i);
@@ -373,11 +384,6 @@ static const double MARGIN_SEGMENT = 1e-5;
 static const double SHORT = 0.03;
 enum { PLANE = 3 };
 
-/* The sine of the turn from one vector to another at p; |.|: its size. */
-static double turn_of(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
-  return ph_vec3_triple(p, a, b) / (ph_vec3_abs(a) * ph_vec3_abs(b));
-}
-
 /* The turn of the control polygon beside node i, of the sign of K there,
  * against that of the data. */
 static size_t measure_convexity(const struct ph_sphere_shape *shape,
@@ -385,9 +391,8 @@ static size_t measure_convexity(const struct ph_sphere_shape *shape,
                                 double *g) {
   const struct ph_sphere_data *d = s->data;
   size_t k = ph_sphere_before(d, i), n = 0;
-  ph_vec3 p = d->p[i], before = ph_vec3_sub(p, d->p[k]);
-  ph_vec3 after = ph_vec3_sub(d->p[ph_sphere_next(d, i)], p);
-  double least = MARGIN_TURN * fabs(turn_of(p, before, after)), q = shape->q[i];
+  ph_vec3 p = d->p[i];
+  double least = MARGIN_TURN * shape->turn[i], q = shape->q[i];
   g[n++] = q * turn_of(p, s->r[i], ph_sphere_middle(s, i)) - least;
   if (!shape->legacy) {
     g[n++] = q * turn_of(p, s->l[k], ph_sphere_middle(s, k)) - least;

@@ -35,8 +35,9 @@
 #include "kernel/s2.h"
 #include "solve/sphere/sphere.h"
 
-/* Below these X and s series are used, NEAR of them with few terms. */
-static const double NEAR = 1.0 / 64;
+/* Below these X and s series are used, NEAR of them with few terms, TINY with
+ * two. */
+static const double TINY = 1e-6, NEAR = 1.0 / 64;
 static const double FAR = 0.5;
 enum { TERMS_NEAR = 5, TERMS = 9, TERMS_SPAN = 8 };
 
@@ -274,8 +275,14 @@ static ph_vec3 half_way(ph_vec3 p, ph_vec3 d) {
 static ph_vec3 leg_at(const struct ph_sphere_spline *s, size_t i,
                       double scale) {
   ph_vec3 u = ph_vec3_scale(scale, s->x[i]);
-  struct stretch by = stretch_of(ph_vec3_dot(u, u));
-  return ph_vec3_along(ph_vec3_scale(by.f0, u), -by.c, s->data->p[i]);
+  double x = ph_vec3_dot(u, u);
+  if (x < TINY) {
+    double f0 = 1 - x / 6 * (1 - x / 20), c = x / 2 * (1 - x / 12);
+    return ph_vec3_along(ph_vec3_scale(f0, u), -c, s->data->p[i]);
+  } else {
+    struct stretch by = stretch_of(x);
+    return ph_vec3_along(ph_vec3_scale(by.f0, u), -by.c, s->data->p[i]);
+  }
 }
 
 static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,

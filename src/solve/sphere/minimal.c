@@ -51,7 +51,7 @@ static const double DIFFERENCE = 1e-5;
 static const double PROGRESS = 5e-4;
 
 /* Angles below which the response to a step is its solution: what is neglected
- * is 5e-4 theta^2 of it, which is no more than rounding leaves of the criteria;
+ * is about 0.01 theta^2 of it, 1e-6, far less than the margins of the criteria;
  * all is solved once more in the end. */
 static const double LINEAR = 1e-2;
 
@@ -99,19 +99,24 @@ static size_t segment_at(const struct block *b, size_t j) {
              : ph_sphere_node(d, b->solved, j - 1);
 }
 
-/* The spline as it was kept. */
-static void restore(struct block *b) {
+/* The spline as it was kept at some of its nodes. */
+static void restore_at(struct block *b, size_t first, size_t count) {
   struct ph_sphere_spline *s = b->raise->spline;
-  for (size_t j = 0; j < b->q; j++) {
-    s->nu[b->node[j]] = b->nu[j];
-  }
-  for (size_t j = 0; j < b->solved.count; j++) {
+  for (size_t j = first; j < first + count; j++) {
     s->x[ph_sphere_node(s->data, b->solved, j)] = b->x[j];
   }
-  for (size_t j = 0; j <= b->solved.count; j++) {
+  for (size_t j = first; j <= first + count; j++) {
     s->r[segment_at(b, j)] = b->r[j];
     s->l[segment_at(b, j)] = b->l[j];
   }
+}
+
+/* All of it. */
+static void restore(struct block *b) {
+  for (size_t j = 0; j < b->q; j++) {
+    b->raise->spline->nu[b->node[j]] = b->nu[j];
+  }
+  restore_at(b, 0, b->solved.count);
 }
 
 static void keep(struct block *b) {
@@ -192,22 +197,27 @@ static void scale_rows(struct block *b) {
   }
 }
 
-/* One step of Newton's iteration around node i. */
-static void step_at(struct block *b, size_t i) {
-  struct ph_sphere_spline *s = b->raise->spline;
-  const struct ph_sphere_data *d = s->data;
-  struct ph_sphere_range range = ph_sphere_widen(d, i, 1, NEAR);
-  size_t n = b->solved.count, first;
-  if (!b->linear) {
-    ph_sphere_step(s, range, b->raise->work);
-    return;
+/* The nodes around one, of those that are solved: the first, and how many. */
+static struct ph_sphere_range near_of(const struct block *b, size_t i) {
+  const struct ph_sphere_data *d = b->raise->spline->data;
+  struct ph_sphere_range near = ph_sphere_widen(d, i, 1, NEAR);
+  size_t n = b->solved.count;
+  near.first += near.first < b->solved.first ? d->n : 0;
+  near.first -= b->solved.first;
+  if (near.count >= n || near.first + near.count > n) {
+    return (struct ph_sphere_range){0, n};
   }
-  first = range.first + (range.first < b->solved.first ? d->n : 0) -
-          b->solved.first;
-  if (range.count >= n || first + range.count > n) {
-    ph_sphere_respond(s, &b->response, 0, n, b->raise->work);
+  return near;
+}
+
+/* One step of Newton's iteration at these. */
+static void step_at(struct block *b, struct ph_sphere_range near) {
+  struct ph_sphere_spline *s = b->raise->spline;
+  if (b->linear) {
+    ph_sphere_respond(s, &b->response, near.first, near.count, b->raise->work);
   } else {
-    ph_sphere_respond(s, &b->response, first, range.count, b->raise->work);
+    near.first = ph_sphere_node(s->data, b->solved, near.first);
+    ph_sphere_step(s, near, b->raise->work);
   }
 }
 
@@ -217,9 +227,10 @@ static void differentiate_by(struct block *b, size_t j) {
   const struct ph_sphere_spline *s = b->raise->spline;
   const struct ph_sphere_data *d = s->data;
   size_t i = b->node[j];
+  struct ph_sphere_range near = near_of(b, i);
   double step = DIFFERENCE * fmax(b->nu[j], ph_sphere_stiffness(d, i) / 64);
   s->nu[i] += step;
-  step_at(b, i);
+  step_at(b, near);
   for (size_t at = 0; at < b->judged.count; at++) {
     size_t node = ph_sphere_node(d, b->judged, at);
     size_t far = node > i ? node - i : i - node;
@@ -232,7 +243,8 @@ static void differentiate_by(struct block *b, size_t j) {
           far < NEAR ? (b->moved[row] - b->g[row]) / step : 0;
     }
   }
-  restore(b);
+  s->nu[i] = b->nu[j];
+  restore_at(b, near.first, near.count);
 }
 
 /* g and its derivatives at the tensions that are kept. */

@@ -347,6 +347,7 @@ struct ph_sphere_shape {
   bool legacy;    /* the measures of the thesis's code: one side of a node, and
                    * theta(P_0,P_1)^2 |K| in place of |kappa_g|, K by the knots */
   signed char *q; /* [n] indicators; 0 at the ends of open data */
+  double *turn;   /* [n] |sine| of the turn from chord to chord */
   bool *inorder;  /* [n] Q_i = 0, and co-circularity is asked */
   size_t *before; /* [n] of nodes in order: the last node before their run of */
   size_t *after;  /* [n] such nodes, and the first one after it; SIZE_MAX: the

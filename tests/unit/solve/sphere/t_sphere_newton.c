@@ -412,6 +412,39 @@ static int solved(uint64_t stream, int count, double low, double high,
   return found;
 }
 
+/* What other tensions make of a spline, to first order: all but 0.02 theta^2 of
+ * it, by how much they differ. */
+PH_TEST_EACH(test_response, 3) {
+  enum { M = 12 };
+  static const double theta[] = {0.1, 1e-2, 1e-4};
+  struct unit_random r = unit_random_of(739);
+  struct ph_sphere_response response;
+  struct unit_sphere u;
+  ph_vec3 p[M], x[M];
+  double change = 0, miss = 0;
+  unit_sphere_path(&r, M, theta[_i] / 2, theta[_i], p);
+  unit_sphere_of(&u, M, p, false, PH_SPHERE_NATURAL, &ph_sphere_exact);
+  u.spline.nu[3] = 20 / theta[_i];
+  solve(&u);
+  memcpy(x, u.spline.x, sizeof x);
+  ck_assert(ph_sphere_response_alloc(&response, &unit_arena, M));
+  ph_sphere_response_of(&u.spline, ph_sphere_all(&u.data), &response);
+  u.spline.nu[3] = 3 / theta[_i];
+  u.spline.nu[5] = 50 / theta[_i];
+  ph_sphere_respond(&u.spline, &response, 0, M - 2, &u.work);
+  for (size_t i = 0; i < M; i++) {
+    change = fmax(change, ph_vec3_abs(ph_vec3_sub(u.spline.x[i], x[i])));
+    x[i] = u.spline.x[i];
+  }
+  ck_assert(change > 0.1);
+  ck_assert(ph_sphere_newton(&u.spline, ph_sphere_all(&u.data), &u.work));
+  for (size_t i = 0; i < M; i++) {
+    miss = fmax(miss, ph_vec3_abs(ph_vec3_sub(u.spline.x[i], x[i])));
+  }
+  ck_abs(miss, 0, (0.02 * theta[_i] * theta[_i] + 1e-13) * change);
+  unit_sphere_free(&u);
+}
+
 PH_TEST(test_random) {
   int count = unit_count(1000), few = unit_count(200);
   ck_assert_int_eq(solved(731, count, 0.1, PH_PI / 2, models[0]), count);
