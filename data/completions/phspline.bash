@@ -11,8 +11,8 @@ _phspline() {
     option=${COMP_WORDS[COMP_CWORD - 1]}
   fi
   case $COMP_CWORD,${COMP_WORDS[1]} in
-  1,*) list='planar spatial-hermite arclength sphere tc verify help schema --help --version' ;;
-  *,help | *,schema) list='planar spatial-hermite arclength sphere tc verify' ;;
+  1,*) list='planar spatial-hermite arclength sphere tc cone verify help schema --help --version' ;;
+  *,help | *,schema) list='planar spatial-hermite arclength sphere tc cone verify' ;;
   *,planar)
     case $option in
     --points | --points=) kind=nothing ;;
@@ -28,7 +28,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path' ;;
+    -f | --format | --format=) list='json csv text svg-path obj' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
@@ -75,7 +75,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path' ;;
+    -f | --format | --format=) list='json csv text svg-path obj' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
@@ -122,7 +122,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path' ;;
+    -f | --format | --format=) list='json csv text svg-path obj' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
@@ -171,7 +171,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path' ;;
+    -f | --format | --format=) list='json csv text svg-path obj' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
@@ -222,7 +222,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path' ;;
+    -f | --format | --format=) list='json csv text svg-path obj' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
@@ -245,6 +245,42 @@ _phspline() {
       kind=files
       if [[ $cur == -* ]]; then
         kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+      fi
+      ;;
+    esac
+    ;;
+  *,cone)
+    case $option in
+    --points | --points=) kind=nothing ;;
+    --rulings | --rulings=) kind=nothing ;;
+    --tangents | --tangents=) kind=nothing ;;
+    --normals | --normals=) kind=nothing ;;
+    --closed=) list='true false' ;;
+    --method | --method=) list='circular' ;;
+    --lambda | --lambda=) list='equal' ;;
+    --degenerate_tolerance | --degenerate_tolerance=) kind=nothing ;;
+    --height | --height=) kind=nothing ;;
+    --merge | --merge=) kind=nothing ;;
+    -i | --input-format | --input-format=) list='auto json csv' ;;
+    --columns | --columns=) kind=nothing ;;
+    --delimiter | --delimiter=) kind=nothing ;;
+    -f | --format | --format=) list='json csv text svg-path obj' ;;
+    --table | --table=) list='samples strips development' ;;
+    -o | --output | --output=) kind=files ;;
+    -s | --set | --set=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= merge=' ;;
+    --override | --override=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= merge=' ;;
+    -S | --sweep | --sweep=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= merge=' ;;
+    -d | --offset | --offset=) kind=nothing ;;
+    -n | --sample | --sample=) kind=nothing ;;
+    -j | --jobs | --jobs=) kind=nothing ;;
+    --max-samples | --max-samples=) kind=nothing ;;
+    --max-memory | --max-memory=) kind=nothing ;;
+    --max-record-bytes | --max-record-bytes=) kind=nothing ;;
+    --time-limit | --time-limit=) kind=nothing ;;
+    *)
+      kind=files
+      if [[ $cur == -* ]]; then
+        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --height= --merge= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -69,6 +69,14 @@ enum ph_class {
     "warning: points were moved onto the sphere")                              \
   X(MERGED_POINTS, "merged-points", RECORD,                                    \
     "warning: points that are near each other were joined")                    \
+  X(FAR_CONTACT, "far-contact", RECORD,                                        \
+    "warning: contact points are far from the given points")                   \
+  X(VERTEX_INSIDE, "vertex-inside", RECORD,                                    \
+    "warning: the vertex of a cone is within the height")                      \
+  X(SIGN_CHANGE, "sign-change", RECORD,                                        \
+    "warning: the normal curvature of a surface changes its sign")             \
+  X(LARGE_ARC, "large-arc", RECORD,                                            \
+    "warning: a strip turns by more than 180 degrees")                         \
   X(USAGE, "usage", USAGE, "the command line is wrong")                        \
   X(INPUT, "input", INPUT, "the input cannot be read")                         \
   X(OUTPUT, "output", OUTPUT, "the output cannot be written")                  \

@@ -174,4 +174,14 @@ ph_promise_fn ph_check_sphere;
  */
 ph_promise_fn ph_check_tc;
 
+/*
+ * ph_check_cone: a surface of strips of circular cones through the contact
+ * elements of the problem.
+ *
+ *   interpolation_error, frame_error, isometry_error, length_error
+ *                         as cone.h says; 1e-10 is allowed of frames, and ten
+ *                         times degenerate_tolerance where that is given
+ */
+ph_promise_fn ph_check_cone;
+
 #endif

@@ -9,7 +9,8 @@ static enum ph_status conclude(const struct ph_check_error *check,
   if (check->excess <= 1 && isfinite(check->reported)) {
     return PH_OK;
   }
-  return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", check->where,
+  return ph_fail_at(diag, PH_NO_CONVERGENCE,
+                    check->list ? check->list : "segments", check->where,
                     "is refused by its certificate: %s is %.3g, at most %.3g "
                     "is allowed",
                     ph_diagnostic_name(check->what), check->value,

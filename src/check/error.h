@@ -14,11 +14,12 @@
  * by how much the worst was not. */
 struct ph_check_error {
   enum ph_diagnostic what;
-  bool done;       /* whether there was anything to check */
-  double reported; /* the largest, as in the record */
-  double excess;   /* the largest error / allowed */
-  double value;    /* the error and */
-  double allowed;  /* its tolerance at the largest excess */
+  const char *list; /* what `where' counts; NULL: segments */
+  bool done;        /* whether there was anything to check */
+  double reported;  /* the largest, as in the record */
+  double excess;    /* the largest error / allowed */
+  double value;     /* the error and */
+  double allowed;   /* its tolerance at the largest excess */
   size_t where;
 };
 

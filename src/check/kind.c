@@ -25,4 +25,5 @@ const struct ph_check_kind ph_check_kinds[PH_CURVE_N] = {
                        .trigonometric = true},
     [PH_CURVE_BEZIER] = {FORM, .trigonometric = true, .converted = true},
     [PH_CURVE_TC] = {FORM, .square = true},
-    [PH_CURVE_SPHERICAL_NU] = {GREAT, .sphere = true, .whole = check_spline}};
+    [PH_CURVE_SPHERICAL_NU] = {GREAT, .sphere = true, .whole = check_spline},
+    [PH_CURVE_CONE] = {0}}; /* cone.h, in place of all */

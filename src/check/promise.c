@@ -83,7 +83,13 @@ const struct ph_promise ph_promises[] = {
      .given = PH_GIVEN_CUBIC,
      .ends = true,
      .intervals = true,
-     .approximate = true}};
+     .approximate = true},
+    {.command = "cone",
+     .certify = ph_check_cone,
+     .kinds = PH_KIND(CONE),
+     .dimension = 3,
+     .degree = 2,
+     .surface = true}};
 
 const size_t ph_promises_n = sizeof ph_promises / sizeof ph_promises[0];
 
@@ -99,13 +105,17 @@ const struct ph_promise *ph_promise_of(const char *command) {
 const char *ph_promise_breach(const struct ph_promise *promise,
                               const struct ph_curve *curve,
                               const char **member) {
-  if (curve->n == 0 || !curve->control_points) {
+  if (!promise->surface && (curve->n == 0 || !curve->control_points)) {
     *member = "segments";
     return "are missing";
   }
   if (!(promise->kinds >> curve->kind & 1)) {
     *member = "curve";
     return "is of no kind that the command makes";
+  }
+  if (promise->surface && (curve->n == 0 || !curve->surface.strips)) {
+    *member = "strips";
+    return "are missing";
   }
   if (curve->dimension != promise->dimension) {
     *member = "dimension";

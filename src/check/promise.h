@@ -70,6 +70,7 @@ struct ph_promise {
   bool lengths;   /* and lengths from datum to datum */
   bool tension;   /* segments have one, but those of Bezier curves */
   bool intervals; /* the record has them */
+  bool surface;   /* the curve is one, of strips in place of segments */
   const struct ph_tolerance *allow; /* of its certificate; NULL: this one has
                                        rules of its own for all */
   enum ph_unit unit;

@@ -4,6 +4,7 @@
 #include "check/verify.h"
 
 #include "check/checks.h"
+#include "check/cone.h"
 #include "check/data.h"
 
 #include <string.h>
@@ -114,6 +115,9 @@ static enum ph_status check_curve(struct ph_check *v) {
   struct ph_check_data data;
   enum ph_status status;
   v->kind = &ph_check_kinds[v->curve->kind];
+  if (v->promise->surface) {
+    return ph_check_surface(v);
+  }
   if (!ph_check_arrays(v) || !begin_curve(v)) {
     return PH_OK;
   }

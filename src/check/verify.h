@@ -52,7 +52,9 @@
   X(OFFSET, "offset_error")                \
   X(SAMPLE, "sample_error")                \
   X(BLASCHKE, "blaschke_error")            \
-  X(DISTANCE, "distance_error")
+  X(DISTANCE, "distance_error")            \
+  X(FRAME, "frame_error")                  \
+  X(ISOMETRY, "isometry_error")
 
 enum ph_check_id {
 #define X(symbol, name) PH_CHECK_##symbol,

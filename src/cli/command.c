@@ -9,7 +9,7 @@
 #include <string.h>
 
 const struct ph_command ph_commands[] = {
-    {PH_SOLVES_BY(ph_method_planar), ph_describe_planar,
+    {PH_SOLVES_BY(ph_method_planar, CURVE), ph_describe_planar,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline planar\t"
      "Four points, the curve as JSON\n"
      "phspline planar --closed -q --offset=-10 coast.csv -o coast.json\t"
@@ -31,7 +31,7 @@ const struct ph_command ph_commands[] = {
      "\tA figure of a curve, two offsets and the curvature\n"
      "phspline planar --format=svg-path --chord-error=0.01 points.csv\t"
      "A path of cubics for a drawing, within a hundredth\n"},
-    {PH_SOLVES_BY(ph_method_spatial_hermite), ph_describe_spatial,
+    {PH_SOLVES_BY(ph_method_spatial_hermite, CURVE), ph_describe_spatial,
      "printf '0,0,0\\n1,1,0\\n2,0,1\\n' | phspline spatial-hermite\t"
      "Three points, the curve as JSON\n"
      "phspline spatial-hermite --columns=x,y,z,tx,ty,tz -f csv sensors.csv\t"
@@ -49,7 +49,7 @@ const struct ph_command ph_commands[] = {
      "A polygon within 1e-3, with frames that do not spin\n"
      "phspline spatial-hermite --sweep=tension=0.7,1,1.4 -p path.pdf path.csv "
      "-o path.json\tThree tensions in one figure\n"},
-    {PH_SOLVES_BY(ph_method_arclength), NULL,
+    {PH_SOLVES_BY(ph_method_arclength, CURVE), NULL,
      "phspline arclength --columns=x,y,z,length survey.csv\t"
      "Points, each with the distance from the one before, as JSON\n"
      "phspline arclength --length_sigma=0.001 survey.csv\t"
@@ -64,7 +64,7 @@ const struct ph_command ph_commands[] = {
      "Where 5 cm of cable end, for gnuplot and awk\n"
      "phspline arclength -q --sweep='lengths*=0.99,1,1.01' -p lengths.svg "
      "problem.json -o lengths.json\tA hundredth too short and too long\n"},
-    {PH_SOLVES_BY(ph_method_sphere), NULL,
+    {PH_SOLVES_BY(ph_method_sphere, CURVE), NULL,
      "printf 'lon,lat\\n-9,39\\n-25,38\\n-64,32\\n-74,40\\n' | "
      "phspline sphere\tA voyage, the curve as JSON\n"
      "phspline sphere --columns=lon,lat --radius=6371 --sample=20 -f csv "
@@ -81,7 +81,7 @@ const struct ph_command ph_commands[] = {
      "phspline sphere --columns=lon,lat --offset=-0.05,0.05 -p track.png "
      "--plot-size=1200x900 track.csv -o track.json\t"
      "The globe with track and corridor\n"},
-    {PH_SOLVES_BY(ph_method_tc), ph_describe_cubics,
+    {PH_SOLVES_BY(ph_method_tc, CURVE), ph_describe_cubics,
      "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline tc\t"
      "A spline of two cubics for each two points, as JSON\n"
      "phspline tc --columns=x,y,tx,ty --mode=g1-fair -f csv outline.csv\t"
@@ -100,6 +100,16 @@ const struct ph_command ph_commands[] = {
      "Outline and cutter path as one SVG path\n"
      "phspline tc --sweep=lambda=0.3:0.8:6 -q -p lambda.svg points.csv "
      "-o lambda.json\tSix of them in one figure\n"},
+    {PH_SOLVES_BY(ph_method_cone, SURFACE), NULL,
+     "phspline cone --height='[-5,5]' elements.csv\t"
+     "A surface through contact elements, columns x,y,z,rx,ry,rz,tx,ty,tz\n"
+     "phspline cone --height='[-5,5]' --format=svg-path elements.csv\t"
+     "Its flat pattern as an SVG path\n"
+     "phspline cone --height='[-5,5]' --format=obj --sample=32x4 elements.csv\t"
+     "A mesh with normals and flat coordinates\n"
+     "phspline cone --height='[-5,5]' --offset=0.5 --table=strips "
+     "elements.csv\t"
+     "The strips, and those of the surface at the distance 0.5\n"},
     {&ph_verify_schema, "checks of results, from their control points alone",
      PH_USE_VERIFY, ph_verify_work,
      .examples =

@@ -16,8 +16,15 @@ struct ph_options;
 struct ph_worker;
 struct ph_item;
 
-/* What a command is for, and so which of the common options it has. */
-enum ph_use { PH_USE_SOLVE = 1, PH_USE_VERIFY = 2, PH_USE_ALL = 3 };
+/* What a command is for, and so which of the common options it has: it solves
+ * problems, by curves or by surfaces, or it verifies. */
+enum ph_use {
+  PH_USE_CURVE = 1,
+  PH_USE_SURFACE = 2,
+  PH_USE_SOLVE = 3,
+  PH_USE_VERIFY = 4,
+  PH_USE_ALL = 7
+};
 
 struct ph_command {
   const struct ph_schema *schema; /* its name, and the fields of its records */
@@ -40,7 +47,8 @@ ph_command_kind(const struct ph_command *command) {
 }
 
 /* The members of a command that solves by a method, up to that one. */
-#define PH_SOLVES_BY(by) &(by).schema, (by).title, PH_USE_SOLVE, ph_work, &(by)
+#define PH_SOLVES_BY(by, use) \
+  &(by).schema, (by).title, PH_USE_##use, ph_work, &(by)
 
 extern const struct ph_command ph_commands[];
 extern const size_t ph_commands_n;

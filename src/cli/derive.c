@@ -4,11 +4,15 @@
 
 #include "curve/bezier/cubics.h"
 #include "curve/kind/kind.h"
+#include "curve/surface/grid.h"
 
 #include <stdio.h>
 
 /* Default tolerance of paths of drawings, relative to the size of the curve. */
 static const double TOLERANCE_PATH = 1e-6;
+
+/* Steps of each strip of a mesh, where --sample does not say it. */
+enum { MESH_STEPS = 16 };
 
 /* Joints that a warning of gaps names. */
 enum { GAPS_NAMED = 8 };
@@ -141,15 +145,93 @@ static enum ph_status convert_all(double tolerance, struct ph_arena *arena,
   return status;
 }
 
+/* ---- surfaces ------------------------------------------------------------ */
+
+static enum ph_status derive_parallels(const struct ph_options *o,
+                                       struct ph_arena *arena,
+                                       struct ph_result *r,
+                                       struct ph_diag *diag) {
+  enum ph_status status = PH_OK;
+  r->parallels = ph_arena_array(arena, o->offsets_n, sizeof *r->parallels);
+  if (!r->parallels) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; status == PH_OK && i < o->offsets_n; i++) {
+    status =
+        ph_parallel_of(&r->curve, o->offsets[i], arena, &r->parallels[i], diag);
+  }
+  r->parallels_n = o->offsets_n;
+  return status;
+}
+
+static enum ph_status derive_grids(const struct ph_grid_rules *rules,
+                                   struct ph_arena *arena, struct ph_result *r,
+                                   struct ph_diag *diag) {
+  enum ph_status status = ph_grid_of(&r->curve, rules, arena, &r->grid, diag);
+  for (size_t i = 0; status == PH_OK && i < r->parallels_n; i++) {
+    status = ph_grid_of(&r->parallels[i].curve, rules, arena,
+                        &r->parallels[i].grid, diag);
+  }
+  return status;
+}
+
+/* The developments of a surface and of those parallel to it. */
+static enum ph_status derive_flat(struct ph_arena *arena,
+                                  const struct ph_result *r,
+                                  struct ph_derived *derived,
+                                  struct ph_diag *diag) {
+  const size_t n = r->parallels_n + 1;
+  enum ph_status status = PH_OK;
+  derived->paths = ph_arena_array(arena, n, sizeof *derived->paths);
+  if (!derived->paths) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; status == PH_OK && i < n; i++) {
+    const struct ph_curve *c = i ? &r->parallels[i - 1].curve : &r->curve;
+    status = ph_flat_paths(c, TOLERANCE_PATH * ph_surface_size(c), arena,
+                           &derived->paths[i], diag);
+  }
+  derived->paths_n = n;
+  return status;
+}
+
+static enum ph_status derive_surface(const struct ph_options *o,
+                                     struct ph_arena *arena,
+                                     struct ph_result *r,
+                                     struct ph_derived *derived,
+                                     struct ph_diag *diag) {
+  const struct ph_format_row *format = &ph_formats[o->format];
+  struct ph_grid_rules rules = o->grid;
+  enum ph_status status = derive_parallels(o, arena, r, diag);
+  if (format->is_mesh && status == PH_OK) {
+    rules.along = rules.along ? rules.along : MESH_STEPS;
+    if (!ph_grid_across(&r->curve, &rules)) {
+      return ph_fail(diag, PH_BAD_VALUE, "height",
+                     "must have an extent for --format=%s, as in "
+                     "--height=[-1,1]",
+                     ph_format_name(o->format));
+    }
+  }
+  if (status == PH_OK && format->is_cubics) {
+    return derive_flat(arena, r, derived, diag);
+  }
+  return status == PH_OK && rules.along ? derive_grids(&rules, arena, r, diag)
+                                        : status;
+}
+
 enum ph_status ph_derive(const struct ph_options *options,
                          struct ph_arena *arena, struct ph_result *result,
                          struct ph_derived *derived, struct ph_diag *diag) {
   const struct ph_options *o = options;
-  double tolerance = o->tolerance > 0
-                         ? o->tolerance
-                         : PH_TOLERANCE * ph_curve_size(&result->curve);
-  enum ph_status status = derive_offsets(o, tolerance, arena, result, diag);
+  enum ph_status status;
+  double tolerance;
   derived->exact = result->curve;
+  if (ph_kind_of(&result->curve)->surface) {
+    return derive_surface(o, arena, result, derived, diag);
+  }
+  tolerance = o->tolerance > 0 ? o->tolerance
+                               : PH_TOLERANCE * ph_curve_size(&result->curve);
+  status = derive_offsets(o, tolerance, arena, result, diag);
   if (status == PH_OK && ph_formats[o->format].is_cubics) {
     return derive_paths(o, arena, result, derived, diag);
   }

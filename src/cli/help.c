@@ -150,9 +150,11 @@ static void fields(struct page *page, const struct ph_schema *schema) {
   entry(page, 2, "id, meta", "copied to the result (no options)");
 }
 
-/* The common options of a use, but for those that are fields, too. */
+/* The common options of a use, but for those that are fields, too; the tables
+ * of what lies in a space, or all. */
 static void options(struct page *page, const char *title, enum ph_use use,
-                    const struct ph_schema *schema) {
+                    const struct ph_schema *schema,
+                    const enum ph_space *space) {
   heading(page, title);
   for (int i = 0; i < PH_OPTION_N; i++) {
     const struct ph_option *option = &ph_option_table[i];
@@ -162,7 +164,10 @@ static void options(struct page *page, const char *title, enum ph_use use,
     }
     option_entry(page, option);
     if (i == PH_O_TABLE) {
-#define X(symbol, name, what) entry(page, 8, name, what);
+#define X(symbol, name, what)                            \
+  if (!space || ph_csv_has(PH_TABLE_##symbol, *space)) { \
+    entry(page, 8, name, what);                          \
+  }
       PH_TABLES(X)
 #undef X
     }
@@ -217,7 +222,8 @@ void ph_help_program(struct ph_buf *buf) {
   version_line(&page);
   paragraph(&page, "Usage: phspline COMMAND [OPTION]... [FILE]...");
   paragraph(&page, "Interpolates points with curves whose arc length and "
-                   "offset curves are exact.");
+                   "offset curves are exact, and contact elements with "
+                   "developable surfaces.");
   heading(&page, "Commands:");
   for (size_t i = 0; i < ph_commands_n; i++) {
     entry(&page, 2, ph_commands[i].schema->command, ph_commands[i].title);
@@ -225,8 +231,8 @@ void ph_help_program(struct ph_buf *buf) {
   entry(&page, 2, "help COMMAND", "the fields and options of a command");
   entry(&page, 2, "schema [COMMAND]",
         "a JSON Schema of the problems and results of a command, or of all");
-  options(&page, "Options of all commands but verify:", PH_USE_SOLVE,
-          &no_fields);
+  options(&page, "Options of the commands that make curves:", PH_USE_CURVE,
+          &no_fields, NULL);
   heading(&page,
           "Problems are read from each FILE in turn, or from standard input "
           "where there is none or it is -, as JSON, JSON Lines or CSV. Each "
@@ -238,6 +244,7 @@ void ph_help_program(struct ph_buf *buf) {
 void ph_help_command(struct ph_buf *buf, const struct ph_command *command) {
   struct page page = page_of(buf);
   const struct ph_schema *schema = command->schema;
+  enum ph_space space = PH_PLANE;
   version_line(&page);
   flow(&page, 0, "Usage: phspline");
   flow(&page, 0, schema->command);
@@ -246,7 +253,10 @@ void ph_help_command(struct ph_buf *buf, const struct ph_command *command) {
   put_text(&page, ".");
   end_line(&page);
   fields(&page, schema);
-  options(&page, "Options:", command->use, schema);
+  if (command->method) {
+    space = ph_kind_space(ph_command_kind(command), command->method->dimension);
+  }
+  options(&page, "Options:", command->use, schema, &space);
   examples(&page, command->examples);
   statuses(&page, command->use);
   end_line(&page);

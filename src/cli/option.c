@@ -216,6 +216,41 @@ static enum ph_status check_problems(struct ph_option_parser *p) {
   return PH_OK;
 }
 
+static enum ph_space space_of(const struct ph_options *o) {
+  return ph_kind_space(ph_command_kind(o->command),
+                       o->command->method->dimension);
+}
+
+/* Tables and formats that are of surfaces, or of curves. */
+static enum ph_status check_printed(struct ph_option_parser *p) {
+  struct ph_options *o = p->options;
+  const bool surface = space_of(o) == PH_SURFACE;
+  if (surface && !p->table) {
+    o->table = PH_TABLE_STRIPS;
+  }
+  if (p->table && !ph_csv_has(o->table, space_of(o))) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   surface ? "--table: the surfaces of %s have strips, samples "
+                             "and development"
+                           : "--table: strips and development are of surfaces, "
+                             "%s makes curves",
+                   o->command->schema->command);
+  }
+  if (ph_formats[o->format].is_mesh && !surface) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--format=%s is of surfaces, %s makes curves",
+                   ph_format_name(o->format), o->command->schema->command);
+  }
+  if (o->table == PH_TABLE_SAMPLES && o->samples.how == PH_SAMPLE_NONE &&
+      !o->grid.along) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   surface ? "--table=samples needs --sample"
+                           : "--table=samples needs --sample, --spacing or "
+                             "--chord-error");
+  }
+  return PH_OK;
+}
+
 /* Options that contradict each other. */
 static enum ph_status check_together(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
@@ -228,6 +263,9 @@ static enum ph_status check_together(struct ph_option_parser *p) {
   if (p->table && !format->is_table) {
     return ph_fail(p->diag, PH_USAGE, NULL,
                    "--table needs --format=csv or --format=text");
+  }
+  if (check_printed(p) != PH_OK) {
+    return PH_USAGE;
   }
   if (format->is_cubics && (o->samples.how == PH_SAMPLE_PARAMETER ||
                             o->samples.how == PH_SAMPLE_SPACING)) {
@@ -246,11 +284,6 @@ static enum ph_status check_together(struct ph_option_parser *p) {
   }
   if (o->table == PH_TABLE_OFFSETS && !o->offsets_n) {
     return ph_fail(p->diag, PH_USAGE, NULL, "--table=offsets needs --offset");
-  }
-  if (o->table == PH_TABLE_SAMPLES && o->samples.how == PH_SAMPLE_NONE) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
-                   "--table=samples needs --sample, --spacing or "
-                   "--chord-error");
   }
   if (o->samples.frame && o->samples.how == PH_SAMPLE_NONE) {
     return ph_fail(p->diag, PH_USAGE, NULL,
@@ -301,7 +334,7 @@ enum ph_status ph_options_read(int argc, char **argv,
       options->command->use == PH_USE_VERIFY ? PH_SPLIT_JSON : PH_SPLIT_AUTO;
   options->jobs = processors();
   options->max_memory = memory_default();
-  options->samples.most = PH_SAMPLES_MAX;
+  options->samples.most = options->grid.most = PH_SAMPLES_MAX;
   options->assignments = ph_arena_array(&options->arena, p.argument_n,
                                         sizeof *options->assignments);
   options->sweeps =
@@ -337,11 +370,8 @@ enum ph_status ph_options_read(int argc, char **argv,
 }
 
 struct ph_print ph_options_print(const struct ph_options *options) {
-  const struct ph_command *command = options->command;
-  const enum ph_space space =
-      ph_kind_space(ph_command_kind(command), command->method->dimension);
   return (struct ph_print){{options->table, ph_formats[options->format].is_text,
-                            space, options->offsets_n,
+                            space_of(options), options->offsets_n,
                             options->samples.frame != PH_FRAME_NONE},
                            options->pretty};
 }

@@ -13,6 +13,7 @@
 #include "cli/command.h"
 #include "cli/sweep.h"
 #include "curve/sample/sample.h"
+#include "curve/surface/grid.h"
 #include "io/format.h"
 #include "io/split.h"
 
@@ -25,7 +26,7 @@
 #define PH_TOLERANCE_VERIFY 1e-9
 
 /* X(SYMBOL, USE, 'short' or 0, "long", "ARGUMENT" or NULL, "help").  USE is the
- * commands that have the option: SOLVE, VERIFY or ALL (enum ph_use).  Help
+ * commands that have the option (enum ph_use).  Help
  * texts are broken into lines where they are printed. */
 #define PH_OPTIONS(X)                                                         \
   X(INPUT_FORMAT, SOLVE, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS),     \
@@ -44,9 +45,10 @@
   X(FORMAT, SOLVE, 'f', "format", PH_WORDS(PH_FORMATS),                       \
     "json (default): one object a line; csv (with --table the default): one " \
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths " \
-    "of cubic Bezier curves")                                                 \
+    "of cubic Bezier curves; obj: the mesh of a surface")                     \
   X(TABLE, SOLVE, 0, "table", "NAME",                                         \
-    "what --format=csv and text print (default: control-points):")            \
+    "what --format=csv and text print (default: control-points, of surfaces " \
+    "strips):")                                                               \
   X(PRETTY, ALL, 0, "pretty", NULL, "indented JSON")                          \
   X(OUTPUT, ALL, 'o', "output", "FILE",                                       \
     "write FILE, replaced only when everything was written")                  \
@@ -59,24 +61,28 @@
     "solve every problem once for each value of RANGE: V1,V2,... or "         \
     "START:STOP:COUNT, with :log at equal ratios; FIELD may be an element, "  \
     "points[2][0]; FIELD*=RANGE multiplies what is there")                    \
-  X(OFFSET, SOLVE, 'd', "offset", "D[,D...]",                                 \
+  X(OFFSET, CURVE, 'd', "offset", "D[,D...]",                                 \
     "add offset curves at these distances, positive to the left of travel")   \
-  X(SAMPLE, SOLVE, 'n', "sample", "N",                                        \
+  X(PARALLEL, SURFACE, 'd', "offset", "D[,D...]",                             \
+    "add parallel surfaces at these distances along the normals")             \
+  X(SAMPLE, CURVE, 'n', "sample", "N",                                        \
     "add N+1 samples per segment, equally spaced in the segment's parameter") \
-  X(SPACING, SOLVE, 0, "spacing", "DS",                                       \
+  X(GRID, SURFACE, 'n', "sample", "N[xM]",                                    \
+    "add samples: N steps along each strip and M over the height")            \
+  X(SPACING, CURVE, 0, "spacing", "DS",                                       \
     "add samples equally spaced by arc length along the whole curve")         \
-  X(CHORD_ERROR, SOLVE, 0, "chord-error", "E",                                \
+  X(CHORD_ERROR, CURVE, 0, "chord-error", "E",                                \
     "add samples such that no chord leaves the curve by more than E")         \
-  X(FRAME, SOLVE, 0, "frame", PH_WORDS(PH_FRAMES),                            \
+  X(FRAME, CURVE, 0, "frame", PH_WORDS(PH_FRAMES),                            \
     "add normal and binormal to samples of curves in space")                  \
-  X(PLOT, SOLVE, 'p', "plot", "FILE",                                         \
+  X(PLOT, CURVE, 'p', "plot", "FILE",                                         \
     "draw data, curves, offsets and curvature of the whole run: FILE.svg, "   \
     "FILE.pdf or FILE.png")                                                   \
-  X(PLOT_SIZE, SOLVE, 0, "plot-size", "WIDTHxHEIGHT",                         \
+  X(PLOT_SIZE, CURVE, 0, "plot-size", "WIDTHxHEIGHT",                         \
     "size of the figure, in pixels (.png) or points of 1/72 inch")            \
-  X(CONVERT, SOLVE, 0, "convert", "bezier",                                   \
+  X(CONVERT, CURVE, 0, "convert", "bezier",                                   \
     "write atph segments as polynomial quintic Bezier segments")              \
-  X(TOLERANCE, SOLVE, 0, "tolerance", "E",                                    \
+  X(TOLERANCE, CURVE, 0, "tolerance", "E",                                    \
     "greatest distance of Bezier pieces from the exact curve "                \
     "(default: " PH_TEXT(PH_TOLERANCE) " of its size)")                       \
   X(LIMIT, VERIFY, 0, "tolerance", "E",                                       \
@@ -161,6 +167,7 @@ struct ph_options {
   double *offsets;
   size_t offsets_n;
   struct ph_sample_rules samples;
+  struct ph_grid_rules grid;      /* of surfaces; along 0: none */
   const char *plot;               /* NULL: none */
   size_t plot_width, plot_height; /* 0: the default */
 };

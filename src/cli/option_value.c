@@ -118,6 +118,28 @@ static enum ph_status read_samples(struct ph_option_parser *p,
   }
 }
 
+/* N, or NxM. */
+static enum ph_status read_grid(struct ph_option_parser *p) {
+  struct ph_grid_rules *rules = &p->options->grid;
+  const char *times = strchr(optarg, 'x'), *end = optarg + strlen(optarg);
+  char excerpt[PH_EXCERPT_MAX];
+  double n, m = 0;
+  bool ok = ph_number_read_text(optarg, times ? times : end, &n) ==
+            (times ? times : end);
+  ok = ok &&
+       (!times || (ph_number_read_text(times + 1, end, &m) == end && m >= 1));
+  if (!ok || !(n >= 1 && n <= SAMPLES_MAX && m <= SAMPLES_MAX) ||
+      floor(n) < n || floor(m) < m) {
+    return ph_fail(p->diag, PH_USAGE, NULL,
+                   "--sample must be one or two whole numbers from 1 to %d, as "
+                   "20 or 20x4, found '%s'",
+                   SAMPLES_MAX, ph_excerpt(optarg, strlen(optarg), excerpt));
+  }
+  rules->along = (size_t)n;
+  rules->across = (size_t)m;
+  return PH_OK;
+}
+
 static enum ph_status read_offsets(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
   size_t room = 1;
@@ -237,7 +259,7 @@ static enum ph_status read_assignment(struct ph_option_parser *p,
   }
   a->text = optarg;
   a->override = id == PH_O_OVERRIDE;
-  if (o->command->use == PH_USE_SOLVE) {
+  if (o->command->use != PH_USE_VERIFY) {
     return ph_option_assign(o->command->schema, &o->arena, a, p->diag);
   }
   return is_field(optarg, n) ? PH_OK
@@ -365,7 +387,10 @@ static enum ph_status read_argument(struct ph_option_parser *p,
   case PH_O_SWEEP:
     return read_sweep(p);
   case PH_O_OFFSET:
+  case PH_O_PARALLEL:
     return read_offsets(p);
+  case PH_O_GRID:
+    return read_grid(p);
   case PH_O_CONVERT:
     o->convert = true;
     return choose(p, id, words, &which);
@@ -376,7 +401,9 @@ static enum ph_status read_argument(struct ph_option_parser *p,
   case PH_O_JOBS:
     return read_count(p, id, PH_JOBS_MAX, &o->jobs);
   case PH_O_MAX_SAMPLES:
-    return read_count(p, id, SAMPLES_LIMIT_MAX, &o->samples.most);
+    status = read_count(p, id, SAMPLES_LIMIT_MAX, &o->samples.most);
+    o->grid.most = o->samples.most;
+    return status;
   case PH_O_MAX_MEMORY:
     return read_bytes(p, id, &o->max_memory);
   case PH_O_MAX_RECORD_BYTES:

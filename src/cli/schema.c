@@ -75,6 +75,8 @@ static bool has(const struct form *f, const struct ph_member *member) {
     return promise->tension && kind->erf;
   case PH_OF_INTERVALS:
     return promise->intervals;
+  case PH_OF_SURFACE:
+    return promise->surface;
   default:
     return promise->lengths;
   }
@@ -239,6 +241,9 @@ static bool fill_scalar(struct builder *b, cJSON *node, const char *type) {
                 "\"minItems\":2,\"maxItems\":2}"},
       {"range", "{\"type\":\"array\",\"items\":{\"type\":\"integer\","
                 "\"minimum\":0},\"minItems\":2,\"maxItems\":2}"},
+      {"open", "{\"type\":[\"number\",\"null\"]}"},
+      {"bounds", "{\"type\":\"array\",\"items\":{\"type\":[\"number\","
+                 "\"null\"]},\"minItems\":2,\"maxItems\":2}"},
       {"sign", "{\"enum\":[-1,0,1]}"},
       {"flag", "{\"type\":\"boolean\"}"},
       {"text", "{\"type\":\"string\"}"},
@@ -271,7 +276,13 @@ static void fill(struct builder *b, cJSON *node, const struct form *f,
   for (; *type == '['; type = strchr(type, ']') + 1) {
     size_t n = size_of(f, type + 1);
     cJSON *items;
-    add_text(b, node, "type", "array");
+    if (strcmp(strchr(type, ']') + 1, "open") == 0) { /* null: none is */
+      items = add_array(b, node, "type");
+      add_text(b, items, NULL, "array");
+      add_text(b, items, NULL, "null");
+    } else {
+      add_text(b, node, "type", "array");
+    }
     items = add_object(b, node, "items");
     if (type[1] != ']') {
       add_number(b, node, "minItems", n > 0 ? (double)n : 1);
@@ -520,7 +531,7 @@ static void define_command(struct builder *b,
   }
   for (int kind = 0; promise && kind < PH_CURVE_N; kind++) {
     if (promise->kinds >> kind & 1) {
-      add_form(b, one, "result",
+      add_form(b, one, ph_members_result(promise->surface),
                (struct form){command, "ok", promise, (enum ph_curve_kind)kind});
     }
   }

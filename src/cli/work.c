@@ -266,8 +266,9 @@ const char *ph_work_id(const struct ph_echo *echo, struct ph_arena *arena) {
 static void write_result(struct task *t, const struct ph_heading *heading,
                          const char *id, struct ph_buf *out) {
   const struct ph_print print = ph_options_print(t->options);
-  struct ph_solved solved = {id, heading, &t->result, t->derived.paths,
-                             t->derived.paths_n};
+  struct ph_solved solved = {
+      id,         t->item->record.number, heading,
+      &t->result, t->derived.paths,       t->derived.paths_n};
   char number[32];
   if (!id) {
     snprintf(number, sizeof number, "%zu", t->item->record.number);

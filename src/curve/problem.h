@@ -57,7 +57,12 @@
   X(BLASCHKE, "blaschke")                 \
   X(CURVE, "curve")                       \
   X(TOLERANCE, "tolerance")               \
-  X(PIECES, "pieces")
+  X(PIECES, "pieces")                     \
+  X(RULINGS, "rulings")                   \
+  X(NORMALS, "normals")                   \
+  X(METHOD, "method")                     \
+  X(DEGENERATE, "degenerate_tolerance")   \
+  X(HEIGHT, "height")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,

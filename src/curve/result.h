@@ -9,6 +9,7 @@
 
 #include "base/diag.h"
 #include "base/mem.h"
+#include "curve/surface/surface.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -17,12 +18,13 @@
 
 /* Curve kinds: X(SYMBOL, its ph_kind_..., "name in records"); a kind is a row
  * here and a file in curve/kind (curve/kind/kind.h). */
-#define PH_CURVES(X)          \
-  X(PH, ph, "ph")             \
-  X(ATPH, atph, "atph")       \
-  X(BEZIER, bezier, "bezier") \
-  X(TC, tc, "tc")             \
-  X(SPHERICAL_NU, spherical_nu, "spherical-nu")
+#define PH_CURVES(X)                            \
+  X(PH, ph, "ph")                               \
+  X(ATPH, atph, "atph")                         \
+  X(BEZIER, bezier, "bezier")                   \
+  X(TC, tc, "tc")                               \
+  X(SPHERICAL_NU, spherical_nu, "spherical-nu") \
+  X(CONE, cone, "cone-spline")
 
 enum ph_curve_kind {
 #define X(symbol, kind, name) PH_CURVE_##symbol,
@@ -124,12 +126,13 @@ struct ph_curve {
   struct ph_choice choice;
   struct ph_images blaschke;
   struct ph_sphere sphere;
+  struct ph_surface surface;
 };
 
-/* Where a curve lies. */
-enum ph_space { PH_PLANE, PH_SPACE, PH_SPHERE };
+/* Where a curve lies; PH_SURFACE: it is a surface itself. */
+enum ph_space { PH_PLANE, PH_SPACE, PH_SPHERE, PH_SURFACE };
 
-enum { PH_SPACES = PH_SPHERE + 1 };
+enum { PH_SPACES = PH_SURFACE + 1 };
 
 /* Frames: X(SYMBOL, "name"), FIRST of the first. */
 #define PH_FRAMES(FIRST, X) \
@@ -322,7 +325,19 @@ struct ph_offset {
   X(ROTATION_INDEX, "rotation_index", "number",                                \
     "by how many turns the tangent rotates, to the left")                      \
   X(ABSOLUTE_ROTATION_INDEX, "absolute_rotation_index", "number",              \
-    "the same, with turns to the right counted like those to the left")
+    "the same, with turns to the right counted like those to the left")        \
+  X(FRAME_ERROR, "frame_error", "number",                                      \
+    "the largest difference of a frame at the end of a strip, relative")       \
+  X(ISOMETRY_ERROR, "isometry_error", "number",                                \
+    "the largest difference of the development from the surface, relative")    \
+  X(SHIFT, "shift", "number",                                                  \
+    "the largest distance of a contact point from its given point")            \
+  X(VERTICES_INSIDE, "vertices_inside", "number",                              \
+    "how many strips have their vertex within the height")                     \
+  X(SIGN_CHANGES, "sign_changes", "number",                                    \
+    "across how many rulings the normal curvature changes its sign")           \
+  X(LARGE_ARCS, "large_arcs", "number",                                        \
+    "how many strips turn by more than 180 degrees about their axis")
 
 enum ph_diagnostic {
 #define X(symbol, name, type, what) PH_D_##symbol,
@@ -453,11 +468,21 @@ struct ph_start {
   size_t iterations; /* that it took */
 };
 
+/* A surface at a distance along the normals of another one. */
+struct ph_parallel {
+  double distance;
+  struct ph_curve curve;
+  struct ph_surface_samples grid;
+};
+
 struct ph_result {
   struct ph_curve curve;
   struct ph_offset *offsets;
   size_t offsets_n;
-  struct ph_samples samples; /* n = 0: they were not asked for */
+  struct ph_samples samples;     /* n = 0: they were not asked for */
+  struct ph_parallel *parallels; /* of a surface */
+  size_t parallels_n;
+  struct ph_surface_samples grid; /* of a surface */
   struct ph_diagnostics diagnostics;
   struct ph_warning warnings[PH_WARNINGS_MAX];
   size_t warnings_n;
@@ -480,7 +505,8 @@ struct ph_result {
                         (double)NAN, (double)NAN, (double)NAN, (double)NAN})
 
 /* ph_words: the words of a type in records, "kind" of curves, "frame" from
- * PH_FRAME_FRENET on, "root" or "outcome", in the order of the enum and ended
+ * PH_FRAME_FRENET on, "root", "outcome", "strip_method" or "case" of pairs,
+ * in the order of the enum and ended
  * by NULL; NULL: the type is no list of words. */
 const char *const *ph_words(const char *type);
 

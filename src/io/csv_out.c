@@ -9,8 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Curves differ in what is known of a place on them. */
-/* Columns between `id` and the swept fields. */
+/* Columns between `id` and the swept fields.  Curves differ in what is known of
+ * a place on them; NULL: there is no such table. */
 static const char *const columns[PH_TABLE_N][PH_SPACES] = {
     [PH_TABLE_CONTROL_POINTS] = {",segment,index,x,y", ",segment,index,x,y,z",
                                  ",segment,index,x,y,z"},
@@ -19,12 +19,22 @@ static const char *const columns[PH_TABLE_N][PH_SPACES] = {
                           ",segment,t0,t1,length,cumulative"},
     [PH_TABLE_SAMPLES] = {",segment,t,s,x,y,tx,ty,curvature",
                           ",segment,t,s,x,y,z,tx,ty,tz,curvature,torsion",
-                          ",segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat"},
+                          ",segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat",
+                          ",strip,s,h,x,y,z,nx,ny,nz,u,v"},
     [PH_TABLE_OFFSETS] =
         {",distance,segment,index,x,y,weight",
          ",distance,segment,index,x,y,z,weight,vector",
          ",distance,segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat"},
+    [PH_TABLE_STRIPS] = {NULL, NULL, NULL,
+                         ",strip,pair,x,y,z,rx,ry,rz,tx,ty,tz,nx,ny,nz,"
+                         "geodesic_curvature,normal_curvature,length,vx,vy,vz,"
+                         "half_angle,sweep,development_angle"},
+    [PH_TABLE_DEVELOPMENT] = {NULL, NULL, NULL, ",strip,index,u,v,weight"},
 };
+
+bool ph_csv_has(enum ph_table table, enum ph_space space) {
+  return columns[table][space] != NULL;
+}
 
 /* A row in the making: its cells are separated by `between`. */
 struct row {
@@ -139,7 +149,8 @@ static void names(const struct row *row, const char *list) {
 void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
                    const struct ph_swept *swept, size_t swept_n) {
   const struct row row = row_of(buf, shape, NULL);
-  const bool samples = shape->table == PH_TABLE_SAMPLES;
+  const bool surface = shape->space == PH_SURFACE;
+  const bool samples = shape->table == PH_TABLE_SAMPLES || surface;
   ph_buf_puts(buf, shape->text ? "# id" : "id");
   names(&row, columns[shape->table][shape->space]);
   if (samples && shape->frame) {
@@ -280,6 +291,91 @@ static void offset(const struct row *row, const struct ph_offset *o) {
   }
 }
 
+/* ---- surfaces ------------------------------------------------------------ */
+
+static void end_surface_row(const struct row *row, double distance) {
+  if (row->shape->offsets) {
+    number_cell(row, distance);
+  }
+  end_row(row);
+}
+
+static void strips(const struct row *row, const struct ph_curve *c,
+                   double distance) {
+  for (size_t i = 0; i < c->n; i++) {
+    const struct ph_strip *strip = &c->surface.strips[i];
+    begin_row(row);
+    number_cell(row, (double)i);
+    number_cell(row, (double)strip->pair);
+    number_cells(row, strip->frame.point, 3);
+    number_cells(row, strip->frame.ruling, 3);
+    number_cells(row, strip->frame.tangent, 3);
+    number_cells(row, strip->frame.normal, 3);
+    number_cell(row, strip->k);
+    number_cell(row, strip->kn);
+    number_cell(row, strip->length);
+    number_cells(row, strip->vertex, 3);
+    number_cell(row, strip->half_angle);
+    number_cell(row, strip->sweep);
+    number_cell(row, strip->development_angle);
+    end_surface_row(row, distance);
+  }
+}
+
+static void development(const struct row *row, const struct ph_curve *c,
+                        double distance) {
+  for (size_t i = 0; i < 3 * c->n; i++) {
+    const struct ph_arc2 *arc = &c->surface.strips[i / 3].development;
+    begin_row(row);
+    number_cell(row, (double)(i / 3));
+    number_cell(row, (double)(i % 3));
+    number_cells(row, arc->control_points[i % 3], 2);
+    number_cell(row, arc->weights[i % 3]);
+    end_surface_row(row, distance);
+  }
+}
+
+static void nodes(const struct row *row, const struct ph_surface_samples *grid,
+                  double distance) {
+  for (size_t i = 0; i < grid->n; i++) {
+    const struct ph_surface_sample *at = &grid->v[i];
+    begin_row(row);
+    number_cell(row, (double)at->strip);
+    number_cell(row, at->s);
+    number_cell(row, at->h);
+    number_cells(row, at->point, 3);
+    number_cells(row, at->normal, 3);
+    number_cells(row, at->flat, 2);
+    end_surface_row(row, distance);
+  }
+}
+
+/* A surface, or one at a distance of it. */
+static void surface(const struct row *row, const struct ph_curve *c,
+                    const struct ph_surface_samples *grid, double distance) {
+  switch (row->shape->table) {
+  case PH_TABLE_STRIPS:
+    strips(row, c, distance);
+    break;
+  case PH_TABLE_DEVELOPMENT:
+    development(row, c, distance);
+    break;
+  default:
+    nodes(row, grid, distance);
+  }
+}
+
+static void surfaces(const struct row *row, const struct ph_result *result) {
+  surface(row, &result->curve, &result->grid, 0);
+  for (size_t i = 0; i < result->parallels_n; i++) {
+    const struct ph_parallel *p = &result->parallels[i];
+    end_curve(row);
+    surface(row, &p->curve, &p->grid, p->distance);
+  }
+}
+
+/* ---- the whole ----------------------------------------------------------- */
+
 void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
                    const struct ph_csv_heading *heading,
                    const struct ph_result *result) {
@@ -291,7 +387,15 @@ void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
   case PH_TABLE_LENGTHS:
     lengths(&row, &result->curve);
     break;
+  case PH_TABLE_STRIPS:
+  case PH_TABLE_DEVELOPMENT:
+    surfaces(&row, result);
+    break;
   case PH_TABLE_SAMPLES:
+    if (shape->space == PH_SURFACE) {
+      surfaces(&row, result);
+      break;
+    }
     samples(&row, &result->samples, NULL);
     for (size_t i = 0; i < result->offsets_n; i++) {
       end_curve(&row);

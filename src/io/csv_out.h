@@ -19,13 +19,16 @@
 #include <stdbool.h>
 
 /* Tables: X(SYMBOL, "name", "what it lists"). */
-#define PH_TABLES(X)                                                       \
-  X(CONTROL_POINTS, "control-points", "control points of every segment")   \
-  X(LENGTHS, "lengths",                                                    \
-    "interval, length, cumulative length of every segment")                \
-  X(SAMPLES, "samples", "points, tangents, curvature along every segment") \
-  X(OFFSETS, "offsets",                                                    \
-    "control points and weights of the offset curves; on a sphere samples")
+#define PH_TABLES(X)                                                        \
+  X(CONTROL_POINTS, "control-points", "control points of every segment")    \
+  X(LENGTHS, "lengths",                                                     \
+    "interval, length, cumulative length of every segment")                 \
+  X(SAMPLES, "samples", "points, tangents, curvature along every segment")  \
+  X(OFFSETS, "offsets",                                                     \
+    "control points and weights of the offset curves; on a sphere samples") \
+  X(STRIPS, "strips", "frames, curvatures and vertices of a surface")       \
+  X(DEVELOPMENT, "development",                                             \
+    "control points and weights of the development of a surface")
 
 enum ph_table {
 #define X(symbol, name, what) PH_TABLE_##symbol,
@@ -33,6 +36,9 @@ enum ph_table {
 #undef X
       PH_TABLE_N
 };
+
+/* ph_csv_has: whether there is such a table of what lies there. */
+bool ph_csv_has(enum ph_table table, enum ph_space space);
 
 /* What decides about the columns. */
 struct ph_csv_shape {

@@ -2,6 +2,7 @@
 /* The table of formats (see format.h). */
 #include "io/format.h"
 
+#include "io/obj_out.h"
 #include "io/svg_out.h"
 
 static void json_solved(struct ph_buf *buf, const struct ph_print *print,
@@ -44,6 +45,12 @@ static void path_failed(struct ph_buf *buf, const struct ph_print *print,
   ph_buf_puts(buf, "\n");
 }
 
+static void mesh_solved(struct ph_buf *buf, const struct ph_print *print,
+                        const struct ph_solved *s) {
+  (void)print;
+  ph_obj_out(buf, s->id, s->number == 1, s->result);
+}
+
 const struct ph_format_row ph_formats[PH_FORMAT_N] = {
     [PH_FORMAT_JSON] = {.is_objects = true,
                         .solved = json_solved,
@@ -58,6 +65,7 @@ const struct ph_format_row ph_formats[PH_FORMAT_N] = {
     [PH_FORMAT_SVG_PATH] = {.is_cubics = true,
                             .solved = path_solved,
                             .failed = path_failed},
+    [PH_FORMAT_OBJ] = {.is_mesh = true, .solved = mesh_solved},
 };
 
 const char *ph_format_name(enum ph_format format) {

@@ -14,7 +14,8 @@
   FIRST(JSON, "json")        \
   X(CSV, "csv")              \
   X(TEXT, "text")            \
-  X(SVG_PATH, "svg-path")
+  X(SVG_PATH, "svg-path")    \
+  X(OBJ, "obj")
 
 enum ph_format {
 #define X(symbol, name) PH_FORMAT_##symbol,
@@ -37,6 +38,7 @@ struct ph_print {
 /* A solved problem. */
 struct ph_solved {
   const char *id; /* plain text: the id, or the number of the record */
+  size_t number;  /* of the record, from 1 */
   const struct ph_heading *heading;
   const struct ph_result *result;
   const struct ph_pieces *paths; /* of formats that are cubics: the curve, then
@@ -47,6 +49,7 @@ struct ph_solved {
 struct ph_format_row {
   bool is_objects; /* takes --pretty */
   bool is_table;   /* takes --table */
+  bool is_mesh;    /* has the samples of a surface */
   bool is_text;    /* a table in the second form (csv_out.h) */
   bool is_cubics;  /* has neither samples nor --convert; --chord-error is how
                       near the cubics are to the curve */

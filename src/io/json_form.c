@@ -138,10 +138,10 @@ static void read_doubles(struct ph_json_reader *r, const struct ph_slot *slot,
 void ph_read_nothing(const struct ph_slot *slot, char *at) {
   const double nan = (double)NAN;
   const struct ph_type *type = slot->row->as;
+  const bool numbers = slot->form == PH_AS_DOUBLE || slot->form == PH_AS_OPEN;
   unsigned word = 0;
   memset(at, 0, slot->size);
-  for (size_t i = 0; slot->form == PH_AS_DOUBLE && i < slot->size;
-       i += sizeof(double)) {
+  for (size_t i = 0; numbers && i < slot->size; i += sizeof(double)) {
     memcpy(at + i, &nan, sizeof nan);
   }
   if (slot->form == PH_AS_ENUM && type->least == 0) { /* what is after all */
@@ -161,6 +161,9 @@ void ph_read_form(struct ph_json_reader *r, const struct ph_slot *slot,
   switch (slot->form) {
   case PH_AS_DOUBLE:
     read_doubles(r, slot, item, at);
+    break;
+  case PH_AS_OPEN:
+    ph_read_open(r, item, name, at, slot->n);
     break;
   case PH_AS_RADIUS:
     *(double *)at = read_radius(r, item, name);

@@ -86,6 +86,14 @@ static bool is_unknown(const struct ph_slot *slot, const void *at) {
 static void write_object(struct output *out, const struct ph_slot *slots,
                          size_t slots_n, const void *object, size_t i);
 
+/* An object that is a struct. */
+static void write_struct(struct output *out, const char *name,
+                         const void *object) {
+  struct ph_slot slots[PH_SLOTS_MAX];
+  write_object(out, slots, ph_slots(ph_members_of(name), &out->sizes, slots),
+               object, 0);
+}
+
 /* n objects: structs, or members of arrays. */
 static void write_list(struct output *out, const struct ph_slot *slot,
                        const char *at, size_t n) {
@@ -204,6 +212,17 @@ static void write_natural_lengths(struct ph_json_writer *w,
   ph_write_put(w, ']');
 }
 
+/* The intervals of lambda of n pairs. */
+static void write_bounds(struct ph_json_writer *w, const struct ph_pair *pairs,
+                         size_t n) {
+  ph_write_begin(w, '[');
+  for (size_t i = 0; i < n; i++) {
+    ph_write_element(w);
+    ph_write_open(w, pairs[i].interval, 2);
+  }
+  ph_write_end(w, ']');
+}
+
 /* The certificate of the curve, and how it was found. */
 static void write_certificate(struct output *out) {
   const struct ph_result *result = out->result;
@@ -213,6 +232,11 @@ static void write_certificate(struct output *out) {
   if (result->intervals_n) {
     write_natural_lengths(out->w, result);
   }
+  if (result->curve.surface.pairs_n) {
+    ph_write_key(out->w, "lambda_interval");
+    write_bounds(out->w, result->curve.surface.pairs,
+                 result->curve.surface.pairs_n);
+  }
   if (result->starts_n) {
     ph_write_key_string(out->w, "start", result->starts[result->start].name);
     ph_write_key(out->w, "starts");
@@ -221,9 +245,7 @@ static void write_certificate(struct output *out) {
   }
   if (result->has_kantorovich) {
     ph_write_key(out->w, "kantorovich");
-    write_object(out, slots,
-                 ph_slots(ph_members_of("kantorovich"), &out->sizes, slots),
-                 &result->kantorovich, 0);
+    write_struct(out, "kantorovich", &result->kantorovich);
   }
   ph_write_end(out->w, '}');
 }
@@ -259,6 +281,9 @@ static void write_value(struct output *out, const struct ph_slot *slot,
   case PH_AS_KNOTS:
     ph_write_numbers(w, at, 2);
     break;
+  case PH_AS_OPEN:
+    ph_write_open(w, at, slot->n);
+    break;
   case PH_AS_SIZE:
     write_sizes(w, slot, at, n);
     break;
@@ -291,6 +316,9 @@ static void write_value(struct output *out, const struct ph_slot *slot,
     break;
   case PH_AS_WARNING_LIST:
     write_warnings(w, at, n);
+    break;
+  case PH_AS_OBJECT:
+    write_struct(out, slot->row->as->name, at);
     break;
   default:
     write_list(out, slot, at, n);
@@ -331,13 +359,13 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
   struct ph_json_writer w = {.buf = buf, .pretty = pretty};
   struct output out = {.w = &w, .result = result};
   struct ph_slot slots[PH_SLOTS_MAX];
+  const char *object = ph_members_result(ph_kind_of(&result->curve)->surface);
   out.sizes.of['I' - 'A'] = result->intervals_n;
   ph_sizes_enter(&out.sizes, PH_AS_SEGMENTS, &result->curve);
   ph_write_begin(&w, '{');
   ph_json_heading(&w, heading, "ok");
-  write_members(&out, slots,
-                ph_slots(ph_members_of("result"), &out.sizes, slots), result,
-                0);
+  write_members(&out, slots, ph_slots(ph_members_of(object), &out.sizes, slots),
+                result, 0);
   finish(&w);
 }
 

@@ -257,9 +257,9 @@ size_t ph_read_whole(struct ph_json_reader *r, const struct ph_json_item *item,
 
 /* ---- arrays ------------------------------------------------------------ */
 
-/* An array of n numbers, here. */
+/* An array of n numbers, here; where it is open, null is NaN. */
 static void numbers(struct ph_json_reader *r, const struct ph_json_item *from,
-                    double *v, size_t n) {
+                    double *v, size_t n, bool open) {
   size_t found = ph_read_size(r, from);
   struct ph_json_walk walk;
   struct ph_json_item item;
@@ -274,7 +274,7 @@ static void numbers(struct ph_json_reader *r, const struct ph_json_item *from,
   for (size_t i = 0; r->status == PH_OK && i < n; i++) {
     size_t mark = ph_read_enter_at(r, i);
     ph_json_walk_next(&walk, &item);
-    v[i] = number(r, &item);
+    v[i] = open && *item.value == 'n' ? (double)NAN : number(r, &item);
     ph_read_leave(r, mark);
   }
 }
@@ -286,8 +286,24 @@ void ph_read_numbers(struct ph_json_reader *r, const struct ph_json_item *item,
     return;
   }
   mark = ph_read_enter(r, name);
-  numbers(r, item, v, n);
+  numbers(r, item, v, n, false);
   ph_read_leave(r, mark);
+}
+
+void ph_read_open(struct ph_json_reader *r, const struct ph_json_item *item,
+                  const char *name, double *v, size_t n) {
+  size_t mark;
+  if (r->status != PH_OK) {
+    return;
+  }
+  for (size_t i = 0; i < n; i++) {
+    v[i] = (double)NAN;
+  }
+  if (*item->value != 'n') {
+    mark = name ? ph_read_enter(r, name) : r->n;
+    numbers(r, item, v, n, true);
+    ph_read_leave(r, mark);
+  }
 }
 
 void ph_read_vectors(struct ph_json_reader *r, const struct ph_json_item *item,
@@ -308,7 +324,7 @@ void ph_read_vectors(struct ph_json_reader *r, const struct ph_json_item *item,
   for (size_t i = 0; r->status == PH_OK && i < n; i++) {
     size_t inner = ph_read_enter_at(r, i);
     ph_json_walk_next(&walk, &vector);
-    numbers(r, &vector, v + i * dimension, dimension);
+    numbers(r, &vector, v + i * dimension, dimension, false);
     ph_read_leave(r, inner);
   }
   ph_read_leave(r, mark);

@@ -88,4 +88,9 @@ void ph_read_numbers(struct ph_json_reader *r, const struct ph_json_item *item,
 void ph_read_vectors(struct ph_json_reader *r, const struct ph_json_item *item,
                      const char *name, double *v, size_t n, size_t dimension);
 
+/* ph_read_open: the same, of numbers that may be null, each or all: NaN.
+ * Without a name the item is itself the array. */
+void ph_read_open(struct ph_json_reader *r, const struct ph_json_item *item,
+                  const char *name, double *v, size_t n);
+
 #endif

@@ -334,6 +334,28 @@ static void read_certificate(struct input *in, const struct ph_slot *slot,
 
 /* ---- the whole --------------------------------------------------------- */
 
+/* The intervals of lambda: as many as there are pairs. */
+static void read_bounds(struct input *in, const struct ph_json_item *from,
+                        const char *name) {
+  const struct ph_surface *surface = &in->result->curve.surface;
+  struct ph_json_reader *r = in->r;
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  size_t mark = ph_read_enter(r, name), n = ph_read_size(r, from);
+  if (n != surface->pairs_n) {
+    ph_read_fail(r, PH_BAD_SHAPE, "must be %zu, one for each pair, found %zu",
+                 surface->pairs_n, n);
+  }
+  ph_json_walk_init(&walk, from->value, from->value_n);
+  for (size_t i = 0; r->status == PH_OK && i < n; i++) {
+    size_t inner = ph_read_enter_at(r, i);
+    ph_json_walk_next(&walk, &item);
+    ph_read_open(r, &item, NULL, surface->pairs[i].interval, 2);
+    ph_read_leave(r, inner);
+  }
+  ph_read_leave(r, mark);
+}
+
 /* A member that consists of others. */
 static void read_parts(struct input *in, const struct ph_slot *slot,
                        const struct ph_json_item *item,
@@ -341,6 +363,7 @@ static void read_parts(struct input *in, const struct ph_slot *slot,
   const struct ph_where *where = &slot->row->where;
   void *at = (char *)o->at + where->at;
   void *n = where->n ? (char *)o->at + where->n - 1 : NULL;
+  size_t mark;
   switch (slot->form) {
   case PH_AS_SIZE:
     ph_read_indices(in->r, slot, item, at, n);
@@ -355,6 +378,14 @@ static void read_parts(struct input *in, const struct ph_slot *slot,
     break;
   case PH_AS_WARNING_LIST:
     break; /* it is no claim */
+  case PH_AS_OBJECT:
+    mark = ph_read_enter(in->r, slot->row->name);
+    read_object(in, slot->row->as->name, item, at);
+    ph_read_leave(in->r, mark);
+    break;
+  case PH_AS_BOUNDS:
+    read_bounds(in, item, slot->row->name);
+    break;
   default:
     if (n) {
       read_list(in, slot, item, at, n);
@@ -392,13 +423,24 @@ static void read_slots(struct input *in, const struct object *o,
   }
 }
 
+/* What a result is made of. */
+static const char *parts_of(const struct object *o) {
+  return strcmp(o->of->name, "surface") == 0 ? "strips" : "segments";
+}
+
 static void read_result(struct input *in, struct object *o) {
   struct ph_slot slots[PH_SLOTS_MAX];
   size_t head = 0, n;
-  const struct ph_json_item *segments = item_of(o, "segments");
-  if (!segments->value) {
-    ph_read_enter(in->r, "segments");
+  const char *parts = parts_of(o);
+  if (!item_of(o, parts)->value) {
+    ph_read_enter(in->r, parts);
     ph_read_fail(in->r, PH_MISSING_FIELD, "is missing: this is no result");
+  }
+  if (strcmp(parts, "strips") == 0) {
+    in->result->curve.dimension = 3;
+    in->result->curve.degree = 2;
+    read_slots(in, o, slots, ph_slots(o->of, &in->sizes, slots));
+    return;
   }
   o->without = (unsigned)!item_of(o, "radius")->value << PH_OF_SPHERE;
   n = ph_slots(o->of, &in->sizes, slots);
@@ -454,12 +496,29 @@ static void read_heading(struct ph_json_reader *r, const struct object *o,
     ph_read_enter(r, "status");
     ph_read_fail(r, PH_BAD_VALUE, "must be \"ok\" or \"error\"");
   }
-  if (!claim->solved && item_of(o, "segments")->value) {
-    ph_read_enter(r, "segments");
+  if (!claim->solved && item_of(o, parts_of(o))->value) {
+    ph_read_enter(r, parts_of(o));
     ph_read_fail(r, PH_BAD_SHAPE, "are not of an error record");
   }
   read_fields(r, item_of(o, "sweep"), "sweep", &claim->swept, &claim->swept_n);
   read_fields(r, item_of(o, "set"), "set", &claim->set, &claim->set_n);
+}
+
+/* Whether a record has a member of surfaces alone before one of curves. */
+static bool is_surface(const struct ph_record *record) {
+  static const char *const names[] = {"surface", "strips", "curve", "segments"};
+  struct ph_json_walk walk;
+  struct ph_json_item item;
+  ph_json_walk_init(&walk, record->text, record->n);
+  while (ph_json_walk_next(&walk, &item)) {
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+      if (item.key_n == strlen(names[i]) &&
+          memcmp(item.key, names[i], item.key_n) == 0) {
+        return i < 2;
+      }
+    }
+  }
+  return false;
 }
 
 enum ph_status ph_json_result_in(const struct ph_record *record,
@@ -468,7 +527,7 @@ enum ph_status ph_json_result_in(const struct ph_record *record,
   struct ph_json_reader r = {.arena = arena, .diag = diag};
   struct input in = {.r = &r, .result = &claim->result};
   struct ph_json_item items[MEMBERS_MAX];
-  struct object o = {ph_members_of("result"), items, &claim->result, 0, 1, 0};
+  struct object o = {NULL, items, &claim->result, 0, 1, 0};
   const struct ph_json_item whole = {NULL, 0, record->text, record->n};
   struct ph_diag later;
   enum ph_status status;
@@ -478,6 +537,7 @@ enum ph_status ph_json_result_in(const struct ph_record *record,
                    "a result must be an object, found %s",
                    ph_value_type(*record->text));
   }
+  o.of = ph_members_of(ph_members_result(is_surface(record)));
   ph_read_members(&r, &whole, o.of->rows, items);
   status = ph_json_echo(item_of(&o, "id"), item_of(&o, "meta"), arena,
                         &claim->echo, r.status == PH_OK ? diag : &later);

@@ -5,6 +5,8 @@
 #include "io/json_text.h"
 #include "io/number.h"
 
+#include <math.h>
+
 #include <string.h>
 
 void ph_write_put(struct ph_json_writer *w, char c) {
@@ -78,6 +80,26 @@ void ph_write_number(struct ph_json_writer *w, double x) {
 }
 
 /* In one piece; the bulk of all output passes through here. */
+void ph_write_open(struct ph_json_writer *w, const double *v, size_t n) {
+  size_t finite = 0;
+  for (size_t i = 0; i < n; i++) {
+    finite += isfinite(v[i]) != 0;
+  }
+  if (finite == 0) {
+    ph_buf_puts(w->buf, "null");
+    return;
+  }
+  for (size_t i = 0; i < n; i++) {
+    ph_write_put(w, i > 0 ? ',' : '[');
+    if (isfinite(v[i])) {
+      ph_write_number(w, v[i]);
+    } else {
+      ph_buf_puts(w->buf, "null");
+    }
+  }
+  ph_write_put(w, ']');
+}
+
 void ph_write_numbers(struct ph_json_writer *w, const double *v, size_t n) {
   char *to = ph_buf_reserve(w->buf, n * (PH_NUMBER_MAX + 1) + 2);
   char *start = to;

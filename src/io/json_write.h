@@ -47,6 +47,10 @@ void ph_write_number(struct ph_json_writer *w, double x);
 /* ph_write_numbers: [a,b,c] */
 void ph_write_numbers(struct ph_json_writer *w, const double *v, size_t n);
 
+/* ph_write_open: the same, null in place of each that is not finite, and of all
+ * if none is. */
+void ph_write_open(struct ph_json_writer *w, const double *v, size_t n);
+
 /* ph_write_vectors: [[a,b],[c,d]], of v[n][dimension] */
 void ph_write_vectors(struct ph_json_writer *w, const double *v, size_t n,
                       size_t dimension);

@@ -2,7 +2,6 @@
 /* The table of members (see members.h). */
 #include "io/members.h"
 
-#include <assert.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -22,6 +21,7 @@
 #define TENSION PH_OF_TENSION
 #define INTERVALS PH_OF_INTERVALS
 #define LENGTHS PH_OF_LENGTHS
+#define SURFACE PH_OF_SURFACE
 
 #define AS(sizes, type) sizes #type, &as_##type
 #define APART   \
@@ -64,6 +64,9 @@ TYPE(curve, "kind", ENUM, sizeof(enum ph_curve_kind), 0, 0);
 TYPE(root, "root", ENUM, sizeof(enum ph_root), 0, 0);
 TYPE(frame, "frame", ENUM, sizeof(enum ph_frame), PH_FRAME_NONE + 1, 0);
 TYPE(outcome, "outcome", ENUM, sizeof(enum ph_outcome), 0, 0);
+TYPE(open, "open", OPEN, sizeof(double), 0, 0);
+TYPE(strip_method, "strip_method", ENUM, sizeof(enum ph_strip_method), 0, 0);
+TYPE(case, "case", ENUM, sizeof(enum ph_pair_case), 0, 0);
 TYPE(segment, "segment", SEGMENTS, 0, 0, 0);
 TYPE(image, "image", IMAGES, 0, 0, 0);
 TYPE(piece, "piece", PIECES, 0, 0, 0);
@@ -74,6 +77,14 @@ TYPE(solution, "solution", LIST, 0, 0, 0);
 TYPE(offset, "offset", LIST, 0, 0, 0);
 TYPE(cusp, "cusp", LIST, 0, 0, 0);
 TYPE(start, "start", LIST, 0, 0, 0);
+TYPE(bounds, "bounds", BOUNDS, 0, 0, 0);
+TYPE(strip, "strip", LIST, 0, 0, 0);
+TYPE(pair, "pair", LIST, 0, 0, 0);
+TYPE(parallel, "parallel", LIST, 0, 0, 0);
+TYPE(node, "node", LIST, 0, 0, 0);
+TYPE(strip_frame, "strip_frame", OBJECT, sizeof(struct ph_strip_frame), 0, 0);
+TYPE(arc3, "arc3", OBJECT, sizeof(struct ph_arc3), 0, 0);
+TYPE(arc2, "arc2", OBJECT, sizeof(struct ph_arc2), 0, 0);
 TYPE(certificate, "certificate", CERTIFICATE, 0, 0, 0);
 TYPE(diagnostics, "diagnostics", DIAGNOSTIC_SET, 0, 0, 0);
 TYPE(warning, "warning", WARNING_LIST, 0, 0, 0);
@@ -135,6 +146,133 @@ static const struct ph_member result[] = {
      "all curves that were found, the first is that of the record"},
     {"warnings", MAY, ANY, AS("[+]", warning),
      LIST(ph_result, warnings, warnings_n), "if there are any"},
+    LAST};
+
+/* Of a surface. */
+static const struct ph_member surface[] = {
+    HEADING,
+    {"surface", MUST, ANY, AS("", curve), AT(ph_result, curve.kind),
+     "the kind of surface"},
+    {"closed", MUST, ANY, AS("", flag), AT(ph_result, curve.closed),
+     "whether the last strip leads to the first"},
+    {"height", TOLD, ANY, AS("[2]", number),
+     AT(ph_result, curve.surface.height),
+     "the part of the rulings that is meant, from the given points"},
+    {"merged", MAY, ANY, AS("[+]", whole), LIST(ph_result, merged, merged_n),
+     "the points that merge joined to others"},
+    {"strips", MUST, ANY, AS("[+]", strip),
+     LIST(ph_result, curve.surface.strips, curve.n), "the surface"},
+    {"pairs", TOLD, ANY, AS("[+]", pair),
+     LIST(ph_result, curve.surface.pairs, curve.surface.pairs_n),
+     "two strips each, from one contact element to the next"},
+    {"length", TOLD, ANY, AS("", number), AT(ph_result, curve.length),
+     "the arc length of the contact curve"},
+    {"area", TOLD, ANY, AS("", number), AT(ph_result, curve.surface.area),
+     "of the height"},
+    {"offsets", MAY, ANY, AS("[+]", parallel),
+     LIST(ph_result, parallels, parallels_n), "one for each distance"},
+    {"samples", MAY, ANY, AS("[+]", node), LIST(ph_result, grid.v, grid.n),
+     "strip by strip, along it, and across"},
+    {"diagnostics", TOLD, ANY, AS("", certificate), AT(ph_result, diagnostics),
+     "the certificate of the surface, and how it was found"},
+    {"warnings", MAY, ANY, AS("[+]", warning),
+     LIST(ph_result, warnings, warnings_n), "if there are any"},
+    LAST};
+
+static const struct ph_member parallel[] = {
+    {"distance", MUST, ANY, AS("", number), AT(ph_parallel, distance),
+     "along the normals"},
+    {"strips", MUST, ANY, AS("[+]", strip),
+     LIST(ph_parallel, curve.surface.strips, curve.n), "the surface"},
+    {"length", TOLD, ANY, AS("", number), AT(ph_parallel, curve.length),
+     "the arc length of its contact curve"},
+    {"area", TOLD, ANY, AS("", number), AT(ph_parallel, curve.surface.area),
+     "of the height"},
+    {"samples", MAY, ANY, AS("[+]", node), LIST(ph_parallel, grid.v, grid.n),
+     "strip by strip, along it, and across"},
+    LAST};
+
+static const struct ph_member strip[] = {
+    {"pair", MUST, ANY, AS("", whole), AT(ph_strip, pair),
+     "that it is one of two strips of"},
+    {"method", MUST, ANY, AS("", strip_method), AT(ph_strip, method),
+     "what the strip is a piece of"},
+    {"frame", MUST, ANY, AS("", strip_frame), AT(ph_strip, frame),
+     "at its start"},
+    {"geodesic_curvature", MUST, ANY, AS("", number), AT(ph_strip, k),
+     "of the contact curve, positive towards the ruling"},
+    {"normal_curvature", MUST, ANY, AS("", number), AT(ph_strip, kn),
+     "of the contact curve, positive towards the normal"},
+    {"length", MUST, ANY, AS("", number), AT(ph_strip, length),
+     "the arc length of the contact curve"},
+    {"vertex", TOLD, ANY, AS("[3]", open), AT(ph_strip, vertex),
+     "of the cone, null of a cylinder"},
+    {"half_angle", TOLD, ANY, AS("", number), AT(ph_strip, half_angle),
+     "between the axis and the rulings"},
+    {"sweep", TOLD, ANY, AS("", number), AT(ph_strip, sweep),
+     "angle about the axis"},
+    {"development_angle", TOLD, ANY, AS("", number),
+     AT(ph_strip, development_angle), "by which the development turns"},
+    {"shift", TOLD, ANY, AS("[2]", number), AT(ph_strip, shift),
+     "of the contact curve along the ruling, from the height 0, at its start "
+     "and its end"},
+    {"contact", TOLD, ANY, AS("", arc3), AT(ph_strip, contact),
+     "the contact curve"},
+    {"development", TOLD, ANY, AS("", arc2), AT(ph_strip, development),
+     "the same in the plane"},
+    LAST};
+
+static const struct ph_member strip_frame[] = {
+    {"point", MUST, ANY, AS("[3]", number), AT(ph_strip_frame, point),
+     "of the contact curve"},
+    {"ruling", MUST, ANY, AS("[3]", number), AT(ph_strip_frame, ruling),
+     "unit vector"},
+    {"tangent", MUST, ANY, AS("[3]", number), AT(ph_strip_frame, tangent),
+     "of the contact curve"},
+    {"normal", MUST, ANY, AS("[3]", number), AT(ph_strip_frame, normal),
+     "ruling x tangent"},
+    LAST};
+
+static const struct ph_member arc3[] = {
+    {"control_points", MUST, ANY, AS("[3][3]", number),
+     AT(ph_arc3, control_points), "of a rational Bezier curve"},
+    {"weights", MUST, ANY, AS("[3]", number), AT(ph_arc3, weights),
+     "of the points"},
+    LAST};
+
+static const struct ph_member arc2[] = {
+    {"control_points", MUST, ANY, AS("[3][2]", number),
+     AT(ph_arc2, control_points), "of a rational Bezier curve"},
+    {"weights", MUST, ANY, AS("[3]", number), AT(ph_arc2, weights),
+     "of the points"},
+    {"angle", MUST, ANY, AS("", number), AT(ph_arc2, angle),
+     "of the tangent at the start, from the x axis; the ruling is to its left"},
+    LAST};
+
+static const struct ph_member pair[] = {
+    {"case", TOLD, ANY, AS("", case), AT(ph_pair, which),
+     "how its contact elements lie to one another"},
+    {"lambda", TOLD, ANY, AS("[2]", open), AT(ph_pair, lambda),
+     "legs of both arcs, null where there is none"},
+    {"center", TOLD, ANY, AS("[3]", open), AT(ph_pair, center),
+     "of the sphere that touches both tangent planes, or null"},
+    {"radius", MAY, ANY, AS("", number), AT(ph_pair, radius),
+     "of it, positive if it is on the side of the normals"},
+    LAST};
+
+static const struct ph_member node[] = {
+    {"strip", MUST, ANY, AS("", index), AT(ph_surface_sample, strip),
+     "of the surface"},
+    {"s", MUST, ANY, AS("", number), AT(ph_surface_sample, s),
+     "the arc length of the contact curve from the start of the strip"},
+    {"h", MUST, ANY, AS("", number), AT(ph_surface_sample, h),
+     "the distance from the contact curve along the ruling"},
+    {"point", MUST, ANY, AS("[3]", number), AT(ph_surface_sample, point),
+     "the point"},
+    {"normal", TOLD, ANY, AS("[3]", number), AT(ph_surface_sample, normal),
+     "the unit normal"},
+    {"flat", TOLD, ANY, AS("[2]", number), AT(ph_surface_sample, flat),
+     "the point of the development"},
     LAST};
 
 #define ERROR ROW("error", MUST, ANY, "error", "why there is no result")
@@ -300,6 +438,10 @@ static const struct ph_member certificate[] = {
     ROW("start", MAY, LENGTHS, "text", "the start that led to the curve"),
     {"starts", MAY, LENGTHS, AS("[+]", start),
      LIST(ph_result, starts, starts_n), "that were tried, in order"},
+    {"lambda_interval", MAY, SURFACE, AS("[+]", bounds),
+     LIST(ph_result, curve.surface.pairs, curve.surface.pairs_n),
+     "of each pair: the first leg between these has a second one, above 0; "
+     "null: no bound"},
     ROW("natural_lengths", MAY, LENGTHS, "[+]number",
         "the lengths of the curve whose lengths are free"),
     LAST};
@@ -350,10 +492,12 @@ static const struct ph_member error[] = {
 #define CLAIMS                          \
   ROW("claims", MUST, ANY, "no_claims", \
       "the result is an error record, which claims no curve")
-#define VERDICT                                                      \
-  ROW("curve", MUST, ANY, "kind", "the kind of curve"),              \
-      ROW("segments", MUST, ANY, "whole", "how many the curve has"), \
-      ROW("worst", MAY, ANY, "worst", "the largest of all errors"),  \
+#define VERDICT                                                         \
+  ROW("curve", MAY, ANY, "kind", "the kind of curve, or"),              \
+      ROW("surface", MAY, ANY, "kind", "of surface"),                   \
+      ROW("segments", MAY, ANY, "whole", "how many the curve has, or"), \
+      ROW("strips", MAY, ANY, "whole", "the surface"),                  \
+      ROW("worst", MAY, ANY, "worst", "the largest of all errors"),     \
       ROW("checks", MUST, ANY, "checks", "the largest error of each check")
 
 /* What is right, what claims nothing; what is wrong, what should not claim
@@ -371,6 +515,14 @@ static const struct ph_member worst[] = {
 
 static const struct ph_members objects[] = {
     {"result", false, result, sizeof(struct ph_result)},
+    {"surface", false, surface, sizeof(struct ph_result)},
+    {"strip", true, strip, sizeof(struct ph_strip)},
+    {"strip_frame", true, strip_frame, sizeof(struct ph_strip_frame)},
+    {"arc3", true, arc3, sizeof(struct ph_arc3)},
+    {"arc2", true, arc2, sizeof(struct ph_arc2)},
+    {"pair", true, pair, sizeof(struct ph_pair)},
+    {"parallel", false, parallel, sizeof(struct ph_parallel)},
+    {"node", true, node, sizeof(struct ph_surface_sample)},
     {"segment", false, segment, 0},
     {"interval", false, interval, sizeof(struct ph_interval)},
     {"offset", false, offset, sizeof(struct ph_offset)},
@@ -401,71 +553,4 @@ const struct ph_members *ph_members_of(const char *name) {
     i++;
   }
   return &objects[i];
-}
-
-/* ---- members in memory --------------------------------------------------- */
-
-void ph_sizes_enter(struct ph_sizes *sizes, enum ph_form form,
-                    const void *from) {
-#define SIZE(letter) sizes->of[(letter) - 'A']
-  if (form == PH_AS_SEGMENTS) {
-    const struct ph_curve *curve = from;
-    SIZE('D') = curve->dimension;
-    SIZE('P') = curve->degree + 1;
-    SIZE('W') = curve->preimage.n;
-    SIZE('Q') = curve->preimage.dimension;
-    SIZE('S') = curve->n;
-    SIZE('N') = curve->n + (curve->closed ? 0 : 1);
-  } else if (form == PH_AS_PIECES) {
-    const struct ph_offset *o = from;
-    SIZE('D') = o->dimension;
-    SIZE('O') = o->degree + 1;
-  } else if (form == PH_AS_BEZIERS) {
-    const struct ph_pieces *pieces = from;
-    SIZE('D') = pieces->dimension;
-    SIZE('P') = pieces->degree + 1;
-  } else if (form == PH_AS_SAMPLES) {
-    SIZE('D') = ((const struct ph_samples *)from)->dimension;
-  }
-}
-
-/* The number between brackets that text begins with; 0: any. */
-static size_t size_of(const struct ph_sizes *sizes, const char *text) {
-  char c = text[1];
-  return c >= 'A' && c <= 'Z'   ? SIZE(c)
-         : c >= '0' && c <= '9' ? (size_t)(c - '0')
-                                : 0;
-}
-#undef SIZE
-
-/* Words are read and written as what enumerations are. */
-static_assert(sizeof(enum ph_root) == sizeof(unsigned), "enumerations");
-
-size_t ph_slots(const struct ph_members *of, const struct ph_sizes *sizes,
-                struct ph_slot slots[PH_SLOTS_MAX]) {
-  size_t n = 0;
-  for (const struct ph_member *row = of->rows; row->name; row++) {
-    struct ph_slot *slot = &slots[n];
-    const struct ph_type *type = row->as;
-    const char *text = row->type;
-    if (!type) {
-      continue;
-    }
-    assert(n < PH_SLOTS_MAX);
-    n++;
-    *slot = (struct ph_slot){.row = row, .form = type->form};
-    if (*text == '[') {
-      slot->n = size_of(sizes, text);
-      text = strchr(text, ']') + 1;
-    }
-    if (*text == '[') {
-      slot->dimension = size_of(sizes, text);
-    }
-    slot->size = type->size * (slot->n ? slot->n : 1) *
-                 (slot->dimension ? slot->dimension : 1);
-    slot->most = type->most < SIZE_MAX ? type->most : sizes->of['S' - 'A'] - 1;
-    slot->indirect = row->where.how == PH_EACH || type->form == PH_AS_LIST ||
-                     (type->form == PH_AS_SIZE && *row->type == '[');
-  }
-  return n;
 }

@@ -24,7 +24,8 @@ enum ph_of {
   PH_OF_QUOTIENT, /* with quotients in their place */
   PH_OF_TENSION,  /* segments that have one */
   PH_OF_INTERVALS,
-  PH_OF_LENGTHS /* curves of prescribed lengths */
+  PH_OF_LENGTHS, /* curves of prescribed lengths */
+  PH_OF_SURFACE
 };
 
 enum ph_need {
@@ -72,6 +73,11 @@ struct ph_members {
 /* ph_members_of: those of an object, which must be one of members.c. */
 const struct ph_members *ph_members_of(const char *name);
 
+/* ph_members_result: the object that a result is, by what it is of. */
+static inline const char *ph_members_result(bool surface) {
+  return surface ? "surface" : "result";
+}
+
 /* ---- members in memory --------------------------------------------------- */
 
 /* How a member is in memory. */
@@ -87,12 +93,16 @@ enum ph_form {
   PH_AS_VECTOR, /* a text, "e2" or "e3" */
   PH_AS_ENUM,   /* by its word */
   PH_AS_KNOTS,  /* a number and that of the next segment */
+  PH_AS_OPEN,   /* numbers, null in place of each that is not finite, and of all
+                   if none is: NaN */
   PH_AS_LIST,   /* of structs */
+  PH_AS_OBJECT, /* a struct */
   PH_AS_SEGMENTS,
   PH_AS_PIECES,
   PH_AS_BEZIERS,
   PH_AS_SAMPLES,
   PH_AS_IMAGES,
+  PH_AS_BOUNDS, /* the intervals of pairs of strips */
   PH_AS_CERTIFICATE,
   PH_AS_DIAGNOSTIC_SET,
   PH_AS_WARNING_LIST

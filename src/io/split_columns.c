@@ -34,7 +34,10 @@ static const struct {
     {"dx", PH_F_DERIVATIVES, 0, true},  {"dy", PH_F_DERIVATIVES, 1, true},
     {"dz", PH_F_DERIVATIVES, 2, true},  {"lon", PH_F_LONLAT, 0, true},
     {"lat", PH_F_LONLAT, 1, true},      {"longitude", PH_F_LONLAT, 0, true},
-    {"latitude", PH_F_LONLAT, 1, true},
+    {"latitude", PH_F_LONLAT, 1, true}, {"rx", PH_F_RULINGS, 0, true},
+    {"ry", PH_F_RULINGS, 1, true},      {"rz", PH_F_RULINGS, 2, true},
+    {"nx", PH_F_NORMALS, 0, true},      {"ny", PH_F_NORMALS, 1, true},
+    {"nz", PH_F_NORMALS, 2, true},
 };
 
 enum { NAMES = sizeof names / sizeof *names };

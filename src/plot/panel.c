@@ -86,6 +86,8 @@ static void find_views(struct ph_panel *panel) {
   case PH_SPHERE:
     panel->views_n = ph_globe_views(panel, panel->views);
     break;
+  case PH_SURFACE: /* has no curve to draw */
+    break;
   }
 }
 

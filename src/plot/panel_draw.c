@@ -434,6 +434,8 @@ void ph_panel_draw(const struct ph_panel *panel, struct ph_page *page,
   case PH_SPHERE:
     draw_sphere(&place);
     break;
+  case PH_SURFACE:
+    break;
   }
   draw_profiles(&place);
 }

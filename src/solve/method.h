@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A method: one way to turn a problem into a curve.
+ * A method: one way to turn a problem into a curve, or a surface.
  *
  * Each solve/NAME/method.c defines one const struct ph_method; cli/command.c
  * lists them, each with its certificate.  A solver is a pure function: no I/O,
@@ -67,5 +67,8 @@ extern const struct ph_method ph_method_sphere;
 /* Plane data to curves of Tschirnhausen cubics, the PH cubics: one for each
  * interval, two, or as many as approximate a curve [BYR11]. */
 extern const struct ph_method ph_method_tc;
+
+/* Developable surfaces of cones through contact elements [GON18, ch. 4]. */
+extern const struct ph_method ph_method_cone;
 
 #endif

@@ -253,16 +253,50 @@ tampered '.offsets[0].segments[2].weights |= reverse' offset_error
 good near '{"curve":[[0,0],[1,2],[3,2],[4,-1],[6,0]]}' tc --tolerance=0.01
 tampered '.diagnostics.distance /= 2' distance_error --problems=near.problem
 
+# ---- surfaces ------------------------------------------------------------------
+
+good cone '{"points":[[252.6524,62,92.5],[266.5158,65.1388,91.5]],
+  "rulings":[[-0.1151,0.2405,0.9638],[-0.1785,0.165,0.97]],
+  "tangents":[[0.9925,0.069,0.1013],[0.8847,0.4583,0.0849]],
+  "height":[-5,5]}' cone --offset=2 --sample=2x1
+tampered '.strips[1].frame.point[0] += 1e-6' frame_error
+tampered '.strips[0].frame.normal |= map(-.)' frame_error
+tampered '.strips[0].contact.control_points[1][2] += 1e-6' frame_error
+tampered '.strips[1].contact.weights[1] += 1e-6' frame_error
+tampered '.strips[1].shift[0] += 1e-6' frame_error
+tampered '.strips[0].development.control_points[2][1] += 1e-6' isometry_error
+tampered '.strips[1].development.weights[1] += 1e-6' isometry_error
+tampered '.strips[1].development.angle += 1e-6' isometry_error
+tampered '.strips[0].vertex[1] += 1e-3' diagnostic_error
+tampered '.strips[0].half_angle += 1e-6' diagnostic_error
+tampered '.pairs[0].lambda[1] += 1e-6' diagnostic_error
+tampered '.pairs[0].center[1] += 1e-3' diagnostic_error
+tampered '.diagnostics.lambda_interval[0][1] += 1e-6' diagnostic_error
+tampered '.diagnostics.shift += 1e-6' diagnostic_error
+tampered '.diagnostics.sign_changes += 1' diagnostic_error
+tampered '.length += 1e-6' length_error
+tampered '.area += 1e-5' length_error
+tampered '.offsets[0].strips[0].frame.point[0] += 1e-6' frame_error
+tampered '.offsets[0].distance += 1e-4' offset_error
+tampered '.offsets[0].samples[1].point[2] += 1e-6' sample_error
+tampered '.samples[1].flat[0] += 1e-6' sample_error
+tampered '.samples[3].normal |= map(-.)' sample_error
+says 'del(.strips[0].frame)' 'strips[0].frame: is missing [missing-field]'
+says '.strips[1].pair = 1' \
+  'strips[1].pair: is not that of two strips in a row (shape) [not-verified]'
+says '.samples[0].strip = 2' 'samples[0].strip: is none (sample_error) [not-verified]'
+says '.command = "planar"' 'segments: are missing (shape) [not-verified]'
+
 # ---- what decides which checks there are ---------------------------------------
 
 kind='curve: is of no kind that the command makes (shape) [not-verified]'
 size='dimension: is not that of curves of the command (shape) [not-verified]'
 degree='degree: is not that of curves of the command (shape) [not-verified]'
-commands='"planar", "spatial-hermite", "arclength", "sphere" or "tc"'
+commands='"planar", "spatial-hermite", "arclength", "sphere", "tc" or "cone"'
 for base in ph atph spatial lengths sphere tc; do
   says 'del(.command)' 'command: is missing [missing-field]'
-  says '.command = "cone"' \
-    "command: must be $commands, found \"cone\" [bad-value]"
+  says '.command = "conic"' \
+    "command: must be $commands, found \"conic\" [bad-value]"
   says '.command = "verify"' \
     "command: must be $commands, found \"verify\" [bad-value]"
   says '.command = 7' 'command: must be a string, found a number [bad-type]'
@@ -283,6 +317,7 @@ says '.command = "spatial-hermite"' "$size"
 says '.command = "arclength"' "$size"
 says '.command = "sphere"' "$kind"
 says '.command = "tc"' "$kind"
+says '.command = "cone"' "$kind"
 base=atph
 says '.command = "spatial-hermite"' "$size"
 says '.command = "arclength"' "$kind"

@@ -54,12 +54,12 @@ offers() {
 if command -v bash >/dev/null; then
   offers 'planar' phspline p
   offers 'verify' phspline v
-  offers 'planar spatial-hermite arclength sphere tc verify' phspline help ''
+  offers 'planar spatial-hermite arclength sphere tc cone verify' phspline help ''
   offers 'schema' phspline sc
   offers 'sphere' phspline schema sph
   offers '--free= --format= --frame= --fail-fast' phspline planar --f
   offers '--problems= --pretty --progress' phspline verify --pr
-  offers 'json csv text svg-path' phspline planar --format =
+  offers 'json csv text svg-path obj' phspline planar --format =
   offers 'csv' phspline planar -f c
   offers 'uniform' phspline planar --knots = u
   offers 'E MV IES IMV' phspline planar --minimize =

@@ -115,7 +115,12 @@ option_items() {
       print "-" letter ", " "-" substr($0, 4) }' | sed 's/ Ns = Ns Ar /=/'
 }
 
-options SOLVE >"$tmp/options"
+options 'CURVE|SOLVE' >"$tmp/options"
+options SURFACE | sort >"$tmp/options.surface"
+options NONE | sort | comm -13 - "$tmp/options.surface" >"$tmp/list"
+option_items man/phspline-cone.1 >"$tmp/page"
+same 'options of surfaces' "$tmp/list" "$tmp/page"
+options 'SURFACE|SOLVE' >"$tmp/options.surface"
 option_items man/phspline.1 >"$tmp/page"
 same options "$tmp/options" "$tmp/page"
 options VERIFY >"$tmp/options.verify"
@@ -153,7 +158,9 @@ while read -r command; do
   same "fields of $command" "$tmp/list" "$tmp/page"
   cat "$tmp/list" >>"$tmp/fields"
   cp "$tmp/list" "$tmp/fields.$command"
-  help_options "help $command" "$tmp/help.$command" "$tmp/options" \
+  options=$tmp/options
+  test "$command" != cone || options=$tmp/options.surface
+  help_options "help $command" "$tmp/help.$command" "$options" \
     "$tmp/fields.$command"
 done <"$tmp/commands"
 sort -u "$tmp/fields" -o "$tmp/fields"
@@ -206,13 +213,19 @@ same "tables of --table" "$tmp/tables" "$tmp/page"
 items man/phspline.5 'CSV OUTPUT' Cm >"$tmp/page"
 same "tables" "$tmp/tables" "$tmp/page"
 while read -r name; do
-  with=--sample=1 # with offsets, samples have further columns
-  test "$name" != offsets || with=--offset=1
-  printf '0,0\n1,0\n' | "$program" planar "$with" --table="$name" | sed -n 1p
+  with='planar --sample=1' # with offsets, samples have further columns
+  case $name in
+  offsets) with='planar --offset=1' ;;
+  strips | development) with='cone --columns=x,y,z' ;;
+  esac
+  # several words
+  # shellcheck disable=SC2086
+  printf '0,0\n1,0\n' | "$program" $with --table="$name" 2>/dev/null |
+    sed -n 1p
 done <"$tmp/tables" >"$tmp/list"
 items man/phspline.5 'CSV OUTPUT' Cm >"$tmp/names"
-sed -n '/^\.Sh CSV OUTPUT/,/^\.El/s/^\.Li \(id,.*\)/\1/p' man/phspline.5 \
-  >"$tmp/page"
+sed -n '/^\.Sh CSV OUTPUT/,/^\.El/s/^\.Li \(id,.*\)/\1/p' man/phspline.5 |
+  sed 's/\\://g' >"$tmp/page"
 same "columns of tables" "$tmp/list" "$tmp/page"
 
 # names of CSV columns that at least one command takes

@@ -43,6 +43,10 @@ static const struct {
     {PH_SHARP_CORNERS, "sharp-corners", 1},
     {PH_MOVED_POINTS, "moved-points", 1},
     {PH_MERGED_POINTS, "merged-points", 1},
+    {PH_FAR_CONTACT, "far-contact", 1},
+    {PH_VERTEX_INSIDE, "vertex-inside", 1},
+    {PH_SIGN_CHANGE, "sign-change", 1},
+    {PH_LARGE_ARC, "large-arc", 1},
     {PH_USAGE, "usage", 2},
     {PH_INPUT, "input", 3},
     {PH_OUTPUT, "output", 4},
@@ -86,7 +90,9 @@ PH_TEST(test_warnings) {
                    i == PH_WIGGLE || i == PH_INCONSISTENT_LENGTHS ||
                    i == PH_SADDLE || i == PH_LEAVES_PLANE ||
                    i == PH_NATURAL_UNKNOWN || i == PH_SHARP_CORNERS ||
-                   i == PH_MOVED_POINTS || i == PH_MERGED_POINTS;
+                   i == PH_MOVED_POINTS || i == PH_MERGED_POINTS ||
+                   i == PH_FAR_CONTACT || i == PH_VERTEX_INSIDE ||
+                   i == PH_SIGN_CHANGE || i == PH_LARGE_ARC;
     ck_assert_int_eq(strncmp(meaning, "warning: ", 9) == 0, warning);
   }
 }

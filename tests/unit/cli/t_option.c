@@ -17,8 +17,10 @@ static const struct ph_method named = {
     {"named", rows, 2}, "A title", 2, PH_CURVE_PH, NULL};
 static const struct ph_method other = {
     {"other", rows, 1}, "A title", 2, PH_CURVE_SPHERICAL_NU, NULL};
-static const struct ph_command of_named = {PH_SOLVES_BY(named), NULL, ""};
-static const struct ph_command of_other = {PH_SOLVES_BY(other), NULL, ""};
+static const struct ph_command of_named = {PH_SOLVES_BY(named, CURVE), NULL,
+                                           ""};
+static const struct ph_command of_other = {PH_SOLVES_BY(other, CURVE), NULL,
+                                           ""};
 static struct ph_options options;
 static struct ph_diag diag;
 static struct ph_buf buf;

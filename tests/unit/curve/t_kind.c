@@ -12,6 +12,10 @@ static void ck_sampler(const struct ph_sampler_ops *ops) {
 PH_TEST_EACH(test_complete, PH_CURVE_N) {
   const struct ph_kind *kind = ph_kinds[_i];
   ck_assert_ptr_nonnull(kind);
+  if (kind->surface) { /* curve/surface */
+    ck_assert(!kind->curve.begin && !kind->offset && !kind->bezier);
+    return;
+  }
   ck_sampler(&kind->curve);
   ck_sampler(&kind->beside);
   ck_assert((kind->no_erf != NULL) == !kind->erf);
@@ -24,6 +28,9 @@ PH_TEST_EACH(test_complete, PH_CURVE_N) {
 /* Frames are of curves in space: of all kinds that there may be. */
 PH_TEST_EACH(test_frames, PH_CURVE_N) {
   const struct ph_kind *kind = ph_kinds[_i];
+  if (kind->surface) {
+    return;
+  }
   ck_assert(kind->reference && kind->principal);
   ck_assert(kind->turn || kind->on_sphere);
 }
@@ -34,6 +41,7 @@ PH_TEST(test_questions) {
   ck_assert_int_eq(ph_kind_space(ph, 2), PH_PLANE);
   ck_assert_int_eq(ph_kind_space(ph, 3), PH_SPACE);
   ck_assert_int_eq(ph_kind_space(sphere, 3), PH_SPHERE);
+  ck_assert_int_eq(ph_kind_space(ph_kinds[PH_CURVE_CONE], 3), PH_SURFACE);
   ck_assert_uint_eq(ph_kind_offsets(ph, 2), 1);
   ck_assert_uint_eq(ph_kind_offsets(ph, 3), PH_OFFSETS_SPATIAL);
   ck_assert_uint_eq(ph_kind_offsets(sphere, 3), 1);

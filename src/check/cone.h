@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Surfaces of strips of circular cones, as checks see them.
+ *
+ * A strip's frame (e, d, n) turns about the constant axis w = kn e - k n by the
+ * angle |w| s, and the chord of its contact curve is along the tangent in its
+ * middle: rotations say where a strip ends, and where its sides go.
+ */
+#ifndef PH_CHECK_CONE_H
+#define PH_CHECK_CONE_H
+
+#include "check/checks.h"
+
+/* A frame, at unit scale. */
+struct ph_check_frame {
+  ph_vec3 c, e, d, n;
+};
+
+/* What the checks of a surface share. */
+struct ph_check_cone {
+  struct ph_check *v;
+  const struct ph_curve *curve; /* the surface, or one parallel to it */
+  double frame;                 /* allowed of frames, relative */
+  double flat;                  /* rounding of the development */
+};
+
+/* ph_check_cone_frame: the frame of strip i at the part u of its length. */
+struct ph_check_frame ph_check_cone_frame(const struct ph_check_cone *cone,
+                                          size_t i, double u);
+
+/* ph_check_cone_arrays: whether a surface is one, with finite numbers. */
+bool ph_check_cone_arrays(struct ph_check *v, const struct ph_curve *curve);
+
+/*
+ * ph_check_cone_strips: what is promised of the strips of a surface: frames at
+ * the ends of all strips, arcs, and the development.
+ *
+ *   frame_error     of directions, and of points over the length of the pair:
+ *                   frames at the ends of strips from those of the next ones,
+ *                   and between pairs from the contact elements; control points
+ *                   from the arc
+ *   isometry_error  of lengths and angles of the arcs of the development from
+ *                   those of the contact curve, relative, and of its joints
+ *   length_error    of lengths of strips from those of their arcs
+ */
+void ph_check_cone_strips(struct ph_check_cone *cone);
+
+/* ph_check_cone_elements: interpolation_error, and frames, of the problem. */
+void ph_check_cone_elements(struct ph_check_cone *cone);
+
+/* ph_check_cone_told: all that a record says besides: numbers of strips, pairs
+ * and diagnostics, parallel surfaces, samples. */
+void ph_check_cone_told(struct ph_check_cone *cone);
+
+/* ph_check_surface: all of these, of the record of v; for verify.c.  ret PH_OK
+ * | PH_NO_MEMORY */
+enum ph_status ph_check_surface(struct ph_check *v);
+
+#endif

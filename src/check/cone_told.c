@@ -1,0 +1,415 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What records say of a surface beside its frames (see cone.h). */
+#include "check/cone.h"
+
+#include "check/data.h"
+
+#include <float.h>
+
+/* Beside rounding of coordinates. */
+static const double UNIT = 64 * DBL_EPSILON;
+enum { ROUND = 16 };
+
+/* ---- arrays -------------------------------------------------------------- */
+
+/* Why a strip is none, or NULL. */
+static const char *fault_of(const struct ph_strip *s, size_t i,
+                            const char **member) {
+  const double angles[] = {s->half_angle, s->sweep, s->development_angle};
+  *member = "frame";
+  if (!ph_are_finite(s->frame.point, 3) || !ph_are_finite(s->frame.ruling, 3) ||
+      !ph_are_finite(s->frame.tangent, 3) ||
+      !ph_are_finite(s->frame.normal, 3)) {
+    return "holds what is not finite";
+  }
+  *member = "contact";
+  if (!ph_are_finite(&s->contact.control_points[0][0], 9) ||
+      !ph_are_finite(s->contact.weights, 3)) {
+    return "holds what is not finite";
+  }
+  *member = "development";
+  if (!ph_are_finite(&s->development.control_points[0][0], 6) ||
+      !ph_are_finite(s->development.weights, 3) ||
+      !ph_are_finite(&s->development.angle, 1)) {
+    return "holds what is not finite";
+  }
+  *member = NULL;
+  if (!isfinite(s->k) || !isfinite(s->kn) || !ph_are_finite(angles, 3) ||
+      !ph_are_finite(s->shift, 2)) {
+    return "holds what is not finite";
+  }
+  *member = "length";
+  if (!(s->length > 0) || !isfinite(s->length)) {
+    return "is not positive";
+  }
+  *member = "pair";
+  return s->pair == i / 2 ? NULL : "is not that of two strips in a row";
+}
+
+bool ph_check_cone_arrays(struct ph_check *v, const struct ph_curve *c) {
+  for (size_t i = 0; i < c->n; i++) {
+    const char *member;
+    const char *fault = fault_of(&c->surface.strips[i], i, &member);
+    if (fault && v->error) {
+      v->status = ph_fail_at(v->diag, PH_TOO_LARGE, "strips", i, "%s", fault);
+      return false;
+    }
+    if (fault) {
+      ph_check_wrong(v, PH_CHECK_SHAPE, ph_check_of("strips", i, member),
+                     fault);
+      return false;
+    }
+  }
+  if (c->n % 2 != 0 || c->surface.pairs_n != c->n / 2 || !isfinite(c->length) ||
+      !isfinite(c->surface.area)) {
+    ph_check_wrong(v, PH_CHECK_SHAPE, ph_check_of("strips", PH_CHECK_ONE, NULL),
+                   "are not two for each pair, with a finite length and area");
+    return false;
+  }
+  return true;
+}
+
+/* ---- numbers of strips --------------------------------------------------- */
+
+static struct ph_check_where strip_of(size_t i, const char *member) {
+  return ph_check_of("strips", i, member);
+}
+
+static void check_strip(struct ph_check *v, const struct ph_strip *s,
+                        size_t i) {
+  const double turn = hypot(s->k, s->kn) * s->length;
+  double unit = 0;
+  ph_check_number(v, PH_CHECK_DIAGNOSTIC, strip_of(i, "half_angle"),
+                  s->half_angle, atan2(fabs(s->k), fabs(s->kn)), 1, UNIT);
+  ph_check_number(v, PH_CHECK_DIAGNOSTIC, strip_of(i, "sweep"), s->sweep, turn,
+                  1, UNIT);
+  ph_check_number(v, PH_CHECK_DIAGNOSTIC, strip_of(i, "development_angle"),
+                  s->development_angle, s->k * s->length, 1, UNIT);
+  if (!(fabs(s->k) > 0)) {
+    return;
+  }
+  for (size_t j = 0; j < 3; j++) {
+    unit = ph_check_larger(
+        unit, ph_check_larger(fabs(s->frame.point[j]), fabs(s->vertex[j])));
+  }
+  for (size_t j = 0; j < 3; j++) {
+    ph_check_number(v, PH_CHECK_DIAGNOSTIC, strip_of(i, "vertex"), s->vertex[j],
+                    s->frame.point[j] + s->frame.ruling[j] / s->k, unit, UNIT);
+  }
+}
+
+/* ---- the height ---------------------------------------------------------- */
+
+/* 1 - k h at the corner of a height and of an end. */
+static double factor_at(const struct ph_surface *surface,
+                        const struct ph_strip *s, size_t edge, double u) {
+  const double *height = surface->height;
+  const bool bare = !(fabs(height[0]) > 0) && !(fabs(height[1]) > 0);
+  const double h = height[edge] - s->shift[0] * (1 - u) - s->shift[1] * u;
+  return 1 - (bare ? 0 : s->k * h);
+}
+
+/* The integral of |1 - k h| over the height, at u: a trapezium, or two
+ * triangles. */
+static double across(const struct ph_surface *surface, const struct ph_strip *s,
+                     double u) {
+  const double high = surface->height[1] - surface->height[0];
+  const double a = factor_at(surface, s, 0, u), b = factor_at(surface, s, 1, u);
+  return a * b >= 0 ? fabs(a + b) / 2 * high
+                    : (a * a + b * b) / 2 / fabs(a - b) * high;
+}
+
+/* The area of a strip: between the places where an edge passes the vertex the
+ * integrand is a parabola, which Simpson's rule has exactly. */
+static double area_of(const struct ph_surface *surface,
+                      const struct ph_strip *s) {
+  double cut[4] = {0, 1, 1, 1}, sum = 0;
+  size_t n = 1;
+  for (size_t edge = 0; edge < 2; edge++) {
+    const double a = factor_at(surface, s, edge, 0);
+    const double b = factor_at(surface, s, edge, 1);
+    if (a * b < 0) {
+      cut[n++] = a / (a - b);
+    }
+  }
+  if (n == 3 && cut[1] > cut[2]) {
+    const double swap = cut[1];
+    cut[1] = cut[2];
+    cut[2] = swap;
+  }
+  cut[n] = 1;
+  for (size_t i = 0; i < n; i++) {
+    const double from = cut[i], step = (cut[i + 1] - cut[i]);
+    sum += step / 6 *
+           (across(surface, s, from) + 4 * across(surface, s, from + step / 2) +
+            across(surface, s, from + step));
+  }
+  return sum * s->length;
+}
+
+static bool is_inside(const struct ph_surface *surface,
+                      const struct ph_strip *s) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (size_t i = 0; i < 4; i++) {
+    const double q = factor_at(surface, s, i & 1, (double)(i >> 1));
+    low = q < low ? q : low;
+    high = q > high ? q : high;
+  }
+  return low <= 0 && high >= 0;
+}
+
+static bool changes_sign(const struct ph_surface *surface,
+                         const struct ph_strip *a, const struct ph_strip *b) {
+  for (size_t edge = 0; edge < 2; edge++) {
+    const double x = a->kn * factor_at(surface, a, edge, 1);
+    const double y = b->kn * factor_at(surface, b, edge, 0);
+    if ((x < 0 && y > 0) || (x > 0 && y < 0)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* ---- the whole ----------------------------------------------------------- */
+
+static void check_diagnostic(struct ph_check *v, enum ph_diagnostic which,
+                             double found, double unit) {
+  if (ph_check_known(v, which)) {
+    ph_check_number(
+        v, PH_CHECK_DIAGNOSTIC,
+        ph_check_of("diagnostics", PH_CHECK_ONE, ph_diagnostic_name(which)),
+        v->diagnostics->value[which], found, unit, UNIT * unit);
+  }
+}
+
+/* Length and area, of which there may be none. */
+static void check_measure(struct ph_check_cone *cone) {
+  const struct ph_curve *c = cone->curve;
+  double length = 0, area = 0;
+  for (size_t i = 0; i < c->n; i++) {
+    length += c->surface.strips[i].length;
+    area += area_of(&c->surface, &c->surface.strips[i]);
+  }
+  ph_check_number(cone->v, PH_CHECK_LENGTH,
+                  ph_check_of(NULL, PH_CHECK_ONE, "length"), c->length, length,
+                  length, UNIT * (double)c->n * length);
+  if (area > 0 || c->surface.area > 0) {
+    ph_check_number(cone->v, PH_CHECK_LENGTH,
+                    ph_check_of(NULL, PH_CHECK_ONE, "area"), c->surface.area,
+                    area, area, UNIT * (double)c->n * area);
+  }
+}
+
+static void check_diagnostics(struct ph_check_cone *cone) {
+  const struct ph_curve *c = cone->curve;
+  const struct ph_surface *surface = &c->surface;
+  double shift = 0, inside = 0, changes = 0, large = 0;
+  for (size_t i = 0; i < c->n; i++) {
+    const struct ph_strip *s = &surface->strips[i];
+    const struct ph_strip *next = &surface->strips[i + 1 < c->n ? i + 1 : 0];
+    shift = ph_check_larger(shift, fabs(s->shift[i & 1]));
+    inside += is_inside(surface, s);
+    large += s->contact.weights[1] < 0;
+    changes += (i + 1 < c->n || c->closed) && changes_sign(surface, s, next);
+  }
+  check_diagnostic(cone->v, PH_D_SHIFT, shift, shift > 0 ? shift : 1);
+  check_diagnostic(cone->v, PH_D_VERTICES_INSIDE, inside, 1);
+  check_diagnostic(cone->v, PH_D_SIGN_CHANGES, changes, 1);
+  check_diagnostic(cone->v, PH_D_LARGE_ARCS, large, 1);
+  check_diagnostic(cone->v, PH_D_REGULAR, inside > 0 ? 0 : 1, 1);
+}
+
+/* A leg of an arc; weight / leg is what there is also of half circles. */
+static void check_leg(struct ph_check_cone *cone, size_t i, size_t j) {
+  const struct ph_surface *surface = &cone->curve->surface;
+  const struct ph_arc3 *arc = &surface->strips[2 * i + j].contact;
+  const ph_vec3 v =
+      ph_vec3_sub(ph_check_vector(cone->v, arc->control_points[2], 3),
+                  ph_check_vector(cone->v, arc->control_points[0], 3));
+  const double chord = ph_vec3_abs(v);
+  const double leg = ph_check_scaled(cone->v, surface->pairs[i].lambda[j]);
+  if (isfinite(leg)) {
+    ph_check_number(cone->v, PH_CHECK_DIAGNOSTIC,
+                    ph_check_of("pairs", i, "lambda"), chord / leg,
+                    2 * arc->weights[1], 1,
+                    UNIT + ROUND * cone->v->scale.rounding / chord);
+  }
+}
+
+/* The sphere: its centre is at the radius along both normals. */
+static void check_center(struct ph_check_cone *cone, size_t i) {
+  const struct ph_pair *pair = &cone->curve->surface.pairs[i];
+  const double radius = ph_check_scaled(cone->v, pair->radius);
+  const ph_vec3 center = ph_check_vector(cone->v, pair->center, 3);
+  for (size_t j = 0; j < 2 && isfinite(pair->radius); j++) {
+    const struct ph_check_frame f =
+        ph_check_cone_frame(cone, 2 * i + j, (double)j);
+    ph_check_number(
+        cone->v, PH_CHECK_DIAGNOSTIC, ph_check_of("pairs", i, "center"),
+        ph_check_apart(center, ph_vec3_along(f.c, radius, f.n)), 0,
+        cone->v->scale.size + fabs(radius),
+        (cone->frame + UNIT) * (cone->v->scale.size + fabs(radius)) +
+            ROUND * cone->v->scale.rounding);
+  }
+}
+
+/* A bound from 0 to infinity as a number from 0 to 1. */
+static double part_of(double bound, double chord) {
+  return bound <= DBL_MAX ? bound / (bound + chord) : 1;
+}
+
+/* Between which legs of the first arc the second has one, above 0: up to where
+ * that is 0, and from where it is infinite. */
+static void check_interval(struct ph_check_cone *cone, size_t i) {
+  const struct ph_pair *pair = &cone->curve->surface.pairs[i];
+  const struct ph_check_frame a = ph_check_cone_frame(cone, 2 * i, 0);
+  const struct ph_check_frame b = ph_check_cone_frame(cone, 2 * i + 1, 1);
+  const ph_vec3 v = ph_vec3_sub(b.c, a.c), by = ph_vec3_sub(b.d, a.d);
+  const double chord = ph_vec3_abs(v), turn = ph_vec3_dot(by, by) / 2;
+  const double ahead = ph_vec3_dot(v, a.d), back = -ph_vec3_dot(v, b.d);
+  const double high = ahead > 0 ? chord * chord / 2 / ahead : HUGE_VAL;
+  const double low = !(back > 0) ? 0 : turn > 0 ? back / turn : HUGE_VAL;
+  const double found[] = {low < high ? low : high, low < high ? high : low};
+  const double rounding =
+      (UNIT + cone->frame) / (ph_vec3_abs(by) + DBL_EPSILON) +
+      ROUND * cone->v->scale.rounding / chord;
+  for (size_t j = 0; j < 2; j++) {
+    ph_check_number(cone->v, PH_CHECK_DIAGNOSTIC,
+                    ph_check_of("diagnostics.lambda_interval", i, NULL),
+                    part_of(ph_check_scaled(cone->v, pair->interval[j]), chord),
+                    part_of(found[j], chord), 1, rounding);
+  }
+}
+
+static void check_pairs(struct ph_check_cone *cone) {
+  for (size_t i = 0; i < cone->curve->surface.pairs_n; i++) {
+    check_leg(cone, i, 0);
+    check_leg(cone, i, 1);
+    check_center(cone, i);
+    check_interval(cone, i);
+  }
+}
+
+/* ---- samples ------------------------------------------------------------- */
+
+static void check_sample(struct ph_check_cone *cone,
+                         const struct ph_surface_sample *sample, size_t i) {
+  struct ph_check *v = cone->v;
+  const struct ph_strip *s = &cone->curve->surface.strips[sample->strip];
+  const double u = sample->s / s->length, h = ph_check_scaled(v, sample->h);
+  const struct ph_check_frame f = ph_check_cone_frame(cone, sample->strip, u);
+  const struct ph_arc2 *arc = &s->development;
+  const double turn = s->k * sample->s, angle = arc->angle + turn;
+  const double part = ph_check_scaled(v, sample->s);
+  const double chord =
+      fabs(turn) > 0 ? part * sin(turn / 2) / (turn / 2) : part;
+  const double middle = arc->angle + turn / 2;
+  const double x = ph_check_scaled(v, arc->control_points[0][0]) +
+                   chord * cos(middle) - h * sin(angle);
+  const double y = ph_check_scaled(v, arc->control_points[0][1]) +
+                   chord * sin(middle) + h * cos(angle);
+  const double round =
+      ROUND * (v->scale.rounding + DBL_EPSILON * fabs(h) + cone->flat);
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "point"),
+                ph_check_apart(ph_check_vector(v, sample->point, 3),
+                               ph_vec3_along(f.c, h, f.e)),
+                v->scale.size, round, "is off the surface");
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "normal"),
+                ph_check_apart(ph_vec3_get(sample->normal, 3), f.n), 1, UNIT,
+                "is not the normal");
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "flat"),
+                hypot(ph_check_scaled(v, sample->flat[0]) - x,
+                      ph_check_scaled(v, sample->flat[1]) - y),
+                v->scale.size, round + 4 * DBL_EPSILON * fabs(angle) * fabs(h),
+                "is not the place in the development");
+}
+
+static void check_samples(struct ph_check_cone *cone,
+                          const struct ph_surface_samples *grid) {
+  for (size_t i = 0; i < grid->n && !ph_arena_late(cone->v->scratch); i++) {
+    const struct ph_surface_sample *sample = &grid->v[i];
+    if (sample->strip >= cone->curve->n) {
+      ph_check_wrong(cone->v, PH_CHECK_SAMPLE,
+                     ph_check_of("samples", i, "strip"), "is none");
+      return;
+    }
+    check_sample(cone, sample, i);
+  }
+}
+
+/* ---- parallel surfaces --------------------------------------------------- */
+
+/* A strip against that at a distance. */
+static void check_moved(struct ph_check_cone *cone, const struct ph_strip *from,
+                        const struct ph_strip *to, double distance, size_t i) {
+  struct ph_check *v = cone->v;
+  const double factor = 1 - from->kn * distance;
+  const double turn = hypot(from->k, from->kn) * from->length;
+  const ph_vec3 n = ph_vec3_get(from->frame.normal, 3);
+  const ph_vec3 wanted = ph_vec3_along(ph_check_vector(v, from->frame.point, 3),
+                                       ph_check_scaled(v, distance), n);
+  const double round =
+      ROUND *
+      (v->scale.rounding + DBL_EPSILON * fabs(ph_check_scaled(v, distance)));
+  ph_check_miss(v, PH_CHECK_OFFSET, strip_of(i, "frame"),
+                ph_check_apart(ph_check_vector(v, to->frame.point, 3), wanted),
+                v->scale.size, round, "is not at the distance");
+  ph_check_miss(v, PH_CHECK_OFFSET, strip_of(i, "frame"),
+                ph_check_apart(ph_vec3_get(to->frame.normal, 3), n) +
+                    ph_check_apart(ph_vec3_get(to->frame.ruling, 3),
+                                   ph_vec3_get(from->frame.ruling, 3)),
+                1, UNIT, "is not parallel");
+  ph_check_number(v, PH_CHECK_OFFSET, strip_of(i, "length"), to->length,
+                  factor * from->length, to->length, UNIT);
+  ph_check_number(v, PH_CHECK_OFFSET, strip_of(i, "normal_curvature"),
+                  to->kn * to->length, from->kn * from->length, 1,
+                  UNIT + turn * UNIT);
+  ph_check_number(v, PH_CHECK_OFFSET, strip_of(i, "geodesic_curvature"),
+                  to->k * to->length, from->k * from->length, 1,
+                  UNIT + turn * UNIT);
+}
+
+static void check_parallel(struct ph_check_cone *cone,
+                           const struct ph_parallel *p) {
+  struct ph_curve c = p->curve;
+  struct ph_check_cone other = {cone->v, &c, cone->frame, 0};
+  const struct ph_curve *from = cone->curve;
+  c.closed = from->closed;
+  c.surface.pairs_n = from->surface.pairs_n;
+  c.surface.height[0] = from->surface.height[0];
+  c.surface.height[1] = from->surface.height[1];
+  if (c.n != from->n || !c.surface.strips) {
+    ph_check_wrong(cone->v, PH_CHECK_OFFSET,
+                   ph_check_of("strips", PH_CHECK_ONE, NULL),
+                   "are not as many as those of the surface");
+    return;
+  }
+  if (!ph_check_cone_arrays(cone->v, &c)) {
+    return;
+  }
+  ph_check_cone_strips(&other);
+  for (size_t i = 0; i < c.n; i++) {
+    check_moved(cone, &from->surface.strips[i], &c.surface.strips[i],
+                p->distance, i);
+    check_strip(cone->v, &c.surface.strips[i], i);
+  }
+  check_measure(&other);
+  check_samples(&other, &p->grid);
+}
+
+void ph_check_cone_told(struct ph_check_cone *cone) {
+  struct ph_check *v = cone->v;
+  const struct ph_result *claim = v->claim;
+  for (size_t i = 0; i < cone->curve->n; i++) {
+    check_strip(v, &cone->curve->surface.strips[i], i);
+  }
+  check_measure(cone);
+  check_diagnostics(cone);
+  check_pairs(cone);
+  check_samples(cone, &claim->grid);
+  for (size_t i = 0; i < claim->parallels_n; i++) {
+    ph_check_prefix(v, "offsets", i);
+    check_parallel(cone, &claim->parallels[i]);
+  }
+  ph_check_prefix(v, NULL, 0);
+}

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Strips, one after the other (see strip.h). */
+#include "curve/surface/strip.h"
+
+#include "base/sum.h"
+#include "curve/surface/area.h"
+
+void ph_strip_describe(struct ph_strip *strip, const double end[3],
+                       double chord, double weight) {
+  const double leg = chord / 2 / weight;
+  strip->half_angle = atan2(fabs(strip->k), fabs(strip->kn));
+  strip->sweep = strip->length * hypot(strip->k, strip->kn);
+  strip->development_angle = strip->length * strip->k;
+  for (size_t i = 0; i < 3; i++) {
+    const double from = strip->frame.point[i];
+    strip->vertex[i] = fabs(strip->k) > 0
+                           ? from + strip->frame.ruling[i] / strip->k
+                           : (double)NAN;
+    strip->contact.control_points[0][i] = from;
+    strip->contact.control_points[1][i] = from + leg * strip->frame.tangent[i];
+    strip->contact.control_points[2][i] = end[i];
+    strip->contact.weights[i] = i == 1 ? weight : 1;
+  }
+}
+
+/* The development of a strip that begins at a place. */
+static void set_arc(const struct ph_strip *strip,
+                    const struct ph_flat_place *start,
+                    const struct ph_flat_place *end, struct ph_arc2 *arc) {
+  const double half = strip->k * strip->length / 2;
+  const double leg = strip->length * ph_sinc(half) / 2 / cos(half);
+  const double tangent[] = {cos(start->angle), sin(start->angle)};
+  for (size_t i = 0; i < 2; i++) {
+    arc->control_points[0][i] = start->c[i];
+    arc->control_points[1][i] = start->c[i] + leg * tangent[i];
+    arc->control_points[2][i] = end->c[i];
+  }
+  arc->weights[0] = arc->weights[2] = 1;
+  arc->weights[1] = cos(half);
+  arc->angle = start->angle;
+}
+
+void ph_develop(struct ph_curve *curve) {
+  struct ph_sum x = {0, 0}, y = {0, 0}, angle = {0, 0};
+  double shift = curve->surface.strips[0].shift[0];
+  for (size_t i = 0; i < curve->n; i++) {
+    struct ph_strip *strip = &curve->surface.strips[i];
+    struct ph_flat_place start = {{0, 0}, ph_sum_value(&angle)}, end;
+    ph_sum_add(&x, (shift - strip->shift[0]) * sin(start.angle));
+    ph_sum_add(&y, (strip->shift[0] - shift) * cos(start.angle));
+    end = ph_flat_at(&start, strip->k, strip->length);
+    start.c[0] = ph_sum_value(&x);
+    start.c[1] = ph_sum_value(&y);
+    ph_sum_add(&x, end.c[0]);
+    ph_sum_add(&y, end.c[1]);
+    ph_sum_add(&angle, strip->k * strip->length);
+    end.c[0] = ph_sum_value(&x);
+    end.c[1] = ph_sum_value(&y);
+    set_arc(strip, &start, &end, &strip->development);
+    shift = strip->shift[1];
+  }
+}
+
+void ph_surface_measure(struct ph_curve *curve) {
+  struct ph_sum length = {0, 0}, area = {0, 0};
+  const struct ph_surface *surface = &curve->surface;
+  for (size_t i = 0; i < curve->n; i++) {
+    const struct ph_strip *strip = &surface->strips[i];
+    double h[2][2];
+    ph_strip_corners(surface, strip, h);
+    curve->lengths[i] = strip->length;
+    ph_sum_add(&length, strip->length);
+    ph_sum_add(&area, ph_area_of(strip->k, strip->length, h));
+  }
+  curve->length = ph_sum_value(&length);
+  curve->surface.area = ph_sum_value(&area);
+}

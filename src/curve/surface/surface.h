@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Developable surfaces of strips, as plain structs (curve/result.h has them in
+ * its curves, whose kind then says that it is a surface).
+ *
+ * A strip is a piece of a cone, of a cylinder or of a plane: a frame of a point
+ * c, a ruling e, a tangent d and a normal n = e x d moves along a curve of the
+ * surface, the contact curve, by its arc length s, with constant geodesic
+ * curvature k and normal curvature kn:
+ *
+ *   c' = d,  d' = k e + kn n,  e' = -k d,  n' = -kn d         [GON18, ch. 4]
+ *   X(s, h) = c(s) + h e(s)
+ *
+ * so that the contact curve is an arc of a circle, the vertex is at h = 1/k,
+ * and nothing is singular where k or kn is 0.  The development, in the plane,
+ * has c' = d, d' = k e, e' = -k d with e to the left of d.
+ *
+ * Two strips in a row, a pair, lead from one contact element of the data to the
+ * next one.  The frame at the start of the first has the ruling of the element,
+ * but its point is elsewhere on it: by `shift' along the ruling from the point
+ * that is given.  Heights are those from the given points: the height H is at
+ * h = H - shift(s), and shift(s) is linear in s between both elements.
+ */
+#ifndef PH_CURVE_SURFACE_SURFACE_H
+#define PH_CURVE_SURFACE_SURFACE_H
+
+#include <stddef.h>
+
+/* How a strip was found: X(SYMBOL, "name in records"). */
+#define PH_STRIP_METHODS(X) X(CIRCULAR, "circular")
+
+enum ph_strip_method {
+#define X(symbol, name) PH_STRIP_##symbol,
+  PH_STRIP_METHODS(X)
+#undef X
+      PH_STRIP_METHOD_N
+};
+
+/*
+ * How two contact elements lie to one another: X(SYMBOL, "name in records").
+ *
+ *   sphere    one sphere touches both tangent planes on the rulings
+ *   pencil    many do: both elements are on one cone or cylinder
+ *   parallel  none does, and the axes of both cones are parallel
+ *   flat      the tangent planes are the same
+ */
+#define PH_PAIR_CASES(X)  \
+  X(SPHERE, "sphere")     \
+  X(PENCIL, "pencil")     \
+  X(PARALLEL, "parallel") \
+  X(FLAT, "flat")
+
+enum ph_pair_case {
+#define X(symbol, name) PH_PAIR_##symbol,
+  PH_PAIR_CASES(X)
+#undef X
+      PH_PAIR_CASE_N
+};
+
+/* Unit vectors, and a point in the unit of the data. */
+struct ph_strip_frame {
+  double point[3], ruling[3], tangent[3], normal[3];
+};
+
+/* An arc as a rational quadratic Bezier curve; weights[1] is the cosine of half
+ * its angle: not positive from 180 degrees on. */
+struct ph_arc3 {
+  double control_points[3][3];
+  double weights[3];
+};
+
+struct ph_arc2 {
+  double control_points[3][2];
+  double weights[3];
+  double angle; /* of its start, from the x axis */
+};
+
+struct ph_strip {
+  size_t pair;
+  enum ph_strip_method method;
+  struct ph_strip_frame frame; /* at its start */
+  double k, kn;                /* geodesic and normal curvature, 1/unit */
+  double length;               /* of the contact curve */
+  double vertex[3];            /* NaN: there is none, k = 0 */
+  double half_angle;           /* of the cone, atan2(|k|, |kn|) */
+  double sweep;                /* about its axis, sqrt(k^2 + kn^2) length */
+  double development_angle;    /* by which the development turns, k length */
+  double shift[2];             /* at its start and at its end */
+  struct ph_arc3 contact;
+  struct ph_arc2 development;
+};
+
+struct ph_pair {
+  enum ph_pair_case which;
+  double lambda[2];   /* legs of the first and the last arc; NaN: none */
+  double interval[2]; /* lambda[0] in it has lambda[1] > 0; may be infinite */
+  double center[3];   /* of the sphere; NaN: there is none */
+  double radius;      /* positive on the side of the normals */
+};
+
+/* A sample: of strip number `strip', at (s, h) of it. */
+struct ph_surface_sample {
+  size_t strip;
+  double s, h;
+  double point[3], normal[3], flat[2];
+};
+
+struct ph_surface_samples {
+  struct ph_surface_sample *v;
+  size_t n;
+};
+
+/* What a surface has beside the rest of its struct ph_curve, whose segments are
+ * its strips: n, lengths, length and closed are there. */
+struct ph_surface {
+  struct ph_strip *strips; /* [curve.n] */
+  struct ph_pair *pairs;
+  size_t pairs_n;
+  double height[2]; /* the part that is meant */
+  double area;      /* of it */
+};
+
+#endif

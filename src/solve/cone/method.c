@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The method `cone`: from the fields of a problem to a developable surface
+ * (cone.h): O(n), and nothing is allocated for a pair. */
+#include "solve/method.h"
+
+#include "solve/common/fields.h"
+#include "solve/cone/cone.h"
+
+static enum ph_status solve(const struct ph_problem *problem,
+                            struct ph_arena *out, struct ph_arena *scratch,
+                            struct ph_result *result, struct ph_diag *diag) {
+  struct ph_mark mark = ph_arena_mark(scratch);
+  struct ph_cone_data data;
+  enum ph_status status = ph_cone_data_of(problem, scratch, &data, diag);
+  if (status == PH_OK) {
+    status = ph_cone_build(&data, out, result, diag);
+  }
+  ph_arena_release(scratch, mark);
+  return status;
+}
+
+static const struct ph_field fields[] = {
+    {PH_F_POINTS, PH_VECTORS | PH_DATUM, 1u << 3, true, NULL, NULL,
+     "a point on each ruling, 2 or more, 3 or more if closed"},
+    {PH_F_RULINGS, PH_VECTORS | PH_DATUM, 1u << 3, true, NULL, NULL,
+     "directions of the rulings, one for each point"},
+    {PH_F_TANGENTS, PH_VECTORS | PH_DATUM, 1u << 3, true, NULL, NULL,
+     "directions across the rulings in the tangent planes, onward, orthogonal "
+     "to the rulings"},
+    {PH_F_NORMALS, PH_VECTORS | PH_DATUM, 1u << 3, false, NULL, "none",
+     "normals of the tangent planes, of either sign, to be compared only"},
+    {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
+     "join the last contact element to the first, a repeated last one is "
+     "dropped"},
+    {PH_F_METHOD, PH_WORD, 0, false, "circular", "circular",
+     "what strips are: pieces of circular cones, two between neighbours"},
+    {PH_F_LAMBDA, PH_WORD | PH_NUMBER | PH_NUMBERS | PH_SEGMENTS, 0, false,
+     "equal", "equal",
+     "leg of the first arc of each pair, or equal to that of the second"},
+    {PH_F_DEGENERATE, PH_NUMBER, 0, false, NULL, PH_TEXT(PH_CONE_DEGENERATE),
+     "when two contact elements count as lying on one cone, or as of parallel "
+     "axes"},
+    {PH_F_HEIGHT, PH_NUMBERS, 0, false, NULL, "0 to 0, the contact curve",
+     "the part of the rulings that is meant, from where to where, from the "
+     "given points"},
+    PH_FIELD_MERGE,
+};
+
+const struct ph_method ph_method_cone = {
+    .schema = {"cone", fields, sizeof fields / sizeof fields[0]},
+    .title = "developable surfaces of cones through contact elements",
+    .dimension = 3,
+    .kind = PH_CURVE_CONE,
+    .solve = solve,
+};

@@ -1,0 +1,331 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# `cone': records, tables, meshes and flat patterns of surfaces through contact
+# elements, against simple truths; and every way for a problem to be wrong.
+# (Published cases: cone-reference.t; random ones: tests/prop/t_cone.c.)
+#
+# shellcheck disable=SC2016,SC2154  # programs of jq and awk; what errors.sh sets
+. "$srcdir/tests/cli/lib.sh"
+. "$srcdir/tests/cli/errors.sh"
+
+# Table 4.1 of [GON18].
+points='"points":[[252.6524,62,92.5],[266.5158,65.1388,91.5]]'
+rulings='"rulings":[[-0.1151,0.2405,0.9638],[-0.1785,0.165,0.97]]'
+tangents='"tangents":[[0.9925,0.069,0.1013],[0.8847,0.4583,0.0849]]'
+good="{$points,$rulings,$tangents}"
+
+# the eighth part of a cone about z: a quarter of its elements, closed or not
+cat >turn.awk <<'EOF'
+function list(name, a, b, c,   k, t, text) {
+  for (k = 0; k < n; k++) {
+    t = 8 * atan2(1, 1) * k / 8
+    text = text (k ? "," : "") sprintf("[%.17g,%.17g,%.17g]",
+      a * cos(t) - b * sin(t), a * sin(t) + b * cos(t), c)
+  }
+  return "\"" name "\":[" text "]"
+}
+BEGIN {
+  print "{" list("points", 2, 0, 0) "," list("rulings", -0.6, 0, 0.8) ","
+  print list("tangents", 0, 1, 0) rest "}"
+}
+EOF
+turn() {
+  awk -v n="$1" -v rest="$2" -f turn.awk | tr -d '\n'
+}
+
+# ---- records -----------------------------------------------------------------
+
+feed "{\"id\":7,\"meta\":[1],$points,$rulings,$tangents}" cone
+expect 'a record' 0
+equal 'a record: its members' '{id:number,command:string,status:string,'\
+'meta:[number],surface:string,closed:bool,height:[number],strips:[{pair:number,'\
+'method:string,frame:{point:[number],ruling:[number],tangent:[number],'\
+'normal:[number]},geodesic_curvature:number,normal_curvature:number,'\
+'length:number,vertex:[number],half_angle:number,sweep:number,'\
+'development_angle:number,shift:[number],contact:{control_points:[[number]],'\
+'weights:[number]},development:{control_points:[[number]],weights:[number],'\
+'angle:number}}],pairs:[{case:string,lambda:[number],center:[number],'\
+'radius:number}],length:number,area:number,diagnostics:{iterations:number,'\
+'residual:number,interpolation_error:number,length_error:number,regular:bool,'\
+'frame_error:number,isometry_error:number,shift:number,vertices_inside:number,'\
+'sign_changes:number,large_arcs:number,lambda_interval:[[number]]}}' \
+  "$(json shape <out)"
+equal 'a record: values' '7 [1] "cone-spline" false 0 "sphere" true' \
+  "$(get id) $(get meta) $(get surface) $(get closed) $(get area) \
+$(get 'pairs[0].case') $(get diagnostics.regular)"
+true_that 'lambda has an interval' jq -e \
+  '.diagnostics.lambda_interval[0] | .[0] == 0 and
+    (.[1] - 7.3929 | fabs < 1e-4)' out
+feed "{$points,$rulings,$tangents,\"lambda\":7.5}" cone -q
+expect 'lambda beyond it' 0
+true_that 'lambda beyond it: the arc is large' \
+  jq -e '.diagnostics.large_arcs == 1 and .pairs[0].lambda[1] < 0' out
+
+# csv NAME TEXT [OPTION...]: CSV, which is for printf, gives the same surface
+feed "$good" cone -q --table=strips
+mv out want.csv
+csv() {
+  name=$1
+  # shellcheck disable=SC2059
+  printf "$2" >a.csv
+  shift 2
+  run cone -q --table=strips "$@" a.csv
+  expect "$name" 0
+  equal_files "$name: the surface" want.csv out
+}
+rows='252.6524,62,92.5,-0.1151,0.2405,0.9638,0.9925,0.069,0.1013\n'\
+'266.5158,65.1388,91.5,-0.1785,0.165,0.97,0.8847,0.4583,0.0849\n'
+csv 'CSV' "x,y,z,rx,ry,rz,tx,ty,tz\n$rows"
+csv 'CSV without names' "$rows" --columns=x,y,z,rx,ry,rz,tx,ty,tz
+csv 'CSV with normals' "x,y,z,rx,ry,rz,tx,ty,tz,nx,ny,nz\n$(printf '%b' "$rows" |
+  sed 's/1013$/1013,-0.0421,0.9682,-0.2466/; s/0849$/0849,-0.4306,0.8733,-0.2278/
+    s/$/\\n/' | tr -d '\n')"
+
+# ---- one cone ----------------------------------------------------------------
+
+# Of the cone with its apex at (0, 0, 8/3), points at the radius 2 and rulings of
+# the slope 4/3: from the height -1/2 to 1 its area is that of an annulus.
+turn 8 ',"closed":true,"height":[-0.5,1]' >turn.json
+run cone -q turn.json
+expect 'a cone all around' 0
+true_that 'a cone all around: length, area, vertices, angles' jq -e '
+  def near(a): . - a | fabs < 1e-12;
+  (3.141592653589793 as $pi |
+   (.length | near(4 * $pi)) and
+   (.area | near($pi * 0.6 * ((10 / 3 + 0.5) * (10 / 3 + 0.5) -
+     (10 / 3 - 1) * (10 / 3 - 1)))) and
+   ([.strips[].development_angle] | add | near(2 * $pi * 0.6)) and
+   all(.strips[]; (.vertex[2] | near(8 / 3)) and (.vertex[0] | near(0)) and
+     (.half_angle | sin | near(0.6)))) and
+  all(.pairs[]; .case == "pencil") and (.strips | length) == 16' out
+run cone -q --override='height=[-1,4]' turn.json
+true_that 'its vertex within the height' jq -e '.diagnostics |
+  .vertices_inside == 16 and .regular == false' out
+true_that 'both sides of the vertex have an area' jq -e '.area -
+  3.141592653589793 * 0.6 * ((10 / 3 + 1) * (10 / 3 + 1) +
+    (4 - 10 / 3) * (4 - 10 / 3)) | fabs < 1e-11' out
+turn 3 ',"height":[0,1]' >part.json
+run cone -q --offset=0.5,-0.25 part.json
+true_that 'parallel cones: their rings' jq -e '
+  def near(a): . - a | fabs < 1e-12;
+  . as $r | .offsets as [$a, $b] | ($a.length / .length | near(1 - 0.5 *
+    $r.strips[0].normal_curvature)) and ($b.length / .length |
+    near(1 + 0.25 * $r.strips[0].normal_curvature)) and
+  ($a.strips[0].frame.ruling == $r.strips[0].frame.ruling)' out
+run cone --offset=9 part.json
+expect 'a parallel cone that is none' 1 "phspline: part.json:1: record 1: \
+strips[0]: has no parallel surface at the distance 9: its radius of normal \
+curvature is 2.5 [infeasible]
+$(failed 1 1)"
+
+# ---- samples, meshes, patterns -----------------------------------------------
+
+run cone -q --sample=3x2 --table=samples part.json
+expect 'samples' 0
+equal 'samples: their columns' 'id,strip,s,h,x,y,z,nx,ny,nz,u,v' \
+  "$(head -n 1 out)"
+true_that 'samples: how many' count $((1 + 4 * 4 * 3)) out
+true_that 'samples: on the cone, and as far from the apex as when flat' awk -F, '
+  function abs(x) { return x < 0 ? -x : x }
+  BEGIN { bad = 1 }
+  NR > 1 {
+    bad = 0
+    r = sqrt($5 ^ 2 + $6 ^ 2)
+    if (!(abs(r - 0.75 * (8 / 3 - $7)) < 1e-12)) exit bad = 1
+    if (!(abs($8 ^ 2 + $9 ^ 2 + $10 ^ 2 - 1) < 1e-12)) exit bad = 1
+    flat = sqrt($11 ^ 2 + ($12 - 10 / 3) ^ 2)
+    if (!(abs(flat - (10 / 3 - $4)) < 1e-12)) exit bad = 1
+  }
+  END { exit bad }' out
+run cone -q --table=samples --sample=2 turn.json
+true_that 'samples of the edges of the height' count $((1 + 16 * 3 * 2)) out
+feed "$good" cone -q --table=samples --sample=2
+true_that 'samples of the contact curve alone' count $((1 + 2 * 3)) out
+feed "$good" cone -q --table=development
+true_that 'the development' count $((1 + 2 * 3)) out
+
+# mesh NAME EULER: of the mesh in out: each edge has two faces, or one at a
+# boundary; vertices - edges + faces; normals are along those of the faces
+mesh() {
+  true_that "$1" awk -v euler="$2" '
+    BEGIN { nv = nw = 0 }
+    $1 == "v" { for (i = 2; i <= 4; i++) v[nv, i] = $i; nv++ }
+    $1 == "vn" { for (i = 2; i <= 4; i++) w[nw, i] = $i; nw++ }
+    $1 == "f" {
+      faces++
+      for (i = 2; i <= 5; i++) {
+        split($i, at, "/")
+        p[i] = (at[1] < 0 ? nv + at[1] : at[1] - 1)
+        q[i] = (at[3] < 0 ? nw + at[3] : at[3] - 1)
+      }
+      for (i = 2; i <= 5; i++) {
+        j = (i < 5 ? i + 1 : 2)
+        if (edge[p[i], p[j]]++) exit bad = 1
+        if (!((p[j], p[i]) in edge)) edges++
+      }
+      for (k = 2; k <= 4; k++) {
+        a[k] = v[p[4], k] - v[p[2], k]
+        b[k] = v[p[5], k] - v[p[3], k]
+      }
+      dot = (a[3] * b[4] - a[4] * b[3]) * w[q[2], 2]
+      dot += (a[4] * b[2] - a[2] * b[4]) * w[q[2], 3]
+      dot += (a[2] * b[3] - a[3] * b[2]) * w[q[2], 4]
+      if (!(dot > 0)) exit bad = 1
+    }
+    END { exit (bad || nv - edges + faces != euler || !faces) }' out
+}
+run cone -q --format=obj --sample=4x3 turn.json
+expect 'a mesh' 0
+mesh 'a mesh all around is watertight' 0
+run cone -q --format=obj part.json
+mesh 'a mesh of a part' 1
+run cone -q --format=obj --sample=2 --offset=0.5 part.json
+mesh 'a mesh with a parallel one' 2
+run cone -q --format=obj --sample=2 part.json turn.json
+mesh 'two meshes in one file' 1
+feed "$good" cone --format=obj
+expect 'a mesh of no height' 1 'phspline: -:1: record 1: height: must have an '\
+"extent for --format=obj, as in --height=[-1,1] [bad-value]
+$(failed 1 1)" ''
+
+run cone -q --format=svg-path part.json
+expect 'a flat pattern' 0
+true_that 'a flat pattern: an outline and three rulings' \
+  awk '{ exit gsub(/M/, "") != 4 }' out
+true_that 'a flat pattern: its outline is closed, and of two radii' awk '
+  function abs(x) { return x < 0 ? -x : x }
+  {
+    n = split($0, part, "M")
+    split(part[2], piece, "C")
+    m = split(part[2], piece, "C")
+    split(piece[1], first, ",")
+    for (i = 2; i <= m; i++) {
+      split(piece[i], p, /[ ,]/)
+      r = sqrt(p[5] ^ 2 + (p[6] - 10 / 3) ^ 2)
+      if (abs(r - 10 / 3) > 1e-6 && abs(r - 7 / 3) > 1e-6) exit bad = 1
+    }
+    exit p[5] != first[1] || p[6] != first[2]
+  }
+  END { exit bad }' out
+
+# ---- other cases -------------------------------------------------------------
+
+# solved NAME CASE PROBLEM
+solved() {
+  feed "$3" cone -q
+  expect "$1" 0
+  equal "$1: its case" "\"$2\"" "$(get 'pairs[0].case')"
+  mv out result.json
+  printf '%s' "$3" >problem.json
+  run verify --problems=problem.json result.json
+  equal "$1: verified" '0 "ok"' "$status $(get status)"
+}
+solved 'a plane' flat '{"points":[[0,0,0],[2,1,0]],"rulings":[[0,1,0],'\
+'[-0.6,0.8,0]],"tangents":[[1,0,0],[0.8,0.6,0]],"height":[0,1]}'
+solved 'a cylinder' parallel '{"points":[[0,0,0],[3,1,1]],"rulings":[[0,1,0],'\
+'[0,1,0]],"tangents":[[1,0,0],[0.6,0,0.8]],"height":[0,1]}'
+solved 'half a circle, of which a leg is infinite' parallel '{"points":[[0,0,0],'\
+'[1,0,2]],"rulings":[[0,1,0],[0,1,0]],"tangents":[[1,0,0],[-1,0,0]],'\
+'"lambda":0.5}'
+solved 'a far point on a ruling' sphere "{\"points\":[[252.6524,62,92.5],\
+[266.3373,65.3038,92.47]],$rulings,$tangents,\"height\":[-2,2]}"
+feed "{\"points\":[[0,0,0],[0,0,0],[2,1,0]],\"rulings\":[[0,1,0],[0,1,0],\
+[0,1,0]],\"tangents\":[[1,0,0],[1,0,0],[1,0,0]]}" cone --merge=0.1 -q
+expect 'elements that are there twice, joined' 0
+equal 'elements that are there twice, joined: two strips' '[1] 2' \
+  "$(get merged) $(jq '.strips | length' out)"
+
+# ---- what is wrong -----------------------------------------------------------
+
+errors_of cone
+other='"rulings":[[0,1,0],[0,1,0]]'
+bad zero-tangent 'rulings[1]' 'must not be zero' \
+  "{$points,\"rulings\":[[0,0,1],[0,0,-0.0]],$tangents}"
+bad zero-tangent 'tangents[0]' 'must not be zero' \
+  "{$points,$rulings,\"tangents\":[[0,0,0],[0,0,1]]}"
+bad missing-field rulings 'is missing: it must be an array of vectors [x,y,z]' \
+  "{$points,$tangents}"
+bad missing-field tangents 'is missing: it must be an array of vectors [x,y,z]' \
+  "{$points,$rulings}"
+bad missing-field points 'is missing: it must be an array of points [x,y,z]' \
+  "{$rulings,$tangents}"
+bad too-few-points points 'must be at least 2, found 1' \
+  '{"points":[[0,0,0]],"rulings":[[0,1,0]],"tangents":[[1,0,0]]}'
+bad bad-shape tangents 'must have 2 vectors, one for each point, found 1' \
+  "{$points,$rulings,\"tangents\":[[1,0,0]]}"
+bad bad-value 'tangents[0]' 'is not orthogonal to rulings[0]: the cosine is '\
+'0.447, at most 0.001 is allowed; look for misprints in both' \
+  "{$points,$other,\"tangents\":[[2,1,0],[1,0,0]]}"
+bad bad-value 'normals[1]' 'is neither rulings[1] x tangents[1] nor its '\
+'opposite: it is off by 1.41, at most 0.005 is allowed' \
+  "{$points,$other,\"tangents\":[[1,0,0],[0,0,1]],\
+\"normals\":[[0,0,-1],[0,1,0]]}"
+bad coincident-points 'points[1]' "coincides with points[0]$joins" \
+  "{\"points\":[[1,2,3],[1,2,3]],$rulings,$tangents}"
+bad bad-value lambda 'must be greater than 0, found 0' \
+  "{$points,$rulings,$tangents,\"lambda\":0}"
+bad bad-shape height 'must have 2 numbers, from where to where, found 1' \
+  "{$points,$rulings,$tangents,\"height\":[1]}"
+bad bad-value height 'must not begin above its end, found [1,-1]' \
+  "{$points,$rulings,$tangents,\"height\":[1,-1]}"
+bad bad-value degenerate_tolerance \
+  'must be greater than 0 and at most 0.1, found 1' \
+  "{$points,$rulings,$tangents,\"degenerate_tolerance\":1}"
+bad infeasible 'pairs[0]' 'has no pair of circular cones: the rulings are those '\
+'of a saddle, as of a helicoid' '{"points":[[0,0,0],[0,0,1]],'\
+'"rulings":[[1,0,0],[0.8,0.6,0]],"tangents":[[0,0,1],[0,0,1]]}'
+bad infeasible 'pairs[0]' 'has no pair of cones: one contact element is the '\
+'other one turned by 180 degrees; ruling and tangent must not turn back' \
+  '{"points":[[0,0,0],[1,0,0]],"rulings":[[0,1,0],[0,-1,0]],'\
+'"tangents":[[1,0,0],[-1,0,0]]}'
+bad infeasible 'pairs[0]' 'has no pair of cones: the tangent planes are '\
+'parallel, and not the same' '{"points":[[0,0,0],[1,0,1]],'\
+'"rulings":[[0,1,0],[-0.6,0.8,0]],"tangents":[[1,0,0],[0.8,0.6,0]]}'
+bad infeasible 'pairs[0]' 'has no pair of cones with such legs: the second '\
+'contact element is not ahead of the first, or no second leg belongs to this '\
+'lambda' "{\"points\":[[0,0,0],[-1,0,0]],$other,\
+\"tangents\":[[1,0,0],[1,0,0]]}"
+bad_csv 1 2 tangents missing-field 'is missing: it must be an array of vectors '\
+'[x,y,z]' 'x,y,z,rx,ry,rz\n0,0,0,1,0,0\n'
+bad_csv 3 1:1 '' missing-field 'column "rz" is missing: cone needs it for '\
+'rulings' 'x,y,z,rx,ry,tx,ty,tz\n0,0,0,1,0,0,1,0\n'
+bad_csv 1 3 'rulings[1]' not-finite 'needs a finite number in column ry, '\
+'found "nan"' \
+  'x,y,z,rx,ry,rz,tx,ty,tz\n0,0,0,0,1,0,1,0,0\n1,0,0,0,nan,0,1,0,0\n'
+
+# warned_of CODE PROBLEM: and no more than that
+warned_of() {
+  feed "$2" cone
+  equal "warnings: $1" "0 $1" \
+    "$status $(jq -r '[.warnings[].code] | join(" ")' out)"
+}
+warned_of vertex-inside "$(turn 2 ',"height":[0,4]')"
+warned_of sign-change '{"points":[[0,0,0],[1,0,1]],"rulings":[[0,1,0],[0,1,0]],'\
+'"tangents":[[1,0,0],[1,0,0]]}'
+warned_of large-arc "{$points,$rulings,$tangents,\"lambda\":7.5}"
+warned_of far-contact '{"points":[[0,0,0],[1,0,0.1]],"rulings":[[0,1,0],'\
+'[0.00001,1,0.00002]],"tangents":[[1,0,0],[0.99,0,0.14]]}'
+
+# ---- the command line --------------------------------------------------------
+
+# usage NAME MESSAGE OPTION...
+usage() {
+  name=$1 message=$2
+  shift 2
+  run "$@" </dev/null
+  expect "$name" 2 "phspline: $message
+Try 'phspline $1 --help'." ''
+}
+usage 'a table of curves' '--table: the surfaces of cone have strips, samples '\
+'and development' cone --table=lengths
+usage 'a table of surfaces' '--table: strips and development are of surfaces, '\
+'planar makes curves' planar --table=strips
+usage 'a mesh of curves' '--format=obj is of surfaces, tc makes curves' tc \
+  --format=obj
+usage 'samples that are not asked for' '--table=samples needs --sample' cone \
+  --table=samples
+for sample in 0 1.5 2x0 2x 3x2x1 x3 ''; do
+  usage "--sample=$sample" '--sample must be one or two whole numbers from 1 to '\
+"1000000, as 20 or 20x4, found '$sample'" cone --sample="$sample"
+done
+usage 'an option of curves' "cone has no option '--spacing'" cone --spacing=1
