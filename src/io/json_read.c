@@ -13,19 +13,14 @@
 
 /* ---- where it is ------------------------------------------------------- */
 
-/* Goes on with the path; one that does not fit is cut. */
-static size_t extend(struct ph_json_reader *r, const char *format, ...)
-    PH_PRINTF(2, 3);
-
-static size_t extend(struct ph_json_reader *r, const char *format, ...) {
-  size_t mark = r->n, room = sizeof r->path - r->n;
-  va_list args;
-  int n;
-  va_start(args, format);
-  n = vsnprintf(r->path + r->n, room, format, args);
-  va_end(args);
-  r->n += n < 0 ? 0 : (size_t)n < room ? (size_t)n : room - 1;
-  return mark;
+/* Goes on with the path; one that does not fit is cut.  Every number of a
+ * result passes here. */
+static void extend(struct ph_json_reader *r, const char *text, size_t n) {
+  size_t room = sizeof r->path - 1 - r->n;
+  n = n < room ? n : room;
+  memcpy(r->path + r->n, text, n);
+  r->n += n;
+  r->path[r->n] = '\0';
 }
 
 static void exhausted(struct ph_json_reader *r) {
@@ -42,12 +37,24 @@ static void look(struct ph_json_reader *r) {
 }
 
 size_t ph_read_enter(struct ph_json_reader *r, const char *name) {
-  return extend(r, "%s%s", r->n ? "." : "", name);
+  size_t mark = r->n;
+  extend(r, ".", mark > 0);
+  extend(r, name, strlen(name));
+  return mark;
 }
 
 size_t ph_read_enter_at(struct ph_json_reader *r, size_t index) {
+  char text[3 * sizeof index + 2];
+  size_t mark = r->n, at = sizeof text;
+  text[--at] = ']';
+  do {
+    text[--at] = (char)('0' + index % 10);
+    index /= 10;
+  } while (index > 0);
+  text[--at] = '[';
   look(r);
-  return extend(r, "[%zu]", index);
+  extend(r, text + at, sizeof text - at);
+  return mark;
 }
 
 void ph_read_leave(struct ph_json_reader *r, size_t mark) {
