@@ -239,6 +239,10 @@ while read -r command; do
     for (t = 0; t < 6; t += 0.5) { print cos(t), sin(t), 0.75 * t,
       t ? 0.625 : "" } }' >"help-$command/survey.csv"
   printf '1,0,0,\n0,1,0,2\n0,0,1,2\n' >"help-$command/ribbon.csv"
+  printf '%s\n' x,y,z,rx,ry,rz,tx,ty,tz \
+    252.6524,62,92.5,-0.1151,0.2405,0.9638,0.9925,0.069,0.1013 \
+    266.5158,65.1388,91.5,-0.1785,0.165,0.97,0.8847,0.4583,0.0849 \
+    >"help-$command/elements.csv"
   printf '{"tangents":[[1,0,0],[0,1,0],[0,0,1],[1,0,0]],"lengths":%s}\n' \
     '[1.2,1.4,0.7]' >"help-$command/problem.json"
   if [ "$command" = sphere ]; then

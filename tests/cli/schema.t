@@ -298,6 +298,7 @@ for file in "$srcdir"/data/*.json* "$srcdir"/tests/vectors/*.jsonl; do
   gonzalez*) command=planar ;;
   huard* | arclength*) command=arclength ;;
   iordanov* | sphere*) command=sphere ;;
+  cone*) command=cone ;;
   *) command=tc ;;
   esac
   good "$command-problem" "$file"
