@@ -112,6 +112,7 @@ _phspline() {
     --merge | --merge=) kind=nothing ;;
     --lengths | --lengths=) kind=nothing ;;
     --length_sigma | --length_sigma=) kind=nothing ;;
+    --tangent_sigma | --tangent_sigma=) kind=nothing ;;
     --knots | --knots=) list='lengths chordal uniform' ;;
     --refine | --refine=) list='auto' ;;
     --magnitudes | --magnitudes=) list='free mean' ;;
@@ -125,9 +126,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path obj' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
-    --override | --override=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
-    -S | --sweep | --sweep=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    -s | --set | --set=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    --override | --override=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    -S | --sweep | --sweep=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
@@ -145,7 +146,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --merge= --lengths= --length_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --merge= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

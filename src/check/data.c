@@ -152,6 +152,9 @@ bool ph_check_data_of(struct ph_check *v, struct ph_check_data *data,
     return false;
   }
   data->i = 0;
+  data->misses = 0;
+  data->uncertain = 0;
+  data->measured = 0;
   data->first = ph_arena_array(v->scratch, data->n, sizeof *data->first);
   data->last = ph_arena_array(v->scratch, data->n, sizeof *data->last);
   if (!data->first || !data->last) {

@@ -21,6 +21,10 @@ struct ph_check_data {
   size_t n;        /* intervals */
   size_t *first, *last; /* [n] their segments */
   size_t i;             /* the interval of the next segment */
+  double misses; /* sum of squares of the angles to tangents that were measured,
+                  * in standard deviations */
+  double uncertain; /* of their root: the largest */
+  size_t measured;  /* so many */
 };
 
 /* ph_check_field: a field of the problem, or NULL. */

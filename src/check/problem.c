@@ -11,6 +11,9 @@
 /* What moves points of a sphere, unless the problem says it. */
 static const double MOVED = 1e-3;
 
+/* A root mean square of angles is the same to this. */
+static const double SAME_RMS = 1e-9;
+
 /* An end of an interval. */
 struct end {
   const struct ph_check_segment *s;
@@ -146,6 +149,47 @@ static double mean_magnitude(const struct ph_check *v, size_t j) {
   return sum / (double)(last - first + 1);
 }
 
+/* The standard deviation of the direction at datum j; 0: it is exact. */
+static double sigma_of(const struct ph_check *v, size_t j) {
+  const struct ph_value *sigma = ph_check_field(v, PH_F_TANGENT_SIGMA);
+  return !sigma                      ? 0
+         : sigma->kind != PH_NUMBERS ? sigma->number
+         : j < sigma->n              ? sigma->v[j]
+                                     : 0;
+}
+
+/* The angle to a direction that was measured, against what is claimed. */
+static void check_deviation(struct ph_check *v, const struct end *e, size_t j,
+                            ph_vec3 direction, double sigma) {
+  struct ph_check_data *data = v->data;
+  ph_vec3 there = e->s->first[e->end];
+  double error = e->s->noise / ph_vec3_abs(there) + v->allow->given;
+  double angle = atan2(ph_vec3_abs(ph_vec3_cross(there, direction)),
+                       ph_vec3_dot(there, direction));
+  data->misses += angle / sigma * (angle / sigma);
+  data->uncertain = ph_check_larger(data->uncertain, error / sigma);
+  data->measured++;
+  if (v->claim && v->curve == &v->claim->curve && v->claim->deviations_n > j) {
+    ph_check_miss(v, PH_CHECK_TANGENT,
+                  ph_check_of("tangent_deviations", j, NULL),
+                  fabs(v->claim->deviations[j] - angle), 1, error,
+                  "is not the angle to the tangent");
+  }
+}
+
+/* Their root mean square, against what is claimed. */
+static void check_rms(struct ph_check *v) {
+  const struct ph_check_data *data = v->data;
+  double rms = sqrt(data->misses / (double)data->measured);
+  if (ph_check_known(v, PH_D_TANGENT_RMS)) {
+    ph_check_miss(v, PH_CHECK_TANGENT,
+                  ph_check_of("diagnostics", PH_CHECK_ONE, "tangent_rms"),
+                  fabs(v->diagnostics->value[PH_D_TANGENT_RMS] - rms), 1,
+                  data->uncertain + SAME_RMS * rms,
+                  "is not that of the angles to the tangents");
+  }
+}
+
 static void check_vector(struct ph_check *v, const struct end *e) {
   const struct ph_value *given = v->data->vectors;
   size_t j = ph_check_index(v, v->data, e->datum);
@@ -159,8 +203,16 @@ static void check_vector(struct ph_check *v, const struct end *e) {
   if (v->data->magnitudes) {
     ph_check_derivative(v, PH_CHECK_TANGENT, e->s, e->end, e->s->spacing,
                         ph_vec3_scale(mean_magnitude(v, j), direction), true);
+  } else if (sigma_of(v, j) > 0) {
+    /* where two intervals meet, with the second */
+    if (e->end == 0 || e->datum == v->data->n) {
+      check_deviation(v, e, j, direction, sigma_of(v, j));
+    }
   } else {
     ph_check_heading(v, PH_CHECK_TANGENT, e->s, e->end, direction);
+  }
+  if (e->end == 1 && e->datum == v->data->n && v->data->measured > 0) {
+    check_rms(v);
   }
 }
 

@@ -200,6 +200,9 @@ static struct ph_spinor_element knot_of(const struct ph_spinor *s, size_t j) {
     add_form(&e, 0, ph_vec3_of(1, 0, 0));
     add_form(&e, 0, ph_vec3_of(0, 1, 0));
     add_form(&e, 0, ph_vec3_of(0, 0, 1));
+  } else if (s->rows.toward && ph_vec3_abs(s->rows.toward[j]) > 0) {
+    add_form(&e, 1, ph_vec3_scale(-1, s->rows.toward[j]));
+    add_form(&e, 0, ph_vec3_of(0, 0, 0));
   } else {
     double x = end ? c[2][1] : c[0][0], y = end ? c[2][2] : c[0][1];
     ph_quat m = ph_quat_add(ph_quat_scale(x, s->w[e.first]),

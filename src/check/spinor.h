@@ -21,12 +21,15 @@
 
 /* What is prescribed for the curve. */
 struct ph_spinor_rows {
-  size_t n;         /* intervals */
-  size_t refine;    /* segments in each */
-  bool lengths;     /* of intervals */
-  bool points;      /* at their ends */
-  size_t knot_rows; /* of a derivative at each of their ends 3; 2 of its
-                       direction; 0 */
+  size_t n;              /* intervals */
+  size_t refine;         /* segments in each */
+  bool lengths;          /* of intervals */
+  bool points;           /* at their ends */
+  size_t knot_rows;      /* of a derivative at each of their ends 3; 2 of its
+                            direction; 0 */
+  const ph_vec3 *toward; /* [n + 1] of a direction that was measured the unit
+                            vector, of others 0; or NULL.  Its rows are the
+                            forms |A|^2 - toward . A i A* and 0 */
 };
 
 struct ph_spinor {

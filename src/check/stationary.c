@@ -75,6 +75,30 @@ static void set_excess(struct context *c,
   }
 }
 
+/* Directions that were measured: their form is a term of what is minimised, its
+ * stiffness the multiplier, and nothing is prescribed. */
+static void add_directions(struct context *c,
+                           const struct ph_stationary_soft *soft) {
+  struct ph_kkt *kkt = &c->kkt;
+  const struct ph_spinor *s = &kkt->spline;
+  size_t first = s->rows.n * ph_spinor_interval_rows(s);
+  for (size_t j = 0; soft->stiffness && j <= s->rows.n; j++) {
+    size_t i = kkt->row[first + j * s->rows.knot_rows];
+    if (soft->stiffness[j] > 0) {
+      kkt->y[i] = soft->stiffness[j] / s->unit;
+      for (size_t p = ph_kkt_first(kkt, i); p < ph_kkt_end(kkt, i); p++) {
+        if (c->column[p] == UNKNOWN) {
+          kkt->g[p] += kkt->y[i] * *ph_kkt_at(kkt, i, p);
+        }
+        *ph_kkt_at(kkt, i, p) = 0;
+      }
+      c->column[i] = YIELDS;
+      c->excess[i] = 0;
+      c->compliance[i] = 1;
+    }
+  }
+}
+
 /* Their multipliers, and what these add to g. */
 static void add_yielding(struct context *c) {
   struct ph_kkt *kkt = &c->kkt;
@@ -200,7 +224,9 @@ static double *zeros(struct ph_arena *arena, size_t n) {
   return v;
 }
 
-static bool find_multipliers(struct context *c, struct ph_arena *arena) {
+static bool find_multipliers(struct context *c,
+                             const struct ph_stationary_soft *soft,
+                             struct ph_arena *arena) {
   struct factor f = {.width = set_columns(c)};
   size_t end = 0;
   f.r = zeros(arena, c->columns * f.width);
@@ -211,6 +237,7 @@ static bool find_multipliers(struct context *c, struct ph_arena *arena) {
     return false;
   }
   add_yielding(c);
+  add_directions(c, soft);
   for (size_t p = 0; p < c->kkt.n; p++) {
     if (c->column[p] == UNKNOWN) {
       take_in(c, &f, p, &end);
@@ -241,6 +268,22 @@ static void measure_f(const struct ph_spinor *s, struct ph_stationary *out) {
   out->f_rounding = (2 * sqrt(f * rounding) + rounding) * s->unit;
 }
 
+/* Whether an element is a direction that was measured. */
+static bool is_measured(const struct ph_spinor_element *e) {
+  return e->nodes == 2 && e->form[0].s > 0;
+}
+
+/* The size of the gradient by node a of what it adds: most of its form cancels.
+ */
+static double pull_of(const struct context *c,
+                      const struct ph_spinor_element *e, size_t a) {
+  ph_quat product = ph_spinor_product(&c->kkt.spline, e, a);
+  return is_measured(e)
+             ? c->kkt.y[c->kkt.row[e->row]] *
+                   ph_quat_abs(ph_spinor_gradient(e->form[0], product))
+             : 0;
+}
+
 /* The multipliers of an element's rows, by what their terms are of: of lengths
  * that yield, that is of what is minimised, and of others. */
 static void sizes_of(const struct context *c, const struct ph_spinor_element *e,
@@ -249,7 +292,7 @@ static void sizes_of(const struct context *c, const struct ph_spinor_element *e,
   for (size_t i = 0; i < e->rows; i++) {
     size_t row = c->kkt.row[e->row + i];
     double size = fabs(c->kkt.y[row]);
-    *(c->compliance[row] > 0 ? soft : hard) += size;
+    *(c->compliance[row] > 0 && !is_measured(e) ? soft : hard) += size;
   }
 }
 
@@ -267,7 +310,8 @@ static void add_terms(const struct context *c,
     size += fabs(e->second[a]) * ph_quat_abs(s->w[e->first + a]);
   }
   for (size_t a = 0; a < e->nodes; a++) {
-    double sum = fabs(e->second[a]) * (second + small * size);
+    double sum =
+        fabs(e->second[a]) * (second + small * size) + pull_of(c, e, a);
     for (size_t b = 0; b < e->nodes; b++) {
       sum += (soft + small * hard) * fabs(e->gram[a][b]) *
              ph_quat_abs(s->w[e->first + b]);
@@ -398,7 +442,7 @@ static enum ph_status find(const struct ph_curve *curve,
   }
   set_compliance(&c, soft);
   set_excess(&c, soft);
-  if (!find_multipliers(&c, arena)) {
+  if (!find_multipliers(&c, soft, arena)) {
     return ph_fail_memory(diag);
   }
   out->kkt_error = rest_of(&c, terms, &left);

@@ -32,6 +32,10 @@ struct ph_stationary_soft {
   const double *length; /* [n], NULL: there is nothing like that */
   double sigma;
   double f_relaxed;
+  const double *stiffness; /* [n + 1] of directions that were measured, else 0,
+                            * or NULL: what is minimised has stiffness[j]
+                            * (|r'| - toward[j] . r') at knot j, r' where the
+                            * mean interval has length and spacing 1 */
 };
 
 struct ph_stationary {

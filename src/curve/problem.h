@@ -35,6 +35,7 @@
   X(LENGTHS, "lengths")                   \
   X(REFINE, "refine")                     \
   X(LENGTH_SIGMA, "length_sigma")         \
+  X(TANGENT_SIGMA, "tangent_sigma")       \
   X(MAGNITUDES, "magnitudes")             \
   X(PLANAR, "planar")                     \
   X(STARTS, "starts")                     \

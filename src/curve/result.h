@@ -279,6 +279,10 @@ struct ph_offset {
     "whether the curve lies in the plane of its data")                         \
   X(LENGTH_RMS, "length_rms", "number",                                        \
     "root mean square of the differences of lengths, in deviations")           \
+  X(TANGENT_RMS, "tangent_rms", "number",                                      \
+    "root mean square of the angles to the tangents, in deviations")           \
+  X(TANGENT_WEIGHT, "tangent_weight", "number",                                \
+    "of the squares of these angles beside F")                                 \
   X(MIN_SPEED, "min_speed", "number",                                          \
     "the smallest speed, relative to the mean")                                \
   X(FUNCTIONAL, "functional", "number",                                        \
@@ -494,9 +498,11 @@ struct ph_result {
   size_t solutions_n;            /* 0: they were not asked for */
   struct ph_interval *intervals; /* in the order of the data */
   size_t intervals_n;            /* 0: an interval is a segment */
-  struct ph_start *starts;       /* in the order they were tried */
-  size_t starts_n;               /* 0: there was no choice of starts */
-  size_t start;                  /* the one that led to the curve */
+  double *deviations;            /* angles to the tangents, if measured */
+  size_t deviations_n;
+  struct ph_start *starts; /* in the order they were tried */
+  size_t starts_n;         /* 0: there was no choice of starts */
+  size_t start;            /* the one that led to the curve */
 };
 
 /* PH_INTERVAL_NONE: an interval of which nothing is known. */

@@ -105,6 +105,17 @@ static void read_knots(struct ph_json_reader *r,
   knots[1] = ends[1];
 }
 
+void ph_read_list(struct ph_json_reader *r, const char *name,
+                  const struct ph_json_item *item, void *at, size_t *n) {
+  double *v;
+  *n = ph_read_size(r, item);
+  v = *n ? ph_read_array_of(r, *n, sizeof *v) : NULL;
+  memcpy(at, &v, sizeof v);
+  if (v) {
+    ph_read_numbers(r, item, name, v, *n);
+  }
+}
+
 void ph_read_indices(struct ph_json_reader *r, const struct ph_slot *slot,
                      const struct ph_json_item *item, void *at, size_t *n) {
   struct ph_json_walk walk;

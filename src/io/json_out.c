@@ -276,7 +276,11 @@ static void write_value(struct output *out, const struct ph_slot *slot,
   switch (slot->form) {
   case PH_AS_DOUBLE:
   case PH_AS_RADIUS:
-    write_doubles(w, slot, at);
+    if (slot->numbers) {
+      ph_write_numbers(w, at, n);
+    } else {
+      write_doubles(w, slot, at);
+    }
     break;
   case PH_AS_KNOTS:
     ph_write_numbers(w, at, 2);

@@ -368,6 +368,9 @@ static void read_parts(struct input *in, const struct ph_slot *slot,
   case PH_AS_SIZE:
     ph_read_indices(in->r, slot, item, at, n);
     break;
+  case PH_AS_DOUBLE:
+    ph_read_list(in->r, slot->row->name, item, at, n);
+    break;
   case PH_AS_IMAGES:
     read_images(in, item, slot->row->name,
                 &((struct ph_curve *)o->at)->blaschke, o->i);
@@ -402,7 +405,7 @@ static void read_slots(struct input *in, const struct object *o,
     const struct ph_member *row = slot->row;
     const struct ph_json_item *item = &o->items[row - o->of->rows];
     bool parts =
-        slot->form >= PH_AS_LIST ||
+        slot->form >= PH_AS_LIST || slot->numbers ||
         (slot->form == PH_AS_SIZE && slot->indirect && row->where.how == PH_AT);
     void *at;
     if (o->without >> row->of & 1) {

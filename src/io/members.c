@@ -130,6 +130,10 @@ static const struct ph_member result[] = {
     {"intervals", MAY, INTERVALS, AS("[+]", interval),
      LIST(ph_result, intervals, intervals_n),
      "between consecutive data, or of each curve that is approximated"},
+    {"tangent_deviations", MAY, LENGTHS, AS("[+]", number),
+     LIST(ph_result, deviations, deviations_n),
+     "of tangents that were measured: the angles by which the curve misses "
+     "them"},
     {"length", TOLD, ANY, AS("", number), AT(ph_result, curve.length),
      "the arc length of the curve"},
     {"offsets", MAY, ANY, AS("[+]", offset),

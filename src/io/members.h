@@ -127,6 +127,7 @@ struct ph_sizes {
 struct ph_slot {
   const struct ph_member *row;
   enum ph_form form;
+  bool numbers;        /* an array of any number of them */
   bool indirect;       /* where it is, there is a pointer to it */
   size_t n, dimension; /* numbers: n; n vectors of dimension; else 0 */
   size_t size;         /* of all in memory */

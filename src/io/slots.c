@@ -65,8 +65,11 @@ size_t ph_slots(const struct ph_members *of, const struct ph_sizes *sizes,
     slot->size = type->size * (slot->n ? slot->n : 1) *
                  (slot->dimension ? slot->dimension : 1);
     slot->most = type->most < SIZE_MAX ? type->most : sizes->of['S' - 'A'] - 1;
+    slot->numbers =
+        type->form == PH_AS_DOUBLE && strncmp(row->type, "[+]", 3) == 0;
     slot->indirect = row->where.how == PH_EACH || type->form == PH_AS_LIST ||
-                     (type->form == PH_AS_SIZE && *row->type == '[');
+                     (type->form == PH_AS_SIZE && *row->type == '[') ||
+                     slot->numbers;
   }
   return n;
 }

@@ -115,7 +115,8 @@ bad missing-field lengths 'must be given with tangents' "{$tangents}"
 bad bad-value length_sigma 'needs lengths: without them they are free' \
   '"length_sigma":0.01'
 bad bad-value length_sigma \
-  'needs points or derivatives: tangents contradict no lengths' \
+  'needs points or derivatives, or tangent_sigma: exact tangents '\
+'contradict no lengths' \
   "{$tangents,$lengths,\"length_sigma\":0.01}"
 bad bad-value knots 'chordal needs points: derivatives have no chords' \
   "{$derivatives,$lengths,\"knots\":\"chordal\"}"
@@ -375,6 +376,10 @@ tangents='"tangents":[[1,0,0],[0,1,0],[0,0,1]],"lengths":[1,1e-9]'
 lost 'tangents whose lengths differ too much' \
   "$unmet; residual N of the mean length; $room" "$tangents,\"refine\":2"
 true_that 'tangents, more segments' grep -q -e '; --refine=3 gives' err
+lost 'tangents, measured' "$unmet; residual N of the mean length; \
+--tangent_sigma=N allows for tangents that were measured" \
+  "$tangents,\"refine\":3"
+tangents="$tangents,\"tangent_sigma\":1e-9"
 lost 'tangents, more starts' "$unmet; residual N of the mean length; $again" \
   "$tangents"
 true_that 'tangents, more starts: how many' grep -q -e '; --starts=20 begins' err

@@ -362,7 +362,8 @@ struct ph_arc_natural {
 /* A minimum. */
 struct ph_arc_found {
   struct ph_arc_point point;
-  size_t start; /* that led to it */
+  size_t start;  /* that led to it */
+  double weight; /* see ph_arc_fit; 0: of nothing */
 };
 
 struct ph_arc_search {
@@ -374,7 +375,8 @@ struct ph_arc_search {
   struct ph_arc_found *found; /* different ones, lowest first */
   size_t found_n;
   bool stood_still;            /* a curve was found and refused: it has speed
-                                * 0 where it is to have a direction */
+                                * 0 where it is to have a direction, or all but
+                                * that where this is missed */
   struct ph_arc_point nearest; /* if none was found: the iterate whose rows
                                 * hold best */
 };
@@ -392,6 +394,29 @@ bool ph_arc_is_same(double f, double g);
  */
 bool ph_arc_search_run(const struct ph_arc_request *request,
                        struct ph_arena *arena, struct ph_arc_search *search);
+
+/* ---- measured directions ---------------------------------------------------
+ */
+
+/*
+ * ph_arc_fit: of curves with exact directions, those with the least F whose
+ * directions and lengths miss the given ones by their standard deviations, root
+ * mean square, or less.
+ *
+ * With the weight L these minimise F + L sum e_k^2, e_k of a direction
+ * 2 sin(angle / 2) / sigma times the root of |r'| over what the lengths say
+ * it is, of a length the difference in standard deviations; L is such that
+ * the mean of e_k^2 is 1 [REI67].
+ *
+ * in    data    as read; the search was of the same with exact lengths
+ * inout search  found, with weights L, starts, system
+ * ret   false when memory is exhausted
+ */
+bool ph_arc_fit(const struct ph_arc_data *data, struct ph_arena *arena,
+                struct ph_arc_search *search);
+
+/* ph_arc_weigh: the compliances of a system that was fitted, for a weight. */
+void ph_arc_weigh(struct ph_arc_system *system, double weight);
 
 /* ---- the curve ----------------------------------------------------------- */
 

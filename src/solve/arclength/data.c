@@ -22,6 +22,9 @@ static const double ROUNDING = 16 * DBL_EPSILON;
 /* Below, lengths are exact; above, they are free. */
 static const double SIGMA_MIN = 1e-9, SIGMA_MAX = 1e3;
 
+/* A direction that is as uncertain as this, in radians, says nothing. */
+static const double ANGLE_MAX = 10;
+
 /* Farther from the origin a curve of mean length 1 loses its digits. */
 static const double FAR = 1e12;
 
@@ -94,12 +97,23 @@ static enum ph_status check_company(struct reading *r) {
     return ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
                    "needs lengths: without them they are free");
   }
+  if (ph_fields_given(r->problem, PH_F_TANGENT_SIGMA) &&
+      r->data->mode != PH_ARC_TANGENTS) {
+    return ph_fail(r->diag, PH_BAD_VALUE, "tangent_sigma",
+                   "needs tangents: %s have none", r->name);
+  }
+  if (ph_fields_given(r->problem, PH_F_TANGENT_SIGMA) &&
+      ph_value_is(field(r, PH_F_MAGNITUDES), "mean")) {
+    return ph_fail(r->diag, PH_BAD_VALUE, "tangent_sigma",
+                   "needs magnitudes free");
+  }
   if (ph_fields_given(r->problem, PH_F_LENGTH_SIGMA) &&
       r->data->mode == PH_ARC_TANGENTS &&
+      !ph_fields_given(r->problem, PH_F_TANGENT_SIGMA) &&
       !ph_value_is(field(r, PH_F_MAGNITUDES), "mean")) {
     return ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
-                   "needs points or derivatives: tangents contradict no "
-                   "lengths");
+                   "needs points or derivatives, or tangent_sigma: exact "
+                   "tangents contradict no lengths");
   }
   return PH_OK;
 }
@@ -174,6 +188,44 @@ static enum ph_status read_lengths(struct reading *r) {
     }
   }
   return status;
+}
+
+/* One for all, or one each; 0 is exact. */
+static enum ph_status read_tangent_sigma(struct reading *r) {
+  const struct ph_value *sigma = field(r, PH_F_TANGENT_SIGMA);
+  size_t n = r->data->n + 1;
+  bool any = false;
+  if (sigma->kind == PH_ABSENT) {
+    return PH_OK;
+  }
+  if (sigma->kind == PH_NUMBERS && sigma->n != n) {
+    return ph_fail(r->diag, PH_BAD_SHAPE, "tangent_sigma",
+                   "must have %zu numbers, one for each tangent, found %zu", n,
+                   sigma->n);
+  }
+  r->data->tangent_sigma = ph_arena_array(r->arena, n, sizeof(double));
+  if (!r->data->tangent_sigma) {
+    return ph_fail_memory(r->diag);
+  }
+  for (size_t j = 0; j < n; j++) {
+    bool each = sigma->kind == PH_NUMBERS;
+    double s = each ? sigma->v[j] : sigma->number;
+    r->data->tangent_sigma[j] = s;
+    any = any || s > 0;
+    if (!((s >= SIGMA_MIN && s <= ANGLE_MAX) || (s >= 0 && s <= 0))) {
+      const char *range = "must be 0 or between %g and %g, found %.17g";
+      return each ? ph_fail_at(r->diag, PH_BAD_VALUE, "tangent_sigma", j, range,
+                               SIGMA_MIN, ANGLE_MAX, s)
+                  : ph_fail(r->diag, PH_BAD_VALUE, "tangent_sigma", range,
+                            SIGMA_MIN, ANGLE_MAX, s);
+    }
+  }
+  r->data->tangent_sigma = any ? r->data->tangent_sigma : NULL;
+  return any || !(r->data->sigma > 0)
+             ? PH_OK
+             : ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
+                       "needs a tangent_sigma above 0: exact tangents "
+                       "contradict no lengths");
 }
 
 static ph_vec3 vector(const struct reading *r, size_t j) {
@@ -446,8 +498,8 @@ enum ph_status ph_arc_data_read(const struct ph_problem *problem,
                                 struct ph_arena *arena, struct ph_arc_data *d,
                                 struct ph_diag *diag) {
   static enum ph_status (*const steps[])(struct reading *) = {
-      find_vectors, check_company, check_start,  count,
-      allocate,     read_lengths,  read_numbers, read_knots};
+      find_vectors, check_company,      check_start,  count,     allocate,
+      read_lengths, read_tangent_sigma, read_numbers, read_knots};
   struct reading r = {
       .problem = problem, .data = d, .arena = arena, .diag = diag};
   enum ph_status status = PH_OK;

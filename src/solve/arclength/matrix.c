@@ -359,8 +359,11 @@ static void add_rows(const struct ph_arc_system *s,
     }
   }
   for (size_t r = 0; r < (n + 1) * s->knot_rows; r++) {
-    add_row(s, t, s->place_y[n * s->forms_n + r],
-            t->place + r / s->knot_rows * s->refine * dim, 2,
+    uint32_t at = s->place_y[n * s->forms_n + r];
+    if (s->knot_compliance) {
+      add(t, at, at, -s->knot_compliance[r / s->knot_rows]);
+    }
+    add_row(s, t, at, t->place + r / s->knot_rows * s->refine * dim, 2,
             linear->knot_rows + r * 2 * dim);
   }
 }
@@ -429,6 +432,9 @@ static void add_penalty(const struct ph_arc_system *s,
   }
   weight[0] = rho;
   for (size_t j = 0; s->knot_rows > 0 && j <= n; j++) {
+    for (size_t k = 0; s->knot_compliance && k < s->knot_rows; k++) {
+      weight[k] = 1 / (s->knot_compliance[j] + 1 / rho);
+    }
     add_products(t, t->place + j * s->refine * dim, 2, dim, s->knot_rows,
                  linear->knot_rows + j * s->knot_rows * 2 * dim, 2 * dim,
                  weight);

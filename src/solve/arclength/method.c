@@ -26,6 +26,7 @@ struct task {
   struct ph_arena *scratch;
   struct ph_diag *diag;
   struct ph_arc_data data;
+  struct ph_arc_data exact; /* the same, but for what was measured */
   struct ph_arc_request request;
   struct ph_arc_search search;
   bool keep_plane;
@@ -76,7 +77,11 @@ static enum ph_status read_starts(struct task *t) {
 static enum ph_status read_task(struct task *t) {
   enum ph_status status =
       ph_arc_data_read(t->problem, t->scratch, &t->data, t->diag);
-  t->request.data = &t->data;
+  t->exact = t->data;
+  if (t->data.tangent_sigma) {
+    t->exact.sigma = 0;
+  }
+  t->request.data = &t->exact;
   t->keep_plane =
       t->data.plane && !ph_value_is(&t->problem->field[PH_F_PLANAR], "free");
   status = status == PH_OK ? read_refine(t) : status;
@@ -175,8 +180,10 @@ static enum ph_status judge_in_space(struct task *t,
   struct ph_arc_point point;
   bool ok = ph_arc_system_of(&t->data, t->request.refine, 4, true, t->scratch,
                              &space);
-  if (ok && t->search.system.compliance) {
-    space.compliance = t->search.system.compliance;
+  space.compliance = t->search.system.compliance;
+  space.knot_compliance = t->search.system.knot_compliance;
+  if (ok && found->weight > 0) {
+    ph_arc_weigh(&space, found->weight);
   }
   ok = ok && ph_arc_newton_alloc(&space, t->scratch, &work) &&
        ph_arc_point_alloc(&space, t->scratch, &point);
@@ -190,7 +197,9 @@ static enum ph_status judge_in_space(struct task *t,
 
 static bool search_in(struct task *t, size_t dim) {
   t->request.dim = dim;
-  return ph_arc_search_run(&t->request, t->scratch, &t->search);
+  return ph_arc_search_run(&t->request, t->scratch, &t->search) &&
+         (!t->data.tangent_sigma ||
+          ph_arc_fit(&t->data, t->scratch, &t->search));
 }
 
 /* Whether the minima in the plane are minima in space. */
@@ -322,6 +331,10 @@ static const struct ph_field fields[] = {
      "arc lengths from datum to datum, one for all or one each"},
     {PH_F_LENGTH_SIGMA, PH_NUMBER, 0, false, NULL, "lengths are exact",
      "relative standard deviation of the lengths, which are then fitted"},
+    {PH_F_TANGENT_SIGMA, PH_NUMBER | PH_NUMBERS | PH_DATUM, 0, false, NULL,
+     "tangents are exact",
+     "standard deviation of the tangents in radians, one for all or one each, "
+     "which are then fitted"},
     {PH_F_KNOTS, PH_WORD | PH_NUMBERS | PH_DATUM, 0, false,
      "lengths|chordal|uniform", "lengths, without them chordal",
      "spacing of the knots, mean 1, or the knots themselves, increasing"},
@@ -347,6 +360,8 @@ static const struct ph_advice advice[] = {
      "--magnitudes=mean gives each derivative a length"},
     {"lengths", PH_F_REFINE, PH_F_REFINE, "3",
      "--refine=3 gives the curve more room"},
+    {"lengths", PH_F_TANGENTS, PH_F_TANGENT_SIGMA, NULL,
+     "--tangent_sigma=0.01 allows for tangents that were measured"},
     {"lengths", PH_F_POINTS, PH_F_LENGTH_SIGMA, NULL,
      "--length_sigma=0.001 allows for lengths that were measured"},
     {"lengths", PH_F_DERIVATIVES, PH_F_LENGTH_SIGMA, NULL,

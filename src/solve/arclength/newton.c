@@ -206,7 +206,8 @@ static double merit_derivative(struct state *t) {
   for (size_t k = 0; k < s->x_n; k++) {
     sum += l->f_x[k] * t->w->dx[k];
   }
-  if (s->compliance) { /* + c / compliance . J dx of the soft rows */
+  if (s->compliance ||
+      s->knot_compliance) { /* + c / compliance . J dx of the soft rows */
     ph_arc_rows_times(s, l, t->w->dx, t->w->c);
   }
   for (size_t r = 0; r < s->y_n; r++) {

@@ -414,7 +414,10 @@ static void set_diagnostics(const struct ph_arc_search *search,
   ph_diagnostics_set(diagnostics, PH_D_KKT_ERROR, p->kkt);
   ph_diagnostics_set(diagnostics, PH_D_SECOND_ORDER,
                      p->minimiser ? PH_OUTCOME_MINIMISER : PH_OUTCOME_SADDLE);
-  if (search->natural.known || search->system.compliance) {
+  if (found->weight > 0) {
+    ph_diagnostics_set(diagnostics, PH_D_TANGENT_WEIGHT,
+                       found->weight * unit(search));
+  } else if (search->natural.known || search->system.compliance) {
     double f = search->natural.f > F_DUST ? search->natural.f : 0;
     ph_diagnostics_set(diagnostics, PH_D_F_RELAXED, f * unit(search));
   }
@@ -459,6 +462,31 @@ set_intervals(const struct ph_arc_search *search,
   return PH_OK;
 }
 
+/* The angles to the directions that were measured, in the user's order, and the
+ * root mean square of these in standard deviations.
+ * out  each  [n + 1], or NULL */
+static void set_deviations(const struct ph_arc_search *search, const double *x,
+                           double *each, struct ph_diagnostics *diagnostics) {
+  const struct ph_arc_data *d = search->system.data;
+  double sum = 0;
+  size_t terms = 0;
+  for (size_t j = 0; d->tangent_sigma && j <= d->n; j++) {
+    double angle = ph_arc_deviation(&search->system, x, j);
+    double sigma = d->tangent_sigma[j];
+    if (each) {
+      each[d->reversed ? d->n - j : j] = angle;
+    }
+    if (sigma > 0) {
+      sum += angle / sigma * (angle / sigma);
+      terms++;
+    }
+  }
+  if (terms > 0) {
+    ph_diagnostics_set(diagnostics, PH_D_TANGENT_RMS,
+                       sqrt(sum / (double)terms));
+  }
+}
+
 static enum ph_status set_starts(const struct ph_arc_search *search,
                                  struct ph_arena *out, struct ph_result *result,
                                  struct ph_diag *diag) {
@@ -493,6 +521,8 @@ static enum ph_status set_solutions(const struct ph_arc_search *search,
     struct ph_solution *solution = &result->solutions[i];
     *solution = (struct ph_solution){.good = i == 0};
     set_diagnostics(search, &search->found[i], &solution->diagnostics);
+    set_deviations(search, search->found[i].point.x, NULL,
+                   &solution->diagnostics);
     status = ph_arc_curve(&search->system, search->found[i].point.x, out,
                           &solution->curve, &turn, diag);
     if (status == PH_OK) {
@@ -525,7 +555,15 @@ enum ph_status ph_arc_report(const struct ph_arc_search *search,
     status = set_intervals(search, &search->found[0], scratch, out,
                            &result->intervals, &result->diagnostics, diag);
   }
+  if (status == PH_OK && search->system.data->tangent_sigma) {
+    result->deviations_n = search->system.data->n + 1;
+    result->deviations =
+        ph_arena_array(out, result->deviations_n, sizeof *result->deviations);
+    status = result->deviations ? PH_OK : ph_fail_memory(diag);
+  }
   if (status == PH_OK) {
+    set_deviations(search, search->found[0].point.x, result->deviations,
+                   &result->diagnostics);
     status = set_starts(search, out, result, diag);
   }
   if (status == PH_OK && search->all) {

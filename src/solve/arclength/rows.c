@@ -185,6 +185,21 @@ static void knot_rows(const struct ph_arc_system *s, const double *x, size_t j,
   }
 }
 
+double ph_arc_deviation(const struct ph_arc_system *s, const double *x,
+                        size_t j) {
+  double m[4], off = 0, size;
+  knot_value(s, x, j, m);
+  size = ph_arc_dot(s->dim, m, m);
+  for (size_t k = 0; s->direction && k < s->knot_rows; k++) {
+    double c =
+        ph_arc_dot(s->dim, s->direction + (j * s->knot_rows + k) * s->dim, m);
+    off += c * c;
+  }
+  return size > PH_ARC_STANDSTILL
+             ? 2 * atan2(sqrt(off), sqrt(fmax(size - off, 0)))
+             : (double)NAN;
+}
+
 /* ---- the functional ------------------------------------------------------ */
 
 /* F of an interval, and its gradient by the nodes unless NULL. */

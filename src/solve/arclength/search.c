@@ -22,9 +22,6 @@ static const double ROUGH[2] = {1e-5, 1e-7}, INNER_F[2] = {1e-6, 1e-8};
 static const double SAME = 1e-7;
 static const double SAME_FLOOR = 1e-13;
 
-/* |r'| at a datum, relative to the mean, below which there is no direction. */
-static const double STANDSTILL = 1e-8;
-
 /* F of data that a curve without bending fits is rounding. */
 static const double F_FLOOR = 1e-12;
 
@@ -307,7 +304,7 @@ static bool stands_still(const struct ph_arc_system *s, const double *x) {
       double m = s->knot[2 * j] * w[k] + s->knot[2 * j + 1] * w[dim + k];
       speed += m * m;
     }
-    if (!(speed > STANDSTILL)) {
+    if (!(speed > PH_ARC_STANDSTILL)) {
       return true;
     }
   }

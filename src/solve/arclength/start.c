@@ -429,6 +429,7 @@ static void set_order(struct ph_arc_data *d) {
     reverse_numbers(d->length, d->n);
     reverse_numbers(d->h, d->n);
     reverse_numbers(d->chord, d->n);
+    reverse_numbers(d->tangent_sigma, d->n + 1);
     reverse_vectors(v, n);
   }
 }

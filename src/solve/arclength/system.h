@@ -39,9 +39,10 @@ struct ph_arc_data {
   double *h;      /* [n] spacings of the knots, mean 1 */
   double *length; /* [n]; NULL: they are free */
   double sigma;   /* their relative standard deviation; 0: they are exact */
-  double *chord;  /* [n] of points: |step|; else NULL */
-  ph_vec3 *step;  /* [n] of points: to the next one; else NULL */
-  ph_vec3 *given; /* [n + 1] derivatives, or unit tangents; else NULL */
+  double *tangent_sigma; /* [n + 1] of tangents, radians, 0: exact; or NULL */
+  double *chord;         /* [n] of points: |step|; else NULL */
+  ph_vec3 *step;         /* [n] of points: to the next one; else NULL */
+  ph_vec3 *given;        /* [n + 1] derivatives, or unit tangents; else NULL */
 
   bool plane;      /* all vectors are in the plane z = 0 */
   bool line;       /* all are along x */
@@ -230,6 +231,9 @@ enum {
   PH_ARC_LOCAL = 4 * PH_ARC_SPAN + 1 /* unknowns of an interval: and chi */
 };
 
+/* |r'| at a datum, relative to the mean, below which there is no direction. */
+#define PH_ARC_STANDSTILL 1e-8
+
 struct ph_arc_system {
   const struct ph_arena *arena; /* knows how much time there is */
   const struct ph_arc_data *data;
@@ -253,7 +257,8 @@ struct ph_arc_system {
   double *target;     /* [n][forms_n] */
   double *direction;  /* [n + 1][knot_rows][dim] of (3), or NULL */
   double *compliance; /* [n] of length rows, c - compliance y = 0; or NULL */
-  double *white;      /* [n][forms_n][forms_n] taken to the rows (1); or NULL */
+  double *knot_compliance; /* [n + 1] of the rows (3) of a knot; or NULL */
+  double *white; /* [n][forms_n][forms_n] taken to the rows (1); or NULL */
 
   uint32_t *place_x; /* [x_n] places of the unknowns in the KKT matrix */
   uint32_t *place_y; /* [y_n] and of the multipliers */
@@ -299,9 +304,15 @@ static inline size_t ph_arc_touched(const struct ph_arc_system *system,
 /* ph_arc_compliance: what row r yields to its multiplier; 0: it is exact. */
 static inline double ph_arc_compliance(const struct ph_arc_system *system,
                                        size_t r) {
-  bool soft = system->compliance && r < system->data->n * system->forms_n &&
-              r % system->forms_n == 0;
-  return soft ? system->compliance[r / system->forms_n] : 0;
+  size_t knots = system->data->n * system->forms_n;
+  if (r >= knots) {
+    return system->knot_compliance
+               ? system->knot_compliance[(r - knots) / system->knot_rows]
+               : 0;
+  }
+  return system->compliance && r % system->forms_n == 0
+             ? system->compliance[r / system->forms_n]
+             : 0;
 }
 
 /* ph_arc_index: which unknowns of x an interval has, in the order of its rows.
@@ -346,6 +357,11 @@ void ph_arc_residual(const struct ph_arc_system *system, const double *x,
 /* ph_arc_lengths: the lengths of the intervals.  out length[n] */
 void ph_arc_lengths(const struct ph_arc_system *system, const double *x,
                     double *length);
+
+/* ph_arc_deviation: the angle from r' at knot j to the direction that is given
+ * there; NaN where the curve stands still. */
+double ph_arc_deviation(const struct ph_arc_system *system, const double *x,
+                        size_t j);
 
 /* ph_arc_linearise: everything at x with multipliers y. */
 void ph_arc_linearise(const struct ph_arc_system *system, const double *x,
