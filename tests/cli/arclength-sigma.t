@@ -78,7 +78,7 @@ for change in 's/"tangent_deviations":\[0\./&1/' 's/"tangent_rms":/&1/'; do
   equal "a false claim, $change" 1 "$status"
 done
 
-# Turned: the same curve.
+# Turned, reversed, at another size: the same curve.
 get_f() {
   f_of "$1,\"tangent_sigma\":0.03" >found
   holds "the same: $2" "x[1] > $3 * (1 - 1e-6) && x[1] < $3 * (1 + 1e-6)" <found
@@ -86,6 +86,21 @@ get_f() {
 f=$(json get diagnostics.F result)
 turned=$(printf '[%s]' "$sensors" | sed 's/\[\([^][,]*\),\([^,]*\),\([^],]*\)\]/[\2,\3,\1]/g')
 get_f "\"tangents\":$turned,\"lengths\":$lengths" turned "$f"
+cp result out
+each 8 'tangent_deviations[@]' | sed '1!G;h;$!d' >angles
+back=$(printf '[%s]' "$sensors" | sed 's/\],\[/\n/g; s/[][]//g' |
+  sed '1!G;h;$!d' |
+  awk -F, '{ printf "%s[%s,%s,%s]", (NR > 1 ? "," : ""), -$1, -$2, -$3 }')
+gnol=$(printf %s "$lengths" | tr -d '[]' | tr , '\n' | sed '1!G;h;$!d' |
+  tr '\n' , | sed 's/,$//')
+get_f "\"tangents\":[$back],\"lengths\":[$gnol]" reversed "$f"
+each 8 'tangent_deviations[@]' >back
+numbers 'reversed: the angles, too' 1e-6 angles back
+large=$(printf %s "$lengths" | tr -d '[]' | tr , '\n' |
+  awk '{ printf "%s%.17g", (NR > 1 ? "," : ""), $1 * 1024 }')
+get_f "\"tangents\":[$sensors],\"lengths\":[$large]" large \
+  "$(awk "BEGIN { printf \"%.17g\", $f * 1024 }")"
+
 # One for each: those of 0 are exact.
 solve "$wave,\"tangent_sigma\":[0,0.1,0,0.1,0]"
 expect 'one for each' 0

@@ -401,11 +401,11 @@ $(failed 1 1)" \
 # ---- warnings ----------------------------------------------------------------
 
 reversal='{"id":"r","points":[[0,0],[1,0],[0,0]]}'
-loop='{"id":"l","points":[[0,0],[1,1]],"end_derivatives":[[-1,-1],[-1,-1]]}'
+loop='{"id":"l","points":[[0,0],[1,1]],"end_derivatives":[[0,-1],[-1,0]]}'
 reversal_says='the data turn back by 180 degrees at points[1] (such points: 1): of two
 mirror images the left turn was taken'
 reversal_says=$(printf %s "$reversal_says" | tr '\n' ' ')
-loop_says='segment 0 turns by 6.283 radians, more than half a turn (such
+loop_says='segment 0 turns by 4.712 radians, more than half a turn (such
 segments: 1)'
 loop_says=$(printf %s "$loop_says" | tr '\n' ' ')
 

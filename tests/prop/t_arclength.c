@@ -226,7 +226,8 @@ PH_TEST(test_soft_is_monotone) {
   }
 }
 
-/* Lengths that are asked for, and are natural, change nothing. */
+/* Lengths that are asked for, and are natural, change nothing; where F is 0 to
+ * rounding (three points) more than one curve has them. */
 PH_TEST(test_natural_lengths) {
   struct unit_random r = unit_random_of(9);
   for (size_t i = 0; i < unit_cases(20); i++) {
@@ -241,8 +242,10 @@ PH_TEST(test_natural_lengths) {
     }
     arc_must(&data, i, &other);
     away = distance();
-    ck_that(away <= 1e-5 && is_near_f(arc_f(&one), arc_f(&other), 1e-6),
-            "%.3g away, F %.17g, %.17g", away, arc_f(&one), arc_f(&other));
+    ck_that((away <= 1e-5 || arc_f(&one) < 1e-25) &&
+                is_near_f(arc_f(&one), arc_f(&other), 1e-6),
+            "%zu intervals, refine %d: %.3g away, F %.17g, %.17g", data.n,
+            data.refine, away, arc_f(&one), arc_f(&other));
   }
 }
 

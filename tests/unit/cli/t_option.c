@@ -14,9 +14,9 @@ static const struct ph_field rows[] = {
     {PH_F_TOLERANCE, PH_NUMBER, 0, false, NULL, "none", "how near to come"},
 };
 static const struct ph_method named = {
-    {"named", rows, 2}, "A title", 2, PH_CURVE_PH, NULL};
+    .schema = {"named", rows, 2}, .title = "A title", .dimension = 2};
 static const struct ph_method other = {
-    {"other", rows, 1}, "A title", 2, PH_CURVE_SPHERICAL_NU, NULL};
+    .schema = {"other", rows, 1}, .title = "A title", .dimension = 2};
 static const struct ph_command of_named = {PH_SOLVES_BY(named, CURVE), NULL,
                                            ""};
 static const struct ph_command of_other = {PH_SOLVES_BY(other, CURVE), NULL,
