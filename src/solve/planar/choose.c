@@ -4,7 +4,7 @@
  *
  * Where the data turn by an angle x of more than a right one, the tangent may
  * as well turn by x - 2 pi, the other way round.  Of random sets of 4 to 7
- * points one in five has a curve that does, of an IES less by a tenth and more,
+ * points one in six has a curve that does, of an IES less by a tenth and more,
  * without a crossing that the first one has not.  A start with such a turn
  * leads to it: of 6400 sets, open and closed, of both bases, the turns beyond a
  * right angle, in all combinations, led to the fairest of all solutions (all.c)
