@@ -441,10 +441,10 @@ static void perturbed_one(struct tally *t, uint64_t *state) {
   t->saddles +=
       is_solved(&run) &&
       (enum ph_outcome)value(&run, PH_D_SECOND_ORDER) == PH_OUTCOME_SADDLE;
-  t->infeasible += run.status == PH_INFEASIBLE;
-  t->no_solution += run.status == PH_NO_CONVERGENCE;
-  t->other += run.status != PH_OK && run.status != PH_INFEASIBLE &&
-              run.status != PH_NO_CONVERGENCE;
+  t->infeasible += run.status == PH_E_INFEASIBLE;
+  t->no_solution += run.status == PH_E_NO_CONVERGENCE;
+  t->other += run.status != PH_OK && run.status != PH_E_INFEASIBLE &&
+              run.status != PH_E_NO_CONVERGENCE;
   if (run.status == PH_OK && (run.certificate != PH_OK || below)) {
     t->wrong++;
     printf("  wrong: datum %zu, %s\n", t->n, run.diag.message);

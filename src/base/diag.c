@@ -66,7 +66,7 @@ void ph_diag_add(struct ph_diag *diag, const char *text) {
 }
 
 enum ph_status ph_fail_memory(struct ph_diag *diag) {
-  return ph_fail(diag, PH_NO_MEMORY, NULL, "memory is exhausted");
+  return ph_fail(diag, PH_E_NO_MEMORY, NULL, "memory is exhausted");
 }
 
 void ph_diag_sentence(const struct ph_diag *diag, char *text, size_t size) {

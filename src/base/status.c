@@ -32,6 +32,17 @@ const char *ph_status_meaning(enum ph_status status) {
   return meanings[status];
 }
 
+bool ph_status_is_warning(enum ph_status status) {
+  switch (status) {
+#define X(symbol, code, class, meaning) case PH_##symbol:
+    PH_WARNINGS(X)
+#undef X
+    return true;
+  default:
+    return false;
+  }
+}
+
 enum ph_class ph_status_class(enum ph_status status) {
   return classes[status];
 }

@@ -168,7 +168,7 @@ static double length_misses(const struct ph_check *v, const double *lengths) {
 }
 
 /* Directions of the problem that were measured, and how they are missed.
- * ret  PH_OK | PH_NO_MEMORY */
+ * ret  PH_OK | PH_E_NO_MEMORY */
 static enum ph_status measure(const struct ph_check *v, const double *lengths,
                               double weight, struct measured *m) {
   const struct ph_value *given = v->data->vectors;
@@ -217,19 +217,19 @@ static enum ph_status judge(struct ph_check *v, const double *exact,
   ph_diagnostics_set(diagnostics, PH_D_KKT_ERROR, found->kkt_error);
   if (ph_check_known(v, PH_D_F) &&
       !(fabs(claimed - found->f) <= SAME_F * found->f + found->f_rounding)) {
-    return ph_fail(v->diag, PH_NO_CONVERGENCE, NULL,
+    return ph_fail(v->diag, PH_E_NO_CONVERGENCE, NULL,
                    "the curve is refused by its certificate: F is %.10g, not "
                    "%.10g",
                    found->f, claimed);
   }
   if (!(rms <= 1 + FITTED)) {
-    return ph_fail(v->diag, PH_NO_CONVERGENCE, NULL,
+    return ph_fail(v->diag, PH_E_NO_CONVERGENCE, NULL,
                    "the curve is refused by its certificate: it misses the "
                    "tangents by %.6g standard deviations, at most 1 is allowed",
                    rms);
   }
   if (!(found->kkt_error <= STATIONARY)) {
-    return ph_fail(v->diag, PH_NO_CONVERGENCE, NULL,
+    return ph_fail(v->diag, PH_E_NO_CONVERGENCE, NULL,
                    "the curve is refused by its certificate: kkt_error is "
                    "%.3g, at most %.3g is allowed",
                    found->kkt_error, STATIONARY);
@@ -237,7 +237,7 @@ static enum ph_status judge(struct ph_check *v, const double *exact,
   if (ph_check_known(v, PH_D_SECOND_ORDER) && !found->minimiser &&
       !is_polygon(v, exact) && !(found->f <= found->f_rounding) &&
       !(diagnostics->value[PH_D_SECOND_ORDER] > PH_OUTCOME_MINIMISER)) {
-    return ph_fail(v->diag, PH_NO_CONVERGENCE, NULL,
+    return ph_fail(v->diag, PH_E_NO_CONVERGENCE, NULL,
                    "the curve is refused by its certificate: it is claimed to "
                    "be a minimiser, but F can fall");
   }
@@ -291,7 +291,7 @@ enum ph_status ph_check_arclength(struct ph_check *v,
   if (!(each <= PH_CHECK_REFINE_MAX) ||
       (refine->kind == PH_NUMBER &&
        (each < refine->number || each > refine->number))) {
-    return ph_fail(v->diag, PH_INTERNAL, "segments",
+    return ph_fail(v->diag, PH_E_INTERNAL, "segments",
                    "are not one to three for each interval of the data");
   }
   for (size_t k = 0; k < v->curve->n && !ph_arena_late(v->scratch); k++) {

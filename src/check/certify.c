@@ -78,7 +78,7 @@ static enum ph_status check_curve(struct ph_check *v,
     return status != PH_OK ? status : v->status;
   }
   if (!set_scale(v)) {
-    return ph_fail(v->diag, PH_INTERNAL, "points", "have no extent");
+    return ph_fail(v->diag, PH_E_INTERNAL, "points", "have no extent");
   }
   set_units(v);
   ph_check_segments(v);
@@ -112,7 +112,7 @@ enum ph_status ph_certify(const char *command, const struct ph_problem *problem,
     wrong = ph_promise_breach(promise, curve, &member);
   }
   if (wrong) {
-    return ph_fail(diag, PH_INTERNAL, member, "%s", wrong);
+    return ph_fail(diag, PH_E_INTERNAL, member, "%s", wrong);
   }
   v.kind = &ph_check_kinds[curve->kind];
   status = promise->surface ? PH_OK : ph_check_finite(curve, diag);

@@ -21,10 +21,10 @@
  *
  * in   diagnostics  claims that a row below says it looks at
  * out  diagnostics  what was found
- * ret  PH_OK | PH_INTERNAL (the command promises nothing, or the curve is of no
- *      kind, dimension or degree that it makes) | PH_TOO_LARGE (something is
- * not finite) | PH_NO_CONVERGENCE (an error exceeds its tolerance; says which
- *      and where) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_INTERNAL (the command promises nothing, or the curve is of
+ *      no kind, dimension or degree that it makes) | PH_E_TOO_LARGE (something
+ *      is not finite) | PH_E_NO_CONVERGENCE (an error exceeds its tolerance;
+ *      says which and where) | PH_E_NO_MEMORY
  */
 enum ph_status ph_certify(const char *command, const struct ph_problem *problem,
                           const struct ph_curve *curve,
@@ -64,9 +64,9 @@ enum ph_status ph_certify(const char *command, const struct ph_problem *problem,
  * curve/fair/fair3.h.  `phspline verify' finds them by a quadrature of its own
  * (check/fair.c).
  *
- * ret  PH_OK | PH_TOO_LARGE (something is not finite) | PH_NO_CONVERGENCE
- *      (an error exceeds its tolerance; says which and where) | PH_INTERNAL
- *      (segments and data do not fit together) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_TOO_LARGE (something is not finite) | PH_E_NO_CONVERGENCE
+ *      (an error exceeds its tolerance; says which and where) | PH_E_INTERNAL
+ *      (segments and data do not fit together) | PH_E_NO_MEMORY
  *
  * ---- the rows of the table: what else, of curves that are what ph_certify
  * says
@@ -132,7 +132,7 @@ ph_promise_fn ph_check_arclength;
  * it is not the curve of its tensions, or with shape=false when these are not
  * those of the problem, and when an indicator is not the turn of the data.
  *
- * ret  as above; PH_INTERNAL when segments, sphere and problem do not fit
+ * ret  as above; PH_E_INTERNAL when segments, sphere and problem do not fit
  *      together
  */
 ph_promise_fn ph_check_sphere;
@@ -169,7 +169,7 @@ ph_promise_fn ph_check_sphere;
  * bound confirms it but for rounding; no claim is refused.
  *
  * in   diagnostics  distance as claimed, or unknown: what is looked for
- * ret  as above; PH_INTERNAL when segments, knots and problem do not fit
+ * ret  as above; PH_E_INTERNAL when segments, knots and problem do not fit
  *      together
  */
 ph_promise_fn ph_check_tc;

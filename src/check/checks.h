@@ -18,7 +18,7 @@ bool ph_check_arrays(struct ph_check *v);
  * and what the problem gives.
  *
  * out  data, space  what v->data and v->space are
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_check_begin(struct ph_check *v, struct ph_check_data *data,
                               struct ph_check_space *space);
@@ -75,7 +75,7 @@ void ph_check_blaschke(struct ph_check *v);
  * ph_check_given_begin: what the problem gives, if there is one and its data
  * are those of a curve like this; v->data is NULL if not.
  *
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_check_given_begin(struct ph_check *v,
                                     struct ph_check_data *data);
@@ -91,7 +91,7 @@ void ph_check_given_lengths(struct ph_check *v);
 bool ph_check_is_approximation(const struct ph_check *v);
 
 /* ph_check_approximation: of cubics from the curve of the problem.
- * ret  PH_OK | PH_NO_MEMORY */
+ * ret  PH_OK | PH_E_NO_MEMORY */
 enum ph_status ph_check_approximation(struct ph_check *v);
 
 /*

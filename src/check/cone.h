@@ -53,7 +53,7 @@ void ph_check_cone_elements(struct ph_check_cone *cone);
 void ph_check_cone_told(struct ph_check_cone *cone);
 
 /* ph_check_surface: all of these, of the record of v; for verify.c.  ret PH_OK
- * | PH_NO_MEMORY */
+ * | PH_E_NO_MEMORY */
 enum ph_status ph_check_surface(struct ph_check *v);
 
 #endif

@@ -51,7 +51,7 @@ bool ph_check_cone_arrays(struct ph_check *v, const struct ph_curve *c) {
     const char *member;
     const char *fault = fault_of(&c->surface.strips[i], i, &member);
     if (fault && v->error) {
-      v->status = ph_fail_at(v->diag, PH_TOO_LARGE, "strips", i, "%s", fault);
+      v->status = ph_fail_at(v->diag, PH_E_TOO_LARGE, "strips", i, "%s", fault);
       return false;
     }
     if (fault) {

@@ -80,7 +80,8 @@ struct ph_check_dips ph_check_slow_of(const struct ph_check_segment *s) {
     normal *= (double)(s->m - j) / (double)(j + 1);
   }
   least = SLOW * high;
-  return s->m > 0 && is_far(w, s->m, least, s->angle > 0 ? HALVINGS : 0)
-             ? (struct ph_check_dips){.low = least * least}
-             : ph_check_dips_of(square_speed, s);
+  if (s->m > 0 && is_far(w, s->m, least, s->angle > 0 ? HALVINGS : 0)) {
+    return (struct ph_check_dips){.low = least * least};
+  }
+  return ph_check_dips_of(square_speed, s);
 }

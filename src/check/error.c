@@ -9,7 +9,7 @@ static enum ph_status conclude(const struct ph_check_error *check,
   if (check->excess <= 1 && isfinite(check->reported)) {
     return PH_OK;
   }
-  return ph_fail_at(diag, PH_NO_CONVERGENCE,
+  return ph_fail_at(diag, PH_E_NO_CONVERGENCE,
                     check->list ? check->list : "segments", check->where,
                     "is refused by its certificate: %s is %.3g, at most %.3g "
                     "is allowed",
@@ -39,6 +39,6 @@ enum ph_status ph_check_finite(const struct ph_curve *curve,
       (!curve->choice.tension || ph_are_finite(curve->choice.tension, n))) {
     return PH_OK;
   }
-  return ph_fail(diag, PH_TOO_LARGE, NULL,
+  return ph_fail(diag, PH_E_TOO_LARGE, NULL,
                  "the curve exceeds the range of a double");
 }

@@ -43,14 +43,14 @@ static inline void ph_check_add(struct ph_check_error *check, size_t where,
 }
 
 /* ph_check_conclude: stores n errors, up to the first that exceeded its
- * tolerance anywhere: PH_NO_CONVERGENCE, with the worst place.  One that is
+ * tolerance anywhere: PH_E_NO_CONVERGENCE, with the worst place.  One that is
  * NULL was not asked for. */
 enum ph_status ph_check_conclude(const struct ph_check_error *const *check,
                                  size_t n, struct ph_diagnostics *diagnostics,
                                  struct ph_diag *diag);
 
-/* ph_check_finite: PH_TOO_LARGE unless all numbers of the curve are finite; of
- * angles[] some may be none. */
+/* ph_check_finite: PH_E_TOO_LARGE unless all numbers of the curve are finite;
+ * of angles[] some may be none. */
 enum ph_status ph_check_finite(const struct ph_curve *curve,
                                struct ph_diag *diag);
 

@@ -49,7 +49,7 @@ void ph_check_wrong(struct ph_check *v, enum ph_check_id check,
                     struct ph_check_where where, const char *what) {
   struct ph_check_finding *worst;
   if (v->error) {
-    v->status = ph_fail(v->diag, PH_INTERNAL, where.list, "%s", what);
+    v->status = ph_fail(v->diag, PH_E_INTERNAL, where.list, "%s", what);
     return;
   }
   worst = &v->verdict->check[check];

@@ -37,7 +37,7 @@ enum ph_status ph_check_spatial_hermite(struct ph_check *v,
       [PH_CHECK_SHAPE_END] = "it is not convex at its end",
       [PH_CHECK_SHAPE_TORSION] = "its torsion changes sign"};
   if (v->fault != PH_CHECK_SHAPE_KEPT) {
-    return ph_fail_at(v->diag, PH_NO_CONVERGENCE, "segments", v->fault_at,
+    return ph_fail_at(v->diag, PH_E_NO_CONVERGENCE, "segments", v->fault_at,
                       "is refused by its certificate: %s is claimed, but %s",
                       ph_diagnostic_name(PH_D_SHAPE_OK), wrong[v->fault]);
   }

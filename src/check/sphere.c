@@ -152,7 +152,7 @@ static enum ph_status check_points(const struct context *c,
     double off;
     ph_vec3 datum = datum_at(c, i, &off);
     if (!(off <= c->moved + ROUND_POINT * c->rounding)) {
-      return ph_fail_at(diag, PH_NO_CONVERGENCE, "points", i,
+      return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "points", i,
                         "is not on the sphere: it was moved by %.3g of the "
                         "radius, at most %.3g is allowed",
                         off, c->moved);
@@ -169,7 +169,7 @@ static enum ph_status check_knots(const struct context *c, double h, size_t k,
   double allowed = KNOT * c->farthest_knot +
                    (c->knots == NUMBERS ? 0 : ROUND_POINT * c->rounding);
   if (!(fabs(t[k + 1] - t[k] - h) <= allowed)) {
-    return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
+    return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "segments", k,
                       "is refused by its certificate: its knots are %.10g "
                       "apart, and should be %.10g",
                       t[k + 1] - t[k], h);
@@ -342,13 +342,13 @@ static enum ph_status check_node(const struct context *c, const struct node *n,
   ph_check_nu_node_turn(&data, c->rule.epsilon);
   add_fault(c, checks, ph_check_nu_node_fault(&data, &c->rule), n->i);
   if (!ph_check_nu_node_indicates(&data)) {
-    return ph_fail_at(diag, PH_NO_CONVERGENCE, "indicators", n->i,
+    return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "indicators", n->i,
                       "is refused by its certificate: it is %d where the data "
                       "turn by an angle of sine %.3g, and up to %.3g is none",
                       data.indicator, data.sine, data.limit);
   }
   if (!is_given_tension(c, n->i)) {
-    return ph_fail_at(diag, PH_NO_CONVERGENCE, "tensions", n->i,
+    return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "tensions", n->i,
                       "is refused by its certificate: %.17g is not what was "
                       "given",
                       nu);
@@ -421,7 +421,7 @@ static enum ph_status check_tension(const struct context *c,
   if (tension->excess <= 1) {
     return PH_OK;
   }
-  return ph_fail_at(diag, PH_NO_CONVERGENCE, "tensions", tension->where,
+  return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "tensions", tension->where,
                     "is refused by its certificate: the curve is not that of "
                     "%.10g, it misses its equation by %.3g, at most %.3g is "
                     "allowed",
@@ -437,7 +437,7 @@ static enum ph_status check_shape(const struct context *c,
     return PH_OK;
   }
   return ph_fail_at(
-      diag, PH_NO_CONVERGENCE,
+      diag, PH_E_NO_CONVERGENCE,
       checks->fault == PH_CHECK_NU_CONVEXITY ? "segments" : "points",
       checks->fault_at,
       "is refused by its certificate: %s is asked for, but %s does not hold",
@@ -574,23 +574,23 @@ enum ph_status ph_check_sphere(struct ph_check *v,
                           .shape_ok = true};
   enum ph_status status;
   if (!read_problem(&c)) {
-    return ph_fail(diag, PH_INTERNAL, "segments",
+    return ph_fail(diag, PH_E_INTERNAL, "segments",
                    "are not one for each pair of neighbouring points");
   }
   if (!is_sphere(&c)) {
-    return ph_fail(diag, PH_INTERNAL, "radius",
+    return ph_fail(diag, PH_E_INTERNAL, "radius",
                    "or center is not that of the problem");
   }
   if (!ph_are_finite(curve->sphere.tensions, curve->n + !curve->closed)) {
-    return ph_fail(diag, PH_TOO_LARGE, "tensions",
+    return ph_fail(diag, PH_E_TOO_LARGE, "tensions",
                    "exceed the range of a double");
   }
   if (!ph_check_nu_waived_fit(&curve->sphere, curve->n)) {
-    return ph_fail(diag, PH_INTERNAL, "waived",
+    return ph_fail(diag, PH_E_INTERNAL, "waived",
                    "are not points in their order");
   }
   if (!set_scale(&c)) {
-    return ph_fail(diag, PH_INTERNAL, "points", "have no extent");
+    return ph_fail(diag, PH_E_INTERNAL, "points", "have no extent");
   }
   status = check_curve(&c, &checks, diag);
   return status == PH_OK ? conclude(&c, &checks, diagnostics, diag) : status;

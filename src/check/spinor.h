@@ -64,7 +64,7 @@ struct ph_spinor_element {
   struct ph_spinor_form form[4];
 };
 
-/* ph_spinor_of: the spline of a curve; PH_OK | PH_NO_MEMORY. */
+/* ph_spinor_of: the spline of a curve; PH_OK | PH_E_NO_MEMORY. */
 enum ph_status ph_spinor_of(const struct ph_curve *curve,
                             const struct ph_spinor_rows *rows,
                             struct ph_arena *arena, struct ph_spinor *spline,

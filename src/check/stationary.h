@@ -48,7 +48,7 @@ struct ph_stationary {
 /*
  * ph_stationary_of: what a curve is.
  *
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_stationary_of(const struct ph_curve *curve,
                                 const struct ph_spinor_rows *rows,

@@ -165,12 +165,12 @@ static enum ph_status check_number(const struct ph_tc_check *c,
   size_t least = w->mode == PH_TC_WANTED_TWO ? 2 * w->n : w->n;
   size_t most = w->mode == PH_TC_WANTED_ONE ? w->n : 2 * w->n;
   if (n < least || n > most) {
-    return ph_fail(diag, PH_INTERNAL, "segments",
+    return ph_fail(diag, PH_E_INTERNAL, "segments",
                    "are %zu for %zu intervals of the data", n, w->n);
   }
   for (size_t k = 0; k <= n; k++) {
     if (!(fabs(c->curve->knots[k] - (double)k) <= 0)) {
-      return ph_fail_at(diag, PH_INTERNAL, "knots", k,
+      return ph_fail_at(diag, PH_E_INTERNAL, "knots", k,
                         "is %.17g, and not its number", c->curve->knots[k]);
     }
   }
@@ -196,13 +196,13 @@ static enum ph_status check_claims(const struct ph_tc_check *c,
   if (w->n == 1 && ph_diagnostics_known(diagnostics, PH_D_RATIO) &&
       !(last == 0 &&
         fabs(end - square * first) <= slack * end + (1 + square) * rounding)) {
-    return ph_fail(diag, PH_INTERNAL, "diagnostics",
+    return ph_fail(diag, PH_E_INTERNAL, "diagnostics",
                    "D is %.17g, which its legs do not have", value[PH_D_RATIO]);
   }
   if (w->n == 1 && ph_diagnostics_known(diagnostics, PH_D_LAMBDA) && last > 0 &&
       isnan(w->lambda) &&
       !(fabs(first - lambda * chord) <= slack * first + rounding)) {
-    return ph_fail(diag, PH_INTERNAL, "diagnostics",
+    return ph_fail(diag, PH_E_INTERNAL, "diagnostics",
                    "lambda is %.17g, which its derivatives do not have",
                    lambda);
   }
@@ -222,7 +222,7 @@ enum ph_status ph_check_tc(struct ph_check *v,
     return ph_check_tc_approximation(v, diagnostics);
   }
   if (points->kind != PH_VECTORS || points->dimension != 2 || points->n < 2) {
-    return ph_fail(diag, PH_INTERNAL, "points", "are not in the plane");
+    return ph_fail(diag, PH_E_INTERNAL, "points", "are not in the plane");
   }
   status = ph_tc_check_begin(&c, curve, v->scratch, points->v, points->n, diag);
   if (status == PH_OK) {

@@ -286,7 +286,7 @@ static enum ph_status check_knots(const struct context *x,
     bad = n;
   }
   return bad > n ? PH_OK
-                 : ph_fail_at(diag, PH_INTERNAL, "knots", bad,
+                 : ph_fail_at(diag, PH_E_INTERNAL, "knots", bad,
                               "is %.17g, which does not fit %zu curves", t[bad],
                               x->pieces);
 }
@@ -355,7 +355,7 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
   }
   if ((chain->kind != PH_POLYLINE && chain->kind != PH_VECTORS) ||
       chain->dimension != 2 || least < 2) {
-    return ph_fail(diag, PH_INTERNAL, "curve", "is none in the plane");
+    return ph_fail(diag, PH_E_INTERNAL, "curve", "is none in the plane");
   }
   status = ph_tc_check_begin(&x->c, curve, scratch, chain->v, chain->n, diag);
   if (status != PH_OK) {
@@ -383,7 +383,7 @@ static enum ph_status certify(struct context *x,
   }
   if (pieces->kind == PH_NUMBER && !((double)n <= pieces->number)) {
     return ph_fail(
-        diag, PH_NO_CONVERGENCE, "segments",
+        diag, PH_E_NO_CONVERGENCE, "segments",
         "is refused by its certificate: there are %zu, at most %.17g "
         "are allowed",
         n, pieces->number);

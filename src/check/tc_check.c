@@ -39,7 +39,7 @@ enum ph_status ph_tc_check_begin(struct ph_tc_check *c,
                             .length = {.what = PH_D_LENGTH_ERROR},
                             .regular = true};
   if (curve->preimage.n != 2 || curve->preimage.dimension != 2) {
-    return ph_fail(diag, PH_INTERNAL, "segments",
+    return ph_fail(diag, PH_E_INTERNAL, "segments",
                    "are no Tschirnhausen cubics");
   }
   if (!ph_quad_gauss(&c->rule, PH_CHECK_NODES_PH)) {
@@ -47,7 +47,7 @@ enum ph_status ph_tc_check_begin(struct ph_tc_check *c,
   }
   return ph_check_scale_of(points, n, 2, &c->scale)
              ? PH_OK
-             : ph_fail(diag, PH_INTERNAL, "points", "have no extent");
+             : ph_fail(diag, PH_E_INTERNAL, "points", "have no extent");
 }
 
 ph_cplx ph_tc_check_direction(ph_cplx v) {
@@ -218,7 +218,7 @@ enum ph_status ph_tc_check_conclude(struct ph_tc_check *c, bool may_stop,
   }
   if (!c->regular && !may_stop) {
     ph_diagnostics_set(diagnostics, PH_D_REGULAR, 0);
-    return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", c->irregular,
+    return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "segments", c->irregular,
                       "is refused by its certificate: %s is false: it stands "
                       "still",
                       ph_diagnostic_name(PH_D_REGULAR));

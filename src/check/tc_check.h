@@ -49,8 +49,8 @@ struct ph_tc_cubic {
  *
  * in   arena  knows how much time there is
  * in   points[n][2]
- * ret  PH_OK | PH_TOO_LARGE | PH_INTERNAL (it is no such curve, or they have no
- *      extent) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_TOO_LARGE | PH_E_INTERNAL (it is no such curve, or they
+ *      have no extent) | PH_E_NO_MEMORY
  */
 enum ph_status ph_tc_check_begin(struct ph_tc_check *c,
                                  const struct ph_curve *curve,

@@ -87,7 +87,7 @@ enum ph_status ph_tc_wanted_of(const struct ph_problem *p,
       !vectors(w, PH_F_TANGENTS, &w->tangents) ||
       !vectors(w, PH_F_DERIVATIVES, &w->derivatives) ||
       !two_ends(p, PH_F_END_TANGENTS) || !two_ends(p, PH_F_END_DERIVATIVES)) {
-    return ph_fail(diag, PH_INTERNAL, "points", "do not fit the segments");
+    return ph_fail(diag, PH_E_INTERNAL, "points", "do not fit the segments");
   }
   w->spline = !w->tangents && !w->derivatives;
   if (w->spline && isnan(w->lambda)) {

@@ -36,7 +36,7 @@ enum ph_tc_wanted_mode ph_tc_wanted_mode_of(const struct ph_problem *problem);
 /*
  * ph_tc_wanted_of: of a problem whose points are interpolated.
  *
- * ret  PH_OK | PH_INTERNAL (the arrays do not fit together)
+ * ret  PH_OK | PH_E_INTERNAL (the arrays do not fit together)
  */
 enum ph_status ph_tc_wanted_of(const struct ph_problem *problem,
                                const struct ph_tc_check *c,

@@ -86,7 +86,7 @@ const char *ph_check_name(enum ph_check_id check);
  *               its struct says, numbers need not be finite
  * in   problem  NULL, or the problem that it is said to solve
  * in   promise  of the command that the result is of
- * ret  PH_OK (also where errors are large) | PH_NO_MEMORY
+ * ret  PH_OK (also where errors are large) | PH_E_NO_MEMORY
  */
 enum ph_status
 ph_check_result(const struct ph_result *claim, const struct ph_problem *problem,

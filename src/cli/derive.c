@@ -29,13 +29,13 @@ static void warn_cusps(struct ph_result *result) {
   }
   at = &o->cusps.at[0];
   if (o->vector) {
-    ph_warn(result, at->segment, PH_OFFSET_CUSP,
+    ph_warn(result, at->segment, PH_W_OFFSET_CUSP,
             "the offset at distance %g along %s turns back, where the radius "
             "of curvature towards it is smaller: %zu times, first in "
             "segment %zu at %.6g of its interval",
             o->distance, o->vector, o->cusps.n, at->segment, at->u);
   } else {
-    ph_warn(result, at->segment, PH_OFFSET_CUSP,
+    ph_warn(result, at->segment, PH_W_OFFSET_CUSP,
             "the offset at distance %g has cusps, where the %s: %zu, the first "
             "in segment %zu at %.6g of its interval",
             o->distance, ph_kind_of(&result->curve)->cusp, o->cusps.n,
@@ -58,7 +58,7 @@ static void warn_gaps(struct ph_result *result) {
     n += (size_t)snprintf(joints + n, sizeof joints - n, "%s%zu",
                           i > 0 ? ", " : "", o->gaps.before[i]);
   }
-  ph_warn(result, o->gaps.before[0], PH_OFFSET_GAP,
+  ph_warn(result, o->gaps.before[0], PH_W_OFFSET_GAP,
           "the offset at distance %g%s%s has gaps, where the %s: %zu, before "
           "%s %s%s",
           o->distance, o->vector ? " along " : "", o->vector ? o->vector : "",
@@ -206,7 +206,7 @@ static enum ph_status derive_surface(const struct ph_options *o,
   if (format->is_mesh && status == PH_OK) {
     rules.along = rules.along ? rules.along : MESH_STEPS;
     if (!ph_grid_across(&r->curve, &rules)) {
-      return ph_fail(diag, PH_BAD_VALUE, "height",
+      return ph_fail(diag, PH_E_BAD_VALUE, "height",
                      "must have an extent for --format=%s, as in "
                      "--height=[-1,1]",
                      ph_format_name(o->format));

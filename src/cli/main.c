@@ -72,7 +72,7 @@ static int print_version(void) {
 /* A command line that makes no sense. */
 static int refuse(const char *message, const char *command) {
   struct ph_diag diag;
-  ph_fail(&diag, PH_USAGE, NULL, "%s", message);
+  ph_fail(&diag, PH_E_USAGE, NULL, "%s", message);
   return report(&diag, command);
 }
 
@@ -108,7 +108,7 @@ static int unknown_word(const char *word) {
   ph_suggest_init(&suggest, word + dashes, n - dashes);
   if (option && (strncmp(word, "--help=", 7) == 0 ||
                  strncmp(word, "--version=", 10) == 0)) {
-    ph_fail(&diag, PH_USAGE, NULL, "option '%.*s' takes no value", (int)n,
+    ph_fail(&diag, PH_E_USAGE, NULL, "option '%.*s' takes no value", (int)n,
             word);
     return report(&diag, NULL);
   }
@@ -123,7 +123,7 @@ static int unknown_word(const char *word) {
     ph_suggest_list(&suggest, "help|schema");
   }
   ph_did_you_mean(&suggest, clause);
-  ph_fail(&diag, PH_USAGE, NULL, "unknown %s '%s'%s",
+  ph_fail(&diag, PH_E_USAGE, NULL, "unknown %s '%s'%s",
           option ? "option" : "command", ph_excerpt(word, n, excerpt), clause);
   return report(&diag, NULL);
 }

@@ -57,7 +57,7 @@ void ph_merge_tell(const struct ph_merge *merge, struct ph_diag *diag) {
   }
   renumber(merge, diag->field, sizeof diag->field);
   renumber(merge, diag->message, sizeof diag->message);
-  if (diag->status == PH_TOO_FEW_POINTS) {
+  if (diag->status == PH_E_TOO_FEW_POINTS) {
     n = strlen(diag->message);
     snprintf(diag->message + n, sizeof diag->message - n,
              ": merge joined %zu of %zu", merge->gone_n, merge->n);
@@ -81,7 +81,7 @@ void ph_merge_result(const struct ph_merge *merge, struct ph_result *result) {
                           merge->gone[i]);
   }
   if (merge->gone_n > 0) {
-    ph_warn(result, PH_NO_SEGMENT, PH_MERGED_POINTS,
+    ph_warn(result, PH_NO_SEGMENT, PH_W_MERGED_POINTS,
             "%zu of %zu points were joined with neighbours nearer than %g: "
             "%s%s",
             merge->gone_n, merge->n, merge->distance, list,

@@ -84,7 +84,7 @@ void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
   ph_buf_puts(buf, diag->field[0] ? ": " : "");
   put_text(buf, diag->message); /* it may hold the name of a file */
   ph_buf_puts(buf, "\n");
-  if (diag->status == PH_USAGE) {
+  if (diag->status == PH_E_USAGE) {
     ph_message_printf(buf, "Try 'phspline%s%s --help'.\n", command ? " " : "",
                       command ? command : "");
   }

@@ -84,7 +84,7 @@ static const char *name_of(const struct ph_option_parser *p, int value) {
 /* What other commands have. */
 static enum ph_status not_here(struct ph_option_parser *p, const char *dashes,
                                const char *name, size_t n) {
-  return ph_fail(p->diag, PH_USAGE, NULL, "%s has no option '%s%.*s'",
+  return ph_fail(p->diag, PH_E_USAGE, NULL, "%s has no option '%s%.*s'",
                  p->options->command->schema->command, dashes, (int)n, name);
 }
 
@@ -105,7 +105,7 @@ static enum ph_status unknown_long(struct ph_option_parser *p,
     ph_suggest_try(&suggest, o->name, strlen(o->name));
   }
   ph_did_you_mean(&suggest, clause);
-  return ph_fail(p->diag, PH_USAGE, NULL, "unknown option '%s'%s",
+  return ph_fail(p->diag, PH_E_USAGE, NULL, "unknown option '%s'%s",
                  ph_excerpt(typed, n, excerpt), clause);
 }
 
@@ -116,7 +116,7 @@ static enum ph_status unknown_short(struct ph_option_parser *p, int letter) {
       return not_here(p, "-", &text, 1);
     }
   }
-  return ph_fail(p->diag, PH_USAGE, NULL, "unknown option '-%s'",
+  return ph_fail(p->diag, PH_E_USAGE, NULL, "unknown option '-%s'",
                  ph_excerpt(&text, 1, excerpt));
 }
 
@@ -134,11 +134,11 @@ static enum ph_status misused(struct ph_option_parser *p, int why) {
     return unknown_long(p, typed);
   }
   if (optopt >= 256) {
-    return ph_fail(p->diag, PH_USAGE, NULL, "option '--%s' %s",
+    return ph_fail(p->diag, PH_E_USAGE, NULL, "option '--%s' %s",
                    name_of(p, optopt),
                    why == ':' ? "needs a value" : "takes no value");
   }
-  return why == ':' ? ph_fail(p->diag, PH_USAGE, NULL,
+  return why == ':' ? ph_fail(p->diag, PH_E_USAGE, NULL,
                               "option '-%c' needs a value", optopt)
                     : unknown_short(p, optopt);
 }
@@ -154,7 +154,7 @@ enum ph_status ph_option_no_field(const struct ph_schema *schema,
     ph_suggest_try(&suggest, candidate, strlen(candidate));
   }
   ph_did_you_mean(&suggest, clause);
-  return ph_fail(diag, PH_USAGE, NULL, "%s: %s has no field '%s'%s", option,
+  return ph_fail(diag, PH_E_USAGE, NULL, "%s: %s has no field '%s'%s", option,
                  schema->command, ph_excerpt(name, n, excerpt), clause);
 }
 
@@ -203,13 +203,13 @@ static enum ph_status check_problems(struct ph_option_parser *p) {
   bool about = o->assignments_n || input->format != PH_SPLIT_AUTO ||
                input->columns || input->delimiter;
   if (!o->problems && about) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--input-format, --columns, --delimiter, --set and "
                    "--override are about the file of --problems");
   }
   for (size_t i = 0; o->problems && i < o->files_n; i++) {
     if (strcmp(o->problems, "-") == 0 && strcmp(o->files[i], "-") == 0) {
-      return ph_fail(p->diag, PH_USAGE, NULL,
+      return ph_fail(p->diag, PH_E_USAGE, NULL,
                      "problems and results cannot both be standard input");
     }
   }
@@ -229,7 +229,7 @@ static enum ph_status check_printed(struct ph_option_parser *p) {
     o->table = PH_TABLE_STRIPS;
   }
   if (p->table && !ph_csv_has(o->table, space_of(o))) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    surface ? "--table: the surfaces of %s have strips, samples "
                              "and development"
                            : "--table: strips and development are of surfaces, "
@@ -237,13 +237,13 @@ static enum ph_status check_printed(struct ph_option_parser *p) {
                    o->command->schema->command);
   }
   if (ph_formats[o->format].is_mesh && !surface) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--format=%s is of surfaces, %s makes curves",
                    ph_format_name(o->format), o->command->schema->command);
   }
   if (o->table == PH_TABLE_SAMPLES && o->samples.how == PH_SAMPLE_NONE &&
       !o->grid.along) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    surface ? "--table=samples needs --sample"
                            : "--table=samples needs --sample, --spacing or "
                              "--chord-error");
@@ -261,48 +261,48 @@ static enum ph_status check_together(struct ph_option_parser *p) {
   }
   format = &ph_formats[o->format];
   if (p->table && !format->is_table) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--table needs --format=csv or --format=text");
   }
   if (check_printed(p) != PH_OK) {
-    return PH_USAGE;
+    return PH_E_USAGE;
   }
   if (format->is_cubics && (o->samples.how == PH_SAMPLE_PARAMETER ||
                             o->samples.how == PH_SAMPLE_SPACING)) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--format=%s has no samples; --chord-error says how near "
                    "paths are to the curve",
                    ph_format_name(o->format));
   }
   if (format->is_cubics && o->convert) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--format=%s is of cubics; --convert does nothing there",
                    ph_format_name(o->format));
   }
   if (o->pretty && !format->is_objects) {
-    return ph_fail(p->diag, PH_USAGE, NULL, "--pretty needs --format=json");
+    return ph_fail(p->diag, PH_E_USAGE, NULL, "--pretty needs --format=json");
   }
   if (o->table == PH_TABLE_OFFSETS && !o->offsets_n) {
-    return ph_fail(p->diag, PH_USAGE, NULL, "--table=offsets needs --offset");
+    return ph_fail(p->diag, PH_E_USAGE, NULL, "--table=offsets needs --offset");
   }
   if (o->samples.frame && o->samples.how == PH_SAMPLE_NONE) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--frame needs --sample, --spacing or --chord-error");
   }
   if (o->samples.frame && method->dimension == 2) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--frame: the curves of %s are in the plane, where the "
                    "normal is (-ty,tx)",
                    o->command->schema->command);
   }
   if (o->samples.frame == PH_FRAME_ERF && !ph_command_kind(o->command)->erf) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--frame: the curves of %s have no Euler-Rodrigues frame; "
                    "take rmf or frenet",
                    o->command->schema->command);
   }
   if (o->convert && !ph_command_kind(o->command)->bezier) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--convert: the curves of %s are no Bezier curves",
                    o->command->schema->command);
   }

@@ -177,7 +177,7 @@ struct ph_options {
  *
  * in    argc, argv   argv[0] is the command's name; argv is permuted
  * inout options      zeroed, but for command
- * ret   PH_OK | PH_USAGE | PH_NO_MEMORY
+ * ret   PH_OK | PH_E_USAGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_options_read(int argc, char **argv,
                                struct ph_options *options,
@@ -187,7 +187,7 @@ enum ph_status ph_options_read(int argc, char **argv,
 struct ph_print ph_options_print(const struct ph_options *options);
 
 /* ph_option_assign: reads the FIELD=VALUE of --set or --override as of one
- * command.  ret PH_OK | PH_USAGE | PH_NO_MEMORY */
+ * command.  ret PH_OK | PH_E_USAGE | PH_E_NO_MEMORY */
 enum ph_status ph_option_assign(const struct ph_schema *schema,
                                 struct ph_arena *arena,
                                 struct ph_assignment *assignment,

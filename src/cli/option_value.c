@@ -38,7 +38,7 @@ static enum ph_status choose(struct ph_option_parser *p, enum ph_option_id id,
   ph_suggest_init(&suggest, optarg, n);
   ph_suggest_list(&suggest, words);
   ph_did_you_mean(&suggest, clause);
-  return ph_fail(p->diag, PH_USAGE, NULL, "--%s must be %s, found '%s'%s",
+  return ph_fail(p->diag, PH_E_USAGE, NULL, "--%s must be %s, found '%s'%s",
                  ph_option_table[id].name, words,
                  ph_excerpt(optarg, n, excerpt), clause);
 }
@@ -50,7 +50,7 @@ static enum ph_status read_count(struct ph_option_parser *p,
   double x;
   if (ph_number_read_text(optarg, end, &x) != end || !(x >= 1) || !(x <= max) ||
       floor(x) < x) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--%s must be a whole number from 1 to %d, found '%s'",
                    ph_option_table[id].name, max,
                    ph_excerpt(optarg, strlen(optarg), excerpt));
@@ -75,7 +75,7 @@ static enum ph_status read_bytes(struct ph_option_parser *p,
       return PH_OK;
     }
   }
-  return ph_fail(p->diag, PH_USAGE, NULL,
+  return ph_fail(p->diag, PH_E_USAGE, NULL,
                  "--%s must be a whole number of bytes from 1 to %g, or one "
                  "of K, M or G, found '%s'",
                  ph_option_table[id].name, BYTES_MAX,
@@ -88,7 +88,7 @@ static enum ph_status read_positive(struct ph_option_parser *p,
   char excerpt[PH_EXCERPT_MAX];
   if (ph_number_read_text(optarg, end, x) != end || !(*x > 0) ||
       !isfinite(*x)) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--%s must be a number greater than 0, found '%s'",
                    ph_option_table[id].name,
                    ph_excerpt(optarg, strlen(optarg), excerpt));
@@ -104,7 +104,7 @@ static enum ph_status read_samples(struct ph_option_parser *p,
                          : id == PH_O_SPACING ? PH_SAMPLE_SPACING
                                               : PH_SAMPLE_CHORD;
   if (rules->how != PH_SAMPLE_NONE && rules->how != how) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--sample, --spacing and --chord-error are alternatives");
   }
   rules->how = how;
@@ -130,7 +130,7 @@ static enum ph_status read_grid(struct ph_option_parser *p) {
        (!times || (ph_number_read_text(times + 1, end, &m) == end && m >= 1));
   if (!ok || !(n >= 1 && n <= SAMPLES_MAX && m <= SAMPLES_MAX) ||
       floor(n) < n || floor(m) < m) {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--sample must be one or two whole numbers from 1 to %d, as "
                    "20 or 20x4, found '%s'",
                    SAMPLES_MAX, ph_excerpt(optarg, strlen(optarg), excerpt));
@@ -161,7 +161,7 @@ static enum ph_status read_offsets(struct ph_option_parser *p) {
     double *x = &o->offsets[o->offsets_n++];
     end = at + strcspn(at, ",");
     if (end == at || ph_number_read_text(at, end, x) != end || !isfinite(*x)) {
-      return ph_fail(p->diag, PH_USAGE, NULL,
+      return ph_fail(p->diag, PH_E_USAGE, NULL,
                      "--offset takes numbers, found '%s'",
                      ph_excerpt(optarg, strlen(optarg), excerpt));
     }
@@ -182,7 +182,7 @@ static enum ph_status read_delimiter(struct ph_option_parser *p) {
   } else if (strcmp(optarg, "\\t") == 0) {
     input_of(p->options)->delimiter = '\t';
   } else {
-    return ph_fail(p->diag, PH_USAGE, NULL,
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--delimiter must be one character or \\t, found '%s'",
                    ph_excerpt(optarg, strlen(optarg), excerpt));
   }
@@ -199,11 +199,11 @@ static enum ph_status assign(const struct ph_field *field, const char *option,
   struct ph_diag why;
   enum ph_status status =
       ph_value_read_option(text, field, arena, &assignment->value, &why);
-  if (status == PH_NO_MEMORY) {
+  if (status == PH_E_NO_MEMORY) {
     return ph_fail_memory(diag);
   }
   if (status != PH_OK) {
-    return ph_fail(diag, PH_USAGE, NULL, "%s: %s %s", option, why.field,
+    return ph_fail(diag, PH_E_USAGE, NULL, "%s: %s %s", option, why.field,
                    why.message);
   }
   assignment->field = field->id;
@@ -254,7 +254,7 @@ static enum ph_status read_assignment(struct ph_option_parser *p,
   char excerpt[PH_EXCERPT_MAX];
   size_t n = strcspn(optarg, "=");
   if (n == 0 || !optarg[n]) {
-    return ph_fail(p->diag, PH_USAGE, NULL, "%s: '%s' is not FIELD=VALUE",
+    return ph_fail(p->diag, PH_E_USAGE, NULL, "%s: '%s' is not FIELD=VALUE",
                    option, ph_excerpt(optarg, strlen(optarg), excerpt));
   }
   a->text = optarg;
@@ -263,7 +263,7 @@ static enum ph_status read_assignment(struct ph_option_parser *p,
     return ph_option_assign(o->command->schema, &o->arena, a, p->diag);
   }
   return is_field(optarg, n) ? PH_OK
-                             : ph_fail(p->diag, PH_USAGE, NULL,
+                             : ph_fail(p->diag, PH_E_USAGE, NULL,
                                        "%s: no command has a field '%s'",
                                        option, ph_excerpt(optarg, n, excerpt));
 }
@@ -279,14 +279,14 @@ static enum ph_status read_sweep(struct ph_option_parser *p) {
   }
   for (size_t i = 0; i < o->sweeps_n; i++) {
     if (ph_sweep_same(&o->sweeps[i], sweep)) {
-      return ph_fail(p->diag, PH_USAGE, NULL, "--sweep: %s is swept twice",
+      return ph_fail(p->diag, PH_E_USAGE, NULL, "--sweep: %s is swept twice",
                      o->sweeps[i].name);
     }
   }
   o->sweeps_n++;
   o->sweep_count = ph_sweep_count(o->sweeps, o->sweeps_n);
   return o->sweep_count ? PH_OK
-                        : ph_fail(p->diag, PH_USAGE, NULL,
+                        : ph_fail(p->diag, PH_E_USAGE, NULL,
                                   "--sweep: too many combinations");
 }
 
@@ -364,7 +364,7 @@ static enum ph_status read_stream(struct ph_option_parser *p,
   case PH_O_OUTPUT:
     o->output = optarg;
     status = *optarg ? PH_OK
-                     : ph_fail(p->diag, PH_USAGE, NULL,
+                     : ph_fail(p->diag, PH_E_USAGE, NULL,
                                "--output must be the name of a file");
     break;
   default:

@@ -26,7 +26,7 @@ struct ph_option_parser {
 enum { PH_JOBS_MAX = 1024 };
 
 /* ph_option_read_common, ph_option_read_field: what an option says, with
- * getopt's optarg or the text.  ret PH_OK | PH_USAGE | PH_NO_MEMORY */
+ * getopt's optarg or the text.  ret PH_OK | PH_E_USAGE | PH_E_NO_MEMORY */
 enum ph_status ph_option_read_common(struct ph_option_parser *p,
                                      enum ph_option_id id);
 enum ph_status ph_option_read_field(struct ph_option_parser *p,

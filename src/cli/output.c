@@ -99,7 +99,7 @@ bool ph_output_bytes(int descriptor, const char *bytes, size_t n) {
 
 static enum ph_status failed(const char *what, const char *name,
                              struct ph_diag *diag) {
-  return ph_fail(diag, PH_OUTPUT, NULL, "cannot %s %s: %s", what, name,
+  return ph_fail(diag, PH_E_OUTPUT, NULL, "cannot %s %s: %s", what, name,
                  strerror(errno));
 }
 
@@ -220,7 +220,7 @@ static enum ph_status open_temporary(struct ph_output *output,
     failed("create", output->name, diag);
     ph_free(output->temporary);
     output->temporary = NULL;
-    return PH_OUTPUT;
+    return PH_E_OUTPUT;
   }
   if (fcntl(output->descriptor, F_SETFD, FD_CLOEXEC) != 0) {
     return failed("create", output->name, diag);
@@ -335,7 +335,7 @@ enum ph_status ph_output_unlike(const struct ph_output *output,
               (strcmp(input, "-") == 0 ? fstat(STDIN_FILENO, &y)
                                        : stat(input, &y)) == 0 &&
               x.st_dev == y.st_dev && x.st_ino == y.st_ino;
-  return same ? ph_fail(diag, PH_OUTPUT, NULL,
+  return same ? ph_fail(diag, PH_E_OUTPUT, NULL,
                         "cannot write %s: it is the input %s", output->name,
                         input)
               : PH_OK;

@@ -39,7 +39,7 @@ bool ph_output_bytes(int descriptor, const char *bytes, size_t n);
 
 /* ph_output_open: opens standard output (file NULL or "-") or a file; `sync`:
  * a file that is replaced is to be on the disk when it is committed.
- * ret  PH_OK | PH_OUTPUT | PH_NO_MEMORY */
+ * ret  PH_OK | PH_E_OUTPUT | PH_E_NO_MEMORY */
 enum ph_status ph_output_open(struct ph_output *output, const char *file,
                               bool sync, struct ph_diag *diag);
 
@@ -50,17 +50,17 @@ bool ph_output_same(const char *a, const char *b);
 /* ph_output_unlike: refuses an input ("-": standard input) that is the very
  * file which is written to directly: what is read would be what was written
  * before, without end.
- * ret  PH_OK | PH_OUTPUT */
+ * ret  PH_OK | PH_E_OUTPUT */
 enum ph_status ph_output_unlike(const struct ph_output *output,
                                 const char *input, struct ph_diag *diag);
 
-/* ph_output_write: ret PH_OK | PH_OUTPUT */
+/* ph_output_write: ret PH_OK | PH_E_OUTPUT */
 enum ph_status ph_output_write(struct ph_output *output, const char *bytes,
                                size_t n, struct ph_diag *diag);
 
 /* ph_output_commit: closes, and gives a file its name.  A file system that
  * cannot be waited for is no failure.
- * ret  PH_OK | PH_OUTPUT */
+ * ret  PH_OK | PH_E_OUTPUT */
 enum ph_status ph_output_commit(struct ph_output *output, struct ph_diag *diag);
 
 /* ph_output_discard: closes; a file that was not committed leaves no trace.

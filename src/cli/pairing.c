@@ -81,18 +81,18 @@ static enum ph_status find_key(struct ph_pairing *p,
   struct ph_mark mark = ph_arena_mark(&p->scratch);
   enum ph_status status = PH_OK;
   if (record->n > 0 &&
-      (record->status == PH_OK || record->status == PH_LIMIT)) {
+      (record->status == PH_OK || record->status == PH_E_LIMIT)) {
     status =
         record->columns
             ? ph_csv_in(record, schema, &p->scratch, &problem, &echo, &ignored)
             : read_json_id(record, &p->scratch, &echo, &ignored);
   }
-  if (status != PH_NO_MEMORY && echo.id) {
+  if (status != PH_E_NO_MEMORY && echo.id) {
     paired->key = key_of(&echo, &p->arena);
-    status = paired->key ? PH_OK : PH_NO_MEMORY;
+    status = paired->key ? PH_OK : PH_E_NO_MEMORY;
   }
   ph_arena_release(&p->scratch, mark);
-  return status == PH_NO_MEMORY ? ph_fail_memory(diag) : PH_OK;
+  return status == PH_E_NO_MEMORY ? ph_fail_memory(diag) : PH_OK;
 }
 
 static enum ph_status keep(struct ph_pairing *p, const struct ph_schema *schema,
@@ -195,14 +195,14 @@ static enum ph_status read_head(const struct ph_record *result,
   const char *command;
   *head = (struct head){.key = NULL};
   if (result->n == 0 ||
-      (result->status != PH_OK && result->status != PH_LIMIT)) {
+      (result->status != PH_OK && result->status != PH_E_LIMIT)) {
     return PH_OK;
   }
   ph_read_members(&r, &whole, rows, items);
   command = ph_read_string(&r, &items[1], rows[1].name, NULL);
   if (r.status == PH_OK && items[2].value) {
     head->sweep = ph_arena_copy(arena, items[2].value, items[2].value_n);
-    r.status = head->sweep ? PH_OK : PH_NO_MEMORY;
+    r.status = head->sweep ? PH_OK : PH_E_NO_MEMORY;
   }
   if (r.status == PH_OK) {
     head->command =
@@ -211,9 +211,9 @@ static enum ph_status read_head(const struct ph_record *result,
   }
   if (r.status == PH_OK && head->echo.id) {
     head->key = key_of(&head->echo, arena);
-    r.status = head->key ? PH_OK : PH_NO_MEMORY;
+    r.status = head->key ? PH_OK : PH_E_NO_MEMORY;
   }
-  return r.status == PH_NO_MEMORY ? ph_fail_memory(diag) : PH_OK;
+  return r.status == PH_E_NO_MEMORY ? ph_fail_memory(diag) : PH_OK;
 }
 
 /* The problems that a result may be of; NULL: there are none. */
@@ -258,7 +258,7 @@ static enum ph_status find(struct ph_pairing *p, const struct ph_options *o,
   enum ph_status status = PH_OK;
   if (!p->loaded && !head->command) {
     p->before += head->key ? 0 : 1;
-    ph_fail(diag, PH_MISSING_FIELD, "command",
+    ph_fail(diag, PH_E_MISSING_FIELD, "command",
             "is missing: it is not known what problems this result solves");
     return PH_OK;
   }
@@ -276,14 +276,14 @@ static enum ph_status find(struct ph_pairing *p, const struct ph_options *o,
   status = group ? take(p, group, head->sweep, paired, diag) : PH_OK;
   if (status == PH_OK && !*paired) {
     if (group) {
-      ph_fail(diag, PH_NOT_VERIFIED, NULL,
+      ph_fail(diag, PH_E_NOT_VERIFIED, NULL,
               "%s has only %zu problem%s%s, and this is a further result",
               o->problems, group->n, group->n == 1 ? "" : "s",
               group == &p->all ? ""
               : head->key      ? " of this id"
                                : " without id");
     } else {
-      ph_fail(diag, PH_NOT_VERIFIED, "id", "is that of no problem in %s",
+      ph_fail(diag, PH_E_NOT_VERIFIED, "id", "is that of no problem in %s",
               o->problems);
     }
   }
@@ -313,7 +313,7 @@ enum ph_status ph_pairing_finish(const struct ph_pairing *p,
                                  struct ph_diag *diag) {
   size_t unused = 0, line = 0;
   if (!p->loaded) {
-    return ph_fail(diag, PH_NOT_VERIFIED, NULL,
+    return ph_fail(diag, PH_E_NOT_VERIFIED, NULL,
                    "%s was not read: no result says what it solves",
                    o->problems);
   }
@@ -324,11 +324,11 @@ enum ph_status ph_pairing_finish(const struct ph_pairing *p,
     }
   }
   if (unused) {
-    return ph_fail(diag, PH_NOT_VERIFIED, NULL,
+    return ph_fail(diag, PH_E_NOT_VERIFIED, NULL,
                    "%s:%zu: %zu of %zu problems have no result, this one first",
                    o->problems, line, unused, p->paired_n);
   }
-  return p->cut_off ? ph_fail(diag, PH_INPUT, NULL,
+  return p->cut_off ? ph_fail(diag, PH_E_INPUT, NULL,
                               "%s is cut off by a syntax error", o->problems)
                     : PH_OK;
 }

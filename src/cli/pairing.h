@@ -60,7 +60,8 @@ struct ph_pairing {
  * in   result  JSON; its status may be that of a broken text
  * out  paired   NULL: there is none, and diag says why; or the result is
  *              broken
- * ret  PH_OK | PH_NO_MEMORY; PH_INPUT | PH_USAGE: the problems cannot be read
+ * ret  PH_OK | PH_E_NO_MEMORY; PH_E_INPUT | PH_E_USAGE: the problems cannot be
+ *      read
  */
 enum ph_status ph_pairing_find(struct ph_pairing *pairing,
                                const struct ph_options *options,
@@ -69,7 +70,7 @@ enum ph_status ph_pairing_find(struct ph_pairing *pairing,
                                struct ph_diag *diag);
 
 /* ph_pairing_finish: whether all problems had results.
- * ret  PH_OK | PH_NOT_VERIFIED | PH_INPUT (the problems were cut off by a
+ * ret  PH_OK | PH_E_NOT_VERIFIED | PH_E_INPUT (the problems were cut off by a
  *      syntax error) */
 enum ph_status ph_pairing_finish(const struct ph_pairing *pairing,
                                  const struct ph_options *options,

@@ -50,7 +50,7 @@ enum ph_status ph_plot_read_size(const char *text, struct ph_options *options,
       read_side(cross + 1, end, &options->plot_height)) {
     return PH_OK;
   }
-  return ph_fail(diag, PH_USAGE, NULL,
+  return ph_fail(diag, PH_E_USAGE, NULL,
                  "--plot-size must be WIDTHxHEIGHT, whole numbers from %d to "
                  "%d, found '%s'",
                  SIDE_MIN, SIDE_MAX,
@@ -63,23 +63,23 @@ enum ph_status ph_plot_check(const struct ph_options *options,
   char excerpt[PH_EXCERPT_MAX];
   if (!file) {
     return options->plot_width
-               ? ph_fail(diag, PH_USAGE, NULL, "--plot-size needs --plot")
+               ? ph_fail(diag, PH_E_USAGE, NULL, "--plot-size needs --plot")
                : PH_OK;
   }
   if (ph_figure_format_of(file) == PH_FIGURE_FORMAT_N) {
-    return ph_fail(diag, PH_USAGE, NULL,
+    return ph_fail(diag, PH_E_USAGE, NULL,
                    "--plot must be the name of a .svg, .pdf or .png file, "
                    "found '%s'",
                    ph_excerpt(file, strlen(file), excerpt));
   }
   if (!ph_figure_can()) {
-    return ph_fail(diag, PH_USAGE, NULL,
+    return ph_fail(diag, PH_E_USAGE, NULL,
                    "--plot: this phspline was built without cairo: install "
                    "libcairo2-dev (Debian, Ubuntu), cairo-devel (Fedora) or "
                    "cairo (elsewhere) and build it again");
   }
   if (ph_output_same(options->output, file)) {
-    return ph_fail(diag, PH_USAGE, NULL, "--plot and %s are the same file",
+    return ph_fail(diag, PH_E_USAGE, NULL, "--plot and %s are the same file",
                    options->output ? "--output" : "standard output");
   }
   return PH_OK;
@@ -251,17 +251,17 @@ static enum ph_status judge(const char *file, int end,
     raise(number); /* the reader of the figure has gone away: silently */
   }
   if (number == SIGALRM) {
-    return ph_fail(diag, PH_INTERNAL, NULL,
+    return ph_fail(diag, PH_E_INTERNAL, NULL,
                    "cannot draw %s: not done after %d s; the results are whole",
                    file, DRAWING_MAX);
   }
   if (number) {
-    return ph_fail(diag, PH_INTERNAL, NULL,
+    return ph_fail(diag, PH_E_INTERNAL, NULL,
                    "cannot draw %s: drawing was ended by signal %d (%s), as it "
                    "is when memory is exhausted; the results are whole",
                    file, number, strsignal(number));
   }
-  return ph_fail(diag, PH_INTERNAL, NULL,
+  return ph_fail(diag, PH_E_INTERNAL, NULL,
                  "cannot draw %s: drawing ended with status %d; the results "
                  "are whole",
                  file, WEXITSTATUS(end));
@@ -288,7 +288,7 @@ static enum ph_status draw_safely(struct ph_plot *plot, struct ph_diag *diag) {
     ended = child < 0 ? child : waitpid(child, &end, 0);
   } while (child > 0 && ended < 0 && errno == EINTR);
   status = ended < 0
-               ? ph_fail(diag, PH_INTERNAL, NULL,
+               ? ph_fail(diag, PH_E_INTERNAL, NULL,
                          "cannot draw %s: no process for it: %s; the results "
                          "are whole",
                          file, strerror(errno))

@@ -28,17 +28,17 @@ struct ph_plot {
 };
 
 /* ph_plot_read_size: reads the WIDTHxHEIGHT of --plot-size.
- * ret  PH_OK | PH_USAGE */
+ * ret  PH_OK | PH_E_USAGE */
 enum ph_status ph_plot_read_size(const char *text, struct ph_options *options,
                                  struct ph_diag *diag);
 
 /* ph_plot_check: whether --plot and what belongs to it make sense.
- * ret  PH_OK | PH_USAGE */
+ * ret  PH_OK | PH_E_USAGE */
 enum ph_status ph_plot_check(const struct ph_options *options,
                              struct ph_diag *diag);
 
 /* ph_plot_open: begins; without --plot, nothing happens here and below.
- * ret  PH_OK | PH_OUTPUT | PH_NO_MEMORY */
+ * ret  PH_OK | PH_E_OUTPUT | PH_E_NO_MEMORY */
 enum ph_status ph_plot_open(struct ph_plot *plot,
                             const struct ph_options *options,
                             struct ph_diag *diag);
@@ -73,7 +73,7 @@ enum ph_status ph_plot_draw(const struct ph_plot_subject *subject,
  *
  * in   drawing  the plot's from now on, whatever is returned; NULL: it was not
  *               wanted
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_plot_add(struct ph_plot *plot, struct ph_drawing *drawing,
                            struct ph_diag *diag);
@@ -81,7 +81,7 @@ enum ph_status ph_plot_add(struct ph_plot *plot, struct ph_drawing *drawing,
 /* ph_plot_write: writes the file and gives it its name.  Drawing is the work of
  * a process of its own, whose crash or hang is a failure like others: results
  * are to be written before, and threads to have ended.
- * ret  PH_OK | PH_OUTPUT | PH_NO_MEMORY | PH_INTERNAL */
+ * ret  PH_OK | PH_E_OUTPUT | PH_E_NO_MEMORY | PH_E_INTERNAL */
 enum ph_status ph_plot_write(struct ph_plot *plot, struct ph_diag *diag);
 
 /* ph_plot_free: a file that was not written leaves no trace. */

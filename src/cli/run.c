@@ -266,8 +266,8 @@ static size_t count_outcomes(struct run *r, const struct slot *slot) {
     if (status != PH_OK) {
       r->progress.failed++;
       /* memory that one record lacks is there for the next one */
-      worsen(r, status == PH_NO_MEMORY ? PH_CLASS_RECORD
-                                       : ph_status_class(status));
+      worsen(r, status == PH_E_NO_MEMORY ? PH_CLASS_RECORD
+                                         : ph_status_class(status));
       if (r->options->fail_fast) {
         r->stopped = true;
         return i + 1;

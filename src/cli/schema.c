@@ -177,7 +177,7 @@ static void fill_codes(struct builder *b, cJSON *node, bool warnings) {
   for (int i = PH_OK + 1; i < PH_STATUS_N; i++) {
     enum ph_status status = (enum ph_status)i;
     enum ph_class class = ph_status_class(status);
-    bool warning = strncmp(ph_status_meaning(status), "warning:", 8) == 0;
+    bool warning = ph_status_is_warning(status);
     if (warnings ? warning
                  : class == PH_CLASS_RECORD || class == PH_CLASS_INTERNAL) {
       add_text(b, list, NULL, ph_status_code(status));

@@ -45,7 +45,7 @@ static enum ph_status read_target(const char *text, size_t n,
     }
     if (!bracket || p == end || *p++ != ']' || !digits ||
         sweep->index_n == index_max) {
-      return ph_fail(diag, PH_USAGE, NULL,
+      return ph_fail(diag, PH_E_USAGE, NULL,
                      "--sweep: '%s' is not a field or an element like "
                      "knots[2] or points[0][1]",
                      ph_excerpt(text, n, excerpt));
@@ -73,18 +73,18 @@ static enum ph_status read_value(const char *text, size_t n,
     return PH_OK;
   }
   if (element || n == 0) {
-    return ph_fail(diag, PH_USAGE, NULL, "--sweep: %s takes %s, found '%s'",
+    return ph_fail(diag, PH_E_USAGE, NULL, "--sweep: %s takes %s, found '%s'",
                    sweep->name, element ? "numbers" : "values",
                    ph_excerpt(text, n, excerpt));
   }
   copy = ph_arena_copy(arena, text, n);
   status = copy ? ph_value_read_option(copy, sweep->field, arena, value, &why)
-                : PH_NO_MEMORY;
-  if (status == PH_NO_MEMORY) {
+                : PH_E_NO_MEMORY;
+  if (status == PH_E_NO_MEMORY) {
     return ph_fail_memory(diag);
   }
   return status == PH_OK ? PH_OK
-                         : ph_fail(diag, PH_USAGE, NULL, "--sweep: %s %s",
+                         : ph_fail(diag, PH_E_USAGE, NULL, "--sweep: %s %s",
                                    why.field, why.message);
 }
 
@@ -103,13 +103,13 @@ static enum ph_status read_range(const char *text, const char *first,
       !read_number(first + 1, (size_t)(second - first - 1), &sweep->stop) ||
       !read_number(second + 1, count_n, &count) || !(count >= 1) ||
       count > COUNT_MAX || floor(count) < count) {
-    return ph_fail(diag, PH_USAGE, NULL,
+    return ph_fail(diag, PH_E_USAGE, NULL,
                    "--sweep: '%s' is not START:STOP:COUNT[:log] with a COUNT "
                    "from 1 to %.0f",
                    ph_excerpt(text, strlen(text), excerpt), COUNT_MAX);
   }
   if (sweep->log && (!(sweep->start > 0) || !(sweep->stop > 0))) {
-    return ph_fail(diag, PH_USAGE, NULL,
+    return ph_fail(diag, PH_E_USAGE, NULL,
                    "--sweep: '%s' has no logarithms: START and STOP must be "
                    "greater than 0",
                    ph_excerpt(text, strlen(text), excerpt));
@@ -167,7 +167,7 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
   enum ph_status status;
   memset(sweep, 0, sizeof *sweep);
   if (!equals || name_n == 0) {
-    return ph_fail(diag, PH_USAGE, NULL,
+    return ph_fail(diag, PH_E_USAGE, NULL,
                    "--sweep: '%s' is not FIELD=START:STOP:COUNT or "
                    "FIELD=V1,V2,...",
                    ph_excerpt(text, strlen(text), excerpt));
@@ -300,7 +300,7 @@ static enum ph_status set_element(const struct ph_sweep *sweep, double x,
   size_t at;
   double *copy;
   if (!find_element(sweep, value, &at)) {
-    return ph_fail(diag, PH_BAD_SHAPE, ph_field_name(sweep->field->id),
+    return ph_fail(diag, PH_E_BAD_SHAPE, ph_field_name(sweep->field->id),
                    "has no element %s for --sweep to set", sweep->name);
   }
   copy = copy_of(value, arena);
@@ -323,7 +323,7 @@ static enum ph_status multiply(const struct ph_sweep *sweep, double x,
     return PH_OK;
   }
   if (!(value->kind & arrays)) {
-    return ph_fail(diag, PH_BAD_SHAPE, ph_field_name(sweep->field->id),
+    return ph_fail(diag, PH_E_BAD_SHAPE, ph_field_name(sweep->field->id),
                    "has no numbers for --sweep to multiply");
   }
   copy = copy_of(value, arena);

@@ -39,7 +39,7 @@ struct ph_sweep {
  * START:STOP:COUNT:log numbers of which each is the same multiple of the one
  * before.  With FIELD*= all numbers of the field, or the one, are multiplied.
  *
- * ret  PH_OK | PH_USAGE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_USAGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
                              struct ph_arena *arena, struct ph_sweep *sweep,
@@ -57,7 +57,7 @@ size_t ph_sweep_count(const struct ph_sweep *sweeps, size_t n);
  * values, the last sweep varying fastest.
  *
  * out  swept[n]  names and values
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_sweep_name(const struct ph_sweep *sweeps, size_t n,
                              size_t which, struct ph_arena *arena,
@@ -68,7 +68,8 @@ enum ph_status ph_sweep_name(const struct ph_sweep *sweeps, size_t n,
  * the order of the sweeps.
  *
  * inout problem  arrays are copied to the arena before an element is changed
- * ret   PH_OK | PH_BAD_SHAPE (the problem has no such element) | PH_NO_MEMORY
+ * ret   PH_OK | PH_E_BAD_SHAPE (the problem has no such element) |
+ *      PH_E_NO_MEMORY
  */
 enum ph_status ph_sweep_apply(const struct ph_sweep *sweeps, size_t n,
                               size_t which, struct ph_arena *arena,

@@ -51,7 +51,7 @@ static enum ph_status read_command(struct task *t) {
   char excerpt[PH_EXCERPT_MAX], list[PH_DIAG_MESSAGE_MAX / 2] = "";
   size_t n = 0;
   if (!name) {
-    return ph_fail(&t->diag, PH_MISSING_FIELD, "command", "is missing");
+    return ph_fail(&t->diag, PH_E_MISSING_FIELD, "command", "is missing");
   }
   t->promise = ph_promise_of(name);
   if (t->promise) {
@@ -64,8 +64,9 @@ static enum ph_status read_command(struct task *t) {
                                                    : ", ",
                           ph_promises[i].command);
   }
-  return ph_fail(&t->diag, PH_BAD_VALUE, "command", "must be %s, found \"%s\"",
-                 list, ph_excerpt(name, strlen(name), excerpt));
+  return ph_fail(&t->diag, PH_E_BAD_VALUE, "command",
+                 "must be %s, found \"%s\"", list,
+                 ph_excerpt(name, strlen(name), excerpt));
 }
 
 /* ---- what was swept and set -------------------------------------------- */
@@ -89,9 +90,9 @@ static enum ph_status apply(struct task *t, const struct ph_schema *schema,
   if (status == PH_OK) {
     return ph_sweep_apply(&sweep, 1, 0, arena, &t->problem, &t->diag);
   }
-  return status == PH_NO_MEMORY
+  return status == PH_E_NO_MEMORY
              ? ph_fail_memory(&t->diag)
-             : ph_fail(&t->diag, PH_BAD_VALUE, "sweep",
+             : ph_fail(&t->diag, PH_E_BAD_VALUE, "sweep",
                        "is none of this problem: %s", why.message);
 }
 
@@ -115,13 +116,14 @@ static enum ph_status set_field(struct task *t, const struct ph_schema *schema,
   const char *text, *other;
   enum ph_status status;
   if (!field) {
-    return fail_set(t, set->name, PH_BAD_VALUE, "is no field of the command");
+    return fail_set(t, set->name, PH_E_BAD_VALUE, "is no field of the command");
   }
   status =
       ph_value_read(set->value, strlen(set->value), field, arena, &value, &why);
   if (status != PH_OK) {
-    return status == PH_NO_MEMORY ? ph_fail_memory(&t->diag)
-                                  : fail_set(t, set->name, status, why.message);
+    return status == PH_E_NO_MEMORY
+               ? ph_fail_memory(&t->diag)
+               : fail_set(t, set->name, status, why.message);
   }
   has = &t->problem.field[field->id];
   if (has->kind == PH_ABSENT) {
@@ -135,7 +137,7 @@ static enum ph_status set_field(struct task *t, const struct ph_schema *schema,
   }
   return strcmp(text, other) == 0
              ? PH_OK
-             : fail_set(t, set->name, PH_NOT_VERIFIED,
+             : fail_set(t, set->name, PH_E_NOT_VERIFIED,
                         "is not what the problem has; --override sets that of "
                         "the problem");
 }
@@ -157,9 +159,9 @@ static enum ph_status assign(struct task *t, const struct ph_schema *schema) {
     all[i] = o->assignments[i];
     status = ph_option_assign(schema, arena, &all[i], &why);
     if (status != PH_OK) {
-      return status == PH_NO_MEMORY
+      return status == PH_E_NO_MEMORY
                  ? ph_fail_memory(&t->diag)
-                 : ph_fail(&t->diag, PH_BAD_VALUE, NULL, "%s", why.message);
+                 : ph_fail(&t->diag, PH_E_BAD_VALUE, NULL, "%s", why.message);
     }
   }
   ph_work_assign(all, n, &t->problem, NULL);
@@ -177,7 +179,7 @@ static enum ph_status read_record(struct task *t,
     return record->status;
   }
   if (record->columns && paired->schema != schema) {
-    return ph_fail(&t->diag, PH_BAD_VALUE, "command",
+    return ph_fail(&t->diag, PH_E_BAD_VALUE, "command",
                    "is %s, but the columns of %s were read as those of %s, "
                    "which the first result is of",
                    schema->command, record->file, paired->schema->command);
@@ -196,7 +198,7 @@ static enum ph_status merge(struct task *t, const struct ph_schema *schema) {
   if (status == PH_OK && r->merged_n > 0 &&
       (r->merged_n != merge.gone_n ||
        memcmp(r->merged, merge.gone, r->merged_n * sizeof *r->merged) != 0)) {
-    return ph_fail(&t->diag, PH_NOT_VERIFIED, "merged",
+    return ph_fail(&t->diag, PH_E_NOT_VERIFIED, "merged",
                    "are not the points that merge joins");
   }
   return status;
@@ -246,21 +248,22 @@ static enum ph_status judge(struct task *t) {
   }
   worst = &v->check[v->worst];
   if (worst->error > DBL_MAX) {
-    return ph_fail(&t->diag, PH_NOT_VERIFIED, worst->where.field, "%s (%s)",
+    return ph_fail(&t->diag, PH_E_NOT_VERIFIED, worst->where.field, "%s (%s)",
                    worst->where.message, ph_check_name(v->worst));
   }
-  return ph_fail(&t->diag, PH_NOT_VERIFIED, worst->where.field, "%s (%s %.3g)",
-                 worst->where.message, ph_check_name(v->worst), worst->error);
+  return ph_fail(&t->diag, PH_E_NOT_VERIFIED, worst->where.field,
+                 "%s (%s %.3g)", worst->where.message, ph_check_name(v->worst),
+                 worst->error);
 }
 
 static enum ph_status verify(struct task *t) {
   const struct ph_item *item = t->item;
   struct ph_claim *claim = &t->claim;
   enum ph_status status = item->record.status;
-  if (status == PH_LIMIT && item->record.n > 0 && /* its id */
+  if (status == PH_E_LIMIT && item->record.n > 0 && /* its id */
       ph_json_result_in(&item->record, &t->worker->arena, claim, &t->diag) ==
-          PH_NO_MEMORY) {
-    return PH_NO_MEMORY;
+          PH_E_NO_MEMORY) {
+    return PH_E_NO_MEMORY;
   }
   if (status != PH_OK) {
     t->diag = item->diag;

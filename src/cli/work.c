@@ -116,7 +116,7 @@ static enum ph_status certify_curve(struct task *t,
 static void warn_corners(struct ph_result *r) {
   double speed = r->diagnostics.value[PH_D_MIN_SPEED];
   if (ph_diagnostics_known(&r->diagnostics, PH_D_MIN_SPEED) && speed < SHARP) {
-    ph_warn(r, PH_NO_SEGMENT, PH_SHARP_CORNERS,
+    ph_warn(r, PH_NO_SEGMENT, PH_W_SHARP_CORNERS,
             "the curve is nearly a polygon with sharp corners: its least speed "
             "is %.2g of the mean",
             speed);
@@ -151,12 +151,12 @@ enum ph_status ph_work_settle(const struct ph_options *options,
   ph_budget_stop(&worker->budget);
   ph_arena_reset(&worker->scratch);
   if (needed) {
-    return ph_fail(diag, PH_LIMIT, NULL,
+    return ph_fail(diag, PH_E_LIMIT, NULL,
                    "the record takes %zu bytes of memory or more, above the "
                    "%zu of --max-memory",
                    needed, options->max_memory);
   }
-  return late ? ph_fail(diag, PH_LIMIT, NULL,
+  return late ? ph_fail(diag, PH_E_LIMIT, NULL,
                         "the record takes longer than the %g seconds of "
                         "--time-limit",
                         options->time_limit)
@@ -211,9 +211,9 @@ static enum ph_status solve(struct task *t) {
   const struct ph_command *command = t->options->command;
   struct ph_worker *worker = t->worker;
   enum ph_status status = t->item->record.status;
-  if (status == PH_LIMIT && t->item->record.n > 0 &&
-      read_problem(t) == PH_NO_MEMORY) { /* its id */
-    return PH_NO_MEMORY;
+  if (status == PH_E_LIMIT && t->item->record.n > 0 &&
+      read_problem(t) == PH_E_NO_MEMORY) { /* its id */
+    return PH_E_NO_MEMORY;
   }
   if (status != PH_OK) {
     t->diag = t->item->diag;
@@ -235,7 +235,7 @@ static enum ph_status solve(struct task *t) {
   if (status == PH_OK) {
     status = certify(t);
   }
-  if (status == PH_NO_CONVERGENCE) {
+  if (status == PH_E_NO_CONVERGENCE) {
     advise(t);
   }
   if (status == PH_OK) {
@@ -287,7 +287,7 @@ static enum ph_status try_write(struct task *t,
   out->most = start + (most > used ? most - used : 0);
   write_result(t, heading, id, out);
   if (out->n > out->most) {
-    status = ph_fail(&t->diag, PH_LIMIT, NULL,
+    status = ph_fail(&t->diag, PH_E_LIMIT, NULL,
                      "the record takes more bytes of memory, with its result "
                      "as text, than the %zu of --max-memory",
                      most);

@@ -47,7 +47,7 @@ void ph_work_begin(const struct ph_options *options, struct ph_worker *worker);
 
 /* ph_work_settle: it has ended so; what spent its budget has failed for that,
  * whatever the solver made of it.  From then on there is no budget, and no
- * scratch.  ret  the status, PH_LIMIT if there was too little */
+ * scratch.  ret  the status, PH_E_LIMIT if there was too little */
 enum ph_status ph_work_settle(const struct ph_options *options,
                               struct ph_worker *worker, enum ph_status status,
                               struct ph_diag *diag);

@@ -132,7 +132,7 @@ static void set_intervals(struct task *t) {
 
 static enum ph_status disagree(struct task *t, const char *name, size_t i) {
   size_t to = t->to[i];
-  return ph_fail_at(t->diag, PH_BAD_VALUE, name, i,
+  return ph_fail_at(t->diag, PH_E_BAD_VALUE, name, i,
                     "differs from %s[%zu] by more than a tenth, but merge "
                     "joins %s[%zu] to %s[%zu]",
                     name, to, ph_field_name(t->merge->points), i,
@@ -171,7 +171,7 @@ static enum ph_status check_shape(struct task *t, const char *name,
   if (value->n == n || (t->closed && value->n + 1 == n)) {
     return PH_OK;
   }
-  return ph_fail(t->diag, PH_BAD_SHAPE, name,
+  return ph_fail(t->diag, PH_E_BAD_SHAPE, name,
                  "must have %zu elements, one for each %s, before merge joins "
                  "points, found %zu",
                  n, what, value->n);
@@ -338,12 +338,12 @@ enum ph_status ph_merge(const struct ph_schema *schema, struct ph_arena *arena,
   }
   merge->distance = distance->number;
   if (!(merge->distance > 0)) {
-    return ph_fail(diag, PH_BAD_VALUE, "merge",
+    return ph_fail(diag, PH_E_BAD_VALUE, "merge",
                    "must be greater than 0, found %.17g", merge->distance);
   }
   read_points(&t, schema);
   if (t.points->kind != PH_VECTORS) {
-    return ph_fail(diag, PH_BAD_VALUE, "merge", "is for points");
+    return ph_fail(diag, PH_E_BAD_VALUE, "merge", "is for points");
   }
   points = *t.points; /* as they were: the field is replaced */
   t.points = &points;

@@ -41,7 +41,7 @@ struct ph_merge {
  *
  * inout problem  its arrays are replaced, not written to
  * out   merge    memory of the arena
- * ret   PH_OK | PH_BAD_VALUE | PH_BAD_SHAPE | PH_NO_MEMORY
+ * ret   PH_OK | PH_E_BAD_VALUE | PH_E_BAD_SHAPE | PH_E_NO_MEMORY
  */
 enum ph_status ph_merge(const struct ph_schema *schema, struct ph_arena *arena,
                         struct ph_problem *problem, struct ph_merge *merge,

@@ -528,7 +528,7 @@ void ph_warn(struct ph_result *result, size_t segment, enum ph_status status,
  * ph_curve_alloc: the arrays of a curve that all kinds have, and its preimage.
  *
  * inout curve  kind, n and dimensions are given
- * ret   PH_OK | PH_NO_MEMORY
+ * ret   PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_curve_alloc(struct ph_curve *curve, struct ph_arena *arena,
                               struct ph_diag *diag);

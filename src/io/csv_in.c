@@ -262,7 +262,7 @@ static enum ph_status bad_cell(struct reader *r, enum ph_status status,
                                const struct ph_csv_column *column,
                                const struct ph_csv_cell *cell) {
   const char *field = ph_field_name((enum ph_field_id)column->field);
-  const char *what = status == PH_NOT_FINITE ? "finite " : "";
+  const char *what = status == PH_E_NOT_FINITE ? "finite " : "";
   char excerpt[PH_EXCERPT_MAX];
   ph_excerpt(cell->text, cell->n, excerpt);
   if (column->segments && r->rows == 0) {
@@ -288,10 +288,10 @@ static enum ph_status read_number(struct reader *r,
     return PH_OK;
   }
   if (!ph_csv_number(cell->text, cell->n, x)) {
-    return bad_cell(r, PH_BAD_TYPE, column, cell);
+    return bad_cell(r, PH_E_BAD_TYPE, column, cell);
   }
   if (!isfinite(*x)) {
-    return bad_cell(r, PH_NOT_FINITE, column, cell);
+    return bad_cell(r, PH_E_NOT_FINITE, column, cell);
   }
   series->filled[c]++;
   return PH_OK;
@@ -315,7 +315,7 @@ static enum ph_status read_row(struct reader *r, const char *p,
     }
   }
   if (n != r->columns->n) {
-    status = ph_fail(r->diag, PH_BAD_SHAPE, NULL,
+    status = ph_fail(r->diag, PH_E_BAD_SHAPE, NULL,
                      "the row has %zu cells, expected %zu", n, r->columns->n);
   }
   r->rows++;
@@ -337,7 +337,7 @@ static enum ph_status echo_id(struct reader *r, const struct ph_csv_cell *cell,
   for (size_t i = 0; i < n;) {
     int length = ph_utf8_length(text + i, text + n);
     if (length <= 0) {
-      return ph_fail(r->diag, PH_SYNTAX, "id",
+      return ph_fail(r->diag, PH_E_SYNTAX, "id",
                      "has the byte \\x%02x, which is not UTF-8",
                      (unsigned char)text[i]);
     }
@@ -418,12 +418,12 @@ static enum ph_status gap(struct reader *r, const struct ph_field *row,
   const struct series *series = &r->series[row->id];
   size_t i = series->first_gap[component];
   char path[PH_DIAG_FIELD_MAX];
-  ph_fail_at(r->diag, PH_BAD_VALUE, ph_field_name(row->id), i,
+  ph_fail_at(r->diag, PH_E_BAD_VALUE, ph_field_name(row->id), i,
              "needs a number in column %s, found an empty cell",
              series->names[component]);
   memcpy(path, r->diag->field, sizeof path);
   r->diag->line = ph_csv_line(r->record, path);
-  return PH_BAD_VALUE;
+  return PH_E_BAD_VALUE;
 }
 
 /* A number for each segment, in the row in which the segment ends: the first
@@ -436,7 +436,7 @@ static enum ph_status finish_segments(struct reader *r,
   double first = series->v[0];
   if (!closes &&
       (series->filled[0] + 1 < r->rows || series->first_gap[0] > 0)) {
-    return ph_fail(r->diag, PH_BAD_VALUE, ph_field_name(row->id),
+    return ph_fail(r->diag, PH_E_BAD_VALUE, ph_field_name(row->id),
                    "needs a number in column %s of every row but the first",
                    series->names[0]);
   }

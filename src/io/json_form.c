@@ -25,7 +25,7 @@ size_t ph_read_word(struct ph_json_reader *r, const struct ph_json_item *item,
   }
   ph_did_you_mean(&suggest, clause);
   mark = ph_read_enter(r, name);
-  ph_read_fail(r, PH_BAD_VALUE, "cannot be \"%s\"%s",
+  ph_read_fail(r, PH_E_BAD_VALUE, "cannot be \"%s\"%s",
                ph_excerpt(text, strlen(text), excerpt), clause);
   ph_read_leave(r, mark);
   return absent;
@@ -38,7 +38,7 @@ static const char *read_vector(struct ph_json_reader *r,
   const char *vector = ph_read_string(r, item, name, NULL);
   if (vector && strcmp(vector, "e2") != 0 && strcmp(vector, "e3") != 0) {
     ph_read_enter(r, name);
-    ph_read_fail(r, PH_BAD_VALUE, "must be \"e2\" or \"e3\"");
+    ph_read_fail(r, PH_E_BAD_VALUE, "must be \"e2\" or \"e3\"");
   }
   return vector;
 }
@@ -48,7 +48,7 @@ static double read_radius(struct ph_json_reader *r,
   double radius = ph_read_number(r, item, name, 0);
   if (!(radius > 0)) {
     ph_read_enter(r, name);
-    ph_read_fail(r, PH_BAD_VALUE, "must be greater than 0, found %g", radius);
+    ph_read_fail(r, PH_E_BAD_VALUE, "must be greater than 0, found %g", radius);
   }
   return radius;
 }
@@ -63,7 +63,7 @@ static void read_signs(struct ph_json_reader *r,
     if (!(fabs(v[i]) <= 0) && !(fabs(v[i]) >= 1 && fabs(v[i]) <= 1)) {
       ph_read_enter(r, name);
       ph_read_enter_at(r, i);
-      ph_read_fail(r, PH_BAD_VALUE, "must be -1, 0 or 1, found %g", v[i]);
+      ph_read_fail(r, PH_E_BAD_VALUE, "must be -1, 0 or 1, found %g", v[i]);
     } else {
       signs[i] = (signed char)v[i];
     }
@@ -79,7 +79,7 @@ static void read_range(struct ph_json_reader *r,
   if (!(v[0] >= 0) || !(v[0] <= v[1]) || !(v[1] <= (double)last) ||
       floor(v[0]) < v[0] || floor(v[1]) < v[1]) {
     ph_read_enter(r, name);
-    ph_read_fail(r, PH_BAD_VALUE,
+    ph_read_fail(r, PH_E_BAD_VALUE,
                  "must be the first and the last of its segments, at most "
                  "%zu, found [%g,%g]",
                  last, v[0], v[1]);
@@ -97,7 +97,7 @@ static void read_knots(struct ph_json_reader *r,
   ph_read_numbers(r, item, name, ends, 2);
   if (k > 0 && (ends[0] < *knots || ends[0] > *knots)) {
     ph_read_enter(r, name);
-    ph_read_fail(r, PH_BAD_VALUE,
+    ph_read_fail(r, PH_E_BAD_VALUE,
                  "begins at %.17g, but segments[%zu] ends at %.17g", ends[0],
                  k - 1, *knots);
   }

@@ -46,7 +46,7 @@ static enum ph_status unknown_field(const struct ph_schema *schema,
   }
   ph_suggest_list(&suggest, "id|meta");
   ph_did_you_mean(&suggest, clause);
-  return ph_fail(diag, PH_UNKNOWN_FIELD,
+  return ph_fail(diag, PH_E_UNKNOWN_FIELD,
                  item->key_n ? ph_excerpt(item->key, item->key_n, excerpt)
                              : "\"\"",
                  "is not a field of %s%s", schema->command, clause);
@@ -78,7 +78,7 @@ static enum ph_status sort_member(const struct ph_schema *schema,
     return unknown_field(schema, name, item, diag);
   }
   if (members->item[index].value) {
-    return ph_fail(diag, PH_BAD_VALUE, name, "occurs twice");
+    return ph_fail(diag, PH_E_BAD_VALUE, name, "occurs twice");
   }
   members->item[index] = *item;
   return PH_OK;
@@ -128,7 +128,7 @@ static enum ph_status check_names(const struct ph_json_item *object,
   qsort(members, n, sizeof *members, compare_keys);
   for (size_t i = 1; i < n; i++) {
     if (compare_keys(&members[i - 1], &members[i]) == 0) {
-      return ph_fail(diag, PH_BAD_VALUE, field, "has the name \"%s\" twice",
+      return ph_fail(diag, PH_E_BAD_VALUE, field, "has the name \"%s\" twice",
                      ph_excerpt(members[i].key, members[i].key_n, excerpt));
     }
   }
@@ -147,7 +147,7 @@ static enum ph_status check_echo(const struct ph_json_item *echoed,
   char excerpt[PH_EXCERPT_MAX];
   double x;
   if (ph_number_read(echoed->value, end, &x) && !isfinite(x)) {
-    return ph_fail(diag, PH_NOT_FINITE, field,
+    return ph_fail(diag, PH_E_NOT_FINITE, field,
                    "is %s, which overflows a double",
                    ph_excerpt(echoed->value, echoed->value_n, excerpt));
   }
@@ -199,7 +199,7 @@ static enum ph_status echo_id(const struct ph_json_item *id,
                               struct ph_diag *diag) {
   enum ph_status status;
   if (!strchr("\"-0123456789", *id->value)) {
-    return ph_fail(diag, PH_BAD_TYPE, "id",
+    return ph_fail(diag, PH_E_BAD_TYPE, "id",
                    "must be a string or a number, found %s",
                    ph_value_type(*id->value));
   }
@@ -225,9 +225,9 @@ static enum ph_status echo_meta(const struct ph_json_item *meta,
 /* Of two failures the first is told, but for that of the memory. */
 static enum ph_status both(enum ph_status first, enum ph_status second,
                            struct ph_diag *diag) {
-  return second == PH_NO_MEMORY ? ph_fail_memory(diag)
-         : first == PH_OK       ? second
-                                : first;
+  return second == PH_E_NO_MEMORY ? ph_fail_memory(diag)
+         : first == PH_OK         ? second
+                                  : first;
 }
 
 enum ph_status ph_json_echo(const struct ph_json_item *id,
@@ -262,7 +262,7 @@ enum ph_status ph_json_in(const struct ph_record *record,
   *problem = (struct ph_problem){0};
   *echo = (struct ph_echo){0};
   if (*record->text != '{') {
-    return ph_fail(diag, PH_BAD_TYPE, NULL,
+    return ph_fail(diag, PH_E_BAD_TYPE, NULL,
                    "a problem must be an object, found %s",
                    ph_value_type(*record->text));
   }

@@ -17,9 +17,9 @@
  * out  problem  the fields that the record has; whether required ones are
  *               there is not checked (ph_problem_check_required)
  * out  echo     id and meta, as far as they are there, also on failure
- * ret  PH_OK; PH_BAD_TYPE, PH_BAD_VALUE (also for a name that occurs twice),
- *      PH_BAD_SHAPE, PH_NOT_FINITE, PH_UNKNOWN_FIELD, PH_NO_MEMORY; diag has
- *      the field, but no line (ph_record_line)
+ * ret  PH_OK; PH_E_BAD_TYPE, PH_E_BAD_VALUE (also for a name that occurs
+ *      twice), PH_E_BAD_SHAPE, PH_E_NOT_FINITE, PH_E_UNKNOWN_FIELD,
+ *      PH_E_NO_MEMORY; diag has the field, but no line (ph_record_line)
  */
 enum ph_status ph_json_in(const struct ph_record *record,
                           const struct ph_schema *schema,
@@ -32,7 +32,8 @@ enum ph_status ph_json_in(const struct ph_record *record,
  *
  * in   id, meta  values of these members; NULL: absent
  * out  echo      as far as they are good
- * ret  PH_OK | PH_BAD_TYPE | PH_BAD_VALUE | PH_NOT_FINITE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_BAD_TYPE | PH_E_BAD_VALUE | PH_E_NOT_FINITE |
+ *      PH_E_NO_MEMORY
  */
 enum ph_status ph_json_echo(const struct ph_json_item *id,
                             const struct ph_json_item *meta,

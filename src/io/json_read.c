@@ -89,7 +89,7 @@ void *ph_read_array_of(struct ph_json_reader *r, size_t n, size_t size) {
 
 static void wrong_type(struct ph_json_reader *r, const char *wanted,
                        const struct ph_json_item *found) {
-  ph_read_fail(r, PH_BAD_TYPE, "must be %s, found %s", wanted,
+  ph_read_fail(r, PH_E_BAD_TYPE, "must be %s, found %s", wanted,
                ph_value_type(*found->value));
 }
 
@@ -135,7 +135,7 @@ void ph_read_members(struct ph_json_reader *r, const struct ph_json_item *from,
     const struct ph_member *row = row_of(r, &item, rows);
     if (row && items[row - rows].value) {
       ph_read_enter(r, row->name);
-      ph_read_fail(r, PH_BAD_VALUE, "occurs twice");
+      ph_read_fail(r, PH_E_BAD_VALUE, "occurs twice");
     } else if (row) {
       items[row - rows] = item;
     }
@@ -170,7 +170,7 @@ bool ph_read_required(struct ph_json_reader *r, const struct ph_json_item *item,
     return true;
   }
   mark = ph_read_enter(r, name);
-  ph_read_fail(r, PH_MISSING_FIELD, "is missing");
+  ph_read_fail(r, PH_E_MISSING_FIELD, "is missing");
   ph_read_leave(r, mark);
   return false;
 }
@@ -184,7 +184,7 @@ static double number(struct ph_json_reader *r,
   if (!ph_number_read(item->value, end, &x)) {
     wrong_type(r, "a number", item);
   } else if (!isfinite(x)) {
-    ph_read_fail(r, PH_NOT_FINITE, "is %s, which overflows a double",
+    ph_read_fail(r, PH_E_NOT_FINITE, "is %s, which overflows a double",
                  ph_excerpt(item->value, item->value_n, excerpt));
   } else {
     return x;
@@ -254,7 +254,7 @@ size_t ph_read_whole(struct ph_json_reader *r, const struct ph_json_item *item,
   x = number(r, item);
   if (r->status == PH_OK &&
       (!(x >= (double)least) || !(x <= (double)most) || floor(x) < x)) {
-    ph_read_fail(r, PH_BAD_VALUE,
+    ph_read_fail(r, PH_E_BAD_VALUE,
                  "must be a whole number from %zu to %zu, found %s", least,
                  most, ph_excerpt(item->value, item->value_n, excerpt));
   }
@@ -271,7 +271,7 @@ static void numbers(struct ph_json_reader *r, const struct ph_json_item *from,
   struct ph_json_walk walk;
   struct ph_json_item item;
   if (r->status == PH_OK && found != n) {
-    ph_read_fail(r, PH_BAD_SHAPE, "must have %zu number%s, found %zu", n,
+    ph_read_fail(r, PH_E_BAD_SHAPE, "must have %zu number%s, found %zu", n,
                  n == 1 ? "" : "s", found);
   }
   if (r->status != PH_OK) {
@@ -324,7 +324,7 @@ void ph_read_vectors(struct ph_json_reader *r, const struct ph_json_item *item,
   mark = ph_read_enter(r, name);
   found = ph_read_size(r, item);
   if (r->status == PH_OK && found != n) {
-    ph_read_fail(r, PH_BAD_SHAPE, "must have %zu vector%s, found %zu", n,
+    ph_read_fail(r, PH_E_BAD_SHAPE, "must have %zu vector%s, found %zu", n,
                  n == 1 ? "" : "s", found);
   }
   ph_json_walk_init(&walk, item->value, item->value_n);

@@ -97,7 +97,7 @@ static void measure_preimage(struct ph_json_reader *r, struct ph_curve *c,
   c->preimage.n = ph_read_size(r, item);
   c->preimage.dimension = c->dimension == 2 ? 2 : 4;
   if (c->preimage.n < 1 || c->preimage.n > PH_CLAIM_DEGREE_MAX) {
-    ph_read_fail(r, PH_BAD_SHAPE,
+    ph_read_fail(r, PH_E_BAD_SHAPE,
                  "must have from 1 to %d coefficients, found %zu",
                  PH_CLAIM_DEGREE_MAX, c->preimage.n);
   }
@@ -113,7 +113,7 @@ static void compare_members(struct ph_json_reader *r, const struct object *o,
       continue;
     }
     ph_read_enter(r, o->of->rows[i].name);
-    ph_read_fail(r, here ? PH_BAD_SHAPE : PH_MISSING_FIELD,
+    ph_read_fail(r, here ? PH_E_BAD_SHAPE : PH_E_MISSING_FIELD,
                  here ? "is in this segment, but not in segments[0]"
                       : "is missing, but segments[0] has one");
     return;
@@ -159,7 +159,8 @@ static size_t degree_of(struct ph_json_reader *r, const struct object *first) {
     mark = ph_read_enter(r, name);
     n = ph_read_size(r, item);
     if (n < 2 || n > PH_CLAIM_DEGREE_MAX + 1) {
-      ph_read_fail(r, PH_BAD_SHAPE, "must have from 2 to %d vectors, found %zu",
+      ph_read_fail(r, PH_E_BAD_SHAPE,
+                   "must have from 2 to %d vectors, found %zu",
                    PH_CLAIM_DEGREE_MAX + 1, n);
     }
     ph_read_leave(r, mark);
@@ -226,7 +227,7 @@ static void read_list(struct input *in, const struct ph_slot *slot,
   size_t mark = ph_read_enter(r, slot->row->name), slots_n = 0;
   *n = ph_read_size(r, from);
   if (*n == 0 && slot->form == PH_AS_SEGMENTS) {
-    ph_read_fail(r, PH_BAD_SHAPE, "is empty");
+    ph_read_fail(r, PH_E_BAD_SHAPE, "is empty");
   }
   if (slot->indirect) {
     o.at = *n ? ph_read_array_of(r, *n, o.of->size) : NULL;
@@ -266,7 +267,7 @@ static void read_as_many(struct input *in, const struct ph_slot *slot,
   read_list(in, slot, from, at, &n);
   if (n != slot->n) {
     mark = ph_read_enter(in->r, slot->row->name);
-    ph_read_fail(in->r, PH_BAD_SHAPE,
+    ph_read_fail(in->r, PH_E_BAD_SHAPE,
                  "must be %zu as of the best solution, found %zu", slot->n, n);
     ph_read_leave(in->r, mark);
   }
@@ -343,7 +344,7 @@ static void read_bounds(struct input *in, const struct ph_json_item *from,
   struct ph_json_item item;
   size_t mark = ph_read_enter(r, name), n = ph_read_size(r, from);
   if (n != surface->pairs_n) {
-    ph_read_fail(r, PH_BAD_SHAPE, "must be %zu, one for each pair, found %zu",
+    ph_read_fail(r, PH_E_BAD_SHAPE, "must be %zu, one for each pair, found %zu",
                  surface->pairs_n, n);
   }
   ph_json_walk_init(&walk, from->value, from->value_n);
@@ -437,7 +438,7 @@ static void read_result(struct input *in, struct object *o) {
   const char *parts = parts_of(o);
   if (!item_of(o, parts)->value) {
     ph_read_enter(in->r, parts);
-    ph_read_fail(in->r, PH_MISSING_FIELD, "is missing: this is no result");
+    ph_read_fail(in->r, PH_E_MISSING_FIELD, "is missing: this is no result");
   }
   if (strcmp(parts, "strips") == 0) {
     in->result->curve.dimension = 3;
@@ -466,7 +467,7 @@ static void read_fields(struct ph_json_reader *r,
   }
   mark = ph_read_enter(r, name);
   if (*from->value != '{') {
-    ph_read_fail(r, PH_BAD_TYPE, "must be an object");
+    ph_read_fail(r, PH_E_BAD_TYPE, "must be an object");
     return;
   }
   ph_json_walk_init(&walk, from->value, from->value_n);
@@ -497,11 +498,11 @@ static void read_heading(struct ph_json_reader *r, const struct object *o,
   claim->solved = strcmp(status, "error") != 0;
   if (claim->solved && strcmp(status, "ok") != 0) {
     ph_read_enter(r, "status");
-    ph_read_fail(r, PH_BAD_VALUE, "must be \"ok\" or \"error\"");
+    ph_read_fail(r, PH_E_BAD_VALUE, "must be \"ok\" or \"error\"");
   }
   if (!claim->solved && item_of(o, parts_of(o))->value) {
     ph_read_enter(r, parts_of(o));
-    ph_read_fail(r, PH_BAD_SHAPE, "are not of an error record");
+    ph_read_fail(r, PH_E_BAD_SHAPE, "are not of an error record");
   }
   read_fields(r, item_of(o, "sweep"), "sweep", &claim->swept, &claim->swept_n);
   read_fields(r, item_of(o, "set"), "set", &claim->set, &claim->set_n);
@@ -536,7 +537,7 @@ enum ph_status ph_json_result_in(const struct ph_record *record,
   enum ph_status status;
   memset(claim, 0, sizeof *claim);
   if (*record->text != '{') {
-    return ph_fail(diag, PH_BAD_TYPE, NULL,
+    return ph_fail(diag, PH_E_BAD_TYPE, NULL,
                    "a result must be an object, found %s",
                    ph_value_type(*record->text));
   }

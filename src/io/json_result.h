@@ -35,8 +35,8 @@ struct ph_claim {
  * ph_json_result_in: reads one.
  *
  * out  claim  arrays from the arena
- * ret  PH_OK | PH_SYNTAX, PH_MISSING_FIELD, PH_BAD_TYPE, PH_BAD_VALUE,
- *      PH_BAD_SHAPE (naming the field) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_SYNTAX, PH_E_MISSING_FIELD, PH_E_BAD_TYPE, PH_E_BAD_VALUE,
+ *      PH_E_BAD_SHAPE (naming the field) | PH_E_NO_MEMORY
  */
 enum ph_status ph_json_result_in(const struct ph_record *record,
                                  struct ph_arena *arena, struct ph_claim *claim,

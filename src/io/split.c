@@ -128,7 +128,7 @@ void ph_split_give_over(struct ph_split *split, size_t taken,
   record->line = split->over.place.line;
   record->status = split->over.kept.failed
                        ? ph_fail_memory(diag)
-                       : ph_fail(diag, PH_LIMIT, NULL,
+                       : ph_fail(diag, PH_E_LIMIT, NULL,
                                  "the record is longer than the %zu bytes of "
                                  "--max-record-bytes",
                                  split->options.most);
@@ -151,7 +151,7 @@ void ph_split_locate(const struct ph_split *split, size_t offset,
 static enum ph_split_state fail(struct ph_split *split, const char *what,
                                 struct ph_diag *diag) {
   split->ended = true;
-  ph_fail(diag, PH_INPUT, NULL, "cannot %s %s: %s", what, split->name,
+  ph_fail(diag, PH_E_INPUT, NULL, "cannot %s %s: %s", what, split->name,
           strerror(errno));
   return PH_SPLIT_FAILED;
 }
@@ -338,7 +338,7 @@ static enum ph_status check_options(struct ph_split *split,
   struct ph_csv_columns *columns;
   enum ph_status status;
   if (split->delimiter && strchr("\"\r\n", split->delimiter)) {
-    return ph_fail(diag, PH_USAGE, "--delimiter",
+    return ph_fail(diag, PH_E_USAGE, "--delimiter",
                    "must be neither a quote nor a line break");
   }
   if (!names) {
@@ -346,8 +346,8 @@ static enum ph_status check_options(struct ph_split *split,
   }
   status =
       ph_split_columns(split, names, strlen(names), ',', true, &columns, diag);
-  if (status != PH_OK && status != PH_NO_MEMORY) {
-    diag->status = status = PH_USAGE;
+  if (status != PH_OK && status != PH_E_NO_MEMORY) {
+    diag->status = status = PH_E_USAGE;
     diag->line = 0;
     diag->column = 0;
   }

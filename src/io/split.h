@@ -8,8 +8,8 @@
  * answer to each problem.
  *
  * A record that is longer than it may be is read to its end, but not kept: it
- * has the status PH_LIMIT.  One that is broken is that in the first place.  Nor
- * are blanks kept, wherever there are more than that.
+ * has the status PH_E_LIMIT.  One that is broken is that in the first place.
+ * Nor are blanks kept, wherever there are more than that.
  */
 #ifndef PH_IO_SPLIT_H
 #define PH_IO_SPLIT_H
@@ -45,7 +45,7 @@ enum ph_split_state {
   PH_SPLIT_RECORD, /* a record; its status tells whether it can be read */
   PH_SPLIT_WAIT,   /* no whole record is there, and none may be waited for */
   PH_SPLIT_END,    /* the end of the last file, or of what could be split */
-  PH_SPLIT_FAILED  /* PH_INPUT or PH_NO_MEMORY, in diag; PH_SPLIT_END follows */
+  PH_SPLIT_FAILED /* PH_E_INPUT, PH_E_NO_MEMORY in diag; PH_SPLIT_END follows */
 };
 
 /* A place in a file. */
@@ -138,8 +138,8 @@ struct ph_split {
  * in   files    names, "-" is standard input; n = 0: standard input alone;
  *               must live as long as the splitter, like the options' strings
  * in   schema   decides which CSV columns are known; must live as long
- * ret  PH_OK; PH_USAGE, with the option as field of diag, for a column name
- *      or a delimiter that cannot be; PH_NO_MEMORY.  ph_split_free is allowed
+ * ret  PH_OK; PH_E_USAGE, with the option as field of diag, for a column name
+ *      or a delimiter that cannot be; PH_E_NO_MEMORY.  ph_split_free is allowed
  *      after any of them.
  */
 enum ph_status ph_split_init(struct ph_split *split, const char *const *files,
@@ -155,7 +155,7 @@ enum ph_status ph_split_init(struct ph_split *split, const char *const *files,
  *                columns until ph_split_free.  When its status is not PH_OK,
  *                diag has message, line and, if it is broken, column; the text
  *                is what was broken, or nothing if that is too long, but with
- *                PH_LIMIT what reads as a record with nothing but the id and,
+ *                PH_E_LIMIT what reads as a record with nothing but the id and,
  *                of JSON, the command, or empty if neither is known.
  */
 enum ph_split_state ph_split_next(struct ph_split *split, bool may_wait,
@@ -214,8 +214,9 @@ enum ph_split_state ph_split_csv(struct ph_split *split, bool may_wait,
  * in   names, n   cells between separators
  * in   option     the names are those of --columns, which may skip a column
  * out  columns    a new node of split->all_columns, for the current delimiter
- * ret  PH_OK; PH_UNKNOWN_FIELD, PH_BAD_VALUE (a name twice), PH_MISSING_FIELD
- *      (x without y), with the column of the name in diag; PH_NO_MEMORY
+ * ret  PH_OK; PH_E_UNKNOWN_FIELD, PH_E_BAD_VALUE (a name twice),
+ *      PH_E_MISSING_FIELD (x without y), with the column of the name in diag;
+ *      PH_E_NO_MEMORY
  */
 enum ph_status ph_split_columns(struct ph_split *split, const char *names,
                                 size_t n, char separator, bool option,

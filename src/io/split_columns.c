@@ -102,7 +102,7 @@ static enum ph_status unknown_column(const struct list *list, size_t i,
   char clause[PH_DID_YOU_MEAN_MAX];
   char excerpt[PH_EXCERPT_MAX];
   if (cell->n == 0) {
-    return ph_fail(list->diag, PH_UNKNOWN_FIELD, where(list),
+    return ph_fail(list->diag, PH_E_UNKNOWN_FIELD, where(list),
                    "column %zu has no name%s", i + 1, advice(list));
   }
   ph_suggest_init(&suggest, cell->text, cell->n);
@@ -112,7 +112,7 @@ static enum ph_status unknown_column(const struct list *list, size_t i,
     }
   }
   ph_did_you_mean(&suggest, clause);
-  return ph_fail(list->diag, PH_UNKNOWN_FIELD, where(list),
+  return ph_fail(list->diag, PH_E_UNKNOWN_FIELD, where(list),
                  "column \"%s\" is unknown to %s%s%s",
                  ph_excerpt(cell->text, cell->n, excerpt), schema->command,
                  clause, advice(list));
@@ -144,7 +144,7 @@ static enum ph_status read_column(const struct list *list, size_t i,
   for (size_t j = 0; j < i; j++) {
     if (columns->column[j].field == column->field &&
         columns->column[j].component == column->component) {
-      return ph_fail(list->diag, PH_BAD_VALUE, where(list),
+      return ph_fail(list->diag, PH_E_BAD_VALUE, where(list),
                      "columns %zu and %zu (\"%s\") are the same%s", j + 1,
                      i + 1, ph_excerpt(cell->text, cell->n, excerpt),
                      advice(list));
@@ -174,7 +174,7 @@ static enum ph_status check_vectors(const struct list *list,
         (names[k].component < dimension ||
          (names[k].component == dimension &&
           !(row->dimensions >> dimension & 1)))) {
-      return ph_fail(list->diag, PH_MISSING_FIELD, where(list),
+      return ph_fail(list->diag, PH_E_MISSING_FIELD, where(list),
                      "column \"%s\" is missing: %s needs it for %s",
                      names[k].name, list->split->schema->command,
                      ph_field_name(row->id));
@@ -274,7 +274,7 @@ static enum ph_status columns_by_option(struct ph_split *split, const char *row,
   census = take_census(split, row, end, split->csv.columns);
   *data = census.numbers > 0 || census.blanks == census.cells;
   if (census.cells > split->csv.columns->n) {
-    return ph_fail(diag, PH_BAD_SHAPE, NULL,
+    return ph_fail(diag, PH_E_BAD_SHAPE, NULL,
                    "the row has %zu cells, but --columns names %zu "
                    "(- skips a column)",
                    census.cells, split->csv.columns->n);
@@ -294,7 +294,7 @@ static enum ph_status columns_by_row(struct ph_split *split, const char *row,
   *data = census.numbers > 0 && census.names == 0;
   if (!*data && census.cells == 1 && census.names == 0 && split->guessed) {
     const char *text_end = ph_csv_row_end(row, end);
-    return ph_fail(diag, PH_SYNTAX, NULL,
+    return ph_fail(diag, PH_E_SYNTAX, NULL,
                    "expected JSON, or CSV with a header row, found \"%s\"",
                    ph_excerpt(row, (size_t)(text_end - row), excerpt));
   }
@@ -304,7 +304,7 @@ static enum ph_status columns_by_row(struct ph_split *split, const char *row,
   }
   if (numeric && census.cells == 2 && row_of(split->schema, PH_F_LONLAT)) {
     return ph_fail(
-        diag, PH_SYNTAX, NULL,
+        diag, PH_E_SYNTAX, NULL,
         "the file has no header row: --columns=lon,lat or "
         "--columns=lat,lon must say which of its 2 columns is which");
   }
@@ -314,7 +314,7 @@ static enum ph_status columns_by_row(struct ph_split *split, const char *row,
     diag->column = 0; /* the name does not stand in the file */
     return status;
   }
-  return ph_fail(diag, PH_SYNTAX, NULL,
+  return ph_fail(diag, PH_E_SYNTAX, NULL,
                  "the file has no header row: --columns must name its %zu "
                  "column%s",
                  census.cells, census.cells == 1 ? "" : "s");

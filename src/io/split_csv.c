@@ -26,15 +26,15 @@ static enum ph_split_state stop(struct ph_split *split, size_t offset,
                                 struct ph_diag *diag) {
   enum ph_status status = diag->status;
   size_t column = diag->column > 0 ? diag->column - 1 : 0;
-  if (status == PH_NO_MEMORY) {
+  if (status == PH_E_NO_MEMORY) {
     split->ended = true;
     return PH_SPLIT_FAILED;
   }
   ph_split_locate(split, offset, diag);
-  diag->column = status == PH_LIMIT ? 1 : diag->column + column;
+  diag->column = status == PH_E_LIMIT ? 1 : diag->column + column;
   split->stopped = true;
   ph_split_give(split,
-                status == PH_LIMIT || split->over.on ? 0 : split->csv.scan.at,
+                status == PH_E_LIMIT || split->over.on ? 0 : split->csv.scan.at,
                 0, record);
   record->line = split->over.on ? split->over.place.line : record->line;
   record->status = status;
@@ -205,7 +205,7 @@ static enum ph_split_state handle_long(struct ph_split *split,
   const char *p = split->data + split->start + csv->row;
   const bool comment = *p == '#' && !csv->blanks;
   if (!comment && !csv->columns) {
-    ph_fail(diag, PH_LIMIT, NULL,
+    ph_fail(diag, PH_E_LIMIT, NULL,
             "the first row is longer than the %zu bytes of --max-record-bytes",
             most);
     return stop(split, 0, record, diag);
@@ -303,7 +303,7 @@ static enum ph_split_state handle_broken(struct ph_split *split,
   struct ph_split_csv *csv = &split->csv;
   const char *window = split->data + split->start;
   if (!csv->open || take_row(split, window + csv->row, window + csv->scan.at)) {
-    ph_fail(diag, PH_SYNTAX, NULL, "%s", csv->scan.message);
+    ph_fail(diag, PH_E_SYNTAX, NULL, "%s", csv->scan.message);
   } else if (csv->id.failed) {
     ph_fail_memory(diag);
   } else {
@@ -320,7 +320,7 @@ static enum ph_split_state handle_inside_broken(struct ph_split *split,
   const bool gone = scan->at == SIZE_MAX;
   enum ph_split_state state;
   scan->at = gone ? 0 : scan->at;
-  ph_fail(diag, PH_SYNTAX, NULL, "%s", scan->message);
+  ph_fail(diag, PH_E_SYNTAX, NULL, "%s", scan->message);
   state = stop(split, scan->at, record, diag);
   if (gone) {
     diag->line = split->over.quote.line;

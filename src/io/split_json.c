@@ -132,10 +132,10 @@ static enum ph_split_state give_broken(struct ph_split *split, size_t n,
                                        const struct ph_json_scan *scan,
                                        struct ph_record *record,
                                        struct ph_diag *diag) {
-  ph_fail(diag, PH_SYNTAX, NULL, "%s", scan->message);
+  ph_fail(diag, PH_E_SYNTAX, NULL, "%s", scan->message);
   ph_split_locate(split, scan->at, diag);
   ph_split_give(split, n, taken, record);
-  record->status = PH_SYNTAX;
+  record->status = PH_E_SYNTAX;
   return PH_SPLIT_RECORD;
 }
 
@@ -226,7 +226,7 @@ static enum ph_split_state give_over(struct ph_split *split, bool stopped,
   ph_split_give_over(split, 0, record, diag);
   if (broken) {
     record->n = 0;
-    record->status = ph_fail(diag, PH_SYNTAX, NULL, "%s", json->scan.message);
+    record->status = ph_fail(diag, PH_E_SYNTAX, NULL, "%s", json->scan.message);
     diag->line = over->broken.line;
     diag->column = over->broken.column;
     split->stopped = stopped;

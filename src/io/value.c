@@ -144,7 +144,7 @@ const char *ph_value_type(char first) {
 
 static enum ph_status bad_type(struct reader *r, const char *found) {
   char phrase[PH_VALUE_PHRASE_MAX];
-  return ph_fail(r->diag, PH_BAD_TYPE, r->name, "must be %s, found %s",
+  return ph_fail(r->diag, PH_E_BAD_TYPE, r->name, "must be %s, found %s",
                  ph_value_describe(r->row, phrase), found);
 }
 
@@ -157,7 +157,7 @@ static enum ph_status check_finite(double x, const char *path, const char *text,
   if (isfinite(x)) {
     return PH_OK;
   }
-  return ph_fail(diag, PH_NOT_FINITE, path, "is %s, which overflows a double",
+  return ph_fail(diag, PH_E_NOT_FINITE, path, "is %s, which overflows a double",
                  ph_excerpt(text, n, excerpt));
 }
 
@@ -226,7 +226,7 @@ static enum ph_status check_word(struct reader *r, const char *word,
   ph_suggest_init(&suggest, word, n);
   ph_suggest_list(&suggest, r->row->words);
   ph_did_you_mean(&suggest, clause);
-  return ph_fail(r->diag, PH_BAD_VALUE, r->name, "must be %s, found \"%s\"%s",
+  return ph_fail(r->diag, PH_E_BAD_VALUE, r->name, "must be %s, found \"%s\"%s",
                  ph_value_describe(r->row, phrase),
                  ph_excerpt(shown, shown_n, excerpt), clause);
 }
@@ -308,7 +308,7 @@ static enum ph_status read_element(struct reader *r, size_t i, long j,
   const char *before = r->p;
   char text[PH_DIAG_FIELD_MAX];
   if (!after) {
-    return ph_fail(r->diag, PH_BAD_TYPE, path(r, i, j, text),
+    return ph_fail(r->diag, PH_E_BAD_TYPE, path(r, i, j, text),
                    "must be a number, found %s", ph_value_type(*r->p));
   }
   r->p = after;
@@ -347,10 +347,10 @@ static enum ph_status bad_size(struct reader *r, size_t i, size_t dimension,
                       : allowed == 1u << 3           ? "3 numbers"
                                                      : "2 numbers";
   if (dimension == 0 || allowed == 1u << dimension) {
-    return ph_fail(r->diag, PH_BAD_SHAPE, path(r, i, -1, text),
+    return ph_fail(r->diag, PH_E_BAD_SHAPE, path(r, i, -1, text),
                    "must have %s, found %zu", sizes, found);
   }
-  return ph_fail(r->diag, PH_BAD_SHAPE, path(r, i, -1, text),
+  return ph_fail(r->diag, PH_E_BAD_SHAPE, path(r, i, -1, text),
                  "must have %zu numbers as %s%s has, found %zu", dimension,
                  field, r->name == field ? "[0]" : "[0][0]", found);
 }
@@ -362,7 +362,7 @@ static enum ph_status read_vector(struct reader *r, size_t i, size_t dimension,
   double more;
   size_t n = 0;
   if (*r->p != '[') {
-    return ph_fail(r->diag, PH_BAD_TYPE, path(r, i, -1, text),
+    return ph_fail(r->diag, PH_E_BAD_TYPE, path(r, i, -1, text),
                    "must be an array of numbers, found %s",
                    ph_value_type(*r->p));
   }
@@ -421,7 +421,7 @@ static enum ph_status read_piece(struct reader *r, size_t i, size_t n_max,
   enum ph_status status;
   path(r, i, -1, text);
   if (*r->p != '[') {
-    return ph_fail(r->diag, PH_BAD_TYPE, text,
+    return ph_fail(r->diag, PH_E_BAD_TYPE, text,
                    "must be an array of points, found %s",
                    ph_value_type(*r->p));
   }
@@ -431,7 +431,7 @@ static enum ph_status read_piece(struct reader *r, size_t i, size_t n_max,
   r->name = name;
   r->p++;
   if (status == PH_OK && value->n == before) {
-    return ph_fail(r->diag, PH_BAD_SHAPE, text, "has no points");
+    return ph_fail(r->diag, PH_E_BAD_SHAPE, text, "has no points");
   }
   value->sizes[i] = value->n - before;
   return status;
@@ -564,7 +564,7 @@ enum ph_status ph_value_read_option(const char *text,
     return ph_value_read(p, scan.at, row, arena, value, diag);
   }
   if (p < end && strchr("[{\"", *p)) {
-    return ph_fail(diag, PH_SYNTAX, r.name, "must be JSON: %s",
+    return ph_fail(diag, PH_E_SYNTAX, r.name, "must be JSON: %s",
                    state == PH_JSON_DONE ? "something follows the value"
                                          : scan.message);
   }
@@ -578,7 +578,7 @@ enum ph_status ph_problem_check_required(const struct ph_problem *problem,
   for (size_t i = 0; i < schema->fields_n; i++) {
     const struct ph_field *row = &schema->fields[i];
     if (row->required && problem->field[row->id].kind == PH_ABSENT) {
-      return ph_fail(diag, PH_MISSING_FIELD, ph_field_name(row->id),
+      return ph_fail(diag, PH_E_MISSING_FIELD, ph_field_name(row->id),
                      "is missing: it must be %s",
                      ph_value_describe(row, phrase));
     }

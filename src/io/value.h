@@ -25,10 +25,10 @@ enum { PH_VALUE_PHRASE_MAX = 224 };
  * out  value    complete only when PH_OK is returned; numbers are finite,
  *               vectors are all of one allowed size; an empty array has n = 0,
  *               no piece of several is empty
- * ret  PH_OK; PH_BAD_TYPE (also for null), PH_BAD_VALUE (a word that is not
- *      in the list), PH_BAD_SHAPE (a vector of a wrong size, an empty piece),
- *      PH_NOT_FINITE (a number that overflows), PH_NO_MEMORY; diag names the
- *      field with its path, points[4][1]
+ * ret  PH_OK; PH_E_BAD_TYPE (also for null), PH_E_BAD_VALUE (a word that is not
+ *      in the list), PH_E_BAD_SHAPE (a vector of a wrong size, an empty piece),
+ *      PH_E_NOT_FINITE (a number that overflows), PH_E_NO_MEMORY; diag names
+ *      the field with its path, points[4][1]
  */
 enum ph_status ph_value_read(const char *text, size_t n,
                              const struct ph_field *row, struct ph_arena *arena,
@@ -40,7 +40,7 @@ enum ph_status ph_value_read(const char *text, size_t n,
  * field that may be a truth value means true.
  *
  * in   text  NUL-terminated
- * ret  as ph_value_read; PH_SYNTAX when the text begins like a JSON array,
+ * ret  as ph_value_read; PH_E_SYNTAX when the text begins like a JSON array,
  *      object or string but is none
  */
 enum ph_status ph_value_read_option(const char *text,
@@ -72,7 +72,7 @@ const char *ph_value_string(const char *text, size_t n, struct ph_arena *arena);
  * "a string", "null". */
 const char *ph_value_type(char first);
 
-/* ph_problem_check_required: PH_OK, or PH_MISSING_FIELD for the first field
+/* ph_problem_check_required: PH_OK, or PH_E_MISSING_FIELD for the first field
  * that the schema requires and the problem lacks. */
 enum ph_status ph_problem_check_required(const struct ph_problem *problem,
                                          const struct ph_schema *schema,

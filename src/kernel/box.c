@@ -35,7 +35,7 @@ static enum ph_status allocate(struct search *s, struct ph_arena *arena,
   double *room = ph_arena_array(arena, n, (4 + 2 * PAIRS) * sizeof *room);
   s->fixed = ph_arena_array(arena, n, sizeof *s->fixed);
   if (!room || !s->fixed) {
-    return PH_NO_MEMORY;
+    return PH_E_NO_MEMORY;
   }
   s->next = room;
   s->gradient = room + n;

@@ -44,7 +44,7 @@ struct ph_box_report {
  * decreased the function by more than box->decrease a step.
  *
  * inout x[n]  start, in the box; the best found
- * ret   PH_OK | PH_NO_MEMORY | what `value` returned
+ * ret   PH_OK | PH_E_NO_MEMORY | what `value` returned
  */
 enum ph_status ph_box_minimize(const struct ph_box *box,
                                struct ph_arena *scratch, double *x,

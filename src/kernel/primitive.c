@@ -145,12 +145,12 @@ keep(struct task *task, const struct ph_primitive_panel *panel, double mean) {
   struct ph_primitive *p = task->primitive;
   struct ph_primitive_panel *grown;
   if (p->n == PANELS_MAX) {
-    return PH_NO_CONVERGENCE;
+    return PH_E_NO_CONVERGENCE;
   }
   grown = ph_arena_grow(task->arena, p->panels, p->n, sizeof *grown,
                         PANELS_LEAST, &p->room);
   if (!grown) {
-    return PH_NO_MEMORY;
+    return PH_E_NO_MEMORY;
   }
   p->panels = grown;
   grown[p->n] = *panel;
@@ -176,7 +176,7 @@ static enum ph_status tabulate(struct task *task, double from, double to,
   double left[2] = {end[0]}, right[2] = {0, end[1]};
   enum ph_status status;
   if (!isfinite(mean)) {
-    return PH_NO_CONVERGENCE;
+    return PH_E_NO_CONVERGENCE;
   }
   task->mean = fmax(task->mean, mean * width);
   /* known well enough here, or of no matter for the whole */

@@ -38,8 +38,8 @@ struct ph_primitive {
  * in   breaks[breaks_n]  increasing, in (0,1): where f is not smooth
  * in   tolerance         error of every integral, relative to that of |f|;
  *                        1e-14 can be reached if f is known to rounding
- * ret  PH_OK | PH_NO_CONVERGENCE (some 2^12 panels do not suffice, or f is not
- *      finite) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_CONVERGENCE (some 2^12 panels do not suffice, or f is
+ *      not finite) | PH_E_NO_MEMORY
  */
 enum ph_status ph_primitive_make(struct ph_primitive *primitive,
                                  ph_integrand *f, const void *context,

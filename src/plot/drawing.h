@@ -94,7 +94,7 @@ struct ph_drawing_names {
  *
  * in   problem  tangents or derivatives of it are drawn
  * out  drawing  to be freed; NULL on failure
- * ret  PH_OK | PH_NO_MEMORY | what ph_sampler_enter returns
+ * ret  PH_OK | PH_E_NO_MEMORY | what ph_sampler_enter returns
  */
 enum ph_status ph_drawing_make(const struct ph_problem *problem,
                                const struct ph_result *result,

@@ -75,8 +75,8 @@ bool ph_figure_can(void);
  * Titles and labels may be any bytes and of any length, numbers any doubles.
  *
  * in   drawings[n]  in the order of the records; n = 0 is an empty page
- * ret  PH_OK | PH_NO_MEMORY | PH_INTERNAL (cairo failed, or is not there; says
- *      why)
+ * ret  PH_OK | PH_E_NO_MEMORY | PH_E_INTERNAL (cairo failed, or is not there;
+ *      says why)
  */
 enum ph_status ph_figure_write(const struct ph_drawing *const *drawings,
                                size_t n, const struct ph_figure_rules *rules,

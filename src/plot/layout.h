@@ -18,7 +18,7 @@ struct ph_layout {
  * in   rules  width and height of the page, where they are not 0, are kept;
  *             letters grow and shrink with the page, but stay legible
  * in   note   room for a line below the panels
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_layout_make(const struct ph_panel *panels, size_t n,
                               const struct ph_figure_rules *rules, bool note,

@@ -63,7 +63,7 @@ static enum ph_status failure(cairo_status_t status, const struct ph_buf *out,
   }
   return status == CAIRO_STATUS_NO_MEMORY || out->failed
              ? ph_fail_memory(diag)
-             : ph_fail(diag, PH_INTERNAL, NULL, "cairo cannot draw: %s",
+             : ph_fail(diag, PH_E_INTERNAL, NULL, "cairo cannot draw: %s",
                        cairo_status_to_string(status));
 }
 

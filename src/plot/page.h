@@ -26,7 +26,7 @@ bool ph_page_can(void);
  * ph_page_begin: a white page.
  *
  * out  page  to be ended; NULL on failure
- * ret  PH_OK | PH_NO_MEMORY | PH_INTERNAL (cairo says why, or is not there)
+ * ret  PH_OK | PH_E_NO_MEMORY | PH_E_INTERNAL (cairo says why, or is not there)
  */
 enum ph_status ph_page_begin(enum ph_figure_format format, double width,
                              double height, struct ph_buf *out,

@@ -14,7 +14,7 @@ enum ph_status ph_page_begin(enum ph_figure_format format, double width,
                              struct ph_page **page, struct ph_diag *diag) {
   (void)format, (void)width, (void)height, (void)out;
   *page = NULL;
-  return ph_fail(diag, PH_INTERNAL, NULL,
+  return ph_fail(diag, PH_E_INTERNAL, NULL,
                  "figures need cairo, which this program was built without");
 }
 

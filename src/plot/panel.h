@@ -33,7 +33,7 @@ struct ph_panel {
  * ph_panel_make: looks through the drawings of a problem.
  *
  * in   drawings[n]  n > 0, all in the plane, or in space, or on a sphere
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_panel_make(const struct ph_drawing *const *drawings, size_t n,
                              struct ph_arena *scratch, struct ph_panel *panel,

@@ -29,7 +29,7 @@ struct ph_range {
  *
  * in   length   the largest of the drawings: > 0
  * in   scratch  memory is given back
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_profile_range(const struct ph_drawing *const *drawings,
                                 size_t n, enum ph_profile_of of, double length,

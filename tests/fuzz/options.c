@@ -192,7 +192,7 @@ FUZZ_TARGET(options, data, n) {
   options_forget();
   options.command = command;
   status = ph_options_read(argc, argv, &options, &diag);
-  FUZZ_REQUIRE(status == PH_OK || status == PH_USAGE);
+  FUZZ_REQUIRE(status == PH_OK || status == PH_E_USAGE);
   if (status == PH_OK) {
     options_check(&options, argc,
                   record ? record : options_problems[command - ph_commands]);

@@ -106,7 +106,7 @@ static void stream_check_problem(const struct ph_record *record,
                                  struct ph_arena *arena, struct ph_buf *log) {
   struct ph_problem problem = {0};
   struct ph_echo echo = {0};
-  struct ph_diag diag = {PH_SYNTAX, "", "none", 0, 0};
+  struct ph_diag diag = {PH_E_SYNTAX, "", "none", 0, 0};
   enum ph_status status =
       record->columns
           ? ph_csv_in(record, schema, arena, &problem, &echo, &diag)
@@ -150,7 +150,7 @@ static void stream_check_record(const struct ph_record *record,
     struct ph_echo none = {0};
     stream_check_diag(diag, record->status);
     FUZZ_REQUIRE(diag->line >= 1);
-    FUZZ_REQUIRE(diag->column >= 1 || record->status == PH_LIMIT);
+    FUZZ_REQUIRE(diag->column >= 1 || record->status == PH_E_LIMIT);
     stream_check_output(&none, diag, log);
   }
 }

@@ -366,7 +366,7 @@ FUZZ_TARGET(tc, data, n) {
   fuzz_solve(&run, &ph_method_tc, &in.problem);
   if (run.status == PH_OK) {
     tc_certify(&in, &run);
-    FUZZ_REQUIRE(run.status != PH_NO_CONVERGENCE || !tc_is_moderate(&in));
+    FUZZ_REQUIRE(run.status != PH_E_NO_CONVERGENCE || !tc_is_moderate(&in));
   }
   if (run.status == PH_OK) {
     tc_check_result(&in, &run.result, &run.out);

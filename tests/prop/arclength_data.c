@@ -271,7 +271,7 @@ bool arc_solve(const struct arc_data *d, size_t which,
   set_problem(d, s);
   status = unit_solve(&ph_method_arclength, s);
   if (status != PH_OK) {
-    ck_that(status == PH_INFEASIBLE || status == PH_NO_CONVERGENCE, "%s %s",
+    ck_that(status == PH_E_INFEASIBLE || status == PH_E_NO_CONVERGENCE, "%s %s",
             s->diag.field, s->diag.message);
     return false;
   }

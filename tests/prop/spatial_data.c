@@ -263,9 +263,9 @@ bool spatial_is_chosen(const struct spatial_data *d, const char *criterion) {
 static enum ph_status possible_error(const struct spatial_data *d) {
   bool axis = !d->axis || strcmp(d->axis, "bisector") != 0;
   if (axis && (d->has_angles || spatial_is_chosen(d, "zero"))) {
-    return PH_INFEASIBLE;
+    return PH_E_INFEASIBLE;
   }
-  return spatial_is_chosen(d, "F3") ? PH_NO_CONVERGENCE : PH_OK;
+  return spatial_is_chosen(d, "F3") ? PH_E_NO_CONVERGENCE : PH_OK;
 }
 
 bool spatial_answer(const struct spatial_data *d, size_t which,

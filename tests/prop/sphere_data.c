@@ -232,8 +232,8 @@ bool sphere_solve(const struct sphere_data *d, size_t which,
   set_problem(d, s);
   status = unit_solve(&ph_method_sphere, s);
   if (status != PH_OK) {
-    ck_that(status == PH_NO_CONVERGENCE ||
-                (status == PH_INFEASIBLE && d->shape),
+    ck_that(status == PH_E_NO_CONVERGENCE ||
+                (status == PH_E_INFEASIBLE && d->shape),
             "%s %s", s->diag.field, s->diag.message);
     return false;
   }

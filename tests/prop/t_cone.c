@@ -182,7 +182,7 @@ PH_TEST(test_any_pair) {
     error = unit_diagnostic(&one.result.diagnostics, PH_D_FRAME_ERROR);
     if (status != PH_OK) {
       refused++;
-      ck_assert_int_eq(status, PH_NO_CONVERGENCE);
+      ck_assert_int_eq(status, PH_E_NO_CONVERGENCE);
     }
     ck_that((error <= 1e-10 && status == PH_OK) || amplified(&one) > 1e4,
             "seed %lu: frames miss by %.3g, rounding is amplified %.3g times",
@@ -266,7 +266,7 @@ PH_TEST(test_noise) {
     ck_assert_int_eq(solve(&one, &data), PH_OK);
     far = unit_diagnostic(&one.result.diagnostics, PH_D_SHIFT);
     for (size_t w = 0; w < one.result.warnings_n; w++) {
-      warned += one.result.warnings[w].diag.status == PH_FAR_CONTACT;
+      warned += one.result.warnings[w].diag.status == PH_W_FAR_CONTACT;
     }
     unit_set_number(&one.problem, PH_F_DEGENERATE, 1e-2);
     ck_assert_int_eq(unit_solve(&ph_method_cone, &one), PH_OK);
@@ -293,7 +293,7 @@ PH_TEST(test_saddle) {
       data.d[j] = ph_vec3_unit(ph_vec3_of(-sin(t), cos(t), pitch));
     }
     unit_case("turn %g, pitch %g", turn, pitch);
-    ck_assert_int_eq(solve(&one, &data), PH_INFEASIBLE);
+    ck_assert_int_eq(solve(&one, &data), PH_E_INFEASIBLE);
     ck_assert_ptr_nonnull(strstr(one.diag.message, "of a saddle"));
   }
 }

@@ -45,7 +45,8 @@ static void ck_class(struct unit_random *r, enum prop_family family, size_t n,
       steps = u.result.diagnostics.value[PH_D_ITERATIONS];
       ck_that(steps <= (k < 2 ? 6 : 12), "%s: %g steps", prop_name(family),
               steps);
-      ck_that(family > PROP_ROUGH || k == 2 || !unit_planar_warned(&u, PH_LOOP),
+      ck_that(family > PROP_ROUGH || k == 2 ||
+                  !unit_planar_warned(&u, PH_W_LOOP),
               "%s: a loop", prop_name(family));
       ++*solved;
     }
@@ -176,9 +177,10 @@ PH_TEST(test_wild) {
     u = prop_problem(&data, i);
     status = unit_planar_solve(&u);
     if (status != PH_OK) {
-      ck_that(status == PH_COINCIDENT_POINTS || status == PH_NO_CONVERGENCE ||
-                  status == PH_TOO_LARGE || status == PH_BAD_VALUE ||
-                  status == PH_BAD_SHAPE || status == PH_TOO_FEW_POINTS,
+      ck_that(status == PH_E_COINCIDENT_POINTS ||
+                  status == PH_E_NO_CONVERGENCE || status == PH_E_TOO_LARGE ||
+                  status == PH_E_BAD_VALUE || status == PH_E_BAD_SHAPE ||
+                  status == PH_E_TOO_FEW_POINTS,
               "%s", ph_status_code(status));
       ck_that(u.diag.message[0] != '\0', "no message");
       continue;

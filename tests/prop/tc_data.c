@@ -265,7 +265,7 @@ bool tc_solve(const struct tc_data *d, size_t which, struct unit_solution *s) {
   set_problem(d, s);
   status = unit_solve(&ph_method_tc, s);
   if (status != PH_OK) {
-    ck_that(status == PH_INFEASIBLE && d->family == TC_ONE, "%s %s",
+    ck_that(status == PH_E_INFEASIBLE && d->family == TC_ONE, "%s %s",
             s->diag.field, s->diag.message);
     return false;
   }

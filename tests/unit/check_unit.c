@@ -37,7 +37,7 @@ void ck_accepted(void) {
 
 void ck_refused_somewhere(enum ph_diagnostic what) {
   char text[PH_DIAG_MESSAGE_MAX];
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   snprintf(text, sizeof text, "is refused by its certificate: %s is ",
            ph_diagnostic_name(what));
   ck_assert_msg(strncmp(checked.diag.message, text, strlen(text)) == 0,
@@ -81,7 +81,7 @@ void ck_each_scaled(double *x, size_t n, double by, enum ph_diagnostic what) {
 }
 
 void ck_refused_for(const char *words) {
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   ck_assert_msg(strstr(checked.diag.message, words) != NULL, "%s",
                 checked.diag.message);
 }
@@ -91,7 +91,7 @@ void ck_not_finite(double *x, size_t n) {
   for (size_t i = 0; i < COUNT(bad) * n; i++) {
     double keep = x[i / COUNT(bad)];
     x[i / COUNT(bad)] = bad[i % COUNT(bad)];
-    ck_assert_int_eq(certify(), PH_TOO_LARGE);
+    ck_assert_int_eq(certify(), PH_E_TOO_LARGE);
     ck_assert_str_eq(checked.diag.message,
                      "the curve exceeds the range of a double");
     ck_assert_str_eq(checked.diag.field, "");

@@ -98,7 +98,7 @@ static inline void note_record(const struct ph_record *record,
     note_place(diag->line, diag->column);
     ph_buf_puts(&transcript, diag->message);
   }
-  if (record->status == PH_LIMIT) {
+  if (record->status == PH_E_LIMIT) {
     ph_buf_puts(&transcript, " ");
     note(record->text, record->n);
   }

@@ -245,7 +245,7 @@ static inline size_t unit_cases(size_t n) {
   return unit_long() ? 10 * n : (size_t)unit_count((int)n);
 }
 
-/* What the failure PH_COINCIDENT_POINTS ends with. */
+/* What the failure PH_E_COINCIDENT_POINTS ends with. */
 #define JOINS "; --merge=D joins points nearer than D"
 
 #endif

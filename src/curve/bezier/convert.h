@@ -22,7 +22,7 @@ typedef enum ph_status ph_bezier_fn(const struct ph_curve *curve,
  * out  bezier  the curve itself; or of the kind PH_CURVE_BEZIER, without
  *              preimage and whatever else is said of each segment
  * out  error   greatest distance found, 0 for such a curve
- * ret  PH_OK | PH_NO_CONVERGENCE | PH_TOO_LARGE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_CONVERGENCE | PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
 ph_bezier_fn ph_bezier_curve;
 

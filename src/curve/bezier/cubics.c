@@ -295,9 +295,9 @@ static double fit_arc(const struct arc *arc, double enough, ph_cplx c[4]) {
 /* ---- pieces -------------------------------------------------------------- */
 
 static enum ph_status no_convergence(const struct work *work) {
-  return ph_fail_at(work->diag, PH_NO_CONVERGENCE, "segments", work->sampler.k,
-                    "needs more than %d cubics to be within the tolerance",
-                    (int)PIECES_MAX);
+  return ph_fail_at(
+      work->diag, PH_E_NO_CONVERGENCE, "segments", work->sampler.k,
+      "needs more than %d cubics to be within the tolerance", (int)PIECES_MAX);
 }
 
 static enum ph_status add(struct work *work, const double interval[2],

@@ -30,8 +30,8 @@
  *                 also of two segments or at the ends of a closed curve, they
  *                 have the same control point, but not across a gap; error is
  *                 the greatest distance, as said above
- * ret  PH_OK | PH_NO_CONVERGENCE (names the segment: 2^16 pieces of it do not
- *      suffice) | PH_NO_MEMORY | what ph_sampler_enter returns
+ * ret  PH_OK | PH_E_NO_CONVERGENCE (names the segment: 2^16 pieces of it do not
+ *      suffice) | PH_E_NO_MEMORY | what ph_sampler_enter returns
  */
 enum ph_status ph_cubics_of(const struct ph_curve *curve,
                             const struct ph_offset *offset, double tolerance,

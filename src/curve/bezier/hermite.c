@@ -182,13 +182,13 @@ static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
     return found(walk, u0, u1, error);
   }
   if (!isfinite(error) && is_too_fast(walk)) {
-    return ph_fail_at(walk->diag, PH_TOO_LARGE, "segments", walk->segment,
+    return ph_fail_at(walk->diag, PH_E_TOO_LARGE, "segments", walk->segment,
                       "has no Bezier pieces in the range of a double");
   }
   if (depth == HALVINGS_MAX || !isfinite(error)) {
-    return ph_fail_at(walk->diag, PH_NO_CONVERGENCE, "segments", walk->segment,
-                      "has no Bezier pieces within %.3g of the exact curve",
-                      walk->tolerance);
+    return ph_fail_at(
+        walk->diag, PH_E_NO_CONVERGENCE, "segments", walk->segment,
+        "has no Bezier pieces within %.3g of the exact curve", walk->tolerance);
   }
   m = walk->jet_at(walk, middle);
   status = visit(walk, a, u0, &m, middle, depth + 1);

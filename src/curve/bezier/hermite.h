@@ -25,8 +25,8 @@
  * in   tolerance  greatest distance from the exact curve, in its unit
  * out  pieces     error is the greatest distance found, at seven points of each
  *                 piece, between points of equal parameter
- * ret  PH_OK | PH_NO_CONVERGENCE, PH_TOO_LARGE (name the segment) |
- *      PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_CONVERGENCE, PH_E_TOO_LARGE (name the segment) |
+ *      PH_E_NO_MEMORY
  */
 enum ph_status ph_hermite_pieces(const struct ph_curve *curve, double distance,
                                  enum ph_normal normal, double tolerance,

@@ -372,7 +372,7 @@ enum ph_status ph_cross_planar(const struct ph_curve *curve,
     return ph_fail_memory(diag);
   }
   if (!set_frame(&t)) {
-    return ph_fail(diag, PH_NOT_FINITE, NULL, "the curve is not finite");
+    return ph_fail(diag, PH_E_NOT_FINITE, NULL, "the curve is not finite");
   }
   if (!build(&t, scratch)) {
     ph_arena_release(scratch, mark);

@@ -48,7 +48,7 @@ struct ph_cross {
  * and 40 bytes a segment of memory.
  *
  * in   scratch  memory given back before the return
- * ret  PH_OK | PH_NOT_FINITE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NOT_FINITE | PH_E_NO_MEMORY
  */
 enum ph_status ph_cross_planar(const struct ph_curve *curve,
                                struct ph_arena *scratch, struct ph_cross *cross,

@@ -16,7 +16,7 @@
  * ph_describe_fn: sets diagnostics; a number that there is none of, as of a
  * curve that stands still, stays unknown.
  *
- * ret  PH_OK | PH_NO_MEMORY | what ph_cross_planar returns
+ * ret  PH_OK | PH_E_NO_MEMORY | what ph_cross_planar returns
  */
 typedef enum ph_status ph_describe_fn(const struct ph_curve *curve,
                                       struct ph_arena *scratch,

@@ -189,7 +189,7 @@ static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
                              TOLERANCE, sampler->arena);
   state->scale =
       state->table.total > 0 ? sampler->length / state->table.total : 0;
-  if (status == PH_NO_CONVERGENCE) {
+  if (status == PH_E_NO_CONVERGENCE) {
     sampler->length = (double)NAN;
     status = PH_OK;
   }

@@ -400,7 +400,7 @@ static enum ph_status enter_space(struct state *state,
   status = ph_primitive_make(&state->table, speed_at, state, breaks, n,
                              TOLERANCE, arena);
   *length = status == PH_OK ? state->table.total : (double)NAN;
-  return status == PH_NO_MEMORY ? status : PH_OK;
+  return status == PH_E_NO_MEMORY ? status : PH_OK;
 }
 
 /* ---- the interface ------------------------------------------------------- */

@@ -198,8 +198,8 @@ static enum ph_status tabulate(struct ph_sampler *sampler) {
   enum { TRIES = 6 };
   struct state *state = sampler->state;
   double precision = precision_of(state);
-  enum ph_status status = PH_NO_CONVERGENCE;
-  for (int i = 0; i < TRIES && status == PH_NO_CONVERGENCE; i++) {
+  enum ph_status status = PH_E_NO_CONVERGENCE;
+  for (int i = 0; i < TRIES && status == PH_E_NO_CONVERGENCE; i++) {
     status = ph_primitive_make(&state->length, speed_at, state,
                                state->breaks + state->next, state->breaks_n,
                                precision, sampler->arena);
@@ -221,7 +221,7 @@ static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
     find_breaks(state, sampler->offset, sampler->k);
   }
   status = tabulate(sampler);
-  if (status == PH_NO_MEMORY) {
+  if (status == PH_E_NO_MEMORY) {
     return ph_fail_memory(diag);
   }
   if (status != PH_OK) {
@@ -494,7 +494,7 @@ static enum ph_status offset(const struct ph_curve *curve, double distance,
   enum ph_status status;
   *to = (struct ph_offset){.distance = distance, .dimension = 3};
   if (!(fabs(angle) < PH_PI)) {
-    return ph_fail(diag, PH_BAD_VALUE, NULL,
+    return ph_fail(diag, PH_E_BAD_VALUE, NULL,
                    "the offset distance %g is not less than half the "
                    "circumference of the sphere, %g",
                    distance, PH_PI * curve->sphere.radius);
@@ -509,7 +509,7 @@ static enum ph_status offset(const struct ph_curve *curve, double distance,
   }
   status = ph_sample_offset(curve, &samples, arena, to, diag);
   if (status == PH_OK && !ph_are_finite(to->samples.point, 3 * to->samples.n)) {
-    return ph_fail(diag, PH_TOO_LARGE, NULL,
+    return ph_fail(diag, PH_E_TOO_LARGE, NULL,
                    "the offset at distance %g exceeds the range of a double",
                    distance);
   }

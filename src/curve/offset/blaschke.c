@@ -87,7 +87,7 @@ enum ph_status ph_blaschke_curve(struct ph_curve *curve, struct ph_arena *arena,
   for (size_t i = 0; status == PH_OK && i < curve->blaschke.n; i++) {
     const struct ph_blaschke *image = &curve->blaschke.v[i];
     if (!is_finite(image)) {
-      status = ph_fail_at(diag, PH_TOO_LARGE, "segments", image->segment,
+      status = ph_fail_at(diag, PH_E_TOO_LARGE, "segments", image->segment,
                           "its %s exceeds the range of a double", what);
     }
   }

@@ -22,8 +22,8 @@
  *
  * inout curve  takes blaschke and blaschke_n, from the arena
  *
- * ret  PH_OK | PH_INFEASIBLE (the curve stands still somewhere: no normal
- *      there; names the segment) | PH_TOO_LARGE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_INFEASIBLE (the curve stands still somewhere: no normal
+ *      there; names the segment) | PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_blaschke_curve(struct ph_curve *curve, struct ph_arena *arena,
                                  struct ph_diag *diag);

@@ -20,7 +20,7 @@
  * in   distance  signed, along the normal
  * in   normal    of a planar curve E2, which is to the left of travel
  * out  cusps     from the arena; one at the joint of a closed curve is the last
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_cusps_of(const struct ph_curve *curve, double distance,
                            enum ph_normal normal, struct ph_arena *arena,

@@ -23,7 +23,7 @@
  * in   normal    of a planar curve E2, which is to the left of travel
  * out  gaps      from the arena; the joint of a closed curve is that before
  *                segment 0
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_gaps_of(const struct ph_curve *curve, double distance,
                           enum ph_normal normal, struct ph_arena *arena,

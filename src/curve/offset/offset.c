@@ -182,7 +182,7 @@ offset_along(making *make, const struct ph_curve *curve, double distance,
                                .length = (double)NAN};
   status = make(curve, normal, rules->tolerance, arena, offset, diag);
   if (status == PH_OK && !is_finite(offset)) {
-    status = ph_fail(diag, PH_TOO_LARGE, NULL,
+    status = ph_fail(diag, PH_E_TOO_LARGE, NULL,
                      "the offset at distance %g exceeds the range of a double",
                      distance);
   }

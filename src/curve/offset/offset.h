@@ -54,11 +54,11 @@ ph_offset_fn(const struct ph_curve *curve, double distance,
  * out  offsets  arrays from the arena; in space four, along e2, -e2, e3, -e3:
  *               the distance of the second and the fourth is the negative
  *
- * ret  PH_OK | PH_INFEASIBLE (the curve stands still somewhere: no normal
- *      there; names the segment) | PH_TOO_LARGE | PH_NO_CONVERGENCE (no Bezier
- *      piece is near enough; on a sphere, of the length) | PH_BAD_VALUE (on a
- *      sphere, the distance is not less than half the circumference) |
- *      PH_NO_MEMORY
+ * ret  PH_OK | PH_E_INFEASIBLE (the curve stands still somewhere: no normal
+ *      there; names the segment) | PH_E_TOO_LARGE | PH_E_NO_CONVERGENCE (no
+ *      Bezier piece is near enough; on a sphere, of the length) |
+ *      PH_E_BAD_VALUE (on a sphere, the distance is not less than half the
+ *      circumference) | PH_E_NO_MEMORY
  */
 ph_offset_fn ph_offset;
 

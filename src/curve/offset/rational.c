@@ -140,8 +140,8 @@ static bool cut(const struct piece *piece, size_t degree, struct piece *left,
   return u > 0 && u < 1;
 }
 
-/* Visits the piece, or its parts; PH_INFEASIBLE if the speed vanishes in it,
- * PH_TOO_LARGE if it leaves the range of a double. */
+/* Visits the piece, or its parts; PH_E_INFEASIBLE if the speed vanishes in it,
+ * PH_E_TOO_LARGE if it leaves the range of a double. */
 static enum ph_status visit(const struct walk *walk, const struct piece *piece,
                             int depth) {
   const bool quintic = walk->degree == 5;
@@ -159,7 +159,7 @@ static enum ph_status visit(const struct walk *walk, const struct piece *piece,
   }
   set_speed(&r, depth == 0);
   if (!(r.unit > 0) || !isfinite(r.unit)) {
-    return r.unit > 0 ? PH_TOO_LARGE : PH_INFEASIBLE;
+    return r.unit > 0 ? PH_E_TOO_LARGE : PH_E_INFEASIBLE;
   }
   if (set_weights(&r)) {
     for (size_t i = 0; i <= r.degree; i++) {
@@ -170,7 +170,7 @@ static enum ph_status visit(const struct walk *walk, const struct piece *piece,
     return PH_OK;
   }
   if (depth == depth_max || !cut(piece, walk->degree, &left, &right)) {
-    return PH_INFEASIBLE;
+    return PH_E_INFEASIBLE;
   }
   status = visit(walk, &left, depth + 1);
   return status == PH_OK ? visit(walk, &right, depth + 1) : status;
@@ -192,11 +192,11 @@ enum ph_status ph_rational_walk(const struct ph_curve *curve, const char *what,
     struct piece piece = segment_of(curve, k);
     enum ph_status status;
     walk.segment = k;
-    status = curve->degree == 3 && rests(&piece) ? PH_INFEASIBLE
+    status = curve->degree == 3 && rests(&piece) ? PH_E_INFEASIBLE
                                                  : visit(&walk, &piece, 0);
     if (status != PH_OK) {
       return ph_fail_at(diag, status, "segments", k,
-                        status == PH_TOO_LARGE
+                        status == PH_E_TOO_LARGE
                             ? "has no %s: its speed exceeds the range of a "
                               "double"
                             : "has no %s: the curve stands still in it and has "

@@ -45,8 +45,8 @@ typedef void ph_rational_visit(void *context, const struct ph_rational *piece);
  *
  * in   curve  PH_CURVE_PH or PH_CURVE_TC
  * in   what   is written over them: for the message
- * ret  PH_OK | PH_INFEASIBLE (the curve stands still somewhere: no normal
- *      there; names the segment) | PH_TOO_LARGE (its speed; likewise)
+ * ret  PH_OK | PH_E_INFEASIBLE (the curve stands still somewhere: no normal
+ *      there; names the segment) | PH_E_TOO_LARGE (its speed; likewise)
  */
 enum ph_status ph_rational_walk(const struct ph_curve *curve, const char *what,
                                 ph_rational_visit *visit, void *context,

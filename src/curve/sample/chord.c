@@ -48,7 +48,7 @@ static double count_of(const struct task *task, double from, double to) {
 }
 
 static enum ph_status too_large(const struct task *task) {
-  return ph_fail(task->diag, PH_LIMIT, NULL,
+  return ph_fail(task->diag, PH_E_LIMIT, NULL,
                  "chords within %g of the curve take more samples than the "
                  "%zu of --max-samples",
                  task->error, task->most);
@@ -84,7 +84,7 @@ static enum ph_status halve(struct task *task, struct end from, struct end to,
     return keep(task, from.u, to.u, count);
   }
   if (depth == HALVINGS_MAX) {
-    return ph_fail(task->diag, PH_NO_CONVERGENCE, NULL,
+    return ph_fail(task->diag, PH_E_NO_CONVERGENCE, NULL,
                    "segment %zu has no bound of its chords near %.6g of its "
                    "interval",
                    task->sampler->k, from.u);

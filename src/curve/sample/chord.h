@@ -34,8 +34,8 @@ struct ph_chords {
  * in   error  E > 0, in the unit of the data
  * in   stops[stops_n]  by u, not decreasing: places in any case
  * in   most   places allowed
- * ret  PH_OK | PH_LIMIT | PH_NO_CONVERGENCE (no bound was found) |
- *      PH_NO_MEMORY
+ * ret  PH_OK | PH_E_LIMIT | PH_E_NO_CONVERGENCE (no bound was found) |
+ *      PH_E_NO_MEMORY
  */
 enum ph_status ph_chords_plan(struct ph_chords *chords,
                               const struct ph_sampler *sampler, double error,

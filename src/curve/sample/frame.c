@@ -49,7 +49,7 @@ static enum ph_status go_on(struct ph_framing *f, struct ph_diag *diag) {
   enum ph_status status = ph_primitive_make(
       &f->turn, kind->turn, f->sampler, NULL, 0, TOLERANCE, f->sampler->arena);
   if (status != PH_OK) {
-    return status == PH_NO_MEMORY
+    return status == PH_E_NO_MEMORY
                ? ph_fail_memory(diag)
                : ph_fail_at(diag, status, "segments", k,
                             "all but stands still somewhere: no "
@@ -72,11 +72,11 @@ enum ph_status ph_framing_begin(struct ph_framing *framing,
   const struct ph_kind *kind = ph_kind_of(sampler->curve);
   *framing = none;
   if (frame != PH_FRAME_NONE && sampler->curve->dimension == 2) {
-    return ph_fail(diag, PH_INFEASIBLE, NULL,
+    return ph_fail(diag, PH_E_INFEASIBLE, NULL,
                    "a curve in the plane has no frames in space");
   }
   if (frame == PH_FRAME_ERF && !kind->erf) {
-    return ph_fail(diag, PH_INFEASIBLE, NULL, "%s", kind->no_erf);
+    return ph_fail(diag, PH_E_INFEASIBLE, NULL, "%s", kind->no_erf);
   }
   return PH_OK;
 }

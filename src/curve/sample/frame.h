@@ -21,7 +21,7 @@ struct ph_framing {
  * ph_framing_begin: prepares for a curve in space or on a sphere.
  *
  * in   sampler  of the curve itself, not of an offset
- * ret  PH_OK | PH_INFEASIBLE (it has no such frame)
+ * ret  PH_OK | PH_E_INFEASIBLE (it has no such frame)
  */
 enum ph_status ph_framing_begin(struct ph_framing *framing,
                                 const struct ph_sampler *sampler,
@@ -33,8 +33,8 @@ void ph_framing_leave(struct ph_framing *framing);
 /*
  * ph_framing_enter: after the sampler has entered a segment.
  *
- * ret  PH_OK | PH_NO_CONVERGENCE (the curve stands still there, and the
- *      rotation-minimising frame was not found) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_CONVERGENCE (the curve stands still there, and the
+ *      rotation-minimising frame was not found) | PH_E_NO_MEMORY
  */
 enum ph_status ph_framing_enter(struct ph_framing *framing,
                                 struct ph_diag *diag);

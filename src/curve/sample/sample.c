@@ -79,11 +79,11 @@ struct walk {
 static enum ph_status too_many(const struct walk *walk, double wanted) {
   const struct ph_sample_rules *rules = walk->rules;
   return rules->how == PH_SAMPLE_SPACING
-             ? ph_fail(walk->diag, PH_LIMIT, NULL,
+             ? ph_fail(walk->diag, PH_E_LIMIT, NULL,
                        "samples %g apart would be %.6g or more, above the %zu "
                        "of --max-samples",
                        rules->spacing, wanted, walk->most)
-             : ph_fail(walk->diag, PH_LIMIT, NULL,
+             : ph_fail(walk->diag, PH_E_LIMIT, NULL,
                        "the samples would be %.6g, above the %zu of "
                        "--max-samples",
                        wanted, walk->most);
@@ -274,7 +274,7 @@ static enum ph_status enter(struct walk *walk, size_t k) {
   walk->first = walk->begins ? walk->samples->n : walk->first;
   walk->range = ph_curve_range(curve, k);
   if (status == PH_OK && !isfinite(walk->sampler.length)) {
-    status = ph_fail_at(walk->diag, PH_NO_CONVERGENCE, "segments", k,
+    status = ph_fail_at(walk->diag, PH_E_NO_CONVERGENCE, "segments", k,
                         "%s a length that was not found",
                         walk->sampler.offset ? "has an offset with" : "has");
   }

@@ -60,7 +60,7 @@ struct ph_sample {
  * in   offset  distance, vector and cusps of it count; NULL: the curve itself
  * in   arena   holds the sampler's memory, little of it however many segments
  *              there are
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_sampler_begin(struct ph_sampler *sampler,
                                 const struct ph_curve *curve,
@@ -147,9 +147,10 @@ struct ph_sample_rules {
  *           binormal points outward
  *
  * out  samples  arrays from the arena
- * ret  PH_OK | PH_LIMIT (there would be more than rules->most) | PH_INFEASIBLE
- * (there is no such frame) | PH_NO_CONVERGENCE (a length, a bound of chords or
- * a rotation-minimising frame was not found) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_LIMIT (there would be more than rules->most) |
+ *      PH_E_INFEASIBLE (there is no such frame) | PH_E_NO_CONVERGENCE (a
+ *      length, a bound of chords or a rotation-minimising frame was not found)
+ *      | PH_E_NO_MEMORY
  */
 enum ph_status ph_sample_curve(const struct ph_curve *curve,
                                const struct ph_sample_rules *rules,

@@ -78,7 +78,7 @@ double ph_spherical_legs_curvature_end(const struct ph_spherical_legs *s);
  * speed, takes 5 values of S'.
  *
  * io   table  workspace, zeroed at first; its memory is used again
- * ret  PH_OK | PH_NO_MEMORY | PH_NO_CONVERGENCE (as of what is not finite)
+ * ret  PH_OK | PH_E_NO_MEMORY | PH_E_NO_CONVERGENCE (as of what is not finite)
  */
 enum ph_status ph_spherical_length(const struct ph_spherical *s,
                                    struct ph_primitive *table,

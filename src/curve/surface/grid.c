@@ -51,7 +51,7 @@ enum ph_status ph_grid_of(const struct ph_curve *curve,
       (double)curve->n * ((double)rules->along + 1) * ((double)across + 1);
   struct ph_surface_sample *to;
   if (!(wanted <= (double)rules->most)) {
-    return ph_fail(diag, PH_LIMIT, NULL,
+    return ph_fail(diag, PH_E_LIMIT, NULL,
                    "the surface would have %.0f samples, more than the %zu of "
                    "--max-samples",
                    wanted, rules->most);
@@ -105,7 +105,7 @@ enum ph_status ph_parallel_of(const struct ph_curve *curve, double distance,
     const struct ph_strip *strip = &curve->surface.strips[i];
     const double factor = 1 - strip->kn * distance;
     if (!(factor > 0)) {
-      return ph_fail_at(diag, PH_INFEASIBLE, "strips", i,
+      return ph_fail_at(diag, PH_E_INFEASIBLE, "strips", i,
                         "has no parallel surface at the distance %g: its "
                         "radius of normal curvature is %g",
                         distance, 1 / strip->kn);

@@ -27,7 +27,7 @@ size_t ph_grid_across(const struct ph_curve *curve,
  * distances, and across + 1 points of each of these.  A ruling between two
  * strips is there twice.
  *
- * ret  PH_OK | PH_LIMIT | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_LIMIT | PH_E_NO_MEMORY
  */
 enum ph_status ph_grid_of(const struct ph_curve *curve,
                           const struct ph_grid_rules *rules,
@@ -40,7 +40,7 @@ enum ph_status ph_grid_of(const struct ph_curve *curve,
  * distance kn, a strip has k/f and kn/f and the length f s: it is one of a
  * circular cone again, with the same rulings.
  *
- * ret  PH_OK | PH_INFEASIBLE (f is not above 0) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_INFEASIBLE (f is not above 0) | PH_E_NO_MEMORY
  */
 enum ph_status ph_parallel_of(const struct ph_curve *curve, double distance,
                               struct ph_arena *arena,
@@ -54,7 +54,7 @@ enum ph_status ph_parallel_of(const struct ph_curve *curve, double distance,
  * where they share a point.
  *
  * out  path  segment and interval are not filled
- * ret  PH_OK | PH_LIMIT | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_LIMIT | PH_E_NO_MEMORY
  */
 enum ph_status ph_flat_paths(const struct ph_curve *curve, double tolerance,
                              struct ph_arena *arena, struct ph_pieces *path,

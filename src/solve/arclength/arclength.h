@@ -431,7 +431,7 @@ void ph_arc_weigh(struct ph_arc_system *system, double weight);
  * in   x      nodes of the system
  * out  curve  PH quintic segments; arrays in the arena
  * out  turn   closed: by how much the frame comes back turned; else 0
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_arc_curve(const struct ph_arc_system *system, const double *x,
                             struct ph_arena *arena, struct ph_curve *curve,
@@ -451,7 +451,7 @@ bool ph_arc_is_flat(const struct ph_arc_system *system, const double *x);
  * in   left_plane  data in a plane whose curve is not
  * out  result      curve, intervals, starts, solutions if all were asked for,
  *                  diagnostics and warnings
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_arc_report(const struct ph_arc_search *search,
                              bool left_plane, struct ph_arena *scratch,
@@ -459,7 +459,7 @@ enum ph_status ph_arc_report(const struct ph_arc_search *search,
                              struct ph_diag *diag);
 
 /* ph_arc_report_failure: why nothing was found: the interval that is missed
- * most, with its lengths.  ret PH_NO_CONVERGENCE | PH_NO_MEMORY */
+ * most, with its lengths.  ret PH_E_NO_CONVERGENCE | PH_E_NO_MEMORY */
 enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
                                      struct ph_arena *scratch,
                                      struct ph_diag *diag);

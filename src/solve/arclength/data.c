@@ -59,7 +59,7 @@ static enum ph_status find_vectors(struct reading *r) {
       continue;
     }
     if (r->vectors) {
-      return ph_fail(r->diag, PH_BAD_VALUE, name,
+      return ph_fail(r->diag, PH_E_BAD_VALUE, name,
                      "excludes %s: give one of them", r->name);
     }
     r->vectors = field(r, modes[i].id);
@@ -67,7 +67,7 @@ static enum ph_status find_vectors(struct reading *r) {
     r->data->mode = modes[i].mode;
   }
   return r->vectors ? PH_OK
-                    : ph_fail(r->diag, PH_MISSING_FIELD, "points",
+                    : ph_fail(r->diag, PH_E_MISSING_FIELD, "points",
                               "or derivatives or tangents must be given");
 }
 
@@ -76,42 +76,42 @@ static enum ph_status check_company(struct reading *r) {
   bool points = r->data->mode == PH_ARC_POINTS;
   bool lengths = ph_fields_given(r->problem, PH_F_LENGTHS);
   if (field(r, PH_F_CLOSED)->flag && !points) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "closed",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "closed",
                    "needs points: %s do not say where the curve comes back",
                    r->name);
   }
   if (ph_fields_given(r->problem, PH_F_START) && points) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "start",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "start",
                    "is the first of the points");
   }
   if (ph_fields_given(r->problem, PH_F_MAGNITUDES) &&
       r->data->mode != PH_ARC_TANGENTS) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "magnitudes",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "magnitudes",
                    "needs tangents: %s have theirs", r->name);
   }
   if (!lengths && !points) {
-    return ph_fail(r->diag, PH_MISSING_FIELD, "lengths",
+    return ph_fail(r->diag, PH_E_MISSING_FIELD, "lengths",
                    "must be given with %s", r->name);
   }
   if (ph_fields_given(r->problem, PH_F_LENGTH_SIGMA) && !lengths) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "length_sigma",
                    "needs lengths: without them they are free");
   }
   if (ph_fields_given(r->problem, PH_F_TANGENT_SIGMA) &&
       r->data->mode != PH_ARC_TANGENTS) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "tangent_sigma",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "tangent_sigma",
                    "needs tangents: %s have none", r->name);
   }
   if (ph_fields_given(r->problem, PH_F_TANGENT_SIGMA) &&
       ph_value_is(field(r, PH_F_MAGNITUDES), "mean")) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "tangent_sigma",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "tangent_sigma",
                    "needs magnitudes free");
   }
   if (ph_fields_given(r->problem, PH_F_LENGTH_SIGMA) &&
       r->data->mode == PH_ARC_TANGENTS &&
       !ph_fields_given(r->problem, PH_F_TANGENT_SIGMA) &&
       !ph_value_is(field(r, PH_F_MAGNITUDES), "mean")) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "length_sigma",
                    "needs points or derivatives, or tangent_sigma: exact "
                    "tangents contradict no lengths");
   }
@@ -124,7 +124,7 @@ static enum ph_status count(struct reading *r) {
     return ph_fields_segments(r->problem, &r->data->n, r->diag);
   }
   if (r->vectors->n < 2) {
-    return ph_fail(r->diag, PH_TOO_FEW_POINTS, r->name,
+    return ph_fail(r->diag, PH_E_TOO_FEW_POINTS, r->name,
                    "must be at least 2, found %zu", r->vectors->n);
   }
   r->data->n = r->vectors->n - 1;
@@ -163,7 +163,7 @@ static enum ph_status read_lengths(struct reading *r) {
   if (sigma->kind != PH_ABSENT) {
     r->data->sigma = sigma->number;
     if (!(sigma->number >= SIGMA_MIN && sigma->number <= SIGMA_MAX)) {
-      return ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
+      return ph_fail(r->diag, PH_E_BAD_VALUE, "length_sigma",
                      "must be between %g and %g, found %.17g", SIGMA_MIN,
                      SIGMA_MAX, sigma->number);
     }
@@ -172,7 +172,7 @@ static enum ph_status read_lengths(struct reading *r) {
     return PH_OK;
   }
   if (lengths->kind == PH_NUMBERS && lengths->n != r->data->n) {
-    return ph_fail(r->diag, PH_BAD_SHAPE, "lengths",
+    return ph_fail(r->diag, PH_E_BAD_SHAPE, "lengths",
                    "must have %zu numbers, one from datum to datum, found %zu",
                    r->data->n, lengths->n);
   }
@@ -181,7 +181,7 @@ static enum ph_status read_lengths(struct reading *r) {
   most = ph_fields_largest(r->data->length, status == PH_OK ? r->data->n : 0);
   for (size_t i = 0; status == PH_OK && i < r->data->n; i++) {
     if (!(r->data->length[i] > most * 1e-12)) {
-      return ph_fail_at(r->diag, PH_TOO_LARGE, "lengths", i,
+      return ph_fail_at(r->diag, PH_E_TOO_LARGE, "lengths", i,
                         "must be above 1e-12 of the largest, %.17g, found "
                         "%.17g",
                         most, r->data->length[i]);
@@ -199,7 +199,7 @@ static enum ph_status read_tangent_sigma(struct reading *r) {
     return PH_OK;
   }
   if (sigma->kind == PH_NUMBERS && sigma->n != n) {
-    return ph_fail(r->diag, PH_BAD_SHAPE, "tangent_sigma",
+    return ph_fail(r->diag, PH_E_BAD_SHAPE, "tangent_sigma",
                    "must have %zu numbers, one for each tangent, found %zu", n,
                    sigma->n);
   }
@@ -214,16 +214,16 @@ static enum ph_status read_tangent_sigma(struct reading *r) {
     any = any || s > 0;
     if (!((s >= SIGMA_MIN && s <= ANGLE_MAX) || (s >= 0 && s <= 0))) {
       const char *range = "must be 0 or between %g and %g, found %.17g";
-      return each ? ph_fail_at(r->diag, PH_BAD_VALUE, "tangent_sigma", j, range,
-                               SIGMA_MIN, ANGLE_MAX, s)
-                  : ph_fail(r->diag, PH_BAD_VALUE, "tangent_sigma", range,
+      return each ? ph_fail_at(r->diag, PH_E_BAD_VALUE, "tangent_sigma", j,
+                               range, SIGMA_MIN, ANGLE_MAX, s)
+                  : ph_fail(r->diag, PH_E_BAD_VALUE, "tangent_sigma", range,
                             SIGMA_MIN, ANGLE_MAX, s);
     }
   }
   r->data->tangent_sigma = any ? r->data->tangent_sigma : NULL;
   return any || !(r->data->sigma > 0)
              ? PH_OK
-             : ph_fail(r->diag, PH_BAD_VALUE, "length_sigma",
+             : ph_fail(r->diag, PH_E_BAD_VALUE, "length_sigma",
                        "needs a tangent_sigma above 0: exact tangents "
                        "contradict no lengths");
 }
@@ -258,7 +258,7 @@ static enum ph_status read_given(struct reading *r) {
     const double *v = r->vectors->v + r->vectors->dimension * j;
     double most = ph_fields_largest(v, r->vectors->dimension);
     if (!(most > 0)) {
-      return ph_fail_at(r->diag, PH_ZERO_TANGENT, r->name, j,
+      return ph_fail_at(r->diag, PH_E_ZERO_TANGENT, r->name, j,
                         "must not be zero");
     }
     if (d->mode == PH_ARC_TANGENTS) {
@@ -266,7 +266,7 @@ static enum ph_status read_given(struct reading *r) {
     } else {
       d->given[j] = vector(r, j);
       if (!(ph_vec3_abs(d->given[j]) > COINCIDENT)) {
-        return ph_fail_at(r->diag, PH_TOO_LARGE, r->name, j,
+        return ph_fail_at(r->diag, PH_E_TOO_LARGE, r->name, j,
                           "is too small beside the other numbers");
       }
     }
@@ -283,14 +283,14 @@ static enum ph_status read_numbers(struct reading *r) {
   double longest = d->length ? ph_fields_largest(d->length, d->n) : 0;
   int exponent;
   if (d->mode == PH_ARC_POINTS && longest > FAR * most && most > 0) {
-    return ph_fail(r->diag, PH_TOO_LARGE, "lengths",
+    return ph_fail(r->diag, PH_E_TOO_LARGE, "lengths",
                    "must be within %g of the coordinates", FAR);
   }
   most = most > longest ? most : longest;
   if (!(most > 0)) {
     return d->mode == PH_ARC_POINTS
                ? ph_fields_coincide(r->diag, r->name, 0, 1)
-               : ph_fail_at(r->diag, PH_ZERO_TANGENT, r->name, 0,
+               : ph_fail_at(r->diag, PH_E_ZERO_TANGENT, r->name, 0,
                             "must not be zero");
   }
   exponent = ph_pow2_exponent(most);
@@ -316,7 +316,7 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
     size_t i = ph_arc_data_ours(d, shown);
     double back = d->root * d->root;
     if (!(d->length[i] >= d->chord[i] * (1 - STRAIGHT))) {
-      return ph_fail_at(r->diag, PH_INFEASIBLE, "lengths", shown,
+      return ph_fail_at(r->diag, PH_E_INFEASIBLE, "lengths", shown,
                         "is %.15g, below the chord %.15g of interval %zu; "
                         "length_sigma allows for lengths that were measured",
                         d->length[i] * back, d->chord[i] * back, shown);
@@ -328,7 +328,7 @@ static enum ph_status check_chords(const struct reading *r, bool all) {
   }
   if (straight > 0 && !all) {
     double length = d->length[ph_arc_data_ours(d, first)];
-    return ph_fail_at(r->diag, PH_BAD_VALUE, "lengths", first,
+    return ph_fail_at(r->diag, PH_E_BAD_VALUE, "lengths", first,
                       "is %.15g, the chord of interval %zu: that would have "
                       "to be straight and others not, which is not looked "
                       "for; length_sigma allows for lengths that were measured",
@@ -360,13 +360,13 @@ static enum ph_status read_knot_numbers(struct reading *r) {
   memcpy(d->knots, knots->v, (d->n + 1) * sizeof *d->knots);
   period = (d->knots[d->n] - d->knots[0]) / (double)d->n;
   if (!isfinite(period)) {
-    return ph_fail(r->diag, PH_TOO_LARGE, "knots",
+    return ph_fail(r->diag, PH_E_TOO_LARGE, "knots",
                    "their range is more than a double can hold");
   }
   set_spacings(d, d->h);
   for (size_t i = 0; i < d->n; i++) {
     if (!(d->h[i] > 1e-12)) {
-      return ph_fail_at(r->diag, PH_TOO_LARGE, "knots", i + 1,
+      return ph_fail_at(r->diag, PH_E_TOO_LARGE, "knots", i + 1,
                         "must be more than 1e-12 of the mean spacing after "
                         "the knot before");
     }
@@ -384,11 +384,11 @@ static enum ph_status read_knots(struct reading *r) {
     return read_knot_numbers(r);
   }
   if (ph_value_is(knots, "chordal") && !d->chord) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "knots",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "knots",
                    "chordal needs points: %s have no chords", r->name);
   }
   if (ph_value_is(knots, "lengths") && !d->length) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "knots",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "knots",
                    "lengths needs lengths, which are not given");
   }
   if (ph_value_is(knots, "uniform")) {
@@ -460,7 +460,7 @@ static enum ph_status check_distance(const struct reading *r) {
   const struct ph_arc_data *d = r->data;
   for (size_t k = 0; d->mode != PH_ARC_POINTS && k < 3; k++) {
     if (!(fabs(d->start[k]) / d->root / d->root <= FAR)) {
-      return ph_fail(r->diag, PH_TOO_LARGE, "start",
+      return ph_fail(r->diag, PH_E_TOO_LARGE, "start",
                      "must be within %g mean lengths of the origin", FAR);
     }
   }
@@ -470,7 +470,7 @@ static enum ph_status check_distance(const struct reading *r) {
 static enum ph_status check_start(struct reading *r) {
   const struct ph_value *start = field(r, PH_F_START);
   return start->kind != PH_ABSENT && start->n != 2 && start->n != 3
-             ? ph_fail(r->diag, PH_BAD_SHAPE, "start",
+             ? ph_fail(r->diag, PH_E_BAD_SHAPE, "start",
                        "must have 2 or 3 numbers, found %zu", start->n)
              : PH_OK;
 }

@@ -47,14 +47,14 @@ static enum ph_status read_refine(struct task *t) {
   if (refine->kind == PH_NUMBER) {
     double r = refine->number;
     if (!(r >= 1 && r <= 3 && floor(r) >= r)) {
-      return ph_fail(t->diag, PH_BAD_VALUE, "refine",
+      return ph_fail(t->diag, PH_E_BAD_VALUE, "refine",
                      "must be 1, 2, 3 or auto, found %.17g", r);
     }
     t->request.refine = t->refine_last = (size_t)r;
   }
   if (t->data.closed && t->data.length && !is_soft(t) &&
       t->request.refine == 1) {
-    return ph_fail(t->diag, PH_BAD_VALUE, "refine",
+    return ph_fail(t->diag, PH_E_BAD_VALUE, "refine",
                    "must be 2 or 3 for a closed curve with exact lengths: "
                    "with 1 it has as many equations as unknowns");
   }
@@ -65,7 +65,7 @@ static enum ph_status read_starts(struct task *t) {
   const struct ph_value *starts = &t->problem->field[PH_F_STARTS];
   double n = starts->kind == PH_NUMBER ? starts->number : 0;
   if (!(n >= 0 && n <= STARTS_MAX && floor(n) >= n)) {
-    return ph_fail(t->diag, PH_BAD_VALUE, "starts",
+    return ph_fail(t->diag, PH_E_BAD_VALUE, "starts",
                    "must be a whole number from 0 to %d, found %.17g",
                    STARTS_MAX, n);
   }

@@ -263,7 +263,7 @@ static enum ph_status fail_missed(const struct ph_arc_search *search,
   worst = worst_interval(s, c);
   shown = ph_arc_data_user(d, worst);
   if (!d->length) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+    return ph_fail(diag, PH_E_NO_CONVERGENCE, NULL,
                    "no curve was found by %zu starts; interval %zu is missed "
                    "most; residual %.2g of the mean chord",
                    search->starts_n, shown, p->residual);
@@ -271,13 +271,13 @@ static enum ph_status fail_missed(const struct ph_arc_search *search,
   if (find_shortage(d, &lacks)) {
     shown = ph_arc_data_user(d, lacks.interval);
     return ph_fail_at(
-        diag, PH_NO_CONVERGENCE, "lengths", shown,
+        diag, PH_E_NO_CONVERGENCE, "lengths", shown,
         "is not met by %zu starts: it is %.3g above its chord, relative, where "
         "a turn of %.3g takes %.3g; residual %.2g of the mean length",
         search->starts_n, lacks.excess, lacks.turn, lacks.needed, p->residual);
   }
   if (!search->natural.known) {
-    return ph_fail_at(diag, PH_NO_CONVERGENCE, "lengths", shown,
+    return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "lengths", shown,
                       "is not met: %.6g asked for, %.6g attained in interval "
                       "%zu by the best of %zu starts; residual %.2g of the "
                       "mean length",
@@ -285,7 +285,7 @@ static enum ph_status fail_missed(const struct ph_arc_search *search,
                       search->starts_n, p->residual);
   }
   return ph_fail_at(
-      diag, PH_NO_CONVERGENCE, "lengths", shown,
+      diag, PH_E_NO_CONVERGENCE, "lengths", shown,
       "is not met: %.6g asked for, %.6g attained in interval %zu by the best "
       "of %zu starts, naturally %.6g; residual %.2g of the mean length",
       d->length[worst] * back, attained[worst] * back, shown, search->starts_n,
@@ -297,13 +297,13 @@ enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
                                      struct ph_diag *diag) {
   const struct ph_arc_point *p = &search->nearest;
   if (search->stood_still) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, "tangents",
+    return ph_fail(diag, PH_E_NO_CONVERGENCE, "tangents",
                    "have no curve that was found by %zu starts but some that "
                    "stand still at one of them",
                    search->starts_n);
   }
   if (p->converged) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+    return ph_fail(diag, PH_E_NO_CONVERGENCE, NULL,
                    "no minimum was found by %zu starts, but a saddle, F %.6g",
                    search->starts_n, p->f * unit(search));
   }
@@ -331,7 +331,7 @@ static void warn_wiggle(const struct ph_arc_search *search,
   }
   if (found > 0) {
     size_t shown = ph_arc_data_user(d, worst);
-    ph_warn(result, shown * search->system.refine, PH_WIGGLE,
+    ph_warn(result, shown * search->system.refine, PH_W_WIGGLE,
             "lengths[%zu] is %.6g, naturally %.6g: the curve wiggles by about "
             "%.2g (such intervals: %zu)",
             shown, d->length[worst] * unit(search),
@@ -350,13 +350,13 @@ static void warn_inconsistent(const struct ph_arc_search *search,
   if (!(d->sigma > 0) && find_shortage(d, &s)) {
     size_t shown = ph_arc_data_user(d, s.interval);
     ph_warn(
-        result, shown * search->system.refine, PH_INCONSISTENT_LENGTHS,
+        result, shown * search->system.refine, PH_W_INCONSISTENT_LENGTHS,
         "the lengths fit no smooth curve through the data: F is %.6g, with "
         "free lengths %.6g; lengths[%zu] is %.3g above its chord, relative, "
         "where a turn of %.3g takes %.3g",
         f, relaxed, shown, s.excess, s.turn, s.needed);
   } else {
-    ph_warn(result, PH_NO_SEGMENT, PH_INCONSISTENT_LENGTHS,
+    ph_warn(result, PH_NO_SEGMENT, PH_W_INCONSISTENT_LENGTHS,
             "the lengths fit no smooth curve through the data: F is %.6g, with "
             "free lengths %.6g",
             f, relaxed);
@@ -369,17 +369,17 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
   const struct ph_arc_point *p = &search->found[0].point;
   double rms = result->diagnostics.value[PH_D_LENGTH_RMS];
   if (left_plane) {
-    ph_warn(result, PH_NO_SEGMENT, PH_LEAVES_PLANE,
+    ph_warn(result, PH_NO_SEGMENT, PH_W_LEAVES_PLANE,
             "the data lie in a plane, in which no curve was found: this one "
             "leaves it");
   }
   if (!p->minimiser) {
-    ph_warn(result, PH_NO_SEGMENT, PH_SADDLE,
+    ph_warn(result, PH_NO_SEGMENT, PH_W_SADDLE,
             "the curve bends least in the plane of the data, but not in "
             "space: \"planar\":\"free\" lets it leave the plane");
   }
   if (d->sigma > 0 && !search->natural.known) {
-    ph_warn(result, PH_NO_SEGMENT, PH_NATURAL_UNKNOWN,
+    ph_warn(result, PH_NO_SEGMENT, PH_W_NATURAL_UNKNOWN,
             "the curve with free lengths was not found: lengths weigh as much "
             "as its nearest iterate bends, F %.6g, residual %.2g",
             search->natural.f * unit(search), search->natural.residual);
@@ -391,7 +391,7 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
   if (!(d->sigma > 0)) {
     warn_wiggle(search, result);
   } else if (rms > DEVIATIONS) {
-    ph_warn(result, PH_NO_SEGMENT, PH_INCONSISTENT_LENGTHS,
+    ph_warn(result, PH_NO_SEGMENT, PH_W_INCONSISTENT_LENGTHS,
             "the lengths are missed by %.3g standard deviations: points that "
             "a curve hardly bends through outweigh them",
             rms);
@@ -542,7 +542,7 @@ enum ph_status ph_arc_report(const struct ph_arc_search *search,
   double turn;
   enum ph_status status = PH_OK;
   if (!isfinite(search->found[0].point.f * unit(search))) {
-    return ph_fail(diag, PH_TOO_LARGE, NULL,
+    return ph_fail(diag, PH_E_TOO_LARGE, NULL,
                    "the curve exceeds the range of a double");
   }
   status = ph_arc_curve(&search->system, search->found[0].point.x, out,

@@ -67,10 +67,10 @@ struct ph_arc_data {
  * ph_arc_data_read: the data of a problem.
  *
  * out  data  arrays in the arena
- * ret  PH_OK | PH_MISSING_FIELD | PH_BAD_VALUE | PH_BAD_SHAPE |
- *      PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS | PH_ZERO_TANGENT |
- *      PH_INFEASIBLE (a length is below its chord) | PH_TOO_LARGE |
- *      PH_NO_MEMORY
+ * ret  PH_OK | PH_E_MISSING_FIELD | PH_E_BAD_VALUE | PH_E_BAD_SHAPE |
+ *      PH_E_TOO_FEW_POINTS | PH_E_COINCIDENT_POINTS | PH_E_ZERO_TANGENT |
+ *      PH_E_INFEASIBLE (a length is below its chord) | PH_E_TOO_LARGE |
+ *      PH_E_NO_MEMORY
  */
 enum ph_status ph_arc_data_read(const struct ph_problem *problem,
                                 struct ph_arena *arena,

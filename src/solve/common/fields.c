@@ -67,21 +67,21 @@ enum ph_status ph_fields_vectors(const struct ph_problem *problem,
   const struct ph_value *value = &problem->field[id];
   const char *name = ph_field_name(id);
   if (value->n != points->n && value->n != points_n) {
-    return ph_fail(diag, PH_BAD_SHAPE, name,
+    return ph_fail(diag, PH_E_BAD_SHAPE, name,
                    "must have %zu vectors, one for each point, found %zu",
                    points->n, value->n);
   }
   if (value->dimension < points->dimension) {
-    return ph_fail(diag, PH_BAD_SHAPE, name,
+    return ph_fail(diag, PH_E_BAD_SHAPE, name,
                    "must have vectors of 3 numbers, as the points have");
   }
   if (value->n > points_n && !repeats_vector(value, id == PH_F_TANGENTS)) {
-    return ph_fail_at(diag, PH_BAD_VALUE, name, value->n - 1,
+    return ph_fail_at(diag, PH_E_BAD_VALUE, name, value->n - 1,
                       "must equal %s[0], as the point does", name);
   }
   for (size_t k = 0; k < points_n; k++) {
     if (!(largest_of(ph_fields_vector(value, k)) > 0)) {
-      return ph_fail_at(diag, PH_ZERO_TANGENT, name, k, "must not be zero");
+      return ph_fail_at(diag, PH_E_ZERO_TANGENT, name, k, "must not be zero");
     }
   }
   return PH_OK;
@@ -108,7 +108,7 @@ enum ph_status ph_fields_segments(const struct ph_problem *problem,
     n--;
   }
   if (n < (closed ? 3u : 2u)) {
-    return ph_fail(diag, PH_TOO_FEW_POINTS, "points",
+    return ph_fail(diag, PH_E_TOO_FEW_POINTS, "points",
                    closed ? "must be at least 3 different points for a "
                             "closed curve, found %zu"
                           : "must be at least 2, found %zu",
@@ -120,7 +120,7 @@ enum ph_status ph_fields_segments(const struct ph_problem *problem,
 
 enum ph_status ph_fields_coincide(struct ph_diag *diag, const char *name,
                                   size_t k, size_t to) {
-  return ph_fail_at(diag, PH_COINCIDENT_POINTS, name, to,
+  return ph_fail_at(diag, PH_E_COINCIDENT_POINTS, name, to,
                     "coincides with %s[%zu]; --merge=D joins points nearer "
                     "than D",
                     name, k);
@@ -129,7 +129,7 @@ enum ph_status ph_fields_coincide(struct ph_diag *diag, const char *name,
 enum ph_status ph_fields_knots(const struct ph_value *knots, size_t n,
                                bool closed, double *h, struct ph_diag *diag) {
   if (knots->n != n + 1) {
-    return ph_fail(diag, PH_BAD_SHAPE, "knots",
+    return ph_fail(diag, PH_E_BAD_SHAPE, "knots",
                    closed ? "must have %zu numbers, one for each point and "
                             "one that closes the period, found %zu"
                           : "must have %zu numbers, one for each point, "
@@ -138,14 +138,14 @@ enum ph_status ph_fields_knots(const struct ph_value *knots, size_t n,
   }
   for (size_t k = 0; k < n; k++) {
     if (!(knots->v[k + 1] > knots->v[k])) {
-      return ph_fail_at(diag, PH_BAD_VALUE, "knots", k + 1,
+      return ph_fail_at(diag, PH_E_BAD_VALUE, "knots", k + 1,
                         "must be greater than the knot before, %.17g, found "
                         "%.17g",
                         knots->v[k], knots->v[k + 1]);
     }
     h[k] = knots->v[k + 1] - knots->v[k];
     if (!isfinite(h[k])) {
-      return ph_fail_at(diag, PH_TOO_LARGE, "knots", k + 1,
+      return ph_fail_at(diag, PH_E_TOO_LARGE, "knots", k + 1,
                         "differs from the knot before by more than a double "
                         "can hold");
     }
@@ -174,8 +174,8 @@ static enum ph_status out_of_range(const char *what, bool one, size_t k,
                                    const char *range, double x,
                                    struct ph_diag *diag) {
   static const char problem[] = "must be %s, found %.17g";
-  return one ? ph_fail(diag, PH_BAD_VALUE, what, problem, range, x)
-             : ph_fail_at(diag, PH_BAD_VALUE, what, k, problem, range, x);
+  return one ? ph_fail(diag, PH_E_BAD_VALUE, what, problem, range, x)
+             : ph_fail_at(diag, PH_E_BAD_VALUE, what, k, problem, range, x);
 }
 
 enum ph_status ph_fields_each(const struct ph_value *value, const char *what,
@@ -183,7 +183,7 @@ enum ph_status ph_fields_each(const struct ph_value *value, const char *what,
                               double *v, struct ph_diag *diag) {
   bool one = value->kind == PH_NUMBER;
   if (!one && value->n != n) {
-    return ph_fail(diag, PH_BAD_SHAPE, what,
+    return ph_fail(diag, PH_E_BAD_SHAPE, what,
                    "must have %zu numbers, one for each segment, found %zu", n,
                    value->n);
   }
@@ -211,7 +211,7 @@ void ph_warn_alpha(const struct ph_curve *curve, struct ph_result *result) {
     }
   }
   if (found) {
-    ph_warn(result, first, PH_LARGE_ALPHA,
+    ph_warn(result, first, PH_W_LARGE_ALPHA,
             "alpha[%zu] is above 2 pi/3 (such segments: %zu)", first, found);
   }
 }

@@ -47,7 +47,7 @@ ph_vec3 ph_fields_unit(ph_vec3 v);
  * as well, or of tangents its direction.
  *
  * in   points_n  points of the curve (ph_fields_segments)
- * ret  PH_OK | PH_BAD_SHAPE | PH_BAD_VALUE | PH_ZERO_TANGENT
+ * ret  PH_OK | PH_E_BAD_SHAPE | PH_E_BAD_VALUE | PH_E_ZERO_TANGENT
  */
 enum ph_status ph_fields_vectors(const struct ph_problem *problem,
                                  enum ph_field_id id, size_t points_n,
@@ -58,7 +58,7 @@ enum ph_status ph_fields_vectors(const struct ph_problem *problem,
  * of any dimension; a repeated last point of closed data counts as the first.
  *
  * out  n    segments; the curve has n points if closed, else n + 1
- * ret  PH_OK | PH_TOO_FEW_POINTS
+ * ret  PH_OK | PH_E_TOO_FEW_POINTS
  */
 enum ph_status ph_fields_segments(const struct ph_problem *problem, size_t *n,
                                   struct ph_diag *diag);
@@ -71,7 +71,7 @@ enum ph_status ph_fields_coincide(struct ph_diag *diag, const char *name,
  * ph_fields_knots: knots given as numbers, n + 1 of them, increasing.
  *
  * out  h[n]  spacings
- * ret  PH_OK | PH_BAD_SHAPE | PH_BAD_VALUE | PH_TOO_LARGE
+ * ret  PH_OK | PH_E_BAD_SHAPE | PH_E_BAD_VALUE | PH_E_TOO_LARGE
  */
 enum ph_status ph_fields_knots(const struct ph_value *knots, size_t n,
                                bool closed, double *h, struct ph_diag *diag);
@@ -89,7 +89,7 @@ double ph_fields_sum(const double *h, size_t n);
  * in   below  every number must be greater than 0 and less than this
  * in   range  what the message calls that: "between 0 and pi"
  * out  v[n]
- * ret  PH_OK | PH_BAD_SHAPE | PH_BAD_VALUE
+ * ret  PH_OK | PH_E_BAD_SHAPE | PH_E_BAD_VALUE
  */
 enum ph_status ph_fields_each(const struct ph_value *value, const char *what,
                               size_t n, double below, const char *range,

@@ -132,25 +132,25 @@ static void see_strips(struct builder *b) {
 
 static void warn(const struct builder *b, struct ph_result *result) {
   if (b->far.n) {
-    ph_warn(result, 2 * b->far.first, PH_FAR_CONTACT,
+    ph_warn(result, 2 * b->far.first, PH_W_FAR_CONTACT,
             "the contact points of pair %zu are more than %g times their "
             "distance away from the given points (such pairs: %zu); "
             "degenerate_tolerance takes data with noise as they are meant",
             b->far.first, FAR, b->far.n);
   }
   if (b->inside.n) {
-    ph_warn(result, b->inside.first, PH_VERTEX_INSIDE,
+    ph_warn(result, b->inside.first, PH_W_VERTEX_INSIDE,
             "the vertex of strip %zu is within the height (such strips: %zu)",
             b->inside.first, b->inside.n);
   }
   if (b->changes.n) {
-    ph_warn(result, b->changes.first, PH_SIGN_CHANGE,
+    ph_warn(result, b->changes.first, PH_W_SIGN_CHANGE,
             "the normal curvature changes its sign at the end of strip %zu "
             "(such rulings: %zu)",
             b->changes.first, b->changes.n);
   }
   if (b->large.n) {
-    ph_warn(result, b->large.first, PH_LARGE_ARC,
+    ph_warn(result, b->large.first, PH_W_LARGE_ARC,
             "strip %zu turns by more than 180 degrees about its axis (such "
             "strips: %zu)",
             b->large.first, b->large.n);
@@ -213,7 +213,7 @@ enum ph_status ph_cone_build(const struct ph_cone_data *data,
         ph_cone_pair(ph_cone_element(data, i), ph_cone_element(data, i + 1),
                      lambda, data->degenerate, &pair);
     if (reason != PH_CONE_OK) {
-      return ph_fail_at(diag, PH_INFEASIBLE, "pairs", i, "%s",
+      return ph_fail_at(diag, PH_E_INFEASIBLE, "pairs", i, "%s",
                         ph_cone_reason_text(reason));
     }
     add_pair(&b, i, &pair);

@@ -48,8 +48,8 @@ struct ph_cone_data {
  * ph_cone_data_of: checks the fields of a problem.  Tangents are made
  * orthogonal to the rulings, if they are so to 1e-3.
  *
- * ret  PH_OK | PH_TOO_FEW_POINTS | PH_BAD_SHAPE | PH_BAD_VALUE |
- *      PH_ZERO_TANGENT | PH_COINCIDENT_POINTS | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_TOO_FEW_POINTS | PH_E_BAD_SHAPE | PH_E_BAD_VALUE |
+ *      PH_E_ZERO_TANGENT | PH_E_COINCIDENT_POINTS | PH_E_NO_MEMORY
  */
 enum ph_status ph_cone_data_of(const struct ph_problem *problem,
                                struct ph_arena *arena,
@@ -116,7 +116,7 @@ const char *ph_cone_reason_text(enum ph_cone_reason reason);
  * ph_cone_build: all pairs as the surface of a result, with its development,
  * length and area, diagnostics of the solver, and warnings.
  *
- * ret  PH_OK | PH_INFEASIBLE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_INFEASIBLE | PH_E_NO_MEMORY
  */
 enum ph_status ph_cone_build(const struct ph_cone_data *data,
                              struct ph_arena *arena, struct ph_result *result,

@@ -34,7 +34,7 @@ static enum ph_status set_element(const struct ph_problem *p, size_t i,
   ph_vec3 given;
   double off;
   if (!(fabs(cosine) <= ORTHOGONAL)) {
-    return ph_fail_at(diag, PH_BAD_VALUE, "tangents", i,
+    return ph_fail_at(diag, PH_E_BAD_VALUE, "tangents", i,
                       "is not orthogonal to rulings[%zu]: the cosine is %.3g, "
                       "at most %g is allowed; look for misprints in both",
                       i, cosine, ORTHOGONAL);
@@ -51,7 +51,7 @@ static enum ph_status set_element(const struct ph_problem *p, size_t i,
              ph_vec3_abs(ph_vec3_add(given, element->n)));
   return off <= NORMAL
              ? PH_OK
-             : ph_fail_at(diag, PH_BAD_VALUE, "normals", i,
+             : ph_fail_at(diag, PH_E_BAD_VALUE, "normals", i,
                           "is neither rulings[%zu] x tangents[%zu] nor its "
                           "opposite: it is off by %.3g, at most %g is allowed",
                           i, i, off, NORMAL);
@@ -127,7 +127,7 @@ static enum ph_status set_rest(const struct ph_problem *p,
   if (degenerate->kind != PH_ABSENT) {
     data->degenerate = degenerate->number;
     if (!(data->degenerate > 0 && data->degenerate <= DEGENERATE_MAX)) {
-      return ph_fail(diag, PH_BAD_VALUE, "degenerate_tolerance",
+      return ph_fail(diag, PH_E_BAD_VALUE, "degenerate_tolerance",
                      "must be greater than 0 and at most %g, found %.17g",
                      DEGENERATE_MAX, degenerate->number);
     }
@@ -136,12 +136,12 @@ static enum ph_status set_rest(const struct ph_problem *p,
     return PH_OK;
   }
   if (height->n != 2) {
-    return ph_fail(diag, PH_BAD_SHAPE, "height",
+    return ph_fail(diag, PH_E_BAD_SHAPE, "height",
                    "must have 2 numbers, from where to where, found %zu",
                    height->n);
   }
   if (!(height->v[0] <= height->v[1])) {
-    return ph_fail(diag, PH_BAD_VALUE, "height",
+    return ph_fail(diag, PH_E_BAD_VALUE, "height",
                    "must not begin above its end, found [%.17g,%.17g]",
                    height->v[0], height->v[1]);
   }

@@ -386,7 +386,7 @@ static size_t ends_compare(struct ends *ends, size_t n,
   return solutions;
 }
 
-/* Follows all paths for one twist.  ret  PH_OK | PH_NO_MEMORY */
+/* Follows all paths for one twist.  ret  PH_OK | PH_E_NO_MEMORY */
 static enum ph_status follow_all(const struct ph_planar_c2 *c2,
                                  struct family *family,
                                  const struct attempt *attempt,
@@ -484,7 +484,7 @@ enum ph_status ph_planar_all(struct ph_planar_c2 *c2, struct ph_arena *out,
   struct ends ends;
   memset(all, 0, sizeof *all);
   if (c2->n > PH_PLANAR_ALL_MAX) {
-    return ph_fail(diag, PH_BAD_VALUE, "solutions",
+    return ph_fail(diag, PH_E_BAD_VALUE, "solutions",
                    "must be \"good\" for more than %d segments, found %zu",
                    PH_PLANAR_ALL_MAX, c2->n);
   }
@@ -502,7 +502,7 @@ enum ph_status ph_planar_all(struct ph_planar_c2 *c2, struct ph_arena *out,
   c2->twist = twist;
   ph_arena_release(scratch, mark);
   if (status == PH_OK && most < curves) {
-    status = ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+    status = ph_fail(diag, PH_E_NO_CONVERGENCE, NULL,
                      "of %zu solutions only %zu were found", curves, most);
   }
   all->n = status == PH_OK ? all->n : 0;

@@ -158,7 +158,7 @@ static enum ph_status test_simple(struct work *w, struct candidate *c) {
   enum ph_status status = curve_of(w, c, &curve);
   if (status == PH_OK) {
     status = ph_cross_planar(&curve, w->scratch, &cross, w->diag);
-    status = status == PH_NOT_FINITE ? PH_OK : status;
+    status = status == PH_E_NOT_FINITE ? PH_OK : status;
   }
   c->simple = cross.simple;
   ph_arena_release(w->scratch, mark);
@@ -328,7 +328,7 @@ static size_t turns_of(const struct ph_planar_c2 *c2, struct turn *turns) {
 /* A start without a solution is no failure; lack of memory is. */
 static enum ph_status skip(struct work *w, enum ph_status status,
                            const struct ph_diag *why) {
-  if (status == PH_NO_CONVERGENCE) {
+  if (status == PH_E_NO_CONVERGENCE) {
     return PH_OK;
   }
   *w->diag = *why;

@@ -124,7 +124,7 @@ static enum ph_status set_spacing(struct ph_planar_data *d,
   double before, slope_before;
   d->h_mean = (d->knots[n] - d->knots[0]) / (double)n;
   if (!(d->h_mean > 0) || !isfinite(d->h_mean)) {
-    return ph_fail(diag, PH_TOO_LARGE, "knots",
+    return ph_fail(diag, PH_E_TOO_LARGE, "knots",
                    "span more than a double can hold");
   }
   before = d->h[n - 1] / d->h_mean;
@@ -194,11 +194,11 @@ static enum ph_status set_ends(struct ph_planar_data *d, struct ph_diag *diag) {
   for (int side = 0; side < 2; side++) {
     double size = hypot(c2->end[side].re, c2->end[side].im);
     if (!(size > 0)) {
-      return ph_fail_at(diag, PH_ZERO_TANGENT, "end_derivatives", (size_t)side,
-                        "must not be zero");
+      return ph_fail_at(diag, PH_E_ZERO_TANGENT, "end_derivatives",
+                        (size_t)side, "must not be zero");
     }
     if (!isfinite(size)) {
-      return ph_fail_at(diag, PH_TOO_LARGE, "end_derivatives", (size_t)side,
+      return ph_fail_at(diag, PH_E_TOO_LARGE, "end_derivatives", (size_t)side,
                         "is too large for these points");
     }
     c2->end_size[side] = size;
@@ -213,15 +213,15 @@ static enum ph_status check_together(const struct ph_problem *problem,
                                      const struct ph_planar_data *d,
                                      struct ph_diag *diag) {
   if (d->closed && ph_fields_given(problem, PH_F_END_DERIVATIVES)) {
-    return ph_fail(diag, PH_BAD_VALUE, "end_derivatives",
+    return ph_fail(diag, PH_E_BAD_VALUE, "end_derivatives",
                    "is for open curves: a closed curve has no ends");
   }
   if (!d->atph && ph_fields_given(problem, PH_F_ALPHA)) {
-    return ph_fail(diag, PH_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
+    return ph_fail(diag, PH_E_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
   }
   if (ph_fields_given(problem, PH_F_FREE) &&
       !ph_fields_given(problem, PH_F_MINIMIZE)) {
-    return ph_fail(diag, PH_BAD_VALUE, "free", "is for \"minimize\"");
+    return ph_fail(diag, PH_E_BAD_VALUE, "free", "is for \"minimize\"");
   }
   return PH_OK;
 }
@@ -232,7 +232,7 @@ static enum ph_status read_ends(const struct ph_problem *problem,
                                 struct ph_diag *diag) {
   const struct ph_value *given = &problem->field[PH_F_END_DERIVATIVES];
   if (given->kind != PH_ABSENT && given->n != 2) {
-    return ph_fail(diag, PH_BAD_SHAPE, "end_derivatives",
+    return ph_fail(diag, PH_E_BAD_SHAPE, "end_derivatives",
                    "must be two vectors, found %zu", given->n);
   }
   d->ends = given->kind == PH_ABSENT ? NULL : given->v;

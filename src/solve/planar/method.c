@@ -51,12 +51,12 @@ struct task {
 static void warn_loops(const struct ph_planar_loops *loops,
                        struct ph_result *result) {
   if (loops->n && isnan(loops->angle)) {
-    ph_warn(result, loops->first, PH_LOOP,
+    ph_warn(result, loops->first, PH_W_LOOP,
             "segment %zu stands still somewhere, or turns on the spot (with "
             "loops, such segments: %zu)",
             loops->first, loops->n);
   } else if (loops->n) {
-    ph_warn(result, loops->first, PH_LOOP,
+    ph_warn(result, loops->first, PH_W_LOOP,
             "segment %zu turns by %.4g radians, more than half a turn (such "
             "segments: %zu)",
             loops->first, loops->angle, loops->n);
@@ -90,7 +90,7 @@ static void warn_reversals(const struct ph_planar_data *d,
                            struct ph_result *result) {
   size_t first, found = reversals(d, &first);
   if (found) {
-    ph_warn(result, first, PH_REVERSAL,
+    ph_warn(result, first, PH_W_REVERSAL,
             "the data turn back by 180 degrees at points[%zu] (such points: "
             "%zu): of two mirror images the left turn was taken",
             first, found);
@@ -124,7 +124,7 @@ static void warn_other(const struct ph_planar_data *d,
       (is_same(choice->other_ies, choice->ies) && reversals(d, &first) > 0)) {
     return;
   }
-  ph_warn(result, PH_NO_SEGMENT, PH_AMBIGUOUS,
+  ph_warn(result, PH_NO_SEGMENT, PH_W_AMBIGUOUS,
           "another good curve exists, of length %.6g and an IES of %.4g; that "
           "of this one is %.4g%s",
           ldexp(choice->other_length, -d->exponent), choice->other_ies,
@@ -325,7 +325,7 @@ static enum ph_status solve_task(struct task *t) {
   }
   status =
       field[PH_F_MINIMIZE].kind == PH_WORD ? solve_fairest(t) : solve_good(t);
-  if (status == PH_NO_CONVERGENCE) {
+  if (status == PH_E_NO_CONVERGENCE) {
     return advise(t->problem, t->diag);
   }
   if (status == PH_OK && ph_value_is(&field[PH_F_SOLUTIONS], "all")) {

@@ -168,7 +168,7 @@ static enum ph_status solve_trial(struct work *w) {
     status = ph_planar_c2_solve(&d->c2, w->scratch, t->b, &report, w->diag);
     ph_arena_release(w->scratch, mark);
     solved = status == PH_OK;
-    status = status == PH_NO_CONVERGENCE ? PH_OK : status;
+    status = status == PH_E_NO_CONVERGENCE ? PH_OK : status;
   }
   if (solved) {
     t->twist = d->c2.twist;
@@ -350,7 +350,7 @@ static enum ph_status descend(struct work *w, struct room *r, double decrease,
   struct ph_box_report found;
   enum ph_status status = ph_box_minimize(&box, w->scratch, r->x, &found);
   if (status != PH_OK) {
-    return status == PH_NO_MEMORY ? ph_fail_memory(w->diag) : status;
+    return status == PH_E_NO_MEMORY ? ph_fail_memory(w->diag) : status;
   }
   if (w->warm && !(w->now.value >= w->best.value * (1 - better))) {
     copy(&w->best, &w->now, w);
@@ -386,13 +386,13 @@ static enum ph_status conclude(struct work *w, ph_cplx *b, bool converged,
   report->minimum = in_user_unit(w, w->best.value);
   report->evaluations = w->evaluations;
   if (isnan(w->best.value)) {
-    return ph_fail(w->diag, PH_NO_CONVERGENCE, "minimize",
+    return ph_fail(w->diag, PH_E_NO_CONVERGENCE, "minimize",
                    "found no solution at any of its starts");
   }
   d->c2.twist = w->best.twist;
   memcpy(b, w->best.b, w->unknowns * sizeof *b);
   if (status == PH_OK && !converged) {
-    return ph_fail(w->diag, PH_NO_CONVERGENCE, "minimize",
+    return ph_fail(w->diag, PH_E_NO_CONVERGENCE, "minimize",
                    "was cut short after %zu evaluations, from %.6g at %.6g",
                    w->evaluations, report->start, report->minimum);
   }
@@ -439,7 +439,7 @@ enum ph_status ph_planar_minimize(struct ph_planar_data *data,
   enum ph_status status;
   *report = (struct ph_planar_min){(double)NAN, (double)NAN, 0, false};
   if (scale && !data->atph) {
-    return ph_fail(diag, PH_BAD_VALUE, "free",
+    return ph_fail(diag, PH_E_BAD_VALUE, "free",
                    "must be \"each\" for \"basis\":\"ph\": the knots of PH "
                    "quintics have no scale of their own");
   }

@@ -168,11 +168,11 @@ static enum ph_status conclude(const struct ph_planar_c2 *c2,
   report->worst = m->worst;
   if (!solved) {
     return isfinite(report->residual)
-               ? ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", m->worst,
+               ? ph_fail_at(diag, PH_E_NO_CONVERGENCE, "segments", m->worst,
                             "does not close: the best relative residual "
                             "reached is %.3g",
                             report->residual)
-               : ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+               : ph_fail(diag, PH_E_NO_CONVERGENCE, NULL,
                          "the iteration leaves the range of a double");
   }
   for (size_t i = 0; w->b != b && i < ph_planar_unknowns(c2); i++) {

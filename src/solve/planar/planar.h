@@ -86,7 +86,7 @@ void ph_planar_preimage(const struct ph_planar_c2 *c2, const ph_cplx *b,
  *
  * inout c2      twist is set (closed)
  * out   b[ph_planar_unknowns(c2)]
- * ret   PH_OK | PH_NO_CONVERGENCE (names the worst segment) | PH_NO_MEMORY
+ * ret   PH_OK | PH_E_NO_CONVERGENCE (names the worst segment) | PH_E_NO_MEMORY
  */
 enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
                                   struct ph_arena *scratch, ph_cplx *b,
@@ -109,7 +109,7 @@ enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
  * end derivative to the first chord is 1, and 0 none.
  *
  * in   turned[unknowns]
- * ret  PH_OK | PH_NO_CONVERGENCE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_CONVERGENCE | PH_E_NO_MEMORY
  */
 enum ph_status ph_planar_c2_turned(struct ph_planar_c2 *c2, const bool *turned,
                                    struct ph_arena *scratch, ph_cplx *b,
@@ -123,7 +123,7 @@ enum ph_status ph_planar_c2_turned(struct ph_planar_c2 *c2, const bool *turned,
  * in   guess[unknowns]
  * out  b[unknowns]  other memory than guess
  * out  near         false: none was found; PH_OK all the same
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_planar_c2_near(const struct ph_planar_c2 *c2,
                                  struct ph_arena *scratch, const ph_cplx *guess,
@@ -298,8 +298,8 @@ struct ph_planar_data {
 /*
  * ph_planar_data_of: reads and checks a problem.
  *
- * ret  PH_OK | PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS | PH_BAD_SHAPE |
- *      PH_BAD_VALUE | PH_ZERO_TANGENT | PH_TOO_LARGE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_TOO_FEW_POINTS | PH_E_COINCIDENT_POINTS | PH_E_BAD_SHAPE |
+ *      PH_E_BAD_VALUE | PH_E_ZERO_TANGENT | PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_planar_data_of(const struct ph_problem *problem,
                                  struct ph_arena *arena,
@@ -353,7 +353,7 @@ struct ph_planar_loops {
 };
 
 /* ph_planar_curve_alloc: a curve for these data, without its numbers.
- * ret  PH_OK | PH_NO_MEMORY */
+ * ret  PH_OK | PH_E_NO_MEMORY */
 enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *data,
                                      struct ph_arena *arena,
                                      struct ph_curve *curve,
@@ -393,7 +393,7 @@ struct ph_planar_choice {
  * inout data    its twist
  * inout b[unknowns]  the solution from the first start
  * inout report  of that
- * ret   PH_OK | PH_NO_MEMORY
+ * ret   PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_planar_choose(struct ph_planar_data *data,
                                 struct ph_arena *scratch, ph_cplx *b,
@@ -422,7 +422,7 @@ struct ph_planar_gradient {
   double *by_h;      /* [n] result: h d/dh, the mean of all h aside */
 };
 
-/* ph_planar_gradient_alloc: workspace.  ret PH_OK | PH_NO_MEMORY */
+/* ph_planar_gradient_alloc: workspace.  ret PH_OK | PH_E_NO_MEMORY */
 enum ph_status ph_planar_gradient_alloc(struct ph_planar_gradient *g,
                                         const struct ph_planar_data *data,
                                         struct ph_arena *arena,
@@ -475,8 +475,8 @@ struct ph_planar_min {
  *
  * inout data         at the minimiser; as given where there is no solution
  * out   b[unknowns]  the solution there
- * ret   PH_OK | PH_BAD_VALUE (`scale` of ph) | PH_NO_MEMORY |
- *       PH_NO_CONVERGENCE: the data have no solution, and the minimum is NaN;
+ * ret   PH_OK | PH_E_BAD_VALUE (`scale` of ph) | PH_E_NO_MEMORY |
+ *       PH_E_NO_CONVERGENCE: the data have no solution, and the minimum is NaN;
  *       or the search was cut short while it still gained 1e-8 a
  *       step, and data, b and report are the best found
  */
@@ -520,8 +520,8 @@ struct ph_planar_all {
  *
  * inout c2       its twist is put back
  * out   all      its arrays in the arena `out`
- * ret   PH_OK | PH_BAD_VALUE (more than PH_PLANAR_ALL_MAX segments) |
- *       PH_NO_CONVERGENCE (says how many were found) | PH_NO_MEMORY
+ * ret   PH_OK | PH_E_BAD_VALUE (more than PH_PLANAR_ALL_MAX segments) |
+ *       PH_E_NO_CONVERGENCE (says how many were found) | PH_E_NO_MEMORY
  */
 enum ph_status ph_planar_all(struct ph_planar_c2 *c2, struct ph_arena *out,
                              struct ph_arena *scratch,

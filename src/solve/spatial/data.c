@@ -73,7 +73,7 @@ static enum ph_status check_chords(struct reading *r) {
       return ph_fields_coincide(r->diag, "points", k, to);
     }
     if (!isfinite(away)) {
-      return ph_fail_at(r->diag, PH_TOO_LARGE, "points", to,
+      return ph_fail_at(r->diag, PH_E_TOO_LARGE, "points", to,
                         "differs from points[%zu] by more than a double can "
                         "hold",
                         k);
@@ -116,7 +116,7 @@ static enum ph_status set_tangents(struct reading *r) {
   bool tangents = ph_fields_given(r->problem, PH_F_TANGENTS);
   p->derivatives = ph_fields_given(r->problem, PH_F_DERIVATIVES);
   if (tangents && p->derivatives) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "tangents",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "tangents",
                    "excludes derivatives: give one of them");
   }
   p->tangents = ph_arena_array(r->arena, p->points_n, sizeof *p->tangents);
@@ -153,7 +153,7 @@ static enum ph_status set_knots(struct reading *r) {
   for (size_t k = 0; k < p->n; k++) {
     if (p->knots[k + 1] <= p->knots[k]) {
       return ph_fail_at(
-          r->diag, PH_COINCIDENT_POINTS, "points",
+          r->diag, PH_E_COINCIDENT_POINTS, "points",
           k + 1 < p->points_n ? k + 1 : 0,
           "is so near to points[%zu] that their chordal knots "
           "are the same; \"knots\" can be given, and --merge=D joins "
@@ -162,7 +162,7 @@ static enum ph_status set_knots(struct reading *r) {
     }
   }
   return isfinite(p->knots[p->n]) ? PH_OK
-                                  : ph_fail(r->diag, PH_TOO_LARGE, "knots",
+                                  : ph_fail(r->diag, PH_E_TOO_LARGE, "knots",
                                             "span more than a double can hold");
 }
 
@@ -172,7 +172,7 @@ static enum ph_status set_planarity(struct reading *r) {
   r->points->planarity = x;
   return x >= 0 && x < 1
              ? PH_OK
-             : ph_fail(r->diag, PH_BAD_VALUE, "planarity",
+             : ph_fail(r->diag, PH_E_BAD_VALUE, "planarity",
                        "must be at least 0 and below 1, found %.17g", x);
 }
 
@@ -191,7 +191,8 @@ static enum ph_status set_alpha(struct reading *r) {
     return PH_OK;
   }
   if (!p->atph) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "alpha", "is for \"basis\":\"atph\"");
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "alpha",
+                   "is for \"basis\":\"atph\"");
   }
   p->alpha = ph_arena_array(r->arena, p->n, sizeof *p->alpha);
   return p->alpha ? ph_fields_angles(alpha, p->n, p->alpha, r->diag)
@@ -309,7 +310,7 @@ static enum ph_status wrong_speed(const struct ph_spatial_points *p, size_t k,
                                   const char *field, size_t index, int verdict,
                                   struct ph_diag *diag) {
   return ph_fail_at(
-      diag, verdict < 0 ? PH_ZERO_TANGENT : PH_TOO_LARGE, field, index,
+      diag, verdict < 0 ? PH_E_ZERO_TANGENT : PH_E_TOO_LARGE, field, index,
       "%stoo %s beside the chord between points[%zu] and "
       "points[%zu]",
       strcmp(field, "derivatives") == 0 ? "is " : "makes derivatives ",

@@ -200,12 +200,12 @@ static enum ph_status set_criterion(const struct ph_problem *problem,
   }
   t->criterion = &criteria[i];
   if (value->kind != PH_ABSENT && t->angles) {
-    return ph_fail(diag, PH_BAD_VALUE, "criterion",
+    return ph_fail(diag, PH_E_BAD_VALUE, "criterion",
                    "excludes angles, which are given in its place");
   }
   if (t->points.atph && !t->points.alpha &&
       (t->angles || !t->criterion->functional)) {
-    return ph_fail(diag, PH_MISSING_FIELD, "alpha",
+    return ph_fail(diag, PH_E_MISSING_FIELD, "alpha",
                    "is missing: only the criteria F1, F2 and F3 choose it");
   }
   return PH_OK;
@@ -225,7 +225,7 @@ static enum ph_status set_angles(const struct ph_problem *problem,
     return PH_OK;
   }
   if (pair ? angles->n != 2 : angles->n != 1 && angles->n != t->points.n) {
-    return ph_fail(diag, PH_BAD_SHAPE, "angles",
+    return ph_fail(diag, PH_E_BAD_SHAPE, "angles",
                    "must have %zu pairs, one for each segment, or one for all, "
                    "found %zu %s",
                    t->points.n, angles->n, pair ? "numbers" : "vectors");
@@ -263,7 +263,7 @@ struct choice {
 };
 
 static enum ph_status no_angles(const struct choice *c) {
-  return ph_fail_at(c->diag, PH_INFEASIBLE, "segments", c->segment,
+  return ph_fail_at(c->diag, PH_E_INFEASIBLE, "segments", c->segment,
                     "has no angles about the axis \"%s\": a tangent or the "
                     "vector d is opposite to it; \"axis\":\"bisector\" always "
                     "has",
@@ -332,7 +332,7 @@ static enum ph_status choose_fairest(struct ph_spatial_family *family,
     return ph_fail_memory(c->diag);
   }
   if (!isfinite(found.value)) {
-    return ph_fail_at(c->diag, PH_NO_CONVERGENCE, "segments", c->segment,
+    return ph_fail_at(c->diag, PH_E_NO_CONVERGENCE, "segments", c->segment,
                       "has no finite %s, as far as was found",
                       t->criterion->name);
   }
@@ -470,7 +470,7 @@ static void warn_reversals(const struct task *t) {
     }
   }
   if (found) {
-    ph_warn(t->result, first, PH_REVERSAL,
+    ph_warn(t->result, first, PH_W_REVERSAL,
             "the data turn back by 180 degrees at points[%zu] (such points: "
             "%zu): of many tangents one was taken",
             first, found);
@@ -490,7 +490,7 @@ static void report(const struct task *t) {
   }
   ph_warn_alpha(&t->result->curve, t->result);
   if (t->unsatisfied) {
-    ph_warn(t->result, t->first_unsatisfied, PH_SHAPE_UNSATISFIABLE,
+    ph_warn(t->result, t->first_unsatisfied, PH_W_SHAPE_UNSATISFIABLE,
             "segment %zu does not keep the shape of its data at any tension: "
             "%s (such segments: %zu)",
             t->first_unsatisfied, t->why, t->unsatisfied);

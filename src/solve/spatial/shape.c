@@ -161,7 +161,7 @@ static enum ph_status try_factor(struct search *search, double factor,
   search->tried++;
   status = ph_spatial_fit_of(&data, search->space, search->choose,
                              search->context, fit);
-  if (status == PH_INFEASIBLE && factor < 1) {
+  if (status == PH_E_INFEASIBLE && factor < 1) {
     fit->violated = PH_SHAPE_NOTHING;
     return PH_OK;
   }

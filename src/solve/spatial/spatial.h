@@ -255,7 +255,7 @@ static inline bool ph_spatial_is_acute(const struct ph_spatial_data *data) {
  *               too changes it (ph_spatial_family_space)
  * in   context  what else it needs, such as where to start
  * ret  another status than PH_OK ends the search for a tension, but
- *      PH_INFEASIBLE only where it is not reduced: there is no segment then
+ *      PH_E_INFEASIBLE only where it is not reduced: there is no segment then
  */
 typedef enum ph_status ph_spatial_choice(struct ph_spatial_family *family,
                                          void *context,
@@ -400,8 +400,8 @@ struct ph_spatial_points {
 /*
  * ph_spatial_points_of: reads and checks a problem.
  *
- * ret  PH_OK | PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS | PH_BAD_SHAPE |
- *      PH_BAD_VALUE | PH_ZERO_TANGENT | PH_TOO_LARGE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_TOO_FEW_POINTS | PH_E_COINCIDENT_POINTS | PH_E_BAD_SHAPE |
+ *      PH_E_BAD_VALUE | PH_E_ZERO_TANGENT | PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
                                     struct ph_arena *arena,
@@ -516,7 +516,7 @@ struct ph_spatial_minimum {
 /*
  * ph_spatial_minimize: the global minimum.
  *
- * ret  PH_OK | PH_NO_MEMORY; the value is not finite where the functional is
+ * ret  PH_OK | PH_E_NO_MEMORY; the value is not finite where the functional is
  *      not, for all members
  */
 enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,

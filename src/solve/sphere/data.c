@@ -61,7 +61,7 @@ static enum ph_status read_sphere(struct reading *r) {
   const struct ph_value *tolerance = field(r, PH_F_RADIUS_TOLERANCE);
   struct ph_sphere_data *d = r->data;
   if (center->kind != PH_ABSENT && center->n != 3) {
-    return ph_fail(r->diag, PH_BAD_SHAPE, "center",
+    return ph_fail(r->diag, PH_E_BAD_SHAPE, "center",
                    "must have 3 numbers, found %zu", center->n);
   }
   if (center->kind != PH_ABSENT) {
@@ -69,12 +69,12 @@ static enum ph_status read_sphere(struct reading *r) {
   }
   d->radius = radius->kind == PH_ABSENT ? 1 : radius->number;
   if (!(d->radius >= RADIUS_MIN && isfinite(d->radius))) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "radius",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "radius",
                    "must be at least %g, found %.17g", RADIUS_MIN, d->radius);
   }
   r->tolerance = tolerance->kind == PH_ABSENT ? TOLERANCE : tolerance->number;
   if (!(r->tolerance > 0 && r->tolerance < 1)) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "radius_tolerance",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "radius_tolerance",
                    "must be greater than 0 and less than 1, found %.17g",
                    r->tolerance);
   }
@@ -86,17 +86,17 @@ static enum ph_status read_sphere(struct reading *r) {
 static enum ph_status find_points(struct reading *r) {
   bool points = ph_fields_given(r->problem, PH_F_POINTS);
   if (points && ph_fields_given(r->problem, PH_F_LONLAT)) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "lonlat",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "lonlat",
                    "excludes points: give one of them");
   }
   if (!points && !ph_fields_given(r->problem, PH_F_LONLAT)) {
-    return ph_fail(r->diag, PH_MISSING_FIELD, "points",
+    return ph_fail(r->diag, PH_E_MISSING_FIELD, "points",
                    "or lonlat must be given");
   }
   r->points = field(r, points ? PH_F_POINTS : PH_F_LONLAT);
   r->name = points ? "points" : "lonlat";
   if (r->points->dimension != (points ? 3u : 2u)) {
-    return ph_fail(r->diag, PH_BAD_SHAPE, r->name,
+    return ph_fail(r->diag, PH_E_BAD_SHAPE, r->name,
                    "must have %d numbers for each point, found %zu",
                    points ? 3 : 2, r->points->dimension);
   }
@@ -124,7 +124,7 @@ static enum ph_status read_point(struct reading *r, size_t i) {
          radius = ph_pow2_apply(s, d->radius);
   double off = fabs(size - radius) / radius;
   if (!(off <= r->tolerance)) {
-    return ph_fail_at(r->diag, PH_NOT_ON_SPHERE, r->name, i,
+    return ph_fail_at(r->diag, PH_E_NOT_ON_SPHERE, r->name, i,
                       "is %.10g from the center, and the radius is %.10g: "
                       "they may differ by radius_tolerance, %g of the radius",
                       ph_pow2_apply(ph_pow2_of(exponent), size), d->radius,
@@ -142,7 +142,7 @@ static enum ph_status read_point(struct reading *r, size_t i) {
 /* The failure of one of the two numbers of a point. */
 static enum ph_status bad_degrees(struct reading *r, size_t i, size_t which,
                                   double range) {
-  enum ph_status status = ph_fail_at(r->diag, PH_BAD_VALUE, r->name, i,
+  enum ph_status status = ph_fail_at(r->diag, PH_E_BAD_VALUE, r->name, i,
                                      "must be between -%g and %g degrees, "
                                      "found %.17g",
                                      range, range, r->points->v[2 * i + which]);
@@ -184,7 +184,7 @@ static enum ph_status read_points(struct reading *r) {
     n--;
   }
   if (n < (d->closed ? 3u : 2u)) {
-    return ph_fail(r->diag, PH_TOO_FEW_POINTS, r->name,
+    return ph_fail(r->diag, PH_E_TOO_FEW_POINTS, r->name,
                    d->closed ? "must be at least 3 different points for a "
                                "closed curve, found %zu"
                              : "must be at least 2, found %zu",
@@ -216,13 +216,13 @@ static enum ph_status measure(struct reading *r) {
     size_t to = ph_sphere_next(d, k);
     d->theta[k] = ph_s2_angle(d->p[k], d->p[to]);
     if (!(d->theta[k] >= COINCIDENT)) {
-      return ph_fail_at(r->diag, PH_COINCIDENT_POINTS, r->name, to,
+      return ph_fail_at(r->diag, PH_E_COINCIDENT_POINTS, r->name, to,
                         "coincides with %s[%zu]: they are less than %g rad "
                         "apart; --merge=D joins points nearer than D",
                         r->name, k, COINCIDENT);
     }
     if (!(d->theta[k] <= PH_PI - OPPOSITE)) {
-      return ph_fail_at(r->diag, PH_ANTIPODAL_POINTS, r->name, to,
+      return ph_fail_at(r->diag, PH_E_ANTIPODAL_POINTS, r->name, to,
                         "is opposite to %s[%zu] on the sphere, to %g rad: "
                         "every direction leads from one to the other",
                         r->name, k, OPPOSITE);
@@ -245,7 +245,7 @@ static enum ph_status read_knot_numbers(struct reading *r) {
   for (size_t k = 0; k < d->m; k++) {
     if (!(d->h[k] < SPACING_MAX && d->h[k] > 1 / SPACING_MAX &&
           d->h[k] > SPACINGS * most)) {
-      return ph_fail_at(r->diag, PH_TOO_LARGE, "knots", k + 1,
+      return ph_fail_at(r->diag, PH_E_TOO_LARGE, "knots", k + 1,
                         "must be after the knot before by more than %g of the "
                         "largest spacing, and by %g to %g",
                         SPACINGS, 1 / SPACING_MAX, SPACING_MAX);
@@ -273,7 +273,7 @@ static enum ph_status read_knots(struct reading *r) {
 static enum ph_status set_tensions(struct reading *r, double nu) {
   struct ph_sphere_data *d = r->data;
   if (!(nu >= 0 && nu <= NU_MAX)) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "tension",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "tension",
                    "must be between 0 and %g, found %.17g", NU_MAX, nu);
   }
   for (size_t i = 0; i < d->n; i++) {
@@ -289,18 +289,18 @@ static enum ph_status read_tensions(struct reading *r) {
     return set_tensions(r, tension->kind == PH_ABSENT ? 0 : tension->number);
   }
   if (tension->n != d->n && tension->n != r->points->n) {
-    return ph_fail(r->diag, PH_BAD_SHAPE, "tension",
+    return ph_fail(r->diag, PH_E_BAD_SHAPE, "tension",
                    "must have %zu numbers, one for each point, found %zu",
                    r->points->n, tension->n);
   }
   for (size_t i = 0; i < tension->n; i++) {
     double nu = tension->v[i];
     if (!(nu >= 0 && nu <= NU_MAX)) {
-      return ph_fail_at(r->diag, PH_BAD_VALUE, "tension", i,
+      return ph_fail_at(r->diag, PH_E_BAD_VALUE, "tension", i,
                         "must be between 0 and %g, found %.17g", NU_MAX, nu);
     }
     if (i == d->n && !(nu >= tension->v[0] && nu <= tension->v[0])) {
-      return ph_fail_at(r->diag, PH_BAD_VALUE, "tension", i,
+      return ph_fail_at(r->diag, PH_E_BAD_VALUE, "tension", i,
                         "must equal tension[0], as the point does");
     }
   }
@@ -315,19 +315,19 @@ static enum ph_status check_ends(struct reading *r) {
   const struct ph_value *tangents = field(r, PH_F_END_TANGENTS);
   bool given = tangents->kind != PH_ABSENT;
   if (r->data->closed && (given || ends->kind != PH_ABSENT)) {
-    return ph_fail(r->diag, PH_BAD_VALUE, given ? "end_tangents" : "ends",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, given ? "end_tangents" : "ends",
                    "is for open curves: a closed curve has no ends");
   }
   if (ph_value_is(ends, "clamped") && !given) {
-    return ph_fail(r->diag, PH_MISSING_FIELD, "end_tangents",
+    return ph_fail(r->diag, PH_E_MISSING_FIELD, "end_tangents",
                    "must be given with \"ends\":\"clamped\"");
   }
   if (given && ends->kind != PH_ABSENT && !ph_value_is(ends, "clamped")) {
-    return ph_fail(r->diag, PH_BAD_VALUE, "end_tangents",
+    return ph_fail(r->diag, PH_E_BAD_VALUE, "end_tangents",
                    "excludes \"ends\":\"%s\"", ends->word);
   }
   if (given && (tangents->n != 2 || tangents->dimension != 3)) {
-    return ph_fail(r->diag, PH_BAD_SHAPE, "end_tangents",
+    return ph_fail(r->diag, PH_E_BAD_SHAPE, "end_tangents",
                    "must be two vectors of 3 numbers, found %zu of %zu",
                    tangents->n, tangents->dimension);
   }
@@ -343,13 +343,13 @@ static enum ph_status read_end(struct reading *r, size_t side) {
   double most = ph_fields_largest(v, 3);
   ph_vec3 along;
   if (!(most > 0)) {
-    return ph_fail_at(r->diag, PH_ZERO_TANGENT, "end_tangents", side,
+    return ph_fail_at(r->diag, PH_E_ZERO_TANGENT, "end_tangents", side,
                       "must not be zero");
   }
   along = ph_fields_unit(ph_vec3_get(v, 3));
   along = ph_vec3_normal(along, d->p[node]);
   if (!(ph_vec3_abs(along) > NOTHING_LEFT)) {
-    return ph_fail_at(r->diag, PH_ZERO_TANGENT, "end_tangents", side,
+    return ph_fail_at(r->diag, PH_E_ZERO_TANGENT, "end_tangents", side,
                       "must not be at right angles to the sphere at %s[%zu]",
                       r->name, node);
   }

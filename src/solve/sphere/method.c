@@ -48,11 +48,11 @@ static enum ph_status read_increase(struct task *t) {
                                                             : PH_SPHERE_TIMES;
   raise->by = increase->number;
   if (raise->increase == PH_SPHERE_PLUS && !(raise->by > 0)) {
-    return ph_fail(t->diag, PH_BAD_VALUE, "increase",
+    return ph_fail(t->diag, PH_E_BAD_VALUE, "increase",
                    "must add more than 0, found %.17g", raise->by);
   }
   if (raise->increase == PH_SPHERE_TIMES && !(raise->by > 1)) {
-    return ph_fail(t->diag, PH_BAD_VALUE, "increase",
+    return ph_fail(t->diag, PH_E_BAD_VALUE, "increase",
                    "must multiply by more than 1, found %.17g", raise->by);
   }
   return PH_OK;
@@ -67,7 +67,7 @@ static enum ph_status read_shape(struct task *t) {
   t->keep_shape = shape->kind != PH_BOOL || shape->flag;
   t->raise.waive = shape->kind != PH_BOOL;
   if (!(bound >= EPSILON_MIN)) {
-    return ph_fail(t->diag, PH_BAD_VALUE, "epsilon",
+    return ph_fail(t->diag, PH_E_BAD_VALUE, "epsilon",
                    "must be at least %g, found %.17g", EPSILON_MIN, bound);
   }
   return ph_sphere_shape_of(&t->data, bound,
@@ -97,11 +97,11 @@ static const char *place_of(const struct ph_sphere_raise *raise) {
 static enum ph_status fail_spline(const struct task *t, const char *tensions) {
   double residual = t->work.residual;
   return isfinite(residual)
-             ? ph_fail(t->diag, PH_NO_CONVERGENCE, "tension",
+             ? ph_fail(t->diag, PH_E_NO_CONVERGENCE, "tension",
                        "no spline was found at %s, residual %.2g: try larger "
                        "ones",
                        tensions, residual)
-             : ph_fail(t->diag, PH_NO_CONVERGENCE, "tension",
+             : ph_fail(t->diag, PH_E_NO_CONVERGENCE, "tension",
                        "no spline was found at %s: try larger ones", tensions);
 }
 
@@ -112,12 +112,12 @@ static enum ph_status fail_shape(const struct task *t, enum ph_status status) {
                       : lonlat                              ? "lonlat"
                                                             : "points";
   switch (status) {
-  case PH_INFEASIBLE:
+  case PH_E_INFEASIBLE:
     return ph_fail_at(t->diag, status, field, raise->at,
                       "no tension makes the criterion of %s hold here; with "
                       "\"shape\":\"warn\" it is done without",
                       ph_sphere_criterion_name(raise->criterion));
-  case PH_NO_MEMORY:
+  case PH_E_NO_MEMORY:
     return ph_fail_memory(t->diag);
   default:
     if (raise->beyond) {
@@ -177,7 +177,7 @@ static void warn_reversal(const struct task *t, struct ph_result *result) {
     }
   }
   if (n > 0) {
-    ph_warn(result, PH_NO_SEGMENT, PH_REVERSAL,
+    ph_warn(result, PH_NO_SEGMENT, PH_W_REVERSAL,
             "the data turn back on a great circle at %zu point%s, first at "
             "node %zu",
             n, n == 1 ? "" : "s", first);
@@ -217,7 +217,7 @@ static void warn_waived(const struct task *t, struct ph_result *result) {
   list_waived(raise, t->data.n, &list);
   ph_warn(
       result, raise->criterion == PH_SPHERE_SEGMENT ? raise->at : PH_NO_SEGMENT,
-      PH_SHAPE_UNSATISFIABLE,
+      PH_W_SHAPE_UNSATISFIABLE,
       "%zu %s of shape %s %s, at the nodes%s; the first is %s at %s %zu",
       raise->waived, raise->waived == 1 ? "criterion" : "criteria",
       raise->waived == 1 ? "fails" : "fail", why_waived(raise), list.message,
@@ -226,7 +226,7 @@ static void warn_waived(const struct task *t, struct ph_result *result) {
 
 static void warn(const struct task *t, struct ph_result *result) {
   if (t->data.tell_moved) {
-    ph_warn(result, PH_NO_SEGMENT, PH_MOVED_POINTS,
+    ph_warn(result, PH_NO_SEGMENT, PH_W_MOVED_POINTS,
             "points are not on the sphere and were moved onto it, "
             "points[%zu] farthest, by %.2g of the radius",
             t->data.moved_at, t->data.moved);
@@ -323,11 +323,11 @@ static enum ph_status set_segments(const struct ph_sphere_spline *s,
     double length;
     enum ph_status status =
         ph_spherical_length(&segment, &table, arena, &length);
-    if (status == PH_NO_MEMORY || ph_arena_late(arena)) {
+    if (status == PH_E_NO_MEMORY || ph_arena_late(arena)) {
       return ph_fail_memory(diag);
     }
     if (status != PH_OK) {
-      return ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
+      return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "segments", k,
                         "has no length to 1e-12, as far as was found");
     }
     for (size_t j = 0; j < 4; j++) {

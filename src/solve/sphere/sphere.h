@@ -54,10 +54,11 @@ struct ph_sphere_data {
  * ph_sphere_data_read: the data of a problem.
  *
  * out  data  arrays in the arena
- * ret  PH_OK | PH_MISSING_FIELD | PH_BAD_VALUE | PH_BAD_SHAPE |
- *      PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS (neighbours nearer than 1e-10)
- * | PH_ANTIPODAL_POINTS (farther than pi - 1e-6) | PH_NOT_ON_SPHERE |
- *      PH_ZERO_TANGENT | PH_TOO_LARGE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_MISSING_FIELD | PH_E_BAD_VALUE | PH_E_BAD_SHAPE |
+ *      PH_E_TOO_FEW_POINTS | PH_E_COINCIDENT_POINTS (neighbours nearer than
+ *      1e-10)
+ * | PH_E_ANTIPODAL_POINTS (farther than pi - 1e-6) | PH_E_NOT_ON_SPHERE |
+ *      PH_E_ZERO_TANGENT | PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_sphere_data_read(const struct ph_problem *problem,
                                    struct ph_arena *arena,
@@ -345,7 +346,8 @@ struct ph_sphere_shape {
   const struct ph_sphere_data *data;
   double epsilon; /* bound of |kappa_g| at co-circular nodes */
   bool legacy;    /* the measures of the thesis's code: one side of a node, and
-                   * theta(P_0,P_1)^2 |K| in place of |kappa_g|, K by the knots */
+                   * theta(P_0,P_1)^2 |K| in place of |kappa_g|, K by the
+                   * knots */
   signed char *q; /* [n] indicators; 0 at the ends of open data */
   double *turn;   /* [n] |sine| of the turn from chord to chord */
   bool *inorder;  /* [n] Q_i = 0, and co-circularity is asked */
@@ -402,7 +404,8 @@ const char *ph_sphere_criterion_name(enum ph_sphere_criterion criterion);
  * ph_sphere_curve: control points on the user's sphere, lengths in his unit.
  *
  * in   waived  [n] not 0 where the shape is not kept; or NULL
- * ret  PH_OK | PH_NO_CONVERGENCE (a length; names the segment) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_CONVERGENCE (a length; names the segment) |
+ *      PH_E_NO_MEMORY
  */
 enum ph_status ph_sphere_curve(const struct ph_sphere_spline *s,
                                const struct ph_sphere_shape *shape,
@@ -492,9 +495,9 @@ struct ph_sphere_raise {
  * ph_sphere_keep_shape: raises the tensions of a solution.
  *
  * inout raise  the first six members are given
- * ret  PH_OK | PH_INFEASIBLE (the criterion is violated at all tensions that
- *      were tried, and in the limit) | PH_NO_CONVERGENCE (no spline, too many
- *      rounds, or tensions beyond precision) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_INFEASIBLE (the criterion is violated at all tensions that
+ *      were tried, and in the limit) | PH_E_NO_CONVERGENCE (no spline, too many
+ *      rounds, or tensions beyond precision) | PH_E_NO_MEMORY
  */
 enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
                                     struct ph_arena *scratch);

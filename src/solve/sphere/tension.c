@@ -217,8 +217,8 @@ static enum ph_status plan(struct ph_sphere_raise *raise,
   }
   raise->beyond = !can && !raise->waive && !never;
   return can || raise->waive ? PH_OK
-         : never             ? PH_INFEASIBLE
-                             : PH_NO_CONVERGENCE;
+         : never             ? PH_E_INFEASIBLE
+                             : PH_E_NO_CONVERGENCE;
 }
 
 /* Does what was planned. */
@@ -309,7 +309,7 @@ static enum ph_status go_round(struct ph_sphere_raise *raise) {
   if (touched_n > 0) {
     find_ranges(raise, touched_n);
   }
-  return solve_ranges(raise) ? PH_OK : PH_NO_CONVERGENCE;
+  return solve_ranges(raise) ? PH_OK : PH_E_NO_CONVERGENCE;
 }
 
 /* What is violated after all, where that is allowed: of all criteria. */
@@ -351,7 +351,7 @@ static bool repair(struct ph_sphere_raise *raise) {
   raise->waive = false;
   while (status == PH_OK && raise->ranges_n > 0) {
     status = raise->rounds - before < REPAIRS_MAX ? go_round(raise)
-                                                  : PH_NO_CONVERGENCE;
+                                                  : PH_E_NO_CONVERGENCE;
   }
   raise->waive = waive;
   return status == PH_OK;
@@ -366,12 +366,12 @@ static enum ph_status lower(struct ph_sphere_raise *raise,
   double *nu = ph_arena_array(scratch, n, sizeof *nu);
   ph_vec3 *x = ph_arena_array(scratch, n, sizeof *x);
   if (!nu || !x) {
-    return PH_NO_MEMORY;
+    return PH_E_NO_MEMORY;
   }
   memcpy(nu, s->nu, n * sizeof *nu);
   memcpy(x, s->x, n * sizeof *x);
   if (!ph_sphere_minimise(raise, scratch)) {
-    return PH_NO_MEMORY;
+    return PH_E_NO_MEMORY;
   }
   if (repair(raise)) {
     return PH_OK;
@@ -380,7 +380,7 @@ static enum ph_status lower(struct ph_sphere_raise *raise,
   memcpy(s->x, x, n * sizeof *x);
   return ph_sphere_newton(s, ph_sphere_all(s->data), raise->work)
              ? PH_OK
-             : PH_NO_CONVERGENCE;
+             : PH_E_NO_CONVERGENCE;
 }
 
 /* ---- memory -------------------------------------------------------------- */
@@ -410,16 +410,16 @@ enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
   raise->waived = raise->never = 0;
   raise->beyond = false;
   if (!alloc(raise, scratch)) {
-    return PH_NO_MEMORY;
+    return PH_E_NO_MEMORY;
   }
   raise->ranges[0] = ph_sphere_all(d);
   raise->ranges_n = raise->ranges[0].count > 0;
   while (status == PH_OK && raise->ranges_n > 0) {
     if (ph_arena_late(scratch)) {
-      return PH_NO_MEMORY;
+      return PH_E_NO_MEMORY;
     }
     if (raise->rounds == ROUNDS_MAX) {
-      status = raise->waive ? PH_OK : PH_NO_CONVERGENCE;
+      status = raise->waive ? PH_OK : PH_E_NO_CONVERGENCE;
       break;
     }
     status = go_round(raise);

@@ -33,7 +33,7 @@ static enum ph_status room_of(const struct ph_tc_bezier *curves, size_t n,
   for (size_t k = 0; k < n; k++) {
     size_t degree = curves[k].degree;
     if (degree < 1 || degree > PH_TC_DEGREE_MAX) {
-      return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+      return ph_fail(diag, PH_E_NO_CONVERGENCE, NULL,
                      "has degree %zu; 1 to %d are allowed", degree,
                      PH_TC_DEGREE_MAX);
     }
@@ -165,7 +165,7 @@ struct chain {
   size_t cubics;    /* and how many cubics */
 };
 
-/* What a tolerance gives; PH_NO_CONVERGENCE if too many cubics or none. */
+/* What a tolerance gives; PH_E_NO_CONVERGENCE if too many cubics or none. */
 static enum ph_status try_tolerance(struct chain *c, double tolerance,
                                     struct ph_diag *diag) {
   double distance = 0;
@@ -189,7 +189,7 @@ static enum ph_status try_tolerance(struct chain *c, double tolerance,
   }
   c->cubics = cubics;
   if (cubics > c->pieces) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, NULL, "needs %zu cubics", cubics);
+    return ph_fail(diag, PH_E_NO_CONVERGENCE, NULL, "needs %zu cubics", cubics);
   }
   c->tolerance = tolerance;
   c->distance = distance;
@@ -220,8 +220,8 @@ static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
   }
   c->cubics = 0;
   status = try_tolerance(c, 8 * size, diag); /* no cubics are that far */
-  if (status == PH_NO_CONVERGENCE && c->cubics > c->pieces) {
-    return ph_fail(diag, PH_BAD_VALUE, "pieces",
+  if (status == PH_E_NO_CONVERGENCE && c->cubics > c->pieces) {
+    return ph_fail(diag, PH_E_BAD_VALUE, "pieces",
                    "is too few: the fewest cubics found are %zu", c->cubics);
   }
   cubics = c->cubics;
@@ -233,7 +233,7 @@ static enum ph_status search_tolerance(struct chain *c, struct ph_diag *diag) {
     status = try_tolerance(c, tolerance, &dropped);
     if (status == PH_OK) {
       cubics = c->cubics;
-    } else if (status == PH_NO_CONVERGENCE) {
+    } else if (status == PH_E_NO_CONVERGENCE) {
       c->low = tolerance;
       status = PH_OK;
     } else {

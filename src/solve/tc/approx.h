@@ -51,7 +51,7 @@ struct ph_tc_arcs {
  *
  * in     tolerance  > 0
  * inout  arcs       appended to; distance is raised to that of these
- * ret  PH_OK | PH_NO_CONVERGENCE (says where) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_CONVERGENCE (says where) | PH_E_NO_MEMORY
  */
 enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
                                  double tolerance, struct ph_tc_arcs *arcs,
@@ -66,7 +66,7 @@ enum ph_status ph_tc_approximate(const struct ph_tc_bezier *curve,
  * in   pieces  >= n
  * in   least   no smaller distance is looked for
  * out  arcs    first[k] is the first one of curve k, first[n] = arcs->n
- * ret  as above; PH_BAD_VALUE if all that is found takes more than `pieces`
+ * ret  as above; PH_E_BAD_VALUE if all that is found takes more than `pieces`
  */
 enum ph_status ph_tc_approximate_pieces(const struct ph_tc_bezier *curves,
                                         size_t n, size_t pieces, double least,
@@ -179,7 +179,7 @@ double ph_tc_match_distance(const struct ph_tc_match *match, size_t degree,
  *
  * ws   arena  as it was after the call
  * out  u[2 * degree]
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_tc_inflections(const struct ph_tc_bezier *curve,
                                  struct ph_arena *arena, double *u, size_t *n,
@@ -214,7 +214,7 @@ struct ph_tc_plan {
  * found; appended.
  *
  * in   u[n]  its inflections
- * ret  PH_OK | PH_NO_CONVERGENCE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_CONVERGENCE | PH_E_NO_MEMORY
  */
 enum ph_status ph_tc_plan_curve(const struct ph_tc_target *target,
                                 const double *u, size_t n, double tolerance,

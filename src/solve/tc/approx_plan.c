@@ -21,12 +21,12 @@ enum { DEPTH = 48, PARTS = 64 };
 /* Cuts beside a middle where the curve stands still, as a part of the part. */
 static const double BESIDE = 0.0625;
 
-/* ret  PH_OK | PH_NO_CONVERGENCE beyond the limit | PH_NO_MEMORY */
+/* ret  PH_OK | PH_E_NO_CONVERGENCE beyond the limit | PH_E_NO_MEMORY */
 static enum ph_status plan_add(struct ph_tc_plan *plan,
                                const struct ph_tc_part *part,
                                struct ph_diag *diag) {
   if (plan->n == plan->limit) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+    return ph_fail(diag, PH_E_NO_CONVERGENCE, NULL,
                    "would need more than %zu cubics", plan->limit);
   }
   plan->part = ph_arena_grow(plan->arena, plan->part, plan->n,
@@ -305,7 +305,7 @@ static enum ph_status bisect(struct cover *c, const struct ph_tc_knot *from,
     return status;
   }
   if (depth == DEPTH) {
-    return ph_fail(c->diag, PH_NO_CONVERGENCE, NULL,
+    return ph_fail(c->diag, PH_E_NO_CONVERGENCE, NULL,
                    "has no cubics within the tolerance near its parameter "
                    "%.6g",
                    middle);
@@ -382,7 +382,7 @@ enum ph_status ph_tc_plan_curve(const struct ph_tc_target *target,
   struct ph_tc_knot from = ph_tc_knot_at(target, 0);
   struct ph_tc_knot to = ph_tc_knot_at(target, 1);
   if (!(tolerance > target->noise)) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, NULL,
+    return ph_fail(diag, PH_E_NO_CONVERGENCE, NULL,
                    "is not known to the tolerance: rounding alone may be up "
                    "to %.2g of its coordinates",
                    target->noise / target->size);

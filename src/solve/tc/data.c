@@ -86,7 +86,7 @@ static enum ph_status check_fields(const struct ph_problem *p,
   };
   for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
     if (!rules[i].allowed && ph_fields_given(p, rules[i].id)) {
-      return ph_fail(diag, PH_BAD_VALUE, ph_field_name(rules[i].id), "%s",
+      return ph_fail(diag, PH_E_BAD_VALUE, ph_field_name(rules[i].id), "%s",
                      rules[i].why);
     }
   }
@@ -99,7 +99,7 @@ enum ph_status ph_tc_mode_of(const struct ph_problem *p, enum ph_tc_mode *mode,
   enum ph_status status;
   if (ph_fields_given(p, PH_F_TANGENTS) &&
       ph_fields_given(p, PH_F_DERIVATIVES)) {
-    return ph_fail(diag, PH_BAD_VALUE, "tangents",
+    return ph_fail(diag, PH_E_BAD_VALUE, "tangents",
                    "excludes derivatives: give one of them");
   }
   *mode = implied(p);
@@ -108,7 +108,7 @@ enum ph_status ph_tc_mode_of(const struct ph_problem *p, enum ph_tc_mode *mode,
       enum ph_field_id needs = modes[i].vectors;
       *mode = modes[i].mode;
       if (needs != PH_F_POINTS && !ph_fields_given(p, needs)) {
-        return ph_fail(diag, PH_MISSING_FIELD, ph_field_name(needs),
+        return ph_fail(diag, PH_E_MISSING_FIELD, ph_field_name(needs),
                        "is required by the mode %s", modes[i].name);
       }
     }
@@ -116,7 +116,7 @@ enum ph_status ph_tc_mode_of(const struct ph_problem *p, enum ph_tc_mode *mode,
   status = check_fields(p, *mode, diag);
   if (status == PH_OK && *mode != PH_TC_APPROXIMATE &&
       !ph_fields_given(p, PH_F_POINTS)) {
-    status = ph_fail(diag, PH_MISSING_FIELD, "points", "is required");
+    status = ph_fail(diag, PH_E_MISSING_FIELD, "points", "is required");
   }
   return status;
 }
@@ -129,7 +129,7 @@ static enum ph_status read_number(const struct ph_problem *p,
   *x = ph_fields_given(p, id) ? p->field[id].number : none;
   return !ph_fields_given(p, id) || (*x > above && *x < below)
              ? PH_OK
-             : ph_fail(diag, PH_BAD_VALUE, ph_field_name(id),
+             : ph_fail(diag, PH_E_BAD_VALUE, ph_field_name(id),
                        "must be %s, found %.17g", range, *x);
 }
 
@@ -220,13 +220,13 @@ static enum ph_status check_ends(const struct ph_problem *p,
     return PH_OK;
   }
   if (value->n != 2) {
-    return ph_fail(diag, PH_BAD_SHAPE, ph_field_name(id),
+    return ph_fail(diag, PH_E_BAD_SHAPE, ph_field_name(id),
                    "must have 2 vectors, one for each end, found %zu",
                    value->n);
   }
   for (size_t i = 0; i < 2; i++) {
     if (!(ph_fields_largest(value->v + 2 * i, 2) > 0)) {
-      return ph_fail_at(diag, PH_ZERO_TANGENT, ph_field_name(id), i,
+      return ph_fail_at(diag, PH_E_ZERO_TANGENT, ph_field_name(id), i,
                         "must not be zero");
     }
   }
@@ -242,7 +242,7 @@ static enum ph_status set_directions(const struct ph_problem *p,
         ph_cplx_add(direction(d, k > 0 ? k - 1 : d->n - 1), direction(d, k));
     double size = ph_cplx_abs(sum);
     if (!(size > REVERSAL)) {
-      return ph_fail_at(diag, PH_INFEASIBLE, "points", k,
+      return ph_fail_at(diag, PH_E_INFEASIBLE, "points", k,
                         "is where the data turn back by 180 degrees: the "
                         "chords have no bisector there");
     }
@@ -286,9 +286,9 @@ static enum ph_status check_ratios(const struct ph_tc_data *d,
       bool small = ratio * RATIO_MAX < 1;
       if (small || !(ratio < RATIO_MAX)) {
         return ph_fail_at(diag,
-                          !small  ? PH_TOO_LARGE
-                          : given ? PH_ZERO_TANGENT
-                                  : PH_COINCIDENT_POINTS,
+                          !small  ? PH_E_TOO_LARGE
+                          : given ? PH_E_ZERO_TANGENT
+                                  : PH_E_COINCIDENT_POINTS,
                           given ? "derivatives" : "points", at,
                           "%s too %s beside the chord from points[%zu]",
                           given ? "is" : "gets a derivative that is",

@@ -27,7 +27,7 @@ static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h, size_t n,
                               struct ph_diag *diag) {
   double a = angle_of(h->t[0]), b = angle_of(h->t[1]), range[2];
   if (n > 0) {
-    return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+    return ph_fail_at(diag, PH_E_INFEASIBLE, "segments", k,
                       "a Tschirnhausen cubic with angles %.6g and %.6g to the "
                       "chord has a cusp; \"mode\":\"g1-pair\" has a curve of "
                       "two",
@@ -35,7 +35,7 @@ static enum ph_status fail_g1(size_t k, const struct ph_tc_hermite *h, size_t n,
   }
   ph_tc_g1_range(a, range);
   return ph_fail_at(
-      diag, PH_INFEASIBLE, "segments", k,
+      diag, PH_E_INFEASIBLE, "segments", k,
       "no Tschirnhausen cubic has angles %.6g and %.6g to the chord: for the "
       "first, the second must be between %.6g and %.6g%s%s; "
       "\"mode\":\"g1-pair\" has a curve of two",
@@ -51,10 +51,10 @@ static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
     ph_tc_g1_range(angle_of(h->t[i]), range[i]);
   }
   return isnan(d->joint_angle)
-             ? ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+             ? ph_fail_at(diag, PH_E_INFEASIBLE, "segments", k,
                           "no two cubics meet on the chord without a cusp; "
                           "\"joint\":\"free\" has a curve of two")
-             : ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+             : ph_fail_at(diag, PH_E_INFEASIBLE, "segments", k,
                           "no two cubics meet on the chord at the angle %.6g: "
                           "it must be between %.6g and %.6g%s and between "
                           "%.6g and %.6g%s, and not 0",
@@ -65,7 +65,7 @@ static enum ph_status fail_chord(const struct ph_tc_data *d, size_t k,
 
 static enum ph_status fail_pair(const struct ph_tc_data *d, size_t k,
                                 struct ph_diag *diag) {
-  return ph_fail_at(diag, PH_INFEASIBLE, "segments", k,
+  return ph_fail_at(diag, PH_E_INFEASIBLE, "segments", k,
                     d->choice == PH_TC_STANDARD
                         ? "the standard pair has a cusp; \"solutions\":"
                           "\"best\" may have none"
@@ -118,7 +118,7 @@ static enum ph_status two(const struct ph_tc_data *d, size_t k,
   }
   return ph_tc_two_free(h, fit)
              ? PH_OK
-             : ph_fail_at(diag, PH_NO_CONVERGENCE, "segments", k,
+             : ph_fail_at(diag, PH_E_NO_CONVERGENCE, "segments", k,
                           "no pair of cubics without a crossing was found");
 }
 
@@ -261,7 +261,7 @@ static enum ph_status gather(const struct ph_tc_data *d,
     }
     *total *= options[k].n;
     if (*total > PH_TC_ALL_MAX || *total > PH_TC_ALL_INTERVALS / d->n) {
-      return ph_fail(diag, PH_BAD_VALUE, "solutions",
+      return ph_fail(diag, PH_E_BAD_VALUE, "solutions",
                      "must not be all with more than %d curves, or %d "
                      "intervals in all of them: give fewer points",
                      PH_TC_ALL_MAX, PH_TC_ALL_INTERVALS);

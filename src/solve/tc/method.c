@@ -20,7 +20,7 @@ static void warn_crossings(const struct ph_tc_crossings *crossings,
                            struct ph_result *result) {
   if (crossings->n > 0) {
     const struct ph_interval *at = &result->intervals[crossings->first];
-    ph_warn(result, at->first, PH_LOOP,
+    ph_warn(result, at->first, PH_W_LOOP,
             "the curve of interval %zu has a loop or crosses itself (such "
             "intervals: %zu)",
             crossings->first, crossings->n);
@@ -77,7 +77,7 @@ static enum ph_status add_images(struct ph_arena *out, struct ph_result *result,
   enum ph_status status = ph_blaschke_curve(&result->curve, out, diag);
   for (size_t i = 0; status == PH_OK && i < result->solutions_n; i++) {
     status = ph_blaschke_curve(&result->solutions[i].curve, out, diag);
-    status = status == PH_INFEASIBLE ? PH_OK : status;
+    status = status == PH_E_INFEASIBLE ? PH_OK : status;
   }
   return status;
 }

@@ -57,9 +57,9 @@ static enum ph_status fail_degree(const struct target *t, size_t k,
   static const char text[] = "has degree %zu, at most %d is allowed";
   size_t degree = size_of(t, k) - 1;
   return t->value->kind == PH_POLYLINE
-             ? ph_fail_at(diag, PH_BAD_VALUE, t->field, k, text, degree,
+             ? ph_fail_at(diag, PH_E_BAD_VALUE, t->field, k, text, degree,
                           PH_TC_DEGREE_MAX)
-             : ph_fail(diag, PH_BAD_VALUE, t->field, text, degree,
+             : ph_fail(diag, PH_E_BAD_VALUE, t->field, text, degree,
                        PH_TC_DEGREE_MAX);
 }
 
@@ -70,20 +70,20 @@ static enum ph_status read_goal(const struct ph_problem *p, struct target *t,
   double count = pieces->number;
   if ((tolerance->kind == PH_ABSENT) == (pieces->kind == PH_ABSENT)) {
     return tolerance->kind == PH_ABSENT
-               ? ph_fail(diag, PH_MISSING_FIELD, "tolerance",
+               ? ph_fail(diag, PH_E_MISSING_FIELD, "tolerance",
                          "or pieces is required by the mode approximate")
-               : ph_fail(diag, PH_BAD_VALUE, "pieces",
+               : ph_fail(diag, PH_E_BAD_VALUE, "pieces",
                          "excludes tolerance: give one of them");
   }
   if (tolerance->kind != PH_ABSENT) {
     t->tolerance = tolerance->number;
     return t->tolerance > 0
                ? PH_OK
-               : ph_fail(diag, PH_BAD_VALUE, "tolerance",
+               : ph_fail(diag, PH_E_BAD_VALUE, "tolerance",
                          "must be greater than 0, found %.17g", t->tolerance);
   }
   if (!(count >= 1 && count <= PIECES_MAX && floor(count) >= count)) {
-    return ph_fail(diag, PH_BAD_VALUE, "pieces",
+    return ph_fail(diag, PH_E_BAD_VALUE, "pieces",
                    "must be a whole number from 1 to %.0f, found %.17g",
                    PIECES_MAX, count);
   }
@@ -96,9 +96,9 @@ static enum ph_status read_field(const struct ph_problem *p, struct target *t,
   bool curve = p->field[PH_F_CURVE].kind != PH_ABSENT;
   bool points = p->field[PH_F_POINTS].kind != PH_ABSENT;
   if (curve == points) {
-    return curve ? ph_fail(diag, PH_BAD_VALUE, "points",
+    return curve ? ph_fail(diag, PH_E_BAD_VALUE, "points",
                            "excludes curve: give one of them")
-                 : ph_fail(diag, PH_MISSING_FIELD, "curve",
+                 : ph_fail(diag, PH_E_MISSING_FIELD, "curve",
                            "is required by the mode approximate");
   }
   t->field = curve ? "curve" : "points";
@@ -106,11 +106,11 @@ static enum ph_status read_field(const struct ph_problem *p, struct target *t,
   t->closed = p->field[PH_F_CLOSED].flag;
   t->n = t->value->kind == PH_POLYLINE ? t->value->sizes_n : 1;
   if (t->n == 0) {
-    return ph_fail(diag, PH_TOO_FEW_POINTS, t->field, "has no curves");
+    return ph_fail(diag, PH_E_TOO_FEW_POINTS, t->field, "has no curves");
   }
   for (size_t k = 0; k < t->n; k++) {
     if (size_of(t, k) < 2) {
-      return fail_curve(t, k, PH_TOO_FEW_POINTS, diag,
+      return fail_curve(t, k, PH_E_TOO_FEW_POINTS, diag,
                         "must have at least 2 control points");
     }
     if (size_of(t, k) > PH_TC_DEGREE_MAX + 1) {
@@ -132,7 +132,7 @@ static enum ph_status check_extent(const struct target *t,
       point = !(ph_cplx_abs(ph_cplx_sub(b->p[i], b->p[0])) > near);
     }
     if (point) {
-      return fail_curve(t, k, PH_COINCIDENT_POINTS, diag,
+      return fail_curve(t, k, PH_E_COINCIDENT_POINTS, diag,
                         "has control points that are all the same");
     }
   }
@@ -156,7 +156,7 @@ static enum ph_status measure(struct target *t, struct ph_diag *diag) {
     t->far = fmax(t->far, fmax(fabs(low), fabs(high)));
   }
   if (!(half > 4 * DBL_EPSILON * t->far)) {
-    return ph_fail(diag, PH_COINCIDENT_POINTS, t->field,
+    return ph_fail(diag, PH_E_COINCIDENT_POINTS, t->field,
                    "has control points that are all the same");
   }
   t->exponent = ph_fields_exponent(half);
@@ -180,9 +180,9 @@ static enum ph_status join(struct target *t, ph_cplx *p, struct ph_diag *diag) {
       break;
     }
     if (!(ph_cplx_abs(ph_cplx_sub(p[to], p[at - 1])) <= near)) {
-      return last ? ph_fail(diag, PH_BAD_VALUE, t->field,
+      return last ? ph_fail(diag, PH_E_BAD_VALUE, t->field,
                             "must end where it begins if closed")
-                  : ph_fail_at(diag, PH_BAD_VALUE, t->field, k + 1,
+                  : ph_fail_at(diag, PH_E_BAD_VALUE, t->field, k + 1,
                                "must begin where %s[%zu] ends", t->field, k);
     }
     p[at - 1] = p[to];
@@ -228,7 +228,7 @@ static enum ph_status read(const struct ph_problem *problem,
 static enum ph_status name_curve(const struct target *t, size_t k,
                                  enum ph_status status, struct ph_diag *diag) {
   char why[PH_DIAG_MESSAGE_MAX];
-  if (status != PH_NO_CONVERGENCE) {
+  if (status != PH_E_NO_CONVERGENCE) {
     return status;
   }
   memcpy(why, diag->message, sizeof why);
@@ -242,7 +242,7 @@ static enum ph_status within_tolerance(struct target *t,
       ph_pow2_apply(ph_pow2_of(t->exponent), t->tolerance - rounding(t));
   enum ph_status status = PH_OK;
   if (!(tolerance > 0)) {
-    return ph_fail(diag, PH_NO_CONVERGENCE, "tolerance",
+    return ph_fail(diag, PH_E_NO_CONVERGENCE, "tolerance",
                    "is no larger than the rounding of coordinates, %.2g",
                    rounding(t));
   }
@@ -261,7 +261,7 @@ static enum ph_status approximate(struct target *t, struct ph_tc_arcs *arcs,
     return within_tolerance(t, arcs, diag);
   }
   if (t->pieces < t->n) {
-    return ph_fail(diag, PH_BAD_VALUE, "pieces",
+    return ph_fail(diag, PH_E_BAD_VALUE, "pieces",
                    "must be at least %zu, one for each curve, found %zu", t->n,
                    t->pieces);
   }

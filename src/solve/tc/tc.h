@@ -285,16 +285,17 @@ struct ph_tc_data {
 /* ph_tc_mode_of: the mode that a problem says or implies; what fields it must
  * not have together.
  *
- * ret  PH_OK | PH_BAD_VALUE | PH_MISSING_FIELD */
+ * ret  PH_OK | PH_E_BAD_VALUE | PH_E_MISSING_FIELD */
 enum ph_status ph_tc_mode_of(const struct ph_problem *problem,
                              enum ph_tc_mode *mode, struct ph_diag *diag);
 
 /*
  * ph_tc_data_of: reads and checks a problem of a mode that interpolates.
  *
- * ret  PH_OK | PH_MISSING_FIELD | PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS |
- *      PH_BAD_SHAPE | PH_BAD_VALUE | PH_ZERO_TANGENT | PH_TOO_LARGE |
- *      PH_INFEASIBLE (points that turn back have no bisector) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_MISSING_FIELD | PH_E_TOO_FEW_POINTS |
+ *      PH_E_COINCIDENT_POINTS | PH_E_BAD_SHAPE | PH_E_BAD_VALUE |
+ *      PH_E_ZERO_TANGENT | PH_E_TOO_LARGE | PH_E_INFEASIBLE (points that turn
+ *      back have no bisector) | PH_E_NO_MEMORY
  */
 enum ph_status ph_tc_data_of(const struct ph_problem *problem,
                              enum ph_tc_mode mode, struct ph_arena *arena,
@@ -327,7 +328,7 @@ enum { PH_TC_FITS_MAX = PH_TC_PAIRS };
  *
  * out  fit   complete but for what need not be known: simple is true only where
  *            the curve is known to be, by a test or by sight of the data
- * ret  PH_OK | PH_INFEASIBLE (says why)
+ * ret  PH_OK | PH_E_INFEASIBLE (says why)
  */
 enum ph_status ph_tc_interval(const struct ph_tc_data *data, size_t k,
                               struct ph_tc_fit *fit, struct ph_diag *diag);
@@ -370,7 +371,7 @@ struct ph_tc_builder {
 /*
  * ph_tc_build_begin: the arrays of a curve, empty yet.
  *
- * ret  PH_OK | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_tc_build_begin(struct ph_tc_builder *builder,
                                  const struct ph_tc_data *data,
@@ -408,7 +409,7 @@ enum { PH_TC_ALL_MAX = 4096, PH_TC_ALL_INTERVALS = 65536 };
  *
  * out  result     solutions, of which the first is the curve
  * out  crossings  of the intervals of that one
- * ret  PH_OK | PH_INFEASIBLE | PH_BAD_VALUE (too many) | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_INFEASIBLE | PH_E_BAD_VALUE (too many) | PH_E_NO_MEMORY
  */
 enum ph_status ph_tc_all(const struct ph_tc_data *data, struct ph_arena *out,
                          struct ph_arena *scratch, struct ph_result *result,
@@ -425,9 +426,9 @@ enum ph_status ph_tc_all(const struct ph_tc_data *data, struct ph_arena *out,
  * and fills result: the curve, an interval for each Bezier curve, and the
  * distance. A knot is the parameter of the chain, k + t on its curve k.
  *
- * ret  PH_OK | PH_MISSING_FIELD | PH_BAD_VALUE | PH_BAD_SHAPE |
- *      PH_TOO_FEW_POINTS | PH_COINCIDENT_POINTS | PH_NO_CONVERGENCE |
- *      PH_TOO_LARGE | PH_NO_MEMORY
+ * ret  PH_OK | PH_E_MISSING_FIELD | PH_E_BAD_VALUE | PH_E_BAD_SHAPE |
+ *      PH_E_TOO_FEW_POINTS | PH_E_COINCIDENT_POINTS | PH_E_NO_CONVERGENCE |
+ *      PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_tc_target(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,

@@ -103,7 +103,7 @@ PH_TEST(test_total_length) {
   ck_refused(PH_D_LENGTH_ERROR, 2);
   ck_rel(value_of(PH_D_LENGTH_ERROR), MOVED, 1e-5);
   u.result.curve.length = 0;
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
 }
 
 /* Other knots: the same arcs, but not C1 with respect to them. */
@@ -113,7 +113,7 @@ PH_TEST(test_knots) {
     for (size_t k = 0; k <= u.result.curve.n; k++) {
       double *t = &u.result.curve.knots[k], keep = *t;
       *t += 1e-8;
-      ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+      ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
       ck_assert_ptr_nonnull(strstr(checked.diag.message, "continuity_error"));
       *t = keep;
     }
@@ -219,12 +219,12 @@ PH_TEST(test_no_extent) {
   for (size_t i = 0; i < 8; i++) {
     v[i] = 0;
   }
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   ck_assert_str_eq(checked.diag.field, "points");
   for (size_t i = 0; i < 8; i++) {
     v[i] = 7;
   }
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
 }
 
 /* Everything is relative: by powers of four not a digit changes. */

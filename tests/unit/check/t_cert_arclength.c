@@ -204,7 +204,7 @@ PH_TEST_EACH(test_far_away, VARIANTS) {
     build(mode_of(_i), refine_of(_i), A, B, ph_vec3_of(0, away[i], 0));
     ck_accepted();
     u.control_points[18 + 3 * 2 + 1] += step;
-    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     u.control_points[18 + 3 * 2 + 1] -= step;
     u.segment_lengths[2] += step;
     ck_refused(PH_D_LENGTH_ERROR, 2);
@@ -252,7 +252,7 @@ PH_TEST_EACH(test_control_points, VARIANTS) {
   for (size_t i = 0; i < 18 * u.curve.n; i++) {
     double *x = &u.control_points[i], keep = *x;
     *x += MOVED;
-    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     *x = keep;
   }
   ck_accepted();
@@ -319,7 +319,7 @@ PH_TEST_EACH(test_knots, VARIANTS) {
   for (size_t k = 1; k < u.curve.n; k++) {
     double keep = u.knots[k];
     u.knots[k] += MOVED;
-    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     u.knots[k] = keep;
   }
 }
@@ -333,7 +333,7 @@ PH_TEST_EACH(test_magnitudes, VARIANTS) {
   ck_assert_double_le(value_of(PH_D_TANGENT_ERROR), 1e-14);
   begin(TANGENTS, refine_of(_i));
   unit_set_word(&u.problem, PH_F_MAGNITUDES, "mean");
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(checked.diag.message, "tangent_error"));
   unit_set_word(&u.problem, PH_F_MAGNITUDES, "free");
   ck_accepted();
@@ -346,7 +346,7 @@ PH_TEST_EACH(test_refine, VARIANTS) {
   *refine = (struct ph_value){.kind = PH_NUMBER, .number = 1};
   for (; refine->number < 4; refine->number++) {
     bool right = unit_same(refine->number, (double)refine_of(_i));
-    ck_assert_int_eq(certify(), right ? PH_OK : PH_INTERNAL);
+    ck_assert_int_eq(certify(), right ? PH_OK : PH_E_INTERNAL);
   }
   refine->kind = PH_ABSENT;
   u.curve.n--;
@@ -356,7 +356,7 @@ PH_TEST_EACH(test_refine, VARIANTS) {
 PH_TEST_EACH(test_not_finite, VARIANTS) {
   begin_variant(_i);
   u.control_points[20] = (double)NAN;
-  ck_assert_int_eq(certify(), PH_TOO_LARGE);
+  ck_assert_int_eq(certify(), PH_E_TOO_LARGE);
 }
 
 static void start(void) {

@@ -315,7 +315,7 @@ PH_TEST_EACH(test_wrongly_claimed, 2) {
     wanted[9] = (char)('0' + (int)k);
     claim(false);
     u.shape_ok[k] = true;
-    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     ck_assert_str_eq(checked.diag.field, wanted);
     ck_assert_ptr_nonnull(
         strstr(checked.diag.message, "shape_ok is claimed, but"));
@@ -377,7 +377,7 @@ PH_TEST(test_inflection) {
 PH_TEST(test_no_fairness) {
   helix(0.8, 0);
   u.curve.lengths[1] *= 1.1;
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   ck_assert(!(checked.diagnostics.known >> PH_D_ENERGY & 1));
   ck_assert(!(checked.diagnostics.known >> PH_D_F1 & 1));
 }

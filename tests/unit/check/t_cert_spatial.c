@@ -135,7 +135,7 @@ PH_TEST(test_tangents_of_any_length) {
   for (size_t i = 0; i < 3 * POINTS; i++) {
     u.vectors[i] *= factor[i / 3];
   }
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE); /* 1e-320: digits lost */
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE); /* 1e-320: digits lost */
   ck_assert_str_eq(checked.diag.field, "segments[1]");
   for (size_t i = 6; i < 9; i++) {
     u.vectors[i] = VECTORS[i];
@@ -236,7 +236,7 @@ PH_TEST_EACH(test_swapped, VARIANTS) {
     p[i] = p[18 + i];
     p[18 + i] = keep;
   }
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(checked.diag.message, "interpolation_error"));
   begin(_i);
   for (size_t i = 0; i < 12; i++) {
@@ -244,7 +244,7 @@ PH_TEST_EACH(test_swapped, VARIANTS) {
     a[i] = a[12 + i];
     a[12 + i] = keep;
   }
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(checked.diag.message, "pythagorean_error"));
 }
 
@@ -291,7 +291,7 @@ PH_TEST_EACH(test_vectors, 2) {
   for (size_t i = 0; i < 3; i++) {
     u.vectors[6 + i] = 0;
   }
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(checked.diag.message, "tangent_error"));
 }
 
@@ -308,7 +308,7 @@ PH_TEST_EACH(test_tension, 2) {
     ck_refused(PH_D_TANGENT_ERROR, k);
     ck_rel(value_of(PH_D_TANGENT_ERROR), 2 * MOVED, 1e-4);
     u.tension[k] = nan("");
-    ck_assert_int_eq(certify(), PH_TOO_LARGE);
+    ck_assert_int_eq(certify(), PH_E_TOO_LARGE);
     u.tension[k] = keep;
   }
   u.curve.choice.tension = NULL;
@@ -328,7 +328,7 @@ PH_TEST_EACH(test_lengths, VARIANTS) {
   ck_refused(PH_D_LENGTH_ERROR, u.curve.n - 1);
   ck_rel(value_of(PH_D_LENGTH_ERROR), MOVED, 1e-5);
   u.curve.length = 0;
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
 }
 
 /* Another angle is another space; and angles that no segment can have. */
@@ -338,10 +338,10 @@ PH_TEST_EACH(test_alpha, ATPH) {
   for (size_t k = 0; k < u.curve.n; k++) {
     double *alpha = &u.alpha[k], keep = *alpha;
     *alpha = keep * (1 + 10 * MOVED);
-    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     for (size_t i = 0; i < COUNT(none); i++) {
       *alpha = none[i];
-      ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+      ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     }
     *alpha = keep;
   }
@@ -397,12 +397,12 @@ PH_TEST(test_count) {
   for (int closed = 0; closed < 2; closed++) {
     begin(closed);
     u.curve.n--;
-    ck_assert_int_eq(certify(), closed ? PH_NO_CONVERGENCE : PH_INTERNAL);
+    ck_assert_int_eq(certify(), closed ? PH_E_NO_CONVERGENCE : PH_E_INTERNAL);
     u.curve.n--;
-    ck_assert_int_eq(certify(), PH_INTERNAL);
+    ck_assert_int_eq(certify(), PH_E_INTERNAL);
     ck_assert_str_eq(checked.diag.field, "segments");
     u.curve.n = 0;
-    ck_assert_int_eq(certify(), PH_INTERNAL);
+    ck_assert_int_eq(certify(), PH_E_INTERNAL);
   }
 }
 
@@ -422,12 +422,12 @@ PH_TEST(test_no_extent) {
   for (size_t i = 0; i < 3 * POINTS; i++) {
     u.points[i] = 0;
   }
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   ck_assert_str_eq(checked.diag.field, "points");
   for (size_t i = 0; i < 3 * POINTS; i++) {
     u.points[i] = 7;
   }
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
 }
 
 /* Of several errors the worst is reported, with its place. */

@@ -35,7 +35,7 @@ enum { SPHERES_N = COUNT(SPHERES) };
 static void ck_refused_as(const char *field, size_t at, const char *words) {
   char name[64];
   snprintf(name, sizeof name, "%s[%zu]", field, at);
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   ck_assert_msg(strcmp(checked.diag.field, name) == 0 &&
                     strncmp(checked.diag.message, words, strlen(words)) == 0,
                 "%s %s", checked.diag.field, checked.diag.message);
@@ -150,7 +150,7 @@ PH_TEST(test_lonlat) {
   u.problem.field[PH_F_LONLAT].n = n + 1;
   ck_accepted();
   u.lonlat[2 * 5] += 1e-6;
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(checked.diag.message, "interpolation_error"));
 }
 
@@ -238,12 +238,12 @@ PH_TEST_EACH(test_control_points, UNIT_SPLINES_N) {
       ph_vec3 v, center = ph_vec3_get(SPHERES[j].center, 3);
       memcpy(keep, p, sizeof keep);
       *x += MOVED;
-      ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+      ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
       v = ph_vec3_sub(ph_vec3_get(p, 3), center);
       unit_sphere_put(&SPHERES[j], ph_vec3_unit(v), p);
       v = ph_vec3_sub(ph_vec3_get(p, 3), ph_vec3_get(keep, 3));
       if (ph_vec3_abs(v) > MOVED / 10) {
-        ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+        ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
       }
       memcpy(p, keep, sizeof keep);
     }
@@ -292,7 +292,7 @@ PH_TEST_EACH(test_given_tensions, UNIT_SPLINES_N) {
   for (size_t i = s->closed ? 0 : 1; i < s->n - (s->closed ? 0 : 1); i++) {
     inner += s->tensions[i] > 0;
   }
-  ck_assert_int_eq(certify(), inner > 0 ? PH_NO_CONVERGENCE : PH_OK);
+  ck_assert_int_eq(certify(), inner > 0 ? PH_E_NO_CONVERGENCE : PH_OK);
   unit_set_word(&u.problem, PH_F_SHAPE, "warn");
   ck_accepted();
 }
@@ -301,7 +301,7 @@ PH_TEST_EACH(test_lengths, UNIT_SPLINES_N) {
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
   for (size_t k = 0; k < u.curve.n; k++) {
     u.lengths[k] += MOVED;
-    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     u.curve.length += MOVED;
     ck_refused(PH_D_LENGTH_ERROR, k);
     ck_rel(value_of(PH_D_LENGTH_ERROR), MOVED / u.curve.length, 1e-4);
@@ -334,26 +334,26 @@ PH_TEST_EACH(test_swapped, UNIT_SPLINES_N) {
   memcpy(keep, p + 3, sizeof keep);
   memcpy(p + 3, p + 12 + 3, sizeof keep);
   memcpy(p + 12 + 3, keep, sizeof keep);
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   for (size_t i = 0; i < 12; i++) {
     double x = p[i];
     p[i] = p[12 + i];
     p[12 + i] = x;
   }
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
 }
 
 PH_TEST_EACH(test_radius, UNIT_SPLINES_N) {
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
   u.curve.sphere.radius *= 1 + MOVED;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   unit_set_number(&u.problem, PH_F_RADIUS, u.curve.sphere.radius);
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(checked.diag.message, "sphere_error"));
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &SPHERES[1]);
   u.center[2] += MOVED;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
 }
 
 /* Data off the sphere are compared with their projection; how far off they may
@@ -375,7 +375,7 @@ PH_TEST_EACH(test_model, UNIT_SPLINES_N) {
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   unit_set_word(&u.problem, PH_F_MODEL,
                 UNIT_SPLINES[_i].nielson ? "exact" : "nielson");
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   if (UNIT_SPLINES[_i].nielson) {
     ck_assert_ptr_nonnull(strstr(checked.diag.message, "curvature_jump"));
   }
@@ -383,22 +383,22 @@ PH_TEST_EACH(test_model, UNIT_SPLINES_N) {
   unit_set_word(&u.problem, PH_F_ENDS,
                 UNIT_SPLINES[_i].rest ? "natural" : "rest");
   ck_assert_int_eq(certify(),
-                   UNIT_SPLINES[_i].closed ? PH_OK : PH_NO_CONVERGENCE);
+                   UNIT_SPLINES[_i].closed ? PH_OK : PH_E_NO_CONVERGENCE);
 }
 
 PH_TEST_EACH(test_fits, UNIT_SPLINES_N) {
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.curve.n -= 2;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.curve.sphere.tensions = NULL;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.control_points[20] = (double)NAN;
-  ck_assert_int_eq(certify(), PH_TOO_LARGE);
+  ck_assert_int_eq(certify(), PH_E_TOO_LARGE);
   unit_cert_sphere_of(&u, &UNIT_SPLINES[_i], &UNIT);
   u.tensions[1] = (double)INFINITY;
-  ck_assert_int_eq(certify(), PH_TOO_LARGE);
+  ck_assert_int_eq(certify(), PH_E_TOO_LARGE);
 }
 
 /* ---- shape ----------------------------------------------------------- */
@@ -437,15 +437,15 @@ PH_TEST_EACH(test_waived, UNIT_SPLINES_N) {
   ck_accepted();
   ck_abs(value_of(PH_D_SHAPE_OK), 0, 0);
   unit_set_flag(&u.problem, PH_F_SHAPE, true);
-  ck_assert_int_eq(certify(), shape ? PH_OK : PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), shape ? PH_OK : PH_E_NO_CONVERGENCE);
   unit_set_word(&u.problem, PH_F_SHAPE, "warn");
   u.curve.sphere.waived_n = 1; /* where none of these has a fault */
-  ck_assert_int_eq(certify(), shape ? PH_OK : PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), shape ? PH_OK : PH_E_NO_CONVERGENCE);
   u.curve.sphere.waived_n = 2;
   u.waived[1] = 0;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   u.waived[1] = n;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
 }
 
 /* The tensions are those of [IOR15, sec. 5.4]. */

@@ -102,7 +102,7 @@ PH_TEST(test_modes) {
     ck_accepted();
     unit_set_word(&unit_tc.problem, PH_F_MODE,
                   MODES[kind == PAIRS ? SINGLES : PAIRS]);
-    ck_assert_int_eq(certify(), PH_INTERNAL);
+    ck_assert_int_eq(certify(), PH_E_INTERNAL);
     ck_assert_str_eq(checked.diag.field, "segments");
   }
 }
@@ -140,7 +140,7 @@ PH_TEST_EACH(test_control_points, KINDS) {
     } else if (at && kind == DERIVATIVES) {
       ck_refused(PH_D_END_DERIVATIVE_ERROR, k);
     } else {
-      ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+      ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
       ck_assert(strstr(checked.diag.message, "tangent_error") != NULL ||
                 strstr(checked.diag.message, "pythagorean_error") != NULL);
     }
@@ -176,7 +176,7 @@ PH_TEST_EACH(test_lengths, KINDS) {
   unit_tc.c.curve.length *= 1 + MOVED;
   ck_refused(PH_D_LENGTH_ERROR, 3);
   unit_tc.c.curve.length = 0;
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
 }
 
 /* The data: moved points, turned tangents, tangents that are swapped or point
@@ -196,15 +196,15 @@ PH_TEST_EACH(test_data, KINDS) {
     double *v = unit_tc.vectors + 2 * i;
     ph_cplx keep = unit_get(v);
     unit_put(v, ph_cplx_mul(keep, ph_cplx_polar(MOVED)));
-    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     ck_assert_ptr_nonnull(
         strstr(checked.diag.message,
                kind == DERIVATIVES ? "end_derivative_error" : "tangent_error"));
     unit_put(v, ph_cplx_scale(-1, keep));
-    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     unit_put(v, ph_cplx_scale(1 + MOVED, keep));
     ck_assert_int_eq(certify(),
-                     kind == DERIVATIVES ? PH_NO_CONVERGENCE : PH_OK);
+                     kind == DERIVATIVES ? PH_E_NO_CONVERGENCE : PH_OK);
     unit_put(v, keep);
   }
   unit_put(unit_tc.vectors, unit_get(unit_tc.vectors + 2));
@@ -233,7 +233,7 @@ PH_TEST(test_joints) {
       ck_accepted();
       unit_tc.c.control_points[6] += MOVED;
       unit_tc.c.control_points[5] += MOVED;
-      ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+      ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     }
   }
 }
@@ -246,7 +246,7 @@ PH_TEST_EACH(test_knots, KINDS) {
     if (k > 0) {
       unit_tc.c.knots[k] *= 1.5;
     }
-    ck_assert_int_eq(certify(), PH_INTERNAL);
+    ck_assert_int_eq(certify(), PH_E_INTERNAL);
     ck_assert_int_eq(strncmp(checked.diag.field, "knots[", 6), 0);
     unit_tc.c.knots[k] = keep;
   }
@@ -257,7 +257,7 @@ PH_TEST_EACH(test_knots, KINDS) {
 PH_TEST_EACH(test_number, KINDS) {
   chain((enum kind)_i, 1, 0);
   unit_tc.c.curve.n = 1;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   ck_assert_str_eq(checked.diag.field, "segments");
   unit_tc.c.curve.n = 3;
   ck_assert_int_ne(certify(), PH_OK);
@@ -267,14 +267,14 @@ PH_TEST_EACH(test_number, KINDS) {
       .n--;
   ck_assert_int_ne(certify(), PH_OK);
   unit_tc.problem.field[PH_F_POINTS].n++;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   ck_assert_str_eq(checked.diag.field, "points");
   chain((enum kind)_i, 1, 0);
   unit_tc.c.curve.degree = 5;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   unit_tc.c.curve.degree = 3;
   unit_tc.c.curve.kind = PH_CURVE_PH;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
 }
 
 static void ck_claim(enum ph_diagnostic what, double value) {
@@ -282,7 +282,7 @@ static void ck_claim(enum ph_diagnostic what, double value) {
   ph_diagnostics_set(&checked.claims, what, value);
   ck_accepted();
   ph_diagnostics_set(&checked.claims, what, value * (1 + 1e-6));
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   ck_assert_str_eq(checked.diag.field, "diagnostics");
 }
 

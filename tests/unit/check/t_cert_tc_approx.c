@@ -177,13 +177,13 @@ PH_TEST(test_number) {
   unit_set_number(&unit_tc.problem, PH_F_PIECES, 2 * PIECES * PAIRS);
   ck_accepted();
   unit_set_number(&unit_tc.problem, PH_F_PIECES, 2 * PIECES * PAIRS - 1);
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   ck_assert_str_eq(checked.diag.field, "segments");
   ck_assert_str_eq(checked.diag.message,
                    "is refused by its certificate: there are 24, at most 23 "
                    "are allowed");
   sizes[0] = 1; /* no curve */
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   sizes[0] = DEGREE + 1;
 }
 
@@ -205,14 +205,14 @@ PH_TEST(test_knots) {
     start();
     unit_tc.c.knots[wrong[i].k] = wrong[i].knot;
     ck_assert_int_eq(certify(),
-                     isnan(wrong[i].knot) ? PH_TOO_LARGE : PH_INTERNAL);
+                     isnan(wrong[i].knot) ? PH_E_TOO_LARGE : PH_E_INTERNAL);
   }
   start();
   say_chain(1);
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   start();
   unit_tc.c.knots[2] += 1e-6; /* the end of the first pair */
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
 }
 
 /* Every control point of the curve, and of what is given, matters. */
@@ -221,12 +221,12 @@ PH_TEST(test_control_points) {
   for (size_t i = 0; i < 8 * 2 * PIECES * PAIRS; i++) {
     double *x = &unit_tc.c.control_points[i], keep = *x;
     *x += 10 * MOVED;
-    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     *x = keep;
   }
   for (size_t i = 0; i < 2 * GIVEN; i++) {
     given[i] += 1000 * MOVED;
-    ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
     given[i] -= 1000 * MOVED;
   }
   ck_accepted();
@@ -254,7 +254,7 @@ PH_TEST(test_joints) {
   memmove(given + 8, given + 2 * (DEGREE + 1),
           2 * (DEGREE + 1) * sizeof(double));
   unit_tc.problem.field[PH_F_CURVE].n -= DEGREE + 1 - 4;
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
   sizes[0] = DEGREE + 1;
 }
 
@@ -283,7 +283,7 @@ PH_TEST(test_parts_of_a_cubic) {
   ck_accepted();
   ck_assert_double_le(value_of(PH_D_DISTANCE), 1e-15);
   unit_tc.c.knots[1] += 1e-4;
-  ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
 }
 
 /* A line on which a cubic is so slow at its end that its last leg is lost to

@@ -90,7 +90,7 @@ PH_TEST(test_repeated) {
   unit_set_array(&unit_tc.problem, PH_F_POINTS, again, UNIT_TC_POINTS + 1, 2);
   ck_accepted();
   again[2 * UNIT_TC_POINTS] += 1e-6;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
 }
 
 PH_TEST_EACH(test_lambda, 2) {
@@ -138,9 +138,9 @@ PH_TEST_EACH(test_bisectors, 2) {
 PH_TEST(test_not_closed) {
   spline(true, 0.5, 1, 0);
   unit_tc.c.curve.closed = false;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
   unit_tc.problem.field[PH_F_CLOSED].flag = false;
-  ck_assert_int_eq(certify(), PH_INTERNAL);
+  ck_assert_int_eq(certify(), PH_E_INTERNAL);
 }
 
 enum { CHORD, CIRCLE, END_TANGENTS, END_DERIVATIVES, END_RULES };
@@ -193,7 +193,7 @@ PH_TEST_EACH(test_ends, END_RULES) {
     if (rule == _i) {
       ck_accepted();
     } else {
-      ck_assert_int_eq(certify(), PH_NO_CONVERGENCE);
+      ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
       ck_assert(strstr(checked.diag.message, "tangent_error") != NULL ||
                 strstr(checked.diag.message, "end_derivative_error") != NULL);
     }

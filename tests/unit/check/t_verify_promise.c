@@ -62,7 +62,7 @@ PH_TEST(others_are_refused) {
     curve.n = rows[i].n;
     ck_assert_int_eq(ph_certify(rows[i].command, &none, &curve, &scratch,
                                 &diagnostics, &diag),
-                     PH_INTERNAL);
+                     PH_E_INTERNAL);
     ck_assert_str_eq(diag.field, rows[i].field);
   }
 }

@@ -25,13 +25,13 @@ PH_TEST(test_tell) {
            {PH_F_POINTS, VECTORS(2, 0, 0, 0, 0, 2, 0, 2, 0, 5, 0)},
            {PH_F_LENGTHS, NUMBERS(1, 2, 3, 4)},
            {PH_F_KNOTS, NUMBERS(0, 1, 2, 3, 4)}});
-  ph_fail_at(&diag, PH_BAD_VALUE, "lengths", 1,
+  ph_fail_at(&diag, PH_E_BAD_VALUE, "lengths", 1,
              "fits points[1] and knots[2], segments[1].lengths[1], points");
   ph_merge_tell(&merge, &diag);
   ck_assert_str_eq(diag.field, "lengths[3]");
   ck_assert_str_eq(diag.message, "fits points[2] and knots[4], "
                                  "segments[1].lengths[1], points");
-  ph_fail(&diag, PH_TOO_FEW_POINTS, "points", "must be 9, found 3");
+  ph_fail(&diag, PH_E_TOO_FEW_POINTS, "points", "must be 9, found 3");
   ph_merge_tell(&merge, &diag);
   ck_assert_str_eq(diag.message, "must be 9, found 3: merge joined 2 of 5");
 }
@@ -44,11 +44,11 @@ PH_TEST(test_warning) {
   struct ph_result result = {.warnings_n = 0};
   v[38] = 3;
   join(&ph_method_planar, given);
-  ph_warn(&result, 0, PH_LOOP, "points[1] is odd");
+  ph_warn(&result, 0, PH_W_LOOP, "points[1] is odd");
   ph_merge_result(&merge, &result);
   ck_assert_uint_eq(result.warnings_n, 2);
   ck_assert_str_eq(result.warnings[0].diag.message, "points[19] is odd");
-  ck_assert_int_eq(result.warnings[1].diag.status, PH_MERGED_POINTS);
+  ck_assert_int_eq(result.warnings[1].diag.status, PH_W_MERGED_POINTS);
   ck_assert_str_eq(
       result.warnings[1].diag.message,
       "18 of 20 points were joined with neighbours nearer than 1: points[1], "

@@ -49,7 +49,7 @@ static enum ph_status get(const struct ph_command *command, const char *first,
 
 static void ck_refused(enum ph_status status, const char *message) {
   ck_assert_str_eq(diag.message, message);
-  ck_assert_int_eq(status, PH_USAGE);
+  ck_assert_int_eq(status, PH_E_USAGE);
 }
 
 static void ck_assigned(size_t i, double x, bool override) {

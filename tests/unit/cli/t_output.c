@@ -115,7 +115,7 @@ PH_TEST(test_no_file) {
 
 static void ck_failed(char what, int why, const char *wanted, const char *left,
                       const char *message) {
-  ck_assert_int_eq(replace("file", true, what, why), PH_OUTPUT);
+  ck_assert_int_eq(replace("file", true, what, why), PH_E_OUTPUT);
   ck_assert_str_eq(calls, wanted);
   ck_assert_str_eq(content(), left);
   ck_assert_str_eq(diag.message, message);

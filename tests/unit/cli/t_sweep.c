@@ -149,7 +149,7 @@ PH_TEST(test_element) {
 static void ck_refused(const char *text, const char *message) {
   struct ph_sweep sweep;
   ck_assert_int_eq(ph_sweep_read(text, &schema, &unit_arena, &sweep, &diag),
-                   PH_USAGE);
+                   PH_E_USAGE);
   ck_assert_str_eq(diag.field, "");
   ck_assert_str_eq(diag.message, message);
 }
@@ -209,7 +209,7 @@ PH_TEST(test_refused_value) {
                                "'1e999'");
   ck_assert_int_eq(ph_sweep_read("knots=unifrom", &schema, &unit_arena,
                                  &(struct ph_sweep){0}, &diag),
-                   PH_USAGE);
+                   PH_E_USAGE);
   ck_assert_ptr_nonnull(strstr(diag.message, "did you mean \"uniform\"?"));
   ck_assert_int_eq(strncmp(diag.message, "--sweep: knots ", 15), 0);
 }
@@ -312,7 +312,7 @@ static void ck_no_element(const char *text, struct ph_value value) {
   char message[96];
   problem.field[sweep.field->id] = value;
   ck_assert_int_eq(ph_sweep_apply(&sweep, 1, 0, &unit_arena, &problem, &diag),
-                   PH_BAD_SHAPE);
+                   PH_E_BAD_SHAPE);
   ck_assert_str_eq(diag.field, ph_field_name(sweep.field->id));
   snprintf(message, sizeof message, "has no element %s for --sweep to set",
            sweep.name);
@@ -400,7 +400,7 @@ PH_TEST(test_no_factor) {
   struct ph_sweep sweep = read_sweep("knots*=2");
   struct ph_problem problem = {0};
   ck_assert_int_eq(ph_sweep_apply(&sweep, 1, 0, &unit_arena, &problem, &diag),
-                   PH_BAD_SHAPE);
+                   PH_E_BAD_SHAPE);
   ck_assert_str_eq(diag.field, "knots");
   ck_assert_str_eq(diag.message, "has no numbers for --sweep to multiply");
   ck_refused("knots*=a", "--sweep: knots* takes numbers, found 'a'");

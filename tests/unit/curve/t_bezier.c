@@ -151,6 +151,6 @@ PH_TEST(test_refused) {
   unit_curve3_random(&c, 1, true, 0.6, &r);
   ck_assert_int_eq(
       ph_bezier_curve(&c.curve, 1e-30, &unit_arena, &bezier, &error, &diag),
-      PH_NO_CONVERGENCE);
+      PH_E_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }

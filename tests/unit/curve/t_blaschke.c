@@ -163,7 +163,7 @@ PH_TEST(test_standstill) {
   unit_cubics_add(&c, ph_cplx_of(1, 0), ph_cplx_of(1, 1));
   unit_cubics_add(&c, ph_cplx_of(1, 1), ph_cplx_of(-2, -2));
   ck_assert_int_eq(ph_blaschke_curve(&c.curve, &unit_arena, &diag),
-                   PH_INFEASIBLE);
+                   PH_E_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[1]");
   ck_assert_str_eq(diag.message,
                    "has no image on the Blaschke cylinder: the curve stands "
@@ -176,7 +176,7 @@ PH_TEST(test_too_large) {
   unit_cubics_add(&c, ph_cplx_of(1e150, 1e150), ph_cplx_of(1e150, 1e150));
   unit_cubics_add(&c, ph_cplx_of(1, -0.4), ph_cplx_of(1, -0.4));
   ck_assert_int_eq(ph_blaschke_curve(&c.curve, &unit_arena, &diag),
-                   PH_TOO_LARGE);
+                   PH_E_TOO_LARGE);
   ck_assert_str_eq(diag.field, "segments[1]");
   ck_assert_str_eq(diag.message, "its image on the Blaschke cylinder exceeds "
                                  "the range of a double");

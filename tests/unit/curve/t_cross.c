@@ -147,8 +147,8 @@ PH_TEST(test_not_finite) {
     chain_arc(&chain, 1, 0, 3);
     *(i % 2 ? &chain.p[17] : &chain.w[9]) = bad[i / 2];
     ck_assert_int_eq(ph_cross_planar(&chain.curve, &unit_arena, &cross, &diag),
-                     PH_NOT_FINITE);
-    ck_assert_int_eq(diag.status, PH_NOT_FINITE);
+                     PH_E_NOT_FINITE);
+    ck_assert_int_eq(diag.status, PH_E_NOT_FINITE);
   }
 }
 

@@ -465,6 +465,6 @@ PH_TEST(test_tolerance) {
   plane_random(&any, &r);
   ck_assert_int_eq(
       ph_cubics_of(any.curve, NULL, 1e-300, &unit_arena, &cubics, &diag),
-      PH_NO_CONVERGENCE);
+      PH_E_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }

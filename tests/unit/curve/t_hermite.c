@@ -125,7 +125,7 @@ PH_TEST_EACH(test_joints, 2) {
 
 /* What no halving can reach is refused, and the segment is named. */
 PH_TEST(test_refused) {
-  ck_assert_int_eq(convert(0, 1e-30), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(convert(0, 1e-30), PH_E_NO_CONVERGENCE);
   ck_assert_str_eq(u.diag.field, "segments[0]");
 }
 
@@ -220,7 +220,7 @@ PH_TEST(test_standstill) {
   ck_assert_int_eq(move(0, 1e-6), PH_OK);
   ck_assert_double_le(apart_in_space(0), 1e-6);
   for (size_t i = 1; i < MOVES; i++) {
-    ck_assert_int_eq(move(i, 1e-6), PH_NO_CONVERGENCE);
+    ck_assert_int_eq(move(i, 1e-6), PH_E_NO_CONVERGENCE);
     ck_assert_str_eq(u.diag.field, "segments[0]");
   }
 }

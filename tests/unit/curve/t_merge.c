@@ -187,37 +187,37 @@ static void refused(enum ph_status found, enum ph_status status,
 }
 
 PH_TEST(test_refused) {
-  refused(JOIN(planar, MERGE(0), POINTS(0, 0, 1, 1)), PH_BAD_VALUE, "merge",
+  refused(JOIN(planar, MERGE(0), POINTS(0, 0, 1, 1)), PH_E_BAD_VALUE, "merge",
           "must be greater than 0, found 0");
-  refused(JOIN(planar, MERGE(-1), POINTS(0, 0, 1, 1)), PH_BAD_VALUE, "merge",
+  refused(JOIN(planar, MERGE(-1), POINTS(0, 0, 1, 1)), PH_E_BAD_VALUE, "merge",
           "must be greater than 0, found -1");
-  refused(JOIN(planar, MERGE((double)NAN), POINTS(0, 0, 1, 1)), PH_BAD_VALUE,
+  refused(JOIN(planar, MERGE((double)NAN), POINTS(0, 0, 1, 1)), PH_E_BAD_VALUE,
           "merge", "must be greater than 0, found nan");
   refused(JOIN(arclength, MERGE(1), {PH_F_TANGENTS, VECTORS(2, 1, 0, 0, 1)}),
-          PH_BAD_VALUE, "merge", "is for points");
+          PH_E_BAD_VALUE, "merge", "is for points");
   refused(JOIN(tc, MERGE(1), POINTS(0, 0, 2, 0, 2, 0, 4, 0),
                {PH_F_TANGENTS, VECTORS(2, 1, 0, 1, 0, 1, 0.2, 1, 0)}),
-          PH_BAD_VALUE, "tangents[2]",
+          PH_E_BAD_VALUE, "tangents[2]",
           "differs from tangents[1] by more than a tenth, but merge joins "
           "points[2] to points[1]");
   refused(JOIN(tc, MERGE(1), POINTS(0, 0, 2, 0, 4, 0, 4, 0),
                {PH_F_DERIVATIVES, VECTORS(2, 1, 0, 1, 0, 2, 0, 1, 0)}),
-          PH_BAD_VALUE, "derivatives[2]",
+          PH_E_BAD_VALUE, "derivatives[2]",
           "differs from derivatives[3] by more than a tenth, but merge joins "
           "points[2] to points[3]");
   refused(JOIN(sphere, MERGE(0.1), {PH_F_TENSION, NUMBERS(1, 0, 2)},
                {PH_F_LONLAT, VECTORS(2, 0, 0, 1, 0, 60, 0)}),
-          PH_BAD_VALUE, "tension[1]",
+          PH_E_BAD_VALUE, "tension[1]",
           "differs from tension[0] by more than a tenth, but merge joins "
           "lonlat[1] to lonlat[0]");
   refused(JOIN(arclength, MERGE(1), POINTS(0, 0, 2, 0, 2, 0, 4, 0),
                {PH_F_LENGTHS, NUMBERS(1, 2)}),
-          PH_BAD_SHAPE, "lengths",
+          PH_E_BAD_SHAPE, "lengths",
           "must have 3 elements, one for each interval, before merge joins "
           "points, found 2");
   refused(JOIN(planar, MERGE(1), POINTS(0, 0, 2, 0, 2, 0, 4, 0),
                {PH_F_KNOTS, NUMBERS(0, 1, 2)}),
-          PH_BAD_SHAPE, "knots",
+          PH_E_BAD_SHAPE, "knots",
           "must have 4 elements, one for each point, before merge joins "
           "points, found 3");
 }

@@ -249,7 +249,7 @@ static void ck_standstill(double w0, double w1, double w2) {
   struct ph_offset o;
   single_of(w, zero, &s);
   ck_assert_int_eq(ph_offset(&s.curve, 1, &rules, &unit_arena, &o, &diag),
-                   PH_INFEASIBLE);
+                   PH_E_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[0]");
   ck_assert_str_eq(diag.message, "has no offset: the curve stands still in it "
                                  "and has no normal there");
@@ -270,7 +270,7 @@ PH_TEST(test_too_large) {
   ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
   ck_assert_int_eq(
       ph_offset(&u.result.curve, 1e308, &rules, &unit_arena, &o, &diag),
-      PH_TOO_LARGE);
+      PH_E_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");
   unit_solution_free(&u);
@@ -379,7 +379,7 @@ PH_TEST(test_cubic_standstill) {
     unit_cubics_add(&c, ph_cplx_of(1, 0), ph_cplx_of(1, 1));
     unit_cubics_add(&c, ph_cplx_scale(w[0], along), ph_cplx_scale(w[1], along));
     ck_assert_int_eq(ph_offset(&c.curve, 1, &rules, &unit_arena, &o, &diag),
-                     PH_INFEASIBLE);
+                     PH_E_INFEASIBLE);
     ck_assert_str_eq(diag.field, "segments[1]");
     ck_assert_str_eq(diag.message, "has no offset: the curve stands still in "
                                    "it and has no normal there");

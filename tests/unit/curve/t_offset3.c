@@ -324,7 +324,7 @@ PH_TEST_EACH(test_standstill, 3) {
   struct ph_offset offsets[ALL];
   unit_curve3_of(&c, 1, NULL, a[_i], ph_vec3_of(0, 0, 0));
   ck_assert_int_eq(ph_offset(&c.curve, 1, &rules, &unit_arena, offsets, &diag),
-                   PH_INFEASIBLE);
+                   PH_E_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }
 
@@ -334,7 +334,7 @@ PH_TEST(test_too_large) {
   unit_curve3_of(&c, 1, NULL, a, ph_vec3_of(0, 1.5e308, 0));
   ck_assert_int_eq(
       ph_offset(&c.curve, 1e308, &rules, &unit_arena, offsets, &diag),
-      PH_TOO_LARGE);
+      PH_E_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1e+308 exceeds the "
                                  "range of a double");
 }

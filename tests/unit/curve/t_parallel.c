@@ -426,15 +426,15 @@ PH_TEST(test_refusals) {
   for (size_t i = 0; i < COUNT(refused); i++) {
     ck_assert_int_eq(
         ph_offset(&c.curve, refused[i], &rules, &unit_arena, &o, &diag),
-        PH_BAD_VALUE);
+        PH_E_BAD_VALUE);
   }
   ck_assert_int_eq(ph_offset(&c.curve, 26, &rules, &unit_arena, &o, &diag),
-                   PH_BAD_VALUE);
+                   PH_E_BAD_VALUE);
   ck_assert_str_eq(diag.message, "the offset distance 26 is not less than half "
                                  "the circumference of the sphere, 25.1327");
   ck_assert_uint_eq(offset_of(&c.curve, 25).samples.n, 2 * (N + 1));
   ck_assert_int_eq(ph_offset(&c.curve, 1, &many, &unit_arena, &o, &diag),
-                   PH_LIMIT);
+                   PH_E_LIMIT);
 }
 
 /* A curve to the north, whose offset is to the west, out of range. */
@@ -447,7 +447,7 @@ PH_TEST(test_too_large) {
   unit_spherical_of(&c, 1, false, p);
   unit_spherical_place(&c, far, 1e307);
   ck_assert_int_eq(ph_offset(&c.curve, 1.5e307, &rules, &unit_arena, &o, &diag),
-                   PH_TOO_LARGE);
+                   PH_E_TOO_LARGE);
   ck_assert_str_eq(diag.message, "the offset at distance 1.5e+307 exceeds the "
                                  "range of a double");
   o = offset_of(&c.curve, 1e306);

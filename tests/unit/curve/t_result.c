@@ -74,12 +74,12 @@ PH_TEST(test_warnings) {
   struct ph_result result = {0};
   for (size_t i = 0; i < PH_WARNINGS_MAX; i++) {
     size_t segment = i ? i : PH_NO_SEGMENT;
-    ph_warn(&result, segment, PH_LOOP, "%zu", i);
+    ph_warn(&result, segment, PH_W_LOOP, "%zu", i);
   }
   ck_assert_uint_eq(result.warnings_n, PH_WARNINGS_MAX);
   ck_assert_uint_eq(result.warnings[0].segment, PH_NO_SEGMENT);
   ck_assert_uint_eq(result.warnings[5].segment, 5);
   ck_assert_str_eq(result.warnings[5].diag.message, "5");
   ck_assert_str_eq(result.warnings[5].diag.field, "");
-  ck_assert_int_eq(result.warnings[5].diag.status, PH_LOOP);
+  ck_assert_int_eq(result.warnings[5].diag.status, PH_W_LOOP);
 }

@@ -170,7 +170,7 @@ PH_TEST(test_too_many) {
     struct ph_sample_rules rules = {.how = PH_SAMPLE_PARAMETER,
                                     .n = refused[i]};
     ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &unit_arena, &s, &diag),
-                     PH_LIMIT);
+                     PH_E_LIMIT);
   }
 }
 

@@ -228,7 +228,7 @@ PH_TEST(test_standstill) {
             ph_vec3_get(s.normal + 3 * j - 3, 3), 1e-2);
   }
   ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &unit_arena, &s, &diag),
-                   PH_NO_CONVERGENCE);
+                   PH_E_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[0]");
 }
 
@@ -300,13 +300,13 @@ PH_TEST(test_refusals) {
   struct unit_segments flat;
   struct unit_spherical sphere;
   unit_circle(1, 1, &flat);
-  ck_refused(&flat.curve, PH_FRAME_RMF, PH_INFEASIBLE,
+  ck_refused(&flat.curve, PH_FRAME_RMF, PH_E_INFEASIBLE,
              "a curve in the plane has no frames in space");
   unit_spherical_random(&sphere, 1, 0.4, &r);
-  ck_refused(&sphere.curve, PH_FRAME_ERF, PH_INFEASIBLE,
+  ck_refused(&sphere.curve, PH_FRAME_ERF, PH_E_INFEASIBLE,
              "a curve on a sphere has no Euler-Rodrigues frame");
   curve = any_curve(2, &c, &r);
-  ck_refused(&curve, PH_FRAME_ERF, PH_INFEASIBLE,
+  ck_refused(&curve, PH_FRAME_ERF, PH_E_INFEASIBLE,
              "Bezier curves have no preimage and no Euler-Rodrigues frame: ask "
              "for the frame without the conversion");
 }

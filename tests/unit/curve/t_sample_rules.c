@@ -292,11 +292,11 @@ PH_TEST(test_too_many) {
     circle_of(1, &c);
     ck_assert_int_eq(
         ph_sample_curve(&c.curve, &refused[i], &unit_arena, &s, &diag),
-        PH_LIMIT);
+        PH_E_LIMIT);
     ck_assert_str_eq(diag.message, messages[i]);
     ck_assert_int_eq(
         ph_sample_offset(&c.curve, &refused[i], &unit_arena, &o, &diag),
-        PH_LIMIT);
+        PH_E_LIMIT);
   }
 }
 
@@ -308,6 +308,6 @@ PH_TEST(test_no_length) {
   circle_of(1, &c);
   c.lengths[1] = (double)NAN;
   ck_assert_int_eq(ph_sample_curve(&c.curve, &rules, &unit_arena, &s, &diag),
-                   PH_NO_CONVERGENCE);
+                   PH_E_NO_CONVERGENCE);
   ck_assert_str_eq(diag.field, "segments[1]");
 }

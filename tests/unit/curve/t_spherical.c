@@ -271,7 +271,7 @@ PH_TEST(test_not_a_segment) {
   struct ph_primitive table = {.n = 0};
   double length;
   ck_assert_int_eq(ph_spherical_length(&s, &table, &unit_arena, &length),
-                   PH_NO_CONVERGENCE);
+                   PH_E_NO_CONVERGENCE);
 }
 
 /* ---- curves that are known ------------------------------------------ */

@@ -320,41 +320,41 @@ PH_TEST(test_segments) {
 PH_TEST(test_segment_gaps) {
   static const char wanted[] =
       "needs a number in column length of every row but the first";
-  bad_by(&of_segments, "xyl", "0,1,\n2,3,7\n4,5,\n", PH_BAD_VALUE, "lengths", 0,
-         wanted);
-  bad_by(&of_segments, "xyl", "0,1,\n2,3,\n4,5,7\n", PH_BAD_VALUE, "lengths", 0,
-         wanted);
-  bad_by(&of_segments, "xyl", "0,1,6\n2,3,\n4,5,7\n", PH_BAD_VALUE, "lengths",
+  bad_by(&of_segments, "xyl", "0,1,\n2,3,7\n4,5,\n", PH_E_BAD_VALUE, "lengths",
          0, wanted);
-  bad_by(&of_segments, "xyl", "0,1,6\n2,3,\n4,5,\n", PH_BAD_VALUE, "lengths", 0,
-         wanted);
-  bad_by(&of_segments, "xyl", "0,1,\n2,3,far\n", PH_BAD_TYPE, "lengths[0]", 11,
+  bad_by(&of_segments, "xyl", "0,1,\n2,3,\n4,5,7\n", PH_E_BAD_VALUE, "lengths",
+         0, wanted);
+  bad_by(&of_segments, "xyl", "0,1,6\n2,3,\n4,5,7\n", PH_E_BAD_VALUE, "lengths",
+         0, wanted);
+  bad_by(&of_segments, "xyl", "0,1,6\n2,3,\n4,5,\n", PH_E_BAD_VALUE, "lengths",
+         0, wanted);
+  bad_by(&of_segments, "xyl", "0,1,\n2,3,far\n", PH_E_BAD_TYPE, "lengths[0]",
+         11, "needs a number in column length, found \"far\"");
+  bad_by(&of_segments, "xyl", "0,1,far\n2,3,7\n", PH_E_BAD_TYPE, "lengths", 10,
          "needs a number in column length, found \"far\"");
-  bad_by(&of_segments, "xyl", "0,1,far\n2,3,7\n", PH_BAD_TYPE, "lengths", 10,
-         "needs a number in column length, found \"far\"");
-  bad_by(&of_segments, "xyl", "0,1,\n2,3,inf\n", PH_NOT_FINITE, "lengths[0]",
+  bad_by(&of_segments, "xyl", "0,1,\n2,3,inf\n", PH_E_NOT_FINITE, "lengths[0]",
          11, "needs a finite number in column length, found \"inf\"");
 }
 
 PH_TEST(test_gaps) {
-  bad("xy", "0,\n2,\n", PH_BAD_VALUE, "points[0]", 10,
+  bad("xy", "0,\n2,\n", PH_E_BAD_VALUE, "points[0]", 10,
       "needs a number in column y, found an empty cell");
-  bad("xy", ",0\n,2\n", PH_BAD_VALUE, "points[0]", 10,
+  bad("xy", ",0\n,2\n", PH_E_BAD_VALUE, "points[0]", 10,
       "needs a number in column x, found an empty cell");
-  bad("xyk", "0,1,2\n#\n0,1,3\n0,1,\n", PH_BAD_VALUE, "knots[2]", 13,
+  bad("xyk", "0,1,2\n#\n0,1,3\n0,1,\n", PH_E_BAD_VALUE, "knots[2]", 13,
       "needs a number in column knot, found an empty cell");
 }
 
 PH_TEST(test_bad_rows) {
-  bad("xy", "0,1\n2,abc\n", PH_BAD_TYPE, "points[1]", 11,
+  bad("xy", "0,1\n2,abc\n", PH_E_BAD_TYPE, "points[1]", 11,
       "needs a number in column y, found \"abc\"");
-  bad("ixy", "\"a\nb\",0,1\n\n#\n\"a\nb\",x\x1b[0m,1\n", PH_BAD_TYPE,
+  bad("ixy", "\"a\nb\",0,1\n\n#\n\"a\nb\",x\x1b[0m,1\n", PH_E_BAD_TYPE,
       "points[1]", 14, "needs a number in column x, found \"x\\x1b[0m\"");
-  bad("xy", "0,1 2\n", PH_BAD_TYPE, "points[0]", 10,
+  bad("xy", "0,1 2\n", PH_E_BAD_TYPE, "points[0]", 10,
       "needs a number in column y, found \"1 2\"");
-  bad("xy", "0,NaN\n", PH_NOT_FINITE, "points[0]", 10,
+  bad("xy", "0,NaN\n", PH_E_NOT_FINITE, "points[0]", 10,
       "needs a finite number in column y, found \"NaN\"");
-  bad("xyk", "0,1,1e999\n", PH_NOT_FINITE, "knots[0]", 10,
+  bad("xyk", "0,1,1e999\n", PH_E_NOT_FINITE, "knots[0]", 10,
       "needs a finite number in column knot, found \"1e999\"");
 }
 
@@ -388,14 +388,16 @@ PH_TEST(test_ids) {
 }
 
 PH_TEST(test_ids_on_failure) {
-  bad("xyi", "a,1,7\n", PH_BAD_TYPE, "points[0]", 10,
+  bad("xyi", "a,1,7\n", PH_E_BAD_TYPE, "points[0]", 10,
       "needs a number in column x, found \"a\"");
   ck_id("7");
-  bad("xi", "1,b,7\n", PH_BAD_SHAPE, "", 10, "the row has 3 cells, expected 2");
+  bad("xi", "1,b,7\n", PH_E_BAD_SHAPE, "", 10,
+      "the row has 3 cells, expected 2");
   ck_id("\"b\"");
-  bad("xyi", "1,2\n", PH_BAD_SHAPE, "", 10, "the row has 2 cells, expected 3");
+  bad("xyi", "1,2\n", PH_E_BAD_SHAPE, "", 10,
+      "the row has 2 cells, expected 3");
   ck_id(NULL);
-  bad("ixy", "a\xFF,0,1\n", PH_SYNTAX, "id", 10,
+  bad("ixy", "a\xFF,0,1\n", PH_E_SYNTAX, "id", 10,
       "has the byte \\xff, which is not UTF-8");
   ck_id(NULL);
 }

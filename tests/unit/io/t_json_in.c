@@ -90,27 +90,28 @@ PH_TEST(test_names) {
   ck_assert_int_eq(problem.field[PH_F_POINTS].kind, PH_VECTORS);
   ck_assert_int_eq(get("{\"\\u0069d\":1}"), PH_OK);
   ck_echo("1", NULL);
-  bad("{\"id\":1,\"id\":1}", PH_BAD_VALUE, "id", "occurs twice");
+  bad("{\"id\":1,\"id\":1}", PH_E_BAD_VALUE, "id", "occurs twice");
   ck_echo("1", NULL);
-  bad("{\"meta\":1,\"meta\":1}", PH_BAD_VALUE, "meta", "occurs twice");
-  bad("{\"pints\":[]}", PH_UNKNOWN_FIELD, "pints",
+  bad("{\"meta\":1,\"meta\":1}", PH_E_BAD_VALUE, "meta", "occurs twice");
+  bad("{\"pints\":[]}", PH_E_UNKNOWN_FIELD, "pints",
       "is not a field of planar; did you mean \"points\"?");
-  bad("{\"Meta\":[]}", PH_UNKNOWN_FIELD, "Meta",
+  bad("{\"Meta\":[]}", PH_E_UNKNOWN_FIELD, "Meta",
       "is not a field of planar; did you mean \"meta\"?");
-  bad("{\"lengths\":[]}", PH_UNKNOWN_FIELD, "lengths",
+  bad("{\"lengths\":[]}", PH_E_UNKNOWN_FIELD, "lengths",
       "is not a field of planar");
-  bad("{\"end_derivatives\":[]}", PH_UNKNOWN_FIELD, "end_derivatives",
+  bad("{\"end_derivatives\":[]}", PH_E_UNKNOWN_FIELD, "end_derivatives",
       "is not a field of planar");
-  bad("{\"points\\u0000\":[]}", PH_UNKNOWN_FIELD, "points\\u0000",
+  bad("{\"points\\u0000\":[]}", PH_E_UNKNOWN_FIELD, "points\\u0000",
       "is not a field of planar");
-  bad("{\"a\\nb\":[]}", PH_UNKNOWN_FIELD, "a\\nb", "is not a field of planar");
+  bad("{\"a\\nb\":[]}", PH_E_UNKNOWN_FIELD, "a\\nb",
+      "is not a field of planar");
   bad("{\"1234567890123456789012345678901234567890\xC3\xA4\":[]}",
-      PH_UNKNOWN_FIELD, "1234567890123456789012345678901234567890...",
+      PH_E_UNKNOWN_FIELD, "1234567890123456789012345678901234567890...",
       "is not a field of planar");
 }
 
 PH_TEST(test_not_an_object) {
-  bad("null", PH_BAD_TYPE, "", "a problem must be an object, found null");
+  bad("null", PH_E_BAD_TYPE, "", "a problem must be an object, found null");
   ck_echo(NULL, NULL);
 }
 
@@ -124,20 +125,20 @@ PH_TEST(test_echo) {
                        "\"c\": \" \\\\\" }}"),
                    PH_OK);
   ck_echo(NULL, "{\"a \\\" b\":[1,2],\"c\":\" \\\\\"}");
-  bad("{\"id\":[1],\"meta\":2}", PH_BAD_TYPE, "id",
+  bad("{\"id\":[1],\"meta\":2}", PH_E_BAD_TYPE, "id",
       "must be a string or a number, found an array");
   ck_echo(NULL, "2");
 }
 
 /* What is only passed on is JSON all the same. */
 PH_TEST(test_bad_echo) {
-  bad("{\"id\":-1e999,\"meta\":2}", PH_NOT_FINITE, "id",
+  bad("{\"id\":-1e999,\"meta\":2}", PH_E_NOT_FINITE, "id",
       "is -1e999, which overflows a double");
   ck_echo(NULL, "2");
-  bad("{\"id\":7,\"meta\":{\"a\":[0,{\"b\":1e309}]}}", PH_NOT_FINITE, "meta",
+  bad("{\"id\":7,\"meta\":{\"a\":[0,{\"b\":1e309}]}}", PH_E_NOT_FINITE, "meta",
       "is 1e309, which overflows a double");
   ck_echo("7", NULL);
-  bad("{\"meta\":[{\"a\":1,\"bc\":[],\"\\u0061\":2}]}", PH_BAD_VALUE, "meta",
+  bad("{\"meta\":[{\"a\":1,\"bc\":[],\"\\u0061\":2}]}", PH_E_BAD_VALUE, "meta",
       "has the name \"a\" twice");
   ck_assert_int_eq(get("{\"meta\":{\"\":1,\"a\":{\"\":1,\"a\":[]},\"b\":1}}"),
                    PH_OK);
@@ -146,23 +147,23 @@ PH_TEST(test_bad_echo) {
 
 /* The first failure is told; id and meta are known all the same. */
 PH_TEST(test_echo_on_failure) {
-  bad("{\"a\":1,\"id\":7,\"b\":2,\"meta\":[]}", PH_UNKNOWN_FIELD, "a",
+  bad("{\"a\":1,\"id\":7,\"b\":2,\"meta\":[]}", PH_E_UNKNOWN_FIELD, "a",
       "is not a field of planar");
   ck_echo("7", "[]");
-  bad("{\"points\":[[0]],\"id\":\"x\",\"closed\":1}", PH_BAD_SHAPE, "points[0]",
-      "must have 2 numbers, found 1");
+  bad("{\"points\":[[0]],\"id\":\"x\",\"closed\":1}", PH_E_BAD_SHAPE,
+      "points[0]", "must have 2 numbers, found 1");
   ck_echo("\"x\"", NULL);
-  bad("{\"points\":null,\"id\":true,\"b\":2}", PH_UNKNOWN_FIELD, "b",
+  bad("{\"points\":null,\"id\":true,\"b\":2}", PH_E_UNKNOWN_FIELD, "b",
       "is not a field of planar");
-  bad("{\"points\":null,\"points\":1,\"id\":3}", PH_BAD_VALUE, "points",
+  bad("{\"points\":null,\"points\":1,\"id\":3}", PH_E_BAD_VALUE, "points",
       "occurs twice");
   ck_echo("3", NULL);
 }
 
 PH_TEST(test_values) {
-  bad("{\"basis\":\"p\"}", PH_BAD_VALUE, "basis",
+  bad("{\"basis\":\"p\"}", PH_E_BAD_VALUE, "basis",
       "must be \"ph\" or \"atph\", found \"p\"");
-  bad("{\"points\":[[0,0],[1,-1e400]]}", PH_NOT_FINITE, "points[1][1]",
+  bad("{\"points\":[[0,0],[1,-1e400]]}", PH_E_NOT_FINITE, "points[1][1]",
       "is -1e400, which overflows a double");
 }
 

@@ -90,8 +90,8 @@ PH_TEST(test_heading) {
 PH_TEST(test_warnings) {
   const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
   struct ph_result result = by_hand();
-  ph_warn(&result, 3, PH_LOOP, "it turns");
-  ph_warn(&result, PH_NO_SEGMENT, PH_REVERSAL, "so");
+  ph_warn(&result, 3, PH_W_LOOP, "it turns");
+  ph_warn(&result, PH_NO_SEGMENT, PH_W_REVERSAL, "so");
   ph_json_result(&buf, &heading, &result, false);
   ck_assert_ptr_nonnull(
       strstr(written(), "},\"warnings\":[{\"code\":\"loop\",\"segment\":3,"
@@ -220,7 +220,7 @@ PH_TEST(test_pretty_intervals) {
 
 PH_TEST(test_pretty) {
   const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
-  const struct ph_diag diag = {.status = PH_SYNTAX, .message = "no"};
+  const struct ph_diag diag = {.status = PH_E_SYNTAX, .message = "no"};
   struct ph_result result = by_hand();
   ck_indented(&result, "\n  \"command\": \"planar\",\n");
   ph_buf_free(&buf);
@@ -239,7 +239,7 @@ PH_TEST(test_error) {
   const struct ph_swept swept = {"closed", "true"};
   const struct ph_heading heading = {&echo, "planar", &swept, 1, NULL, 0};
   struct ph_diag diag;
-  ph_fail_at(&diag, PH_COINCIDENT_POINTS, "points", 3,
+  ph_fail_at(&diag, PH_E_COINCIDENT_POINTS, "points", 3,
              "coincides with points[2]");
   diag.line = 12;
   diag.column = 5;
@@ -256,7 +256,7 @@ PH_TEST(test_error) {
  * escaped, text beyond ASCII stays. */
 PH_TEST(test_strings) {
   const struct ph_heading heading = {&nothing, "planar", NULL, 0, NULL, 0};
-  struct ph_diag diag = {.status = PH_INPUT};
+  struct ph_diag diag = {.status = PH_E_INPUT};
   char all[128];
   cJSON *record, *error;
   for (int c = 1; c < 128; c++) {

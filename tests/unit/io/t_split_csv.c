@@ -191,10 +191,10 @@ static void ck_usage(const struct ph_split_options *options, const char *field,
   struct ph_split split;
   struct ph_diag diag;
   ck_assert_int_eq(ph_split_init(&split, NULL, 0, options, &schema, &diag),
-                   PH_USAGE);
+                   PH_E_USAGE);
   ck_assert_str_eq(diag.field, field);
   ck_assert_str_eq(diag.message, message);
-  ck_assert_int_eq(diag.status, PH_USAGE);
+  ck_assert_int_eq(diag.status, PH_E_USAGE);
   ck_assert_uint_eq(diag.line + diag.column, 0);
   ph_split_free(&split);
 }

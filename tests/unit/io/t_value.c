@@ -136,9 +136,9 @@ PH_TEST(test_flag_or_word) {
   ck_bool(option(&shape, "false"), false);
   ck_word(option(&shape, "warn"), "warn");
   ck_word(option(&shape, "\"warn\""), "warn");
-  bad(&shape, "\"false\"", PH_BAD_VALUE, "shape",
+  bad(&shape, "\"false\"", PH_E_BAD_VALUE, "shape",
       "must be true, false or \"warn\", found \"false\"");
-  bad_option(&shape, "wran", PH_BAD_VALUE,
+  bad_option(&shape, "wran", PH_E_BAD_VALUE,
              "must be true, false or \"warn\", found \"wran\"; did you mean "
              "\"warn\"?");
 }
@@ -150,7 +150,7 @@ PH_TEST(test_words_with_numbers) {
   ck_rel(value.number, 10, 0);
   ck_word(option(&increase, "times:.5e1"), "times:.5e1");
   ck_rel(value.number, 5, 0);
-  bad_option(&increase, "minimal:1", PH_BAD_VALUE,
+  bad_option(&increase, "minimal:1", PH_E_BAD_VALUE,
              "must be \"minimal\", \"plus:V\" or \"times:V\", found "
              "\"minimal:1\"; did you mean \"minimal\"?");
 }
@@ -232,93 +232,95 @@ PH_TEST(test_polyline_long) {
 }
 
 PH_TEST(test_bad_polyline) {
-  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,2],[3,3],[1e999,4]]]", PH_NOT_FINITE,
+  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,2],[3,3],[1e999,4]]]", PH_E_NOT_FINITE,
       "curve[1][3][0]", "is 1e999, which overflows a double");
-  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,\"2\"]]]", PH_BAD_TYPE,
+  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,\"2\"]]]", PH_E_BAD_TYPE,
       "curve[1][1][1]", "must be a number, found a string");
-  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,[2]]]]", PH_BAD_TYPE, "curve[1][1][1]",
-      "must be a number, found an array");
-  bad(&curve, "[[[0,0],[1,1]],[[1,1],2]]", PH_BAD_TYPE, "curve[1][1]",
+  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,[2]]]]", PH_E_BAD_TYPE,
+      "curve[1][1][1]", "must be a number, found an array");
+  bad(&curve, "[[[0,0],[1,1]],[[1,1],2]]", PH_E_BAD_TYPE, "curve[1][1]",
       "must be an array of numbers, found a number");
-  bad(&curve, "[[[0,0],[1,1]],null]", PH_BAD_TYPE, "curve[1]",
+  bad(&curve, "[[[0,0],[1,1]],null]", PH_E_BAD_TYPE, "curve[1]",
       "must be an array of points, found null");
-  bad(&curve, "[[[0,0],[1,1]],[1,1]]", PH_BAD_TYPE, "curve[1][0]",
+  bad(&curve, "[[[0,0],[1,1]],[1,1]]", PH_E_BAD_TYPE, "curve[1][0]",
       "must be an array of numbers, found a number");
-  bad(&curve, "[[0,0],[[1,1],[2,2]]]", PH_BAD_TYPE, "curve[1][0]",
+  bad(&curve, "[[0,0],[[1,1],[2,2]]]", PH_E_BAD_TYPE, "curve[1][0]",
       "must be a number, found an array");
-  bad(&curve, "[[[0,0],[1,1]],[]]", PH_BAD_SHAPE, "curve[1]", "has no points");
-  bad(&curve, "[[ ], [[0,0],[1,1]]]", PH_BAD_SHAPE, "curve[0]",
+  bad(&curve, "[[[0,0],[1,1]],[]]", PH_E_BAD_SHAPE, "curve[1]",
       "has no points");
-  bad(&curve, "[[]]", PH_BAD_SHAPE, "curve[0]", "must have 2 numbers, found 0");
-  bad(&curve, "[[[]]]", PH_BAD_SHAPE, "curve[0][0]",
+  bad(&curve, "[[ ], [[0,0],[1,1]]]", PH_E_BAD_SHAPE, "curve[0]",
+      "has no points");
+  bad(&curve, "[[]]", PH_E_BAD_SHAPE, "curve[0]",
       "must have 2 numbers, found 0");
-  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,2,2]]]", PH_BAD_SHAPE, "curve[1][1]",
+  bad(&curve, "[[[]]]", PH_E_BAD_SHAPE, "curve[0][0]",
+      "must have 2 numbers, found 0");
+  bad(&curve, "[[[0,0],[1,1]],[[1,1],[2,2,2]]]", PH_E_BAD_SHAPE, "curve[1][1]",
       "must have 2 numbers, found 3");
-  bad(&any_curve, "[[[0,0,0],[1,1,1]],[[1,1]]]", PH_BAD_SHAPE, "curve[1][0]",
+  bad(&any_curve, "[[[0,0,0],[1,1,1]],[[1,1]]]", PH_E_BAD_SHAPE, "curve[1][0]",
       "must have 3 numbers as curve[0][0] has, found 2");
-  bad(&any_curve, "[[0,0],[1,1,1]]", PH_BAD_SHAPE, "curve[1]",
+  bad(&any_curve, "[[0,0],[1,1,1]]", PH_E_BAD_SHAPE, "curve[1]",
       "must have 2 numbers as curve[0] has, found 3");
-  bad(&curve, "[1,[[0,0]]]", PH_BAD_TYPE, "curve",
+  bad(&curve, "[1,[[0,0]]]", PH_E_BAD_TYPE, "curve",
       "must be an array of points [x,y] or an array of such arrays, found an "
       "array of numbers");
-  bad(&curve, "null", PH_BAD_TYPE, "curve",
+  bad(&curve, "null", PH_E_BAD_TYPE, "curve",
       "must be an array of points [x,y] or an array of such arrays, found "
       "null");
-  bad_option(&curve, "0,1", PH_BAD_TYPE,
+  bad_option(&curve, "0,1", PH_E_BAD_TYPE,
              "must be an array of points [x,y] or an array of such arrays, "
              "found \"0,1\"");
-  bad_option(&curve, "[[[0,1]]", PH_SYNTAX,
+  bad_option(&curve, "[[[0,1]]", PH_E_SYNTAX,
              "must be JSON: the text ends inside an array");
 }
 
 PH_TEST(test_bad_types) {
-  bad(&any_points, "{}", PH_BAD_TYPE, "points",
+  bad(&any_points, "{}", PH_E_BAD_TYPE, "points",
       "must be an array of points [x,y] or [x,y,z], found an object");
-  bad(&ends, "null", PH_BAD_TYPE, "end_derivatives",
+  bad(&ends, "null", PH_E_BAD_TYPE, "end_derivatives",
       "must be an array of vectors [x,y], found null");
-  bad(&closed, "[]", PH_BAD_TYPE, "closed",
+  bad(&closed, "[]", PH_E_BAD_TYPE, "closed",
       "must be true or false, found an array");
-  bad(&basis, "true", PH_BAD_TYPE, "basis",
+  bad(&basis, "true", PH_E_BAD_TYPE, "basis",
       "must be \"ph\" or \"atph\", found true");
-  bad(&knots, "false", PH_BAD_TYPE, "knots",
+  bad(&knots, "false", PH_E_BAD_TYPE, "knots",
       "must be \"chordal\", \"centripetal\", \"uniform\" or an array of "
       "numbers, found false");
-  bad(&everything, "null", PH_BAD_TYPE, "knots",
+  bad(&everything, "null", PH_E_BAD_TYPE, "knots",
       "must be true, false, \"warn\", a number, an array of numbers or an "
       "array of vectors [x,y] or [x,y,z], found null");
 }
 
 PH_TEST(test_bad_elements) {
-  bad(&points, "[[0,0],null]", PH_BAD_TYPE, "points[1]",
+  bad(&points, "[[0,0],null]", PH_E_BAD_TYPE, "points[1]",
       "must be an array of numbers, found null");
-  bad(&points, "[[[0],0]]", PH_BAD_TYPE, "points[0][0]",
+  bad(&points, "[[[0],0]]", PH_E_BAD_TYPE, "points[0][0]",
       "must be a number, found an array");
-  bad(&points, "[[0,null]]", PH_BAD_TYPE, "points[0][1]",
+  bad(&points, "[[0,null]]", PH_E_BAD_TYPE, "points[0][1]",
       "must be a number, found null");
-  bad(&knots, "[0,1,{}]", PH_BAD_TYPE, "knots[2]",
+  bad(&knots, "[0,1,{}]", PH_E_BAD_TYPE, "knots[2]",
       "must be a number, found an object");
-  bad(&knots, "[0,[1]]", PH_BAD_TYPE, "knots[1]",
+  bad(&knots, "[0,[1]]", PH_E_BAD_TYPE, "knots[1]",
       "must be a number, found an array");
 }
 
 PH_TEST(test_bad_shapes) {
-  bad(&points, "[[0,0],[1,1],[2,2],[3,3,3]]", PH_BAD_SHAPE, "points[3]",
+  bad(&points, "[[0,0],[1,1],[2,2],[3,3,3]]", PH_E_BAD_SHAPE, "points[3]",
       "must have 2 numbers, found 3");
-  bad(&points, "[[0,0],[]]", PH_BAD_SHAPE, "points[1]",
+  bad(&points, "[[0,0],[]]", PH_E_BAD_SHAPE, "points[1]",
       "must have 2 numbers, found 0");
-  bad(&any_points, "[[1,2,3,4,5,6,7,8]]", PH_BAD_SHAPE, "points[0]",
+  bad(&any_points, "[[1,2,3,4,5,6,7,8]]", PH_E_BAD_SHAPE, "points[0]",
       "must have 2 or 3 numbers, found 8");
 }
 
 PH_TEST(test_not_finite) {
-  bad(&points, "[[0,0],[1,1],[2,2],[3,3],[4,1e999]]", PH_NOT_FINITE,
+  bad(&points, "[[0,0],[1,1],[2,2],[3,3],[4,1e999]]", PH_E_NOT_FINITE,
       "points[4][1]", "is 1e999, which overflows a double");
-  bad(&knots, "[0,-1e309]", PH_NOT_FINITE, "knots[1]",
+  bad(&knots, "[0,-1e309]", PH_E_NOT_FINITE, "knots[1]",
       "is -1e309, which overflows a double");
-  bad(&number, "2e308", PH_NOT_FINITE, "basis",
+  bad(&number, "2e308", PH_E_NOT_FINITE, "basis",
       "is 2e308, which overflows a double");
-  bad(&number, "1000000000000000000000000000000000000000000e500", PH_NOT_FINITE,
-      "basis",
+  bad(&number, "1000000000000000000000000000000000000000000e500",
+      PH_E_NOT_FINITE, "basis",
       "is 1000000000000000000000000000000000000000..., "
       "which overflows a double");
 }
@@ -329,24 +331,24 @@ PH_TEST(test_bad_words) {
   char message[PH_DIAG_MESSAGE_MAX];
   snprintf(message, sizeof message, "%s\"chordl\"; did you mean \"chordal\"?",
            phrase);
-  bad(&knots, "\"chordl\"", PH_BAD_VALUE, "knots", message);
+  bad(&knots, "\"chordl\"", PH_E_BAD_VALUE, "knots", message);
   snprintf(message, sizeof message, "%s\"geodesic\"", phrase);
-  bad(&knots, "\"geodesic\"", PH_BAD_VALUE, "knots", message);
-  bad(&basis, "\"\"", PH_BAD_VALUE, "basis",
+  bad(&knots, "\"geodesic\"", PH_E_BAD_VALUE, "knots", message);
+  bad(&basis, "\"\"", PH_E_BAD_VALUE, "basis",
       "must be \"ph\" or \"atph\", found \"\"");
-  bad(&basis, "\"PH\"", PH_BAD_VALUE, "basis",
+  bad(&basis, "\"PH\"", PH_E_BAD_VALUE, "basis",
       "must be \"ph\" or \"atph\", found \"PH\"; did you mean \"ph\"?");
-  bad(&basis, "\"ph|atph\"", PH_BAD_VALUE, "basis",
+  bad(&basis, "\"ph|atph\"", PH_E_BAD_VALUE, "basis",
       "must be \"ph\" or \"atph\", found \"ph|atph\"");
-  bad(&basis, "\"a\\nb\"", PH_BAD_VALUE, "basis",
+  bad(&basis, "\"a\\nb\"", PH_E_BAD_VALUE, "basis",
       "must be \"ph\" or \"atph\", found \"a\\nb\"");
   /* A text that cJSON would end at its NUL is no word. */
-  bad(&basis, "\"ph\\u0000\"", PH_BAD_VALUE, "basis",
+  bad(&basis, "\"ph\\u0000\"", PH_E_BAD_VALUE, "basis",
       "must be \"ph\" or \"atph\", found \"ph\\u0000\"");
-  bad(&basis, "\"ph\\\\u0000\"", PH_BAD_VALUE, "basis",
+  bad(&basis, "\"ph\\\\u0000\"", PH_E_BAD_VALUE, "basis",
       "must be \"ph\" or \"atph\", found \"ph\\\\u0000\"");
   bad(&basis, "\"12345678901234567890123456789012345678\xC3\xA4\xC3\xA4 \"",
-      PH_BAD_VALUE, "basis",
+      PH_E_BAD_VALUE, "basis",
       "must be \"ph\" or \"atph\", found "
       "\"12345678901234567890123456789012345678\xC3\xA4...\"");
 }
@@ -384,36 +386,36 @@ PH_TEST(test_options) {
 }
 
 PH_TEST(test_bad_options) {
-  bad_option(&basis, "atp", PH_BAD_VALUE,
+  bad_option(&basis, "atp", PH_E_BAD_VALUE,
              "must be \"ph\" or \"atph\", found \"atp\"; "
              "did you mean \"atph\"?");
-  bad_option(&basis, "", PH_BAD_VALUE,
+  bad_option(&basis, "", PH_E_BAD_VALUE,
              "must be \"ph\" or \"atph\", found \"\"");
-  bad_option(&basis, "true", PH_BAD_TYPE,
+  bad_option(&basis, "true", PH_E_BAD_TYPE,
              "must be \"ph\" or \"atph\", found true");
-  bad_option(&basis, "a\x1b[0m", PH_BAD_VALUE,
+  bad_option(&basis, "a\x1b[0m", PH_E_BAD_VALUE,
              "must be \"ph\" or \"atph\", found \"a\\x1b[0m\"");
-  bad_option(&closed, "yes", PH_BAD_TYPE,
+  bad_option(&closed, "yes", PH_E_BAD_TYPE,
              "must be true or false, found \"yes\"");
-  bad_option(&closed, "True", PH_BAD_TYPE,
+  bad_option(&closed, "True", PH_E_BAD_TYPE,
              "must be true or false, found \"True\"");
-  bad_option(&number, "", PH_BAD_TYPE, "must be a number, found \"\"");
-  bad_option(&number, "abc", PH_BAD_TYPE, "must be a number, found \"abc\"");
-  bad_option(&number, "1 2", PH_BAD_TYPE, "must be a number, found \"1 2\"");
-  bad_option(&number, "nan", PH_BAD_TYPE, "must be a number, found \"nan\"");
-  bad_option(&number, "1e999", PH_NOT_FINITE,
+  bad_option(&number, "", PH_E_BAD_TYPE, "must be a number, found \"\"");
+  bad_option(&number, "abc", PH_E_BAD_TYPE, "must be a number, found \"abc\"");
+  bad_option(&number, "1 2", PH_E_BAD_TYPE, "must be a number, found \"1 2\"");
+  bad_option(&number, "nan", PH_E_BAD_TYPE, "must be a number, found \"nan\"");
+  bad_option(&number, "1e999", PH_E_NOT_FINITE,
              "is 1e999, which overflows a double");
-  bad_option(&number, "+1e999", PH_NOT_FINITE,
+  bad_option(&number, "+1e999", PH_E_NOT_FINITE,
              "is +1e999, which overflows a double");
-  bad_option(&points, "[[0,1],[2", PH_SYNTAX,
+  bad_option(&points, "[[0,1],[2", PH_E_SYNTAX,
              "must be JSON: the text ends inside an array");
-  bad_option(&points, "[[0,1],]", PH_SYNTAX,
+  bad_option(&points, "[[0,1],]", PH_E_SYNTAX,
              "must be JSON: expected a value, found ']'");
-  bad_option(&points, "[[0,1]] x", PH_SYNTAX,
+  bad_option(&points, "[[0,1]] x", PH_E_SYNTAX,
              "must be JSON: something follows the value");
-  bad_option(&basis, "\"ph", PH_SYNTAX,
+  bad_option(&basis, "\"ph", PH_E_SYNTAX,
              "must be JSON: the text ends inside a string");
-  bad_option(&points, "0,1", PH_BAD_TYPE,
+  bad_option(&points, "0,1", PH_E_BAD_TYPE,
              "must be an array of points [x,y], found \"0,1\"");
 }
 
@@ -445,8 +447,9 @@ PH_TEST(test_required) {
   struct ph_problem problem = {0};
   rows[0] = closed;
   rows[1] = points;
-  ck_diag(ph_problem_check_required(&problem, &schema, &diag), PH_MISSING_FIELD,
-          "points", "is missing: it must be an array of points [x,y]");
+  ck_diag(ph_problem_check_required(&problem, &schema, &diag),
+          PH_E_MISSING_FIELD, "points",
+          "is missing: it must be an array of points [x,y]");
   problem.field[PH_F_POINTS].kind = PH_VECTORS;
   ck_assert_int_eq(ph_problem_check_required(&problem, &schema, &diag), PH_OK);
 }

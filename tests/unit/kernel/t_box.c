@@ -22,7 +22,7 @@ static enum ph_status value(void *context, const double *x, double *f) {
   for (size_t i = 0; i < N; i++) {
     v->last[i] = x[i];
   }
-  return ++v->values == v->fail_at ? PH_NO_CONVERGENCE : PH_OK;
+  return ++v->values == v->fail_at ? PH_E_NO_CONVERGENCE : PH_OK;
 }
 
 static void gradient(void *context, double *g) {
@@ -117,6 +117,6 @@ PH_TEST(test_ends) {
   ck_assert(!report.converged);
   ck_assert_uint_le(valley.accepted, 4);
   valley.fail_at = 5;
-  ck_assert_int_eq(run(3, 1000), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(run(3, 1000), PH_E_NO_CONVERGENCE);
   ck_assert_uint_eq(valley.values, 5);
 }

@@ -219,14 +219,14 @@ PH_TEST(test_refusals) {
   for (size_t i = 0; i < COUNT(places); i++) {
     ck_assert_int_eq(ph_primitive_make(&table, pole, &places[i], NULL, 0, 1e-14,
                                        &unit_arena),
-                     PH_NO_CONVERGENCE);
+                     PH_E_NO_CONVERGENCE);
   }
   ck_assert_int_eq(
       ph_primitive_make(&table, wave, &fast, NULL, 0, 1e-14, &unit_arena),
-      PH_NO_CONVERGENCE);
+      PH_E_NO_CONVERGENCE);
   ck_assert_int_eq(
       ph_primitive_make(&table, wave, &nan, NULL, 0, 1e-14, &unit_arena),
-      PH_NO_CONVERGENCE);
+      PH_E_NO_CONVERGENCE);
 }
 
 PH_FIXTURE(begin, NULL)

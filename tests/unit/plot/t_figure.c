@@ -271,9 +271,9 @@ PH_TEST(cannot) {
   struct ph_drawing *d = unit_drawing(&of);
   if (ph_figure_can()) { /* beyond what cairo can */
     ck_assert_int_eq(write_all(&d, 1, PH_FIGURE_PNG, 40000, 40000),
-                     PH_INTERNAL);
+                     PH_E_INTERNAL);
   } else {
-    ck_assert_int_eq(write_all(&d, 1, PH_FIGURE_PNG, 0, 0), PH_INTERNAL);
+    ck_assert_int_eq(write_all(&d, 1, PH_FIGURE_PNG, 0, 0), PH_E_INTERNAL);
   }
   ck_assert_ptr_nonnull(strstr(diag.message, "cairo"));
   ph_drawing_free(d);

@@ -56,24 +56,24 @@ PH_TEST(test_method) {
 
 PH_TEST(test_too_few_points) {
   begin(SOME, 0, true);
-  ck_refused(PH_TOO_FEW_POINTS, "points",
+  ck_refused(PH_E_TOO_FEW_POINTS, "points",
              "must be at least 3 different points for a closed curve, found 0");
 }
 
 PH_TEST(test_coincident_points) {
   POINTS(false, 0, 0, 1, 1, 1, 1, 2, 0);
-  ck_refused(PH_COINCIDENT_POINTS, "points[2]",
+  ck_refused(PH_E_COINCIDENT_POINTS, "points[2]",
              "coincides with points[1]" JOINS);
   /* Equal up to rounding of the coordinates, which may be far from 0. */
   POINTS(false, 0, 0, 1, 1, 1 + 4e-16, 1, 2, 0);
-  ck_refused(PH_COINCIDENT_POINTS, "points[2]",
+  ck_refused(PH_E_COINCIDENT_POINTS, "points[2]",
              "coincides with points[1]" JOINS);
   POINTS(false, 1e12, 0, 1e12 + 1, 0, 1e12 + 1.001, 0);
-  ck_refused(PH_COINCIDENT_POINTS, "points[2]",
+  ck_refused(PH_E_COINCIDENT_POINTS, "points[2]",
              "coincides with points[1]" JOINS);
   /* A second repetition of the first point closes nothing. */
   POINTS(true, 0, 0, 1, 1, 2, 0, 0, 0, 0, 0);
-  ck_refused(PH_COINCIDENT_POINTS, "points[0]",
+  ck_refused(PH_E_COINCIDENT_POINTS, "points[0]",
              "coincides with points[3]" JOINS);
 }
 
@@ -87,36 +87,36 @@ PH_TEST(test_points_not_consecutive_may_coincide) {
 PH_TEST(test_knots_refused) {
   POINTS(false, 0, 0, 1, 1, 2, 0);
   KNOTS(0, 1, 2, 3);
-  ck_refused(PH_BAD_SHAPE, "knots",
+  ck_refused(PH_E_BAD_SHAPE, "knots",
              "must have 3 numbers, one for each point, found 4");
   KNOTS(0, -0.5, 1);
-  ck_refused(PH_BAD_VALUE, "knots[1]",
+  ck_refused(PH_E_BAD_VALUE, "knots[1]",
              "must be greater than the knot before, 0, found -0.5");
   KNOTS(-1.7e308, 1.7e308, 1.75e308);
-  ck_refused(PH_TOO_LARGE, "knots[1]",
+  ck_refused(PH_E_TOO_LARGE, "knots[1]",
              "differs from the knot before by more than a double can hold");
   POINTS(false, -1.7e308, 0, 1.7e308, 1);
-  ck_refused(PH_TOO_LARGE, "knots", "span more than a double can hold");
+  ck_refused(PH_E_TOO_LARGE, "knots", "span more than a double can hold");
 }
 
 PH_TEST(test_ends_refused) {
   POINTS(false, 0, 0, 1, 1, 2, 0);
   ENDS(0, 0, 0, 1);
-  ck_refused(PH_ZERO_TANGENT, "end_derivatives[0]", "must not be zero");
+  ck_refused(PH_E_ZERO_TANGENT, "end_derivatives[0]", "must not be zero");
   ENDS(1, 0, 0, -0.0);
-  ck_refused(PH_ZERO_TANGENT, "end_derivatives[1]", "must not be zero");
+  ck_refused(PH_E_ZERO_TANGENT, "end_derivatives[1]", "must not be zero");
   ENDS(1e308, 1e308, 1, 0);
   u.problem.field[PH_F_POINTS].v[2] = 1e-10;
   u.problem.field[PH_F_POINTS].v[3] = 1e-10;
   u.problem.field[PH_F_POINTS].v[4] = 2e-10;
-  ck_refused(PH_TOO_LARGE, "end_derivatives[0]",
+  ck_refused(PH_E_TOO_LARGE, "end_derivatives[0]",
              "is too large for these points");
 }
 
 PH_TEST(test_no_convergence) {
   POINTS(false, 0, 0, 1, 1, 2, 0);
   ENDS(1e150, 0, 0, 1);
-  ck_assert_int_eq(unit_planar_solve(&u), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(unit_planar_solve(&u), PH_E_NO_CONVERGENCE);
   ck_assert_str_eq(u.diag.field, "segments[1]");
   ck_assert_ptr_nonnull(strstr(u.diag.message, "does not close: the best "
                                                "relative residual reached is"));
@@ -360,7 +360,7 @@ PH_TEST(test_reversal) {
   POINTS(false, 0, 0, 2, 0, 1, 0, 3, 0);
   ck_solved();
   ck_assert_str_eq(
-      warning(PH_REVERSAL, 1)->message,
+      warning(PH_W_REVERSAL, 1)->message,
       "the data turn back by 180 degrees at points[1] (such points: 2): "
       "of two mirror images the left turn was taken");
   ck_assert_uint_eq(u.result.warnings_n, 1);
@@ -370,26 +370,26 @@ PH_TEST(test_reversal) {
   /* Rounding in the data does not decide. */
   POINTS(false, 0, 0, 2, 0, 1, -1e-13, 3, 0);
   ck_solved();
-  warning(PH_REVERSAL, 1);
+  warning(PH_W_REVERSAL, 1);
   ck_assert(unit_curve(&u.result.curve, 1, 0, 0.1).im > 0);
   /* A degree less is no reversal. */
   POINTS(false, 0, 0, 2, 0, 1, 0.02, 3, 0);
   ck_solved();
-  ck_assert(!unit_planar_warned(&u, PH_REVERSAL));
+  ck_assert(!unit_planar_warned(&u, PH_W_REVERSAL));
 }
 
 PH_TEST(test_reversal_closed) {
   POINTS(true, 0, 0, 1, 0, 2, 0, 1, 1);
   ck_solved();
-  ck_assert(!unit_planar_warned(&u, PH_REVERSAL));
+  ck_assert(!unit_planar_warned(&u, PH_W_REVERSAL));
   POINTS(true, 1, 0, 2, 0, 0, 0);
   ck_solved();
   ck_assert_ptr_nonnull(
-      strstr(warning(PH_REVERSAL, 1)->message, "points[1] (such points: 2)"));
+      strstr(warning(PH_W_REVERSAL, 1)->message, "points[1] (such points: 2)"));
   POINTS(true, 0, 0, 1, 0, 1, 1, 0.5, 0);
   ck_solved();
   ck_assert_ptr_nonnull(
-      strstr(warning(PH_REVERSAL, 0)->message, "points[0] (such points: 1)"));
+      strstr(warning(PH_W_REVERSAL, 0)->message, "points[0] (such points: 1)"));
 }
 
 PH_TEST(test_loop) {
@@ -399,14 +399,14 @@ PH_TEST(test_loop) {
   ck_solved();
   memcpy(w, u.result.curve.preimage.v, sizeof w);
   ck_assert_double_gt(fabs(ph_rotation(w)), PI);
-  ck_assert_ptr_nonnull(strstr(warning(PH_LOOP, 0)->message,
+  ck_assert_ptr_nonnull(strstr(warning(PH_W_LOOP, 0)->message,
                                "more than half a turn (such segments: 1)"));
   ck_assert_int_eq(
-      strncmp(warning(PH_LOOP, 0)->message, "segment 0 turns by ", 19), 0);
+      strncmp(warning(PH_W_LOOP, 0)->message, "segment 0 turns by ", 19), 0);
   /* A circle's arcs turn by less. */
   POINTS(true, 1, 0, 0, 1, -1, 0, 0, -1);
   ck_solved();
-  ck_assert(!unit_planar_warned(&u, PH_LOOP));
+  ck_assert(!unit_planar_warned(&u, PH_W_LOOP));
 }
 
 /* As small and as large as the numbers go: the same curve. */
@@ -439,7 +439,7 @@ PH_TEST(test_subnormal) {
   ck_solved();
   ck_rel(u.result.curve.length / 1e-310, 4.5049834920518458, 1e-12);
   POINTS(false, 0, 0, 5e-324, 5e-324, 1e-323, 0);
-  ck_assert_int_eq(unit_planar_solve(&u), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(unit_planar_solve(&u), PH_E_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(u.diag.message, "refused by its certificate"));
 }
 

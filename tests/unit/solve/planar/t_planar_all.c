@@ -306,7 +306,7 @@ PH_TEST(test_most) {
   unit_solution_free(&f.u);
   for (int closed = 0; closed < 2; closed++) {
     set_of(&f, v, PH_PLANAR_ALL_MAX + (closed ? 1 : 2), closed);
-    ck_assert_int_eq(solve_all(&f), PH_BAD_VALUE);
+    ck_assert_int_eq(solve_all(&f), PH_E_BAD_VALUE);
     ck_assert_uint_eq(f.all.n, 0);
     ck_assert_str_eq(f.u.diag.field, "solutions");
     ck_assert_ptr_nonnull(strstr(f.u.diag.message, "than 12"));
@@ -506,7 +506,7 @@ PH_TEST(test_none) {
       d.c2.twist = ph_cplx_of(-1, 0);
       ck_assert_int_eq(
           ph_planar_all(&d.c2, &u.arena, &u.scratch, &all, &u.diag),
-          PH_NO_CONVERGENCE);
+          PH_E_NO_CONVERGENCE);
       ck_assert_uint_eq(all.n, 0);
       ck_assert_uint_eq(all.lost, all.paths);
       ck_assert_str_eq(u.diag.message, "of 8 solutions only 0 were found");

@@ -288,7 +288,7 @@ PH_TEST(test_scale) {
   ck_minimize(PH_PLANAR_IES, false);
   ck_assert_double_lt(report.minimum, minimum);
   begin(TABLE, 4, false, false);
-  ck_assert_int_eq(minimize(PH_PLANAR_IES, true), PH_BAD_VALUE);
+  ck_assert_int_eq(minimize(PH_PLANAR_IES, true), PH_E_BAD_VALUE);
   ck_assert_str_eq(u.diag.field, "free");
 }
 

@@ -196,8 +196,8 @@ PH_TEST(test_no_convergence) {
     set_points(&s, point, 3, closed, NULL);
     s.ratio[1] = 0;
     ck_assert_int_eq(ph_planar_c2_solve(&s.c2, &unit_arena, b, &report, &diag),
-                     PH_NO_CONVERGENCE);
-    ck_assert_int_eq(diag.status, PH_NO_CONVERGENCE);
+                     PH_E_NO_CONVERGENCE);
+    ck_assert_int_eq(diag.status, PH_E_NO_CONVERGENCE);
     ck_assert_str_eq(diag.message,
                      "the iteration leaves the range of a double");
     ck_assert_str_eq(diag.field, "");

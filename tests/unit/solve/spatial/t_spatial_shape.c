@@ -58,7 +58,7 @@ static enum ph_status choose_angles(struct ph_spatial_family *family,
                                     struct ph_spatial_member *member) {
   return ph_spatial_member_of(family, context, PH_SPATIAL_CHORD, member)
              ? PH_OK
-             : PH_BAD_VALUE;
+             : PH_E_BAD_VALUE;
 }
 
 static struct ph_spatial_tension tension_cc(const struct ph_spatial_data *data,
@@ -437,7 +437,7 @@ static enum ph_status choose_shrinking(struct ph_spatial_family *family,
   struct shrinking *shrinking = context;
   struct ph_atph space = ph_atph_of(family->ni / sqrt(3));
   if (shrinking->left-- == 0) {
-    return PH_NO_CONVERGENCE;
+    return PH_E_NO_CONVERGENCE;
   }
   ph_spatial_family_space(family, &space);
   *member = ph_spatial_cc(family);
@@ -462,7 +462,7 @@ PH_TEST(test_choice) {
     shrinking.left = n;
     ck_assert_int_eq(ph_spatial_tension(&data, &space, choose_shrinking,
                                         &shrinking, 1e-13, &again),
-                     PH_NO_CONVERGENCE);
+                     PH_E_NO_CONVERGENCE);
     ck_assert_uint_eq(again.tried, n + 1);
   }
 }

@@ -102,8 +102,8 @@ PH_TEST(test_no_length) {
   t.u.spline.l[3].y = (double)NAN;
   ck_assert_int_eq(
       ph_sphere_curve(&t.u.spline, &t.shape, NULL, &unit_arena, &curve, &diag),
-      PH_NO_CONVERGENCE);
-  ck_assert_int_eq(diag.status, PH_NO_CONVERGENCE);
+      PH_E_NO_CONVERGENCE);
+  ck_assert_int_eq(diag.status, PH_E_NO_CONVERGENCE);
   ck_assert_ptr_nonnull(strstr(diag.message, "has no length"));
   ck_assert_str_eq(diag.field, "segments[3]");
   unit_raise_free(&t);

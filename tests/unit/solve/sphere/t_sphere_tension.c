@@ -164,7 +164,7 @@ PH_TEST_EACH(test_largest, 3) {
     t.u.data.h[k] = t.u.data.theta[k] / 2;
   }
   ck_assert(ph_sphere_solve(&t.u.spline, &t.u.work));
-  ck_assert_int_eq(unit_raise_go(&t), PH_NO_CONVERGENCE);
+  ck_assert_int_eq(unit_raise_go(&t), PH_E_NO_CONVERGENCE);
   ck_assert(t.raise.beyond);
   ck_assert_int_eq(t.raise.criterion, PH_SPHERE_COCIRCULARITY);
   ck_assert_uint_eq(t.raise.at, 1);
@@ -195,7 +195,7 @@ PH_TEST_EACH(test_waive, 2) {
   t.u.data.end[0] = ph_vec3_of(0, 0, 1);
   t.u.data.end[1] = ph_vec3_of(0, 0, -1);
   ck_assert(ph_sphere_solve(&t.u.spline, &t.u.work));
-  ck_assert_int_eq(unit_raise_go(&t), PH_INFEASIBLE);
+  ck_assert_int_eq(unit_raise_go(&t), PH_E_INFEASIBLE);
   ck_assert_int_eq(t.raise.criterion, PH_SPHERE_COCIRCULARITY);
   ck_assert_uint_eq(t.raise.at, 1);
   t.raise.waive = true;

@@ -226,7 +226,7 @@ PH_TEST(test_good_is_not_first) {
 /* ---- limits -------------------------------------------------------------- */
 
 static void too_many(struct unit_solution *s) {
-  unit_tc_refused(s, PH_BAD_VALUE, "solutions",
+  unit_tc_refused(s, PH_E_BAD_VALUE, "solutions",
                   "must not be all with more than 4096 curves, or 65536 "
                   "intervals in all of them");
   unit_solution_free(s);
@@ -291,7 +291,7 @@ PH_TEST(test_none) {
   struct unit_solution s = spline_of(v, 3, "all");
   unit_set_array(&s.problem, PH_F_TANGENTS, tangents, 3, 2);
   unit_set_word(&s.problem, PH_F_MODE, "g1");
-  unit_tc_refused(&s, PH_INFEASIBLE, "segments[1]",
+  unit_tc_refused(&s, PH_E_INFEASIBLE, "segments[1]",
                   "no Tschirnhausen cubic has angles");
   unit_solution_free(&s);
 }

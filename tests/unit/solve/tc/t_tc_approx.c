@@ -350,7 +350,7 @@ PH_TEST(test_too_few_pieces) {
   size_t first[2];
   ck_assert_int_eq(
       ph_tc_approximate_pieces(&closed, 1, 1, 0, &arcs, first, &diag),
-      PH_BAD_VALUE);
+      PH_E_BAD_VALUE);
   ck_assert_str_eq(diag.field, "pieces");
   ck_assert_str_eq(diag.message, "is too few: the fewest cubics found are 2");
 }
@@ -362,7 +362,7 @@ static void check_refused(const struct ph_tc_bezier *curve, double tolerance,
   struct ph_tc_arcs arcs = {.arena = &unit_arena};
   struct ph_diag diag;
   ck_assert_int_eq(ph_tc_approximate(curve, tolerance, &arcs, &diag),
-                   PH_NO_CONVERGENCE);
+                   PH_E_NO_CONVERGENCE);
   ck_assert_msg(strstr(diag.message, text) != NULL, "%s", diag.message);
 }
 

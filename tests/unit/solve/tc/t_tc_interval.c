@@ -79,7 +79,7 @@ PH_TEST_EACH(test_modes, COUNT(CASES)) {
   struct ph_diag diag;
   ck_assert_uint_eq(ph_tc_g1(&h, fits), CASES[_i].single);
   ck_assert_int_eq(ph_tc_interval(&d, 0, &fit, &diag),
-                   CASES[_i].g1 > 0 ? PH_OK : PH_INFEASIBLE);
+                   CASES[_i].g1 > 0 ? PH_OK : PH_E_INFEASIBLE);
   if (CASES[_i].g1 > 0) {
     ck_same(&fit, &fits[0]);
     ck_assert_uint_eq(fit.loops, CASES[_i].loops);
@@ -272,11 +272,11 @@ static void ck_fails(const struct ph_tc_data *d, const char *message) {
   struct ph_tc_fit fits[PH_TC_FITS_MAX];
   struct ph_diag diag;
   size_t n;
-  ck_assert_int_eq(ph_tc_interval(d, 0, fits, &diag), PH_INFEASIBLE);
+  ck_assert_int_eq(ph_tc_interval(d, 0, fits, &diag), PH_E_INFEASIBLE);
   ck_assert_str_eq(diag.field, "segments[0]");
   ck_assert_str_eq(diag.message, message);
   memset(&diag, 0, sizeof diag);
-  ck_assert_int_eq(ph_tc_interval_all(d, 0, fits, &n, &diag), PH_INFEASIBLE);
+  ck_assert_int_eq(ph_tc_interval_all(d, 0, fits, &n, &diag), PH_E_INFEASIBLE);
   ck_assert_str_eq(diag.message, message);
 }
 

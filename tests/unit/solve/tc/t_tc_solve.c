@@ -91,7 +91,7 @@ static void check_warning(const struct unit_solution *s, size_t segment,
                           const char *message) {
   const struct ph_warning *w = &s->result.warnings[0];
   ck_assert_uint_eq(s->result.warnings_n, 1);
-  ck_assert_int_eq(w->diag.status, PH_LOOP);
+  ck_assert_int_eq(w->diag.status, PH_W_LOOP);
   ck_assert_uint_eq(w->segment, segment);
   ck_assert_str_eq(w->diag.message, message);
 }
@@ -149,17 +149,18 @@ PH_TEST(test_loop_later) {
 PH_TEST(test_failures) {
   double tangents[] = {1, 1, 1, 1};
   struct unit_solution s = spline(), none = {.result = {.offsets_n = 0}};
-  unit_tc_refused(&none, PH_MISSING_FIELD, "points", "is required");
+  unit_tc_refused(&none, PH_E_MISSING_FIELD, "points", "is required");
   unit_set_number(&s.problem, PH_F_TOLERANCE, 1);
-  unit_tc_refused(&s, PH_BAD_VALUE, "tolerance", "is for the mode approximate");
+  unit_tc_refused(&s, PH_E_BAD_VALUE, "tolerance",
+                  "is for the mode approximate");
   unit_set_word(&s.problem, PH_F_MODE, "approximate");
   unit_set_number(&s.problem, PH_F_TOLERANCE, 1e-300);
-  unit_tc_refused(&s, PH_NO_CONVERGENCE, "tolerance", "is no larger than");
+  unit_tc_refused(&s, PH_E_NO_CONVERGENCE, "tolerance", "is no larger than");
   *unit_tc_field(&s, PH_F_TOLERANCE) = (struct ph_value){.kind = PH_ABSENT};
   unit_set_array(&s.problem, PH_F_POINTS, points, 2, 2);
   unit_set_array(&s.problem, PH_F_TANGENTS, tangents, 2, 2);
   unit_set_word(&s.problem, PH_F_MODE, "g1");
-  unit_tc_refused(&s, PH_INFEASIBLE, "segments[0]",
+  unit_tc_refused(&s, PH_E_INFEASIBLE, "segments[0]",
                   "no Tschirnhausen cubic has angles");
   unit_solution_free(&s);
   unit_solution_free(&none);

@@ -153,7 +153,7 @@ PH_TEST(test_pieces) {
     *unit_tc_field(&s, PH_F_TOLERANCE) = (struct ph_value){.kind = PH_ABSENT};
     unit_set_number(&s.problem, PH_F_PIECES, pieces > 3 ? pieces : 2);
     if (pieces == 3) {
-      unit_tc_refused(&s, PH_BAD_VALUE, "pieces",
+      unit_tc_refused(&s, PH_E_BAD_VALUE, "pieces",
                       "must be at least 3, one for each curve, found 2");
     } else {
       unit_tc_solve_ok(&s);
@@ -195,20 +195,20 @@ PH_TEST(test_goal) {
   const double bad_pieces[] = {0, -1, 2.5, 1000001, (double)NAN};
   struct unit_solution s = chain_to(1);
   unit_set_number(&s.problem, PH_F_PIECES, 5);
-  unit_tc_refused(&s, PH_BAD_VALUE, "pieces", "excludes tolerance");
+  unit_tc_refused(&s, PH_E_BAD_VALUE, "pieces", "excludes tolerance");
   *unit_tc_field(&s, PH_F_TOLERANCE) = (struct ph_value){.kind = PH_ABSENT};
   for (size_t i = 0; i < COUNT(bad_pieces); i++) {
     *unit_tc_field(&s, PH_F_PIECES) =
         (struct ph_value){.kind = PH_NUMBER, .number = bad_pieces[i]};
-    unit_tc_refused(&s, PH_BAD_VALUE, "pieces",
+    unit_tc_refused(&s, PH_E_BAD_VALUE, "pieces",
                     "must be a whole number from 1 to 1000000, found ");
   }
   *unit_tc_field(&s, PH_F_PIECES) = (struct ph_value){.kind = PH_ABSENT};
-  unit_tc_refused(&s, PH_MISSING_FIELD, "tolerance", "or pieces is required");
+  unit_tc_refused(&s, PH_E_MISSING_FIELD, "tolerance", "or pieces is required");
   for (size_t i = 0; i < COUNT(bad_tolerance); i++) {
     *unit_tc_field(&s, PH_F_TOLERANCE) =
         (struct ph_value){.kind = PH_NUMBER, .number = bad_tolerance[i]};
-    unit_tc_refused(&s, PH_BAD_VALUE, "tolerance",
+    unit_tc_refused(&s, PH_E_BAD_VALUE, "tolerance",
                     "must be greater than 0, found ");
   }
   unit_solution_free(&s);
@@ -217,14 +217,14 @@ PH_TEST(test_goal) {
 PH_TEST(test_fields) {
   struct unit_solution s = chain_to(1);
   unit_set_array(&s.problem, PH_F_POINTS, chain, 4, 2);
-  unit_tc_refused(&s, PH_BAD_VALUE, "points", "excludes curve");
+  unit_tc_refused(&s, PH_E_BAD_VALUE, "points", "excludes curve");
   *unit_tc_field(&s, PH_F_POINTS) = (struct ph_value){.kind = PH_ABSENT};
   *unit_tc_field(&s, PH_F_CURVE) = (struct ph_value){.kind = PH_ABSENT};
   unit_set_word(&s.problem, PH_F_MODE, "approximate");
-  unit_tc_refused(&s, PH_MISSING_FIELD, "curve",
+  unit_tc_refused(&s, PH_E_MISSING_FIELD, "curve",
                   "is required by the mode approximate");
   *unit_tc_field(&s, PH_F_CURVE) = polyline(chain, chain_sizes, 0);
-  unit_tc_refused(&s, PH_TOO_FEW_POINTS, "curve", "has no curves");
+  unit_tc_refused(&s, PH_E_TOO_FEW_POINTS, "curve", "has no curves");
   unit_solution_free(&s);
 }
 
@@ -234,24 +234,24 @@ PH_TEST(test_points) {
   double same[] = {0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
   size_t one[] = {4, 1}, three[] = {2, 3}, most[] = {2, PH_TC_DEGREE_MAX + 2};
   struct unit_solution s = curve_to(chain, 1, 1);
-  unit_tc_refused(&s, PH_TOO_FEW_POINTS, "curve",
+  unit_tc_refused(&s, PH_E_TOO_FEW_POINTS, "curve",
                   "must have at least 2 control points");
   *unit_tc_field(&s, PH_F_CURVE) = polyline(chain, one, 2);
-  unit_tc_refused(&s, PH_TOO_FEW_POINTS, "curve[1]",
+  unit_tc_refused(&s, PH_E_TOO_FEW_POINTS, "curve[1]",
                   "must have at least 2 control points");
   *unit_tc_field(&s, PH_F_CURVE) = polyline(same, three, 2);
-  unit_tc_refused(&s, PH_COINCIDENT_POINTS, "curve[1]", "are all the same");
+  unit_tc_refused(&s, PH_E_COINCIDENT_POINTS, "curve[1]", "are all the same");
   unit_set_array(&s.problem, PH_F_CURVE, same + 2, 4, 2);
-  unit_tc_refused(&s, PH_COINCIDENT_POINTS, "curve", "are all the same");
+  unit_tc_refused(&s, PH_E_COINCIDENT_POINTS, "curve", "are all the same");
   for (size_t i = 0; i < 2 * ROOM; i++) {
     many[2 * i] = (double)i;
   }
   many[4] = many[2];
   *unit_tc_field(&s, PH_F_CURVE) = polyline(many, most, 2);
-  unit_tc_refused(&s, PH_BAD_VALUE, "curve[1]",
+  unit_tc_refused(&s, PH_E_BAD_VALUE, "curve[1]",
                   "has degree 501, at most 500 is allowed");
   unit_set_array(&s.problem, PH_F_CURVE, many, PH_TC_DEGREE_MAX + 2, 2);
-  unit_tc_refused(&s, PH_BAD_VALUE, "curve",
+  unit_tc_refused(&s, PH_E_BAD_VALUE, "curve",
                   "has degree 501, at most 500 is allowed");
   unit_set_array(&s.problem, PH_F_CURVE, many, PH_TC_DEGREE_MAX + 1, 2);
   unit_tc_solve_ok(&s);
@@ -274,18 +274,18 @@ PH_TEST(test_joints) {
   ck_abs(ph_curve_points(&s.result.curve, s.result.intervals[1].first)[0], v[8],
          0);
   v[8] = 4 + 1e-12;
-  unit_tc_refused(&s, PH_BAD_VALUE, "curve[1]",
+  unit_tc_refused(&s, PH_E_BAD_VALUE, "curve[1]",
                   "must begin where curve[0] ends");
   memcpy(v, chain, sizeof v);
   v[17] = -2.5;
-  unit_tc_refused(&s, PH_BAD_VALUE, "curve[2]",
+  unit_tc_refused(&s, PH_E_BAD_VALUE, "curve[2]",
                   "must begin where curve[1] ends");
   memcpy(v, chain, sizeof v);
   v[19] = 1e-12;
   unit_tc_solve_ok(&s);
   check_chain(&s);
   unit_tc_flag(&s, PH_F_CLOSED);
-  unit_tc_refused(&s, PH_BAD_VALUE, "curve",
+  unit_tc_refused(&s, PH_E_BAD_VALUE, "curve",
                   "must end where it begins if closed");
   unit_solution_free(&s);
 }
@@ -307,7 +307,7 @@ PH_TEST(test_far) {
   ck_assert_double_le(distance_of(&s), 1e-6);
   ck_assert_double_gt(distance_of(&s), rounding);
   unit_set_number(&s.problem, PH_F_TOLERANCE, 0.9 * rounding);
-  unit_tc_refused(&s, PH_NO_CONVERGENCE, "tolerance",
+  unit_tc_refused(&s, PH_E_NO_CONVERGENCE, "tolerance",
                   "is no larger than the rounding of coordinates");
   *unit_tc_field(&s, PH_F_TOLERANCE) = (struct ph_value){.kind = PH_ABSENT};
   unit_set_number(&s.problem, PH_F_PIECES, 10);
