@@ -73,7 +73,7 @@ static bool is_far(const ph_vec3 *w, size_t m, double least, int depth) {
 
 struct ph_check_dips ph_check_slow_of(const struct ph_check_segment *s) {
   double normal = 1, high = 0, least;
-  ph_vec3 w[PH_CHECK_FORM_MAX];
+  ph_vec3 w[PH_CHECK_FORM_MAX] = {{0, 0, 0}};
   for (size_t j = 0; j <= s->m && s->m > 0; j++) {
     w[j] = ph_vec3_scale(1 / normal, s->h[j]);
     high = ph_check_larger(high, ph_vec3_abs(w[j]));
