@@ -25,10 +25,12 @@ bool ph_check_rule_of(struct ph_check_rule *rule,
   for (size_t i = 0; i < N; i++) {
     rule->node[i] = quad.node[i];
     rule->weight[i] = quad.weight[i];
-    rule->end[i] = 1;
+    rule->end[i] = rule->next[i] = 1;
     for (size_t j = 0; j < N; j++) {
-      if (j != i) { /* Lagrange's polynomial at 0 */
-        rule->end[i] *= quad.node[j] / (quad.node[j] - quad.node[i]);
+      if (j != i) { /* Lagrange's polynomial at 0, and next to it */
+        double apart = quad.node[j] - quad.node[i];
+        rule->end[i] *= quad.node[j] / apart;
+        rule->next[i] *= (quad.node[j] - PH_CHECK_NEXT) / apart;
       }
     }
   }
@@ -48,6 +50,7 @@ struct task {
 struct look {
   double end[2];   /* f there, and */
   double guess[2]; /* by the nodes */
+  double next[2];  /* what f is next to an end at rest beyond the guess; or 0 */
   double sum;      /* the integral */
   double size;     /* the largest |f| */
 };
@@ -68,6 +71,34 @@ static void set_end(const struct task *task, struct part *part, size_t end,
   }
 }
 
+/* An end at rest has at most this part of the largest value. */
+static const double REST = 1e-3;
+
+/* Sets next[] from the guesses that it holds. */
+static void look_next(const struct task *task, struct part *part) {
+  double h = part->to - part->from;
+  for (size_t end = 0; end < 2; end++) {
+    double value[PH_CHECK_TOGETHER];
+    bool rest = false;
+    for (size_t j = 0; j < task->of->n; j++) {
+      const struct look *of = &part->of[j];
+      rest = rest || fabs(of->end[end]) <= REST * of->size;
+    }
+    if (rest) {
+      evaluate(task,
+               end ? part->to - PH_CHECK_NEXT * h
+                   : part->from + PH_CHECK_NEXT * h,
+               value);
+    }
+    for (size_t j = 0; j < task->of->n; j++) {
+      struct look *of = &part->of[j];
+      of->next[end] = fabs(of->end[end]) <= REST * of->size
+                          ? fabs(value[j] - of->next[end])
+                          : 0;
+    }
+  }
+}
+
 /* Fills what follows from from, to and end. */
 static void look(const struct task *task, struct part *part) {
   const struct ph_check_rule *rule = task->rule;
@@ -75,6 +106,7 @@ static void look(const struct task *task, struct part *part) {
   for (size_t j = 0; j < task->of->n; j++) {
     struct look *of = &part->of[j];
     of->sum = of->guess[0] = of->guess[1] = of->size = 0;
+    of->next[0] = of->next[1] = 0;
   }
   for (size_t i = 0; i < N; i++) {
     evaluate(task, part->from + h * rule->node[i], value);
@@ -84,9 +116,12 @@ static void look(const struct task *task, struct part *part) {
       of->sum += h * rule->weight[i] * value[j];
       of->guess[0] += rule->end[i] * value[j];
       of->guess[1] += rule->end[N - 1 - i] * value[j];
+      of->next[0] += rule->next[i] * value[j];
+      of->next[1] += rule->next[N - 1 - i] * value[j];
       of->size = x > of->size ? x : of->size;
     }
   }
+  look_next(task, part);
 }
 
 /* Whether the ends are as the nodes say, to what the integral may be off by.
@@ -94,8 +129,9 @@ static void look(const struct task *task, struct part *part) {
 static bool is_seen(const struct look *of, double h, double near) {
   for (size_t i = 0; i < 2; i++) {
     double step = fabs(of->end[i] - of->guess[i]);
+    double turn = BLIND / PH_CHECK_NEXT * of->next[i]; /* of the slope */
     if (isfinite(of->end[i]) &&
-        !(BLIND * h * step <= near + EXTRAPOLATED * h * of->size)) {
+        !(BLIND * h * fmax(step, turn) <= near + EXTRAPOLATED * h * of->size)) {
       return false;
     }
   }

@@ -5,7 +5,8 @@
  * The speed of a curve that nearly stops has a kink.  Where that is nearer to
  * the end of an interval than all nodes of a rule, the rule and those on both
  * halves agree, and are wrong; so the values at the ends are compared with what
- * the nodes say by extrapolation.
+ * the nodes say by extrapolation.  A curve that rests at its end, and turns
+ * back soon, has the value 0 there in any case: then the slopes are compared.
  */
 #ifndef PH_CHECK_INTEGRAL_H
 #define PH_CHECK_INTEGRAL_H
@@ -17,10 +18,14 @@
 
 enum { PH_CHECK_NODES = 8 };
 
+/* How far from an end its slope is measured, of an interval. */
+#define PH_CHECK_NEXT 2.5e-4
+
 struct ph_check_rule {
   const struct ph_arena *arena; /* knows how much time there is */
   double node[PH_CHECK_NODES], weight[PH_CHECK_NODES];
-  double end[PH_CHECK_NODES]; /* f(0) = sum end[i] f(node[i]) */
+  double end[PH_CHECK_NODES];  /* f(0) = sum end[i] f(node[i]) */
+  double next[PH_CHECK_NODES]; /* f(PH_CHECK_NEXT), likewise */
 };
 
 /* ph_check_rule_of: false when memory is exhausted. */

@@ -64,9 +64,12 @@ static void trigonometric(double angle, double u, double *b) {
 }
 
 /* sum b_j w_j p_j over sum b_j w_j; w NULL: 1.  The weights may be far from 1,
- * in products with the points out of range: they are taken over the largest. */
+ * in products with the points out of range: they are taken over the largest.
+ * A short piece may be far from the origin: its points are taken from the first
+ * of them, so that it is not lost in the rounding of the sum. */
 static ph_vec3 combine(const double *b, size_t n, size_t dimension,
                        const double *p, const double *w) {
+  const ph_vec3 first = ph_vec3_get(p, dimension);
   ph_vec3 sum = {0, 0, 0};
   double bottom = 0, largest = 0;
   for (size_t j = 0; w && j < n; j++) {
@@ -74,10 +77,12 @@ static ph_vec3 combine(const double *b, size_t n, size_t dimension,
   }
   for (size_t j = 0; j < n; j++) {
     double weight = w ? b[j] * (w[j] / largest) : b[j];
-    sum = ph_vec3_along(sum, weight, ph_vec3_get(p + dimension * j, dimension));
+    ph_vec3 from_first =
+        ph_vec3_sub(ph_vec3_get(p + dimension * j, dimension), first);
+    sum = ph_vec3_along(sum, weight, from_first);
     bottom += weight;
   }
-  return ph_vec3_scale(1 / bottom, sum);
+  return ph_vec3_along(first, 1 / bottom, sum);
 }
 
 static ph_vec3 quotient(const double *b, size_t dimension, const double *top,

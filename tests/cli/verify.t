@@ -249,6 +249,22 @@ echo '{"points":[[-956492.01389923,-511294.8169636,-987750.968295788],
 made arclength <far
 verified 'a plane but for the rounding of coordinates' 1 --problems=far
 
+# a curve that rests at its end and turns back soon after: the speed is 0 there in
+# any case, so that a quadrature does not see the turn by the value
+echo '{"points":[[-75.342,0,0],[-75.37539466,0.255007,0],
+  [-75.37539482,0.255008,0]],"knots":[0,0.306149112,0.306149708],
+  "center":[-76.342,0,0],"ends":"rest"}' >back
+made sphere <back
+verified 'a turn next to an end at rest' 1 --problems=back
+sed 's/"length":0.257940214/"length":0.257940314/' r >tampered
+run verify tampered
+equal 'its length, 1e-7 longer' '1 "not-verified"' "$status $(get error.code)"
+
+# a piece of an offset that is short beside where it is
+echo '{"points":[[0,0,0.8797460296266113],[1e-14,0,0.8797460296266113]]}' >short
+made arclength --offset=0 <short
+verified 'an offset of a chord of 45 roundings' 1 --problems=short
+
 # a cusp where the curve turns back, at distance 0
 echo '{"points":[[0,-8e183,0],[-1.98e185,-5.5e183,4.4e184],
   [-2.922e184,-7.97e182,6.4504e183],[-6.8653e184,-1.901e183,1.517e184],
