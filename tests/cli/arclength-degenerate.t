@@ -63,6 +63,15 @@ line() {
 
 # ---- one interval ------------------------------------------------------------
 
+echo '{"points":[[0,0],[1,0]],"lengths":[2]}' >single
+echo '{"points":[[1,1,0],[0,4,3],[2,4,2],[3,3,3]],"lengths":[5,3,2]}' |
+  cat - single >two
+run arclength -q single
+mv out alone
+run arclength -q -j 1 two
+sed -n 2p out >behind
+equal_files 'behind another problem as alone' alone behind
+
 # The curve between two points is known: F is 0, and it is symmetric.
 two='"points":[[0,0,0],[1,2,2]]'
 minimum 'two points' 1e-25 "$two"

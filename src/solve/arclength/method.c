@@ -113,6 +113,7 @@ static bool solve_single(struct task *t) {
       !ph_arc_point_alloc(s, t->scratch, &found->point)) {
     return false;
   }
+  found->weight = 0;
   /* length < chord: the nearest that there is */
   a = rest > 0 ? a : sqrt(chord);
   for (size_t j = 0; j < s->nodes; j++) { /* w is linear: its middle values */
