@@ -29,6 +29,8 @@ static const char *const options_problems[] = {
     "{\"points\":[[0,0,0],[1,0,1],[1,1,2]],\"lengths\":[1.5,1.5]}",
     "{\"lonlat\":[[0,0],[20,10],[40,0],[60,30]],\"meta\":[1]}",
     "{\"points\":[[0,0],[1,0],[1,1],[0,2]]}",
+    ("{\"points\":[[0,0,0],[3,1,0]],\"rulings\":[[0,0,1],[0,0,1]],"
+     "\"tangents\":[[1,0,0],[1,1,0]],\"height\":[-1,1]}"),
     ("{\"command\":\"planar\",\"status\":\"error\",\"error\":{\"code\":"
      "\"syntax\",\"message\":\"m\"}}")};
 
@@ -193,6 +195,8 @@ FUZZ_TARGET(options, data, n) {
   options.command = command;
   status = ph_options_read(argc, argv, &options, &diag);
   FUZZ_REQUIRE(status == PH_OK || status == PH_E_USAGE);
+  FUZZ_REQUIRE(sizeof options_problems / sizeof *options_problems ==
+               ph_commands_n);
   if (status == PH_OK) {
     options_check(&options, argc,
                   record ? record : options_problems[command - ph_commands]);
