@@ -54,14 +54,20 @@ BEGIN {
 }
 EOF
 
-# family NAME FAMILY N FACTOR WIDTH [MORE [NOISE]]: three of a kind, all solved
+# How many of a kind: fewer where every step takes long.
+seeds='1 2 3'
+[ "${PH_SHORT-}" != 1 ] || seeds=1
+
+# family NAME FAMILY N FACTOR WIDTH [MORE [NOISE]]: some of a kind, all solved
 family() {
-  for seed in 1 2 3; do
+  minimisers=
+  for seed in $seeds; do
+    minimisers="$minimisers \"minimiser\""
     awk -v family="$2" -v n="$3" -v factor="$4" -v width="$5" -v more="${6-}" \
       -v noise="${7-0}" -v seed="$seed" -f family.awk
   done >family.jsonl
   run arclength -q family.jsonl
-  equal "$1" '0 "minimiser" "minimiser" "minimiser"' \
+  equal "$1" "0$minimisers" \
     "$status $(get diagnostics.second_order)"
 }
 
@@ -77,8 +83,8 @@ for width in 0.001 0.01 0.2; do
   family "ribbons, lengths off by $width" ribbon 1000 1 "$width"
 done
 family 'ribbons, directions off' ribbon 1000 1 0 '' 1e-3
-equal 'ribbons have two segments from datum to datum' '[0,1] [0,1] [0,1]' \
-  "$(get 'intervals[0].segments')"
+equal 'ribbons have two segments from datum to datum' '[0,1]' \
+  "$(get 'intervals[0].segments' | tr ' ' '\n' | sort -u)"
 for factor in 1.0001 1.001 1.01; do
   family "8 points, $factor of the chords" walk 7 "$factor" 0
 done

@@ -230,13 +230,13 @@ static void add_exact(const struct ph_seg2 *seg, long double u,
   sums->absolute += weight * fabsl(turn);
 }
 
-/* From u = at to the side, by panels that grow from 1/8 of `near`, which is the
+/* From u = at to the side, by panels that grow from 1/4 of `near`, which is the
  * distance of a zero of w from there. */
 static void add_graded(const struct ph_seg2 *seg, double at, int side,
                        long double room, double near, struct sums *sums) {
   long double from = 0;
   while (from < room) {
-    long double to = from + fmaxl(near, from) / 8;
+    long double to = from + fmaxl(near, from) / 4;
     to = to < room ? to : room;
     for (size_t i = 0; i < unit_quad(20)->n; i++) {
       long double away = from + (to - from) * unit_quad(20)->node[i];
