@@ -78,7 +78,7 @@ static const double REST = 1e-3;
 static void look_next(const struct task *task, struct part *part) {
   double h = part->to - part->from;
   for (size_t end = 0; end < 2; end++) {
-    double value[PH_CHECK_TOGETHER];
+    double value[PH_CHECK_TOGETHER] = {0};
     bool rest = false;
     for (size_t j = 0; j < task->of->n; j++) {
       const struct look *of = &part->of[j];

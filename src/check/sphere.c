@@ -319,9 +319,23 @@ static void add_fault(const struct context *c, struct checks *checks,
   }
 }
 
+/* Of the knots that are printed: of a short segment they are nearer to those
+ * that the tension was found for than the angle of rounded points. */
+static void add_tension(const struct context *c, size_t i,
+                        struct checks *checks) {
+  const double *t = c->curve->knots, nu = c->curve->sphere.tensions[i];
+  size_t left = (i > 0 ? i : c->curve->n) - 1, right = i % c->curve->n;
+  double relative =
+      ph_check_nu_relative(nu, t[left + 1] - t[left], t[right + 1] - t[right]);
+  ph_sum_add(&checks->tensions, nu);
+  ph_sum_add(&checks->relative, relative);
+  checks->tension_relative =
+      ph_check_larger(checks->tension_relative, relative);
+}
+
 static enum ph_status check_node(const struct context *c, const struct node *n,
                                  struct checks *checks, struct ph_diag *diag) {
-  double nu = c->curve->sphere.tensions[n->i], relative;
+  double nu = c->curve->sphere.tensions[n->i];
   struct ph_check_nu_node data = {.left = n->left,
                                   .right = n->right,
                                   .spacing = n->hr,
@@ -334,11 +348,7 @@ static enum ph_status check_node(const struct context *c, const struct node *n,
   } else {
     check_nielson(c, n, nu, &checks->tension);
   }
-  ph_sum_add(&checks->tensions, nu);
-  relative = ph_check_nu_relative(nu, n->hl, n->hr);
-  ph_sum_add(&checks->relative, relative);
-  checks->tension_relative =
-      ph_check_larger(checks->tension_relative, relative);
+  add_tension(c, n->i, checks);
   ph_check_nu_node_turn(&data, c->rule.epsilon);
   add_fault(c, checks, ph_check_nu_node_fault(&data, &c->rule), n->i);
   if (!ph_check_nu_node_indicates(&data)) {

@@ -260,6 +260,13 @@ sed 's/"length":0.257940214/"length":0.257940314/' r >tampered
 run verify tampered
 equal 'its length, 1e-7 longer' '1 "not-verified"' "$status $(get error.code)"
 
+# tensions beside a segment of which rounding is a part of 1e-8
+echo '{"points":[[864.6828,-15.2619,-0.57072],[864.6828,-15.2619,-0.570723],
+  [864.896,-15.18,-0.13],[864.868,-14.536,0.13],[864.59,-14.1446,0.11]],
+  "center":[863.9455,-14.9,0]}' >short
+made sphere <short
+verified 'tensions without unit beside a short segment' 1 --problems=short
+
 # a piece of an offset that is short beside where it is
 echo '{"points":[[0,0,0.8797460296266113],[1e-14,0,0.8797460296266113]]}' >short
 made arclength --offset=0 <short
