@@ -143,3 +143,15 @@ const char *ph_check_nu_fault_name(enum ph_check_nu_fault fault) {
       [PH_CHECK_NU_CONVEXITY] = "segment convexity"};
   return name[fault];
 }
+
+double ph_check_nu_add_tension(struct ph_check_nu_tensions *tensions,
+                               const struct ph_curve *curve, size_t i) {
+  const double *t = curve->knots, nu = curve->sphere.tensions[i];
+  size_t left = (i > 0 ? i : curve->n) - 1, right = i % curve->n;
+  double h[2] = {t[left + 1] - t[left], t[right + 1] - t[right]};
+  double relative = nu * (2 / (1 / h[0] + 1 / h[1]));
+  ph_sum_add(&tensions->sum, nu);
+  ph_sum_add(&tensions->relative, relative);
+  tensions->largest = ph_check_larger(tensions->largest, relative);
+  return relative;
+}

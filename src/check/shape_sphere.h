@@ -7,6 +7,7 @@
 #ifndef PH_CHECK_SHAPE_SPHERE_H
 #define PH_CHECK_SHAPE_SPHERE_H
 
+#include "base/sum.h"
 #include "check/sphere_segment.h"
 #include "curve/result.h"
 
@@ -62,11 +63,17 @@ bool ph_check_nu_is_waived(const struct ph_sphere *sphere, size_t i);
  * n. */
 bool ph_check_nu_waived_fit(const struct ph_sphere *sphere, size_t n);
 
-/* ph_check_nu_relative: a tension times the harmonic mean of the spacings of
- * knots beside it. */
-static inline double ph_check_nu_relative(double nu, double hl, double hr) {
-  return nu * (2 / (1 / hl + 1 / hr));
-}
+/* Tensions, as they are and relative: times the harmonic mean of the spacings
+ * beside the node, of the knots that are printed (of a short segment these are
+ * nearer to those that it was found for than the angle of rounded points). */
+struct ph_check_nu_tensions {
+  struct ph_sum sum, relative;
+  double largest; /* relative */
+};
+
+/* ph_check_nu_add_tension: that of node i; ret  the relative one. */
+double ph_check_nu_add_tension(struct ph_check_nu_tensions *tensions,
+                               const struct ph_curve *curve, size_t i);
 
 /* ph_check_nu_fault_name: what is not kept, for messages. */
 const char *ph_check_nu_fault_name(enum ph_check_nu_fault fault);

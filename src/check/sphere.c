@@ -71,9 +71,9 @@ struct context {
 
 struct checks {
   struct ph_check_error sphere, point, joint, end, jump, length, tension;
-  struct ph_sum tensions, relative, lengths;
-  double tension_relative; /* the largest */
-  double curvature;        /* the largest at a node */
+  struct ph_sum lengths;
+  struct ph_check_nu_tensions tensions;
+  double curvature; /* the largest at a node */
   bool shape_ok;
   enum ph_check_nu_fault fault; /* the first that was not waived */
   size_t fault_at;
@@ -319,20 +319,6 @@ static void add_fault(const struct context *c, struct checks *checks,
   }
 }
 
-/* Of the knots that are printed: of a short segment they are nearer to those
- * that the tension was found for than the angle of rounded points. */
-static void add_tension(const struct context *c, size_t i,
-                        struct checks *checks) {
-  const double *t = c->curve->knots, nu = c->curve->sphere.tensions[i];
-  size_t left = (i > 0 ? i : c->curve->n) - 1, right = i % c->curve->n;
-  double relative =
-      ph_check_nu_relative(nu, t[left + 1] - t[left], t[right + 1] - t[right]);
-  ph_sum_add(&checks->tensions, nu);
-  ph_sum_add(&checks->relative, relative);
-  checks->tension_relative =
-      ph_check_larger(checks->tension_relative, relative);
-}
-
 static enum ph_status check_node(const struct context *c, const struct node *n,
                                  struct checks *checks, struct ph_diag *diag) {
   double nu = c->curve->sphere.tensions[n->i];
@@ -348,7 +334,7 @@ static enum ph_status check_node(const struct context *c, const struct node *n,
   } else {
     check_nielson(c, n, nu, &checks->tension);
   }
-  add_tension(c, n->i, checks);
+  ph_check_nu_add_tension(&checks->tensions, c->curve, n->i);
   ph_check_nu_node_turn(&data, c->rule.epsilon);
   add_fault(c, checks, ph_check_nu_node_fault(&data, &c->rule), n->i);
   if (!ph_check_nu_node_indicates(&data)) {
@@ -477,11 +463,11 @@ static enum ph_status conclude(const struct context *c, struct checks *checks,
   ph_diagnostics_set(diagnostics, PH_D_SHAPE_OK,
                      checks->shape_ok && c->curve->sphere.waived_n == 0);
   ph_diagnostics_set_finite(diagnostics, PH_D_TENSION_SUM,
-                            ph_sum_value(&checks->tensions));
+                            ph_sum_value(&checks->tensions.sum));
   ph_diagnostics_set_finite(diagnostics, PH_D_TENSION_RELATIVE_SUM,
-                            ph_sum_value(&checks->relative));
+                            ph_sum_value(&checks->tensions.relative));
   ph_diagnostics_set_finite(diagnostics, PH_D_MAX_TENSION_RELATIVE,
-                            checks->tension_relative);
+                            checks->tensions.largest);
   ph_diagnostics_set_finite(diagnostics, PH_D_MAX_CURVATURE,
                             checks->curvature / c->curve->sphere.radius);
   return status;

@@ -35,11 +35,9 @@ struct context {
   double jump_error; /* its rounding, and */
   double curvature;  /* the largest at a node; 1/unit of the sphere */
   double curvature_error;
-  struct ph_sum tensions;
-  struct ph_sum relative;  /* by the spacing of knots, */
-  double tension_relative; /* the largest of these, */
-  double relative_error;   /* and what rounding of knots makes of the sum */
-  double rounding;         /* of a point of the unit sphere */
+  struct ph_check_nu_tensions tensions;
+  double relative_error; /* what rounding of knots makes of the relative ones */
+  double rounding;       /* of a point of the unit sphere */
 };
 
 /* One side of a node. */
@@ -120,10 +118,7 @@ static void check_node(struct context *c, size_t node,
   double nu = c->v->curve->sphere.tensions[node], relative;
   check_exact(c, node, nu, &a, &b);
   check_nielson(c, node, nu, &a, &b);
-  ph_sum_add(&c->tensions, nu);
-  relative = ph_check_nu_relative(nu, a.h, b.h);
-  ph_sum_add(&c->relative, relative);
-  c->tension_relative = ph_check_larger(c->tension_relative, relative);
+  relative = ph_check_nu_add_tension(&c->tensions, c->v->curve, node);
   c->relative_error += relative * c->v->knot * (1 / a.h + 1 / b.h);
   if (isfinite(error)) { /* it does not stand still */
     c->jump = ph_check_larger(c->jump, jump);
@@ -170,12 +165,13 @@ static void conclude(struct context *c) {
   check_number(v, PH_D_CURVATURE_JUMP, c->jump, 1, 2 * c->jump_error);
   check_number(v, PH_D_MAX_CURVATURE, c->curvature / radius,
                c->curvature / radius, 2 * c->curvature_error / radius);
-  check_number(v, PH_D_TENSION_SUM, ph_sum_value(&c->tensions),
-               ph_sum_value(&c->tensions), 0);
-  check_number(v, PH_D_TENSION_RELATIVE_SUM, ph_sum_value(&c->relative),
-               ph_sum_value(&c->relative), c->relative_error);
-  check_number(v, PH_D_MAX_TENSION_RELATIVE, c->tension_relative,
-               c->tension_relative, c->relative_error);
+  check_number(v, PH_D_TENSION_SUM, ph_sum_value(&c->tensions.sum),
+               ph_sum_value(&c->tensions.sum), 0);
+  check_number(v, PH_D_TENSION_RELATIVE_SUM,
+               ph_sum_value(&c->tensions.relative),
+               ph_sum_value(&c->tensions.relative), c->relative_error);
+  check_number(v, PH_D_MAX_TENSION_RELATIVE, c->tensions.largest,
+               c->tensions.largest, c->relative_error);
 }
 
 /* The points where criteria were waived: where there are any, the shape is not
