@@ -2,7 +2,7 @@
 /* What is made of a surface (see grid.h). */
 #include "curve/surface/grid.h"
 
-#include "curve/surface/strip.h"
+#include "curve/surface/ruling.h"
 
 #include <math.h>
 #include <string.h>
@@ -21,22 +21,18 @@ static struct ph_surface_sample *add_ruling(const struct ph_curve *curve,
                                             struct ph_surface_sample *to) {
   const struct ph_surface *surface = &curve->surface;
   const struct ph_strip *strip = &surface->strips[i];
-  const double s = u * strip->length, *height = surface->height;
-  const struct ph_strip_place at =
-      ph_strip_at(ph_strip_start(strip), strip->k, strip->kn, s);
-  const struct ph_flat_place start = ph_flat_start(strip);
-  const struct ph_flat_place flat = ph_flat_at(&start, strip->k, s);
+  const double *height = surface->height;
+  const struct ph_ruling r = ph_ruling_at(strip, u);
   for (size_t j = 0; j <= across; j++, to++) {
     const double part = across ? (double)j / (double)across : 0;
     const double h = ph_strip_height(
         surface, strip, height[0] + part * (height[1] - height[0]), u);
     to->strip = i;
-    to->s = s;
+    to->s = r.s;
     to->h = h;
-    ph_vec3_put(ph_vec3_along(at.c, h, at.e), 3, to->point);
-    ph_vec3_put(at.n, 3, to->normal);
-    to->flat[0] = flat.c[0] - h * sin(flat.angle);
-    to->flat[1] = flat.c[1] + h * cos(flat.angle);
+    ph_vec3_put(ph_ruling_point(&r, h), 3, to->point);
+    ph_vec3_put(r.at.n, 3, to->normal);
+    ph_ruling_flat(&r, h, to->flat);
   }
   return to;
 }
