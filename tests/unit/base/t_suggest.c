@@ -6,7 +6,7 @@
 
 /* A copy of its own size on the heap: a read beyond it shows. */
 static char *heap(const char *text, size_t n) {
-  char *copy = malloc(n ? n : 1);
+  char *copy = calloc(n ? n : 1, 1);
   ck_assert_ptr_nonnull(copy);
   memcpy(copy, text, n);
   return copy;
