@@ -273,6 +273,8 @@ _phspline() {
     -S | --sweep | --sweep=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= merge=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
+    -p | --plot | --plot=) kind=files ;;
+    --plot-size | --plot-size=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     --max-samples | --max-samples=) kind=nothing ;;
     --max-memory | --max-memory=) kind=nothing ;;
@@ -281,7 +283,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --height= --merge= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --height= --merge= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -75,10 +75,10 @@
     "add samples such that no chord leaves the curve by more than E")         \
   X(FRAME, CURVE, 0, "frame", PH_WORDS(PH_FRAMES),                            \
     "add normal and binormal to samples of curves in space")                  \
-  X(PLOT, CURVE, 'p', "plot", "FILE",                                         \
-    "draw data, curves, offsets and curvature of the whole run: FILE.svg, "   \
+  X(PLOT, SOLVE, 'p', "plot", "FILE",                                         \
+    "draw data, results, offsets and curvature of the whole run: FILE.svg, "  \
     "FILE.pdf or FILE.png")                                                   \
-  X(PLOT_SIZE, CURVE, 0, "plot-size", "WIDTHxHEIGHT",                         \
+  X(PLOT_SIZE, SOLVE, 0, "plot-size", "WIDTHxHEIGHT",                         \
     "size of the figure, in pixels (.png) or points of 1/72 inch")            \
   X(CONVERT, CURVE, 0, "convert", "bezier",                                   \
     "write atph segments as polynomial quintic Bezier segments")              \

@@ -32,6 +32,8 @@ struct ph_colour {
   X(GRATICULE, 87, 88, 90) \
   X(OUTLINE, 55, 56, 58)   \
   X(BOX, 83, 83, 83)       \
+  X(EDGE, 22, 24, 28)      \
+  X(RULING, 58, 60, 64)    \
   X(PAPER, 100, 100, 100)
 
 enum ph_ink {

@@ -8,8 +8,9 @@
 #include "plot/drawing.h"
 
 #include "base/sum.h"
-#include "curve/offset/gap.h"
 #include "curve/kind/kind.h"
+#include "curve/offset/gap.h"
+#include "curve/surface/ruling.h"
 #include "kernel/s2.h"
 
 #include <string.h>
@@ -375,7 +376,7 @@ static void profile_segment(const struct ph_sampler *sampler, double s,
 static struct ph_profile *new_profile(struct pen *pen, size_t room) {
   struct ph_drawing *d = pen->drawing;
   struct ph_profile *p = &d->profiles[d->segments_n++];
-  const bool space = d->space == PH_SPACE;
+  const bool space = d->space == PH_SPACE || d->space == PH_SURFACE;
   p->n = 0;
   p->s = ph_arena_array(&d->arena, room, sizeof *p->s);
   p->curvature = ph_arena_array(&d->arena, room, sizeof *p->curvature);
@@ -410,6 +411,64 @@ static enum ph_status make_profiles(struct pen *pen) {
       }
     }
     ph_sum_add(&s, curve->lengths[k]);
+  }
+  return status;
+}
+
+/* ---- surfaces ------------------------------------------------------------ */
+
+/* Places of the profile of a strip. */
+enum { STRIP_PLACES = 9 };
+
+static enum ph_status add_sheet(struct pen *pen, const struct ph_curve *curve) {
+  struct ph_drawing *d = pen->drawing;
+  struct ph_sheet *sheet = &d->sheets[d->sheets_n++];
+  enum ph_status status = ph_sheet_make(curve, &d->arena, sheet, pen->diag);
+  for (size_t i = 0; status == PH_OK && i < sheet->ribs_n; i++) {
+    extend_box(d, sheet->ribs[i].end[0]);
+    extend_box(d, sheet->ribs[i].end[1]);
+    d->places += 2;
+  }
+  for (size_t i = 0; status == PH_OK && i < sheet->elements_n; i++) {
+    extend_box(d, sheet->elements[i].point);
+  }
+  return status;
+}
+
+/* Normal and geodesic curvature of the strips that are drawn. */
+static void profile_strips(struct pen *pen) {
+  const struct ph_curve *curve = &pen->result->curve;
+  const size_t step = ph_sheet_step(curve->n);
+  struct ph_sum s = {0, 0};
+  for (size_t i = 0; !pen->failed && i < curve->n; i++) {
+    struct ph_profile *p =
+        i % step == 0 ? new_profile(pen, STRIP_PLACES) : NULL;
+    for (int j = 0; p && !pen->failed && j < STRIP_PLACES; j++) {
+      const struct ph_ruling r = ph_ruling_at(&curve->surface.strips[i],
+                                              (double)j / (STRIP_PLACES - 1));
+      p->s[p->n] = ph_sum_value(&s) + r.s;
+      p->curvature[p->n] = r.kn;
+      p->torsion[p->n++] = r.k;
+      pen->drawing->places++;
+    }
+    ph_sum_add(&s, curve->lengths[i]);
+  }
+}
+
+static enum ph_status draw_surface(struct pen *pen) {
+  const struct ph_result *r = pen->result;
+  struct ph_drawing *d = pen->drawing;
+  enum ph_status status;
+  d->sheets = ph_arena_array(&d->arena, r->parallels_n + 1, sizeof *d->sheets);
+  if (!d->sheets) {
+    return ph_fail_memory(pen->diag);
+  }
+  status = add_sheet(pen, &r->curve);
+  for (size_t i = 0; status == PH_OK && i < r->parallels_n; i++) {
+    status = add_sheet(pen, &r->parallels[i].curve);
+  }
+  if (status == PH_OK) {
+    profile_strips(pen);
   }
   return status;
 }
@@ -466,7 +525,6 @@ static void prepare(struct pen *pen, const struct ph_drawing_names *names) {
       sizeof *d->strokes);
   d->profiles = ph_arena_array(&d->arena, shown, sizeof *d->profiles);
   pen->failed = pen->failed || !d->strokes || !d->profiles;
-  pen->tolerance = CHORD * size_of(pen->result);
   pen->box = true;
 }
 
@@ -475,6 +533,11 @@ static enum ph_status draw(struct pen *pen,
   const bool details = pen->result->curve.n <= PH_DRAWING_SEGMENTS;
   enum ph_status status;
   prepare(pen, names);
+  if (!pen->failed && pen->drawing->space == PH_SURFACE) {
+    status = draw_surface(pen);
+    return pen->failed ? ph_fail_memory(pen->diag) : status;
+  }
+  pen->tolerance = CHORD * size_of(pen->result);
   if (!pen->failed && details) {
     place_data(pen);
     draw_polygons(pen);

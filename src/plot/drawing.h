@@ -13,6 +13,7 @@
 #include "curve/problem.h"
 #include "curve/result.h"
 #include "kernel/vec3.h"
+#include "plot/sheet.h"
 
 /*
  * Up to PH_DRAWING_SEGMENTS segments are drawn one by one.  Of more, so many
@@ -74,6 +75,9 @@ struct ph_drawing {
   size_t data_n;
   struct ph_profile *profiles; /* [segments_n] */
   size_t segments_n;           /* as many as strokes of the curve */
+  struct ph_sheet *sheets; /* [sheets_n] of a surface: itself, then those that
+                              are parallel to it; and no strokes and data */
+  size_t sheets_n;
   double length;
   size_t places; /* points of strokes and places of profiles, all together */
 };
@@ -90,7 +94,8 @@ struct ph_drawing_names {
  * Chords leave curves and offsets by no more than 1/4000 of the size of the
  * data and the greatest offset, within the limits above.  Given tangents have
  * one length, derivatives are in proportion; on a sphere they follow great
- * circles.
+ * circles.  Surfaces have sheets, and profiles of normal and of geodesic
+ * curvature, in the place of torsion.
  *
  * in   problem  tangents or derivatives of it are drawn
  * out  drawing  to be freed; NULL on failure

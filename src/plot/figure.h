@@ -8,9 +8,9 @@
  * behind page.c; the same drawings give the same bytes.
  *
  * There is 1 view of a plane curve; of one in space there are 4: x-y, x-z, y-z
- * and one of all; of one on a sphere 1, or 2 where part of it is behind.  In an
- * SVG, these are elements of their own, told apart by their colour (red, green,
- * blue in percent: colour.h):
+ * and one of all; of one on a sphere 1, or 2 where part of it is behind; of a
+ * surface 1, and 1 of its development.  In an SVG, these are elements of their
+ * own, told apart by their colour (red, green, blue in percent: colour.h):
  *
  *   stroke 8,39,70 and 90,47,8  segments of the curve in turn; 49,32,66: the
  *                               last of a closed curve of an odd number of them
@@ -24,6 +24,9 @@
  *   stroke 45,45,45             frames: 1 of each view and profile with axes
  *   stroke 87,88,90             lines of the graticule
  *   stroke 55,56,58             outlines of spheres
+ *   stroke 22,24,28             edges of surfaces, rulings between strips, in
+ *                               pieces; 1 of all that is hidden
+ *   stroke 58,60,64             other rulings of surfaces
  *   fill 10,10,10               data points: 1 in each view; hidden ones
  *                               55,56,58
  *

@@ -14,6 +14,9 @@ static const struct {
 } sizes[] = {{1, 640, 12},   {2, 480, 10.5}, {6, 400, 9.5},
              {12, 330, 8.5}, {30, 270, 7.5}, {SIZE_MAX, 230, 6.5}};
 
+/* Surfaces have their development beside them. */
+#define WIDE 1.35
+
 #define PADDING 0.8 /* around a panel, in ems */
 #define NOTE 2.5    /* height of a line below the panels, in ems */
 
@@ -90,6 +93,11 @@ enum ph_status ph_layout_make(const struct ph_panel *panels, size_t n,
   }
   em = sizes[i].em;
   width = sizes[i].width;
+  for (size_t k = 0; k < n; k++) {
+    if (panels[k].drawings[0]->space == PH_SURFACE) {
+      width = sizes[i].width * WIDE;
+    }
+  }
   below = note ? NOTE : 0;
   *layout = (struct ph_layout){.em = em, .columns = 1};
   layout->cells = ph_arena_array(arena, n, sizeof *layout->cells);

@@ -186,6 +186,11 @@ void ph_page_fill(struct ph_page *page) {
   cairo_fill(page->cairo);
 }
 
+void ph_page_paint(struct ph_page *page) {
+  cairo_fill_preserve(page->cairo);
+  cairo_stroke(page->cairo);
+}
+
 static void set_size(struct ph_page *page, double size) {
   if (!(fabs(page->size - size) <= 0)) {
     page->size = size;

@@ -50,6 +50,9 @@ void ph_page_close(struct ph_page *page);
 void ph_page_stroke(struct ph_page *page);
 void ph_page_fill(struct ph_page *page);
 
+/* ph_page_paint: fills and strokes it, so that no gap shows to a neighbour. */
+void ph_page_paint(struct ph_page *page);
+
 /* ph_page_text_width: of UTF-8 text in letters of a size. */
 double ph_page_text_width(struct ph_page *page, double size, const char *text);
 

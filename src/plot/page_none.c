@@ -58,6 +58,10 @@ void ph_page_fill(struct ph_page *page) {
   (void)page;
 }
 
+void ph_page_paint(struct ph_page *page) {
+  (void)page;
+}
+
 double ph_page_text_width(struct ph_page *page, double size, const char *text) {
   (void)page, (void)size, (void)text;
   return 0;

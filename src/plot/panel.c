@@ -86,9 +86,33 @@ static void find_views(struct ph_panel *panel) {
   case PH_SPHERE:
     panel->views_n = ph_globe_views(panel, panel->views);
     break;
-  case PH_SURFACE: /* has no curve to draw */
+  case PH_SURFACE:
+    panel->views[0] = ph_solid_view(panel);
+    panel->views_n = 1;
     break;
   }
+}
+
+/* The box of all developments, and its unit. */
+static void find_flat(struct ph_panel *panel) {
+  ph_vec3 low = ph_vec3_of(DBL_MAX, DBL_MAX, 0), high = ph_vec3_scale(-1, low);
+  for (size_t i = 0; i < panel->n; i++) {
+    const struct ph_sheet *sheet = &panel->drawings[i]->sheets[0];
+    for (size_t k = 0; k < sheet->ribs_n; k++) {
+      extend(&low, &high, sheet->ribs[k].flat[0]);
+      extend(&low, &high, sheet->ribs[k].flat[1]);
+    }
+    for (size_t k = 0; k < sheet->elements_n; k++) {
+      const struct ph_element *e = &sheet->elements[k];
+      extend(&low, &high, e->flat);
+      extend(&low, &high,
+             ph_vec3_along(e->flat, ph_solid_arrow(panel, panel->drawings[i]),
+                           e->flat_tangent));
+    }
+  }
+  panel->flat_unit = ph_unit_of(low, high);
+  panel->flat_low = ph_unit_in(&panel->flat_unit, low);
+  panel->flat_high = ph_unit_in(&panel->flat_unit, high);
 }
 
 static bool has_torsion(const struct ph_panel *panel) {
@@ -123,6 +147,10 @@ enum ph_status ph_panel_make(const struct ph_drawing *const *drawings, size_t n,
   for (size_t i = 0; status == PH_OK && i < panel->profiles_n; i++) {
     status = ph_profile_range(drawings, n, (enum ph_profile_of)i, panel->length,
                               scratch, &panel->ranges[i], diag);
+  }
+  if (status == PH_OK && drawings[0]->space == PH_SURFACE) {
+    find_flat(panel);
+    status = ph_solid_make(panel, scratch, &panel->solid, &panel->flat, diag);
   }
   return status;
 }

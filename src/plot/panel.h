@@ -9,6 +9,7 @@
 #include "plot/drawing.h"
 #include "plot/page.h"
 #include "plot/profile.h"
+#include "plot/solid.h"
 #include "plot/text.h"
 #include "plot/view.h"
 
@@ -24,7 +25,10 @@ struct ph_panel {
   ph_vec3 low, high; /* what is seen, in the unit */
   struct ph_view views[PH_PANEL_VIEWS_MAX];
   size_t views_n;
-  double length;                                 /* of the longest curve, > 0 */
+  struct ph_cells solid, flat; /* of surfaces, and of their developments, */
+  struct ph_unit flat_unit;    /* in this unit of its own, */
+  ph_vec3 flat_low, flat_high; /* in this box */
+  double length;               /* of the longest curve, > 0 */
   struct ph_range ranges[PH_PANEL_PROFILES_MAX]; /* by enum ph_profile_of */
   size_t profiles_n;
 };
@@ -32,7 +36,7 @@ struct ph_panel {
 /*
  * ph_panel_make: looks through the drawings of a problem.
  *
- * in   drawings[n]  n > 0, all in the plane, or in space, or on a sphere
+ * in   drawings[n]  n > 0, all of the same space
  * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_panel_make(const struct ph_drawing *const *drawings, size_t n,

@@ -67,6 +67,12 @@ static double center_of(const struct ph_panel *panel, int axis) {
                      : panel->unit.center.z;
 }
 
+/* How high developments are, relative to their width. */
+static double flat_aspect(const struct ph_panel *panel) {
+  const ph_vec3 way = ph_vec3_sub(panel->flat_high, panel->flat_low);
+  return fmax(way.y, FLAT * way.x) / fmax(way.x, FLAT * way.y);
+}
+
 static double views_height(const struct ph_panel *panel, double width,
                            double em) {
   double extent[3], inner = width - (LEFT + RIGHT) * em;
@@ -77,6 +83,10 @@ static double views_height(const struct ph_panel *panel, double width,
   case PH_SPACE:
     inner *= (extent[1] + extent[2]) / (extent[0] + extent[1]);
     return fmin(inner, 1.25 * width) + ph_axes_below(em) + VIEW_GAP * em;
+  case PH_SURFACE:
+    return fmin(fmax(0.5 * inner * flat_aspect(panel), 0.36 * width),
+                0.75 * width) +
+           ph_axes_below(em);
   default:
     return panel->views_n == 2 ? 0.5 * width + CAPTION * em
                                : 0.8 * width + CAPTION * em;
@@ -231,18 +241,31 @@ static void draw_box(const struct place *place, struct ph_look *look) {
   }
 }
 
-/* Names of the axes at three edges of the box that are in front. */
+/* Names of the axes at edges of the box that are in front: those of x and y
+ * the lowest ones, that of z the leftmost. */
 static void name_box(const struct ph_look *look) {
-  const ph_vec3 a = look->panel->low, b = look->panel->high;
-  const ph_vec3 places[3] = {{0.5 * (a.x + b.x), a.y, a.z},
-                             {b.x, 0.5 * (a.y + b.y), a.z},
-                             {a.x, a.y, 0.5 * (a.z + b.z)}};
+  const double low[3] = {look->panel->low.x, look->panel->low.y,
+                         look->panel->low.z};
+  const double high[3] = {look->panel->high.x, look->panel->high.y,
+                          look->panel->high.z};
   static const char *const names[3] = {"x", "y", "z"};
-  static const double right[3] = {-0.5, 0.7, -0.7}, down[3] = {1, 0.9, 0.3};
+  static const double right[3] = {0.5, 0.7, 0.7}, down[3] = {1, 0.9, 0.3};
   for (int i = 0; i < 3; i++) {
-    struct ph_spot at =
-        ph_window_spot(&look->window, ph_view_see(&look->view, places[i]));
-    at.x += right[i] * look->em;
+    struct ph_seen best = {9, 9, 0};
+    struct ph_spot at;
+    for (int edge = 0; edge < 4; edge++) {
+      double p[3];
+      struct ph_seen seen;
+      p[i] = 0.5 * (low[i] + high[i]);
+      p[(i + 1) % 3] = edge & 1 ? high[(i + 1) % 3] : low[(i + 1) % 3];
+      p[(i + 2) % 3] = edge & 2 ? high[(i + 2) % 3] : low[(i + 2) % 3];
+      seen = ph_view_see(&look->view, ph_vec3_get(p, 3));
+      if (i < 2 ? seen.v < best.v : seen.u < best.u) {
+        best = seen;
+      }
+    }
+    at = ph_window_spot(&look->window, best);
+    at.x += (best.u < look->window.u ? -1 : 1) * right[i] * look->em;
     at.y += down[i] * look->em;
     ph_page_text(look->page, at, CAPTION_SIZE * look->em, 0.5, false, names[i]);
   }
@@ -268,6 +291,60 @@ static void draw_space(const struct place *place) {
   draw_box(place, &look);
   name_box(&look);
   ph_strokes_draw(&look, PH_SIDE_ALL);
+}
+
+/* ---- surfaces ------------------------------------------------------------ */
+
+/* The axes of the development: u and v to one scale. */
+static struct ph_axes flat_axes(const struct ph_panel *panel,
+                                const struct ph_rect *rect,
+                                struct ph_window *window) {
+  const struct ph_unit *unit = &panel->flat_unit;
+  const ph_vec3 low = panel->flat_low, high = panel->flat_high;
+  const double most = fmax(high.x - low.x, high.y - low.y);
+  const double w = MARGIN * fmax(high.x - low.x, FLAT * most);
+  const double h = MARGIN * fmax(high.y - low.y, FLAT * most);
+  const double scale = fmin(rect->w / w, rect->h / h);
+  const struct ph_rect frame = trimmed(rect, scale * w, scale * h);
+  const double x = 0.5 * frame.w / scale, y = 0.5 * frame.h / scale;
+  *window = (struct ph_window){frame, 0.5 * (low.x + high.x),
+                               0.5 * (low.y + high.y), scale};
+  return (struct ph_axes){
+      frame,
+      0,
+      {.name = "u",
+       .low = ph_unit_out(unit->center.x, unit->size, window->u - x),
+       .high = ph_unit_out(unit->center.x, unit->size, window->u + x)},
+      {.name = "v",
+       .low = ph_unit_out(unit->center.y, unit->size, window->v - y),
+       .high = ph_unit_out(unit->center.y, unit->size, window->v + y)}};
+}
+
+/* The surface in its box, and to the right of it the development. */
+static void draw_surface(const struct place *place) {
+  const struct ph_rect *r = &place->views;
+  const double em = place->em, left = LEFT * em;
+  const double half = 0.5 * (r->w + place->left);
+  struct ph_panel flat = *place->panel;
+  struct ph_look look = {.panel = place->panel,
+                         .view = place->panel->views[0],
+                         .page = place->page,
+                         .em = em};
+  const struct ph_rect right = {r->x - place->left + half + left, r->y,
+                                half - left, r->h};
+  struct ph_axes axes;
+  look.window = (struct ph_window){
+      {r->x - place->left, r->y, half, r->h + ph_axes_below(em)}, 0, 0, 1e9};
+  draw_box(place, &look);
+  name_box(&look);
+  ph_solid_draw(&look);
+  flat.unit = flat.flat_unit;
+  look.panel = &flat;
+  look.view = ph_view_axes(0, 1);
+  axes = flat_axes(place->panel, &right, &look.window);
+  ph_axes_ticks(&axes, place->page, em);
+  ph_solid_flat(&look);
+  ph_axes_draw(&axes, place->page, em);
 }
 
 /* ---- the sphere ---------------------------------------------------------- */
@@ -307,12 +384,20 @@ static void draw_sphere(const struct place *place) {
 
 /* ---- profiles ------------------------------------------------------------ */
 
+static const char *profile_name(const struct ph_panel *panel, size_t which) {
+  static const char *const names[PH_SPACES][PH_PANEL_PROFILES_MAX] = {
+      [PH_PLANE] = {"curvature", "torsion"},
+      [PH_SPACE] = {"curvature", "torsion"},
+      [PH_SPHERE] = {"geodesic curvature", "torsion"},
+      [PH_SURFACE] = {"normal curvature", "geodesic curvature"}};
+  return names[panel->drawings[0]->space][which];
+}
+
 static struct ph_axes profile_axes(const struct place *place, size_t which) {
   const struct ph_panel *panel = place->panel;
   const struct ph_range *range = &panel->ranges[which];
   double n = (double)panel->profiles_n, gap = PROFILE_GAP * place->em;
   double h = (place->profiles.h - (n - 1) * gap) / n;
-  bool sphere = panel->drawings[0]->space == PH_SPHERE;
   struct ph_axes axes = {{place->profiles.x,
                           place->profiles.y + (double)which * (h + gap),
                           place->profiles.w, h},
@@ -321,9 +406,7 @@ static struct ph_axes profile_axes(const struct place *place, size_t which) {
                           .low = 0,
                           .high = panel->length,
                           .bare = which + 1 < panel->profiles_n},
-                         {.name = which == PH_PROFILE_TORSION ? "torsion"
-                                  : sphere ? "geodesic curvature"
-                                           : "curvature",
+                         {.name = profile_name(panel, which),
                           .low = range->low,
                           .high = range->high}};
   return axes;
@@ -435,6 +518,7 @@ void ph_panel_draw(const struct ph_panel *panel, struct ph_page *page,
     draw_sphere(&place);
     break;
   case PH_SURFACE:
+    draw_surface(&place);
     break;
   }
   draw_profiles(&place);

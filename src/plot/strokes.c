@@ -127,6 +127,21 @@ static void draw_arrow(const struct ph_look *look, enum ph_side side,
   draw_head(look, tip, far * (tip.x - from.x), far * (tip.y - from.y));
 }
 
+void ph_strokes_arrow(const struct ph_look *look, const ph_vec3 ends[2]) {
+  const struct ph_spot root = spot_of(look, ph_view_see(&look->view, ends[0]));
+  const struct ph_spot tip = spot_of(look, ph_view_see(&look->view, ends[1]));
+  const double way = hypot(tip.x - root.x, tip.y - root.y);
+  const double part = fmin(HEAD * look->em, 0.5 * way) / way;
+  const double dx = part * (tip.x - root.x), dy = part * (tip.y - root.y);
+  const ph_vec3 neck =
+      ph_vec3_along(ends[0], 1 - 0.8 * part, ph_vec3_sub(ends[1], ends[0]));
+  const ph_vec3 line[2] = {ends[0], neck};
+  if (way > 0) {
+    ph_strokes_line(look, PH_SIDE_ALL, line, 2);
+    draw_head(look, tip, dx, dy);
+  }
+}
+
 /* ---- what curves of a sweep share ---------------------------------------- */
 
 /* The same to the eye. */

@@ -28,4 +28,8 @@ void ph_strokes_draw(const struct ph_look *look, enum ph_side side);
 void ph_strokes_line(const struct ph_look *look, enum ph_side side,
                      const ph_vec3 *places, size_t n);
 
+/* ph_strokes_arrow: a thin arrow in space, in the unit, with the pen as it is.
+ */
+void ph_strokes_arrow(const struct ph_look *look, const ph_vec3 ends[2]);
+
 #endif

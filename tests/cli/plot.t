@@ -5,6 +5,10 @@
 # How they look is not asked here.
 . "$srcdir/tests/cli/lib.sh"
 
+# table 4.1 of [GON18]
+cone_good='{"points":[[252.6524,62,92.5],[266.5158,65.1388,91.5]],'\
+'"rulings":[[-0.1151,0.2405,0.9638],[-0.1785,0.165,0.97]],'\
+'"tangents":[[0.9925,0.069,0.1013],[0.8847,0.4583,0.0849]]}'
 hint="Try 'phspline planar --help'."
 printf '%s\n' "$good" >good.jsonl
 printf '%s\n%s\n%s\n' "$good" "$bad" "$good" >mixed.jsonl
@@ -153,6 +157,43 @@ run planar -q -p x.svg good.jsonl nosuch.json
 equal 'input that cannot be read: status' 3 "$status"
 drawn 'what came before it' 2 2 0 0 2 0 3
 
+# a surface, laid flat beside it; and without a height
+run cone -q -p x.svg <<END
+$(echo "$cone_good" | sed 's/}$/,"height":[-9,9]}/')
+END
+well_formed 'a surface' x.svg
+inks x.svg >found
+equal 'a surface: points and arrows, in space and flat' '4 4' \
+  "$(ink 'fill 10,10,10' <found) $(ink 'stroke 36,36,36' <found)"
+true_that 'a surface: edges, rulings, contact curves of both strips' \
+  test "$(ink 'stroke 22,24,28' <found)" -gt 50 -a \
+  "$(ink 'stroke 58,60,64' <found)" -gt 12 -a \
+  "$(ink 'stroke 8,39,70' <found)" -gt 6 -a \
+  "$(ink 'stroke 90,47,8' <found)" -gt 6
+equal 'a surface: no parallel one' 0 "$(ink 'stroke 5,58,44' <found)"
+run cone -q -p x.svg -d 1 <<END
+$(echo "$cone_good" | sed 's/}$/,"height":[-9,9]}/')
+END
+inks x.svg >found
+true_that 'a parallel surface' test "$(ink 'stroke 5,58,44' <found)" -gt 20
+run cone -q -p x.svg <<END
+$cone_good
+END
+well_formed 'a contact curve' x.svg
+inks x.svg >found
+equal 'a contact curve: points, arrows, and rulings alone' '4 4 4 0' \
+  "$(ink 'fill 10,10,10' <found) $(ink 'stroke 36,36,36' <found) \
+$(ink 'stroke 22,24,28' <found) $(ink 'stroke 58,60,64' <found)"
+feed '{"closed":true,"points":[[2,0,0],[-1,1.7320508075688772,0],'\
+'[-1,-1.7320508075688772,0]],"rulings":[[0,0,1],[0,0,1],[0,0,1]],'\
+'"tangents":[[0,1,0],[-0.8660254037844386,-0.5,0],'\
+'[0.8660254037844386,-0.5,0]],"height":[-4,4]}' cone -q -p x.svg
+inks x.svg >found
+equal 'a cylinder all around: its hidden lines are one dashed path' 1 \
+  "$(grep -c 'stroke-dasharray' x.svg)"
+equal 'a cylinder all around: one point of three is hidden' '5 2' \
+  "$(ink 'fill 10,10,10' <found) $(ink 'fill 55,56,58' <found)"
+
 # more segments than can be told apart
 awk 'BEGIN {
   printf "{\"points\":["
@@ -225,7 +266,8 @@ echo '{"points":[[0,0,0],[1,0,1],[0,1,2]]}' >spatial-hermite.json
 echo '{"points":[[0,0,0],[1,0,1],[0,1,2]],"lengths":[1.5,2]}' >arclength.json
 echo '{"lonlat":[[0,0],[20,10],[40,0]]}' >sphere.json
 cp planar.json tc.json
-for command in planar spatial-hermite arclength sphere tc; do
+echo "$cone_good" | sed 's/}$/,"height":[-9,9]}/' >cone.json
+for command in planar spatial-hermite arclength sphere tc cone; do
   for kind in svg pdf png; do
     run "$command" -q -d 0.1 -p "1.$kind" "$command.json"
     equal "$command, $kind: status" 0 "$status"
