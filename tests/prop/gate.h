@@ -27,7 +27,7 @@ enum {
   GATE_POINTS = 48,   /* points, at most */
   GATE_NUMBERS = 160, /* numbers of a field */
   GATE_WORD = 16,     /* bytes of a word */
-  GATE_OPTIONS = 8,   /* options, at most */
+  GATE_OPTIONS = 9,   /* options, at most */
   GATE_VALUES = 4,    /* numbers of an option */
   GATE_COMMANDS = 5,  /* those that solve */
   GATE_MESSAGE = 400

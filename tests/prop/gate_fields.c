@@ -517,6 +517,10 @@ static void offsets(struct data *d) {
   }
 }
 
+/* Samples, at most: the ten million that the program allows would be a minute
+ * and gigabytes of text each. */
+static const double SAMPLES = 1e5;
+
 static void samples(struct data *d, bool space) {
   static const char *const frames[] = {"--frame=frenet", "--frame=erf",
                                        "--frame=rmf"};
@@ -530,6 +534,7 @@ static void samples(struct data *d, bool space) {
   default:
     option_number(d, "--chord-error=", length(d, -3, -1));
   }
+  option_number(d, "--max-samples=", SAMPLES);
   if (space && chance(d->r, 2)) {
     option(d->c, frames[unit_random_below(d->r, 3)]);
   }
