@@ -68,10 +68,9 @@ static void plain(struct batch *b, size_t i) {
   put(&f, a, &b->segment[i]);
 }
 
-static enum ph_status choose(struct ph_spatial_family *family, void *context,
-                             struct ph_spatial_member *member) {
+static enum ph_status choose(struct ph_spatial_fit *fit, void *context) {
   const struct batch *b = context;
-  *member = b->choose(family);
+  fit->member = b->choose(&fit->family);
   return PH_OK;
 }
 

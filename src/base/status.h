@@ -61,6 +61,8 @@ enum ph_class {
   X(W_AMBIGUOUS, "ambiguous", RECORD, "another good curve exists")         \
   X(W_SHAPE_UNSATISFIABLE, "shape-unsatisfiable", RECORD,                  \
     "no tension keeps the shape of the data")                              \
+  X(W_INFINITE_FUNCTIONAL, "infinite-functional", RECORD,                  \
+    "F2 or F3 of a segment is infinite, and F1 the least")                 \
   X(W_WIGGLE, "wiggle", RECORD,                                            \
     "lengths that differ from the natural ones make the curve wiggle")     \
   X(W_INCONSISTENT_LENGTHS, "inconsistent-lengths", RECORD,                \

@@ -337,6 +337,28 @@ warned alpha large-alpha 'alpha[1] is above 2 pi/3 (such segments: 2)' 1 \
   '{"id":"a","points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],"basis":"atph",'\
 '"alpha":[2.094,2.1,3],"criterion":"cc"}'
 
+# Derivatives of 1e11 and 1e-10: a needle at the end, that F1 still has.
+needle='"points":[[0,0,0],[1,2,3],[3,1,2]],"derivatives":[[1,0,0],[1e11,0,1e10],'\
+'[0,1e-10,2e-10]]'
+needle_says='segment 1 has no finite F3, as far as was found, and the least F1
+in its place (such segments: 1)'
+warned needle infinite-functional "$(printf %s "$needle_says" | tr '\n' ' ')" 1 \
+  "{\"id\":\"n\",$needle,\"criterion\":\"F3\"}"
+feed "{$needle,\"criterion\":\"F3\"}" spatial-hermite -q
+equal 'a needle: what is least is no sum' '"ok" absent' \
+  "$(get status) $(get diagnostics.functional)"
+needle='"points":[[0,0,0],[1,2,3]],"derivatives":[[1e12,0,1e10],'\
+'[0,1e-12,2e-12]]'
+helps='; --criterion=cc minimises nothing'
+bad no-convergence 'segments[0]' \
+  "has no finite F1, as far as was found$helps" \
+  "{$needle,\"criterion\":\"F1\"}"
+bad no-convergence 'segments[0]' \
+  "has no finite F3, and no finite F1, as far as was found$helps" \
+  "{$needle,\"criterion\":\"F3\"}"
+feed "{$needle}" spatial-hermite
+expect 'what helps does help' 0
+
 reversal_says='the data turn back by 180 degrees at points[1] (such points: 1):
 of many tangents one was taken'
 reversal_says=$(printf %s "$reversal_says" | tr '\n' ' ')

@@ -49,142 +49,11 @@ struct task {
   bool shape;
   struct ph_result *result;
   size_t evaluations, reduced, unsatisfied, first_unsatisfied;
-  const char *why; /* of the first unsatisfied segment */
+  const char *why;                       /* of the first unsatisfied segment */
+  size_t substituted, first_substituted; /* F1 in the place of F2 or F3 */
   double functional, residual;
   bool at_bound;
 };
-
-/* ---- the curve ----------------------------------------------------------- */
-
-/* What was chosen for a segment. */
-struct chosen {
-  const struct ph_spatial_fit *fit;
-  double root; /* unit scale = the user's times its square */
-  double tension;
-  double angles[2]; /* as the record has them, NaN: there are none */
-};
-
-static enum ph_status curve_alloc(const struct ph_spatial_points *p,
-                                  struct ph_arena *arena,
-                                  struct ph_curve *curve,
-                                  struct ph_diag *diag) {
-  size_t n = p->n;
-  enum ph_status status;
-  *curve = (struct ph_curve){.kind = p->atph ? PH_CURVE_ATPH : PH_CURVE_PH,
-                             .closed = p->closed,
-                             .dimension = 3,
-                             .degree = 5,
-                             .n = n,
-                             .preimage.n = 3,
-                             .preimage.dimension = 4};
-  status = ph_curve_alloc(curve, arena, diag);
-  if (status != PH_OK) {
-    return status;
-  }
-  curve->choice.tension = ph_arena_array(arena, n, sizeof(double));
-  curve->choice.angles = ph_arena_array(arena, n, 2 * sizeof(double));
-  curve->choice.shape_ok = ph_arena_array(arena, n, sizeof(bool));
-  if (!curve->choice.tension || !curve->choice.angles ||
-      !curve->choice.shape_ok) {
-    return ph_fail_memory(diag);
-  }
-  memcpy(curve->knots, p->knots, (n + 1) * sizeof *p->knots);
-  return PH_OK;
-}
-
-static ph_vec3 rotated(const ph_vec3 axis[3], ph_vec3 v) {
-  ph_vec3 sum = ph_vec3_scale(v.x, axis[0]);
-  sum = ph_vec3_along(sum, v.y, axis[1]);
-  return ph_vec3_along(sum, v.z, axis[2]);
-}
-
-/* Control points from the legs in the frame of the data, turned one by one:
- * what is zero there for plane data stays so. */
-static void put_control_points(const struct ph_spatial_points *p, size_t k,
-                               const struct chosen *chosen,
-                               const ph_vec3 leg[6], double *out) {
-  size_t to = k + 1 < p->points_n ? k + 1 : 0;
-  const double *start = p->points + 3 * k, *end = p->points + 3 * to;
-  double unit = 1 / chosen->root;
-  for (size_t j = 0; j < 3; j++) {
-    out[j] = start[j];
-    out[15 + j] = end[j];
-  }
-  for (size_t i = 1; i < 5; i++) {
-    const double *base = i < 3 ? start : end;
-    ph_vec3 v = rotated(chosen->fit->family.axis, leg[i]);
-    out[3 * i] = base[0] + v.x * unit * unit;
-    out[3 * i + 1] = base[1] + v.y * unit * unit;
-    out[3 * i + 2] = base[2] + v.z * unit * unit;
-  }
-}
-
-/* The preimage in space, with the frame of the segment before. */
-static void put_preimage(const struct ph_spatial_points *p, size_t k,
-                         const struct chosen *chosen, ph_quat a[3],
-                         ph_quat *end, double *out) {
-  const struct ph_spatial_family *f = &chosen->fit->family;
-  ph_quat r = ph_quat_of_frame(f->axis[0], f->axis[1], f->axis[2]);
-  double root = 1 / chosen->root;
-  ph_cplx gauge;
-  for (size_t i = 0; i < 3; i++) {
-    a[i] = ph_quat_mul(r, a[i]);
-  }
-  gauge = k == 0 ? ph_frame_upright(a[0]) : ph_frame_follow(a[0], *end);
-  root = p->atph ? root / sqrt(f->space.angle) : root;
-  for (size_t i = 0; i < 3; i++) {
-    a[i] = ph_quat_turn(a[i], gauge);
-    out[4 * i] = root * a[i].u + 0.0; /* no -0 */
-    out[4 * i + 1] = root * a[i].v + 0.0;
-    out[4 * i + 2] = root * a[i].p + 0.0;
-    out[4 * i + 3] = root * a[i].q + 0.0;
-  }
-  *end = a[2];
-}
-
-/* By how much the five legs miss dp. */
-static double miss(const struct ph_spatial_family *f, const ph_quat a[3],
-                   const ph_vec3 leg[6]) {
-  ph_vec3 middle = ph_vec3_along(ph_vec3_scale(f->m11, ph_quat_i(a[1], a[1])),
-                                 2 * f->m02, ph_quat_i(a[0], a[2]));
-  ph_vec3 wanted = ph_vec3_add(f->dp, ph_vec3_sub(leg[3], leg[2]));
-  double size = f->h + f->ni + f->nf;
-  return ph_vec3_abs(ph_vec3_sub(middle, wanted)) / size;
-}
-
-/*
- * Segment k, after segments 0..k-1.
- *
- * The Euler-Rodrigues frame goes on where the segment before left it: the
- * preimage is turned by the free factor exp(x i) at the right.  In the first
- * point it is upright (solve/common/frame.h).
- *
- * inout end  A at the end of the segment before, and of this one, of any size
- * ret   by how much the segment misses its last point, relative to its size
- */
-static double curve_put(const struct ph_spatial_points *p, size_t k,
-                        const struct chosen *chosen, ph_quat *end,
-                        struct ph_curve *curve) {
-  const struct ph_spatial_family *f = &chosen->fit->family;
-  const ph_vec3 zero = {0, 0, 0};
-  double unit = 1 / chosen->root, missed, length;
-  ph_quat a[3];
-  ph_vec3 leg[6]; /* from the start, from the end */
-  memcpy(a, chosen->fit->a, sizeof a);
-  ph_seg3_control_points(&f->space, a, zero, zero, leg);
-  missed = miss(f, a, leg);
-  put_control_points(p, k, chosen, leg, curve->control_points + 18 * k);
-  length = ph_seg3_length(&f->space, a); /* not below the chord by rounding */
-  curve->lengths[k] = (length > f->h ? length : f->h) * unit * unit;
-  put_preimage(p, k, chosen, a, end, curve->preimage.v + 12 * k);
-  if (p->atph) {
-    curve->preimage.alpha[k] = f->space.angle;
-  }
-  curve->choice.tension[k] = chosen->tension;
-  curve->choice.shape_ok[k] = chosen->fit->violated == 0;
-  memcpy(curve->choice.angles + 2 * k, chosen->angles, sizeof chosen->angles);
-  return missed;
-}
 
 /* ---- reading -------------------------------------------------------- */
 
@@ -295,29 +164,27 @@ static void choose_of(const struct criterion *criterion,
 }
 
 /* A criterion that is a function of the family, or given angles. */
-static enum ph_status choose_member(struct ph_spatial_family *family,
-                                    void *context,
-                                    struct ph_spatial_member *member) {
+static enum ph_status choose_member(struct ph_spatial_fit *fit, void *context) {
   const struct choice *c = context;
   const struct task *t = c->task;
   const double *angles = fixed_angles(t, c->segment);
   if (!angles) {
-    choose_of(t->criterion, family, member);
+    choose_of(t->criterion, &fit->family, &fit->member);
     return PH_OK;
   }
-  return ph_spatial_member_of(family, angles, t->axis, member) ? PH_OK
-                                                               : no_angles(c);
+  return ph_spatial_member_of(&fit->family, angles, t->axis, &fit->member)
+             ? PH_OK
+             : no_angles(c);
 }
 
 /* The fairest member, and alpha where it is free.  Always the whole search, so
  * that what is found at a tension does not depend on how it was come to. */
-static enum ph_status choose_fairest(struct ph_spatial_family *family,
-                                     void *context,
-                                     struct ph_spatial_member *member) {
+static enum ph_status choose_fairest(struct ph_spatial_fit *fit,
+                                     void *context) {
   struct choice *c = context;
   struct task *t = c->task;
   bool free = t->points.atph && !t->points.alpha;
-  double angle = family->space.angle;
+  double angle = fit->family.space.angle;
   struct ph_spatial_search search = {
       .data = &c->data,
       .scaled = free && t->points.derivatives,
@@ -326,23 +193,25 @@ static enum ph_status choose_fairest(struct ph_spatial_family *family,
       .functional = t->criterion->functional,
       .plane = t->shape};
   struct ph_spatial_minimum found;
-  c->data.ni = family->ni;
-  c->data.nf = family->nf;
+  c->data.ni = fit->family.ni;
+  c->data.nf = fit->family.nf;
   if (ph_spatial_minimize(&search, &t->rules, t->scratch, &found) != PH_OK) {
     return ph_fail_memory(c->diag);
   }
   if (!isfinite(found.value)) {
     return ph_fail_at(c->diag, PH_E_NO_CONVERGENCE, "segments", c->segment,
-                      "has no finite %s, as far as was found",
-                      t->criterion->name);
+                      "has no finite %s%s, as far as was found",
+                      t->criterion->name,
+                      t->criterion->functional > 1 ? ", and no finite F1" : "");
   }
   t->evaluations += found.evaluations;
-  *member = found.member;
+  fit->member = found.member;
+  fit->functional = found.functional;
   if (free) {
     struct ph_atph space = ph_atph_of(found.alpha);
     c->data.ni *= search.scaled ? found.alpha : 1;
     c->data.nf *= search.scaled ? found.alpha : 1;
-    *family = ph_spatial_family_of(&c->data, &space);
+    fit->family = ph_spatial_family_of(&c->data, &space);
   }
   return PH_OK;
 }
@@ -371,10 +240,15 @@ static enum ph_status fit_segment(struct task *t, size_t k,
   return ph_spatial_fit_of(data, &space, choose, &choice, &best->fit);
 }
 
-static double functional_of(const struct task *t,
+static double functional_of(struct task *t, size_t k,
                             const struct ph_spatial_fit *fit) {
   const struct ph_atph *space = &fit->family.space;
-  struct ph_fair3 fair = ph_fair3_of(&t->rules, space, fit->a);
+  struct ph_fair3 fair;
+  if (fit->functional != t->criterion->functional) {
+    t->first_substituted = t->substituted++ ? t->first_substituted : k;
+    return HUGE_VAL;
+  }
+  fair = ph_fair3_of(&t->rules, space, fit->a);
   return ph_fair3_functional(&fair, ph_seg3_length(space, fit->a),
                              t->criterion->functional);
 }
@@ -402,7 +276,7 @@ static void count_segment(struct task *t, size_t k,
   if (t->angles || !t->criterion->functional) {
     t->evaluations += best->tried;
   } else {
-    t->functional += functional_of(t, &best->fit);
+    t->functional += functional_of(t, k, &best->fit);
     t->at_bound = t->at_bound || angle <= PH_SPATIAL_ALPHA_MIN ||
                   angle >= PH_SPATIAL_ALPHA_MAX;
   }
@@ -427,7 +301,7 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
     double tension = t->points.tension[k], missed;
     struct ph_spatial_data data;
     struct ph_spatial_tension best;
-    struct chosen chosen;
+    struct ph_spatial_chosen chosen;
     enum ph_status status;
     chosen.root = ph_spatial_segment(&t->points, k, tension, &data);
     status = ph_arena_late(t->scratch) ? ph_fail_memory(diag)
@@ -439,7 +313,7 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
     chosen.fit = &best.fit;
     chosen.tension = tension * best.factor;
     set_angles_of(t, k, &best.fit, chosen.angles);
-    missed = curve_put(&t->points, k, &chosen, &end, curve);
+    missed = ph_spatial_put(&t->points, k, &chosen, &end, curve);
     t->residual = missed > t->residual ? missed : t->residual;
     ph_sum_add(&length, curve->lengths[k]);
   }
@@ -489,6 +363,13 @@ static void report(const struct task *t) {
     }
   }
   ph_warn_alpha(&t->result->curve, t->result);
+  if (t->substituted) {
+    ph_warn(
+        t->result, t->first_substituted, PH_W_INFINITE_FUNCTIONAL,
+        "segment %zu has no finite %s, as far as was found, and the least F1 "
+        "in its place (such segments: %zu)",
+        t->first_substituted, t->criterion->name, t->substituted);
+  }
   if (t->unsatisfied) {
     ph_warn(t->result, t->first_unsatisfied, PH_W_SHAPE_UNSATISFIABLE,
             "segment %zu does not keep the shape of its data at any tension: "
@@ -508,7 +389,7 @@ static enum ph_status solve(const struct ph_problem *problem,
       .result = result, .space = ph_atph_of(0), .scratch = scratch};
   enum ph_status status = read_task(problem, scratch, &t, diag);
   if (status == PH_OK) {
-    status = curve_alloc(&t.points, out, &result->curve, diag);
+    status = ph_spatial_curve_alloc(&t.points, out, &result->curve, diag);
   }
   if (status == PH_OK && !ph_fair3_begin(&t.rules)) {
     status = ph_fail_memory(diag);
@@ -556,9 +437,16 @@ static const struct ph_field fields[] = {
      "data that leave a plane by no more of their chord are plane data"},
 };
 
+static const struct ph_advice advice[] = {
+    {"segments", PH_FIELD_N, PH_F_CRITERION, "cc",
+     "--criterion=cc minimises nothing"},
+};
+
 const struct ph_method ph_method_spatial_hermite = {
     .schema = {"spatial-hermite", fields, sizeof fields / sizeof fields[0]},
     .title = "G1 PH curves through points in space",
     .dimension = 3,
     .solve = solve,
+    .advice = advice,
+    .advice_n = sizeof advice / sizeof advice[0],
 };

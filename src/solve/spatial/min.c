@@ -190,6 +190,7 @@ static void finish(const struct search *s, const struct start *best,
   found->member.b = ph_cplx_polar(best->at.b);
   found->member.phi = ph_cplx_polar(best->at.phi);
   found->alpha = alpha;
+  found->functional = w->functional;
   found->value = best->value;
   found->evaluations = s->evaluations;
   found->at_bound = w->alpha_lower < w->alpha_upper &&
@@ -403,10 +404,10 @@ static enum ph_status search_grid(struct search *s, const struct grid *g,
   return status;
 }
 
-enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
-                                   const struct ph_fair3_rules *rules,
-                                   struct ph_arena *scratch,
-                                   struct ph_spatial_minimum *found) {
+static enum ph_status minimize(const struct ph_spatial_search *search,
+                               const struct ph_fair3_rules *rules,
+                               struct ph_arena *scratch,
+                               struct ph_spatial_minimum *found) {
   struct search s;
   struct grid grid;
   struct start best = {{0, 0, search->alpha_lower}, HUGE_VAL, false};
@@ -420,5 +421,20 @@ enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
     status = search_grid(&s, &grid, &best);
   }
   finish(&s, &best, found);
+  return status;
+}
+
+enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
+                                   const struct ph_fair3_rules *rules,
+                                   struct ph_arena *scratch,
+                                   struct ph_spatial_minimum *found) {
+  enum ph_status status = minimize(search, rules, scratch, found);
+  if (status == PH_OK && !isfinite(found->value) && search->functional > 1) {
+    struct ph_spatial_search bending = *search;
+    size_t before = found->evaluations;
+    bending.functional = 1;
+    status = minimize(&bending, rules, scratch, found);
+    found->evaluations += before;
+  }
   return status;
 }

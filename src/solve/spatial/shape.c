@@ -133,8 +133,9 @@ enum ph_status ph_spatial_fit_of(const struct ph_spatial_data *data,
                                  struct ph_spatial_fit *fit) {
   enum ph_status status;
   fit->violated = 0;
+  fit->functional = 0;
   fit->family = ph_spatial_family_of(data, space);
-  status = choose(&fit->family, context, &fit->member);
+  status = choose(fit, context);
   if (status == PH_OK) {
     ph_spatial_preimage(&fit->family, fit->member, fit->a);
     fit->violated = ph_spatial_violations(&fit->family, fit->a);
@@ -161,7 +162,8 @@ static enum ph_status try_factor(struct search *search, double factor,
   search->tried++;
   status = ph_spatial_fit_of(&data, search->space, search->choose,
                              search->context, fit);
-  if (status == PH_E_INFEASIBLE && factor < 1) {
+  if ((status == PH_E_INFEASIBLE || status == PH_E_NO_CONVERGENCE) &&
+      factor < 1) {
     fit->violated = PH_SHAPE_NOTHING;
     return PH_OK;
   }

@@ -248,26 +248,28 @@ static inline bool ph_spatial_is_acute(const struct ph_spatial_data *data) {
   return ph_vec3_dot(data->ti, data->tf) > 0;
 }
 
-/*
- * How a member of a family is chosen: a criterion, or given angles.
- *
- * io   family   of the data at some tension; a criterion that chooses the space
- *               too changes it (ph_spatial_family_space)
- * in   context  what else it needs, such as where to start
- * ret  another status than PH_OK ends the search for a tension, but
- *      PH_E_INFEASIBLE only where it is not reduced: there is no segment then
- */
-typedef enum ph_status ph_spatial_choice(struct ph_spatial_family *family,
-                                         void *context,
-                                         struct ph_spatial_member *member);
-
 /* A segment that was chosen. */
 struct ph_spatial_fit {
   struct ph_spatial_family family;
   struct ph_spatial_member member;
+  int functional;    /* 1, 2, 3: the F that is least; 0: none is sought */
   ph_quat a[3];      /* preimage in the frame of the data */
   unsigned violated; /* constraints */
 };
+
+/*
+ * How a member of a family is chosen: a criterion, or given angles.
+ *
+ * io   fit      family, of the data at some tension; a criterion that chooses
+ *               the space too changes it (ph_spatial_family_space)
+ * out  fit      member, and functional unless it is 0
+ * in   context  what else it needs, such as where to start
+ * ret  another status than PH_OK ends the search for a tension, but
+ *      PH_E_INFEASIBLE and PH_E_NO_CONVERGENCE only where it is not reduced:
+ *      there is no segment then
+ */
+typedef enum ph_status ph_spatial_choice(struct ph_spatial_fit *fit,
+                                         void *context);
 
 /* ph_spatial_fit_of: the segment chosen for some data, and its violations. */
 enum ph_status ph_spatial_fit_of(const struct ph_spatial_data *data,
@@ -419,6 +421,37 @@ enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
 double ph_spatial_segment(const struct ph_spatial_points *points, size_t k,
                           double tension, struct ph_spatial_data *data);
 
+/* ---- the curve ----------------------------------------------------------- */
+
+/* What was chosen for a segment. */
+struct ph_spatial_chosen {
+  const struct ph_spatial_fit *fit;
+  double root; /* unit scale = the user's times its square */
+  double tension;
+  double angles[2]; /* as the record has them, NaN: there are none */
+};
+
+/* ph_spatial_curve_alloc: a curve of p->n segments with their knots.
+ * ret  PH_OK | PH_E_NO_MEMORY */
+enum ph_status ph_spatial_curve_alloc(const struct ph_spatial_points *p,
+                                      struct ph_arena *arena,
+                                      struct ph_curve *curve,
+                                      struct ph_diag *diag);
+
+/*
+ * ph_spatial_put: puts segment k into the curve, after segments 0..k-1.
+ *
+ * The Euler-Rodrigues frame goes on where the segment before left it: the
+ * preimage is turned by the free factor exp(x i) at the right.  In the first
+ * point it is upright (solve/common/frame.h).
+ *
+ * inout end  A at the end of the segment before, and of this one, of any size
+ * ret   by how much the segment misses its last point, relative to its size
+ */
+double ph_spatial_put(const struct ph_spatial_points *p, size_t k,
+                      const struct ph_spatial_chosen *chosen, ph_quat *end,
+                      struct ph_curve *curve);
+
 /* ---- fairness ------------------------------------------------------------ */
 
 /*
@@ -508,16 +541,17 @@ struct ph_spatial_search {
 struct ph_spatial_minimum {
   struct ph_spatial_member member;
   double alpha;
-  double value; /* of the functional, by ph_fair3_of */
+  int functional; /* what is least: that of the search, or 1 in its place */
+  double value;   /* of the functional, by ph_fair3_of */
   size_t evaluations;
   bool at_bound; /* alpha is free and on a bound: the minimum moves with it */
 };
 
 /*
- * ph_spatial_minimize: the global minimum.
+ * ph_spatial_minimize: the global minimum; that of F1 where no member was found
+ * whose F2 or F3 is finite.
  *
- * ret  PH_OK | PH_E_NO_MEMORY; the value is not finite where the functional is
- *      not, for all members
+ * ret  PH_OK | PH_E_NO_MEMORY; the value is not finite where F1 is not either
  */
 enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
                                    const struct ph_fair3_rules *rules,

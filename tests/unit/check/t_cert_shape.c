@@ -45,10 +45,9 @@ static enum ph_check_shape shape_of(const struct ph_spatial_fit *fit) {
   return shape_at(fit, ph_vec3_of(0, 0, 0));
 }
 
-static enum ph_status choose_cc(struct ph_spatial_family *family, void *context,
-                                struct ph_spatial_member *member) {
+static enum ph_status choose_cc(struct ph_spatial_fit *fit, void *context) {
   (void)context;
-  *member = ph_spatial_cc(family);
+  fit->member = ph_spatial_cc(&fit->family);
   return PH_OK;
 }
 

@@ -106,7 +106,7 @@ PH_TEST(test_value) {
     struct ph_spatial_point at = {unit_random_in(&r, -3, 3), 0.3,
                                   unit_random_in(&r, 0.01, 2)};
     struct ph_spatial_minimum same = {
-        {ph_cplx_polar(at.b), ph_cplx_polar(at.phi)}, at.alpha, 0, 0, false};
+        {ph_cplx_polar(at.b), ph_cplx_polar(at.phi)}, at.alpha, 0, 0, 0, false};
     double found = ph_spatial_fair(&target, 64, &at, NULL);
     if (fabs(found / ph_spatial_fair(&target, 32, &at, NULL) - 1) < 1e-9) {
       ck_rel(found, value_of(&search, &same), 1e-9);
@@ -305,6 +305,7 @@ PH_TEST(test_descend) {
         n % 2 ? 0.8 : 0,
         0,
         0,
+        0,
         false};
     double before = value_of(&search, &start);
     ck_assert_int_eq(ph_spatial_descend(&search, &rules, &unit_arena, &found),
@@ -322,6 +323,35 @@ PH_TEST(test_descend) {
     ck_assert_int_eq(ph_spatial_descend(&search, &rules, &unit_arena, &found),
                      PH_OK);
     ck_assert(found.value <= value_of(&search, &least) * (1 + 1e-9));
+  }
+}
+
+/* A needle at one end: F2 and F3 have no value there, and F1 has. */
+PH_TEST(test_infinite) {
+  struct unit_random r = unit_random_of(1116);
+  for (int n = 0; n < 6; n++) {
+    ph_quat turn = unit_random_turn(&r);
+    struct ph_spatial_data data = {
+        turned(turn, ph_vec3_of(0.3, 0.4, 0.6)),
+        turned(turn, ph_vec3_unit(ph_vec3_of(10, 0, 1))),
+        turned(turn, ph_vec3_unit(ph_vec3_of(0, 1, 2))),
+        1e11,
+        1e-10,
+        0,
+        0,
+        {0, 0, 0}};
+    struct ph_spatial_search search = search_of(&data, false, 1);
+    struct ph_spatial_minimum bending = minimize(&search), found;
+    ck_assert(isfinite(bending.value));
+    ck_assert_int_eq(bending.functional, 1);
+    search.functional = 3;
+    found = minimize(&search);
+    ck_assert_int_eq(found.functional, 1);
+    ck_abs(found.value, bending.value, 0);
+    ck_assert_uint_gt(found.evaluations, bending.evaluations);
+    data.nf = 1;
+    found = minimize(&search);
+    ck_assert_int_eq(found.functional, 3);
   }
 }
 
@@ -416,6 +446,7 @@ static double grid_least(const struct ph_spatial_search *search) {
     struct ph_spatial_minimum found = {
         {ph_cplx_polar(best[k].b), ph_cplx_polar(best[k].phi)},
         best[k].alpha,
+        0,
         0,
         0,
         false};

@@ -45,18 +45,16 @@ static struct ph_spatial_member random_member(struct unit_random *r) {
   return member;
 }
 
-static enum ph_status choose_cc(struct ph_spatial_family *family, void *context,
-                                struct ph_spatial_member *member) {
+static enum ph_status choose_cc(struct ph_spatial_fit *fit, void *context) {
   (void)context;
-  *member = ph_spatial_cc(family);
+  fit->member = ph_spatial_cc(&fit->family);
   return PH_OK;
 }
 
 /* context: two angles about the chord. */
-static enum ph_status choose_angles(struct ph_spatial_family *family,
-                                    void *context,
-                                    struct ph_spatial_member *member) {
-  return ph_spatial_member_of(family, context, PH_SPATIAL_CHORD, member)
+static enum ph_status choose_angles(struct ph_spatial_fit *fit, void *context) {
+  return ph_spatial_member_of(&fit->family, context, PH_SPATIAL_CHORD,
+                              &fit->member)
              ? PH_OK
              : PH_E_BAD_VALUE;
 }
@@ -431,16 +429,15 @@ struct shrinking {
   size_t left;
 };
 
-static enum ph_status choose_shrinking(struct ph_spatial_family *family,
-                                       void *context,
-                                       struct ph_spatial_member *member) {
+static enum ph_status choose_shrinking(struct ph_spatial_fit *fit,
+                                       void *context) {
   struct shrinking *shrinking = context;
-  struct ph_atph space = ph_atph_of(family->ni / sqrt(3));
+  struct ph_atph space = ph_atph_of(fit->family.ni / sqrt(3));
   if (shrinking->left-- == 0) {
     return PH_E_NO_CONVERGENCE;
   }
-  ph_spatial_family_space(family, &space);
-  *member = ph_spatial_cc(family);
+  ph_spatial_family_space(&fit->family, &space);
+  fit->member = ph_spatial_cc(&fit->family);
   return PH_OK;
 }
 
