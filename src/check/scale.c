@@ -11,6 +11,11 @@ static const double SMALLEST = 4.9406564584124654e-324;
  * digit. */
 static const double ROUNDING_OF_SIZE = 1e-3 / PH_CHECK_ROUND_FIRST;
 
+void ph_check_scale_round(struct ph_check_scale *scale, double largest) {
+  scale->rounding = ph_check_smaller(DBL_EPSILON * largest + scale->spacing,
+                                     ROUNDING_OF_SIZE * scale->size);
+}
+
 bool ph_check_scale_of(const double *points, size_t n, size_t dimension,
                        struct ph_check_scale *scale) {
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, extent[3], largest = 0;
@@ -37,8 +42,6 @@ bool ph_check_scale_of(const double *points, size_t n, size_t dimension,
   }
   scale->size = 0.5 * hypot(hypot(extent[0], extent[1]), extent[2]);
   scale->spacing = ph_pow2_apply(scale->to_unit, SMALLEST);
-  scale->rounding = ph_check_smaller(
-      DBL_EPSILON * ph_pow2_apply(scale->to_unit, largest) + scale->spacing,
-      ROUNDING_OF_SIZE * scale->size);
+  ph_check_scale_round(scale, ph_pow2_apply(scale->to_unit, largest));
   return scale->size > 0;
 }

@@ -46,6 +46,10 @@ struct ph_check_scale {
   double spacing;  /* of the smallest, at unit scale */
 };
 
+/* ph_check_scale_round: rounding is that of numbers as large as this, at unit
+ * scale, but no more than leaves a size. */
+void ph_check_scale_round(struct ph_check_scale *scale, double largest);
+
 /* ph_check_scale_of: of points[n][dimension], all finite; false when they have
  * no extent. */
 bool ph_check_scale_of(const double *points, size_t n, size_t dimension,

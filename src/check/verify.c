@@ -29,6 +29,10 @@ static bool begin_curve(struct ph_check *v) {
                    "have no extent");
     return false;
   }
+  if (v->kind->sphere) { /* points may be nearer to 0 than to the center */
+    ph_check_scale_round(&v->scale,
+                         0.5 + ph_check_scaled(v, c->sphere.radius));
+  }
   mean = ph_check_scaled(v, c->length) / (double)c->n;
   /* a false claim would make all errors small */
   v->mean = mean < 4 * v->scale.size ? mean : 0;

@@ -267,6 +267,12 @@ echo '{"points":[[864.6828,-15.2619,-0.57072],[864.6828,-15.2619,-0.570723],
 made sphere <short
 verified 'tensions without unit beside a short segment' 1 --problems=short
 
+# coordinates that are known to more digits than what they are from the center
+echo '{"points":[[0,0,0],[-5e-13,1e-6,0],[-1e-12,1e-6,1e-6],
+  [-2.5e-12,2e-6,1e-6]],"center":[-1,0,0],"radius":1}' >near
+made sphere --offset=0.1 <near
+verified 'a curve on a sphere next to the origin' 1 --problems=near
+
 # a piece of an offset that is short beside where it is
 echo '{"points":[[0,0,0.8797460296266113],[1e-14,0,0.8797460296266113]]}' >short
 made arclength --offset=0 <short
