@@ -18,10 +18,11 @@ phspline() {
   "$program" "$@" -q -o /dev/null
 }
 
-# draw NAME COMMAND: NAME.svg; the results themselves are not kept
+# draw NAME COMMAND [FORMAT]: NAME.svg, or in another format; the results
+# themselves are not kept
 draw() {
-  echo "$2 --plot=$out/$1.svg"
-  eval "$2 --plot=\$out/\$1.svg"
+  echo "$2 --plot=$out/$1.${3-svg}"
+  eval "$2 --plot=\$out/\$1.\${3-svg}"
 }
 
 # [HUA14]: a helix with its lengths, 1 % less and 1 % more; then sweeps of one
@@ -39,11 +40,13 @@ draw huard-figure13 "phspline arclength $data/huard-2014-figure13.json \
 
 # one of each of the other commands: the path of a ship 10 km out at sea; a
 # segment of [GON18] by six criteria; a corridor of 637 km on either side of a
-# voyage; the path of a cutter; and several problems, pairs of cubics of [BYR11]
+# voyage; the path of a cutter; a lampshade and its pattern; and several problems,
+# pairs of cubics of [BYR11]
 draw coastline "phspline planar $data/coastline.csv --closed --offset=-10"
 draw gonzalez-criteria "sed -n 's/\"ph-2c-F1\"/\"case 2\"/p' \
 $data/gonzalez-2018-spatial.jsonl | phspline spatial-hermite \
 --sweep=criterion=cc,hc,bv,F1,F2,F3"
 draw magellan "phspline sphere $data/magellan-elcano.csv --offset=-0.1,0.1"
 draw spanner "phspline tc $data/spanner.json --tolerance=0.01 --offset=-3"
+draw lampshade "phspline cone $data/lampshade.csv --closed --height='[0,18]'" png
 draw byrtus-figure5-15 "grep figure-5.15 $data/byrtus-2011.jsonl | phspline tc"

@@ -250,7 +250,7 @@ complete -c phspline -n '__fish_seen_subcommand_from cone' -l normals -x -d 'nor
 complete -c phspline -n '__fish_seen_subcommand_from cone' -l closed -d 'join the last contact element to the first, a repeated last one is dropped'
 complete -c phspline -n '__fish_seen_subcommand_from cone' -l method -x -a 'circular' -d 'what strips are: pieces of circular cones, two between neighbours'
 complete -c phspline -n '__fish_seen_subcommand_from cone' -l lambda -x -a 'equal' -d 'leg of the first arc of each pair, or equal to that of the second'
-complete -c phspline -n '__fish_seen_subcommand_from cone' -l degenerate_tolerance -x -d 'when two contact elements count as lying on one cone, or as of parallel axes'
+complete -c phspline -n '__fish_seen_subcommand_from cone' -l degenerate_tolerance -x -d 'when two contact elements count as lying on one cone, as of parallel axes, or as of rulings that meet'
 complete -c phspline -n '__fish_seen_subcommand_from cone' -l height -x -d 'the part of the rulings that is meant, from where to where, from the given points'
 complete -c phspline -n '__fish_seen_subcommand_from cone' -l merge -x -d 'join consecutive points nearer than this'
 complete -c phspline -n '__fish_seen_subcommand_from cone' -s i -l input-format -x -a 'auto json csv' -d 'what the input is; auto (default): by the suffix of the file (.json .ndjson .jsonl .csv .tsv), else by its first character'

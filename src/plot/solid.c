@@ -10,7 +10,7 @@
 
 /* Cells of a panel, about; hidden lines are of surfaces with up to so many
  * strips, their rulings in so many pieces. */
-enum { CELLS = 6000, HIDDEN_STRIPS = 100, PIECES = 32 };
+enum { CELLS = 2500, HIDDEN_STRIPS = 100, PIECES = 32 };
 
 /* Widths, in ems. */
 #define EDGE 0.085
@@ -22,8 +22,10 @@ enum { CELLS = 6000, HIDDEN_STRIPS = 100, PIECES = 32 };
 #define DOT 0.2
 #define ARROW_LINE 0.075
 
-/* Pieces of lines around the surface are longer than they are, by this. */
+/* Pieces of lines around the surface are longer than they are, by this, and at
+ * most by so much in the unit. */
 #define LONGER 0.08
+#define LONGER_MOST 4e-3
 
 /* Vectors of elements, of the size of the surface; rulings of those without a
  * height, of these. */
@@ -270,7 +272,10 @@ static void draw_line(const struct ph_look *look, ph_vec3 from, ph_vec3 to) {
 
 /* The same, a little longer, so that no neighbour's paint cuts it. */
 static void draw_on(const struct ph_look *look, ph_vec3 from, ph_vec3 to) {
-  const ph_vec3 way = ph_vec3_scale(LONGER, ph_vec3_sub(to, from));
+  const ph_vec3 by = ph_vec3_sub(to, from);
+  const double size = ph_vec3_abs(by);
+  const double part = size > 0 ? fmin(LONGER, LONGER_MOST / size) : 0;
+  const ph_vec3 way = ph_vec3_scale(part, by);
   draw_line(look, ph_vec3_sub(from, way), ph_vec3_add(to, way));
 }
 

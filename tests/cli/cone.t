@@ -224,6 +224,13 @@ solved 'a plane' flat '{"points":[[0,0,0],[2,1,0]],"rulings":[[0,1,0],'\
 '[-0.6,0.8,0]],"tangents":[[1,0,0],[0.8,0.6,0]],"height":[0,1]}'
 solved 'a cylinder' parallel '{"points":[[0,0,0],[3,1,1]],"rulings":[[0,1,0],'\
 '[0,1,0]],"tangents":[[1,0,0],[0.6,0,0.8]],"height":[0,1]}'
+solved 'a cone that is not circular' apex '{"points":[[4,0,0],[0,2,0.5]],'\
+'"rulings":[[-4,0,4],[0,-2,3.5]],"tangents":[[0,1,0],[-1,0,0]],"height":[0,1]}'
+true_that 'a cone that is not circular: both vertices are its own' jq -e '
+  all(.strips[]; .vertex | (.[0] | fabs < 1e-14) and (.[1] | fabs < 1e-14) and
+    (.[2] - 4 | fabs < 1e-14)) and .pairs[0].center == null' result.json
+solved 'rulings that meet between their points' apex '{"points":[[1,0,0],'\
+'[0,-1,-1]],"rulings":[[1,0,0],[0,1,1]],"tangents":[[0,1,0],[-1,0,0]]}'
 solved 'half a circle, of which a leg is infinite' parallel '{"points":[[0,0,0],'\
 '[1,0,2]],"rulings":[[0,1,0],[0,1,0]],"tangents":[[1,0,0],[-1,0,0]],'\
 '"lambda":0.5}'

@@ -298,6 +298,38 @@ PH_TEST(test_saddle) {
   }
 }
 
+/* Of general cones, down to steps of 1e-4: both cones have the vertex. */
+PH_TEST(test_apex) {
+  struct unit_random r = unit_random_of(7);
+  const size_t n = unit_cases(2000);
+  for (size_t i = 0; i < n; i++) {
+    const ph_vec3 apex = any(&r, 10);
+    const double step = pow(10, unit_random_in(&r, -4, -0.5));
+    ph_vec3 w;
+    scatter(&r, 1);
+    data.n = 2;
+    w = any(&r, step);
+    unit_case("pair %zu, step %g", i, step);
+    data.e[1] = ph_vec3_unit(
+        ph_vec3_along(ph_vec3_add(data.e[0], w), 2 * step, data.d[0]));
+    data.d[1] =
+        ph_vec3_unit(ph_vec3_normal(ph_vec3_add(data.d[0], w), data.e[1]));
+    for (size_t j = 0; j < 2; j++) {
+      data.p[j] =
+          ph_vec3_along(apex, -unit_random_in(&r, 1, 1 + step), data.e[j]);
+    }
+    data.p[0] = ph_vec3_along(data.p[0], -1, data.e[0]);
+    data.p[1] = ph_vec3_along(data.p[1], -1, data.e[1]);
+    ck_assert_int_eq(solve(&one, &data), PH_OK);
+    ck_assert_int_eq(which(), PH_PAIR_APEX);
+    for (size_t j = 0; j < 2; j++) {
+      const struct ph_strip *s = &one.result.curve.surface.strips[j];
+      ck_vec3(ph_vec3_get(s->vertex, 3), apex, 1e-12 / step);
+    }
+    ck_frames(&one, &data);
+  }
+}
+
 /* ---- motions ------------------------------------------------------------- */
 
 static void move_data(const struct motion *m) {

@@ -42,12 +42,14 @@ enum ph_strip_method {
  *   sphere    one sphere touches both tangent planes on the rulings
  *   pencil    many do: both elements are on one cone or cylinder
  *   parallel  none does, and the axes of both cones are parallel
+ *   apex      both rulings, and both tangent planes, meet in a point
  *   flat      the tangent planes are the same
  */
 #define PH_PAIR_CASES(X)  \
   X(SPHERE, "sphere")     \
   X(PENCIL, "pencil")     \
   X(PARALLEL, "parallel") \
+  X(APEX, "apex")         \
   X(FLAT, "flat")
 
 enum ph_pair_case {

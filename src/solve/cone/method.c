@@ -38,8 +38,8 @@ static const struct ph_field fields[] = {
      "equal", "equal",
      "leg of the first arc of each pair, or equal to that of the second"},
     {PH_F_DEGENERATE, PH_NUMBER, 0, false, NULL, PH_TEXT(PH_CONE_DEGENERATE),
-     "when two contact elements count as lying on one cone, or as of parallel "
-     "axes"},
+     "when two contact elements count as lying on one cone, as of parallel "
+     "axes, or as of rulings that meet"},
     {PH_F_HEIGHT, PH_NUMBERS, 0, false, NULL, "0 to 0, the contact curve",
      "the part of the rulings that is meant, from where to where, from the "
      "given points"},

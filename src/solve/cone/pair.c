@@ -14,6 +14,10 @@
  *
  * The arcs are those of a biarc on the sphere, (4.4) with d1.d2 for e1.e2, and
  * (4.5), which hold without a sphere, too, where the axes are parallel.
+ *
+ * Where the rulings meet, the sphere is no more than that point, and the biarc
+ * is on any sphere about it: its contact points have one distance from it, a2 -
+ * a1 is normal to e1 + e2.
  */
 #include "solve/cone/cone.h"
 
@@ -123,6 +127,26 @@ static void touch_nearest(const struct elements *in, const struct rows *rows,
   touch(in, ph_vec3_along(m, -t, w), pair);
 }
 
+/* Whether the rulings meet, but not far away. */
+static bool meets(const struct elements *in) {
+  const ph_vec3 w = ph_vec3_cross(in->first->e, in->last->e);
+  const double size = ph_vec3_abs(w);
+  return size > in->degenerate && 2 * fabs(ph_vec3_dot(w, in->half)) <=
+                                      in->degenerate * size * in->apart;
+}
+
+/* Of all spheres about the point where they do, the one nearest to the given
+ * points; where it is that point, which they have between them, another. */
+static void touch_apex(const struct elements *in, struct ph_cone_pair *pair) {
+  const ph_vec3 e = ph_vec3_add(in->first->e, in->last->e);
+  const double s = 2 * ph_vec3_dot(in->half, e) / ph_vec3_dot(e, e);
+  const ph_vec3 rest = ph_vec3_along(in->half, -s / 2, e);
+  const double more = 2 * ph_vec3_abs(rest) > NOTHING * in->apart ? 0 : 1;
+  pair->which = PH_PAIR_APEX;
+  pair->shift[0] = s + more * in->apart;
+  pair->shift[1] = -s + more * in->apart;
+}
+
 /* How far the right hand sides are from those of dependent rows. */
 static double inconsistency(const struct rows *rows, ph_vec3 w) {
   double sum = 0, squares = 0;
@@ -151,6 +175,10 @@ static enum ph_cone_reason without_sphere(const struct elements *in,
   }
   if (rank2 && inconsistency(rows, w) <= nothing * in->apart) {
     touch_nearest(in, rows, w, pair);
+    return PH_CONE_OK;
+  }
+  if (meets(in)) {
+    touch_apex(in, pair);
     return PH_CONE_OK;
   }
   pair->which = PH_PAIR_PARALLEL;
@@ -241,6 +269,10 @@ static enum ph_cone_reason find_contact(const struct elements *in,
     return without_sphere(in, &rows,
                           ph_vec3_scale(1 / size, rows.cross[rows.largest]),
                           true, pair);
+  }
+  if (meets(in)) {
+    touch_apex(in, pair);
+    return PH_CONE_OK;
   }
   m = center_of(&rows, det, rows.rhs);
   residuals(in, &rows, m, left);

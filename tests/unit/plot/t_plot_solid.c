@@ -120,8 +120,8 @@ PH_TEST(nearer_is_later) {
   size_t hidden = 0;
   make(6, -1, 1);
   ck_assert_uint_gt(panel.solid.n, 200);
-  for (size_t i = 0; i < panel.solid.n; i += 11) {
-    for (size_t j = 0; j < i; j += 7) {
+  for (size_t i = 0; i < panel.solid.n; i += 7) {
+    for (size_t j = 0; j < i; j += 5) {
       const struct ph_cell *late = &panel.solid.v[i],
                            *early = &panel.solid.v[j];
       const bool over = overlap(late, early);
