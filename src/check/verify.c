@@ -30,8 +30,7 @@ static bool begin_curve(struct ph_check *v) {
     return false;
   }
   if (v->kind->sphere) { /* points may be nearer to 0 than to the center */
-    ph_check_scale_round(&v->scale,
-                         0.5 + ph_check_scaled(v, c->sphere.radius));
+    ph_check_scale_round(&v->scale, 0.5 + ph_check_scaled(v, c->sphere.radius));
   }
   mean = ph_check_scaled(v, c->length) / (double)c->n;
   /* a false claim would make all errors small */

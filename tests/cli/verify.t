@@ -278,6 +278,11 @@ echo '{"points":[[0,0,0.8797460296266113],[1e-14,0,0.8797460296266113]]}' >short
 made arclength --offset=0 <short
 verified 'an offset of a chord of 45 roundings' 1 --problems=short
 
+# a hodograph with fewer digits than its piece, which is short, from node to node
+echo '{"curve":[[0,0],[8.7e-14,-1.75e-13],[0.77,0.26]],"pieces":7}' >short
+made tc --offset=0.84 <short
+verified 'an offset beside a leg that is rounding' 1 --problems=short
+
 # a cusp where the curve turns back, at distance 0
 echo '{"points":[[0,-8e183,0],[-1.98e185,-5.5e183,4.4e184],
   [-2.922e184,-7.97e182,6.4504e183],[-6.8653e184,-1.901e183,1.517e184],
