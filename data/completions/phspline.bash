@@ -261,16 +261,17 @@ _phspline() {
     --lambda | --lambda=) list='equal' ;;
     --degenerate_tolerance | --degenerate_tolerance=) kind=nothing ;;
     --height | --height=) kind=nothing ;;
+    --flat | --flat=) kind=nothing ;;
     --merge | --merge=) kind=nothing ;;
     -i | --input-format | --input-format=) list='auto json csv' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
-    --table | --table=) list='samples strips development' ;;
+    --table | --table=) list='samples strips development located' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= merge=' ;;
-    --override | --override=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= merge=' ;;
-    -S | --sweep | --sweep=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= merge=' ;;
+    -s | --set | --set=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= flat= merge=' ;;
+    --override | --override=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= flat= merge=' ;;
+    -S | --sweep | --sweep=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= flat= merge=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
     -p | --plot | --plot=) kind=files ;;
@@ -283,7 +284,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --height= --merge= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --height= --flat= --merge= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

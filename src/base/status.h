@@ -84,7 +84,10 @@ enum ph_class {
     "the vertex of a cone is within the height")                           \
   X(W_SIGN_CHANGE, "sign-change", RECORD,                                  \
     "the normal curvature of a surface changes its sign")                  \
-  X(W_LARGE_ARC, "large-arc", RECORD, "a strip turns by more than 180 degrees")
+  X(W_LARGE_ARC, "large-arc", RECORD,                                      \
+    "a strip turns by more than 180 degrees")                              \
+  X(W_OUTSIDE, "outside", RECORD,                                          \
+    "points are outside of the flat pattern of a surface")
 
 #define PH_STATUS(X) X(OK, "ok", OK, "solved") PH_ERRORS(X) PH_WARNINGS(X)
 

@@ -10,6 +10,9 @@
 static const double UNIT = 64 * DBL_EPSILON;
 enum { ROUND = 16 };
 
+/* How far outside a place may be, relative to coordinates. */
+static const double NEAR = 2e-12;
+
 /* ---- arrays -------------------------------------------------------------- */
 
 /* Why a strip is none, or NULL. */
@@ -292,7 +295,7 @@ static void check_pairs(struct ph_check_cone *cone) {
 
 /* ---- samples ------------------------------------------------------------- */
 
-static void check_sample(struct ph_check_cone *cone,
+static void check_sample(struct ph_check_cone *cone, const char *list,
                          const struct ph_surface_sample *sample, size_t i) {
   struct ph_check *v = cone->v;
   const struct ph_strip *s = &cone->curve->surface.strips[sample->strip];
@@ -310,14 +313,14 @@ static void check_sample(struct ph_check_cone *cone,
                    chord * sin(middle) + h * cos(angle);
   const double round =
       ROUND * (v->scale.rounding + DBL_EPSILON * fabs(h) + cone->flat);
-  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "point"),
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of(list, i, "point"),
                 ph_check_apart(ph_check_vector(v, sample->point, 3),
                                ph_vec3_along(f.c, h, f.e)),
                 v->scale.size, round, "is off the surface");
-  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "normal"),
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of(list, i, "normal"),
                 ph_check_apart(ph_vec3_get(sample->normal, 3), f.n), 1, UNIT,
                 "is not the normal");
-  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "flat"),
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of(list, i, "flat"),
                 hypot(ph_check_scaled(v, sample->flat[0]) - x,
                       ph_check_scaled(v, sample->flat[1]) - y),
                 v->scale.size, round + 4 * DBL_EPSILON * fabs(angle) * fabs(h),
@@ -333,7 +336,65 @@ static void check_samples(struct ph_check_cone *cone,
                      ph_check_of("samples", i, "strip"), "is none");
       return;
     }
-    check_sample(cone, sample, i);
+    check_sample(cone, "samples", sample, i);
+  }
+}
+
+/* A place is on its strip, within the height. */
+static void check_inside(struct ph_check_cone *cone,
+                         const struct ph_surface_sample *at, size_t i) {
+  struct ph_check *v = cone->v;
+  const struct ph_surface *surface = &cone->curve->surface;
+  const struct ph_strip *s = &surface->strips[at->strip];
+  const double u = at->s / s->length;
+  const bool bare =
+      !(fabs(surface->height[0]) > 0) && !(fabs(surface->height[1]) > 0);
+  const double shift = bare ? 0 : s->shift[0] * (1 - u) + s->shift[1] * u;
+  const double h = ph_check_scaled(v, at->h + shift);
+  const double low = ph_check_scaled(v, surface->height[0]);
+  const double high = ph_check_scaled(v, surface->height[1]);
+  const double off = ph_check_larger(low - h, h - high);
+  const double along = ph_check_larger(-u, u - 1);
+  const double unit = v->scale.size + fabs(h);
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("located", i, "h"),
+                ph_check_larger(off, 0), unit,
+                NEAR * unit + ROUND * cone->flat / DBL_EPSILON * NEAR,
+                "is not within the height");
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("located", i, "s"),
+                ph_check_larger(along, 0), 1, UNIT, "is not on the strip");
+}
+
+/* Whether a place is of a point that was asked for. */
+static bool is_asked(const struct ph_check_cone *cone,
+                     const struct ph_located *at, size_t least) {
+  const struct ph_value *flat = &cone->v->problem->field[PH_F_FLAT];
+  const double *p;
+  if (at->index < least || at->index >= flat->n || flat->dimension != 2) {
+    return false;
+  }
+  p = flat->v + 2 * at->index;
+  return !(fabs(p[0] - at->at.flat[0]) > 0) &&
+         !(fabs(p[1] - at->at.flat[1]) > 0);
+}
+
+static void check_located(struct ph_check_cone *cone,
+                          const struct ph_located_list *list) {
+  size_t least = 0;
+  for (size_t i = 0; i < list->n && !ph_arena_late(cone->v->scratch); i++) {
+    const struct ph_located *l = &list->v[i];
+    if (l->at.strip >= cone->curve->n) {
+      ph_check_wrong(cone->v, PH_CHECK_SAMPLE,
+                     ph_check_of("located", i, "strip"), "is none");
+      return;
+    }
+    if (cone->v->problem && !is_asked(cone, l, least)) {
+      ph_check_wrong(cone->v, PH_CHECK_SAMPLE,
+                     ph_check_of("located", i, "flat"),
+                     "is not the point of flat with this index");
+    }
+    least = l->index + 1;
+    check_sample(cone, "located", &l->at, i);
+    check_inside(cone, &l->at, i);
   }
 }
 
@@ -407,6 +468,7 @@ void ph_check_cone_told(struct ph_check_cone *cone) {
   check_diagnostics(cone);
   check_pairs(cone);
   check_samples(cone, &claim->grid);
+  check_located(cone, &claim->located);
   for (size_t i = 0; i < claim->parallels_n; i++) {
     ph_check_prefix(v, "offsets", i);
     check_parallel(cone, &claim->parallels[i]);

@@ -230,10 +230,11 @@ static enum ph_status check_printed(struct ph_option_parser *p) {
   }
   if (p->table && !ph_csv_has(o->table, space_of(o))) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
-                   surface ? "--table: the surfaces of %s have strips, samples "
-                             "and development"
-                           : "--table: strips and development are of surfaces, "
-                             "%s makes curves",
+                   surface
+                       ? "--table: the surfaces of %s have strips, samples, "
+                         "development and located"
+                       : "--table: strips, development and located are of "
+                         "surfaces, %s makes curves",
                    o->command->schema->command);
   }
   if (ph_formats[o->format].is_mesh && !surface) {

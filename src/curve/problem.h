@@ -63,7 +63,8 @@
   X(NORMALS, "normals")                   \
   X(METHOD, "method")                     \
   X(DEGENERATE, "degenerate_tolerance")   \
-  X(HEIGHT, "height")
+  X(HEIGHT, "height")                     \
+  X(FLAT, "flat")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,

@@ -487,6 +487,7 @@ struct ph_result {
   struct ph_parallel *parallels; /* of a surface */
   size_t parallels_n;
   struct ph_surface_samples grid; /* of a surface */
+  struct ph_located_list located; /* of a surface */
   struct ph_diagnostics diagnostics;
   struct ph_warning warnings[PH_WARNINGS_MAX];
   size_t warnings_n;

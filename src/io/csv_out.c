@@ -30,6 +30,8 @@ static const char *const columns[PH_TABLE_N][PH_SPACES] = {
                          "geodesic_curvature,normal_curvature,length,vx,vy,vz,"
                          "half_angle,sweep,development_angle"},
     [PH_TABLE_DEVELOPMENT] = {NULL, NULL, NULL, ",strip,index,u,v,weight"},
+    [PH_TABLE_LOCATED] = {NULL, NULL, NULL,
+                          ",index,strip,s,h,x,y,z,nx,ny,nz,u,v"},
 };
 
 bool ph_csv_has(enum ph_table table, enum ph_space space) {
@@ -335,18 +337,31 @@ static void development(const struct row *row, const struct ph_curve *c,
   }
 }
 
+static void node_cells(const struct row *row,
+                       const struct ph_surface_sample *at) {
+  number_cell(row, (double)at->strip);
+  number_cell(row, at->s);
+  number_cell(row, at->h);
+  number_cells(row, at->point, 3);
+  number_cells(row, at->normal, 3);
+  number_cells(row, at->flat, 2);
+}
+
 static void nodes(const struct row *row, const struct ph_surface_samples *grid,
                   double distance) {
   for (size_t i = 0; i < grid->n; i++) {
-    const struct ph_surface_sample *at = &grid->v[i];
     begin_row(row);
-    number_cell(row, (double)at->strip);
-    number_cell(row, at->s);
-    number_cell(row, at->h);
-    number_cells(row, at->point, 3);
-    number_cells(row, at->normal, 3);
-    number_cells(row, at->flat, 2);
+    node_cells(row, &grid->v[i]);
     end_surface_row(row, distance);
+  }
+}
+
+static void located(const struct row *row, const struct ph_located_list *list) {
+  for (size_t i = 0; i < list->n; i++) {
+    begin_row(row);
+    number_cell(row, (double)list->v[i].index);
+    node_cells(row, &list->v[i].at);
+    end_row(row);
   }
 }
 
@@ -390,6 +405,9 @@ void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
   case PH_TABLE_STRIPS:
   case PH_TABLE_DEVELOPMENT:
     surfaces(&row, result);
+    break;
+  case PH_TABLE_LOCATED:
+    located(&row, &result->located);
     break;
   case PH_TABLE_SAMPLES:
     if (shape->space == PH_SURFACE) {

@@ -28,7 +28,8 @@
     "control points and weights of the offset curves; on a sphere samples") \
   X(STRIPS, "strips", "frames, curvatures and vertices of a surface")       \
   X(DEVELOPMENT, "development",                                             \
-    "control points and weights of the development of a surface")
+    "control points and weights of the development of a surface")           \
+  X(LOCATED, "located", "points of a development, on the surface")
 
 enum ph_table {
 #define X(symbol, name, what) PH_TABLE_##symbol,

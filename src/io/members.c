@@ -82,6 +82,7 @@ TYPE(strip, "strip", LIST, 0, 0, 0);
 TYPE(pair, "pair", LIST, 0, 0, 0);
 TYPE(parallel, "parallel", LIST, 0, 0, 0);
 TYPE(node, "node", LIST, 0, 0, 0);
+TYPE(located, "located", LIST, 0, 0, 0);
 TYPE(strip_frame, "strip_frame", OBJECT, sizeof(struct ph_strip_frame), 0, 0);
 TYPE(arc3, "arc3", OBJECT, sizeof(struct ph_arc3), 0, 0);
 TYPE(arc2, "arc2", OBJECT, sizeof(struct ph_arc2), 0, 0);
@@ -177,6 +178,9 @@ static const struct ph_member surface[] = {
      LIST(ph_result, parallels, parallels_n), "one for each distance"},
     {"samples", MAY, ANY, AS("[+]", node), LIST(ph_result, grid.v, grid.n),
      "strip by strip, along it, and across"},
+    {"located", MAY, ANY, AS("[+]", located),
+     LIST(ph_result, located.v, located.n),
+     "the points of flat that are on the surface, in their order"},
     {"diagnostics", TOLD, ANY, AS("", certificate), AT(ph_result, diagnostics),
      "the certificate of the surface, and how it was found"},
     {"warnings", MAY, ANY, AS("[+]", warning),
@@ -276,6 +280,23 @@ static const struct ph_member node[] = {
     {"normal", TOLD, ANY, AS("[3]", number), AT(ph_surface_sample, normal),
      "the unit normal"},
     {"flat", TOLD, ANY, AS("[2]", number), AT(ph_surface_sample, flat),
+     "the point of the development"},
+    LAST};
+
+static const struct ph_member located[] = {
+    {"index", MUST, ANY, AS("", whole), AT(ph_located, index),
+     "of the point in flat"},
+    {"strip", MUST, ANY, AS("", index), AT(ph_located, at.strip),
+     "of the surface"},
+    {"s", MUST, ANY, AS("", number), AT(ph_located, at.s),
+     "the arc length of the contact curve from the start of the strip"},
+    {"h", MUST, ANY, AS("", number), AT(ph_located, at.h),
+     "the distance from the contact curve along the ruling"},
+    {"point", MUST, ANY, AS("[3]", number), AT(ph_located, at.point),
+     "the point"},
+    {"normal", TOLD, ANY, AS("[3]", number), AT(ph_located, at.normal),
+     "the unit normal"},
+    {"flat", TOLD, ANY, AS("[2]", number), AT(ph_located, at.flat),
      "the point of the development"},
     LAST};
 
@@ -527,6 +548,7 @@ static const struct ph_members objects[] = {
     {"pair", true, pair, sizeof(struct ph_pair)},
     {"parallel", false, parallel, sizeof(struct ph_parallel)},
     {"node", true, node, sizeof(struct ph_surface_sample)},
+    {"located", true, located, sizeof(struct ph_located)},
     {"segment", false, segment, 0},
     {"interval", false, interval, sizeof(struct ph_interval)},
     {"offset", false, offset, sizeof(struct ph_offset)},

@@ -188,6 +188,40 @@ expect 'a mesh of no height' 1 'phspline: -:1: record 1: height: must have an '\
 "extent for --format=obj, as in --height=[-1,1] [bad-value]
 $(failed 1 1)" ''
 
+# Points of the flat pattern, of many strips, back on the surface.
+turn 8 ',"closed":true,"height":[-0.5,1]' >turn.json
+run cone -q --sample=5x3 turn.json
+jq -c '{flat: [.samples[].flat]}' out >flat.json
+jq -c '[.samples[].point]' out >points.json
+jq -cs '.[0] + .[1]' turn.json flat.json >located.json
+run cone located.json
+expect 'points of the flat pattern' 0
+mv out result.json
+true_that 'points of the flat pattern: all are located, where they were' \
+  jq -es '.[0] as $p | .[1].located as $l | ($p | length) == ($l | length) and
+    all(range($p | length); . as $i | $l[$i].index == $i and
+      all(range(3); $p[$i][.] - $l[$i].point[.] | fabs < 1e-13))' \
+  points.json result.json
+run verify --problems=located.json result.json
+expect 'points of the flat pattern: verified' 0
+sed 's/"located":\[{"index":0,"strip":0,"s":0,/&"h":0.2,"hh":/; s/"hh":[^,]*,//' \
+  result.json >wrong.json
+run verify -q wrong.json
+equal 'points of the flat pattern: another place is refused' \
+  '1 "located[0].point"' "$status $(get error.field)"
+sed 's/"index":7,/"index":8,/' result.json >wrong.json
+run verify -q --problems=located.json wrong.json
+equal 'points of the flat pattern: another point is refused' \
+  '1 "located[7].flat"' "$status $(get error.field)"
+run cone --flat='[[0,0],[9,9],[0.5,0.3],[0,1.1]]' --table=located part.json
+expect 'points beside the flat pattern' 0 "phspline: part.json:1: record 1: \
+warning: 2 of 4 points are outside of the flat pattern, the first is flat[1] \
+[outside]"
+equal 'points beside the flat pattern: the others' 'index 0 2' \
+  "$(cut -d, -f2 out | tr '\n' ' ' | sed 's/ $//')"
+feed "$good" cone -q --flat='[[9,9]]'
+equal 'no point on the flat pattern: no member' absent "$(get located)"
+
 run cone -q --format=svg-path part.json
 expect 'a flat pattern' 0
 true_that 'a flat pattern: an outline and three rulings' \
@@ -278,6 +312,8 @@ bad bad-value height 'must not begin above its end, found [1,-1]' \
 bad bad-value degenerate_tolerance \
   'must be greater than 0 and at most 0.1, found 1' \
   "{$points,$rulings,$tangents,\"degenerate_tolerance\":1}"
+bad bad-shape 'flat[1]' 'must have 2 numbers, found 3' \
+  "{$points,$rulings,$tangents,\"flat\":[[0,0],[1,2,3]]}"
 bad infeasible 'pairs[0]' 'has no pair of circular cones: the rulings are those '\
 'of a saddle, as of a helicoid' '{"points":[[0,0,0],[0,0,1]],'\
 '"rulings":[[1,0,0],[0.8,0.6,0]],"tangents":[[0,0,1],[0,0,1]]}'
@@ -310,6 +346,7 @@ warned_of vertex-inside "$(turn 2 ',"height":[0,4]')"
 warned_of sign-change '{"points":[[0,0,0],[1,0,1]],"rulings":[[0,1,0],[0,1,0]],'\
 '"tangents":[[1,0,0],[1,0,0]]}'
 warned_of large-arc "{$points,$rulings,$tangents,\"lambda\":7.5}"
+warned_of outside "{$points,$rulings,$tangents,\"flat\":[[7,7]]}"
 warned_of far-contact '{"points":[[0,0,0],[1,0,0.1]],"rulings":[[0,1,0],'\
 '[0.00001,1,0.00002]],"tangents":[[1,0,0],[0.99,0,0.14]]}'
 
@@ -323,10 +360,10 @@ usage() {
   expect "$name" 2 "phspline: $message
 Try 'phspline $1 --help'." ''
 }
-usage 'a table of curves' '--table: the surfaces of cone have strips, samples '\
-'and development' cone --table=lengths
-usage 'a table of surfaces' '--table: strips and development are of surfaces, '\
-'planar makes curves' planar --table=strips
+usage 'a table of curves' '--table: the surfaces of cone have strips, samples, '\
+'development and located' cone --table=lengths
+usage 'a table of surfaces' '--table: strips, development and located are of '\
+'surfaces, planar makes curves' planar --table=strips
 usage 'a mesh of curves' '--format=obj is of surfaces, tc makes curves' tc \
   --format=obj
 usage 'samples that are not asked for' '--table=samples needs --sample' cone \

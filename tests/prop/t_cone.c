@@ -12,6 +12,9 @@
 #include "problem_unit.h"
 #include "unit.h"
 
+#include "curve/surface/locate.h"
+#include "curve/surface/ruling.h"
+#include "kernel/pi.h"
 #include "solve/cone/cone.h"
 
 enum { ELEMENTS = 6 };
@@ -328,6 +331,53 @@ PH_TEST(test_apex) {
     }
     ck_frames(&one, &data);
   }
+}
+
+/* ---- the development ------------------------------------------------------
+ */
+
+/* Points of strips of any curvature, on both sides of their vertex, are found
+ * again; what is beside them is not. */
+PH_TEST(test_located) {
+  struct unit_random r = unit_random_of(8);
+  const size_t n = unit_cases(20000);
+  size_t beside = 0;
+  for (size_t i = 0; i < n; i++) {
+    const double k = unit_random_in(&r, -1, 1) * pow(10, -(double)(i % 16));
+    const double most = fmin(5, 2 * PH_PI / fabs(k));
+    struct ph_strip strip = {
+        .k = k,
+        .frame = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
+        .length = unit_random_in(&r, 0.1, most)};
+    struct ph_curve curve = {.n = 1, .surface = {.strips = &strip}};
+    double *height = curve.surface.height;
+    const double u = unit_random_in(&r, 0, 1);
+    const double out = unit_random_in(&r, 1.0001, 2);
+    struct ph_surface_sample at;
+    struct ph_ruling ruling;
+    double flat[2], found[2], h;
+    unit_case("point %zu, k %g", i, k);
+    height[0] = unit_random_in(&r, -3, 3);
+    height[1] = height[0] + unit_random_in(&r, 0, 3);
+    strip.development.control_points[0][0] = unit_random_in(&r, -9, 9);
+    strip.development.angle = unit_random_in(&r, -9, 9);
+    h = unit_random_in(&r, height[0], height[1]);
+    ruling = ph_ruling_at(&strip, u);
+    ph_ruling_flat(&ruling, h, flat);
+    ck_that(ph_strip_locate(&curve, 0, flat, 1e-12, &at), "%.17g %.17g", u, h);
+    ruling = ph_ruling_at(&strip, at.s / strip.length);
+    ph_ruling_flat(&ruling, at.h, found);
+    ck_abs(found[0], flat[0], 1e-13);
+    ck_abs(found[1], flat[1], 1e-13);
+    ck_that(at.h >= height[0] - 1e-12 && at.h <= height[1] + 1e-12, "%g", at.h);
+    if (fabs(k) * strip.length < 1 && fabs(k) < 0.1) {
+      beside++;
+      ruling = ph_ruling_at(&strip, i % 2 ? out : 1 - out);
+      ph_ruling_flat(&ruling, h, flat);
+      ck_that(!ph_strip_locate(&curve, 0, flat, 1e-12, &at), "%g", out);
+    }
+  }
+  ck_that(beside > n / 2, "%zu", beside);
 }
 
 /* ---- motions ------------------------------------------------------------- */

@@ -112,6 +112,17 @@ struct ph_surface_samples {
   size_t n;
 };
 
+/* A point of the development, and where it is on the surface. */
+struct ph_located {
+  size_t index; /* of the point, among those that were asked for */
+  struct ph_surface_sample at;
+};
+
+struct ph_located_list {
+  struct ph_located *v;
+  size_t n;
+};
+
 /* What a surface has beside the rest of its struct ph_curve, whose segments are
  * its strips: n, lengths, length and closed are there. */
 struct ph_surface {

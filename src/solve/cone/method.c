@@ -3,8 +3,30 @@
  * (cone.h): O(n), and nothing is allocated for a pair. */
 #include "solve/method.h"
 
+#include "curve/surface/locate.h"
 #include "solve/common/fields.h"
 #include "solve/cone/cone.h"
+
+/* Points of the development, and what is told of those that are beside it. */
+static enum ph_status locate(const struct ph_value *flat, struct ph_arena *out,
+                             struct ph_result *result, struct ph_diag *diag) {
+  const struct ph_located_list *list = &result->located;
+  enum ph_status status =
+      ph_surface_locate(&result->curve, (const double(*)[2])(void *)flat->v,
+                        flat->n, out, &result->located, diag);
+  size_t first = 0;
+  if (status != PH_OK || list->n == flat->n) {
+    return status;
+  }
+  while (first < list->n && list->v[first].index == first) {
+    first++;
+  }
+  ph_warn(result, PH_NO_SEGMENT, PH_W_OUTSIDE,
+          "%zu of %zu points are outside of the flat pattern, the first is "
+          "flat[%zu]",
+          flat->n - list->n, flat->n, first);
+  return PH_OK;
+}
 
 static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,
@@ -14,6 +36,9 @@ static enum ph_status solve(const struct ph_problem *problem,
   enum ph_status status = ph_cone_data_of(problem, scratch, &data, diag);
   if (status == PH_OK) {
     status = ph_cone_build(&data, out, result, diag);
+  }
+  if (status == PH_OK && ph_fields_given(problem, PH_F_FLAT)) {
+    status = locate(&problem->field[PH_F_FLAT], out, result, diag);
   }
   ph_arena_release(scratch, mark);
   return status;
@@ -43,6 +68,8 @@ static const struct ph_field fields[] = {
     {PH_F_HEIGHT, PH_NUMBERS, 0, false, NULL, "0 to 0, the contact curve",
      "the part of the rulings that is meant, from where to where, from the "
      "given points"},
+    {PH_F_FLAT, PH_VECTORS, 1u << 2, false, NULL, "none",
+     "points [u,v] of the flat pattern, to be located on the surface"},
     PH_FIELD_MERGE,
 };
 

@@ -52,6 +52,7 @@ static const struct {
     {PH_W_VERTEX_INSIDE, "vertex-inside", 1},
     {PH_W_SIGN_CHANGE, "sign-change", 1},
     {PH_W_LARGE_ARC, "large-arc", 1},
+    {PH_W_OUTSIDE, "outside", 1},
 };
 
 PH_TEST(test_codes) {
