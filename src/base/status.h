@@ -62,7 +62,7 @@ enum ph_class {
   X(W_SHAPE_UNSATISFIABLE, "shape-unsatisfiable", RECORD,                  \
     "no tension keeps the shape of the data")                              \
   X(W_INFINITE_FUNCTIONAL, "infinite-functional", RECORD,                  \
-    "F2 or F3 of a segment is infinite, and F1 the least")                 \
+    "of a segment F2 or F3 is infinite, and F1 the least")                 \
   X(W_WIGGLE, "wiggle", RECORD,                                            \
     "lengths that differ from the natural ones make the curve wiggle")     \
   X(W_INCONSISTENT_LENGTHS, "inconsistent-lengths", RECORD,                \

@@ -216,7 +216,7 @@ while read -r name; do
   with='planar --sample=1' # with offsets, samples have further columns
   case $name in
   offsets) with='planar --offset=1' ;;
-  strips | development) with='cone --columns=x,y,z' ;;
+  strips | development | located) with='cone --columns=x,y,z' ;;
   esac
   # several words
   # shellcheck disable=SC2086

@@ -40,6 +40,7 @@ static const struct {
     {PH_W_LARGE_ALPHA, "large-alpha", 1},
     {PH_W_AMBIGUOUS, "ambiguous", 1},
     {PH_W_SHAPE_UNSATISFIABLE, "shape-unsatisfiable", 1},
+    {PH_W_INFINITE_FUNCTIONAL, "infinite-functional", 1},
     {PH_W_WIGGLE, "wiggle", 1},
     {PH_W_INCONSISTENT_LENGTHS, "inconsistent-lengths", 1},
     {PH_W_SADDLE, "saddle", 1},
