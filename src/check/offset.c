@@ -8,6 +8,7 @@
  * measured at some places of each.
  */
 #include "check/checks.h"
+#include "check/dips.h"
 
 #include "kernel/bern.h"
 
@@ -208,13 +209,50 @@ static void check_pieces(struct context *c) {
   }
 }
 
+/* Places of a segment: where it is slowest, and on both sides of that where the
+ * curve has turned by about a quarter. */
+enum { SLOW = 3 * PH_CHECK_DIPS };
+
+static size_t slow_places(const struct ph_check_segment *s, double u[SLOW]) {
+  const struct ph_check_dips dips = ph_check_slow_of(s);
+  size_t n = 0;
+  for (size_t i = 0; i < dips.n; i++) {
+    ph_vec3 jet[2];
+    double width;
+    ph_check_jet(s, dips.x[i], jet, 2);
+    width = 2 * ph_vec3_abs(jet[0]) / ph_vec3_abs(jet[1]);
+    for (int side = -1; side <= 1; side++) {
+      u[n++] = dips.x[i] + side * width;
+    }
+  }
+  return n;
+}
+
+/* Piece i at x in [0,1] of its interval. */
+static void check_bezier_at(struct context *c, size_t i, double x) {
+  struct ph_check *v = c->v;
+  const struct ph_pieces *of = &c->o->pieces;
+  const double *in = of->interval + 2 * i;
+  size_t n = of->degree + 1, d = of->dimension;
+  double b[DEGREE_MAX + 1];
+  struct ph_check_local at;
+  ph_vec3 found;
+  ph_bern_basis(of->degree, x, b);
+  found = scaled(v, combine(b, n, d, of->control_points + n * d * i, NULL));
+  at = local_of(c, in[0] + x * (in[1] - in[0]), found);
+  ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("beziers", i, "control_points"),
+                ph_check_apart(found, at.point), v->scale.size,
+                at.point_error + BETWEEN * ph_check_scaled(v, of->error),
+                "are farther than they say");
+}
+
 /* Bezier pieces against the offset, within their error. */
 static void check_beziers(struct context *c) {
   struct ph_check *v = c->v;
   const struct ph_pieces *of = &c->o->pieces;
-  double error = BETWEEN * ph_check_scaled(v, of->error);
-  size_t n = of->degree + 1, d = of->dimension;
-  if (of->degree > DEGREE_MAX || d != v->curve->dimension ||
+  double slow[SLOW];
+  size_t slow_n = 0;
+  if (of->degree > DEGREE_MAX || of->dimension != v->curve->dimension ||
       !are_whole(c, "beziers", of->n, of->segment, of->interval)) {
     return;
   }
@@ -222,19 +260,15 @@ static void check_beziers(struct context *c) {
     const double *in = of->interval + 2 * i;
     if (i == 0 || of->segment[i] != of->segment[i - 1]) {
       enter(c, of->segment[i]);
+      slow_n = slow_places(&c->segment, slow);
     }
     for (size_t place = 0; place <= PLACES; place++) {
-      double x = (double)place / PLACES, u = in[0] + x * (in[1] - in[0]);
-      double b[DEGREE_MAX + 1];
-      struct ph_check_local at;
-      ph_vec3 found;
-      ph_bern_basis(of->degree, x, b);
-      found = scaled(v, combine(b, n, d, of->control_points + n * d * i, NULL));
-      at = local_of(c, u, found);
-      ph_check_miss(v, PH_CHECK_OFFSET,
-                    ph_check_of("beziers", i, "control_points"),
-                    ph_check_apart(found, at.point), v->scale.size,
-                    at.point_error + error, "are farther than they say");
+      check_bezier_at(c, i, (double)place / PLACES);
+    }
+    for (size_t place = 0; place < slow_n; place++) {
+      if (slow[place] > in[0] && slow[place] < in[1]) {
+        check_bezier_at(c, i, (slow[place] - in[0]) / (in[1] - in[0]));
+      }
     }
   }
 }

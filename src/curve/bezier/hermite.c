@@ -6,12 +6,22 @@
 #include "curve/bezier/hermite.h"
 
 #include "curve/segment/seg2.h"
+#include "kernel/golden.h"
 
 #include <float.h>
 #include <math.h>
 
-/* A million pieces of a segment are not what anybody wants. */
-enum { HALVINGS_MAX = 20, NODES = 12 };
+/* A dip of the speed may take 1e-12 of a segment; a million pieces are not what
+ * anybody wants. */
+enum { HALVINGS_MAX = 44, PIECES_MAX = 1 << 20, NODES = 12 };
+
+/* Where |r'|, which has two dips at most, falls far, an offset moves aside
+ * within a short part of the segment.  Cells among which dips are searched,
+ * steps that find one, and the places that are looked at for them. */
+enum { CELLS = 32, STEPS = 40, DIPS = 2, SLOW = 3 * DIPS };
+
+/* What takes more of a segment is seen without that. */
+static const double SHORT = 0.25;
 
 /* The exact curve at a parameter: position, derivatives by u.  In the plane,
  * z = 0. */
@@ -31,10 +41,12 @@ struct walk {
   double distance, tolerance;
   enum ph_normal normal;
   struct ph_quad rule;
-  size_t segment;
-  struct ph_seg2 seg2; /* the segment, in the plane or in space */
+  size_t segment, before; /* pieces of those before it */
+  struct ph_seg2 seg2;    /* the segment, in the plane or in space */
   struct ph_seg3 seg3;
   struct jet (*jet_at)(const struct walk *walk, double u);
+  double slow[SLOW]; /* places where it is slow, of [0,1] and beyond */
+  size_t slow_n;
   struct ph_pieces *pieces; /* n and error of the parts so far */
   struct part **end;        /* of their list */
   struct ph_arena *arena;
@@ -123,20 +135,70 @@ static ph_vec3 bezier_at(const ph_vec3 p[6], double x) {
   return q[0];
 }
 
+/* |A| and |A'|, or |w| and |w'|. */
+static void preimage_at(const struct walk *walk, double u, double size[2]) {
+  if (walk->curve->dimension == 2) {
+    ph_cplx w[2];
+    ph_atph_jet(&walk->seg2.space, walk->seg2.w, u, w, 2);
+    size[0] = ph_cplx_abs(w[0]);
+    size[1] = ph_cplx_abs(w[1]);
+  } else {
+    ph_quat a[2];
+    ph_seg3_jet(&walk->seg3, u, a, 2);
+    size[0] = ph_quat_abs(a[0]);
+    size[1] = ph_quat_abs(a[1]);
+  }
+}
+
+static double size_at(const void *walk, double u) {
+  double size[2];
+  preimage_at(walk, u, size);
+  return size[0];
+}
+
+/* Places of dips, and beside each, where the curve has turned by a quarter. */
+static void find_slow(struct walk *walk) {
+  double g[CELLS + 1];
+  walk->slow_n = 0;
+  for (size_t i = 0; i <= CELLS; i++) {
+    g[i] = size_at(walk, (double)i / CELLS);
+  }
+  for (size_t i = 1; i < CELLS && walk->slow_n + 3 <= SLOW; i++) {
+    if (g[i] < g[i - 1] && g[i] <= g[i + 1]) {
+      struct ph_bracket b = {(double)(i - 1) / CELLS, (double)i / CELLS,
+                             (double)(i + 1) / CELLS, g[i]};
+      double size[2], width;
+      ph_golden(size_at, walk, STEPS, &b);
+      preimage_at(walk, b.x, size);
+      width = size[0] / size[1];
+      for (int side = -1; side <= 1 && width < SHORT; side++) {
+        walk->slow[walk->slow_n++] = b.x + side * width;
+      }
+    }
+  }
+}
+
+/* The distance from the exact curve at x in [0,1] of a part. */
+static double error_at(const struct walk *walk, const ph_vec3 p[6], double u0,
+                       double u1, double x) {
+  struct jet exact = walk->jet_at(walk, u0 + x * (u1 - u0));
+  ph_vec3 away = ph_vec3_sub(bezier_at(p, x), exact.r);
+  return hypot(hypot(away.x, away.y), away.z); /* at any scale */
+}
+
 /* The greatest distance from the exact curve, or the first one seen that is not
  * within the tolerance; where it tends to be greatest it is seen first. */
 static double error_of(const struct walk *walk, const ph_vec3 p[6], double u0,
                        double u1) {
   static const double at[] = {0.5, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875};
+  const size_t n = sizeof at / sizeof at[0];
   double worst = 0;
-  for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
-    struct jet exact = walk->jet_at(walk, u0 + at[i] * (u1 - u0));
-    ph_vec3 away = ph_vec3_sub(bezier_at(p, at[i]), exact.r);
-    double error = hypot(hypot(away.x, away.y), away.z); /* at any scale */
-    if (!(error <= walk->tolerance)) {
-      return error;
+  for (size_t i = 0; i < n + walk->slow_n && worst <= walk->tolerance; i++) {
+    double x = i < n ? at[i] : (walk->slow[i - n] - u0) / (u1 - u0);
+    if (x > 0 && x < 1) {
+      double error = error_at(walk, p, u0, u1, x);
+      worst = error <= worst ? worst : error;
     }
-    worst = error > worst ? error : worst;
   }
   return worst;
 }
@@ -185,7 +247,8 @@ static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
     return ph_fail_at(walk->diag, PH_E_TOO_LARGE, "segments", walk->segment,
                       "has no Bezier pieces in the range of a double");
   }
-  if (depth == HALVINGS_MAX || !isfinite(error)) {
+  if (depth == HALVINGS_MAX || walk->pieces->n - walk->before > PIECES_MAX ||
+      !isfinite(error)) {
     return ph_fail_at(
         walk->diag, PH_E_NO_CONVERGENCE, "segments", walk->segment,
         "has no Bezier pieces within %.3g of the exact curve", walk->tolerance);
@@ -197,6 +260,7 @@ static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
 
 static void enter(struct walk *walk, size_t k) {
   walk->segment = k;
+  walk->before = walk->pieces->n;
   if (walk->curve->dimension == 2) {
     walk->seg2 = ph_seg2_of(walk->curve, k);
     walk->jet_at = planar_jet;
@@ -204,6 +268,18 @@ static void enter(struct walk *walk, size_t k) {
     walk->seg3 = ph_seg3_of(walk->curve, k);
     walk->jet_at = spatial_jet;
   }
+}
+
+/* Segment k in parts. */
+static enum ph_status cut(struct walk *walk, size_t k) {
+  struct jet a, b;
+  enter(walk, k);
+  if (fabs(walk->distance) > 0) {
+    find_slow(walk);
+  }
+  a = walk->jet_at(walk, 0);
+  b = walk->jet_at(walk, 1);
+  return visit(walk, &a, 0, &b, 1, 0);
 }
 
 /* Writes the pieces of all parts. */
@@ -251,12 +327,7 @@ enum ph_status ph_hermite_pieces(const struct ph_curve *curve, double distance,
     return ph_fail_memory(diag);
   }
   for (size_t k = 0; k < curve->n; k++) {
-    struct jet a, b;
-    enum ph_status status;
-    enter(&walk, k);
-    a = walk.jet_at(&walk, 0);
-    b = walk.jet_at(&walk, 1);
-    status = visit(&walk, &a, 0, &b, 1, 0);
+    enum ph_status status = cut(&walk, k);
     if (status != PH_OK) {
       return status;
     }

@@ -24,7 +24,8 @@
  *                 to the left of travel
  * in   tolerance  greatest distance from the exact curve, in its unit
  * out  pieces     error is the greatest distance found, at seven points of each
- *                 piece, between points of equal parameter
+ *                 piece and of offsets where the curve is slowest, between
+ *                 points of equal parameter
  * ret  PH_OK | PH_E_NO_CONVERGENCE, PH_E_TOO_LARGE (name the segment) |
  *      PH_E_NO_MEMORY
  */

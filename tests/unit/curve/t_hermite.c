@@ -211,6 +211,20 @@ PH_TEST_EACH(test_joints_in_space, MOVES) {
   }
 }
 
+/* Where the curve all but stands still, its normal turns once, or nearly, about
+ * the tangent: the offset moves aside within a short part of the segment. */
+PH_TEST_EACH(test_nearly_still, MOVES) {
+  const double alpha = 0.5;
+  begin_space();
+  for (double width = 0.1; width > 1e-8; width /= 100) {
+    const ph_quat a[3] = {
+        {-0.81, width, 0, 0}, {-0.31, width, 0, 0}, {0.19, width, 0, 1e-5}};
+    unit_curve3_of(&c, 1, &alpha, a, ph_vec3_of(0, 0, 0));
+    ck_assert_int_eq(move((size_t)_i, 1e-7), PH_OK);
+    ck_assert_double_le(apart_in_space((size_t)_i), 1.1e-7);
+  }
+}
+
 /* Where a curve stands still it has no normal, but Bezier pieces. */
 PH_TEST(test_standstill) {
   const ph_quat a[3] = {{0, 0, 0, 0}, {1, 0.2, 0, 0.1}, {1, 0, 0.3, 0}};
