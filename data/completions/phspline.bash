@@ -208,11 +208,12 @@ _phspline() {
     --curve | --curve=) kind=nothing ;;
     --closed=) list='true false' ;;
     --merge | --merge=) kind=nothing ;;
-    --mode | --mode=) list='g1 g1-pair g1-auto g1-fair c1 spline approximate' ;;
+    --mode | --mode=) list='g1 g1-pair g1-auto g1-fair c1 spline g2 approximate' ;;
     --lambda | --lambda=) kind=nothing ;;
-    --ends | --ends=) list='chord circle' ;;
+    --ends | --ends=) list='chord circle smooth' ;;
     --end_tangents | --end_tangents=) kind=nothing ;;
     --end_derivatives | --end_derivatives=) kind=nothing ;;
+    --auxiliary | --auxiliary=) list='auto never' ;;
     --joint | --joint=) list='free chord' ;;
     --joint_angle | --joint_angle=) kind=nothing ;;
     --joint_position | --joint_position=) kind=nothing ;;
@@ -226,9 +227,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path obj' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
-    --override | --override=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
-    -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    -s | --set | --set=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    --override | --override=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
@@ -245,7 +246,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -87,7 +87,11 @@ enum ph_class {
   X(W_LARGE_ARC, "large-arc", RECORD,                                      \
     "a strip turns by more than 180 degrees")                              \
   X(W_OUTSIDE, "outside", RECORD,                                          \
-    "points are outside of the flat pattern of a surface")
+    "points are outside of the flat pattern of a surface")                 \
+  X(W_G1_JOINTS, "g1-joints", RECORD, "the curvature jumps at joints")     \
+  X(W_AUXILIARY_POINTS, "auxiliary-points", RECORD,                        \
+    "points were added to the data")                                       \
+  X(W_NEAR_CUSP, "near-cusp", RECORD, "a cubic is nearly a cusp")
 
 #define PH_STATUS(X) X(OK, "ok", OK, "solved") PH_ERRORS(X) PH_WARNINGS(X)
 

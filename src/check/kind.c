@@ -4,6 +4,7 @@
 
 #include "check/checks.h"
 #include "check/spherical.h"
+#include "check/tc_g2.h"
 
 /* Points and tensions of a spline on a sphere. */
 static void check_spline(struct ph_check *v) {
@@ -24,6 +25,6 @@ const struct ph_check_kind ph_check_kinds[PH_CURVE_N] = {
     [PH_CURVE_ATPH] = {FORM, .square = true, .angles = true,
                        .trigonometric = true},
     [PH_CURVE_BEZIER] = {FORM, .trigonometric = true, .converted = true},
-    [PH_CURVE_TC] = {FORM, .square = true},
+    [PH_CURVE_TC] = {FORM, .square = true, .whole = ph_check_curvature},
     [PH_CURVE_SPHERICAL_NU] = {GREAT, .sphere = true, .whole = check_spline},
     [PH_CURVE_CONE] = {0}}; /* cone.h, in place of all */

@@ -11,6 +11,7 @@
 #include "check/note.h"
 #include "check/tc_approx.h"
 #include "check/tc_check.h"
+#include "check/tc_g2.h"
 #include "check/tc_wanted.h"
 
 #include <math.h>
@@ -218,11 +219,15 @@ enum ph_status ph_check_tc(struct ph_check *v,
   struct ph_tc_wanted wanted;
   struct ph_tc_check c;
   enum ph_status status;
-  if (ph_tc_wanted_mode_of(problem) == PH_TC_WANTED_APPROXIMATE) {
+  enum ph_tc_wanted_mode mode = ph_tc_wanted_mode_of(problem);
+  if (mode == PH_TC_WANTED_APPROXIMATE) {
     return ph_check_tc_approximation(v, diagnostics);
   }
   if (points->kind != PH_VECTORS || points->dimension != 2 || points->n < 2) {
     return ph_fail(diag, PH_E_INTERNAL, "points", "are not in the plane");
+  }
+  if (mode == PH_TC_WANTED_G2) {
+    return ph_check_tc_g2(v, diagnostics);
   }
   status = ph_tc_check_begin(&c, curve, v->scratch, points->v, points->n, diag);
   if (status == PH_OK) {

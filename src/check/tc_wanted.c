@@ -34,6 +34,7 @@ enum ph_tc_wanted_mode ph_tc_wanted_mode_of(const struct ph_problem *p) {
                                    : PH_TC_WANTED_TWO;
   }
   return is(p, PH_F_MODE, "approximate") ? PH_TC_WANTED_APPROXIMATE
+         : is(p, PH_F_MODE, "g2")        ? PH_TC_WANTED_G2
          : is(p, PH_F_MODE, "g1")        ? PH_TC_WANTED_ONE
          : is(p, PH_F_MODE, "g1-auto") || is(p, PH_F_MODE, "g1-fair")
              ? PH_TC_WANTED_EITHER

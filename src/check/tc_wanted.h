@@ -13,7 +13,8 @@ enum ph_tc_wanted_mode {
   PH_TC_WANTED_ONE,    /* g1: one cubic in each interval */
   PH_TC_WANTED_TWO,    /* g1-pair, c1, spline: two */
   PH_TC_WANTED_EITHER, /* g1-auto, g1-fair */
-  PH_TC_WANTED_APPROXIMATE
+  PH_TC_WANTED_APPROXIMATE,
+  PH_TC_WANTED_G2
 };
 
 struct ph_tc_wanted {

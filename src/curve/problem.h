@@ -64,7 +64,8 @@
   X(METHOD, "method")                     \
   X(DEGENERATE, "degenerate_tolerance")   \
   X(HEIGHT, "height")                     \
-  X(FLAT, "flat")
+  X(FLAT, "flat")                         \
+  X(AUXILIARY, "auxiliary")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,

@@ -13,6 +13,7 @@
 static const char *const curve_names[] = {PH_CURVES(CURVE) NULL};
 static const char *const frame_names[] = {PH_FRAMES(NAME, NAME) NULL};
 static const char *const outcome_names[] = {PH_OUTCOMES(NAME) NULL};
+static const char *const joint_names[] = {PH_JOINTS(NAME) NULL};
 static const char *const root_names[] = {PH_ROOTS(NAME) NULL};
 static const char *const strip_names[] = {PH_STRIP_METHODS(NAME) NULL};
 static const char *const case_names[] = {PH_PAIR_CASES(NAME) NULL};
@@ -39,7 +40,8 @@ const char *const *ph_words(const char *type) {
     const char *const *words;
   } lists[] = {{"kind", curve_names},         {"frame", frame_names},
                {"root", root_names},          {"outcome", outcome_names},
-               {"strip_method", strip_names}, {"case", case_names}};
+               {"strip_method", strip_names}, {"case", case_names},
+               {"joint", joint_names}};
   for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
     if (strcmp(lists[i].type, type) == 0) {
       return lists[i].words;

@@ -9,6 +9,7 @@
 
 #include "base/diag.h"
 #include "base/mem.h"
+#include "curve/g2.h"
 #include "curve/surface/surface.h"
 
 #include <math.h>
@@ -125,6 +126,7 @@ struct ph_curve {
   struct ph_preimage preimage;
   struct ph_choice choice;
   struct ph_images blaschke;
+  struct ph_g2 g2;
   struct ph_sphere sphere;
   struct ph_surface surface;
 };
@@ -275,6 +277,9 @@ struct ph_offset {
     "what is left of the gradient at the minimum, relative")                   \
   X(SECOND_ORDER, "second_order", "outcome",                                   \
     "what the curve was proved to be: a minimum, or a saddle")                 \
+  X(G2_ERROR, "g2_error", "number",                                            \
+    "the largest jump of the curvature where none is listed, over the "        \
+    "largest curvature at a joint")                                            \
   X(PLANAR, "planar", "flag",                                                  \
     "whether the curve lies in the plane of its data")                         \
   X(LENGTH_RMS, "length_rms", "number",                                        \
@@ -512,9 +517,9 @@ struct ph_result {
                         (double)NAN, (double)NAN, (double)NAN, (double)NAN})
 
 /* ph_words: the words of a type in records, "kind" of curves, "frame" from
- * PH_FRAME_FRENET on, "root", "outcome", "strip_method" or "case" of pairs,
- * in the order of the enum and ended
- * by NULL; NULL: the type is no list of words. */
+ * PH_FRAME_FRENET on, "root", "outcome", "strip_method", "case" of pairs or
+ * "joint", in the order of the enum and ended by NULL; NULL: the type is no
+ * list of words. */
 const char *const *ph_words(const char *type);
 
 /* ph_outcome_name: the name of an outcome, as in records. */

@@ -73,6 +73,8 @@ TYPE(piece, "piece", PIECES, 0, 0, 0);
 TYPE(bezier, "bezier", BEZIERS, 0, 0, 0);
 TYPE(sample, "sample", SAMPLES, 0, 0, 0);
 TYPE(interval, "interval", LIST, 0, 0, 0);
+TYPE(joint, "joint", LIST, 0, 0, 0);
+TYPE(joint_kind, "joint", ENUM, sizeof(enum ph_joint_kind), 0, 0);
 TYPE(solution, "solution", LIST, 0, 0, 0);
 TYPE(offset, "offset", LIST, 0, 0, 0);
 TYPE(cusp, "cusp", LIST, 0, 0, 0);
@@ -131,6 +133,12 @@ static const struct ph_member result[] = {
     {"intervals", MAY, INTERVALS, AS("[+]", interval),
      LIST(ph_result, intervals, intervals_n),
      "between consecutive data, or of each curve that is approximated"},
+    {"joints", MAY, CUBIC, AS("[+]", joint),
+     LIST(ph_result, curve.g2.joints, curve.g2.joints_n),
+     "of curves with continuous curvature: where it jumps"},
+    {"auxiliary", MAY, CUBIC, AS("[+]", index),
+     LIST(ph_result, curve.g2.auxiliary, curve.g2.auxiliary_n),
+     "the segments that begin at points which were added"},
     {"tangent_deviations", MAY, LENGTHS, AS("[+]", number),
      LIST(ph_result, deviations, deviations_n),
      "of tangents that were measured: the angles by which the curve misses "
@@ -345,8 +353,7 @@ static const struct ph_member interval[] = {
      "what it is on the curve whose lengths are free"},
     {"segments", MUST, ANY, AS("", range), AT(ph_interval, first),
      "the first and the last of its segments"},
-    {"root", MAY, CUBIC, AS("", root), AT(ph_interval, root),
-     "which solution it is"},
+    {"root", MAY, CUBIC, AS("", root), AT(ph_interval, root), "which one"},
     {"D", MAY, CUBIC, AS("", number), AT(ph_interval, ratio), "of one cubic"},
     {"lambda", MAY, CUBIC, AS("", number), AT(ph_interval, lambda),
      "length of the derivatives over that of the chord"},
@@ -355,6 +362,16 @@ static const struct ph_member interval[] = {
     {"joint_position", MAY, CUBIC, AS("", number),
      AT(ph_interval, joint_position),
      "the part of the chord before a joint on it"},
+    LAST};
+
+static const struct ph_member joint[] = {
+    {"segment", MUST, ANY, AS("", index), AT(ph_joint, segment),
+     "that begins there"},
+    {"point", MUST, ANY, AS("[2]", number), AT(ph_joint, point), "the point"},
+    {"curvature", MUST, ANY, AS("[2]", number), AT(ph_joint, curvature),
+     "before and after it, positive to the left"},
+    {"kind", MUST, ANY, AS("", joint_kind), AT(ph_joint, kind),
+     "an inflection, or straight on one side"},
     LAST};
 
 static const struct ph_member solution[] = {
@@ -551,6 +568,7 @@ static const struct ph_members objects[] = {
     {"located", true, located, sizeof(struct ph_located)},
     {"segment", false, segment, 0},
     {"interval", false, interval, sizeof(struct ph_interval)},
+    {"joint", false, joint, sizeof(struct ph_joint)},
     {"offset", false, offset, sizeof(struct ph_offset)},
     {"piece", false, piece, 0},
     {"bezier", false, bezier, 0},

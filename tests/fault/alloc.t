@@ -309,6 +309,8 @@ exhaust 'cubics, offsets and images' lines tc -j 1 -d 0.1 --blaschke \
   cubics.jsonl
 exhaust 'cubics, all solutions' lines tc -j 1 --mode=g1-pair --solutions=all \
   cubics.csv
+printf 'x,y\n0,0\n1,1\n2,0\n3,3\n2,5\n-1,2\n' >turning.csv
+exhaust 'cubics with continuous curvature' lines tc -j 1 --mode=g2 turning.csv
 exhaust 'cubics, a table of samples' lines tc -j 1 -n 2 -f csv --table=samples \
   cubics.csv
 exhaust 'cubics along a chain' lines tc -j 1 --tolerance=0.01 chain.json

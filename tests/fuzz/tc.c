@@ -17,7 +17,8 @@
  *   3      signed: joint_angle in parts of a half turn; 0: absent
  *   4      joint_position in 256ths; 0: absent
  *   5      of what is approximated: bit 0 a curve in place of points,
- *          1 a chain of cubics, 2 pieces in place of a tolerance, 3-7 either
+ *          1 a chain of cubics, 2 pieces in place of a tolerance, 3-7 either;
+ *          of the mode spline bit 2: g2 in its place
  *   6...   the points: pairs of signed bytes, signed 16-bit numbers, doubles
  *          as they are, or steps (turn, length); each followed by its vector,
  *          coded likewise, if there are any: after a step an angle from there,
@@ -42,11 +43,13 @@ enum tc_mode {
   TC_G1_FAIR,
   TC_C1,
   TC_SPLINE,
-  TC_APPROXIMATE
+  TC_APPROXIMATE,
+  TC_G2
 };
 
-static const char *const tc_modes[] = {
-    NULL, "g1", "g1-pair", "g1-auto", "g1-fair", "c1", "spline", "approximate"};
+static const char *const tc_modes[] = {NULL,      "g1",          "g1-pair",
+                                       "g1-auto", "g1-fair",     "c1",
+                                       "spline",  "approximate", "g2"};
 struct tc_flags {
   bool tangents, derivatives, closed, pretty, offset, blaschke, chord;
   bool curve, chain, pieces;
@@ -88,6 +91,9 @@ static bool tc_take_flags(struct tc_input *in) {
                                 .chain = b[5] >> 1 & 1,
                                 .pieces = b[5] >> 2 & 1,
                                 .amount = b[5] >> 3};
+  if (in->flags.mode == TC_SPLINE && in->flags.pieces) {
+    in->flags.mode = TC_G2;
+  }
   in->lambda = b[2] ? exp2((int8_t)b[2] / 32.0) : (double)NAN;
   in->joint_angle = b[3] ? (int8_t)b[3] * PH_PI / 128 : (double)NAN;
   in->joint_position = b[4] ? b[4] / 256.0 : (double)NAN;

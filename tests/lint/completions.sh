@@ -67,7 +67,7 @@ if command -v bash >/dev/null; then
   offers 'true false' phspline planar --closed =
   offers 'data/README' phspline planar --closed data/R
   offers 'knots=' phspline planar --sweep k
-  offers 'g1 g1-pair g1-auto g1-fair' phspline tc --mode = g
+  offers 'g1 g1-pair g1-auto g1-fair g2' phspline tc --mode = g
   offers 'curve=' phspline tc --override cu
   offers 'frenet erf rmf' phspline arclength --frame =
   offers 'data/README' phspline verify --problems = data/R

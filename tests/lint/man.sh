@@ -199,7 +199,7 @@ same "diagnostics" "$tmp/list" "$tmp/page"
 table check/verify.h PH_CHECKS 'symbol, name' 'name' >"$tmp/checks"
 items man/phspline-verify.1 CHECKS Cm >"$tmp/page"
 same "checks of verify" "$tmp/checks" "$tmp/page"
-cat man/*.[1-9] | grep -oE '[a-z_]+_error' | sort -u >"$tmp/page"
+cat man/*.[1-9] | grep -oE '[a-z0-9_]+_error' | sort -u >"$tmp/page"
 cat "$tmp/list" "$tmp/checks" | grep '_error$' | sort -u >"$tmp/errors"
 same "errors of the certificate" "$tmp/errors" "$tmp/page"
 

@@ -9,11 +9,12 @@
 #include "solve/method.h"
 #include "solve/tc/tc.h"
 
-static const char *const names[] = {"one",  "auto",   "fair",
-                                    "pair", "lambda", "chord",
-                                    "c1",   "spline", "approximate"};
-static const char *const modes[] = {
-    "g1", NULL, "g1-fair", "g1-pair", "g1-pair", "g1-pair", NULL, NULL, NULL};
+static const char *const names[] = {"one",    "auto",       "fair", "pair",
+                                    "lambda", "chord",      "c1",   "spline",
+                                    "g2",     "approximate"};
+static const char *const modes[] = {"g1",      NULL,      "g1-fair", "g1-pair",
+                                    "g1-pair", "g1-pair", NULL,      NULL,
+                                    "g2",      NULL};
 /* ---- data ---------------------------------------------------------------- */
 static bool has_tangents(const struct tc_data *d) {
   return d->family < TC_C1;

@@ -22,6 +22,7 @@ enum tc_family {
   TC_CHORD,       /* g1-pair, joints on the chords at an angle that may be */
   TC_C1,          /* derivatives of 0.1 to 3 chords anywhere */
   TC_SPLINE,      /* points alone */
+  TC_G2,          /* the same with continuous curvature */
   TC_APPROXIMATE, /* a Bezier curve, to a tolerance */
   TC_FAMILY_N
 };

@@ -37,6 +37,7 @@ static const struct {
     {"g1-fair", PH_TC_G1_FAIR, PH_F_TANGENTS},
     {"c1", PH_TC_C1, PH_F_DERIVATIVES},
     {"spline", PH_TC_SPLINE, PH_F_POINTS},
+    {"g2", PH_TC_G2, PH_F_POINTS},
     {"approximate", PH_TC_APPROXIMATE, PH_F_POINTS},
 };
 
@@ -53,6 +54,8 @@ static enum ph_status check_fields(const struct ph_problem *p,
                                    enum ph_tc_mode mode, struct ph_diag *diag) {
   bool g1 = mode <= PH_TC_G1_FAIR, approximate = mode == PH_TC_APPROXIMATE;
   bool chord = ph_value_is(&p->field[PH_F_JOINT], "chord");
+  bool open =
+      (mode == PH_TC_SPLINE || mode == PH_TC_G2) && !p->field[PH_F_CLOSED].flag;
   const struct {
     enum ph_field_id id;
     bool allowed;
@@ -64,26 +67,34 @@ static enum ph_status check_fields(const struct ph_problem *p,
       {PH_F_TOLERANCE, approximate, "is for the mode approximate"},
       {PH_F_PIECES, approximate, "is for the mode approximate"},
       {PH_F_SOLUTIONS,
-       !approximate || !ph_value_is(&p->field[PH_F_SOLUTIONS], "all"),
-       "must not be all in the mode approximate"},
+       !(approximate || mode == PH_TC_G2) ||
+           !ph_value_is(&p->field[PH_F_SOLUTIONS], "all"),
+       "must not be all in the modes approximate and g2"},
       {PH_F_LAMBDA, (g1 && mode != PH_TC_G1 && !chord) || mode == PH_TC_SPLINE,
        chord ? "is for joints that are free"
              : "is for the modes spline, g1-pair, g1-auto, g1-fair"},
-      {PH_F_END_TANGENTS, mode == PH_TC_SPLINE && !p->field[PH_F_CLOSED].flag,
-       "are for the mode spline of open curves"},
+      {PH_F_END_TANGENTS, open,
+       "are for the modes spline and g2 of open curves"},
       {PH_F_END_DERIVATIVES,
-       mode == PH_TC_SPLINE && !p->field[PH_F_CLOSED].flag &&
-           !ph_fields_given(p, PH_F_END_TANGENTS),
+       mode == PH_TC_SPLINE && open && !ph_fields_given(p, PH_F_END_TANGENTS),
        "are for the mode spline of open curves, without end_tangents"},
       {PH_F_ENDS,
-       mode == PH_TC_SPLINE && !p->field[PH_F_CLOSED].flag &&
-           !ph_fields_given(p, PH_F_END_TANGENTS) &&
+       open && !ph_fields_given(p, PH_F_END_TANGENTS) &&
            !ph_fields_given(p, PH_F_END_DERIVATIVES),
-       "is for the mode spline of open curves whose ends are not given"},
+       "is for the modes spline and g2 of open curves whose ends are not "
+       "given"},
+      {PH_F_AUXILIARY, mode == PH_TC_G2, "is for the mode g2"},
       {PH_F_JOINT, mode == PH_TC_G1_PAIR, "is for the mode g1-pair"},
       {PH_F_JOINT_ANGLE, chord, "is for \"joint\":\"chord\""},
       {PH_F_JOINT_POSITION, chord, "is for \"joint\":\"chord\""},
   };
+  if ((ph_value_is(&p->field[PH_F_ENDS], "smooth") && mode == PH_TC_SPLINE) ||
+      (ph_value_is(&p->field[PH_F_ENDS], "chord") && mode == PH_TC_G2)) {
+    return ph_fail(diag, PH_E_BAD_VALUE, "ends",
+                   "must be circle or %s in the mode %s",
+                   mode == PH_TC_G2 ? "smooth" : "chord",
+                   mode == PH_TC_G2 ? "g2" : "spline");
+  }
   for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
     if (!rules[i].allowed && ph_fields_given(p, rules[i].id)) {
       return ph_fail(diag, PH_E_BAD_VALUE, ph_field_name(rules[i].id), "%s",
@@ -299,10 +310,30 @@ static enum ph_status check_ratios(const struct ph_tc_data *d,
   return PH_OK;
 }
 
+/* Of curves with continuous curvature: what is given at the ends. */
+static enum ph_status set_end_tangents(const struct ph_problem *p,
+                                       struct ph_tc_data *d,
+                                       struct ph_diag *diag) {
+  const struct ph_value *given = &p->field[PH_F_END_TANGENTS];
+  for (size_t end = 0; !d->closed && end < 2; end++) {
+    d->vector[end * d->n] = ph_cplx_of((double)NAN, (double)NAN);
+  }
+  if (check_ends(p, PH_F_END_TANGENTS, diag) != PH_OK) {
+    return diag->status;
+  }
+  for (size_t end = 0; given->kind != PH_ABSENT && end < 2; end++) {
+    d->vector[end * d->n] = unit_of(given->v + 2 * end);
+  }
+  return PH_OK;
+}
+
 static enum ph_status set_vectors(const struct ph_problem *p,
                                   struct ph_tc_data *d, struct ph_diag *diag) {
   enum ph_status status;
   d->c1 = d->mode == PH_TC_C1;
+  if (d->mode == PH_TC_G2) {
+    return set_end_tangents(p, d, diag);
+  }
   if (d->mode == PH_TC_SPLINE) {
     status = check_ends(p, PH_F_END_TANGENTS, diag);
     if (status == PH_OK) {

@@ -60,6 +60,9 @@ static enum ph_status interpolate(const struct ph_problem *problem,
   struct ph_tc_crossings crossings = {0, 0};
   struct ph_tc_data data;
   enum ph_status status = ph_tc_data_of(problem, mode, scratch, &data, diag);
+  if (status == PH_OK && mode == PH_TC_G2) {
+    return ph_tc_g2(problem, &data, out, scratch, result, diag);
+  }
   if (status == PH_OK) {
     status = data.choice == PH_TC_ALL
                  ? ph_tc_all(&data, out, scratch, result, &crossings, diag)
@@ -114,19 +117,24 @@ static const struct ph_field fields[] = {
      "close the curve, a repeated last point is dropped"},
     PH_FIELD_MERGE,
     {PH_F_MODE, PH_WORD, 0, false,
-     "g1|g1-pair|g1-auto|g1-fair|c1|spline|approximate",
+     "g1|g1-pair|g1-auto|g1-fair|c1|spline|g2|approximate",
      "approximate, g1-fair, c1 or spline, by what is given",
      "cubics in each interval: one, two, one if it has no loop, or what is "
-     "fairer; two with derivatives, given or by rule; or an approximation"},
+     "fairer; two with derivatives, given or by rule; with continuous "
+     "curvature; or an approximation"},
     {PH_F_LAMBDA, PH_NUMBER, 0, false, NULL,
      "0.5 for spline, else the fairest of each interval",
      "length of derivatives over that of the shorter chord beside them"},
-    {PH_F_ENDS, PH_WORD, 0, false, "chord|circle", "chord",
-     "end tangents of an open spline: along the chord, or of a circle"},
+    {PH_F_ENDS, PH_WORD, 0, false, "chord|circle|smooth", "chord, of g2 circle",
+     "end tangents of an open spline: along the chord, or of a circle; of g2 "
+     "of "
+     "a circle, or as smooth as beside it"},
     {PH_F_END_TANGENTS, PH_VECTORS, 1u << 2, false, NULL, "by ends",
      "directions at the first and the last point of a spline"},
     {PH_F_END_DERIVATIVES, PH_VECTORS, 1u << 2, false, NULL, "by ends",
      "derivatives at the first and the last point of a spline"},
+    {PH_F_AUXILIARY, PH_WORD, 0, false, "auto|never", "auto",
+     "whether g2 may add points where the data turn too much"},
     {PH_F_JOINT, PH_WORD, 0, false, "free|chord", "free",
      "where the two cubics of g1-pair meet: anywhere, or on the chord"},
     {PH_F_JOINT_ANGLE, PH_NUMBER, 0, false, NULL, "the fairest",

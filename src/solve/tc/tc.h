@@ -256,6 +256,7 @@ enum ph_tc_mode {
   PH_TC_G1_FAIR,
   PH_TC_C1,
   PH_TC_SPLINE,
+  PH_TC_G2,
   PH_TC_APPROXIMATE
 };
 
@@ -275,7 +276,8 @@ struct ph_tc_data {
   double lambda;         /* NaN: to be chosen, or derivatives are given */
   int exponent;          /* unit scale = data times 2^exponent; even */
   struct ph_pow2 to_unit;
-  ph_cplx *vector; /* [points_n] */
+  ph_cplx *vector; /* [points_n]; of the mode g2 unit tangents at the ends
+                      alone, NaN where they are not given */
   double *chord;   /* [n] lengths at unit scale */
 };
 
@@ -394,6 +396,18 @@ void ph_tc_build_end(const struct ph_tc_builder *builder,
  */
 void ph_tc_curve_put(struct ph_curve *curve, size_t i, const struct ph_tc *tc,
                      ph_cplx start, ph_cplx end, int exponent);
+
+/*
+ * ph_tc_g2: the curve whose curvature is continuous (g2.h), with its intervals
+ * and warnings.
+ *
+ * in   data  of the mode g2
+ * ret  PH_OK | PH_E_INFEASIBLE | PH_E_NO_CONVERGENCE | PH_E_NO_MEMORY
+ */
+enum ph_status ph_tc_g2(const struct ph_problem *problem,
+                        const struct ph_tc_data *data, struct ph_arena *out,
+                        struct ph_arena *scratch, struct ph_result *result,
+                        struct ph_diag *diag);
 
 /* ---- every curve --------------------------------------------------------- */
 

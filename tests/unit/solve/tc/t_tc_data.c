@@ -25,6 +25,8 @@
   { PH_F_JOINT, WORD(x) }
 #define ENDS(x) \
   { PH_F_ENDS, WORD(x) }
+#define AUXILIARY(x) \
+  { PH_F_AUXILIARY, WORD(x) }
 #define LAMBDA(x) \
   { PH_F_LAMBDA, NUMBER(x) }
 #define END_TANGENTS(...) \
@@ -57,6 +59,9 @@ static const struct {
     {{POINTS, TANGENTS, MODE("g1-fair"), LAMBDA(1)}, PH_TC_G1_FAIR},
     {{POINTS, DERIVATIVES, MODE("c1")}, PH_TC_C1},
     {{POINTS, MODE("spline"), LAMBDA(1), ENDS("circle")}, PH_TC_SPLINE},
+    {{POINTS, MODE("g2"), ENDS("smooth")}, PH_TC_G2},
+    {{POINTS, MODE("g2"), END_TANGENTS(1, 0, 0, 1)}, PH_TC_G2},
+    {{POINTS, MODE("g2"), AUXILIARY("never")}, PH_TC_G2},
     {{POINTS, END_TANGENTS(1, 0, 0, 1)}, PH_TC_SPLINE},
     {{POINTS, END_DERIVATIVES(1, 0, 0, 1)}, PH_TC_SPLINE},
 };
@@ -94,8 +99,26 @@ static const struct {
           "is for the modes spline, g1-pair, g1-auto, g1-fair", BEZIER,
           LAMBDA(1)),
     FAILS(PH_E_BAD_VALUE, "ends",
-          "is for the mode spline of open curves whose ends are not given",
+          "is for the modes spline and g2 of open curves whose ends are not "
+          "given",
           POINTS, END_DERIVATIVES(1, 0, 0, 1), ENDS("chord")),
+    FAILS(PH_E_BAD_VALUE, "ends", "must be circle or chord in the mode spline",
+          POINTS, ENDS("smooth")),
+    FAILS(PH_E_BAD_VALUE, "ends", "must be circle or smooth in the mode g2",
+          POINTS, ENDS("chord"), MODE("g2")),
+    FAILS(PH_E_BAD_VALUE, "auxiliary", "is for the mode g2", POINTS,
+          AUXILIARY("auto")),
+    FAILS(PH_E_BAD_VALUE, "lambda",
+          "is for the modes spline, g1-pair, g1-auto, g1-fair", POINTS,
+          MODE("g2"), LAMBDA(1)),
+    FAILS(PH_E_BAD_VALUE, "solutions",
+          "must not be all in the modes approximate and g2", POINTS, MODE("g2"),
+          {PH_F_SOLUTIONS, WORD("all")}),
+    FAILS(PH_E_BAD_VALUE, "end_derivatives",
+          "are for the mode spline of open curves, without end_tangents",
+          POINTS, MODE("g2"), END_DERIVATIVES(1, 0, 0, 1)),
+    FAILS(PH_E_ZERO_TANGENT, "end_tangents[1]", "must not be zero", POINTS,
+          MODE("g2"), END_TANGENTS(1, 0, 0, 0)),
     /* numbers */
     FAILS(PH_E_BAD_VALUE, "lambda",
           "must be between 1e-12 and 1e12, found 1000000000000", POINTS,

@@ -1,0 +1,394 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which spans there are, and where points are added (see g2.h). */
+#include "solve/tc/g2.h"
+
+#include "kernel/pi.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Turns of no more are none. */
+static const double STRAIGHT = 1e-12;
+
+/* So near to half a turn the data turn back. */
+static const double REVERSAL = 1e-9;
+
+/* Of a turn that is too large for a bend: over the sum of two turns of an arc.
+ * For PH_G2_TURNS it is a right angle, and a little more: right angles of data
+ * are none. */
+static const double OF_BEND = 3. / 7 * (1 + 1e-9);
+
+/* Where a point is added in a bend, over the chord. */
+static const double PART = 0.25;
+
+/* Rounds of adding points: each halves turns, or nearly so. */
+enum { ROUNDS_MAX = 12 };
+
+/* ---- chains -------------------------------------------------------------- */
+
+static bool alloc(struct ph_g2_chain *chain, size_t n, struct ph_arena *arena) {
+  chain->n = n;
+  chain->nodes_n = chain->closed ? n : n + 1;
+  chain->node = ph_arena_array(arena, chain->nodes_n, sizeof *chain->node);
+  chain->span = ph_arena_array(arena, n, sizeof *chain->span);
+  return chain->node && chain->span;
+}
+
+/* From one direction to another, in (-pi, pi]. */
+static double angle_between(ph_cplx from, ph_cplx to) {
+  return atan2(ph_cplx_cross(from, to), ph_cplx_dot(from, to));
+}
+
+/* Chords and turns, from the points. */
+static void measure(struct ph_g2_chain *chain) {
+  const struct ph_tc_data *d = chain->data;
+  for (size_t i = 0; i < chain->n; i++) {
+    struct ph_g2_span *s = &chain->span[i];
+    s->chord =
+        ph_cplx_sub(chain->node[ph_g2_next(chain, i)].p, chain->node[i].p);
+    s->length = hypot(s->chord.re, s->chord.im);
+  }
+  for (size_t k = 0; k < chain->nodes_n; k++) {
+    struct ph_g2_node *node = &chain->node[k];
+    node->inner = chain->closed || (k > 0 && k + 1 < chain->nodes_n);
+    node->turn = 0;
+    if (node->inner) {
+      node->turn = angle_between(chain->span[ph_g2_before(chain, k)].chord,
+                                 chain->span[k].chord);
+    } else if (chain->given[k > 0]) {
+      node->turn =
+          k > 0 ? angle_between(chain->span[k - 1].chord, d->vector[d->n])
+                : angle_between(d->vector[0], chain->span[0].chord);
+    }
+    node->sign =
+        (signed char)((node->turn > STRAIGHT) - (node->turn < -STRAIGHT));
+  }
+}
+
+enum ph_status ph_g2_chain_of(const struct ph_tc_data *data,
+                              struct ph_arena *arena, struct ph_g2_chain *chain,
+                              struct ph_diag *diag) {
+  *chain = (struct ph_g2_chain){.data = data, .closed = data->closed};
+  if (!alloc(chain, data->n, arena)) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t end = 0; !data->closed && end < 2; end++) {
+    chain->given[end] = !isnan(data->vector[end * data->n].re);
+  }
+  for (size_t k = 0; k < chain->nodes_n; k++) {
+    ph_cplx p = ph_tc_point(data, k);
+    chain->node[k] =
+        (struct ph_g2_node){.p = {ph_pow2_apply(data->to_unit, p.re),
+                                  ph_pow2_apply(data->to_unit, p.im)},
+                            .datum = k};
+  }
+  measure(chain);
+  return PH_OK;
+}
+
+/* The apex of a triangle over a span. */
+static ph_cplx apex_of(const struct ph_g2_chain *chain,
+                       const struct ph_g2_apex *apex) {
+  double far = sin(apex->base[1]) / sin(apex->base[0] + apex->base[1]);
+  ph_cplx side = ph_cplx_polar(-apex->sense * apex->base[0]);
+  return ph_cplx_add(
+      chain->node[apex->span].p,
+      ph_cplx_mul(ph_cplx_scale(far, side), chain->span[apex->span].chord));
+}
+
+enum ph_status ph_g2_add(const struct ph_g2_chain *chain,
+                         const struct ph_g2_apex *apex, size_t n,
+                         struct ph_arena *arena, struct ph_g2_chain *grown,
+                         struct ph_diag *diag) {
+  size_t to = 0, next = 0;
+  struct ph_g2_chain longer = *chain;
+  if (!alloc(&longer, chain->n + n, arena)) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t k = 0; k < chain->nodes_n; k++) {
+    longer.node[to++] = chain->node[k];
+    for (; next < n && apex[next].span == k; next++) {
+      longer.node[to++] = (struct ph_g2_node){.p = apex_of(chain, &apex[next]),
+                                              .datum = PH_G2_ADDED};
+    }
+  }
+  *grown = longer;
+  measure(grown);
+  return PH_OK;
+}
+
+/* ---- turns that are too large -------------------------------------------- */
+
+/* At the end of open data all of the angle is of its only span, otherwise each
+ * of two spans may take a part and leave a half. */
+static double base_of(const struct ph_g2_node *node) {
+  return fabs(node->turn) / (node->inner ? 4 : 2);
+}
+
+/*
+ * What must be added over a span; in a bend beside the end that turns too much,
+ * outside of the turn.
+ *
+ * ret  how many: 0, 1 or 2
+ */
+static size_t wanted_over(const struct ph_g2_chain *chain, size_t i,
+                          double most, struct ph_g2_apex apex[2]) {
+  const struct ph_g2_node *from = &chain->node[i],
+                          *to = &chain->node[ph_g2_next(chain, i)];
+  const double turn[2] = {fabs(from->turn), fabs(to->turn)};
+  double product = from->turn * to->turn;
+  size_t n = 0;
+  if (product > 0 && turn[0] + turn[1] > most) {
+    apex[n++] = (struct ph_g2_apex){
+        i, {base_of(from), base_of(to)}, from->turn > 0 ? 1 : -1};
+  }
+  /* the apex over a quarter of the chord: its height there by the angle at the
+   * near end */
+  for (size_t end = 0; product < 0 && end < 2; end++) {
+    if (turn[end] > OF_BEND * most) {
+      const struct ph_g2_node *node = end == 0 ? from : to;
+      double near = base_of(node);
+      double far = atan(tan(near) * PART / (1 - PART));
+      apex[n++] =
+          (struct ph_g2_apex){i,
+                              {end == 0 ? near : far, end == 0 ? far : near},
+                              node->turn > 0 ? 1 : -1};
+    }
+  }
+  return n;
+}
+
+/* All of them.  ret NULL when memory is exhausted */
+static struct ph_g2_apex *wanted(const struct ph_g2_chain *chain, double most,
+                                 struct ph_arena *arena, size_t *n) {
+  struct ph_g2_apex two[2], *apex;
+  size_t total = 0;
+  for (size_t i = 0; i < chain->n; i++) {
+    total += wanted_over(chain, i, most, two);
+  }
+  apex = ph_arena_array(arena, total, sizeof *apex);
+  *n = 0;
+  for (size_t i = 0; apex && i < chain->n && *n < total; i++) {
+    size_t here = wanted_over(chain, i, most, two);
+    memcpy(apex + *n, two, here * sizeof *apex);
+    *n += here;
+  }
+  return apex;
+}
+
+static enum ph_status check_reversal(const struct ph_g2_chain *chain,
+                                     struct ph_diag *diag) {
+  for (size_t k = 0; k < chain->nodes_n; k++) {
+    const struct ph_g2_node *node = &chain->node[k];
+    if (!(fabs(node->turn) < PH_PI - REVERSAL)) {
+      return node->inner
+                 ? ph_fail_at(diag, PH_E_INFEASIBLE, "points", node->datum,
+                              "is where the data turn back by 180 "
+                              "degrees: no curve of bounded curvature "
+                              "does")
+                 : ph_fail_at(diag, PH_E_INFEASIBLE, "end_tangents", k > 0,
+                              "points back along the chord");
+    }
+  }
+  return PH_OK;
+}
+
+static enum ph_status add_points(struct ph_g2_chain *chain, double most,
+                                 bool may_add, struct ph_arena *arena,
+                                 struct ph_diag *diag) {
+  enum ph_status status = PH_OK;
+  for (size_t round = 0; status == PH_OK && round < ROUNDS_MAX; round++) {
+    size_t n;
+    struct ph_g2_apex *apex = wanted(chain, most, arena, &n);
+    if (!apex) {
+      return ph_fail_memory(diag);
+    }
+    if (n == 0) {
+      return PH_OK;
+    }
+    if (!may_add) {
+      return ph_fail_at(diag, PH_E_INFEASIBLE, "points",
+                        chain->node[apex->span].datum,
+                        "begins an interval whose turns are too large for one "
+                        "cubic: points must be added (auxiliary)");
+    }
+    status = ph_g2_add(chain, apex, n, arena, chain, diag);
+  }
+  return status == PH_OK
+             ? ph_fail(diag, PH_E_NO_CONVERGENCE, "points",
+                       "turn too much: points that are added do not settle")
+             : status;
+}
+
+/* ---- straight runs ------------------------------------------------------- */
+
+/* A maximal run of inner nodes without a turn. */
+struct run {
+  size_t first, n;
+  size_t left, right; /* the nodes beside it */
+};
+
+static size_t around(const struct ph_g2_chain *chain, size_t k, size_t by) {
+  k += by;
+  return k < chain->nodes_n ? k : k - chain->nodes_n;
+}
+
+/*
+ * The next run at or after step *at of a walk over all inner nodes that begins
+ * behind `start`, which is no part of a run.
+ *
+ * ret  false when there is none
+ */
+static bool next_run(const struct ph_g2_chain *chain, size_t start, size_t *at,
+                     struct run *run) {
+  const size_t n = chain->closed ? chain->n : chain->nodes_n - 1;
+  size_t k;
+  for (; *at < n; ++*at) {
+    k = around(chain, start, *at);
+    if (chain->node[k].inner && chain->node[k].sign == 0) {
+      break;
+    }
+  }
+  if (*at >= n) {
+    return false;
+  }
+  run->first = around(chain, start, *at);
+  for (run->n = 0; *at < n; ++*at, run->n++) {
+    k = around(chain, start, *at);
+    if (!chain->node[k].inner || chain->node[k].sign != 0) {
+      break;
+    }
+  }
+  run->left = run->first > 0 ? run->first - 1 : chain->nodes_n - 1;
+  run->right = around(chain, run->first, run->n);
+  return true;
+}
+
+/* Whether the curve goes through the only point of a run with an inflection
+ * next to it, rather than straight. */
+static bool is_inflection(const struct ph_g2_chain *chain,
+                          const struct run *run) {
+  const struct ph_g2_node *l = &chain->node[run->left],
+                          *r = &chain->node[run->right];
+  return run->n == 1 && l->inner && r->inner && l->sign * r->sign < 0;
+}
+
+/* Spans of a run: lines, but beside a corner between two runs, where the curve
+ * must leave the line. */
+static void set_run(struct ph_g2_chain *chain, const struct run *run,
+                    bool corner_left, bool corner_right) {
+  struct ph_g2_node *node = &chain->node[run->first];
+  struct ph_g2_span *before = &chain->span[ph_g2_before(chain, run->first)];
+  if (is_inflection(chain, run)) {
+    node->sign = chain
+                     ->node[before->length <= chain->span[run->first].length
+                                ? run->left
+                                : run->right]
+                     .sign;
+    return;
+  }
+  if (run->n == 1 && (corner_left || corner_right)) {
+    node->sign =
+        (signed char)-chain->node[corner_left ? run->left : run->right].sign;
+    return;
+  }
+  before->form = corner_left ? PH_G2_BEND : PH_G2_LINE;
+  for (size_t i = 0; i < run->n; i++) {
+    chain->span[around(chain, run->first, i)].form = PH_G2_LINE;
+  }
+  if (corner_right) {
+    chain->span[around(chain, run->first, run->n - 1)].form = PH_G2_BEND;
+  }
+}
+
+/* ret  PH_OK | PH_E_NO_MEMORY */
+static enum ph_status set_runs(struct ph_g2_chain *chain,
+                               struct ph_arena *arena, struct ph_diag *diag) {
+  size_t start = 0, at = 1;
+  struct run run;
+  unsigned char *runs =
+      ph_arena_array(arena, chain->nodes_n, 1); /* beside each node */
+  if (!runs) {
+    return ph_fail_memory(diag);
+  }
+  memset(runs, 0, chain->nodes_n);
+  while (chain->closed && start + 1 < chain->nodes_n &&
+         chain->node[start].sign == 0) {
+    start++;
+  }
+  while (next_run(chain, start, &at, &run)) {
+    if (!is_inflection(chain, &run)) {
+      runs[run.left]++;
+      runs[run.right]++;
+    }
+  }
+  at = 1;
+  while (next_run(chain, start, &at, &run)) {
+    set_run(chain, &run, chain->node[run.left].inner && runs[run.left] > 1,
+            chain->node[run.right].inner && runs[run.right] > 1);
+  }
+  return PH_OK;
+}
+
+/* ---- forms --------------------------------------------------------------- */
+
+/* The senses at both ends of a span; of what has none it is the one that needs
+ * no bend, but for a straight tangent, which needs one. */
+static void senses_of(const struct ph_g2_chain *chain, size_t i, int sense[2]) {
+  const struct ph_g2_node *node[2] = {&chain->node[i],
+                                      &chain->node[ph_g2_next(chain, i)]};
+  bool free_end[2];
+  for (size_t end = 0; end < 2; end++) {
+    sense[end] = node[end]->sign;
+    free_end[end] = !node[end]->inner && !chain->given[end];
+  }
+  for (size_t end = 0; end < 2; end++) {
+    if (sense[end] == 0) {
+      sense[end] = free_end[end] ? sense[1 - end] : -sense[1 - end];
+    }
+  }
+}
+
+static enum ph_status set_forms(struct ph_g2_chain *chain,
+                                struct ph_diag *diag) {
+  for (size_t i = 0; i < chain->n; i++) {
+    struct ph_g2_span *span = &chain->span[i];
+    int sense[2];
+    senses_of(chain, i, sense);
+    span->sense = (signed char)sense[0];
+    if (span->form != PH_G2_LINE || i == 0 || i + 1 == chain->n) {
+      bool line = sense[0] == 0 ||
+                  (span->form == PH_G2_LINE &&
+                   !((i == 0 && chain->given[0] && chain->node[0].sign != 0) ||
+                     (i + 1 == chain->n && chain->given[1] &&
+                      chain->node[chain->n].sign != 0)));
+      span->form = line                   ? PH_G2_LINE
+                   : sense[0] == sense[1] ? PH_G2_ARC
+                                          : PH_G2_BEND;
+    }
+  }
+  for (size_t k = 0; k < chain->nodes_n; k++) {
+    if (chain->node[k].inner && fabs(chain->node[k].turn) > STRAIGHT &&
+        chain->span[k].form == PH_G2_LINE &&
+        chain->span[ph_g2_before(chain, k)].form == PH_G2_LINE) {
+      return ph_fail_at(diag, PH_E_INFEASIBLE, "points", chain->node[k].datum,
+                        "is a corner between straight runs");
+    }
+  }
+  return PH_OK;
+}
+
+enum ph_status ph_g2_plan(struct ph_g2_chain *chain, double most, bool may_add,
+                          struct ph_arena *arena, struct ph_diag *diag) {
+  enum ph_status status = check_reversal(chain, diag);
+  if (status == PH_OK) {
+    status = add_points(chain, most, may_add, arena, diag);
+  }
+  for (size_t i = 0; status == PH_OK && i < chain->n; i++) {
+    chain->span[i].form = PH_G2_ARC;
+  }
+  if (status == PH_OK) {
+    status = set_runs(chain, arena, diag);
+  }
+  return status == PH_OK ? set_forms(chain, diag) : status;
+}
