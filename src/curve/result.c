@@ -41,7 +41,7 @@ const char *const *ph_words(const char *type) {
   } lists[] = {{"kind", curve_names},         {"frame", frame_names},
                {"root", root_names},          {"outcome", outcome_names},
                {"strip_method", strip_names}, {"case", case_names},
-               {"joint", joint_names}};
+               {"joint_kind", joint_names}};
   for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
     if (strcmp(lists[i].type, type) == 0) {
       return lists[i].words;

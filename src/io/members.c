@@ -74,7 +74,7 @@ TYPE(bezier, "bezier", BEZIERS, 0, 0, 0);
 TYPE(sample, "sample", SAMPLES, 0, 0, 0);
 TYPE(interval, "interval", LIST, 0, 0, 0);
 TYPE(joint, "joint", LIST, 0, 0, 0);
-TYPE(joint_kind, "joint", ENUM, sizeof(enum ph_joint_kind), 0, 0);
+TYPE(joint_kind, "joint_kind", ENUM, sizeof(enum ph_joint_kind), 0, 0);
 TYPE(solution, "solution", LIST, 0, 0, 0);
 TYPE(offset, "offset", LIST, 0, 0, 0);
 TYPE(cusp, "cusp", LIST, 0, 0, 0);

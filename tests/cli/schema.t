@@ -382,7 +382,7 @@ sphere-problem s4.json increase "plus"
 sphere-problem s4.json increase "minus:1"
 sphere-problem s4.json shape "warning"
 arclength-problem a2.json refine "2"
-tc-problem t5.json mode "g2"
+tc-problem t5.json mode "g3"
 # results: headings
 planar-result ph.r status "error"
 planar-result ph.r status "fine"

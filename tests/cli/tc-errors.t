@@ -65,7 +65,7 @@ wrong bad-value curve 'is for the mode approximate' \
   "{$two,$bezier,\"mode\":\"spline\"}"
 wrong bad-value tolerance 'is for the mode approximate' "{$two,\"tolerance\":1}"
 wrong bad-value pieces 'is for the mode approximate' "{$two,$t2,\"pieces\":1}"
-wrong bad-value solutions 'must not be all in the mode approximate' \
+wrong bad-value solutions 'must not be all in the modes approximate and g2' \
   "{$bezier,\"tolerance\":1,\"solutions\":\"all\"}"
 for rest in "$d2" "$t2,\"mode\":\"g1\""; do
   wrong bad-value lambda 'is for the modes spline, g1-pair, g1-auto, g1-fair' \
@@ -82,20 +82,20 @@ for field in joint_angle joint_position; do
   done
 done
 for rest in "\"closed\":true" "\"tangents\":[[1,0],[0,1],[1,1]]"; do
-  wrong bad-value end_tangents 'are for the mode spline of open curves' \
+  wrong bad-value end_tangents 'are for the modes spline and g2 of open curves' \
     "{$three,$rest,\"end_tangents\":[[1,0],[1,0]]}"
   wrong bad-value end_derivatives \
     'are for the mode spline of open curves, without end_tangents' \
     "{$three,$rest,\"end_derivatives\":[[1,0],[1,0]]}"
   wrong bad-value ends \
-    'is for the mode spline of open curves whose ends are not given' \
+    'is for the modes spline and g2 of open curves whose ends are not given' \
     "{$three,$rest,\"ends\":\"circle\"}"
 done
 wrong bad-value end_derivatives \
   'are for the mode spline of open curves, without end_tangents' \
   "{$three,\"end_tangents\":[[1,0],[1,0]],\"end_derivatives\":[[1,0],[1,0]]}"
 wrong bad-value ends \
-  'is for the mode spline of open curves whose ends are not given' \
+  'is for the modes spline and g2 of open curves whose ends are not given' \
   "{$three,\"end_derivatives\":[[1,0],[1,0]],\"ends\":\"chord\"}"
 
 # ---- shapes, types -----------------------------------------------------------
@@ -125,7 +125,7 @@ wrong bad-type lambda 'must be a number, found a string' \
 wrong bad-type blaschke 'must be true or false, found a number' \
   "{$two,\"blaschke\":1}"
 wrong bad-value mode 'must be "g1", "g1-pair", "g1-auto", "g1-fair", "c1", '\
-'"spline" or "approximate", found "g1-pairs"; did you mean "g1-pair"?' \
+'"spline", "g2" or "approximate", found "g1-pairs"; did you mean "g1-pair"?' \
   "{$two,$t2,\"mode\":\"g1-pairs\"}"
 wrong bad-value solutions \
   'must be "best", "standard" or "all", found "every"' \
