@@ -28,6 +28,11 @@ static const double SAME = 1e-9;
  * the circle over [0,1], and T_4(1 / the last) / cos(4 pi / 25) is 1.5. */
 static const double BETWEEN = 1.5;
 
+/* A certificate looks at 6 nodes, and lets less pass than the coordinates have
+ * where these have three digits of the curve: between its nodes it may be this
+ * times as much, by the same count. */
+static const double BETWEEN_6 = 4.25;
+
 /* One that misses it by no more, relative to the speed, tells its length. */
 static const double EXACT = 1e-13;
 
@@ -212,7 +217,9 @@ void ph_check_square(struct ph_check *v, struct ph_check_segment *s) {
   double miss = HUGE_VAL;
   ph_quat a[3];
   s->noise = v->noise[s->k] =
-      PH_CHECK_ROUND_FIRST * ph_check_smaller(s->reach, v->scale.rounding);
+      PH_CHECK_ROUND_FIRST *
+      ph_check_smaller(s->reach,
+                       (v->error ? 1 : BETWEEN_6) * v->scale.rounding);
   if (v->error) {
     certify(v, s);
     return;

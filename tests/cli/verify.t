@@ -242,6 +242,12 @@ echo '{"points":[[2495112.461302111,262810.117817,-408608.6083],
 made arclength <far
 verified 'three digits of a chord' 1 --problems=far
 
+echo '{"points":[[133717.7834594217,29492.047060136585,256041.9925500446],
+  [133717.78345941022,29492.047060139506,256041.99255003937]],
+  "criterion":"hc"}' >far
+made spatial-hermite <far
+verified 'as many, but for what is between the nodes' 1 --problems=far
+
 echo '{"points":[[-956492.01389923,-511294.8169636,-987750.968295788],
   [-956492.395295343,-511295.26818616,-987750.95221672],
   [-956493.435820385,-511296.49921179,-987750.90834983],
