@@ -25,7 +25,7 @@ _phspline() {
     --solutions | --solutions=) list='good all' ;;
     --minimize | --minimize=) list='E MV IES IMV' ;;
     --free | --free=) list='each scale' ;;
-    -i | --input-format | --input-format=) list='auto json csv' ;;
+    -i | --input-format | --input-format=) list='auto json csv text' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -51,7 +51,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -72,7 +72,7 @@ _phspline() {
     --tension | --tension=) kind=nothing ;;
     --shape=) list='true false' ;;
     --planarity | --planarity=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv' ;;
+    -i | --input-format | --input-format=) list='auto json csv text' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -98,7 +98,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -120,7 +120,7 @@ _phspline() {
     --starts | --starts=) kind=nothing ;;
     --all_minima=) list='true false' ;;
     --start | --start=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv' ;;
+    -i | --input-format | --input-format=) list='auto json csv text' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -146,7 +146,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --merge= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --merge= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -169,7 +169,7 @@ _phspline() {
     --increase | --increase=) list='minimal' ;;
     --criterion | --criterion=) list='geodesic legacy' ;;
     --epsilon | --epsilon=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv' ;;
+    -i | --input-format | --input-format=) list='auto json csv text' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -195,7 +195,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --merge= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --merge= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -221,7 +221,7 @@ _phspline() {
     --tolerance | --tolerance=) kind=nothing ;;
     --pieces | --pieces=) kind=nothing ;;
     --blaschke=) list='true false' ;;
-    -i | --input-format | --input-format=) list='auto json csv' ;;
+    -i | --input-format | --input-format=) list='auto json csv text' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -246,7 +246,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -264,7 +264,7 @@ _phspline() {
     --height | --height=) kind=nothing ;;
     --flat | --flat=) kind=nothing ;;
     --merge | --merge=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv' ;;
+    -i | --input-format | --input-format=) list='auto json csv text' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -285,7 +285,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --height= --flat= --merge= --input-format= --columns= --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --height= --flat= --merge= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -293,7 +293,7 @@ _phspline() {
   *,verify)
     case $option in
     --problems | --problems=) kind=files ;;
-    -i | --input-format | --input-format=) list='auto json csv' ;;
+    -i | --input-format | --input-format=) list='auto json csv text' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
@@ -307,7 +307,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--problems= --input-format= --columns= --delimiter= --pretty --output= --no-sync --set= --override= --tolerance= --jobs= --max-memory= --max-record-bytes= --time-limit= --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--problems= --input-format= --columns= --ignore-columns --delimiter= --pretty --output= --no-sync --set= --override= --tolerance= --jobs= --max-memory= --max-record-bytes= --time-limit= --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -201,11 +201,12 @@ static enum ph_status check_problems(struct ph_option_parser *p) {
   const struct ph_options *o = p->options;
   const struct ph_split_options *input = &o->problems_input;
   bool about = o->assignments_n || input->format != PH_SPLIT_AUTO ||
-               input->columns || input->delimiter;
+               input->columns || input->delimiter || input->ignore_columns;
   if (!o->problems && about) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
-                   "--input-format, --columns, --delimiter, --set and "
-                   "--override are about the file of --problems");
+                   "--input-format, --columns, --ignore-columns, "
+                   "--delimiter, --set and --override are about the file of "
+                   "--problems");
   }
   for (size_t i = 0; o->problems && i < o->files_n; i++) {
     if (strcmp(o->problems, "-") == 0 && strcmp(o->files[i], "-") == 0) {

@@ -31,7 +31,8 @@
 #define PH_OPTIONS(X)                                                         \
   X(INPUT_FORMAT, SOLVE, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS),     \
     "what the input is; auto (default): by the suffix of the file (.json "    \
-    ".ndjson .jsonl .csv .tsv), else by its first character")                 \
+    ".ndjson .jsonl .csv .tsv), else by its first character; text: numbers "  \
+    "between blanks")                                                         \
   X(PROBLEMS, VERIFY, 0, "problems", "FILE",                                  \
     "the problems that the results solve, to check these as well: the same "  \
     "id, or else the same order")                                             \
@@ -39,9 +40,13 @@
     "what the file of problems is; auto (default): by its suffix, else by "   \
     "its first character")                                                    \
   X(COLUMNS, ALL, 0, "columns", "NAME,...",                                   \
-    "what the columns of CSV input are, in order (-: skip)")                  \
+    "what the columns of CSV input are, in order (-: skip), or by their "     \
+    "names in the header, NAME=HEADER,...")                                   \
+  X(IGNORE_COLUMNS, ALL, 0, "ignore-columns", NULL,                           \
+    "skip columns of CSV input whose names are unknown")                      \
   X(DELIMITER, ALL, 0, "delimiter", "C",                                      \
-    "separator of CSV input (default: a comma; a tab in .tsv files)")         \
+    "separator of CSV input (default: a tab in .tsv files, else what the "    \
+    "first row has); a blank: any number of blanks and tabs")                 \
   X(FORMAT, SOLVE, 'f', "format", PH_WORDS(PH_FORMATS),                       \
     "json (default): one object a line; csv (with --table the default): one " \
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths " \

@@ -306,6 +306,8 @@ static bool *flag_of(struct ph_options *o, enum ph_option_id id) {
     return &o->pretty;
   case PH_O_NO_SYNC:
     return &o->no_sync;
+  case PH_O_IGNORE_COLUMNS:
+    return &input_of(o)->ignore_columns;
   case PH_O_STRICT:
     return &o->strict;
   case PH_O_FAIL_FAST:

@@ -6,7 +6,7 @@
  * found the meaning of the columns.  Here every row is scanned again for its
  * end, then cell by cell; numbers go straight into the arrays of their fields.
  *
- * Reference: RFC 4180.  Which names columns may have: io/split_csv.c.
+ * Which names columns may have: io/split_columns.c.
  */
 #include "io/csv_in.h"
 
@@ -20,183 +20,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- rows ----------------------------------------------------------- */
-
-enum row_state {
-  ROW_START,
-  CELL_START, /* only blanks since the delimiter */
-  PLAIN,
-  QUOTED,
-  QUOTE, /* a quote in a quoted cell: its end, or half of a doubled one */
-  AFTER_QUOTED,
-  COMMENT
-};
-
-static bool is_blank(char c, char delimiter) {
-  return (c == ' ' || c == '\t' || c == '\r') && c != delimiter;
-}
-
-/* The state after c, which is no line break, outside of quoted text and
- * comments; -1: c cannot follow a quoted cell. */
-static int next_state(int state, char c, char delimiter) {
-  if (c == delimiter) {
-    return CELL_START;
-  }
-  switch (state) {
-  case ROW_START:
-    if (c == '#') {
-      return COMMENT;
-    }
-    /* fall through */
-  case CELL_START:
-    return c == '"' ? QUOTED : is_blank(c, delimiter) ? CELL_START : PLAIN;
-  case QUOTE:
-  case AFTER_QUOTED:
-    return is_blank(c, delimiter)       ? AFTER_QUOTED
-           : c == '"' && state == QUOTE ? QUOTED
-                                        : -1;
-  default:
-    return PLAIN;
-  }
-}
-
-/* Text at p follows a quoted cell. */
-static enum ph_csv_state after_quoted(struct ph_csv_scan *scan, const char *p,
-                                      const char *end, char delimiter,
-                                      bool last) {
-  int n = ph_utf8_length(p, end);
-  char found[PH_EXCERPT_MAX];
-  char separator[PH_EXCERPT_MAX];
-  if (n < 0 && !last) {
-    return PH_CSV_MORE;
-  }
-  snprintf(scan->message, sizeof scan->message,
-           "expected '%s' or the end of the row after a quoted cell, "
-           "found '%s'",
-           ph_excerpt(&delimiter, 1, separator),
-           ph_excerpt(p, n > 0 ? (size_t)n : 1, found));
-  return PH_CSV_ERROR;
-}
-
-static enum ph_csv_state finish_row(const struct ph_csv_scan *scan) {
-  bool blank = scan->state <= CELL_START && !scan->delimiters;
-  return scan->state == COMMENT ? PH_CSV_COMMENT
-         : blank                ? PH_CSV_BLANK
-                                : PH_CSV_ROW;
-}
-
-/* The first of the bytes from `at` on that ends the line or is `stop`. */
-static size_t skip(const char *text, size_t at, size_t n, char stop) {
-  while (at < n && text[at] != '\n' && text[at] != stop) {
-    at++;
-  }
-  return at;
-}
-
-enum ph_csv_state ph_csv_scan(struct ph_csv_scan *scan, const char *text,
-                              size_t n, char delimiter, bool last) {
-  for (; scan->at < n; scan->at++) {
-    char c = text[scan->at];
-    int next;
-    if (scan->state == QUOTED) {
-      scan->state = c == '"' ? QUOTE : QUOTED;
-      continue;
-    }
-    if (scan->state == PLAIN || scan->state == COMMENT) {
-      char stop = scan->state == PLAIN ? delimiter : '\n';
-      scan->at = skip(text, scan->at, n, stop);
-      if (scan->at == n) {
-        break;
-      }
-      c = text[scan->at];
-    }
-    if (c == '\n') {
-      scan->at++;
-      return finish_row(scan);
-    }
-    next = next_state(scan->state, c, delimiter);
-    if (next < 0) {
-      return after_quoted(scan, text + scan->at, text + n, delimiter, last);
-    }
-    scan->delimiters |= c == delimiter;
-    if (next == QUOTED && scan->state <= CELL_START) {
-      scan->quote = scan->at;
-    }
-    scan->state = (unsigned char)next;
-  }
-  if (!last) {
-    return PH_CSV_MORE;
-  }
-  if (scan->state == QUOTED) {
-    scan->at = scan->quote;
-    snprintf(scan->message, sizeof scan->message,
-             "the quote that begins this cell is never closed");
-    return PH_CSV_ERROR;
-  }
-  return finish_row(scan);
-}
-
-const char *ph_csv_row_end(const char *p, const char *end) {
-  if (end > p && end[-1] == '\n') {
-    end--;
-  }
-  if (end > p && end[-1] == '\r') {
-    end--;
-  }
-  return end;
-}
-
-const char *ph_csv_cell(const char *p, const char *end, char delimiter,
-                        struct ph_csv_cell *cell) {
-  const char *cell_end;
-  while (p < end && is_blank(*p, delimiter)) {
-    p++;
-  }
-  cell->quoted = p < end && *p == '"';
-  if (cell->quoted) {
-    cell->text = ++p;
-    while (p < end && (*p != '"' || (p + 1 < end && p[1] == '"'))) {
-      p += *p == '"' ? 2 : 1;
-    }
-    cell->n = (size_t)(p - cell->text);
-  }
-  cell_end = p < end ? memchr(p, delimiter, (size_t)(end - p)) : NULL;
-  cell_end = cell_end ? cell_end : end;
-  if (!cell->quoted) {
-    const char *text_end = cell_end;
-    while (text_end > p && is_blank(text_end[-1], delimiter)) {
-      text_end--;
-    }
-    cell->text = p;
-    cell->n = (size_t)(text_end - p);
-  }
-  return cell_end;
-}
-
-size_t ph_csv_content(const struct ph_csv_cell *cell, char *out) {
-  size_t n = 0;
-  for (size_t i = 0; i < cell->n; i++) {
-    out[n++] = cell->text[i];
-    i += cell->quoted && cell->text[i] == '"';
-  }
-  return n;
-}
-
-bool ph_csv_number(const char *text, size_t n, double *x) {
-  bool negative = n > 0 && *text == '-';
-  bool sign = n > 0 && (*text == '-' || *text == '+');
-  const char *after = ph_number_read_text(text, text + n, x);
-  if (after) {
-    return after == text + n;
-  }
-  if (ph_word_is(text + sign, n - sign, "nan")) {
-    *x = (double)NAN;
-    return true;
-  }
-  *x = negative ? -HUGE_VAL : HUGE_VAL;
-  return ph_word_is(text + sign, n - sign, "inf") ||
-         ph_word_is(text + sign, n - sign, "infinity");
-}
+/* Of results, points so near each other, over their size, are one. */
+static const double SAME = 1e-9;
 
 /* ---- fields --------------------------------------------------------- */
 
@@ -263,16 +88,21 @@ static enum ph_status bad_cell(struct reader *r, enum ph_status status,
                                const struct ph_csv_cell *cell) {
   const char *field = ph_field_name((enum ph_field_id)column->field);
   const char *what = status == PH_E_NOT_FINITE ? "finite " : "";
+  const char *remedy = !ph_csv_decimal_comma(cell) ? ""
+                       : r->columns->delimiter == ','
+                           ? "; numbers have a decimal point"
+                           : "; numbers have a decimal point (tr , . makes "
+                             "them of commas)";
   char excerpt[PH_EXCERPT_MAX];
   ph_excerpt(cell->text, cell->n, excerpt);
   if (column->segments && r->rows == 0) {
     return ph_fail(r->diag, status, field,
-                   "needs a %snumber in column %s, found \"%s\"", what,
-                   column->name, excerpt);
+                   "needs a %snumber in column %s, found \"%s\"%s", what,
+                   column->name, excerpt, remedy);
   }
   return ph_fail_at(r->diag, status, field, r->rows - column->segments,
-                    "needs a %snumber in column %s, found \"%s\"", what,
-                    column->name, excerpt);
+                    "needs a %snumber in column %s, found \"%s\"%s", what,
+                    column->name, excerpt, remedy);
 }
 
 static enum ph_status read_number(struct reader *r,
@@ -371,18 +201,53 @@ static enum ph_status read_id(struct reader *r, const char *p, const char *end,
 
 /* ---- the record ----------------------------------------------------- */
 
-/* The next row of cells of the record; false at its end.  `at` is the offset
- * to go on from. */
-static bool next_row(const struct ph_record *record, size_t *at, const char **p,
-                     const char **end) {
-  while (*at < record->n) {
-    struct ph_csv_scan scan = {.at = *at};
+/* The rows of a record, one after another; {.at = 0} begins. */
+struct rows {
+  size_t at;     /* offset to go on from */
+  const char *p; /* the row */
+  const char *end;
+  double last[4]; /* of results: the point of the row, and 1; 0: none yet */
+};
+
+/* Whether a row of results begins a segment where the row before it ended. */
+static bool repeats(const struct ph_csv_columns *columns, struct rows *rows) {
+  double now[4] = {0, 0, 0, 1}, size = 0, apart = 0;
+  bool begins = false;
+  const char *p = rows->p;
+  for (size_t i = 0; i < columns->n; i++, p++) {
+    const struct ph_csv_column *column = &columns->column[i];
+    struct ph_csv_cell cell;
+    double x;
+    p = ph_csv_cell(p, rows->end, columns->delimiter, &cell);
+    if (ph_csv_number(cell.text, cell.n, &x)) {
+      if (column->field == PH_F_POINTS) {
+        now[column->component] = x;
+      }
+      begins |= i == PH_CSV_WITHIN && !(fabs(x) > 0);
+    }
+    if (p == rows->end) {
+      break;
+    }
+  }
+  for (size_t c = 0; c < 4; c++) {
+    apart = fmax(apart, fabs(now[c] - rows->last[c]));
+    size = c < 3 ? fmax(size, fabs(now[c])) : size;
+    rows->last[c] = now[c];
+  }
+  return begins && apart <= SAME * size;
+}
+
+/* The next row of the record that counts; false at its end. */
+static bool next_row(const struct ph_record *record, struct rows *rows) {
+  while (rows->at < record->n) {
+    struct ph_csv_scan scan = {.at = rows->at};
     enum ph_csv_state state = ph_csv_scan(&scan, record->text, record->n,
                                           record->columns->delimiter, true);
-    *p = record->text + *at;
-    *at = scan.at;
-    *end = ph_csv_row_end(*p, record->text + scan.at);
-    if (state == PH_CSV_ROW) {
+    rows->p = record->text + rows->at;
+    rows->at = scan.at;
+    rows->end = ph_csv_row_end(rows->p, record->text + scan.at);
+    if (state == PH_CSV_ROW &&
+        !(record->columns->results && repeats(record->columns, rows))) {
       return true;
     }
     if (state == PH_CSV_ERROR) {
@@ -395,18 +260,16 @@ static bool next_row(const struct ph_record *record, size_t *at, const char **p,
 static enum ph_status read_rows(struct reader *r, struct ph_echo *echo) {
   const struct ph_record *record = r->record;
   enum ph_status status = PH_OK;
-  const char *p;
-  const char *end;
-  size_t at = 0;
-  while (status == PH_OK && next_row(record, &at, &p, &end)) {
+  struct rows rows = {.at = 0};
+  while (status == PH_OK && next_row(record, &rows)) {
     if (r->rows == 0) {
-      status = read_id(r, p, end, echo);
+      status = read_id(r, rows.p, rows.end, echo);
     }
     if (status == PH_OK) {
-      status = read_row(r, p, end);
+      status = read_row(r, rows.p, rows.end);
     }
     if (status != PH_OK) {
-      r->diag->line = line_at(record, p);
+      r->diag->line = line_at(record, rows.p);
     }
   }
   return status;
@@ -519,14 +382,13 @@ size_t ph_csv_line(const struct ph_record *record, const char *path) {
   size_t name_n = strcspn(path, "[");
   const struct ph_csv_column *column = column_of(record->columns, path, name_n);
   bool segments = column && column->segments;
-  size_t i = 0, row = 0, at = 0;
-  const char *p = record->text;
-  const char *end;
+  size_t i = 0, row = 0;
+  struct rows rows = {.p = record->text};
   if (column && path[name_n]) {
     i = strtoul(path + name_n + 1, NULL, 10) + segments;
   }
-  while (row <= i && next_row(record, &at, &p, &end)) {
+  while (row <= i && next_row(record, &rows)) {
     row++;
   }
-  return row <= i && segments ? record->line : line_at(record, p);
+  return row <= i && segments ? record->line : line_at(record, rows.p);
 }

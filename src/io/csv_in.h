@@ -14,6 +14,13 @@
 
 /* ---- rows and cells ------------------------------------------------- */
 
+/* What delimits cells, other than a character between any two of them. */
+enum {
+  PH_CSV_ANY = '\0', /* not known yet: whatever may; only scans have it */
+  PH_CSV_WORDS = ' ' /* any number of blanks and tabs; a row may begin and end
+                        with some */
+};
+
 enum ph_csv_state {
   PH_CSV_ROW,     /* a row of cells */
   PH_CSV_BLANK,   /* a line of nothing but blanks */
@@ -29,7 +36,7 @@ struct ph_csv_scan {
   size_t at;           /* offset of the next byte to look at */
   size_t quote;        /* offset of the quote that opened the cell */
   unsigned char state; /* of the scan */
-  bool delimiters;     /* the row has some */
+  bool filled;         /* the row has cells, or delimiters */
   char message[PH_CSV_MESSAGE_MAX];
 };
 
@@ -75,6 +82,10 @@ size_t ph_csv_content(const struct ph_csv_cell *cell, char *out);
  * infinite also when it overflows a double. */
 bool ph_csv_number(const char *text, size_t n, double *x);
 
+/* ph_csv_decimal_comma: whether a cell is a number but for a comma in place of
+ * the decimal point. */
+bool ph_csv_decimal_comma(const struct ph_csv_cell *cell);
+
 /* ---- records -------------------------------------------------------- */
 
 /* What a column holds, when it is no field. */
@@ -87,10 +98,15 @@ struct ph_csv_column {
   bool segments;    /* row i + 1 has element i, the first row the last */
 };
 
+/* Of results, the columns that say where a row is: they grow along a curve. */
+enum { PH_CSV_SEGMENT = 1, PH_CSV_WITHIN = 2 };
+
 /* The columns of one file (io/split.h makes and keeps them). */
 struct ph_csv_columns {
   struct ph_csv_columns *older; /* of the file before */
   char delimiter;
+  bool results; /* the rows are samples or control points, as csv_out.h prints
+                   them: points, of which a joint has two */
   size_t n;
   struct ph_csv_column column[];
 };

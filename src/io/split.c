@@ -249,9 +249,10 @@ static enum ph_split_state open_next(struct ph_split *split,
   }
   split->end_of_file = false;
   split->lines_suffix = has_suffix(name, ".ndjson|.jsonl");
-  split->delimiter = split->options.delimiter   ? split->options.delimiter
-                     : has_suffix(name, ".tsv") ? '\t'
-                                                : ',';
+  split->delimiter = split->options.delimiter ? split->options.delimiter
+                     : split->options.format == PH_SPLIT_TEXT ? PH_CSV_WORDS
+                     : has_suffix(name, ".tsv")               ? '\t'
+                                                              : PH_CSV_ANY;
   split->format = split->options.format != PH_SPLIT_AUTO ? split->options.format
                   : has_suffix(name, ".json|.ndjson|.jsonl") ? PH_SPLIT_JSON
                   : has_suffix(name, ".csv|.tsv")            ? PH_SPLIT_CSV

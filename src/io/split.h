@@ -26,7 +26,8 @@
 #define PH_SPLIT_FORMATS(FIRST, X) \
   FIRST(AUTO, "auto")              \
   X(JSON, "json")                  \
-  X(CSV, "csv")
+  X(CSV, "csv")                    \
+  X(TEXT, "text")
 
 enum ph_split_format {
 #define X(symbol, name) PH_SPLIT_##symbol,
@@ -36,9 +37,12 @@ enum ph_split_format {
 
 struct ph_split_options {
   enum ph_split_format format; /* AUTO: by suffix, else by the first byte */
-  char delimiter;              /* of CSV; 0: tab for .tsv, else comma */
-  const char *columns;         /* names of the CSV columns, or NULL */
+  char delimiter;              /* of CSV; 0: tab for .tsv, else as the first
+                                  row has it; PH_CSV_WORDS: blanks and tabs */
+  const char *columns;         /* names of the CSV columns, or of some in the
+                                  header, NAME=HEADER,...; or NULL */
   size_t most;                 /* bytes of a record; 0: any number */
+  bool ignore_columns;         /* that are unknown */
 };
 
 enum ph_split_state {
@@ -92,6 +96,7 @@ struct ph_split_csv {
                   which some are gone */
   struct ph_csv_columns *columns; /* NULL: not known yet */
   struct ph_buf id;               /* of the open record */
+  double at[2];                   /* of results: where its last row is */
 };
 
 /*
@@ -230,9 +235,15 @@ enum ph_status ph_split_columns(struct ph_split *split, const char *names,
 enum ph_status ph_split_find_columns(struct ph_split *split, bool *data,
                                      struct ph_diag *diag);
 
+/* ph_split_find_delimiter: makes up split->delimiter, which is not known, by
+ * the row [p,end), the first one of the file that is no comment. */
+void ph_split_find_delimiter(struct ph_split *split, const char *p,
+                             const char *end);
+
 /* ph_split_is_header: whether a comment [p,end), without its #, is a header:
- * all of its words are names of columns. */
+ * all of its words are names of columns.
+ * out  separator  what is between them */
 bool ph_split_is_header(const struct ph_split *split, const char *p,
-                        const char *end);
+                        const char *end, char *separator);
 
 #endif

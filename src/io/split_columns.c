@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * What the columns of CSV mean (see split.h): by --columns, by the header of
- * the file, or by the number of columns.
+ * the file, or by the number of columns; and what delimits them.
  *
  * Of what the cells hold, the first row's is looked at, which may be the
  * header.
@@ -77,6 +77,57 @@ static size_t find_name(const struct ph_schema *schema, const char *text,
   return i;
 }
 
+/* ---- names of the user's own ----------------------------------------- */
+
+/* Whether --columns says x=Easting,... : which columns are meant, by name. */
+static bool by_name(const struct ph_split *split) {
+  return split->options.columns && strchr(split->options.columns, '=');
+}
+
+/* The item NAME=HEADER of --columns whose HEADER a cell is, found by walking
+ * through `text`; text when there is none.
+ * out  name  what stands for */
+static bool next_choice(const char **text, const char *end,
+                        struct ph_csv_cell *name, struct ph_csv_cell *header) {
+  struct ph_csv_cell item;
+  const char *equals;
+  if (*text > end) {
+    return false;
+  }
+  *text = ph_csv_cell(*text, end, ',', &item) + 1;
+  equals = item.n ? memchr(item.text, '=', item.n) : NULL;
+  name->text = header->text = item.text;
+  name->n = header->n = item.n;
+  if (equals) {
+    name->n = (size_t)(equals - item.text);
+    header->text = equals + 1;
+    header->n = item.n - name->n - 1;
+  }
+  return true;
+}
+
+/* Whether --columns chooses a cell of the header; what stands for then. */
+static bool find_choice(const struct ph_split *split,
+                        const struct ph_csv_cell *cell,
+                        struct ph_csv_cell *name) {
+  const char *text = split->options.columns, *end = text + strlen(text);
+  struct ph_csv_cell header;
+  while (next_choice(&text, end, name, &header)) {
+    if (header.n == cell->n && memcmp(header.text, cell->text, cell->n) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* Whether a cell is a name of a column that is read. */
+static bool is_name(const struct ph_split *split,
+                    const struct ph_csv_cell *cell) {
+  struct ph_csv_cell name;
+  return by_name(split) ? find_choice(split, cell, &name)
+                        : find_name(split->schema, cell->text, cell->n) < NAMES;
+}
+
 /* ---- lists of names ------------------------------------------------- */
 
 /* A list of names being read. */
@@ -92,7 +143,7 @@ static const char *where(const struct list *list) {
 }
 
 static const char *advice(const struct list *list) {
-  return list->option ? "" : " (--columns can skip it)";
+  return list->option ? "" : " (--ignore-columns skips it)";
 }
 
 static enum ph_status unknown_column(const struct list *list, size_t i,
@@ -124,19 +175,61 @@ static bool is_of_segments(const struct ph_schema *schema, size_t k) {
   return row && row->kinds & PH_SEGMENTS;
 }
 
+/* An item NAME=HEADER of --columns. */
+static enum ph_status check_choice(const struct list *list,
+                                   const struct ph_csv_cell *item,
+                                   struct ph_csv_cell *name) {
+  const char *equals = item->n ? memchr(item->text, '=', item->n) : NULL;
+  char excerpt[PH_EXCERPT_MAX];
+  *name = *item;
+  if (!equals || equals == item->text || equals + 1 == item->text + item->n) {
+    return ph_fail(list->diag, PH_E_USAGE, where(list),
+                   "takes names of columns, or NAME=HEADER for all of them, "
+                   "found \"%s\"",
+                   ph_excerpt(item->text, item->n, excerpt));
+  }
+  name->n = (size_t)(equals - item->text);
+  return PH_OK;
+}
+
+/* Whether a column is not for us; else what it is called here. */
+static bool is_skipped(const struct list *list, const struct ph_csv_cell *cell,
+                       const struct ph_csv_columns *columns,
+                       struct ph_csv_cell *name) {
+  const struct ph_split *split = list->split;
+  size_t k;
+  *name = *cell;
+  if (list->option) {
+    return cell->n == 1 && *cell->text == '-';
+  }
+  if (by_name(split)) {
+    return !find_choice(split, cell, name);
+  }
+  k = find_name(split->schema, cell->text, cell->n);
+  return columns->results ? k == NAMES || (names[k].field != PH_CSV_ID &&
+                                           names[k].field != PH_F_POINTS)
+                          : k == NAMES && split->options.ignore_columns;
+}
+
 /* Column i, which is named by a cell. */
 static enum ph_status read_column(const struct list *list, size_t i,
                                   const struct ph_csv_cell *cell,
                                   struct ph_csv_columns *columns) {
-  size_t k = find_name(list->split->schema, cell->text, cell->n);
   struct ph_csv_column *column = &columns->column[i];
+  struct ph_csv_cell name;
   char excerpt[PH_EXCERPT_MAX];
-  if (list->option && cell->n == 1 && *cell->text == '-') {
+  size_t k;
+  if (is_skipped(list, cell, columns, &name)) {
     *column = (struct ph_csv_column){PH_CSV_SKIP, 0, "-", false};
     return PH_OK;
   }
+  if (list->option && by_name(list->split) &&
+      check_choice(list, cell, &name) != PH_OK) {
+    return list->diag->status;
+  }
+  k = find_name(list->split->schema, name.text, name.n);
   if (k == NAMES) {
-    return unknown_column(list, i, cell);
+    return unknown_column(list, i, &name);
   }
   *column =
       (struct ph_csv_column){names[k].field, names[k].component, names[k].name,
@@ -147,7 +240,7 @@ static enum ph_status read_column(const struct list *list, size_t i,
       return ph_fail(list->diag, PH_E_BAD_VALUE, where(list),
                      "columns %zu and %zu (\"%s\") are the same%s", j + 1,
                      i + 1, ph_excerpt(cell->text, cell->n, excerpt),
-                     advice(list));
+                     list->option ? "" : " (--columns can skip it)");
     }
   }
   return PH_OK;
@@ -183,6 +276,54 @@ static enum ph_status check_vectors(const struct list *list,
   return PH_OK;
 }
 
+/* Whether the header has all that --columns chooses. */
+static enum ph_status check_choices(const struct list *list, const char *p,
+                                    const char *end, char separator) {
+  const char *text = list->split->options.columns;
+  const char *text_end = text + strlen(text);
+  struct ph_csv_cell name, header;
+  while (next_choice(&text, text_end, &name, &header)) {
+    struct ph_suggest suggest;
+    char clause[PH_DID_YOU_MEAN_MAX], excerpt[PH_EXCERPT_MAX];
+    bool found = false;
+    ph_suggest_init(&suggest, header.text, header.n);
+    for (const char *at = p; at <= end; at++) {
+      struct ph_csv_cell cell;
+      at = ph_csv_cell(at, end, separator, &cell);
+      found |=
+          cell.n == header.n && memcmp(cell.text, header.text, cell.n) == 0;
+      ph_suggest_try(&suggest, cell.text, cell.n);
+    }
+    if (!found) {
+      ph_did_you_mean(&suggest, clause);
+      return ph_fail(list->diag, PH_E_MISSING_FIELD, NULL,
+                     "the header row has no column \"%s\", which --columns "
+                     "names%s",
+                     ph_excerpt(header.text, header.n, excerpt), clause);
+    }
+  }
+  return PH_OK;
+}
+
+/* Whether a header is that of samples or control points (csv_out.h). */
+static bool is_of_results(const struct ph_split *split, const char *p,
+                          const char *end, char separator) {
+  static const char *const first[] = {"id", "segment", "index"};
+  size_t i = 0;
+  if (split->options.columns || !row_of(split->schema, PH_F_POINTS)) {
+    return false;
+  }
+  for (; i < 3 && p <= end; i++, p++) {
+    struct ph_csv_cell cell;
+    p = ph_csv_cell(p, end, separator, &cell);
+    if (!ph_word_is(cell.text, cell.n, first[i]) &&
+        !(i == PH_CSV_WITHIN && ph_word_is(cell.text, cell.n, "t"))) {
+      return false;
+    }
+  }
+  return i == 3;
+}
+
 static size_t count_cells(const char *p, const char *end, char separator) {
   struct ph_csv_cell cell;
   size_t n = 1;
@@ -212,6 +353,7 @@ enum ph_status ph_split_columns(struct ph_split *split, const char *text,
   }
   (*columns)->older = split->all_columns;
   (*columns)->delimiter = split->delimiter;
+  (*columns)->results = !option && is_of_results(split, text, end, separator);
   (*columns)->n = cells;
   split->all_columns = *columns;
   for (size_t i = 0; i < cells && status == PH_OK; i++) {
@@ -223,6 +365,9 @@ enum ph_status ph_split_columns(struct ph_split *split, const char *text,
     }
     p = after + 1;
   }
+  if (status == PH_OK && !option && by_name(split)) {
+    status = check_choices(&list, text, end, separator);
+  }
   return status == PH_OK ? check_vectors(&list, *columns) : status;
 }
 
@@ -232,31 +377,100 @@ enum ph_status ph_split_columns(struct ph_split *split, const char *text,
 struct census {
   size_t cells;
   size_t numbers;
+  size_t commas; /* numbers but for a decimal comma */
   size_t names;
   size_t blanks;
 };
 
 /* Counts the cells of a row; with columns, those of fields only. */
 static struct census take_census(const struct ph_split *split, const char *p,
-                                 const char *end,
+                                 const char *end, char separator,
                                  const struct ph_csv_columns *columns) {
-  struct census census = {0, 0, 0, 0};
+  struct census census = {0, 0, 0, 0, 0};
   end = ph_csv_row_end(p, end);
   for (;; p++) {
     struct ph_csv_cell cell;
     size_t i = census.cells++;
     double x;
-    p = ph_csv_cell(p, end, split->delimiter, &cell);
+    p = ph_csv_cell(p, end, separator, &cell);
     if (!columns || (i < columns->n && columns->column[i].field < PH_FIELD_N)) {
       census.blanks += cell.n == 0;
       census.numbers += ph_csv_number(cell.text, cell.n, &x);
-      census.names += find_name(split->schema, cell.text, cell.n) < NAMES;
+      census.commas += ph_csv_decimal_comma(&cell);
+      census.names += is_name(split, &cell);
     } else {
       census.blanks++;
     }
     if (p == end) {
       return census;
     }
+  }
+}
+
+/* Whether a separator makes a header of the row, which may have names that are
+ * to be ignored. */
+static bool makes_header(const struct ph_split *split, const char *p,
+                         const char *end, char separator, bool ignore) {
+  const char *names_end = ph_csv_row_end(p, end);
+  struct census census = take_census(split, p, end, separator, NULL);
+  bool some = by_name(split) || (ignore && split->options.ignore_columns);
+  return census.cells > 1 &&
+         (census.names == census.cells || (some && census.names > 1) ||
+          is_of_results(split, p, names_end, separator));
+}
+
+/* What separates the cells of a row, of which there should be `expected`, if it
+ * is known: commas, unless something else gives that number of cells, or all
+ * numbers, or all names; or where there is no comma. */
+static char find_delimiter(const struct ph_split *split, const char *p,
+                           const char *end, size_t expected) {
+  static const char all[] = {',', ';', '\t', PH_CSV_WORDS};
+  enum { ALL = sizeof all };
+  struct census census[ALL];
+  for (size_t i = 0; i < ALL; i++) {
+    census[i] = take_census(split, p, end, all[i], NULL);
+    if (expected > 1 && census[i].cells == expected) {
+      return all[i];
+    }
+  }
+  for (size_t i = 0; i < ALL; i++) {
+    bool both = all[i] == '\t' && memchr(p, ' ', (size_t)(end - p));
+    if (census[i].numbers > 0 && census[i].cells > 1 && !both &&
+        census[i].numbers + census[i].blanks == census[i].cells) {
+      return all[i];
+    }
+  }
+  for (size_t i = 0; i < ALL; i++) {
+    if (makes_header(split, p, end, all[i], true)) {
+      return all[i];
+    }
+  }
+  for (size_t i = 1; i < ALL; i++) {
+    if (census[i].commas > 0 && census[i].cells > 1 &&
+        census[i].numbers + census[i].commas + census[i].blanks ==
+            census[i].cells) {
+      return all[i];
+    }
+  }
+  for (size_t i = 0; i + 1 < ALL; i++) { /* words may be those of a sentence */
+    if (census[i].cells > 1) {
+      return all[i];
+    }
+  }
+  return ',';
+}
+
+void ph_split_find_delimiter(struct ph_split *split, const char *p,
+                             const char *end) {
+  struct ph_csv_columns *columns = split->csv.columns;
+  size_t expected = columns ? columns->n : 0;
+  if (split->options.columns && !by_name(split)) {
+    const char *text = split->options.columns;
+    expected = count_cells(text, text + strlen(text), ',');
+  }
+  split->delimiter = find_delimiter(split, p, end, expected);
+  if (columns) {
+    columns->delimiter = split->delimiter;
   }
 }
 
@@ -271,7 +485,7 @@ static enum ph_status columns_by_option(struct ph_split *split, const char *row,
   if (status != PH_OK) {
     return status;
   }
-  census = take_census(split, row, end, split->csv.columns);
+  census = take_census(split, row, end, split->delimiter, split->csv.columns);
   *data = census.numbers > 0 || census.blanks == census.cells;
   if (census.cells > split->csv.columns->n) {
     return ph_fail(diag, PH_E_BAD_SHAPE, NULL,
@@ -286,12 +500,12 @@ static enum ph_status columns_by_option(struct ph_split *split, const char *row,
 static enum ph_status columns_by_row(struct ph_split *split, const char *row,
                                      const char *end, bool *data,
                                      struct ph_diag *diag) {
-  struct census census = take_census(split, row, end, NULL);
-  bool numeric =
-      census.numbers > 0 && census.numbers + census.blanks == census.cells;
+  struct census census = take_census(split, row, end, split->delimiter, NULL);
+  size_t numbers = census.numbers + census.commas;
+  bool numeric = numbers > 0 && numbers + census.blanks == census.cells;
   char excerpt[PH_EXCERPT_MAX];
   enum ph_status status;
-  *data = census.numbers > 0 && census.names == 0;
+  *data = numbers > 0 && census.names == 0;
   if (!*data && census.cells == 1 && census.names == 0 && split->guessed) {
     const char *text_end = ph_csv_row_end(row, end);
     return ph_fail(diag, PH_E_SYNTAX, NULL,
@@ -301,6 +515,10 @@ static enum ph_status columns_by_row(struct ph_split *split, const char *row,
   if (!*data) {
     return ph_split_columns(split, row, (size_t)(end - row), split->delimiter,
                             false, &split->csv.columns, diag);
+  }
+  if (by_name(split)) {
+    return ph_fail(diag, PH_E_SYNTAX, NULL,
+                   "the file has no header row with the names of --columns");
   }
   if (numeric && census.cells == 2 && row_of(split->schema, PH_F_LONLAT)) {
     return ph_fail(
@@ -324,12 +542,19 @@ enum ph_status ph_split_find_columns(struct ph_split *split, bool *data,
                                      struct ph_diag *diag) {
   const char *row = split->data + split->start;
   const char *end = row + split->csv.scan.at;
-  return split->options.columns ? columns_by_option(split, row, end, data, diag)
-                                : columns_by_row(split, row, end, data, diag);
+  return split->options.columns && !by_name(split)
+             ? columns_by_option(split, row, end, data, diag)
+             : columns_by_row(split, row, end, data, diag);
 }
 
 bool ph_split_is_header(const struct ph_split *split, const char *p,
-                        const char *end) {
-  struct census census = take_census(split, p, end, NULL);
-  return census.names == census.cells;
+                        const char *end, char *separator) {
+  *separator = split->delimiter;
+  if (split->options.columns && !by_name(split)) {
+    return false;
+  }
+  if (split->delimiter == PH_CSV_ANY) {
+    *separator = find_delimiter(split, p, end, 0);
+  }
+  return makes_header(split, p, end, *separator, false);
 }

@@ -82,6 +82,24 @@ static struct ph_csv_cell id_cell(const struct ph_csv_columns *columns,
   return cell;
 }
 
+/* Of results: whether the row [p,end) does not lie further along the curve than
+ * the open record's last one. */
+static bool begins_curve(struct ph_split_csv *csv, const char *p,
+                         const char *end) {
+  const double last[2] = {csv->at[0], csv->at[1]};
+  end = ph_csv_row_end(p, end);
+  for (size_t i = 0; i <= PH_CSV_WITHIN && p <= end; i++, p++) {
+    struct ph_csv_cell cell;
+    double x;
+    p = ph_csv_cell(p, end, csv->columns->delimiter, &cell);
+    if (i >= PH_CSV_SEGMENT && ph_csv_number(cell.text, cell.n, &x)) {
+      csv->at[i - PH_CSV_SEGMENT] = x;
+    }
+  }
+  return csv->open && !(csv->at[0] > last[0]) &&
+         (csv->at[0] < last[0] || !(csv->at[1] > last[1]));
+}
+
 /* Takes the row [p,end) into the open record, or opens one with it; false
  * when it belongs to the next record, or when (id.failed) memory is short. */
 static bool take_row(struct ph_split *split, const char *p, const char *end) {
@@ -93,6 +111,9 @@ static bool take_row(struct ph_split *split, const char *p, const char *end) {
   char *content;
   size_t n;
   if (csv->open && nameless) {
+    return false;
+  }
+  if (csv->columns->results && begins_curve(csv, p, end)) {
     return false;
   }
   csv->id.n = old_n;
@@ -258,6 +279,19 @@ static enum ph_split_state handle_blanks(struct ph_split *split,
   return PH_SPLIT_END;
 }
 
+/* Finds out what delimits cells, by the first row, as far as it is scanned;
+ * false: that is known.  The row is then to be scanned again. */
+static bool know_delimiter(struct ph_split *split) {
+  struct ph_csv_scan *scan = &split->csv.scan;
+  const char *row = split->data + split->start + split->csv.row;
+  if (split->delimiter != PH_CSV_ANY) {
+    return false;
+  }
+  ph_split_find_delimiter(split, row, split->data + split->start + scan->at);
+  *scan = (struct ph_csv_scan){.at = split->csv.row};
+  return true;
+}
+
 /* A row of cells is complete.  PH_SPLIT_END: go on with the next one. */
 static enum ph_split_state handle_row(struct ph_split *split,
                                       struct ph_record *record,
@@ -265,6 +299,9 @@ static enum ph_split_state handle_row(struct ph_split *split,
   struct ph_split_csv *csv = &split->csv;
   const char *window = split->data + split->start;
   bool data = true;
+  if (know_delimiter(split)) {
+    return PH_SPLIT_END;
+  }
   if (!csv->columns && ph_split_find_columns(split, &data, diag) != PH_OK) {
     return stop(split, 0, record, diag);
   }
@@ -286,8 +323,9 @@ static enum ph_split_state handle_comment(struct ph_split *split,
   const char *p = split->data + split->start + 1;
   const char *end = split->data + split->start + split->csv.scan.at;
   bool first = split->place.line == 1 && split->csv.row == 0;
-  if (first && !split->options.columns && ph_split_is_header(split, p, end) &&
-      ph_split_columns(split, p, (size_t)(end - p), split->delimiter, false,
+  char separator;
+  if (first && ph_split_is_header(split, p, end, &separator) &&
+      ph_split_columns(split, p, (size_t)(end - p), separator, false,
                        &split->csv.columns, diag) != PH_OK) {
     return stop(split, 1, record, diag);
   }
@@ -302,6 +340,9 @@ static enum ph_split_state handle_broken(struct ph_split *split,
                                          struct ph_diag *diag) {
   struct ph_split_csv *csv = &split->csv;
   const char *window = split->data + split->start;
+  if (know_delimiter(split)) {
+    return PH_SPLIT_END;
+  }
   if (!csv->open || take_row(split, window + csv->row, window + csv->scan.at)) {
     ph_fail(diag, PH_E_SYNTAX, NULL, "%s", csv->scan.message);
   } else if (csv->id.failed) {

@@ -206,7 +206,107 @@ csv 'a bar, and --columns with commas' "$one" '0|0\n4|3\n' --delimiter='|' \
   --columns=y,x
 csv 'a comma within quotes' '0 "a;b" [3,4]' \
   'id;x;y\n"a;b";0;0\n"a;b";3;4\n' --delimiter=';'
-csv 'the wrong one' '3 absent absent' 'x;y\n0;0\n3;4\n'
+csv 'the wrong one' '3 absent absent' 'x;y\n0;0\n3;4\n' --delimiter=,
+
+# ---- delimiters that the first row tells --------------------------------------
+
+csv 'semicolons' "$one" 'x;y\n0;0\n3;4\n'
+csv 'semicolons without a header' "$one" '0;0\n3;4\n'
+csv 'tabs' "$one" 'y\tx\n0\t0\n4\t3\n'
+csv 'blanks' "$one" '0 0\n3 4\n'
+csv 'blanks of GNU spline and gnuplot' '0 absent absent [3,4] [5,6]' \
+  ' 0 0 \n3  4\n\n0   0\n 5\t 6\n'
+csv 'blanks of numpy.savetxt' "$one" \
+  '0.000000000000000000e+00 0.0e+00\n3.000000000000000000e+00 4.0e+00\n'
+csv 'a header between blanks' "$one" 'y x\n0 0\n4 3\n'
+csv 'a first line between blanks' "$one" '# y x\n0 0\n4 3\n'
+csv 'a first line between blanks, rows with commas' "$one" '# y x\n0,0\n4,3\n'
+csv 'a first line between commas, rows with tabs' "$one" '# y,x\n0\t0\n4\t3\n'
+csv 'a comma wins over a semicolon in a cell' '0 "a;b" [3,4]' \
+  'id,x,y\na;b,0,0\na;b,3,4\n'
+csv 'quoted cells between semicolons' '0 "a;b" [3,4]' \
+  '"id";"x";"y"\n"a;b";"0";"0"\n"a;b";"3";"4"\n'
+csv 'a line break in the first row' '0 absent [3,4]' \
+  '"a\nb";0;0\n1;3;4\n' --columns=-,x,y
+csv 'as many cells as --columns names' '0 "a" [3,4]' 'a 0 0\na 3 4\n' \
+  --columns=id,x,y
+csv 'text, whatever the first row has' '1 absent absent' '0,0\n3,4\n' -i text \
+  --columns=x,y
+csv 'text' "$one" '0\t0\n 3 4\n' -i text
+csv 'a sentence is no header' '3 absent absent' 'to x or y\n0 0\n3 4\n'
+for text in '0;0,5\n1;1,5\n' '0 0,5\n1 1\n' '0\t0,5\n1\t1\n'; do
+  csv "decimal commas: $text" '1 absent absent' "$text"
+  expect "decimal commas: $text: the remedy" 1 "phspline: a.csv:1: record 1: \
+points[0]: needs a number in column y, found \"0,5\"; numbers have a decimal \
+point (tr , . makes them of commas) [bad-type]
+$(failed 1 1)"
+done
+
+# ---- columns by their names, columns that are unknown --------------------------
+
+survey='Station;Northing;Easting\nA1;0;0\nA2;4;3\n'
+csv 'columns by name' "$one" "$survey" --columns=x=Easting,y=Northing
+csv 'an id by name' '1 "A1" "A2" absent absent' "$survey" \
+  --columns=id=Station,x=Easting,y=Northing
+csv 'names in a first line' "$one" '# E N h\n0 0 1\n3 4 1\n' --columns=x=E,y=N
+csv 'a name with a comma' "$one" '"E, m",N\n0,0\n3,4\n' \
+  --columns='"x=E, m",y=N'
+csv 'a name that is not there' '3 absent absent' "$survey" \
+  --columns=x=Easting,y=Grid
+expect 'a name that is not there: which' 3 "phspline: a.csv:1: record 1: the \
+header row has no column \"Grid\", which --columns names [missing-field]
+$(failed 1 1)"
+csv 'a name misspelt' '3 absent absent' "$survey" --columns=x=Easting,y=Northin
+expect 'a name misspelt: which is meant' 3 "phspline: a.csv:1: record 1: the \
+header row has no column \"Northin\", which --columns names; did you mean \
+\"Northing\"? [missing-field]
+$(failed 1 1)"
+csv 'names but no header' '3 absent absent' '0;0\n3;4\n' --columns=x=E,y=N
+expect 'names but no header: why' 3 "phspline: a.csv:1: record 1: the file has \
+no header row with the names of --columns [syntax]
+$(failed 1 1)"
+for columns in x=E,y x=E,=N x=E,y=; do
+  run planar --columns="$columns" a.csv
+  equal "--columns=$columns" 2 "$status"
+done
+csv 'unknown columns' "$one" ',x,y,speed\n0,0,0,1\n1,3,4,2\n' --ignore-columns
+csv 'unknown columns between blanks' "$one" 'x y speed\n0 0 1\n3 4 1\n' \
+  --ignore-columns
+csv 'a third column' "$one" '0 0 0\n3 4 0\n' --ignore-columns
+
+# ---- tables of ours ------------------------------------------------------------
+
+# again NAME POINTS OPTION...: a table of one problem after another is read as
+# as many problems, with all points and every joint once
+printf 'id,x,y\na,0,0\na,3,4\na,6,0\nb,0,0\nb,3,4\n' >a.csv
+again() {
+  name=$1 wanted=$2
+  shift 2
+  for format in csv text; do
+    run planar --format="$format" "$@" a.csv
+    cp out table
+    run planar --table=lengths table
+    equal "$name, $format" "$wanted" \
+      "$status $(sed 1d out | cut -d, -f1 | uniq -c | tr -s ' \n' ' ')"
+  done
+}
+again 'samples' '0  4 a 2 b ' --table=samples --sample=2
+again 'control points' '0  10 a 5 b ' --table=control-points
+again 'samples of a sweep' '0  8 a 4 b ' --table=samples --sample=2 \
+  --sweep=knots=uniform,centripetal
+run planar --table=samples --sample=2 --offset=0.5 a.csv
+cp out table
+run planar table
+equal 'samples of offsets' '0 "a" "a" "b" "b"' "$status $(get id)"
+equal 'the first place of an offset is the second of its curve' 2 \
+  "$(get 'segments[3].control_points[5]' | tr ' ' '\n' | grep -c '\[')"
+printf 'id,segment,t,s,x,y\n1,0,0,0,0,0\n1,0,1,1,1,0\n1,1,0,1,1,0\n1,1,1,1,,0\n' \
+  >table
+run planar table
+expect 'lines of what is read are those of the table' 1 \
+  "phspline: table:5: record 1: points[2]: needs a number in column x, found an \
+empty cell [bad-value]
+$(failed 1 1)"
 printf 'x\ty\n0\t0\n3\t4\n' >a.tsv
 printf 'id\tx\ty\n"a\tb"\t0\t0\n"a\tb"\t3\t4\n' >b.TSV
 printf 'x,y\n0,0\n3,4\n' >c.tsv

@@ -322,7 +322,7 @@ broken 3 2:1 2 "expected ',' or ']', found '{'" a.json \
 
 # ---- CSV ---------------------------------------------------------------------
 
-skip='(--columns can skip it)'
+skip='(--ignore-columns skips it)'
 bad_csv 3 1:5 '' unknown-field "column \"speed\" is unknown to planar $skip" \
   'x,y,speed\n0,0,1\n1,1,1\n'
 bad_csv 3 1:1 '' unknown-field \
@@ -331,9 +331,9 @@ bad_csv 3 1:1 '' unknown-field \
 bad_csv 3 1:5 '' unknown-field "column 3 has no name $skip" 'x,y,\n0,0,\n'
 bad_csv 3 1:1 '' unknown-field "column \"z\" is unknown to planar $skip" \
   '0,0,0\n1,1,0\n'
-bad_csv 3 1:3 '' bad-value "columns 1 and 2 (\"X\") are the same $skip" \
+bad_csv 3 1:3 '' bad-value "columns 1 and 2 (\"X\") are the same (--columns can skip it)" \
   'x,X\n0,0\n1,1\n'
-bad_csv 3 1:3 '' bad-value "columns 1 and 2 (\"x_m\") are the same $skip" \
+bad_csv 3 1:3 '' bad-value "columns 1 and 2 (\"x_m\") are the same (--columns can skip it)" \
   'x,x_m\n0,0\n1,1\n'
 bad_csv 3 1:1 '' missing-field 'column "y" is missing: planar needs it for points' \
   'x\n0\n1\n'

@@ -261,7 +261,7 @@ done
 
 # ---- CSV ---------------------------------------------------------------------
 
-skip='(--columns can skip it)'
+skip='(--ignore-columns skips it)'
 bad_csv 3 1:5 '' unknown-field \
   "column \"theta\" is unknown to spatial-hermite $skip" 'x,y,theta\n0,0,0\n'
 bad_csv 3 1:1 '' missing-field \

@@ -64,7 +64,7 @@ refused 'lon alone' 3 'lon\n0\n10\n' '1: record 1: column "lat" is missing: '\
 refused 'lon twice' 3 'lon,lat,longitude\n0,0,0\n' '1: record 1: columns 1 and '\
 '3 ("longitude") are the same (--columns can skip it) [bad-value]'
 refused 'a name that is none' 3 'lon,latt\n0,0\n' '1: record 1: column "latt" '\
-'is unknown to sphere; did you mean "lat"? (--columns can skip it) '\
+'is unknown to sphere; did you mean "lat"? (--ignore-columns skips it) '\
 '[unknown-field]'
 refused 'both lon, lat and x, y, z' 1 \
   'lon,lat,x,y,z\n0,0,1,0,0\n90,0,0,1,0\n' '2: record 1: lonlat: excludes '\
@@ -78,7 +78,7 @@ feed 'lon,lat
 0,0
 ' planar
 expect 'of planar it is no column' 3 "phspline: -:1: record 1: column \"lon\" \
-is unknown to planar (--columns can skip it) [unknown-field]
+is unknown to planar (--ignore-columns skips it) [unknown-field]
 $(failed 1 1)"
 
 # ---- coordinates, and numbers of nodes ---------------------------------------

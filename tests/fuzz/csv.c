@@ -8,11 +8,14 @@
 
 FUZZ_TARGET(csv, data, n) {
   static const struct ph_split_options options[] = {
-      {PH_SPLIT_AUTO, 0, NULL, 0},
-      {PH_SPLIT_CSV, 0, "id,x,-,y,knot", 0},
-      {PH_SPLIT_CSV, ';', NULL, 0},
-      {PH_SPLIT_AUTO, 0, NULL, 24},
-      {PH_SPLIT_CSV, '\t', "id,x,y", 9}};
+      {.format = PH_SPLIT_AUTO},
+      {.format = PH_SPLIT_CSV, .columns = "id,x,-,y,knot"},
+      {.format = PH_SPLIT_CSV, .delimiter = ';'},
+      {.format = PH_SPLIT_AUTO, .most = 24},
+      {.format = PH_SPLIT_CSV,
+       .delimiter = '\t',
+       .columns = "id,x,y",
+       .most = 9}};
   for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
     stream_check(data, n, &options[i]);
   }

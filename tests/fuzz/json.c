@@ -5,7 +5,7 @@
 
 FUZZ_TARGET(json, data, n) {
   static const struct ph_split_options options[] = {
-      {PH_SPLIT_JSON, 0, NULL, 0}, {PH_SPLIT_AUTO, 0, NULL, 24}};
+      {.format = PH_SPLIT_JSON}, {.format = PH_SPLIT_AUTO, .most = 24}};
   for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
     stream_check(data, n, &options[i]);
   }

@@ -37,8 +37,8 @@ static const struct ph_field sphere_rows[] = {
     {PH_F_POINTS, PH_VECTORS, SPACE, false, "", "", ""},
     {PH_F_LONLAT, PH_VECTORS, PLANE, false, "", "", ""}};
 static const struct ph_schema sphere = {"sphere", sphere_rows, 2};
-static const struct ph_split_options automatic = {PH_SPLIT_AUTO, 0, NULL, 0};
-static const struct ph_split_options csv = {PH_SPLIT_CSV, 0, NULL, 0};
+static const struct ph_split_options automatic = {.format = PH_SPLIT_AUTO};
+static const struct ph_split_options csv = {.format = PH_SPLIT_CSV};
 /* ---- transcripts ---------------------------------------------------- */
 static struct ph_buf transcript;
 static inline void note(const char *text, size_t n) {

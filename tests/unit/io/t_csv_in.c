@@ -152,8 +152,26 @@ PH_TEST(test_cells) {
   ck_cell("a b\tc d\t", '\t', 1, "c d");
   ck_cell("a b\tc d\t", '\t', 2, "");
   ck_cell("1;2,5", ';', 1, "2,5");
+  ck_cell(" 1 \t 2  3 \r\n", PH_CSV_WORDS, 0, "1");
+  ck_cell(" 1 \t 2  3 \r\n", PH_CSV_WORDS, 1, "2");
+  ck_cell(" 1 \t 2  3 \r\n", PH_CSV_WORDS, 2, "3");
+  ck_cell("\" a \"\"b\"  2", PH_CSV_WORDS, 0, " a \"b");
+  ck_cell("\" a \"\"b\"  2", PH_CSV_WORDS, 1, "2");
+  ck_cell("", PH_CSV_WORDS, 0, "");
   ck_assert(!cell_of("a", ',', 0).quoted);
   ck_assert(cell_of("\"\"", ',', 0).quoted);
+}
+
+PH_TEST(test_decimal_commas) {
+  static const char *const commas[] = {"1,5", "-1,5e3", ",5", "1,"};
+  static const char *const none[] = {"1.5", "1,5,0", "a,b", ",", "", "1,5m"};
+  struct ph_csv_cell cell = {NULL, 0, false};
+  for (size_t i = 0; i < COUNT(commas) + COUNT(none); i++) {
+    bool is = i < COUNT(commas);
+    cell.text = is ? commas[i] : none[i - COUNT(commas)];
+    cell.n = strlen(cell.text);
+    ck_assert_msg(ph_csv_decimal_comma(&cell) == is, "%s", cell.text);
+  }
 }
 
 static bool number(const char *text, double *x) {

@@ -115,7 +115,7 @@ PH_TEST(test_json_truncated_line) {
 /* ---- files and descriptors ------------------------------------------ */
 
 PH_TEST(test_formats) {
-  struct ph_split_options json = {PH_SPLIT_JSON, 0, NULL, 0};
+  struct ph_split_options json = {.format = PH_SPLIT_JSON};
   gives("a.txt", "\n \t{}", "1 2 {}\nend");
   gives("a.txt", "[1]", "1 1 1\nend");
   gives("a.txt", "\xEF\xBB\xBF\n{}", "1 2 {}\nend");
@@ -123,12 +123,12 @@ PH_TEST(test_formats) {
   gives("a.txt", "\n\n  x,y\n0,1\n", "1 4 0,1$\nend");
   gives("a.txt", "\xEF\xBBx,y\n0,1\n",
         "1 1 unknown-field 1:1 column \"\\xef\\xbbx\" is unknown to planar "
-        "(--columns can skip it)\nstopped");
+        "(--ignore-columns skips it)\nstopped");
   gives("a.txt", "", "end");
   gives("a.txt", "\n ", "end");
   gives("a.csv", "{}\n",
         "1 1 unknown-field 1:1 column \"{}\" is unknown to planar "
-        "(--columns can skip it)\nstopped");
+        "(--ignore-columns skips it)\nstopped");
   gives("a.json", "0,1\n",
         "1 1 0\n2 1 syntax 1:2 expected a value, found ','\nstopped");
   gives_with(&json, &schema, "5", "1 1 5\nend");
@@ -279,8 +279,8 @@ static const char *const documents[] = {json_lines,  json_array, csv_ids,
                                         csv_blanks};
 
 /* Some of these documents' records are longer. */
-static const struct ph_split_options short_records = {PH_SPLIT_AUTO, 0, NULL,
-                                                      20};
+static const struct ph_split_options short_records = {.format = PH_SPLIT_AUTO,
+                                                      .most = 20};
 
 /* Every byte of a document, or one in ten where every step takes long. */
 static size_t stride(void) {

@@ -58,19 +58,19 @@ PH_TEST(test_csv_headers) {
 PH_TEST(test_csv_bad_headers) {
   gives("a.csv", "x,yy\n",
         "1 1 unknown-field 1:3 column \"yy\" is unknown to planar; "
-        "did you mean \"y\"? (--columns can skip it)\nstopped");
+        "did you mean \"y\"? (--ignore-columns skips it)\nstopped");
   gives("a.csv", "\n# c\nx,y,\"w\x1b\"\n0,1,2\n",
         "1 3 unknown-field 3:5 column \"w\\x1b\" is unknown to planar "
-        "(--columns can skip it)\nstopped");
+        "(--ignore-columns skips it)\nstopped");
   gives("a.csv", "x,y,z\n",
         "1 1 unknown-field 1:5 column \"z\" is unknown to planar "
-        "(--columns can skip it)\nstopped");
+        "(--ignore-columns skips it)\nstopped");
   gives("a.csv", "x,y,\n",
         "1 1 unknown-field 1:5 column 3 has no name "
-        "(--columns can skip it)\nstopped");
+        "(--ignore-columns skips it)\nstopped");
   gives("a.csv", "x,y,-\n",
         "1 1 unknown-field 1:5 column \"-\" is unknown to planar "
-        "(--columns can skip it)\nstopped");
+        "(--ignore-columns skips it)\nstopped");
   gives("a.csv", "x,y,x_m\n",
         "1 1 bad-value 1:5 columns 1 and 3 (\"x_m\") are the same "
         "(--columns can skip it)\nstopped");
@@ -91,31 +91,32 @@ PH_TEST(test_csv_bad_headers) {
         "columns\nstopped");
   gives("a.csv", "1,2,3\n",
         "1 1 unknown-field 1:1 column \"z\" is unknown to planar "
-        "(--columns can skip it)\nstopped");
+        "(--ignore-columns skips it)\nstopped");
   gives_with(&csv, &space, "1,2\n",
              "1 1 missing-field 1:1 column \"z\" is missing: spatial needs it "
              "for points\nstopped");
   gives_with(&csv, &space, "x,y,z,knot\n",
              "1 1 unknown-field 1:7 column \"knot\" is unknown to spatial "
-             "(--columns can skip it)\nstopped");
+             "(--ignore-columns skips it)\nstopped");
 }
 
 /* Vectors of the plane have no third column. */
 PH_TEST(test_csv_plane) {
-  struct ph_split_options named = {PH_SPLIT_CSV, 0, "x,y,tx,ty", 0};
+  struct ph_split_options named = {.format = PH_SPLIT_CSV,
+                                   .columns = "x,y,tx,ty"};
   gives_with(&csv, &plane, "0,1\n2,3\n", "1 1 0,1$2,3$\nend");
   gives_with(&csv, &plane, "x,y,tx,ty\n0,1,2,3\n", "1 2 0,1,2,3$\nend");
   gives_with(&csv, &plane, "# dy,dx,y_m,x_m\n0,1,2,3\n", "1 2 0,1,2,3$\nend");
   gives_with(&named, &plane, "0,1,2,3\n", "1 1 0,1,2,3$\nend");
   gives_with(&csv, &plane, "x,y,tx,ty,tz\n",
              "1 1 unknown-field 1:11 column \"tz\" is unknown to tc; did you "
-             "mean \"tx\"? (--columns can skip it)\nstopped");
+             "mean \"tx\"? (--ignore-columns skips it)\nstopped");
   gives_with(&csv, &plane, "dx,dy,dz\n",
              "1 1 unknown-field 1:7 column \"dz\" is unknown to tc; did you "
-             "mean \"dx\"? (--columns can skip it)\nstopped");
+             "mean \"dx\"? (--ignore-columns skips it)\nstopped");
   gives_with(&csv, &plane, "0,1,2\n",
              "1 1 unknown-field 1:1 column \"z\" is unknown to tc "
-             "(--columns can skip it)\nstopped");
+             "(--ignore-columns skips it)\nstopped");
   gives_with(&csv, &plane, "0,1,2,3\n",
              "1 1 syntax 1:1 the file has no header row: --columns must name "
              "its 4 columns\nstopped");
@@ -140,7 +141,7 @@ PH_TEST(test_csv_lonlat) {
              "for points\nstopped");
   gives("a.csv", "lon,lat\n0,1\n",
         "1 1 unknown-field 1:1 column \"lon\" is unknown to planar "
-        "(--columns can skip it)\nstopped");
+        "(--ignore-columns skips it)\nstopped");
   /* Many files have the latitude first. */
   gives_with(&csv, &sphere, "0,1\n",
              "1 1 syntax 1:1 the file has no header row: --columns=lon,lat or "
@@ -161,7 +162,8 @@ PH_TEST(test_csv_broken) {
 }
 
 PH_TEST(test_csv_options) {
-  struct ph_split_options options = {PH_SPLIT_AUTO, 0, "x,y,-,-", 0};
+  struct ph_split_options options = {.format = PH_SPLIT_AUTO,
+                                     .columns = "x,y,-,-"};
   gives_with(&options, &schema, "0,1,2,3\n", "1 1 0,1,2,3$\nend");
   /* A header is skipped when it is one. */
   gives_with(&options, &schema, "a,b,c,d\n0,1,2,3\n", "1 2 0,1,2,3$\nend");
@@ -200,7 +202,8 @@ static void ck_usage(const struct ph_split_options *options, const char *field,
 }
 
 PH_TEST(test_usage) {
-  struct ph_split_options options = {PH_SPLIT_AUTO, 0, "x,yy", 0};
+  struct ph_split_options options = {.format = PH_SPLIT_AUTO,
+                                     .columns = "x,yy"};
   ck_usage(&options, "--columns",
            "column \"yy\" is unknown to planar; did you mean \"y\"?");
   options.columns = "x,y,x";

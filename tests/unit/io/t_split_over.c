@@ -8,8 +8,10 @@
 
 #define OVER "the record is longer than the 20 bytes of --max-record-bytes "
 
-static const struct ph_split_options of_20 = {PH_SPLIT_AUTO, 0, NULL, 20};
-static const struct ph_split_options csv_of_20 = {PH_SPLIT_CSV, 0, NULL, 20};
+static const struct ph_split_options of_20 = {.format = PH_SPLIT_AUTO,
+                                              .most = 20};
+static const struct ph_split_options csv_of_20 = {.format = PH_SPLIT_CSV,
+                                                  .most = 20};
 
 /* What a text gives, whole and in portions. */
 static void ck_over(const struct ph_split_options *options, const char *text,
@@ -133,7 +135,8 @@ PH_TEST(test_memory) {
                                         {"{}\n{b ", "\n", "{}\n"},
                                         {"x,y\n1,2\n", "", "\n3,4\n"},
                                         {"x,y\n1,2\n3,\"", "\"\n", "\n3,4\n"}};
-  const struct ph_split_options options = {PH_SPLIT_AUTO, 0, NULL, 1 << 16};
+  const struct ph_split_options options = {.format = PH_SPLIT_AUTO,
+                                           .most = 1 << 16};
   const char *name = "a.txt";
   for (size_t i = 0; i < COUNT(ends); i++) {
     struct ph_split split;
