@@ -59,6 +59,8 @@ enum ph_class {
   X(W_OFFSET_GAP, "offset-gap", RECORD, "an offset has gaps")              \
   X(W_LARGE_ALPHA, "large-alpha", RECORD, "an alpha above 2 pi/3")         \
   X(W_AMBIGUOUS, "ambiguous", RECORD, "another good curve exists")         \
+  X(W_CUT_SHORT, "cut-short", RECORD,                                      \
+    "the search for a minimum ended at its limit of steps")                \
   X(W_SHAPE_UNSATISFIABLE, "shape-unsatisfiable", RECORD,                  \
     "no tension keeps the shape of the data")                              \
   X(W_INFINITE_FUNCTIONAL, "infinite-functional", RECORD,                  \

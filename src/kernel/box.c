@@ -23,7 +23,7 @@ struct pair {
 struct search {
   const struct ph_box *box;
   struct ph_box_report *report;
-  double *x, *next, *gradient, *next_gradient, *step;
+  double *x, *next, *gradient, *next_gradient, *step, *spare;
   bool *fixed; /* at a bound, and pushed against it */
   struct pair pair[PAIRS];
   size_t pairs_n, newest;
@@ -32,7 +32,7 @@ struct search {
 
 static enum ph_status allocate(struct search *s, struct ph_arena *arena,
                                size_t n) {
-  double *room = ph_arena_array(arena, n, (4 + 2 * PAIRS) * sizeof *room);
+  double *room = ph_arena_array(arena, n, (5 + 2 * PAIRS) * sizeof *room);
   s->fixed = ph_arena_array(arena, n, sizeof *s->fixed);
   if (!room || !s->fixed) {
     return PH_E_NO_MEMORY;
@@ -41,9 +41,10 @@ static enum ph_status allocate(struct search *s, struct ph_arena *arena,
   s->gradient = room + n;
   s->next_gradient = room + 2 * n;
   s->step = room + 3 * n;
+  s->spare = room + 4 * n;
   for (size_t i = 0; i < PAIRS; i++) {
-    s->pair[i].s = room + (4 + 2 * i) * n;
-    s->pair[i].y = room + (5 + 2 * i) * n;
+    s->pair[i].s = room + (5 + 2 * i) * n;
+    s->pair[i].y = room + (6 + 2 * i) * n;
   }
   return PH_OK;
 }
@@ -88,6 +89,19 @@ static void add(struct search *s, double factor, const double *v) {
   }
 }
 
+static void condition(const struct search *s, double *v) {
+  if (s->box->condition) {
+    s->box->condition(s->box->context, s->fixed, v);
+  }
+}
+
+/* The product of v and v as it is conditioned. */
+static double conditioned(const struct search *s, const double *v) {
+  memcpy(s->spare, v, s->box->n * sizeof *v);
+  condition(s, s->spare);
+  return dot(s, s->spare, v);
+}
+
 /* The two loops of L-BFGS, over the free variables. */
 static void quasi_newton(struct search *s) {
   double alpha[PAIRS] = {0}, size = 0;
@@ -100,9 +114,10 @@ static void quasi_newton(struct search *s) {
     if (sy > CURVED * yy) {
       alpha[i] = dot(s, p->s, s->step) / sy;
       add(s, -alpha[i], p->y);
-      size = size > 0 ? size : sy / yy;
+      size = size > 0 ? size : sy / conditioned(s, p->y);
     }
   }
+  condition(s, s->step);
   for (size_t i = 0; size > 0 && i < s->box->n; i++) {
     s->step[i] *= size;
   }

@@ -4,7 +4,8 @@
  *
  * Projected limited-memory BFGS: variables at a bound that the gradient pushes
  * against are left out of the quasi-Newton step, which is then projected and
- * halved until the function decreases enough.  Deterministic.
+ * halved until the function decreases enough.  The first estimate of the second
+ * derivatives may be given.  Deterministic.
  */
 #ifndef PH_KERNEL_BOX_H
 #define PH_KERNEL_BOX_H
@@ -28,6 +29,10 @@ struct ph_box {
   void (*gradient)(void *context, double *gradient);
   /* accept: the x of the last value is the best one so far. */
   void (*accept)(void *context);
+  /* condition: v <- an estimate of the inverse of the second derivatives at the
+   * best x times v, symmetric and positive definite, and 0 in the variables
+   * that are fixed; NULL where all variables are alike. */
+  void (*condition)(void *context, const bool *fixed, double *v);
 };
 
 struct ph_box_report {

@@ -156,6 +156,16 @@ static enum ph_status solve_good(struct task *t) {
   return PH_OK;
 }
 
+static void warn_cut(const struct ph_planar_min *report,
+                     struct ph_result *result) {
+  if (report->cut_short) {
+    ph_warn(result, PH_NO_SEGMENT, PH_W_CUT_SHORT,
+            "minimize ended at its limit of %zu steps: from %.6g it came to "
+            "%.6g, and the last step still gained more than 1e-8 of that",
+            report->steps_max, report->start, report->minimum);
+  }
+}
+
 /* The solution of the fairest angles or knots, and the curve. */
 static enum ph_status solve_fairest(struct task *t) {
   static const char *const names[] = {"E", "MV", "IES", "IMV"};
@@ -169,7 +179,7 @@ static enum ph_status solve_fairest(struct task *t) {
   }
   status = ph_planar_minimize(
       &t->data, functional, ph_value_is(&t->problem->field[PH_F_FREE], "scale"),
-      t->scratch, t->b, &report, t->diag);
+      PH_PLANAR_STEPS_MAX, t->scratch, t->b, &report, t->diag);
   if (status == PH_OK) {
     status =
         ph_planar_curve_alloc(&t->data, t->out, &t->result->curve, t->diag);
@@ -181,6 +191,7 @@ static enum ph_status solve_fairest(struct task *t) {
   ph_diagnostics_set_finite(diagnostics, PH_D_FUNCTIONAL, report.minimum);
   ph_diagnostics_set(diagnostics, PH_D_AT_BOUND, report.at_bound);
   ph_diagnostics_set_finite(diagnostics, PH_D_FUNCTIONAL_START, report.start);
+  warn_cut(&report, t->result);
   t->iterations = report.evaluations;
   t->residual = sqrt(ph_planar_residual(&t->data.c2, t->b).max2);
   return PH_OK;

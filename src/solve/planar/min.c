@@ -10,6 +10,16 @@
  * The functionals have several local minima, hence several starts: the data as
  * given, and chordal angles of three sizes or knots by the three usual rules.
  * The first of equally good minima is kept.
+ *
+ * How a curve bends near a point depends on how the intervals beside it
+ * compare, and hardly on their size.  So the second derivatives are about
+ *
+ *   sum over knots of (part k-1 + part k) (x[k] - x[k-1])^2              (1)
+ *
+ * with the parts of the functional that the segments have: a tridiagonal
+ * matrix, which conditions the search.  Angles of ATPH bend their segments as
+ * well by themselves, part k / 2 x[k]^2.  Without it the steps that a search
+ * takes are about as many as there are intervals.
  */
 #include "solve/planar/planar.h"
 
@@ -24,24 +34,28 @@
 static const double ANGLE_MIN = 1e-3, ANGLE_MAX = 2.0943951023931953;
 static const double SPACING_RANGE = 20;
 
-/* Gains of a step, relative, that count as none, at first and in the end; of
- * one start over another. */
-static const double COARSE = 1e-8, GAIN = 1e-13, BETTER = 1e-5;
+/* Gains of a step, relative, that count as none: of the starts, and in the end;
+ * with the latter a search that is cut short is as good as done; of one start
+ * over another. */
+static const double COARSE = 1e-6, GAIN = 1e-13, DONE = 1e-8, BETTER = 1e-5;
+
+/* A part of a functional is at least this part of the mean; and what an angle
+ * of ATPH does by itself, over what it does beside its neighbours. */
+static const double PART_MIN = 1e-3, ANGLE = 0.5;
 
 /* Curves of less than that are straight: what they bend is rounding.  At unit
  * scale, where curves have a size of about 1. */
 static const double STRAIGHT = 1e-16;
 
-enum { STARTS = 6, STEPS_MAX = 1000 };
-
-/* Steps for one start of large data: no more than this times 1/n. */
-static const double WORK_MAX = 2e5;
+/* Starts, steps from each of them; of large data no more than WORK_MAX / n. */
+enum { STARTS = 6, STEPS_FIRST = 48, WORK_MAX = 200000 };
 
 struct candidate {
   double *spacing;  /* [n] */
   ph_cplx *b;       /* [unknowns] */
   double *h;        /* [n] as in the data */
   ph_cplx twist;    /* closed */
+  double *part;     /* [n] of E or MV that the segments have */
   double energy[3]; /* E, MV, L at unit scale */
   double value;     /* of the functional, at unit scale; or NaN */
 };
@@ -58,6 +72,7 @@ struct work {
   size_t *parts; /* [n] */
   struct ph_planar_gradient gradient;
   ph_cplx *guess;
+  double *pivot, *beside; /* [n] of the matrix (1) */
   struct candidate now, trial, best;
   bool warm; /* `now` holds a solution */
   size_t evaluations;
@@ -110,6 +125,12 @@ static double in_user_unit(const struct work *w, double value) {
   return ph_pow2_positive(value, power * w->data->exponent);
 }
 
+/* The energy that is minimised, or a factor of what is. */
+static const struct ph_sum *sum_of(const struct work *w) {
+  bool bends = w->functional == PH_PLANAR_E || w->functional == PH_PLANAR_IES;
+  return bends ? &w->sum.bending : &w->sum.varying;
+}
+
 /* Energies of the trial's curve; in NaN where it stands still. */
 static void measure(struct work *w) {
   const struct ph_planar_data *d = w->data;
@@ -124,7 +145,9 @@ static void measure(struct work *w) {
     for (size_t i = 0; i < 3; i++) {
       seg.w[i] = ph_cplx_scale(root, seg.w[i]);
     }
+    t->part[k] = -ph_sum_value(sum_of(w));
     ph_energy_add(&w->sum, &seg);
+    t->part[k] += ph_sum_value(sum_of(w));
     w->parts[k] = w->sum.parts;
     ph_sum_add(&length, ph_seg2_length(&seg.space, seg.w));
   }
@@ -183,6 +206,7 @@ static void copy(struct candidate *to, const struct candidate *from,
   size_t n = w->data->n;
   memcpy(to->spacing, from->spacing, n * sizeof *to->spacing);
   memcpy(to->h, from->h, n * sizeof *to->h);
+  memcpy(to->part, from->part, n * sizeof *to->part);
   memcpy(to->b, from->b, w->unknowns * sizeof *to->b);
   memcpy(to->energy, from->energy, sizeof to->energy);
   to->twist = from->twist;
@@ -235,21 +259,56 @@ static void gradient(void *context, double *result) {
   }
 }
 
+/* v <- the inverse of (1) times v, over the variables that are not fixed. */
+static void condition(void *context, const bool *fixed, double *v) {
+  const struct work *w = context;
+  const double *part = w->now.part;
+  size_t n = w->data->n;
+  double sum = 0, least, own = w->data->atph ? ANGLE : 0;
+  for (size_t k = 0; k < n; k++) {
+    sum += part[k];
+  }
+  if (!(sum > 0)) {
+    return; /* straight */
+  }
+  least = PART_MIN / (double)n;
+  for (size_t k = 0; k < n; k++) {
+    double before = k > 0 ? (part[k - 1] + part[k]) / sum + least : 0;
+    double after = k + 1 < n ? (part[k] + part[k + 1]) / sum + least : 0;
+    bool joined = k > 0 && !fixed[k] && !fixed[k - 1];
+    w->beside[k] = joined ? -before : 0;
+    w->pivot[k] = before + after + least + own * part[k] / sum;
+    v[k] = fixed[k] ? 0 : v[k];
+    if (joined) {
+      double factor = w->beside[k] / w->pivot[k - 1];
+      w->pivot[k] -= factor * w->beside[k];
+      v[k] -= factor * v[k - 1];
+    }
+  }
+  for (size_t k = n; k-- > 0;) {
+    double after = k + 1 < n ? w->beside[k + 1] * v[k + 1] : 0;
+    v[k] = (v[k] - after) / w->pivot[k];
+  }
+}
+
 static bool candidate_alloc(struct candidate *c, const struct work *w) {
   size_t n = w->data->n;
   c->spacing = ph_arena_array(w->scratch, n, sizeof *c->spacing);
   c->h = ph_arena_array(w->scratch, n, sizeof *c->h);
+  c->part = ph_arena_array(w->scratch, n, sizeof *c->part);
   c->b = ph_arena_array(w->scratch, w->unknowns, sizeof *c->b);
   c->value = (double)NAN;
-  return c->spacing && c->h && c->b;
+  return c->spacing && c->h && c->part && c->b;
 }
 
 static enum ph_status allocate(struct work *w) {
   w->guess = ph_arena_array(w->scratch, w->unknowns, sizeof *w->guess);
   w->parts = ph_arena_array(w->scratch, w->data->n, sizeof *w->parts);
-  if (!w->guess || !w->parts || !candidate_alloc(&w->now, w) ||
-      !candidate_alloc(&w->trial, w) || !candidate_alloc(&w->best, w) ||
-      !ph_energy_begin(&w->sum)) {
+  w->pivot = ph_arena_array(w->scratch, w->data->n, sizeof *w->pivot);
+  w->beside = ph_arena_array(w->scratch, w->data->n, sizeof *w->beside);
+  if (!w->guess || !w->parts || !w->pivot || !w->beside ||
+      !candidate_alloc(&w->now, w) || !candidate_alloc(&w->trial, w) ||
+      !candidate_alloc(&w->best, w) || !ph_energy_begin(&w->sum)) {
     return ph_fail_memory(w->diag);
   }
   return ph_planar_gradient_alloc(&w->gradient, w->data, w->scratch, w->diag);
@@ -334,19 +393,18 @@ static bool touches(const struct work *w, const struct room *r,
 }
 
 /* One search from the variables in r->x; keeps what is better than the best. */
-static enum ph_status descend(struct work *w, struct room *r, double decrease,
-                              double better, bool *converged) {
-  double steps = WORK_MAX / (double)w->data->n;
+static enum ph_status descend(struct work *w, struct room *r, size_t steps_max,
+                              double decrease, double better, bool *converged) {
   struct ph_box box = {.n = w->variables,
                        .lower = r->lower,
                        .upper = r->upper,
                        .decrease = decrease,
-                       .steps_max = steps < STEPS_MAX ? (size_t)steps + 1
-                                                      : (size_t)STEPS_MAX,
+                       .steps_max = steps_max,
                        .context = w,
                        .value = value,
                        .gradient = gradient,
-                       .accept = accept};
+                       .accept = accept,
+                       .condition = w->scale ? NULL : condition};
   struct ph_box_report found;
   enum ph_status status = ph_box_minimize(&box, w->scratch, r->x, &found);
   if (status != PH_OK) {
@@ -356,24 +414,28 @@ static enum ph_status descend(struct work *w, struct room *r, double decrease,
     copy(&w->best, &w->now, w);
     memcpy(r->best, r->x, w->variables * sizeof *r->best);
   }
-  *converged = found.converged || found.gain <= COARSE;
+  *converged = found.converged || found.gain <= DONE;
   return PH_OK;
 }
 
 /* From every start to some digits, from the best of them to all digits. */
 static enum ph_status search(struct work *w, struct room *r,
                              struct ph_planar_min *report, bool *converged) {
+  size_t work = 1 + WORK_MAX / w->data->n;
+  size_t first = work < STEPS_FIRST ? work : STEPS_FIRST;
   enum ph_status status = PH_OK;
+  report->steps_max = work < report->steps_max ? work : report->steps_max;
+  first = first < report->steps_max ? first : report->steps_max;
   for (size_t i = 0; status == PH_OK && i < STARTS; i++) {
     w->warm = false;
     enter(w, r, i);
-    status = descend(w, r, COARSE, BETTER, converged);
+    status = descend(w, r, first, COARSE, BETTER, converged);
   }
   if (status == PH_OK && !isnan(w->best.value)) {
     memcpy(r->x, r->best, w->variables * sizeof *r->x);
     copy(&w->now, &w->best, w);
     w->warm = true;
-    status = descend(w, r, GAIN, 0, converged);
+    status = descend(w, r, report->steps_max, GAIN, 0, converged);
     report->at_bound = touches(w, r, r->best);
   }
   return status;
@@ -391,11 +453,7 @@ static enum ph_status conclude(struct work *w, ph_cplx *b, bool converged,
   }
   d->c2.twist = w->best.twist;
   memcpy(b, w->best.b, w->unknowns * sizeof *b);
-  if (status == PH_OK && !converged) {
-    return ph_fail(w->diag, PH_E_NO_CONVERGENCE, "minimize",
-                   "was cut short after %zu evaluations, from %.6g at %.6g",
-                   w->evaluations, report->start, report->minimum);
-  }
+  report->cut_short = !converged;
   return status;
 }
 
@@ -425,8 +483,9 @@ static enum ph_status run(struct work *w, ph_cplx *b,
 
 enum ph_status ph_planar_minimize(struct ph_planar_data *data,
                                   enum ph_planar_functional functional,
-                                  bool scale, struct ph_arena *scratch,
-                                  ph_cplx *b, struct ph_planar_min *report,
+                                  bool scale, size_t steps_max,
+                                  struct ph_arena *scratch, ph_cplx *b,
+                                  struct ph_planar_min *report,
                                   struct ph_diag *diag) {
   struct ph_mark mark = ph_arena_mark(scratch);
   struct work w = {.data = data,
@@ -437,7 +496,8 @@ enum ph_status ph_planar_minimize(struct ph_planar_data *data,
                    .scratch = scratch,
                    .diag = diag};
   enum ph_status status;
-  *report = (struct ph_planar_min){(double)NAN, (double)NAN, 0, false};
+  *report = (struct ph_planar_min){(double)NAN, (double)NAN, 0,
+                                   steps_max,   false,       false};
   if (scale && !data->atph) {
     return ph_fail(diag, PH_E_BAD_VALUE, "free",
                    "must be \"each\" for \"basis\":\"ph\": the knots of PH "

@@ -459,8 +459,13 @@ struct ph_planar_min {
   double start;   /* for the data as given, in their unit; NaN: no solution */
   double minimum; /* the least that was found */
   size_t evaluations;
-  bool at_bound; /* an angle or spacing is as small or large as is allowed */
+  size_t steps_max; /* that the last search may take */
+  bool at_bound;    /* an angle or spacing is as small or large as is allowed */
+  bool cut_short;   /* at the limit of steps, while one still gained 1e-8 */
 };
+
+/* Three times as many as any search took on random data. */
+enum { PH_PLANAR_STEPS_MAX = 400 };
 
 /*
  * ph_planar_minimize: searches from several starts, one of them the data as
@@ -473,17 +478,18 @@ struct ph_planar_min {
  *
  * Given end derivatives keep their values, per unit of the knots.
  *
+ * in    steps_max    of the last search, and of each before it; fewer of large
+ *                    data
  * inout data         at the minimiser; as given where there is no solution
  * out   b[unknowns]  the solution there
  * ret   PH_OK | PH_E_BAD_VALUE (`scale` of ph) | PH_E_NO_MEMORY |
- *       PH_E_NO_CONVERGENCE: the data have no solution, and the minimum is NaN;
- *       or the search was cut short while it still gained 1e-8 a
- *       step, and data, b and report are the best found
+ *       PH_E_NO_CONVERGENCE: the data have no solution, and the minimum is NaN
  */
 enum ph_status ph_planar_minimize(struct ph_planar_data *data,
                                   enum ph_planar_functional functional,
-                                  bool scale, struct ph_arena *scratch,
-                                  ph_cplx *b, struct ph_planar_min *report,
+                                  bool scale, size_t steps_max,
+                                  struct ph_arena *scratch, ph_cplx *b,
+                                  struct ph_planar_min *report,
                                   struct ph_diag *diag);
 
 /* ---- every solution ------------------------------------------------------ */

@@ -138,7 +138,8 @@ static enum ph_status descend(struct search *s, double decrease, size_t steps,
                        s,
                        descent_value,
                        descent_gradient,
-                       descent_accept};
+                       descent_accept,
+                       NULL};
   double x[] = {start->at.b, start->at.phi, start->at.alpha};
   struct ph_box_report report;
   enum ph_status status = ph_box_minimize(&box, s->scratch, x, &report);

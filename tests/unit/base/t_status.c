@@ -39,6 +39,7 @@ static const struct {
     {PH_W_OFFSET_GAP, "offset-gap", 1},
     {PH_W_LARGE_ALPHA, "large-alpha", 1},
     {PH_W_AMBIGUOUS, "ambiguous", 1},
+    {PH_W_CUT_SHORT, "cut-short", 1},
     {PH_W_SHAPE_UNSATISFIABLE, "shape-unsatisfiable", 1},
     {PH_W_INFINITE_FUNCTIONAL, "infinite-functional", 1},
     {PH_W_WIGGLE, "wiggle", 1},

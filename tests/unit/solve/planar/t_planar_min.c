@@ -18,6 +18,7 @@ static struct unit_solution u;
 static struct ph_planar_data data;
 static struct ph_planar_min report;
 static ph_cplx b[UNKNOWNS_MAX];
+static size_t steps = PH_PLANAR_STEPS_MAX;
 
 static void begin(const double *v, size_t n, bool closed, bool atph) {
   unit_solution_free(&u);
@@ -42,8 +43,8 @@ static enum ph_status minimize(enum ph_planar_functional functional,
   struct ph_mark before = ph_arena_mark(&u.scratch), after;
   enum ph_status status;
   read_data();
-  status = ph_planar_minimize(&data, functional, scale, &u.scratch, b, &report,
-                              &u.diag);
+  status = ph_planar_minimize(&data, functional, scale, steps, &u.scratch, b,
+                              &report, &u.diag);
   after = ph_arena_mark(&u.scratch);
   ck_assert(!before.chunk || before.chunk == after.chunk);
   ck_assert_uint_eq(before.used, after.used);
@@ -306,6 +307,34 @@ PH_TEST_EACH(test_knots, 2) {
       ck_rel(data.knots[k], knots[k], 0);
     }
   }
+}
+
+/* A search that is cut short says so, and gives the best that it had. */
+PH_TEST_EACH(test_cut_short, 2) {
+  begin(TABLE, 4, false, _i);
+  steps = 2;
+  ck_minimize(PH_PLANAR_IES, false);
+  steps = PH_PLANAR_STEPS_MAX;
+  ck_assert(report.cut_short);
+  ck_assert_uint_eq(report.steps_max, 2);
+  ck_assert_double_lt(report.minimum, report.start);
+  ck_rel(functional_of(PH_PLANAR_IES), report.minimum, 1e-10);
+  ck_minimize(PH_PLANAR_IES, false);
+  ck_assert(!report.cut_short);
+}
+
+/* Many intervals take hardly more steps than a few. */
+PH_TEST_EACH(test_many, 2) {
+  enum { MANY = 50 };
+  double v[2 * MANY];
+  for (size_t k = 0; k < MANY; k++) {
+    v[2 * k] = (double)k;
+    v[2 * k + 1] = 2 * sin(0.6 * (double)k) + 0.5 * cos(1.7 * (double)k);
+  }
+  begin(v, MANY, false, _i);
+  ck_minimize(PH_PLANAR_IES, false);
+  ck_assert(!report.cut_short);
+  ck_assert_uint_le(report.evaluations, 400);
 }
 
 /* A straight line can not be improved, nor does it do harm. */
