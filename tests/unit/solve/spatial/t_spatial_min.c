@@ -326,35 +326,6 @@ PH_TEST(test_descend) {
   }
 }
 
-/* A needle at one end: F2 and F3 have no value there, and F1 has. */
-PH_TEST(test_infinite) {
-  struct unit_random r = unit_random_of(1116);
-  for (int n = 0; n < 6; n++) {
-    ph_quat turn = unit_random_turn(&r);
-    struct ph_spatial_data data = {
-        turned(turn, ph_vec3_of(0.3, 0.4, 0.6)),
-        turned(turn, ph_vec3_unit(ph_vec3_of(10, 0, 1))),
-        turned(turn, ph_vec3_unit(ph_vec3_of(0, 1, 2))),
-        1e11,
-        1e-10,
-        0,
-        0,
-        {0, 0, 0}};
-    struct ph_spatial_search search = search_of(&data, false, 1);
-    struct ph_spatial_minimum bending = minimize(&search), found;
-    ck_assert(isfinite(bending.value));
-    ck_assert_int_eq(bending.functional, 1);
-    search.functional = 3;
-    found = minimize(&search);
-    ck_assert_int_eq(found.functional, 1);
-    ck_abs(found.value, bending.value, 0);
-    ck_assert_uint_gt(found.evaluations, bending.evaluations);
-    data.nf = 1;
-    found = minimize(&search);
-    ck_assert_int_eq(found.functional, 3);
-  }
-}
-
 /* ---- data in a plane --------------------------------------------------- */
 
 PH_TEST(test_straight) {

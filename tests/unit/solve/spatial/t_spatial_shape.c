@@ -434,7 +434,7 @@ static enum ph_status choose_shrinking(struct ph_spatial_fit *fit,
   struct shrinking *shrinking = context;
   struct ph_atph space = ph_atph_of(fit->family.ni / sqrt(3));
   if (shrinking->left-- == 0) {
-    return PH_E_NO_CONVERGENCE;
+    return PH_E_NO_MEMORY;
   }
   ph_spatial_family_space(&fit->family, &space);
   fit->member = ph_spatial_cc(&fit->family);
@@ -459,7 +459,7 @@ PH_TEST(test_choice) {
     shrinking.left = n;
     ck_assert_int_eq(ph_spatial_tension(&data, &space, choose_shrinking,
                                         &shrinking, 1e-13, &again),
-                     PH_E_NO_CONVERGENCE);
+                     PH_E_NO_MEMORY);
     ck_assert_uint_eq(again.tried, n + 1);
   }
 }
