@@ -258,9 +258,15 @@ _phspline() {
     --tangents | --tangents=) kind=nothing ;;
     --normals | --normals=) kind=nothing ;;
     --closed=) list='true false' ;;
-    --method | --method=) list='circular' ;;
+    --method | --method=) list='circular atph' ;;
     --lambda | --lambda=) list='equal' ;;
     --degenerate_tolerance | --degenerate_tolerance=) kind=nothing ;;
+    --apexes | --apexes=) kind=nothing ;;
+    --contact_point | --contact_point=) list='nearest midpoint' ;;
+    --tangent_scale | --tangent_scale=) list='chord unit' ;;
+    --criterion | --criterion=) list='F1 F2 F3' ;;
+    --angles | --angles=) kind=nothing ;;
+    --alpha | --alpha=) kind=nothing ;;
     --height | --height=) kind=nothing ;;
     --flat | --flat=) kind=nothing ;;
     --merge | --merge=) kind=nothing ;;
@@ -270,13 +276,14 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path obj' ;;
     --table | --table=) list='samples strips development located' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= flat= merge=' ;;
-    --override | --override=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= flat= merge=' ;;
-    -S | --sweep | --sweep=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= height= flat= merge=' ;;
+    -s | --set | --set=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= apexes= contact_point= tangent_scale= criterion= angles= alpha= height= flat= merge=' ;;
+    --override | --override=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= apexes= contact_point= tangent_scale= criterion= angles= alpha= height= flat= merge=' ;;
+    -S | --sweep | --sweep=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= apexes= contact_point= tangent_scale= criterion= angles= alpha= height= flat= merge=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
     -p | --plot | --plot=) kind=files ;;
     --plot-size | --plot-size=) kind=nothing ;;
+    --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     --max-samples | --max-samples=) kind=nothing ;;
     --max-memory | --max-memory=) kind=nothing ;;
@@ -285,7 +292,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --height= --flat= --merge= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --merge= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

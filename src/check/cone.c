@@ -380,12 +380,19 @@ static bool set_scale(struct ph_check *v, enum ph_status *status) {
   return true;
 }
 
+static bool is_general(const struct ph_curve *curve) {
+  return curve->surface.strips[0].method != PH_STRIP_CIRCULAR;
+}
+
 enum ph_status ph_check_cone(struct ph_check *v,
                              struct ph_diagnostics *diagnostics) {
   static const struct {
     enum ph_check_id check;
     enum ph_diagnostic what;
   } told[] = {{PH_CHECK_INTERPOLATION, PH_D_INTERPOLATION_ERROR},
+              {PH_CHECK_TANGENT, PH_D_TANGENT_ERROR},
+              {PH_CHECK_PYTHAGOREAN, PH_D_PYTHAGOREAN_ERROR},
+              {PH_CHECK_CONTINUITY, PH_D_CONTINUITY_ERROR},
               {PH_CHECK_FRAME, PH_D_FRAME_ERROR},
               {PH_CHECK_ISOMETRY, PH_D_ISOMETRY_ERROR},
               {PH_CHECK_LENGTH, PH_D_LENGTH_ERROR}};
@@ -395,16 +402,20 @@ enum ph_status ph_check_cone(struct ph_check *v,
   struct ph_check_cone cone = {v, v->curve, 0, 0};
   enum ph_status status = PH_OK;
   v->error = error;
-  if (!ph_check_cone_arrays(v, v->curve) || !set_scale(v, &status)) {
-    return status == PH_OK ? v->status : status;
+  if (is_general(v->curve)) {
+    status = ph_check_cone_general(v);
+  } else if (ph_check_cone_arrays(v, v->curve) && set_scale(v, &status)) {
+    cone.frame = allowed_of(v);
+    ph_check_cone_strips(&cone);
+    ph_check_cone_elements(&cone);
   }
-  cone.frame = allowed_of(v);
-  ph_check_cone_strips(&cone);
-  ph_check_cone_elements(&cone);
+  if (status != PH_OK) {
+    return status;
+  }
   for (size_t i = 0; i < TOLD; i++) {
     error[told[i].check].what = told[i].what;
     error[told[i].check].list = "strips";
-    list[i] = &error[told[i].check];
+    list[i] = error[told[i].check].done ? &error[told[i].check] : NULL;
   }
   return v->status == PH_OK
              ? ph_check_conclude(list, TOLD, diagnostics, v->diag)
@@ -423,6 +434,9 @@ enum ph_status ph_check_surface(struct ph_check *v) {
     ph_check_wrong(v, PH_CHECK_SHAPE, ph_check_of(NULL, PH_CHECK_ONE, member),
                    breach);
     return PH_OK;
+  }
+  if (is_general(v->curve)) {
+    return ph_check_cone_general(v);
   }
   if (!ph_check_cone_arrays(v, v->curve) || !set_scale(v, &status)) {
     return status;

@@ -52,6 +52,23 @@ void ph_check_cone_elements(struct ph_check_cone *cone);
  * and diagnostics, parallel surfaces, samples. */
 void ph_check_cone_told(struct ph_check_cone *cone);
 
+/*
+ * ph_check_cone_general: all of a surface of strips of general cones, v->curve.
+ *
+ *   pythagorean_error, continuity_error, length_error
+ *                   of the directrices, as of ATPH curves in space
+ *   interpolation_error, tangent_error
+ *                   of the problem: points, vertices, contact points on common
+ *                   rulings; derivatives at both ends of all strips
+ *   frame_error     directions of rulings and normals at the ends of all strips
+ *                   against those of the next ones, and of the elements
+ *   isometry_error  of the angles of rulings, of all samples of the development
+ *                   and of its joints
+ *
+ * ret  PH_OK | PH_E_NO_MEMORY
+ */
+enum ph_status ph_check_cone_general(struct ph_check *v);
+
 /* ph_check_surface: all of these, of the record of v; for verify.c.  ret PH_OK
  * | PH_E_NO_MEMORY */
 enum ph_status ph_check_surface(struct ph_check *v);

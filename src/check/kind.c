@@ -27,4 +27,6 @@ const struct ph_check_kind ph_check_kinds[PH_CURVE_N] = {
     [PH_CURVE_BEZIER] = {FORM, .trigonometric = true, .converted = true},
     [PH_CURVE_TC] = {FORM, .square = true, .whole = ph_check_curvature},
     [PH_CURVE_SPHERICAL_NU] = {GREAT, .sphere = true, .whole = check_spline},
-    [PH_CURVE_CONE] = {0}}; /* cone.h, in place of all */
+    /* cone.h, in place of all, but of contact curves of general cones */
+    [PH_CURVE_CONE] = {FORM, .square = true, .angles = true,
+                       .trigonometric = true}};

@@ -17,7 +17,9 @@ const char *ph_check_name(enum ph_check_id check) {
 static void set_field(const struct ph_check *v, struct ph_check_where where,
                       struct ph_diag *diag) {
   struct ph_diag path;
-  const char *list = where.list ? where.list : "";
+  const bool strips =
+      v->promise->surface && where.list && strcmp(where.list, "segments") == 0;
+  const char *list = strips ? "strips" : where.list ? where.list : "";
   const char *member = where.member ? where.member : "";
   const char *dot = where.list && where.member ? "." : "";
   if (where.list && where.index != PH_CHECK_ONE) {

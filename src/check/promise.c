@@ -88,7 +88,6 @@ const struct ph_promise ph_promises[] = {
      .certify = ph_check_cone,
      .kinds = PH_KIND(CONE),
      .dimension = 3,
-     .degree = 2,
      .surface = true}};
 
 const size_t ph_promises_n = sizeof ph_promises / sizeof ph_promises[0];
@@ -122,7 +121,7 @@ const char *ph_promise_breach(const struct ph_promise *promise,
     return "is not that of curves of the command";
   }
   *member = "degree";
-  return curve->degree == promise->degree
+  return promise->surface || curve->degree == promise->degree
              ? NULL
              : "is not that of curves of the command";
 }

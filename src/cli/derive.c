@@ -4,6 +4,7 @@
 
 #include "curve/bezier/cubics.h"
 #include "curve/kind/kind.h"
+#include "curve/surface/general.h"
 #include "curve/surface/grid.h"
 
 #include <stdio.h>
@@ -195,6 +196,24 @@ static enum ph_status derive_flat(struct ph_arena *arena,
   return status;
 }
 
+/* The developments of general cones as polygons. */
+static enum ph_status derive_polygons(const struct ph_options *o,
+                                      struct ph_arena *arena,
+                                      const struct ph_curve *curve,
+                                      struct ph_diag *diag) {
+  const double tolerance = o->tolerance > 0
+                               ? o->tolerance
+                               : PH_TOLERANCE_FLAT * ph_surface_size(curve);
+  enum ph_status status = PH_OK;
+  for (size_t i = 0; status == PH_OK && i < curve->n; i++) {
+    struct ph_strip *strip = &curve->surface.strips[i];
+    if (strip->directrix) {
+      status = ph_general_flat(strip, tolerance, arena, diag);
+    }
+  }
+  return status;
+}
+
 static enum ph_status derive_surface(const struct ph_options *o,
                                      struct ph_arena *arena,
                                      struct ph_result *r,
@@ -203,6 +222,9 @@ static enum ph_status derive_surface(const struct ph_options *o,
   const struct ph_format_row *format = &ph_formats[o->format];
   struct ph_grid_rules rules = o->grid;
   enum ph_status status = derive_parallels(o, arena, r, diag);
+  if (status == PH_OK) {
+    status = derive_polygons(o, arena, &r->curve, diag);
+  }
   if (format->is_mesh && status == PH_OK) {
     rules.along = rules.along ? rules.along : MESH_STEPS;
     if (!ph_grid_across(&r->curve, &rules)) {

@@ -20,10 +20,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* What --tolerance is where it is absent: of the size of the curve; of verify.
+/* What --tolerance is where it is absent: of the size of the curve; of verify;
+ * of the size of a surface.
  */
 #define PH_TOLERANCE 1e-9
 #define PH_TOLERANCE_VERIFY 1e-9
+#define PH_TOLERANCE_FLAT 1e-6
 
 /* X(SYMBOL, USE, 'short' or 0, "long", "ARGUMENT" or NULL, "help").  USE is the
  * commands that have the option (enum ph_use).  Help
@@ -90,6 +92,9 @@
   X(TOLERANCE, CURVE, 0, "tolerance", "E",                                    \
     "greatest distance of Bezier pieces from the exact curve "                \
     "(default: " PH_TEXT(PH_TOLERANCE) " of its size)")                       \
+  X(FLAT, SURFACE, 0, "tolerance", "E",                                       \
+    "greatest distance of a general cone laid flat from chords of its "       \
+    "samples (default: " PH_TEXT(PH_TOLERANCE_FLAT) " of the size)")          \
   X(LIMIT, VERIFY, 0, "tolerance", "E",                                       \
     "greatest relative error of what is right (default: " PH_TEXT(            \
         PH_TOLERANCE_VERIFY) ")")                                             \

@@ -397,6 +397,7 @@ static enum ph_status read_argument(struct ph_option_parser *p,
     o->convert = true;
     return choose(p, id, words, &which);
   case PH_O_TOLERANCE:
+  case PH_O_FLAT:
   case PH_O_LIMIT:
     p->tolerance = optarg;
     return read_positive(p, id, &o->tolerance);

@@ -54,6 +54,8 @@ static bool has(const struct form *f, const struct ph_member *member) {
   const struct ph_kind *kind = promise ? ph_kinds[f->kind] : NULL;
   switch (member->of) {
   case PH_OF_ANY:
+  case PH_OF_CIRCULAR: /* of each strip, one or the other */
+  case PH_OF_GENERAL:
     return true;
   case PH_OF_ATPH:
     return kind->angles;
@@ -432,7 +434,8 @@ static void fill_members(struct builder *b, cJSON *node, const struct form *f,
       add_text(b, member, "description", row->what);
     }
     fill(b, member, f, row->type);
-    if (row->need != PH_MAY) {
+    if (row->need != PH_MAY && row->of != PH_OF_CIRCULAR &&
+        row->of != PH_OF_GENERAL) {
       add_text(b, required, NULL, row->name);
     }
   }

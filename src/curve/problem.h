@@ -65,7 +65,10 @@
   X(DEGENERATE, "degenerate_tolerance")   \
   X(HEIGHT, "height")                     \
   X(FLAT, "flat")                         \
-  X(AUXILIARY, "auxiliary")
+  X(AUXILIARY, "auxiliary")               \
+  X(APEXES, "apexes")                     \
+  X(CONTACT_POINT, "contact_point")       \
+  X(TANGENT_SCALE, "tangent_scale")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,

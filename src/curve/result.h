@@ -346,7 +346,9 @@ struct ph_offset {
   X(SIGN_CHANGES, "sign_changes", "number",                                    \
     "across how many rulings the normal curvature changes its sign")           \
   X(LARGE_ARCS, "large_arcs", "number",                                        \
-    "how many strips turn by more than 180 degrees about their axis")
+    "how many strips turn by more than 180 degrees about their axis")          \
+  X(INFLECTIONS, "inflections", "number",                                      \
+    "how often strips of general cones begin to bend to the other side")
 
 enum ph_diagnostic {
 #define X(symbol, name, type, what) PH_D_##symbol,

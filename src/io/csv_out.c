@@ -326,14 +326,20 @@ static void strips(const struct row *row, const struct ph_curve *c,
 
 static void development(const struct row *row, const struct ph_curve *c,
                         double distance) {
-  for (size_t i = 0; i < 3 * c->n; i++) {
-    const struct ph_arc2 *arc = &c->surface.strips[i / 3].development;
-    begin_row(row);
-    number_cell(row, (double)(i / 3));
-    number_cell(row, (double)(i % 3));
-    number_cells(row, arc->control_points[i % 3], 2);
-    number_cell(row, arc->weights[i % 3]);
-    end_surface_row(row, distance);
+  for (size_t k = 0; k < c->n; k++) {
+    const struct ph_arc2 *flat = &c->surface.strips[k].development;
+    const size_t n = flat->samples_n ? flat->samples_n : 3;
+    for (size_t i = 0; i < n; i++) {
+      begin_row(row);
+      number_cell(row, (double)k);
+      number_cell(row, (double)i);
+      number_cells(row,
+                   flat->samples_n ? flat->samples[i].point
+                                   : flat->control_points[i],
+                   2);
+      number_cell(row, flat->samples_n ? (double)NAN : flat->weights[i]);
+      end_surface_row(row, distance);
+    }
   }
 }
 

@@ -19,16 +19,17 @@
 #include <stdbool.h>
 
 /* Tables: X(SYMBOL, "name", "what it lists"). */
-#define PH_TABLES(X)                                                        \
-  X(CONTROL_POINTS, "control-points", "control points of every segment")    \
-  X(LENGTHS, "lengths",                                                     \
-    "interval, length, cumulative length of every segment")                 \
-  X(SAMPLES, "samples", "points, tangents, curvature along every segment")  \
-  X(OFFSETS, "offsets",                                                     \
-    "control points and weights of the offset curves; on a sphere samples") \
-  X(STRIPS, "strips", "frames, curvatures and vertices of a surface")       \
-  X(DEVELOPMENT, "development",                                             \
-    "control points and weights of the development of a surface")           \
+#define PH_TABLES(X)                                                          \
+  X(CONTROL_POINTS, "control-points", "control points of every segment")      \
+  X(LENGTHS, "lengths",                                                       \
+    "interval, length, cumulative length of every segment")                   \
+  X(SAMPLES, "samples", "points, tangents, curvature along every segment")    \
+  X(OFFSETS, "offsets",                                                       \
+    "control points and weights of the offset curves; on a sphere samples")   \
+  X(STRIPS, "strips", "frames, curvatures and vertices of a surface")         \
+  X(DEVELOPMENT, "development",                                               \
+    "control points and weights of the development of a surface; of general " \
+    "cones samples")                                                          \
   X(LOCATED, "located", "points of a development, on the surface")
 
 enum ph_table {

@@ -43,7 +43,8 @@ struct output {
   struct ph_json_writer *w;
   const struct ph_result *result;
   struct ph_sizes sizes;
-  size_t image; /* the next one of the curve */
+  size_t image;       /* the next one of the curve */
+  enum ph_of without; /* members that a strip has not */
 };
 
 /* Where a member of object i is, NULL: nowhere; and how many there are. */
@@ -105,6 +106,11 @@ static void write_list(struct output *out, const struct ph_slot *slot,
   ph_write_begin(out->w, '[');
   for (size_t i = 0; i < n; i++) {
     ph_write_element(out->w);
+    if (strcmp(of->name, "strip") == 0) {
+      const struct ph_strip *strip = (const struct ph_strip *)(at + i * size);
+      out->without =
+          strip->method == PH_STRIP_CIRCULAR ? PH_OF_GENERAL : PH_OF_CIRCULAR;
+    }
     write_object(out, slots, slots_n, at + i * size, size ? 0 : i);
   }
   ph_write_end(out->w, ']');
@@ -338,7 +344,8 @@ static void write_members(struct output *out, const struct ph_slot *slots,
     const void *at = find(slot, object, i, &n);
     if ((n == 0 && strncmp(slot->row->type, "[]", 2) != 0) ||
         (!at && slot->row->where.how == PH_EACH) || is_unknown(slot, at) ||
-        (plain && slot->row->of == PH_OF_SPHERE)) {
+        (plain && slot->row->of == PH_OF_SPHERE) ||
+        (out->without && slot->row->of == out->without)) {
       continue;
     }
     ph_write_key(out->w, slot->row->name);

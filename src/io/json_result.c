@@ -27,6 +27,7 @@ struct input {
   struct ph_result *result;
   struct ph_sizes sizes;
   size_t images_room;
+  unsigned without; /* as below, of the strip */
 };
 
 /* An object: its members, and where they belong. */
@@ -58,7 +59,7 @@ static void read_object(struct input *in, const char *name,
                         const struct ph_json_item *from, void *at) {
   struct ph_json_item items[MEMBERS_MAX];
   struct ph_slot slots[PH_SLOTS_MAX];
-  struct object o = {ph_members_of(name), items, at, 0, 1, 0};
+  struct object o = {ph_members_of(name), items, at, 0, 1, in->without};
   ph_read_members(in->r, from, o.of->rows, items);
   read_slots(in, &o, slots, ph_slots(o.of, &in->sizes, slots));
 }
@@ -201,13 +202,17 @@ static void begin_list(struct input *in, enum ph_form form,
 }
 
 /* What an element of a list is before it is read. */
-static void begin_element(const struct input *in, struct object *o) {
+static void begin_element(struct input *in, struct object *o) {
   const struct ph_curve *c = &in->result->curve;
   memset(o->at, 0, o->of->size);
   if (strcmp(o->of->name, "offset") == 0) {
     ((struct ph_offset *)o->at)->dimension = c->dimension;
     o->without = (unsigned)!item_of(o, "segments")->value << PH_OF_FLAT |
                  (unsigned)!item_of(o, "beziers")->value << PH_OF_QUOTIENT;
+  } else if (strcmp(o->of->name, "strip") == 0) {
+    in->without = o->without = item_of(o, "control_points")->value
+                                   ? 1u << PH_OF_CIRCULAR
+                                   : 1u << PH_OF_GENERAL;
   } else if (strcmp(o->of->name, "solution") == 0) {
     ((struct ph_solution *)o->at)->curve =
         (struct ph_curve){.kind = c->kind,
@@ -442,7 +447,6 @@ static void read_result(struct input *in, struct object *o) {
   }
   if (strcmp(parts, "strips") == 0) {
     in->result->curve.dimension = 3;
-    in->result->curve.degree = 2;
     read_slots(in, o, slots, ph_slots(o->of, &in->sizes, slots));
     return;
   }

@@ -1,96 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of members (see members.h). */
-#include "io/members.h"
+#include "io/members_rows.h"
 
-#include <stdint.h>
 #include <string.h>
-
-#define MAY PH_MAY
-#define TOLD PH_TOLD
-#define MUST PH_MUST
-
-#define ANY PH_OF_ANY
-#define ATPH PH_OF_ATPH
-#define SQUARE PH_OF_SQUARE
-#define CUBIC PH_OF_CUBIC
-#define SPHERE PH_OF_SPHERE
-#define FLAT PH_OF_FLAT
-#define SPACE PH_OF_SPACE
-#define RATIONAL PH_OF_RATIONAL
-#define QUOTIENT PH_OF_QUOTIENT
-#define TENSION PH_OF_TENSION
-#define INTERVALS PH_OF_INTERVALS
-#define LENGTHS PH_OF_LENGTHS
-#define SURFACE PH_OF_SURFACE
-
-#define AS(sizes, type) sizes #type, &as_##type
-#define APART   \
-  NULL, {       \
-    PH_AT, 0, 0 \
-  }
-#define AT(type, member) \
-  { PH_AT, offsetof(struct type, member), 0 }
-#define EACH(type, member) \
-  { PH_EACH, offsetof(struct type, member), 0 }
-#define LIST(type, member, n) \
-  { PH_AT, offsetof(struct type, member), 1 + offsetof(struct type, n) }
-#define SELF(type, n) \
-  { PH_AT, 0, 1 + offsetof(struct type, n) }
-#define ROW(name, need, of, type, what) \
-  { name, need, of, type, APART, what }
-#define LAST \
-  { NULL, MAY, ANY, NULL, APART, NULL }
-
-/* Types; most: SIZE_MAX, the last segment. */
-#define TYPE(type, name, form, size, least, most)                           \
-  static const struct ph_type as_##type = {name, PH_AS_##form, size, least, \
-                                           most}
-TYPE(number, "number", DOUBLE, sizeof(double), 0, 0);
-TYPE(positive, "positive", DOUBLE, sizeof(double), 0, 0);
-TYPE(radius, "radius", RADIUS, sizeof(double), 0, 0);
-TYPE(knots, "knots", KNOTS, sizeof(double), 0, 0);
-TYPE(index, "index", SIZE, sizeof(size_t), 0, SIZE_MAX);
-TYPE(whole, "whole", SIZE, sizeof(size_t), 0, INT32_MAX);
-TYPE(D, "D", SIZE, sizeof(size_t), 2, 3);
-TYPE(degree, "degree", SIZE, sizeof(size_t), 1, PH_CLAIM_DEGREE_MAX);
-TYPE(offset_degree, "offset_degree", SIZE, sizeof(size_t), 1,
-     PH_CLAIM_DEGREE_MAX);
-TYPE(range, "range", RANGE, 2 * sizeof(size_t), 0, SIZE_MAX);
-TYPE(sign, "sign", SIGN, 1, 0, 0);
-TYPE(flag, "flag", FLAG, sizeof(bool), 0, 0);
-TYPE(text, "text", TEXT, sizeof(char *), 0, 0);
-TYPE(vector, "vector", VECTOR, sizeof(char *), 0, 0);
-TYPE(curve, "kind", ENUM, sizeof(enum ph_curve_kind), 0, 0);
-TYPE(root, "root", ENUM, sizeof(enum ph_root), 0, 0);
-TYPE(frame, "frame", ENUM, sizeof(enum ph_frame), PH_FRAME_NONE + 1, 0);
-TYPE(outcome, "outcome", ENUM, sizeof(enum ph_outcome), 0, 0);
-TYPE(open, "open", OPEN, sizeof(double), 0, 0);
-TYPE(strip_method, "strip_method", ENUM, sizeof(enum ph_strip_method), 0, 0);
-TYPE(case, "case", ENUM, sizeof(enum ph_pair_case), 0, 0);
-TYPE(segment, "segment", SEGMENTS, 0, 0, 0);
-TYPE(image, "image", IMAGES, 0, 0, 0);
-TYPE(piece, "piece", PIECES, 0, 0, 0);
-TYPE(bezier, "bezier", BEZIERS, 0, 0, 0);
-TYPE(sample, "sample", SAMPLES, 0, 0, 0);
-TYPE(interval, "interval", LIST, 0, 0, 0);
-TYPE(joint, "joint", LIST, 0, 0, 0);
-TYPE(joint_kind, "joint_kind", ENUM, sizeof(enum ph_joint_kind), 0, 0);
-TYPE(solution, "solution", LIST, 0, 0, 0);
-TYPE(offset, "offset", LIST, 0, 0, 0);
-TYPE(cusp, "cusp", LIST, 0, 0, 0);
-TYPE(start, "start", LIST, 0, 0, 0);
-TYPE(bounds, "bounds", BOUNDS, 0, 0, 0);
-TYPE(strip, "strip", LIST, 0, 0, 0);
-TYPE(pair, "pair", LIST, 0, 0, 0);
-TYPE(parallel, "parallel", LIST, 0, 0, 0);
-TYPE(node, "node", LIST, 0, 0, 0);
-TYPE(located, "located", LIST, 0, 0, 0);
-TYPE(strip_frame, "strip_frame", OBJECT, sizeof(struct ph_strip_frame), 0, 0);
-TYPE(arc3, "arc3", OBJECT, sizeof(struct ph_arc3), 0, 0);
-TYPE(arc2, "arc2", OBJECT, sizeof(struct ph_arc2), 0, 0);
-TYPE(certificate, "certificate", CERTIFICATE, 0, 0, 0);
-TYPE(diagnostics, "diagnostics", DIAGNOSTIC_SET, 0, 0, 0);
-TYPE(warning, "warning", WARNING_LIST, 0, 0, 0);
 
 /* Of every record. */
 #define HEADING                                                           \
@@ -175,7 +87,7 @@ static const struct ph_member surface[] = {
      "the points that merge joined to others"},
     {"strips", MUST, ANY, AS("[+]", strip),
      LIST(ph_result, curve.surface.strips, curve.n), "the surface"},
-    {"pairs", TOLD, ANY, AS("[+]", pair),
+    {"pairs", MAY, ANY, AS("[+]", pair),
      LIST(ph_result, curve.surface.pairs, curve.surface.pairs_n),
      "two strips each, from one contact element to the next"},
     {"length", TOLD, ANY, AS("", number), AT(ph_result, curve.length),
@@ -215,24 +127,41 @@ static const struct ph_member strip[] = {
      "what the strip is a piece of"},
     {"frame", MUST, ANY, AS("", strip_frame), AT(ph_strip, frame),
      "at its start"},
-    {"geodesic_curvature", MUST, ANY, AS("", number), AT(ph_strip, k),
+    {"geodesic_curvature", MUST, CIRCULAR, AS("", number), AT(ph_strip, k),
      "of the contact curve, positive towards the ruling"},
-    {"normal_curvature", MUST, ANY, AS("", number), AT(ph_strip, kn),
+    {"normal_curvature", MUST, CIRCULAR, AS("", number), AT(ph_strip, kn),
      "of the contact curve, positive towards the normal"},
+    {"alpha", MUST, GENERAL, AS("", positive), EACH(ph_strip, alpha),
+     "the angle of the directrix"},
+    {"angles", MAY, GENERAL, AS("[2]", number), EACH(ph_strip, angles),
+     "theta and beta of the directrix"},
+    {"control_points", MUST, GENERAL, AS("[6][3]", number),
+     EACH(ph_strip, control_points),
+     "of the directrix, the contact curve: coefficients in its B-basis"},
+    {"preimage", MUST, GENERAL, AS("[3][4]", number), EACH(ph_strip, preimage),
+     "coefficients of the function whose square is its derivative"},
     {"length", MUST, ANY, AS("", number), AT(ph_strip, length),
      "the arc length of the contact curve"},
     {"vertex", TOLD, ANY, AS("[3]", open), AT(ph_strip, vertex),
      "of the cone, null of a cylinder"},
-    {"half_angle", TOLD, ANY, AS("", number), AT(ph_strip, half_angle),
+    {"half_angle", TOLD, CIRCULAR, AS("", number), AT(ph_strip, half_angle),
      "between the axis and the rulings"},
-    {"sweep", TOLD, ANY, AS("", number), AT(ph_strip, sweep),
+    {"sweep", TOLD, CIRCULAR, AS("", number), AT(ph_strip, sweep),
      "angle about the axis"},
     {"development_angle", TOLD, ANY, AS("", number),
      AT(ph_strip, development_angle), "by which the development turns"},
+    {"turn", TOLD, GENERAL, AS("", number), AT(ph_strip, turn),
+     "by which the tangents of the rulings' spherical image turn, either way"},
+    {"F1", MAY, GENERAL, AS("", number), AT(ph_strip, fairness[0]),
+     "the functional F1 of the directrix"},
+    {"F2", MAY, GENERAL, AS("", number), AT(ph_strip, fairness[1]),
+     "the functional F2 of the directrix"},
+    {"F3", MAY, GENERAL, AS("", number), AT(ph_strip, fairness[2]),
+     "the functional F3 of the directrix"},
     {"shift", TOLD, ANY, AS("[2]", number), AT(ph_strip, shift),
      "of the contact curve along the ruling, from the height 0, at its start "
      "and its end"},
-    {"contact", TOLD, ANY, AS("", arc3), AT(ph_strip, contact),
+    {"contact", TOLD, CIRCULAR, AS("", arc3), AT(ph_strip, contact),
      "the contact curve"},
     {"development", TOLD, ANY, AS("", arc2), AT(ph_strip, development),
      "the same in the plane"},
@@ -257,12 +186,22 @@ static const struct ph_member arc3[] = {
     LAST};
 
 static const struct ph_member arc2[] = {
-    {"control_points", MUST, ANY, AS("[3][2]", number),
+    {"control_points", MUST, CIRCULAR, AS("[3][2]", number),
      AT(ph_arc2, control_points), "of a rational Bezier curve"},
-    {"weights", MUST, ANY, AS("[3]", number), AT(ph_arc2, weights),
+    {"weights", MUST, CIRCULAR, AS("[3]", number), AT(ph_arc2, weights),
      "of the points"},
+    {"samples", MUST, GENERAL, AS("[+]", flat_sample),
+     LIST(ph_arc2, samples, samples_n),
+     "of the directrix laid flat, its chords within the tolerance"},
     {"angle", MUST, ANY, AS("", number), AT(ph_arc2, angle),
      "of the tangent at the start, from the x axis; the ruling is to its left"},
+    LAST};
+
+static const struct ph_member flat_sample[] = {
+    {"t", MUST, ANY, AS("", number), AT(ph_flat_sample, t),
+     "the local parameter of the directrix, from 0 to alpha"},
+    {"point", MUST, ANY, AS("[2]", number), AT(ph_flat_sample, point),
+     "the point"},
     LAST};
 
 static const struct ph_member pair[] = {
@@ -276,37 +215,36 @@ static const struct ph_member pair[] = {
      "of it, positive if it is on the side of the normals"},
     LAST};
 
-static const struct ph_member node[] = {
-    {"strip", MUST, ANY, AS("", index), AT(ph_surface_sample, strip),
-     "of the surface"},
-    {"s", MUST, ANY, AS("", number), AT(ph_surface_sample, s),
-     "the arc length of the contact curve from the start of the strip"},
-    {"h", MUST, ANY, AS("", number), AT(ph_surface_sample, h),
-     "the distance from the contact curve along the ruling"},
-    {"point", MUST, ANY, AS("[3]", number), AT(ph_surface_sample, point),
-     "the point"},
-    {"normal", TOLD, ANY, AS("[3]", number), AT(ph_surface_sample, normal),
-     "the unit normal"},
-    {"flat", TOLD, ANY, AS("[2]", number), AT(ph_surface_sample, flat),
-     "the point of the development"},
-    LAST};
+/* A place of a surface, in a struct or a member of it. */
+#define NODE(type, in)                                                          \
+  {"strip", MUST, ANY, AS("", index), AT(type, in strip), "of the surface"},    \
+      {"s",                                                                     \
+       MUST,                                                                    \
+       ANY,                                                                     \
+       AS("", number),                                                          \
+       AT(type, in s),                                                          \
+       "the arc length of the contact curve from the start of the strip"},      \
+      {"h",                                                                     \
+       MUST,                                                                    \
+       ANY,                                                                     \
+       AS("", number),                                                          \
+       AT(type, in h),                                                          \
+       "the distance from the contact curve along the ruling"},                 \
+      {"point", MUST, ANY, AS("[3]", number), AT(type, in point), "the point"}, \
+      {"normal",         TOLD, ANY, AS("[3]", number), AT(type, in normal),     \
+       "the unit normal"},                                                      \
+  {                                                                             \
+    "flat", TOLD, ANY, AS("[2]", number), AT(type, in flat),                    \
+        "the point of the development"                                          \
+  }
 
-static const struct ph_member located[] = {
-    {"index", MUST, ANY, AS("", whole), AT(ph_located, index),
-     "of the point in flat"},
-    {"strip", MUST, ANY, AS("", index), AT(ph_located, at.strip),
-     "of the surface"},
-    {"s", MUST, ANY, AS("", number), AT(ph_located, at.s),
-     "the arc length of the contact curve from the start of the strip"},
-    {"h", MUST, ANY, AS("", number), AT(ph_located, at.h),
-     "the distance from the contact curve along the ruling"},
-    {"point", MUST, ANY, AS("[3]", number), AT(ph_located, at.point),
-     "the point"},
-    {"normal", TOLD, ANY, AS("[3]", number), AT(ph_located, at.normal),
-     "the unit normal"},
-    {"flat", TOLD, ANY, AS("[2]", number), AT(ph_located, at.flat),
-     "the point of the development"},
-    LAST};
+static const struct ph_member node[] = {NODE(ph_surface_sample, ), LAST};
+
+static const struct ph_member located[] = {{"index", MUST, ANY, AS("", whole),
+                                            AT(ph_located, index),
+                                            "of the point in flat"},
+                                           NODE(ph_located, at.),
+                                           LAST};
 
 #define ERROR ROW("error", MUST, ANY, "error", "why there is no result")
 
@@ -562,6 +500,7 @@ static const struct ph_members objects[] = {
     {"strip_frame", true, strip_frame, sizeof(struct ph_strip_frame)},
     {"arc3", true, arc3, sizeof(struct ph_arc3)},
     {"arc2", true, arc2, sizeof(struct ph_arc2)},
+    {"flat_sample", true, flat_sample, sizeof(struct ph_flat_sample)},
     {"pair", true, pair, sizeof(struct ph_pair)},
     {"parallel", false, parallel, sizeof(struct ph_parallel)},
     {"node", true, node, sizeof(struct ph_surface_sample)},

@@ -25,7 +25,9 @@ enum ph_of {
   PH_OF_TENSION,  /* segments that have one */
   PH_OF_INTERVALS,
   PH_OF_LENGTHS, /* curves of prescribed lengths */
-  PH_OF_SURFACE
+  PH_OF_SURFACE,
+  PH_OF_CIRCULAR, /* strips of circular cones */
+  PH_OF_GENERAL   /* of other cones */
 };
 
 enum ph_need {

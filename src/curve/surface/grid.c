@@ -2,6 +2,7 @@
 /* What is made of a surface (see grid.h). */
 #include "curve/surface/grid.h"
 
+#include "curve/surface/general.h"
 #include "curve/surface/ruling.h"
 
 #include <math.h>
@@ -100,6 +101,11 @@ enum ph_status ph_parallel_of(const struct ph_curve *curve, double distance,
   for (size_t i = 0; i < c->n; i++) {
     const struct ph_strip *strip = &curve->surface.strips[i];
     const double factor = 1 - strip->kn * distance;
+    if (strip->directrix) {
+      return ph_fail(diag, PH_E_BAD_VALUE, "offset",
+                     "is not for general cones, whose parallel surfaces are "
+                     "no cones");
+    }
     if (!(factor > 0)) {
       return ph_fail_at(diag, PH_E_INFEASIBLE, "strips", i,
                         "has no parallel surface at the distance %g: its "
@@ -115,13 +121,20 @@ enum ph_status ph_parallel_of(const struct ph_curve *curve, double distance,
 
 /* ---- paths of the development -------------------------------------------- */
 
+/* The end of a contact curve. */
+static const double *end_of(const struct ph_strip *strip) {
+  return strip->directrix ? strip->control_points + 15
+                          : strip->contact.control_points[2];
+}
+
 double ph_surface_size(const struct ph_curve *curve) {
+  const struct ph_strip *strips = curve->surface.strips;
   double sum = 0;
   for (size_t j = 0; j < 3; j++) {
     double low = HUGE_VAL, high = -HUGE_VAL;
-    for (size_t i = 0; i < 2 * curve->n; i++) {
+    for (size_t i = 0; i <= curve->n; i++) {
       const double x =
-          curve->surface.strips[i / 2].contact.control_points[i % 2 ? 2 : 0][j];
+          i < curve->n ? strips[i].frame.point[j] : end_of(&strips[i - 1])[j];
       low = x < low ? x : low;
       high = x > high ? x : high;
     }
@@ -147,10 +160,10 @@ struct knot {
   double at[2], by[2];
 };
 
-static struct knot knot_at(const struct path *path,
-                           const struct ph_strip *strip, size_t edge,
-                           double u) {
-  const struct ph_surface *surface = &path->curve->surface;
+/* That of a circular strip, by the arc length. */
+static struct knot circular_knot(const struct ph_surface *surface,
+                                 const struct ph_strip *strip, size_t edge,
+                                 double u) {
   const double height = surface->height[edge];
   const double h = ph_strip_height(surface, strip, height, u);
   const double slope = (ph_strip_height(surface, strip, height, 1) -
@@ -162,6 +175,19 @@ static struct knot knot_at(const struct path *path,
   const double x = -sin(flat.angle), y = cos(flat.angle), q = 1 - strip->k * h;
   return (struct knot){{flat.c[0] + h * x, flat.c[1] + h * y},
                        {q * y + slope * x, -q * x + slope * y}};
+}
+
+/* A point of an edge; of a general strip by its parameter in [0,1]. */
+static struct knot knot_at(const struct path *path,
+                           const struct ph_strip *strip, size_t edge,
+                           double u) {
+  const struct ph_surface *surface = &path->curve->surface;
+  if (strip->directrix) {
+    struct knot knot;
+    ph_general_edge(strip, u, surface->height[edge], knot.at, knot.by);
+    return knot;
+  }
+  return circular_knot(surface, strip, edge, u);
 }
 
 /* A piece by its ends and its derivatives, over a step; 0: a line. */
@@ -181,8 +207,39 @@ static void add_piece(struct path *path, const struct knot *from,
   path->n++;
 }
 
+/* Whether n cubics leave the edge of a general strip by less than the
+ * tolerance, in their middles. */
+static bool are_near(const struct path *path, const struct ph_strip *strip,
+                     size_t edge, double n) {
+  struct knot from = knot_at(path, strip, edge, 0);
+  for (double i = 1; i <= n; i++) {
+    const struct knot to = knot_at(path, strip, edge, i / n);
+    const struct knot middle = knot_at(path, strip, edge, (i - 0.5) / n);
+    double off[2];
+    for (size_t j = 0; j < 2; j++) {
+      off[j] = (from.at[j] + to.at[j]) / 2 + (from.by[j] - to.by[j]) / (8 * n) -
+               middle.at[j];
+    }
+    if (!(hypot(off[0], off[1]) <= path->tolerance)) {
+      return false;
+    }
+    from = to;
+  }
+  return true;
+}
+
 /* As many pieces as cubics by Hermite data need: a step s leaves the edge by
- * less than s^4/384 of its fourth derivative. */
+ * less than s^4/384 of its fourth derivative; of general strips, as are seen to
+ * be enough. */
+static double general_steps(const struct path *path,
+                            const struct ph_strip *strip, size_t edge) {
+  double n = 4;
+  while (n < STEPS_MAX && !are_near(path, strip, edge, n)) {
+    n *= 2;
+  }
+  return n;
+}
+
 static double steps_of(const struct path *path, const struct ph_strip *strip) {
   const double k = fabs(strip->k), l = strip->length;
   double h[2][2], far = 0, fourth;
@@ -199,8 +256,10 @@ static double steps_of(const struct path *path, const struct ph_strip *strip) {
 /* An edge of a strip, forward or backward. */
 static void add_edge(struct path *path, const struct ph_strip *strip,
                      size_t edge, bool backward) {
-  const double n = steps_of(path, strip);
-  const double step = (backward ? -1 : 1) * strip->length / n;
+  const bool general = strip->directrix;
+  const double n =
+      general ? general_steps(path, strip, edge) : steps_of(path, strip);
+  const double step = (backward ? -1 : 1) * (general ? 1 : strip->length) / n;
   struct knot from = knot_at(path, strip, edge, backward ? 1 : 0);
   for (double i = 1; i <= n; i++) {
     const struct knot to =

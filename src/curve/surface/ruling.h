@@ -17,16 +17,8 @@ struct ph_ruling {
   double k, kn;
 };
 
-/* ph_ruling_at: that at u, from 0 to 1 along the strip. */
-static inline struct ph_ruling ph_ruling_at(const struct ph_strip *strip,
-                                            double u) {
-  const double s = u * strip->length;
-  const struct ph_flat_place start = ph_flat_start(strip);
-  struct ph_ruling r = {
-      s, ph_strip_at(ph_strip_start(strip), strip->k, strip->kn, s),
-      ph_flat_at(&start, strip->k, s), strip->k, strip->kn};
-  return r;
-}
+/* ph_ruling_at: that at u, from 0 to 1 along the strip, by arc length. */
+struct ph_ruling ph_ruling_at(const struct ph_strip *strip, double u);
 
 /* ph_ruling_point: the point of a ruling at h. */
 static inline ph_vec3 ph_ruling_point(const struct ph_ruling *ruling,

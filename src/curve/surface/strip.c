@@ -4,6 +4,23 @@
 
 #include "base/sum.h"
 #include "curve/surface/area.h"
+#include "curve/surface/general.h"
+
+struct ph_ruling ph_ruling_at(const struct ph_strip *strip, double u) {
+  const double s = u * strip->length;
+  const struct ph_flat_place start = ph_flat_start(strip);
+  struct ph_ruling r;
+  if (strip->directrix) {
+    r = ph_general_ruling(strip, ph_general_parameter(strip, s));
+  } else {
+    r.at = ph_strip_at(ph_strip_start(strip), strip->k, strip->kn, s);
+    r.flat = ph_flat_at(&start, strip->k, s);
+    r.k = strip->k;
+    r.kn = strip->kn;
+  }
+  r.s = s;
+  return r;
+}
 
 void ph_strip_describe(struct ph_strip *strip, const double end[3],
                        double chord, double weight) {
@@ -40,20 +57,38 @@ static void set_arc(const struct ph_strip *strip,
   arc->angle = start->angle;
 }
 
+/* Where the development of a strip that begins at the origin, at an angle,
+ * ends; and by how much it turns. */
+static struct ph_flat_place develop(struct ph_strip *strip,
+                                    const struct ph_flat_place *start,
+                                    double *turn) {
+  struct ph_arc2 *flat = &strip->development;
+  *turn = strip->k * strip->length;
+  if (!strip->directrix) {
+    return ph_flat_at(start, strip->k, strip->length);
+  }
+  flat->control_points[0][0] = start->c[0];
+  flat->control_points[0][1] = start->c[1];
+  flat->angle = start->angle;
+  *turn = -strip->directrix->side * strip->development_angle;
+  return ph_general_ruling(strip, 1).flat;
+}
+
 void ph_develop(struct ph_curve *curve) {
   struct ph_sum x = {0, 0}, y = {0, 0}, angle = {0, 0};
   double shift = curve->surface.strips[0].shift[0];
   for (size_t i = 0; i < curve->n; i++) {
     struct ph_strip *strip = &curve->surface.strips[i];
     struct ph_flat_place start = {{0, 0}, ph_sum_value(&angle)}, end;
+    double turn;
     ph_sum_add(&x, (shift - strip->shift[0]) * sin(start.angle));
     ph_sum_add(&y, (strip->shift[0] - shift) * cos(start.angle));
-    end = ph_flat_at(&start, strip->k, strip->length);
+    end = develop(strip, &start, &turn);
     start.c[0] = ph_sum_value(&x);
     start.c[1] = ph_sum_value(&y);
     ph_sum_add(&x, end.c[0]);
     ph_sum_add(&y, end.c[1]);
-    ph_sum_add(&angle, strip->k * strip->length);
+    ph_sum_add(&angle, turn);
     end.c[0] = ph_sum_value(&x);
     end.c[1] = ph_sum_value(&y);
     set_arc(strip, &start, &end, &strip->development);
@@ -70,7 +105,9 @@ void ph_surface_measure(struct ph_curve *curve) {
     ph_strip_corners(surface, strip, h);
     curve->lengths[i] = strip->length;
     ph_sum_add(&length, strip->length);
-    ph_sum_add(&area, ph_area_of(strip->k, strip->length, h));
+    ph_sum_add(&area, strip->directrix
+                          ? ph_general_area(strip, surface->height)
+                          : ph_area_of(strip->k, strip->length, h));
   }
   curve->length = ph_sum_value(&length);
   curve->surface.area = ph_sum_value(&area);

@@ -3,10 +3,10 @@
  * Developable surfaces of strips, as plain structs (curve/result.h has them in
  * its curves, whose kind then says that it is a surface).
  *
- * A strip is a piece of a cone, of a cylinder or of a plane: a frame of a point
- * c, a ruling e, a tangent d and a normal n = e x d moves along a curve of the
- * surface, the contact curve, by its arc length s, with constant geodesic
- * curvature k and normal curvature kn:
+ * A circular strip is a piece of a cone, of a cylinder or of a plane: a frame
+ * of a point c, a ruling e, a tangent d and a normal n = e x d moves along a
+ * curve of the surface, the contact curve, by its arc length s, with constant
+ * geodesic curvature k and normal curvature kn:
  *
  *   c' = d,  d' = k e + kn n,  e' = -k d,  n' = -kn d         [GON18, ch. 4]
  *   X(s, h) = c(s) + h e(s)
@@ -14,6 +14,16 @@
  * so that the contact curve is an arc of a circle, the vertex is at h = 1/k,
  * and nothing is singular where k or kn is 0.  The development, in the plane,
  * has c' = d, d' = k e, e' = -k d with e to the left of d.
+ *
+ * A general strip is a piece of the cone of a vertex v over a contact curve r,
+ * the directrix, which is a segment of an ATPH curve: the curve that the
+ * surface is in has its control points and preimage.  With w = r - v and
+ * rho = |w|, its frame is
+ *
+ *   e = +- w / rho,  d = the direction of r' - (r'.e) e,  n = e x d,
+ *
+ * its rulings turn about v by phi, phi' = |w x r'| / rho^2, and the contact
+ * curve of the development is at v + rho (cos phi, sin phi).
  *
  * Two strips in a row, a pair, lead from one contact element of the data to the
  * next one.  The frame at the start of the first has the ruling of the element,
@@ -27,7 +37,9 @@
 #include <stddef.h>
 
 /* How a strip was found: X(SYMBOL, "name in records"). */
-#define PH_STRIP_METHODS(X) X(CIRCULAR, "circular")
+#define PH_STRIP_METHODS(X) \
+  X(CIRCULAR, "circular")   \
+  X(ATPH, "atph")
 
 enum ph_strip_method {
 #define X(symbol, name) PH_STRIP_##symbol,
@@ -71,11 +83,21 @@ struct ph_arc3 {
   double weights[3];
 };
 
-struct ph_arc2 {
-  double control_points[3][2];
-  double weights[3];
-  double angle; /* of its start, from the x axis */
+/* A place of the development of a directrix, by its parameter. */
+struct ph_flat_sample {
+  double t;
+  double point[2];
 };
+
+struct ph_arc2 {
+  double control_points[3][2]; /* general: the first is the start */
+  double weights[3];
+  double angle;                   /* of its start, from the x axis */
+  struct ph_flat_sample *samples; /* general: from the start to the end */
+  size_t samples_n;
+};
+
+struct ph_directrix; /* curve/surface/general.h */
 
 struct ph_strip {
   size_t pair;
@@ -86,10 +108,20 @@ struct ph_strip {
   double vertex[3];            /* NaN: there is none, k = 0 */
   double half_angle;           /* of the cone, atan2(|k|, |kn|) */
   double sweep;                /* about its axis, sqrt(k^2 + kn^2) length */
-  double development_angle;    /* by which the development turns, k length */
+  double development_angle;    /* by which the development turns, k length;
+                                  general: phi at the end */
   double shift[2];             /* at its start and at its end */
   struct ph_arc3 contact;
   struct ph_arc2 development;
+  /* of general strips, where k, kn, half_angle, sweep and contact are NaN */
+  double turn;            /* by which the tangents of the spherical image turn,
+                             either way */
+  double fairness[3];     /* F1, F2 and F3 of the directrix */
+  double *alpha;          /* of the curve: [1], */
+  double *control_points; /* [6][3], */
+  double *preimage;       /* [3][4]; NULL: a circular strip */
+  double *angles;         /* theta and beta, or NULL */
+  const struct ph_directrix *directrix; /* NULL: it was read */
 };
 
 struct ph_pair {

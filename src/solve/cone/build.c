@@ -166,7 +166,6 @@ static enum ph_status begin(struct builder *b, struct ph_arena *arena,
   *c = (struct ph_curve){.kind = PH_CURVE_CONE,
                          .closed = d->closed,
                          .dimension = 3,
-                         .degree = 2,
                          .n = 2 * d->n};
   c->lengths = ph_arena_array(arena, c->n, sizeof *c->lengths);
   c->surface.strips = ph_arena_array(arena, c->n, sizeof *c->surface.strips);

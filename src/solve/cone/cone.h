@@ -5,11 +5,13 @@
  * A contact element is a point p on a ruling, the direction e of the ruling, a
  * direction d across in the tangent plane, and the normal n = e x d.  Between
  * two elements lies a pair of strips of circular cones that touch one another
- * along a common ruling.  Pairs are independent of one another.
+ * along a common ruling.  Pairs are independent of one another.  Or both strips
+ * are of general cones, whose vertices are on the given rulings.
  *
  *   data.c    the elements of a problem
  *   pair.c    two elements to two strips: numbers alone
  *   build.c   pairs into a surface, its development, what is told of it
+ *   atph.c    the same of general cones over ATPH curves
  *   method.c  the fields
  *
  * All lengths are at unit scale: those of the data times 2^exponent.
@@ -39,6 +41,7 @@ struct ph_cone_data {
   double degenerate;    /* the field degenerate_tolerance */
   double height[2];     /* at unit scale */
   int exponent;
+  bool general; /* the method is "atph" */
 };
 
 /* What the fields are where they are absent. */
@@ -121,5 +124,23 @@ const char *ph_cone_reason_text(enum ph_cone_reason reason);
 enum ph_status ph_cone_build(const struct ph_cone_data *data,
                              struct ph_arena *arena, struct ph_result *result,
                              struct ph_diag *diag);
+
+/*
+ * ph_cone_general: the same of general cones [GON18, sec. 4.4]: two strips in
+ * each pair, whose vertices v1 and v2 are at the apexes along the rulings of
+ * its elements, and whose common ruling is the line between these.  The contact
+ * curves of all strips are one curve of ATPH segments through the given points
+ * and the points on the common rulings, which the method spatial-hermite finds:
+ * its criteria are those of the fields.
+ *
+ * ret  PH_OK | PH_E_INFEASIBLE (a pair has no common ruling, or one on the
+ *      wrong side) | PH_E_NO_CONVERGENCE (a strip is not regular, or a loop) |
+ *      what spatial-hermite returns | PH_E_BAD_SHAPE | PH_E_BAD_VALUE |
+ *      PH_E_MISSING_FIELD | PH_E_NO_MEMORY
+ */
+enum ph_status ph_cone_general(const struct ph_problem *problem,
+                               const struct ph_cone_data *data,
+                               struct ph_arena *out, struct ph_arena *scratch,
+                               struct ph_result *result, struct ph_diag *diag);
 
 #endif

@@ -150,6 +150,31 @@ static enum ph_status set_rest(const struct ph_problem *p,
   return PH_OK;
 }
 
+/* Fields of one method are none of the other. */
+static enum ph_status check_method(const struct ph_problem *p,
+                                   struct ph_cone_data *data,
+                                   struct ph_diag *diag) {
+  static const enum ph_field_id own[2][6] = {
+      {PH_F_APEXES, PH_F_CONTACT_POINT, PH_F_TANGENT_SCALE, PH_F_CRITERION,
+       PH_F_ANGLES, PH_F_ALPHA},
+      {PH_F_LAMBDA, PH_F_DEGENERATE, PH_F_FLAT, PH_FIELD_N, PH_FIELD_N,
+       PH_FIELD_N}};
+  data->general = ph_value_is(&p->field[PH_F_METHOD], "atph");
+  for (size_t i = 0; i < 6; i++) {
+    const enum ph_field_id id = own[data->general][i];
+    if (id != PH_FIELD_N && ph_fields_given(p, id)) {
+      return ph_fail(diag, PH_E_BAD_VALUE, ph_field_name(id),
+                     "is of \"method\":\"%s\"",
+                     data->general ? "circular" : "atph");
+    }
+  }
+  if (data->general && !ph_fields_given(p, PH_F_APEXES)) {
+    return ph_fail(diag, PH_E_MISSING_FIELD, "apexes",
+                   "is missing: \"method\":\"atph\" has its vertices there");
+  }
+  return PH_OK;
+}
+
 enum ph_status ph_cone_data_of(const struct ph_problem *problem,
                                struct ph_arena *arena,
                                struct ph_cone_data *data,
@@ -157,6 +182,9 @@ enum ph_status ph_cone_data_of(const struct ph_problem *problem,
   const struct ph_value *points = &problem->field[PH_F_POINTS];
   struct ph_contact_element *element;
   enum ph_status status = ph_fields_segments(problem, &data->n, diag);
+  if (status == PH_OK) {
+    status = check_method(problem, data, diag);
+  }
   if (status != PH_OK) {
     return status;
   }

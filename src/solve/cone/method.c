@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The method `cone`: from the fields of a problem to a developable surface
- * (cone.h): O(n), and nothing is allocated for a pair. */
+ * (cone.h): O(n), and of circular cones nothing is allocated for a pair. */
 #include "solve/method.h"
 
 #include "curve/surface/locate.h"
@@ -35,7 +35,9 @@ static enum ph_status solve(const struct ph_problem *problem,
   struct ph_cone_data data;
   enum ph_status status = ph_cone_data_of(problem, scratch, &data, diag);
   if (status == PH_OK) {
-    status = ph_cone_build(&data, out, result, diag);
+    status = data.general
+                 ? ph_cone_general(problem, &data, out, scratch, result, diag)
+                 : ph_cone_build(&data, out, result, diag);
   }
   if (status == PH_OK && ph_fields_given(problem, PH_F_FLAT)) {
     status = locate(&problem->field[PH_F_FLAT], out, result, diag);
@@ -57,14 +59,32 @@ static const struct ph_field fields[] = {
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "join the last contact element to the first, a repeated last one is "
      "dropped"},
-    {PH_F_METHOD, PH_WORD, 0, false, "circular", "circular",
-     "what strips are: pieces of circular cones, two between neighbours"},
+    {PH_F_METHOD, PH_WORD, 0, false, "circular|atph", "circular",
+     "what strips are pieces of, two between neighbours: circular cones, or "
+     "general ones along ATPH curves"},
     {PH_F_LAMBDA, PH_WORD | PH_NUMBER | PH_NUMBERS | PH_SEGMENTS, 0, false,
      "equal", "equal",
-     "leg of the first arc of each pair, or equal to that of the second"},
+     "circular: leg of the first arc of each pair, or equal to that of the "
+     "second"},
     {PH_F_DEGENERATE, PH_NUMBER, 0, false, NULL, PH_TEXT(PH_CONE_DEGENERATE),
-     "when two contact elements count as lying on one cone, as of parallel "
+     "circular: when two contact elements count as lying on one cone, as of "
+     "parallel "
      "axes, or as of rulings that meet"},
+    {PH_F_APEXES, PH_NUMBERS | PH_DATUM, 0, false, NULL, "none",
+     "atph: where the vertex on each ruling is, from the given point"},
+    {PH_F_CONTACT_POINT, PH_WORD | PH_NUMBER, 0, false, "nearest|midpoint",
+     "nearest",
+     "atph: the point on the common ruling, nearest to the given ones, in the "
+     "middle of both vertices, or a part of the way between these"},
+    {PH_F_TANGENT_SCALE, PH_WORD, 0, false, "chord|unit", "chord",
+     "atph: how long the derivatives of the directrices are at their ends"},
+    {PH_F_CRITERION, PH_WORD, 0, false, "F1|F2|F3", "F1",
+     "atph: which functional of the directrices is least"},
+    {PH_F_ANGLES, PH_VECTORS | PH_NUMBERS, 1u << 2, false, NULL,
+     "by the criterion",
+     "atph: pairs [theta,beta], one for each strip or for all"},
+    {PH_F_ALPHA, PH_NUMBER | PH_NUMBERS, 0, false, NULL, "by the criterion",
+     "atph: angles of the directrices below pi, one for all or one each"},
     {PH_F_HEIGHT, PH_NUMBERS, 0, false, NULL, "0 to 0, the contact curve",
      "the part of the rulings that is meant, from where to where, from the "
      "given points"},

@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What records say of strips of general cones beside their frames and their
+ * developments (see cone_general.h). */
+#include "check/cone_general.h"
+
+#include "kernel/pi.h"
+
+#include <float.h>
+
+/* Of unit vectors; what turns, and what areas may be off by. */
+static const double UNIT = 64 * DBL_EPSILON, TURN = 1e-6, AREA = 1e-11;
+
+/* Where the turn is looked at, of each strip; less than this, relative to phi,
+ * is none; and less than that of the largest may be another sign. */
+enum { PLACES = 512 };
+static const double NONE = 1e-9, WEAK = 1e-2;
+
+/* ---- the turn ------------------------------------------------------------ */
+
+/* What a strip turns by: the whole, either way, and to one side. */
+struct turning {
+  double whole, low, high, changes;
+  bool clear; /* how often it changes is beyond doubt */
+};
+
+static void turn_at(const void *context, double u, double *value) {
+  *value = ph_check_general_place_at(context, u).turn;
+}
+
+/* Where the turn changes its sign. */
+static double change_between(const struct ph_check_general *g, double from,
+                             double to) {
+  enum { STEPS = 50 };
+  const bool up = ph_check_general_place_at(g, to).turn > 0;
+  for (int i = 0; i < STEPS; i++) {
+    const double middle = from + (to - from) / 2;
+    *((ph_check_general_place_at(g, middle).turn > 0) == up ? &to : &from) =
+        middle;
+  }
+  return to;
+}
+
+/* The turn of a part that does not change its sign. */
+static void turn_by(const struct ph_check_general *g, struct turning *t,
+                    double from, double to, double *at) {
+  const double by =
+      ph_check_general_integral(g, turn_at, TURN / PLACES, from, to);
+  *at += by;
+  t->whole += fabs(by);
+  t->low = ph_check_smaller(t->low, *at);
+  t->high = ph_check_larger(t->high, *at);
+}
+
+static struct turning turning_of(const struct ph_check_general *g) {
+  double turn[PLACES + 1], most = 0, at = 0, from = 0;
+  struct turning t = {0, 0, 0, 0, true};
+  for (size_t i = 0; i <= PLACES; i++) {
+    const struct ph_check_general_seen p =
+        ph_check_general_place_at(g, (double)i / PLACES);
+    turn[i] = fabs(p.turn) > NONE * p.rate ? p.turn : 0;
+    most = ph_check_larger(most, fabs(turn[i]));
+  }
+  for (size_t i = 1; i <= PLACES; i++) {
+    if (turn[i - 1] * turn[i] < 0) {
+      const double u = (double)i / PLACES;
+      const double cut = change_between(g, u - 1.0 / PLACES, u);
+      turn_by(g, &t, from, cut, &at);
+      t.changes++;
+      from = cut;
+    } else {
+      t.clear = t.clear && fabs(turn[i]) > WEAK * most;
+    }
+  }
+  turn_by(g, &t, from, 1, &at);
+  return t;
+}
+
+/* Turn, inflections, and that the strip is no loop. */
+void ph_check_general_turn(struct ph_check_general *g,
+                           struct ph_check_general_totals *totals) {
+  const struct turning t = turning_of(g);
+  const double turn = ph_check_general_strip(g, g->k)->turn;
+  ph_check_miss(g->v, PH_CHECK_FRAME, ph_check_general_where(g->k, "turn"),
+                ph_check_larger(0, t.high - t.low - PH_PI), 1, TURN,
+                "is a loop");
+  if (!g->v->error) {
+    ph_check_number(g->v, PH_CHECK_DIAGNOSTIC,
+                    ph_check_general_where(g->k, "turn"), turn, t.whole,
+                    1 + t.whole, TURN * (1 + t.whole));
+  }
+  totals->inflections += t.changes;
+  totals->clear = totals->clear && t.clear;
+}
+
+/* ---- what a record says besides ------------------------------------------ */
+
+/* u where the arc length is a part of the whole. */
+static double parameter_of(const struct ph_check_general *g, double part) {
+  enum { STEPS = 50, NODES = PH_CHECK_NODES_ATPH };
+  const struct ph_check *v = g->v;
+  const double wanted = part * v->length[g->k];
+  double u = part < 1 ? part : 1, low = 0, high = 1;
+  for (int i = 0; i < STEPS; i++) {
+    double sum = 0, next;
+    ph_vec3 first;
+    for (size_t j = 0; j < NODES; j++) {
+      ph_check_jet(&g->s, u * v->fixed.node[j], &first, 1);
+      sum += u * v->fixed.weight[j] * ph_vec3_abs(first);
+    }
+    *(sum > wanted ? &high : &low) = u;
+    ph_check_jet(&g->s, u, &first, 1);
+    next = u - (sum - wanted) / ph_vec3_abs(first);
+    if (fabs(next - u) <= DBL_EPSILON) {
+      break;
+    }
+    u = next > low && next < high ? next : low + (high - low) / 2;
+  }
+  return u;
+}
+
+static void check_diagnostic(struct ph_check *v, enum ph_diagnostic which,
+                             double found) {
+  if (ph_check_known(v, which)) {
+    ph_check_number(
+        v, PH_CHECK_DIAGNOSTIC,
+        ph_check_of("diagnostics", PH_CHECK_ONE, ph_diagnostic_name(which)),
+        v->diagnostics->value[which], found, 1, 0);
+  }
+}
+
+/* |side rho + h| integrated over the height, times phi'. */
+static void area_at(const void *context, double u, double *value) {
+  const struct ph_check_general *g = context;
+  const struct ph_check_general_seen at = ph_check_general_place_at(g, u);
+  const double *height = g->curve->surface.height;
+  const double a = g->side * at.rho + ph_check_scaled(g->v, height[0]);
+  const double b = g->side * at.rho + ph_check_scaled(g->v, height[1]);
+  *value =
+      at.rate * (a * b >= 0 ? fabs(a + b) / 2 * (b - a) : (a * a + b * b) / 2);
+}
+
+/* Area and vertices within the height, of strip k, which is loaded. */
+void ph_check_general_height(struct ph_check_general *g,
+                             struct ph_check_general_totals *totals) {
+  const double *height = g->curve->surface.height;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  if (!(fabs(height[0]) > 0) && !(fabs(height[1]) > 0)) {
+    return;
+  }
+  for (size_t i = 0; i <= PLACES; i++) {
+    const double rho =
+        g->side * ph_check_general_place_at(g, (double)i / PLACES).rho;
+    for (size_t j = 0; j < 2; j++) {
+      const double h = rho + ph_check_scaled(g->v, height[j]);
+      low = ph_check_smaller(low, h);
+      high = ph_check_larger(high, h);
+    }
+  }
+  totals->inside += low <= 0 && high >= 0;
+  totals->area += ph_check_general_integral(g, area_at, UNIT, 0, 1);
+}
+
+static void check_sample(struct ph_check_general *g, size_t i,
+                         const struct ph_surface_sample *sample) {
+  struct ph_check *v = g->v;
+  const double part = ph_check_scaled(v, sample->s) / v->length[g->k];
+  const double u = parameter_of(g, part), h = ph_check_scaled(v, sample->h);
+  const struct ph_check_general_seen at = ph_check_general_place_at(g, u);
+  struct ph_check_general_flat flat = ph_check_general_flat_at(g, &at, u);
+  const double round =
+      ph_check_general_flat_rounding(g, &flat, at.rho + fabs(h));
+  const double moved = UNIT * v->length[g->k] + fabs(h) * at.doubt;
+  flat.x -= h * sin(flat.angle);
+  flat.y += h * cos(flat.angle);
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "point"),
+                ph_check_apart(ph_check_vector(v, sample->point, 3),
+                               ph_vec3_along(at.f.c, h, at.f.e)),
+                v->scale.size, round + moved, "is off the surface");
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "normal"),
+                ph_check_apart(ph_vec3_get(sample->normal, 3), at.f.n), 1,
+                at.doubt + UNIT * (1 + fabs(at.turn)), "is not the normal");
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "flat"),
+                ph_check_general_flat_distance(g, sample->flat, &flat),
+                v->scale.size, round + moved,
+                "is not the place in the development");
+}
+
+static void check_samples(struct ph_check_general *g,
+                          const struct ph_surface_samples *grid) {
+  for (size_t i = 0; i < grid->n && !ph_arena_late(g->v->scratch); i++) {
+    if (grid->v[i].strip >= g->curve->n) {
+      ph_check_wrong(g->v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "strip"),
+                     "is none");
+      return;
+    }
+    if (i == 0 || grid->v[i].strip != g->k) {
+      ph_check_general_load(g, grid->v[i].strip);
+    }
+    check_sample(g, i, &grid->v[i]);
+  }
+}
+
+void ph_check_general_told(struct ph_check_general *g,
+                           const struct ph_check_general_totals *totals) {
+  struct ph_check *v = g->v;
+  const double area = ph_check_unscaled(v, ph_check_unscaled(v, totals->area));
+  static const enum ph_diagnostic f[] = {PH_D_F1, PH_D_F2, PH_D_F3};
+  double shift = 0, sum[3] = {0, 0, 0};
+  for (size_t k = 0; k < g->curve->n; k++) {
+    const struct ph_strip *s = ph_check_general_strip(g, k);
+    for (size_t j = 0; j < 3; j++) {
+      sum[j] += s->fairness[j];
+    }
+    shift = ph_check_larger(
+        shift, ph_check_larger(fabs(s->shift[0]), fabs(s->shift[1])));
+  }
+  for (size_t j = 0; j < 3; j++) {
+    if (ph_check_known(v, f[j]) && isfinite(sum[j])) {
+      ph_check_number(
+          v, PH_CHECK_DIAGNOSTIC,
+          ph_check_of("strips", PH_CHECK_ONE, ph_diagnostic_name(f[j])), sum[j],
+          v->diagnostics->value[f[j]], sum[j], AREA * sum[j]);
+    }
+  }
+  ph_check_number(v, PH_CHECK_DIAGNOSTIC, ph_check_of("strips", 0, "shift"),
+                  shift, 0, 1, 0);
+  if (area > 0 || g->curve->surface.area > 0) {
+    ph_check_number(v, PH_CHECK_LENGTH, ph_check_of(NULL, PH_CHECK_ONE, "area"),
+                    g->curve->surface.area, area, area,
+                    (UNIT + AREA) * (double)g->curve->n * area);
+  }
+  if (totals->clear) {
+    check_diagnostic(v, PH_D_INFLECTIONS, totals->inflections);
+  }
+  check_diagnostic(v, PH_D_SHIFT, 0);
+  check_diagnostic(v, PH_D_VERTICES_INSIDE, totals->inside);
+  check_diagnostic(v, PH_D_REGULAR, totals->inside > 0 ? 0 : 1);
+  ph_check_fairness(v);
+  check_samples(g, &v->claim->grid);
+}

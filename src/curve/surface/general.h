@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * General strips (surface.h): the cone of a vertex over a segment of an ATPH
+ * curve.
+ *
+ * All but the length of the contact curve is by quadrature: phi, and with the
+ * geodesic curvature kg of the spherical image w / rho, by which its tangents
+ * turn,
+ *
+ *   phi' = |w x r'| / rho^2,
+ *   kg phi' = [w, r', r''] rho / |w x r'|^2.                            (1)
+ *
+ * [GON18, sec. 4.4; (1) derived from the derivatives of w / rho]
+ */
+#ifndef PH_CURVE_SURFACE_GENERAL_H
+#define PH_CURVE_SURFACE_GENERAL_H
+
+#include "base/diag.h"
+#include "base/mem.h"
+#include "curve/result.h"
+#include "curve/segment/seg3_fast.h"
+#include "curve/surface/ruling.h"
+#include "kernel/quad.h"
+
+/* A directrix, prepared; u is its parameter in [0,1]. */
+struct ph_directrix {
+  const struct ph_quad *rule;
+  struct ph_fast3 fast;
+  ph_vec3 vertex;
+  double side;      /* 1, or -1: rulings point to the vertex */
+  size_t n;         /* parts of [0,1], short enough for the rule: */
+  double *u;        /* [n + 1] */
+  double *phi;      /* [n + 1] there */
+  double turn;      /* integral of |kg| phi' */
+  double range;     /* the largest turn of tangents from one place to another */
+  size_t bends;     /* how often kg changes its sign */
+  double near, far; /* rho, of the places where it was evaluated */
+};
+
+/* What there is at a place; lengths are by the unit of `fast', which is `grow'
+ * of the data's. */
+struct ph_general_place {
+  ph_vec3 w, first; /* first: r' */
+  double rho, rate; /* phi' */
+  double bend;      /* kg phi' */
+};
+
+/*
+ * ph_general_of: prepares the directrices of all strips of a surface, whose
+ * curve has their control points and whose strips have their vertices.
+ *
+ * ret  PH_OK | PH_E_NO_CONVERGENCE (a tangent is, or is nearly, along its
+ *      ruling, or the curve meets the vertex) | PH_E_NO_MEMORY
+ */
+enum ph_status ph_general_of(struct ph_curve *curve, struct ph_arena *arena,
+                             struct ph_diag *diag);
+
+/* ph_general_at: what there is at u. */
+struct ph_general_place ph_general_at(const struct ph_directrix *directrix,
+                                      double u);
+
+/* ph_general_phi: phi at u. */
+double ph_general_phi(const struct ph_directrix *directrix, double u);
+
+/* ph_general_ruling: the ruling at u; s is not set. */
+struct ph_ruling ph_general_ruling(const struct ph_strip *strip, double u);
+
+/* ph_general_parameter: u where the arc length is s. */
+double ph_general_parameter(const struct ph_strip *strip, double s);
+
+/* ph_general_edge: the point of the development at u and h, and its derivative
+ * by u. */
+void ph_general_edge(const struct ph_strip *strip, double u, double h,
+                     double at[2], double by[2]);
+
+/* ph_general_area: of a strip between two heights. */
+double ph_general_area(const struct ph_strip *strip, const double height[2]);
+
+/*
+ * ph_general_flat: samples of the development of a strip, chords between which
+ * leave it by less than the tolerance.
+ *
+ * ret  PH_OK | PH_E_LIMIT | PH_E_NO_MEMORY
+ */
+enum ph_status ph_general_flat(struct ph_strip *strip, double tolerance,
+                               struct ph_arena *arena, struct ph_diag *diag);
+
+#endif

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# `cone' with method=atph: section 4.4.2 of [GON18] as an independent program has
+# found it, simple truths about general cones, and what can be wrong.
+#
+# A problem of tests/vectors/cone-atph.jsonl brings in `meta' what its strips
+# are, or the most that the functional of each of them may be.
+#
+# shellcheck disable=SC2016,SC2154  # programs of jq and awk; what errors.sh sets
+. "$srcdir/tests/cli/lib.sh"
+. "$srcdir/tests/cli/errors.sh"
+
+verified() {
+  run verify --problems=problem.json result.json
+  equal "$1: verified" '0 "ok"' "$status $(get status)"
+}
+
+# ---- as published --------------------------------------------------------------
+
+sed -n 1p "$srcdir/tests/vectors/cone-atph.jsonl" >problem.json
+run cone -q problem.json
+expect 'given angles' 0
+cp out result.json
+jq -c '.meta | .contact, (.strips[] | [.control_points, .length, .F1, .F2,
+  .development_angle])' problem.json >known
+jq -c '.strips[1].control_points[0], (.strips[] | [.control_points, .length, .F1,
+  .F2, .development_angle])' result.json >found
+numbers 'given angles: control points, lengths, F1, F2, angles' 1e-8 known found
+jq -c '.meta.strips[] | .F3' problem.json >known
+jq -c '.strips[] | .F3' result.json >found
+numbers 'given angles: F3' 1e-6 known found
+verified 'given angles'
+for line in 2 3 4; do
+  sed -n "${line}p" "$srcdir/tests/vectors/cone-atph.jsonl" >problem.json
+  run cone -q problem.json
+  cp out result.json
+  name=$(json get criterion problem.json | tr -d '"')
+  true_that "table 4.4, $name: no more than was found before" jq -e -s \
+    --arg f "$name" '.[0].meta.most as $most | [.[1].strips[][$f]] |
+      .[0] <= $most[0] and .[1] <= $most[1]' problem.json result.json
+  true_that "table 4.4, $name: alpha is at its bound" \
+    jq -e '.diagnostics.at_bound' result.json
+  verified "table 4.4, $name"
+done
+
+# ---- records -------------------------------------------------------------------
+
+points='"points":[[252.6524,62,92.5],[266.5158,65.1388,91.5]]'
+rulings='"rulings":[[-0.1151,0.2405,0.9638],[-0.1785,0.165,0.97]]'
+tangents='"tangents":[[0.9925,0.069,0.1013],[0.8847,0.4583,0.0849]]'
+elements="$points,$rulings,$tangents"
+good="{$elements,\"method\":\"atph\",\"apexes\":[-30,70]}"
+printf '%s\n' "$good" >problem.json
+
+run cone problem.json
+expect 'a record' 0
+equal 'a record: a strip' '{pair:number,method:string,frame:{point:[number],'\
+'ruling:[number],tangent:[number],normal:[number]},alpha:number,angles:[number],'\
+'control_points:[[number]],preimage:[[number]],length:number,vertex:[number],'\
+'development_angle:number,turn:number,F1:number,F2:number,F3:number,'\
+'shift:[number],development:{samples:[{t:number,point:[number]}],angle:number}}' \
+  "$(jq -c '.strips[0]' out | json shape)"
+equal 'a record: pairs, bends' 'absent 1' \
+  "$(get pairs) $(get diagnostics.inflections)"
+true_that 'a record: no worse than its certificate' jq -e '.diagnostics |
+  .frame_error < 1e-12 and .isometry_error < 1e-13 and .tangent_error < 1e-12' out
+true_that 'the defaults have the contact point nearest to the middle' jq -e '
+  def dot(a; b): a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  def minus(a; b): [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+  .strips as [$a, $b] |
+  dot(minus([259.5841, 63.5694, 92]; $b.frame.point);
+    minus($b.vertex; $a.vertex)) | fabs < 1e-9' out
+run cone -q --tolerance=1e-2 problem.json
+true_that 'a tolerance of the flat pattern: fewer samples, chords within' jq -e '
+  [.strips[].development.samples | length] | .[0] < 20 and .[1] < 20' out
+run cone -q --table=development problem.json
+true_that 'the development as a table: samples have no weights' awk -F, '
+  NR > 1 && NF != 6 { exit bad = 1 }
+  NR > 1 && $6 != "" { exit bad = 1 }
+  END { exit bad || NR < 50 }' out
+
+run cone -q --height='[-5,5]' --sample=8x2 problem.json
+expect 'samples' 0
+cp out result.json
+verified 'samples'
+true_that 'flat samples are as far from one another along a ruling' jq -e '
+  def apart: map(. * .) | add | sqrt;
+  .samples as $s | all(range(0; 54; 3); . as $i |
+    [$s[$i].flat, $s[$i + 2].flat] | [.[0][0] - .[1][0], .[0][1] - .[1][1]] |
+    apart - 10 | fabs < 1e-11)' result.json
+true_that 'samples of both strips meet' jq -e '
+  .samples as $s | all(range(0; 3); . as $i | $s[24 + $i].flat as $a |
+    $s[27 + $i].flat as $b | ($a[0] - $b[0] | fabs < 1e-11) and
+    ($a[1] - $b[1] | fabs < 1e-11))' result.json
+run cone -q --height='[-5,5]' --format=obj --sample=4x2 problem.json
+equal 'a mesh' '27 16' "$(grep -c '^v ' out) $(grep -c '^f ' out)"
+run cone -q --height='[-5,5]' --format=svg-path problem.json
+true_that 'a flat pattern: an outline and one ruling' \
+  awk '{ exit gsub(/M/, "") != 2 }' out
+
+# A flat pattern of an area is as large as that.
+run cone -q --height='[-5,5]' --sample=400x1 problem.json
+true_that 'the area is that of the flat pattern' jq -e '
+  def cross(a; b; c): (b[0] - a[0]) * (c[1] - a[1]) -
+    (b[1] - a[1]) * (c[0] - a[0]) | fabs;
+  .samples as $s | .area as $area | [range(0; 1602; 2) | select(. != 800) |
+    . as $i | (cross($s[$i].flat; $s[$i + 1].flat; $s[$i + 2].flat) +
+      cross($s[$i + 1].flat; $s[$i + 3].flat; $s[$i + 2].flat)) / 2] | add |
+  . / $area - 1 | fabs < 1e-5' out
+
+# ---- a row of elements -----------------------------------------------------------
+
+# Elements of the cone about z whose vertex is at (0,0,8/3), all around.
+awk 'BEGIN {
+  for (k = 0; k < 8; k++) {
+    t = k * atan2(1, 1)
+    p = p sprintf(",[%.17g,%.17g,0]", 2 * cos(t), 2 * sin(t))
+    r = r sprintf(",[%.17g,%.17g,0.8]", -0.6 * cos(t), -0.6 * sin(t))
+    d = d sprintf(",[%.17g,%.17g,0]", -sin(t), cos(t))
+    a = a (k % 2 ? ",2" : ",-3")
+  }
+  printf "{\"points\":[%s],\"rulings\":[%s],\"tangents\":[%s],", substr(p, 2),
+    substr(r, 2), substr(d, 2)
+  printf "\"apexes\":[%s],\"closed\":true,\"method\":\"atph\"}\n", substr(a, 2)
+}' >problem.json
+run cone -q --height='[-1,1]' problem.json
+expect 'a closed row' 0
+cp out result.json
+true_that 'a closed row: strips' jq -e '.closed and (.strips | length) == 16 and
+  .strips[15].pair == 7 and .diagnostics.frame_error < 1e-11' result.json
+run verify -q --set='height=[-1,1]' --problems=problem.json result.json
+equal 'a closed row: verified' '0 "ok"' "$status $(get status)"
+run cone -q --format=obj --sample=2x1 --height='[-1,1]' problem.json
+equal 'a closed row: a mesh that is closed' '64 32' \
+  "$(grep -c '^v ' out) $(grep -c '^f ' out)"
+
+# ---- what is wrong -------------------------------------------------------------
+
+errors_of cone
+bad missing-field apexes 'is missing: "method":"atph" has its vertices there' \
+  "{$elements,\"method\":\"atph\"}"
+bad bad-value apexes 'is of "method":"atph"' "{$elements,\"apexes\":[1,2]}"
+bad bad-value lambda 'is of "method":"circular"' \
+  "{$elements,\"method\":\"atph\",\"apexes\":[-30,70],\"lambda\":1}"
+bad bad-shape apexes 'must have 2 numbers, one for each point, found 1' \
+  "{$elements,\"method\":\"atph\",\"apexes\":[-30]}"
+bad bad-value 'apexes[1]' 'must not be 0: a vertex is away from its point' \
+  "{$elements,\"method\":\"atph\",\"apexes\":[-30,0]}"
+bad bad-value contact_point 'must be from 0, the first vertex, to 1, the '\
+'second, found 2' "{$elements,\"method\":\"atph\",\"apexes\":[-30,70],\
+\"contact_point\":2}"
+bad infeasible 'pairs[0]' 'has its contact point on the wrong side of a vertex: '\
+'apexes on opposite sides of their rulings have it between them, others beyond '\
+'both; look at apexes and contact_point' \
+  "{$elements,\"method\":\"atph\",\"apexes\":[-30,-70],\
+\"contact_point\":\"midpoint\"}"
+bad infeasible 'pairs[0]' 'has no common ruling: both vertices are the same '\
+'point' '{"points":[[1,0,0],[0,1,0]],"rulings":[[1,0,0],[0,1,0]],'\
+'"tangents":[[0,1,0],[-1,0,0]],"method":"atph","apexes":[-1,-1]}'
+bad missing-field alpha 'is missing: only the criteria F1, F2 and F3 choose it' \
+  "{$elements,\"method\":\"atph\",\"apexes\":[-30,70],\"angles\":[0,0]}"
+bad no-convergence 'strips[0]' 'is a loop: its spherical image turns by 6.08 to '\
+'one side, at most pi is allowed; other apexes, "contact_point":"nearest", or '\
+'another criterion may have none' "{$elements,\"method\":\"atph\",\
+\"apexes\":[-30,70],\"contact_point\":\"midpoint\"}"
