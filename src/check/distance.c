@@ -14,9 +14,12 @@
 
 #include "kernel/bern.h"
 
-/* Samples of each cubic, steps to a nearest point, searches everywhere, and
- * grids one within the other. */
-enum { GRID = 16, STEPS = 12, SEARCHES = 64, GRIDS = 8 };
+/* Samples of each cubic, steps to a nearest point, searches everywhere; cells
+ * that one looks at, and how often one is halved. */
+enum { GRID = 16, STEPS = 12, SEARCHES = 64, CELLS = 4096, DEPTH = 40 };
+
+/* A cell that is shorter than this part of the distance is not halved. */
+static const double SHORT = 1e-3;
 
 /* Rounding of points, for each degree too. */
 enum { ROUND_POINT = 32, ROUND_DEGREE = 4 };
@@ -153,46 +156,63 @@ static double nearest(const struct context *x, size_t side, ph_vec3 p,
   return away;
 }
 
-/* The smallest distance to [from,to] of what belongs to cubic k, on grids
- * within two cells of the one before: no step fails where the curve turns back.
- * They end where steps do not fail any more. */
-static double zoom(const struct context *x, size_t side, ph_vec3 p, size_t k,
-                   double from, double to) {
-  double away = HUGE_VAL, best = from;
-  for (int n = 0; n < GRIDS; n++) {
-    double cell = (to - from) / GRID;
-    for (int i = 0; i <= GRID; i++) {
-      double u = ph_check_smaller(from + i * cell, 1);
-      ph_vec3 slope;
-      double next = ph_check_apart(p, point_of(x, side, k, u, &slope));
-      if (next < away) {
-        away = next;
-        best = u;
-      }
-    }
-    from = ph_check_larger(best - cell, 0);
-    to = ph_check_smaller(best + cell, 1);
-  }
-  return refine(x, side, p, k, best);
+/* A place in what belongs to a cubic: its distance, and the speed there. */
+struct spot {
+  double u, away, speed;
+};
+
+static struct spot spot_at(const struct context *x, size_t side, ph_vec3 p,
+                           size_t k, double u) {
+  ph_vec3 slope, at = point_of(x, side, k, u, &slope);
+  struct spot spot = {u, ph_check_apart(p, at), ph_vec3_abs(slope)};
+  return spot;
 }
 
-/* nearest_of, beside each point of the grid that is nearer than the next ones:
- * a point may be between two strands. */
+/* The largest |r''| by u of what belongs to cubic k. */
+static double second_of(const struct context *x, size_t side, size_t k) {
+  const struct part *part = &x->part[k];
+  size_t n = side == 0 ? part->degree : 3;
+  double width = side == 0 ? part->to - part->from : 1, most = 0;
+  const double *p = ph_curve_points(x->v->curve, k);
+  for (size_t i = 0; i + 2 <= n; i++) {
+    ph_vec3 c[3];
+    for (size_t j = 0; j < 3; j++) {
+      c[j] = side == 0 ? x->chain_p[part->first + i + j]
+                       : ph_check_vector(x->v, p + 2 * (i + j), 2);
+    }
+    c[0] = ph_vec3_along(ph_vec3_add(c[0], c[2]), -2, c[1]);
+    most = ph_check_larger(most, ph_vec3_abs(c[0]));
+  }
+  return (double)(n * (n - 1)) * width * width * most;
+}
+
+/* nearest_of, wherever in what belongs to cubic k: the speed of a cell is at
+ * most the mean of those at its ends and half the change that r'' makes, so
+ * that its length may keep it away.  Others are halved, until they are short.
+ */
 static double nearest_closely(const struct context *x, size_t side, ph_vec3 p,
                               size_t k) {
-  double away = HUGE_VAL, grid[GRID + 1];
-  for (size_t i = 0; i <= GRID; i++) {
-    grid[i] = ph_check_apart(p, grid_at(x, side, k, i));
+  const double second = second_of(x, side, k);
+  struct spot stack[GRID + DEPTH + 1], best = {0, HUGE_VAL, 0};
+  size_t n = 0;
+  for (size_t i = GRID + 1; i-- > 0;) {
+    stack[n] = spot_at(x, side, p, k, (double)i / GRID);
+    best = stack[n].away < best.away ? stack[n] : best;
+    n++;
   }
-  for (size_t i = 0; i <= GRID && !ph_arena_late(x->v->scratch); i++) {
-    size_t before = i > 0 ? i - 1 : 0, after = i < GRID ? i + 1 : GRID;
-    if (!(grid[before] < grid[i]) && !(grid[after] < grid[i])) {
-      double next =
-          zoom(x, side, p, k, (double)before / GRID, (double)after / GRID);
-      away = ph_check_smaller(away, next);
+  for (int seen = 0; n > 1 && seen < CELLS; seen++) { /* from left to right */
+    const struct spot a = stack[n - 1], b = stack[n - 2];
+    double h = b.u - a.u, length = (a.speed + b.speed + second * h) / 2 * h;
+    if (length <= SHORT * best.away || n > GRID + DEPTH ||
+        a.away + b.away - length >= 2 * best.away) {
+      n--;
+      continue;
     }
+    stack[n - 1] = spot_at(x, side, p, k, a.u + h / 2);
+    best = stack[n - 1].away < best.away ? stack[n - 1] : best;
+    stack[n++] = a;
   }
-  return away;
+  return refine(x, side, p, k, best.u);
 }
 
 static void check_sample(struct context *x, size_t side, size_t k, size_t i) {

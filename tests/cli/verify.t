@@ -289,6 +289,15 @@ echo '{"curve":[[0,0],[8.7e-14,-1.75e-13],[0.77,0.26]],"pieces":7}' >short
 made tc --offset=0.84 <short
 verified 'an offset beside a leg that is rounding' 1 --problems=short
 
+# a hairpin between two points of the grid on which the nearest one is looked for
+echo '{"curve":[[0,0],[4.6,7.5],[4.5,7.2]],"tolerance":0.8}' >hairpin
+made tc <hairpin
+verified 'the distance from a hairpin' 1 --problems=hairpin
+sed 's/"distance":0.01155/"distance":0.00955/' r >tampered
+run verify --problems=hairpin tampered
+equal 'its distance, less than there is' '1 "not-verified"' \
+  "$status $(get error.code)"
+
 # a cusp where the curve turns back, at distance 0
 echo '{"points":[[0,-8e183,0],[-1.98e185,-5.5e183,4.4e184],
   [-2.922e184,-7.97e182,6.4504e183],[-6.8653e184,-1.901e183,1.517e184],
