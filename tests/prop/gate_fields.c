@@ -428,34 +428,21 @@ static void tc_pair(struct data *d) {
   }
 }
 
-/* With continuous curvature. */
-static void tc_g2(struct data *d) {
-  gate_set_word(d->c, PH_F_MODE, "g2", 0);
-  if (chance(d->r, 8)) {
-    word(d, PH_F_AUXILIARY);
-  }
-  if (gate_has(d->c, PH_F_CLOSED)) {
-    return;
-  }
-  if (chance(d->r, 3)) {
-    gate_set_word(d->c, PH_F_ENDS, chance(d->r, 2) ? "smooth" : "circle", 0);
+static void tc_spline(struct data *d, bool g2) {
+  const char *rule = g2 ? "smooth" : "chord";
+  if (g2) {
+    gate_set_word(d->c, PH_F_MODE, "g2", 0);
   } else if (chance(d->r, 3)) {
-    directions(d, PH_F_END_TANGENTS, 2);
-  }
-}
-
-static void tc_spline(struct data *d) {
-  if (chance(d->r, 3)) {
     number(d, PH_F_LAMBDA);
   }
   if (gate_has(d->c, PH_F_CLOSED)) {
     return;
   }
-  if (chance(d->r, 4)) {
-    gate_set_word(d->c, PH_F_ENDS, chance(d->r, 2) ? "chord" : "circle", 0);
+  if (chance(d->r, 3)) {
+    gate_set_word(d->c, PH_F_ENDS, chance(d->r, 2) ? rule : "circle", 0);
   } else if (chance(d->r, 4)) {
     directions(d, PH_F_END_TANGENTS, 2);
-  } else if (chance(d->r, 4)) {
+  } else if (!g2 && chance(d->r, 4)) {
     derivatives(d, PH_F_END_DERIVATIVES, 2);
   }
 }
@@ -477,10 +464,8 @@ static void tc(struct data *d) {
     tc_approximate(d);
   } else if (how == 1) {
     derivatives(d, PH_F_DERIVATIVES, d->n);
-  } else if (how == 2) {
-    tc_spline(d);
-  } else if (how == 3) {
-    tc_g2(d);
+  } else if (how < 4) {
+    tc_spline(d, how == 3);
   } else {
     directions(d, PH_F_TANGENTS, d->n);
     if (how > 4) {
