@@ -430,9 +430,7 @@ static void tc_pair(struct data *d) {
 
 static void tc_spline(struct data *d, bool g2) {
   const char *rule = g2 ? "smooth" : "chord";
-  if (g2) {
-    gate_set_word(d->c, PH_F_MODE, "g2", 0);
-  } else if (chance(d->r, 3)) {
+  if (!g2 && chance(d->r, 3)) {
     number(d, PH_F_LAMBDA);
   }
   if (gate_has(d->c, PH_F_CLOSED)) {
@@ -465,6 +463,7 @@ static void tc(struct data *d) {
   } else if (how == 1) {
     derivatives(d, PH_F_DERIVATIVES, d->n);
   } else if (how < 4) {
+    gate_set_word(d->c, PH_F_MODE, how == 3 ? "g2" : "spline", 0);
     tc_spline(d, how == 3);
   } else {
     directions(d, PH_F_TANGENTS, d->n);
