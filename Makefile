@@ -45,7 +45,7 @@ VALGRIND ?= valgrind -q --error-exitcode=9 --leak-check=full \
 # what distcheck runs in the unpacked tree
 FUZZ_TIME ?= 60
 TEST_JOBS ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
-DEPS ?= build test $(PLOT)
+DEPS ?= build test $(PLOT) $(VOLUME)
 DISTCHECK_TARGETS ?= check
 
 # $(call pkg,OPTION,MODULE,FALLBACK): ask pkg-config, or hope for the best
@@ -68,12 +68,22 @@ CAIRO_CFLAGS := $(call pkg,--cflags,cairo)
 CAIRO_LIBS := $(call pkg,--libs,cairo)
 endif
 
+# nothing where there is no teem, of which pkg-config knows nothing
+ifndef TEEM_LIBS
+TEEM_LIBS := $(shell printf '%s\n' '#include <teem/nrrd.h>' 'int main(void)' \
+	'{ return !nrrdLoad; }' | $(CC) -x c -o /dev/null - -lteem 2>/dev/null && \
+	echo -lteem)
+endif
+
 -include config.mk
 
 # No cairo, no --plot; the rest works.  WITHOUT_CAIRO=1, as ./configure
 # --without-cairo, leaves out one that is there.
 CAIRO = $(if $(WITHOUT_CAIRO),,$(CAIRO_LIBS))
 PLOT = $(if $(WITHOUT_CAIRO),,plot)
+# No teem, no --panorama: the same with WITHOUT_TEEM=1.
+TEEM = $(if $(WITHOUT_TEEM),,$(TEEM_LIBS))
+VOLUME = $(if $(WITHOUT_TEEM),,volume)
 
 # ---- flags -------------------------------------------------------------------
 # Order: warnings (CFLAGS may silence one), CFLAGS, then what the results depend
@@ -106,11 +116,12 @@ ALL_FLAGS = $(CC) $(CPPFLAGS) $(CFLAGS) $(VFLAGS_$(VARIANT)) $(LDFLAGS)
 hardening = $(shell sed 1d $(B)/hardening 2>/dev/null)
 
 COMPILE = $(CC) $(WARNINGS) $(filter -D% -f%,$(hardening)) $(GSL_CFLAGS) \
-	$(CJSON_CFLAGS) $(if $(CAIRO),-DPH_CAIRO $(CAIRO_CFLAGS)) $(CPPFLAGS) $(CFLAGS) \
+	$(CJSON_CFLAGS) $(if $(CAIRO),-DPH_CAIRO $(CAIRO_CFLAGS)) \
+	$(if $(TEEM),-DPH_TEEM $(TEEM_CFLAGS)) $(CPPFLAGS) $(CFLAGS) \
 	$(MANDATORY) $(VFLAGS_$(VARIANT))
 LINK = $(CC) $(filter-out -D%,$(hardening)) $(CFLAGS) $(MANDATORY) \
 	$(VFLAGS_$(VARIANT)) $(LDFLAGS)
-LIBRARIES = $(GSL_LIBS) $(CJSON_LIBS) $(CAIRO) $(LIBS) -lm
+LIBRARIES = $(GSL_LIBS) $(CJSON_LIBS) $(CAIRO) $(TEEM) $(LIBS) -lm
 
 # V=1 shows whole command lines
 Q = $(if $(V),,@)
@@ -433,4 +444,4 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1 \2/p' $(S)Makefile | \
 	  while read -r t d; do printf '  %-11s %s\n' "$$t" "$$d"; done
 	@echo 'Variables: CC CFLAGS CPPFLAGS LDFLAGS prefix DESTDIR WERROR=1 V=1' \
-	  'WITHOUT_CAIRO=1'
+	  'WITHOUT_CAIRO=1 WITHOUT_TEEM=1'

@@ -50,3 +50,13 @@ draw magellan "phspline sphere $data/magellan-elcano.csv --offset=-0.1,0.1"
 draw spanner "phspline tc $data/spanner.json --tolerance=0.01 --offset=-3"
 draw lampshade "phspline cone $data/lampshade.csv --closed --height='[0,18]'" png
 draw byrtus-figure5-15 "grep figure-5.15 $data/byrtus-2011.jsonl | phspline tc"
+
+# a synthetic jaw, laid flat: where there is Python, which makes it
+if command -v python3 >/dev/null; then
+  python3 "$data/jaw.py" "$out"
+  echo "phspline cone $out/jaw.csv --height='[-1,24]' --volume=$out/jaw.nrrd" \
+    "--resolution=8 --panorama=$out/jaw.png"
+  phspline cone "$out/jaw.csv" --height='[-1,24]' --volume="$out/jaw.nrrd" \
+    --resolution=8 --panorama="$out/jaw.png"
+  rm "$out/jaw.csv" "$out/jaw.nrrd"
+fi

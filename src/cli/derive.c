@@ -214,6 +214,27 @@ static enum ph_status derive_polygons(const struct ph_options *o,
   return status;
 }
 
+static enum ph_status derive_panorama(const struct ph_options *o,
+                                      struct ph_arena *arena,
+                                      struct ph_result *r,
+                                      struct ph_diag *diag) {
+  struct ph_panorama *p = &r->panorama;
+  enum ph_status status;
+  if (!(r->curve.surface.height[1] > r->curve.surface.height[0])) {
+    return ph_fail(diag, PH_E_BAD_VALUE, "height",
+                   "must have an extent for --panorama, as in "
+                   "--height=[-1,1]");
+  }
+  status = ph_panorama_of(&r->curve, &o->volume, o->resolution, o->grid.most,
+                          arena, p, diag);
+  if (status == PH_OK && p->outside) {
+    ph_warn(r, PH_NO_SEGMENT, PH_W_OUTSIDE,
+            "%zu of %zu points of the panorama are outside of the volume",
+            p->outside, p->points);
+  }
+  return status;
+}
+
 static enum ph_status derive_surface(const struct ph_options *o,
                                      struct ph_arena *arena,
                                      struct ph_result *r,
@@ -233,6 +254,9 @@ static enum ph_status derive_surface(const struct ph_options *o,
                      "--height=[-1,1]",
                      ph_format_name(o->format));
     }
+  }
+  if (status == PH_OK && o->panorama) {
+    status = derive_panorama(o, arena, r, diag);
   }
   if (status == PH_OK && format->is_cubics) {
     return derive_flat(arena, r, derived, diag);

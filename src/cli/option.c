@@ -11,6 +11,7 @@
 #include "cli/option_value.h"
 
 #include "base/suggest.h"
+#include "cli/panorama.h"
 #include "cli/plot.h"
 
 #include <getopt.h>
@@ -258,6 +259,7 @@ static enum ph_status check_together(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
   const struct ph_method *method = o->command->method;
   const struct ph_format_row *format;
+  enum ph_status status;
   if (p->table && !p->format) {
     o->format = PH_FORMAT_CSV;
   }
@@ -308,7 +310,8 @@ static enum ph_status check_together(struct ph_option_parser *p) {
                    "--convert: the curves of %s are no Bezier curves",
                    o->command->schema->command);
   }
-  return ph_plot_check(o, p->diag);
+  status = ph_plot_check(o, p->diag);
+  return status == PH_OK ? ph_panorama_check(o, p->diag) : status;
 }
 
 /* What a record may take, unless --max-memory says it: a quarter of all. */

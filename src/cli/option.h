@@ -14,6 +14,7 @@
 #include "cli/sweep.h"
 #include "curve/sample/sample.h"
 #include "curve/surface/grid.h"
+#include "curve/surface/volume.h"
 #include "io/format.h"
 #include "io/split.h"
 
@@ -87,6 +88,14 @@
     "FILE.pdf or FILE.png")                                                   \
   X(PLOT_SIZE, SOLVE, 0, "plot-size", "WIDTHxHEIGHT",                         \
     "size of the figure, in pixels (.png) or points of 1/72 inch")            \
+  X(VOLUME, SURFACE, 0, "volume", "FILE.nrrd",                                \
+    "the volume that --panorama shows")                                       \
+  X(PANORAMA, SURFACE, 0, "panorama", "FILE",                                 \
+    "the volume on the surface, laid flat: FILE.png or FILE.nrrd")            \
+  X(RESOLUTION, SURFACE, 0, "resolution", "R",                                \
+    "points of the panorama over the unit of length")                         \
+  X(FILL, SURFACE, 0, "fill", "X",                                            \
+    "what the panorama has beside the surface and the volume (default: 0)")   \
   X(CONVERT, CURVE, 0, "convert", "bezier",                                   \
     "write atph segments as polynomial quintic Bezier segments")              \
   X(TOLERANCE, CURVE, 0, "tolerance", "E",                                    \
@@ -177,7 +186,11 @@ struct ph_options {
   double *offsets;
   size_t offsets_n;
   struct ph_sample_rules samples;
-  struct ph_grid_rules grid;      /* of surfaces; along 0: none */
+  struct ph_grid_rules grid;          /* of surfaces; along 0: none */
+  const char *panorama, *volume_file; /* NULL: none */
+  double resolution, fill;
+  bool fill_given;
+  struct ph_volume volume;        /* read by cli/panorama.h */
   const char *plot;               /* NULL: none */
   size_t plot_width, plot_height; /* 0: the default */
 };

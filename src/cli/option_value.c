@@ -96,6 +96,18 @@ static enum ph_status read_positive(struct ph_option_parser *p,
   return PH_OK;
 }
 
+static enum ph_status read_fill(struct ph_option_parser *p) {
+  struct ph_options *o = p->options;
+  const char *end = optarg + strlen(optarg);
+  char excerpt[PH_EXCERPT_MAX];
+  o->fill_given = true;
+  return ph_number_read_text(optarg, end, &o->fill) == end && isfinite(o->fill)
+             ? PH_OK
+             : ph_fail(p->diag, PH_E_USAGE, NULL,
+                       "--fill must be a number, found '%s'",
+                       ph_excerpt(optarg, strlen(optarg), excerpt));
+}
+
 /* One of the three ways of taking samples. */
 static enum ph_status read_samples(struct ph_option_parser *p,
                                    enum ph_option_id id) {
@@ -375,6 +387,31 @@ static enum ph_status read_stream(struct ph_option_parser *p,
   return status;
 }
 
+/* What pictures are made of, and else of what is read and written. */
+static enum ph_status read_picture(struct ph_option_parser *p,
+                                   enum ph_option_id id) {
+  struct ph_options *o = p->options;
+  switch (id) {
+  case PH_O_VOLUME:
+    o->volume_file = optarg;
+    return PH_OK;
+  case PH_O_PANORAMA:
+    o->panorama = optarg;
+    return PH_OK;
+  case PH_O_RESOLUTION:
+    return read_positive(p, id, &o->resolution);
+  case PH_O_FILL:
+    return read_fill(p);
+  case PH_O_PLOT:
+    o->plot = optarg;
+    return PH_OK;
+  case PH_O_PLOT_SIZE:
+    return ph_plot_read_size(optarg, o, p->diag);
+  default:
+    return read_stream(p, id);
+  }
+}
+
 /* The other options with arguments. */
 static enum ph_status read_argument(struct ph_option_parser *p,
                                     enum ph_option_id id) {
@@ -421,13 +458,8 @@ static enum ph_status read_argument(struct ph_option_parser *p,
     status = choose(p, id, words, &which);
     o->samples.frame = (enum ph_frame)(which + 1);
     return status;
-  case PH_O_PLOT:
-    o->plot = optarg;
-    return PH_OK;
-  case PH_O_PLOT_SIZE:
-    return ph_plot_read_size(optarg, o, p->diag);
   default:
-    return read_stream(p, id);
+    return read_picture(p, id);
   }
 }
 

@@ -12,9 +12,12 @@
 #include "cli/message.h"
 #include "cli/output.h"
 #include "cli/pairing.h"
+#include "cli/panorama.h"
 #include "cli/plot.h"
 #include "cli/progress.h"
 #include "cli/work.h"
+
+#include "io/nrrd.h"
 
 #include <pthread.h>
 #include <string.h>
@@ -42,6 +45,8 @@ struct run {
   struct ph_pairing pairing; /* with --problems */
   struct ph_output output;
   struct ph_plot plot;
+  struct ph_output picture;     /* of --panorama */
+  struct ph_panorama *panorama; /* NULL: no result has one */
   struct ph_progress progress;
   struct ph_buf message;
   enum ph_class class; /* the worst so far */
@@ -277,13 +282,17 @@ static size_t count_outcomes(struct run *r, const struct slot *slot) {
   return slot->n;
 }
 
-/* Takes the drawings of the first n items of a slot. */
+/* Takes the drawings and panoramas of the first n items of a slot. */
 static void collect_drawings(struct run *r, struct slot *slot, size_t n) {
   struct ph_diag diag;
   for (size_t i = 0; i < n; i++) {
     struct ph_item *item = &slot->items[i];
     struct ph_drawing *drawing = item->drawing;
     item->drawing = NULL;
+    if (item->panorama) {
+      r->panorama = item->panorama;
+      item->panorama = NULL;
+    }
     if (item->status == PH_OK &&
         ph_plot_add(&r->plot, drawing, &diag) != PH_OK) {
       complain(r, &diag);
@@ -404,6 +413,7 @@ static void release(struct run *r) {
   for (size_t i = 0; r->slots && i < r->slots_n; i++) {
     for (size_t k = 0; k < r->slots[i].n; k++) {
       ph_drawing_free(r->slots[i].items[k].drawing);
+      ph_free(r->slots[i].items[k].panorama);
     }
     ph_buf_free(&r->slots[i].text);
     ph_buf_free(&r->slots[i].out);
@@ -420,6 +430,8 @@ static void release(struct run *r) {
   ph_pairing_free(&r->pairing);
   ph_plot_free(&r->plot);
   ph_output_discard(&r->output);
+  ph_output_discard(&r->picture);
+  ph_free(r->panorama);
 }
 
 /* What the format has before all records. */
@@ -474,6 +486,10 @@ static void conclude(struct run *r) {
   }
   if (whole && r->class < PH_CLASS_OUTPUT) {
     finish_plot(r);
+    if (ph_panorama_write(r->options, r->panorama, &r->picture, &diag) !=
+        PH_OK) {
+      complain(r, &diag);
+    }
   }
   if (r->progress.failed && !r->options->quiet) {
     ph_message_printf(&r->message, "phspline: %zu of %zu records failed\n",
@@ -492,13 +508,20 @@ static enum ph_status open_outputs(struct run *r, struct ph_diag *diag) {
   for (size_t i = 0; status == PH_OK && i < o->files_n; i++) {
     status = ph_output_unlike(&r->output, o->files[i], diag);
   }
-  return status == PH_OK ? ph_plot_open(&r->plot, o, diag) : status;
+  if (status == PH_OK) {
+    status = ph_plot_open(&r->plot, o, diag);
+  }
+  return status == PH_OK && o->panorama
+             ? ph_output_open(&r->picture, o->panorama, !o->no_sync, diag)
+             : status;
 }
 
 int ph_run(const struct ph_options *options) {
-  const struct ph_options *o = options;
-  struct run r = {.options = options,
+  struct ph_options with = *options; /* ... the volume */
+  const struct ph_options *o = &with;
+  struct run r = {.options = o,
                   .output = {.descriptor = -1},
+                  .picture = {.descriptor = -1},
                   .plot = {.output = {.descriptor = -1}}};
   struct thread_start *starts = NULL;
   struct ph_diag diag;
@@ -510,6 +533,9 @@ int ph_run(const struct ph_options *options) {
                          o->command->schema, &diag);
   if (status == PH_OK && !allocate(&r)) {
     status = ph_fail_memory(&diag);
+  }
+  if (status == PH_OK && o->volume_file) {
+    status = ph_nrrd_read(o->volume_file, o->max_memory, &with.volume, &diag);
   }
   if (status == PH_OK) {
     status = open_outputs(&r, &diag);
@@ -533,6 +559,7 @@ int ph_run(const struct ph_options *options) {
   send(&r);
   ph_free(starts);
   release(&r);
+  ph_nrrd_free(&with.volume);
   pthread_cond_destroy(&r.changed);
   pthread_mutex_destroy(&r.lock);
   return (int)r.class;

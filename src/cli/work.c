@@ -6,6 +6,7 @@
 #include "cli/derive.h"
 #include "cli/merged.h"
 #include "cli/message.h"
+#include "cli/panorama.h"
 #include "cli/plot.h"
 #include "io/csv_in.h"
 #include "io/json_in.h"
@@ -298,6 +299,8 @@ static enum ph_status try_write(struct task *t,
   if (status != PH_OK) {
     ph_drawing_free(t->item->drawing);
     t->item->drawing = NULL;
+    ph_free(t->item->panorama);
+    t->item->panorama = NULL;
     ph_buf_cut(out, start, PH_WORK_KEEP);
   }
   return status;
@@ -341,6 +344,16 @@ static void report(struct task *t, const struct ph_subject *subject,
   }
 }
 
+/* Of the first record; where there are others, they fail. */
+static enum ph_status keep_panorama(struct task *t) {
+  if (t->item->record.number > 1) {
+    return ph_fail(&t->diag, PH_E_BAD_VALUE, NULL,
+                   "is not the only problem: --panorama is the picture of one");
+  }
+  t->item->panorama = ph_panorama_copy(&t->result.panorama);
+  return t->item->panorama ? PH_OK : ph_fail_memory(&t->diag);
+}
+
 void ph_work(const struct ph_options *options, struct ph_worker *worker,
              struct ph_item *item, struct ph_buf *out, struct ph_buf *err) {
   const struct ph_record *record = &item->record;
@@ -364,6 +377,9 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   }
   if (item->status == PH_OK && item->draw) {
     item->status = draw(&t, subject.id);
+  }
+  if (item->status == PH_OK && options->panorama) {
+    item->status = keep_panorama(&t);
   }
   heading.swept = t.swept;
   heading.swept_n = t.swept_n;

@@ -31,6 +31,7 @@ struct ph_item {
   const struct ph_paired *paired; /* the problem of a result (cli/pairing.h) */
   bool draw;                      /* for the figure */
   struct ph_drawing *drawing;     /* out: to be freed; NULL: there is none */
+  struct ph_panorama *panorama;   /* out: the same */
   enum ph_status status;          /* the outcome */
 };
 

@@ -495,6 +495,7 @@ struct ph_result {
   size_t parallels_n;
   struct ph_surface_samples grid; /* of a surface */
   struct ph_located_list located; /* of a surface */
+  struct ph_panorama panorama;    /* of a surface */
   struct ph_diagnostics diagnostics;
   struct ph_warning warnings[PH_WARNINGS_MAX];
   size_t warnings_n;

@@ -101,6 +101,8 @@ static const struct ph_member surface[] = {
     {"located", MAY, ANY, AS("[+]", located),
      LIST(ph_result, located.v, located.n),
      "the points of flat that are on the surface, in their order"},
+    {"panorama", MAY, ANY, AS("", panorama),
+     LIST(ph_result, panorama, panorama.width), "the volume on the surface"},
     {"diagnostics", TOLD, ANY, AS("", certificate), AT(ph_result, diagnostics),
      "the certificate of the surface, and how it was found"},
     {"warnings", MAY, ANY, AS("[+]", warning),
@@ -245,6 +247,22 @@ static const struct ph_member located[] = {{"index", MUST, ANY, AS("", whole),
                                             "of the point in flat"},
                                            NODE(ph_located, at.),
                                            LAST};
+
+static const struct ph_member panorama[] = {
+    {"resolution", MUST, ANY, AS("", positive), AT(ph_panorama, resolution),
+     "points over the unit"},
+    {"width", MUST, ANY, AS("", whole), AT(ph_panorama, width),
+     "points in a row"},
+    {"height", MUST, ANY, AS("", whole), AT(ph_panorama, height), "rows"},
+    {"origin", MUST, ANY, AS("[2]", number), AT(ph_panorama, origin),
+     "the point of the development that is the first in the upper row"},
+    {"points", MUST, ANY, AS("", whole), AT(ph_panorama, points),
+     "those on the development"},
+    {"outside", MUST, ANY, AS("", whole), AT(ph_panorama, outside),
+     "of these, those outside of the volume"},
+    {"range", TOLD, ANY, AS("[2]", open), AT(ph_panorama, range),
+     "the least and the greatest value, or null"},
+    LAST};
 
 #define ERROR ROW("error", MUST, ANY, "error", "why there is no result")
 
@@ -505,6 +523,7 @@ static const struct ph_members objects[] = {
     {"parallel", false, parallel, sizeof(struct ph_parallel)},
     {"node", true, node, sizeof(struct ph_surface_sample)},
     {"located", true, located, sizeof(struct ph_located)},
+    {"panorama", true, panorama, sizeof(struct ph_panorama)},
     {"segment", false, segment, 0},
     {"interval", false, interval, sizeof(struct ph_interval)},
     {"joint", false, joint, sizeof(struct ph_joint)},

@@ -89,6 +89,7 @@ TYPE(pair, "pair", LIST, 0, 0, 0);
 TYPE(flat_sample, "flat_sample", LIST, 0, 0, 0);
 TYPE(parallel, "parallel", LIST, 0, 0, 0);
 TYPE(node, "node", LIST, 0, 0, 0);
+TYPE(panorama, "panorama", OBJECT, sizeof(struct ph_panorama), 0, 0);
 TYPE(located, "located", LIST, 0, 0, 0);
 TYPE(strip_frame, "strip_frame", OBJECT, sizeof(struct ph_strip_frame), 0, 0);
 TYPE(arc3, "arc3", OBJECT, sizeof(struct ph_arc3), 0, 0);

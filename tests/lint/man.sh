@@ -174,8 +174,8 @@ items man/phspline.5 PROBLEMS Cm >"$tmp/page"
 same "problems" "$tmp/list" "$tmp/page"
 
 # no page speaks of an option that is none; examples may use other programs
-cat "$tmp/options" "$tmp/options.verify" | sed 's/.*--//; s/=.*//' |
-  sort -u - "$tmp/fields" >"$tmp/list"
+cat "$tmp/options" "$tmp/options.surface" "$tmp/options.verify" |
+  sed 's/.*--//; s/=.*//' | sort -u - "$tmp/fields" >"$tmp/list"
 for page in man/*.[1-9]; do
   awk '/^\.Sh / { skip = /EXAMPLE/ } !skip && !/^\.\\"/' "$page" |
     sed 's/\\-/-/g' | grep -oE '(Fl -|--)[a-z][a-z_-]*' |

@@ -155,6 +155,17 @@ struct ph_located_list {
   size_t n;
 };
 
+/* What a surface meets of a volume, laid flat (volume.h). */
+struct ph_panorama {
+  double resolution;    /* points over the unit */
+  size_t width, height; /* points in a row; rows.  0: there is none */
+  double origin[2];     /* of the first point, on the left of the upper row */
+  size_t points;        /* on the development */
+  size_t outside;       /* of these, outside of the volume */
+  double range[2];      /* of all values; NaN: there are none */
+  double *v;            /* [height][width], NaN where there is none */
+};
+
 /* What a surface has beside the rest of its struct ph_curve, whose segments are
  * its strips: n, lengths, length and closed are there. */
 struct ph_surface {

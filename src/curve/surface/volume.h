@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Volumes, numbers at the points of a lattice, and panoramas: what a surface
+ * meets of one, laid flat.
+ */
+#ifndef PH_CURVE_SURFACE_VOLUME_H
+#define PH_CURVE_SURFACE_VOLUME_H
+
+#include "base/diag.h"
+#include "base/mem.h"
+#include "curve/result.h"
+
+#include <stdint.h>
+
+/* The types of numbers: X(SYMBOL, type). */
+#define PH_VOXELS(X)   \
+  X(I8, signed char)   \
+  X(U8, unsigned char) \
+  X(I16, int16_t)      \
+  X(U16, uint16_t)     \
+  X(I32, int32_t)      \
+  X(U32, uint32_t)     \
+  X(F32, float)        \
+  X(F64, double)
+
+enum ph_voxel {
+#define X(symbol, type) PH_VOXEL_##symbol,
+  PH_VOXELS(X)
+#undef X
+      PH_VOXEL_N
+};
+
+/* The lattice point i, j, k, from 0 to n - 1 each, has the number v[i + n[0] (j
+ * + n[1] k)] and is at the origin, plus i, j and k times the columns of a
+ * matrix, of which this is the inverse. */
+struct ph_volume {
+  enum ph_voxel type;
+  const void *v;
+  size_t n[3]; /* 2 or more */
+  double origin[3], inverse[3][3];
+};
+
+/*
+ * ph_volume_at: the number at a point, by trilinear interpolation between the
+ * eight lattice points around it.
+ *
+ * ret  whether the point is in the lattice
+ */
+bool ph_volume_at(const struct ph_volume *volume, const double point[3],
+                  double *value);
+
+/*
+ * ph_panorama_of: the points of the development at multiples of 1/resolution
+ * from the upper left corner of its bounding box on, row by row downwards, and
+ * what the volume has there.  What is beside the development, or the volume, is
+ * NaN.
+ *
+ * in   most  points of a panorama
+ * ret  PH_OK | PH_E_LIMIT | PH_E_NO_MEMORY
+ */
+enum ph_status ph_panorama_of(const struct ph_curve *curve,
+                              const struct ph_volume *volume, double resolution,
+                              size_t most, struct ph_arena *arena,
+                              struct ph_panorama *panorama,
+                              struct ph_diag *diag);
+
+#endif
