@@ -143,6 +143,7 @@ static void subtract(const struct ph_check_distance *d, struct part *part,
                      struct difference *out) {
   bool nearest = part->way.nearest;
   ph_cplx *composed = room_of(d, ROOM - 2), *c = room_of(d, ROOM - 1);
+  ph_cplx nine[COMPOSED + 1];
   double x = part->from, y = part->to;
   size_t n = part->degree, degree = n > COMPOSED ? n : COMPOSED;
   ph_cplx *r = out->r;
@@ -160,14 +161,9 @@ static void subtract(const struct ph_check_distance *d, struct part *part,
   if (!(part->inner[0] <= part->inner[1])) {
     part->inner[0] = part->inner[1] = (part->inner[0] + part->inner[1]) / 2;
   }
-  compose(r, part->inner, composed);
-  memcpy(c, part->c, (n + 1) * sizeof *c);
-  for (size_t i = COMPOSED; i < degree; i++) {
-    ph_bern_raise(composed, i);
-  }
-  for (size_t i = n; i < degree; i++) {
-    ph_bern_raise(c, i);
-  }
+  compose(r, part->inner, nine);
+  ph_bern_lift(nine, COMPOSED, degree, composed);
+  ph_bern_lift(part->c, n, degree, c);
   out->composed = composed;
   out->c = c;
   out->degree = degree;

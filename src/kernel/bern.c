@@ -27,10 +27,18 @@ void ph_bern_cut(const ph_cplx *c, size_t degree, double u, ph_cplx *left,
   left[degree] = right[0];
 }
 
-void ph_bern_raise(ph_cplx *c, size_t degree) {
-  double n = (double)degree + 1;
-  c[degree + 1] = c[degree];
-  for (size_t k = degree; k > 0; k--) {
-    c[k] = ph_cplx_between(c[k], c[k - 1], (double)k / n);
+void ph_bern_lift(const ph_cplx *c, size_t from, size_t to, ph_cplx *out) {
+  size_t more = to - from;
+  for (size_t k = 0; k <= to; k++) {
+    size_t j = k > more ? k - more : 0, last = k < from ? k : from;
+    double weight = 1, all = 1;
+    ph_cplx sum = c[j];
+    for (; j < last; j++) {
+      weight *= (double)((from - j) * (k - j)) /
+                (double)((j + 1) * (more + j + 1 - k));
+      all += weight;
+      sum = ph_cplx_add(sum, ph_cplx_scale(weight, c[j + 1]));
+    }
+    out[k] = ph_cplx_scale(1 / all, sum);
   }
 }

@@ -26,8 +26,14 @@ void ph_bern_basis(size_t degree, double u, double *basis);
 void ph_bern_cut(const ph_cplx *c, size_t degree, double u, ph_cplx *left,
                  ph_cplx *right);
 
-/* ph_bern_raise: the same polynomial with one degree more, in place.
- * inout  c[degree + 2] */
-void ph_bern_raise(ph_cplx *c, size_t degree);
+/*
+ * ph_bern_lift: the same polynomial with a higher degree, at O(from to).
+ *
+ *   out[k] = sum_j c[j] C(from, j) C(to - from, k - j) / C(to, k)
+ *
+ * in   c[from + 1]  from <= 9, or to; more would leave the range of a double
+ * out  out[to + 1]  to <= 500; not c
+ */
+void ph_bern_lift(const ph_cplx *c, size_t from, size_t to, ph_cplx *out);
 
 #endif

@@ -333,13 +333,6 @@ static void compose(const ph_cplx c[4], const double inner[2],
   }
 }
 
-/* From degree n to degree m >= n, in place. */
-static void elevate(ph_cplx *c, size_t n, size_t m) {
-  for (; n < m; n++) {
-    ph_bern_raise(c, n);
-  }
-}
-
 /* A bound of d on a match, by (1) or (2). */
 static double upper(const struct search *s, const struct ph_tc_match *m) {
   size_t n = s->degree > COMPOSED ? s->degree : COMPOSED;
@@ -349,12 +342,10 @@ static double upper(const struct search *s, const struct ph_tc_match *m) {
   speeds(m, s->degree, psi);
   compose(m->c, psi, r);
   if (s->degree > COMPOSED) {
-    memcpy(s->wide, r, sizeof r);
-    elevate(s->wide, COMPOSED, n);
+    ph_bern_lift(r, COMPOSED, n, s->wide);
     b = m->q;
   } else {
-    memcpy(s->wide, m->q, (s->degree + 1) * sizeof *m->q);
-    elevate(s->wide, s->degree, n);
+    ph_bern_lift(m->q, s->degree, n, s->wide);
   }
   for (size_t k = 0; k <= n; k++) {
     ph_cplx d = ph_cplx_sub(a[k], b[k]);

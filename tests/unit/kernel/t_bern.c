@@ -88,20 +88,28 @@ PH_TEST(test_cut_ends) {
   }
 }
 
-PH_TEST(test_raise) {
+/* From every degree to every other, and the largest. */
+PH_TEST(test_lift) {
   struct unit_random r = unit_random_of(4);
-  ph_cplx c[DEGREE_MAX + 1], raised[DEGREE_MAX + 1];
-  for (size_t n = 0; n < DEGREE_MAX; n++) {
+  static ph_cplx raised[501];
+  ph_cplx c[DEGREE_MAX + 1];
+  for (size_t n = 0; n <= 9; n++) {
     for (size_t k = 0; k <= n; k++) {
-      c[k] = raised[k] = unit_random_cplx(&r, 1);
+      c[k] = unit_random_cplx(&r, 1);
     }
-    ph_bern_raise(raised, n);
-    ck_abs(unit_distance(raised[0], c[0]), 0, 0);
-    ck_abs(unit_distance(raised[n + 1], c[n]), 0, 0);
-    for (int j = 0; j < 20; j++) {
+    for (size_t to = n; to <= DEGREE_MAX; to++) {
       double u = unit_random_in(&r, 0, 1);
-      ck_assert_double_le(
-          unit_distance(value(raised, n + 1, u), value(c, n, u)), 4e-15);
+      ph_bern_lift(c, n, to, raised);
+      ck_abs(unit_distance(raised[0], c[0]), 0, 0);
+      ck_abs(unit_distance(raised[to], c[n]), 0, 0);
+      ck_assert_double_le(unit_distance(value(raised, to, u), value(c, n, u)),
+                          4e-15);
+    }
+    ph_bern_lift(c, n, 500, raised);
+    for (size_t k = 0; k <= 500; k++) {
+      double u = (double)k / 500; /* the coefficients are O(1/degree) away */
+      ck_assert_double_le(unit_distance(raised[k], value(c, n, u)),
+                          (double)(n * n) / 500);
     }
   }
 }
