@@ -133,3 +133,18 @@ const struct ph_command *ph_command_find(const char *name) {
   }
   return NULL;
 }
+
+const struct ph_field *ph_command_field(const struct ph_schema *schema,
+                                        const char *name, size_t n) {
+  char field[64];
+  if (n > sizeof field) {
+    return NULL;
+  }
+  for (size_t i = 0; i < n; i++) {
+    field[i] = name[i];
+    if (name[i] == '-') {
+      field[i] = '_';
+    }
+  }
+  return ph_field_find(schema, field, n);
+}

@@ -53,6 +53,11 @@ ph_command_kind(const struct ph_command *command) {
 extern const struct ph_command ph_commands[];
 extern const size_t ph_commands_n;
 
+/* ph_command_field: the field that a name[n] on the command line means, which
+ * may have dashes in place of underscores; NULL: none. */
+const struct ph_field *ph_command_field(const struct ph_schema *schema,
+                                        const char *name, size_t n);
+
 /* ph_command_find: the command of that name, or NULL. */
 const struct ph_command *ph_command_find(const char *name);
 

@@ -51,25 +51,48 @@ static struct option *add_options(struct ph_option_parser *p,
   return to;
 }
 
+/* A name with dashes in place of underscores; NULL: it has none, or (*failed)
+ * memory is exhausted. */
+static const char *with_dashes(const char *name, struct ph_arena *arena,
+                               bool *failed) {
+  char *dashes;
+  if (!strchr(name, '_')) {
+    return NULL;
+  }
+  dashes = ph_arena_copy(arena, name, strlen(name));
+  *failed |= !dashes;
+  for (char *c = dashes; c && *c; c++) {
+    *c = *c == '_' ? '-' : *c;
+  }
+  return dashes;
+}
+
 /* The tables that getopt_long reads; values are 256 + id, of the fields 256 +
- * PH_OPTION_N + index. */
+ * PH_OPTION_N + index; fields have two names where they have underscores. */
 static enum ph_status build_tables(struct ph_option_parser *p) {
   const struct ph_schema *schema = p->options->command->schema;
-  size_t n = PH_OPTION_N + schema->fields_n + 1;
-  struct option *to;
+  size_t n = PH_OPTION_N + 2 * schema->fields_n + 1;
+  struct option *to, *fields;
+  bool failed = false;
   p->longs = ph_arena_array(&p->options->arena, n, sizeof *p->longs);
   if (!p->longs) {
     return ph_fail_memory(p->diag);
   }
   memset(p->longs, 0, n * sizeof *p->longs);
-  to = add_options(p, p->longs);
+  fields = to = add_options(p, p->longs);
   for (size_t i = 0; i < schema->fields_n; i++, to++) {
     const struct ph_field *f = &schema->fields[i];
     to->name = ph_field_name(f->id);
     to->has_arg = f->kinds & PH_BOOL ? optional_argument : required_argument;
     to->val = 256 + PH_OPTION_N + (int)i;
   }
-  return PH_OK;
+  for (size_t i = 0; i < schema->fields_n; i++) {
+    *to = fields[i];
+    to->name = with_dashes(fields[i].name, &p->options->arena, &failed);
+    to += to->name != NULL;
+  }
+  to->name = NULL;
+  return failed ? ph_fail_memory(p->diag) : PH_OK;
 }
 
 /* The long name of an option or field. */

@@ -60,6 +60,8 @@
   X(PRETTY, ALL, 0, "pretty", NULL, "indented JSON")                          \
   X(OUTPUT, ALL, 'o', "output", "FILE",                                       \
     "write FILE, replaced only when everything was written")                  \
+  X(IF_CHANGED, ALL, 0, "if-changed", NULL,                                   \
+    "leave the FILE of --output as it is where it has the same bytes")        \
   X(NO_SYNC, ALL, 0, "no-sync", NULL, "do not wait for the disk")             \
   X(SET, ALL, 's', "set", "FIELD=VALUE",                                      \
     "set a field of the problems that lack it; VALUE is JSON or a word")      \
@@ -169,7 +171,7 @@ struct ph_options {
   struct ph_split_options input;
   enum ph_format format;
   enum ph_table table;
-  bool pretty, strict, fail_fast, progress, quiet, verbose, no_sync;
+  bool pretty, strict, fail_fast, progress, quiet, verbose, no_sync, if_changed;
   const char *output; /* NULL: standard output */
   size_t jobs;
   size_t max_memory; /* bytes */

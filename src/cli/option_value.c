@@ -242,7 +242,7 @@ enum ph_status ph_option_assign(const struct ph_schema *schema,
   const char *option = assignment->override ? "--override" : "--set";
   const char *text = assignment->text;
   size_t n = strcspn(text, "=");
-  const struct ph_field *field = ph_field_find(schema, text, n);
+  const struct ph_field *field = ph_command_field(schema, text, n);
   return field ? assign(field, option, text + n + 1, arena, assignment, diag)
                : ph_option_no_field(schema, option, text, n, diag);
 }
@@ -250,7 +250,7 @@ enum ph_status ph_option_assign(const struct ph_schema *schema,
 /* Whether a field of that name belongs to any command. */
 static bool is_field(const char *name, size_t n) {
   for (size_t i = 0; i < ph_commands_n; i++) {
-    if (ph_field_find(ph_commands[i].schema, name, n)) {
+    if (ph_command_field(ph_commands[i].schema, name, n)) {
       return true;
     }
   }
@@ -316,6 +316,8 @@ static bool *flag_of(struct ph_options *o, enum ph_option_id id) {
   switch (id) {
   case PH_O_PRETTY:
     return &o->pretty;
+  case PH_O_IF_CHANGED:
+    return &o->if_changed;
   case PH_O_NO_SYNC:
     return &o->no_sync;
   case PH_O_IGNORE_COLUMNS:

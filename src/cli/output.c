@@ -382,10 +382,34 @@ static bool name_reaches_disk(char *target) {
   return ok;
 }
 
+/* Whether the file that is there has the bytes of the temporary one. */
+static bool is_unchanged(const struct ph_output *output) {
+  static const size_t block = 1 << 14;
+  char old[1 << 14], new[1 << 14];
+  int fd = open(output->target, O_RDONLY | O_CLOEXEC | O_NOCTTY);
+  bool same = fd >= 0;
+  off_t at = 0;
+  ssize_t n = 1;
+  while (same && n > 0) {
+    n = pread(output->descriptor, new, block, at);
+    same = n >= 0 && pread(fd, old, block, at) == n &&
+           memcmp(old, new, (size_t)n) == 0;
+    at += n;
+  }
+  if (fd >= 0) {
+    close(fd);
+  }
+  return same;
+}
+
 enum ph_status ph_output_commit(struct ph_output *output,
                                 struct ph_diag *diag) {
   int descriptor = output->descriptor;
   bool sync = output->sync && output->temporary;
+  if (output->if_changed && output->temporary && is_unchanged(output)) {
+    ph_output_discard(output);
+    return PH_OK;
+  }
   if (sync && !reaches_disk(descriptor)) {
     return failed("write", output->name, diag);
   }

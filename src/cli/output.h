@@ -24,6 +24,7 @@ struct ph_output {
   const char *name; /* for messages */
   int descriptor;
   bool sync;              /* wait for the disk */
+  bool if_changed;        /* leave a file that has these bytes as it is */
   char *target;           /* NULL: no renaming */
   char *temporary;        /* exists as long as it is not NULL */
   struct ph_output *next; /* of those with a temporary file */

@@ -502,6 +502,7 @@ static enum ph_status open_outputs(struct run *r, struct ph_diag *diag) {
   const struct ph_options *o = r->options;
   enum ph_status status =
       ph_output_open(&r->output, o->output, !o->no_sync, diag);
+  r->output.if_changed = o->if_changed;
   if (status == PH_OK && o->problems) {
     status = ph_output_unlike(&r->output, o->problems, diag);
   }

@@ -29,7 +29,7 @@ static enum ph_status read_target(const char *text, size_t n,
   size_t index_max;
   char excerpt[PH_EXCERPT_MAX];
   p = p ? p : end;
-  sweep->field = ph_field_find(schema, text, (size_t)(p - text));
+  sweep->field = ph_command_field(schema, text, (size_t)(p - text));
   if (!sweep->field) {
     return ph_option_no_field(schema, "--sweep", text, (size_t)(p - text),
                               diag);
@@ -165,6 +165,7 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
   char excerpt[PH_EXCERPT_MAX];
   size_t name_n = equals ? (size_t)(equals - text) : 0, target_n = name_n;
   enum ph_status status;
+  char *name;
   memset(sweep, 0, sizeof *sweep);
   if (!equals || name_n == 0) {
     return ph_fail(diag, PH_E_USAGE, NULL,
@@ -172,10 +173,11 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
                    "FIELD=V1,V2,...",
                    ph_excerpt(text, strlen(text), excerpt));
   }
-  sweep->name = ph_arena_copy(arena, text, name_n);
-  if (!sweep->name) {
+  name = ph_arena_copy(arena, text, name_n);
+  if (!name) {
     return ph_fail_memory(diag);
   }
+  sweep->name = name;
   if (text[name_n - 1] == '*') {
     sweep->factor = true;
     target_n--;
@@ -183,6 +185,9 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
   status = read_target(text, target_n, schema, sweep, diag);
   if (status != PH_OK) {
     return status;
+  }
+  for (size_t i = 0; name[i] && name[i] != '['; i++) { /* as the field is */
+    name[i] = name[i] == '-' ? '_' : name[i];
   }
   first = strchr(equals + 1, ':');
   second = first ? strchr(first + 1, ':') : NULL;

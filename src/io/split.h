@@ -235,6 +235,10 @@ enum ph_status ph_split_columns(struct ph_split *split, const char *names,
 enum ph_status ph_split_find_columns(struct ph_split *split, bool *data,
                                      struct ph_diag *diag);
 
+/* ph_split_is_foreign: whether the first row [p,end) tells that the file is
+ * neither JSON nor a table; why, with what helps, in diag. */
+bool ph_split_is_foreign(const char *p, const char *end, struct ph_diag *diag);
+
 /* ph_split_find_delimiter: makes up split->delimiter, which is not known, by
  * the row [p,end), the first one of the file that is no comment. */
 void ph_split_find_delimiter(struct ph_split *split, const char *p,

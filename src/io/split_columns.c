@@ -538,10 +538,45 @@ static enum ph_status columns_by_row(struct ph_split *split, const char *row,
                  census.cells, census.cells == 1 ? "" : "s");
 }
 
+/* What a file that begins with these bytes is, and what makes CSV of it. */
+static const struct {
+  const char *bytes;
+  size_t n;
+  const char *what;
+} foreign[] = {
+    {"\x1f\x8b", 2, "compressed by gzip: gunzip writes what is in it"},
+    {"\xff\xfe", 2, "UTF-16: iconv -f UTF-16 -t UTF-8 converts it"},
+    {"\xfe\xff", 2, "UTF-16: iconv -f UTF-16 -t UTF-8 converts it"},
+    {"PK\x03\x04", 4,
+     "a spreadsheet or other zip archive: spreadsheets can be saved as CSV"},
+    {"<", 1, "XML or HTML: only JSON and tables are read"},
+    {"LINESTRING", 10, "WKT: only JSON and tables are read"},
+    {"POLYGON", 7, "WKT: only JSON and tables are read"},
+    {"MULTI", 5, "WKT: only JSON and tables are read"},
+    {"POINT", 5, "WKT: only JSON and tables are read"},
+};
+
+bool ph_split_is_foreign(const char *p, const char *end, struct ph_diag *diag) {
+  for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
+    const char *after = p + foreign[i].n;
+    bool wkt = foreign[i].n >= 5; /* a word, then its coordinates */
+    if ((size_t)(end - p) > foreign[i].n &&
+        memcmp(p, foreign[i].bytes, foreign[i].n) == 0 &&
+        (!wkt || memchr(after, '(', (size_t)(end - after)))) {
+      ph_fail(diag, PH_E_SYNTAX, NULL, "the input is %s", foreign[i].what);
+      return true;
+    }
+  }
+  return false;
+}
+
 enum ph_status ph_split_find_columns(struct ph_split *split, bool *data,
                                      struct ph_diag *diag) {
   const char *row = split->data + split->start;
   const char *end = row + split->csv.scan.at;
+  if (ph_split_is_foreign(row, end, diag)) {
+    return diag->status;
+  }
   return split->options.columns && !by_name(split)
              ? columns_by_option(split, row, end, data, diag)
              : columns_by_row(split, row, end, data, diag);

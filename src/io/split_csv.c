@@ -343,6 +343,10 @@ static enum ph_split_state handle_broken(struct ph_split *split,
   if (know_delimiter(split)) {
     return PH_SPLIT_END;
   }
+  if (!csv->columns &&
+      ph_split_is_foreign(window + csv->row, window + csv->scan.at, diag)) {
+    return stop(split, csv->row, record, diag);
+  }
   if (!csv->open || take_row(split, window + csv->row, window + csv->scan.at)) {
     ph_fail(diag, PH_E_SYNTAX, NULL, "%s", csv->scan.message);
   } else if (csv->id.failed) {

@@ -242,6 +242,23 @@ point (tr , . makes them of commas) [bad-type]
 $(failed 1 1)"
 done
 
+# foreign NAME WHAT TEXT: what is no table is called by its name
+foreign() {
+  # shellcheck disable=SC2059
+  printf "$3" >foreign
+  run planar foreign
+  expect "$1" 3 "phspline: foreign:1: record 1: the input is $2 [syntax]
+$(failed 1 1)"
+}
+foreign 'gzip' 'compressed by gzip: gunzip writes what is in it' '\037\213\010\n'
+utf16='UTF-16: iconv -f UTF-16 -t UTF-8 converts it'
+foreign 'UTF-16' "$utf16" '\377\376x\000,\000y\000\n\000'
+foreign 'UTF-16, the other way round' "$utf16" '\376\377\000x\000,\000y\000\n'
+foreign 'xlsx' 'a spreadsheet or other zip archive: spreadsheets can be saved as CSV' 'PK\003\004,"a"b\n'
+foreign 'XML' 'XML or HTML: only JSON and tables are read' '<gpx version="1.1">\n'
+foreign 'WKT' 'WKT: only JSON and tables are read' 'LINESTRING (0 0, 1 1)\n'
+csv 'no WKT' '3 absent absent' 'POINTS,x\n0,0\n'
+
 # ---- columns by their names, columns that are unknown --------------------------
 
 survey='Station;Northing;Easting\nA1;0;0\nA2;4;3\n'

@@ -72,6 +72,17 @@ equal 'vectors as an option' '0 [2,-2]' \
     sed 's/\[2,0\]/[2,-2]/')"
 true_that 'their promise is certified' \
   [ "$(get diagnostics.end_derivative_error)" != absent ]
+cp out wanted
+for option in --end-derivatives= --set=end-derivatives=; do
+  feed "$arch" planar "$option"'[[1,2],[1,-2]]'
+  equal_files "dashes in place of underscores: $option" wanted out
+done
+feed "$arch" planar -S end-derivatives='[[1,2],[1,-2]]'
+equal 'dashes in place of underscores, in a sweep' '0 {"end_derivatives":[[1,2],[1,-2]]}' \
+  "$status $(get sweep)"
+feed "$arch" planar --knots=0,1,3
+equal 'a list without brackets' '0 [0,1] [1,3]' \
+  "$status $(get 'segments[0].interval') $(get 'segments[1].interval')"
 feed '{}' planar --points='[[0,0],[3,4]]'
 equal 'points as an option, for a problem without' '0 5' "$status $(get length)"
 feed '' planar --points='[[0,0],[3,4]]'

@@ -528,6 +528,33 @@ status=0
 expect 'standard input is closed' 3 \
   'phspline: cannot read -: Bad file descriptor' "$(cat good.out)"
 
+# ---- the same bytes --------------------------------------------------------------
+
+# stamp: what tells that a file was written again
+stamp() {
+  ls -i d/old
+  find d/old -newer older
+}
+: >older
+fresh
+run planar -o d/old good.jsonl
+touch -d '2001-01-01' d/old
+stamp >wanted
+run planar -o d/old --if-changed good.jsonl
+stamp >found
+equal_files 'the same bytes, --if-changed: the file stays' wanted found
+equal 'the same bytes, --if-changed: no other is left' 'old' "$(ls -A d)"
+run planar -o d/old good.jsonl
+stamp >found
+true_that 'the same bytes without the option: it is another' \
+  [ "$(cat wanted)" != "$(cat found)" ]
+printf x >>d/old
+run planar -o d/old --if-changed good.jsonl
+replaced 'other bytes, --if-changed' good.out
+rm d/old
+run planar -o d/old --if-changed good.jsonl
+replaced 'no file, --if-changed' good.out
+
 # ---- a reader that has enough ------------------------------------------------
 
 awk -v line="$good" 'BEGIN { for (i = 0; i < 5000; i++) print line }' >many
