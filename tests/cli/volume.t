@@ -129,6 +129,14 @@ run cone -q --volume=linear.nrrd --panorama=e.png --resolution=20 \
 expect 'no height' 1 "phspline: part.json:3: record 1: height: must have an \
 extent for --panorama, as in --height=[-1,1] [bad-value]"
 
+printf '%s' '{"points":[[252.6524,62,92.5],[266.5158,65.1388,91.5]],'\
+'"rulings":[[-0.1151,0.2405,0.9638],[-0.1785,0.165,0.97]],"method":"atph",'\
+'"tangents":[[0.9925,0.069,0.1013],[0.8847,0.4583,0.0849]],'\
+'"apexes":[-30,70],"height":[-3,3]}' >general.json
+run cone -q --volume=linear.nrrd --panorama=e.png --resolution=20 general.json
+expect 'general cones' 1 "phspline: general.json:1: record 1: method: must be \
+circular for --panorama [bad-value]"
+
 # unread NAME MESSAGE [OPTION]...: of the volume bad.nrrd
 unread() {
   name=$1 message=$2
