@@ -67,8 +67,11 @@ static struct turning turning_of(const struct ph_check_general *g) {
       turn_by(g, &t, from, cut, &at);
       t.changes++;
       from = cut;
-    } else {
-      t.clear = t.clear && fabs(turn[i]) > WEAK * most;
+    } else if (i < PLACES) { /* it may touch 0, or cross it twice */
+      const double here = fabs(turn[i]);
+      t.clear =
+          t.clear && (here > WEAK * most || here > fabs(turn[i - 1]) ||
+                      here > fabs(turn[i + 1]) || turn[i] * turn[i + 1] < 0);
     }
   }
   turn_by(g, &t, from, 1, &at);

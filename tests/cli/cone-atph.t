@@ -108,6 +108,38 @@ true_that 'the area is that of the flat pattern' jq -e '
       cross($s[$i + 1].flat; $s[$i + 3].flat; $s[$i + 2].flat)) / 2] | add |
   . / $area - 1 | fabs < 1e-5' out
 
+# ---- the same data, moved --------------------------------------------------------
+
+# same NAME FACTOR PROGRAM: the problem changed by a program of jq has the same
+# numbers, and their unit the factor
+same() {
+  jq -c "$3" problem.json >moved.json
+  run cone -q --height='[-5,5]' moved.json
+  expect "$1" 0
+  true_that "$1: the same surface" jq -e --argjson unit "$2" -s '
+    def near(a; e): . / a - 1 | fabs < e;
+    .[0] as $a | .[1] as $b | ($b.diagnostics.F1 | near($a.diagnostics.F1; 1e-12))
+    and ($b.length / $unit | near($a.length; 1e-8)) and
+    ([$b.strips[].turn] | add | near([$a.strips[].turn] | add; 1e-6))' \
+    base.json out
+  cp out result.json
+  "$PHSPLINE" verify -q --set='height=[-5,5]' --problems=moved.json result.json \
+    >verdict
+  equal "$1: verified" '"ok"' "$(json get status verdict)"
+}
+run cone -q --height='[-5,5]' problem.json
+cp out base.json
+same 'turned' 1 '(.points, .rulings, .tangents) |= map([0.6 * .[0] - 0.8 * .[2],
+  .[1], 0.8 * .[0] + 0.6 * .[2]])'
+same 'backward' 1 '(.points, .rulings, .apexes) |= reverse |
+  .tangents |= (reverse | map(map(-.)))'
+same 'with rulings to the other side' 1 '.rulings |= map(map(-.)) |
+  .apexes |= map(-.)'
+for unit in 1e-9 1e9 1e-100 1e100; do
+  same "in the unit $unit" "$unit" \
+    ".points |= map(map(. * $unit)) | .apexes |= map(. * $unit)"
+done
+
 # ---- a row of elements -----------------------------------------------------------
 
 # Elements of the cone about z whose vertex is at (0,0,8/3), all around.

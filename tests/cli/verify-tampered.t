@@ -287,6 +287,45 @@ says '.strips[1].pair = 1' \
 says '.samples[0].strip = 2' 'samples[0].strip: is none (sample_error) [not-verified]'
 says '.command = "planar"' 'segments: are missing (shape) [not-verified]'
 
+good general '{"points":[[252.6524,62,92.5],[266.5158,65.1388,91.5]],
+  "rulings":[[-0.1151,0.2405,0.9638],[-0.1785,0.165,0.97]],
+  "tangents":[[0.9925,0.069,0.1013],[0.8847,0.4583,0.0849]],
+  "method":"atph","apexes":[-30,70],"height":[-5,5]}' cone --sample=2x1
+tampered '.strips[1].control_points[2][1] += 1e-6' pythagorean_error
+tampered '.strips[0].preimage[1][2] += 1e-6' preimage_error
+tampered '.strips[1].frame.point[0] += 1e-6' frame_error
+tampered '.strips[0].frame.normal |= map(-.)' frame_error
+tampered '.strips[1].vertex[1] += 1e-4' frame_error
+tampered '.strips[0].vertex[1] += 1e-4' interpolation_error \
+  --problems=general.problem
+tampered '.strips[0].length += 1e-6' length_error
+tampered '.strips[0].development_angle += 1e-6' isometry_error
+tampered '.strips[1].development.samples[9].point[0] += 1e-6' isometry_error
+tampered '.strips[1].development.samples[9].t += 1e-6' isometry_error
+tampered '.strips[1].development.angle += 1e-6' isometry_error
+tampered '.strips[0].turn += 1e-4' diagnostic_error
+tampered '.strips[0].F1 += 1e-6' diagnostic_error
+tampered '.strips[0].shift[1] += 1e-6' diagnostic_error
+tampered '.diagnostics.F2 *= 1.000001' diagnostic_error
+tampered '.diagnostics.functional *= 1.000001' diagnostic_error
+tampered '.diagnostics.inflections += 1' diagnostic_error
+tampered '.diagnostics.vertices_inside = 1' diagnostic_error
+tampered '.area += 1e-5' length_error
+tampered '.samples[3].point[2] += 1e-6' sample_error
+tampered '.samples[1].flat[0] += 1e-6' sample_error
+tampered '.samples[3].normal |= map(-.)' sample_error
+says 'del(.strips[1].alpha)' 'strips[1].alpha: is missing [missing-field]'
+says '.strips[1].development.samples |= .[:-1]' 'strips[1].development: does '\
+'not lead from 0 to alpha, in order (shape) [not-verified]'
+says '.strips[1].method = "circular"' \
+  'strips[1].method: is not that of the first strip (shape) [not-verified]'
+says '.samples[0].strip = 2' 'samples[0].strip: is none (sample_error) [not-verified]'
+sed 's/"apexes":\[-30/"apexes":[-31/' general.problem >other
+tampered '.strips[0].turn += 0 | .meta = 1' interpolation_error --problems=other
+sed 's/"height"/"contact_point":"midpoint","tangent_scale":"unit","height"/' \
+  general.problem >other
+tampered '.meta = 1' tangent_error --problems=other
+
 # ---- what decides which checks there are ---------------------------------------
 
 kind='curve: is of no kind that the command makes (shape) [not-verified]'

@@ -318,6 +318,11 @@ exhaust 'cubics along a chain, so many' lines tc -j 1 --pieces=3 \
   -S 'curve[1][1][1]=-1,-2' chain.json
 exhaust 'cubics along a curve, two threads' lines tc -j 2 \
   '--curve=[[0,0],[1,2],[3,-2],[4,0]]' -S tolerance=0.1,0.01 empty.json
+printf '%s' '{"points":[[252,62,92],[266,65,91]],"rulings":[[-0.12,0.24,0.96],' \
+  '[-0.18,0.16,0.97]],"tangents":[[0.99218,0.071478,0.106153],' \
+  '[0.884954,0.454894,0.089184]],"method":"atph","apexes":[-30,70],' \
+  '"height":[-1,1]}' >general.json
+exhaust 'general cones' lines cone -j 1 -n 2 --tolerance=0.1 general.json
 exhaust 'samples' lines planar -j 1 -n 2 some.jsonl
 exhaust 'samples of atph' lines planar -j 1 -n 2 atph.json
 exhaust 'samples in space' lines spatial-hermite -j 1 -n 2 space.json

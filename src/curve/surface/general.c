@@ -10,6 +10,9 @@ enum { NODES = 12, COARSE = 8, PARTS_MAX = 2048 };
  * relative to all of it, and of the turn. */
 static const double AGREE_PHI = 1e-12, AGREE_TURN = 1e-9;
 
+/* A geodesic curvature of less than this is none. */
+static const double FLAT = 1e-9;
+
 /* Parts are no shorter than this. */
 static const double SHORTEST = 1e-9;
 
@@ -144,7 +147,7 @@ static void follow_turns(struct ph_directrix *d) {
       const double u =
           j < d->rule->n ? d->u[i] + step * d->rule->node[j] : d->u[i + 1];
       const struct ph_general_place at = ph_general_at(d, u);
-      const double bend = at.bend;
+      const double bend = fabs(at.bend) > FLAT * at.rate ? at.bend : 0;
       d->near = fmin(d->near, at.rho);
       d->far = fmax(d->far, at.rho);
       if (bend * turning.last < 0) {

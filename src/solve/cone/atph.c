@@ -4,7 +4,7 @@
  *
  * The contact curves are one problem of the method spatial-hermite: points and
  * derivatives, these by t in [0,alpha], where derivatives as long as the chord
- * are unit vectors times the square of a tension.
+ * are of unit length at unit scale, times the square of a tension.
  */
 #include "solve/cone/cone.h"
 
@@ -176,11 +176,14 @@ static enum ph_status set_curve(struct general *g, struct ph_arena *scratch,
     } else {
       memcpy(p + 3 * i, given[PH_F_POINTS].v + 3 * (i / 2), 3 * sizeof *p);
     }
-    ph_vec3_put(g->unit ? by : ph_vec3_unit(by), 3, d + 3 * i);
+    if (!g->unit) {
+      by = ph_vec3_scale(ph_pow2_apply(g->from_unit, 1), ph_vec3_unit(by));
+    }
+    ph_vec3_put(by, 3, d + 3 * i);
   }
   for (size_t i = 0; i < n; i++) {
     const double chord = chord_of(g, i);
-    tension[i] = g->unit ? 1 : sqrt(ph_pow2_apply(g->from_unit, chord));
+    tension[i] = g->unit ? 1 : sqrt(chord);
     if (!(chord > 0)) {
       return ph_fail_at(diag, PH_E_INFEASIBLE, "strips", i,
                         "has no length: the contact point of the common ruling "
