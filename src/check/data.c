@@ -181,13 +181,13 @@ ph_vec3 ph_check_direction(const double *x, size_t dimension) {
 
 void ph_check_heading(struct ph_check *v, enum ph_check_id check,
                       const struct ph_check_segment *s, size_t end,
-                      ph_vec3 wanted) {
+                      ph_vec3 wanted, double unit) {
   double speed = ph_vec3_abs(s->first[end]), error = s->noise / speed;
   if (error < PH_CHECK_NO_DIRECTION) {
     double miss = v->allow->miss * sqrt(s->spacing * v->mean_speed / speed);
     ph_check_miss(
         v, check, ph_check_in(s->k, "control_points"),
-        ph_check_apart(ph_vec3_scale(1 / speed, s->first[end]), wanted), 1,
+        ph_check_apart(ph_vec3_scale(1 / speed, s->first[end]), wanted), unit,
         error + v->allow->given + miss, "miss the given direction");
   } else {
     ph_check_done(v, check);

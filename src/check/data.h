@@ -76,11 +76,11 @@ static inline ph_vec3 ph_check_datum(const struct ph_check *v,
 ph_vec3 ph_check_direction(const double *x, size_t dimension);
 
 /* ph_check_heading: the direction of a segment at its start (end = 0) or its
- * end (1) against a unit vector; where rounding leaves it none, nothing is
- * said. */
+ * end (1) against a unit vector, the error in a unit of 1 or more; where
+ * rounding leaves it none, nothing is said. */
 void ph_check_heading(struct ph_check *v, enum ph_check_id check,
                       const struct ph_check_segment *s, size_t end,
-                      ph_vec3 wanted);
+                      ph_vec3 wanted, double unit);
 
 /* ph_check_derivative: r' by u there against a factor times a vector
  * at unit scale, relative to the latter and the mean length of a segment.

@@ -94,6 +94,16 @@ static void check_start(struct ph_check *v, const struct end *e) {
 /* ---- tangents and derivatives ----------------------------------------------
  */
 
+/* By how much an end is slower than the curve, at least 1.  A derivative was
+ * met to a part of the mean one: that is what is left of its direction where
+ * Bezier pieces are in the place of the curve. */
+static double slowness(const struct ph_check *v, const struct end *e) {
+  const struct ph_curve *c = v->curve;
+  double range = (c->knots[c->n] - c->knots[0]) / e->s->spacing;
+  double speed = ph_check_scaled(v, c->length) / range;
+  return ph_check_larger(speed / ph_vec3_abs(e->s->first[e->end]), 1);
+}
+
 /* A given derivative against r' by u, where it is known what it is by, or else
  * its direction. */
 static void check_derivative(struct ph_check *v, const struct end *e,
@@ -109,7 +119,8 @@ static void check_derivative(struct ph_check *v, const struct end *e,
     factor = s->spacing;
   }
   if (given == PH_GIVEN_NONE || (given == PH_GIVEN_CUBIC && !e->pair)) {
-    ph_check_heading(v, check, s, e->end, ph_check_direction(w, dimension));
+    ph_check_heading(v, check, s, e->end, ph_check_direction(w, dimension),
+                     v->kind->converted ? slowness(v, e) : 1);
   } else {
     ph_check_derivative(v, check, s, e->end, factor,
                         ph_check_vector(v, w, dimension),
@@ -209,7 +220,7 @@ static void check_vector(struct ph_check *v, const struct end *e) {
       check_deviation(v, e, j, direction, sigma_of(v, j));
     }
   } else {
-    ph_check_heading(v, PH_CHECK_TANGENT, e->s, e->end, direction);
+    ph_check_heading(v, PH_CHECK_TANGENT, e->s, e->end, direction, 1);
   }
   if (e->end == 1 && e->datum == v->data->n && v->data->measured > 0) {
     check_rms(v);
@@ -230,7 +241,7 @@ static void check_given_end(struct ph_check *v, const struct end *e) {
     check_derivative(v, e, PH_CHECK_END, w, given->dimension);
   } else {
     ph_check_heading(v, PH_CHECK_END, e->s, e->end,
-                     ph_check_direction(w, given->dimension));
+                     ph_check_direction(w, given->dimension), 1);
   }
 }
 

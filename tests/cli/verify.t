@@ -319,6 +319,14 @@ echo '{"points":[[108500709.36164,-119726663.19823],
 made planar <slow
 verified 'solutions that nearly stop next to an end' 1 --problems=slow
 
+# a derivative that is 1e-14 of the others, and its direction in Bezier pieces
+echo '{"points":[[0,0],[-0.832038,0.554718],[-0.850496,0.552927],
+  [-1.816692,0.810737],[-1.818023,0.811431],[-2.66409,1.344507]],
+  "basis":"atph","end_derivatives":[[0,1.3788703114703979e-8],
+  [0,-1601181.2300828213]],"solutions":"all"}' >slow
+made planar --convert=bezier <slow
+verified 'the direction of a derivative that is rounding' 1 --problems=slow
+
 # all have the same energy, nearly, that of a segment which has no length
 echo '{"points":[[0,-0.9],[-0.93,-2],[-0.9,-1.6],
   [-1.338440493563362,-2.0502156580440056],
