@@ -123,7 +123,7 @@ enum ph_csv_state ph_csv_scan(struct ph_csv_scan *scan, const char *text,
         break;
       }
       c = text[scan->at];
-      if (c == delimiter) {
+      if (c == delimiter && c != '\n') {
         scan->state = CELL_START;
         continue;
       }
