@@ -93,7 +93,8 @@ enum ph_class {
   X(W_G1_JOINTS, "g1-joints", RECORD, "the curvature jumps at joints")     \
   X(W_AUXILIARY_POINTS, "auxiliary-points", RECORD,                        \
     "points were added to the data")                                       \
-  X(W_NEAR_CUSP, "near-cusp", RECORD, "a cubic is nearly a cusp")
+  X(W_NEAR_CUSP, "near-cusp", RECORD, "a cubic is nearly a cusp")          \
+  X(W_FOLDED, "folded", RECORD, "a patch is folded")
 
 #define PH_STATUS(X) X(OK, "ok", OK, "solved") PH_ERRORS(X) PH_WARNINGS(X)
 

@@ -115,7 +115,7 @@ enum ph_status ph_certify(const char *command, const struct ph_problem *problem,
     return ph_fail(diag, PH_E_INTERNAL, member, "%s", wrong);
   }
   v.kind = &ph_check_kinds[curve->kind];
-  status = promise->surface ? PH_OK : ph_check_finite(curve, diag);
+  status = promise->parts ? PH_OK : ph_check_finite(curve, diag);
   if (status == PH_OK) {
     status = promise->allow ? check_curve(&v, diagnostics)
                             : promise->certify(&v, diagnostics);

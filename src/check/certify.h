@@ -184,4 +184,18 @@ ph_promise_fn ph_check_tc;
  */
 ph_promise_fn ph_check_cone;
 
+/*
+ * ph_check_bubble: a surface of patches over the faces of the problem.
+ *
+ *   interpolation_error  distance of corners from the points / size
+ *   continuity_error     gaps between patches along edges / size
+ *   normal_error         angle of normals at corners to those that are given;
+ *                        1e-9 is allowed
+ *   normal_jump, curvature_jump
+ *                        as bubble.h says; where no degree is given, the field
+ *                        tolerance is allowed, and 1000 times that of
+ *                        curvatures of continuity 2
+ */
+ph_promise_fn ph_check_bubble;
+
 #endif

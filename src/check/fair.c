@@ -406,8 +406,8 @@ static bool is_minimised(const struct ph_check *v, enum ph_diagnostic which) {
   criterion = &v->problem->field[PH_F_CRITERION];
   return strcmp(ph_diagnostic_name(which), criterion->kind == PH_WORD
                                                ? criterion->word
-                                           : v->promise->surface ? "F1"
-                                                                 : "F3") == 0;
+                                           : v->promise->parts ? "F1"
+                                                               : "F3") == 0;
 }
 
 /* The same number twice: as far apart as either may be from what is found. */

@@ -29,4 +29,5 @@ const struct ph_check_kind ph_check_kinds[PH_CURVE_N] = {
     [PH_CURVE_SPHERICAL_NU] = {GREAT, .sphere = true, .whole = check_spline},
     /* cone.h, in place of all, but of contact curves of general cones */
     [PH_CURVE_CONE] = {FORM, .square = true, .angles = true,
-                       .trigonometric = true}};
+                       .trigonometric = true},
+    [PH_CURVE_BUBBLE] = {0}}; /* bubble.h, in place of all */

@@ -18,7 +18,7 @@ static void set_field(const struct ph_check *v, struct ph_check_where where,
                       struct ph_diag *diag) {
   struct ph_diag path;
   const bool strips =
-      v->promise->surface && where.list && strcmp(where.list, "segments") == 0;
+      v->promise->parts && where.list && strcmp(where.list, "segments") == 0;
   const char *list = strips ? "strips" : where.list ? where.list : "";
   const char *member = where.member ? where.member : "";
   const char *dot = where.list && where.member ? "." : "";

@@ -88,7 +88,12 @@ const struct ph_promise ph_promises[] = {
      .certify = ph_check_cone,
      .kinds = PH_KIND(CONE),
      .dimension = 3,
-     .surface = true}};
+     .parts = PH_STRIPS_PARTS},
+    {.command = "bubble",
+     .certify = ph_check_bubble,
+     .kinds = PH_KIND(BUBBLE),
+     .dimension = 3,
+     .parts = PH_PATCHES_PARTS}};
 
 const size_t ph_promises_n = sizeof ph_promises / sizeof ph_promises[0];
 
@@ -101,10 +106,19 @@ const struct ph_promise *ph_promise_of(const char *command) {
   return NULL;
 }
 
+/* Whether a curve has what it consists of. */
+static bool has_parts(const struct ph_promise *promise,
+                      const struct ph_curve *curve) {
+  const void *const parts[] = {[PH_SEGMENTS_PARTS] = curve->control_points,
+                               [PH_STRIPS_PARTS] = curve->surface.strips,
+                               [PH_PATCHES_PARTS] = curve->surface.patches};
+  return curve->n > 0 && parts[promise->parts];
+}
+
 const char *ph_promise_breach(const struct ph_promise *promise,
                               const struct ph_curve *curve,
                               const char **member) {
-  if (!promise->surface && (curve->n == 0 || !curve->control_points)) {
+  if (!promise->parts && !has_parts(promise, curve)) {
     *member = "segments";
     return "are missing";
   }
@@ -112,8 +126,8 @@ const char *ph_promise_breach(const struct ph_promise *promise,
     *member = "curve";
     return "is of no kind that the command makes";
   }
-  if (promise->surface && (curve->n == 0 || !curve->surface.strips)) {
-    *member = "strips";
+  if (!has_parts(promise, curve)) {
+    *member = ph_parts_name(promise->parts);
     return "are missing";
   }
   if (curve->dimension != promise->dimension) {
@@ -121,7 +135,7 @@ const char *ph_promise_breach(const struct ph_promise *promise,
     return "is not that of curves of the command";
   }
   *member = "degree";
-  return promise->surface || curve->degree == promise->degree
+  return promise->parts || curve->degree == promise->degree
              ? NULL
              : "is not that of curves of the command";
 }

@@ -66,11 +66,11 @@ struct ph_promise {
   size_t dimension, degree;
   enum ph_join join;
   enum ph_given given;
-  bool ends;      /* end derivatives or tangents that are given are kept */
-  bool lengths;   /* and lengths from datum to datum */
-  bool tension;   /* segments have one, but those of Bezier curves */
-  bool intervals; /* the record has them */
-  bool surface;   /* the curve is one, of strips in place of segments */
+  bool ends;           /* end derivatives or tangents that are given are kept */
+  bool lengths;        /* and lengths from datum to datum */
+  bool tension;        /* segments have one, but those of Bezier curves */
+  bool intervals;      /* the record has them */
+  enum ph_parts parts; /* but segments: the curve is a surface */
   const struct ph_tolerance *allow; /* of its certificate; NULL: this one has
                                        rules of its own for all */
   enum ph_unit unit;

@@ -3,6 +3,7 @@
  */
 #include "check/verify.h"
 
+#include "check/bubble.h"
 #include "check/checks.h"
 #include "check/cone.h"
 #include "check/data.h"
@@ -118,7 +119,10 @@ static enum ph_status check_curve(struct ph_check *v) {
   struct ph_check_data data;
   enum ph_status status;
   v->kind = &ph_check_kinds[v->curve->kind];
-  if (v->promise->surface) {
+  if (v->promise->parts == PH_PATCHES_PARTS) {
+    return ph_check_patchwork(v);
+  }
+  if (v->promise->parts == PH_STRIPS_PARTS) {
     return ph_check_surface(v);
   }
   if (!ph_check_arrays(v) || !begin_curve(v)) {

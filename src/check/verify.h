@@ -54,6 +54,7 @@
   X(BLASCHKE, "blaschke_error")            \
   X(DISTANCE, "distance_error")            \
   X(FRAME, "frame_error")                  \
+  X(NORMAL, "normal_error")                \
   X(ISOMETRY, "isometry_error")
 
 enum ph_check_id {

@@ -110,6 +110,13 @@ const struct ph_command ph_commands[] = {
      "phspline cone --height='[-5,5]' --offset=0.5 --table=strips "
      "elements.csv\t"
      "The strips, and those of the surface at the distance 0.5\n"},
+    {PH_SOLVES_BY(ph_method_bubble, PATCHES), NULL,
+     "phspline bubble mesh.json\t"
+     "A smooth surface over a mesh, a patch for each face, as JSON\n"
+     "phspline bubble --continuity=2 mesh.json | jq .diagnostics\t"
+     "With continuous curvature; by how much normals and curvatures jump\n"
+     "phspline bubble --degree=9 --table=patches mesh.json\t"
+     "Patches of bidegree 10, their control points as a table\n"},
     {&ph_verify_schema, "checks of results, from their control points alone",
      PH_USE_VERIFY, ph_verify_work,
      .examples =

@@ -17,13 +17,15 @@ struct ph_worker;
 struct ph_item;
 
 /* What a command is for, and so which of the common options it has: it solves
- * problems, by curves or by surfaces, or it verifies. */
+ * problems, by curves, by surfaces of strips or of patches, or it verifies. */
 enum ph_use {
   PH_USE_CURVE = 1,
   PH_USE_SURFACE = 2,
-  PH_USE_SOLVE = 3,
+  PH_USE_DRAW = 3, /* these have figures */
   PH_USE_VERIFY = 4,
-  PH_USE_ALL = 7
+  PH_USE_PATCHES = 8,
+  PH_USE_SOLVE = 11,
+  PH_USE_ALL = 15
 };
 
 struct ph_command {

@@ -276,8 +276,11 @@ enum ph_status ph_derive(const struct ph_options *options,
   enum ph_status status;
   double tolerance;
   derived->exact = result->curve;
-  if (ph_kind_of(&result->curve)->surface) {
+  if (ph_kind_of(&result->curve)->parts == PH_STRIPS_PARTS) {
     return derive_surface(o, arena, result, derived, diag);
+  }
+  if (ph_kind_of(&result->curve)->parts == PH_PATCHES_PARTS) {
+    return PH_OK;
   }
   tolerance = o->tolerance > 0 ? o->tolerance
                                : PH_TOLERANCE * ph_curve_size(&result->curve);

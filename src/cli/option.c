@@ -250,17 +250,25 @@ static enum ph_space space_of(const struct ph_options *o) {
 static enum ph_status check_printed(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
   const bool surface = space_of(o) == PH_SURFACE;
-  if (surface && !p->table) {
-    o->table = PH_TABLE_STRIPS;
+  const bool patches = space_of(o) == PH_PATCHWORK;
+  if ((surface || patches) && !p->table) {
+    o->table = surface ? PH_TABLE_STRIPS : PH_TABLE_PATCHES;
   }
   if (p->table && !ph_csv_has(o->table, space_of(o))) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
                    surface
                        ? "--table: the surfaces of %s have strips, samples, "
                          "development and located"
-                       : "--table: strips, development and located are of "
-                         "surfaces, %s makes curves",
+                   : patches ? "--table: the surfaces of %s have patches"
+                             : "--table: strips, development, located and "
+                               "patches are of surfaces, %s makes curves",
                    o->command->schema->command);
+  }
+  if (patches &&
+      (ph_formats[o->format].is_mesh || ph_formats[o->format].is_cubics)) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--format=%s is not of surfaces of patches",
+                   ph_format_name(o->format));
   }
   if (ph_formats[o->format].is_mesh && !surface) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,

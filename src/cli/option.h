@@ -56,7 +56,7 @@
     "of cubic Bezier curves; obj: the mesh of a surface")                     \
   X(TABLE, SOLVE, 0, "table", "NAME",                                         \
     "what --format=csv and text print (default: control-points, of surfaces " \
-    "strips):")                                                               \
+    "strips or patches):")                                                    \
   X(PRETTY, ALL, 0, "pretty", NULL, "indented JSON")                          \
   X(OUTPUT, ALL, 'o', "output", "FILE",                                       \
     "write FILE, replaced only when everything was written")                  \
@@ -85,10 +85,10 @@
     "add samples such that no chord leaves the curve by more than E")         \
   X(FRAME, CURVE, 0, "frame", PH_WORDS(PH_FRAMES),                            \
     "add normal and binormal to samples of curves in space")                  \
-  X(PLOT, SOLVE, 'p', "plot", "FILE",                                         \
+  X(PLOT, DRAW, 'p', "plot", "FILE",                                          \
     "draw data, results, offsets and curvature of the whole run: FILE.svg, "  \
     "FILE.pdf or FILE.png")                                                   \
-  X(PLOT_SIZE, SOLVE, 0, "plot-size", "WIDTHxHEIGHT",                         \
+  X(PLOT_SIZE, DRAW, 0, "plot-size", "WIDTHxHEIGHT",                          \
     "size of the figure, in pixels (.png) or points of 1/72 inch")            \
   X(VOLUME, SURFACE, 0, "volume", "FILE.nrrd",                                \
     "the volume that --panorama shows")                                       \

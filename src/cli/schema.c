@@ -78,7 +78,7 @@ static bool has(const struct form *f, const struct ph_member *member) {
   case PH_OF_INTERVALS:
     return promise->intervals;
   case PH_OF_SURFACE:
-    return promise->surface;
+    return promise->parts == PH_STRIPS_PARTS;
   default:
     return promise->lengths;
   }
@@ -239,6 +239,9 @@ static bool fill_scalar(struct builder *b, cJSON *node, const char *type) {
       {"radius", "{\"type\":\"number\",\"exclusiveMinimum\":0}"},
       {"whole", "{\"type\":\"integer\",\"minimum\":0}"},
       {"index", "{\"type\":\"integer\",\"minimum\":0}"},
+      {"continuity", "{\"enum\":[0,1,2]}"},
+      {"bidegree", "{\"type\":\"integer\",\"minimum\":1,"
+                   "\"maximum\":" PH_TEXT(PH_BIDEGREE_MAX) "}"},
       {"knots", "{\"type\":\"array\",\"items\":{\"type\":\"number\"},"
                 "\"minItems\":2,\"maxItems\":2}"},
       {"range", "{\"type\":\"array\",\"items\":{\"type\":\"integer\","
@@ -347,6 +350,7 @@ static void fill_field(struct builder *b, cJSON *node,
                {PH_VECTORS, 1u << 3, "[][3]number"},
                {PH_POLYLINE, 1u << 2, "[][+][2]number"},
                {PH_POLYLINE, 1u << 3, "[][+][3]number"},
+               {PH_LISTS, 0, "[][]number"},
                {PH_WORD, 0, NULL}};
   const char *types[sizeof kinds / sizeof kinds[0]];
   size_t n = 0;
@@ -534,7 +538,7 @@ static void define_command(struct builder *b,
   }
   for (int kind = 0; promise && kind < PH_CURVE_N; kind++) {
     if (promise->kinds >> kind & 1) {
-      add_form(b, one, ph_members_result(promise->surface),
+      add_form(b, one, ph_members_result(promise->parts),
                (struct form){command, "ok", promise, (enum ph_curve_kind)kind});
     }
   }

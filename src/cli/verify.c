@@ -304,10 +304,10 @@ static void write_error(struct ph_json_writer *w, const char *name, double x) {
 static void write_verdict(struct ph_json_writer *w, const struct task *t) {
   const struct ph_curve *curve = &t->claim.result.curve;
   const struct ph_verdict *v = &t->verdict;
-  const bool surface = t->promise->surface;
-  ph_write_key_string(w, surface ? "surface" : "curve",
+  const enum ph_parts parts = t->promise->parts;
+  ph_write_key_string(w, parts ? "surface" : "curve",
                       ph_curve_name(curve->kind));
-  ph_write_key_number(w, surface ? "strips" : "segments", (double)curve->n);
+  ph_write_key_number(w, ph_parts_name(parts), (double)curve->n);
   if (v->worst != PH_CHECK_N) {
     ph_write_key(w, "worst");
     ph_write_begin(w, '{');

@@ -68,7 +68,10 @@
   X(AUXILIARY, "auxiliary")               \
   X(APEXES, "apexes")                     \
   X(CONTACT_POINT, "contact_point")       \
-  X(TANGENT_SCALE, "tangent_scale")
+  X(TANGENT_SCALE, "tangent_scale")       \
+  X(FACES, "faces")                       \
+  X(CONTINUITY, "continuity")             \
+  X(DEGREE, "degree")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,
@@ -88,7 +91,8 @@ enum ph_value_kind {
   PH_SEGMENTS = 32, /* of a row: its numbers belong to segments, not points */
   PH_POLYLINE = 64, /* array of arrays of vectors: control points of pieces;
                        of a row: beside PH_VECTORS, those of one piece */
-  PH_DATUM = 128    /* of a row: its numbers or vectors belong to points */
+  PH_DATUM = 128,   /* of a row: its numbers or vectors belong to points */
+  PH_LISTS = 256    /* array of arrays of numbers, of any sizes */
 };
 
 struct ph_value {
@@ -96,11 +100,13 @@ struct ph_value {
   bool flag;        /* PH_BOOL */
   double number;    /* PH_NUMBER; PH_WORD: V of a word "name:V", else 0 */
   const char *word; /* PH_WORD, NUL-terminated */
-  double *v; /* PH_NUMBERS: v[n]; PH_VECTORS, PH_POLYLINE: v[n][dimension] */
+  double *v;        /* PH_NUMBERS, PH_LISTS: v[n]; PH_VECTORS, PH_POLYLINE:
+                       v[n][dimension] */
   size_t n;
-  size_t dimension; /* of vectors: 2 or 3; PH_NUMBERS: 1 */
+  size_t dimension; /* of vectors: 2 or 3; else 1 */
   size_t *sizes;    /* PH_POLYLINE: sizes[sizes_n] vectors of each piece, one
-                       piece after another in v, n in all */
+                       piece after another in v, n in all; PH_LISTS: the same
+                       of numbers */
   size_t sizes_n;
 };
 

@@ -26,6 +26,16 @@ static const struct {
 #undef X
 };
 
+static const char *const parts_names[] = {
+#define X(symbol, name) name,
+    PH_PARTS(X)
+#undef X
+};
+
+const char *ph_parts_name(enum ph_parts parts) {
+  return parts_names[parts];
+}
+
 const char *ph_curve_name(enum ph_curve_kind kind) {
   return curve_names[kind];
 }

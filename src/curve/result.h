@@ -25,7 +25,8 @@
   X(BEZIER, bezier, "bezier")                   \
   X(TC, tc, "tc")                               \
   X(SPHERICAL_NU, spherical_nu, "spherical-nu") \
-  X(CONE, cone, "cone-spline")
+  X(CONE, cone, "cone-spline")                  \
+  X(BUBBLE, bubble, "bubble")
 
 enum ph_curve_kind {
 #define X(symbol, kind, name) PH_CURVE_##symbol,
@@ -131,10 +132,11 @@ struct ph_curve {
   struct ph_surface surface;
 };
 
-/* Where a curve lies; PH_SURFACE: it is a surface itself. */
-enum ph_space { PH_PLANE, PH_SPACE, PH_SPHERE, PH_SURFACE };
+/* Where a curve lies; PH_SURFACE, PH_PATCHWORK: it is a surface itself, of
+ * strips or of patches. */
+enum ph_space { PH_PLANE, PH_SPACE, PH_SPHERE, PH_SURFACE, PH_PATCHWORK };
 
-enum { PH_SPACES = PH_SURFACE + 1 };
+enum { PH_SPACES = PH_PATCHWORK + 1 };
 
 /* Frames: X(SYMBOL, "name"), FIRST of the first. */
 #define PH_FRAMES(FIRST, X) \
@@ -299,7 +301,7 @@ struct ph_offset {
   X(SPHERE_ERROR, "sphere_error", "number",                                    \
     "the largest distance of a control point from the sphere, relative")       \
   X(CURVATURE_JUMP, "curvature_jump", "number",                                \
-    "the largest jump of the curvature at a point, relative")                  \
+    "the largest jump of the curvature at a point or edge, relative")          \
   X(MAX_CURVATURE, "max_curvature", "number",                                  \
     "the largest size of the curvature")                                       \
   X(TENSION_SUM, "tension_sum", "number", "the sum of the tensions")           \
@@ -348,7 +350,14 @@ struct ph_offset {
   X(LARGE_ARCS, "large_arcs", "number",                                        \
     "how many strips turn by more than 180 degrees about their axis")          \
   X(INFLECTIONS, "inflections", "number",                                      \
-    "how often strips of general cones begin to bend to the other side")
+    "how often strips of general cones begin to bend to the other side")       \
+  X(NORMAL_ERROR, "normal_error", "number",                                    \
+    "the largest angle between a normal and that of its point")                \
+  X(NORMAL_JUMP, "normal_jump", "number",                                      \
+    "the largest angle between the normals on both sides of an edge")          \
+  X(DEGREE, "degree", "number", "the highest of the blending functions")       \
+  X(FOLDED, "folded", "number", "how many patches are folded")                 \
+  X(AREA, "area", "number", "of the surface")
 
 enum ph_diagnostic {
 #define X(symbol, name, type, what) PH_D_##symbol,
@@ -518,6 +527,9 @@ struct ph_result {
 #define PH_INTERVAL_NONE                                           \
   ((struct ph_interval){(double)NAN, (double)NAN, 0, 0, PH_ROOT_N, \
                         (double)NAN, (double)NAN, (double)NAN, (double)NAN})
+
+/* ph_parts_name: the member of a record that has the parts of a curve. */
+const char *ph_parts_name(enum ph_parts parts);
 
 /* ph_words: the words of a type in records, "kind" of curves, "frame" from
  * PH_FRAME_FRENET on, "root", "outcome", "strip_method", "case" of pairs or

@@ -29,6 +29,7 @@ static const char *const columns[PH_TABLE_N][PH_SPACES] = {
                          ",strip,pair,x,y,z,rx,ry,rz,tx,ty,tz,nx,ny,nz,"
                          "geodesic_curvature,normal_curvature,length,vx,vy,vz,"
                          "half_angle,sweep,development_angle"},
+    [PH_TABLE_PATCHES] = {NULL, NULL, NULL, NULL, ",patch,row,column,x,y,z"},
     [PH_TABLE_DEVELOPMENT] = {NULL, NULL, NULL, ",strip,index,u,v,weight"},
     [PH_TABLE_LOCATED] = {NULL, NULL, NULL,
                           ",index,strip,s,h,x,y,z,nx,ny,nz,u,v"},
@@ -324,6 +325,21 @@ static void strips(const struct row *row, const struct ph_curve *c,
   }
 }
 
+static void patches(const struct row *row, const struct ph_curve *c) {
+  for (size_t i = 0; i < c->n; i++) {
+    const struct ph_patch *patch = &c->surface.patches[i];
+    const size_t width = patch->bidegree[0] + 1;
+    for (size_t k = 0; k < patch->points_n; k++) {
+      begin_row(row);
+      number_cell(row, (double)i);
+      number_cell(row, (double)(k / width));
+      number_cell(row, (double)(k % width));
+      number_cells(row, patch->control_points + 3 * k, 3);
+      end_row(row);
+    }
+  }
+}
+
 static void development(const struct row *row, const struct ph_curve *c,
                         double distance) {
   for (size_t k = 0; k < c->n; k++) {
@@ -414,6 +430,9 @@ void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
     break;
   case PH_TABLE_LOCATED:
     located(&row, &result->located);
+    break;
+  case PH_TABLE_PATCHES:
+    patches(&row, &result->curve);
     break;
   case PH_TABLE_SAMPLES:
     if (shape->space == PH_SURFACE) {

@@ -27,6 +27,7 @@
   X(OFFSETS, "offsets",                                                       \
     "control points and weights of the offset curves; on a sphere samples")   \
   X(STRIPS, "strips", "frames, curvatures and vertices of a surface")         \
+  X(PATCHES, "patches", "control points of the patches of a surface")         \
   X(DEVELOPMENT, "development",                                               \
     "control points and weights of the development of a surface; of general " \
     "cones samples")                                                          \

@@ -105,32 +105,55 @@ static void read_knots(struct ph_json_reader *r,
   knots[1] = ends[1];
 }
 
-void ph_read_list(struct ph_json_reader *r, const char *name,
+void ph_read_list(struct ph_json_reader *r, const struct ph_slot *slot,
                   const struct ph_json_item *item, void *at, size_t *n) {
+  const size_t dimension = slot->dimension ? slot->dimension : 1;
+  const char *name = slot->row->name;
   double *v;
   *n = ph_read_size(r, item);
-  v = *n ? ph_read_array_of(r, *n, sizeof *v) : NULL;
+  v = *n ? ph_read_array_of(r, *n, dimension * sizeof *v) : NULL;
   memcpy(at, &v, sizeof v);
-  if (v) {
+  if (v && slot->dimension) {
+    ph_read_vectors(r, item, name, v, *n, dimension);
+  } else if (v) {
     ph_read_numbers(r, item, name, v, *n);
   }
 }
 
-void ph_read_indices(struct ph_json_reader *r, const struct ph_slot *slot,
-                     const struct ph_json_item *item, void *at, size_t *n) {
+/* So many whole numbers. */
+static void read_wholes(struct ph_json_reader *r, const struct ph_slot *slot,
+                        const struct ph_json_item *item, size_t *v, size_t n) {
   struct ph_json_walk walk;
   struct ph_json_item index;
-  size_t mark = ph_read_enter(r, slot->row->name), *v;
-  *n = ph_read_size(r, item);
-  v = *n ? ph_read_array_of(r, *n, sizeof *v) : NULL;
-  memcpy(at, &v, sizeof v);
   ph_json_walk_init(&walk, item->value, item->value_n);
-  for (size_t i = 0; r->status == PH_OK && i < *n; i++) {
+  for (size_t i = 0; r->status == PH_OK && i < n; i++) {
     size_t inner = ph_read_enter_at(r, i);
     ph_json_walk_next(&walk, &index);
     v[i] = ph_read_whole(r, &index, NULL, slot->row->as->least, slot->most);
     ph_read_leave(r, inner);
   }
+}
+
+/* Exactly n of them. */
+static void read_fixed(struct ph_json_reader *r, const struct ph_slot *slot,
+                       const struct ph_json_item *item, size_t *v) {
+  size_t mark = ph_read_enter(r, slot->row->name);
+  size_t found = ph_read_size(r, item);
+  if (r->status == PH_OK && found != slot->n) {
+    ph_read_fail(r, PH_E_BAD_SHAPE, "must have %zu numbers, found %zu", slot->n,
+                 found);
+  }
+  read_wholes(r, slot, item, v, slot->n);
+  ph_read_leave(r, mark);
+}
+
+void ph_read_indices(struct ph_json_reader *r, const struct ph_slot *slot,
+                     const struct ph_json_item *item, void *at, size_t *n) {
+  size_t mark = ph_read_enter(r, slot->row->name), *v;
+  *n = ph_read_size(r, item);
+  v = *n ? ph_read_array_of(r, *n, sizeof *v) : NULL;
+  memcpy(at, &v, sizeof v);
+  read_wholes(r, slot, item, v, *n);
   ph_read_leave(r, mark);
 }
 
@@ -183,7 +206,11 @@ void ph_read_form(struct ph_json_reader *r, const struct ph_slot *slot,
     read_knots(r, item, name, at, k);
     break;
   case PH_AS_SIZE:
-    *(size_t *)at = ph_read_whole(r, item, name, type->least, slot->most);
+    if (slot->n) {
+      read_fixed(r, slot, item, at);
+    } else {
+      *(size_t *)at = ph_read_whole(r, item, name, type->least, slot->most);
+    }
     break;
   case PH_AS_RANGE:
     read_range(r, item, name, at, slot->most);

@@ -20,8 +20,9 @@ size_t ph_read_word(struct ph_json_reader *r, const struct ph_json_item *item,
 void ph_read_form(struct ph_json_reader *r, const struct ph_slot *slot,
                   const struct ph_json_item *item, void *at, size_t k);
 
-/* ph_read_list: an array of numbers; at is a pointer to it.  out n */
-void ph_read_list(struct ph_json_reader *r, const char *name,
+/* ph_read_list: an array of numbers, or vectors; at is a pointer to it.  out n
+ */
+void ph_read_list(struct ph_json_reader *r, const struct ph_slot *slot,
                   const struct ph_json_item *item, void *at, size_t *n);
 
 /* ph_read_indices: an array of indices of segments; at is a pointer to it. */

@@ -127,12 +127,14 @@ static void write_images(struct output *out, const struct ph_slot *slot,
   write_list(out, slot, (const char *)(images->v + first), next - first);
 }
 
+/* Of an array of any number, there are n. */
 static void write_doubles(struct ph_json_writer *w, const struct ph_slot *slot,
-                          const double *v) {
+                          const double *v, size_t n) {
+  n = slot->numbers ? n : slot->n;
   if (slot->dimension) {
-    ph_write_vectors(w, v, slot->n, slot->dimension);
-  } else if (slot->n) {
-    ph_write_numbers(w, v, slot->n);
+    ph_write_vectors(w, v, n, slot->dimension);
+  } else if (slot->numbers || n) {
+    ph_write_numbers(w, v, n);
   } else {
     ph_write_number(w, *v);
   }
@@ -149,10 +151,11 @@ static void write_signs(struct ph_json_writer *w, const signed char *signs,
 
 static void write_sizes(struct ph_json_writer *w, const struct ph_slot *slot,
                         const size_t *sizes, size_t n) {
-  if (!slot->indirect || slot->row->where.how == PH_EACH) {
+  if (slot->n == 0 && (!slot->indirect || slot->row->where.how == PH_EACH)) {
     ph_write_number(w, (double)*sizes);
     return;
   }
+  n = slot->n ? slot->n : n;
   ph_write_begin(w, '[');
   for (size_t i = 0; i < n; i++) {
     ph_write_element(w);
@@ -282,11 +285,7 @@ static void write_value(struct output *out, const struct ph_slot *slot,
   switch (slot->form) {
   case PH_AS_DOUBLE:
   case PH_AS_RADIUS:
-    if (slot->numbers) {
-      ph_write_numbers(w, at, n);
-    } else {
-      write_doubles(w, slot, at);
-    }
+    write_doubles(w, slot, at, n);
     break;
   case PH_AS_KNOTS:
     ph_write_numbers(w, at, 2);
@@ -370,7 +369,7 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
   struct ph_json_writer w = {.buf = buf, .pretty = pretty};
   struct output out = {.w = &w, .result = result};
   struct ph_slot slots[PH_SLOTS_MAX];
-  const char *object = ph_members_result(ph_kind_of(&result->curve)->surface);
+  const char *object = ph_members_result(ph_kind_of(&result->curve)->parts);
   out.sizes.of['I' - 'A'] = result->intervals_n;
   ph_sizes_enter(&out.sizes, PH_AS_SEGMENTS, &result->curve);
   ph_write_begin(&w, '{');

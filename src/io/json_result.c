@@ -375,7 +375,7 @@ static void read_parts(struct input *in, const struct ph_slot *slot,
     ph_read_indices(in->r, slot, item, at, n);
     break;
   case PH_AS_DOUBLE:
-    ph_read_list(in->r, slot->row->name, item, at, n);
+    ph_read_list(in->r, slot, item, at, n);
     break;
   case PH_AS_IMAGES:
     read_images(in, item, slot->row->name,
@@ -434,7 +434,11 @@ static void read_slots(struct input *in, const struct object *o,
 
 /* What a result is made of. */
 static const char *parts_of(const struct object *o) {
-  return strcmp(o->of->name, "surface") == 0 ? "strips" : "segments";
+  size_t parts = 0;
+  while (strcmp(ph_members_result((enum ph_parts)parts), o->of->name) != 0) {
+    parts++;
+  }
+  return ph_parts_name((enum ph_parts)parts);
 }
 
 static void read_result(struct input *in, struct object *o) {
@@ -445,7 +449,7 @@ static void read_result(struct input *in, struct object *o) {
     ph_read_enter(in->r, parts);
     ph_read_fail(in->r, PH_E_MISSING_FIELD, "is missing: this is no result");
   }
-  if (strcmp(parts, "strips") == 0) {
+  if (strcmp(parts, "segments") != 0) {
     in->result->curve.dimension = 3;
     read_slots(in, o, slots, ph_slots(o->of, &in->sizes, slots));
     return;
@@ -512,21 +516,23 @@ static void read_heading(struct ph_json_reader *r, const struct object *o,
   read_fields(r, item_of(o, "set"), "set", &claim->set, &claim->set_n);
 }
 
-/* Whether a record has a member of surfaces alone before one of curves. */
-static bool is_surface(const struct ph_record *record) {
-  static const char *const names[] = {"surface", "strips", "curve", "segments"};
+/* What a record consists of, by the first of its members that says so. */
+static enum ph_parts parts_in(const struct ph_record *record) {
   struct ph_json_walk walk;
   struct ph_json_item item;
+  bool surface = false;
   ph_json_walk_init(&walk, record->text, record->n);
   while (ph_json_walk_next(&walk, &item)) {
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-      if (item.key_n == strlen(names[i]) &&
-          memcmp(item.key, names[i], item.key_n) == 0) {
-        return i < 2;
+    surface |= item.key_n == 7 && memcmp(item.key, "surface", 7) == 0;
+    for (size_t i = 0; i < PH_PARTS_N; i++) {
+      const char *name = ph_parts_name((enum ph_parts)i);
+      if (item.key_n == strlen(name) &&
+          memcmp(item.key, name, item.key_n) == 0) {
+        return (enum ph_parts)i;
       }
     }
   }
-  return false;
+  return surface ? PH_STRIPS_PARTS : PH_SEGMENTS_PARTS;
 }
 
 enum ph_status ph_json_result_in(const struct ph_record *record,
@@ -545,7 +551,7 @@ enum ph_status ph_json_result_in(const struct ph_record *record,
                    "a result must be an object, found %s",
                    ph_value_type(*record->text));
   }
-  o.of = ph_members_of(ph_members_result(is_surface(record)));
+  o.of = ph_members_of(ph_members_result(parts_in(record)));
   ph_read_members(&r, &whole, o.of->rows, items);
   status = ph_json_echo(item_of(&o, "id"), item_of(&o, "meta"), arena,
                         &claim->echo, r.status == PH_OK ? diag : &later);

@@ -109,6 +109,40 @@ static const struct ph_member surface[] = {
      LIST(ph_result, warnings, warnings_n), "if there are any"},
     LAST};
 
+/* Of a surface of patches. */
+static const struct ph_member patchwork[] = {
+    HEADING,
+    {"surface", MUST, ANY, AS("", curve), AT(ph_result, curve.kind),
+     "the kind of surface"},
+    {"closed", MUST, ANY, AS("", flag), AT(ph_result, curve.closed),
+     "whether every edge has two faces"},
+    {"continuity", MUST, ANY, AS("", continuity),
+     AT(ph_result, curve.surface.continuity),
+     "across edges: 0 of points, 1 of normals, 2 of curvatures"},
+    {"patches", MUST, ANY, AS("[+]", patch),
+     LIST(ph_result, curve.surface.patches, curve.n),
+     "the surface, in the order of the faces"},
+    {"area", TOLD, ANY, AS("", number), AT(ph_result, curve.surface.area),
+     "of the surface"},
+    {"volume", MAY, ANY, AS("", number), AT(ph_result, curve.surface.volume),
+     "inside of a closed surface, by the orientation of the faces"},
+    {"diagnostics", TOLD, ANY, AS("", certificate), AT(ph_result, diagnostics),
+     "the certificate of the surface, and how it was found"},
+    {"warnings", MAY, ANY, AS("[+]", warning),
+     LIST(ph_result, warnings, warnings_n), "if there are any"},
+    LAST};
+
+static const struct ph_member patch[] = {
+    {"face", MUST, ANY, AS("", whole), AT(ph_patch, face), "that it is over"},
+    {"vertices", MUST, ANY, AS("[4]", whole), AT(ph_patch, vertices),
+     "of the face: u is from 0 to 1, v from 0 to 3 of them"},
+    {"bidegree", MUST, ANY, AS("[2]", bidegree), AT(ph_patch, bidegree),
+     "by u and by v"},
+    {"control_points", MUST, ANY, AS("[+][3]", number),
+     LIST(ph_patch, control_points, points_n),
+     "of a tensor product Bezier patch, in rows of constant v"},
+    LAST};
+
 static const struct ph_member parallel[] = {
     {"distance", MUST, ANY, AS("", number), AT(ph_parallel, distance),
      "along the normals"},
@@ -494,7 +528,8 @@ static const struct ph_member error[] = {
   ROW("curve", MAY, ANY, "kind", "the kind of curve, or"),              \
       ROW("surface", MAY, ANY, "kind", "of surface"),                   \
       ROW("segments", MAY, ANY, "whole", "how many the curve has, or"), \
-      ROW("strips", MAY, ANY, "whole", "the surface"),                  \
+      ROW("strips", MAY, ANY, "whole", "the surface, or"),              \
+      ROW("patches", MAY, ANY, "whole", "it"),                          \
       ROW("worst", MAY, ANY, "worst", "the largest of all errors"),     \
       ROW("checks", MUST, ANY, "checks", "the largest error of each check")
 
@@ -514,6 +549,8 @@ static const struct ph_member worst[] = {
 static const struct ph_members objects[] = {
     {"result", false, result, sizeof(struct ph_result)},
     {"surface", false, surface, sizeof(struct ph_result)},
+    {"patchwork", false, patchwork, sizeof(struct ph_result)},
+    {"patch", true, patch, sizeof(struct ph_patch)},
     {"strip", true, strip, sizeof(struct ph_strip)},
     {"strip_frame", true, strip_frame, sizeof(struct ph_strip_frame)},
     {"arc3", true, arc3, sizeof(struct ph_arc3)},

@@ -75,9 +75,11 @@ struct ph_members {
 /* ph_members_of: those of an object, which must be one of members.c. */
 const struct ph_members *ph_members_of(const char *name);
 
-/* ph_members_result: the object that a result is, by what it is of. */
-static inline const char *ph_members_result(bool surface) {
-  return surface ? "surface" : "result";
+/* ph_members_result: the object that a result is, by what it consists of. */
+static inline const char *ph_members_result(enum ph_parts parts) {
+  return parts == PH_SEGMENTS_PARTS ? "result"
+         : parts == PH_STRIPS_PARTS ? "surface"
+                                    : "patchwork";
 }
 
 /* ---- members in memory --------------------------------------------------- */
@@ -140,6 +142,9 @@ enum { PH_SLOTS_MAX = 24 };
 
 /* No curve or offset that is written has a higher degree, by far. */
 enum { PH_CLAIM_DEGREE_MAX = 15 };
+
+/* ... and no patch by one parameter. */
+#define PH_BIDEGREE_MAX 32
 
 /* ph_sizes_enter: takes from a curve, offset or pieces what the members of its
  * segments, pieces or polynomial pieces are as large as. */

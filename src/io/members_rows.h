@@ -56,6 +56,8 @@ TYPE(knots, "knots", KNOTS, sizeof(double), 0, 0);
 TYPE(index, "index", SIZE, sizeof(size_t), 0, SIZE_MAX);
 TYPE(whole, "whole", SIZE, sizeof(size_t), 0, INT32_MAX);
 TYPE(D, "D", SIZE, sizeof(size_t), 2, 3);
+TYPE(continuity, "continuity", SIZE, sizeof(size_t), 0, 2);
+TYPE(bidegree, "bidegree", SIZE, sizeof(size_t), 1, PH_BIDEGREE_MAX);
 TYPE(degree, "degree", SIZE, sizeof(size_t), 1, PH_CLAIM_DEGREE_MAX);
 TYPE(offset_degree, "offset_degree", SIZE, sizeof(size_t), 1,
      PH_CLAIM_DEGREE_MAX);
@@ -87,6 +89,7 @@ TYPE(bounds, "bounds", BOUNDS, 0, 0, 0);
 TYPE(strip, "strip", LIST, 0, 0, 0);
 TYPE(pair, "pair", LIST, 0, 0, 0);
 TYPE(flat_sample, "flat_sample", LIST, 0, 0, 0);
+TYPE(patch, "patch", LIST, 0, 0, 0);
 TYPE(parallel, "parallel", LIST, 0, 0, 0);
 TYPE(node, "node", LIST, 0, 0, 0);
 TYPE(panorama, "panorama", OBJECT, sizeof(struct ph_panorama), 0, 0);

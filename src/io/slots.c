@@ -67,9 +67,10 @@ size_t ph_slots(const struct ph_members *of, const struct ph_sizes *sizes,
     slot->most = type->most < SIZE_MAX ? type->most : sizes->of['S' - 'A'] - 1;
     slot->numbers =
         type->form == PH_AS_DOUBLE && strncmp(row->type, "[+]", 3) == 0;
-    slot->indirect = row->where.how == PH_EACH || type->form == PH_AS_LIST ||
-                     (type->form == PH_AS_SIZE && *row->type == '[') ||
-                     slot->numbers;
+    slot->indirect =
+        row->where.how == PH_EACH || type->form == PH_AS_LIST ||
+        (type->form == PH_AS_SIZE && *row->type == '[' && slot->n == 0) ||
+        slot->numbers;
   }
   return n;
 }

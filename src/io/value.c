@@ -342,6 +342,38 @@ static enum ph_status read_polyline(struct reader *r, struct ph_value *value) {
   return status;
 }
 
+/* Arrays of numbers, one after another. */
+static enum ph_status read_lists(struct reader *r, struct ph_value *value) {
+  const size_t lists = count(r, '['), numbers = count(r, ',') + 1;
+  double *v = ph_arena_array(r->arena, numbers, sizeof *v);
+  *value = (struct ph_value){.kind = PH_LISTS, .v = v, .dimension = 1};
+  value->sizes = ph_arena_array(r->arena, lists, sizeof *value->sizes);
+  if (!v || !value->sizes) {
+    return ph_fail_memory(r->diag);
+  }
+  while (next_element(r)) {
+    const size_t i = value->sizes_n++, before = value->n;
+    char text[PH_DIAG_FIELD_MAX];
+    if (*r->p != '[') {
+      return ph_fail(r->diag, PH_E_BAD_TYPE, path(r, i, -1, text),
+                     "must be an array of numbers, found %s",
+                     ph_value_type(*r->p));
+    }
+    r->p++;
+    while (next_element(r)) {
+      enum ph_status status =
+          read_element(r, i, (long)(value->n - before), &v[value->n]);
+      if (status != PH_OK) {
+        return status;
+      }
+      value->n++;
+    }
+    r->p++;
+    value->sizes[i] = value->n - before;
+  }
+  return PH_OK;
+}
+
 /* Whether the elements of an array, the first of them that is not empty,
  * begin with an array. */
 static bool is_nested(const struct reader *r) {
@@ -358,7 +390,9 @@ static bool is_nested(const struct reader *r) {
 
 static enum ph_status read_empty(struct reader *r, struct ph_value *value) {
   bool vectors = r->row->kinds & PH_VECTORS;
-  value->kind = vectors ? PH_VECTORS : PH_NUMBERS;
+  value->kind = vectors                      ? PH_VECTORS
+                : r->row->kinds & PH_NUMBERS ? PH_NUMBERS
+                                             : PH_LISTS;
   value->dimension = !vectors ? 1 : r->row->dimensions >> 2 & 1 ? 2 : 3;
   value->n = 0;
   value->v = ph_arena_array(r->arena, 0, sizeof *value->v);
@@ -367,12 +401,15 @@ static enum ph_status read_empty(struct reader *r, struct ph_value *value) {
 
 static enum ph_status read_array(struct reader *r, struct ph_value *value) {
   unsigned kinds = r->row->kinds;
-  if (!(kinds & (PH_NUMBERS | PH_VECTORS))) {
+  if (!(kinds & (PH_NUMBERS | PH_VECTORS | PH_LISTS))) {
     return bad_type(r, "an array");
   }
   r->p++;
   if (!next_element(r)) {
     return read_empty(r, value);
+  }
+  if (*r->p == '[' && kinds & PH_LISTS) {
+    return read_lists(r, value);
   }
   if (*r->p == '[' && kinds & PH_POLYLINE && is_nested(r)) {
     return read_polyline(r, value);

@@ -72,6 +72,7 @@ const char *ph_value_describe(const struct ph_field *row,
   list.items += row->kinds & PH_NUMBERS ? 1 : 0;
   list.items += row->kinds & PH_VECTORS ? 1 : 0;
   list.items += row->kinds & PH_POLYLINE ? 1 : 0;
+  list.items += row->kinds & PH_LISTS ? 1 : 0;
   phrase[0] = '\0';
   if (row->kinds & PH_BOOL) {
     add_item(&list, "true");
@@ -89,6 +90,9 @@ const char *ph_value_describe(const struct ph_field *row,
   }
   if (row->kinds & PH_POLYLINE) {
     add_item(&list, "an array of such arrays");
+  }
+  if (row->kinds & PH_LISTS) {
+    add_item(&list, "an array of arrays of numbers");
   }
   return phrase;
 }

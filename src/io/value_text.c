@@ -33,6 +33,21 @@ static char *put_vectors(char *to, const double *v, size_t n,
   return to;
 }
 
+/* [[a,b,c],[a]] */
+static char *put_lists(char *to, const struct ph_value *value) {
+  const double *v = value->v;
+  *to++ = '[';
+  for (size_t i = 0; i < value->sizes_n; i++) {
+    if (i > 0) {
+      *to++ = ',';
+    }
+    to = put_numbers(to, v, value->sizes[i]);
+    v += value->sizes[i];
+  }
+  *to++ = ']';
+  return to;
+}
+
 /* [[[a,b],[c,d]],[[c,d],[e,f]]] */
 static char *put_polyline(char *to, const struct ph_value *value) {
   const double *v = value->v;
@@ -72,6 +87,8 @@ const char *ph_value_text(const struct ph_value *value,
     to = put_numbers(to, value->v, value->n);
   } else if (value->kind == PH_VECTORS) {
     to = put_vectors(to, value->v, value->n, value->dimension);
+  } else if (value->kind == PH_LISTS) {
+    to = put_lists(to, value);
   } else {
     to = put_polyline(to, value);
   }

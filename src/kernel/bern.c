@@ -15,6 +15,50 @@ void ph_bern_basis(size_t degree, double u, double *basis) {
   }
 }
 
+/* binomial(n, k), exact up to n = 56. */
+static double binomial(size_t n, size_t k) {
+  double b = 1;
+  for (size_t i = 1; i <= k; i++) {
+    b = b * (double)(n - k + i) / (double)i;
+  }
+  return b;
+}
+
+void ph_bern_taylor(size_t degree, double u, size_t order, double *rows) {
+  for (size_t j = 0; j <= order; j++) {
+    double *row = rows + j * (degree + 1);
+    const double factor = binomial(degree, j);
+    ph_bern_basis(degree - j, u, row);
+    for (size_t n = degree - j; n < degree; n++) { /* a difference each */
+      row[n + 1] = row[n];
+      for (size_t k = n; k > 0; k--) {
+        row[k] = row[k - 1] - row[k];
+      }
+      row[0] = -row[0];
+    }
+    for (size_t k = 0; k <= degree; k++) {
+      row[k] *= factor;
+    }
+  }
+}
+
+void ph_bern_contact(size_t degree, const double *a, size_t n, double *c,
+                     ptrdiff_t stride) {
+  for (size_t j = 0; j < n; j++, c += stride) {
+    *c = 0;
+    for (size_t i = 0; i <= j; i++) {
+      *c += binomial(j, i) / binomial(degree, i) * a[i];
+    }
+  }
+}
+
+double ph_bern_elevate(size_t degree, size_t from, size_t higher, size_t to) {
+  return to < from || to - from > higher - degree
+             ? 0
+             : binomial(degree, from) * binomial(higher - degree, to - from) /
+                   binomial(higher, to);
+}
+
 void ph_bern_cut(const ph_cplx *c, size_t degree, double u, ph_cplx *left,
                  ph_cplx *right) {
   memcpy(right, c, (degree + 1) * sizeof *right);

@@ -18,6 +18,28 @@
 void ph_bern_basis(size_t degree, double u, double *basis);
 
 /*
+ * ph_bern_taylor: what the coefficients of a polynomial are multiplied by and
+ * added to give its Taylor coefficients at u, p^(j)(u) / j!.
+ *
+ * out  rows[order + 1][degree + 1]  of j = 0 to order, at most degree
+ */
+void ph_bern_taylor(size_t degree, double u, size_t order, double *rows);
+
+/*
+ * ph_bern_contact: the first coefficients of a polynomial from its Taylor
+ * coefficients at 0, and by symmetry the last ones from those at 1 in 1 - u.
+ *
+ * in   a[n]          Taylor coefficients, n <= degree + 1
+ * out  c[n * stride] the first n; the last ones with a negative stride
+ */
+void ph_bern_contact(size_t degree, const double *a, size_t n, double *c,
+                     ptrdiff_t stride);
+
+/* ph_bern_elevate: the weight of coefficient `from' of a polynomial in
+ * coefficient `to' of the same with the degree `higher'. */
+double ph_bern_elevate(size_t degree, size_t from, size_t higher, size_t to);
+
+/*
  * ph_bern_cut: the two parts of a polynomial beside u, each on [0,1] again.
  *
  * in   c[degree + 1]

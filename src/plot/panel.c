@@ -90,6 +90,8 @@ static void find_views(struct ph_panel *panel) {
     panel->views[0] = ph_solid_view(panel);
     panel->views_n = 1;
     break;
+  case PH_PATCHWORK: /* has no figures */
+    break;
   }
 }
 

@@ -520,6 +520,8 @@ void ph_panel_draw(const struct ph_panel *panel, struct ph_page *page,
   case PH_SURFACE:
     draw_surface(&place);
     break;
+  case PH_PATCHWORK:
+    break;
   }
   draw_profiles(&place);
 }

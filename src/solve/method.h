@@ -71,4 +71,7 @@ extern const struct ph_method ph_method_tc;
 /* Developable surfaces of cones through contact elements [GON18, ch. 4]. */
 extern const struct ph_method ph_method_cone;
 
+/* Smooth surfaces of patches over meshes of quadrilaterals [BYR11, ch. 6]. */
+extern const struct ph_method ph_method_bubble;
+
 #endif

@@ -362,7 +362,8 @@ Try 'phspline $1 --help'." ''
 }
 usage 'a table of curves' '--table: the surfaces of cone have strips, samples, '\
 'development and located' cone --table=lengths
-usage 'a table of surfaces' '--table: strips, development and located are of '\
+usage 'a table of surfaces' '--table: strips, development, located and '\
+'patches are of '\
 'surfaces, planar makes curves' planar --table=strips
 usage 'a mesh of curves' '--format=obj is of surfaces, tc makes curves' tc \
   --format=obj

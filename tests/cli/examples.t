@@ -245,6 +245,8 @@ while read -r command; do
     >"help-$command/elements.csv"
   printf '{"tangents":[[1,0,0],[0,1,0],[0,0,1],[1,0,0]],"lengths":%s}\n' \
     '[1.2,1.4,0.7]' >"help-$command/problem.json"
+  sed -n 3p "$srcdir/data/byrtus-2011-meshes.jsonl" \
+    >"help-$command/mesh.json"
   if [ "$command" = sphere ]; then
     # as far as the coast of Brazil: no turn is sharper than the offsets
     sed '/^[^-0-9]/d' "$srcdir/data/magellan-elcano.csv" | head -n 6 \

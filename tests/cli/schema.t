@@ -49,7 +49,7 @@ fi
 run schema
 expect 'of all commands' 0 ''
 mv out all.schema
-for command in planar spatial-hermite arclength sphere tc cone verify; do
+for command in planar spatial-hermite arclength sphere tc cone bubble verify; do
   run schema "$command"
   expect "of $command" 0 ''
   mv out "$command.schema"
@@ -68,7 +68,7 @@ for command in planar spatial-hermite arclength sphere tc cone verify; do
       "$command.schema")"
 done
 equal 'a problem of any command, a result of one' \
-  '["planar","spatial-hermite","arclength","sphere","tc","cone","verify"]' \
+  '["planar","spatial-hermite","arclength","sphere","tc","cone","bubble","verify"]' \
   "$(jq -c '[.["$defs"].result.oneOf[]["$ref"] | ltrimstr("#/$defs/") |
     rtrimstr("-result")]' all.schema)"
 
@@ -299,6 +299,7 @@ for file in "$srcdir"/data/*.json* "$srcdir"/tests/vectors/*.jsonl; do
   huard* | arclength*) command=arclength ;;
   iordanov* | sphere*) command=sphere ;;
   cone*) command=cone ;;
+  bubble* | byrtus-2011-meshes*) command=bubble ;;
   *) command=tc ;;
   esac
   good "$command-problem" "$file"

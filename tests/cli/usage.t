@@ -64,7 +64,7 @@ usage "--input-format must be auto|json|csv|text, found 'CSV'; \
 did you mean \"csv\"?" -i CSV
 usage "--format must be json|csv|text|svg-path|obj, found 'svg'; did you mean \"csv\"?" -f svg
 usage "--format must be json|csv|text|svg-path|obj, found 'json|csv'" --format='json|csv'
-usage "--table must be control-points|lengths|samples|offsets|strips|development|located, found 'length'; \
+usage "--table must be control-points|lengths|samples|offsets|strips|patches|development|located, found 'length'; \
 did you mean \"lengths\"?" -f csv --table=length
 usage '--table needs --format=csv or --format=text' -f json --table=lengths
 usage '--table needs --format=csv or --format=text' --table=lengths -f svg-path

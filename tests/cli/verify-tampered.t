@@ -331,7 +331,7 @@ tampered '.meta = 1' tangent_error --problems=other
 kind='curve: is of no kind that the command makes (shape) [not-verified]'
 size='dimension: is not that of curves of the command (shape) [not-verified]'
 degree='degree: is not that of curves of the command (shape) [not-verified]'
-commands='"planar", "spatial-hermite", "arclength", "sphere", "tc" or "cone"'
+commands='"planar", "spatial-hermite", "arclength", "sphere", "tc", "cone" or "bubble"'
 for base in ph atph spatial lengths sphere tc; do
   says 'del(.command)' 'command: is missing [missing-field]'
   says '.command = "conic"' \
@@ -357,6 +357,7 @@ says '.command = "arclength"' "$size"
 says '.command = "sphere"' "$kind"
 says '.command = "tc"' "$kind"
 says '.command = "cone"' "$kind"
+says '.command = "bubble"' "$kind"
 base=atph
 says '.command = "spatial-hermite"' "$size"
 says '.command = "arclength"' "$kind"

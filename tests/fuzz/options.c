@@ -31,6 +31,8 @@ static const char *const options_problems[] = {
     "{\"points\":[[0,0],[1,0],[1,1],[0,2]]}",
     ("{\"points\":[[0,0,0],[3,1,0]],\"rulings\":[[0,0,1],[0,0,1]],"
      "\"tangents\":[[1,0,0],[1,1,0]],\"height\":[-1,1]}"),
+    ("{\"points\":[[0,0,0],[1,0,0],[1,1,1],[0,1,0]],"
+     "\"faces\":[[0,1,2,3]],\"continuity\":2}"),
     ("{\"command\":\"planar\",\"status\":\"error\",\"error\":{\"code\":"
      "\"syntax\",\"message\":\"m\"}}")};
 

@@ -54,7 +54,7 @@ offers() {
 if command -v bash >/dev/null; then
   offers 'planar' phspline p
   offers 'verify' phspline v
-  offers 'planar spatial-hermite arclength sphere tc cone verify' phspline help ''
+  offers 'planar spatial-hermite arclength sphere tc cone bubble verify' phspline help ''
   offers 'schema' phspline sc
   offers 'sphere' phspline schema sph
   offers '--free= --format= --frame= --fail-fast' phspline planar --f

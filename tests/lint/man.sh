@@ -115,12 +115,13 @@ option_items() {
       print "-" letter ", " "-" substr($0, 4) }' | sed 's/ Ns = Ns Ar /=/'
 }
 
-options 'CURVE|SOLVE' >"$tmp/options"
+options 'CURVE|SOLVE|DRAW' >"$tmp/options"
 options SURFACE | sort >"$tmp/options.surface"
 options NONE | sort | comm -13 - "$tmp/options.surface" >"$tmp/list"
 option_items man/phspline-cone.1 >"$tmp/page"
 same 'options of surfaces' "$tmp/list" "$tmp/page"
-options 'SURFACE|SOLVE' >"$tmp/options.surface"
+options 'SURFACE|SOLVE|DRAW' >"$tmp/options.surface"
+options SOLVE >"$tmp/options.patches"
 option_items man/phspline.1 >"$tmp/page"
 same options "$tmp/options" "$tmp/page"
 options VERIFY >"$tmp/options.verify"
@@ -160,6 +161,7 @@ while read -r command; do
   cp "$tmp/list" "$tmp/fields.$command"
   options=$tmp/options
   test "$command" != cone || options=$tmp/options.surface
+  test "$command" != bubble || options=$tmp/options.patches
   help_options "help $command" "$tmp/help.$command" "$options" \
     "$tmp/fields.$command"
 done <"$tmp/commands"
@@ -217,6 +219,7 @@ while read -r name; do
   case $name in
   offsets) with='planar --offset=1' ;;
   strips | development | located) with='cone --columns=x,y,z' ;;
+  patches) with='bubble --columns=x,y,z' ;;
   esac
   # several words
   # shellcheck disable=SC2086

@@ -2,4 +2,4 @@
 /* Surfaces of cones: what can be asked of them is in curve/surface. */
 #include "curve/kind/kind.h"
 
-const struct ph_kind ph_kind_cone = {.surface = true};
+const struct ph_kind ph_kind_cone = {.parts = PH_STRIPS_PARTS};

@@ -6,7 +6,7 @@
  * PH_CURVES (curve/result.h).  Nobody else asks a curve which kind it is: what
  * depends on the kind is a question in this struct.  A new kind supplies
  *
- *   what it is     surface, on_sphere, bernstein, angles, erf: see below
+ *   what it is     parts, on_sphere, bernstein, angles, erf: see below
  *   curve          its sampler: places, tangents, curvatures, arc lengths and
  *                  bounds of chords.  Samples of every choice, cubics, figures
  *                  and tables come of it.
@@ -40,13 +40,13 @@ struct ph_sampler_ops {
 };
 
 struct ph_kind {
-  bool surface;       /* it is one: curve->surface, and nothing below */
-  bool on_sphere;     /* curve->sphere says which; offsets are samples alone */
-  bool bernstein;     /* control points are those of Bezier curves */
-  bool angles;        /* the preimages have angles: alpha */
-  bool erf;           /* the reference is the Euler-Rodrigues frame */
-  const char *no_erf; /* else: why there is none, as a message says it */
-  const char *cusp;   /* where its offsets have cusps, as a warning says it */
+  enum ph_parts parts; /* but segments: a surface, and nothing below */
+  bool on_sphere;      /* curve->sphere says which; offsets are samples alone */
+  bool bernstein;      /* control points are those of Bezier curves */
+  bool angles;         /* the preimages have angles: alpha */
+  bool erf;            /* the reference is the Euler-Rodrigues frame */
+  const char *no_erf;  /* else: why there is none, as a message says it */
+  const char *cusp;    /* where its offsets have cusps, as a warning says it */
 
   struct ph_sampler_ops curve, beside;
 
@@ -80,10 +80,11 @@ static inline const struct ph_kind *ph_kind_of(const struct ph_curve *curve) {
 /* ph_kind_space: where curves of a kind lie that have so many coordinates. */
 static inline enum ph_space ph_kind_space(const struct ph_kind *kind,
                                           size_t dimension) {
-  return kind->surface     ? PH_SURFACE
-         : kind->on_sphere ? PH_SPHERE
-         : dimension == 3  ? PH_SPACE
-                           : PH_PLANE;
+  return kind->parts == PH_STRIPS_PARTS    ? PH_SURFACE
+         : kind->parts == PH_PATCHES_PARTS ? PH_PATCHWORK
+         : kind->on_sphere                 ? PH_SPHERE
+         : dimension == 3                  ? PH_SPACE
+                                           : PH_PLANE;
 }
 
 /* ph_kind_offsets: how many offsets such a curve has at one distance. */

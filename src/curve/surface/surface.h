@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Developable surfaces of strips, as plain structs (curve/result.h has them in
- * its curves, whose kind then says that it is a surface).
+ * Surfaces as plain structs (curve/result.h has them in its curves, whose kind
+ * then says that it is a surface): of patches, or developable ones of strips.
  *
  * A circular strip is a piece of a cone, of a cylinder or of a plane: a frame
  * of a point c, a ruling e, a tangent d and a normal n = e x d moves along a
@@ -35,6 +35,19 @@
 #define PH_CURVE_SURFACE_SURFACE_H
 
 #include <stddef.h>
+
+/* What a curve or surface consists of: X(SYMBOL, "members of records"). */
+#define PH_PARTS(X)       \
+  X(SEGMENTS, "segments") \
+  X(STRIPS, "strips")     \
+  X(PATCHES, "patches")
+
+enum ph_parts {
+#define X(symbol, name) PH_##symbol##_PARTS,
+  PH_PARTS(X)
+#undef X
+      PH_PARTS_N
+};
 
 /* How a strip was found: X(SYMBOL, "name in records"). */
 #define PH_STRIP_METHODS(X) \
@@ -166,10 +179,29 @@ struct ph_panorama {
   double *v;            /* [height][width], NaN where there is none */
 };
 
+/*
+ * A patch of a bubble surface (ribbon.h), over one face of a mesh: a tensor
+ * product Bezier patch, u from vertex 0 to 1 and v from vertex 0 to 3 of the
+ * face.
+ *
+ * control_points[points_n][3]  rows of constant v, u fastest; points_n is
+ *                              (bidegree[0] + 1) (bidegree[1] + 1)
+ */
+struct ph_patch {
+  size_t face;
+  size_t vertices[4]; /* in cyclic order */
+  size_t bidegree[2]; /* by u and by v */
+  double *control_points;
+  size_t points_n;
+};
+
 /* What a surface has beside the rest of its struct ph_curve, whose segments are
- * its strips: n, lengths, length and closed are there. */
+ * its strips or patches: n, lengths, length and closed are there. */
 struct ph_surface {
-  struct ph_strip *strips; /* [curve.n] */
+  struct ph_patch *patches; /* [curve.n], or NULL */
+  size_t continuity;        /* of patches: 0, 1 or 2 */
+  double volume;            /* inside of closed patches; NaN: they are open */
+  struct ph_strip *strips;  /* [curve.n], or NULL */
   struct ph_pair *pairs;
   size_t pairs_n;
   double height[2]; /* the part that is meant */

@@ -49,7 +49,8 @@ PH_TEST(others_are_refused) {
               {"arclength", "curve", PH_CURVE_ATPH, 3, 5, 1},
               {"sphere", "curve", PH_CURVE_PH, 3, 3, 1},
               {"tc", "curve", PH_CURVE_PH, 2, 3, 1},
-              {"cone", "strips", PH_CURVE_CONE, 3, 2, 1}};
+              {"cone", "strips", PH_CURVE_CONE, 3, 2, 1},
+              {"bubble", "patches", PH_CURVE_BUBBLE, 3, 2, 1}};
   for (size_t i = 0; i < COUNT(rows); i++) {
     const struct ph_problem none = {.field = {{.kind = PH_ABSENT}}};
     struct ph_diagnostics diagnostics = {.known = 0};
@@ -75,7 +76,7 @@ PH_TEST(every_kind_has_one) {
     for (size_t i = 0; i < ph_promises_n; i++) {
       made |= ph_promises[i].kinds;
     }
-    ck_assert(kind == PH_CURVE_CONE || /* a surface */
+    ck_assert(kind == PH_CURVE_CONE || kind == PH_CURVE_BUBBLE || /* surfaces */
               (row->load && row->jet && row->point && row->local));
     ck_assert(!row->sphere || !row->square);
     ck_assert(made >> kind & 1);

@@ -12,7 +12,7 @@ static void ck_sampler(const struct ph_sampler_ops *ops) {
 PH_TEST_EACH(test_complete, PH_CURVE_N) {
   const struct ph_kind *kind = ph_kinds[_i];
   ck_assert_ptr_nonnull(kind);
-  if (kind->surface) { /* curve/surface */
+  if (kind->parts) { /* curve/surface */
     ck_assert(!kind->curve.begin && !kind->offset && !kind->bezier);
     return;
   }
@@ -28,7 +28,7 @@ PH_TEST_EACH(test_complete, PH_CURVE_N) {
 /* Frames are of curves in space: of all kinds that there may be. */
 PH_TEST_EACH(test_frames, PH_CURVE_N) {
   const struct ph_kind *kind = ph_kinds[_i];
-  if (kind->surface) {
+  if (kind->parts) {
     return;
   }
   ck_assert(kind->reference && kind->principal);

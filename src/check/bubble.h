@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Surfaces of Bezier patches, as checks see them: each patch by its control
+ * points, and by the points of the mesh that its corners are.
+ *
+ * Of a side, three layers of control points say what is along it and across:
+ * the boundary, the tangent plane, the second fundamental form.
+ */
+#ifndef PH_CHECK_BUBBLE_H
+#define PH_CHECK_BUBBLE_H
+
+#include "check/checks.h"
+
+/* A side of a patch: from one point of the mesh to another. */
+struct ph_check_side {
+  size_t low, high; /* these points, the smaller number first */
+  size_t patch, k;  /* side k is from vertex k to the next */
+};
+
+/* What the checks of such a surface share. */
+struct ph_check_patchwork {
+  struct ph_check *v;
+  const struct ph_curve *curve;
+  struct ph_check_side *sides; /* [4 curve.n] in order of their points */
+  bool closed;                 /* every edge has two patches, */
+  bool oriented;               /* which run along it in opposite directions */
+  double jump_allowed, bend_allowed; /* infinite: any */
+  /* as of a certificate; reported: the largest of all */
+  struct ph_check_error normal, jump, bend;
+};
+
+/* ph_check_patch_arrays: whether patches are such, with finite numbers. */
+bool ph_check_patch_arrays(struct ph_check *v, const struct ph_curve *curve);
+
+/*
+ * ph_check_patch_edges: what both patches of every edge share.
+ *
+ *   continuity_error  gaps along edges / size
+ *   jump              the angle between the tangent planes at 16 places of an
+ *                     edge, of all continuities
+ *   bend              |S - S'| times the length of the edge, S the second
+ *                     fundamental form as a symmetric tensor in space, of
+ *                     continuity 1 and 2
+ *
+ * ret  PH_OK | PH_E_NO_MEMORY
+ */
+enum ph_status ph_check_patch_edges(struct ph_check_patchwork *w);
+
+/* ph_check_patch_corners: interpolation_error, and with normals of the problem
+ * the angles of these to the tangent planes. */
+void ph_check_patch_corners(struct ph_check_patchwork *w);
+
+/* ph_check_patch_told: area, volume, degree and jumps as a record tells them.
+ * ret  PH_OK | PH_E_NO_MEMORY */
+enum ph_status ph_check_patch_told(struct ph_check_patchwork *w);
+
+/* ph_check_patchwork: all of these, of the record of v; for verify.c.  ret
+ * PH_OK | PH_E_NO_MEMORY */
+enum ph_status ph_check_patchwork(struct ph_check *v);
+
+#endif

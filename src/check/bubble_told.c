@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What records say of surfaces of patches beside their control points (see
+ * bubble.h): areas and volumes by two Gauss rules, whose difference says how
+ * uncertain they are. */
+#include "check/bubble.h"
+
+#include "base/sum.h"
+#include "kernel/bern.h"
+
+#include <float.h>
+
+enum { RULES = 2, MOST = 64 };
+static const size_t NODES[RULES] = {16, 20};
+
+/* Of sums, beside what the rules tell of themselves. */
+static const double SUM = 1e-12;
+
+/* Points and derivatives of a net, by rows of the basis of degree n and of
+ * that of n - 1. */
+struct rows {
+  double value[MOST], change[MOST];
+};
+
+static void set_rows(size_t degree, double u, struct rows *rows) {
+  double low[MOST];
+  ph_bern_basis(degree, u, rows->value);
+  ph_bern_basis(degree - 1, u, low);
+  for (size_t i = 0; i <= degree; i++) {
+    rows->change[i] =
+        (double)degree * ((i > 0 ? low[i - 1] : 0) - (i < degree ? low[i] : 0));
+  }
+}
+
+struct measure {
+  double area, volume;
+};
+
+/* One rule on one patch. */
+static struct measure measure(const struct ph_check_patchwork *w,
+                              const struct ph_patch *p,
+                              const struct ph_quad *rule,
+                              const struct rows *by_u, const struct rows *by_v,
+                              ph_vec3 from) {
+  const size_t width = p->bidegree[0] + 1, high = p->bidegree[1] + 1;
+  struct measure sum = {0, 0};
+  for (size_t j = 0; j < rule->n; j++) {
+    ph_vec3 line[MOST], across[MOST];
+    for (size_t i = 0; i < width; i++) {
+      line[i] = across[i] = ph_vec3_of(0, 0, 0);
+      for (size_t k = 0; k < high; k++) {
+        const ph_vec3 c = ph_vec3_sub(
+            ph_check_vector(w->v, p->control_points + 3 * (width * k + i), 3),
+            from);
+        line[i] = ph_vec3_along(line[i], by_v[j].value[k], c);
+        across[i] = ph_vec3_along(across[i], by_v[j].change[k], c);
+      }
+    }
+    for (size_t i = 0; i < rule->n; i++) {
+      ph_vec3 at = ph_vec3_of(0, 0, 0), u = at, v = at, normal;
+      for (size_t k = 0; k < width; k++) {
+        at = ph_vec3_along(at, by_u[i].value[k], line[k]);
+        u = ph_vec3_along(u, by_u[i].change[k], line[k]);
+        v = ph_vec3_along(v, by_u[i].value[k], across[k]);
+      }
+      normal = ph_vec3_cross(u, v);
+      sum.area += rule->weight[i] * rule->weight[j] * ph_vec3_abs(normal);
+      sum.volume +=
+          rule->weight[i] * rule->weight[j] * ph_vec3_dot(at, normal) / 3;
+    }
+  }
+  return sum;
+}
+
+/* Sums over all patches, and how uncertain these are. */
+static enum ph_status measure_all(const struct ph_check_patchwork *w,
+                                  struct measure *found,
+                                  struct measure *uncertain) {
+  struct ph_arena *arena = w->v->scratch;
+  const ph_vec3 from =
+      ph_check_vector(w->v, w->curve->surface.patches[0].control_points, 3);
+  struct ph_sum area[RULES] = {{0, 0}}, volume[RULES] = {{0, 0}};
+  size_t last[2] = {0, 0};
+  struct ph_quad *rule = ph_arena_array(arena, RULES, sizeof *rule);
+  struct rows *rows = ph_arena_array(arena, 4 * (size_t)NODES[1], sizeof *rows);
+  *uncertain = (struct measure){0, 0};
+  if (!rule || !rows || !ph_quad_gauss(&rule[0], NODES[0]) ||
+      !ph_quad_gauss(&rule[1], NODES[1])) {
+    return ph_fail_memory(w->v->diag);
+  }
+  for (size_t i = 0; i < w->curve->n; i++) {
+    const struct ph_patch *p = &w->curve->surface.patches[i];
+    struct measure m[RULES];
+    for (size_t k = 0; k < 4; k++) { /* rows[rule][u, v][node] */
+      const size_t degree = p->bidegree[k & 1];
+      for (size_t j = 0; degree != last[k & 1] && j < NODES[k >> 1]; j++) {
+        set_rows(degree, rule[k >> 1].node[j], &rows[NODES[1] * k + j]);
+      }
+    }
+    last[0] = p->bidegree[0];
+    last[1] = p->bidegree[1];
+    for (size_t k = 0; k < RULES; k++) {
+      m[k] = measure(w, p, &rule[k], rows + NODES[1] * 2 * k,
+                     rows + NODES[1] * (2 * k + 1), from);
+      ph_sum_add(&area[k], m[k].area);
+      ph_sum_add(&volume[k], m[k].volume);
+    }
+    uncertain->area += fabs(m[1].area - m[0].area);
+    uncertain->volume += fabs(m[1].volume - m[0].volume);
+    if (ph_arena_late(arena)) {
+      return ph_fail_memory(w->v->diag);
+    }
+  }
+  found->area = ph_sum_value(&area[1]);
+  found->volume = ph_sum_value(&volume[1]);
+  return PH_OK;
+}
+
+static void check_measures(struct ph_check_patchwork *w,
+                           const struct measure *found,
+                           const struct measure *uncertain) {
+  struct ph_check *v = w->v;
+  const struct ph_surface *s = &w->curve->surface;
+  const double area = ph_check_scaled(v, ph_check_scaled(v, s->area));
+  const double size = found->area * v->scale.size;
+  ph_check_number(v, PH_CHECK_DIAGNOSTIC,
+                  ph_check_of(NULL, PH_CHECK_ONE, "area"), area, found->area,
+                  found->area, 2 * uncertain->area + SUM * found->area);
+  if (isnan(s->volume) || !w->oriented) {
+    return;
+  }
+  ph_check_number(
+      v, PH_CHECK_DIAGNOSTIC, ph_check_of(NULL, PH_CHECK_ONE, "volume"),
+      ph_check_scaled(v, ph_check_scaled(v, ph_check_scaled(v, s->volume))),
+      found->volume, size, 2 * uncertain->volume + SUM * size);
+}
+
+/* A diagnostic against what was found. */
+static void check_told(struct ph_check_patchwork *w, enum ph_diagnostic which,
+                       double found, double unit, double allowance) {
+  struct ph_check *v = w->v;
+  if (ph_check_known(v, which)) {
+    ph_check_number(
+        v, PH_CHECK_DIAGNOSTIC,
+        ph_check_of("diagnostics", PH_CHECK_ONE, ph_diagnostic_name(which)),
+        v->diagnostics->value[which], found, unit, allowance);
+  }
+}
+
+enum ph_status ph_check_patch_told(struct ph_check_patchwork *w) {
+  struct ph_check *v = w->v;
+  const struct ph_surface *s = &w->curve->surface;
+  struct measure found = {0, 0}, uncertain;
+  enum ph_status status = measure_all(w, &found, &uncertain);
+  size_t degree = 0;
+  if (status != PH_OK) {
+    return status;
+  }
+  for (size_t i = 0; i < w->curve->n; i++) {
+    for (size_t k = 0; k < 2; k++) {
+      const size_t d = s->patches[i].bidegree[k];
+      degree = d > degree ? d : degree;
+    }
+  }
+  if (w->closed != w->curve->closed || w->closed == isnan(s->volume)) {
+    ph_check_wrong(v, PH_CHECK_SHAPE, ph_check_of(NULL, PH_CHECK_ONE, "closed"),
+                   "is not what the edges say");
+  }
+  check_measures(w, &found, &uncertain);
+  check_told(w, PH_D_AREA, s->area, s->area, 0);
+  check_told(w, PH_D_DEGREE, s->continuity ? (double)degree - 1 : 0, 1, 0);
+  check_told(w, PH_D_NORMAL_JUMP, w->jump.reported, 1, SUM);
+  check_told(w, PH_D_CURVATURE_JUMP, w->bend.reported, 1, SUM);
+  if (w->normal.done) {
+    ph_check_miss(v, PH_CHECK_NORMAL,
+                  ph_check_of("patches", w->normal.where, "control_points"),
+                  w->normal.reported, 1, SUM,
+                  "turn from a normal that is given");
+  }
+  if (w->jump.excess > 1) {
+    ph_check_miss(v, PH_CHECK_NORMAL,
+                  ph_check_of("patches", w->jump.where, "control_points"),
+                  w->jump.value, 1, w->jump.allowed,
+                  "turn more at an edge than the tolerance");
+  }
+  return PH_OK;
+}

@@ -1,0 +1,5 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Surfaces of patches: what can be asked of them is in curve/surface. */
+#include "curve/kind/kind.h"
+
+const struct ph_kind ph_kind_bubble = {.parts = PH_PATCHES_PARTS};

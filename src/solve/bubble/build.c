@@ -1,0 +1,284 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * All patches into a surface (see bubble.h), its area and volume by a Gauss
+ * rule on each patch, and what is told of them.
+ */
+#include "base/sum.h"
+#include "curve/surface/patch.h"
+#include "kernel/quad.h"
+#include "solve/bubble/bubble.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Places of an edge where its ribbon is looked at. */
+enum { PLACES = 33 };
+
+/* |p'| over the length of the edge, and the cosine of gradient and normal, must
+ * be more. */
+static const double SPEED = 1e-3, COSINE = 0.05;
+
+/* Nodes of a patch by each parameter: those of a Gauss rule, and both ends. */
+enum { GAUSS = 16, NODES = GAUSS + 2 };
+
+struct nodes {
+  struct ph_patch_rows rows[NODES];
+};
+
+struct builder {
+  const struct ph_bubble_data *data;
+  struct ph_pow2 from_unit;
+  struct ph_arena *arena, *scratch;
+  struct ph_diag *diag;
+  struct ph_ribbon *ribbons;
+  struct ph_blends blends;
+  struct ph_bubble_patch *patch;
+  struct ph_patch_line *line;
+  double *net, *points; /* at unit scale */
+  struct ph_quad rule;
+  struct nodes *nodes[PH_PATCH_DEGREE_MAX + 1]; /* by degree, or NULL */
+  struct ph_curve *curve;
+  size_t degree; /* the largest of blending functions */
+  double residual;
+  struct ph_sum area, volume;
+  size_t folded, first_folded;
+  size_t inward; /* patches whose normal is not that of their points */
+};
+
+/* ---- ribbons ------------------------------------------------------------- */
+
+/* Why an edge has no good ribbon, or NULL. */
+static const char *fault_of(const struct ph_bubble_data *data,
+                            const struct ph_mesh_edge *edge,
+                            const struct ph_ribbon *ribbon,
+                            const struct ph_ribbon_rows *rows) {
+  const struct ph_quadric *a = &data->at[edge->point[0]];
+  const struct ph_quadric *b = &data->at[edge->point[1]];
+  const double length = ph_vec3_abs(ph_vec3_sub(b->p, a->p));
+  struct ph_side side = {.p = {a->p, b->p}, .g = {a->g, b->g}};
+  bool moves = true, fits = true;
+  side.ribbon = *ribbon;
+  for (size_t i = 0; i < PLACES; i++) {
+    struct ph_cross cross;
+    ph_side_at(&side, data->continuity, &rows[i], 0, &cross);
+    moves = moves && cross.speed >= SPEED * length;
+    fits = fits && cross.cosine > COSINE;
+  }
+  return !moves ? "is parallel to a normal at one of its ends"
+         : fits ? NULL
+                : "has normals at its ends that are too far apart, or on "
+                  "opposite sides of the surface";
+}
+
+static enum ph_status set_ribbons(struct builder *b) {
+  const struct ph_bubble_data *d = b->data;
+  struct ph_ribbon_rows *rows;
+  b->ribbons = ph_arena_array(b->scratch, d->mesh.edges_n, sizeof *b->ribbons);
+  rows = ph_arena_array(b->scratch, PLACES, sizeof *rows);
+  if (!b->ribbons || !rows) {
+    return ph_fail_memory(b->diag);
+  }
+  for (size_t i = 0; i < PLACES; i++) {
+    ph_ribbon_rows_at(d->continuity, (double)i / (PLACES - 1), 0, &rows[i]);
+  }
+  for (size_t e = 0; e < d->mesh.edges_n; e++) {
+    const struct ph_mesh_edge *edge = &d->mesh.edge[e];
+    const char *fault;
+    if (ph_arena_late(b->scratch)) {
+      return ph_fail_memory(b->diag);
+    }
+    ph_ribbon_of(&d->at[edge->point[0]], &d->at[edge->point[1]], d->continuity,
+                 &b->ribbons[e]);
+    fault = fault_of(d, edge, &b->ribbons[e], rows);
+    if (fault) {
+      return ph_fail_at(b->diag, PH_E_BAD_VALUE, "faces", edge->face[0],
+                        "cannot be smooth: its edge between points[%zu] and "
+                        "points[%zu] %s; look at these normals, or take "
+                        "continuity 0",
+                        edge->point[0], edge->point[1], fault);
+    }
+  }
+  return PH_OK;
+}
+
+/* ---- measures ------------------------------------------------------------ */
+
+static const struct nodes *nodes_of(struct builder *b, size_t degree) {
+  struct nodes **at = &b->nodes[degree];
+  if (*at) {
+    return *at;
+  }
+  *at = ph_arena_array(b->scratch, 1, sizeof **at);
+  for (size_t i = 0; *at && i < NODES; i++) {
+    const double u = i < GAUSS ? b->rule.node[i] : i == GAUSS ? 0 : 1;
+    ph_patch_rows_at(degree, u, &(*at)->rows[i]);
+  }
+  return *at;
+}
+
+/* What a patch adds. */
+struct measure {
+  double area, volume; /* from the first point of the mesh */
+  bool out, in;        /* whether its normal is that of the points somewhere,
+                          or the opposite */
+};
+
+static void measure_at(const struct builder *b, const struct ph_patch_jet *jet,
+                       double u, double v, double weight, struct measure *m) {
+  const struct ph_quadric *c = b->patch->corner;
+  const ph_vec3 normal = ph_vec3_cross(jet->u, jet->v);
+  const ph_vec3 from = ph_vec3_sub(jet->p, b->data->at[0].p);
+  const double along = (1 - v) * ((1 - u) * ph_vec3_dot(normal, c[0].g) +
+                                  u * ph_vec3_dot(normal, c[1].g)) +
+                       v * ((1 - u) * ph_vec3_dot(normal, c[2].g) +
+                            u * ph_vec3_dot(normal, c[3].g));
+  m->area += weight * ph_vec3_abs(normal);
+  m->volume += weight * ph_vec3_dot(normal, from) / 3;
+  m->out |= along > 0;
+  m->in |= along < 0;
+}
+
+static bool measure(struct builder *b, size_t degree, struct measure *m) {
+  const struct nodes *nodes = nodes_of(b, degree);
+  const struct ph_quad *rule = &b->rule;
+  *m = (struct measure){0, 0, false, false};
+  for (size_t j = 0; nodes && j < NODES; j++) {
+    const double v = j < GAUSS ? rule->node[j] : j == GAUSS ? 0 : 1;
+    ph_patch_line_at(b->points, degree, &nodes->rows[j], 1, b->line);
+    for (size_t i = 0; i < NODES; i++) {
+      const double u = i < GAUSS ? rule->node[i] : i == GAUSS ? 0 : 1;
+      struct ph_patch_jet jet;
+      ph_patch_jet_at(b->line, degree, &nodes->rows[i], 1, &jet);
+      measure_at(b, &jet, u, v,
+                 i < GAUSS && j < GAUSS ? rule->weight[i] * rule->weight[j] : 0,
+                 m);
+    }
+  }
+  return nodes != NULL;
+}
+
+/* ---- patches ------------------------------------------------------------- */
+
+static enum ph_status add_patch(struct builder *b, size_t i, size_t degree) {
+  struct ph_patch *to = &b->curve->surface.patches[i];
+  const size_t n = (degree + 1) * (degree + 1);
+  struct measure m;
+  *to = (struct ph_patch){.face = i, .bidegree = {degree, degree}};
+  memcpy(to->vertices, b->data->mesh.face[i], sizeof to->vertices);
+  to->points_n = n;
+  to->control_points = ph_arena_array(b->arena, n, 3 * sizeof(double));
+  if (!to->control_points || !measure(b, degree, &m)) {
+    return ph_fail_memory(b->diag);
+  }
+  for (size_t k = 0; k < 3 * n; k++) {
+    to->control_points[k] = ph_pow2_apply(b->from_unit, b->points[k]);
+  }
+  b->curve->degree = degree > b->curve->degree ? degree : b->curve->degree;
+  ph_sum_add(&b->area, m.area);
+  ph_sum_add(&b->volume, m.in ? -m.volume : m.volume);
+  b->inward += m.in;
+  if (m.in && m.out && b->folded++ == 0) {
+    b->first_folded = i;
+  }
+  return PH_OK;
+}
+
+static enum ph_status make_patch(struct builder *b, size_t i) {
+  const struct ph_bubble_data *d = b->data;
+  const struct ph_blend *blend = NULL;
+  size_t degree = d->degree;
+  double miss = 0;
+  ph_bubble_patch_begin(d, b->ribbons, i, b->patch);
+  if (d->continuity > 0) {
+    enum ph_status status = ph_bubble_patch_fit(
+        b->patch, &b->blends, d->tolerance, &degree, &miss, b->diag);
+    if (status != PH_OK) {
+      return status;
+    }
+    if (degree > PH_BLEND_MAX) {
+      return ph_fail_at(b->diag, PH_E_NO_CONVERGENCE, "faces", i,
+                        "needs blending functions of a higher degree than %d: "
+                        "normals miss by %.3g",
+                        PH_BLEND_MAX, miss);
+    }
+    blend = ph_blend_of(&b->blends, degree);
+    b->residual = miss <= b->residual ? b->residual : miss;
+    b->degree = degree > b->degree ? degree : b->degree;
+  }
+  ph_bubble_patch_points(b->patch, blend, b->net, b->points);
+  return add_patch(b, i, blend ? degree + 1 : 1);
+}
+
+/* ---- the whole ----------------------------------------------------------- */
+
+static enum ph_status begin(struct builder *b) {
+  const size_t faces = b->data->mesh.faces_n;
+  const size_t points = (PH_BLEND_MAX + 2) * (PH_BLEND_MAX + 2);
+  struct ph_curve *c = b->curve;
+  *c = (struct ph_curve){.kind = PH_CURVE_BUBBLE,
+                         .closed = ph_mesh_is_closed(&b->data->mesh),
+                         .dimension = 3,
+                         .n = faces};
+  c->surface.continuity = b->data->continuity;
+  c->surface.patches =
+      ph_arena_array(b->arena, faces, sizeof *c->surface.patches);
+  b->patch = ph_arena_array(b->scratch, 1, sizeof *b->patch);
+  b->line = ph_arena_array(b->scratch, 1, sizeof *b->line);
+  b->net = ph_arena_array(b->scratch, points, sizeof *b->net);
+  b->points = ph_arena_array(b->scratch, points, 3 * sizeof *b->points);
+  return c->surface.patches && b->patch && b->line && b->net && b->points &&
+                 ph_quad_gauss(&b->rule, GAUSS)
+             ? PH_OK
+             : ph_fail_memory(b->diag);
+}
+
+static void finish(const struct builder *b, struct ph_result *result) {
+  struct ph_diagnostics *diagnostics = &result->diagnostics;
+  struct ph_curve *c = b->curve;
+  const struct ph_pow2 scale = b->from_unit;
+  const bool inward = 2 * b->inward > c->n;
+  const double volume = ph_sum_value(&b->volume);
+  double size = ph_pow2_apply(scale, ph_sum_value(&b->area));
+  c->surface.area = ph_pow2_apply(scale, size);
+  size = ph_pow2_apply(scale, ph_pow2_apply(scale, inward ? -volume : volume));
+  c->surface.volume = c->closed ? ph_pow2_apply(scale, size) : (double)NAN;
+  ph_diagnostics_set(diagnostics, PH_D_ITERATIONS, 0);
+  ph_diagnostics_set(diagnostics, PH_D_RESIDUAL, b->residual);
+  ph_diagnostics_set(diagnostics, PH_D_DEGREE, (double)b->degree);
+  ph_diagnostics_set(diagnostics, PH_D_FOLDED, (double)b->folded);
+  ph_diagnostics_set(diagnostics, PH_D_AREA, c->surface.area);
+  if (b->folded) {
+    ph_warn(result, b->first_folded, PH_W_FOLDED,
+            "the patch of faces[%zu] is folded: its normal turns to the other "
+            "side (such patches: %zu)",
+            b->first_folded, b->folded);
+  }
+}
+
+enum ph_status ph_bubble_build(struct ph_bubble_data *data,
+                               struct ph_arena *arena, struct ph_arena *scratch,
+                               struct ph_result *result, struct ph_diag *diag) {
+  struct builder b = {.data = data,
+                      .from_unit = ph_pow2_of(-data->exponent),
+                      .arena = arena,
+                      .scratch = scratch,
+                      .diag = diag,
+                      .curve = &result->curve};
+  enum ph_status status = begin(&b);
+  if (status == PH_OK && data->continuity > 0) {
+    status = ph_bubble_fit(data, scratch, diag);
+    if (status == PH_OK) {
+      status = set_ribbons(&b);
+    }
+    if (status == PH_OK) {
+      status = ph_blends_begin(&b.blends, data->continuity, scratch, diag);
+    }
+  }
+  for (size_t i = 0; status == PH_OK && i < data->mesh.faces_n; i++) {
+    status = ph_arena_late(scratch) ? ph_fail_memory(diag) : make_patch(&b, i);
+  }
+  if (status == PH_OK) {
+    finish(&b, result);
+  }
+  return status;
+}

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A quadric at each point (see bubble.h).
+ *
+ * In coordinates from the point, over the mean length of its edges, f = 0 and
+ * grad f = n at every point around it are four equations for the six numbers
+ * of the Hessian.  As unknowns, those that are there twice count times sqrt 2,
+ * so that their norm is that of the matrix, whatever the axes.  A flat part
+ * leaves one direction undetermined: there the least norm makes it 0.
+ */
+#include "solve/bubble/bubble.h"
+
+#include <gsl/gsl_linalg.h>
+
+#include <math.h>
+#include <string.h>
+
+enum { UNKNOWNS = 6 };
+
+/* Singular values below this part of the largest are none. */
+static const double CUT = 1e-8;
+
+/* Room for the rows of one point. */
+struct room {
+  size_t points;          /* around it, at most */
+  double *matrix, *right; /* [4 points][UNKNOWNS], [4 points] */
+  size_t *ring;           /* [points] */
+  size_t *seen;           /* of each point, the last one it was around */
+};
+
+/* The other points of the faces of a point, each once. */
+static size_t ring_of(const struct ph_mesh *mesh, size_t at,
+                      struct room *room) {
+  size_t n = 0;
+  room->seen[at] = at;
+  for (size_t i = mesh->first[at]; i < mesh->first[at + 1]; i++) {
+    for (size_t k = 0; k < 4; k++) {
+      const size_t point = mesh->face[mesh->around[i]][k];
+      if (room->seen[point] != at) {
+        room->seen[point] = at;
+        room->ring[n++] = point;
+      }
+    }
+  }
+  return n;
+}
+
+/* The mean length of the edges at a point, each of them counted by the first
+ * of its faces. */
+static double scale_of(const struct ph_bubble_data *data, size_t at) {
+  const struct ph_mesh *mesh = &data->mesh;
+  double sum = 0;
+  size_t n = 0;
+  for (size_t i = mesh->first[at]; i < mesh->first[at + 1]; i++) {
+    const size_t face = mesh->around[i];
+    for (size_t k = 0; k < 4; k++) {
+      const struct ph_mesh_edge *e = &mesh->edge[mesh->side[face][k]];
+      if ((e->point[0] == at || e->point[1] == at) && e->face[0] == face) {
+        sum += ph_vec3_abs(
+            ph_vec3_sub(data->at[e->point[1]].p, data->at[e->point[0]].p));
+        n++;
+      }
+    }
+  }
+  return sum / (double)n;
+}
+
+/* The four rows of a point at x. */
+static void set_rows(ph_vec3 x, double value, ph_vec3 gradient, double *rows,
+                     double *right) {
+  const double r = sqrt(2);
+  const double a[4][UNKNOWNS] = {{x.x * x.x, x.y * x.y, x.z * x.z,
+                                  r * x.x * x.y, r * x.x * x.z, r * x.y * x.z},
+                                 {2 * x.x, 0, 0, r * x.y, r * x.z, 0},
+                                 {0, 2 * x.y, 0, r * x.x, 0, r * x.z},
+                                 {0, 0, 2 * x.z, 0, r * x.x, r * x.y}};
+  const double b[] = {value, gradient.x, gradient.y, gradient.z};
+  for (size_t i = 0; i < 4; i++) {
+    for (size_t j = 0; j < UNKNOWNS; j++) {
+      rows[UNKNOWNS * i + j] = a[i][j];
+    }
+    right[i] = b[i];
+  }
+}
+
+/* The least squares solution of least norm; the matrix is lost. */
+static bool solve(struct room *room, size_t rows, double *x) {
+  double v[UNKNOWNS * UNKNOWNS], s[UNKNOWNS], work[UNKNOWNS];
+  gsl_matrix_view A = gsl_matrix_view_array(room->matrix, rows, UNKNOWNS);
+  gsl_matrix_view V = gsl_matrix_view_array(v, UNKNOWNS, UNKNOWNS);
+  gsl_vector_view S = gsl_vector_view_array(s, UNKNOWNS);
+  gsl_vector_view W = gsl_vector_view_array(work, UNKNOWNS);
+  if (gsl_linalg_SV_decomp(&A.matrix, &V.matrix, &S.vector, &W.vector) != 0) {
+    return false;
+  }
+  for (size_t j = 0; j < UNKNOWNS; j++) {
+    x[j] = 0;
+  }
+  for (size_t k = 0; k < UNKNOWNS && s[k] > CUT * s[0]; k++) {
+    double along = 0;
+    for (size_t i = 0; i < rows; i++) {
+      along += room->matrix[UNKNOWNS * i + k] * room->right[i];
+    }
+    for (size_t j = 0; j < UNKNOWNS; j++) {
+      x[j] += v[UNKNOWNS * j + k] * (along / s[k]);
+    }
+  }
+  return true;
+}
+
+static bool fit_point(struct ph_bubble_data *data, size_t at,
+                      struct room *room) {
+  struct ph_quadric *q = &data->at[at];
+  const double scale = scale_of(data, at), r = sqrt(2);
+  const size_t n = ring_of(&data->mesh, at, room);
+  double c[UNKNOWNS];
+  for (size_t i = 0; i < n; i++) {
+    const struct ph_quadric *w = &data->at[room->ring[i]];
+    const ph_vec3 x = ph_vec3_scale(1 / scale, ph_vec3_sub(w->p, q->p));
+    set_rows(x, -ph_vec3_dot(q->g, x), ph_vec3_sub(w->g, q->g),
+             room->matrix + 4 * UNKNOWNS * i, room->right + 4 * i);
+  }
+  if (!solve(room, 4 * n, c)) {
+    return false;
+  }
+  for (size_t j = 0; j < UNKNOWNS; j++) {
+    q->H.c[j] = (j < 3 ? 2 : r) * c[j] / scale;
+  }
+  return true;
+}
+
+enum ph_status ph_bubble_fit(struct ph_bubble_data *data,
+                             struct ph_arena *scratch, struct ph_diag *diag) {
+  const struct ph_mesh *mesh = &data->mesh;
+  struct ph_mark mark = ph_arena_mark(scratch);
+  struct room room = {0, NULL, NULL, NULL, NULL};
+  bool good;
+  for (size_t i = 0; i < mesh->points_n; i++) {
+    const size_t n = 3 * (mesh->first[i + 1] - mesh->first[i]);
+    room.points = n > room.points ? n : room.points;
+  }
+  room.matrix =
+      ph_arena_array(scratch, room.points, 4 * UNKNOWNS * sizeof *room.matrix);
+  room.right = ph_arena_array(scratch, room.points, 4 * sizeof *room.right);
+  room.ring = ph_arena_array(scratch, room.points, sizeof *room.ring);
+  room.seen = ph_arena_array(scratch, mesh->points_n, sizeof *room.seen);
+  good = room.matrix && room.right && room.ring && room.seen;
+  if (good) {
+    memset(room.seen, 0xff, mesh->points_n * sizeof *room.seen);
+  }
+  for (size_t i = 0; good && i < mesh->points_n; i++) {
+    good = !ph_arena_late(scratch) && fit_point(data, i, &room);
+  }
+  ph_arena_release(scratch, mark);
+  return good ? PH_OK : ph_fail_memory(diag);
+}
