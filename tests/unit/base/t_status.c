@@ -55,6 +55,10 @@ static const struct {
     {PH_W_SIGN_CHANGE, "sign-change", 1},
     {PH_W_LARGE_ARC, "large-arc", 1},
     {PH_W_OUTSIDE, "outside", 1},
+    {PH_W_G1_JOINTS, "g1-joints", 1},
+    {PH_W_AUXILIARY_POINTS, "auxiliary-points", 1},
+    {PH_W_NEAR_CUSP, "near-cusp", 1},
+    {PH_W_FOLDED, "folded", 1},
 };
 
 PH_TEST(test_codes) {
@@ -66,9 +70,9 @@ PH_TEST(test_codes) {
   }
 }
 
-/* A code is one word, lower case, no other's; a meaning is one line. */
+/* A code is one word, lower case or digits, no other's; a meaning is one line. */
 PH_TEST(test_form) {
-  const char *letters = "abcdefghijklmnopqrstuvwxyz-";
+  const char *letters = "abcdefghijklmnopqrstuvwxyz0123456789-";
   for (int i = 0; i < PH_STATUS_N; i++) {
     const char *code = ph_status_code((enum ph_status)i);
     const char *meaning = ph_status_meaning((enum ph_status)i);
