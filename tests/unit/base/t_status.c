@@ -70,7 +70,8 @@ PH_TEST(test_codes) {
   }
 }
 
-/* A code is one word, lower case or digits, no other's; a meaning is one line. */
+/* A code is one word, lower case and digits, no other's; a meaning is a line.
+ */
 PH_TEST(test_form) {
   const char *letters = "abcdefghijklmnopqrstuvwxyz0123456789-";
   for (int i = 0; i < PH_STATUS_N; i++) {
