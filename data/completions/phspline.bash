@@ -11,8 +11,8 @@ _phspline() {
     option=${COMP_WORDS[COMP_CWORD - 1]}
   fi
   case $COMP_CWORD,${COMP_WORDS[1]} in
-  1,*) list='planar spatial-hermite arclength sphere tc cone bubble verify help schema --help --version' ;;
-  *,help | *,schema) list='planar spatial-hermite arclength sphere tc cone bubble verify' ;;
+  1,*) list='planar spatial-hermite arclength sphere tc cone verify help schema --help --version' ;;
+  *,help | *,schema) list='planar spatial-hermite arclength sphere tc cone verify' ;;
   *,planar)
     case $option in
     --points | --points=) kind=nothing ;;
@@ -35,6 +35,11 @@ _phspline() {
     --override | --override=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
     -S | --sweep | --sweep=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
     -d | --offset | --offset=) kind=nothing ;;
+    --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
+    --offset-join | --offset-join=) kind=nothing ;;
+    --offset-ends | --offset-ends=) list='none round' ;;
+    --offset-sides | --offset-sides=) list='one both' ;;
+    --offset-touching | --offset-touching=) list='split keep' ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
     --chord-error | --chord-error=) kind=nothing ;;
@@ -51,7 +56,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -82,6 +87,11 @@ _phspline() {
     --override | --override=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
     -S | --sweep | --sweep=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
     -d | --offset | --offset=) kind=nothing ;;
+    --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
+    --offset-join | --offset-join=) kind=nothing ;;
+    --offset-ends | --offset-ends=) list='none round' ;;
+    --offset-sides | --offset-sides=) list='one both' ;;
+    --offset-touching | --offset-touching=) list='split keep' ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
     --chord-error | --chord-error=) kind=nothing ;;
@@ -98,7 +108,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -130,6 +140,11 @@ _phspline() {
     --override | --override=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
     -S | --sweep | --sweep=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
     -d | --offset | --offset=) kind=nothing ;;
+    --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
+    --offset-join | --offset-join=) kind=nothing ;;
+    --offset-ends | --offset-ends=) list='none round' ;;
+    --offset-sides | --offset-sides=) list='one both' ;;
+    --offset-touching | --offset-touching=) list='split keep' ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
     --chord-error | --chord-error=) kind=nothing ;;
@@ -146,7 +161,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --merge= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --merge= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -179,6 +194,11 @@ _phspline() {
     --override | --override=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
     -S | --sweep | --sweep=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
     -d | --offset | --offset=) kind=nothing ;;
+    --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
+    --offset-join | --offset-join=) kind=nothing ;;
+    --offset-ends | --offset-ends=) list='none round' ;;
+    --offset-sides | --offset-sides=) list='one both' ;;
+    --offset-touching | --offset-touching=) list='split keep' ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
     --chord-error | --chord-error=) kind=nothing ;;
@@ -195,7 +215,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --merge= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --merge= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -231,6 +251,11 @@ _phspline() {
     --override | --override=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
     -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
     -d | --offset | --offset=) kind=nothing ;;
+    --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
+    --offset-join | --offset-join=) kind=nothing ;;
+    --offset-ends | --offset-ends=) list='none round' ;;
+    --offset-sides | --offset-sides=) list='one both' ;;
+    --offset-touching | --offset-touching=) list='split keep' ;;
     -n | --sample | --sample=) kind=nothing ;;
     --spacing | --spacing=) kind=nothing ;;
     --chord-error | --chord-error=) kind=nothing ;;
@@ -246,7 +271,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -297,36 +322,6 @@ _phspline() {
       kind=files
       if [[ $cur == -* ]]; then
         kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --merge= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --volume= --panorama= --resolution= --fill= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
-      fi
-      ;;
-    esac
-    ;;
-  *,bubble)
-    case $option in
-    --points | --points=) kind=nothing ;;
-    --faces | --faces=) kind=nothing ;;
-    --normals | --normals=) kind=nothing ;;
-    --continuity | --continuity=) kind=nothing ;;
-    --degree | --degree=) list='auto' ;;
-    --tolerance | --tolerance=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text' ;;
-    --columns | --columns=) kind=nothing ;;
-    --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path obj' ;;
-    --table | --table=) list='patches' ;;
-    -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= faces= normals= continuity= degree= tolerance=' ;;
-    --override | --override=) list='points= faces= normals= continuity= degree= tolerance=' ;;
-    -S | --sweep | --sweep=) list='points= faces= normals= continuity= degree= tolerance=' ;;
-    -j | --jobs | --jobs=) kind=nothing ;;
-    --max-samples | --max-samples=) kind=nothing ;;
-    --max-memory | --max-memory=) kind=nothing ;;
-    --max-record-bytes | --max-record-bytes=) kind=nothing ;;
-    --time-limit | --time-limit=) kind=nothing ;;
-    *)
-      kind=files
-      if [[ $cur == -* ]]; then
-        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -57,6 +57,12 @@ enum ph_class {
   X(W_LOOP, "loop", RECORD, "a segment turns by more than 180 degrees")    \
   X(W_OFFSET_CUSP, "offset-cusp", RECORD, "an offset has cusps")           \
   X(W_OFFSET_GAP, "offset-gap", RECORD, "an offset has gaps")              \
+  X(W_OFFSET_EMPTY, "offset-empty", RECORD,                                \
+    "nothing is left of a trimmed offset")                                 \
+  X(W_OFFSET_TOUCH, "offset-touch", RECORD,                                \
+    "a trimmed offset comes to touch itself")                              \
+  X(W_SELF_CROSSING, "self-crossing", RECORD,                              \
+    "a curve whose offset is trimmed crosses itself")                      \
   X(W_LARGE_ALPHA, "large-alpha", RECORD, "an alpha above 2 pi/3")         \
   X(W_AMBIGUOUS, "ambiguous", RECORD, "another good curve exists")         \
   X(W_CUT_SHORT, "cut-short", RECORD,                                      \

@@ -7,8 +7,8 @@
  * parameters; polynomial ones may be as far from it as they claim, which was
  * measured at some places of each.
  */
-#include "check/checks.h"
 #include "check/dips.h"
+#include "check/loop.h"
 
 #include "kernel/bern.h"
 
@@ -26,6 +26,9 @@ static const double BETWEEN = 1.25;
  * speeds, of the curve and of the offset along it, and rounded a few times: the
  * slower the curve is, the faster may the offset be. */
 static const double CUSP = 1e-9, ROUND_CUSP = 64 * DBL_EPSILON;
+
+/* Turns of loops, radians: what is less, is rounding of short pieces. */
+static const double TURN = 1e-6;
 
 struct context {
   struct ph_check *v;
@@ -423,6 +426,30 @@ static bool begin(struct context *c) {
   return true;
 }
 
+/* Loops, in place of all that. */
+static void check_loops(struct ph_check *v, const struct ph_offset *o) {
+  struct ph_check_found f;
+  if (ph_check_loops(v, o, &f) != PH_OK) {
+    return;
+  }
+  if (f.broken) {
+    ph_check_wrong(v, PH_CHECK_OFFSET, ph_check_of("loops", f.at[0], "pieces"),
+                   "are none of such an offset");
+    return;
+  }
+  ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("loops", f.at[0], "pieces"),
+                f.closure, 1, 0, "do not begin where the one before ends");
+  ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("loops", f.at[1], "pieces"),
+                f.distance, 1, 0, "are not at the distance from the curve");
+  ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("loops", f.at[2], "length"),
+                f.length, 1, 0, "is not that of its pieces");
+  ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("loops", f.at[3], "area"),
+                f.area, 1, 0, "is not what its pieces are around");
+  ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("loops", f.at[4], "pieces"),
+                f.turn < TURN ? 0 : f.turn, 1, 0,
+                "do not turn once to one side");
+}
+
 void ph_check_offset(struct ph_check *v, const struct ph_offset *o) {
   struct context c = {.v = v, .o = o};
   double length = (double)NAN, error = 0,
@@ -430,6 +457,10 @@ void ph_check_offset(struct ph_check *v, const struct ph_offset *o) {
   ph_check_done(v, PH_CHECK_OFFSET);
   if (v->kind->converted || !begin(&c)) {
     return; /* of the curve before it was converted */
+  }
+  if (o->loops.mode) {
+    check_loops(v, o);
+    return;
   }
   if (o->n > 0 || !v->kind->sphere) {
     check_pieces(&c);

@@ -3,7 +3,9 @@
 #include "cli/derive.h"
 
 #include "curve/bezier/cubics.h"
+#include "curve/cross/cross.h"
 #include "curve/kind/kind.h"
+#include "curve/offset/loop.h"
 #include "curve/surface/general.h"
 #include "curve/surface/grid.h"
 
@@ -68,17 +70,72 @@ static void warn_gaps(struct ph_result *result) {
           o->gaps.n > GAPS_NAMED ? ", ..." : "");
 }
 
+/* One warning each, of the first offset concerned. */
+static void warn_loops(struct ph_result *result,
+                       const struct ph_offset_rules *rules) {
+  const struct ph_offset *o = result->offsets, *end = o + result->offsets_n;
+  const struct ph_offset *empty = NULL, *touch = NULL;
+  for (; o < end && o->loops.mode; o++) {
+    empty = !empty && o->loops.n == 0 ? o : empty;
+    touch = !touch && o->loops.trimming.touches ? o : touch;
+  }
+  if (empty) {
+    ph_warn(result, PH_NO_SEGMENT, PH_W_OFFSET_EMPTY,
+            "nothing is left of the offset at distance %g: no point of it "
+            "keeps that distance from the curve",
+            empty->distance);
+  }
+  if (touch) {
+    ph_warn(result, PH_NO_SEGMENT, PH_W_OFFSET_TOUCH,
+            "the offset at distance %g touches itself: a slightly different "
+            "distance may give other loops",
+            touch->distance);
+  }
+  if (rules->crosses && !rules->both && result->curve.closed) {
+    ph_warn(result, PH_NO_SEGMENT, PH_W_SELF_CROSSING,
+            "the curve crosses itself: the trimmed offset to one side is open "
+            "where the other side takes over; --offset-sides=both closes it");
+  }
+}
+
+/* Joined and trimmed offsets are of plane curves; of a closed one that is
+ * trimmed, whether it crosses itself. */
+static enum ph_status prepare_loops(const struct ph_curve *curve,
+                                    struct ph_arena *arena,
+                                    struct ph_offset_rules *rules,
+                                    struct ph_diag *diag) {
+  struct ph_cross cross = {.simple = true};
+  enum ph_status status = PH_OK;
+  if (ph_kind_space(ph_kind_of(curve), curve->dimension) != PH_PLANE) {
+    return ph_fail(diag, PH_E_BAD_VALUE, NULL,
+                   "only curves in the plane have joined and trimmed offsets; "
+                   "--offset-mode=raw is for all");
+  }
+  if (rules->mode == PH_OFFSET_TRIMMED && curve->closed) {
+    struct ph_arena scratch = ph_arena_beside(arena);
+    status = ph_cross_planar(curve, &scratch, &cross, diag);
+    ph_arena_free(&scratch);
+  }
+  rules->crosses = !cross.simple;
+  return status;
+}
+
 static enum ph_status derive_offsets(const struct ph_options *o,
                                      double tolerance, struct ph_arena *arena,
                                      struct ph_result *r,
                                      struct ph_diag *diag) {
-  struct ph_offset_rules rules = {tolerance, o->samples};
+  struct ph_offset_rules rules = o->offset;
   const size_t each =
       ph_kind_offsets(ph_kind_of(&r->curve), r->curve.dimension);
   const size_t n = o->offsets_n * each;
   enum ph_status status = PH_OK;
+  rules.tolerance = tolerance;
+  rules.samples = o->samples;
   if (ph_formats[o->format].is_cubics) {
     rules.samples.how = PH_SAMPLE_NONE;
+  }
+  if (n > 0 && rules.mode != PH_OFFSET_RAW) {
+    status = prepare_loops(&r->curve, arena, &rules, diag);
   }
   r->offsets = ph_arena_array(arena, n, sizeof *r->offsets);
   if (!r->offsets) {
@@ -90,8 +147,10 @@ static enum ph_status derive_offsets(const struct ph_options *o,
   }
   r->offsets_n = n;
   if (status == PH_OK) {
+    ph_loops_nest(r->offsets, n);
     warn_cusps(r);
     warn_gaps(r);
+    warn_loops(r, &rules);
   }
   return status;
 }

@@ -285,6 +285,22 @@ static enum ph_status check_printed(struct ph_option_parser *p) {
   return PH_OK;
 }
 
+/* Options about offsets. */
+static enum ph_status check_offsets(struct ph_option_parser *p) {
+  const struct ph_options *o = p->options;
+  const bool loops = o->offset.mode != PH_OFFSET_RAW;
+  if (!loops && p->loops) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--offset-%s needs --offset-mode=joined or trimmed",
+                   p->loops);
+  }
+  if ((loops || o->table == PH_TABLE_OFFSETS) && !o->offsets_n) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL, "%s needs --offset",
+                   loops ? "--offset-mode" : "--table=offsets");
+  }
+  return PH_OK;
+}
+
 /* Options that contradict each other. */
 static enum ph_status check_together(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
@@ -317,8 +333,8 @@ static enum ph_status check_together(struct ph_option_parser *p) {
   if (o->pretty && !format->is_objects) {
     return ph_fail(p->diag, PH_E_USAGE, NULL, "--pretty needs --format=json");
   }
-  if (o->table == PH_TABLE_OFFSETS && !o->offsets_n) {
-    return ph_fail(p->diag, PH_E_USAGE, NULL, "--table=offsets needs --offset");
+  if (check_offsets(p) != PH_OK) {
+    return PH_E_USAGE;
   }
   if (o->samples.frame && o->samples.how == PH_SAMPLE_NONE) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
@@ -361,8 +377,8 @@ enum ph_status ph_options_read(int argc, char **argv,
                                struct ph_options *options,
                                struct ph_diag *diag) {
   static char *standard_input[] = {"-"};
-  struct ph_option_parser p = {argc, argv,         options, diag, NULL,
-                               "",   (size_t)argc, NULL,    NULL, false};
+  struct ph_option_parser p = {argc,         argv, options, diag,  NULL, "",
+                               (size_t)argc, NULL, NULL,    false, NULL};
   enum ph_status status = build_tables(&p);
   int value;
   options->sweep_count = 1;
@@ -408,6 +424,7 @@ enum ph_status ph_options_read(int argc, char **argv,
 struct ph_print ph_options_print(const struct ph_options *options) {
   return (struct ph_print){{options->table, ph_formats[options->format].is_text,
                             space_of(options), options->offsets_n,
+                            options->offset.mode != PH_OFFSET_RAW,
                             options->samples.frame != PH_FRAME_NONE},
                            options->pretty};
 }

@@ -12,6 +12,7 @@
 #include "base/mem.h"
 #include "cli/command.h"
 #include "cli/sweep.h"
+#include "curve/offset/offset.h"
 #include "curve/sample/sample.h"
 #include "curve/surface/grid.h"
 #include "curve/surface/volume.h"
@@ -31,106 +32,120 @@
 /* X(SYMBOL, USE, 'short' or 0, "long", "ARGUMENT" or NULL, "help").  USE is the
  * commands that have the option (enum ph_use).  Help
  * texts are broken into lines where they are printed. */
-#define PH_OPTIONS(X)                                                         \
-  X(INPUT_FORMAT, SOLVE, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS),     \
-    "what the input is; auto (default): by the suffix of the file (.json "    \
-    ".ndjson .jsonl .csv .tsv), else by its first character; text: numbers "  \
-    "between blanks")                                                         \
-  X(PROBLEMS, VERIFY, 0, "problems", "FILE",                                  \
-    "the problems that the results solve, to check these as well: the same "  \
-    "id, or else the same order")                                             \
-  X(PROBLEMS_FORMAT, VERIFY, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS), \
-    "what the file of problems is; auto (default): by its suffix, else by "   \
-    "its first character")                                                    \
-  X(COLUMNS, ALL, 0, "columns", "NAME,...",                                   \
-    "what the columns of CSV input are, in order (-: skip), or by their "     \
-    "names in the header, NAME=HEADER,...")                                   \
-  X(IGNORE_COLUMNS, ALL, 0, "ignore-columns", NULL,                           \
-    "skip columns of CSV input whose names are unknown")                      \
-  X(DELIMITER, ALL, 0, "delimiter", "C",                                      \
-    "separator of CSV input (default: a tab in .tsv files, else what the "    \
-    "first row has); a blank: any number of blanks and tabs")                 \
-  X(FORMAT, SOLVE, 'f', "format", PH_WORDS(PH_FORMATS),                       \
-    "json (default): one object a line; csv (with --table the default): one " \
-    "table; text: the same in columns, for gnuplot and awk; svg-path: paths " \
-    "of cubic Bezier curves; obj: the mesh of a surface")                     \
-  X(TABLE, SOLVE, 0, "table", "NAME",                                         \
-    "what --format=csv and text print (default: control-points, of surfaces " \
-    "strips or patches):")                                                    \
-  X(PRETTY, ALL, 0, "pretty", NULL, "indented JSON")                          \
-  X(OUTPUT, ALL, 'o', "output", "FILE",                                       \
-    "write FILE, replaced only when everything was written")                  \
-  X(IF_CHANGED, ALL, 0, "if-changed", NULL,                                   \
-    "leave the FILE of --output as it is where it has the same bytes")        \
-  X(NO_SYNC, ALL, 0, "no-sync", NULL, "do not wait for the disk")             \
-  X(SET, ALL, 's', "set", "FIELD=VALUE",                                      \
-    "set a field of the problems that lack it; VALUE is JSON or a word")      \
-  X(OVERRIDE, ALL, 0, "override", "FIELD=VALUE",                              \
-    "set a field of every problem")                                           \
-  X(SWEEP, SOLVE, 'S', "sweep", "FIELD=RANGE",                                \
-    "solve every problem once for each value of RANGE: V1,V2,... or "         \
-    "START:STOP:COUNT, with :log at equal ratios; FIELD may be an element, "  \
-    "points[2][0]; FIELD*=RANGE multiplies what is there")                    \
-  X(OFFSET, CURVE, 'd', "offset", "D[,D...]",                                 \
-    "add offset curves at these distances, positive to the left of travel")   \
-  X(PARALLEL, SURFACE, 'd', "offset", "D[,D...]",                             \
-    "add parallel surfaces at these distances along the normals")             \
-  X(SAMPLE, CURVE, 'n', "sample", "N",                                        \
-    "add N+1 samples per segment, equally spaced in the segment's parameter") \
-  X(GRID, SURFACE, 'n', "sample", "N[xM]",                                    \
-    "add samples: N steps along each strip and M over the height")            \
-  X(SPACING, CURVE, 0, "spacing", "DS",                                       \
-    "add samples equally spaced by arc length along the whole curve")         \
-  X(CHORD_ERROR, CURVE, 0, "chord-error", "E",                                \
-    "add samples such that no chord leaves the curve by more than E")         \
-  X(FRAME, CURVE, 0, "frame", PH_WORDS(PH_FRAMES),                            \
-    "add normal and binormal to samples of curves in space")                  \
-  X(PLOT, DRAW, 'p', "plot", "FILE",                                          \
-    "draw data, results, offsets and curvature of the whole run: FILE.svg, "  \
-    "FILE.pdf or FILE.png")                                                   \
-  X(PLOT_SIZE, DRAW, 0, "plot-size", "WIDTHxHEIGHT",                          \
-    "size of the figure, in pixels (.png) or points of 1/72 inch")            \
-  X(VOLUME, SURFACE, 0, "volume", "FILE.nrrd",                                \
-    "the volume that --panorama shows")                                       \
-  X(PANORAMA, SURFACE, 0, "panorama", "FILE",                                 \
-    "the volume on the surface, laid flat: FILE.png or FILE.nrrd")            \
-  X(RESOLUTION, SURFACE, 0, "resolution", "R",                                \
-    "points of the panorama over the unit of length")                         \
-  X(FILL, SURFACE, 0, "fill", "X",                                            \
-    "what the panorama has beside the surface and the volume (default: 0)")   \
-  X(CONVERT, CURVE, 0, "convert", "bezier",                                   \
-    "write atph segments as polynomial quintic Bezier segments")              \
-  X(TOLERANCE, CURVE, 0, "tolerance", "E",                                    \
-    "greatest distance of Bezier pieces from the exact curve "                \
-    "(default: " PH_TEXT(PH_TOLERANCE) " of its size)")                       \
-  X(FLAT, SURFACE, 0, "tolerance", "E",                                       \
-    "greatest distance of a general cone laid flat from chords of its "       \
-    "samples (default: " PH_TEXT(PH_TOLERANCE_FLAT) " of the size)")          \
-  X(LIMIT, VERIFY, 0, "tolerance", "E",                                       \
-    "greatest relative error of what is right (default: " PH_TEXT(            \
-        PH_TOLERANCE_VERIFY) ")")                                             \
-  X(JOBS, ALL, 'j', "jobs", "N",                                              \
-    "worker threads (default: the processors); for every N the results are "  \
-    "the same, in the same order")                                            \
-  X(MAX_SAMPLES, SOLVE, 0, "max-samples", "N",                                \
-    "the most samples that a curve may have (default: " PH_TEXT(              \
-        PH_SAMPLES_MAX) ")")                                                  \
-  X(MAX_MEMORY, ALL, 0, "max-memory", "BYTES",                                \
-    "the most memory that a record may take: a number, or one with K, M or "  \
-    "G (default: a quarter of the machine's)")                                \
-  X(MAX_RECORD_BYTES, ALL, 0, "max-record-bytes", "BYTES",                    \
-    "the longest text that a record may have (default: as --max-memory)")     \
-  X(TIME_LIMIT, ALL, 0, "time-limit", "SECONDS",                              \
-    "the longest time that a record may take (default: any)")                 \
-  X(STRICT, SOLVE, 0, "strict", NULL, "a warning is an error")                \
-  X(FAIL_FAST, ALL, 0, "fail-fast", NULL, "stop at the first failure")        \
-  X(PROGRESS, ALL, 0, "progress", NULL, "report progress on standard error")  \
-  X(QUIET, ALL, 'q', "quiet", NULL, "no warnings, no summary of failures")    \
-  X(VERBOSE, SOLVE, 'v', "verbose", NULL,                                     \
-    "a line for each problem solved: iterations, residual, time")             \
-  X(VERBOSE_VERIFY, VERIFY, 'v', "verbose", NULL,                             \
-    "a line for each result that is right: its worst error, time")            \
-  X(HELP, ALL, 'h', "help", NULL, "this text")                                \
+#define PH_OPTIONS(X)                                                          \
+  X(INPUT_FORMAT, SOLVE, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS),      \
+    "what the input is; auto (default): by the suffix of the file (.json "     \
+    ".ndjson .jsonl .csv .tsv), else by its first character; text: numbers "   \
+    "between blanks")                                                          \
+  X(PROBLEMS, VERIFY, 0, "problems", "FILE",                                   \
+    "the problems that the results solve, to check these as well: the same "   \
+    "id, or else the same order")                                              \
+  X(PROBLEMS_FORMAT, VERIFY, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS),  \
+    "what the file of problems is; auto (default): by its suffix, else by "    \
+    "its first character")                                                     \
+  X(COLUMNS, ALL, 0, "columns", "NAME,...",                                    \
+    "what the columns of CSV input are, in order (-: skip), or by their "      \
+    "names in the header, NAME=HEADER,...")                                    \
+  X(IGNORE_COLUMNS, ALL, 0, "ignore-columns", NULL,                            \
+    "skip columns of CSV input whose names are unknown")                       \
+  X(DELIMITER, ALL, 0, "delimiter", "C",                                       \
+    "separator of CSV input (default: a tab in .tsv files, else what the "     \
+    "first row has); a blank: any number of blanks and tabs")                  \
+  X(FORMAT, SOLVE, 'f', "format", PH_WORDS(PH_FORMATS),                        \
+    "json (default): one object a line; csv (with --table the default): one "  \
+    "table; text: the same in columns, for gnuplot and awk; svg-path: paths "  \
+    "of cubic Bezier curves; obj: the mesh of a surface")                      \
+  X(TABLE, SOLVE, 0, "table", "NAME",                                          \
+    "what --format=csv and text print (default: control-points, of surfaces "  \
+    "strips or patches):")                                                     \
+  X(PRETTY, ALL, 0, "pretty", NULL, "indented JSON")                           \
+  X(OUTPUT, ALL, 'o', "output", "FILE",                                        \
+    "write FILE, replaced only when everything was written")                   \
+  X(IF_CHANGED, ALL, 0, "if-changed", NULL,                                    \
+    "leave the FILE of --output as it is where it has the same bytes")         \
+  X(NO_SYNC, ALL, 0, "no-sync", NULL, "do not wait for the disk")              \
+  X(SET, ALL, 's', "set", "FIELD=VALUE",                                       \
+    "set a field of the problems that lack it; VALUE is JSON or a word")       \
+  X(OVERRIDE, ALL, 0, "override", "FIELD=VALUE",                               \
+    "set a field of every problem")                                            \
+  X(SWEEP, SOLVE, 'S', "sweep", "FIELD=RANGE",                                 \
+    "solve every problem once for each value of RANGE: V1,V2,... or "          \
+    "START:STOP:COUNT, with :log at equal ratios; FIELD may be an element, "   \
+    "points[2][0]; FIELD*=RANGE multiplies what is there")                     \
+  X(OFFSET, CURVE, 'd', "offset", "D[,D...]",                                  \
+    "add offset curves at these distances, positive to the left of travel")    \
+  X(OFFSET_MODE, CURVE, 0, "offset-mode", PH_WORDS(PH_OFFSET_MODES),           \
+    "raw (default): the offset of each segment; joined: these with joins at "  \
+    "outer corners; trimmed: of these what keeps the distance from the whole " \
+    "curve, as loops (in the plane)")                                          \
+  X(OFFSET_JOIN, CURVE, 0, "offset-join", "round|miter[:LIMIT]",               \
+    "joins: arcs (default), or tips up to LIMIT (default: 4) times the "       \
+    "distance, and arcs beyond")                                               \
+  X(OFFSET_ENDS, CURVE, 0, "offset-ends", "none|round",                        \
+    "open curves: one side (default), or both, joined by half circles")        \
+  X(OFFSET_SIDES, CURVE, 0, "offset-sides", "one|both",                        \
+    "closed curves: one side (default), or the outline of all that is nearer") \
+  X(OFFSET_TOUCHING, CURVE, 0, "offset-touching", "split|keep",                \
+    "parts of trimmed offsets with nothing between them: left out (default), " \
+    "or there once")                                                           \
+  X(PARALLEL, SURFACE, 'd', "offset", "D[,D...]",                              \
+    "add parallel surfaces at these distances along the normals")              \
+  X(SAMPLE, CURVE, 'n', "sample", "N",                                         \
+    "add N+1 samples per segment, equally spaced in the segment's parameter")  \
+  X(GRID, SURFACE, 'n', "sample", "N[xM]",                                     \
+    "add samples: N steps along each strip and M over the height")             \
+  X(SPACING, CURVE, 0, "spacing", "DS",                                        \
+    "add samples equally spaced by arc length along the whole curve")          \
+  X(CHORD_ERROR, CURVE, 0, "chord-error", "E",                                 \
+    "add samples such that no chord leaves the curve by more than E")          \
+  X(FRAME, CURVE, 0, "frame", PH_WORDS(PH_FRAMES),                             \
+    "add normal and binormal to samples of curves in space")                   \
+  X(PLOT, DRAW, 'p', "plot", "FILE",                                           \
+    "draw data, results, offsets and curvature of the whole run: FILE.svg, "   \
+    "FILE.pdf or FILE.png")                                                    \
+  X(PLOT_SIZE, DRAW, 0, "plot-size", "WIDTHxHEIGHT",                           \
+    "size of the figure, in pixels (.png) or points of 1/72 inch")             \
+  X(VOLUME, SURFACE, 0, "volume", "FILE.nrrd",                                 \
+    "the volume that --panorama shows")                                        \
+  X(PANORAMA, SURFACE, 0, "panorama", "FILE",                                  \
+    "the volume on the surface, laid flat: FILE.png or FILE.nrrd")             \
+  X(RESOLUTION, SURFACE, 0, "resolution", "R",                                 \
+    "points of the panorama over the unit of length")                          \
+  X(FILL, SURFACE, 0, "fill", "X",                                             \
+    "what the panorama has beside the surface and the volume (default: 0)")    \
+  X(CONVERT, CURVE, 0, "convert", "bezier",                                    \
+    "write atph segments as polynomial quintic Bezier segments")               \
+  X(TOLERANCE, CURVE, 0, "tolerance", "E",                                     \
+    "greatest distance of Bezier pieces from the exact curve "                 \
+    "(default: " PH_TEXT(PH_TOLERANCE) " of its size)")                        \
+  X(FLAT, SURFACE, 0, "tolerance", "E",                                        \
+    "greatest distance of a general cone laid flat from chords of its "        \
+    "samples (default: " PH_TEXT(PH_TOLERANCE_FLAT) " of the size)")           \
+  X(LIMIT, VERIFY, 0, "tolerance", "E",                                        \
+    "greatest relative error of what is right (default: " PH_TEXT(             \
+        PH_TOLERANCE_VERIFY) ")")                                              \
+  X(JOBS, ALL, 'j', "jobs", "N",                                               \
+    "worker threads (default: the processors); for every N the results are "   \
+    "the same, in the same order")                                             \
+  X(MAX_SAMPLES, SOLVE, 0, "max-samples", "N",                                 \
+    "the most samples that a curve may have (default: " PH_TEXT(               \
+        PH_SAMPLES_MAX) ")")                                                   \
+  X(MAX_MEMORY, ALL, 0, "max-memory", "BYTES",                                 \
+    "the most memory that a record may take: a number, or one with K, M or "   \
+    "G (default: a quarter of the machine's)")                                 \
+  X(MAX_RECORD_BYTES, ALL, 0, "max-record-bytes", "BYTES",                     \
+    "the longest text that a record may have (default: as --max-memory)")      \
+  X(TIME_LIMIT, ALL, 0, "time-limit", "SECONDS",                               \
+    "the longest time that a record may take (default: any)")                  \
+  X(STRICT, SOLVE, 0, "strict", NULL, "a warning is an error")                 \
+  X(FAIL_FAST, ALL, 0, "fail-fast", NULL, "stop at the first failure")         \
+  X(PROGRESS, ALL, 0, "progress", NULL, "report progress on standard error")   \
+  X(QUIET, ALL, 'q', "quiet", NULL, "no warnings, no summary of failures")     \
+  X(VERBOSE, SOLVE, 'v', "verbose", NULL,                                      \
+    "a line for each problem solved: iterations, residual, time")              \
+  X(VERBOSE_VERIFY, VERIFY, 'v', "verbose", NULL,                              \
+    "a line for each result that is right: its worst error, time")             \
+  X(HELP, ALL, 'h', "help", NULL, "this text")                                 \
   X(VERSION, ALL, 'V', "version", NULL, "the version")
 
 enum ph_option_id {
@@ -187,6 +202,7 @@ struct ph_options {
   struct ph_split_options problems_input;
   double *offsets;
   size_t offsets_n;
+  struct ph_offset_rules offset; /* but for tolerance and samples */
   struct ph_sample_rules samples;
   struct ph_grid_rules grid;          /* of surfaces; along 0: none */
   const char *panorama, *volume_file; /* NULL: none */

@@ -181,6 +181,58 @@ static enum ph_status read_offsets(struct ph_option_parser *p) {
   return PH_OK;
 }
 
+/* round, miter or miter:LIMIT. */
+static enum ph_status read_join(struct ph_option_parser *p) {
+  double *limit = &p->options->offset.miter;
+  const char *at = optarg + strlen("miter"), *end = optarg + strlen(optarg);
+  char excerpt[PH_EXCERPT_MAX];
+  if (strcmp(optarg, "round") == 0) {
+    *limit = 0;
+    return PH_OK;
+  }
+  *limit = PH_MITER_LIMIT;
+  if (strncmp(optarg, "miter", 5) == 0 &&
+      (at == end || (*at == ':' && at + 1 < end &&
+                     ph_number_read_text(at + 1, end, limit) == end &&
+                     *limit >= 1 && isfinite(*limit)))) {
+    return PH_OK;
+  }
+  return ph_fail(p->diag, PH_E_USAGE, NULL,
+                 "--offset-join must be round, miter or miter:LIMIT with a "
+                 "number of 1 or more, found '%s'",
+                 ph_excerpt(optarg, strlen(optarg), excerpt));
+}
+
+/* The options about joined and trimmed offsets. */
+static enum ph_status read_loops(struct ph_option_parser *p,
+                                 enum ph_option_id id) {
+  struct ph_offset_rules *rules = &p->options->offset;
+  const char *words = ph_option_table[id].argument;
+  size_t which = 0;
+  enum ph_status status =
+      id == PH_O_OFFSET_JOIN ? read_join(p) : choose(p, id, words, &which);
+  if (id != PH_O_OFFSET_MODE) {
+    p->loops = ph_option_table[id].name + strlen("offset-");
+  }
+  switch (id) {
+  case PH_O_OFFSET_MODE:
+    rules->mode = (enum ph_offset_mode)which;
+    break;
+  case PH_O_OFFSET_ENDS:
+    rules->round_ends = which == 1;
+    break;
+  case PH_O_OFFSET_SIDES:
+    rules->both = which == 1;
+    break;
+  case PH_O_OFFSET_TOUCHING:
+    rules->keep = which == 1;
+    break;
+  default:
+    break;
+  }
+  return status;
+}
+
 /* What options about CSV are about: results are JSON. */
 static struct ph_split_options *input_of(struct ph_options *o) {
   return o->command->use == PH_USE_VERIFY ? &o->problems_input : &o->input;
@@ -430,6 +482,12 @@ static enum ph_status read_argument(struct ph_option_parser *p,
   case PH_O_OFFSET:
   case PH_O_PARALLEL:
     return read_offsets(p);
+  case PH_O_OFFSET_MODE:
+  case PH_O_OFFSET_JOIN:
+  case PH_O_OFFSET_ENDS:
+  case PH_O_OFFSET_SIDES:
+  case PH_O_OFFSET_TOUCHING:
+    return read_loops(p, id);
   case PH_O_GRID:
     return read_grid(p);
   case PH_O_CONVERT:

@@ -20,6 +20,7 @@ struct ph_option_parser {
   const char *tolerance; /* the last argument of --tolerance, or NULL */
   const char *format;    /* and of --format */
   bool table;            /* --table was given */
+  const char *loops;     /* an --offset-... about loops, or NULL */
 };
 
 /* More threads than this do not help anyone. */

@@ -167,6 +167,8 @@ static size_t size_of(const struct form *f, const char *text) {
     return f->promise->dimension == 2 ? 2 : 4;
   case 'O':
     return offset_points(f);
+  case 'L':
+    return has_quotients(f) ? 6 : offset_points(f);
   default: /* also of ], +, N and I */
     return strtoul(text, NULL, 10);
   }
@@ -194,10 +196,11 @@ static bool fill_constant(struct builder *b, cJSON *node, const struct form *f,
                      : strcmp(type, "status") == 0 ? f->status
                      : strcmp(type, "curve") == 0  ? ph_curve_name(f->kind)
                                                    : NULL;
-  size_t number = strcmp(type, "D") == 0               ? size_of(f, "D")
-                  : strcmp(type, "degree") == 0        ? size_of(f, "P") - 1
-                  : strcmp(type, "offset_degree") == 0 ? size_of(f, "O") - 1
-                                                       : 0;
+  size_t number = strcmp(type, "D") == 0        ? size_of(f, "D")
+                  : strcmp(type, "degree") == 0 ? size_of(f, "P") - 1
+                  : strcmp(type, "offset_degree") == 0 && !has_quotients(f)
+                      ? size_of(f, "O") - 1
+                      : 0;
   if (text) {
     add_text(b, node, "const", text);
   } else if (number > 0) {
@@ -253,6 +256,7 @@ static bool fill_scalar(struct builder *b, cJSON *node, const char *type) {
       {"flag", "{\"type\":\"boolean\"}"},
       {"text", "{\"type\":\"string\"}"},
       {"id", "{\"type\":[\"string\",\"number\"]}"},
+      {"offset_degree", "{\"type\":\"integer\",\"minimum\":1}"},
       {"any", "{}"},
       {"fields", "{\"type\":\"object\"}"},
       {"vector", "{\"enum\":[\"e2\",\"e3\"]}"},
@@ -297,8 +301,8 @@ static void fill(struct builder *b, cJSON *node, const struct form *f,
     }
     node = items;
   }
-  if (!fill_scalar(b, node, type) && !fill_words(b, node, type) &&
-      !(f && fill_constant(b, node, f, type))) {
+  if (!(f && fill_constant(b, node, f, type)) && !fill_scalar(b, node, type) &&
+      !fill_words(b, node, type)) {
     fill_object(b, node, f, type);
   }
 }
@@ -438,8 +442,8 @@ static void fill_members(struct builder *b, cJSON *node, const struct form *f,
       add_text(b, member, "description", row->what);
     }
     fill(b, member, f, row->type);
-    if (row->need != PH_MAY && row->of != PH_OF_CIRCULAR &&
-        row->of != PH_OF_GENERAL) {
+    if (row->need != PH_MAY && row->of < PH_OF_CIRCULAR &&
+        strcmp(row->type, "[+]piece") != 0) {
       add_text(b, required, NULL, row->name);
     }
   }

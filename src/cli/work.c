@@ -3,6 +3,7 @@
 #include "cli/work.h"
 
 #include "check/certify.h"
+#include "check/loop.h"
 #include "cli/derive.h"
 #include "cli/merged.h"
 #include "cli/message.h"
@@ -242,6 +243,10 @@ static enum ph_status solve(struct task *t) {
   if (status == PH_OK) {
     status = ph_derive(t->options, &worker->arena, &t->result, &t->derived,
                        &t->diag);
+  }
+  if (status == PH_OK) {
+    status = ph_certify_loops(&t->derived.exact, t->result.offsets,
+                              t->result.offsets_n, &worker->scratch, &t->diag);
   }
   return status == PH_OK ? refuse_warnings(t) : status;
 }

@@ -162,6 +162,9 @@ void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
   if (samples && shape->offsets) {
     names(&row, shape->space == PH_SPACE ? ",distance,vector" : ",distance");
   }
+  if (shape->loops && (samples || shape->table == PH_TABLE_OFFSETS)) {
+    names(&row, samples ? ",loop" : ",loop,piece");
+  }
   for (size_t i = 0; i < swept_n; i++) {
     between(&row);
     text_cell(&row, swept[i].name, strlen(swept[i].name));
@@ -214,9 +217,10 @@ static void vector_cell(const struct row *row, const char *vector) {
   ph_buf_puts(row->buf, vector ? vector : row->shape->text ? "-" : "");
 }
 
-/* Samples of the curve, or of the offset that is not NULL. */
+/* Samples of the curve, or of the offset that is not NULL, or of a loop of
+ * it. */
 static void samples(const struct row *row, const struct ph_samples *s,
-                    const struct ph_offset *o) {
+                    const struct ph_offset *o, double loop) {
   static const double none[] = {(double)NAN, (double)NAN, (double)NAN};
   size_t gap = 0;
   for (size_t i = 0; i < s->n; i++) {
@@ -239,7 +243,23 @@ static void samples(const struct row *row, const struct ph_samples *s,
         vector_cell(row, o ? o->vector : NULL);
       }
     }
+    if (row->shape->loops) {
+      number_cell(row, loop);
+    }
     end_row(row);
+  }
+}
+
+/* Of an offset. */
+static void samples_beside(const struct row *row, const struct ph_offset *o) {
+  const struct ph_loops *loops = &o->loops;
+  for (size_t i = 0; i < loops->n; i++) {
+    end_curve(row);
+    samples(row, &loops->v[i].samples, o, (double)i);
+  }
+  if (!loops->mode) {
+    end_curve(row);
+    samples(row, &o->samples, o, (double)NAN);
   }
 }
 
@@ -284,10 +304,37 @@ static void offset_pieces(const struct row *row, const struct ph_offset *o,
   }
 }
 
+/* The pieces of loops; joins are of no segment. */
+static void offset_loops(const struct row *row, const struct ph_offset *o) {
+  for (size_t i = 0; i < o->loops.n; i++) {
+    const struct ph_loop *loop = &o->loops.v[i];
+    if (i > 0) {
+      end_curve(row);
+    }
+    for (size_t k = 0; k < loop->n; k++) {
+      const struct ph_loop_piece *piece = &loop->pieces[k];
+      const bool join = piece->segment == PH_NO_SEGMENT;
+      for (size_t j = 0; j <= o->degree; j++) {
+        begin_row(row);
+        number_cell(row, o->distance);
+        number_cell(row, join ? (double)NAN : (double)piece->segment);
+        number_cell(row, (double)j);
+        number_cells(row, piece->control_points + 2 * j, 2);
+        number_cell(row, piece->weights[j]);
+        number_cell(row, (double)i);
+        number_cell(row, (double)k);
+        end_row(row);
+      }
+    }
+  }
+}
+
 static void offset(const struct row *row, const struct ph_offset *o) {
   struct ph_pieces rational = {o->degree,   o->dimension,      o->n, o->segment,
                                o->interval, o->control_points, 0};
-  if (row->shape->space == PH_SPHERE) {
+  if (o->loops.mode) {
+    offset_loops(row, o);
+  } else if (row->shape->space == PH_SPHERE) {
     offset_samples(row, o);
   } else {
     offset_pieces(row, o, o->weights ? &rational : &o->pieces, o->weights);
@@ -439,10 +486,9 @@ void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
       surfaces(&row, result);
       break;
     }
-    samples(&row, &result->samples, NULL);
+    samples(&row, &result->samples, NULL, (double)NAN);
     for (size_t i = 0; i < result->offsets_n; i++) {
-      end_curve(&row);
-      samples(&row, &result->offsets[i].samples, &result->offsets[i]);
+      samples_beside(&row, &result->offsets[i]);
     }
     break;
   case PH_TABLE_OFFSETS:

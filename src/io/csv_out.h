@@ -49,6 +49,7 @@ struct ph_csv_shape {
   bool text;           /* the second form */
   enum ph_space space; /* of the curves */
   bool offsets;        /* there are some */
+  bool loops;          /* that are loops */
   bool frame;          /* of samples */
 };
 
@@ -62,7 +63,8 @@ struct ph_csv_heading {
 /*
  * ph_csv_header: appends the header row.  Of samples, what was asked for comes
  * after what there always is: the frame; distance, and in space vector, of the
- * offset that a row is of (0 and nothing: of the curve).  Swept fields are
+ * offset that a row is of (0 and nothing: of the curve); of loops the loop, and
+ * of their control points the piece.  Swept fields are
  * columns after all others.
  */
 void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,

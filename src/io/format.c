@@ -33,7 +33,9 @@ static void path_solved(struct ph_buf *buf, const struct ph_print *print,
                         const struct ph_solved *s) {
   (void)print;
   for (size_t i = 0; i < s->paths_n; i++) {
-    ph_svg_path(buf, &s->paths[i], s->result->curve.closed);
+    const bool loops = i > 0 && i <= s->result->offsets_n &&
+                       s->result->offsets[i - 1].loops.mode;
+    ph_svg_path(buf, &s->paths[i], loops || s->result->curve.closed);
   }
   ph_buf_puts(buf, "\n");
 }

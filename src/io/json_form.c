@@ -174,7 +174,8 @@ void ph_read_nothing(const struct ph_slot *slot, char *at) {
   const struct ph_type *type = slot->row->as;
   const bool numbers = slot->form == PH_AS_DOUBLE || slot->form == PH_AS_OPEN;
   unsigned word = 0;
-  memset(at, 0, slot->size);
+  memset(at, slot->form == PH_AS_AMONG || slot->form == PH_AS_SIZE ? 255 : 0,
+         slot->size);
   for (size_t i = 0; numbers && i < slot->size; i += sizeof(double)) {
     memcpy(at + i, &nan, sizeof nan);
   }
@@ -211,6 +212,11 @@ void ph_read_form(struct ph_json_reader *r, const struct ph_slot *slot,
     } else {
       *(size_t *)at = ph_read_whole(r, item, name, type->least, slot->most);
     }
+    break;
+  case PH_AS_AMONG:
+    *(size_t *)at = *item->value == 'n'
+                        ? PH_NO_SEGMENT
+                        : ph_read_whole(r, item, name, type->least, type->most);
     break;
   case PH_AS_RANGE:
     read_range(r, item, name, at, slot->most);

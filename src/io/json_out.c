@@ -72,6 +72,9 @@ static bool is_unknown(const struct ph_slot *slot, const void *at) {
   switch (slot->form) {
   case PH_AS_DOUBLE:
     return slot->row->need == PH_MAY && !isfinite(*(const double *)at);
+  case PH_AS_SIZE:
+    return slot->row->need == PH_MAY && !slot->indirect &&
+           *(const size_t *)at == PH_NO_SEGMENT;
   case PH_AS_TEXT:
   case PH_AS_VECTOR:
     memcpy(&text, at, sizeof text);
@@ -106,6 +109,9 @@ static void write_list(struct output *out, const struct ph_slot *slot,
   ph_write_begin(out->w, '[');
   for (size_t i = 0; i < n; i++) {
     ph_write_element(out->w);
+    if (strcmp(of->name, "offset") == 0) {
+      ph_sizes_enter(&out->sizes, PH_AS_PIECES, at + i * size);
+    }
     if (strcmp(of->name, "strip") == 0) {
       const struct ph_strip *strip = (const struct ph_strip *)(at + i * size);
       out->without =
@@ -151,6 +157,10 @@ static void write_signs(struct ph_json_writer *w, const signed char *signs,
 
 static void write_sizes(struct ph_json_writer *w, const struct ph_slot *slot,
                         const size_t *sizes, size_t n) {
+  if (slot->form == PH_AS_AMONG && *sizes == PH_NO_SEGMENT) {
+    ph_buf_puts(w->buf, "null");
+    return;
+  }
   if (slot->n == 0 && (!slot->indirect || slot->row->where.how == PH_EACH)) {
     ph_write_number(w, (double)*sizes);
     return;
@@ -294,6 +304,7 @@ static void write_value(struct output *out, const struct ph_slot *slot,
     ph_write_open(w, at, slot->n);
     break;
   case PH_AS_SIZE:
+  case PH_AS_AMONG:
     write_sizes(w, slot, at, n);
     break;
   case PH_AS_RANGE:
@@ -334,6 +345,13 @@ static void write_value(struct output *out, const struct ph_slot *slot,
   }
 }
 
+/* Whether a member is of other offsets than this one. */
+static bool is_other(enum ph_of of, const void *object) {
+  return (of == PH_OF_LOOPS || of == PH_OF_RAW) &&
+         (of == PH_OF_LOOPS) !=
+             (((const struct ph_offset *)object)->loops.mode != NULL);
+}
+
 /* The members of object i, or that this one has of arrays. */
 static void write_members(struct output *out, const struct ph_slot *slots,
                           size_t slots_n, const void *object, size_t i) {
@@ -344,7 +362,8 @@ static void write_members(struct output *out, const struct ph_slot *slots,
     if ((n == 0 && strncmp(slot->row->type, "[]", 2) != 0) ||
         (!at && slot->row->where.how == PH_EACH) || is_unknown(slot, at) ||
         (plain && slot->row->of == PH_OF_SPHERE) ||
-        (out->without && slot->row->of == out->without)) {
+        (out->without && slot->row->of == out->without) ||
+        is_other(slot->row->of, object)) {
       continue;
     }
     ph_write_key(out->w, slot->row->name);

@@ -208,6 +208,7 @@ static void begin_element(struct input *in, struct object *o) {
   if (strcmp(o->of->name, "offset") == 0) {
     ((struct ph_offset *)o->at)->dimension = c->dimension;
     o->without = (unsigned)!item_of(o, "segments")->value << PH_OF_FLAT |
+                 1u << (item_of(o, "loops")->value ? PH_OF_RAW : PH_OF_LOOPS) |
                  (unsigned)!item_of(o, "beziers")->value << PH_OF_QUOTIENT;
   } else if (strcmp(o->of->name, "strip") == 0) {
     in->without = o->without = item_of(o, "control_points")->value
@@ -231,6 +232,9 @@ static void read_list(struct input *in, const struct ph_slot *slot,
   struct ph_json_walk walk;
   size_t mark = ph_read_enter(r, slot->row->name), slots_n = 0;
   *n = ph_read_size(r, from);
+  if (strcmp(o.of->name, "loop") == 0) {
+    ph_sizes_enter(&in->sizes, PH_AS_PIECES, at - slot->row->where.at);
+  }
   if (*n == 0 && slot->form == PH_AS_SEGMENTS) {
     ph_read_fail(r, PH_E_BAD_SHAPE, "is empty");
   }

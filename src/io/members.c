@@ -377,64 +377,7 @@ static const struct ph_member solution[] = {
      AT(ph_solution, diagnostics), "of this curve"},
     LAST};
 
-static const struct ph_member offset[] = {
-    {"distance", MUST, ANY, AS("", number), AT(ph_offset, distance),
-     "in the plane and on a sphere positive to the left of travel"},
-    {"vector", TOLD, SPACE, AS("", vector), AT(ph_offset, vector),
-     "of the frame, along which the distance is measured"},
-    {"degree", MUST, FLAT, AS("", offset_degree), LIST(ph_offset, degree, n),
-     "of its segments"},
-    {"segments", MUST, FLAT, AS("[+]", piece), SELF(ph_offset, n),
-     "the offset"},
-    {"beziers", TOLD, QUOTIENT, AS("[+]", bezier),
-     LIST(ph_offset, pieces, pieces.n),
-     "polynomial Bezier pieces of the offset, within the tolerance"},
-    {"error", TOLD, QUOTIENT, AS("", number),
-     LIST(ph_offset, pieces.error, pieces.n),
-     "the greatest distance of these from the offset that was found"},
-    {"length", MAY, ANY, AS("", number), AT(ph_offset, length),
-     "the arc length of the offset"},
-    {"cusps", TOLD, ANY, AS("[]", cusp), LIST(ph_offset, cusps.at, cusps.n),
-     "where the offset turns back"},
-    {"gaps", TOLD, ANY, AS("[]", index), LIST(ph_offset, gaps.before, gaps.n),
-     "the segments before which the offset jumps"},
-    {"samples", MAY, ANY, AS("[+]", sample),
-     LIST(ph_offset, samples, samples.n), "of the offset, in its order"},
-    LAST};
-
-/* Of a piece of an offset: rational, or a quotient. */
-static const struct ph_member piece[] = {
-    {"segment", MUST, ANY, AS("", index), EACH(ph_offset, segment),
-     "of the curve"},
-    {"interval", MUST, ANY, AS("[2]", number), EACH(ph_offset, interval),
-     "the part of the segment, in its local parameter"},
-    {"control_points", MUST, RATIONAL, AS("[O][D]", number),
-     EACH(ph_offset, control_points), "of a rational Bezier curve"},
-    {"weights", MUST, RATIONAL, AS("[O]", positive), EACH(ph_offset, weights),
-     "of the points"},
-    {"numerator", MUST, QUOTIENT, AS("[O][D]", number),
-     EACH(ph_offset, numerator),
-     "of what has to be added to the curve, in its B-basis"},
-    {"denominator", MUST, QUOTIENT, AS("[O]", number),
-     EACH(ph_offset, denominator), "of the same"},
-    LAST};
-
-/* Of a polynomial piece of an offset. */
-static const struct ph_member bezier[] = {
-    {"segment", MUST, ANY, AS("", index), EACH(ph_pieces, segment),
-     "of the curve"},
-    {"interval", MUST, ANY, AS("[2]", number), EACH(ph_pieces, interval),
-     "the part of the segment, in its local parameter"},
-    {"control_points", MUST, ANY, AS("[P][D]", number),
-     EACH(ph_pieces, control_points), "the Bezier points"},
-    LAST};
-
-static const struct ph_member cusp[] = {
-    {"segment", MUST, ANY, AS("", index), AT(ph_place, segment),
-     "of the curve beside it"},
-    {"t", MUST, ANY, AS("", number), AT(ph_place, t),
-     "the local parameter in the segment"},
-    LAST};
+#include "io/members_offset.def"
 
 static const struct ph_member sample[] = {
     {"segment", MUST, ANY, AS("", index), EACH(ph_samples, segment),
@@ -568,6 +511,9 @@ static const struct ph_members objects[] = {
     {"piece", false, piece, 0},
     {"bezier", false, bezier, 0},
     {"cusp", true, cusp, sizeof(struct ph_place)},
+    {"loop", false, loop, sizeof(struct ph_loop)},
+    {"loop_piece", false, loop_piece, sizeof(struct ph_loop_piece)},
+    {"trimming", true, trimming, sizeof(struct ph_trimming)},
     {"sample", false, sample, 0},
     {"image", true, image, sizeof(struct ph_blaschke)},
     {"solution", false, solution, sizeof(struct ph_solution)},

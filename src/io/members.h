@@ -27,7 +27,9 @@ enum ph_of {
   PH_OF_LENGTHS, /* curves of prescribed lengths */
   PH_OF_SURFACE,
   PH_OF_CIRCULAR, /* strips of circular cones */
-  PH_OF_GENERAL   /* of other cones */
+  PH_OF_GENERAL,  /* of other cones */
+  PH_OF_LOOPS,    /* offsets in the plane that were put together */
+  PH_OF_RAW       /* offsets that were not */
 };
 
 enum ph_need {
@@ -96,6 +98,7 @@ enum ph_form {
   PH_AS_TEXT,
   PH_AS_VECTOR, /* a text, "e2" or "e3" */
   PH_AS_ENUM,   /* by its word */
+  PH_AS_AMONG,  /* an index, or null: PH_NO_SEGMENT */
   PH_AS_KNOTS,  /* a number and that of the next segment */
   PH_AS_OPEN,   /* numbers, null in place of each that is not finite, and of all
                    if none is: NaN */
@@ -121,8 +124,8 @@ struct ph_type {
 
 /* The numbers that types have letters for: D, the dimension of the curve; P, a
  * segment's control points; W, the coefficients of its preimage, of Q numbers
- * each; O, the control points of an offset's piece; S, segments; N, nodes of
- * a spline on a sphere; I, intervals of the record. */
+ * each; O, the control points of an offset's piece, L of a loop's; S, segments;
+ * N, nodes of a spline on a sphere; I, intervals of the record. */
 struct ph_sizes {
   size_t of['Z' - 'A' + 1];
 };

@@ -26,6 +26,8 @@
 #define SURFACE PH_OF_SURFACE
 #define CIRCULAR PH_OF_CIRCULAR
 #define GENERAL PH_OF_GENERAL
+#define LOOPS PH_OF_LOOPS
+#define RAW PH_OF_RAW
 
 #define AS(sizes, type) sizes #type, &as_##type
 #define APART   \
@@ -84,6 +86,10 @@ TYPE(joint_kind, "joint_kind", ENUM, sizeof(enum ph_joint_kind), 0, 0);
 TYPE(solution, "solution", LIST, 0, 0, 0);
 TYPE(offset, "offset", LIST, 0, 0, 0);
 TYPE(cusp, "cusp", LIST, 0, 0, 0);
+TYPE(loop, "loop", LIST, 0, 0, 0);
+TYPE(loop_piece, "loop_piece", LIST, 0, 0, 0);
+TYPE(trimming, "trimming", OBJECT, sizeof(struct ph_trimming), 0, 0);
+TYPE(among, "among", AMONG, sizeof(size_t), 0, INT32_MAX);
 TYPE(start, "start", LIST, 0, 0, 0);
 TYPE(bounds, "bounds", BOUNDS, 0, 0, 0);
 TYPE(strip, "strip", LIST, 0, 0, 0);

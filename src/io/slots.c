@@ -20,7 +20,7 @@ void ph_sizes_enter(struct ph_sizes *sizes, enum ph_form form,
   } else if (form == PH_AS_PIECES) {
     const struct ph_offset *o = from;
     SIZE('D') = o->dimension;
-    SIZE('O') = o->degree + 1;
+    SIZE('O') = SIZE('L') = o->degree + 1;
   } else if (form == PH_AS_BEZIERS) {
     const struct ph_pieces *pieces = from;
     SIZE('D') = pieces->dimension;

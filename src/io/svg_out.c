@@ -24,18 +24,18 @@ static bool same(const double *a, const double *b) {
 
 void ph_svg_path(struct ph_buf *buf, const struct ph_pieces *cubics,
                  bool closed) {
-  const double *p = cubics->control_points;
-  bool joined = true;
+  const double *p = cubics->control_points, *first = p;
   for (size_t i = 0; i < cubics->n; i++, p += 8) {
     if (i == 0 || !same(p - 2, p)) {
-      joined = i == 0;
+      first = p;
       point(buf, 'M', p);
     }
     point(buf, 'C', p + 2);
     point(buf, ' ', p + 4);
     point(buf, ' ', p + 6);
-  }
-  if (closed && joined && cubics->n && same(p - 2, cubics->control_points)) {
-    ph_buf_put(buf, "Z", 1);
+    if (closed && same(p + 6, first) &&
+        (i + 1 == cubics->n || !same(p + 6, p + 8))) {
+      ph_buf_put(buf, "Z", 1);
+    }
   }
 }

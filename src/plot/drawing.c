@@ -157,18 +157,23 @@ static void draw_segment(struct pen *pen, const struct ph_sampler *sampler,
 }
 
 /* The curve, a stroke for each of its segments if there are not too many, or an
- * offset of it, a stroke from gap to gap. */
+ * offset of it, a stroke from gap to gap, or a loop of that. */
 static enum ph_status draw_curve(struct pen *pen,
                                  const struct ph_offset *offset,
+                                 const struct ph_loop *loop,
                                  enum ph_stroke_role role, size_t index) {
   const struct ph_curve *curve = &pen->result->curve;
-  const size_t n = curve->n;
+  const size_t n = loop ? loop->n : curve->n;
   const size_t step = stroke_step(n), group = offset ? n : group_of(n);
+  const struct ph_offset *whole = loop ? NULL : offset;
   struct ph_sampler sampler;
   size_t cusp = 0, gap = 0;
   int depth = 0;
   enum ph_status status =
-      ph_sampler_begin(&sampler, curve, offset, &pen->scratch, pen->diag);
+      loop
+          ? ph_sampler_begin_loop(&sampler, curve, offset, loop, &pen->scratch,
+                                  pen->diag)
+          : ph_sampler_begin(&sampler, curve, offset, &pen->scratch, pen->diag);
   while (depth < DEPTH_MAX && n << (depth + 1) <= PH_DRAWING_POINTS) {
     depth++;
   }
@@ -177,7 +182,7 @@ static enum ph_status draw_curve(struct pen *pen,
     if (k % step != 0 && k + 1 < n) {
       continue;
     }
-    if (offset && ph_gaps_pass(&offset->gaps, k, &gap)) {
+    if (whole && ph_gaps_pass(&whole->gaps, k, &gap)) {
       lift(pen, role, index);
     }
     status = ph_sampler_enter(&sampler, k, pen->diag);
@@ -186,7 +191,7 @@ static enum ph_status draw_curve(struct pen *pen,
       lift(pen, role, k - group);
     }
     if (status == PH_OK) {
-      draw_segment(pen, &sampler, offset ? &offset->cusps : NULL, &cusp, depth);
+      draw_segment(pen, &sampler, whole ? &whole->cusps : NULL, &cusp, depth);
     }
   }
   lift(pen, role, offset ? index : (n - 1) / group * group);
@@ -196,7 +201,13 @@ static enum ph_status draw_curve(struct pen *pen,
 static enum ph_status draw_offsets(struct pen *pen) {
   enum ph_status status = PH_OK;
   for (size_t i = 0; status == PH_OK && i < pen->result->offsets_n; i++) {
-    status = draw_curve(pen, &pen->result->offsets[i], PH_STROKE_OFFSET, i);
+    const struct ph_offset *o = &pen->result->offsets[i];
+    for (size_t k = 0; status == PH_OK && k < o->loops.n; k++) {
+      status = draw_curve(pen, o, &o->loops.v[k], PH_STROKE_OFFSET, i);
+    }
+    if (!o->loops.mode) {
+      status = draw_curve(pen, o, NULL, PH_STROKE_OFFSET, i);
+    }
   }
   return status;
 }
@@ -496,7 +507,8 @@ static size_t parts_of(const struct ph_result *r) {
   size_t n = 0;
   for (size_t i = 0; i < r->offsets_n; i++) {
     const size_t gaps = r->offsets[i].gaps.n;
-    n += 1 + (gaps < PH_DRAWING_POINTS ? gaps : PH_DRAWING_POINTS);
+    n += 1 + (gaps < PH_DRAWING_POINTS ? gaps : PH_DRAWING_POINTS) +
+         r->offsets[i].loops.n;
   }
   return n;
 }
@@ -544,7 +556,7 @@ static enum ph_status draw(struct pen *pen,
   }
   status = pen->failed ? PH_OK : draw_offsets(pen);
   if (!pen->failed && status == PH_OK) {
-    status = draw_curve(pen, NULL, PH_STROKE_CURVE, 0);
+    status = draw_curve(pen, NULL, NULL, PH_STROKE_CURVE, 0);
   }
   if (!pen->failed && status == PH_OK && details) {
     draw_vectors(pen);

@@ -453,7 +453,7 @@ planar-result ph.r offsets []
 planar-result ph.r offsets/0/distance -
 planar-result ph.r offsets/0/vector "e2"
 planar-result ph.r offsets/0/degree 5
-planar-result ph.r offsets/0/gaps -
+planar-result ph.r offsets/0/gaps null
 planar-result ph.r offsets/0/gaps [-1]
 planar-result ph.r offsets/0/gaps [0.5]
 planar-result ph.r offsets/0/cusps [{"segment":0}]

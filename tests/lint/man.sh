@@ -202,7 +202,10 @@ table check/verify.h PH_CHECKS 'symbol, name' 'name' >"$tmp/checks"
 items man/phspline-verify.1 CHECKS Cm >"$tmp/page"
 same "checks of verify" "$tmp/checks" "$tmp/page"
 cat man/*.[1-9] | grep -oE '[a-z0-9_]+_error' | sort -u >"$tmp/page"
-cat "$tmp/list" "$tmp/checks" | grep '_error$' | sort -u >"$tmp/errors"
+sed -n 's/.*{"\([a-z_]*_error\)", MAY.*/\1/p' src/io/members_offset.def \
+  >"$tmp/trimming"
+cat "$tmp/list" "$tmp/checks" "$tmp/trimming" | grep '_error$' | sort -u \
+  >"$tmp/errors"
 same "errors of the certificate" "$tmp/errors" "$tmp/page"
 
 table curve/result.h PH_CURVES 'symbol, kind, name' 'name' >"$tmp/list"

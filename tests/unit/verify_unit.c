@@ -23,8 +23,8 @@ static enum ph_status convert(struct ph_arena *arena, struct ph_curve *curve,
 static enum ph_status offset(const struct unit_wanted *wanted,
                              struct ph_arena *arena, struct ph_result *r,
                              struct ph_diag *diag) {
-  struct ph_offset_rules rules = {1e-9 * ph_curve_size(&r->curve),
-                                  wanted->samples};
+  struct ph_offset_rules rules = {.tolerance = 1e-9 * ph_curve_size(&r->curve),
+                                  .samples = wanted->samples};
   if (ph_kind_of(&r->curve)->on_sphere && rules.samples.how == PH_SAMPLE_NONE) {
     rules.samples.how = PH_SAMPLE_PARAMETER;
     rules.samples.n = 16;

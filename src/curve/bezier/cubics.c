@@ -419,7 +419,8 @@ static enum ph_status cover(struct work *work, double u0, double u1,
 /* A segment, cut at the cusps of the offset. */
 static enum ph_status cover_segment(struct work *work, size_t *cusp) {
   const struct ph_offset *offset = work->sampler.offset;
-  const size_t k = work->sampler.k, n = offset ? offset->cusps.n : 0;
+  const size_t k = work->sampler.k;
+  const size_t n = offset && !work->sampler.loop ? offset->cusps.n : 0;
   enum ph_status status = PH_OK;
   double from = 0;
   work->cusps[0] = (double)NAN;
@@ -486,32 +487,55 @@ static int exponent_of(const struct ph_curve *curve) {
   return largest > 0 ? ph_pow2_exponent(largest) : 0;
 }
 
+/* A curve, an offset, or a loop of it. */
+static enum ph_status cover_path(struct work *work, const struct ph_offset *gap,
+                                 bool closed) {
+  const struct ph_curve *curve = work->sampler.curve;
+  const bool exact = !work->sampler.offset && curve->degree == 3 &&
+                     ph_kind_of(curve)->bernstein;
+  const size_t first = work->n;
+  size_t cusp = 0, next = 0;
+  enum ph_status status = PH_OK;
+  for (size_t k = 0; status == PH_OK && k < work->sampler.n; k++) {
+    work->before = work->n;
+    work->meets = !(gap && ph_gaps_pass(&gap->gaps, k, &next)) && k > 0;
+    status = ph_sampler_enter(&work->sampler, k, work->diag);
+    if (status == PH_OK) {
+      status = exact ? copy_segment(work, curve) : cover_segment(work, &cusp);
+    }
+  }
+  if (status == PH_OK && closed) {
+    work->pieces[work->n - 1].c[3] = work->pieces[first].c[0];
+  }
+  return status;
+}
+
 enum ph_status ph_cubics_of(const struct ph_curve *curve,
                             const struct ph_offset *offset, double tolerance,
                             struct ph_arena *arena, struct ph_pieces *cubics,
                             struct ph_diag *diag) {
   const int exponent = exponent_of(curve);
-  const bool exact =
-      !offset && curve->degree == 3 && ph_kind_of(curve)->bernstein;
+  const struct ph_loops *loops = offset ? &offset->loops : NULL;
   struct work work = {.arena = arena,
                       .diag = diag,
                       .grow = ph_pow2_of(exponent),
                       .shrink = ph_pow2_of(-exponent)};
-  size_t cusp = 0, gap = 0;
-  enum ph_status status =
-      ph_sampler_begin(&work.sampler, curve, offset, arena, diag);
+  enum ph_status status = PH_OK;
   work.tolerance = ph_pow2_apply(work.shrink, tolerance);
-  for (size_t k = 0; status == PH_OK && k < curve->n; k++) {
-    work.before = work.n;
-    work.meets = !(offset && ph_gaps_pass(&offset->gaps, k, &gap)) && k > 0;
-    status = ph_sampler_enter(&work.sampler, k, diag);
+  for (size_t i = 0; loops && status == PH_OK && i < loops->n; i++) {
+    status = ph_sampler_begin_loop(&work.sampler, curve, offset, &loops->v[i],
+                                   arena, diag);
     if (status == PH_OK) {
-      status = exact ? copy_segment(&work, curve) : cover_segment(&work, &cusp);
+      status = cover_path(&work, NULL, loops->v[i].closed);
     }
   }
-  if (status == PH_OK && curve->closed &&
-      !(offset && ph_gaps_open(&offset->gaps))) {
-    work.pieces[work.n - 1].c[3] = work.pieces[0].c[0];
+  if (!loops || !loops->mode) {
+    status = ph_sampler_begin(&work.sampler, curve, offset, arena, diag);
+    if (status == PH_OK) {
+      status =
+          cover_path(&work, offset,
+                     curve->closed && !(offset && ph_gaps_open(&offset->gaps)));
+    }
   }
   return status == PH_OK ? store(&work, cubics) : status;
 }

@@ -24,7 +24,7 @@
  * ph_cubics_of: a curve, or its offset, as cubics.
  *
  * in   offset     NULL: the curve itself; else distance, vector, cusps and
- *                 gaps count
+ *                 gaps count, or its loops, one after the other
  * in   tolerance  greatest distance, in the unit of the curve
  * out  cubics     degree 3, dimension 2, from the arena; where pieces meet,
  *                 also of two segments or at the ends of a closed curve, they

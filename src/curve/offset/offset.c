@@ -9,6 +9,7 @@
 #include "curve/kind/kind.h"
 #include "curve/offset/cusp.h"
 #include "curve/offset/gap.h"
+#include "curve/offset/loop.h"
 #include "curve/offset/rational.h"
 
 /* Numbers of a quotient are about 2^-RANGE to 2^RANGE. */
@@ -21,31 +22,13 @@ struct walk {
   bool fill; /* false: only count */
 };
 
-/* Numerators over weights, relative to the first point so that coordinates far
- * from the origin keep their digits. */
 static void fill_piece(const struct walk *walk,
                        const struct ph_rational *piece) {
   struct ph_offset *offset = walk->offset;
-  const size_t degree = piece->degree, points = 2 * degree;
-  size_t at = offset->n, dimension = offset->dimension;
-  ph_vec3 move[5], sum[10] = {{0, 0, 0}};
-  ph_rational_turned(walk->normal, piece->a, (degree + 1) / 2, 1, move);
-  for (size_t j = 0; j < degree; j++) {
-    ph_vec3 g = ph_vec3_scale(offset->distance / piece->unit, move[j]);
-    for (size_t i = 0; i <= degree; i++) {
-      ph_vec3 leg = ph_vec3_sub(piece->p[i], piece->p[0]);
-      ph_vec3 term = ph_vec3_along(g, piece->speed[j], leg);
-      sum[j + i] =
-          ph_vec3_along(sum[j + i], piece->product[(degree + 1) * j + i], term);
-    }
-  }
-  for (size_t k = 0; k < points; k++) {
-    double w = piece->weight[k];
-    ph_vec3 from_p0 = ph_vec3_of(sum[k].x / w, sum[k].y / w, sum[k].z / w);
-    ph_vec3_put(ph_vec3_add(piece->p[0], from_p0), dimension,
-                offset->control_points + dimension * (points * at + k));
-    offset->weights[points * at + k] = w * piece->unit;
-  }
+  const size_t points = 2 * piece->degree, at = offset->n;
+  ph_rational_points(piece, walk->normal, offset->distance, offset->dimension,
+                     offset->control_points + offset->dimension * points * at,
+                     offset->weights + points * at);
   offset->segment[at] = piece->segment;
   offset->interval[2 * at] = piece->from;
   offset->interval[2 * at + 1] = piece->to;
@@ -180,6 +163,9 @@ offset_along(making *make, const struct ph_curve *curve, double distance,
                                .vector = name,
                                .dimension = curve->dimension,
                                .length = (double)NAN};
+  if (rules->mode != PH_OFFSET_RAW) {
+    return ph_loops_of(curve, rules, arena, offset, diag);
+  }
   status = make(curve, normal, rules->tolerance, arena, offset, diag);
   if (status == PH_OK && !is_finite(offset)) {
     status = ph_fail(diag, PH_E_TOO_LARGE, NULL,

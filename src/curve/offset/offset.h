@@ -27,12 +27,35 @@
 #include "curve/result.h"
 #include "curve/sample/sample.h"
 
+/* What offsets are of plane curves: of each segment; these, with joins; or of
+ * these what keeps the distance from the whole curve (outline.h). */
+#define PH_OFFSET_MODES(FIRST, X) \
+  FIRST(RAW, "raw")               \
+  X(JOINED, "joined")             \
+  X(TRIMMED, "trimmed")
+
+enum ph_offset_mode {
+#define X(symbol, name) PH_OFFSET_##symbol,
+  PH_OFFSET_MODES(X, X)
+#undef X
+      PH_OFFSET_MODE_N
+};
+
 /* How offsets are made. */
 struct ph_offset_rules {
+  enum ph_offset_mode mode;
+  double miter;    /* of joins: tips within that times the distance; 0: arcs */
+  bool round_ends; /* both sides of open curves, joined around their ends */
+  bool both;       /* both sides of closed curves */
+  bool crosses;    /* the curve meets itself */
+  bool keep; /* parts that run on each other in opposite directions, once */
+
   double tolerance; /* of Bezier pieces of ATPH offsets, in the curve's unit */
   struct ph_sample_rules samples; /* how they are sampled, or not at all; on a
                                      sphere always */
 };
+
+#define PH_MITER_LIMIT 4 /* of --offset-join=miter, where it says none */
 
 /* A distance gives so many offsets of a curve in space. */
 enum { PH_OFFSETS_SPATIAL = 4 };

@@ -207,6 +207,66 @@ enum ph_status ph_rational_walk(const struct ph_curve *curve, const char *what,
   return PH_OK;
 }
 
+enum ph_status ph_rational_part(const struct ph_curve *curve, size_t k,
+                                double from, double to, ph_rational_visit *each,
+                                void *context) {
+  const struct walk walk = {curve->degree, k, each, context};
+  struct piece piece = segment_of(curve, k), left, right;
+  for (size_t i = 0; i < 2; i++) {
+    ph_bern_cut(piece.a[i], (walk.degree - 1) / 2, to, left.a[i], right.a[i]);
+    ph_bern_cut(left.a[i], (walk.degree - 1) / 2, from / to, right.a[i],
+                piece.a[i]);
+    ph_bern_cut(piece.p[i], walk.degree, to, left.p[i], right.p[i]);
+    ph_bern_cut(left.p[i], walk.degree, from / to, right.p[i], piece.p[i]);
+  }
+  piece.from = from;
+  piece.to = to;
+  return visit(&walk, &piece, 0);
+}
+
+enum ph_status ph_rational_arc(size_t degree, ph_cplx point, const ph_cplx w[2],
+                               ph_rational_visit *each, void *context) {
+  const struct walk walk = {degree, 0, each, context};
+  struct piece piece = {.from = 0, .to = 1};
+  const size_t last = (degree - 1) / 2;
+  for (size_t i = 0; i <= last; i++) {
+    const ph_cplx at = ph_cplx_between(w[0], w[1], (double)i / (double)last);
+    piece.a[0][i] = ph_cplx_of(at.re, 0);
+    piece.a[1][i] = ph_cplx_of(0, at.im);
+  }
+  for (size_t i = 0; i <= degree; i++) {
+    piece.p[0][i] = point;
+    piece.p[1][i] = ph_cplx_of(0, 0);
+  }
+  return visit(&walk, &piece, 0);
+}
+
+/* Numerators over weights, relative to the first point so that coordinates far
+ * from the origin keep their digits. */
+void ph_rational_points(const struct ph_rational *piece, enum ph_normal normal,
+                        double distance, size_t dimension, double *p,
+                        double *weights) {
+  const size_t degree = piece->degree;
+  ph_vec3 move[5], sum[10] = {{0, 0, 0}};
+  ph_rational_turned(normal, piece->a, (degree + 1) / 2, 1, move);
+  for (size_t j = 0; j < degree; j++) {
+    ph_vec3 g = ph_vec3_scale(distance / piece->unit, move[j]);
+    for (size_t i = 0; i <= degree; i++) {
+      ph_vec3 leg = ph_vec3_sub(piece->p[i], piece->p[0]);
+      ph_vec3 term = ph_vec3_along(g, piece->speed[j], leg);
+      sum[j + i] =
+          ph_vec3_along(sum[j + i], piece->product[(degree + 1) * j + i], term);
+    }
+  }
+  for (size_t k = 0; k < 2 * degree; k++) {
+    double w = piece->weight[k];
+    ph_vec3 from_p0 = ph_vec3_of(sum[k].x / w, sum[k].y / w, sum[k].z / w);
+    ph_vec3_put(ph_vec3_add(piece->p[0], from_p0), dimension,
+                p + dimension * k);
+    weights[k] = w * piece->unit;
+  }
+}
+
 void ph_rational_turned(enum ph_normal normal, const ph_quat *a, size_t n,
                         double c, ph_vec3 *out) {
   out[0] = ph_normal_between(normal, a[0], a[0]);

@@ -53,6 +53,28 @@ enum ph_status ph_rational_walk(const struct ph_curve *curve, const char *what,
                                 struct ph_diag *diag);
 
 /*
+ * ph_rational_part: the same of a part of segment k, between two of its local
+ * parameters; without a message.
+ */
+enum ph_status ph_rational_part(const struct ph_curve *curve, size_t k,
+                                double from, double to,
+                                ph_rational_visit *visit, void *context);
+
+/* ph_rational_arc: the same of an arc round a point, as of a segment of degree
+ * 5 or 3 that is this point: its preimage is linear between w. */
+enum ph_status ph_rational_arc(size_t degree, ph_cplx point, const ph_cplx w[2],
+                               ph_rational_visit *visit, void *context);
+
+/*
+ * ph_rational_points: control points and weights of the offset of a piece.
+ *
+ * out  p[2 degree][dimension], weights[2 degree]
+ */
+void ph_rational_points(const struct ph_rational *piece, enum ph_normal normal,
+                        double distance, size_t dimension, double *p,
+                        double *weights);
+
+/*
  * ph_rational_turned: coefficients of A j A* or A k A*, in the B-basis of
  * products of two functions of the space of A.
  *

@@ -8,6 +8,7 @@
 #include "base/sum.h"
 #include "curve/kind/kind.h"
 #include "curve/offset/gap.h"
+#include "curve/offset/loop.h"
 #include "curve/sample/chord.h"
 #include "curve/sample/frame.h"
 #include "curve/sample/inversion.h"
@@ -33,7 +34,23 @@ enum ph_status ph_sampler_begin(struct ph_sampler *sampler,
   *sampler = (struct ph_sampler){.curve = curve,
                                  .offset = offset,
                                  .arena = arena,
-                                 .ops = offset ? &kind->beside : &kind->curve};
+                                 .ops = offset ? &kind->beside : &kind->curve,
+                                 .n = curve->n};
+  return sampler->ops->begin(sampler, diag);
+}
+
+enum ph_status ph_sampler_begin_loop(struct ph_sampler *sampler,
+                                     const struct ph_curve *curve,
+                                     const struct ph_offset *offset,
+                                     const struct ph_loop *loop,
+                                     struct ph_arena *arena,
+                                     struct ph_diag *diag) {
+  *sampler = (struct ph_sampler){.curve = curve,
+                                 .offset = offset,
+                                 .loop = loop,
+                                 .arena = arena,
+                                 .ops = &ph_loop_ops,
+                                 .n = loop->n};
   return sampler->ops->begin(sampler, diag);
 }
 
@@ -72,9 +89,14 @@ struct walk {
   struct ph_samples *samples;
   size_t most, room;
   struct ph_sum start; /* length before the segment */
-  double range;        /* of t */
   struct ph_diag *diag;
 };
+
+/* The offset that is walked along as a whole, with its cusps and gaps; or
+ * NULL. */
+static const struct ph_offset *whole_of(const struct walk *walk) {
+  return walk->sampler.loop ? NULL : walk->sampler.offset;
+}
 
 static enum ph_status too_many(const struct walk *walk, double wanted) {
   const struct ph_sample_rules *rules = walk->rules;
@@ -146,10 +168,28 @@ static enum ph_status reserve(struct walk *walk, double n, double all) {
  * less than twice what there was. */
 static enum ph_status reserve_more(struct walk *walk, double n) {
   const double needed = (double)walk->samples->n + n;
-  const double segments = (double)walk->sampler.curve->n;
+  const double segments = (double)walk->sampler.n;
   double all = segments / (double)(walk->sampler.k + 1) * needed;
   all = fmax(fmin(all, GROWTH * needed), 2 * (double)walk->room);
   return reserve(walk, n, all);
+}
+
+/* The place of the curve that belongs to one of what is sampled. */
+static void place_of(const struct walk *walk, double u, size_t *segment,
+                     double *t) {
+  const struct ph_sampler *sampler = &walk->sampler;
+  const struct ph_curve *curve = sampler->curve;
+  *segment = sampler->k;
+  if (sampler->loop) {
+    const struct ph_loop_piece *piece = &sampler->loop->pieces[sampler->k];
+    const bool join = piece->segment == PH_NO_SEGMENT;
+    const bool end = join && piece->join == curve->n;
+    *segment = !join ? piece->segment : end ? curve->n - 1 : piece->join;
+    u = !join
+            ? piece->interval[0] + u * (piece->interval[1] - piece->interval[0])
+            : end;
+  }
+  *t = u * ph_curve_range(curve, *segment);
 }
 
 /* Appends the sample at u of the segment, where there is room for it. */
@@ -158,8 +198,7 @@ static void put(struct walk *walk, double u, double s) {
   struct ph_samples *to = walk->samples;
   const size_t dimension = to->dimension, i = to->n++;
   ph_vec3 normal, binormal;
-  to->segment[i] = walk->sampler.k;
-  to->t[i] = u * walk->range;
+  place_of(walk, u, &to->segment[i], &to->t[i]);
   to->s[i] = s;
   ph_vec3_put(sample.point, dimension, to->point + dimension * i);
   ph_vec3_put(sample.tangent, dimension, to->tangent + dimension * i);
@@ -227,7 +266,7 @@ static enum ph_status by_spacing(struct walk *walk) {
 }
 
 static enum ph_status by_chords(struct walk *walk) {
-  const struct ph_offset *offset = walk->sampler.offset;
+  const struct ph_offset *offset = whole_of(walk);
   const size_t n = offset ? offset->cusps.n : 0, first = walk->cusp;
   enum ph_status status;
   while (walk->cusp < n &&
@@ -262,8 +301,7 @@ static void end(struct walk *walk) {
 }
 
 static enum ph_status enter(struct walk *walk, size_t k) {
-  const struct ph_curve *curve = walk->sampler.curve;
-  const struct ph_offset *offset = walk->sampler.offset;
+  const struct ph_offset *offset = whole_of(walk);
   enum ph_status status;
   if (k > 0) {
     ph_framing_leave(&walk->framing);
@@ -272,7 +310,6 @@ static enum ph_status enter(struct walk *walk, size_t k) {
   walk->begins =
       (offset && ph_gaps_pass(&offset->gaps, k, &walk->gap)) || k == 0;
   walk->first = walk->begins ? walk->samples->n : walk->first;
-  walk->range = ph_curve_range(curve, k);
   if (status == PH_OK && !isfinite(walk->sampler.length)) {
     status = ph_fail_at(walk->diag, PH_E_NO_CONVERGENCE, "segments", k,
                         "%s a length that was not found",
@@ -284,9 +321,9 @@ static enum ph_status enter(struct walk *walk, size_t k) {
 
 /* Whether the segment ends a part. */
 static bool ends(const struct walk *walk) {
-  const struct ph_offset *offset = walk->sampler.offset;
+  const struct ph_offset *offset = whole_of(walk);
   size_t next = walk->gap;
-  return walk->sampler.k + 1 == walk->sampler.curve->n ||
+  return walk->sampler.k + 1 == walk->sampler.n ||
          (offset && ph_gaps_pass(&offset->gaps, walk->sampler.k + 1, &next));
 }
 
@@ -301,11 +338,11 @@ static enum ph_status go(struct walk *walk) {
   const struct ph_curve *curve = walk->sampler.curve;
   enum ph_status status =
       rules->how == PH_SAMPLE_PARAMETER
-          ? reserve(walk, (double)curve->n * ((double)rules->n + 1), 0)
+          ? reserve(walk, (double)walk->sampler.n * ((double)rules->n + 1), 0)
       : rules->how == PH_SAMPLE_SPACING && !walk->sampler.offset
           ? reserve(walk, curve->length / rules->spacing + 4, 0)
           : PH_OK;
-  for (size_t k = 0; status == PH_OK && k < curve->n; k++) {
+  for (size_t k = 0; status == PH_OK && k < walk->sampler.n; k++) {
     status = ph_arena_late(walk->sampler.arena) ? ph_fail_memory(walk->diag)
                                                 : enter(walk, k);
     if (status == PH_OK) {
@@ -320,19 +357,20 @@ static enum ph_status go(struct walk *walk) {
 }
 
 /* out  length  of what is sampled */
-static enum ph_status sample(const struct ph_curve *curve,
-                             const struct ph_offset *offset,
-                             const struct ph_sample_rules *rules,
-                             enum ph_frame frame, struct ph_arena *arena,
-                             struct ph_samples *samples, double *length,
-                             struct ph_diag *diag) {
+static enum ph_status
+sample(const struct ph_curve *curve, const struct ph_offset *offset,
+       const struct ph_loop *loop, const struct ph_sample_rules *rules,
+       enum ph_frame frame, struct ph_arena *arena, struct ph_samples *samples,
+       double *length, struct ph_diag *diag) {
   struct walk walk = {.rules = rules,
                       .chords = {.arena = arena},
                       .samples = samples,
                       .most = rules->most ? rules->most : PH_SAMPLES_MAX,
                       .diag = diag};
   enum ph_status status =
-      ph_sampler_begin(&walk.sampler, curve, offset, arena, diag);
+      loop ? ph_sampler_begin_loop(&walk.sampler, curve, offset, loop, arena,
+                                   diag)
+           : ph_sampler_begin(&walk.sampler, curve, offset, arena, diag);
   *samples = (struct ph_samples){.frame = frame, .dimension = curve->dimension};
   walk.sampler.framed = frame != PH_FRAME_NONE;
   if (status == PH_OK) {
@@ -351,7 +389,7 @@ enum ph_status ph_sample_curve(const struct ph_curve *curve,
                                struct ph_samples *samples,
                                struct ph_diag *diag) {
   double length;
-  return sample(curve, NULL, rules, rules->frame, arena, samples, &length,
+  return sample(curve, NULL, NULL, rules, rules->frame, arena, samples, &length,
                 diag);
 }
 
@@ -360,6 +398,16 @@ enum ph_status ph_sample_offset(const struct ph_curve *curve,
                                 struct ph_arena *arena,
                                 struct ph_offset *offset,
                                 struct ph_diag *diag) {
-  return sample(curve, offset, rules, PH_FRAME_NONE, arena, &offset->samples,
-                &offset->length, diag);
+  return sample(curve, offset, NULL, rules, PH_FRAME_NONE, arena,
+                &offset->samples, &offset->length, diag);
+}
+
+enum ph_status ph_sample_loop(const struct ph_curve *curve,
+                              const struct ph_sample_rules *rules,
+                              const struct ph_offset *offset,
+                              struct ph_loop *loop, struct ph_arena *arena,
+                              struct ph_diag *diag) {
+  double length;
+  return sample(curve, offset, loop, rules, PH_FRAME_NONE, arena,
+                &loop->samples, &length, diag);
 }

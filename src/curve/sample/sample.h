@@ -37,11 +37,13 @@ struct ph_sampler_ops;
 struct ph_sampler {
   const struct ph_curve *curve;
   const struct ph_offset *offset; /* NULL: the curve itself */
+  const struct ph_loop *loop;     /* of the offset, or NULL */
   struct ph_arena *arena;
   const struct ph_sampler_ops *ops; /* of the kind (curve/kind/kind.h) */
   bool framed;                      /* frames are asked for, too */
   void *state;                      /* of the kind, about the segment */
-  size_t k;                         /* the segment */
+  size_t n;                         /* segments, or pieces of the loop */
+  size_t k;                         /* the one that is entered */
   double length; /* of it, in the unit of the data; NaN if it was not found */
 };
 
@@ -66,6 +68,15 @@ enum ph_status ph_sampler_begin(struct ph_sampler *sampler,
                                 const struct ph_curve *curve,
                                 const struct ph_offset *offset,
                                 struct ph_arena *arena, struct ph_diag *diag);
+
+/* ph_sampler_begin_loop: prepares for a loop of an offset, whose pieces are the
+ * segments.  ret as ph_sampler_begin */
+enum ph_status ph_sampler_begin_loop(struct ph_sampler *sampler,
+                                     const struct ph_curve *curve,
+                                     const struct ph_offset *offset,
+                                     const struct ph_loop *loop,
+                                     struct ph_arena *arena,
+                                     struct ph_diag *diag);
 
 /* ph_sampler_enter: goes to segment k. */
 enum ph_status ph_sampler_enter(struct ph_sampler *sampler, size_t k,
@@ -171,5 +182,13 @@ enum ph_status ph_sample_offset(const struct ph_curve *curve,
                                 const struct ph_sample_rules *rules,
                                 struct ph_arena *arena,
                                 struct ph_offset *offset, struct ph_diag *diag);
+
+/* ph_sample_loop: the same of a loop of an offset, of which samples are filled;
+ * s is from its start.  t is of the segments, of joins at the corner. */
+enum ph_status ph_sample_loop(const struct ph_curve *curve,
+                              const struct ph_sample_rules *rules,
+                              const struct ph_offset *offset,
+                              struct ph_loop *loop, struct ph_arena *arena,
+                              struct ph_diag *diag);
 
 #endif

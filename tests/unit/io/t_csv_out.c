@@ -223,7 +223,11 @@ PH_TEST(test_text) {
   static double binormal[] = {0, 0, 1, (double)NAN, (double)NAN, (double)NAN};
   const struct ph_swept word = {"knots", "\"uniform\""};
   const struct ph_csv_heading heading = {"no 7", &word, 1};
-  struct ph_csv_shape shape = {PH_TABLE_SAMPLES, true, PH_SPACE, true, true};
+  struct ph_csv_shape shape = {.table = PH_TABLE_SAMPLES,
+                               .text = true,
+                               .space = PH_SPACE,
+                               .offsets = true,
+                               .frame = true};
   struct ph_offset offset = {.distance = -0.5, .vector = "e2"};
   struct ph_result result = by_hand();
   result.samples = samples_of(3);

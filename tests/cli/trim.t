@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Offsets as loops: options, joins, warnings, tables, paths, samples, and what
+# verify says of loops that are not what they claim.
+. "$srcdir/tests/cli/lib.sh"
+
+plate='"closed":true,"tolerance":0.01,"curve":[[[0,0],[10,0]],[[10,0],[10,4]],'
+plate="{$plate"'[[10,4],[0,4]],[[0,4],[0,0]]]}'
+angle='{"tolerance":0.01,"curve":[[[0,0],[6,0]],[[6,0],[6,6]]]}'
+bone='{"closed":true,"tolerance":0.01,"curve":[[[0,0],[8,0]],[[8,0],[8,3]],'
+bone="$bone"'[[8,3],[20,3]],[[20,3],[20,0]],[[20,0],[28,0]],[[28,0],[28,8]],'
+bone="$bone"'[[28,8],[20,8]],[[20,8],[20,5]],[[20,5],[8,5]],[[8,5],[8,8]],'
+bone="$bone"'[[8,8],[0,8]],[[0,8],[0,0]]]}'
+eight='{"closed":true,"points":[[0,0],[7,5],[10,0],[7,-5],[0,0],[-7,5],[-10,0],[-7,-5]]}'
+spiral=$srcdir/data/spiral.csv
+
+# ---- options -------------------------------------------------------------------
+
+# refused NAME MESSAGE ARGUMENT...
+refused() {
+  name=$1
+  message=$2
+  shift 2
+  feed "$plate" tc "$@"
+  expect "$name" 2 "phspline: $message
+Try 'phspline tc --help'." ''
+}
+
+refused 'no such mode' "--offset-mode must be raw|joined|trimmed, found 'trim'" \
+  --offset=1 --offset-mode=trim
+refused 'no such join' "--offset-join must be round, miter or miter:LIMIT with \
+a number of 1 or more, found 'bevel'" --offset=1 --offset-join=bevel
+refused 'a limit below 1' "--offset-join must be round, miter or miter:LIMIT \
+with a number of 1 or more, found 'miter:0.5'" \
+  --offset=1 --offset-mode=joined --offset-join=miter:0.5
+refused 'ends without loops' \
+  '--offset-ends needs --offset-mode=joined or trimmed' \
+  --offset=1 --offset-ends=round
+refused 'a mode without offsets' '--offset-mode needs --offset' \
+  --offset-mode=trimmed
+
+feed '{"points":[[1,0,0],[0,1,0],[0,0,1]]}' sphere --offset=0.1 \
+  --offset-mode=trimmed
+expect 'on a sphere' 1 "phspline: -:1: record 1: only curves in the plane have \
+joined and trimmed offsets; --offset-mode=raw is for all [bad-value]
+phspline: 1 of 1 records failed"
+
+# ---- joins ---------------------------------------------------------------------
+
+
+# sums NAME LENGTH AREA: of the first offset
+sums() {
+  printf '%s\n%s\n' "$2" "$3" >wanted
+  printf '%s\n%s\n' "$(get 'offsets[0].length')" "$(get 'offsets[0].area')" \
+    >found
+  numbers "$1" 1e-12 wanted found
+}
+
+feed "$plate" tc --offset=-3 --offset-mode=joined
+expect 'round joins' 0 ''
+sums 'round joins: sums' 46.84955592153876 152.27433388230813
+equal 'round joins: 4 segments and 4 joins' '4 4' \
+  "$(grep -o '"segment":[0-9]*,"interval"' out | wc -l | tr -d ' ') \
+$(grep -o '"join":[0-9]*,"angle"' out | wc -l | tr -d ' ')"
+feed "$plate" tc --offset=-3 --offset-mode=joined --offset-join=miter
+sums 'miters' 52 160
+feed "$plate" tc --offset=-3 --offset-mode=joined --offset-join=miter:1.2
+sums 'too far for a miter' 46.84955592153876 152.27433388230813
+feed "$angle" tc --offset=1 --offset-mode=joined
+equal 'nothing is joined inside' 12 "$(get 'offsets[0].length')"
+equal 'nothing is joined inside: no area' absent "$(get 'offsets[0].area')"
+feed "$angle" tc --offset=1 --offset-mode=trimmed --offset-ends=round
+expect 'round ends' 0 ''
+cp out record
+run verify record
+expect 'round ends: verified' 0
+
+# ---- warnings ------------------------------------------------------------------
+
+warning='phspline: -:1: record 1: warning:'
+feed "$plate" tc --offset=2.5 --offset-mode=trimmed
+expect 'nothing is left' 0 "$warning nothing is left of the offset at distance \
+2.5: no point of it keeps that distance from the curve [offset-empty]"
+equal 'nothing is left: loops' '[]' "$(get 'offsets[0].loops')"
+feed "$bone" tc --offset=1 --offset-mode=trimmed
+expect 'a neck of twice the distance' 0 "$warning the offset at distance 1 \
+touches itself: a slightly different distance may give other loops \
+[offset-touch]"
+feed "$eight" planar --offset=0.5 --offset-mode=trimmed
+expect 'a curve that crosses itself' 0 "$warning the curve crosses itself: the \
+trimmed offset to one side is open where the other side takes over; \
+--offset-sides=both closes it [self-crossing]"
+feed "$eight" planar --offset=0.5 --offset-mode=trimmed --offset-sides=both
+expect 'both sides' 0 ''
+equal 'both sides: all closed' 3 \
+  "$(grep -o '{"closed":true' out | wc -l | tr -d ' ')"
+
+# ---- nesting -------------------------------------------------------------------
+
+feed "$bone" tc --offset=0.5,1.5,2 --offset-mode=trimmed
+expect 'nested' 0 ''
+equal 'nested: parents' 'null 0 0 0 1' \
+  "$(grep -o '"parent":[a-z0-9]*' out | sed 's/.*://' | tr '\n' ' ' |
+    sed 's/ $//')"
+
+# ---- where they are written ----------------------------------------------------
+
+feed "$bone" tc --offset=1.5 --offset-mode=trimmed --table=offsets
+equal 'table of offsets' 'id,distance,segment,index,x,y,weight,loop,piece' \
+  "$(sed 1q out)"
+equal 'table of offsets: loops' '0 1' \
+  "$(sed 1d out | cut -d, -f8 | sort -u | tr '\n' ' ' | sed 's/ $//')"
+feed "$bone" tc --offset=1.5 --offset-mode=trimmed --table=samples --spacing=1 \
+  --format=text
+equal 'table of samples' \
+  '# id segment t s x y tx ty curvature distance loop' "$(sed 1q out)"
+equal 'table of samples: curve and loops apart' 4 "$(grep -c '^$' out)"
+feed "$bone" tc --offset=1.5 --offset-mode=trimmed --format=svg-path
+equal 'paths' '3 3' "$(tr -dc M <out | wc -c | tr -d ' ') \
+$(tr -dc Z <out | wc -c | tr -d ' ')"
+run planar -q --closed --offset=-5 --offset-mode=trimmed --chord-error=0.1 \
+  "$srcdir/data/coastline.csv"
+cp out record
+run verify record
+expect 'samples by chords: verified' 0
+
+# ---- what cannot be changed ----------------------------------------------------
+
+# moved SCALE SHIFT: the spiral; its lengths over the scale
+moved() {
+  awk -F, -v s="$1" -v d="$2" 'NR == 1 { print; next }
+    { printf "%.17g,%.17g\n", $1 * s + d, $2 * s - d }' "$spiral" >moved.csv
+  run planar -q --offset="$(awk -v s="$1" 'BEGIN { print 0.1 * s }')" \
+    --offset-mode=trimmed --offset-ends=round moved.csv
+  get 'offsets[0].length' | awk -v s="$1" '{ printf "%.17g\n", $1 / s }'
+}
+
+moved 1 0 >wanted
+for change in '1e-9 0' '1e9 0' '3 100' '1 -1000'; do
+  # shellcheck disable=SC2086  # two numbers
+  moved $change >found
+  numbers "scaled and moved by $change" 1e-10 wanted found
+done
+
+# ---- what is wrong -------------------------------------------------------------
+
+feed "$bone" tc --offset=1.5 --offset-mode=trimmed
+cp out record
+sed 's/"loops":\[{"closed":true,"length":[0-9.]*/"loops":[{"closed":true,"length":9/' \
+  record >bad
+run verify -q bad
+equal 'a length that is wrong' 1 "$status"
+sed 's/\("loops":.*"control_points":\[\[\)\([0-9.]*\)/\10/' record >bad
+run verify -q bad
+equal 'a point that is elsewhere' 1 "$status"
