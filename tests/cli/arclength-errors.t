@@ -86,9 +86,9 @@ bad bad-type start 'must be an array of numbers, found a number' \
   '{"tangents":[[1,0,0],[0,1,0]],"lengths":[1],"start":0}'
 bad bad-type start 'must be an array of numbers, found an array of arrays' \
   '{"tangents":[[1,0,0],[0,1,0]],"lengths":[1],"start":[[0,0,0]]}'
-run arclength --start=1,2,3 /dev/null
+run arclength --start=1,two,3 /dev/null
 expect 'an option that is no JSON' 2 \
-  'phspline: --start: start must be an array of numbers, found "1,2,3"
+  'phspline: --start: start must be an array of numbers, found "1,two,3"
 Try '\''phspline arclength --help'\''.' ''
 
 # ---- what is given -----------------------------------------------------------

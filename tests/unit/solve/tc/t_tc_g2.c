@@ -125,7 +125,7 @@ static const struct {
             {ph_g2_arc, 2.1, 2.1},       {ph_g2_arc, (double)NAN, 1},
             {ph_g2_arc, 1, (double)NAN}, {ph_g2_bend_ends, -0.2, 0.2},
             {ph_g2_bend_ends, -1, 0.5},  {ph_g2_bend_ends, 0.5, -0.4},
-            {ph_g2_bend_ends, 3.2, 1},   {ph_g2_bend_ends, (double)NAN, 1}};
+            {ph_g2_bend_ends, 3.5, 0.5}, {ph_g2_bend_ends, (double)NAN, 1}};
 
 PH_TEST_EACH(test_none, COUNT(NONE)) {
   struct ph_g2_ends e;

@@ -34,7 +34,7 @@ PH_TEST(test_schema) {
     ck_assert_msg((f->kinds & PH_VECTORS ? 1u << 2 : 0) == f->dimensions, "%s",
                   name);
   }
-  ck_assert_uint_eq(schema->fields_n, 18);
+  ck_assert_uint_eq(schema->fields_n, 19);
 }
 
 /* ---- images -------------------------------------------------------------- */
