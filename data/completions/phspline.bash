@@ -11,8 +11,8 @@ _phspline() {
     option=${COMP_WORDS[COMP_CWORD - 1]}
   fi
   case $COMP_CWORD,${COMP_WORDS[1]} in
-  1,*) list='planar spatial-hermite arclength sphere tc cone verify help schema --help --version' ;;
-  *,help | *,schema) list='planar spatial-hermite arclength sphere tc cone verify' ;;
+  1,*) list='planar spatial-hermite arclength sphere tc cone bubble verify help schema --help --version' ;;
+  *,help | *,schema) list='planar spatial-hermite arclength sphere tc cone bubble verify' ;;
   *,planar)
     case $option in
     --points | --points=) kind=nothing ;;
@@ -322,6 +322,36 @@ _phspline() {
       kind=files
       if [[ $cur == -* ]]; then
         kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --merge= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --volume= --panorama= --resolution= --fill= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+      fi
+      ;;
+    esac
+    ;;
+  *,bubble)
+    case $option in
+    --points | --points=) kind=nothing ;;
+    --faces | --faces=) kind=nothing ;;
+    --normals | --normals=) kind=nothing ;;
+    --continuity | --continuity=) kind=nothing ;;
+    --degree | --degree=) list='auto' ;;
+    --tolerance | --tolerance=) kind=nothing ;;
+    -i | --input-format | --input-format=) list='auto json csv text' ;;
+    --columns | --columns=) kind=nothing ;;
+    --delimiter | --delimiter=) kind=nothing ;;
+    -f | --format | --format=) list='json csv text svg-path obj' ;;
+    --table | --table=) list='patches' ;;
+    -o | --output | --output=) kind=files ;;
+    -s | --set | --set=) list='points= faces= normals= continuity= degree= tolerance=' ;;
+    --override | --override=) list='points= faces= normals= continuity= degree= tolerance=' ;;
+    -S | --sweep | --sweep=) list='points= faces= normals= continuity= degree= tolerance=' ;;
+    -j | --jobs | --jobs=) kind=nothing ;;
+    --max-samples | --max-samples=) kind=nothing ;;
+    --max-memory | --max-memory=) kind=nothing ;;
+    --max-record-bytes | --max-record-bytes=) kind=nothing ;;
+    --time-limit | --time-limit=) kind=nothing ;;
+    *)
+      kind=files
+      if [[ $cur == -* ]]; then
+        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -13,10 +13,8 @@
  */
 #include "cli/schema.h"
 
-#include "check/promise.h"
 #include "check/verify.h"
-#include "curve/kind/kind.h"
-#include "io/members.h"
+#include "cli/schema_form.h"
 
 #include <cjson/cJSON.h>
 
@@ -30,62 +28,7 @@ struct builder {
   bool failed; /* memory ran out */
 };
 
-/* ---- the forms of records -------------------------------------------------
- */
-
-/* A record that is described: of a command, of one kind of curve. */
-struct form {
-  const struct ph_command *command;
-  const char *status;
-  const struct ph_promise *promise; /* NULL: there is no curve */
-  enum ph_curve_kind kind;
-};
-
-/* Whether offsets are quotients, and not rational: those of atph curves, and of
- * the Bezier curves that stand for them. */
-static bool has_quotients(const struct form *f) {
-  const struct ph_kind *kind = ph_kinds[f->kind];
-  return kind->angles || (kind->bernstein && !kind->erf);
-}
-
-/* Whether records of a form may have a member. */
-static bool has(const struct form *f, const struct ph_member *member) {
-  const struct ph_promise *promise = f->promise;
-  const struct ph_kind *kind = promise ? ph_kinds[f->kind] : NULL;
-  switch (member->of) {
-  case PH_OF_ANY:
-  case PH_OF_CIRCULAR: /* of each strip, one or the other */
-  case PH_OF_GENERAL:
-    return true;
-  case PH_OF_ATPH:
-    return kind->angles;
-  case PH_OF_SQUARE:
-    return kind->erf;
-  case PH_OF_CUBIC:
-    return promise->given == PH_GIVEN_CUBIC;
-  case PH_OF_SPHERE:
-    return ph_kind_space(kind, promise->dimension) == PH_SPHERE;
-  case PH_OF_FLAT:
-    return ph_kind_space(kind, promise->dimension) != PH_SPHERE;
-  case PH_OF_SPACE:
-    return ph_kind_space(kind, promise->dimension) == PH_SPACE;
-  case PH_OF_RATIONAL:
-    return kind->erf && !kind->angles;
-  case PH_OF_QUOTIENT:
-    return has_quotients(f);
-  case PH_OF_TENSION:
-    return promise->tension && kind->erf;
-  case PH_OF_INTERVALS:
-    return promise->intervals;
-  case PH_OF_SURFACE:
-    return promise->parts == PH_STRIPS_PARTS;
-  default:
-    return promise->lengths;
-  }
-}
-
-/* ---- items ----------------------------------------------------------------
- */
+/* ---- items --------------------------------------------------------------- */
 
 /* Puts an item into an object, or without a name at the end of an array. */
 static cJSON *add(struct builder *b, cJSON *to, const char *name, cJSON *item) {
@@ -145,34 +88,7 @@ static cJSON *define(struct builder *b, const char *key) {
              : add_object(b, b->definitions, key);
 }
 
-/* ---- types ----------------------------------------------------------------
- */
-
-/* The control points of an offset's piece: of a rational one by the degrees of
- * numerator and speed (curve/offset/offset.h), of a quotient in its B-basis. */
-static size_t offset_points(const struct form *f) {
-  return has_quotients(f) ? 5 : 2 * f->promise->degree;
-}
-
-/* The number that stands between brackets; 0: it is not known. */
-static size_t size_of(const struct form *f, const char *text) {
-  switch (*text) {
-  case 'D':
-    return f->promise->dimension;
-  case 'P':
-    return f->promise->degree + 1;
-  case 'W':
-    return (f->promise->degree + 1) / 2;
-  case 'Q':
-    return f->promise->dimension == 2 ? 2 : 4;
-  case 'O':
-    return offset_points(f);
-  case 'L':
-    return has_quotients(f) ? 6 : offset_points(f);
-  default: /* also of ], +, N and I */
-    return strtoul(text, NULL, 10);
-  }
-}
+/* ---- types --------------------------------------------------------------- */
 
 /* The codes of errors, or those of warnings; under --strict these are errors,
  * too. */
@@ -190,17 +106,18 @@ static void fill_codes(struct builder *b, cJSON *node, bool warnings) {
 }
 
 /* A text or number that is this one. */
-static bool fill_constant(struct builder *b, cJSON *node, const struct form *f,
-                          const char *type) {
+static bool fill_constant(struct builder *b, cJSON *node,
+                          const struct ph_schema_form *f, const char *type) {
   const char *text = strcmp(type, "command") == 0  ? f->command->schema->command
                      : strcmp(type, "status") == 0 ? f->status
                      : strcmp(type, "curve") == 0  ? ph_curve_name(f->kind)
                                                    : NULL;
-  size_t number = strcmp(type, "D") == 0        ? size_of(f, "D")
-                  : strcmp(type, "degree") == 0 ? size_of(f, "P") - 1
-                  : strcmp(type, "offset_degree") == 0 && !has_quotients(f)
-                      ? size_of(f, "O") - 1
-                      : 0;
+  size_t number =
+      strcmp(type, "D") == 0        ? ph_schema_size(f, "D")
+      : strcmp(type, "degree") == 0 ? ph_schema_size(f, "P") - 1
+      : strcmp(type, "offset_degree") == 0 && !ph_schema_has_quotients(f)
+          ? ph_schema_size(f, "O") - 1
+          : 0;
   if (text) {
     add_text(b, node, "const", text);
   } else if (number > 0) {
@@ -276,14 +193,14 @@ static bool fill_scalar(struct builder *b, cJSON *node, const char *type) {
   return false;
 }
 
-static void fill_object(struct builder *b, cJSON *node, const struct form *f,
-                        const char *name);
+static void fill_object(struct builder *b, cJSON *node,
+                        const struct ph_schema_form *f, const char *name);
 
 /* What a value of a type (io/members.h) must be. */
-static void fill(struct builder *b, cJSON *node, const struct form *f,
+static void fill(struct builder *b, cJSON *node, const struct ph_schema_form *f,
                  const char *type) {
   for (; *type == '['; type = strchr(type, ']') + 1) {
-    size_t n = size_of(f, type + 1);
+    size_t n = ph_schema_size(f, type + 1);
     cJSON *items;
     if (strcmp(strchr(type, ']') + 1, "open") == 0) { /* null: none is */
       items = add_array(b, node, "type");
@@ -307,8 +224,7 @@ static void fill(struct builder *b, cJSON *node, const struct form *f,
   }
 }
 
-/* ---- problems --------------------------------------------------------------
- */
+/* ---- problems ------------------------------------------------------------ */
 
 /* A number behind a word, as in "plus:0.5". */
 #define NUMBER "[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?"
@@ -423,18 +339,18 @@ static void fill_fields(struct builder *b, cJSON *node,
   }
 }
 
-/* ---- results ----------------------------------------------------------------
- */
+/* ---- results ------------------------------------------------------------- */
 
 /* The members that a form has. */
-static void fill_members(struct builder *b, cJSON *node, const struct form *f,
+static void fill_members(struct builder *b, cJSON *node,
+                         const struct ph_schema_form *f,
                          const struct ph_member *rows) {
   cJSON *properties = close_object(b, node);
   cJSON *required = add_array(b, node, "required");
   for (size_t i = 0; rows[i].name; i++) {
     const struct ph_member *row = &rows[i];
     cJSON *member;
-    if (!has(f, row)) {
+    if (!ph_schema_has(f, row)) {
       continue;
     }
     member = add_object(b, properties, row->name);
@@ -442,8 +358,7 @@ static void fill_members(struct builder *b, cJSON *node, const struct form *f,
       add_text(b, member, "description", row->what);
     }
     fill(b, member, f, row->type);
-    if (row->need != PH_MAY && row->of < PH_OF_CIRCULAR &&
-        strcmp(row->type, "[+]piece") != 0) {
+    if (!ph_schema_may_lack(f, row)) {
       add_text(b, required, NULL, row->name);
     }
   }
@@ -459,8 +374,8 @@ static const struct ph_members *members_of(const char *name) {
 }
 
 /* An object by its name: a reference to its definition. */
-static void fill_object(struct builder *b, cJSON *node, const struct form *f,
-                        const char *name) {
+static void fill_object(struct builder *b, cJSON *node,
+                        const struct ph_schema_form *f, const char *name) {
   const struct ph_schema *schema = f->command->schema;
   bool fields = strcmp(name, "sweep") == 0 || strcmp(name, "set") == 0;
   const struct ph_members *object = fields ? NULL : members_of(name);
@@ -486,12 +401,11 @@ static void fill_object(struct builder *b, cJSON *node, const struct form *f,
   }
 }
 
-/* ---- commands --------------------------------------------------------------
- */
+/* ---- commands ------------------------------------------------------------ */
 
 /* A record among those that a result may be. */
 static void add_form(struct builder *b, cJSON *one, const char *name,
-                     struct form form) {
+                     struct ph_schema_form form) {
   fill_object(b, add_object(b, one, NULL), &form, name);
 }
 
@@ -513,11 +427,11 @@ static void define_verify(struct builder *b, const struct ph_command *command,
   }
   for (size_t i = 0; i < sizeof right / sizeof right[0]; i++) {
     add_form(b, results, right[i],
-             (struct form){command, "ok", NULL, PH_CURVE_N});
+             (struct ph_schema_form){command, "ok", NULL, PH_CURVE_N});
   }
   for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
     add_form(b, results, wrong[i],
-             (struct form){command, "error", NULL, PH_CURVE_N});
+             (struct ph_schema_form){command, "error", NULL, PH_CURVE_N});
   }
 }
 
@@ -543,11 +457,12 @@ static void define_command(struct builder *b,
   for (int kind = 0; promise && kind < PH_CURVE_N; kind++) {
     if (promise->kinds >> kind & 1) {
       add_form(b, one, ph_members_result(promise->parts),
-               (struct form){command, "ok", promise, (enum ph_curve_kind)kind});
+               (struct ph_schema_form){command, "ok", promise,
+                                       (enum ph_curve_kind)kind});
     }
   }
   add_form(b, one, "failure",
-           (struct form){command, "error", NULL, PH_CURVE_N});
+           (struct ph_schema_form){command, "error", NULL, PH_CURVE_N});
 }
 
 /* "problem" and "result": of any of the commands, which many problems are of,

@@ -368,28 +368,30 @@ PH_TEST(test_offset_in_space) {
   const struct ph_heading heading = {&nothing, "spatial-hermite", NULL, 0, NULL,
                                      0};
   size_t segment = 0, gaps[] = {0, 3};
-  double interval[] = {0, 0.5}, p[] = {1, 2, 3}, weight = 4;
+  double interval[] = {0, 0.5}, p[] = {1, 2, 3, 4, 5, 6}, weights[] = {4, 7};
   struct ph_place cusp = {0, 0.5, 0.75};
   struct ph_offset offset = {.distance = -0.5,
                              .length = (double)NAN,
                              .cusps = {1, &cusp},
                              .gaps = {2, gaps},
                              .vector = "e3",
+                             .degree = 1,
                              .dimension = 3,
                              .n = 1,
                              .segment = &segment,
                              .interval = interval,
                              .control_points = p,
-                             .weights = &weight};
+                             .weights = weights};
   struct ph_result result = by_hand();
   result.offsets = &offset;
   result.offsets_n = 1;
   ph_json_result(&buf, &heading, &result, false);
   ck_assert_ptr_nonnull(
       strstr(written(),
-             "\"offsets\":[{\"distance\":-0.5,\"vector\":\"e3\",\"degree\":0,"
+             "\"offsets\":[{\"distance\":-0.5,\"vector\":\"e3\",\"degree\":1,"
              "\"segments\":[{\"segment\":0,\"interval\":[0,0.5],"
-             "\"control_points\":[[1,2,3]],\"weights\":[4]}],\"cusps\":["
+             "\"control_points\":[[1,2,3],[4,5,6]],"
+             "\"weights\":[4,7]}],\"cusps\":["
              "{\"segment\":0,\"t\":0.75}],\"gaps\":[0,3]}]"));
 }
 
