@@ -470,6 +470,12 @@ static enum ph_status check_all(struct ph_check_general *g) {
   return ph_arena_late(v->scratch) ? ph_fail_memory(v->diag) : PH_OK;
 }
 
+/* What is known of the space of the directrices. */
+static void use_space(struct ph_check *v, struct ph_check_space *space) {
+  *space = ph_check_space_of(&v->fixed, 4, 0);
+  v->space = space;
+}
+
 enum ph_status ph_check_cone_general(struct ph_check *v) {
   struct ph_curve contact = *v->curve;
   const struct ph_curve *surface = v->curve;
@@ -488,11 +494,11 @@ enum ph_status ph_check_cone_general(struct ph_check *v) {
                    "have no extent");
     return PH_OK;
   }
-  space = ph_check_space_of(&v->fixed, 4, 0);
-  v->space = &space;
+  use_space(v, &space);
   v->curve = &contact;
   v->allow = v->error ? &DIRECTRIX : v->allow;
   status = check_all(&g);
+  v->space = NULL;
   v->curve = surface;
   return status;
 }

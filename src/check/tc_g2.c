@@ -182,21 +182,15 @@ static void check_ends(struct walk *walk) {
 
 static void check_segments(struct walk *walk) {
   const struct ph_curve *curve = walk->c->curve;
-  struct ph_tc_cubic first, before, now;
+  struct ph_tc_cubic before = ph_tc_check_load(walk->c, curve->n - 1), now;
+  check_datum(walk, ph_tc_check_load(walk->c, 0).p[0], 0);
   for (size_t k = 0; k < curve->n; k++) {
     if (k > 0 && ph_arena_late(walk->c->arena)) {
       return;
     }
     now = ph_tc_check_load(walk->c, k);
     ph_tc_check_cubic(walk->c, &now, k);
-    if (k == 0) {
-      first = now;
-      check_datum(walk, now.p[0], 0);
-      if (curve->closed) { /* its list begins with this joint */
-        before = ph_tc_check_load(walk->c, curve->n - 1);
-        check_between(walk, &before, &first, 0);
-      }
-    } else {
+    if (k > 0 || curve->closed) {
       check_between(walk, &before, &now, k);
     }
     before = now;

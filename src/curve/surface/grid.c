@@ -183,7 +183,7 @@ static struct knot knot_at(const struct path *path,
                            double u) {
   const struct ph_surface *surface = &path->curve->surface;
   if (strip->directrix) {
-    struct knot knot;
+    struct knot knot = {{0, 0}, {0, 0}};
     ph_general_edge(strip, u, surface->height[edge], knot.at, knot.by);
     return knot;
   }

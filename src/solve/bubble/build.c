@@ -104,16 +104,16 @@ static enum ph_status set_ribbons(struct builder *b) {
 /* ---- measures ------------------------------------------------------------ */
 
 static const struct nodes *nodes_of(struct builder *b, size_t degree) {
-  struct nodes **at = &b->nodes[degree];
-  if (*at) {
-    return *at;
+  struct nodes *nodes = b->nodes[degree];
+  if (!nodes) {
+    nodes = ph_arena_array(b->scratch, 1, sizeof *nodes);
+    for (size_t i = 0; nodes && i < NODES; i++) {
+      const double u = i < GAUSS ? b->rule.node[i] : i == GAUSS ? 0 : 1;
+      ph_patch_rows_at(degree, u, &nodes->rows[i]);
+    }
+    b->nodes[degree] = nodes;
   }
-  *at = ph_arena_array(b->scratch, 1, sizeof **at);
-  for (size_t i = 0; *at && i < NODES; i++) {
-    const double u = i < GAUSS ? b->rule.node[i] : i == GAUSS ? 0 : 1;
-    ph_patch_rows_at(degree, u, &(*at)->rows[i]);
-  }
-  return *at;
+  return nodes;
 }
 
 /* What a patch adds. */
