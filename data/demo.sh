@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # The program's main job on real data: the outline of Sicily as one closed
-# C2 Pythagorean-hodograph quintic spline with the exact offset 10 km out at
-# sea.  Shows the curve, its length, its certificate and what to try next.
+# C2 Pythagorean-hodograph quintic spline with the exact line 10 km out at sea,
+# trimmed.  Shows the curve, its length, its certificate and what to try next.
 #
 #   sh data/demo.sh [PATH/TO/phspline]     (default: build/plain/phspline)
 #
@@ -33,7 +33,8 @@ mkdir -p "$out"
 run() {
   file=$1
   shift
-  "$program" planar "$points" --closed --offset=-10 "$@" -o "$out/$file" \
+  "$program" planar "$points" --closed --offset=-10 \
+    --offset-mode=trimmed "$@" -o "$out/$file" \
     2>"$out/messages.txt" || {
     status=$?
     cat "$out/messages.txt" >&2
@@ -54,10 +55,10 @@ diagnostic() {
 
 cat <<EOF
 The coast of Sicily (Natural Earth, 1:50m) as one smooth closed curve, with its
-exact offset 10 km out at sea:
+exact line 10 km out at sea, nowhere nearer:
 
     $program planar $points \\
-      --closed --offset=-10 -o $out/sicily.json
+      --closed --offset=-10 --offset-mode=trimmed -o $out/sicily.json
 
 EOF
 awk -f "$data/picture.awk" -v style=$style -v unit=km \
@@ -130,7 +131,7 @@ Try next: the length of every segment,
 two offsets, the second at the limit of the territorial sea,
 
     $program planar $points \\
-      --closed --quiet --offset=-5,-22.224 -o $out/limits.json
+      --closed --offset=-5,-22.224 --offset-mode=trimmed -o $out/limits.json
 
 four published problems, one after another, as indented JSON,
 
@@ -144,7 +145,7 @@ a spiral, drawn in the terminal,
 a spanner from its drawing as cubics, with the path of a cutter,
 
     $program tc $data/spanner.json \\
-      --tolerance=0.01 --offset=-3 --quiet -o $out/spanner.json
+      --tolerance=0.01 --offset=-3 --offset-mode=trimmed -o $out/spanner.json
 
 and all options:
 

@@ -42,12 +42,14 @@ draw huard-figure13 "phspline arclength $data/huard-2014-figure13.json \
 # segment of [GON18] by six criteria; a corridor of 637 km on either side of a
 # voyage; the path of a cutter; a lampshade and its pattern; and several problems,
 # pairs of cubics of [BYR11]
-draw coastline "phspline planar $data/coastline.csv --closed --offset=-10"
+draw coastline "phspline planar $data/coastline.csv --closed --offset=-10 \
+--offset-mode=trimmed"
 draw gonzalez-criteria "sed -n 's/\"ph-2c-F1\"/\"case 2\"/p' \
 $data/gonzalez-2018-spatial.jsonl | phspline spatial-hermite \
 --sweep=criterion=cc,hc,bv,F1,F2,F3"
 draw magellan "phspline sphere $data/magellan-elcano.csv --offset=-0.1,0.1"
-draw spanner "phspline tc $data/spanner.json --tolerance=0.01 --offset=-3"
+draw spanner "phspline tc $data/spanner.json --tolerance=0.01 --offset=-3 \
+--offset-mode=trimmed"
 draw lampshade "phspline cone $data/lampshade.csv --closed --height='[0,18]'" png
 draw byrtus-figure5-15 "grep figure-5.15 $data/byrtus-2011.jsonl | phspline tc"
 
