@@ -38,11 +38,14 @@ draw huard-figure12 "phspline arclength $data/huard-2014-figure12.json \
 draw huard-figure13 "phspline arclength $data/huard-2014-figure13.json \
 --sweep='lengths[1]=1.4:1.456845614:5:log'"
 
-# one of each of the other commands: the path of a ship 10 km out at sea; a
+# one of each of the other commands: the path of a ship 10 km out at sea, and loops
+# that clear the island; a
 # segment of [GON18] by six criteria; a corridor of 637 km on either side of a
 # voyage; the path of a cutter; a lampshade and its pattern; and several problems,
 # pairs of cubics of [BYR11]
 draw coastline "phspline planar $data/coastline.csv --closed --offset=-10 \
+--offset-mode=trimmed"
+draw pocket "phspline planar $data/coastline.csv --closed --offset=4:48:12 \
 --offset-mode=trimmed"
 draw gonzalez-criteria "sed -n 's/\"ph-2c-F1\"/\"case 2\"/p' \
 $data/gonzalez-2018-spatial.jsonl | phspline spatial-hermite \

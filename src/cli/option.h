@@ -73,7 +73,8 @@
     "START:STOP:COUNT, with :log at equal ratios; FIELD may be an element, "   \
     "points[2][0]; FIELD*=RANGE multiplies what is there")                     \
   X(OFFSET, CURVE, 'd', "offset", "D[,D...]",                                  \
-    "add offset curves at these distances, positive to the left of travel")    \
+    "add offset curves at these distances, positive to the left of travel; a " \
+    "range is START:STOP:COUNT")                                               \
   X(OFFSET_MODE, CURVE, 0, "offset-mode", PH_WORDS(PH_OFFSET_MODES),           \
     "raw (default): the offset of each segment; joined: these with joins at "  \
     "outer corners; trimmed: of these what keeps the distance from the whole " \

@@ -4,6 +4,7 @@
 
 #include "base/suggest.h"
 #include "cli/plot.h"
+#include "cli/range.h"
 #include "io/number.h"
 #include "io/value.h"
 
@@ -13,6 +14,9 @@
 
 /* More samples of a segment than this are a slip of the keyboard. */
 enum { SAMPLES_MAX = 1000000 };
+
+/* And more distances of a range. */
+static const double OFFSETS_MAX = 1e6;
 
 /* The most that the options about limits can allow: samples, bytes. */
 enum { SAMPLES_LIMIT_MAX = 1000000000 };
@@ -152,16 +156,54 @@ static enum ph_status read_grid(struct ph_option_parser *p) {
   return PH_OK;
 }
 
+/* One distance, or a range of them.
+ *
+ * out  range  n = 1 of a number */
+static enum ph_status read_distance(const char *at, const char *end,
+                                    struct ph_range *range,
+                                    struct ph_diag *diag) {
+  char excerpt[PH_EXCERPT_MAX];
+  *range = (struct ph_range){.n = 1};
+  if (memchr(at, ':', (size_t)(end - at))) {
+    return ph_range_read(at, (size_t)(end - at), OFFSETS_MAX, "--offset", range,
+                         diag);
+  }
+  if (end == at || ph_number_read_text(at, end, &range->start) != end ||
+      !isfinite(range->start)) {
+    return ph_fail(diag, PH_E_USAGE, NULL, "--offset takes numbers, found '%s'",
+                   ph_excerpt(optarg, strlen(optarg), excerpt));
+  }
+  return PH_OK;
+}
+
+/* All distances of the argument; NULL: how many there are. */
+static enum ph_status read_distances(double *distance, size_t *n,
+                                     struct ph_diag *diag) {
+  const char *at = optarg, *end;
+  *n = 0;
+  do {
+    struct ph_range range;
+    end = at + strcspn(at, ",");
+    if (read_distance(at, end, &range, diag) != PH_OK) {
+      return PH_E_USAGE;
+    }
+    for (size_t i = 0; distance && i < range.n; i++) {
+      distance[*n + i] = ph_range_at(&range, i);
+    }
+    *n += range.n;
+    at = end + 1;
+  } while (*end);
+  return PH_OK;
+}
+
 static enum ph_status read_offsets(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
-  size_t room = 1;
-  char excerpt[PH_EXCERPT_MAX];
+  size_t more;
   double *all;
-  const char *at = optarg, *end;
-  for (const char *c = optarg; *c; c++) {
-    room += *c == ',';
+  if (read_distances(NULL, &more, p->diag) != PH_OK) {
+    return PH_E_USAGE;
   }
-  all = ph_arena_array(&o->arena, o->offsets_n + room, sizeof *all);
+  all = ph_arena_array(&o->arena, o->offsets_n + more, sizeof *all);
   if (!all) {
     return ph_fail_memory(p->diag);
   }
@@ -169,15 +211,8 @@ static enum ph_status read_offsets(struct ph_option_parser *p) {
     memcpy(all, o->offsets, o->offsets_n * sizeof *all);
   }
   o->offsets = all;
-  for (; room-- > 0; at = end + 1) {
-    double *x = &o->offsets[o->offsets_n++];
-    end = at + strcspn(at, ",");
-    if (end == at || ph_number_read_text(at, end, x) != end || !isfinite(*x)) {
-      return ph_fail(p->diag, PH_E_USAGE, NULL,
-                     "--offset takes numbers, found '%s'",
-                     ph_excerpt(optarg, strlen(optarg), excerpt));
-    }
-  }
+  read_distances(all + o->offsets_n, &more, p->diag);
+  o->offsets_n += more;
   return PH_OK;
 }
 

@@ -90,33 +90,16 @@ static enum ph_status read_value(const char *text, size_t n,
 
 /* START:STOP:COUNT or START:STOP:COUNT:log */
 static enum ph_status read_range(const char *text, const char *first,
-                                 const char *second, struct ph_arena *arena,
-                                 struct ph_sweep *sweep, struct ph_diag *diag) {
-  char excerpt[PH_EXCERPT_MAX];
-  const size_t count_n = strcspn(second + 1, ":");
-  const char *end = second + 1 + count_n;
+                                 struct ph_arena *arena, struct ph_sweep *sweep,
+                                 struct ph_diag *diag) {
   struct ph_value value;
-  double count;
-  sweep->log = strcmp(end, ":log") == 0;
-  if ((*end && !sweep->log) ||
-      !read_number(text, (size_t)(first - text), &sweep->start) ||
-      !read_number(first + 1, (size_t)(second - first - 1), &sweep->stop) ||
-      !read_number(second + 1, count_n, &count) || !(count >= 1) ||
-      count > COUNT_MAX || floor(count) < count) {
-    return ph_fail(diag, PH_E_USAGE, NULL,
-                   "--sweep: '%s' is not START:STOP:COUNT[:log] with a COUNT "
-                   "from 1 to %.0f",
-                   ph_excerpt(text, strlen(text), excerpt), COUNT_MAX);
-  }
-  if (sweep->log && (!(sweep->start > 0) || !(sweep->stop > 0))) {
-    return ph_fail(diag, PH_E_USAGE, NULL,
-                   "--sweep: '%s' has no logarithms: START and STOP must be "
-                   "greater than 0",
-                   ph_excerpt(text, strlen(text), excerpt));
-  }
-  sweep->n = (size_t)count;
+  enum ph_status status = ph_range_read(text, strlen(text), COUNT_MAX,
+                                        "--sweep", &sweep->range, diag);
+  sweep->n = sweep->range.n;
   /* may the field be a number? */
-  return read_value(text, (size_t)(first - text), sweep, arena, &value, diag);
+  return status == PH_OK ? read_value(text, (size_t)(first - text), sweep,
+                                      arena, &value, diag)
+                         : status;
 }
 
 /* The end of the list element at p: a comma outside of brackets, or the end. */
@@ -191,7 +174,7 @@ enum ph_status ph_sweep_read(const char *text, const struct ph_schema *schema,
   }
   first = strchr(equals + 1, ':');
   second = first ? strchr(first + 1, ':') : NULL;
-  return second ? read_range(equals + 1, first, second, arena, sweep, diag)
+  return second ? read_range(equals + 1, first, arena, sweep, diag)
                 : read_list(equals + 1, arena, sweep, diag);
 }
 
@@ -213,26 +196,13 @@ size_t ph_sweep_count(const struct ph_sweep *sweeps, size_t n) {
   return count;
 }
 
-/* Number i of the values; of a range both ends are exact. */
+/* Number i of the values. */
 static struct ph_value value_at(const struct ph_sweep *sweep, size_t i) {
-  struct ph_value value = {.kind = PH_NUMBER, .number = sweep->start};
-  double part, width = sweep->stop - sweep->start;
+  struct ph_value value = {.kind = PH_NUMBER};
   if (sweep->values) {
     return sweep->values[i];
   }
-  if (i > 0) {
-    part = (double)i / (double)(sweep->n - 1);
-    if (sweep->log) {
-      value.number =
-          exp((1 - part) * log(sweep->start) + part * log(sweep->stop));
-      value.number = i + 1 == sweep->n ? sweep->stop : value.number;
-      return value;
-    }
-    value.number = isfinite(width)
-                       ? sweep->start + part * width
-                       : (1 - part) * sweep->start + part * sweep->stop;
-    value.number = i + 1 == sweep->n ? sweep->stop : value.number;
-  }
+  value.number = ph_range_at(&sweep->range, i);
   return value;
 }
 

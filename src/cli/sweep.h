@@ -9,6 +9,7 @@
 #define PH_CLI_SWEEP_H
 
 #include "base/diag.h"
+#include "cli/range.h"
 #include "base/mem.h"
 #include "curve/problem.h"
 #include "io/json_out.h"
@@ -27,8 +28,7 @@ struct ph_sweep {
   size_t n;
   struct ph_value *values; /* [n]; NULL: a range */
   const char **texts;      /* [n], JSON on one line; NULL: a range */
-  double start, stop;      /* of a range */
-  bool log;                /* of which the logarithms are equally spaced */
+  struct ph_range range;   /* of n numbers */
   bool factor; /* values multiply what the problem has; the name ends in * */
 };
 

@@ -226,6 +226,15 @@ feed "$arch" planar -d 0.1 -d=-0.1
 expect '-d=X is no distance' 2 "phspline: --offset takes numbers, found \
 '=-0.1'
 Try 'phspline planar --help'."
+feed '{"points":[[0,0],[1,1],[2,0]]}' planar -q -d 0.1,1:3:3,4:1:3:log
+equal '-d: a range' '[0.1,1,2,3,4,2,1]' \
+  "$(jq -c '[.offsets[].distance | . * 1e9 | round / 1e9]' out)"
+run planar -d 1:2:0 /dev/null
+expect '-d: no range' 2 "phspline: --offset: '1:2:0' is not START:STOP:COUNT[:log] with a COUNT from 1 to 1000000
+Try 'phspline planar --help'."
+run planar -d 1,-1:2:3:log /dev/null
+expect '-d: no logarithm' 2 "phspline: --offset: '-1:2:3:log' has no logarithms: START and STOP must be greater than 0
+Try 'phspline planar --help'."
 
 # ---- formats -----------------------------------------------------------------
 

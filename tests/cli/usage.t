@@ -102,7 +102,7 @@ usage '--output must be the name of a file' --output=
 for n in 0 -1 1.5 1025 1e9 x '' ' 1' 0x2 nan inf 1,2; do
   usage "--jobs must be a whole number from 1 to 1024, found '$n'" --jobs="$n"
 done
-for d in '' x '1,' ',1' '1,,2' '1 2' nan inf 1e999 '[1]' 1:2; do
+for d in '' x '1,' ',1' '1,,2' '1 2' nan inf 1e999 '[1]'; do
   usage "--offset takes numbers, found '$d'" --offset="$d"
 done
 for c in '' ab ';;' '\n' é; do
