@@ -183,6 +183,20 @@ run cone -q --format=obj --sample=2 --offset=0.5 part.json
 mesh 'a mesh with a parallel one' 2
 run cone -q --format=obj --sample=2 part.json turn.json
 mesh 'two meshes in one file' 1
+
+# Another program: edges with two faces each, unit normals along the faces, and
+# flat coordinates that stretch nothing; angles in parts of a thousand.
+if command -v python3 >/dev/null; then
+  for mesh in '4 1 2 47 0' '16 1 2 12 0'; do
+    steps=${mesh%% *}
+    run cone -q --closed --height='[0,18]' --format=obj --sample="$steps"x3 \
+      "$srcdir/data/lampshade.csv"
+    equal "a mesh is read elsewhere, $steps steps" "${mesh#* }" \
+      "$(python3 "$srcdir/tests/cli/obj.py" out 2)"
+  done
+else
+  echo 'skip a mesh is read elsewhere: no python3'
+fi
 feed "$good" cone --format=obj
 expect 'a mesh of no height' 1 'phspline: -:1: record 1: height: must have an '\
 "extent for --format=obj, as in --height=[-1,1] [bad-value]
