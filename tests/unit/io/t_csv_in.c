@@ -207,9 +207,7 @@ static void set_columns(const char *letters) {
   size_t n = strlen(letters);
   columns = malloc(sizeof *columns + n * sizeof *columns->column);
   ck_assert_ptr_nonnull(columns);
-  columns->older = NULL;
-  columns->delimiter = ',';
-  columns->n = n;
+  *columns = (struct ph_csv_columns){.delimiter = ',', .n = n};
   for (size_t i = 0; i < n; i++) {
     char c = letters[i];
     columns->column[i] =
