@@ -299,9 +299,9 @@ HAVE_CHECK = $(shell echo 'TTest t;' \
 # no Check, no unit tests: tests/run is told so, and tells it
 UNIT_WANTED := $(if $(filter %-run tests-build,$(MAKECMDGOALS)),\
 	$(if $(HAVE_CHECK),$(UNIT),--no-check))
-# `make check TESTS=tests/cli/smoke.t' runs less
+# `make check TESTS=tests/cli/smoke.t' runs less; a unit test is its source
 TESTS =
-pick = $(if $(TESTS),$(filter $(TESTS) $(addprefix %/,$(TESTS)),$1),$1)
+pick = $(if $(TESTS),$(filter $(TESTS:.c=) $(addprefix %/,$(TESTS:.c=)),$1),$1)
 
 tests-build: all $(TOOLS) $(call pick,$(filter-out --%,$(UNIT_WANTED)))
 
