@@ -39,13 +39,16 @@ struct joint {
   struct bent before, after;
   double larger; /* of both */
   double error;
+  double jump; /* beyond the error; NaN where one is */
 };
 
 static struct joint joint_of(const struct ph_tc_cubic *a,
                              const struct ph_tc_cubic *b) {
-  struct joint j = {bent_at(a, 1), bent_at(b, 0), 0, 0};
+  struct joint j = {.before = bent_at(a, 1), .after = bent_at(b, 0)};
   j.larger = ph_check_larger(fabs(j.before.k), fabs(j.after.k));
   j.error = j.before.error + j.after.error;
+  j.jump = fabs(j.after.k - j.before.k) - j.error;
+  j.jump = j.jump <= 0 ? 0 : j.jump;
   return j;
 }
 
@@ -101,13 +104,9 @@ static const char *fault_of(const struct ph_tc_check *c,
       return "has a curvature that is not that of its segment";
     }
   }
-  if (told->kind == PH_JOINT_INFLECTION
-          ? found->before.k * found->after.k > 0 &&
-                fabs(found->before.k) > found->before.error &&
-                fabs(found->after.k) > found->after.error
-          : fabs(found->before.k) > found->before.error &&
-                fabs(found->after.k) > found->after.error &&
-                found->before.k * found->after.k > 0) {
+  if (!(found->before.k * found->after.k <= 0 ||
+        fabs(found->before.k) <= found->before.error ||
+        fabs(found->after.k) <= found->after.error)) {
     return "is no inflection, and neither side is straight";
   }
   return NULL;
@@ -156,8 +155,7 @@ static void check_between(struct walk *walk, const struct ph_tc_cubic *a,
   bool added = is_added(&walk->lists, k);
   ph_tc_check_joint(walk->c, a, b, k);
   if (!told) {
-    double jump = fabs(found.after.k - found.before.k) - found.error;
-    ph_check_add(&walk->jump, k, ph_check_larger(jump, 0), walk->unit,
+    ph_check_add(&walk->jump, k, found.jump, walk->unit,
                  JUMP * found.larger + found.error);
   } else if (!walk->fault) {
     walk->fault = fault_of(walk->c, told, &found, b);
@@ -274,12 +272,11 @@ static double verify_between(struct ph_check *v, const struct ph_tc_check *c,
   struct joint found = joint_of(a, b);
   const struct ph_joint *told = listed(lists, k);
   const char *fault;
-  double jump = fabs(found.after.k - found.before.k);
   is_added(lists, k);
   if (!told) {
     ph_check_miss(v, PH_CHECK_CONTINUITY, ph_check_in(k, "control_points"),
-                  jump, found.larger, found.error, "let the curvature jump");
-    return jump - found.error;
+                  found.jump, found.larger, 0, "let the curvature jump");
+    return found.jump;
   }
   fault = fault_of(c, told, &found, b);
   if (fault) {

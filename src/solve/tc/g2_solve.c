@@ -471,8 +471,13 @@ static bool find(struct system *s, struct ph_arena *arena) {
   return y && continued(s, y, arena);
 }
 
-/* The angle at an end by which the curvature goes on as it does beside it,
- * from the solution with circles [sheet of the mode, ends]. */
+/*
+ * The angle at an end by which the curvature goes on as it does beside it, from
+ * the solution with circles: of the first span b[0] times the ratio a[1]/b[1]
+ * of the next one, between 1/2 and 2, to the power of the squared ratio of
+ * their lengths, at most 1.  (Tested by tests/cli/tc-g2.t: a circle's arcs come
+ * out more even.)
+ */
 static double smooth_angle(const struct ph_g2_chain *c, const struct state *at,
                            size_t end) {
   size_t inner = end == 0 ? 1 : c->n - 1;
