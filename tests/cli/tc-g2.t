@@ -97,6 +97,17 @@ feed '{"points":[[0,0],[1,0],[2,0]],"end_tangents":[[1,1],[1,0]]}' tc -q \
   --mode=g2
 equal 'a line that a tangent leaves' '[[1,"inflection"],[2,"straight"]]' \
   "$(jq -c '[.joints[] | [.segment, .kind]]' out)"
+# the turn at the point is rounding, or none, of either sign
+for y in 0 3e-13 -3e-13; do
+  # both tangents leave the line to one side, both over: one at a right angle
+  echo '{"points":[[0,0],[1,0],[2,'$y']],"end_tangents":[[0,1],[1,-0.2]]}' >in
+  echo '{"points":[[0,0],[1,0],[2,'$y']],"end_tangents":[[1,1],[1,2]]}' >>in
+  run tc -q --mode=g2 in
+  equal "a line that two tangents leave, $y" \
+    '["ok",["inflection","inflection"]]
+["ok",["inflection","straight","inflection"]]' \
+    "$(jq -c '[.status, [.joints[]?.kind]]' out)"
+done
 
 # ---- errors --------------------------------------------------------------------
 

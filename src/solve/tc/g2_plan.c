@@ -125,6 +125,13 @@ static double base_of(const struct ph_g2_node *node) {
   return fabs(node->turn) / (node->inner ? 4 : 2);
 }
 
+/* Whether a span is a bend for this end of it: the other end turns to the other
+ * side, or not at all where a given tangent leaves the line. */
+static bool is_bend_for(const struct ph_g2_node *node,
+                        const struct ph_g2_node *other) {
+  return node->sign * other->sign < 0 || (!node->inner && other->sign == 0);
+}
+
 /*
  * What must be added over a span; in a bend beside the end that turns too much,
  * outside of the turn.
@@ -136,17 +143,16 @@ static size_t wanted_over(const struct ph_g2_chain *chain, size_t i,
   const struct ph_g2_node *from = &chain->node[i],
                           *to = &chain->node[ph_g2_next(chain, i)];
   const double turn[2] = {fabs(from->turn), fabs(to->turn)};
-  double product = from->turn * to->turn;
   size_t n = 0;
-  if (product > 0 && turn[0] + turn[1] > most) {
+  if (from->sign * to->sign > 0 && turn[0] + turn[1] > most) {
     apex[n++] = (struct ph_g2_apex){
         i, {base_of(from), base_of(to)}, from->turn > 0 ? 1 : -1};
   }
   /* the apex over a quarter of the chord: its height there by the angle at the
    * near end */
-  for (size_t end = 0; product < 0 && end < 2; end++) {
-    if (turn[end] > OF_BEND * most) {
-      const struct ph_g2_node *node = end == 0 ? from : to;
+  for (size_t end = 0; end < 2; end++) {
+    const struct ph_g2_node *node = end == 0 ? from : to;
+    if (turn[end] > OF_BEND * most && is_bend_for(node, end == 0 ? to : from)) {
       double near = base_of(node);
       double far = atan(tan(near) * PART / (1 - PART));
       apex[n++] =
@@ -273,6 +279,14 @@ static bool is_inflection(const struct ph_g2_chain *chain,
   return run->n == 1 && l->inner && r->inner && l->sign * r->sign < 0;
 }
 
+/* Whether the curve leaves the line on both sides of the only inner point, to
+ * tangents of both ends on one side: it bends there to the other. */
+static bool is_hollow(const struct ph_g2_chain *chain, const struct run *run) {
+  const struct ph_g2_node *l = &chain->node[run->left],
+                          *r = &chain->node[run->right];
+  return run->n == 1 && !l->inner && !r->inner && l->sign * r->sign > 0;
+}
+
 /* Spans of a run: lines, but beside a corner between two runs, where the curve
  * must leave the line. */
 static void set_run(struct ph_g2_chain *chain, const struct run *run,
@@ -287,9 +301,11 @@ static void set_run(struct ph_g2_chain *chain, const struct run *run,
                      .sign;
     return;
   }
-  if (run->n == 1 && (corner_left || corner_right)) {
+  if (run->n == 1 && (corner_left || corner_right || is_hollow(chain, run))) {
     node->sign =
-        (signed char)-chain->node[corner_left ? run->left : run->right].sign;
+        (signed char)-chain
+            ->node[!corner_left && corner_right ? run->right : run->left]
+            .sign;
     return;
   }
   before->form = corner_left ? PH_G2_BEND : PH_G2_LINE;
