@@ -31,6 +31,7 @@ bindir ?= $(exec_prefix)/bin
 datarootdir ?= $(prefix)/share
 datadir ?= $(datarootdir)
 mandir ?= $(datarootdir)/man
+docdir ?= $(datarootdir)/doc/phspline
 INSTALL ?= install
 INSTALL_PROGRAM ?= $(INSTALL)
 INSTALL_DATA ?= $(INSTALL) -m 644
@@ -176,7 +177,7 @@ $(if $(word 2,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
 .PHONY: FORCE all install uninstall deps tests-build tests-syntax check \
 	check-run demo demo-run asan asan-run tsan tsan-run valgrind valgrind-run coverage \
 	coverage-run lint lint-run fuzz fuzz-run bench bench-run check-long \
-	check-long-run figures figures-run configure dist distcheck clean \
+	check-long-run figures figures-run configure dist distcheck deb check-deb clean \
 	distclean help
 
 all: $(PROGRAM) ## build build/plain/phspline (the default)
@@ -257,6 +258,11 @@ COMPLETIONS = $(foreach c,phspline.bash:bash-completion/completions/phspline \
 mandest = $(DESTDIR)$(mandir)/man$(subst .,,$(suffix $1))
 compsrc = $(S)data/completions/$(firstword $(subst :, ,$1))
 compdest = $(DESTDIR)$(datadir)/$(lastword $(subst :, ,$1))
+# the data of the manual's examples; the manual is told where they are
+EXAMPLES = $(filter-out %.sh %.awk,$(wildcard $(addprefix $(S)data/,*.* README)))
+exampledir = $(docdir)/examples/data
+installdoc = sed 's|/usr/local/share/doc/phspline|$(docdir)|' $(S)$1 \
+	>"$(mandest)/$(notdir $1)" && chmod 644 "$(mandest)/$(notdir $1)"
 define newline
 
 
@@ -265,7 +271,9 @@ install: all ## install below prefix=/usr/local (DESTDIR is respected)
 	$(INSTALL) -d "$(DESTDIR)$(bindir)"
 	$(INSTALL_PROGRAM) $(PROGRAM) "$(DESTDIR)$(bindir)/phspline"
 	$(foreach m,$(MAN),$(INSTALL) -d "$(call mandest,$m)"$(newline)\
-	  $(INSTALL_DATA) $(S)$m "$(call mandest,$m)/$(notdir $m)"$(newline))
+	  $(call installdoc,$m)$(newline))
+	$(INSTALL) -d "$(DESTDIR)$(exampledir)"
+	$(INSTALL_DATA) $(EXAMPLES) "$(DESTDIR)$(exampledir)"
 	$(foreach c,$(COMPLETIONS),\
 	  $(INSTALL) -d "$$(dirname "$(call compdest,$c)")"$(newline)\
 	  $(INSTALL_DATA) $(call compsrc,$c) "$(call compdest,$c)"$(newline))
@@ -274,6 +282,11 @@ uninstall: ## remove what install put there
 	rm -f "$(DESTDIR)$(bindir)/phspline"
 	$(foreach m,$(MAN),rm -f "$(call mandest,$m)/$(notdir $m)"$(newline))
 	$(foreach c,$(COMPLETIONS),rm -f "$(call compdest,$c)"$(newline))
+	rm -f $(foreach f,$(EXAMPLES),"$(DESTDIR)$(exampledir)/$(notdir $f)")
+	@$(foreach d,$(bindir) $(sort $(foreach m,$(MAN),$(call mandest,$m)) \
+	  $(foreach c,$(COMPLETIONS),$(dir $(call compdest,$c)))) $(exampledir),\
+	  (cd "$(DESTDIR)/" && rmdir -p ".$(patsubst $(DESTDIR)%,%,$d)") \
+	    2>/dev/null || :;)
 
 # ---- packages ----------------------------------------------------------------
 # Targets that may install come in pairs: X gets the packages, then starts make
@@ -433,6 +446,15 @@ distcheck: dist ## prove the tarball: read-only, out of tree, install, again
 
 clean: ## remove build/ and what the demo wrote
 	rm -rf build demo-output
+
+deb: ## make phspline_VERSION_ARCHITECTURE.deb, a Debian package
+	@sh $(S).ci/install-packages build plot volume deb
+	$(SUBMAKE) all
+	@MAKE='$(MAKE)' sh $(S).ci/deb make $(VERSION)
+
+check-deb: deb ## ... and install it where nothing else is (root, debootstrap)
+	@sh $(S).ci/install-packages check-deb
+	@sh $(S).ci/deb check $(VERSION)
 
 distclean: clean ## ... and what configure and dist made
 	rm -rf autom4te.cache phspline-*.tar.gz
