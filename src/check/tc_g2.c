@@ -83,6 +83,18 @@ static bool is_over(const struct lists *l) {
   return l->joint == l->g2->joints_n && l->auxiliary == l->g2->auxiliary_n;
 }
 
+/* Whether a curvature that is told is that of a side: none, where it leaves the
+ * range of numbers. */
+static bool is_curvature(const struct ph_tc_check *c, double told,
+                         const struct bent *side) {
+  double k = ph_pow2_apply(c->scale.from_unit, told);
+  double most = 2 * fabs(side->k) + side->error;
+  return isfinite(told)
+             ? fabs(k - side->k) <=
+                   JUMP * ph_check_larger(fabs(k), fabs(side->k)) + side->error
+             : !isfinite(ph_pow2_apply(c->scale.to_unit, most));
+}
+
 /*
  * What is wrong with a joint that is listed, or NULL: it is where it is, has
  * these curvatures, and turns to the other side or has a straight one.
@@ -98,9 +110,7 @@ static const char *fault_of(const struct ph_tc_check *c,
     return "is not where its segment begins";
   }
   for (size_t i = 0; i < 2; i++) {
-    double k = ph_pow2_apply(c->scale.from_unit, told->curvature[i]);
-    if (!(fabs(k - side[i].k) <=
-          JUMP * ph_check_larger(fabs(k), fabs(side[i].k)) + side[i].error)) {
+    if (!is_curvature(c, told->curvature[i], &side[i])) {
       return "has a curvature that is not that of its segment";
     }
   }

@@ -358,8 +358,8 @@ static const struct ph_member joint[] = {
     {"segment", MUST, ANY, AS("", index), AT(ph_joint, segment),
      "that begins there"},
     {"point", MUST, ANY, AS("[2]", number), AT(ph_joint, point), "the point"},
-    {"curvature", MUST, ANY, AS("[2]", number), AT(ph_joint, curvature),
-     "before and after it, positive to the left"},
+    {"curvature", MUST, ANY, AS("[2]", open), AT(ph_joint, curvature),
+     "before and after it, positive to the left; null beyond all numbers"},
     {"kind", MUST, ANY, AS("", joint_kind), AT(ph_joint, kind),
      "an inflection, or straight on one side"},
     LAST};

@@ -97,6 +97,19 @@ feed '{"points":[[0,0],[1,0],[2,0]],"end_tangents":[[1,1],[1,0]]}' tc -q \
   --mode=g2
 equal 'a line that a tangent leaves' '[[1,"inflection"],[2,"straight"]]' \
   "$(jq -c '[.joints[] | [.segment, .kind]]' out)"
+# a curvature that is no number any more
+cat >in <<'EOF'
+{"points":[[0,0],[1.0856887114877295e-297,6.502109995723391e-297],
+[1.4924018285761346e-297,8.937884998291382e-297],
+[2.5584006089071096e-297,1.524611617655033e-296],
+[3.48901275518057e-297,2.0753173645906414e-296]],"mode":"g2"}
+EOF
+run tc -q in
+mv out tiny
+run verify -q --problems=in tiny
+equal 'a curvature beyond all numbers' '[[0,null],"ok"]' \
+  "$(cat tiny out | jq -cs '[.[0].joints[].curvature, .[1].status]')"
+
 # the turn at the point is rounding, or none, of either sign
 for y in 0 3e-13 -3e-13; do
   # both tangents leave the line to one side, both over: one at a right angle
