@@ -6,10 +6,10 @@
 # would have.  No line of output is half, no file is replaced by less than the
 # whole, and the sanitizers of this build have nothing to report.
 #
-# Where every step takes long (PH_SHORT=1), one allocation in three fails alone;
-# which, goes on from one command to the next.  That gives up the path that only
-# one allocation of one command leads to, if all after it succeed; with all
-# after it failing, each has its turn.
+# Where every step takes long (PH_SHORT=1), one allocation in three fails alone,
+# another with all after it; which, goes on from one command to the next, and so
+# each of those that commands share has its turn.  `make asan SHORT=
+# TESTS=alloc.t' takes every one.
 . "$srcdir/tests/cli/lib.sh"
 
 # No run of these needs more allocations: the loops below are bounded.
@@ -25,9 +25,10 @@ also() {
 # for want of memory, which makes a status of 0 one of 1.  It is asked thousands
 # of times: processes are few.
 judge() {
-  why=
-  said=$(cat err)
-  short=
+  why= said= short=
+  while read -r line || [ -n "$line" ]; do
+    said="$said$line "
+  done <err
   case $said in
   *'memory is exhausted'*) short=1 ;;
   esac
@@ -69,15 +70,19 @@ judge_part() {
   elif [ "$format" = text ]; then
     cmp -s "$1" "$2" || also 'other text'
   else
-    part=$(awk -v format="$format" -v good="$2" '
+    part=$(awk -v format="$format" -v good="$2" -v whole="${3-}" '
       { record = record $0 }
+      /^{/ { n[FILENAME]++ }
       format == "pretty" && $0 != "}" { next }
       FILENAME == good { was[record] }
       !(record in was) && record !~ /"code": ?"out-of-memory"/ {
         print "line " FNR ": " substr(record, 1, 100)
       }
       { record = "" }
-      END { if (record != "") print "a record is cut off" }' "$2" "$1")
+      END {
+        if (record != "") print "a record is cut off"
+        if (whole && n[good] != n[ARGV[2]]) print "a record is lost"
+      }' "$2" "$1")
     [ -z "$part" ] || also "$part"
   fi
 }
@@ -86,14 +91,8 @@ judge_part() {
 # one of JSON; of a table the rows of failed ones are missing.
 judge_whole() {
   if [ -s "$1" ] || [ -s "$2" ]; then
-    judge_part "$1" "$2"
+    judge_part "$1" "$2" whole
   fi
-  case $(head -c 1 "$2") in
-  '{')
-    [ "$(grep -c '^{' "$1")" -eq "$(grep -c '^{' "$2")" ] ||
-      also 'a record is lost'
-    ;;
-  esac
 }
 
 # What it left in the file: the records, or a figure without those that failed.
@@ -118,12 +117,22 @@ once() {
   PH_FAIL_AT=$number "$PHSPLINE" "$@" >out 2>err <in || status=$?
 }
 
+# is_turn MODE: whether allocation n is one of those that fail so.
+commands=0
+is_turn() {
+  [ "${PH_SHORT-}" = 1 ] || return 0
+  case $1$(((commands + n) % 3)) in
+  all0 | one1) return 0 ;;
+  esac
+  return 1
+}
+
 # exhaust NAME FORMAT ARGUMENT...: the output is lines, records that end with a
 # line `}' (pretty), or one piece (text).
 # With all that follow failing, too, a run succeeds when it needs no more: so
 # the number of allocations is found, and then each of them fails alone.
 exhaust() {
-  name=$1 format=$2 bad_runs=0 needs=0
+  name=$1 format=$2 bad_runs=0 needs=0 commands=$((commands + 1))
   shift 2
   once -1 "$@"
   good_status=$status
@@ -132,14 +141,14 @@ exhaust() {
   for mode in all one; do
     n=0
     while [ "$n" -lt "$most" ]; do
-      if [ "$mode" = all ]; then
-        PH_FAIL_ON=1
-        export PH_FAIL_ON
-      elif [ "$n" -gt "$needs" ]; then
+      if [ "$mode" = one ] && [ "$n" -gt "$needs" ]; then
         break
-      elif ! one_in 3; then
+      elif ! is_turn "$mode"; then
         n=$((n + 1))
         continue
+      elif [ "$mode" = all ]; then
+        PH_FAIL_ON=1
+        export PH_FAIL_ON
       fi
       once "$n" "$@"
       unset PH_FAIL_ON
