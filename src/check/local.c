@@ -248,12 +248,12 @@ struct ph_check_local ph_check_great_local(const struct ph_check_path *path,
                                            double u) {
   const struct ph_check_segment *s = path->s;
   struct ph_check_local local = {.torsion = 0};
-  double d = path->distance, speed, turn, error, next, top, bottom, down;
+  double d = path->distance, noise, speed, turn, error, next, top, bottom, down;
   ph_vec3 jet[3];
-  ph_check_great(s->p, s->x, u, jet);
+  noise = s->noise / s->radius * ph_check_great(s->p, s->x, u, jet);
   speed = ph_vec3_abs(jet[1]);
-  error = s->noise / s->radius + PARAMETER * ph_vec3_abs(jet[2]);
-  next = PH_CHECK_ROUND_NEXT * s->noise / s->radius;
+  error = noise + PARAMETER * ph_vec3_abs(jet[2]);
+  next = PH_CHECK_ROUND_NEXT * noise;
   turn = ph_vec3_dot(jet[0], ph_vec3_cross(jet[1], jet[2])) / (speed * speed);
   local.flat = (next + 2 * ph_vec3_abs(jet[2]) * error / speed) * speed /
                ph_vec3_abs(ph_vec3_cross(jet[1], jet[2]));

@@ -31,6 +31,8 @@ struct walk {
   struct ph_sum before; /* of the segments before */
   double error;         /* of all that */
   double each;          /* of a Bezier curve's length */
+  double size; /* of the curve, or the distance of an offset that is farther:
+                  points of it, and lengths between them, are rounded so */
 };
 
 static struct ph_check_where in(size_t i, const char *member) {
@@ -199,10 +201,9 @@ static void check_sample(struct walk *w, size_t i) {
                 ph_check_apart(point, local.point), v->scale.size,
                 local.point_error, "is away from the curve");
   if (!isnan(s)) { /* else beside a point at rest, where it is not found */
-    ph_check_number(
-        v, PH_CHECK_SAMPLE, in(i, "s"), of->s[i], s,
-        ph_check_larger(fabs(s), ph_check_unscaled(v, v->scale.size)),
-        ph_check_unscaled(v, w->error + v->noise[w->k] + w->each));
+    ph_check_number(v, PH_CHECK_SAMPLE, in(i, "s"), of->s[i], s,
+                    ph_check_larger(fabs(s), ph_check_unscaled(v, w->size)),
+                    ph_check_unscaled(v, w->error + v->noise[w->k] + w->each));
   }
   check_tangent(w, i, &local);
   check_curvature(w, in(i, "curvature"), of->curvature[i], local.curvature,
@@ -254,6 +255,7 @@ void ph_check_samples(struct ph_check *v, const struct ph_samples *of,
   w.framing.frame = of->frame;
   w.path.s = &w.segment;
   w.each = ph_check_conversion(v);
+  w.size = ph_check_larger(v->scale.size, fabs(w.path.distance));
   ph_check_done(v, PH_CHECK_SAMPLE);
   if (!is_whole(v, of)) {
     return;

@@ -363,6 +363,25 @@ echo '{"points":[[1,0,0],[0.95,0.312,0],[0.796,0.605,0],[0.26,0.965,0],
 made sphere --offset=0 --sample=16 <circle
 verified 'a sphere, standing still within a segment' 1 --problems=circle
 
+# what is between nearly antipodal control points is rounded as often as the
+# great circle there turns with them
+cat >wide <<'EOF'
+{"points":[[-0.98414231,0.1288660343445101,0.12189118],
+[-0.9841423091404403,0.12886603431444643,0.12189118327340183],
+[-0.598506,-0.6311515811879611,-0.493394],
+[0.5853458109604333,0.6427586424081055,0.494198],
+[0.585346,0.6427586424081535,0.49419794536275324],
+[0.5853458109602807,0.6427586424084802,0.49419794536244177]],"closed":true,
+"tension":[0.0167,59.07174198779707,1.82,97.48504967626302,0.0241,0.88]}
+EOF
+made sphere --offset=-1.1734098997738285 --chord-error=0.031 <wide
+verified 'a sphere, nearly antipodal control points' 1 --problems=wide
+
+# lengths of an offset are rounded as its points are, that are far away
+echo '{"points":[[0,0,0],[0,3e-102,1e-102]],"angles":[[-1.1,-1.9]]}' >tiny
+made spatial-hermite --offset=2 --chord-error=0.06 <tiny
+verified 'an offset much farther than the curve is long' 1 --problems=tiny
+
 # offsets whose distance and the size of the curve have a ratio without a square
 for ratio in '-300 5e-1' '-200 1e+100' '-300 1e-160' '+100 1e-200' '-1 1e+300'; do
   size=${ratio% *}
