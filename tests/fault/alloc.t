@@ -25,7 +25,7 @@ also() {
 # for want of memory, which makes a status of 0 one of 1.  It is asked thousands
 # of times: processes are few.
 judge() {
-  why= said= short=
+  why='' said='' short=''
   while read -r line || [ -n "$line" ]; do
     said="$said$line "
   done <err
