@@ -7,6 +7,8 @@
 # A problem of tests/vectors/offset-trim.ndjson brings what is known in `meta':
 #   command, options  what is asked for
 #   data              a file of points in place of the problem's, or its reverse
+#   track             such a file of the folder PH_TRACKS: the center lines of
+#                     github.com/TUMFTM/racetrack-database, which is not ours
 #   loops             numbers of closed loops that are right
 #   open              of open ones
 #   area, length      sums over all loops, and by how much they may differ
@@ -38,12 +40,19 @@ while read -r line; do
   printf '%s\n' "$line" >in.json
   case=$(told name)
   data=$(told data)
+  track=$(told track)
+  if [ -n "$track" ] && [ ! -r "${PH_TRACKS:-/none}/$track" ]; then
+    echo "skip $case: no $track in PH_TRACKS"
+    continue
+  fi
   set -- "$(told command)" -q --offset-mode=trimmed
   for option in $(told options); do
     set -- "$@" "$option"
   done
-  if [ -n "$data" ]; then
-    grep -v '^[#x]' "$srcdir/${data%% *}" | awk -v back="${data##* }" '
+  file=${track:+$PH_TRACKS/$track}
+  file=${file:-${data:+$srcdir/${data%% *}}}
+  if [ -n "$file" ]; then
+    grep -v '^[#x]' "$file" | cut -d, -f1,2 | awk -v back="${data##* }" '
       { row[NR] = $0 }
       END {
         for (i = 1; i <= NR; i++)
