@@ -5,10 +5,13 @@
 #include "kernel/degree.h"
 #include "check/checks.h"
 
-/* A joint is at a datum, where others are possible, within this of the size. */
+/* A joint is at a datum, where others are possible, within this of the size,
+ * unless others are nearer before the curve is as far away again as this. */
 static const double AT_DATUM = 1e-9;
+static const double AWAY_AGAIN = 1e-6;
 
-/* A last point that repeats the first one, in units of rounding. */
+/* A last point that repeats the first one, in units of rounding; and a joint
+ * than which none is nearer. */
 enum { ROUND_REPEATED = 64 };
 
 /* ---- which data ---------------------------------------------------------- */
@@ -108,9 +111,32 @@ static bool is_equal(const struct ph_check *v) {
   return v->promise->intervals && v->intervals_n == 0;
 }
 
+/* The segment, from one to another, whose end is at a datum; the other one if
+ * there is none. */
+static size_t ends_at(const struct ph_check *v, size_t from, size_t to,
+                      ph_vec3 datum) {
+  const double same = ROUND_REPEATED * v->scale.rounding;
+  size_t at = from;
+  double nearest = end_away(v, at, datum), away;
+  while (at < to && !(nearest <= AT_DATUM * v->scale.size)) {
+    nearest = end_away(v, ++at, datum);
+  }
+  for (size_t k = at + 1; k <= to && nearest > same; k++) {
+    away = end_away(v, k, datum);
+    if (!(away <= AWAY_AGAIN * v->scale.size)) {
+      break;
+    }
+    if (away < nearest) {
+      nearest = away;
+      at = k;
+    }
+  }
+  return at;
+}
+
 /* The segments of each interval.  Those of a Bezier curve in place of another
- * are cut: an interval ends with the first that ends at its datum, and the next
- * one no nearer to it, or, where none does, so that all others have one. */
+ * are cut: an interval ends with that which ends at its datum, or, where none
+ * does, so that all others have one. */
 static void set_segments(const struct ph_check *v, struct ph_check_data *data) {
   const struct ph_curve *c = v->curve;
   size_t next = 0;
@@ -125,11 +151,7 @@ static void set_segments(const struct ph_check *v, struct ph_check_data *data) {
     } else if (c->n > data->n) {
       double off;
       ph_vec3 datum = ph_check_datum(v, data, i + 1, &off);
-      while (last < most &&
-             !(end_away(v, last, datum) <= AT_DATUM * v->scale.size &&
-               end_away(v, last, datum) <= end_away(v, last + 1, datum))) {
-        last++;
-      }
+      last = ends_at(v, next, most, datum);
     }
     data->first[i] = next;
     data->last[i] = last;

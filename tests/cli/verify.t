@@ -382,6 +382,14 @@ echo '{"points":[[0,0,0],[0,3e-102,1e-102]],"angles":[[-1.1,-1.9]]}' >tiny
 made spatial-hermite --offset=2 --chord-error=0.06 <tiny
 verified 'an offset much farther than the curve is long' 1 --problems=tiny
 
+# data nearer to one another than pieces of the curve are to them
+echo '{"points":[[0,0,0],[-8.3694e-193,-3.1797e-193,-8.0807e-193],
+[-8.3694e-193,-3.1797e-193,-8.08071e-193],[0,0,0]],"basis":"atph",
+"alpha":[1,1,2],"derivatives":[[0,0,1e-188],[0,0,-5e-198],[0,0,1e-197],
+[0,0,-9e-193]]}' >near
+made spatial-hermite --convert=bezier <near
+verified 'Bezier curves of data that are near' 1 --problems=near
+
 # offsets whose distance and the size of the curve have a ratio without a square
 for ratio in '-300 5e-1' '-200 1e+100' '-300 1e-160' '+100 1e-200' '-1 1e+300'; do
   size=${ratio% *}
