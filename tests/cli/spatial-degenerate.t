@@ -231,3 +231,15 @@ for more in '--criterion=cc' '--criterion=hc' '--criterion=bv' \
       out.numbers
   done
 done
+
+# Tangents almost parallel and equally long: which of two curves in the plane is
+# nearer to them is told from both ends alike.
+echo '{"points":[[0,0,0],[0.5762,-0.21853,0]],"criterion":"hc",
+"tangents":[[0.93,-0.36,0],[0.935,-0.354577,0]]}' >in
+run spatial-hermite -q in
+jq -c '.segments[0].control_points[]' out >ahead
+echo '{"points":[[0.5762,-0.21853,0],[0,0,0]],"criterion":"hc",
+"tangents":[[-0.935,0.354577,0],[-0.93,0.36,0]]}' >in
+run spatial-hermite -q in
+jq -c '.segments[0].control_points | reverse | .[]' out >back
+numbers 'almost symmetric data, from the other end' 1e-14 ahead back

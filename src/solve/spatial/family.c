@@ -249,19 +249,26 @@ static inline bool is_plane_b(const struct ph_spatial_family *f, ph_cplx b) {
  * d is in the direction of ti turned twice.  They are nearest to A0 or n A0, or
  * to their opposites, and one of them is nearest to A0 + A2, or where this does
  * not tell, to A0, to A2: the direction of A0 + A2 may be rounding of the data.
+ * Directions uncertain by e turn A0, A2 and D, so that the product of D with
+ * one of them changes by e times that with what is at right angles to it, and
+ * by squares.
  */
 static ph_quat plane_d(const struct ph_spatial_family *f, ph_cplx b, ph_quat a0,
                        ph_quat a2) {
   ph_vec3 d = ph_spatial_d(f, b);
-  double size = ph_vec3_abs(d), unclear = NO_PHASE + f->flatness / f->h;
+  double size = ph_vec3_abs(d), turned = f->flatness / f->h, unclear;
+  const ph_quat n = ph_quat_pure(f->normal);
   bool ahead = d.x * f->c - d.y * f->s >= 0;
   ph_quat to[3] = {ph_quat_add(a0, a2), a0, a2}, nearest = {0, 0, 0, 0};
-  if (!(size > f->vanishing) ||
-      !nearest_point(ahead ? a0 : ph_quat_mul(ph_quat_pure(f->normal), a0),
-                     f->ni, d, size, &nearest)) {
+  if (!(size > f->vanishing) || !nearest_point(ahead ? a0 : ph_quat_mul(n, a0),
+                                               f->ni, d, size, &nearest)) {
     return nearest;
   }
-  unclear *= sqrt(size) * (f->root[0] + f->root[1]);
+  unclear = (NO_PHASE + turned * turned) * (f->root[0] + f->root[1]);
+  unclear += turned * sqrt(ph_quat_dot(to[0], to[0]));
+  unclear *= sqrt(size);
+  unclear += turned * (fabs(ph_quat_dot(nearest, ph_quat_mul(n, a0))) +
+                       fabs(ph_quat_dot(nearest, ph_quat_mul(n, a2))));
   for (size_t i = 0; i < 3; i++) {
     double side = ph_quat_dot(nearest, to[i]);
     if (fabs(side) > unclear) {
