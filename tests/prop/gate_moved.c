@@ -23,12 +23,17 @@ enum { SHAKES = 4, ROUNDINGS = 8 };
 /* Symmetric data have two curves that are as good, mirrored or reversed: the
  * solver takes the same one each time, so that rounding of the data shows
  * nothing.  Nor does it where convergence is a matter of luck.  Where data
- * shaken by this part of their size make a length jump by that part, or have
- * another outcome, or lengths that are farther than a small part from the
- * solution and nearer to that of the moved data, in one of so many trials,
- * nothing is compared. */
+ * shaken by this part of their size make a length jump, or have another
+ * outcome, or lengths that are much nearer to those of the moved data than to
+ * the solution, in one of so many trials, nothing is compared.  Lengths that
+ * differ little are shaken by less than that, by a small part of their
+ * difference. */
 enum { TIES = 8 };
-static const double TIED = 1e-6, JUMP = 1e-3, STEP = 2e-5;
+static const double TIED = 1e-6, JUMP = 1e-3, NEARER = 0.25, LESS = 0.01;
+
+/* Which of two curves in a plane is nearer to its tangents is not told by data
+ * that leave the plane by as much; so much more tells it. */
+static const double OUTSIDE = 4;
 
 /* Scales beyond which rounding of small numbers may be another. */
 static const double HIGH = 1e100, LOW = 1e-100;
@@ -196,22 +201,33 @@ static double change_of(const struct gate_outcome *a,
   return change;
 }
 
+/* By which part of their size data are shaken. */
+static double tied_within(const struct gate_case *c, double difference) {
+  const struct ph_value *planarity = &c->problem.field[PH_F_PLANARITY];
+  double part = fmin(TIED, LESS * difference);
+  double outside =
+      planarity->kind == PH_NUMBER ? planarity->number : PH_PLANARITY;
+  bool space = strcmp(gate_schema(c)->command, "spatial-hermite") == 0;
+  return space ? fmax(part, OUTSIDE * outside) : part;
+}
+
 /* Whether there is another solution, or none, beside the data. */
 static bool is_tied(struct gate_lab *lab, const struct gate_case *c,
                     const struct gate_outcome *plain,
                     const struct gate_outcome *moved, enum motion motion) {
   static _Thread_local struct gate_case shaken;
   struct unit_random r = unit_random_of(2);
+  double difference = change_of(plain, moved, motion) / plain->length;
+  double part = tied_within(c, difference);
   struct gate_outcome there;
   for (int i = 0; i < TIES; i++) {
     double change;
     gate_copy(&shaken, c);
-    shake(&shaken, &r, TIED);
+    shake(&shaken, &r, part);
     gate_run(lab, &shaken, GATE_MEASURED, &there);
     change = change_of(plain, &there, MOTION_N);
     if (!(change <= JUMP * plain->length) ||
-        (change > STEP * plain->length &&
-         change_of(&there, moved, motion) < change)) {
+        change_of(&there, moved, motion) < NEARER * change) {
       return true;
     }
   }

@@ -7,7 +7,8 @@
  * The seed is 1, or PH_SEED.  `make check-long' takes many, PH_TRIALS=N in
  * PH_JOBS threads, and tells while it goes what became of them, by commands,
  * fields and options.  PH_FROM=I begins at problem I, to go on with a run that
- * ended; PH_TRIAL=I takes problem I alone, and prints it.
+ * ended; PH_TRIAL=I takes problem I alone, and prints it
+ * as it is, and smaller where it is wrong.
  */
 #include "gate.h"
 #include "unit.h"
@@ -202,7 +203,8 @@ static void trial(struct gate *gate, struct gate_lab *lab, size_t which) {
            : outcome.fate == GATE_REFUSED ? ph_status_code(outcome.code)
                                           : "solved",
            seconds);
-  } else if (new) {
+  }
+  if (new) {
     explain(lab, &c, &outcome, which);
   } else if (outcome.fate == GATE_WRONG) { /* as one before, or not */
     printf("PH_SEED=%lu, problem %zu: %s\n", unit_seed(), which, outcome.way);
