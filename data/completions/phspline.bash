@@ -25,7 +25,7 @@ _phspline() {
     --solutions | --solutions=) list='good all' ;;
     --minimize | --minimize=) list='E MV IES IMV' ;;
     --free | --free=) list='each scale' ;;
-    -i | --input-format | --input-format=) list='auto json csv text' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -77,7 +77,7 @@ _phspline() {
     --tension | --tension=) kind=nothing ;;
     --shape=) list='true false' ;;
     --planarity | --planarity=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -130,7 +130,7 @@ _phspline() {
     --starts | --starts=) kind=nothing ;;
     --all_minima=) list='true false' ;;
     --start | --start=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -184,7 +184,7 @@ _phspline() {
     --increase | --increase=) list='minimal' ;;
     --criterion | --criterion=) list='geodesic legacy' ;;
     --epsilon | --epsilon=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -241,7 +241,7 @@ _phspline() {
     --tolerance | --tolerance=) kind=nothing ;;
     --pieces | --pieces=) kind=nothing ;;
     --blaschke=) list='true false' ;;
-    -i | --input-format | --input-format=) list='auto json csv text' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -295,7 +295,7 @@ _phspline() {
     --height | --height=) kind=nothing ;;
     --flat | --flat=) kind=nothing ;;
     --merge | --merge=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -334,7 +334,7 @@ _phspline() {
     --continuity | --continuity=) kind=nothing ;;
     --degree | --degree=) list='auto' ;;
     --tolerance | --tolerance=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path obj' ;;
@@ -359,7 +359,7 @@ _phspline() {
   *,verify)
     case $option in
     --problems | --problems=) kind=files ;;
-    -i | --input-format | --input-format=) list='auto json csv text' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;

@@ -35,14 +35,14 @@
 #define PH_OPTIONS(X)                                                          \
   X(INPUT_FORMAT, SOLVE, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS),      \
     "what the input is; auto (default): by the suffix of the file (.json "     \
-    ".ndjson .jsonl .csv .tsv), else by its first character; text: numbers "   \
-    "between blanks")                                                          \
+    ".ndjson .jsonl .geojson .csv .tsv), else by how it begins; text: "        \
+    "numbers between blanks")                                                  \
   X(PROBLEMS, VERIFY, 0, "problems", "FILE",                                   \
     "the problems that the results solve, to check these as well: the same "   \
     "id, or else the same order")                                              \
   X(PROBLEMS_FORMAT, VERIFY, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS),  \
     "what the file of problems is; auto (default): by its suffix, else by "    \
-    "its first character")                                                     \
+    "how it begins")                                                           \
   X(COLUMNS, ALL, 0, "columns", "NAME,...",                                    \
     "what the columns of CSV input are, in order (-: skip), or by their "      \
     "names in the header, NAME=HEADER,...")                                    \

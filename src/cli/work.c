@@ -213,8 +213,8 @@ static enum ph_status solve(struct task *t) {
   const struct ph_command *command = t->options->command;
   struct ph_worker *worker = t->worker;
   enum ph_status status = t->item->record.status;
-  if (status == PH_E_LIMIT && t->item->record.n > 0 &&
-      read_problem(t) == PH_E_NO_MEMORY) { /* its id */
+  if ((status == PH_E_LIMIT || t->item->record.named) &&
+      t->item->record.n > 0 && read_problem(t) == PH_E_NO_MEMORY) { /* its id */
     return PH_E_NO_MEMORY;
   }
   if (status != PH_OK) {

@@ -467,6 +467,10 @@ enum ph_json_state ph_json_scan(struct ph_json_scan *scan, const char *text,
   return (enum ph_json_state)state;
 }
 
+struct ph_json_scan ph_json_scan_rest(void) {
+  return (struct ph_json_scan){.objects = 1, .depth = 1, .expect = NEXT};
+}
+
 enum ph_json_state ph_json_unexpected(struct ph_json_scan *scan,
                                       const char *expected, const char *text,
                                       size_t n, bool last) {

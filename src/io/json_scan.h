@@ -50,6 +50,10 @@ struct ph_json_scan {
 enum ph_json_state ph_json_scan(struct ph_json_scan *scan, const char *text,
                                 size_t n, bool last);
 
+/* ph_json_scan_rest: the beginning of the scan of the rest of an object, behind
+ * the value of a member: the closing brace, or a comma and other members. */
+struct ph_json_scan ph_json_scan_rest(void);
+
 /*
  * ph_json_unexpected: the failure of a text that goes on with a wrong byte at
  * offset scan->at, which must be less than n.

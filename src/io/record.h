@@ -11,6 +11,7 @@
 #include "base/diag.h"
 #include "curve/problem.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* The meaning of the columns of one CSV file (io/csv_in.h). */
@@ -24,6 +25,7 @@ struct ph_record {
   size_t number;    /* 1, 2, ... in the whole stream */
   const struct ph_csv_columns *columns; /* CSV; NULL: the text is JSON */
   enum ph_status status; /* not PH_OK: broken text, diag says why */
+  bool named;            /* ... but the text is an object with the id */
 };
 
 /* The members of a record that are echoed into its result: JSON texts without

@@ -248,15 +248,17 @@ static enum ph_split_state open_next(struct ph_split *split,
     return fail(split, "open", diag);
   }
   split->end_of_file = false;
-  split->lines_suffix = has_suffix(name, ".ndjson|.jsonl");
+  split->lines_suffix = has_suffix(name, ".ndjson|.jsonl|.geojsonl");
   split->delimiter = split->options.delimiter ? split->options.delimiter
                      : split->options.format == PH_SPLIT_TEXT ? PH_CSV_WORDS
                      : has_suffix(name, ".tsv")               ? '\t'
                                                               : PH_CSV_ANY;
   split->format = split->options.format != PH_SPLIT_AUTO ? split->options.format
                   : has_suffix(name, ".json|.ndjson|.jsonl") ? PH_SPLIT_JSON
-                  : has_suffix(name, ".csv|.tsv")            ? PH_SPLIT_CSV
-                                                             : PH_SPLIT_AUTO;
+                  : has_suffix(name, ".geojson|.geojsonl|.geojsons")
+                      ? PH_SPLIT_GEOJSON
+                  : has_suffix(name, ".csv|.tsv") ? PH_SPLIT_CSV
+                                                  : PH_SPLIT_AUTO;
   split->guessed = split->format == PH_SPLIT_AUTO;
   split->begun = false;
   split->blanks = 0;
@@ -266,6 +268,10 @@ static enum ph_split_state open_next(struct ph_split *split,
   split->json = (struct ph_split_json){.line_start = true, .lines = true};
   ph_buf_clear(&split->csv.id, 0);
   split->csv = (struct ph_split_csv){.row = 0};
+  ph_buf_clear(&split->geojson.problem, 0);
+  split->geojson =
+      (struct ph_split_geojson){.told = split->format != PH_SPLIT_JSON ||
+                                        split->options.format == PH_SPLIT_JSON};
   return PH_SPLIT_RECORD;
 }
 
@@ -306,7 +312,8 @@ static enum ph_split_state detect(struct ph_split *split, bool may_wait,
     enum ph_split_state state;
     if (first < end) {
       split->format =
-          *first == '{' || *first == '[' ? PH_SPLIT_JSON : PH_SPLIT_CSV;
+          memchr("{[\x1e", *first, 3) ? PH_SPLIT_JSON : PH_SPLIT_CSV;
+      split->geojson.told = split->format != PH_SPLIT_JSON;
     }
     while (line > p + split->blanks && line[-1] != '\n') {
       line--;
@@ -377,18 +384,29 @@ static enum ph_split_state next_in_file(struct ph_split *split, bool may_wait,
   if (state == PH_SPLIT_RECORD) {
     state = detect(split, may_wait, diag);
   }
+  if (state == PH_SPLIT_RECORD && !split->geojson.told) {
+    state = ph_split_tell_geojson(split, may_wait, diag);
+  }
   if (state != PH_SPLIT_RECORD) {
     return state;
   }
-  return split->format == PH_SPLIT_JSON
-             ? ph_split_json(split, may_wait, record, diag)
-             : ph_split_csv(split, may_wait, record, diag);
+  switch (split->format) {
+  case PH_SPLIT_JSON:
+    return ph_split_json(split, may_wait, record, diag);
+  case PH_SPLIT_GEOJSON:
+    return ph_split_geojson(split, may_wait, record, diag);
+  default:
+    return ph_split_csv(split, may_wait, record, diag);
+  }
 }
 
 enum ph_split_state ph_split_next(struct ph_split *split, bool may_wait,
                                   struct ph_record *record,
                                   struct ph_diag *diag) {
   size_t last_record = split->done;
+  if (split->geojson.text.more) {
+    return ph_split_geojson_line(split, record, diag);
+  }
   ph_split_drop(split, split->done);
   split->done = 0;
   shrink(split, last_record);
@@ -421,6 +439,7 @@ void ph_split_free(struct ph_split *split) {
     ph_free(columns);
   }
   ph_buf_free(&split->csv.id);
+  ph_buf_free(&split->geojson.problem);
   ph_buf_free(&split->over.kept);
   ph_free(split->data);
   split->data = NULL;

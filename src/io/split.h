@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The splitter: a sequence of input files, JSON or CSV, cut into records.
+ * The splitter: a sequence of input files, JSON, CSV or GeoJSON, cut into
+ * records.
  *
  * Memory is proportional to the largest record, or to the largest that there
  * may be, time to the bytes read.  A record is handed out as soon as its last
@@ -16,6 +17,7 @@
 
 #include "base/buf.h"
 #include "io/csv_in.h"
+#include "io/geojson.h"
 #include "io/json_scan.h"
 #include "io/record.h"
 
@@ -27,7 +29,14 @@
   FIRST(AUTO, "auto")              \
   X(JSON, "json")                  \
   X(CSV, "csv")                    \
-  X(TEXT, "text")
+  X(TEXT, "text")                  \
+  X(GEOJSON, "geojson")
+
+/* Before each text of a sequence of GeoJSON (RFC 8142). */
+#define PH_RECORD_SEPARATOR '\x1e'
+
+/* Buffers that are no larger are kept. */
+enum { PH_SPLIT_KEEP = 1 << 20 };
 
 enum ph_split_format {
 #define X(symbol, name) PH_SPLIT_##symbol,
@@ -78,13 +87,32 @@ struct ph_split_over {
 /* How far the JSON of a file is split. */
 struct ph_split_json {
   struct ph_json_scan scan; /* of the value at the start of the window */
-  enum { PH_ARRAY_NONE, PH_ARRAY_BEGUN, PH_ARRAY_VALUE, PH_ARRAY_COMMA } array;
+  enum {
+    PH_ARRAY_NONE,
+    PH_ARRAY_BEGUN,
+    PH_ARRAY_VALUE,
+    PH_ARRAY_COMMA,
+    PH_ARRAY_TAIL /* behind the features of a collection, in its object */
+  } array;
   bool line_start; /* only blanks stand before the window in its line */
   bool broken;     /* the scan has failed */
   bool lines;      /* all values so far stood on lines of their own */
   size_t values;   /* so far in this file */
   size_t line_n;   /* broken: length of the first line; 0: not known yet */
   size_t look;     /* broken: how far the lines are looked through */
+};
+
+/* How far the GeoJSON of a file is split: its texts are split as JSON. */
+struct ph_split_geojson {
+  bool told;                   /* whether the file is GeoJSON */
+  struct ph_geojson_head head; /* of the text at the window */
+  bool whole;                  /* that text is no collection */
+  bool collection;             /* the array is the features of one */
+  bool sequence;               /* the file is one */
+  bool skip;                   /* to its next text */
+  struct ph_geojson text;      /* whose lines are handed out, if it has more */
+  struct ph_record record;     /* that text */
+  struct ph_buf problem;       /* a line as such */
 };
 
 /* How far the CSV of a file is split. */
@@ -132,6 +160,7 @@ struct ph_split {
   bool ended;
   struct ph_split_json json;
   struct ph_split_csv csv;
+  struct ph_split_geojson geojson;
   struct ph_split_over over;
   struct ph_csv_columns *all_columns;
 };
@@ -204,7 +233,7 @@ void ph_split_give_over(struct ph_split *split, size_t taken,
 void ph_split_locate(const struct ph_split *split, size_t offset,
                      struct ph_diag *diag);
 
-/* ph_split_json, ph_split_csv: ph_split_next for the current file, which
+/* ph_split_json, ph_split_csv, ...: ph_split_next for the current file, which
  * PH_SPLIT_END ends; a new file begins with split->json, split->csv zeroed. */
 enum ph_split_state ph_split_json(struct ph_split *split, bool may_wait,
                                   struct ph_record *record,
@@ -212,6 +241,36 @@ enum ph_split_state ph_split_json(struct ph_split *split, bool may_wait,
 enum ph_split_state ph_split_csv(struct ph_split *split, bool may_wait,
                                  struct ph_record *record,
                                  struct ph_diag *diag);
+
+enum ph_split_state ph_split_geojson(struct ph_split *split, bool may_wait,
+                                     struct ph_record *record,
+                                     struct ph_diag *diag);
+
+/* ph_split_geojson_line: the next line of the text that split->geojson has. */
+enum ph_split_state ph_split_geojson_line(struct ph_split *split,
+                                          struct ph_record *record,
+                                          struct ph_diag *diag);
+
+/* ph_split_tell_geojson: finds out whether a file of JSON is GeoJSON, and makes
+ * that its format.  ret  PH_SPLIT_RECORD: it is known; as ph_split_fill */
+enum ph_split_state ph_split_tell_geojson(struct ph_split *split, bool may_wait,
+                                          struct ph_diag *diag);
+
+/* ph_split_collection: whether the text at the window is a FeatureCollection,
+ * of which all is then dropped before its first feature.
+ * out  state  PH_JSON_MORE: more is needed to tell */
+bool ph_split_collection(struct ph_split *split, enum ph_json_state *state);
+
+/* ph_split_pass_tail: drops what follows the features of a collection.
+ * ret  PH_SPLIT_RECORD: all of it; PH_SPLIT_END: it is broken; or as
+ *      ph_split_fill */
+enum ph_split_state ph_split_pass_tail(struct ph_split *split, bool may_wait,
+                                       struct ph_diag *diag);
+
+/* ph_split_pass_text: drops the rest of a broken text of a sequence.
+ * ret  PH_SPLIT_RECORD: it did; or as ph_split_fill */
+enum ph_split_state ph_split_pass_text(struct ph_split *split, bool may_wait,
+                                       struct ph_diag *diag);
 
 /*
  * ph_split_columns: the columns of a list of names.

@@ -22,16 +22,28 @@
 
 #include <string.h>
 
-/* Drops blanks; false when the window is empty after it. */
+/* Drops blanks, and what stands before a text of a sequence; false when the
+ * window is empty after it. */
 static bool skip_blanks(struct ph_split *split) {
-  const char *p = split->data + split->start;
-  size_t n = split->fill - split->start;
-  size_t blanks = n ? (size_t)(ph_json_blanks(p, p + n) - p) : 0;
-  if (blanks > 0) {
-    split->json.line_start |= memchr(p, '\n', blanks) != NULL;
-    ph_split_drop(split, blanks);
+  const bool texts = split->format == PH_SPLIT_GEOJSON &&
+                     split->json.array == PH_ARRAY_NONE &&
+                     split->json.scan.at == 0;
+  bool again = true;
+  while (again) {
+    const char *p = split->data + split->start;
+    size_t n = split->fill - split->start;
+    size_t blanks = n ? (size_t)(ph_json_blanks(p, p + n) - p) : 0;
+    again = texts && blanks < n && p[blanks] == PH_RECORD_SEPARATOR;
+    if (blanks > 0) {
+      split->json.line_start |= memchr(p, '\n', blanks) != NULL;
+      ph_split_drop(split, blanks);
+    }
+    if (again) {
+      ph_split_drop(split, 1);
+      split->json.line_start = split->geojson.sequence = true;
+    }
   }
-  return blanks < n;
+  return split->start < split->fill;
 }
 
 /* ---- broken texts --------------------------------------------------- */
@@ -139,11 +151,31 @@ static enum ph_split_state give_broken(struct ph_split *split, size_t n,
   return PH_SPLIT_RECORD;
 }
 
+/* The next text begins. */
+static void begin_text(struct ph_split *split) {
+  split->json.scan = (struct ph_json_scan){0};
+  split->geojson.head = (struct ph_geojson_head){.at = 0};
+  split->geojson.whole = false;
+}
+
 static enum ph_split_state
 stop(struct ph_split *split, struct ph_record *record, struct ph_diag *diag) {
   split->stopped = true;
   return give_broken(split, split->json.scan.at, 0, &split->json.scan, record,
                      diag);
+}
+
+/* Hands out the broken text of a sequence; reading goes on at its next one. */
+static enum ph_split_state break_text(struct ph_split *split,
+                                      struct ph_record *record,
+                                      struct ph_diag *diag) {
+  struct ph_split_json *json = &split->json;
+  const struct ph_json_scan scan = json->scan;
+  begin_text(split);
+  json->array = PH_ARRAY_NONE;
+  json->broken = false;
+  split->geojson.skip = true;
+  return give_broken(split, scan.at, scan.at, &scan, record, diag);
 }
 
 /* Whether the texts so far count as lines of JSON Lines, whatever follows. */
@@ -154,8 +186,9 @@ static bool are_lines(const struct ph_split *split) {
 }
 
 /* The next text begins a line. */
-static void begin_line(struct ph_split_json *json) {
-  json->scan = (struct ph_json_scan){0};
+static void begin_line(struct ph_split *split) {
+  struct ph_split_json *json = &split->json;
+  begin_text(split);
   json->broken = false;
   json->line_start = true;
   json->line_n = 0;
@@ -165,14 +198,15 @@ static void begin_line(struct ph_split_json *json) {
 /* A value was handed out, which stood on one line or on more. */
 static void finish_value(struct ph_split *split, bool one_line) {
   struct ph_split_json *json = &split->json;
-  if (json->array == PH_ARRAY_NONE) {
+  if (json->array == PH_ARRAY_NONE || json->array == PH_ARRAY_TAIL) {
+    json->array = PH_ARRAY_NONE;
     json->lines &= json->line_start && one_line;
     json->values++;
   } else {
     json->array = PH_ARRAY_COMMA;
   }
   json->line_start = false;
-  json->scan = (struct ph_json_scan){0};
+  begin_text(split);
 }
 
 /* ---- texts that are too long ------------------------------------------ */
@@ -230,7 +264,7 @@ static enum ph_split_state give_over(struct ph_split *split, bool stopped,
     diag->line = over->broken.line;
     diag->column = over->broken.column;
     split->stopped = stopped;
-    begin_line(json);
+    begin_line(split);
     return PH_SPLIT_RECORD;
   }
   finish_value(split, over->one_line);
@@ -328,6 +362,9 @@ static enum ph_split_state broken(struct ph_split *split, bool may_wait,
   struct ph_json_scan line;
   enum ph_split_state state;
   size_t line_n, n;
+  if (split->geojson.sequence) {
+    return break_text(split, record, diag);
+  }
   if (json->array != PH_ARRAY_NONE || !(lines || json->line_start)) {
     return stop(split, record, diag);
   }
@@ -351,7 +388,7 @@ static enum ph_split_state broken(struct ph_split *split, bool may_wait,
   line_n = json->line_n;
   n = scan_line(split);
   line = json->scan;
-  begin_line(json);
+  begin_line(split);
   return give_broken(split, n, line_n, &line, record, diag);
 }
 
@@ -376,6 +413,14 @@ static bool punctuation(struct ph_split *split, enum ph_json_state *state) {
   if (json->scan.at > 0) {
     return false;
   }
+  if (json->array == PH_ARRAY_NONE && *p == '{') {
+    if (!ph_split_collection(split, state)) {
+      return false;
+    }
+    json->array = PH_ARRAY_BEGUN;
+    json->lines = json->line_start = false;
+    return true;
+  }
   if (json->array == PH_ARRAY_NONE && *p == '[') {
     json->array = PH_ARRAY_BEGUN;
     json->lines = false;
@@ -384,6 +429,11 @@ static bool punctuation(struct ph_split *split, enum ph_json_state *state) {
   } else if (*p == ']' &&
              (json->array == PH_ARRAY_COMMA || json->array == PH_ARRAY_BEGUN)) {
     json->array = PH_ARRAY_NONE;
+    if (split->geojson.collection) {
+      json->array = PH_ARRAY_TAIL;
+      json->scan = ph_json_scan_rest();
+      split->geojson.collection = false;
+    }
   } else if (json->array == PH_ARRAY_COMMA) {
     *state = ph_json_unexpected(&json->scan, "',' or ']'", p,
                                 split->fill - split->start, split->end_of_file);
@@ -403,9 +453,24 @@ at_end(struct ph_split *split, struct ph_record *record, struct ph_diag *diag) {
   if (split->json.array == PH_ARRAY_NONE) {
     return PH_SPLIT_END;
   }
+
   memcpy(scan->message, "the text ends inside an array",
          sizeof "the text ends inside an array");
   return stop(split, record, diag);
+}
+
+/* The rest of a collection; ret  PH_SPLIT_RECORD: go on; or as ph_split_fill */
+static enum ph_split_state pass_tail(struct ph_split *split, bool may_wait,
+                                     struct ph_diag *diag) {
+  enum ph_split_state state = ph_split_pass_tail(split, may_wait, diag);
+  if (state == PH_SPLIT_END) {
+    split->json.broken = true;
+    return PH_SPLIT_RECORD;
+  }
+  if (state == PH_SPLIT_RECORD) {
+    finish_value(split, false);
+  }
+  return state;
 }
 
 enum ph_split_state ph_split_json(struct ph_split *split, bool may_wait,
@@ -414,7 +479,14 @@ enum ph_split_state ph_split_json(struct ph_split *split, bool may_wait,
   struct ph_split_json *json = &split->json;
   for (;;) {
     enum ph_json_state state = PH_JSON_MORE;
-    enum ph_split_state filled;
+    enum ph_split_state filled = ph_split_pass_text(split, may_wait, diag);
+    if (filled == PH_SPLIT_RECORD && json->array == PH_ARRAY_TAIL &&
+        !json->broken) {
+      filled = pass_tail(split, may_wait, diag);
+    }
+    if (filled != PH_SPLIT_RECORD) {
+      return filled;
+    }
     if (split->over.on) {
       return pass_over(split, may_wait, record, diag);
     }

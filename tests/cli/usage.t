@@ -56,11 +56,11 @@ usage "option '--quiet' takes no value" --quiet=
 usage "option '--help' takes no value" --help=planar
 usage "unknown option '--quie'; did you mean \"quiet\"?" --quie=
 
-usage "--input-format must be auto|json|csv|text, found 'xml'" --input-format=xml
-usage "--input-format must be auto|json|csv|text, found 'jsn'; \
+usage "--input-format must be auto|json|csv|text|geojson, found 'xml'" --input-format=xml
+usage "--input-format must be auto|json|csv|text|geojson, found 'jsn'; \
 did you mean \"json\"?" -i jsn
-usage "--input-format must be auto|json|csv|text, found ''" -i ''
-usage "--input-format must be auto|json|csv|text, found 'CSV'; \
+usage "--input-format must be auto|json|csv|text|geojson, found ''" -i ''
+usage "--input-format must be auto|json|csv|text|geojson, found 'CSV'; \
 did you mean \"csv\"?" -i CSV
 usage "--format must be json|csv|text|svg-path|obj, found 'svg'; did you mean \"csv\"?" -f svg
 usage "--format must be json|csv|text|svg-path|obj, found 'json|csv'" --format='json|csv'

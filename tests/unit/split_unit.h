@@ -5,8 +5,9 @@
  *
  * A transcript is what a stream gives, one line a record:
  *   NUMBER LINE TEXT              a good record (\n in it as $)
- *   NUMBER LINE code L:C MESSAGE  a broken one, and where; of one that is too
- *                                 long, also what was kept
+ *   NUMBER LINE code L:C MESSAGE  a broken one, and where, with its field if it
+ *                                 has one; of one that is too long, also what
+ *                                 was kept
  * and at the end "stopped", "end" or "failed: MESSAGE".
  */
 #ifndef PH_TESTS_SPLIT_UNIT_H
@@ -92,10 +93,11 @@ static inline void note_record(const struct ph_record *record,
     note(record->text, record->n);
   } else {
     ck_assert_int_eq(diag->status, record->status);
-    ck_assert_str_eq(diag->field, "");
     ph_buf_puts(&transcript, ph_status_code(record->status));
     ph_buf_puts(&transcript, " ");
     note_place(diag->line, diag->column);
+    ph_buf_puts(&transcript, diag->field);
+    ph_buf_puts(&transcript, *diag->field ? ": " : "");
     ph_buf_puts(&transcript, diag->message);
   }
   if (record->status == PH_E_LIMIT) {

@@ -274,9 +274,16 @@ static const char csv_comment[] = "# x_m,y_m\n0,1\n2,3\n\n4,5\n";
 static const char csv_bad[] = "0\t1\t2\n3,4\n";
 static const char json_blanks[] = " \n\n \t{\"points\":[[0,0]]}\n \n[]";
 static const char csv_blanks[] = "\n \n 0,1\n";
+static const char geojson[] =
+    "{\"type\":\"FeatureCollection\",\"a\":[1],\"features\":[\n{\"type\":"
+    "\"Feature\",\"id\":1,\"geometry\":{\"type\":\"Polygon\",\"coordinates\":"
+    "[[[0,1]],[[2,3]]]}}],\"b\":{}}";
+static const char geojson_texts[] =
+    "\x1e{\"type\":\"MultiPoint\",\"coordinates\":[[0,1,\n2]]}\n"
+    "\x1e{\"type\":\"Feature\",\"geometry\":null}\n\x1e[1]\n";
 static const char *const documents[] = {json_lines,  json_array, csv_ids,
                                         csv_comment, csv_bad,    json_blanks,
-                                        csv_blanks};
+                                        csv_blanks,  geojson,    geojson_texts};
 
 /* Some of these documents' records are longer. */
 static const struct ph_split_options short_records = {.format = PH_SPLIT_AUTO,
