@@ -262,19 +262,42 @@ static void check_loop(struct context *c, const struct ph_loop *loop,
   }
 }
 
-/* To which side pieces along the curve are: both are there only if some go
- * against it. */
-static double side_of(const struct context *c) {
+/* To which side a piece is; 0: it does not say. */
+static double side_of_piece(struct context *c,
+                            const struct ph_loop_piece *piece) {
+  const double *in = piece->interval;
+  struct ph_check_local local;
+  ph_vec3 from;
+  if (!is_sound(c, piece) || piece->segment == PH_NO_SEGMENT) {
+    return piece->angle > 0 ? -c->distance : piece->angle < 0 ? c->distance : 0;
+  }
+  ph_check_load(c->v, piece->segment, &c->segment);
+  c->path.distance = 0;
+  local = ph_check_local_at(&c->path, in[0]);
+  from = ph_vec3_sub(point_of(c, piece, 0), local.point);
+  return copysign(c->distance,
+                  (in[1] - in[0]) * ph_vec3_cross(local.tangent, from).z);
+}
+
+/* To which side pieces along the curve are: that of the distance, or where both
+ * sides are asked for, as pieces against it, or the first one, say. */
+static double side_of(struct context *c) {
   const struct ph_loops *loops = &c->o->loops;
+  const double given = copysign(c->distance, c->o->distance);
+  double side = 0;
+  if (loops->sides) {
+    return copysign(c->distance, loops->sides[0].distance);
+  }
   for (size_t i = 0; i < loops->n; i++) {
     for (size_t k = 0; k < loops->v[i].n; k++) {
-      const double *in = loops->v[i].pieces[k].interval;
-      if (in[1] < in[0]) {
+      const struct ph_loop_piece *piece = &loops->v[i].pieces[k];
+      if (piece->interval[1] < piece->interval[0]) {
         return -c->distance;
       }
+      side = fabs(side) > 0 ? side : side_of_piece(c, piece);
     }
   }
-  return copysign(c->distance, c->o->distance);
+  return fabs(side) > 0 ? side : given;
 }
 
 enum ph_status ph_check_loops(struct ph_check *v, const struct ph_offset *o,
@@ -293,7 +316,6 @@ enum ph_status ph_check_loops(struct ph_check *v, const struct ph_offset *o,
     c.slack =
         SLACK * ph_check_scaled(v, loops->trimming.approximation) / c.size;
   }
-  c.side = side_of(&c);
   if (!ph_quad_gauss(&c.rule, NODES)) {
     return ph_fail_memory(v->diag);
   }
@@ -301,6 +323,7 @@ enum ph_status ph_check_loops(struct ph_check *v, const struct ph_offset *o,
     broken(&c);
     return PH_OK;
   }
+  c.side = side_of(&c);
   for (size_t i = 0; i < loops->n; i++) {
     pieces += loops->v[i].n;
   }

@@ -75,6 +75,17 @@ cp out record
 run verify record
 expect 'round ends: verified' 0
 
+# what is left is to the right, though the distance is to the left
+feed '{"tolerance":0.01,"curve":[[[-4,-5],[-5,-5]],[[-5,-5],[0,-9]],
+  [[0,-9],[3,10]],[[3,10],[-3,-7]]]}' tc --offset=7 --offset-mode=trimmed \
+  --offset-ends=round
+expect 'one side of both' 0 ''
+equal 'one side of both: all along the curve' 0 \
+  "$(grep -o '"interval":\[[0-9.]*,0\],"control' out | wc -l | tr -d ' ')"
+cp out record
+run verify record
+expect 'one side of both: verified' 0
+
 # ---- warnings ------------------------------------------------------------------
 
 warning='phspline: -:1: record 1: warning:'
