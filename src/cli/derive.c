@@ -11,7 +11,8 @@
 
 #include <stdio.h>
 
-/* Default tolerance of paths of drawings, relative to the size of the curve. */
+/* Default tolerance of paths of drawings, and default chord error of formats of
+ * samples, relative to the size of the curve. */
 static const double TOLERANCE_PATH = 1e-6;
 
 /* Steps of each strip of a mesh, where --sample does not say it. */
@@ -120,6 +121,20 @@ static enum ph_status prepare_loops(const struct ph_curve *curve,
   return status;
 }
 
+/* The samples that are asked for, or that the format has anyway. */
+static struct ph_sample_rules sample_rules(const struct ph_options *o,
+                                           const struct ph_curve *curve) {
+  struct ph_sample_rules rules = o->samples;
+  if (ph_formats[o->format].is_cubics) {
+    rules.how = PH_SAMPLE_NONE;
+  }
+  if (ph_formats[o->format].is_lines && rules.how == PH_SAMPLE_NONE) {
+    rules.how = PH_SAMPLE_CHORD;
+    rules.chord_error = TOLERANCE_PATH * ph_curve_size(curve);
+  }
+  return rules;
+}
+
 static enum ph_status derive_offsets(const struct ph_options *o,
                                      double tolerance, struct ph_arena *arena,
                                      struct ph_result *r,
@@ -130,10 +145,7 @@ static enum ph_status derive_offsets(const struct ph_options *o,
   const size_t n = o->offsets_n * each;
   enum ph_status status = PH_OK;
   rules.tolerance = tolerance;
-  rules.samples = o->samples;
-  if (ph_formats[o->format].is_cubics) {
-    rules.samples.how = PH_SAMPLE_NONE;
-  }
+  rules.samples = sample_rules(o, &r->curve);
   if (n > 0 && rules.mode != PH_OFFSET_RAW) {
     status = prepare_loops(&r->curve, arena, &rules, diag);
   }
@@ -332,6 +344,7 @@ enum ph_status ph_derive(const struct ph_options *options,
                          struct ph_arena *arena, struct ph_result *result,
                          struct ph_derived *derived, struct ph_diag *diag) {
   const struct ph_options *o = options;
+  struct ph_sample_rules rules;
   enum ph_status status;
   double tolerance;
   derived->exact = result->curve;
@@ -350,9 +363,10 @@ enum ph_status ph_derive(const struct ph_options *options,
   if (status == PH_OK && o->convert) {
     status = convert_all(tolerance, arena, result, diag);
   }
-  if (status == PH_OK && o->samples.how) { /* of the segments in the record */
-    status = ph_sample_curve(&result->curve, &o->samples, arena,
-                             &result->samples, diag);
+  rules = sample_rules(o, &result->curve);
+  if (status == PH_OK && rules.how) { /* of the segments in the record */
+    status =
+        ph_sample_curve(&result->curve, &rules, arena, &result->samples, diag);
   }
   return status;
 }

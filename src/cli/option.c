@@ -270,6 +270,11 @@ static enum ph_status check_printed(struct ph_option_parser *p) {
                    "--format=%s is not of surfaces of patches",
                    ph_format_name(o->format));
   }
+  if ((surface || patches) && ph_formats[o->format].is_lines) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--format=%s is of curves, %s makes surfaces",
+                   ph_format_name(o->format), o->command->schema->command);
+  }
   if (ph_formats[o->format].is_mesh && !surface) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--format=%s is of surfaces, %s makes curves",
@@ -301,10 +306,35 @@ static enum ph_status check_offsets(struct ph_option_parser *p) {
   return PH_OK;
 }
 
+/* Frames of samples. */
+static enum ph_status check_frame(struct ph_option_parser *p) {
+  const struct ph_options *o = p->options;
+  if (o->samples.frame && o->samples.how == PH_SAMPLE_NONE) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--frame needs --sample, --spacing or --chord-error");
+  }
+  if (o->samples.frame && ph_formats[o->format].is_lines) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL, "--format=%s has no frames",
+                   ph_format_name(o->format));
+  }
+  if (o->samples.frame && o->command->method->dimension == 2) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--frame: the curves of %s are in the plane, where the "
+                   "normal is (-ty,tx)",
+                   o->command->schema->command);
+  }
+  if (o->samples.frame == PH_FRAME_ERF && !ph_command_kind(o->command)->erf) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--frame: the curves of %s have no Euler-Rodrigues frame; "
+                   "take rmf or frenet",
+                   o->command->schema->command);
+  }
+  return PH_OK;
+}
+
 /* Options that contradict each other. */
 static enum ph_status check_together(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
-  const struct ph_method *method = o->command->method;
   const struct ph_format_row *format;
   enum ph_status status;
   if (p->table && !p->format) {
@@ -336,21 +366,8 @@ static enum ph_status check_together(struct ph_option_parser *p) {
   if (check_offsets(p) != PH_OK) {
     return PH_E_USAGE;
   }
-  if (o->samples.frame && o->samples.how == PH_SAMPLE_NONE) {
-    return ph_fail(p->diag, PH_E_USAGE, NULL,
-                   "--frame needs --sample, --spacing or --chord-error");
-  }
-  if (o->samples.frame && method->dimension == 2) {
-    return ph_fail(p->diag, PH_E_USAGE, NULL,
-                   "--frame: the curves of %s are in the plane, where the "
-                   "normal is (-ty,tx)",
-                   o->command->schema->command);
-  }
-  if (o->samples.frame == PH_FRAME_ERF && !ph_command_kind(o->command)->erf) {
-    return ph_fail(p->diag, PH_E_USAGE, NULL,
-                   "--frame: the curves of %s have no Euler-Rodrigues frame; "
-                   "take rmf or frenet",
-                   o->command->schema->command);
+  if (check_frame(p) != PH_OK) {
+    return PH_E_USAGE;
   }
   if (o->convert && !ph_command_kind(o->command)->bezier) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,

@@ -48,6 +48,7 @@ struct run {
   struct ph_output picture;     /* of --panorama */
   struct ph_panorama *panorama; /* NULL: no result has one */
   struct ph_progress progress;
+  bool joined; /* some record is written, which the next one is joined to */
   struct ph_buf message;
   enum ph_class class; /* the worst so far */
 
@@ -302,6 +303,14 @@ static void collect_drawings(struct run *r, struct slot *slot, size_t n) {
   }
 }
 
+/* Without what stands between records before the first one. */
+static enum ph_status write_records(struct run *r, const char *bytes, size_t n,
+                                    struct ph_diag *diag) {
+  size_t joint = r->joined || n == 0 ? 0 : ph_formats[r->options->format].joint;
+  r->joined |= n > 0;
+  return ph_output_write(&r->output, bytes + joint, n - joint, diag);
+}
+
 static void write_slot(struct run *r, struct slot *slot) {
   size_t n = count_outcomes(r, slot);
   struct ph_diag diag;
@@ -311,8 +320,8 @@ static void write_slot(struct run *r, struct slot *slot) {
     complain(r, &diag);
     r->stopped = true;
   } else {
-    if (ph_output_write(&r->output, slot->out.data, slot->out_end[n - 1],
-                        &diag) != PH_OK) {
+    if (write_records(r, slot->out.data, slot->out_end[n - 1], &diag) !=
+        PH_OK) {
       complain(r, &diag);
       r->stopped = true;
     }
@@ -461,6 +470,22 @@ static enum ph_status write_header(struct run *r, struct ph_diag *diag) {
   return status;
 }
 
+/* What the format has after all records, also where not all were written. */
+static void write_footer(struct run *r) {
+  const struct ph_format_row *format = &ph_formats[r->options->format];
+  struct ph_buf buf = {0};
+  struct ph_diag diag;
+  if (format->footer && r->class != PH_CLASS_OUTPUT) {
+    format->footer(&buf);
+    if ((buf.failed
+             ? ph_fail_memory(&diag)
+             : ph_output_write(&r->output, buf.data, buf.n, &diag)) != PH_OK) {
+      complain(r, &diag);
+    }
+  }
+  ph_buf_free(&buf);
+}
+
 /* Results are complete: the figure. */
 static void finish_plot(struct run *r) {
   const struct ph_plot *plot = &r->plot;
@@ -552,6 +577,7 @@ int ph_run(const struct ph_options *options) {
       complain(&r, &r.input_failure);
     }
     finish_pairing(&r);
+    write_footer(&r);
     ph_progress_finish(&r.progress);
     conclude(&r);
   } else {

@@ -2,6 +2,7 @@
 /* The table of formats (see format.h). */
 #include "io/format.h"
 
+#include "io/geojson_out.h"
 #include "io/obj_out.h"
 #include "io/svg_out.h"
 
@@ -53,6 +54,18 @@ static void mesh_solved(struct ph_buf *buf, const struct ph_print *print,
   ph_obj_out(buf, s->id, s->number == 1, s->result);
 }
 
+static void lines_header(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_swept *swept, size_t swept_n) {
+  (void)print, (void)swept, (void)swept_n;
+  ph_geojson_header(buf);
+}
+
+static void lines_solved(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_solved *s) {
+  (void)print;
+  ph_geojson_out(buf, s->heading, s->result);
+}
+
 const struct ph_format_row ph_formats[PH_FORMAT_N] = {
     [PH_FORMAT_JSON] = {.is_objects = true,
                         .solved = json_solved,
@@ -67,6 +80,11 @@ const struct ph_format_row ph_formats[PH_FORMAT_N] = {
     [PH_FORMAT_SVG_PATH] = {.is_cubics = true,
                             .solved = path_solved,
                             .failed = path_failed},
+    [PH_FORMAT_GEOJSON] = {.is_lines = true,
+                           .joint = sizeof PH_GEOJSON_JOINT - 1,
+                           .header = lines_header,
+                           .footer = ph_geojson_footer,
+                           .solved = lines_solved},
     [PH_FORMAT_OBJ] = {.is_mesh = true, .solved = mesh_solved},
 };
 

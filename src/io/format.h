@@ -15,6 +15,7 @@
   X(CSV, "csv")              \
   X(TEXT, "text")            \
   X(SVG_PATH, "svg-path")    \
+  X(GEOJSON, "geojson")      \
   X(OBJ, "obj")
 
 enum ph_format {
@@ -53,9 +54,13 @@ struct ph_format_row {
   bool is_text;    /* a table in the second form (csv_out.h) */
   bool is_cubics;  /* has neither samples nor --convert; --chord-error is how
                       near the cubics are to the curve */
+  bool is_lines;   /* of samples of curves, which it has without being asked */
+  size_t joint;    /* bytes before each record that are none before the first */
   /* before all records; NULL: nothing */
   void (*header)(struct ph_buf *buf, const struct ph_print *print,
                  const struct ph_swept *swept, size_t swept_n);
+  /* after all records; NULL: nothing */
+  void (*footer)(struct ph_buf *buf);
   void (*solved)(struct ph_buf *buf, const struct ph_print *print,
                  const struct ph_solved *solved);
   /* NULL: the message on standard error is all; file may be NULL */

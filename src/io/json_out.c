@@ -10,9 +10,8 @@
 #include <math.h>
 #include <string.h>
 
-/* {"FIELD":VALUE,...}, unless it is empty. */
-static void write_fields(struct ph_json_writer *w, const char *name,
-                         const struct ph_swept *fields, size_t n) {
+void ph_json_fields(struct ph_json_writer *w, const char *name,
+                    const struct ph_swept *fields, size_t n) {
   if (n == 0) {
     return;
   }
@@ -32,8 +31,8 @@ void ph_json_heading(struct ph_json_writer *w, const struct ph_heading *heading,
   ph_write_key_string(w, "command", heading->command);
   ph_write_key_string(w, "status", status);
   ph_write_key_raw(w, "meta", echo->meta, echo->meta_n);
-  write_fields(w, "sweep", heading->swept, heading->swept_n);
-  write_fields(w, "set", heading->set, heading->set_n);
+  ph_json_fields(w, "sweep", heading->swept, heading->swept_n);
+  ph_json_fields(w, "set", heading->set, heading->set_n);
 }
 
 /* ---- members by their rows ----------------------------------------------- */

@@ -43,6 +43,10 @@ void ph_json_error(struct ph_buf *buf, const struct ph_heading *heading,
 void ph_json_heading(struct ph_json_writer *w, const struct ph_heading *heading,
                      const char *status);
 
+/* ph_json_fields: a member {"FIELD":VALUE,...}, unless it is empty. */
+void ph_json_fields(struct ph_json_writer *w, const char *name,
+                    const struct ph_swept *fields, size_t n);
+
 /* ph_json_failure: the member "error"; file may be NULL. */
 void ph_json_failure(struct ph_json_writer *w, const struct ph_diag *diag,
                      const char *file);

@@ -1,0 +1,400 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* GeoJSON (see geojson_out.h). */
+#include "io/geojson_out.h"
+
+#include "base/mem.h"
+#include "curve/offset/gap.h"
+
+#include <math.h>
+#include <string.h>
+
+void ph_geojson_header(struct ph_buf *buf) {
+  ph_buf_puts(buf, "{\"type\":\"FeatureCollection\",\"features\":[\n");
+}
+
+void ph_geojson_footer(struct ph_buf *buf) {
+  ph_buf_puts(buf, "\n]}\n");
+}
+
+/* ---- positions --------------------------------------------------------- */
+
+/* A position: its coordinates. */
+struct position {
+  double at[3];
+  size_t n;
+};
+
+static struct position position(const struct ph_samples *s, size_t i) {
+  struct position p = {{0}, s->lonlat ? 2 : s->dimension};
+  memcpy(p.at, s->lonlat ? s->lonlat + 2 * i : s->point + s->dimension * i,
+         p.n * sizeof *p.at);
+  return p;
+}
+
+static bool same(const struct position *a, const struct position *b) {
+  bool same = true;
+  for (size_t i = 0; i < a->n; i++) {
+    same &= !(a->at[i] < b->at[i]) && !(a->at[i] > b->at[i]);
+  }
+  return same;
+}
+
+static void put(struct ph_json_writer *w, const struct position *p) {
+  ph_write_element(w);
+  ph_write_numbers(w, p->at, p->n);
+}
+
+/* ---- lines ------------------------------------------------------------- */
+
+/* Lines through samples, which are cut. */
+struct lines {
+  struct ph_json_writer *w; /* NULL: they are counted */
+  const struct ph_samples *s;
+  const double *center; /* of the sphere */
+  bool several;         /* there are */
+  size_t n;             /* lines */
+  bool begun;           /* the last one */
+  struct position last; /* of it */
+};
+
+static void begin_line(struct lines *l) {
+  if (l->begun && l->w) {
+    ph_write_end(l->w, ']');
+  }
+  if (l->w && l->several) {
+    ph_write_element(l->w);
+  }
+  if (l->w) {
+    ph_write_begin(l->w, '[');
+  }
+  l->begun = false;
+  l->n++;
+}
+
+static void add(struct lines *l, const struct position *p) {
+  if (!l->begun || !same(p, &l->last)) {
+    if (l->w) {
+      put(l->w, p);
+    }
+    l->last = *p;
+    l->begun = true;
+  }
+}
+
+/* The sign of a longitude of 180 degrees is that of what is beside it. */
+static void settle(const struct lines *l, size_t i, struct position *p) {
+  const double beside = l->begun          ? l->last.at[0]
+                        : i + 1 < l->s->n ? l->s->lonlat[2 * (i + 1)]
+                                          : p->at[0];
+  if (!(fabs(p->at[0]) < 180)) {
+    p->at[0] = copysign(180, beside);
+  }
+}
+
+/* Between the samples i - 1 and i the line passes the longitude 180: there the
+ * plane y = 0 meets the chord. */
+static void cross_seam(struct lines *l, size_t i) {
+  const double *a = l->s->point + 3 * (i - 1), *b = a + 3;
+  double p[3], q[3], t;
+  struct position seam = {{copysign(180, l->last.at[0])}, 2};
+  for (size_t k = 0; k < 3; k++) {
+    p[k] = a[k] - l->center[k];
+    q[k] = b[k] - l->center[k];
+  }
+  t = p[1] / (p[1] - q[1]);
+  t = t >= 0 && t <= 1 ? t : 0;
+  seam.at[1] = atan2(p[2] + t * (q[2] - p[2]), fabs(p[0] + t * (q[0] - p[0]))) *
+               (180 / acos(-1));
+  add(l, &seam);
+  begin_line(l);
+  seam.at[0] = -seam.at[0];
+  add(l, &seam);
+}
+
+/* Goes through the samples; `ring`: the last one is the first. */
+static void go(struct lines *l, const struct ph_gaps *gaps, bool ring) {
+  const struct ph_samples *s = l->s;
+  size_t gap = 0;
+  for (size_t i = 0; i < s->n; i++) {
+    struct position p = position(s, ring && i + 1 == s->n ? 0 : i);
+    bool cut = gaps && ph_gaps_pass(gaps, s->segment[i], &gap);
+    if (i == 0 || cut) {
+      begin_line(l);
+    }
+    if (s->lonlat) {
+      settle(l, i, &p);
+      if (l->begun && fabs(p.at[0] - l->last.at[0]) > 180) {
+        cross_seam(l, i);
+      }
+    }
+    add(l, &p);
+  }
+}
+
+static void write_lines(struct ph_json_writer *w, const struct ph_samples *s,
+                        const struct ph_gaps *gaps, const double *center,
+                        bool ring) {
+  struct lines count = {.s = s, .center = center};
+  struct lines lines = {.w = w, .s = s, .center = center};
+  bool several;
+  go(&count, gaps, ring);
+  several = lines.several = count.n > 1;
+  ph_write_key_string(w, "type", several ? "MultiLineString" : "LineString");
+  ph_write_key(w, "coordinates");
+  if (several) {
+    ph_write_begin(w, '[');
+  }
+  go(&lines, gaps, ring);
+  ph_write_end(w, ']');
+  if (several) {
+    ph_write_end(w, ']');
+  }
+}
+
+/* ---- rings ------------------------------------------------------------- */
+
+/* Twice the area of the polygon, positive counter-clockwise. */
+static double area(const struct ph_samples *s) {
+  const double *p = s->point, *first = p;
+  double sum = 0;
+  for (size_t i = 1; i < s->n; i++) {
+    const double *a = p + 2 * (i - 1), *b = p + 2 * i;
+    sum += (a[0] - first[0]) * (b[1] - first[1]) -
+           (a[1] - first[1]) * (b[0] - first[0]);
+  }
+  return sum;
+}
+
+static void write_ring(struct ph_json_writer *w, const struct ph_samples *s,
+                       bool hole) {
+  const bool reversed = (area(s) < 0) != hole;
+  struct position last = {{NAN, NAN}, 2};
+  ph_write_element(w);
+  ph_write_begin(w, '[');
+  for (size_t i = 0; i < s->n; i++) {
+    const size_t at = i + 1 == s->n || i == 0 ? 0 : reversed ? s->n - 1 - i : i;
+    struct position p = position(s, at);
+    if (i == 0 || !same(&p, &last)) {
+      put(w, &p);
+    }
+    last = p;
+  }
+  ph_write_end(w, ']');
+}
+
+/* Whether a point is inside a ring: a ray from it meets the ring an odd number
+ * of times. */
+static bool is_inside(const double *p, const struct ph_samples *s) {
+  bool inside = false;
+  for (size_t i = 1; i < s->n; i++) {
+    const double *a = s->point + 2 * (i - 1), *b = a + 2;
+    if ((a[1] > p[1]) != (b[1] > p[1]) &&
+        p[0] - a[0] < (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
+/* A place of a loop that is hardly one where it touches another. */
+static const double *inner_point(const struct ph_loop *loop) {
+  return loop->samples.point + 2 * (loop->samples.n / 3);
+}
+
+static void bounds(const struct ph_samples *s, double box[4]) {
+  box[0] = box[1] = INFINITY;
+  box[2] = box[3] = -INFINITY;
+  for (size_t i = 0; i < s->n; i++) {
+    for (size_t k = 0; k < 2; k++) {
+      box[k] = fmin(box[k], s->point[2 * i + k]);
+      box[2 + k] = fmax(box[2 + k], s->point[2 * i + k]);
+    }
+  }
+}
+
+/* Where a loop stands. */
+struct nest {
+  size_t depth; /* loops around it */
+  size_t inner; /* the smallest of these */
+};
+
+static void find_nests(const struct ph_loops *loops, struct nest *nest) {
+  memset(nest, 0, loops->n * sizeof *nest);
+  for (size_t j = 0; j < loops->n; j++) {
+    const struct ph_loop *outer = &loops->v[j];
+    double box[4];
+    bounds(&outer->samples, box);
+    for (size_t i = 0; i < loops->n; i++) {
+      const double *p = inner_point(&loops->v[i]);
+      if (fabs(loops->v[i].area) < fabs(outer->area) && p[0] >= box[0] &&
+          p[1] >= box[1] && p[0] <= box[2] && p[1] <= box[3] &&
+          is_inside(p, &outer->samples)) {
+        nest[i].inner =
+            nest[i].depth == 0 ||
+                    fabs(outer->area) < fabs(loops->v[nest[i].inner].area)
+                ? j
+                : nest[i].inner;
+        nest[i].depth++;
+      }
+    }
+  }
+}
+
+/* A polygon: an outer ring with the holes in it. */
+static void write_polygon(struct ph_json_writer *w,
+                          const struct ph_loops *loops, const struct nest *nest,
+                          size_t outer) {
+  ph_write_begin(w, '[');
+  write_ring(w, &loops->v[outer].samples, false);
+  for (size_t i = 0; i < loops->n; i++) {
+    if (nest[i].depth % 2 == 1 && nest[i].inner == outer) {
+      write_ring(w, &loops->v[i].samples, true);
+    }
+  }
+  ph_write_end(w, ']');
+}
+
+/* Closed loops. */
+static void write_polygons(struct ph_json_writer *w,
+                           const struct ph_loops *loops) {
+  struct nest *nest = ph_malloc(loops->n * sizeof *nest);
+  size_t outer = 0;
+  if (!nest) {
+    w->buf->failed = true;
+    return;
+  }
+  find_nests(loops, nest);
+  for (size_t i = 0; i < loops->n; i++) {
+    outer += nest[i].depth % 2 == 0;
+  }
+  ph_write_key_string(w, "type", outer > 1 ? "MultiPolygon" : "Polygon");
+  ph_write_key(w, "coordinates");
+  if (outer > 1) {
+    ph_write_begin(w, '[');
+  }
+  for (size_t i = 0; i < loops->n; i++) {
+    if (nest[i].depth % 2 == 0) {
+      if (outer > 1) {
+        ph_write_element(w);
+      }
+      write_polygon(w, loops, nest, i);
+    }
+  }
+  if (outer > 1) {
+    ph_write_end(w, ']');
+  }
+  ph_free(nest);
+}
+
+/* Loops of which one is open. */
+static void write_open(struct ph_json_writer *w, const struct ph_loops *loops) {
+  const bool several = loops->n > 1;
+  ph_write_key_string(w, "type", several ? "MultiLineString" : "LineString");
+  ph_write_key(w, "coordinates");
+  if (several) {
+    ph_write_begin(w, '[');
+  }
+  for (size_t i = 0; i < loops->n; i++) {
+    struct lines lines = {.w = w, .s = &loops->v[i].samples};
+    if (several) {
+      ph_write_element(w);
+    }
+    go(&lines, NULL, loops->v[i].closed);
+    ph_write_end(w, ']');
+  }
+  if (several) {
+    ph_write_end(w, ']');
+  }
+}
+
+static void write_loops(struct ph_json_writer *w,
+                        const struct ph_loops *loops) {
+  bool closed = true;
+  for (size_t i = 0; i < loops->n; i++) {
+    closed &= loops->v[i].closed && loops->v[i].samples.n >= 4;
+  }
+  if (closed) {
+    write_polygons(w, loops);
+  } else {
+    write_open(w, loops);
+  }
+}
+
+/* ---- features ---------------------------------------------------------- */
+
+static void write_curve(struct ph_json_writer *w, const struct ph_result *r) {
+  const struct ph_samples *s = &r->samples;
+  if (r->curve.closed && s->n >= 4 && s->dimension == 2 &&
+      ph_diagnostics_known(&r->diagnostics, PH_D_SIMPLE) &&
+      r->diagnostics.value[PH_D_SIMPLE] > 0) {
+    ph_write_key_string(w, "type", "Polygon");
+    ph_write_key(w, "coordinates");
+    ph_write_begin(w, '[');
+    write_ring(w, s, false);
+    ph_write_end(w, ']');
+  } else {
+    write_lines(w, s, NULL, r->curve.sphere.center, r->curve.closed);
+  }
+}
+
+static void write_offset(struct ph_json_writer *w, const struct ph_result *r,
+                         const struct ph_offset *o) {
+  if (o->loops.mode) {
+    write_loops(w, &o->loops);
+  } else {
+    write_lines(w, &o->samples, &o->gaps, r->curve.sphere.center,
+                r->curve.closed && !ph_gaps_open(&o->gaps));
+  }
+}
+
+/* A curve, or an offset of it. */
+static void write_feature(struct ph_buf *buf, const struct ph_heading *heading,
+                          const struct ph_result *r,
+                          const struct ph_offset *o) {
+  struct ph_json_writer w = {.buf = buf};
+  const struct ph_echo *echo = heading->echo;
+  const double length = o ? o->length : r->curve.length;
+  const bool empty = o && o->loops.mode && o->loops.n == 0;
+  ph_buf_puts(buf, PH_GEOJSON_JOINT);
+  ph_write_begin(&w, '{');
+  ph_write_key_string(&w, "type", "Feature");
+  if (!o && heading->swept_n == 0) {
+    ph_write_key_raw(&w, "id", echo->id, echo->id_n);
+  }
+  ph_write_key(&w, "properties");
+  ph_write_begin(&w, '{');
+  ph_write_key_raw(&w, "id", echo->id, echo->id_n);
+  if (o) {
+    ph_write_key_number(&w, "distance", o->distance);
+  }
+  if (o && o->vector) {
+    ph_write_key_string(&w, "vector", o->vector);
+  }
+  if (isfinite(length)) {
+    ph_write_key_number(&w, "length", length);
+  }
+  ph_json_fields(&w, "sweep", heading->swept, heading->swept_n);
+  ph_write_key_raw(&w, "meta", echo->meta, echo->meta_n);
+  ph_write_end(&w, '}');
+  ph_write_key(&w, "geometry");
+  if (empty) {
+    ph_buf_puts(buf, "null");
+  } else {
+    ph_write_begin(&w, '{');
+    if (o) {
+      write_offset(&w, r, o);
+    } else {
+      write_curve(&w, r);
+    }
+    ph_write_end(&w, '}');
+  }
+  ph_write_end(&w, '}');
+}
+
+void ph_geojson_out(struct ph_buf *buf, const struct ph_heading *heading,
+                    const struct ph_result *result) {
+  write_feature(buf, heading, result, NULL);
+  for (size_t i = 0; i < result->offsets_n; i++) {
+    write_feature(buf, heading, result, &result->offsets[i]);
+  }
+}
