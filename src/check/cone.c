@@ -290,12 +290,22 @@ void ph_check_cone_strips(struct ph_check_cone *cone) {
 
 /* ---- the problem --------------------------------------------------------- */
 
+ph_vec3 ph_check_cone_point(const struct ph_check *v, size_t j) {
+  const struct ph_value *by = &v->problem->field[PH_F_TRANSLATE];
+  const double *p = v->problem->field[PH_F_POINTS].v + 3 * j;
+  double moved[3];
+  for (size_t i = 0; i < 3; i++) {
+    moved[i] = p[i] + (by->n == 3 ? by->v[i] : 0);
+  }
+  return ph_check_vector(v, moved, 3);
+}
+
 /* The frame of contact element j, its point the given one. */
 static struct ph_check_frame element(const struct ph_check_cone *cone,
                                      size_t j) {
   const struct ph_problem *p = cone->v->problem;
   struct ph_check_frame f;
-  f.c = ph_check_vector(cone->v, p->field[PH_F_POINTS].v + 3 * j, 3);
+  f.c = ph_check_cone_point(cone->v, j);
   f.e = ph_check_direction(p->field[PH_F_RULINGS].v + 3 * j, 3);
   f.d = ph_check_direction(p->field[PH_F_TANGENTS].v + 3 * j, 3);
   f.d = ph_vec3_unit(ph_vec3_normal(f.d, f.e));

@@ -24,6 +24,9 @@ struct ph_check_cone {
   double flat;                  /* rounding of the development */
 };
 
+/* ph_check_cone_point: point j of the problem, moved as it says. */
+ph_vec3 ph_check_cone_point(const struct ph_check *v, size_t j);
+
 /* ph_check_cone_frame: the frame of strip i at the part u of its length. */
 struct ph_check_frame ph_check_cone_frame(const struct ph_check_cone *cone,
                                           size_t i, double u);

@@ -272,7 +272,7 @@ static void check_contact(struct ph_check_general *g, ph_vec3 middle,
 static void check_element(struct ph_check_general *g, size_t j, size_t end,
                           const struct ph_check_general_seen *at) {
   const struct ph_value *field = g->v->problem->field;
-  const ph_vec3 p = ph_check_vector(g->v, field[PH_F_POINTS].v + 3 * j, 3);
+  const ph_vec3 p = ph_check_cone_point(g->v, j);
   const ph_vec3 e = ph_check_direction(field[PH_F_RULINGS].v + 3 * j, 3);
   const ph_vec3 d = ph_check_direction(field[PH_F_TANGENTS].v + 3 * j, 3);
   const double apex = ph_check_scaled(g->v, field[PH_F_APEXES].v[j]);
@@ -303,10 +303,8 @@ static void check_problem(struct ph_check_general *g,
     check_derivative(g, 0, mean, unit);
     check_derivative(g, 1, b, unit);
   } else {
-    const double *p = v->problem->field[PH_F_POINTS].v;
-    const ph_vec3 middle =
-        ph_vec3_scale(0.5, ph_vec3_add(ph_check_vector(v, p + 3 * i, 3),
-                                       ph_check_vector(v, p + 3 * j, 3)));
+    const ph_vec3 middle = ph_vec3_scale(
+        0.5, ph_vec3_add(ph_check_cone_point(v, i), ph_check_cone_point(v, j)));
     check_element(g, i, 0, start);
     check_derivative(g, 0, a, unit);
     check_derivative(g, 1, mean, unit);

@@ -95,6 +95,9 @@ void ph_check_general_turn(struct ph_check_general *g,
 void ph_check_general_height(struct ph_check_general *g,
                              struct ph_check_general_totals *totals);
 
+/* ph_check_general_beside: surfaces at a distance. */
+void ph_check_general_beside(struct ph_check_general *g);
+
 /* ph_check_general_told: what a record says besides. */
 void ph_check_general_told(struct ph_check_general *g,
                            const struct ph_check_general_totals *totals);

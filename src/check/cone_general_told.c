@@ -240,4 +240,5 @@ void ph_check_general_told(struct ph_check_general *g,
   check_diagnostic(v, PH_D_REGULAR, totals->inside > 0 ? 0 : 1);
   ph_check_fairness(v);
   check_samples(g, &v->claim->grid);
+  ph_check_general_beside(g);
 }

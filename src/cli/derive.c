@@ -6,8 +6,10 @@
 #include "curve/cross/cross.h"
 #include "curve/kind/kind.h"
 #include "curve/offset/loop.h"
+#include "curve/surface/area.h"
 #include "curve/surface/general.h"
 #include "curve/surface/grid.h"
+#include "curve/surface/strip.h"
 
 #include <stdio.h>
 
@@ -219,6 +221,41 @@ static enum ph_status convert_all(double tolerance, struct ph_arena *arena,
 
 /* ---- surfaces ------------------------------------------------------------ */
 
+/* How many strips have their vertex within the height, and the first of them.
+ */
+static size_t folds_of(const struct ph_curve *curve, size_t *first) {
+  size_t n = 0;
+  for (size_t i = curve->n; i-- > 0;) {
+    const struct ph_strip *strip = &curve->surface.strips[i];
+    double h[2][2];
+    ph_strip_corners(&curve->surface, strip, h);
+    if (!strip->directrix && ph_area_folds(strip->k, h)) {
+      *first = i;
+      n++;
+    }
+  }
+  return n;
+}
+
+/* Of the first surface that has one where that which it is parallel to has
+ * none. */
+static void warn_folds(struct ph_result *r) {
+  size_t first = 0;
+  if (folds_of(&r->curve, &first)) {
+    return;
+  }
+  for (size_t i = 0; i < r->parallels_n; i++) {
+    const size_t n = folds_of(&r->parallels[i].curve, &first);
+    if (n) {
+      ph_warn(r, first, PH_W_VERTEX_INSIDE,
+              "the vertex of strip %zu of the surface at the distance %g is "
+              "within the height (such strips: %zu)",
+              first, r->parallels[i].distance, n);
+      return;
+    }
+  }
+}
+
 static enum ph_status derive_parallels(const struct ph_options *o,
                                        struct ph_arena *arena,
                                        struct ph_result *r,
@@ -233,6 +270,9 @@ static enum ph_status derive_parallels(const struct ph_options *o,
         ph_parallel_of(&r->curve, o->offsets[i], arena, &r->parallels[i], diag);
   }
   r->parallels_n = o->offsets_n;
+  if (status == PH_OK) {
+    warn_folds(r);
+  }
   return status;
 }
 
@@ -318,8 +358,9 @@ static enum ph_status derive_surface(const struct ph_options *o,
   const struct ph_format_row *format = &ph_formats[o->format];
   struct ph_grid_rules rules = o->grid;
   enum ph_status status = derive_parallels(o, arena, r, diag);
-  if (status == PH_OK) {
-    status = derive_polygons(o, arena, &r->curve, diag);
+  for (size_t i = 0; status == PH_OK && i <= r->parallels_n; i++) {
+    status = derive_polygons(o, arena,
+                             i ? &r->parallels[i - 1].curve : &r->curve, diag);
   }
   if (format->is_mesh && status == PH_OK) {
     rules.along = rules.along ? rules.along : MESH_STEPS;

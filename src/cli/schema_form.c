@@ -24,6 +24,7 @@ bool ph_schema_has(const struct ph_schema_form *f,
   case PH_OF_RAW:
   case PH_OF_CIRCULAR: /* of each strip, one or the other */
   case PH_OF_GENERAL:
+  case PH_OF_DIRECTRIX:
     return true;
   case PH_OF_ATPH:
     return kind->angles;
@@ -83,5 +84,6 @@ bool ph_schema_may_lack(const struct ph_schema_form *f,
                         const struct ph_member *row) {
   bool raw = row->of == PH_OF_RAW || strcmp(row->type, "[+]piece") == 0;
   return row->need == PH_MAY || row->of == PH_OF_CIRCULAR ||
-         row->of == PH_OF_GENERAL || (raw && has_loops(f));
+         row->of == PH_OF_GENERAL || row->of == PH_OF_DIRECTRIX ||
+         (raw && has_loops(f));
 }

@@ -65,6 +65,7 @@
   X(DEGENERATE, "degenerate_tolerance")   \
   X(HEIGHT, "height")                     \
   X(FLAT, "flat")                         \
+  X(TRANSLATE, "translate")               \
   X(AUXILIARY, "auxiliary")               \
   X(APEXES, "apexes")                     \
   X(CONTACT_POINT, "contact_point")       \

@@ -211,9 +211,11 @@ static void begin_element(struct input *in, struct object *o) {
                  1u << (item_of(o, "loops")->value ? PH_OF_RAW : PH_OF_LOOPS) |
                  (unsigned)!item_of(o, "beziers")->value << PH_OF_QUOTIENT;
   } else if (strcmp(o->of->name, "strip") == 0) {
-    in->without = o->without = item_of(o, "control_points")->value
-                                   ? 1u << PH_OF_CIRCULAR
-                                   : 1u << PH_OF_GENERAL;
+    const bool general =
+        item_of(o, "alpha")->value || item_of(o, "control_points")->value;
+    in->without = o->without =
+        1u << (general ? PH_OF_CIRCULAR : PH_OF_GENERAL) |
+        (unsigned)!item_of(o, "control_points")->value << PH_OF_DIRECTRIX;
   } else if (strcmp(o->of->name, "solution") == 0) {
     ((struct ph_solution *)o->at)->curve =
         (struct ph_curve){.kind = c->kind,

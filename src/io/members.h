@@ -26,10 +26,11 @@ enum ph_of {
   PH_OF_INTERVALS,
   PH_OF_LENGTHS, /* curves of prescribed lengths */
   PH_OF_SURFACE,
-  PH_OF_CIRCULAR, /* strips of circular cones */
-  PH_OF_GENERAL,  /* of other cones */
-  PH_OF_LOOPS,    /* offsets in the plane that were put together */
-  PH_OF_RAW       /* offsets that were not */
+  PH_OF_CIRCULAR,  /* strips of circular cones */
+  PH_OF_GENERAL,   /* of other cones, or beside these */
+  PH_OF_DIRECTRIX, /* of other cones */
+  PH_OF_LOOPS,     /* offsets in the plane that were put together */
+  PH_OF_RAW        /* offsets that were not */
 };
 
 enum ph_need {

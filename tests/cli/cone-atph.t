@@ -108,6 +108,105 @@ true_that 'the area is that of the flat pattern' jq -e '
       cross($s[$i + 1].flat; $s[$i + 3].flat; $s[$i + 2].flat)) / 2] | add |
   . / $area - 1 | fabs < 1e-5' out
 
+# ---- parallel surfaces -----------------------------------------------------------
+
+run cone -q --height='[-5,5]' --offset=0.9,-1 --sample=64x2 problem.json
+expect 'offsets' 0
+cp out result.json
+equal 'offsets: a strip' '{pair:number,method:string,frame:{point:[number],'\
+'ruling:[number],tangent:[number],normal:[number]},alpha:number,length:number,'\
+'vertex:null,development_angle:number,turn:number,shift:[number],'\
+'development:{samples:[{t:number,point:[number]}],angle:number}}' \
+  "$(jq -c '.offsets[0].strips[0]' out | json shape)"
+verified 'offsets'
+true_that 'offsets: the same rulings, at the distance along the normals' jq -e '
+  .samples as $s | all(.offsets[]; .distance as $d | .samples as $o |
+    all(range($s | length); . as $i | all(range(3); . as $j |
+      ($s[$i].point[$j] + $d * $s[$i].normal[$j] - $o[$i].point[$j] | fabs < 1e-12)
+      and ($s[$i].normal[$j] - $o[$i].normal[$j] | fabs < 1e-14))))' result.json
+# Diagonals of narrow faces, whose lengths in space and in the plane differ by
+# less than the square of the turn on the way.
+true_that 'offsets: their flat patterns are isometric' jq -e '
+  def apart(a; b): [a, b] | transpose | map(.[0] - .[1] | . * .) | add | sqrt;
+  all(.offsets[]; .samples as $o | all(range(0; 192; 3) | ., . + 195; . as $i |
+    (apart($o[$i].point; $o[$i + 5].point) / apart($o[$i].flat; $o[$i + 5].flat) -
+      1 | fabs < 1e-5) and
+    (apart($o[$i + 2].point; $o[$i + 3].point) /
+      apart($o[$i + 2].flat; $o[$i + 3].flat) - 1 | fabs < 1e-5)))' result.json
+true_that 'offsets: their lengths are those of the samples' jq -e '
+  all(.offsets[]; .samples[194].s - .strips[0].length | fabs < 1e-12)' result.json
+# Steiner: the mean of the areas on both sides is that of the cone.
+run cone -q --height='[-5,5]' --offset=-1,1 problem.json
+true_that 'offsets: areas' jq -e \
+  '([.offsets[].area] | add) / .area / 2 - 1 | fabs < 1e-11' out
+run cone -q --height='[-5,5]' --offset=0.5 --sample=4x2 --format=obj problem.json
+equal 'offsets: meshes' '54 32 2' "$(grep -c '^v ' out) $(grep -c '^f ' out) \
+$(grep -c '^o ' out)"
+run cone -q --height='[-5,5]' --offset=0.5 --format=svg-path problem.json
+true_that 'offsets: flat patterns' awk '{ exit gsub(/M/, "") != 4 }' out
+run cone -q --offset=0.5 --table=development problem.json
+true_that 'offsets: a table' awk -F, 'NR > 1 && $NF == 0.5 { n++ }
+  END { exit n < 50 }' out
+
+run cone -q --height='[-5,5]' --offset=0.9,-1 --sample=8x2 problem.json
+cp out result.json
+# tampered NAME PROGRAM: what a program of jq makes of the record is refused
+tampered() {
+  jq -c "$2" result.json >wrong.json
+  run verify -q --problems=problem.json wrong.json
+  equal "tampered: $1" 1 "$status"
+}
+tampered 'length of an offset' '.offsets[0].length *= 1.000001'
+tampered 'area of an offset' '.offsets[1].area *= 1.000001'
+tampered 'distance' '.offsets[0].distance = 0.9001'
+tampered 'length of a strip' '.offsets[0].strips[1].length += 1e-6'
+tampered 'alpha' '.offsets[0].strips[1].alpha += 1e-6'
+tampered 'frame' '.offsets[0].strips[0].frame.point[2] += 1e-6'
+tampered 'normal' '.offsets[0].strips[0].frame.normal[2] += 1e-6'
+tampered 'angle' '.offsets[1].strips[0].development_angle += 1e-7'
+tampered 'turn' '.offsets[1].strips[0].turn += 1e-7'
+tampered 'development' '.offsets[1].strips[1].development.samples[9].point[0] += 1e-6'
+tampered 'order' '.offsets[1].strips[1].development.samples[9].t = 0'
+tampered 'joint' '.offsets[1].strips[1].development.angle += 1e-7'
+tampered 'point of a sample' '.offsets[1].samples[7].point[1] += 1e-6'
+tampered 'place of a sample' '.offsets[1].samples[40].s += 1e-6'
+tampered 'normal of a sample' '.offsets[1].samples[40].normal[0] += 1e-6'
+tampered 'flat sample' '.offsets[0].samples[40].flat[0] += 1e-6'
+tampered 'strip of a sample' '.offsets[0].samples[40].strip = 0'
+tampered 'pair of a strip' '.offsets[0].strips[0].pair = 1'
+tampered 'a strip less' '.offsets[0].strips |= .[:1]'
+
+for unit in 1e-9 1e9; do
+  jq -c ".points |= map(map(. * $unit)) | .apexes |= map(. * $unit)" problem.json \
+    >scaled.json
+  run cone -q --offset="$(awk "BEGIN { print 0.9 * $unit }")" scaled.json
+  cp out scaled.out
+  true_that "offsets in the unit $unit" jq -e --argjson unit "$unit" -s '
+    .[0].offsets[0].length / .[1].offsets[0].length * $unit - 1 | fabs < 1e-9' \
+    result.json scaled.out
+  "$PHSPLINE" verify -q --problems=scaled.json scaled.out >verdict
+  equal "offsets in the unit $unit: verified" '"ok"' "$(json get status verdict)"
+done
+
+# ---- moved by a vector -------------------------------------------------------------
+
+run cone -q --height='[-5,5]' --translate='[1,-2,3]' problem.json
+expect 'translate' 0
+cp out moved.out
+run cone -q --height='[-5,5]' problem.json
+true_that 'translate: the strips are moved' jq -es '. as [$a, $b] |
+  all(range(2); . as $i | [$a, $b] | map(.strips[$i].frame.point) | transpose |
+    map(.[1] - .[0]) | (.[0] - 1 | fabs < 1e-9) and (.[1] + 2 | fabs < 1e-9) and
+    (.[2] - 3 | fabs < 1e-9))' out moved.out
+true_that 'translate: the flat pattern stays' jq -es '. as [$a, $b] |
+  ($a.area / $b.area - 1 | fabs < 1e-9) and ($a.strips[1].development.angle -
+    $b.strips[1].development.angle | fabs < 1e-9)' out moved.out
+run verify -q --problems=problem.json moved.out
+equal 'translate: verified' '0 "ok"' "$status $(get status)"
+jq -c '.set.translate = [1, -2, 3.001]' moved.out >wrong.json
+run verify -q --problems=problem.json wrong.json
+equal 'translate: by another vector' 1 "$status"
+
 # ---- the same data, moved --------------------------------------------------------
 
 # same NAME FACTOR PROGRAM: the problem changed by a program of jq has the same
@@ -195,3 +294,20 @@ bad no-convergence 'strips[0]' 'is a loop: its spherical image turns by 6.08 to 
 'one side, at most pi is allowed; other apexes, "contact_point":"nearest", or '\
 'another criterion may have none' "{$elements,\"method\":\"atph\",\
 \"apexes\":[-30,70],\"contact_point\":\"midpoint\"}"
+# refused NAME MESSAGE HEIGHT DISTANCE
+refused() {
+  printf '%s\n' "$good" >a.json
+  run cone -q --height="$3" --offset="$4" a.json
+  equal "$1" "1 phspline: a.json:1: record 1: strips[0]: has no parallel \
+surface$2 [infeasible]" "$status $(cat err)"
+}
+refused 'a distance beyond the curvature' ' at the distance 2: the least radius of '\
+'normal curvature within the height is 1.30096' '[0,0]' 2
+refused 'the other side' ' at the distance -2: the least radius of '\
+'normal curvature within the height is -1.59565' '[0,0]' -2
+refused 'a vertex within the height' ': its vertex is within the height' '[-40,0]' 1
+bad bad-shape translate 'must have 3 numbers, found 2' \
+  "{$elements,\"translate\":[1,2]}"
+bad too-large translate 'moves points[0] beyond all numbers' \
+  '{"points":[[1e308,0,0],[0,1,0]],"rulings":[[1,0,0],[0,1,0]],'\
+'"tangents":[[0,1,0],[-1,0,0]],"translate":[1e308,0,0]}'

@@ -187,6 +187,9 @@ static enum ph_status prepare(struct ph_curve *curve, size_t k,
   d->far = 0;
   d->turn = d->range = 0;
   d->bends = 0;
+  d->length = strip->length;
+  d->distance = 0;
+  d->moved = NULL;
   d->side = ph_vec3_dot(ruling, ph_general_at(d, 0).w) < 0 ? -1 : 1;
   if (!divide(d, parts)) {
     return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "strips", k,
@@ -245,7 +248,28 @@ static struct ph_flat_place flat_at(const struct ph_strip *strip, double u,
                                                  d->side * rho * sin(at.angle));
   at.c[1] = start.c[1] + ph_pow2_apply(grow, d->side * rho * cos(at.angle) -
                                                  first * cos(start.angle));
+  if (d->moved) {
+    const double x = cos(start.angle), y = sin(start.angle);
+    double by[3];
+    ph_general_moved(d, u, by);
+    at.c[0] += ph_pow2_apply(grow, x * by[0] - y * by[1]);
+    at.c[1] += ph_pow2_apply(grow, y * by[0] + x * by[1]);
+  }
   return at;
+}
+
+/* The arc length from the start. */
+static double arc_length(const struct ph_strip *strip,
+                         const struct ph_fast3_place *at, double u) {
+  const struct ph_directrix *d = strip->directrix;
+  const struct ph_fast3 *fast = &d->fast;
+  double by[3];
+  if (d->moved) {
+    ph_general_moved(d, u, by);
+    return ph_pow2_apply(fast->grow, by[2]);
+  }
+  return ph_pow2_apply(fast->grow, ph_fast3_integral(at, at->end->s)) +
+         (at->end == &fast->end[1] ? d->length : 0);
 }
 
 struct ph_ruling ph_general_ruling(const struct ph_strip *strip, double u) {
@@ -253,15 +277,18 @@ struct ph_ruling ph_general_ruling(const struct ph_strip *strip, double u) {
   const struct ph_fast3_place place = ph_fast3_at(&d->fast, u);
   const struct ph_general_place at = ph_general_at(d, u);
   const double rho = ph_pow2_apply(d->fast.grow, at.rho);
+  const double off = ph_pow2_apply(d->fast.grow, d->distance);
+  const double kn = d->side * at.bend / at.rate / rho, f = 1 - kn * off;
   struct ph_ruling ruling;
-  ruling.s = strip->length * u;
-  ruling.at.c = ph_fast3_point(&d->fast, &place);
   ruling.at.e = ph_vec3_scale(d->side / at.rho, at.w);
   ruling.at.d = ph_vec3_unit(ph_vec3_normal(at.first, ruling.at.e));
   ruling.at.n = ph_vec3_cross(ruling.at.e, ruling.at.d);
+  ruling.at.c =
+      ph_vec3_along(ph_fast3_point(&d->fast, &place), off, ruling.at.n);
   ruling.flat = flat_at(strip, u, at.rho);
-  ruling.k = -d->side / rho;
-  ruling.kn = d->side * at.bend / at.rate / rho;
+  ruling.s = arc_length(strip, &place, u);
+  ruling.k = -d->side / rho / f;
+  ruling.kn = kn / f;
   return ruling;
 }
 
@@ -273,7 +300,8 @@ void ph_general_edge(const struct ph_strip *strip, double u, double h,
   const double along = ph_pow2_apply(
       d->fast.grow, d->side * ph_vec3_dot(place.w, place.first) / place.rho);
   const double across =
-      place.rate * (ph_pow2_apply(d->fast.grow, place.rho) + d->side * h);
+      place.rate * (ph_pow2_apply(d->fast.grow, place.rho) + d->side * h) -
+      d->side * place.bend * ph_pow2_apply(d->fast.grow, d->distance);
   const double x = cos(flat.angle), y = sin(flat.angle);
   at[0] = flat.c[0] - h * y;
   at[1] = flat.c[1] + h * x;
@@ -281,12 +309,12 @@ void ph_general_edge(const struct ph_strip *strip, double u, double h,
   by[1] = across * y + along * x;
 }
 
-double ph_general_parameter(const struct ph_strip *strip, double s) {
+double ph_general_parameter(const struct ph_strip *strip, double part) {
   enum { STEPS = 60 };
   const struct ph_fast3 *fast = &strip->directrix->fast;
-  const double wanted = ph_pow2_apply(fast->shrink, s);
-  const double whole = ph_pow2_apply(fast->shrink, strip->length);
-  double low = 0, high = 1, u = whole > 0 ? wanted / whole : 0;
+  const double whole = ph_pow2_apply(fast->shrink, strip->directrix->length);
+  const double wanted = part * whole;
+  double low = 0, high = 1, u = part;
   for (int i = 0; i < STEPS && high > low; i++) {
     const struct ph_fast3_place at = ph_fast3_at(fast, u);
     const ph_quat a = ph_fast3_preimage(&at);
@@ -317,7 +345,8 @@ double ph_general_area(const struct ph_strip *strip, const double height[2]) {
     for (size_t j = 0; j < d->rule->n; j++) {
       const struct ph_general_place at =
           ph_general_at(d, d->u[i] + step * d->rule->node[j]);
-      const double rho = d->side * ph_pow2_apply(d->fast.grow, at.rho);
+      const double rho = ph_pow2_apply(
+          d->fast.grow, d->side * at.rho - d->distance * at.bend / at.rate);
       sum += step * d->rule->weight[j] * at.rate *
              band(rho + height[0], rho + height[1]);
     }

@@ -102,9 +102,12 @@ enum ph_status ph_parallel_of(const struct ph_curve *curve, double distance,
     const struct ph_strip *strip = &curve->surface.strips[i];
     const double factor = 1 - strip->kn * distance;
     if (strip->directrix) {
-      return ph_fail(diag, PH_E_BAD_VALUE, "offset",
-                     "is not for general cones, whose parallel surfaces are "
-                     "no cones");
+      const enum ph_status status = ph_general_beside(
+          curve, i, distance, arena, &c->surface.strips[i], diag);
+      if (status != PH_OK) {
+        return status;
+      }
+      continue;
     }
     if (!(factor > 0)) {
       return ph_fail_at(diag, PH_E_INFEASIBLE, "strips", i,
@@ -122,19 +125,19 @@ enum ph_status ph_parallel_of(const struct ph_curve *curve, double distance,
 /* ---- paths of the development -------------------------------------------- */
 
 /* The end of a contact curve. */
-static const double *end_of(const struct ph_strip *strip) {
-  return strip->directrix ? strip->control_points + 15
-                          : strip->contact.control_points[2];
+static ph_vec3 end_of(const struct ph_strip *strip) {
+  return strip->directrix ? ph_general_ruling(strip, 1).at.c
+                          : ph_vec3_get(strip->contact.control_points[2], 3);
 }
 
 double ph_surface_size(const struct ph_curve *curve) {
   const struct ph_strip *strips = curve->surface.strips;
-  double sum = 0;
+  double sum = 0, end[3];
+  ph_vec3_put(end_of(&strips[curve->n - 1]), 3, end);
   for (size_t j = 0; j < 3; j++) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (size_t i = 0; i <= curve->n; i++) {
-      const double x =
-          i < curve->n ? strips[i].frame.point[j] : end_of(&strips[i - 1])[j];
+      const double x = i < curve->n ? strips[i].frame.point[j] : end[j];
       low = x < low ? x : low;
       high = x > high ? x : high;
     }

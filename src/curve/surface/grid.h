@@ -38,9 +38,10 @@ enum ph_status ph_grid_of(const struct ph_curve *curve,
 /*
  * ph_parallel_of: the surface at a distance along the normals.  Where f = 1 -
  * distance kn, a strip has k/f and kn/f and the length f s: it is one of a
- * circular cone again, with the same rulings.
+ * circular cone again, with the same rulings.  For general ones see general.h.
  *
- * ret  PH_OK | PH_E_INFEASIBLE (f is not above 0) | PH_E_NO_MEMORY
+ * ret  PH_OK | PH_E_INFEASIBLE (f is not above 0) | PH_E_NO_CONVERGENCE |
+ *      PH_E_NO_MEMORY
  */
 enum ph_status ph_parallel_of(const struct ph_curve *curve, double distance,
                               struct ph_arena *arena,

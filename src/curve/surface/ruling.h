@@ -17,7 +17,8 @@ struct ph_ruling {
   double k, kn;
 };
 
-/* ph_ruling_at: that at u, from 0 to 1 along the strip, by arc length. */
+/* ph_ruling_at: that at u, from 0 to 1 along the strip, by arc length; of a
+ * strip at a distance from a general one, by that of the latter. */
 struct ph_ruling ph_ruling_at(const struct ph_strip *strip, double u);
 
 /* ph_ruling_point: the point of a ruling at h. */

@@ -11,13 +11,16 @@ struct ph_ruling ph_ruling_at(const struct ph_strip *strip, double u) {
   const struct ph_flat_place start = ph_flat_start(strip);
   struct ph_ruling r;
   if (strip->directrix) {
-    r = ph_general_ruling(strip, ph_general_parameter(strip, s));
-  } else {
-    r.at = ph_strip_at(ph_strip_start(strip), strip->k, strip->kn, s);
-    r.flat = ph_flat_at(&start, strip->k, s);
-    r.k = strip->k;
-    r.kn = strip->kn;
+    r = ph_general_ruling(strip, ph_general_parameter(strip, u));
+    if (!strip->directrix->moved) { /* as it was asked for */
+      r.s = s;
+    }
+    return r;
   }
+  r.at = ph_strip_at(ph_strip_start(strip), strip->k, strip->kn, s);
+  r.flat = ph_flat_at(&start, strip->k, s);
+  r.k = strip->k;
+  r.kn = strip->kn;
   r.s = s;
   return r;
 }

@@ -7,6 +7,8 @@
 #include "solve/common/fields.h"
 #include "solve/cone/cone.h"
 
+#include <math.h>
+
 /* Points of the development, and what is told of those that are beside it. */
 static enum ph_status locate(const struct ph_value *flat, struct ph_arena *out,
                              struct ph_result *result, struct ph_diag *diag) {
@@ -28,12 +30,44 @@ static enum ph_status locate(const struct ph_value *flat, struct ph_arena *out,
   return PH_OK;
 }
 
-static enum ph_status solve(const struct ph_problem *problem,
+/* The points of a problem, moved by the vector that it has. */
+static enum ph_status translate(struct ph_problem *problem,
+                                struct ph_arena *scratch,
+                                struct ph_diag *diag) {
+  const struct ph_value *by = &problem->field[PH_F_TRANSLATE];
+  struct ph_value *points = &problem->field[PH_F_POINTS];
+  double *p = ph_arena_array(scratch, 3 * points->n, sizeof *p);
+  if (by->n != 3) {
+    return ph_fail(diag, PH_E_BAD_SHAPE, "translate",
+                   "must have 3 numbers, found %zu", by->n);
+  }
+  if (!p) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; i < 3 * points->n; i++) {
+    p[i] = points->v[i] + by->v[i % 3];
+    if (!isfinite(p[i])) {
+      return ph_fail(diag, PH_E_TOO_LARGE, "translate",
+                     "moves points[%zu] beyond all numbers", i / 3);
+    }
+  }
+  points->v = p;
+  return PH_OK;
+}
+
+static enum ph_status solve(const struct ph_problem *given,
                             struct ph_arena *out, struct ph_arena *scratch,
                             struct ph_result *result, struct ph_diag *diag) {
   struct ph_mark mark = ph_arena_mark(scratch);
+  struct ph_problem moved = *given;
+  const struct ph_problem *problem = &moved;
   struct ph_cone_data data;
-  enum ph_status status = ph_cone_data_of(problem, scratch, &data, diag);
+  enum ph_status status = ph_fields_given(given, PH_F_TRANSLATE)
+                              ? translate(&moved, scratch, diag)
+                              : PH_OK;
+  if (status == PH_OK) {
+    status = ph_cone_data_of(problem, scratch, &data, diag);
+  }
   if (status == PH_OK) {
     status = data.general
                  ? ph_cone_general(problem, &data, out, scratch, result, diag)
@@ -90,6 +124,8 @@ static const struct ph_field fields[] = {
      "given points"},
     {PH_F_FLAT, PH_VECTORS, 1u << 2, false, NULL, "none",
      "points [u,v] of the flat pattern, to be located on the surface"},
+    {PH_F_TRANSLATE, PH_NUMBERS, 0, false, NULL, "0, 0, 0",
+     "a vector [x,y,z] by which the surface is moved"},
     PH_FIELD_MERGE,
 };
 
