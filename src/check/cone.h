@@ -55,6 +55,11 @@ void ph_check_cone_elements(struct ph_check_cone *cone);
  * and diagnostics, parallel surfaces, samples. */
 void ph_check_cone_told(struct ph_check_cone *cone);
 
+/* ph_check_cone_located: whether place i of the development is on a strip, and
+ * within its length and the height; that it is of the problem's point. */
+bool ph_check_cone_located(const struct ph_check_cone *cone,
+                           const struct ph_located_list *list, size_t i);
+
 /*
  * ph_check_cone_general: all of a surface of strips of general cones, v->curve.
  *

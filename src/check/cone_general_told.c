@@ -163,7 +163,7 @@ void ph_check_general_height(struct ph_check_general *g,
   totals->area += ph_check_general_integral(g, area_at, UNIT, 0, 1);
 }
 
-static void check_sample(struct ph_check_general *g, size_t i,
+static void check_sample(struct ph_check_general *g, const char *list, size_t i,
                          const struct ph_surface_sample *sample) {
   struct ph_check *v = g->v;
   const double part = ph_check_scaled(v, sample->s) / v->length[g->k];
@@ -175,14 +175,14 @@ static void check_sample(struct ph_check_general *g, size_t i,
   const double moved = UNIT * v->length[g->k] + fabs(h) * at.doubt;
   flat.x -= h * sin(flat.angle);
   flat.y += h * cos(flat.angle);
-  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "point"),
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of(list, i, "point"),
                 ph_check_apart(ph_check_vector(v, sample->point, 3),
                                ph_vec3_along(at.f.c, h, at.f.e)),
                 v->scale.size, round + moved, "is off the surface");
-  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "normal"),
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of(list, i, "normal"),
                 ph_check_apart(ph_vec3_get(sample->normal, 3), at.f.n), 1,
                 at.doubt + UNIT * (1 + fabs(at.turn)), "is not the normal");
-  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of("samples", i, "flat"),
+  ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of(list, i, "flat"),
                 ph_check_general_flat_distance(g, sample->flat, &flat),
                 v->scale.size, round + moved,
                 "is not the place in the development");
@@ -199,7 +199,20 @@ static void check_samples(struct ph_check_general *g,
     if (i == 0 || grid->v[i].strip != g->k) {
       ph_check_general_load(g, grid->v[i].strip);
     }
-    check_sample(g, i, &grid->v[i]);
+    check_sample(g, "samples", i, &grid->v[i]);
+  }
+}
+
+/* Points of the development, anywhere on the strips. */
+static void check_located(struct ph_check_general *g,
+                          const struct ph_located_list *list) {
+  const struct ph_check_cone cone = {g->v, g->curve, 0, 0};
+  for (size_t i = 0; i < list->n && !ph_arena_late(g->v->scratch); i++) {
+    if (!ph_check_cone_located(&cone, list, i)) {
+      return;
+    }
+    ph_check_general_load(g, list->v[i].at.strip);
+    check_sample(g, "located", i, &list->v[i].at);
   }
 }
 
@@ -240,5 +253,6 @@ void ph_check_general_told(struct ph_check_general *g,
   check_diagnostic(v, PH_D_REGULAR, totals->inside > 0 ? 0 : 1);
   ph_check_fairness(v);
   check_samples(g, &v->claim->grid);
+  check_located(g, &v->claim->located);
   ph_check_general_beside(g);
 }

@@ -341,7 +341,7 @@ static void check_samples(struct ph_check_cone *cone,
 }
 
 /* A place is on its strip, within the height. */
-static void check_inside(struct ph_check_cone *cone,
+static void check_inside(const struct ph_check_cone *cone,
                          const struct ph_surface_sample *at, size_t i) {
   struct ph_check *v = cone->v;
   const struct ph_surface *surface = &cone->curve->surface;
@@ -377,24 +377,28 @@ static bool is_asked(const struct ph_check_cone *cone,
          !(fabs(p[1] - at->at.flat[1]) > 0);
 }
 
+bool ph_check_cone_located(const struct ph_check_cone *cone,
+                           const struct ph_located_list *list, size_t i) {
+  const struct ph_located *l = &list->v[i];
+  if (l->at.strip >= cone->curve->n) {
+    ph_check_wrong(cone->v, PH_CHECK_SAMPLE, ph_check_of("located", i, "strip"),
+                   "is none");
+    return false;
+  }
+  if (cone->v->problem && !is_asked(cone, l, i ? l[-1].index + 1 : 0)) {
+    ph_check_wrong(cone->v, PH_CHECK_SAMPLE, ph_check_of("located", i, "flat"),
+                   "is not the point of flat with this index");
+  }
+  check_inside(cone, &l->at, i);
+  return true;
+}
+
 static void check_located(struct ph_check_cone *cone,
                           const struct ph_located_list *list) {
-  size_t least = 0;
-  for (size_t i = 0; i < list->n && !ph_arena_late(cone->v->scratch); i++) {
-    const struct ph_located *l = &list->v[i];
-    if (l->at.strip >= cone->curve->n) {
-      ph_check_wrong(cone->v, PH_CHECK_SAMPLE,
-                     ph_check_of("located", i, "strip"), "is none");
-      return;
-    }
-    if (cone->v->problem && !is_asked(cone, l, least)) {
-      ph_check_wrong(cone->v, PH_CHECK_SAMPLE,
-                     ph_check_of("located", i, "flat"),
-                     "is not the point of flat with this index");
-    }
-    least = l->index + 1;
-    check_sample(cone, "located", &l->at, i);
-    check_inside(cone, &l->at, i);
+  for (size_t i = 0; i < list->n && !ph_arena_late(cone->v->scratch) &&
+                     ph_check_cone_located(cone, list, i);
+       i++) {
+    check_sample(cone, "located", &list->v[i].at, i);
   }
 }
 

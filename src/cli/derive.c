@@ -336,10 +336,6 @@ static enum ph_status derive_panorama(const struct ph_options *o,
                    "must have an extent for --panorama, as in "
                    "--height=[-1,1]");
   }
-  if (r->curve.surface.strips[0].directrix) {
-    return ph_fail(diag, PH_E_BAD_VALUE, "method",
-                   "must be circular for --panorama");
-  }
   status = ph_panorama_of(&r->curve, &o->volume, o->resolution, o->grid.most,
                           arena, p, diag);
   if (status == PH_OK && p->outside) {

@@ -108,6 +108,39 @@ true_that 'the area is that of the flat pattern' jq -e '
       cross($s[$i + 1].flat; $s[$i + 3].flat; $s[$i + 2].flat)) / 2] | add |
   . / $area - 1 | fabs < 1e-5' out
 
+# Points of the flat pattern, on both sides of the vertex and all around it.
+# located NAME HEIGHT: samples are found again by their place in the pattern
+located() {
+  run cone -q --height="$2" --sample=16x3 problem.json
+  jq -c '{flat: [.samples[].flat]}' out >flat.json
+  jq -c '[.samples[]]' out >samples.json
+  jq -cs '.[0] + .[1]' problem.json flat.json >located.json
+  run cone -q --height="$2" located.json
+  expect "located: $1" 0
+  cp out result.json
+  true_that "located: $1: all, where they were" jq -es '.[0] as $p |
+    .[1].located as $l | ($p | length) == ($l | length) and
+    all(range($p | length); . as $i | $l[$i].index == $i and
+      ($l[$i].strip < $p[$i].strip or # the pattern covers itself
+      (all(range(3); $p[$i].point[.] - $l[$i].point[.] | fabs < 1e-11) and
+      ($p[$i].s - $l[$i].s | fabs < 1e-11))))' \
+    samples.json result.json
+  run verify --problems=located.json result.json
+  equal "located: $1: verified" '0 "ok"' "$status $(get status)"
+}
+located 'a strip' '[-5,5]'
+located 'beyond the vertex' '[-60,-35]'
+run cone --height='[-5,5]' --flat='[[0,0],[99,9],[3,6]]' problem.json
+expect 'located: a point beside the pattern' 0 "phspline: problem.json:1: record 1: \
+warning: 2 of 3 points are outside of the flat pattern, the first is flat[1] \
+[outside]"
+jq -c '.located[0].s = 0.1' result.json >wrong.json
+run verify -q --problems=located.json wrong.json
+equal 'located: another place is refused' 1 "$status"
+jq -c '.located[7].h = 7' result.json >wrong.json
+run verify -q --problems=located.json wrong.json
+equal 'located: a place beside the height is refused' 1 "$status"
+
 # ---- parallel surfaces -----------------------------------------------------------
 
 run cone -q --height='[-5,5]' --offset=0.9,-1 --sample=64x2 problem.json

@@ -104,6 +104,16 @@ double ph_general_parameter(const struct ph_strip *strip, double part);
 void ph_general_edge(const struct ph_strip *strip, double u, double h,
                      double at[2], double by[2]);
 
+/*
+ * ph_general_locate: the place at a point of the development.
+ *
+ * in   height  within which it is to be
+ * in   near    how far from the strip a point is still on its edge
+ * ret  whether there is one; of several that where rulings have turned least
+ */
+bool ph_general_locate(const struct ph_strip *strip, const double height[2],
+                       const double flat[2], double near, double *u, double *h);
+
 /* ph_general_area: of a strip between two heights. */
 double ph_general_area(const struct ph_strip *strip, const double height[2]);
 

@@ -2,6 +2,7 @@
 /* From the development to the surface (see locate.h). */
 #include "curve/surface/locate.h"
 
+#include "curve/surface/general.h"
 #include "curve/surface/ruling.h"
 #include "kernel/pi.h"
 
@@ -13,7 +14,7 @@
 static const double NEAR = 1e-12;
 
 /* Rulings of a strip by which its box is found; strips that share a box. */
-enum { PROBES = 8, BLOCK = 32 };
+enum { PROBES = 8, PROBES_GENERAL = 128, BLOCK = 32 };
 
 /* ---- boxes --------------------------------------------------------------- */
 
@@ -22,6 +23,34 @@ static void extend(struct ph_flat_box *box, const double p[2], double by) {
     box->low[j] = fmin(box->low[j], p[j] - by);
     box->high[j] = fmax(box->high[j], p[j] + by);
   }
+}
+
+/* Of a general strip: between two rulings a, b with the contact curve's length
+ * L between them, the distance rho from the vertex is from (a + b - L) / 2 to
+ * (a + b + L) / 2, and arcs about the vertex leave their chords by less than an
+ * eighth of the square of the angle. */
+static struct ph_flat_box general_box(const struct ph_surface *surface,
+                                      const struct ph_strip *strip) {
+  const struct ph_directrix *d = strip->directrix;
+  struct ph_flat_box box = {{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
+  struct ph_ruling from = ph_general_ruling(strip, 0);
+  for (int i = 1; i <= PROBES_GENERAL; i++) {
+    const struct ph_ruling to =
+        ph_general_ruling(strip, (double)i / PROBES_GENERAL);
+    const double a = -1 / from.k, b = -1 / to.k; /* with the sign of `side' */
+    const double length = d->side * (to.s - from.s);
+    const double turn = to.flat.angle - from.flat.angle;
+    for (size_t corner = 0; corner < 8; corner++) {
+      const struct ph_ruling *at = corner & 1 ? &to : &from;
+      const double rho = (a + b + (corner & 2 ? length : -length)) / 2;
+      const double h = surface->height[corner >> 2];
+      double p[2];
+      ph_ruling_flat(at, rho - (corner & 1 ? b : a) + h, p);
+      extend(&box, p, turn * turn / 8 * fabs(rho + h));
+    }
+    from = to;
+  }
+  return box;
 }
 
 /* An edge leaves its chord by less than it turns in between, times its length,
@@ -51,7 +80,8 @@ struct ph_flat_box *ph_flat_boxes(const struct ph_curve *curve,
   struct ph_flat_box *box = ph_arena_array(arena, curve->n, sizeof *box);
   double size = 0;
   for (size_t i = 0; box && i < curve->n; i++) {
-    box[i] = box_of(&curve->surface, &curve->surface.strips[i]);
+    const struct ph_strip *strip = &curve->surface.strips[i];
+    box[i] = (strip->directrix ? general_box : box_of)(&curve->surface, strip);
     for (size_t j = 0; j < 2; j++) {
       size = fmax(size, fmax(-box[i].low[j], box[i].high[j]));
     }
@@ -120,10 +150,19 @@ bool ph_strip_locate(const struct ph_curve *curve, size_t i,
                      struct ph_surface_sample *at) {
   const struct ph_strip *strip = &curve->surface.strips[i];
   struct ph_ruling r;
-  if (!locate(&curve->surface, strip, flat, near, &at->s, &at->h)) {
+  double u;
+  if (strip->directrix) {
+    if (!ph_general_locate(strip, curve->surface.height, flat, near, &u,
+                           &at->h)) {
+      return false;
+    }
+    r = ph_general_ruling(strip, u);
+    at->s = r.s;
+  } else if (locate(&curve->surface, strip, flat, near, &at->s, &at->h)) {
+    r = ph_ruling_at(strip, at->s / strip->length);
+  } else {
     return false;
   }
-  r = ph_ruling_at(strip, at->s / strip->length);
   at->strip = i;
   ph_vec3_put(ph_ruling_point(&r, at->h), 3, at->point);
   ph_vec3_put(r.at.n, 3, at->normal);

@@ -157,7 +157,7 @@ static enum ph_status check_method(const struct ph_problem *p,
   static const enum ph_field_id own[2][6] = {
       {PH_F_APEXES, PH_F_CONTACT_POINT, PH_F_TANGENT_SCALE, PH_F_CRITERION,
        PH_F_ANGLES, PH_F_ALPHA},
-      {PH_F_LAMBDA, PH_F_DEGENERATE, PH_F_FLAT, PH_FIELD_N, PH_FIELD_N,
+      {PH_F_LAMBDA, PH_F_DEGENERATE, PH_FIELD_N, PH_FIELD_N, PH_FIELD_N,
        PH_FIELD_N}};
   data->general = ph_value_is(&p->field[PH_F_METHOD], "atph");
   for (size_t i = 0; i < 6; i++) {
