@@ -175,9 +175,11 @@ static enum ph_status derive_paths(const struct ph_options *o,
                                    const struct ph_result *r,
                                    struct ph_derived *derived,
                                    struct ph_diag *diag) {
-  const double tolerance = o->samples.how == PH_SAMPLE_CHORD
-                               ? o->samples.chord_error
-                               : TOLERANCE_PATH * ph_curve_size(&r->curve);
+  const bool drawing = ph_formats[o->format].is_drawing && o->tolerance > 0;
+  const double tolerance =
+      o->samples.how == PH_SAMPLE_CHORD ? o->samples.chord_error
+      : drawing                         ? o->tolerance
+                : TOLERANCE_PATH * ph_curve_size(&r->curve);
   size_t n = r->offsets_n + 1;
   enum ph_status status = PH_OK;
   derived->paths = ph_arena_array(arena, n, sizeof *derived->paths);

@@ -54,7 +54,8 @@
   X(FORMAT, SOLVE, 'f', "format", PH_WORDS(PH_FORMATS),                        \
     "json (default): one object a line; csv (with --table the default): one "  \
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths "  \
-    "of cubic Bezier curves; geojson: features of samples, without other "     \
+    "of cubic Bezier curves; svg: a drawing of these; geojson: features of "   \
+    "samples, without other "                                                  \
     "options within 1e-6 of the size; obj: the mesh of a surface")             \
   X(TABLE, SOLVE, 0, "table", "NAME",                                          \
     "what --format=csv and text print (default: control-points, of surfaces "  \

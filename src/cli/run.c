@@ -9,6 +9,7 @@
  */
 #include "cli/run.h"
 
+#include "cli/document.h"
 #include "cli/message.h"
 #include "cli/output.h"
 #include "cli/pairing.h"
@@ -18,6 +19,7 @@
 #include "cli/work.h"
 
 #include "io/nrrd.h"
+#include "io/svg_out.h"
 
 #include <pthread.h>
 #include <string.h>
@@ -48,7 +50,7 @@ struct run {
   struct ph_output picture;     /* of --panorama */
   struct ph_panorama *panorama; /* NULL: no result has one */
   struct ph_progress progress;
-  bool joined; /* some record is written, which the next one is joined to */
+  struct ph_document document;
   struct ph_buf message;
   enum ph_class class; /* the worst so far */
 
@@ -290,6 +292,9 @@ static void collect_drawings(struct run *r, struct slot *slot, size_t n) {
     struct ph_item *item = &slot->items[i];
     struct ph_drawing *drawing = item->drawing;
     item->drawing = NULL;
+    if (item->status == PH_OK) {
+      ph_svg_join(r->document.box, item->box);
+    }
     if (item->panorama) {
       r->panorama = item->panorama;
       item->panorama = NULL;
@@ -303,14 +308,6 @@ static void collect_drawings(struct run *r, struct slot *slot, size_t n) {
   }
 }
 
-/* Without what stands between records before the first one. */
-static enum ph_status write_records(struct run *r, const char *bytes, size_t n,
-                                    struct ph_diag *diag) {
-  size_t joint = r->joined || n == 0 ? 0 : ph_formats[r->options->format].joint;
-  r->joined |= n > 0;
-  return ph_output_write(&r->output, bytes + joint, n - joint, diag);
-}
-
 static void write_slot(struct run *r, struct slot *slot) {
   size_t n = count_outcomes(r, slot);
   struct ph_diag diag;
@@ -320,8 +317,8 @@ static void write_slot(struct run *r, struct slot *slot) {
     complain(r, &diag);
     r->stopped = true;
   } else {
-    if (write_records(r, slot->out.data, slot->out_end[n - 1], &diag) !=
-        PH_OK) {
+    if (ph_document_add(&r->document, slot->out.data, slot->out_end[n - 1],
+                        &diag) != PH_OK) {
       complain(r, &diag);
       r->stopped = true;
     }
@@ -435,6 +432,7 @@ static void release(struct run *r) {
   ph_free(r->workers);
   ph_free(r->threads);
   ph_buf_free(&r->message);
+  ph_document_free(&r->document);
   ph_split_free(&r->split);
   ph_pairing_free(&r->pairing);
   ph_plot_free(&r->plot);
@@ -443,47 +441,13 @@ static void release(struct run *r) {
   ph_free(r->panorama);
 }
 
-/* What the format has before all records. */
-static enum ph_status write_header(struct run *r, struct ph_diag *diag) {
-  const struct ph_options *o = r->options;
-  const struct ph_format_row *format = &ph_formats[o->format];
-  struct ph_buf buf = {0};
-  enum ph_status status;
-  struct ph_swept *swept;
-  if (!format->header) {
-    return PH_OK;
-  }
-  swept = ph_malloc((o->sweeps_n + 1) * sizeof *swept);
-  for (size_t i = 0; swept && i < o->sweeps_n; i++) {
-    swept[i].name = o->sweeps[i].name;
-    swept[i].value = NULL;
-  }
-  if (swept) {
-    const struct ph_print print = ph_options_print(o);
-    format->header(&buf, &print, swept, o->sweeps_n);
-  }
-  status = swept && !buf.failed
-               ? ph_output_write(&r->output, buf.data, buf.n, diag)
-               : ph_fail_memory(diag);
-  ph_buf_free(&buf);
-  ph_free(swept);
-  return status;
-}
-
-/* What the format has after all records, also where not all were written. */
-static void write_footer(struct run *r) {
-  const struct ph_format_row *format = &ph_formats[r->options->format];
-  struct ph_buf buf = {0};
+/* The output ends as its format wants, also where not all was written. */
+static void end_document(struct run *r) {
   struct ph_diag diag;
-  if (format->footer && r->class != PH_CLASS_OUTPUT) {
-    format->footer(&buf);
-    if ((buf.failed
-             ? ph_fail_memory(&diag)
-             : ph_output_write(&r->output, buf.data, buf.n, &diag)) != PH_OK) {
-      complain(r, &diag);
-    }
+  if (r->class != PH_CLASS_OUTPUT &&
+      ph_document_end(&r->document, &diag) != PH_OK) {
+    complain(r, &diag);
   }
-  ph_buf_free(&buf);
 }
 
 /* Results are complete: the figure. */
@@ -567,7 +531,7 @@ int ph_run(const struct ph_options *options) {
     status = open_outputs(&r, &diag);
   }
   if (status == PH_OK) {
-    status = write_header(&r, &diag);
+    status = ph_document_begin(&r.document, o, &r.output, &diag);
   }
   if (status == PH_OK) {
     starts = start_threads(&r);
@@ -577,7 +541,7 @@ int ph_run(const struct ph_options *options) {
       complain(&r, &r.input_failure);
     }
     finish_pairing(&r);
-    write_footer(&r);
+    end_document(&r);
     ph_progress_finish(&r.progress);
     conclude(&r);
   } else {

@@ -11,6 +11,7 @@
 #include "cli/plot.h"
 #include "io/csv_in.h"
 #include "io/json_in.h"
+#include "io/svg_out.h"
 #include "io/value.h"
 
 #include <stdio.h>
@@ -272,14 +273,21 @@ const char *ph_work_id(const struct ph_echo *echo, struct ph_arena *arena) {
 static void write_result(struct task *t, const struct ph_heading *heading,
                          const char *id, struct ph_buf *out) {
   const struct ph_print print = ph_options_print(t->options);
-  struct ph_solved solved = {
-      id,         t->item->record.number, heading,
-      &t->result, t->derived.paths,       t->derived.paths_n};
+  struct ph_solved solved = {id,
+                             t->item->record.number,
+                             heading,
+                             &t->result,
+                             t->derived.paths,
+                             t->derived.paths_n,
+                             t->item->record.downward,
+                             t->item->box};
+  static const double nothing[4] = PH_SVG_NOTHING;
   char number[32];
   if (!id) {
     snprintf(number, sizeof number, "%zu", t->item->record.number);
     solved.id = number;
   }
+  memcpy(t->item->box, nothing, sizeof nothing);
   ph_formats[t->options->format].solved(out, &print, &solved);
 }
 

@@ -32,6 +32,7 @@ struct ph_item {
   bool draw;                      /* for the figure */
   struct ph_drawing *drawing;     /* out: to be freed; NULL: there is none */
   struct ph_panorama *panorama;   /* out: the same */
+  double box[4];                  /* out: what was drawn (io/svg_out.h) */
   enum ph_status status;          /* the outcome */
 };
 

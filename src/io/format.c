@@ -29,16 +29,41 @@ static void table_solved(struct ph_buf *buf, const struct ph_print *print,
   ph_csv_result(buf, &print->shape, &heading, s->result);
 }
 
+/* Path i of a result: the offset that it is of, or NULL, and whether its
+ * subpaths that end where they began are closed. */
+static const struct ph_offset *path_of(const struct ph_solved *s, size_t i,
+                                       bool *closed) {
+  const struct ph_offset *o =
+      i > 0 && i <= s->result->offsets_n ? &s->result->offsets[i - 1] : NULL;
+  *closed = s->result->curve.closed || (o && o->loops.mode);
+  return o;
+}
+
 /* One line, also where there is no path: lines are those of the problems. */
 static void path_solved(struct ph_buf *buf, const struct ph_print *print,
                         const struct ph_solved *s) {
+  bool closed;
   (void)print;
   for (size_t i = 0; i < s->paths_n; i++) {
-    const bool loops = i > 0 && i <= s->result->offsets_n &&
-                       s->result->offsets[i - 1].loops.mode;
-    ph_svg_path(buf, &s->paths[i], loops || s->result->curve.closed);
+    path_of(s, i, &closed);
+    ph_svg_path(buf, &s->paths[i], closed);
   }
   ph_buf_puts(buf, "\n");
+}
+
+static void drawing_solved(struct ph_buf *buf, const struct ph_print *print,
+                           const struct ph_solved *s) {
+  struct ph_svg_name name = {s->id, NULL, s->heading->swept,
+                             s->heading->swept_n};
+  bool closed;
+  (void)print;
+  for (size_t i = 0; i < s->paths_n; i++) {
+    const struct ph_offset *o = path_of(s, i, &closed);
+    name.distance = o       ? &o->distance
+                    : i > 0 ? &s->result->parallels[i - 1].distance
+                            : NULL;
+    ph_svg_element(buf, &name, &s->paths[i], closed, !s->downward, s->box);
+  }
 }
 
 static void path_failed(struct ph_buf *buf, const struct ph_print *print,
@@ -80,6 +105,11 @@ const struct ph_format_row ph_formats[PH_FORMAT_N] = {
     [PH_FORMAT_SVG_PATH] = {.is_cubics = true,
                             .solved = path_solved,
                             .failed = path_failed},
+    [PH_FORMAT_SVG] = {.is_cubics = true,
+                       .is_drawing = true,
+                       .frame = ph_svg_header,
+                       .footer = ph_svg_footer,
+                       .solved = drawing_solved},
     [PH_FORMAT_GEOJSON] = {.is_lines = true,
                            .joint = sizeof PH_GEOJSON_JOINT - 1,
                            .header = lines_header,

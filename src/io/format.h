@@ -15,6 +15,7 @@
   X(CSV, "csv")              \
   X(TEXT, "text")            \
   X(SVG_PATH, "svg-path")    \
+  X(SVG, "svg")              \
   X(GEOJSON, "geojson")      \
   X(OBJ, "obj")
 
@@ -45,6 +46,8 @@ struct ph_solved {
   const struct ph_pieces *paths; /* of formats that are cubics: the curve, then
                                     its offsets; else NULL */
   size_t paths_n;
+  bool downward; /* y points that way in the input, as in SVG */
+  double *box;   /* [4] out: what was drawn (svg_out.h) */
 };
 
 struct ph_format_row {
@@ -52,6 +55,7 @@ struct ph_format_row {
   bool is_table;   /* takes --table */
   bool is_mesh;    /* has the samples of a surface */
   bool is_text;    /* a table in the second form (csv_out.h) */
+  bool is_drawing; /* of cubics within --tolerance, if it is given */
   bool is_cubics;  /* has neither samples nor --convert; --chord-error is how
                       near the cubics are to the curve */
   bool is_lines;   /* of samples of curves, which it has without being asked */
@@ -59,6 +63,9 @@ struct ph_format_row {
   /* before all records; NULL: nothing */
   void (*header)(struct ph_buf *buf, const struct ph_print *print,
                  const struct ph_swept *swept, size_t swept_n);
+  /* the same of a format that is kept in memory to its end: about what was
+   * drawn */
+  void (*frame)(struct ph_buf *buf, const double box[4]);
   /* after all records; NULL: nothing */
   void (*footer)(struct ph_buf *buf);
   void (*solved)(struct ph_buf *buf, const struct ph_print *print,

@@ -25,6 +25,7 @@ struct ph_record {
   size_t number;    /* 1, 2, ... in the whole stream */
   const struct ph_csv_columns *columns; /* CSV; NULL: the text is JSON */
   enum ph_status status; /* not PH_OK: broken text, diag says why */
+  bool downward;         /* y points that way, as in SVG */
   bool named;            /* ... but the text is an object with the id */
 };
 

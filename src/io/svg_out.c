@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* SVG paths (see svg_out.h). */
+/* SVG paths and drawings (see svg_out.h). */
 #include "io/svg_out.h"
 
+#include "base/suggest.h"
 #include "io/number.h"
+
+#include <string.h>
 
 /* x,y after what separates it from what comes before. */
 static void point(struct ph_buf *buf, char before, const double *p) {
@@ -38,4 +41,96 @@ void ph_svg_path(struct ph_buf *buf, const struct ph_pieces *cubics,
       ph_buf_put(buf, "Z", 1);
     }
   }
+}
+
+/* ---- drawings ---------------------------------------------------------- */
+
+/* So much of the size of what is drawn is around it. */
+static const double MARGIN = 0.02;
+
+void ph_svg_join(double box[4], const double other[4]) {
+  for (size_t k = 0; k < 2; k++) {
+    box[k] = fmin(box[k], other[k]);
+    box[2 + k] = fmax(box[2 + k], other[2 + k]);
+  }
+}
+
+static void number(struct ph_buf *buf, double x) {
+  char *to = ph_buf_reserve(buf, PH_NUMBER_MAX);
+  if (to) {
+    buf->n += ph_number_write(to, x);
+  }
+}
+
+/* A text in an attribute. */
+static void text(struct ph_buf *buf, const char *p) {
+  static const char special[] = "&<>\"";
+  static const char *const names[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
+  const char *end = p + strlen(p);
+  while (p < end) {
+    const char *found = strchr(special, *p);
+    size_t n = ph_shown_length(p, end);
+    if (found) {
+      ph_buf_puts(buf, names[found - special]);
+    } else {
+      ph_buf_put(buf, n == 0 || *p == ' ' ? "_" : p, n ? n : 1);
+    }
+    p += n ? n : 1;
+  }
+}
+
+static void path_name(struct ph_buf *buf, const struct ph_svg_name *name) {
+  text(buf, name->id);
+  for (size_t i = 0; i < name->swept_n; i++) {
+    ph_buf_puts(buf, i > 0 ? "," : ":");
+    text(buf, name->swept[i].name);
+    ph_buf_puts(buf, "=");
+    text(buf, name->swept[i].value);
+  }
+  if (name->distance) {
+    ph_buf_puts(buf, "@");
+    number(buf, *name->distance);
+  }
+}
+
+void ph_svg_element(struct ph_buf *buf, const struct ph_svg_name *name,
+                    const struct ph_pieces *cubics, bool closed, bool up,
+                    double box[4]) {
+  const double *p = cubics->control_points;
+  if (cubics->n == 0) {
+    return;
+  }
+  for (size_t i = 0; i < 4 * cubics->n; i++, p += 2) {
+    const double y = up ? -p[1] : p[1];
+    ph_svg_join(box, (double[]){p[0], y, p[0], y});
+  }
+  ph_buf_puts(buf, "<path id=\"");
+  path_name(buf, name);
+  ph_buf_puts(buf, name->distance ? "\" class=\"offset\"" : "\"");
+  ph_buf_puts(buf, up ? " transform=\"scale(1,-1)\" d=\"" : " d=\"");
+  ph_svg_path(buf, cubics, closed);
+  ph_buf_puts(buf, "\"/>\n");
+}
+
+void ph_svg_header(struct ph_buf *buf, const double box[4]) {
+  const bool nothing = !(box[0] <= box[2]);
+  const double width = nothing ? 1 : box[2] - box[0];
+  const double height = nothing ? 1 : box[3] - box[1];
+  const double size = fmax(width, height) > 0 ? fmax(width, height) : 1;
+  const double view[4] = {nothing ? 0 : box[0] - MARGIN * size,
+                          nothing ? 0 : box[1] - MARGIN * size,
+                          width + 2 * MARGIN * size,
+                          height + 2 * MARGIN * size};
+  ph_buf_puts(buf, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"");
+  for (size_t k = 0; k < 4; k++) {
+    ph_buf_puts(buf, k > 0 ? " " : "");
+    number(buf, view[k]);
+  }
+  ph_buf_puts(buf, "\">\n<style>path { fill: none; stroke: black; "
+                   "vector-effect: non-scaling-stroke }\n"
+                   ".offset { stroke: gray }</style>\n");
+}
+
+void ph_svg_footer(struct ph_buf *buf) {
+  ph_buf_puts(buf, "</svg>\n");
 }
