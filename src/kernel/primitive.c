@@ -30,7 +30,7 @@ enum {
   PASSES_MAX = 4
 };
 
-/* What the values are not known better than. */
+/* What the values are not known better than, and the places. */
 static const double ROUNDING = 4 * DBL_EPSILON;
 
 /* Beyond the last node there is less than this part of a panel, in which a kink
@@ -161,6 +161,16 @@ keep(struct task *task, const struct ph_primitive_panel *panel, double mean) {
   return PH_OK;
 }
 
+/* By how much values are off as their places are rounded: a panel that is short
+ * beside its distance from 0 may have a steep f. */
+static double misplaced(const struct ph_primitive_panel *panel) {
+  double change = 0;
+  for (size_t k = 1; k < NODES; k++) {
+    change += fabs(panel->value[k]);
+  }
+  return ROUNDING * panel->to / (panel->to - panel->from) * change;
+}
+
 static double value_at(const struct task *task, double u) {
   return task->f(task->context, u);
 }
@@ -181,6 +191,7 @@ static enum ph_status tabulate(struct task *task, double from, double to,
   task->mean = fmax(task->mean, mean * width);
   /* known well enough here, or of no matter for the whole */
   if (tail <= (task->tolerance + ROUNDING) * fmax(mean, task->mean) ||
+      tail <= misplaced(&panel) ||
       tail * width <= task->tolerance / 64 * task->mean ||
       depth == HALVINGS_MAX) {
     return keep(task, &panel, mean);

@@ -136,6 +136,19 @@ PH_TEST(test_peak) {
   }
 }
 
+/* No better than places are rounded, however much is asked for: in few panels.
+ */
+PH_TEST(test_steep) {
+  for (int e = 20; e <= 44; e += 4) {
+    const double width = ldexp(1, -e);
+    ck_assert_int_eq(
+        ph_primitive_make(&table, peak, &width, NULL, 0, 1e-15, &unit_arena),
+        PH_OK);
+    ck_rel(table.total, peak_integral(&width, 1), 16 * DBL_EPSILON / width);
+    ck_assert_uint_le(table.n, 400);
+  }
+}
+
 PH_TEST(test_wave) {
   const struct known known = {wave, wave_integral};
   for (double n = 1; n < 1000; n *= 3) {
