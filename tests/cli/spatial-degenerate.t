@@ -243,3 +243,14 @@ echo '{"points":[[0.5762,-0.21853,0],[0,0,0]],"criterion":"hc",
 run spatial-hermite -q in
 jq -c '.segments[0].control_points | reverse | .[]' out >back
 numbers 'almost symmetric data, from the other end' 1e-14 ahead back
+
+# Points nearly on a line, whose tension is too large: to which side of it the
+# curve leaves depends on no axis.
+points='[[0,0,0],[-0.3425,-0.4185,-0.6837],[-7.2517,-8.861,-14.476],[-8,-10,-16]]'
+for move in '[.[0],.[1],.[2]]' '[-.[0],.[1],.[2]]' '[.[1],.[2],.[0]]' \
+  '[.[1],.[0],.[2]]' '[.[2],-.[1],.[0]]'; do
+  jq -cn "{points: ($points | map($move)), tension: [6,0.5,1]}" >in
+  run spatial-hermite -q in
+  jq -c '.segments[].length' out >"lengths${move##*,}"
+  numbers "nearly a line, $move" 1e-12 "lengths.[2]]" "lengths${move##*,}"
+done

@@ -276,7 +276,19 @@ static ph_vec3 normal_to(const struct ph_spatial_points *p, ph_vec3 direction) {
   return largest > 0 ? ph_vec3_scale(1 / largest, normal) : normal;
 }
 
-/* The plane that all data are in, if there is one. */
+/* By how much the data turn about a normal, altogether. */
+static double turn_about(const struct ph_spatial_points *p, ph_vec3 normal) {
+  double turn = 0;
+  for (size_t k = 0; k < p->n; k++) {
+    struct directions d = directions_of(p, k);
+    ph_vec3 between = ph_vec3_sub(d.v[1], d.v[2]);
+    turn += ph_vec3_dot(ph_vec3_cross(between, d.v[0]), normal);
+  }
+  return turn;
+}
+
+/* The plane that all data are in, if there is one; with the side from which
+ * they turn to the left, which turns and is mirrored with them. */
 static enum ph_status set_normal(struct reading *r) {
   struct ph_spatial_points *p = r->points;
   ph_vec3 normal;
@@ -295,7 +307,7 @@ static enum ph_status set_normal(struct reading *r) {
       }
     }
   }
-  p->normal = normal;
+  p->normal = turn_about(p, normal) < 0 ? ph_vec3_scale(-1, normal) : normal;
   return PH_OK;
 }
 
