@@ -4,19 +4,24 @@
 
 #include "check/clear.h"
 #include "check/data.h"
-#include "kernel/bern.h"
+#include "check/loop_piece.h"
 #include "kernel/pi.h"
 
-/* Points of a piece at most; nodes of the quadrature of one, that is cut into
- * so many parts; places of one where the distance from its segment, and from
- * the whole curve is looked at. */
-enum { POINTS_MAX = 16, NODES = 16, PARTS = 2, PLACES = 8 };
+enum { N = PH_CHECK_SPOTS };
+
+/* Where the nodes of pieces are not enough: nodes of the quadrature of one,
+ * that is cut into so many parts, and places of one where its distance is
+ * looked at. */
+enum { NODES = 16, PARTS = 2, PLACES = 8 };
 
 /* Pieces up to which the curve is looked at from three places of each. */
 enum { FEW = 256 };
 
 /* What a certificate allows. */
 static const double CLOSURE = 1e-12, ERROR = 1e-10, TURN = 1e-6;
+
+/* Above that, numbers are found again with more care. */
+static const double FINE = 1e-12;
 
 /* Where parts touch, they meet at such an angle, to either side. */
 static const double BEND = 1e-4;
@@ -38,7 +43,9 @@ struct context {
   struct ph_check *v;
   const struct ph_offset *o;
   struct ph_check_found *found;
+  bool trimmed;
   struct ph_check_tree tree;
+  struct ph_check_nodes nodes;
   struct ph_check_segment segment;
   struct ph_check_path path;
   struct ph_quad rule;
@@ -48,9 +55,11 @@ struct context {
   size_t loop, places;
 };
 
-/* A place of a piece, and the derivative there. */
-struct at {
-  ph_vec3 o, d;
+/* A piece, and its places. */
+struct piece {
+  struct ph_check_piece p;
+  struct ph_check_spots at;
+  double length, area; /* the latter seen from its first point */
 };
 
 static void see(struct context *c, int what, double error) {
@@ -70,46 +79,18 @@ static void broken(struct context *c) {
   }
 }
 
-/* ---- places ---------------------------------------------------------------
- */
-
-static ph_vec3 point_of(const struct context *c,
-                        const struct ph_loop_piece *piece, size_t i) {
-  return ph_check_vector(c->v, piece->control_points + 2 * i, 2);
-}
-
-/* Numerator and weight from the first control point on. */
-static struct at place_at(const struct context *c,
-                          const struct ph_loop_piece *piece, double x) {
-  const size_t n = c->o->degree;
-  const ph_vec3 first = point_of(c, piece, 0);
-  double b[POINTS_MAX], lower[POINTS_MAX], w = 0, dw = 0;
-  ph_vec3 sum = {0, 0, 0}, rate = {0, 0, 0};
-  struct at at;
-  ph_bern_basis(n, x, b);
-  ph_bern_basis(n - 1, x, lower);
-  for (size_t i = 0; i <= n; i++) {
-    const ph_vec3 from = ph_vec3_sub(point_of(c, piece, i), first);
-    const double d =
-        (double)n * ((i > 0 ? lower[i - 1] : 0) - (i < n ? lower[i] : 0));
-    const double weight = piece->weights[i] / piece->weights[0];
-    sum = ph_vec3_along(sum, b[i] * weight, from);
-    rate = ph_vec3_along(rate, d * weight, from);
-    w += b[i] * weight;
-    dw += d * weight;
-  }
-  sum = ph_vec3_scale(1 / w, sum);
-  at.o = ph_vec3_add(first, sum);
-  at.d = ph_vec3_scale(1 / w, ph_vec3_along(rate, -dw, sum));
-  return at;
-}
-
-static double turn_between(ph_vec3 a, ph_vec3 b) {
-  return atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
-}
-
 /* ---- pieces ---------------------------------------------------------------
  */
+
+/* The angle from a to b. */
+static double turn_between(double ax, double ay, double bx, double by) {
+  const double cross = ax * by - ay * bx, dot = ax * bx + ay * by;
+  if (fabs(cross) < 0.01 * dot) { /* as far as that, a series is exact */
+    const double t = cross / dot, t2 = t * t;
+    return t * (1 - t2 * (1.0 / 3 - t2 * (1.0 / 5)));
+  }
+  return atan2(cross, dot);
+}
 
 static bool is_sound(const struct context *c,
                      const struct ph_loop_piece *piece) {
@@ -126,139 +107,250 @@ static bool is_sound(const struct context *c,
   return sound;
 }
 
-/* The distance from a corner, or from the segment along its normal. */
-static void check_distance(struct context *c,
-                           const struct ph_loop_piece *piece) {
-  const double *in = piece->interval;
-  const size_t n = c->v->curve->n;
-  ph_vec3 corner = {0, 0, 0};
-  if (piece->segment != PH_NO_SEGMENT) {
-    ph_check_load(c->v, piece->segment, &c->segment);
-    c->path.distance = in[1] < in[0] ? -c->side : c->side;
-  } else {
-    const bool end = piece->join == n;
-    ph_check_load(c->v, end ? n - 1 : piece->join, &c->segment);
-    corner = c->segment.end[end];
+/* Whether it is beside a segment, in its direction or against it. */
+static bool is_beside(const struct piece *piece) {
+  return piece->p.of->segment != PH_NO_SEGMENT;
+}
+
+static double side_beside(const struct context *c, const struct piece *piece) {
+  const double *in = piece->p.of->interval;
+  return in[1] < in[0] ? -c->side : c->side;
+}
+
+/* Places at the distance from a corner; of lines to a tip, no less. */
+static void check_join(struct context *c, const struct piece *piece) {
+  const struct ph_curve *curve = c->v->curve;
+  const struct ph_loop_piece *of = piece->p.of;
+  const bool end = of->join == curve->n;
+  const double *p = ph_curve_points(curve, end ? curve->n - 1 : of->join);
+  const ph_vec3 corner =
+      ph_check_vector(c->v, p + (end ? 2 * curve->degree : 0), 2);
+  for (size_t i = 0; i < N; i++) {
+    const ph_vec3 at = {piece->at.x[i], piece->at.y[i], 0};
+    const ph_vec3 o = ph_vec3_add(piece->p.first, at);
+    double miss = c->distance - ph_check_apart(o, corner);
+    miss = fabs(of->angle) > 0 ? fabs(miss) : miss;
+    see(c, OF_DISTANCE, (miss - ph_check_reach(c->v, o)) / c->size);
   }
+}
+
+/* Of polynomials: the worst miss at the nodes. */
+static double miss_of(const struct context *c, const struct piece *piece) {
+  const struct ph_loop_piece *of = piece->p.of;
+  const double side = side_beside(c, piece);
+  struct ph_check_spots on;
+  double worst = 0;
+  if (c->v->curve->preimage.alpha) {
+    return HUGE_VAL;
+  }
+  ph_check_segment_spots(c->v, &c->nodes, of->segment, of->interval,
+                         piece->p.first, &on);
+  for (size_t i = 0; i < N; i++) {
+    const double over = side / sqrt(on.dx[i] * on.dx[i] + on.dy[i] * on.dy[i]);
+    const double x = piece->at.x[i] - on.x[i] + over * on.dy[i];
+    const double y = piece->at.y[i] - on.y[i] - over * on.dx[i];
+    const double miss = x * x + y * y;
+    worst = miss <= worst ? worst : miss;
+  }
+  return sqrt(worst);
+}
+
+/* Places at the distance from a segment along its normal. */
+static void check_beside(struct context *c, const struct piece *piece) {
+  const double *in = piece->p.of->interval;
+  const double quick = miss_of(c, piece) / c->size;
+  if (quick <= FINE) {
+    see(c, OF_DISTANCE, quick);
+    return;
+  }
+  ph_check_load(c->v, piece->p.of->segment, &c->segment);
+  c->path.distance = side_beside(c, piece);
   for (size_t i = 0; i <= PLACES; i++) {
     const double x = (double)i / PLACES;
-    const struct at at = place_at(c, piece, x);
-    double miss;
-    if (piece->segment != PH_NO_SEGMENT) {
-      const struct ph_check_local local =
-          ph_check_local_at(&c->path, in[0] + x * (in[1] - in[0]));
-      miss = ph_check_apart(at.o, local.point) - local.point_error;
-    } else {
-      miss = c->distance - ph_check_apart(at.o, corner);
-      miss = fabs(piece->angle) > 0 ? fabs(miss) : miss;
+    const ph_vec3 o = ph_check_piece_at(&piece->p, x).o;
+    const struct ph_check_local local =
+        ph_check_local_at(&c->path, in[0] + x * (in[1] - in[0]));
+    const double miss = ph_check_apart(o, local.point) - local.point_error;
+    see(c, OF_DISTANCE, (miss - ph_check_reach(c->v, o)) / c->size);
+  }
+}
+
+/* That no point of the curve is nearer: to all of the piece, or where some
+ * might be, to places of it. */
+static void check_clear(struct context *c, const struct piece *piece) {
+  const size_t k = is_beside(piece) ? piece->p.of->segment : 0;
+  const struct ph_check_company *company = NULL;
+  if (is_beside(piece)) {
+    company = &c->tree.company[side_beside(c, piece) < 0][k];
+    if (ph_check_is_clear(&c->tree, &piece->p.box, k, company)) {
+      return;
     }
-    see(c, OF_DISTANCE, (miss - ph_check_reach(c->v, at.o)) / c->size);
   }
-}
-
-/* That no point of the curve is nearer. */
-static void check_clear(struct context *c, const struct ph_loop_piece *piece) {
   for (size_t i = 1; i <= c->places; i++) {
-    const struct at at =
-        place_at(c, piece, (double)i / (double)(c->places + 1));
-    see(c, OF_DISTANCE,
-        ph_check_nearer(&c->tree, at.o, c->distance, ERROR * c->size / 2) /
-            c->size);
+    const double x = (double)i / (double)(c->places + 1);
+    const ph_vec3 o = ph_check_piece_at(&piece->p, x).o;
+    see(c, OF_DISTANCE, ph_check_nearer(&c->tree, o, k, company) / c->size);
   }
 }
 
-/* Its length, and what it adds to the area, seen from a place. */
-static double measure(struct context *c, const struct ph_loop_piece *piece,
-                      ph_vec3 from, double *length) {
-  double area = 0;
-  *length = 0;
+/* Its length and area, by many nodes. */
+static void measure_all(const struct context *c, struct piece *piece) {
+  piece->length = piece->area = 0;
   for (size_t part = 0; part < PARTS; part++) {
     for (size_t i = 0; i < c->rule.n; i++) {
-      const double x = ((double)part + c->rule.node[i]) / PARTS;
-      const struct at at = place_at(c, piece, x);
-      const ph_vec3 r = ph_vec3_sub(at.o, from);
+      const struct ph_check_spot at = ph_check_piece_at(
+          &piece->p, ((double)part + c->rule.node[i]) / PARTS);
+      const ph_vec3 r = ph_vec3_sub(at.o, piece->p.first);
       const double w = c->rule.weight[i] / PARTS;
-      *length += w * ph_vec3_abs(at.d);
-      area += 0.5 * w * (r.x * at.d.y - r.y * at.d.x);
+      piece->length += w * ph_vec3_abs(at.d);
+      piece->area += 0.5 * w * (r.x * at.d.y - r.y * at.d.x);
     }
   }
-  return area;
 }
 
-/* By how much the tangent turns along a piece. */
-static double turn_along(const struct context *c,
-                         const struct ph_loop_piece *piece) {
+/* The same by the few, where these give the length that is claimed. */
+static void measure(const struct context *c, struct piece *piece,
+                    double claimed) {
+  const struct ph_check_spots *at = &piece->at;
+  piece->length = piece->area = 0;
+  for (size_t i = 0; i < N; i++) {
+    const double w = c->nodes.weight[i];
+    piece->length += w * sqrt(at->dx[i] * at->dx[i] + at->dy[i] * at->dy[i]);
+    piece->area += 0.5 * w * (at->x[i] * at->dy[i] - at->y[i] * at->dx[i]);
+  }
+  if (!(fabs(piece->length - claimed) <= FINE * c->size)) {
+    measure_all(c, piece);
+  }
+}
+
+/* By how much the tangent turns along a piece: between any two nodes by less
+ * than a half turn. */
+static double turn_along(const struct piece *piece) {
+  const double *x = piece->at.dx, *y = piece->at.dy;
   double turn = 0;
-  ph_vec3 before = place_at(c, piece, 0).d;
-  for (size_t i = 1; i <= PLACES; i++) {
-    const ph_vec3 now = place_at(c, piece, (double)i / PLACES).d;
-    turn += turn_between(before, now);
-    before = now;
+  bool ahead = true;
+  for (size_t i = 1; i < N; i++) {
+    ahead = ahead && x[0] * x[i] + y[0] * y[i] > 0;
+  }
+  if (ahead) {
+    return turn_between(x[0], y[0], x[N - 1], y[N - 1]);
+  }
+  for (size_t i = 1; i < N; i++) {
+    turn += turn_between(x[i - 1], y[i - 1], x[i], y[i]);
   }
   return turn;
+}
+
+static void load(const struct context *c, const struct ph_loop_piece *of,
+                 struct piece *piece) {
+  ph_check_piece_of(c->v, of, c->o->degree, &piece->p);
+  ph_check_piece_spots(&c->nodes, &piece->p, &piece->at);
+  measure(c, piece, ph_check_scaled(c->v, of->length));
 }
 
 /* ---- loops ----------------------------------------------------------------
  */
 
 /* Where one piece leads to another. */
-static double check_joint(struct context *c, const struct ph_loop_piece *a,
-                          const struct ph_loop_piece *b, bool trimmed) {
-  const size_t last = c->o->degree;
-  const double gap = ph_check_apart(point_of(c, a, last), point_of(c, b, 0));
-  double turn = turn_between(place_at(c, a, 1).d, place_at(c, b, 0).d);
-  const bool tip = a->segment == PH_NO_SEGMENT && a->join == b->join &&
-                   b->segment == PH_NO_SEGMENT;
+static double check_joint(struct context *c, const struct ph_check_piece *a,
+                          const struct ph_check_piece *b) {
+  const double gap = ph_check_apart(a->last, b->first);
+  const double turn =
+      turn_between(a->end[1].x, a->end[1].y, b->end[0].x, b->end[0].y);
+  const bool tip = a->of->segment == PH_NO_SEGMENT &&
+                   a->of->join == b->of->join &&
+                   b->of->segment == PH_NO_SEGMENT;
   see(c, OF_CLOSURE, gap / c->size);
-  if (trimmed && fabs(turn) > PH_PI - BACK) { /* where parts touch */
+  if (c->trimmed && fabs(turn) > PH_PI - BACK) { /* where parts touch */
     return turn * c->side < 0 ? turn + copysign(2 * PH_PI, c->side) : turn;
   }
-  if (trimmed && !tip && turn * c->side < 0 && fabs(turn) > BEND) {
+  if (c->trimmed && !tip && turn * c->side < 0 && fabs(turn) > BEND) {
     see(c, OF_TURN, fabs(turn));
   }
   return turn;
 }
 
-static void check_loop(struct context *c, const struct ph_loop *loop,
-                       bool trimmed) {
+/* What a piece adds to the area, seen from a place. */
+static double area_from(const struct piece *piece, ph_vec3 from) {
+  const ph_vec3 to = ph_vec3_sub(piece->p.first, from);
+  const ph_vec3 along = ph_vec3_sub(piece->p.last, piece->p.first);
+  return piece->area + 0.5 * (to.x * along.y - to.y * along.x);
+}
+
+/* The area of a loop, by many nodes. */
+static double area_of(const struct context *c, const struct ph_loop *loop,
+                      ph_vec3 from) {
+  struct piece piece;
+  double area = 0;
+  for (size_t i = 0; i < loop->n; i++) {
+    ph_check_piece_of(c->v, &loop->pieces[i], c->o->degree, &piece.p);
+    measure_all(c, &piece);
+    area += area_from(&piece, from);
+  }
+  return area;
+}
+
+/* The sums of a closed loop that are claimed. */
+static void check_closed(struct context *c, const struct ph_loop *loop,
+                         ph_vec3 from, double area, double turn) {
+  const double claimed =
+      ph_check_scaled(c->v, ph_check_scaled(c->v, loop->area));
+  const double square = c->size * c->size;
+  if (!(fabs(area - claimed) <= FINE * square)) {
+    area = area_of(c, loop, from);
+  }
+  see(c, OF_AREA, fabs(area - claimed) / square);
+  if (c->trimmed) {
+    see(c, OF_TURN, fabs(fabs(turn) - 2 * PH_PI));
+  }
+}
+
+static bool is_loop_sound(const struct context *c, const struct ph_loop *loop) {
+  for (size_t i = 0; i < loop->n; i++) {
+    if (!is_sound(c, &loop->pieces[i])) {
+      return false;
+    }
+  }
+  return loop->n > 0;
+}
+
+static void check_loop(struct context *c, const struct ph_loop *loop) {
   double length = 0, area = 0, turn = 0;
-  ph_vec3 from;
-  if (loop->n == 0) {
+  struct piece piece[2];
+  struct ph_check_piece first;
+  if (!is_loop_sound(c, loop)) {
     broken(c);
     return;
   }
+  load(c, &loop->pieces[0], &piece[0]);
+  first = piece[0].p;
   for (size_t i = 0; i < loop->n; i++) {
-    if (!is_sound(c, &loop->pieces[i])) {
-      broken(c);
-      return;
+    const struct piece *now = &piece[i % 2];
+    struct piece *next = &piece[(i + 1) % 2];
+    const double claimed = ph_check_scaled(c->v, now->p.of->length);
+    see(c, OF_LENGTH, fabs(now->length - claimed) / c->size);
+    length += now->p.of->length;
+    area += area_from(now, first.first);
+    turn += turn_along(now);
+    if (is_beside(now)) {
+      check_beside(c, now);
+    } else {
+      check_join(c, now);
     }
-  }
-  from = point_of(c, &loop->pieces[0], 0);
-  for (size_t i = 0; i < loop->n; i++) {
-    const struct ph_loop_piece *piece = &loop->pieces[i];
-    double found;
-    area += measure(c, piece, from, &found);
-    see(c, OF_LENGTH,
-        fabs(found - ph_check_scaled(c->v, piece->length)) / c->size);
-    length += piece->length;
-    check_distance(c, piece);
-    turn += turn_along(c, piece);
-    if (i + 1 < loop->n || loop->closed) {
-      turn += check_joint(c, piece, &loop->pieces[(i + 1) % loop->n], trimmed);
+    if (c->trimmed) {
+      check_clear(c, now);
     }
-    if (trimmed) {
-      check_clear(c, piece);
+    if (i + 1 < loop->n) {
+      load(c, &loop->pieces[i + 1], next);
+      turn += check_joint(c, &now->p, &next->p);
+    } else if (loop->closed) {
+      turn += check_joint(c, &now->p, &first);
     }
   }
   see(c, OF_LENGTH,
       fabs(ph_check_scaled(c->v, length - loop->length)) / c->size);
   if (loop->closed) {
-    const double claimed =
-        ph_check_scaled(c->v, ph_check_scaled(c->v, loop->area));
-    see(c, OF_AREA, fabs(area - claimed) / (c->size * c->size));
-    if (trimmed) {
-      see(c, OF_TURN, fabs(fabs(turn) - 2 * PH_PI));
-    }
+    check_closed(c, loop, first.first, area, turn);
   }
 }
 
@@ -274,7 +366,8 @@ static double side_of_piece(struct context *c,
   ph_check_load(c->v, piece->segment, &c->segment);
   c->path.distance = 0;
   local = ph_check_local_at(&c->path, in[0]);
-  from = ph_vec3_sub(point_of(c, piece, 0), local.point);
+  from =
+      ph_vec3_sub(ph_check_vector(c->v, piece->control_points, 2), local.point);
   return copysign(c->distance,
                   (in[1] - in[0]) * ph_vec3_cross(local.tangent, from).z);
 }
@@ -303,7 +396,6 @@ static double side_of(struct context *c) {
 enum ph_status ph_check_loops(struct ph_check *v, const struct ph_offset *o,
                               struct ph_check_found *found) {
   const struct ph_loops *loops = &o->loops;
-  const bool trimmed = loops->mode && *loops->mode == 't';
   struct context c = {.v = v, .o = o, .found = found};
   double length = 0, area = 0;
   size_t pieces = 0;
@@ -316,24 +408,26 @@ enum ph_status ph_check_loops(struct ph_check *v, const struct ph_offset *o,
     c.slack =
         SLACK * ph_check_scaled(v, loops->trimming.approximation) / c.size;
   }
-  if (!ph_quad_gauss(&c.rule, NODES)) {
-    return ph_fail_memory(v->diag);
-  }
-  if (o->degree + 1 > POINTS_MAX || o->degree < 1) {
+  c.trimmed = loops->mode && *loops->mode == 't';
+  if (o->degree + 1 > PH_CHECK_POINTS_MAX || o->degree < 1) {
     broken(&c);
     return PH_OK;
   }
+  if (!ph_quad_gauss(&c.rule, NODES)) {
+    return ph_fail_memory(v->diag);
+  }
+  ph_check_nodes_of(o->degree, &c.nodes);
   c.side = side_of(&c);
   for (size_t i = 0; i < loops->n; i++) {
     pieces += loops->v[i].n;
   }
   c.places = pieces <= FEW ? 3 : 1;
-  if (trimmed) {
-    status = ph_check_tree_of(v, &c.tree);
+  if (c.trimmed && loops->n > 0) {
+    status = ph_check_tree_of(v, c.distance, ERROR * c.size / 2, &c.tree);
   }
   for (size_t i = 0; status == PH_OK && i < loops->n; i++) {
     c.loop = i;
-    check_loop(&c, &loops->v[i], trimmed);
+    check_loop(&c, &loops->v[i]);
     length += loops->v[i].length;
     area += loops->v[i].area;
   }

@@ -7,7 +7,9 @@
  *             closed loop ends where the first begins
  *   distance  pieces of segments are at the distance along the normal, at equal
  *             parameters; joins are at the distance from their corners; of
- *             trimmed offsets no place is nearer to any point of the curve
+ *             trimmed offsets no place of a piece is nearer to any point of the
+ *             curve, by bounds (clear.h), or where these do not say so, three
+ *             places of it are not, one if there are more than 256 pieces
  *   length    of pieces by quadrature, and the sums of them
  *   area      of loops by quadrature, and the sum
  *   turns     a closed loop of a trimmed offset turns by 2 pi to one side, and

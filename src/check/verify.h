@@ -10,10 +10,11 @@
  * by quadrature.  tests/lint/layers.sh sees to that.
  *
  * With solve/ and curve/ it shares kernel: algebra, Bernstein forms, s2.h,
- * degree.h, Gauss nodes, pow2.h; certificates also the layout of band matrices,
- * and the halves of forms.  One derivation stands in both, in code of its own:
- * the bound of the distance of cubics (tc_distance.h, solve/tc/approx.h), which
- * verify does not use: distance.c looks for far points.
+ * degree.h, Gauss nodes, pow2.h, boxtree.h; certificates also the layout of
+ * band matrices, and the halves of forms.  One derivation stands in both, in
+ * code of its own: the bound of the distance of cubics (tc_distance.h,
+ * solve/tc/approx.h), which verify does not use: distance.c looks for far
+ * points.
  *
  * Certificates and verification share promise.h and scale.h; of curves whose
  * hodographs are squares, but for tc, segments (segment.h), what is given at

@@ -16,6 +16,8 @@
 #include "curve/offset/offset.h"
 #include "kernel/pi.h"
 
+#include <string.h>
+
 enum { CURVES = 60, POINTS_MAX = 25, EACH = 32, PLACES = 5, STEPS = 8 };
 
 static const struct ph_offset_rules trimmed = {.mode = PH_OFFSET_TRIMMED,
@@ -128,6 +130,14 @@ static double nearest(const struct ph_curve *c, const ph_cplx *samples,
   return best;
 }
 
+static void sample(ph_cplx *samples) {
+  const struct ph_curve *c = &u.result.curve;
+  for (size_t i = 0; i < EACH * c->n; i++) {
+    const double *p = c->control_points + 2 * (c->degree + 1) * (i / EACH);
+    samples[i] = unit_bezier(p, c->degree, 0, (double)(i % EACH) / EACH);
+  }
+}
+
 static ph_cplx place_of(const struct ph_loop_piece *piece, size_t degree,
                         double t) {
   double top[3 * 20];
@@ -173,16 +183,51 @@ PH_TEST(test_distance) {
     const struct ph_curve *c = &u.result.curve;
     const struct ph_loops *loops;
     ck_assert_uint_eq(c->n, points.n);
-    for (size_t i = 0; i < EACH * c->n; i++) {
-      samples[i] =
-          unit_bezier(c->control_points + 2 * (c->degree + 1) * (i / EACH),
-                      c->degree, 0, (double)(i % EACH) / EACH);
-    }
+    sample(samples);
     loops = offset_at(random_distance(&r));
     for (size_t i = 0; i < loops->n; i++) {
       ck_loop(&loops->v[i], samples);
     }
   }
+}
+
+/* Joined offsets are no trimmed ones: where a place that is looked at is nearer
+ * than the distance, the certificate says so. */
+PH_TEST(test_gouged) {
+  struct unit_random r = unit_random_of(44);
+  static ph_cplx samples[EACH * POINTS_MAX];
+  static const struct ph_offset_rules joined = {.mode = PH_OFFSET_JOINED,
+                                                .tolerance = 1e-9};
+  size_t gouged = 0;
+  for (curves = 0; curves < trials(); curves++) {
+    const double d = random_distance(&r);
+    struct ph_arena scratch = {NULL};
+    double least = HUGE_VAL;
+    enum ph_status status;
+    random_points(&r);
+    sample(samples);
+    ck_that(ph_offset(&u.result.curve, d, &joined, &u.arena, &offset,
+                      &u.diag) == PH_OK,
+            "curve %zu: %s", curves, u.diag.message);
+    for (size_t i = 0; i < offset.loops.v[0].n; i++) {
+      for (size_t k = 1; k < 4; k++) {
+        const ph_cplx at = place_of(&offset.loops.v[0].pieces[i], offset.degree,
+                                    0.25 * (double)k);
+        least = fmin(least, nearest(&u.result.curve, samples, at));
+      }
+    }
+    offset.loops.mode = "trimmed";
+    status = ph_certify_loops(&u.result.curve, &offset, 1, &scratch, &u.diag);
+    if (least < fabs(d) * (1 - 1e-6)) {
+      ck_that(status == PH_E_NO_CONVERGENCE &&
+                  strstr(u.diag.message, "error of distance"),
+              "curve %zu at %.17g, nearest %.17g: %s", curves, d, least,
+              status == PH_OK ? "certified" : u.diag.message);
+      gouged++;
+    }
+    ph_arena_free(&scratch);
+  }
+  ck_assert(4 * gouged > curves);
 }
 
 /* ---- how areas change -----------------------------------------------------

@@ -8,48 +8,24 @@ enum { HALVINGS_MAX = 60 };
 /* ---- the tree -------------------------------------------------------------
  */
 
-static struct ph_clear_node leaf_of(const struct ph_strands *strands,
-                                    size_t k) {
-  const struct ph_curve *c = &strands->curve;
-  const double *p = ph_curve_points(c, k);
-  struct ph_clear_node node = {{p[0], p[1]}, {p[0], p[1]}};
-  for (size_t i = 1; i <= c->degree; i++) {
-    for (size_t j = 0; j < 2; j++) {
-      node.low[j] = fmin(node.low[j], p[2 * i + j]);
-      node.high[j] = fmax(node.high[j], p[2 * i + j]);
-    }
+static struct ph_boxtree_node leaf_of(void *context, size_t k) {
+  const struct ph_strands *strands = context;
+  const double *p = ph_curve_points(&strands->curve, k);
+  struct ph_boxtree_node box = ph_boxtree_empty();
+  for (size_t i = 0; i <= strands->curve.degree; i++) {
+    ph_boxtree_add(&box, p[2 * i], p[2 * i + 1]);
   }
-  return node;
-}
-
-static void build(struct ph_clear *clear, size_t at, size_t first, size_t n) {
-  struct ph_clear_node *node = &clear->nodes[at];
-  const struct ph_clear_node *left = node + 1, *right;
-  const size_t half = n / 2;
-  if (n == 1) {
-    *node = leaf_of(clear->strands, first);
-    return;
-  }
-  build(clear, at + 1, first, half);
-  build(clear, at + 2 * half, first + half, n - half);
-  right = &clear->nodes[at + 2 * half];
-  for (size_t j = 0; j < 2; j++) {
-    node->low[j] = fmin(left->low[j], right->low[j]);
-    node->high[j] = fmax(left->high[j], right->high[j]);
-  }
+  return box;
 }
 
 enum ph_status ph_clear_begin(struct ph_clear *clear,
                               const struct ph_strands *strands,
                               struct ph_diag *diag) {
   *clear = (struct ph_clear){.strands = strands, .segment = PH_NO_STRAND};
-  clear->nodes =
-      ph_arena_array(strands->arena, 2 * strands->n, sizeof *clear->nodes);
-  if (!clear->nodes) {
-    return ph_fail_memory(diag);
-  }
-  build(clear, 0, 0, strands->n);
-  return PH_OK;
+  return ph_boxtree_of(&clear->boxes, strands->n, leaf_of, (void *)strands,
+                       strands->arena)
+             ? PH_OK
+             : ph_fail_memory(diag);
 }
 
 /* ---- one segment ----------------------------------------------------------
@@ -131,36 +107,14 @@ static bool is_segment_clear(struct look *look, size_t k) {
 /* ---- all ------------------------------------------------------------------
  */
 
-static double from_box(const struct ph_clear_node *node, ph_cplx place) {
-  const double x =
-      fmax(fmax(node->low[0] - place.re, place.re - node->high[0]), 0);
-  const double y =
-      fmax(fmax(node->low[1] - place.im, place.im - node->high[1]), 0);
-  return sqrt(x * x + y * y);
-}
+struct search {
+  struct ph_boxtree_search base;
+  struct look *look;
+};
 
-/* The half with the segment `near`, or the nearer one, comes first. */
-static bool is_node_clear(struct look *look, size_t at, size_t first, size_t n,
-                          size_t near) {
-  const struct ph_clear_node *nodes = look->clear->nodes;
-  const size_t half = n / 2, left = at + 1, right = at + 2 * half;
-  bool swap;
-  if (from_box(&nodes[at], look->place) >= look->least) {
-    return true;
-  }
-  if (n == 1) {
-    return is_segment_clear(look, first);
-  }
-  swap = near >= first && near < first + n
-             ? near >= first + half
-             : from_box(&nodes[right], look->place) <
-                   from_box(&nodes[left], look->place);
-  if (swap) {
-    return is_node_clear(look, right, first + half, n - half, near) &&
-           is_node_clear(look, left, first, half, near);
-  }
-  return is_node_clear(look, left, first, half, near) &&
-         is_node_clear(look, right, first + half, n - half, near);
+static void visit(struct ph_boxtree_search *base, size_t k) {
+  const struct search *search = (const struct search *)base;
+  base->limit = is_segment_clear(search->look, k) ? base->limit : 0;
 }
 
 bool ph_clear_of(struct ph_clear *clear, ph_cplx place, size_t near) {
@@ -168,5 +122,15 @@ bool ph_clear_of(struct ph_clear *clear, ph_cplx place, size_t near) {
   struct look look = {clear, place,
                       fabs(strands->distance) -
                           PH_CLEAR_TOLERANCE * strands->size};
-  return is_node_clear(&look, 0, 0, strands->n, near);
+  struct search search = {{.from = {{place.re, place.im}, {place.re, place.im}},
+                           .skip = near,
+                           .skip_n = 1,
+                           .limit = look.least,
+                           .visit = visit},
+                          &look};
+  if (!is_segment_clear(&look, near)) {
+    return false;
+  }
+  ph_boxtree_near(&clear->boxes, &search.base);
+  return search.base.limit > 0;
 }

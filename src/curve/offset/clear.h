@@ -10,17 +10,14 @@
 #define PH_CURVE_OFFSET_CLEAR_H
 
 #include "curve/offset/strand.h"
+#include "kernel/boxtree.h"
 
 /* What is nearer by less, of the size, is not nearer. */
 #define PH_CLEAR_TOLERANCE 1e-13
 
-struct ph_clear_node {
-  double low[2], high[2];
-};
-
 struct ph_clear {
   const struct ph_strands *strands;
-  struct ph_clear_node *nodes;
+  struct ph_boxtree boxes;
   struct ph_fast3 fast;
   size_t segment; /* that it is prepared for */
   double whole;
