@@ -28,7 +28,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
@@ -80,7 +80,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
@@ -133,7 +133,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
@@ -187,7 +187,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
@@ -244,7 +244,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
@@ -299,7 +299,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
     --table | --table=) list='samples strips development located' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= apexes= contact_point= tangent_scale= criterion= angles= alpha= height= flat= translate= merge=' ;;
@@ -333,17 +333,19 @@ _phspline() {
     --faces | --faces=) kind=nothing ;;
     --normals | --normals=) kind=nothing ;;
     --continuity | --continuity=) kind=nothing ;;
-    --degree | --degree=) list='auto' ;;
+    --degree | --degree=) list='auto exact' ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj' ;;
-    --table | --table=) list='patches' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
+    --table | --table=) list='samples patches edges' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= faces= normals= continuity= degree= tolerance=' ;;
     --override | --override=) list='points= faces= normals= continuity= degree= tolerance=' ;;
     -S | --sweep | --sweep=) list='points= faces= normals= continuity= degree= tolerance=' ;;
+    -d | --offset | --offset=) kind=nothing ;;
+    -n | --sample | --sample=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     --max-samples | --max-samples=) kind=nothing ;;
     --max-memory | --max-memory=) kind=nothing ;;
@@ -352,7 +354,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -31,19 +31,8 @@ static struct ph_check_where patch_of(size_t i, const char *member) {
 
 /* ---- arrays -------------------------------------------------------------- */
 
-/* Why a patch is none, or NULL. */
-static const char *fault_of(const struct ph_patch *p, const char **member) {
-  *member = "bidegree";
-  if (p->bidegree[0] + 1 > MOST || p->bidegree[1] + 1 > MOST) {
-    return "is too high";
-  }
-  *member = "control_points";
-  if (p->points_n != (p->bidegree[0] + 1) * (p->bidegree[1] + 1)) {
-    return "are not as many as the bidegree says";
-  }
-  if (!ph_are_finite(p->control_points, 3 * p->points_n)) {
-    return "hold what is not finite";
-  }
+static const char *fault_of_vertices(const struct ph_patch *p,
+                                     const char **member) {
   *member = "vertices";
   for (size_t k = 0; k < 4; k++) {
     for (size_t j = 0; j < k; j++) {
@@ -55,10 +44,41 @@ static const char *fault_of(const struct ph_patch *p, const char **member) {
   return NULL;
 }
 
+/* Why a patch is none, or NULL. */
+static const char *fault_of(const struct ph_patch *p, bool exact,
+                            const char **member) {
+  *member = "bidegree";
+  if (exact) {
+    return fault_of_vertices(p, member);
+  }
+  if (p->bidegree[0] >= MOST || p->bidegree[1] >= MOST) {
+    return "is too high";
+  }
+  *member = "control_points";
+  if (p->points_n != (p->bidegree[0] + 1) * (p->bidegree[1] + 1)) {
+    return "are not as many as the bidegree says";
+  }
+  if (!ph_are_finite(p->control_points, 3 * p->points_n)) {
+    return "hold what is not finite";
+  }
+  return fault_of_vertices(p, member);
+}
+
+bool ph_check_patch_exact(const struct ph_curve *c) {
+  for (size_t i = 0; i < c->n; i++) {
+    const struct ph_patch *p = &c->surface.patches[i];
+    if (p->points_n || p->bidegree[0] != PH_NO_SEGMENT) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool ph_check_patch_arrays(struct ph_check *v, const struct ph_curve *c) {
+  const bool exact = ph_check_patch_exact(c);
   for (size_t i = 0; i < c->n; i++) {
     const char *member;
-    const char *fault = fault_of(&c->surface.patches[i], &member);
+    const char *fault = fault_of(&c->surface.patches[i], exact, &member);
     if (fault && v->error) {
       v->status =
           ph_fail_at(v->diag, PH_E_TOO_LARGE, "patches", i, "%s", fault);
@@ -90,7 +110,9 @@ static bool is_same_edge(const struct ph_check_side *a,
 static enum ph_status set_sides(struct ph_check_patchwork *w) {
   const struct ph_curve *c = w->curve;
   w->sides = ph_arena_array(w->v->scratch, 4 * c->n, sizeof *w->sides);
-  if (!w->sides) {
+  w->seams = ph_arena_array(w->v->scratch, 2 * c->n, sizeof *w->seams);
+  w->seams_n = 0;
+  if (!w->sides || !w->seams) {
     return ph_fail_memory(w->v->diag);
   }
   for (size_t i = 0; i < 4 * c->n; i++) {
@@ -228,11 +250,18 @@ static double bend_of(const struct local *a, const struct local *b) {
 
 static void check_place(struct ph_check_patchwork *w, size_t patch,
                         double length, const struct local *a,
-                        const struct local *b) {
+                        const struct local *b, struct ph_check_seam *seam) {
   const struct ph_check *v = w->v;
   const double gap = ph_check_apart(a->p, b->p);
   const double angle = angle_of(a->normal, b->normal);
+  const double bend = length * bend_of(a, b);
   const double noise = ROUND * v->scale.rounding;
+  const double noises[] = {noise * (a->rounding + b->rounding),
+                           length * noise * (a->noise + b->noise)};
+  for (size_t i = 0; i < 2; i++) {
+    seam->value[i] = ph_check_larger(seam->value[i], i ? bend : angle);
+    seam->noise[i] = ph_check_larger(seam->noise[i], noises[i]);
+  }
   ph_check_miss(w->v, PH_CHECK_CONTINUITY, patch_of(patch, "control_points"),
                 gap, v->scale.size, noise, "leaves a gap at an edge");
   if (w->curve->surface.continuity == 0) {
@@ -241,17 +270,17 @@ static void check_place(struct ph_check_patchwork *w, size_t patch,
     }
     return;
   }
-  ph_check_add(&w->jump, patch, angle, 1,
-               w->jump_allowed + noise * (a->rounding + b->rounding));
-  ph_check_add(&w->bend, patch, length * bend_of(a, b), 1,
-               w->bend_allowed + length * noise * (a->noise + b->noise));
+  ph_check_add(&w->jump, patch, angle, 1, w->jump_allowed + noises[0]);
+  ph_check_add(&w->bend, patch, bend, 1, w->bend_allowed + noises[1]);
 }
 
 static void check_edge(struct ph_check_patchwork *w,
                        const struct ph_check_side *side) {
+  struct ph_check_seam *seam = &w->seams[w->seams_n++];
   struct layers layers[2];
   double length;
   bool back[2];
+  *seam = (struct ph_check_seam){.low = side->low, .high = side->high};
   for (size_t i = 0; i < 2; i++) {
     set_layers(w, side + i, &layers[i]);
     back[i] = w->curve->surface.patches[side[i].patch].vertices[side[i].k] !=
@@ -264,7 +293,7 @@ static void check_edge(struct ph_check_patchwork *w,
     struct local a, b;
     set_local(&layers[0], u, &a);
     set_local(&layers[1], u, &b);
-    check_place(w, side->patch, length, &a, &b);
+    check_place(w, side->patch, length, &a, &b, seam);
   }
 }
 
@@ -353,13 +382,14 @@ void ph_check_patch_corners(struct ph_check_patchwork *w) {
                     (normals->kind != PH_VECTORS ||
                      (normals->n == points->n && normals->dimension == 3)) &&
                     problem->field[PH_F_FACES].sizes_n == w->curve->n;
+  const bool exact = ph_check_patch_exact(w->curve);
   for (size_t i = 0; i < w->curve->n; i++) {
     if (!fits || !is_over(&w->curve->surface.patches[i], problem)) {
       ph_check_wrong(w->v, PH_CHECK_SHAPE, patch_of(i, "vertices"),
                      "are not those of the face in the problem");
       return;
     }
-    for (size_t k = 0; k < 4; k++) {
+    for (size_t k = 0; !exact && k < 4; k++) {
       check_corner(w, i, k);
     }
   }
@@ -422,7 +452,14 @@ enum ph_status ph_check_bubble(struct ph_check *v,
   w.normal.what = PH_D_NORMAL_ERROR;
   w.jump.what = PH_D_NORMAL_JUMP;
   w.bend.what = PH_D_CURVATURE_JUMP;
-  if (!ph_check_patch_arrays(v, v->curve) || !set_scale(v, &status)) {
+  if (!ph_check_patch_arrays(v, v->curve)) {
+    return v->status;
+  }
+  if (ph_check_patch_exact(v->curve)) {
+    ph_check_patch_corners(&w);
+    return v->status;
+  }
+  if (!set_scale(v, &status)) {
     return status == PH_OK ? v->status : status;
   }
   set_allowed(&w);
@@ -451,7 +488,16 @@ enum ph_status ph_check_patchwork(struct ph_check *v) {
                    breach);
     return PH_OK;
   }
-  if (!ph_check_patch_arrays(v, v->curve) || !set_scale(v, &status)) {
+  if (!ph_check_patch_arrays(v, v->curve)) {
+    return status;
+  }
+  if (ph_check_patch_exact(v->curve)) {
+    if (v->problem) {
+      ph_check_patch_corners(&w);
+    }
+    return PH_OK;
+  }
+  if (!set_scale(v, &status)) {
     return status;
   }
   w.jump_allowed = w.bend_allowed = HUGE_VAL;

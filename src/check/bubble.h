@@ -17,13 +17,22 @@ struct ph_check_side {
   size_t patch, k;  /* side k is from vertex k to the next */
 };
 
+/* An edge of two patches: how much normals and forms differ there at most, and
+ * how uncertain that is. */
+struct ph_check_seam {
+  size_t low, high;
+  double value[2], noise[2];
+};
+
 /* What the checks of such a surface share. */
 struct ph_check_patchwork {
   struct ph_check *v;
   const struct ph_curve *curve;
   struct ph_check_side *sides; /* [4 curve.n] in order of their points */
-  bool closed;                 /* every edge has two patches, */
-  bool oriented;               /* which run along it in opposite directions */
+  struct ph_check_seam *seams; /* [seams_n] in the same order */
+  size_t seams_n;
+  bool closed;   /* every edge has two patches, */
+  bool oriented; /* which run along it in opposite directions */
   double jump_allowed, bend_allowed; /* infinite: any */
   /* as of a certificate; reported: the largest of all */
   struct ph_check_error normal, jump, bend;
@@ -31,6 +40,10 @@ struct ph_check_patchwork {
 
 /* ph_check_patch_arrays: whether patches are such, with finite numbers. */
 bool ph_check_patch_arrays(struct ph_check *v, const struct ph_curve *curve);
+
+/* ph_check_patch_exact: whether no patch has control points: then their faces
+ * are all that can be looked at. */
+bool ph_check_patch_exact(const struct ph_curve *curve);
 
 /*
  * ph_check_patch_edges: what both patches of every edge share.
@@ -53,6 +66,9 @@ void ph_check_patch_corners(struct ph_check_patchwork *w);
 /* ph_check_patch_told: area, volume, degree and jumps as a record tells them.
  * ret  PH_OK | PH_E_NO_MEMORY */
 enum ph_status ph_check_patch_told(struct ph_check_patchwork *w);
+
+/* ph_check_patch_claim: samples and edges, as a record has them. */
+void ph_check_patch_claim(struct ph_check_patchwork *w);
 
 /* ph_check_patchwork: all of these, of the record of v; for verify.c.  ret
  * PH_OK | PH_E_NO_MEMORY */

@@ -170,6 +170,7 @@ enum ph_status ph_check_patch_told(struct ph_check_patchwork *w) {
   check_told(w, PH_D_DEGREE, s->continuity ? (double)degree - 1 : 0, 1, 0);
   check_told(w, PH_D_NORMAL_JUMP, w->jump.reported, 1, SUM);
   check_told(w, PH_D_CURVATURE_JUMP, w->bend.reported, 1, SUM);
+  ph_check_patch_claim(w);
   if (w->normal.done) {
     ph_check_miss(v, PH_CHECK_NORMAL,
                   ph_check_of("patches", w->normal.where, "control_points"),

@@ -118,7 +118,11 @@ const struct ph_command ph_commands[] = {
      "phspline bubble --continuity=2 mesh.json | jq .diagnostics\t"
      "With continuous curvature; by how much normals and curvatures jump\n"
      "phspline bubble --degree=9 --table=patches mesh.json\t"
-     "Patches of bidegree 10, their control points as a table\n"},
+     "Patches of bidegree 10, their control points as a table\n"
+     "phspline bubble --degree=exact --format=stl --sample=16 mesh.json "
+     "-o mesh.stl\tA fine mesh of the exact surface\n"
+     "phspline bubble --sample=4 --table=samples mesh.json\t"
+     "Points with normals and curvatures\n"},
     {&ph_verify_schema, "checks of results, from their control points alone",
      PH_USE_VERIFY, ph_verify_work,
      .examples =

@@ -24,6 +24,7 @@ enum ph_use {
   PH_USE_DRAW = 3, /* these have figures */
   PH_USE_VERIFY = 4,
   PH_USE_PATCHES = 8,
+  PH_USE_ANY_SURFACE = 10,
   PH_USE_SOLVE = 11,
   PH_USE_ALL = 15
 };

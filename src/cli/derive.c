@@ -6,19 +6,12 @@
 #include "curve/cross/cross.h"
 #include "curve/kind/kind.h"
 #include "curve/offset/loop.h"
-#include "curve/surface/area.h"
-#include "curve/surface/general.h"
-#include "curve/surface/grid.h"
-#include "curve/surface/strip.h"
 
 #include <stdio.h>
 
 /* Default tolerance of paths of drawings, and default chord error of formats of
  * samples, relative to the size of the curve. */
 static const double TOLERANCE_PATH = 1e-6;
-
-/* Steps of each strip of a mesh, where --sample does not say it. */
-enum { MESH_STEPS = 16 };
 
 /* Joints that a warning of gaps names. */
 enum { GAPS_NAMED = 8 };
@@ -221,164 +214,6 @@ static enum ph_status convert_all(double tolerance, struct ph_arena *arena,
   return status;
 }
 
-/* ---- surfaces ------------------------------------------------------------ */
-
-/* How many strips have their vertex within the height, and the first of them.
- */
-static size_t folds_of(const struct ph_curve *curve, size_t *first) {
-  size_t n = 0;
-  for (size_t i = curve->n; i-- > 0;) {
-    const struct ph_strip *strip = &curve->surface.strips[i];
-    double h[2][2];
-    ph_strip_corners(&curve->surface, strip, h);
-    if (!strip->directrix && ph_area_folds(strip->k, h)) {
-      *first = i;
-      n++;
-    }
-  }
-  return n;
-}
-
-/* Of the first surface that has one where that which it is parallel to has
- * none. */
-static void warn_folds(struct ph_result *r) {
-  size_t first = 0;
-  if (folds_of(&r->curve, &first)) {
-    return;
-  }
-  for (size_t i = 0; i < r->parallels_n; i++) {
-    const size_t n = folds_of(&r->parallels[i].curve, &first);
-    if (n) {
-      ph_warn(r, first, PH_W_VERTEX_INSIDE,
-              "the vertex of strip %zu of the surface at the distance %g is "
-              "within the height (such strips: %zu)",
-              first, r->parallels[i].distance, n);
-      return;
-    }
-  }
-}
-
-static enum ph_status derive_parallels(const struct ph_options *o,
-                                       struct ph_arena *arena,
-                                       struct ph_result *r,
-                                       struct ph_diag *diag) {
-  enum ph_status status = PH_OK;
-  r->parallels = ph_arena_array(arena, o->offsets_n, sizeof *r->parallels);
-  if (!r->parallels) {
-    return ph_fail_memory(diag);
-  }
-  for (size_t i = 0; status == PH_OK && i < o->offsets_n; i++) {
-    status =
-        ph_parallel_of(&r->curve, o->offsets[i], arena, &r->parallels[i], diag);
-  }
-  r->parallels_n = o->offsets_n;
-  if (status == PH_OK) {
-    warn_folds(r);
-  }
-  return status;
-}
-
-static enum ph_status derive_grids(const struct ph_grid_rules *rules,
-                                   struct ph_arena *arena, struct ph_result *r,
-                                   struct ph_diag *diag) {
-  enum ph_status status = ph_grid_of(&r->curve, rules, arena, &r->grid, diag);
-  for (size_t i = 0; status == PH_OK && i < r->parallels_n; i++) {
-    status = ph_grid_of(&r->parallels[i].curve, rules, arena,
-                        &r->parallels[i].grid, diag);
-  }
-  return status;
-}
-
-/* The developments of a surface and of those parallel to it. */
-static enum ph_status derive_flat(struct ph_arena *arena,
-                                  const struct ph_result *r,
-                                  struct ph_derived *derived,
-                                  struct ph_diag *diag) {
-  const size_t n = r->parallels_n + 1;
-  enum ph_status status = PH_OK;
-  derived->paths = ph_arena_array(arena, n, sizeof *derived->paths);
-  if (!derived->paths) {
-    return ph_fail_memory(diag);
-  }
-  for (size_t i = 0; status == PH_OK && i < n; i++) {
-    const struct ph_curve *c = i ? &r->parallels[i - 1].curve : &r->curve;
-    status = ph_flat_paths(c, TOLERANCE_PATH * ph_surface_size(c), arena,
-                           &derived->paths[i], diag);
-  }
-  derived->paths_n = n;
-  return status;
-}
-
-/* The developments of general cones as polygons. */
-static enum ph_status derive_polygons(const struct ph_options *o,
-                                      struct ph_arena *arena,
-                                      const struct ph_curve *curve,
-                                      struct ph_diag *diag) {
-  const double tolerance = o->tolerance > 0
-                               ? o->tolerance
-                               : PH_TOLERANCE_FLAT * ph_surface_size(curve);
-  enum ph_status status = PH_OK;
-  for (size_t i = 0; status == PH_OK && i < curve->n; i++) {
-    struct ph_strip *strip = &curve->surface.strips[i];
-    if (strip->directrix) {
-      status = ph_general_flat(strip, tolerance, arena, diag);
-    }
-  }
-  return status;
-}
-
-static enum ph_status derive_panorama(const struct ph_options *o,
-                                      struct ph_arena *arena,
-                                      struct ph_result *r,
-                                      struct ph_diag *diag) {
-  struct ph_panorama *p = &r->panorama;
-  enum ph_status status;
-  if (!(r->curve.surface.height[1] > r->curve.surface.height[0])) {
-    return ph_fail(diag, PH_E_BAD_VALUE, "height",
-                   "must have an extent for --panorama, as in "
-                   "--height=[-1,1]");
-  }
-  status = ph_panorama_of(&r->curve, &o->volume, o->resolution, o->grid.most,
-                          arena, p, diag);
-  if (status == PH_OK && p->outside) {
-    ph_warn(r, PH_NO_SEGMENT, PH_W_OUTSIDE,
-            "%zu of %zu points of the panorama are outside of the volume",
-            p->outside, p->points);
-  }
-  return status;
-}
-
-static enum ph_status derive_surface(const struct ph_options *o,
-                                     struct ph_arena *arena,
-                                     struct ph_result *r,
-                                     struct ph_derived *derived,
-                                     struct ph_diag *diag) {
-  const struct ph_format_row *format = &ph_formats[o->format];
-  struct ph_grid_rules rules = o->grid;
-  enum ph_status status = derive_parallels(o, arena, r, diag);
-  for (size_t i = 0; status == PH_OK && i <= r->parallels_n; i++) {
-    status = derive_polygons(o, arena,
-                             i ? &r->parallels[i - 1].curve : &r->curve, diag);
-  }
-  if (format->is_mesh && status == PH_OK) {
-    rules.along = rules.along ? rules.along : MESH_STEPS;
-    if (!ph_grid_across(&r->curve, &rules)) {
-      return ph_fail(diag, PH_E_BAD_VALUE, "height",
-                     "must have an extent for --format=%s, as in "
-                     "--height=[-1,1]",
-                     ph_format_name(o->format));
-    }
-  }
-  if (status == PH_OK && o->panorama) {
-    status = derive_panorama(o, arena, r, diag);
-  }
-  if (status == PH_OK && format->is_cubics) {
-    return derive_flat(arena, r, derived, diag);
-  }
-  return status == PH_OK && rules.along ? derive_grids(&rules, arena, r, diag)
-                                        : status;
-}
-
 enum ph_status ph_derive(const struct ph_options *options,
                          struct ph_arena *arena, struct ph_result *result,
                          struct ph_derived *derived, struct ph_diag *diag) {
@@ -387,11 +222,8 @@ enum ph_status ph_derive(const struct ph_options *options,
   enum ph_status status;
   double tolerance;
   derived->exact = result->curve;
-  if (ph_kind_of(&result->curve)->parts == PH_STRIPS_PARTS) {
-    return derive_surface(o, arena, result, derived, diag);
-  }
-  if (ph_kind_of(&result->curve)->parts == PH_PATCHES_PARTS) {
-    return PH_OK;
+  if (ph_kind_of(&result->curve)->parts != PH_SEGMENTS_PARTS) {
+    return ph_derive_surface(o, arena, result, derived, diag);
   }
   tolerance = o->tolerance > 0 ? o->tolerance
                                : PH_TOLERANCE * ph_curve_size(&result->curve);

@@ -11,6 +11,9 @@ struct ph_derived {
   struct ph_curve exact;   /* what offsets are of: as it was before --convert */
   struct ph_pieces *paths; /* formats of cubics: the curve, then its offsets */
   size_t paths_n;          /* 0: not asked for */
+  struct ph_tiling *tilings; /* formats of meshes: the surface, then those
+                                beside it */
+  size_t tilings_n;          /* 0: not asked for */
 };
 
 /*
@@ -22,5 +25,13 @@ struct ph_derived {
 enum ph_status ph_derive(const struct ph_options *options,
                          struct ph_arena *arena, struct ph_result *result,
                          struct ph_derived *derived, struct ph_diag *diag);
+
+/* ph_derive_surface: the same of surfaces: parallel ones, samples, edges, paths
+ * of developments, meshes. */
+enum ph_status ph_derive_surface(const struct ph_options *options,
+                                 struct ph_arena *arena,
+                                 struct ph_result *result,
+                                 struct ph_derived *derived,
+                                 struct ph_diag *diag);
 
 #endif

@@ -259,13 +259,15 @@ static enum ph_status check_printed(struct ph_option_parser *p) {
                    surface
                        ? "--table: the surfaces of %s have strips, samples, "
                          "development and located"
-                   : patches ? "--table: the surfaces of %s have patches"
-                             : "--table: strips, development, located and "
-                               "patches are of surfaces, %s makes curves",
+                   : patches ? "--table: the surfaces of %s have patches, "
+                               "samples and edges"
+                             : "--table: strips, development, located, "
+                               "patches and edges are of surfaces, %s makes "
+                               "curves",
                    o->command->schema->command);
   }
-  if (patches &&
-      (ph_formats[o->format].is_mesh || ph_formats[o->format].is_cubics)) {
+  o->edges = o->edges || (p->table && o->table == PH_TABLE_EDGES);
+  if (patches && ph_formats[o->format].is_cubics) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--format=%s is not of surfaces of patches",
                    ph_format_name(o->format));
@@ -275,7 +277,7 @@ static enum ph_status check_printed(struct ph_option_parser *p) {
                    "--format=%s is of curves, %s makes surfaces",
                    ph_format_name(o->format), o->command->schema->command);
   }
-  if (ph_formats[o->format].is_mesh && !surface) {
+  if (ph_formats[o->format].is_mesh && !surface && !patches) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--format=%s is of surfaces, %s makes curves",
                    ph_format_name(o->format), o->command->schema->command);
@@ -283,9 +285,10 @@ static enum ph_status check_printed(struct ph_option_parser *p) {
   if (o->table == PH_TABLE_SAMPLES && o->samples.how == PH_SAMPLE_NONE &&
       !o->grid.along) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
-                   surface ? "--table=samples needs --sample"
-                           : "--table=samples needs --sample, --spacing or "
-                             "--chord-error");
+                   surface || patches
+                       ? "--table=samples needs --sample"
+                       : "--table=samples needs --sample, --spacing or "
+                         "--chord-error");
   }
   return PH_OK;
 }
@@ -294,6 +297,13 @@ static enum ph_status check_printed(struct ph_option_parser *p) {
 static enum ph_status check_offsets(struct ph_option_parser *p) {
   const struct ph_options *o = p->options;
   const bool loops = o->offset.mode != PH_OFFSET_RAW;
+  if (space_of(o) == PH_PATCHWORK && o->offsets_n && !o->grid.along &&
+      !ph_formats[o->format].is_mesh) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--offset needs --sample, or a format of meshes: surfaces "
+                   "beside those of %s are samples",
+                   o->command->schema->command);
+  }
   if (!loops && p->loops) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--offset-%s needs --offset-mode=joined or trimmed",

@@ -56,7 +56,7 @@
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths "  \
     "of cubic Bezier curves; svg: a drawing of these; geojson: features of "   \
     "samples, without other "                                                  \
-    "options within 1e-6 of the size; obj: the mesh of a surface")             \
+    "options within 1e-6 of the size; obj, stl: the mesh of a surface")        \
   X(TABLE, SOLVE, 0, "table", "NAME",                                          \
     "what --format=csv and text print (default: control-points, of surfaces "  \
     "strips or patches):")                                                     \
@@ -91,12 +91,17 @@
   X(OFFSET_TOUCHING, CURVE, 0, "offset-touching", "split|keep",                \
     "parts of trimmed offsets with nothing between them: left out (default), " \
     "or there once")                                                           \
-  X(PARALLEL, SURFACE, 'd', "offset", "D[,D...]",                              \
+  X(PARALLEL, ANY_SURFACE, 'd', "offset", "D[,D...]",                          \
     "add parallel surfaces at these distances along the normals")              \
   X(SAMPLE, CURVE, 'n', "sample", "N",                                         \
     "add N+1 samples per segment, equally spaced in the segment's parameter")  \
   X(GRID, SURFACE, 'n', "sample", "N[xM]",                                     \
     "add samples: N steps along each strip and M over the height")             \
+  X(PATCH_GRID, PATCHES, 'n', "sample", "N",                                   \
+    "add samples, or of a mesh the tiles: N by N steps of each patch")         \
+  X(EDGES, PATCHES, 0, "edges", NULL,                                          \
+    "add the edges of the mesh, with what the patches on both sides differ "   \
+    "by")                                                                      \
   X(SPACING, CURVE, 0, "spacing", "DS",                                        \
     "add samples equally spaced by arc length along the whole curve")          \
   X(CHORD_ERROR, CURVE, 0, "chord-error", "E",                                 \
@@ -189,6 +194,7 @@ struct ph_options {
   struct ph_split_options input;
   enum ph_format format;
   enum ph_table table;
+  bool edges; /* of surfaces of patches */
   bool pretty, strict, fail_fast, progress, quiet, verbose, no_sync, if_changed;
   const char *output; /* NULL: standard output */
   size_t jobs;

@@ -140,15 +140,20 @@ static enum ph_status read_grid(struct ph_option_parser *p) {
   const char *times = strchr(optarg, 'x'), *end = optarg + strlen(optarg);
   char excerpt[PH_EXCERPT_MAX];
   double n, m = 0;
-  bool ok = ph_number_read_text(optarg, times ? times : end, &n) ==
-            (times ? times : end);
+  const bool patches = p->options->command->use == PH_USE_PATCHES;
+  bool ok = !(times && patches) &&
+            ph_number_read_text(optarg, times ? times : end, &n) ==
+                (times ? times : end);
   ok = ok &&
        (!times || (ph_number_read_text(times + 1, end, &m) == end && m >= 1));
   if (!ok || !(n >= 1 && n <= SAMPLES_MAX && m <= SAMPLES_MAX) ||
       floor(n) < n || floor(m) < m) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
-                   "--sample must be one or two whole numbers from 1 to %d, as "
-                   "20 or 20x4, found '%s'",
+                   patches
+                       ? "--sample must be a whole number from 1 to %d, found "
+                         "'%s'"
+                       : "--sample must be one or two whole numbers from 1 to "
+                         "%d, as 20 or 20x4, found '%s'",
                    SAMPLES_MAX, ph_excerpt(optarg, strlen(optarg), excerpt));
   }
   rules->along = (size_t)n;
@@ -403,6 +408,8 @@ static bool *flag_of(struct ph_options *o, enum ph_option_id id) {
   switch (id) {
   case PH_O_PRETTY:
     return &o->pretty;
+  case PH_O_EDGES:
+    return &o->edges;
   case PH_O_IF_CHANGED:
     return &o->if_changed;
   case PH_O_NO_SYNC:
@@ -524,6 +531,7 @@ static enum ph_status read_argument(struct ph_option_parser *p,
   case PH_O_OFFSET_TOUCHING:
     return read_loops(p, id);
   case PH_O_GRID:
+  case PH_O_PATCH_GRID:
     return read_grid(p);
   case PH_O_CONVERT:
     o->convert = true;

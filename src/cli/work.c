@@ -280,7 +280,9 @@ static void write_result(struct task *t, const struct ph_heading *heading,
                              t->derived.paths,
                              t->derived.paths_n,
                              t->item->record.downward,
-                             t->item->box};
+                             t->item->box,
+                             t->derived.tilings,
+                             t->derived.tilings_n};
   static const double nothing[4] = PH_SVG_NOTHING;
   char number[32];
   if (!id) {
@@ -357,6 +359,18 @@ static void report(struct task *t, const struct ph_subject *subject,
   }
 }
 
+/* Where there are others, they fail. */
+static enum ph_status refuse_second(struct task *t) {
+  const enum ph_format format = t->options->format;
+  const bool second = t->item->record.number > 1 || t->item->sweep > 0;
+  return ph_formats[format].is_single && second
+             ? ph_fail(&t->diag, PH_E_BAD_VALUE, NULL,
+                       "is not the only problem: --format=%s is the mesh of "
+                       "one",
+                       ph_format_name(format))
+             : PH_OK;
+}
+
 /* Of the first record; where there are others, they fail. */
 static enum ph_status keep_panorama(struct task *t) {
   if (t->item->record.number > 1) {
@@ -393,6 +407,9 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   }
   if (item->status == PH_OK && options->panorama) {
     item->status = keep_panorama(&t);
+  }
+  if (item->status == PH_OK) {
+    item->status = refuse_second(&t);
   }
   heading.swept = t.swept;
   heading.swept_n = t.swept_n;

@@ -453,6 +453,7 @@ struct ph_parallel {
   double distance;
   struct ph_curve curve;
   struct ph_surface_samples grid;
+  struct ph_patch_samples places; /* of patches, in place of the curve */
 };
 
 struct ph_result {
@@ -463,6 +464,7 @@ struct ph_result {
   struct ph_parallel *parallels; /* of a surface */
   size_t parallels_n;
   struct ph_surface_samples grid; /* of a surface */
+  struct ph_patch_samples places; /* of patches */
   struct ph_located_list located; /* of a surface */
   struct ph_panorama panorama;    /* of a surface */
   struct ph_diagnostics diagnostics;

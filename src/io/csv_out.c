@@ -20,7 +20,8 @@ static const char *const columns[PH_TABLE_N][PH_SPACES] = {
     [PH_TABLE_SAMPLES] = {",segment,t,s,x,y,tx,ty,curvature",
                           ",segment,t,s,x,y,z,tx,ty,tz,curvature,torsion",
                           ",segment,t,s,x,y,z,tx,ty,tz,curvature,lon,lat",
-                          ",strip,s,h,x,y,z,nx,ny,nz,u,v"},
+                          ",strip,s,h,x,y,z,nx,ny,nz,u,v",
+                          ",patch,u,v,x,y,z,nx,ny,nz,gauss,mean,k1,k2"},
     [PH_TABLE_OFFSETS] =
         {",distance,segment,index,x,y,weight",
          ",distance,segment,index,x,y,z,weight,vector",
@@ -30,6 +31,9 @@ static const char *const columns[PH_TABLE_N][PH_SPACES] = {
                          "geodesic_curvature,normal_curvature,length,vx,vy,vz,"
                          "half_angle,sweep,development_angle"},
     [PH_TABLE_PATCHES] = {NULL, NULL, NULL, NULL, ",patch,row,column,x,y,z"},
+    [PH_TABLE_EDGES] = {NULL, NULL, NULL, NULL,
+                        ",edge,vertex0,vertex1,face0,face1,normal_jump,"
+                        "curvature_jump"},
     [PH_TABLE_DEVELOPMENT] = {NULL, NULL, NULL, ",strip,index,u,v,weight"},
     [PH_TABLE_LOCATED] = {NULL, NULL, NULL,
                           ",index,strip,s,h,x,y,z,nx,ny,nz,u,v"},
@@ -152,8 +156,8 @@ static void names(const struct row *row, const char *list) {
 void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
                    const struct ph_swept *swept, size_t swept_n) {
   const struct row row = row_of(buf, shape, NULL);
-  const bool surface = shape->space == PH_SURFACE;
-  const bool samples = shape->table == PH_TABLE_SAMPLES || surface;
+  const bool samples =
+      shape->table == PH_TABLE_SAMPLES || shape->space == PH_SURFACE;
   ph_buf_puts(buf, shape->text ? "# id" : "id");
   names(&row, columns[shape->table][shape->space]);
   if (samples && shape->frame) {
@@ -387,6 +391,39 @@ static void patches(const struct row *row, const struct ph_curve *c) {
   }
 }
 
+static void edges(const struct row *row, const struct ph_patch_edges *list) {
+  for (size_t i = 0; i < list->n; i++) {
+    const struct ph_patch_edge *e = &list->v[i];
+    begin_row(row);
+    number_cell(row, (double)i);
+    number_cell(row, (double)e->vertices[0]);
+    number_cell(row, (double)e->vertices[1]);
+    number_cell(row, (double)e->faces[0]);
+    number_cell(row, e->faces_n > 1 ? (double)e->faces[1] : (double)NAN);
+    number_cell(row, e->normal_jump);
+    number_cell(row, e->curvature_jump);
+    end_row(row);
+  }
+}
+
+static void patch_samples(const struct row *row,
+                          const struct ph_patch_samples *grid,
+                          double distance) {
+  for (size_t i = 0; i < grid->n; i++) {
+    const struct ph_patch_sample *at = &grid->v[i];
+    begin_row(row);
+    number_cell(row, (double)at->patch);
+    number_cell(row, at->u);
+    number_cell(row, at->v);
+    number_cells(row, at->point, 3);
+    number_cells(row, at->normal, 3);
+    number_cell(row, at->gauss);
+    number_cell(row, at->mean);
+    number_cells(row, at->principal, 2);
+    end_surface_row(row, distance);
+  }
+}
+
 static void development(const struct row *row, const struct ph_curve *c,
                         double distance) {
   for (size_t k = 0; k < c->n; k++) {
@@ -449,6 +486,15 @@ static void surface(const struct row *row, const struct ph_curve *c,
   }
 }
 
+static void patchworks(const struct row *row, const struct ph_result *result) {
+  patch_samples(row, &result->places, 0);
+  for (size_t i = 0; i < result->parallels_n; i++) {
+    const struct ph_parallel *p = &result->parallels[i];
+    end_curve(row);
+    patch_samples(row, &p->places, p->distance);
+  }
+}
+
 static void surfaces(const struct row *row, const struct ph_result *result) {
   surface(row, &result->curve, &result->grid, 0);
   for (size_t i = 0; i < result->parallels_n; i++) {
@@ -481,9 +527,16 @@ void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
   case PH_TABLE_PATCHES:
     patches(&row, &result->curve);
     break;
+  case PH_TABLE_EDGES:
+    edges(&row, &result->curve.surface.edges);
+    break;
   case PH_TABLE_SAMPLES:
     if (shape->space == PH_SURFACE) {
       surfaces(&row, result);
+      break;
+    }
+    if (shape->space == PH_PATCHWORK) {
+      patchworks(&row, result);
       break;
     }
     samples(&row, &result->samples, NULL, (double)NAN);

@@ -28,6 +28,7 @@
     "control points and weights of the offset curves; on a sphere samples")   \
   X(STRIPS, "strips", "frames, curvatures and vertices of a surface")         \
   X(PATCHES, "patches", "control points of the patches of a surface")         \
+  X(EDGES, "edges", "edges of a surface of patches, and jumps there")         \
   X(DEVELOPMENT, "development",                                               \
     "control points and weights of the development of a surface; of general " \
     "cones samples")                                                          \

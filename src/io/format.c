@@ -4,6 +4,7 @@
 
 #include "io/geojson_out.h"
 #include "io/obj_out.h"
+#include "io/stl_out.h"
 #include "io/svg_out.h"
 
 static void json_solved(struct ph_buf *buf, const struct ph_print *print,
@@ -76,7 +77,13 @@ static void path_failed(struct ph_buf *buf, const struct ph_print *print,
 static void mesh_solved(struct ph_buf *buf, const struct ph_print *print,
                         const struct ph_solved *s) {
   (void)print;
-  ph_obj_out(buf, s->id, s->number == 1, s->result);
+  ph_obj_out(buf, s->id, s->number == 1, s->tilings, s->tilings_n);
+}
+
+static void triangles_solved(struct ph_buf *buf, const struct ph_print *print,
+                             const struct ph_solved *s) {
+  (void)print;
+  ph_stl_out(buf, s->tilings, s->tilings_n);
 }
 
 static void lines_header(struct ph_buf *buf, const struct ph_print *print,
@@ -116,6 +123,9 @@ const struct ph_format_row ph_formats[PH_FORMAT_N] = {
                            .footer = ph_geojson_footer,
                            .solved = lines_solved},
     [PH_FORMAT_OBJ] = {.is_mesh = true, .solved = mesh_solved},
+    [PH_FORMAT_STL] = {.is_mesh = true,
+                       .is_single = true,
+                       .solved = triangles_solved},
 };
 
 const char *ph_format_name(enum ph_format format) {

@@ -6,6 +6,7 @@
 #ifndef PH_IO_FORMAT_H
 #define PH_IO_FORMAT_H
 
+#include "curve/surface/tiling.h"
 #include "io/csv_out.h"
 #include "io/json_out.h"
 
@@ -17,7 +18,8 @@
   X(SVG_PATH, "svg-path")    \
   X(SVG, "svg")              \
   X(GEOJSON, "geojson")      \
-  X(OBJ, "obj")
+  X(OBJ, "obj")              \
+  X(STL, "stl")
 
 enum ph_format {
 #define X(symbol, name) PH_FORMAT_##symbol,
@@ -48,12 +50,16 @@ struct ph_solved {
   size_t paths_n;
   bool downward; /* y points that way in the input, as in SVG */
   double *box;   /* [4] out: what was drawn (svg_out.h) */
+  const struct ph_tiling *tilings; /* of formats that are meshes: the surface,
+                                      then those beside it; else NULL */
+  size_t tilings_n;
 };
 
 struct ph_format_row {
   bool is_objects; /* takes --pretty */
   bool is_table;   /* takes --table */
   bool is_mesh;    /* has the samples of a surface */
+  bool is_single;  /* has room for one problem */
   bool is_text;    /* a table in the second form (csv_out.h) */
   bool is_drawing; /* of cubics within --tolerance, if it is given */
   bool is_cubics;  /* has neither samples nor --convert; --chord-error is how

@@ -126,22 +126,20 @@ static const struct ph_member patchwork[] = {
      "of the surface"},
     {"volume", MAY, ANY, AS("", number), AT(ph_result, curve.surface.volume),
      "inside of a closed surface, by the orientation of the faces"},
+    {"offsets", MAY, ANY, AS("[+]", beside),
+     LIST(ph_result, parallels, parallels_n), "one for each distance"},
+    {"samples", MAY, ANY, AS("[+]", patch_sample),
+     LIST(ph_result, places.v, places.n), "patch by patch, u fastest"},
+    {"edges", MAY, ANY, AS("[+]", patch_edge),
+     LIST(ph_result, curve.surface.edges.v, curve.surface.edges.n),
+     "of the mesh"},
     {"diagnostics", TOLD, ANY, AS("", certificate), AT(ph_result, diagnostics),
      "the certificate of the surface, and how it was found"},
     {"warnings", MAY, ANY, AS("[+]", warning),
      LIST(ph_result, warnings, warnings_n), "if there are any"},
     LAST};
 
-static const struct ph_member patch[] = {
-    {"face", MUST, ANY, AS("", whole), AT(ph_patch, face), "that it is over"},
-    {"vertices", MUST, ANY, AS("[4]", whole), AT(ph_patch, vertices),
-     "of the face: u is from 0 to 1, v from 0 to 3 of them"},
-    {"bidegree", MUST, ANY, AS("[2]", bidegree), AT(ph_patch, bidegree),
-     "by u and by v"},
-    {"control_points", MUST, ANY, AS("[+][3]", number),
-     LIST(ph_patch, control_points, points_n),
-     "of a tensor product Bezier patch, in rows of constant v"},
-    LAST};
+#include "io/members_patch.def"
 
 static const struct ph_member parallel[] = {
     {"distance", MUST, ANY, AS("", number), AT(ph_parallel, distance),
@@ -495,6 +493,10 @@ static const struct ph_members objects[] = {
     {"surface", false, surface, sizeof(struct ph_result)},
     {"patchwork", false, patchwork, sizeof(struct ph_result)},
     {"patch", true, patch, sizeof(struct ph_patch)},
+    {"patch_sample", true, patch_sample, sizeof(struct ph_patch_sample)},
+    {"beside", true, beside, sizeof(struct ph_parallel)},
+    {"patch_edge", true, patch_edge, sizeof(struct ph_patch_edge)},
+    {"patch_strip", true, patch_strip, sizeof(struct ph_patch_strip)},
     {"strip", true, strip, sizeof(struct ph_strip)},
     {"strip_frame", true, strip_frame, sizeof(struct ph_strip_frame)},
     {"arc3", true, arc3, sizeof(struct ph_arc3)},

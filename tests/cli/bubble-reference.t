@@ -28,6 +28,10 @@ while [ "$line" -lt "$lines" ]; do
   true_that "$id: nothing is folded, normals fit" jq -e '.diagnostics |
     .folded == 0 and .interpolation_error < 1e-15 and
     .continuity_error < 1e-14' out
+  run bubble --degree=exact --sample=2 problem.json
+  jq -c '.area, (.volume // empty), [.patches[].face as $i |
+    .samples[9 * $i + 4].point][:24]' out >found
+  numbers "$id: exact area, volume, middles" 1e-8 known found
   "$PHSPLINE" verify --problems=problem.json out >verdict
   equal "$id: verified" '"ok"' "$(json get status verdict)"
 done

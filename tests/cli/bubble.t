@@ -176,7 +176,7 @@ bad bad-value degree 'must be a whole number from 5, the degree of edges of '\
 'continuity 1, to 31, found 4' "{$points,$faces,\"degree\":4}"
 bad bad-value degree 'must be a whole number from 9, the degree of edges of '\
 'continuity 2, to 31, found 32' "{$points,$faces,\"degree\":32,\"continuity\":2}"
-bad bad-value degree 'must be "auto" or a number, found "high"' \
+bad bad-value degree 'must be "auto", "exact" or a number, found "high"' \
   "{$points,$faces,\"degree\":\"high\"}"
 bad bad-value tolerance 'must be from 1e-12 to 1 radians, found 2' \
   "{$points,$faces,\"tolerance\":2}"
@@ -196,9 +196,18 @@ usage() {
   expect "$name" 2 "phspline: $message
 Try 'phspline $1 --help'." ''
 }
-usage 'a table of others' '--table: the surfaces of bubble have patches' \
+usage 'a table of others' '--table: the surfaces of bubble have patches, '\
+'samples and edges' \
   bubble --table=strips
-usage 'a table of patches' '--table: strips, development, located and '\
-'patches are of surfaces, planar makes curves' planar --table=patches
+usage 'a table of patches' '--table: strips, development, located, '\
+'patches and edges are of surfaces, planar makes curves' planar --table=patches
 usage 'a format of others' '--format=svg-path is not of surfaces of patches' \
   bubble --format=svg-path
+usage 'samples by two numbers' '--sample must be a whole number from 1 to '\
+"1000000, found '3x4'" bubble --sample=3x4
+usage 'a table of samples' '--table=samples needs --sample' \
+  bubble --table=samples
+usage 'offsets alone' '--offset needs --sample, or a format of meshes: '\
+'surfaces beside those of bubble are samples' bubble --offset=1
+usage 'a mesh of curves' '--format=stl is of surfaces, planar makes curves' \
+  planar --format=stl

@@ -197,6 +197,19 @@ if command -v python3 >/dev/null; then
 else
   echo 'skip a mesh is read elsewhere: no python3'
 fi
+run cone -q --format=stl --sample=4x3 --closed --height='[0,18]' \
+  "$srcdir/data/lampshade.csv"
+mv out mesh.stl
+run cone -q --format=obj --sample=4x3 --closed --height='[0,18]' \
+  "$srcdir/data/lampshade.csv"
+equal 'triangles: two for each face' $((84 + 100 * $(grep -c '^f' out))) \
+  "$(wc -c <mesh.stl)"
+if command -v admesh >/dev/null; then
+  admesh -e -d -v mesh.stl >report # leaves boundaries as they are
+  equal 'triangles: admesh turns none around' '0 0 0' "$(grep -oE \
+    '(Degenerate facets|Facets reversed|Normals fixed) *: *[0-9]*' report |
+    sed 's/.*: *//' | tr '\n' ' ' | sed 's/ $//')"
+fi
 feed "$good" cone --format=obj
 expect 'a mesh of no height' 1 'phspline: -:1: record 1: height: must have an '\
 "extent for --format=obj, as in --height=[-1,1] [bad-value]
@@ -376,8 +389,8 @@ Try 'phspline $1 --help'." ''
 }
 usage 'a table of curves' '--table: the surfaces of cone have strips, samples, '\
 'development and located' cone --table=lengths
-usage 'a table of surfaces' '--table: strips, development, located and '\
-'patches are of '\
+usage 'a table of surfaces' '--table: strips, development, located, '\
+'patches and edges are of '\
 'surfaces, planar makes curves' planar --table=strips
 usage 'a mesh of curves' '--format=obj is of surfaces, tc makes curves' tc \
   --format=obj

@@ -5,7 +5,7 @@
 
 Prints a line for each object: how many closed boundaries it has, the largest
 angle between a normal and that of a face beside it, and by how much the flat
-coordinates stretch an edge, both in parts of a thousand.  Fails unless every
+coordinates, if there are any, stretch an edge, both in parts of a thousand.  Fails unless every
 edge has two faces, that run along it in opposite directions, or lies on a
 boundary; normals are unit vectors; and there are as many boundaries as wanted.
 """
@@ -63,6 +63,8 @@ def check(name, data, faces, wanted):
             c = dot(normal, vn[corner[2]]) / size(normal)
             angle = max(angle, math.acos(min(1.0, c)))
         for a, b in zip(face, face[1:] + face[:1]):
+            if a[1] is None:
+                continue
             length = size(sub(v[a[0]], v[b[0]]))
             flat = size(sub(vt[a[1]], vt[b[1]]))
             stretch = max(stretch, abs(flat / length - 1))
@@ -82,6 +84,7 @@ def main():
             # from 1, or from the last one back
             kinds = ("v", "vt", "vn")
             objects[-1][1].append([tuple(
+                None if not i else
                 int(i) - 1 if int(i) > 0 else len(data[kind]) + int(i)
                 for i, kind in zip(corner.split("/"), kinds)) for corner in rest])
         elif word in data:

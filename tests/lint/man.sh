@@ -103,7 +103,7 @@ same commands "$tmp/list" "$tmp/page"
 # options USE: those of the commands that solve, or that verify
 options() {
   table cli/option.h PH_OPTIONS 'symbol, use, letter, name, argument, help' \
-    'use letter name argument' | grep -E "^($1|ALL) " | sed "s/^[A-Z]* //
+    'use letter name argument' | grep -E "^($1|ALL) " | sed "s/^[A-Z_]* //
     s/^'\(.\)' /-\1, --/; s/^0 /--/; s/ NULL\$//; s/ /=/2
     s/^\(--[^ ]*\) /\1=/"
 }
@@ -116,12 +116,16 @@ option_items() {
 }
 
 options 'CURVE|SOLVE|DRAW' >"$tmp/options"
-options SURFACE | sort >"$tmp/options.surface"
+options 'SURFACE|ANY_SURFACE' | sort >"$tmp/options.surface"
 options NONE | sort | comm -13 - "$tmp/options.surface" >"$tmp/list"
 option_items man/phspline-cone.1 >"$tmp/page"
 same 'options of surfaces' "$tmp/list" "$tmp/page"
-options 'SURFACE|SOLVE|DRAW' >"$tmp/options.surface"
-options SOLVE >"$tmp/options.patches"
+options 'PATCHES|ANY_SURFACE' | sort >"$tmp/options.patches"
+options NONE | sort | comm -13 - "$tmp/options.patches" >"$tmp/list"
+option_items man/phspline-bubble.1 | sort >"$tmp/page"
+same 'options of patches' "$tmp/list" "$tmp/page"
+options 'SURFACE|ANY_SURFACE|SOLVE|DRAW' >"$tmp/options.surface"
+options 'PATCHES|ANY_SURFACE|SOLVE' >"$tmp/options.patches"
 option_items man/phspline.1 >"$tmp/page"
 same options "$tmp/options" "$tmp/page"
 options VERIFY >"$tmp/options.verify"
@@ -176,7 +180,8 @@ items man/phspline.5 PROBLEMS Cm >"$tmp/page"
 same "problems" "$tmp/list" "$tmp/page"
 
 # no page speaks of an option that is none; examples may use other programs
-cat "$tmp/options" "$tmp/options.surface" "$tmp/options.verify" |
+cat "$tmp/options" "$tmp/options.surface" "$tmp/options.patches" \
+  "$tmp/options.verify" |
   sed 's/.*--//; s/=.*//' | sort -u - "$tmp/fields" >"$tmp/list"
 for page in man/*.[1-9]; do
   awk '/^\.Sh / { skip = /EXAMPLE/ } !skip && !/^\.\\"/' "$page" |
@@ -222,7 +227,7 @@ while read -r name; do
   case $name in
   offsets) with='planar --offset=1' ;;
   strips | development | located) with='cone --columns=x,y,z' ;;
-  patches) with='bubble --columns=x,y,z' ;;
+  patches | edges) with='bubble --columns=x,y,z' ;;
   esac
   # several words
   # shellcheck disable=SC2086

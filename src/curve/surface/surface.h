@@ -34,6 +34,7 @@
 #ifndef PH_CURVE_SURFACE_SURFACE_H
 #define PH_CURVE_SURFACE_SURFACE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* What a curve or surface consists of: X(SYMBOL, "members of records"). */
@@ -193,15 +194,59 @@ struct ph_patch {
   size_t bidegree[2]; /* by u and by v */
   double *control_points;
   size_t points_n;
+  signed char side; /* 1: b_u x b_v is on the side of the normals, or -1 */
 };
+
+/* A sample of a patch: its curvatures are positive towards the normal, which
+ * is that of the mesh; NaN where they are not defined. */
+struct ph_patch_sample {
+  size_t patch;
+  double u, v;
+  double point[3], normal[3];
+  double gauss, mean;
+  double principal[2]; /* the larger one first */
+};
+
+struct ph_patch_samples {
+  struct ph_patch_sample *v;
+  size_t n;
+};
+
+/* A ribbon (ribbon.h) as Bernstein coefficients, in the unit of the data. */
+struct ph_patch_strip {
+  double *height;   /* [height_n] */
+  double *gradient; /* [gradient_n][3] */
+  double *hessian;  /* [hessian_n][6] xx, yy, zz, xy, xz, yz */
+  size_t height_n, gradient_n, hessian_n; /* 0: there is none */
+};
+
+/* An edge of a surface of patches: between two points, of one face or two; NaN
+ * where there is one. */
+struct ph_patch_edge {
+  size_t vertices[2];
+  size_t *faces; /* [faces_n] */
+  size_t faces_n;
+  double normal_jump, curvature_jump, gap;
+  struct ph_patch_strip strip;
+};
+
+struct ph_patch_edges {
+  struct ph_patch_edge *v;
+  size_t n;
+};
+
+struct ph_patchwork; /* curve/surface/exact.h */
 
 /* What a surface has beside the rest of its struct ph_curve, whose segments are
  * its strips or patches: n, lengths, length and closed are there. */
 struct ph_surface {
-  struct ph_patch *patches; /* [curve.n], or NULL */
-  size_t continuity;        /* of patches: 0, 1 or 2 */
-  double volume;            /* inside of closed patches; NaN: they are open */
-  struct ph_strip *strips;  /* [curve.n], or NULL */
+  struct ph_patch *patches;        /* [curve.n], or NULL */
+  size_t continuity;               /* of patches: 0, 1 or 2 */
+  const struct ph_patchwork *base; /* of these; NULL: the record was read */
+  bool exact;                      /* they are quotients: no control points */
+  struct ph_patch_edges edges;     /* n = 0: they were not asked for */
+  double volume;           /* inside of closed patches; NaN: they are open */
+  struct ph_strip *strips; /* [curve.n], or NULL */
   struct ph_pair *pairs;
   size_t pairs_n;
   double height[2]; /* the part that is meant */

@@ -20,8 +20,7 @@
 #include "base/mem.h"
 #include "curve/problem.h"
 #include "curve/result.h"
-#include "curve/surface/mesh.h"
-#include "curve/surface/ribbon.h"
+#include "curve/surface/exact.h"
 #include "kernel/pow2.h"
 #include "kernel/quad.h"
 
@@ -38,7 +37,8 @@ struct ph_bubble_data {
   struct ph_mesh mesh;
   struct ph_quadric *at; /* [mesh.points_n] points and unit normals */
   size_t continuity;     /* 0, 1 or 2 */
-  size_t degree;         /* 0: auto */
+  size_t degree;         /* 0: auto, */
+  bool exact;            /* or none at all */
   double tolerance;
   int exponent;
 };
@@ -126,8 +126,7 @@ void ph_blend_fit(const struct ph_blend *blend, size_t continuity,
 
 /* ---- patches ------------------------------------------------------------- */
 
-/* A patch on its way: sides 0 and 1 at v = 0 and 1, along u; 2 and 3 at u = 0
- * and 1, along v; corners k + 2 l at u = k, v = l. */
+/* A patch on its way. */
 struct ph_blend_side {
   double at[PH_CROSS_MAX][PH_BLEND_MORE];
   double tilt[PH_BLEND_MORE], across[PH_BLEND_MORE];
@@ -135,18 +134,9 @@ struct ph_blend_side {
 };
 
 struct ph_bubble_patch {
-  size_t continuity;
-  struct ph_quadric corner[4];
-  struct ph_side side[4];
-  /* Taylor coefficients of the height at the corners, of u^i v^j */
-  double jet[4][PH_CROSS_MAX][PH_CROSS_MAX];
+  struct ph_exact_patch exact;
   struct ph_blend_side blend[4];
 };
-
-/* ph_bubble_patch_begin: sides and corners of face i. */
-void ph_bubble_patch_begin(const struct ph_bubble_data *data,
-                           const struct ph_ribbon *ribbons, size_t i,
-                           struct ph_bubble_patch *patch);
 
 /*
  * ph_bubble_patch_fit: the degree of its blending functions, and these.

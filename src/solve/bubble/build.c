@@ -4,7 +4,7 @@
  * rule on each patch, and what is told of them.
  */
 #include "base/sum.h"
-#include "curve/surface/patch.h"
+#include "curve/surface/places.h"
 #include "kernel/quad.h"
 #include "solve/bubble/bubble.h"
 
@@ -25,11 +25,18 @@ struct nodes {
   struct ph_patch_rows rows[NODES];
 };
 
+/* The same of exact patches, and the sides of one of them there. */
+struct exact_nodes {
+  struct ph_exact_rows rows[NODES];
+  struct ph_cross by_u[NODES][2], by_v[NODES][2];
+};
+
 struct builder {
   const struct ph_bubble_data *data;
   struct ph_pow2 from_unit;
   struct ph_arena *arena, *scratch;
   struct ph_diag *diag;
+  struct ph_patchwork *work;
   struct ph_ribbon *ribbons;
   struct ph_blends blends;
   struct ph_bubble_patch *patch;
@@ -37,6 +44,7 @@ struct builder {
   double *net, *points; /* at unit scale */
   struct ph_quad rule;
   struct nodes *nodes[PH_PATCH_DEGREE_MAX + 1]; /* by degree, or NULL */
+  struct exact_nodes *exact;                    /* NULL: it is polynomial */
   struct ph_curve *curve;
   size_t degree; /* the largest of blending functions */
   double residual;
@@ -73,7 +81,7 @@ static const char *fault_of(const struct ph_bubble_data *data,
 static enum ph_status set_ribbons(struct builder *b) {
   const struct ph_bubble_data *d = b->data;
   struct ph_ribbon_rows *rows;
-  b->ribbons = ph_arena_array(b->scratch, d->mesh.edges_n, sizeof *b->ribbons);
+  b->ribbons = ph_arena_array(b->arena, d->mesh.edges_n, sizeof *b->ribbons);
   rows = ph_arena_array(b->scratch, PLACES, sizeof *rows);
   if (!b->ribbons || !rows) {
     return ph_fail_memory(b->diag);
@@ -103,13 +111,16 @@ static enum ph_status set_ribbons(struct builder *b) {
 
 /* ---- measures ------------------------------------------------------------ */
 
+static double node(const struct builder *b, size_t i) {
+  return i < GAUSS ? b->rule.node[i] : i == GAUSS ? 0 : 1;
+}
+
 static const struct nodes *nodes_of(struct builder *b, size_t degree) {
   struct nodes *nodes = b->nodes[degree];
   if (!nodes) {
     nodes = ph_arena_array(b->scratch, 1, sizeof *nodes);
     for (size_t i = 0; nodes && i < NODES; i++) {
-      const double u = i < GAUSS ? b->rule.node[i] : i == GAUSS ? 0 : 1;
-      ph_patch_rows_at(degree, u, &nodes->rows[i]);
+      ph_patch_rows_at(degree, node(b, i), &nodes->rows[i]);
     }
     b->nodes[degree] = nodes;
   }
@@ -119,13 +130,14 @@ static const struct nodes *nodes_of(struct builder *b, size_t degree) {
 /* What a patch adds. */
 struct measure {
   double area, volume; /* from the first point of the mesh */
+  double turn;         /* positive: its normal mostly is that of the points */
   bool out, in;        /* whether its normal is that of the points somewhere,
                           or the opposite */
 };
 
 static void measure_at(const struct builder *b, const struct ph_patch_jet *jet,
                        double u, double v, double weight, struct measure *m) {
-  const struct ph_quadric *c = b->patch->corner;
+  const struct ph_quadric *c = b->patch->exact.corner;
   const ph_vec3 normal = ph_vec3_cross(jet->u, jet->v);
   const ph_vec3 from = ph_vec3_sub(jet->p, b->data->at[0].p);
   const double along = (1 - v) * ((1 - u) * ph_vec3_dot(normal, c[0].g) +
@@ -134,34 +146,62 @@ static void measure_at(const struct builder *b, const struct ph_patch_jet *jet,
                             u * ph_vec3_dot(normal, c[3].g));
   m->area += weight * ph_vec3_abs(normal);
   m->volume += weight * ph_vec3_dot(normal, from) / 3;
+  m->turn += weight * along;
   m->out |= along > 0;
   m->in |= along < 0;
 }
 
+/* The sides of an exact patch at all nodes. */
+static void set_sides(struct builder *b) {
+  for (size_t i = 0; i < NODES; i++) {
+    const struct ph_exact_rows *rows = &b->exact->rows[i];
+    ph_exact_cross(&b->patch->exact, 0, rows, b->exact->by_u[i]);
+    ph_exact_cross(&b->patch->exact, 1, rows, b->exact->by_v[i]);
+  }
+}
+
+static void jet_at(const struct builder *b, const struct nodes *nodes,
+                   size_t degree, size_t i, size_t j,
+                   struct ph_patch_jet *jet) {
+  const struct exact_nodes *x = b->exact;
+  if (x) {
+    ph_exact_jet_at(&b->patch->exact, &x->rows[i],
+                    (const struct ph_cross *)x->by_u[i], &x->rows[j],
+                    (const struct ph_cross *)x->by_v[j], jet);
+  } else {
+    ph_patch_jet_at(b->line, degree, &nodes->rows[i], 1, jet);
+  }
+}
+
+/* The degree is 0 of an exact patch. */
 static bool measure(struct builder *b, size_t degree, struct measure *m) {
-  const struct nodes *nodes = nodes_of(b, degree);
-  const struct ph_quad *rule = &b->rule;
-  *m = (struct measure){0, 0, false, false};
-  for (size_t j = 0; nodes && j < NODES; j++) {
-    const double v = j < GAUSS ? rule->node[j] : j == GAUSS ? 0 : 1;
-    ph_patch_line_at(b->points, degree, &nodes->rows[j], 1, b->line);
+  const struct nodes *nodes = b->exact ? NULL : nodes_of(b, degree);
+  const double *weight = b->rule.weight;
+  *m = (struct measure){0, 0, 0, false, false};
+  if (b->exact) {
+    set_sides(b);
+  } else if (!nodes) {
+    return false;
+  }
+  for (size_t j = 0; j < NODES; j++) {
+    if (nodes) {
+      ph_patch_line_at(b->points, degree, &nodes->rows[j], 1, b->line);
+    }
     for (size_t i = 0; i < NODES; i++) {
-      const double u = i < GAUSS ? rule->node[i] : i == GAUSS ? 0 : 1;
       struct ph_patch_jet jet;
-      ph_patch_jet_at(b->line, degree, &nodes->rows[i], 1, &jet);
-      measure_at(b, &jet, u, v,
-                 i < GAUSS && j < GAUSS ? rule->weight[i] * rule->weight[j] : 0,
-                 m);
+      jet_at(b, nodes, degree, i, j, &jet);
+      measure_at(b, &jet, node(b, i), node(b, j),
+                 i < GAUSS && j < GAUSS ? weight[i] * weight[j] : 0, m);
     }
   }
-  return nodes != NULL;
+  return true;
 }
 
 /* ---- patches ------------------------------------------------------------- */
 
 static enum ph_status add_patch(struct builder *b, size_t i, size_t degree) {
   struct ph_patch *to = &b->curve->surface.patches[i];
-  const size_t n = (degree + 1) * (degree + 1);
+  const size_t n = b->exact ? 0 : (degree + 1) * (degree + 1);
   struct measure m;
   *to = (struct ph_patch){.face = i, .bidegree = {degree, degree}};
   memcpy(to->vertices, b->data->mesh.face[i], sizeof to->vertices);
@@ -173,6 +213,10 @@ static enum ph_status add_patch(struct builder *b, size_t i, size_t degree) {
   for (size_t k = 0; k < 3 * n; k++) {
     to->control_points[k] = ph_pow2_apply(b->from_unit, b->points[k]);
   }
+  if (b->exact) {
+    to->bidegree[0] = to->bidegree[1] = PH_NO_SEGMENT;
+  }
+  to->side = m.turn < 0 ? -1 : 1;
   b->curve->degree = degree > b->curve->degree ? degree : b->curve->degree;
   ph_sum_add(&b->area, m.area);
   ph_sum_add(&b->volume, m.in ? -m.volume : m.volume);
@@ -188,7 +232,10 @@ static enum ph_status make_patch(struct builder *b, size_t i) {
   const struct ph_blend *blend = NULL;
   size_t degree = d->degree;
   double miss = 0;
-  ph_bubble_patch_begin(d, b->ribbons, i, b->patch);
+  ph_exact_begin(b->work, i, &b->patch->exact);
+  if (b->exact) {
+    return add_patch(b, i, 0);
+  }
   if (d->continuity > 0) {
     enum ph_status status = ph_bubble_patch_fit(
         b->patch, &b->blends, d->tolerance, &degree, &miss, b->diag);
@@ -226,10 +273,62 @@ static enum ph_status begin(struct builder *b) {
   b->line = ph_arena_array(b->scratch, 1, sizeof *b->line);
   b->net = ph_arena_array(b->scratch, points, sizeof *b->net);
   b->points = ph_arena_array(b->scratch, points, 3 * sizeof *b->points);
-  return c->surface.patches && b->patch && b->line && b->net && b->points &&
-                 ph_quad_gauss(&b->rule, GAUSS)
-             ? PH_OK
-             : ph_fail_memory(b->diag);
+  b->work = ph_arena_array(b->arena, 1, sizeof *b->work);
+  if (!c->surface.patches || !b->patch || !b->line || !b->net || !b->points ||
+      !b->work || !ph_quad_gauss(&b->rule, GAUSS)) {
+    return ph_fail_memory(b->diag);
+  }
+  c->surface.exact = b->data->exact;
+  if (b->data->exact) {
+    b->exact = ph_arena_array(b->scratch, 1, sizeof *b->exact);
+    for (size_t i = 0; b->exact && i < NODES; i++) {
+      ph_exact_rows_at(b->data->continuity, node(b, i), &b->exact->rows[i]);
+    }
+  }
+  return b->exact || !b->data->exact ? PH_OK : ph_fail_memory(b->diag);
+}
+
+/* What patches are made of, from now on. */
+static void set_work(struct builder *b) {
+  *b->work = (struct ph_patchwork){.mesh = b->data->mesh,
+                                   .at = b->data->at,
+                                   .ribbons = b->ribbons,
+                                   .continuity = b->data->continuity,
+                                   .exponent = b->data->exponent};
+  b->curve->surface.base = b->work;
+}
+
+/* Exact patches have no control points for a certificate: what both patches of
+ * each edge are there, found from each of them. */
+static enum ph_status compare(const struct builder *b,
+                              struct ph_diagnostics *diagnostics) {
+  const struct ph_bubble_data *d = b->data;
+  struct ph_mark mark = ph_arena_mark(b->scratch);
+  struct ph_patch_edges edges;
+  double jump = 0, bend = 0, gap = 0;
+  size_t worst = 0;
+  enum ph_status status =
+      ph_patch_edges_of(b->curve, b->scratch, &edges, b->diag);
+  for (size_t e = 0; status == PH_OK && e < edges.n; e++) {
+    if (edges.v[e].faces_n == 2) {
+      worst = edges.v[e].normal_jump <= jump ? worst : edges.v[e].faces[0];
+      jump = fmax(jump, edges.v[e].normal_jump);
+      bend = fmax(bend, edges.v[e].curvature_jump);
+      gap = fmax(gap, edges.v[e].gap);
+    }
+  }
+  ph_arena_release(b->scratch, mark);
+  if (status == PH_OK && d->continuity > 0 && !(jump <= d->tolerance)) {
+    return ph_fail_at(b->diag, PH_E_NO_CONVERGENCE, "faces", worst,
+                      "has normals that jump by %.3g at an edge", jump);
+  }
+  ph_diagnostics_set(diagnostics, PH_D_CONTINUITY_ERROR,
+                     ph_pow2_apply(ph_pow2_of(d->exponent), gap));
+  ph_diagnostics_set(diagnostics, PH_D_NORMAL_JUMP, jump);
+  if (d->continuity > 0) {
+    ph_diagnostics_set(diagnostics, PH_D_CURVATURE_JUMP, bend);
+  }
+  return status;
 }
 
 static void finish(const struct builder *b, struct ph_result *result) {
@@ -244,7 +343,9 @@ static void finish(const struct builder *b, struct ph_result *result) {
   c->surface.volume = c->closed ? ph_pow2_apply(scale, size) : (double)NAN;
   ph_diagnostics_set(diagnostics, PH_D_ITERATIONS, 0);
   ph_diagnostics_set(diagnostics, PH_D_RESIDUAL, b->residual);
-  ph_diagnostics_set(diagnostics, PH_D_DEGREE, (double)b->degree);
+  if (!b->exact) {
+    ph_diagnostics_set(diagnostics, PH_D_DEGREE, (double)b->degree);
+  }
   ph_diagnostics_set(diagnostics, PH_D_FOLDED, (double)b->folded);
   ph_diagnostics_set(diagnostics, PH_D_AREA, c->surface.area);
   if (b->folded) {
@@ -274,11 +375,15 @@ enum ph_status ph_bubble_build(struct ph_bubble_data *data,
       status = ph_blends_begin(&b.blends, data->continuity, scratch, diag);
     }
   }
+  if (status == PH_OK) {
+    set_work(&b);
+  }
   for (size_t i = 0; status == PH_OK && i < data->mesh.faces_n; i++) {
     status = ph_arena_late(scratch) ? ph_fail_memory(diag) : make_patch(&b, i);
   }
   if (status == PH_OK) {
     finish(&b, result);
   }
-  return status;
+  return status == PH_OK && b.exact ? compare(&b, &result->diagnostics)
+                                    : status;
 }

@@ -159,6 +159,7 @@ static enum ph_status set_degree(const struct ph_value *value,
   const double x = value->number;
   const size_t least = ph_ribbon_height_degree(data->continuity);
   data->degree = 0;
+  data->exact = value->kind == PH_WORD && ph_value_is(value, "exact");
   if (value->kind != PH_NUMBER) {
     return PH_OK;
   }

@@ -10,7 +10,7 @@ static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_result *result, struct ph_diag *diag) {
   struct ph_mark mark = ph_arena_mark(scratch);
   struct ph_bubble_data data;
-  enum ph_status status = ph_bubble_data_of(problem, scratch, &data, diag);
+  enum ph_status status = ph_bubble_data_of(problem, out, &data, diag);
   if (status == PH_OK) {
     status = ph_bubble_build(&data, out, scratch, result, diag);
   }
@@ -27,8 +27,9 @@ static const struct ph_field fields[] = {
      "normals of the surface at the points, of any length"},
     {PH_F_CONTINUITY, PH_NUMBER, 0, false, NULL, "1",
      "of the surface: 0 of points, 1 of normals, 2 of curvatures, too"},
-    {PH_F_DEGREE, PH_WORD | PH_NUMBER, 0, false, "auto", "auto",
-     "of blending functions: as high as the tolerance needs it, or a number"},
+    {PH_F_DEGREE, PH_WORD | PH_NUMBER, 0, false, "auto|exact", "auto",
+     "of blending functions: as high as the tolerance needs it, or a number; "
+     "exact: the quotients, which have no control points"},
     {PH_F_TOLERANCE, PH_NUMBER, 0, false, NULL, PH_TEXT(PH_BUBBLE_TOLERANCE),
      "the largest jump of normals that degree auto allows, in radians"},
 };

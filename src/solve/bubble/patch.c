@@ -10,104 +10,6 @@
  * edge, what each of them may have at the nodes; between nodes it is more. */
 static const double SHARE = 0.25;
 
-/* The corner of the face that is corner i of its patch. */
-static const size_t FACE[] = {0, 1, 3, 2};
-
-/* The corners at the ends of a side, and those opposite to them. */
-static const size_t ENDS[4][2] = {{0, 1}, {2, 3}, {0, 2}, {1, 3}};
-static const size_t OPPOSITE[4][2] = {{2, 3}, {2, 3}, {1, 3}, {1, 3}};
-static const size_t BASE[4][2] = {{0, 1}, {0, 1}, {0, 2}, {0, 2}};
-
-/* The side of the face that is the side of its patch. */
-static const size_t SIDE[] = {0, 2, 3, 1};
-
-/* ---- corners ------------------------------------------------------------- */
-
-/* The height around a corner by u and v away from it: f(b(u,v)) = 0, solved for
- * one coefficient after the other, on which f depends by g . g = 1 times it. */
-static void set_jet(const struct ph_quadric *at, const ph_vec3 d[2][2],
-                    const ph_vec3 n[2][2], size_t order,
-                    double h[PH_CROSS_MAX][PH_CROSS_MAX]) {
-  ph_vec3 b[PH_CROSS_MAX][PH_CROSS_MAX], Hb[PH_CROSS_MAX][PH_CROSS_MAX];
-  for (size_t sum = 0; sum <= 2 * order; sum++) {
-    for (size_t i = sum > order ? sum - order : 0; i <= order && i <= sum;
-         i++) {
-      const size_t j = sum - i;
-      ph_vec3 x = i < 2 && j < 2 && sum > 0 ? d[i][j] : ph_vec3_of(0, 0, 0);
-      double f;
-      for (size_t k = 0; k < 4; k++) {
-        const size_t p = k & 1, q = k >> 1;
-        if (k > 0 && p <= i && q <= j) {
-          x = ph_vec3_along(x, h[i - p][j - q], n[p][q]);
-        }
-      }
-      f = ph_vec3_dot(at->g, x);
-      for (size_t p = 0; p <= i; p++) {
-        for (size_t q = 0; q <= j; q++) {
-          if (p + q > 0 && p + q < sum) {
-            f += ph_vec3_dot(b[p][q], Hb[i - p][j - q]) / 2;
-          }
-        }
-      }
-      h[i][j] = sum > 0 ? -f : 0;
-      b[i][j] = ph_vec3_along(x, h[i][j], at->g);
-      Hb[i][j] = ph_sym3_apply(&at->H, b[i][j]);
-    }
-  }
-}
-
-/* The same by u and v of the patch. */
-static void set_corner(struct ph_bubble_patch *patch, size_t corner) {
-  const struct ph_quadric *c = patch->corner;
-  const size_t u = corner ^ 1, v = corner ^ 2, far = corner ^ 3;
-  double(*jet)[PH_CROSS_MAX] = patch->jet[corner];
-  ph_vec3 d[2][2], n[2][2];
-  d[0][0] = ph_vec3_of(0, 0, 0);
-  d[1][0] = ph_vec3_sub(c[u].p, c[corner].p);
-  d[0][1] = ph_vec3_sub(c[v].p, c[corner].p);
-  d[1][1] = ph_vec3_sub(ph_vec3_sub(c[far].p, c[v].p), d[1][0]);
-  n[0][0] = c[corner].g;
-  n[1][0] = ph_vec3_sub(c[u].g, c[corner].g);
-  n[0][1] = ph_vec3_sub(c[v].g, c[corner].g);
-  n[1][1] = ph_vec3_sub(ph_vec3_sub(c[far].g, c[v].g), n[1][0]);
-  set_jet(&c[corner], d, n, patch->continuity, jet);
-  for (size_t i = 0; i <= patch->continuity; i++) {
-    for (size_t j = 0; j <= patch->continuity; j++) {
-      const size_t turns = i * (corner & 1) + j * (corner >> 1);
-      jet[i][j] = turns % 2 ? -jet[i][j] : jet[i][j];
-    }
-  }
-}
-
-void ph_bubble_patch_begin(const struct ph_bubble_data *data,
-                           const struct ph_ribbon *ribbons, size_t i,
-                           struct ph_bubble_patch *patch) {
-  const struct ph_mesh *mesh = &data->mesh;
-  const struct ph_quadric *c = patch->corner;
-  const size_t *face = mesh->face[i];
-  patch->continuity = data->continuity;
-  for (size_t k = 0; k < 4; k++) {
-    patch->corner[k] = data->at[face[FACE[k]]];
-  }
-  for (size_t k = 0; data->continuity > 0 && k < 4; k++) {
-    const struct ph_ribbon *ribbon = &ribbons[mesh->side[i][SIDE[k]]];
-    struct ph_side *side = &patch->side[k];
-    if (face[FACE[ENDS[k][0]]] < face[FACE[ENDS[k][1]]]) {
-      side->ribbon = *ribbon;
-    } else {
-      ph_ribbon_reverse(ribbon, data->continuity, &side->ribbon);
-    }
-    for (size_t j = 0; j < 2; j++) {
-      const struct ph_quadric *from = &c[BASE[k][j]], *to = &c[OPPOSITE[k][j]];
-      side->p[j] = c[ENDS[k][j]].p;
-      side->g[j] = c[ENDS[k][j]].g;
-      side->to[j] = ph_vec3_sub(to->p, from->p);
-      side->turn[j] = ph_vec3_sub(to->g, from->g);
-    }
-    set_corner(patch, k);
-  }
-}
-
 /* ---- blending functions -------------------------------------------------- */
 
 /* The sides at the nodes of a rule. */
@@ -117,9 +19,9 @@ static void evaluate(struct ph_bubble_patch *patch,
     struct ph_blend_side *blend = &patch->blend[k];
     for (size_t i = 0; i < ph_blend_nodes(rule); i++) {
       struct ph_cross cross;
-      ph_side_at(&patch->side[k], patch->continuity, &blends->rows[rule][i], 0,
-                 &cross);
-      for (size_t j = 1; j <= patch->continuity; j++) {
+      ph_side_at(&patch->exact.side[k], patch->exact.continuity,
+                 &blends->rows[rule][i], 0, &cross);
+      for (size_t j = 1; j <= patch->exact.continuity; j++) {
         blend->at[j][i] = cross.h[j][0];
       }
       blend->tilt[i] = cross.tilt;
@@ -133,8 +35,8 @@ static void evaluate(struct ph_bubble_patch *patch,
 static void ends_of(const struct ph_bubble_patch *patch, size_t k, size_t j,
                     double ends[2][PH_CROSS_MAX]) {
   for (size_t end = 0; end < 2; end++) {
-    const double(*jet)[PH_CROSS_MAX] = patch->jet[ENDS[k][end]];
-    for (size_t i = 0; i <= patch->continuity; i++) {
+    const double(*jet)[PH_CROSS_MAX] = patch->exact.jet[ph_side_corner(k, end)];
+    for (size_t i = 0; i <= patch->exact.continuity; i++) {
       const double a = k < 2 ? jet[i][j] : jet[j][i];
       ends[end][i] = end && i % 2 ? -a : a;
     }
@@ -145,8 +47,8 @@ static void ends_of(const struct ph_bubble_patch *patch, size_t k, size_t j,
 static double left_of(const struct ph_bubble_patch *patch, size_t k, size_t j,
                       size_t nodes, const double *miss) {
   const struct ph_blend_side *blend = &patch->blend[k];
-  const double edge =
-      ph_vec3_abs(ph_vec3_sub(patch->side[k].p[1], patch->side[k].p[0]));
+  const double edge = ph_vec3_abs(
+      ph_vec3_sub(patch->exact.side[k].p[1], patch->exact.side[k].p[0]));
   double worst = 0;
   for (size_t i = 0; i < nodes; i++) {
     const double angle = fabs(miss[i]) * blend->tilt[i];
@@ -160,7 +62,7 @@ static double left_of(const struct ph_bubble_patch *patch, size_t k, size_t j,
 
 /* The blending functions of a degree.  ret what is left */
 static double fit(struct ph_bubble_patch *patch, const struct ph_blend *blend) {
-  const size_t n = patch->continuity;
+  const size_t n = patch->exact.continuity;
   const size_t nodes = ph_blend_nodes(ph_blend_rule(blend->degree));
   double worst = 0;
   for (size_t k = 0; k < 4; k++) {
@@ -210,11 +112,11 @@ enum ph_status ph_bubble_patch_fit(struct ph_bubble_patch *patch,
  * of derivative j across side k; 0: the height itself. */
 static void set_height(const struct ph_bubble_patch *patch,
                        const struct ph_blend *blend, size_t k, double *w) {
-  const size_t n = 4 * patch->continuity + 2;
+  const size_t n = 4 * patch->exact.continuity + 2;
   for (size_t i = 0; i <= blend->degree; i++) {
     w[i] = 0;
     for (size_t j = 0; j < n; j++) {
-      w[i] += blend->elevate[n * i + j] * patch->side[k].ribbon.height[j];
+      w[i] += blend->elevate[n * i + j] * patch->exact.side[k].ribbon.height[j];
     }
   }
 }
@@ -233,8 +135,8 @@ static void take_corners(const struct ph_bubble_patch *patch,
                          const struct ph_blend *blend, size_t k, size_t j,
                          double *w) {
   for (size_t end = 0; end < 2; end++) {
-    for (size_t m = 0; m <= patch->continuity; m++) {
-      const double a = patch->jet[ENDS[k][end]][m][j];
+    for (size_t m = 0; m <= patch->exact.continuity; m++) {
+      const double a = patch->exact.jet[ph_side_corner(k, end)][m][j];
       for (size_t i = 0; i <= blend->degree; i++) {
         w[i] -= a * hermite(blend, end, m, i);
       }
@@ -249,7 +151,7 @@ static void set_net(const struct ph_bubble_patch *patch,
   double w[PH_BLEND_MAX + 1], across[PH_BLEND_MAX + 1];
   memset(net, 0, n * n * sizeof *net);
   for (size_t k = 0; k < 4; k++) {
-    for (size_t j = 0; j <= patch->continuity; j++) {
+    for (size_t j = 0; j <= patch->exact.continuity; j++) {
       if (j == 0) {
         set_height(patch, blend, k, w);
       } else {
@@ -275,7 +177,7 @@ static void set_net(const struct ph_bubble_patch *patch,
 /* The bilinear interpolant of corners. */
 static ph_vec3 bilinear(const struct ph_bubble_patch *patch, double u,
                         double v) {
-  const struct ph_quadric *c = patch->corner;
+  const struct ph_quadric *c = patch->exact.corner;
   ph_vec3 x = ph_vec3_scale((1 - u) * (1 - v), c[0].p);
   x = ph_vec3_along(x, u * (1 - v), c[1].p);
   x = ph_vec3_along(x, (1 - u) * v, c[2].p);
@@ -300,7 +202,7 @@ void ph_bubble_patch_points(const struct ph_bubble_patch *patch,
         if (a <= i && b <= row && i - a < n && row - b < n) {
           x = ph_vec3_along(
               x, (a ? u : 1 - u) * (b ? v : 1 - v) * net[n * (row - b) + i - a],
-              patch->corner[k].g);
+              patch->exact.corner[k].g);
         }
       }
       ph_vec3_put(x, 3, points);

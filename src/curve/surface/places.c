@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Places of patches (see places.h). */
+#include "curve/surface/places.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* b_u x b_v over |b_u| |b_v|: below this it is rounding. */
+static const double FLAT = 1e-9;
+
+enum ph_status ph_places_begin(struct ph_places *p,
+                               const struct ph_curve *curve, const double *at,
+                               size_t n, struct ph_arena *arena,
+                               struct ph_diag *diag) {
+  const struct ph_surface *s = &curve->surface;
+  *p = (struct ph_places){.curve = curve, .arena = arena, .at = at, .n = n};
+  if (!s->exact) {
+    p->line = ph_arena_array(arena, 1, sizeof *p->line);
+    return p->line ? PH_OK : ph_fail_memory(diag);
+  }
+  p->from_unit = ph_pow2_of(-s->base->exponent);
+  p->exact_rows = ph_arena_array(arena, n, sizeof *p->exact_rows);
+  p->exact = ph_arena_array(arena, 1, sizeof *p->exact);
+  p->cross[0] = ph_arena_array(arena, n, sizeof *p->cross[0]);
+  p->cross[1] = ph_arena_array(arena, n, sizeof *p->cross[1]);
+  if (!p->exact_rows || !p->exact || !p->cross[0] || !p->cross[1]) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; i < n; i++) {
+    ph_exact_rows_at(s->continuity, at[i], &p->exact_rows[i]);
+  }
+  return PH_OK;
+}
+
+enum ph_status ph_places_enter(struct ph_places *p, size_t patch,
+                               struct ph_diag *diag) {
+  const struct ph_surface *s = &p->curve->surface;
+  const size_t degree = s->patches[patch].bidegree[0];
+  p->patch = patch;
+  if (s->exact) {
+    ph_exact_begin(s->base, patch, p->exact);
+    for (size_t i = 0; i < 2 * p->n; i++) {
+      ph_exact_cross(p->exact, i & 1, &p->exact_rows[i / 2],
+                     p->cross[i & 1][i / 2]);
+    }
+    return PH_OK;
+  }
+  if (!p->rows[degree]) {
+    struct ph_patch_rows *rows =
+        ph_arena_array(p->arena, p->n, sizeof *p->rows[0]);
+    if (!rows) {
+      return ph_fail_memory(diag);
+    }
+    for (size_t i = 0; i < p->n; i++) {
+      ph_patch_rows_at(degree, p->at[i], &rows[i]);
+    }
+    p->rows[degree] = rows;
+  }
+  return PH_OK;
+}
+
+void ph_places_line(struct ph_places *p, size_t j) {
+  const struct ph_patch *patch = &p->curve->surface.patches[p->patch];
+  p->j = j;
+  if (!p->exact) {
+    ph_patch_line_at(patch->control_points, patch->bidegree[0],
+                     &p->rows[patch->bidegree[0]][j], 2, p->line);
+  }
+}
+
+static ph_vec3 scaled(struct ph_pow2 scale, ph_vec3 v) {
+  return ph_vec3_of(ph_pow2_apply(scale, v.x), ph_pow2_apply(scale, v.y),
+                    ph_pow2_apply(scale, v.z));
+}
+
+void ph_places_jet(const struct ph_places *p, size_t i,
+                   struct ph_patch_jet *jet) {
+  const size_t degree = p->curve->surface.patches[p->patch].bidegree[0];
+  ph_vec3 *const all[] = {&jet->p,  &jet->u,  &jet->v,
+                          &jet->uu, &jet->uv, &jet->vv};
+  if (!p->exact) {
+    ph_patch_jet_at(p->line, degree, &p->rows[degree][i], 2, jet);
+    return;
+  }
+  ph_exact_jet_at(p->exact, &p->exact_rows[i],
+                  (const struct ph_cross *)p->cross[0][i], &p->exact_rows[p->j],
+                  (const struct ph_cross *)p->cross[1][p->j], jet);
+  for (size_t k = 0; k < 6; k++) {
+    *all[k] = scaled(p->from_unit, *all[k]);
+  }
+}
+
+/* ---- at a place ---------------------------------------------------------- */
+
+ph_vec3 ph_patch_normal(const struct ph_patch_jet *jet, double u, double v) {
+  const double lu = ph_vec3_abs(jet->u), lv = ph_vec3_abs(jet->v);
+  const ph_vec3 a = ph_vec3_scale(1 / lu, jet->u);
+  const ph_vec3 b = ph_vec3_scale(1 / lv, jet->v);
+  ph_vec3 normal = ph_vec3_cross(a, b);
+  if (!(ph_vec3_abs(normal) > FLAT)) { /* by its change inwards */
+    const double su = u < 0.5 ? 1 : -1, sv = v < 0.5 ? 1 : -1;
+    const ph_vec3 du = ph_vec3_along(ph_vec3_scale(su, jet->uu), sv, jet->uv);
+    const ph_vec3 dv = ph_vec3_along(ph_vec3_scale(su, jet->uv), sv, jet->vv);
+    normal = ph_vec3_add(ph_vec3_cross(ph_vec3_scale(1 / lu, du), b),
+                         ph_vec3_cross(a, ph_vec3_scale(1 / lv, dv)));
+  }
+  return ph_vec3_scale(1 / ph_vec3_abs(normal), normal);
+}
+
+void ph_patch_bend(const struct ph_patch_jet *jet, ph_vec3 normal,
+                   double form[3]) {
+  /* b_u = x e1, b_v = y e1 + z e2 */
+  const double x = ph_vec3_abs(jet->u);
+  const ph_vec3 e1 = ph_vec3_scale(1 / x, jet->u);
+  const ph_vec3 e2 = ph_vec3_cross(normal, e1);
+  const double y = ph_vec3_dot(jet->v, e1), z = ph_vec3_dot(jet->v, e2);
+  const double l = ph_vec3_dot(jet->uu, normal) / x / x;
+  const double m = ph_vec3_dot(jet->uv, normal) / x;
+  const double n = ph_vec3_dot(jet->vv, normal);
+  form[0] = l;
+  form[1] = (m - y * l) / z;
+  form[2] = (n - 2 * y * m + y * y * l) / z / z;
+}
+
+/* ---- samples ------------------------------------------------------------- */
+
+/* ... of which it is known where they are: what there is at a distance.
+ * ret whether the surface goes on there as it does at the place */
+static bool set_sample(const struct ph_patch_jet *jet, double side,
+                       double distance, struct ph_patch_sample *to) {
+  const ph_vec3 normal =
+      ph_vec3_scale(side, ph_patch_normal(jet, to->u, to->v));
+  double form[3], mean, half, k[2], factor[2];
+  ph_patch_bend(jet, ph_vec3_scale(side, normal), form);
+  mean = side * (form[0] + form[2]) / 2;
+  half = hypot((form[0] - form[2]) / 2, form[1]);
+  for (size_t i = 0; i < 2; i++) {
+    k[i] = mean + (i ? -half : half);
+    factor[i] = 1 - distance * k[i];
+    k[i] /= factor[i];
+  }
+  if (!isfinite(k[0]) || !isfinite(k[1])) {
+    k[0] = k[1] = form[0] = (double)NAN;
+  }
+  to->principal[0] = k[0] < k[1] ? k[1] : k[0];
+  to->principal[1] = k[0] < k[1] ? k[0] : k[1];
+  to->gauss = to->principal[0] * to->principal[1];
+  if (!(fabs(distance) > 0)) { /* without cancellation */
+    to->gauss = form[0] * form[2] - form[1] * form[1];
+  }
+  to->mean = (to->principal[0] + to->principal[1]) / 2;
+  ph_vec3_put(ph_vec3_along(jet->p, distance, normal), 3, to->point);
+  ph_vec3_put(normal, 3, to->normal);
+  return !(factor[0] <= 0) && !(factor[1] <= 0);
+}
+
+static enum ph_status fill(struct ph_places *places, double distance,
+                           struct ph_patch_sample *to, size_t *back,
+                           struct ph_diag *diag) {
+  const struct ph_curve *c = places->curve;
+  *back = PH_NO_SEGMENT;
+  for (size_t patch = 0; patch < c->n; patch++) {
+    enum ph_status status = ph_arena_late(places->arena)
+                                ? ph_fail_memory(diag)
+                                : ph_places_enter(places, patch, diag);
+    if (status != PH_OK) {
+      return status;
+    }
+    for (size_t j = 0; j < places->n; j++) {
+      ph_places_line(places, j);
+      for (size_t i = 0; i < places->n; i++, to++) {
+        struct ph_patch_jet jet;
+        ph_places_jet(places, i, &jet);
+        to->patch = patch;
+        to->u = places->at[i];
+        to->v = places->at[j];
+        if (!set_sample(&jet, c->surface.patches[patch].side, distance, to) &&
+            *back == PH_NO_SEGMENT) {
+          *back = patch;
+        }
+      }
+    }
+  }
+  return PH_OK;
+}
+
+enum ph_status ph_patch_grid_of(const struct ph_curve *curve, double distance,
+                                size_t steps, size_t most,
+                                struct ph_arena *arena,
+                                struct ph_patch_samples *grid, size_t *back,
+                                struct ph_diag *diag) {
+  const double each = (double)steps + 1,
+               wanted = (double)curve->n * each * each;
+  struct ph_arena scratch = ph_arena_beside(arena);
+  struct ph_places places;
+  enum ph_status status;
+  double *at = ph_arena_array(&scratch, steps + 1, sizeof *at);
+  if (!(wanted <= (double)most)) {
+    ph_arena_free(&scratch);
+    return ph_fail(diag, PH_E_LIMIT, NULL,
+                   "the surface would have %.0f samples, more than the %zu of "
+                   "--max-samples",
+                   wanted, most);
+  }
+  grid->n = curve->n * (steps + 1) * (steps + 1);
+  grid->v = ph_arena_array(arena, grid->n, sizeof *grid->v);
+  status = at && grid->v ? PH_OK : ph_fail_memory(diag);
+  for (size_t i = 0; at && i <= steps; i++) {
+    at[i] = (double)i / (double)steps;
+  }
+  if (status == PH_OK) {
+    status = ph_places_begin(&places, curve, at, steps + 1, &scratch, diag);
+  }
+  if (status == PH_OK) {
+    status = fill(&places, distance, grid->v, back, diag);
+  }
+  ph_arena_free(&scratch);
+  return status;
+}
