@@ -100,6 +100,10 @@ enum ph_class {
   X(W_AUXILIARY_POINTS, "auxiliary-points", RECORD,                        \
     "points were added to the data")                                       \
   X(W_NEAR_CUSP, "near-cusp", RECORD, "a cubic is nearly a cusp")          \
+  X(W_SPLINE_PAIRS, "spline-pairs", RECORD,                                \
+    "intervals have curves whose curvature jumps, which bend less")        \
+  X(W_UNEVEN_CHORDS, "uneven-chords", RECORD,                              \
+    "chords are so uneven that the command planar is better")              \
   X(W_FOLDED, "folded", RECORD, "a patch is folded")
 
 #define PH_STATUS(X) X(OK, "ok", OK, "solved") PH_ERRORS(X) PH_WARNINGS(X)

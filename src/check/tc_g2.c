@@ -114,7 +114,8 @@ static const char *fault_of(const struct ph_tc_check *c,
       return "has a curvature that is not that of its segment";
     }
   }
-  if (!(found->before.k * found->after.k <= 0 ||
+  if (told->kind != PH_JOINT_TANGENT && told->kind != PH_JOINT_PAIR &&
+      !(found->before.k * found->after.k <= 0 ||
         fabs(found->before.k) <= found->before.error ||
         fabs(found->after.k) <= found->after.error)) {
     return "is no inflection, and neither side is straight";
@@ -157,6 +158,12 @@ static void check_datum(struct walk *walk, ph_cplx p, size_t k) {
   walk->datum++;
 }
 
+/* Whether a joint that is listed is within an interval of the data. */
+static bool is_within(const struct ph_joint *told) {
+  return told &&
+         (told->kind == PH_JOINT_INFLECTION || told->kind == PH_JOINT_PAIR);
+}
+
 /* Between two segments, the second being k. */
 static void check_between(struct walk *walk, const struct ph_tc_cubic *a,
                           const struct ph_tc_cubic *b, size_t k) {
@@ -171,7 +178,7 @@ static void check_between(struct walk *walk, const struct ph_tc_cubic *a,
     walk->fault = fault_of(walk->c, told, &found, b);
     walk->fault_at = walk->lists.joint - 1;
   }
-  if (!added && !(told && told->kind == PH_JOINT_INFLECTION) && k > 0) {
+  if (!added && !is_within(told) && k > 0) {
     check_datum(walk, b->p[0], k);
   }
 }

@@ -5,10 +5,16 @@
 
 #include <stddef.h>
 
-/* Why the curvature jumps at a joint: X(SYMBOL, "name in records"). */
+/*
+ * Why the curvature jumps at a joint: X(SYMBOL, "name in records").  TANGENT: a
+ * point of the data that has the tangent of the mode spline; PAIR: the joint of
+ * a pair of that mode.
+ */
 #define PH_JOINTS(X)          \
   X(INFLECTION, "inflection") \
-  X(STRAIGHT, "straight")
+  X(STRAIGHT, "straight")     \
+  X(TANGENT, "tangent")       \
+  X(PAIR, "pair")
 
 enum ph_joint_kind {
 #define X(symbol, name) PH_JOINT_##symbol,

@@ -360,7 +360,8 @@ static const struct ph_member joint[] = {
     {"curvature", MUST, ANY, AS("[2]", open), AT(ph_joint, curvature),
      "before and after it, positive to the left; null beyond all numbers"},
     {"kind", MUST, ANY, AS("", joint_kind), AT(ph_joint, kind),
-     "an inflection, or straight on one side"},
+     "an inflection, straight on one side, or of the mode spline: a tangent or "
+     "the joint of a pair"},
     LAST};
 
 static const struct ph_member solution[] = {

@@ -1,100 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Curvature-continuous splines (see g2.h): from the data to the curve.
- *
- * Cubics of the solution that turn by more than 2 pi/3 get a point at the apex
- * of their tangents, and the data are solved again: such cubics are long loops
- * beside which the curve could be much fairer.
  */
 #include "solve/tc/g2.h"
 
-#include "kernel/pi.h"
-
 #include <math.h>
-
-/* A cubic that turns by more gets a point; how often this is done: once or not
- * at all, but for a handful of data. */
-static const double TURN = 2 * PH_PI / 3;
-enum { ROUNDS_MAX = 6 };
 
 /* The roots of the outer legs of a cubic that is nearly a cusp have a larger
  * ratio. */
 static const double CUSP = 1e3;
 
-/* ---- solutions ----------------------------------------------------------- */
-
-/* Points over cubics that turn too much.  ret NULL when memory is exhausted */
-static struct ph_g2_apex *loops_of(const struct ph_g2_chain *chain,
-                                   const struct ph_g2_solution *s,
-                                   struct ph_arena *arena, size_t *n) {
-  struct ph_g2_apex *apex = ph_arena_array(arena, chain->n, sizeof *apex);
-  *n = 0;
-  for (size_t i = 0; apex && i < chain->n; i++) {
-    if (chain->span[i].form == PH_G2_ARC && s->a[i] + s->b[i] > TURN) {
-      apex[(*n)++] = (struct ph_g2_apex){
-          i, {s->a[i] / 2, s->b[i] / 2}, chain->span[i].sense};
-    }
-  }
-  return apex;
-}
-
-/* What stands between the points of a chain, and its angles; with more points
- * if that fails. */
-static enum ph_status plan_and_solve(struct ph_g2_chain *chain, bool may_add,
-                                     enum ph_g2_rule rule,
-                                     struct ph_arena *arena,
-                                     struct ph_g2_solution *s,
-                                     struct ph_diag *diag) {
-  const struct ph_g2_chain given = *chain;
-  enum ph_status status = ph_g2_plan(chain, PH_G2_TURNS, may_add, arena, diag);
-  if (status == PH_OK) {
-    status = ph_g2_solve(chain, rule, arena, s, diag);
-  }
-  if (status == PH_E_NO_CONVERGENCE && may_add && !ph_arena_late(arena)) {
-    *chain = given;
-    status = ph_g2_plan(chain, PH_G2_TURNS_SAFE, true, arena, diag);
-    if (status == PH_OK) {
-      status = ph_g2_solve(chain, rule, arena, s, diag);
-    }
-  }
-  return status;
-}
-
-static enum ph_status find(struct ph_g2_chain *chain, bool may_add,
-                           enum ph_g2_rule rule, struct ph_arena *arena,
-                           struct ph_g2_solution *s, struct ph_diag *diag) {
-  enum ph_status status = plan_and_solve(chain, may_add, rule, arena, s, diag);
-  size_t iterations = s->iterations;
-  for (size_t round = 0; status == PH_OK && may_add && round < ROUNDS_MAX;
-       round++) {
-    size_t n;
-    struct ph_g2_apex *apex = loops_of(chain, s, arena, &n);
-    if (!apex) {
-      return ph_fail_memory(diag);
-    }
-    if (n == 0) {
-      break;
-    }
-    status = ph_g2_add(chain, apex, n, arena, chain, diag);
-    if (status == PH_OK) {
-      status = plan_and_solve(chain, true, rule, arena, s, diag);
-      iterations += s->iterations;
-    }
-  }
-  s->iterations = iterations;
-  return status;
-}
+/* From this quotient of neighbouring chords on splines of the command planar
+ * have less than two thirds of energy times length, for most data. */
+static const double UNEVEN = 1e3;
 
 /* ---- the curve ----------------------------------------------------------- */
 
 struct builder {
-  const struct ph_g2_chain *chain;
+  const struct ph_tc_data *data;
+  const struct ph_g2_chain *chain; /* of the part that is being built */
   const struct ph_g2_solution *s;
   struct ph_curve *curve;
   struct ph_interval *intervals;
   struct ph_sum length, part;
   size_t interval; /* that is being built */
   double ratio;    /* of outer legs, the largest or its inverse */
+  const struct ph_tc_data *spline;
+  size_t pairs, first_pair;
 };
 
 /* A point of the chain in the unit of the data: that of the user, if it is
@@ -126,7 +58,7 @@ static void put(struct builder *b, const struct ph_tc *tc, ph_cplx from,
   struct ph_curve *curve = b->curve;
   size_t i = curve->n++;
   double ratio = ph_cplx_abs(tc->w[1]) / ph_cplx_abs(tc->w[0]);
-  ph_tc_curve_put(curve, i, tc, from, to, b->chain->data->exponent);
+  ph_tc_curve_put(curve, i, tc, from, to, b->data->exponent);
   curve->knots[i + 1] = (double)(i + 1);
   b->ratio = fmax(b->ratio, fmax(ratio, 1 / ratio));
   ph_sum_add(&b->length, curve->lengths[i]);
@@ -135,7 +67,7 @@ static void put(struct builder *b, const struct ph_tc *tc, ph_cplx from,
 
 /* The curvature at an end of cubic i, in the unit of the data. */
 static double curvature_at(const struct builder *b, size_t i, size_t end) {
-  const int exponent = b->chain->data->exponent;
+  const int exponent = b->data->exponent;
   const double *v = b->curve->preimage.v + 4 * i;
   const double root = ldexp(1, exponent / 2);
   struct ph_tc tc = {{ph_cplx_of(root * v[0], root * v[1]),
@@ -163,7 +95,7 @@ static void add_joint(struct builder *b, size_t i, enum ph_joint_kind kind) {
 
 static void build_bend(struct builder *b, size_t i, ph_cplx from, ph_cplx to) {
   const struct ph_g2_span *span = &b->chain->span[i];
-  const int exponent = b->chain->data->exponent;
+  const int exponent = b->data->exponent;
   struct ph_g2_bend bend = ph_g2_bend_of(b->s->a[i], b->s->b[i]);
   ph_cplx joint = span->sense > 0 ? bend.joint : ph_cplx_conj(bend.joint);
   ph_cplx first = ph_cplx_mul(joint, span->chord);
@@ -234,60 +166,141 @@ static void end_interval(struct builder *b, size_t i) {
   b->interval++;
 }
 
-static enum ph_status build(const struct ph_g2_chain *chain,
-                            const struct ph_g2_solution *s,
-                            struct ph_arena *out, struct ph_result *result,
-                            double *ratio, struct ph_diag *diag) {
-  struct ph_curve *curve = &result->curve;
-  struct builder b = {.chain = chain, .s = s, .curve = curve};
-  size_t bends = 0;
+static void build_chain(struct builder *b, const struct ph_g2_part *part) {
+  const struct ph_g2_chain *chain = &part->chain;
+  size_t start = b->curve->n;
+  b->chain = chain;
+  b->s = &part->solution;
   for (size_t i = 0; i < chain->n; i++) {
-    bends += chain->span[i].form == PH_G2_BEND;
+    size_t first = b->curve->n;
+    build_span(b, i);
+    if (i > 0) {
+      describe_node(b, i, first);
+    }
+    end_interval(b, i);
   }
+  describe_node(b, 0, start);
+}
+
+/* The pair of the mode spline. */
+static void build_pair(struct builder *b, const struct ph_g2_part *part) {
+  struct ph_tc_builder pair = {.data = b->spline,
+                               .curve = b->curve,
+                               .intervals = b->intervals,
+                               .done = b->interval};
+  size_t first = b->curve->n;
+  ph_tc_build_add(&pair, &part->fit);
+  for (size_t i = first; i < b->curve->n; i++) {
+    ph_sum_add(&b->length, b->curve->lengths[i]);
+  }
+  for (size_t i = first + 1; i < b->curve->n; i++) {
+    add_joint(b, i, PH_JOINT_PAIR);
+  }
+  b->interval++;
+  if (b->pairs++ == 0) {
+    b->first_pair = first;
+  }
+}
+
+static void build_part(struct builder *b, const struct ph_g2_part *part) {
+  size_t first = b->curve->n;
+  if (part->pair) {
+    build_pair(b, part);
+  } else {
+    build_chain(b, part);
+  }
+  if (first > 0) {
+    add_joint(b, first, PH_JOINT_TANGENT);
+  }
+}
+
+/* Cubics of all parts; joints and added points at most. */
+static size_t count(const struct ph_g2_parts *parts, size_t *joints,
+                    size_t *added) {
+  size_t cubics = 0;
+  *joints = *added = 0;
+  for (size_t k = 0; k < parts->n; k++) {
+    const struct ph_g2_part *part = &parts->part[k];
+    size_t spans = part->pair ? part->fit.n : part->chain.n;
+    *joints += spans + 1;
+    cubics += spans;
+    for (size_t i = 0; !part->pair && i < spans; i++) {
+      *joints += part->chain.span[i].form == PH_G2_BEND;
+      cubics += part->chain.span[i].form == PH_G2_BEND;
+    }
+    *added += part->pair ? 0 : spans - part->n;
+  }
+  return cubics;
+}
+
+static enum ph_status build(struct builder *b, const struct ph_g2_parts *parts,
+                            struct ph_arena *out, struct ph_result *result,
+                            struct ph_diag *diag) {
+  struct ph_curve *curve = &result->curve;
+  size_t joints, added, cubics = count(parts, &joints, &added);
   *curve = (struct ph_curve){.kind = PH_CURVE_TC,
-                             .closed = chain->closed,
+                             .closed = b->data->closed,
                              .dimension = 2,
                              .degree = 3,
-                             .n = chain->n + bends,
+                             .n = cubics,
                              .preimage.n = 2,
                              .preimage.dimension = 2};
-  b.intervals = ph_arena_array(out, chain->data->n, sizeof *b.intervals);
-  curve->g2.joints =
-      ph_arena_array(out, chain->nodes_n + bends, sizeof *curve->g2.joints);
-  curve->g2.auxiliary = ph_arena_array(out, chain->nodes_n - chain->data->n,
-                                       sizeof *curve->g2.auxiliary);
-  if (!b.intervals || !curve->g2.joints || !curve->g2.auxiliary ||
+  b->curve = curve;
+  b->intervals = ph_arena_array(out, b->data->n, sizeof *b->intervals);
+  curve->g2.joints = ph_arena_array(out, joints, sizeof *curve->g2.joints);
+  curve->g2.auxiliary = ph_arena_array(out, added, sizeof *curve->g2.auxiliary);
+  if (!b->intervals || !curve->g2.joints || !curve->g2.auxiliary ||
       ph_curve_alloc(curve, out, diag) != PH_OK) {
     return ph_fail_memory(diag);
   }
   curve->n = 0;
   curve->knots[0] = 0;
-  for (size_t i = 0; i < chain->n; i++) {
-    size_t first = curve->n;
-    build_span(&b, i);
-    if (i > 0) {
-      describe_node(&b, i, first);
-    }
-    end_interval(&b, i);
+  for (size_t k = 0; k < parts->n; k++) {
+    build_part(b, &parts->part[k]);
   }
-  describe_node(&b, 0, 0);
-  curve->length = ph_sum_value(&b.length);
-  result->intervals = b.intervals;
-  result->intervals_n = chain->data->n;
-  *ratio = b.ratio;
+  if (curve->closed && parts->n > 1) {
+    add_joint(b, 0, PH_JOINT_TANGENT);
+  }
+  curve->length = ph_sum_value(&b->length);
+  result->intervals = b->intervals;
+  result->intervals_n = b->data->n;
   return PH_OK;
 }
 
 /* ---- all ----------------------------------------------------------------- */
 
-static void warn(struct ph_result *result, double ratio) {
+/* Joints where the curve turns to the other side or is straight. */
+static void warn_joints(struct ph_result *result) {
   const struct ph_g2 *g2 = &result->curve.g2;
-  if (g2->joints_n > 0) {
-    ph_warn(result, g2->joints[0].segment, PH_W_G1_JOINTS,
+  size_t n = 0, first = 0;
+  for (size_t i = g2->joints_n; i-- > 0;) {
+    if (g2->joints[i].kind <= PH_JOINT_STRAIGHT) {
+      first = g2->joints[i].segment;
+      n++;
+    }
+  }
+  if (n > 0) {
+    ph_warn(result, first, PH_W_G1_JOINTS,
             "the curvature jumps at %zu joint%s, where the curve turns to the "
             "other side or is straight; the first is before segment %zu",
-            g2->joints_n, g2->joints_n > 1 ? "s" : "", g2->joints[0].segment);
+            n, n > 1 ? "s" : "", first);
   }
+}
+
+/* The largest quotient of chords beside one another. */
+static double unevenness(const struct ph_tc_data *d) {
+  double most = 1;
+  for (size_t i = d->closed ? 0 : 1; i < d->n; i++) {
+    double q = d->chord[i] / d->chord[i > 0 ? i - 1 : d->n - 1];
+    most = fmax(most, fmax(q, 1 / q));
+  }
+  return most;
+}
+
+static void warn(struct ph_result *result, const struct builder *b) {
+  const struct ph_g2 *g2 = &result->curve.g2;
+  const double uneven = unevenness(b->data);
+  warn_joints(result);
   if (g2->auxiliary_n > 0) {
     ph_warn(result, g2->auxiliary[0], PH_W_AUXILIARY_POINTS,
             "%zu point%s added where the data turn too much for one cubic, the "
@@ -295,11 +308,24 @@ static void warn(struct ph_result *result, double ratio) {
             g2->auxiliary_n, g2->auxiliary_n > 1 ? "s were" : " was",
             g2->auxiliary[0]);
   }
-  if (ratio > CUSP) {
+  if (b->pairs > 0) {
+    ph_warn(result, b->first_pair, PH_W_SPLINE_PAIRS,
+            "the curvature jumps in and beside %zu interval%s with the cubics "
+            "of the mode spline, which bend less there; the first cubic is "
+            "segment %zu",
+            b->pairs, b->pairs > 1 ? "s" : "", b->first_pair);
+  }
+  if (uneven > UNEVEN) {
+    ph_warn(result, PH_NO_SEGMENT, PH_W_UNEVEN_CHORDS,
+            "of chords beside one another one is %.3g times as long: the "
+            "curves of the command planar bend less there",
+            uneven);
+  }
+  if (b->ratio > CUSP) {
     ph_warn(result, PH_NO_SEGMENT, PH_W_NEAR_CUSP,
             "a cubic has end derivatives whose ratio is %.3g: its curvature is "
             "large at one end",
-            ratio * ratio);
+            b->ratio * b->ratio);
   }
 }
 
@@ -307,25 +333,26 @@ enum ph_status ph_tc_g2(const struct ph_problem *problem,
                         const struct ph_tc_data *data, struct ph_arena *out,
                         struct ph_arena *scratch, struct ph_result *result,
                         struct ph_diag *diag) {
-  bool may_add = !ph_value_is(&problem->field[PH_F_AUXILIARY], "never");
-  enum ph_g2_rule rule = ph_value_is(&problem->field[PH_F_ENDS], "smooth")
-                             ? PH_G2_SMOOTH
-                             : PH_G2_CIRCLE;
-  struct ph_g2_solution solution = {.iterations = 0};
-  struct ph_g2_chain chain;
-  double ratio = 1;
-  enum ph_status status = ph_g2_chain_of(data, scratch, &chain, diag);
+  struct ph_tc_data spline;
+  struct ph_diag why;
+  struct ph_g2_parts parts;
+  bool has_spline =
+      ph_tc_data_of(problem, PH_TC_SPLINE, scratch, &spline, &why) == PH_OK;
+  struct builder b = {.data = data, .spline = &spline, .ratio = 1};
+  enum ph_status status = ph_g2_parts_of(
+      problem, data, has_spline ? &spline : NULL, scratch, &parts, diag);
   if (status == PH_OK) {
-    status = find(&chain, may_add, rule, scratch, &solution, diag);
+    status = build(&b, &parts, out, result, diag);
   }
   if (status == PH_OK) {
-    status = build(&chain, &solution, out, result, &ratio, diag);
-  }
-  if (status == PH_OK) {
-    warn(result, ratio);
-    ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS,
-                       (double)solution.iterations);
-    ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, solution.residual);
+    double iterations = 0, residual = 0;
+    for (size_t k = 0; k < parts.n; k++) {
+      iterations += (double)parts.part[k].solution.iterations;
+      residual = fmax(residual, parts.part[k].solution.residual);
+    }
+    warn(result, &b);
+    ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS, iterations);
+    ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, residual);
   }
   return status;
 }

@@ -99,7 +99,9 @@ struct ph_g2_chain {
   size_t n;       /* spans */
   size_t nodes_n; /* n if closed, else n + 1 */
   bool closed;
-  bool given[2]; /* whether there are end tangents */
+  bool given[2];      /* whether there are end tangents */
+  ph_cplx tangent[2]; /* these */
+  size_t stuck;       /* the datum that has no curve, or PH_G2_ADDED */
   struct ph_g2_node *node;
   struct ph_g2_span *span;
 };
@@ -114,8 +116,14 @@ static inline size_t ph_g2_before(const struct ph_g2_chain *chain, size_t k) {
   return k > 0 ? k - 1 : chain->n - 1;
 }
 
-/* ph_g2_chain_of: the data.  ret PH_OK | PH_E_NO_MEMORY */
-enum ph_status ph_g2_chain_of(const struct ph_tc_data *data,
+/*
+ * ph_g2_chain_of: n intervals of the data.
+ *
+ * in   tangent  [2] unit tangents at its ends, NaN where they are free; NULL
+ * for all of closed data ret  PH_OK | PH_E_NO_MEMORY
+ */
+enum ph_status ph_g2_chain_of(const struct ph_tc_data *data, size_t first,
+                              size_t n, const ph_cplx tangent[2],
                               struct ph_arena *arena, struct ph_g2_chain *chain,
                               struct ph_diag *diag);
 
@@ -148,8 +156,9 @@ enum ph_status ph_g2_add(const struct ph_g2_chain *chain,
  *
  * in   most     sum of neighbouring turns of one sign
  * in   may_add  whether points may be added
- * ret  PH_OK | PH_E_INFEASIBLE (the data turn back; they may not be added to;
- *      or have a corner between straight runs) | PH_E_NO_MEMORY
+ * ret  PH_OK | PH_E_INFEASIBLE (the data turn back; they may not be added to)
+ *      | PH_E_NO_CONVERGENCE (they have a corner between straight runs) |
+ *      PH_E_NO_MEMORY
  */
 enum ph_status ph_g2_plan(struct ph_g2_chain *chain, double most, bool may_add,
                           struct ph_arena *arena, struct ph_diag *diag);
@@ -175,5 +184,36 @@ enum ph_status ph_g2_solve(const struct ph_g2_chain *chain,
                            enum ph_g2_rule rule, struct ph_arena *arena,
                            struct ph_g2_solution *solution,
                            struct ph_diag *diag);
+
+/* ---- parts --------------------------------------------------------------- */
+
+/* Intervals of the data whose curvature is continuous, or one that has the pair
+ * of the mode spline. */
+struct ph_g2_part {
+  size_t first, n; /* intervals */
+  bool pair;
+  bool solved;
+  struct ph_tc_fit fit; /* of a pair */
+  struct ph_g2_chain chain;
+  struct ph_g2_solution solution;
+};
+
+struct ph_g2_parts {
+  struct ph_g2_part *part;
+  size_t n;
+};
+
+/*
+ * ph_g2_parts_of: one part, or more where the curve would bend more than that
+ * of the mode spline, or is not found.
+ *
+ * in   spline  the data of the mode spline, or NULL where it has no curve
+ * ret  PH_OK | PH_E_INFEASIBLE | PH_E_NO_CONVERGENCE | PH_E_NO_MEMORY
+ */
+enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
+                              const struct ph_tc_data *data,
+                              const struct ph_tc_data *spline,
+                              struct ph_arena *arena, struct ph_g2_parts *parts,
+                              struct ph_diag *diag);
 
 #endif

@@ -61,6 +61,8 @@ static const struct {
     {PH_W_G1_JOINTS, "g1-joints", 1},
     {PH_W_AUXILIARY_POINTS, "auxiliary-points", 1},
     {PH_W_NEAR_CUSP, "near-cusp", 1},
+    {PH_W_SPLINE_PAIRS, "spline-pairs", 1},
+    {PH_W_UNEVEN_CHORDS, "uneven-chords", 1},
     {PH_W_FOLDED, "folded", 1},
 };
 

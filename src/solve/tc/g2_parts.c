@@ -1,0 +1,386 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Curvature-continuous splines in parts (see g2.h).
+ *
+ * Cubics of the solution that turn by more than 2 pi/3 get a point at the apex
+ * of their tangents, and the data are solved again: such cubics are long loops
+ * beside which the curve could be much fairer.
+ *
+ * Where chords of very different lengths meet large turns, or flat points are
+ * beside sharp ones, the curvature must be large so that it can be the same on
+ * both sides.  So energy times length is compared with that of the mode spline;
+ * where it is larger by more than a tenth, the intervals to which this is due
+ * get the pairs of that mode, and what is between them is solved again, between
+ * the tangents of that mode.
+ */
+#include "solve/tc/g2.h"
+
+#include "kernel/pi.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A cubic that turns by more gets a point; how often this is done: once or not
+ * at all, but for a handful of data. */
+static const double TURN = 2 * PH_PI / 3;
+enum { LOOPS_MAX = 6 };
+
+/* Energy times length may be larger by this than that of the mode spline. */
+static const double WORSE = 1.1;
+
+/* An interval gets a pair if its excess is this part of the largest. */
+static const double EXCESS = 0.25;
+
+/* Rounds of pairs: in the last all intervals get them. */
+enum { ROUNDS_MAX = 12 };
+
+/* ---- solutions ----------------------------------------------------------- */
+
+/* Points over cubics that turn too much.  ret NULL when memory is exhausted */
+static struct ph_g2_apex *loops_of(const struct ph_g2_chain *chain,
+                                   const struct ph_g2_solution *s,
+                                   struct ph_arena *arena, size_t *n) {
+  struct ph_g2_apex *apex = ph_arena_array(arena, chain->n, sizeof *apex);
+  *n = 0;
+  for (size_t i = 0; apex && i < chain->n; i++) {
+    if (chain->span[i].form == PH_G2_ARC && s->a[i] + s->b[i] > TURN) {
+      apex[(*n)++] = (struct ph_g2_apex){
+          i, {s->a[i] / 2, s->b[i] / 2}, chain->span[i].sense};
+    }
+  }
+  return apex;
+}
+
+/* What stands between the points of a chain, and its angles; with more points
+ * if that fails. */
+static enum ph_status plan_and_solve(struct ph_g2_chain *chain, bool may_add,
+                                     enum ph_g2_rule rule,
+                                     struct ph_arena *arena,
+                                     struct ph_g2_solution *s,
+                                     struct ph_diag *diag) {
+  const struct ph_g2_chain given = *chain;
+  enum ph_status status = ph_g2_plan(chain, PH_G2_TURNS, may_add, arena, diag);
+  if (status == PH_OK) {
+    status = ph_g2_solve(chain, rule, arena, s, diag);
+  }
+  if (status == PH_E_NO_CONVERGENCE && may_add && !ph_arena_late(arena)) {
+    *chain = given;
+    status = ph_g2_plan(chain, PH_G2_TURNS_SAFE, true, arena, diag);
+    if (status == PH_OK) {
+      status = ph_g2_solve(chain, rule, arena, s, diag);
+    }
+  }
+  return status;
+}
+
+/* With points over cubics that turn too much, as long as there is a solution
+ * with them. */
+static enum ph_status find(struct ph_g2_chain *chain, bool may_add,
+                           enum ph_g2_rule rule, struct ph_arena *arena,
+                           struct ph_g2_solution *s, struct ph_diag *diag) {
+  enum ph_status status = plan_and_solve(chain, may_add, rule, arena, s, diag);
+  for (size_t round = 0; status == PH_OK && may_add && round < LOOPS_MAX;
+       round++) {
+    struct ph_g2_chain longer = *chain;
+    struct ph_g2_solution other = {.iterations = 0};
+    struct ph_diag why;
+    size_t n;
+    struct ph_g2_apex *apex = loops_of(chain, s, arena, &n);
+    if (!apex) {
+      return ph_fail_memory(diag);
+    }
+    if (n == 0) {
+      break;
+    }
+    status = ph_g2_add(chain, apex, n, arena, &longer, diag);
+    if (status != PH_OK ||
+        plan_and_solve(&longer, true, rule, arena, &other, &why) != PH_OK) {
+      break;
+    }
+    other.iterations += s->iterations;
+    *chain = longer;
+    *s = other;
+  }
+  return status;
+}
+
+/* ---- measures ------------------------------------------------------------ */
+
+/* Energies and lengths at unit scale, of intervals or of all. */
+struct bent {
+  double energy, length;
+};
+
+static void add(struct bent *sum, struct bent by) {
+  sum->energy += by.energy;
+  sum->length += by.length;
+}
+
+/* Of the cubic with these angles on a chord of this length. */
+static struct bent bent_of(double a, double b, double chord) {
+  struct ph_tc tc = ph_g2_preimage(a, b);
+  struct bent m = {ph_tc_energy(&tc) / chord, ph_tc_length(&tc) * chord};
+  return m;
+}
+
+static struct bent span_bent(const struct ph_g2_span *span, double a,
+                             double b) {
+  const double chord = span->length;
+  struct bent m = {0, chord};
+  if (span->form == PH_G2_ARC) {
+    m = bent_of(a, b, chord);
+  } else if (span->form == PH_G2_BEND) {
+    struct ph_g2_bend bend = ph_g2_bend_of(a, b);
+    double first = hypot(bend.joint.re, bend.joint.im);
+    double last = hypot(1 - bend.joint.re, bend.joint.im);
+    m = bent_of(bend.a[0], bend.b[0], first * chord);
+    add(&m, bent_of(bend.a[1], bend.b[1], last * chord));
+  }
+  return m;
+}
+
+/* ---- the search ---------------------------------------------------------- */
+
+struct search {
+  const struct ph_tc_data *data;
+  const struct ph_tc_data *spline; /* the same, of the mode spline */
+  bool may_add;
+  enum ph_g2_rule rule;
+  struct ph_arena *arena;
+  struct ph_diag *diag;
+  struct bent *pair, *here; /* [n] of the pair of the mode spline; as it is */
+  struct bent pairs;        /* the sum */
+  unsigned char *mark;      /* [n] whether the interval gets its pair */
+};
+
+/* The pairs of all intervals.  ret false: the mode spline has no curve */
+static bool measure_pairs(struct search *s) {
+  struct ph_diag why;
+  struct ph_tc_fit fit;
+  s->pairs = (struct bent){0, 0};
+  for (size_t k = 0; k < s->data->n; k++) {
+    double chord = s->spline->chord[k];
+    if (ph_tc_interval(s->spline, k, &fit, &why) != PH_OK) {
+      return false;
+    }
+    s->pair[k] = (struct bent){fit.energy / chord, fit.length * chord};
+    add(&s->pairs, s->pair[k]);
+  }
+  return true;
+}
+
+/* The tangent of a part at datum k, or that of the data at an end. */
+static ph_cplx tangent_at(const struct search *s, size_t k) {
+  const struct ph_tc_data *d = s->data;
+  ph_cplx v;
+  if (!d->closed && (k == 0 || k == d->n)) {
+    return d->vector[k];
+  }
+  v = s->spline->vector[k < d->points_n ? k : 0];
+  return ph_cplx_scale(1 / hypot(v.re, v.im), v);
+}
+
+/* A part that is not solved yet.  ret PH_OK | PH_E_NO_MEMORY, or a failure of
+ * the only part */
+static enum ph_status solve_part(struct search *s, struct ph_g2_part *part,
+                                 bool only) {
+  const struct ph_tc_data *d = s->data;
+  struct ph_diag why = {.status = PH_OK}, *diag = only ? s->diag : &why;
+  enum ph_status status;
+  if (part->pair) {
+    return ph_tc_interval(s->spline, part->first, &part->fit, s->diag);
+  }
+  ph_cplx tangent[2] = {{(double)NAN, 0}, {(double)NAN, 0}};
+  if (!d->closed || !only) {
+    tangent[0] = tangent_at(s, part->first);
+    tangent[1] = tangent_at(s, part->first + part->n);
+  }
+  status = ph_g2_chain_of(d, part->first, part->n,
+                          d->closed && only ? NULL : tangent, s->arena,
+                          &part->chain, diag);
+  if (status == PH_OK) {
+    status = find(&part->chain, s->may_add, s->rule, s->arena, &part->solution,
+                  diag);
+  }
+  part->solved = status == PH_OK;
+  if (status == PH_E_NO_CONVERGENCE && ph_arena_late(s->arena)) {
+    return ph_fail_memory(s->diag);
+  }
+  return status == PH_OK || status == PH_E_NO_MEMORY ? status
+         : only                                      ? status
+                                                     : PH_OK;
+}
+
+/* Energies and lengths of the intervals of a part. */
+static void measure_part(struct search *s, const struct ph_g2_part *part) {
+  size_t at = part->first;
+  if (part->pair) {
+    s->here[at] = s->pair[at];
+    return;
+  }
+  s->here[at] = (struct bent){0, 0};
+  for (size_t i = 0; i < part->chain.n; i++) {
+    size_t next = ph_g2_next(&part->chain, i);
+    add(&s->here[at], span_bent(&part->chain.span[i], part->solution.a[i],
+                                part->solution.b[i]));
+    if (part->chain.node[next].datum != PH_G2_ADDED &&
+        at + 1 < part->first + part->n) {
+      s->here[++at] = (struct bent){0, 0};
+    }
+  }
+}
+
+/* How much shorter the chord of interval i is than one beside it. */
+static double shortness(const struct ph_tc_data *d, size_t i) {
+  double most = 1;
+  if (i > 0 || d->closed) {
+    most = fmax(most, d->chord[i > 0 ? i - 1 : d->n - 1] / d->chord[i]);
+  }
+  if (i + 1 < d->n || d->closed) {
+    most = fmax(most, d->chord[i + 1 < d->n ? i + 1 : 0] / d->chord[i]);
+  }
+  return most;
+}
+
+/* A part without a solution: marks beside the datum that has none, or the
+ * intervals that are short beside others, and the middle. */
+static void mark_failed(struct search *s, const struct ph_g2_part *part) {
+  const size_t end = part->first + part->n, n = s->data->n;
+  size_t stuck = part->chain.stuck;
+  double most = 1;
+  if (stuck != PH_G2_ADDED) {
+    s->mark[(stuck + n - 1) % n] = s->mark[stuck % n] = 1;
+    return;
+  }
+  for (size_t i = part->first; i < end; i++) {
+    most = fmax(most, shortness(s->data, i));
+  }
+  for (size_t i = part->first; i < end; i++) {
+    if (most > 1 && shortness(s->data, i) >= sqrt(most)) {
+      s->mark[i] = 1;
+    }
+  }
+  s->mark[part->first + part->n / 2] = 1;
+}
+
+/* Intervals to which it is due that the whole is worse. */
+static void mark_worst(struct search *s) {
+  double most = 0;
+  for (int marks = 0; marks < 2; marks++) {
+    for (size_t i = 0; i < s->data->n; i++) {
+      double excess =
+          (s->here[i].energy - s->pair[i].energy) / s->pairs.energy +
+          (s->here[i].length - s->pair[i].length) / s->pairs.length;
+      if (marks == 0) {
+        most = fmax(most, excess);
+      } else if (!(excess < EXCESS * most)) {
+        s->mark[i] = 1;
+      }
+    }
+  }
+}
+
+/* What gets pairs after this round.  ret whether anything does */
+static bool mark(struct search *s, const struct ph_g2_parts *parts) {
+  struct bent sum = {0, 0};
+  bool failed = false;
+  for (size_t i = 0; i < parts->n; i++) {
+    if (!parts->part[i].solved) {
+      mark_failed(s, &parts->part[i]);
+      failed = true;
+    } else {
+      measure_part(s, &parts->part[i]);
+    }
+  }
+  if (failed) {
+    return true;
+  }
+  for (size_t i = 0; i < s->data->n; i++) {
+    add(&sum, s->here[i]);
+  }
+  if (sum.energy * sum.length <= WORSE * s->pairs.energy * s->pairs.length) {
+    return false;
+  }
+  mark_worst(s);
+  return true;
+}
+
+/* Parts by the marks; those that were there are taken over. */
+static enum ph_status cut(struct search *s, struct ph_g2_parts *parts) {
+  const size_t n = s->data->n;
+  struct ph_g2_parts next = {.n = 0};
+  size_t old = 0;
+  next.part = ph_arena_array(s->arena, n, sizeof *next.part);
+  if (!next.part) {
+    return ph_fail_memory(s->diag);
+  }
+  for (size_t i = 0; i < n;) {
+    size_t end = i + 1;
+    struct ph_g2_part *part = &next.part[next.n++];
+    while (!s->mark[i] && end < n && !s->mark[end]) {
+      end++;
+    }
+    for (; old < parts->n && parts->part[old].first < i; old++) {
+    }
+    *part = (struct ph_g2_part){
+        .first = i, .n = end - i, .pair = s->mark[i], .solved = s->mark[i]};
+    if (old < parts->n && parts->part[old].first == i &&
+        parts->part[old].n == part->n && parts->part[old].pair == part->pair) {
+      *part = parts->part[old];
+    } else if (solve_part(s, part, false) != PH_OK) {
+      return s->diag->status;
+    }
+    i = end;
+  }
+  *parts = next;
+  return PH_OK;
+}
+
+/* With pairs where they are needed. */
+static enum ph_status improve(struct search *s, struct ph_g2_parts *parts) {
+  const size_t n = s->data->n;
+  enum ph_status status = PH_OK;
+  s->pair = ph_arena_array(s->arena, n, sizeof *s->pair);
+  s->here = ph_arena_array(s->arena, n, sizeof *s->here);
+  s->mark = ph_arena_array(s->arena, n, 1);
+  if (!s->pair || !s->here || !s->mark) {
+    return ph_fail_memory(s->diag);
+  }
+  memset(s->mark, 0, n);
+  if (!measure_pairs(s)) {
+    return parts->part[0].solved ? PH_OK : s->diag->status;
+  }
+  for (size_t round = 0; status == PH_OK && mark(s, parts); round++) {
+    if (round == ROUNDS_MAX) {
+      memset(s->mark, 1, n);
+    }
+    status = cut(s, parts);
+  }
+  return status;
+}
+
+enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
+                              const struct ph_tc_data *data,
+                              const struct ph_tc_data *spline,
+                              struct ph_arena *arena, struct ph_g2_parts *parts,
+                              struct ph_diag *diag) {
+  struct search s = {
+      .data = data,
+      .spline = spline,
+      .may_add = !ph_value_is(&problem->field[PH_F_AUXILIARY], "never"),
+      .rule = ph_value_is(&problem->field[PH_F_ENDS], "smooth") ? PH_G2_SMOOTH
+                                                                : PH_G2_CIRCLE,
+      .arena = arena,
+      .diag = diag};
+  enum ph_status status;
+  parts->n = 1;
+  parts->part = ph_arena_array(arena, 1, sizeof *parts->part);
+  if (!parts->part) {
+    return ph_fail_memory(diag);
+  }
+  parts->part[0] = (struct ph_g2_part){.n = data->n};
+  status = solve_part(&s, &parts->part[0], true);
+  return spline && (status == PH_OK || status == PH_E_NO_CONVERGENCE)
+             ? improve(&s, parts)
+             : status;
+}

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Cubics with continuous curvature through hostile points: tc --mode=g2 solves
+# all, no energy times length is more than a tenth above that of the mode spline,
+# and the curvature jumps where it says alone.  Families of hostile.py, 20 sets
+# of each in a trial; FAMILIES names them, TRIALS says how many trials, 1 if it
+# does not: phspline-tc(1) was measured with 10, of convex and mixed with 500.
+# shellcheck disable=SC2016  # programs of awk
+. "$srcdir/tests/cli/lib.sh"
+python=/usr/bin/python3
+hostile=$srcdir/tests/cli/hostile.py
+
+if ! "$python" -c '' 2>/dev/null; then
+  echo 'skip: no python3'
+  exit 0
+fi
+
+# judged NAME SEED: what hostile.py says of 20 sets
+judged() {
+  "$python" "$hostile" "$1" 20 "$2" >in
+  run tc -q --mode=g2 in
+  mv out g2
+  run tc -q --mode=spline in
+  "$python" "$hostile" judge g2 out
+}
+
+for name in ${FAMILIES:-$("$python" "$hostile" names) convex mixed}; do
+  seed=0
+  while [ "$seed" -lt "${TRIALS:-1}" ]; do
+    seed=$((seed + 1))
+    judged "$name" "$seed"
+  done | awk '{
+    solved += $1; failed += $2; logs += $1 * log($3); worse += $4
+    jump = jump < $5 ? $5 : jump; pairs += $6
+  } END {
+    printf "%d %d %.3g %d %.1e %d\n", solved, failed, exp(logs / solved),
+      worse, jump, pairs
+  }' >all
+  echo "# $name: solved, failed, mean, worse, jump, pairs: $(cat all)"
+  true_that "$name are solved, and fair" \
+    awk '{ exit !($2 == 0 && $4 == 0 && $5 < 1e-9) }' all
+done
