@@ -28,7 +28,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
@@ -56,7 +56,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -80,7 +80,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
@@ -108,7 +108,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -133,7 +133,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
@@ -161,7 +161,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --merge= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --merge= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -187,7 +187,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
@@ -215,7 +215,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --merge= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --merge= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -244,7 +244,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
@@ -271,7 +271,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -299,7 +299,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='samples strips development located' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= apexes= contact_point= tangent_scale= criterion= angles= alpha= height= flat= translate= merge=' ;;
@@ -338,7 +338,7 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='samples patches edges' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= faces= normals= continuity= degree= tolerance=' ;;

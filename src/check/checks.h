@@ -104,6 +104,26 @@ void ph_check_gaps(struct ph_check *v, const struct ph_offset *offset,
                    struct ph_check_path *path,
                    struct ph_check_segment *segment);
 
+/*
+ * ph_check_rational: sum b_j w_j p_j over sum b_j w_j; w NULL: all are 1.
+ *
+ * Weights may be far from 1, in products with the points out of range: they are
+ * taken over the largest.  A short piece may be far from the origin: its points
+ * are taken from the first of them, so that it is not lost in the rounding of
+ * the sum.
+ */
+ph_vec3 ph_check_rational(const double *b, size_t n, size_t dimension,
+                          const double *p, const double *w);
+
+/* ph_check_nurbs: B-splines of the curve, or of the offset that they are of. */
+void ph_check_nurbs(struct ph_check *v, const struct ph_splines *of,
+                    const struct ph_check_path *beside);
+
+/* ph_check_nurbs_loop: those of a loop, which is what they are compared with.
+ */
+void ph_check_nurbs_loop(struct ph_check *v, const struct ph_loop *loop,
+                         size_t degree);
+
 /* ph_check_offset: an offset curve. */
 void ph_check_offset(struct ph_check *v, const struct ph_offset *offset);
 

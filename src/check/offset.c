@@ -67,28 +67,6 @@ static void trigonometric(double angle, double u, double *b) {
   b[4] = q * q * q * q;
 }
 
-/* sum b_j w_j p_j over sum b_j w_j; w NULL: 1.  The weights may be far from 1,
- * in products with the points out of range: they are taken over the largest.
- * A short piece may be far from the origin: its points are taken from the first
- * of them, so that it is not lost in the rounding of the sum. */
-static ph_vec3 combine(const double *b, size_t n, size_t dimension,
-                       const double *p, const double *w) {
-  const ph_vec3 first = ph_vec3_get(p, dimension);
-  ph_vec3 sum = {0, 0, 0};
-  double bottom = 0, largest = 0;
-  for (size_t j = 0; w && j < n; j++) {
-    largest = ph_check_larger(largest, fabs(w[j]));
-  }
-  for (size_t j = 0; j < n; j++) {
-    double weight = w ? b[j] * (w[j] / largest) : b[j];
-    ph_vec3 from_first =
-        ph_vec3_sub(ph_vec3_get(p + dimension * j, dimension), first);
-    sum = ph_vec3_along(sum, weight, from_first);
-    bottom += weight;
-  }
-  return ph_vec3_along(first, 1 / bottom, sum);
-}
-
 static ph_vec3 quotient(const double *b, size_t dimension, const double *top,
                         const double *bottom) {
   ph_vec3 sum = {0, 0, 0};
@@ -140,7 +118,7 @@ static void check_rational(struct context *c, size_t i) {
     struct ph_check_local at;
     ph_vec3 found;
     ph_bern_basis(o->degree, x, b);
-    found = scaled(v, combine(b, n, o->dimension, p, w));
+    found = scaled(v, ph_check_rational(b, n, o->dimension, p, w));
     at = local_of(c, u, found);
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "control_points"),
                   ph_check_apart(found, at.point), v->scale.size,
@@ -241,7 +219,8 @@ static void check_bezier_at(struct context *c, size_t i, double x) {
   struct ph_check_local at;
   ph_vec3 found;
   ph_bern_basis(of->degree, x, b);
-  found = scaled(v, combine(b, n, d, of->control_points + n * d * i, NULL));
+  found = scaled(
+      v, ph_check_rational(b, n, d, of->control_points + n * d * i, NULL));
   at = local_of(c, in[0] + x * (in[1] - in[0]), found);
   ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("beziers", i, "control_points"),
                 ph_check_apart(found, at.point), v->scale.size,
@@ -460,6 +439,11 @@ void ph_check_offset(struct ph_check *v, const struct ph_offset *o) {
   }
   if (o->loops.mode) {
     check_loops(v, o);
+    for (size_t i = 0; i < o->loops.n; i++) {
+      if (o->loops.v[i].nurbs.n > 0) {
+        ph_check_nurbs_loop(v, &o->loops.v[i], o->degree);
+      }
+    }
     return;
   }
   if (o->n > 0 || !v->kind->sphere) {
@@ -470,6 +454,9 @@ void ph_check_offset(struct ph_check *v, const struct ph_offset *o) {
   }
   check_cusps(&c);
   ph_check_gaps(v, o, &c.path, &c.segment);
+  if (o->nurbs.n > 0) {
+    ph_check_nurbs(v, &o->nurbs, &c.path);
+  }
   if (o->samples.n > 0) {
     ph_check_samples(v, &o->samples, &c.path, &length, &error);
     if (!isnan(length)) { /* else beside a point at rest */

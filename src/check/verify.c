@@ -103,6 +103,9 @@ static void check_derived(struct ph_check *v) {
   if (claim->samples.n > 0) {
     ph_check_samples(v, &claim->samples, NULL, &length, &error);
   }
+  if (claim->nurbs.n > 0 && !v->kind->converted) {
+    ph_check_nurbs(v, &claim->nurbs, NULL);
+  }
   for (size_t i = 0; i < claim->offsets_n; i++) {
     ph_check_prefix(v, "offsets", i);
     ph_check_offset(v, &claim->offsets[i]);

@@ -53,6 +53,7 @@
   X(OFFSET, "offset_error")                \
   X(SAMPLE, "sample_error")                \
   X(BLASCHKE, "blaschke_error")            \
+  X(NURBS, "nurbs_error")                  \
   X(DISTANCE, "distance_error")            \
   X(FRAME, "frame_error")                  \
   X(NORMAL, "normal_error")                \

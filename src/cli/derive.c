@@ -3,6 +3,7 @@
 #include "cli/derive.h"
 
 #include "curve/bezier/cubics.h"
+#include "curve/bezier/nurbs.h"
 #include "curve/cross/cross.h"
 #include "curve/kind/kind.h"
 #include "curve/offset/loop.h"
@@ -214,6 +215,20 @@ static enum ph_status convert_all(double tolerance, struct ph_arena *arena,
   return status;
 }
 
+/* The curve and its offsets as B-splines. */
+static enum ph_status derive_nurbs(double tolerance, struct ph_arena *arena,
+                                   struct ph_result *r, struct ph_diag *diag) {
+  enum ph_status status =
+      ph_nurbs_of(&r->curve, NULL, tolerance, arena, &r->nurbs, diag);
+  for (size_t i = 0; status == PH_OK && i < r->offsets_n; i++) {
+    struct ph_offset *o = &r->offsets[i];
+    status = o->loops.mode
+                 ? ph_nurbs_loops(o, arena, diag)
+                 : ph_nurbs_of(&r->curve, o, tolerance, arena, &o->nurbs, diag);
+  }
+  return status;
+}
+
 enum ph_status ph_derive(const struct ph_options *options,
                          struct ph_arena *arena, struct ph_result *result,
                          struct ph_derived *derived, struct ph_diag *diag) {
@@ -230,6 +245,9 @@ enum ph_status ph_derive(const struct ph_options *options,
   status = derive_offsets(o, tolerance, arena, result, diag);
   if (status == PH_OK && ph_formats[o->format].is_cubics) {
     return derive_paths(o, arena, result, derived, diag);
+  }
+  if (status == PH_OK && (o->nurbs || ph_formats[o->format].is_nurbs)) {
+    status = derive_nurbs(tolerance, arena, result, diag);
   }
   if (status == PH_OK && o->convert) {
     status = convert_all(tolerance, arena, result, diag);

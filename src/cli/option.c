@@ -342,6 +342,34 @@ static enum ph_status check_frame(struct ph_option_parser *p) {
   return PH_OK;
 }
 
+/* B-splines, as a format or beside the curve. */
+static enum ph_status check_nurbs(struct ph_option_parser *p) {
+  const struct ph_options *o = p->options;
+  const struct ph_format_row *format = &ph_formats[o->format];
+  const enum ph_space space = space_of(o);
+  const char *name = ph_format_name(o->format);
+  if (format->is_nurbs && (space == PH_SURFACE || space == PH_PATCHWORK)) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--format=%s is of curves, %s makes surfaces", name,
+                   o->command->schema->command);
+  }
+  if (format->is_nurbs && o->samples.how != PH_SAMPLE_NONE) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--format=%s has no samples; it is of exact curves, or "
+                   "within --tolerance",
+                   name);
+  }
+  if (o->nurbs && !format->is_objects) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL, "--nurbs needs --format=json");
+  }
+  if ((o->nurbs || format->is_nurbs) && o->convert) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "B-splines are of the curve as it was found; --convert does "
+                   "nothing there");
+  }
+  return PH_OK;
+}
+
 /* Options that contradict each other. */
 static enum ph_status check_together(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
@@ -369,6 +397,9 @@ static enum ph_status check_together(struct ph_option_parser *p) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--format=%s is of cubics; --convert does nothing there",
                    ph_format_name(o->format));
+  }
+  if (check_nurbs(p) != PH_OK) {
+    return PH_E_USAGE;
   }
   if (o->pretty && !format->is_objects) {
     return ph_fail(p->diag, PH_E_USAGE, NULL, "--pretty needs --format=json");

@@ -55,8 +55,8 @@
     "json (default): one object a line; csv (with --table the default): one "  \
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths "  \
     "of cubic Bezier curves; svg: a drawing of these; geojson: features of "   \
-    "samples, without other "                                                  \
-    "options within 1e-6 of the size; obj, stl: the mesh of a surface")        \
+    "samples, without other options within 1e-6 of the size; dxf: a drawing "  \
+    "for CAD, of B-splines; obj, stl: the mesh of a surface")                  \
   X(TABLE, SOLVE, 0, "table", "NAME",                                          \
     "what --format=csv and text print (default: control-points, of surfaces "  \
     "strips or patches):")                                                     \
@@ -123,6 +123,8 @@
     "what the panorama has beside the surface and the volume (default: 0)")    \
   X(CONVERT, CURVE, 0, "convert", "bezier",                                    \
     "write atph segments as polynomial quintic Bezier segments")               \
+  X(NURBS, CURVE, 0, "nurbs", NULL,                                            \
+    "add curves and offsets as B-splines, rational where they must be")        \
   X(TOLERANCE, CURVE, 0, "tolerance", "E",                                     \
     "greatest distance of Bezier pieces from the exact curve "                 \
     "(default: " PH_TEXT(PH_TOLERANCE) " of its size)")                        \
@@ -205,7 +207,7 @@ struct ph_options {
   struct ph_sweep *sweeps;
   size_t sweeps_n;
   size_t sweep_count; /* results for each problem */
-  bool convert;
+  bool convert, nurbs;
   double tolerance;     /* 0: the default */
   const char *problems; /* of the results that verify looks at; NULL: none */
   struct ph_split_options problems_input;

@@ -536,6 +536,9 @@ static enum ph_status read_argument(struct ph_option_parser *p,
   case PH_O_CONVERT:
     o->convert = true;
     return choose(p, id, words, &which);
+  case PH_O_NURBS:
+    o->nurbs = true;
+    return PH_OK;
   case PH_O_TOLERANCE:
   case PH_O_FLAT:
   case PH_O_LIMIT:

@@ -274,7 +274,9 @@ static void write_result(struct task *t, const struct ph_heading *heading,
                          const char *id, struct ph_buf *out) {
   const struct ph_print print = ph_options_print(t->options);
   struct ph_solved solved = {id,
-                             t->item->record.number,
+                             (t->item->record.number - 1) *
+                                     t->options->sweep_count +
+                                 t->item->sweep + 1,
                              heading,
                              &t->result,
                              t->derived.paths,

@@ -9,6 +9,7 @@
 
 #include "base/diag.h"
 #include "base/mem.h"
+#include "curve/bezier/splines.h"
 #include "curve/g2.h"
 #include "curve/offset/loops.h"
 #include "curve/sample/samples.h"
@@ -205,6 +206,7 @@ struct ph_offset {
   struct ph_samples samples; /* n = 0: none; on a sphere there are always */
   double length;             /* NaN unless there are samples, or loops */
   struct ph_loops loops;     /* in place of pieces, n = 0 */
+  struct ph_splines nurbs;   /* of pieces */
 };
 
 /*
@@ -461,6 +463,7 @@ struct ph_result {
   struct ph_offset *offsets;
   size_t offsets_n;
   struct ph_samples samples;     /* n = 0: they were not asked for */
+  struct ph_splines nurbs;       /* likewise */
   struct ph_parallel *parallels; /* of a surface */
   size_t parallels_n;
   struct ph_surface_samples grid; /* of a surface */

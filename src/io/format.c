@@ -2,6 +2,7 @@
 /* The table of formats (see format.h). */
 #include "io/format.h"
 
+#include "io/dxf_out.h"
 #include "io/geojson_out.h"
 #include "io/obj_out.h"
 #include "io/stl_out.h"
@@ -98,6 +99,18 @@ static void lines_solved(struct ph_buf *buf, const struct ph_print *print,
   ph_geojson_out(buf, s->heading, s->result);
 }
 
+static void nurbs_header(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_swept *swept, size_t swept_n) {
+  (void)print, (void)swept, (void)swept_n;
+  ph_dxf_header(buf);
+}
+
+static void nurbs_solved(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_solved *s) {
+  (void)print;
+  ph_dxf_out(buf, s->id, s->number, s->result);
+}
+
 const struct ph_format_row ph_formats[PH_FORMAT_N] = {
     [PH_FORMAT_JSON] = {.is_objects = true,
                         .solved = json_solved,
@@ -122,6 +135,10 @@ const struct ph_format_row ph_formats[PH_FORMAT_N] = {
                            .header = lines_header,
                            .footer = ph_geojson_footer,
                            .solved = lines_solved},
+    [PH_FORMAT_DXF] = {.is_nurbs = true,
+                       .header = nurbs_header,
+                       .footer = ph_dxf_footer,
+                       .solved = nurbs_solved},
     [PH_FORMAT_OBJ] = {.is_mesh = true, .solved = mesh_solved},
     [PH_FORMAT_STL] = {.is_mesh = true,
                        .is_single = true,

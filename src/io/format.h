@@ -18,6 +18,7 @@
   X(SVG_PATH, "svg-path")    \
   X(SVG, "svg")              \
   X(GEOJSON, "geojson")      \
+  X(DXF, "dxf")              \
   X(OBJ, "obj")              \
   X(STL, "stl")
 
@@ -42,7 +43,7 @@ struct ph_print {
 /* A solved problem. */
 struct ph_solved {
   const char *id; /* plain text: the id, or the number of the record */
-  size_t number;  /* of the record, from 1 */
+  size_t number;  /* of the result, from 1: of all records, swept or not */
   const struct ph_heading *heading;
   const struct ph_result *result;
   const struct ph_pieces *paths; /* of formats that are cubics: the curve, then
@@ -62,6 +63,7 @@ struct ph_format_row {
   bool is_single;  /* has room for one problem */
   bool is_text;    /* a table in the second form (csv_out.h) */
   bool is_drawing; /* of cubics within --tolerance, if it is given */
+  bool is_nurbs;   /* has neither samples nor --convert: B-splines */
   bool is_cubics;  /* has neither samples nor --convert; --chord-error is how
                       near the cubics are to the curve */
   bool is_lines;   /* of samples of curves, which it has without being asked */

@@ -80,6 +80,7 @@ TYPE(segment, "segment", SEGMENTS, 0, 0, 0);
 TYPE(image, "image", IMAGES, 0, 0, 0);
 TYPE(piece, "piece", PIECES, 0, 0, 0);
 TYPE(bezier, "bezier", BEZIERS, 0, 0, 0);
+TYPE(chain, "chain", LIST, 0, 0, 0);
 TYPE(sample, "sample", SAMPLES, 0, 0, 0);
 TYPE(interval, "interval", LIST, 0, 0, 0);
 TYPE(joint, "joint", LIST, 0, 0, 0);

@@ -242,6 +242,22 @@ tampered '.segments[1].length += 1e-6' length_error
 tampered '.offsets[0].samples[3].point |= map(-.)' sample_error
 tampered '.samples[3].curvature += 1e-6' sample_error
 
+# ---- B-splines ------------------------------------------------------------------
+
+good nurbs '{"points":[[0,0],[1,2],[3,-1],[4,4]],"closed":true}' planar \
+  --nurbs --offset=0.1
+tampered '.nurbs[0].control_points[7][1] += 1e-6' nurbs_error
+tampered '.nurbs[0].knots[8] += 1e-3' nurbs_error
+tampered '.nurbs[0].knots |= map(. * 2)' nurbs_error
+tampered '.nurbs[0].degree = 4' nurbs_error
+tampered '.offsets[0].nurbs[0].weights[12] *= 1.0001' nurbs_error
+tampered '.offsets[0].nurbs[0].weights[3] = 1e400' nurbs_error
+tampered '.offsets[0].nurbs[0].knots |= map(. - 1)' nurbs_error
+good nurbs-loop '{"points":[[0,0],[1,2],[3,-1],[4,4]],"closed":true}' planar \
+  --nurbs --offset=0.1 --offset-mode=trimmed
+tampered '.offsets[0].loops[0].nurbs[0].control_points[3][0] += 1e-6' nurbs_error
+tampered '.offsets[0].loops[0].nurbs[0].degree = 3' nurbs_error
+
 # ---- cubics --------------------------------------------------------------------
 
 good tc '{"points":[[0,0],[2,1],[3,0],[5,2]]}' tc --offset=0.1 --blaschke

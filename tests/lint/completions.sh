@@ -59,7 +59,7 @@ if command -v bash >/dev/null; then
   offers 'sphere' phspline schema sph
   offers '--free= --format= --frame= --fail-fast' phspline planar --f
   offers '--problems= --pretty --progress' phspline verify --pr
-  offers 'json csv text svg-path svg geojson obj stl' phspline planar --format =
+  offers 'json csv text svg-path svg geojson dxf obj stl' phspline planar --format =
   offers 'csv' phspline planar -f c
   offers 'uniform' phspline planar --knots = u
   offers 'E MV IES IMV' phspline planar --minimize =

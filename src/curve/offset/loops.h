@@ -3,6 +3,7 @@
 #ifndef PH_CURVE_OFFSET_LOOPS_H
 #define PH_CURVE_OFFSET_LOOPS_H
 
+#include "curve/bezier/splines.h"
 #include "curve/sample/samples.h"
 
 #include <stdbool.h>
@@ -40,6 +41,7 @@ struct ph_loop {
   struct ph_loop_piece *pieces;
   size_t n;
   struct ph_samples samples; /* t as of segments, of joins at the corner */
+  struct ph_splines nurbs;
 };
 
 /* What is known of an offset that was put together to loops. */
