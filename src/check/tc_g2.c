@@ -21,16 +21,19 @@ struct bent {
   double k, error;
 };
 
-/* At the start of a cubic (end = 0) or its end (1). */
+/* At the start of a cubic (end = 0) or its end (1).  Both legs may be off by
+ * the allowance d: the cross product by d times their lengths and d, and the
+ * length of the near one may be less by d. */
 static struct bent bent_at(const struct ph_tc_cubic *s, size_t end) {
   ph_cplx near = s->h[2 * end];
-  double size = ph_cplx_abs(near), far = ph_cplx_abs(s->h[1]);
+  double d = s->allowance, size = ph_cplx_abs(near), low = size - d;
   double cross =
       ph_cplx_cross(end == 0 ? near : s->h[1], end == 0 ? s->h[1] : near);
-  double cube = size * size * size;
-  struct bent b = {2 * cross / cube, 2 * s->allowance *
-                                         (size + far + 3 * fabs(cross) / size) /
-                                         cube};
+  double more = d * (size + ph_cplx_abs(s->h[1]) + d);
+  struct bent b = {2 * cross / (size * size * size), HUGE_VAL};
+  if (low > 0) {
+    b.error = 2 * (fabs(cross) + more) / (low * low * low) - fabs(b.k);
+  }
   return b;
 }
 
@@ -83,12 +86,21 @@ static bool is_over(const struct lists *l) {
   return l->joint == l->g2->joints_n && l->auxiliary == l->g2->auxiliary_n;
 }
 
+/* Whether a side may be straight; where it has no curvature nothing is known of
+ * it. */
+static bool is_straight(const struct bent *side) {
+  return fabs(side->k) <= side->error || isinf(side->error);
+}
+
 /* Whether a curvature that is told is that of a side: none, where it leaves the
- * range of numbers. */
+ * range of numbers; any, where a leg is nothing but rounding. */
 static bool is_curvature(const struct ph_tc_check *c, double told,
                          const struct bent *side) {
   double k = ph_pow2_apply(c->scale.from_unit, told);
   double most = 2 * fabs(side->k) + side->error;
+  if (isinf(side->error)) {
+    return true;
+  }
   return isfinite(told)
              ? fabs(k - side->k) <=
                    JUMP * ph_check_larger(fabs(k), fabs(side->k)) + side->error
@@ -115,9 +127,8 @@ static const char *fault_of(const struct ph_tc_check *c,
     }
   }
   if (told->kind != PH_JOINT_TANGENT && told->kind != PH_JOINT_PAIR &&
-      !(found->before.k * found->after.k <= 0 ||
-        fabs(found->before.k) <= found->before.error ||
-        fabs(found->after.k) <= found->after.error)) {
+      !(found->before.k * found->after.k <= 0 || is_straight(&found->before) ||
+        is_straight(&found->after))) {
     return "is no inflection, and neither side is straight";
   }
   return NULL;

@@ -156,6 +156,21 @@ phspline: -:1: record 1: warning: 1 point was added where the data turn too much
 phspline: -:1: record 1: warning: the curvature jumps in and beside 2 intervals with the cubics of the mode spline, which bend less there; the first cubic is segment 1 [spline-pairs]
 phspline: -:1: record 1: warning: of chords beside one another one is 6.32e+06 times as long: the curves of the command planar bend less there [uneven-chords]'
 
+# points that are near for their coordinates: a leg is rounded to nothing, and
+# its curvature is not known
+cat >near <<'EOF'
+{"points":[[1000000.6702985318,999999.12751877],[1000000.669959239,
+999999.1276145921],[1000000.6699164831,999999.1274283716],[1000000.6700726834,
+999999.1276026004],[1000000.6699183949,999999.1277890798],[1000000.6698520534,
+999999.1280323341],[1000000.6698797967,999999.1280278293],[1000001.3680403862,
+999999.1269808151]],"mode":"g2"}
+EOF
+run tc -q near
+equal 'a leg of nothing but rounding' ok "$(jq -r .status out)"
+mv out made
+run verify -q --problems=near made
+equal 'a leg of nothing but rounding, verified' ok "$(jq -r .status out)"
+
 # ---- errors --------------------------------------------------------------------
 
 feed '{"points":[[0,0],[1,0],[0,1]],"closed":true,"mode":"g2","auxiliary":"never"}' tc
