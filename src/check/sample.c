@@ -110,21 +110,27 @@ static void check_tangent(struct walk *w, size_t i,
                 "is not the direction of the curve");
 }
 
-/* A number that is the inverse of a length; not finite: left out. */
+/* A number that is the inverse of a length; not finite: left out.  What leaves
+ * the range of numbers may be, and is compared at unit scale, as 1/x is. */
 static void check_curvature(struct walk *w, struct ph_check_where where,
                             double claimed, double found, double error,
                             bool certain) {
   struct ph_check *v = w->v;
+  bool beyond = !isfinite(ph_check_scaled(v, 2 * (fabs(found) + error)));
   if (isnan(claimed)) {
-    if (certain) {
+    if (certain && !beyond) {
       ph_check_wrong(v, PH_CHECK_SAMPLE, where, "is missing");
     }
   } else if (isfinite(error)) {
-    /* at unit scale as 1/x is */
     double unit = ph_check_larger(fabs(found), 1 / v->scale.size);
-    ph_check_number(v, PH_CHECK_SAMPLE, where, claimed,
-                    ph_check_scaled(v, found), ph_check_scaled(v, unit),
-                    ph_check_scaled(v, 2 * error));
+    if (beyond) {
+      ph_check_number(v, PH_CHECK_SAMPLE, where, ph_check_unscaled(v, claimed),
+                      found, unit, 2 * error);
+    } else {
+      ph_check_number(v, PH_CHECK_SAMPLE, where, claimed,
+                      ph_check_scaled(v, found), ph_check_scaled(v, unit),
+                      ph_check_scaled(v, 2 * error));
+    }
   }
 }
 

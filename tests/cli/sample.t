@@ -218,6 +218,50 @@ done
 feed "{$globe}" sphere -q -n 1000 -f csv --table=samples
 true_that 'a thousand' count 3004 out
 
+# ---- the range of numbers ----------------------------------------------------
+
+# beyond FIELDS COMMAND OPTION...: what leaves it is an error of the record
+beyond() {
+  echo "{$1}" >large
+  shift
+  run "$@" -q large
+  equal "$*: beyond all numbers" '"too-large" 1' \
+    "$(jq -c .error.code out) $status"
+}
+beyond '"points":[[-1.0069819426159631e307,-2.0559759185366998e307,
+3.8674383232589423e307],[-5.237629767870573e306,
+2.8333915574588896e307,3.449013398181751e307],
+[-1.579629048381602e306,-4.4425841557844076e307,
+6.607741929266089e306],[2.4966177779559395e307,
+-3.696507602008644e307,-5.485070771248388e306]],
+"radius":4.49423283715579e307' \
+  sphere --offset=-8.98846567431158e307
+beyond '"points":[[3.346043993639933e307,-3.0392813030545504e307,
+3.020034532648201e307],[5.016436350001588e306,
+-1.4734268817623691e307,-3.618851253281071e306],
+[4.214169361739256e307,-1.0875364933198755e307,
+2.349554140605438e307]],"lengths":[6.878067472613971e307,
+6.41519841527871e307],"refine":2' \
+  arclength --offset=1.348269851146737e307 --sample=3
+
+# lengths of parts are in range where sums of squares are not
+echo '{"points":[[0,7e306,-2.7e307],[-8.8e307,1.5e307,6.4e307]],
+"basis":"atph","alpha":1}' >large
+run spatial-hermite -q --convert=bezier --tolerance=1e305 large
+expect 'a length near the largest number' 0
+mv out made
+run verify -q --problems=large made
+expect 'a length near the largest number, verified' 0
+
+# curvatures that are none, as a circle that small has
+echo '{"points":[[0,0],[1e-313,2e-313],[3e-313,0]]}' >small
+for command in planar tc; do
+  run "$command" -q --sample=4 small
+  mv out made
+  run verify -q --problems=small made
+  expect "$command: curvatures beyond all numbers, verified" 0
+done
+
 # ---- usage -------------------------------------------------------------------
 
 # refused VALUE: a number of samples that is none

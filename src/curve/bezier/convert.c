@@ -5,14 +5,28 @@
 #include "curve/bezier/hermite.h"
 #include "curve/kind/kind.h"
 #include "curve/segment/seg2.h"
+#include "kernel/pow2.h"
 
-/* The exact length of the part [u[0],u[1]] of a segment with preimage w. */
+#include <math.h>
+
+/* The exact length of the part [u[0],u[1]] of a segment with preimage w.  It is
+ * found at unit scale: a sum of squares may leave the range of a double where
+ * the length does not. */
 static double part_length(const struct ph_atph *space, const ph_cplx w[3],
                           const double *u) {
   struct ph_atph part;
   ph_cplx v[3];
+  double largest = 0;
+  int exponent;
   ph_atph_part(space, w, u[0], u[1], &part, v);
-  return (u[1] - u[0]) * ph_seg2_length(&part, v);
+  for (size_t i = 0; i < 3; i++) {
+    largest = fmax(largest, fmax(fabs(v[i].re), fabs(v[i].im)));
+  }
+  exponent = largest > 0 ? ph_pow2_exponent(largest) : 0;
+  for (size_t i = 0; i < 3; i++) {
+    v[i] = ph_cplx_of(ldexp(v[i].re, -exponent), ldexp(v[i].im, -exponent));
+  }
+  return ldexp((u[1] - u[0]) * ph_seg2_length(&part, v), 2 * exponent);
 }
 
 /* The exact length of the part of the curve that a piece stands for; in space
@@ -61,6 +75,10 @@ enum ph_status ph_bezier_quintics(const struct ph_curve *curve,
     double u = pieces.interval[2 * i];
     bezier->knots[i] = u > 0 ? knot[0] + u * (knot[1] - knot[0]) : knot[0];
     bezier->lengths[i] = length_of(curve, &pieces, i);
+    if (!isfinite(bezier->lengths[i])) {
+      return ph_fail_at(diag, PH_E_TOO_LARGE, "segments", pieces.segment[i],
+                        "has a length beyond the range of a double");
+    }
   }
   bezier->knots[pieces.n] = curve->knots[curve->n];
   return PH_OK;

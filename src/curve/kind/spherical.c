@@ -491,7 +491,6 @@ static enum ph_status offset(const struct ph_curve *curve, double distance,
                       .offset = to,
                       .cosine = cos(angle),
                       .sine = sin(angle)};
-  enum ph_status status;
   *to = (struct ph_offset){.distance = distance, .dimension = 3};
   if (!(fabs(angle) < PH_PI)) {
     return ph_fail(diag, PH_E_BAD_VALUE, NULL,
@@ -507,13 +506,7 @@ static enum ph_status offset(const struct ph_curve *curve, double distance,
     samples.how = PH_SAMPLE_PARAMETER;
     samples.n = SAMPLES;
   }
-  status = ph_sample_offset(curve, &samples, arena, to, diag);
-  if (status == PH_OK && !ph_are_finite(to->samples.point, 3 * to->samples.n)) {
-    return ph_fail(diag, PH_E_TOO_LARGE, NULL,
-                   "the offset at distance %g exceeds the range of a double",
-                   distance);
-  }
-  return status;
+  return ph_sample_offset(curve, &samples, arena, to, diag);
 }
 
 const struct ph_kind ph_kind_spherical_nu = {

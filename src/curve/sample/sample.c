@@ -380,6 +380,16 @@ sample(const struct ph_curve *curve, const struct ph_offset *offset,
     status = go(&walk);
   }
   *length = ph_sum_value(&walk.start);
+  if (status == PH_OK &&
+      !(isfinite(*length) &&
+        ph_are_finite(samples->point, samples->n * samples->dimension))) {
+    status = offset ? ph_fail(diag, PH_E_TOO_LARGE, NULL,
+                              "the offset at distance %g exceeds the range of "
+                              "a double",
+                              offset->distance)
+                    : ph_fail(diag, PH_E_TOO_LARGE, NULL,
+                              "samples exceed the range of a double");
+  }
   return status;
 }
 

@@ -159,6 +159,7 @@ struct ph_sample_rules {
  *
  * out  samples  arrays from the arena
  * ret  PH_OK | PH_E_LIMIT (there would be more than rules->most) |
+ *      PH_E_TOO_LARGE (a point or the length is beyond all numbers) |
  *      PH_E_INFEASIBLE (there is no such frame) | PH_E_NO_CONVERGENCE (a
  *      length, a bound of chords or a rotation-minimising frame was not found)
  *      | PH_E_NO_MEMORY
