@@ -368,6 +368,7 @@ _phspline() {
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) kind=nothing ;;
     --override | --override=) kind=nothing ;;
+    --volume | --volume=) kind=nothing ;;
     --tolerance | --tolerance=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     --max-memory | --max-memory=) kind=nothing ;;
@@ -376,7 +377,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--problems= --input-format= --columns= --ignore-columns --delimiter= --pretty --output= --if-changed --no-sync --set= --override= --tolerance= --jobs= --max-memory= --max-record-bytes= --time-limit= --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--problems= --input-format= --columns= --ignore-columns --delimiter= --pretty --output= --if-changed --no-sync --set= --override= --volume= --tolerance= --jobs= --max-memory= --max-record-bytes= --time-limit= --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -382,6 +382,7 @@ complete -c phspline -n '__fish_seen_subcommand_from verify' -l if-changed -d 'l
 complete -c phspline -n '__fish_seen_subcommand_from verify' -l no-sync -d 'do not wait for the disk'
 complete -c phspline -n '__fish_seen_subcommand_from verify' -s s -l set -x -d 'set a field of the problems that lack it; VALUE is JSON or a word'
 complete -c phspline -n '__fish_seen_subcommand_from verify' -l override -x -d 'set a field of every problem'
+complete -c phspline -n '__fish_seen_subcommand_from verify' -l volume -x -d 'the volume of the panoramas of results, to check these as well'
 complete -c phspline -n '__fish_seen_subcommand_from verify' -l tolerance -x -d 'greatest relative error of what is right (default: 1e-9)'
 complete -c phspline -n '__fish_seen_subcommand_from verify' -s j -l jobs -x -d 'worker threads (default: the processors); for every N the results are the same, in the same order'
 complete -c phspline -n '__fish_seen_subcommand_from verify' -l max-memory -x -d 'the most memory that a record may take: a number, or one with K, M or G (default: a quarter of the machine'\''s)'

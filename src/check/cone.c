@@ -4,6 +4,7 @@
 
 #include "check/certify.h"
 #include "check/data.h"
+#include "check/panorama.h"
 
 #include <float.h>
 #include <string.h>
@@ -432,6 +433,41 @@ enum ph_status ph_check_cone(struct ph_check *v,
              : v->status;
 }
 
+/* ---- panoramas ----------------------------------------------------------- */
+
+/* A strip that is looked at. */
+struct sheet {
+  const struct ph_check_cone *cone;
+  size_t i;
+};
+
+static size_t load(void *context, size_t i) {
+  enum { STEPS = 48 };
+  ((struct sheet *)context)->i = i;
+  return STEPS;
+}
+
+static struct ph_check_ruling ruling_at(void *context, double u) {
+  const struct sheet *sheet = context;
+  const struct ph_strip *s = strip_at(sheet->cone, sheet->i);
+  const struct ph_check_frame f = ph_check_cone_frame(sheet->cone, sheet->i, u);
+  const struct ph_arc2 *arc = &s->development;
+  const double turn = s->k * s->length * u, half = turn / 2;
+  const double part = u * scaled(sheet->cone, s->length);
+  const double chord = fabs(turn) > 0 ? part * sin(half) / half : part;
+  const double *start = arc->control_points[0];
+  return (struct ph_check_ruling){
+      scaled(sheet->cone, start[0]) + chord * cos(arc->angle + half),
+      scaled(sheet->cone, start[1]) + chord * sin(arc->angle + half),
+      arc->angle + turn, f.c, f.e};
+}
+
+static enum ph_status check_panorama(const struct ph_check_cone *cone) {
+  struct sheet context = {cone, 0};
+  const struct ph_check_sheet sheet = {&context, load, ruling_at};
+  return ph_check_panorama(cone->v, &sheet);
+}
+
 /* ---- verification -------------------------------------------------------- */
 
 enum ph_status ph_check_surface(struct ph_check *v) {
@@ -457,5 +493,6 @@ enum ph_status ph_check_surface(struct ph_check *v) {
     ph_check_cone_elements(&cone);
   }
   ph_check_cone_told(&cone);
-  return ph_arena_late(v->scratch) ? ph_fail_memory(v->diag) : PH_OK;
+  status = check_panorama(&cone);
+  return ph_arena_late(v->scratch) ? ph_fail_memory(v->diag) : status;
 }

@@ -451,6 +451,7 @@ static enum ph_status check_all(struct ph_check_general *g) {
   struct ph_check_general_seen before = {.rho = 0};
   const bool with_problem = v->problem && fits(g);
   const struct ph_problem *problem = v->problem;
+  enum ph_status status = PH_OK;
   v->problem = with_problem ? problem : NULL;
   ph_check_segments(v);
   ph_check_lengths(v);
@@ -463,9 +464,10 @@ static enum ph_status check_all(struct ph_check_general *g) {
   }
   if (!v->error) {
     ph_check_general_told(g, &totals);
+    status = ph_check_general_panorama(g);
   }
   v->problem = problem;
-  return ph_arena_late(v->scratch) ? ph_fail_memory(v->diag) : PH_OK;
+  return ph_arena_late(v->scratch) ? ph_fail_memory(v->diag) : status;
 }
 
 /* What is known of the space of the directrices. */

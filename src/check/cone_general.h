@@ -98,6 +98,10 @@ void ph_check_general_height(struct ph_check_general *g,
 /* ph_check_general_beside: surfaces at a distance. */
 void ph_check_general_beside(struct ph_check_general *g);
 
+/* ph_check_general_panorama: the panorama.
+ * ret  PH_OK | PH_E_NO_MEMORY */
+enum ph_status ph_check_general_panorama(struct ph_check_general *g);
+
 /* ph_check_general_told: what a record says besides. */
 void ph_check_general_told(struct ph_check_general *g,
                            const struct ph_check_general_totals *totals);

@@ -3,6 +3,7 @@
  * developments (see cone_general.h). */
 #include "check/cone_general.h"
 
+#include "check/panorama.h"
 #include "kernel/pi.h"
 
 #include <float.h>
@@ -12,7 +13,7 @@ static const double UNIT = 64 * DBL_EPSILON, TURN = 1e-6, AREA = 1e-11;
 
 /* Where the turn is looked at, of each strip; less than this, relative to phi,
  * is none; and less than that of the largest may be another sign. */
-enum { PLACES = 512 };
+enum { PLACES = 512, RULINGS = 128 };
 static const double NONE = 1e-9, WEAK = 1e-2;
 
 /* ---- the turn ------------------------------------------------------------ */
@@ -93,6 +94,11 @@ void ph_check_general_turn(struct ph_check_general *g,
   }
   totals->inflections += t.changes;
   totals->clear = totals->clear && t.clear;
+}
+
+/* How rulings turn. */
+static void rate_at(const void *context, double u, double *value) {
+  *value = ph_check_general_place_at(context, u).rate;
 }
 
 /* ---- what a record says besides ------------------------------------------ */
@@ -255,4 +261,52 @@ void ph_check_general_told(struct ph_check_general *g,
   check_samples(g, &v->claim->grid);
   check_located(g, &v->claim->located);
   ph_check_general_beside(g);
+}
+
+/* ---- panoramas ----------------------------------------------------------- */
+
+/* A strip that is looked at, and how its rulings have turned at equal steps. */
+struct sheet {
+  struct ph_check_general *g;
+  double phi[RULINGS + 1];
+};
+
+static size_t load(void *context, size_t i) {
+  struct sheet *sheet = context;
+  ph_check_general_load(sheet->g, i);
+  for (size_t j = 0; j <= RULINGS; j++) {
+    const double u = (double)j / RULINGS, before = u - 1.0 / RULINGS;
+    sheet->phi[j] =
+        j ? sheet->phi[j - 1] +
+                ph_check_general_integral(sheet->g, rate_at, UNIT, before, u)
+          : 0;
+  }
+  return RULINGS;
+}
+
+static struct ph_check_ruling ruling_at(void *context, double u) {
+  const struct sheet *sheet = context;
+  struct ph_check_general *g = sheet->g;
+  const size_t low = u < 1 ? (size_t)(u * RULINGS) : RULINGS - 1;
+  const struct ph_quad *rule = &g->v->fixed;
+  const struct ph_check_general_seen at = ph_check_general_place_at(g, u);
+  struct ph_check_general_flat flat;
+  g->u = (double)low / RULINGS;
+  g->phi = sheet->phi[low];
+  for (size_t i = 0; i < rule->n; i++) {
+    const double step = u - (double)low / RULINGS;
+    g->phi += step * rule->weight[i] *
+              ph_check_general_place_at(g, (double)low / RULINGS +
+                                               step * rule->node[i])
+                  .rate;
+  }
+  g->u = u;
+  flat = ph_check_general_flat_at(g, &at, u);
+  return (struct ph_check_ruling){flat.x, flat.y, flat.angle, at.f.c, at.f.e};
+}
+
+enum ph_status ph_check_general_panorama(struct ph_check_general *g) {
+  struct sheet context = {.g = g};
+  const struct ph_check_sheet sheet = {&context, load, ruling_at};
+  return ph_check_panorama(g->v, &sheet);
 }

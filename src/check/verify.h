@@ -57,7 +57,8 @@
   X(DISTANCE, "distance_error")            \
   X(FRAME, "frame_error")                  \
   X(NORMAL, "normal_error")                \
-  X(ISOMETRY, "isometry_error")
+  X(ISOMETRY, "isometry_error")            \
+  X(PANORAMA, "panorama_error")
 
 enum ph_check_id {
 #define X(symbol, name) PH_CHECK_##symbol,
@@ -77,6 +78,8 @@ struct ph_check_finding {
 struct ph_verdict {
   struct ph_check_finding check[PH_CHECK_N];
   enum ph_check_id worst; /* PH_CHECK_N: nothing was checked */
+  const char *const *unchecked; /* members that need more than the record, up to
+                                   NULL; or NULL */
 };
 
 /* ph_check_name: the name of a check, as in records. */

@@ -113,6 +113,8 @@
     "FILE.pdf or FILE.png")                                                    \
   X(PLOT_SIZE, DRAW, 0, "plot-size", "WIDTHxHEIGHT",                           \
     "size of the figure, in pixels (.png) or points of 1/72 inch")             \
+  X(VOLUME_OF, VERIFY, 0, "volume", "FILE.nrrd",                               \
+    "the volume of the panoramas of results, to check these as well")          \
   X(VOLUME, SURFACE, 0, "volume", "FILE.nrrd",                                 \
     "the volume that --panorama shows")                                        \
   X(PANORAMA, SURFACE, 0, "panorama", "FILE",                                  \

@@ -489,6 +489,7 @@ static enum ph_status read_picture(struct ph_option_parser *p,
   struct ph_options *o = p->options;
   switch (id) {
   case PH_O_VOLUME:
+  case PH_O_VOLUME_OF:
     o->volume_file = optarg;
     return PH_OK;
   case PH_O_PANORAMA:

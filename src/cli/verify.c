@@ -283,6 +283,8 @@ static enum ph_status verify(struct task *t) {
     status = read_problem(t);
   }
   if (status == PH_OK && claim->solved) {
+    claim->result.panorama.volume =
+        t->options->volume_file ? &t->options->volume : NULL;
     status =
         ph_check_result(&claim->result, t->paired ? &t->problem : NULL,
                         t->promise, &t->worker->scratch, &t->verdict, &t->diag);
@@ -323,6 +325,15 @@ static void write_verdict(struct ph_json_writer *w, const struct task *t) {
     }
   }
   ph_write_end(w, '}');
+  if (v->unchecked) {
+    ph_write_key(w, "unchecked");
+    ph_write_begin(w, '[');
+    for (const char *const *name = v->unchecked; *name; name++) {
+      ph_write_element(w);
+      ph_write_string(w, *name);
+    }
+    ph_write_end(w, ']');
+  }
 }
 
 /* Where the failure is: in the result, or in the problem. */

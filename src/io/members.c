@@ -297,6 +297,7 @@ static const struct ph_member panorama[] = {
      "of these, those outside of the volume"},
     {"range", TOLD, ANY, AS("[2]", open), AT(ph_panorama, range),
      "the least and the greatest value, or null"},
+    {"mean", MAY, ANY, AS("", number), AT(ph_panorama, mean), "of all values"},
     LAST};
 
 #define ERROR ROW("error", MUST, ANY, "error", "why there is no result")
@@ -469,14 +470,16 @@ static const struct ph_member error[] = {
 #define CLAIMS                          \
   ROW("claims", MUST, ANY, "no_claims", \
       "the result is an error record, which claims no curve")
-#define VERDICT                                                         \
-  ROW("curve", MAY, ANY, "kind", "the kind of curve, or"),              \
-      ROW("surface", MAY, ANY, "kind", "of surface"),                   \
-      ROW("segments", MAY, ANY, "whole", "how many the curve has, or"), \
-      ROW("strips", MAY, ANY, "whole", "the surface, or"),              \
-      ROW("patches", MAY, ANY, "whole", "it"),                          \
-      ROW("worst", MAY, ANY, "worst", "the largest of all errors"),     \
-      ROW("checks", MUST, ANY, "checks", "the largest error of each check")
+#define VERDICT                                                              \
+  ROW("curve", MAY, ANY, "kind", "the kind of curve, or"),                   \
+      ROW("surface", MAY, ANY, "kind", "of surface"),                        \
+      ROW("segments", MAY, ANY, "whole", "how many the curve has, or"),      \
+      ROW("strips", MAY, ANY, "whole", "the surface, or"),                   \
+      ROW("patches", MAY, ANY, "whole", "it"),                               \
+      ROW("worst", MAY, ANY, "worst", "the largest of all errors"),          \
+      ROW("checks", MUST, ANY, "checks", "the largest error of each check"), \
+      ROW("unchecked", MAY, ANY, "[+]text",                                  \
+          "members that cannot be checked without --volume")
 
 /* What is right, what claims nothing; what is wrong, what should not claim
  * nothing, what cannot be looked at. */

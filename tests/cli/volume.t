@@ -90,6 +90,49 @@ true_that 'general cones: as many points as the area says' jq -e '
 exact 'general cones'
 mv circular.json part.json
 
+# ---- verified ----------------------------------------------------------------
+
+# A pattern that covers itself, on a volume that does not reach everywhere.
+printf '%s\n' '{"points":[[3,0,1],[0,3,1],[-3,0,1],[0,-3,1]],"rulings":'\
+'[[-0.96,0,0.28],[0,-0.96,0.28],[0.96,0,0.28],[0,0.96,0.28]],"tangents":'\
+'[[0,1,0],[-1,0,0],[0,-1,0],[1,0,0]],"closed":true,"height":[-2.5,1]}' >fan.json
+jq -c '. + {method: "atph", apexes: [-2, 3, -2], height: [-1, 1]}' part.json \
+  >general.json
+# verified NAME FILE RESOLUTION
+verified() {
+  run cone -q --volume=linear.nrrd --panorama=out.nrrd --resolution="$3" \
+    --override='translate=[0.1,0.2,0.3]' "$2"
+  cp out result.json
+  run verify -q --volume=linear.nrrd result.json
+  equal "verified: $1" '0 "ok" absent' "$status $(get status) $(get unchecked)"
+  true_that "verified: $1: exactly" jq -e '.checks.panorama_error < 1e-14' out
+  run verify -q result.json
+  equal "without the volume: $1" \
+    '0 ["panorama.outside","panorama.range","panorama.mean"]' \
+    "$status $(get unchecked)"
+  for change in '.points += 90' '.points -= 90' '.resolution *= 1.02' \
+    '.origin[0] += 0.2' '.outside += 90' '.range[0] += 1e-6' \
+    '.range[1] -= 1e-6' '.mean += 1e-6'; do
+    jq -c ".panorama |= ($change)" result.json >wrong.json
+    run verify -q --volume=linear.nrrd wrong.json
+    equal "tampered: $1: $change" '1 "not-verified"' \
+      "$status $(get error.code)"
+  done
+}
+verified 'circular cones' part.json 20
+verified 'a pattern that covers itself' fan.json 10
+verified 'general cones' general.json 10
+lattice "3 * (i - 1) - 2 * (j - 2) + 0.5 * (k - 1) + 8" 'spacings: 1 1 1' \
+  'axis mins: -1 -2 -1' 'centerings: node node node' >other.nrrd
+run verify -q --volume=other.nrrd result.json
+equal 'verified: of another volume' '1 "panorama.range"' \
+  "$status $(get error.field)"
+jq -c '.panorama.width = 2147483647 | .panorama.height = 2147483647' \
+  result.json >wrong.json
+run verify -q wrong.json
+equal 'verified: a picture of no end' '1 "panorama.width"' \
+  "$status $(get error.field)"
+
 # A plane through a pattern of 0 and 1: the products of the weights.
 printf '%s' '{"points":[[0,1,1],[4,1,1]],"rulings":[[0,1,0],[0,1,0]],'\
 '"tangents":[[1,0,0],[1,0,0]],"height":[0,3]}' >plane.json

@@ -36,6 +36,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* What a curve or surface consists of: X(SYMBOL, "members of records"). */
 #define PH_PARTS(X)       \
@@ -169,6 +170,34 @@ struct ph_located_list {
   size_t n;
 };
 
+/* The types of numbers: X(SYMBOL, type). */
+#define PH_VOXELS(X)   \
+  X(I8, signed char)   \
+  X(U8, unsigned char) \
+  X(I16, int16_t)      \
+  X(U16, uint16_t)     \
+  X(I32, int32_t)      \
+  X(U32, uint32_t)     \
+  X(F32, float)        \
+  X(F64, double)
+
+enum ph_voxel {
+#define X(symbol, type) PH_VOXEL_##symbol,
+  PH_VOXELS(X)
+#undef X
+      PH_VOXEL_N
+};
+
+/* The lattice point i, j, k, from 0 to n - 1 each, has the number v[i + n[0] (j
+ * + n[1] k)] and is at the origin, plus i, j and k times the columns of a
+ * matrix, of which this is the inverse. */
+struct ph_volume {
+  enum ph_voxel type;
+  const void *v;
+  size_t n[3]; /* 2 or more */
+  double origin[3], inverse[3][3];
+};
+
 /* What a surface meets of a volume, laid flat (volume.h). */
 struct ph_panorama {
   double resolution;    /* points over the unit */
@@ -177,7 +206,10 @@ struct ph_panorama {
   size_t points;        /* on the development */
   size_t outside;       /* of these, outside of the volume */
   double range[2];      /* of all values; NaN: there are none */
+  double mean;          /* of these */
   double *v;            /* [height][width], NaN where there is none */
+  const struct ph_volume *volume; /* of one that was read: NULL, or that which
+                                     it is checked against */
 };
 
 /*

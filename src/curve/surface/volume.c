@@ -2,6 +2,7 @@
 /* Numbers on surfaces (see volume.h). */
 #include "curve/surface/volume.h"
 
+#include "base/sum.h"
 #include "curve/surface/locate.h"
 
 #include <math.h>
@@ -127,15 +128,20 @@ static void add_strip(struct ph_panorama *p, const struct ph_curve *curve,
 
 /* What is told of all points. */
 static void finish(struct ph_panorama *p) {
+  struct ph_sum sum = {0, 0};
   p->range[0] = p->range[1] = (double)NAN;
   for (size_t i = 0; i < p->width * p->height; i++) {
     if (isfinite(p->v[i])) {
       p->range[0] = fmin(p->range[0], p->v[i]);
       p->range[1] = fmax(p->range[1], p->v[i]);
+      ph_sum_add(&sum, p->v[i]);
     } else {
       p->v[i] = (double)NAN;
     }
   }
+  p->mean = p->points > p->outside
+                ? ph_sum_value(&sum) / (double)(p->points - p->outside)
+                : (double)NAN;
 }
 
 enum ph_status ph_panorama_of(const struct ph_curve *curve,

@@ -10,36 +10,6 @@
 #include "base/mem.h"
 #include "curve/result.h"
 
-#include <stdint.h>
-
-/* The types of numbers: X(SYMBOL, type). */
-#define PH_VOXELS(X)   \
-  X(I8, signed char)   \
-  X(U8, unsigned char) \
-  X(I16, int16_t)      \
-  X(U16, uint16_t)     \
-  X(I32, int32_t)      \
-  X(U32, uint32_t)     \
-  X(F32, float)        \
-  X(F64, double)
-
-enum ph_voxel {
-#define X(symbol, type) PH_VOXEL_##symbol,
-  PH_VOXELS(X)
-#undef X
-      PH_VOXEL_N
-};
-
-/* The lattice point i, j, k, from 0 to n - 1 each, has the number v[i + n[0] (j
- * + n[1] k)] and is at the origin, plus i, j and k times the columns of a
- * matrix, of which this is the inverse. */
-struct ph_volume {
-  enum ph_voxel type;
-  const void *v;
-  size_t n[3]; /* 2 or more */
-  double origin[3], inverse[3][3];
-};
-
 /*
  * ph_volume_at: the number at a point, by trilinear interpolation between the
  * eight lattice points around it.
