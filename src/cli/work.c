@@ -7,6 +7,7 @@
 #include "cli/derive.h"
 #include "cli/merged.h"
 #include "cli/message.h"
+#include "cli/near.h"
 #include "cli/panorama.h"
 #include "cli/plot.h"
 #include "io/csv_in.h"
@@ -136,6 +137,9 @@ static enum ph_status certify(struct task *t) {
   }
   if (status == PH_OK) {
     warn_corners(r);
+  } else if (status == PH_E_NO_CONVERGENCE || status == PH_E_TOO_LARGE) {
+    status = ph_near_points(&t->problem, &t->diag);
+    ph_merge_tell(&t->merge, &t->diag);
   }
   return status;
 }

@@ -126,6 +126,19 @@ bad coincident-points 'points[1]' "coincides with points[0]$joins" \
 bad coincident-points 'points[2]' "coincides with points[1]$joins" \
   '{"points":[[1,0],[0,0],[0,0],[0,1],[1,0]],"closed":true}'
 
+# there is a curve, but rounding of its control points bends it
+rounded='where coordinates are rounded by 2.22e-10'
+bad coincident-points 'points[1]' "is too near to points[0]: 2.83e-08 apart, \
+$rounded$joins, and data moved to the origin are rounded less" \
+  '{"points":[[1000000,0],[1000000.00000002,-2e-8],[1000000.00000005,2e-8],
+    [1000000.0000001,-1e-8]]}'
+bad coincident-points 'points[0]' "is too near to points[3]: 1.42e-08 apart, \
+$rounded$joins, and data moved to the origin are rounded less" \
+  '{"points":[[1000000,0],[1000000.00000006,4e-8],[1000000.00000002,0],
+    [999999.99999999,-1e-8]],"closed":true}'
+feed '{"points":[[0,0],[2e-8,-2e-8],[5e-8,2e-8],[1e-7,-1e-8]]}' planar -q
+expect 'the same at the origin' 0
+
 bad zero-tangent 'end_derivatives[0]' 'must not be zero' \
   '"end_derivatives":[[0,0],[1,0]]'
 bad zero-tangent 'end_derivatives[1]' 'must not be zero' \
