@@ -259,8 +259,29 @@ struct end {
   ph_vec3 r;
 };
 
+/* A point, of polynomials by the algorithm of de Casteljau. */
+static ph_vec3 point_at(const struct look *look, double u) {
+  const struct ph_check_segment *s = &look->tree->segment;
+  const size_t degree = look->tree->v->curve->degree;
+  double x[PH_CHECK_DEGREE_MAX + 1], y[PH_CHECK_DEGREE_MAX + 1];
+  if (look->tree->v->curve->preimage.alpha) {
+    return ph_check_point(look->tree->v, s, u);
+  }
+  for (size_t i = 0; i <= degree; i++) {
+    x[i] = s->p[i].x;
+    y[i] = s->p[i].y;
+  }
+  for (size_t n = degree; n > 0; n--) {
+    for (size_t i = 0; i < n; i++) {
+      x[i] += u * (x[i + 1] - x[i]);
+      y[i] += u * (y[i + 1] - y[i]);
+    }
+  }
+  return ph_vec3_of(x[0], y[0], 0);
+}
+
 static struct end end_at(struct look *look, double u) {
-  struct end end = {u, ph_check_point(look->tree->v, &look->tree->segment, u)};
+  struct end end = {u, point_at(look, u)};
   look->base.limit =
       ph_check_smaller(look->base.limit, ph_check_apart(end.r, look->place));
   return end;

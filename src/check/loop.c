@@ -5,6 +5,7 @@
 #include "check/clear.h"
 #include "check/data.h"
 #include "check/loop_piece.h"
+#include "kernel/cplx.h"
 #include "kernel/pi.h"
 
 enum { N = PH_CHECK_SPOTS };
@@ -45,10 +46,9 @@ struct context {
   struct ph_check_found *found;
   bool trimmed;
   struct ph_check_tree tree;
-  struct ph_check_nodes nodes;
+  struct ph_check_nodes nodes, many[PH_CHECK_MANY];
   struct ph_check_segment segment;
   struct ph_check_path path;
-  struct ph_quad rule;
   double distance, size; /* at unit scale */
   double slack; /* by which pieces of ATPH offsets miss these, relative */
   double side;  /* of the distance of pieces along the curve */
@@ -82,14 +82,8 @@ static void broken(struct context *c) {
 /* ---- pieces ---------------------------------------------------------------
  */
 
-/* The angle from a to b. */
 static double turn_between(double ax, double ay, double bx, double by) {
-  const double cross = ax * by - ay * bx, dot = ax * bx + ay * by;
-  if (fabs(cross) < 0.01 * dot) { /* as far as that, a series is exact */
-    const double t = cross / dot, t2 = t * t;
-    return t * (1 - t2 * (1.0 / 3 - t2 * (1.0 / 5)));
-  }
-  return atan2(cross, dot);
+  return ph_cplx_angle(ph_cplx_of(ax, ay), ph_cplx_of(bx, by));
 }
 
 static bool is_sound(const struct context *c,
@@ -193,31 +187,31 @@ static void check_clear(struct context *c, const struct piece *piece) {
   }
 }
 
-/* Its length and area, by many nodes. */
+/* What places add to the length and area. */
+static void measure_at(const struct ph_check_nodes *nodes,
+                       const struct ph_check_spots *at, struct piece *piece) {
+  for (size_t i = 0; i < N; i++) {
+    const double w = nodes->weight[i];
+    piece->length += w * sqrt(at->dx[i] * at->dx[i] + at->dy[i] * at->dy[i]);
+    piece->area += 0.5 * w * (at->x[i] * at->dy[i] - at->y[i] * at->dx[i]);
+  }
+}
+
+/* Length and area by many nodes. */
 static void measure_all(const struct context *c, struct piece *piece) {
+  struct ph_check_spots at;
   piece->length = piece->area = 0;
-  for (size_t part = 0; part < PARTS; part++) {
-    for (size_t i = 0; i < c->rule.n; i++) {
-      const struct ph_check_spot at = ph_check_piece_at(
-          &piece->p, ((double)part + c->rule.node[i]) / PARTS);
-      const ph_vec3 r = ph_vec3_sub(at.o, piece->p.first);
-      const double w = c->rule.weight[i] / PARTS;
-      piece->length += w * ph_vec3_abs(at.d);
-      piece->area += 0.5 * w * (r.x * at.d.y - r.y * at.d.x);
-    }
+  for (size_t i = 0; i < PH_CHECK_MANY; i++) {
+    ph_check_piece_spots(&c->many[i], &piece->p, &at);
+    measure_at(&c->many[i], &at, piece);
   }
 }
 
 /* The same by the few, where these give the length that is claimed. */
 static void measure(const struct context *c, struct piece *piece,
                     double claimed) {
-  const struct ph_check_spots *at = &piece->at;
   piece->length = piece->area = 0;
-  for (size_t i = 0; i < N; i++) {
-    const double w = c->nodes.weight[i];
-    piece->length += w * sqrt(at->dx[i] * at->dx[i] + at->dy[i] * at->dy[i]);
-    piece->area += 0.5 * w * (at->x[i] * at->dy[i] - at->y[i] * at->dx[i]);
-  }
+  measure_at(&c->nodes, &piece->at, piece);
   if (!(fabs(piece->length - claimed) <= FINE * c->size)) {
     measure_all(c, piece);
   }
@@ -413,10 +407,9 @@ enum ph_status ph_check_loops(struct ph_check *v, const struct ph_offset *o,
     broken(&c);
     return PH_OK;
   }
-  if (!ph_quad_gauss(&c.rule, NODES)) {
+  if (!ph_check_nodes_of(o->degree, &c.nodes, c.many)) {
     return ph_fail_memory(v->diag);
   }
-  ph_check_nodes_of(o->degree, &c.nodes);
   c.side = side_of(&c);
   for (size_t i = 0; i < loops->n; i++) {
     pieces += loops->v[i].n;

@@ -14,13 +14,10 @@ static const double LOBATTO[N / 2][2] = {
     {0.87174014850960661534, 0.21070422714350603938},
     {1, 1.0 / 28}};
 
-void ph_check_nodes_of(size_t degree, struct ph_check_nodes *nodes) {
+/* The basis at the nodes. */
+static void tabulate(size_t degree, struct ph_check_nodes *nodes) {
   for (size_t k = 0; k < N; k++) {
-    const bool above = k >= N / 2;
-    const double *row = LOBATTO[above ? k - N / 2 : N / 2 - 1 - k];
     double b[PH_CHECK_POINTS_MAX], lower[PH_CHECK_POINTS_MAX];
-    nodes->node[k] = 0.5 * (above ? 1 + row[0] : 1 - row[0]);
-    nodes->weight[k] = 0.5 * row[1];
     ph_bern_basis(degree, nodes->node[k], b);
     ph_bern_basis(degree - 1, nodes->node[k], lower);
     for (size_t i = 0; i <= degree; i++) {
@@ -29,6 +26,30 @@ void ph_check_nodes_of(size_t degree, struct ph_check_nodes *nodes) {
                                              (i < degree ? lower[i] : 0));
     }
   }
+}
+
+bool ph_check_nodes_of(size_t degree, struct ph_check_nodes *few,
+                       struct ph_check_nodes *many) {
+  struct ph_quad rule;
+  if (!ph_quad_gauss(&rule, PH_CHECK_MANY * N / 2)) {
+    return false;
+  }
+  for (size_t k = 0; k < N; k++) {
+    const bool above = k >= N / 2;
+    const double *row = LOBATTO[above ? k - N / 2 : N / 2 - 1 - k];
+    few->node[k] = 0.5 * (above ? 1 + row[0] : 1 - row[0]);
+    few->weight[k] = 0.5 * row[1];
+  }
+  tabulate(degree, few);
+  for (size_t j = 0; j < PH_CHECK_MANY; j++) {
+    const size_t half = j / (PH_CHECK_MANY / 2), first = j * N - half * rule.n;
+    for (size_t k = 0; k < N; k++) {
+      many[j].node[k] = 0.5 * ((double)half + rule.node[first + k]);
+      many[j].weight[k] = 0.5 * rule.weight[first + k];
+    }
+    tabulate(degree, &many[j]);
+  }
+  return true;
 }
 
 void ph_check_piece_of(const struct ph_check *v,
@@ -78,16 +99,21 @@ struct ph_check_spot ph_check_piece_at(const struct ph_check_piece *piece,
   return at;
 }
 
-/* sum over i of x[i] table[i] */
+/* sum over i of x[i] table[i], all nodes at once. */
 static void sums(double table[][N], size_t degree, const double *x,
-                 double *sum) {
+                 double *restrict sum) {
+  double all[N];
   for (size_t k = 0; k < N; k++) {
-    sum[k] = table[0][k] * x[0];
+    all[k] = table[0][k] * x[0];
   }
   for (size_t i = 1; i <= degree; i++) {
+    const double *row = table[i], factor = x[i];
     for (size_t k = 0; k < N; k++) {
-      sum[k] += table[i][k] * x[i];
+      all[k] += row[k] * factor;
     }
+  }
+  for (size_t k = 0; k < N; k++) {
+    sum[k] = all[k];
   }
 }
 
@@ -113,12 +139,14 @@ void ph_check_piece_spots(const struct ph_check_nodes *nodes,
 
 /* De Casteljau's algorithm at all nodes at once: a point in each, and the
  * derivative. */
-static void casteljau(double p[][N], size_t degree, const double *u, double *at,
-                      double *slope) {
+static void casteljau(double p[][N], size_t degree, const double *restrict u,
+                      double *at, double *slope) {
   for (size_t n = degree; n > 1; n--) {
     for (size_t i = 0; i < n; i++) {
+      double *restrict to = p[i];
+      const double *restrict next = p[i + 1];
       for (size_t k = 0; k < N; k++) {
-        p[i][k] += u[k] * (p[i + 1][k] - p[i][k]);
+        to[k] += u[k] * (next[k] - to[k]);
       }
     }
   }

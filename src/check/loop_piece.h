@@ -9,18 +9,26 @@
 #include "check/segment.h"
 #include "kernel/boxtree.h"
 
-enum { PH_CHECK_POINTS_MAX = 16, PH_CHECK_SPOTS = 8 };
+enum { PH_CHECK_POINTS_MAX = 16, PH_CHECK_SPOTS = 8, PH_CHECK_MANY = 4 };
 
-/* The parameters are nodes of a rule on [0,1] with both ends, exact to degree
- * 13; the basis there and its derivative. */
+/* The parameters are nodes of a rule on [0,1]; the basis there and its
+ * derivative. */
 struct ph_check_nodes {
   double node[PH_CHECK_SPOTS], weight[PH_CHECK_SPOTS];
   double basis[PH_CHECK_POINTS_MAX][PH_CHECK_SPOTS];
   double slope[PH_CHECK_POINTS_MAX][PH_CHECK_SPOTS];
 };
 
-/* ph_check_nodes_of: of pieces of a degree. */
-void ph_check_nodes_of(size_t degree, struct ph_check_nodes *nodes);
+/*
+ * ph_check_nodes_of: of pieces of a degree.
+ *
+ * out  few   a rule with both ends, exact to degree 13
+ * out  many  [PH_CHECK_MANY] together a rule of Gauss on each half of [0,1],
+ *            exact to degree 31
+ * ret  false where memory is exhausted
+ */
+bool ph_check_nodes_of(size_t degree, struct ph_check_nodes *few,
+                       struct ph_check_nodes *many);
 
 /* Control points from the first one on, times weights; weights over the first
  * one. */

@@ -91,4 +91,14 @@ static inline bool ph_cplx_is_finite(ph_cplx a) {
   return isfinite(a.re) && isfinite(a.im);
 }
 
+/* ph_cplx_angle: the angle from a to b, in [-pi, pi]. */
+static inline double ph_cplx_angle(ph_cplx a, ph_cplx b) {
+  const double cross = ph_cplx_cross(a, b), dot = ph_cplx_dot(a, b);
+  if (fabs(cross) < 0.01 * dot) { /* a series: the next term is t^7 / 7 */
+    const double t = cross / dot, t2 = t * t;
+    return t * (1 - t2 * (1.0 / 3 - t2 * (1.0 / 5)));
+  }
+  return atan2(cross, dot);
+}
+
 #endif

@@ -7,7 +7,8 @@
 #include "kernel/form.h"
 
 /* Halvings until an arc turns by little: of what the curve stands still in,
- * none suffice.  Room for arcs at first; places where a segment is cut. */
+ * none suffice.  More room than for strands, at first; places where a segment
+ * is cut. */
 enum { HALVINGS_MAX = 40, ROOM = 64, CUTS_MAX = 16 };
 
 /* Halvings that isolate an inflection. */
@@ -58,8 +59,9 @@ static enum ph_status see(struct walk *walk, const struct ph_bit *bit) {
     walk->before = PH_NO_STRAND;
     return PH_OK;
   }
-  arcs->v = ph_arena_grow(walk->strands->arena, arcs->v, arcs->n,
-                          sizeof *arcs->v, ROOM, &walk->room);
+  arcs->v =
+      ph_arena_grow(walk->strands->arena, arcs->v, arcs->n, sizeof *arcs->v,
+                    walk->strands->strands_n + ROOM, &walk->room);
   if (!arcs->v) {
     return ph_fail_memory(walk->diag);
   }

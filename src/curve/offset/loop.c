@@ -23,7 +23,8 @@ struct writer {
   struct ph_arena *arena;
   struct ph_offset *offset;
   struct ph_loop *loop;
-  size_t room;   /* of its pieces */
+  size_t room; /* of its pieces, and at least */
+  size_t least;
   size_t degree; /* of the curve whose offsets have the degree of the pieces */
   double tolerance;
   const struct ph_span *span;
@@ -48,7 +49,7 @@ static struct ph_loop_piece *add(struct writer *w) {
   struct ph_loop *loop = w->loop;
   struct ph_loop_piece *piece;
   loop->pieces = ph_arena_grow(w->arena, loop->pieces, loop->n,
-                               sizeof *loop->pieces, ROOM, &w->room);
+                               sizeof *loop->pieces, w->least, &w->room);
   if (!loop->pieces) {
     w->memory = true;
     return NULL;
@@ -88,10 +89,14 @@ static void turn_round(struct ph_loop_piece *piece, size_t points) {
 
 /* The length of the part of the span between two of its parameters. */
 static double length_between(struct writer *w, double u0, double u1) {
-  const struct ph_spot a = ph_strand_spot(&w->eval, u0);
-  const struct ph_spot b = ph_strand_spot(&w->eval, u1);
-  return ldexp(fabs(ph_spot_length(w->strands->distance, &a, &b)),
-               w->strands->exponent);
+  const double *u = w->span->u;
+  double length = w->span->length;
+  if (u0 > u[0] || u1 < u[1]) {
+    const struct ph_spot a = ph_strand_spot(&w->eval, u0);
+    const struct ph_spot b = ph_strand_spot(&w->eval, u1);
+    length = ph_spot_length(w->strands->distance, &a, &b);
+  }
+  return ldexp(fabs(length), w->strands->exponent);
 }
 
 static void visit_segment(void *context, const struct ph_rational *rational) {
@@ -293,6 +298,7 @@ static enum ph_status write_loop(struct writer *w, const struct ph_chain *chain,
   *loop = (struct ph_loop){
       .closed = chain->closed, .area = (double)NAN, .parent = PH_NO_SEGMENT};
   w->room = 0;
+  w->least = chain->n + ROOM;
   w->from = w->outline->spans[chain->first].end[0].o;
   for (size_t i = 0; status == PH_OK && i < chain->n; i++) {
     w->span = &w->outline->spans[chain->first + i];
@@ -360,9 +366,9 @@ static enum ph_status write_loops(struct writer *w,
   return status;
 }
 
-/* The raw offsets to both sides, for what is asked of places of pieces. */
+/* The raw offsets to both sides, with cusps for samples of pieces. */
 static enum ph_status find_sides(const struct ph_curve *curve, double distance,
-                                 struct ph_arena *arena,
+                                 bool cusps, struct ph_arena *arena,
                                  struct ph_offset *offset,
                                  struct ph_diag *diag) {
   struct ph_offset *sides = ph_arena_array(arena, 2, sizeof *sides);
@@ -371,7 +377,9 @@ static enum ph_status find_sides(const struct ph_curve *curve, double distance,
   for (size_t i = 0; status == PH_OK && i < 2; i++) {
     const double d = i ? 0 - distance : distance;
     sides[i] = (struct ph_offset){.distance = d, .dimension = 2};
-    status = ph_cusps_of(curve, d, PH_E2, arena, &sides[i].cusps, diag);
+    if (cusps) {
+      status = ph_cusps_of(curve, d, PH_E2, arena, &sides[i].cusps, diag);
+    }
   }
   return status;
 }
@@ -403,8 +411,9 @@ enum ph_status ph_loops_of(const struct ph_curve *curve,
     status = ph_outline_of(&strands, rules, open, &outline, diag);
   }
   if (status == PH_OK) {
-    status = find_sides(curve, ldexp(strands.distance, strands.exponent), arena,
-                        offset, diag);
+    status =
+        find_sides(curve, ldexp(strands.distance, strands.exponent),
+                   rules->samples.how != PH_SAMPLE_NONE, arena, offset, diag);
   }
   if (status == PH_OK) {
     offset->loops.trimming = (struct ph_trimming){

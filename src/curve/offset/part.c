@@ -44,13 +44,13 @@ static void add(struct cutter *c, size_t arc, double u0,
                 const struct ph_spot *a, double u1, const struct ph_spot *b,
                 bool cut) {
   struct ph_part *part = &c->parts->v[c->parts->n++];
-  const double length = ph_spot_length(c->strands->distance, a, b);
+  const double turn = ph_spot_turn(a, b);
   *part = (struct ph_part){.arc = arc,
                            .of = {c->arcs->v[arc].strand,
                                   {u0, u1},
                                   {*a, *b},
-                                  length,
-                                  ph_spot_turn(a, b)},
+                                  b->s - a->s - c->strands->distance * turn,
+                                  turn},
                            .next = c->parts->n,
                            .cut = cut};
 }

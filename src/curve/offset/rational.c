@@ -212,7 +212,7 @@ enum ph_status ph_rational_part(const struct ph_curve *curve, size_t k,
                                 void *context) {
   const struct walk walk = {curve->degree, k, each, context};
   struct piece piece = segment_of(curve, k), left = piece, right = piece;
-  for (size_t i = 0; i < 2; i++) {
+  for (size_t i = 0; i < 2 && (from > 0 || to < 1); i++) {
     ph_bern_cut(piece.a[i], (walk.degree - 1) / 2, to, left.a[i], right.a[i]);
     ph_bern_cut(left.a[i], (walk.degree - 1) / 2, from / to, right.a[i],
                 piece.a[i]);

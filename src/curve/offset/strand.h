@@ -106,7 +106,7 @@ struct ph_spot ph_strand_spot(const struct ph_strand_eval *eval, double u);
  * than a half turn apart. */
 static inline double ph_spot_turn(const struct ph_spot *a,
                                   const struct ph_spot *b) {
-  return 2 * atan2(ph_cplx_cross(a->w, b->w), ph_cplx_dot(a->w, b->w));
+  return 2 * ph_cplx_angle(a->w, b->w);
 }
 
 /* ph_spot_angle: the angle between the tangents of any two places: the root w
