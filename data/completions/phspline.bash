@@ -25,7 +25,7 @@ _phspline() {
     --solutions | --solutions=) list='good all' ;;
     --minimize | --minimize=) list='E MV IES IMV' ;;
     --free | --free=) list='each scale' ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -77,7 +77,7 @@ _phspline() {
     --tension | --tension=) kind=nothing ;;
     --shape=) list='true false' ;;
     --planarity | --planarity=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -130,7 +130,7 @@ _phspline() {
     --starts | --starts=) kind=nothing ;;
     --all_minima=) list='true false' ;;
     --start | --start=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -184,7 +184,7 @@ _phspline() {
     --increase | --increase=) list='minimal' ;;
     --criterion | --criterion=) list='geodesic legacy' ;;
     --epsilon | --epsilon=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -241,7 +241,7 @@ _phspline() {
     --tolerance | --tolerance=) kind=nothing ;;
     --pieces | --pieces=) kind=nothing ;;
     --blaschke=) list='true false' ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -296,7 +296,7 @@ _phspline() {
     --flat | --flat=) kind=nothing ;;
     --translate | --translate=) kind=nothing ;;
     --merge | --merge=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -335,15 +335,17 @@ _phspline() {
     --continuity | --continuity=) kind=nothing ;;
     --degree | --degree=) list='auto exact' ;;
     --tolerance | --tolerance=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
+    --subdivide | --subdivide=) kind=nothing ;;
+    --boundary | --boundary=) list='smooth fixed' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='samples patches edges' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= faces= normals= continuity= degree= tolerance=' ;;
-    --override | --override=) list='points= faces= normals= continuity= degree= tolerance=' ;;
-    -S | --sweep | --sweep=) list='points= faces= normals= continuity= degree= tolerance=' ;;
+    -s | --set | --set=) list='points= faces= normals= continuity= degree= tolerance= subdivide= boundary=' ;;
+    --override | --override=) list='points= faces= normals= continuity= degree= tolerance= subdivide= boundary=' ;;
+    -S | --sweep | --sweep=) list='points= faces= normals= continuity= degree= tolerance= subdivide= boundary=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
@@ -354,7 +356,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --subdivide= --boundary= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -362,7 +364,7 @@ _phspline() {
   *,verify)
     case $option in
     --problems | --problems=) kind=files ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;

@@ -374,6 +374,23 @@ static bool is_over(const struct ph_patch *p,
   return same;
 }
 
+/* Of a mesh that was subdivided, how many patches there must be: its points
+ * have moved. */
+static void check_subdivided(struct ph_check_patchwork *w,
+                             const struct ph_problem *problem) {
+  double n = (double)problem->field[PH_F_FACES].n;
+  for (double step = 1;
+       n <= (double)w->curve->n && step < problem->field[PH_F_SUBDIVIDE].number;
+       step++) {
+    n *= 4;
+  }
+  if ((double)w->curve->n < n || (double)w->curve->n > n) {
+    ph_check_wrong(w->v, PH_CHECK_SHAPE,
+                   ph_check_of("patches", PH_CHECK_ONE, NULL),
+                   "are not as many as the steps make of the faces");
+  }
+}
+
 void ph_check_patch_corners(struct ph_check_patchwork *w) {
   const struct ph_problem *problem = w->v->problem;
   const struct ph_value *points = &problem->field[PH_F_POINTS];
@@ -383,6 +400,10 @@ void ph_check_patch_corners(struct ph_check_patchwork *w) {
                      (normals->n == points->n && normals->dimension == 3)) &&
                     problem->field[PH_F_FACES].sizes_n == w->curve->n;
   const bool exact = ph_check_patch_exact(w->curve);
+  if (problem->field[PH_F_SUBDIVIDE].number > 0) {
+    check_subdivided(w, problem);
+    return;
+  }
   for (size_t i = 0; i < w->curve->n; i++) {
     if (!fits || !is_over(&w->curve->surface.patches[i], problem)) {
       ph_check_wrong(w->v, PH_CHECK_SHAPE, patch_of(i, "vertices"),

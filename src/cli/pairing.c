@@ -80,8 +80,9 @@ static enum ph_status find_key(struct ph_pairing *p,
   struct ph_diag ignored;
   struct ph_mark mark = ph_arena_mark(&p->scratch);
   enum ph_status status = PH_OK;
-  if (record->n > 0 && (record->status == PH_OK ||
-                        record->status == PH_E_LIMIT || record->named)) {
+  if (record->n > 0 && !record->mesh &&
+      (record->status == PH_OK || record->status == PH_E_LIMIT ||
+       record->named)) {
     status =
         record->columns
             ? ph_csv_in(record, schema, &p->scratch, &problem, &echo, &ignored)

@@ -184,9 +184,7 @@ static enum ph_status read_record(struct task *t,
                    "which the first result is of",
                    schema->command, record->file, paired->schema->command);
   }
-  return record->columns
-             ? ph_csv_in(record, schema, arena, &t->problem, &echo, &t->diag)
-             : ph_json_in(record, schema, arena, &t->problem, &echo, &t->diag);
+  return ph_record_read(record, schema, arena, &t->problem, &echo, &t->diag);
 }
 
 /* Joins points of the problem, the ones that the result says. */

@@ -10,8 +10,6 @@
 #include "cli/near.h"
 #include "cli/panorama.h"
 #include "cli/plot.h"
-#include "io/csv_in.h"
-#include "io/json_in.h"
 #include "io/svg_out.h"
 #include "io/value.h"
 
@@ -46,10 +44,7 @@ static enum ph_status read_problem(struct task *t) {
   const struct ph_record *record = &t->item->record;
   const struct ph_schema *schema = t->options->command->schema;
   struct ph_arena *arena = &t->worker->arena;
-  return record->columns
-             ? ph_csv_in(record, schema, arena, &t->problem, &t->echo, &t->diag)
-             : ph_json_in(record, schema, arena, &t->problem, &t->echo,
-                          &t->diag);
+  return ph_record_read(record, schema, arena, &t->problem, &t->echo, &t->diag);
 }
 
 /* What the record says of its sweep, also when it fails. */

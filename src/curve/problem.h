@@ -72,7 +72,9 @@
   X(TANGENT_SCALE, "tangent_scale")       \
   X(FACES, "faces")                       \
   X(CONTINUITY, "continuity")             \
-  X(DEGREE, "degree")
+  X(DEGREE, "degree")                     \
+  X(SUBDIVIDE, "subdivide")               \
+  X(BOUNDARY, "boundary")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,

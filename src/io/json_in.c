@@ -310,7 +310,7 @@ static bool find(const char *text, size_t n, const char *name, size_t name_n,
   return false;
 }
 
-static size_t json_line(const struct ph_record *record, const char *path) {
+size_t ph_json_line(const struct ph_record *record, const char *path) {
   size_t name_n = strcspn(path, "[");
   size_t line = record->line;
   const char *place = record->text;
@@ -328,8 +328,4 @@ static size_t json_line(const struct ph_record *record, const char *path) {
     line += *p == '\n';
   }
   return line;
-}
-
-size_t ph_record_line(const struct ph_record *record, const char *path) {
-  return record->columns ? ph_csv_line(record, path) : json_line(record, path);
 }

@@ -45,13 +45,7 @@ enum ph_status ph_json_echo(const struct ph_json_item *id,
 const char *ph_json_one_line(const struct ph_json_item *item,
                              struct ph_arena *arena);
 
-/*
- * ph_record_line: the line in the file of the element that a path names,
- * points[3][1] or end_derivatives; of the innermost part that exists, at least
- * the record's first line.  Walks through the record: for failures only.
- *
- * in   record  JSON or CSV, with status PH_OK
- */
-size_t ph_record_line(const struct ph_record *record, const char *path);
+/* ph_json_line: of JSON, as ph_record_line (io/record.h). */
+size_t ph_json_line(const struct ph_record *record, const char *path);
 
 #endif

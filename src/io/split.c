@@ -257,6 +257,7 @@ static enum ph_split_state open_next(struct ph_split *split,
                   : has_suffix(name, ".json|.ndjson|.jsonl") ? PH_SPLIT_JSON
                   : has_suffix(name, ".geojson|.geojsonl|.geojsons")
                       ? PH_SPLIT_GEOJSON
+                  : has_suffix(name, ".obj")      ? PH_SPLIT_OBJ
                   : has_suffix(name, ".csv|.tsv") ? PH_SPLIT_CSV
                                                   : PH_SPLIT_AUTO;
   split->guessed = split->format == PH_SPLIT_AUTO;
@@ -395,6 +396,8 @@ static enum ph_split_state next_in_file(struct ph_split *split, bool may_wait,
     return ph_split_json(split, may_wait, record, diag);
   case PH_SPLIT_GEOJSON:
     return ph_split_geojson(split, may_wait, record, diag);
+  case PH_SPLIT_OBJ:
+    return ph_split_obj(split, may_wait, record, diag);
   default:
     return ph_split_csv(split, may_wait, record, diag);
   }

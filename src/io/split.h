@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The splitter: a sequence of input files, JSON, CSV or GeoJSON, cut into
- * records.
+ * The splitter: a sequence of input files, JSON, CSV, GeoJSON or OBJ, cut
+ * into records.
  *
  * Memory is proportional to the largest record, or to the largest that there
  * may be, time to the bytes read.  A record is handed out as soon as its last
@@ -30,7 +30,8 @@
   X(JSON, "json")                  \
   X(CSV, "csv")                    \
   X(TEXT, "text")                  \
-  X(GEOJSON, "geojson")
+  X(GEOJSON, "geojson")            \
+  X(OBJ, "obj")
 
 /* Before each text of a sequence of GeoJSON (RFC 8142). */
 #define PH_RECORD_SEPARATOR '\x1e'
@@ -232,6 +233,11 @@ void ph_split_give_over(struct ph_split *split, size_t taken,
  * bytes after the window's first one. */
 void ph_split_locate(const struct ph_split *split, size_t offset,
                      struct ph_diag *diag);
+
+/* ph_split_obj: the file is one record. */
+enum ph_split_state ph_split_obj(struct ph_split *split, bool may_wait,
+                                 struct ph_record *record,
+                                 struct ph_diag *diag);
 
 /* ph_split_json, ph_split_csv, ...: ph_split_next for the current file, which
  * PH_SPLIT_END ends; a new file begins with split->json, split->csv zeroed. */

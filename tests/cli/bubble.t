@@ -132,7 +132,8 @@ bad bad-type 'faces[1]' 'must be an array of numbers, found a number' \
 bad bad-type 'faces[0][2]' 'must be a number, found a string' \
   "{$points,\"faces\":[[0,1,\"2\",3]]}"
 bad bad-shape faces 'must have one or more' "{$points,\"faces\":[]}"
-bad bad-shape 'faces[1]' 'must have 4 points, found 3' \
+bad bad-shape 'faces[1]' 'must have 4 points, found 3; with subdivide of 1 or '\
+'more it may have others' \
   "{$points,\"faces\":[[0,2,3,1],[4,5,7]]}"
 bad bad-value 'faces[0]' 'must have numbers of points, whole and from 0 to 7, '\
 'found 8' "{$points,\"faces\":[[0,1,2,8]]}"

@@ -5,6 +5,7 @@
  * ribbon.h says what they are.
  *
  *   data.c    the mesh of a problem, and its normals
+ *   subdivide.c  steps of Catmull and Clark before
  *   fit.c     a quadric at each point
  *   blend.c   derivatives across sides as polynomials
  *   patch.c   four sides into control points
@@ -40,6 +41,8 @@ struct ph_bubble_data {
   size_t degree;         /* 0: auto, */
   bool exact;            /* or none at all */
   double tolerance;
+  size_t subdivide; /* steps */
+  bool fixed;       /* the boundary is, of these */
   int exponent;
 };
 
@@ -54,6 +57,31 @@ enum ph_status ph_bubble_data_of(const struct ph_problem *problem,
                                  struct ph_arena *arena,
                                  struct ph_bubble_data *data,
                                  struct ph_diag *diag);
+
+/* ---- subdivision --------------------------------------------------------- */
+
+/* Polygons: face f has the points corner[first[f]] to corner[first[f + 1] - 1].
+ */
+struct ph_polygons {
+  size_t points_n, faces_n;
+  size_t *first, *corner;
+  double (*x)[6]; /* points, and normals or zeros */
+};
+
+/* The most steps: each makes four faces of one. */
+enum { PH_SUBDIVIDE_MAX = 10 };
+
+/*
+ * ph_bubble_subdivide: one step of Catmull and Clark (subdivide.c).
+ *
+ * in   fixed  points at boundaries stay
+ * out  to     quadrilaterals; four for each of these, n for an n-gon
+ * ret  PH_OK | PH_E_BAD_VALUE (an edge of three faces) | PH_E_NO_MEMORY
+ */
+enum ph_status ph_bubble_subdivide(const struct ph_polygons *from, bool fixed,
+                                   struct ph_arena *arena,
+                                   struct ph_polygons *to,
+                                   struct ph_diag *diag);
 
 /* ---- quadrics ------------------------------------------------------------ */
 

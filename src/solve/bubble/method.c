@@ -32,6 +32,11 @@ static const struct ph_field fields[] = {
      "exact: the quotients, which have no control points"},
     {PH_F_TOLERANCE, PH_NUMBER, 0, false, NULL, PH_TEXT(PH_BUBBLE_TOLERANCE),
      "the largest jump of normals that degree auto allows, in radians"},
+    {PH_F_SUBDIVIDE, PH_NUMBER, 0, false, NULL, "0",
+     "steps of Catmull and Clark before; with one or more, faces may have any "
+     "number of points"},
+    {PH_F_BOUNDARY, PH_WORD, 0, false, "smooth|fixed", "smooth",
+     "of these steps: smooth moves points at boundaries, too"},
 };
 
 static const struct ph_advice advice[] = {
