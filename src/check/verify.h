@@ -77,7 +77,7 @@ struct ph_check_finding {
 
 struct ph_verdict {
   struct ph_check_finding check[PH_CHECK_N];
-  enum ph_check_id worst; /* PH_CHECK_N: nothing was checked */
+  enum ph_check_id worst;       /* PH_CHECK_N: nothing was checked */
   const char *const *unchecked; /* members that need more than the record, up to
                                    NULL; or NULL */
 };

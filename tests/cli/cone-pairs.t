@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# `cone': pairs of random elements, followed by other means, and refusals that
+# another computation confirms; PAIRS=100000 takes some minutes.
+. "$srcdir/tests/cli/lib.sh"
+
+for python in python3 /usr/bin/python3; do
+  if "$python" -c 'import numpy, scipy' 2>/dev/null; then
+    "$python" "$srcdir/tests/cli/cone_pairs.py" "$PHSPLINE" "${PAIRS:-1500}" \
+      "${PH_SEED:-1}" >found || true
+    equal 'pairs are met, and refusals confirmed' 1 "$(wc -l <found | tr -d ' ')"
+    sed 's/^/# /' found
+    exit
+  fi
+done
+echo 'skip pairs: no numpy and scipy'
