@@ -49,7 +49,7 @@ FUZZ_TIME ?= 60
 UNIT_CFLAGS ?= -O0 -g1 -U_FORTIFY_SOURCE
 SHORT ?= 1
 TEST_JOBS ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
-DEPS ?= build test $(PLOT) $(VOLUME)
+DEPS ?= build test $(PLOT) $(VOLUME) $(XML)
 DISTCHECK_TARGETS ?= check
 
 # $(call pkg,OPTION,MODULE,FALLBACK): ask pkg-config, or hope for the best
@@ -79,6 +79,12 @@ TEEM_LIBS := $(shell printf '%s\n' '#include <teem/nrrd.h>' 'int main(void)' \
 	echo -lteem)
 endif
 
+# nothing where there is no expat
+ifndef EXPAT_LIBS
+EXPAT_CFLAGS := $(call pkg,--cflags,expat)
+EXPAT_LIBS := $(call pkg,--libs,expat)
+endif
+
 -include config.mk
 
 # No cairo, no --plot; the rest works.  WITHOUT_CAIRO=1, as ./configure
@@ -88,6 +94,9 @@ PLOT = $(if $(WITHOUT_CAIRO),,plot)
 # No teem, no --panorama: the same with WITHOUT_TEEM=1.
 TEEM = $(if $(WITHOUT_TEEM),,$(TEEM_LIBS))
 VOLUME = $(if $(WITHOUT_TEEM),,volume)
+# No expat, no SVG nor GPX as input: the same with WITHOUT_EXPAT=1.
+EXPAT = $(if $(WITHOUT_EXPAT),,$(EXPAT_LIBS))
+XML = $(if $(WITHOUT_EXPAT),,xml)
 
 # ---- flags -------------------------------------------------------------------
 # Order: warnings (CFLAGS may silence one), CFLAGS, then what the results depend
@@ -124,11 +133,12 @@ hardening = $(shell sed 1d $(B)/hardening 2>/dev/null)
 
 COMPILE = $(CC) $(WARNINGS) $(filter -D% -f%,$(hardening)) $(GSL_CFLAGS) \
 	$(CJSON_CFLAGS) $(if $(CAIRO),-DPH_CAIRO $(CAIRO_CFLAGS)) \
-	$(if $(TEEM),-DPH_TEEM $(TEEM_CFLAGS)) $(CPPFLAGS) $(CFLAGS) \
+	$(if $(TEEM),-DPH_TEEM $(TEEM_CFLAGS)) \
+	$(if $(EXPAT),-DPH_EXPAT $(EXPAT_CFLAGS)) $(CPPFLAGS) $(CFLAGS) \
 	$(MANDATORY) $(VFLAGS_$(VARIANT))
 LINK = $(CC) $(filter-out -D%,$(hardening)) $(CFLAGS) $(MANDATORY) \
 	$(VFLAGS_$(VARIANT)) $(LDFLAGS)
-LIBRARIES = $(GSL_LIBS) $(CJSON_LIBS) $(CAIRO) $(TEEM) $(LIBS) -lm
+LIBRARIES = $(GSL_LIBS) $(CJSON_LIBS) $(CAIRO) $(TEEM) $(EXPAT) $(LIBS) -lm
 
 # V=1 shows whole command lines
 Q = $(if $(V),,@)
@@ -476,4 +486,4 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  \1 \2/p' $(S)Makefile | \
 	  while read -r t d; do printf '  %-11s %s\n' "$$t" "$$d"; done
 	@echo 'Variables: CC CFLAGS CPPFLAGS LDFLAGS prefix DESTDIR WERROR=1 V=1' \
-	  'WITHOUT_CAIRO=1 WITHOUT_TEEM=1'
+	  'WITHOUT_CAIRO=1 WITHOUT_TEEM=1 WITHOUT_EXPAT=1'

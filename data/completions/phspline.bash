@@ -25,7 +25,7 @@ _phspline() {
     --solutions | --solutions=) list='good all' ;;
     --minimize | --minimize=) list='E MV IES IMV' ;;
     --free | --free=) list='each scale' ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -77,7 +77,7 @@ _phspline() {
     --tension | --tension=) kind=nothing ;;
     --shape=) list='true false' ;;
     --planarity | --planarity=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -130,7 +130,7 @@ _phspline() {
     --starts | --starts=) kind=nothing ;;
     --all_minima=) list='true false' ;;
     --start | --start=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -184,7 +184,7 @@ _phspline() {
     --increase | --increase=) list='minimal' ;;
     --criterion | --criterion=) list='geodesic legacy' ;;
     --epsilon | --epsilon=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -226,6 +226,7 @@ _phspline() {
     --tangents | --tangents=) kind=nothing ;;
     --derivatives | --derivatives=) kind=nothing ;;
     --curve | --curve=) kind=nothing ;;
+    --path | --path=) kind=nothing ;;
     --closed=) list='true false' ;;
     --merge | --merge=) kind=nothing ;;
     --mode | --mode=) list='g1 g1-pair g1-auto g1-fair c1 spline g2 approximate' ;;
@@ -241,15 +242,15 @@ _phspline() {
     --tolerance | --tolerance=) kind=nothing ;;
     --pieces | --pieces=) kind=nothing ;;
     --blaschke=) list='true false' ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
-    --override | --override=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
-    -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    -s | --set | --set=) list='points= tangents= derivatives= curve= path= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    --override | --override=) list='points= tangents= derivatives= curve= path= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= path= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
     --offset-join | --offset-join=) kind=nothing ;;
@@ -271,7 +272,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -296,7 +297,7 @@ _phspline() {
     --flat | --flat=) kind=nothing ;;
     --translate | --translate=) kind=nothing ;;
     --merge | --merge=) kind=nothing ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -337,7 +338,7 @@ _phspline() {
     --tolerance | --tolerance=) kind=nothing ;;
     --subdivide | --subdivide=) kind=nothing ;;
     --boundary | --boundary=) list='smooth fixed' ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
@@ -364,7 +365,7 @@ _phspline() {
   *,verify)
     case $option in
     --problems | --problems=) kind=files ;;
-    -i | --input-format | --input-format=) list='auto json csv text geojson obj' ;;
+    -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;

@@ -35,8 +35,8 @@
 #define PH_OPTIONS(X)                                                          \
   X(INPUT_FORMAT, SOLVE, 'i', "input-format", PH_WORDS(PH_SPLIT_FORMATS),      \
     "what the input is; auto (default): by the suffix of the file (.json "     \
-    ".ndjson .jsonl .geojson .obj .csv .tsv), else by how it begins; text: "   \
-    "numbers between blanks")                                                  \
+    ".ndjson .jsonl .geojson .svg .gpx .obj .csv .tsv), else by how it "       \
+    "begins; text: numbers between blanks")                                    \
   X(PROBLEMS, VERIFY, 0, "problems", "FILE",                                   \
     "the problems that the results solve, to check these as well: the same "   \
     "id, or else the same order")                                              \

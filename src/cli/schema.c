@@ -271,6 +271,7 @@ static void fill_field(struct builder *b, cJSON *node,
                {PH_POLYLINE, 1u << 2, "[][+][2]number"},
                {PH_POLYLINE, 1u << 3, "[][+][3]number"},
                {PH_LISTS, 0, "[][]number"},
+               {PH_PATH, 0, "text"},
                {PH_WORD, 0, NULL}};
   const char *types[sizeof kinds / sizeof kinds[0]];
   size_t n = 0;

@@ -220,6 +220,9 @@ static enum ph_status read_problem(struct task *t) {
     status = apply(t, command->schema, &t->claim.swept[i]);
   }
   if (status == PH_OK) {
+    status = ph_problem_trace(&t->problem, &t->diag);
+  }
+  if (status == PH_OK) {
     status = ph_problem_check_required(&t->problem, command->schema, &t->diag);
   }
   if (status == PH_OK) {

@@ -178,6 +178,9 @@ static enum ph_status prepare(struct task *t) {
                             &t->problem, &t->diag);
   }
   if (status == PH_OK) {
+    status = ph_problem_trace(&t->problem, &t->diag);
+  }
+  if (status == PH_OK) {
     status = ph_problem_check_required(&t->problem, schema, &t->diag);
   }
   return status == PH_OK

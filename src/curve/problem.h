@@ -57,6 +57,7 @@
   X(JOINT_POSITION, "joint_position")     \
   X(BLASCHKE, "blaschke")                 \
   X(CURVE, "curve")                       \
+  X(PATH, "path")                         \
   X(TOLERANCE, "tolerance")               \
   X(PIECES, "pieces")                     \
   X(RULINGS, "rulings")                   \
@@ -95,14 +96,15 @@ enum ph_value_kind {
   PH_POLYLINE = 64, /* array of arrays of vectors: control points of pieces;
                        of a row: beside PH_VECTORS, those of one piece */
   PH_DATUM = 128,   /* of a row: its numbers or vectors belong to points */
-  PH_LISTS = 256    /* array of arrays of numbers, of any sizes */
+  PH_LISTS = 256,   /* array of arrays of numbers, of any sizes */
+  PH_PATH = 512     /* of a row: SVG path data, whose value is PH_POLYLINE */
 };
 
 struct ph_value {
   enum ph_value_kind kind;
-  bool flag;        /* PH_BOOL */
+  bool flag;        /* PH_BOOL; of a path: it is closed */
   double number;    /* PH_NUMBER; PH_WORD: V of a word "name:V", else 0 */
-  const char *word; /* PH_WORD, NUL-terminated */
+  const char *word; /* PH_WORD, NUL-terminated; of a path: its data */
   double *v;        /* PH_NUMBERS, PH_LISTS: v[n]; PH_VECTORS, PH_POLYLINE:
                        v[n][dimension] */
   size_t n;

@@ -229,6 +229,7 @@ static void close_file(struct ph_split *split) {
     close(split->fd); /* nothing was written: no failure matters */
   }
   split->fd = -1;
+  ph_split_xml_close(split);
 }
 
 static enum ph_split_state open_next(struct ph_split *split,
@@ -258,6 +259,8 @@ static enum ph_split_state open_next(struct ph_split *split,
                   : has_suffix(name, ".geojson|.geojsonl|.geojsons")
                       ? PH_SPLIT_GEOJSON
                   : has_suffix(name, ".obj")      ? PH_SPLIT_OBJ
+                  : has_suffix(name, ".svg")      ? PH_SPLIT_SVG
+                  : has_suffix(name, ".gpx")      ? PH_SPLIT_GPX
                   : has_suffix(name, ".csv|.tsv") ? PH_SPLIT_CSV
                                                   : PH_SPLIT_AUTO;
   split->guessed = split->format == PH_SPLIT_AUTO;
@@ -312,8 +315,9 @@ static enum ph_split_state detect(struct ph_split *split, bool may_wait,
     const char *line = first;
     enum ph_split_state state;
     if (first < end) {
-      split->format =
-          memchr("{[\x1e", *first, 3) ? PH_SPLIT_JSON : PH_SPLIT_CSV;
+      split->format = memchr("{[\x1e", *first, 3) ? PH_SPLIT_JSON
+                      : *first == '<'             ? PH_SPLIT_XML
+                                                  : PH_SPLIT_CSV;
       split->geojson.told = split->format != PH_SPLIT_JSON;
     }
     while (line > p + split->blanks && line[-1] != '\n') {
@@ -398,6 +402,10 @@ static enum ph_split_state next_in_file(struct ph_split *split, bool may_wait,
     return ph_split_geojson(split, may_wait, record, diag);
   case PH_SPLIT_OBJ:
     return ph_split_obj(split, may_wait, record, diag);
+  case PH_SPLIT_SVG:
+  case PH_SPLIT_GPX:
+  case PH_SPLIT_XML:
+    return ph_split_xml(split, may_wait, record, diag);
   default:
     return ph_split_csv(split, may_wait, record, diag);
   }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The splitter: a sequence of input files, JSON, CSV, GeoJSON or OBJ, cut
- * into records.
+ * The splitter: a sequence of input files, JSON, CSV, GeoJSON, SVG, GPX or OBJ,
+ * cut into records.
  *
  * Memory is proportional to the largest record, or to the largest that there
  * may be, time to the bytes read.  A record is handed out as soon as its last
@@ -31,6 +31,8 @@
   X(CSV, "csv")                    \
   X(TEXT, "text")                  \
   X(GEOJSON, "geojson")            \
+  X(SVG, "svg")                    \
+  X(GPX, "gpx")                    \
   X(OBJ, "obj")
 
 /* Before each text of a sequence of GeoJSON (RFC 8142). */
@@ -43,6 +45,7 @@ enum ph_split_format {
 #define X(symbol, name) PH_SPLIT_##symbol,
   PH_SPLIT_FORMATS(X, X)
 #undef X
+      PH_SPLIT_XML /* one of these */
 };
 
 struct ph_split_options {
@@ -162,6 +165,7 @@ struct ph_split {
   struct ph_split_json json;
   struct ph_split_csv csv;
   struct ph_split_geojson geojson;
+  struct ph_split_xml *xml; /* NULL: none is open */
   struct ph_split_over over;
   struct ph_csv_columns *all_columns;
 };
@@ -251,6 +255,16 @@ enum ph_split_state ph_split_csv(struct ph_split *split, bool may_wait,
 enum ph_split_state ph_split_geojson(struct ph_split *split, bool may_wait,
                                      struct ph_record *record,
                                      struct ph_diag *diag);
+
+enum ph_split_state ph_split_xml(struct ph_split *split, bool may_wait,
+                                 struct ph_record *record,
+                                 struct ph_diag *diag);
+
+/* ph_split_xml_can: whether the program was built with expat. */
+bool ph_split_xml_can(void);
+
+/* ph_split_xml_close: gives back what ph_split_xml has opened. */
+void ph_split_xml_close(struct ph_split *split);
 
 /* ph_split_geojson_line: the next line of the text that split->geojson has. */
 enum ph_split_state ph_split_geojson_line(struct ph_split *split,

@@ -549,7 +549,7 @@ static const struct {
     {"\xfe\xff", 2, "UTF-16: iconv -f UTF-16 -t UTF-8 converts it"},
     {"PK\x03\x04", 4,
      "a spreadsheet or other zip archive: spreadsheets can be saved as CSV"},
-    {"<", 1, "XML or HTML: only JSON and tables are read"},
+    {"<", 1, "XML or HTML: --input-format=svg and gpx read SVG and GPX"},
     {"LINESTRING", 10, "WKT: only JSON and tables are read"},
     {"POLYGON", 7, "WKT: only JSON and tables are read"},
     {"MULTI", 5, "WKT: only JSON and tables are read"},

@@ -16,6 +16,7 @@
 #include "base/suggest.h"
 #include "io/json_scan.h"
 #include "io/number.h"
+#include "io/svg_path.h"
 
 #include <cjson/cJSON.h>
 
@@ -125,14 +126,17 @@ static enum ph_status check_word(struct reader *r, const char *word,
 static enum ph_status read_string(struct reader *r, struct ph_value *value) {
   size_t n = (size_t)(r->end - r->p);
   const char *word;
-  if (!(r->row->kinds & PH_WORD)) {
+  if (!(r->row->kinds & (PH_WORD | PH_PATH))) {
     return bad_type(r, "a string");
   }
   word = ph_value_string(r->p, n, r->arena);
   if (!word) {
     return ph_fail_memory(r->diag);
   }
-  return check_word(r, word, n - 2, r->p + 1, value);
+  return r->row->kinds & PH_PATH
+             ? ph_svg_path_value(word, strlen(word), r->name, r->arena, value,
+                                 r->diag)
+             : check_word(r, word, n - 2, r->p + 1, value);
 }
 
 static enum ph_status read_literal(struct reader *r, struct ph_value *value) {
@@ -466,6 +470,9 @@ static enum ph_status read_bare(struct reader *r, struct ph_value *value) {
   if (r->row->kinds & PH_WORD) {
     word = ph_arena_copy(r->arena, r->p, n);
     return word ? check_word(r, word, n, r->p, value) : ph_fail_memory(r->diag);
+  }
+  if (r->row->kinds & PH_PATH) {
+    return ph_svg_path_value(r->p, n, r->name, r->arena, value, r->diag);
   }
   snprintf(found, sizeof found, "\"%s\"", ph_excerpt(r->p, n, excerpt));
   return bad_type(r, found);

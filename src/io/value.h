@@ -72,6 +72,11 @@ const char *ph_value_string(const char *text, size_t n, struct ph_arena *arena);
  * "a string", "null". */
 const char *ph_value_type(char first);
 
+/* ph_problem_trace: the field path becomes the field curve, and closed if it
+ * is.  ret  PH_OK; PH_E_BAD_VALUE where there are both */
+enum ph_status ph_problem_trace(struct ph_problem *problem,
+                                struct ph_diag *diag);
+
 /* ph_problem_check_required: PH_OK, or PH_E_MISSING_FIELD for the first field
  * that the schema requires and the problem lacks. */
 enum ph_status ph_problem_check_required(const struct ph_problem *problem,

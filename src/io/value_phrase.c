@@ -73,6 +73,7 @@ const char *ph_value_describe(const struct ph_field *row,
   list.items += row->kinds & PH_VECTORS ? 1 : 0;
   list.items += row->kinds & PH_POLYLINE ? 1 : 0;
   list.items += row->kinds & PH_LISTS ? 1 : 0;
+  list.items += row->kinds & PH_PATH ? 1 : 0;
   phrase[0] = '\0';
   if (row->kinds & PH_BOOL) {
     add_item(&list, "true");
@@ -94,6 +95,9 @@ const char *ph_value_describe(const struct ph_field *row,
   if (row->kinds & PH_LISTS) {
     add_item(&list, "an array of arrays of numbers");
   }
+  if (row->kinds & PH_PATH) {
+    add_item(&list, "a string of SVG path data");
+  }
   return phrase;
 }
 
@@ -114,6 +118,25 @@ const char *ph_value_type(char first) {
   default:
     return "a number";
   }
+}
+
+enum ph_status ph_problem_trace(struct ph_problem *problem,
+                                struct ph_diag *diag) {
+  struct ph_value *path = &problem->field[PH_F_PATH];
+  struct ph_value *closed = &problem->field[PH_F_CLOSED];
+  if (path->kind == PH_ABSENT) {
+    return PH_OK;
+  }
+  if (problem->field[PH_F_CURVE].kind != PH_ABSENT) {
+    return ph_fail(diag, PH_E_BAD_VALUE, "path",
+                   "excludes curve: give one of them");
+  }
+  if (path->flag && closed->kind == PH_ABSENT) {
+    *closed = (struct ph_value){.kind = PH_BOOL, .flag = true};
+  }
+  problem->field[PH_F_CURVE] = *path;
+  path->kind = PH_ABSENT;
+  return PH_OK;
 }
 
 enum ph_status ph_problem_check_required(const struct ph_problem *problem,

@@ -67,7 +67,7 @@ const char *ph_value_text(const struct ph_value *value,
                           struct ph_arena *arena) {
   size_t numbers = value->v ? value->n * value->dimension : 1;
   size_t arrays = value->n + value->sizes_n + 1;
-  size_t word = value->kind == PH_WORD ? strlen(value->word) : 0;
+  size_t word = value->word ? strlen(value->word) : 0;
   char *text = ph_arena_array(
       arena, numbers * (PH_NUMBER_MAX + 1) + 3 * arrays + word + 3, 1);
   char *to = text;
@@ -78,7 +78,7 @@ const char *ph_value_text(const struct ph_value *value,
     to += ph_number_write(to, value->number);
   } else if (value->kind == PH_BOOL) {
     return value->flag ? "true" : "false";
-  } else if (value->kind == PH_WORD) { /* words need no escapes */
+  } else if (value->word) { /* words and paths need no escapes */
     *to++ = '"';
     memcpy(to, value->word, word);
     to += word;

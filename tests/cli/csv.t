@@ -255,7 +255,9 @@ utf16='UTF-16: iconv -f UTF-16 -t UTF-8 converts it'
 foreign 'UTF-16' "$utf16" '\377\376x\000,\000y\000\n\000'
 foreign 'UTF-16, the other way round' "$utf16" '\376\377\000x\000,\000y\000\n'
 foreign 'xlsx' 'a spreadsheet or other zip archive: spreadsheets can be saved as CSV' 'PK\003\004,"a"b\n'
-foreign 'XML' 'XML or HTML: only JSON and tables are read' '<gpx version="1.1">\n'
+printf '<svg/>\n' >foreign
+run planar -q -i csv foreign
+expect 'XML that is read as CSV' 3 'phspline: foreign:1: record 1: the input is XML or HTML: --input-format=svg and gpx read SVG and GPX [syntax]'
 foreign 'WKT' 'WKT: only JSON and tables are read' 'LINESTRING (0 0, 1 1)\n'
 csv 'no WKT' '3 absent absent' 'POINTS,x\n0,0\n'
 

@@ -14,7 +14,7 @@ stub() {
 PATH=$PWD/bin:$PATH
 CC=compiler
 export CC
-unset PKG_CONFIG GSL_LIBS CJSON_LIBS CAIRO_LIBS TEEM_LIBS CHECK_LIBS
+unset PKG_CONFIG GSL_LIBS CJSON_LIBS CAIRO_LIBS TEEM_LIBS EXPAT_LIBS CHECK_LIBS
 stub compiler 'test -e installed'
 for tool in jq xmllint gnuplot python3 pkg-config apt-cache; do
   stub $tool :

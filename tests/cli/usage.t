@@ -56,11 +56,11 @@ usage "option '--quiet' takes no value" --quiet=
 usage "option '--help' takes no value" --help=planar
 usage "unknown option '--quie'; did you mean \"quiet\"?" --quie=
 
-usage "--input-format must be auto|json|csv|text|geojson|obj, found 'xml'" --input-format=xml
-usage "--input-format must be auto|json|csv|text|geojson|obj, found 'jsn'; \
+usage "--input-format must be auto|json|csv|text|geojson|svg|gpx|obj, found 'xml'" --input-format=xml
+usage "--input-format must be auto|json|csv|text|geojson|svg|gpx|obj, found 'jsn'; \
 did you mean \"json\"?" -i jsn
-usage "--input-format must be auto|json|csv|text|geojson|obj, found ''" -i ''
-usage "--input-format must be auto|json|csv|text|geojson|obj, found 'CSV'; \
+usage "--input-format must be auto|json|csv|text|geojson|svg|gpx|obj, found ''" -i ''
+usage "--input-format must be auto|json|csv|text|geojson|svg|gpx|obj, found 'CSV'; \
 did you mean \"csv\"?" -i CSV
 usage "--format must be json|csv|text|svg-path|svg|geojson|dxf|obj|stl, found 'svgz'; did you mean \"svg\"?" -f svgz
 usage "--format must be json|csv|text|svg-path|svg|geojson|dxf|obj|stl, found 'json|csv'" --format='json|csv'

@@ -24,8 +24,11 @@ static bool result_is_json(const char *text, size_t n) {
 
 static struct ph_record result_record(const char *text, size_t n) {
   const char *begin = ph_json_blanks(text, text + n);
-  return (struct ph_record){begin, n - (size_t)(begin - text), "-", 1, 1, NULL,
-                            PH_OK};
+  return (struct ph_record){.text = begin,
+                            .n = n - (size_t)(begin - text),
+                            .file = "-",
+                            .line = 1,
+                            .number = 1};
 }
 
 static enum ph_status result_verify(const struct ph_record *record,

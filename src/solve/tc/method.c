@@ -113,6 +113,8 @@ static const struct ph_field fields[] = {
     {PH_F_CURVE, PH_VECTORS | PH_POLYLINE, 1u << 2, false, NULL, "points",
      "the curve to approximate: control points of a Bezier curve, or of "
      "several, one after another"},
+    {PH_F_PATH, PH_PATH, 0, false, NULL, "curve",
+     "the same as the data of an SVG path: one subpath"},
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
     PH_FIELD_MERGE,

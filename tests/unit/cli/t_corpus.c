@@ -18,6 +18,7 @@
 #include "../../fuzz/sphere.c"
 #include "../../fuzz/tc.c"
 #include "../../fuzz/result.c"
+#include "../../fuzz/xml.c"
 
 /* Inputs are small; each target has at least so many. */
 enum { INPUT_MAX = 1 << 16, INPUTS_MIN = 12 };
@@ -56,6 +57,7 @@ static const struct {
     {"sphere", corpus_sphere},
     {"tc", corpus_tc},
     {"result", corpus_result},
+    {"xml", corpus_xml},
 };
 
 PH_TEST_EACH(test_corpus, COUNT(targets)) {

@@ -57,7 +57,8 @@ static void make(const char *line, const char *problem) {
 }
 
 static enum ph_status read_text(const char *text, size_t n) {
-  struct ph_record record = {text, n, "-", 1, 1, NULL, PH_OK};
+  struct ph_record record = {
+      .text = text, .n = n, .file = "-", .line = 1, .number = 1};
   ph_arena_reset(&unit_arena);
   memset(&diag, 0, sizeof diag);
   return ph_json_result_in(&record, &unit_arena, &claim, &diag);
