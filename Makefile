@@ -159,6 +159,9 @@ TOOL_SRC := $(call files,tests/cli,*.c)
 IPOPT_LIBS := $(call pkg,--libs,ipopt)
 BENCH_SRC := $(filter-out $(if $(IPOPT_LIBS),,bench/arclength_ipopt.c),\
 	$(call files,bench,*.c))
+# ... and what GEOS and Clipper do, which is C++
+PEERS_LIBS := $(if $(call pkg,--libs,geos),$(call pkg,--libs,polyclipping))
+PEERS_LIBS := $(if $(PEERS_LIBS),$(PEERS_LIBS) $(call pkg,--libs,geos))
 FUZZ_SRC := $(call files,tests/fuzz,*.c)
 CLI_TESTS := $(call files,tests/cli,*.t)
 FAULT_TESTS := $(call files,tests/fault,*.t)
@@ -222,6 +225,10 @@ $(UNIT): $(UNIT_LIB)
 $(FUZZ): EXTRA_LIBS = -fsanitize=fuzzer
 $(B)/bench/arclength_ipopt.o: EXTRA_CFLAGS = $(call pkg,--cflags,ipopt)
 $(B)/bench/arclength_ipopt: EXTRA_LIBS = $(IPOPT_LIBS)
+$(B)/bench/trim_peers: $(S)bench/trim_peers.cc $(S)bench/bench.h
+	$(SAY) "  CXX $<"
+	@mkdir -p $(@D)
+	$(Q)$(CXX) -O2 $(call pkg,--cflags,geos) -o $@ $< $(PEERS_LIBS)
 $(UNIT) $(TOOLS) $(BENCH) $(FUZZ): $(B)/%: $(B)/%.o
 $(PROGRAM) $(UNIT) $(BENCH) $(FUZZ): $(LIB)
 	$(SAY) "  LD  $@"
@@ -447,7 +454,7 @@ bench: ## build and run the benchmarks of bench/
 	$(need)
 	$(call may_need,$(PLOT))
 	$(SUBMAKE) bench-run
-bench-run: all $(BENCH)
+bench-run: all $(BENCH) $(if $(PEERS_LIBS),$(B)/bench/trim_peers)
 	@sh $(S)bench/run $(B)
 
 # ---- release -----------------------------------------------------------------
