@@ -342,7 +342,8 @@ bad bad-value degenerate_tolerance \
 bad bad-shape 'flat[1]' 'must have 2 numbers, found 3' \
   "{$points,$rulings,$tangents,\"flat\":[[0,0],[1,2,3]]}"
 bad infeasible 'pairs[0]' 'has no pair of circular cones: the rulings are those '\
-'of a saddle, as of a helicoid' '{"points":[[0,0,0],[0,0,1]],'\
+'of a saddle, as of a helicoid; see whether one of them points the other way' \
+  '{"points":[[0,0,0],[0,0,1]],'\
 '"rulings":[[1,0,0],[0.8,0.6,0]],"tangents":[[0,0,1],[0,0,1]]}'
 bad infeasible 'pairs[0]' 'has no pair of cones: one contact element is the '\
 'other one turned by 180 degrees; ruling and tangent must not turn back' \

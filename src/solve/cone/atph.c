@@ -136,6 +136,22 @@ static enum ph_status set_apexes(struct general *g, struct ph_diag *diag) {
   return PH_OK;
 }
 
+/* One of a field for each strip, or for all. */
+static enum ph_status check_each(const struct general *g, enum ph_field_id id,
+                                 struct ph_diag *diag) {
+  const struct ph_value *value = &g->problem->field[id];
+  const size_t n = 2 * g->data->n;
+  const bool vectors = id == PH_F_ANGLES && value->kind == PH_VECTORS;
+  if ((!vectors && !(id == PH_F_ALPHA && value->kind == PH_NUMBERS)) ||
+      value->n == n || (vectors && value->n == 1)) {
+    return PH_OK;
+  }
+  return ph_fail(diag, PH_E_BAD_SHAPE, ph_field_name(id),
+                 "must be one for all strips, or as many as there are, %zu, "
+                 "found %zu",
+                 n, value->n);
+}
+
 /* ---- the problem of the contact curve ------------------------------------ */
 
 static struct ph_value vectors(double *v, size_t n) {
@@ -367,6 +383,12 @@ enum ph_status ph_cone_general(const struct ph_problem *problem,
       g.common ? set_apexes(&g, diag) : ph_fail_memory(diag);
   for (size_t i = 0; status == PH_OK && i < data->n; i++) {
     status = set_common(&g, i, diag);
+  }
+  if (status == PH_OK) {
+    status = check_each(&g, PH_F_ALPHA, diag);
+  }
+  if (status == PH_OK) {
+    status = check_each(&g, PH_F_ANGLES, diag);
   }
   if (status == PH_OK) {
     status = set_curve(&g, scratch, diag);

@@ -103,6 +103,12 @@ static enum ph_status set_lambda(const struct ph_problem *p,
   if (value->kind == PH_ABSENT || value->kind == PH_WORD) {
     return PH_OK;
   }
+  if (value->kind == PH_NUMBERS && value->n != data->n) {
+    return ph_fail(diag, PH_E_BAD_SHAPE, "lambda",
+                   "must be a number, or as many as there are pairs, %zu, "
+                   "found %zu",
+                   data->n, value->n);
+  }
   lambda = ph_arena_array(arena, data->n, sizeof *lambda);
   if (!lambda) {
     return ph_fail_memory(diag);

@@ -41,7 +41,8 @@ const char *ph_cone_reason_text(enum ph_cone_reason reason) {
       [PH_CONE_PLANES] = "has no pair of cones: the tangent planes are "
                          "parallel, and not the same",
       [PH_CONE_SADDLE] = "has no pair of circular cones: the rulings are those "
-                         "of a saddle, as of a helicoid",
+                         "of a saddle, as of a helicoid; see whether one "
+                         "of them points the other way",
       [PH_CONE_CONTACT] = "has no pair of cones: the arcs would begin and end "
                           "at the same point",
       [PH_CONE_LAMBDA] = "has no pair of cones with such legs: the second "
