@@ -18,6 +18,7 @@ _phspline() {
     --points | --points=) kind=nothing ;;
     --closed=) list='true false' ;;
     --merge | --merge=) kind=nothing ;;
+    --at | --at=) kind=nothing ;;
     --basis | --basis=) list='ph atph' ;;
     --knots | --knots=) list='chordal centripetal uniform' ;;
     --alpha | --alpha=) list='chordal' ;;
@@ -31,9 +32,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
-    --override | --override=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
-    -S | --sweep | --sweep=) list='points= closed= merge= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
+    -s | --set | --set=) list='points= closed= merge= at= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
+    --override | --override=) list='points= closed= merge= at= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
+    -S | --sweep | --sweep=) list='points= closed= merge= at= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
     --offset-join | --offset-join=) kind=nothing ;;
@@ -56,7 +57,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --at= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -66,6 +67,7 @@ _phspline() {
     --points | --points=) kind=nothing ;;
     --closed=) list='true false' ;;
     --merge | --merge=) kind=nothing ;;
+    --at | --at=) kind=nothing ;;
     --tangents | --tangents=) kind=nothing ;;
     --derivatives | --derivatives=) kind=nothing ;;
     --basis | --basis=) list='ph atph' ;;
@@ -83,9 +85,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
-    --override | --override=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
-    -S | --sweep | --sweep=) list='points= closed= merge= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
+    -s | --set | --set=) list='points= closed= merge= at= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
+    --override | --override=) list='points= closed= merge= at= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
+    -S | --sweep | --sweep=) list='points= closed= merge= at= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
     --offset-join | --offset-join=) kind=nothing ;;
@@ -108,7 +110,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --at= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -120,6 +122,7 @@ _phspline() {
     --tangents | --tangents=) kind=nothing ;;
     --closed=) list='true false' ;;
     --merge | --merge=) kind=nothing ;;
+    --at | --at=) kind=nothing ;;
     --lengths | --lengths=) kind=nothing ;;
     --length_sigma | --length_sigma=) kind=nothing ;;
     --tangent_sigma | --tangent_sigma=) kind=nothing ;;
@@ -136,9 +139,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
-    --override | --override=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
-    -S | --sweep | --sweep=) list='points= derivatives= tangents= closed= merge= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    -s | --set | --set=) list='points= derivatives= tangents= closed= merge= at= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    --override | --override=) list='points= derivatives= tangents= closed= merge= at= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
+    -S | --sweep | --sweep=) list='points= derivatives= tangents= closed= merge= at= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
     --offset-join | --offset-join=) kind=nothing ;;
@@ -161,7 +164,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --merge= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --merge= --at= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -172,6 +175,7 @@ _phspline() {
     --lonlat | --lonlat=) kind=nothing ;;
     --closed=) list='true false' ;;
     --merge | --merge=) kind=nothing ;;
+    --at | --at=) kind=nothing ;;
     --center | --center=) kind=nothing ;;
     --radius | --radius=) kind=nothing ;;
     --radius_tolerance | --radius_tolerance=) kind=nothing ;;
@@ -190,9 +194,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
-    --override | --override=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
-    -S | --sweep | --sweep=) list='points= lonlat= closed= merge= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
+    -s | --set | --set=) list='points= lonlat= closed= merge= at= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
+    --override | --override=) list='points= lonlat= closed= merge= at= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
+    -S | --sweep | --sweep=) list='points= lonlat= closed= merge= at= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
     --offset-join | --offset-join=) kind=nothing ;;
@@ -215,7 +219,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --merge= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --merge= --at= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -229,6 +233,7 @@ _phspline() {
     --path | --path=) kind=nothing ;;
     --closed=) list='true false' ;;
     --merge | --merge=) kind=nothing ;;
+    --at | --at=) kind=nothing ;;
     --mode | --mode=) list='g1 g1-pair g1-auto g1-fair c1 spline g2 approximate' ;;
     --lambda | --lambda=) kind=nothing ;;
     --ends | --ends=) list='chord circle smooth' ;;
@@ -248,9 +253,9 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
-    -s | --set | --set=) list='points= tangents= derivatives= curve= path= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
-    --override | --override=) list='points= tangents= derivatives= curve= path= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
-    -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= path= closed= merge= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    -s | --set | --set=) list='points= tangents= derivatives= curve= path= closed= merge= at= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    --override | --override=) list='points= tangents= derivatives= curve= path= closed= merge= at= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
+    -S | --sweep | --sweep=) list='points= tangents= derivatives= curve= path= closed= merge= at= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     --offset-mode | --offset-mode=) list='raw joined trimmed' ;;
     --offset-join | --offset-join=) kind=nothing ;;
@@ -272,7 +277,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --at= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

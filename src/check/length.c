@@ -54,6 +54,37 @@ static void check_interval(struct ph_check *v, size_t i, double each) {
   check(v, where, interval->length, ph_sum_value(&sum), allowance);
 }
 
+/* Half the integral of r x r', with r from the first point; of the curve that
+ * was found, also where Bezier curves stand for it. */
+static void check_area(struct ph_check *v, double length) {
+  const struct ph_check_where where = ph_check_of("area", PH_CHECK_ONE, NULL);
+  const double size = v->scale.size;
+  double sum = 0, claimed = v->claim->area;
+  struct ph_check_segment s;
+  ph_vec3 origin;
+  if (isnan(claimed)) {
+    return;
+  }
+  if (!v->curve->closed || v->curve->dimension != 2) {
+    ph_check_wrong(v, PH_CHECK_LENGTH, where, "is of closed plane curves");
+    return;
+  }
+  ph_check_load(v, 0, &s);
+  origin = s.p[0];
+  for (size_t k = 0; k < v->curve->n; k++) {
+    ph_check_load(v, k, &s);
+    for (size_t i = 0; i < v->fixed.n; i++) {
+      const double u = v->fixed.node[i];
+      ph_vec3 first, r = ph_vec3_sub(ph_check_point(v, &s, u), origin);
+      ph_check_jet(&s, u, &first, 1);
+      sum += v->fixed.weight[i] / 2 * (r.x * first.y - r.y * first.x);
+    }
+  }
+  claimed = ph_check_scaled(v, ph_check_scaled(v, claimed));
+  ph_check_number(v, PH_CHECK_LENGTH, where, claimed, sum, size * size,
+                  (v->scale.rounding + ph_check_conversion(v)) * length);
+}
+
 void ph_check_lengths(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   struct ph_sum sum = {0, 0};
@@ -74,5 +105,8 @@ void ph_check_lengths(struct ph_check *v) {
         allowance + (v->data ? (double)v->data->n : 1) * miss);
   for (size_t i = 0; i < v->intervals_n; i++) {
     check_interval(v, i, each);
+  }
+  if (!v->error && v->curve == &v->claim->curve) {
+    check_area(v, ph_sum_value(&sum));
   }
 }

@@ -5,10 +5,12 @@
 #include "curve/bezier/cubics.h"
 #include "curve/bezier/nurbs.h"
 #include "curve/cross/cross.h"
+#include "curve/fair/enclosed.h"
 #include "curve/kind/kind.h"
 #include "curve/offset/loop.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 /* Default tolerance of paths of drawings, and default chord error of formats of
  * samples, relative to the size of the curve. */
@@ -132,6 +134,7 @@ static struct ph_sample_rules sample_rules(const struct ph_options *o,
 }
 
 static enum ph_status derive_offsets(const struct ph_options *o,
+                                     const struct ph_sample_rules *samples,
                                      double tolerance, struct ph_arena *arena,
                                      struct ph_result *r,
                                      struct ph_diag *diag) {
@@ -141,7 +144,7 @@ static enum ph_status derive_offsets(const struct ph_options *o,
   const size_t n = o->offsets_n * each;
   enum ph_status status = PH_OK;
   rules.tolerance = tolerance;
-  rules.samples = sample_rules(o, &r->curve);
+  rules.samples = *samples;
   if (n > 0 && rules.mode != PH_OFFSET_RAW) {
     status = prepare_loops(&r->curve, arena, &rules, diag);
   }
@@ -229,12 +232,107 @@ static enum ph_status derive_nurbs(double tolerance, struct ph_arena *arena,
   return status;
 }
 
+/* ---- given lengths ------------------------------------------------------- */
+
+/* A length may be beyond the curve's by what a sum of its parts is rounded. */
+static const double BEYOND = 1e-12;
+
+static int order(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* The lengths of the field at, from the start and increasing, each once. */
+static enum ph_status read_lengths(const struct ph_value *at,
+                                   const struct ph_curve *curve,
+                                   struct ph_arena *arena,
+                                   struct ph_sample_rules *rules,
+                                   struct ph_diag *diag) {
+  const bool one = at->kind == PH_NUMBER;
+  const size_t n = one ? 1 : at->n;
+  const double length = curve->length;
+  double *s = ph_arena_array(arena, n, sizeof *s);
+  size_t kept = 0;
+  if (!s) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; i < n; i++) {
+    const double given = one ? at->number : at->v[i];
+    if (!(fabs(given) <= length * (1 + BEYOND))) {
+      return ph_fail_at(diag, PH_E_BAD_VALUE, "at", i,
+                        "must be within the length of the curve, which is "
+                        "%.15g, or the same from its end, found %.15g",
+                        length, given);
+    }
+    s[i] = signbit(given) && fabs(given) > 0 ? fmax(length + given, 0)
+                                             : fmin(given, length);
+  }
+  qsort(s, n, sizeof *s, order);
+  for (size_t i = 0; i < n; i++) {
+    if (kept == 0 || s[i] > s[kept - 1]) {
+      s[kept++] = s[i];
+    }
+  }
+  rules->how = kept ? PH_SAMPLE_LENGTHS : PH_SAMPLE_NONE;
+  rules->n = kept;
+  rules->lengths = s;
+  return PH_OK;
+}
+
+/* The places of the curve at lengths, for its offsets. */
+static enum ph_status find_places(const struct ph_curve *curve,
+                                  const struct ph_sample_rules *rules,
+                                  struct ph_arena *arena,
+                                  struct ph_sample_rules *beside,
+                                  struct ph_diag *diag) {
+  struct ph_place *places = ph_arena_array(arena, rules->n, sizeof *places);
+  struct ph_samples samples;
+  enum ph_status status =
+      places ? ph_sample_curve(curve, rules, arena, &samples, diag)
+             : ph_fail_memory(diag);
+  for (size_t i = 0; status == PH_OK && i < rules->n; i++) {
+    const size_t k = samples.segment[i];
+    places[i].segment = k;
+    places[i].t = samples.t[i];
+    places[i].u = samples.t[i] / ph_curve_range(curve, k);
+  }
+  *beside = (struct ph_sample_rules){
+      .how = PH_SAMPLE_PLACES, .n = rules->n, .places = places};
+  return status;
+}
+
+/* Samples at given lengths, of offsets beside these. */
+static enum ph_status
+sample_lengths(const struct ph_options *o, const struct ph_value *at,
+               struct ph_arena *arena, const struct ph_curve *curve,
+               struct ph_sample_rules *rules, struct ph_sample_rules *beside,
+               struct ph_diag *diag) {
+  enum ph_status status;
+  if (o->samples.how) {
+    return ph_fail(diag, PH_E_BAD_VALUE, "at",
+                   "is one way to take samples, and --sample, --spacing and "
+                   "--chord-error are others");
+  }
+  if (o->offsets_n && o->offset.mode != PH_OFFSET_RAW) {
+    return ph_fail(diag, PH_E_BAD_VALUE, "at",
+                   "is of the curve and its raw offsets: loops begin anywhere");
+  }
+  *rules = o->samples;
+  status = read_lengths(at, curve, arena, rules, diag);
+  return status == PH_OK && rules->how && o->offsets_n
+             ? find_places(curve, rules, arena, beside, diag)
+             : status;
+}
+
 enum ph_status ph_derive(const struct ph_options *options,
+                         const struct ph_problem *problem,
                          struct ph_arena *arena, struct ph_result *result,
                          struct ph_derived *derived, struct ph_diag *diag) {
   const struct ph_options *o = options;
-  struct ph_sample_rules rules;
-  enum ph_status status;
+  const struct ph_value *at = &problem->field[PH_F_AT];
+  const struct ph_format_row *format = &ph_formats[o->format];
+  struct ph_sample_rules rules, beside;
+  enum ph_status status = PH_OK;
   double tolerance;
   derived->exact = result->curve;
   if (ph_kind_of(&result->curve)->parts != PH_SEGMENTS_PARTS) {
@@ -242,17 +340,25 @@ enum ph_status ph_derive(const struct ph_options *options,
   }
   tolerance = o->tolerance > 0 ? o->tolerance
                                : PH_TOLERANCE * ph_curve_size(&result->curve);
-  status = derive_offsets(o, tolerance, arena, result, diag);
-  if (status == PH_OK && ph_formats[o->format].is_cubics) {
+  status = ph_enclosed_area(&result->curve, arena, &result->area, diag);
+  rules = beside = sample_rules(o, &result->curve);
+  if (status == PH_OK && at->kind != PH_ABSENT && !format->is_cubics &&
+      !format->is_nurbs) {
+    status =
+        sample_lengths(o, at, arena, &result->curve, &rules, &beside, diag);
+  }
+  if (status == PH_OK) {
+    status = derive_offsets(o, &beside, tolerance, arena, result, diag);
+  }
+  if (status == PH_OK && format->is_cubics) {
     return derive_paths(o, arena, result, derived, diag);
   }
-  if (status == PH_OK && (o->nurbs || ph_formats[o->format].is_nurbs)) {
+  if (status == PH_OK && (o->nurbs || format->is_nurbs)) {
     status = derive_nurbs(tolerance, arena, result, diag);
   }
   if (status == PH_OK && o->convert) {
     status = convert_all(tolerance, arena, result, diag);
   }
-  rules = sample_rules(o, &result->curve);
   if (status == PH_OK && rules.how) { /* of the segments in the record */
     status =
         ph_sample_curve(&result->curve, &rules, arena, &result->samples, diag);

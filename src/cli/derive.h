@@ -20,9 +20,11 @@ struct ph_derived {
  * ph_derive: fills offsets and samples of a result, with warnings about cusps,
  * and replaces its curves.
  *
- * ret  PH_OK | what offsets, conversion and samples return
+ * ret  PH_OK | PH_E_BAD_VALUE (of the field at) | what offsets, conversion and
+ *      samples return
  */
 enum ph_status ph_derive(const struct ph_options *options,
+                         const struct ph_problem *problem,
                          struct ph_arena *arena, struct ph_result *result,
                          struct ph_derived *derived, struct ph_diag *diag);
 

@@ -246,6 +246,15 @@ static enum ph_space space_of(const struct ph_options *o) {
                        o->command->method->dimension);
 }
 
+/* Whether samples are asked for: by an option, or the field at. */
+static bool has_samples(const struct ph_options *o) {
+  bool has = o->samples.how != PH_SAMPLE_NONE || o->grid.along > 0;
+  for (size_t i = 0; i < o->assignments_n; i++) {
+    has = has || o->assignments[i].field == PH_F_AT;
+  }
+  return has;
+}
+
 /* Tables and formats that are of surfaces, or of curves. */
 static enum ph_status check_printed(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
@@ -282,13 +291,12 @@ static enum ph_status check_printed(struct ph_option_parser *p) {
                    "--format=%s is of surfaces, %s makes curves",
                    ph_format_name(o->format), o->command->schema->command);
   }
-  if (o->table == PH_TABLE_SAMPLES && o->samples.how == PH_SAMPLE_NONE &&
-      !o->grid.along) {
+  if (o->table == PH_TABLE_SAMPLES && !has_samples(o)) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
                    surface || patches
                        ? "--table=samples needs --sample"
-                       : "--table=samples needs --sample, --spacing or "
-                         "--chord-error");
+                       : "--table=samples needs --sample, --spacing, "
+                         "--chord-error or --at");
   }
   return PH_OK;
 }
@@ -319,9 +327,9 @@ static enum ph_status check_offsets(struct ph_option_parser *p) {
 /* Frames of samples. */
 static enum ph_status check_frame(struct ph_option_parser *p) {
   const struct ph_options *o = p->options;
-  if (o->samples.frame && o->samples.how == PH_SAMPLE_NONE) {
+  if (o->samples.frame && !has_samples(o)) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
-                   "--frame needs --sample, --spacing or --chord-error");
+                   "--frame needs --sample, --spacing, --chord-error or --at");
   }
   if (o->samples.frame && ph_formats[o->format].is_lines) {
     return ph_fail(p->diag, PH_E_USAGE, NULL, "--format=%s has no frames",

@@ -244,7 +244,7 @@ static enum ph_status solve(struct task *t) {
     advise(t);
   }
   if (status == PH_OK) {
-    status = ph_derive(t->options, &worker->arena, &t->result, &t->derived,
+    status = ph_derive(t->options, &t->problem, &worker->arena, &t->result, &t->derived,
                        &t->diag);
   }
   if (status == PH_OK) {

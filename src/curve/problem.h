@@ -75,7 +75,8 @@
   X(CONTINUITY, "continuity")             \
   X(DEGREE, "degree")                     \
   X(SUBDIVIDE, "subdivide")               \
-  X(BOUNDARY, "boundary")
+  X(BOUNDARY, "boundary")                 \
+  X(AT, "at")
 
 enum ph_field_id {
 #define X(symbol, name) PH_F_##symbol,

@@ -57,6 +57,8 @@ static const struct ph_member result[] = {
      "them"},
     {"length", TOLD, ANY, AS("", number), AT(ph_result, curve.length),
      "the arc length of the curve"},
+    {"area", MAY, FLAT, AS("", number), AT(ph_result, area),
+     "inside of a closed curve in the plane, positive to the left of travel"},
     {"offsets", MAY, ANY, AS("[+]", offset),
      LIST(ph_result, offsets, offsets_n),
      "one for each distance, in space four"},

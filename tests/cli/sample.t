@@ -279,5 +279,70 @@ refused many
 refused nan
 refused ''
 run planar -f csv --table=samples /dev/null
-expect '--table=samples alone' 2 "phspline: --table=samples needs --sample, --spacing or --chord-error
+expect '--table=samples alone' 2 "phspline: --table=samples needs --sample, --spacing, --chord-error or --at
 Try 'phspline planar --help'."
+
+# ---- at given lengths -----------------------------------------------------------
+
+feed "{$bend}" planar --at=2,-0.5,0,1e0,2
+expect 'at lengths' 0
+all=$(get length)
+equal 'at lengths: these, in order, each once' '[0,1,2] true' \
+  "$(jq -c '[.samples[:3][].s]' out) $(jq '.length - .samples[3].s == 0.5' out)"
+cp out at.json
+true_that 'at lengths: verify' "$PHSPLINE" verify --tolerance=1e-12 at.json
+"$PHSPLINE" planar --spacing=1 in | jq -c '.samples[:3]' >spaced
+jq -c '.samples[:3]' at.json >at
+equal_files 'at lengths: as at the same spacing' spaced at
+feed "{$bend,\"at\":-1}" planar --offset=0.2,-0.2 -q --sample=1
+expect 'two ways' 1 'phspline: -:1: record 1: at: is one way to take samples, and --sample, --spacing and --chord-error are others [bad-value]'
+feed "{$bend,\"at\":-1}" planar --offset=0.2,-0.2
+equal 'offsets beside the places of the curve' 'true' "$(jq '
+  [.samples[0], .offsets[].samples[0]] | map([.segment, .t]) | unique | length == 1' out)"
+equal 'offsets at the distance' '0.2 0.2' "$(jq -r '.samples[0].point as [$x, $y] |
+  .offsets[].samples[0].point | (.[0] - $x) as $u | (.[1] - $y) as $v |
+  $u * $u + $v * $v | sqrt | . * 1e12 | round / 1e12' out | tr '\n' ' ' |
+  sed 's/ $//')"
+true_that 'offsets: verify' "$PHSPLINE" verify --tolerance=1e-12 out
+feed "{$bend}" planar -q --at=1,-100
+expect 'beyond the end' 1 "phspline: -:1: record 1: at[1]: must be within the \
+length of the curve, which is $all, or the same from its end, found -100 \
+[bad-value]"
+feed "{$bend}" planar -q --at=1 --offset=1 --offset-mode=trimmed
+expect 'of loops' 1 'phspline: -:1: record 1: at: is of the curve and its raw offsets: loops begin anywhere [bad-value]'
+feed "{$bend}" planar --at="0,$all" --table=samples
+equal 'both ends' '0 0 1' "$(awk -F, 'NR > 1 { print $3 } NR == 2 { print $4 }' out |
+  sort -n | tr '\n' ' ' | sed 's/ $//')"
+feed '{"lonlat":[[0,0],[40,10],[80,-20]],"radius":6371}' sphere --at=1000,-1000 \
+  --frame=rmf
+equal 'on a sphere' 'true' "$(jq '.length as $l | [.samples[].s] | map(. * 1e6 |
+  round) == [1e9, (($l - 1000) * 1e6 | round)]' out)"
+true_that 'on a sphere: verify' "$PHSPLINE" verify out
+
+# ---- the area --------------------------------------------------------------------
+
+# area NAME WANTED COMMAND PROBLEM ARGUMENT...
+area() {
+  name=$1
+  wanted=$2
+  command=$3
+  printf '%s\n' "$4" >in
+  shift 4
+  "$PHSPLINE" "$command" -q "$@" in >out
+  equal "$name" "$wanted" "$(jq -c '.area | if . then . * 1e6 | round / 1e6 else . end' out)"
+  true_that "$name: verify" "$PHSPLINE" verify --tolerance=1e-13 out
+}
+
+ring='"points":[[3,0],[0,3],[-3,0],[0,-3]],"closed":true'
+area 'inside of a curve' 28.124198 planar "{$ring}"
+area 'the other way' -28.124198 planar \
+  '{"points":[[0,-3],[-3,0],[0,3],[3,0]],"closed":true}'
+area 'far from the origin' 28.124198 planar \
+  '{"points":[[1000003,0],[1000000,3],[999997,0],[1000000,-3]],"closed":true}'
+area 'of an open curve' null planar "{$bend}"
+area 'of a circle' "$(awk 'BEGIN { printf "%.6f", 9 * atan2(0, -1) }')" planar \
+  "{$ring,\"basis\":\"atph\",\"alpha\":0.7853981633974483}"
+area 'of trigonometric curves as Bezier curves' 28.274334 planar \
+  "{$ring,\"basis\":\"atph\",\"alpha\":0.7853981633974483}" --convert=bezier
+area 'of a polygon' 8 tc \
+  '{"closed":true,"tolerance":0.01,"curve":[[[0,0],[4,0]],[[4,0],[4,2]],[[4,2],[0,2]],[[0,2],[0,0]]]}'

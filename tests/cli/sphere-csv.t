@@ -228,7 +228,7 @@ expect '--convert' 2 "phspline: --convert: the curves of sphere are no Bezier \
 curves
 Try 'phspline sphere --help'."
 run sphere -f csv --table=samples problem.json
-expect '--table=samples alone' 2 "phspline: --table=samples needs --sample, --spacing or --chord-error
+expect '--table=samples alone' 2 "phspline: --table=samples needs --sample, --spacing, --chord-error or --at
 Try 'phspline sphere --help'."
 run sphere --shape=wran problem.json
 expect '--shape=wran' 2 "phspline: --shape: shape must be true, false or \

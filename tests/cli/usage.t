@@ -74,14 +74,14 @@ are to the curve" -f svg-path "$sampling"
 done
 usage '--format=svg-path is of cubics; --convert does nothing there' \
   -f svg-path --convert=bezier
-usage '--table=samples needs --sample, --spacing or --chord-error' \
+usage '--table=samples needs --sample, --spacing, --chord-error or --at' \
   --table=samples
 usage '--pretty needs --format=json' --pretty --table=lengths
 usage '--sample, --spacing and --chord-error are alternatives' \
   --sample=3 --spacing=1
 usage '--sample, --spacing and --chord-error are alternatives' \
   --chord-error=1 --spacing=1
-usage '--frame needs --sample, --spacing or --chord-error' --frame=rmf
+usage '--frame needs --sample, --spacing, --chord-error or --at' --frame=rmf
 usage '--frame: the curves of planar are in the plane, where the normal is '\
 '(-ty,tx)' --frame=erf --sample=3
 usage "--frame must be frenet|erf|rmf, found 'RMF'; did you mean \"rmf\"?" \

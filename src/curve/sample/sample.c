@@ -85,7 +85,8 @@ struct walk {
   size_t cusp, gap; /* the next ones of the offset */
   size_t first;     /* sample of the connected part */
   bool begins;      /* the segment begins it */
-  size_t step;      /* the next place is at so many times the spacing */
+  size_t step;      /* the next place is at so many times the spacing, or the
+                       one of this index */
   struct ph_samples *samples;
   size_t most, room;
   struct ph_sum start; /* length before the segment */
@@ -289,6 +290,38 @@ static enum ph_status by_chords(struct walk *walk) {
   return status;
 }
 
+/* A length that is all but at a joint is there. */
+static enum ph_status by_lengths(struct walk *walk) {
+  const struct ph_sampler *sampler = &walk->sampler;
+  const struct ph_sample_rules *rules = walk->rules;
+  const bool last = sampler->k + 1 == sampler->n;
+  struct ph_sum after = walk->start;
+  struct ph_inversion past = {.n = 0};
+  double before;
+  ph_sum_add(&after, sampler->length);
+  before = ph_sum_value(&after) * (1 - AT_JOINT);
+  for (; walk->step < rules->n && (last || rules->lengths[walk->step] < before);
+       walk->step++) {
+    const double s = rules->lengths[walk->step];
+    const double local = (s - walk->start.high) - walk->start.low;
+    put(walk,
+        s < before
+            ? ph_inversion_next(&past, sampler, local > 0 ? local : 0, NULL)
+            : 1,
+        s);
+  }
+  return PH_OK;
+}
+
+static enum ph_status by_places(struct walk *walk) {
+  const struct ph_sample_rules *rules = walk->rules;
+  while (walk->step < rules->n &&
+         rules->places[walk->step].segment == walk->sampler.k) {
+    put_at(walk, rules->places[walk->step++].u);
+  }
+  return PH_OK;
+}
+
 /* The end of a part, instead of places that are all but there. */
 static void end(struct walk *walk) {
   const double spacing = walk->rules->spacing;
@@ -328,9 +361,9 @@ static bool ends(const struct walk *walk) {
 }
 
 static enum ph_status (*const places[])(struct walk *) = {
-    [PH_SAMPLE_PARAMETER] = by_parameter,
-    [PH_SAMPLE_SPACING] = by_spacing,
-    [PH_SAMPLE_CHORD] = by_chords,
+    [PH_SAMPLE_PARAMETER] = by_parameter, [PH_SAMPLE_SPACING] = by_spacing,
+    [PH_SAMPLE_CHORD] = by_chords,        [PH_SAMPLE_LENGTHS] = by_lengths,
+    [PH_SAMPLE_PLACES] = by_places,
 };
 
 static enum ph_status go(struct walk *walk) {
@@ -339,6 +372,8 @@ static enum ph_status go(struct walk *walk) {
   enum ph_status status =
       rules->how == PH_SAMPLE_PARAMETER
           ? reserve(walk, (double)walk->sampler.n * ((double)rules->n + 1), 0)
+      : rules->how == PH_SAMPLE_LENGTHS || rules->how == PH_SAMPLE_PLACES
+          ? reserve(walk, (double)rules->n, 0)
       : rules->how == PH_SAMPLE_SPACING && !walk->sampler.offset
           ? reserve(walk, curve->length / rules->spacing + 4, 0)
           : PH_OK;

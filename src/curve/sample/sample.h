@@ -120,15 +120,20 @@ enum ph_sampling {
   PH_SAMPLE_NONE,
   PH_SAMPLE_PARAMETER, /* n + 1 a segment, equally spaced in its parameter */
   PH_SAMPLE_SPACING,   /* equally spaced by arc length along the curve */
-  PH_SAMPLE_CHORD      /* so that chords are near the curve */
+  PH_SAMPLE_CHORD,     /* so that chords are near the curve */
+  PH_SAMPLE_LENGTHS,   /* at given arc lengths */
+  PH_SAMPLE_PLACES     /* at given places of the curve */
 };
 
 /* Where samples are taken, and with which frame. */
 struct ph_sample_rules {
   enum ph_sampling how;
-  size_t n;            /* PH_SAMPLE_PARAMETER: > 0 */
-  double spacing;      /* PH_SAMPLE_SPACING: > 0, in the unit of the data */
-  double chord_error;  /* PH_SAMPLE_CHORD: > 0, in the unit of the data */
+  size_t n;              /* PH_SAMPLE_PARAMETER: > 0; of the arrays below */
+  double spacing;        /* PH_SAMPLE_SPACING: > 0, in the unit of the data */
+  double chord_error;    /* PH_SAMPLE_CHORD: > 0, in the unit of the data */
+  const double *lengths; /* PH_SAMPLE_LENGTHS: [n] increasing, within
+                            those of the curve but for rounding */
+  const struct ph_place *places; /* PH_SAMPLE_PLACES: [n] in order */
   enum ph_frame frame; /* of curves in space and, but for erf, on a sphere */
   size_t most;         /* of one curve; 0: PH_SAMPLES_MAX */
 };
@@ -148,6 +153,7 @@ struct ph_sample_rules {
  * PH_SAMPLE_CHORD: at both ends of every segment and so many between that no
  *   chord leaves the curve by more than chord_error; a joint is there once, as
  *   the end of the first segment.
+ * PH_SAMPLE_LENGTHS, PH_SAMPLE_PLACES: there, and nowhere else.
  *
  * Frames: normal and binormal make a right-handed frame with the tangent.
  *   frenet  the principal normal

@@ -327,6 +327,7 @@ static const struct ph_field fields[] = {
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve through points, a repeated last one is dropped"},
     PH_FIELD_MERGE,
+    PH_FIELD_AT,
     {PH_F_LENGTHS, PH_NUMBER | PH_NUMBERS | PH_SEGMENTS, 0, false, NULL,
      "free, of points",
      "arc lengths from datum to datum, one for all or one each"},

@@ -16,6 +16,13 @@
         "join consecutive points nearer than this"    \
   }
 
+/* PH_FIELD_AT: the row of a method that makes curves. */
+#define PH_FIELD_AT                                               \
+  {                                                               \
+    PH_F_AT, PH_NUMBER | PH_NUMBERS, 0, false, NULL, "none",      \
+        "add samples at these arc lengths, below 0: from the end" \
+  }
+
 /* ph_fields_largest: the largest |v[i]| of n numbers. */
 double ph_fields_largest(const double *v, size_t n);
 

@@ -365,6 +365,7 @@ static const struct ph_field fields[] = {
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
     PH_FIELD_MERGE,
+    PH_FIELD_AT,
     {PH_F_BASIS, PH_WORD, 0, false, "ph|atph", "ph",
      "PH quintic segments, polynomial, or algebraic-trigonometric ones"},
     {PH_F_KNOTS, PH_WORD | PH_NUMBERS | PH_DATUM, 0, false,

@@ -410,6 +410,7 @@ static const struct ph_field fields[] = {
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
     PH_FIELD_MERGE,
+    PH_FIELD_AT,
     {PH_F_TANGENTS, PH_VECTORS | PH_DATUM, 1u << 2 | 1u << 3, false, NULL,
      "from the points", "a direction for each point"},
     {PH_F_DERIVATIVES, PH_VECTORS | PH_DATUM, 1u << 2 | 1u << 3, false, NULL,

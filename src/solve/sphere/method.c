@@ -269,6 +269,7 @@ static const struct ph_field fields[] = {
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
     PH_FIELD_MERGE,
+    PH_FIELD_AT,
     {PH_F_CENTER, PH_NUMBERS, 0, false, NULL, "[0,0,0]",
      "the center of the sphere"},
     {PH_F_RADIUS, PH_NUMBER, 0, false, NULL, "1", "the radius of the sphere"},

@@ -118,6 +118,7 @@ static const struct ph_field fields[] = {
     {PH_F_CLOSED, PH_BOOL, 0, false, NULL, "false",
      "close the curve, a repeated last point is dropped"},
     PH_FIELD_MERGE,
+    PH_FIELD_AT,
     {PH_F_MODE, PH_WORD, 0, false,
      "g1|g1-pair|g1-auto|g1-fair|c1|spline|g2|approximate",
      "approximate, g1-fair, c1 or spline, by what is given",

@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The area inside of a curve (see enclosed.h). */
+#include "curve/fair/enclosed.h"
+
+#include "base/sum.h"
+#include "curve/kind/kind.h"
+#include "kernel/quad.h"
+
+enum { NODES = 20, DEGREE_MAX = 5 };
+
+static double binomial(size_t n, size_t k) {
+  double b = 1;
+  for (size_t i = 1; i <= k; i++) {
+    b = b * (double)(n + 1 - i) / (double)i;
+  }
+  return b;
+}
+
+static double cross(const double *o, const double *p, const double *a,
+                    const double *b) {
+  return (p[0] - o[0]) * (b[1] - a[1]) - (p[1] - o[1]) * (b[0] - a[0]);
+}
+
+static void add_beziers(const struct ph_curve *curve, struct ph_sum *sum) {
+  const size_t n = curve->degree;
+  const double *origin = curve->control_points;
+  double weight[DEGREE_MAX + 1][DEGREE_MAX];
+  for (size_t i = 0; i <= n; i++) {
+    for (size_t j = 0; j < n; j++) {
+      weight[i][j] =
+          binomial(n, i) * binomial(n - 1, j) / binomial(2 * n - 1, i + j) / 4;
+    }
+  }
+  for (size_t k = 0; k < curve->n; k++) {
+    const double *p = ph_curve_points(curve, k);
+    double part = 0;
+    for (size_t i = 0; i <= n; i++) {
+      for (size_t j = 0; j < n; j++) {
+        part +=
+            weight[i][j] * cross(origin, p + 2 * i, p + 2 * j, p + 2 * j + 2);
+      }
+    }
+    ph_sum_add(sum, part);
+  }
+}
+
+static enum ph_status add_others(const struct ph_curve *curve,
+                                 struct ph_arena *arena, struct ph_sum *sum,
+                                 struct ph_diag *diag) {
+  const double *origin = curve->control_points;
+  struct ph_sampler sampler;
+  struct ph_quad rule;
+  enum ph_status status = ph_sampler_begin(&sampler, curve, NULL, arena, diag);
+  if (status == PH_OK && !ph_quad_gauss(&rule, NODES)) {
+    status = ph_fail_memory(diag);
+  }
+  for (size_t k = 0; status == PH_OK && k < curve->n; k++) {
+    status = ph_sampler_enter(&sampler, k, diag);
+    for (size_t i = 0; status == PH_OK && i < rule.n; i++) {
+      const struct ph_sample s = ph_sampler_at(&sampler, rule.node[i]);
+      double speed;
+      (void)ph_sampler_length(&sampler, rule.node[i], &speed);
+      ph_sum_add(sum, rule.weight[i] * speed / 2 *
+                          ((s.point.x - origin[0]) * s.tangent.y -
+                           (s.point.y - origin[1]) * s.tangent.x));
+    }
+  }
+  return status;
+}
+
+enum ph_status ph_enclosed_area(const struct ph_curve *curve,
+                                struct ph_arena *arena, double *area,
+                                struct ph_diag *diag) {
+  const struct ph_kind *kind = ph_kind_of(curve);
+  struct ph_sum sum = {0, 0};
+  enum ph_status status = PH_OK;
+  *area = (double)NAN;
+  if (!curve->closed || ph_kind_space(kind, curve->dimension) != PH_PLANE) {
+    return PH_OK;
+  }
+  if (kind->bernstein) {
+    add_beziers(curve, &sum);
+  } else {
+    status = add_others(curve, arena, &sum, diag);
+  }
+  *area = ph_sum_value(&sum);
+  return status;
+}
