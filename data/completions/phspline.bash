@@ -354,6 +354,8 @@ _phspline() {
     -S | --sweep | --sweep=) list='points= faces= normals= continuity= degree= tolerance= subdivide= boundary=' ;;
     -d | --offset | --offset=) kind=nothing ;;
     -n | --sample | --sample=) kind=nothing ;;
+    -p | --plot | --plot=) kind=files ;;
+    --plot-size | --plot-size=) kind=nothing ;;
     -j | --jobs | --jobs=) kind=nothing ;;
     --max-samples | --max-samples=) kind=nothing ;;
     --max-memory | --max-memory=) kind=nothing ;;
@@ -362,7 +364,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --subdivide= --boundary= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --subdivide= --boundary= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -367,6 +367,8 @@ complete -c phspline -n '__fish_seen_subcommand_from bubble' -s S -l sweep -x -a
 complete -c phspline -n '__fish_seen_subcommand_from bubble' -s d -l offset -x -d 'add parallel surfaces at these distances along the normals'
 complete -c phspline -n '__fish_seen_subcommand_from bubble' -s n -l sample -x -d 'add samples, or of a mesh the tiles: N by N steps of each patch'
 complete -c phspline -n '__fish_seen_subcommand_from bubble' -l edges -d 'add the edges of the mesh, with what the patches on both sides differ by'
+complete -c phspline -n '__fish_seen_subcommand_from bubble' -s p -l plot -r -F -d 'draw data, results, offsets and curvature of the whole run: FILE.svg, FILE.pdf or FILE.png'
+complete -c phspline -n '__fish_seen_subcommand_from bubble' -l plot-size -x -d 'size of the figure, in pixels (.png) or points of 1/72 inch'
 complete -c phspline -n '__fish_seen_subcommand_from bubble' -s j -l jobs -x -d 'worker threads (default: the processors); for every N the results are the same, in the same order'
 complete -c phspline -n '__fish_seen_subcommand_from bubble' -l max-samples -x -d 'the most samples that a curve may have (default: 10000000)'
 complete -c phspline -n '__fish_seen_subcommand_from bubble' -l max-memory -x -d 'the most memory that a record may take: a number, or one with K, M or G (default: a quarter of the machine'\''s)'

@@ -122,7 +122,9 @@ const struct ph_command ph_commands[] = {
      "phspline bubble --degree=exact --format=stl --sample=16 mesh.json "
      "-o mesh.stl\tA fine mesh of the exact surface\n"
      "phspline bubble --sample=4 --table=samples mesh.json\t"
-     "Points with normals and curvatures\n"},
+     "Points with normals and curvatures\n"
+     "phspline bubble -S continuity=0,1,2 -p mesh.png mesh.json "
+     "-o mesh.jsonl\tA figure that compares three surfaces by isophotes\n"},
     {&ph_verify_schema, "checks of results, from their control points alone",
      PH_USE_VERIFY, ph_verify_work,
      .examples =

@@ -108,10 +108,10 @@
     "add samples such that no chord leaves the curve by more than E")          \
   X(FRAME, CURVE, 0, "frame", PH_WORDS(PH_FRAMES),                             \
     "add normal and binormal to samples of curves in space")                   \
-  X(PLOT, DRAW, 'p', "plot", "FILE",                                           \
+  X(PLOT, SOLVE, 'p', "plot", "FILE",                                          \
     "draw data, results, offsets and curvature of the whole run: FILE.svg, "   \
     "FILE.pdf or FILE.png")                                                    \
-  X(PLOT_SIZE, DRAW, 0, "plot-size", "WIDTHxHEIGHT",                           \
+  X(PLOT_SIZE, SOLVE, 0, "plot-size", "WIDTHxHEIGHT",                          \
     "size of the figure, in pixels (.png) or points of 1/72 inch")             \
   X(VOLUME_OF, VERIFY, 0, "volume", "FILE.nrrd",                               \
     "the volume of the panoramas of results, to check these as well")          \

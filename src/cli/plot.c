@@ -4,6 +4,7 @@
 #include "cli/plot.h"
 
 #include "base/suggest.h"
+#include "curve/kind/kind.h"
 #include "io/number.h"
 #include "plot/figure.h"
 
@@ -150,7 +151,9 @@ enum ph_status ph_plot_draw(const struct ph_plot_subject *subject,
       return ph_fail_memory(diag);
     }
   }
-  return ph_drawing_make(problem, result, &names, drawing, diag);
+  return ph_kind_of(&result->curve)->parts == PH_PATCHES_PARTS
+             ? ph_quilt_drawing(result, &names, drawing, diag)
+             : ph_drawing_make(problem, result, &names, drawing, diag);
 }
 
 /* Whether there is room for one more; counts it if so. */

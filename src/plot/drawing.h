@@ -13,6 +13,7 @@
 #include "curve/problem.h"
 #include "curve/result.h"
 #include "kernel/vec3.h"
+#include "plot/quilt.h"
 #include "plot/sheet.h"
 
 /*
@@ -78,6 +79,7 @@ struct ph_drawing {
   struct ph_sheet *sheets; /* [sheets_n] of a surface: itself, then those that
                               are parallel to it; and no strokes and data */
   size_t sheets_n;
+  const struct ph_quilt *quilt; /* of a surface of patches; and nothing else */
   double length;
   size_t places; /* points of strokes and places of profiles, all together */
 };

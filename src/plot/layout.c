@@ -94,7 +94,7 @@ enum ph_status ph_layout_make(const struct ph_panel *panels, size_t n,
   em = sizes[i].em;
   width = sizes[i].width;
   for (size_t k = 0; k < n; k++) {
-    if (panels[k].drawings[0]->space == PH_SURFACE) {
+    if (panels[k].drawings[0]->space >= PH_SURFACE) {
       width = sizes[i].width * WIDE;
     }
   }

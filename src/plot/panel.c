@@ -90,7 +90,7 @@ static void find_views(struct ph_panel *panel) {
     panel->views[0] = ph_solid_view(panel);
     panel->views_n = 1;
     break;
-  case PH_PATCHWORK: /* has no figures */
+  case PH_PATCHWORK: /* plot/quilt.c has them */
     break;
   }
 }
@@ -145,7 +145,9 @@ enum ph_status ph_panel_make(const struct ph_drawing *const *drawings, size_t n,
   if (!(panel->length > 0)) {
     panel->length = panel->unit.size;
   }
-  panel->profiles_n = has_torsion(panel) ? 2 : 1;
+  panel->profiles_n = drawings[0]->space == PH_PATCHWORK ? 0
+                      : has_torsion(panel)               ? 2
+                                                         : 1;
   for (size_t i = 0; status == PH_OK && i < panel->profiles_n; i++) {
     status = ph_profile_range(drawings, n, (enum ph_profile_of)i, panel->length,
                               scratch, &panel->ranges[i], diag);

@@ -87,6 +87,8 @@ static double views_height(const struct ph_panel *panel, double width,
     return fmin(fmax(0.5 * inner * flat_aspect(panel), 0.36 * width),
                 0.75 * width) +
            ph_axes_below(em);
+  case PH_PATCHWORK:
+    return (double)ph_quilt_rows(panel) * (0.34 * width + CAPTION * em);
   default:
     return panel->views_n == 2 ? 0.5 * width + CAPTION * em
                                : 0.8 * width + CAPTION * em;
@@ -498,13 +500,20 @@ void ph_panel_draw(const struct ph_panel *panel, struct ph_page *page,
                    const struct ph_rect *cell, double em) {
   struct ph_rect body = *cell;
   struct place place;
-  double legend = ph_legend_width(panel, page, em, 0.3 * cell->w);
+  const bool patches = panel->drawings[0]->space == PH_PATCHWORK;
+  double legend = patches ? 0 : ph_legend_width(panel, page, em, 0.3 * cell->w);
   draw_title(panel, page, &body, em);
   if (legend > 0) {
     struct ph_rect at = {body.x + body.w - legend - 0.5 * em, body.y + TOP * em,
                          legend, 0.6 * body.h};
     ph_legend_draw(panel, page, &at, em);
     body.w -= legend + (LEGEND_GAP - RIGHT + 0.5) * em;
+  }
+  if (patches) {
+    body.y += TOP * em;
+    body.h -= TOP * em;
+    ph_quilt_draw(panel, page, &body, em);
+    return;
   }
   place = place_in(panel, page, &body, em);
   switch (panel->drawings[0]->space) {

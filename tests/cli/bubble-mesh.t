@@ -197,6 +197,26 @@ run bubble --format=stl other.json
 expect 'stl: beyond its numbers' 1 'phspline: other.json:1: record cube: points: are beyond the numbers of --format=stl, or the triangles are too many [bad-value]
 phspline: 1 of 1 records failed' ''
 
+# ---- figures -------------------------------------------------------------------
+
+if "$PHSPLINE" planar -p x.svg nosuch.json 2>&1 | grep -q 'without cairo'; then
+  echo 'skip figures: no cairo'
+else
+  for jobs in 1 3; do
+    run bubble -j $jobs -S continuity=0,1,2 -p $jobs.svg cube.json
+    expect "a figure, $jobs jobs" 0
+  done
+  equal_files 'a figure is the same' 1.svg 3.svg
+  # 24 steps on 4 sides of 6 patches, of 3 surfaces
+  equal 'borders of patches' $((24 * 4 * 6 * 3)) \
+    "$(tr -d ' ' <1.svg | grep -o 'rgb(22%,24%,28%)' | wc -l | tr -d ' ')"
+  true_that 'shades and bands are of many colours' test 500 -lt \
+    "$(grep -oE 'rgb\([^)]*\)' 1.svg | sort -u | wc -l)"
+  run bubble --degree=exact -p one.png torus.json
+  expect 'a PNG' 0
+  true_that 'a PNG' test -s one.png
+fi
+
 # ---- what is refused -----------------------------------------------------------
 
 run bubble --offset=0.1 --sample=2 --continuity=0 cube.json
