@@ -3,6 +3,7 @@
 #include "check/segment.h"
 
 #include "check/kind.h"
+#include "check/local.h"
 #include "kernel/pi.h"
 
 /* Lengths, relative. */
@@ -313,11 +314,29 @@ static void speed_at(const void *context, double u, double *value) {
   *value = ph_vec3_abs(first);
 }
 
+/* By so many times that it is uncertain |r'| need not be found better (of which
+ * a tenth counts, check/integral.c): values between control points that are
+ * nearly antipodal are rounded up to a hundred times as much. */
+static const double FOUND = 4096;
+
+static void uncertain_speed_at(const void *context, double u, double *value) {
+  struct ph_check_local local = ph_check_local_at(context, u);
+  value[0] = local.speed;
+  value[1] = FOUND * local.speed_error;
+}
+
 double ph_check_length_of(const struct ph_check *v,
                           const struct ph_check_segment *s, double from,
                           double to) {
   const struct ph_check_integrands of = {speed_at, s, 1, 0, s->noise, LENGTH};
-  double length;
+  const struct ph_check_path path = {.v = v, .s = s};
+  const struct ph_check_integrands uncertain = {uncertain_speed_at, &path, 2, 1,
+                                                s->noise,           LENGTH};
+  double length, sum[2];
   ph_check_integral(&v->rule, &of, from, to, &length);
+  if (isnan(length)) { /* it may be known to less in some places */
+    ph_check_integral(&v->rule, &uncertain, from, to, sum);
+    length = sum[0];
+  }
   return length;
 }

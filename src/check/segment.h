@@ -111,7 +111,8 @@ static inline double ph_check_uncertain(const struct ph_check_segment *s,
 
 /*
  * ph_check_length_of: the length of the part [from,to] of a segment, by
- * adaptive quadrature to 1e-13 relative and what r' is uncertain by.
+ * adaptive quadrature to 1e-13 relative and what r' is uncertain by, where that
+ * does not do in each place.
  *
  * ret  NaN where that is not reached
  */

@@ -382,6 +382,18 @@ echo '{"points":[[0,0,0],[0,3e-102,1e-102]],"angles":[[-1.1,-1.9]]}' >tiny
 made spatial-hermite --offset=2 --chord-error=0.06 <tiny
 verified 'an offset much farther than the curve is long' 1 --problems=tiny
 
+# a length between control points that are nearly antipodal is found to less
+cat >wide <<'EOF'
+{"points":[[1,0,0],[1,0.00002,0],[-0.91,0.412,0.0434],[-0.91,0.412,0.04335]],
+"closed":true,"model":"nielson"}
+EOF
+made sphere <wide
+verified 'a sphere, a length between nearly antipodal points' 1 --problems=wide
+sed 's/"length":2.7971938/"length":2.7971939/' r >wrong.json
+run verify -q --problems=wide wrong.json
+equal 'a sphere, another such length' '"segments[3].length" 1' \
+  "$(jq -c .error.field out) $status"
+
 # data nearer to one another than pieces of the curve are to them
 echo '{"points":[[0,0,0],[-8.3694e-193,-3.1797e-193,-8.0807e-193],
 [-8.3694e-193,-3.1797e-193,-8.08071e-193],[0,0,0]],"basis":"atph",
