@@ -289,7 +289,7 @@ enum ph_status ph_check_tc_g2(struct ph_check *v,
 /* Whether the record, or the problem that it solves, promises it. */
 static bool is_promised(const struct ph_check *v) {
   return ph_check_known(v, PH_D_G2_ERROR) ||
-         (v->problem && ph_check_is_word(v, PH_F_MODE, "g2"));
+         (v->problem && ph_tc_wanted_mode_of(v->problem) == PH_TC_WANTED_G2);
 }
 
 /* Between two segments of a record, the second being k.  ret the jump, where

@@ -27,11 +27,19 @@ static double number(const struct ph_problem *p, enum ph_field_id id) {
   return has(p, id) ? p->field[id].number : (double)NAN;
 }
 
+/* Whether points alone are to have a spline whose curvature may jump. */
+static bool is_spline(const struct ph_problem *p) {
+  return has(p, PH_F_LAMBDA) || has(p, PH_F_END_DERIVATIVES) ||
+         has(p, PH_F_SOLUTIONS) || is(p, PH_F_ENDS, "chord");
+}
+
 enum ph_tc_wanted_mode ph_tc_wanted_mode_of(const struct ph_problem *p) {
   if (!has(p, PH_F_MODE)) {
-    return has(p, PH_F_CURVE)      ? PH_TC_WANTED_APPROXIMATE
-           : has(p, PH_F_TANGENTS) ? PH_TC_WANTED_EITHER
-                                   : PH_TC_WANTED_TWO;
+    return has(p, PH_F_CURVE)         ? PH_TC_WANTED_APPROXIMATE
+           : has(p, PH_F_TANGENTS)    ? PH_TC_WANTED_EITHER
+           : has(p, PH_F_DERIVATIVES) ? PH_TC_WANTED_TWO
+           : is_spline(p)             ? PH_TC_WANTED_TWO
+                                      : PH_TC_WANTED_G2;
   }
   return is(p, PH_F_MODE, "approximate") ? PH_TC_WANTED_APPROXIMATE
          : is(p, PH_F_MODE, "g2")        ? PH_TC_WANTED_G2

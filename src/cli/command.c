@@ -83,8 +83,8 @@ const struct ph_command ph_commands[] = {
      "--plot-size=1200x900 track.csv -o track.json\t"
      "The globe with track and corridor\n"},
     {PH_SOLVES_BY(ph_method_tc, CURVE), ph_describe_cubics,
-     "printf '0,0\\n2,1\\n3,0\\n5,2\\n' | phspline tc\t"
-     "A spline of two cubics for each two points, as JSON\n"
+     "printf '0,0\\n2,1\\n3,3\\n2,5\\n' | phspline tc\t"
+     "A spline with continuous curvature, as JSON\n"
      "phspline tc --columns=x,y,tx,ty --mode=g1-fair -f csv outline.csv\t"
      "Points with tangents, one cubic or two, what is fairer; control points\n"
      "phspline tc --tolerance=0.01 --offset=-3 --offset-mode=trimmed "

@@ -53,7 +53,7 @@ same 'rational offsets' 1e-12 \
   planar "{\"id\":\"a b\",$points}" --offset=0.1,-0.2
 same 'trigonometric curves are quintic' 1e-12 '[[[5,false,127,121,0]],[[[5,false,197,191,0]]]]' planar \
   "{$points,\"basis\":\"atph\"}" --tolerance=1e-6 --offset=0.1
-same 'cubics' 1e-12 '[[[3,false,29,25,0]],[[[5,false,47,41,41]]]]' tc "{$points}" --offset=0.1
+same 'cubics' 1e-12 '[[[3,false,29,25,0]],[[[5,false,47,41,41]]]]' tc "{$points,\"mode\":\"spline\"}" --offset=0.1
 same 'offsets with gaps' 1e-12 '[[[3,true,17,13,0]],[[[5,false,12,6,6],[5,false,12,6,6],[5,false,12,6,6],[5,false,12,6,6]],[[5,false,12,6,6],[5,false,12,6,6],[5,false,12,6,6],[5,false,12,6,6]]]]' tc "$plate" --offset=-1,1
 same 'joined' 1e-12 '[[[3,true,17,13,0]],[[[5,true,47,41,41]]]]' tc "$plate" --offset=-1 --offset-mode=joined
 same 'trimmed' 1e-12 '[[[3,true,17,13,0]],[[[5,true,47,41,41]],[[5,true,27,21,21]]]]' tc "$plate" --offset=-1,1 --offset-mode=trimmed

@@ -86,10 +86,11 @@ is length 5
 solved 'two points, ends of a circle' '"points":[[1,1],[4,5]],"ends":"circle"'
 is length 5
 solved 'two points, end tangents' \
-  '"points":[[0,0],[4,0]],"end_tangents":[[0,1],[0,-1]]'
+  '"points":[[0,0],[4,0]],"end_tangents":[[0,1],[0,-1]],"mode":"spline"'
 is diagnostics.rotation_index -0.5
 simple
-triangle='"points":[[0,0],[2,0],[1,1.7320508075688772]],"closed":true'
+triangle='"points":[[0,0],[2,0],[1,1.7320508075688772]],"closed":true,
+"mode":"spline"'
 solved 'a closed triangle' "$triangle"
 is diagnostics.rotation_index 1
 simple
@@ -97,17 +98,17 @@ get intervals | grep -o '"length":[-0-9.e]*' | sed 's/.*://' |
   holds 'a closed triangle: three equal lengths' \
     'n == 3 && (x[1] - x[2])^2 < 1e-28 && (x[1] - x[3])^2 < 1e-28'
 solved 'a figure of eight' '"points":[[0,0],[1,1],[2,0],[1,-1],[0,0],[-1,1],
-  [-2,0],[-1,-1]],"closed":true'
+  [-2,0],[-1,-1]],"closed":true,"mode":"spline"'
 equal 'a figure of eight: it crosses itself' 'false 0' \
   "$(get diagnostics.simple) $(get diagnostics.loops)"
-solved 'nearly back' '"points":[[0,0],[2,0],[0,1e-9]]'
+solved 'nearly back' '"points":[[0,0],[2,0],[0,1e-9]],"mode":"spline"'
 simple
-solved 'a point again' '"points":[[0,0],[1,1],[2,0],[2,2],[1,1],[0,3]]'
+solved 'a point again' '"points":[[0,0],[1,1],[2,0],[2,2],[1,1],[0,3]],"mode":"spline"'
 
 # ---- nearly coincident -------------------------------------------------------
 
 for gap in 1e-6 1e-9 1e-11; do
-  solved "the first two $gap apart" "\"points\":[[0,0],[$gap,0],[1,0],[2,1]]"
+  solved "the first two $gap apart" "\"points\":[[0,0],[$gap,0],[1,0],[2,1]],\"mode\":\"spline\""
   is length "2.5" 0.1
 done
 for gap in 1e-6 1e-12 1e-100; do
@@ -115,7 +116,8 @@ for gap in 1e-6 1e-12 1e-100; do
     "\"points\":[[0,0],[$gap,0],[1,0]],\"tangents\":[[1,1],[1,-1],[1,1]]"
 done
 solved 'hardly apart, far away' \
-  '"points":[[1000000,0],[1000000.000000001,0],[1000001,0]]'
+  '"points":[[1000000,0],[1000000.000000001,0],[1000001,0]],
+  "mode":"spline"'
 is length 1 1e-9
 
 # ---- circles -----------------------------------------------------------------
@@ -165,9 +167,11 @@ shape() {
   } | awk -v p="$1" "$scale"'NF { printf "%.17g\n", $1 * a * b }'
 }
 for power in 0 -996 30 996; do
-  for rest in '' ',"closed":true' ",\"tangents\":[$(vectors 0 3)]" \
+  for rest in ',"mode":"spline"' ',"closed":true,"mode":"spline"' \
+    ",\"tangents\":[$(vectors 0 3)]" \
     ",\"derivatives\":[$(vectors $power 3)]"; do
     name=$(printf %s "$rest" | cut -c 3-9)
+    [ "$name" = 'mode":"' ] && name=
     solved "size 2^$power ${name:-spline}" \
       "\"points\":[$(vectors $power 1)]$rest"
     simple_here=$(get diagnostics.simple)

@@ -193,9 +193,9 @@ wrong too-large 'points[0]' \
   'gets a derivative that is too large beside the chord from points[0]' \
   "{$two,\"end_derivatives\":[[1e14,0],[1,0]]}"
 wrong infeasible 'points[1]' 'is where the data turn back by 180 degrees: the '\
-'chords have no bisector there' '{"points":[[0,0],[2,0],[1,0],[1,1]]}'
+'chords have no bisector there' '{"points":[[0,0],[2,0],[1,0],[1,1]],"mode":"spline"}'
 wrong infeasible 'points[0]' 'is where the data turn back by 180 degrees: the '\
-'chords have no bisector there' '{"points":[[0,0],[2,0],[5,0]],"closed":true}'
+'chords have no bisector there' '{"points":[[0,0],[2,0],[5,0]],"closed":true,"mode":"spline"}'
 
 # ---- no curve ----------------------------------------------------------------
 

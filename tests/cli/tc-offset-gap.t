@@ -111,7 +111,8 @@ expect 'many gaps' 0 "phspline: stairs:1: record 1: warning: the offset at \
 distance -0.1 has gaps, where the curve has corners: 10, before segments 1, 2, \
 3, 4, 5, 6, 7, 8, ... [offset-gap]"
 
-feed '{"points":[[0,0],[2,1],[3,0],[5,2]]}' tc --offset=0.1
+feed '{"points":[[0,0],[2,1],[3,0],[5,2]],"mode":"spline"}' tc \
+  --offset=0.1
 expect 'no corners' 0
 equal 'no corners: no gaps' '[]' "$(get 'offsets[0].gaps')"
 

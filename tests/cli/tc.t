@@ -23,11 +23,12 @@ same() {
 }
 
 some='"points":[[0,0],[1,2],[4,1],[5,3]]'
+spline='"mode":"spline"'
 pi=3.141592653589793
 
 # ---- records -----------------------------------------------------------------
 
-feed "{\"id\":7,\"meta\":[1],$some}" tc
+feed "{\"id\":7,\"meta\":[1],$some,$spline}" tc
 expect 'a record' 0
 equal 'a record: its members' '{id:number,command:string,status:string,'\
 'meta:[number],curve:string,dimension:number,degree:number,closed:bool,'\
@@ -110,14 +111,18 @@ bezier='"curve":[[0,0],[1,3],[4,-2],[5,1]],"tolerance":1e-3'
 
 # implied MODE MEMBERS: the mode is what it is without the word
 implied() {
-  feed "{$2}" tc
+  feed "{$2}" tc -q
   mv out plain
-  feed "{$2,\"mode\":\"$1\"}" tc
+  feed "{$2,\"mode\":\"$1\"}" tc -q
   expect "mode $1" 0
   same "mode $1: by what is given" plain
 }
 
-implied spline "$some"
+implied g2 "$some"
+implied spline "$some,\"lambda\":0.4"
+implied spline "$some,\"ends\":\"chord\""
+implied spline "$some,\"solutions\":\"best\""
+implied spline "$some,\"end_derivatives\":[[1,0],[0,1]]"
 implied g1-fair "$some,$tangents"
 implied c1 "$some,$derivatives"
 implied approximate "$bezier"
@@ -169,7 +174,7 @@ expect 'along a line' 0
 is 'along a line' length 3.5
 is 'along a line' diagnostics.max_curvature 0 0
 square='"points":[[0,0],[2,0],[2,2],[0,2]]'
-feed "{$square}" tc --closed
+feed "{$square,$spline}" tc --closed
 expect 'a square' 0
 equal 'a square: closed' 'true [0,0] [0,0]' \
   "$(get closed) $(ends 0 | cut -d' ' -f1) $(ends 7 | cut -d' ' -f2)"
@@ -181,17 +186,17 @@ floats 'segments[0].control_points[1]' |
   holds 'a square: the derivative is half the side, across the corner' \
     'n == 2 && (3 * x[1] - 2 ^ -0.5)^2 + (3 * x[2] + 2 ^ -0.5)^2 < 1e-28'
 mv out closed
-feed '{"points":[[0,0],[2,0],[2,2],[0,2],[0,0]],"closed":true}' tc
+feed '{"points":[[0,0],[2,0],[2,2],[0,2],[0,0]],"closed":true,"mode":"spline"}' tc
 same 'a square: the first point again' closed
-feed "{$some}" tc
+feed "{$some,$spline}" tc
 mv out plain
 feed "{$some,\"ends\":\"chord\",\"lambda\":0.5}" tc
 same 'ends and lambda by default' plain
-feed "{$some,\"end_tangents\":[[2,4],[0.5,1]]}" tc
+feed "{$some,$spline,\"end_tangents\":[[2,4],[0.5,1]]}" tc
 same 'end tangents along the chords, of any length' plain
 feed "{$some,\"end_derivatives\":[[0.5,1],[0.5,1]]}" tc
 same 'end derivatives as by default' plain
-feed '{"points":[[3,0],[0,3],[-3,0]],"ends":"circle"}' tc
+feed '{"points":[[3,0],[0,3],[-3,0]],"ends":"circle","mode":"spline"}' tc
 expect 'ends of a circle' 0
 floats 'segments[0].control_points[1]' |
   holds 'ends of a circle: the tangent at its first point' \
@@ -256,7 +261,7 @@ table length | holds 'a sweep of lambda: five lengths' \
 feed '{}' tc --points='[[0,0],[3,4]]' --blaschke
 expect 'a problem of options' 0
 is 'a problem of options' length 5
-feed "{$some}" tc -v
+feed "{$some,$spline}" tc -v
 sed 's/[0-9.]* ms/T ms/; s/residual [-0-9.e]*/residual R/' err >said
 mv said err
 expect '--verbose' 0 \
@@ -265,9 +270,9 @@ awk -v some="$some" -v pair="$pair" -v bezier="$bezier" 'BEGIN {
   for (i = 0; i < 200; i++)
     print i % 3 ? (i % 3 > 1 ? "{" pair "}" : "{" some "}") : "{" bezier "}" }
   ' >many.jsonl
-run tc -j 1 many.jsonl
+run tc -q -j 1 many.jsonl
 mv out one
-run tc -j 4 many.jsonl
+run tc -q -j 4 many.jsonl
 expect '--jobs' 0
 same '--jobs: not a byte differs' one
 
@@ -278,10 +283,10 @@ csv() {
   # rows are words
   # shellcheck disable=SC2086
   printf '%s\n' $2 >in.csv
-  run tc in.csv
+  run tc -q in.csv
   expect "$1" 0
   mv out found
-  feed "{$3}" tc
+  feed "{$3}" tc -q
   same "$1: the same as in JSON" found
 }
 

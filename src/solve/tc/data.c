@@ -41,11 +41,21 @@ static const struct {
     {"approximate", PH_TC_APPROXIMATE, PH_F_POINTS},
 };
 
+/* Whether a problem with points alone says something of a spline that the mode
+ * g2 does not have. */
+static bool is_spline(const struct ph_problem *p) {
+  return ph_fields_given(p, PH_F_LAMBDA) ||
+         ph_fields_given(p, PH_F_END_DERIVATIVES) ||
+         ph_fields_given(p, PH_F_SOLUTIONS) ||
+         ph_value_is(&p->field[PH_F_ENDS], "chord");
+}
+
 static enum ph_tc_mode implied(const struct ph_problem *p) {
   return ph_fields_given(p, PH_F_CURVE)         ? PH_TC_APPROXIMATE
          : ph_fields_given(p, PH_F_TANGENTS)    ? PH_TC_G1_FAIR
          : ph_fields_given(p, PH_F_DERIVATIVES) ? PH_TC_C1
-                                                : PH_TC_SPLINE;
+         : is_spline(p)                         ? PH_TC_SPLINE
+                                                : PH_TC_G2;
 }
 
 /* Fields that say something in some modes alone: where they would be ignored

@@ -380,7 +380,8 @@ enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
   }
   parts->part[0] = (struct ph_g2_part){.n = data->n};
   status = solve_part(&s, &parts->part[0], true);
-  return spline && (status == PH_OK || status == PH_E_NO_CONVERGENCE)
+  return spline && (status == PH_OK || status == PH_E_NO_CONVERGENCE ||
+                    parts->part[0].chain.stuck != PH_G2_ADDED)
              ? improve(&s, parts)
              : status;
 }

@@ -216,11 +216,12 @@ static struct ph_g2_apex *wanted(const struct ph_g2_chain *chain, double most,
   return apex;
 }
 
-static enum ph_status check_reversal(const struct ph_g2_chain *chain,
+static enum ph_status check_reversal(struct ph_g2_chain *chain,
                                      struct ph_diag *diag) {
   for (size_t k = 0; k < chain->nodes_n; k++) {
     const struct ph_g2_node *node = &chain->node[k];
     if (!(fabs(node->turn) < PH_PI - REVERSAL)) {
+      chain->stuck = node->inner ? node->datum : PH_G2_ADDED;
       return node->inner
                  ? ph_fail_at(diag, PH_E_INFEASIBLE, "points", node->datum,
                               "is where the data turn back by 180 "

@@ -121,7 +121,7 @@ static const struct ph_field fields[] = {
     PH_FIELD_AT,
     {PH_F_MODE, PH_WORD, 0, false,
      "g1|g1-pair|g1-auto|g1-fair|c1|spline|g2|approximate",
-     "approximate, g1-fair, c1 or spline, by what is given",
+     "approximate, g1-fair, c1, spline or g2, by what is given",
      "cubics in each interval: one, two, one if it has no loop, or what is "
      "fairer; two with derivatives, given or by rule; with continuous "
      "curvature; or an approximation"},
