@@ -69,9 +69,26 @@ static void warn_gaps(struct ph_result *result) {
           o->gaps.n > GAPS_NAMED ? ", ..." : "");
 }
 
+/* That nothing is left, and of what something would be. */
+static void warn_empty(struct ph_result *result,
+                       const struct ph_offset_rules *rules,
+                       const struct ph_offset *empty, struct ph_arena *arena) {
+  const double depth =
+      ph_loops_depth(&result->curve, rules, empty->distance, arena);
+  char left[64] = "";
+  if (isfinite(depth)) {
+    snprintf(left, sizeof left, "; something is left up to %.6g", depth);
+  }
+  ph_warn(result, PH_NO_SEGMENT, PH_W_OFFSET_EMPTY,
+          "nothing is left of the offset at distance %g: no point of it keeps "
+          "that distance from the curve%s",
+          empty->distance, left);
+}
+
 /* One warning each, of the first offset concerned. */
 static void warn_loops(struct ph_result *result,
-                       const struct ph_offset_rules *rules) {
+                       const struct ph_offset_rules *rules,
+                       struct ph_arena *arena) {
   const struct ph_offset *o = result->offsets, *end = o + result->offsets_n;
   const struct ph_offset *empty = NULL, *touch = NULL;
   for (; o < end && o->loops.mode; o++) {
@@ -79,10 +96,7 @@ static void warn_loops(struct ph_result *result,
     touch = !touch && o->loops.trimming.touches ? o : touch;
   }
   if (empty) {
-    ph_warn(result, PH_NO_SEGMENT, PH_W_OFFSET_EMPTY,
-            "nothing is left of the offset at distance %g: no point of it "
-            "keeps that distance from the curve",
-            empty->distance);
+    warn_empty(result, rules, empty, arena);
   }
   if (touch) {
     ph_warn(result, PH_NO_SEGMENT, PH_W_OFFSET_TOUCH,
@@ -161,7 +175,7 @@ static enum ph_status derive_offsets(const struct ph_options *o,
     ph_loops_nest(r->offsets, n);
     warn_cusps(r);
     warn_gaps(r);
-    warn_loops(r, &rules);
+    warn_loops(r, &rules, arena);
   }
   return status;
 }

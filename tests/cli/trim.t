@@ -91,8 +91,15 @@ expect 'one side of both: verified' 0
 warning='phspline: -:1: record 1: warning:'
 feed "$plate" tc --offset=2.5 --offset-mode=trimmed
 expect 'nothing is left' 0 "$warning nothing is left of the offset at distance \
-2.5: no point of it keeps that distance from the curve [offset-empty]"
+2.5: no point of it keeps that distance from the curve; something is left up \
+to 2 [offset-empty]"
 equal 'nothing is left: loops' '[]' "$(get 'offsets[0].loops')"
+back='"closed":true,"tolerance":0.01,"curve":[[[0,0],[0,4]],[[0,4],[10,4]],'
+feed "{$back"'[[10,4],[10,0]],[[10,0],[0,0]]]}' tc --offset=-1,-1e9 \
+  --offset-mode=trimmed
+expect 'nothing is left to the right' 0 "$warning nothing is left of the offset \
+at distance -1e+09: no point of it keeps that distance from the curve; \
+something is left up to -2 [offset-empty]"
 feed "$bone" tc --offset=1 --offset-mode=trimmed
 expect 'a neck of twice the distance' 0 "$warning the offset at distance 1 \
 touches itself: a slightly different distance may give other loops \

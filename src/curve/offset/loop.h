@@ -29,6 +29,18 @@ enum ph_status ph_loops_of(const struct ph_curve *curve,
                            struct ph_arena *arena, struct ph_offset *offset,
                            struct ph_diag *diag);
 
+/*
+ * ph_loops_depth: to the side of a distance at which nothing is left of the
+ * trimmed offset of a closed curve, the largest one that leaves something, by
+ * halving; one that does, within 1e-7.
+ *
+ * ret  NaN: not known, as the curve is open or crosses itself, or has more than
+ *      150 segments
+ */
+double ph_loops_depth(const struct ph_curve *curve,
+                      const struct ph_offset_rules *rules, double distance,
+                      struct ph_arena *arena);
+
 /* ph_loops_nest: the parents of all loops of n offsets of a curve. */
 void ph_loops_nest(struct ph_offset *offsets, size_t n);
 
