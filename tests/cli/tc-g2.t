@@ -171,6 +171,51 @@ mv out made
 run verify -q --problems=near made
 equal 'a leg of nothing but rounding, verified' ok "$(jq -r .status out)"
 
+# ---- orders of approximation ----------------------------------------------------
+
+# distance N: of a closed curve through N points of an ellipse, from it
+distance() {
+  awk -v n="$1" 'BEGIN {
+    for (i = 0; i < n; i++) {
+      t = i * 8 * atan2(1, 1) / n
+      printf "%.17g,%.17g\n", 2 * cos(t), sin(t)
+    }
+  }' >ellipse.csv
+  run tc --closed -f csv --table=samples -n 9 ellipse.csv
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+    {
+      e = sqrt($at["x"] ^ 2 / 4 + $at["y"] ^ 2) - 1
+      most = e > most ? e : -e > most ? -e : most
+    }
+    END { print most }' out
+}
+
+echo "$(distance 32) $(distance 64) $(distance 128)" >orders
+true_that 'the fourth order' awk '{
+  a = log($1 / $2) / log(2); b = log($2 / $3) / log(2)
+  exit !(a > 3.9 && a < 4.1 && b > 3.9 && b < 4.1 && $3 < 1e-7)
+}' orders
+
+# off N: of a curve through N points of sin(x), from it, but near its ends
+off() {
+  awk -v n="$1" 'BEGIN {
+    for (i = 0; i <= n; i++) {
+      printf "%.17g,%.17g\n", 12 * i / n, sin(12 * i / n)
+    }
+  }' >sine.csv
+  run tc -q -f csv --table=samples -n 9 sine.csv
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+    $at["x"] > 1.5 && $at["x"] < 10.5 {
+      e = ($at["y"] - sin($at["x"])) / sqrt(1 + cos($at["x"]) ^ 2)
+      most = e > most ? e : -e > most ? -e : most
+    }
+    END { print most }' out
+}
+
+echo "$(off 16) $(off 256)" >orders
+true_that 'beside inflections nearly the third order' \
+  awk '{ a = log($1 / $2) / log(16); exit !(a > 2.75 && $2 < 2.1e-6) }' orders
+
 # ---- errors --------------------------------------------------------------------
 
 feed '{"points":[[0,0],[1,0],[0,1]],"closed":true,"mode":"g2","auxiliary":"never"}' tc
