@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* cone: pairs of circular cones through random contact elements, and through
- * neighbours on a smooth surface, of which each is timed alone. */
+ * neighbours on a smooth surface, of which each is timed alone; then what is
+ * made of surfaces of both methods. */
 #include "bench.h"
+#include "curve/surface/grid.h"
+#include "curve/surface/locate.h"
+#include "curve/surface/volume.h"
+#include "solve/method.h"
 #include "solve/cone/cone.h"
 
 enum { ELEMENTS = 10001, ROUNDS = 20 };
@@ -48,6 +53,133 @@ static void measure(const char *name, const struct ph_contact_element *e) {
          1e6 * best / (ELEMENTS - 1), solved, ELEMENTS - 1);
 }
 
+/* ---- surfaces ------------------------------------------------------------ */
+
+enum { PLACES = 65, STEPS = 64, ACROSS = 8, AGAIN = 5 };
+
+/* A problem of so many elements of the row, and what is made of it. */
+struct surface {
+  double p[PLACES][3], e[PLACES][3], d[PLACES][3], apex[PLACES];
+  size_t n; /* elements */
+  struct ph_problem problem;
+  struct ph_arena out, scratch;
+  struct ph_result result;
+  struct ph_diag diag;
+  size_t made;
+};
+
+static struct ph_value vectors(double *v, size_t n, size_t dimension) {
+  return (struct ph_value){.kind = dimension == 1 ? PH_NUMBERS : PH_VECTORS,
+                           .v = v,
+                           .n = n,
+                           .dimension = dimension};
+}
+
+static void set(struct surface *s, size_t n, bool general) {
+  static double height[] = {-0.05, 0.05};
+  struct ph_value *field = s->problem.field;
+  s->n = n;
+  for (size_t i = 0; i < n; i++) {
+    struct ph_contact_element e;
+    walk(0.4 * (double)i, &e);
+    ph_vec3_put(e.p, 3, s->p[i]);
+    ph_vec3_put(e.e, 3, s->e[i]);
+    ph_vec3_put(e.d, 3, s->d[i]);
+    s->apex[i] = i % 2 ? 0.8 : -0.8;
+  }
+  field[PH_F_POINTS] = vectors(s->p[0], n, 3);
+  field[PH_F_RULINGS] = vectors(s->e[0], n, 3);
+  field[PH_F_TANGENTS] = vectors(s->d[0], n, 3);
+  field[PH_F_HEIGHT] = vectors(height, 2, 1);
+  if (general) {
+    field[PH_F_METHOD] = (struct ph_value){.kind = PH_WORD, .word = "atph"};
+    field[PH_F_APEXES] = vectors(s->apex, n, 1);
+  }
+}
+
+static void check(const struct surface *s, enum ph_status status) {
+  if (status != PH_OK) {
+    bench_die(s->diag.message);
+  }
+}
+
+static void solve(struct surface *s) {
+  ph_arena_reset(&s->out);
+  s->result = (struct ph_result){.curve = {.n = 0}};
+  check(s, ph_method_cone.solve(&s->problem, &s->out, &s->scratch, &s->result,
+                                &s->diag));
+  s->made = s->n - 1;
+}
+
+static void sample(struct surface *s) {
+  const struct ph_grid_rules rules = {STEPS, ACROSS, SIZE_MAX};
+  check(s, ph_grid_of(&s->result.curve, &rules, &s->out, &s->result.grid,
+                      &s->diag));
+  s->made = s->result.grid.n;
+}
+
+/* Of the flat points of the samples. */
+static void locate(struct surface *s) {
+  const struct ph_surface_samples *grid = &s->result.grid;
+  double(*flat)[2] = ph_arena_array(&s->out, grid->n, sizeof *flat);
+  for (size_t i = 0; i < grid->n; i++) {
+    flat[i][0] = grid->v[i].flat[0];
+    flat[i][1] = grid->v[i].flat[1];
+  }
+  check(s, ph_surface_locate(&s->result.curve, (const double(*)[2])flat,
+                             grid->n, &s->out, &s->result.located, &s->diag));
+  s->made = s->result.located.n;
+}
+
+static void offset(struct surface *s) {
+  struct ph_parallel parallel;
+  check(s,
+        ph_parallel_of(&s->result.curve, 0.01, &s->out, &parallel, &s->diag));
+  s->made = s->n - 1;
+}
+
+static void panorama(struct surface *s) {
+  static const double corner[8] = {1, 2, 3, 4, 5, 6, 7, 8};
+  const struct ph_volume volume = {PH_VOXEL_F64,
+                                   corner,
+                                   {2, 2, 2},
+                                   {-1, -1, -1},
+                                   {{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}};
+  check(s, ph_panorama_of(&s->result.curve, &volume, 500, SIZE_MAX, &s->out,
+                          &s->result.panorama, &s->diag));
+  s->made = s->result.panorama.points;
+}
+
+static const struct {
+  const char *name, *each;
+  void (*make)(struct surface *s);
+} stages[] = {{"surface", "pair", solve},
+              {"samples", "sample", sample},
+              {"flat", "point", locate},
+              {"offset", "pair", offset},
+              {"panorama", "point", panorama}};
+
+static void measure_surface(const char *name, size_t n, bool general) {
+  struct surface *s = bench_malloc(1, sizeof *s);
+  printf("%s, %zu pairs\n", name, n - 1);
+  set(s, n, general);
+  for (size_t i = 0; i < sizeof stages / sizeof *stages; i++) {
+    double best = HUGE_VAL;
+    for (int round = 0; round < AGAIN; round++) {
+      const double start = bench_cpu();
+      double time;
+      stages[i].make(s);
+      time = bench_cpu() - start;
+      best = time < best ? time : best;
+    }
+    printf("%-12s%10.3f us a %s, of %zu\n", stages[i].name,
+           1e6 * best / (double)s->made, stages[i].each, s->made);
+  }
+  ph_arena_free(&s->out);
+  ph_arena_free(&s->scratch);
+  free(s);
+}
+
 int main(void) {
   struct ph_contact_element *e = bench_malloc(ELEMENTS, sizeof *e);
   uint64_t state = 1;
@@ -60,6 +192,8 @@ int main(void) {
     walk(0.05 * (double)i, &e[i]);
   }
   measure("neighbours", e);
+  measure_surface("Circular cones", PLACES, false);
+  measure_surface("General cones", 9, true);
   free(e);
   return 0;
 }
