@@ -31,6 +31,10 @@ ph_vec3 ph_check_cone_point(const struct ph_check *v, size_t j);
 struct ph_check_frame ph_check_cone_frame(const struct ph_check_cone *cone,
                                           size_t i, double u);
 
+/* ph_check_cone_is_finite: of a surface that is certified, whether length and
+ * area are; else it fails. */
+bool ph_check_cone_is_finite(struct ph_check *v, const struct ph_curve *curve);
+
 /* ph_check_cone_arrays: whether a surface is one, with finite numbers. */
 bool ph_check_cone_arrays(struct ph_check *v, const struct ph_curve *curve);
 

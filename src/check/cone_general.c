@@ -362,7 +362,7 @@ static bool check_arrays(struct ph_check *v, const struct ph_curve *c) {
       return false;
     }
   }
-  return true;
+  return ph_check_cone_is_finite(v, c);
 }
 
 /* The contact curves of all strips as one curve of ATPH segments. */

@@ -49,6 +49,16 @@ static const char *fault_of(const struct ph_strip *s, size_t i,
   return s->pair == i / 2 ? NULL : "is not that of two strips in a row";
 }
 
+bool ph_check_cone_is_finite(struct ph_check *v, const struct ph_curve *c) {
+  if (v->error && !(isfinite(c->length) && isfinite(c->surface.area))) {
+    v->status = ph_fail(v->diag, PH_E_TOO_LARGE, NULL,
+                        "the length or the area of the surface overflows a "
+                        "double");
+    return false;
+  }
+  return true;
+}
+
 bool ph_check_cone_arrays(struct ph_check *v, const struct ph_curve *c) {
   for (size_t i = 0; i < c->n; i++) {
     const char *member;
@@ -62,6 +72,9 @@ bool ph_check_cone_arrays(struct ph_check *v, const struct ph_curve *c) {
                      fault);
       return false;
     }
+  }
+  if (!ph_check_cone_is_finite(v, c)) {
+    return false;
   }
   if (c->n % 2 != 0 || c->surface.pairs_n != c->n / 2 || !isfinite(c->length) ||
       !isfinite(c->surface.area)) {

@@ -115,6 +115,9 @@ said infeasible 'pairs[0]' "$saddle" "{$points,\"rulings\":[[0,1,0],[0,-1,0]],$t
 said infeasible 'pairs[0]' "$legs" "{$points,$rulings,\"tangents\":[[1,0,0],[-1,0,0]]}"
 said infeasible 'pairs[0]' "$legs" "{$points,$rulings,\"tangents\":[[-1,0,0],[-1,0,0]]}"
 
+said too-large '' 'the length or the area of the surface overflows a double' \
+  '{"points":[[0,0,0],[3e200,1e200,1e200]],"rulings":[[0,1,0],[0,1,0]],"tangents":[[1,0,0],[0.6,0,0.8]],"height":[0,1e200]}'
+
 # ---- text that is none -----------------------------------------------------------
 
 said bad-value rulings 'occurs twice' "{$elements,$rulings}"

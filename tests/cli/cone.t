@@ -269,6 +269,22 @@ true_that 'a flat pattern: its outline is closed, and of two radii' awk '
   }
   END { exit bad }' out
 
+# Squares of coordinates are out of range.
+for unit in 1e-160 1e213; do
+  jq -c --argjson u "$unit" '.points |= map(map(. * $u)) | del(.height, .closed)' \
+    turn.json >far.json
+  run cone -q --sample=4 far.json
+  expect "in the unit $unit: samples" 0
+  cp out result.json
+  jq -c '{flat: [.samples[].flat]}' out >flat.json
+  jq -cs '.[0] + .[1]' far.json flat.json >located.json
+  run cone -q located.json
+  true_that "in the unit $unit: they are located" \
+    jq -es '(.[0].samples | length) == (.[1].located | length)' result.json out
+  run verify -q --problems=far.json result.json
+  equal "in the unit $unit: verified" '0 "ok"' "$status $(get status)"
+done
+
 # ---- other cases -------------------------------------------------------------
 
 # solved NAME CASE PROBLEM

@@ -134,7 +134,7 @@ static bool locate(const struct ph_surface *surface,
   }
   for (int side = 1; side >= -1; side -= 2) {
     const double angle = atan2(side * k * x, side * (1 - k * y));
-    *h = side > 0 ? (2 * y - k * (x * x + y * y)) / (1 + r) : (1 + r) / k;
+    *h = side > 0 ? (2 * y - (k * x * x + k * y * y)) / (1 + r) : (1 + r) / k;
     for (int turn = -1; turn <= 1; turn++) {
       *s = (angle + 2 * PH_PI * turn) / k;
       if (is_within(surface, strip, r, near, s, *h)) {

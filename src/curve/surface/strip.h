@@ -48,15 +48,16 @@ ph_strip_start(const struct ph_strip *strip) {
 static inline struct ph_strip_place ph_strip_at(struct ph_strip_place start,
                                                 double k, double kn, double s) {
   const double x = hypot(k, kn) * s, half = ph_sinc(x / 2);
-  const double S = s * ph_sinc(x), Q = s * s * half * half / 2;
-  const ph_vec3 bend = ph_vec3_along(ph_vec3_scale(k, start.e), kn, start.n);
+  const double S = ph_sinc(x), Q = half * half / 2; /* over s and s^2, which may
+                                                       be out of range */
+  const ph_vec3 bend =
+      ph_vec3_along(ph_vec3_scale(k * s, start.e), kn * s, start.n);
   const ph_vec3 way = ph_vec3_along(ph_vec3_scale(S, start.d), Q, bend);
   struct ph_strip_place at;
-  at.c = ph_vec3_add(start.c, way);
-  at.d =
-      ph_vec3_along(ph_vec3_scale(1 - Q * (k * k + kn * kn), start.d), S, bend);
-  at.e = ph_vec3_along(start.e, -k, way);
-  at.n = ph_vec3_along(start.n, -kn, way);
+  at.c = ph_vec3_along(start.c, s, way);
+  at.d = ph_vec3_along(ph_vec3_scale(1 - Q * x * x, start.d), S, bend);
+  at.e = ph_vec3_along(start.e, -k * s, way);
+  at.n = ph_vec3_along(start.n, -kn * s, way);
   return at;
 }
 
