@@ -244,8 +244,8 @@ static enum ph_status solve(struct task *t) {
     advise(t);
   }
   if (status == PH_OK) {
-    status = ph_derive(t->options, &t->problem, &worker->arena, &t->result, &t->derived,
-                       &t->diag);
+    status = ph_derive(t->options, &t->problem, &worker->arena, &t->result,
+                       &t->derived, &t->diag);
   }
   if (status == PH_OK) {
     status = ph_certify_loops(&t->derived.exact, t->result.offsets,

@@ -146,20 +146,18 @@ static const char head[] =
   "0\nDICTIONARY\n5\n" handle "\n330\n" owner "\n100\nAcDbDictionary\n" \
   "281\n1\n"
 
-static const char tail[] =
-    "0\nENDSEC\n0\nSECTION\n2\nOBJECTS\n" DICTIONARY(
-        "C",
-        "0") "3\nACAD_GROUP\n350\nD\n3\nACAD_"
-             "PLOTSTYLENAME\n350\nE\n" DICTIONARY("D",
-                                                  "C") "0\nACDBDICTIONARYWDFLT"
-                                                       "\n5\nE\n330\nC\n100\nAc"
-                                                       "DbDictionary\n281\n1\n"
-                                                       "3\nNormal\n350\nF\n100"
-                                                       "\nAcDbDictionaryWithDef"
-                                                       "ault\n340\nF\n"
-                                                       "0\nACDBPLACEHOLDER\n5\n"
-                                                       "F\n330\nE\n0\nENDSEC\n0"
-                                                       "\nEOF\n";
+static const char tail[] = "0\nENDSEC\n0\nSECTION\n2\nOBJECTS\n" DICTIONARY(
+    "C", "0") "3\nACAD_GROUP\n350\nD\n3\nACAD_"
+              "PLOTSTYLENAME\n350\nE\n" DICTIONARY(
+                  "D", "C") "0\nACDBDICTIONARYWDFLT"
+                            "\n5\nE\n330\nC\n100\nAc"
+                            "DbDictionary\n281\n1\n"
+                            "3\nNormal\n350\nF\n100"
+                            "\nAcDbDictionaryWithDef"
+                            "ault\n340\nF\n"
+                            "0\nACDBPLACEHOLDER\n5\n"
+                            "F\n330\nE\n0\nENDSEC\n0"
+                            "\nEOF\n";
 
 void ph_dxf_header(struct ph_buf *buf) {
   ph_buf_puts(buf, head);

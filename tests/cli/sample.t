@@ -292,8 +292,8 @@ equal 'at lengths: these, in order, each once' '[0,1,2] true' \
 cp out at.json
 true_that 'at lengths: verify' "$PHSPLINE" verify --tolerance=1e-12 at.json
 "$PHSPLINE" planar --spacing=1 in | jq -c '.samples[:3]' >spaced
-jq -c '.samples[:3]' at.json >at
-equal_files 'at lengths: as at the same spacing' spaced at
+jq -c '.samples[:3]' at.json >lengths
+equal_files 'at lengths: as at the same spacing' spaced lengths
 feed "{$bend,\"at\":-1}" planar --offset=0.2,-0.2 -q --sample=1
 expect 'two ways' 1 'phspline: -:1: record 1: at: is one way to take samples, and --sample, --spacing and --chord-error are others [bad-value]'
 feed "{$bend,\"at\":-1}" planar --offset=0.2,-0.2
