@@ -266,7 +266,9 @@ static size_t cut(struct corner *c, size_t n, size_t which, double level,
       to->band += t * (b->band - a->band);
     }
   }
-  memcpy(c, kept, m * sizeof *c);
+  for (size_t k = 0; k < m; k++) {
+    c[k] = kept[k];
+  }
   return m;
 }
 
