@@ -59,6 +59,9 @@ static void check_interval(struct ph_check *v, size_t i, double each) {
 static void check_area(struct ph_check *v, double length) {
   const struct ph_check_where where = ph_check_of("area", PH_CHECK_ONE, NULL);
   const double size = v->scale.size;
+  /* squares may be subnormal, of each segment */
+  const double least =
+      (double)(v->curve->n + 1) * ph_check_scaled(v, v->scale.spacing);
   double sum = 0, claimed = v->claim->area;
   struct ph_check_segment s;
   ph_vec3 origin;
@@ -82,7 +85,8 @@ static void check_area(struct ph_check *v, double length) {
   }
   claimed = ph_check_scaled(v, ph_check_scaled(v, claimed));
   ph_check_number(v, PH_CHECK_LENGTH, where, claimed, sum, size * size,
-                  (v->scale.rounding + ph_check_conversion(v)) * length);
+                  (v->scale.rounding + ph_check_conversion(v)) * length +
+                      least);
 }
 
 void ph_check_lengths(struct ph_check *v) {

@@ -394,6 +394,13 @@ run verify -q --problems=wide wrong.json
 equal 'a sphere, another such length' '"segments[3].length" 1' \
   "$(jq -c .error.field out) $status"
 
+# areas that are less than the least number, or a few of these
+for size in e-297 e-160; do
+  echo "{\"points\":[[0,0],[1$size,2$size],[3$size,1$size]],\"closed\":true}" >small
+  made planar <small
+  verified "an area of $size squared" 1 --problems=small
+done
+
 # data nearer to one another than pieces of the curve are to them
 echo '{"points":[[0,0,0],[-8.3694e-193,-3.1797e-193,-8.0807e-193],
 [-8.3694e-193,-3.1797e-193,-8.08071e-193],[0,0,0]],"basis":"atph",
