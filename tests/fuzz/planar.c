@@ -2,11 +2,13 @@
 /*
  * Fuzz target: any data through the planar solver.  The outcome is a failure
  * of the record, or a curve: then its certificate passes or is such a failure,
- * and what is printed is finite, interpolates, and is JSON.
+ * and what is printed is finite, interpolates, and is JSON.  The same holds of
+ * a trimmed offset and its own certificate.
  *
  * The bytes of an input:
  *   0      bits 0 closed, 1-2 knots (absent, uniform, centripetal, given),
- *          3 end derivatives given, 4-5 how points are coded, 6 indented JSON
+ *          3 end derivatives given, 4-5 how points are coded, 6 indented JSON,
+ *          7 the offset is trimmed
  *   1      signed: coordinates are scaled by 2 to eight times that
  *   2-5    end derivatives, signed bytes; 16 is the speed of a step of length 1
  *   6...   the points: pairs of signed bytes, of signed 16-bit numbers, of
@@ -14,6 +16,8 @@
  *          point is followed by a byte, its knot's distance from the one before
  */
 #include "problem.h"
+
+#include "check/loop.h"
 
 /* Two runs of at most 60 Newton steps, then a continuation.  The most that any
  * input has taken is 72: a thousand would be a loop. */
@@ -116,10 +120,20 @@ static void planar_check_result(const struct planar_input *in,
                                 struct ph_arena *arena) {
   struct ph_diag diag;
   struct ph_offset offset;
-  const struct ph_offset_rules rules = {.tolerance = 1e-9};
+  const bool trimmed = in->bytes.data[0] >> 7;
+  const struct ph_offset_rules rules = {
+      .mode = trimmed ? PH_OFFSET_TRIMMED : PH_OFFSET_RAW,
+      .crosses = !(result->diagnostics.value[PH_D_SIMPLE] > 0),
+      .tolerance = 1e-9};
   double size = fabs(in->points[1][0] - in->points[0][0]);
   enum ph_status status =
       ph_offset(&result->curve, size, &rules, arena, &offset, &diag);
+  if (status == PH_OK && trimmed) {
+    struct ph_arena scratch = {NULL};
+    status = ph_certify_loops(&result->curve, &offset, 1, &scratch, &diag);
+    FUZZ_REQUIRE((status == PH_OK) == offset.loops.trimming.certified);
+    ph_arena_free(&scratch);
+  }
   planar_check_curve(in, &result->curve);
   fuzz_check_diagnostics(&result->diagnostics);
   if (status == PH_OK) {
