@@ -10,6 +10,7 @@
 #ifndef PH_BASE_MEM_H
 #define PH_BASE_MEM_H
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -27,12 +28,13 @@ void ph_free(void *memory);
  * keeps to its budget does not depend on the records before it.
  */
 struct ph_budget {
-  size_t bytes;   /* 0: any number */
-  size_t used;    /* now */
-  size_t needed;  /* by the first request beyond; 0: there was none */
-  double seconds; /* 0: any number */
-  double end;     /* on the monotonic clock */
-  bool late;      /* it has passed, and that was seen */
+  size_t bytes;      /* 0: any number */
+  size_t used;       /* now */
+  size_t needed;     /* by the first request beyond; 0: there was none */
+  double seconds;    /* 0: any number */
+  double end;        /* on the monotonic clock */
+  bool late;         /* it has passed, and that was seen */
+  atomic_int *spare; /* threads for the work on the record (team.h), or NULL */
 };
 
 /* ph_budget_start: the time begins; what is used already, counts. */

@@ -9,6 +9,7 @@
  */
 #include "cli/run.h"
 
+#include "base/team.h"
 #include "cli/document.h"
 #include "cli/message.h"
 #include "cli/output.h"
@@ -67,6 +68,7 @@ struct run {
   size_t current_left; /* combinations that remain */
 
   struct ph_worker *workers;
+  atomic_int spare; /* threads that do not work (base/team.h) */
   pthread_t *threads;
   size_t threads_n; /* started; 0: the main thread works */
   pthread_mutex_t lock;
@@ -210,12 +212,14 @@ static void work_slot(const struct ph_options *options,
                       struct ph_worker *worker, struct slot *slot) {
   ph_buf_clear(&slot->out, KEEP_BYTES);
   ph_buf_clear(&slot->err, KEEP_BYTES);
+  ph_team_enter(worker->budget.spare);
   for (size_t i = 0; i < slot->n; i++) {
     options->command->work(options, worker, &slot->items[i], &slot->out,
                            &slot->err);
     slot->out_end[i] = slot->out.n;
     slot->err_end[i] = slot->err.n;
   }
+  ph_team_leave(worker->budget.spare);
 }
 
 struct thread_start {
@@ -411,6 +415,10 @@ static bool allocate(struct run *r) {
   r->workers = ph_malloc(jobs * sizeof *r->workers);
   if (r->workers) {
     memset(r->workers, 0, jobs * sizeof *r->workers);
+    atomic_init(&r->spare, (int)jobs);
+    for (size_t i = 0; i < jobs; i++) {
+      r->workers[i].budget.spare = &r->spare;
+    }
   }
   return r->slots && r->workers;
 }

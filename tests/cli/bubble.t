@@ -58,6 +58,23 @@ for jobs in 2 3; do
   equal_files "$jobs jobs" want out
 done
 
+# One mesh that is spread over threads, and one whose patch in the middle of many
+# fails: which one, no matter how many jobs.
+jq -nc '32 as $n | {points: [range($n + 1) as $j | range($n + 1) as $i |
+  [$i, $j, ($i * $j / 9 | sin)]], faces: [range($n) as $j | range($n) as $i |
+  ($j * ($n + 1) + $i) as $a | [$a, $a + 1, $a + $n + 2, $a + $n + 1]]}' \
+  >large.json
+for options in '--degree=exact' '--continuity=2 --degree=15' \
+  '--tolerance=1e-5' '--continuity=2 --tolerance=1e-12'; do
+  # several words
+  # shellcheck disable=SC2086
+  for jobs in 1 2 5; do
+    "$PHSPLINE" bubble -j $jobs $options large.json >$jobs.out 2>&1
+  done
+  equal_files "one mesh, 2 jobs: $options" 1.out 2.out
+  equal_files "one mesh, 5 jobs: $options" 1.out 5.out
+done
+
 # ---- what does not matter ----------------------------------------------------
 
 # moved NAME PROGRAM BACK: a mesh after a program of jq; what comes out, after

@@ -4,11 +4,13 @@
  * rule on each patch, and what is told of them.
  */
 #include "base/sum.h"
+#include "base/team.h"
 #include "curve/surface/places.h"
 #include "kernel/quad.h"
 #include "solve/bubble/bubble.h"
 
 #include <math.h>
+#include <pthread.h>
 #include <string.h>
 
 /* Places of an edge where its ribbon is looked at. */
@@ -31,6 +33,16 @@ struct exact_nodes {
   struct ph_cross by_u[NODES][2], by_v[NODES][2];
 };
 
+/* What a patch adds. */
+struct measure {
+  double area, volume; /* from the first point of the mesh */
+  double turn;         /* positive: its normal mostly is that of the points */
+  bool out, in;        /* whether its normal is that of the points somewhere,
+                          or the opposite */
+  double miss;         /* of its blending functions, */
+  size_t degree;       /* which have this one */
+};
+
 struct builder {
   const struct ph_bubble_data *data;
   struct ph_pow2 from_unit;
@@ -38,19 +50,26 @@ struct builder {
   struct ph_diag *diag;
   struct ph_patchwork *work;
   struct ph_ribbon *ribbons;
-  struct ph_blends blends;
+  struct ph_blends *blends; /* shared, as are nodes, of all threads */
   struct ph_bubble_patch *patch;
   struct ph_patch_line *line;
   double *net, *points; /* at unit scale */
   struct ph_quad rule;
-  struct nodes *nodes[PH_PATCH_DEGREE_MAX + 1]; /* by degree, or NULL */
-  struct exact_nodes *exact;                    /* NULL: it is polynomial */
+  struct nodes **nodes;      /* [PH_PATCH_DEGREE_MAX + 1] or NULL */
+  struct exact_nodes *exact; /* NULL: it is polynomial */
   struct ph_curve *curve;
-  size_t degree; /* the largest of blending functions */
-  double residual;
-  struct ph_sum area, volume;
-  size_t folded, first_folded;
-  size_t inward; /* patches whose normal is not that of their points */
+  struct measure *measures; /* [curve.n] */
+  struct team *team;
+};
+
+/* What threads share that change it. */
+struct team {
+  pthread_mutex_t lock; /* of the arena */
+  atomic_size_t next;   /* the first patch that nobody has taken */
+  struct builder *builders;
+  size_t failed; /* the first patch that failed; SIZE_MAX: none */
+  enum ph_status status;
+  struct ph_diag diag;
 };
 
 /* ---- ribbons ------------------------------------------------------------- */
@@ -127,14 +146,6 @@ static const struct nodes *nodes_of(struct builder *b, size_t degree) {
   return nodes;
 }
 
-/* What a patch adds. */
-struct measure {
-  double area, volume; /* from the first point of the mesh */
-  double turn;         /* positive: its normal mostly is that of the points */
-  bool out, in;        /* whether its normal is that of the points somewhere,
-                          or the opposite */
-};
-
 static void measure_at(const struct builder *b, const struct ph_patch_jet *jet,
                        double u, double v, double weight, struct measure *m) {
   const struct ph_quadric *c = b->patch->exact.corner;
@@ -177,7 +188,7 @@ static void jet_at(const struct builder *b, const struct nodes *nodes,
 static bool measure(struct builder *b, size_t degree, struct measure *m) {
   const struct nodes *nodes = b->exact ? NULL : nodes_of(b, degree);
   const double *weight = b->rule.weight;
-  *m = (struct measure){0, 0, 0, false, false};
+  *m = (struct measure){.area = 0};
   if (b->exact) {
     set_sides(b);
   } else if (!nodes) {
@@ -199,15 +210,23 @@ static bool measure(struct builder *b, size_t degree, struct measure *m) {
 
 /* ---- patches ------------------------------------------------------------- */
 
-static enum ph_status add_patch(struct builder *b, size_t i, size_t degree) {
+static void *take(struct builder *b, size_t n, size_t size) {
+  void *memory;
+  pthread_mutex_lock(&b->team->lock);
+  memory = ph_arena_late(b->scratch) ? NULL : ph_arena_array(b->arena, n, size);
+  pthread_mutex_unlock(&b->team->lock);
+  return memory;
+}
+
+static enum ph_status add_patch(struct builder *b, size_t i, size_t degree,
+                                struct measure *m) {
   struct ph_patch *to = &b->curve->surface.patches[i];
   const size_t n = b->exact ? 0 : (degree + 1) * (degree + 1);
-  struct measure m;
   *to = (struct ph_patch){.face = i, .bidegree = {degree, degree}};
   memcpy(to->vertices, b->data->mesh.face[i], sizeof to->vertices);
   to->points_n = n;
-  to->control_points = ph_arena_array(b->arena, n, 3 * sizeof(double));
-  if (!to->control_points || !measure(b, degree, &m)) {
+  to->control_points = take(b, n, 3 * sizeof(double));
+  if (!to->control_points || !measure(b, degree, m)) {
     return ph_fail_memory(b->diag);
   }
   for (size_t k = 0; k < 3 * n; k++) {
@@ -216,29 +235,24 @@ static enum ph_status add_patch(struct builder *b, size_t i, size_t degree) {
   if (b->exact) {
     to->bidegree[0] = to->bidegree[1] = PH_NO_SEGMENT;
   }
-  to->side = m.turn < 0 ? -1 : 1;
-  b->curve->degree = degree > b->curve->degree ? degree : b->curve->degree;
-  ph_sum_add(&b->area, m.area);
-  ph_sum_add(&b->volume, m.in ? -m.volume : m.volume);
-  b->inward += m.in;
-  if (m.in && m.out && b->folded++ == 0) {
-    b->first_folded = i;
-  }
+  to->side = m->turn < 0 ? -1 : 1;
   return PH_OK;
 }
 
 static enum ph_status make_patch(struct builder *b, size_t i) {
   const struct ph_bubble_data *d = b->data;
   const struct ph_blend *blend = NULL;
+  struct measure *m = &b->measures[i];
   size_t degree = d->degree;
   double miss = 0;
+  enum ph_status status;
   ph_exact_begin(b->work, i, &b->patch->exact);
   if (b->exact) {
-    return add_patch(b, i, 0);
+    return add_patch(b, i, 0, m);
   }
   if (d->continuity > 0) {
-    enum ph_status status = ph_bubble_patch_fit(
-        b->patch, &b->blends, d->tolerance, &degree, &miss, b->diag);
+    status = ph_bubble_patch_fit(b->patch, b->blends, d->tolerance, &degree,
+                                 &miss, b->diag);
     if (status != PH_OK) {
       return status;
     }
@@ -248,19 +262,110 @@ static enum ph_status make_patch(struct builder *b, size_t i) {
                         "normals miss by %.3g",
                         PH_BLEND_MAX, miss);
     }
-    blend = ph_blend_of(&b->blends, degree);
-    b->residual = miss <= b->residual ? b->residual : miss;
-    b->degree = degree > b->degree ? degree : b->degree;
+    blend = ph_blend_of(b->blends, degree);
   }
   ph_bubble_patch_points(b->patch, blend, b->net, b->points);
-  return add_patch(b, i, blend ? degree + 1 : 1);
+  status = add_patch(b, i, blend ? degree + 1 : 1, m);
+  m->miss = miss;
+  m->degree = blend ? degree : 0;
+  return status;
+}
+
+/* ---- threads ------------------------------------------------------------- */
+
+/* Patches that a thread takes at once, and as many as are worth a thread. */
+enum { CHUNK = 64, WORTH = 256 };
+
+/* What a thread has of its own. */
+static bool set_own(struct builder *b) {
+  const size_t points = (PH_BLEND_MAX + 2) * (PH_BLEND_MAX + 2);
+  b->patch = ph_arena_array(b->scratch, 1, sizeof *b->patch);
+  b->line = ph_arena_array(b->scratch, 1, sizeof *b->line);
+  b->net = ph_arena_array(b->scratch, points, sizeof *b->net);
+  b->points = ph_arena_array(b->scratch, points, 3 * sizeof *b->points);
+  if (b->data->exact) {
+    b->exact = ph_arena_array(b->scratch, 1, sizeof *b->exact);
+    for (size_t i = 0; b->exact && i < NODES; i++) {
+      ph_exact_rows_at(b->data->continuity, node(b, i), &b->exact->rows[i]);
+    }
+  }
+  return b->patch && b->line && b->net && b->points &&
+         (b->exact || !b->data->exact);
+}
+
+/* All that threads would make when they need it, before there are some. */
+static bool set_shared(struct builder *b) {
+  const size_t first = b->data->degree ? b->data->degree : PH_BLEND_FIRST;
+  const size_t last = b->data->degree ? b->data->degree : PH_BLEND_MAX;
+  bool good = b->data->continuity > 0 || nodes_of(b, 1);
+  for (size_t d = first; good && d <= last && b->data->continuity > 0; d += 2) {
+    good = ph_blend_of(b->blends, d) && nodes_of(b, d + 1);
+  }
+  return good;
+}
+
+/* Patches until there are no more, or one before them has failed: the first
+ * that fails is the same, whoever has it. */
+static void work(void *context, size_t thread) {
+  struct team *team = context;
+  struct builder *b = &team->builders[thread];
+  for (;;) {
+    const size_t first = atomic_fetch_add(&team->next, CHUNK);
+    for (size_t i = first; i < first + CHUNK && i < b->curve->n; i++) {
+      if (make_patch(b, i) != PH_OK) {
+        pthread_mutex_lock(&team->lock);
+        if (i < team->failed) {
+          team->failed = i;
+          team->status = b->diag->status;
+          team->diag = *b->diag;
+        }
+        atomic_store(&team->next, b->curve->n);
+        pthread_mutex_unlock(&team->lock);
+        return;
+      }
+    }
+    if (first >= b->curve->n) {
+      return;
+    }
+  }
+}
+
+static enum ph_status make_patches(struct builder *b) {
+  atomic_int *spare = b->arena->budget ? b->arena->budget->spare : NULL;
+  const size_t threads = ph_team_take(spare, b->curve->n / WORTH);
+  struct team team = {.failed = SIZE_MAX};
+  struct ph_diag *diags = ph_arena_array(b->scratch, threads, sizeof *diags);
+  bool good = diags;
+  atomic_init(&team.next, 0);
+  b->team = &team;
+  team.builders = ph_arena_array(b->scratch, threads, sizeof *team.builders);
+  good = good && team.builders &&
+         (threads == 1 || b->data->exact || set_shared(b));
+  for (size_t i = 0; good && i < threads; i++) {
+    team.builders[i] = *b;
+    team.builders[i].diag = &diags[i];
+    good = set_own(&team.builders[i]);
+  }
+  if (!good || pthread_mutex_init(&team.lock, NULL) != 0) {
+    for (size_t i = 1; i < threads; i++) {
+      ph_team_leave(spare);
+    }
+    return ph_fail_memory(b->diag);
+  }
+  ph_team_run(spare, threads, work, &team);
+  pthread_mutex_destroy(&team.lock);
+  b->exact = team.builders[0].exact;
+  if (team.failed < SIZE_MAX) {
+    *b->diag = team.diag;
+    return team.status;
+  }
+  return PH_OK;
 }
 
 /* ---- the whole ----------------------------------------------------------- */
 
 static enum ph_status begin(struct builder *b) {
   const size_t faces = b->data->mesh.faces_n;
-  const size_t points = (PH_BLEND_MAX + 2) * (PH_BLEND_MAX + 2);
   struct ph_curve *c = b->curve;
   *c = (struct ph_curve){.kind = PH_CURVE_BUBBLE,
                          .closed = ph_mesh_is_closed(&b->data->mesh),
@@ -269,23 +374,19 @@ static enum ph_status begin(struct builder *b) {
   c->surface.continuity = b->data->continuity;
   c->surface.patches =
       ph_arena_array(b->arena, faces, sizeof *c->surface.patches);
-  b->patch = ph_arena_array(b->scratch, 1, sizeof *b->patch);
-  b->line = ph_arena_array(b->scratch, 1, sizeof *b->line);
-  b->net = ph_arena_array(b->scratch, points, sizeof *b->net);
-  b->points = ph_arena_array(b->scratch, points, 3 * sizeof *b->points);
+  c->surface.exact = b->data->exact;
   b->work = ph_arena_array(b->arena, 1, sizeof *b->work);
-  if (!c->surface.patches || !b->patch || !b->line || !b->net || !b->points ||
-      !b->work || !ph_quad_gauss(&b->rule, GAUSS)) {
+  b->blends = ph_arena_array(b->scratch, 1, sizeof *b->blends);
+  b->measures = ph_arena_array(b->scratch, faces, sizeof *b->measures);
+  b->nodes = ph_arena_array(b->scratch, PH_PATCH_DEGREE_MAX + 1,
+                            sizeof(struct nodes *));
+  if (!c->surface.patches || !b->work || !b->blends || !b->measures ||
+      !b->nodes || !ph_quad_gauss(&b->rule, GAUSS)) {
     return ph_fail_memory(b->diag);
   }
-  c->surface.exact = b->data->exact;
-  if (b->data->exact) {
-    b->exact = ph_arena_array(b->scratch, 1, sizeof *b->exact);
-    for (size_t i = 0; b->exact && i < NODES; i++) {
-      ph_exact_rows_at(b->data->continuity, node(b, i), &b->exact->rows[i]);
-    }
-  }
-  return b->exact || !b->data->exact ? PH_OK : ph_fail_memory(b->diag);
+  memset(b->measures, 0, faces * sizeof *b->measures);
+  memset(b->nodes, 0, (PH_PATCH_DEGREE_MAX + 1) * sizeof(struct nodes *));
+  return PH_OK;
 }
 
 /* What patches are made of, from now on. */
@@ -331,28 +432,55 @@ static enum ph_status compare(const struct builder *b,
   return status;
 }
 
+/* What all patches are together, in their order. */
+struct total {
+  struct ph_sum area, volume;
+  double residual;
+  size_t degree; /* the largest */
+  size_t folded, first_folded;
+  size_t inward; /* patches whose normal is not that of their points */
+};
+
+static struct total total_of(const struct builder *b) {
+  struct total t = {.residual = 0};
+  for (size_t i = 0; i < b->curve->n; i++) {
+    const struct measure *m = &b->measures[i];
+    ph_sum_add(&t.area, m->area);
+    ph_sum_add(&t.volume, m->in ? -m->volume : m->volume);
+    t.residual = m->miss <= t.residual ? t.residual : m->miss;
+    t.degree = m->degree > t.degree ? m->degree : t.degree;
+    t.inward += m->in;
+    if (m->in && m->out && t.folded++ == 0) {
+      t.first_folded = i;
+    }
+  }
+  return t;
+}
+
 static void finish(const struct builder *b, struct ph_result *result) {
   struct ph_diagnostics *diagnostics = &result->diagnostics;
   struct ph_curve *c = b->curve;
   const struct ph_pow2 scale = b->from_unit;
-  const bool inward = 2 * b->inward > c->n;
-  const double volume = ph_sum_value(&b->volume);
-  double size = ph_pow2_apply(scale, ph_sum_value(&b->area));
+  const struct total t = total_of(b);
+  const bool inward = 2 * t.inward > c->n;
+  const double volume = ph_sum_value(&t.volume);
+  double size = ph_pow2_apply(scale, ph_sum_value(&t.area));
+  c->degree = t.degree + 1;
   c->surface.area = ph_pow2_apply(scale, size);
   size = ph_pow2_apply(scale, ph_pow2_apply(scale, inward ? -volume : volume));
   c->surface.volume = c->closed ? ph_pow2_apply(scale, size) : (double)NAN;
   ph_diagnostics_set(diagnostics, PH_D_ITERATIONS, 0);
-  ph_diagnostics_set(diagnostics, PH_D_RESIDUAL, b->residual);
+  ph_diagnostics_set(diagnostics, PH_D_RESIDUAL, t.residual);
   if (!b->exact) {
-    ph_diagnostics_set(diagnostics, PH_D_DEGREE, (double)b->degree);
+    ph_diagnostics_set(diagnostics, PH_D_DEGREE, (double)t.degree);
   }
-  ph_diagnostics_set(diagnostics, PH_D_FOLDED, (double)b->folded);
+  ph_diagnostics_set(diagnostics, PH_D_FOLDED, (double)t.folded);
   ph_diagnostics_set(diagnostics, PH_D_AREA, c->surface.area);
-  if (b->folded) {
-    ph_warn(result, b->first_folded, PH_W_FOLDED,
+  if (t.folded) {
+    ph_warn(result, t.first_folded, PH_W_FOLDED,
             "the patch of faces[%zu] is folded: its normal turns to the other "
             "side (such patches: %zu)",
-            b->first_folded, b->folded);
+            t.first_folded, t.folded);
   }
 }
 
@@ -372,14 +500,14 @@ enum ph_status ph_bubble_build(struct ph_bubble_data *data,
       status = set_ribbons(&b);
     }
     if (status == PH_OK) {
-      status = ph_blends_begin(&b.blends, data->continuity, scratch, diag);
+      status = ph_blends_begin(b.blends, data->continuity, scratch, diag);
     }
   }
   if (status == PH_OK) {
     set_work(&b);
   }
-  for (size_t i = 0; status == PH_OK && i < data->mesh.faces_n; i++) {
-    status = ph_arena_late(scratch) ? ph_fail_memory(diag) : make_patch(&b, i);
+  if (status == PH_OK) {
+    status = make_patches(&b);
   }
   if (status == PH_OK) {
     finish(&b, result);

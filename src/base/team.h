@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Threads that have nothing to do, for a part of the work on one record.
+ *
+ * Workers (cli/run.c) share a count of spare threads.  Whoever has work that
+ * can be cut takes some, and gives them back at its end: so one large record is
+ * spread over all, and many small ones cost no thread.
+ */
+#ifndef PH_BASE_TEAM_H
+#define PH_BASE_TEAM_H
+
+#include <stdatomic.h>
+#include <stddef.h>
+
+/* More threads than this do not work together. */
+enum { PH_TEAM_MAX = 64 };
+
+/* ph_team_enter, ph_team_leave: work on a record begins and ends in the thread
+ * of a worker, which is not spare in between.  spare may be NULL. */
+void ph_team_enter(atomic_int *spare);
+void ph_team_leave(atomic_int *spare);
+
+/* ph_team_take: how many threads there are for some work, `most` at most: that
+ * of the caller, and spare ones. */
+size_t ph_team_take(atomic_int *spare, size_t most);
+
+/*
+ * ph_team_run: calls work(context, i) for i = 0 to n - 1, at the same time, and
+ * gives n - 1 threads back when all have ended.  Where a thread cannot be made,
+ * the caller does its work as well, afterwards.
+ */
+void ph_team_run(atomic_int *spare, size_t n,
+                 void (*work)(void *context, size_t i), void *context);
+
+#endif
