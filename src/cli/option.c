@@ -409,6 +409,10 @@ static enum ph_status check_together(struct ph_option_parser *p) {
   if (check_nurbs(p) != PH_OK) {
     return PH_E_USAGE;
   }
+  if (o->with_file && !format->is_table) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--with-file needs --format=csv or --format=text");
+  }
   if (o->pretty && !format->is_objects) {
     return ph_fail(p->diag, PH_E_USAGE, NULL, "--pretty needs --format=json");
   }
@@ -488,11 +492,11 @@ enum ph_status ph_options_read(int argc, char **argv,
 }
 
 struct ph_print ph_options_print(const struct ph_options *options) {
-  return (struct ph_print){{options->table, ph_formats[options->format].is_text,
-                            space_of(options), options->offsets_n,
-                            options->offset.mode != PH_OFFSET_RAW,
-                            options->samples.frame != PH_FRAME_NONE},
-                           options->pretty};
+  return (struct ph_print){
+      {options->table, ph_formats[options->format].is_text, space_of(options),
+       options->offsets_n, options->offset.mode != PH_OFFSET_RAW,
+       options->samples.frame != PH_FRAME_NONE, options->with_file},
+      options->pretty};
 }
 
 void ph_options_free(struct ph_options *options) {

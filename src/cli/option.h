@@ -60,6 +60,8 @@
   X(TABLE, SOLVE, 0, "table", "NAME",                                          \
     "what --format=csv and text print (default: control-points, of surfaces "  \
     "strips or patches):")                                                     \
+  X(WITH_FILE, SOLVE, 0, "with-file", NULL,                                    \
+    "add the file of the problem to the rows of --table")                      \
   X(PRETTY, ALL, 0, "pretty", NULL, "indented JSON")                           \
   X(OUTPUT, ALL, 'o', "output", "FILE",                                        \
     "write FILE, replaced only when everything was written")                   \
@@ -199,7 +201,8 @@ struct ph_options {
   enum ph_format format;
   enum ph_table table;
   bool edges; /* of surfaces of patches */
-  bool pretty, strict, fail_fast, progress, quiet, verbose, no_sync, if_changed;
+  bool with_file, pretty, strict, fail_fast, progress, quiet, verbose, no_sync,
+      if_changed;
   const char *output; /* NULL: standard output */
   size_t jobs;
   size_t max_memory; /* bytes */

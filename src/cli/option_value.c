@@ -414,6 +414,8 @@ static bool *flag_of(struct ph_options *o, enum ph_option_id id) {
     return &o->if_changed;
   case PH_O_NO_SYNC:
     return &o->no_sync;
+  case PH_O_WITH_FILE:
+    return &o->with_file;
   case PH_O_IGNORE_COLUMNS:
     return &input_of(o)->ignore_columns;
   case PH_O_STRICT:

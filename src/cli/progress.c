@@ -4,6 +4,7 @@
 
 #include "cli/output.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -19,7 +20,9 @@ static double seconds(const struct ph_progress *progress) {
 }
 
 void ph_progress_init(struct ph_progress *progress, bool wanted, bool quiet) {
-  progress->records = progress->failed = 0;
+  progress->records = progress->failed = progress->read = 0;
+  progress->total = NAN;
+  progress->all = false;
   progress->terminal = isatty(STDERR_FILENO);
   progress->enabled = wanted || (progress->terminal && !quiet);
   progress->visible = false;
@@ -27,13 +30,38 @@ void ph_progress_init(struct ph_progress *progress, bool wanted, bool quiet) {
   clock_gettime(CLOCK_MONOTONIC, &progress->start);
 }
 
+/* A time as people say it. */
+static int put_time(char *text, size_t size, double s) {
+  return s < 100    ? snprintf(text, size, "%.1f s", s)
+         : s < 6000 ? snprintf(text, size, "%.0f min", s / 60)
+                    : snprintf(text, size, "%.1f h", s / 3600);
+}
+
 static void print_line(const struct ph_progress *progress, double elapsed,
                        const char *end) {
-  char line[128];
-  int n =
-      snprintf(line, sizeof line, "phspline: %zu records, %zu failed, %.1f s%s",
-               progress->records, progress->failed, elapsed, end);
-  ph_output_bytes(STDERR_FILENO, line, (size_t)n);
+  const double done = (double)progress->records;
+  const double total = progress->all ? (double)progress->read : progress->total;
+  const bool more = total > done; /* and known */
+  char line[256], time[32];
+  size_t n =
+      (size_t)snprintf(line, sizeof line, "phspline: %zu", progress->records);
+  if (more) {
+    n += (size_t)snprintf(line + n, sizeof line - n, " of %s%.0f",
+                          progress->all ? "" : "about ", total);
+  }
+  put_time(time, sizeof time, elapsed);
+  n += (size_t)snprintf(line + n, sizeof line - n, " records, %zu failed, %s",
+                        progress->failed, time);
+  if (done > 0 && elapsed > 0) {
+    n += (size_t)snprintf(line + n, sizeof line - n, ", %.3g a second",
+                          done / elapsed);
+  }
+  if (more && done > 0) {
+    put_time(time, sizeof time, elapsed * (total / done - 1));
+    n += (size_t)snprintf(line + n, sizeof line - n, ", %s left", time);
+  }
+  n += (size_t)snprintf(line + n, sizeof line - n, "%s", end);
+  ph_output_bytes(STDERR_FILENO, line, n);
 }
 
 void ph_progress_show(struct ph_progress *progress) {

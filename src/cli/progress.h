@@ -2,7 +2,8 @@
 /*
  * The progress line on standard error: on a terminal one line that is
  * rewritten, from the second second on; elsewhere, if asked for, a line a
- * minute.
+ * minute.  It has the records that are done, how many there are where that can
+ * be told, how many failed, the time, the rate and the time that is left.
  */
 #ifndef PH_CLI_PROGRESS_H
 #define PH_CLI_PROGRESS_H
@@ -13,6 +14,9 @@
 
 struct ph_progress {
   size_t records, failed; /* so far; kept by the pipeline */
+  size_t read;            /* records that were read, and how many there are */
+  double total;           /* by the bytes that were; NaN: not known */
+  bool all;               /* that is all of them */
   bool enabled, terminal, visible;
   struct timespec start;
   double next; /* seconds after the start at which to show the line again */

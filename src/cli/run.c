@@ -22,8 +22,11 @@
 #include "io/nrrd.h"
 #include "io/svg_out.h"
 
+#include <math.h>
 #include <pthread.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 enum { BATCH_ITEMS = 64, BATCH_BYTES = 64 << 10, SLOTS_PER_JOB = 4 };
 
@@ -51,6 +54,7 @@ struct run {
   struct ph_output picture;     /* of --panorama */
   struct ph_panorama *panorama; /* NULL: no result has one */
   struct ph_progress progress;
+  double bytes; /* of all files; NaN: they are not all files */
   struct ph_document document;
   struct ph_buf message;
   enum ph_class class; /* the worst so far */
@@ -175,6 +179,7 @@ static bool add_item(struct run *r, struct slot *slot) {
   item->draw = ph_plot_wants(&r->plot, r->current.record.number);
   slot->text_at[slot->n] = at;
   slot->n++;
+  r->progress.read++;
   r->current.sweep++;
   r->current_left--;
   return true;
@@ -332,6 +337,9 @@ static void write_slot(struct run *r, struct slot *slot) {
   send(r);
   slot->state = SLOT_FREE;
   r->written++;
+  r->progress.all = r->input_ended && !r->current_left;
+  r->progress.total = (double)r->progress.read * r->bytes /
+                      (double)(r->split.passed + r->split.done);
   ph_progress_show(&r->progress);
 }
 
@@ -494,6 +502,35 @@ static void conclude(struct run *r) {
   }
 }
 
+/* The bytes of all files, if they are files. */
+static double bytes_of(const struct ph_options *o) {
+  double bytes = 0;
+  for (size_t i = 0; i < o->files_n; i++) {
+    struct stat info;
+    const bool known =
+        (strcmp(o->files[i], "-") == 0 ? fstat(STDIN_FILENO, &info)
+                                       : stat(o->files[i], &info)) == 0;
+    bytes +=
+        known && S_ISREG(info.st_mode) ? (double)info.st_size : (double)NAN;
+  }
+  return bytes;
+}
+
+/* An input without any record is told. */
+static void tell_empty(struct run *r) {
+  const struct ph_options *o = r->options;
+  if (r->progress.read == 0 && r->class == PH_CLASS_OK && !o->quiet) {
+    ph_message_printf(&r->message, "phspline: there is no %s in ",
+                      o->command->use == PH_USE_VERIFY ? "result" : "problem");
+    for (size_t i = 0; i < o->files_n; i++) {
+      const bool standard = strcmp(o->files[i], "-") == 0;
+      ph_message_printf(&r->message, "%s%s", i > 0 ? ", " : "",
+                        standard ? "standard input" : o->files[i]);
+    }
+    ph_message_printf(&r->message, "\n");
+  }
+}
+
 /* Opens what is written, none of which may be what is read. */
 static enum ph_status open_outputs(struct run *r, struct ph_diag *diag) {
   const struct ph_options *o = r->options;
@@ -526,6 +563,7 @@ int ph_run(const struct ph_options *options) {
   enum ph_status status;
   pthread_mutex_init(&r.lock, NULL);
   pthread_cond_init(&r.changed, NULL);
+  r.bytes = bytes_of(o);
   ph_progress_init(&r.progress, o->progress, o->quiet);
   status = ph_split_init(&r.split, o->files, o->files_n, &o->input,
                          o->command->schema, &diag);
@@ -549,6 +587,7 @@ int ph_run(const struct ph_options *options) {
       complain(&r, &r.input_failure);
     }
     finish_pairing(&r);
+    tell_empty(&r);
     end_document(&r);
     ph_progress_finish(&r.progress);
     conclude(&r);

@@ -331,13 +331,15 @@ static void write_failure(struct task *t, const struct ph_heading *heading,
   const struct ph_format_row *format = &ph_formats[t->options->format];
   const struct ph_print print = ph_options_print(t->options);
   const struct ph_record *record = &t->item->record;
+  struct ph_heading failed = *heading;
+  failed.file = NULL; /* the error has it */
   if (!t->diag.line) {
     t->diag.line = record->status == PH_OK
                        ? ph_record_line(record, t->diag.field)
                        : record->line;
   }
   if (format->failed) {
-    format->failed(out, &print, heading, &t->diag, record->file);
+    format->failed(out, &print, &failed, &t->diag, record->file);
   }
 }
 
@@ -391,8 +393,10 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   struct task t = {.options = options, .worker = worker, .item = item};
   struct ph_subject subject = {record->file, record->line, NULL,
                                record->number};
-  struct ph_heading heading = {.echo = &t.echo,
-                               .command = options->command->schema->command};
+  struct ph_heading heading = {
+      .file = strcmp(record->file, "-") == 0 ? NULL : record->file,
+      .echo = &t.echo,
+      .command = options->command->schema->command};
   struct timespec start = {0, 0};
   if (options->verbose) {
     clock_gettime(CLOCK_MONOTONIC, &start);

@@ -120,6 +120,10 @@ static void end_row(const struct row *row) {
     between(row);
     json_cell(row, row->heading->swept[i].value);
   }
+  if (row->shape->file) {
+    between(row);
+    text_cell(row, row->heading->file, strlen(row->heading->file));
+  }
   ph_buf_put(row->buf, "\n", 1);
 }
 
@@ -173,6 +177,7 @@ void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
     between(&row);
     text_cell(&row, swept[i].name, strlen(swept[i].name));
   }
+  names(&row, shape->file ? ",file" : "");
   ph_buf_put(buf, "\n", 1);
 }
 

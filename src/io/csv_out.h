@@ -52,6 +52,7 @@ struct ph_csv_shape {
   bool offsets;        /* there are some */
   bool loops;          /* that are loops */
   bool frame;          /* of samples */
+  bool file;           /* of the problem */
 };
 
 /* The first cells of every row. */
@@ -59,6 +60,7 @@ struct ph_csv_heading {
   const char *id; /* plain text */
   const struct ph_swept *swept;
   size_t swept_n;
+  const char *file; /* of the problem, for shapes that have it */
 };
 
 /*
@@ -66,7 +68,7 @@ struct ph_csv_heading {
  * after what there always is: the frame; distance, and in space vector, of the
  * offset that a row is of (0 and nothing: of the curve); of loops the loop, and
  * of their control points the piece.  Swept fields are
- * columns after all others.
+ * columns after all others, and the file after these.
  */
 void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
                    const struct ph_swept *swept, size_t swept_n);

@@ -26,8 +26,9 @@ static void table_header(struct ph_buf *buf, const struct ph_print *print,
 
 static void table_solved(struct ph_buf *buf, const struct ph_print *print,
                          const struct ph_solved *s) {
-  const struct ph_csv_heading heading = {s->id, s->heading->swept,
-                                         s->heading->swept_n};
+  const struct ph_csv_heading heading = {
+      s->id, s->heading->swept, s->heading->swept_n,
+      s->heading->file ? s->heading->file : "-"};
   ph_csv_result(buf, &print->shape, &heading, s->result);
 }
 

@@ -373,6 +373,9 @@ static void write_feature(struct ph_buf *buf, const struct ph_heading *heading,
   if (isfinite(length)) {
     ph_write_key_number(&w, "length", length);
   }
+  if (heading->file) {
+    ph_write_key_string(&w, "file", heading->file);
+  }
   ph_json_fields(&w, "sweep", heading->swept, heading->swept_n);
   ph_write_key_raw(&w, "meta", echo->meta, echo->meta_n);
   ph_write_end(&w, '}');

@@ -30,6 +30,9 @@ void ph_json_heading(struct ph_json_writer *w, const struct ph_heading *heading,
   ph_write_key_raw(w, "id", echo->id, echo->id_n);
   ph_write_key_string(w, "command", heading->command);
   ph_write_key_string(w, "status", status);
+  if (heading->file) {
+    ph_write_key_string(w, "file", heading->file);
+  }
   ph_write_key_raw(w, "meta", echo->meta, echo->meta_n);
   ph_json_fields(w, "sweep", heading->swept, heading->swept_n);
   ph_json_fields(w, "set", heading->set, heading->set_n);

@@ -27,6 +27,7 @@ struct ph_heading {
   size_t swept_n;
   const struct ph_swept *set; /* by options, which the problem does not have */
   size_t set_n;
+  const char *file; /* of the problem; NULL: standard input */
 };
 
 /* ph_json_result: appends the record of a solved problem, with its newline. */

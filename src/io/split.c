@@ -98,6 +98,7 @@ static void advance(struct ph_split_place *place, const char *p, size_t n) {
 void ph_split_drop(struct ph_split *split, size_t n) {
   if (n > 0) {
     advance(&split->place, split->data + split->start, n);
+    split->passed += n;
     split->start += n;
   }
 }

@@ -160,6 +160,7 @@ struct ph_split {
   size_t done;                 /* bytes of the window that were handed out */
   /* the stream */
   size_t number; /* of the last record */
+  size_t passed; /* bytes of all files that are behind the window */
   bool stopped;
   bool ended;
   struct ph_split_json json;

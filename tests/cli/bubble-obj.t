@@ -121,7 +121,8 @@ run bubble wrong.obj
 equal 'bytes of 0' 'syntax 1' "$(jq -r '.error | "\(.code) \(.line)"' out)"
 : >empty.obj
 run bubble empty.obj
-expect 'an empty file is no problem' 0 '' ''
+expect 'an empty file is no problem' 0 \
+  'phspline: there is no problem in empty.obj' ''
 run bubble --max-record-bytes=20 plain.obj
 equal 'a file that is too long' limit "$(jq -r .error.code out)"
 run bubble plain.obj --max-memory=1000

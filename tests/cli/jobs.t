@@ -98,7 +98,8 @@ run planar -j 1 one.json
 equal_files 'the default' default out
 for jobs in 1 8; do
   feed '' planar --jobs=$jobs
-  expect "nothing to do, --jobs=$jobs" 0 '' ''
+  expect "nothing to do, --jobs=$jobs" 0 \
+    'phspline: there is no problem in standard input' ''
 done
 
 # ---- points in space ---------------------------------------------------------

@@ -86,7 +86,8 @@ equal 'a list without brackets' '0 [0,1] [1,3]' \
 feed '{}' planar --points='[[0,0],[3,4]]'
 equal 'points as an option, for a problem without' '0 5' "$status $(get length)"
 feed '' planar --points='[[0,0],[3,4]]'
-expect 'no problem, no result' 0 '' ''
+expect 'no problem, no result' 0 \
+  'phspline: there is no problem in standard input' ''
 feed '{"basis":"ph","points":[[0,0],[3,4]]}' planar --basis=ph
 equal 'basis' '0 5' "$status $(get length)"
 feed '{"points":5}' planar --set points='[[0,0],[3,4]]'
@@ -332,7 +333,8 @@ $(failed 1 3)"
 equal 'rows are named by id, or else by number' 'id 1 1 w' \
   "$(cut -d , -f 1 out | tr '\n' ' ' | sed 's/ $//')"
 feed '' planar -f csv
-expect 'no problem, but a header' 0 '' 'id,segment,index,x,y'
+expect 'no problem, but a header' 0 \
+  'phspline: there is no problem in standard input' 'id,segment,index,x,y'
 
 # quoted NAME ID CELL: an id in JSON and in CSV
 quoted() {
@@ -408,7 +410,7 @@ $error
 END
 equal_files '-q -v: no warnings, no sum' want verbose
 run planar --progress a.jsonl
-sed 's/, [0-9.]* s$/, time/' err >progress
+sed 's/, [0-9.]* s, [0-9.e+-]* a second$/, time/' err >progress
 cat >want <<END
 $warning
 $error
@@ -418,7 +420,7 @@ END
 equal_files '--progress: the last line' want progress
 equal_files '--progress: the same results' before out
 run planar --progress -q a.jsonl
-sed 's/, [0-9.]* s$/, time/' err >progress
+sed 's/, [0-9.]* s, [0-9.e+-]* a second$/, time/' err >progress
 equal '--progress -q' "$error
 phspline: 3 records, 1 failed, time" "$(cat progress)"
 run planar --strict a.jsonl

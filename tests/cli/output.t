@@ -95,7 +95,7 @@ expect 'a name as long as names may be' 0 '' ''
 equal_files 'a name as long as names may be: the file' good.out "d/$long"
 fresh
 run planar -f csv -o d/old </dev/null
-expect 'a table of nothing' 0 '' ''
+expect 'a table of nothing' 0 'phspline: there is no problem in standard input' ''
 equal 'a table of nothing: the file' 'id,segment,index,x,y' "$(cat d/old)"
 fresh
 run planar -o d/old -o - good.jsonl
@@ -484,7 +484,7 @@ if [ -c /dev/full ]; then
   full "$space" 4 --help
   full "$space" 4 --version
   full 'phspline: cannot open nosuch: No such file or directory' 3 planar nosuch
-  full '' 0 planar </dev/null
+  full 'phspline: there is no problem in standard input' 0 planar </dev/null
 else
   echo 'skip a full device as standard output: no /dev/full'
 fi

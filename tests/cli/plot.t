@@ -151,7 +151,7 @@ run planar -q -p x.svg mixed.jsonl
 equal 'a problem failed: status' 1 "$status"
 drawn 'a problem failed' 4 4 0 0 4 0 6
 run planar -p x.svg </dev/null
-expect 'no problem' 0 '' ''
+expect 'no problem' 0 'phspline: there is no problem in standard input' ''
 drawn 'no problem' 0 0 0 0 0 0 0
 run planar -q -p x.svg good.jsonl nosuch.json
 equal 'input that cannot be read: status' 3 "$status"

@@ -145,7 +145,8 @@ numbers 'control points: points of two coordinates have a z, too' 1e-15 \
 run spatial-hermite -f csv --table=lengths - <<'END'
 x,y
 END
-expect 'a table of nothing has its header' 0 '' \
+expect 'a table of nothing has its header' 0 \
+  'phspline: there is no problem in standard input' \
   'id,segment,t0,t1,length,cumulative'
 run spatial-hermite -q -f csv --convert=bezier --basis=atph --alpha=1 \
   --criterion=cc --tolerance=1e-4 some.jsonl

@@ -46,7 +46,7 @@ stream 'blanks' 0 '' ' \n\t\r\n  '
 stream 'a byte-order mark alone' 0 '' '\357\273\277'
 stream 'nothing, called JSON' 0 '' '' -i json
 stream 'nothing, called CSV' 0 '' '' -i csv
-expect 'nothing in, nothing out' 0 '' ''
+expect 'nothing in, nothing out' 0 'phspline: there is no problem in standard input' ''
 
 # ---- what is broken ----------------------------------------------------------
 

@@ -48,7 +48,7 @@ progress() {
   at_terminal '' planar -j 1 "$@" slow
   wait $!
   equal "$name: status" 1 "$status"
-  equal "$name" "$wanted" "$(tr '\033\r' '@<' <err | sed 's/[0-9.]* s</N s</g')"
+  equal "$name" "$wanted" "$(tr '\033\r' '@<' <err | sed 's/[0-9.]* s, [0-9.e+-]* a second</N s</g')"
 }
 
 said="phspline: slow:1: record 1: $bad_says

@@ -199,7 +199,7 @@ static inline void fuzz_check_offset(const struct ph_offset *offset) {
 static inline void fuzz_check_output(const struct ph_result *result,
                                      const char *command, bool pretty) {
   const struct ph_echo echo = {0};
-  const struct ph_heading heading = {&echo, command, NULL, 0, NULL, 0};
+  const struct ph_heading heading = {.echo = &echo, .command = command};
   struct ph_json_scan scan = {0};
   struct ph_buf out = {0};
   ph_json_result(&out, &heading, result, pretty);

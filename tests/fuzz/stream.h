@@ -91,7 +91,7 @@ static void stream_check_value(struct ph_buf *log, const struct ph_field *row,
 static void stream_check_output(const struct ph_echo *echo,
                                 const struct ph_diag *diag,
                                 struct ph_buf *log) {
-  struct ph_heading heading = {echo, "planar", NULL, 0, NULL, 0};
+  struct ph_heading heading = {.echo = echo, .command = "planar"};
   struct ph_json_scan scan = {0};
   struct ph_buf out = {0};
   ph_json_error(&out, &heading, diag, "file", false);

@@ -228,7 +228,12 @@ static struct ph_record record_of(const char *letters, const char *text) {
   size_t n = strlen(text);
   free(columns);
   set_columns(letters);
-  return (struct ph_record){heap(text, n), n, "a.csv", 10, 1, columns, PH_OK};
+  return (struct ph_record){.text = heap(text, n),
+                            .n = n,
+                            .file = "a.csv",
+                            .line = 10,
+                            .number = 1,
+                            .columns = columns};
 }
 
 static enum ph_status get_by(const struct ph_schema *by, const char *letters,

@@ -36,7 +36,8 @@ static struct ph_record record_of(const char *text) {
   ck_assert_ptr_nonnull(copy);
   memcpy(copy, text, n);
   ck_assert_int_eq(ph_json_scan(&scan, copy, n, true), PH_JSON_DONE);
-  return (struct ph_record){copy, n, "a.json", 10, 1, NULL, PH_OK};
+  return (struct ph_record){
+      .text = copy, .n = n, .file = "a.json", .line = 10, .number = 1};
 }
 
 static enum ph_status get(const char *text) {
