@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# `bubble': how fast surfaces come near to a sphere, an ellipsoid and a torus
+# when meshes of them, with their normals, become finer: largest distances of
+# samples of the exact surfaces, and the orders from one mesh to the next.  The
+# manual has the table (phspline-bubble, REPRODUCTION).
+#
+# shellcheck disable=SC2154,SC2016  # what lib.sh sets; programs of jq
+. "$srcdir/tests/cli/lib.sh"
+
+# mesh SURFACE N: of the torus 2 N by N faces; else those of a cube, N by N at
+# equal angles
+mesh() {
+  jq -nc --arg s "$1" --argjson n "$2" '
+  (4 * (1 | atan)) as $pi |
+  def unit: (map(. * .) | add | sqrt) as $l | map(. / $l);
+  if $s == "torus" then
+    {points: [range(2*$n) as $i | range($n) as $j | ($i*$pi/$n) as $a | (2*$j*$pi/$n) as $b |
+       [(3+($b|cos))*($a|cos), (3+($b|cos))*($a|sin), ($b|sin)]],
+     normals: [range(2*$n) as $i | range($n) as $j | ($i*$pi/$n) as $a | (2*$j*$pi/$n) as $b |
+       [($b|cos)*($a|cos), ($b|cos)*($a|sin), ($b|sin)]],
+     faces: [range(2*$n) as $i | range($n) as $j | ((($i+1)%(2*$n))*$n) as $k | (($j+1)%$n) as $l |
+       [$i*$n+$j, $k+$j, $k+$l, $i*$n+$l]]}
+  else
+    # faces of a cube, each n by n at equal angles; points are found by their place on the cube
+    [range(6) as $f | range($n) as $i | range($n) as $j | [[$i,$j],[$i+1,$j],[$i+1,$j+1],[$i,$j+1]] |
+      map(if $f < 2 then [.[0],.[1],$f*$n] elif $f < 4 then [.[1],($f-2)*$n,.[0]] else [($f-4)*$n,.[0],.[1]] end)] as $q |
+    ([$q[][]] | unique) as $p | ($p | to_entries | map({key: (.value|tostring), value: .key}) | from_entries) as $at |
+    ($p | map(map((. * 2 / $n - 1) * $pi / 4 | tan) | unit)) as $u |
+    (if $s == "sphere" then [1,1,1] else [3,2,1] end) as $x |
+    {points: ($u | map([., $x] | transpose | map(.[0]*.[1]))), normals: ($u | map([., $x] | transpose | map(.[0]/.[1]))),
+     faces: ($q | map(map($at[tostring])))}
+  end'
+}
+# distance SURFACE: the largest, of samples; of the ellipsoid the first order of it
+distance() {
+  jq -r --arg s "$1" '
+   [.samples[].point | if $s == "torus" then
+     (((.[0]*.[0]+.[1]*.[1]) | sqrt) - 3) as $r | ($r*$r + .[2]*.[2] | sqrt) - 1
+     else (if $s == "sphere" then [1,1,1] else [3,2,1] end) as $x | ([., $x] | transpose) |
+       ((map(.[0]/.[1] | . * .) | add) - 1) / 2 / (map(.[0]/.[1]/.[1] | . * .) | add | sqrt) end | fabs] | max'
+}
+
+for surface in sphere ellipsoid torus; do
+  for n in 8 16 32; do
+    m=$n
+    test $surface = torus || m=$((n / 2))
+    mesh $surface $m >$n.json
+  done
+  for continuity in 0 1 2; do
+    for n in 8 16 32; do
+      "$PHSPLINE" bubble -q --degree=exact --continuity=$continuity --sample=4 \
+        $n.json | distance $surface
+    done | awk -v s=$surface -v c=$continuity '{ e[NR] = $1 } END {
+      printf "%s %d %.2g %.2g %.2g %.1f %.1f\n", s, c, e[1], e[2], e[3],
+        log(e[1] / e[2]) / log(2), log(e[2] / e[3]) / log(2) }'
+  done
+done >found
+cat >known <<'END'
+sphere 0 0.037 0.0095 0.0024 2.0 2.0
+sphere 1 3.1e-05 5.4e-07 8.7e-09 5.8 6.0
+sphere 2 3.8e-08 4.5e-11 4.5e-14 9.7 9.9
+ellipsoid 0 0.095 0.027 0.0071 1.8 1.9
+ellipsoid 1 0.003 0.00042 4.6e-05 2.9 3.2
+ellipsoid 2 0.0075 0.001 0.00011 2.8 3.3
+torus 0 0.14 0.038 0.0096 1.9 2.0
+torus 1 0.0028 0.00022 1.5e-05 3.7 3.9
+torus 2 0.0057 0.00058 5.7e-05 3.3 3.3
+END
+sed 's/4.5e-14 9.7 9.9/rounding/' known >known.table # that is rounding in part
+sed 's/^\(sphere 2 3.8e-08 4.5e-11\) .*/\1 rounding/' found >found.table
+equal_files 'the table' known.table found.table
+true_that 'the finest sphere: to rounding' awk '/^sphere 2/ { exit $5 > 1e-13 }' \
+  found
