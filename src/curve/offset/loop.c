@@ -366,9 +366,9 @@ static enum ph_status write_loops(struct writer *w,
   return status;
 }
 
-/* The raw offsets to both sides, with cusps for samples of pieces. */
+/* The raw offsets to both sides, for what is asked of places of pieces. */
 static enum ph_status find_sides(const struct ph_curve *curve, double distance,
-                                 bool cusps, struct ph_arena *arena,
+                                 struct ph_arena *arena,
                                  struct ph_offset *offset,
                                  struct ph_diag *diag) {
   struct ph_offset *sides = ph_arena_array(arena, 2, sizeof *sides);
@@ -377,9 +377,7 @@ static enum ph_status find_sides(const struct ph_curve *curve, double distance,
   for (size_t i = 0; status == PH_OK && i < 2; i++) {
     const double d = i ? 0 - distance : distance;
     sides[i] = (struct ph_offset){.distance = d, .dimension = 2};
-    if (cusps) {
-      status = ph_cusps_of(curve, d, PH_E2, arena, &sides[i].cusps, diag);
-    }
+    status = ph_cusps_of(curve, d, PH_E2, arena, &sides[i].cusps, diag);
   }
   return status;
 }
@@ -411,9 +409,8 @@ enum ph_status ph_loops_of(const struct ph_curve *curve,
     status = ph_outline_of(&strands, rules, open, &outline, diag);
   }
   if (status == PH_OK) {
-    status =
-        find_sides(curve, ldexp(strands.distance, strands.exponent),
-                   rules->samples.how != PH_SAMPLE_NONE, arena, offset, diag);
+    status = find_sides(curve, ldexp(strands.distance, strands.exponent), arena,
+                        offset, diag);
   }
   if (status == PH_OK) {
     offset->loops.trimming = (struct ph_trimming){
