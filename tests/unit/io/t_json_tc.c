@@ -9,7 +9,8 @@
 
 static struct ph_buf buf;
 static const struct ph_echo nothing = {0};
-static const struct ph_heading heading = {&nothing, "tc", NULL, 0, NULL, 0, NULL};
+static const struct ph_heading heading = {&nothing, "tc", NULL, 0,
+                                          NULL,     0,    NULL};
 
 static void finish(void) {
   ph_buf_free(&buf);
@@ -45,7 +46,8 @@ static struct ph_result by_hand(void) {
                                        .preimage.dimension = 2,
                                        .preimage.v = preimage,
                                        .lengths = lengths,
-                                       .length = 7.5}};
+                                       .length = 7.5},
+                             .area = (double)NAN};
   return result;
 }
 
