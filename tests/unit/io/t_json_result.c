@@ -294,8 +294,8 @@ static const struct {
      "\"good\":", "\"good\":1,\"g\":", PH_E_BAD_TYPE, "solutions[0].good"},
     {"tc", "\"intervals\"", "\"segments\":[0,", "\"segments\":[2,",
      PH_E_BAD_VALUE, "intervals[0].segments"},
-    {"tc", "\"intervals\"", "\"root\":\"", "\"root\":\"x", PH_E_BAD_VALUE,
-     "intervals[0].root"},
+    {"tc --mode=spline", "\"intervals\"", "\"root\":\"", "\"root\":\"x",
+     PH_E_BAD_VALUE, "intervals[0].root"},
     {"tc --blaschke", "\"blaschke\"", "\"weights\":[", "\"weights\":[1,",
      PH_E_BAD_SHAPE, "segments[0].blaschke[0].weights"},
 };
