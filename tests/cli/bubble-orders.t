@@ -3,7 +3,7 @@
 # `bubble': how fast surfaces come near to a sphere, an ellipsoid and a torus
 # when meshes of them, with their normals, become finer: largest distances of
 # samples of the exact surfaces, and the orders from one mesh to the next.  The
-# manual has the table (phspline-bubble, REPRODUCTION).
+# manual has the table (phspline-papers, BUBBLE).
 #
 # shellcheck disable=SC2154,SC2016  # what lib.sh sets; programs of jq
 . "$srcdir/tests/cli/lib.sh"
