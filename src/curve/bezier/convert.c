@@ -46,6 +46,19 @@ static double length_of(const struct ph_curve *curve,
   }
 }
 
+enum ph_status ph_knots_increase(const double *knots, size_t n,
+                                 const size_t *segment, struct ph_diag *diag) {
+  for (size_t i = 0; i < n; i++) {
+    if (!(knots[i] < knots[i + 1])) {
+      return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "segments", segment[i],
+                        "has more Bezier pieces than there are numbers between "
+                        "its knots: take knots nearer to 0, or a larger "
+                        "tolerance");
+    }
+  }
+  return PH_OK;
+}
+
 enum ph_status ph_bezier_quintics(const struct ph_curve *curve,
                                   double tolerance, struct ph_arena *arena,
                                   struct ph_curve *bezier, double *error,
@@ -81,7 +94,7 @@ enum ph_status ph_bezier_quintics(const struct ph_curve *curve,
     }
   }
   bezier->knots[pieces.n] = curve->knots[curve->n];
-  return PH_OK;
+  return ph_knots_increase(bezier->knots, pieces.n, pieces.segment, diag);
 }
 
 enum ph_status ph_bezier_itself(const struct ph_curve *curve, double tolerance,

@@ -26,6 +26,11 @@ typedef enum ph_status ph_bezier_fn(const struct ph_curve *curve,
  */
 ph_bezier_fn ph_bezier_curve;
 
+/* ph_knots_increase: whether the n + 1 knots of pieces of these segments do.
+ * ret  PH_OK | PH_E_NO_CONVERGENCE (names the segment) */
+enum ph_status ph_knots_increase(const double *knots, size_t n,
+                                 const size_t *segment, struct ph_diag *diag);
+
 /* The same of curves that are their own, and of ATPH curves. */
 ph_bezier_fn ph_bezier_itself;
 ph_bezier_fn ph_bezier_quintics;

@@ -141,7 +141,7 @@ static enum ph_status locate(const struct ph_curve *curve,
     row->knots[i] = u > 0 ? knot[0] + u * (knot[1] - knot[0]) : knot[0];
   }
   row->knots[row->n] = curve->knots[curve->n];
-  return PH_OK;
+  return ph_knots_increase(row->knots, row->n, segment, diag);
 }
 
 /* Chains of an offset begin behind its gaps. */
