@@ -216,6 +216,7 @@ EOF
 sed "/$(printf '\342')/d" "$srcdir/README" >README.txt
 run README '' <README.txt
 for page in "$srcdir"/man/*.[1-9]; do
+  grep -q '^\.Sh EXAMPLES' "$page" || continue # of results, none to run
   manual "$page" >page.txt
   run "${page##*/}" PATH <page.txt
 done

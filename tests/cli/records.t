@@ -46,7 +46,8 @@ shape() {
 
 points='"points":[[0,0],[1,1],[2,0]]'
 shape 'a curve' 0 "$begin,$curve,$diagnostics" "{$points}"
-shape 'a closed curve' 0 "$begin,$curve,$diagnostics" "{$points,\"closed\":true}"
+shape 'a closed curve' 0 "$begin,$curve,area:number,$diagnostics" \
+  "{$points,\"closed\":true}"
 shape 'a curve with end derivatives' 0 "$begin,$curve,$diagnostics_ends" \
   "{$points,\"end_derivatives\":[[1,1],[1,0]]}"
 shape 'a number as id' 0 "id:number,$begin,$curve,$diagnostics" \

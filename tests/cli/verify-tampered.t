@@ -538,9 +538,9 @@ run verify -q bad
 equal 'a name twice' '"bad-value" "segments[0].length"' \
   "$(get error.code) $(get error.field)"
 feed '' verify
-expect 'nothing' 0 '' ''
+expect 'nothing' 0 'phspline: there is no result in standard input' ''
 feed '[]' verify
-expect 'no results' 0 '' ''
+expect 'no results' 0 'phspline: there is no result in standard input' ''
 feed '7 "a"' verify -q
 equal 'no objects' '"bad-type" "bad-type"' "$(get error.code)"
 feed "{\"points\":$points}" verify -q

@@ -13,7 +13,7 @@ static const char *const names[] = {"one",    "auto",       "fair", "pair",
                                     "lambda", "chord",      "c1",   "spline",
                                     "g2",     "approximate"};
 static const char *const modes[] = {"g1",      NULL,      "g1-fair", "g1-pair",
-                                    "g1-pair", "g1-pair", NULL,      NULL,
+                                    "g1-pair", "g1-pair", NULL,      "spline",
                                     "g2",      NULL};
 /* ---- data ---------------------------------------------------------------- */
 static bool has_tangents(const struct tc_data *d) {

@@ -89,6 +89,7 @@ void unit_claim_make(struct unit_claim *c, const char *command,
   if (status == PH_OK) {
     status = c->command->method->solve(&c->problem, &c->arena, &c->scratch,
                                        &c->result, &c->diag);
+    c->result.area = (double)NAN; /* it is not told */
   }
   if (status == PH_OK) {
     status = certify(c);

@@ -62,6 +62,7 @@ static void spline(bool closed, double lambda, double scale, double offset) {
                  2);
   unit_tc.problem.field[PH_F_CLOSED] =
       (struct ph_value){.kind = PH_BOOL, .flag = closed};
+  unit_set_word(&unit_tc.problem, PH_F_MODE, "spline");
   set_derivatives(closed, lambda);
   add_pairs(closed);
 }

@@ -214,7 +214,7 @@ PH_TEST(shape) {
   make("planar", "{\"points\":[[0,0],[2,1],[3,0]],\"basis\":\"ph\"}");
   claim.problem.field[PH_F_BASIS].word = "atph";
   expect_fail(PH_CHECK_SHAPE, never, never);
-  make("tc", "{\"points\":[[0,0],[2,1],[3,0]]}");
+  make("tc", "{\"points\":[[0,0],[2,1],[3,0]],\"mode\":\"spline\"}");
   claim.result.intervals[1].first = 1;
   expect_fail(PH_CHECK_SHAPE, never, never);
   make("tc", "{\"points\":[[0,0],[2,1],[3,0]]}");

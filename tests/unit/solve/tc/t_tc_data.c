@@ -40,7 +40,8 @@ static const struct {
   struct given given[GIVEN_MAX];
   enum ph_tc_mode mode;
 } MODES[] = {
-    {{POINTS}, PH_TC_SPLINE},
+    {{POINTS}, PH_TC_G2},
+    {{POINTS, MODE("spline")}, PH_TC_SPLINE},
     {{POINTS, TANGENTS}, PH_TC_G1_FAIR},
     {{POINTS, DERIVATIVES}, PH_TC_C1},
     {{BEZIER}, PH_TC_APPROXIMATE},
@@ -62,7 +63,7 @@ static const struct {
     {{POINTS, MODE("g2"), ENDS("smooth")}, PH_TC_G2},
     {{POINTS, MODE("g2"), END_TANGENTS(1, 0, 0, 1)}, PH_TC_G2},
     {{POINTS, MODE("g2"), AUXILIARY("never")}, PH_TC_G2},
-    {{POINTS, END_TANGENTS(1, 0, 0, 1)}, PH_TC_SPLINE},
+    {{POINTS, END_TANGENTS(1, 0, 0, 1)}, PH_TC_G2},
     {{POINTS, END_DERIVATIVES(1, 0, 0, 1)}, PH_TC_SPLINE},
 };
 
@@ -103,11 +104,11 @@ static const struct {
           "given",
           POINTS, END_DERIVATIVES(1, 0, 0, 1), ENDS("chord")),
     FAILS(PH_E_BAD_VALUE, "ends", "must be circle or chord in the mode spline",
-          POINTS, ENDS("smooth")),
+          POINTS, ENDS("smooth"), MODE("spline")),
     FAILS(PH_E_BAD_VALUE, "ends", "must be circle or smooth in the mode g2",
           POINTS, ENDS("chord"), MODE("g2")),
     FAILS(PH_E_BAD_VALUE, "auxiliary", "is for the mode g2", POINTS,
-          AUXILIARY("auto")),
+          AUXILIARY("auto"), MODE("spline")),
     FAILS(PH_E_BAD_VALUE, "lambda",
           "is for the modes spline, g1-pair, g1-auto, g1-fair", POINTS,
           MODE("g2"), LAMBDA(1)),
@@ -135,7 +136,7 @@ static const struct {
     FAILS(PH_E_INFEASIBLE, "points[2]",
           "is where the data turn back by 180 degrees: the chords have no "
           "bisector there",
-          {PH_F_POINTS, VECTORS(2, 0, 0, 1, 1, 3, 3, 2, 2)}),
+          {PH_F_POINTS, VECTORS(2, 0, 0, 1, 1, 3, 3, 2, 2)}, MODE("spline")),
     /* vectors */
     FAILS(PH_E_BAD_SHAPE, "tangents",
           "must have 3 vectors, one for each point, found 2", POINTS,
@@ -164,7 +165,7 @@ static const struct {
           {PH_F_DERIVATIVES, VECTORS(2, 1e13, 0, 1, 1, 1, 0)}),
     FAILS(PH_E_COINCIDENT_POINTS, "points[1]",
           "gets a derivative that is too small beside the chord from points[1]",
-          {PH_F_POINTS, VECTORS(2, 0, 0, 1e-13, 0, 1, 0)}),
+          {PH_F_POINTS, VECTORS(2, 0, 0, 1e-13, 0, 1, 0)}, MODE("spline")),
     FAILS(PH_E_TOO_LARGE, "points[2]",
           "gets a derivative that is too large beside the chord from points[1]",
           POINTS, END_DERIVATIVES(1, 0, 0, 1e13)),
@@ -194,13 +195,16 @@ static const struct {
   ph_cplx along[4];  /* of any length */
   double lengths[4]; /* over lambda */
 } SPLINES[] = {
-    {{POLYGON}, 0.5, {{3, 4}, {1, 3}, {-1, 1}, {-1, 0}}, {5, 5, 12, 15}},
+    {{POLYGON, MODE("spline")},
+     0.5,
+     {{3, 4}, {1, 3}, {-1, 1}, {-1, 0}},
+     {5, 5, 12, 15}},
     {{POLYGON, ENDS("chord"), LAMBDA(0.25)},
      0.25,
      {{3, 4}, {1, 3}, {-1, 1}, {-1, 0}},
      {5, 5, 12, 15}},
     /* (3 + 4i)^2 (1 - 3i) = 65 + 45i, (-1)^2 (-1 - i) */
-    {{POLYGON, ENDS("circle")},
+    {{POLYGON, MODE("spline"), ENDS("circle")},
      0.5,
      {{13, 9}, {1, 3}, {-1, 1}, {-1, -1}},
      {5, 5, 12, 15}},
@@ -249,7 +253,8 @@ PH_TEST_EACH(test_circle, 2) {
   }
   const struct given given[GIVEN_MAX] = {
       {PH_F_POINTS, {.kind = PH_VECTORS, .v = v, .n = 5, .dimension = 2}},
-      ENDS(_i ? "circle" : "chord")};
+      ENDS(_i ? "circle" : "chord"),
+      MODE("spline")};
   const double length = 0.5 * 6 * sin(0.25), turned = _i ? 0 : 0.25;
   struct ph_tc_data d = unit_tc_given(given);
   for (size_t k = 0; k < 5; k++) {
@@ -264,7 +269,7 @@ PH_TEST_EACH(test_circle, 2) {
 /* Two points have no circle: the chord. */
 PH_TEST(test_circle_of_two) {
   struct ph_tc_data d = unit_tc_given((struct given[GIVEN_MAX]){
-      {PH_F_POINTS, VECTORS(2, 1, 1, 4, 5)}, ENDS("circle")});
+      {PH_F_POINTS, VECTORS(2, 1, 1, 4, 5)}, ENDS("circle"), MODE("spline")});
   for (size_t k = 0; k < 2; k++) {
     ck_cplx(d.vector[k],
             ph_cplx_of(ldexp(1.5, d.exponent), ldexp(2, d.exponent)),

@@ -8,6 +8,7 @@ static double points[] = {0, 0, 1, 0, 2, 1, 3, 1};
 static struct unit_solution spline(void) {
   struct unit_solution s = {.result = {.offsets_n = 0}};
   unit_set_array(&s.problem, PH_F_POINTS, points, 4, 2);
+  unit_set_word(&s.problem, PH_F_MODE, "spline");
   return s;
 }
 
@@ -34,7 +35,7 @@ PH_TEST(test_schema) {
     ck_assert_msg((f->kinds & PH_VECTORS ? 1u << 2 : 0) == f->dimensions, "%s",
                   name);
   }
-  ck_assert_uint_eq(schema->fields_n, 19);
+  ck_assert_uint_eq(schema->fields_n, 21);
 }
 
 /* ---- images -------------------------------------------------------------- */
@@ -132,6 +133,7 @@ PH_TEST(test_loop_later) {
   const char *const choices[] = {"best", "all"};
   for (size_t i = 0; i < 2; i++) {
     struct unit_solution s = spline();
+    unit_set_word(&s.problem, PH_F_MODE, "c1");
     unit_set_array(&s.problem, PH_F_POINTS, v, 3, 2);
     unit_set_array(&s.problem, PH_F_DERIVATIVES, d, 3, 2);
     unit_set_word(&s.problem, PH_F_SOLUTIONS, choices[i]);
