@@ -175,6 +175,7 @@ struct context {
   const char *id;
   uint64_t handle; /* the next one */
   size_t dimension;
+  bool downward;
 };
 
 /* Lines end values: control characters are blanks.  A character is not cut. */
@@ -200,7 +201,7 @@ static void points(const struct context *c, const struct ph_spline *s) {
       pair_number(c->buf, 41, s->weights[i]);
     }
     pair_number(c->buf, 10, p[0]);
-    pair_number(c->buf, 20, p[1]);
+    pair_number(c->buf, 20, c->downward ? 0 - p[1] : p[1]);
     pair_number(c->buf, 30, c->dimension == 3 ? p[2] : 0);
   }
 }
@@ -243,9 +244,9 @@ static void splines(struct context *c, const struct ph_splines *of,
 }
 
 void ph_dxf_out(struct ph_buf *buf, const char *id, size_t number,
-                const struct ph_result *result) {
+                bool downward, const struct ph_result *result) {
   struct context c = {buf, id, (uint64_t)number << RESULT_BITS,
-                      result->curve.dimension};
+                      result->curve.dimension, downward};
   splines(&c, &result->nurbs, "curve", NULL);
   for (size_t i = 0; i < result->offsets_n; i++) {
     const struct ph_offset *o = &result->offsets[i];

@@ -18,9 +18,10 @@ void ph_dxf_header(struct ph_buf *buf);
  * in  id      of the problem: in the extended data of each entity, with the
  *             distance of an offset
  * in  number  of the result, from 1; handles follow from it
+ * in  downward  y points that way in the data, as in SVG; in drawings, up
  */
 void ph_dxf_out(struct ph_buf *buf, const char *id, size_t number,
-                const struct ph_result *result);
+                bool downward, const struct ph_result *result);
 
 /* ph_dxf_footer: all that is behind them. */
 void ph_dxf_footer(struct ph_buf *buf);

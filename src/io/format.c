@@ -109,7 +109,7 @@ static void nurbs_header(struct ph_buf *buf, const struct ph_print *print,
 static void nurbs_solved(struct ph_buf *buf, const struct ph_print *print,
                          const struct ph_solved *s) {
   (void)print;
-  ph_dxf_out(buf, s->id, s->number, s->result);
+  ph_dxf_out(buf, s->id, s->number, s->downward, s->result);
 }
 
 const struct ph_format_row ph_formats[PH_FORMAT_N] = {

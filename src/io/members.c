@@ -10,7 +10,7 @@
       ROW("meta", MAY, ANY, "any", "that of the problem"),                \
       ROW("command", MUST, ANY, "command", "the command"),                \
       ROW("status", MUST, ANY, "status", "whether it succeeded"),         \
-      ROW("file", MAY, ANY, "text", "that the problem stands in"),           \
+      ROW("file", MAY, ANY, "text", "that the problem stands in"),        \
       ROW("sweep", MAY, ANY, "sweep",                                     \
           "the value of each field that is swept, of FIELD* the factor"), \
       ROW("set", MAY, ANY, "set",                                         \

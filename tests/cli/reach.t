@@ -49,6 +49,7 @@ import ezdxf
 for e in ezdxf.readfile("bracket.dxf").modelspace():
     assert e.dxftype() == "SPLINE"
     p = [v for v in e.construction_tool().approximate(20000)]
+    assert max(v.y for v in p) < 0  # the drawing is upright: y was downward
     print(sum(a.distance(b) for a, b in zip(p, p[1:])))
 END
   numbers 'ezdxf finds the lengths of curves and offsets' 1e-5 wanted found
