@@ -6,6 +6,8 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 /* Seconds until the first line, and between lines. */
@@ -17,6 +19,19 @@ static double seconds(const struct ph_progress *progress) {
   clock_gettime(CLOCK_MONOTONIC, &now);
   return (double)(now.tv_sec - progress->start.tv_sec) +
          1e-9 * (double)(now.tv_nsec - progress->start.tv_nsec);
+}
+
+double ph_progress_bytes(const char *const *files, size_t n) {
+  double bytes = 0;
+  for (size_t i = 0; i < n; i++) {
+    struct stat info;
+    const bool known =
+        (strcmp(files[i], "-") == 0 ? fstat(STDIN_FILENO, &info)
+                                    : stat(files[i], &info)) == 0;
+    bytes +=
+        known && S_ISREG(info.st_mode) ? (double)info.st_size : (double)NAN;
+  }
+  return bytes;
 }
 
 void ph_progress_init(struct ph_progress *progress, bool wanted, bool quiet) {
@@ -88,6 +103,8 @@ void ph_progress_hide(struct ph_progress *progress) {
 
 void ph_progress_finish(struct ph_progress *progress) {
   ph_progress_hide(progress);
+  progress->all = false; /* nothing is left */
+  progress->total = (double)NAN;
   if (progress->enabled && !progress->terminal) {
     print_line(progress, seconds(progress), "\n");
   }

@@ -22,6 +22,9 @@ struct ph_progress {
   double next; /* seconds after the start at which to show the line again */
 };
 
+/* ph_progress_bytes: those of all files; NaN: not all are files. */
+double ph_progress_bytes(const char *const *files, size_t n);
+
 /* ph_progress_init: wanted: asked for; quiet: not by itself either. */
 void ph_progress_init(struct ph_progress *progress, bool wanted, bool quiet);
 

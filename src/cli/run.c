@@ -25,7 +25,6 @@
 #include <math.h>
 #include <pthread.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 enum { BATCH_ITEMS = 64, BATCH_BYTES = 64 << 10, SLOTS_PER_JOB = 4 };
@@ -502,20 +501,6 @@ static void conclude(struct run *r) {
   }
 }
 
-/* The bytes of all files, if they are files. */
-static double bytes_of(const struct ph_options *o) {
-  double bytes = 0;
-  for (size_t i = 0; i < o->files_n; i++) {
-    struct stat info;
-    const bool known =
-        (strcmp(o->files[i], "-") == 0 ? fstat(STDIN_FILENO, &info)
-                                       : stat(o->files[i], &info)) == 0;
-    bytes +=
-        known && S_ISREG(info.st_mode) ? (double)info.st_size : (double)NAN;
-  }
-  return bytes;
-}
-
 /* An input without any record is told. */
 static void tell_empty(struct run *r) {
   const struct ph_options *o = r->options;
@@ -563,7 +548,7 @@ int ph_run(const struct ph_options *options) {
   enum ph_status status;
   pthread_mutex_init(&r.lock, NULL);
   pthread_cond_init(&r.changed, NULL);
-  r.bytes = bytes_of(o);
+  r.bytes = ph_progress_bytes(o->files, o->files_n);
   ph_progress_init(&r.progress, o->progress, o->quiet);
   status = ph_split_init(&r.split, o->files, o->files_n, &o->input,
                          o->command->schema, &diag);

@@ -91,7 +91,7 @@ expect 'of a surface' 2 "phspline: --format=dxf is of curves, cone makes surface
 Try 'phspline cone --help'." ''
 
 near='{"points":[[0,0,0.004],[0,0,0]],"basis":"atph","alpha":[2],"knots":'
-near="$near[-1.79057151528321,-1.7905715152832045]}"
+near="${near}[-1.79057151528321,-1.7905715152832045]}"
 for option in --nurbs --convert=bezier; do
   feed "$near" spatial-hermite -q "$option"
   equal "pieces between knots that are all but one: $option" \
