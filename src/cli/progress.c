@@ -36,7 +36,7 @@ double ph_progress_bytes(const char *const *files, size_t n) {
 
 void ph_progress_init(struct ph_progress *progress, bool wanted, bool quiet) {
   progress->records = progress->failed = progress->read = 0;
-  progress->total = NAN;
+  progress->total = (double)NAN;
   progress->all = false;
   progress->terminal = isatty(STDERR_FILENO);
   progress->enabled = wanted || (progress->terminal && !quiet);

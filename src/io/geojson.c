@@ -354,7 +354,9 @@ static void put_meta(struct ph_buf *buf, const struct ph_geojson *g,
   if (none && !elevation) {
     return;
   }
-  ph_json_walk_init(&walk, p->value, object ? p->value_n : 0);
+  if (object) {
+    ph_json_walk_init(&walk, p->value, p->value_n);
+  }
   while (object && ph_json_walk_next(&walk, &item)) {
     members++;
     elevation &= !is(item.key, item.key_n, "elevation");

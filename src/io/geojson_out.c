@@ -168,7 +168,7 @@ static double area(const struct ph_samples *s) {
 static void write_ring(struct ph_json_writer *w, const struct ph_samples *s,
                        bool hole) {
   const bool reversed = (area(s) < 0) != hole;
-  struct position last = {{NAN, NAN}, 2};
+  struct position last = {{(double)NAN, (double)NAN}, 2};
   ph_write_element(w);
   ph_write_begin(w, '[');
   for (size_t i = 0; i < s->n; i++) {
@@ -202,8 +202,8 @@ static const double *inner_point(const struct ph_loop *loop) {
 }
 
 static void bounds(const struct ph_samples *s, double box[4]) {
-  box[0] = box[1] = INFINITY;
-  box[2] = box[3] = -INFINITY;
+  box[0] = box[1] = (double)INFINITY;
+  box[2] = box[3] = -(double)INFINITY;
   for (size_t i = 0; i < s->n; i++) {
     for (size_t k = 0; k < 2; k++) {
       box[k] = fmin(box[k], s->point[2 * i + k]);

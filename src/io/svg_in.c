@@ -402,12 +402,13 @@ static bool put_points(struct ph_xml_in *xml, size_t from, size_t to,
 
 bool ph_svg_next(struct ph_xml_in *xml) {
   const struct ph_trace *t = &xml->trace;
-  const struct ph_trace_part *part = t->part + xml->next_part;
+  const struct ph_trace_part *part;
   const bool curve = ph_field_find(xml->schema, "curve", 5) != NULL;
   size_t end;
   if (xml->next_part >= t->parts_n) {
     return false;
   }
+  part = t->part + xml->next_part;
   end = xml->next_part + 1 < t->parts_n ? part[1].piece : t->pieces_n;
   ph_xml_begin(xml, t->parts_n > 1);
   ph_buf_puts(&xml->problem, xml->id.n > 0 ? "," : "");

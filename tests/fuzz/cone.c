@@ -125,7 +125,8 @@ static bool cone_check_status(enum ph_status status,
   return status == PH_OK;
 }
 
-/* The places of the flat points of samples: as many as these. */
+/* The places of the flat points of samples, but for those at an edge that
+ * rounding puts beside it, are where these are. */
 static void cone_check_located(struct ph_result *result,
                                struct ph_arena *arena) {
   static double flat[CONE_ELEMENTS * 2 * 5 * 3][2];
@@ -139,7 +140,14 @@ static void cone_check_located(struct ph_result *result,
                                         (const double(*)[2])flat, grid->n,
                                         arena, &result->located, &diag),
                       &diag);
-    FUZZ_REQUIRE(result->located.n == grid->n);
+    FUZZ_REQUIRE(result->located.n <= grid->n);
+    for (size_t i = 0; i < result->located.n; i++) {
+      const struct ph_located *l = &result->located.v[i];
+      const double *given = flat[l->index], *found = l->at.flat;
+      FUZZ_REQUIRE(hypot(found[0] - given[0], found[1] - given[1]) <=
+                   1e-9 * ph_surface_size(&result->curve) +
+                       1e-12 * hypot(given[0], given[1]));
+    }
   }
 }
 

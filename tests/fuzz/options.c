@@ -112,7 +112,11 @@ static void options_work(const struct ph_options *o, size_t which,
   const struct ph_format_row *format = &ph_formats[o->format];
   struct ph_swept *swept = calloc(o->sweeps_n + 1, sizeof *swept);
   struct ph_worker worker = {.arena = {.chunks = NULL}};
-  struct ph_item item = {.record = {text, strlen(text), "-", 1, 1, NULL, PH_OK},
+  struct ph_item item = {.record = {.text = text,
+                                    .n = strlen(text),
+                                    .file = "-",
+                                    .line = 1,
+                                    .number = 1},
                          .sweep = which};
   struct ph_buf out = {0}, err = {0};
   size_t header;

@@ -129,7 +129,7 @@ static void planar_check_result(const struct planar_input *in,
   enum ph_status status =
       ph_offset(&result->curve, size, &rules, arena, &offset, &diag);
   if (status == PH_OK && trimmed) {
-    struct ph_arena scratch = {NULL};
+    struct ph_arena scratch = {.chunks = NULL};
     status = ph_certify_loops(&result->curve, &offset, 1, &scratch, &diag);
     FUZZ_REQUIRE((status == PH_OK) == offset.loops.trimming.certified);
     ph_arena_free(&scratch);

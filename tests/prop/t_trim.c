@@ -76,7 +76,7 @@ static const struct ph_loops *offset_at(double distance) {
   enum ph_status status = ph_offset(&u.result.curve, distance, &trimmed,
                                     &u.arena, &offset, &u.diag);
   if (status == PH_OK) {
-    struct ph_arena scratch = {NULL};
+    struct ph_arena scratch = {.chunks = NULL};
     status = ph_certify_loops(&u.result.curve, &offset, 1, &scratch, &u.diag);
     ph_arena_free(&scratch);
   }
@@ -201,7 +201,7 @@ PH_TEST(test_gouged) {
   size_t gouged = 0;
   for (curves = 0; curves < trials(); curves++) {
     const double d = random_distance(&r);
-    struct ph_arena scratch = {NULL};
+    struct ph_arena scratch = {.chunks = NULL};
     double least = HUGE_VAL;
     enum ph_status status;
     random_points(&r);

@@ -163,8 +163,9 @@ static enum ph_status link_parts(struct linker *l) {
 /* One on a strand that goes on where another one ends is part of it. */
 static void add_span(struct ph_outline *out, size_t first,
                      const struct ph_span *span) {
-  struct ph_span *last = &out->spans[out->spans_n - 1];
-  if (out->spans_n > first && last->strand == span->strand &&
+  struct ph_span *last =
+      out->spans_n > first ? &out->spans[out->spans_n - 1] : NULL;
+  if (last && last->strand == span->strand &&
       !(fabs(span->u[0] - last->u[1]) > 0) && last->length * span->length > 0 &&
       fabs(last->turn + span->turn) < PH_SPAN_TURN) {
     last->u[1] = span->u[1];

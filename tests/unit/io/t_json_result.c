@@ -29,8 +29,11 @@ static void make(const char *line, const char *problem) {
   static const struct ph_worker none;
   struct ph_worker worker = none;
   struct ph_buf err = {0};
-  struct ph_item item = {
-      .record = {problem, strlen(problem), "-", 1, 1, NULL, PH_OK}};
+  struct ph_item item = {.record = {.text = problem,
+                                    .n = strlen(problem),
+                                    .file = "-",
+                                    .line = 1,
+                                    .number = 1}};
   char *warnings;
   int argc = 0;
   snprintf(text, sizeof text, "%s", line);
