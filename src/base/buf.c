@@ -15,7 +15,7 @@ char *ph_buf_reserve(struct ph_buf *buf, size_t n) {
   if (buf->failed) {
     return NULL;
   }
-  if (n <= buf->capacity - buf->n) {
+  if (buf->data && n <= buf->capacity - buf->n) {
     return buf->data + buf->n;
   }
   if (buf->most && buf->n > buf->most) {

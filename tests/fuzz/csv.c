@@ -11,7 +11,7 @@ FUZZ_TARGET(csv, data, n) {
       {.format = PH_SPLIT_AUTO},
       {.format = PH_SPLIT_CSV, .columns = "id,x,-,y,knot"},
       {.format = PH_SPLIT_CSV, .delimiter = ';'},
-      {.format = PH_SPLIT_AUTO, .most = 24},
+      {.format = PH_SPLIT_CSV, .most = 24},
       {.format = PH_SPLIT_CSV,
        .delimiter = '\t',
        .columns = "id,x,y",

@@ -53,7 +53,7 @@ PH_TEST(test_near) {
     const size_t n = 1 + unit_random_below(&r, ITEMS_MAX);
     const double limit = unit_random_in(&r, 0.01, 1);
     struct seen all = {.base = {.limit = limit, .visit = see}}, one;
-    struct ph_arena arena = {NULL};
+    struct ph_arena arena = {.chunks = NULL};
     struct ph_boxtree tree;
     size_t near = 0;
     for (size_t i = 0; i < n; i++) {
