@@ -429,7 +429,7 @@ static enum ph_status make_profiles(struct pen *pen) {
 /* ---- surfaces ------------------------------------------------------------ */
 
 /* Places of the profile of a strip. */
-enum { STRIP_PLACES = 9 };
+enum { STRIP_PLACES = 33 };
 
 static enum ph_status add_sheet(struct pen *pen, const struct ph_curve *curve) {
   struct ph_drawing *d = pen->drawing;

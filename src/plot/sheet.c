@@ -9,7 +9,7 @@ static const double TURN = 0.06;
 
 /* A strip has so many steps, where there is room for them; of the rulings
  * between so many are drawn, of all strips up to the second number. */
-enum { STEPS_MIN = 4, STEPS_MAX = 96, SHOWN = 6, SHOWN_ALL = 150, PROBES = 4 };
+enum { STEPS_MIN = 4, STEPS_MAX = 96, SHOWN = 6, SHOWN_ALL = 150, PROBES = 16 };
 
 static ph_vec3 flat_point(const double flat[2]) {
   return ph_vec3_of(flat[0], flat[1], 0);
@@ -30,17 +30,22 @@ static void add_rib(const struct ph_surface *surface, size_t i, double u,
   rib->flat_contact = flat_point(r.flat.c);
 }
 
-/* By how much normals and flat rulings turn along a strip. */
+/* By how much normals, flat rulings and the contact curve turn along a strip.
+ */
 static double turn_of(const struct ph_strip *strip) {
   struct ph_ruling last = ph_ruling_at(strip, 0);
+  ph_vec3 along = {0, 0, 0};
   double turn = 0;
   for (int i = 1; i <= PROBES; i++) {
     const struct ph_ruling next = ph_ruling_at(strip, (double)i / PROBES);
+    const ph_vec3 leg = ph_vec3_unit(ph_vec3_sub(next.at.c, last.at.c));
     turn += ph_vec3_abs(ph_vec3_sub(next.at.n, last.at.n)) +
-            fabs(next.flat.angle - last.flat.angle);
+            fabs(next.flat.angle - last.flat.angle) +
+            (i > 1 ? ph_vec3_abs(ph_vec3_sub(leg, along)) : 0);
     last = next;
+    along = leg;
   }
-  return turn;
+  return turn < HUGE_VAL ? turn : STEPS_MAX * TURN;
 }
 
 /* Steps of strip i of n, of which there may be so many. */
