@@ -4,8 +4,8 @@
  * the curve or offset at equal parameters, or the piece of a loop, within their
  * error, which was measured at some places of each.
  */
-#include "check/local.h"
 #include "check/checks.h"
+#include "check/local.h"
 
 #include "kernel/bern.h"
 
@@ -88,6 +88,26 @@ static void compare(struct ph_check *v, size_t chain, ph_vec3 found,
       allowance + ph_check_reach(v, found), "are away from the curve");
 }
 
+/* An approximation has an error; what is exact has none, and what is closed
+ * ends where it begins. */
+static bool is_honest(struct ph_check *v, const struct ph_spline *s, size_t i,
+                      bool exact) {
+  const size_t pieces = (s->n - 1) / s->degree;
+  if (!(s->error >= 0) || (exact && s->error > 0)) {
+    return wrong(v, i, "error",
+                 exact ? "is not 0, as of such a curve" : "is below 0");
+  }
+  if (s->closed) {
+    const ph_vec3 first = point_of(v, s, 0, 0);
+    const ph_vec3 last = point_of(v, s, pieces - 1, 1);
+    ph_check_miss(v, PH_CHECK_NURBS, ph_check_of("nurbs", i, "closed"),
+                  ph_check_apart(first, last), v->scale.size,
+                  2 * ph_check_reach(v, first),
+                  "is said of one whose ends are apart");
+  }
+  return true;
+}
+
 struct walk {
   struct ph_check *v;
   struct ph_check_path path;
@@ -139,6 +159,7 @@ static void check_chain(struct walk *walk, const struct ph_spline *s,
 void ph_check_nurbs(struct ph_check *v, const struct ph_splines *of,
                     const struct ph_check_path *beside) {
   const double *knots = v->curve->knots;
+  const bool exact = !v->kind->angles && !v->kind->sphere;
   struct walk walk = {.v = v};
   double from = knots[0];
   if (beside) {
@@ -150,7 +171,7 @@ void ph_check_nurbs(struct ph_check *v, const struct ph_splines *of,
   ph_check_load(v, 0, &walk.segment);
   for (size_t i = 0; i < of->n && !ph_arena_late(v->scratch); i++) {
     const struct ph_spline *s = &of->v[i];
-    if (!is_whole(v, s, i)) {
+    if (!is_whole(v, s, i) || !is_honest(v, s, i, exact)) {
       return;
     }
     if (!(fabs(s->knots[0] - from) <= 0)) {
@@ -187,7 +208,7 @@ void ph_check_nurbs_loop(struct ph_check *v, const struct ph_loop *loop,
   for (size_t i = 0; i < loop->nurbs.n && !ph_arena_late(v->scratch); i++) {
     const struct ph_spline *s = &loop->nurbs.v[i];
     const size_t n = s->degree > 0 && s->n > 0 ? (s->n - 1) / s->degree : 0;
-    if (!is_whole(v, s, i)) {
+    if (!is_whole(v, s, i) || !is_honest(v, s, i, !v->kind->angles)) {
       return;
     }
     if (s->degree != degree || n > loop->n - done) {

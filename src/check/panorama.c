@@ -41,17 +41,8 @@ struct picture {
 /* ---- the volume ---------------------------------------------------------- */
 
 static double voxel(const struct ph_volume *volume, const size_t at[3]) {
-  const size_t i = at[0] + volume->n[0] * (at[1] + volume->n[1] * at[2]);
-  switch (volume->type) {
-#define X(symbol, type)   \
-  case PH_VOXEL_##symbol: \
-    return (double)((const type *)volume->v)[i];
-    PH_VOXELS(X)
-#undef X
-  case PH_VOXEL_N:
-    break;
-  }
-  return (double)NAN;
+  return ph_volume_voxel(volume,
+                         at[0] + volume->n[0] * (at[1] + volume->n[1] * at[2]));
 }
 
 /* By one axis after the other. */

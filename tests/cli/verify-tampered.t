@@ -253,6 +253,12 @@ tampered '.nurbs[0].degree = 4' nurbs_error
 tampered '.offsets[0].nurbs[0].weights[12] *= 1.0001' nurbs_error
 tampered '.offsets[0].nurbs[0].weights[3] = 1e400' nurbs_error
 tampered '.offsets[0].nurbs[0].knots |= map(. - 1)' nurbs_error
+tampered '.nurbs[0].error = 1 | .nurbs[0].control_points[7][1] += 1e-3' \
+  nurbs_error
+good nurbs-open '{"points":[[0,0],[1,2],[3,-1],[4,4]],"basis":"atph"}' planar \
+  --nurbs
+tampered '.nurbs[0].closed = true' nurbs_error
+tampered '.nurbs[0].error = -1' nurbs_error
 good nurbs-loop '{"points":[[0,0],[1,2],[3,-1],[4,4]],"closed":true}' planar \
   --nurbs --offset=0.1 --offset-mode=trimmed
 tampered '.offsets[0].loops[0].nurbs[0].control_points[3][0] += 1e-6' nurbs_error

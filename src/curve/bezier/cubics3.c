@@ -2,6 +2,7 @@
 /* Curves as cubics in space (see cubics3.h). */
 #include "curve/bezier/cubics3.h"
 
+#include "curve/bezier/hermite.h"
 #include "curve/kind/kind.h"
 
 /* Of a segment; how often one is halved; room at first. */
@@ -49,16 +50,6 @@ static void cubic_of(const struct end *a, const struct end *b, ph_vec3 c[4]) {
   c[3] = b->point;
 }
 
-static ph_vec3 cubic_at(const ph_vec3 c[4], double x) {
-  ph_vec3 q[4] = {c[0], c[1], c[2], c[3]};
-  for (size_t n = 3; n > 0; n--) {
-    for (size_t i = 0; i < n; i++) {
-      q[i] = ph_vec3_along(q[i], x, ph_vec3_sub(q[i + 1], q[i]));
-    }
-  }
-  return q[0];
-}
-
 /* The greatest distance at places between, or the first one seen that is not
  * within the tolerance. */
 static double error_of(const struct work *work, const ph_vec3 c[4], double from,
@@ -69,7 +60,7 @@ static double error_of(const struct work *work, const ph_vec3 c[4], double from,
        i++) {
     const struct ph_sample s =
         ph_sampler_at(&work->sampler, from + at[i] * (to - from));
-    const ph_vec3 away = ph_vec3_sub(cubic_at(c, at[i]), s.point);
+    const ph_vec3 away = ph_vec3_sub(ph_hermite_at(c, 3, at[i]), s.point);
     const double error = hypot(hypot(away.x, away.y), away.z);
     worst = error <= worst ? worst : error;
   }

@@ -121,20 +121,6 @@ static void bezier_of(const struct jet *a, const struct jet *b, double h,
                        b->second);
 }
 
-/* De Casteljau. */
-static ph_vec3 bezier_at(const ph_vec3 p[6], double x) {
-  ph_vec3 q[6];
-  for (size_t i = 0; i < 6; i++) {
-    q[i] = p[i];
-  }
-  for (size_t n = 5; n > 0; n--) {
-    for (size_t i = 0; i < n; i++) {
-      q[i] = ph_vec3_along(q[i], x, ph_vec3_sub(q[i + 1], q[i]));
-    }
-  }
-  return q[0];
-}
-
 /* |A| and |A'|, or |w| and |w'|. */
 static void preimage_at(const struct walk *walk, double u, double size[2]) {
   if (walk->curve->dimension == 2) {
@@ -182,7 +168,7 @@ static void find_slow(struct walk *walk) {
 static double error_at(const struct walk *walk, const ph_vec3 p[6], double u0,
                        double u1, double x) {
   struct jet exact = walk->jet_at(walk, u0 + x * (u1 - u0));
-  ph_vec3 away = ph_vec3_sub(bezier_at(p, x), exact.r);
+  ph_vec3 away = ph_vec3_sub(ph_hermite_at(p, 5, x), exact.r);
   return hypot(hypot(away.x, away.y), away.z); /* at any scale */
 }
 

@@ -35,4 +35,19 @@ enum ph_status ph_hermite_pieces(const struct ph_curve *curve, double distance,
                                  struct ph_pieces *pieces,
                                  struct ph_diag *diag);
 
+/* ph_hermite_at: the point of a Bezier curve of degree n <= 5, by de
+ * Casteljau's algorithm. */
+static inline ph_vec3 ph_hermite_at(const ph_vec3 *p, size_t n, double x) {
+  ph_vec3 q[6];
+  for (size_t i = 0; i <= n; i++) {
+    q[i] = p[i];
+  }
+  for (; n > 0; n--) {
+    for (size_t i = 0; i < n; i++) {
+      q[i] = ph_vec3_along(q[i], x, ph_vec3_sub(q[i + 1], q[i]));
+    }
+  }
+  return q[0];
+}
+
 #endif

@@ -9,7 +9,8 @@
  *
  * with binomials B, as products of Bernstein polynomials of degree n and n - 1
  * are those of degree 2n - 1, each of integral 1/(2n).  Of ATPH segments, whose
- * r x r' is analytic, it is a Gauss rule of 20 nodes.
+ * r x r' is analytic, it is a Gauss rule of 20 nodes.  Derived here;
+ * tests/cli/sample.t evaluates both.
  */
 #ifndef PH_CURVE_FAIR_ENCLOSED_H
 #define PH_CURVE_FAIR_ENCLOSED_H

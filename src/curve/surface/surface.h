@@ -34,6 +34,7 @@
 #ifndef PH_CURVE_SURFACE_SURFACE_H
 #define PH_CURVE_SURFACE_SURFACE_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -197,6 +198,20 @@ struct ph_volume {
   size_t n[3]; /* 2 or more */
   double origin[3], inverse[3][3];
 };
+
+/* ph_volume_voxel: value i of a volume, x fastest; NaN: it has no type. */
+static inline double ph_volume_voxel(const struct ph_volume *volume, size_t i) {
+  switch (volume->type) {
+#define X(symbol, type)   \
+  case PH_VOXEL_##symbol: \
+    return (double)((const type *)volume->v)[i];
+    PH_VOXELS(X)
+#undef X
+  case PH_VOXEL_N:
+    break;
+  }
+  return (double)NAN;
+}
 
 /* What a surface meets of a volume, laid flat (volume.h). */
 struct ph_panorama {

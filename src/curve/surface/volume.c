@@ -15,19 +15,6 @@ static const double LAST = 1e-6;
 
 /* ---- lattices ------------------------------------------------------------ */
 
-static double voxel(const struct ph_volume *volume, size_t i) {
-  switch (volume->type) {
-#define X(symbol, type)   \
-  case PH_VOXEL_##symbol: \
-    return (double)((const type *)volume->v)[i];
-    PH_VOXELS(X)
-#undef X
-  case PH_VOXEL_N:
-    break;
-  }
-  return (double)NAN;
-}
-
 bool ph_volume_at(const struct ph_volume *volume, const double point[3],
                   double *value) {
   double part[3], sum = 0;
@@ -53,7 +40,7 @@ bool ph_volume_at(const struct ph_volume *volume, const double point[3],
       weight *= up ? part[a] : 1 - part[a];
       at = at * volume->n[a] + cell[a] + up;
     }
-    sum += weight > 0 ? weight * voxel(volume, at) : 0;
+    sum += weight > 0 ? weight * ph_volume_voxel(volume, at) : 0;
   }
   *value = sum;
   return true;
