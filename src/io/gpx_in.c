@@ -145,15 +145,19 @@ static bool is_due(const struct ph_buf *list) {
 
 /* The text of an element is complete: in place of a null, or the name. */
 static void take_text(struct ph_xml_in *xml) {
-  const char *p = xml->text.data, *end = p + xml->text.n;
+  const char *p = xml->text.data, *end = p;
   double x;
+  if (xml->text.failed || xml->text.n == 0) {
+    return;
+  }
+  end += xml->text.n;
   while (p < end && strchr(" \t\r\n", *p)) {
     p++;
   }
   while (end > p && strchr(" \t\r\n", end[-1])) {
     end--;
   }
-  if (p == end || xml->text.failed) {
+  if (p == end) {
     return;
   }
   if (xml->want == PH_GPX_NAME) {

@@ -3,7 +3,7 @@
  * The splitter's way through XML (see split.h), by expat, which may be missing:
  * then there is the news that there is none.
  *
- * The parser is fed what is read, and stops with each problem.  Entities are
+ * The parser is fed in blocks, and stops with each problem.  Entities are
  * refused where they are declared, so that none is ever expanded, and nothing
  * outside of the file is read.  What the parser has to keep of a token is
  * bounded like a record.
@@ -17,8 +17,12 @@
 #include "io/xml_in.h"
 
 #include <expat.h>
-#include <limits.h>
 #include <string.h>
+
+/* The parser gets a document in blocks of so many bytes, however they arrive:
+ * what it says of a broken one, and where, depends on where its input is cut,
+ * and so does the encoding that it guesses. */
+enum { BLOCK = 1 << 16 };
 
 struct ph_split_xml {
   XML_Parser parser;
@@ -211,7 +215,7 @@ static enum XML_Parsing parsing_of(const struct ph_split *split) {
 static enum XML_Status feed(struct ph_split *split) {
   struct ph_split_xml *xml = split->xml;
   const size_t there = split->fill - split->start;
-  const size_t n = there < INT_MAX ? there : INT_MAX;
+  const size_t n = there < BLOCK ? there : BLOCK;
   enum XML_Status result;
   if (parsing_of(split) == XML_SUSPENDED) {
     return XML_ResumeParser(xml->parser);
@@ -223,10 +227,10 @@ static enum XML_Status feed(struct ph_split *split) {
   return result;
 }
 
-/* Whether the parser has all that was read and waits for more. */
+/* Whether the parser waits for more than what was read. */
 static bool is_hungry(const struct ph_split *split) {
-  return parsing_of(split) != XML_SUSPENDED && split->start == split->fill &&
-         !split->end_of_file;
+  return parsing_of(split) != XML_SUSPENDED &&
+         split->fill - split->start < BLOCK && !split->end_of_file;
 }
 
 enum ph_split_state ph_split_xml(struct ph_split *split, bool may_wait,
@@ -249,7 +253,7 @@ enum ph_split_state ph_split_xml(struct ph_split *split, bool may_wait,
     if (split->xml->ended) {
       return PH_SPLIT_END;
     }
-    if (is_hungry(split)) {
+    while (is_hungry(split)) {
       state = ph_split_fill(split, may_wait, diag);
       if (state == PH_SPLIT_WAIT || state == PH_SPLIT_FAILED) {
         return state;
