@@ -42,10 +42,11 @@ GCOV ?= gcov
 VALGRIND ?= valgrind -q --error-exitcode=9 --leak-check=full \
 	--errors-for-leak-kinds=definite,possible \
 	--suppressions=$(abspath $(srcdir)/tests/suppress/valgrind)
-# seconds for each fuzz target; how unit tests are compiled; 1: asan does less;
+# seconds for each fuzz target, and its seed (0: any); how unit tests are compiled; 1: asan does less;
 # test files run at once; what `make deps' gets; what distcheck runs in the
 # unpacked tree
 FUZZ_TIME ?= 60
+FUZZ_SEED ?= 0
 UNIT_CFLAGS ?= -O0 -g1 -U_FORTIFY_SOURCE
 SHORT ?= 1
 TEST_JOBS ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
@@ -434,7 +435,7 @@ fuzz: ## each fuzz target, TEST_JOBS at once, for FUZZ_TIME=60 seconds
 	else echo 'SKIPPED: fuzzing needs clang and its runtime' \
 	  '(Debian: clang, libclang-rt-14-dev)'; fi
 fuzz-run: $(call pick,$(FUZZ))
-	@FUZZ_TIME=$(FUZZ_TIME) PH_TIMEOUT=$$(($(FUZZ_TIME) + 600)) \
+	@FUZZ_TIME=$(FUZZ_TIME) FUZZ_SEED=$(FUZZ_SEED) PH_TIMEOUT=$$(($(FUZZ_TIME) + 600)) \
 	  PH_WRAP='sh tests/fuzz/run' $(RUN) $(call pick,$(FUZZ))
 
 # Problems are solved and verified by tests/prop/t_verify.c, in TEST_JOBS
