@@ -42,9 +42,9 @@ GCOV ?= gcov
 VALGRIND ?= valgrind -q --error-exitcode=9 --leak-check=full \
 	--errors-for-leak-kinds=definite,possible \
 	--suppressions=$(abspath $(srcdir)/tests/suppress/valgrind)
-# seconds for each fuzz target, and its seed (0: any); how unit tests are compiled; 1: asan does less;
-# test files run at once; what `make deps' gets; what distcheck runs in the
-# unpacked tree
+# seconds for each fuzz target, and its seed (0: any); how unit tests are
+# compiled; 1: asan does less; test files run at once; what `make deps' gets;
+# what distcheck runs in the unpacked tree
 FUZZ_TIME ?= 60
 FUZZ_SEED ?= 0
 UNIT_CFLAGS ?= -O0 -g1 -U_FORTIFY_SOURCE
