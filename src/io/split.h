@@ -282,12 +282,6 @@ enum ph_split_state ph_split_tell_geojson(struct ph_split *split, bool may_wait,
  * out  state  PH_JSON_MORE: more is needed to tell */
 bool ph_split_collection(struct ph_split *split, enum ph_json_state *state);
 
-/* ph_split_pass_tail: drops what follows the features of a collection.
- * ret  PH_SPLIT_RECORD: all of it; PH_SPLIT_END: it is broken; or as
- *      ph_split_fill */
-enum ph_split_state ph_split_pass_tail(struct ph_split *split, bool may_wait,
-                                       struct ph_diag *diag);
-
 /* ph_split_pass_text: drops the rest of a broken text of a sequence.
  * ret  PH_SPLIT_RECORD: it did; or as ph_split_fill */
 enum ph_split_state ph_split_pass_text(struct ph_split *split, bool may_wait,

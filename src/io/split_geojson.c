@@ -75,26 +75,6 @@ bool ph_split_collection(struct ph_split *split, enum ph_json_state *state) {
   return true;
 }
 
-enum ph_split_state ph_split_pass_tail(struct ph_split *split, bool may_wait,
-                                       struct ph_diag *diag) {
-  struct ph_json_scan *scan = &split->json.scan;
-  for (;;) {
-    enum ph_json_state state =
-        ph_json_scan(scan, split->data + split->start,
-                     split->fill - split->start, split->end_of_file);
-    enum ph_split_state filled;
-    ph_split_drop(split, scan->at);
-    scan->at = 0;
-    if (state != PH_JSON_MORE) {
-      return state == PH_JSON_DONE ? PH_SPLIT_RECORD : PH_SPLIT_END;
-    }
-    filled = ph_split_fill(split, may_wait, diag);
-    if (filled == PH_SPLIT_WAIT || filled == PH_SPLIT_FAILED) {
-      return filled;
-    }
-  }
-}
-
 enum ph_split_state ph_split_pass_text(struct ph_split *split, bool may_wait,
                                        struct ph_diag *diag) {
   while (split->geojson.skip) {

@@ -271,22 +271,19 @@ static enum ph_split_state give_over(struct ph_split *split, bool stopped,
   return PH_SPLIT_RECORD;
 }
 
-/* Goes on with the text itself.
- * ret  PH_SPLIT_RECORD: it is over, or broken; else as ph_split_fill */
-static enum ph_split_state pass_value(struct ph_split *split, bool may_wait,
-                                      struct ph_diag *diag) {
+/* Drops what the scanner goes through, to its end or an error.
+ * ret  PH_SPLIT_RECORD: that far; else as ph_split_fill */
+static enum ph_split_state pass_scan(struct ph_split *split, bool may_wait,
+                                     enum ph_json_state *state,
+                                     struct ph_diag *diag) {
   struct ph_json_scan *scan = &split->json.scan;
   for (;;) {
-    enum ph_json_state state =
-        ph_json_scan(scan, split->data + split->start,
-                     split->fill - split->start, split->end_of_file);
     enum ph_split_state filled;
+    *state = ph_json_scan(scan, split->data + split->start,
+                          split->fill - split->start, split->end_of_file);
     pass(split, scan->at);
     scan->at = 0;
-    if (state == PH_JSON_ERROR) {
-      break_over(split);
-    }
-    if (state != PH_JSON_MORE) {
+    if (*state != PH_JSON_MORE) {
       return PH_SPLIT_RECORD;
     }
     filled = ph_split_fill(split, may_wait, diag);
@@ -294,6 +291,18 @@ static enum ph_split_state pass_value(struct ph_split *split, bool may_wait,
       return filled;
     }
   }
+}
+
+/* Goes on with the text itself.
+ * ret  PH_SPLIT_RECORD: it is over, or broken; else as ph_split_fill */
+static enum ph_split_state pass_value(struct ph_split *split, bool may_wait,
+                                      struct ph_diag *diag) {
+  enum ph_json_state scanned;
+  enum ph_split_state state = pass_scan(split, may_wait, &scanned, diag);
+  if (state == PH_SPLIT_RECORD && scanned == PH_JSON_ERROR) {
+    break_over(split);
+  }
+  return state;
 }
 
 /* Goes on to the end of the line; ret  as pass_value, or PH_SPLIT_END */
@@ -462,12 +471,14 @@ at_end(struct ph_split *split, struct ph_record *record, struct ph_diag *diag) {
 /* The rest of a collection; ret  PH_SPLIT_RECORD: go on; or as ph_split_fill */
 static enum ph_split_state pass_tail(struct ph_split *split, bool may_wait,
                                      struct ph_diag *diag) {
-  enum ph_split_state state = ph_split_pass_tail(split, may_wait, diag);
-  if (state == PH_SPLIT_END) {
-    split->json.broken = true;
-    return PH_SPLIT_RECORD;
+  enum ph_json_state scanned;
+  enum ph_split_state state = pass_scan(split, may_wait, &scanned, diag);
+  if (state != PH_SPLIT_RECORD) {
+    return state;
   }
-  if (state == PH_SPLIT_RECORD) {
+  if (scanned == PH_JSON_ERROR) {
+    split->json.broken = true;
+  } else {
     finish_value(split, false);
   }
   return state;

@@ -181,10 +181,25 @@ static enum ph_status conclude(const struct ph_planar_c2 *c2,
   return PH_OK;
 }
 
-enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
-                                  struct ph_arena *scratch, ph_cplx *b,
-                                  struct ph_planar_report *report,
-                                  struct ph_diag *diag) {
+/* A way to find a solution, from whatever starts it takes. */
+typedef bool search(struct ph_planar_c2 *c2, struct work *w, size_t *iterations,
+                    struct ph_planar_measure *m);
+
+static bool from_spline(struct ph_planar_c2 *c2, struct work *w,
+                        size_t *iterations, struct ph_planar_measure *m) {
+  return solve_from(c2, w, start_from_spline, iterations, m);
+}
+
+static bool from_chords(struct ph_planar_c2 *c2, struct work *w,
+                        size_t *iterations, struct ph_planar_measure *m) {
+  start_from_chords(c2, w);
+  return newton(c2, w, false, PLAIN_CAP, iterations, m);
+}
+
+static enum ph_status solve_by(struct ph_planar_c2 *c2, search *find,
+                               struct ph_arena *scratch, ph_cplx *b,
+                               struct ph_planar_report *report,
+                               struct ph_diag *diag) {
   struct ph_planar_measure m = {0, HUGE_VAL, 0};
   struct work w;
   enum ph_status status = work_init(&w, c2, scratch, b, diag);
@@ -193,43 +208,33 @@ enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
     return status;
   }
   report->iterations = 0;
-  solved = try_starts(c2, &w, &report->iterations, &m);
+  solved = find(c2, &w, &report->iterations, &m);
   return conclude(c2, &w, solved, &m, b, report, diag);
+}
+
+enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
+                                  struct ph_arena *scratch, ph_cplx *b,
+                                  struct ph_planar_report *report,
+                                  struct ph_diag *diag) {
+  return solve_by(c2, try_starts, scratch, b, report, diag);
 }
 
 enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
                                    struct ph_arena *scratch, ph_cplx *b,
                                    struct ph_planar_report *report,
                                    struct ph_diag *diag) {
-  struct ph_planar_measure m = {0, HUGE_VAL, 0};
-  struct work w;
-  enum ph_status status = work_init(&w, c2, scratch, b, diag);
-  bool solved;
-  if (status != PH_OK) {
-    return status;
-  }
-  report->iterations = 0;
-  solved = solve_from(c2, &w, start_from_spline, &report->iterations, &m);
-  return conclude(c2, &w, solved, &m, b, report, diag);
+  return solve_by(c2, from_spline, scratch, b, report, diag);
 }
 
 enum ph_status ph_planar_c2_turned(struct ph_planar_c2 *c2, const bool *turned,
                                    struct ph_arena *scratch, ph_cplx *b,
                                    struct ph_planar_report *report,
                                    struct ph_diag *diag) {
-  struct ph_planar_measure m = {0, HUGE_VAL, 0};
-  struct work w;
-  enum ph_status status = work_init(&w, c2, scratch, b, diag);
-  bool solved;
-  if (status != PH_OK) {
-    return status;
-  }
-  report->iterations = 0;
+  enum ph_status status;
   c2->turned = turned;
-  start_from_chords(c2, &w);
+  status = solve_by(c2, from_chords, scratch, b, report, diag);
   c2->turned = NULL;
-  solved = newton(c2, &w, false, PLAIN_CAP, &report->iterations, &m);
-  return conclude(c2, &w, solved, &m, b, report, diag);
+  return status;
 }
 
 enum ph_status ph_planar_c2_near(const struct ph_planar_c2 *c2,
