@@ -29,6 +29,8 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
+    --shard | --shard=) kind=nothing ;;
+    --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
@@ -57,7 +59,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --at= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --at= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -82,6 +84,8 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
+    --shard | --shard=) kind=nothing ;;
+    --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
@@ -110,7 +114,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --at= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --at= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -136,6 +140,8 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
+    --shard | --shard=) kind=nothing ;;
+    --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
@@ -164,7 +170,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --merge= --at= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --merge= --at= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -191,6 +197,8 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
+    --shard | --shard=) kind=nothing ;;
+    --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
@@ -219,7 +227,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --merge= --at= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --merge= --at= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -250,6 +258,8 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
+    --shard | --shard=) kind=nothing ;;
+    --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
@@ -277,7 +287,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --at= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --at= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -305,6 +315,8 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
+    --shard | --shard=) kind=nothing ;;
+    --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='samples strips development located' ;;
     -o | --output | --output=) kind=files ;;
@@ -328,7 +340,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --translate= --merge= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --volume= --panorama= --resolution= --fill= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --translate= --merge= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --volume= --panorama= --resolution= --fill= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -346,6 +358,8 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
+    --shard | --shard=) kind=nothing ;;
+    --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
     --table | --table=) list='samples patches edges' ;;
     -o | --output | --output=) kind=files ;;
@@ -364,7 +378,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --subdivide= --boundary= --input-format= --columns= --ignore-columns --delimiter= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --subdivide= --boundary= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -375,6 +389,8 @@ _phspline() {
     -i | --input-format | --input-format=) list='auto json csv text geojson svg gpx obj' ;;
     --columns | --columns=) kind=nothing ;;
     --delimiter | --delimiter=) kind=nothing ;;
+    --shard | --shard=) kind=nothing ;;
+    --range | --range=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) kind=nothing ;;
     --override | --override=) kind=nothing ;;
@@ -387,7 +403,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--problems= --input-format= --columns= --ignore-columns --delimiter= --pretty --output= --if-changed --no-sync --set= --override= --volume= --tolerance= --jobs= --max-memory= --max-record-bytes= --time-limit= --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--problems= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --pretty --output= --if-changed --no-sync --set= --override= --volume= --tolerance= --jobs= --max-memory= --max-record-bytes= --time-limit= --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

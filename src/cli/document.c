@@ -19,6 +19,13 @@ static enum ph_status write_buf(struct ph_document *d, struct ph_buf *buf,
   return status;
 }
 
+/* Whether the part of the input, or all, begins where it does. */
+static bool is_first(const struct ph_split_part *part) {
+  return part->how == PH_PART_SHARD   ? part->shard == 0
+         : part->how == PH_PART_RANGE ? part->begin == 0
+                                      : true;
+}
+
 enum ph_status ph_document_begin(struct ph_document *d,
                                  const struct ph_options *o,
                                  struct ph_output *output,
@@ -28,7 +35,7 @@ enum ph_status ph_document_begin(struct ph_document *d,
   struct ph_swept *swept;
   *d = (struct ph_document){
       .options = o, .output = output, .box = PH_SVG_NOTHING};
-  if (!format_of(d)->header) {
+  if (!format_of(d)->header || !is_first(&o->input.part)) {
     return PH_OK;
   }
   swept = ph_malloc((o->sweeps_n + 1) * sizeof *swept);

@@ -41,7 +41,9 @@ void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject) {
   if (subject->file) {
     put_text(buf, subject->file);
     ph_buf_puts(buf, ":");
-    if (subject->line) {
+    if (subject->byte) {
+      ph_message_printf(buf, " byte %zu:", *subject->byte);
+    } else if (subject->line) {
       ph_message_printf(buf, "%zu:", subject->line);
     }
     ph_buf_puts(buf, " ");
@@ -50,7 +52,7 @@ void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject) {
     ph_buf_puts(buf, "record ");
     put_cut(buf, subject->id, ID_MAX);
     ph_buf_puts(buf, ": ");
-  } else if (subject->number) {
+  } else if (subject->number && !subject->byte) {
     ph_message_printf(buf, "record %zu: ", subject->number);
   }
 }

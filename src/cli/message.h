@@ -2,6 +2,7 @@
 /*
  * Lines for standard error, all of one form, parts left out where unknown:
  *   phspline: FILE:LINE: record ID: FIELD: [warning: ]MESSAGE [CODE]
+ * of a part of the input FILE: byte BYTE: in place of FILE:LINE:.
  * Whatever a text of the input holds, a line stays one, and a terminal does no
  * more than show it (ph_show in base/suggest.h).
  */
@@ -17,6 +18,8 @@ struct ph_subject {
   size_t line;
   const char *id; /* plain text, cut to 80 bytes; NULL: the number is used */
   size_t number;  /* of the record in the stream */
+  const size_t *byte; /* of a part: where it begins, which is told in place of
+                         line and number; else NULL */
 };
 
 /* ph_message_error, ph_message_warning: append one line. */

@@ -487,8 +487,9 @@ enum ph_status ph_options_read(int argc, char **argv,
   if (status != PH_OK) {
     return status;
   }
-  return options->command->use == PH_USE_VERIFY ? check_problems(&p)
-                                                : check_together(&p);
+  status = options->command->use == PH_USE_VERIFY ? check_problems(&p)
+                                                  : check_together(&p);
+  return status == PH_OK ? ph_option_check_part(&p) : status;
 }
 
 struct ph_print ph_options_print(const struct ph_options *options) {

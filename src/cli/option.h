@@ -51,6 +51,12 @@
   X(DELIMITER, ALL, 0, "delimiter", "C",                                       \
     "separator of CSV input (default: a tab in .tsv files, else what the "     \
     "first row has); a blank: any number of blanks and tabs")                  \
+  X(SHARD, ALL, 0, "shard", "K/N",                                             \
+    "only the records that begin in the K-th (from 0) of N equal ranges of "   \
+    "the bytes of all FILEs, which are JSON Lines or CSV; outputs in order "   \
+    "make one")                                                                \
+  X(RANGE, ALL, 0, "range", "FROM:TO",                                         \
+    "the same of bytes FROM (from 0) to TO, without TO to the end")            \
   X(FORMAT, SOLVE, 'f', "format", PH_WORDS(PH_FORMATS),                        \
     "json (default): one object a line; csv (with --table the default): one "  \
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths "  \

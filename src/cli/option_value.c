@@ -450,6 +450,9 @@ static enum ph_status read_stream(struct ph_option_parser *p,
     status = choose(p, id, words, &which);
     o->input.format = (enum ph_split_format)which;
     break;
+  case PH_O_SHARD:
+  case PH_O_RANGE:
+    return ph_option_read_part(p, id);
   case PH_O_PROBLEMS:
     o->problems = optarg;
     break;

@@ -26,6 +26,15 @@ struct ph_option_parser {
 /* More threads than this do not help anyone. */
 enum { PH_JOBS_MAX = 1024 };
 
+/* ph_option_read_part: --shard and --range, with getopt's optarg.
+ * ret PH_OK | PH_E_USAGE */
+enum ph_status ph_option_read_part(struct ph_option_parser *p,
+                                   enum ph_option_id id);
+
+/* ph_option_check_part: what does not go with these.
+ * ret PH_OK | PH_E_USAGE */
+enum ph_status ph_option_check_part(struct ph_option_parser *p);
+
 /* ph_option_read_common, ph_option_read_field: what an option says, with
  * getopt's optarg or the text.  ret PH_OK | PH_E_USAGE | PH_E_NO_MEMORY */
 enum ph_status ph_option_read_common(struct ph_option_parser *p,

@@ -504,7 +504,8 @@ static void conclude(struct run *r) {
 /* An input without any record is told. */
 static void tell_empty(struct run *r) {
   const struct ph_options *o = r->options;
-  if (r->progress.read == 0 && r->class == PH_CLASS_OK && !o->quiet) {
+  if (o->input.part.how == PH_PART_ALL && r->progress.read == 0 &&
+      r->class == PH_CLASS_OK && !o->quiet) {
     ph_message_printf(&r->message, "phspline: there is no %s in ",
                       o->command->use == PH_USE_VERIFY ? "result" : "problem");
     for (size_t i = 0; i < o->files_n; i++) {
@@ -552,6 +553,10 @@ int ph_run(const struct ph_options *options) {
   ph_progress_init(&r.progress, o->progress, o->quiet);
   status = ph_split_init(&r.split, o->files, o->files_n, &o->input,
                          o->command->schema, &diag);
+  if (o->input.part.how != PH_PART_ALL) { /* as far as it is in the files */
+    r.bytes = fmin((double)r.split.options.part.end, r.bytes) -
+              fmin((double)r.split.options.part.begin, r.bytes);
+  }
   if (status == PH_OK && !allocate(&r)) {
     status = ph_fail_memory(&diag);
   }

@@ -357,13 +357,13 @@ static void write_record(struct task *t, enum ph_status status,
   const struct ph_heading heading = {&claim->echo, ph_verify_schema.command,
                                      claim->swept, claim->swept_n,
                                      claim->set,   claim->set_n,
-                                     NULL};
+                                     NULL,         subject->byte};
   struct ph_json_writer w = {.buf = out, .pretty = t->options->pretty};
   ph_write_begin(&w, '{');
   ph_json_heading(&w, &heading, status == PH_OK ? "ok" : "error");
   if (status != PH_OK) {
     locate(t, subject);
-    ph_json_failure(&w, &t->diag, subject->file);
+    ph_json_failure(&w, &t->diag, subject->file, subject->byte);
   }
   if (t->read && t->claim.command) {
     ph_write_key_string(&w, "of", t->claim.command);
@@ -407,8 +407,8 @@ void ph_verify_work(const struct ph_options *options, struct ph_worker *worker,
                     struct ph_buf *err) {
   const struct ph_record *record = &item->record;
   struct task t = {.options = options, .worker = worker, .item = item};
-  struct ph_subject subject = {record->file, record->line, NULL,
-                               record->number};
+  struct ph_subject subject = {record->file, record->line, NULL, record->number,
+                               ph_work_byte(options, record)};
   struct timespec start = {0, 0};
   const size_t before = out->n;
   if (options->verbose) {

@@ -264,6 +264,11 @@ static enum ph_status draw(struct task *t, const char *id) {
                       &t->item->drawing, &t->diag);
 }
 
+const size_t *ph_work_byte(const struct ph_options *options,
+                           const struct ph_record *record) {
+  return options->input.part.how == PH_PART_ALL ? NULL : &record->byte;
+}
+
 const char *ph_work_id(const struct ph_echo *echo, struct ph_arena *arena) {
   if (!echo->id) {
     return NULL;
@@ -290,7 +295,8 @@ static void write_result(struct task *t, const struct ph_heading *heading,
   static const double nothing[4] = PH_SVG_NOTHING;
   char number[32];
   if (!id) {
-    snprintf(number, sizeof number, "%zu", t->item->record.number);
+    snprintf(number, sizeof number, heading->byte ? "@%zu" : "%zu",
+             heading->byte ? *heading->byte : t->item->record.number);
     solved.id = number;
   }
   memcpy(t->item->box, nothing, sizeof nothing);
@@ -391,9 +397,10 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
              struct ph_item *item, struct ph_buf *out, struct ph_buf *err) {
   const struct ph_record *record = &item->record;
   struct task t = {.options = options, .worker = worker, .item = item};
-  struct ph_subject subject = {record->file, record->line, NULL,
-                               record->number};
+  struct ph_subject subject = {record->file, record->line, NULL, record->number,
+                               ph_work_byte(options, record)};
   struct ph_heading heading = {
+      .byte = subject.byte,
       .file = strcmp(record->file, "-") == 0 ? NULL : record->file,
       .echo = &t.echo,
       .command = options->command->schema->command};

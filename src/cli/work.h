@@ -64,6 +64,10 @@ enum ph_status ph_work_settle(const struct ph_options *options,
 size_t ph_work_assign(const struct ph_assignment *assignments, size_t n,
                       struct ph_problem *problem, struct ph_swept *set);
 
+/* ph_work_byte: of a part of the input where a record begins; else NULL. */
+const size_t *ph_work_byte(const struct ph_options *options,
+                           const struct ph_record *record);
+
 /* ph_work_id: an id as people write it, without the quotes of a JSON string;
  * NULL: there is none, or memory is exhausted. */
 const char *ph_work_id(const struct ph_echo *echo, struct ph_arena *arena);

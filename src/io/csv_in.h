@@ -53,6 +53,10 @@ struct ph_csv_scan {
 enum ph_csv_state ph_csv_scan(struct ph_csv_scan *scan, const char *text,
                               size_t n, char delimiter, bool last);
 
+/* ph_csv_scan_pass: after an error: what is left of the line is scanned as a
+ * comment is. */
+void ph_csv_scan_pass(struct ph_csv_scan *scan);
+
 /* The content of a cell: without blanks around it, and without its quotes,
  * but with quotes inside it still doubled when it was quoted. */
 struct ph_csv_cell {

@@ -10,6 +10,7 @@
 #include "io/number.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -153,6 +154,11 @@ enum ph_csv_state ph_csv_scan(struct ph_csv_scan *scan, const char *text,
     return PH_CSV_ERROR;
   }
   return finish_row(scan);
+}
+
+void ph_csv_scan_pass(struct ph_csv_scan *scan) {
+  scan->at = scan->at == SIZE_MAX ? 0 : scan->at;
+  scan->state = COMMENT;
 }
 
 const char *ph_csv_row_end(const char *p, const char *end) {

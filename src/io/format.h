@@ -61,6 +61,7 @@ struct ph_format_row {
   bool is_table;   /* takes --table */
   bool is_mesh;    /* has the samples of a surface */
   bool is_single;  /* has room for one problem */
+  bool is_parted;  /* outputs one after another are one, but for the header */
   bool is_text;    /* a table in the second form (csv_out.h) */
   bool is_drawing; /* of cubics within --tolerance, if it is given */
   bool is_nurbs;   /* has neither samples nor --convert: B-splines */

@@ -401,7 +401,7 @@ void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
 }
 
 void ph_json_failure(struct ph_json_writer *w, const struct ph_diag *diag,
-                     const char *file) {
+                     const char *file, const size_t *byte) {
   char sentence[PH_DIAG_FIELD_MAX + PH_DIAG_MESSAGE_MAX];
   ph_diag_sentence(diag, sentence, sizeof sentence);
   ph_write_key(w, "error");
@@ -414,7 +414,9 @@ void ph_json_failure(struct ph_json_writer *w, const struct ph_diag *diag,
   if (file) {
     ph_write_key_string(w, "file", file);
   }
-  if (diag->line) {
+  if (byte) {
+    ph_write_key_number(w, "byte", (double)*byte);
+  } else if (diag->line) {
     ph_write_key_number(w, "line", (double)diag->line);
   }
   if (diag->column) {
@@ -428,6 +430,6 @@ void ph_json_error(struct ph_buf *buf, const struct ph_heading *heading,
   struct ph_json_writer w = {.buf = buf, .pretty = pretty};
   ph_write_begin(&w, '{');
   ph_json_heading(&w, heading, "error");
-  ph_json_failure(&w, diag, file);
+  ph_json_failure(&w, diag, file, heading->byte);
   finish(&w);
 }

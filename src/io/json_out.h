@@ -27,7 +27,8 @@ struct ph_heading {
   size_t swept_n;
   const struct ph_swept *set; /* by options, which the problem does not have */
   size_t set_n;
-  const char *file; /* of the problem; NULL: standard input */
+  const char *file;   /* of the problem; NULL: standard input */
+  const size_t *byte; /* that an error tells in place of its line, or NULL */
 };
 
 /* ph_json_result: appends the record of a solved problem, with its newline. */
@@ -48,8 +49,8 @@ void ph_json_heading(struct ph_json_writer *w, const struct ph_heading *heading,
 void ph_json_fields(struct ph_json_writer *w, const char *name,
                     const struct ph_swept *fields, size_t n);
 
-/* ph_json_failure: the member "error"; file may be NULL. */
+/* ph_json_failure: the member "error"; file and byte may be NULL. */
 void ph_json_failure(struct ph_json_writer *w, const struct ph_diag *diag,
-                     const char *file);
+                     const char *file, const size_t *byte);
 
 #endif

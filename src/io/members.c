@@ -463,6 +463,9 @@ static const struct ph_member error[] = {
     ROW("field", MAY, ANY, "text", "which field, or element of it"),
     ROW("file", MAY, ANY, "text", "that the problem stands in, or -"),
     ROW("line", MAY, ANY, "whole", "in the file, from 1"),
+    ROW("byte", MAY, ANY, "whole",
+        "of parts of the input (--shard), in place of the line: where the "
+        "record begins in the file, from 0"),
     ROW("column", MAY, ANY, "whole", "in the line, in bytes, from 1"),
     LAST};
 

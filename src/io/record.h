@@ -23,6 +23,7 @@ struct ph_record {
   size_t n;
   const char *file; /* name for messages, "-" is standard input */
   size_t line;      /* line of text[0] in the file, from 1 */
+  size_t byte;      /* offset of text[0] in the file */
   size_t number;    /* 1, 2, ... in the whole stream */
   const struct ph_csv_columns *columns; /* CSV; NULL: the text is JSON */
   bool mesh;                            /* the text is OBJ */

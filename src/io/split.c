@@ -99,6 +99,7 @@ void ph_split_drop(struct ph_split *split, size_t n) {
   if (n > 0) {
     advance(&split->place, split->data + split->start, n);
     split->passed += n;
+    split->offset += n;
     split->start += n;
   }
 }
@@ -109,6 +110,7 @@ void ph_split_give(struct ph_split *split, size_t n, size_t taken,
                                .n = n,
                                .file = split->name,
                                .line = split->place.line,
+                               .byte = split->offset,
                                .number = ++split->number,
                                .status = PH_OK};
   split->done = taken;
@@ -117,8 +119,11 @@ void ph_split_give(struct ph_split *split, size_t n, size_t taken,
 void ph_split_over(struct ph_split *split) {
   struct ph_buf kept = split->over.kept;
   ph_buf_clear(&kept, KEEP_CAPACITY);
-  split->over = (struct ph_split_over){
-      .on = true, .place = split->place, .kept = kept, .one_line = true};
+  split->over = (struct ph_split_over){.on = true,
+                                       .place = split->place,
+                                       .byte = split->offset,
+                                       .kept = kept,
+                                       .one_line = true};
 }
 
 void ph_split_give_over(struct ph_split *split, size_t taken,
@@ -127,6 +132,7 @@ void ph_split_give_over(struct ph_split *split, size_t taken,
   record->text = split->over.kept.data;
   record->n = split->over.kept.n;
   record->line = split->over.place.line;
+  record->byte = split->over.byte;
   record->status = split->over.kept.failed
                        ? ph_fail_memory(diag)
                        : ph_fail(diag, PH_E_LIMIT, NULL,
@@ -235,7 +241,11 @@ static void close_file(struct ph_split *split) {
 
 static enum ph_split_state open_next(struct ph_split *split,
                                      struct ph_diag *diag) {
-  const char *name = split->files[split->next_file++];
+  const char *name;
+  if (ph_split_is_part(split) && !ph_split_cut_skip(split)) {
+    return PH_SPLIT_END;
+  }
+  name = split->files[split->next_file++];
   split->name = name;
   if (!make_room(split)) {
     return fail_memory(split, diag);
@@ -270,6 +280,7 @@ static enum ph_split_state open_next(struct ph_split *split,
   split->start = 0;
   split->fill = 0;
   split->place = (struct ph_split_place){1, 1};
+  split->offset = 0;
   split->json = (struct ph_split_json){.line_start = true, .lines = true};
   ph_buf_clear(&split->csv.id, 0);
   split->csv = (struct ph_split_csv){.row = 0};
@@ -300,6 +311,7 @@ static enum ph_split_state skip_mark(struct ph_split *split, bool may_wait,
       maybe = false;
     }
     split->start += maybe ? 3 : 0; /* counts for no column */
+    split->offset += maybe ? 3 : 0;
     split->begun = true;
   }
   return PH_SPLIT_RECORD;
@@ -373,13 +385,17 @@ enum ph_status ph_split_init(struct ph_split *split, const char *const *files,
                              const struct ph_schema *schema,
                              struct ph_diag *diag) {
   static const char *const standard_input[] = {"-"};
+  enum ph_status status;
   *split = (struct ph_split){.files = n ? files : standard_input,
                              .files_n = n ? n : 1,
                              .options = *options,
                              .schema = schema,
                              .delimiter = options->delimiter,
                              .fd = -1};
-  return check_options(split, diag);
+  status = check_options(split, diag);
+  return status == PH_OK && ph_split_is_part(split)
+             ? ph_split_cut_init(split, diag)
+             : status;
 }
 
 /* The next record of the file that is open. */
@@ -392,6 +408,10 @@ static enum ph_split_state next_in_file(struct ph_split *split, bool may_wait,
   }
   if (state == PH_SPLIT_RECORD && !split->geojson.told) {
     state = ph_split_tell_geojson(split, may_wait, diag);
+  }
+  if (state == PH_SPLIT_RECORD && ph_split_is_part(split) &&
+      !split->cut.sought) {
+    state = ph_split_cut_seek(split, may_wait, diag);
   }
   if (state != PH_SPLIT_RECORD) {
     return state;

@@ -48,6 +48,14 @@ enum ph_split_format {
       PH_SPLIT_XML /* one of these */
 };
 
+/* A part of the input: the records that begin in a range of its bytes, those
+ * of all files one after another. */
+struct ph_split_part {
+  enum { PH_PART_ALL, PH_PART_SHARD, PH_PART_RANGE } how;
+  size_t shard, shards; /* the range is one of so many equal ones, from 0 */
+  size_t begin, end;    /* or this one; of a shard found by ph_split_init */
+};
+
 struct ph_split_options {
   enum ph_split_format format; /* AUTO: by suffix, else by the first byte */
   char delimiter;              /* of CSV; 0: tab for .tsv, else as the first
@@ -56,6 +64,7 @@ struct ph_split_options {
                                   header, NAME=HEADER,...; or NULL */
   size_t most;                 /* bytes of a record; 0: any number */
   bool ignore_columns;         /* that are unknown */
+  struct ph_split_part part;   /* of regular files: JSON Lines and CSV */
 };
 
 enum ph_split_state {
@@ -75,6 +84,7 @@ struct ph_split_place {
 struct ph_split_over {
   bool on;
   struct ph_split_place place; /* where it begins */
+  size_t byte;                 /* the same */
   struct ph_buf kept;          /* of its text, see ph_split_next */
   /* JSON */
   enum { PH_OVER_VALUE, PH_OVER_LINE, PH_OVER_FOLLOWING } part; /* is read */
@@ -129,6 +139,18 @@ struct ph_split_csv {
   struct ph_csv_columns *columns; /* NULL: not known yet */
   struct ph_buf id;               /* of the open record */
   double at[2];                   /* of results: where its last row is */
+  size_t line_end;                /* of a part: offset behind the row's line, or
+                                     behind the window */
+};
+
+/* The part of a file that is split.  There a line is a text of JSON or a row
+ * of CSV, whatever it holds: what a record is does not depend on the bytes
+ * before its line but for the head of the file and, of CSV, the line before. */
+struct ph_split_cut {
+  bool sought;       /* past the head of the file */
+  size_t before;     /* bytes of the files before it */
+  size_t size;       /* of it */
+  size_t begin, end; /* of the range, in it */
 };
 
 /*
@@ -157,6 +179,7 @@ struct ph_split {
   size_t start;
   size_t fill;
   struct ph_split_place place; /* of the window's first byte */
+  size_t offset;               /* the same, from the start of the file */
   size_t done;                 /* bytes of the window that were handed out */
   /* the stream */
   size_t number; /* of the last record */
@@ -168,6 +191,7 @@ struct ph_split {
   struct ph_split_geojson geojson;
   struct ph_split_xml *xml; /* NULL: none is open */
   struct ph_split_over over;
+  struct ph_split_cut cut;
   struct ph_csv_columns *all_columns;
 };
 
@@ -179,8 +203,8 @@ struct ph_split {
  *               must live as long as the splitter, like the options' strings
  * in   schema   decides which CSV columns are known; must live as long
  * ret  PH_OK; PH_E_USAGE, with the option as field of diag, for a column name
- *      or a delimiter that cannot be; PH_E_NO_MEMORY.  ph_split_free is allowed
- *      after any of them.
+ *      or a delimiter that cannot be; of a part PH_E_INPUT for what is no
+ *      regular file; PH_E_NO_MEMORY.  ph_split_free is allowed after any.
  */
 enum ph_status ph_split_init(struct ph_split *split, const char *const *files,
                              size_t n, const struct ph_split_options *options,
@@ -234,6 +258,22 @@ void ph_split_over(struct ph_split *split);
 void ph_split_give_over(struct ph_split *split, size_t taken,
                         struct ph_record *record, struct ph_diag *diag);
 
+/* ph_split_cut_init: finds the range of a part.  ret  PH_OK | PH_E_INPUT */
+enum ph_status ph_split_cut_init(struct ph_split *split, struct ph_diag *diag);
+
+/* ph_split_cut_skip: the next file is due; passes over those of which nothing
+ * is in the part.  ret  whether one is left */
+bool ph_split_cut_skip(struct ph_split *split);
+
+/* ph_split_cut_seek: reads what all parts need of the beginning of a file, and
+ * goes to the line that the part begins with.
+ * ret  PH_SPLIT_RECORD: it is there; else as ph_split_fill */
+enum ph_split_state ph_split_cut_seek(struct ph_split *split, bool may_wait,
+                                      struct ph_diag *diag);
+
+/* ph_split_is_part: whether a part is split, by lines. */
+bool ph_split_is_part(const struct ph_split *split);
+
 /* ph_split_locate: puts the place of a byte of the window into diag, so many
  * bytes after the window's first one. */
 void ph_split_locate(const struct ph_split *split, size_t offset,
@@ -245,7 +285,9 @@ enum ph_split_state ph_split_obj(struct ph_split *split, bool may_wait,
                                  struct ph_diag *diag);
 
 /* ph_split_json, ph_split_csv, ...: ph_split_next for the current file, which
- * PH_SPLIT_END ends; a new file begins with split->json, split->csv zeroed. */
+ * PH_SPLIT_END ends; a new file begins with split->json, split->csv zeroed.  In
+ * the head of a file, of a part, ph_split_csv gives PH_SPLIT_RECORD, and none,
+ * when it knows the columns; the window then begins behind the header. */
 enum ph_split_state ph_split_json(struct ph_split *split, bool may_wait,
                                   struct ph_record *record,
                                   struct ph_diag *diag);

@@ -10,13 +10,29 @@
  * a row that is too long nothing but what is read at once.
  *
  * What the cells hold is not looked at here, but for the ids.
+ *
+ * Of a part (see split.h) a row is a line, and one that is broken is a record,
+ * after which the next one begins.  Splitting begins at the line before the
+ * part, which tells whether its first row begins a record; what began before
+ * it is passed over.
  */
 #include "io/split.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
 /* ---- records -------------------------------------------------------- */
+
+/* Of a part: the columns are not known, and so nothing that follows. */
+static enum ph_split_state fail_head(struct ph_split *split,
+                                     struct ph_diag *diag) {
+  const struct ph_diag why = *diag;
+  split->ended = true;
+  ph_fail(diag, PH_E_INPUT, NULL, "cannot read the columns of %s: %s",
+          split->name, why.message);
+  return PH_SPLIT_FAILED;
+}
 
 /* Gives out the broken row that is being read, with the open record, if any,
  * in front of it; the stream ends.  `offset` is where diag's column counts
@@ -29,6 +45,9 @@ static enum ph_split_state stop(struct ph_split *split, size_t offset,
   if (status == PH_E_NO_MEMORY) {
     split->ended = true;
     return PH_SPLIT_FAILED;
+  }
+  if (ph_split_is_part(split)) {
+    return fail_head(split, diag);
   }
   ph_split_locate(split, offset, diag);
   diag->column = status == PH_E_LIMIT ? 1 : diag->column + column;
@@ -84,9 +103,12 @@ static struct ph_csv_cell id_cell(const struct ph_csv_columns *columns,
 
 /* Of results: whether the row [p,end) does not lie further along the curve than
  * the open record's last one. */
-static bool begins_curve(struct ph_split_csv *csv, const char *p,
+static bool begins_curve(struct ph_split_csv *csv, bool part, const char *p,
                          const char *end) {
   const double last[2] = {csv->at[0], csv->at[1]};
+  if (part) { /* what cannot be read is no older one */
+    csv->at[0] = csv->at[1] = (double)NAN;
+  }
   end = ph_csv_row_end(p, end);
   for (size_t i = 0; i <= PH_CSV_WITHIN && p <= end; i++, p++) {
     struct ph_csv_cell cell;
@@ -113,7 +135,8 @@ static bool take_row(struct ph_split *split, const char *p, const char *end) {
   if (csv->open && nameless) {
     return false;
   }
-  if (csv->columns->results && begins_curve(csv, p, end)) {
+  if (csv->columns->results &&
+      begins_curve(csv, ph_split_is_part(split), p, end)) {
     return false;
   }
   csv->id.n = old_n;
@@ -201,7 +224,9 @@ static bool is_long(const struct ph_split *split, enum ph_csv_state row) {
   const size_t most = split->options.most;
   /* a quote that is never closed: the row was read to its end */
   bool open_quote = row == PH_CSV_ERROR && csv->scan.at == csv->scan.quote;
-  size_t end = open_quote ? split->fill - split->start : csv->scan.at;
+  size_t end = ph_split_is_part(split) ? csv->line_end
+               : open_quote            ? split->fill - split->start
+                                       : csv->scan.at;
   return row != PH_CSV_BLANK &&
          (csv->blanks || (most && end - csv->row > most));
 }
@@ -249,7 +274,9 @@ static enum ph_split_state handle_long(struct ph_split *split,
     begin_over(split);
   }
   csv->blanks = false;
-  if (row == PH_CSV_ERROR && csv->scan.at == csv->scan.quote) {
+  if (row == PH_CSV_ERROR && ph_split_is_part(split)) {
+    ph_csv_scan_pass(&csv->scan);
+  } else if (row == PH_CSV_ERROR && csv->scan.at == csv->scan.quote) {
     csv->scan.at = split->fill - split->start;
   }
   if (row == PH_CSV_ERROR) {
@@ -333,6 +360,19 @@ static enum ph_split_state handle_comment(struct ph_split *split,
   return PH_SPLIT_END;
 }
 
+/* A row of a part is broken: a record of its own. */
+static enum ph_split_state break_row(struct ph_split *split,
+                                     struct ph_record *record,
+                                     struct ph_diag *diag) {
+  struct ph_split_csv *csv = &split->csv;
+  ph_fail(diag, PH_E_SYNTAX, NULL, "%s", csv->scan.message);
+  ph_split_locate(split, csv->scan.at, diag);
+  csv->row = csv->line_end;
+  give(split, csv->line_end, record, diag);
+  record->status = PH_E_SYNTAX;
+  return PH_SPLIT_RECORD;
+}
+
 /* A row is broken.  What stands of it tells whether it belongs to the open
  * record; if not, that one is whole, and the row is met again. */
 static enum ph_split_state handle_broken(struct ph_split *split,
@@ -346,6 +386,10 @@ static enum ph_split_state handle_broken(struct ph_split *split,
   if (!csv->columns &&
       ph_split_is_foreign(window + csv->row, window + csv->scan.at, diag)) {
     return stop(split, csv->row, record, diag);
+  }
+  if (ph_split_is_part(split) && csv->columns) {
+    return csv->open ? give(split, csv->row, record, diag)
+                     : break_row(split, record, diag);
   }
   if (!csv->open || take_row(split, window + csv->row, window + csv->scan.at)) {
     ph_fail(diag, PH_E_SYNTAX, NULL, "%s", csv->scan.message);
@@ -388,6 +432,10 @@ static enum ph_split_state handle(struct ph_split *split, enum ph_csv_state row,
                                   struct ph_record *record,
                                   struct ph_diag *diag) {
   struct ph_split_csv *csv = &split->csv;
+  if (split->over.inside && row == PH_CSV_ERROR && ph_split_is_part(split)) {
+    ph_csv_scan_pass(&csv->scan);
+    return PH_SPLIT_END;
+  }
   if (split->over.inside && row == PH_CSV_ERROR) {
     return handle_inside_broken(split, record, diag);
   }
@@ -420,6 +468,48 @@ static enum ph_split_state handle(struct ph_split *split, enum ph_csv_state row,
   return PH_SPLIT_END;
 }
 
+/* Goes on with the scan of the row: of a part when its line is there, or as
+ * much of it as a record may have. */
+static enum ph_csv_state scan_row(struct ph_split *split) {
+  struct ph_split_csv *csv = &split->csv;
+  const char *text = split->data + split->start;
+  const size_t n = split->fill - split->start, most = split->options.most;
+  const size_t at = csv->scan.at < n ? csv->scan.at : csv->row;
+  const char *line = NULL;
+  if (!ph_split_is_part(split)) {
+    return ph_csv_scan(&csv->scan, text, n, split->delimiter,
+                       split->end_of_file);
+  }
+  line = at < n ? memchr(text + at, '\n', n - at) : NULL;
+  csv->line_end = line ? (size_t)(line + 1 - text) : n;
+  if (!line && !split->end_of_file && !(most && n - csv->row > most)) {
+    return PH_CSV_MORE;
+  }
+  return ph_csv_scan(&csv->scan, text, csv->line_end, split->delimiter,
+                     line || split->end_of_file);
+}
+
+/* Of a part: whether the row begins behind it, and no record goes on there that
+ * began in it. */
+static bool is_behind(const struct ph_split *split) {
+  const struct ph_split_csv *csv = &split->csv;
+  const size_t record = split->over.on ? split->over.byte : split->offset;
+  return ph_split_is_part(split) && split->cut.sought &&
+         (!csv->open || record < split->cut.begin) &&
+         split->offset + csv->row >= split->cut.end;
+}
+
+/* Whether the record began before the part: then it is none. */
+static bool is_before(struct ph_split *split, const struct ph_record *record) {
+  if (!ph_split_is_part(split) || record->byte >= split->cut.begin) {
+    return false;
+  }
+  ph_split_drop(split, split->done);
+  split->done = 0;
+  split->number--;
+  return true;
+}
+
 enum ph_split_state ph_split_csv(struct ph_split *split, bool may_wait,
                                  struct ph_record *record,
                                  struct ph_diag *diag) {
@@ -429,15 +519,26 @@ enum ph_split_state ph_split_csv(struct ph_split *split, bool may_wait,
   while (state == PH_SPLIT_END) {
     size_t n = split->fill - split->start;
     enum ph_csv_state row = PH_CSV_MORE;
+    if (ph_split_is_part(split) && !split->cut.sought && csv->columns) {
+      return PH_SPLIT_RECORD;
+    }
+    if (is_behind(split)) {
+      return PH_SPLIT_END;
+    }
     if (csv->row < n || split->over.inside) {
-      row = ph_csv_scan(&csv->scan, split->data + split->start, n,
-                        split->delimiter, split->end_of_file);
+      row = scan_row(split);
       state = handle(split, row, record, diag);
     } else if (end_of_file) {
-      return csv->open ? give(split, csv->row, record, diag) : PH_SPLIT_END;
+      if (!csv->open) {
+        return PH_SPLIT_END;
+      }
+      state = give(split, csv->row, record, diag);
     }
     if (row == PH_CSV_MORE && state == PH_SPLIT_END) {
       state = handle_more(split, may_wait, &end_of_file, diag);
+    }
+    if (state == PH_SPLIT_RECORD && is_before(split, record)) {
+      state = PH_SPLIT_END;
     }
   }
   return state;

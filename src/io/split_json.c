@@ -46,6 +46,27 @@ static bool skip_blanks(struct ph_split *split) {
   return split->start < split->fill;
 }
 
+/* Goes on with the scan of the text at the window: of a part to the end of its
+ * line, which is the end of the text. */
+static enum ph_json_state scan_text(struct ph_split *split) {
+  struct ph_json_scan *scan = &split->json.scan;
+  const char *text = split->data + split->start;
+  const size_t n = split->fill - split->start;
+  const char *end = ph_split_is_part(split) && scan->at < n
+                        ? memchr(text + scan->at, '\n', n - scan->at)
+                        : NULL;
+  return end ? ph_json_scan(scan, text, (size_t)(end - text), true)
+             : ph_json_scan(scan, text, n, split->end_of_file);
+}
+
+/* Whether the line at the window begins behind the part. */
+static bool is_behind(const struct ph_split *split) {
+  const size_t line =
+      split->place.line == 1 ? 0 : split->offset - (split->place.column - 1);
+  return ph_split_is_part(split) && split->json.line_start &&
+         split->json.scan.at == 0 && line >= split->cut.end;
+}
+
 /* ---- broken texts --------------------------------------------------- */
 
 /* Finds the end of the line at the start of the window.
@@ -279,8 +300,7 @@ static enum ph_split_state pass_scan(struct ph_split *split, bool may_wait,
   struct ph_json_scan *scan = &split->json.scan;
   for (;;) {
     enum ph_split_state filled;
-    *state = ph_json_scan(scan, split->data + split->start,
-                          split->fill - split->start, split->end_of_file);
+    *state = scan_text(split);
     pass(split, scan->at);
     scan->at = 0;
     if (*state != PH_JSON_MORE) {
@@ -419,7 +439,7 @@ static bool punctuation(struct ph_split *split, enum ph_json_state *state) {
   struct ph_split_json *json = &split->json;
   const char *p = split->data + split->start;
   *state = PH_JSON_DONE;
-  if (json->scan.at > 0) {
+  if (json->scan.at > 0 || ph_split_is_part(split)) {
     return false;
   }
   if (json->array == PH_ARRAY_NONE && *p == '{') {
@@ -505,12 +525,14 @@ enum ph_split_state ph_split_json(struct ph_split *split, bool may_wait,
       return broken(split, may_wait, record, diag);
     }
     if (skip_blanks(split)) {
+      if (is_behind(split)) {
+        return PH_SPLIT_END;
+      }
       if (punctuation(split, &state)) {
         continue;
       }
       if (state == PH_JSON_DONE) {
-        state = ph_json_scan(&json->scan, split->data + split->start,
-                             split->fill - split->start, split->end_of_file);
+        state = scan_text(split);
       }
       if (split->options.most && json->scan.at > split->options.most) {
         ph_split_over(split);

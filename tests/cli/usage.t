@@ -98,6 +98,20 @@ done
 usage '--table=offsets needs --offset' -f csv --table=offsets
 usage '--pretty needs --format=json' --pretty -f csv
 
+for k in 1 1/ /1 1/1 2/1 -1/2 0/0 0/2x 0/1e3 0/1000000001 ''; do
+  usage "--shard must be K/N, whole numbers with K, from 0, below N, found '$k'" \
+    --shard="$k"
+done
+for k in 1 : x:1 2:1 -1:2 0:2x 1:99999999999999999999999; do
+  usage "--range must be FROM:TO, bytes from 0, or FROM:, found '$k'" --range="$k"
+done
+usage '--shard and --range are alternatives' --range=0:1 --shard=0/1
+usage '--shard and --range are alternatives' --shard=0/1 --range=0:1
+usage '--shard does not go with --plot, which is of the whole run' \
+  --shard=0/1 --plot=x.svg
+usage '--range needs --format=json, csv, text or svg-path: files of svg are no '\
+'parts of one' --range=0: -f svg
+
 usage '--output must be the name of a file' --output=
 for n in 0 -1 1.5 1025 1e9 x '' ' 1' 0x2 nan inf 1,2; do
   usage "--jobs must be a whole number from 1 to 1024, found '$n'" --jobs="$n"
