@@ -18,6 +18,12 @@ char *ph_buf_reserve(struct ph_buf *buf, size_t n) {
   if (buf->data && n <= buf->capacity - buf->n) {
     return buf->data + buf->n;
   }
+  if (buf->piece && buf->capacity >= buf->piece && buf->n >= buf->piece / 2) {
+    buf->spill(buf->context, buf);
+    if (n <= buf->capacity - buf->n) {
+      return buf->data + buf->n;
+    }
+  }
   if (buf->most && buf->n > buf->most) {
     buf->failed = true;
     return NULL;
@@ -40,7 +46,12 @@ char *ph_buf_reserve(struct ph_buf *buf, size_t n) {
 }
 
 void ph_buf_put(struct ph_buf *buf, const char *bytes, size_t n) {
-  char *to = ph_buf_reserve(buf, n);
+  char *to;
+  for (const size_t half = buf->piece / 2; half && n > half; n -= half) {
+    ph_buf_put(buf, bytes, half);
+    bytes += half;
+  }
+  to = ph_buf_reserve(buf, n);
   if (to && n) {
     memcpy(to, bytes, n);
     buf->n += n;

@@ -5,6 +5,11 @@
  * A failed growth, or one that is not allowed (most), is remembered in `failed`
  * and makes every later append a no-op, so that a writer checks once, at its
  * end.
+ *
+ * A buffer whose text may leave before it is whole spills: instead of growing
+ * beyond `piece` bytes it asks spill() to take its bytes away, and grows only
+ * as long as that leaves them.  Once it has spilled, nothing fails for memory
+ * that reserves half a piece at most.
  */
 #ifndef PH_BASE_BUF_H
 #define PH_BASE_BUF_H
@@ -19,6 +24,10 @@ struct ph_buf {
   size_t capacity; /* bytes owned */
   bool failed;     /* memory ran out: the content is incomplete */
   size_t most;     /* it grows no more when n is above; 0: any number */
+  size_t piece;    /* 0: it does not spill */
+  /* takes all its bytes and sets n to 0, or leaves them for now */
+  void (*spill)(void *context, struct ph_buf *buf);
+  void *context;
 };
 
 /* ph_buf_reserve: room for n more bytes; NULL when memory is exhausted.  The

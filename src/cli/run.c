@@ -12,6 +12,7 @@
 #include "base/team.h"
 #include "cli/document.h"
 #include "cli/message.h"
+#include "cli/outlet.h"
 #include "cli/output.h"
 #include "cli/pairing.h"
 #include "cli/panorama.h"
@@ -41,6 +42,7 @@ struct slot {
   size_t text_at[BATCH_ITEMS];
   size_t n;
   struct ph_buf out, err;
+  struct ph_spout spout;
   size_t out_end[BATCH_ITEMS], err_end[BATCH_ITEMS];
 };
 
@@ -60,7 +62,8 @@ struct run {
 
   struct slot *slots;
   size_t slots_n;
-  size_t filled, taken, written; /* counts of slots, ever */
+  size_t filled, taken;    /* counts of slots, ever */
+  struct ph_outlet outlet; /* of the slots that are not written */
 
   bool input_ended;
   bool input_failed;            /* told when all before it is written */
@@ -74,8 +77,6 @@ struct run {
   atomic_int spare; /* threads that do not work (base/team.h) */
   pthread_t *threads;
   size_t threads_n; /* started; 0: the main thread works */
-  pthread_mutex_t lock;
-  pthread_cond_t changed;
   bool quit;
 };
 
@@ -181,6 +182,9 @@ static bool add_item(struct run *r, struct slot *slot) {
   r->progress.read++;
   r->current.sweep++;
   r->current_left--;
+  if (!r->current_left) {
+    ph_split_release(&r->split);
+  }
   return true;
 }
 
@@ -194,6 +198,7 @@ static bool fill_slot(struct run *r, bool may_wait) {
   struct slot *slot = slot_at(r, r->filled);
   size_t limit = batch_limit(r);
   slot->n = 0;
+  slot->spout = (struct ph_spout){&r->outlet, r->filled, &r->spare};
   ph_buf_clear(&slot->text, KEEP_BYTES);
   while (slot->n < limit && slot->text.n < BATCH_BYTES &&
          next_record(r, may_wait && slot->n == 0)) {
@@ -216,12 +221,17 @@ static void work_slot(const struct ph_options *options,
                       struct ph_worker *worker, struct slot *slot) {
   ph_buf_clear(&slot->out, KEEP_BYTES);
   ph_buf_clear(&slot->err, KEEP_BYTES);
+  slot->out.spill = ph_spout_spill;
+  slot->out.context = &slot->spout;
   ph_team_enter(worker->budget.spare);
   for (size_t i = 0; i < slot->n; i++) {
     options->command->work(options, worker, &slot->items[i], &slot->out,
                            &slot->err);
     slot->out_end[i] = slot->out.n;
     slot->err_end[i] = slot->err.n;
+    if (options->fail_fast && slot->items[i].status != PH_OK) {
+      break; /* nothing behind it may leave */
+    }
   }
   ph_team_leave(worker->budget.spare);
 }
@@ -234,20 +244,20 @@ struct thread_start {
 static void *worker_main(void *argument) {
   struct thread_start *start = argument;
   struct run *r = start->run;
-  pthread_mutex_lock(&r->lock);
+  pthread_mutex_lock(&r->outlet.lock);
   while (!r->quit) {
     if (r->taken < r->filled) {
       struct slot *slot = slot_at(r, r->taken++);
-      pthread_mutex_unlock(&r->lock);
+      pthread_mutex_unlock(&r->outlet.lock);
       work_slot(r->options, start->worker, slot);
-      pthread_mutex_lock(&r->lock);
+      pthread_mutex_lock(&r->outlet.lock);
       slot->state = SLOT_DONE;
-      pthread_cond_broadcast(&r->changed);
+      pthread_cond_broadcast(&r->outlet.changed);
     } else {
-      pthread_cond_wait(&r->changed, &r->lock);
+      pthread_cond_wait(&r->outlet.changed, &r->outlet.lock);
     }
   }
-  pthread_mutex_unlock(&r->lock);
+  pthread_mutex_unlock(&r->outlet.lock);
   return NULL;
 }
 
@@ -261,11 +271,11 @@ static void hand_over(struct run *r) {
     r->taken++;
     return;
   }
-  pthread_mutex_lock(&r->lock);
+  pthread_mutex_lock(&r->outlet.lock);
   slot->state = SLOT_FILLED;
   r->filled++;
-  pthread_cond_broadcast(&r->changed);
-  pthread_mutex_unlock(&r->lock);
+  pthread_cond_broadcast(&r->outlet.changed);
+  pthread_mutex_unlock(&r->outlet.lock);
 }
 
 /* ---- writing ---------------------------------------------------------- */
@@ -319,15 +329,14 @@ static void collect_drawings(struct run *r, struct slot *slot, size_t n) {
 static void write_slot(struct run *r, struct slot *slot) {
   size_t n = count_outcomes(r, slot);
   struct ph_diag diag;
-  ph_progress_hide(&r->progress);
   if (slot->out.failed || slot->err.failed) {
     ph_fail_memory(&diag);
     complain(r, &diag);
     r->stopped = true;
   } else {
-    if (ph_document_add(&r->document, slot->out.data, slot->out_end[n - 1],
-                        &diag) != PH_OK) {
-      complain(r, &diag);
+    if (ph_outlet_put(&r->outlet, slot->out.data, slot->out_end[n - 1]) !=
+        PH_OK) {
+      complain(r, &r->outlet.diag);
       r->stopped = true;
     }
     ph_buf_put(&r->message, slot->err.data, slot->err_end[n - 1]);
@@ -335,43 +344,43 @@ static void write_slot(struct run *r, struct slot *slot) {
   }
   send(r);
   slot->state = SLOT_FREE;
-  r->written++;
   r->progress.all = r->input_ended && !r->current_left;
   r->progress.total = (double)r->progress.read * r->bytes /
                       (double)(r->split.passed + r->split.done);
   ph_progress_show(&r->progress);
+  ph_outlet_next(&r->outlet, r->stopped);
 }
 
 /* Waits until the oldest slot is done, if `wait`; whether it is. */
 static bool oldest_is_done(struct run *r, bool wait) {
-  struct slot *slot = slot_at(r, r->written);
+  struct slot *slot = slot_at(r, r->outlet.turn);
   bool done;
-  if (r->written == r->filled) {
+  if (r->outlet.turn == r->filled) {
     return false;
   }
-  pthread_mutex_lock(&r->lock);
+  pthread_mutex_lock(&r->outlet.lock);
   while (wait && slot->state != SLOT_DONE) {
-    pthread_cond_wait(&r->changed, &r->lock);
+    pthread_cond_wait(&r->outlet.changed, &r->outlet.lock);
   }
   done = slot->state == SLOT_DONE;
-  pthread_mutex_unlock(&r->lock);
+  pthread_mutex_unlock(&r->outlet.lock);
   return done;
 }
 
 static void pump(struct run *r) {
   while (!r->stopped) {
-    bool room = r->filled - r->written < r->slots_n;
-    bool idle = r->filled == r->written;
+    bool room = r->filled - r->outlet.turn < r->slots_n;
+    bool idle = r->filled == r->outlet.turn;
     if (room && (!r->input_ended || r->current_left) && fill_slot(r, idle)) {
       hand_over(r);
     } else if (idle && r->input_ended && !r->current_left) {
       return;
     } else if (oldest_is_done(r, true)) {
-      write_slot(r, slot_at(r, r->written));
+      write_slot(r, slot_at(r, r->outlet.turn));
       continue;
     }
     while (!r->stopped && oldest_is_done(r, false)) {
-      write_slot(r, slot_at(r, r->written));
+      write_slot(r, slot_at(r, r->outlet.turn));
     }
   }
 }
@@ -401,10 +410,10 @@ static struct thread_start *start_threads(struct run *r) {
 }
 
 static void stop_threads(struct run *r) {
-  pthread_mutex_lock(&r->lock);
+  pthread_mutex_lock(&r->outlet.lock);
   r->quit = true;
-  pthread_cond_broadcast(&r->changed);
-  pthread_mutex_unlock(&r->lock);
+  pthread_cond_broadcast(&r->outlet.changed);
+  pthread_mutex_unlock(&r->outlet.lock);
   for (size_t i = 0; i < r->threads_n; i++) {
     pthread_join(r->threads[i], NULL);
   }
@@ -506,14 +515,9 @@ static void tell_empty(struct run *r) {
   const struct ph_options *o = r->options;
   if (o->input.part.how == PH_PART_ALL && r->progress.read == 0 &&
       r->class == PH_CLASS_OK && !o->quiet) {
-    ph_message_printf(&r->message, "phspline: there is no %s in ",
-                      o->command->use == PH_USE_VERIFY ? "result" : "problem");
-    for (size_t i = 0; i < o->files_n; i++) {
-      const bool standard = strcmp(o->files[i], "-") == 0;
-      ph_message_printf(&r->message, "%s%s", i > 0 ? ", " : "",
-                        standard ? "standard input" : o->files[i]);
-    }
-    ph_message_printf(&r->message, "\n");
+    ph_message_empty(&r->message,
+                     o->command->use == PH_USE_VERIFY ? "result" : "problem",
+                     o->files, o->files_n);
   }
 }
 
@@ -543,12 +547,13 @@ int ph_run(const struct ph_options *options) {
   struct run r = {.options = o,
                   .output = {.descriptor = -1},
                   .picture = {.descriptor = -1},
-                  .plot = {.output = {.descriptor = -1}}};
+                  .plot = {.output = {.descriptor = -1}},
+                  .outlet = {&r.document, &r.progress}};
   struct thread_start *starts = NULL;
   struct ph_diag diag;
   enum ph_status status;
-  pthread_mutex_init(&r.lock, NULL);
-  pthread_cond_init(&r.changed, NULL);
+  pthread_mutex_init(&r.outlet.lock, NULL);
+  pthread_cond_init(&r.outlet.changed, NULL);
   r.bytes = ph_progress_bytes(o->files, o->files_n);
   ph_progress_init(&r.progress, o->progress, o->quiet);
   status = ph_split_init(&r.split, o->files, o->files_n, &o->input,
@@ -588,7 +593,7 @@ int ph_run(const struct ph_options *options) {
   ph_free(starts);
   release(&r);
   ph_nrrd_free(&with.volume);
-  pthread_cond_destroy(&r.changed);
-  pthread_mutex_destroy(&r.lock);
+  pthread_cond_destroy(&r.outlet.changed);
+  pthread_mutex_destroy(&r.outlet.lock);
   return (int)r.class;
 }

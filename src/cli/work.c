@@ -303,16 +303,26 @@ static void write_result(struct task *t, const struct ph_heading *heading,
   ph_formats[t->options->format].solved(out, &print, &solved);
 }
 
-/* Writes the result where there is memory for it; else none of it is left. */
+/*
+ * Writes the result where there is memory for it; else none of it is left.  Of
+ * a text that may leave before it is whole, no more than a piece is in memory:
+ * where there is room for that, the text has room.
+ */
 static enum ph_status try_write(struct task *t,
                                 const struct ph_heading *heading,
                                 const char *id, struct ph_buf *out) {
   const size_t start = out->n, most = t->options->max_memory;
   const size_t used = t->worker->budget.used;
+  const size_t room = most > used ? most - used : 0;
+  const bool kept = ph_formats[t->options->format].frame != NULL;
   enum ph_status status = PH_OK;
-  out->most = start + (most > used ? most - used : 0);
+  if (out->spill && !kept && room >= PH_WORK_PIECE) {
+    out->piece = PH_WORK_PIECE;
+  } else {
+    out->most = start + room;
+  }
   write_result(t, heading, id, out);
-  if (out->n > out->most) {
+  if (!out->piece && out->n > start + room) {
     status = ph_fail(&t->diag, PH_E_LIMIT, NULL,
                      "the record takes more bytes of memory, with its result "
                      "as text, than the %zu of --max-memory",
@@ -321,6 +331,7 @@ static enum ph_status try_write(struct task *t,
     status = ph_fail_memory(&t->diag);
   }
   out->most = 0;
+  out->piece = 0;
   if (status != PH_OK) {
     ph_drawing_free(t->item->drawing);
     t->item->drawing = NULL;

@@ -14,6 +14,9 @@ struct ph_paired;
 /* Output that a record has failed to write leaves no more memory than this. */
 enum { PH_WORK_KEEP = 1 << 20 };
 
+/* A text that is written in pieces has no more than this in memory, about. */
+enum { PH_WORK_PIECE = 512 << 10 };
+
 /* What a worker keeps from record to record. */
 struct ph_worker {
   struct ph_arena arena;   /* of the record */

@@ -254,15 +254,10 @@ static void write_polygon(struct ph_json_writer *w,
   ph_write_end(w, ']');
 }
 
-/* Closed loops. */
+/* Closed loops; nest has room for them. */
 static void write_polygons(struct ph_json_writer *w,
-                           const struct ph_loops *loops) {
-  struct nest *nest = ph_malloc(loops->n * sizeof *nest);
+                           const struct ph_loops *loops, struct nest *nest) {
   size_t outer = 0;
-  if (!nest) {
-    w->buf->failed = true;
-    return;
-  }
   find_nests(loops, nest);
   for (size_t i = 0; i < loops->n; i++) {
     outer += nest[i].depth % 2 == 0;
@@ -283,7 +278,6 @@ static void write_polygons(struct ph_json_writer *w,
   if (outer > 1) {
     ph_write_end(w, ']');
   }
-  ph_free(nest);
 }
 
 /* Loops of which one is open. */
@@ -307,14 +301,14 @@ static void write_open(struct ph_json_writer *w, const struct ph_loops *loops) {
   }
 }
 
-static void write_loops(struct ph_json_writer *w,
-                        const struct ph_loops *loops) {
+static void write_loops(struct ph_json_writer *w, const struct ph_loops *loops,
+                        struct nest *nest) {
   bool closed = true;
   for (size_t i = 0; i < loops->n; i++) {
     closed &= loops->v[i].closed && loops->v[i].samples.n >= 4;
   }
   if (closed) {
-    write_polygons(w, loops);
+    write_polygons(w, loops, nest);
   } else {
     write_open(w, loops);
   }
@@ -338,9 +332,9 @@ static void write_curve(struct ph_json_writer *w, const struct ph_result *r) {
 }
 
 static void write_offset(struct ph_json_writer *w, const struct ph_result *r,
-                         const struct ph_offset *o) {
+                         const struct ph_offset *o, struct nest *nest) {
   if (o->loops.mode) {
-    write_loops(w, &o->loops);
+    write_loops(w, &o->loops, nest);
   } else {
     write_lines(w, &o->samples, &o->gaps, r->curve.sphere.center,
                 r->curve.closed && !ph_gaps_open(&o->gaps));
@@ -349,8 +343,8 @@ static void write_offset(struct ph_json_writer *w, const struct ph_result *r,
 
 /* A curve, or an offset of it. */
 static void write_feature(struct ph_buf *buf, const struct ph_heading *heading,
-                          const struct ph_result *r,
-                          const struct ph_offset *o) {
+                          const struct ph_result *r, const struct ph_offset *o,
+                          struct nest *nest) {
   struct ph_json_writer w = {.buf = buf};
   const struct ph_echo *echo = heading->echo;
   const double length = o ? o->length : r->curve.length;
@@ -385,7 +379,7 @@ static void write_feature(struct ph_buf *buf, const struct ph_heading *heading,
   } else {
     ph_write_begin(&w, '{');
     if (o) {
-      write_offset(&w, r, o);
+      write_offset(&w, r, o, nest);
     } else {
       write_curve(&w, r);
     }
@@ -396,8 +390,20 @@ static void write_feature(struct ph_buf *buf, const struct ph_heading *heading,
 
 void ph_geojson_out(struct ph_buf *buf, const struct ph_heading *heading,
                     const struct ph_result *result) {
-  write_feature(buf, heading, result, NULL);
+  struct nest *nest;
+  size_t most = 0;
   for (size_t i = 0; i < result->offsets_n; i++) {
-    write_feature(buf, heading, result, &result->offsets[i]);
+    most =
+        result->offsets[i].loops.n > most ? result->offsets[i].loops.n : most;
   }
+  nest = ph_malloc(most * sizeof *nest); /* before the first byte */
+  if (!nest) {
+    buf->failed = true;
+    return;
+  }
+  write_feature(buf, heading, result, NULL, nest);
+  for (size_t i = 0; i < result->offsets_n; i++) {
+    write_feature(buf, heading, result, &result->offsets[i], nest);
+  }
+  ph_free(nest);
 }

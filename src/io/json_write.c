@@ -9,6 +9,9 @@
 
 #include <string.h>
 
+/* So many numbers of an array are written in one piece. */
+enum { TOGETHER = 4096 };
+
 void ph_write_put(struct ph_json_writer *w, char c) {
   char *to = ph_buf_reserve(w->buf, 1);
   if (to) {
@@ -101,20 +104,28 @@ void ph_write_open(struct ph_json_writer *w, const double *v, size_t n) {
 }
 
 void ph_write_numbers(struct ph_json_writer *w, const double *v, size_t n) {
-  char *to = ph_buf_reserve(w->buf, n * (PH_NUMBER_MAX + 1) + 2);
-  char *start = to;
-  if (!to) {
-    return;
-  }
-  *to++ = '[';
-  for (size_t i = 0; i < n; i++) {
-    if (i > 0) {
-      *to++ = ',';
+  char mark = '[';
+  do {
+    const size_t now = n < TOGETHER ? n : TOGETHER;
+    char *to = ph_buf_reserve(w->buf, now * (PH_NUMBER_MAX + 1) + 2);
+    char *start = to;
+    if (!to) {
+      return;
     }
-    to += ph_number_write(to, v[i]);
-  }
-  *to++ = ']';
-  w->buf->n += (size_t)(to - start);
+    for (size_t i = 0; i < now; i++) {
+      *to++ = mark;
+      to += ph_number_write(to, *v++);
+      mark = ',';
+    }
+    n -= now;
+    if (mark == '[') {
+      *to++ = mark;
+    }
+    if (n == 0) {
+      *to++ = ']';
+    }
+    w->buf->n += (size_t)(to - start);
+  } while (n > 0);
 }
 
 void ph_write_vectors(struct ph_json_writer *w, const double *v, size_t n,

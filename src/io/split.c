@@ -26,7 +26,8 @@ enum {
   FIRST_CAPACITY = 1 << 16, /* what a pipe of Linux holds */
   LEAST_READ = 1 << 12,     /* less room than a page is not worth a call */
   KEEP_CAPACITY = 1 << 20,  /* buffers up to this never shrink */
-  SHRINK_RATIO = 8          /* a buffer so many times too large shrinks */
+  SHRINK_RATIO = 8,         /* a buffer so many times too large shrinks */
+  RELEASED = 16 << 20       /* a record that is large */
 };
 
 /* ---- the window ----------------------------------------------------- */
@@ -429,6 +430,14 @@ static enum ph_split_state next_in_file(struct ph_split *split, bool may_wait,
     return ph_split_xml(split, may_wait, record, diag);
   default:
     return ph_split_csv(split, may_wait, record, diag);
+  }
+}
+
+void ph_split_release(struct ph_split *split) {
+  if (split->done >= RELEASED && !split->geojson.text.more) {
+    ph_split_drop(split, split->done);
+    split->done = 0;
+    shrink(split, 0);
   }
 }
 

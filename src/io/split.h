@@ -226,6 +226,10 @@ enum ph_split_state ph_split_next(struct ph_split *split, bool may_wait,
                                   struct ph_record *record,
                                   struct ph_diag *diag);
 
+/* ph_split_release: the text of the last record is no longer needed: memory of
+ * a large one is given back now, not when the next one is asked for. */
+void ph_split_release(struct ph_split *split);
+
 /* ph_split_stopped: whether the stream was cut off at the last record, whose
  * text was broken in such a way that nothing behind it can be trusted. */
 bool ph_split_stopped(const struct ph_split *split);

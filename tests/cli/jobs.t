@@ -90,6 +90,42 @@ printf '%s\n' "$bad" >bad.json
 same '--fail-fast, and a file that nobody comes to' 1 --fail-fast bad.json \
   nosuch.json
 
+# ---- long records ------------------------------------------------------------
+
+# What is longer than half a megabyte leaves in pieces, when its turn has come;
+# of 9 MB, also what would rather wait.  A failure and a short one beside each.
+awk -v n=$((lines * 4)) 'BEGIN {
+  for (i = 1; i <= 6; i++) {
+    printf "{\"id\":\"long %d\",\"points\":[", i
+    m = i % 3 ? n : n / 8
+    for (k = 0; k < m; k++)
+      printf "%s[%d,%.3f]", k ? "," : "", k, sin(k * i / 9)
+    print "]}"
+    print "{\"id\":\"bad " i "\",\"points\":[[0,0],[0,0]]}"
+    print "{\"id\":\"good " i "\",\"points\":[[0,0],[1," i "]]}"
+  }
+}' >long.jsonl
+for format in json csv geojson svg-path obj; do
+  case $format in
+  csv) set -- -f csv --table=offsets -d 1 ;;
+  geojson) set -- -f geojson -n 2 ;;
+  obj) set -- --pretty ;;
+  *) set -- -f "$format" ;;
+  esac
+  same "long records, $*" 1 "$@" long.jsonl
+  status=0
+  "$PHSPLINE" planar -j 8 "$@" long.jsonl 2>err | cat >piped || status=$?
+  equal_files "long records, $*: through a pipe" out piped
+  run planar -j 8 "$@" -o file long.jsonl
+  equal "long records, $*: -o, status" 1 "$status"
+  equal_files "long records, $*: -o" piped file
+done
+same 'long records, --fail-fast' 1 --fail-fast long.jsonl
+equal 'long records, --fail-fast: what was written' '"long 1" "bad 1" ' \
+  "$(json get id out | tr '\n' ' ')"
+run planar -j 8 --fail-fast -o never long.jsonl
+true_that 'long records, --fail-fast: no file' test ! -e never
+
 run planar --jobs=1024 one.json
 expect 'more threads than problems' 0
 run planar one.json

@@ -91,7 +91,7 @@ equal 'the same ones alone' 40 "$i"
 if (ulimit -v 250000 && "$PHSPLINE" --version) >out 2>err; then (
   ulimit -v 250000
   for jobs in 1 2; do
-    run planar -j $jobs --spacing=1 --max-memory=100G three.jsonl
+    run planar -j $jobs --spacing=0.2 --max-memory=100G three.jsonl
     expect "memory is exhausted, --jobs=$jobs" 1 \
       "phspline: three.jsonl:2: record wide: memory is exhausted [out-of-memory]
 $(failed 1 3)"

@@ -478,6 +478,13 @@ if [ -c /dev/full ]; then
   space='phspline: cannot write standard output: No space left on device'
   full "$space" 4 planar good.jsonl
   full "$space" 4 planar -j 8 thousand
+  awk 'BEGIN {
+    printf "{\"points\":["
+    for (i = 0; i < 9999; i++) printf "[%d,%.3f],", i, sin(i / 9)
+    print "[10000,1]]}"
+  }' >long.json
+  full "$space" 4 planar long.json good.jsonl
+  full "$space" 4 planar -j 8 good.jsonl long.json long.json
   full "$space" 4 planar -f csv good.jsonl
   full "$space" 4 planar -f csv </dev/null
   full "$space" 4 planar --help

@@ -285,6 +285,14 @@ else
     printf '0,0\n2,2\n\n0,0\n3,3\n'
   } | light 'memory for a row that begins with blanks' 2 --max-record-bytes=1K
   fails=0
+  # one long problem: 60 000 points, of which the text is 27 MB
+  awk 'BEGIN {
+    for (i = 0; i < 60000; i++) printf "%d,%.3f\n", i, sin(i / 9)
+  }' >in
+  light 'memory for a long curve' 59999 -i csv <in
+  peak kilobytes "$PHSPLINE" planar -j 1 -i csv in >out 2>err
+  true_that 'memory for a long curve as JSON: 350 bytes a point' test \
+    "$(cat kilobytes)" -le $((6144 + 350 * 60000 / 1024))
   # one problem, many results
   problem 1 >in
   light 'memory for a sweep of 200 000' 200000 \

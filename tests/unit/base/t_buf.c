@@ -4,6 +4,8 @@
 
 #include "base/buf.h"
 
+#include <string.h>
+
 static struct ph_buf buf;
 
 static void finish(void) {
@@ -81,6 +83,48 @@ PH_TEST(test_clear) {
   ck_assert_uint_eq(buf.n, 0);
   ck_assert_uint_eq(buf.capacity, 0);
   ck_assert_ptr_null(buf.data);
+}
+
+/* What has left a buffer, and how often; it may leave when it is let go. */
+static char gone[1 << 16];
+static size_t gone_n, times;
+static bool let_go;
+
+static void spill(void *context, struct ph_buf *from) {
+  ck_assert_ptr_eq(context, &times);
+  if (let_go) {
+    ck_assert_uint_le(from->n, sizeof gone - gone_n);
+    memcpy(gone + gone_n, from->data, from->n);
+    gone_n += from->n;
+    from->n = 0;
+  }
+  times++;
+}
+
+PH_TEST(test_spill) {
+  enum { PIECE = 8192 };
+  static char text[50000];
+  size_t capacity;
+  for (size_t i = 0; i < sizeof text; i++) {
+    text[i] = (char)('a' + i % 23);
+  }
+  gone_n = times = 0;
+  buf = (struct ph_buf){.piece = PIECE, .spill = spill, .context = &times};
+  let_go = false; /* it grows, and asks each time */
+  ph_buf_put(&buf, text, 20000);
+  ck_assert_uint_eq(buf.n, 20000);
+  ck_assert_uint_gt(times, 0);
+  let_go = true; /* no growth, however long */
+  capacity = buf.capacity;
+  ph_buf_put(&buf, text + 20000, 29000);
+  for (size_t i = 49000; i < sizeof text; i++) {
+    ph_buf_put(&buf, &text[i], 1);
+  }
+  ck_assert_uint_eq(buf.capacity, capacity);
+  ck_assert(!buf.failed);
+  memcpy(gone + gone_n, buf.data, buf.n);
+  ck_assert_uint_eq(gone_n + buf.n, sizeof text);
+  ck_assert_mem_eq(gone, text, sizeof text);
 }
 
 PH_FIXTURE(NULL, finish)
