@@ -21,6 +21,9 @@ enum { MOST = 64 };
 /* What a certificate allows: the angle of a normal to that of its point. */
 static const double NORMAL = 1e-9;
 
+/* Normals that are known to less than this say nothing. */
+static const double VAGUE = 1e-3;
+
 /* The field tolerance where it is absent, and what of it curvatures may have,
  * over the length of the edge. */
 static const double TOLERANCE = 1e-6, CURVATURE = 1000;
@@ -205,6 +208,14 @@ static void set_form(struct local *at, ph_vec3 s, ph_vec3 w, ph_vec3 ss,
   at->form[5] = a.y * x.z + b.y * y.z;
 }
 
+static double size_of(const double form[6]) {
+  double sum = 0;
+  for (size_t i = 0; i < 6; i++) {
+    sum += (i < 3 ? 1 : 2) * form[i] * form[i];
+  }
+  return sqrt(sum);
+}
+
 static void set_local(const struct layers *layers, double u, struct local *at) {
   const double n = (double)layers->across, m = (double)layers->along;
   ph_vec3 jet[3][3], w, sw, ww, cross;
@@ -227,7 +238,8 @@ static void set_local(const struct layers *layers, double u, struct local *at) {
   across =
       ph_check_smaller(area / ph_vec3_abs(jet[0][1]), area / ph_vec3_abs(w));
   at->rounding = 2 * (m + n) / across;
-  at->noise = 4 * (m + n) * (m + n) / (across * across);
+  at->noise = 4 * (m + n) * (m + n) / (across * across) +
+              4 * size_of(at->form) * at->rounding;
 }
 
 /* ---- edges --------------------------------------------------------------- */
@@ -240,12 +252,11 @@ static double angle_of(ph_vec3 a, ph_vec3 b) {
 /* |a - b| of forms whose normals are on the same side. */
 static double bend_of(const struct local *a, const struct local *b) {
   const double sign = ph_vec3_dot(a->normal, b->normal) < 0 ? -1 : 1;
-  double sum = 0;
+  double d[6];
   for (size_t i = 0; i < 6; i++) {
-    const double d = a->form[i] - sign * b->form[i];
-    sum += (i < 3 ? 1 : 2) * d * d;
+    d[i] = a->form[i] - sign * b->form[i];
   }
-  return sqrt(sum);
+  return size_of(d);
 }
 
 static void check_place(struct ph_check_patchwork *w, size_t patch,
@@ -354,9 +365,10 @@ static void check_corner(struct ph_check_patchwork *w, size_t i, size_t k) {
   if (normals->kind == PH_VECTORS && w->curve->surface.continuity > 0) {
     const ph_vec3 given =
         ph_check_direction(normals->v + 3 * p->vertices[k], 3);
-    const double legs = ph_vec3_abs(normal);
-    ph_check_add(&w->normal, i, angle_of(normal, given), 1,
-                 NORMAL + rounding * v->scale.size / legs);
+    const double doubt = rounding * v->scale.size / ph_vec3_abs(normal);
+    if (doubt <= VAGUE) { /* else the sides are in line: there is a limit */
+      ph_check_add(&w->normal, i, angle_of(normal, given), 1, NORMAL + doubt);
+    }
   }
 }
 

@@ -31,9 +31,20 @@ static void set_rows(size_t degree, double u, struct rows *rows) {
   }
 }
 
+/* ... and by how much the rounding of control points may change them. */
 struct measure {
-  double area, volume;
+  double area, volume, area_noise, volume_noise;
 };
+
+/* A node, whose normal is known to the noise and whose point to rounding. */
+static void add_place(ph_vec3 at, ph_vec3 normal, double weight, double noise,
+                      double round, struct measure *sum) {
+  const double area = weight * ph_vec3_abs(normal);
+  sum->area += area;
+  sum->volume += weight * ph_vec3_dot(at, normal) / 3;
+  sum->area_noise += weight * noise;
+  sum->volume_noise += (weight * noise * ph_vec3_abs(at) + area * round) / 3;
+}
 
 /* One rule on one patch. */
 static struct measure measure(const struct ph_check_patchwork *w,
@@ -42,7 +53,8 @@ static struct measure measure(const struct ph_check_patchwork *w,
                               const struct rows *by_u, const struct rows *by_v,
                               ph_vec3 from) {
   const size_t width = p->bidegree[0] + 1, high = p->bidegree[1] + 1;
-  struct measure sum = {0, 0};
+  const double round = 2 * w->v->scale.rounding;
+  struct measure sum = {0, 0, 0, 0};
   for (size_t j = 0; j < rule->n; j++) {
     ph_vec3 line[MOST], across[MOST];
     for (size_t i = 0; i < width; i++) {
@@ -63,9 +75,10 @@ static struct measure measure(const struct ph_check_patchwork *w,
         v = ph_vec3_along(v, by_u[i].value[k], across[k]);
       }
       normal = ph_vec3_cross(u, v);
-      sum.area += rule->weight[i] * rule->weight[j] * ph_vec3_abs(normal);
-      sum.volume +=
-          rule->weight[i] * rule->weight[j] * ph_vec3_dot(at, normal) / 3;
+      add_place(at, normal, rule->weight[i] * rule->weight[j],
+                round * ((double)width * ph_vec3_abs(v) +
+                         (double)high * ph_vec3_abs(u)),
+                round, &sum);
     }
   }
   return sum;
@@ -82,7 +95,7 @@ static enum ph_status measure_all(const struct ph_check_patchwork *w,
   size_t last[2] = {0, 0};
   struct ph_quad *rule = ph_arena_array(arena, RULES, sizeof *rule);
   struct rows *rows = ph_arena_array(arena, 4 * (size_t)NODES[1], sizeof *rows);
-  *uncertain = (struct measure){0, 0};
+  *uncertain = (struct measure){0, 0, 0, 0};
   if (!rule || !rows || !ph_quad_gauss(&rule[0], NODES[0]) ||
       !ph_quad_gauss(&rule[1], NODES[1])) {
     return ph_fail_memory(w->v->diag);
@@ -104,8 +117,8 @@ static enum ph_status measure_all(const struct ph_check_patchwork *w,
       ph_sum_add(&area[k], m[k].area);
       ph_sum_add(&volume[k], m[k].volume);
     }
-    uncertain->area += fabs(m[1].area - m[0].area);
-    uncertain->volume += fabs(m[1].volume - m[0].volume);
+    uncertain->area += fabs(m[1].area - m[0].area) + m[1].area_noise;
+    uncertain->volume += fabs(m[1].volume - m[0].volume) + m[1].volume_noise;
     if (ph_arena_late(arena)) {
       return ph_fail_memory(w->v->diag);
     }
@@ -122,16 +135,20 @@ static void check_measures(struct ph_check_patchwork *w,
   const struct ph_surface *s = &w->curve->surface;
   const double area = ph_check_scaled(v, ph_check_scaled(v, s->area));
   const double size = found->area * v->scale.size;
+  /* squares and cubes may be subnormal */
+  const double square = ph_check_scaled(v, v->scale.spacing);
   ph_check_number(v, PH_CHECK_DIAGNOSTIC,
                   ph_check_of(NULL, PH_CHECK_ONE, "area"), area, found->area,
-                  found->area, 2 * uncertain->area + SUM * found->area);
+                  found->area,
+                  2 * uncertain->area + SUM * found->area + square);
   if (isnan(s->volume) || !w->oriented) {
     return;
   }
   ph_check_number(
       v, PH_CHECK_DIAGNOSTIC, ph_check_of(NULL, PH_CHECK_ONE, "volume"),
       ph_check_scaled(v, ph_check_scaled(v, ph_check_scaled(v, s->volume))),
-      found->volume, size, 2 * uncertain->volume + SUM * size);
+      found->volume, size,
+      2 * uncertain->volume + SUM * size + ph_check_scaled(v, square));
 }
 
 /* A diagnostic against what was found. */
@@ -149,7 +166,7 @@ static void check_told(struct ph_check_patchwork *w, enum ph_diagnostic which,
 enum ph_status ph_check_patch_told(struct ph_check_patchwork *w) {
   struct ph_check *v = w->v;
   const struct ph_surface *s = &w->curve->surface;
-  struct measure found = {0, 0}, uncertain;
+  struct measure found = {0, 0, 0, 0}, uncertain;
   enum ph_status status = measure_all(w, &found, &uncertain);
   size_t degree = 0;
   if (status != PH_OK) {
@@ -161,7 +178,8 @@ enum ph_status ph_check_patch_told(struct ph_check_patchwork *w) {
       degree = d > degree ? d : degree;
     }
   }
-  if (w->closed != w->curve->closed || w->closed == isnan(s->volume)) {
+  if (w->closed != w->curve->closed ||
+      (w->closed ? w->oriented && isnan(s->volume) : !isnan(s->volume))) {
     ph_check_wrong(v, PH_CHECK_SHAPE, ph_check_of(NULL, PH_CHECK_ONE, "closed"),
                    "is not what the edges say");
   }
@@ -172,9 +190,10 @@ enum ph_status ph_check_patch_told(struct ph_check_patchwork *w) {
   check_told(w, PH_D_CURVATURE_JUMP, w->bend.reported, 1, SUM);
   ph_check_patch_claim(w);
   if (w->normal.done) {
+    const bool wrong = w->normal.excess > 1;
     ph_check_miss(v, PH_CHECK_NORMAL,
                   ph_check_of("patches", w->normal.where, "control_points"),
-                  w->normal.reported, 1, SUM,
+                  wrong ? w->normal.value : 0, 1, w->normal.allowed,
                   "turn from a normal that is given");
   }
   if (w->jump.excess > 1) {

@@ -147,11 +147,11 @@ static void check_joint(struct ph_check_cone *cone, size_t i, size_t next,
   const double by = scaled(cone, b->shift[0]) - scaled(cone, a->shift[1]);
   const ph_vec3 wanted = ph_vec3_along(end->c, by, end->e);
   /* what the ruling is turned by moves what is far along it */
-  const double off = fabs(by) * (cone->frame + UNIT);
+  const double unit = pair_length(cone, i) + fabs(by);
   miss_direction(cone, i, differ(end, &f));
   ph_check_miss(cone->v, PH_CHECK_FRAME, strip_of(i, "frame"),
-                ph_check_apart(wanted, f.c), pair_length(cone, i),
-                cone->frame * pair_length(cone, i) + off +
+                ph_check_apart(wanted, f.c), unit,
+                cone->frame * unit + UNIT * fabs(by) +
                     ROUND * cone->v->scale.rounding,
                 "leads to another point than the next one");
   if (a->pair == b->pair) {

@@ -9,6 +9,7 @@
  *   gate_case.c    problems as values, and as text
  *   gate_points.c  points that are hard in some way
  *   gate_fields.c  random fields and options
+ *   gate_surfaces.c  ... of surfaces: contact elements, and meshes
  *   gate_run.c     from problem to verdict
  *   gate_brute.c   diagnostics, by brute force
  *   gate_moved.c   problems turned, mirrored, reversed, scaled
@@ -29,7 +30,9 @@ enum {
   GATE_WORD = 16,     /* bytes of a word */
   GATE_OPTIONS = 9,   /* options, at most */
   GATE_VALUES = 4,    /* numbers of an option */
-  GATE_COMMANDS = 5,  /* those that solve */
+  GATE_FACES = 40,    /* faces of a mesh, at most */
+  GATE_CURVES = 5,    /* commands that solve by curves, the first ones, */
+  GATE_COMMANDS = 7,  /* all that solve: those by surfaces, too */
   GATE_MESSAGE = 400
 };
 
@@ -49,6 +52,7 @@ struct gate_case {
   size_t options_n;
   double v[PH_FIELD_N][GATE_NUMBERS]; /* numbers of fields, */
   char word[PH_FIELD_N][GATE_WORD];   /* words */
+  size_t sizes[GATE_FACES];           /* of lists: only one field has these */
 };
 
 /* What became of it. */
@@ -93,6 +97,14 @@ void gate_set_word(struct gate_case *c, enum ph_field_id id, const char *word,
                    double number);
 void gate_set_flag(struct gate_case *c, enum ph_field_id id, bool flag);
 
+/* gate_set_lists: v[] as lists of so many numbers. */
+void gate_set_lists(struct gate_case *c, enum ph_field_id id, const double *v,
+                    const size_t *sizes, size_t sizes_n);
+
+/* gate_add_option: an option without a number, or the first one of it. */
+struct gate_option *gate_add_option(struct gate_case *c, const char *text);
+void gate_add_number(struct gate_case *c, const char *text, double x);
+
 static inline bool gate_has(const struct gate_case *c, enum ph_field_id id) {
   return c->problem.field[id].kind != PH_ABSENT;
 }
@@ -135,6 +147,9 @@ size_t gate_points(struct unit_random *r, size_t dimension, double *v);
 /* gate_sphere_points: unit vectors v[n][3]. */
 size_t gate_sphere_points(struct unit_random *r, double *v);
 
+/* gate_place: v[n][dimension] at another scale, or far away, or as they are. */
+void gate_place(struct unit_random *r, size_t n, size_t dimension, double *v);
+
 /* gate_directions: n unit vectors, some exactly along axes or equal. */
 void gate_directions(struct unit_random *r, const double *points, size_t n,
                      size_t dimension, double *v);
@@ -145,7 +160,15 @@ double gate_power(struct unit_random *r, double low, double high);
 /* gate_decimals: x, rounded to some decimals. */
 double gate_decimals(double x, int decimals);
 
-/* gate_random: any case of a command. */
+/* gate_word: one of the words that a field may have, "a|b|plus:V". */
+void gate_word(struct unit_random *r, struct gate_case *c, enum ph_field_id id);
+
+/* gate_cone, gate_bubble: any contact elements, any mesh, with fields and
+ * options. */
+void gate_cone(struct unit_random *r, struct gate_case *c);
+void gate_bubble(struct unit_random *r, struct gate_case *c);
+
+/* gate_random: any case of command 0 <= command < GATE_COMMANDS. */
 void gate_random(struct unit_random *r, size_t command, struct gate_case *c);
 
 /* ---- trials ---------------------------------------------------------------

@@ -13,6 +13,7 @@ void gate_copy(struct gate_case *to, const struct gate_case *from) {
   for (size_t i = 0; i < PH_FIELD_N; i++) {
     to->problem.field[i].v = to->v[i];
     to->problem.field[i].word = to->word[i];
+    to->problem.field[i].sizes = to->sizes;
   }
 }
 
@@ -25,6 +26,30 @@ void gate_set_numbers(struct gate_case *c, enum ph_field_id id, const double *v,
                              .n = n < most ? n : most,
                              .dimension = dimension};
   memmove(value->v, v, value->n * dimension * sizeof *v);
+}
+
+void gate_set_lists(struct gate_case *c, enum ph_field_id id, const double *v,
+                    const size_t *sizes, size_t sizes_n) {
+  size_t n = 0;
+  for (size_t i = 0; i < sizes_n; i++) {
+    c->sizes[i] = sizes[i];
+    n += sizes[i];
+  }
+  gate_set_numbers(c, id, v, n, 1);
+  c->problem.field[id].kind = PH_LISTS;
+  c->problem.field[id].sizes = c->sizes;
+  c->problem.field[id].sizes_n = sizes_n;
+}
+
+struct gate_option *gate_add_option(struct gate_case *c, const char *text) {
+  struct gate_option *o = &c->option[c->options_n++];
+  *o = (struct gate_option){.text = text};
+  return o;
+}
+
+void gate_add_number(struct gate_case *c, const char *text, double x) {
+  struct gate_option *o = gate_add_option(c, text);
+  o->v[o->n++] = x;
 }
 
 void gate_set_number(struct gate_case *c, enum ph_field_id id, double x) {
@@ -53,6 +78,17 @@ enum ph_field_id gate_data(const struct gate_case *c) {
   return PH_F_TANGENTS;
 }
 
+static void put_lists(struct ph_buf *buf, const struct ph_value *value) {
+  struct ph_json_writer w = {.buf = buf};
+  const double *v = value->v;
+  ph_buf_puts(buf, "[");
+  for (size_t i = 0; i < value->sizes_n; v += value->sizes[i++]) {
+    ph_buf_puts(buf, i > 0 ? "," : "");
+    ph_write_numbers(&w, v, value->sizes[i]);
+  }
+  ph_buf_puts(buf, "]");
+}
+
 void gate_value(struct ph_buf *buf, const struct ph_value *value) {
   struct ph_json_writer w = {.buf = buf};
   const char *colon;
@@ -72,6 +108,9 @@ void gate_value(struct ph_buf *buf, const struct ph_value *value) {
       ph_write_number(&w, value->number);
     }
     ph_buf_puts(buf, "\"");
+    break;
+  case PH_LISTS:
+    put_lists(buf, value);
     break;
   case PH_NUMBERS:
     ph_write_numbers(&w, value->v, value->n);
@@ -163,4 +202,25 @@ void gate_command_line(struct ph_buf *buf, const struct gate_case *c) {
     }
   }
   ph_arena_free(&arena);
+}
+
+void gate_word(struct unit_random *r, struct gate_case *c,
+               enum ph_field_id id) {
+  const char *name = ph_field_name(id);
+  const struct ph_field *row =
+      ph_field_find(gate_schema(c), name, strlen(name));
+  const char *words = row->words;
+  char text[GATE_WORD];
+  size_t n = 1, which;
+  for (const char *p = words; *p; p++) {
+    n += *p == '|';
+  }
+  which = unit_random_below(r, n);
+  while (which-- > 0) {
+    words = strchr(words, '|') + 1;
+  }
+  n = strcspn(words, "|");
+  memcpy(text, words, n);
+  text[n] = '\0';
+  gate_set_word(c, id, text, gate_decimals(unit_random_in(r, 1.1, 3), 2));
 }

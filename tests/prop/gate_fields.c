@@ -48,25 +48,8 @@ static double extent(const struct data *d) {
 
 /* ---- values ----------------------------------------------------------- */
 
-/* One of the words of a field, "a|b|plus:V". */
 static void word(struct data *d, enum ph_field_id id) {
-  const char *name = ph_field_name(id);
-  const struct ph_field *row =
-      ph_field_find(gate_schema(d->c), name, strlen(name));
-  const char *words = row->words;
-  char text[GATE_WORD];
-  size_t n = 1, which;
-  for (const char *p = words; *p; p++) {
-    n += *p == '|';
-  }
-  which = unit_random_below(d->r, n);
-  while (which-- > 0) {
-    words = strchr(words, '|') + 1;
-  }
-  n = strcspn(words, "|");
-  memcpy(text, words, n);
-  text[n] = '\0';
-  gate_set_word(d->c, id, text, gate_decimals(unit_random_in(d->r, 1.1, 3), 2));
+  gate_word(d->r, d->c, id);
 }
 
 static double number_of(struct data *d, enum ph_field_id id) {
@@ -486,17 +469,6 @@ static void tc(struct data *d) {
 
 /* ---- options ------------------------------------------------------------ */
 
-static struct gate_option *option(struct gate_case *c, const char *text) {
-  struct gate_option *o = &c->option[c->options_n++];
-  *o = (struct gate_option){.text = text};
-  return o;
-}
-
-static void option_number(struct data *d, const char *text, double x) {
-  struct gate_option *o = option(d->c, text);
-  o->v[o->n++] = x;
-}
-
 /* A length, rounded to two digits as people write it. */
 static double length(struct data *d, double low, double high) {
   double x = d->size * gate_power(d->r, low, high);
@@ -505,7 +477,7 @@ static double length(struct data *d, double low, double high) {
 }
 
 static void offsets(struct data *d) {
-  struct gate_option *o = option(d->c, "--offset=");
+  struct gate_option *o = gate_add_option(d->c, "--offset=");
   size_t n = 1 + (chance(d->r, 4) ? unit_random_below(d->r, GATE_VALUES) : 0);
   bool wild = chance(d->r, 5);
   while (o->n < n) {
@@ -528,17 +500,18 @@ static void samples(struct data *d, bool space) {
                                        "--frame=rmf"};
   switch (d->wild ? 0 : unit_random_below(d->r, 3)) {
   case 0:
-    option_number(d, "--sample=", (double)(1 + unit_random_below(d->r, 6)));
+    gate_add_number(d->c,
+                    "--sample=", (double)(1 + unit_random_below(d->r, 6)));
     break;
   case 1:
-    option_number(d, "--spacing=", length(d, -1.2, 0));
+    gate_add_number(d->c, "--spacing=", length(d, -1.2, 0));
     break;
   default:
-    option_number(d, "--chord-error=", length(d, -3, -1));
+    gate_add_number(d->c, "--chord-error=", length(d, -3, -1));
   }
-  option_number(d, "--max-samples=", SAMPLES);
+  gate_add_number(d->c, "--max-samples=", SAMPLES);
   if (space && chance(d->r, 2)) {
-    option(d->c, frames[unit_random_below(d->r, 3)]);
+    gate_add_option(d->c, frames[unit_random_below(d->r, 3)]);
   }
 }
 
@@ -548,11 +521,11 @@ static void sweep(struct data *d) {
   }
   d->wild = true;
   if (chance(d->r, 2)) {
-    struct gate_option *o = option(d->c, "--sweep=points[1][0]*=");
+    struct gate_option *o = gate_add_option(d->c, "--sweep=points[1][0]*=");
     o->v[o->n++] = 1;
     o->v[o->n++] = gate_decimals(unit_random_in(d->r, 0.5, 1.5), 2);
   } else {
-    option(d->c, "--sweep=closed=false,true");
+    gate_add_option(d->c, "--sweep=closed=false,true");
   }
 }
 
@@ -571,30 +544,42 @@ static void options(struct data *d) {
     samples(d, space);
   }
   if (gate_is(d->c, PH_F_BASIS, "atph") && chance(r, 3)) {
-    option(d->c, "--convert=bezier");
+    gate_add_option(d->c, "--convert=bezier");
     if (chance(r, 3) && !d->wild) {
-      option_number(d, "--tolerance=", length(d, -8, -2));
+      gate_add_number(d->c, "--tolerance=", length(d, -8, -2));
     }
   }
+}
+
+/* What has no field or option of its own. */
+static void rest(struct unit_random *r, struct gate_case *c) {
   if (chance(r, 20)) {
-    option(d->c, "--strict");
+    gate_add_option(c, "--strict");
   }
   if (chance(r, 20)) {
-    option(d->c, "--pretty");
+    gate_add_option(c, "--pretty");
   }
   for (size_t i = 0; i < PH_FIELD_N; i++) {
-    d->c->set[i] = i != (size_t)gate_data(d->c) && chance(r, 20);
+    c->set[i] = i != (size_t)gate_data(c) && chance(r, 20);
   }
 }
 
 void gate_random(struct unit_random *r, size_t command, struct gate_case *c) {
-  static void (*const fields[GATE_COMMANDS])(struct data *) = {
+  static void (*const curves[GATE_CURVES])(struct data *) = {
       planar, spatial, arclength, sphere, tc};
-  static const char *const names[GATE_COMMANDS] = {"planar", "spatial-hermite",
-                                                   "arclength", "sphere", "tc"};
+  static void (*const surfaces[])(struct unit_random *, struct gate_case *) = {
+      gate_cone, gate_bubble};
+  static const char *const names[GATE_COMMANDS] = {
+      "planar", "spatial-hermite", "arclength", "sphere", "tc",
+      "cone",   "bubble"};
   struct data d = {.r = r, .c = c};
   memset(c, 0, sizeof *c);
   c->command = (size_t)(ph_command_find(names[command]) - ph_commands);
-  fields[command](&d);
-  options(&d);
+  if (command < GATE_CURVES) {
+    curves[command](&d);
+    options(&d);
+  } else {
+    surfaces[command - GATE_CURVES](r, c);
+  }
+  rest(r, c);
 }

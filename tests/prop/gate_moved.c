@@ -40,23 +40,34 @@ static const double HIGH = 1e100, LOW = 1e-100;
 
 enum nature { SCALAR, LENGTH, POSITION, DIRECTION, DERIVATIVE, OTHER };
 
-static enum nature nature_of(size_t field) {
+static enum nature nature_of(const struct gate_case *c, size_t field) {
+  bool cone = strcmp(gate_schema(c)->command, "cone") == 0;
   switch (field) {
   case PH_F_POINTS:
   case PH_F_CURVE:
   case PH_F_CENTER:
   case PH_F_START:
+  case PH_F_TRANSLATE:
     return POSITION;
   case PH_F_TANGENTS:
   case PH_F_END_TANGENTS:
+  case PH_F_RULINGS:
+  case PH_F_NORMALS:
     return DIRECTION;
   case PH_F_DERIVATIVES:
   case PH_F_END_DERIVATIVES:
     return DERIVATIVE;
   case PH_F_LENGTHS:
   case PH_F_RADIUS:
-  case PH_F_TOLERANCE:
+  case PH_F_APEXES:
+  case PH_F_HEIGHT:
+  case PH_F_FLAT:
+  case PH_F_MERGE:
     return LENGTH;
+  case PH_F_TOLERANCE: /* of meshes an angle */
+    return gate_has(c, PH_F_FACES) ? SCALAR : LENGTH;
+  case PH_F_LAMBDA:
+    return cone ? LENGTH : SCALAR;
   case PH_F_LONLAT:
   case PH_F_ANGLES:
     return OTHER;
@@ -101,7 +112,9 @@ static bool applies(const struct gate_case *c, enum motion motion) {
     return false;
   }
   return motion != REVERSED ||
-         !(closed || gate_has(c, PH_F_CURVE) || gate_has(c, PH_F_KNOTS) ||
+         !(closed || gate_has(c, PH_F_FACES) || gate_has(c, PH_F_LAMBDA) ||
+           gate_has(c, PH_F_CONTACT_POINT) || gate_has(c, PH_F_FLAT) ||
+           gate_has(c, PH_F_CURVE) || gate_has(c, PH_F_KNOTS) ||
            gate_has(c, PH_F_JOINT_ANGLE) || gate_has(c, PH_F_JOINT_POSITION));
 }
 
@@ -135,11 +148,13 @@ static void reverse(struct ph_value *value, bool negate) {
 
 static void move_field(struct gate_case *c, size_t field, enum motion motion) {
   struct ph_value *value = &c->problem.field[field];
-  enum nature nature = nature_of(field);
+  enum nature nature = nature_of(c, field);
   bool vectors =
       nature == POSITION || nature == DIRECTION || nature == DERIVATIVE;
   bool array = value->kind == PH_NUMBERS || value->kind == PH_VECTORS;
-  size_t d = field == PH_F_CENTER || field == PH_F_START ? 3 : value->dimension;
+  bool one =
+      field == PH_F_CENTER || field == PH_F_START || field == PH_F_TRANSLATE;
+  size_t d = one ? 3 : value->dimension;
   if (motion == LARGER &&
       (nature == LENGTH || nature == POSITION || nature == DERIVATIVE)) {
     value->number = ldexp(value->number, 5);
@@ -155,7 +170,10 @@ static void move_field(struct gate_case *c, size_t field, enum motion motion) {
     value->number = -value->number;
   }
   if (motion == REVERSED && array && d == value->dimension) {
-    reverse(value, nature == DIRECTION || nature == DERIVATIVE);
+    bool across = field == PH_F_RULINGS || field == PH_F_NORMALS;
+    if (field != PH_F_HEIGHT) {
+      reverse(value, !across && (nature == DIRECTION || nature == DERIVATIVE));
+    }
   }
 }
 
@@ -165,7 +183,7 @@ static void shake(struct gate_case *c, struct unit_random *r, double part) {
   for (size_t field = 0; field < PH_FIELD_N; field++) {
     struct ph_value *value = &c->problem.field[field];
     bool array = value->kind == PH_NUMBERS || value->kind == PH_VECTORS;
-    bool data = nature_of(field) != SCALAR && nature_of(field) != OTHER;
+    bool data = nature_of(c, field) != SCALAR && nature_of(c, field) != OTHER;
     double size = 0;
     for (size_t i = 0; array && data && i < value->n * value->dimension; i++) {
       size = fmax(size, part * fabs(value->v[i]));

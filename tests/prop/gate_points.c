@@ -154,8 +154,7 @@ static void flatten(struct unit_random *r, size_t n, double *v) {
 }
 
 /* Other scales and places. */
-static void place(struct unit_random *r, size_t n, size_t dimension,
-                  double *v) {
+void gate_place(struct unit_random *r, size_t n, size_t dimension, double *v) {
   size_t how = unit_random_below(r, 20);
   double scale = how < 12    ? 1
                  : how < 18  ? gate_power(r, -9, 9)
@@ -202,7 +201,7 @@ size_t gate_points(struct unit_random *r, size_t dimension, double *v) {
     v[i] = gate_decimals(v[i], family == TRACK ? 6 : decimals);
   }
   if (!rounded || chance(r, 3)) {
-    place(r, n, dimension, v);
+    gate_place(r, n, dimension, v);
   }
   return n;
 }

@@ -181,9 +181,9 @@ static void look_at_result(struct gate_lab *lab, enum gate_look look,
     const struct ph_curve *curve = &claim.result.curve;
     outcome->length = curve->length;
     outcome->segments = curve->n;
-    memcpy(outcome->lengths, curve->lengths,
-           (curve->n < GATE_POINTS ? curve->n : GATE_POINTS) *
-               sizeof *curve->lengths);
+    for (size_t i = 0; curve->lengths && i < curve->n && i < GATE_POINTS; i++) {
+      outcome->lengths[i] = curve->lengths[i];
+    }
     outcome->ambiguous = strstr(lab->err.data, "[ambiguous]") != NULL;
   }
   if (look == GATE_CLOSELY || outcome->fate == GATE_WRONG) {

@@ -97,8 +97,33 @@ static void take_out(struct gate_case *c, size_t at) {
   }
 }
 
+/* Takes the last face out, and points behind those that are left. */
+static bool without_faces(struct shrink *s) {
+  bool any = false;
+  while (s->c->problem.field[PH_F_FACES].sizes_n > 1) {
+    struct ph_value *faces = &s->trial.problem.field[PH_F_FACES];
+    size_t n = 0;
+    gate_copy(&s->trial, s->c);
+    faces->n -= faces->sizes[--faces->sizes_n];
+    for (size_t i = 0; i < faces->n; i++) {
+      size_t k = (size_t)faces->v[i] + 1;
+      n = k > n ? k : n;
+    }
+    s->trial.problem.field[PH_F_POINTS].n = n;
+    s->trial.problem.field[PH_F_NORMALS].n = n;
+    if (!accept(s)) {
+      break;
+    }
+    any = true;
+  }
+  return any;
+}
+
 static bool without_points(struct shrink *s) {
   bool any = false;
+  if (gate_has(s->c, PH_F_FACES)) {
+    return without_faces(s);
+  }
   for (size_t k = s->c->problem.field[gate_data(s->c)].n; k-- > 0;) {
     gate_copy(&s->trial, s->c);
     if (k < s->trial.problem.field[gate_data(s->c)].n) {

@@ -8,7 +8,8 @@
  * PH_JOBS threads, and tells while it goes what became of them, by commands,
  * fields and options.  PH_FROM=I begins at problem I, to go on with a run that
  * ended; PH_TRIAL=I takes problem I alone, and prints it
- * as it is, and smaller where it is wrong.
+ * as it is, and smaller where it is wrong.  PH_GATE=curves or surfaces: only
+ * the problems of these, each of which have numbers of their own.
  */
 #include "gate.h"
 #include "unit.h"
@@ -16,7 +17,14 @@
 #include <pthread.h>
 #include <time.h>
 
-enum { TRIALS = 800, JOBS = 64, WAYS = 100, OPTIONS = 24, TELL = 20000 };
+enum {
+  TRIALS = 800,
+  SURFACES = 160,
+  JOBS = 64,
+  WAYS = 100,
+  OPTIONS = 24,
+  TELL = 20000
+};
 
 /* One in so many is looked at closely, of those of make check, and of a million
  * that are to be seen in an hour. */
@@ -38,6 +46,8 @@ struct way {
 /* All that has been found, shared by the threads. */
 struct gate {
   pthread_mutex_t lock;
+  const char *name;      /* of what it tries: */
+  size_t from, commands; /* so many commands, from that one on */
   size_t next, done, trials, only;
   bool tell;
   struct count command[GATE_COMMANDS], field[PH_FIELD_N], option[OPTIONS];
@@ -74,7 +84,7 @@ static void add(struct count *count, const char *name,
 static void add_all(struct gate *gate, const struct gate_case *c,
                     const struct gate_outcome *outcome, size_t which,
                     double seconds) {
-  add(&gate->command[which % GATE_COMMANDS], gate_schema(c)->command, outcome,
+  add(&gate->command[which % gate->commands], gate_schema(c)->command, outcome,
       which, seconds);
   for (size_t i = 0; i < PH_FIELD_N; i++) {
     if (gate_has(c, (enum ph_field_id)i)) {
@@ -109,7 +119,7 @@ static void tell_count(const struct count *n) {
 static void tell(const struct gate *gate) {
   printf("\n%-16s %8s %8s %6s %6s %8s %6s %8s refused\n", "", "problems",
          "solved", "wrong", "though", "seconds", "most", "of");
-  for (size_t i = 0; i < GATE_COMMANDS; i++) {
+  for (size_t i = 0; i < gate->commands; i++) {
     tell_count(&gate->command[i]);
   }
   for (size_t i = 0; i < PH_FIELD_N; i++) {
@@ -156,16 +166,18 @@ static void print_case(const struct gate_case *c) {
   ph_buf_free(&line);
 }
 
-static void explain(struct gate_lab *lab, const struct gate_case *c,
+static void explain(const char *name, struct gate_lab *lab,
+                    const struct gate_case *c,
                     const struct gate_outcome *outcome, size_t which) {
   static _Thread_local struct gate_case smaller;
   struct gate_outcome end = *outcome;
-  printf("PH_SEED=%lu, problem %zu: %s\n", unit_seed(), which, end.way);
+  printf("PH_GATE=%s PH_SEED=%lu, problem %zu: %s\n", name, unit_seed(), which,
+         end.way);
   fflush(stdout);
   gate_copy(&smaller, c);
   gate_shrink(lab, &smaller, &end);
-  printf("PH_SEED=%lu, problem %zu: %s: %s\n", unit_seed(), which, end.way,
-         end.message);
+  printf("PH_GATE=%s PH_SEED=%lu, problem %zu: %s: %s\n", name, unit_seed(),
+         which, end.way, end.message);
   print_case(&smaller);
 }
 
@@ -177,10 +189,10 @@ static void trial(struct gate *gate, struct gate_lab *lab, size_t which) {
   struct unit_random r = unit_random_of(1000 + 7919 * which);
   struct gate_outcome outcome;
   size_t rare = gate->tell ? CLOSELY_LONG : CLOSELY;
-  bool closely = gate->only == which || which / GATE_COMMANDS % rare == 0;
+  bool closely = gate->only == which || which / gate->commands % rare == 0;
   bool new = false;
   double start = now(), seconds;
-  gate_random(&r, which % GATE_COMMANDS, &c);
+  gate_random(&r, gate->from + which % gate->commands, &c);
   if (gate->only == which) {
     print_case(&c);
   }
@@ -205,9 +217,10 @@ static void trial(struct gate *gate, struct gate_lab *lab, size_t which) {
            seconds);
   }
   if (new) {
-    explain(lab, &c, &outcome, which);
+    explain(gate->name, lab, &c, &outcome, which);
   } else if (outcome.fate == GATE_WRONG) { /* as one before, or not */
-    printf("PH_SEED=%lu, problem %zu: %s\n", unit_seed(), which, outcome.way);
+    printf("PH_GATE=%s PH_SEED=%lu, problem %zu: %s\n", gate->name, unit_seed(),
+           which, outcome.way);
   }
 }
 
@@ -233,27 +246,45 @@ static size_t number(const char *name, size_t otherwise) {
   return text && *text ? (size_t)strtoul(text, NULL, 10) : otherwise;
 }
 
-PH_TEST(whatever_is_solved_is_right) {
-  static struct gate gate = {.lock = PTHREAD_MUTEX_INITIALIZER};
+static void run(struct gate *gate, size_t trials) {
+  const char *name = getenv("PH_GATE");
   pthread_t thread[JOBS];
   size_t jobs = number("PH_JOBS", 1);
-  gate.trials = number("PH_TRIALS", (size_t)unit_count(TRIALS));
-  gate.next = number("PH_FROM", 0);
-  gate.only = number("PH_TRIAL", SIZE_MAX);
-  gate.tell = getenv("PH_TRIALS") != NULL;
-  if (gate.only != SIZE_MAX) {
-    gate.next = gate.only;
-    gate.trials = gate.only + 1;
+  if (name && *name && strcmp(name, gate->name) != 0) {
+    return;
+  }
+  gate->trials = number("PH_TRIALS", trials);
+  gate->next = number("PH_FROM", 0);
+  gate->only = number("PH_TRIAL", SIZE_MAX);
+  gate->tell = getenv("PH_TRIALS") != NULL;
+  if (gate->only != SIZE_MAX) {
+    gate->next = gate->only;
+    gate->trials = gate->only + 1;
   }
   jobs = jobs < JOBS ? jobs : JOBS;
   for (size_t i = 0; i < jobs; i++) {
-    ck_assert_int_eq(pthread_create(&thread[i], NULL, work, &gate), 0);
+    ck_assert_int_eq(pthread_create(&thread[i], NULL, work, gate), 0);
   }
   for (size_t i = 0; i < jobs; i++) {
     pthread_join(thread[i], NULL);
   }
-  if (gate.tell) {
-    tell(&gate);
+  if (gate->tell) {
+    tell(gate);
   }
-  ck_assert_uint_eq(gate.ways_n, 0);
+  ck_assert_uint_eq(gate->ways_n, 0);
+}
+
+PH_TEST(whatever_is_solved_is_right) {
+  static struct gate gate = {.lock = PTHREAD_MUTEX_INITIALIZER,
+                             .name = "curves",
+                             .commands = GATE_CURVES};
+  run(&gate, (size_t)unit_count(TRIALS));
+}
+
+PH_TEST(surfaces_are_right) {
+  static struct gate gate = {.lock = PTHREAD_MUTEX_INITIALIZER,
+                             .name = "surfaces",
+                             .from = GATE_CURVES,
+                             .commands = GATE_COMMANDS - GATE_CURVES};
+  run(&gate, (size_t)unit_count(SURFACES));
 }

@@ -113,7 +113,8 @@ static bool set_ribbon(const struct ph_patchwork *work, size_t e,
     to->gradient[i] = ribbon->gradient[i % 3][i / 3];
   }
   for (size_t i = 0; i < 6 * to->hessian_n; i++) {
-    to->hessian[i] = ph_pow2_apply(back, ribbon->hessian[i % 6][i / 6]);
+    const double h = ph_pow2_apply(back, ribbon->hessian[i % 6][i / 6]);
+    to->hessian[i] = isfinite(h) ? h : (double)NAN;
   }
   return true;
 }
@@ -127,9 +128,8 @@ static enum ph_status conclude(const struct ph_patchwork *work,
   for (size_t e = 0; e < mesh->edges_n; e++) {
     const struct ph_mesh_edge *edge = &mesh->edge[e];
     struct ph_patch_edge *to = &edges->v[e];
-    const double length = ph_pow2_apply(
-        from, ph_vec3_abs(ph_vec3_sub(work->at[edge->point[1]].p,
-                                      work->at[edge->point[0]].p)));
+    const double length = ph_vec3_abs(
+        ph_vec3_sub(work->at[edge->point[1]].p, work->at[edge->point[0]].p));
     *to = (struct ph_patch_edge){.normal_jump = (double)NAN,
                                  .curvature_jump = (double)NAN,
                                  .gap = (double)NAN};
@@ -138,6 +138,7 @@ static enum ph_status conclude(const struct ph_patchwork *work,
     to->faces_n = edge->face[1] == PH_NO_FACE ? 1 : 2;
     if (to->faces_n == 2) {
       compare(&seen[2 * e], &seen[2 * e + 1], length, to);
+      to->gap = ph_pow2_apply(from, to->gap);
     }
     if (work->continuity > 0 && !set_ribbon(work, e, arena, &to->strip)) {
       return ph_fail_memory(diag);

@@ -15,11 +15,14 @@ enum ph_status ph_places_begin(struct ph_places *p,
                                struct ph_diag *diag) {
   const struct ph_surface *s = &curve->surface;
   *p = (struct ph_places){.curve = curve, .arena = arena, .at = at, .n = n};
+  p->to_unit = ph_pow2_of(s->base->exponent);
+  p->from_unit = ph_pow2_of(-s->base->exponent);
   if (!s->exact) {
     p->line = ph_arena_array(arena, 1, sizeof *p->line);
-    return p->line ? PH_OK : ph_fail_memory(diag);
+    p->points = ph_arena_array(arena, 3 * PH_PATCH_ROW * PH_PATCH_ROW,
+                               sizeof *p->points);
+    return p->line && p->points ? PH_OK : ph_fail_memory(diag);
   }
-  p->from_unit = ph_pow2_of(-s->base->exponent);
   p->exact_rows = ph_arena_array(arena, n, sizeof *p->exact_rows);
   p->exact = ph_arena_array(arena, 1, sizeof *p->exact);
   p->cross[0] = ph_arena_array(arena, n, sizeof *p->cross[0]);
@@ -46,6 +49,10 @@ enum ph_status ph_places_enter(struct ph_places *p, size_t patch,
     }
     return PH_OK;
   }
+  for (size_t i = 0; i < 3 * s->patches[patch].points_n; i++) {
+    p->points[i] =
+        ph_pow2_apply(p->to_unit, s->patches[patch].control_points[i]);
+  }
   if (!p->rows[degree]) {
     struct ph_patch_rows *rows =
         ph_arena_array(p->arena, p->n, sizeof *p->rows[0]);
@@ -64,21 +71,14 @@ void ph_places_line(struct ph_places *p, size_t j) {
   const struct ph_patch *patch = &p->curve->surface.patches[p->patch];
   p->j = j;
   if (!p->exact) {
-    ph_patch_line_at(patch->control_points, patch->bidegree[0],
+    ph_patch_line_at(p->points, patch->bidegree[0],
                      &p->rows[patch->bidegree[0]][j], 2, p->line);
   }
-}
-
-static ph_vec3 scaled(struct ph_pow2 scale, ph_vec3 v) {
-  return ph_vec3_of(ph_pow2_apply(scale, v.x), ph_pow2_apply(scale, v.y),
-                    ph_pow2_apply(scale, v.z));
 }
 
 void ph_places_jet(const struct ph_places *p, size_t i,
                    struct ph_patch_jet *jet) {
   const size_t degree = p->curve->surface.patches[p->patch].bidegree[0];
-  ph_vec3 *const all[] = {&jet->p,  &jet->u,  &jet->v,
-                          &jet->uu, &jet->uv, &jet->vv};
   if (!p->exact) {
     ph_patch_jet_at(p->line, degree, &p->rows[degree][i], 2, jet);
     return;
@@ -86,9 +86,6 @@ void ph_places_jet(const struct ph_places *p, size_t i,
   ph_exact_jet_at(p->exact, &p->exact_rows[i],
                   (const struct ph_cross *)p->cross[0][i], &p->exact_rows[p->j],
                   (const struct ph_cross *)p->cross[1][p->j], jet);
-  for (size_t k = 0; k < 6; k++) {
-    *all[k] = scaled(p->from_unit, *all[k]);
-  }
 }
 
 /* ---- at a place ---------------------------------------------------------- */
@@ -125,32 +122,44 @@ void ph_patch_bend(const struct ph_patch_jet *jet, ph_vec3 normal,
 
 /* ---- samples ------------------------------------------------------------- */
 
-/* ... of which it is known where they are: what there is at a distance.
+static double finite(double x) {
+  return isfinite(x) ? x : (double)NAN;
+}
+
+/* ... of which it is known where they are: what there is at a distance, at unit
+ * scale.
  * ret whether the surface goes on there as it does at the place */
-static bool set_sample(const struct ph_patch_jet *jet, double side,
+static bool set_sample(const struct ph_places *p,
+                       const struct ph_patch_jet *jet, double side,
                        double distance, struct ph_patch_sample *to) {
   const ph_vec3 normal =
       ph_vec3_scale(side, ph_patch_normal(jet, to->u, to->v));
-  double form[3], mean, half, k[2], factor[2];
+  double form[3], mean, half, k[2], factor[2], gauss;
   ph_patch_bend(jet, ph_vec3_scale(side, normal), form);
   mean = side * (form[0] + form[2]) / 2;
   half = hypot((form[0] - form[2]) / 2, form[1]);
   for (size_t i = 0; i < 2; i++) {
     k[i] = mean + (i ? -half : half);
     factor[i] = 1 - distance * k[i];
-    k[i] /= factor[i];
+    k[i] = ph_pow2_apply(p->to_unit, k[i] / factor[i]);
+  }
+  gauss = k[0] * k[1];
+  if (!(fabs(distance) > 0)) { /* without cancellation */
+    gauss = ph_pow2_apply(
+        p->to_unit,
+        ph_pow2_apply(p->to_unit, form[0] * form[2] - form[1] * form[1]));
   }
   if (!isfinite(k[0]) || !isfinite(k[1])) {
-    k[0] = k[1] = form[0] = (double)NAN;
+    k[0] = k[1] = gauss = (double)NAN;
   }
   to->principal[0] = k[0] < k[1] ? k[1] : k[0];
   to->principal[1] = k[0] < k[1] ? k[0] : k[1];
-  to->gauss = to->principal[0] * to->principal[1];
-  if (!(fabs(distance) > 0)) { /* without cancellation */
-    to->gauss = form[0] * form[2] - form[1] * form[1];
-  }
-  to->mean = (to->principal[0] + to->principal[1]) / 2;
+  to->gauss = finite(gauss);
+  to->mean = k[0] / 2 + k[1] / 2;
   ph_vec3_put(ph_vec3_along(jet->p, distance, normal), 3, to->point);
+  for (size_t i = 0; i < 3; i++) {
+    to->point[i] = ph_pow2_apply(p->from_unit, to->point[i]);
+  }
   ph_vec3_put(normal, 3, to->normal);
   return !(factor[0] <= 0) && !(factor[1] <= 0);
 }
@@ -159,6 +168,7 @@ static enum ph_status fill(struct ph_places *places, double distance,
                            struct ph_patch_sample *to, size_t *back,
                            struct ph_diag *diag) {
   const struct ph_curve *c = places->curve;
+  distance = ph_pow2_apply(places->to_unit, distance);
   *back = PH_NO_SEGMENT;
   for (size_t patch = 0; patch < c->n; patch++) {
     enum ph_status status = ph_arena_late(places->arena)
@@ -175,9 +185,14 @@ static enum ph_status fill(struct ph_places *places, double distance,
         to->patch = patch;
         to->u = places->at[i];
         to->v = places->at[j];
-        if (!set_sample(&jet, c->surface.patches[patch].side, distance, to) &&
+        if (!set_sample(places, &jet, c->surface.patches[patch].side, distance,
+                        to) &&
             *back == PH_NO_SEGMENT) {
           *back = patch;
+        }
+        if (!ph_are_finite(to->point, 3)) {
+          return ph_fail_at(diag, PH_E_TOO_LARGE, "patches", patch,
+                            "has samples beyond the range of a double");
         }
       }
     }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Places of a surface of patches, polynomial or exact: on a grid of the same
- * parameters by u and by v, patch by patch; with samples of them, surfaces at a
- * distance, and what neighbours differ by at their edges.
+ * Places of a surface of patches that was solved, polynomial or exact: on a
+ * grid of the same parameters by u and by v, patch by patch, at unit scale;
+ * with samples of them, surfaces at a distance, and what neighbours differ by
+ * at their edges, in the unit of the data.
  */
 #ifndef PH_CURVE_SURFACE_PLACES_H
 #define PH_CURVE_SURFACE_PLACES_H
@@ -17,12 +18,13 @@ struct ph_places {
   struct ph_arena *arena;
   const double *at; /* [n] parameters */
   size_t n;
+  struct ph_pow2 to_unit, from_unit;
   size_t patch; /* that was entered */
   /* polynomial: */
   struct ph_patch_rows *rows[PH_PATCH_DEGREE_MAX + 1]; /* by degree, or NULL */
   struct ph_patch_line *line;
+  double *points; /* of the patch */
   /* exact: */
-  struct ph_pow2 from_unit;
   struct ph_exact_rows *exact_rows; /* [n] */
   struct ph_exact_patch *exact;
   struct ph_cross (*cross[2])[2]; /* [n] by u, and by v */
@@ -63,12 +65,13 @@ void ph_patch_bend(const struct ph_patch_jet *jet, ph_vec3 normal,
 
 /*
  * ph_patch_grid_of: samples of all patches at a distance along the normals, 0:
- * on them; steps + 1 by u of each of as many v.
+ * on them; steps + 1 by u of each of as many v.  Curvatures that are beyond all
+ * numbers are NaN.
  *
  * in   most  samples of a surface
  * out  back  the first patch that turns back on itself there, as curvatures
  *            are too large; PH_NO_SEGMENT: none does
- * ret  PH_OK | PH_E_LIMIT | PH_E_NO_MEMORY
+ * ret  PH_OK | PH_E_LIMIT | PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_patch_grid_of(const struct ph_curve *curve, double distance,
                                 size_t steps, size_t most,

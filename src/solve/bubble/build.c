@@ -59,6 +59,8 @@ struct builder {
   struct exact_nodes *exact; /* NULL: it is polynomial */
   struct ph_curve *curve;
   struct measure *measures; /* [curve.n] */
+  signed char *sign;        /* [curve.n] of faces, as ph_mesh_orient has them */
+  bool two_sided;           /* it is closed, and has them */
   struct team *team;
 };
 
@@ -364,6 +366,23 @@ static enum ph_status make_patches(struct builder *b) {
 
 /* ---- the whole ----------------------------------------------------------- */
 
+/* A volume is inside of what is closed and has two sides. */
+static enum ph_status orient(struct builder *b) {
+  const struct ph_mesh *mesh = &b->data->mesh;
+  struct ph_diag diag = {.status = PH_OK};
+  enum ph_status status = PH_OK;
+  b->sign = ph_arena_array(b->scratch, mesh->faces_n, sizeof *b->sign);
+  if (!b->sign) {
+    return ph_fail_memory(b->diag);
+  }
+  memset(b->sign, 0, mesh->faces_n);
+  if (b->curve->closed) {
+    status = ph_mesh_orient(mesh, b->scratch, b->sign, &diag);
+  }
+  b->two_sided = b->curve->closed && status == PH_OK;
+  return status == PH_E_NO_MEMORY ? ph_fail_memory(b->diag) : PH_OK;
+}
+
 static enum ph_status begin(struct builder *b) {
   const size_t faces = b->data->mesh.faces_n;
   struct ph_curve *c = b->curve;
@@ -386,7 +405,7 @@ static enum ph_status begin(struct builder *b) {
   }
   memset(b->measures, 0, faces * sizeof *b->measures);
   memset(b->nodes, 0, (PH_PATCH_DEGREE_MAX + 1) * sizeof(struct nodes *));
-  return PH_OK;
+  return orient(b);
 }
 
 /* What patches are made of, from now on. */
@@ -438,7 +457,7 @@ struct total {
   double residual;
   size_t degree; /* the largest */
   size_t folded, first_folded;
-  size_t inward; /* patches whose normal is not that of their points */
+  size_t backward; /* faces that run around to the other side */
 };
 
 static struct total total_of(const struct builder *b) {
@@ -446,10 +465,10 @@ static struct total total_of(const struct builder *b) {
   for (size_t i = 0; i < b->curve->n; i++) {
     const struct measure *m = &b->measures[i];
     ph_sum_add(&t.area, m->area);
-    ph_sum_add(&t.volume, m->in ? -m->volume : m->volume);
+    ph_sum_add(&t.volume, b->sign[i] < 0 ? -m->volume : m->volume);
+    t.backward += b->sign[i] < 0;
     t.residual = m->miss <= t.residual ? t.residual : m->miss;
     t.degree = m->degree > t.degree ? m->degree : t.degree;
-    t.inward += m->in;
     if (m->in && m->out && t.folded++ == 0) {
       t.first_folded = i;
     }
@@ -457,18 +476,30 @@ static struct total total_of(const struct builder *b) {
   return t;
 }
 
-static void finish(const struct builder *b, struct ph_result *result) {
+/* The number of the data, of a length to that power. */
+static double told(const struct builder *b, double x, int power) {
+  while (power-- > 0) {
+    x = ph_pow2_apply(b->from_unit, x);
+  }
+  return x;
+}
+
+/* The volume of a closed surface of two sides is that of most of its faces. */
+static enum ph_status finish(const struct builder *b,
+                             struct ph_result *result) {
   struct ph_diagnostics *diagnostics = &result->diagnostics;
   struct ph_curve *c = b->curve;
-  const struct ph_pow2 scale = b->from_unit;
   const struct total t = total_of(b);
-  const bool inward = 2 * t.inward > c->n;
   const double volume = ph_sum_value(&t.volume);
-  double size = ph_pow2_apply(scale, ph_sum_value(&t.area));
   c->degree = t.degree + 1;
-  c->surface.area = ph_pow2_apply(scale, size);
-  size = ph_pow2_apply(scale, ph_pow2_apply(scale, inward ? -volume : volume));
-  c->surface.volume = c->closed ? ph_pow2_apply(scale, size) : (double)NAN;
+  c->surface.area = told(b, ph_sum_value(&t.area), 2);
+  c->surface.volume = b->two_sided
+                          ? told(b, 2 * t.backward > c->n ? -volume : volume, 3)
+                          : (double)NAN;
+  if (!isfinite(c->surface.area) || isinf(c->surface.volume)) {
+    return ph_fail(b->diag, PH_E_TOO_LARGE, NULL,
+                   "the area or the volume of the surface overflows a double");
+  }
   ph_diagnostics_set(diagnostics, PH_D_ITERATIONS, 0);
   ph_diagnostics_set(diagnostics, PH_D_RESIDUAL, t.residual);
   if (!b->exact) {
@@ -482,6 +513,7 @@ static void finish(const struct builder *b, struct ph_result *result) {
             "side (such patches: %zu)",
             t.first_folded, t.folded);
   }
+  return PH_OK;
 }
 
 enum ph_status ph_bubble_build(struct ph_bubble_data *data,
@@ -510,7 +542,7 @@ enum ph_status ph_bubble_build(struct ph_bubble_data *data,
     status = make_patches(&b);
   }
   if (status == PH_OK) {
-    finish(&b, result);
+    status = finish(&b, result);
   }
   return status == PH_OK && b.exact ? compare(&b, &result->diagnostics)
                                     : status;
