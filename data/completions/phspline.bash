@@ -31,7 +31,8 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= merge= at= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
@@ -59,7 +60,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --at= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --at= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -86,7 +87,8 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= merge= at= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
@@ -114,7 +116,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --at= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --at= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -142,7 +144,8 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= derivatives= tangents= closed= merge= at= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
@@ -170,7 +173,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --merge= --at= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --merge= --at= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -199,7 +202,8 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= lonlat= closed= merge= at= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
@@ -227,7 +231,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --merge= --at= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --merge= --at= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -260,7 +264,8 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= tangents= derivatives= curve= path= closed= merge= at= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
@@ -287,7 +292,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --at= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --at= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -317,7 +322,7 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --table | --table=) list='samples strips development located' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= apexes= contact_point= tangent_scale= criterion= angles= alpha= height= flat= translate= merge=' ;;
@@ -360,7 +365,7 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl' ;;
+    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --table | --table=) list='samples patches edges' ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= faces= normals= continuity= degree= tolerance= subdivide= boundary=' ;;

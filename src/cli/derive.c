@@ -8,6 +8,7 @@
 #include "curve/fair/enclosed.h"
 #include "curve/kind/kind.h"
 #include "curve/offset/loop.h"
+#include "io/gcode_out.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -357,7 +358,7 @@ enum ph_status ph_derive(const struct ph_options *options,
   status = ph_enclosed_area(&result->curve, arena, &result->area, diag);
   rules = beside = sample_rules(o, &result->curve);
   if (status == PH_OK && at->kind != PH_ABSENT && !format->is_cubics &&
-      !format->is_nurbs) {
+      !format->is_nurbs && !format->is_road && !format->is_moves) {
     status =
         sample_lengths(o, at, arena, &result->curve, &rules, &beside, diag);
   }
@@ -377,5 +378,6 @@ enum ph_status ph_derive(const struct ph_options *options,
     status =
         ph_sample_curve(&result->curve, &rules, arena, &result->samples, diag);
   }
-  return status;
+  return status == PH_OK && format->is_moves ? ph_gcode_fits(result, diag)
+                                             : status;
 }

@@ -19,6 +19,9 @@
 #include <string.h>
 #include <unistd.h>
 
+/* Feeds that are no slip of the keyboard, mm a minute. */
+static const double FEED_MIN = 1e-6, FEED_MAX = 1e9;
+
 const struct ph_option ph_option_table[PH_OPTION_N] = {
 #define X(symbol, use, letter, name, argument, help) \
   {PH_USE_##use, letter, name, argument, help},
@@ -378,6 +381,50 @@ static enum ph_status check_nurbs(struct ph_option_parser *p) {
   return PH_OK;
 }
 
+/* The lines of roads, and moves. */
+static enum ph_status check_drive(struct ph_option_parser *p) {
+  const struct ph_options *o = p->options;
+  const struct ph_format_row *format = &ph_formats[o->format];
+  const char *name = ph_format_name(o->format);
+  const char *command = o->command->schema->command;
+  if (format->is_road && !ph_command_kind(o->command)->cubic) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--format=%s is of plane cubics, which %s does not make: tc "
+                   "does",
+                   name, command);
+  }
+  if (format->is_road && (o->samples.how || o->offsets_n || o->convert)) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--format=%s is of the curve itself, without samples and "
+                   "offsets",
+                   name);
+  }
+  if (format->is_moves && space_of(o) != PH_PLANE) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--format=%s is of curves in the plane, those of planar and "
+                   "tc",
+                   name);
+  }
+  if (format->is_moves && (o->samples.how == PH_SAMPLE_PARAMETER ||
+                           o->samples.how == PH_SAMPLE_SPACING || o->convert)) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--format=%s has no samples; --chord-error says how near "
+                   "moves are to the curve",
+                   name);
+  }
+  if (format->is_moves != (o->feed > 0)) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   format->is_moves ? "--format=gcode needs --feed"
+                                    : "--feed needs --format=gcode");
+  }
+  if (format->is_moves && !(o->feed >= FEED_MIN && o->feed <= FEED_MAX)) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--feed must be from %g to %g mm a minute", FEED_MIN,
+                   FEED_MAX);
+  }
+  return PH_OK;
+}
+
 /* Options that contradict each other. */
 static enum ph_status check_together(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
@@ -406,7 +453,7 @@ static enum ph_status check_together(struct ph_option_parser *p) {
                    "--format=%s is of cubics; --convert does nothing there",
                    ph_format_name(o->format));
   }
-  if (check_nurbs(p) != PH_OK) {
+  if (check_nurbs(p) != PH_OK || check_drive(p) != PH_OK) {
     return PH_E_USAGE;
   }
   if (o->with_file && !format->is_table) {
@@ -497,7 +544,8 @@ struct ph_print ph_options_print(const struct ph_options *options) {
       {options->table, ph_formats[options->format].is_text, space_of(options),
        options->offsets_n, options->offset.mode != PH_OFFSET_RAW,
        options->samples.frame != PH_FRAME_NONE, options->with_file},
-      options->pretty};
+      options->pretty,
+      options->feed};
 }
 
 void ph_options_free(struct ph_options *options) {

@@ -62,7 +62,10 @@
     "table; text: the same in columns, for gnuplot and awk; svg-path: paths "  \
     "of cubic Bezier curves; svg: a drawing of these; geojson: features of "   \
     "samples, without other options within 1e-6 of the size; dxf: a drawing "  \
-    "for CAD, of B-splines; obj, stl: the mesh of a surface")                  \
+    "for CAD, of B-splines; obj, stl: the mesh of a surface; opendrive: "      \
+    "roads along plane cubics; gcode: moves along plane curves")               \
+  X(FEED, CURVE, 0, "feed", "F",                                               \
+    "how fast the moves of --format=gcode are, in mm a minute")                \
   X(TABLE, SOLVE, 0, "table", "NAME",                                          \
     "what --format=csv and text print (default: control-points, of surfaces "  \
     "strips or patches):")                                                     \
@@ -220,6 +223,7 @@ struct ph_options {
   size_t sweep_count; /* results for each problem */
   bool convert, nurbs;
   double tolerance;     /* 0: the default */
+  double feed;          /* 0: not given */
   const char *problems; /* of the results that verify looks at; NULL: none */
   struct ph_split_options problems_input;
   double *offsets;

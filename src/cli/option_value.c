@@ -502,6 +502,8 @@ static enum ph_status read_picture(struct ph_option_parser *p,
     return PH_OK;
   case PH_O_RESOLUTION:
     return read_positive(p, id, &o->resolution);
+  case PH_O_FEED:
+    return read_positive(p, id, &o->feed);
   case PH_O_FILL:
     return read_fill(p);
   case PH_O_PLOT:

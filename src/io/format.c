@@ -3,8 +3,10 @@
 #include "io/format.h"
 
 #include "io/dxf_out.h"
+#include "io/gcode_out.h"
 #include "io/geojson_out.h"
 #include "io/obj_out.h"
+#include "io/opendrive_out.h"
 #include "io/stl_out.h"
 #include "io/svg_out.h"
 
@@ -112,6 +114,32 @@ static void nurbs_solved(struct ph_buf *buf, const struct ph_print *print,
   ph_dxf_out(buf, s->id, s->number, s->downward, s->result);
 }
 
+static void roads_header(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_swept *swept, size_t swept_n) {
+  (void)print, (void)swept, (void)swept_n;
+  ph_opendrive_header(buf);
+}
+
+static void roads_solved(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_solved *s) {
+  const struct ph_svg_name name = {s->id, NULL, s->heading->swept,
+                                   s->heading->swept_n};
+  (void)print;
+  ph_opendrive_out(buf, &name, s->number, s->downward, &s->result->curve);
+}
+
+static void moves_header(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_swept *swept, size_t swept_n) {
+  (void)swept, (void)swept_n;
+  ph_gcode_header(buf, print->feed);
+}
+
+static void moves_solved(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_solved *s) {
+  (void)print;
+  ph_gcode_out(buf, s->id, s->downward, s->result);
+}
+
 const struct ph_format_row ph_formats[PH_FORMAT_N] = {
     [PH_FORMAT_JSON] = {.is_objects = true,
                         .is_parted = true,
@@ -148,6 +176,15 @@ const struct ph_format_row ph_formats[PH_FORMAT_N] = {
     [PH_FORMAT_STL] = {.is_mesh = true,
                        .is_single = true,
                        .solved = triangles_solved},
+    [PH_FORMAT_OPENDRIVE] = {.is_road = true,
+                             .header = roads_header,
+                             .footer = ph_opendrive_footer,
+                             .solved = roads_solved},
+    [PH_FORMAT_GCODE] = {.is_moves = true,
+                         .is_lines = true,
+                         .header = moves_header,
+                         .footer = ph_gcode_footer,
+                         .solved = moves_solved},
 };
 
 const char *ph_format_name(enum ph_format format) {

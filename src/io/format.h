@@ -20,7 +20,9 @@
   X(GEOJSON, "geojson")      \
   X(DXF, "dxf")              \
   X(OBJ, "obj")              \
-  X(STL, "stl")
+  X(STL, "stl")              \
+  X(OPENDRIVE, "opendrive")  \
+  X(GCODE, "gcode")
 
 enum ph_format {
 #define X(symbol, name) PH_FORMAT_##symbol,
@@ -38,6 +40,7 @@ enum ph_format {
 struct ph_print {
   struct ph_csv_shape shape; /* of formats that are tables */
   bool pretty;               /* of formats that are objects */
+  double feed;               /* of formats that are moves: mm a minute */
 };
 
 /* A solved problem. */
@@ -68,6 +71,9 @@ struct ph_format_row {
   bool is_cubics;  /* has neither samples nor --convert; --chord-error is how
                       near the cubics are to the curve */
   bool is_lines;   /* of samples of curves, which it has without being asked */
+  bool is_road;    /* of plane cubics alone, without samples and offsets */
+  bool is_moves;   /* of a machine: plane curves, samples as is_lines, but only
+                      of --chord-error */
   size_t joint;    /* bytes before each record that are none before the first */
   /* before all records; NULL: nothing */
   void (*header)(struct ph_buf *buf, const struct ph_print *print,

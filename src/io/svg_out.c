@@ -79,7 +79,7 @@ static void text(struct ph_buf *buf, const char *p) {
   }
 }
 
-static void path_name(struct ph_buf *buf, const struct ph_svg_name *name) {
+void ph_svg_name_put(struct ph_buf *buf, const struct ph_svg_name *name) {
   text(buf, name->id);
   for (size_t i = 0; i < name->swept_n; i++) {
     ph_buf_puts(buf, i > 0 ? "," : ":");
@@ -105,7 +105,7 @@ void ph_svg_element(struct ph_buf *buf, const struct ph_svg_name *name,
     ph_svg_join(box, (double[]){p[0], y, p[0], y});
   }
   ph_buf_puts(buf, "<path id=\"");
-  path_name(buf, name);
+  ph_svg_name_put(buf, name);
   ph_buf_puts(buf, name->distance ? "\" class=\"offset\"" : "\"");
   ph_buf_puts(buf, up ? " transform=\"scale(1,-1)\" d=\"" : " d=\"");
   ph_svg_path(buf, cubics, closed);

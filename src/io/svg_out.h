@@ -39,13 +39,16 @@ struct ph_svg_name {
   size_t swept_n;
 };
 
+/* ph_svg_name_put: appends a name as part of an attribute: that of the curve,
+ * of a sweep with the values, of offsets with @ and the distance; blanks and
+ * what XML cannot have are _ */
+void ph_svg_name_put(struct ph_buf *buf, const struct ph_svg_name *name);
+
 /*
  * ph_svg_element: appends a path element, on a line of its own; none without
  * cubics.
  *
- * in    name  its id is that of the curve, of a sweep with the values, of
- *             offsets with @ and the distance; blanks and what XML cannot have
- *             are _
+ * in    name  its id
  * in    up    y points upward: the element turns it
  * inout box   as the drawing has it, with y downward
  */

@@ -49,6 +49,7 @@ items() {
     inside && $1 == ".It" && $2 == macro {
       sub(/^\.It [A-Z][a-z] /, "")
       sub(/ Op Ar .*/, "")
+      gsub(/\\:/, "") # where a line may break
       n = split($0, name, / , /)
       for (i = 1; i <= n; i++) print name[i]
     }' "$1"

@@ -43,6 +43,8 @@ struct ph_kind {
   enum ph_parts parts; /* but segments: a surface, and nothing below */
   bool on_sphere;      /* curve->sphere says which; offsets are samples alone */
   bool bernstein;      /* control points are those of Bezier curves */
+  bool cubic;          /* they are four points of the plane, with preimages of
+                          degree 1 (curve/segment/tc.h) */
   bool angles;         /* the preimages have angles: alpha */
   bool erf;            /* the reference is the Euler-Rodrigues frame */
   const char *no_erf;  /* else: why there is none, as a message says it */

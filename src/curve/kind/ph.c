@@ -130,7 +130,7 @@ const struct ph_kind ph_kind_ph = {WITH_PREIMAGE, .bernstein = true,
                                    .bezier = ph_bezier_itself};
 
 const struct ph_kind ph_kind_tc = {WITH_PREIMAGE, .bernstein = true,
-                                   .offset = ph_offset_rational,
+                                   .cubic = true, .offset = ph_offset_rational,
                                    .bezier = ph_bezier_itself};
 
 const struct ph_kind ph_kind_atph = {WITH_PREIMAGE, .angles = true,
