@@ -34,6 +34,7 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
+    --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= merge= at= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
     --override | --override=) list='points= closed= merge= at= basis= knots= alpha= end_derivatives= solutions= minimize= free=' ;;
@@ -60,7 +61,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --at= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --at= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -90,6 +91,7 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
+    --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= closed= merge= at= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
     --override | --override=) list='points= closed= merge= at= tangents= derivatives= basis= criterion= angles= axis= alpha= knots= tension= shape= planarity=' ;;
@@ -116,7 +118,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --at= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --at= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -147,6 +149,7 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
+    --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= derivatives= tangents= closed= merge= at= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
     --override | --override=) list='points= derivatives= tangents= closed= merge= at= lengths= length_sigma= tangent_sigma= knots= refine= magnitudes= planar= starts= all_minima= start=' ;;
@@ -173,7 +176,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --merge= --at= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --merge= --at= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -205,6 +208,7 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
+    --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= lonlat= closed= merge= at= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
     --override | --override=) list='points= lonlat= closed= merge= at= center= radius= radius_tolerance= model= knots= ends= end_tangents= tension= shape= increase= criterion= epsilon=' ;;
@@ -231,7 +235,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --merge= --at= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --merge= --at= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -267,6 +271,7 @@ _phspline() {
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
+    --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= tangents= derivatives= curve= path= closed= merge= at= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
     --override | --override=) list='points= tangents= derivatives= curve= path= closed= merge= at= mode= lambda= ends= end_tangents= end_derivatives= auxiliary= joint= joint_angle= joint_position= solutions= tolerance= pieces= blaschke=' ;;
@@ -292,7 +297,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --at= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --at= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --convert= --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -324,6 +329,7 @@ _phspline() {
     --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --table | --table=) list='samples strips development located' ;;
+    --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= apexes= contact_point= tangent_scale= criterion= angles= alpha= height= flat= translate= merge=' ;;
     --override | --override=) list='points= rulings= tangents= normals= closed= method= lambda= degenerate_tolerance= apexes= contact_point= tangent_scale= criterion= angles= alpha= height= flat= translate= merge=' ;;
@@ -345,7 +351,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --translate= --merge= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --volume= --panorama= --resolution= --fill= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --translate= --merge= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --volume= --panorama= --resolution= --fill= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -367,6 +373,7 @@ _phspline() {
     --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --table | --table=) list='samples patches edges' ;;
+    --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
     -s | --set | --set=) list='points= faces= normals= continuity= degree= tolerance= subdivide= boundary=' ;;
     --override | --override=) list='points= faces= normals= continuity= degree= tolerance= subdivide= boundary=' ;;
@@ -383,7 +390,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --subdivide= --boundary= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --subdivide= --boundary= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --plot= --plot-size= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

@@ -460,6 +460,12 @@ static enum ph_status check_together(struct ph_option_parser *p) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--with-file needs --format=csv or --format=text");
   }
+  if (o->chosen && !format->is_objects) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL, "--fields needs --format=json");
+  }
+  o->unasked = format->is_objects ? ph_chosen_unasked(o->chosen)
+               : format->is_lines ? ~PH_BIT(PH_D_SIMPLE)
+                                  : UINT64_MAX;
   if (o->pretty && !format->is_objects) {
     return ph_fail(p->diag, PH_E_USAGE, NULL, "--pretty needs --format=json");
   }

@@ -71,6 +71,9 @@
     "strips or patches):")                                                     \
   X(WITH_FILE, SOLVE, 0, "with-file", NULL,                                    \
     "add the file of the problem to the rows of --table")                      \
+  X(FIELDS, SOLVE, 0, "fields", "NAME,...",                                    \
+    "write only these members of JSON records, of objects in them as "         \
+    "NAME.NAME, beside id, command, status and error")                         \
   X(PRETTY, ALL, 0, "pretty", NULL, "indented JSON")                           \
   X(OUTPUT, ALL, 'o', "output", "FILE",                                        \
     "write FILE, replaced only when everything was written")                   \
@@ -209,7 +212,9 @@ struct ph_options {
   struct ph_split_options input;
   enum ph_format format;
   enum ph_table table;
-  bool edges; /* of surfaces of patches */
+  struct ph_chosen *chosen; /* members that are written; NULL: all */
+  uint64_t unasked;         /* as of struct ph_diagnostics */
+  bool edges;               /* of surfaces of patches */
   bool with_file, pretty, strict, fail_fast, progress, quiet, verbose, no_sync,
       if_changed;
   const char *output; /* NULL: standard output */

@@ -453,6 +453,9 @@ static enum ph_status read_stream(struct ph_option_parser *p,
   case PH_O_SHARD:
   case PH_O_RANGE:
     return ph_option_read_part(p, id);
+  case PH_O_FIELDS:
+    return ph_chosen_read(optarg, ph_command_kind(o->command)->parts, &o->arena,
+                          &o->chosen, p->diag);
   case PH_O_PROBLEMS:
     o->problems = optarg;
     break;

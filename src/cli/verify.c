@@ -357,7 +357,8 @@ static void write_record(struct task *t, enum ph_status status,
   const struct ph_heading heading = {&claim->echo, ph_verify_schema.command,
                                      claim->swept, claim->swept_n,
                                      claim->set,   claim->set_n,
-                                     NULL,         subject->byte};
+                                     NULL,         NULL,
+                                     subject->byte};
   struct ph_json_writer w = {.buf = out, .pretty = t->options->pretty};
   ph_write_begin(&w, '{');
   ph_json_heading(&w, &heading, status == PH_OK ? "ok" : "error");

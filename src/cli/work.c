@@ -105,6 +105,7 @@ static enum ph_status certify_curve(struct task *t,
   struct ph_arena *scratch = &t->worker->scratch;
   enum ph_status status = ph_certify(command->schema->command, &t->problem,
                                      curve, scratch, diagnostics, &t->diag);
+  diagnostics->unasked = t->options->unasked;
   return status == PH_OK && command->describe
              ? command->describe(curve, scratch, diagnostics, &t->diag)
              : status;
@@ -229,6 +230,7 @@ static enum ph_status solve(struct task *t) {
     status = prepare(t);
   }
   if (status == PH_OK) {
+    t->result.diagnostics.unasked = t->options->unasked;
     status = command->method->solve(&t->problem, &worker->arena,
                                     &worker->scratch, &t->result, &t->diag);
     if (status == PH_OK) {
@@ -411,6 +413,7 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
   struct ph_subject subject = {record->file, record->line, NULL, record->number,
                                ph_work_byte(options, record)};
   struct ph_heading heading = {
+      .chosen = options->chosen,
       .byte = subject.byte,
       .file = strcmp(record->file, "-") == 0 ? NULL : record->file,
       .echo = &t.echo,

@@ -331,7 +331,18 @@ enum ph_diagnostic {
 struct ph_diagnostics {
   double value[PH_DIAGNOSTIC_N];
   uint64_t known; /* bit i: value[i] was computed */
+  uint64_t
+      unasked; /* bit i: nobody looks at value[i], which need not be; bit
+                  PH_DIAGNOSTIC_N: the same of the theorem of Kantorovich */
 };
+
+/* ph_diagnostics_asked: whether somebody looks at one of some, one bit each. */
+static inline bool
+ph_diagnostics_asked(const struct ph_diagnostics *diagnostics, uint64_t some) {
+  return (some & ~diagnostics->unasked) != 0;
+}
+
+#define PH_BIT(diagnostic) ((uint64_t)1 << (diagnostic))
 
 /* ph_are_finite: whether n numbers are: x - x is 0, or else NaN. */
 static inline bool ph_are_finite(const double *v, size_t n) {

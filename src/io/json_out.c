@@ -24,18 +24,30 @@ void ph_json_fields(struct ph_json_writer *w, const char *name,
   ph_write_end(w, '}');
 }
 
+/* Whether a member of the heading is written. */
+static bool has(const struct ph_heading *heading, const char *name) {
+  const struct ph_chosen *chosen = heading->chosen;
+  return ph_chosen_enter(&chosen, name);
+}
+
 void ph_json_heading(struct ph_json_writer *w, const struct ph_heading *heading,
                      const char *status) {
   const struct ph_echo *echo = heading->echo;
   ph_write_key_raw(w, "id", echo->id, echo->id_n);
   ph_write_key_string(w, "command", heading->command);
   ph_write_key_string(w, "status", status);
-  if (heading->file) {
+  if (heading->file && has(heading, "file")) {
     ph_write_key_string(w, "file", heading->file);
   }
-  ph_write_key_raw(w, "meta", echo->meta, echo->meta_n);
-  ph_json_fields(w, "sweep", heading->swept, heading->swept_n);
-  ph_json_fields(w, "set", heading->set, heading->set_n);
+  if (has(heading, "meta")) {
+    ph_write_key_raw(w, "meta", echo->meta, echo->meta_n);
+  }
+  if (has(heading, "sweep")) {
+    ph_json_fields(w, "sweep", heading->swept, heading->swept_n);
+  }
+  if (has(heading, "set")) {
+    ph_json_fields(w, "set", heading->set, heading->set_n);
+  }
 }
 
 /* ---- members by their rows ----------------------------------------------- */
@@ -45,9 +57,21 @@ struct output {
   struct ph_json_writer *w;
   const struct ph_result *result;
   struct ph_sizes sizes;
-  size_t image;       /* the next one of the curve */
-  enum ph_of without; /* members that a strip has not */
+  size_t image;                   /* the next one of the curve */
+  enum ph_of without;             /* members that a strip has not */
+  const struct ph_chosen *chosen; /* members of the object that are written;
+                                     NULL: all */
 };
+
+/* Begins a member, if it is chosen: then what was chosen of the object has to
+ * be put back behind its value. */
+static bool begin_member(struct output *out, const char *name) {
+  if (!ph_chosen_enter(&out->chosen, name)) {
+    return false;
+  }
+  ph_write_key(out->w, name);
+  return true;
+}
 
 /* Where a member of object i is, NULL: nowhere; and how many there are. */
 static const void *find(const struct ph_slot *slot, const char *object,
@@ -196,8 +220,10 @@ static void write_text(struct ph_json_writer *w, const void *at) {
 
 /* ---- diagnostics and warnings -------------------------------------------- */
 
-static void write_diagnostics(struct ph_json_writer *w,
+static void write_diagnostics(struct output *out,
                               const struct ph_diagnostics *diagnostics) {
+  const struct ph_chosen *outer = out->chosen;
+  struct ph_json_writer *w = out->w;
   for (uint64_t i = 0; diagnostics->known >> i; i++) {
     enum ph_diagnostic which = (enum ph_diagnostic)i;
     double value = diagnostics->value[i];
@@ -207,25 +233,33 @@ static void write_diagnostics(struct ph_json_writer *w,
     }
     name = ph_diagnostic_name(which);
     type = ph_diagnostic_type(which);
+    out->chosen = outer;
+    if (!begin_member(out, name)) {
+      continue;
+    }
     if (strcmp(type, "number") == 0) {
-      ph_write_key_number(w, name, value);
+      ph_write_number(w, value);
     } else if (strcmp(type, "flag") == 0) {
-      ph_write_key_flag(w, name, value > 0);
+      ph_write_flag(w, value > 0);
     } else {
-      ph_write_key_string(w, name, ph_words(type)[(size_t)value]);
+      ph_write_string(w, ph_words(type)[(size_t)value]);
     }
   }
+  out->chosen = outer;
 }
 
 /* The lengths of the curve with free lengths, if it is known everywhere. */
-static void write_natural_lengths(struct ph_json_writer *w,
+static void write_natural_lengths(struct output *out,
                                   const struct ph_result *result) {
+  struct ph_json_writer *w = out->w;
   for (size_t i = 0; i < result->intervals_n; i++) {
     if (isnan(result->intervals[i].natural_length)) {
       return;
     }
   }
-  ph_write_key(w, "natural_lengths");
+  if (!begin_member(out, "natural_lengths")) {
+    return;
+  }
   for (size_t i = 0; i < result->intervals_n; i++) {
     ph_write_put(w, i > 0 ? ',' : '[');
     ph_write_number(w, result->intervals[i].natural_length);
@@ -247,27 +281,32 @@ static void write_bounds(struct ph_json_writer *w, const struct ph_pair *pairs,
 /* The certificate of the curve, and how it was found. */
 static void write_certificate(struct output *out) {
   const struct ph_result *result = out->result;
+  const struct ph_chosen *outer = out->chosen;
   struct ph_slot slots[PH_SLOTS_MAX];
   ph_write_begin(out->w, '{');
-  write_diagnostics(out->w, &result->diagnostics);
+  write_diagnostics(out, &result->diagnostics);
   if (result->intervals_n) {
-    write_natural_lengths(out->w, result);
+    write_natural_lengths(out, result);
   }
-  if (result->curve.surface.pairs_n) {
-    ph_write_key(out->w, "lambda_interval");
+  out->chosen = outer;
+  if (result->curve.surface.pairs_n && begin_member(out, "lambda_interval")) {
     write_bounds(out->w, result->curve.surface.pairs,
                  result->curve.surface.pairs_n);
   }
-  if (result->starts_n) {
-    ph_write_key_string(out->w, "start", result->starts[result->start].name);
-    ph_write_key(out->w, "starts");
+  out->chosen = outer;
+  if (result->starts_n && begin_member(out, "start")) {
+    ph_write_string(out->w, result->starts[result->start].name);
+  }
+  out->chosen = outer;
+  if (result->starts_n && begin_member(out, "starts")) {
     ph_slots(ph_members_of("certificate"), &out->sizes, slots);
     write_list(out, slots, (const char *)result->starts, result->starts_n);
   }
-  if (result->has_kantorovich) {
-    ph_write_key(out->w, "kantorovich");
+  out->chosen = outer;
+  if (result->has_kantorovich && begin_member(out, "kantorovich")) {
     write_struct(out, "kantorovich", &result->kantorovich);
   }
+  out->chosen = outer;
   ph_write_end(out->w, '}');
 }
 
@@ -333,7 +372,7 @@ static void write_value(struct output *out, const struct ph_slot *slot,
     break;
   case PH_AS_DIAGNOSTIC_SET:
     ph_write_begin(w, '{');
-    write_diagnostics(w, at);
+    write_diagnostics(out, at);
     ph_write_end(w, '}');
     break;
   case PH_AS_WARNING_LIST:
@@ -357,6 +396,7 @@ static bool is_other(enum ph_of of, const void *object) {
 /* The members of object i, or that this one has of arrays. */
 static void write_members(struct output *out, const struct ph_slot *slots,
                           size_t slots_n, const void *object, size_t i) {
+  const struct ph_chosen *outer = out->chosen;
   bool plain = !ph_kind_of(&out->result->curve)->on_sphere;
   for (const struct ph_slot *slot = slots; slot < slots + slots_n; slot++) {
     size_t n;
@@ -365,11 +405,12 @@ static void write_members(struct output *out, const struct ph_slot *slots,
         (!at && slot->row->where.how == PH_EACH) || is_unknown(slot, at) ||
         (plain && slot->row->of == PH_OF_SPHERE) ||
         (out->without && slot->row->of == out->without) ||
-        is_other(slot->row->of, object)) {
+        is_other(slot->row->of, object) ||
+        !begin_member(out, slot->row->name)) {
       continue;
     }
-    ph_write_key(out->w, slot->row->name);
     write_value(out, slot, object, i, at, n);
+    out->chosen = outer;
   }
 }
 
@@ -388,7 +429,7 @@ static void finish(struct ph_json_writer *w) {
 void ph_json_result(struct ph_buf *buf, const struct ph_heading *heading,
                     const struct ph_result *result, bool pretty) {
   struct ph_json_writer w = {.buf = buf, .pretty = pretty};
-  struct output out = {.w = &w, .result = result};
+  struct output out = {.w = &w, .result = result, .chosen = heading->chosen};
   struct ph_slot slots[PH_SLOTS_MAX];
   const char *object = ph_members_result(ph_kind_of(&result->curve)->parts);
   out.sizes.of['I' - 'A'] = result->intervals_n;

@@ -9,6 +9,7 @@
 #include "base/buf.h"
 #include "base/diag.h"
 #include "curve/result.h"
+#include "io/chosen.h"
 #include "io/json_write.h"
 #include "io/record.h"
 
@@ -27,7 +28,8 @@ struct ph_heading {
   size_t swept_n;
   const struct ph_swept *set; /* by options, which the problem does not have */
   size_t set_n;
-  const char *file;   /* of the problem; NULL: standard input */
+  const char *file;               /* of the problem; NULL: standard input */
+  const struct ph_chosen *chosen; /* members that are written; NULL: all */
   const size_t *byte; /* that an error tells in place of its line, or NULL */
 };
 

@@ -548,6 +548,15 @@ static const struct ph_members objects[] = {
     {"worst", true, worst, 0},
 };
 
+const struct ph_members *ph_members_find(const char *name) {
+  for (size_t i = 0; i < sizeof objects / sizeof *objects; i++) {
+    if (strcmp(objects[i].name, name) == 0) {
+      return &objects[i];
+    }
+  }
+  return NULL;
+}
+
 const struct ph_members *ph_members_of(const char *name) {
   size_t i = 0;
   while (*objects[i].name != *name || strcmp(objects[i].name, name) != 0) {

@@ -78,6 +78,9 @@ struct ph_members {
 /* ph_members_of: those of an object, which must be one of members.c. */
 const struct ph_members *ph_members_of(const char *name);
 
+/* ph_members_find: the same, or NULL. */
+const struct ph_members *ph_members_find(const char *name);
+
 /* ph_members_result: the object that a result is, by what it consists of. */
 static inline const char *ph_members_result(enum ph_parts parts) {
   return parts == PH_SEGMENTS_PARTS ? "result"

@@ -16,6 +16,14 @@
 /* On more segments, fairness in space is not described. */
 enum { FAIR_MAX = 1000 };
 
+/* What is found together. */
+static const uint64_t CROSSINGS = PH_BIT(PH_D_LOOPS) | PH_BIT(PH_D_SIMPLE);
+static const uint64_t ENERGIES =
+    PH_BIT(PH_D_ENERGY) | PH_BIT(PH_D_MV) | PH_BIT(PH_D_IES) |
+    PH_BIT(PH_D_IMV) | PH_BIT(PH_D_ROTATION_INDEX) |
+    PH_BIT(PH_D_ABSOLUTE_ROTATION_INDEX) | PH_BIT(PH_D_F1) | PH_BIT(PH_D_F2) |
+    PH_BIT(PH_D_F3);
+
 /* The scale at which the length is near 1, an even power of 2 so that preimages
  * have one, too. */
 struct unit {
@@ -37,16 +45,21 @@ enum ph_status ph_describe_planar(const struct ph_curve *curve,
                                   struct ph_diagnostics *diagnostics,
                                   struct ph_diag *diag) {
   struct ph_energy energy;
-  struct ph_cross cross;
-  enum ph_status status = ph_cross_planar(curve, scratch, &cross, diag);
-  if (status != PH_OK) {
-    return status;
+  if (ph_diagnostics_asked(diagnostics, CROSSINGS)) {
+    struct ph_cross cross;
+    enum ph_status status = ph_cross_planar(curve, scratch, &cross, diag);
+    if (status != PH_OK) {
+      return status;
+    }
+    ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)cross.loops);
+    ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple);
+  }
+  if (!ph_diagnostics_asked(diagnostics, ENERGIES)) {
+    return PH_OK;
   }
   if (!ph_energy_planar(curve, &energy)) {
     return ph_fail_memory(diag);
   }
-  ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)cross.loops);
-  ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple);
   ph_diagnostics_set_finite(diagnostics, PH_D_ENERGY, energy.bending);
   ph_diagnostics_set_finite(diagnostics, PH_D_MV, energy.varying);
   ph_diagnostics_set_finite(diagnostics, PH_D_IES, energy.ies);
@@ -78,7 +91,7 @@ enum ph_status ph_describe_spatial(const struct ph_curve *curve,
   struct ph_fair3_rules rules;
   double bending = 0, functional[3] = {0, 0, 0};
   (void)scratch;
-  if (curve->n > FAIR_MAX) {
+  if (curve->n > FAIR_MAX || !ph_diagnostics_asked(diagnostics, ENERGIES)) {
     return PH_OK;
   }
   if (!ph_fair3_begin(&rules)) {
@@ -150,17 +163,23 @@ enum ph_status ph_describe_cubics(const struct ph_curve *curve,
   const double turn = 2 * PH_PI;
   const struct unit unit = unit_of(curve);
   struct cubics sum = {.loops = 0};
-  struct ph_cross cross;
-  enum ph_status status = ph_cross_planar(curve, scratch, &cross, diag);
-  if (status != PH_OK) {
-    return status;
+  if (ph_diagnostics_asked(diagnostics, PH_BIT(PH_D_SIMPLE))) {
+    struct ph_cross cross;
+    enum ph_status status = ph_cross_planar(curve, scratch, &cross, diag);
+    if (status != PH_OK) {
+      return status;
+    }
+    ph_diagnostics_set(diagnostics, PH_D_SIMPLE,
+                       cross.simple && diagnostics->value[PH_D_REGULAR] > 0);
+  }
+  if (!ph_diagnostics_asked(diagnostics, ENERGIES | PH_BIT(PH_D_LOOPS) |
+                                             PH_BIT(PH_D_MAX_CURVATURE))) {
+    return PH_OK;
   }
   for (size_t k = 0; k < curve->n; k++) {
     add_cubic(&sum, curve, unit.root, k);
   }
   ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)sum.loops);
-  ph_diagnostics_set(diagnostics, PH_D_SIMPLE,
-                     cross.simple && diagnostics->value[PH_D_REGULAR] > 0);
   if (!sum.stands_still) {
     /* Both are inverses of a length. */
     ph_diagnostics_set_finite(

@@ -14,7 +14,8 @@
 
 /*
  * ph_describe_fn: sets diagnostics; a number that there is none of, as of a
- * curve that stands still, stays unknown.
+ * curve that stands still, stays unknown, and so may one that nobody asked for
+ * (diagnostics->unasked).
  *
  * ret  PH_OK | PH_E_NO_MEMORY | what ph_cross_planar returns
  */

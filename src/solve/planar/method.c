@@ -310,7 +310,9 @@ static enum ph_status report(struct task *t) {
   ph_diagnostics_set(&result->diagnostics, PH_D_ITERATIONS,
                      (double)t->iterations);
   ph_diagnostics_set(&result->diagnostics, PH_D_RESIDUAL, t->residual);
-  result->has_kantorovich = t->data.n <= KANTOROVICH_MAX;
+  result->has_kantorovich =
+      t->data.n <= KANTOROVICH_MAX &&
+      ph_diagnostics_asked(&result->diagnostics, PH_BIT(PH_DIAGNOSTIC_N));
   if (result->has_kantorovich &&
       !ph_planar_kantorovich(&t->data.c2, t->b, t->scratch,
                              &result->kantorovich)) {

@@ -60,8 +60,8 @@ static struct ph_result by_hand(void) {
 
 PH_TEST(test_compact) {
   struct ph_result result = by_hand();
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0,
-                                     NULL,     0,        NULL};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0,   NULL,
+                                     0,        NULL,     NULL, NULL};
   ph_json_result(&buf, &heading, &result, false);
   ck_assert_str_eq(written(),
                    "{\"command\":\"planar\",\"status\":\"ok\",\"curve\":\"ph\","
@@ -75,7 +75,8 @@ PH_TEST(test_heading) {
   const struct ph_echo echo = {"\"a\\u00e4\"X", 9, "{\"k\": [1, 2]}X", 13};
   const struct ph_swept swept[] = {{"alpha", "0.5"}, {"knots[1]", "-1e300"}};
   const struct ph_swept set[] = {{"closed", "true"}, {"knots", "[0,1]"}};
-  const struct ph_heading heading = {&echo, "planar", swept, 2, set, 2, NULL};
+  const struct ph_heading heading = {&echo, "planar", swept, 2,   set,
+                                     2,     NULL,     NULL,  NULL};
   struct ph_result result = by_hand();
   result.curve.closed = true;
   ph_json_result(&buf, &heading, &result, false);
@@ -90,8 +91,8 @@ PH_TEST(test_heading) {
 }
 
 PH_TEST(test_warnings) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0,
-                                     NULL,     0,        NULL};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0,   NULL,
+                                     0,        NULL,     NULL, NULL};
   struct ph_result result = by_hand();
   ph_warn(&result, 3, PH_W_LOOP, "it turns");
   ph_warn(&result, PH_NO_SEGMENT, PH_W_REVERSAL, "so");
@@ -114,8 +115,8 @@ static void set_interval(struct ph_interval *interval, double length,
 /* Intervals stand beside the segments they consist of; what is natural is told
  * where it is known, and in the certificate when it is known everywhere. */
 PH_TEST(test_intervals) {
-  const struct ph_heading heading = {&nothing, "arclength", NULL, 0,
-                                     NULL,     0,           NULL};
+  const struct ph_heading heading = {&nothing, "arclength", NULL, 0,   NULL,
+                                     0,        NULL,        NULL, NULL};
   struct ph_interval intervals[2];
   struct ph_result result = by_hand();
   set_interval(&intervals[0], 3, 2.5, 0, 1);
@@ -142,8 +143,8 @@ PH_TEST(test_intervals) {
 
 /* All starts, in the order they were tried, and which of them won. */
 PH_TEST(test_starts) {
-  const struct ph_heading heading = {&nothing, "arclength", NULL, 0,
-                                     NULL,     0,           NULL};
+  const struct ph_heading heading = {&nothing, "arclength", NULL, 0,   NULL,
+                                     0,        NULL,        NULL, NULL};
   struct ph_start starts[] = {
       {"init", PH_OUTCOME_NO_SOLUTION, (double)NAN, 200},
       {"chords", PH_OUTCOME_MINIMISER, 0.5, 7},
@@ -165,8 +166,8 @@ PH_TEST(test_starts) {
 
 /* Outcomes are words and flags truth values, of each solution, too. */
 PH_TEST(test_outcomes) {
-  const struct ph_heading heading = {&nothing, "arclength", NULL, 0,
-                                     NULL,     0,           NULL};
+  const struct ph_heading heading = {&nothing, "arclength", NULL, 0,   NULL,
+                                     0,        NULL,        NULL, NULL};
   struct ph_result result = by_hand();
   struct ph_solution solutions[2];
   for (size_t i = 0; i < 2; i++) {
@@ -192,8 +193,8 @@ PH_TEST(test_outcomes) {
 
 /* Indented, a result has this part, and is the same value as on one line. */
 static void ck_indented(const struct ph_result *result, const char *part) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0,
-                                     NULL,     0,        NULL};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0,   NULL,
+                                     0,        NULL,     NULL, NULL};
   cJSON *indented, *compact;
   ph_json_result(&buf, &heading, result, true);
   indented = cJSON_Parse(written());
@@ -226,8 +227,8 @@ PH_TEST(test_pretty_intervals) {
 }
 
 PH_TEST(test_pretty) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0,
-                                     NULL,     0,        NULL};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0,   NULL,
+                                     0,        NULL,     NULL, NULL};
   const struct ph_diag diag = {.status = PH_E_SYNTAX, .message = "no"};
   struct ph_result result = by_hand();
   ck_indented(&result, "\n  \"command\": \"planar\",\n");
@@ -245,7 +246,8 @@ PH_TEST(test_pretty) {
 PH_TEST(test_error) {
   const struct ph_echo echo = {"7", 1, "null", 4};
   const struct ph_swept swept = {"closed", "true"};
-  const struct ph_heading heading = {&echo, "planar", &swept, 1, NULL, 0, NULL};
+  const struct ph_heading heading = {&echo, "planar", &swept, 1,   NULL,
+                                     0,     NULL,     NULL,   NULL};
   struct ph_diag diag;
   ph_fail_at(&diag, PH_E_COINCIDENT_POINTS, "points", 3,
              "coincides with points[2]");
@@ -263,8 +265,8 @@ PH_TEST(test_error) {
 /* All bytes but NUL, in a message and in a file name: what is special is
  * escaped, text beyond ASCII stays. */
 PH_TEST(test_strings) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0,
-                                     NULL,     0,        NULL};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0,   NULL,
+                                     0,        NULL,     NULL, NULL};
   struct ph_diag diag = {.status = PH_E_INPUT};
   char all[128];
   cJSON *record, *error;
@@ -331,8 +333,8 @@ static void ck_offset(const cJSON *item, const struct ph_offset *o) {
 
 /* A curve with everything: each number reads back as it was. */
 PH_TEST(test_read_back) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0,
-                                     NULL,     0,        NULL};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0,   NULL,
+                                     0,        NULL,     NULL, NULL};
   struct unit_random r = unit_random_of(1);
   struct ph_offset offsets[2];
   const struct ph_curve *c = &u.result.curve;
@@ -376,7 +378,7 @@ PH_TEST(test_read_back) {
 /* The vector follows the distance. */
 PH_TEST(test_offset_in_space) {
   const struct ph_heading heading = {
-      &nothing, "spatial-hermite", NULL, 0, NULL, 0, NULL};
+      &nothing, "spatial-hermite", NULL, 0, NULL, 0, NULL, NULL, NULL};
   size_t segment = 0, gaps[] = {0, 3};
   double interval[] = {0, 0.5}, p[] = {1, 2, 3, 4, 5, 6}, weights[] = {4, 7};
   struct ph_place cusp = {0, 0.5, 0.75};
@@ -424,8 +426,8 @@ static struct ph_samples samples_of(size_t dimension) {
 
 /* What is not finite is left out. */
 PH_TEST(test_samples) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0,
-                                     NULL,     0,        NULL};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0,   NULL,
+                                     0,        NULL,     NULL, NULL};
   struct ph_result result = by_hand();
   double none[] = {-3, (double)NAN};
   double no_tangent[] = {1, 0, (double)NAN, (double)NAN};
@@ -455,8 +457,8 @@ PH_TEST(test_samples) {
 
 /* What only a curve on a sphere has, and its offsets. */
 PH_TEST(test_on_sphere) {
-  const struct ph_heading heading = {&nothing, "sphere", NULL, 0,
-                                     NULL,     0,        NULL};
+  const struct ph_heading heading = {&nothing, "sphere", NULL, 0,   NULL,
+                                     0,        NULL,     NULL, NULL};
   struct ph_result result = by_hand();
   double tensions[] = {0, 12.5};
   signed char indicators[] = {0, -1};
@@ -495,8 +497,8 @@ PH_TEST(test_on_sphere) {
 /* When memory runs out the writer goes on without harm, and the buffer says
  * so in the end. */
 PH_TEST(test_failed_buffer) {
-  const struct ph_heading heading = {&nothing, "planar", NULL, 0,
-                                     NULL,     0,        NULL};
+  const struct ph_heading heading = {&nothing, "planar", NULL, 0,   NULL,
+                                     0,        NULL,     NULL, NULL};
   struct ph_result result = by_hand();
   ck_assert_ptr_null(ph_buf_reserve(&buf, SIZE_MAX - 10));
   ph_json_result(&buf, &heading, &result, true);

@@ -69,7 +69,7 @@ static enum ph_status read_text(const char *text, size_t n) {
 
 /* Reads what was made and writes it again. */
 static void ck_round_trip(const char *line, const char *problem) {
-  struct ph_heading heading = {&claim.echo, NULL, NULL, 0, NULL, 0, NULL};
+  struct ph_heading heading = {.echo = &claim.echo};
   make(line, problem);
   ck_assert_msg(read_text(made.data, made.n) == PH_OK, "%s: %s: %s", line,
                 diag.field, diag.message);

@@ -9,8 +9,8 @@
 
 static struct ph_buf buf;
 static const struct ph_echo nothing = {0};
-static const struct ph_heading heading = {&nothing, "tc", NULL, 0,
-                                          NULL,     0,    NULL};
+static const struct ph_heading heading = {&nothing, "tc", NULL, 0,   NULL,
+                                          0,        NULL, NULL, NULL};
 
 static void finish(void) {
   ph_buf_free(&buf);
