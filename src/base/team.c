@@ -3,7 +3,6 @@
 #include "base/team.h"
 
 #include <pthread.h>
-#include <stdbool.h>
 
 struct member {
   void (*work)(void *, size_t);
@@ -61,4 +60,30 @@ void ph_team_run(atomic_int *spare, size_t n, void (*work)(void *, size_t),
     }
     ph_team_leave(spare);
   }
+}
+
+struct spread {
+  size_t n, chunk;
+  bool (*work)(void *, size_t, size_t, size_t);
+  void *context;
+  atomic_size_t next; /* the first that nobody has taken */
+};
+
+static void take_chunks(void *context, size_t thread) {
+  struct spread *s = context;
+  size_t first;
+  while ((first = atomic_fetch_add(&s->next, s->chunk)) < s->n) {
+    const size_t end = s->n - first > s->chunk ? first + s->chunk : s->n;
+    if (!s->work(s->context, thread, first, end)) {
+      atomic_store(&s->next, s->n);
+    }
+  }
+}
+
+void ph_team_spread(atomic_int *spare, size_t threads, size_t n, size_t chunk,
+                    bool (*work)(void *context, size_t thread, size_t first,
+                                 size_t end),
+                    void *context) {
+  struct spread s = {n, chunk, work, context, 0};
+  ph_team_run(spare, threads, take_chunks, &s);
 }

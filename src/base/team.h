@@ -10,6 +10,7 @@
 #define PH_BASE_TEAM_H
 
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 /* More threads than this do not work together. */
@@ -31,5 +32,17 @@ size_t ph_team_take(atomic_int *spare, size_t most);
  */
 void ph_team_run(atomic_int *spare, size_t n,
                  void (*work)(void *context, size_t i), void *context);
+
+/*
+ * ph_team_spread: the same of n things, `chunk' at a time: calls
+ * work(context, thread, first, end) for all of them, each time with the next
+ * ones that nobody has taken; end is n at most, thread less than `threads',
+ * which were taken.  Where it returns false, nobody takes more: all that come
+ * before are done, and who needs to know which failed first can.
+ */
+void ph_team_spread(atomic_int *spare, size_t threads, size_t n, size_t chunk,
+                    bool (*work)(void *context, size_t thread, size_t first,
+                                 size_t end),
+                    void *context);
 
 #endif

@@ -17,17 +17,32 @@ struct ph_check_side {
   size_t patch, k;  /* side k is from vertex k to the next */
 };
 
-/* An edge of two patches: how much normals and forms differ there at most, and
- * how uncertain that is. */
+/* An edge of two patches, and what these differ by there: normals, and second
+ * fundamental forms. */
 struct ph_check_seam {
   size_t low, high;
-  double value[2], noise[2];
+  size_t side; /* the first of both, in sides */
+  double length;
+  double gap;
+  double value[2], noise[2]; /* at most, and how uncertain that is */
+  double worst[2], doubt[2]; /* where it exceeds by most what is allowed */
 };
+
+/* A place of a patch: derivatives to the order 2, by u and v. */
+struct ph_check_place {
+  ph_vec3 x[3][3];
+};
+
+/* Control points by one parameter at most; of points, in the rounding of
+ * coordinates. */
+enum { PH_CHECK_PATCH_MOST = 64, PH_CHECK_PATCH_ROUND = 64 };
 
 /* What the checks of such a surface share. */
 struct ph_check_patchwork {
   struct ph_check *v;
   const struct ph_curve *curve;
+  size_t *edges; /* [4 curve.n] of exact patches: which edge of the record a
+                    side has; else NULL */
   struct ph_check_side *sides; /* [4 curve.n] in order of their points */
   struct ph_check_seam *seams; /* [seams_n] in the same order */
   size_t seams_n;
@@ -41,9 +56,22 @@ struct ph_check_patchwork {
 /* ph_check_patch_arrays: whether patches are such, with finite numbers. */
 bool ph_check_patch_arrays(struct ph_check *v, const struct ph_curve *curve);
 
-/* ph_check_patch_exact: whether no patch has control points: then their faces
- * are all that can be looked at. */
+/* ph_check_patch_exact: whether no patch has control points: they are quotients
+ * (bubble_exact.h). */
 bool ph_check_patch_exact(const struct ph_curve *curve);
+
+/* ph_check_patch_point: the point of vertex k of patch i, in the unit of the
+ * data. */
+const double *ph_check_patch_point(const struct ph_curve *curve, size_t i,
+                                   size_t k);
+
+/* ph_check_patch_where: where a patch is told. */
+struct ph_check_where ph_check_patch_where(const struct ph_check_patchwork *w,
+                                           size_t patch);
+
+/* ph_check_patch_sides: all sides in their order.  ret PH_OK | PH_E_NO_MEMORY
+ */
+enum ph_status ph_check_patch_sides(struct ph_check_patchwork *w);
 
 /*
  * ph_check_patch_edges: what both patches of every edge share.

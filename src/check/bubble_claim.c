@@ -6,23 +6,18 @@
  * The side of normals is that of the samples: the control points do not know
  * which one is meant.
  */
-#include "check/bubble.h"
+#include "check/bubble_exact.h"
 #include "kernel/bern.h"
 
 #include <stdlib.h>
 
-enum { MOST = 64 };
+enum { MOST = PH_CHECK_PATCH_MOST };
 
 /* Of unit vectors, and of what is computed from few numbers. */
 static const double UNIT = 64 * DBL_EPSILON;
 
 /* Derivatives that are known to less than this part say nothing. */
 static const double VAGUE = 1e-3;
-
-/* A place: derivatives to the order 2, by u and v. */
-struct place {
-  ph_vec3 x[3][3];
-};
 
 /* The basis at u, and derivatives: those of a polynomial of degree n are the
  * differences of its coefficients in the basis of degree n - 1. */
@@ -51,7 +46,7 @@ static void set_rows(size_t degree, double u, double rows[3][MOST]) {
 }
 
 static void set_place(const struct ph_check *v, const struct ph_patch *p,
-                      double at_u, double at_v, struct place *place) {
+                      double at_u, double at_v, struct ph_check_place *place) {
   const size_t width = p->bidegree[0] + 1, high = p->bidegree[1] + 1;
   double by_u[3][MOST], by_v[3][MOST];
   set_rows(width - 1, at_u, by_u);
@@ -72,7 +67,7 @@ static void set_place(const struct ph_check *v, const struct ph_patch *p,
 }
 
 /* The principal curvatures towards a normal. */
-static void set_curvatures(const struct place *at, ph_vec3 normal,
+static void set_curvatures(const struct ph_check_place *at, ph_vec3 normal,
                            double k[2]) {
   const double x = ph_vec3_abs(at->x[1][0]);
   const ph_vec3 a = ph_vec3_scale(1 / x, at->x[1][0]);
@@ -126,17 +121,24 @@ static void check_curvatures(struct ph_check *v, size_t i,
 }
 
 static void check_sample(const struct ph_check_patchwork *w, size_t i,
-                         const struct ph_patch_sample *s, double distance) {
+                         const struct ph_patch_sample *s,
+                         const struct ph_check_quotient *quotient,
+                         double distance) {
   struct ph_check *v = w->v;
   const struct ph_patch *p = &w->curve->surface.patches[s->patch];
   const double far = ph_check_scaled(v, distance);
-  const double degree = (double)(p->bidegree[0] + p->bidegree[1]);
+  const double degree =
+      quotient ? PH_CHECK_LIKE : (double)(p->bidegree[0] + p->bidegree[1]);
   const double round = 64 * v->scale.rounding;
   const ph_vec3 told = ph_vec3_get(s->normal, 3);
-  struct place at;
+  struct ph_check_place at;
   ph_vec3 normal;
   double area, across, doubt, k[2], least = 1;
-  set_place(v, p, s->u, s->v, &at);
+  if (quotient) {
+    ph_check_quotient_place(quotient, s->u, s->v, &at);
+  } else {
+    set_place(v, p, s->u, s->v, &at);
+  }
   normal = ph_vec3_cross(at.x[1][0], at.x[0][1]);
   area = ph_vec3_abs(normal);
   across = ph_check_smaller(area / ph_vec3_abs(at.x[1][0]),
@@ -176,6 +178,8 @@ static void check_sample(const struct ph_check_patchwork *w, size_t i,
 static void check_samples(const struct ph_check_patchwork *w,
                           const struct ph_patch_samples *grid,
                           double distance) {
+  struct ph_check_quotient quotient;
+  size_t patch = PH_NO_SEGMENT; /* that it is of */
   for (size_t i = 0; i < grid->n && !ph_arena_late(w->v->scratch); i++) {
     const struct ph_patch_sample *s = &grid->v[i];
     if (s->patch >= w->curve->n || !(s->u >= 0 && s->u <= 1) ||
@@ -184,7 +188,11 @@ static void check_samples(const struct ph_check_patchwork *w,
                      "has no such place");
       return;
     }
-    check_sample(w, i, s, distance);
+    if (w->edges && s->patch != patch) {
+      patch = s->patch;
+      ph_check_quotient_begin(w, patch, &quotient);
+    }
+    check_sample(w, i, s, w->edges ? &quotient : NULL, distance);
   }
 }
 

@@ -2,15 +2,15 @@
 /* What records say of surfaces of patches beside their control points (see
  * bubble.h): areas and volumes by two Gauss rules, whose difference says how
  * uncertain they are. */
-#include "check/bubble.h"
+#include "check/bubble_exact.h"
 
 #include "base/sum.h"
 #include "kernel/bern.h"
 
 #include <float.h>
 
-enum { RULES = 2, MOST = 64 };
-static const size_t NODES[RULES] = {16, 20};
+enum { RULES = 2, MOST = PH_CHECK_PATCH_MOST, NODES_MAX = 20 };
+static const size_t NODES[RULES] = {16, NODES_MAX};
 
 /* Of sums, beside what the rules tell of themselves. */
 static const double SUM = 1e-12;
@@ -36,14 +36,47 @@ struct measure {
   double area, volume, area_noise, volume_noise;
 };
 
-/* A node, whose normal is known to the noise and whose point to rounding. */
-static void add_place(ph_vec3 at, ph_vec3 normal, double weight, double noise,
-                      double round, struct measure *sum) {
+/* A node at derivatives of these degrees, where points are known to rounding.
+ */
+static void add(struct measure *sum, double weight, ph_vec3 at, ph_vec3 u,
+                ph_vec3 v, const size_t degrees[2], double round) {
+  const ph_vec3 normal = ph_vec3_cross(u, v);
   const double area = weight * ph_vec3_abs(normal);
+  const double noise = weight * round *
+                       ((double)(degrees[0] + 1) * ph_vec3_abs(v) +
+                        (double)(degrees[1] + 1) * ph_vec3_abs(u));
   sum->area += area;
   sum->volume += weight * ph_vec3_dot(at, normal) / 3;
-  sum->area_noise += weight * noise;
-  sum->volume_noise += (weight * noise * ph_vec3_abs(at) + area * round) / 3;
+  sum->area_noise += noise;
+  sum->volume_noise += (noise * ph_vec3_abs(at) + area * round) / 3;
+}
+
+/* One rule on one patch that is a quotient. */
+static struct measure measure_exact(const struct ph_check_quotient *patch,
+                                    const struct ph_quad *rule, ph_vec3 from,
+                                    double round) {
+  static const size_t degrees[] = {PH_CHECK_LIKE / 2, PH_CHECK_LIKE / 2};
+  struct ph_check_node node[NODES_MAX];
+  struct ph_check_cross cross[2][NODES_MAX][2];
+  struct measure sum = {0, 0, 0, 0};
+  for (size_t i = 0; i < rule->n; i++) {
+    ph_check_node_at(patch->continuity, rule->node[i], &node[i]);
+    for (size_t d = 0; d < 2; d++) {
+      ph_check_quotient_cross(patch, d, rule->node[i], cross[d][i]);
+    }
+  }
+  for (size_t j = 0; j < rule->n; j++) {
+    for (size_t i = 0; i < rule->n; i++) {
+      struct ph_check_place at;
+      ph_check_quotient_at(patch, &node[i],
+                           (const struct ph_check_cross *)cross[0][i], &node[j],
+                           (const struct ph_check_cross *)cross[1][j], &at);
+      add(&sum, rule->weight[i] * rule->weight[j],
+          ph_vec3_sub(at.x[0][0], from), at.x[1][0], at.x[0][1], degrees,
+          round);
+    }
+  }
+  return sum;
 }
 
 /* One rule on one patch. */
@@ -68,20 +101,50 @@ static struct measure measure(const struct ph_check_patchwork *w,
       }
     }
     for (size_t i = 0; i < rule->n; i++) {
-      ph_vec3 at = ph_vec3_of(0, 0, 0), u = at, v = at, normal;
+      ph_vec3 at = ph_vec3_of(0, 0, 0), u = at, v = at;
       for (size_t k = 0; k < width; k++) {
         at = ph_vec3_along(at, by_u[i].value[k], line[k]);
         u = ph_vec3_along(u, by_u[i].change[k], line[k]);
         v = ph_vec3_along(v, by_u[i].value[k], across[k]);
       }
-      normal = ph_vec3_cross(u, v);
-      add_place(at, normal, rule->weight[i] * rule->weight[j],
-                round * ((double)width * ph_vec3_abs(v) +
-                         (double)high * ph_vec3_abs(u)),
-                round, &sum);
+      add(&sum, rule->weight[i] * rule->weight[j], at, u, v, p->bidegree,
+          round);
     }
   }
   return sum;
+}
+
+/* Both rules. */
+struct gauge {
+  struct ph_quad rule[RULES];
+  struct rows rows[RULES][2][NODES_MAX]; /* by u, v, of the last degrees */
+  size_t degree[2];
+  ph_vec3 from;
+};
+
+static void measure_patch(const struct ph_check_patchwork *w, size_t i,
+                          struct gauge *g, struct measure m[RULES]) {
+  const struct ph_patch *p = &w->curve->surface.patches[i];
+  if (w->edges) {
+    struct ph_check_quotient patch;
+    ph_check_quotient_begin(w, i, &patch);
+    for (size_t k = 0; k < RULES; k++) {
+      m[k] =
+          measure_exact(&patch, &g->rule[k], g->from, 2 * w->v->scale.rounding);
+    }
+    return;
+  }
+  for (size_t d = 0; d < 2; d++) {
+    for (size_t k = 0; k < RULES && p->bidegree[d] != g->degree[d]; k++) {
+      for (size_t j = 0; j < g->rule[k].n; j++) {
+        set_rows(p->bidegree[d], g->rule[k].node[j], &g->rows[k][d][j]);
+      }
+    }
+    g->degree[d] = p->bidegree[d];
+  }
+  for (size_t k = 0; k < RULES; k++) {
+    m[k] = measure(w, p, &g->rule[k], g->rows[k][0], g->rows[k][1], g->from);
+  }
 }
 
 /* Sums over all patches, and how uncertain these are. */
@@ -89,31 +152,19 @@ static enum ph_status measure_all(const struct ph_check_patchwork *w,
                                   struct measure *found,
                                   struct measure *uncertain) {
   struct ph_arena *arena = w->v->scratch;
-  const ph_vec3 from =
-      ph_check_vector(w->v, w->curve->surface.patches[0].control_points, 3);
   struct ph_sum area[RULES] = {{0, 0}}, volume[RULES] = {{0, 0}};
-  size_t last[2] = {0, 0};
-  struct ph_quad *rule = ph_arena_array(arena, RULES, sizeof *rule);
-  struct rows *rows = ph_arena_array(arena, 4 * (size_t)NODES[1], sizeof *rows);
+  struct gauge *gauge = ph_arena_array(arena, 1, sizeof *gauge);
   *uncertain = (struct measure){0, 0, 0, 0};
-  if (!rule || !rows || !ph_quad_gauss(&rule[0], NODES[0]) ||
-      !ph_quad_gauss(&rule[1], NODES[1])) {
+  if (!gauge || !ph_quad_gauss(&gauge->rule[0], NODES[0]) ||
+      !ph_quad_gauss(&gauge->rule[1], NODES[1])) {
     return ph_fail_memory(w->v->diag);
   }
+  gauge->degree[0] = gauge->degree[1] = 0;
+  gauge->from = ph_check_vector(w->v, ph_check_patch_point(w->curve, 0, 0), 3);
   for (size_t i = 0; i < w->curve->n; i++) {
-    const struct ph_patch *p = &w->curve->surface.patches[i];
     struct measure m[RULES];
-    for (size_t k = 0; k < 4; k++) { /* rows[rule][u, v][node] */
-      const size_t degree = p->bidegree[k & 1];
-      for (size_t j = 0; degree != last[k & 1] && j < NODES[k >> 1]; j++) {
-        set_rows(degree, rule[k >> 1].node[j], &rows[NODES[1] * k + j]);
-      }
-    }
-    last[0] = p->bidegree[0];
-    last[1] = p->bidegree[1];
+    measure_patch(w, i, gauge, m);
     for (size_t k = 0; k < RULES; k++) {
-      m[k] = measure(w, p, &rule[k], rows + NODES[1] * 2 * k,
-                     rows + NODES[1] * (2 * k + 1), from);
       ph_sum_add(&area[k], m[k].area);
       ph_sum_add(&volume[k], m[k].volume);
     }
@@ -172,7 +223,7 @@ enum ph_status ph_check_patch_told(struct ph_check_patchwork *w) {
   if (status != PH_OK) {
     return status;
   }
-  for (size_t i = 0; i < w->curve->n; i++) {
+  for (size_t i = 0; i < w->curve->n && !w->edges; i++) {
     for (size_t k = 0; k < 2; k++) {
       const size_t d = s->patches[i].bidegree[k];
       degree = d > degree ? d : degree;
@@ -185,20 +236,19 @@ enum ph_status ph_check_patch_told(struct ph_check_patchwork *w) {
   }
   check_measures(w, &found, &uncertain);
   check_told(w, PH_D_AREA, s->area, s->area, 0);
-  check_told(w, PH_D_DEGREE, s->continuity ? (double)degree - 1 : 0, 1, 0);
+  check_told(w, PH_D_DEGREE, degree && s->continuity ? (double)degree - 1 : 0,
+             1, 0);
   check_told(w, PH_D_NORMAL_JUMP, w->jump.reported, 1, SUM);
   check_told(w, PH_D_CURVATURE_JUMP, w->bend.reported, 1, SUM);
   ph_check_patch_claim(w);
   if (w->normal.done) {
     const bool wrong = w->normal.excess > 1;
-    ph_check_miss(v, PH_CHECK_NORMAL,
-                  ph_check_of("patches", w->normal.where, "control_points"),
+    ph_check_miss(v, PH_CHECK_NORMAL, ph_check_patch_where(w, w->normal.where),
                   wrong ? w->normal.value : 0, 1, w->normal.allowed,
                   "turn from a normal that is given");
   }
   if (w->jump.excess > 1) {
-    ph_check_miss(v, PH_CHECK_NORMAL,
-                  ph_check_of("patches", w->jump.where, "control_points"),
+    ph_check_miss(v, PH_CHECK_NORMAL, ph_check_patch_where(w, w->jump.where),
                   w->jump.value, 1, w->jump.allowed,
                   "turn more at an edge than the tolerance");
   }

@@ -225,7 +225,7 @@ static enum ph_status derive_patches(const struct ph_options *o,
                                      : 0;
   enum ph_status status = PH_OK;
   size_t back;
-  if (o->edges) {
+  if (o->edges && !r->curve.surface.edges.n) {
     status = ph_patch_edges_of(&r->curve, arena, &r->curve.surface.edges, diag);
   }
   if (status == PH_OK && steps) {

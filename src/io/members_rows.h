@@ -100,6 +100,7 @@ TYPE(flat_sample, "flat_sample", LIST, 0, 0, 0);
 TYPE(patch, "patch", LIST, 0, 0, 0);
 TYPE(beside, "beside", LIST, 0, 0, 0);
 TYPE(patch_sample, "patch_sample", LIST, 0, 0, 0);
+TYPE(patch_vertex, "patch_vertex", LIST, 0, 0, 0);
 TYPE(patch_edge, "patch_edge", LIST, 0, 0, 0);
 TYPE(patch_strip, "patch_strip", OBJECT, sizeof(struct ph_patch_strip), 0, 0);
 TYPE(parallel, "parallel", LIST, 0, 0, 0);

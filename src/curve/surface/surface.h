@@ -282,16 +282,23 @@ struct ph_patch_edges {
   size_t n;
 };
 
+/* A point of the mesh of exact patches, with the unit normal there. */
+struct ph_patch_vertex {
+  double point[3], normal[3];
+};
+
 struct ph_patchwork; /* curve/surface/exact.h */
 
 /* What a surface has beside the rest of its struct ph_curve, whose segments are
  * its strips or patches: n, lengths, length and closed are there. */
 struct ph_surface {
-  struct ph_patch *patches;        /* [curve.n], or NULL */
-  size_t continuity;               /* of patches: 0, 1 or 2 */
-  const struct ph_patchwork *base; /* of these; NULL: the record was read */
-  bool exact;                      /* they are quotients: no control points */
-  struct ph_patch_edges edges;     /* n = 0: they were not asked for */
+  struct ph_patch *patches;         /* [curve.n], or NULL */
+  size_t continuity;                /* of patches: 0, 1 or 2 */
+  const struct ph_patchwork *base;  /* of these; NULL: the record was read */
+  bool exact;                       /* they are quotients: no control points, */
+  struct ph_patch_vertex *vertices; /* but these, and edges */
+  size_t vertices_n;
+  struct ph_patch_edges edges; /* n = 0: they were not asked for */
   double volume;           /* inside of closed patches; NaN: they are open */
   struct ph_strip *strips; /* [curve.n], or NULL */
   struct ph_pair *pairs;

@@ -418,37 +418,24 @@ static void set_work(struct builder *b) {
   b->curve->surface.base = b->work;
 }
 
-/* Exact patches have no control points for a certificate: what both patches of
- * each edge are there, found from each of them. */
-static enum ph_status compare(const struct builder *b,
-                              struct ph_diagnostics *diagnostics) {
+/* What exact patches are known by in place of control points. */
+static enum ph_status describe(const struct builder *b) {
   const struct ph_bubble_data *d = b->data;
-  struct ph_mark mark = ph_arena_mark(b->scratch);
-  struct ph_patch_edges edges;
-  double jump = 0, bend = 0, gap = 0;
-  size_t worst = 0;
-  enum ph_status status =
-      ph_patch_edges_of(b->curve, b->scratch, &edges, b->diag);
-  for (size_t e = 0; status == PH_OK && e < edges.n; e++) {
-    if (edges.v[e].faces_n == 2) {
-      worst = edges.v[e].normal_jump <= jump ? worst : edges.v[e].faces[0];
-      jump = fmax(jump, edges.v[e].normal_jump);
-      bend = fmax(bend, edges.v[e].curvature_jump);
-      gap = fmax(gap, edges.v[e].gap);
+  struct ph_surface *s = &b->curve->surface;
+  s->vertices_n = d->mesh.points_n;
+  s->vertices = ph_arena_array(b->arena, s->vertices_n, sizeof *s->vertices);
+  if (!s->vertices) {
+    return ph_fail_memory(b->diag);
+  }
+  for (size_t i = 0; i < s->vertices_n; i++) {
+    ph_vec3_put(d->at[i].p, 3, s->vertices[i].point);
+    ph_vec3_put(d->at[i].g, 3, s->vertices[i].normal);
+    for (size_t k = 0; k < 3; k++) {
+      s->vertices[i].point[k] =
+          ph_pow2_apply(b->from_unit, s->vertices[i].point[k]);
     }
   }
-  ph_arena_release(b->scratch, mark);
-  if (status == PH_OK && d->continuity > 0 && !(jump <= d->tolerance)) {
-    return ph_fail_at(b->diag, PH_E_NO_CONVERGENCE, "faces", worst,
-                      "has normals that jump by %.3g at an edge", jump);
-  }
-  ph_diagnostics_set(diagnostics, PH_D_CONTINUITY_ERROR,
-                     ph_pow2_apply(ph_pow2_of(d->exponent), gap));
-  ph_diagnostics_set(diagnostics, PH_D_NORMAL_JUMP, jump);
-  if (d->continuity > 0) {
-    ph_diagnostics_set(diagnostics, PH_D_CURVATURE_JUMP, bend);
-  }
-  return status;
+  return ph_patch_edges_of(b->curve, b->arena, &s->edges, b->diag);
 }
 
 /* What all patches are together, in their order. */
@@ -544,6 +531,5 @@ enum ph_status ph_bubble_build(struct ph_bubble_data *data,
   if (status == PH_OK) {
     status = finish(&b, result);
   }
-  return status == PH_OK && b.exact ? compare(&b, &result->diagnostics)
-                                    : status;
+  return status == PH_OK && b.exact ? describe(&b) : status;
 }
