@@ -31,7 +31,7 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     --fields | --fields=) kind=nothing ;;
@@ -88,7 +88,7 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     --fields | --fields=) kind=nothing ;;
@@ -146,7 +146,7 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     --fields | --fields=) kind=nothing ;;
@@ -205,7 +205,7 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     --fields | --fields=) kind=nothing ;;
@@ -268,7 +268,7 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     --fields | --fields=) kind=nothing ;;
@@ -327,7 +327,7 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --table | --table=) list='samples strips development located' ;;
     --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
@@ -371,7 +371,7 @@ _phspline() {
     --delimiter | --delimiter=) kind=nothing ;;
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
-    -f | --format | --format=) list='json csv text svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --table | --table=) list='samples patches edges' ;;
     --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;

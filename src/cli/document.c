@@ -35,6 +35,11 @@ enum ph_status ph_document_begin(struct ph_document *d,
   struct ph_swept *swept;
   *d = (struct ph_document){
       .options = o, .output = output, .box = PH_SVG_NOTHING};
+  if (format_of(d)->finish && !output->temporary) {
+    return ph_fail(diag, PH_E_OUTPUT, NULL,
+                   "cannot write %s as %s: it is no regular file", output->name,
+                   ph_format_name(o->format));
+  }
   if (!format_of(d)->header || !is_first(&o->input.part)) {
     return PH_OK;
   }
@@ -59,6 +64,7 @@ enum ph_status ph_document_add(struct ph_document *d, const char *bytes,
     return d->kept.failed ? ph_fail_memory(diag) : PH_OK;
   }
   d->joined |= n > 0;
+  d->bytes += n - joint;
   return ph_output_write(d->output, bytes + joint, n - joint, diag);
 }
 
@@ -67,6 +73,15 @@ enum ph_status ph_document_end(struct ph_document *d, struct ph_diag *diag) {
   if (format_of(d)->frame) {
     format_of(d)->frame(&buf, d->box);
     ph_buf_put(&buf, d->kept.data, d->kept.n);
+  }
+  if (format_of(d)->finish) {
+    const struct ph_print print = ph_options_print(d->options);
+    enum ph_status status;
+    format_of(d)->finish(&buf, &print, d->bytes);
+    status = buf.failed ? ph_fail_memory(diag)
+                        : ph_output_rewrite(d->output, buf.data, buf.n, diag);
+    ph_buf_free(&buf);
+    return status;
   }
   if (format_of(d)->footer) {
     format_of(d)->footer(&buf);

@@ -12,6 +12,7 @@
 struct ph_document {
   const struct ph_options *options;
   struct ph_output *output;
+  size_t bytes;       /* of records */
   bool joined;        /* some record is written: the next one is joined to it */
   struct ph_buf kept; /* records of a format that is kept to its end */
   double box[4];      /* what they draw */

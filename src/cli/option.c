@@ -425,6 +425,21 @@ static enum ph_status check_drive(struct ph_option_parser *p) {
   return PH_OK;
 }
 
+/* Options about tables. */
+static enum ph_status check_tables(struct ph_option_parser *p) {
+  const struct ph_options *o = p->options;
+  const struct ph_format_row *format = &ph_formats[o->format];
+  if (format->is_binary && !o->output) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL, "--format=%s needs --output",
+                   ph_format_name(o->format));
+  }
+  if (o->with_file && (!format->is_table || format->is_binary)) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--with-file needs --format=csv or --format=text");
+  }
+  return PH_OK;
+}
+
 /* Options that contradict each other. */
 static enum ph_status check_together(struct ph_option_parser *p) {
   struct ph_options *o = p->options;
@@ -436,7 +451,7 @@ static enum ph_status check_together(struct ph_option_parser *p) {
   format = &ph_formats[o->format];
   if (p->table && !format->is_table) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
-                   "--table needs --format=csv or --format=text");
+                   "--table needs --format=csv, text or npy");
   }
   if (check_printed(p) != PH_OK) {
     return PH_E_USAGE;
@@ -456,9 +471,8 @@ static enum ph_status check_together(struct ph_option_parser *p) {
   if (check_nurbs(p) != PH_OK || check_drive(p) != PH_OK) {
     return PH_E_USAGE;
   }
-  if (o->with_file && !format->is_table) {
-    return ph_fail(p->diag, PH_E_USAGE, NULL,
-                   "--with-file needs --format=csv or --format=text");
+  if (check_tables(p) != PH_OK) {
+    return PH_E_USAGE;
   }
   if (o->chosen && !format->is_objects) {
     return ph_fail(p->diag, PH_E_USAGE, NULL, "--fields needs --format=json");
@@ -549,7 +563,8 @@ struct ph_print ph_options_print(const struct ph_options *options) {
   return (struct ph_print){
       {options->table, ph_formats[options->format].is_text, space_of(options),
        options->offsets_n, options->offset.mode != PH_OFFSET_RAW,
-       options->samples.frame != PH_FRAME_NONE, options->with_file},
+       options->samples.frame != PH_FRAME_NONE, options->with_file,
+       ph_formats[options->format].is_binary},
       options->pretty,
       options->feed};
 }

@@ -59,15 +59,17 @@
     "the same of bytes FROM (from 0) to TO, without TO to the end")            \
   X(FORMAT, SOLVE, 'f', "format", PH_WORDS(PH_FORMATS),                        \
     "json (default): one object a line; csv (with --table the default): one "  \
-    "table; text: the same in columns, for gnuplot and awk; svg-path: paths "  \
-    "of cubic Bezier curves; svg: a drawing of these; geojson: features of "   \
-    "samples, without other options within 1e-6 of the size; dxf: a drawing "  \
-    "for CAD, of B-splines; obj, stl: the mesh of a surface; opendrive: "      \
-    "roads along plane cubics; gcode: moves along plane curves")               \
+    "table; text: the same in columns, for gnuplot and awk; npy: the same as " \
+    "an array for NumPy, in a file; svg-path: paths of cubic Bezier curves; "  \
+    "svg: a drawing of these; geojson: features of samples, without other "    \
+    "options within 1e-6 of the size; dxf: a drawing for CAD, of B-splines; "  \
+    "obj, stl: the mesh of a surface; opendrive: roads along plane cubics; "   \
+    "gcode: moves along plane curves")                                         \
   X(FEED, CURVE, 0, "feed", "F",                                               \
     "how fast the moves of --format=gcode are, in mm a minute")                \
   X(TABLE, SOLVE, 0, "table", "NAME",                                          \
-    "what --format=csv and text print (default: control-points, of surfaces "  \
+    "what --format=csv, text and npy print (default: control-points, of "      \
+    "surfaces "                                                                \
     "strips or patches):")                                                     \
   X(WITH_FILE, SOLVE, 0, "with-file", NULL,                                    \
     "add the file of the problem to the rows of --table")                      \

@@ -348,6 +348,13 @@ enum ph_status ph_output_write(struct ph_output *output, const char *bytes,
              : failed("write", output->name, diag);
 }
 
+enum ph_status ph_output_rewrite(struct ph_output *output, const char *bytes,
+                                 size_t n, struct ph_diag *diag) {
+  return lseek(output->descriptor, 0, SEEK_SET) == 0
+             ? ph_output_write(output, bytes, n, diag)
+             : failed("write", output->name, diag);
+}
+
 /* Waits until what was written to a file or directory is on the disk; some
  * kinds, and file systems that are read only, cannot be waited for. */
 static bool reaches_disk(int descriptor) {

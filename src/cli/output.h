@@ -59,6 +59,11 @@ enum ph_status ph_output_unlike(const struct ph_output *output,
 enum ph_status ph_output_write(struct ph_output *output, const char *bytes,
                                size_t n, struct ph_diag *diag);
 
+/* ph_output_rewrite: the first n bytes of a file that is not committed, once
+ * more.  ret PH_OK | PH_E_OUTPUT */
+enum ph_status ph_output_rewrite(struct ph_output *output, const char *bytes,
+                                 size_t n, struct ph_diag *diag);
+
 /* ph_output_commit: closes, and gives a file its name.  A file system that
  * cannot be waited for is no failure.
  * ret  PH_OK | PH_E_OUTPUT */

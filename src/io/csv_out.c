@@ -93,9 +93,23 @@ static void json_cell(const struct row *row, const char *json) {
   text_cell(row, json + quote, n - 2 * quote);
 }
 
+/* Numbers as they are in memory. */
+static void double_cells(const struct row *row, const double *v, size_t n) {
+  char *to = ph_buf_reserve(row->buf, n * sizeof *v);
+  if (to) {
+    memcpy(to, v, n * sizeof *v);
+    row->buf->n += n * sizeof *v;
+  }
+}
+
 /* A number; what is none is an empty cell, or NaN. */
 static void number_cell(const struct row *row, double x) {
-  char *to = ph_buf_reserve(row->buf, PH_NUMBER_MAX + 1);
+  char *to;
+  if (row->shape->binary) {
+    double_cells(row, &x, 1);
+    return;
+  }
+  to = ph_buf_reserve(row->buf, PH_NUMBER_MAX + 1);
   if (to) {
     *to = row->between;
     row->buf->n += 1 + (isfinite(x) ? ph_number_write(to + 1, x) : 0);
@@ -106,16 +120,27 @@ static void number_cell(const struct row *row, double x) {
 }
 
 static void number_cells(const struct row *row, const double *v, size_t n) {
+  if (row->shape->binary) {
+    double_cells(row, v, n);
+    return;
+  }
   for (size_t i = 0; i < n; i++) {
     number_cell(row, v[i]);
   }
 }
 
 static void begin_row(const struct row *row) {
+  if (row->shape->binary) {
+    number_cell(row, (double)row->heading->number);
+    return;
+  }
   text_cell(row, row->heading->id, strlen(row->heading->id));
 }
 
 static void end_row(const struct row *row) {
+  if (row->shape->binary) {
+    return;
+  }
   for (size_t i = 0; i < row->heading->swept_n; i++) {
     between(row);
     json_cell(row, row->heading->swept[i].value);
@@ -222,6 +247,10 @@ static void place_cells(const struct row *row, const struct ph_samples *s,
 }
 
 static void vector_cell(const struct row *row, const char *vector) {
+  if (row->shape->binary) {
+    number_cell(row, vector ? (double)(vector[1] - '0') : (double)NAN);
+    return;
+  }
   between(row);
   ph_buf_puts(row->buf, vector ? vector : row->shape->text ? "-" : "");
 }

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Results as tables (INTERFACE: --table), in one of two forms, with numbers as
- * in JSON and lines that end in LF:
+ * Results as tables (INTERFACE: --table), in one of three forms, the first two
+ * with numbers as in JSON and lines that end in LF:
  *
  *   CSV   quoting as in RFC 4180; what is not defined is an empty cell
  *   text  for gnuplot and awk: cells between blanks, _ for what would break or
  *         quote a word, - for an empty one, NaN where something is not defined;
  *         the names of the columns in a line that begins with #; an empty line
  *         between curves and at gaps of offsets, two between problems
+ *   binary  rows of doubles as they are in memory (npy_out.h)
  */
 #ifndef PH_IO_CSV_OUT_H
 #define PH_IO_CSV_OUT_H
@@ -53,6 +54,7 @@ struct ph_csv_shape {
   bool loops;          /* that are loops */
   bool frame;          /* of samples */
   bool file;           /* of the problem */
+  bool binary;         /* the third form */
 };
 
 /* The first cells of every row. */
@@ -61,6 +63,7 @@ struct ph_csv_heading {
   const struct ph_swept *swept;
   size_t swept_n;
   const char *file; /* of the problem, for shapes that have it */
+  size_t number;    /* of the result, for binary ones */
 };
 
 /*

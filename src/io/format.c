@@ -5,6 +5,7 @@
 #include "io/dxf_out.h"
 #include "io/gcode_out.h"
 #include "io/geojson_out.h"
+#include "io/npy_out.h"
 #include "io/obj_out.h"
 #include "io/opendrive_out.h"
 #include "io/stl_out.h"
@@ -30,8 +31,19 @@ static void table_solved(struct ph_buf *buf, const struct ph_print *print,
                          const struct ph_solved *s) {
   const struct ph_csv_heading heading = {
       s->id, s->heading->swept, s->heading->swept_n,
-      s->heading->file ? s->heading->file : "-"};
+      s->heading->file ? s->heading->file : "-", s->number};
   ph_csv_result(buf, &print->shape, &heading, s->result);
+}
+
+static void array_header(struct ph_buf *buf, const struct ph_print *print,
+                         const struct ph_swept *swept, size_t swept_n) {
+  (void)swept, (void)swept_n;
+  ph_npy_header(buf, &print->shape, 0);
+}
+
+static void array_finish(struct ph_buf *buf, const struct ph_print *print,
+                         size_t bytes) {
+  ph_npy_header(buf, &print->shape, bytes);
 }
 
 /* Path i of a result: the offset that it is of, or NULL, and whether its
@@ -154,6 +166,11 @@ const struct ph_format_row ph_formats[PH_FORMAT_N] = {
                         .is_text = true,
                         .header = table_header,
                         .solved = table_solved},
+    [PH_FORMAT_NPY] = {.is_table = true,
+                       .is_binary = true,
+                       .header = array_header,
+                       .finish = array_finish,
+                       .solved = table_solved},
     [PH_FORMAT_SVG_PATH] = {.is_cubics = true,
                             .is_parted = true,
                             .solved = path_solved,

@@ -15,6 +15,7 @@
   FIRST(JSON, "json")        \
   X(CSV, "csv")              \
   X(TEXT, "text")            \
+  X(NPY, "npy")              \
   X(SVG_PATH, "svg-path")    \
   X(SVG, "svg")              \
   X(GEOJSON, "geojson")      \
@@ -65,6 +66,7 @@ struct ph_format_row {
   bool is_mesh;    /* has the samples of a surface */
   bool is_single;  /* has room for one problem */
   bool is_parted;  /* outputs one after another are one, but for the header */
+  bool is_binary;  /* a table in the third form, into a file */
   bool is_text;    /* a table in the second form (csv_out.h) */
   bool is_drawing; /* of cubics within --tolerance, if it is given */
   bool is_nurbs;   /* has neither samples nor --convert: B-splines */
@@ -83,6 +85,10 @@ struct ph_format_row {
   void (*frame)(struct ph_buf *buf, const double box[4]);
   /* after all records; NULL: nothing */
   void (*footer)(struct ph_buf *buf);
+  /* what the header is when so many bytes stand behind it, in the place of
+   * which it is written; NULL: what it was */
+  void (*finish)(struct ph_buf *buf, const struct ph_print *print,
+                 size_t bytes);
   void (*solved)(struct ph_buf *buf, const struct ph_print *print,
                  const struct ph_solved *solved);
   /* NULL: the message on standard error is all; file may be NULL */

@@ -62,12 +62,12 @@ did you mean \"json\"?" -i jsn
 usage "--input-format must be auto|json|csv|text|geojson|svg|gpx|obj, found ''" -i ''
 usage "--input-format must be auto|json|csv|text|geojson|svg|gpx|obj, found 'CSV'; \
 did you mean \"csv\"?" -i CSV
-usage "--format must be json|csv|text|svg-path|svg|geojson|dxf|obj|stl|opendrive|gcode, found 'svgz'; did you mean \"svg\"?" -f svgz
-usage "--format must be json|csv|text|svg-path|svg|geojson|dxf|obj|stl|opendrive|gcode, found 'json|csv'" --format='json|csv'
+usage "--format must be json|csv|text|npy|svg-path|svg|geojson|dxf|obj|stl|opendrive|gcode, found 'svgz'; did you mean \"svg\"?" -f svgz
+usage "--format must be json|csv|text|npy|svg-path|svg|geojson|dxf|obj|stl|opendrive|gcode, found 'json|csv'" --format='json|csv'
 usage "--table must be control-points|lengths|samples|offsets|strips|patches|edges|development|located, found 'length'; \
 did you mean \"lengths\"?" -f csv --table=length
-usage '--table needs --format=csv or --format=text' -f json --table=lengths
-usage '--table needs --format=csv or --format=text' --table=lengths -f svg-path
+usage '--table needs --format=csv, text or npy' -f json --table=lengths
+usage '--table needs --format=csv, text or npy' --table=lengths -f svg-path
 for sampling in --sample=3 --spacing=1; do
   usage "--format=svg-path has no samples; --chord-error says how near paths \
 are to the curve" -f svg-path "$sampling"
@@ -199,7 +199,7 @@ usage '--sweep: too many combinations' --sweep 'points[0][0]=0:1:1000000000' \
 
 # a message is one line, whatever it is about
 nasty=$(printf 'a\nb\033')
-usage "--format must be json|csv|text|svg-path|svg|geojson|dxf|obj|stl|opendrive|gcode, found 'a\\x0ab\\x1b'" -f "$nasty"
+usage "--format must be json|csv|text|npy|svg-path|svg|geojson|dxf|obj|stl|opendrive|gcode, found 'a\\x0ab\\x1b'" -f "$nasty"
 usage "unknown option '--a\\x0ab\\x1b'" "--$nasty"
 usage "--jobs must be a whole number from 1 to 1024, found 'a\\x0ab\\x1b'" \
   -j "$nasty"

@@ -57,9 +57,9 @@ if command -v bash >/dev/null; then
   offers 'planar spatial-hermite arclength sphere tc cone bubble verify' phspline help ''
   offers 'schema' phspline sc
   offers 'sphere' phspline schema sph
-  offers '--free= --format= --fields= --feed= --frame= --fail-fast' phspline planar --f
+  offers '--free= --format= --feed= --fields= --frame= --fail-fast' phspline planar --f
   offers '--problems= --pretty --progress' phspline verify --pr
-  offers 'json csv text svg-path svg geojson dxf obj stl opendrive gcode' phspline planar --format =
+  offers 'json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' phspline planar --format =
   offers 'csv' phspline planar -f c
   offers 'uniform' phspline planar --knots = u
   offers 'E MV IES IMV' phspline planar --minimize =

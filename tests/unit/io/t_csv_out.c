@@ -94,14 +94,14 @@ static struct ph_result by_hand(void) {
 }
 
 PH_TEST(test_control_points) {
-  const struct ph_csv_heading heading = {"r1", NULL, 0, NULL};
+  const struct ph_csv_heading heading = {"r1", NULL, 0, NULL, 0};
   struct ph_result result = by_hand();
   rows(PH_TABLE_CONTROL_POINTS, &heading, &result);
   ck_written("r1,0,0,0,0\nr1,0,1,1,-2.5\nr1,1,0,1,-2.5\nr1,1,1,1e21,1e-7\n");
 }
 
 PH_TEST(test_lengths) {
-  const struct ph_csv_heading heading = {"", swept, 2, NULL};
+  const struct ph_csv_heading heading = {"", swept, 2, NULL, 0};
   struct ph_result result = by_hand();
   rows(PH_TABLE_LENGTHS, &heading, &result);
   /* The sum is that of the two doubles, correctly rounded. */
@@ -112,7 +112,7 @@ PH_TEST(test_lengths) {
 /* Pieces of one segment go on counting, the next segment begins anew, and so
  * does the next offset. */
 PH_TEST(test_offsets) {
-  const struct ph_csv_heading heading = {"7", NULL, 0, NULL};
+  const struct ph_csv_heading heading = {"7", NULL, 0, NULL, 0};
   size_t segment[] = {0, 0, 1};
   double p[] = {0, 1, 2, 3, 2, 3, 4, 5, 6, 7, 8, 9};
   double weight[] = {1, 2, 2, 3, 0.5, 0.25};
@@ -136,7 +136,7 @@ PH_TEST(test_offsets) {
 }
 
 PH_TEST(test_offsets_in_space) {
-  const struct ph_csv_heading heading = {"7", swept, 1, NULL};
+  const struct ph_csv_heading heading = {"7", swept, 1, NULL, 0};
   size_t segment = 0;
   double p[] = {1, 2, 3, 4, 5, 6}, weight[] = {1, 2};
   struct ph_offset offsets[2];
@@ -177,7 +177,7 @@ static struct ph_samples samples_of(size_t dimension) {
 }
 
 PH_TEST(test_samples) {
-  const struct ph_csv_heading heading = {"7", swept, 1, NULL};
+  const struct ph_csv_heading heading = {"7", swept, 1, NULL, 0};
   struct ph_result result = by_hand();
   rows(PH_TABLE_SAMPLES, &heading, &result);
   ck_written("");
@@ -193,7 +193,7 @@ PH_TEST(test_samples) {
 
 /* Of a curve on a sphere, and of its offset. */
 PH_TEST(test_samples_on_sphere) {
-  const struct ph_csv_heading heading = {"7", NULL, 0, NULL};
+  const struct ph_csv_heading heading = {"7", NULL, 0, NULL, 0};
   struct ph_csv_shape shape = {.table = PH_TABLE_SAMPLES, .space = PH_SPHERE};
   struct ph_offset offset = {.distance = -0.5};
   struct ph_result result = by_hand();
@@ -222,7 +222,7 @@ PH_TEST(test_text) {
   static double normal[] = {0, 1, 0, (double)NAN, (double)NAN, (double)NAN};
   static double binormal[] = {0, 0, 1, (double)NAN, (double)NAN, (double)NAN};
   const struct ph_swept word = {"knots", "\"uniform\""};
-  const struct ph_csv_heading heading = {"no 7", &word, 1, NULL};
+  const struct ph_csv_heading heading = {"no 7", &word, 1, NULL, 0};
   struct ph_csv_shape shape = {.table = PH_TABLE_SAMPLES,
                                .text = true,
                                .space = PH_SPACE,
@@ -254,7 +254,7 @@ PH_TEST(test_text) {
 PH_TEST(test_parts) {
   size_t before[] = {0, 1}, segment[] = {0, 1};
   double weights[] = {1, 1};
-  const struct ph_csv_heading heading = {"7", NULL, 0, NULL};
+  const struct ph_csv_heading heading = {"7", NULL, 0, NULL, 0};
   struct ph_csv_shape shape = {.table = PH_TABLE_SAMPLES,
                                .text = true,
                                .space = PH_PLANE,
@@ -282,7 +282,7 @@ PH_TEST(test_parts) {
 }
 
 PH_TEST(test_no_offsets) {
-  const struct ph_csv_heading heading = {"7", NULL, 0, NULL};
+  const struct ph_csv_heading heading = {"7", NULL, 0, NULL, 0};
   struct ph_result result = by_hand();
   rows(PH_TABLE_OFFSETS, &heading, &result);
   ck_written("");
@@ -300,7 +300,7 @@ PH_TEST(test_quoting) {
   struct ph_result result = by_hand();
   result.curve.n = 1;
   for (size_t i = 0; i < COUNT(ids); i++) {
-    const struct ph_csv_heading heading = {ids[i][0], NULL, 0, NULL};
+    const struct ph_csv_heading heading = {ids[i][0], NULL, 0, NULL, 0};
     char expected[64] = "";
     strcat(strcat(expected, ids[i][1]), ",0,0,0.5,0.1,0.1\n");
     rows(PH_TABLE_LENGTHS, &heading, &result);
@@ -309,7 +309,7 @@ PH_TEST(test_quoting) {
 }
 
 PH_TEST(test_failed_buffer) {
-  const struct ph_csv_heading heading = {"a,b", swept, 2, NULL};
+  const struct ph_csv_heading heading = {"a,b", swept, 2, NULL, 0};
   struct ph_result result = by_hand();
   ck_assert_ptr_null(ph_buf_reserve(&buf, (size_t)-1 - 10));
   header((struct ph_csv_shape){.table = PH_TABLE_LENGTHS, .space = PH_PLANE},
