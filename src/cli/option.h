@@ -129,6 +129,9 @@
     "FILE.pdf or FILE.png")                                                    \
   X(PLOT_SIZE, SOLVE, 0, "plot-size", "WIDTHxHEIGHT",                          \
     "size of the figure, in pixels (.png) or points of 1/72 inch")             \
+  X(TITLE, SOLVE, 0, "title", "TEXT", "a title for the figure")                \
+  X(LABELS, CURVE, 0, "labels", NULL,                                          \
+    "number the points in the figure, from 0, as messages count them")         \
   X(VOLUME_OF, VERIFY, 0, "volume", "FILE.nrrd",                               \
     "the volume of the panoramas of results, to check these as well")          \
   X(VOLUME, SURFACE, 0, "volume", "FILE.nrrd",                                 \
@@ -244,6 +247,8 @@ struct ph_options {
   struct ph_volume volume;        /* read by cli/panorama.h */
   const char *plot;               /* NULL: none */
   size_t plot_width, plot_height; /* 0: the default */
+  const char *title;              /* of the figure; NULL: none */
+  bool labels;                    /* its points have numbers */
 };
 
 /*

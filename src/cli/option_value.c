@@ -514,6 +514,12 @@ static enum ph_status read_picture(struct ph_option_parser *p,
     return PH_OK;
   case PH_O_PLOT_SIZE:
     return ph_plot_read_size(optarg, o, p->diag);
+  case PH_O_TITLE:
+    o->title = optarg;
+    return PH_OK;
+  case PH_O_LABELS:
+    o->labels = true;
+    return PH_OK;
   default:
     return read_stream(p, id);
   }

@@ -63,9 +63,12 @@ enum ph_status ph_plot_check(const struct ph_options *options,
   const char *file = options->plot;
   char excerpt[PH_EXCERPT_MAX];
   if (!file) {
-    return options->plot_width
-               ? ph_fail(diag, PH_E_USAGE, NULL, "--plot-size needs --plot")
-               : PH_OK;
+    const char *lone = options->plot_width ? "plot-size"
+                       : options->title    ? "title"
+                       : options->labels   ? "labels"
+                                           : NULL;
+    return lone ? ph_fail(diag, PH_E_USAGE, NULL, "--%s needs --plot", lone)
+                : PH_OK;
   }
   if (ph_figure_format_of(file) == PH_FIGURE_FORMAT_N) {
     return ph_fail(diag, PH_E_USAGE, NULL,
@@ -200,9 +203,9 @@ enum ph_status ph_plot_add(struct ph_plot *plot, struct ph_drawing *drawing,
 /* Draws, and writes the bytes. */
 static enum ph_status draw(struct ph_plot *plot, struct ph_diag *diag) {
   const struct ph_options *o = plot->options;
-  const struct ph_figure_rules rules = {ph_figure_format_of(o->plot),
-                                        (double)o->plot_width,
-                                        (double)o->plot_height};
+  const struct ph_figure_rules rules = {
+      ph_figure_format_of(o->plot), (double)o->plot_width,
+      (double)o->plot_height, o->title, o->labels};
   struct ph_buf bytes = {0};
   enum ph_status status =
       ph_figure_write((const struct ph_drawing *const *)plot->drawings, plot->n,

@@ -2,8 +2,8 @@
 /*
  * Drawings of results (see drawing.h).
  *
- * Strokes grow in a scratch arena and are copied to the drawing's when their
- * size is known.
+ * Strokes are drawn by a pen (pen.h); data, polygons and vectors by
+ * drawing_data.c.
  */
 #include "plot/drawing.h"
 
@@ -11,7 +11,7 @@
 #include "curve/kind/kind.h"
 #include "curve/offset/gap.h"
 #include "curve/surface/ruling.h"
-#include "kernel/s2.h"
+#include "plot/pen.h"
 
 #include <string.h>
 
@@ -20,36 +20,6 @@ static const double CHORD = 1.0 / 4000;
 
 /* A segment's chords are halved so often at most. */
 enum { DEPTH_MAX = 10 };
-
-/* A step along a great circle, whose chord leaves it by 1/4000 of the radius.
- */
-static const double ARC_STEP = 0.04;
-
-/* The longest vector, relative to the size of the data and to the mean length
- * of the curve from one to the next. */
-static const double VECTOR_SIZE = 0.12, VECTOR_SPACING = 0.5;
-
-/* A drawing while it is made. */
-struct pen {
-  struct ph_drawing *drawing;
-  const struct ph_problem *problem;
-  const struct ph_result *result;
-  struct ph_arena scratch;
-  ph_vec3 *points; /* of the stroke that is being drawn, in scratch */
-  size_t n, room;
-  bool box;         /* they count for the bounding box */
-  bool failed;      /* for want of memory */
-  double tolerance; /* of chords */
-  struct ph_diag *diag;
-};
-
-static bool is_finite(ph_vec3 p) {
-  return isfinite(p.x) && isfinite(p.y) && isfinite(p.z);
-}
-
-static bool is_same(ph_vec3 a, ph_vec3 b) {
-  return memcmp(&a, &b, sizeof a) == 0;
-}
 
 /* ---- how much of many segments is drawn ---------------------------------- */
 
@@ -74,59 +44,10 @@ static size_t group_of(size_t n) {
   return ratio_up(ratio_up(n, PH_DRAWING_SEGMENTS), step) * step;
 }
 
-/* ---- strokes ------------------------------------------------------------- */
-
-static void extend_box(struct ph_drawing *d, ph_vec3 p) {
-  d->low =
-      ph_vec3_of(fmin(d->low.x, p.x), fmin(d->low.y, p.y), fmin(d->low.z, p.z));
-  d->high = ph_vec3_of(fmax(d->high.x, p.x), fmax(d->high.y, p.y),
-                       fmax(d->high.z, p.z));
-}
-
-/* Draws on to a point, unless the pen is there already. */
-static void draw_to(struct pen *pen, ph_vec3 p) {
-  ph_vec3 *grown;
-  if (pen->failed || !is_finite(p) ||
-      (pen->n > 0 && is_same(pen->points[pen->n - 1], p))) {
-    return;
-  }
-  grown = ph_arena_grow(&pen->scratch, pen->points, pen->n, sizeof p, 64,
-                        &pen->room);
-  if (!grown) {
-    pen->failed = true;
-    return;
-  }
-  pen->points = grown;
-  pen->points[pen->n++] = p;
-  if (pen->box) {
-    extend_box(pen->drawing, p);
-  }
-}
-
-/* Ends a stroke; what has no length is a stroke of two equal points. */
-static void lift(struct pen *pen, enum ph_stroke_role role, size_t index) {
-  struct ph_drawing *d = pen->drawing;
-  size_t n = pen->n < 2 ? 2 : pen->n;
-  struct ph_stroke stroke = {role, index, n, NULL};
-  if (pen->failed || pen->n == 0) {
-    return;
-  }
-  stroke.points = ph_arena_array(&d->arena, n, sizeof *stroke.points);
-  if (!stroke.points) {
-    pen->failed = true;
-    return;
-  }
-  stroke.points[1] = pen->points[0];
-  memcpy(stroke.points, pen->points, pen->n * sizeof *stroke.points);
-  d->strokes[d->strokes_n++] = stroke;
-  d->places += n;
-  pen->n = 0;
-}
-
 /* ---- curve and offsets --------------------------------------------------- */
 
 /* From where the pen is, at u0, on to u1. */
-static void draw_part(struct pen *pen, const struct ph_sampler *sampler,
+static void draw_part(struct ph_pen *pen, const struct ph_sampler *sampler,
                       double u0, double u1, int depth) {
   double middle = (u0 + u1) / 2, h = u1 - u0;
   if (depth > 0 && !(ph_sampler_chord_bound(sampler, u0, u1) * h * h / 8 <=
@@ -134,17 +55,17 @@ static void draw_part(struct pen *pen, const struct ph_sampler *sampler,
     draw_part(pen, sampler, u0, middle, depth - 1);
     draw_part(pen, sampler, middle, u1, depth - 1);
   } else {
-    draw_to(pen, ph_sampler_at(sampler, u1).point);
+    ph_pen_to(pen, ph_sampler_at(sampler, u1).point);
   }
 }
 
 /* A whole segment.  Cusps are corners of its parts: they stay sharp.
  * inout cusp  number of the next one */
-static void draw_segment(struct pen *pen, const struct ph_sampler *sampler,
+static void draw_segment(struct ph_pen *pen, const struct ph_sampler *sampler,
                          const struct ph_cusps *cusps, size_t *cusp,
                          int depth) {
   double from = 0;
-  draw_to(pen, ph_sampler_at(sampler, 0).point);
+  ph_pen_to(pen, ph_sampler_at(sampler, 0).point);
   for (; cusps && *cusp < cusps->n && cusps->at[*cusp].segment <= sampler->k;
        ++*cusp) {
     double u = cusps->at[*cusp].u;
@@ -158,7 +79,7 @@ static void draw_segment(struct pen *pen, const struct ph_sampler *sampler,
 
 /* The curve, a stroke for each of its segments if there are not too many, or an
  * offset of it, a stroke from gap to gap, or a loop of that. */
-static enum ph_status draw_curve(struct pen *pen,
+static enum ph_status draw_curve(struct ph_pen *pen,
                                  const struct ph_offset *offset,
                                  const struct ph_loop *loop,
                                  enum ph_stroke_role role, size_t index) {
@@ -183,22 +104,22 @@ static enum ph_status draw_curve(struct pen *pen,
       continue;
     }
     if (whole && ph_gaps_pass(&whole->gaps, k, &gap)) {
-      lift(pen, role, index);
+      ph_pen_lift(pen, role, index);
     }
     status = ph_sampler_enter(&sampler, k, pen->diag);
     if (status == PH_OK && begins) { /* the one before ends here */
-      draw_to(pen, ph_sampler_at(&sampler, 0).point);
-      lift(pen, role, k - group);
+      ph_pen_to(pen, ph_sampler_at(&sampler, 0).point);
+      ph_pen_lift(pen, role, k - group);
     }
     if (status == PH_OK) {
       draw_segment(pen, &sampler, whole ? &whole->cusps : NULL, &cusp, depth);
     }
   }
-  lift(pen, role, offset ? index : (n - 1) / group * group);
+  ph_pen_lift(pen, role, offset ? index : (n - 1) / group * group);
   return status;
 }
 
-static enum ph_status draw_offsets(struct pen *pen) {
+static enum ph_status draw_offsets(struct ph_pen *pen) {
   enum ph_status status = PH_OK;
   for (size_t i = 0; status == PH_OK && i < pen->result->offsets_n; i++) {
     const struct ph_offset *o = &pen->result->offsets[i];
@@ -210,156 +131,6 @@ static enum ph_status draw_offsets(struct pen *pen) {
     }
   }
   return status;
-}
-
-/* ---- control polygons ---------------------------------------------------- */
-
-/* A point of the unit sphere, and back. */
-static ph_vec3 to_unit(const struct ph_curve *curve, ph_vec3 p) {
-  return ph_vec3_unit(ph_vec3_sub(p, ph_vec3_get(curve->sphere.center, 3)));
-}
-
-static ph_vec3 from_unit(const struct ph_curve *curve, ph_vec3 p) {
-  return ph_vec3_along(ph_vec3_get(curve->sphere.center, 3),
-                       curve->sphere.radius, p);
-}
-
-/* From where the pen is, at p, along a great circle to q. */
-static void draw_arc(struct pen *pen, const struct ph_curve *curve, ph_vec3 p,
-                     ph_vec3 q) {
-  ph_vec3 a = to_unit(curve, p), b = to_unit(curve, q);
-  size_t steps = 1 + (size_t)(ph_s2_angle(a, b) / ARC_STEP);
-  for (size_t i = 1; i < steps; i++) {
-    draw_to(pen,
-            from_unit(curve, ph_s2_slerp(a, b, (double)i / (double)steps)));
-  }
-  draw_to(pen, q);
-}
-
-static void draw_polygons(struct pen *pen) {
-  const struct ph_curve *curve = &pen->result->curve;
-  pen->box = false;
-  for (size_t k = 0; k < curve->n; k++) {
-    const double *v = ph_curve_points(curve, k);
-    ph_vec3 p, last = {0, 0, 0};
-    for (size_t i = 0; i <= curve->degree; i++, last = p) {
-      p = ph_vec3_get(v + curve->dimension * i, curve->dimension);
-      if (i > 0 && pen->drawing->space == PH_SPHERE) {
-        draw_arc(pen, curve, last, p);
-      } else {
-        draw_to(pen, p);
-      }
-    }
-    lift(pen, PH_STROKE_POLYGON, k);
-  }
-  pen->box = true;
-}
-
-/* ---- data ---------------------------------------------------------------- */
-
-/* The ends of the intervals of the data, or the joints. */
-static void place_data(struct pen *pen) {
-  const struct ph_result *r = pen->result;
-  const struct ph_curve *curve = &r->curve;
-  struct ph_drawing *d = pen->drawing;
-  const size_t n = r->intervals_n ? r->intervals_n : curve->n;
-  d->data = ph_arena_array(&d->arena, n + 1, sizeof *d->data);
-  if (!d->data) {
-    pen->failed = true;
-    return;
-  }
-  for (size_t i = 0; i < n; i++) {
-    const double *v =
-        ph_curve_points(curve, r->intervals_n ? r->intervals[i].first : i);
-    d->data[i] = ph_vec3_get(v, curve->dimension);
-  }
-  d->data_n = n;
-  if (!curve->closed) {
-    const double *v =
-        ph_curve_points(curve, curve->n - 1) + curve->degree * curve->dimension;
-    d->data[d->data_n++] = ph_vec3_get(v, curve->dimension);
-  }
-  for (size_t i = 0; i < d->data_n; i++) {
-    extend_box(d, d->data[i]);
-  }
-}
-
-/* ---- tangents and derivatives -------------------------------------------- */
-
-/* A field of vectors at the points, or at both ends. */
-struct vectors {
-  const struct ph_value *value; /* NULL: there is none */
-  bool ends;
-  bool directions; /* their lengths say nothing */
-};
-
-static struct vectors given_vectors(const struct ph_problem *problem,
-                                    bool closed) {
-  static const struct {
-    enum ph_field_id id;
-    bool ends, directions;
-  } fields[] = {{PH_F_TANGENTS, false, true},
-                {PH_F_DERIVATIVES, false, false},
-                {PH_F_END_TANGENTS, true, true},
-                {PH_F_END_DERIVATIVES, true, false}};
-  struct vectors none = {NULL, false, false};
-  for (size_t i = 0; i < sizeof fields / sizeof fields[0]; i++) {
-    const struct ph_value *value = &problem->field[fields[i].id];
-    if (value->kind == PH_VECTORS && !(fields[i].ends && closed)) {
-      return (struct vectors){value, fields[i].ends, fields[i].directions};
-    }
-  }
-  return none;
-}
-
-/* Number i of the vectors that belong to data points, and its point. */
-static ph_vec3 vector_at(const struct ph_drawing *d, const struct vectors *v,
-                         size_t i, size_t *point) {
-  *point = v->ends && i > 0 ? d->data_n - 1 : i;
-  return ph_vec3_get(v->value->v + v->value->dimension * i,
-                     v->value->dimension);
-}
-
-/* From a data point by a vector: on a sphere by what of it is tangent. */
-static void draw_vector(struct pen *pen, ph_vec3 from, ph_vec3 vector) {
-  const struct ph_curve *curve = &pen->result->curve;
-  draw_to(pen, from);
-  if (pen->drawing->space == PH_SPHERE) {
-    ph_vec3 p = to_unit(curve, from), v = ph_vec3_normal(vector, p);
-    double angle = ph_vec3_abs(vector) / curve->sphere.radius;
-    size_t steps = 1 + (size_t)(angle / ARC_STEP);
-    v = ph_vec3_scale(angle / ph_vec3_abs(v), v);
-    for (size_t i = 1; i <= steps; i++) {
-      double t = (double)i / (double)steps;
-      draw_to(pen, from_unit(curve, ph_s2_exp(p, ph_vec3_scale(t, v))));
-    }
-  } else {
-    draw_to(pen, ph_vec3_add(from, vector));
-  }
-}
-
-static void draw_vectors(struct pen *pen) {
-  const struct ph_curve *curve = &pen->result->curve;
-  const struct ph_drawing *d = pen->drawing;
-  const struct vectors given = given_vectors(pen->problem, curve->closed);
-  size_t n = given.value ? given.value->n : 0, at;
-  double longest = 0, size;
-  n = n < d->data_n ? n : d->data_n;
-  size = fmin(2 * VECTOR_SIZE * ph_curve_size(curve),
-              VECTOR_SPACING * curve->length / (double)d->data_n);
-  for (size_t i = 0; i < n; i++) {
-    longest = fmax(longest, ph_vec3_abs(vector_at(d, &given, i, &at)));
-  }
-  for (size_t i = 0; i < n; i++) {
-    ph_vec3 vector = vector_at(d, &given, i, &at);
-    double length = ph_vec3_abs(vector);
-    if (length > 0) {
-      draw_vector(
-          pen, d->data[at],
-          ph_vec3_scale(size / (given.directions ? length : longest), vector));
-      lift(pen, PH_STROKE_TANGENT, at);
-    }
-  }
 }
 
 /* ---- profiles ------------------------------------------------------------ */
@@ -384,7 +155,7 @@ static void profile_segment(const struct ph_sampler *sampler, double s,
 }
 
 /* Arrays of a new profile. */
-static struct ph_profile *new_profile(struct pen *pen, size_t room) {
+static struct ph_profile *new_profile(struct ph_pen *pen, size_t room) {
   struct ph_drawing *d = pen->drawing;
   struct ph_profile *p = &d->profiles[d->segments_n++];
   const bool space = d->space == PH_SPACE || d->space == PH_SURFACE;
@@ -397,7 +168,7 @@ static struct ph_profile *new_profile(struct pen *pen, size_t room) {
   return p;
 }
 
-static enum ph_status make_profiles(struct pen *pen) {
+static enum ph_status make_profiles(struct ph_pen *pen) {
   const struct ph_curve *curve = &pen->result->curve;
   struct ph_drawing *d = pen->drawing;
   const size_t n = curve->n, most = PH_DRAWING_PLACES;
@@ -431,23 +202,24 @@ static enum ph_status make_profiles(struct pen *pen) {
 /* Places of the profile of a strip. */
 enum { STRIP_PLACES = 33 };
 
-static enum ph_status add_sheet(struct pen *pen, const struct ph_curve *curve) {
+static enum ph_status add_sheet(struct ph_pen *pen,
+                                const struct ph_curve *curve) {
   struct ph_drawing *d = pen->drawing;
   struct ph_sheet *sheet = &d->sheets[d->sheets_n++];
   enum ph_status status = ph_sheet_make(curve, &d->arena, sheet, pen->diag);
   for (size_t i = 0; status == PH_OK && i < sheet->ribs_n; i++) {
-    extend_box(d, sheet->ribs[i].end[0]);
-    extend_box(d, sheet->ribs[i].end[1]);
+    ph_pen_box(d, sheet->ribs[i].end[0]);
+    ph_pen_box(d, sheet->ribs[i].end[1]);
     d->places += 2;
   }
   for (size_t i = 0; status == PH_OK && i < sheet->elements_n; i++) {
-    extend_box(d, sheet->elements[i].point);
+    ph_pen_box(d, sheet->elements[i].point);
   }
   return status;
 }
 
 /* Normal and geodesic curvature of the strips that are drawn. */
-static void profile_strips(struct pen *pen) {
+static void profile_strips(struct ph_pen *pen) {
   const struct ph_curve *curve = &pen->result->curve;
   const size_t step = ph_sheet_step(curve->n);
   struct ph_sum s = {0, 0};
@@ -466,7 +238,7 @@ static void profile_strips(struct pen *pen) {
   }
 }
 
-static enum ph_status draw_surface(struct pen *pen) {
+static enum ph_status draw_surface(struct ph_pen *pen) {
   const struct ph_result *r = pen->result;
   struct ph_drawing *d = pen->drawing;
   enum ph_status status;
@@ -495,7 +267,7 @@ static double size_of(const struct ph_result *r) {
   return 2 * (ph_curve_size(&r->curve) + farthest);
 }
 
-static const char *copy(struct pen *pen, const char *text) {
+static const char *copy(struct ph_pen *pen, const char *text) {
   const char *kept =
       text ? ph_arena_copy(&pen->drawing->arena, text, strlen(text)) : NULL;
   pen->failed = pen->failed || (text && !kept);
@@ -514,10 +286,8 @@ static size_t parts_of(const struct ph_result *r) {
 }
 
 /* All but strokes and profiles; makes room for these. */
-static void prepare(struct pen *pen, const struct ph_drawing_names *names) {
+static void prepare(struct ph_pen *pen, const struct ph_drawing_names *names) {
   const struct ph_curve *curve = &pen->result->curve;
-  const struct ph_value *given =
-      given_vectors(pen->problem, curve->closed).value;
   struct ph_drawing *d = pen->drawing;
   const double far = (double)INFINITY;
   size_t shown =
@@ -533,14 +303,14 @@ static void prepare(struct pen *pen, const struct ph_drawing_names *names) {
   d->high = ph_vec3_of(-far, -far, -far);
   d->length = curve->length;
   d->strokes = ph_arena_array(
-      &d->arena, 2 * shown + parts_of(pen->result) + (given ? given->n : 0),
+      &d->arena, 2 * shown + parts_of(pen->result) + ph_pen_vectors_n(pen),
       sizeof *d->strokes);
   d->profiles = ph_arena_array(&d->arena, shown, sizeof *d->profiles);
   pen->failed = pen->failed || !d->strokes || !d->profiles;
   pen->box = true;
 }
 
-static enum ph_status draw(struct pen *pen,
+static enum ph_status draw(struct ph_pen *pen,
                            const struct ph_drawing_names *names) {
   const bool details = pen->result->curve.n <= PH_DRAWING_SEGMENTS;
   enum ph_status status;
@@ -551,15 +321,15 @@ static enum ph_status draw(struct pen *pen,
   }
   pen->tolerance = CHORD * size_of(pen->result);
   if (!pen->failed && details) {
-    place_data(pen);
-    draw_polygons(pen);
+    ph_pen_data(pen);
+    ph_pen_polygons(pen);
   }
   status = pen->failed ? PH_OK : draw_offsets(pen);
   if (!pen->failed && status == PH_OK) {
     status = draw_curve(pen, NULL, NULL, PH_STROKE_CURVE, 0);
   }
   if (!pen->failed && status == PH_OK && details) {
-    draw_vectors(pen);
+    ph_pen_vectors(pen);
   }
   if (!pen->failed && status == PH_OK) {
     status = make_profiles(pen);
@@ -572,7 +342,7 @@ enum ph_status ph_drawing_make(const struct ph_problem *problem,
                                const struct ph_drawing_names *names,
                                struct ph_drawing **drawing,
                                struct ph_diag *diag) {
-  struct pen pen = {.problem = problem, .result = result, .diag = diag};
+  struct ph_pen pen = {.problem = problem, .result = result, .diag = diag};
   enum ph_status status;
   *drawing = NULL;
   pen.drawing = ph_malloc(sizeof *pen.drawing);

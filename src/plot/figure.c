@@ -2,12 +2,16 @@
 /* Figures (see figure.h): drawings are put into panels, panels on the page. */
 #include "plot/figure.h"
 
+#include "plot/describe.h"
 #include "plot/layout.h"
 #include "plot/page.h"
 #include "plot/panel.h"
 
 #include <string.h>
 #include <strings.h>
+
+/* Letters of the title, in ems. */
+#define HEADING 1.35
 
 static const char *const suffixes[] = {
 #define X(symbol, suffix) suffix,
@@ -34,7 +38,8 @@ bool ph_figure_can(void) {
 struct figure {
   struct ph_panel panels[PH_FIGURE_PANELS_MAX];
   size_t n;
-  bool more; /* something is left out */
+  char title[PH_PLOT_TEXT_MAX]; /* clean; "": none */
+  struct ph_beside beside;
 };
 
 /* How many drawings, from the first on, are of one problem. */
@@ -55,28 +60,15 @@ static enum ph_status fill(struct figure *figure,
   for (size_t i = 0; status == PH_OK && i < n; i += k) {
     k = group_of(drawings + i, n - i);
     if (figure->n == PH_FIGURE_PANELS_MAX) {
-      figure->more = true;
+      figure->beside.note = true;
       break;
     }
-    figure->more = figure->more || k > PH_FIGURE_SWEEP_MAX;
+    figure->beside.note = figure->beside.note || k > PH_FIGURE_SWEEP_MAX;
     status = ph_panel_make(drawings + i,
                            k < PH_FIGURE_SWEEP_MAX ? k : PH_FIGURE_SWEEP_MAX,
                            arena, &figure->panels[figure->n++], diag);
   }
   return status;
-}
-
-/* "record 12" */
-static void number_text(size_t record, char *text) {
-  char digits[24];
-  size_t n = sizeof digits - 1;
-  digits[n] = '\0';
-  do {
-    digits[--n] = (char)('0' + record % 10);
-    record /= 10;
-  } while (record > 0);
-  strcpy(text, "record ");
-  strcat(text, digits + n);
 }
 
 /* Titles; problems without one are numbered, where there are several. */
@@ -86,7 +78,10 @@ static void set_titles(struct figure *figure) {
     if (panel->drawings[0]->title) {
       ph_plot_text(panel->drawings[0]->title, panel->title);
     } else if (figure->n > 1) {
-      number_text(panel->drawings[0]->record, panel->title);
+      char number[PH_PLOT_TEXT_MAX];
+      ph_plot_text_number(panel->drawings[0]->record, number);
+      strcpy(panel->title, "record ");
+      strcat(panel->title, number);
     }
   }
 }
@@ -101,10 +96,43 @@ static void draw(const struct figure *figure, const struct ph_layout *layout,
   if (figure->n == 0) {
     ph_page_text(page, middle, layout->em, 0.5, false, "no curves");
   }
-  if (figure->more) {
+  if (layout->key.h > 0) {
+    ph_key_draw(&figure->beside.key, page, &layout->key, layout->em);
+  }
+  if (figure->beside.title) {
+    struct ph_spot at = {middle.x, layout->title};
+    char text[PH_PLOT_TEXT_MAX];
+    memcpy(text, figure->title, sizeof text);
+    ph_plot_text_fit(page, HEADING * layout->em, layout->width - 2 * layout->em,
+                     text);
+    ph_page_text(page, at, HEADING * layout->em, 0.5, false, text);
+  }
+  if (figure->beside.note) {
     ph_page_text(page, below, layout->em, 0.5, false,
                  "not all curves are shown");
   }
+}
+
+/* What the file says of itself. */
+static enum ph_status begin_page(const struct figure *figure,
+                                 const struct ph_layout *layout,
+                                 enum ph_figure_format format,
+                                 struct ph_buf *out, struct ph_page **page,
+                                 struct ph_diag *diag) {
+  const char *title = figure->title[0] ? figure->title
+                      : figure->n == 1 ? figure->panels[0].title
+                                       : NULL;
+  struct ph_page_head head = {format, layout->width, layout->height, title,
+                              NULL};
+  struct ph_buf words = {0};
+  enum ph_status status;
+  ph_describe(figure->panels, figure->n, &words);
+  ph_buf_put(&words, "", 1);
+  head.description = words.failed ? NULL : words.data;
+  status = words.failed ? ph_fail_memory(diag)
+                        : ph_page_begin(&head, out, page, diag);
+  ph_buf_free(&words);
+  return status;
 }
 
 enum ph_status ph_figure_write(const struct ph_drawing *const *drawings,
@@ -119,16 +147,24 @@ enum ph_status ph_figure_write(const struct ph_drawing *const *drawings,
     return ph_fail_memory(diag);
   }
   figure->n = 0;
-  figure->more = false;
+  figure->title[0] = '\0';
+  figure->beside = (struct ph_beside){.note = false};
+  if (rules->title) {
+    ph_plot_text(rules->title, figure->title);
+    figure->beside.title = figure->title[0] != '\0';
+  }
   status = fill(figure, drawings, n, &arena, diag);
   if (status == PH_OK) {
     set_titles(figure);
-    status = ph_layout_make(figure->panels, figure->n, rules, figure->more,
+    for (size_t i = 0; i < figure->n; i++) {
+      figure->panels[i].labels = rules->labels;
+    }
+    figure->beside.key = ph_key_of(figure->panels, figure->n);
+    status = ph_layout_make(figure->panels, figure->n, rules, &figure->beside,
                             &arena, &layout, diag);
   }
   if (status == PH_OK) {
-    status = ph_page_begin(rules->format, layout.width, layout.height, out,
-                           &page, diag);
+    status = begin_page(figure, &layout, rules->format, out, &page, diag);
   }
   if (status == PH_OK) {
     draw(figure, &layout, page);

@@ -30,6 +30,10 @@
  *   fill 10,10,10               data points: 1 in each view; hidden ones
  *                               55,56,58
  *
+ * Below all is a key of the kinds of things that are shown: in an SVG a group
+ * of the class key, which the numbers above do not count.  An SVG has its text
+ * as text, and a title and a description.
+ *
  * What is out of its frame is not there.  In a sweep curves and offsets have
  * the colours of the ramp, as have points and tangents that not all curves
  * share, and there are neither polygons nor joints.
@@ -60,6 +64,8 @@ enum ph_figure_format {
 struct ph_figure_rules {
   enum ph_figure_format format;
   double width, height; /* points, or pixels of a PNG; 0: as is needed */
+  const char *title;    /* above all panels, any bytes; NULL: none */
+  bool labels;          /* points have their numbers */
 };
 
 /* More panels than this, or results of a sweep in one, are not drawn. */

@@ -19,6 +19,10 @@ static const struct {
 
 #define PADDING 0.8 /* around a panel, in ems */
 #define NOTE 2.5    /* height of a line below the panels, in ems */
+#define HEADING 2.6 /* of the title above them, and where it stands */
+#define HEADING_LINE 1.9
+#define KEY_GAP 0.7  /* below the key */
+#define KEY_MOST 0.2 /* of the height of the page */
 
 /* Letters shrink by no more than this. */
 #define SHRINK_MAX 0.75
@@ -68,9 +72,9 @@ static void page_size(const struct ph_figure_rules *rules, double width,
 
 /* Cells are as high as their panels want to be, by the scale of all rows. */
 static void set_cells(struct ph_layout *layout, size_t n, const double *heights,
-                      const double *rows, double scale) {
+                      const double *rows, double scale, double top) {
   double w = layout->width / (double)layout->columns;
-  double pad = PADDING * layout->em, y = 0;
+  double pad = PADDING * layout->em, y = top;
   for (size_t i = 0; i < n; i++) {
     size_t row = i / layout->columns, column = i % layout->columns;
     layout->cells[i] = (struct ph_rect){w * (double)column + pad, y + pad,
@@ -80,13 +84,32 @@ static void set_cells(struct ph_layout *layout, size_t n, const double *heights,
   }
 }
 
+/* In ems. */
+static double key_height(const struct ph_beside *beside, double width) {
+  const size_t rows = ph_key_rows(&beside->key, width - 2 * PADDING);
+  return rows > 0 ? PH_KEY_ROW * (double)rows + KEY_GAP : 0;
+}
+
+/* A small page has no key. */
+static void place_beside(struct ph_layout *layout,
+                         const struct ph_beside *beside) {
+  const double em = layout->em, pad = PADDING * em;
+  const double wanted = key_height(beside, layout->width / em) * em;
+  const double high = wanted < KEY_MOST * layout->height ? wanted : 0;
+  layout->title = HEADING_LINE * em;
+  layout->key = (struct ph_rect){
+      pad, layout->height - high - (beside->note ? NOTE * em : 0),
+      layout->width - 2 * pad, high};
+}
+
 enum ph_status ph_layout_make(const struct ph_panel *panels, size_t n,
-                              const struct ph_figure_rules *rules, bool note,
+                              const struct ph_figure_rules *rules,
+                              const struct ph_beside *beside,
                               struct ph_arena *arena, struct ph_layout *layout,
                               struct ph_diag *diag) {
   double *rows = ph_arena_array(arena, n, sizeof *rows);
   double *heights = ph_arena_array(arena, n, sizeof *heights);
-  double width, sum = 0, em, below;
+  double width, sum = 0, em, above = beside->title ? HEADING : 0, below;
   size_t i = 0;
   while (sizes[i].n < n) {
     i++;
@@ -98,7 +121,6 @@ enum ph_status ph_layout_make(const struct ph_panel *panels, size_t n,
       width = sizes[i].width * WIDE;
     }
   }
-  below = note ? NOTE : 0;
   *layout = (struct ph_layout){.em = em, .columns = 1};
   layout->cells = ph_arena_array(arena, n, sizeof *layout->cells);
   if (!rows || !heights || !layout->cells) {
@@ -116,8 +138,14 @@ enum ph_status ph_layout_make(const struct ph_panel *panels, size_t n,
     sum = 0.75 * width;
   }
   layout->rows = (n + layout->columns - 1) / layout->columns;
-  page_size(rules, width * (double)layout->columns, sum + below * em, layout);
+  width *= (double)layout->columns;
+  below = key_height(beside, width / em) + (beside->note ? NOTE : 0);
+  page_size(rules, width, sum + (above + below) * em, layout);
+  place_beside(layout, beside);
   set_cells(layout, n, heights, rows,
-            (layout->height - below * layout->em) / sum);
+            (layout->height - above * layout->em - layout->key.h -
+             (beside->note ? NOTE * layout->em : 0)) /
+                sum,
+            above * layout->em);
   return PH_OK;
 }

@@ -3,19 +3,18 @@
 #include "plot/page.h"
 
 #include "base/mem.h"
+#include "plot/page_svg.h"
 
 #ifdef PH_CAIRO
 
 #include <cairo-pdf.h>
-#include <cairo-svg.h>
 #include <cairo.h>
 #include <math.h>
-#include <string.h>
 
 struct ph_page {
   enum ph_figure_format format;
   struct ph_buf *out;
-  size_t start; /* of the file in out */
+  struct ph_page_svg svg; /* of that format; cairo only measures letters */
   cairo_surface_t *surface;
   cairo_t *cairo;
   double size; /* of the letters that are set */
@@ -25,6 +24,10 @@ bool ph_page_can(void) {
   return true;
 }
 
+static bool is_svg(const struct ph_page *page) {
+  return page->format == PH_FIGURE_SVG;
+}
+
 static cairo_status_t append(void *closure, const unsigned char *bytes,
                              unsigned n) {
   struct ph_buf *out = closure;
@@ -32,27 +35,29 @@ static cairo_status_t append(void *closure, const unsigned char *bytes,
   return out->failed ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
 }
 
-static cairo_surface_t *surface_of(enum ph_figure_format format, double width,
-                                   double height, struct ph_buf *out) {
+static cairo_surface_t *surface_of(const struct ph_page_head *head,
+                                   struct ph_buf *out) {
   cairo_surface_t *surface;
-  switch (format) {
+  switch (head->format) {
   case PH_FIGURE_SVG:
-    surface = cairo_svg_surface_create_for_stream(append, out, width, height);
-#if CAIRO_VERSION >= CAIRO_VERSION_ENCODE(1, 16, 0)
-    cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PT);
-#endif
-    return surface;
+    return cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
   case PH_FIGURE_PDF:
-    surface = cairo_pdf_surface_create_for_stream(append, out, width, height);
+    surface = cairo_pdf_surface_create_for_stream(append, out, head->width,
+                                                  head->height);
 #if CAIRO_VERSION >= CAIRO_VERSION_ENCODE(1, 16, 0)
     /* any but the time of day, or no two files would be the same */
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE,
                                    "2000-01-01T00:00:00Z");
+    if (head->title) {
+      cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE,
+                                     head->title);
+    }
 #endif
     return surface;
   default:
-    return cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)lround(width),
-                                      (int)lround(height));
+    return cairo_image_surface_create(CAIRO_FORMAT_RGB24,
+                                      (int)lround(head->width),
+                                      (int)lround(head->height));
   }
 }
 
@@ -79,20 +84,23 @@ static void set_letters(cairo_t *cairo) {
                          CAIRO_FONT_WEIGHT_NORMAL);
 }
 
-enum ph_status ph_page_begin(enum ph_figure_format format, double width,
-                             double height, struct ph_buf *out,
-                             struct ph_page **page, struct ph_diag *diag) {
+enum ph_status ph_page_begin(const struct ph_page_head *head,
+                             struct ph_buf *out, struct ph_page **page,
+                             struct ph_diag *diag) {
   struct ph_page *p = ph_malloc(sizeof *p);
-  const struct ph_rect all = {0, 0, width, height};
+  const struct ph_rect all = {0, 0, head->width, head->height};
   *page = NULL;
   if (!p) {
     return ph_fail_memory(diag);
   }
-  *p = (struct ph_page){.format = format, .out = out, .start = out->n};
-  p->surface = surface_of(format, width, height, out);
+  *p = (struct ph_page){.format = head->format, .out = out};
+  p->surface = surface_of(head, out);
   p->cairo = cairo_create(p->surface);
   if (cairo_status(p->cairo) != CAIRO_STATUS_SUCCESS) {
     return ph_page_end(p, diag);
+  }
+  if (is_svg(p)) {
+    ph_page_svg_begin(&p->svg, head, out);
   }
   set_letters(p->cairo);
   cairo_set_line_join(p->cairo, CAIRO_LINE_JOIN_ROUND);
@@ -102,27 +110,6 @@ enum ph_status ph_page_begin(enum ph_figure_format format, double width,
   ph_page_fill(p);
   *page = p;
   return PH_OK;
-}
-
-/* Surfaces of SVG are numbered through all the life of the process; nothing
- * refers to the number. */
-static void forget_number(struct ph_buf *out, size_t start) {
-  static const char id[] = "<g id=\"surface";
-  const size_t n = sizeof id - 1;
-  char *from = NULL, *to;
-  for (size_t i = start; !from && i + n < out->n; i++) {
-    if (memcmp(out->data + i, id, n) == 0) {
-      from = out->data + i + n;
-    }
-  }
-  if (!from) {
-    return;
-  }
-  for (to = from; to < out->data + out->n && *to >= '0' && *to <= '9';) {
-    to++;
-  }
-  memmove(from, to, (size_t)(out->data + out->n - to));
-  out->n -= (size_t)(to - from);
 }
 
 enum ph_status ph_page_end(struct ph_page *page, struct ph_diag *diag) {
@@ -140,55 +127,117 @@ enum ph_status ph_page_end(struct ph_page *page, struct ph_diag *diag) {
   }
   cairo_surface_destroy(page->surface);
   status = failure(worst, page->out, diag);
-  if (status == PH_OK && page->format == PH_FIGURE_SVG) {
-    forget_number(page->out, page->start);
+  if (is_svg(page) && page->svg.out) {
+    const enum ph_status written = ph_page_svg_end(&page->svg, diag);
+    status = status == PH_OK ? written : status;
   }
   ph_free(page);
   return status;
 }
 
+void ph_page_dash(struct ph_page *page, const struct ph_dash *dash) {
+  if (is_svg(page)) {
+    page->svg.dash = *dash;
+  } else {
+    cairo_set_dash(page->cairo, dash->length, (int)dash->n, dash->phase);
+  }
+}
+
 void ph_page_pen(struct ph_page *page, struct ph_colour colour, double width,
                  double dash) {
-  const double dashes[2] = {dash, 0.75 * dash};
+  const struct ph_dash dashes = {dash > 0 ? 2 : 0, {dash, 0.75 * dash}, 0};
+  page->svg.colour = colour;
+  page->svg.width = width;
   cairo_set_source_rgb(page->cairo, colour.r, colour.g, colour.b);
   cairo_set_line_width(page->cairo, width);
-  cairo_set_dash(page->cairo, dashes, dash > 0 ? 2 : 0, 0);
+  ph_page_dash(page, &dashes);
+}
+
+void ph_page_group(struct ph_page *page, const char *name) {
+  if (is_svg(page)) {
+    ph_page_svg_group(&page->svg, name);
+  }
 }
 
 void ph_page_move(struct ph_page *page, struct ph_spot to) {
-  cairo_move_to(page->cairo, to.x, to.y);
+  if (is_svg(page)) {
+    ph_page_svg_path(&page->svg, 'M', &to, 1);
+  } else {
+    cairo_move_to(page->cairo, to.x, to.y);
+  }
 }
 
 void ph_page_line(struct ph_page *page, struct ph_spot to) {
-  cairo_line_to(page->cairo, to.x, to.y);
+  if (is_svg(page)) {
+    ph_page_svg_path(&page->svg, 'L', &to, 1);
+  } else {
+    cairo_line_to(page->cairo, to.x, to.y);
+  }
+}
+
+void ph_page_cubic(struct ph_page *page, const struct ph_spot to[3]) {
+  if (is_svg(page)) {
+    ph_page_svg_path(&page->svg, 'C', to, 3);
+  } else {
+    cairo_curve_to(page->cairo, to[0].x, to[0].y, to[1].x, to[1].y, to[2].x,
+                   to[2].y);
+  }
 }
 
 void ph_page_circle(struct ph_page *page, struct ph_spot center,
                     double radius) {
-  cairo_new_sub_path(page->cairo);
-  cairo_arc(page->cairo, center.x, center.y, radius, 0, 2 * acos(-1));
-  cairo_close_path(page->cairo);
+  if (is_svg(page)) {
+    ph_page_svg_circle(&page->svg, center, radius);
+  } else {
+    cairo_new_sub_path(page->cairo);
+    cairo_arc(page->cairo, center.x, center.y, radius, 0, 2 * acos(-1));
+    cairo_close_path(page->cairo);
+  }
 }
 
 void ph_page_rect(struct ph_page *page, const struct ph_rect *rect) {
-  cairo_rectangle(page->cairo, rect->x, rect->y, rect->w, rect->h);
+  const struct ph_spot corners[4] = {{rect->x, rect->y},
+                                     {rect->x + rect->w, rect->y},
+                                     {rect->x + rect->w, rect->y + rect->h},
+                                     {rect->x, rect->y + rect->h}};
+  ph_page_move(page, corners[0]);
+  for (int i = 1; i < 4; i++) {
+    ph_page_line(page, corners[i]);
+  }
+  ph_page_close(page);
 }
 
 void ph_page_close(struct ph_page *page) {
-  cairo_close_path(page->cairo);
+  if (is_svg(page)) {
+    ph_page_svg_path(&page->svg, 'Z', NULL, 0);
+  } else {
+    cairo_close_path(page->cairo);
+  }
 }
 
 void ph_page_stroke(struct ph_page *page) {
-  cairo_stroke(page->cairo);
+  if (is_svg(page)) {
+    ph_page_svg_draw(&page->svg, false, true);
+  } else {
+    cairo_stroke(page->cairo);
+  }
 }
 
 void ph_page_fill(struct ph_page *page) {
-  cairo_fill(page->cairo);
+  if (is_svg(page)) {
+    ph_page_svg_draw(&page->svg, true, false);
+  } else {
+    cairo_fill(page->cairo);
+  }
 }
 
 void ph_page_paint(struct ph_page *page) {
-  cairo_fill_preserve(page->cairo);
-  cairo_stroke(page->cairo);
+  if (is_svg(page)) {
+    ph_page_svg_draw(&page->svg, true, true);
+  } else {
+    cairo_fill_preserve(page->cairo);
+    cairo_stroke(page->cairo);
+  }
 }
 
 static void set_size(struct ph_page *page, double size) {
@@ -207,7 +256,12 @@ double ph_page_text_width(struct ph_page *page, double size, const char *text) {
 
 void ph_page_text(struct ph_page *page, struct ph_spot at, double size,
                   double align, bool up, const char *text) {
-  double before = align * ph_page_text_width(page, size, text);
+  double before;
+  if (is_svg(page)) {
+    ph_page_svg_text(&page->svg, at, size, align, up, text);
+    return;
+  }
+  before = align * ph_page_text_width(page, size, text);
   cairo_save(page->cairo);
   cairo_set_source_rgb(page->cairo, ph_ink(PH_INK_TEXT).r,
                        ph_ink(PH_INK_TEXT).g, ph_ink(PH_INK_TEXT).b);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A page to draw on: lines, discs, letters.  All that knows cairo is page.c;
- * without it (PH_CAIRO is not defined) there are no pages.
+ * without it (PH_CAIRO is not defined) there are no pages.  SVG is written by
+ * page_svg.c; cairo tells it how wide text is.
  *
  * Coordinates are points, of a PNG pixels, y downwards.  What fails is
  * remembered, and told at the end.
@@ -22,15 +23,30 @@ struct ph_page;
 /* ph_page_can: whether there are pages. */
 bool ph_page_can(void);
 
+/* What a page is, and what its file says of it. */
+struct ph_page_head {
+  enum ph_figure_format format;
+  double width, height;
+  const char *title, *description; /* UTF-8; NULL: none */
+};
+
+/* Lengths of dashes and gaps in turn, from so far in the first dash on; n = 0:
+ * a line without gaps. */
+enum { PH_DASH_MAX = 6 };
+struct ph_dash {
+  size_t n;
+  double length[PH_DASH_MAX], phase;
+};
+
 /*
  * ph_page_begin: a white page.
  *
  * out  page  to be ended; NULL on failure
  * ret  PH_OK | PH_E_NO_MEMORY | PH_E_INTERNAL (cairo says why, or is not there)
  */
-enum ph_status ph_page_begin(enum ph_figure_format format, double width,
-                             double height, struct ph_buf *out,
-                             struct ph_page **page, struct ph_diag *diag);
+enum ph_status ph_page_begin(const struct ph_page_head *head,
+                             struct ph_buf *out, struct ph_page **page,
+                             struct ph_diag *diag);
 
 /* ph_page_end: finishes the file in `out`, frees the page. */
 enum ph_status ph_page_end(struct ph_page *page, struct ph_diag *diag);
@@ -40,10 +56,18 @@ enum ph_status ph_page_end(struct ph_page *page, struct ph_diag *diag);
 void ph_page_pen(struct ph_page *page, struct ph_colour colour, double width,
                  double dash);
 
-/* A path is built by moves and lines, then stroked or filled, and is one
- * element of the file. */
+/* ph_page_dash: dashes of what is stroked until the pen changes. */
+void ph_page_dash(struct ph_page *page, const struct ph_dash *dash);
+
+/* ph_page_group: what follows belongs together, up to NULL; in an SVG it is a
+ * group of this class. */
+void ph_page_group(struct ph_page *page, const char *name);
+
+/* A path is built by moves, lines and cubics, then stroked or filled, and is
+ * one element of the file. */
 void ph_page_move(struct ph_page *page, struct ph_spot to);
 void ph_page_line(struct ph_page *page, struct ph_spot to);
+void ph_page_cubic(struct ph_page *page, const struct ph_spot to[3]);
 void ph_page_circle(struct ph_page *page, struct ph_spot center, double radius);
 void ph_page_rect(struct ph_page *page, const struct ph_rect *rect);
 void ph_page_close(struct ph_page *page);

@@ -9,10 +9,10 @@ bool ph_page_can(void) {
   return false;
 }
 
-enum ph_status ph_page_begin(enum ph_figure_format format, double width,
-                             double height, struct ph_buf *out,
-                             struct ph_page **page, struct ph_diag *diag) {
-  (void)format, (void)width, (void)height, (void)out;
+enum ph_status ph_page_begin(const struct ph_page_head *head,
+                             struct ph_buf *out, struct ph_page **page,
+                             struct ph_diag *diag) {
+  (void)head, (void)out;
   *page = NULL;
   return ph_fail(diag, PH_E_INTERNAL, NULL,
                  "figures need cairo, which this program was built without");
@@ -27,6 +27,18 @@ enum ph_status ph_page_end(struct ph_page *page, struct ph_diag *diag) {
 void ph_page_pen(struct ph_page *page, struct ph_colour colour, double width,
                  double dash) {
   (void)page, (void)colour, (void)width, (void)dash;
+}
+
+void ph_page_dash(struct ph_page *page, const struct ph_dash *dash) {
+  (void)page, (void)dash;
+}
+
+void ph_page_group(struct ph_page *page, const char *name) {
+  (void)page, (void)name;
+}
+
+void ph_page_cubic(struct ph_page *page, const struct ph_spot to[3]) {
+  (void)page, (void)to;
 }
 
 void ph_page_move(struct ph_page *page, struct ph_spot to) {

@@ -31,6 +31,7 @@ struct ph_panel {
   double length;               /* of the longest curve, > 0 */
   struct ph_range ranges[PH_PANEL_PROFILES_MAX]; /* by enum ph_profile_of */
   size_t profiles_n;
+  bool labels; /* points have their numbers */
 };
 
 /*

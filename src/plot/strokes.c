@@ -15,6 +15,11 @@
 #define DASH 0.28
 #define DOT_MAX 0.22
 #define DOT_MIN 0.09
+#define LABEL 0.75
+#define LABEL_RIGHT 0.3
+#define LABEL_UP 0.35
+#define LABEL_WIDE 1.2
+#define LABEL_HIGH 0.75
 
 /* A place of the data in the view. */
 static struct ph_seen see(const struct ph_look *look, ph_vec3 place) {
@@ -263,11 +268,42 @@ static void draw_points(const struct ph_look *look, enum ph_side side,
   }
 }
 
+/* ---- numbers of points --------------------------------------------------- */
+
+/* Of the points that can be seen, as far as numbers do not cover each other. */
+static void draw_labels(const struct ph_look *look, enum ph_side side) {
+  const struct ph_drawing *d = look->panel->drawings[0];
+  const double em = look->em;
+  struct ph_spot taken[PH_DRAWING_SEGMENTS + 1];
+  size_t taken_n = 0;
+  for (size_t i = 0; i < d->data_n && taken_n <= PH_DRAWING_SEGMENTS; i++) {
+    const struct ph_seen seen = see(look, d->data[i]);
+    const struct ph_spot spot = spot_of(look, seen);
+    const struct ph_spot at = {spot.x + LABEL_RIGHT * em,
+                               spot.y - LABEL_UP * em};
+    bool free_place =
+        shown(seen, side) && ph_rect_has(&look->window.rect, at, 0);
+    char text[PH_PLOT_TEXT_MAX];
+    for (size_t k = 0; free_place && k < taken_n; k++) {
+      free_place = fabs(at.x - taken[k].x) > LABEL_WIDE * em ||
+                   fabs(at.y - taken[k].y) > LABEL_HIGH * em;
+    }
+    if (free_place) {
+      taken[taken_n++] = at;
+      ph_plot_text_number(d->numbers ? d->numbers[i] : i, text);
+      ph_page_text(look->page, at, LABEL * em, 0, false, text);
+    }
+  }
+}
+
 void ph_strokes_draw(const struct ph_look *look, enum ph_side side) {
   for (size_t i = 0; i < look->panel->n; i++) {
     draw_strokes(look, side, i);
   }
   for (size_t i = 0; i < look->panel->n; i++) {
     draw_points(look, side, i);
+  }
+  if (look->panel->labels && side != PH_SIDE_HIDDEN) {
+    draw_labels(look, side);
   }
 }

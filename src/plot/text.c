@@ -42,6 +42,16 @@ static bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+void ph_plot_text_number(size_t number, char text[PH_PLOT_TEXT_MAX]) {
+  size_t at = PH_PLOT_TEXT_MAX - 1;
+  text[at] = '\0';
+  do {
+    text[--at] = (char)('0' + number % 10);
+    number /= 10;
+  } while (number > 0);
+  memmove(text, text + at, PH_PLOT_TEXT_MAX - at);
+}
+
 /* Adds one to the last digit of a number.  False: all were 9, and now are 0. */
 static bool add_one(char *first, char *last) {
   for (char *p = last; p >= first; p--) {

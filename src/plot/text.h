@@ -17,6 +17,9 @@ enum { PH_PLOT_TEXT_MAX = 256 };
  */
 void ph_plot_text(const char *text, char clean[PH_PLOT_TEXT_MAX]);
 
+/* ph_plot_text_number: a whole number. */
+void ph_plot_text_number(size_t number, char text[PH_PLOT_TEXT_MAX]);
+
 /* ph_plot_text_round: if the text is a number, and has more than 6 digits,
  * rounds what it has after the point to 6 significant digits. */
 void ph_plot_text_round(char text[PH_PLOT_TEXT_MAX]);

@@ -51,6 +51,8 @@ misused 'nothing but a suffix' "$suffix '.svg'" -p .svg
 misused 'no file' "$suffix ''" --plot=
 misused 'standard output' "$suffix '-'" -p -
 misused 'a size without a figure' '--plot-size needs --plot' --plot-size=640x480
+misused 'a title without a figure' '--title needs --plot' --title=a
+misused 'labels without a figure' '--labels needs --plot' --labels
 size='--plot-size must be WIDTHxHEIGHT, whole numbers from 100 to 20000, found'
 for bad_size in 640 640x 640x480x 640x99 20001x480 640x480.5 -640x480 x nanx100 \
   '640 x480'; do
@@ -79,9 +81,11 @@ else
   well_formed() { :; }
 fi
 
-# inks FILE: how many paths of each colour; as `R,G,B=N', in whole percent
+# inks FILE: how many paths of each colour, but for the key; as `R,G,B=N', in
+# whole percent
 inks() {
-  sed -n 's/ //g; s/<path.*stroke[:=]"*rgb(\([^)]*\)).*/stroke,\1/p
+  sed -n '/<g class="key">/,/<\/g>/d
+    s/ //g; s/<path.*stroke[:=]"*rgb(\([^)]*\)).*/stroke,\1/p
     s/<path.*fill[:=]"*rgb(\([^)]*\)).*/fill,\1/p' "$1" |
     awk -F '[,%]+' '{ n[sprintf("%s %.0f,%.0f,%.0f", $1, $2, $3, $4)]++ }
       END { for (ink in n) print ink "=" n[ink] }'
@@ -190,9 +194,66 @@ feed '{"closed":true,"points":[[2,0,0],[-1,1.7320508075688772,0],'\
 '[0.8660254037844386,-0.5,0]],"height":[-4,4]}' cone -q -p x.svg
 inks x.svg >found
 equal 'a cylinder all around: its hidden lines are one dashed path' 1 \
-  "$(grep -c 'stroke-dasharray' x.svg)"
+  "$(sed '/<g class="key">/,$d' x.svg | grep -c 'stroke-dasharray')"
 equal 'a cylinder all around: one point of three is hidden' '5 2' \
   "$(ink 'fill 10,10,10' <found) $(ink 'fill 55,56,58' <found)"
+
+# ---- words -------------------------------------------------------------------
+
+# texts: those of x.svg, in order, without numbers of axes
+texts() {
+  sed -n 's/.*<text [^>]*>\(.*\)<\/text>/\1/p' x.svg
+}
+
+# key: the words of the key of x.svg
+key() {
+  sed -n '/<g class="key">/,/<\/g>/s/.*>\(.*\)<\/text>/\1/p' x.svg |
+    tr '\n' '|'
+}
+
+# element NAME: of x.svg, up to the end of its first line
+element() {
+  sed -n "s/^<$1>//p" x.svg | sed "s/<\/$1>\$//"
+}
+
+feed '{"id":"a<b","points":[[0,0],[1,1],[2,0]]}' planar -p x.svg -d 0.1 \
+  --title='One & "two"'
+well_formed 'a title' x.svg
+equal 'a title' 'One &amp; "two"' "$(element title)"
+equal 'a title: it is seen' 1 "$(texts | grep -cx 'One &amp; "two"')"
+equal 'the id, as text' 1 "$(texts | grep -cx 'a&lt;b')"
+equal 'a description' "a&lt;b: curve in the plane through 3 points, with 1 \
+offset; below, its curvature over the arc length." "$(element desc)"
+equal 'axes, as text' 'x y arc length curvature' \
+  "$(texts | grep -x '[a-z ]*[a-z]' | grep -v ',\|control\|data\|offset' |
+    tr '\n' ' ' | sed 's/ $//')"
+equal 'the key' 'data|curve, by segments|control polygon|offset|' "$(key)"
+feed '{"id":"c","points":[[0,0],[1,1],[2,0]]}' planar -p x.svg
+equal 'without --title: that of the panel' c "$(element title)"
+feed "$good" planar -p x.svg --title=
+equal 'an empty title' '' "$(element title)"
+feed '{"points":[[0,0],[1,1]],"tangents":[[1,0],[1,0]]}' tc -p x.svg
+equal 'the key of tangents' \
+  'data|curve, by segments|control polygon|tangent|' "$(key)"
+feed '{"points":[[0,0],[1,1],[2,0]]}' planar -p x.svg -S knots=uniform,chordal
+equal 'the key of a sweep: its legend has the curves' '' "$(key)"
+feed '{"lonlat":[[0,0],[80,5],[160,5],[-120,0]]}' sphere -q -p x.svg
+equal 'the key of a sphere' 'data|curve, by segments|control polygon|hidden|' \
+  "$(key)"
+printf '%s\n' "$cone_good" | sed 's/}$/,"height":[-9,9]}/' >high.json
+run cone -q -p x.svg high.json
+equal 'the key of a surface' \
+  'data|contact curve|tangent|edge of a strip|ruling|hidden|' "$(key)"
+
+# Points have their numbers, in data with merged points those that were given.
+labels() {
+  texts | grep -x '[0-9]*' | tr '\n' ' '
+}
+points='[10.5,10.5],[11.5,11.5],[11.5,11.5],[12.5,10.5],[13.5,11.5]'
+feed "{\"points\":[$points],\"merge\":0.1}" planar -q -p x.svg
+without=$(labels)
+feed "{\"points\":[$points],\"merge\":0.1}" planar -q -p x.svg --labels
+equal '--labels' '0 1 3 4 ' "$(labels | sed "s/$without//")"
 
 # more segments than can be told apart
 awk 'BEGIN {

@@ -16,12 +16,18 @@ enum { PANELS = 100 };
 static struct ph_panel panels[PANELS];
 static struct ph_layout layout;
 
+/* What else is on the page. */
+static bool headed;
+static struct ph_key key;
+
 /* A grid of n panels of one drawing. */
 static void lay_out(size_t n, double width, double height, bool note) {
   const struct unit_drawing of = {
       .space = PH_PLANE, .segments = 2, .turn = 3, .size = 1};
   static const struct ph_drawing *d;
-  const struct ph_figure_rules rules = {PH_FIGURE_SVG, width, height};
+  const struct ph_figure_rules rules = {PH_FIGURE_SVG, width, height, NULL,
+                                        false};
+  const struct ph_beside beside = {.note = note, .title = headed, .key = key};
   struct ph_diag diag;
   ph_arena_reset(&unit_arena);
   d = unit_drawing(&of);
@@ -30,7 +36,7 @@ static void lay_out(size_t n, double width, double height, bool note) {
                      PH_OK);
   }
   ck_assert_int_eq(
-      ph_layout_make(panels, n, &rules, note, &unit_arena, &layout, &diag),
+      ph_layout_make(panels, n, &rules, &beside, &unit_arena, &layout, &diag),
       PH_OK);
   ph_drawing_free((struct ph_drawing *)d);
 }
@@ -92,6 +98,36 @@ PH_TEST(page_sizes) {
             layout.height - 2 * layout.em);
   lay_out(0, 0, 0, false);
   ck_abs(layout.width, 640, 0);
+}
+
+PH_TEST(title_and_key) {
+  double height;
+  headed = false;
+  key = (struct ph_key){{false}};
+  lay_out(1, 0, 0, false);
+  height = layout.height;
+  ck_abs(layout.key.h, 0, 0);
+  headed = true;
+  key.has[PH_KEY_POINT] = key.has[PH_KEY_CURVE] = true;
+  lay_out(1, 0, 0, false);
+  check_cells(1);
+  ck_abs(layout.key.h, 2.2 * layout.em, 1e-9); /* one row */
+  ck_abs(layout.height, ceil(height + 4.8 * layout.em), 1);
+  ck_assert(layout.title < layout.cells[0].y);
+  ck_assert(layout.cells[0].y + layout.cells[0].h <= layout.key.y);
+  ck_abs(layout.key.y + layout.key.h, layout.height, 1e-9);
+  for (int i = 0; i < PH_KEY_N; i++) {
+    key.has[i] = true;
+  }
+  ck_assert_uint_eq(ph_key_rows(&key, 1000), 1);
+  ck_assert_uint_eq(ph_key_rows(&key, 1), PH_KEY_N);
+  lay_out(4, 0, 0, true);
+  check_cells(4);
+  ck_assert(layout.key.y + layout.key.h < layout.height - layout.em);
+  lay_out(1, 640, 100, false); /* no room for it */
+  ck_abs(layout.key.h, 0, 0);
+  headed = false;
+  key = (struct ph_key){{false}};
 }
 
 /* ---- texts --------------------------------------------------------------- */
