@@ -7,6 +7,9 @@ python3 hostile.py judge OURS OTHER   of two files of results for the same
     problems: how many, failed, the geometric mean of energy times length over
     that of the other, how many are worse by a tenth, and the largest jump of
     the curvature
+python3 hostile.py jump RESULTS   how many closed curves, and the largest jump of
+    the curvature where no joint is told, over the largest curvature at a joint:
+    from the control points, (2/3) (d0 x d1) / |d0|^3
 """
 import cmath
 import json
@@ -200,8 +203,30 @@ def judge(ours, others):
     print(f"{len(logs)} {failed} {mean:.3g} {worse} {jump:.1e} {pairs}")
 
 
+def jumps(name):
+    n, largest = 0, 0
+    for line in open(name):
+        d = json.loads(line)
+        if d["status"] != "ok" or not d["closed"]:
+            continue
+        n += 1
+        legs = [[complex(*b) - complex(*a) for a, b in zip(p, p[1:])]
+                for p in (s["control_points"] for s in d["segments"])]
+        start = [2 / 3 * (a.conjugate() * b).imag / abs(a) ** 3
+                 for a, b, _ in legs]
+        end = [2 / 3 * (b.conjugate() * c).imag / abs(c) ** 3
+               for _, b, c in legs]
+        told = {j["segment"] for j in d.get("joints", [])}
+        most = max(map(abs, start + end))
+        largest = max([largest] + [abs(start[i] - end[i - 1]) / most
+                                   for i in range(len(legs)) if i not in told])
+    print(n, f"{largest:.1e}")
+
+
 if sys.argv[1] == "names":
     print(" ".join(f.__name__ for f in FAMILIES))
+elif sys.argv[1] == "jump":
+    jumps(sys.argv[2])
 elif sys.argv[1] == "judge":
     judge(sys.argv[2], sys.argv[3])
 else:

@@ -40,3 +40,14 @@ for name in ${FAMILIES:-$("$python" "$hostile" names) convex mixed}; do
   true_that "$name are solved, and fair" \
     awk '{ exit !($2 == 0 && $4 == 0 && $5 < 1e-9) }' all
 done
+
+# ---- tracks ---------------------------------------------------------------------
+
+"$python" "$hostile" track 40 40 >in
+run tc -q in
+"$python" "$hostile" jump out >all
+echo "# tracks, jump: $(cat all)"
+true_that 'the curvature of 40 tracks is continuous' \
+  awk '{ exit !($1 == 40 && $2 <= 1e-10) }' all
+equal 'but at inflections' 'inflection' \
+  "$(jq -r '.joints[].kind' out | sort -u)"

@@ -23,10 +23,11 @@ struct builder {
   struct ph_curve *curve;
   struct ph_interval *intervals;
   struct ph_sum length, part;
-  size_t interval; /* that is being built */
+  size_t interval; /* that is being built, */
+  size_t first;    /* from this cubic on */
   double ratio;    /* of outer legs, the largest or its inverse */
   const struct ph_tc_data *spline;
-  size_t pairs, first_pair;
+  size_t pairs;
 };
 
 /* A point of the chain in the unit of the data: that of the user, if it is
@@ -150,6 +151,13 @@ static void describe_node(struct builder *b, size_t i, size_t first) {
   }
 }
 
+/* What is built from here on is of the next interval. */
+static void next_interval(struct builder *b) {
+  b->part = (struct ph_sum){0, 0};
+  b->first = b->curve->n;
+  b->interval = b->interval + 1 < b->data->n ? b->interval + 1 : 0;
+}
+
 /* The interval of the data is complete whose last span is i. */
 static void end_interval(struct builder *b, size_t i) {
   const struct ph_g2_chain *c = b->chain;
@@ -160,10 +168,9 @@ static void end_interval(struct builder *b, size_t i) {
   }
   *interval = PH_INTERVAL_NONE;
   interval->length = ph_sum_value(&b->part);
-  interval->first = b->interval > 0 ? interval[-1].last + 1 : 0;
+  interval->first = b->first;
   interval->last = b->curve->n - 1;
-  b->part = (struct ph_sum){0, 0};
-  b->interval++;
+  next_interval(b);
 }
 
 static void build_chain(struct builder *b, const struct ph_g2_part *part) {
@@ -196,10 +203,8 @@ static void build_pair(struct builder *b, const struct ph_g2_part *part) {
   for (size_t i = first + 1; i < b->curve->n; i++) {
     add_joint(b, i, PH_JOINT_PAIR);
   }
-  b->interval++;
-  if (b->pairs++ == 0) {
-    b->first_pair = first;
-  }
+  next_interval(b);
+  b->pairs++;
 }
 
 static void build_part(struct builder *b, const struct ph_g2_part *part) {
@@ -213,6 +218,59 @@ static void build_part(struct builder *b, const struct ph_g2_part *part) {
     add_joint(b, first, PH_JOINT_TANGENT);
   }
 }
+
+/* ---- where closed data begin ----------------------------------------------
+ */
+
+/* Reverses the elements from..to-1 of so many bytes. */
+static void reverse(void *v, size_t from, size_t to, size_t width) {
+  unsigned char *bytes = v;
+  for (; from + 1 < to; from++) {
+    to--;
+    for (size_t j = 0; j < width; j++) {
+      const unsigned char x = bytes[width * from + j];
+      bytes[width * from + j] = bytes[width * to + j];
+      bytes[width * to + j] = x;
+    }
+  }
+}
+
+/* n elements, those before `by` behind the others. */
+static void turn(void *v, size_t n, size_t width, size_t by) {
+  reverse(v, 0, by, width);
+  reverse(v, by, n, width);
+  reverse(v, 0, n, width);
+}
+
+/* Parts began with some interval of closed data; the curve begins with the
+ * first. */
+static void begin_with_data(struct builder *b) {
+  struct ph_curve *curve = b->curve;
+  struct ph_g2 *g2 = &curve->g2;
+  const size_t n = curve->n, number = sizeof(double);
+  const size_t by = b->intervals[0].first;
+  size_t joints = 0, added = 0;
+  turn(curve->control_points, n, 8 * number, by);
+  turn(curve->preimage.v, n, 4 * number, by);
+  turn(curve->lengths, n, number, by);
+  for (size_t i = 0; i < b->data->n; i++) {
+    b->intervals[i].first = (b->intervals[i].first + n - by) % n;
+    b->intervals[i].last = (b->intervals[i].last + n - by) % n;
+  }
+  for (size_t i = 0; i < g2->joints_n; i++) {
+    joints += g2->joints[i].segment < by;
+    g2->joints[i].segment = (g2->joints[i].segment + n - by) % n;
+  }
+  for (size_t i = 0; i < g2->auxiliary_n; i++) {
+    added += g2->auxiliary[i] < by;
+    g2->auxiliary[i] = (g2->auxiliary[i] + n - by) % n;
+  }
+  turn(g2->joints, g2->joints_n, sizeof *g2->joints, joints);
+  turn(g2->auxiliary, g2->auxiliary_n, sizeof *g2->auxiliary, added);
+}
+
+/* ---- the curve of all parts -----------------------------------------------
+ */
 
 /* Cubics of all parts; joints and added points at most. */
 static size_t count(const struct ph_g2_parts *parts, size_t *joints,
@@ -255,12 +313,14 @@ static enum ph_status build(struct builder *b, const struct ph_g2_parts *parts,
   }
   curve->n = 0;
   curve->knots[0] = 0;
+  b->interval = parts->part[0].first;
   for (size_t k = 0; k < parts->n; k++) {
     build_part(b, &parts->part[k]);
   }
   if (curve->closed && parts->n > 1) {
     add_joint(b, 0, PH_JOINT_TANGENT);
   }
+  begin_with_data(b);
   curve->length = ph_sum_value(&b->length);
   result->intervals = b->intervals;
   result->intervals_n = b->data->n;
@@ -300,6 +360,7 @@ static double unevenness(const struct ph_tc_data *d) {
 static void warn(struct ph_result *result, const struct builder *b) {
   const struct ph_g2 *g2 = &result->curve.g2;
   const double uneven = unevenness(b->data);
+  size_t pair = 0;
   warn_joints(result);
   if (g2->auxiliary_n > 0) {
     ph_warn(result, g2->auxiliary[0], PH_W_AUXILIARY_POINTS,
@@ -308,12 +369,16 @@ static void warn(struct ph_result *result, const struct builder *b) {
             g2->auxiliary_n, g2->auxiliary_n > 1 ? "s were" : " was",
             g2->auxiliary[0]);
   }
+  while (pair + 1 < b->data->n && b->intervals[pair].root == PH_ROOT_N) {
+    pair++; /* intervals of chains have none */
+  }
+  pair = b->pairs > 0 ? b->intervals[pair].first : 0;
   if (b->pairs > 0) {
-    ph_warn(result, b->first_pair, PH_W_SPLINE_PAIRS,
+    ph_warn(result, pair, PH_W_SPLINE_PAIRS,
             "the curvature jumps in and beside %zu interval%s with the cubics "
             "of the mode spline, which bend less there; the first cubic is "
             "segment %zu",
-            b->pairs, b->pairs > 1 ? "s" : "", b->first_pair);
+            b->pairs, b->pairs > 1 ? "s" : "", pair);
   }
   if (uneven > UNEVEN) {
     ph_warn(result, PH_NO_SEGMENT, PH_W_UNEVEN_CHORDS,

@@ -31,6 +31,9 @@ static const double WORSE = 1.1;
 /* An interval gets a pair if its excess is this part of the largest. */
 static const double EXCESS = 0.25;
 
+/* Quantities that differ by less are the same but for rounding. */
+static const double ALIKE = 1e-9;
+
 /* Rounds of pairs: in the last all intervals get them. */
 enum { ROUNDS_MAX = 12 };
 
@@ -151,6 +154,7 @@ struct search {
   struct bent *pair, *here; /* [n] of the pair of the mode spline; as it is */
   struct bent pairs;        /* the sum */
   unsigned char *mark;      /* [n] whether the interval gets its pair */
+  size_t start;             /* of closed data the first that got one */
 };
 
 /* The pairs of all intervals.  ret false: the mode spline has no curve */
@@ -169,6 +173,11 @@ static bool measure_pairs(struct search *s) {
   return true;
 }
 
+/* Index k of closed data goes on at their start. */
+static size_t around(const struct search *s, size_t k) {
+  return s->data->closed && k >= s->data->n ? k - s->data->n : k;
+}
+
 /* The tangent of a part at datum k, or that of the data at an end. */
 static ph_cplx tangent_at(const struct search *s, size_t k) {
   const struct ph_tc_data *d = s->data;
@@ -176,7 +185,7 @@ static ph_cplx tangent_at(const struct search *s, size_t k) {
   if (!d->closed && (k == 0 || k == d->n)) {
     return d->vector[k];
   }
-  v = s->spline->vector[k < d->points_n ? k : 0];
+  v = s->spline->vector[around(s, k)];
   return ph_cplx_scale(1 / hypot(v.re, v.im), v);
 }
 
@@ -218,14 +227,15 @@ static void measure_part(struct search *s, const struct ph_g2_part *part) {
     s->here[at] = s->pair[at];
     return;
   }
-  s->here[at] = (struct bent){0, 0};
+  for (size_t i = 0; i < part->n; i++) {
+    s->here[around(s, part->first + i)] = (struct bent){0, 0};
+  }
   for (size_t i = 0; i < part->chain.n; i++) {
     size_t next = ph_g2_next(&part->chain, i);
     add(&s->here[at], span_bent(&part->chain.span[i], part->solution.a[i],
                                 part->solution.b[i]));
-    if (part->chain.node[next].datum != PH_G2_ADDED &&
-        at + 1 < part->first + part->n) {
-      s->here[++at] = (struct bent){0, 0};
+    if (part->chain.node[next].datum != PH_G2_ADDED) {
+      at = around(s, at + 1);
     }
   }
 }
@@ -242,6 +252,25 @@ static double shortness(const struct ph_tc_data *d, size_t i) {
   return most;
 }
 
+/* Marks the middle of a part, of two intervals the one that bends more; of
+ * closed data, which have no middle, those that bend most. */
+static void mark_middle(struct search *s, const struct ph_g2_part *part) {
+  const size_t n = s->data->n;
+  double most = 0;
+  if (!part->chain.closed) {
+    const size_t a = around(s, part->first + (part->n - 1) / 2);
+    const size_t b = around(s, part->first + part->n / 2);
+    s->mark[s->pair[b].energy > s->pair[a].energy ? b : a] = 1;
+    return;
+  }
+  for (size_t i = 0; i < n; i++) {
+    most = fmax(most, s->pair[i].energy);
+  }
+  for (size_t i = 0; i < n; i++) {
+    s->mark[i] |= !(s->pair[i].energy < (1 - ALIKE) * most);
+  }
+}
+
 /* A part without a solution: marks beside the datum that has none, or the
  * intervals that are short beside others, and the middle. */
 static void mark_failed(struct search *s, const struct ph_g2_part *part) {
@@ -253,14 +282,14 @@ static void mark_failed(struct search *s, const struct ph_g2_part *part) {
     return;
   }
   for (size_t i = part->first; i < end; i++) {
-    most = fmax(most, shortness(s->data, i));
+    most = fmax(most, shortness(s->data, around(s, i)));
   }
   for (size_t i = part->first; i < end; i++) {
-    if (most > 1 && shortness(s->data, i) >= sqrt(most)) {
-      s->mark[i] = 1;
+    if (most > 1 && shortness(s->data, around(s, i)) >= sqrt(most)) {
+      s->mark[around(s, i)] = 1;
     }
   }
-  s->mark[part->first + part->n / 2] = 1;
+  mark_middle(s, part);
 }
 
 /* Intervals to which it is due that the whole is worse. */
@@ -305,26 +334,37 @@ static bool mark(struct search *s, const struct ph_g2_parts *parts) {
   return true;
 }
 
-/* Parts by the marks; those that were there are taken over. */
+/* How far an interval is behind the one that parts begin with. */
+static size_t behind(const struct search *s, size_t i) {
+  return i >= s->start ? i - s->start : i + s->data->n - s->start;
+}
+
+/* Parts by the marks; those that were there are taken over.  Those of closed
+ * data begin with a pair, as the data may begin anywhere. */
 static enum ph_status cut(struct search *s, struct ph_g2_parts *parts) {
   const size_t n = s->data->n;
   struct ph_g2_parts next = {.n = 0};
   size_t old = 0;
+  while (s->data->closed && !s->mark[s->start]) {
+    s->start++; /* one is marked */
+  }
   next.part = ph_arena_array(s->arena, n, sizeof *next.part);
   if (!next.part) {
     return ph_fail_memory(s->diag);
   }
   for (size_t i = 0; i < n;) {
+    const size_t first = around(s, s->start + i);
+    const bool pair = s->mark[first];
     size_t end = i + 1;
     struct ph_g2_part *part = &next.part[next.n++];
-    while (!s->mark[i] && end < n && !s->mark[end]) {
+    while (!pair && end < n && !s->mark[around(s, s->start + end)]) {
       end++;
     }
-    for (; old < parts->n && parts->part[old].first < i; old++) {
+    for (; old < parts->n && behind(s, parts->part[old].first) < i; old++) {
     }
     *part = (struct ph_g2_part){
-        .first = i, .n = end - i, .pair = s->mark[i], .solved = s->mark[i]};
-    if (old < parts->n && parts->part[old].first == i &&
+        .first = first, .n = end - i, .pair = pair, .solved = pair};
+    if (old < parts->n && parts->part[old].first == first &&
         parts->part[old].n == part->n && parts->part[old].pair == part->pair) {
       *part = parts->part[old];
     } else if (solve_part(s, part, false) != PH_OK) {

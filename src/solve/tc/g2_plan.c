@@ -90,11 +90,12 @@ enum ph_status ph_g2_chain_of(const struct ph_tc_data *data, size_t first,
     chain->given[end] = !isnan(tangent[end].re);
   }
   for (size_t k = 0; k < chain->nodes_n; k++) {
-    ph_cplx p = ph_tc_point(data, first + k);
+    const size_t datum = data->closed ? (first + k) % data->n : first + k;
+    ph_cplx p = ph_tc_point(data, datum);
     chain->node[k] =
         (struct ph_g2_node){.p = {ph_pow2_apply(data->to_unit, p.re),
                                   ph_pow2_apply(data->to_unit, p.im)},
-                            .datum = first + k};
+                            .datum = datum};
   }
   measure(chain);
   return PH_OK;
