@@ -14,6 +14,7 @@
 #ifndef PH_BASE_BUF_H
 #define PH_BASE_BUF_H
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -28,6 +29,7 @@ struct ph_buf {
   /* takes all its bytes and sets n to 0, or leaves them for now */
   void (*spill)(void *context, struct ph_buf *buf);
   void *context;
+  atomic_int *spare; /* threads for what is long (relay.h), or NULL */
 };
 
 /* ph_buf_reserve: room for n more bytes; NULL when memory is exhausted.  The

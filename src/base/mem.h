@@ -33,7 +33,7 @@ struct ph_budget {
   size_t needed;     /* by the first request beyond; 0: there was none */
   double seconds;    /* 0: any number */
   double end;        /* on the monotonic clock */
-  bool late;         /* it has passed, and that was seen */
+  atomic_bool late;  /* it has passed, and that was seen */
   atomic_int *spare; /* threads for the work on the record (team.h), or NULL */
 };
 

@@ -187,6 +187,19 @@ bool ph_check_data_of(struct ph_check *v, struct ph_check_data *data,
   return true;
 }
 
+size_t ph_check_interval(const struct ph_check_data *data, size_t k) {
+  size_t i = 0, end = data->n;
+  while (end - i > 1) {
+    const size_t middle = i + (end - i) / 2;
+    if (data->first[middle] <= k) {
+      i = middle;
+    } else {
+      end = middle;
+    }
+  }
+  return i;
+}
+
 /* ---- ends of segments ------------------------------------------------------
  */
 

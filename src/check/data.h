@@ -27,6 +27,9 @@ struct ph_check_data {
   size_t measured;  /* so many */
 };
 
+/* ph_check_interval: the interval that segment k is of. */
+size_t ph_check_interval(const struct ph_check_data *data, size_t k);
+
 /* ph_check_field: a field of the problem, or NULL. */
 static inline const struct ph_value *ph_check_field(const struct ph_check *v,
                                                     enum ph_field_id id) {

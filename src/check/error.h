@@ -42,6 +42,21 @@ static inline void ph_check_add(struct ph_check_error *check, size_t where,
   }
 }
 
+/* ph_check_join: what was found further on, too. */
+static inline void ph_check_join(struct ph_check_error *check,
+                                 const struct ph_check_error *next) {
+  check->done |= next->done;
+  if (ph_check_is_larger(next->reported, check->reported)) {
+    check->reported = next->reported;
+  }
+  if (ph_check_is_larger(next->excess, check->excess)) {
+    check->excess = next->excess;
+    check->value = next->value;
+    check->allowed = next->allowed;
+    check->where = next->where;
+  }
+}
+
 /* ph_check_conclude: stores n errors, up to the first that exceeded its
  * tolerance anywhere: PH_E_NO_CONVERGENCE, with the worst place.  One that is
  * NULL was not asked for. */

@@ -3,6 +3,7 @@
  */
 #include "check/verify.h"
 
+#include "base/team.h"
 #include "check/bubble.h"
 #include "check/checks.h"
 #include "check/cone.h"
@@ -14,6 +15,9 @@
  * and its products. */
 static const struct ph_tolerance ROUNDING = {
     .point = 8, .gap = 4, .given = 8 * DBL_EPSILON};
+
+/* Segments of a part of a long curve, which take 0.5 ms. */
+enum { PART = 1024 };
 
 /* Numbers that were written with fewer digits may be the same to this. */
 static const double SAME = 1e-12;
@@ -59,13 +63,15 @@ enum ph_status ph_check_begin(struct ph_check *v, struct ph_check_data *data,
   return ph_check_given_begin(v, data);
 }
 
-void ph_check_segments(struct ph_check *v) {
-  const struct ph_curve *c = v->curve;
-  struct ph_check_segment first, s[2];
-  for (size_t k = 0; k < c->n; k++) {
+/* Segments first to end - 1, of which the outermost are left in ends[2]; false:
+ * it is too late. */
+static bool check_range(struct ph_check *v, size_t first, size_t end,
+                        struct ph_check_segment *ends) {
+  struct ph_check_segment s[2];
+  for (size_t k = first; k < end; k++) {
     struct ph_check_segment *now = &s[k & 1];
-    if (k > 0 && ph_arena_late(v->scratch)) {
-      return;
+    if (k > first && ph_arena_late(v->scratch)) {
+      return false;
     }
     ph_check_load(v, k, now);
     ph_check_square(v, now);
@@ -75,14 +81,87 @@ void ph_check_segments(struct ph_check *v) {
     if (v->error && v->promise->segment) {
       v->promise->segment(v, now);
     }
-    if (k > 0) {
+    if (k > first) {
       ph_check_joint(v, &s[~k & 1], now);
-    } else if (c->closed) {
-      first = *now;
+    } else {
+      ends[0] = *now;
     }
   }
-  if (c->closed) {
-    ph_check_joint(v, &s[~c->n & 1], &first);
+  ends[1] = s[~end & 1];
+  return true;
+}
+
+/* A part of the segments of a long curve, and what is found there. */
+struct part {
+  struct ph_check_segment ends[2];
+  struct ph_check_error error[PH_CHECK_N];
+  enum ph_status status;
+  struct ph_diag diag;
+  bool done;
+};
+
+struct parts {
+  const struct ph_check *v;
+  struct part *part;
+};
+
+static bool check_part(void *context, size_t thread, size_t first, size_t end) {
+  const struct parts *parts = context;
+  struct part *part = &parts->part[first / PART];
+  struct ph_check v = *parts->v;
+  struct ph_check_space space = *v.space;
+  struct ph_check_data data = *v.data;
+  (void)thread;
+  *part = (struct part){.done = false};
+  v.space = &space;
+  v.data = &data;
+  v.error = part->error;
+  v.diag = &part->diag;
+  v.status = PH_OK;
+  data.i = ph_check_interval(&data, first);
+  part->done = check_range(&v, first, end, part->ends);
+  part->status = v.status;
+  return part->done;
+}
+
+/* Certifies a long curve in parts; what comes out does not depend on who does
+ * which.  False: it is to be gone through in one. */
+static bool check_parts(struct ph_check *v) {
+  const size_t n = v->curve->n, parts_n = (n + PART - 1) / PART;
+  atomic_int *spare = v->scratch->budget ? v->scratch->budget->spare : NULL;
+  struct parts parts = {.v = v};
+  if (n < 2 * PART || !v->error || !v->data || v->promise->segment ||
+      ph_check_field(v, PH_F_TANGENT_SIGMA)) {
+    return false;
+  }
+  parts.part = ph_arena_array(v->scratch, parts_n, sizeof *parts.part);
+  if (!parts.part) {
+    return false;
+  }
+  ph_team_spread(spare, ph_team_take(spare, parts_n / 2), n, PART, check_part,
+                 &parts);
+  for (size_t i = 0; i < parts_n && !ph_arena_late(v->scratch); i++) {
+    const struct part *part = &parts.part[i];
+    const struct part *next = &parts.part[i + 1 < parts_n ? i + 1 : 0];
+    for (size_t k = 0; k < PH_CHECK_N; k++) {
+      ph_check_join(&v->error[k], &part->error[k]);
+    }
+    if (part->status != PH_OK) {
+      v->status = part->status;
+      *v->diag = part->diag;
+    }
+    if (next > part || v->curve->closed) {
+      ph_check_joint(v, &part->ends[1], &next->ends[0]);
+    }
+  }
+  return true;
+}
+
+void ph_check_segments(struct ph_check *v) {
+  const struct ph_curve *c = v->curve;
+  struct ph_check_segment ends[2];
+  if (!check_parts(v) && check_range(v, 0, c->n, ends) && c->closed) {
+    ph_check_joint(v, &ends[1], &ends[0]);
   }
 }
 

@@ -323,7 +323,9 @@ static enum ph_status try_write(struct task *t,
   } else {
     out->most = start + room;
   }
+  out->spare = t->worker->budget.spare;
   write_result(t, heading, id, out);
+  out->spare = NULL;
   if (!out->piece && out->n > start + room) {
     status = ph_fail(&t->diag, PH_E_LIMIT, NULL,
                      "the record takes more bytes of memory, with its result "

@@ -2,6 +2,7 @@
 /* CSV tables (see csv_out.h): one function a table, one writer of rows. */
 #include "io/csv_out.h"
 
+#include "base/relay.h"
 #include "base/sum.h"
 #include "curve/offset/gap.h"
 #include "io/number.h"
@@ -206,18 +207,36 @@ void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
   ph_buf_put(buf, "\n", 1);
 }
 
-static void control_points(const struct row *row, const struct ph_curve *c) {
-  const double *p = c->control_points;
-  for (size_t k = 0; k < c->n; k++) {
+/* A row of so many that they have a relay. */
+struct rows {
+  const struct row *row;
+  const struct ph_curve *curve;
+  const struct ph_samples *samples;
+  const struct ph_offset *offset; /* that they are of, or NULL */
+  double loop;                    /* of it */
+};
+
+static void some_control_points(void *context, struct ph_buf *to, size_t first,
+                                size_t end) {
+  const struct rows *rows = context;
+  const struct ph_curve *c = rows->curve;
+  const double *p = c->control_points + first * (c->degree + 1) * c->dimension;
+  const struct row row = row_of(to, rows->row->shape, rows->row->heading);
+  for (size_t k = first; k < end; k++) {
     for (size_t i = 0; i <= c->degree; i++) {
-      begin_row(row);
-      number_cell(row, (double)k);
-      number_cell(row, (double)i);
-      number_cells(row, p, c->dimension);
+      begin_row(&row);
+      number_cell(&row, (double)k);
+      number_cell(&row, (double)i);
+      number_cells(&row, p, c->dimension);
       p += c->dimension;
-      end_row(row);
+      end_row(&row);
     }
   }
+}
+
+static void control_points(const struct row *row, const struct ph_curve *c) {
+  struct rows rows = {.row = row, .curve = c};
+  ph_relay(row->buf, c->n, some_control_points, &rows);
 }
 
 static void lengths(const struct row *row, const struct ph_curve *c) {
@@ -255,37 +274,49 @@ static void vector_cell(const struct row *row, const char *vector) {
   ph_buf_puts(row->buf, vector ? vector : row->shape->text ? "-" : "");
 }
 
-/* Samples of the curve, or of the offset that is not NULL, or of a loop of
- * it. */
-static void samples(const struct row *row, const struct ph_samples *s,
-                    const struct ph_offset *o, double loop) {
+static void some_samples(void *context, struct ph_buf *to, size_t first,
+                         size_t end) {
   static const double none[] = {(double)NAN, (double)NAN, (double)NAN};
+  const struct rows *rows = context;
+  const struct ph_samples *s = rows->samples;
+  const struct ph_offset *o = rows->offset;
+  const struct row row = row_of(to, rows->row->shape, rows->row->heading);
   size_t gap = 0;
-  for (size_t i = 0; i < s->n; i++) {
-    end_part(row, o, s->segment[i], i, &gap);
-    begin_row(row);
-    place_cells(row, s, i);
+  for (size_t i = first; i < end; i++) {
+    if (o && i == first && i > 0) {
+      ph_gaps_pass(&o->gaps, s->segment[i - 1], &gap);
+    }
+    end_part(&row, o, s->segment[i], i, &gap);
+    begin_row(&row);
+    place_cells(&row, s, i);
     if (s->torsion) {
-      number_cell(row, s->torsion[i]);
+      number_cell(&row, s->torsion[i]);
     }
     if (s->lonlat) {
-      number_cells(row, s->lonlat + 2 * i, 2);
+      number_cells(&row, s->lonlat + 2 * i, 2);
     }
-    if (row->shape->frame) {
-      number_cells(row, s->normal ? s->normal + 3 * i : none, 3);
-      number_cells(row, s->binormal ? s->binormal + 3 * i : none, 3);
+    if (row.shape->frame) {
+      number_cells(&row, s->normal ? s->normal + 3 * i : none, 3);
+      number_cells(&row, s->binormal ? s->binormal + 3 * i : none, 3);
     }
-    if (row->shape->offsets) {
-      number_cell(row, o ? o->distance : 0);
-      if (row->shape->space == PH_SPACE) {
-        vector_cell(row, o ? o->vector : NULL);
+    if (row.shape->offsets) {
+      number_cell(&row, o ? o->distance : 0);
+      if (row.shape->space == PH_SPACE) {
+        vector_cell(&row, o ? o->vector : NULL);
       }
     }
-    if (row->shape->loops) {
-      number_cell(row, loop);
+    if (row.shape->loops) {
+      number_cell(&row, rows->loop);
     }
-    end_row(row);
+    end_row(&row);
   }
+}
+
+/* Of the curve, or of the offset that is not NULL, or of a loop of it. */
+static void samples(const struct row *row, const struct ph_samples *s,
+                    const struct ph_offset *o, double loop) {
+  struct rows rows = {row, NULL, s, o, loop};
+  ph_relay(row->buf, s->n, some_samples, &rows);
 }
 
 /* Of an offset. */

@@ -2,6 +2,7 @@
 /* The two shapes of record (see json_out.h). */
 #include "io/json_out.h"
 
+#include "base/relay.h"
 #include "curve/kind/kind.h"
 
 #include "io/json_write.h"
@@ -57,7 +58,6 @@ struct output {
   struct ph_json_writer *w;
   const struct ph_result *result;
   struct ph_sizes sizes;
-  size_t image;                   /* the next one of the curve */
   enum ph_of without;             /* members that a strip has not */
   const struct ph_chosen *chosen; /* members of the object that are written;
                                      NULL: all */
@@ -125,38 +125,70 @@ static void write_struct(struct output *out, const char *name,
 }
 
 /* n objects: structs, or members of arrays. */
-static void write_list(struct output *out, const struct ph_slot *slot,
-                       const char *at, size_t n) {
-  const struct ph_members *of = ph_members_of(slot->row->as->name);
+struct list {
+  struct output *out;
+  const struct ph_members *of;
   struct ph_slot slots[PH_SLOTS_MAX];
-  size_t size = of->size, slots_n;
-  ph_sizes_enter(&out->sizes, slot->form, at);
-  slots_n = ph_slots(of, &out->sizes, slots);
-  ph_write_begin(out->w, '[');
-  for (size_t i = 0; i < n; i++) {
-    ph_write_element(out->w);
+  size_t slots_n;
+  const char *at;
+};
+
+/* Some of them: the relay of a list. */
+static void write_some(void *context, struct ph_buf *to, size_t first,
+                       size_t end) {
+  const struct list *list = context;
+  const struct ph_members *of = list->of;
+  struct ph_json_writer w = *list->out->w;
+  struct output out = *list->out;
+  w.buf = to;
+  w.comma[w.depth] = first > 0;
+  out.w = &w;
+  for (size_t i = first; i < end; i++) {
+    const char *object = list->at + i * of->size;
+    ph_write_element(&w);
     if (strcmp(of->name, "offset") == 0) {
-      ph_sizes_enter(&out->sizes, PH_AS_PIECES, at + i * size);
+      ph_sizes_enter(&out.sizes, PH_AS_PIECES, object);
     }
     if (strcmp(of->name, "strip") == 0) {
-      const struct ph_strip *strip = (const struct ph_strip *)(at + i * size);
-      out->without =
+      const struct ph_strip *strip = (const struct ph_strip *)object;
+      out.without =
           strip->method == PH_STRIP_CIRCULAR ? PH_OF_GENERAL : PH_OF_CIRCULAR;
     }
-    write_object(out, slots, slots_n, at + i * size, size ? 0 : i);
+    write_object(&out, list->slots, list->slots_n, object, of->size ? 0 : i);
   }
+}
+
+static void write_list(struct output *out, const struct ph_slot *slot,
+                       const char *at, size_t n) {
+  struct list list = {.out = out, .of = ph_members_of(slot->row->as->name)};
+  list.at = at;
+  ph_sizes_enter(&out->sizes, slot->form, at);
+  list.slots_n = ph_slots(list.of, &out->sizes, list.slots);
+  ph_write_begin(out->w, '[');
+  ph_relay(out->w->buf, n, write_some, &list);
+  out->w->comma[out->w->depth] = n > 0;
   ph_write_end(out->w, ']');
+}
+
+/* The first image of segment k, or behind it. */
+static size_t image_of(const struct ph_images *images, size_t k) {
+  size_t first = 0, end = images->n;
+  while (first < end) {
+    const size_t middle = first + (end - first) / 2;
+    if (images->v[middle].segment < k) {
+      first = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
+  return first;
 }
 
 /* The pieces of the image of segment k. */
 static void write_images(struct output *out, const struct ph_slot *slot,
                          const struct ph_images *images, size_t k) {
-  size_t first = k == 0 ? 0 : out->image, next = first;
-  while (next < images->n && images->v[next].segment == k) {
-    next++;
-  }
-  out->image = next;
-  write_list(out, slot, (const char *)(images->v + first), next - first);
+  const size_t first = image_of(images, k), end = image_of(images, k + 1);
+  write_list(out, slot, (const char *)(images->v + first), end - first);
 }
 
 /* Of an array of any number, there are n. */

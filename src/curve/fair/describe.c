@@ -3,6 +3,7 @@
 #include "curve/fair/describe.h"
 
 #include "base/sum.h"
+#include "base/team.h"
 #include "curve/cross/cross.h"
 #include "curve/fair/energy.h"
 #include "curve/fair/fair3.h"
@@ -24,6 +25,9 @@ static const uint64_t ENERGIES =
     PH_BIT(PH_D_ABSOLUTE_ROTATION_INDEX) | PH_BIT(PH_D_F1) | PH_BIT(PH_D_F2) |
     PH_BIT(PH_D_F3);
 
+/* So many parts of energies, 2 ms each, are worth another thread. */
+enum { WORTH = 4 };
+
 /* The scale at which the length is near 1, an even power of 2 so that preimages
  * have one, too. */
 struct unit {
@@ -40,26 +44,75 @@ static struct unit unit_of(const struct ph_curve *curve) {
   return unit;
 }
 
+/* What is said of a plane curve, in shares: its crossings are the first, parts
+ * of its energies the others. */
+struct shares {
+  const struct ph_curve *curve;
+  struct ph_arena *scratch; /* of the crossings */
+  bool crossings;           /* that are asked for */
+  size_t parts_n;           /* as many energies; 0: they are not */
+  struct ph_cross cross;
+  enum ph_status status;
+  struct ph_diag *diag;
+  struct ph_energy_part *part;
+};
+
+static bool do_share(void *context, size_t thread, size_t first, size_t end) {
+  struct shares *s = context;
+  (void)thread, (void)end;
+  if (first > 0) {
+    ph_energy_part_add(&s->part[first - 1], s->curve,
+                       (first - 1) * PH_ENERGY_PART);
+  } else if (s->crossings) {
+    s->status = ph_cross_planar(s->curve, s->scratch, &s->cross, s->diag);
+  }
+  return true;
+}
+
+/* Crossings and energies; a curve of few segments has one thread. */
+static enum ph_status share(struct shares *s) {
+  const size_t n = s->parts_n;
+  atomic_int *spare = s->scratch->budget ? s->scratch->budget->spare : NULL;
+  struct ph_energy_part empty;
+  s->part = ph_arena_array(s->scratch, n, sizeof *s->part);
+  if (!s->part || (n && !ph_energy_part_begin(&empty, s->curve))) {
+    return ph_fail_memory(s->diag);
+  }
+  for (size_t i = 0; i < n; i++) {
+    s->part[i] = empty;
+  }
+  ph_team_spread(spare, ph_team_take(spare, n / WORTH), n + 1, 1, do_share, s);
+  for (size_t i = 1; i < n; i++) {
+    ph_energy_part_join(&s->part[0], &s->part[i]);
+  }
+  return s->status;
+}
+
 enum ph_status ph_describe_planar(const struct ph_curve *curve,
                                   struct ph_arena *scratch,
                                   struct ph_diagnostics *diagnostics,
                                   struct ph_diag *diag) {
+  struct shares shares = {
+      .curve = curve,
+      .scratch = scratch,
+      .crossings = ph_diagnostics_asked(diagnostics, CROSSINGS),
+      .parts_n = ph_diagnostics_asked(diagnostics, ENERGIES)
+                     ? (curve->n + PH_ENERGY_PART - 1) / PH_ENERGY_PART
+                     : 0,
+      .diag = diag};
+  enum ph_status status = share(&shares);
   struct ph_energy energy;
-  if (ph_diagnostics_asked(diagnostics, CROSSINGS)) {
-    struct ph_cross cross;
-    enum ph_status status = ph_cross_planar(curve, scratch, &cross, diag);
-    if (status != PH_OK) {
-      return status;
-    }
-    ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)cross.loops);
-    ph_diagnostics_set(diagnostics, PH_D_SIMPLE, cross.simple);
+  if (status != PH_OK) {
+    return status;
   }
-  if (!ph_diagnostics_asked(diagnostics, ENERGIES)) {
+  if (shares.crossings) {
+    ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)shares.cross.loops);
+    ph_diagnostics_set(diagnostics, PH_D_SIMPLE, shares.cross.simple);
+  }
+  if (!shares.parts_n) {
     return PH_OK;
   }
-  if (!ph_energy_planar(curve, &energy)) {
-    return ph_fail_memory(diag);
-  }
+  energy = ph_energy_of(shares.part, curve);
   ph_diagnostics_set_finite(diagnostics, PH_D_ENERGY, energy.bending);
   ph_diagnostics_set_finite(diagnostics, PH_D_MV, energy.varying);
   ph_diagnostics_set_finite(diagnostics, PH_D_IES, energy.ies);

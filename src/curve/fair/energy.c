@@ -214,35 +214,77 @@ static int unit_exponent(const struct ph_curve *curve) {
   return largest > 0 ? -ilogb(largest) : 0;
 }
 
-bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {
-  const double turn = 2 * PH_PI;
-  const int exponent = unit_exponent(curve);
-  const double scale = ldexp(1, exponent);
-  const double length = ldexp(curve->length, 2 * exponent);
-  struct ph_energy_sum sum;
-  struct ph_sum rotation = {0, 0}, absolute = {0, 0};
-  if (!ph_energy_begin(&sum)) {
-    return false;
-  }
-  for (size_t k = 0; k < curve->n; k++) {
+bool ph_energy_part_begin(struct ph_energy_part *part,
+                          const struct ph_curve *curve) {
+  *part = (struct ph_energy_part){.exponent = unit_exponent(curve)};
+  return ph_energy_begin(&part->sum);
+}
+
+void ph_energy_part_add(struct ph_energy_part *part,
+                        const struct ph_curve *curve, size_t first) {
+  const size_t end =
+      curve->n - first > PH_ENERGY_PART ? first + PH_ENERGY_PART : curve->n;
+  const double scale = ldexp(1, part->exponent);
+  for (size_t k = first; k < end && !part->still; k++) {
     struct ph_seg2 seg = ph_seg2_of(curve, k);
     double turned;
     for (size_t i = 0; i < 3; i++) {
       seg.w[i] = ph_cplx_scale(scale, seg.w[i]);
     }
-    if (!ph_energy_add(&sum, &seg)) {
-      double none = (double)NAN;
-      *energy = (struct ph_energy){none, none, none, none, none, none};
-      return true;
-    }
-    ph_sum_add(&rotation, ph_seg2_rotation(&seg, &turned));
-    ph_sum_add(&absolute, turned);
+    part->still = !ph_energy_add(&part->sum, &seg);
+    ph_sum_add(&part->rotation, ph_seg2_rotation(&seg, &turned));
+    ph_sum_add(&part->absolute, turned);
   }
-  energy->bending = ph_pow2_positive(ph_sum_value(&sum.bending), 2 * exponent);
-  energy->varying = ph_pow2_positive(ph_sum_value(&sum.varying), 6 * exponent);
-  energy->ies = ph_sum_value(&sum.bending) * length;
-  energy->imv = ph_sum_value(&sum.varying) * length * length * length;
-  energy->rotation = ph_sum_value(&rotation) / turn;
-  energy->absolute_rotation = ph_sum_value(&absolute) / turn;
+}
+
+static void join(struct ph_sum *sum, const struct ph_sum *more) {
+  ph_sum_add(sum, more->high);
+  ph_sum_add(sum, more->low);
+}
+
+void ph_energy_part_join(struct ph_energy_part *part,
+                         const struct ph_energy_part *next) {
+  join(&part->sum.bending, &next->sum.bending);
+  join(&part->sum.varying, &next->sum.varying);
+  join(&part->rotation, &next->rotation);
+  join(&part->absolute, &next->absolute);
+  part->still |= next->still;
+}
+
+struct ph_energy ph_energy_of(const struct ph_energy_part *part,
+                              const struct ph_curve *curve) {
+  const double turn = 2 * PH_PI, none = (double)NAN;
+  const int exponent = part->exponent;
+  const double length = ldexp(curve->length, 2 * exponent);
+  const double bending = ph_sum_value(&part->sum.bending);
+  const double varying = ph_sum_value(&part->sum.varying);
+  if (part->still) {
+    return (struct ph_energy){none, none, none, none, none, none};
+  }
+  return (struct ph_energy){.bending = ph_pow2_positive(bending, 2 * exponent),
+                            .varying = ph_pow2_positive(varying, 6 * exponent),
+                            .ies = bending * length,
+                            .imv = varying * length * length * length,
+                            .rotation = ph_sum_value(&part->rotation) / turn,
+                            .absolute_rotation =
+                                ph_sum_value(&part->absolute) / turn};
+}
+
+bool ph_energy_planar(const struct ph_curve *curve, struct ph_energy *energy) {
+  struct ph_energy_part whole, part;
+  if (!ph_energy_part_begin(&whole, curve)) {
+    return false;
+  }
+  part = whole;
+  for (size_t first = 0; first < curve->n; first += PH_ENERGY_PART) {
+    struct ph_energy_part next = part;
+    ph_energy_part_add(&next, curve, first);
+    if (first == 0) {
+      whole = next;
+    } else {
+      ph_energy_part_join(&whole, &next);
+    }
+  }
+  *energy = ph_energy_of(&whole, curve);
   return true;
 }

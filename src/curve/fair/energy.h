@@ -47,6 +47,36 @@ void ph_energy_clear(struct ph_energy_sum *sum);
 bool ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg);
 
 /*
+ * Parts of PH_ENERGY_PART segments each, of which several can be added at the
+ * same time: what is joined in order does not depend on who has added it.
+ */
+enum { PH_ENERGY_PART = 1024 };
+
+struct ph_energy_part {
+  struct ph_energy_sum sum;
+  struct ph_sum rotation, absolute;
+  int exponent; /* of 2, of what the preimage is multiplied by */
+  bool still;   /* the curve stands still there */
+};
+
+/* ph_energy_part_begin: an empty part of a curve; a copy is another one.  False
+ * when memory is exhausted. */
+bool ph_energy_part_begin(struct ph_energy_part *part,
+                          const struct ph_curve *curve);
+
+/* ph_energy_part_add: the segments of a part from `first' on; a multiple. */
+void ph_energy_part_add(struct ph_energy_part *part,
+                        const struct ph_curve *curve, size_t first);
+
+/* ph_energy_part_join: the next part, too. */
+void ph_energy_part_join(struct ph_energy_part *part,
+                         const struct ph_energy_part *next);
+
+/* ph_energy_of: the energies of all parts; as ph_energy_planar. */
+struct ph_energy ph_energy_of(const struct ph_energy_part *part,
+                              const struct ph_curve *curve);
+
+/*
  * ph_energy_planar: the energies of a curve, in its unit, to 1e-12 relative.
  *
  * Adaptive Gauss quadrature at unit scale; the rotations are in closed form.
