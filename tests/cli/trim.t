@@ -86,6 +86,49 @@ cp out record
 run verify record
 expect 'one side of both: verified' 0
 
+# ---- parts that run on each other ------------------------------------------------
+
+# a line and half of it back, whose end is within; its outline is that of the line
+feed '{"tolerance":0.01,"curve":[[[4,6],[6,4]],[[6,4],[5,5]]]}' tc \
+  --offset=0.5 --offset-mode=trimmed --offset-ends=round
+sums 'there and half of it back' 8.798446903082173 3.613825288143639
+# the same with a way off; a T with an end on each side of it
+feed '{"tolerance":0.01,"curve":[[[0,0],[10,0]],[[10,0],[3,0]],[[3,0],[3,4]]]}' \
+  tc --offset=0.5 --offset-mode=trimmed --offset-ends=round
+sums 'there, some of it back, and off' 30.712388980384695 14.678097245096172
+# sides that run on one another in part, closed: areas by GEOS
+feed '{"closed":true,"tolerance":0.01,"curve":[[[3,1],[-6,-1]],[[-6,-1],[-6,0]],
+  [[-6,0],[-6,-4]],[[-6,-4],[6,-6]],[[6,-6],[3,1]]]}' tc \
+  --offset=0.739681 --offset-mode=trimmed --offset-sides=both
+equal 'a spike on a side: closed' '0 2' "$status \
+$(grep -o '{"closed":true' out | wc -l | tr -d ' ')"
+
+# a quarter circle there, and back 9e-9 of the size from it
+feed '{"tolerance":1e-3,"curve":[
+  [[1,0],[1,0.5522847],[0.5522847,1],[0,1]],[[0,1],[0,1.000000009]],
+  [[0,1.000000009],[0.552284705,1.000000009],[1.000000009,0.552284705],
+  [1.000000009,0]]]}' tc --offset=-0.3 --offset-mode=trimmed \
+  --offset-ends=round
+expect 'beside itself' 1 "phspline: -:1: record 1: the offset at distance -0.3 \
+runs along itself in too many places [no-convergence]
+phspline: 1 of 1 records failed"
+
+# ---- miters beyond the curve -----------------------------------------------------
+
+# the tip at the end of a slit is beyond the other side; areas are those of GEOS
+feed '{"closed":true,"tolerance":0.01,"curve":[
+  [[-9.119,-5.581],[-5.596,9.160]],[[-5.596,9.160],[-1.301,2.406]],
+  [[-1.301,2.406],[-3.522,-1.316]],[[-3.522,-1.316],[5.257,6.872]],
+  [[5.257,6.872],[6.106,4.305]],[[6.106,4.305],[-9.119,-5.581]]]}' tc \
+  --offset=-1.16 --offset-mode=trimmed --offset-join=miter:10
+expect 'a tip beyond the curve' 0 ''
+sums 'a tip beyond the curve: sums' 21.379802842957446 -18.31632340369873
+feed '{"closed":true,"tolerance":0.01,"curve":[[[1.24,8.193],[1.329,-2.44]],
+  [[1.329,-2.44],[0.802,2.174]],[[0.802,2.174],[-2.826,-3.303]],
+  [[-2.826,-3.303],[-5.434,-7.29]],[[-5.434,-7.29],[1.24,8.193]]]}' tc \
+  --offset=-7.994656 --offset-mode=trimmed --offset-join=miter:10
+equal 'tips beyond the curve alone' '0 []' "$status $(get 'offsets[0].loops')"
+
 # ---- warnings ------------------------------------------------------------------
 
 warning='phspline: -:1: record 1: warning:'

@@ -2,8 +2,13 @@
 /* Distances of places from a curve (see clear.h). */
 #include "curve/offset/clear.h"
 
+#include "kernel/pi.h"
+
 /* Halvings of a segment: what is left is a point. */
 enum { HALVINGS_MAX = 60 };
+
+/* Of a length: a place is beyond an ellipse by more than that. */
+static const double ROUNDING = 1e-12;
 
 /* ---- the tree -------------------------------------------------------------
  */
@@ -86,9 +91,7 @@ static bool is_part_clear(struct look *look, const struct end *a,
                        depth + 1);
 }
 
-static bool is_segment_clear(struct look *look, size_t k) {
-  struct ph_clear *clear = look->clear;
-  struct end a, b;
+static void prepare(struct ph_clear *clear, size_t k) {
   if (clear->segment != k) {
     struct ph_fast3_place left, right;
     ph_fast3_of(&clear->strands->curve, k, &clear->fast);
@@ -98,14 +101,47 @@ static bool is_segment_clear(struct look *look, size_t k) {
                    ph_fast3_integral(&right, right.end->s);
     clear->segment = k;
   }
+}
+
+static bool is_segment_clear(struct look *look, size_t k) {
+  struct end a, b;
+  prepare(look->clear, k);
   a = end_at(look, 0);
   b = end_at(look, 1);
   return a.away >= look->least && b.away >= look->least &&
          is_part_clear(look, &a, &b, 0);
 }
 
+/* By how much the direction from the place to a point turns between two ends.
+ */
+static double angle_of(const struct look *look, const struct end *a,
+                       const struct end *b, int depth) {
+  struct end middle;
+  if (a->away + b->away > (1 + ROUNDING) * (b->s - a->s) ||
+      depth == HALVINGS_MAX) {
+    return ph_cplx_angle(ph_cplx_sub(a->r, look->place),
+                         ph_cplx_sub(b->r, look->place));
+  }
+  middle = end_at(look, 0.5 * (a->u + b->u));
+  return angle_of(look, a, &middle, depth + 1) +
+         angle_of(look, &middle, b, depth + 1);
+}
+
 /* ---- all ------------------------------------------------------------------
  */
+
+int ph_clear_around(struct ph_clear *clear, ph_cplx place) {
+  struct look look = {.clear = clear, .place = place};
+  double sum = 0;
+  for (size_t k = 0; k < clear->strands->n; k++) {
+    struct end a, b;
+    prepare(clear, k);
+    a = end_at(&look, 0);
+    b = end_at(&look, 1);
+    sum += angle_of(&look, &a, &b, 0);
+  }
+  return (int)lround(sum / (2 * PH_PI));
+}
 
 struct search {
   struct ph_boxtree_search base;

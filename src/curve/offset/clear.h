@@ -36,4 +36,11 @@ enum ph_status ph_clear_begin(struct ph_clear *clear,
  */
 bool ph_clear_of(struct ph_clear *clear, ph_cplx place, size_t near);
 
+/*
+ * ph_clear_around: how often a closed curve goes round a place that keeps the
+ * distance, positive to the left.  A part whose ellipse the place is not in
+ * turns round it as its chord does.
+ */
+int ph_clear_around(struct ph_clear *clear, ph_cplx place);
+
 #endif

@@ -11,8 +11,9 @@
  *   else       both are halved
  *
  * That is complete, as a root outside an arc, or none, concludes nothing.  What
- * is still there when it is a point touches.  Arcs that run on each other
- * within rounding would be halved until they are points: they are marked.
+ * is still there when it is a point, or a line within rounding, touches.  Arcs
+ * that run on each other would be halved until they are points: they are marked
+ * where both are, from the end of the one to that of the other.
  */
 #ifndef PH_CURVE_OFFSET_CROSSING_H
 #define PH_CURVE_OFFSET_CROSSING_H
@@ -25,11 +26,12 @@ struct ph_break {
   double u;
 };
 
-/* A part of an arc that another one runs on. */
+/* A part of an arc that another one runs on; that one too has a row. */
 struct ph_overlap {
   size_t arc;
   double u[2];
   size_t other;
+  double on[2];  /* which part of it */
   bool opposite; /* against its direction: between them there is nothing */
 };
 

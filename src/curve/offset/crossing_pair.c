@@ -4,13 +4,14 @@
 
 /* Steps of Newton's method, and places of an arc that are compared with another
  * one; room at first. */
-enum { STEPS = 16, PLACES = 5, ROOM = 64 };
+enum { STEPS = 16, PLACES = 9, ROOM = 64 };
 
 /* All of the size: room of bounds for rounding; how near a root has to be; arcs
- * that are points; arcs no shorter and no longer are compared, and run on each
- * other if they are so near.  Shorter ones are as near where they touch. */
-static const double ROUNDING = 1e-14, ROOT = 1e-13, POINT = 1e-10, LONG = 1e-4,
-                    SHORT = 2e-3, NEAR = 1e-9;
+ * that are points; bits that are no longer are compared, and their arcs; these
+ * run on each other if they are so near, and share that, bits if they share
+ * more; what may be flat. */
+static const double ROUNDING = 1e-14, ROOT = 1e-13, POINT = 1e-10, SHORT = 2e-3,
+                    NEAR = 1e-9, LEAST = 1e-8, LONG = 1e-4, FLAT = 1e-6;
 
 /* Directions, radians: tangents are apart, or the same. */
 static const double APART = 1e-9, SAME = 1e-6;
@@ -19,6 +20,7 @@ static const double APART = 1e-9, SAME = 1e-6;
 struct bound {
   ph_cplx middle, chord; /* unit */
   double semi[2];        /* axes of the ellipse */
+  double height;         /* of the triangle of the chord and both tangents */
   ph_cplx tangent;       /* in the middle of its directions */
   double half;           /* they are no further from it */
 };
@@ -27,6 +29,7 @@ struct state {
   struct ph_pairing *p;
   size_t arc[2];
   size_t n;
+  bool tried; /* whether the arcs run on each other */
 };
 
 static ph_cplx unit(ph_cplx a) {
@@ -43,13 +46,16 @@ static struct bound bound_of(const struct ph_bit *bit) {
   bound.chord = c > 0 ? ph_cplx_scale(1 / c, ph_cplx_sub(b, a)) : bound.tangent;
   bound.semi[0] = 0.5 * l;
   bound.semi[1] = 0.5 * sqrt(fmax((l - c) * (l + c), 0));
+  bound.height = 0.5 * l * tan(bound.half);
   return bound;
 }
 
-/* Half the extent along a direction. */
+/* Half the extent along a direction: of the ellipse, or of the box round the
+ * triangle, which loses nothing by rounding. */
 static double extent(const struct bound *b, ph_cplx along) {
-  return hypot(b->semi[0] * ph_cplx_dot(along, b->chord),
-               b->semi[1] * ph_cplx_cross(along, b->chord));
+  const double x = fabs(b->semi[0] * ph_cplx_dot(along, b->chord));
+  const double y = fabs(ph_cplx_cross(along, b->chord));
+  return fmin(hypot(x, b->semi[1] * y), x + b->height * y);
 }
 
 static bool are_apart(const struct bound *a, const struct bound *b,
@@ -89,20 +95,20 @@ static enum ph_status add_break(struct state *s, size_t which, double u) {
   return PH_OK;
 }
 
-/* The ends of bits that meet, none knows where. */
-static enum ph_status add_ends(struct state *s, const struct ph_bits *pair) {
+/* Where the parts of both arcs that meet end, for all. */
+static enum ph_status add_ends(struct state *s, double u[2][2]) {
   enum ph_status status = PH_OK;
   for (size_t i = 0; status == PH_OK && i < 4; i++) {
-    status = add_break(s, i / 2, pair->v[i / 2].u[i % 2]);
+    status = add_break(s, i / 2, u[i / 2][i % 2]);
   }
   return status;
 }
 
-static enum ph_status add_overlap(struct state *s, const struct ph_bits *pair,
+/* Parts of both arcs that run on each other. */
+static enum ph_status add_overlap(struct state *s, double u[2][2],
                                   bool opposite) {
   struct ph_crossings *out = s->p->out;
   for (size_t i = 0; i < 2; i++) {
-    const double *u = pair->v[i].u;
     struct ph_overlap *to =
         ph_arena_grow(s->p->strands->arena, out->overlaps, out->overlaps_n,
                       sizeof *to, ROOM, &s->p->overlaps_room);
@@ -111,9 +117,13 @@ static enum ph_status add_overlap(struct state *s, const struct ph_bits *pair,
     }
     out->overlaps = to;
     to[out->overlaps_n++] =
-        (struct ph_overlap){s->arc[i], {u[0], u[1]}, s->arc[1 - i], opposite};
+        (struct ph_overlap){.arc = s->arc[i],
+                            .u = {u[i][0], u[i][1]},
+                            .other = s->arc[1 - i],
+                            .on = {u[1 - i][0], u[1 - i][1]},
+                            .opposite = opposite};
   }
-  return add_ends(s, pair);
+  return add_ends(s, u);
 }
 
 /* ---- decisions ------------------------------------------------------------
@@ -174,26 +184,85 @@ static bool find_root(struct state *s, const struct ph_bits *pair,
   return inside;
 }
 
-/* Whether every place of the first bit that is compared is on the second. */
-static bool runs_on(struct state *s, const struct ph_bits *pair) {
-  const double near = NEAR * s->p->strands->size;
-  const double *own = s->p->arcs->v[s->arc[1]].bit.u;
-  double v = 0.5 * (pair->v[1].u[0] + pair->v[1].u[1]);
-  for (size_t i = 0; i < PLACES; i++) {
-    const double *u = pair->v[0].u;
-    const double at = u[0] + (u[1] - u[0]) * (double)i / (PLACES - 1);
-    const struct ph_spot a = ph_strand_spot(&s->p->eval[0], at);
-    struct ph_spot b = {.rate = 0};
-    ph_cplx apart;
-    for (int step = 0; step < STEPS / 2; step++) {
-      b = ph_strand_spot(&s->p->eval[1], v);
-      apart = ph_cplx_sub(a.o, b.o);
-      v = within(v + ph_cplx_dot(apart, ph_spot_tangent(&b)) / b.rate, own[0],
-                 own[1]);
+/* The place within limits whose normal a point is on, by Newton's method from
+ * their middle. */
+static struct ph_spot foot_of(const struct state *s, size_t which,
+                              ph_cplx point, const double limit[2], double *u) {
+  struct ph_spot at;
+  *u = 0.5 * (limit[0] + limit[1]);
+  at = ph_strand_spot(&s->p->eval[which], *u);
+  for (int step = 0; step < STEPS / 2; step++) {
+    const ph_cplx apart = ph_cplx_sub(point, at.o);
+    *u = within(*u + ph_cplx_dot(apart, ph_spot_tangent(&at)) / at.rate,
+                limit[0], limit[1]);
+    at = ph_strand_spot(&s->p->eval[which], *u);
+  }
+  return at;
+}
+
+static double apart_by(const struct ph_spot *a, const struct ph_spot *b) {
+  return ph_cplx_abs(ph_cplx_sub(a->o, b->o));
+}
+
+/* The parts of both bits that are beside the other one, in its order; false: an
+ * end of the one that is within the other is further from it. */
+static bool find_shared(const struct state *s, const struct ph_bits *pair,
+                        double near, double u[2][2]) {
+  bool is_near = true;
+  for (size_t i = 0; i < 4; i++) {
+    const struct ph_bit *bit = &pair->v[i / 2];
+    const struct ph_spot *end = &pair->v[1 - i / 2].end[i % 2];
+    double *foot = &u[i / 2][i % 2];
+    const struct ph_spot at = foot_of(s, i / 2, end->o, bit->u, foot);
+    is_near = is_near && (!(*foot > bit->u[0] && *foot < bit->u[1]) ||
+                          apart_by(&at, end) < near);
+  }
+  return is_near;
+}
+
+/* Orders their ends; false: they have no length, or go which way is not known.
+ */
+static bool put_in_order(double u[2][2], bool *opposite) {
+  *opposite = u[0][0] > u[0][1];
+  for (size_t i = 0; i < 2; i++) {
+    const double low = u[i][*opposite], high = u[i][!*opposite];
+    if (!(low < high)) {
+      return false;
     }
-    b = ph_strand_spot(&s->p->eval[1], v);
-    apart = ph_cplx_sub(a.o, b.o);
-    if (!(fabs(ph_cplx_cross(apart, ph_spot_tangent(&b))) < near)) {
+    u[i][0] = low;
+    u[i][1] = high;
+  }
+  return true;
+}
+
+/* Whether bits run on each other where both are, and where: for no less than a
+ * length.  Shorter parts are as near where they touch, and have to be nearer.
+ */
+static bool run_together(const struct state *s, const struct ph_bits *pair,
+                         double least, double u[2][2], bool *opposite) {
+  const double size = s->p->strands->size, d = s->p->strands->distance;
+  const struct ph_spot *end = pair->v[0].end;
+  struct ph_spot a, b, limit[2];
+  double near = NEAR * size, length;
+  if (!find_shared(s, pair, near, u) || !put_in_order(u, opposite)) {
+    return false;
+  }
+  for (size_t j = 0; j < 2; j++) {
+    limit[j] = ph_strand_spot(&s->p->eval[0], u[0][j]);
+  }
+  length = fabs(ph_spot_length(d, &limit[0], &limit[1]));
+  near = length > LONG * size ? near : ROOT * size;
+  if (!(length > least * size) || !(end[0].rate * end[1].rate > 0)) {
+    return false;
+  }
+  for (size_t i = 0; i < PLACES; i++) {
+    const double x = (double)i / (PLACES - 1);
+    double v;
+    a = ph_strand_spot(&s->p->eval[0], u[0][0] + x * (u[0][1] - u[0][0]));
+    b = foot_of(s, 1, a.o, u[1], &v);
+    if (!(apart_by(&a, &b) < near) ||
+        !(fabs(ph_cplx_cross(ph_spot_tangent(&a), ph_spot_tangent(&b))) <
+          SAME)) {
       return false;
     }
   }
@@ -235,29 +304,59 @@ static enum ph_status divide(struct state *s, const struct ph_bits *pair) {
   return PH_OK;
 }
 
+/* Bits that are parallel, and whose arcs may run on each other, or they; false:
+ * nothing is found. */
+static bool find_overlap(struct state *s, const struct ph_bits *pair,
+                         double longest, double u[2][2], bool *opposite) {
+  struct ph_bits whole;
+  for (size_t i = 0; i < 2; i++) {
+    whole.v[i] = s->p->arcs->v[s->arc[i]].bit;
+  }
+  if (!s->tried && run_together(s, &whole, LEAST, u, opposite)) {
+    s->n = 0; /* elsewhere there is at most one of them */
+    return true;
+  }
+  s->tried = true;
+  return longest > LONG * s->p->strands->size &&
+         run_together(s, pair, LONG, u, opposite);
+}
+
+/* Bits that meet where it cannot be told any better.  What is flat is the same
+ * line within rounding, and one of them is enough. */
+static enum ph_status add_touch(struct state *s, const struct ph_bits *pair,
+                                bool flat) {
+  double u[2][2];
+  bool opposite;
+  s->p->out->touches++;
+  find_shared(s, pair, HUGE_VAL, u);
+  return put_in_order(u, &opposite) && flat ? add_overlap(s, u, opposite)
+                                            : add_ends(s, u);
+}
+
 /* One pair of bits. */
 static enum ph_status decide(struct state *s, const struct ph_bits *pair) {
-  const double size = s->p->strands->size;
+  const double size = s->p->strands->size, rounding = ROUNDING * size;
   const struct bound a = bound_of(&pair->v[0]), b = bound_of(&pair->v[1]);
   const double longest = fmax(fabs(pair->v[0].length), fabs(pair->v[1].length));
-  double u[2];
-  if (are_apart(&a, &b, ROUNDING * size)) {
+  const double sine = fabs(ph_cplx_cross(a.tangent, b.tangent));
+  const bool flat = longest < FLAT * size && a.height < rounding &&
+                    b.height < rounding && sine * longest < 10 * rounding;
+  double u[2][2];
+  bool opposite;
+  if (are_apart(&a, &b, rounding)) {
     return PH_OK;
   }
-  if (is_transversal(&a, &b) && find_root(s, pair, u)) {
-    enum ph_status status = add_break(s, 0, u[0]);
+  if (is_transversal(&a, &b) && find_root(s, pair, u[0])) {
+    enum ph_status status = add_break(s, 0, u[0][0]);
     s->p->out->points++;
-    return status == PH_OK ? add_break(s, 1, u[1]) : status;
+    return status == PH_OK ? add_break(s, 1, u[0][1]) : status;
   }
-  if (longest < POINT * size) {
-    s->p->out->touches++;
-    return add_ends(s, pair);
+  if (longest < SHORT * size && sine < SAME &&
+      find_overlap(s, pair, longest, u, &opposite)) {
+    return add_overlap(s, u, opposite);
   }
-  if (longest < SHORT * size && longest > LONG * size &&
-      fabs(ph_cplx_cross(a.tangent, b.tangent)) < SAME && runs_on(s, pair)) {
-    return add_overlap(s, pair, ph_cplx_dot(a.tangent, b.tangent) < 0);
-  }
-  return divide(s, pair);
+  return flat || longest < POINT * size ? add_touch(s, pair, flat)
+                                        : divide(s, pair);
 }
 
 enum ph_status ph_pair_decide(struct ph_pairing *pairing, size_t i, size_t j) {

@@ -10,8 +10,9 @@
 #include <string.h>
 
 /* Of the size: ends of parts that are as near are at one place; what is nearer
- * than that is not told apart; chains that are no longer are none. */
-static const double NEAR = 1e-9, SAME = 1e-11, SHORT = 1e-8;
+ * than that is not told apart; chains that are no longer are none, nor are
+ * parts along a touch that lead nowhere. */
+static const double NEAR = 1e-9, SAME = 1e-11, SHORT = 1e-8, SPUR = 1e-6;
 
 /* Ends that others may follow, and starts. */
 enum { ROOM = 64 };
@@ -186,10 +187,11 @@ static double begin_of(const struct ph_strands *strands,
 }
 
 /* The chain that a part belongs to, from its beginning on. */
-static void follow(const struct linker *l, size_t at, struct ph_outline *out) {
+static void follow(const struct linker *l, size_t at, bool open,
+                   struct ph_outline *out) {
   struct ph_part *v = l->parts->v;
   struct ph_chain *chain = &out->chains[out->chains_n];
-  double length = 0;
+  double length = 0, least;
   size_t first = at, k = at;
   *chain = (struct ph_chain){.first = out->spans_n};
   do { /* where it begins */
@@ -213,7 +215,8 @@ static void follow(const struct linker *l, size_t at, struct ph_outline *out) {
     k = next;
   } while (k != PH_NO_STRAND && k != first);
   chain->n = out->spans_n - chain->first;
-  if (length > SHORT * l->strands->size) {
+  least = chain->closed || open ? SHORT : SPUR;
+  if (length > least * l->strands->size) {
     out->length += length;
     out->chains_n++;
   } else {
@@ -237,7 +240,7 @@ static enum ph_status collect(const struct linker *l, bool open,
       if (v[k].kept && (round || !v[k].follows)) {
         const size_t chains = out->chains_n;
         const ph_cplx at = v[k].of.end[0].o;
-        follow(l, k, out);
+        follow(l, k, open, out);
         if (out->chains_n > chains && !out->chains[chains].closed && !open) {
           return ph_strands_fail(l->strands, at, "it does not close", l->diag);
         }

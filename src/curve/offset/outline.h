@@ -6,7 +6,8 @@
  * Along arcs whether it does changes only where they end or meet others: from
  * one such place to the next, a run, one place decides.  Three are looked at.
  * A run that ends at a cusp or an inner corner, where nothing goes on, is never
- * kept, however short.
+ * kept, however short.  Nor is a run of lines of a miter that is beyond another
+ * part of a closed curve: it keeps the distance on the other side.
  */
 #ifndef PH_CURVE_OFFSET_OUTLINE_H
 #define PH_CURVE_OFFSET_OUTLINE_H

@@ -2,6 +2,7 @@
 /* Parts of arcs, cut and judged (see part.h). */
 #include "curve/offset/part.h"
 
+#include "curve/fair/enclosed.h"
 #include "curve/offset/clear.h"
 
 #include <stdlib.h>
@@ -205,22 +206,46 @@ static int ask(struct judge *j, const struct ph_part *part) {
   return clear;
 }
 
+/* Whether a place is on the other side of the curve than what is asked for:
+ * within it, or round it. */
+static enum ph_status see_side(struct judge *j, ph_cplx at, bool *beyond,
+                               struct ph_diag *diag) {
+  const struct ph_strands *strands = j->strands;
+  const int around = ph_clear_around(&j->clear, at);
+  enum ph_status status = PH_OK;
+  double area = 0;
+  if (around == 0) { /* outside: to the right, if the inside is to the left */
+    struct ph_curve given = strands->curve;
+    given.n = strands->n;
+    status = ph_enclosed_area(&given, strands->arena, &area, diag);
+  }
+  *beyond = strands->distance * (around == 0 ? -area : around) < 0;
+  return status;
+}
+
 /* The part that goes on with the run of another one, or none. */
 static size_t go_on(const struct judge *j, size_t at) {
   const struct ph_part *part = &j->parts->v[at];
   return part->cut ? PH_NO_STRAND : part->next;
 }
 
-/* The run that begins with a part. */
+static bool is_line(const struct judge *j, const struct ph_part *part) {
+  return j->strands->v[part->of.strand].kind == PH_STRAND_LINE;
+}
+
+/* The run that begins with a part.  Parts of miters alone may be beyond another
+ * part of the curve. */
 static enum ph_status judge_run(struct judge *j, size_t first,
                                 struct ph_diag *diag) {
   struct ph_part *v = j->parts->v;
   size_t longest = first, at = first, last = first;
+  enum ph_status status = PH_OK;
   double length = 0;
-  bool kept;
+  bool kept, beyond = j->strands->has_inside && v[first].begun;
   do {
     last = at;
     j->judged[at] = true;
+    beyond = beyond && is_line(j, &v[at]);
     length += fabs(v[at].of.length);
     longest = fabs(v[at].of.length) > fabs(v[longest].of.length) ? at : longest;
     at = go_on(j, at);
@@ -234,12 +259,33 @@ static enum ph_status judge_run(struct judge *j, size_t first,
                              "places of a part disagree", diag);
     }
   }
+  if (kept && beyond && v[last].cut) { /* no part of it is beside the curve */
+    status = see_side(j, v[longest].of.end[1].o, &beyond, diag);
+    kept = !beyond;
+  }
   at = first;
   do {
     v[at].kept = kept;
     at = go_on(j, at);
   } while (at != PH_NO_STRAND && at != first);
-  return PH_OK;
+  return status;
+}
+
+/* The part of an arc that a place is in. */
+static const struct ph_part *part_at(const struct judge *j, size_t arc,
+                                     double u) {
+  const struct ph_part *v = j->parts->v;
+  size_t low = 0, high = j->parts->n;
+  while (low < high) {
+    const size_t middle = low + (high - low) / 2;
+    if (v[middle].arc < arc ||
+        (v[middle].arc == arc && v[middle].of.u[1] < u)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low < j->parts->n && v[low].arc == arc ? &v[low] : &v[low - 1];
 }
 
 /* Whether a part runs on another arc that is kept in its place, or against one,
@@ -247,9 +293,15 @@ static enum ph_status judge_run(struct judge *j, size_t first,
 static bool is_double(const struct judge *j, const struct ph_overlap *o,
                       const struct ph_part *part, bool keep) {
   const double u = 0.5 * (part->of.u[0] + part->of.u[1]);
+  const double x = (u - o->u[0]) / (o->u[1] - o->u[0]);
+  const double along = o->opposite ? 1 - x : x;
   const bool passive = j->strands->v[j->arcs->v[o->other].strand].passive;
-  return u >= o->u[0] && u <= o->u[1] && !passive &&
-         ((o->opposite && !keep) || o->arc > o->other);
+  if (!(x >= 0 && x <= 1) || passive) {
+    return false;
+  }
+  return (o->opposite && !keep) ||
+         (o->arc > o->other &&
+          part_at(j, o->other, o->on[0] + along * (o->on[1] - o->on[0]))->kept);
 }
 
 static int compare(const void *a, const void *b) {

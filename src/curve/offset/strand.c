@@ -91,7 +91,7 @@ static enum ph_status copy_curve(struct ph_strands *strands,
 
 struct maker {
   struct ph_strands *strands;
-  const struct ph_offset_rules *rules;
+  double miter; /* the limit; 0: all joins are round */
   bool passive;
 };
 
@@ -130,7 +130,7 @@ static ph_cplx beside(const struct maker *m, ph_cplx point, ph_cplx w) {
 static size_t join(struct maker *m, size_t from, size_t corner, ph_cplx point,
                    ph_cplx a, ph_cplx b) {
   const double angle = 2 * atan2(ph_cplx_cross(a, b), ph_cplx_dot(a, b));
-  const double limit = m->rules->miter, c = cos(angle / 2);
+  const double limit = m->miter, c = cos(angle / 2);
   const ph_cplx middle = unit(ph_cplx_add(a, b));
   const ph_cplx tip = beside(m, point, middle);
   struct ph_strand s = {
@@ -234,12 +234,14 @@ enum ph_status ph_strands_of(const struct ph_curve *curve, double distance,
                              struct ph_diag *diag) {
   const bool trim = rules->mode == PH_OFFSET_TRIMMED, closed = curve->closed;
   const bool both = closed ? rules->both : rules->round_ends;
-  const bool bounds = trim && !both && (!closed || crosses);
+  const bool miter = rules->miter > 0; /* a tip may be beyond the curve */
+  const bool bounds = trim && !both && (!closed || crosses || miter);
   const size_t n = curve->n;
-  struct maker m = {strands, rules, false};
+  struct maker m = {strands, rules->miter, false};
   enum ph_status status;
   *strands = (struct ph_strands){.distance = both ? -fabs(distance) : distance,
                                  .both = both,
+                                 .has_inside = closed && !both && !crosses,
                                  .arena = arena};
   status = copy_curve(strands, curve, both || bounds, diag);
   if (status != PH_OK) {
@@ -264,6 +266,7 @@ enum ph_status ph_strands_of(const struct ph_curve *curve, double distance,
   chain(&m, 0, n, closed);
   if (both || bounds) {
     m.passive = bounds;
+    m.miter = strands->has_inside ? 0 : m.miter; /* there nothing is kept */
     chain(&m, n, n, closed);
   }
   if (bounds && !closed) {

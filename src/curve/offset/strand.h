@@ -53,7 +53,9 @@ struct ph_strands {
   int exponent;
   struct ph_strand *v;
   size_t strands_n;
-  bool both; /* all of one side of the curve and its reverse */
+  bool both;       /* all of one side of the curve and its reverse */
+  bool has_inside; /* the curve is closed and does not meet itself, and of one
+                      side what is kept is asked for */
   struct ph_arena *arena;
 };
 
