@@ -165,3 +165,26 @@ equal 'near a line: told of all' 8 "$(told '"rotation_index"')"
 mv out r
 run verify --problems=p r
 expect 'near a line: verified' 0
+
+# ---- a search that is cut short says so --------------------------------------
+
+# A random walk of 700 points has 200000 / 697 steps.
+if [ "${PH_SHORT-}" != 1 ]; then
+  awk 'BEGIN {
+    state = 12345
+    for (i = 0; i < 700; i++) {
+      for (c = 0; c < 2; c++) {
+        state = (state * 16807) % 2147483647
+        p[c] += state / 2147483647 - 0.5
+      }
+      printf "%s[%.6f,%.6f]", i ? "," : "{\"minimize\":\"MV\",\"points\":[",
+        p[0], p[1]
+    }
+    print "]}"
+  }' >p
+  run planar p
+  equal 'cut short: told, with the limit and the values' \
+    'phspline: p:1: record 1: warning: minimize ended at its limit of 287 '\
+'steps: from 4.35588e+06 it came to 37684.6, and the last step still gained '\
+'more than 1e-8 of that [cut-short]' "$(grep cut-short err)"
+fi

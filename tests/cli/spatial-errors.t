@@ -333,6 +333,20 @@ ti.tf is not positive, the condition for it fails (such segments: 1)'
 warned gap shape-unsatisfiable "$(printf %s "$gap_says" | tr '\n' ' ')" 1 \
   "{\"id\":\"g\",$gap}"
 
+# Neither tangent points forward: no tension helps, and many are tried.
+turned='"points":[[0,0,0],[1,0,0]],"tangents":[[-1,0.4,0.2],[-0.3,0.1,1]],'\
+'"basis":"atph"'
+cut_says='segment 0 took 75000 evaluations of F3: at further tensions the search
+began with the last curve, and others may be fairer (such segments: 1)'
+feed "{$turned}" spatial-hermite
+equal 'a search that is cut short' \
+  "phspline: -:1: record 1: warning: $(printf %s "$cut_says" |
+    tr '\n' ' ') [cut-short]" "$(head -n 1 err)"
+equal 'a search that is cut short: its warnings, and the curve of the data' \
+  'cut-short shape-unsatisfiable 0 1' \
+  "$(get 'warnings[0].code' | tr -d '"') $(get 'warnings[1].code' |
+    tr -d '"') $(get 'warnings[0].segment') $(get 'segments[0].tension')"
+
 warned alpha large-alpha 'alpha[1] is above 2 pi/3 (such segments: 2)' 1 \
   '{"id":"a","points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],"basis":"atph",'\
 '"alpha":[2.094,2.1,3],"criterion":"cc"}'

@@ -26,6 +26,11 @@ static const double REVERSAL = 1e-12;
 static const double EXACT = 1e-13;
 static const double MINIMUM = 1e-7;
 
+/* The work of a segment, in evaluations of a functional, half a microsecond
+ * each: beyond the first the search at another tension begins with what was
+ * found at the last one, beyond the second there is none. */
+enum { WORK_WHOLE = 75000, WORK_MOST = 100000 };
+
 /* The criteria: those of FAR15 are functions of the family. */
 static const struct criterion {
   const char *name;
@@ -51,6 +56,7 @@ struct task {
   size_t evaluations, reduced, unsatisfied, first_unsatisfied;
   const char *why;                       /* of the first unsatisfied segment */
   size_t substituted, first_substituted; /* F1 in the place of F2 or F3 */
+  size_t cut_short, first_cut_short;     /* at WORK_WHOLE */
   double functional, residual;
   bool at_bound;
 };
@@ -128,6 +134,9 @@ struct choice {
   struct task *task;
   size_t segment;
   struct ph_spatial_data data; /* dp and directions */
+  size_t work;
+  bool cut_short;
+  struct ph_spatial_minimum last; /* found */
   struct ph_diag *diag;
 };
 
@@ -177,8 +186,28 @@ static enum ph_status choose_member(struct ph_spatial_fit *fit, void *context) {
              : no_angles(c);
 }
 
-/* The fairest member, and alpha where it is free.  Always the whole search, so
- * that what is found at a tension does not depend on how it was come to. */
+/* The whole search, so that what is found at a tension does not depend on how
+ * it was come to, while there is time for that. */
+static enum ph_status search_fairest(struct choice *c,
+                                     const struct ph_spatial_search *search) {
+  const struct task *t = c->task;
+  enum ph_status status = PH_OK;
+  c->last.work = c->last.evaluations = 0;
+  c->cut_short = c->work >= WORK_WHOLE;
+  if (!c->cut_short) {
+    status = ph_spatial_minimize(search, &t->rules, t->scratch, &c->last);
+  } else if (c->work < WORK_MOST) {
+    struct ph_spatial_search near = *search;
+    near.functional = c->last.functional;
+    status = ph_spatial_descend(&near, &t->rules, t->scratch, &c->last);
+  } else {
+    c->last.value = HUGE_VAL;
+  }
+  c->work += c->last.work;
+  return status;
+}
+
+/* The fairest member, and alpha where it is free. */
 static enum ph_status choose_fairest(struct ph_spatial_fit *fit,
                                      void *context) {
   struct choice *c = context;
@@ -192,25 +221,25 @@ static enum ph_status choose_fairest(struct ph_spatial_fit *fit,
       .alpha_upper = free ? PH_SPATIAL_ALPHA_MAX : angle,
       .functional = t->criterion->functional,
       .plane = t->shape};
-  struct ph_spatial_minimum found;
+  const struct ph_spatial_minimum *found = &c->last;
   c->data.ni = fit->family.ni;
   c->data.nf = fit->family.nf;
-  if (ph_spatial_minimize(&search, &t->rules, t->scratch, &found) != PH_OK) {
+  if (search_fairest(c, &search) != PH_OK) {
     return ph_fail_memory(c->diag);
   }
-  if (!isfinite(found.value)) {
+  if (!isfinite(found->value)) {
     return ph_fail_at(c->diag, PH_E_NO_CONVERGENCE, "segments", c->segment,
                       "has no finite %s%s, as far as was found",
                       t->criterion->name,
                       t->criterion->functional > 1 ? ", and no finite F1" : "");
   }
-  t->evaluations += found.evaluations;
-  fit->member = found.member;
-  fit->functional = found.functional;
+  t->evaluations += found->evaluations;
+  fit->member = found->member;
+  fit->functional = found->functional;
   if (free) {
-    struct ph_atph space = ph_atph_of(found.alpha);
-    c->data.ni *= search.scaled ? found.alpha : 1;
-    c->data.nf *= search.scaled ? found.alpha : 1;
+    struct ph_atph space = ph_atph_of(found->alpha);
+    c->data.ni *= search.scaled ? found->alpha : 1;
+    c->data.nf *= search.scaled ? found->alpha : 1;
     fit->family = ph_spatial_family_of(&c->data, &space);
   }
   return PH_OK;
@@ -231,8 +260,13 @@ static enum ph_status fit_segment(struct task *t, size_t k,
     data->nf *= t->points.alpha[k];
   }
   if (t->shape) {
-    return ph_spatial_tension(data, &space, choose, &choice,
-                              choose == choose_fairest ? MINIMUM : EXACT, best);
+    enum ph_status status =
+        ph_spatial_tension(data, &space, choose, &choice,
+                           choose == choose_fairest ? MINIMUM : EXACT, best);
+    if (choice.cut_short) {
+      t->first_cut_short = t->cut_short++ ? t->first_cut_short : k;
+    }
+    return status;
   }
   best->factor = 1;
   best->without = 0;
@@ -369,6 +403,13 @@ static void report(const struct task *t) {
         "segment %zu has no finite %s, as far as was found, and the least F1 "
         "in its place (such segments: %zu)",
         t->first_substituted, t->criterion->name, t->substituted);
+  }
+  if (t->cut_short) {
+    ph_warn(t->result, t->first_cut_short, PH_W_CUT_SHORT,
+            "segment %zu took %d evaluations of %s: at further tensions the "
+            "search began with the last curve, and others may be fairer (such "
+            "segments: %zu)",
+            t->first_cut_short, WORK_WHOLE, t->criterion->name, t->cut_short);
   }
   if (t->unsatisfied) {
     ph_warn(t->result, t->first_unsatisfied, PH_W_SHAPE_UNSATISFIABLE,

@@ -6,7 +6,8 @@
  *    little improved.  The valleys are narrow in phi and long in b, so that a
  *    plain grid can miss them.
  * 2. Rough descents from those that are less than their neighbours in the grid.
- * 3. The best of these to the end, by ever finer quadratures until two agree.
+ * 3. The best of these to the end, by ever finer quadratures until two agree;
+ *    by those that do not know the place yet only so far as helps the next.
  * 4. Their values by adaptive quadrature, and the least of these.
  *
  * Plane data have members in the plane, two b with phi 0 or pi.  They are
@@ -32,15 +33,18 @@ enum {
   STARTS = 24,     /* of rough descents, and of fine ones */
   GRID_PANELS = 2, /* of the quadrature: in the grid, and at first */
   PANELS_MAX = 16,
-  ROUGH_STEPS = 60, /* of one descent */
+  ROUGH_STEPS = 60,  /* of one descent */
+  COARSE_STEPS = 30, /* by a quadrature that is not fine enough */
   STEPS_MAX = 100
 };
 
 static const double SMALL = 1e-3;
 /* Steps of log(F + SMALL) that are not worth while. */
-static const double ROUGH = 1e-4, FINE = 1e-14;
+static const double ROUGH = 1e-4, COARSE = 1e-8, FINE = 1e-14;
 /* Two quadratures agree, relative to this much more than F. */
 static const double AGREE = 1e-9, NOTHING = 1e-6;
+/* Two quadratures know a place. */
+static const double RESOLVED = 1e-2;
 /* How much a rough minimum can still lose. */
 static const double PROMISING = 1.2, HOPELESS = 3;
 /* Minima at neighbouring b or alpha whose phi is nearer belong together. */
@@ -56,7 +60,7 @@ struct search {
   struct ph_spatial_target target;
   size_t panels;
   double gradient[PH_SPATIAL_VARIABLES]; /* at the last value, of its log */
-  size_t evaluations;
+  size_t evaluations, work;
 };
 
 struct start {
@@ -76,18 +80,25 @@ static void begin(struct search *s, const struct ph_spatial_search *wanted,
   s->target = (struct ph_spatial_target){&rules->rule, &s->family,
                                          wanted->scaled, wanted->functional};
   s->panels = GRID_PANELS;
-  s->evaluations = 0;
+  s->evaluations = s->work = 0;
+}
+
+/* Counts a value by some panels, or one with its gradient, which takes about
+ * twice as long. */
+static void count(struct search *s, size_t panels, size_t times) {
+  s->evaluations++;
+  s->work += times * panels / GRID_PANELS;
 }
 
 static double section_value(struct search *s,
                             const struct ph_spatial_section *at, double phi) {
-  s->evaluations++;
+  count(s, GRID_PANELS, 1);
   return ph_spatial_section_fair(&s->target, at, GRID_PANELS, phi);
 }
 
 static double value_at(struct search *s, size_t panels,
                        const struct ph_spatial_point *at) {
-  s->evaluations++;
+  count(s, panels, 1);
   return ph_spatial_fair(&s->target, panels, at, NULL);
 }
 
@@ -100,7 +111,7 @@ static enum ph_status descent_value(void *context, const double *x,
   struct ph_spatial_point at = {x[PH_SPATIAL_B], x[PH_SPATIAL_PHI],
                                 x[PH_SPATIAL_ALPHA]};
   double f = ph_spatial_fair(&s->target, s->panels, &at, s->gradient);
-  s->evaluations++;
+  count(s, s->panels, 2);
   for (size_t i = 0; i < PH_SPATIAL_VARIABLES; i++) {
     s->gradient[i] /= f + SMALL;
   }
@@ -149,21 +160,31 @@ static enum ph_status descend(struct search *s, double decrease, size_t steps,
   return status;
 }
 
-/* To the end, by a quadrature that is fine enough there.  What the first ones
- * do not see may be far above the limit: it is left then. */
+/* Whether twice as many panels agree, relative to this; finer: by these. */
+static bool agrees(struct search *s, double within, const struct start *start,
+                   double *finer) {
+  *finer = value_at(s, 2 * s->panels, &start->at);
+  return fabs(*finer - start->value) <= within * (*finer + NOTHING);
+}
+
+/* To the end, by a quadrature that is fine enough there: not far by one that is
+ * not.  What the first ones do not see may be far above the limit: it is left
+ * then. */
 static enum ph_status polish(struct search *s, double limit,
                              struct start *start) {
-  enum ph_status status;
-  bool done;
-  s->panels = GRID_PANELS;
-  do {
+  enum ph_status status = PH_OK;
+  bool done = false;
+  for (s->panels = GRID_PANELS;
+       status == PH_OK && !done && s->panels <= PANELS_MAX; s->panels *= 2) {
     double finer;
-    status = descend(s, FINE, STEPS_MAX, start);
-    finer = value_at(s, 2 * s->panels, &start->at);
-    done = fabs(finer - start->value) <= AGREE * (finer + NOTHING) ||
+    bool whole;
+    start->value = value_at(s, s->panels, &start->at);
+    whole = s->panels == PANELS_MAX || agrees(s, RESOLVED, start, &finer);
+    status = descend(s, whole ? FINE : COARSE, whole ? STEPS_MAX : COARSE_STEPS,
+                     start);
+    done = (agrees(s, AGREE, start, &finer) && whole) ||
            !(finer <= HOPELESS * limit);
-    s->panels *= 2;
-  } while (status == PH_OK && !done && s->panels <= PANELS_MAX);
+  }
   return status;
 }
 
@@ -194,6 +215,7 @@ static void finish(const struct search *s, const struct start *best,
   found->functional = w->functional;
   found->value = best->value;
   found->evaluations = s->evaluations;
+  found->work = s->work;
   found->at_bound = w->alpha_lower < w->alpha_upper &&
                     (alpha <= w->alpha_lower || alpha >= w->alpha_upper);
 }
@@ -432,10 +454,11 @@ enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
   enum ph_status status = minimize(search, rules, scratch, found);
   if (status == PH_OK && !isfinite(found->value) && search->functional > 1) {
     struct ph_spatial_search bending = *search;
-    size_t before = found->evaluations;
+    const struct ph_spatial_minimum before = *found;
     bending.functional = 1;
     status = minimize(&bending, rules, scratch, found);
-    found->evaluations += before;
+    found->evaluations += before.evaluations;
+    found->work += before.work;
   }
   return status;
 }

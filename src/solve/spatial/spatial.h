@@ -543,7 +543,7 @@ struct ph_spatial_minimum {
   double alpha;
   int functional; /* what is least: that of the search, or 1 in its place */
   double value;   /* of the functional, by ph_fair3_of */
-  size_t evaluations;
+  size_t evaluations, work; /* work: in those of the rough quadrature */
   bool at_bound; /* alpha is free and on a bound: the minimum moves with it */
 };
 
