@@ -118,6 +118,30 @@ for y in 0 3e-13 -3e-13; do
     "$(jq -c '[.status, [.joints[]?.kind]]' out)"
 done
 
+# A road on a map: straight for 19 m, a quarter of a circle, straight.  Rounding of
+# the coordinates turns the straight parts by 1e-9.
+awk 'BEGIN {
+  for (j = 0; j < 4; j++) {
+    c = cos(0.1 + 0.7 * j); s = sin(0.1 + 0.7 * j); pi = 4 * atan2(1, 1)
+    printf "%s{\"points\":[", j ? "\n" : ""
+    for (i = 0; i < 70; i++) {
+      x = i < 20 ? i : i < 50 ? 19 + 20 * sin((i - 19) / 60 * pi) : 39
+      y = i < 20 ? 0 : i < 50 ? 20 - 20 * cos((i - 19) / 60 * pi) : i - 29
+      printf "%s[%.17g,%.17g]", i ? "," : "", 691000 + c * x - s * y,
+        5335000 + s * x + c * y
+    }
+    printf "]}"
+  }
+  print ""
+}' >in
+run tc -q in
+equal 'straight but for rounding' '["straight","straight"] true' \
+  "$(jq -r '([.joints[].kind] | tostring) + " " +
+     (.diagnostics.rotation_index * 4 - 1 | fabs < 1e-7 | tostring)' out | sort -u)"
+mv out road
+run verify -q --problems=in road
+equal 'straight but for rounding, verified' 'ok' "$(jq -r .status out | sort -u)"
+
 # ---- pairs of the mode spline ---------------------------------------------------
 
 # A flat point between two lines: with the same curvature on both sides it would

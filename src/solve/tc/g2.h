@@ -78,6 +78,7 @@ enum ph_g2_form { PH_G2_LINE, PH_G2_ARC, PH_G2_BEND };
 struct ph_g2_span {
   ph_cplx chord;
   double length;
+  double off; /* by this angle rounding of coordinates may turn it */
   enum ph_g2_form form;
   signed char sense; /* of the turn at its start: 1 to the left, or -1 */
 };

@@ -4,6 +4,7 @@
 
 #include "kernel/pi.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -49,6 +50,20 @@ static double angle_between(ph_cplx from, ph_cplx to) {
   return atan2(ph_cplx_cross(from, to), ph_cplx_dot(from, to));
 }
 
+static double coordinate(ph_cplx p) {
+  return fmax(fabs(p.re), fabs(p.im));
+}
+
+/* Whether the turn at a node is none, or no more than coordinates are rounded
+ * by. */
+static bool is_straight(const struct ph_g2_chain *chain, size_t k) {
+  const struct ph_g2_node *node = &chain->node[k];
+  const double before =
+      node->inner || k > 0 ? chain->span[ph_g2_before(chain, k)].off : 0;
+  const double after = k < chain->n ? chain->span[k].off : 0;
+  return !(fabs(node->turn) > fmax(STRAIGHT, before + after));
+}
+
 /* Chords and turns, from the points. */
 static void measure(struct ph_g2_chain *chain) {
   for (size_t i = 0; i < chain->n; i++) {
@@ -56,6 +71,10 @@ static void measure(struct ph_g2_chain *chain) {
     s->chord =
         ph_cplx_sub(chain->node[ph_g2_next(chain, i)].p, chain->node[i].p);
     s->length = hypot(s->chord.re, s->chord.im);
+    s->off = DBL_EPSILON *
+             (coordinate(chain->node[i].p) +
+              coordinate(chain->node[ph_g2_next(chain, i)].p)) /
+             s->length;
   }
   for (size_t k = 0; k < chain->nodes_n; k++) {
     struct ph_g2_node *node = &chain->node[k];
@@ -69,8 +88,9 @@ static void measure(struct ph_g2_chain *chain) {
           k > 0 ? angle_between(chain->span[k - 1].chord, chain->tangent[1])
                 : angle_between(chain->tangent[0], chain->span[0].chord);
     }
-    node->sign =
-        (signed char)((node->turn > STRAIGHT) - (node->turn < -STRAIGHT));
+    node->sign = (signed char)(is_straight(chain, k) ? 0
+                               : node->turn > 0      ? 1
+                                                     : -1);
   }
 }
 
@@ -420,7 +440,7 @@ static enum ph_status set_forms(struct ph_g2_chain *chain,
     }
   }
   for (size_t k = 0; k < chain->nodes_n; k++) {
-    if (chain->node[k].inner && fabs(chain->node[k].turn) > STRAIGHT &&
+    if (chain->node[k].inner && !is_straight(chain, k) &&
         chain->span[k].form == PH_G2_LINE &&
         chain->span[ph_g2_before(chain, k)].form == PH_G2_LINE) {
       chain->stuck = chain->node[k].datum;
