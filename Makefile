@@ -197,8 +197,8 @@ $(if $(word 2,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
 .PHONY: FORCE all install uninstall deps tests-build tests-syntax check \
 	check-run demo demo-run asan asan-run tsan tsan-run valgrind valgrind-run coverage \
 	coverage-run lint lint-run fuzz fuzz-run bench bench-run check-long \
-	check-long-run figures figures-run configure dist distcheck deb check-deb clean \
-	distclean help
+	check-long-run check-rates check-rates-run figures figures-run configure \
+	dist distcheck deb check-deb clean distclean help
 
 all: $(PROGRAM) ## build build/plain/phspline (the default)
 
@@ -450,6 +450,16 @@ check-long-run: $(B)/bench/conjecture $(B)/tests/prop/t_verify
 	@$(B)/bench/conjecture $(TRIALS) $(SEED)
 	@PH_TRIALS=$(TRIALS) PH_SEED=$(SEED) PH_JOBS=$(TEST_JOBS) CK_FORK=no \
 	  $(B)/tests/prop/t_verify
+
+# MEMBERS of each family of random data, or of those whose names contain FAMILY
+MEMBERS = 20
+FAMILY =
+check-rates: ## how often random data are solved, and how time grows with size
+	$(need)
+	$(SUBMAKE) check-rates-run
+check-rates-run: all
+	@python3 $(S)bench/rates.py $(PROGRAM) --members=$(MEMBERS) \
+	  --seed=$(SEED) $(if $(FAMILY),'$(FAMILY)')
 
 bench: ## build and run the benchmarks of bench/
 	$(need)
