@@ -7,6 +7,9 @@ python3 hostile.py judge OURS OTHER   of two files of results for the same
     problems: how many, failed, the geometric mean of energy times length over
     that of the other, how many are worse by a tenth, and the largest jump of
     the curvature
+python3 hostile.py table NAME ONE TWO ...   a line: of the results of the same
+    problems, how many solve all of them, and the geometric means of energy times
+    length over that of the last one
 python3 hostile.py jump RESULTS   how many closed curves, and the largest jump of
     the curvature where no joint is told, over the largest curvature at a joint:
     from the control points, (2/3) (d0 x d1) / |d0|^3
@@ -203,6 +206,16 @@ def judge(ours, others):
     print(f"{len(logs)} {failed} {mean:.3g} {worse} {jump:.1e} {pairs}")
 
 
+def table(name, files):
+    sets = [[json.loads(line) for line in open(file)] for file in files]
+    good = [r for r in zip(*sets)
+            if all(d["status"] == "ok" and product(d) > 0 for d in r)]
+    means = [math.exp(sum(math.log(product(r[i]) / product(r[-1]))
+                          for r in good) / len(good))
+             for i in range(len(files) - 1)]
+    print(f"{name:<12}{len(good):>5}" + "".join(f"{m:>10.2g}" for m in means))
+
+
 def jumps(name):
     n, largest = 0, 0
     for line in open(name):
@@ -225,6 +238,8 @@ def jumps(name):
 
 if sys.argv[1] == "names":
     print(" ".join(f.__name__ for f in FAMILIES))
+elif sys.argv[1] == "table":
+    table(sys.argv[2], sys.argv[3:])
 elif sys.argv[1] == "jump":
     jumps(sys.argv[2])
 elif sys.argv[1] == "judge":

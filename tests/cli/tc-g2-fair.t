@@ -22,6 +22,11 @@ judged() {
   mv out g2
   run tc -q --mode=spline in
   "$python" "$hostile" judge g2 out
+  if [ "$2" = 1 ]; then # the table of the manual
+    mv out spline
+    run planar -q in
+    "$python" "$hostile" table "$1" g2 spline out >>all.table
+  fi
 }
 
 for name in ${FAMILIES:-$("$python" "$hostile" names) convex mixed}; do
@@ -40,6 +45,14 @@ for name in ${FAMILIES:-$("$python" "$hostile" names) convex mixed}; do
   true_that "$name are solved, and fair" \
     awk '{ exit !($2 == 0 && $4 == 0 && $5 < 1e-9) }' all
 done
+
+if [ -z "${FAMILIES-}" ]; then
+  sed -n '/Pa tests.cli.tc.-g2.-fair.t/,/^\.Ed/p' "$srcdir/man/phspline-tc.1" |
+    grep '^[a-z_]*  *[0-9]* ' | sed 's/\\-/-/g' | awk '{ $1 = ""; print }' >wanted
+  awk '{ $1 = ""; print }' all.table >found
+  equal 'families in the table' "$(wc -l <wanted)" "$(wc -l <all.table)"
+  numbers 'the table of the manual' 0.06 wanted found
+fi
 
 # ---- tracks ---------------------------------------------------------------------
 
