@@ -111,10 +111,8 @@ static void exponent_text(int power, char text[16]) {
   text[n] = '\0';
 }
 
-/* A name, centred, with its exponent; in smaller letters where there is no
- * room for it. */
-static void put_name(const struct ph_axis *axis, struct ph_page *page,
-                     double em, double room, struct ph_spot at, bool up) {
+void ph_axis_name(const struct ph_axis *axis, struct ph_page *page, double em,
+                  double room, struct ph_spot at, bool up) {
   char text[128], exponent[16] = "";
   double w, e;
   if (name_text(axis, text)) {
@@ -160,7 +158,7 @@ static void x_axis(const struct ph_axes *axes, struct ph_page *page,
   if (!axis->bare) {
     struct ph_spot at = {axes->rect.x + 0.5 * axes->rect.w,
                          bottom + (TICK + GAP + 0.65 + NAME_LINE) * em};
-    put_name(axis, page, em, axes->rect.w, at, false);
+    ph_axis_name(axis, page, em, axes->rect.w, at, false);
   }
 }
 
@@ -184,7 +182,7 @@ static void y_axis(const struct ph_axes *axes, struct ph_page *page,
   if (!axis->bare) {
     double room = axes->left > 0 ? axes->left : ph_axes_left(axes, page, em);
     struct ph_spot at = {left - room + em, axes->rect.y + 0.5 * axes->rect.h};
-    put_name(axis, page, em, axes->rect.h, at, true);
+    ph_axis_name(axis, page, em, axes->rect.h, at, true);
   }
 }
 

@@ -34,6 +34,11 @@ double ph_axes_below(double em);
 /* ph_axes_draw: the frame, every tick a path of its own, and the texts. */
 void ph_axes_draw(const struct ph_axes *axes, struct ph_page *page, double em);
 
+/* ph_axis_name: its name, centred, with what its numbers are multiplied by; in
+ * smaller letters where there is no room for it (room 0: there is). */
+void ph_axis_name(const struct ph_axis *axis, struct ph_page *page, double em,
+                  double room, struct ph_spot at, bool up);
+
 /* ph_axis_place: 0 .. 1 from low to high. */
 double ph_axis_place(const struct ph_axis *axis, double value);
 

@@ -32,7 +32,7 @@ static double mix(double a, double b, double t) {
 }
 
 struct ph_colour ph_colour_ramp(size_t i, size_t n) {
-  const double end = 13; /* the last entry that is dark enough */
+  const double end = 12; /* the last entry that is dark enough */
   double at = n > 1 ? end * (double)i / (double)(n - 1) : 4;
   size_t k = at < end - 1 ? (size_t)at : (size_t)end - 1;
   double t = at - (double)k;
@@ -40,6 +40,26 @@ struct ph_colour ph_colour_ramp(size_t i, size_t n) {
                         mix(ramp[k][1], ramp[k + 1][1], t),
                         mix(ramp[k][2], ramp[k + 1][2], t)};
   return c;
+}
+
+/* More curves than these are told apart by how light they are, in a bar. */
+enum { DASHED_MAX = 10 };
+
+struct ph_dash ph_colour_dash(size_t i, size_t n, double em) {
+  static const struct ph_dash dashes[] = {
+      {0, {0}, 0},
+      {2, {0.95, 0.4}, 0},
+      {4, {0.95, 0.3, 0.2, 0.3}, 0},
+      {2, {0.25, 0.3}, 0},
+      {6, {0.95, 0.3, 0.2, 0.3, 0.2, 0.3}, 0}};
+  struct ph_dash dash = {0, {0}, 0};
+  if (n > 1 && n <= DASHED_MAX) {
+    dash = dashes[i % (sizeof dashes / sizeof dashes[0])];
+  }
+  for (size_t k = 0; k < dash.n; k++) {
+    dash.length[k] *= em;
+  }
+  return dash;
 }
 
 double ph_colour_thin(size_t n) {

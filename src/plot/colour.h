@@ -58,6 +58,18 @@ struct ph_colour ph_colour_segment(size_t segment, size_t n, bool closed);
  */
 struct ph_colour ph_colour_ramp(size_t i, size_t n);
 
+/* Lengths of dashes and gaps in turn, from so far in the first dash on; n = 0:
+ * a line without gaps. */
+enum { PH_DASH_MAX = 6 };
+struct ph_dash {
+  size_t n;
+  double length[PH_DASH_MAX], phase;
+};
+
+/* ph_colour_dash: dashes of number i of n curves, so that they are told apart
+ * without colours; the first, and all of many, have none. */
+struct ph_dash ph_colour_dash(size_t i, size_t n, double em);
+
 /* ph_colour_thin: how much thinner the lines of n curves in one place are. */
 double ph_colour_thin(size_t n);
 

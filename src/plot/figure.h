@@ -20,7 +20,7 @@
  *          1 in each view, and 1 more on a sphere if it is hidden in part; of
  *          segments 1 more in each profile that has more than one value for it
  *   stroke 85,85,85             joints: 1 in each profile, if there is room
- *   stroke 44,44,44             ticks: 1 each
+ *   stroke 44,44,44             ticks: 1 each, also of boxes
  *   stroke 45,45,45             frames: 1 of each view and profile with axes
  *   stroke 87,88,90             lines of the graticule
  *   stroke 55,56,58             outlines of spheres
@@ -36,7 +36,8 @@
  *
  * What is out of its frame is not there.  In a sweep curves and offsets have
  * the colours of the ramp, as have points and tangents that not all curves
- * share, and there are neither polygons nor joints.
+ * share, and there are neither polygons nor joints; up to 10 curves have dashes
+ * of their own (colour.h), to be told apart without colours.
  */
 #ifndef PH_PLOT_FIGURE_H
 #define PH_PLOT_FIGURE_H

@@ -10,7 +10,7 @@
 /* In ems. */
 #define LETTERS 0.85
 #define LINE 1.35
-#define SAMPLE 1.4
+#define SAMPLE 2.3
 #define BAR 0.9
 #define GAP 0.5
 
@@ -106,7 +106,9 @@ static void draw_lines(const struct ph_panel *panel, struct ph_page *page,
   for (size_t i = 0; i < panel->n; i++) {
     double y = place->y + (0.5 + (double)i) * LINE * em;
     struct ph_spot from = {place->x, y}, to = {place->x + SAMPLE * em, y};
+    const struct ph_dash dash = ph_colour_dash(i, panel->n, em);
     ph_page_pen(page, ph_colour_ramp(i, panel->n), 0.14 * em, 0);
+    ph_page_dash(page, &dash);
     ph_page_move(page, from);
     ph_page_line(page, to);
     ph_page_stroke(page);

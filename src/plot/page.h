@@ -30,14 +30,6 @@ struct ph_page_head {
   const char *title, *description; /* UTF-8; NULL: none */
 };
 
-/* Lengths of dashes and gaps in turn, from so far in the first dash on; n = 0:
- * a line without gaps. */
-enum { PH_DASH_MAX = 6 };
-struct ph_dash {
-  size_t n;
-  double length[PH_DASH_MAX], phase;
-};
-
 /*
  * ph_page_begin: a white page.
  *

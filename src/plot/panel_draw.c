@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A panel on the page (see panel.h): where its parts go, and what is in them.
  */
+#include "plot/box.h"
 #include "plot/globe.h"
 #include "plot/legend.h"
 #include "plot/panel.h"
@@ -210,69 +211,6 @@ static void space_layout(const struct place *place, struct space *space) {
   space->axes[0].x.bare = space->axes[2].y.bare = true;
 }
 
-/* The box of the curves in the fourth view, the middle of it in the middle. */
-static void draw_box(const struct place *place, struct ph_look *look) {
-  const struct ph_panel *panel = place->panel;
-  double low[2] = {9, 9}, high[2] = {-9, -9};
-  ph_vec3 corners[8];
-  static const int edges[12][2] = {{0, 1}, {2, 3}, {4, 5}, {6, 7},
-                                   {0, 2}, {1, 3}, {4, 6}, {5, 7},
-                                   {0, 4}, {1, 5}, {2, 6}, {3, 7}};
-  for (int i = 0; i < 8; i++) {
-    struct ph_seen seen;
-    corners[i] = ph_vec3_of(i & 1 ? panel->high.x : panel->low.x,
-                            i & 2 ? panel->high.y : panel->low.y,
-                            i & 4 ? panel->high.z : panel->low.z);
-    seen = ph_view_see(&look->view, corners[i]);
-    low[0] = fmin(low[0], seen.u);
-    low[1] = fmin(low[1], seen.v);
-    high[0] = fmax(high[0], seen.u);
-    high[1] = fmax(high[1], seen.v);
-  }
-  look->window.u = 0.5 * (low[0] + high[0]);
-  look->window.v = 0.5 * (low[1] + high[1]);
-  look->window.scale =
-      fmin(look->window.scale, fmin((look->window.rect.w - 2 * place->em) /
-                                        fmax(high[0] - low[0], 1e-3),
-                                    (look->window.rect.h - 2 * place->em) /
-                                        fmax(high[1] - low[1], 1e-3)));
-  ph_page_pen(look->page, ph_ink(PH_INK_BOX), 0.055 * look->em, 0);
-  for (int i = 0; i < 12; i++) {
-    ph_vec3 edge[2] = {corners[edges[i][0]], corners[edges[i][1]]};
-    ph_strokes_line(look, PH_SIDE_ALL, edge, 2);
-  }
-}
-
-/* Names of the axes at edges of the box that are in front: those of x and y
- * the lowest ones, that of z the leftmost. */
-static void name_box(const struct ph_look *look) {
-  const double low[3] = {look->panel->low.x, look->panel->low.y,
-                         look->panel->low.z};
-  const double high[3] = {look->panel->high.x, look->panel->high.y,
-                          look->panel->high.z};
-  static const char *const names[3] = {"x", "y", "z"};
-  static const double right[3] = {0.5, 0.7, 0.7}, down[3] = {1, 0.9, 0.3};
-  for (int i = 0; i < 3; i++) {
-    struct ph_seen best = {9, 9, 0};
-    struct ph_spot at;
-    for (int edge = 0; edge < 4; edge++) {
-      double p[3];
-      struct ph_seen seen;
-      p[i] = 0.5 * (low[i] + high[i]);
-      p[(i + 1) % 3] = edge & 1 ? high[(i + 1) % 3] : low[(i + 1) % 3];
-      p[(i + 2) % 3] = edge & 2 ? high[(i + 2) % 3] : low[(i + 2) % 3];
-      seen = ph_view_see(&look->view, ph_vec3_get(p, 3));
-      if (i < 2 ? seen.v < best.v : seen.u < best.u) {
-        best = seen;
-      }
-    }
-    at = ph_window_spot(&look->window, best);
-    at.x += (best.u < look->window.u ? -1 : 1) * right[i] * look->em;
-    at.y += down[i] * look->em;
-    ph_page_text(look->page, at, CAPTION_SIZE * look->em, 0.5, false, names[i]);
-  }
-}
-
 static void draw_space(const struct place *place) {
   struct space space;
   struct ph_look look = {.panel = place->panel,
@@ -290,8 +228,7 @@ static void draw_space(const struct place *place) {
     ph_axes_draw(&space.axes[i], place->page, place->em);
   }
   look.window = (struct ph_window){space.corner, 0, 0, space.scale};
-  draw_box(place, &look);
-  name_box(&look);
+  ph_box_draw(&look);
   ph_strokes_draw(&look, PH_SIDE_ALL);
 }
 
@@ -337,8 +274,7 @@ static void draw_surface(const struct place *place) {
   struct ph_axes axes;
   look.window = (struct ph_window){
       {r->x - place->left, r->y, half, r->h + ph_axes_below(em)}, 0, 0, 1e9};
-  draw_box(place, &look);
-  name_box(&look);
+  ph_box_draw(&look);
   ph_solid_draw(&look);
   flat.unit = flat.flat_unit;
   look.panel = &flat;

@@ -196,10 +196,11 @@ static void put_marks(struct marks *marks, const struct ph_profile *p,
 /* ---- drawing ------------------------------------------------------------- */
 
 static void draw_one(const struct ph_profile *p, const double *values,
-                     struct marks *marks, struct ph_colour colour,
-                     double width) {
+                     struct marks *marks, struct ph_colour colour, double width,
+                     struct ph_dash *dash) {
   struct ph_trace trace;
   ph_page_pen(marks->page, colour, width, 0);
+  ph_page_dash(marks->page, dash);
   ph_trace_begin(&trace, marks->page, &marks->axes->rect);
   for (size_t i = 0; i < p->n; i++) {
     struct ph_spot spot = spot_of(marks->axes, p->s[i], values[i]);
@@ -210,6 +211,7 @@ static void draw_one(const struct ph_profile *p, const double *values,
     }
   }
   ph_trace_end(&trace);
+  dash->phase += trace.length; /* goes on in the next segment */
   put_marks(marks, p, values, false);
   put_marks(marks, p, values, true);
 }
@@ -255,6 +257,7 @@ void ph_profile_draw(const struct ph_drawing *const *drawings, size_t n,
   }
   for (size_t i = 0; i < n; i++) {
     const struct ph_drawing *d = drawings[i];
+    struct ph_dash dash = ph_colour_dash(i, n, em);
     marks.last[0] = marks.last[1] = -1e9;
     for (size_t k = 0; k < d->segments_n; k++) {
       const double *values = values_of(&d->profiles[k], of);
@@ -262,7 +265,7 @@ void ph_profile_draw(const struct ph_drawing *const *drawings, size_t n,
         draw_one(&d->profiles[k], values, &marks,
                  n == 1 ? ph_colour_segment(k, d->segments_n, d->closed)
                         : ph_colour_ramp(i, n),
-                 0.11 * em * ph_colour_thin(n));
+                 0.11 * em * ph_colour_thin(n), &dash);
       }
     }
   }

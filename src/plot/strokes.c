@@ -72,8 +72,9 @@ void ph_strokes_line(const struct ph_look *look, enum ph_side side,
   ph_trace_end(&trace);
 }
 
-static void draw_line(const struct ph_look *look, enum ph_side side,
-                      const struct ph_stroke *stroke) {
+/* ret  the length of the line */
+static double draw_line(const struct ph_look *look, enum ph_side side,
+                        const struct ph_stroke *stroke) {
   struct ph_trace trace;
   struct ph_seen last = {0, 0, 0};
   ph_trace_begin(&trace, look->page, &look->window.rect);
@@ -83,6 +84,7 @@ static void draw_line(const struct ph_look *look, enum ph_side side,
     last = seen;
   }
   ph_trace_end(&trace);
+  return trace.length;
 }
 
 /* ---- arrows -------------------------------------------------------------- */
@@ -206,6 +208,7 @@ static void draw_strokes(const struct ph_look *look, enum ph_side side,
                          size_t which) {
   const struct ph_panel *panel = look->panel;
   const struct ph_drawing *d = panel->drawings[which];
+  struct ph_dash dash = ph_colour_dash(which, panel->n, look->em);
   size_t segment = 0;
   for (size_t i = 0; i < d->strokes_n; i++) {
     const struct ph_stroke *s = &d->strokes[i];
@@ -221,9 +224,12 @@ static void draw_strokes(const struct ph_look *look, enum ph_side side,
     segment += s->role == PH_STROKE_CURVE;
     if (tangent) {
       draw_arrow(look, side, s);
-    } else {
-      draw_line(look, side, s);
+      continue;
     }
+    if (panel->n > 1 && side != PH_SIDE_HIDDEN) {
+      ph_page_dash(look->page, &dash);
+    }
+    dash.phase += draw_line(look, side, s); /* goes on in the next segment */
   }
 }
 

@@ -14,6 +14,7 @@ void ph_trace_begin(struct ph_trace *trace, struct ph_page *page,
 
 static void step(struct ph_trace *trace, struct ph_spot to) {
   struct ph_spot a = trace->last, b = to;
+  trace->length += hypot(b.x - a.x, b.y - a.y);
   if (!ph_clip(&trace->rect, &a, &b)) {
     trace->down = false;
   } else {

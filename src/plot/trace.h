@@ -14,6 +14,7 @@ struct ph_trace {
   struct ph_spot last, skipped; /* drawn up to, seen up to */
   bool on, skips, down;         /* there is a last, skipped; the pen is at it */
   bool any;
+  double length; /* of what was drawn, hidden or not */
 };
 
 /* ph_trace_begin: the pen has been chosen (ph_page_pen). */

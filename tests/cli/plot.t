@@ -237,6 +237,9 @@ equal 'the key of tangents' \
   'data|curve, by segments|control polygon|tangent|' "$(key)"
 feed '{"points":[[0,0],[1,1],[2,0]]}' planar -p x.svg -S knots=uniform,chordal
 equal 'the key of a sweep: its legend has the curves' '' "$(key)"
+equal 'two curves of a sweep: the second is dashed' \
+  "$(inks x.svg | ink 'stroke 48,82,32')" \
+  "$(sed -n 's/.*stroke-dasharray="\([^"]*\)".*/\1/p' x.svg | grep -c .)"
 feed '{"lonlat":[[0,0],[80,5],[160,5],[-120,0]]}' sphere -q -p x.svg
 equal 'the key of a sphere' 'data|curve, by segments|control polygon|hidden|' \
   "$(key)"
@@ -244,6 +247,11 @@ printf '%s\n' "$cone_good" | sed 's/}$/,"height":[-9,9]}/' >high.json
 run cone -q -p x.svg high.json
 equal 'the key of a surface' \
   'data|contact curve|tangent|edge of a strip|ruling|hidden|' "$(key)"
+
+feed '{"points":[[0,0,0],[10,10,0],[20,0,10],[30,10,10]]}' spatial-hermite -p x.svg
+box=$(awk '/rgb\(83%/ { inside = 1; next } /rgb\(66%/ { inside = 0 } inside' x.svg |
+  sed -n 's/.*<text [^>]*>\(.*\)<\/text>/\1/p' | tr '\n' ' ')
+equal 'a curve in space: numbers and names at its box' '0 20 x 0 y 0 z ' "$box"
 
 # Points have their numbers, in data with merged points those that were given.
 labels() {

@@ -100,6 +100,27 @@ PH_TEST(page_sizes) {
   ck_abs(layout.width, 640, 0);
 }
 
+/* Curves are told apart without colours, up to as many as have a line each in
+ * the legend. */
+PH_TEST(dashes) {
+  const struct ph_dash none = ph_colour_dash(0, 5, 10);
+  ck_assert_uint_eq(none.n, 0);
+  ck_assert_uint_eq(ph_colour_dash(0, 1, 10).n, 0);
+  ck_assert_uint_eq(ph_colour_dash(3, PH_LEGEND_MAX + 1, 10).n, 0);
+  for (size_t i = 1; i < 5; i++) {
+    const struct ph_dash dash = ph_colour_dash(i, PH_LEGEND_MAX, 10);
+    const struct ph_dash twice = ph_colour_dash(i, PH_LEGEND_MAX, 20);
+    const struct ph_dash next = ph_colour_dash(i % 4 + 1, PH_LEGEND_MAX, 10);
+    ck_assert(dash.n > 0 && dash.n % 2 == 0 && dash.n <= PH_DASH_MAX);
+    ck_assert(dash.n != next.n || dash.length[0] > next.length[0] ||
+              dash.length[0] < next.length[0]);
+    for (size_t k = 0; k < dash.n; k++) {
+      ck_assert(dash.length[k] > 1);
+      ck_abs(twice.length[k], 2 * dash.length[k], 1e-12);
+    }
+  }
+}
+
 PH_TEST(title_and_key) {
   double height;
   headed = false;
