@@ -17,8 +17,8 @@
 
 #include <stdbool.h>
 
-/* Rules that are compared, of 4, 8 and 16 nodes. */
-enum { PH_ENERGY_RULES = 3 };
+/* Rules of 4 to 20 nodes. */
+enum { PH_ENERGY_RULES = 6 };
 
 /* The energies of segments that are added one after another. */
 struct ph_energy_sum {

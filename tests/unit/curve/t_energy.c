@@ -65,6 +65,43 @@ PH_TEST(test_quadrature) {
   }
 }
 
+/* A place on the ellipse with foci 0 and 1, by its major semiaxis over 1/2. */
+static ph_cplx on_ellipse(double axis, double angle) {
+  return ph_cplx_of(0.5 + 0.5 * axis * cos(angle),
+                    0.5 * sqrt(axis * axis - 1) * sin(angle));
+}
+
+/* One zero of w just where a rule is enough, or not, the other there, too, near
+ * the same place, mirrored, or farther off. */
+PH_TEST(test_zeros) {
+  static const double axes[] = {1.3,  1.7,  2.39, 2.41, 3.09, 3.11, 5.29,
+                                5.31, 12.4, 12.6, 29,   31,   199,  201};
+  const ph_cplx one = ph_cplx_of(1, 0);
+  for (size_t i = 0; i < sizeof axes / sizeof axes[0]; i++) {
+    for (int k = 0; k < 16; k++) {
+      const double angle = 0.05 + 0.4 * k;
+      const ph_cplx z = on_ellipse(axes[i], angle);
+      const ph_cplx others[] = {on_ellipse(axes[i], 1.7 * angle),
+                                on_ellipse(1.01 * axes[i], 0.02 - angle),
+                                on_ellipse(1.001 * axes[i], 1.01 * angle),
+                                on_ellipse(3 * axes[i], 2 * angle)};
+      for (size_t j = 0; j < 4; j++) {
+        const ph_cplx y = others[j], product = ph_cplx_mul(y, z);
+        const ph_cplx w[3] = {
+            product,
+            ph_cplx_sub(product, ph_cplx_scale(0.5, ph_cplx_add(y, z))),
+            ph_cplx_mul(ph_cplx_sub(one, y), ph_cplx_sub(one, z))};
+        struct ph_seg2 seg = unit_seg2(0, w);
+        struct ph_energy wanted = direct(&seg), found = energy_of(&seg, 1);
+        if (fabs(sin(angle)) > 0.1) { /* else it is all but straight */
+          ck_rel(found.bending, wanted.bending, 1e-12);
+          ck_rel(found.varying, wanted.varying, 2e-12);
+        }
+      }
+    }
+  }
+}
+
 /* Segments add up, and so do parts. */
 PH_TEST(test_sum) {
   struct unit_random r = unit_random_of(521);
