@@ -84,22 +84,13 @@ static ph_cplx limit(const struct ph_tc_target *t, bool last) {
   return ph_cplx_of(0, 0);
 }
 
-/* The point of q at u, and its derivative; b[degree + 1] is scratch. */
-static ph_cplx point_of(const ph_cplx *q, size_t degree, double u, ph_cplx *b,
-                        ph_cplx *derivative) {
-  memcpy(b, q, (degree + 1) * sizeof *b);
-  for (size_t n = degree; n > 1; n--) {
-    for (size_t k = 0; k < n; k++) {
-      b[k] = ph_cplx_between(b[k], b[k + 1], u);
-    }
-  }
-  *derivative = ph_cplx_scale((double)degree, ph_cplx_sub(b[1], b[0]));
-  return ph_cplx_between(b[0], b[1], u);
-}
-
 struct ph_tc_knot ph_tc_knot_at(const struct ph_tc_target *t, double u) {
   struct ph_tc_knot knot = {.u = u};
-  knot.p = point_of(t->p, t->degree, u, t->spare, &knot.derivative);
+  size_t n = t->degree;
+  ph_bern_cut(t->p, n, u, t->cut, t->spare);
+  knot.p = t->spare[0];
+  knot.derivative =
+      ph_cplx_scale((double)n, ph_cplx_sub(t->spare[1], t->cut[n - 1]));
   if (ph_cplx_abs(knot.derivative) > t->still) {
     knot.tangent = unit(knot.derivative);
   } else if (u <= 0 || u >= 1) {
