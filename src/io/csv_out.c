@@ -5,7 +5,7 @@
 #include "base/relay.h"
 #include "base/sum.h"
 #include "curve/offset/gap.h"
-#include "io/number.h"
+#include "io/csv_cell.h"
 
 #include <math.h>
 #include <string.h>
@@ -44,139 +44,20 @@ bool ph_csv_has(enum ph_table table, enum ph_space space) {
   return columns[table][space] != NULL;
 }
 
-/* A row in the making: its cells are separated by `between`. */
-struct row {
-  struct ph_buf *buf;
-  const struct ph_csv_shape *shape;
-  const struct ph_csv_heading *heading;
-  char between;
-};
-
-static void between(const struct row *row) {
-  ph_buf_put(row->buf, &row->between, 1);
-}
-
-/* A word for gnuplot and awk: no blanks, none empty. */
-static void word_cell(const struct row *row, const char *text, size_t n) {
-  for (size_t i = 0; i < n; i++) {
-    bool apart = (unsigned char)text[i] <= ' ' || text[i] == '"' ||
-                 (i == 0 && text[i] == '#');
-    ph_buf_put(row->buf, apart ? "_" : text + i, 1);
-  }
-  ph_buf_put(row->buf, "-", n == 0);
-}
-
-static void text_cell(const struct row *row, const char *text, size_t n) {
-  bool quoted = false;
-  if (row->shape->text) {
-    word_cell(row, text, n);
-    return;
-  }
-  for (size_t i = 0; i < n; i++) {
-    quoted |= memchr(",\"\r\n", text[i], 4) != NULL;
-  }
-  if (!quoted) {
-    ph_buf_put(row->buf, text, n);
-    return;
-  }
-  ph_buf_put(row->buf, "\"", 1);
-  for (size_t i = 0; i < n; i++) {
-    ph_buf_put(row->buf, "\"", text[i] == '"');
-    ph_buf_put(row->buf, text + i, 1);
-  }
-  ph_buf_put(row->buf, "\"", 1);
-}
-
-/* A JSON value; of a string, which holds no escapes, what it stands for. */
-static void json_cell(const struct row *row, const char *json) {
-  size_t n = strlen(json);
-  size_t quote = *json == '"';
-  text_cell(row, json + quote, n - 2 * quote);
-}
-
-/* Numbers as they are in memory. */
-static void double_cells(const struct row *row, const double *v, size_t n) {
-  char *to = ph_buf_reserve(row->buf, n * sizeof *v);
-  if (to) {
-    memcpy(to, v, n * sizeof *v);
-    row->buf->n += n * sizeof *v;
-  }
-}
-
-/* A number; what is none is an empty cell, or NaN. */
-static void number_cell(const struct row *row, double x) {
-  char *to;
-  if (row->shape->binary) {
-    double_cells(row, &x, 1);
-    return;
-  }
-  to = ph_buf_reserve(row->buf, PH_NUMBER_MAX + 1);
-  if (to) {
-    *to = row->between;
-    row->buf->n += 1 + (isfinite(x) ? ph_number_write(to + 1, x) : 0);
-  }
-  if (!isfinite(x) && row->shape->text) {
-    ph_buf_puts(row->buf, "NaN");
-  }
-}
-
-static void number_cells(const struct row *row, const double *v, size_t n) {
-  if (row->shape->binary) {
-    double_cells(row, v, n);
-    return;
-  }
-  for (size_t i = 0; i < n; i++) {
-    number_cell(row, v[i]);
-  }
-}
-
-static void begin_row(const struct row *row) {
-  if (row->shape->binary) {
-    number_cell(row, (double)row->heading->number);
-    return;
-  }
-  text_cell(row, row->heading->id, strlen(row->heading->id));
-}
-
-static void end_row(const struct row *row) {
-  if (row->shape->binary) {
-    return;
-  }
-  for (size_t i = 0; i < row->heading->swept_n; i++) {
-    between(row);
-    json_cell(row, row->heading->swept[i].value);
-  }
-  if (row->shape->file) {
-    between(row);
-    text_cell(row, row->heading->file, strlen(row->heading->file));
-  }
-  ph_buf_put(row->buf, "\n", 1);
-}
-
-/* Between two curves, or parts of one, that no line should join. */
-static void end_curve(const struct row *row) {
-  ph_buf_put(row->buf, "\n", row->shape->text);
-}
-
 /* Before row or piece number i, of a segment, of the offset that is not NULL:
  * after a gap it begins a part. */
-static void end_part(const struct row *row, const struct ph_offset *o,
+static void end_part(const struct ph_csv_row *row, const struct ph_offset *o,
                      size_t segment, size_t i, size_t *gap) {
   if (o && ph_gaps_pass(&o->gaps, segment, gap) && i > 0) {
-    end_curve(row);
+    ph_csv_end_curve(row);
   }
-}
-
-static struct row row_of(struct ph_buf *buf, const struct ph_csv_shape *shape,
-                         const struct ph_csv_heading *heading) {
-  return (struct row){buf, shape, heading, shape->text ? ' ' : ','};
 }
 
 /* Names in one list, separated by commas. */
-static void names(const struct row *row, const char *list) {
+static void names(const struct ph_csv_row *row, const char *list) {
   for (; *list; list++) {
     if (*list == ',') {
-      between(row);
+      ph_csv_between(row);
     } else {
       ph_buf_put(row->buf, list, 1);
     }
@@ -185,7 +66,7 @@ static void names(const struct row *row, const char *list) {
 
 void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
                    const struct ph_swept *swept, size_t swept_n) {
-  const struct row row = row_of(buf, shape, NULL);
+  const struct ph_csv_row row = ph_csv_row_of(buf, shape, NULL);
   const bool samples =
       shape->table == PH_TABLE_SAMPLES || shape->space == PH_SURFACE;
   ph_buf_puts(buf, shape->text ? "# id" : "id");
@@ -200,8 +81,8 @@ void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
     names(&row, samples ? ",loop" : ",loop,piece");
   }
   for (size_t i = 0; i < swept_n; i++) {
-    between(&row);
-    text_cell(&row, swept[i].name, strlen(swept[i].name));
+    ph_csv_between(&row);
+    ph_csv_text_cell(&row, swept[i].name, strlen(swept[i].name));
   }
   names(&row, shape->file ? ",file" : "");
   ph_buf_put(buf, "\n", 1);
@@ -209,7 +90,7 @@ void ph_csv_header(struct ph_buf *buf, const struct ph_csv_shape *shape,
 
 /* A row of so many that they have a relay. */
 struct rows {
-  const struct row *row;
+  const struct ph_csv_row *row;
   const struct ph_curve *curve;
   const struct ph_samples *samples;
   const struct ph_offset *offset; /* that they are of, or NULL */
@@ -221,56 +102,58 @@ static void some_control_points(void *context, struct ph_buf *to, size_t first,
   const struct rows *rows = context;
   const struct ph_curve *c = rows->curve;
   const double *p = c->control_points + first * (c->degree + 1) * c->dimension;
-  const struct row row = row_of(to, rows->row->shape, rows->row->heading);
+  const struct ph_csv_row row =
+      ph_csv_row_of(to, rows->row->shape, rows->row->heading);
   for (size_t k = first; k < end; k++) {
     for (size_t i = 0; i <= c->degree; i++) {
-      begin_row(&row);
-      number_cell(&row, (double)k);
-      number_cell(&row, (double)i);
-      number_cells(&row, p, c->dimension);
+      ph_csv_begin_row(&row);
+      ph_csv_number_cell(&row, (double)k);
+      ph_csv_number_cell(&row, (double)i);
+      ph_csv_number_cells(&row, p, c->dimension);
       p += c->dimension;
-      end_row(&row);
+      ph_csv_end_row(&row);
     }
   }
 }
 
-static void control_points(const struct row *row, const struct ph_curve *c) {
+static void control_points(const struct ph_csv_row *row,
+                           const struct ph_curve *c) {
   struct rows rows = {.row = row, .curve = c};
   ph_relay(row->buf, c->n, some_control_points, &rows);
 }
 
-static void lengths(const struct row *row, const struct ph_curve *c) {
+static void lengths(const struct ph_csv_row *row, const struct ph_curve *c) {
   struct ph_sum cumulative = {0, 0};
   for (size_t k = 0; k < c->n; k++) {
     ph_sum_add(&cumulative, c->lengths[k]);
-    begin_row(row);
-    number_cell(row, (double)k);
-    number_cell(row, c->knots[k]);
-    number_cell(row, c->knots[k + 1]);
-    number_cell(row, c->lengths[k]);
-    number_cell(row, ph_sum_value(&cumulative));
-    end_row(row);
+    ph_csv_begin_row(row);
+    ph_csv_number_cell(row, (double)k);
+    ph_csv_number_cell(row, c->knots[k]);
+    ph_csv_number_cell(row, c->knots[k + 1]);
+    ph_csv_number_cell(row, c->lengths[k]);
+    ph_csv_number_cell(row, ph_sum_value(&cumulative));
+    ph_csv_end_row(row);
   }
 }
 
 /* What all tables of samples say of a place. */
-static void place_cells(const struct row *row, const struct ph_samples *s,
-                        size_t i) {
+static void place_cells(const struct ph_csv_row *row,
+                        const struct ph_samples *s, size_t i) {
   size_t d = s->dimension;
-  number_cell(row, (double)s->segment[i]);
-  number_cell(row, s->t[i]);
-  number_cell(row, s->s[i]);
-  number_cells(row, s->point + d * i, d);
-  number_cells(row, s->tangent + d * i, d);
-  number_cell(row, s->curvature[i]);
+  ph_csv_number_cell(row, (double)s->segment[i]);
+  ph_csv_number_cell(row, s->t[i]);
+  ph_csv_number_cell(row, s->s[i]);
+  ph_csv_number_cells(row, s->point + d * i, d);
+  ph_csv_number_cells(row, s->tangent + d * i, d);
+  ph_csv_number_cell(row, s->curvature[i]);
 }
 
-static void vector_cell(const struct row *row, const char *vector) {
+static void vector_cell(const struct ph_csv_row *row, const char *vector) {
   if (row->shape->binary) {
-    number_cell(row, vector ? (double)(vector[1] - '0') : (double)NAN);
+    ph_csv_number_cell(row, vector ? (double)(vector[1] - '0') : (double)NAN);
     return;
   }
-  between(row);
+  ph_csv_between(row);
   ph_buf_puts(row->buf, vector ? vector : row->shape->text ? "-" : "");
 }
 
@@ -280,74 +163,78 @@ static void some_samples(void *context, struct ph_buf *to, size_t first,
   const struct rows *rows = context;
   const struct ph_samples *s = rows->samples;
   const struct ph_offset *o = rows->offset;
-  const struct row row = row_of(to, rows->row->shape, rows->row->heading);
+  const struct ph_csv_row row =
+      ph_csv_row_of(to, rows->row->shape, rows->row->heading);
   size_t gap = 0;
   for (size_t i = first; i < end; i++) {
     if (o && i == first && i > 0) {
       ph_gaps_pass(&o->gaps, s->segment[i - 1], &gap);
     }
     end_part(&row, o, s->segment[i], i, &gap);
-    begin_row(&row);
+    ph_csv_begin_row(&row);
     place_cells(&row, s, i);
     if (s->torsion) {
-      number_cell(&row, s->torsion[i]);
+      ph_csv_number_cell(&row, s->torsion[i]);
     }
     if (s->lonlat) {
-      number_cells(&row, s->lonlat + 2 * i, 2);
+      ph_csv_number_cells(&row, s->lonlat + 2 * i, 2);
     }
     if (row.shape->frame) {
-      number_cells(&row, s->normal ? s->normal + 3 * i : none, 3);
-      number_cells(&row, s->binormal ? s->binormal + 3 * i : none, 3);
+      ph_csv_number_cells(&row, s->normal ? s->normal + 3 * i : none, 3);
+      ph_csv_number_cells(&row, s->binormal ? s->binormal + 3 * i : none, 3);
     }
     if (row.shape->offsets) {
-      number_cell(&row, o ? o->distance : 0);
+      ph_csv_number_cell(&row, o ? o->distance : 0);
       if (row.shape->space == PH_SPACE) {
         vector_cell(&row, o ? o->vector : NULL);
       }
     }
     if (row.shape->loops) {
-      number_cell(&row, rows->loop);
+      ph_csv_number_cell(&row, rows->loop);
     }
-    end_row(&row);
+    ph_csv_end_row(&row);
   }
 }
 
 /* Of the curve, or of the offset that is not NULL, or of a loop of it. */
-static void samples(const struct row *row, const struct ph_samples *s,
+static void samples(const struct ph_csv_row *row, const struct ph_samples *s,
                     const struct ph_offset *o, double loop) {
   struct rows rows = {row, NULL, s, o, loop};
   ph_relay(row->buf, s->n, some_samples, &rows);
 }
 
 /* Of an offset. */
-static void samples_beside(const struct row *row, const struct ph_offset *o) {
+static void samples_beside(const struct ph_csv_row *row,
+                           const struct ph_offset *o) {
   const struct ph_loops *loops = &o->loops;
   for (size_t i = 0; i < loops->n; i++) {
-    end_curve(row);
+    ph_csv_end_curve(row);
     samples(row, &loops->v[i].samples, o, (double)i);
   }
   if (!loops->mode) {
-    end_curve(row);
+    ph_csv_end_curve(row);
     samples(row, &o->samples, o, (double)NAN);
   }
 }
 
 /* Samples in the table of offsets, where the distance comes first. */
-static void offset_samples(const struct row *row, const struct ph_offset *o) {
+static void offset_samples(const struct ph_csv_row *row,
+                           const struct ph_offset *o) {
   size_t gap = 0;
   for (size_t i = 0; i < o->samples.n; i++) {
     end_part(row, o, o->samples.segment[i], i, &gap);
-    begin_row(row);
-    number_cell(row, o->distance);
+    ph_csv_begin_row(row);
+    ph_csv_number_cell(row, o->distance);
     place_cells(row, &o->samples, i);
-    number_cells(row, o->samples.lonlat + 2 * i, 2);
-    end_row(row);
+    ph_csv_number_cells(row, o->samples.lonlat + 2 * i, 2);
+    ph_csv_end_row(row);
   }
 }
 
 /* Pieces of an offset; no weights are ones.  A segment in several pieces goes
  * on counting its points. */
-static void offset_pieces(const struct row *row, const struct ph_offset *o,
+static void offset_pieces(const struct ph_csv_row *row,
+                          const struct ph_offset *o,
                           const struct ph_pieces *pieces,
                           const double *weight) {
   const double *p = pieces->control_points;
@@ -358,47 +245,48 @@ static void offset_pieces(const struct row *row, const struct ph_offset *o,
       index = 0;
     }
     for (size_t i = 0; i <= pieces->degree; i++) {
-      begin_row(row);
-      number_cell(row, o->distance);
-      number_cell(row, (double)pieces->segment[piece]);
-      number_cell(row, (double)index++);
-      number_cells(row, p, pieces->dimension);
+      ph_csv_begin_row(row);
+      ph_csv_number_cell(row, o->distance);
+      ph_csv_number_cell(row, (double)pieces->segment[piece]);
+      ph_csv_number_cell(row, (double)index++);
+      ph_csv_number_cells(row, p, pieces->dimension);
       p += pieces->dimension;
-      number_cell(row, weight ? *weight++ : 1);
+      ph_csv_number_cell(row, weight ? *weight++ : 1);
       if (o->vector) {
         vector_cell(row, o->vector);
       }
-      end_row(row);
+      ph_csv_end_row(row);
     }
   }
 }
 
 /* The pieces of loops; joins are of no segment. */
-static void offset_loops(const struct row *row, const struct ph_offset *o) {
+static void offset_loops(const struct ph_csv_row *row,
+                         const struct ph_offset *o) {
   for (size_t i = 0; i < o->loops.n; i++) {
     const struct ph_loop *loop = &o->loops.v[i];
     if (i > 0) {
-      end_curve(row);
+      ph_csv_end_curve(row);
     }
     for (size_t k = 0; k < loop->n; k++) {
       const struct ph_loop_piece *piece = &loop->pieces[k];
       const bool join = piece->segment == PH_NO_SEGMENT;
       for (size_t j = 0; j <= o->degree; j++) {
-        begin_row(row);
-        number_cell(row, o->distance);
-        number_cell(row, join ? (double)NAN : (double)piece->segment);
-        number_cell(row, (double)j);
-        number_cells(row, piece->control_points + 2 * j, 2);
-        number_cell(row, piece->weights[j]);
-        number_cell(row, (double)i);
-        number_cell(row, (double)k);
-        end_row(row);
+        ph_csv_begin_row(row);
+        ph_csv_number_cell(row, o->distance);
+        ph_csv_number_cell(row, join ? (double)NAN : (double)piece->segment);
+        ph_csv_number_cell(row, (double)j);
+        ph_csv_number_cells(row, piece->control_points + 2 * j, 2);
+        ph_csv_number_cell(row, piece->weights[j]);
+        ph_csv_number_cell(row, (double)i);
+        ph_csv_number_cell(row, (double)k);
+        ph_csv_end_row(row);
       }
     }
   }
 }
 
-static void offset(const struct row *row, const struct ph_offset *o) {
+static void offset(const struct ph_csv_row *row, const struct ph_offset *o) {
   struct ph_pieces rational = {o->degree,   o->dimension,      o->n, o->segment,
                                o->interval, o->control_points, 0};
   if (o->loops.mode) {
@@ -412,132 +300,134 @@ static void offset(const struct row *row, const struct ph_offset *o) {
 
 /* ---- surfaces ------------------------------------------------------------ */
 
-static void end_surface_row(const struct row *row, double distance) {
+static void end_surface_row(const struct ph_csv_row *row, double distance) {
   if (row->shape->offsets) {
-    number_cell(row, distance);
+    ph_csv_number_cell(row, distance);
   }
-  end_row(row);
+  ph_csv_end_row(row);
 }
 
-static void strips(const struct row *row, const struct ph_curve *c,
+static void strips(const struct ph_csv_row *row, const struct ph_curve *c,
                    double distance) {
   for (size_t i = 0; i < c->n; i++) {
     const struct ph_strip *strip = &c->surface.strips[i];
-    begin_row(row);
-    number_cell(row, (double)i);
-    number_cell(row, (double)strip->pair);
-    number_cells(row, strip->frame.point, 3);
-    number_cells(row, strip->frame.ruling, 3);
-    number_cells(row, strip->frame.tangent, 3);
-    number_cells(row, strip->frame.normal, 3);
-    number_cell(row, strip->k);
-    number_cell(row, strip->kn);
-    number_cell(row, strip->length);
-    number_cells(row, strip->vertex, 3);
-    number_cell(row, strip->half_angle);
-    number_cell(row, strip->sweep);
-    number_cell(row, strip->development_angle);
+    ph_csv_begin_row(row);
+    ph_csv_number_cell(row, (double)i);
+    ph_csv_number_cell(row, (double)strip->pair);
+    ph_csv_number_cells(row, strip->frame.point, 3);
+    ph_csv_number_cells(row, strip->frame.ruling, 3);
+    ph_csv_number_cells(row, strip->frame.tangent, 3);
+    ph_csv_number_cells(row, strip->frame.normal, 3);
+    ph_csv_number_cell(row, strip->k);
+    ph_csv_number_cell(row, strip->kn);
+    ph_csv_number_cell(row, strip->length);
+    ph_csv_number_cells(row, strip->vertex, 3);
+    ph_csv_number_cell(row, strip->half_angle);
+    ph_csv_number_cell(row, strip->sweep);
+    ph_csv_number_cell(row, strip->development_angle);
     end_surface_row(row, distance);
   }
 }
 
-static void patches(const struct row *row, const struct ph_curve *c) {
+static void patches(const struct ph_csv_row *row, const struct ph_curve *c) {
   for (size_t i = 0; i < c->n; i++) {
     const struct ph_patch *patch = &c->surface.patches[i];
     const size_t width = patch->bidegree[0] + 1;
     for (size_t k = 0; k < patch->points_n; k++) {
-      begin_row(row);
-      number_cell(row, (double)i);
-      number_cell(row, (double)(k / width));
-      number_cell(row, (double)(k % width));
-      number_cells(row, patch->control_points + 3 * k, 3);
-      end_row(row);
+      ph_csv_begin_row(row);
+      ph_csv_number_cell(row, (double)i);
+      ph_csv_number_cell(row, (double)(k / width));
+      ph_csv_number_cell(row, (double)(k % width));
+      ph_csv_number_cells(row, patch->control_points + 3 * k, 3);
+      ph_csv_end_row(row);
     }
   }
 }
 
-static void edges(const struct row *row, const struct ph_patch_edges *list) {
+static void edges(const struct ph_csv_row *row,
+                  const struct ph_patch_edges *list) {
   for (size_t i = 0; i < list->n; i++) {
     const struct ph_patch_edge *e = &list->v[i];
-    begin_row(row);
-    number_cell(row, (double)i);
-    number_cell(row, (double)e->vertices[0]);
-    number_cell(row, (double)e->vertices[1]);
-    number_cell(row, (double)e->faces[0]);
-    number_cell(row, e->faces_n > 1 ? (double)e->faces[1] : (double)NAN);
-    number_cell(row, e->normal_jump);
-    number_cell(row, e->curvature_jump);
-    end_row(row);
+    ph_csv_begin_row(row);
+    ph_csv_number_cell(row, (double)i);
+    ph_csv_number_cell(row, (double)e->vertices[0]);
+    ph_csv_number_cell(row, (double)e->vertices[1]);
+    ph_csv_number_cell(row, (double)e->faces[0]);
+    ph_csv_number_cell(row, e->faces_n > 1 ? (double)e->faces[1] : (double)NAN);
+    ph_csv_number_cell(row, e->normal_jump);
+    ph_csv_number_cell(row, e->curvature_jump);
+    ph_csv_end_row(row);
   }
 }
 
-static void patch_samples(const struct row *row,
+static void patch_samples(const struct ph_csv_row *row,
                           const struct ph_patch_samples *grid,
                           double distance) {
   for (size_t i = 0; i < grid->n; i++) {
     const struct ph_patch_sample *at = &grid->v[i];
-    begin_row(row);
-    number_cell(row, (double)at->patch);
-    number_cell(row, at->u);
-    number_cell(row, at->v);
-    number_cells(row, at->point, 3);
-    number_cells(row, at->normal, 3);
-    number_cell(row, at->gauss);
-    number_cell(row, at->mean);
-    number_cells(row, at->principal, 2);
+    ph_csv_begin_row(row);
+    ph_csv_number_cell(row, (double)at->patch);
+    ph_csv_number_cell(row, at->u);
+    ph_csv_number_cell(row, at->v);
+    ph_csv_number_cells(row, at->point, 3);
+    ph_csv_number_cells(row, at->normal, 3);
+    ph_csv_number_cell(row, at->gauss);
+    ph_csv_number_cell(row, at->mean);
+    ph_csv_number_cells(row, at->principal, 2);
     end_surface_row(row, distance);
   }
 }
 
-static void development(const struct row *row, const struct ph_curve *c,
+static void development(const struct ph_csv_row *row, const struct ph_curve *c,
                         double distance) {
   for (size_t k = 0; k < c->n; k++) {
     const struct ph_arc2 *flat = &c->surface.strips[k].development;
     const size_t n = flat->samples_n ? flat->samples_n : 3;
     for (size_t i = 0; i < n; i++) {
-      begin_row(row);
-      number_cell(row, (double)k);
-      number_cell(row, (double)i);
-      number_cells(row,
-                   flat->samples_n ? flat->samples[i].point
-                                   : flat->control_points[i],
-                   2);
-      number_cell(row, flat->samples_n ? (double)NAN : flat->weights[i]);
+      ph_csv_begin_row(row);
+      ph_csv_number_cell(row, (double)k);
+      ph_csv_number_cell(row, (double)i);
+      ph_csv_number_cells(row,
+                          flat->samples_n ? flat->samples[i].point
+                                          : flat->control_points[i],
+                          2);
+      ph_csv_number_cell(row, flat->samples_n ? (double)NAN : flat->weights[i]);
       end_surface_row(row, distance);
     }
   }
 }
 
-static void node_cells(const struct row *row,
+static void node_cells(const struct ph_csv_row *row,
                        const struct ph_surface_sample *at) {
-  number_cell(row, (double)at->strip);
-  number_cell(row, at->s);
-  number_cell(row, at->h);
-  number_cells(row, at->point, 3);
-  number_cells(row, at->normal, 3);
-  number_cells(row, at->flat, 2);
+  ph_csv_number_cell(row, (double)at->strip);
+  ph_csv_number_cell(row, at->s);
+  ph_csv_number_cell(row, at->h);
+  ph_csv_number_cells(row, at->point, 3);
+  ph_csv_number_cells(row, at->normal, 3);
+  ph_csv_number_cells(row, at->flat, 2);
 }
 
-static void nodes(const struct row *row, const struct ph_surface_samples *grid,
-                  double distance) {
+static void nodes(const struct ph_csv_row *row,
+                  const struct ph_surface_samples *grid, double distance) {
   for (size_t i = 0; i < grid->n; i++) {
-    begin_row(row);
+    ph_csv_begin_row(row);
     node_cells(row, &grid->v[i]);
     end_surface_row(row, distance);
   }
 }
 
-static void located(const struct row *row, const struct ph_located_list *list) {
+static void located(const struct ph_csv_row *row,
+                    const struct ph_located_list *list) {
   for (size_t i = 0; i < list->n; i++) {
-    begin_row(row);
-    number_cell(row, (double)list->v[i].index);
+    ph_csv_begin_row(row);
+    ph_csv_number_cell(row, (double)list->v[i].index);
     node_cells(row, &list->v[i].at);
-    end_row(row);
+    ph_csv_end_row(row);
   }
 }
 
 /* A surface, or one at a distance of it. */
-static void surface(const struct row *row, const struct ph_curve *c,
+static void surface(const struct ph_csv_row *row, const struct ph_curve *c,
                     const struct ph_surface_samples *grid, double distance) {
   switch (row->shape->table) {
   case PH_TABLE_STRIPS:
@@ -551,20 +441,22 @@ static void surface(const struct row *row, const struct ph_curve *c,
   }
 }
 
-static void patchworks(const struct row *row, const struct ph_result *result) {
+static void patchworks(const struct ph_csv_row *row,
+                       const struct ph_result *result) {
   patch_samples(row, &result->places, 0);
   for (size_t i = 0; i < result->parallels_n; i++) {
     const struct ph_parallel *p = &result->parallels[i];
-    end_curve(row);
+    ph_csv_end_curve(row);
     patch_samples(row, &p->places, p->distance);
   }
 }
 
-static void surfaces(const struct row *row, const struct ph_result *result) {
+static void surfaces(const struct ph_csv_row *row,
+                     const struct ph_result *result) {
   surface(row, &result->curve, &result->grid, 0);
   for (size_t i = 0; i < result->parallels_n; i++) {
     const struct ph_parallel *p = &result->parallels[i];
-    end_curve(row);
+    ph_csv_end_curve(row);
     surface(row, &p->curve, &p->grid, p->distance);
   }
 }
@@ -574,7 +466,7 @@ static void surfaces(const struct row *row, const struct ph_result *result) {
 void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
                    const struct ph_csv_heading *heading,
                    const struct ph_result *result) {
-  const struct row row = row_of(buf, shape, heading);
+  const struct ph_csv_row row = ph_csv_row_of(buf, shape, heading);
   switch (shape->table) {
   case PH_TABLE_CONTROL_POINTS:
     control_points(&row, &result->curve);
@@ -612,7 +504,7 @@ void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
   case PH_TABLE_OFFSETS:
     for (size_t i = 0; i < result->offsets_n; i++) {
       if (i > 0) {
-        end_curve(&row);
+        ph_csv_end_curve(&row);
       }
       offset(&row, &result->offsets[i]);
     }
@@ -620,6 +512,6 @@ void ph_csv_result(struct ph_buf *buf, const struct ph_csv_shape *shape,
   case PH_TABLE_N:
     break;
   }
-  end_curve(&row);
-  end_curve(&row);
+  ph_csv_end_curve(&row);
+  ph_csv_end_curve(&row);
 }
