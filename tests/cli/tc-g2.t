@@ -142,6 +142,19 @@ mv out road
 run verify -q --problems=in road
 equal 'straight but for rounding, verified' 'ok' "$(jq -r .status out | sort -u)"
 
+# Lines that the curve leaves before their ends: the turns there are sharp beside
+# those that follow.  The data turn to the other side twice, and the curve where it
+# leaves each line.
+cat >in <<'END'
+{"id":"S","points":[[0,0],[1,0],[2,0],[3,0],[3.8,0.7],[4.5,0.71],[5.2,0.7],[6,0],[7,0],[8,0],[9,0]]}
+END
+run tc -q in
+mv out lines
+equal 'a line is left' '[["straight","inflection","inflection","inflection","inflection","straight"],true]' \
+  "$(jq -c '[[.joints[].kind], (.auxiliary | length == 0)]' lines)"
+run verify -q --problems=in lines
+equal 'a line is left, verified' 'ok' "$(jq -r .status out)"
+
 # ---- pairs of the mode spline ---------------------------------------------------
 
 # A flat point between two lines: with the same curvature on both sides it would

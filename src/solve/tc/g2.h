@@ -103,6 +103,9 @@ struct ph_g2_chain {
   bool given[2];      /* whether there are end tangents */
   ph_cplx tangent[2]; /* these */
   size_t stuck;       /* the datum that has no curve, or PH_G2_ADDED */
+  const unsigned char
+      *loose; /* NULL, or whether at a datum that ends a straight
+                 run the tangent need not be along it */
   struct ph_g2_node *node;
   struct ph_g2_span *span;
 };

@@ -155,6 +155,8 @@ struct search {
   struct bent pairs;        /* the sum */
   unsigned char *mark;      /* [n] whether the interval gets its pair */
   size_t start;             /* of closed data the first that got one */
+  unsigned char *line;      /* [points] whether a line begins or ends there */
+  unsigned char *loose;     /* [points] of the chains */
 };
 
 /* The pairs of all intervals.  ret false: the mode spline has no curve */
@@ -207,6 +209,7 @@ static enum ph_status solve_part(struct search *s, struct ph_g2_part *part,
   status = ph_g2_chain_of(d, part->first, part->n,
                           d->closed && only ? NULL : tangent, s->arena,
                           &part->chain, diag);
+  part->chain.loose = s->loose;
   if (status == PH_OK) {
     status = find(&part->chain, s->may_add, s->rule, s->arena, &part->solution,
                   diag);
@@ -234,6 +237,9 @@ static void measure_part(struct search *s, const struct ph_g2_part *part) {
     size_t next = ph_g2_next(&part->chain, i);
     add(&s->here[at], span_bent(&part->chain.span[i], part->solution.a[i],
                                 part->solution.b[i]));
+    if (part->chain.span[i].form == PH_G2_LINE) {
+      s->line[at] = s->line[around(s, at + 1)] = 1;
+    }
     if (part->chain.node[next].datum != PH_G2_ADDED) {
       at = around(s, at + 1);
     }
@@ -292,46 +298,77 @@ static void mark_failed(struct search *s, const struct ph_g2_part *part) {
   mark_middle(s, part);
 }
 
-/* Intervals to which it is due that the whole is worse. */
-static void mark_worst(struct search *s) {
-  double most = 0;
-  for (int marks = 0; marks < 2; marks++) {
-    for (size_t i = 0; i < s->data->n; i++) {
-      double excess =
-          (s->here[i].energy - s->pair[i].energy) / s->pairs.energy +
-          (s->here[i].length - s->pair[i].length) / s->pairs.length;
-      if (marks == 0) {
-        most = fmax(most, excess);
-      } else if (!(excess < EXCESS * most)) {
-        s->mark[i] = 1;
-      }
-    }
-  }
+/* How much an interval makes the whole worse than with all pairs. */
+static double excess(const struct search *s, size_t i) {
+  return (s->here[i].energy - s->pair[i].energy) / s->pairs.energy +
+         (s->here[i].length - s->pair[i].length) / s->pairs.length;
 }
 
-/* What gets pairs after this round.  ret whether anything does */
-static bool mark(struct search *s, const struct ph_g2_parts *parts) {
-  struct bent sum = {0, 0};
-  bool failed = false;
-  for (size_t i = 0; i < parts->n; i++) {
-    if (!parts->part[i].solved) {
-      mark_failed(s, &parts->part[i]);
-      failed = true;
-    } else {
-      measure_part(s, &parts->part[i]);
+/* Lets the curve leave the lines beside an interval.  ret whether there are */
+static bool loosen(struct search *s, size_t i) {
+  const size_t end[2] = {i, around(s, i + 1)};
+  bool any = false;
+  for (size_t k = 0; k < 2; k++) {
+    if (s->line[end[k]] && !s->loose[end[k]]) {
+      s->loose[end[k]] = 1;
+      any = true;
     }
   }
-  if (failed) {
-    return true;
+  return any;
+}
+
+/* Intervals to which it is due that the whole is worse: their marks, or the
+ * lines beside them.  ret whether there are any */
+static bool mark_worst(struct search *s, bool lines) {
+  const size_t n = s->data->n;
+  double most = 0;
+  bool any = false;
+  for (size_t i = 0; i < n; i++) {
+    most = fmax(most, excess(s, i));
+  }
+  for (size_t i = 0; i < n; i++) {
+    if (!(excess(s, i) < EXCESS * most)) {
+      s->mark[i] |= !lines;
+      any |= !lines || loosen(s, i);
+    }
+  }
+  return any;
+}
+
+/* Energy times length of all parts; NaN if one has no solution. */
+static double measure(struct search *s, const struct ph_g2_parts *parts) {
+  struct bent sum = {0, 0};
+  bool solved = true;
+  memset(s->line, 0, s->data->points_n);
+  for (size_t i = 0; i < parts->n; i++) {
+    solved &= parts->part[i].solved;
+    if (parts->part[i].solved) {
+      measure_part(s, &parts->part[i]);
+    }
   }
   for (size_t i = 0; i < s->data->n; i++) {
     add(&sum, s->here[i]);
   }
-  if (sum.energy * sum.length <= WORSE * s->pairs.energy * s->pairs.length) {
-    return false;
+  return solved ? sum.energy * sum.length : (double)NAN;
+}
+
+/* Whether that is too large. */
+static bool is_worse(const struct search *s, double product) {
+  return !(product <= WORSE * s->pairs.energy * s->pairs.length);
+}
+
+/* What gets pairs after this round.  ret whether anything does */
+static bool mark(struct search *s, const struct ph_g2_parts *parts) {
+  const double product = measure(s, parts);
+  for (size_t i = 0; isnan(product) && i < parts->n; i++) {
+    if (!parts->part[i].solved) {
+      mark_failed(s, &parts->part[i]);
+    }
   }
-  mark_worst(s);
-  return true;
+  if (isnan(product)) {
+    return true;
+  }
+  return is_worse(s, product) && mark_worst(s, false);
 }
 
 /* How far an interval is behind the one that parts begin with. */
@@ -376,6 +413,27 @@ static enum ph_status cut(struct search *s, struct ph_g2_parts *parts) {
   return PH_OK;
 }
 
+/* All as one part, which may leave lines where it is worse beside them, if that
+ * is enough.  ret PH_OK | PH_E_NO_MEMORY */
+static enum ph_status leave_lines(struct search *s, struct ph_g2_parts *parts) {
+  const struct ph_g2_part strict = parts->part[0];
+  double product = measure(s, parts), before = HUGE_VAL;
+  enum ph_status status = PH_OK;
+  for (size_t round = 0;
+       round < ROUNDS_MAX && status == PH_OK && is_worse(s, product) &&
+       product < before && mark_worst(s, true);
+       round++) {
+    before = product;
+    status = solve_part(s, &parts->part[0], true);
+    product = measure(s, parts);
+  }
+  if (is_worse(s, product)) {
+    parts->part[0] = strict;
+    memset(s->loose, 0, s->data->points_n);
+  }
+  return status == PH_E_NO_MEMORY ? status : PH_OK;
+}
+
 /* With pairs where they are needed. */
 static enum ph_status improve(struct search *s, struct ph_g2_parts *parts) {
   const size_t n = s->data->n;
@@ -383,12 +441,17 @@ static enum ph_status improve(struct search *s, struct ph_g2_parts *parts) {
   s->pair = ph_arena_array(s->arena, n, sizeof *s->pair);
   s->here = ph_arena_array(s->arena, n, sizeof *s->here);
   s->mark = ph_arena_array(s->arena, n, 1);
-  if (!s->pair || !s->here || !s->mark) {
+  s->line = ph_arena_array(s->arena, s->data->points_n, 1);
+  if (!s->pair || !s->here || !s->mark || !s->line) {
     return ph_fail_memory(s->diag);
   }
   memset(s->mark, 0, n);
+  memset(s->here, 0, n * sizeof *s->here);
   if (!measure_pairs(s)) {
     return parts->part[0].solved ? PH_OK : s->diag->status;
+  }
+  if (parts->part[0].solved) {
+    status = leave_lines(s, parts);
   }
   for (size_t round = 0; status == PH_OK && mark(s, parts); round++) {
     if (round == ROUNDS_MAX) {
@@ -415,9 +478,11 @@ enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
   enum ph_status status;
   parts->n = 1;
   parts->part = ph_arena_array(arena, 1, sizeof *parts->part);
-  if (!parts->part) {
+  s.loose = ph_arena_array(arena, data->points_n, 1);
+  if (!parts->part || !s.loose) {
     return ph_fail_memory(diag);
   }
+  memset(s.loose, 0, data->points_n);
   parts->part[0] = (struct ph_g2_part){.n = data->n};
   status = solve_part(&s, &parts->part[0], true);
   return spline && (status == PH_OK || status == PH_E_NO_CONVERGENCE ||

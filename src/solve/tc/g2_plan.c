@@ -373,6 +373,15 @@ static void set_run(struct ph_g2_chain *chain, const struct run *run,
   }
 }
 
+/* Whether the curve must leave the line before it reaches the end of a run, a
+ * node with so many beside it, or is free to. */
+static bool is_corner(const struct ph_g2_chain *chain, size_t k, int runs) {
+  const struct ph_g2_node *node = &chain->node[k];
+  const bool loose =
+      chain->loose && node->datum != PH_G2_ADDED && chain->loose[node->datum];
+  return node->inner && (runs > 1 || loose);
+}
+
 /* ret  PH_OK | PH_E_NO_MEMORY */
 static enum ph_status set_runs(struct ph_g2_chain *chain,
                                struct ph_arena *arena, struct ph_diag *diag) {
@@ -396,8 +405,8 @@ static enum ph_status set_runs(struct ph_g2_chain *chain,
   }
   at = 1;
   while (next_run(chain, start, &at, &run)) {
-    set_run(chain, &run, chain->node[run.left].inner && runs[run.left] > 1,
-            chain->node[run.right].inner && runs[run.right] > 1);
+    set_run(chain, &run, is_corner(chain, run.left, runs[run.left]),
+            is_corner(chain, run.right, runs[run.right]));
   }
   return PH_OK;
 }
