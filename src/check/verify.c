@@ -97,7 +97,8 @@ struct part {
   struct ph_check_error error[PH_CHECK_N];
   enum ph_status status;
   struct ph_diag diag;
-  bool done;
+  int fault; /* as in v, */
+  size_t fault_at;
 };
 
 struct parts {
@@ -111,17 +112,20 @@ static bool check_part(void *context, size_t thread, size_t first, size_t end) {
   struct ph_check v = *parts->v;
   struct ph_check_space space = *v.space;
   struct ph_check_data data = *v.data;
+  bool in_time;
   (void)thread;
-  *part = (struct part){.done = false};
+  *part = (struct part){.status = PH_OK};
   v.space = &space;
   v.data = &data;
   v.error = part->error;
   v.diag = &part->diag;
   v.status = PH_OK;
   data.i = ph_check_interval(&data, first);
-  part->done = check_range(&v, first, end, part->ends);
+  in_time = check_range(&v, first, end, part->ends);
   part->status = v.status;
-  return part->done;
+  part->fault = v.fault;
+  part->fault_at = v.fault_at;
+  return in_time;
 }
 
 /* Certifies a long curve in parts; what comes out does not depend on who does
@@ -130,7 +134,7 @@ static bool check_parts(struct ph_check *v) {
   const size_t n = v->curve->n, parts_n = (n + PART - 1) / PART;
   atomic_int *spare = v->scratch->budget ? v->scratch->budget->spare : NULL;
   struct parts parts = {.v = v};
-  if (n < 2 * PART || !v->error || !v->data || v->promise->segment ||
+  if (n < 2 * PART || !v->error || !v->data ||
       ph_check_field(v, PH_F_TANGENT_SIGMA)) {
     return false;
   }
@@ -149,6 +153,10 @@ static bool check_parts(struct ph_check *v) {
     if (part->status != PH_OK) {
       v->status = part->status;
       *v->diag = part->diag;
+    }
+    if (!v->fault) {
+      v->fault = part->fault;
+      v->fault_at = part->fault_at;
     }
     if (next > part || v->curve->closed) {
       ph_check_joint(v, &part->ends[1], &next->ends[0]);

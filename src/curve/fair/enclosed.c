@@ -3,10 +3,14 @@
 #include "curve/fair/enclosed.h"
 
 #include "base/sum.h"
+#include "base/team.h"
 #include "curve/kind/kind.h"
 #include "kernel/quad.h"
 
 enum { NODES = 20, DEGREE_MAX = 5 };
+
+/* Segments of a part, and parts that are worth another thread, 0.1 ms each. */
+enum { PART = 1024, WORTH = 8 };
 
 static double binomial(size_t n, size_t k) {
   double b = 1;
@@ -21,27 +25,57 @@ static double cross(const double *o, const double *p, const double *a,
   return (p[0] - o[0]) * (b[1] - a[1]) - (p[1] - o[1]) * (b[0] - a[0]);
 }
 
-static void add_beziers(const struct ph_curve *curve, struct ph_sum *sum) {
-  const size_t n = curve->degree;
-  const double *origin = curve->control_points;
+/* Of Bezier curves: parts of PART segments each have sums of their own. */
+struct beziers {
+  const struct ph_curve *curve;
   double weight[DEGREE_MAX + 1][DEGREE_MAX];
-  for (size_t i = 0; i <= n; i++) {
-    for (size_t j = 0; j < n; j++) {
-      weight[i][j] =
-          binomial(n, i) * binomial(n - 1, j) / binomial(2 * n - 1, i + j) / 4;
-    }
-  }
-  for (size_t k = 0; k < curve->n; k++) {
-    const double *p = ph_curve_points(curve, k);
+  struct ph_sum *part;
+};
+
+static bool add_part(void *context, size_t thread, size_t first, size_t end) {
+  const struct beziers *b = context;
+  const size_t n = b->curve->degree;
+  const double *origin = b->curve->control_points;
+  struct ph_sum sum = {0, 0};
+  (void)thread;
+  for (size_t k = first; k < end; k++) {
+    const double *p = ph_curve_points(b->curve, k);
     double part = 0;
     for (size_t i = 0; i <= n; i++) {
       for (size_t j = 0; j < n; j++) {
-        part +=
-            weight[i][j] * cross(origin, p + 2 * i, p + 2 * j, p + 2 * j + 2);
+        part += b->weight[i][j] *
+                cross(origin, p + 2 * i, p + 2 * j, p + 2 * j + 2);
       }
     }
-    ph_sum_add(sum, part);
+    ph_sum_add(&sum, part);
   }
+  b->part[first / PART] = sum;
+  return true;
+}
+
+static enum ph_status add_beziers(const struct ph_curve *curve,
+                                  struct ph_arena *arena, struct ph_sum *sum,
+                                  struct ph_diag *diag) {
+  const size_t n = curve->degree, parts_n = (curve->n + PART - 1) / PART;
+  atomic_int *spare = arena->budget ? arena->budget->spare : NULL;
+  struct beziers b = {.curve = curve};
+  b.part = ph_arena_array(arena, parts_n, sizeof *b.part);
+  if (!b.part) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; i <= n; i++) {
+    for (size_t j = 0; j < n; j++) {
+      b.weight[i][j] =
+          binomial(n, i) * binomial(n - 1, j) / binomial(2 * n - 1, i + j) / 4;
+    }
+  }
+  ph_team_spread(spare, ph_team_take(spare, parts_n / WORTH), curve->n, PART,
+                 add_part, &b);
+  for (size_t i = 0; i < parts_n; i++) {
+    ph_sum_add(sum, b.part[i].high);
+    ph_sum_add(sum, b.part[i].low);
+  }
+  return PH_OK;
 }
 
 static enum ph_status add_others(const struct ph_curve *curve,
@@ -79,7 +113,7 @@ enum ph_status ph_enclosed_area(const struct ph_curve *curve,
     return PH_OK;
   }
   if (kind->bernstein) {
-    add_beziers(curve, &sum);
+    status = add_beziers(curve, arena, &sum, diag);
   } else {
     status = add_others(curve, arena, &sum, diag);
   }

@@ -106,6 +106,42 @@ PH_TEST(test_total_length) {
   ck_assert_int_eq(certify(), PH_E_NO_CONVERGENCE);
 }
 
+/* A curve that is gone through in parts: nothing is missed where they meet. */
+PH_TEST(test_long) {
+  enum { N = 3000 };
+  static const size_t at[] = {0, 1, 1022, 1023, 1024, 1025, 2047, 2048, 2998};
+  static double points[2 * N];
+  for (size_t i = 0; i < N; i++) {
+    points[2 * i] = (double)i;
+    points[2 * i + 1] = 9 * sin(0.1 * (double)i);
+  }
+  for (int closed = 0; closed < 2; closed++) {
+    u = unit_planar_of(points, N, closed);
+    ck_assert_int_eq(unit_planar_solve(&u), PH_OK);
+    ck_assert_int_eq(certify(), PH_OK);
+    for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
+      const size_t k = at[i], next = k + 1 < u.result.curve.n ? k + 1 : k;
+      double *x = &u.result.curve.control_points[12 * k + 4], keep = *x;
+      *x += MOVED * N;
+      ck_refused(PH_D_PYTHAGOREAN_ERROR, k);
+      *x = keep;
+      x = &u.problem.field[PH_F_POINTS].v[2 * k];
+      keep = *x;
+      *x += MOVED * N;
+      ck_refused_in(PH_D_INTERPOLATION_ERROR, k > 0 ? k - 1 : 0,
+                    k > 0 || !closed ? k : N - 1);
+      *x = keep;
+      x = &u.result.curve.knots[next];
+      keep = *x;
+      *x += 1e-4;
+      ck_refused_in(PH_D_CONTINUITY_ERROR, next, k);
+      *x = keep;
+    }
+    ck_assert_int_eq(certify(), PH_OK);
+    unit_solution_free(&u);
+  }
+}
+
 /* Other knots: the same arcs, but not C1 with respect to them. */
 PH_TEST(test_knots) {
   for (int closed = 0; closed < 2; closed++) {
