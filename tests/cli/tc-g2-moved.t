@@ -36,11 +36,7 @@ for name in $families convex mixed; do
 done >in
 same 'coordinates as they are' 1e-9 "$((17 * sets)) 0" \
   shift reverse mirror quarter grow shrink
-# rounding of coordinates moves points that are 1e-9 apart
-for name in $families convex mixed; do
-  [ "$name" = near ] || "$python" "$hostile" "$name" "$sets" 7
-done >in
-same 'coordinates are rounded' 1e-6 "$((16 * sets)) 0" turn away big small
+same 'coordinates are rounded' 1e-6 "$((17 * sets)) 0" turn away big small
 "$python" "$moved" shift <in >other
 run tc -q --mode=g2 in
 mv out one

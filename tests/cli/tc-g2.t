@@ -158,7 +158,8 @@ equal 'a line is left, verified' 'ok' "$(jq -r .status out)"
 # ---- pairs of the mode spline ---------------------------------------------------
 
 # A flat point between two lines: with the same curvature on both sides it would
-# be nearly a cusp.  Points that are nearly the same.  A corner has no need.
+# be nearly a cusp.  Points that are nearly the same; the first of these, and a
+# corner, have no need.
 cat >in <<'EOF'
 {"id":"flat","points":[[-2,0],[-1,0],[0,0],[1,0.7],[2,1.42],[3,2.1],[4,2.1],[5,2.1],[6,2.1]],"mode":"g2"}
 {"id":"near","points":[[0,0],[1,0],[1,1e-7],[0.2,0.5],[1.3,0.7],[1.3000001,0.7],[0,2]],"mode":"g2"}
@@ -176,7 +177,7 @@ true_that 'none bends much more than a spline' jq -se --slurpfile g pairs \
    [., $g] | transpose | all(.[]; (.[1] | f) <= 1.1 * (.[0] | f))' out
 equal 'kinds of joints, and warnings' \
   '["flat",[["inflection",3],["pair",2],["straight",2],["tangent",4]],["g1-joints","spline-pairs"]]
-["near",[["pair",3],["tangent",5]],["auxiliary-points","spline-pairs","uneven-chords"]]
+["near",[["inflection",2]],["g1-joints","auxiliary-points","uneven-chords"]]
 ["uneven, closed",[["inflection",1],["pair",3],["tangent",4]],["g1-joints","auxiliary-points","spline-pairs","uneven-chords"]]
 ["corner",[["inflection",2]],["g1-joints"]]' \
   "$(jq -c '[.id, ([.joints[].kind] | group_by(.) | map([.[0], length])),

@@ -24,8 +24,9 @@
 #include <string.h>
 
 /* Residuals of no more are none; those that do not fall any more are rounding
- * below this, if the step is as small as this. */
-static const double DONE = 4e-13, ROUNDING = 1e-8, TINY_STEP = 1e-5;
+ * below this, or so many times what rounding of the angles makes of them, if
+ * the step is as small as this. */
+static const double DONE = 4e-13, ROUNDING = 1e-8, ANGLES = 8, TINY_STEP = 1e-5;
 
 /* No unknown changes by more in a step. */
 static const double STEP_MAX = 4;
@@ -348,6 +349,35 @@ static bool descend(struct system *s, double largest) {
   return false;
 }
 
+/* What rounding makes of the angles at node k: one is the turn less the other.
+ */
+static double angle_error(const struct state *at, size_t k) {
+  return DBL_EPSILON * (fabs(at->before[k]) + fabs(at->after[k]));
+}
+
+/* Whether all residuals are rounding: of a bend on a short chord, with angles
+ * of 1e-9 beside one of 1, they cannot be less than 1e-7. */
+static bool is_rounding(const struct system *s) {
+  const struct ph_g2_chain *c = s->chain;
+  const struct state *at = &s->now;
+  for (size_t k = 0; k < c->nodes_n; k++) {
+    const size_t l = ph_g2_before(c, k), next = ph_g2_next(c, k);
+    double most = ROUNDING;
+    if (s->kind[k] == KNOWN) {
+      continue;
+    }
+    most =
+        fmax(most, ANGLES * ((fabs(at->ends[l].g_b) + fabs(at->ends[k].f_a)) *
+                                 angle_error(at, k) +
+                             fabs(at->ends[l].g_a) * angle_error(at, l) +
+                             fabs(at->ends[k].f_b) * angle_error(at, next)));
+    if (!(fabs(residual(s, at, k)) < most)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /* From s->now.y.  ret whether s->now is a solution */
 static bool newton(struct system *s, size_t most,
                    const struct ph_arena *arena) {
@@ -365,7 +395,7 @@ static bool newton(struct system *s, size_t most,
       return false;
     }
     if (!descend(s, largest)) {
-      return s->now.largest < ROUNDING && largest < TINY_STEP;
+      return largest < TINY_STEP && is_rounding(s);
     }
   }
   return s->now.largest < DONE;
