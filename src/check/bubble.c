@@ -184,6 +184,22 @@ static double miss_of(const struct ph_check_quotient *patch, size_t corner) {
   return miss / (size + ph_check_apart(patch->p[corner], patch->p[corner ^ 3]));
 }
 
+/* The place of a corner, by the ends of its sides. */
+static void set_corner(const struct ph_check_quotient *patch, size_t corner,
+                       struct ph_check_place *at) {
+  const size_t end[] = {corner & 1, corner >> 1};
+  struct ph_check_node node[2];
+  struct ph_check_cross cross[2][2];
+  for (size_t d = 0; d < 2; d++) {
+    ph_check_node_at(patch->continuity, (double)end[d], &node[d]);
+    for (size_t k = 0; k < 2; k++) {
+      cross[d][k] = patch->side[2 * d + k].end[end[d]];
+    }
+  }
+  ph_check_quotient_at(patch, &node[0], (const struct ph_check_cross *)cross[0],
+                       &node[1], (const struct ph_check_cross *)cross[1], at);
+}
+
 /* Whether the quotients have the points and normals of their vertices. */
 static void check_vertices(struct ph_check_patchwork *w, size_t i) {
   const struct ph_surface *s = &w->curve->surface;
@@ -193,8 +209,7 @@ static void check_vertices(struct ph_check_patchwork *w, size_t i) {
     const struct ph_patch_vertex *vertex =
         &s->vertices[s->patches[i].vertices[k]];
     struct ph_check_place at;
-    ph_check_quotient_place(&patch, CORNER[k] & 1 ? 1 : 0,
-                            CORNER[k] >> 1 ? 1 : 0, &at);
+    set_corner(&patch, CORNER[k], &at);
     if (!w->v->error) { /* what was solved has one quadric there */
       ph_check_miss(w->v, PH_CHECK_CONTINUITY, patch_of(i, NULL),
                     s->continuity ? miss_of(&patch, CORNER[k]) : 0, 1, FIT,

@@ -185,29 +185,48 @@ static void set_polynomial(const struct ph_check_patchwork *w,
   }
 }
 
-/* The same of a quotient, from all four sides of its patch. */
+/* Parameters of the places, and of both ends. */
+struct nodes {
+  struct ph_check_node at[PLACES], end[2];
+};
+
+static void set_nodes(const struct ph_check_patchwork *w, struct nodes *nodes) {
+  const size_t n = w->curve->surface.continuity;
+  for (size_t i = 0; i < PLACES; i++) {
+    ph_check_node_at(n, ((double)i + 0.5) / PLACES, &nodes->at[i]);
+  }
+  ph_check_node_at(n, 0, &nodes->end[0]);
+  ph_check_node_at(n, 1, &nodes->end[1]);
+}
+
+/* The same of a quotient, from the sides of its patch.  Of continuity 2 the
+ * opposite side has nothing to do with derivatives here. */
 static void set_quotient(const struct ph_check_patchwork *w,
+                         const struct nodes *nodes,
                          const struct ph_check_side *side,
                          struct local at[PLACES]) {
   static const bool high[] = {false, true, true, false};
   const size_t by_v = side->k % 2, end = high[side->k];
   const bool back = is_back(w, side) != (side->k >= 2);
   struct ph_check_quotient patch;
-  struct ph_check_node node[2];
-  struct ph_check_cross cross[2][2];
+  const struct ph_check_node *node[2];
+  struct ph_check_cross cross[2][2] = {{{{{0}}}}};
   ph_check_quotient_begin(w, side->patch, &patch);
-  ph_check_node_at(patch.continuity, (double)end, &node[!by_v]);
+  node[!by_v] = &nodes->end[end];
   for (size_t k = 0; k < 2; k++) {
     cross[!by_v][k] = patch.side[2 * !by_v + k].end[end];
   }
   for (size_t i = 0; i < PLACES; i++) {
-    const size_t j = back ? PLACES - 1 - i : i;
-    const double t = ((double)j + 0.5) / PLACES;
     struct ph_check_place place;
-    ph_check_node_at(patch.continuity, t, &node[by_v]);
-    ph_check_quotient_cross(&patch, by_v, t, cross[by_v]);
-    ph_check_quotient_at(&patch, &node[0],
-                         (const struct ph_check_cross *)cross[0], &node[1],
+    node[by_v] = &nodes->at[back ? PLACES - 1 - i : i];
+    for (size_t k = 0; k < 2; k++) {
+      if (k == end || patch.continuity < 2) {
+        ph_check_quotient_cross(&patch, 2 * by_v + k, node[by_v]->t,
+                                &cross[by_v][k]);
+      }
+    }
+    ph_check_quotient_at(&patch, node[0],
+                         (const struct ph_check_cross *)cross[0], node[1],
                          (const struct ph_check_cross *)cross[1], &place);
     set_local((const ph_vec3(*)[3])place.x, PH_CHECK_LIKE, &at[i]);
   }
@@ -238,14 +257,18 @@ static void raise_to(double *largest, double x) {
 /* What both sides of a seam differ by: the largest, and that which exceeds by
  * most what is allowed. */
 static void compare(const struct ph_check_patchwork *w,
-                    struct ph_check_seam *seam) {
+                    const struct nodes *nodes, struct ph_check_seam *seam) {
   const struct ph_check_side *side = &w->sides[seam->side];
   const double noise = PH_CHECK_PATCH_ROUND * w->v->scale.rounding;
   const double allowed[] = {w->jump_allowed, w->bend_allowed};
   struct local at[2][PLACES];
   double excess[2] = {0, 0};
   for (size_t i = 0; i < 2; i++) {
-    (w->edges ? set_quotient : set_polynomial)(w, &side[i], at[i]);
+    if (w->edges) {
+      set_quotient(w, nodes, &side[i], at[i]);
+    } else {
+      set_polynomial(w, &side[i], at[i]);
+    }
   }
   for (size_t i = 0; i < PLACES; i++) {
     const struct local *a = &at[0][i], *b = &at[1][i];
@@ -273,8 +296,10 @@ static void compare(const struct ph_check_patchwork *w,
 static bool compare_some(void *context, size_t thread, size_t first,
                          size_t end) {
   const struct ph_check_patchwork *w = context;
+  struct nodes nodes;
+  set_nodes(w, &nodes);
   for (size_t i = first; i < end; i++) {
-    compare(w, &w->seams[i]);
+    compare(w, &nodes, &w->seams[i]);
   }
   return thread || !ph_arena_late(w->v->scratch); /* it is for one to ask */
 }

@@ -191,10 +191,10 @@ static void set_cross(const struct ph_check_strip *s, size_t continuity,
   }
 }
 
-void ph_check_quotient_cross(const struct ph_check_quotient *patch, size_t d,
-                             double t, struct ph_check_cross cross[2]) {
-  for (size_t k = 0; k < 2 && patch->continuity > 0; k++) {
-    set_cross(&patch->side[2 * d + k], patch->continuity, t, &cross[k]);
+void ph_check_quotient_cross(const struct ph_check_quotient *patch, size_t side,
+                             double t, struct ph_check_cross *cross) {
+  if (patch->continuity > 0) {
+    set_cross(&patch->side[side], patch->continuity, t, cross);
   }
 }
 
@@ -351,7 +351,9 @@ void ph_check_quotient_place(const struct ph_check_quotient *patch, double u,
   struct ph_check_cross cross[2][2];
   for (size_t d = 0; d < 2; d++) {
     ph_check_node_at(patch->continuity, at[d], &node[d]);
-    ph_check_quotient_cross(patch, d, at[d], cross[d]);
+    for (size_t k = 0; k < 2; k++) {
+      ph_check_quotient_cross(patch, 2 * d + k, at[d], &cross[d][k]);
+    }
   }
   ph_check_quotient_at(patch, &node[0], (const struct ph_check_cross *)cross[0],
                        &node[1], (const struct ph_check_cross *)cross[1],

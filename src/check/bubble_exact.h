@@ -71,12 +71,12 @@ void ph_check_quotient_begin(const struct ph_check_patchwork *w, size_t i,
 
 void ph_check_node_at(size_t continuity, double t, struct ph_check_node *node);
 
-/* ph_check_quotient_cross: sides 2 d and 2 d + 1 at a parameter. */
-void ph_check_quotient_cross(const struct ph_check_quotient *patch, size_t d,
-                             double t, struct ph_check_cross cross[2]);
+/* ph_check_quotient_cross: a side at a parameter; nothing of continuity 0. */
+void ph_check_quotient_cross(const struct ph_check_quotient *patch, size_t side,
+                             double t, struct ph_check_cross *cross);
 
 /* ph_check_quotient_at: derivatives at (u, v).
- * in  by_u, by_v  as of ph_check_quotient_cross, of d = 0 at u, d = 1 at v */
+ * in  by_u, by_v  sides 0 and 1 at u, sides 2 and 3 at v */
 void ph_check_quotient_at(const struct ph_check_quotient *patch,
                           const struct ph_check_node *u,
                           const struct ph_check_cross by_u[2],

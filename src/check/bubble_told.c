@@ -61,8 +61,8 @@ static struct measure measure_exact(const struct ph_check_quotient *patch,
   struct measure sum = {0, 0, 0, 0};
   for (size_t i = 0; i < rule->n; i++) {
     ph_check_node_at(patch->continuity, rule->node[i], &node[i]);
-    for (size_t d = 0; d < 2; d++) {
-      ph_check_quotient_cross(patch, d, rule->node[i], cross[d][i]);
+    for (size_t k = 0; k < 4; k++) {
+      ph_check_quotient_cross(patch, k, rule->node[i], &cross[k / 2][i][k % 2]);
     }
   }
   for (size_t j = 0; j < rule->n; j++) {

@@ -48,15 +48,24 @@ static void look(const struct ph_places *places, size_t k, bool back, size_t j,
   set_local(&jet, places->at[i], places->at[places->j], to);
 }
 
+/* What was seen of all edges, from both sides. */
+struct seer {
+  const struct ph_mesh *mesh;
+  struct seen *seen; /* [edges][2] */
+};
+
 /* All four sides of a patch: that number `line' of its lines has of them. */
-static void look_around(struct ph_places *places, const struct ph_mesh *mesh,
-                        size_t face, struct seen *seen) {
+static bool look_around(void *context, struct ph_places *places) {
+  const struct seer *seer = context;
+  const struct ph_mesh *mesh = seer->mesh;
+  const size_t face = places->patch;
   for (size_t line = 0; line < ALL; line++) {
     ph_places_line(places, line);
     for (size_t k = 0; k < 4; k++) {
       const struct ph_mesh_edge *e = &mesh->edge[mesh->side[face][k]];
       const bool back = mesh->face[face][k] != e->point[0];
-      struct seen *to = &seen[2 * mesh->side[face][k] + (e->face[0] != face)];
+      struct seen *to =
+          &seer->seen[2 * mesh->side[face][k] + (e->face[0] != face)];
       if (k % 2 == 0 && line == (k ? ALL - 1 : 0)) {
         for (size_t j = 0; j < PLACES; j++) {
           look(places, k, back, j, &to->at[j]);
@@ -67,6 +76,7 @@ static void look_around(struct ph_places *places, const struct ph_mesh *mesh,
       }
     }
   }
+  return true;
 }
 
 static double larger(double a, double b) {
@@ -153,9 +163,8 @@ enum ph_status ph_patch_edges_of(const struct ph_curve *curve,
                                  struct ph_diag *diag) {
   const struct ph_patchwork *work = curve->surface.base;
   struct ph_arena scratch = ph_arena_beside(arena);
-  struct ph_places places;
+  struct seer seer = {.mesh = &work->mesh};
   double at[ALL] = {0};
-  struct seen *seen;
   enum ph_status status;
   for (size_t j = 0; j < PLACES; j++) {
     at[j + 1] = ((double)j + 0.5) / PLACES;
@@ -163,19 +172,12 @@ enum ph_status ph_patch_edges_of(const struct ph_curve *curve,
   at[ALL - 1] = 1;
   edges->n = work->mesh.edges_n;
   edges->v = ph_arena_array(arena, edges->n, sizeof *edges->v);
-  seen = ph_arena_array(&scratch, 2 * edges->n, sizeof *seen);
-  status = edges->v && seen
-               ? ph_places_begin(&places, curve, at, ALL, &scratch, diag)
-               : ph_fail_memory(diag);
-  for (size_t i = 0; status == PH_OK && i < curve->n; i++) {
-    status = ph_arena_late(&scratch) ? ph_fail_memory(diag)
-                                     : ph_places_enter(&places, i, diag);
-    if (status == PH_OK) {
-      look_around(&places, &work->mesh, i, seen);
-    }
-  }
+  seer.seen = ph_arena_array(&scratch, 2 * edges->n, sizeof *seer.seen);
+  status = edges->v && seer.seen ? ph_places_spread(curve, at, ALL, &scratch,
+                                                    look_around, &seer, diag)
+                                 : ph_fail_memory(diag);
   if (status == PH_OK) {
-    status = conclude(work, seen, arena, edges, diag);
+    status = conclude(work, seer.seen, arena, edges, diag);
   }
   ph_arena_free(&scratch);
   return status;

@@ -2,6 +2,8 @@
 /* Places of patches (see places.h). */
 #include "curve/surface/places.h"
 
+#include "base/team.h"
+
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -9,37 +11,59 @@
 /* b_u x b_v over |b_u| |b_v|: below this it is rounding. */
 static const double FLAT = 1e-9;
 
-enum ph_status ph_places_begin(struct ph_places *p,
-                               const struct ph_curve *curve, const double *at,
-                               size_t n, struct ph_arena *arena,
-                               struct ph_diag *diag) {
+/* ---- patch by patch ------------------------------------------------------ */
+
+/* Patches that a thread takes at once, and as many as are worth a thread. */
+enum { CHUNK = 64, WORTH = 256 };
+
+/* The rows of all degrees that there are. */
+static bool set_rows(struct ph_places *p, struct ph_arena *arena) {
+  const struct ph_curve *c = p->curve;
+  for (size_t i = 0; i < c->n; i++) {
+    const size_t degree = c->surface.patches[i].bidegree[0];
+    struct ph_patch_rows *rows = p->rows[degree];
+    if (rows) {
+      continue;
+    }
+    rows = ph_arena_array(arena, p->n, sizeof *rows);
+    if (!rows) {
+      return false;
+    }
+    for (size_t j = 0; j < p->n; j++) {
+      ph_patch_rows_at(degree, p->at[j], &rows[j]);
+    }
+    p->rows[degree] = rows;
+  }
+  return true;
+}
+
+static bool begin(struct ph_places *p, const struct ph_curve *curve,
+                  const double *at, size_t n, struct ph_arena *arena) {
   const struct ph_surface *s = &curve->surface;
-  *p = (struct ph_places){.curve = curve, .arena = arena, .at = at, .n = n};
+  *p = (struct ph_places){.curve = curve, .at = at, .n = n};
   p->to_unit = ph_pow2_of(s->base->exponent);
   p->from_unit = ph_pow2_of(-s->base->exponent);
   if (!s->exact) {
     p->line = ph_arena_array(arena, 1, sizeof *p->line);
     p->points = ph_arena_array(arena, 3 * PH_PATCH_ROW * PH_PATCH_ROW,
                                sizeof *p->points);
-    return p->line && p->points ? PH_OK : ph_fail_memory(diag);
+    return p->line && p->points && set_rows(p, arena);
   }
   p->exact_rows = ph_arena_array(arena, n, sizeof *p->exact_rows);
   p->exact = ph_arena_array(arena, 1, sizeof *p->exact);
   p->cross[0] = ph_arena_array(arena, n, sizeof *p->cross[0]);
   p->cross[1] = ph_arena_array(arena, n, sizeof *p->cross[1]);
   if (!p->exact_rows || !p->exact || !p->cross[0] || !p->cross[1]) {
-    return ph_fail_memory(diag);
+    return false;
   }
   for (size_t i = 0; i < n; i++) {
     ph_exact_rows_at(s->continuity, at[i], &p->exact_rows[i]);
   }
-  return PH_OK;
+  return true;
 }
 
-enum ph_status ph_places_enter(struct ph_places *p, size_t patch,
-                               struct ph_diag *diag) {
+static void enter(struct ph_places *p, size_t patch) {
   const struct ph_surface *s = &p->curve->surface;
-  const size_t degree = s->patches[patch].bidegree[0];
   p->patch = patch;
   if (s->exact) {
     ph_exact_begin(s->base, patch, p->exact);
@@ -47,25 +71,52 @@ enum ph_status ph_places_enter(struct ph_places *p, size_t patch,
       ph_exact_cross(p->exact, i & 1, &p->exact_rows[i / 2],
                      p->cross[i & 1][i / 2]);
     }
-    return PH_OK;
+    return;
   }
   for (size_t i = 0; i < 3 * s->patches[patch].points_n; i++) {
     p->points[i] =
         ph_pow2_apply(p->to_unit, s->patches[patch].control_points[i]);
   }
-  if (!p->rows[degree]) {
-    struct ph_patch_rows *rows =
-        ph_arena_array(p->arena, p->n, sizeof *p->rows[0]);
-    if (!rows) {
-      return ph_fail_memory(diag);
-    }
-    for (size_t i = 0; i < p->n; i++) {
-      ph_patch_rows_at(degree, p->at[i], &rows[i]);
-    }
-    p->rows[degree] = rows;
-  }
-  return PH_OK;
 }
+
+struct spread {
+  struct ph_places *places; /* [threads] */
+  const struct ph_arena *arena;
+  bool (*look)(void *, struct ph_places *);
+  void *context;
+};
+
+static bool look_at_some(void *context, size_t thread, size_t first,
+                         size_t end) {
+  const struct spread *s = context;
+  bool good = thread || !ph_arena_late(s->arena); /* it is for one to ask */
+  for (size_t i = first; good && i < end; i++) {
+    enter(&s->places[thread], i);
+    good = s->look(s->context, &s->places[thread]);
+  }
+  return good;
+}
+
+enum ph_status ph_places_spread(const struct ph_curve *curve, const double *at,
+                                size_t n, struct ph_arena *arena,
+                                bool (*look)(void *context,
+                                             struct ph_places *places),
+                                void *context, struct ph_diag *diag) {
+  atomic_int *spare = arena->budget ? arena->budget->spare : NULL;
+  const size_t threads = ph_team_take(spare, curve->n / WORTH);
+  struct spread s = {NULL, arena, look, context};
+  bool good;
+  s.places = ph_arena_array(arena, threads, sizeof *s.places);
+  good = s.places != NULL;
+  for (size_t i = 0; good && i < threads; i++) {
+    good = begin(&s.places[i], curve, at, n, arena);
+  }
+  /* where there is no memory the threads are given back all the same */
+  ph_team_spread(spare, threads, good ? curve->n : 0, CHUNK, look_at_some, &s);
+  return good && !ph_arena_late(arena) ? PH_OK : ph_fail_memory(diag);
+}
+
+/* ---- places -------------------------------------------------------------- */
 
 void ph_places_line(struct ph_places *p, size_t j) {
   const struct ph_patch *patch = &p->curve->surface.patches[p->patch];
@@ -164,40 +215,45 @@ static bool set_sample(const struct ph_places *p,
   return !(factor[0] <= 0) && !(factor[1] <= 0);
 }
 
-static enum ph_status fill(struct ph_places *places, double distance,
-                           struct ph_patch_sample *to, size_t *back,
-                           struct ph_diag *diag) {
-  const struct ph_curve *c = places->curve;
-  distance = ph_pow2_apply(places->to_unit, distance);
-  *back = PH_NO_SEGMENT;
-  for (size_t patch = 0; patch < c->n; patch++) {
-    enum ph_status status = ph_arena_late(places->arena)
-                                ? ph_fail_memory(diag)
-                                : ph_places_enter(places, patch, diag);
-    if (status != PH_OK) {
-      return status;
-    }
-    for (size_t j = 0; j < places->n; j++) {
-      ph_places_line(places, j);
-      for (size_t i = 0; i < places->n; i++, to++) {
-        struct ph_patch_jet jet;
-        ph_places_jet(places, i, &jet);
-        to->patch = patch;
-        to->u = places->at[i];
-        to->v = places->at[j];
-        if (!set_sample(places, &jet, c->surface.patches[patch].side, distance,
-                        to) &&
-            *back == PH_NO_SEGMENT) {
-          *back = patch;
-        }
-        if (!ph_are_finite(to->point, 3)) {
-          return ph_fail_at(diag, PH_E_TOO_LARGE, "patches", patch,
-                            "has samples beyond the range of a double");
-        }
+/* Samples on their way. */
+struct filler {
+  double distance; /* at unit scale */
+  struct ph_patch_sample *to;
+  atomic_size_t back, large; /* the first patch that turns back, and that whose
+                                samples are too large; PH_NO_SEGMENT: none */
+};
+
+/* A patch, if it is before the first one so far. */
+static void note(atomic_size_t *first, size_t patch) {
+  size_t before = atomic_load(first);
+  while (patch < before &&
+         !atomic_compare_exchange_weak(first, &before, patch)) {
+  }
+}
+
+static bool fill(void *context, struct ph_places *places) {
+  struct filler *f = context;
+  const size_t patch = places->patch, n = places->n;
+  const double side = places->curve->surface.patches[patch].side;
+  struct ph_patch_sample *to = f->to + patch * n * n;
+  for (size_t j = 0; j < n; j++) {
+    ph_places_line(places, j);
+    for (size_t i = 0; i < n; i++, to++) {
+      struct ph_patch_jet jet;
+      ph_places_jet(places, i, &jet);
+      to->patch = patch;
+      to->u = places->at[i];
+      to->v = places->at[j];
+      if (!set_sample(places, &jet, side, f->distance, to)) {
+        note(&f->back, patch);
+      }
+      if (!ph_are_finite(to->point, 3)) {
+        note(&f->large, patch);
+        return false;
       }
     }
   }
-  return PH_OK;
+  return true;
 }
 
 enum ph_status ph_patch_grid_of(const struct ph_curve *curve, double distance,
@@ -208,7 +264,7 @@ enum ph_status ph_patch_grid_of(const struct ph_curve *curve, double distance,
   const double each = (double)steps + 1,
                wanted = (double)curve->n * each * each;
   struct ph_arena scratch = ph_arena_beside(arena);
-  struct ph_places places;
+  struct filler f;
   enum ph_status status;
   double *at = ph_arena_array(&scratch, steps + 1, sizeof *at);
   if (!(wanted <= (double)most)) {
@@ -224,11 +280,18 @@ enum ph_status ph_patch_grid_of(const struct ph_curve *curve, double distance,
   for (size_t i = 0; at && i <= steps; i++) {
     at[i] = (double)i / (double)steps;
   }
+  f.distance =
+      ph_pow2_apply(ph_pow2_of(curve->surface.base->exponent), distance);
+  f.to = grid->v;
+  atomic_init(&f.back, PH_NO_SEGMENT);
+  atomic_init(&f.large, PH_NO_SEGMENT);
   if (status == PH_OK) {
-    status = ph_places_begin(&places, curve, at, steps + 1, &scratch, diag);
+    status = ph_places_spread(curve, at, steps + 1, &scratch, fill, &f, diag);
   }
-  if (status == PH_OK) {
-    status = fill(&places, distance, grid->v, back, diag);
+  *back = atomic_load(&f.back);
+  if (status == PH_OK && atomic_load(&f.large) != PH_NO_SEGMENT) {
+    status = ph_fail_at(diag, PH_E_TOO_LARGE, "patches", atomic_load(&f.large),
+                        "has samples beyond the range of a double");
   }
   ph_arena_free(&scratch);
   return status;

@@ -15,11 +15,10 @@
 
 struct ph_places {
   const struct ph_curve *curve;
-  struct ph_arena *arena;
   const double *at; /* [n] parameters */
   size_t n;
   struct ph_pow2 to_unit, from_unit;
-  size_t patch; /* that was entered */
+  size_t patch; /* that it is in */
   /* polynomial: */
   struct ph_patch_rows *rows[PH_PATCH_DEGREE_MAX + 1]; /* by degree, or NULL */
   struct ph_patch_line *line;
@@ -32,18 +31,17 @@ struct ph_places {
 };
 
 /*
- * ph_places_begin: of the parameters at[n], which stay where they are.
+ * ph_places_spread: calls look(context, places) for each patch, in threads that
+ * are spare, by the parameters at[n] in it; where it returns false, patches
+ * that come later may be left out, and none before.
  *
  * ret  PH_OK | PH_E_NO_MEMORY
  */
-enum ph_status ph_places_begin(struct ph_places *places,
-                               const struct ph_curve *curve, const double *at,
-                               size_t n, struct ph_arena *arena,
-                               struct ph_diag *diag);
-
-/* ph_places_enter: a patch.  ret PH_OK | PH_E_NO_MEMORY */
-enum ph_status ph_places_enter(struct ph_places *places, size_t patch,
-                               struct ph_diag *diag);
+enum ph_status ph_places_spread(const struct ph_curve *curve, const double *at,
+                                size_t n, struct ph_arena *arena,
+                                bool (*look)(void *context,
+                                             struct ph_places *places),
+                                void *context, struct ph_diag *diag);
 
 /* ph_places_line: v is number j; then ph_places_jet: u is number i, with all
  * derivatives to the order 2. */

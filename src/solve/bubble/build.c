@@ -13,6 +13,10 @@
 #include <pthread.h>
 #include <string.h>
 
+/* Patches or edges that a thread takes at once, and as many as are worth a
+ * thread. */
+enum { CHUNK = 64, WORTH = 256 };
+
 /* Places of an edge where its ribbon is looked at. */
 enum { PLACES = 33 };
 
@@ -67,7 +71,6 @@ struct builder {
 /* What threads share that change it. */
 struct team {
   pthread_mutex_t lock; /* of the arena */
-  atomic_size_t next;   /* the first patch that nobody has taken */
   struct builder *builders;
   size_t failed; /* the first patch that failed; SIZE_MAX: none */
   enum ph_status status;
@@ -99,35 +102,58 @@ static const char *fault_of(const struct ph_bubble_data *data,
                   "opposite sides of the surface";
 }
 
+/* Ribbons on their way. */
+struct weaver {
+  const struct builder *b;
+  struct ph_ribbon_rows *rows; /* [PLACES] */
+  atomic_size_t fault;         /* the first edge that has one; SIZE_MAX: none */
+};
+
+static bool weave(void *context, size_t thread, size_t first, size_t end) {
+  struct weaver *w = context;
+  const struct ph_bubble_data *d = w->b->data;
+  for (size_t e = first; e < end; e++) {
+    const struct ph_mesh_edge *edge = &d->mesh.edge[e];
+    size_t before = atomic_load(&w->fault);
+    ph_ribbon_of(&d->at[edge->point[0]], &d->at[edge->point[1]], d->continuity,
+                 &w->b->ribbons[e]);
+    if (fault_of(d, edge, &w->b->ribbons[e], w->rows)) {
+      while (e < before &&
+             !atomic_compare_exchange_weak(&w->fault, &before, e)) {
+      }
+      return false;
+    }
+  }
+  return thread || !ph_arena_late(w->b->scratch); /* it is for one to ask */
+}
+
 static enum ph_status set_ribbons(struct builder *b) {
   const struct ph_bubble_data *d = b->data;
-  struct ph_ribbon_rows *rows;
+  atomic_int *spare = b->arena->budget ? b->arena->budget->spare : NULL;
+  struct weaver w = {.b = b};
+  size_t e;
   b->ribbons = ph_arena_array(b->arena, d->mesh.edges_n, sizeof *b->ribbons);
-  rows = ph_arena_array(b->scratch, PLACES, sizeof *rows);
-  if (!b->ribbons || !rows) {
+  w.rows = ph_arena_array(b->scratch, PLACES, sizeof *w.rows);
+  if (!b->ribbons || !w.rows) {
     return ph_fail_memory(b->diag);
   }
   for (size_t i = 0; i < PLACES; i++) {
-    ph_ribbon_rows_at(d->continuity, (double)i / (PLACES - 1), 0, &rows[i]);
+    ph_ribbon_rows_at(d->continuity, (double)i / (PLACES - 1), 0, &w.rows[i]);
   }
-  for (size_t e = 0; e < d->mesh.edges_n; e++) {
+  atomic_init(&w.fault, SIZE_MAX);
+  ph_team_spread(spare, ph_team_take(spare, d->mesh.edges_n / WORTH),
+                 d->mesh.edges_n, CHUNK, weave, &w);
+  e = atomic_load(&w.fault);
+  if (e < SIZE_MAX) {
     const struct ph_mesh_edge *edge = &d->mesh.edge[e];
-    const char *fault;
-    if (ph_arena_late(b->scratch)) {
-      return ph_fail_memory(b->diag);
-    }
-    ph_ribbon_of(&d->at[edge->point[0]], &d->at[edge->point[1]], d->continuity,
-                 &b->ribbons[e]);
-    fault = fault_of(d, edge, &b->ribbons[e], rows);
-    if (fault) {
-      return ph_fail_at(b->diag, PH_E_BAD_VALUE, "faces", edge->face[0],
-                        "cannot be smooth: its edge between points[%zu] and "
-                        "points[%zu] %s; look at these normals, or take "
-                        "continuity 0",
-                        edge->point[0], edge->point[1], fault);
-    }
+    return ph_fail_at(b->diag, PH_E_BAD_VALUE, "faces", edge->face[0],
+                      "cannot be smooth: its edge between points[%zu] and "
+                      "points[%zu] %s; look at these normals, or take "
+                      "continuity 0",
+                      edge->point[0], edge->point[1],
+                      fault_of(d, edge, &b->ribbons[e], w.rows));
   }
-  return PH_OK;
+  return ph_arena_late(b->scratch) ? ph_fail_memory(b->diag) : PH_OK;
 }
 
 /* ---- measures ------------------------------------------------------------ */
@@ -275,9 +301,6 @@ static enum ph_status make_patch(struct builder *b, size_t i) {
 
 /* ---- threads ------------------------------------------------------------- */
 
-/* Patches that a thread takes at once, and as many as are worth a thread. */
-enum { CHUNK = 64, WORTH = 256 };
-
 /* What a thread has of its own. */
 static bool set_own(struct builder *b) {
   const size_t points = (PH_BLEND_MAX + 2) * (PH_BLEND_MAX + 2);
@@ -306,30 +329,23 @@ static bool set_shared(struct builder *b) {
   return good;
 }
 
-/* Patches until there are no more, or one before them has failed: the first
- * that fails is the same, whoever has it. */
-static void work(void *context, size_t thread) {
+/* The first that fails is the same, whoever has it. */
+static bool work(void *context, size_t thread, size_t first, size_t end) {
   struct team *team = context;
   struct builder *b = &team->builders[thread];
-  for (;;) {
-    const size_t first = atomic_fetch_add(&team->next, CHUNK);
-    for (size_t i = first; i < first + CHUNK && i < b->curve->n; i++) {
-      if (make_patch(b, i) != PH_OK) {
-        pthread_mutex_lock(&team->lock);
-        if (i < team->failed) {
-          team->failed = i;
-          team->status = b->diag->status;
-          team->diag = *b->diag;
-        }
-        atomic_store(&team->next, b->curve->n);
-        pthread_mutex_unlock(&team->lock);
-        return;
+  for (size_t i = first; i < end; i++) {
+    if (make_patch(b, i) != PH_OK) {
+      pthread_mutex_lock(&team->lock);
+      if (i < team->failed) {
+        team->failed = i;
+        team->status = b->diag->status;
+        team->diag = *b->diag;
       }
-    }
-    if (first >= b->curve->n) {
-      return;
+      pthread_mutex_unlock(&team->lock);
+      return false;
     }
   }
+  return true;
 }
 
 static enum ph_status make_patches(struct builder *b) {
@@ -338,7 +354,6 @@ static enum ph_status make_patches(struct builder *b) {
   struct team team = {.failed = SIZE_MAX};
   struct ph_diag *diags = ph_arena_array(b->scratch, threads, sizeof *diags);
   bool good = diags;
-  atomic_init(&team.next, 0);
   b->team = &team;
   team.builders = ph_arena_array(b->scratch, threads, sizeof *team.builders);
   good = good && team.builders &&
@@ -354,7 +369,7 @@ static enum ph_status make_patches(struct builder *b) {
     }
     return ph_fail_memory(b->diag);
   }
-  ph_team_run(spare, threads, work, &team);
+  ph_team_spread(spare, threads, b->curve->n, CHUNK, work, &team);
   pthread_mutex_destroy(&team.lock);
   b->exact = team.builders[0].exact;
   if (team.failed < SIZE_MAX) {

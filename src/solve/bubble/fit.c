@@ -8,6 +8,7 @@
  * so that their norm is that of the matrix, whatever the axes.  A flat part
  * leaves one direction undetermined: there the least norm makes it 0.
  */
+#include "base/team.h"
 #include "solve/bubble/bubble.h"
 
 #include <gsl/gsl_linalg.h>
@@ -16,6 +17,9 @@
 #include <string.h>
 
 enum { UNKNOWNS = 6 };
+
+/* Points that a thread takes at once, and as many as are worth a thread. */
+enum { CHUNK = 64, WORTH = 1024 };
 
 /* Singular values below this part of the largest are none. */
 static const double CUT = 1e-8;
@@ -129,28 +133,62 @@ static bool fit_point(struct ph_bubble_data *data, size_t at,
   return true;
 }
 
-enum ph_status ph_bubble_fit(struct ph_bubble_data *data,
-                             struct ph_arena *scratch, struct ph_diag *diag) {
-  const struct ph_mesh *mesh = &data->mesh;
-  struct ph_mark mark = ph_arena_mark(scratch);
-  struct room room = {0, NULL, NULL, NULL, NULL};
-  bool good;
+/* Quadrics on their way. */
+struct fitter {
+  struct ph_bubble_data *data;
+  const struct ph_arena *arena;
+  struct room *rooms; /* [threads] */
+  atomic_bool good;
+};
+
+static bool fit_some(void *context, size_t thread, size_t first, size_t end) {
+  struct fitter *f = context;
+  bool good = thread || !ph_arena_late(f->arena); /* it is for one to ask */
+  for (size_t i = first; good && i < end; i++) {
+    good = fit_point(f->data, i, &f->rooms[thread]);
+  }
+  if (!good) {
+    atomic_store(&f->good, false);
+  }
+  return good;
+}
+
+static bool set_room(const struct ph_mesh *mesh, struct ph_arena *scratch,
+                     struct room *room) {
+  *room = (struct room){0, NULL, NULL, NULL, NULL};
   for (size_t i = 0; i < mesh->points_n; i++) {
     const size_t n = 3 * (mesh->first[i + 1] - mesh->first[i]);
-    room.points = n > room.points ? n : room.points;
+    room->points = n > room->points ? n : room->points;
   }
-  room.matrix =
-      ph_arena_array(scratch, room.points, 4 * UNKNOWNS * sizeof *room.matrix);
-  room.right = ph_arena_array(scratch, room.points, 4 * sizeof *room.right);
-  room.ring = ph_arena_array(scratch, room.points, sizeof *room.ring);
-  room.seen = ph_arena_array(scratch, mesh->points_n, sizeof *room.seen);
-  good = room.matrix && room.right && room.ring && room.seen;
-  if (good) {
-    memset(room.seen, 0xff, mesh->points_n * sizeof *room.seen);
+  room->matrix = ph_arena_array(scratch, room->points,
+                                4 * UNKNOWNS * sizeof *room->matrix);
+  room->right = ph_arena_array(scratch, room->points, 4 * sizeof *room->right);
+  room->ring = ph_arena_array(scratch, room->points, sizeof *room->ring);
+  room->seen = ph_arena_array(scratch, mesh->points_n, sizeof *room->seen);
+  if (!room->matrix || !room->right || !room->ring || !room->seen) {
+    return false;
   }
-  for (size_t i = 0; good && i < mesh->points_n; i++) {
-    good = !ph_arena_late(scratch) && fit_point(data, i, &room);
+  memset(room->seen, 0xff, mesh->points_n * sizeof *room->seen);
+  return true;
+}
+
+enum ph_status ph_bubble_fit(struct ph_bubble_data *data,
+                             struct ph_arena *scratch, struct ph_diag *diag) {
+  const size_t n = data->mesh.points_n;
+  struct ph_mark mark = ph_arena_mark(scratch);
+  atomic_int *spare = scratch->budget ? scratch->budget->spare : NULL;
+  const size_t threads = ph_team_take(spare, n / WORTH);
+  struct fitter f = {.data = data, .arena = scratch};
+  bool good;
+  f.rooms = ph_arena_array(scratch, threads, sizeof *f.rooms);
+  good = f.rooms != NULL;
+  for (size_t i = 0; good && i < threads; i++) {
+    good = set_room(&data->mesh, scratch, &f.rooms[i]);
   }
+  atomic_init(&f.good, good);
+  /* where there is no room the threads are given back all the same */
+  ph_team_spread(spare, threads, good ? n : 0, CHUNK, fit_some, &f);
+  good = atomic_load(&f.good);
   ph_arena_release(scratch, mark);
   return good ? PH_OK : ph_fail_memory(diag);
 }
