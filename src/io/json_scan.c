@@ -85,7 +85,9 @@ static int unexpected(struct reader *r, const char *expected) {
   } else {
     snprintf(r->scan->message, sizeof r->scan->message,
              "expected %s, found %s%s%s%s", expected, quote, found, quote,
-             *r->p == '/' ? "; JSON has no comments" : "");
+             *r->p == '/'   ? "; JSON has no comments"
+             : *r->p == '<' ? "; --input-format=svg and gpx read SVG and GPX"
+                            : "");
   }
   return PH_JSON_ERROR;
 }

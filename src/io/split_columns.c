@@ -130,8 +130,7 @@ static bool is_name(const struct ph_split *split,
 
 /* ---- lists of names ------------------------------------------------- */
 
-/* A list of names being read. */
-struct list {
+struct list { /* of names being read */
   struct ph_split *split;
   bool option; /* of --columns */
   struct ph_diag *diag;
@@ -150,8 +149,8 @@ static enum ph_status unknown_column(const struct list *list, size_t i,
                                      const struct ph_csv_cell *cell) {
   const struct ph_schema *schema = list->split->schema;
   struct ph_suggest suggest;
-  char clause[PH_DID_YOU_MEAN_MAX];
-  char excerpt[PH_EXCERPT_MAX];
+  char clause[PH_DID_YOU_MEAN_MAX], excerpt[PH_EXCERPT_MAX];
+  const char *elsewhere = "";
   if (cell->n == 0) {
     return ph_fail(list->diag, PH_E_UNKNOWN_FIELD, where(list),
                    "column %zu has no name%s", i + 1, advice(list));
@@ -160,13 +159,16 @@ static enum ph_status unknown_column(const struct list *list, size_t i,
   for (size_t k = 0; k < NAMES; k++) {
     if (is_used(schema, k)) {
       ph_suggest_try(&suggest, names[k].name, strlen(names[k].name));
+    } else if (names[k].field == PH_F_LONLAT &&
+               ph_word_is(cell->text, cell->n, names[k].name)) {
+      elsewhere = ", but not to sphere";
     }
   }
   ph_did_you_mean(&suggest, clause);
   return ph_fail(list->diag, PH_E_UNKNOWN_FIELD, where(list),
-                 "column \"%s\" is unknown to %s%s%s",
+                 "column \"%s\" is unknown to %s%s%s%s",
                  ph_excerpt(cell->text, cell->n, excerpt), schema->command,
-                 clause, advice(list));
+                 elsewhere, clause, advice(list));
 }
 
 /* Whether the numbers of columns of names[k] belong to segments. */
@@ -538,6 +540,7 @@ static enum ph_status columns_by_row(struct ph_split *split, const char *row,
                  census.cells, census.cells == 1 ? "" : "s");
 }
 
+#define WKT "WKT: ogr2ogr -f GeoJSON makes of it what is read"
 /* What a file that begins with these bytes is, and what makes CSV of it. */
 static const struct {
   const char *bytes;
@@ -550,10 +553,11 @@ static const struct {
     {"PK\x03\x04", 4,
      "a spreadsheet or other zip archive: spreadsheets can be saved as CSV"},
     {"<", 1, "XML or HTML: --input-format=svg and gpx read SVG and GPX"},
-    {"LINESTRING", 10, "WKT: only JSON and tables are read"},
-    {"POLYGON", 7, "WKT: only JSON and tables are read"},
-    {"MULTI", 5, "WKT: only JSON and tables are read"},
-    {"POINT", 5, "WKT: only JSON and tables are read"},
+    {"{", 1, "JSON: --input-format=json and geojson read it"},
+    {"LINESTRING", 10, WKT},
+    {"POLYGON", 7, WKT},
+    {"MULTI", 5, WKT},
+    {"POINT", 5, WKT},
 };
 
 bool ph_split_is_foreign(const char *p, const char *end, struct ph_diag *diag) {

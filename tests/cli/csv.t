@@ -258,7 +258,16 @@ foreign 'xlsx' 'a spreadsheet or other zip archive: spreadsheets can be saved as
 printf '<svg/>\n' >foreign
 run planar -q -i csv foreign
 expect 'XML that is read as CSV' 3 'phspline: foreign:1: record 1: the input is XML or HTML: --input-format=svg and gpx read SVG and GPX [syntax]'
-foreign 'WKT' 'WKT: only JSON and tables are read' 'LINESTRING (0 0, 1 1)\n'
+foreign 'WKT' 'WKT: ogr2ogr -f GeoJSON makes of it what is read' \
+  'LINESTRING (0 0, 1 1)\n'
+printf '{\n"type": "LineString"}\n' >foreign
+run planar -q -i csv foreign
+expect 'JSON that is read as CSV' 3 'phspline: foreign:1: record 1: the input is JSON: --input-format=json and geojson read it [syntax]'
+csv 'longitudes in the plane' '3 absent absent' 'Longitude,Latitude\n0,0\n1,2\n'
+expect 'longitudes in the plane: the remedy' 3 "phspline: a.csv:1: record 1: \
+column \"Longitude\" is unknown to planar, but not to sphere (--ignore-columns \
+skips it) [unknown-field]
+$(failed 1 1)"
 csv 'no WKT' '3 absent absent' 'POINTS,x\n0,0\n'
 
 # ---- columns by their names, columns that are unknown --------------------------

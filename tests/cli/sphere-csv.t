@@ -72,13 +72,14 @@ refused 'both lon, lat and x, y, z' 1 \
 refused 'an empty cell' 1 'lon,lat\n0,0\n10,\n' '3: record 1: lonlat[1]: needs '\
 'a number in column lat, found an empty cell [bad-value]'
 refused 'a latitude that is none' 1 '# a\nlon,lat\n0,0\n# b\n10,95\n' '5: '\
-'record 1: lonlat[1][1]: must be between -90 and 90 degrees, found 95 '\
-'[bad-value]'
+'record 1: lonlat[1][1]: must be between -90 and 90 degrees, found 95; '\
+'the longitude comes first [bad-value]'
 feed 'lon,lat
 0,0
 ' planar
 expect 'of planar it is no column' 3 "phspline: -:1: record 1: column \"lon\" \
-is unknown to planar (--ignore-columns skips it) [unknown-field]
+is unknown to planar, but not to sphere (--ignore-columns skips it) \
+[unknown-field]
 $(failed 1 1)"
 
 # ---- coordinates, and numbers of nodes ---------------------------------------

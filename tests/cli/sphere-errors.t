@@ -84,7 +84,7 @@ for degrees in 360.5 -361 1e300; do
 done
 for degrees in 90.5 -91; do
   bad bad-value 'lonlat[0][1]' \
-    "must be between -90 and 90 degrees, found $degrees" \
+    "must be between -90 and 90 degrees, found $degrees; the longitude comes first" \
     "{\"lonlat\":[[0,$degrees],[10,0]]}"
 done
 feed '{"lonlat":[[360,0],[-360,90],[0,-89]]}' sphere -q

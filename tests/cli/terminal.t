@@ -61,3 +61,29 @@ $shown$(failed 2 2)" --progress
 progress 'no progress when quiet' "$said" -q
 progress 'progress asked for, when quiet' "$said
 $shown" -q --progress
+
+# Of files, about how many records there are, and the time that is left: lines
+# are of one length, so that the estimate is right.
+awk 'BEGIN {
+  printf "{\"points\":["
+  for (i = 0; i < 9; i++) printf "%s[%d,%d]", i ? "," : "", i, i * i % 7
+  print "],\"solutions\":\"all\"}"
+}' >hard.json
+for i in $(seq 40); do cat hard.json; done >long.jsonl
+at_terminal '' planar -j 1 --quiet --progress long.jsonl
+tr '\r' '\n' <err | sed 's/.*phspline:/phspline:/' | grep ' left$' >shown || :
+if [ -s shown ]; then
+  equal 'the time that is left: the form' '' "$(grep -v -E '^phspline: [0-9]+ of (about )?[0-9]+ records, 0 failed, [0-9.]+ s, [0-9.e+]+ a second, [0-9.]+ (s|min) left$' shown)"
+  # done / of = time / (time + left), and the rate is done / time
+  true_that 'the time that is left: by what is done' awk '
+    { sub(/about /, ""); of = $4; t = $8; rate = $10; left = $13 }
+    $14 == "min" { left *= 60 }
+    !(of > 38 && of < 42) || !(t > 0) { exit 1 }
+    !(left > (of / $2 - 1) * t - 0.1 - 0.1 * of / $2 &&
+      left < (of / $2 - 1) * t + 0.1 + 0.1 * of / $2) { exit 1 }
+    !(rate * t > 0.8 * $2 && rate * t < 1.2 * $2) { exit 1 }
+    $2 <= last { exit 1 }
+    { last = $2 }' shown
+else
+  echo 'skip the time that is left: the run took less than a second'
+fi

@@ -112,6 +112,13 @@ static struct ph_pow2 scale_of(const double *v, const struct ph_sphere_data *d,
   return ph_pow2_of(-*exponent);
 }
 
+/* Whether a point far from the unit sphere may be longitude, latitude and an
+ * elevation. */
+static bool like_degrees(const double *v, const struct ph_sphere_data *d) {
+  return !(d->radius < 1) && !(d->radius > 1) && fabs(v[0]) <= 360 &&
+         fabs(v[1]) <= 90 && hypot(v[0], v[1]) > 2;
+}
+
 static enum ph_status read_point(struct reading *r, size_t i) {
   struct ph_sphere_data *d = r->data;
   const double *v = r->points->v + 3 * i, *c = d->center;
@@ -126,9 +133,12 @@ static enum ph_status read_point(struct reading *r, size_t i) {
   if (!(off <= r->tolerance)) {
     return ph_fail_at(r->diag, PH_E_NOT_ON_SPHERE, r->name, i,
                       "is %.10g from the center, and the radius is %.10g: "
-                      "they may differ by radius_tolerance, %g of the radius",
+                      "they may differ by radius_tolerance, %g of the radius%s",
                       ph_pow2_apply(ph_pow2_of(exponent), size), d->radius,
-                      r->tolerance);
+                      r->tolerance,
+                      like_degrees(v, d) ? "; degrees are lonlat, in tables "
+                                           "columns lon and lat"
+                                         : "");
   }
   if (off > d->moved) {
     d->moved = off;
@@ -142,10 +152,12 @@ static enum ph_status read_point(struct reading *r, size_t i) {
 /* The failure of one of the two numbers of a point. */
 static enum ph_status bad_degrees(struct reading *r, size_t i, size_t which,
                                   double range) {
-  enum ph_status status = ph_fail_at(r->diag, PH_E_BAD_VALUE, r->name, i,
-                                     "must be between -%g and %g degrees, "
-                                     "found %.17g",
-                                     range, range, r->points->v[2 * i + which]);
+  enum ph_status status =
+      ph_fail_at(r->diag, PH_E_BAD_VALUE, r->name, i,
+                 "must be between -%g and %g degrees, "
+                 "found %.17g%s",
+                 range, range, r->points->v[2 * i + which],
+                 which == 1 ? "; the longitude comes first" : "");
   strcat(r->diag->field, which == 0 ? "[0]" : "[1]");
   return status;
 }

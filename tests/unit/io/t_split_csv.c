@@ -140,8 +140,8 @@ PH_TEST(test_csv_lonlat) {
              "1 1 missing-field 1:1 column \"z\" is missing: sphere needs it "
              "for points\nstopped");
   gives("a.csv", "lon,lat\n0,1\n",
-        "1 1 unknown-field 1:1 column \"lon\" is unknown to planar "
-        "(--ignore-columns skips it)\nstopped");
+        "1 1 unknown-field 1:1 column \"lon\" is unknown to planar, "
+        "but not to sphere (--ignore-columns skips it)\nstopped");
   /* Many files have the latitude first. */
   gives_with(&csv, &sphere, "0,1\n",
              "1 1 syntax 1:1 the file has no header row: --columns=lon,lat or "

@@ -58,15 +58,22 @@ static const struct {
     FAILS(PH_E_BAD_VALUE, "lonlat[1][0]",
           "must be between -360 and 360 degrees, found 361",
           {PH_F_LONLAT, VECTORS(2, 0, 0, 361, 1)}),
-    FAILS(PH_E_BAD_VALUE, "lonlat[2][1]",
-          "must be between -90 and 90 degrees, found -90.5",
-          {PH_F_LONLAT, VECTORS(2, 0, 0, 1, 1, 2, -90.5)}),
+    FAILS(
+        PH_E_BAD_VALUE, "lonlat[2][1]",
+        "must be between -90 and 90 degrees, found -90.5; the longitude comes "
+        "first",
+        {PH_F_LONLAT, VECTORS(2, 0, 0, 1, 1, 2, -90.5)}),
     FAILS(PH_E_BAD_VALUE, "radius", "must be at least 1e-300, found nan",
           OCTANT, {PH_F_RADIUS, NUMBER((double)NAN)}),
     FAILS(PH_E_NOT_ON_SPHERE, "points[1]",
           "is 1.002 from the center, and the radius is 1: they may differ by "
           "radius_tolerance, 0.001 of the radius",
           {PH_F_POINTS, VECTORS(3, 1, 0, 0, 0, 1.002, 0)}),
+    FAILS(PH_E_NOT_ON_SPHERE, "points[0]",
+          "is 50 from the center, and the radius is 1: they may differ "
+          "by radius_tolerance, 0.001 of the radius; degrees are lonlat, in "
+          "tables columns lon and lat",
+          {PH_F_POINTS, VECTORS(3, 30, 40, 0, 0, 1.002, 0)}),
     FAILS(PH_E_NOT_ON_SPHERE, "points[0]",
           "is 4 from the center, and the radius is 4.5: they may differ by "
           "radius_tolerance, 0.1 of the radius",
