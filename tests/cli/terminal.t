@@ -65,11 +65,12 @@ $shown" -q --progress
 # Of files, about how many records there are, and the time that is left: lines
 # are of one length, so that the estimate is right.
 awk 'BEGIN {
-  printf "{\"points\":["
-  for (i = 0; i < 9; i++) printf "%s[%d,%d]", i ? "," : "", i, i * i % 7
-  print "],\"solutions\":\"all\"}"
-}' >hard.json
-for i in $(seq 40); do cat hard.json; done >long.jsonl
+  for (k = 0; k < 40; k++) {
+    printf "{\"points\":["
+    for (i = 0; i < 9; i++) printf "%s[%d,%d]", i ? "," : "", i, i * i % 7
+    print "],\"solutions\":\"all\"}"
+  }
+}' >long.jsonl
 at_terminal '' planar -j 1 --quiet --progress long.jsonl
 tr '\r' '\n' <err | sed 's/.*phspline:/phspline:/' | grep ' left$' >shown || :
 if [ -s shown ]; then
