@@ -100,6 +100,10 @@ const struct ph_command ph_commands[] = {
      "phspline tc --tolerance=0.01 --offset=-3 --offset-mode=trimmed "
      "--format=svg-path drawing.json\t"
      "Outline and cutter path as one SVG path\n"
+     "phspline tc --format=opendrive points.csv -o road.xodr\t"
+     "A road, for simulators\n"
+     "phspline tc --tolerance=0.01 --format=gcode --feed=600 drawing.json "
+     "-o part.ngc\tMoves along the outline, for a machine\n"
      "phspline tc --sweep=lambda=0.3:0.8:6 -q -p lambda.svg points.csv "
      "-o lambda.json\tSix of them in one figure\n"},
     {PH_SOLVES_BY(ph_method_cone, SURFACE), NULL,
