@@ -120,6 +120,22 @@ expect 'with lengths' 0
 } | holds 'with lengths: together' \
   '8 * x[1] ^ 2 + 7 * x[2] ^ 2 > 14.5 && 8 * x[1] ^ 2 + 7 * x[2] ^ 2 < 15.5'
 
+# ---- no minimum, but a curve all the same ------------------------------------
+
+# Turns of up to 2.8 between chords of 0.006 and 0.8, lengths 1 % above them.
+feed '{"points":[[0,0,0],[0.0801,0.1275,0.1084],[-0.4455,0.3567,0.7001],
+[-0.4433,0.3508,0.6997],[-0.447,0.3603,0.7054],[-0.4411,0.3531,0.7138],
+[-0.3981,-0.2152,0.7287]],"lengths":[0.18738,0.83316,0.00635,0.01183,0.01266,
+0.58025],"length_sigma":0.01}' arclength
+equal 'a saddle: the curve, and that it is one' '0 "saddle"' \
+  "$status $(get diagnostics.second_order)"
+equal 'a saddle: told' 'phspline: -:1: record 1: warning: no minimum was '\
+'found: the curve is stationary, and others nearby may bend less [saddle]' \
+  "$(grep saddle err)"
+mv out r
+run verify r
+expect 'a saddle: verified' 0
+
 # ---- what is not allowed -----------------------------------------------------
 
 # bad CODE FIELD MESSAGE PROBLEM

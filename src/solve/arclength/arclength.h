@@ -348,6 +348,7 @@ struct ph_arc_request {
   bool rescue;   /* augmented Lagrangians where Newton's method alone leads
                   * nowhere */
   bool waves;    /* and random waves */
+  bool saddles;  /* what is stationary counts as found */
 };
 
 /* The curve whose lengths are free. */

@@ -276,15 +276,20 @@ static enum ph_status find(struct task *t) {
 }
 
 /* Finds curves with as few segments in an interval as it takes: more of them
- * promise more than random waves. */
+ * promise more than random waves.  Measured lengths always have an answer, at
+ * worst a curve that was not proved to be a minimum. */
 static enum ph_status find_refined(struct task *t) {
   struct ph_mark mark = ph_arena_mark(t->scratch);
   size_t first = t->request.refine;
   bool one = first == t->refine_last;
   enum ph_status status = PH_OK;
-  for (size_t pass = 0; pass < (one ? 1 : 2); pass++) {
-    t->request.rescue = pass == 0;
-    t->request.waves = one || pass == 1;
+  for (size_t pass = 0; pass < (is_soft(t) ? 3 : 2); pass++) {
+    t->request.saddles = pass == 2;
+    t->request.rescue = pass != 1;
+    t->request.waves = one || pass > 0;
+    if (one && pass == 1) {
+      continue;
+    }
     for (size_t r = first; r <= t->refine_last; r++) {
       t->request.refine = r;
       t->left_plane = false;

@@ -375,8 +375,11 @@ static void warn(const struct ph_arc_search *search, bool left_plane,
   }
   if (!p->minimiser) {
     ph_warn(result, PH_NO_SEGMENT, PH_W_SADDLE,
-            "the curve bends least in the plane of the data, but not in "
-            "space: \"planar\":\"free\" lets it leave the plane");
+            search->system.dim < 4
+                ? "the curve bends least in the plane of the data, but not in "
+                  "space: \"planar\":\"free\" lets it leave the plane"
+                : "no minimum was found: the curve is stationary, and others "
+                  "nearby may bend less");
   }
   if (d->sigma > 0 && !search->natural.known) {
     ph_warn(result, PH_NO_SEGMENT, PH_W_NATURAL_UNKNOWN,

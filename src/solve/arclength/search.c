@@ -357,7 +357,7 @@ static bool try_start(struct run *run, const struct kind *kind) {
                              : p->converged ? PH_OUTCOME_SADDLE
                                             : PH_OUTCOME_NO_SOLUTION,
                              p->converged ? p->f : (double)NAN, p->iterations};
-  if (p->minimiser) {
+  if (p->minimiser || (p->converged && run->request->saddles)) {
     return keep(run, search->starts_n - 1);
   }
   set_nearest(run);
