@@ -124,6 +124,9 @@ void ph_check_nurbs(struct ph_check *v, const struct ph_splines *of,
 void ph_check_nurbs_loop(struct ph_check *v, const struct ph_loop *loop,
                          size_t degree);
 
+/* ph_check_range: the distances up to which offsets are regular. */
+void ph_check_range(struct ph_check *v);
+
 /* ph_check_offset: an offset curve. */
 void ph_check_offset(struct ph_check *v, const struct ph_offset *offset);
 

@@ -193,6 +193,9 @@ static void check_derived(struct ph_check *v) {
   if (claim->nurbs.n > 0 && !v->kind->converted) {
     ph_check_nurbs(v, &claim->nurbs, NULL);
   }
+  if (claim->offset_range && !v->kind->converted) {
+    ph_check_range(v);
+  }
   for (size_t i = 0; i < claim->offsets_n; i++) {
     ph_check_prefix(v, "offsets", i);
     ph_check_offset(v, &claim->offsets[i]);

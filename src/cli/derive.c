@@ -4,6 +4,7 @@
 
 #include "curve/bezier/cubics.h"
 #include "curve/bezier/nurbs.h"
+#include "curve/offset/range.h"
 #include "curve/cross/cross.h"
 #include "curve/fair/enclosed.h"
 #include "curve/kind/kind.h"
@@ -339,6 +340,16 @@ sample_lengths(const struct ph_options *o, const struct ph_value *at,
              : status;
 }
 
+static enum ph_status derive_range(struct ph_arena *arena, struct ph_result *r,
+                                   struct ph_diag *diag) {
+  r->offset_range = ph_arena_array(arena, 2, sizeof *r->offset_range);
+  if (!r->offset_range) {
+    return ph_fail_memory(diag);
+  }
+  ph_offset_range(&r->curve, r->offset_range);
+  return PH_OK;
+}
+
 enum ph_status ph_derive(const struct ph_options *options,
                          const struct ph_problem *problem,
                          struct ph_arena *arena, struct ph_result *result,
@@ -356,6 +367,9 @@ enum ph_status ph_derive(const struct ph_options *options,
   tolerance = o->tolerance > 0 ? o->tolerance
                                : PH_TOLERANCE * ph_curve_size(&result->curve);
   status = ph_enclosed_area(&result->curve, arena, &result->area, diag);
+  if (status == PH_OK && o->offset_range) {
+    status = derive_range(arena, result, diag);
+  }
   rules = beside = sample_rules(o, &result->curve);
   if (status == PH_OK && at->kind != PH_ABSENT && !format->is_cubics &&
       !format->is_nurbs && !format->is_road && !format->is_moves) {

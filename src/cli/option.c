@@ -353,7 +353,7 @@ static enum ph_status check_frame(struct ph_option_parser *p) {
   return PH_OK;
 }
 
-/* B-splines, as a format or beside the curve. */
+/* B-splines, as a format or beside the curve; and what else is beside it. */
 static enum ph_status check_nurbs(struct ph_option_parser *p) {
   const struct ph_options *o = p->options;
   const struct ph_format_row *format = &ph_formats[o->format];
@@ -372,6 +372,11 @@ static enum ph_status check_nurbs(struct ph_option_parser *p) {
   }
   if (o->nurbs && !format->is_objects) {
     return ph_fail(p->diag, PH_E_USAGE, NULL, "--nurbs needs --format=json");
+  }
+  if (o->offset_range && (!format->is_objects || space != PH_PLANE)) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--offset-range is of curves in the plane, and needs "
+                   "--format=json");
   }
   if ((o->nurbs || format->is_nurbs) && o->convert) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,

@@ -144,6 +144,9 @@
     "what the panorama has beside the surface and the volume (default: 0)")    \
   X(CONVERT, CURVE, 0, "convert", "bezier",                                    \
     "write atph segments as polynomial quintic Bezier segments")               \
+  X(OFFSET_RANGE, CURVE, 0, "offset-range", NULL,                              \
+    "add the distances up to which offsets of the whole curve have no cusp "   \
+    "(in the plane)")                                                          \
   X(NURBS, CURVE, 0, "nurbs", NULL,                                            \
     "add curves and offsets as B-splines, rational where they must be")        \
   X(TOLERANCE, CURVE, 0, "tolerance", "E",                                     \
@@ -231,7 +234,7 @@ struct ph_options {
   struct ph_sweep *sweeps;
   size_t sweeps_n;
   size_t sweep_count; /* results for each problem */
-  bool convert, nurbs;
+  bool convert, nurbs, offset_range;
   double tolerance;     /* 0: the default */
   double feed;          /* 0: not given */
   const char *problems; /* of the results that verify looks at; NULL: none */

@@ -553,8 +553,9 @@ static enum ph_status read_argument(struct ph_option_parser *p,
   case PH_O_CONVERT:
     o->convert = true;
     return choose(p, id, words, &which);
+  case PH_O_OFFSET_RANGE:
   case PH_O_NURBS:
-    o->nurbs = true;
+    *(id == PH_O_NURBS ? &o->nurbs : &o->offset_range) = true;
     return PH_OK;
   case PH_O_TOLERANCE:
   case PH_O_FLAT:

@@ -471,7 +471,8 @@ struct ph_parallel {
 
 struct ph_result {
   struct ph_curve curve;
-  double area; /* inside of a closed curve in the plane; else NaN */
+  double area;          /* inside of a closed curve in the plane; else NaN */
+  double *offset_range; /* [2] curve/offset/range.h; NULL: not asked for */
   struct ph_offset *offsets;
   size_t offsets_n;
   struct ph_samples samples;     /* n = 0: they were not asked for */

@@ -60,6 +60,9 @@ static const struct ph_member result[] = {
      "the arc length of the curve"},
     {"area", MAY, FLAT, AS("", number), AT(ph_result, area),
      "inside of a closed curve in the plane, positive to the left of travel"},
+    {"offset_range", MAY, FLAT, AS("[2]", open), EACH(ph_result, offset_range),
+     "the distances to the left and right up to which its offsets are regular; "
+     "null: all are"},
     {"offsets", MAY, ANY, AS("[+]", offset),
      LIST(ph_result, offsets, offsets_n),
      "one for each distance, in space four"},

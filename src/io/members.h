@@ -145,7 +145,7 @@ struct ph_slot {
   size_t most;         /* as of the type, or the last segment */
 };
 
-enum { PH_SLOTS_MAX = 24 };
+enum { PH_SLOTS_MAX = 25 };
 
 /* No curve or offset that is written has a higher degree, by far. */
 enum { PH_CLAIM_DEGREE_MAX = 15 };

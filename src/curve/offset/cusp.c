@@ -21,8 +21,8 @@
 
 #include <math.h>
 
-/* Degree of g; halvings until v is known to rounding; room at first. */
-enum { DEGREE = 8, HALVINGS_MAX = 50, ROOM = 16 };
+/* Halvings until v is known to rounding; room at first. */
+enum { DEGREE = PH_CUSP_DEGREE, HALVINGS_MAX = 50, ROOM = 16 };
 
 struct form {
   double b[DEGREE + 1]; /* Bernstein coefficients */
@@ -43,10 +43,9 @@ static int exponent_of(const ph_quat a[3]) {
   return largest > 0 ? ilogb(largest) : 0;
 }
 
-/* g, with A at unit scale. */
-static struct form form_of(const struct ph_seg3 *seg, double distance,
-                           enum ph_normal normal) {
-  const int exponent = exponent_of(seg->a);
+void ph_cusp_forms_of(const struct ph_seg3 *seg, enum ph_normal normal,
+                      struct ph_cusp_forms *forms) {
+  const int exponent = exponent_of(seg->a); /* A at unit scale */
   const double scale = ldexp(1, -exponent);
   const ph_quat a0 = ph_quat_scale(scale, seg->a[0]);
   const ph_quat a2 = ph_quat_scale(scale, seg->a[2]);
@@ -58,17 +57,30 @@ static struct form form_of(const struct ph_seg3 *seg, double distance,
   const double cross[3] = {turning(normal, a0, m), turning(normal, a0, a2),
                            turning(normal, m, a2)};
   const double one[3] = {1, 2 * seg->space.c, 1};
-  const double factor = 4 * ldexp(distance, -2 * exponent) / seg->space.sinc;
-  double raised4[5], raised6[7], raised8[DEGREE + 1];
-  struct form form;
+  const double factor = 4 / seg->space.sinc;
+  double raised4[5], raised6[7];
   ph_form_multiply(cross, 2, one, 2, raised4);
   ph_form_multiply(raised4, 4, one, 2, raised6);
-  ph_form_multiply(raised6, 6, one, 2, raised8);
-  ph_form_multiply(speed, 4, speed, 4, form.b);
+  ph_form_multiply(raised6, 6, one, 2, forms->bend);
+  ph_form_multiply(speed, 4, speed, 4, forms->square);
   for (size_t k = 0; k <= DEGREE; k++) {
-    form.b[k] -= factor * raised8[k];
+    forms->bend[k] *= factor;
   }
-  ph_form_bernstein(form.b, DEGREE, form.b);
+  ph_form_bernstein(forms->bend, DEGREE, forms->bend);
+  ph_form_bernstein(forms->square, DEGREE, forms->square);
+  forms->exponent = 2 * exponent;
+}
+
+static struct form form_of(const struct ph_seg3 *seg, double distance,
+                           enum ph_normal normal) {
+  struct ph_cusp_forms forms;
+  struct form form;
+  double d;
+  ph_cusp_forms_of(seg, normal, &forms);
+  d = ldexp(distance, -forms.exponent);
+  for (size_t k = 0; k <= DEGREE; k++) {
+    form.b[k] = forms.square[k] - d * forms.bend[k];
+  }
   return form;
 }
 

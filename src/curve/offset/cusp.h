@@ -8,6 +8,21 @@
 #include "curve/result.h"
 #include "curve/segment/seg3.h"
 
+/* The degree of the speed of offsets, as a form. */
+enum { PH_CUSP_DEGREE = 8 };
+
+/* Bernstein coefficients in v (kernel/form.h) of forms whose quotient is what
+ * turns: in the plane, bend over square is the curvature times 2^exponent. */
+struct ph_cusp_forms {
+  double square[PH_CUSP_DEGREE + 1]; /* sigma^2 > 0, but for a stop */
+  double bend[PH_CUSP_DEGREE + 1];
+  int exponent;
+};
+
+/* ph_cusp_forms_of: these of a segment, along a normal. */
+void ph_cusp_forms_of(const struct ph_seg3 *seg, enum ph_normal normal,
+                      struct ph_cusp_forms *forms);
+
 /*
  * ph_cusps_of: the cusps of the offset of a PH or ATPH curve, or of cubics.
  *
