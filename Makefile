@@ -197,7 +197,8 @@ $(if $(word 2,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
 .PHONY: FORCE all install uninstall deps tests-build tests-syntax check \
 	check-run demo demo-run asan asan-run tsan tsan-run valgrind valgrind-run coverage \
 	coverage-run lint lint-run fuzz fuzz-run bench bench-run check-long \
-	check-long-run check-rates check-rates-run figures figures-run configure \
+	check-long-run check-cluster check-cluster-run static static-run \
+	check-rates check-rates-run figures figures-run configure \
 	dist distcheck deb check-deb clean distclean help
 
 all: $(PROGRAM) ## build build/plain/phspline (the default)
@@ -276,6 +277,23 @@ $(B)/libraries: $(B)/flags
 
 -include $(OBJ:.o=.d)
 
+# One file for machines without libraries: without figures and volumes.  Where
+# there is no static cJSON, as on Debian, it is built from its source.
+STATIC = VARIANT=static WITHOUT_CAIRO=1 WITHOUT_TEEM=1 LDFLAGS='-static $(LDFLAGS)'
+static: ## one executable without shared libraries, build/static/phspline
+	$(need)
+	+@mkdir -p build/static; if printf '%s\n' '#include <cjson/cJSON.h>' \
+	  'int main(void) { return !cJSON_Version(); }' | $(CC) -static -x c \
+	  -o build/static/cjson.exe - -lcjson -lm 2>/dev/null; then \
+	  $(AGAIN) $(STATIC) static-run; else \
+	  sh $(S).ci/cjson-source build/static/cjson && \
+	  $(CC) $(CFLAGS) -c -o build/static/cJSON.o build/static/cjson/cJSON.c && \
+	  $(AGAIN) $(STATIC) CJSON_LIBS=build/static/cJSON.o static-run; fi
+static-run: all
+	@! readelf -d $(PROGRAM) | grep NEEDED
+	@echo '{"points":[[0,0],[1,1],[2,0]]}' | $(PROGRAM) planar >/dev/null
+	@ls -l $(PROGRAM)
+
 # ---- install -----------------------------------------------------------------
 
 # data/completions/FILE and where each shell looks for it
@@ -288,6 +306,7 @@ compsrc = $(S)data/completions/$(firstword $(subst :, ,$1))
 compdest = $(DESTDIR)$(datadir)/$(lastword $(subst :, ,$1))
 # the data of the manual's examples; the manual is told where they are
 EXAMPLES = $(filter-out %.sh %.awk,$(wildcard $(addprefix $(S)data/,*.* README)))
+SLURM = $(wildcard $(S)data/slurm/*)
 exampledir = $(docdir)/examples/data
 installdoc = sed 's|/usr/local/share/doc/phspline|$(docdir)|' $(S)$1 \
 	>"$(mandest)/$(notdir $1)" && chmod 644 "$(mandest)/$(notdir $1)"
@@ -302,6 +321,8 @@ install: all ## install below prefix=/usr/local (DESTDIR is respected)
 	  $(call installdoc,$m)$(newline))
 	$(INSTALL) -d "$(DESTDIR)$(exampledir)"
 	$(INSTALL_DATA) $(EXAMPLES) "$(DESTDIR)$(exampledir)"
+	$(INSTALL) -d "$(DESTDIR)$(exampledir)/slurm"
+	$(INSTALL_DATA) $(SLURM) "$(DESTDIR)$(exampledir)/slurm"
 	$(foreach c,$(COMPLETIONS),\
 	  $(INSTALL) -d "$$(dirname "$(call compdest,$c)")"$(newline)\
 	  $(INSTALL_DATA) $(call compsrc,$c) "$(call compdest,$c)"$(newline))
@@ -310,9 +331,10 @@ uninstall: ## remove what install put there
 	rm -f "$(DESTDIR)$(bindir)/phspline"
 	$(foreach m,$(MAN),rm -f "$(call mandest,$m)/$(notdir $m)"$(newline))
 	$(foreach c,$(COMPLETIONS),rm -f "$(call compdest,$c)"$(newline))
-	rm -f $(foreach f,$(EXAMPLES),"$(DESTDIR)$(exampledir)/$(notdir $f)")
+	rm -f $(foreach f,$(EXAMPLES),"$(DESTDIR)$(exampledir)/$(notdir $f)") \
+	  $(foreach f,$(SLURM),"$(DESTDIR)$(exampledir)/slurm/$(notdir $f)")
 	@$(foreach d,$(bindir) $(sort $(foreach m,$(MAN),$(call mandest,$m)) \
-	  $(foreach c,$(COMPLETIONS),$(dir $(call compdest,$c)))) $(exampledir),\
+	  $(foreach c,$(COMPLETIONS),$(dir $(call compdest,$c)))) $(exampledir)/slurm,\
 	  (cd "$(DESTDIR)/" && rmdir -p ".$(patsubst $(DESTDIR)%,%,$d)") \
 	    2>/dev/null || :;)
 
@@ -460,6 +482,14 @@ check-rates: ## how often random data are solved, and how time grows with size
 check-rates-run: all
 	@python3 $(S)bench/rates.py $(PROGRAM) --members=$(MEMBERS) \
 	  --seed=$(SEED) $(if $(FAMILY),'$(FAMILY)')
+
+# make, GNU parallel, ssh and Slurm, started on this machine.
+check-cluster: ## runs in parts by make, parallel, ssh and Slurm, also killed
+	$(need)
+	$(call may_need,cluster)
+	$(SUBMAKE) check-cluster-run
+check-cluster-run: all
+	@srcdir=$(srcdir) sh $(S)tests/cluster/check.sh $(PROGRAM)
 
 bench: ## build and run the benchmarks of bench/
 	$(need)
