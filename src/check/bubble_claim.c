@@ -170,7 +170,8 @@ static void check_sample(const struct ph_check_patchwork *w, size_t i,
                 "is not the normal");
   if (isfinite(s->mean)) {
     check_curvatures(v, i, s, k,
-                     4 * degree * degree * round / (across * across) /
+                     (4 * degree * degree * round / (across * across) +
+                      8 * doubt * ph_check_larger(fabs(k[0]), fabs(k[1]))) /
                          (least * least));
   }
 }

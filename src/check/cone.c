@@ -72,10 +72,14 @@ static double differ(const struct ph_check_frame *a,
   return ph_check_larger(ph_check_larger(e, d), ph_check_apart(a->n, b->n));
 }
 
-/* The length of the pair of strip i. */
+/* The length of the pair of strip i; beside it also what it is beside of, and
+ * the distance, over which frames lead there. */
 static double pair_length(const struct ph_check_cone *cone, size_t i) {
-  return scaled(cone, strip_at(cone, i & ~(size_t)1)->length) +
-         scaled(cone, strip_at(cone, i | 1)->length);
+  const double length = scaled(cone, strip_at(cone, i & ~(size_t)1)->length) +
+                        scaled(cone, strip_at(cone, i | 1)->length);
+  return cone->beside ? length + pair_length(cone->beside, i) +
+                            scaled(cone, cone->distance)
+                      : length;
 }
 
 static void miss_direction(struct ph_check_cone *cone, size_t i, double by) {
@@ -370,9 +374,9 @@ static double allowed_of(const struct ph_check *v) {
              : own;
 }
 
-/* The scale is that of both ends of all arcs. */
-static bool set_scale(struct ph_check *v, enum ph_status *status) {
-  const struct ph_curve *c = v->curve;
+bool ph_check_cone_scale(struct ph_check_cone *cone, enum ph_status *status) {
+  struct ph_check *v = cone->v;
+  const struct ph_curve *c = cone->curve;
   double *p = ph_arena_array(v->scratch, 6 * c->n, sizeof *p);
   if (!p) {
     *status = ph_fail_memory(v->diag);
@@ -410,12 +414,13 @@ enum ph_status ph_check_cone(struct ph_check *v,
   enum { TOLD = sizeof told / sizeof told[0] };
   struct ph_check_error error[PH_CHECK_N] = {{.done = false}};
   const struct ph_check_error *list[TOLD];
-  struct ph_check_cone cone = {v, v->curve, 0, 0};
+  struct ph_check_cone cone = {.v = v, .curve = v->curve};
   enum ph_status status = PH_OK;
   v->error = error;
   if (is_general(v->curve)) {
     status = ph_check_cone_general(v);
-  } else if (ph_check_cone_arrays(v, v->curve) && set_scale(v, &status)) {
+  } else if (ph_check_cone_arrays(v, v->curve) &&
+             ph_check_cone_scale(&cone, &status)) {
     cone.frame = allowed_of(v);
     ph_check_cone_strips(&cone);
     ph_check_cone_elements(&cone);
@@ -471,7 +476,7 @@ static enum ph_status check_panorama(const struct ph_check_cone *cone) {
 /* ---- verification -------------------------------------------------------- */
 
 enum ph_status ph_check_surface(struct ph_check *v) {
-  struct ph_check_cone cone = {v, v->curve, 0, 0};
+  struct ph_check_cone cone = {.v = v, .curve = v->curve};
   enum ph_status status = PH_OK;
   const char *member, *breach;
   ph_check_done(v, PH_CHECK_SHAPE);
@@ -484,7 +489,8 @@ enum ph_status ph_check_surface(struct ph_check *v) {
   if (is_general(v->curve)) {
     return ph_check_cone_general(v);
   }
-  if (!ph_check_cone_arrays(v, v->curve) || !set_scale(v, &status)) {
+  if (!ph_check_cone_arrays(v, v->curve) ||
+      !ph_check_cone_scale(&cone, &status)) {
     return status;
   }
   cone.frame = allowed_of(v);
@@ -492,7 +498,9 @@ enum ph_status ph_check_surface(struct ph_check *v) {
   if (v->problem) {
     ph_check_cone_elements(&cone);
   }
-  ph_check_cone_told(&cone);
-  status = check_panorama(&cone);
+  status = ph_check_cone_told(&cone);
+  if (status == PH_OK) {
+    status = check_panorama(&cone);
+  }
   return ph_arena_late(v->scratch) ? ph_fail_memory(v->diag) : status;
 }

@@ -19,9 +19,11 @@ struct ph_check_frame {
 /* What the checks of a surface share. */
 struct ph_check_cone {
   struct ph_check *v;
-  const struct ph_curve *curve; /* the surface, or one parallel to it */
-  double frame;                 /* allowed of frames, relative */
-  double flat;                  /* rounding of the development */
+  const struct ph_curve *curve;       /* the surface, or one parallel to it */
+  double frame;                       /* allowed of frames, relative */
+  double flat;                        /* rounding of the development */
+  const struct ph_check_cone *beside; /* of a parallel surface: which one, */
+  double distance;                    /* and how far, in the unit of the data */
 };
 
 /* ph_check_cone_point: point j of the problem, moved as it says. */
@@ -56,8 +58,12 @@ void ph_check_cone_strips(struct ph_check_cone *cone);
 void ph_check_cone_elements(struct ph_check_cone *cone);
 
 /* ph_check_cone_told: all that a record says besides: numbers of strips, pairs
- * and diagnostics, parallel surfaces, samples. */
-void ph_check_cone_told(struct ph_check_cone *cone);
+ * and diagnostics, parallel surfaces, samples.  ret PH_OK | PH_E_NO_MEMORY */
+enum ph_status ph_check_cone_told(struct ph_check_cone *cone);
+
+/* ph_check_cone_scale: sets the scale to that of both ends of all arcs; false
+ * where there is none, or, which is the status, no memory. */
+bool ph_check_cone_scale(struct ph_check_cone *cone, enum ph_status *status);
 
 /* ph_check_cone_located: whether place i of the development is on a strip, and
  * within its length and the height; that it is of the problem's point. */

@@ -38,14 +38,16 @@ static void rates(struct beside *b, double u, double rate[2], double *across) {
   const double along = ph_vec3_dot(at.jet[0], at.f.d);
   const double turn = ph_vec3_dot(at.jet[1], at.f.n) / along;
   const double by = b->distance * turn;
+  const double doubt =
+      fabs(b->distance / along) * ph_vec3_abs(at.jet[1]) * at.doubt;
   rate[0] = along - by;
   rate[1] = ph_vec3_dot(at.jet[0], at.f.e);
-  b->least = ph_check_smaller(b->least, rate[0] / along);
+  b->least = ph_check_smaller(b->least, (rate[0] + doubt) / along);
   *across = 0;
   for (size_t j = 0; j < 2; j++) {
     const double there = along * (1 + g->side * b->height[j] / at.rho);
     *across += (there - by) / 2;
-    b->least = ph_check_smaller(b->least, (there - by) / there);
+    b->least = ph_check_smaller(b->least, (there - by + doubt) / there);
   }
   *across *= b->height[1] - b->height[0];
 }

@@ -55,6 +55,7 @@ static void turn_by(const struct ph_check_general *g, struct turning *t,
 static struct turning turning_of(const struct ph_check_general *g) {
   double turn[PLACES + 1], most = 0, at = 0, from = 0;
   struct turning t = {0, 0, 0, 0, true};
+  size_t last = 0;
   for (size_t i = 0; i <= PLACES; i++) {
     const struct ph_check_general_seen p =
         ph_check_general_place_at(g, (double)i / PLACES);
@@ -62,9 +63,10 @@ static struct turning turning_of(const struct ph_check_general *g) {
     most = ph_check_larger(most, fabs(turn[i]));
   }
   for (size_t i = 1; i <= PLACES; i++) {
-    if (turn[i - 1] * turn[i] < 0) {
-      const double u = (double)i / PLACES;
-      const double cut = change_between(g, u - 1.0 / PLACES, u);
+    last = fabs(turn[i - 1]) > 0 ? i - 1 : last; /* where there was some */
+    if (turn[last] * turn[i] < 0) {
+      const double cut =
+          change_between(g, (double)last / PLACES, (double)i / PLACES);
       turn_by(g, &t, from, cut, &at);
       t.changes++;
       from = cut;
@@ -88,9 +90,11 @@ void ph_check_general_turn(struct ph_check_general *g,
                 ph_check_larger(0, t.high - t.low - PH_PI), 1, TURN,
                 "is a loop");
   if (!g->v->error) {
-    ph_check_number(g->v, PH_CHECK_DIAGNOSTIC,
-                    ph_check_general_where(g->k, "turn"), turn, t.whole,
-                    1 + t.whole, TURN * (1 + t.whole));
+    ph_check_number(
+        g->v, PH_CHECK_DIAGNOSTIC, ph_check_general_where(g->k, "turn"), turn,
+        t.whole, 1 + t.whole,
+        TURN * (1 + t.whole) + 4 * (ph_check_general_place_at(g, 0).doubt +
+                                    ph_check_general_place_at(g, 1).doubt));
   }
   totals->inflections += t.changes;
   totals->clear = totals->clear && t.clear;
@@ -148,25 +152,68 @@ static void area_at(const void *context, double u, double *value) {
       at.rate * (a * b >= 0 ? fabs(a + b) / 2 * (b - a) : (a * a + b * b) / 2);
 }
 
-/* Area and vertices within the height, of strip k, which is loaded. */
+/* What a height is from the vertex, at u. */
+static double from_vertex(const struct ph_check_general *g, size_t edge,
+                          double u) {
+  return g->side * ph_check_general_place_at(g, u).rho +
+         ph_check_scaled(g->v, g->curve->surface.height[edge]);
+}
+
+/* Where a height passes the vertex, between two places on both sides. */
+static double passing(const struct ph_check_general *g, size_t edge,
+                      double from, double to) {
+  enum { STEPS = 50 };
+  const bool up = from_vertex(g, edge, to) > 0;
+  for (int i = 0; i < STEPS; i++) {
+    const double middle = from + (to - from) / 2;
+    *((from_vertex(g, edge, middle) > 0) == up ? &to : &from) = middle;
+  }
+  return to;
+}
+
+/* By how much the area of a strip may be off: a small part of it. */
+static double area_tolerance(const struct ph_check_general *g) {
+  enum { SOME = 16 };
+  double sum = 0, value;
+  for (size_t i = 0; i < SOME; i++) {
+    area_at(g, ((double)i + 0.5) / SOME, &value);
+    sum += value / SOME;
+  }
+  return AREA / 16 * sum;
+}
+
+/* Area and vertices within the height, of strip k, which is loaded: the area by
+ * parts, which begin where a height passes the vertex. */
 void ph_check_general_height(struct ph_check_general *g,
                              struct ph_check_general_totals *totals) {
   const double *height = g->curve->surface.height;
-  double low = HUGE_VAL, high = -HUGE_VAL;
+  double low = HUGE_VAL, high = -HUGE_VAL, from = 0, last[2] = {0, 0};
+  const double tolerance = area_tolerance(g);
   if (!(fabs(height[0]) > 0) && !(fabs(height[1]) > 0)) {
     return;
   }
   for (size_t i = 0; i <= PLACES; i++) {
-    const double rho =
-        g->side * ph_check_general_place_at(g, (double)i / PLACES).rho;
+    const double u = (double)i / PLACES;
+    double cut[2] = {1, 1};
     for (size_t j = 0; j < 2; j++) {
-      const double h = rho + ph_check_scaled(g->v, height[j]);
+      const double h = from_vertex(g, j, u);
+      if (h * last[j] < 0) {
+        cut[j] = passing(g, j, u - 1.0 / PLACES, u);
+      }
+      last[j] = h;
       low = ph_check_smaller(low, h);
       high = ph_check_larger(high, h);
     }
+    for (size_t j = cut[1] < cut[0], n = 0; n < 2; n++, j = !j) {
+      if (cut[j] < 1) {
+        totals->area +=
+            ph_check_general_integral(g, area_at, tolerance, from, cut[j]);
+        from = cut[j];
+      }
+    }
   }
   totals->inside += low <= 0 && high >= 0;
-  totals->area += ph_check_general_integral(g, area_at, UNIT, 0, 1);
+  totals->area += ph_check_general_integral(g, area_at, tolerance, from, 1);
 }
 
 static void check_sample(struct ph_check_general *g, const char *list, size_t i,
@@ -178,7 +225,11 @@ static void check_sample(struct ph_check_general *g, const char *list, size_t i,
   struct ph_check_general_flat flat = ph_check_general_flat_at(g, &at, u);
   const double round =
       ph_check_general_flat_rounding(g, &flat, at.rho + fabs(h));
-  const double moved = UNIT * v->length[g->k] + fabs(h) * at.doubt;
+  const double arc = UNIT * v->length[g->k];
+  const double moved = arc + fabs(h) * at.doubt;
+  /* by how much u is uncertain: where the curve nearly stands still, more */
+  const double off = ph_check_smaller(arc / ph_vec3_abs(at.jet[0]),
+                                      sqrt(arc / ph_vec3_abs(at.jet[1])));
   flat.x -= h * sin(flat.angle);
   flat.y += h * cos(flat.angle);
   ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of(list, i, "point"),
@@ -187,7 +238,8 @@ static void check_sample(struct ph_check_general *g, const char *list, size_t i,
                 v->scale.size, round + moved, "is off the surface");
   ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of(list, i, "normal"),
                 ph_check_apart(ph_vec3_get(sample->normal, 3), at.f.n), 1,
-                at.doubt + UNIT * (1 + fabs(at.turn)), "is not the normal");
+                at.doubt + UNIT + (UNIT + off) * fabs(at.turn),
+                "is not the normal");
   ph_check_miss(v, PH_CHECK_SAMPLE, ph_check_of(list, i, "flat"),
                 ph_check_general_flat_distance(g, sample->flat, &flat),
                 v->scale.size, round + moved,
@@ -212,7 +264,7 @@ static void check_samples(struct ph_check_general *g,
 /* Points of the development, anywhere on the strips. */
 static void check_located(struct ph_check_general *g,
                           const struct ph_located_list *list) {
-  const struct ph_check_cone cone = {g->v, g->curve, 0, 0};
+  const struct ph_check_cone cone = {.v = g->v, .curve = g->curve};
   for (size_t i = 0; i < list->n && !ph_arena_late(g->v->scratch); i++) {
     if (!ph_check_cone_located(&cone, list, i)) {
       return;

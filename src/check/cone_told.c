@@ -10,6 +10,9 @@
 static const double UNIT = 64 * DBL_EPSILON;
 enum { ROUND = 16 };
 
+/* What the field degenerate_tolerance is where it is absent, some times. */
+static const double DEGENERATE = 1e-8;
+
 /* How far outside a place may be, relative to coordinates. */
 static const double NEAR = 2e-12;
 
@@ -109,8 +112,11 @@ static void check_strip(struct ph_check *v, const struct ph_strip *s,
         unit, ph_check_larger(fabs(s->frame.point[j]), fabs(s->vertex[j])));
   }
   for (size_t j = 0; j < 3; j++) {
-    ph_check_number(v, PH_CHECK_DIAGNOSTIC, strip_of(i, "vertex"), s->vertex[j],
-                    s->frame.point[j] + s->frame.ruling[j] / s->k, unit, UNIT);
+    const double found = s->frame.point[j] + s->frame.ruling[j] / s->k;
+    if (isfinite(found) || !isnan(s->vertex[j])) { /* else it is too far away */
+      ph_check_number(v, PH_CHECK_DIAGNOSTIC, strip_of(i, "vertex"),
+                      s->vertex[j], found, unit, UNIT);
+    }
   }
 }
 
@@ -163,6 +169,16 @@ static double area_of(const struct ph_surface *surface,
   return sum * s->length;
 }
 
+/* What rounding may make of it: the shifts may be far larger than the height,
+ * and heights nearly that of the vertex. */
+static double rounding_of(const struct ph_surface *surface,
+                          const struct ph_strip *s) {
+  const double far = ph_check_larger(fabs(s->shift[0]), fabs(s->shift[1]));
+  const double *height = surface->height;
+  const double high = ph_check_larger(fabs(height[0]), fabs(height[1])) + far;
+  return UNIT * (1 + fabs(s->k) * high) * s->length * (height[1] - height[0]);
+}
+
 static bool is_inside(const struct ph_surface *surface,
                       const struct ph_strip *s) {
   double low = HUGE_VAL, high = -HUGE_VAL;
@@ -201,10 +217,11 @@ static void check_diagnostic(struct ph_check *v, enum ph_diagnostic which,
 /* Length and area, of which there may be none. */
 static void check_measure(struct ph_check_cone *cone) {
   const struct ph_curve *c = cone->curve;
-  double length = 0, area = 0;
+  double length = 0, area = 0, rounding = 0;
   for (size_t i = 0; i < c->n; i++) {
     length += c->surface.strips[i].length;
     area += area_of(&c->surface, &c->surface.strips[i]);
+    rounding += rounding_of(&c->surface, &c->surface.strips[i]);
   }
   ph_check_number(cone->v, PH_CHECK_LENGTH,
                   ph_check_of(NULL, PH_CHECK_ONE, "length"), c->length, length,
@@ -212,7 +229,7 @@ static void check_measure(struct ph_check_cone *cone) {
   if (area > 0 || c->surface.area > 0) {
     ph_check_number(cone->v, PH_CHECK_LENGTH,
                     ph_check_of(NULL, PH_CHECK_ONE, "area"), c->surface.area,
-                    area, area, UNIT * (double)c->n * area);
+                    area, area, UNIT * (double)c->n * area + rounding);
   }
 }
 
@@ -252,7 +269,9 @@ static void check_leg(struct ph_check_cone *cone, size_t i, size_t j) {
   }
 }
 
-/* The sphere: its centre is at the radius along both normals. */
+/* The sphere: its centre is at the radius along both normals, as far as the
+ * equations of the sphere, of which one may depend on the others by as little,
+ * say so. */
 static void check_center(struct ph_check_cone *cone, size_t i) {
   const struct ph_pair *pair = &cone->curve->surface.pairs[i];
   const double radius = ph_check_scaled(cone->v, pair->radius);
@@ -264,7 +283,7 @@ static void check_center(struct ph_check_cone *cone, size_t i) {
         cone->v, PH_CHECK_DIAGNOSTIC, ph_check_of("pairs", i, "center"),
         ph_check_apart(center, ph_vec3_along(f.c, radius, f.n)), 0,
         cone->v->scale.size + fabs(radius),
-        (cone->frame + UNIT) * (cone->v->scale.size + fabs(radius)) +
+        (cone->frame + DEGENERATE) * (cone->v->scale.size + fabs(radius)) +
             ROUND * cone->v->scale.rounding);
   }
 }
@@ -447,11 +466,14 @@ static void check_moved(struct ph_check_cone *cone, const struct ph_strip *from,
                   UNIT + turn * UNIT);
 }
 
-static void check_parallel(struct ph_check_cone *cone,
-                           const struct ph_parallel *p) {
+static enum ph_status check_parallel(struct ph_check_cone *cone,
+                                     const struct ph_parallel *p) {
   struct ph_curve c = p->curve;
-  struct ph_check_cone other = {cone->v, &c, cone->frame, 0};
+  struct ph_check_cone other = {cone->v, &c,   cone->frame,
+                                0,       cone, fabs(p->distance)};
   const struct ph_curve *from = cone->curve;
+  const struct ph_check_scale scale = cone->v->scale;
+  enum ph_status status = PH_OK;
   c.closed = from->closed;
   c.surface.pairs_n = from->surface.pairs_n;
   c.surface.height[0] = from->surface.height[0];
@@ -460,22 +482,29 @@ static void check_parallel(struct ph_check_cone *cone,
     ph_check_wrong(cone->v, PH_CHECK_OFFSET,
                    ph_check_of("strips", PH_CHECK_ONE, NULL),
                    "are not as many as those of the surface");
-    return;
+    return PH_OK;
   }
   if (!ph_check_cone_arrays(cone->v, &c)) {
-    return;
+    return PH_OK;
+  }
+  if (!ph_check_cone_scale(&other, &status)) {
+    cone->v->scale = scale;
+    return status;
   }
   ph_check_cone_strips(&other);
+  check_samples(&other, &p->grid);
+  cone->v->scale = scale;
   for (size_t i = 0; i < c.n; i++) {
     check_moved(cone, &from->surface.strips[i], &c.surface.strips[i],
                 p->distance, i);
     check_strip(cone->v, &c.surface.strips[i], i);
   }
   check_measure(&other);
-  check_samples(&other, &p->grid);
+  return PH_OK;
 }
 
-void ph_check_cone_told(struct ph_check_cone *cone) {
+enum ph_status ph_check_cone_told(struct ph_check_cone *cone) {
+  enum ph_status status = PH_OK;
   struct ph_check *v = cone->v;
   const struct ph_result *claim = v->claim;
   for (size_t i = 0; i < cone->curve->n; i++) {
@@ -486,9 +515,10 @@ void ph_check_cone_told(struct ph_check_cone *cone) {
   check_pairs(cone);
   check_samples(cone, &claim->grid);
   check_located(cone, &claim->located);
-  for (size_t i = 0; i < claim->parallels_n; i++) {
+  for (size_t i = 0; status == PH_OK && i < claim->parallels_n; i++) {
     ph_check_prefix(v, "offsets", i);
-    check_parallel(cone, &claim->parallels[i]);
+    status = check_parallel(cone, &claim->parallels[i]);
   }
   ph_check_prefix(v, NULL, 0);
+  return status;
 }

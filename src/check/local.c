@@ -4,8 +4,9 @@
 
 #include "check/checks.h"
 #include "check/kind.h"
-#include "kernel/quat.h"
 #include "check/spherical.h"
+#include "kernel/pi.h"
+#include "kernel/quat.h"
 
 enum { N = PH_CHECK_JET };
 
@@ -307,6 +308,29 @@ static void speed_at(const void *context, double u, double *value) {
   value[1] = local.speed_error;
 }
 
+/* The integral over [from,to], where there is no cusp.  Where the curve all but
+ * stands still at an end, it may turn there by a half. */
+static double between_cusps(const struct ph_check_path *path, double from,
+                            double to, double *error) {
+  const struct ph_check_integrands of = {speed_at, path,           2,
+                                         1,        path->s->noise, LENGTH};
+  const double far =
+      fabs(path->distance) * (path->v->kind->sphere ? path->s->radius : 1);
+  struct ph_check_path curve = *path;
+  double sum[2];
+  curve.distance = 0;
+  ph_check_integral(&path->v->rule, &of, from, to, sum);
+  *error += isfinite(sum[1]) ? sum[1] : path->v->scale.size;
+  for (int end = 0; end < 2; end++) {
+    const struct ph_check_local local =
+        ph_check_local_at(&curve, end ? to : from);
+    if (!(local.tangent_error < PH_CHECK_NO_DIRECTION)) {
+      *error += PH_PI * far;
+    }
+  }
+  return sum[0];
+}
+
 /* The first cusp after a local. */
 static size_t cusp_after(const struct ph_check_path *path, double u) {
   const struct ph_cusps *cusps = path->cusps;
@@ -326,10 +350,8 @@ static size_t cusp_after(const struct ph_check_path *path, double u) {
 
 double ph_check_path_length(const struct ph_check_path *path, double from,
                             double to, double *error) {
-  const struct ph_check_integrands of = {speed_at, path,           2,
-                                         1,        path->s->noise, LENGTH};
   const struct ph_cusps *cusps = path->cusps;
-  double sum[2], length = 0;
+  double length = 0;
   if (!(fabs(path->distance) > 0)) {
     return ph_check_length_of(path->v, path->s, from, to);
   }
@@ -339,13 +361,9 @@ double ph_check_path_length(const struct ph_check_path *path, double from,
        i++) {
     double u = cusps->at[i].t / path->s->unit;
     if (u > from) { /* in order, as they should be */
-      ph_check_integral(&path->v->rule, &of, from, u, sum);
-      *error += isfinite(sum[1]) ? sum[1] : path->v->scale.size;
-      length += sum[0];
+      length += between_cusps(path, from, u, error);
       from = u;
     }
   }
-  ph_check_integral(&path->v->rule, &of, from, to, sum);
-  *error += isfinite(sum[1]) ? sum[1] : path->v->scale.size;
-  return length + sum[0];
+  return length + between_cusps(path, from, to, error);
 }

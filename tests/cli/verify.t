@@ -394,6 +394,13 @@ run verify -q --problems=wide wrong.json
 equal 'a sphere, another such length' '"segments[3].length" 1' \
   "$(jq -c .error.field out) $status"
 
+# a tangent that turns by 88 degrees where control points are the same to
+# rounding: the length of the offset knows it, and they do not
+echo '{"points":[[0,0],[0.06,1.84],[0,3]],"mode":"g1",
+"tangents":[[0.0325913726,0.99946876],[0.2,0],[0,0.9]]}' >sharp
+made tc --offset=0.000003 --spacing=0.28 <sharp
+verified 'an offset around a turn in no time' 1 --problems=sharp
+
 # areas that are less than the least number, or a few of these
 for size in e-297 e-160; do
   echo "{\"points\":[[0,0],[1$size,2$size],[3$size,1$size]],\"closed\":true}" >small

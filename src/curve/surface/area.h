@@ -23,24 +23,35 @@ static inline bool ph_area_folds(double k, double h[2][2]) {
   return low <= 0 && high >= 0;
 }
 
-/* The integral of q|q| over a unit interval, q linear from a to b. */
-static inline double ph_area_square(double a, double b) {
-  const double cubes = fabs(b) * b * b - fabs(a) * a * a;
-  return a * b >= 0 ? (a > 0 || b > 0 ? 1 : -1) * (a * a + a * b + b * b) / 3
-                    : cubes / (b - a) / 3;
+/* ph_area_band: the integral of |1 - k h| over heights that differ by `high',
+ * from where it is 1 - k h = a. */
+static inline double ph_area_band(double k, double a, double high) {
+  const double b = a - k * high;
+  return a * b >= 0 ? fabs(a + b) / 2 * high : (a * a + b * b) / 2 / fabs(k);
 }
 
-/* ph_area_of: the integral of |1 - k h| by both; on the two sides of the vertex
- * both count. */
-static inline double ph_area_of(double k, double length, double h[2][2]) {
-  const double high = (h[1][0] + h[1][1]) / 2 - (h[0][0] + h[0][1]) / 2;
-  const double middle = (h[0][0] + h[0][1] + h[1][0] + h[1][1]) / 4;
+/* ph_area_of: the integral of |1 - k h| by both, where the heights differ by
+ * `high'; on the two sides of the vertex both count.  Between the places where
+ * the vertex passes a height it is a parabola. */
+static inline double ph_area_of(double k, double length, double h[2][2],
+                                double high) {
+  const double a = 1 - k * h[0][0], step = k * (h[0][0] - h[0][1]);
+  const double cross[] = {-a / step, (k * high - a) / step};
+  const int first = cross[1] < cross[0];
+  double at[4] = {0, 0, 1, 1}, sum = 0;
   if (!ph_area_folds(k, h)) {
-    return fabs(1 - k * middle) * high * length;
+    return fabs(a + step / 2 - k * high / 2) * high * length;
   }
-  return length / 2 / k *
-         (ph_area_square(1 - k * h[0][0], 1 - k * h[0][1]) -
-          ph_area_square(1 - k * h[1][0], 1 - k * h[1][1]));
+  at[1] = cross[first] > 0 && cross[first] < 1 ? cross[first] : 0;
+  at[2] = cross[!first] > 0 && cross[!first] < 1 ? cross[!first] : 1;
+  for (int i = 0; i < 3; i++) {
+    const double middle = (at[i] + at[i + 1]) / 2;
+    sum += (at[i + 1] - at[i]) / 6 *
+           (ph_area_band(k, a + step * at[i], high) +
+            4 * ph_area_band(k, a + step * middle, high) +
+            ph_area_band(k, a + step * at[i + 1], high));
+  }
+  return sum * length;
 }
 
 #endif

@@ -337,19 +337,52 @@ static double band(double a, double b) {
   return a * b >= 0 ? fabs(a + b) / 2 * (b - a) : (a * a + b * b) / 2;
 }
 
-double ph_general_area(const struct ph_strip *strip, const double height[2]) {
-  const struct ph_directrix *d = strip->directrix;
-  double sum = 0;
-  for (size_t i = 0; i < d->n; i++) {
-    const double step = d->u[i + 1] - d->u[i];
-    for (size_t j = 0; j < d->rule->n; j++) {
-      const struct ph_general_place at =
-          ph_general_at(d, d->u[i] + step * d->rule->node[j]);
-      const double rho = ph_pow2_apply(
-          d->fast.grow, d->side * at.rho - d->distance * at.bend / at.rate);
-      sum += step * d->rule->weight[j] * at.rate *
-             band(rho + height[0], rho + height[1]);
+/* A strip between two heights. */
+struct between {
+  const struct ph_directrix *d;
+  const double *height;
+};
+
+/* What a height is from the vertex, at u. */
+static double from_vertex(const struct between *b, double u, size_t edge,
+                          double *rate) {
+  const struct ph_directrix *d = b->d;
+  const struct ph_general_place at = ph_general_at(d, u);
+  *rate = at.rate;
+  return ph_pow2_apply(d->fast.grow,
+                       d->side * at.rho - d->distance * at.bend / at.rate) +
+         b->height[edge];
+}
+
+/* The integral over [from,to]; where a height passes the vertex it has a kink,
+ * and halves are taken. */
+static double area_of(const struct between *b, double from, double to,
+                      int halvings) {
+  const struct ph_quad *rule = b->d->rule;
+  double sum = 0, rate;
+  for (size_t edge = 0; edge < 2 && halvings > 0; edge++) {
+    if (from_vertex(b, from, edge, &rate) * from_vertex(b, to, edge, &rate) <
+        0) {
+      const double middle = from + (to - from) / 2;
+      return area_of(b, from, middle, halvings - 1) +
+             area_of(b, middle, to, halvings - 1);
     }
+  }
+  for (size_t j = 0; j < rule->n; j++) {
+    const double u = from + (to - from) * rule->node[j];
+    const double low = from_vertex(b, u, 0, &rate);
+    sum += (to - from) * rule->weight[j] * rate *
+           band(low, low + (b->height[1] - b->height[0]));
+  }
+  return sum;
+}
+
+double ph_general_area(const struct ph_strip *strip, const double height[2]) {
+  enum { HALVINGS = 12 };
+  const struct between b = {strip->directrix, height};
+  double sum = 0;
+  for (size_t i = 0; i < b.d->n; i++) {
+    sum += area_of(&b, b.d->u[i], b.d->u[i + 1], HALVINGS);
   }
   return sum;
 }

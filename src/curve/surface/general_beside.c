@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { COARSE = 8, PARTS_MAX = 2048, STEPS = 40 };
+enum { COARSE = 8, PARTS_MAX = 8192, STEPS = 40 };
 
 /* What the rule on a part and those on its halves may differ by, relative to
  * all that is moved, and to the length. */
@@ -75,15 +75,18 @@ static void add_halves(struct parts *p, double middle, double to,
   p->n += 2;
 }
 
-/* Parts, from 0 to 1, as short as the rule needs them. */
+/* Parts, from 0 to 1, as short as the rule needs them, each within one of the
+ * directrix: phi is not known otherwise. */
 static bool divide(const struct ph_directrix *d, struct parts *p) {
   const double size = fabs(d->distance) * d->turn + d->far;
   double step = 1.0 / COARSE, u = 0;
+  size_t part = 0;
   memset(p->moved[0], 0, sizeof p->moved[0]);
   p->n = 0;
   p->u[0] = 0;
   while (u < 1) {
-    const double to = u + step < 1 - SHORTEST ? u + step : 1;
+    const double end = d->u[part + 1];
+    const double to = u + step < end - SHORTEST ? u + step : end;
     const double middle = u + (to - u) / 2;
     double whole[3], left[3], right[3], off = 0;
     integrate(d, u, to, whole);
@@ -97,6 +100,7 @@ static bool divide(const struct ph_directrix *d, struct parts *p) {
         return false;
       }
       add_halves(p, middle, to, left, right);
+      part += to >= end;
       u = to;
       step *= 2;
     } else {

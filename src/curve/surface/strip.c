@@ -108,9 +108,10 @@ void ph_surface_measure(struct ph_curve *curve) {
     ph_strip_corners(surface, strip, h);
     curve->lengths[i] = strip->length;
     ph_sum_add(&length, strip->length);
-    ph_sum_add(&area, strip->directrix
-                          ? ph_general_area(strip, surface->height)
-                          : ph_area_of(strip->k, strip->length, h));
+    ph_sum_add(&area, strip->directrix ? ph_general_area(strip, surface->height)
+                                       : ph_area_of(strip->k, strip->length, h,
+                                                    surface->height[1] -
+                                                        surface->height[0]));
   }
   curve->length = ph_sum_value(&length);
   curve->surface.area = ph_sum_value(&area);
