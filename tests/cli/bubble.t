@@ -199,6 +199,19 @@ bad bad-value degree 'must be "auto", "exact" or a number, found "high"' \
 bad bad-value tolerance 'must be from 1e-12 to 1 radians, found 2' \
   "{$points,$faces,\"tolerance\":2}"
 
+# points that jitter, so that no degree is high enough
+jq -c 'select(.id == "monkey saddle") | {tolerance: 1e-12, continuity: 2, faces,
+  points: [.points | to_entries[] | .key as $i | .value | to_entries |
+    map(.value + (($i * 7 + .key * 3) | sin) / 20)]}' "$meshes" >rough.json
+run bubble rough.json
+equal 'no degree is high enough' 'no-convergence faces[0] needs blending '\
+'functions of a higher degree than 31: normals miss by 3e-10; try a larger '\
+'tolerance, a number for degree, or finer faces' "$(jq -r '.error |
+  "\(.code) \(.message)"' out | sed 's/by 3[0-9.]*e/by 3e/')"
+equal 'no degree is high enough: the status' 1 "$status"
+run bubble -q --degree=31 rough.json
+expect 'a degree that is given' 0
+
 # normals that turn a corner back over its neighbours
 warned 1 folded 'the patch of faces[0] is folded: its normal turns to the '\
 'other side (such patches: 1)' 0 "{\"id\":\"1\",\"points\":[[0,0,0],[2,0,0],\
