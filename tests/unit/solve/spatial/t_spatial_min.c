@@ -106,7 +106,13 @@ PH_TEST(test_value) {
     struct ph_spatial_point at = {unit_random_in(&r, -3, 3), 0.3,
                                   unit_random_in(&r, 0.01, 2)};
     struct ph_spatial_minimum same = {
-        {ph_cplx_polar(at.b), ph_cplx_polar(at.phi)}, at.alpha, 0, 0, 0, false};
+        {ph_cplx_polar(at.b), ph_cplx_polar(at.phi)},
+        at.alpha,
+        0,
+        0,
+        0,
+        0,
+        false};
     double found = ph_spatial_fair(&target, 64, &at, NULL);
     if (fabs(found / ph_spatial_fair(&target, 32, &at, NULL) - 1) < 1e-9) {
       ck_rel(found, value_of(&search, &same), 1e-9);
@@ -306,6 +312,7 @@ PH_TEST(test_descend) {
         0,
         0,
         0,
+        0,
         false};
     double before = value_of(&search, &start);
     ck_assert_int_eq(ph_spatial_descend(&search, &rules, &unit_arena, &found),
@@ -417,6 +424,7 @@ static double grid_least(const struct ph_spatial_search *search) {
     struct ph_spatial_minimum found = {
         {ph_cplx_polar(best[k].b), ph_cplx_polar(best[k].phi)},
         best[k].alpha,
+        0,
         0,
         0,
         0,
