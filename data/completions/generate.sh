@@ -11,7 +11,7 @@
 set -eu
 shell=${1:?bash, zsh or fish}
 program=${2:-build/plain/phspline}
-export LC_ALL=C COLUMNS=80
+export LC_ALL=C COLUMNS=120
 
 "$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z-]*\)  .*/\1/p' |
   while read -r command; do

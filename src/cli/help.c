@@ -79,6 +79,20 @@ static void flow(struct page *page, size_t left, const char *text) {
   }
 }
 
+/* Choices one|two|...; a line that begins with one begins at a column. */
+static void put_choices(struct page *page, size_t left, const char *text) {
+  while (*text) {
+    size_t n = strcspn(text, "|");
+    n += text[n] == '|';
+    if (page->column + n > page->width) {
+      end_line(page);
+      indent(page, left);
+    }
+    put(page, text, n);
+    text += n;
+  }
+}
+
 static void paragraph(struct page *page, const char *text) {
   flow(page, 0, text);
   end_line(page);
@@ -114,7 +128,7 @@ static void option_entry(struct page *page, const struct ph_option *option) {
   put_text(page, option->name);
   if (option->argument) {
     put_text(page, "=");
-    put_text(page, option->argument);
+    put_choices(page, page->column, option->argument);
   }
   entry(page, 0, "", option->help);
 }

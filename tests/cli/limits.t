@@ -256,7 +256,7 @@ hard 'sphere, increases' sphere "$sphere" "$(ball 3000)" --increase=plus:0.01 \
   --shape=warn
 hard 'cubics near a curve' tc "$curve" \
   "$(zigzag 400 2 | sed 's/points/curve/')" --mode=approximate \
-  --tolerance=1e-4
+  --tolerance=1e-10
 mv hard.json problems.json
 run tc --mode=approximate --tolerance=0.03 problems.json
 hard 'verify cubics near a curve' verify "$(sed -n 1p out)" "$(sed -n 2p out)" \

@@ -369,7 +369,7 @@ done
 run planar a.json
 equal 'a suffix decides' '3 "syntax"' "$status $(get error.code)"
 run planar b.csv
-equal 'a suffix decides, also for CSV' '3 "unknown-field"' \
+equal 'a suffix decides, also for CSV' '3 "syntax"' \
   "$status $(get error.code)"
 
 # ---- what is said ------------------------------------------------------------

@@ -183,8 +183,10 @@ if [ "${PH_SHORT-}" != 1 ]; then
     print "]}"
   }' >p
   run planar p
+  # where so many steps lead depends on the last digit of each
   equal 'cut short: told, with the limit and the values' \
     'phspline: p:1: record 1: warning: minimize ended at its limit of 287 '\
-'steps: from 4.35588e+06 it came to 37684.6, and the last step still gained '\
-'more than 1e-8 of that [cut-short]' "$(grep cut-short err)"
+'steps: from 4.35588e+06 it came to 3x, and the last step still gained '\
+'more than 1e-8 of that [cut-short]' \
+    "$(sed -n '/cut-short/s/ to 3[0-9.]*,/ to 3x,/p' err)"
 fi

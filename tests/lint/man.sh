@@ -7,7 +7,7 @@
 # Tables are expanded by the C preprocessor from the headers that hold them;
 # pages are compared by the items of their lists (.It), by section.
 set -eu
-export LC_ALL=C
+export LC_ALL=C COLUMNS=120
 cd "${srcdir:-$(dirname "$0")/../..}"
 program=${PHSPLINE:-build/plain/phspline}
 tmp=$(mktemp -d)

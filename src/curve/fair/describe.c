@@ -185,7 +185,9 @@ struct cubics {
  * its distance from the line of w, or at the nearer end. */
 static double largest_curvature(const struct ph_tc *tc) {
   ph_cplx step = ph_cplx_sub(tc->w[1], tc->w[0]);
-  double turn = fabs(ph_cplx_cross(tc->w[0], step));
+  /* |w x step|; of a step that is rounded, where one end is nearly 0, it would
+   * be noise */
+  double turn = fabs(ph_cplx_cross(tc->w[0], tc->w[1]));
   double nearest = fmin(ph_cplx_abs(tc->w[0]), ph_cplx_abs(tc->w[1]));
   if (ph_cplx_dot(tc->w[0], step) < 0 && ph_cplx_dot(tc->w[1], step) > 0) {
     nearest = turn / ph_cplx_abs(step);

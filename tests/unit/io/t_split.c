@@ -127,8 +127,8 @@ PH_TEST(test_formats) {
   gives("a.txt", "", "end");
   gives("a.txt", "\n ", "end");
   gives("a.csv", "{}\n",
-        "1 1 unknown-field 1:1 column \"{}\" is unknown to planar "
-        "(--ignore-columns skips it)\nstopped");
+        "1 1 syntax 1:1 the input is JSON: --input-format=json and geojson "
+        "read it\nstopped");
   gives("a.json", "0,1\n",
         "1 1 0\n2 1 syntax 1:2 expected a value, found ','\nstopped");
   gives_with(&json, &schema, "5", "1 1 5\nend");
