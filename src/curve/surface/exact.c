@@ -108,20 +108,20 @@ void ph_exact_begin(const struct ph_patchwork *work, size_t i,
 void ph_exact_rows_at(size_t continuity, double at,
                       struct ph_exact_rows *rows) {
   const size_t degree = 2 * continuity + 1;
-  double taylor[PH_CROSS_MAX][2 * PH_CROSS_MAX];
+  double taylor[PH_CROSS_MAX * 2 * PH_CROSS_MAX]; /* [k][degree + 1] */
   *rows = (struct ph_exact_rows){.at = at};
   if (continuity == 0) {
     return;
   }
   ph_ribbon_rows_at(continuity, at, 2, &rows->ribbon);
   memset(taylor, 0, sizeof taylor);
-  ph_bern_taylor(degree, at, 2, taylor[0]);
+  ph_bern_taylor(degree, at, 2, taylor);
   for (size_t j = 0; j <= continuity; j++) {
     double a[PH_CROSS_MAX] = {0, 0, 0}, low[PH_CROSS_MAX];
     a[j] = 1;
     ph_bern_contact(degree, a, continuity + 1, low, 1);
     for (size_t k = 0; k < PH_CROSS_MAX; k++) {
-      const double *row = taylor[0] + k * (degree + 1);
+      const double *row = taylor + k * (degree + 1);
       for (size_t i = 0; i <= continuity; i++) { /* the others are 0 */
         rows->hermite[0][j][k] += row[i] * low[i];
         rows->hermite[1][j][k] += (j % 2 ? -1 : 1) * row[degree - i] * low[i];
