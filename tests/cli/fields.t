@@ -66,31 +66,6 @@ equal 'an error record' '{"id":"bad","command":"planar","status":"error",'\
 run planar --strict -q --fields=id -S closed=true plane.jsonl
 equal 'warnings count' 1 "$status"
 
-# What is not asked for takes no time: 4000 problems of ten points.
-awk 'BEGIN { for (i = 0; i < 4000; i++) {
-  printf "{\"points\":["
-  for (k = 0; k < 10; k++) printf "%s[%d,%.3f]", k ? "," : "", k, sin(k + i)
-  print "]}"
-} }' >many.jsonl
-took() {
-  best=
-  for round in 1 2 3 4 5; do
-    from=$(date +%s%N)
-    run planar -j 1 -q "$@" many.jsonl
-    now=$(($(date +%s%N) - from))
-    [ -n "$best" ] && [ "$best" -le $now ] || best=$now
-  done
-  echo "$best"
-}
-if instrumented; then
-  printf 'SKIP  %s\n' 'time: instrumented'
-else
-  all=$(took --fields=diagnostics,length)
-  some=$(took --fields=length)
-  [ $((10 * some)) -le $((8 * all)) ] && pass 'it takes less time' ||
-    fail 'it takes less time' "$some and $all ns"
-fi
-
 run planar --fields=lenght plane.jsonl
 expect 'a name' 2 "phspline: --fields: no member 'lenght'; did you mean \
 \"length\"?
