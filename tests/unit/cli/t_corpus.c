@@ -17,6 +17,7 @@
 #include "../../fuzz/arclength.c"
 #include "../../fuzz/sphere.c"
 #include "../../fuzz/tc.c"
+#include "../../fuzz/bubble.c"
 #include "../../fuzz/result.c"
 #include "../../fuzz/xml.c"
 
@@ -56,6 +57,7 @@ static const struct {
     {"arclength", corpus_arclength},
     {"sphere", corpus_sphere},
     {"tc", corpus_tc},
+    {"bubble", corpus_bubble},
     {"result", corpus_result},
     {"xml", corpus_xml},
 };
