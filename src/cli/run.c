@@ -548,7 +548,7 @@ int ph_run(const struct ph_options *options) {
                   .output = {.descriptor = -1},
                   .picture = {.descriptor = -1},
                   .plot = {.output = {.descriptor = -1}},
-                  .outlet = {&r.document, &r.progress}};
+                  .outlet = {.document = &r.document, .progress = &r.progress}};
   struct thread_start *starts = NULL;
   struct ph_diag diag;
   enum ph_status status;

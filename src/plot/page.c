@@ -175,15 +175,6 @@ void ph_page_line(struct ph_page *page, struct ph_spot to) {
   }
 }
 
-void ph_page_cubic(struct ph_page *page, const struct ph_spot to[3]) {
-  if (is_svg(page)) {
-    ph_page_svg_path(&page->svg, 'C', to, 3);
-  } else {
-    cairo_curve_to(page->cairo, to[0].x, to[0].y, to[1].x, to[1].y, to[2].x,
-                   to[2].y);
-  }
-}
-
 void ph_page_circle(struct ph_page *page, struct ph_spot center,
                     double radius) {
   if (is_svg(page)) {

@@ -37,10 +37,6 @@ void ph_page_group(struct ph_page *page, const char *name) {
   (void)page, (void)name;
 }
 
-void ph_page_cubic(struct ph_page *page, const struct ph_spot to[3]) {
-  (void)page, (void)to;
-}
-
 void ph_page_move(struct ph_page *page, struct ph_spot to) {
   (void)page, (void)to;
 }

@@ -107,10 +107,9 @@ void ph_page_svg_begin(struct ph_page_svg *svg, const struct ph_page_head *head,
 }
 
 enum ph_status ph_page_svg_end(struct ph_page_svg *svg, struct ph_diag *diag) {
-  const bool failed = svg->path.failed;
   ph_buf_puts(svg->out, "</svg>\n");
   ph_buf_free(&svg->path);
-  return failed || svg->out->failed ? ph_fail_memory(diag) : PH_OK;
+  return svg->out->failed ? ph_fail_memory(diag) : PH_OK;
 }
 
 void ph_page_svg_group(struct ph_page_svg *svg, const char *name) {
@@ -177,6 +176,7 @@ void ph_page_svg_draw(struct ph_page_svg *svg, bool fill, bool stroke) {
     ph_buf_put(out, svg->path.data, svg->path.n);
     ph_buf_puts(out, "\"/>\n");
   }
+  out->failed |= svg->path.failed;
   ph_buf_cut(&svg->path, 0, 1 << 16);
 }
 

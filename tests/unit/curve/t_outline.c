@@ -74,7 +74,7 @@ PH_TEST(test_open) {
 /* A loop that is not what it claims. */
 PH_TEST(test_certificate) {
   struct ph_offset offset = {.distance = 0.25, .dimension = 2};
-  struct ph_arena scratch = {NULL};
+  struct ph_arena scratch = {.chunks = NULL};
   hook();
   ck_assert_int_eq(ph_loops_of(&c.curve, &trimmed, &unit_arena, &offset, &diag),
                    PH_OK);
