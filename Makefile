@@ -461,15 +461,18 @@ fuzz-run: $(call pick,$(FUZZ))
 	  PH_WRAP='sh tests/fuzz/run' $(RUN) $(call pick,$(FUZZ))
 
 # Problems are solved and verified by tests/prop/t_verify.c, in TEST_JOBS
-# threads; what fails is printed as a command line, counts as it goes.
+# threads; what fails is printed as a command line, counts as it goes.  The
+# other property tests take ten times as many data as in check.
 TRIALS = 1000000
 SEED = 1
-check-long: ## a million random problems verified, and trials of a conjecture
+check-long: ## a million random problems verified, properties, a conjecture
 	$(need)
 	$(call may_need,test)
 	$(SUBMAKE) check-long-run
-check-long-run: $(B)/bench/conjecture $(B)/tests/prop/t_verify
+LONG = $(filter-out %/t_verify,$(filter $(B)/tests/prop/%,$(UNIT)))
+check-long-run: $(B)/bench/conjecture $(B)/tests/prop/t_verify $(LONG)
 	@$(B)/bench/conjecture $(TRIALS) $(SEED)
+	@PH_LONG=1 PH_SEED=$(SEED) PH_TIMEOUT=3600 $(RUN) $(LONG)
 	@PH_TRIALS=$(TRIALS) PH_SEED=$(SEED) PH_JOBS=$(TEST_JOBS) CK_FORK=no \
 	  $(B)/tests/prop/t_verify
 
