@@ -48,7 +48,7 @@ enum ph_status ph_split_cut_init(struct ph_split *split, struct ph_diag *diag) {
     }
     if (!S_ISREG(info.st_mode)) {
       return ph_fail(diag, PH_E_INPUT, NULL,
-                     "%s is of regular files; %s is none", option,
+                     "%s needs regular files: %s is not one", option,
                      strcmp(name, "-") == 0 ? "standard input" : name);
     }
     bytes += (size_t)info.st_size;

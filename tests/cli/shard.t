@@ -121,7 +121,7 @@ equal_files 'results are verified in parts' one.out all.out
 
 # What cannot be.
 run planar --shard=0/2 </dev/null
-expect 'no regular file' 3 'phspline: --shard is of regular files; standard input is none' ''
+expect 'no regular file' 3 'phspline: --shard needs regular files: standard input is not one' ''
 echo 'old' >keep
 run planar --shard=0/2 -o keep none.jsonl
 expect 'no file' 3 'phspline: cannot open none.jsonl: No such file or directory' ''

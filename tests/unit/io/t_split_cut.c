@@ -262,11 +262,11 @@ PH_TEST(test_refused) {
                    "cannot open none.json: No such file or directory");
   ck_assert_int_eq(ph_split_init(&split, &here, 1, &options, &schema, &diag),
                    PH_E_INPUT);
-  ck_assert_str_eq(diag.message, "--shard is of regular files; . is none");
+  ck_assert_str_eq(diag.message, "--shard needs regular files: . is not one");
   options.part.how = PH_PART_RANGE;
   ck_assert_int_eq(ph_split_init(&split, &here, 1, &options, &schema, &diag),
                    PH_E_INPUT);
-  ck_assert_str_eq(diag.message, "--range is of regular files; . is none");
+  ck_assert_str_eq(diag.message, "--range needs regular files: . is not one");
 }
 
 PH_FIXTURE(setup, finish)
