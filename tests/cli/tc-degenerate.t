@@ -202,3 +202,20 @@ numbers 'far from the origin: the same length' 0 want found
 solved 'far from the origin, approximated' \
   '"curve":[[1000000,1000000],[1000003,1000001],[1000004,999998]]' \
   --tolerance=1e-6
+
+# ---- a cubic that nearly stops at its end -----------------------------------------
+
+# the curvature there is 2 |K| / |w|^4 of the preimage of the record itself, with
+# K the product of its two ends: not of their difference, which is rounded
+feed '{"points":[[221983.57209401947,-118641.4233935893],[221984.13398301948,'\
+'-118640.5961805893],[221984.1357690195,-118640.5956825893],[221984.1375550194'\
+'6,-118640.5961805893],[221984.69944401947,-118641.4233935893]],"closed":true,'\
+'"tangents":[[0.5618888326497443,0.8272127536151191],[0.5628776841389546,0.826'\
+'5402063410873],[1,-1.602754474774733e-14],[0.5628776841191286,-0.826540206354'\
+'5889],[0.5643941241399999,-0.8255054649342075]],"mode":"g1-pair",'\
+'"joint":"chord"}' tc -q
+{
+  floats 'segments[0].preimage'
+  get diagnostics.max_curvature
+} | holds 'a cubic that nearly stops: its curvature' \
+  '(2 * (x[1] * x[4] - x[2] * x[3]) / (x[3]^2 + x[4]^2)^2 / x[5] - 1)^2 < 1e-18'
