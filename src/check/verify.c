@@ -86,8 +86,10 @@ static bool check_range(struct ph_check *v, size_t first, size_t end,
     } else {
       ends[0] = *now;
     }
+    if (k + 1 == end) {
+      ends[1] = *now;
+    }
   }
-  ends[1] = s[~end & 1];
   return true;
 }
 

@@ -68,7 +68,7 @@ static struct edge edge_of(const struct ph_look *look, int axis) {
   const struct ph_panel *panel = look->panel;
   const double low[3] = {panel->low.x, panel->low.y, panel->low.z};
   const double high[3] = {panel->high.x, panel->high.y, panel->high.z};
-  struct edge edge;
+  struct edge edge = {.out = {0, 0}};
   double best = HUGE_VAL, along[2], way;
   for (int k = 0; k < 4; k++) {
     double p[2][3];

@@ -74,7 +74,7 @@ run planar --fields=id,diagnostics.energi plane.jsonl
 expect 'a name inside' 2 "phspline: --fields: no member 'diagnostics.energi'; \
 did you mean \"energy\"?
 Try 'phspline planar --help'." ''
-for fields in '' , id, length.x segments..length segments. 'id length'; do
+for fields in '' ',' 'id,' length.x segments..length segments. 'id length'; do
   run planar --fields="$fields" plane.jsonl
   equal "no member in '$fields'" 2 "$status"
 done

@@ -76,6 +76,7 @@ tr '\r' '\n' <err | sed 's/.*phspline:/phspline:/' | grep ' left$' >shown || :
 if [ -s shown ]; then
   equal 'the time that is left: the form' '' "$(grep -v -E '^phspline: [0-9]+ of (about )?[0-9]+ records, 0 failed, [0-9.]+ s, [0-9.e+]+ a second, [0-9.]+ (s|min) left$' shown)"
   # done / of = time / (time + left), and the rate is done / time
+  # shellcheck disable=SC2016
   true_that 'the time that is left: by what is done' awk '
     { sub(/about /, ""); of = $4; t = $8; rate = $10; left = $13 }
     $14 == "min" { left *= 60 }
