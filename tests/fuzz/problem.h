@@ -15,6 +15,8 @@
 #include "io/json_scan.h"
 #include "solve/method.h"
 
+#include <gsl/gsl_errno.h>
+
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -257,6 +259,7 @@ static inline void fuzz_solve(struct fuzz_run *run,
                               const struct ph_method *method,
                               const struct ph_problem *problem) {
   struct ph_mark mark, after;
+  gsl_set_error_handler_off(); /* as main() does */
   FUZZ_REQUIRE(ph_arena_array(&run->scratch, 1, 1) != NULL);
   mark = ph_arena_mark(&run->scratch);
   run->status = method->solve(problem, &run->out, &run->scratch, &run->result,

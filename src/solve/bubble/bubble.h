@@ -90,7 +90,8 @@ enum ph_status ph_bubble_subdivide(const struct ph_polygons *from, bool fixed,
  * norm that fit best, by points and normals, what shares a face with each; the
  * same after rotation and scaling.
  *
- * ret  PH_OK | PH_E_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_CONVERGENCE (of the singular values at a point)
+ *      | PH_E_NO_MEMORY
  */
 enum ph_status ph_bubble_fit(struct ph_bubble_data *data,
                              struct ph_arena *scratch, struct ph_diag *diag);

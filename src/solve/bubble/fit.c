@@ -137,20 +137,31 @@ static bool fit_point(struct ph_bubble_data *data, size_t at,
 struct fitter {
   struct ph_bubble_data *data;
   const struct ph_arena *arena;
-  struct room *rooms; /* [threads] */
-  atomic_bool good;
+  struct room *rooms;   /* [threads] */
+  atomic_bool late;     /* out of room or time */
+  atomic_size_t failed; /* the first point whose quadric is not found */
 };
+
+static void note_failed(struct fitter *f, size_t at) {
+  size_t was = atomic_load(&f->failed);
+  while (at < was && !atomic_compare_exchange_weak(&f->failed, &was, at)) {
+    /* another thread was first */
+  }
+}
 
 static bool fit_some(void *context, size_t thread, size_t first, size_t end) {
   struct fitter *f = context;
-  bool good = thread || !ph_arena_late(f->arena); /* it is for one to ask */
-  for (size_t i = first; good && i < end; i++) {
-    good = fit_point(f->data, i, &f->rooms[thread]);
+  if (!thread && ph_arena_late(f->arena)) { /* it is for one to ask */
+    atomic_store(&f->late, true);
+    return false;
   }
-  if (!good) {
-    atomic_store(&f->good, false);
+  for (size_t i = first; i < end; i++) {
+    if (!fit_point(f->data, i, &f->rooms[thread])) {
+      note_failed(f, i);
+      return false;
+    }
   }
-  return good;
+  return true;
 }
 
 static bool set_room(const struct ph_mesh *mesh, struct ph_arena *scratch,
@@ -179,16 +190,23 @@ enum ph_status ph_bubble_fit(struct ph_bubble_data *data,
   atomic_int *spare = scratch->budget ? scratch->budget->spare : NULL;
   const size_t threads = ph_team_take(spare, n / WORTH);
   struct fitter f = {.data = data, .arena = scratch};
+  size_t failed;
   bool good;
   f.rooms = ph_arena_array(scratch, threads, sizeof *f.rooms);
   good = f.rooms != NULL;
   for (size_t i = 0; good && i < threads; i++) {
     good = set_room(&data->mesh, scratch, &f.rooms[i]);
   }
-  atomic_init(&f.good, good);
+  atomic_init(&f.late, !good);
+  atomic_init(&f.failed, SIZE_MAX);
   /* where there is no room the threads are given back all the same */
   ph_team_spread(spare, threads, good ? n : 0, CHUNK, fit_some, &f);
-  good = atomic_load(&f.good);
+  good = !atomic_load(&f.late);
+  failed = atomic_load(&f.failed);
   ph_arena_release(scratch, mark);
+  if (good && failed < n) {
+    return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "points", failed,
+                      "has points around it that are too uneven for a quadric");
+  }
   return good ? PH_OK : ph_fail_memory(diag);
 }

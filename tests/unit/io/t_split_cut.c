@@ -118,6 +118,7 @@ static void ck_same(const struct ph_buf *one, const char *what, size_t k,
 /* Every number of shards, and every place to cut at. */
 static void ck_cuts(const struct sort *sort, const char *const *files, size_t n,
                     size_t bytes, size_t most, const char *text) {
+  const size_t cuts = (size_t)unit_count(40);
   struct ph_buf one = {0};
   transcript.n = 0;
   note_part(sort, files, n, (struct ph_split_part){PH_PART_SHARD, 0, 1, 0, 0});
@@ -131,7 +132,7 @@ static void ck_cuts(const struct sort *sort, const char *const *files, size_t n,
     }
     ck_same(&one, "shards:", shards, text);
   }
-  for (size_t at = 0; at <= bytes; at += 1 + bytes / 40) {
+  for (size_t at = 0; at <= bytes; at += 1 + bytes / cuts) {
     transcript.n = 0;
     note_part(sort, files, n,
               (struct ph_split_part){PH_PART_RANGE, 0, 0, 0, at});
