@@ -226,21 +226,9 @@ warned 1 folded 'the patch of faces[0] is folded: its normal turns to the '\
 
 # ---- any data ----------------------------------------------------------------
 
-# verified NAME OPTION...: the result of the problem on standard input
-verified() {
-  name=$1
-  shift
-  cat >any.json
-  run bubble -q "$@" any.json
-  expect "$name" 0
-  cp out any.result
-  run verify -q --problems=any.json any.result
-  expect "$name, verified" 0
-}
-
 # of every size, as far as areas and volumes are numbers
 for size in e-221 e-162 e-100 e75; do
-  verified "a mesh of 1$size" --edges --sample=2 --offset=1$size <<EOF
+  accepted bubble "a mesh of 1$size" --edges --sample=2 --offset=1$size <<EOF
 {"points":[[0,0,0],[5$size,0,0],[0,4$size,0],[0,0,1$size],[-5$size,0,0],
 [0,-4$size,0]],"faces":[[0,1,2,3],[0,3,4,5]]}
 EOF
@@ -251,12 +239,12 @@ equal 'an area beyond all numbers' '1 "too-large"' \
   "$status $(jq -c .error.code out)"
 
 # a volume is that of its faces, which way ever patches are folded
-verified 'a closed surface with folds' --degree=10 --subdivide=1 <<EOF
+accepted bubble 'a closed surface with folds' --degree=10 --subdivide=1 <<EOF
 {"points":[[0,0,0],[9,0,0],[0,9,-2],[0,-1,10]],
 "faces":[[0,1,2],[0,2,3],[0,3,1],[1,3,2]]}
 EOF
 for faces in '[4,5,7,6]' '[6,7,5,4]'; do
-  verified "a cube with the face $faces" --continuity=0 <<EOF
+  accepted bubble "a cube with the face $faces" --continuity=0 <<EOF
 {$points,"faces":[[0,2,3,1],$faces,[0,1,5,4],[2,6,7,3],[0,4,6,2],[1,3,7,5]]}
 EOF
   true_that "a cube with the face $faces: its volume" jq -e \
@@ -264,15 +252,15 @@ EOF
 done
 
 # sides in line at a corner; slivers; a curvature of 3e9
-verified 'a corner whose normal is a limit' <<EOF
+accepted bubble 'a corner whose normal is a limit' <<EOF
 {"points":[[0,0,0],[0,-0.7,0],[2.02,-0.7,0],[2,0,0]],"degree":20,
 "normals":[[0.2,0,0],[0,0,0.001],[0,0,0.001],[0,0.4,0]],"faces":[[0,1,3,2]]}
 EOF
-verified 'two points that are near to one another' --subdivide=1 <<EOF
+accepted bubble 'two points that are near to one another' --subdivide=1 <<EOF
 {"points":[[0,-20,0],[-10.01702,-22.6398114387,5.094229956],
 [-10.0170211,-22.639811,5.09422996]],"faces":[[0,1,2]]}
 EOF
-verified 'points that are the same, not at one edge' --subdivide=2 --edges <<EOF
+accepted bubble 'points that are the same, not at one edge' --subdivide=2 --edges <<EOF
 {"points":[[0,0,0],[0,0,0],[0,1,0],[0,0,0]],"normals":[[1,0,0],[0,1,0],
 [0,0,0.7],[0,0,0.7]],"faces":[[0,1,2],[0,2,3],[0,3,1]]}
 EOF

@@ -421,44 +421,32 @@ usage 'an option of curves' "cone has no option '--spacing'" cone --spacing=1
 
 # ---- any data -----------------------------------------------------------------
 
-# verified NAME OPTION...: the result of the problem on standard input
-verified() {
-  name=$1
-  shift
-  cat >any.json
-  run cone -q "$@" any.json
-  expect "$name" 0
-  cp out any.result
-  run verify -q --problems=any.json any.result
-  expect "$name, verified" 0
-}
-
-verified 'contact points far along the rulings' <<'EOF'
+accepted cone 'contact points far along the rulings' <<'EOF'
 {"points":[[0,0,0],[0,0,0.0002],[0,0,0]],"tangents":[[-0.436,-0.639,-0.634],
 [0.436,0.639,0.634],[0.84,0.332,0.4]],"rulings":[[-0.622,0.723,-0.3],
 [-0.622,0.7229,-0.3],[-0.38,0.92,0.036]]}
 EOF
-verified 'a height that is nothing beside the shift' <<'EOF'
+accepted cone 'a height that is nothing beside the shift' <<'EOF'
 {"points":[[0,0,0],[0,0,2e188],[0,0,0]],"height":[0,9],
 "tangents":[[-0.527,0.82,-0.22],[-0.845,0.39,0.365],[-0.526,0.35,0.78]],
 "rulings":[[0.66,0.559,0.5],[0.533,0.673,0.514],[0.793,0.53,0.297]]}
 EOF
-verified 'a surface far from a tiny one' --offset=-0.007 <<'EOF'
+accepted cone 'a surface far from a tiny one' --offset=-0.007 <<'EOF'
 {"points":[[0,0,0],[0,0,2e-216]],"tangents":[[-1,-0,0],[-0.245,-0.97,0]],
 "rulings":[[-0,0.9,0.4],[-0.87,0.22,0]]}
 EOF
-verified 'a sphere that data hardly tell' <<'EOF'
+accepted cone 'a sphere that data hardly tell' <<'EOF'
 {"points":[[-3728735,-2662131.3,3792685.6],[-10296956.5,-2882455,715637]],
 "tangents":[[-0.5558817,0.4639369,-0.6897522],[-0.8890955,-0.4493934,
 0.0869176]],"rulings":[[-0.2767937,0.6791088,0.6798503],[-0.2767937,0.6791088,
 0.6798503]]}
 EOF
-verified 'a vertex beyond all numbers' <<'EOF'
+accepted cone 'a vertex beyond all numbers' <<'EOF'
 {"points":[[0,0,0],[0,0,2e296]],"tangents":[[0.32,-0.923,0.216],
 [-0.444,-0.113,0.89]],"rulings":[[0.805417327756,0.384143038608,
 0.451372411695],[0.805417327756,0.384143038608,0.451372411695]]}
 EOF
-verified 'a height within which there is the vertex' --offset=1 <<'EOF'
+accepted cone 'a height within which there is the vertex' --offset=1 <<'EOF'
 {"points":[[0,0,0],[80,0,0],[0,0,0]],"tangents":[[-1,-0,0],[-0.59,-0.808,0],
 [0.304,-0.95,-0]],"lambda":[0.7,9],"height":[-0.08278,-0.048],
 "rulings":[[-0,0.8,0],[-0.6526,0.477,0.589],[-0.77,-0.246,0.5892]]}

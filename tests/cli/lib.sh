@@ -136,6 +136,19 @@ expect() {
   fi
 }
 
+# accepted COMMAND NAME OPTION...: the problem on standard input is solved, and
+# its result passes verification; they stay in any.json and any.result.
+accepted() {
+  _command=$1 _name=$2
+  shift 2
+  cat >any.json
+  run "$_command" -q "$@" any.json
+  expect "$_name" 0
+  cp out any.result
+  run verify -q --problems=any.json any.result
+  expect "$_name, verified" 0
+}
+
 # count LINES FILE: whether the file has so many lines.
 count() {
   [ "$(wc -l <"$2")" -eq "$1" ]
