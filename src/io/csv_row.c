@@ -106,9 +106,31 @@ static size_t skip_word(const char *text, size_t at, size_t n) {
   return at;
 }
 
+/* Passes a whole row at its start, if its line is there and plain: without
+ * quotes, no comment, and not blank.  What delimits its cells does not matter
+ * then. */
+static bool skip_row(struct ph_csv_scan *scan, const char *text, size_t n) {
+  const char *p = text + scan->at;
+  const char *line = memchr(p, '\n', n - scan->at);
+  if (!line || *p == '#' || memchr(p, '"', (size_t)(line - p))) {
+    return false;
+  }
+  while (is_gap(*p)) {
+    p++;
+  }
+  if (p == line) {
+    return false;
+  }
+  scan->at = (size_t)(line + 1 - text);
+  return true;
+}
+
 enum ph_csv_state ph_csv_scan(struct ph_csv_scan *scan, const char *text,
                               size_t n, char delimiter, bool last) {
   const bool loose = delimiter == PH_CSV_WORDS || delimiter == PH_CSV_ANY;
+  if (scan->state == ROW_START && scan->at < n && skip_row(scan, text, n)) {
+    return PH_CSV_ROW;
+  }
   for (; scan->at < n; scan->at++) {
     char c = text[scan->at];
     int next;

@@ -34,7 +34,8 @@ static bool is_name(const char *text, size_t n, const char *name) {
 }
 
 static enum ph_status unknown_field(const struct ph_schema *schema,
-                                    const char *name, bool geojson,
+                                    const struct ph_record *record,
+                                    const char *name,
                                     const struct ph_json_item *item,
                                     struct ph_diag *diag) {
   struct ph_suggest suggest;
@@ -50,18 +51,17 @@ static enum ph_status unknown_field(const struct ph_schema *schema,
   ph_fail(diag, PH_E_UNKNOWN_FIELD,
           item->key_n ? ph_excerpt(item->key, item->key_n, excerpt) : "\"\"",
           "is not a field of %s%s", schema->command, clause);
-  if (geojson) {
+  if (ph_geojson_is(record->text, record->n) == PH_JSON_DONE) {
     ph_diag_add(diag, "--input-format=geojson reads GeoJSON");
   }
   return diag->status;
 }
 
 /* Puts one member where it belongs. */
-static enum ph_status sort_member(const struct ph_schema *schema,
-                                  const struct ph_json_item *item, bool geojson,
-                                  struct ph_arena *arena,
-                                  struct members *members,
-                                  struct ph_diag *diag) {
+static enum ph_status
+sort_member(const struct ph_schema *schema, const struct ph_record *record,
+            const struct ph_json_item *item, struct ph_arena *arena,
+            struct members *members, struct ph_diag *diag) {
   const struct ph_field *row;
   const char *name = ph_arena_copy(arena, item->key, item->key_n);
   size_t index;
@@ -79,7 +79,7 @@ static enum ph_status sort_member(const struct ph_schema *schema,
   } else if (is_name(name, strlen(name), "meta")) {
     index = META;
   } else {
-    return unknown_field(schema, name, geojson, item, diag);
+    return unknown_field(schema, record, name, item, diag);
   }
   if (members->item[index].value) {
     return ph_fail(diag, PH_E_BAD_VALUE, name, "occurs twice");
@@ -262,7 +262,6 @@ enum ph_status ph_json_in(const struct ph_record *record,
   struct ph_json_walk walk;
   struct ph_json_item item;
   struct ph_diag later;
-  const bool geojson = ph_geojson_is(record->text, record->n) == PH_JSON_DONE;
   enum ph_status status = PH_OK;
   *problem = (struct ph_problem){0};
   *echo = (struct ph_echo){0};
@@ -274,7 +273,7 @@ enum ph_status ph_json_in(const struct ph_record *record,
   ph_json_walk_init(&walk, record->text, record->n);
   while (ph_json_walk_next(&walk, &item)) { /* to the end: id may come last */
     status = both(status,
-                  sort_member(schema, &item, geojson, arena, &members,
+                  sort_member(schema, record, &item, arena, &members,
                               status == PH_OK ? diag : &later),
                   diag);
   }

@@ -207,9 +207,11 @@ static int number(struct reader *r) {
   for (;;) {
     int next;
     if (part == INTEGER || part == FRACTION || part == EXPONENT) {
-      while (r->p < r->end && is_digit(*r->p)) {
-        r->p++;
+      const char *p = r->p;
+      while (p < r->end && is_digit(*p)) {
+        p++;
       }
+      r->p = p;
     }
     r->scan->number = (unsigned char)part;
     if (r->p == r->end) {
