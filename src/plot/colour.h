@@ -21,6 +21,7 @@ struct ph_colour {
   X(ODD, 90, 47, 8)        \
   X(LAST, 49, 32, 66)      \
   X(OFFSET, 5, 58, 44)     \
+  X(TRIMMED, 38, 66, 57)   \
   X(POLYGON, 66, 66, 66)   \
   X(TANGENT, 36, 36, 36)   \
   X(POINT, 10, 10, 10)     \

@@ -13,6 +13,7 @@
 #include "curve/surface/ruling.h"
 #include "plot/pen.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* Chords leave the curve by so much of the size of what is drawn. */
@@ -59,22 +60,35 @@ static void draw_part(struct ph_pen *pen, const struct ph_sampler *sampler,
   }
 }
 
-/* A whole segment.  Cusps are corners of its parts: they stay sharp.
+/* A segment, from u0 to u1.  Cusps are corners of its parts: they stay sharp.
  * inout cusp  number of the next one */
-static void draw_segment(struct ph_pen *pen, const struct ph_sampler *sampler,
-                         const struct ph_cusps *cusps, size_t *cusp,
-                         int depth) {
-  double from = 0;
-  ph_pen_to(pen, ph_sampler_at(sampler, 0).point);
+static void draw_between(struct ph_pen *pen, const struct ph_sampler *sampler,
+                         const struct ph_cusps *cusps, size_t *cusp, double u0,
+                         double u1, int depth) {
+  double from = u0;
+  ph_pen_to(pen, ph_sampler_at(sampler, u0).point);
   for (; cusps && *cusp < cusps->n && cusps->at[*cusp].segment <= sampler->k;
        ++*cusp) {
-    double u = cusps->at[*cusp].u;
-    if (cusps->at[*cusp].segment == sampler->k && from < u && u < 1) {
-      draw_part(pen, sampler, from, u, depth);
-      from = u;
+    const double u = cusps->at[*cusp].u;
+    if (cusps->at[*cusp].segment < sampler->k || u <= from) {
+      continue;
     }
+    if (u >= u1) {
+      break;
+    }
+    draw_part(pen, sampler, from, u, depth);
+    from = u;
   }
-  draw_part(pen, sampler, from, 1, depth);
+  draw_part(pen, sampler, from, u1, depth);
+}
+
+/* How often chords of n segments are halved at most. */
+static int depth_of(size_t n) {
+  int depth = 0;
+  while (depth < DEPTH_MAX && n << (depth + 1) <= PH_DRAWING_POINTS) {
+    depth++;
+  }
+  return depth;
 }
 
 /* The curve, a stroke for each of its segments if there are not too many, or an
@@ -88,16 +102,13 @@ static enum ph_status draw_curve(struct ph_pen *pen,
   const size_t step = stroke_step(n), group = offset ? n : group_of(n);
   const struct ph_offset *whole = loop ? NULL : offset;
   struct ph_sampler sampler;
+  const int depth = depth_of(n);
   size_t cusp = 0, gap = 0;
-  int depth = 0;
   enum ph_status status =
       loop
           ? ph_sampler_begin_loop(&sampler, curve, offset, loop, &pen->scratch,
                                   pen->diag)
           : ph_sampler_begin(&sampler, curve, offset, &pen->scratch, pen->diag);
-  while (depth < DEPTH_MAX && n << (depth + 1) <= PH_DRAWING_POINTS) {
-    depth++;
-  }
   for (size_t k = 0; status == PH_OK && k < n; k++) {
     bool begins = k > 0 && k % group == 0;
     if (k % step != 0 && k + 1 < n) {
@@ -112,15 +123,123 @@ static enum ph_status draw_curve(struct ph_pen *pen,
       ph_pen_lift(pen, role, k - group);
     }
     if (status == PH_OK) {
-      draw_segment(pen, &sampler, whole ? &whole->cusps : NULL, &cusp, depth);
+      draw_between(pen, &sampler, whole ? &whole->cusps : NULL, &cusp, 0, 1,
+                   depth);
     }
   }
   ph_pen_lift(pen, role, offset ? index : (n - 1) / group * group);
   return status;
 }
 
-static enum ph_status draw_offsets(struct ph_pen *pen) {
+/* ---- what was trimmed ---------------------------------------------------- */
+
+/* A part of a segment that a loop runs along. */
+struct kept {
+  size_t segment;
+  double from, to;
+};
+
+static int compare_kept(const void *a, const void *b) {
+  const struct kept *p = a, *q = b;
+  return p->segment != q->segment ? (p->segment < q->segment ? -1 : 1)
+                                  : (p->from > q->from) - (p->from < q->from);
+}
+
+static size_t pieces_of(const struct ph_loops *loops) {
+  size_t n = 0;
+  for (size_t i = 0; i < loops->n; i++) {
+    n += loops->v[i].n;
+  }
+  return n;
+}
+
+/* What loops run along, or against, in the order of the curve.
+ * out v  [pieces_of(loops)];  ret  how many */
+static size_t list_kept(const struct ph_loops *loops, bool back,
+                        struct kept *v) {
+  size_t n = 0;
+  for (size_t i = 0; i < loops->n; i++) {
+    for (size_t k = 0; k < loops->v[i].n; k++) {
+      const struct ph_loop_piece *piece = &loops->v[i].pieces[k];
+      const double *u = piece->interval;
+      if (piece->segment != PH_NO_SEGMENT && (u[1] < u[0]) == back) {
+        v[n++] = (struct kept){piece->segment, u[back], u[!back]};
+      }
+    }
+  }
+  qsort(v, n, sizeof *v, compare_kept);
+  return n;
+}
+
+/* Whether the pen is elsewhere: the curve has a corner. */
+static bool jumps(const struct ph_pen *pen, ph_vec3 to) {
+  return pen->n > 0 &&
+         ph_vec3_abs(ph_vec3_sub(to, pen->points[pen->n - 1])) > pen->tolerance;
+}
+
+/* A part of the offset of the segment that was trimmed, if it is one. */
+static void draw_removed(struct ph_pen *pen, const struct ph_sampler *sampler,
+                         size_t *cusp, double from, double to, size_t index) {
+  const struct ph_curve *curve = sampler->curve;
+  if (!(from < to)) {
+    ph_pen_lift(pen, PH_STROKE_TRIMMED, index);
+    return;
+  }
+  if (jumps(pen, ph_sampler_at(sampler, from).point)) {
+    ph_pen_lift(pen, PH_STROKE_TRIMMED, index);
+  }
+  draw_between(pen, sampler, &sampler->offset->cusps, cusp, from, to,
+               depth_of(curve->n));
+}
+
+/* What of the offset to one side is in no loop. */
+static enum ph_status draw_trimmed(struct ph_pen *pen,
+                                   const struct ph_offset *offset, bool back,
+                                   size_t index) {
+  const struct ph_curve *curve = &pen->result->curve;
+  struct kept *kept = ph_arena_array(
+      &pen->scratch, pieces_of(&offset->loops) + 1, sizeof *kept);
+  const size_t n = kept ? list_kept(&offset->loops, back, kept) : 0;
+  struct ph_sampler sampler;
+  enum ph_status status =
+      kept ? ph_sampler_begin(&sampler, curve, &offset->loops.sides[back],
+                              &pen->scratch, pen->diag)
+           : ph_fail_memory(pen->diag);
+  for (size_t k = 0, i = 0, cusp = 0; status == PH_OK && k < curve->n; k++) {
+    double from = 0;
+    status = ph_sampler_enter(&sampler, k, pen->diag);
+    for (; status == PH_OK && i < n && kept[i].segment == k; i++) {
+      draw_removed(pen, &sampler, &cusp, from, kept[i].from, index);
+      ph_pen_lift(pen, PH_STROKE_TRIMMED, index);
+      from = fmax(from, kept[i].to);
+    }
+    if (status == PH_OK) {
+      draw_removed(pen, &sampler, &cusp, from, 1, index);
+    }
+  }
+  ph_pen_lift(pen, PH_STROKE_TRIMMED, index);
+  return status;
+}
+
+/* Of every offset that was trimmed; it does not count for the size. */
+static enum ph_status draw_all_trimmed(struct ph_pen *pen) {
+  const struct ph_result *r = pen->result;
   enum ph_status status = PH_OK;
+  pen->box = false;
+  for (size_t i = 0; status == PH_OK && i < r->offsets_n; i++) {
+    const struct ph_loops *loops = &r->offsets[i].loops;
+    const int sides = !loops->mode ? 0 : loops->both ? 2 : 1;
+    for (int side = 0; status == PH_OK && side < sides; side++) {
+      status = draw_trimmed(pen, &r->offsets[i], side > 0, i);
+    }
+  }
+  pen->box = true;
+  return status;
+}
+
+static enum ph_status draw_offsets(struct ph_pen *pen) {
+  enum ph_status status =
+      pen->result->curve.n <= PH_DRAWING_POINTS ? draw_all_trimmed(pen) : PH_OK;
   for (size_t i = 0; status == PH_OK && i < pen->result->offsets_n; i++) {
     const struct ph_offset *o = &pen->result->offsets[i];
     for (size_t k = 0; status == PH_OK && k < o->loops.n; k++) {
@@ -274,13 +393,18 @@ static const char *copy(struct ph_pen *pen, const char *text) {
   return kept;
 }
 
-/* The connected parts of all offsets, those that are drawn at most. */
+/* The connected parts of all offsets, those that are drawn at most; of what was
+ * trimmed, no more than pieces of loops and segments end. */
 static size_t parts_of(const struct ph_result *r) {
+  const bool trimmed = r->curve.n <= PH_DRAWING_POINTS;
   size_t n = 0;
   for (size_t i = 0; i < r->offsets_n; i++) {
     const size_t gaps = r->offsets[i].gaps.n;
-    n += 1 + (gaps < PH_DRAWING_POINTS ? gaps : PH_DRAWING_POINTS) +
-         r->offsets[i].loops.n;
+    const struct ph_loops *loops = &r->offsets[i].loops;
+    n += 1 + (gaps < PH_DRAWING_POINTS ? gaps : PH_DRAWING_POINTS) + loops->n;
+    if (loops->mode && trimmed) {
+      n += pieces_of(loops) + 2 * (r->curve.n + 1);
+    }
   }
   return n;
 }

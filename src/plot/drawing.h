@@ -26,7 +26,7 @@
  * enough or there may be PH_DRAWING_POINTS of them; profiles have up to
  * PH_DRAWING_INTERVALS + 1 places a segment, fewer when there would be more
  * than PH_DRAWING_PLACES.  Of still more segments than these, every so many-th
- * counts.
+ * counts, and what was trimmed of offsets is not drawn.
  */
 enum {
   PH_DRAWING_SEGMENTS = 1000,
@@ -39,8 +39,10 @@ enum {
 enum ph_stroke_role {
   PH_STROKE_CURVE,   /* one segment of the curve, or more */
   PH_STROKE_POLYGON, /* its control polygon; on a sphere, of great circles */
+  PH_STROKE_TRIMMED, /* a connected part of an offset that no loop has */
   PH_STROKE_OFFSET,  /* a connected part of an offset, from end to end */
-  PH_STROKE_TANGENT  /* a given tangent or derivative: from its point on */
+  PH_STROKE_TANGENT, /* a given tangent or derivative: from its point on */
+  PH_STROKE_N
 };
 
 /* A polyline, fine enough to be drawn as it is. */
@@ -68,9 +70,11 @@ struct ph_drawing {
   enum ph_space space;
   bool closed;
   double center[3], radius;  /* of the sphere; radius 0: there is none */
-  ph_vec3 low, high;         /* bounding box of all but control polygons */
+  ph_vec3 low, high;         /* bounding box of all but control polygons and
+                                what was trimmed */
   struct ph_stroke *strokes; /* in the order in which they are drawn: control
-                                polygons, offsets, the curve, tangents */
+                                polygons, what was trimmed, offsets, the curve,
+                                tangents */
   size_t strokes_n;
   ph_vec3 *data; /* [data_n], the points that the curve goes through */
   size_t data_n;

@@ -30,8 +30,11 @@ static void look_at(const struct ph_panel *panel, struct ph_key *key) {
   const struct ph_drawing *d = panel->drawings[0];
   static const enum ph_key_entry of[] = {[PH_STROKE_CURVE] = PH_KEY_CURVE,
                                          [PH_STROKE_POLYGON] = PH_KEY_POLYGON,
+                                         [PH_STROKE_TRIMMED] = PH_KEY_TRIMMED,
                                          [PH_STROKE_OFFSET] = PH_KEY_OFFSET,
                                          [PH_STROKE_TANGENT] = PH_KEY_TANGENT};
+  _Static_assert(sizeof of / sizeof of[0] == PH_STROKE_N,
+                 "every stroke has an entry");
   const bool sweep = panel->n > 1;
   mark(key, PH_KEY_POINT, d->data_n > 0);
   for (size_t i = 0; i < d->strokes_n; i++) {
@@ -118,39 +121,40 @@ static void arrow(struct ph_page *page, struct ph_spot at, double em) {
   ph_page_fill(page);
 }
 
-/* The same inks and widths as strokes.c and solid.c have. */
+/* A line right across: the inks and widths, in ems, of strokes.c and solid.c.
+ */
+static const struct {
+  enum ph_ink ink;
+  double width, dash; /* width 0: it is more than a line */
+} lines[] = {[PH_KEY_POINT] = {PH_INK_POINT, 0, 0},
+             [PH_KEY_CURVE] = {PH_INK_EVEN, 0, 0},
+             [PH_KEY_CONTACT] = {PH_INK_EVEN, 0, 0},
+             [PH_KEY_POLYGON] = {PH_INK_POLYGON, 0.06, 0},
+             [PH_KEY_OFFSET] = {PH_INK_OFFSET, 0.085, 0},
+             [PH_KEY_TRIMMED] = {PH_INK_TRIMMED, 0.05, 0.28},
+             [PH_KEY_TANGENT] = {PH_INK_TANGENT, 0, 0},
+             [PH_KEY_EDGE] = {PH_INK_EDGE, 0.1, 0},
+             [PH_KEY_RULING] = {PH_INK_RULING, 0.05, 0},
+             [PH_KEY_HIDDEN] = {PH_INK_EDGE, 0.08, 0.28}};
+_Static_assert(sizeof lines / sizeof lines[0] == PH_KEY_N,
+               "every entry has a sample");
+
 static void sample(struct ph_page *page, int entry, struct ph_spot at,
                    double em) {
   const double w = SAMPLE * em;
   const struct ph_spot half = {at.x + 0.5 * w, at.y};
-  switch (entry) {
-  case PH_KEY_POINT:
+  if (entry == PH_KEY_POINT) {
     ph_page_pen(page, ph_ink(PH_INK_POINT), 1, 0);
     ph_page_circle(page, half, DOT * em);
     ph_page_fill(page);
-    break;
-  case PH_KEY_CURVE:
-  case PH_KEY_CONTACT:
+  } else if (entry == PH_KEY_TANGENT) {
+    arrow(page, at, em);
+  } else if (entry == PH_KEY_CURVE || entry == PH_KEY_CONTACT) {
     line(page, at, 0.5 * w, PH_INK_EVEN, 0.145 * em, 0);
     line(page, half, 0.5 * w, PH_INK_ODD, 0.145 * em, 0);
-    break;
-  case PH_KEY_POLYGON:
-    line(page, at, w, PH_INK_POLYGON, 0.06 * em, 0);
-    break;
-  case PH_KEY_OFFSET:
-    line(page, at, w, PH_INK_OFFSET, 0.085 * em, 0);
-    break;
-  case PH_KEY_TANGENT:
-    arrow(page, at, em);
-    break;
-  case PH_KEY_EDGE:
-    line(page, at, w, PH_INK_EDGE, 0.1 * em, 0);
-    break;
-  case PH_KEY_RULING:
-    line(page, at, w, PH_INK_RULING, 0.05 * em, 0);
-    break;
-  default:
-    line(page, at, w, PH_INK_EDGE, 0.08 * em, 0.28 * em);
+  } else {
+    line(page, at, w, lines[entry].ink, lines[entry].width * em,
+         lines[entry].dash * em);
   }
 }
 

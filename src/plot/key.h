@@ -13,6 +13,7 @@
   X(CONTACT, "contact curve")    \
   X(POLYGON, "control polygon")  \
   X(OFFSET, "offset")            \
+  X(TRIMMED, "trimmed off")      \
   X(TANGENT, "tangent")          \
   X(EDGE, "edge of a strip")     \
   X(RULING, "ruling")            \

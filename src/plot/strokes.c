@@ -10,6 +10,7 @@
 #define CURVE 0.145
 #define OFFSET 0.085
 #define POLYGON 0.06
+#define TRIMMED 0.05
 #define ARROW 0.075
 #define HEAD 0.62
 #define DASH 0.28
@@ -197,11 +198,21 @@ static void choose_pen(const struct ph_look *look, enum ph_side side,
     ph_page_pen(look->page, many ? ramp : ph_ink(PH_INK_OFFSET),
                 OFFSET * thin * em, dash);
     break;
+  case PH_STROKE_TRIMMED:
+    ph_page_pen(look->page, ph_ink(PH_INK_TRIMMED), TRIMMED * em, DASH * em);
+    break;
   case PH_STROKE_TANGENT:
     ph_page_pen(look->page, moves ? ramp : ph_ink(PH_INK_TANGENT), ARROW * em,
                 dash);
     break;
+  case PH_STROKE_N:
+    break;
   }
+}
+
+/* Curves of a sweep have no details. */
+static bool is_detail(enum ph_stroke_role role) {
+  return role == PH_STROKE_POLYGON || role == PH_STROKE_TRIMMED;
 }
 
 static void draw_strokes(const struct ph_look *look, enum ph_side side,
@@ -213,7 +224,7 @@ static void draw_strokes(const struct ph_look *look, enum ph_side side,
   for (size_t i = 0; i < d->strokes_n; i++) {
     const struct ph_stroke *s = &d->strokes[i];
     bool tangent = s->role == PH_STROKE_TANGENT, moves;
-    if (s->n == 0 || (s->role == PH_STROKE_POLYGON && panel->n > 1) ||
+    if (s->n == 0 || (is_detail(s->role) && panel->n > 1) ||
         (tangent && which > 0 && has_tangent(look, panel->drawings[0], i, s))) {
       continue;
     }

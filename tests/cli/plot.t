@@ -240,6 +240,22 @@ equal 'the key of a sweep: its legend has the curves' '' "$(key)"
 equal 'two curves of a sweep: the second is dashed' \
   "$(inks x.svg | ink 'stroke 48,82,32')" \
   "$(sed -n 's/.*stroke-dasharray="\([^"]*\)".*/\1/p' x.svg | grep -c .)"
+# a slot that is closed but for its mouth: both ends of the offset around it
+five='{"closed":true,"curve":[[[0,0],[9,0]],[[9,0],[9,9]],[[9,9],[5,9]],'\
+'[[5,9],[5,4]],[[5,4],[4,4]],[[4,4],[4,9]],[[4,9],[0,9]],[[0,9],[0,0]]],'\
+'"tolerance":0.1}'
+feed "$five" tc -q -p x.svg -d -1 --offset-mode=trimmed
+equal 'the key of an offset that was trimmed' \
+  'data|curve, by segments|offset|trimmed off|' "$(key | sed 's/control polygon.//')"
+equal 'what was trimmed is dashed and thin, and nothing else is' 'stroke 38,66,57' \
+  "$(sed '/<g class="key">/,$d' x.svg | grep 'stroke-dasharray' >dashed
+    inks dashed | sed 's/=.*//')"
+feed "$five" tc -q -p x.svg -d -0.1 --offset-mode=joined
+equal 'the key of an offset that was joined' \
+  'data|curve, by segments|offset|' "$(key | sed 's/control polygon.//')"
+feed "$five" tc -q -p x.svg -d -1,-0.1 --offset-mode=trimmed \
+  --sweep=tolerance=0.1,0.2
+equal 'of a sweep it is not drawn' 0 "$(inks x.svg | ink 'stroke 38,66,57')"
 feed '{"lonlat":[[0,0],[80,5],[160,5],[-120,0]]}' sphere -q -p x.svg
 equal 'the key of a sphere' 'data|curve, by segments|control polygon|hidden|' \
   "$(key)"

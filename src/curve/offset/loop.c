@@ -413,6 +413,7 @@ enum ph_status ph_loops_of(const struct ph_curve *curve,
                         offset, diag);
   }
   if (status == PH_OK) {
+    offset->loops.both = strands.both;
     offset->loops.trimming = (struct ph_trimming){
         .crossings = outline.crossings,
         .touches = outline.touches,

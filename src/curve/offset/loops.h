@@ -63,6 +63,7 @@ struct ph_loops {
   struct ph_loop *v;
   size_t n;                      /* 0: nothing is left */
   double area;                   /* NaN: a loop is not closed */
+  bool both;                     /* it is of both sides of the curve */
   const struct ph_offset *sides; /* [2] that pieces along the curve are of, and
                                     those against it: distances and cusps; no
                                     part of the record */

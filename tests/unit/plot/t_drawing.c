@@ -8,6 +8,7 @@
 
 #include "curve/offset/cusp.h"
 #include "curve/offset/gap.h"
+#include "curve/offset/offset.h"
 #include "curve/segment/seg2.h"
 #include "kernel/pi.h"
 #include "plot/drawing.h"
@@ -356,6 +357,55 @@ PH_TEST(test_offsets) {
   ck_assert_uint_le(stroke_of(d, PH_STROKE_CURVE, 0)->n, 65);
   ck_vec3(d->low, ph_vec3_of(-10, -9.5, 0), 0.01);
   ck_vec3(d->high, ph_vec3_of(10, 10.5, 0), 0.01);
+}
+
+static double length_of(const struct ph_drawing *d, enum ph_stroke_role role) {
+  const struct ph_stroke *s;
+  double length = 0;
+  for (size_t i = 0; (s = stroke_of(d, role, i)) != NULL; i++) {
+    for (size_t j = 1; j < s->n; j++) {
+      length += unit_apart(s->points[j - 1], s->points[j]);
+    }
+  }
+  return length;
+}
+
+/* Loops and what was trimmed are the raw offset together, each part of it once,
+ * and what was trimmed does not count for the box. */
+PH_TEST(test_trimmed) {
+  const struct ph_problem nothing = {.field = {{.kind = PH_ABSENT}}};
+  const struct ph_offset_rules rules = {.mode = PH_OFFSET_TRIMMED,
+                                        .crosses = true};
+  struct unit_random r = unit_random_of(12);
+  size_t trimmed = 0;
+  for (int i = 0; i < unit_count(100); i++) {
+    struct unit_cubics c;
+    struct ph_offset raw = {.distance = unit_random_in(&r, -0.5, 0.5)};
+    struct ph_offset offset;
+    struct ph_result result = {.offsets = &raw, .offsets_n = 1};
+    const struct ph_drawing *d;
+    double whole, least;
+    unit_cubics_random(&c, &r, 3, 1, ph_cplx_of(0, 0));
+    result.curve = c.curve;
+    ck_assert_int_eq(ph_cusps_of(&c.curve, raw.distance, PH_E2, &unit_arena,
+                                 &raw.cusps, &diag),
+                     PH_OK);
+    d = draw(&nothing, &result);
+    whole = length_of(d, PH_STROKE_OFFSET);
+    least = d->low.x;
+    ck_assert_uint_eq(strokes_of(d, PH_STROKE_TRIMMED), 0);
+    ck_assert_int_eq(
+        ph_offset(&c.curve, raw.distance, &rules, &unit_arena, &offset, &diag),
+        PH_OK);
+    result.offsets = &offset;
+    d = draw(&nothing, &result);
+    ck_abs(length_of(d, PH_STROKE_OFFSET) + length_of(d, PH_STROKE_TRIMMED),
+           whole, 2e-3 * whole);
+    ck_abs(length_of(d, PH_STROKE_OFFSET), offset.length, 2e-3 * whole);
+    ck_assert(d->low.x >= least - 2e-3 * whole);
+    trimmed += strokes_of(d, PH_STROKE_TRIMMED) > 0;
+  }
+  ck_assert_uint_gt(trimmed, 0);
 }
 
 /* The tips of cusps are drawn. */
