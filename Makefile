@@ -494,12 +494,14 @@ check-cluster: ## runs in parts by make, parallel, ssh and Slurm, also killed
 check-cluster-run: all
 	@srcdir=$(srcdir) sh $(S)tests/cluster/check.sh $(PROGRAM)
 
-bench: ## build and run the benchmarks of bench/
+# bench/run names the PARTS; with all of them the tables go into a file
+bench: ## run the benchmarks, into bench/RESULTS.md; PARTS=... shows some
 	$(need)
 	$(call may_need,$(PLOT))
 	$(SUBMAKE) bench-run
 bench-run: all $(BENCH) $(if $(PEERS_LIBS),$(B)/bench/trim_peers)
-	@sh $(S)bench/run $(B)
+	@$(if $(PARTS),sh $(S)bench/run $(B) $(PARTS),CC='$(CC)' \
+	  CFLAGS='$(CFLAGS)' sh $(S)bench/results $(B) $(S)bench/RESULTS.md)
 
 # ---- release -----------------------------------------------------------------
 # The tarball holds what git tracks, plus configure; made from an unpacked

@@ -361,7 +361,9 @@ static void table_row(const struct row *row) {
   ph_arena_free(&w.arena);
 }
 
-int main(void) {
+/* sample [NAME]: every curve, or those whose names contain NAME. */
+int main(int argc, char **argv) {
+  const char *name = argc > 1 ? argv[1] : "";
   gsl_set_error_handler_off();
   puts(
       "Samples, 300 of a segment, millions a second of processor time: by the\n"
@@ -372,7 +374,9 @@ int main(void) {
       "  curve                     at length  place eval.   --sam --spac"
       "    few --chor    GSL ratio");
   for (size_t i = 0; i < ROWS; i++) {
-    table_row(&rows[i]);
+    if (strstr(rows[i].name, name)) {
+      table_row(&rows[i]);
+    }
   }
   puts("\n  Target: 5 by --spacing and --chord-error.  GSL: not exact, without "
        "torsion;\n  its splines are made beforehand.");

@@ -92,7 +92,8 @@ static double least(struct judge *judge,
   for (size_t i = 0; i < n; i++) {
     struct ph_spatial_point at = point_of(list[i]);
     struct ph_spatial_minimum found = {
-        {ph_cplx_polar(at.b), ph_cplx_polar(at.phi)}, at.alpha, 0, 0, 0, false};
+        .member = {ph_cplx_polar(at.b), ph_cplx_polar(at.phi)},
+        .alpha = at.alpha};
     if (ph_spatial_descend(search, &judge->rules, &judge->scratch, &found) !=
         PH_OK) {
       bench_die("out of memory");
