@@ -165,6 +165,7 @@ PEERS_LIBS := $(if $(call pkg,--libs,geos),$(call pkg,--libs,polyclipping))
 PEERS_LIBS := $(if $(PEERS_LIBS),$(PEERS_LIBS) $(call pkg,--libs,geos))
 FUZZ_SRC := $(call files,tests/fuzz,*.c)
 CLI_TESTS := $(call files,tests/cli,*.t)
+LONG_TESTS := $(addprefix tests/cli/,bubble-orders.t cone-pairs.t trim-many.t)
 FAULT_TESTS := $(call files,tests/fault,*.t)
 LINTS := $(call files,tests/lint,*.sh)
 # ... of which `make check' runs
@@ -469,8 +470,9 @@ check-long: ## a million random problems verified, properties, a conjecture
 	$(need)
 	$(call may_need,test)
 	$(SUBMAKE) check-long-run
-LONG = $(filter-out %/t_verify,$(filter $(B)/tests/prop/%,$(UNIT)))
-check-long-run: $(B)/bench/conjecture $(B)/tests/prop/t_verify $(LONG)
+LONG = $(filter-out %/t_verify,$(filter $(B)/tests/prop/%,$(UNIT))) \
+	$(addprefix $(S),$(LONG_TESTS))
+check-long-run: $(B)/bench/conjecture $(B)/tests/prop/t_verify $(LONG) all
 	@$(B)/bench/conjecture $(TRIALS) $(SEED)
 	@PH_LONG=1 PH_SEED=$(SEED) PH_TIMEOUT=3600 $(RUN) $(LONG)
 	@PH_TRIALS=$(TRIALS) PH_SEED=$(SEED) PH_JOBS=$(TEST_JOBS) CK_FORK=no \

@@ -3,7 +3,8 @@
 # `bubble': how fast surfaces come near to a sphere, an ellipsoid and a torus
 # when meshes of them, with their normals, become finer: largest distances of
 # samples of the exact surfaces, and the orders from one mesh to the next.  The
-# manual has the table (phspline-papers, BUBBLE).
+# manual has the table (phspline-papers, BUBBLE), of which PH_LONG=1 takes all, and
+# others the coarser meshes; the coarsest where every step takes long (PH_SHORT=1).
 #
 # shellcheck disable=SC2154,SC2016  # what lib.sh sets; programs of jq
 . "$srcdir/tests/cli/lib.sh"
@@ -41,19 +42,24 @@ distance() {
        ((map(.[0]/.[1] | . * .) | add) - 1) / 2 / (map(.[0]/.[1]/.[1] | . * .) | add | sqrt) end | fabs] | max'
 }
 
+sizes='8 16'
+[ "${PH_LONG-}" != 1 ] || sizes='8 16 32'
+[ "${PH_SHORT-}" != 1 ] || sizes=8
 for surface in sphere ellipsoid torus; do
-  for n in 8 16 32; do
+  for n in $sizes; do
     m=$n
     test $surface = torus || m=$((n / 2))
-    mesh $surface $m >$n.json
+    mesh $surface "$m" >"$n.json"
   done
   for continuity in 0 1 2; do
-    for n in 8 16 32; do
+    for n in $sizes; do
       "$PHSPLINE" bubble -q --degree=exact --continuity=$continuity --sample=4 \
-        $n.json | distance $surface
-    done | awk -v s=$surface -v c=$continuity '{ e[NR] = $1 } END {
-      printf "%s %d %.2g %.2g %.2g %.1f %.1f\n", s, c, e[1], e[2], e[3],
-        log(e[1] / e[2]) / log(2), log(e[2] / e[3]) / log(2) }'
+        "$n.json" | distance $surface
+    done | awk -v s=$surface -v c="$continuity" '{ e[NR] = $1 } END {
+      printf "%s %d", s, c
+      for (i = 1; i <= NR; i++) printf " %.2g", e[i]
+      for (i = 2; i <= NR; i++) printf " %.1f", log(e[i - 1] / e[i]) / log(2)
+      print "" }'
   done
 done >found
 cat >known <<'END'
@@ -67,8 +73,18 @@ torus 0 0.14 0.038 0.0096 1.9 2.0
 torus 1 0.0028 0.00022 1.5e-05 3.7 3.9
 torus 2 0.0057 0.00058 5.7e-05 3.3 3.3
 END
-sed 's/4.5e-14 9.7 9.9/rounding/' known >known.table # that is rounding in part
-sed 's/^\(sphere 2 3.8e-08 4.5e-11\) .*/\1 rounding/' found >found.table
-equal_files 'the table' known.table found.table
-true_that 'the finest sphere: to rounding' awk '/^sphere 2/ { exit $5 > 1e-13 }' \
-  found
+# of sizes that were not measured the columns are left out, and the finest sphere
+# of degree 2 is rounding
+awk -v n="$(echo "$sizes" | wc -w)" '{
+  if ($1 $2 == "sphere2") $5 = $7 = "rounding"
+  line = $1 " " $2
+  for (i = 3; i < 3 + n; i++) line = line " " $i
+  for (i = 6; i < 5 + n; i++) line = line " " $i
+  print line }' known >wanted
+awk '$1 $2 == "sphere2" && NF == 7 { $5 = $7 = "rounding" } { print }' found \
+  >found.table
+equal_files 'the table' wanted found.table
+if [ "${PH_LONG-}" = 1 ]; then
+  true_that 'the finest sphere: to rounding' awk '/^sphere 2/ { exit $5 > 1e-13 }' \
+    found
+fi

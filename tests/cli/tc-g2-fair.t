@@ -5,6 +5,7 @@
 # and the curvature jumps where it says alone.  Families of hostile.py, 20 sets
 # of each in a trial; FAMILIES names them, TRIALS says how many trials, 1 if it
 # does not: phspline-tc(1) was measured with 10, of convex and mixed with 500.
+# Where every step takes long (PH_SHORT=1), convex and mixed alone.
 # shellcheck disable=SC2016  # programs of awk
 . "$srcdir/tests/cli/lib.sh"
 python=/usr/bin/python3
@@ -14,6 +15,8 @@ if ! "$python" -c '' 2>/dev/null; then
   echo 'skip: no python3'
   exit 0
 fi
+
+[ "${PH_SHORT-}" != 1 ] || FAMILIES=${FAMILIES:-convex mixed}
 
 # judged NAME SEED: what hostile.py says of 20 sets
 judged() {
