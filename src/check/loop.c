@@ -21,8 +21,10 @@ enum { FEW = 256 };
 /* What a certificate allows. */
 static const double CLOSURE = 1e-12, ERROR = 1e-10, TURN = 1e-6;
 
-/* Above that, numbers are found again with more care. */
-static const double FINE = 1e-12;
+/* Above that, numbers are found again with more care: by halves, so many times
+ * at most, that change them by no more than RATIO of it. */
+static const double FINE = 1e-12, RATIO = 0.1;
+enum { HALVINGS = 30 };
 
 /* Where parts touch, they meet at such an angle, to either side. */
 static const double BEND = 1e-4;
@@ -55,11 +57,15 @@ struct context {
   size_t loop, places;
 };
 
+struct sums {
+  double length, area; /* the latter seen from the first point of the piece */
+};
+
 /* A piece, and its places. */
 struct piece {
   struct ph_check_piece p;
   struct ph_check_spots at;
-  double length, area; /* the latter seen from its first point */
+  struct sums sums;
 };
 
 static void see(struct context *c, int what, double error) {
@@ -187,34 +193,68 @@ static void check_clear(struct context *c, const struct piece *piece) {
   }
 }
 
-/* What places add to the length and area. */
-static void measure_at(const struct ph_check_nodes *nodes,
-                       const struct ph_check_spots *at, struct piece *piece) {
+/* What places add to sums. */
+static void add_places(const struct ph_check_nodes *nodes,
+                       const struct ph_check_spots *at, struct sums *sums) {
   for (size_t i = 0; i < N; i++) {
     const double w = nodes->weight[i];
-    piece->length += w * sqrt(at->dx[i] * at->dx[i] + at->dy[i] * at->dy[i]);
-    piece->area += 0.5 * w * (at->x[i] * at->dy[i] - at->y[i] * at->dx[i]);
+    sums->length += w * sqrt(at->dx[i] * at->dx[i] + at->dy[i] * at->dy[i]);
+    sums->area += 0.5 * w * (at->x[i] * at->dy[i] - at->y[i] * at->dx[i]);
   }
 }
 
-/* Length and area by many nodes. */
-static void measure_all(const struct context *c, struct piece *piece) {
+static struct sums sums_of(const struct context *c,
+                           const struct ph_check_piece *piece) {
+  struct sums sums = {0, 0};
   struct ph_check_spots at;
-  piece->length = piece->area = 0;
-  for (size_t i = 0; i < PH_CHECK_MANY; i++) {
-    ph_check_piece_spots(&c->many[i], &piece->p, &at);
-    measure_at(&c->many[i], &at, piece);
-  }
+  ph_check_piece_spots(&c->nodes, piece, &at);
+  add_places(&c->nodes, &at, &sums);
+  return sums;
 }
 
-/* The same by the few, where these give the length that is claimed. */
-static void measure(const struct context *c, struct piece *piece,
-                    double claimed) {
-  piece->length = piece->area = 0;
-  measure_at(&c->nodes, &piece->at, piece);
-  if (!(fabs(piece->length - claimed) <= FINE * c->size)) {
-    measure_all(c, piece);
+/* The same by halves until they agree: near a place where the curve nearly
+ * stops there may be many. */
+static struct sums sums_by_halves(const struct context *c,
+                                  const struct ph_check_piece *piece,
+                                  struct sums whole, int depth) {
+  const double most = RATIO * FINE * c->size;
+  struct ph_check_piece half[2];
+  struct sums part[2];
+  ph_check_piece_halve(piece, half);
+  for (size_t i = 0; i < 2; i++) {
+    part[i] = sums_of(c, &half[i]);
   }
+  if (depth > 0 &&
+      !(fabs(part[0].length + part[1].length - whole.length) <= most &&
+        fabs(part[0].area + part[1].area - whole.area) <= most * c->size)) {
+    for (size_t i = 0; i < 2; i++) {
+      part[i] = sums_by_halves(c, &half[i], part[i], depth - 1);
+    }
+  }
+  return (struct sums){part[0].length + part[1].length,
+                       part[0].area + part[1].area};
+}
+
+/* By the few nodes, where these give the length that is claimed; else by many,
+ * then by as many as it takes. */
+static struct sums measure(const struct context *c,
+                           const struct ph_check_piece *piece,
+                           const struct ph_check_spots *at, double claimed) {
+  const double most = FINE * c->size;
+  struct sums sums = {0, 0};
+  add_places(&c->nodes, at, &sums);
+  if (fabs(sums.length - claimed) <= most) {
+    return sums;
+  }
+  sums = (struct sums){0, 0};
+  for (size_t i = 0; i < PH_CHECK_MANY; i++) {
+    struct ph_check_spots more;
+    ph_check_piece_spots(&c->many[i], piece, &more);
+    add_places(&c->many[i], &more, &sums);
+  }
+  return fabs(sums.length - claimed) <= most
+             ? sums
+             : sums_by_halves(c, piece, sums_of(c, piece), HALVINGS);
 }
 
 /* By how much the tangent turns along a piece: between any two nodes by less
@@ -239,7 +279,8 @@ static void load(const struct context *c, const struct ph_loop_piece *of,
                  struct piece *piece) {
   ph_check_piece_of(c->v, of, c->o->degree, &piece->p);
   ph_check_piece_spots(&c->nodes, &piece->p, &piece->at);
-  measure(c, piece, ph_check_scaled(c->v, of->length));
+  piece->sums =
+      measure(c, &piece->p, &piece->at, ph_check_scaled(c->v, of->length));
 }
 
 /* ---- loops ----------------------------------------------------------------
@@ -268,17 +309,17 @@ static double check_joint(struct context *c, const struct ph_check_piece *a,
 static double area_from(const struct piece *piece, ph_vec3 from) {
   const ph_vec3 to = ph_vec3_sub(piece->p.first, from);
   const ph_vec3 along = ph_vec3_sub(piece->p.last, piece->p.first);
-  return piece->area + 0.5 * (to.x * along.y - to.y * along.x);
+  return piece->sums.area + 0.5 * (to.x * along.y - to.y * along.x);
 }
 
-/* The area of a loop, by many nodes. */
+/* The area of a loop, by as many nodes as it takes. */
 static double area_of(const struct context *c, const struct ph_loop *loop,
                       ph_vec3 from) {
   struct piece piece;
   double area = 0;
   for (size_t i = 0; i < loop->n; i++) {
     ph_check_piece_of(c->v, &loop->pieces[i], c->o->degree, &piece.p);
-    measure_all(c, &piece);
+    piece.sums = sums_by_halves(c, &piece.p, sums_of(c, &piece.p), HALVINGS);
     area += area_from(&piece, from);
   }
   return area;
@@ -322,7 +363,7 @@ static void check_loop(struct context *c, const struct ph_loop *loop) {
     const struct piece *now = &piece[i % 2];
     struct piece *next = &piece[(i + 1) % 2];
     const double claimed = ph_check_scaled(c->v, now->p.of->length);
-    see(c, OF_LENGTH, fabs(now->length - claimed) / c->size);
+    see(c, OF_LENGTH, fabs(now->sums.length - claimed) / c->size);
     length += now->p.of->length;
     area += area_from(now, first.first);
     turn += turn_along(now);

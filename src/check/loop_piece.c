@@ -99,6 +99,24 @@ struct ph_check_spot ph_check_piece_at(const struct ph_check_piece *piece,
   return at;
 }
 
+/* De Casteljau's algorithm in the middle; c becomes the right half. */
+static void cut(size_t degree, double *c, double *left) {
+  for (size_t j = 0; j <= degree; j++) {
+    left[j] = c[0];
+    for (size_t i = 0; i + j < degree; i++) {
+      c[i] = 0.5 * (c[i] + c[i + 1]);
+    }
+  }
+}
+
+void ph_check_piece_halve(const struct ph_check_piece *piece,
+                          struct ph_check_piece half[2]) {
+  half[0] = half[1] = *piece;
+  cut(piece->degree, half[1].x, half[0].x);
+  cut(piece->degree, half[1].y, half[0].y);
+  cut(piece->degree, half[1].w, half[0].w);
+}
+
 /* sum over i of x[i] table[i], all nodes at once. */
 static void sums(double table[][N], size_t degree, const double *x,
                  double *restrict sum) {

@@ -56,6 +56,12 @@ struct ph_check_spot {
 struct ph_check_spot ph_check_piece_at(const struct ph_check_piece *piece,
                                        double x);
 
+/* ph_check_piece_halve: both halves of a piece, with its box, for
+ * ph_check_piece_spots: these are from the first point of the whole piece on.
+ */
+void ph_check_piece_halve(const struct ph_check_piece *piece,
+                          struct ph_check_piece half[2]);
+
 /* Points and derivatives at the nodes. */
 struct ph_check_spots {
   double x[PH_CHECK_SPOTS], y[PH_CHECK_SPOTS];

@@ -103,6 +103,29 @@ feed '{"closed":true,"tolerance":0.01,"curve":[[[3,1],[-6,-1]],[[-6,-1],[-6,0]],
 equal 'a spike on a side: closed' '0 2' "$status \
 $(grep -o '{"closed":true' out | wc -l | tr -d ' ')"
 
+# a corner that is on another line, and one that another one is at: the ends of
+# parts that touch there are 1e-9 of the size apart, or beyond each other
+certified() {
+  equal "$1" '0 true' "$status $(get 'offsets[0].diagnostics.certified')"
+  cp out record
+  run verify record
+  expect "$1: verified" 0
+}
+feed '{"tolerance":0.01,"closed":true,"curve":[[[-13,16],[-9,-5]],
+  [[-9,-5],[-9,20]],[[-9,20],[0,-11]],[[0,-11],[-11,17]],[[-11,17],[14,-8]],
+  [[14,-8],[-17,17]],[[-17,17],[2,4]],[[2,4],[-13,16]]]}' tc -q \
+  --offset=5.21457 --offset-mode=trimmed --offset-sides=both
+certified 'a corner on a line'
+feed '{"tolerance":0.01,"curve":[[[6,-18],[-19,3]],[[-19,3],[8,8]],
+  [[8,8],[6,-18]],[[6,-18],[8,0]]]}' tc -q --offset=-0.522114 \
+  --offset-mode=trimmed --offset-ends=round
+certified 'an end at a corner'
+# where the curve nearly stops lengths take more places
+feed '{"points":[[8,-18],[-20,-8],[-10,11],[-12,-16],[16,11],[2,-20],[4,-17]],
+  "closed":true}' planar -q --offset=-1.79 --offset-mode=trimmed \
+  --offset-sides=both
+certified 'the curve nearly stops'
+
 # a quarter circle there, and back 9e-9 of the size from it
 feed '{"tolerance":1e-3,"curve":[
   [[1,0],[1,0.5522847],[0.5522847,1],[0,1]],[[0,1],[0,1.000000009]],

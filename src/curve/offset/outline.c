@@ -14,6 +14,9 @@
  * parts along a touch that lead nowhere. */
 static const double NEAR = 1e-9, SAME = 1e-11, SHORT = 1e-8, SPUR = 1e-6;
 
+/* Tangents whose sine is less do not tell where lines along them meet. */
+static const double PARALLEL = 1e-3;
+
 /* Ends that others may follow, and starts. */
 enum { ROOM = 64 };
 
@@ -30,6 +33,7 @@ struct linker {
   size_t starts_n;
   struct match *matches;
   size_t matches_n, room;
+  struct ph_strand_eval eval;
   struct ph_diag *diag;
 };
 
@@ -158,6 +162,66 @@ static enum ph_status link_parts(struct linker *l) {
   return status;
 }
 
+/* ---- where they meet ------------------------------------------------------
+ */
+
+/* Moves an end of a span along its strand, by a length; false: the strand ends
+ * before, or so does the span. */
+static bool move_end(struct linker *l, struct ph_span *span, size_t which,
+                     double by) {
+  const double d = l->strands->distance, sign = which ? 1 : -1;
+  const struct ph_spot old = span->end[which];
+  const double u = span->u[which] + by / old.rate;
+  if (!(u >= 0 && u <= 1 && (which ? u > span->u[0] : u < span->u[1]))) {
+    return false;
+  }
+  ph_strand_enter(&l->eval, l->strands, span->strand);
+  span->u[which] = u;
+  span->end[which] = ph_strand_spot(&l->eval, u);
+  span->length += sign * ph_spot_length(d, &old, &span->end[which]);
+  span->turn += sign * ph_spot_turn(&old, &span->end[which]);
+  return true;
+}
+
+static double gap_of(const struct ph_span *a, const struct ph_span *b) {
+  return ph_cplx_abs(ph_cplx_sub(b->end[0].o, a->end[1].o));
+}
+
+/* Spans that touch end where the search did, which may be anywhere along the
+ * touch.  There the one goes on to where the other begins, or begins where the
+ * one ends; false: both are shorter than what they have in common. */
+static bool meet(struct linker *l, struct ph_span *a, struct ph_span *b) {
+  const ph_cplx apart = ph_cplx_sub(b->end[0].o, a->end[1].o);
+  const ph_cplx t[2] = {ph_spot_tangent(&a->end[1]),
+                        ph_spot_tangent(&b->end[0])};
+  const double along = ph_cplx_dot(apart, t[0]);
+  if (!(gap_of(a, b) > SAME * l->strands->size) || !(a->length > 0) ||
+      !(b->length > 0) ||
+      !(fabs(ph_cplx_cross(t[0], t[1])) < PARALLEL &&
+        ph_cplx_dot(t[0], t[1]) > 0)) {
+    return true;
+  }
+  return move_end(l, a, 1, along) ||
+         move_end(l, b, 0, -ph_cplx_dot(apart, t[1])) || along > 0;
+}
+
+/* All spans of a chain; those that are lost are left out.  ret  how many */
+static size_t meet_all(struct linker *l, struct ph_span *v, size_t n,
+                       bool closed) {
+  for (size_t i = 0; n > 2 && i + !closed < n;) {
+    const size_t j = (i + 1) % n;
+    if (meet(l, &v[i], &v[j])) {
+      i++;
+    } else {
+      const size_t lost = v[i].length < v[j].length ? i : j;
+      n--;
+      memmove(v + lost, v + lost + 1, (n - lost) * sizeof *v);
+      i -= i > 0;
+    }
+  }
+  return n;
+}
+
 /* ---- chains ---------------------------------------------------------------
  */
 
@@ -187,7 +251,7 @@ static double begin_of(const struct ph_strands *strands,
 }
 
 /* The chain that a part belongs to, from its beginning on. */
-static void follow(const struct linker *l, size_t at, bool open,
+static void follow(struct linker *l, size_t at, bool open,
                    struct ph_outline *out) {
   struct ph_part *v = l->parts->v;
   struct ph_chain *chain = &out->chains[out->chains_n];
@@ -205,16 +269,21 @@ static void follow(const struct linker *l, size_t at, bool open,
   do {
     const size_t next = v[k].next;
     add_span(out, chain->first, &v[k].of);
-    length += fabs(v[k].of.length);
     v[k].kept = false;
-    if (next != PH_NO_STRAND) {
-      out->gap =
-          fmax(out->gap,
-               ph_cplx_abs(ph_cplx_sub(v[next].of.end[0].o, v[k].of.end[1].o)));
-    }
     k = next;
   } while (k != PH_NO_STRAND && k != first);
-  chain->n = out->spans_n - chain->first;
+  chain->n = meet_all(l, out->spans + chain->first, out->spans_n - chain->first,
+                      chain->closed);
+  out->spans_n = chain->first + chain->n;
+  for (size_t i = 0; i < chain->n; i++) {
+    const struct ph_span *span = &out->spans[chain->first + i];
+    length += fabs(span->length);
+    if (i + !chain->closed < chain->n) {
+      out->gap =
+          fmax(out->gap,
+               gap_of(span, &out->spans[chain->first + (i + 1) % chain->n]));
+    }
+  }
   least = chain->closed || open ? SHORT : SPUR;
   if (length > least * l->strands->size) {
     out->length += length;
@@ -232,7 +301,7 @@ static int compare_chains(const void *a, const void *b) {
 }
 
 /* Open chains from their first parts on, then loops. */
-static enum ph_status collect(const struct linker *l, bool open,
+static enum ph_status collect(struct linker *l, bool open,
                               struct ph_outline *out) {
   const struct ph_part *v = l->parts->v;
   for (int round = 0; round < 2; round++) {
