@@ -10,22 +10,23 @@
 
 #include <float.h>
 
-/* Of unit vectors and sums; what two tables may differ by, and the most places
- * of one. */
-static const double UNIT = 64 * DBL_EPSILON, AGREE = 1e-13;
-enum { ROUND = 16, PLACES_MIN = 32, PLACES_MAX = 1024 };
+/* Of unit vectors and sums; what the rule on a part and on its halves may
+ * differ by; and the shortest part. */
+static const double UNIT = 64 * DBL_EPSILON, AGREE = 1e-13, SHORTEST = 1e-12;
+enum { ROUND = 16, COARSE = 16, PARTS_MAX = 2048 };
 
 /* What is summed up along a strip: the development in the frame of its start,
  * arc length, angle of the rulings, and area. */
 enum { X, Y, S, PHI, AREA, SUMS };
 
-/* A strip of the surface, and what there is at equal distances of u. */
+/* A strip of the surface, and what there is between its parts. */
 struct beside {
   struct ph_check_general *g;
   const struct ph_curve *curve;
   double distance, height[2];
   size_t n;
-  double sum[PLACES_MAX + 1][SUMS];
+  double u[PARTS_MAX + 1], sum[PARTS_MAX + 1][SUMS];
+  double moved[PARTS_MAX + 1]; /* by what normals are in doubt, up to there */
   double least; /* of 1 - kn D within the height, where it was seen */
 };
 
@@ -84,41 +85,78 @@ static void advance(struct beside *b, double from, double to,
   sum[PHI] += phi_from(b, from, to);
 }
 
-/* A table of n steps. */
-static void tabulate(struct beside *b, size_t n) {
-  b->n = n;
+/* By how much a place may be off where normals are: as the contact curve is
+ * r + D n, what n is wrong by moves it by D times that, and what that changes
+ * by makes it longer or shorter.  Normals are the less certain, the slower the
+ * directrix is. */
+static double doubt_at(const struct beside *b, double u) {
+  return fabs(b->distance) * ph_check_general_place_at(b->g, u).doubt;
+}
+
+/* The next part of the table, and its sums, up to u. */
+static void add_part(struct beside *b, double u, const double sum[SUMS]) {
+  const double before = doubt_at(b, b->u[b->n]);
+  b->u[++b->n] = u;
+  b->moved[b->n] = b->moved[b->n - 1] + fabs(doubt_at(b, u) - before);
+  for (size_t j = 0; j < SUMS; j++) {
+    b->sum[b->n][j] = sum[j];
+  }
+}
+
+/* Parts as short as the rule needs them: near an end where the curve nearly
+ * rests its direction, and the offset with it, turns within a part of some
+ * millionths.  ret false: not so many suffice, or no time */
+static bool settle(struct beside *b) {
+  double step = 1.0 / COARSE;
+  b->n = 0;
   b->least = 1;
+  b->u[0] = 0;
+  b->moved[0] = doubt_at(b, 0);
   for (size_t j = 0; j < SUMS; j++) {
     b->sum[0][j] = 0;
   }
-  for (size_t i = 0; i < n; i++) {
-    advance(b, (double)i / (double)n, ((double)i + 1) / (double)n, b->sum[i],
-            b->sum[i + 1]);
+  while (b->u[b->n] < 1) {
+    const double from = b->u[b->n];
+    const double to = from + step < 1 ? from + step : 1;
+    const double middle = from + (to - from) / 2;
+    double whole[SUMS], left[SUMS], right[SUMS], off = 0;
+    if (b->n + 2 > PARTS_MAX || ph_arena_late(b->g->v->scratch)) {
+      return false;
+    }
+    advance(b, from, to, b->sum[b->n], whole);
+    advance(b, from, middle, b->sum[b->n], left);
+    advance(b, middle, to, left, right);
+    for (size_t j = X; j <= PHI; j++) {
+      off = ph_check_larger(off, fabs(whole[j] - right[j]) -
+                                     AGREE * (1 + fabs(right[j])));
+    }
+    if (off <= 0) {
+      add_part(b, middle, left);
+      add_part(b, to, right);
+      step *= 2;
+    } else {
+      step = (to - from) / 2;
+      if (!(step > SHORTEST)) {
+        return false;
+      }
+    }
   }
+  return true;
 }
 
-/* Tables until two agree. */
-static void settle(struct beside *b) {
-  double off = HUGE_VAL;
-  tabulate(b, PLACES_MIN);
-  while (!(off <= AGREE) && b->n < PLACES_MAX &&
-         !ph_arena_late(b->g->v->scratch)) {
-    double before[SUMS];
-    for (size_t j = 0; j < SUMS; j++) {
-      before[j] = b->sum[b->n][j];
-    }
-    tabulate(b, 2 * b->n);
-    off = 0;
-    for (size_t j = X; j <= S; j++) {
-      off = ph_check_larger(off, fabs(b->sum[b->n][j] - before[j]));
-    }
+/* The part in which u is. */
+static size_t part_at(const struct beside *b, double u) {
+  size_t low = 0, high = b->n;
+  while (high - low > 1) {
+    const size_t middle = low + (high - low) / 2;
+    *(b->u[middle] <= u ? &low : &high) = middle;
   }
+  return low;
 }
 
 static void sums_at(struct beside *b, double u, double sum[SUMS]) {
-  const double n = (double)b->n;
-  const size_t low = u < 1 ? (size_t)(u * n) : b->n - 1;
-  advance(b, (double)low / n, u, b->sum[low], sum);
+  const size_t low = part_at(b, u);
+  advance(b, b->u[low], u, b->sum[low], sum);
 }
 
 /* u where the arc length is s. */
@@ -146,7 +184,8 @@ static double parameter_of(struct beside *b, double s) {
 struct place {
   struct ph_check_frame f;
   double x, y, angle;
-  double doubt, far; /* of directions; of what rounding moves */
+  double doubt, moved; /* of directions; by what normals are in doubt */
+  double far;          /* of what rounding moves */
 };
 
 static struct place place_at(struct beside *b, double u) {
@@ -157,7 +196,7 @@ static struct place place_at(struct beside *b, double u) {
   const double *start = arc->samples[0].point;
   const double c = cos(arc->angle), s = sin(arc->angle);
   double sum[SUMS];
-  struct place p = {at.f, 0, 0, 0, at.doubt, 0};
+  struct place p = {at.f, 0, 0, 0, at.doubt, b->moved[part_at(b, u) + 1], 0};
   sums_at(b, u, sum);
   p.f.c = ph_vec3_along(p.f.c, b->distance, p.f.n);
   p.x = ph_check_scaled(v, start[0]) + c * sum[X] - s * sum[Y];
@@ -172,7 +211,7 @@ static double allowed_at(const struct beside *b, const struct place *p,
                          double h) {
   const struct ph_check *v = b->g->v;
   return ROUND * (v->scale.rounding + DBL_EPSILON * (p->far + fabs(h))) +
-         (fabs(h) + fabs(b->distance)) * p->doubt + UNIT * b->sum[b->n][S];
+         fabs(h) * p->doubt + p->moved + UNIT * b->sum[b->n][S];
 }
 
 static double flat_distance(const struct ph_check *v, const double point[2],
@@ -212,7 +251,8 @@ static void check_numbers(struct beside *b) {
   ph_check_number(g->v, PH_CHECK_LENGTH, ph_check_general_where(g->k, "length"),
                   s->length, length, length,
                   UNIT * length +
-                      ROUND * ph_check_unscaled(g->v, g->v->scale.rounding));
+                      ph_check_unscaled(g->v, ROUND * g->v->scale.rounding +
+                                                  b->moved[b->n]));
   ph_check_number(g->v, PH_CHECK_ISOMETRY,
                   ph_check_general_where(g->k, "development_angle"),
                   s->development_angle, b->sum[b->n][PHI], b->sum[b->n][PHI],
@@ -349,41 +389,51 @@ static bool is_one(struct ph_check_general *g, const struct ph_parallel *p) {
   return true;
 }
 
-static void check_measure(struct beside *b, double length, double area) {
+/* The whole: the sum of lengths that were checked strip by strip; and the area,
+ * of which so much is in doubt. */
+static void check_measure(struct beside *b, double length, double area,
+                          double moved) {
   struct ph_check *v = b->g->v;
   const struct ph_curve *c = b->curve;
   const double many = UNIT * (double)c->n;
-  length = ph_check_unscaled(v, length);
+  const double wide = fabs(b->height[1] - b->height[0]);
+  moved = ph_check_unscaled(v, ph_check_unscaled(v, wide * moved));
   area = ph_check_unscaled(v, ph_check_unscaled(v, area));
   ph_check_number(v, PH_CHECK_LENGTH, ph_check_of(NULL, PH_CHECK_ONE, "length"),
                   c->length, length, length, many * length);
   if (area > 0 || c->surface.area > 0) {
     ph_check_number(v, PH_CHECK_LENGTH, ph_check_of(NULL, PH_CHECK_ONE, "area"),
-                    c->surface.area, area, area, 1e-11 * area + many * area);
+                    c->surface.area, area, area,
+                    1e-11 * area + many * area + moved);
   }
 }
 
 static void check_parallel(struct beside *b, const struct ph_parallel *p) {
   struct ph_check_general *g = b->g;
-  double length = 0, area = 0;
+  double length = 0, area = 0, moved = 0;
   size_t next = 0;
   b->curve = &p->curve;
   b->distance = ph_check_scaled(g->v, p->distance);
   for (size_t k = 0; k < p->curve.n && !ph_arena_late(g->v->scratch); k++) {
     ph_check_general_load(g, k);
-    settle(b);
+    if (!settle(b)) {
+      ph_check_wrong(g->v, PH_CHECK_OFFSET, ph_check_general_where(k, NULL),
+                     "bends too sharply to be measured");
+      return;
+    }
     check_frame(b);
     check_numbers(b);
     check_flat(b);
     next = check_samples(b, &p->grid, next);
-    length += b->sum[b->n][S];
+    length += strip_of(b)->length;
+    moved += b->moved[b->n];
     area += b->sum[b->n][AREA];
   }
   if (next < p->grid.n && !ph_arena_late(g->v->scratch)) {
     ph_check_wrong(g->v, PH_CHECK_SAMPLE, ph_check_of("samples", next, "strip"),
                    "is none, or out of order");
   }
-  check_measure(b, length, area);
+  check_measure(b, length, area, moved);
 }
 
 void ph_check_general_beside(struct ph_check_general *g) {
