@@ -117,13 +117,12 @@ struct local {
   double noise;    /* of the form, the same */
 };
 
-/* The second fundamental form as a tensor, by the dual of the tangents. */
-static void set_form(struct local *at, ph_vec3 s, ph_vec3 w, ph_vec3 ss,
-                     ph_vec3 sw, ph_vec3 ww) {
-  const double ee = ph_vec3_dot(s, s), ff = ph_vec3_dot(s, w);
-  const double gg = ph_vec3_dot(w, w), det = ee * gg - ff * ff;
-  const ph_vec3 a = ph_vec3_along(ph_vec3_scale(gg / det, s), -ff / det, w);
-  const ph_vec3 b = ph_vec3_along(ph_vec3_scale(ee / det, w), -ff / det, s);
+/* The second fundamental form as a tensor, by the dual of the tangents, which
+ * cross products say without loss where these are nearly along each other. */
+static void set_form(struct local *at, double area, ph_vec3 s, ph_vec3 w,
+                     ph_vec3 ss, ph_vec3 sw, ph_vec3 ww) {
+  const ph_vec3 a = ph_vec3_scale(1 / area, ph_vec3_cross(w, at->normal));
+  const ph_vec3 b = ph_vec3_scale(1 / area, ph_vec3_cross(at->normal, s));
   const double l = ph_vec3_dot(at->normal, ss), m = ph_vec3_dot(at->normal, sw);
   const double n = ph_vec3_dot(at->normal, ww);
   const ph_vec3 x = ph_vec3_along(ph_vec3_scale(l, a), m, b);
@@ -144,6 +143,16 @@ static double size_of(const double form[6]) {
   return sqrt(sum);
 }
 
+/* What the form is wrong by where the normal is by an angle of 1: it takes
+ * second derivatives, and lets more of what they are in the tangent plane
+ * through, the nearer the tangents are to one another. */
+static double tilt_of(const ph_vec3 x[3][3], double area) {
+  const double s = ph_vec3_abs(x[1][0]) / area;
+  const double w = ph_vec3_abs(x[0][1]) / area;
+  return ph_vec3_abs(x[2][0]) * w * w + 2 * ph_vec3_abs(x[1][1]) * s * w +
+         ph_vec3_abs(x[0][2]) * s * s;
+}
+
 /* ... of which derivatives are known, of degrees that add up so. */
 static void set_local(const ph_vec3 x[3][3], double degrees, struct local *at) {
   const ph_vec3 cross = ph_vec3_cross(x[1][0], x[0][1]);
@@ -152,10 +161,10 @@ static void set_local(const ph_vec3 x[3][3], double degrees, struct local *at) {
                                          area / ph_vec3_abs(x[0][1]));
   at->p = x[0][0];
   at->normal = ph_vec3_scale(1 / area, cross);
-  set_form(at, x[1][0], x[0][1], x[2][0], x[1][1], x[0][2]);
+  set_form(at, area, x[1][0], x[0][1], x[2][0], x[1][1], x[0][2]);
   at->rounding = 2 * degrees / across;
   at->noise = 4 * degrees * degrees / (across * across) +
-              4 * size_of(at->form) * at->rounding;
+              (4 * size_of(at->form) + tilt_of(x, area)) * at->rounding;
 }
 
 static void set_polynomial(const struct ph_check_patchwork *w,

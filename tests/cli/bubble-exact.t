@@ -69,3 +69,29 @@ for n in 1 2; do
   true_that "continuity $n: any number that is wrong" jq -se '(.[0] |
     .status == "ok") and (.[1:] | length > 40 and all(.[]; .status != "ok"))' out
 done
+
+# ---- what rounding makes of jumps ---------------------------------------------
+
+accepted bubble 'jumps where tangents are all but along each other' --edges <<'EOF'
+{"points":[[0,0,0],[0,0,-300],[-300,0,-300],[300,0,0],[0,-200,0],[300,0,0],
+[0,300,0],[0,0,0]],"normals":[[0.9,0,0],[0,1,0],[0,1,0],[-0.1,0,0.7],
+[0,-0.8,0.5],[0,0,-0.2],[0.1,0,0],[0,0.2,0.05]],"faces":[[0,2,3,1],[4,5,7,6],
+[0,1,5,4],[2,6,7,3]],"degree":"exact"}
+EOF
+jq -c '.edges[6].curvature_jump *= 1.000001' any.result >wrong
+run verify -q wrong
+equal 'a jump that is larger by a millionth' '1 "edges[6].curvature_jump"' \
+  "$status $(get error.field)"
+accepted bubble 'a jump of 0 where derivatives in the plane are large' --edges <<'EOF'
+{"points":[[-246,-256.3,-255.7],[255,-253.4,-259.8],[-261.6,248.2,-255],
+[261.7,253.1,-246.7],[-254.5,-247.8,257.9],[253.7,-252.9,257.6],[-254.6,260.1,
+260.2],[259.7,248.1,263.2]],"normals":[[0.8849,0.331,-0.3276],[-0.1332,0.9829,
+0.1268],[-0.2499,0.965,0.07889],[-0.1123,-0.6904,0.7147],[0.1314,-0.8446,
+0.5191],[-0.05935,0.9765,-0.2072],[0.1238,0.9596,-0.2528],[0.9793,0.196,
+0.05127]],"faces":[[0,2,3,1],[4,5,7,6],[0,1,5,4],[2,6,7,3],[0,4,6,2],
+[1,3,7,5]],"continuity":2,"degree":"exact"}
+EOF
+jq -c '.edges[3].curvature_jump += 1e-4' any.result >wrong
+run verify -q wrong
+equal 'a jump that is there no more' '1 "edges[3].curvature_jump"' \
+  "$status $(get error.field)"

@@ -386,3 +386,22 @@ accepted cone 'beside a directrix that nearly rests at its ends' \
 0.05268259422695172,-0.38594100206877113],[-0.9218649092377756,
 0.0005227434291179001,-0.3875110525589368]],"method":"atph","apexes":[
 -330455.63,8181694.180335608],"tangent_scale":"unit"}
+EOF
+equal 'beside it: the length, by 40 digits from the preimage' true \
+  "$(jq '(.offsets[0].strips[1].length / 3451179.531775020912 - 1 | fabs) <
+    1e-14' any.result)"
+jq -c '.offsets[0].strips[1].length *= 1.000001 |
+  .offsets[0].length = ([.offsets[0].strips[].length] | add)' any.result >bad
+run verify -q bad
+equal 'beside it: another length' '1 "offsets[0].strips[1].length"' \
+  "$status $(get error.field)"
+accepted cone 'beside a directrix that turns quickly' \
+  --offset=0.000029324154325175654 <<'EOF'
+{"points":[[-1.3813968334547608,0.15202193633659497,0.2546480737734146],[
+-1.9942894177463755,-0.5675742588545256,0.6758903820439679]],"tangents":[[
+-0.780365547280088,-0.5132792045506837,0.35717512622531056],[
+-0.36207937228912906,-0.8280635338145097,0.4280295692231279]],"rulings":[[
+0.607241401923563,-0.7583835232467533,0.2368803737284858],[0.9201146861965391,
+-0.39103950455544445,0.021841934952680525]],"method":"atph","apexes":[-2.31,
+6.083829027547787]}
+EOF

@@ -103,7 +103,8 @@ static bool applies(const struct gate_case *c, enum motion motion) {
     return false;
   }
   if (motion == LARGER) { /* by which parameter, is said by the knots */
-    return !(planar && gate_has(c, PH_F_END_DERIVATIVES)) &&
+    return !gate_is(c, PH_F_TANGENT_SCALE, "unit") &&
+           !(planar && gate_has(c, PH_F_END_DERIVATIVES)) &&
            !(space && gate_has(c, PH_F_KNOTS)) &&
            !(sphere && !gate_has(c, PH_F_RADIUS));
   }
