@@ -486,7 +486,7 @@ check-rates: ## how often random data are solved, and how time grows with size
 	$(SUBMAKE) check-rates-run
 check-rates-run: all
 	@python3 $(S)bench/rates.py $(PROGRAM) --members=$(MEMBERS) \
-	  --seed=$(SEED) $(if $(FAMILY),'$(FAMILY)')
+	  --seed=$(SEED) $(if $(INSTRUCTIONS),--instructions) $(if $(FAMILY),'$(FAMILY)')
 
 # make, GNU parallel, ssh and Slurm, started on this machine.
 check-cluster: ## runs in parts by make, parallel, ssh and Slurm, also killed

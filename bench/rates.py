@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How often random data are solved, and how time grows with their size.
 
-python3 bench/rates.py PHSPLINE [--members=N] [--seed=S] [FAMILY]...
+python3 bench/rates.py PHSPLINE [--members=N] [--seed=S] [--instructions]
+                       [FAMILY]...
 
 Solves N (20) random members of each family whose name contains a FAMILY (all),
 for each of its sizes, and prints a row for each: how many were solved, the
@@ -16,13 +17,17 @@ misses its target, and the exit status is 1 then:
   worst=T  the largest time is at most T medians
 
 Times are processor times of a run for each member, less that of a run for
-nothing.  All families take an hour.
+nothing.  Where other work slows the machine they say little: with
+--instructions they are millions of instructions as callgrind counts them, and
+no target in microseconds is judged.  That takes 50 times as long.  All families
+take an hour.
 """
 import collections
 import json
 import math
 import os
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -211,7 +216,7 @@ def families():
             lambda r, n, off=off: ribbon(r, n, off), "all", "grows")
     add("arclength ribbon noise", "arclength", SENSORS,
         lambda r, n: ribbon(r, n, 0, 1e-3), "all", "grows")
-    add("arclength ribbon sigma", "arclength", SENSORS,
+    add("arclength ribbon sigma", "arclength", (200, 400, 800, 1600, 3200),
         lambda r, n: ribbon(r, n, .001, .05, tangent_sigma=.05),
         "all", "grows")
     add("arclength 8 points", "arclength", (1.0001, 1.001, 1.01),
@@ -243,11 +248,20 @@ def families():
 # ---- running them ------------------------------------------------------------
 
 
-def run_one(command, text):
-    """A run's output and its processor time in seconds."""
-    with tempfile.TemporaryFile() as out:
-        child = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=out,
-                                 stderr=subprocess.DEVNULL)
+CALLGRIND = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null"]
+
+
+def counted(messages):
+    """The instructions that callgrind counted, in units of 10^9."""
+    found = re.search(rb"Collected : (\d+)", messages)
+    return int(found[1]) / 1e9
+
+
+def run_one(command, text, counts=False):
+    """A run's output and its processor time in seconds, or instructions."""
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as told:
+        child = subprocess.Popen((CALLGRIND if counts else []) + command,
+                                 stdin=subprocess.PIPE, stdout=out, stderr=told)
         child.stdin.write(text.encode())
         child.stdin.close()
         _, status, used = os.wait4(child.pid, 0)
@@ -255,16 +269,19 @@ def run_one(command, text):
         if child.returncode not in (0, 1):
             sys.exit(f"{' '.join(command)}: status {child.returncode}")
         out.seek(0)
-        return out.read(), used.ru_utime + used.ru_stime
+        told.seek(0)
+        return out.read(), (counted(told.read()) if counts
+                            else used.ru_utime + used.ru_stime)
 
 
-def solve(program, command, problems):
+def solve(program, command, problems, counts):
     """The results of problems, and the times that they took."""
-    start = min(run_one([program, "--version"], "")[1] for _ in range(5))
+    start = min(run_one([program, "--version"], "", counts)[1]
+                for _ in range(1 if counts else 5))
     results, times = [], []
     for problem in problems:
         text, time = run_one([program, command, "--jobs=1", "--quiet"],
-                             json.dumps(problem))
+                             json.dumps(problem), counts)
         results.append(json.loads(text))
         times.append(max(time - start, 1e-5))
     return results, times
@@ -277,7 +294,7 @@ def median(values):
 Row = collections.namedtuple("Row", "size members solved times")
 
 
-def missed(family, rows):
+def missed(family, rows, counts):
     """The targets that a family misses."""
     for target in family.targets:
         name, _, limit = target.partition("=")
@@ -289,7 +306,7 @@ def missed(family, rows):
             growth = per_doubling(rows[0], rows[-1])
             good = growth <= GROWTH
         elif name == "node":
-            good = all(1e6 * sum(row.times) / len(row.times) / row.size
+            good = counts or all(1e6 * sum(row.times) / len(row.times) / row.size
                        <= float(limit) for row in rows)
         else:
             good = all(max(row.times) <= float(limit) * median(row.times)
@@ -303,14 +320,15 @@ def per_doubling(small, large):
     return ratio ** (1 / math.log2(large.size / small.size))
 
 
-def run_family(program, family, members, seed):
+def run_family(program, family, members, seed, counts):
     rows = []
     for size in family.sizes:
         r = random.Random(f"{family.name} {size} {seed}")
         # one record of each is not a family of latencies
         count = size if family.targets[-1].startswith("worst") else members
         results, times = solve(program, family.command,
-                               [family.make(r, size) for _ in range(count)])
+                               [family.make(r, size) for _ in range(count)],
+                               counts)
         errors = [x["error"]["code"] for x in results if x["status"] != "ok"]
         codes = collections.Counter(
             code for x in results
@@ -325,7 +343,7 @@ def run_family(program, family, members, seed):
               ", ".join(sorted(set(errors))) +
               " ".join(f"{c}:{k}" for c, k in sorted(codes.items())),
               flush=True)
-    bad = list(missed(family, rows))
+    bad = list(missed(family, rows, counts))
     if len(rows) > 1 and "grows" in family.targets:
         print(f"{'':24} {'':7} {'':11}{'':9} {'':9} "
               f"{per_doubling(rows[0], rows[-1]):5.2f}  over all sizes")
@@ -335,16 +353,18 @@ def run_family(program, family, members, seed):
 
 
 def main():
-    options = dict(a[2:].split("=", 1) for a in sys.argv[2:]
+    options = dict(a[2:].partition("=")[::2] for a in sys.argv[2:]
                    if a.startswith("--"))
+    counts = "instructions" in options
     wanted = [a for a in sys.argv[2:] if not a.startswith("--")] or [""]
-    print(f"{'family':24} {'size':>7} {'solved':>11}{'median ms':>9} "
-          f"{'most':>9} {'twice':>5}  errors and warnings")
+    print(f"{'family':24} {'size':>7} {'solved':>11}{'median':>9} "
+          f"{'most':>9} {'twice':>5}  errors and warnings; times are "
+          + ("millions of instructions" if counts else "milliseconds"))
     chosen = [f for f in families() if any(w in f.name for w in wanted)]
     if not chosen:
         sys.exit("no such family")
     passed = [run_family(sys.argv[1], f, int(options.get("members", 20)),
-                         int(options.get("seed", 1))) for f in chosen]
+                         int(options.get("seed", 1)), counts) for f in chosen]
     print(f"{sum(passed)} passed, {len(passed) - sum(passed)} failed")
     sys.exit(not all(passed))
 

@@ -17,6 +17,10 @@ static const double FAR = 30;
 /* The root mean square of the angles themselves is at most this. */
 static const double DODGED = 3;
 
+/* A curve whose rows hold to this has multipliers that tell the first weight,
+ * whether it is a minimum or not. */
+static const double NEAR = 1e-4;
+
 /* The largest compliance: less weight than that does not make a curve any
  * straighter. */
 static const double COMPLIANCE_MAX = 1e8;
@@ -184,14 +188,15 @@ static bool find_weight(struct fit *f, double p) {
 
 /* Fits the curve of a point with exact directions, or one without. */
 static bool fit_point(struct fit *f, struct ph_arc_point *p) {
-  double slope = p->converged ? spread(f, p->y, true) : 0;
+  bool near = p->converged || p->residual <= NEAR;
+  double slope = near ? spread(f, p->y, true) : 0;
   f->found = 0;
   f->rms = 1;
   ph_arc_point_copy(&f->soft, p, &f->good);
   if (p->converged && !(slope * f->most > CLOSE)) {
     return try_weight(f, f->most); /* straight, and as it was measured */
   }
-  if (!p->converged) {
+  if (!near) {
     memset(f->good.y, 0, f->soft.y_n * sizeof *f->good.y);
   }
   return find_weight(f, slope > 0 ? fmin(1 / slope, f->most) : 1);

@@ -196,11 +196,34 @@ static enum ph_status judge_in_space(struct task *t,
   return ok ? PH_OK : ph_fail_memory(t->diag);
 }
 
+/* Measured tangents are fitted from where the exact ones led: they need not be
+ * kept for that, and of many sensors a curve that does is far away. */
+static bool fit_in(struct task *t) {
+  const bool rescue = t->request.rescue, waves = t->request.waves;
+  const bool all = t->request.all || t->request.random > 0 || !rescue;
+  struct ph_mark mark = ph_arena_mark(t->scratch);
+  if (!all) {
+    t->request.rescue = t->request.waves = false;
+    if (!ph_arc_search_run(&t->request, t->scratch, &t->search) ||
+        !ph_arc_fit(&t->data, t->scratch, &t->search)) {
+      return false;
+    }
+    t->request.rescue = rescue;
+    t->request.waves = waves;
+    if (t->search.found_n > 0) {
+      return true;
+    }
+    ph_arena_release(t->scratch, mark);
+  }
+  return ph_arc_search_run(&t->request, t->scratch, &t->search) &&
+         ph_arc_fit(&t->data, t->scratch, &t->search);
+}
+
 static bool search_in(struct task *t, size_t dim) {
   t->request.dim = dim;
-  return ph_arc_search_run(&t->request, t->scratch, &t->search) &&
-         (!t->data.tangent_sigma ||
-          ph_arc_fit(&t->data, t->scratch, &t->search));
+  return t->data.tangent_sigma
+             ? fit_in(t)
+             : ph_arc_search_run(&t->request, t->scratch, &t->search);
 }
 
 /* Whether the minima in the plane are minima in space. */
