@@ -16,10 +16,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Chords leave the curve by so much of the size of what is drawn. */
-static const double CHORD = 1.0 / 4000;
+/* Chords, and cubics, leave the curve by so much of the size of what is drawn.
+ */
+static const double CHORD = 1.0 / 4000, NEAR = 1e-6;
 
-/* A segment's chords are halved so often at most. */
+/* A segment's chords or cubics are halved so often at most. */
 enum { DEPTH_MAX = 10 };
 
 /* ---- how much of many segments is drawn ---------------------------------- */
@@ -47,12 +48,20 @@ static size_t group_of(size_t n) {
 
 /* ---- curve and offsets --------------------------------------------------- */
 
+/* Whether n segments are drawn as cubics: of all there is room for one. */
+static bool by_cubics(size_t n) {
+  return 3 * n <= PH_DRAWING_POINTS;
+}
+
 /* From where the pen is, at u0, on to u1. */
 static void draw_part(struct ph_pen *pen, const struct ph_sampler *sampler,
                       double u0, double u1, int depth) {
   double middle = (u0 + u1) / 2, h = u1 - u0;
-  if (depth > 0 && !(ph_sampler_chord_bound(sampler, u0, u1) * h * h / 8 <=
-                     pen->tolerance)) {
+  if (by_cubics(sampler->n)) {
+    ph_pen_along(pen, sampler, u0, u1, depth);
+  } else if (depth > 0 &&
+             !(ph_sampler_chord_bound(sampler, u0, u1) * h * h / 8 <=
+               pen->tolerance)) {
     draw_part(pen, sampler, u0, middle, depth - 1);
     draw_part(pen, sampler, middle, u1, depth - 1);
   } else {
@@ -82,10 +91,11 @@ static void draw_between(struct ph_pen *pen, const struct ph_sampler *sampler,
   draw_part(pen, sampler, from, u1, depth);
 }
 
-/* How often chords of n segments are halved at most. */
+/* How often chords or cubics of n segments are halved at most. */
 static int depth_of(size_t n) {
+  const size_t each = by_cubics(n) ? 3 : 1;
   int depth = 0;
-  while (depth < DEPTH_MAX && n << (depth + 1) <= PH_DRAWING_POINTS) {
+  while (depth < DEPTH_MAX && each * n << (depth + 1) <= PH_DRAWING_POINTS) {
     depth++;
   }
   return depth;
@@ -444,6 +454,7 @@ static enum ph_status draw(struct ph_pen *pen,
     return pen->failed ? ph_fail_memory(pen->diag) : status;
   }
   pen->tolerance = CHORD * size_of(pen->result);
+  pen->near = NEAR * size_of(pen->result);
   if (!pen->failed && details) {
     ph_pen_data(pen);
     ph_pen_polygons(pen);

@@ -22,8 +22,9 @@
  * than that of either, and there are no control polygons, data points and
  * tangents: nobody could tell them apart.
  *
- * Chords of the curve, and of each offset, are halved until they are near
- * enough or there may be PH_DRAWING_POINTS of them; profiles have up to
+ * Curves and offsets are cubics, which are halved until they are near enough or
+ * there may be PH_DRAWING_POINTS of their control points, and chords where
+ * there are more segments than a third of that; profiles have up to
  * PH_DRAWING_INTERVALS + 1 places a segment, fewer when there would be more
  * than PH_DRAWING_PLACES.  Of still more segments than these, every so many-th
  * counts, and what was trimmed of offsets is not drawn.
@@ -45,12 +46,15 @@ enum ph_stroke_role {
   PH_STROKE_N
 };
 
-/* A polyline, fine enough to be drawn as it is. */
+/* A polyline, fine enough to be drawn as it is, or cubics from point to point.
+ */
 struct ph_stroke {
   enum ph_stroke_role role;
   size_t index; /* segment (the first of them), offset or data point, from 0 */
   size_t n;     /* 2 at least */
-  ph_vec3 *points; /* z = 0 in the plane; finite */
+  ph_vec3 *points;  /* z = 0 in the plane; finite */
+  ph_vec3 *handles; /* [2 (n - 1)]: the two inner control points of the cubic
+                       from each point to the next; NULL: a polyline */
 };
 
 /* Curvature, and in space torsion, over arc length from the start of the curve:
@@ -98,11 +102,11 @@ struct ph_drawing_names {
 /*
  * ph_drawing_make: draws a result.
  *
- * Chords leave curves and offsets by no more than 1/4000 of the size of the
- * data and the greatest offset, within the limits above.  Given tangents have
- * one length, derivatives are in proportion; on a sphere they follow great
- * circles.  Surfaces have sheets, and profiles of normal and of geodesic
- * curvature, in the place of torsion.
+ * Cubics leave curves and offsets by no more than 1e-6 of the size of the data
+ * and the greatest offset, chords by 1/4000, within the limits above; a cubic
+ * is drawn as itself.  Given tangents have one length, derivatives are in
+ * proportion; on a sphere they follow great circles.  Surfaces have sheets, and
+ * profiles of normal and of geodesic curvature, in the place of torsion.
  *
  * in   problem  tangents or derivatives of it are drawn
  * out  drawing  to be freed; NULL on failure

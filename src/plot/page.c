@@ -175,6 +175,15 @@ void ph_page_line(struct ph_page *page, struct ph_spot to) {
   }
 }
 
+void ph_page_curve(struct ph_page *page, const struct ph_spot spots[3]) {
+  if (is_svg(page)) {
+    ph_page_svg_path(&page->svg, 'C', spots, 3);
+  } else {
+    cairo_curve_to(page->cairo, spots[0].x, spots[0].y, spots[1].x, spots[1].y,
+                   spots[2].x, spots[2].y);
+  }
+}
+
 void ph_page_circle(struct ph_page *page, struct ph_spot center,
                     double radius) {
   if (is_svg(page)) {

@@ -55,10 +55,11 @@ void ph_page_dash(struct ph_page *page, const struct ph_dash *dash);
  * group of this class. */
 void ph_page_group(struct ph_page *page, const char *name);
 
-/* A path is built by moves and lines, then stroked or filled, and is
+/* A path is built by moves, lines and cubics, then stroked or filled, and is
  * one element of the file. */
 void ph_page_move(struct ph_page *page, struct ph_spot to);
 void ph_page_line(struct ph_page *page, struct ph_spot to);
+void ph_page_curve(struct ph_page *page, const struct ph_spot spots[3]);
 void ph_page_circle(struct ph_page *page, struct ph_spot center, double radius);
 void ph_page_rect(struct ph_page *page, const struct ph_rect *rect);
 void ph_page_close(struct ph_page *page);

@@ -6,6 +6,7 @@
 #ifndef PH_PLOT_PEN_H
 #define PH_PLOT_PEN_H
 
+#include "curve/sample/sample.h"
 #include "plot/drawing.h"
 
 /* A drawing while it is made. */
@@ -14,11 +15,14 @@ struct ph_pen {
   const struct ph_problem *problem;
   const struct ph_result *result;
   struct ph_arena scratch;
-  ph_vec3 *points; /* of the stroke that is being drawn, in scratch */
-  size_t n, room;
+  ph_vec3 *points;  /* of the stroke that is being drawn, in scratch */
+  ph_vec3 *handles; /* [2 n]: those of the cubic that ends in each point */
+  size_t n, room, handles_room;
+  bool curved;      /* some of it is no chord */
   bool box;         /* they count for the bounding box */
   bool failed;      /* for want of memory */
   double tolerance; /* of chords */
+  double near;      /* of cubics */
   struct ph_diag *diag;
 };
 
@@ -27,6 +31,15 @@ void ph_pen_box(struct ph_drawing *drawing, ph_vec3 p);
 
 /* ph_pen_to: draws on to a point, unless the pen is there already. */
 void ph_pen_to(struct ph_pen *pen, ph_vec3 p);
+
+/*
+ * ph_pen_along: draws on to the place u1 of a segment, by cubics from u0, where
+ * the pen is.  They have the tangents of the curve at their ends, and are
+ * halved until three places between are near enough, `depth' times at most:
+ * then, if even a chord would be allowed to be nearer, one is drawn.
+ */
+void ph_pen_along(struct ph_pen *pen, const struct ph_sampler *sampler,
+                  double u0, double u1, int depth);
 
 /* ph_pen_lift: ends a stroke; what has no length is a stroke of two equal
  * points. */

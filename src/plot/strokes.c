@@ -31,7 +31,7 @@ static struct ph_spot spot_of(const struct ph_look *look, struct ph_seen seen) {
   return ph_window_spot(&look->window, seen);
 }
 
-/* ---- polylines ----------------------------------------------------------- */
+/* ---- lines --------------------------------------------------------------- */
 
 static bool shown(struct ph_seen seen, enum ph_side side) {
   return side == PH_SIDE_ALL ||
@@ -73,6 +73,69 @@ void ph_strokes_line(const struct ph_look *look, enum ph_side side,
   ph_trace_end(&trace);
 }
 
+/* ---- cubics -------------------------------------------------------------- */
+
+/* Of the cubic c the part before t, or behind it. */
+static void cut(const struct ph_seen c[4], double t, bool behind,
+                struct ph_seen part[4]) {
+  struct ph_seen row[4] = {c[0], c[1], c[2], c[3]};
+  part[behind ? 3 : 0] = row[behind ? 3 : 0];
+  for (int n = 3; n > 0; n--) {
+    for (int i = 0; i < n; i++) {
+      const double depth = row[i].depth;
+      const double to = row[i + 1].depth;
+      row[i] = between(row[i], row[i + 1], t);
+      row[i].depth = depth + t * (to - depth);
+    }
+    part[behind ? n - 1 : 4 - n] = row[behind ? n - 1 : 0];
+  }
+}
+
+/* Where on the cubic, whose ends are on different sides, the side changes. */
+static double horizon(const struct ph_seen c[4]) {
+  const bool first = ph_view_hidden(c[0]);
+  double low = 0, high = 1;
+  for (int i = 0; i < 40; i++) {
+    const double t = 0.5 * (low + high);
+    struct ph_seen part[4];
+    cut(c, t, false, part);
+    if (ph_view_hidden(part[3]) == first) {
+      low = t;
+    } else {
+      high = t;
+    }
+  }
+  return low;
+}
+
+static void trace_cubic(const struct ph_look *look, struct ph_trace *trace,
+                        const struct ph_seen c[4]) {
+  const struct ph_spot spots[3] = {spot_of(look, c[1]), spot_of(look, c[2]),
+                                   spot_of(look, c[3])};
+  ph_trace_curve(trace, spots);
+}
+
+/* Goes along a cubic; only the parts of a side are drawn. */
+static void go_along(const struct ph_look *look, enum ph_side side,
+                     struct ph_trace *trace, const struct ph_seen c[4]) {
+  const bool from = shown(c[0], side), to = shown(c[3], side);
+  struct ph_seen part[4];
+  if (from == to) {
+    if (from) {
+      trace_cubic(look, trace, c);
+    }
+    return;
+  }
+  cut(c, horizon(c), to, part);
+  if (to) {
+    ph_trace_to(trace, spot_of(look, part[0]));
+  }
+  trace_cubic(look, trace, part);
+  if (!to) {
+    ph_trace_break(trace);
+  }
+}
+
 /* ret  the length of the line */
 static double draw_line(const struct ph_look *look, enum ph_side side,
                         const struct ph_stroke *stroke) {
@@ -81,7 +144,14 @@ static double draw_line(const struct ph_look *look, enum ph_side side,
   ph_trace_begin(&trace, look->page, &look->window.rect);
   for (size_t i = 0; i < stroke->n; i++) {
     struct ph_seen seen = see(look, stroke->points[i]);
-    go(look, side, &trace, i > 0 ? &last : NULL, seen);
+    if (i > 0 && stroke->handles) {
+      const ph_vec3 *handles = stroke->handles + 2 * (i - 1);
+      const struct ph_seen c[4] = {last, see(look, handles[0]),
+                                   see(look, handles[1]), seen};
+      go_along(look, side, &trace, c);
+    } else {
+      go(look, side, &trace, i > 0 ? &last : NULL, seen);
+    }
     last = seen;
   }
   ph_trace_end(&trace);

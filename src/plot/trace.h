@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A polyline on its way to the page: cut to a rectangle, broken where it is
- * not finite, without steps that nobody can see.  One trace is one path.
+ * Lines and cubics on their way to the page: cut to a rectangle, broken where
+ * it is not finite, without steps that nobody can see.  One trace is one path.
  */
 #ifndef PH_PLOT_TRACE_H
 #define PH_PLOT_TRACE_H
@@ -23,6 +23,10 @@ void ph_trace_begin(struct ph_trace *trace, struct ph_page *page,
 
 /* ph_trace_to: goes on to a spot; not finite: breaks off. */
 void ph_trace_to(struct ph_trace *trace, struct ph_spot spot);
+
+/* ph_trace_curve: goes on by a cubic, given by its other control points.  What
+ * is straight to the digits of a file is a line. */
+void ph_trace_curve(struct ph_trace *trace, const struct ph_spot spots[3]);
 
 /* ph_trace_break: what follows is not connected. */
 void ph_trace_break(struct ph_trace *trace);

@@ -128,6 +128,21 @@ feed '{"points":[[0,0],[2,1],[3,0]],"tangents":[[1,1],[1,0],[1,-1]]}' tc \
 drawn 'cubics with tangents, and a joint that is no datum' 4 2 0 0 3 3 3
 feed '{"points":[[0,0],[1,0]],"derivatives":[[1,1],[-1,1]]}' tc -p x.svg
 drawn 'a pair of cubics' 2 2 0 0 2 2 2
+# places of the figure are x and -y of the control points, scaled and moved
+{
+  jq '.segments[].control_points[][]' out
+  grep '<path.*[0-9]C[0-9]' x.svg | sed 's/.* d="M\([^"]*\)".*/\1/' |
+    tr 'C ,' '\n\n\n'
+} | awk '{ v[NR] = $1 } END {
+    scale = (v[23] - v[17]) / (v[7] - v[1])
+    for (i = 1; i <= 16; i++) {
+      sign = i % 2 ? 1 : -1
+      from = i % 2 ? 1 : 2
+      d = v[i + 16] - v[from + 16] - sign * scale * (v[i] - v[from])
+      bad = bad || d > 0.0015 || d < -0.0015
+    }
+    print NR, bad + 0 }' >found
+equal 'a pair of cubics: they are drawn as themselves' '32 0' "$(cat found)"
 # four views and two profiles
 feed '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]]}' spatial-hermite -p x.svg
 drawn 'in space' 12 6 0 0 12 0 16

@@ -29,7 +29,7 @@ static void stroke(struct ph_drawing *d, const struct unit_drawing *of,
                    double to, double larger) {
   struct ph_stroke *s = &d->strokes[d->strokes_n++];
   size_t steps = role == PH_STROKE_POLYGON ? 3 : STEPS;
-  *s = (struct ph_stroke){role, index, steps + 1, NULL};
+  *s = (struct ph_stroke){role, index, steps + 1, NULL, NULL};
   s->points = array(d, steps + 1, sizeof *s->points);
   for (size_t i = 0; i <= steps; i++) {
     double t = (double)i / (double)steps;
@@ -42,7 +42,7 @@ static void tangent(struct ph_drawing *d, const struct unit_drawing *of,
   struct ph_stroke *s = &d->strokes[d->strokes_n++];
   ph_vec3 along =
       ph_vec3_of(-0.1 * of->size * sin(a), 0.1 * of->size * cos(a), 0);
-  *s = (struct ph_stroke){PH_STROKE_TANGENT, index, 2, NULL};
+  *s = (struct ph_stroke){PH_STROKE_TANGENT, index, 2, NULL, NULL};
   s->points = array(d, 2, sizeof *s->points);
   s->points[0] = place(of, a, 1);
   s->points[1] = ph_vec3_add(s->points[0], along);

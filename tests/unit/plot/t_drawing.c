@@ -69,6 +69,19 @@ static ph_vec3 control_of(const struct ph_curve *curve, size_t k, size_t i) {
                      curve->dimension);
 }
 
+/* A place of piece i of a stroke. */
+static ph_vec3 stroke_at(const struct ph_stroke *s, size_t i, double t) {
+  const ph_vec3 a = s->points[i], b = s->points[i + 1];
+  const double r = 1 - t;
+  if (!s->handles) {
+    return ph_vec3_along(ph_vec3_scale(r, a), t, b);
+  }
+  return ph_vec3_add(ph_vec3_along(ph_vec3_scale(r * r * r, a), 3 * r * r * t,
+                                   s->handles[2 * i]),
+                     ph_vec3_along(ph_vec3_scale(t * t * t, b), 3 * r * t * t,
+                                   s->handles[2 * i + 1]));
+}
+
 static double to_segment(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
   ph_vec3 ab = ph_vec3_sub(b, a), ap = ph_vec3_sub(p, a);
   double square = ph_vec3_dot(ab, ab);
@@ -76,18 +89,49 @@ static double to_segment(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
   return unit_apart(p, ph_vec3_along(a, t < 0 ? 0 : t > 1 ? 1 : t, ab));
 }
 
-static double to_stroke(ph_vec3 p, const struct ph_stroke *stroke) {
+/* The distance to the nearest place of piece i between t = low and high, of
+ * which there is one. */
+static double to_piece(ph_vec3 p, const struct ph_stroke *s, size_t i,
+                       double low, double high) {
+  for (int k = 0; k < 60; k++) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    if (unit_apart(p, stroke_at(s, i, a)) < unit_apart(p, stroke_at(s, i, b))) {
+      high = b;
+    } else {
+      low = a;
+    }
+  }
+  return unit_apart(p, stroke_at(s, i, low));
+}
+
+/* Whether a piece is no longer than a point is from its start. */
+static bool is_far(ph_vec3 p, const struct ph_stroke *s, size_t i) {
+  const ph_vec3 *h = s->handles ? s->handles + 2 * i : s->points + i;
+  return unit_apart(p, s->points[i]) >
+         1.01 * (unit_apart(s->points[i], h[0]) + unit_apart(h[0], h[1]) +
+                 unit_apart(h[1], s->points[i + 1]));
+}
+
+static double to_stroke(ph_vec3 p, const struct ph_stroke *s) {
+  enum { STEPS = 32 };
   double least = (double)INFINITY;
-  for (size_t i = 1; i < stroke->n; i++) {
-    least =
-        fmin(least, to_segment(p, stroke->points[i - 1], stroke->points[i]));
+  for (size_t i = 0; i < STEPS * (s->n - 1); i++) {
+    const double low = (double)(i % STEPS) / STEPS, high = low + 1.0 / STEPS;
+    const ph_vec3 a = stroke_at(s, i / STEPS, low);
+    const ph_vec3 b = stroke_at(s, i / STEPS, high);
+    const double step = unit_apart(a, b);
+    if (is_far(p, s, i / STEPS)) {
+      i += STEPS - 1;
+    } else if (to_segment(p, a, b) <= fmin(0.5 * step, least + step)) {
+      least = fmin(least, to_piece(p, s, i / STEPS, low, high));
+    }
   }
   return least;
 }
 
 /* Every segment of a curve by its stroke and profile. */
 static void ck_segments(const struct ph_curve *curve) {
-  const double tolerance = 2 * ph_curve_size(curve) / 4000;
+  const double tolerance = 2e-6 * ph_curve_size(curve);
   const struct ph_drawing *d = draw_curve(curve);
   double start = 0;
   ck_assert_uint_eq(d->segments_n, curve->n);
@@ -103,6 +147,13 @@ static void ck_segments(const struct ph_curve *curve) {
     ck_assert_uint_ge(s->n, 2);
     ck_vec3(s->points[0], control_of(curve, k, 0), 0);
     ck_vec3(s->points[s->n - 1], control_of(curve, k, curve->degree), 0);
+    for (size_t i = 1; s->handles && i + 1 < s->n; i++) { /* no corners */
+      const ph_vec3 in = ph_vec3_sub(s->points[i], s->handles[2 * i - 1]);
+      const ph_vec3 out = ph_vec3_sub(s->handles[2 * i], s->points[i]);
+      ck_vec3(ph_vec3_unit(in), ph_vec3_unit(out),
+              1e-9 + 1e-14 * ph_curve_size(curve) /
+                         fmin(ph_vec3_abs(in), ph_vec3_abs(out)));
+    }
     ck_assert_uint_eq(polygon->index, k);
     ck_vec3(polygon->points[0], control_of(curve, k, 0), 0);
     ck_vec3(polygon->points[polygon->n - 1],
@@ -112,7 +163,7 @@ static void ck_segments(const struct ph_curve *curve) {
     for (size_t i = 0; i <= 256; i++) {
       double u = (double)i / 256;
       struct ph_sample at = ph_sampler_at(&sampler, u);
-      ck_assert_double_le(to_stroke(at.point, s), tolerance);
+      ck_assert(i % 2 > 0 || to_stroke(at.point, s) <= tolerance);
       if (i % 4 == 0) {
         ck_rel(p->s[i / 4], start + unit_length(&sampler, u), 1e-15);
         ck_assert(unit_same(p->curvature[i / 4], at.curvature) ||
@@ -151,14 +202,21 @@ PH_TEST(test_circle) {
   ck_assert_uint_eq(d->data_n, 2);
   ck_vec3(d->data[0], ph_vec3_of(0, 0, 0), 0);
   ck_vec3(d->data[1], ph_vec3_of(sin(6) / 2, (1 - cos(6)) / 2, 0), 1e-15);
-  ck_vec3(d->low, ph_vec3_of(-0.5, 0, 0), 1e-4);
-  ck_vec3(d->high, ph_vec3_of(0.5, 1, 0), 1e-4);
+  /* the curve is 1 high; also where it turns between two of the points */
+  ck_vec3(d->low, ph_vec3_of(-0.5, 0, 0), 2e-6);
+  ck_vec3(d->high, ph_vec3_of(0.5, 1, 0), 2e-6);
   s = stroke_of(d, PH_STROKE_CURVE, 0);
-  /* the ends are 0.14 apart, and chords of pi / 50 leave the arc by 2.5e-4 */
-  ck_assert_uint_ge(s->n, 100);
-  ck_assert_uint_le(s->n, 1025);
+  /* the error of a cubic for an arc of A is A^6 of 1e-5, about */
+  ck_assert_uint_ge(s->n, 9);
+  ck_assert_uint_le(s->n, 17);
+  ck_assert(s->handles != NULL);
   for (size_t i = 0; i < s->n; i++) {
     ck_abs(unit_apart(s->points[i], ph_vec3_of(0, 0.5, 0)), 0.5, 1e-14);
+  }
+  for (size_t i = 0; i < 16 * (s->n - 1); i++) {
+    ck_abs(unit_apart(stroke_at(s, i / 16, (double)(i % 16) / 16),
+                      ph_vec3_of(0, 0.5, 0)),
+           0.5, 2e-6);
   }
   for (size_t i = 0; i < d->profiles[0].n; i++) {
     ck_abs(d->profiles[0].s[i], 3 * (double)i / 64, 1e-14);
@@ -183,6 +241,13 @@ PH_TEST(test_cubics) {
     struct unit_cubics c;
     unit_cubics_random(&c, &r, 3, 1e3, ph_cplx_of(1, 2));
     ck_segments(&c.curve);
+    for (size_t k = 0; k < 3; k++) { /* they are drawn as themselves */
+      const struct ph_stroke *s = stroke_of(drawing, PH_STROKE_CURVE, k);
+      ck_assert_uint_eq(s->n, 2);
+      for (size_t j = 0; j < 2; j++) {
+        ck_vec3(s->handles[j], control_of(&c.curve, k, 1 + j), 1e-12 * 1e3);
+      }
+    }
   }
 }
 
@@ -332,7 +397,7 @@ PH_TEST(test_vectors_sphere) {
 /* ---- offsets ------------------------------------------------------------- */
 
 /* Within the circle, far outside of it, and one that is a point: it is drawn
- * too.  What is far away makes the box larger and the chords coarser. */
+ * too.  What is far away makes the box larger and the cubics coarser. */
 PH_TEST(test_offsets) {
   const struct ph_problem nothing = {.field = {{.kind = PH_ABSENT}}};
   struct ph_offset offsets[] = {
@@ -353,18 +418,19 @@ PH_TEST(test_offsets) {
       ck_abs(unit_apart(s->points[j], ph_vec3_of(0, 0.5, 0)), radii[i], 1e-13);
     }
   }
-  ck_assert_uint_ge(stroke_of(d, PH_STROKE_OFFSET, 1)->n, 64);
-  ck_assert_uint_le(stroke_of(d, PH_STROKE_CURVE, 0)->n, 65);
-  ck_vec3(d->low, ph_vec3_of(-10, -9.5, 0), 0.01);
-  ck_vec3(d->high, ph_vec3_of(10, 10.5, 0), 0.01);
+  ck_assert_uint_ge(stroke_of(d, PH_STROKE_OFFSET, 1)->n, 9);
+  ck_assert_uint_le(stroke_of(d, PH_STROKE_CURVE, 0)->n, 9);
+  ck_vec3(d->low, ph_vec3_of(-10, -9.5, 0), 1e-4);
+  ck_vec3(d->high, ph_vec3_of(10, 10.5, 0), 1e-4);
 }
 
 static double length_of(const struct ph_drawing *d, enum ph_stroke_role role) {
   const struct ph_stroke *s;
   double length = 0;
   for (size_t i = 0; (s = stroke_of(d, role, i)) != NULL; i++) {
-    for (size_t j = 1; j < s->n; j++) {
-      length += unit_apart(s->points[j - 1], s->points[j]);
+    for (size_t j = 0; j < 64 * (s->n - 1); j++) {
+      length += unit_apart(stroke_at(s, j / 64, (double)(j % 64) / 64),
+                           stroke_at(s, j / 64, (double)(j % 64 + 1) / 64));
     }
   }
   return length;
@@ -400,8 +466,8 @@ PH_TEST(test_trimmed) {
     result.offsets = &offset;
     d = draw(&nothing, &result);
     ck_abs(length_of(d, PH_STROKE_OFFSET) + length_of(d, PH_STROKE_TRIMMED),
-           whole, 2e-3 * whole);
-    ck_abs(length_of(d, PH_STROKE_OFFSET), offset.length, 2e-3 * whole);
+           whole, 1e-4 * whole);
+    ck_abs(length_of(d, PH_STROKE_OFFSET), offset.length, 1e-4 * whole);
     ck_assert(d->low.x >= least - 2e-3 * whole);
     trimmed += strokes_of(d, PH_STROKE_TRIMMED) > 0;
   }
@@ -504,7 +570,7 @@ PH_TEST(test_many) {
     const struct ph_curve curve = straight(n);
     const struct ph_drawing *d = draw_curve(&curve);
     const bool details = n <= PH_DRAWING_SEGMENTS;
-    size_t points = 0, places = 0, polygons = details ? n : 0;
+    size_t points = 0, handles = 0, places = 0, polygons = details ? n : 0;
     double s = 0;
     ck_assert_uint_eq(d->data_n, details ? n + 1 : 0);
     ck_assert_uint_eq(strokes_of(d, PH_STROKE_POLYGON), polygons);
@@ -524,13 +590,15 @@ PH_TEST(test_many) {
         s = profile->s[j];
       }
       points += stroke->n;
+      handles += stroke->handles ? 2 * (stroke->n - 1) : 0;
       places += profile->n;
     }
     ck_assert_uint_ge(points, n < PH_DRAWING_POINTS ? n : 50000);
-    ck_assert_uint_le(points, PH_DRAWING_POINTS + PH_DRAWING_SEGMENTS + 1);
+    ck_assert_uint_le(points + handles,
+                      PH_DRAWING_POINTS + PH_DRAWING_SEGMENTS + 1);
     ck_assert_uint_ge(places, PH_DRAWING_PLACES / 2);
     ck_assert_uint_le(places, PH_DRAWING_PLACES);
-    ck_assert_uint_eq(d->places, points + places + 6 * polygons);
+    ck_assert_uint_eq(d->places, points + handles + places + 6 * polygons);
     ck_abs(d->high.x, (double)n, 0);
   }
 }
