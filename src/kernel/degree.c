@@ -37,7 +37,7 @@ ph_vec3 ph_degree_to_unit(double lon, double lat) {
 
 void ph_degree_of_unit(ph_vec3 u, double lonlat[2]) {
   double lon = atan2(u.y, u.x) * (180 / PH_PI);
-  double lat = atan2(u.z, hypot(u.x, u.y)) * (180 / PH_PI);
+  double lat = atan2(u.z, sqrt(u.x * u.x + u.y * u.y)) * (180 / PH_PI);
   /* -180 is that of y = -0, or of a y that is too small to matter. */
   lon = lon <= -180 ? 180 : lon;
   /* At a pole the signs of zeros, which say nothing, would make it +-180. */

@@ -33,6 +33,9 @@ enum {
 /* What the values are not known better than, and the places. */
 static const double ROUNDING = 4 * DBL_EPSILON;
 
+/* Coefficients of less, beside the mean, are rounding of the values. */
+static const double NOISE = DBL_EPSILON;
+
 /* Beyond the last node there is less than this part of a panel, in which a kink
  * is seen by nothing but the value at the end. */
 static const double BLIND = 0.01;
@@ -125,6 +128,18 @@ static double miss_at_ends(const struct ph_primitive_panel *panel,
          ((isfinite(end[0]) ? left : 0) + (isfinite(end[1]) ? right : 0));
 }
 
+/* The last coefficients that are no more than the rounding of the values are
+ * nothing else, and left out. */
+static void shorten(struct ph_primitive_panel *panel, double mean) {
+  size_t n = NODES;
+  while (n > 2 && fabs(panel->value[n - 1]) <= NOISE * mean &&
+         fabs(panel->value[n - 2]) <= NOISE * mean) {
+    panel->value[n - 1] = panel->value[n - 2] = 0;
+    n -= 2;
+  }
+  panel->terms = n;
+}
+
 /* The coefficients of the integral by (2); the integral over the panel. */
 static double integrate(struct ph_primitive_panel *panel) {
   const double half = 0.5 * (panel->to - panel->from), *c = panel->value;
@@ -155,6 +170,7 @@ keep(struct task *task, const struct ph_primitive_panel *panel, double mean) {
   p->panels = grown;
   grown[p->n] = *panel;
   grown[p->n].before = ph_sum_value(&task->before);
+  shorten(&grown[p->n], mean);
   ph_sum_add(&task->before, integrate(&grown[p->n]));
   ph_sum_add(&task->size, mean * (panel->to - panel->from));
   p->n++;
@@ -278,29 +294,72 @@ panel_of(const struct ph_primitive *primitive, double u) {
   return &primitive->panels[low];
 }
 
-/* sum_k c[k] T_k(x), k < n, by (3). */
-static double chebyshev(const double *c, size_t n, double x) {
+/* The even and the odd part of a sum, which go through the same operations. */
+#if defined(__GNUC__)
+typedef double pair __attribute__((vector_size(2 * sizeof(double))));
+
+static inline pair pair_of(const double c[2]) {
+  return (pair){c[0], c[1]};
+}
+
+/* c + t a - b */
+static inline pair pair_next(pair c, double t, pair a, pair b) {
+  return c + t * a - b;
+}
+
+static inline double part(pair a, size_t i) {
+  return a[i];
+}
+#else
+typedef struct {
+  double v[2];
+} pair;
+
+static inline pair pair_of(const double c[2]) {
+  return (pair){{c[0], c[1]}};
+}
+
+static inline pair pair_next(pair c, double t, pair a, pair b) {
+  return (pair){{c.v[0] + t * a.v[0] - b.v[0], c.v[1] + t * a.v[1] - b.v[1]}};
+}
+
+static inline double part(pair a, size_t i) {
+  return a.v[i];
+}
+#endif
+
+/* sum_k c[k] T_k(x), k < n, by (3), for two c of which the first is longer by
+ * a pair; the second one only if it is wanted. */
+static void chebyshev(const double *c, const double *also, size_t n, double x,
+                      double sum[2]) {
+  static const double zero[2] = {0, 0};
   const double twice = 4 * x * x - 2; /* 2 T_2 */
-  double even[2] = {0, 0}, odd[2] = {0, 0};
+  pair a = pair_of(c + n), before = pair_of(zero);
+  pair b = before, b_before = before;
   for (size_t k = n / 2; k-- > 0;) {
-    double e = c[2 * k] + twice * even[0] - even[1];
-    double o = c[2 * k + 1] + twice * odd[0] - odd[1];
-    even[1] = even[0];
-    even[0] = e;
-    odd[1] = odd[0];
-    odd[0] = o;
+    const pair next = pair_next(pair_of(c + 2 * k), twice, a, before);
+    before = a;
+    a = next;
+    if (also) {
+      const pair b_next = pair_next(pair_of(also + 2 * k), twice, b, b_before);
+      b_before = b;
+      b = b_next;
+    }
   }
-  return even[0] - twice / 2 * even[1] + x * (odd[0] - odd[1]);
+  sum[0] = part(a, 0) - twice / 2 * part(before, 0) +
+           x * (part(a, 1) - part(before, 1));
+  sum[1] = part(b, 0) - twice / 2 * part(b_before, 0) +
+           x * (part(b, 1) - part(b_before, 1));
 }
 
 double ph_primitive_at(const struct ph_primitive *primitive, double u,
                        double *value) {
   const struct ph_primitive_panel *p = panel_of(primitive, u);
   const double x = ((u - p->from) + (u - p->to)) / (p->to - p->from);
+  double sum[2];
+  chebyshev(p->sum, value ? p->value : NULL, p->terms, x, sum);
   if (value) {
-    *value = chebyshev(p->value, NODES, x);
+    *value = sum[1];
   }
-  return !(u > 0) ? 0
-         : u < 1  ? p->before + chebyshev(p->sum, TERMS, x)
-                  : primitive->total;
+  return !(u > 0) ? 0 : u < 1 ? p->before + sum[0] : primitive->total;
 }

@@ -23,6 +23,7 @@ struct ph_primitive_panel {
   double before;                  /* integral from 0 to `from` */
   double sum[PH_PRIMITIVE_TERMS]; /* an even number: the last one is 0 */
   double value[PH_PRIMITIVE_NODES];
+  size_t terms; /* of value that count, an even number; of sum 2 more */
 };
 
 /* Zeroed at first; its memory is used again for the next function. */

@@ -275,8 +275,8 @@ const struct ph_kind ph_kind_bezier = {
     .bernstein = true,
     .no_erf = "Bezier curves have no preimage and no Euler-Rodrigues frame: "
               "ask for the frame without the conversion",
-    .curve = {begin, enter, at, length, chord_bound},
-    .beside = {begin, enter, at, length, chord_bound},
+    .curve = {begin, enter, at, length, chord_bound, NULL},
+    .beside = {begin, enter, at, length, chord_bound, NULL},
     .reference = reference,
     .turn = turn,
     .principal = principal,

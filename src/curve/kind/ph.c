@@ -117,12 +117,12 @@ static ph_vec3 principal(const struct ph_sampler *sampler, double u,
 /* ---- the kinds ----------------------------------------------------------- */
 
 /* What they have in common. */
-#define WITH_PREIMAGE                                                          \
-  .erf = true, .cusp = "radius of curvature equals it",                        \
-  .curve = {begin, enter, at, length, chord_bound},                            \
-  .beside = {ph_beside_begin, ph_beside_enter, ph_beside_at, ph_beside_length, \
-             ph_beside_chord_bound},                                           \
-  .reference = reference, .turn = turn, .principal = principal,                \
+#define WITH_PREIMAGE                                               \
+  .erf = true, .cusp = "radius of curvature equals it",             \
+  .curve = {begin, enter, at, length, chord_bound, NULL},           \
+  .beside = {ph_beside_begin,  ph_beside_enter,       ph_beside_at, \
+             ph_beside_length, ph_beside_chord_bound, NULL},        \
+  .reference = reference, .turn = turn, .principal = principal,     \
   .offsets_n = {1, PH_OFFSETS_SPATIAL}
 
 const struct ph_kind ph_kind_ph = {WITH_PREIMAGE, .bernstein = true,

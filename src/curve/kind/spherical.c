@@ -73,11 +73,11 @@ static struct motion motion_slow(const struct ph_spherical *segment, double u) {
   return motion;
 }
 
-static struct motion motion_at(const struct ph_spherical_fast *fast, double u) {
+/* From S, S' and S'', of which S' is changed. */
+static struct motion motion_of(const struct ph_spherical_fast *fast, double u,
+                               ph_vec3 jet[3]) {
   struct motion motion;
-  ph_vec3 jet[3];
   double square, second;
-  ph_spherical_fast_jet(fast, u, jet);
   jet[1] = ph_vec3_normal(jet[1], jet[0]);
   square = ph_vec3_dot(jet[1], jet[1]);
   second = ph_vec3_dot(jet[2], jet[2]);
@@ -90,6 +90,12 @@ static struct motion motion_at(const struct ph_spherical_fast *fast, double u) {
   motion.noise = sqrt(second / square);
   motion.tangent = ph_vec3_unit(jet[1]);
   return motion;
+}
+
+static struct motion motion_at(const struct ph_spherical_fast *fast, double u) {
+  ph_vec3 jet[3];
+  ph_spherical_fast_jet(fast, u, jet);
+  return motion_of(fast, u, jet);
 }
 
 /* Where a point of the unit sphere is in the user's unit. */
@@ -292,11 +298,34 @@ static struct ph_sample at_parallel(const struct ph_sampler *sampler,
   return sample;
 }
 
+static struct ph_sample at_motion(const struct ph_sampler *sampler, double u,
+                                  const struct motion *motion) {
+  return sampler->offset ? at_parallel(sampler, motion)
+                         : at_curve(sampler, u, motion);
+}
+
 static struct ph_sample at(const struct ph_sampler *sampler, double u) {
   const struct state *state = sampler->state;
-  struct motion motion = motion_at(&state->segment, u);
-  return sampler->offset ? at_parallel(sampler, &motion)
-                         : at_curve(sampler, u, &motion);
+  const struct motion motion = motion_at(&state->segment, u);
+  return at_motion(sampler, u, &motion);
+}
+
+static void at_each(const struct ph_sampler *sampler, const double *u, size_t n,
+                    struct ph_sample *samples) {
+  enum { LANES = PH_SPHERICAL_FAST_LANES };
+  const struct state *state = sampler->state;
+  size_t i = 0;
+  for (; i + LANES <= n; i += LANES) {
+    ph_vec3 jet[LANES][3];
+    ph_spherical_fast_jets(&state->segment, u + i, jet);
+    for (size_t k = i; k < i + LANES; k++) {
+      const struct motion motion = motion_of(&state->segment, u[k], jet[k - i]);
+      samples[k] = at_motion(sampler, u[k], &motion);
+    }
+  }
+  for (; i < n; i++) {
+    samples[i] = at(sampler, u[i]);
+  }
 }
 
 /* ---- frames -------------------------------------------------------------- */
@@ -513,8 +542,8 @@ const struct ph_kind ph_kind_spherical_nu = {
     .on_sphere = true,
     .no_erf = "a curve on a sphere has no Euler-Rodrigues frame",
     .cusp = "curve bends as a circle of that radius on the sphere",
-    .curve = {begin, enter, at, length, chord_bound},
-    .beside = {begin, enter, at, length, chord_bound},
+    .curve = {begin, enter, at, length, chord_bound, at_each},
+    .beside = {begin, enter, at, length, chord_bound, at_each},
     .reference = reference,
     .principal = principal,
     .offsets_n = {0, 1},

@@ -142,5 +142,5 @@ static double chord_bound(const struct ph_sampler *sampler, double u0,
          ph_sampler_chord_bound(side_of(sampler), fmin(a, b), fmax(a, b));
 }
 
-const struct ph_sampler_ops ph_loop_ops = {begin, enter, at, length,
-                                           chord_bound};
+const struct ph_sampler_ops ph_loop_ops = {begin,  enter,       at,
+                                           length, chord_bound, NULL};

@@ -23,6 +23,8 @@ static const double AT_JOINT = 4 * DBL_EPSILON;
 static const double GROWTH = 8;
 /* A last interval is no shorter than this, of the spacing. */
 static const double LAST = 1e-9;
+/* So many samples are computed together. */
+enum { GROUP = 16 };
 
 /* ---- the sampler --------------------------------------------------------- */
 
@@ -64,6 +66,17 @@ struct ph_sample ph_sampler_at(const struct ph_sampler *sampler, double u) {
   return sampler->ops->at(sampler, u);
 }
 
+void ph_sampler_at_each(const struct ph_sampler *sampler, const double *u,
+                        size_t n, struct ph_sample *samples) {
+  if (sampler->ops->at_each) {
+    sampler->ops->at_each(sampler, u, n, samples);
+    return;
+  }
+  for (size_t i = 0; i < n; i++) {
+    samples[i] = ph_sampler_at(sampler, u[i]);
+  }
+}
+
 double ph_sampler_length(const struct ph_sampler *sampler, double u,
                          double *speed) {
   return sampler->ops->length(sampler, u, speed);
@@ -88,6 +101,8 @@ struct walk {
   size_t step;      /* the next place is at so many times the spacing, or the
                        one of this index */
   struct ph_samples *samples;
+  double u[GROUP]; /* of samples that are to be computed */
+  size_t waiting;  /* so many of them, all of the segment */
   size_t most, room;
   struct ph_sum start; /* length before the segment */
   struct ph_diag *diag;
@@ -165,13 +180,18 @@ static enum ph_status reserve(struct walk *walk, double n, double all) {
 }
 
 /* The same; if more is taken, it is for all segments, as if those to come were
- * as those before, but for no more than GROWTH times what is needed, and no
- * less than twice what there was. */
+ * as those before, but for no more than GROWTH times what is needed or, of an
+ * offset at equal spacing, than the curve itself would have; and for no less
+ * than twice what there was. */
 static enum ph_status reserve_more(struct walk *walk, double n) {
   const double needed = (double)walk->samples->n + n;
   const double segments = (double)walk->sampler.n;
   double all = segments / (double)(walk->sampler.k + 1) * needed;
-  all = fmax(fmin(all, GROWTH * needed), 2 * (double)walk->room);
+  double most = GROWTH * needed;
+  if (walk->rules->how == PH_SAMPLE_SPACING) {
+    most = fmax(most, walk->sampler.curve->length / walk->rules->spacing);
+  }
+  all = fmax(fmin(all, most), 2 * (double)walk->room);
   return reserve(walk, n, all);
 }
 
@@ -193,28 +213,49 @@ static void place_of(const struct walk *walk, double u, size_t *segment,
   *t = u * ph_curve_range(curve, *segment);
 }
 
-/* Appends the sample at u of the segment, where there is room for it. */
-static void put(struct walk *walk, double u, double s) {
-  const struct ph_sample sample = ph_sampler_at(&walk->sampler, u);
+static void put_sample(struct walk *walk, size_t i, double u,
+                       const struct ph_sample *sample) {
   struct ph_samples *to = walk->samples;
-  const size_t dimension = to->dimension, i = to->n++;
+  const size_t dimension = to->dimension;
   ph_vec3 normal, binormal;
-  place_of(walk, u, &to->segment[i], &to->t[i]);
-  to->s[i] = s;
-  ph_vec3_put(sample.point, dimension, to->point + dimension * i);
-  ph_vec3_put(sample.tangent, dimension, to->tangent + dimension * i);
-  to->curvature[i] = sample.curvature;
+  ph_vec3_put(sample->point, dimension, to->point + dimension * i);
+  ph_vec3_put(sample->tangent, dimension, to->tangent + dimension * i);
+  to->curvature[i] = sample->curvature;
   if (to->torsion) {
-    to->torsion[i] = sample.torsion;
+    to->torsion[i] = sample->torsion;
   }
   if (to->lonlat) {
-    to->lonlat[2 * i] = sample.lonlat[0];
-    to->lonlat[2 * i + 1] = sample.lonlat[1];
+    to->lonlat[2 * i] = sample->lonlat[0];
+    to->lonlat[2 * i + 1] = sample->lonlat[1];
   }
   if (to->normal) {
-    ph_framing_at(&walk->framing, u, &sample, &normal, &binormal);
+    ph_framing_at(&walk->framing, u, sample, &normal, &binormal);
     ph_vec3_put(normal, 3, to->normal + 3 * i);
     ph_vec3_put(binormal, 3, to->binormal + 3 * i);
+  }
+}
+
+/* Computes the samples that wait, which are the last ones. */
+static void settle(struct walk *walk) {
+  const size_t n = walk->waiting, first = walk->samples->n - n;
+  struct ph_sample sample[GROUP];
+  ph_sampler_at_each(&walk->sampler, walk->u, n, sample);
+  for (size_t i = 0; i < n; i++) {
+    put_sample(walk, first + i, walk->u[i], &sample[i]);
+  }
+  walk->waiting = 0;
+}
+
+/* Appends the sample at u of the segment, where there is room for it; it waits
+ * for others of the segment. */
+static void put(struct walk *walk, double u, double s) {
+  struct ph_samples *to = walk->samples;
+  const size_t i = to->n++;
+  place_of(walk, u, &to->segment[i], &to->t[i]);
+  to->s[i] = s;
+  walk->u[walk->waiting++] = u;
+  if (walk->waiting == GROUP) {
+    settle(walk);
   }
 }
 
@@ -331,6 +372,7 @@ static void end(struct walk *walk) {
     s->n--;
   }
   put(walk, 1, length);
+  settle(walk);
 }
 
 static enum ph_status enter(struct walk *walk, size_t k) {
@@ -382,6 +424,7 @@ static enum ph_status go(struct walk *walk) {
                                                 : enter(walk, k);
     if (status == PH_OK) {
       status = places[rules->how](walk);
+      settle(walk);
       ph_sum_add(&walk->start, walk->sampler.length);
     }
     if (status == PH_OK && rules->how == PH_SAMPLE_SPACING && ends(walk)) {

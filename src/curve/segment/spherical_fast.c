@@ -38,28 +38,11 @@
 #include "kernel/s2.h"
 
 #include <float.h>
+#include <stdbool.h>
 
 /* Terms of (5) at most, which suffice below NEAR. */
 enum { TERMS = 20 };
 static const double NEAR = 0x1p-3;
-
-/* A point, as a displacement, and its derivatives. */
-struct jet {
-  ph_vec3 v, first, second;
-};
-
-/* A parameter: t and 1 - t, y, sigma, P, and the coefficients b_k of (5). */
-struct basis {
-  double t, s, y, sigma;
-  ph_vec3 base;
-  double b[TERMS];
-};
-
-/* Of sigma and E: A - 1, (A - B) / 2, (A + B) / 2, b, its derivatives by E; H,
- * H_E. */
-struct functions {
-  double a, before, after, b, b1, b2, h, h1;
-};
 
 /* ---- functions of sigma and E -------------------------------------------- */
 
@@ -94,47 +77,31 @@ static const double slope[TERMS + 2] = {0,
                                         1099511627776.0 / 282585384081,
                                         3848290697216.0 / 964378691705};
 
-static void basis_of(const struct ph_spherical_fast *fast, double t,
-                     struct basis *basis) {
-  const double y = 4 * t * (1 - t);
-  basis->t = t;
-  basis->s = 1 - t;
-  basis->y = y;
-  basis->sigma = t - basis->s;
-  basis->base = fast->segment.p[t < 0.5 ? 0 : 3];
-  basis->b[0] = 1;
-  for (size_t k = 1; k < fast->terms; k++) {
-    double low = (double)(4 * k * (k - 1));
-    basis->b[k] = basis->b[k - 1] * ((low + y) * inverse[k]);
-  }
+/* ---- one place ----------------------------------------------------------- */
+
+#define REAL double
+#define NAME(name) one_##name
+
+struct one_basis;
+struct one_functions;
+struct one_jet;
+static void far(const struct one_basis *basis, double e,
+                const struct one_jet *u, const struct one_jet *w,
+                struct one_functions *f);
+
+static inline bool one_all_less(double x, double y) {
+  return x < y;
 }
 
-/* By (5), (2) and (4). */
-static void near(const struct basis *basis, size_t terms, double e,
-                 struct functions *f) {
-  /* sum of b_k E^(k-1), k >= 1, its derivative, and half the second one */
-  double c = 0, c1 = 0, c2 = 0, h1 = slope[terms + 1], odd;
-  for (size_t k = terms; k-- > 1;) {
-    c2 = c1 + e * c2;
-    c1 = c + e * c1;
-    c = basis->b[k] + e * c;
-    h1 = slope[k + 1] + e * h1;
-  }
-  h1 = slope[1] + e * h1;
-  odd = basis->sigma * (e * c); /* B - sigma */
-  f->b = 1 + e * c;
-  f->b1 = c + e * c1;
-  f->b2 = 2 * (c1 + e * c2);
-  f->a = e * (c + 2 * f->b1);
-  f->before = basis->s + 0.5 * (f->a - odd);
-  f->after = basis->t + 0.5 * (f->a + odd);
-  f->h1 = h1;
-  f->h = (1 - 2 * e * (1 - e) * h1) / (1 - 2 * e);
-}
+#include "curve/segment/spherical_fast.def"
 
 /* By (1), (2) and (4), from |m| too. */
-static void far(const struct basis *basis, double e, double m,
-                struct functions *f) {
+static void far(const struct one_basis *basis, double e,
+                const struct one_jet *u, const struct one_jet *w,
+                struct one_functions *f) {
+  const ph_vec3 sum =
+      ph_vec3_of(u->v.x + w->v.x, u->v.y + w->v.y, u->v.z + w->v.z);
+  const double m = ph_vec3_abs(ph_vec3_along(basis->base, 0.5, sum));
   const double sine = sqrt(e), phi = atan2(sine, m), z = basis->sigma * phi;
   const double square = m * m, a = cos(z) / m;
   const double b = ph_s2_f0(z * z) * phi / sine, whole = 2 * sine * m;
@@ -149,112 +116,74 @@ static void far(const struct basis *basis, double e, double m,
   f->h1 = (1 - (1 - 2 * e) * f->h) / (2 * e * square);
 }
 
-/* ---- steps --------------------------------------------------------------- */
-
-/* The derivatives of A and B by t, the first and the second, from those of E by
- * (2) and (3), with sigma' = 2; out  a[2], b[2] */
-static void chain(const struct basis *basis, const struct functions *f,
-                  double e, double e1, double e2, double a[2], double b[2]) {
-  const double rest = 1 - e, sigma = basis->sigma;
-  const double value_a = 1 + f->a, value_b = sigma * f->b;
-  const double be = sigma * f->b1, ae = 3 * f->b1 + 2 * e * f->b2;
-  const double aee = (3 * ae - sigma * be) / (2 * rest);
-  const double low = e * f->h, high = rest * f->h;
-  const double ase = -(f->h + e * f->h1) * value_b - low * be;
-  const double bse = (rest * f->h1 - f->h) * value_a + high * ae;
-  const double square = 4 * low * high;
-  a[0] = ae * e1 - 2 * low * value_b;
-  b[0] = be * e1 + 2 * high * value_a;
-  a[1] = (4 * ase + aee * e1) * e1 + ae * e2 - square * value_a;
-  b[1] = (4 * bse + sigma * f->b2 * e1) * e1 + be * e2 - square * value_b;
-}
-
-/* x[0] p + x[1] u + x[2] w */
-static ph_vec3 join(const double x[3], ph_vec3 p, ph_vec3 u, ph_vec3 w) {
-  return ph_vec3_along(ph_vec3_along(ph_vec3_scale(x[0], p), x[1], u), x[2], w);
-}
-
-/* The weights of P, U and W in (8) and their derivatives, from those of A, B.
- */
-static void weights_of(double a, double b, double x[3]) {
-  x[0] = a;
-  x[1] = 0.5 * (a - b);
-  x[2] = 0.5 * (a + b);
-}
-
-/* (8) */
-static void step(const struct basis *basis, size_t terms, const struct jet *u,
-                 const struct jet *w, struct jet *z) {
-  const ph_vec3 d = ph_vec3_sub(w->v, u->v);
-  const ph_vec3 d1 = ph_vec3_sub(w->first, u->first);
-  const ph_vec3 d2 = ph_vec3_sub(w->second, u->second);
-  const double e = 0.25 * ph_vec3_dot(d, d), e1 = 0.5 * ph_vec3_dot(d, d1);
-  const double e2 = 0.5 * (ph_vec3_dot(d, d2) + ph_vec3_dot(d1, d1));
-  struct functions f;
-  double a[2], b[2], x1[3], x2[3];
-  ph_vec3 first, second;
-  if (e < NEAR) {
-    near(basis, terms, e, &f);
-  } else {
-    ph_vec3 m = ph_vec3_along(basis->base, 0.5, ph_vec3_add(u->v, w->v));
-    far(basis, e, ph_vec3_abs(m), &f);
-  }
-  chain(basis, &f, e, e1, e2, a, b);
-  weights_of(a[0], b[0], x1);
-  weights_of(a[1], b[1], x2);
-  first = join(x1, basis->base, u->v, w->v);
-  second = join(x2, basis->base, u->v, w->v);
-  second = ph_vec3_along(second, f.before, u->second);
-  second = ph_vec3_along(second, f.after, w->second);
-  second = ph_vec3_along(second, 2 * x1[1], u->first);
-  z->second = ph_vec3_along(second, 2 * x1[2], w->first);
-  first = ph_vec3_along(first, f.before, u->first);
-  z->first = ph_vec3_along(first, f.after, w->first);
-  z->v = ph_vec3_along(
-      ph_vec3_along(ph_vec3_scale(f.a, basis->base), f.before, u->v), f.after,
-      w->v);
-}
-
-/* c[0] x + c[1] x^2 + ... */
-static double polynomial(const double *c, size_t n, double x) {
-  double sum = c[n - 1];
-  for (size_t k = n - 1; k-- > 0;) {
-    sum = c[k] + x * sum;
-  }
-  return x * sum;
-}
-
-/* (6) and (7) */
-static void arc_step(const struct ph_spherical_fast *fast,
-                     const struct basis *basis, size_t k, struct jet *z) {
-  const struct ph_spherical_fast_arc *arc = &fast->arc[k];
-  const ph_vec3 *at = fast->at[basis->t < 0.5 ? 0 : 1] + k;
-  const double a = polynomial(arc->a, fast->arc_terms, basis->y);
-  const double b = polynomial(arc->b, fast->arc_terms, basis->y);
-  const double odd = basis->sigma * b;
-  const double x[3] = {a, basis->s + 0.5 * (a - odd),
-                       basis->t + 0.5 * (a + odd)};
-  z->v = join(x, basis->base, at[0], at[1]);
-  z->first = ph_vec3_along(ph_vec3_scale(basis->sigma * (1 + b), arc->dm),
-                           1 + a, arc->dd);
-  z->second = ph_vec3_scale(-arc->square, ph_vec3_add(basis->base, z->v));
+static size_t end_of(double t) {
+  return t < 0.5 ? 0 : 3;
 }
 
 void ph_spherical_fast_jet(const struct ph_spherical_fast *fast, double t,
                            ph_vec3 jet[3]) {
-  struct basis basis;
-  struct jet a[3], b[2], z;
-  basis_of(fast, t, &basis);
-  for (size_t k = 0; k < 3; k++) {
-    arc_step(fast, &basis, k, &a[k]);
-  }
-  step(&basis, fast->terms, &a[0], &a[1], &b[0]);
-  step(&basis, fast->terms, &a[1], &a[2], &b[1]);
-  step(&basis, fast->terms, &b[0], &b[1], &z);
-  jet[0] = ph_vec3_add(basis.base, z.v);
-  jet[1] = z.first;
-  jet[2] = z.second;
+  const size_t end = end_of(t);
+  const ph_vec3 base = fast->segment.p[end];
+  struct one_jet z;
+  one_curve(fast, t, end, &z);
+  jet[0] = ph_vec3_of(base.x + z.v.x, base.y + z.v.y, base.z + z.v.z);
+  jet[1] = ph_vec3_of(z.first.x, z.first.y, z.first.z);
+  jet[2] = ph_vec3_of(z.second.x, z.second.y, z.second.z);
 }
+
+/* ---- several places ------------------------------------------------------ */
+
+#if defined(__GNUC__) && !defined(PH_SPHERICAL_FAST_ONE)
+
+#define LANES PH_SPHERICAL_FAST_LANES
+typedef double lanes __attribute__((vector_size(LANES * sizeof(double))));
+#define REAL lanes
+#define NAME(name) some_##name
+
+static inline bool some_all_less(lanes x, double y) {
+  bool all = true;
+  for (size_t i = 0; i < LANES; i++) {
+    all = all && x[i] < y;
+  }
+  return all;
+}
+
+#include "curve/segment/spherical_fast.def"
+
+void ph_spherical_fast_jets(const struct ph_spherical_fast *fast,
+                            const double t[], ph_vec3 jet[][3]) {
+  const size_t end = end_of(t[0]);
+  const ph_vec3 base = fast->segment.p[end];
+  struct some_jet z;
+  bool same = true;
+  lanes at;
+  for (size_t i = 0; i < LANES; i++) {
+    at[i] = t[i];
+    same = same && end_of(t[i]) == end;
+  }
+  same = same && some_curve(fast, at, end, &z);
+  for (size_t i = 0; i < LANES; i++) {
+    if (same) {
+      jet[i][0] =
+          ph_vec3_of(base.x + z.v.x[i], base.y + z.v.y[i], base.z + z.v.z[i]);
+      jet[i][1] = ph_vec3_of(z.first.x[i], z.first.y[i], z.first.z[i]);
+      jet[i][2] = ph_vec3_of(z.second.x[i], z.second.y[i], z.second.z[i]);
+    } else {
+      ph_spherical_fast_jet(fast, t[i], jet[i]);
+    }
+  }
+}
+
+#else
+
+void ph_spherical_fast_jets(const struct ph_spherical_fast *fast,
+                            const double t[], ph_vec3 jet[][3]) {
+  for (size_t i = 0; i < PH_SPHERICAL_FAST_LANES; i++) {
+    ph_spherical_fast_jet(fast, t[i], jet[i]);
+  }
+}
+
+#endif
 
 /* ---- preparation --------------------------------------------------------- */
 

@@ -34,4 +34,10 @@ void ph_spherical_fast_of(const struct ph_spherical *segment,
 void ph_spherical_fast_jet(const struct ph_spherical_fast *fast, double t,
                            ph_vec3 jet[3]);
 
+/* ph_spherical_fast_jets: the same, to the last bit, at several places at once;
+ * least work where they are near each other.  in  t[PH_SPHERICAL_FAST_LANES] */
+enum { PH_SPHERICAL_FAST_LANES = 2 };
+void ph_spherical_fast_jets(const struct ph_spherical_fast *fast,
+                            const double t[], ph_vec3 jet[][3]);
+
 #endif

@@ -75,6 +75,26 @@ PH_TEST(test_random) {
   }
 }
 
+/* Several at once are as one after the other, to the last bit: on one side of
+ * the middle and on both, near and far. */
+PH_TEST(test_each) {
+  enum { LANES = PH_SPHERICAL_FAST_LANES };
+  struct unit_random r = unit_random_of(1342);
+  for (int i = 0; i < unit_count(2000); i++) {
+    double angle = pow(10, unit_random_in(&r, -6, 0.3)), t[LANES];
+    struct ph_spherical s = random_segment(&r, angle);
+    struct ph_spherical_fast fast;
+    ph_vec3 each[LANES][3], one[LANES][3];
+    ph_spherical_fast_of(&s, &fast);
+    for (size_t k = 0; k < LANES; k++) {
+      t[k] = unit_random_in(&r, 0, 1);
+      ph_spherical_fast_jet(&fast, t[k], one[k]);
+    }
+    ph_spherical_fast_jets(&fast, t, each);
+    ck_assert_mem_eq(each, one, sizeof one);
+  }
+}
+
 /* Next to an end at rest S' is right relative to itself: S' = t S''(0) but for
  * terms of higher order, and exactly 0 there. */
 PH_TEST(test_rest) {
