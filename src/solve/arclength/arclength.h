@@ -338,6 +338,21 @@ void ph_arc_wiggle(const struct ph_arc_system *system, const double *natural,
  * one; of several the lowest is taken.
  */
 
+/* The curve whose lengths are free. */
+struct ph_arc_natural {
+  bool known; /* false: all that follows is of what came nearest to it */
+  double residual;
+  double f;
+  double *length; /* [n]; NULL: none was looked for */
+  double *x;      /* [x_n] */
+  size_t steps;   /* that the search took to find it */
+};
+
+/* ph_arc_natural_copy: in memory of its own; false: there is none. */
+bool ph_arc_natural_copy(const struct ph_arc_natural *from, size_t n,
+                         size_t x_n, struct ph_arena *arena,
+                         struct ph_arc_natural *to);
+
 /* What is asked for. */
 struct ph_arc_request {
   const struct ph_arc_data *data;
@@ -349,15 +364,8 @@ struct ph_arc_request {
                   * nowhere */
   bool waves;    /* and random waves */
   bool saddles;  /* what is stationary counts as found */
-};
-
-/* The curve whose lengths are free. */
-struct ph_arc_natural {
-  bool known; /* false: all that follows is of what came nearest to it */
-  double residual;
-  double f;
-  double *length; /* [n] */
-  double *x;      /* [x_n] */
+  const struct ph_arc_natural *natural; /* of a search before, of the same data,
+                                         * refine and dim; NULL: it is found */
 };
 
 /* A minimum. */

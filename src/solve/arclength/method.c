@@ -16,7 +16,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { REFINE_MAX = 3, STARTS_MAX = 1000 };
+enum { REFINE_MAX = 3, DIM_MAX = 4, STARTS_MAX = 1000 };
 
 /* One interval whose length is its chord to this is straight. */
 static const double STRAIGHT = 1e-12;
@@ -32,6 +32,10 @@ struct task {
   bool keep_plane;
   bool left_plane;    /* no curve was found there */
   size_t refine_last; /* the largest that is tried */
+  /* Natural curves of searches that found nothing, by refine - 1 and dim: they
+   * are most of what a search does, and other starts do not change them. */
+  struct ph_arc_natural natural[REFINE_MAX][DIM_MAX + 1];
+  struct ph_arena kept; /* holds them */
 };
 
 /* ---- what is asked for --------------------------------------------------- */
@@ -196,6 +200,23 @@ static enum ph_status judge_in_space(struct task *t,
   return ok ? PH_OK : ph_fail_memory(t->diag);
 }
 
+/* A search, from the natural curve of one before if there was one. */
+static bool search_now(struct task *t) {
+  const struct ph_arc_search *search = &t->search;
+  struct ph_arc_natural *natural =
+      &t->natural[t->request.refine - 1][t->request.dim];
+  t->request.natural = natural->length ? natural : NULL;
+  if (!ph_arc_search_run(&t->request, t->scratch, &t->search)) {
+    return false;
+  }
+  if (search->found_n == 0 && search->natural.length && !natural->length) {
+    /* without memory for it, it is found again */
+    ph_arc_natural_copy(&search->natural, t->data.n, search->system.x_n,
+                        &t->kept, natural);
+  }
+  return true;
+}
+
 /* Measured tangents are fitted from where the exact ones led: they need not be
  * kept for that, and of many sensors a curve that does is far away. */
 static bool fit_in(struct task *t) {
@@ -204,8 +225,7 @@ static bool fit_in(struct task *t) {
   struct ph_mark mark = ph_arena_mark(t->scratch);
   if (!all) {
     t->request.rescue = t->request.waves = false;
-    if (!ph_arc_search_run(&t->request, t->scratch, &t->search) ||
-        !ph_arc_fit(&t->data, t->scratch, &t->search)) {
+    if (!search_now(t) || !ph_arc_fit(&t->data, t->scratch, &t->search)) {
       return false;
     }
     t->request.rescue = rescue;
@@ -215,15 +235,12 @@ static bool fit_in(struct task *t) {
     }
     ph_arena_release(t->scratch, mark);
   }
-  return ph_arc_search_run(&t->request, t->scratch, &t->search) &&
-         ph_arc_fit(&t->data, t->scratch, &t->search);
+  return search_now(t) && ph_arc_fit(&t->data, t->scratch, &t->search);
 }
 
 static bool search_in(struct task *t, size_t dim) {
   t->request.dim = dim;
-  return t->data.tangent_sigma
-             ? fit_in(t)
-             : ph_arc_search_run(&t->request, t->scratch, &t->search);
+  return t->data.tangent_sigma ? fit_in(t) : search_now(t);
 }
 
 /* Whether the minima in the plane are minima in space. */
@@ -332,7 +349,10 @@ static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,
                             struct ph_result *result, struct ph_diag *diag) {
   struct ph_mark mark = ph_arena_mark(scratch);
-  struct task t = {.problem = problem, .scratch = scratch, .diag = diag};
+  struct task t = {.problem = problem,
+                   .scratch = scratch,
+                   .diag = diag,
+                   .kept = ph_arena_beside(scratch)};
   enum ph_status status = read_task(&t);
   status = status == PH_OK ? find_refined(&t) : status;
   if (status == PH_OK && t.search.found_n == 0) {
@@ -341,6 +361,7 @@ static enum ph_status solve(const struct ph_problem *problem,
     status = ph_arc_report(&t.search, t.left_plane, scratch, out, result, diag);
   }
   ph_arena_release(scratch, mark);
+  ph_arena_free(&t.kept);
   return status;
 }
 

@@ -212,6 +212,7 @@ static bool solve_natural(struct ph_arc_system *s, struct engine *e,
       return false;
     }
     steps += e->point.iterations;
+    natural->steps = steps;
     if (e->point.minimiser || e->point.residual < natural->residual) {
       set_natural(e, natural);
     }
@@ -238,6 +239,22 @@ static bool find_natural(const struct ph_arc_request *request,
        engine_of(&s, arena, &engine) && solve_natural(&s, &engine, natural);
   ph_arena_release(arena, mark);
   return ok;
+}
+
+bool ph_arc_natural_copy(const struct ph_arc_natural *from, size_t n,
+                         size_t x_n, struct ph_arena *arena,
+                         struct ph_arc_natural *to) {
+  double *length = ph_arena_array(arena, n, sizeof *length);
+  double *x = ph_arena_array(arena, x_n, sizeof *x);
+  if (!length || !x) {
+    return false;
+  }
+  memcpy(length, from->length, n * sizeof *length);
+  memcpy(x, from->x, x_n * sizeof *x);
+  *to = *from;
+  to->length = length;
+  to->x = x;
+  return true;
 }
 
 /* Whether all lengths are nearly those of the natural curve. */
@@ -448,7 +465,10 @@ bool ph_arc_search_run(const struct ph_arc_request *request,
   }
   /* tangents have no natural lengths: the curve would shrink to a point */
   if (d->length && d->mode != PH_ARC_TANGENTS) {
-    if (!find_natural(request, arena, &search->natural)) {
+    if (request->natural) {
+      search->natural = *request->natural;
+      search->natural.steps = 0;
+    } else if (!find_natural(request, arena, &search->natural)) {
       return false;
     }
     run.near = is_near(d, &search->natural);
