@@ -7,10 +7,12 @@
  * samples are found again.
  *
  * The bytes of an input:
- *   0      bits 0 closed, 1 general cones, 2-3 how vectors are coded, 4 lambda
- * or a contact point, 5 a translation, 6 indented JSON, 7 no height 1 signed:
- * coordinates are scaled by 2 to eight times that 2-3    the distance of a
- * parallel surface and lambda, small numbers 4-5    the height, signed bytes
+ *   0      bits 0 closed, 1 general cones, 2-3 how vectors are coded,
+ *          4 lambda or a contact point, 5 a translation, 6 indented JSON,
+ *          7 no height
+ *   1      signed: coordinates are scaled by 2 to eight times that
+ *   2, 3   the distance of a parallel surface and lambda, small numbers
+ *   4, 5   the height, signed bytes
  *   6-14   the volume: how its lattice lies, signed bytes
  *   15...  elements: point, ruling, and what the tangent is but for its part
  *          along the ruling; of general cones a byte, the vertex

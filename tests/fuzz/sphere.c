@@ -10,15 +10,16 @@
  *          points, 3 closed, 4 indented JSON, 5 an offset, 6-7 ends (absent,
  *          natural, rest, clamped by tangents)
  *   1      bits 0-1 knots (absent, uniform, geodesic, numbers), 2 model
- * nielson, 3 criterion legacy, 4-5 shape (absent, warn, false, true), 6-7
- *          increase (absent, minimal, plus:V, times:V)
+ *          nielson, 3 criterion legacy, 4-5 shape (absent, warn, false, true),
+ *          6-7 increase (absent, minimal, plus:V, times:V)
  *   2      signed: epsilon is 2^(byte / 4); 0: absent
  *   3      signed: the radius is 2 to six times that, if bit 0 is set the
- * center is not 0; 0: both are absent 4      tension: bit 0 one for each point;
- * 0: absent 5...   the points: three or two signed bytes, signed 16-bit
- * numbers, doubles as they are, or steps (turn, length); after each a byte for
- * its knot and one for its tension, where they are given.  The first two are
- * the end tangents as well.
+ *          center is not 0; 0: both are absent
+ *   4      tension: bit 0 one for each point; 0: absent
+ *   5...   the points: three or two signed bytes, signed 16-bit numbers,
+ *          doubles as they are, or steps (turn, length); after each a byte for
+ *          its knot and one for its tension, where they are given.  The first
+ *          two are the end tangents as well.
  */
 #include "problem.h"
 

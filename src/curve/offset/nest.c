@@ -5,15 +5,50 @@
 #include "kernel/cplx.h"
 #include "kernel/pi.h"
 
+#include <float.h>
+
 /* Points of a piece at most; halvings of one beside a place. */
 enum { POINTS_MAX = 2 * 9, HALVINGS_MAX = 60 };
 
-/* Control points from the place, times their weights: all that directions from
- * there need. */
+/* Of coordinates that are no more than 1. */
+static const double ROUNDING = 8 * DBL_EPSILON;
+
+/* Control points from the place, times their weights, at a scale in range: all
+ * that directions from there need. */
 struct piece {
   size_t n;
   ph_cplx p[POINTS_MAX];
 };
+
+static struct piece piece_of(const struct ph_loop_piece *of, size_t points,
+                             const double *at) {
+  struct piece piece = {.n = points};
+  double weight = 0, size = fmax(fabs(at[0]), fabs(at[1]));
+  int exponent;
+  for (size_t j = 0; j < points; j++) {
+    const double *p = of->control_points + 2 * j;
+    weight = fmax(weight, of->weights[j]);
+    size = fmax(size, fmax(fabs(p[0]), fabs(p[1])));
+  }
+  frexp(size, &exponent);
+  for (size_t j = 0; j < points; j++) {
+    const double *p = of->control_points + 2 * j, w = of->weights[j] / weight;
+    piece.p[j] =
+        ph_cplx_of(w * (ldexp(p[0], -exponent) - ldexp(at[0], -exponent)),
+                   w * (ldexp(p[1], -exponent) - ldexp(at[1], -exponent)));
+  }
+  return piece;
+}
+
+/* Whether all of it is where the place is, as far as can be told: so are its
+ * halves, and theirs. */
+static bool is_there(const struct piece *piece) {
+  size_t i = 0;
+  while (i < piece->n && !(ph_cplx_abs(piece->p[i]) > ROUNDING)) {
+    i++;
+  }
+  return i == piece->n;
+}
 
 /* The angle from end to end, where a half plane through the place holds all of
  * the piece; false if none is found. */
@@ -33,7 +68,7 @@ static bool is_aside(const struct piece *piece, double *angle) {
 static double angle_of(const struct piece *piece, int depth) {
   struct piece left = {.n = piece->n}, right = *piece;
   double angle = 0;
-  if (is_aside(piece, &angle) || depth == HALVINGS_MAX) {
+  if (is_there(piece) || is_aside(piece, &angle) || depth == HALVINGS_MAX) {
     return angle;
   }
   for (size_t i = 0, last = piece->n - 1; i <= last; i++) {
@@ -50,12 +85,7 @@ static bool is_around(const struct ph_loop *loop, size_t points,
                       const double *at) {
   double sum = 0;
   for (size_t i = 0; i < loop->n; i++) {
-    const struct ph_loop_piece *of = &loop->pieces[i];
-    struct piece piece = {.n = points};
-    for (size_t j = 0; j < points; j++) {
-      const double *p = of->control_points + 2 * j, w = of->weights[j];
-      piece.p[j] = ph_cplx_of(w * (p[0] - at[0]), w * (p[1] - at[1]));
-    }
+    const struct piece piece = piece_of(&loop->pieces[i], points, at);
     sum += angle_of(&piece, 0);
   }
   return fabs(sum) > PH_PI;

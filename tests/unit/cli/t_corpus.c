@@ -18,6 +18,8 @@
 #include "../../fuzz/sphere.c"
 #include "../../fuzz/tc.c"
 #include "../../fuzz/bubble.c"
+#include "../../fuzz/cone.c"
+#include "../../fuzz/offset.c"
 #include "../../fuzz/result.c"
 #include "../../fuzz/xml.c"
 
@@ -58,20 +60,47 @@ static const struct {
     {"sphere", corpus_sphere},
     {"tc", corpus_tc},
     {"bubble", corpus_bubble},
+    {"cone", corpus_cone},
+    {"offset", corpus_offset},
     {"result", corpus_result},
     {"xml", corpus_xml},
 };
 
-PH_TEST_EACH(test_corpus, COUNT(targets)) {
+static DIR *corpus_of(const char *target, char *directory, size_t n) {
   const char *source = getenv("srcdir");
-  char directory[1024], path[2048];
-  struct dirent *entry;
-  size_t count = 0;
   DIR *list;
-  snprintf(directory, sizeof directory, "%s/tests/fuzz/corpus/%s",
-           source ? source : ".", targets[_i].name);
+  snprintf(directory, n, "%s/tests/fuzz/corpus/%s", source ? source : ".",
+           target);
   list = opendir(directory);
   ck_assert_msg(list != NULL, "no directory %s", directory);
+  return list;
+}
+
+/* Inputs of every target are replayed. */
+PH_TEST(test_targets) {
+  char directory[1024];
+  DIR *list = corpus_of("", directory, sizeof directory);
+  struct dirent *entry;
+  size_t count = 0;
+  while ((entry = readdir(list))) {
+    size_t i = 0;
+    if (entry->d_name[0] != '.') {
+      while (i < COUNT(targets) && strcmp(targets[i].name, entry->d_name)) {
+        i++;
+      }
+      ck_assert_msg(i < COUNT(targets), "%s is not replayed", entry->d_name);
+      count++;
+    }
+  }
+  closedir(list);
+  ck_assert_uint_eq(count, COUNT(targets));
+}
+
+PH_TEST_EACH(test_corpus, COUNT(targets)) {
+  char directory[1024], path[2048];
+  DIR *list = corpus_of(targets[_i].name, directory, sizeof directory);
+  struct dirent *entry;
+  size_t count = 0;
   while ((entry = readdir(list))) {
     if (entry->d_name[0] != '.') {
       snprintf(path, sizeof path, "%s/%s", directory, entry->d_name);
