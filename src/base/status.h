@@ -84,6 +84,8 @@ enum ph_class {
     "the curve is nearly a polygon with sharp corners")                    \
   X(W_MOVED_POINTS, "moved-points", RECORD,                                \
     "points were moved onto the sphere")                                   \
+  X(W_DEGREES, "degrees", RECORD,                                          \
+    "longitudes and latitudes were taken as x and y")                      \
   X(W_MERGED_POINTS, "merged-points", RECORD,                              \
     "points that are near each other were joined")                         \
   X(W_FAR_CONTACT, "far-contact", RECORD,                                  \

@@ -213,6 +213,17 @@ static void advise(struct task *t) {
   }
 }
 
+/* Lengths of what is made of degrees are none. */
+static void tell_degrees(struct task *t) {
+  const struct ph_schema *schema = &t->options->command->method->schema;
+  if (t->item->record.degrees && !ph_field_find(schema, "lonlat", 6)) {
+    ph_warn(&t->result, PH_NO_SEGMENT, PH_W_DEGREES,
+            "longitudes and latitudes, in degrees, were taken as x and y: "
+            "sphere takes them as they are, and projected coordinates have "
+            "lengths");
+  }
+}
+
 static enum ph_status solve(struct task *t) {
   const struct ph_command *command = t->options->command;
   struct ph_worker *worker = t->worker;
@@ -235,6 +246,7 @@ static enum ph_status solve(struct task *t) {
                                     &worker->scratch, &t->result, &t->diag);
     if (status == PH_OK) {
       ph_merge_result(&t->merge, &t->result);
+      tell_degrees(t);
     } else {
       ph_merge_tell(&t->merge, &t->diag);
     }

@@ -88,7 +88,9 @@ static enum ph_status bad_cell(struct reader *r, enum ph_status status,
                                const struct ph_csv_cell *cell) {
   const char *field = ph_field_name((enum ph_field_id)column->field);
   const char *what = status == PH_E_NOT_FINITE ? "finite " : "";
-  const char *remedy = !ph_csv_decimal_comma(cell) ? ""
+  const char *remedy = ph_csv_thousands(cell) && !ph_csv_decimal_comma(cell)
+                           ? "; numbers have no thousands separators"
+                       : !ph_csv_decimal_comma(cell) ? ""
                        : r->columns->delimiter == ','
                            ? "; numbers have a decimal point"
                            : "; numbers have a decimal point (tr , . makes "

@@ -90,6 +90,10 @@ bool ph_csv_number(const char *text, size_t n, double *x);
  * the decimal point. */
 bool ph_csv_decimal_comma(const struct ph_csv_cell *cell);
 
+/* ph_csv_thousands: whether a cell is a number but for marks between groups of
+ * three digits, and perhaps a decimal comma. */
+bool ph_csv_thousands(const struct ph_csv_cell *cell);
+
 /* ---- records -------------------------------------------------------- */
 
 /* What a column holds, when it is no field. */

@@ -288,3 +288,48 @@ bool ph_csv_decimal_comma(const struct ph_csv_cell *cell) {
   text[n] = '.';
   return ph_csv_number(text, cell->n, &x);
 }
+
+/* The length of a mark between groups of digits at p: of a blank that does not
+ * break a line, too; 0: it is none. */
+static size_t thousands_mark(const char *p, const char *end) {
+  static const char *const marks[] = {
+      ",", ".", "'", " ", "_", "\xc2\xa0", "\xe2\x80\xaf", "\xe2\x80\x99"};
+  for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++) {
+    const size_t n = strlen(marks[i]);
+    if ((size_t)(end - p) >= n && memcmp(p, marks[i], n) == 0) {
+      return n;
+    }
+  }
+  return 0;
+}
+
+/* How many digits begin at p. */
+static size_t digits_at(const char *p, const char *end) {
+  size_t n = 0;
+  while (p + n < end && p[n] >= '0' && p[n] <= '9') {
+    n++;
+  }
+  return n;
+}
+
+bool ph_csv_thousands(const struct ph_csv_cell *cell) {
+  const char *p = cell->text, *end = p + cell->n;
+  char text[PH_EXCERPT_MAX];
+  size_t n = 0, marks = 0;
+  double x;
+  if (cell->n > sizeof text) {
+    return false;
+  }
+  while (p < end) {
+    const size_t mark =
+        n > 0 && digits_at(text + n - 1, text + n) ? thousands_mark(p, end) : 0;
+    if (mark > 0 && digits_at(p + mark, end) == 3) {
+      p += mark;
+      marks++;
+    } else {
+      text[n++] = *p == ',' ? '.' : *p;
+      p++;
+    }
+  }
+  return marks > 0 && ph_csv_number(text, n, &x);
+}

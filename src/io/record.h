@@ -29,6 +29,7 @@ struct ph_record {
   bool mesh;                            /* the text is OBJ */
   enum ph_status status; /* not PH_OK: broken text, diag says why */
   bool downward;         /* y points that way, as in SVG */
+  bool degrees;          /* points are longitudes and latitudes, as in GPX */
   bool named;            /* ... but the text is an object with the id */
 };
 

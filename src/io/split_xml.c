@@ -168,6 +168,7 @@ give(struct ph_split *split, struct ph_record *record, struct ph_diag *diag) {
   record->line = xml->in.at;
   record->status = xml->in.status;
   record->downward = xml->in.kind == PH_XML_SVG;
+  record->degrees = xml->in.kind == PH_XML_GPX;
   if (record->status != PH_OK) {
     record->named = record->n > 0;
     *diag = xml->in.diag;

@@ -242,6 +242,14 @@ point (tr , . makes them of commas) [bad-type]
 $(failed 1 1)"
 done
 
+for cell in '"1,234.5"' "1'234.5" '1 234.5' '1.234,5'; do
+  csv "thousands: $cell" '1 absent absent' "x;y\n0;0\n1;$cell\n"
+  expect "thousands: $cell: what is wrong" 1 "phspline: a.csv:3: record 1: \
+points[1]: needs a number in column y, found \"$(echo "$cell" | tr -d '"')\"; \
+numbers have no thousands separators [bad-type]
+$(failed 1 1)"
+done
+
 # foreign NAME WHAT TEXT: what is no table is called by its name
 foreign() {
   # shellcheck disable=SC2059

@@ -51,6 +51,17 @@ equal 'names, and their segments' \
 expect 'a point without a number' 1 \
   'phspline: garmin.gpx:19: record 3: lat: must be a number [bad-value]'
 
+cat >track.gpx <<'END'
+<gpx><trk>
+<name>a</name>
+<trkseg><trkpt lat="1" lon="2"/><trkpt lat="2" lon="2"/></trkseg>
+</trk></gpx>
+END
+run planar track.gpx
+expect 'degrees as x and y' 0 'phspline: track.gpx:3: record a: warning: longitudes and latitudes, in degrees, were taken as x and y: sphere takes them as they are, and projected coordinates have lengths [degrees]'
+run sphere track.gpx
+expect 'degrees as such' 0 ''
+
 # of gpsbabel, whose routes are in GPX 1.0
 cat >gpsbabel.gpx <<'END'
 <?xml version="1.0" encoding="UTF-8"?>

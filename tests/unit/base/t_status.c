@@ -52,6 +52,7 @@ static const struct {
     {PH_W_NATURAL_UNKNOWN, "natural-unknown", 1},
     {PH_W_SHARP_CORNERS, "sharp-corners", 1},
     {PH_W_MOVED_POINTS, "moved-points", 1},
+    {PH_W_DEGREES, "degrees", 1},
     {PH_W_MERGED_POINTS, "merged-points", 1},
     {PH_W_FAR_CONTACT, "far-contact", 1},
     {PH_W_VERTEX_INSIDE, "vertex-inside", 1},

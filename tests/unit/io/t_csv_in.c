@@ -174,6 +174,29 @@ PH_TEST(test_decimal_commas) {
   }
 }
 
+PH_TEST(test_thousands) {
+  static const char *const thousands[] = {"1,234.5",
+                                          "-1,234,567",
+                                          "1 234",
+                                          "1'234'567.25",
+                                          "1.234,5",
+                                          "1_000e3",
+                                          "12\xc2\xa0"
+                                          "345",
+                                          "12\xe2\x80\xaf"
+                                          "345,5"};
+  static const char *const none[] = {"1234",  "1,23",   "1,2345", ",123",
+                                     "a,123", "1,234m", "",       "1 23"};
+  struct ph_csv_cell cell = {NULL, 0, false};
+  for (size_t i = 0; i < COUNT(thousands) + COUNT(none); i++) {
+    bool is = i < COUNT(thousands);
+    const char *text = is ? thousands[i] : none[i - COUNT(thousands)];
+    cell.n = strlen(text);
+    cell.text = heap(text, cell.n);
+    ck_assert_msg(ph_csv_thousands(&cell) == is, "%s", text);
+  }
+}
+
 static bool number(const char *text, double *x) {
   return ph_csv_number(heap(text, strlen(text)), strlen(text), x);
 }
