@@ -82,13 +82,6 @@ static ph_vec3 stroke_at(const struct ph_stroke *s, size_t i, double t) {
                                    s->handles[2 * i + 1]));
 }
 
-static double to_segment(ph_vec3 p, ph_vec3 a, ph_vec3 b) {
-  ph_vec3 ab = ph_vec3_sub(b, a), ap = ph_vec3_sub(p, a);
-  double square = ph_vec3_dot(ab, ab);
-  double t = square > 0 ? ph_vec3_dot(ap, ab) / square : 0;
-  return unit_apart(p, ph_vec3_along(a, t < 0 ? 0 : t > 1 ? 1 : t, ab));
-}
-
 /* The distance to the nearest place of piece i between t = low and high, of
  * which there is one. */
 static double to_piece(ph_vec3 p, const struct ph_stroke *s, size_t i,
@@ -122,7 +115,7 @@ static double to_stroke(ph_vec3 p, const struct ph_stroke *s) {
     const double step = unit_apart(a, b);
     if (is_far(p, s, i / STEPS)) {
       i += STEPS - 1;
-    } else if (to_segment(p, a, b) <= fmin(0.5 * step, least + step)) {
+    } else if (fmin(unit_apart(p, a), unit_apart(p, b)) <= step) {
       least = fmin(least, to_piece(p, s, i / STEPS, low, high));
     }
   }
