@@ -27,6 +27,10 @@ static const double BETWEEN = 1.25;
  * slower the curve is, the faster may the offset be. */
 static const double CUSP = 1e-9, ROUND_CUSP = 64 * DBL_EPSILON;
 
+/* Roundings of a distance, as of normals elsewhere (local.c): of the unit
+ * normal, its product and the sum. */
+static const double ROUND_DISTANCE = 4 * DBL_EPSILON;
+
 /* Turns of loops, radians: what is less, is rounding of short pieces. */
 static const double TURN = 1e-6;
 
@@ -93,7 +97,7 @@ static struct ph_check_local local_of(const struct context *c, double u,
     ph_vec3 away = ph_vec3_sub(found, on);
     at.point = ph_vec3_along(
         on, fabs(c->path.distance) / ph_check_apart(found, on), away);
-    at.point_error = c->segment.noise;
+    at.point_error = c->segment.noise + ROUND_DISTANCE * fabs(c->path.distance);
   }
   return at;
 }

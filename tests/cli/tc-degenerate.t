@@ -219,3 +219,17 @@ feed '{"points":[[221983.57209401947,-118641.4233935893],[221984.13398301948,'\
   get diagnostics.max_curvature
 } | holds 'a cubic that nearly stops: its curvature' \
   '(2 * (x[1] * x[4] - x[2] * x[3]) / (x[3]^2 + x[4]^2)^2 / x[5] - 1)^2 < 1e-18'
+
+# ---- an offset a hundred million times as far as the curve is long -----------------
+
+# where the curve is at rest its offset is at the distance in any direction, to a
+# few roundings of the distance
+accepted tc 'a far offset of a curve that begins at rest' --offset=0.52 <<'EOF'
+{"points":[[2.216923256e-8,1.3841316186243e-8],[2.525986972e-8,
+1.7326515945e-8]],"tangents":[[0.8,0.6],[0.663485766,0.748188906]],"mode":"g1"}
+EOF
+sed 's/"control_points":\[\[-0.31199997783076[0-9]*,/"control_points":\[\[-0.31199997783077,/' \
+  any.result >bad
+run verify -q bad
+equal 'that offset, nearer by 1e-14' \
+  '1 "offsets[0].segments[0].control_points"' "$status $(get error.field)"

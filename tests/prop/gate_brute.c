@@ -261,9 +261,16 @@ struct fair {
   real bending, varying, f1_rounding, f2_rounding;
 };
 
+/* What rounding makes of the integral of the square of x, if it changes x by no
+ * more than an error of which that integral is `square': 2 x error + error^2,
+ * by the inequality of Schwarz, over SAME. */
+static real rounding_of(real integral, real square) {
+  return (2 * sqrtl(integral * square) + square) / SAME;
+}
+
 static bool fair_of(const struct ph_curve *curve, struct fair *fair) {
-  const real f1 = square(ROUND_CURVATURE * ROUNDING) / SAME;
-  const real f2 = square(ROUND_SLOPE * ROUNDING) / SAME;
+  const real f1 = square(ROUND_CURVATURE * ROUNDING);
+  const real f2 = square(ROUND_SLOPE * ROUNDING);
   *fair = (struct fair){.f1 = 0};
   for (size_t k = 0; k < curve->n; k++) {
     struct segment s;
@@ -278,10 +285,10 @@ static bool fair_of(const struct ph_curve *curve, struct fair *fair) {
     cube = of[LENGTH] * of[LENGTH] * of[LENGTH];
     fair->f1 += of[LENGTH] * of[BENDING];
     fair->f2 += cube * of[VARYING];
-    fair->bending += f1 / of[LENGTH];
-    fair->varying += f2 / cube;
-    fair->f1_rounding += f1;
-    fair->f2_rounding += f2;
+    fair->bending += rounding_of(of[BENDING], f1 / of[LENGTH]);
+    fair->varying += rounding_of(of[VARYING], f2 / cube);
+    fair->f1_rounding += rounding_of(of[LENGTH] * of[BENDING], f1);
+    fair->f2_rounding += rounding_of(cube * of[VARYING], f2);
   }
   return true;
 }
