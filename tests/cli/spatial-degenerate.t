@@ -254,3 +254,13 @@ for move in '[.[0],.[1],.[2]]' '[-.[0],.[1],.[2]]' '[.[1],.[2],.[0]]' \
   jq -c '.segments[].length' out >"lengths${move##*,}"
   numbers "nearly a line, $move" 1e-12 "lengths.[2]]" "lengths${move##*,}"
 done
+
+# A curve that passes a straight place: |kappa| is 1.5e-10 there and turns within
+# 1e-7 of the segment, which is 2e-6 of F2.
+accepted spatial-hermite 'almost an inflection' <<'EOF'
+{"points":[[0,0,0],[0.5807,-1.3551,0]],"basis":"atph","alpha":[2],
+"derivatives":[[1.18694,-2.7698,-0.00001],[0.83155850712,-1.94049411572,0]],
+"criterion":"zero"}
+EOF
+equal 'almost an inflection: F2, by 40 digits' true \
+  "$(jq '(.diagnostics.F2 / 1.02528094524131748e-5 - 1 | fabs) < 1e-9' any.result)"

@@ -60,6 +60,9 @@ static const double FLAT = 1e-13;
 /* A zero of z farther from the interval does not cut it; a real one, if it is
  * double, is nearer to it than that. */
 static const double NEAR = 0.3, INFLECTION = 1e-6;
+/* There z is rounding of its products: |kappa| of a curve that passes a
+ * straight place at a small distance turns within that, which counts. */
+static const double PASSING = 32 * DBL_EPSILON;
 /* Half the square of sqrt 2 - 1, and of 1: (x + y)^2 <= 2 (x^2 + y^2). */
 static const double CLEAR_SIGMA = 0.0857, CLEAR_Z = 0.5;
 
@@ -349,7 +352,7 @@ static bool is_inflection(const struct part *whole, ph_cplx zero) {
   double re = at(whole->w[0].p, whole->w[1].p, whole->w[2].p, y);
   double im = at(whole->w[0].q, whole->w[1].q, whole->w[2].q, y);
   return fabs(y) < 0.5 && fabs(zero.im) <= INFLECTION &&
-         hypot(re, im) <= FLAT * whole->b2_size;
+         hypot(re, im) <= PASSING * whole->b2_size;
 }
 
 /* Zero i of z is real and on the interval.  Where the other one is real, too,
